@@ -1,0 +1,154 @@
+/* check.c - sepax check: which triangles of two STL files collide. */
+#include "cli.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+  sepax_config config;
+  cli_grid grid;
+  const char *path[2];
+  int paths;
+  bool json;
+} check_options;
+
+typedef struct {
+  size_t (*pair)[2]; /* indices of colliding triangles */
+  size_t count, room;
+  double seconds;
+} collisions;
+
+static const struct argp_option options[] = {
+    {"json", 'j', NULL, 0, "print JSON instead of text", 0}, {0}};
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  check_options *o = state->input;
+  switch (key) {
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &o->config;
+    state->child_inputs[1] = &o->grid;
+    return 0;
+  case 'j':
+    o->json = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->paths == 2) {
+      argp_error(state, "unexpected argument '%s': give two STL files", text);
+    }
+    o->path[o->paths++] = text;
+    return 0;
+  case ARGP_KEY_END:
+    if (o->paths != 2) {
+      argp_error(state, "give two STL files");
+    }
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static bool record(collisions *found, size_t i, size_t j) {
+  if (found->count == found->room) {
+    size_t room = found->room == 0 ? 1024 : 2 * found->room;
+    void *more = realloc(found->pair, room * sizeof *found->pair);
+    if (more == NULL) {
+      return false;
+    }
+    found->pair = more;
+    found->room = room;
+  }
+  found->pair[found->count][0] = i;
+  found->pair[found->count][1] = j;
+  found->count++;
+  return true;
+}
+
+static bool judge_all(const sepax_design *design, const sepax_scene *scene, collisions *found) {
+  uint64_t total = (uint64_t)scene->count[0] * scene->count[1];
+  cli_progress progress = cli_progress_begin("pairs", total);
+  bool ok = true;
+  for (size_t i = 0; i < scene->count[0] && ok; i++) {
+    for (size_t j = 0; j < scene->count[1] && ok; j++) {
+      sepax_pair pair = sepax_scene_pair(scene, i, j);
+      if (sepax_judge(design, &pair).collision) {
+        ok = record(found, i, j);
+      }
+    }
+    cli_progress_show(&progress, (uint64_t)(i + 1) * scene->count[1]);
+  }
+  found->seconds = cli_progress_end(&progress);
+  return ok;
+}
+
+static void print_text(const check_options *o, const sepax_scene *scene,
+                       const collisions *found) {
+  const sepax_grid *g = &scene->grid;
+  printf("A      %s, %zu triangles\nB      %s, %zu triangles\n", o->path[0], scene->count[0],
+         o->path[1], scene->count[1]);
+  printf("grid   W = %d, 1 LSB = %.9g, origin %.9g,%.9g,%.9g\n", g->word, g->resolution,
+         g->offset[0], g->offset[1], g->offset[2]);
+  for (size_t k = 0; k < found->count; k++) {
+    printf("A[%zu] B[%zu]\n", found->pair[k][0], found->pair[k][1]);
+  }
+  printf("%s  %zu of %zu pairs collide (%s), %.3f s\n",
+         found->count > 0 ? "COLLISION" : "FREE", found->count,
+         scene->count[0] * scene->count[1], sepax_arch_name(o->config.arch), found->seconds);
+}
+
+static void print_json(const check_options *o, const sepax_scene *scene,
+                       const collisions *found) {
+  const sepax_grid *g = &scene->grid;
+  json_t *colliding = json_array();
+  for (size_t k = 0; k < found->count; k++) {
+    json_array_append_new(colliding, json_pack("[I, I]", (json_int_t)found->pair[k][0],
+                                               (json_int_t)found->pair[k][1]));
+  }
+  json_t *report = json_pack(
+      "{s:s, s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:I, s:I, s:f, s:o}",
+      "arch", sepax_arch_name(o->config.arch), "a", "file", o->path[0], "triangles",
+      (json_int_t)scene->count[0], "b", "file", o->path[1], "triangles",
+      (json_int_t)scene->count[1], "grid", "word", g->word, "resolution", g->resolution,
+      "origin", g->offset[0], g->offset[1], g->offset[2], "pairs",
+      (json_int_t)(scene->count[0] * scene->count[1]), "collisions", (json_int_t)found->count,
+      "seconds", found->seconds, "colliding", colliding);
+  if (report == NULL) { /* a file name that is not UTF-8 */
+    fprintf(stderr, "sepax check: %s: the name is not UTF-8; rename the file\n", o->path[0]);
+    exit(EXIT_ERROR);
+  }
+  json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
+  putchar('\n');
+  json_decref(report);
+}
+
+int cli_check(int argc, char **argv) {
+  static const struct argp_child children[] = {
+      {&cli_config_argp, 0, NULL, 0}, {&cli_grid_argp, 0, NULL, 0}, {0}};
+  static const struct argp argp = {
+      options, parse, "A.stl B.stl",
+      "Judge every pair of triangles of two STL files; the default --arch is exact. Indices "
+      "count facets from 0.\vExit status: 0 free, 1 collision, 2 error.",
+      children, NULL, NULL};
+  check_options o = {.config = sepax_config_default()};
+  o.config.arch = SEPAX_ARCH_EXACT;
+  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  o.grid.grid.word = o.config.word;
+  sepax_error error = {""};
+  sepax_design design;
+  sepax_scene scene;
+  if (!sepax_design_init(&design, &o.config, &error) ||
+      !sepax_scene_load(&scene, o.path, &o.grid.grid, o.grid.file_normals, &error)) {
+    return cli_fail(argv[0], &error);
+  }
+  collisions found = {0};
+  int status = EXIT_ERROR;
+  if (judge_all(&design, &scene, &found)) {
+    (o.json ? print_json : print_text)(&o, &scene, &found);
+    status = found.count > 0 ? EXIT_COLLISION : EXIT_FREE;
+  } else {
+    fprintf(stderr, "%s: no memory for %zu collisions\n", argv[0], found.count);
+  }
+  free(found.pair);
+  sepax_scene_free(&scene);
+  return status;
+}

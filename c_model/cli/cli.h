@@ -1,0 +1,61 @@
+/* cli.h - what the subcommands of build/sepax share. */
+#ifndef SEPAX_CLI_H
+#define SEPAX_CLI_H
+
+#include "sepax.h"
+
+#include <argp.h>
+#include <time.h>
+#include <unistd.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { EXIT_FREE = 0, EXIT_COLLISION = 1, EXIT_ERROR = 2 };
+
+/* Print "NAME: text" on stderr and return EXIT_ERROR. */
+int cli_fail(const char *name, const sepax_error *error);
+
+/* argp children: --arch --word --ii --precision --block-float --coplanarity
+ * --inequality --epsilon into a sepax_config (input: sepax_config *), and
+ * --resolution --offset --normals into a cli_grid (input: cli_grid *). */
+extern const struct argp cli_config_argp;
+extern const struct argp cli_grid_argp;
+
+typedef struct {
+  sepax_grid grid; /* resolution 0: fit both meshes into the word */
+  bool file_normals;
+} cli_grid;
+
+/* A count of 1 ... limit; argp_error otherwise. */
+uint64_t cli_count(const struct argp_state *state, const char *option, const char *text,
+                   uint64_t limit);
+/* "X,Y,Z" of finite numbers, or one finite number; argp_error otherwise. */
+void cli_vector(const struct argp_state *state, const char *option, const char *text,
+                double vector[3]);
+double cli_number(const struct argp_state *state, const char *option, const char *text);
+
+/* Progress on a terminal: one line on stderr, rewritten four times a second. */
+typedef struct {
+  const char *what;
+  uint64_t total;
+  struct timespec start, shown;
+  bool terminal;
+} cli_progress;
+
+cli_progress cli_progress_begin(const char *what, uint64_t total);
+void cli_progress_show(cli_progress *progress, uint64_t done);
+/* Erase the line; the seconds since the beginning. */
+double cli_progress_end(const cli_progress *progress);
+
+int cli_check(int argc, char **argv);
+int cli_gen(int argc, char **argv);
+int cli_judge(int argc, char **argv);
+int cli_mesh(int argc, char **argv);
+int cli_vectors(int argc, char **argv);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

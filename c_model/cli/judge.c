@@ -1,0 +1,79 @@
+/* judge.c - sepax judge: verdicts for pairs given as text. */
+#include "cli.h"
+
+#include <errno.h>
+#include <string.h>
+
+typedef struct {
+  sepax_config config;
+  const char *path;
+  bool echo;
+} judge_options;
+
+static const struct argp_option options[] = {
+    {"echo", 'e', NULL, 0, "print the 24 integers of the pair before its verdict", 0}, {0}};
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  judge_options *o = state->input;
+  switch (key) {
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &o->config;
+    return 0;
+  case 'e':
+    o->echo = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->path != NULL) {
+      argp_error(state, "unexpected argument '%s': give one file", text);
+    }
+    o->path = text;
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static bool judge_stream(const sepax_design *design, FILE *in, const char *name, bool echo,
+                         sepax_error *error) {
+  sepax_pair pair;
+  sepax_line line;
+  size_t number = 0;
+  while ((line = sepax_pair_read(&pair, in, name, &number, design->config.word, error)) ==
+         SEPAX_LINE_PAIR) {
+    if (echo) {
+      sepax_pair_print(stdout, &pair);
+      putchar(' ');
+    }
+    puts(sepax_judge(design, &pair).collision ? "1" : "0");
+  }
+  return line != SEPAX_LINE_ERROR;
+}
+
+int cli_judge(int argc, char **argv) {
+  static const struct argp_child children[] = {{&cli_config_argp, 0, NULL, 0}, {0}};
+  static const struct argp argp = {
+      options, parse, "[FILE]",
+      "Print 1 (collision) or 0 (separated) for each pair of FILE or standard input: a line "
+      "of 18 integers A1x A1y A1z ... B3z, or 24 with both normals (computed when absent); "
+      "'#' starts a comment. --arch=exact is the exact reference.",
+      children, NULL, NULL};
+  judge_options o = {.config = sepax_config_default()};
+  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  sepax_error error = {""};
+  sepax_design design;
+  if (!sepax_design_init(&design, &o.config, &error)) {
+    return cli_fail(argv[0], &error);
+  }
+  bool from_file = o.path != NULL && strcmp(o.path, "-") != 0;
+  FILE *in = from_file ? fopen(o.path, "r") : stdin;
+  if (in == NULL) {
+    snprintf(error.text, sizeof error.text, "%.200s: %s; give a readable file of pairs",
+             o.path, strerror(errno));
+    return cli_fail(argv[0], &error);
+  }
+  bool ok = judge_stream(&design, in, from_file ? o.path : "standard input", o.echo, &error);
+  if (from_file) {
+    fclose(in);
+  }
+  return ok ? 0 : cli_fail(argv[0], &error);
+}

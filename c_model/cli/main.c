@@ -1,0 +1,60 @@
+/* main.c - build/sepax: picks the subcommand. */
+#include "cli.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+  const char *name;
+  int (*run)(int argc, char **argv);
+  const char *about;
+} commands[] = {
+    {"gen", cli_gen, "generate the Verilog of a design"},
+    {"check", cli_check, "which triangles of two STL files collide"},
+    {"judge", cli_judge, "verdicts for pairs given as text"},
+    {"vectors", cli_vectors, "test vectors of hard cases as text"},
+    {"mesh", cli_mesh, "write a sample object as STL"},
+};
+enum { COMMANDS = sizeof commands / sizeof commands[0] };
+
+static void usage(FILE *out) {
+  fprintf(out, "Usage: sepax COMMAND [OPTION...]\n"
+               "Triangle/triangle collision detection in hardware, and its golden model.\n\n");
+  for (int i = 0; i < COMMANDS; i++) {
+    fprintf(out, "  %-8s  %s\n", commands[i].name, commands[i].about);
+  }
+  fprintf(out, "\n'sepax COMMAND --help' lists the options of a command; --version prints the "
+               "version.\nExit status: 0 done (check: free), 1 check: collision, 2 error.\n");
+}
+
+int main(int argc, char **argv) {
+  argp_program_version = "sepax " SEPAX_VERSION;
+  argp_err_exit_status = EXIT_ERROR;
+  if (argc >= 2 && strcmp(argv[1], "--help") == 0) {
+    usage(stdout);
+    return 0;
+  }
+  if (argc >= 2 && (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0)) {
+    puts(argp_program_version);
+    return 0;
+  }
+  for (int i = 0; argc >= 2 && i < COMMANDS; i++) {
+    if (strcmp(argv[1], commands[i].name) == 0) {
+      char name[32];
+      snprintf(name, sizeof name, "sepax %s", commands[i].name);
+      argv[1] = name;
+      int status = commands[i].run(argc - 1, argv + 1);
+      if (fflush(stdout) != 0 || ferror(stdout)) {
+        fprintf(stderr, "%s: standard output cannot be written; free some space\n", name);
+        return EXIT_ERROR;
+      }
+      return status;
+    }
+  }
+  if (argc >= 2) {
+    fprintf(stderr, "sepax: no command '%s'; 'sepax --help' lists them\n", argv[1]);
+  } else {
+    usage(stderr);
+  }
+  return EXIT_ERROR;
+}

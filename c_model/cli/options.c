@@ -1,0 +1,163 @@
+/* options.c - options, messages and progress that the subcommands share. */
+#include "cli.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int cli_fail(const char *name, const sepax_error *error) {
+  fprintf(stderr, "%s: %s\n", name, error->text);
+  return EXIT_ERROR;
+}
+
+/* ------------------------------------------------------------- configuration */
+
+enum { KEY_ARCH = 0x100, KEY_II, KEY_PRECISION, KEY_BLOCK_FLOAT, KEY_COPLANARITY,
+       KEY_INEQUALITY, KEY_EPSILON, KEY_OFFSET, KEY_NORMALS };
+
+static const struct argp_option config_options[] = {
+    {NULL, 0, NULL, 0, "Design:", 1},
+    {"arch", KEY_ARCH, "NAME", 0, "paper, exact, float32 or float64", 0},
+    {"word", 'w', "BITS", 0, "word length W of a coordinate, 4 ... 32 (18)", 0},
+    {"ii", KEY_II, "CYCLES", 0, "initiation interval (3)", 0},
+    {"precision", KEY_PRECISION, "BITS", 0,
+     "full: every bit of an intermediate (default); word: W bits; guard=G: W + G bits", 0},
+    {"block-float", KEY_BLOCK_FLOAT, "on|off", OPTION_ARG_OPTIONAL,
+     "shift each axis left in common before truncation (off)", 0},
+    {"coplanarity", KEY_COPLANARITY, "TEST", 0,
+     "plane: B_k.N_A = A_k.N_A (default); paper: A_k.N_A = B_k.N_B, as printed", 0},
+    {"inequality", KEY_INEQUALITY, "FORM", 0,
+     "correct (default), or printed: (5) as in the paper", 0},
+    {"epsilon", KEY_EPSILON, "LSB", 0, "tolerance of coplanarity (1; 0: equality)", 0},
+    {0}};
+
+static const char *option_name(const struct argp_option *options, int key) {
+  while (options->key != key) {
+    options++;
+  }
+  return options->name;
+}
+
+static error_t parse_config(int key, char *text, struct argp_state *state) {
+  if (key != 'w' && (key < KEY_ARCH || key > KEY_EPSILON)) {
+    return ARGP_ERR_UNKNOWN;
+  }
+  sepax_error error;
+  if (!sepax_config_set(state->input, option_name(config_options + 1, key),
+                        text != NULL ? text : "on", &error)) {
+    argp_error(state, "%s", error.text);
+  }
+  return 0;
+}
+
+const struct argp cli_config_argp = {config_options, parse_config, NULL, NULL, NULL, NULL,
+                                     NULL};
+
+/* ---------------------------------------------------------------------- grid */
+
+static const struct argp_option grid_options[] = {
+    {NULL, 0, NULL, 0, "Quantisation:", 2},
+    {"resolution", 'r', "LENGTH", 0,
+     "file units per LSB (without it both meshes are fitted into the word)", 0},
+    {"offset", KEY_OFFSET, "X,Y,Z", 0, "file coordinates of the integer origin (0,0,0)", 0},
+    {"normals", KEY_NORMALS, "SOURCE", 0,
+     "computed: from the quantised vertices (default); file: as the STL says", 0},
+    {0}};
+
+static error_t parse_grid(int key, char *text, struct argp_state *state) {
+  cli_grid *g = state->input;
+  switch (key) {
+  case 'r':
+    g->grid.resolution = cli_number(state, "resolution", text);
+    if (g->grid.resolution <= 0) {
+      argp_error(state, "resolution: %s is not above 0", text);
+    }
+    return 0;
+  case KEY_OFFSET:
+    cli_vector(state, "offset", text, g->grid.offset);
+    return 0;
+  case KEY_NORMALS:
+    g->file_normals = strcmp(text, "file") == 0;
+    if (!g->file_normals && strcmp(text, "computed") != 0) {
+      argp_error(state, "normals: '%s' is none of: computed, file", text);
+    }
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+const struct argp cli_grid_argp = {grid_options, parse_grid, NULL, NULL, NULL, NULL, NULL};
+
+/* -------------------------------------------------------------------- values */
+
+uint64_t cli_count(const struct argp_state *state, const char *option, const char *text,
+                   uint64_t limit) {
+  char *end;
+  errno = 0;
+  unsigned long long value = strtoull(text, &end, 10);
+  if (text[0] < '0' || text[0] > '9' || *end != '\0' || errno != 0 || value > limit) {
+    argp_error(state, "%s: '%s' is not a whole number of 0 ... %llu", option, text,
+               (unsigned long long)limit);
+  }
+  return value;
+}
+
+double cli_number(const struct argp_state *state, const char *option, const char *text) {
+  char *end;
+  double value = strtod(text, &end);
+  if (end == text || *end != '\0' || !isfinite(value)) {
+    argp_error(state, "%s: '%s' is not a number", option, text);
+  }
+  return value;
+}
+
+void cli_vector(const struct argp_state *state, const char *option, const char *text,
+                double vector[3]) {
+  const char *at = text;
+  for (int i = 0; i < 3; i++) {
+    char *end;
+    vector[i] = strtod(at, &end);
+    if (end == at || *end != (i < 2 ? ',' : '\0') || !isfinite(vector[i])) {
+      argp_error(state, "%s: '%s' is not X,Y,Z", option, text);
+    }
+    at = end + 1;
+  }
+}
+
+/* ------------------------------------------------------------------ progress */
+
+static double seconds_between(const struct timespec *from, const struct timespec *to) {
+  return (double)(to->tv_sec - from->tv_sec) + 1e-9 * (double)(to->tv_nsec - from->tv_nsec);
+}
+
+cli_progress cli_progress_begin(const char *what, uint64_t total) {
+  cli_progress p = {.what = what, .total = total, .terminal = isatty(STDERR_FILENO) == 1};
+  clock_gettime(CLOCK_MONOTONIC, &p.start);
+  p.shown = p.start;
+  return p;
+}
+
+void cli_progress_show(cli_progress *p, uint64_t done) {
+  if (!p->terminal) {
+    return;
+  }
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (seconds_between(&p->shown, &now) >= 0.25) {
+    p->shown = now;
+    fprintf(stderr, "\r%s: %llu of %llu (%.0f %%)\033[K", p->what, (unsigned long long)done,
+            (unsigned long long)p->total,
+            p->total > 0 ? 100.0 * (double)done / (double)p->total : 100.0);
+  }
+}
+
+double cli_progress_end(const cli_progress *p) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (p->terminal) {
+    fprintf(stderr, "\r\033[K");
+  }
+  return seconds_between(&p->start, &now);
+}

@@ -1,0 +1,292 @@
+/* config.c - the configuration that model, generator and benches share, and the
+ * fixed-point formats that follow from it by interval analysis (docs/paper.md). */
+#include "error.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef __int128 wide;
+
+bool sepax_fail(sepax_error *error, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  vsnprintf(error->text, sizeof error->text, format, args);
+  va_end(args);
+  return false;
+}
+
+int32_t sepax_word_min(int word) { return (int32_t)(-(INT64_C(1) << (word - 1))); }
+
+int32_t sepax_word_max(int word) { return (int32_t)((INT64_C(1) << (word - 1)) - 1); }
+
+/* ------------------------------------------------------------- names and text */
+
+static const char *const arch_names[] = {"paper", "exact", "float32", "float64", NULL};
+static const char *const coplanarity_names[] = {"plane", "paper", NULL};
+static const char *const inequality_names[] = {"correct", "printed", NULL};
+static const char *const switch_names[] = {"off", "on", NULL};
+
+const char *sepax_arch_name(sepax_arch arch) { return arch_names[arch]; }
+
+static bool parse_name(int *value, const char *option, const char *const names[],
+                       const char *text, sepax_error *error) {
+  char choice[64] = "";
+  for (int i = 0; names[i] != NULL; i++) {
+    if (strcmp(names[i], text) == 0) {
+      *value = i;
+      return true;
+    }
+    size_t used = strlen(choice);
+    snprintf(choice + used, sizeof choice - used, "%s%s", i > 0 ? ", " : "", names[i]);
+  }
+  return sepax_fail(error, "%s: '%.40s' is none of: %s", option, text, choice);
+}
+
+static bool parse_int(int *value, const char *option, const char *text,
+                      sepax_error *error) {
+  char *end;
+  errno = 0;
+  long number = strtol(text, &end, 10);
+  if (end == text || *end != '\0' || isspace((unsigned char)text[0])) {
+    return sepax_fail(error, "%s: '%.40s' is not a whole number", option, text);
+  }
+  if (errno == ERANGE || number < INT32_MIN || number > INT32_MAX) {
+    return sepax_fail(error, "%s: %.40s is out of range", option, text);
+  }
+  *value = (int)number;
+  return true;
+}
+
+static bool parse_precision(sepax_config *config, const char *text, sepax_error *error) {
+  static const char guard[] = "guard=";
+  if (strcmp(text, "full") == 0) {
+    config->full = true;
+    config->guard = 0;
+    return true;
+  }
+  int bits = 0;
+  if (strncmp(text, guard, sizeof guard - 1) == 0) {
+    if (!parse_int(&bits, "precision guard", text + sizeof guard - 1, error)) {
+      return false;
+    }
+  } else if (strcmp(text, "word") != 0) {
+    return sepax_fail(error, "precision: '%.40s' is none of: full, word, guard=BITS",
+                      text);
+  }
+  config->full = false;
+  config->guard = bits;
+  return true;
+}
+
+sepax_config sepax_config_default(void) {
+  return (sepax_config){.arch = SEPAX_ARCH_PAPER,
+                        .word = 18,
+                        .ii = 3,
+                        .full = true,
+                        .coplanarity = SEPAX_COPLANAR_PLANE,
+                        .inequality = SEPAX_INEQUALITY_CORRECT,
+                        .epsilon = 1};
+}
+
+bool sepax_config_set(sepax_config *config, const char *name, const char *value,
+                      sepax_error *error) {
+  int choice = 0;
+  if (strcmp(name, "word") == 0) {
+    return parse_int(&config->word, name, value, error);
+  }
+  if (strcmp(name, "ii") == 0) {
+    return parse_int(&config->ii, name, value, error);
+  }
+  if (strcmp(name, "epsilon") == 0) {
+    return parse_int(&config->epsilon, name, value, error);
+  }
+  if (strcmp(name, "precision") == 0) {
+    return parse_precision(config, value, error);
+  }
+  if (strcmp(name, "arch") == 0) {
+    bool ok = parse_name(&choice, name, arch_names, value, error);
+    config->arch = ok ? (sepax_arch)choice : config->arch;
+    return ok;
+  }
+  if (strcmp(name, "coplanarity") == 0) {
+    bool ok = parse_name(&choice, name, coplanarity_names, value, error);
+    config->coplanarity = ok ? (sepax_coplanarity)choice : config->coplanarity;
+    return ok;
+  }
+  if (strcmp(name, "inequality") == 0) {
+    bool ok = parse_name(&choice, name, inequality_names, value, error);
+    config->inequality = ok ? (sepax_inequality)choice : config->inequality;
+    return ok;
+  }
+  if (strcmp(name, "block-float") == 0) {
+    bool ok = parse_name(&choice, name, switch_names, value, error);
+    config->block_float = ok ? choice == 1 : config->block_float;
+    return ok;
+  }
+  return sepax_fail(error, "'%.40s' is no setting of a design", name);
+}
+
+bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *error) {
+  char copy[512];
+  if (strlen(text) >= sizeof copy) {
+    return sepax_fail(error, "configuration text is longer than %zu characters",
+                      sizeof copy - 1);
+  }
+  strcpy(copy, text);
+  char *rest = NULL;
+  for (char *word = strtok_r(copy, " ", &rest); word != NULL;
+       word = strtok_r(NULL, " ", &rest)) {
+    char *value = strchr(word, '=');
+    if (strncmp(word, "--", 2) != 0 || value == NULL) {
+      return sepax_fail(error, "configuration: '%.40s' is not --NAME=VALUE", word);
+    }
+    *value = '\0';
+    if (!sepax_config_set(config, word + 2, value + 1, error)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+char *sepax_config_text(const sepax_config *config, char *text, size_t size) {
+  char precision[24] = "full";
+  if (!config->full) {
+    snprintf(precision, sizeof precision, config->guard == 0 ? "word" : "guard=%d",
+             config->guard);
+  }
+  snprintf(text, size,
+           "--arch=%s --word=%d --ii=%d --precision=%s --block-float=%s "
+           "--coplanarity=%s --inequality=%s --epsilon=%d",
+           arch_names[config->arch], config->word, config->ii, precision,
+           switch_names[config->block_float], coplanarity_names[config->coplanarity],
+           inequality_names[config->inequality], config->epsilon);
+  return text;
+}
+
+bool sepax_config_check(const sepax_config *config, sepax_error *error) {
+  if (config->word < SEPAX_WORD_MIN || config->word > SEPAX_WORD_MAX) {
+    return sepax_fail(error, "word: W = %d is out of range; give %d ... %d", config->word,
+                      SEPAX_WORD_MIN, SEPAX_WORD_MAX);
+  }
+  if (config->arch != SEPAX_ARCH_PAPER) {
+    return true;
+  }
+  if (config->ii != 3) {
+    return sepax_fail(error, "ii: architecture paper takes a pair in three input cycles; "
+                             "give --ii=3, not %d", config->ii);
+  }
+  if (!config->full && (config->guard < 0 || config->guard > 2 * config->word + 3)) {
+    return sepax_fail(error, "precision: guard = %d is out of range; give 0 ... %d at "
+                             "W = %d, or full", config->guard, 2 * config->word + 3,
+                      config->word);
+  }
+  if (config->full && config->block_float) {
+    return sepax_fail(error, "block-float: nothing is truncated at --precision=full; "
+                             "give --precision=word or guard=BITS");
+  }
+  if (config->epsilon < 0 || config->epsilon > sepax_word_max(config->word)) {
+    return sepax_fail(error, "epsilon: %d LSB is out of range; give 0 ... %d at W = %d",
+                      config->epsilon, sepax_word_max(config->word), config->word);
+  }
+  return true;
+}
+
+/* ------------------------------------------------------------ interval analysis */
+
+typedef struct {
+  wide lo, hi;
+} interval;
+
+static interval hull(interval p, interval q) {
+  return (interval){p.lo < q.lo ? p.lo : q.lo, p.hi > q.hi ? p.hi : q.hi};
+}
+
+static interval difference(interval p, interval q) {
+  return (interval){p.lo - q.hi, p.hi - q.lo};
+}
+
+static interval product(interval p, interval q) {
+  wide corner[] = {p.lo * q.lo, p.lo * q.hi, p.hi * q.lo, p.hi * q.hi};
+  interval r = {corner[0], corner[0]};
+  for (int i = 1; i < 4; i++) {
+    r = hull(r, (interval){corner[i], corner[i]});
+  }
+  return r;
+}
+
+static interval sum_of_three(interval p) { return (interval){3 * p.lo, 3 * p.hi}; }
+
+static int bits_of(interval p) {
+  int bits = 1;
+  while (p.lo < -((wide)1 << (bits - 1)) || p.hi >= (wide)1 << (bits - 1)) {
+    bits++;
+  }
+  return bits;
+}
+
+static interval signed_word(int bits) {
+  wide half = (wide)1 << (bits - 1);
+  return (interval){-half, half - 1};
+}
+
+/* Enter a format that keeps at most `keep` of the bits which `range` needs, and
+ * return the range that is left. */
+static interval enter(sepax_design *design, sepax_format_id id, const char *name,
+                      interval range, int keep) {
+  int exact = bits_of(range);
+  int shift = exact > keep ? exact - keep : 0;
+  design->format[id] = (sepax_format){name, exact, exact - shift, shift};
+  return (interval){range.lo >> shift, range.hi >> shift};
+}
+
+static void derive_formats(sepax_design *d) {
+  enum { EVERY_BIT = 127 };
+  const sepax_config *c = &d->config;
+  int keep = c->full ? EVERY_BIT : c->word + c->guard;
+  int keep_axis_terms = c->block_float ? EVERY_BIT : keep;
+
+  interval word = signed_word(c->word);
+  interval vertex = enter(d, SEPAX_F_VERTEX, "vertex", word, keep);
+  interval normal = enter(d, SEPAX_F_NORMAL, "normal", word, keep);
+  interval np = enter(d, SEPAX_F_NORMAL_PRODUCT, "normal_product",
+                      product(vertex, normal), keep);
+  enter(d, SEPAX_F_NORMAL_PROJECTION, "normal_projection", sum_of_three(np), keep);
+
+  interval edge = enter(d, SEPAX_F_EDGE, "edge", difference(vertex, vertex),
+                        keep_axis_terms);
+  interval cp = enter(d, SEPAX_F_CROSS_PRODUCT, "cross_product", product(edge, edge),
+                      keep_axis_terms);
+  interval axis = enter(d, SEPAX_F_AXIS, "axis", difference(cp, cp), keep);
+  if (c->block_float) {
+    axis = signed_word(d->format[SEPAX_F_AXIS].width);
+  }
+  interval p = enter(d, SEPAX_F_PRODUCT, "product", product(vertex, axis), keep);
+  enter(d, SEPAX_F_PROJECTION, "projection", sum_of_three(p), keep);
+}
+
+/* epsilon LSB of distance along a unit normal, in units of a normal projection. */
+static int64_t derive_coplanar_limit(const sepax_design *d) {
+  int shift = d->format[SEPAX_F_NORMAL_PRODUCT].shift +
+              d->format[SEPAX_F_NORMAL_PROJECTION].shift;
+  int64_t distance = (int64_t)d->config.epsilon << (d->config.word - 1);
+  int64_t unit = INT64_C(1) << shift;
+  int64_t limit = (distance + unit - 1) >> shift;
+  return limit > 1 ? limit : 1;
+}
+
+bool sepax_design_init(sepax_design *design, const sepax_config *config,
+                       sepax_error *error) {
+  if (!sepax_config_check(config, error)) {
+    return false;
+  }
+  *design = (sepax_design){.config = *config};
+  if (config->arch == SEPAX_ARCH_PAPER) {
+    derive_formats(design);
+    design->coplanar_limit = derive_coplanar_limit(design);
+    design->latency = 13;
+  }
+  return true;
+}

@@ -1,0 +1,299 @@
+/* sepax.h - libsepax: golden models of triangle/triangle collision detection by
+ * the separating axis theorem (SAT), and the data they work on.
+ *
+ * Conventions of every function below
+ *   - Coordinates are integers of W bits, two's complement; 1 LSB is the length
+ *     one step stands for (2 um in the paper). W is 4 ... 32.
+ *   - A collision is at least one common point of the two closed triangles;
+ *     touching counts. The verdict is true for a collision.
+ *   - A function that can fail returns false and leaves one line in *error
+ *     which names the file or the value and the cure; its results are then
+ *     untouched or freed. Nothing is clamped, wrapped or dropped.
+ *   - No function keeps state; all are safe to call from several threads.
+ *
+ * Sources: "the paper" is the ASIC for machine tool automation that docs/paper.md
+ * describes; "Algorithm 1", "table 2", "figure 5" are its own.
+ */
+#ifndef SEPAX_H
+#define SEPAX_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SEPAX_VERSION "0.1.0"
+#define SEPAX_WORD_MIN 4
+#define SEPAX_WORD_MAX 32
+
+/* One line of text without a newline; empty until something failed. */
+typedef struct {
+  char text[512];
+} sepax_error;
+
+/* ---------------------------------------------------------------- geometry */
+
+typedef struct {
+  int32_t x, y, z;
+} sepax_vec;
+
+/* Vertices v[0], v[1], v[2]; any position, also all on a line or in a point. */
+typedef struct {
+  sepax_vec v[3];
+} sepax_tri;
+
+/* Two triangles and their normals. A normal is a direction of W-bit components,
+ * Q1.(W-1) of a unit vector when sepax_unit_normal or the quantiser made it. */
+typedef struct {
+  sepax_tri a, b;
+  sepax_vec na, nb;
+} sepax_pair;
+
+/* The smallest and largest coordinate of a W-bit word. */
+int32_t sepax_word_min(int word);
+int32_t sepax_word_max(int word);
+
+/* True iff all 18 coordinates and the 6 normal components fit W bits. */
+bool sepax_pair_fits(const sepax_pair *pair, int word);
+
+/* The unit normal (v1 - v0) x (v2 - v0) / |.|, times 2^(W-1) - 1, each component
+ * rounded to nearest (half away from zero; the quotient is exact to 2^-28 LSB).
+ * Zero for a triangle without area. Legal for every triangle of W bits. */
+sepax_vec sepax_unit_normal(const sepax_tri *tri, int word);
+
+/* ----------------------------------------------------------- configuration */
+
+typedef enum {
+  SEPAX_ARCH_PAPER,   /* the paper's datapath, bit for bit */
+  SEPAX_ARCH_EXACT,   /* the mathematical verdict */
+  SEPAX_ARCH_FLOAT32, /* software baseline in IEEE single precision */
+  SEPAX_ARCH_FLOAT64  /* software baseline in IEEE double precision */
+} sepax_arch;
+
+typedef enum {
+  SEPAX_COPLANAR_PLANE, /* |B_k.N_A - A_k.N_A| < epsilon for all k: right */
+  SEPAX_COPLANAR_PAPER  /* |A_k.N_A - B_k.N_B| < epsilon for all k: printed */
+} sepax_coplanarity;
+
+typedef enum {
+  SEPAX_INEQUALITY_CORRECT, /* (5) as max A < min B */
+  SEPAX_INEQUALITY_PRINTED  /* (5) as printed: max A > min B */
+} sepax_inequality;
+
+/* What model, generator and benches must agree on, and all they share. */
+typedef struct {
+  sepax_arch arch;
+  int word;                      /* W, 4 ... 32 */
+  int ii;                        /* initiation interval, cycles; 3 for paper */
+  bool full;                     /* every bit of every intermediate is kept */
+  int guard;                     /* else W + guard bits of each are; 0 ... 2W + 3 */
+  bool block_float;              /* axes shifted left in common before truncation */
+  sepax_coplanarity coplanarity;
+  sepax_inequality inequality;
+  int epsilon;                   /* LSB, 0 ... 2^(W-1) - 1; 0 asks for equality */
+} sepax_config;
+
+/* The defaults: paper, W = 18, II = 3, full, plane, correct, epsilon 1. */
+sepax_config sepax_config_default(void);
+
+/* Set one value from text, by the name of its command-line option: "arch",
+ * "word", "ii", "precision" (full, word, guard=G), "block-float" (on, off),
+ * "coplanarity", "inequality", "epsilon". Fails on an unknown name or value. */
+bool sepax_config_set(sepax_config *config, const char *name, const char *value,
+                      sepax_error *error);
+
+/* Parse a line that sepax_config_text wrote ("arch=paper word=18 ..."). */
+bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *error);
+
+/* The whole configuration as "--arch=paper --word=18 ..." into text[size];
+ * sepax_config_parse reads it back. Returns text. */
+char *sepax_config_text(const sepax_config *config, char *text, size_t size);
+
+/* Fails with the legal range if a value or a combination is not supported. */
+bool sepax_config_check(const sepax_config *config, sepax_error *error);
+
+const char *sepax_arch_name(sepax_arch arch);
+
+/* Fixed-point format of an intermediate of the paper's datapath. The exact value
+ * needs `exact` bits (interval analysis); the lowest `shift` of them are dropped
+ * by flooring, `width` = exact - shift are kept. docs/paper.md lists the table. */
+typedef struct {
+  const char *name;
+  int exact, width, shift;
+} sepax_format;
+
+typedef enum {
+  SEPAX_F_VERTEX,            /* a coordinate */
+  SEPAX_F_NORMAL,            /* a component of N_A, N_B */
+  SEPAX_F_NORMAL_PRODUCT,    /* coordinate x normal component */
+  SEPAX_F_NORMAL_PROJECTION, /* t_k, s_k, u_k, v_k */
+  SEPAX_F_EDGE,              /* component of an edge; holds a normal's too */
+  SEPAX_F_CROSS_PRODUCT,     /* one product of a cross product */
+  SEPAX_F_AXIS,              /* component of an axis */
+  SEPAX_F_PRODUCT,           /* coordinate x axis component */
+  SEPAX_F_PROJECTION,        /* vertex . axis */
+  SEPAX_F_COUNT
+} sepax_format_id;
+
+/* A checked configuration with what follows from it. */
+typedef struct {
+  sepax_config config;
+  sepax_format format[SEPAX_F_COUNT];
+  int64_t coplanar_limit; /* |difference| < limit, in units of NORMAL_PROJECTION */
+  int latency;            /* cycles from the first input word to the verdict */
+} sepax_design;
+
+/* Check the configuration and derive formats, limit and latency. */
+bool sepax_design_init(sepax_design *design, const sepax_config *config,
+                       sepax_error *error);
+
+/* ---------------------------------------------------------------- verdicts */
+
+/* Axis numbers are the paper's: 1 ... 9 of table 1 (or 1 ... 6 of table 2 when
+ * coplanar), 10 = N_A, 11 = N_B; 0 when none separates or the method has none. */
+typedef struct {
+  bool collision;
+  bool coplanar;    /* by the architecture's own test; false if it has none */
+  int axis;         /* the axis at which Algorithm 1 stops */
+  int mul_project;  /* multiplications in projections, as the paper counts them */
+  int mul_axes;     /* multiplications in cross products, which it leaves out */
+} sepax_verdict;
+
+/* The verdict of the architecture of `design`, bit for bit what its RTL gives.
+ * Pair: W-bit components (the caller checks, sepax_pair_fits). Only `paper`
+ * reads the normals and counts multiplications. */
+sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
+
+/* The exact reference: SAT on 128-bit integers, every W up to 32, coplanar and
+ * degenerate triangles included. No rounding, no tolerance. */
+bool sepax_exact(const sepax_tri *a, const sepax_tri *b);
+
+/* Algorithm 1 on the formats of `design` (arch paper). mul_project is 36 when a
+ * normal separates, else 36 + 18 per axis tried: 54 ... 144 for coplanar pairs
+ * and 54 ... 198 otherwise (the paper prints 188: it takes 9 x 18 for 152). */
+sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair);
+
+/* SAT in IEEE single/double precision, normals by cross product, coplanar by
+ * equality: what software usually does. Rounded: wrong now and then. */
+bool sepax_float32(const sepax_tri *a, const sepax_tri *b);
+bool sepax_float64(const sepax_tri *a, const sepax_tri *b);
+
+/* ------------------------------------------------------------------ meshes */
+
+/* One facet of a mesh in file units: the coordinates and the normal as written. */
+typedef struct {
+  double v[3][3];
+  double normal[3];
+} sepax_facet;
+
+typedef struct {
+  sepax_facet *facet;
+  size_t count;
+} sepax_mesh;
+
+void sepax_mesh_free(sepax_mesh *mesh);
+
+/* Read an STL file, ASCII or binary (by its size, not by its first word). ASCII
+ * decimals are correctly rounded to double, binary32 values are exact. Fails on
+ * a missing, empty, truncated or over-long file, no facets, NaN or infinity in a
+ * coordinate or a normal, and on text that is no STL (with its line). */
+bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error);
+
+/* Write a binary STL (coordinates rounded to binary32; a value that does not fit
+ * is an error), or ASCII with 17 digits. Written aside, then renamed to path. */
+bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii,
+                     sepax_error *error);
+
+/* A sample object: a closed mesh of exactly `triangles` facets in mm, refined by
+ * longest-edge bisection, centred on `at` (cutters: the tip) and scaled so that
+ * its characteristic length is `size` mm (0: the default of the shape). Fails on
+ * an unknown shape, on fewer triangles than the shape needs and on an odd number
+ * (a closed mesh has an even number). */
+bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles,
+                  const double at[3], double size, sepax_error *error);
+
+/* Names, descriptions and least numbers of triangles; NULL beyond the last. */
+const char *sepax_sample_name(size_t i);
+const char *sepax_sample_about(size_t i);
+size_t sepax_sample_least(size_t i);
+
+/* The grid of integer coordinates: q = round((x - offset) / resolution). */
+typedef struct {
+  double resolution; /* file units per LSB, > 0 */
+  double offset[3];  /* file units */
+  int word;
+} sepax_grid;
+
+/* The finest grid of W bits on which all the meshes fit: the offset is the centre
+ * of their common box, the longest side spans 2^W - 1 steps. */
+bool sepax_grid_fit(sepax_grid *grid, const sepax_mesh *const meshes[], size_t count,
+                    int word, sepax_error *error);
+
+/* Quantise a mesh: tri[mesh->count] receives the triangles, each coordinate
+ * rounded to nearest, half away from zero (decided on the exact residual, to
+ * 2^-50 LSB); normal[mesh->count], if not NULL, the file's normals scaled to unit
+ * length in Q1.(W-1), or zero where the file has none. Fails on a coordinate
+ * that does not fit W bits, naming facet, coordinate and the cure. */
+bool sepax_quantise(const sepax_mesh *mesh, const sepax_grid *grid, sepax_tri *tri,
+                    sepax_vec *normal, sepax_error *error);
+
+/* Two meshes on one grid: triangle i of A is tri[0][i], its normal normal[0][i]. */
+typedef struct {
+  sepax_grid grid;
+  sepax_tri *tri[2];
+  sepax_vec *normal[2];
+  size_t count[2];
+} sepax_scene;
+
+/* Read two STL files and quantise them on `grid`, or, when its resolution is 0, on
+ * the finest grid of grid->word bits that holds both. Normals are computed from the
+ * quantised vertices, or the file's. Fails as the steps above do, naming the file. */
+bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax_grid *grid,
+                      bool file_normals, sepax_error *error);
+void sepax_scene_free(sepax_scene *scene);
+
+/* The pair of triangle i of A and triangle j of B. */
+sepax_pair sepax_scene_pair(const sepax_scene *scene, size_t i, size_t j);
+
+/* ------------------------------------------------------------- test vectors */
+
+/* A stream of pseudo-random numbers (splitmix64): same seed, same stream. */
+typedef struct {
+  uint64_t state;
+} sepax_random;
+
+uint64_t sepax_random_next(sepax_random *random);
+/* Uniform in lo ... hi, both included. */
+int64_t sepax_random_range(sepax_random *random, int64_t lo, int64_t hi);
+
+/* Families of hard pairs, numbered from 0; NULL beyond the last. */
+const char *sepax_family_name(size_t family);
+const char *sepax_family_about(size_t family);
+
+/* A random pair of a family at W bits, normals by sepax_unit_normal. */
+sepax_pair sepax_family_pair(size_t family, int word, sepax_random *random);
+
+/* Pairs as text: one line of 18 decimal integers A1x A1y A1z ... B3z, or 24 with
+ * N_A and N_B behind them (computed when absent); '#' starts a comment. */
+typedef enum { SEPAX_LINE_PAIR, SEPAX_LINE_EMPTY, SEPAX_LINE_ERROR } sepax_line;
+
+/* Parse one line. Errors: not 18 or 24 integers, or one that does not fit W. */
+sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word,
+                            sepax_error *error);
+
+/* The next pair of a stream; `number` counts lines for messages (start at 0) and
+ * `name` names the stream. Returns SEPAX_LINE_EMPTY at the end. */
+sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number,
+                           int word, sepax_error *error);
+
+/* Print the 24 integers separated by blanks, without a newline. */
+void sepax_pair_print(FILE *out, const sepax_pair *pair);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,39 @@
+/* gen.h - from a checked design to its Verilog modules. */
+#ifndef SEPAX_GEN_H
+#define SEPAX_GEN_H
+
+#include "emit.h"
+
+/* Emit every module of the design, leaves first, `sepax_top` last. False with
+ * e->error set if the emitter refuses one. */
+bool gen_design(emitter *e);
+
+/* Write the design's files into a folder: one .v a module, sepax.f (the list of
+ * them, top last), sepax_params.h and sepax.json (configuration, formats, latency,
+ * ports) for benches. Each file is written aside and renamed; the folder is made if
+ * missing, and removed again if the run fails. */
+bool gen_write(const emitter *e, const char *folder, sepax_error *error);
+
+/* Component i (0: the top one) of a bus that packs three of `width` bits, and its
+ * sign bit: "bus[3*W-1:2*W]", "bus[3*W-1]". */
+typedef struct {
+  char text[2 * EMIT_NAME];
+} gen_text;
+gen_text gen_part(const char *bus, const char *width, int i);
+gen_text gen_sign(const char *bus, const char *width, int i);
+
+/* One function per module of figure 5 and per leaf below it. */
+void gen_trunc(emitter *e);
+void gen_mul(emitter *e);
+void gen_edge(emitter *e);
+void gen_dot(emitter *e);
+void gen_proj(emitter *e);
+void gen_cop(emitter *e);
+void gen_norm(emitter *e);
+void gen_cross(emitter *e);
+void gen_psa(emitter *e);
+void gen_cmp(emitter *e);
+void gen_nand(emitter *e);
+void gen_top(emitter *e);
+
+#endif

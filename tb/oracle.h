@@ -1,0 +1,26 @@
+/* oracle.h - the verdict by another road than the separating axis theorem.
+ *
+ * Rational arithmetic without rounding (GMP), right for every int32 coordinate and
+ * every triangle, also one that is a segment or a point. Slow (microseconds), no
+ * state, safe to call from several threads.
+ */
+#ifndef ORACLE_H
+#define ORACLE_H
+
+#include "sepax.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* True iff the closed triangles have a common point, that is, iff an edge of one
+ * meets the other: edge and plane are intersected, the point is located. */
+bool oracle_collide(const sepax_tri *a, const sepax_tri *b);
+
+/* True iff one plane holds all six vertices. */
+bool oracle_coplanar(const sepax_tri *a, const sepax_tri *b);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,156 @@
+// sepax_tb.v - self-checking bench of sepax_top for Icarus Verilog.
+//
+// +pairs=FILE  lines of 24 integers and the expected verdict (sepax judge --echo)
+// +rest=1      from the second pair on all are coplanar: check that whatever belongs
+//              to axes 7 ... 9 stands still (not for netlists)
+//
+// A verdict must come in its cycle with the expected value; X is a mismatch. Ends
+// with $finish when all is well and with $stop (exit status 1 under vvp -N) if not.
+
+`default_nettype none
+
+module sepax_tb;
+  `include "sepax_params.vh"
+
+  localparam QUEUE = 16;
+
+  reg clk = 1'b0;
+  reg rst = 1'b1;
+  reg in_valid = 1'b0;
+  reg signed [WORD-1:0] in_a_x, in_a_y, in_a_z, in_b_x, in_b_y, in_b_z, in_na, in_nb;
+  wire out_valid, out_collision, out_coplanar;
+
+  sepax_top dut (
+    .clk(clk), .rst(rst), .in_valid(in_valid),
+    .in_a_x(in_a_x), .in_a_y(in_a_y), .in_a_z(in_a_z),
+    .in_b_x(in_b_x), .in_b_y(in_b_y), .in_b_z(in_b_z),
+    .in_na(in_na), .in_nb(in_nb),
+    .out_valid(out_valid), .out_collision(out_collision), .out_coplanar(out_coplanar)
+  );
+
+  always #1 clk = ~clk;
+
+  reg [8*1024-1:0] path;
+  integer file, fields, i, word, cycle, sent, judged, mismatches, rest;
+  integer number [0:24];
+  integer due [0:QUEUE-1];
+  reg expected [0:QUEUE-1];
+
+  task mismatch(input [8*40-1:0] what);
+    begin
+      mismatches = mismatches + 1;
+      $display("icarus: pair %0d, cycle %0d: %0s (valid %b, collision %b)", judged, cycle, what,
+               out_valid, out_collision);
+      if (mismatches == 20) begin
+        $stop;
+      end
+    end
+  endtask
+
+  // The middle of one clock cycle: judge its outputs, then wait for the next.
+  task tick;
+    begin
+      cycle = cycle + 1;
+      if (judged < sent && due[judged % QUEUE] == cycle) begin
+        if (out_valid !== 1'b1) begin
+          mismatch("no verdict");
+        end else if (out_collision !== expected[judged % QUEUE]) begin
+          mismatch("wrong verdict");
+        end
+        judged = judged + 1;
+      end else if (out_valid !== 1'b0 || out_collision !== 1'b0 || out_coplanar !== 1'b0) begin
+        mismatch("an output is not 0 without a verdict");
+      end
+      @(negedge clk);
+    end
+  endtask
+
+  task read_pair;
+    begin
+      fields = 0;
+      for (i = 0; i < 25; i = i + 1) begin
+        fields = fields + ($fscanf(file, "%d", number[i]) == 1);
+      end
+    end
+  endtask
+
+  task send_pair;
+    begin
+      due[sent % QUEUE] = cycle + LATENCY;
+      expected[sent % QUEUE] = number[24] != 0;
+      sent = sent + 1;
+      for (word = 0; word < 3; word = word + 1) begin
+        in_valid = 1'b1;
+        in_a_x = number[3*word];
+        in_a_y = number[3*word+1];
+        in_a_z = number[3*word+2];
+        in_b_x = number[3*word+9];
+        in_b_y = number[3*word+10];
+        in_b_z = number[3*word+11];
+        in_na = number[word+18];
+        in_nb = number[word+21];
+        tick;
+      end
+      in_valid = 1'b0;
+    end
+  endtask
+
+  initial begin
+    cycle = 0;
+    sent = 0;
+    judged = 0;
+    mismatches = 0;
+    if (!$value$plusargs("rest=%d", rest)) begin
+      rest = 0;
+    end
+    if (!$value$plusargs("pairs=%s", path)) begin
+      $display("icarus: give +pairs=FILE");
+      $stop;
+    end
+    file = $fopen(path, "r");
+    if (file == 0) begin
+      $display("icarus: %0s: cannot be read", path);
+      $stop;
+    end
+    repeat (3) @(negedge clk);
+    rst = 1'b0;
+    read_pair;
+    while (fields == 25) begin
+      send_pair;
+      read_pair;
+    end
+    if (fields != 0) begin
+      mismatch("a line without 25 integers");
+    end
+    repeat (2 * LATENCY) tick;
+    $display("icarus: %0d pairs, %0d mismatches", judged, mismatches);
+    if (sent == 0 || judged != sent || mismatches != 0) begin
+      $stop;
+    end
+    $finish;
+  end
+
+`ifdef SEPAX_REST
+  // Operands, products, projections of the three resting PROJ, and their PSA part.
+  wire [511:0] operands = {dut.a_1_rest, dut.b_3_rest, dut.psa.p_3, dut.psa.q_7, dut.psa.q_9};
+  wire [1023:0] results = {dut.axis_7, dut.axis_8, dut.axis_9, dut.on_a_7, dut.on_b_8,
+                           dut.on_a_9, dut.proj_7.inner_a_1.product_x_q,
+                           dut.proj_9.inner_b_3.product_z_q};
+  reg [511:0] operands_before;
+  reg [1023:0] results_before;
+  integer watched = 0;
+
+  always @(negedge clk) begin
+    if (rest != 0 && judged >= 1) begin
+      if (watched > 0 && (operands !== operands_before || results !== results_before)) begin
+        mismatch("a resting axis moved");
+      end
+      watched = watched + 1;
+    end
+    operands_before = operands;
+    results_before = results;
+  end
+`endif
+endmodule
+
+`default_nettype wire
