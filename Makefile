@@ -1,49 +1,225 @@
-# Makefile - the front door of sepax; `make help` lists the verbs.
+# Makefile - the front door of sepax; `make help` lists the verbs and variables.
 
-ARCH   ?= paper
-WORD   ?= 18
-II     ?= 3
+# The design: what `sepax gen --help` calls --arch, --word, ...
+ARCH        ?= paper
+WORD        ?= 18
+II          ?= 3
 PRECISION   ?= full
 BLOCK_FLOAT ?= off
 COPLANARITY ?= plane
 INEQUALITY  ?= correct
 EPSILON     ?= 1
-COUNT  ?= 100000
-SEED   ?= 1
 
-CC        ?= cc
-CXX       ?= c++
-YOSYS     ?= yosys
-VERILATOR ?= verilator
-IVERILOG  ?= iverilog
-VVP       ?= vvp
-GNUPLOT   ?= gnuplot
-LIBERTY   ?= /usr/share/qflow/tech/osu018/osu018_stdcells.lib
-export CC CXX YOSYS VERILATOR IVERILOG VVP LIBERTY
+# What goes through it: two meshes, or PAIRS=file, or COUNT seeded hard pairs.
+MESH_A     ?= $(BUILD)/mesh/cutter.stl
+MESH_B     ?= $(BUILD)/mesh/workpiece.stl
+RESOLUTION ?= $(if $(filter $(BUILD)/mesh/%,$(MESH_A)),0.002,fit)
+NORMALS    ?= computed
+PAIRS      ?=
+PAIR       ?=
+COUNT      ?= 100000
+SEED       ?= 1
+STRESS     ?=
+
+# Tools and the cell library.
+CC         ?= cc
+CXX        ?= c++
+YOSYS      ?= yosys
+VERILATOR  ?= verilator
+IVERILOG   ?= iverilog
+VVP        ?= vvp
+CPPCHECK   ?= cppcheck
+CLANG_TIDY ?= clang-tidy
+LIBERTY    ?= /usr/share/qflow/tech/osu018/osu018_stdcells.lib
+export CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY
 
 BUILD  ?= build
 CFLAGS ?= -O2 -g
-WARN    = -Wall -Wextra -Werror -Wconversion -Wshadow
-SEPAX_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L $(WARN) -ffp-contract=off -MMD -MP \
-               -Ic_model -Irtl_gen $(CFLAGS)
+SEPAX_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Werror -Wconversion \
+               -Wshadow -ffp-contract=off -Ic_model -Irtl_gen $(CFLAGS)
 
 LIB_SRC = $(wildcard c_model/*.c)
 CLI_SRC = $(wildcard c_model/cli/*.c) $(wildcard rtl_gen/*.c)
-object  = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
+UNIT    = $(patsubst tb/%.c,$(BUILD)/%,$(wildcard tb/test_*.c))
 SEPAX   = $(BUILD)/sepax
 LIB     = $(BUILD)/libsepax.a
+object  = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 
-all: $(SEPAX)
+OPTIONS = --arch=$(ARCH) --word=$(WORD) --ii=$(II) --precision=$(PRECISION) \
+          --block-float=$(BLOCK_FLOAT) --coplanarity=$(COPLANARITY) \
+          --inequality=$(INEQUALITY) --epsilon=$(EPSILON)
+
+# build/core/paper-w18-full, with a suffix for whatever is not the default.
+CORE_NAME = $(ARCH)-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FLOAT)),-bf)$(if \
+            $(filter paper,$(COPLANARITY)),-cop)$(if $(filter printed,$(INEQUALITY)),-ineq)$(if \
+            $(filter-out 1,$(EPSILON)),-e$(EPSILON))
+CORE      = $(BUILD)/core/$(CORE_NAME)
+MESH_ARGS = $(if $(filter fit,$(RESOLUTION)),,--resolution=$(RESOLUTION)) \
+            --normals=$(NORMALS) $(MESH_A) $(MESH_B)
+
+.DELETE_ON_ERROR:
+.PHONY: all job help setup test rtl reference cosim icarus wave lint area netlist bench \
+        sanitize sanitized static options core clean FORCE
+
+all:
+	@scripts/setup
+	@$(MAKE) --no-print-directory job
+
+help:
+	@sed -n 's/^#: //p' Makefile
+
+#: make            the main job: 160,000 pairs of two 400-triangle objects through the
+#:                 paper's machine, held against the golden model, and its gate report
+#: make test       every test (about 15 minutes); ends with N passed, N failed
+#: make rtl        the Verilog of the design, in build/core/NAME/rtl
+#: make cosim      meshes (MESH_A, MESH_B) or PAIRS=file or PAIRS=families through the
+#:                 verilated machine
+#: make icarus     the same vectors through Icarus Verilog (PAIRS, or COUNT seeded ones)
+#: make wave       PAIR='18 or 24 integers' as a waveform: build/core/NAME/wave.fst
+#: make lint       Verilator, Icarus and Yosys on the design's Verilog
+#: make area       gates of the design with LIBERTY, beside the paper's
+#: make netlist    the mapped gates through the same bench
+#: make bench      pairs a second of the software verdicts and of the verilated machine
+#: make reference  regenerate rtl/, the committed W = 18 cores
+#: make setup      install what is missing (Debian, Ubuntu); make and make test do it
+#: make clean      remove build/
+#:
+#: Design:  ARCH=paper WORD=18 II=3 PRECISION=full|word|guard=G BLOCK_FLOAT=off|on
+#:          COPLANARITY=plane|paper INEQUALITY=correct|printed EPSILON=1
+#: Data:    MESH_A= MESH_B= RESOLUTION=fit|length NORMALS=computed|file PAIRS= COUNT= SEED=
+#: Tools:   CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY=file.lib[.gz]
+
+setup:
+	@scripts/setup
+
+job: $(SEPAX)
+	@$(MAKE) --no-print-directory cosim
+	@$(MAKE) --no-print-directory area
+
+test:
+	@scripts/setup
+	@scripts/test
+
+# ------------------------------------------------------------------ the program
 
 $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(SEPAX_CFLAGS) -c $< -o $@
+	@echo "  CC      $<"
+	@$(CC) $(SEPAX_CFLAGS) -MMD -MP -c $< -o $@
 
 $(LIB): $(call object,$(LIB_SRC))
 	@rm -f $@
-	$(AR) rcs $@ $^
+	@$(AR) rcs $@ $^
 
 $(SEPAX): $(call object,$(CLI_SRC)) $(LIB)
-	$(CC) $(CFLAGS) $^ -ljansson -lm -o $@
+	@echo "  LINK    $@"
+	@$(CC) $(CFLAGS) $^ -ljansson -lm -o $@
+
+GEN_OBJ = $(filter-out %/cmd_gen.o,$(call object,$(wildcard rtl_gen/*.c)))
+
+$(BUILD)/test_%: $(BUILD)/obj/tb/test_%.o $(BUILD)/obj/tb/oracle.o $(GEN_OBJ) $(LIB)
+	@echo "  LINK    $@"
+	@$(CC) $(CFLAGS) $^ -lcmocka -lgmp -ljansson -lm -o $@
 
 -include $(wildcard $(BUILD)/obj/*/*.d $(BUILD)/obj/*/*/*.d)
+
+# -------------------------------------------------------------------- the meshes
+
+$(BUILD)/mesh/cutter.stl: $(SEPAX)
+	@mkdir -p $(@D)
+	@$(SEPAX) mesh ball-end --triangles=400 --at=45,0,-20 -o $@
+
+$(BUILD)/mesh/workpiece.stl: $(SEPAX)
+	@mkdir -p $(@D)
+	@$(SEPAX) mesh pocket --triangles=400 -o $@
+
+# ---------------------------------------------------------------------- the RTL
+
+RTL = $(CORE)/rtl/sepax.f
+
+$(RTL): $(SEPAX)
+	@mkdir -p $(CORE)
+	@rm -rf $(CORE)/rtl
+	@echo "  GEN     $(CORE)/rtl"
+	@$(SEPAX) gen $(OPTIONS) -o $(CORE)/rtl > /dev/null
+
+rtl: $(RTL)
+	@echo "$(CORE)/rtl: $$(wc -l < $(RTL)) modules"
+
+reference: $(SEPAX)
+	@rm -rf rtl/paper-w18
+	@$(SEPAX) gen --arch=paper --word=18 -o rtl/paper-w18
+
+lint: $(RTL)
+	@cd $(CORE)/rtl && ../../../../scripts/lint
+
+# ----------------------------------------------------------------- co-simulation
+
+VERILATE = $(VERILATOR) --cc --exe --build -O3 --x-assign unique --x-initial unique \
+           --top-module sepax_top -f sepax.f -CFLAGS "-O2 -I$(abspath c_model) -I../rtl" \
+           $(abspath tb/cosim.cpp $(BUILD)/obj/c_model/cli/options.o $(LIB))
+COSIM_DEPS = $(RTL) tb/cosim.cpp $(LIB) $(BUILD)/obj/c_model/cli/options.o
+
+$(CORE)/cosim: $(COSIM_DEPS)
+	@echo "  VERILATE $(CORE_NAME)"
+	@cd $(CORE)/rtl && $(VERILATE) --Mdir ../obj-cosim -o ../cosim > ../verilate.log 2>&1 \
+	  || { tail -20 ../verilate.log >&2; exit 1; }
+
+$(CORE)/cosim-wave: $(COSIM_DEPS)
+	@echo "  VERILATE $(CORE_NAME) with waveforms"
+	@cd $(CORE)/rtl && $(VERILATE) --trace-fst --Mdir ../obj-wave -o ../cosim-wave \
+	  > ../verilate.log 2>&1 || { tail -20 ../verilate.log >&2; exit 1; }
+
+COSIM_ARGS = $(if $(filter families,$(PAIRS)),--count=$(COUNT) --seed=$(SEED),$(if \
+             $(PAIRS),--pairs=$(PAIRS),$(MESH_ARGS)))
+
+cosim: $(CORE)/cosim $(if $(PAIRS),,$(MESH_A) $(MESH_B))
+	@$(CORE)/cosim $(COSIM_ARGS) $(if $(STRESS),--stress=$(STRESS))
+
+wave: $(CORE)/cosim-wave
+	@echo '$(PAIR)' | $(CORE)/cosim-wave --pairs=- --wave=$(CORE)/wave.fst
+	@echo "$(CORE)/wave.fst"
+
+$(CORE)/icarus.vvp: $(RTL) tb/sepax_tb.v
+	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_REST -I . -s sepax_tb -o ../icarus.vvp \
+	  -c sepax.f $(abspath tb/sepax_tb.v)
+
+$(CORE)/icarus.pairs: $(SEPAX) FORCE
+	@mkdir -p $(CORE)
+	@$(if $(PAIRS),cat $(PAIRS),$(SEPAX) vectors --word=$(WORD) --count=$(COUNT) --seed=$(SEED)) \
+	  | $(SEPAX) judge $(OPTIONS) --echo > $@
+
+icarus: $(CORE)/icarus.vvp $(CORE)/icarus.pairs
+	@$(VVP) -N $(CORE)/icarus.vvp +pairs=$(CORE)/icarus.pairs
+
+# --------------------------------------------------------------------- the gates
+
+AREA   = $(CORE)/area-$(basename $(notdir $(LIBERTY:.gz=)))
+
+# ------------------------------------------------------------------ code quality
+
+C_SRC = $(LIB_SRC) $(CLI_SRC) $(wildcard tb/*.c)
+
+static:
+	@$(CPPCHECK) --quiet --error-exitcode=1 --enable=warning,style,performance,portability \
+	  --inline-suppr --suppress=missingIncludeSystem --std=c11 -Ic_model -Irtl_gen $(C_SRC)
+	@printf '%s\n' $(C_SRC) | xargs -P 2 -I {} $(CLANG_TIDY) --quiet \
+	  --warnings-as-errors="*" {} -- -std=c11 -D_POSIX_C_SOURCE=200809L -Ic_model -Irtl_gen
+
+sanitize:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize \
+	  CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all \
+	          -DEXACT_PAIRS=50000" sanitized
+
+sanitized: $(SEPAX) $(UNIT)
+	@for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
+	@SEPAX=$(SEPAX) tb/cli_test
+
+# What the scripts ask: the options of the design and the name of its folder.
+options:
+	@echo $(OPTIONS)
+core:
+	@echo $(CORE)
+
+clean:
+	rm -rf $(BUILD)

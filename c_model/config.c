@@ -4,19 +4,10 @@
 
 #include <ctype.h>
 #include <errno.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 typedef __int128 wide;
-
-bool sepax_fail(sepax_error *error, const char *format, ...) {
-  va_list args;
-  va_start(args, format);
-  vsnprintf(error->text, sizeof error->text, format, args);
-  va_end(args);
-  return false;
-}
 
 int32_t sepax_word_min(int word) { return (int32_t)(-(INT64_C(1) << (word - 1))); }
 

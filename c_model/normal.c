@@ -1,6 +1,8 @@
 /* normal.c - unit normals of integer triangles, in integers. */
 #include "sepax.h"
 
+#include <math.h>
+
 typedef __int128 wide;
 typedef unsigned __int128 uwide;
 
@@ -11,15 +13,12 @@ static wide shifted(wide value, int shift) {
   return shift >= 0 ? value * ((wide)1 << shift) : value >> -shift;
 }
 
+/* The integer square root of 2^120 ... 2^124: one Newton step from double precision
+ * leaves at most 1 too much. */
 static uwide square_root(uwide value) {
-  uwide root = 0;
-  for (int bit = 63; bit >= 0; bit--) {
-    uwide candidate = root | (uwide)1 << bit;
-    if (candidate * candidate <= value) {
-      root = candidate;
-    }
-  }
-  return root;
+  uwide root = (uwide)sqrt((double)value);
+  root = (root + value / root) / 2;
+  return root - (root * root > value);
 }
 
 static int32_t scaled_component(wide component, uwide length, int word) {
@@ -31,8 +30,8 @@ static int32_t scaled_component(wide component, uwide length, int word) {
 
 sepax_vec sepax_unit_normal(const sepax_tri *tri, int word) {
   const sepax_vec *v = tri->v;
-  wide e[3] = {(wide)v[1].x - v[0].x, (wide)v[1].y - v[0].y, (wide)v[1].z - v[0].z};
-  wide f[3] = {(wide)v[2].x - v[0].x, (wide)v[2].y - v[0].y, (wide)v[2].z - v[0].z};
+  const wide e[3] = {(wide)v[1].x - v[0].x, (wide)v[1].y - v[0].y, (wide)v[1].z - v[0].z};
+  const wide f[3] = {(wide)v[2].x - v[0].x, (wide)v[2].y - v[0].y, (wide)v[2].z - v[0].z};
   wide n[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
                e[0] * f[1] - e[1] * f[0]};
   uwide largest = 0;

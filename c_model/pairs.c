@@ -174,10 +174,8 @@ static sepax_line fail_at(sepax_error *error, const char *name, size_t number,
 
 static sepax_line fail_reading(sepax_error *error, const char *name, size_t number,
                                int code) {
-  char reason[128];
-  if (strerror_r(code, reason, sizeof reason) != 0) {
-    reason[0] = '\0';
-  }
+  char reason[128] = "unknown error";
+  (void)strerror_r(code, reason, sizeof reason);
   sepax_fail(error, "%.240s:%zu: cannot read: %s", name, number, reason);
   return SEPAX_LINE_ERROR;
 }

@@ -167,7 +167,7 @@ static bool box_fits(const box *bounds, const sepax_grid *grid, double resolutio
 }
 
 /* The word ends half a step inside of 2^(W-1) above and half a step outside below.
- * The quotient is a few units in the last place from the finest resolution. */
+ * The quotient is the finest resolution or a few units in the last place below. */
 static double finest_resolution(const box *bounds, const sepax_grid *grid) {
   double above = 2.0 * sepax_word_max(grid->word) + 1;
   double below = above + 2;
@@ -176,9 +176,6 @@ static double finest_resolution(const box *bounds, const sepax_grid *grid) {
     double high = bounds->high[axis] - grid->offset[axis];
     double low = grid->offset[axis] - bounds->low[axis];
     resolution = fmax(resolution, fmax(2 * high / above, 2 * low / below));
-  }
-  while (box_fits(bounds, grid, resolution)) {
-    resolution = nextafter(resolution, 0);
   }
   while (!box_fits(bounds, grid, resolution)) {
     resolution = nextafter(resolution, INFINITY);

@@ -11,6 +11,9 @@
 
 enum { TRIANGLES_MAX = 1000000000 };
 
+/* Farther from the origin, doubles blur an object by more than 2^-23 of its size. */
+static const double sizes_away_max = 0x1p30;
+
 /* Curved surfaces of radius 1: a sphere round the origin, a cylinder round the z axis.
  * A corner lies on a set of them, the middle of an edge on those of both its ends. */
 enum { PLANE = 0, SPHERE = 1, CYLINDER = 2 };
@@ -407,9 +410,9 @@ static bool make(sepax_mesh *mesh, const sample *kind, size_t triangles,
     place(&s, kind, at, size);
     ok = copy_facets(&result, &s) ||
          sepax_fail(error,
-                    "%s: triangles of no area: %zu triangles at size %g are too small "
-                    "there; place it nearer the origin or choose another size",
-                    kind->name, triangles, size);
+                    "%s: triangles of no area in double precision at size %g; choose "
+                    "a size nearer %g mm",
+                    kind->name, size, kind->size);
   }
   release(&s);
   if (!ok) {
@@ -456,10 +459,12 @@ bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles,
     return sepax_fail(error, "size: %g is not a length; 0 stands for %g mm", size,
                       kind->size);
   }
+  double length = size > 0 ? size : kind->size;
   for (int axis = 0; axis < 3; axis++) {
-    if (!isfinite(at[axis])) {
-      return sepax_fail(error, "at: %c = %g is not a coordinate", "xyz"[axis], at[axis]);
+    if (!(fabs(at[axis]) <= sizes_away_max * length)) {
+      return sepax_fail(error, "at: %c = %g is no place for an object of %g mm; %s",
+                        "xyz"[axis], at[axis], length, "move it nearer the origin");
     }
   }
-  return make(mesh, kind, triangles, at, size > 0 ? size : kind->size, error);
+  return make(mesh, kind, triangles, at, length, error);
 }

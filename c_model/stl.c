@@ -36,7 +36,8 @@ static bool fail(sepax_error *error, const char *path, const char *format, ...) 
   va_start(args, format);
   vsnprintf(detail, sizeof detail, format, args);
   va_end(args);
-  return sepax_fail(error, "%.300s: %s", path, detail);
+  sepax_fail(error, "%.300s: %s", path, detail);
+  return false;
 }
 
 /* The numbers of a facet in the order of the file. */
@@ -71,7 +72,6 @@ static bool is_readable_kind(FILE *in, const char *path, sepax_error *error) {
 
 static bool read_stream(content *file, FILE *in, const char *path, sepax_error *error) {
   size_t room = (size_t)1 << 16;
-  size_t got = 0;
   do {
     room *= 2;
     char *bytes = realloc(file->bytes, room);
@@ -79,8 +79,7 @@ static bool read_stream(content *file, FILE *in, const char *path, sepax_error *
       return fail(error, path, "too large for the memory; use a coarser mesh");
     }
     file->bytes = bytes;
-    got = fread(bytes + file->size, 1, room - 1 - file->size, in);
-    file->size += got;
+    file->size += fread(bytes + file->size, 1, room - 1 - file->size, in);
   } while (file->size == room - 1);
   if (ferror(in)) {
     return fail(error, path, "%s; check the file", strerror(errno));
@@ -89,14 +88,20 @@ static bool read_stream(content *file, FILE *in, const char *path, sepax_error *
   return true;
 }
 
-static bool read_content(content *file, const char *path, sepax_error *error) {
+/* No bytes on failure. */
+static content read_content(const char *path, sepax_error *error) {
+  content file = {0};
   FILE *in = fopen(path, "rb");
   if (in == NULL) {
-    return fail(error, path, "%s; check the path", strerror(errno));
+    fail(error, path, "%s; check the path", strerror(errno));
+    return file;
   }
-  bool ok = is_readable_kind(in, path, error) && read_stream(file, in, path, error);
+  if (!is_readable_kind(in, path, error) || !read_stream(&file, in, path, error)) {
+    free(file.bytes);
+    file = (content){0};
+  }
   fclose(in);
-  return ok;
+  return file;
 }
 
 /* -------------------------------------------------------------------- text */
@@ -348,9 +353,12 @@ static bool read_format(sepax_mesh *mesh, const content *file, const char *path,
 }
 
 bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
-  content file = {0};
+  content file = read_content(path, error);
+  if (file.bytes == NULL) {
+    return false;
+  }
   sepax_mesh result = {0};
-  bool ok = read_content(&file, path, error) && read_format(&result, &file, path, error);
+  bool ok = read_format(&result, &file, path, error);
   if (ok && result.count == 0) {
     ok = fail(error, path, "no facets; %s", cure);
   }
@@ -431,7 +439,12 @@ static FILE *open_aside(char *aside, size_t size, const char *path) {
       return NULL;
     }
   }
-  return file < 0 ? NULL : fdopen(file, "wb");
+  FILE *out = file < 0 ? NULL : fdopen(file, "wb");
+  if (file >= 0 && out == NULL) {
+    close(file);
+    unlink(aside);
+  }
+  return out;
 }
 
 /* On failure errno tells why. */
@@ -440,18 +453,15 @@ static bool write_aside(const char *aside, FILE *out, const sepax_mesh *mesh,
   bool ok = ascii ? write_text(out, mesh) : write_binary(out, mesh);
   ok = ok && fflush(out) == 0;
   int reason = errno;
-  if (fclose(out) != 0 && ok) {
-    ok = false;
-    reason = errno;
-  }
-  if (ok && rename(aside, path) != 0) {
-    ok = false;
+  bool closed = fclose(out) == 0;
+  if (ok) {
+    ok = closed && rename(aside, path) == 0;
     reason = errno;
   }
   if (!ok) {
     unlink(aside);
-    errno = reason;
   }
+  errno = reason;
   return ok;
 }
 

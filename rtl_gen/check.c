@@ -395,11 +395,7 @@ static void assignment(reader *r, const char *operator_text) {
 }
 
 static void statement(reader *r) {
-  char name[EMIT_NAME];
   if (take(r, "begin")) {
-    if (take(r, ":") && !take_name(r, name)) {
-      refuse(r, "a block without its label", "");
-    }
     while (!r->failed && !take(r, "end")) {
       statement(r);
     }
@@ -425,7 +421,6 @@ static void skip_generate(reader *r) {
 /* generate if (P > Q) begin : label ... end endgenerate: the body holds a wire of
  * its own, and is read only where the condition holds. */
 static void generate(reader *r) {
-  char name[EMIT_NAME];
   expect(r, "if");
   expect(r, "(");
   int left = constant_sum(r);
@@ -435,6 +430,7 @@ static void generate(reader *r) {
   if (left <= right) {
     skip_generate(r);
   } else {
+    char name[EMIT_NAME] = "";
     expect(r, "begin");
     expect(r, ":");
     take_name(r, name);
@@ -470,7 +466,8 @@ static bool split_binding(const emit_module *m, char *item_text, char **name, ch
   item_text += strspn(item_text, " \n");
   char *equals = strchr(item_text, '=');
   if (equals == NULL) {
-    return emit_refuse(m, "binding '%s' is not NAME=VALUE", item_text);
+    emit_refuse(m, "binding '%s' is not NAME=VALUE", item_text);
+    return false;
   }
   *equals = '\0';
   *name = item_text;

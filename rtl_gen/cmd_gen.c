@@ -1,5 +1,6 @@
 /* cmd_gen.c - sepax gen: configuration -> Verilog folder. */
-#include "../c_model/cli/cli.h"
+#include "cli/cli.h"
+#include "error.h"
 #include "gen.h"
 
 #include <string.h>
@@ -36,10 +37,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 static bool generate(const sepax_design *design, const char *folder, sepax_error *error) {
   if (design->config.arch != SEPAX_ARCH_PAPER) {
-    snprintf(error->text, sizeof error->text,
-             "arch: '%s' has no hardware; give --arch=paper",
-             sepax_arch_name(design->config.arch));
-    return false;
+    return sepax_fail(error, "arch: '%s' has no hardware; give --arch=paper",
+                      sepax_arch_name(design->config.arch));
   }
   char command[400];
   char text[320];

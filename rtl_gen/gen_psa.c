@@ -19,12 +19,11 @@ void gen_norm(emitter *e) {
     steps++;
   }
   for (int s = steps; s >= -1; s--) {
+    char name[EMIT_NAME];
     for (int i = 0; i < 3; i++) {
-      char name[EMIT_NAME];
       snprintf(name, sizeof name, "%s_%d", axis_name[i], s + 1);
       emit_net(m, EMIT_WIRE, false, name, "S_W");
     }
-    char name[EMIT_NAME];
     if (s >= 0) {
       snprintf(name, sizeof name, "move_%d", s);
       emit_signal(m, EMIT_WIRE, false, name, "", "no component uses its next %d bits", 1 << s);

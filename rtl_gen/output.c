@@ -1,10 +1,10 @@
 /* output.c - writing a generated design into a folder. */
+#include "error.h"
 #include "gen.h"
 
 #include <ctype.h>
 #include <errno.h>
 #include <jansson.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -17,17 +17,6 @@ typedef struct {
   char *text;
   size_t size;
 } output_file;
-
-static bool fail(sepax_error *error, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-static bool fail(sepax_error *error, const char *format, ...) {
-  va_list args;
-  va_start(args, format);
-  vsnprintf(error->text, sizeof error->text, format, args);
-  va_end(args);
-  return false;
-}
 
 static FILE *open_file(output_file *file, const char *name) {
   snprintf(file->name, sizeof file->name, "%s", name);
@@ -146,12 +135,12 @@ static bool write_aside(const char *folder, const output_file *file, sepax_error
   snprintf(path, sizeof path, "%s/%s.tmp", folder, file->name);
   FILE *out = fopen(path, "w");
   if (out == NULL) {
-    return fail(error, "%s: %s; give a folder that can be written to", path,
+    return sepax_fail(error, "%s: %s; give a folder that can be written to", path,
                 strerror(errno));
   }
   bool written = fwrite(file->text, 1, file->size, out) == file->size;
   if (fclose(out) != 0 || !written) {
-    return fail(error, "%s: %s; free some space or give another folder", path,
+    return sepax_fail(error, "%s: %s; free some space or give another folder", path,
                 strerror(errno));
   }
   return true;
@@ -165,6 +154,20 @@ static void remove_aside(const char *folder, const output_file *file, int count)
   }
 }
 
+/* A folder where a file must go would stop the renaming half way. */
+static bool ways_clear(const char *folder, const output_file *file, int count,
+                       sepax_error *error) {
+  char path[4096];
+  struct stat status;
+  for (int i = 0; i < count; i++) {
+    snprintf(path, sizeof path, "%s/%s", folder, file[i].name);
+    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+      return sepax_fail(error, "%s: not a regular file; remove it", path);
+    }
+  }
+  return true;
+}
+
 static bool rename_all(const char *folder, const output_file *file, int count,
                        sepax_error *error) {
   char from[4096];
@@ -173,7 +176,7 @@ static bool rename_all(const char *folder, const output_file *file, int count,
     snprintf(from, sizeof from, "%s/%s.tmp", folder, file[i].name);
     snprintf(to, sizeof to, "%s/%s", folder, file[i].name);
     if (rename(from, to) != 0) {
-      return fail(error, "%s: %s; remove what is in the way", to, strerror(errno));
+      return sepax_fail(error, "%s: %s; remove what is in the way", to, strerror(errno));
     }
   }
   return true;
@@ -181,19 +184,19 @@ static bool rename_all(const char *folder, const output_file *file, int count,
 
 bool gen_write(const emitter *e, const char *folder, sepax_error *error) {
   if (strlen(folder) > 3000) {
-    return fail(error, "%.60s...: the folder's name is too long", folder);
+    return sepax_fail(error, "%.60s...: the folder's name is too long", folder);
   }
   bool made = mkdir(folder, 0777) == 0;
   struct stat status;
   if (!made && errno != EEXIST) {
-    return fail(error, "%s: %s; give a folder that can be made", folder, strerror(errno));
+    return sepax_fail(error, "%s: %s; give a folder that can be made", folder, strerror(errno));
   }
   if (!made && (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode))) {
-    return fail(error, "%s: not a folder; give another name", folder);
+    return sepax_fail(error, "%s: not a folder; give another name", folder);
   }
   output_file file[FILES] = {0};
   int count = render(e, file);
-  bool ok = true;
+  bool ok = ways_clear(folder, file, count, error);
   for (int i = 0; i < count && ok; i++) {
     ok = write_aside(folder, &file[i], error);
   }

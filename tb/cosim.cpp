@@ -233,13 +233,13 @@ private:
   void tick() {
     cycle++;
     top->eval();
-    dump(2 * cycle);
+    dump();
     if (top->rst == 0) {
       look();
     }
     top->clk = 1;
     top->eval();
-    dump(2 * cycle + 1);
+    dump();
     top->clk = 0;
   }
 
@@ -289,13 +289,11 @@ private:
     std::fprintf(stderr, "'\n");
   }
 
-  void dump(uint64_t time) {
+  void dump() {
 #if VM_TRACE
     if (trace) {
-      trace->dump(time);
+      trace->dump(time++);
     }
-#else
-    (void)time;
 #endif
   }
 
@@ -306,6 +304,7 @@ private:
   std::unique_ptr<Vsepax_top> top;
 #if VM_TRACE
   std::unique_ptr<VerilatedFstC> trace;
+  uint64_t time = 0; // half cycles
 #endif
   std::deque<Expected> expected;
   uint64_t cycle = 0;

@@ -99,6 +99,7 @@ static void print_text(const check_options *o, const sepax_scene *scene,
 static void print_json(const check_options *o, const sepax_scene *scene,
                        const collisions *found) {
   const sepax_grid *g = &scene->grid;
+  json_int_t pairs = (json_int_t)scene->count[0] * (json_int_t)scene->count[1];
   json_t *colliding = json_array();
   for (size_t k = 0; k < found->count; k++) {
     json_array_append_new(colliding, json_pack("[I, I]", (json_int_t)found->pair[k][0],
@@ -109,8 +110,7 @@ static void print_json(const check_options *o, const sepax_scene *scene,
       "arch", sepax_arch_name(o->config.arch), "a", "file", o->path[0], "triangles",
       (json_int_t)scene->count[0], "b", "file", o->path[1], "triangles",
       (json_int_t)scene->count[1], "grid", "word", g->word, "resolution", g->resolution,
-      "origin", g->offset[0], g->offset[1], g->offset[2], "pairs",
-      (json_int_t)(scene->count[0] * scene->count[1]), "collisions", (json_int_t)found->count,
+      "origin", g->offset[0], g->offset[1], g->offset[2], "pairs", pairs, "collisions", (json_int_t)found->count,
       "seconds", found->seconds, "colliding", colliding);
   if (report == NULL) { /* a file name that is not UTF-8 */
     fprintf(stderr, "sepax check: %s: the name is not UTF-8; rename the file\n", o->path[0]);

@@ -1,5 +1,6 @@
 /* judge.c - sepax judge: verdicts for pairs given as text. */
 #include "cli.h"
+#include "error.h"
 
 #include <errno.h>
 #include <string.h>
@@ -67,8 +68,7 @@ int cli_judge(int argc, char **argv) {
   bool from_file = o.path != NULL && strcmp(o.path, "-") != 0;
   FILE *in = from_file ? fopen(o.path, "r") : stdin;
   if (in == NULL) {
-    snprintf(error.text, sizeof error.text, "%.200s: %s; give a readable file of pairs",
-             o.path, strerror(errno));
+    sepax_fail(&error, "%.200s: %s; give a readable file of pairs", o.path, strerror(errno));
     return cli_fail(argv[0], &error);
   }
   bool ok = judge_stream(&design, in, from_file ? o.path : "standard input", o.echo, &error);

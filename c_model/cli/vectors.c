@@ -1,5 +1,6 @@
 /* vectors.c - sepax vectors: seeded test vectors of hard cases as text. */
 #include "cli.h"
+#include "error.h"
 
 #include <string.h>
 
@@ -53,19 +54,19 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-/* The range of family numbers that `name` asks for; false if there is none. */
-static bool find_families(const char *name, size_t *first, size_t *count) {
-  size_t families = 0;
+/* The families that `name` asks for: first ... last; false if there is none. */
+static bool find_families(const char *name, size_t *first, size_t *last) {
   bool all = strcmp(name, "all") == 0;
   bool found = all;
   *first = 0;
-  for (; sepax_family_name(families) != NULL; families++) {
-    if (strcmp(sepax_family_name(families), name) == 0) {
-      *first = families;
+  *last = 0;
+  for (size_t i = 0; sepax_family_name(i) != NULL; i++) {
+    if (all || strcmp(sepax_family_name(i), name) == 0) {
+      *first = all ? 0 : i;
+      *last = i;
       found = true;
     }
   }
-  *count = all ? families : 1;
   return found;
 }
 
@@ -97,20 +98,21 @@ int cli_vectors(int argc, char **argv) {
   }
   sepax_error error = {""};
   size_t first;
-  size_t count;
+  size_t last;
   if (!sepax_config_check(&o.config, &error)) {
     return cli_fail(argv[0], &error);
   }
-  if (!find_families(o.family, &first, &count)) {
-    snprintf(error.text, sizeof error.text,
-             "family: '%.60s' is unknown; 'sepax vectors --list' lists them", o.family);
+  if (!find_families(o.family, &first, &last)) {
+    sepax_fail(&error, "family: '%.60s' is unknown; 'sepax vectors --list' lists them",
+               o.family);
     return cli_fail(argv[0], &error);
   }
   printf("# sepax vectors --family=%s --word=%d --count=%llu --seed=%llu\n", o.family,
          o.config.word, (unsigned long long)o.count, (unsigned long long)o.seed);
   sepax_random random = {o.seed};
+  size_t family = last;
   for (uint64_t n = 0; n < o.count && !ferror(stdout); n++) {
-    size_t family = first + (size_t)(n % count);
+    family = family < last ? family + 1 : first;
     sepax_pair pair = sepax_family_pair(family, o.config.word, &random);
     print_pair(&pair, o.normals);
     printf(" # %s\n", sepax_family_name(family));

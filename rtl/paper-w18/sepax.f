@@ -1,0 +1,11 @@
+sepax_trunc.v
+sepax_mul.v
+sepax_edge.v
+sepax_dot.v
+sepax_proj.v
+sepax_cop.v
+sepax_cross.v
+sepax_psa.v
+sepax_cmp.v
+sepax_nand.v
+sepax_top.v
