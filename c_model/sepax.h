@@ -204,19 +204,21 @@ void sepax_mesh_free(sepax_mesh *mesh);
 bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error);
 
 /* Write a binary STL (coordinates rounded to binary32; a value that does not fit
- * is an error), or ASCII with 17 digits. Written aside, then renamed to path. */
+ * is an error), or ASCII with 17 digits. Written aside, then renamed to path. Fails
+ * also on an empty mesh, NaN or infinity, and where path is there but no file. */
 bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii,
                      sepax_error *error);
 
 /* A sample object: a closed mesh of exactly `triangles` facets in mm, refined by
- * longest-edge bisection, centred on `at` (cutters: the tip) and scaled so that
- * its characteristic length is `size` mm (0: the default of the shape). Fails on
- * an unknown shape, on fewer triangles than the shape needs and on an odd number
- * (a closed mesh has an even number). */
+ * longest-edge bisection. `at` is its centre (cutters: the tip; pocket: the middle
+ * of the top face), `size` its characteristic length in mm (0: the default of the
+ * shape). Fails on an unknown shape, on fewer triangles than the shape needs, on
+ * more than 10^9, on an odd number (a closed mesh has an even number), and on a
+ * place farther than 2^30 sizes from the origin. */
 bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles,
                   const double at[3], double size, sepax_error *error);
 
-/* Names, descriptions and least numbers of triangles; NULL beyond the last. */
+/* Names, descriptions and least numbers of triangles; NULL and 0 beyond the last. */
 const char *sepax_sample_name(size_t i);
 const char *sepax_sample_about(size_t i);
 size_t sepax_sample_least(size_t i);
@@ -229,15 +231,17 @@ typedef struct {
 } sepax_grid;
 
 /* The finest grid of W bits on which all the meshes fit: the offset is the centre
- * of their common box, the longest side spans 2^W - 1 steps. */
+ * of their common box, the longest side spans just under 2^W - 1 steps. Fails on a
+ * mesh without facets, on no extent and on coordinates above 2^1000. */
 bool sepax_grid_fit(sepax_grid *grid, const sepax_mesh *const meshes[], size_t count,
                     int word, sepax_error *error);
 
 /* Quantise a mesh: tri[mesh->count] receives the triangles, each coordinate
- * rounded to nearest, half away from zero (decided on the exact residual, to
- * 2^-50 LSB); normal[mesh->count], if not NULL, the file's normals scaled to unit
- * length in Q1.(W-1), or zero where the file has none. Fails on a coordinate
- * that does not fit W bits, naming facet, coordinate and the cure. */
+ * rounded to nearest, half away from zero, exactly for the doubles given (0.009 on
+ * a grid of 0.002 is 4: the double nearest 0.009 is less); normal[mesh->count], if
+ * not NULL, the file's normals scaled to unit length in Q1.(W-1), or zero where the
+ * file has none. Fails on a coordinate that does not fit W bits, naming facet,
+ * coordinate and the cure, on NaN or infinity and on a grid that is none. */
 bool sepax_quantise(const sepax_mesh *mesh, const sepax_grid *grid, sepax_tri *tri,
                     sepax_vec *normal, sepax_error *error);
 
@@ -267,14 +271,15 @@ typedef struct {
 } sepax_random;
 
 uint64_t sepax_random_next(sepax_random *random);
-/* Uniform in lo ... hi, both included. */
+/* Uniform in lo ... hi, both included; lo <= hi. */
 int64_t sepax_random_range(sepax_random *random, int64_t lo, int64_t hi);
 
 /* Families of hard pairs, numbered from 0; NULL beyond the last. */
 const char *sepax_family_name(size_t family);
 const char *sepax_family_about(size_t family);
 
-/* A random pair of a family at W bits, normals by sepax_unit_normal. */
+/* A random pair of a family (below the last) at W bits, normals by
+ * sepax_unit_normal. */
 sepax_pair sepax_family_pair(size_t family, int word, sepax_random *random);
 
 /* Pairs as text: one line of 18 decimal integers A1x A1y A1z ... B3z, or 24 with
@@ -285,8 +290,9 @@ typedef enum { SEPAX_LINE_PAIR, SEPAX_LINE_EMPTY, SEPAX_LINE_ERROR } sepax_line;
 sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word,
                             sepax_error *error);
 
-/* The next pair of a stream; `number` counts lines for messages (start at 0) and
- * `name` names the stream. Returns SEPAX_LINE_EMPTY at the end. */
+/* The next pair of a stream; empty lines are skipped. `number` counts lines for
+ * messages (start at 0), `name` names the stream. SEPAX_LINE_EMPTY is the end; after
+ * an error the stream stands behind the bad line. */
 sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number,
                            int word, sepax_error *error);
 
