@@ -133,6 +133,17 @@ $(BUILD)/mesh/workpiece.stl: $(SEPAX)
 	@mkdir -p $(@D)
 	@$(SEPAX) mesh pocket --triangles=400 -o $@
 
+# ----------------------------------------------------------------- the benchmark
+
+$(BUILD)/bench: $(BUILD)/obj/tb/bench.o $(LIB)
+	@$(CC) $(CFLAGS) $^ -lm -o $@
+
+bench: $(BUILD)/bench $(CORE)/cosim
+	@echo "software, one core, families uniform and local, W = 18; ratio to float64:"
+	@$(BUILD)/bench
+	@echo "verilated machine with its golden model, all families:"
+	@$(CORE)/cosim --count=$(COUNT) --seed=$(SEED)
+
 # ---------------------------------------------------------------------- the RTL
 
 RTL = $(CORE)/rtl/sepax.f

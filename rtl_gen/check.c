@@ -535,10 +535,48 @@ static bool connect(reader *r, const emit_instance_record *i, const emit_binding
   return true;
 }
 
+/* "sepax_mul A_W=18 ...": a module with the values that its parameters have. */
+static char *variant_of(const emit_module *m, const emit_binding *bound, int count) {
+  char *text = NULL;
+  size_t size = 0;
+  FILE *out = open_memstream(&text, &size);
+  if (out == NULL) {
+    abort();
+  }
+  reader r = read_text(m, bound, count, "");
+  fputs(m->name, out);
+  for (int i = 0; i < m->symbols; i++) {
+    if (m->symbol[i].kind == EMIT_PARAMETER) {
+      fprintf(out, " %s=%d", m->symbol[i].name, parameter_value(&r, m->symbol[i].name));
+    }
+  }
+  fclose(out);
+  return text;
+}
+
+/* Check a variant of a module, once. */
+static bool check_variant(const emit_module *m, const emit_binding *bound, int count) {
+  emitter *e = m->emitter;
+  char *variant = variant_of(m, bound, count);
+  for (int i = 0; i < e->variants; i++) {
+    if (strcmp(e->variant[i], variant) == 0) {
+      free(variant);
+      return true;
+    }
+  }
+  bool ok = emit_check(m, bound, count);
+  if (ok && e->variants < EMIT_VARIANTS) {
+    e->variant[e->variants++] = variant;
+  } else {
+    free(variant);
+  }
+  return ok;
+}
+
 static bool check_instance(reader *r, const emit_instance_record *i) {
   emit_binding bound[EMIT_SYMBOLS];
   int count = bind_parameters(r, i, bound);
-  if (r->failed || !emit_check(i->module, bound, count)) {
+  if (r->failed || !check_variant(i->module, bound, count)) {
     return false;
   }
   char copy[2048];

@@ -16,7 +16,8 @@
 
 #include "sepax.h"
 
-enum { EMIT_MODULES = 32, EMIT_SYMBOLS = 256, EMIT_INSTANCES = 64, EMIT_NAME = 48 };
+enum { EMIT_MODULES = 32, EMIT_SYMBOLS = 256, EMIT_INSTANCES = 64, EMIT_NAME = 48,
+       EMIT_VARIANTS = 128 };
 
 typedef enum {
   EMIT_PARAMETER,
@@ -66,6 +67,8 @@ typedef struct emitter {
   char command[512]; /* printed in every banner */
   emit_module *module[EMIT_MODULES];
   int modules;
+  char *variant[EMIT_VARIANTS]; /* modules with parameter values that passed the check */
+  int variants;
   sepax_error error;
 } emitter;
 

@@ -10,14 +10,14 @@
 `default_nettype none
 
 module sepax_cmp #(
-  parameter D_W = 57 // bits of a projection
+  parameter D_W = 57  // bits of a projection
 ) (
-  input  wire clk, // clock
-  input  wire en, // take the comparison
-  input  wire rest, // 1: the axis is not used
-  input  wire [3*D_W-1:0] on_a, // projections of A_1, A_2, A_3, signed each
-  input  wire [3*D_W-1:0] on_b, // projections of B_1, B_2, B_3, signed each
-  output reg  overlap // 0: a separating axis
+  input  wire                     clk,     // clock
+  input  wire                     en,      // take the comparison
+  input  wire                     rest,    // 1: the axis is not used
+  input  wire        [3*D_W-1:0]  on_a,    // projections of A_1, A_2, A_3, signed each
+  input  wire        [3*D_W-1:0]  on_b,    // projections of B_1, B_2, B_3, signed each
+  output reg                      overlap  // 0: a separating axis
 );
 
   wire signed [D_W-1:0] a_1;

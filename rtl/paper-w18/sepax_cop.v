@@ -10,14 +10,14 @@
 `default_nettype none
 
 module sepax_cop #(
-  parameter D_W = 37 // bits of a projection on a normal
+  parameter D_W = 37  // bits of a projection on a normal
 ) (
-  input  wire clk, // clock
-  input  wire en, // take the comparisons
-  input  wire signed [D_W-1:0] limit, // 1 ... 2^(D_W-1) - 1
-  input  wire [3*D_W-1:0] p, // {p_1, p_2, p_3}, signed each
-  input  wire [3*D_W-1:0] q, // {q_1, q_2, q_3}, signed each
-  output wire coplanar // 1: treat the pair as coplanar
+  input  wire                     clk,      // clock
+  input  wire                     en,       // take the comparisons
+  input  wire signed [D_W-1:0]    limit,    // 1 ... 2^(D_W-1) - 1
+  input  wire        [3*D_W-1:0]  p,        // {p_1, p_2, p_3}, signed each
+  input  wire        [3*D_W-1:0]  q,        // {q_1, q_2, q_3}, signed each
+  output wire                     coplanar  // 1: treat the pair as coplanar
 );
 
   wire signed [D_W+1-1:0] limit_wide;

@@ -14,14 +14,14 @@ module sepax_cross #(
   parameter M_W = 37, // bits of an exact product
   parameter P_W = 37, // bits kept of it
   parameter S_W = 38, // bits of the exact difference, P_W + 1
-  parameter C_W = 38 // bits kept of it
+  parameter C_W = 38  // bits kept of it
 ) (
-  input  wire clk, // clock
-  input  wire product_en, // first cycle: take the products
-  input  wire axis_en, // second cycle: take the axis
-  input  wire [3*E_W-1:0] p, // {x, y, z}, signed each
-  input  wire [3*E_W-1:0] q, // {x, y, z}, signed each
-  output reg  [3*C_W-1:0] axis // {x, y, z}, signed each
+  input  wire                     clk,        // clock
+  input  wire                     product_en, // first cycle: take the products
+  input  wire                     axis_en,    // second cycle: take the axis
+  input  wire        [3*E_W-1:0]  p,          // {x, y, z}, signed each
+  input  wire        [3*E_W-1:0]  q,          // {x, y, z}, signed each
+  output reg         [3*C_W-1:0]  axis        // {x, y, z}, signed each
 );
 
   wire signed [E_W-1:0] p_x;

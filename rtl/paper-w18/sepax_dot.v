@@ -15,14 +15,14 @@ module sepax_dot #(
   parameter M_W = 55, // bits of an exact product
   parameter P_W = 55, // bits kept of it
   parameter S_W = 57, // bits of the exact sum of three, > P_W
-  parameter D_W = 57 // bits kept of it
+  parameter D_W = 57  // bits kept of it
 ) (
-  input  wire clk, // clock
-  input  wire product_en, // first cycle: take the products
-  input  wire sum_en, // second cycle: take the sum
-  input  wire [3*V_W-1:0] vertex, // {x, y, z}, signed each
-  input  wire [3*C_W-1:0] axis, // {x, y, z}, signed each
-  output reg  signed [D_W-1:0] dot // inner product
+  input  wire                     clk,        // clock
+  input  wire                     product_en, // first cycle: take the products
+  input  wire                     sum_en,     // second cycle: take the sum
+  input  wire        [3*V_W-1:0]  vertex,     // {x, y, z}, signed each
+  input  wire        [3*C_W-1:0]  axis,       // {x, y, z}, signed each
+  output reg  signed [D_W-1:0]    dot         // inner product
 );
 
   wire signed [V_W-1:0] v_x;

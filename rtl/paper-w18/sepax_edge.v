@@ -11,11 +11,11 @@
 module sepax_edge #(
   parameter V_W = 18, // bits of a coordinate
   parameter D_W = 19, // bits of a difference, V_W + 1
-  parameter E_W = 19 // bits kept, 1 ... D_W
+  parameter E_W = 19  // bits kept, 1 ... D_W
 ) (
-  input  wire [3*V_W-1:0] from, // vertex {x, y, z}, signed each
-  input  wire [3*V_W-1:0] to, // vertex {x, y, z}, signed each
-  output wire [3*E_W-1:0] edge_vector // edge {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  from,        // vertex {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  to,          // vertex {x, y, z}, signed each
+  output wire        [3*E_W-1:0]  edge_vector  // edge {x, y, z}, signed each
 );
 
   wire signed [D_W-1:0] difference_x;

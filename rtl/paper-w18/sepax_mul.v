@@ -10,14 +10,14 @@
 `default_nettype none
 
 module sepax_mul #(
-  parameter A_W = 18, // bits of a
-  parameter B_W = 38, // bits of b
+  parameter A_W = 18,    // bits of a
+  parameter B_W = 38,    // bits of b
   parameter FULL_W = 55, // bits of the exact product, > A_W, > B_W
-  parameter P_W = 55 // bits kept, 1 ... FULL_W
+  parameter P_W = 55     // bits kept, 1 ... FULL_W
 ) (
-  input  wire signed [A_W-1:0] a, // first factor
-  input  wire signed [B_W-1:0] b, // second factor
-  output wire signed [P_W-1:0] p // product, its P_W most significant bits
+  input  wire signed [A_W-1:0]    a, // first factor
+  input  wire signed [B_W-1:0]    b, // second factor
+  output wire signed [P_W-1:0]    p  // product, its P_W most significant bits
 );
 
   wire signed [FULL_W-1:0] a_wide;

@@ -15,20 +15,20 @@ module sepax_proj #(
   parameter M_W = 55, // bits of an exact product
   parameter P_W = 55, // bits kept of it
   parameter S_W = 57, // bits of the exact sum of three, > P_W
-  parameter D_W = 57 // bits kept of it
+  parameter D_W = 57  // bits kept of it
 ) (
-  input  wire clk, // clock
-  input  wire product_en, // first cycle: take the products
-  input  wire sum_en, // second cycle: take the sum
-  input  wire [3*C_W-1:0] axis, // axis c, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] a_1, // vertex A_1, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] a_2, // vertex A_2, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] a_3, // vertex A_3, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] b_1, // vertex B_1, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] b_2, // vertex B_2, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] b_3, // vertex B_3, {x, y, z}, signed each
-  output wire [3*D_W-1:0] on_a, // projections of A, signed each
-  output wire [3*D_W-1:0] on_b // projections of B, signed each
+  input  wire                     clk,        // clock
+  input  wire                     product_en, // first cycle: take the products
+  input  wire                     sum_en,     // second cycle: take the sum
+  input  wire        [3*C_W-1:0]  axis,       // axis c, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  a_1,        // vertex A_1, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  a_2,        // vertex A_2, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  a_3,        // vertex A_3, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  b_1,        // vertex B_1, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  b_2,        // vertex B_2, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  b_3,        // vertex B_3, {x, y, z}, signed each
+  output wire        [3*D_W-1:0]  on_a,       // projections of A, signed each
+  output wire        [3*D_W-1:0]  on_b        // projections of B, signed each
 );
 
   wire signed [D_W-1:0] dot_a_1;

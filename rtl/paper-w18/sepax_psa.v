@@ -20,30 +20,30 @@ module sepax_psa #(
   parameter M_W = 37, // bits of an exact product
   parameter P_W = 37, // bits kept of it
   parameter S_W = 38, // bits of an exact axis component
-  parameter C_W = 38 // bits kept of it
+  parameter C_W = 38  // bits kept of it
 ) (
-  input  wire clk, // clock
-  input  wire load_en, // first cycle: take the operands
-  input  wire product_en, // second cycle: take the products
-  input  wire axis_en, // third cycle: take the axes
-  input  wire coplanar, // 1: table 2, 0: table 1
-  input  wire [3*V_W-1:0] a_1, // vertex A_1, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] a_2, // vertex A_2, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] a_3, // vertex A_3, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] b_1, // vertex B_1, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] b_2, // vertex B_2, {x, y, z}, signed each
-  input  wire [3*V_W-1:0] b_3, // vertex B_3, {x, y, z}, signed each
-  input  wire [3*N_W-1:0] n_a, // N_A, {x, y, z}, signed each
-  input  wire [3*N_W-1:0] n_b, // N_B, {x, y, z}, signed each
-  output wire [3*C_W-1:0] axis_1, // axis 1, {x, y, z}, signed each
-  output wire [3*C_W-1:0] axis_2, // axis 2, {x, y, z}, signed each
-  output wire [3*C_W-1:0] axis_3, // axis 3, {x, y, z}, signed each
-  output wire [3*C_W-1:0] axis_4, // axis 4, {x, y, z}, signed each
-  output wire [3*C_W-1:0] axis_5, // axis 5, {x, y, z}, signed each
-  output wire [3*C_W-1:0] axis_6, // axis 6, {x, y, z}, signed each
-  output wire [3*C_W-1:0] axis_7, // axis 7, {x, y, z}, signed each
-  output wire [3*C_W-1:0] axis_8, // axis 8, {x, y, z}, signed each
-  output wire [3*C_W-1:0] axis_9 // axis 9, {x, y, z}, signed each
+  input  wire                     clk,        // clock
+  input  wire                     load_en,    // first cycle: take the operands
+  input  wire                     product_en, // second cycle: take the products
+  input  wire                     axis_en,    // third cycle: take the axes
+  input  wire                     coplanar,   // 1: table 2, 0: table 1
+  input  wire        [3*V_W-1:0]  a_1,        // vertex A_1, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  a_2,        // vertex A_2, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  a_3,        // vertex A_3, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  b_1,        // vertex B_1, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  b_2,        // vertex B_2, {x, y, z}, signed each
+  input  wire        [3*V_W-1:0]  b_3,        // vertex B_3, {x, y, z}, signed each
+  input  wire        [3*N_W-1:0]  n_a,        // N_A, {x, y, z}, signed each
+  input  wire        [3*N_W-1:0]  n_b,        // N_B, {x, y, z}, signed each
+  output wire        [3*C_W-1:0]  axis_1,     // axis 1, {x, y, z}, signed each
+  output wire        [3*C_W-1:0]  axis_2,     // axis 2, {x, y, z}, signed each
+  output wire        [3*C_W-1:0]  axis_3,     // axis 3, {x, y, z}, signed each
+  output wire        [3*C_W-1:0]  axis_4,     // axis 4, {x, y, z}, signed each
+  output wire        [3*C_W-1:0]  axis_5,     // axis 5, {x, y, z}, signed each
+  output wire        [3*C_W-1:0]  axis_6,     // axis 6, {x, y, z}, signed each
+  output wire        [3*C_W-1:0]  axis_7,     // axis 7, {x, y, z}, signed each
+  output wire        [3*C_W-1:0]  axis_8,     // axis 8, {x, y, z}, signed each
+  output wire        [3*C_W-1:0]  axis_9      // axis 9, {x, y, z}, signed each
 );
 
 

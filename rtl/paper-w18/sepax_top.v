@@ -19,20 +19,20 @@
 `default_nettype none
 
 module sepax_top (
-  input  wire clk, // clock
-  input  wire rst, // synchronous reset of the control, active high
-  input  wire in_valid, // an input word is here; three make a pair
-  input  wire signed [17:0] in_a_x, // x of vertex A_k in word k, -131072 ... 131071
-  input  wire signed [17:0] in_a_y, // y of vertex A_k in word k, -131072 ... 131071
-  input  wire signed [17:0] in_a_z, // z of vertex A_k in word k, -131072 ... 131071
-  input  wire signed [17:0] in_b_x, // x of vertex B_k in word k, -131072 ... 131071
-  input  wire signed [17:0] in_b_y, // y of vertex B_k in word k, -131072 ... 131071
-  input  wire signed [17:0] in_b_z, // z of vertex B_k in word k, -131072 ... 131071
-  input  wire signed [17:0] in_na, // component k of N_A in word k, Q1.17
-  input  wire signed [17:0] in_nb, // component k of N_B in word k, Q1.17
-  output wire out_valid, // a verdict is here
-  output wire out_collision, // 1: no separating axis was found
-  output wire out_coplanar // 1: judged by table 2
+  input  wire                     clk,           // clock
+  input  wire                     rst,           // synchronous reset of the control, active high
+  input  wire                     in_valid,      // an input word is here; three make a pair
+  input  wire signed [17:0]       in_a_x,        // x of vertex A_k in word k, -131072 ... 131071
+  input  wire signed [17:0]       in_a_y,        // y of vertex A_k in word k, -131072 ... 131071
+  input  wire signed [17:0]       in_a_z,        // z of vertex A_k in word k, -131072 ... 131071
+  input  wire signed [17:0]       in_b_x,        // x of vertex B_k in word k, -131072 ... 131071
+  input  wire signed [17:0]       in_b_y,        // y of vertex B_k in word k, -131072 ... 131071
+  input  wire signed [17:0]       in_b_z,        // z of vertex B_k in word k, -131072 ... 131071
+  input  wire signed [17:0]       in_na,         // component k of N_A in word k, Q1.17
+  input  wire signed [17:0]       in_nb,         // component k of N_B in word k, Q1.17
+  output wire                     out_valid,     // a verdict is here
+  output wire                     out_collision, // 1: no separating axis was found
+  output wire                     out_coplanar   // 1: judged by table 2
 );
 
   localparam V_W = 18; // bits of a coordinate

@@ -9,11 +9,11 @@
 `default_nettype none
 
 module sepax_trunc #(
-  parameter IN_W = 8, // bits of the exact value
-  parameter OUT_W = 8 // bits kept, 1 ... IN_W
+  parameter IN_W = 8,  // bits of the exact value
+  parameter OUT_W = 8  // bits kept, 1 ... IN_W
 ) (
-  input  wire signed [IN_W-1:0] value, // exact value
-  output wire signed [OUT_W-1:0] kept // its OUT_W most significant bits
+  input  wire signed [IN_W-1:0]   value, // exact value
+  output wire signed [OUT_W-1:0]  kept   // its OUT_W most significant bits
 );
 
   assign kept = value[IN_W-1:IN_W-OUT_W];
