@@ -58,7 +58,7 @@ MESH_ARGS = $(if $(filter fit,$(RESOLUTION)),,--resolution=$(RESOLUTION)) \
             --normals=$(NORMALS) $(MESH_A) $(MESH_B)
 
 .DELETE_ON_ERROR:
-.PHONY: all job help setup test rtl reference cosim icarus wave lint area netlist bench \
+.PHONY: all job help setup test rtl reference cosim icarus wave lint area mapped netlist bench \
         sanitize sanitized static options core clean FORCE
 
 all:
@@ -205,7 +205,33 @@ icarus: $(CORE)/icarus.vvp $(CORE)/icarus.pairs
 
 # --------------------------------------------------------------------- the gates
 
-AREA   = $(CORE)/area-$(basename $(notdir $(LIBERTY:.gz=)))
+# Each precision that was not chosen: the paper's word length leaves both readings open.
+LIBRARY    = $(basename $(notdir $(LIBERTY:.gz=)))
+AREA       = $(CORE)/$(LIBRARY)
+PRECISIONS = $(if $(filter command environment,$(firstword $(origin PRECISION))),$(PRECISION),full word)
+
+$(AREA)/area.json: $(RTL) $(LIBERTY) $(wildcard synth/*)
+	@echo "  YOSYS   $(CORE_NAME), $(LIBRARY)"
+	@synth/area -l $(LIBERTY) -o $(AREA) $(CORE)/rtl
+
+area-of-%:
+	@$(MAKE) --no-print-directory PRECISION=$* mapped
+
+mapped: $(AREA)/area.json
+	@echo $(AREA)/area.json >> $(BUILD)/area.list
+
+area: $(SEPAX)
+	@rm -f $(BUILD)/area.list
+	@$(MAKE) --no-print-directory -j2 $(PRECISIONS:%=area-of-%)
+	@synth/report -o $(BUILD)/area.json $$(sort $(BUILD)/area.list)
+
+$(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
+	@synth/cells -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
+	@echo "  VERILATE $(CORE_NAME), mapped to $(LIBRARY)"
+	@cd $(AREA) && echo "netlist.v cells.v" | tr ' ' '\n' > netlist.f
+
+netlist: $(AREA)/cosim
+	@$(AREA)/cosim --count=$(COUNT) --seed=$(SEED)
 
 # ------------------------------------------------------------------ code quality
 

@@ -1,4 +1,5 @@
-# area.json from the modules as read ($rtl), as mapped ($stat), the cells and the design.
+# area.json from the modules as read ($rtl), their cells as mapped
+# ($count), the cells of the library ($cells) and the design ($design).
 
 def rounded: . * 1000 | round / 1000;
 
@@ -28,9 +29,11 @@ def instances($modules; $top):
     [$modules | to_entries[] | select(.value[$m]) | .value[$m] * count(.key)] | add // 0 end;
   $modules | with_entries(.value = count(.key));
 
-($cells | split("\n") | map(select(. != "") | split(" ")
-  | {key: .[0], value: {area: (.[1] | tonumber), ff: (.[2] | tonumber)}}) | from_entries) as $cell
-| ($stat[0].modules | with_entries(.key |= ltrimstr("\\") | .value |= .num_cells_by_type)) as $modules
+def table: split("\n") | map(select(. != "") | split(" "));
+
+($cells | table | map({key: .[0], value: {area: (.[1] | tonumber), ff: (.[2] | tonumber)}})
+  | from_entries) as $cell
+| (reduce ($count | table)[] as [$m, $type, $n] ({}; .[$m][$type] += ($n | tonumber))) as $modules
 | readable($rtl[0].modules) as $name
 | instances($modules; $top) as $count
 | [$modules | to_entries[] | .key as $m

@@ -5,12 +5,13 @@ function flush_cell() {
 /^[ \t]*cell[ \t]*\(/ {
   flush_cell()
   name = $0
-  gsub(/^[^(]*\([ \t"]*|[ \t"]*\).*/, "", name)
+  sub(/^[^(]*\([ \t"]*/, "", name)
+  sub(/[ \t"]*\).*/, "", name)
   area = ff = 0
 }
 /^[ \t]*area[ \t]*:/ && area == 0 {
   area = $0
-  gsub(/^[^:]*:[ \t"]*|[ \t";].*/, "", area)
+  sub(/^[^:]*:[ \t"]*/, "", area)
   area += 0
 }
 /^[ \t]*ff(_bank)?[ \t]*\(/ { ff = 1 }
