@@ -172,6 +172,12 @@ sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
  * degenerate triangles included. No rounding, no tolerance. */
 bool sepax_exact(const sepax_tri *a, const sepax_tri *b);
 
+/* Two more exact models, of other methods, for W up to 32: 35 products, the signs of
+ * tetrahedra's volumes; and the separating axis theorem written out in 54 products.
+ * Both always agree with sepax_exact. */
+bool sepax_volumes(const sepax_tri *a, const sepax_tri *b);
+bool sepax_sat54(const sepax_tri *a, const sepax_tri *b);
+
 /* Algorithm 1 on the formats of `design` (arch paper). mul_project is 36 when a
  * normal separates, else 36 + 18 per axis tried: 54 ... 144 for coplanar pairs
  * and 54 ... 198 otherwise (the paper prints 188: it takes 9 x 18 for 152). */

@@ -1,4 +1,4 @@
-/* test_exact - holds sepax_exact against the oracle, and the oracle against known
+/* test_exact - holds the exact models against the oracle, and the oracle against known
  * answers. The counts of the exhaustive corpora were found by a third method, that
  * the origin is in the hull of the nine differences of vertices. */
 #include <setjmp.h>
@@ -32,12 +32,16 @@ static void report(tally *t, const sepax_tri *a, const sepax_tri *b, bool expect
   if (++t->wrong == MISMATCHES_SHOWN) fail_msg("%s", "too many mismatches, stopped");
 }
 
-/* Hold sepax_exact against the oracle and count the pair. */
+/* Hold each exact model against the oracle and count the pair. */
 static void compare(tally *t, const sepax_tri *a, const sepax_tri *b) {
+  static bool (*const models[])(const sepax_tri *, const sepax_tri *) = {
+      sepax_exact, sepax_volumes, sepax_sat54};
   bool expected = oracle_collide(a, b);
-  bool got = sepax_exact(a, b);
   t->count[expected][oracle_coplanar(a, b)]++;
-  if (got != expected) report(t, a, b, expected, got);
+  for (size_t m = 0; m < LENGTH(models); m++) {
+    bool got = models[m](a, b);
+    if (got != expected) report(t, a, b, expected, got);
+  }
 }
 
 static void assert_counts(const tally *t, size_t free_apart, size_t free_coplanar,
