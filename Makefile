@@ -119,7 +119,8 @@ $(SEPAX): $(call object,$(CLI_SRC)) $(LIB)
 
 GEN_OBJ = $(filter-out %/cmd_gen.o,$(call object,$(wildcard rtl_gen/*.c)))
 
-$(BUILD)/test_%: $(BUILD)/obj/tb/test_%.o $(BUILD)/obj/tb/oracle.o $(GEN_OBJ) $(LIB)
+$(BUILD)/test_%: $(call object,tb/test_%.c tb/oracle.c tb/mesh_tools.c tb/pair_tools.c) \
+                 $(GEN_OBJ) $(LIB)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -lcmocka -lgmp -ljansson -lm -o $@
 

@@ -1,4 +1,4 @@
-/* families.c - random numbers and the families of hard pairs.
+/* families.c - the families of hard pairs.
  *
  * A maker writes a draft: six points round the origin, all coordinates within
  * +-half, of which one group may then move by 1 LSB in one direction. So the draft
@@ -8,121 +8,9 @@
  * contact that a family is about is at the origin.
  *
  * Draws are separate statements: the stream must not depend on the compiler. */
-#include "sepax.h"
+#include "points.h"
 
 #include <assert.h>
-
-typedef __int128 wide;
-typedef unsigned __int128 uwide;
-
-uint64_t sepax_random_next(sepax_random *random) {
-  random->state += UINT64_C(0x9e3779b97f4a7c15);
-  uint64_t z = random->state;
-  z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-  z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-  return z ^ (z >> 31);
-}
-
-/* Lemire's method: the high half of a product, rejecting the surplus values. */
-int64_t sepax_random_range(sepax_random *random, int64_t lo, int64_t hi) {
-  assert(lo <= hi);
-  uint64_t width = (uint64_t)hi - (uint64_t)lo;
-  uint64_t draw = sepax_random_next(random);
-  if (width == UINT64_MAX) {
-    return (int64_t)draw;
-  }
-  uint64_t span = width + 1;
-  uwide product = (uwide)draw * span;
-  if ((uint64_t)product < span) {
-    uint64_t surplus = (0 - span) % span;
-    while ((uint64_t)product < surplus) {
-      product = (uwide)sepax_random_next(random) * span;
-    }
-  }
-  return (int64_t)((uint64_t)lo + (uint64_t)(product >> 64));
-}
-
-/* ---------------------------------------------------------------- arithmetic */
-
-typedef struct {
-  int64_t c[3];
-} point;
-
-typedef struct {
-  point v[3];
-} triangle;
-
-typedef struct {
-  wide c[3];
-} normal;
-
-/* Two vectors that are not parallel. */
-typedef struct {
-  point u, v;
-} basis;
-
-static point sum(point p, point q) {
-  return (point){{p.c[0] + q.c[0], p.c[1] + q.c[1], p.c[2] + q.c[2]}};
-}
-
-static point times(point p, int64_t k) {
-  return (point){{p.c[0] * k, p.c[1] * k, p.c[2] * k}};
-}
-
-static point combine(const basis *b, int64_t i, int64_t j) {
-  return sum(times(b->u, i), times(b->v, j));
-}
-
-static point unit(int64_t axis) {
-  return (point){{axis == 0, axis == 1, axis == 2}};
-}
-
-static void move(triangle *t, point by) {
-  for (int k = 0; k < 3; k++) {
-    t->v[k] = sum(t->v[k], by);
-  }
-}
-
-static void exchange(point *p, point *q) {
-  point kept = *p;
-  *p = *q;
-  *q = kept;
-}
-
-static normal cross(point p, point q) {
-  normal n;
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    n.c[i] = (wide)p.c[j] * q.c[k] - (wide)p.c[k] * q.c[j];
-  }
-  return n;
-}
-
-static normal normal_of(const triangle *t) {
-  return cross(sum(t->v[1], times(t->v[0], -1)), sum(t->v[2], times(t->v[0], -1)));
-}
-
-static wide dot(normal n, point p) {
-  return n.c[0] * p.c[0] + n.c[1] * p.c[1] + n.c[2] * p.c[2];
-}
-
-static bool parallel(point p, point q) {
-  normal n = cross(p, q);
-  return n.c[0] == 0 && n.c[1] == 0 && n.c[2] == 0;
-}
-
-/* The image of p under symmetry 0 ... 47 of the cube. */
-static point symmetric(point p, int64_t number) {
-  static const int axes[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
-                                 {1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
-  point image;
-  for (int i = 0; i < 3; i++) {
-    int64_t value = p.c[axes[number / 8][i]];
-    image.c[i] = (number >> i & 1) != 0 ? -value : value;
-  }
-  return image;
-}
 
 /* ------------------------------------------------------------------- drawing */
 
@@ -207,11 +95,6 @@ static point off_plane(draft *d, normal n) {
   return times(p, sign(d));
 }
 
-/* p or -p, whichever is on the side of the plane through the origin. */
-static point on_side(point p, normal n, int side) {
-  return dot(n, p) * side < 0 ? times(p, -1) : p;
-}
-
 /* ------------------------------------------------- triangles round the origin */
 
 static void draw_edge(draft *d, triangle *t, point u, int64_t steps) {
@@ -266,18 +149,6 @@ static void wing_to_side(triangle *t, normal n, int side) {
 
 /* ------------------------------------------------------------ lattice planes */
 
-/* The points i u + j v of a plane, |i|, |j| <= steps. */
-typedef struct {
-  basis b;
-  int64_t steps;
-} lattice;
-
-typedef struct {
-  int64_t i, j;
-} flat;
-
-static point lifted(const lattice *l, flat f) { return combine(&l->b, f.i, f.j); }
-
 /* Coordinates keep within +-half also one lattice step outside. */
 static lattice draw_lattice(draft *d) {
   lattice l;
@@ -291,18 +162,6 @@ static lattice draw_lattice(draft *d) {
   l.b = draw_basis(d, d->half / 2 / (l.steps + 1));
   return l;
 }
-
-static int64_t lattice_reach(const lattice *l) {
-  int64_t most = 0;
-  for (int i = 0; i < 3; i++) {
-    int64_t u = l->b.u.c[i] < 0 ? -l->b.u.c[i] : l->b.u.c[i];
-    int64_t v = l->b.v.c[i] < 0 ? -l->b.v.c[i] : l->b.v.c[i];
-    most = u + v > most ? u + v : most;
-  }
-  return most * l->steps;
-}
-
-static wide flat_area(flat f, flat g) { return (wide)f.i * g.j - (wide)f.j * g.i; }
 
 static flat flat_around(draft *d, const lattice *l) {
   flat f;
@@ -540,11 +399,6 @@ static void make_big_tiny(draft *d) {
   move(&d->t[1], around(d, reach));
 }
 
-static bool in_plane(const triangle *t, normal n, wide level) {
-  return dot(n, t->v[0]) == level && dot(n, t->v[1]) == level &&
-         dot(n, t->v[2]) == level;
-}
-
 /* Turn t by a symmetry of the cube that does not map its plane to itself; there is
  * one for every plane. */
 static void turn(draft *d, triangle *t, normal n, wide level) {
@@ -705,15 +559,6 @@ static void turn_axes(draft *d) {
   for (int i = 0; i < 6; i++) {
     *vertex(d, i) = symmetric(*vertex(d, i), number);
   }
-}
-
-static sepax_tri to_tri(const triangle *t) {
-  sepax_tri tri;
-  for (int k = 0; k < 3; k++) {
-    const int64_t *c = t->v[k].c;
-    tri.v[k] = (sepax_vec){(int32_t)c[0], (int32_t)c[1], (int32_t)c[2]};
-  }
-  return tri;
 }
 
 sepax_pair sepax_family_pair(size_t family, int word, sepax_random *random) {
