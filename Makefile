@@ -55,7 +55,12 @@ CORE_NAME = $(ARCH)-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FL
             $(filter-out 1,$(EPSILON)),-e$(EPSILON))
 CORE      = $(BUILD)/core/$(CORE_NAME)
 MESH_ARGS = $(if $(filter fit,$(RESOLUTION)),,--resolution=$(RESOLUTION)) \
-            --normals=$(NORMALS) $(MESH_A) $(MESH_B)
+            --normals=$(NORMALS) "$(MESH_A)" "$(MESH_B)"
+SAMPLES   = $(filter $(BUILD)/mesh/%,$(MESH_A) $(MESH_B))
+
+ifneq ($(words $(BUILD) $(abspath .)),2)
+$(error BUILD and the project's own path must be without blanks)
+endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus wave lint area mapped netlist bench \
@@ -151,11 +156,17 @@ bench: $(BUILD)/bench $(CORE)/cosim
 
 RTL = $(CORE)/rtl/sepax.f
 
-$(RTL): $(SEPAX)
-	@mkdir -p $(CORE)
-	@rm -rf $(CORE)/rtl
-	@echo "  GEN     $(CORE)/rtl"
-	@$(SEPAX) gen $(OPTIONS) -o $(CORE)/rtl > /dev/null
+# Generated on every run, so that no setting goes unread, and moved into place where it
+# differs from what is there.
+$(RTL): $(SEPAX) FORCE
+	@rm -rf $(BUILD)/new-$(CORE_NAME)
+	@$(SEPAX) gen $(OPTIONS) -o $(BUILD)/new-$(CORE_NAME) > /dev/null
+	@if diff -rq $(BUILD)/new-$(CORE_NAME) $(CORE)/rtl > /dev/null 2>&1; then \
+	  rm -rf $(BUILD)/new-$(CORE_NAME); \
+	else \
+	  echo "  GEN     $(CORE)/rtl"; mkdir -p $(CORE) && rm -rf $(CORE)/rtl && \
+	  mv $(BUILD)/new-$(CORE_NAME) $(CORE)/rtl; \
+	fi
 
 rtl: $(RTL)
 	@echo "$(CORE)/rtl: $$(wc -l < $(RTL)) modules"
@@ -165,7 +176,7 @@ reference: $(SEPAX)
 	@$(SEPAX) gen --arch=paper --word=18 -o rtl/paper-w18
 
 lint: $(RTL)
-	@cd $(CORE)/rtl && ../../../../scripts/lint
+	@cd $(CORE)/rtl && $(abspath scripts/lint)
 
 # ----------------------------------------------------------------- co-simulation
 
@@ -182,15 +193,16 @@ $(CORE)/cosim: $(COSIM_DEPS)
 $(CORE)/cosim-wave: $(COSIM_DEPS)
 	@echo "  VERILATE $(CORE_NAME) with waveforms"
 	@cd $(CORE)/rtl && $(VERILATE) --trace-fst --Mdir ../obj-wave -o ../cosim-wave \
-	  > ../verilate.log 2>&1 || { tail -20 ../verilate.log >&2; exit 1; }
+	  > ../verilate-wave.log 2>&1 || { tail -20 ../verilate-wave.log >&2; exit 1; }
 
 COSIM_ARGS = $(if $(filter families,$(PAIRS)),--count=$(COUNT) --seed=$(SEED),$(if \
-             $(PAIRS),--pairs=$(PAIRS),$(MESH_ARGS)))
+             $(PAIRS),--pairs="$(PAIRS)",$(MESH_ARGS)))
 
-cosim: $(CORE)/cosim $(if $(PAIRS),,$(MESH_A) $(MESH_B))
+cosim: $(CORE)/cosim $(if $(PAIRS),,$(SAMPLES))
 	@$(CORE)/cosim $(COSIM_ARGS) $(if $(STRESS),--stress=$(STRESS))
 
-wave: $(CORE)/cosim-wave
+wave: $(if $(PAIR),$(CORE)/cosim-wave)
+	@[ -n "$(PAIR)" ] || { echo "wave: give PAIR='18 or 24 integers'" >&2; exit 2; }
 	@echo '$(PAIR)' | $(CORE)/cosim-wave --pairs=- --wave=$(CORE)/wave.fst
 	@echo "$(CORE)/wave.fst"
 
@@ -200,8 +212,8 @@ $(CORE)/icarus.vvp: $(RTL) tb/sepax_tb.v
 
 $(CORE)/icarus.pairs: $(SEPAX) FORCE
 	@mkdir -p $(CORE)
-	@$(if $(PAIRS),cat $(PAIRS),$(SEPAX) vectors --word=$(WORD) --count=$(COUNT) --seed=$(SEED)) \
-	  | $(SEPAX) judge $(OPTIONS) --echo > $@
+	@$(if $(filter-out families,$(PAIRS)),$(SEPAX) judge $(OPTIONS) --echo "$(PAIRS)",$(SEPAX) \
+	  vectors --word=$(WORD) --count=$(COUNT) --seed=$(SEED) | $(SEPAX) judge $(OPTIONS) --echo) > $@
 
 icarus: $(CORE)/icarus.vvp $(CORE)/icarus.pairs
 	@$(VVP) -N $(CORE)/icarus.vvp +pairs=$(CORE)/icarus.pairs
@@ -213,7 +225,13 @@ LIBRARY    = $(basename $(notdir $(LIBERTY:.gz=)))
 AREA       = $(CORE)/$(LIBRARY)
 PRECISIONS = $(if $(filter command environment,$(firstword $(origin PRECISION))),$(PRECISION),full word)
 
-$(AREA)/area.json: $(RTL) $(LIBERTY) $(wildcard synth/*)
+# Another library of the same name is another library.
+$(AREA)/liberty.sum: FORCE
+	@[ -r "$(LIBERTY)" ] || { echo "area: $(LIBERTY) cannot be read; give LIBERTY=file.lib[.gz]" >&2; exit 2; }
+	@mkdir -p $(AREA)
+	@cksum "$(LIBERTY)" > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+
+$(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(wildcard synth/*)
 	@echo "  YOSYS   $(CORE_NAME), $(LIBRARY)"
 	@synth/area -l $(LIBERTY) -o $(AREA) $(CORE)/rtl
 

@@ -127,6 +127,7 @@ bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *err
                       sizeof copy - 1);
   }
   strcpy(copy, text);
+  sepax_config parsed = *config;
   char *rest = NULL;
   for (char *word = strtok_r(copy, " ", &rest); word != NULL;
        word = strtok_r(NULL, " ", &rest)) {
@@ -135,10 +136,11 @@ bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *err
       return sepax_fail(error, "configuration: '%.40s' is not --NAME=VALUE", word);
     }
     *value = '\0';
-    if (!sepax_config_set(config, word + 2, value + 1, error)) {
+    if (!sepax_config_set(&parsed, word + 2, value + 1, error)) {
       return false;
     }
   }
+  *config = parsed;
   return true;
 }
 
@@ -157,13 +159,32 @@ char *sepax_config_text(const sepax_config *config, char *text, size_t size) {
   return text;
 }
 
+/* What only architecture paper reads must be left alone with the others. */
+static bool check_unused(const sepax_config *config, sepax_error *error) {
+  sepax_config plain = sepax_config_default();
+  const char *unused = config->ii != plain.ii                       ? "ii"
+                       : config->full != plain.full                 ? "precision"
+                       : config->block_float != plain.block_float   ? "block-float"
+                       : config->coplanarity != plain.coplanarity   ? "coplanarity"
+                       : config->inequality != plain.inequality     ? "inequality"
+                       : config->epsilon != plain.epsilon           ? "epsilon"
+                                                                    : NULL;
+  return unused == NULL ||
+         sepax_fail(error, "%s: architecture %s has no such choice; give --arch=paper, too",
+                    unused, arch_names[config->arch]);
+}
+
 bool sepax_config_check(const sepax_config *config, sepax_error *error) {
   if (config->word < SEPAX_WORD_MIN || config->word > SEPAX_WORD_MAX) {
     return sepax_fail(error, "word: W = %d is out of range; give %d ... %d", config->word,
                       SEPAX_WORD_MIN, SEPAX_WORD_MAX);
   }
+  if (config->arch > SEPAX_ARCH_FLOAT64 || config->coplanarity > SEPAX_COPLANAR_PAPER ||
+      config->inequality > SEPAX_INEQUALITY_PRINTED) {
+    return sepax_fail(error, "configuration: a value is none of its enumeration");
+  }
   if (config->arch != SEPAX_ARCH_PAPER) {
-    return true;
+    return check_unused(config, error);
   }
   if (config->ii != 3) {
     return sepax_fail(error, "ii: architecture paper takes a pair in three input cycles; "

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { VERTEX_FIELDS = 18, FIELDS = 24 };
+enum { VERTEX_FIELDS = 18, FIELDS = 24, LINE_BYTES = 4096 };
 
 static const char *const field_names[FIELDS] = {
     "A1x",  "A1y",  "A1z",  "A2x",  "A2y",  "A2z",  "A3x",  "A3y",
@@ -191,24 +191,36 @@ static sepax_line parse_numbered(sepax_pair *pair, const char *line, size_t leng
   return kind == SEPAX_LINE_ERROR ? fail_at(error, name, number, inner.text) : kind;
 }
 
+/* The next line with its end, cut where the room ends; its length, 0 at the end. */
+static size_t read_line(char line[LINE_BYTES], FILE *in) {
+  size_t length = 0;
+  int c = 0;
+  while (length < LINE_BYTES - 1 && c != '\n' && (c = getc(in)) != EOF) {
+    line[length++] = (char)c;
+  }
+  line[length] = '\0';
+  return length;
+}
+
 sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number,
                            int word, sepax_error *error) {
-  char *line = NULL;
-  size_t size = 0;
+  char line[LINE_BYTES];
   sepax_line kind = SEPAX_LINE_EMPTY;
   while (kind == SEPAX_LINE_EMPTY) {
     errno = 0;
-    ssize_t length = getline(&line, &size, in);
-    if (length < 0) {
-      if (ferror(in) || !feof(in)) {
-        kind = fail_reading(error, name, *number + 1, errno);
-      }
+    size_t length = read_line(line, in);
+    if (ferror(in)) {
+      return fail_reading(error, name, *number + 1, errno);
+    }
+    if (length == 0) {
       break;
     }
     ++*number;
-    kind = parse_numbered(pair, line, (size_t)length, name, *number, word, error);
+    if (length == LINE_BYTES - 1 && line[length - 1] != '\n') {
+      return fail_at(error, name, *number, "longer than any pair; give one pair a line");
+    }
+    kind = parse_numbered(pair, line, length, name, *number, word, error);
   }
-  free(line);
   return kind;
 }
 

@@ -16,6 +16,11 @@ static bool name_file(sepax_error *error, const char *path) {
   return sepax_fail(error, "%.150s: %.340s", path, inner.text);
 }
 
+static bool name_files(sepax_error *error, const char *const path[2]) {
+  sepax_error inner = *error;
+  return sepax_fail(error, "%.120s, %.120s: %.250s", path[0], path[1], inner.text);
+}
+
 static void compute_normals(sepax_scene *scene, int i) {
   for (size_t k = 0; k < scene->count[i]; k++) {
     scene->normal[i][k] = sepax_unit_normal(&scene->tri[i][k], scene->grid.word);
@@ -47,7 +52,8 @@ bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax
   bool ok = sepax_stl_read(&mesh[0], path[0], error) && sepax_stl_read(&mesh[1], path[1], error);
   if (ok && grid->resolution == 0) {
     const sepax_mesh *const both[] = {&mesh[0], &mesh[1]};
-    ok = sepax_grid_fit(&scene->grid, both, 2, grid->word, error);
+    ok = sepax_grid_fit(&scene->grid, both, 2, grid->word, error) ||
+         name_files(error, path);
   }
   for (int i = 0; i < 2 && ok; i++) {
     ok = quantise(scene, i, &mesh[i], path[i], file_normals, error);

@@ -106,14 +106,15 @@ sepax_config sepax_config_default(void);
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error);
 
-/* Parse a line that sepax_config_text wrote ("arch=paper word=18 ..."). */
+/* Parse a line that sepax_config_text wrote ("--arch=paper --word=18 ..."). */
 bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *error);
 
 /* The whole configuration as "--arch=paper --word=18 ..." into text[size];
  * sepax_config_parse reads it back. Returns text. */
 char *sepax_config_text(const sepax_config *config, char *text, size_t size);
 
-/* Fails with the legal range if a value or a combination is not supported. */
+/* Fails with the legal range if a value or a combination is not supported, and if a
+ * choice that only architecture paper has is made for another. */
 bool sepax_config_check(const sepax_config *config, sepax_error *error);
 
 const char *sepax_arch_name(sepax_arch arch);
@@ -210,8 +211,9 @@ void sepax_mesh_free(sepax_mesh *mesh);
 bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error);
 
 /* Write a binary STL (coordinates rounded to binary32; a value that does not fit
- * is an error), or ASCII with 17 digits. Written aside, then renamed to path. Fails
- * also on an empty mesh, NaN or infinity, and where path is there but no file. */
+ * is an error, and so is a facet that loses its area by rounding), or ASCII with 17
+ * digits. Written aside, then renamed to path. Fails also on an empty mesh, NaN or
+ * infinity, and where path is there but no file. */
 bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii,
                      sepax_error *error);
 
@@ -296,7 +298,7 @@ typedef enum { SEPAX_LINE_PAIR, SEPAX_LINE_EMPTY, SEPAX_LINE_ERROR } sepax_line;
 sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word,
                             sepax_error *error);
 
-/* The next pair of a stream; empty lines are skipped. `number` counts lines for
+/* The next pair of a stream; empty lines are skipped, a line is at most 4095 long. `number` counts lines for
  * messages (start at 0), `name` names the stream. SEPAX_LINE_EMPTY is the end; after
  * an error the stream stands behind the bad line. */
 sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number,

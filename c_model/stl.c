@@ -373,6 +373,28 @@ bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
 
 /* ----------------------------------------------------------------- writing */
 
+static bool has_area(const double v[3][3]) {
+  double e[3];
+  double f[3];
+  for (int i = 0; i < 3; i++) {
+    e[i] = v[1][i] - v[0][i];
+    f[i] = v[2][i] - v[0][i];
+  }
+  return e[1] * f[2] != e[2] * f[1] || e[2] * f[0] != e[0] * f[2] ||
+         e[0] * f[1] != e[1] * f[0];
+}
+
+/* Does binary32 flatten a facet that has an area? */
+static bool flattened(const sepax_facet *facet) {
+  double rounded[3][3];
+  for (int k = 0; k < 3; k++) {
+    for (int i = 0; i < 3; i++) {
+      rounded[k][i] = (double)(float)facet->v[k][i];
+    }
+  }
+  return has_area(facet->v) && !has_area((const double(*)[3])rounded);
+}
+
 static bool fits_file(const sepax_mesh *mesh, const char *path, bool ascii,
                       sepax_error *error) {
   if (mesh->count == 0) {
@@ -393,6 +415,11 @@ static bool fits_file(const sepax_mesh *mesh, const char *path, bool ascii,
                     "not written: facet %zu: %s %g does not fit binary32; write text",
                     k + 1, number_name(i), number);
       }
+    }
+    if (!ascii && flattened(&mesh->facet[k])) {
+      return fail(error, path,
+                  "not written: facet %zu has no area in binary32; write text or move "
+                  "nearer to the origin", k + 1);
     }
   }
   return true;

@@ -10,12 +10,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FILES = EMIT_MODULES + 4 };
+enum { FILES = EMIT_MODULES + 4, PATH_ROOM = 4096 };
 
 typedef struct {
   char name[EMIT_NAME + 8];
   char *text;
   size_t size;
+  bool aside; /* written, not yet renamed */
 } output_file;
 
 static FILE *open_file(output_file *file, const char *name) {
@@ -130,39 +131,47 @@ static int render(const emitter *e, output_file file[FILES]) {
   return count;
 }
 
-static bool write_aside(const char *folder, const output_file *file, sepax_error *error) {
-  char path[4096];
-  snprintf(path, sizeof path, "%s/%s.tmp", folder, file->name);
-  FILE *out = fopen(path, "w");
+/* Where a file is written before it is renamed; the process's own. */
+static const char *aside_path(char path[PATH_ROOM], const char *folder,
+                              const output_file *file) {
+  snprintf(path, PATH_ROOM, "%s/%s.tmp.%ld", folder, file->name, (long)getpid());
+  return path;
+}
+
+static bool write_aside(const char *folder, output_file *file, sepax_error *error) {
+  char path[PATH_ROOM];
+  FILE *out = fopen(aside_path(path, folder, file), "wx");
   if (out == NULL) {
-    return sepax_fail(error, "%s: %s; give a folder that can be written to", path,
+    return sepax_fail(error, "%.200s: %s; give a folder that can be written to", path,
                 strerror(errno));
   }
+  file->aside = true;
   bool written = fwrite(file->text, 1, file->size, out) == file->size;
   if (fclose(out) != 0 || !written) {
-    return sepax_fail(error, "%s: %s; free some space or give another folder", path,
+    return sepax_fail(error, "%.200s: %s; free some space or give another folder", path,
                 strerror(errno));
   }
   return true;
 }
 
 static void remove_aside(const char *folder, const output_file *file, int count) {
-  char path[4096];
+  char path[PATH_ROOM];
   for (int i = 0; i < count; i++) {
-    snprintf(path, sizeof path, "%s/%s.tmp", folder, file[i].name);
-    unlink(path);
+    if (file[i].aside) {
+      unlink(aside_path(path, folder, &file[i]));
+    }
   }
 }
 
 /* A folder where a file must go would stop the renaming half way. */
 static bool ways_clear(const char *folder, const output_file *file, int count,
                        sepax_error *error) {
-  char path[4096];
+  char path[PATH_ROOM];
   struct stat status;
   for (int i = 0; i < count; i++) {
     snprintf(path, sizeof path, "%s/%s", folder, file[i].name);
     if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
-      return sepax_fail(error, "%s: not a regular file; remove it", path);
+      return sepax_fail(error, "%.200s: not a regular file; remove it", path);
     }
   }
   return true;
@@ -170,13 +179,12 @@ static bool ways_clear(const char *folder, const output_file *file, int count,
 
 static bool rename_all(const char *folder, const output_file *file, int count,
                        sepax_error *error) {
-  char from[4096];
-  char to[4096];
+  char from[PATH_ROOM];
+  char to[PATH_ROOM];
   for (int i = 0; i < count; i++) {
-    snprintf(from, sizeof from, "%s/%s.tmp", folder, file[i].name);
     snprintf(to, sizeof to, "%s/%s", folder, file[i].name);
-    if (rename(from, to) != 0) {
-      return sepax_fail(error, "%s: %s; remove what is in the way", to, strerror(errno));
+    if (rename(aside_path(from, folder, &file[i]), to) != 0) {
+      return sepax_fail(error, "%.200s: %s; remove what is in the way", to, strerror(errno));
     }
   }
   return true;
@@ -189,10 +197,10 @@ bool gen_write(const emitter *e, const char *folder, sepax_error *error) {
   bool made = mkdir(folder, 0777) == 0;
   struct stat status;
   if (!made && errno != EEXIST) {
-    return sepax_fail(error, "%s: %s; give a folder that can be made", folder, strerror(errno));
+    return sepax_fail(error, "%.200s: %s; give a folder that can be made", folder, strerror(errno));
   }
   if (!made && (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode))) {
-    return sepax_fail(error, "%s: not a folder; give another name", folder);
+    return sepax_fail(error, "%.200s: not a folder; give another name", folder);
   }
   output_file file[FILES] = {0};
   int count = render(e, file);

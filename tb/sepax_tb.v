@@ -56,6 +56,8 @@ module sepax_tb;
           mismatch("no verdict");
         end else if (out_collision !== expected[judged % QUEUE]) begin
           mismatch("wrong verdict");
+        end else if (out_coplanar !== 1'b0 && out_coplanar !== 1'b1) begin
+          mismatch("out_coplanar is X");
         end
         judged = judged + 1;
       end else if (out_valid !== 1'b0 || out_collision !== 1'b0 || out_coplanar !== 1'b0) begin
@@ -132,12 +134,12 @@ module sepax_tb;
 
 `ifdef SEPAX_REST
   // Operands, products, projections of the three resting PROJ, and their PSA part.
-  wire [511:0] operands = {dut.a_1_rest, dut.b_3_rest, dut.psa.p_3, dut.psa.q_7, dut.psa.q_9};
-  wire [1023:0] results = {dut.axis_7, dut.axis_8, dut.axis_9, dut.on_a_7, dut.on_b_8,
+  wire [1023:0] operands = {dut.a_1_rest, dut.b_3_rest, dut.psa.p_3, dut.psa.q_7, dut.psa.q_9};
+  wire [2047:0] results = {dut.axis_7, dut.axis_8, dut.axis_9, dut.on_a_7, dut.on_b_8,
                            dut.on_a_9, dut.proj_7.inner_a_1.product_x_q,
                            dut.proj_9.inner_b_3.product_z_q};
-  reg [511:0] operands_before;
-  reg [1023:0] results_before;
+  reg [1023:0] operands_before;
+  reg [2047:0] results_before;
   integer watched = 0;
 
   always @(negedge clk) begin

@@ -303,17 +303,24 @@ static void nul_bytes_are_refused(void **state) {
 
 static void long_names_and_lines_fit(void **state) {
   (void)state;
-  enum { LONG = 100000 };
+  enum { LONG = 100000, SHORTER = 4000 };
   char *text = malloc(LONG + 1);
   assert_non_null(text);
   for (size_t i = 0; i < LONG; i++) {
     text[i] = 'n';
   }
   text[LONG] = '\0';
-  FILE *in = stream_of(text, LONG);
   sepax_error error = {""};
   sepax_pair pair;
   size_t number = 0;
+  FILE *in = stream_of(text, LONG);
+  assert_int_equal(sepax_pair_read(&pair, in, text, &number, 4, &error),
+                   SEPAX_LINE_ERROR);
+  assert_non_null(strstr(error.text, ":1: longer than any pair"));
+  fclose(in);
+
+  number = 0;
+  in = stream_of(text, SHORTER);
   assert_int_equal(sepax_pair_read(&pair, in, text, &number, 4, &error),
                    SEPAX_LINE_ERROR);
   assert_non_null(strstr(error.text, ":1: number 1, 'nnnn"));

@@ -1,5 +1,6 @@
 /* check.c - sepax check: which triangles of two STL files collide. */
 #include "cli.h"
+#include "error.h"
 
 #include <jansson.h>
 #include <stdlib.h>
@@ -112,13 +113,27 @@ static void print_json(const check_options *o, const sepax_scene *scene,
       (json_int_t)scene->count[1], "grid", "word", g->word, "resolution", g->resolution,
       "origin", g->offset[0], g->offset[1], g->offset[2], "pairs", pairs, "collisions", (json_int_t)found->count,
       "seconds", found->seconds, "colliding", colliding);
-  if (report == NULL) { /* a file name that is not UTF-8 */
-    fprintf(stderr, "sepax check: %s: the name is not UTF-8; rename the file\n", o->path[0]);
-    exit(EXIT_ERROR);
-  }
   json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
   putchar('\n');
   json_decref(report);
+}
+
+/* JSON is UTF-8. */
+static bool names_printable(const check_options *o, sepax_error *error) {
+  for (int i = 0; i < 2 && o->json; i++) {
+    json_t *name = json_string(o->path[i]);
+    json_decref(name);
+    if (name == NULL) {
+      return sepax_fail(error, "%.300s: the name is not UTF-8; rename the file", o->path[i]);
+    }
+  }
+  return true;
+}
+
+static bool normals_read(const check_options *o, sepax_error *error) {
+  return !o->grid.file_normals || o->config.arch == SEPAX_ARCH_PAPER ||
+         sepax_fail(error, "normals: architecture %s reads none; give --arch=paper, too",
+                    sepax_arch_name(o->config.arch));
 }
 
 int cli_check(int argc, char **argv) {
@@ -136,7 +151,7 @@ int cli_check(int argc, char **argv) {
   sepax_error error = {""};
   sepax_design design;
   sepax_scene scene;
-  if (!sepax_design_init(&design, &o.config, &error) ||
+  if (!names_printable(&o, &error) || !normals_read(&o, &error) || !sepax_design_init(&design, &o.config, &error) ||
       !sepax_scene_load(&scene, o.path, &o.grid.grid, o.grid.file_normals, &error)) {
     return cli_fail(argv[0], &error);
   }

@@ -25,7 +25,7 @@ extern const struct argp cli_grid_argp;
 
 typedef struct {
   sepax_grid grid; /* resolution 0: fit both meshes into the word */
-  bool file_normals;
+  bool file_normals, offset_given;
 } cli_grid;
 
 /* A count of 1 ... limit; argp_error otherwise. */

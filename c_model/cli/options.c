@@ -60,7 +60,7 @@ static const struct argp_option grid_options[] = {
     {NULL, 0, NULL, 0, "Quantisation:", 2},
     {"resolution", 'r', "LENGTH", 0,
      "file units per LSB (without it both meshes are fitted into the word)", 0},
-    {"offset", KEY_OFFSET, "X,Y,Z", 0, "file coordinates of the integer origin (0,0,0)", 0},
+    {"offset", KEY_OFFSET, "X,Y,Z", 0, "file coordinates of the integer origin (0,0,0); needs --resolution", 0},
     {"normals", KEY_NORMALS, "SOURCE", 0,
      "computed: from the quantised vertices (default); file: as the STL says", 0},
     {0}};
@@ -76,11 +76,17 @@ static error_t parse_grid(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_OFFSET:
     cli_vector(state, "offset", text, g->grid.offset);
+    g->offset_given = true;
     return 0;
   case KEY_NORMALS:
     g->file_normals = strcmp(text, "file") == 0;
     if (!g->file_normals && strcmp(text, "computed") != 0) {
       argp_error(state, "normals: '%s' is none of: computed, file", text);
+    }
+    return 0;
+  case ARGP_KEY_END:
+    if (g->offset_given && g->grid.resolution == 0) {
+      argp_error(state, "offset: fitting chooses its own; give --resolution, too");
     }
     return 0;
   default:
