@@ -155,12 +155,13 @@ bench: $(BUILD)/bench $(CORE)/cosim
 # ---------------------------------------------------------------------- the RTL
 
 RTL = $(CORE)/rtl/sepax.f
+GEN = $(SEPAX) gen
 
 # Generated on every run, so that no setting goes unread, and moved into place where it
 # differs from what is there.
 $(RTL): $(SEPAX) FORCE
 	@rm -rf $(BUILD)/new-$(CORE_NAME)
-	@$(SEPAX) gen $(OPTIONS) -o $(BUILD)/new-$(CORE_NAME) > /dev/null
+	@$(GEN) $(OPTIONS) -o $(BUILD)/new-$(CORE_NAME) > /dev/null
 	@if diff -rq $(BUILD)/new-$(CORE_NAME) $(CORE)/rtl > /dev/null 2>&1; then \
 	  rm -rf $(BUILD)/new-$(CORE_NAME); \
 	else \
