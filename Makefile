@@ -1,14 +1,19 @@
 # Makefile - the front door of sepax; `make help` lists the verbs and variables.
 
 # The design: what `sepax gen --help` calls --arch, --word, ...
-ARCH        ?= paper
+ARCH        ?= exact
 WORD        ?= 18
 II          ?= 3
+COPLANAR    ?= exact
+CLOCK_NS    ?= 2
 PRECISION   ?= full
 BLOCK_FLOAT ?= off
 COPLANARITY ?= plane
 INEQUALITY  ?= correct
 EPSILON     ?= 1
+
+# The view of architecture exact that is simulated: behavioural or structural.
+VIEW ?= behavioural
 
 # What goes through it: two meshes, or PAIRS=file, or COUNT seeded hard pairs.
 MESH_A     ?= $(BUILD)/mesh/cutter.stl
@@ -30,6 +35,7 @@ IVERILOG   ?= iverilog
 VVP        ?= vvp
 CPPCHECK   ?= cppcheck
 CLANG_TIDY ?= clang-tidy
+PERIOD     ?=
 LIBERTY    ?= /usr/share/qflow/tech/osu018/osu018_stdcells.lib
 export CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY
 
@@ -45,26 +51,54 @@ SEPAX   = $(BUILD)/sepax
 LIB     = $(BUILD)/libsepax.a
 object  = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 
-OPTIONS = --arch=$(ARCH) --word=$(WORD) --ii=$(II) --precision=$(PRECISION) \
-          --block-float=$(BLOCK_FLOAT) --coplanarity=$(COPLANARITY) \
-          --inequality=$(INEQUALITY) --epsilon=$(EPSILON)
+# Choices of one architecture go to it; those of another only when someone made them, so
+# that the program refuses them.
+given         = $(filter command environment,$(firstword $(origin $(1))))
+CHOICES_exact = COPLANAR CLOCK_NS
+CHOICES_paper = PRECISION BLOCK_FLOAT COPLANARITY INEQUALITY EPSILON
+OPTION_COPLANAR    = --coplanar=$(COPLANAR)
+OPTION_CLOCK_NS    = --clock-ns=$(CLOCK_NS)
+OPTION_PRECISION   = --precision=$(PRECISION)
+OPTION_BLOCK_FLOAT = --block-float=$(BLOCK_FLOAT)
+OPTION_COPLANARITY = --coplanarity=$(COPLANARITY)
+OPTION_INEQUALITY  = --inequality=$(INEQUALITY)
+OPTION_EPSILON     = --epsilon=$(EPSILON)
+OPTIONS = $(strip --arch=$(ARCH) --word=$(WORD) --ii=$(II) $(foreach \
+          choice,$(CHOICES_exact) $(CHOICES_paper),$(if $(filter \
+          $(choice),$(CHOICES_$(ARCH)))$(call given,$(choice)),$(OPTION_$(choice)))))
 
-# build/core/paper-w18-full, with a suffix for whatever is not the default.
-CORE_NAME = $(ARCH)-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FLOAT)),-bf)$(if \
-            $(filter paper,$(COPLANARITY)),-cop)$(if $(filter printed,$(INEQUALITY)),-ineq)$(if \
-            $(filter-out 1,$(EPSILON)),-e$(EPSILON))
+# build/core/exact-w18-ii3, build/core/paper-w18-full, with a suffix for whatever is not
+# the default.
+NAME_exact = exact-w$(WORD)-ii$(II)$(if $(filter flag,$(COPLANAR)),-flag)$(if \
+             $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)
+NAME_paper = paper-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FLOAT)),-bf)$(if \
+             $(filter paper,$(COPLANARITY)),-cop)$(if $(filter printed,$(INEQUALITY)),-ineq)$(if \
+             $(filter-out 1,$(EPSILON)),-e$(EPSILON))
+CORE_NAME = $(or $(NAME_$(ARCH)),$(ARCH)-w$(WORD))
 CORE      = $(BUILD)/core/$(CORE_NAME)
 MESH_ARGS = $(if $(filter fit,$(RESOLUTION)),,--resolution=$(RESOLUTION)) \
             --normals=$(NORMALS) "$(MESH_A)" "$(MESH_B)"
 SAMPLES   = $(filter $(BUILD)/mesh/%,$(MESH_A) $(MESH_B))
 
+# Tools that read the Verilog: the macro of the view, the suffix of what is made from it,
+# the bench.
+VIEW_MACRO = $(if $(filter behavioural,$(VIEW)),-DSEPAX_BEHAVIOURAL)
+OF_VIEW    = $(if $(filter behavioural,$(VIEW)),,-structural)
+BENCH      = $(if $(filter exact,$(ARCH)),sepax_exact_tb,sepax_tb)
+
+ifeq ($(filter behavioural structural,$(VIEW)),)
+$(error VIEW: '$(VIEW)' is none of: behavioural, structural)
+endif
+ifneq ($(and $(filter paper,$(ARCH)),$(call given,VIEW)),)
+$(error VIEW: architecture paper has one view only; leave it out)
+endif
 ifneq ($(words $(BUILD) $(abspath .)),2)
 $(error BUILD and the project's own path must be without blanks)
 endif
 
 .DELETE_ON_ERROR:
-.PHONY: all job help setup test rtl reference cosim icarus wave lint area mapped netlist bench \
-        sanitize sanitized static options core clean FORCE
+.PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
+        mapped netlist gates bench sanitize sanitized static options core clean FORCE
 
 all:
 	@scripts/setup
@@ -74,33 +108,53 @@ help:
 	@sed -n 's/^#: //p' Makefile
 
 #: make            the main job: 160,000 pairs of two 400-triangle objects through the
-#:                 paper's machine, held against the golden model, and its gate report
-#: make test       every test (about 15 minutes); ends with N passed, N failed
+#:                 exact machine and the paper's, each held against its golden model, and
+#:                 the gate report
+#: make test       every test (about 20 minutes); ends with N passed, N failed
 #: make rtl        the Verilog of the design, in build/core/NAME/rtl
-#: make cosim      meshes (MESH_A, MESH_B) or PAIRS=file or PAIRS=families through the
-#:                 verilated machine
-#: make icarus     the same vectors through Icarus Verilog (PAIRS, or COUNT seeded ones)
+#: make cosim      meshes (MESH_A, MESH_B) or PAIRS=file through the verilated machine, or
+#:                 PAIRS=families|corners: COUNT seeded hard pairs, or PAIRS=bits: all 2^18
+#:                 pairs with coordinates 0, 1
+#: make icarus     the same vectors through Icarus Verilog (PAIRS=file|bits, or COUNT seeded
+#:                 ones)
+#: make exhaustive all 3^18 pairs with coordinates -1, 0, 1 through the verilated machine
+#:                 (GRID=n: the first n)
+#: make hard       20,000,000 hard pairs at each of five II, 1,000,000 at each of six W
+#:                 (COUNT=n: n instead of 1,000,000)
 #: make wave       PAIR='18 or 24 integers' as a waveform: build/core/NAME/wave.fst
 #: make lint       Verilator, Icarus and Yosys on the design's Verilog
-#: make area       gates of the design with LIBERTY, beside the paper's
+#: make area       gates with LIBERTY, beside the paper's: of the design, or without ARCH
+#:                 and II of both architectures
 #: make netlist    the mapped gates through the Icarus bench (COUNT=170 takes minutes)
+#: make gates      the mapped gates through the Verilator bench
 #: make bench      pairs a second of the software verdicts and of the verilated machine
-#: make reference  regenerate rtl/, the committed W = 18 cores
+#: make reference  regenerate rtl/, the W = 18 cores that come with the source
 #: make setup      install what is missing (Debian, Ubuntu); make and make test do it
 #: make clean      remove build/
 #:
-#: Design:  ARCH=paper WORD=18 II=3 PRECISION=full|word|guard=G BLOCK_FLOAT=off|on
+#: Design:  ARCH=exact WORD=18 II=1...18 COPLANAR=exact|flag CLOCK_NS=2
+#:          ARCH=paper WORD=18 PRECISION=full|word|guard=G BLOCK_FLOAT=off|on
 #:          COPLANARITY=plane|paper INEQUALITY=correct|printed EPSILON=1
+#: View:    VIEW=behavioural|structural: which body of exact's arithmetic is simulated
 #: Data:    MESH_A= MESH_B= RESOLUTION=fit|length NORMALS=computed|file PAIRS= COUNT= SEED=
 #: Tools:   CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY=file.lib[.gz]
+#:          PERIOD=ns the clock that the gates are sized for (CLOCK_NS with Nangate45, else none)
 
 setup:
 	@scripts/setup
 
+# Both machines, or the one that was chosen or has the choice that was made.
+ONLY_EXACT = $(strip $(foreach choice,II $(CHOICES_exact) VIEW,$(call given,$(choice))))
+MACHINES   = $(if $(call given,ARCH),$(ARCH),exact $(if $(ONLY_EXACT),,paper))
+
+machine-%:
+	@echo "== architecture $* against its golden model: $(MESH_A), $(MESH_B)"
+	@$(MAKE) --no-print-directory ARCH=$* cosim
+
+# One after the other.
 job: $(SEPAX)
-	@echo "== the machine of the paper against its golden model: $(MESH_A), $(MESH_B)"
-	@$(MAKE) --no-print-directory cosim
-	@echo "== its gates"
+	@$(foreach machine,$(MACHINES),$(MAKE) --no-print-directory machine-$(machine) &&) true
+	@echo "== gates"
 	@$(MAKE) --no-print-directory area
 
 test:
@@ -146,11 +200,11 @@ $(BUILD)/mesh/workpiece.stl: $(SEPAX)
 $(BUILD)/bench: $(BUILD)/obj/tb/bench.o $(LIB)
 	@$(CC) $(CFLAGS) $^ -lm -o $@
 
-bench: $(BUILD)/bench $(CORE)/cosim
+bench: $(BUILD)/bench $(COSIM)
 	@echo "software, one core, families uniform and local, W = 18; ratio to float64:"
 	@$(BUILD)/bench
 	@echo "verilated machine with its golden model, all families:"
-	@$(CORE)/cosim --count=$(COUNT) --seed=$(SEED)
+	@$(COSIM) $(SEEDED)
 
 # ---------------------------------------------------------------------- the RTL
 
@@ -172,59 +226,89 @@ $(RTL): $(SEPAX) FORCE
 rtl: $(RTL)
 	@echo "$(CORE)/rtl: $$(wc -l < $(RTL)) modules"
 
+REFERENCE ?= rtl
 reference: $(SEPAX)
-	@rm -rf rtl/paper-w18
-	@$(SEPAX) gen --arch=paper --word=18 -o rtl/paper-w18
+	@cd $(REFERENCE) && rm -rf exact-w18-ii3 exact-w18-ii1 paper-w18 && \
+	  $(abspath $(SEPAX)) gen --arch=exact --word=18 --ii=3 -o exact-w18-ii3 && \
+	  $(abspath $(SEPAX)) gen --arch=exact --word=18 --ii=1 -o exact-w18-ii1 && \
+	  $(abspath $(SEPAX)) gen --arch=paper --word=18 -o paper-w18
 
 lint: $(RTL)
 	@cd $(CORE)/rtl && $(abspath scripts/lint)
 
 # ----------------------------------------------------------------- co-simulation
 
-VERILATE = $(VERILATOR) --cc --exe --build -O3 --x-assign unique --x-initial unique \
-           --top-module sepax_top -f sepax.f -CFLAGS "-O2 -I$(abspath c_model) -I../rtl" \
+# Verilator 5.006 miscompiles trees of single bits (its issue 4059) but for the last option
+# of the first line.
+VERILATE = $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree \
+           --x-assign fast --x-initial unique --top-module sepax_top -f sepax.f $(VIEW_MACRO) \
+           -MAKEFLAGS "OPT_FAST=-O3 OPT_GLOBAL=-O2" \
+           -CFLAGS "-I$(abspath c_model) -I../rtl" \
            $(abspath tb/cosim.cpp $(BUILD)/obj/c_model/cli/options.o $(LIB))
-COSIM_DEPS = $(RTL) tb/cosim.cpp $(LIB) $(BUILD)/obj/c_model/cli/options.o
+COSIM_DEPS = $(RTL) $(addprefix tb/,cosim.cpp pair_source.h machine.h driver_paper.h \
+             driver_exact.h) $(LIB) $(BUILD)/obj/c_model/cli/options.o
+COSIM      = $(CORE)/cosim$(OF_VIEW)
+WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
+verilate   = cd $(CORE)/rtl && { $(VERILATE) $(1) --Mdir ../obj-$(notdir $@) -o ../$(notdir $@) \
+             > ../$(notdir $@).log 2>&1 || { tail -20 ../$(notdir $@).log >&2; exit 1; }; }
 
-$(CORE)/cosim: $(COSIM_DEPS)
-	@echo "  VERILATE $(CORE_NAME)"
-	@cd $(CORE)/rtl && $(VERILATE) --Mdir ../obj-cosim -o ../cosim > ../verilate.log 2>&1 \
-	  || { tail -20 ../verilate.log >&2; exit 1; }
+$(COSIM): $(COSIM_DEPS)
+	@echo "  VERILATE $(CORE_NAME)$(OF_VIEW)"
+	@$(call verilate)
 
-$(CORE)/cosim-wave: $(COSIM_DEPS)
-	@echo "  VERILATE $(CORE_NAME) with waveforms"
-	@cd $(CORE)/rtl && $(VERILATE) --trace-fst --Mdir ../obj-wave -o ../cosim-wave \
-	  > ../verilate-wave.log 2>&1 || { tail -20 ../verilate-wave.log >&2; exit 1; }
+$(WAVE): $(COSIM_DEPS)
+	@echo "  VERILATE $(CORE_NAME)$(OF_VIEW) with waveforms"
+	@$(call verilate,--trace-fst)
 
-COSIM_ARGS = $(if $(filter families,$(PAIRS)),--count=$(COUNT) --seed=$(SEED),$(if \
-             $(PAIRS),--pairs="$(PAIRS)",$(MESH_ARGS)))
+SEEDED      = --count=$(COUNT) --seed=$(SEED)
+FROM_PAIRS  = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners,$(PAIRS)),--corners \
+              $(SEEDED),$(if $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)")))
+COSIM_ARGS  = $(if $(PAIRS),$(FROM_PAIRS),$(MESH_ARGS)) $(if $(STRESS),--stress=$(STRESS))
 
-cosim: $(CORE)/cosim $(if $(PAIRS),,$(SAMPLES))
-	@$(CORE)/cosim $(COSIM_ARGS) $(if $(STRESS),--stress=$(STRESS))
+cosim: $(COSIM) $(if $(PAIRS),,$(SAMPLES))
+	@$(COSIM) $(COSIM_ARGS)
 
-wave: $(if $(PAIR),$(CORE)/cosim-wave)
+# 3^18 pairs, or the first GRID of them.
+GRID ?= 387420489
+exhaustive: $(COSIM)
+	@scripts/exhaustive $(COSIM) $(GRID)
+
+hard: $(SEPAX)
+	@scripts/hard $(if $(call given,COUNT),$(COUNT))
+
+wave: $(if $(PAIR),$(WAVE))
 	@[ -n "$(PAIR)" ] || { echo "wave: give PAIR='18 or 24 integers'" >&2; exit 2; }
-	@echo '$(PAIR)' | $(CORE)/cosim-wave --pairs=- --wave=$(CORE)/wave.fst
+	@echo '$(PAIR)' | $(WAVE) --pairs=- --wave=$(CORE)/wave.fst
 	@echo "$(CORE)/wave.fst"
 
-$(CORE)/icarus.vvp: $(RTL) tb/sepax_tb.v
-	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_REST -I . -s sepax_tb -o ../icarus.vvp \
-	  -c sepax.f $(abspath tb/sepax_tb.v)
+ICARUS = $(CORE)/icarus$(OF_VIEW).vvp
+
+$(ICARUS): $(RTL) tb/$(BENCH).v
+	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_REST $(VIEW_MACRO) -I . -s $(BENCH) \
+	  -o ../$(notdir $@) -c sepax.f $(abspath tb/$(BENCH).v)
+
+# All pairs with coordinates 0, 1.
+BITS = awk 'BEGIN { for (n = 0; n < 262144; n++) { line = ""; rest = n; for (k = 0; k < 18; k++) { \
+       line = line " " rest % 2; rest = int(rest / 2) } print line } }'
 
 $(CORE)/icarus.pairs: $(SEPAX) FORCE
 	@mkdir -p $(CORE)
-	@$(if $(filter-out families,$(PAIRS)),$(SEPAX) judge $(OPTIONS) --echo "$(PAIRS)",$(SEPAX) \
-	  vectors --word=$(WORD) --count=$(COUNT) --seed=$(SEED) | $(SEPAX) judge $(OPTIONS) --echo) > $@
+	@$(if $(filter-out families bits,$(PAIRS)),$(SEPAX) judge $(OPTIONS) --echo "$(PAIRS)",$(if \
+	  $(filter bits,$(PAIRS)),$(BITS),$(SEPAX) vectors --word=$(WORD) $(SEEDED)) | \
+	  $(SEPAX) judge $(OPTIONS) --echo) > $@
 
-icarus: $(CORE)/icarus.vvp $(CORE)/icarus.pairs
-	@$(VVP) -N $(CORE)/icarus.vvp +pairs=$(CORE)/icarus.pairs
+icarus: $(ICARUS) $(CORE)/icarus.pairs
+	@$(VVP) -N $(ICARUS) +pairs=$(CORE)/icarus.pairs $(if $(STRESS),+stall=$(STRESS))
 
 # --------------------------------------------------------------------- the gates
 
-# Each precision that was not chosen: the paper's word length leaves both readings open.
-LIBRARY    = $(basename $(notdir $(LIBERTY:.gz=)))
-AREA       = $(CORE)/$(LIBRARY)
-PRECISIONS = $(if $(filter command environment,$(firstword $(origin PRECISION))),$(PRECISION),full word)
+# The design that was chosen; the paper's in both precisions, as its word length leaves
+# both readings open, unless one was chosen; without a choice the exact ones and these.
+LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
+AREA    = $(CORE)/$(LIBRARY)
+PAPERS  = $(if $(call given,PRECISION),area-of-this,area-of-full area-of-word)
+AREAS   = $(if $(call given,ARCH),$(if $(filter paper,$(ARCH)),$(PAPERS),area-of-this),$(if \
+          $(ONLY_EXACT),area-of-this,area-of-ii3 area-of-ii1 $(PAPERS)))
 
 # Another library of the same name is another library.
 $(AREA)/liberty.sum: FORCE
@@ -234,29 +318,50 @@ $(AREA)/liberty.sum: FORCE
 
 $(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(wildcard synth/*)
 	@echo "  YOSYS   $(CORE_NAME), $(LIBRARY)"
-	@synth/area -l $(LIBERTY) -o $(AREA) $(CORE)/rtl
+	@synth/area -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) -o $(AREA) $(CORE)/rtl
 
-area-of-%:
-	@$(MAKE) --no-print-directory PRECISION=$* mapped
+area-of-this:
+	@$(MAKE) --no-print-directory mapped
+area-of-ii%:
+	@$(MAKE) --no-print-directory ARCH=exact II=$* mapped
+area-of-full area-of-word:
+	@$(MAKE) --no-print-directory ARCH=paper PRECISION=$(@:area-of-%=%) mapped
 
 mapped: $(AREA)/area.json
 	@echo $(AREA)/area.json >> $(BUILD)/area.list
 
 area: $(SEPAX)
 	@rm -f $(BUILD)/area.list
-	@$(MAKE) --no-print-directory -j2 $(PRECISIONS:%=area-of-%)
+	@$(MAKE) --no-print-directory -j2 $(AREAS)
 	@synth/report -o $(BUILD)/area.json $$(sort $(BUILD)/area.list)
 
-$(AREA)/netlist.vvp: $(AREA)/area.json tb/sepax_tb.v
+$(AREA)/netlist.vvp: $(AREA)/area.json tb/$(BENCH).v
 	@echo "  ICARUS  $(CORE_NAME), mapped to $(LIBRARY)"
 	@synth/cells -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
-	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s sepax_tb -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
-	  tb/sepax_tb.v
+	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(BENCH) -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
+	  tb/$(BENCH).v
 
 # A gate-level pair takes a second at W = 18: ten of each family are many.
 netlist: COUNT = 170
 netlist: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
 	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
+
+# The mapped gates under the Verilator bench, module by module.
+GATES = $(AREA)/cosim
+
+$(GATES): $(AREA)/area.json $(COSIM_DEPS)
+	@echo "  VERILATE $(CORE_NAME), mapped to $(LIBRARY)"
+	@synth/cells -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
+	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --hierarchical --no-timing \
+	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module sepax_top \
+	  -MAKEFLAGS "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O1" \
+	  -CFLAGS "-I$(abspath c_model) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \
+	  netlist.vlt cells.v netlist.v \
+	  $(abspath tb/cosim.cpp $(BUILD)/obj/c_model/cli/options.o $(LIB)) > cosim.log 2>&1 || \
+	  { tail -20 cosim.log >&2; exit 1; }; }
+
+gates: $(GATES)
+	@$(GATES) $(if $(PAIRS),$(FROM_PAIRS),$(SEEDED)) $(if $(STRESS),--stress=$(STRESS))
 
 # ------------------------------------------------------------------ code quality
 

@@ -15,10 +15,12 @@ int32_t sepax_word_max(int word) { return (int32_t)((INT64_C(1) << (word - 1)) -
 
 /* ------------------------------------------------------------- names and text */
 
-static const char *const arch_names[] = {"paper", "exact", "float32", "float64", NULL};
+static const char *const arch_names[] = {"paper",   "exact",   "reference",
+                                         "float32", "float64", NULL};
 static const char *const coplanarity_names[] = {"plane", "paper", NULL};
 static const char *const inequality_names[] = {"correct", "printed", NULL};
 static const char *const switch_names[] = {"off", "on", NULL};
+static const char *const coplanar_names[] = {"exact", "flag", NULL};
 
 const char *sepax_arch_name(sepax_arch arch) { return arch_names[arch]; }
 
@@ -51,6 +53,22 @@ static bool parse_int(int *value, const char *option, const char *text,
   return true;
 }
 
+/* Nanoseconds, at most three decimals, as picoseconds. */
+static bool parse_clock(int *picoseconds, const char *text, sepax_error *error) {
+  char *end;
+  double number = strtod(text, &end);
+  if (end == text || *end != '\0' || !(number > 0) || number > 1000) {
+    return sepax_fail(error, "clock-ns: '%.40s' is no period in nanoseconds; give 0.5 ... 20",
+                      text);
+  }
+  int rounded = (int)(number * 1000 + 0.5);
+  if (number * 1000 - rounded > 1e-6 || rounded - number * 1000 > 1e-6) {
+    return sepax_fail(error, "clock-ns: '%.40s' has more than three decimals; round it", text);
+  }
+  *picoseconds = rounded;
+  return true;
+}
+
 static bool parse_precision(sepax_config *config, const char *text, sepax_error *error) {
   static const char guard[] = "guard=";
   if (strcmp(text, "full") == 0) {
@@ -73,13 +91,14 @@ static bool parse_precision(sepax_config *config, const char *text, sepax_error 
 }
 
 sepax_config sepax_config_default(void) {
-  return (sepax_config){.arch = SEPAX_ARCH_PAPER,
+  return (sepax_config){.arch = SEPAX_ARCH_EXACT,
                         .word = 18,
                         .ii = 3,
                         .full = true,
                         .coplanarity = SEPAX_COPLANAR_PLANE,
                         .inequality = SEPAX_INEQUALITY_CORRECT,
-                        .epsilon = 1};
+                        .epsilon = 1,
+                        .clock_ps = 2000};
 }
 
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
@@ -93,6 +112,14 @@ bool sepax_config_set(sepax_config *config, const char *name, const char *value,
   }
   if (strcmp(name, "epsilon") == 0) {
     return parse_int(&config->epsilon, name, value, error);
+  }
+  if (strcmp(name, "clock-ns") == 0) {
+    return parse_clock(&config->clock_ps, value, error);
+  }
+  if (strcmp(name, "coplanar") == 0) {
+    bool ok = parse_name(&choice, name, coplanar_names, value, error);
+    config->flag = ok ? choice == 1 : config->flag;
+    return ok;
   }
   if (strcmp(name, "precision") == 0) {
     return parse_precision(config, value, error);
@@ -145,33 +172,65 @@ bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *err
 }
 
 char *sepax_config_text(const sepax_config *config, char *text, size_t size) {
+  int used = snprintf(text, size, "--arch=%s --word=%d", arch_names[config->arch], config->word);
+  if (config->arch == SEPAX_ARCH_EXACT) {
+    snprintf(text + used, size - (size_t)used, " --ii=%d --coplanar=%s --clock-ns=%g", config->ii,
+             coplanar_names[config->flag], config->clock_ps / 1000.0);
+  }
+  if (config->arch != SEPAX_ARCH_PAPER) {
+    return text;
+  }
   char precision[24] = "full";
   if (!config->full) {
     snprintf(precision, sizeof precision, config->guard == 0 ? "word" : "guard=%d",
              config->guard);
   }
-  snprintf(text, size,
-           "--arch=%s --word=%d --ii=%d --precision=%s --block-float=%s "
+  snprintf(text + used, size - (size_t)used,
+           " --ii=%d --precision=%s --block-float=%s "
            "--coplanarity=%s --inequality=%s --epsilon=%d",
-           arch_names[config->arch], config->word, config->ii, precision,
-           switch_names[config->block_float], coplanarity_names[config->coplanarity],
+           config->ii, precision, switch_names[config->block_float], coplanarity_names[config->coplanarity],
            inequality_names[config->inequality], config->epsilon);
   return text;
 }
 
-/* What only architecture paper reads must be left alone with the others. */
+/* What an architecture does not read must be left alone. */
 static bool check_unused(const sepax_config *config, sepax_error *error) {
   sepax_config plain = sepax_config_default();
-  const char *unused = config->ii != plain.ii                       ? "ii"
-                       : config->full != plain.full                 ? "precision"
-                       : config->block_float != plain.block_float   ? "block-float"
-                       : config->coplanarity != plain.coplanarity   ? "coplanarity"
-                       : config->inequality != plain.inequality     ? "inequality"
-                       : config->epsilon != plain.epsilon           ? "epsilon"
-                                                                    : NULL;
-  return unused == NULL ||
-         sepax_fail(error, "%s: architecture %s has no such choice; give --arch=paper, too",
-                    unused, arch_names[config->arch]);
+  const struct {
+    const char *name;
+    sepax_arch owner;
+    bool changed;
+  } choice[] = {
+      {"precision", SEPAX_ARCH_PAPER, config->full != plain.full},
+      {"block-float", SEPAX_ARCH_PAPER, config->block_float != plain.block_float},
+      {"coplanarity", SEPAX_ARCH_PAPER, config->coplanarity != plain.coplanarity},
+      {"inequality", SEPAX_ARCH_PAPER, config->inequality != plain.inequality},
+      {"epsilon", SEPAX_ARCH_PAPER, config->epsilon != plain.epsilon},
+      {"coplanar", SEPAX_ARCH_EXACT, config->flag != plain.flag},
+      {"clock-ns", SEPAX_ARCH_EXACT, config->clock_ps != plain.clock_ps},
+      {"ii", config->arch == SEPAX_ARCH_PAPER ? SEPAX_ARCH_PAPER : SEPAX_ARCH_EXACT,
+       config->ii != plain.ii},
+  };
+  for (size_t i = 0; i < sizeof choice / sizeof choice[0]; i++) {
+    if (choice[i].changed && config->arch != choice[i].owner) {
+      return sepax_fail(error,
+                        "%s: architecture %s has no such choice; leave it out, or give --arch=%s",
+                        choice[i].name, arch_names[config->arch], arch_names[choice[i].owner]);
+    }
+  }
+  return true;
+}
+
+static bool check_exact(const sepax_config *config, sepax_error *error) {
+  if (config->ii < 1 || config->ii > SEPAX_II_MAX) {
+    return sepax_fail(error, "ii: %d is out of range; give 1 ... %d cycles", config->ii,
+                      SEPAX_II_MAX);
+  }
+  if (config->clock_ps < 500 || config->clock_ps > 20000) {
+    return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20",
+                      config->clock_ps / 1000.0);
+  }
+  return true;
 }
 
 bool sepax_config_check(const sepax_config *config, sepax_error *error) {
@@ -183,8 +242,11 @@ bool sepax_config_check(const sepax_config *config, sepax_error *error) {
       config->inequality > SEPAX_INEQUALITY_PRINTED) {
     return sepax_fail(error, "configuration: a value is none of its enumeration");
   }
+  if (!check_unused(config, error)) {
+    return false;
+  }
   if (config->arch != SEPAX_ARCH_PAPER) {
-    return check_unused(config, error);
+    return config->arch != SEPAX_ARCH_EXACT || check_exact(config, error);
   }
   if (config->ii != 3) {
     return sepax_fail(error, "ii: architecture paper takes a pair in three input cycles; "
@@ -251,7 +313,15 @@ static interval enter(sepax_design *design, sepax_format_id id, const char *name
   int exact = bits_of(range);
   int shift = exact > keep ? exact - keep : 0;
   design->format[id] = (sepax_format){name, exact, exact - shift, shift};
+  design->formats = (int)id + 1;
   return (interval){range.lo >> shift, range.hi >> shift};
+}
+
+/* Enter a format of architecture exact; every bit that tells results apart is kept. */
+static void enter_modular(sepax_design *design, int id, const char *name, interval terms,
+                          interval result) {
+  design->format[id] = (sepax_format){name, bits_of(terms), bits_of(result), 0};
+  design->formats = id + 1;
 }
 
 static void derive_formats(sepax_design *d) {
@@ -279,6 +349,26 @@ static void derive_formats(sepax_design *d) {
   enter(d, SEPAX_F_PROJECTION, "projection", sum_of_three(p), keep);
 }
 
+/* Formats of architecture exact: `exact` bits hold every term on the way, `width` the
+ * result; sums that cancel are taken modulo 2^width. Twice the area of a triangle in a
+ * square of side L is at most L^2, six times the volume of a tetrahedron in a cube 2 L^3. */
+static void derive_exact_formats(sepax_design *d) {
+  interval word = signed_word(d->config.word);
+  interval span = hull(difference(word, word), (interval){2 * word.lo, 2 * word.hi});
+  interval weight = {2 * (word.lo - word.hi), 2 * (word.hi - word.lo)};
+  interval own_weight = {3 * (word.lo - word.hi), 3 * (word.hi - word.lo)};
+  wide side = word.hi - word.lo;
+  interval area = {-side * side, side * side};
+  interval volume = {-2 * side * side * side, 2 * side * side * side};
+  interval strip = product(span, span);
+  enter_modular(d, SEPAX_X_COORDINATE, "coordinate", word, word);
+  enter_modular(d, SEPAX_X_SPAN, "span", span, span);
+  enter_modular(d, SEPAX_X_AREA, "area", sum_of_three(strip), area);
+  enter_modular(d, SEPAX_X_WEIGHT, "weight", weight, weight);
+  enter_modular(d, SEPAX_X_OWN_WEIGHT, "own_weight", own_weight, own_weight);
+  enter_modular(d, SEPAX_X_VOLUME, "volume", product(area, own_weight), volume);
+}
+
 /* epsilon LSB of distance along a unit normal, in units of a normal projection. */
 static int64_t derive_coplanar_limit(const sepax_design *d) {
   int shift = d->format[SEPAX_F_NORMAL_PRODUCT].shift +
@@ -299,6 +389,8 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
     derive_formats(design);
     design->coplanar_limit = derive_coplanar_limit(design);
     design->latency = 13;
+  } else if (config->arch == SEPAX_ARCH_EXACT) {
+    derive_exact_formats(design);
   }
   return true;
 }

@@ -176,16 +176,26 @@ sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair) {
   return m.verdict;
 }
 
+static sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *pair) {
+  sepax_verdict verdict = sepax_exact(&pair->a, &pair->b);
+  if (verdict.coplanar && design->config.flag) {
+    return (sepax_verdict){.collision = true, .coplanar = true};
+  }
+  return verdict;
+}
+
 sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair) {
   switch (design->config.arch) {
   case SEPAX_ARCH_PAPER:
     return sepax_paper(design, pair);
+  case SEPAX_ARCH_REFERENCE:
+    return (sepax_verdict){.collision = sepax_reference(&pair->a, &pair->b)};
   case SEPAX_ARCH_FLOAT32:
     return (sepax_verdict){.collision = sepax_float32(&pair->a, &pair->b)};
   case SEPAX_ARCH_FLOAT64:
     return (sepax_verdict){.collision = sepax_float64(&pair->a, &pair->b)};
   case SEPAX_ARCH_EXACT:
   default:
-    return (sepax_verdict){.collision = sepax_exact(&pair->a, &pair->b)};
+    return judge_exact(design, pair);
   }
 }

@@ -1,5 +1,5 @@
 /* sat54.c - the exact verdict by the separating axis theorem written out, 54 products:
- * a second model of architecture exact, which shares nothing with the first.
+ * a second model of architecture exact, which shares nothing with exact.c.
  *
  * Origin at A_1, so A is 0, a_2, a_3. With N = a_2 x a_3, M_j = b_j x b_j+1,
  * P_j = a_2.M_j and Q_j = a_3.M_j, all projections of both triangles on N, N_B and the

@@ -29,6 +29,7 @@ extern "C" {
 #define SEPAX_VERSION "0.1.0"
 #define SEPAX_WORD_MIN 4
 #define SEPAX_WORD_MAX 32
+#define SEPAX_II_MAX 18
 
 /* One line of text without a newline; empty until something failed. */
 typedef struct {
@@ -68,10 +69,11 @@ sepax_vec sepax_unit_normal(const sepax_tri *tri, int word);
 /* ----------------------------------------------------------- configuration */
 
 typedef enum {
-  SEPAX_ARCH_PAPER,   /* the paper's datapath, bit for bit */
-  SEPAX_ARCH_EXACT,   /* the mathematical verdict */
-  SEPAX_ARCH_FLOAT32, /* software baseline in IEEE single precision */
-  SEPAX_ARCH_FLOAT64  /* software baseline in IEEE double precision */
+  SEPAX_ARCH_PAPER,     /* the paper's datapath, bit for bit */
+  SEPAX_ARCH_EXACT,     /* the mathematical verdict, and the axis */
+  SEPAX_ARCH_REFERENCE, /* software: the same verdict by another method, sepax_reference */
+  SEPAX_ARCH_FLOAT32,   /* software baseline in IEEE single precision */
+  SEPAX_ARCH_FLOAT64    /* software baseline in IEEE double precision */
 } sepax_arch;
 
 typedef enum {
@@ -88,33 +90,37 @@ typedef enum {
 typedef struct {
   sepax_arch arch;
   int word;                      /* W, 4 ... 32 */
-  int ii;                        /* initiation interval, cycles; 3 for paper */
+  int ii;                        /* initiation interval, cycles; 3 for paper, else 1 ... 18 */
   bool full;                     /* every bit of every intermediate is kept */
   int guard;                     /* else W + guard bits of each are; 0 ... 2W + 3 */
   bool block_float;              /* axes shifted left in common before truncation */
   sepax_coplanarity coplanarity;
   sepax_inequality inequality;
   int epsilon;                   /* LSB, 0 ... 2^(W-1) - 1; 0 asks for equality */
+  bool flag;                     /* exact: coplanar pairs are called collisions, undecided */
+  int clock_ps;                  /* exact: the period to pipeline for, 500 ... 20000 ps */
 } sepax_config;
 
-/* The defaults: paper, W = 18, II = 3, full, plane, correct, epsilon 1. */
+/* The defaults: exact, W = 18, II = 3, coplanar pairs decided, 2 ns; and for paper full,
+ * plane, correct, epsilon 1. */
 sepax_config sepax_config_default(void);
 
 /* Set one value from text, by the name of its command-line option: "arch",
  * "word", "ii", "precision" (full, word, guard=G), "block-float" (on, off),
- * "coplanarity", "inequality", "epsilon". Fails on an unknown name or value. */
+ * "coplanarity", "inequality", "epsilon", "coplanar" (exact, flag), "clock-ns" (at most
+ * three decimals). Fails on an unknown name or value. */
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error);
 
 /* Parse a line that sepax_config_text wrote ("--arch=paper --word=18 ..."). */
 bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *error);
 
-/* The whole configuration as "--arch=paper --word=18 ..." into text[size];
+/* What the architecture reads, as "--arch=paper --word=18 ...", into text[size];
  * sepax_config_parse reads it back. Returns text. */
 char *sepax_config_text(const sepax_config *config, char *text, size_t size);
 
 /* Fails with the legal range if a value or a combination is not supported, and if a
- * choice that only architecture paper has is made for another. */
+ * choice is made that the architecture does not have. */
 bool sepax_config_check(const sepax_config *config, sepax_error *error);
 
 const char *sepax_arch_name(sepax_arch arch);
@@ -140,12 +146,25 @@ typedef enum {
   SEPAX_F_COUNT
 } sepax_format_id;
 
+/* Numbers of architecture exact (docs/exact.md): `exact` bits hold every term, `width`
+ * the result; sums that cancel are taken modulo 2^width. shift is 0. */
+enum {
+  SEPAX_X_COORDINATE,
+  SEPAX_X_SPAN,       /* sum or difference of two coordinates */
+  SEPAX_X_AREA,       /* t_ij, g_ijk: twice an area */
+  SEPAX_X_WEIGHT,     /* sum of z, the origin moved to A: for triangles of both */
+  SEPAX_X_OWN_WEIGHT, /* the same for triangle B itself */
+  SEPAX_X_VOLUME      /* h_ijk, v_ijkl: six times a volume */
+};
+
 /* A checked configuration with what follows from it. */
 typedef struct {
   sepax_config config;
-  sepax_format format[SEPAX_F_COUNT];
+  sepax_format format[SEPAX_F_COUNT]; /* by sepax_format_id, or SEPAX_X_... for exact */
+  int formats;
   int64_t coplanar_limit; /* |difference| < limit, in units of NORMAL_PROJECTION */
-  int latency;            /* cycles from the first input word to the verdict */
+  int latency;            /* cycles from the first input word to the verdict; of exact it
+                             follows from the schedule that the generator makes */
 } sepax_design;
 
 /* Check the configuration and derive formats, limit and latency. */
@@ -154,29 +173,36 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
 
 /* ---------------------------------------------------------------- verdicts */
 
-/* Axis numbers are the paper's: 1 ... 9 of table 1 (or 1 ... 6 of table 2 when
- * coplanar), 10 = N_A, 11 = N_B; 0 when none separates or the method has none. */
+/* Axis numbers are the paper's: 1 ... 9 of table 1, 1 + 3i + j being e_i x f_j with e_i
+ * the edge from A_i to A_i+1 and f_j that from B_j to B_j+1 (i, j = 0, 1, 2 modulo 3);
+ * 10 = N_A, 11 = N_B; 0 when none separates or the method has none. Of coplanar pairs
+ * paper numbers the axes 1 ... 6 of table 2, exact calls every axis in the plane 12. */
 typedef struct {
   bool collision;
   bool coplanar;    /* by the architecture's own test; false if it has none */
-  int axis;         /* the axis at which Algorithm 1 stops */
+  int axis;         /* at which the search stops; it goes 10, 11, 1, 2, ... 9 */
   int mul_project;  /* multiplications in projections, as the paper counts them */
   int mul_axes;     /* multiplications in cross products, which it leaves out */
 } sepax_verdict;
 
 /* The verdict of the architecture of `design`, bit for bit what its RTL gives.
- * Pair: W-bit components (the caller checks, sepax_pair_fits). Only `paper`
- * reads the normals and counts multiplications. */
+ * Pair: W-bit components (the caller checks, sepax_pair_fits). Only `paper` reads the
+ * normals and counts multiplications. Of `exact` it is that of sepax_exact, but where
+ * the design flags coplanar pairs they are collisions, axis 0. */
 sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
 
-/* The exact reference: SAT on 128-bit integers, every W up to 32, coplanar and
- * degenerate triangles included. No rounding, no tolerance. */
-bool sepax_exact(const sepax_tri *a, const sepax_tri *b);
+/* The exact verdict from 34 products, the golden model of architecture exact: every W up
+ * to 32, coplanar and degenerate triangles included, no rounding, no tolerance. coplanar
+ * is true iff one plane holds all six vertices. The axis truly separates, and a pair is
+ * separated iff there is one; 1 ... 9 are tried only where e_i crosses or touches B's
+ * plane and f_j A's, so one that was passed over may separate, too. About 0.1 us for
+ * coordinates of up to 20 bits. */
+sepax_verdict sepax_exact(const sepax_tri *a, const sepax_tri *b);
 
-/* Two more exact models, of other methods, for W up to 32: 35 products, the signs of
- * tetrahedra's volumes; and the separating axis theorem written out in 54 products.
- * Both always agree with sepax_exact. */
-bool sepax_volumes(const sepax_tri *a, const sepax_tri *b);
+/* Two more models, true iff the triangles collide: they agree with sepax_exact on every
+ * pair. The reference: the separating axis theorem on 128-bit integers, axis by axis; and
+ * the same theorem written out in 54 products. */
+bool sepax_reference(const sepax_tri *a, const sepax_tri *b);
 bool sepax_sat54(const sepax_tri *a, const sepax_tri *b);
 
 /* Algorithm 1 on the formats of `design` (arch paper). mul_project is 36 when a

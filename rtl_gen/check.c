@@ -36,7 +36,7 @@ static void skip_blanks(reader *r) {
   while (r->at < r->end) {
     if (isspace((unsigned char)*r->at)) {
       r->at++;
-    } else if (r->end - r->at > 1 && r->at[0] == '/' && r->at[1] == '/') {
+    } else if (*r->at == '`' || (r->end - r->at > 1 && r->at[0] == '/' && r->at[1] == '/')) {
       while (r->at < r->end && *r->at != '\n') {
         r->at++;
       }
@@ -476,7 +476,7 @@ static bool split_binding(const emit_module *m, char *item_text, char **name, ch
 }
 
 static int bind_parameters(reader *r, const emit_instance_record *i,
-                           emit_binding bound[EMIT_SYMBOLS]) {
+                           emit_binding bound[EMIT_PORTS]) {
   char copy[1024];
   char *rest = NULL;
   int count = 0;
@@ -573,17 +573,12 @@ static bool check_variant(const emit_module *m, const emit_binding *bound, int c
   return ok;
 }
 
-static bool check_instance(reader *r, const emit_instance_record *i) {
-  emit_binding bound[EMIT_SYMBOLS];
-  int count = bind_parameters(r, i, bound);
-  if (r->failed || !check_variant(i->module, bound, count)) {
-    return false;
-  }
-  char copy[2048];
+/* Check the connections "port=signal, ..." in `copy`, which is taken apart. */
+static bool check_connections(reader *r, const emit_instance_record *i,
+                              const emit_binding *bound, int count, char *copy) {
   char *rest = NULL;
-  char seen[EMIT_SYMBOLS][EMIT_NAME];
+  char seen[EMIT_PORTS][EMIT_NAME];
   int connected = 0;
-  snprintf(copy, sizeof copy, "%s", i->connections);
   for (char *p = strtok_r(copy, ",", &rest); p != NULL; p = strtok_r(NULL, ",", &rest)) {
     char *port = NULL;
     char *signal = NULL;
@@ -596,6 +591,9 @@ static bool check_instance(reader *r, const emit_instance_record *i) {
         return emit_refuse(r->m, "%s: port '%s' is connected twice", i->name, port);
       }
     }
+    if (connected == EMIT_PORTS) {
+      return emit_refuse(r->m, "%s: more than %d ports", i->name, EMIT_PORTS);
+    }
     snprintf(seen[connected++], EMIT_NAME, "%s", port);
   }
   if (connected != count_ports(i->module)) {
@@ -603,6 +601,18 @@ static bool check_instance(reader *r, const emit_instance_record *i) {
                        count_ports(i->module), i->module->name);
   }
   return true;
+}
+
+static bool check_instance(reader *r, const emit_instance_record *i) {
+  emit_binding bound[EMIT_PORTS];
+  int count = bind_parameters(r, i, bound);
+  if (r->failed || !check_variant(i->module, bound, count)) {
+    return false;
+  }
+  char *copy = strdup(i->connections);
+  bool ok = copy != NULL && check_connections(r, i, bound, count, copy);
+  free(copy);
+  return ok;
 }
 
 /* The body with declarations and instances blanked out, which are checked apart. */

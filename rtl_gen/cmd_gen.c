@@ -35,9 +35,10 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-static bool generate(const sepax_design *design, const char *folder, sepax_error *error) {
-  if (design->config.arch != SEPAX_ARCH_PAPER) {
-    return sepax_fail(error, "arch: '%s' has no hardware; give --arch=paper",
+static bool generate(sepax_design *design, const char *folder, sepax_error *error) {
+  bool exact = design->config.arch == SEPAX_ARCH_EXACT;
+  if (!exact && design->config.arch != SEPAX_ARCH_PAPER) {
+    return sepax_fail(error, "arch: '%s' has no hardware; give --arch=exact or --arch=paper",
                       sepax_arch_name(design->config.arch));
   }
   char command[400];
@@ -46,7 +47,7 @@ static bool generate(const sepax_design *design, const char *folder, sepax_error
            sepax_config_text(&design->config, text, sizeof text));
   emitter e;
   emit_init(&e, design, command);
-  bool ok = gen_design(&e);
+  bool ok = exact ? gen_exact(&e, &design->latency) : gen_paper(&e);
   if (!ok) {
     *error = e.error;
   }

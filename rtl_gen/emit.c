@@ -200,6 +200,11 @@ void emit_text(emit_module *m, const char *format, ...) {
   free(text);
 }
 
+void emit_view(emit_module *m, emit_views view) {
+  static const char *const directive[] = {"`ifdef SEPAX_BEHAVIOURAL", "`else", "`endif"};
+  fprintf(m->text, "%s\n", directive[view]);
+}
+
 static void print_bindings(FILE *out, const char *bindings, const char *indent) {
   char *copy = copy_text(bindings);
   char *rest = NULL;

@@ -16,8 +16,8 @@
 
 #include "sepax.h"
 
-enum { EMIT_MODULES = 32, EMIT_SYMBOLS = 256, EMIT_INSTANCES = 64, EMIT_NAME = 48,
-       EMIT_VARIANTS = 128 };
+enum { EMIT_MODULES = 32, EMIT_SYMBOLS = 2048, EMIT_INSTANCES = 256, EMIT_NAME = 48,
+       EMIT_VARIANTS = 256, EMIT_PORTS = 128 };
 
 typedef enum {
   EMIT_PARAMETER,
@@ -105,6 +105,12 @@ void emit_blank(emit_module *m);
 /* Literal Verilog, one or more lines, with two blanks put before each. */
 void emit_text(emit_module *m, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/* Two bodies for one module: what stands between emit_view(m, EMIT_BEHAVIOURAL) and
+ * emit_view(m, EMIT_STRUCTURAL) is read where the macro SEPAX_BEHAVIOURAL is defined,
+ * from there to emit_view(m, EMIT_BOTH) where it is not. */
+typedef enum { EMIT_BEHAVIOURAL, EMIT_STRUCTURAL, EMIT_BOTH } emit_views;
+void emit_view(emit_module *m, emit_views view);
 
 /* An instance of an emitted module: "A_W=VW, P_W=PW" and "a=v_x, p=product_x". */
 void emit_instance(emit_module *m, const char *module, const char *name,

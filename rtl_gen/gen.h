@@ -5,12 +5,14 @@
 #include "emit.h"
 
 /* Emit every module of the design, leaves first, `sepax_top` last. False with
- * e->error set if the emitter refuses one. */
-bool gen_design(emitter *e);
+ * e->error set if the emitter refuses one. gen_exact also reports the latency of the
+ * schedule it makes. */
+bool gen_paper(emitter *e);
+bool gen_exact(emitter *e, int *latency);
 
 /* Write the design's files into a folder: one .v a module, sepax.f (the list of
- * them, top last), sepax_params.h and sepax.json (configuration, formats, latency,
- * ports) for benches. Each file is written aside and renamed; the folder is made if
+ * them, top last), and, if the emitter has a design, sepax_params.h and sepax.json
+ * (configuration, formats, latency, ports) for benches. Each file is written aside and renamed; the folder is made if
  * missing, and removed again if the run fails. */
 bool gen_write(const emitter *e, const char *folder, sepax_error *error);
 

@@ -274,7 +274,7 @@ void gen_top(emitter *e) {
   emit_end(m);
 }
 
-bool gen_design(emitter *e) {
+bool gen_paper(emitter *e) {
   gen_trunc(e);
   gen_mul(e);
   gen_edge(e);

@@ -131,7 +131,7 @@ bool legal(const sepax_pair *pair, int word) {
 
 bool collides(const sepax_pair *pair, int word) {
   (void)word;
-  return sepax_exact(&pair->a, &pair->b);
+  return sepax_reference(&pair->a, &pair->b);
 }
 
 typedef struct {

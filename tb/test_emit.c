@@ -154,6 +154,7 @@ static void test_designs(void **state) {
       fixture f = {0};
       sepax_config config = sepax_config_default();
       char *text[2] = {NULL, NULL};
+      config.arch = SEPAX_ARCH_PAPER;
       config.word = word;
       assert_true(sepax_config_parse(&config, settings[s], &f.e.error));
       assert_true(sepax_design_init(&f.design, &config, &f.e.error));
@@ -161,7 +162,7 @@ static void test_designs(void **state) {
         size_t size = 0;
         FILE *out = open_memstream(&text[run], &size);
         emit_init(&f.e, &f.design, "test");
-        if (!gen_design(&f.e)) {
+        if (!gen_paper(&f.e)) {
           fail_msg("W = %d %s: %s", word, settings[s], f.e.error.text);
         }
         for (int i = 0; i < f.e.modules; i++) {

@@ -15,11 +15,13 @@
 #endif
 #define SYMMETRY_PAIRS 4000
 #define MISMATCHES_SHOWN 20
+#define AXES 13
 #define LENGTH(array) (sizeof(array) / sizeof *(array))
 
 typedef struct {
   size_t wrong;
   size_t count[2][2]; /* [collision][coplanar] */
+  size_t axis[AXES];  /* that sepax_exact named */
 } tally;
 
 static void report(tally *t, const sepax_tri *a, const sepax_tri *b, bool expected,
@@ -32,15 +34,100 @@ static void report(tally *t, const sepax_tri *a, const sepax_tri *b, bool expect
   if (++t->wrong == MISMATCHES_SHOWN) fail_msg("%s", "too many mismatches, stopped");
 }
 
+/* ---------------------------------------------------------- the verdict's axis */
+
+typedef __int128 wide;
+
+typedef struct {
+  wide c[3];
+} wide_vec;
+
+static wide_vec between(sepax_vec from, sepax_vec to) {
+  return (wide_vec){{(wide)to.x - from.x, (wide)to.y - from.y, (wide)to.z - from.z}};
+}
+
+static wide_vec edge(const sepax_tri *t, size_t k) {
+  return between(t->v[k], t->v[(k + 1) % 3]);
+}
+
+static wide_vec cross(wide_vec p, wide_vec q) {
+  wide_vec r;
+  for (size_t i = 0; i < 3; i++) {
+    size_t j = (i + 1) % 3;
+    size_t k = (i + 2) % 3;
+    r.c[i] = p.c[j] * q.c[k] - p.c[k] * q.c[j];
+  }
+  return r;
+}
+
+/* Axis 1 ... 11 as sepax.h numbers them. */
+static wide_vec axis_vector(int axis, const sepax_tri *a, const sepax_tri *b) {
+  if (axis == 10) return cross(edge(a, 0), edge(a, 1));
+  if (axis == 11) return cross(edge(b, 0), edge(b, 1));
+  return cross(edge(a, (size_t)(axis - 1) / 3), edge(b, (size_t)(axis - 1) % 3));
+}
+
+/* True iff there is a gap between the projections. */
+static bool separates(wide_vec axis, const sepax_tri *a, const sepax_tri *b) {
+  wide low[2] = {0};
+  wide high[2] = {0};
+  for (size_t k = 0; k < 6; k++) {
+    wide_vec v = between(a->v[0], k < 3 ? a->v[k] : b->v[k - 3]);
+    wide p = axis.c[0] * v.c[0] + axis.c[1] * v.c[1] + axis.c[2] * v.c[2];
+    size_t t = k / 3;
+    low[t] = k % 3 == 0 || p < low[t] ? p : low[t];
+    high[t] = k % 3 == 0 || p > high[t] ? p : high[t];
+  }
+  return high[0] < low[1] || high[1] < low[0];
+}
+
+/* Axis 0 for a collision, 12 in a common plane, else one that separates. */
+static bool right(const sepax_verdict *v, const sepax_tri *a, const sepax_tri *b,
+                  bool collision, bool coplanar) {
+  if (v->collision != collision || v->coplanar != coplanar) return false;
+  if (v->mul_project != 0 || v->mul_axes != 0) return false;
+  if (collision) return v->axis == 0;
+  if (coplanar) return v->axis == 12;
+  return v->axis >= 1 && v->axis <= 11 && separates(axis_vector(v->axis, a, b), a, b);
+}
+
+static bool moved(sepax_tri *t, int32_t by) {
+  for (size_t k = 0; k < 3; k++) {
+    int32_t *c[] = {&t->v[k].x, &t->v[k].y, &t->v[k].z};
+    for (size_t i = 0; i < 3; i++) {
+      if (*c[i] > INT32_MAX - by) return false;
+      *c[i] += by;
+    }
+  }
+  return true;
+}
+
+/* The verdict is the same for the same pair a million LSB away, where coordinates of 20
+ * bits have become longer. */
+static bool steady(const sepax_verdict *v, const sepax_tri *a, const sepax_tri *b) {
+  sepax_tri p = *a;
+  sepax_tri q = *b;
+  if (!moved(&p, 1 << 20) || !moved(&q, 1 << 20)) return true;
+  sepax_verdict u = sepax_exact(&p, &q);
+  return u.collision == v->collision && u.coplanar == v->coplanar && u.axis == v->axis;
+}
+
 /* Hold each exact model against the oracle and count the pair. */
 static void compare(tally *t, const sepax_tri *a, const sepax_tri *b) {
   static bool (*const models[])(const sepax_tri *, const sepax_tri *) = {
-      sepax_exact, sepax_volumes, sepax_sat54};
+      sepax_reference, sepax_sat54};
   bool expected = oracle_collide(a, b);
-  t->count[expected][oracle_coplanar(a, b)]++;
+  bool coplanar = oracle_coplanar(a, b);
+  t->count[expected][coplanar]++;
   for (size_t m = 0; m < LENGTH(models); m++) {
     bool got = models[m](a, b);
     if (got != expected) report(t, a, b, expected, got);
+  }
+  sepax_verdict exact = sepax_exact(a, b);
+  t->axis[exact.axis]++;
+  if (!right(&exact, a, b, expected, coplanar) || !steady(&exact, a, b)) {
+    print_error("axis %d%s: ", exact.axis, exact.coplanar ? ", coplanar" : "");
+    report(t, a, b, expected, exact.collision);
   }
 }
 
@@ -195,6 +282,42 @@ static void test_plane(void **state) {
   }
 }
 
+/* Every pair of six places of an oblique line. */
+static void test_line(void **state) {
+  (void)state;
+  tally t = {0};
+  for (uint32_t code = 0; code < 46656; code++) {
+    sepax_tri tri[2];
+    uint32_t rest = code;
+    for (size_t k = 0; k < 6; k++) {
+      int32_t place = (int32_t)(rest % 6);
+      tri[k / 3].v[k % 3] = (sepax_vec){2 - place, 3, 2 * place};
+      rest /= 6;
+    }
+    compare(&t, &tri[0], &tri[1]);
+  }
+  assert_counts(&t, 0, 2886, 0, 43770);
+}
+
+/* Vertices drawn from a grid of 3 x 3 x 3: every seldom coincidence comes often. */
+static void test_grid(void **state) {
+  (void)state;
+  tally t = {0};
+  sepax_random random = {3};
+  for (size_t i = 0; i < EXACT_PAIRS; i++) {
+    sepax_tri tri[2];
+    for (size_t k = 0; k < 6; k++) {
+      uint64_t draw = sepax_random_next(&random) >> 32;
+      tri[k / 3].v[k % 3] = (sepax_vec){(int32_t)(draw % 3), (int32_t)(draw / 3 % 3),
+                                        (int32_t)(draw / 9 % 3)};
+    }
+    compare(&t, &tri[0], &tri[1]);
+  }
+  assert_int_equal(t.wrong, 0);
+  for (size_t axis = 0; axis < AXES; axis++)
+    assert_in_range(t.axis[axis], EXACT_PAIRS / 1000, EXACT_PAIRS);
+}
+
 /* ----------------------------------------------------------------- hard pairs */
 
 /* Pair i of a corpus: all words, then the next family. */
@@ -218,6 +341,10 @@ static void test_hard(void **state) {
     compare(&t, &pair.a, &pair.b);
   }
   assert_mixed(&t, EXACT_PAIRS);
+  for (size_t axis = 0; axis < AXES; axis++) {
+    print_message("axis %zu: %zu\n", axis, t.axis[axis]);
+    assert_in_range(t.axis[axis], EXACT_PAIRS / 200, EXACT_PAIRS);
+  }
 }
 
 static sepax_tri reordered(const sepax_tri *tri, size_t order) {
@@ -235,12 +362,12 @@ static void test_symmetry(void **state) {
   for (size_t i = 0; i < SYMMETRY_PAIRS; i++) {
     sepax_pair pair = hard_pair(i, &random);
     compare(&t, &pair.a, &pair.b);
-    bool expected = sepax_exact(&pair.a, &pair.b);
+    bool expected = sepax_exact(&pair.a, &pair.b).collision;
     for (size_t order = 0; order < 36; order++) {
       sepax_tri a = reordered(&pair.a, order / 6);
       sepax_tri b = reordered(&pair.b, order % 6);
-      if (sepax_exact(&a, &b) != expected) report(&t, &a, &b, expected, !expected);
-      if (sepax_exact(&b, &a) != expected) report(&t, &b, &a, expected, !expected);
+      if (sepax_exact(&a, &b).collision != expected) report(&t, &a, &b, expected, !expected);
+      if (sepax_exact(&b, &a).collision != expected) report(&t, &b, &a, expected, !expected);
     }
   }
   assert_mixed(&t, SYMMETRY_PAIRS);
@@ -249,7 +376,8 @@ static void test_symmetry(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_known),    cmocka_unit_test(test_cube),
-    cmocka_unit_test(test_plane),    cmocka_unit_test(test_hard),
+    cmocka_unit_test(test_plane),    cmocka_unit_test(test_line),
+    cmocka_unit_test(test_grid),     cmocka_unit_test(test_hard),
     cmocka_unit_test(test_symmetry),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

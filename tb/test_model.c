@@ -8,8 +8,14 @@
 
 #include <cmocka.h>
 
-static sepax_design design_of(const char *options) {
+static sepax_config paper_config(void) {
   sepax_config config = sepax_config_default();
+  config.arch = SEPAX_ARCH_PAPER;
+  return config;
+}
+
+static sepax_design design_of(const char *options) {
+  sepax_config config = paper_config();
   sepax_design design;
   sepax_error error = {""};
   if (!sepax_config_parse(&config, options, &error) ||
@@ -20,7 +26,7 @@ static sepax_design design_of(const char *options) {
 }
 
 static void refuse(const char *options, const char *why) {
-  sepax_config config = sepax_config_default();
+  sepax_config config = paper_config();
   sepax_error error = {""};
   sepax_design design;
   bool ok = sepax_config_parse(&config, options, &error) &&
@@ -38,8 +44,9 @@ static void test_config(void **state) {
       "--coplanarity=plane --inequality=correct --epsilon=1",
       "--arch=paper --word=4 --ii=3 --precision=guard=7 --block-float=on "
       "--coplanarity=paper --inequality=printed --epsilon=0",
-      "--arch=exact --word=32 --ii=3 --precision=word --block-float=off "
-      "--coplanarity=plane --inequality=correct --epsilon=1"};
+      "--arch=exact --word=32 --ii=18 --coplanar=flag --clock-ns=0.5",
+      "--arch=exact --word=18 --ii=3 --coplanar=exact --clock-ns=2",
+      "--arch=reference --word=18", "--arch=float32 --word=18"};
   for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
     char text[320];
     sepax_config config = sepax_config_default();
@@ -51,7 +58,7 @@ static void test_config(void **state) {
   refuse("--word=33", "4 ... 32");
   refuse("--word=eighteen", "whole number");
   refuse("--word=99999999999", "out of range");
-  refuse("--arch=fast", "paper, exact, float32, float64");
+  refuse("--arch=fast", "paper, exact, reference, float32, float64");
   refuse("--ii=2", "--ii=3");
   refuse("--precision=half", "full, word, guard=BITS");
   refuse("--precision=guard=x", "whole number");
@@ -61,6 +68,15 @@ static void test_config(void **state) {
   refuse("--coplanarity=none", "plane, paper");
   refuse("--inequality=wrong", "correct, printed");
   refuse("--epsilon=131072", "0 ... 131071");
+  refuse("--coplanar=flag", "--arch=exact");
+  refuse("--clock-ns=3", "--arch=exact");
+  refuse("--arch=exact --ii=0", "1 ... 18");
+  refuse("--arch=exact --ii=19", "1 ... 18");
+  refuse("--arch=exact --clock-ns=0.4", "0.5 ... 20");
+  refuse("--arch=exact --clock-ns=1.2345", "three decimals");
+  refuse("--arch=exact --coplanar=maybe", "exact, flag");
+  refuse("--arch=exact --precision=word", "no such choice");
+  refuse("--arch=exact --epsilon=2", "no such choice");
   refuse("--speed=1", "no setting");
   refuse("word=18", "--NAME=VALUE");
 }
@@ -153,7 +169,7 @@ static void test_full_never_misses(void **state) {
       int right = 0;
       for (int n = 0; n < 34000; n++) {
         sepax_pair pair = sepax_family_pair((size_t)n % 17, words[w], &random);
-        bool truth = sepax_exact(&pair.a, &pair.b);
+        bool truth = sepax_reference(&pair.a, &pair.b);
         bool verdict = sepax_judge(&design, &pair).collision;
         assert_true(verdict || !truth);
         collisions += truth;
@@ -163,6 +179,29 @@ static void test_full_never_misses(void **state) {
       assert_true(right > 25000);
     }
   }
+}
+
+static bool same(sepax_verdict u, sepax_verdict v) {
+  return u.collision == v.collision && u.coplanar == v.coplanar && u.axis == v.axis &&
+         u.mul_project == v.mul_project && u.mul_axes == v.mul_axes;
+}
+
+/* Flagged, coplanar pairs are collisions; everything else is the exact verdict. */
+static void test_coplanar_flag(void **state) {
+  (void)state;
+  sepax_design exact = design_of("--arch=exact");
+  sepax_design flag = design_of("--arch=exact --coplanar=flag");
+  const sepax_verdict flagged = {.collision = true, .coplanar = true};
+  sepax_random random = {13};
+  int changed = 0;
+  for (int n = 0; n < 34000; n++) {
+    sepax_pair pair = sepax_family_pair((size_t)n % 17, 18, &random);
+    sepax_verdict v = sepax_exact(&pair.a, &pair.b);
+    assert_true(same(sepax_judge(&exact, &pair), v));
+    assert_true(same(sepax_judge(&flag, &pair), v.coplanar ? flagged : v));
+    changed += v.coplanar && !v.collision;
+  }
+  assert_in_range(changed, 500, 10000);
 }
 
 static void test_multiplications(void **state) {
@@ -231,7 +270,7 @@ static void test_printed_inequality(void **state) {
   int missed = 0;
   for (int n = 0; n < 20000; n++) {
     sepax_pair pair = sepax_family_pair((size_t)n % 2, 18, &random);
-    if (sepax_exact(&pair.a, &pair.b)) {
+    if (sepax_reference(&pair.a, &pair.b)) {
       collisions++;
       missed += !sepax_judge(&printed, &pair).collision;
     }
@@ -310,10 +349,10 @@ static void test_float_baselines(void **state) {
     sepax_pair pair = sepax_family_pair((size_t)n % 5, 8, &random);
     sepax_vec zero = {0, 0, 0};
     if (memcmp(&pair.na, &zero, sizeof zero) != 0 && memcmp(&pair.nb, &zero, sizeof zero) != 0) {
-      assert_int_equal(sepax_float64(&pair.a, &pair.b), sepax_exact(&pair.a, &pair.b));
+      assert_int_equal(sepax_float64(&pair.a, &pair.b), sepax_reference(&pair.a, &pair.b));
     }
     pair = sepax_family_pair((size_t)n % 5, 24, &random);
-    wrong32 += sepax_float32(&pair.a, &pair.b) != sepax_exact(&pair.a, &pair.b);
+    wrong32 += sepax_float32(&pair.a, &pair.b) != sepax_reference(&pair.a, &pair.b);
   }
   assert_true(wrong32 > 0 && wrong32 < 30000);
 }
@@ -325,6 +364,7 @@ int main(void) {
       cmocka_unit_test(test_coplanar_limit),
       cmocka_unit_test(test_ranges),
       cmocka_unit_test(test_full_never_misses),
+      cmocka_unit_test(test_coplanar_flag),
       cmocka_unit_test(test_multiplications),
       cmocka_unit_test(test_printed_coplanarity),
       cmocka_unit_test(test_printed_inequality),

@@ -141,11 +141,9 @@ int cli_check(int argc, char **argv) {
       {&cli_config_argp, 0, NULL, 0}, {&cli_grid_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
       options, parse, "A.stl B.stl",
-      "Judge every pair of triangles of two STL files; the default --arch is exact. Indices "
-      "count facets from 0.\vExit status: 0 free, 1 collision, 2 error.",
+      "Judge every pair of triangles of two STL files. Indices count facets from 0.\vExit status: 0 free, 1 collision, 2 error.",
       children, NULL, NULL};
   check_options o = {.config = sepax_config_default()};
-  o.config.arch = SEPAX_ARCH_EXACT;
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   o.grid.grid.word = o.config.word;
   sepax_error error = {""};

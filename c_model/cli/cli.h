@@ -17,9 +17,9 @@ enum { EXIT_FREE = 0, EXIT_COLLISION = 1, EXIT_ERROR = 2 };
 /* Print "NAME: text" on stderr and return EXIT_ERROR. */
 int cli_fail(const char *name, const sepax_error *error);
 
-/* argp children: --arch --word --ii --precision --block-float --coplanarity
- * --inequality --epsilon into a sepax_config (input: sepax_config *), and
- * --resolution --offset --normals into a cli_grid (input: cli_grid *). */
+/* argp children: the settings of sepax_config_set into a sepax_config (input:
+ * sepax_config *), and --resolution --offset --normals into a cli_grid (input:
+ * cli_grid *). */
 extern const struct argp cli_config_argp;
 extern const struct argp cli_grid_argp;
 
@@ -53,6 +53,7 @@ int cli_check(int argc, char **argv);
 int cli_gen(int argc, char **argv);
 int cli_judge(int argc, char **argv);
 int cli_mesh(int argc, char **argv);
+int cli_multiplier(int argc, char **argv);
 int cli_vectors(int argc, char **argv);
 
 #ifdef __cplusplus

@@ -12,7 +12,8 @@ typedef struct {
 } judge_options;
 
 static const struct argp_option options[] = {
-    {"echo", 'e', NULL, 0, "print the 24 integers of the pair before its verdict", 0}, {0}};
+    {"echo", 'e', NULL, 0, "print the 24 integers of the pair before its verdict, and behind it, for exact, "
+     "whether the pair is coplanar (0, 1) and the axis (0 ... 12)", 0}, {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
   judge_options *o = state->input;
@@ -34,6 +35,19 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
+static void print_verdict(const sepax_design *design, const sepax_pair *pair, bool echo) {
+  sepax_verdict verdict = sepax_judge(design, pair);
+  if (echo) {
+    sepax_pair_print(stdout, pair);
+    putchar(' ');
+  }
+  putchar(verdict.collision ? '1' : '0');
+  if (echo && design->config.arch == SEPAX_ARCH_EXACT) {
+    printf(" %d %d", verdict.coplanar, verdict.axis);
+  }
+  putchar('\n');
+}
+
 static bool judge_stream(const sepax_design *design, FILE *in, const char *name, bool echo,
                          sepax_error *error) {
   sepax_pair pair;
@@ -41,11 +55,7 @@ static bool judge_stream(const sepax_design *design, FILE *in, const char *name,
   size_t number = 0;
   while ((line = sepax_pair_read(&pair, in, name, &number, design->config.word, error)) ==
          SEPAX_LINE_PAIR) {
-    if (echo) {
-      sepax_pair_print(stdout, &pair);
-      putchar(' ');
-    }
-    puts(sepax_judge(design, &pair).collision ? "1" : "0");
+    print_verdict(design, &pair, echo);
   }
   return line != SEPAX_LINE_ERROR;
 }
@@ -56,7 +66,7 @@ int cli_judge(int argc, char **argv) {
       options, parse, "[FILE]",
       "Print 1 (collision) or 0 (separated) for each pair of FILE or standard input: a line "
       "of 18 integers A1x A1y A1z ... B3z, or 24 with both normals (computed when absent); "
-      "'#' starts a comment. --arch=exact is the exact reference.",
+      "'#' starts a comment. --arch=reference gives the verdicts of exact by another method.",
       children, NULL, NULL};
   judge_options o = {.config = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);

@@ -14,6 +14,7 @@ static const struct {
     {"judge", cli_judge, "verdicts for pairs given as text"},
     {"vectors", cli_vectors, "test vectors of hard cases as text"},
     {"mesh", cli_mesh, "write a sample object as STL"},
+    {"multiplier", cli_multiplier, "generate the Verilog of one multiplier"},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 
@@ -21,7 +22,7 @@ static void usage(FILE *out) {
   fprintf(out, "Usage: sepax COMMAND [OPTION...]\n"
                "Triangle/triangle collision detection in hardware, and its golden model.\n\n");
   for (int i = 0; i < COMMANDS; i++) {
-    fprintf(out, "  %-8s  %s\n", commands[i].name, commands[i].about);
+    fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].about);
   }
   fprintf(out, "\n'sepax COMMAND --help' lists the options of a command; --version prints the "
                "version.\nExit status: 0 done (check: free), 1 check: collision, 2 error.\n");

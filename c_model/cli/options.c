@@ -14,13 +14,18 @@ int cli_fail(const char *name, const sepax_error *error) {
 /* ------------------------------------------------------------- configuration */
 
 enum { KEY_ARCH = 0x100, KEY_II, KEY_PRECISION, KEY_BLOCK_FLOAT, KEY_COPLANARITY,
-       KEY_INEQUALITY, KEY_EPSILON, KEY_OFFSET, KEY_NORMALS };
+       KEY_INEQUALITY, KEY_EPSILON, KEY_COPLANAR, KEY_CLOCK, KEY_OFFSET, KEY_NORMALS };
 
 static const struct argp_option config_options[] = {
     {NULL, 0, NULL, 0, "Design:", 1},
-    {"arch", KEY_ARCH, "NAME", 0, "paper, exact, float32 or float64", 0},
+    {"arch", KEY_ARCH, "NAME", 0, "exact (default) or paper; without hardware: reference, float32, float64", 0},
     {"word", 'w', "BITS", 0, "word length W of a coordinate, 4 ... 32 (18)", 0},
-    {"ii", KEY_II, "CYCLES", 0, "initiation interval (3)", 0},
+    {"ii", KEY_II, "CYCLES", 0, "initiation interval, paper: 3; exact: 1 ... 18 (3)", 0},
+    {NULL, 0, NULL, 0, "Design, architecture exact only:", 2},
+    {"coplanar", KEY_COPLANAR, "HOW", 0,
+     "exact: decide coplanar pairs (default); flag: call them collisions and say so", 0},
+    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for, 0.5 ... 20 (2)", 0},
+    {NULL, 0, NULL, 0, "Design, architecture paper only:", 3},
     {"precision", KEY_PRECISION, "BITS", 0,
      "full: every bit of an intermediate (default); word: W bits; guard=G: W + G bits", 0},
     {"block-float", KEY_BLOCK_FLOAT, "on|off", OPTION_ARG_OPTIONAL,
@@ -40,7 +45,7 @@ static const char *option_name(const struct argp_option *options, int key) {
 }
 
 static error_t parse_config(int key, char *text, struct argp_state *state) {
-  if (key != 'w' && (key < KEY_ARCH || key > KEY_EPSILON)) {
+  if (key != 'w' && (key < KEY_ARCH || key > KEY_CLOCK)) {
     return ARGP_ERR_UNKNOWN;
   }
   sepax_error error;
@@ -57,7 +62,7 @@ const struct argp cli_config_argp = {config_options, parse_config, NULL, NULL, N
 /* ---------------------------------------------------------------------- grid */
 
 static const struct argp_option grid_options[] = {
-    {NULL, 0, NULL, 0, "Quantisation:", 2},
+    {NULL, 0, NULL, 0, "Quantisation:", 4},
     {"resolution", 'r', "LENGTH", 0,
      "file units per LSB (without it both meshes are fitted into the word)", 0},
     {"offset", KEY_OFFSET, "X,Y,Z", 0, "file coordinates of the integer origin (0,0,0); needs --resolution", 0},

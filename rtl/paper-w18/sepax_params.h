@@ -4,3 +4,5 @@
 #define SEPAX_WORD 18
 #define SEPAX_LATENCY 13
 #define SEPAX_II 3
+#define SEPAX_EXACT 0
+#define SEPAX_FLAG 0

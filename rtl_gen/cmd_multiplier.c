@@ -1,0 +1,117 @@
+/* cmd_multiplier.c - sepax multiplier: one of the generated multipliers by itself. */
+#include "arith.h"
+#include "cli/cli.h"
+#include "error.h"
+
+#include <stdlib.h>
+
+typedef struct {
+  uint64_t a, b, product;
+  double period;
+  const char *folder;
+} multiplier_options;
+
+enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500 };
+
+static const struct argp_option options[] = {
+    {"a", 'a', "BITS", 0, "bits of the first factor, 3 ... 80", 0},
+    {"b", 'b', "BITS", 0, "bits of the second factor, which is recoded; at most those of a", 0},
+    {"product", 'p', "BITS", 0, "bits of the product kept, the lowest (all of them)", 0},
+    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for (no registers)", 0},
+    {"output", 'o', "DIR", 0, "folder for the Verilog (made if missing)", 0},
+    {0}};
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  multiplier_options *o = state->input;
+  switch (key) {
+  case 'a':
+    o->a = cli_count(state, "a", text, MOST);
+    return 0;
+  case 'b':
+    o->b = cli_count(state, "b", text, MOST);
+    return 0;
+  case 'p':
+    o->product = cli_count(state, "product", text, UINT64_C(2) * MOST);
+    return 0;
+  case KEY_CLOCK:
+    o->period = cli_number(state, "clock-ns", text);
+    return 0;
+  case 'o':
+    o->folder = text;
+    return 0;
+  case ARGP_KEY_ARG:
+    argp_error(state, "unexpected argument '%s'", text);
+    return 0;
+  case ARGP_KEY_END:
+    if (o->folder == NULL) {
+      argp_error(state, "give the folder for the Verilog with -o DIR");
+    }
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static bool check(const multiplier_options *o, sepax_error *error) {
+  if (o->a < LEAST || o->b < LEAST || o->b > o->a) {
+    return sepax_fail(error, "factors of %d and %d bits; give 3 ... 80, -b at most -a", (int)o->a,
+                      (int)o->b);
+  }
+  if (o->product <= o->a || o->product > o->a + o->b || o->product > ARITH_WIDTH) {
+    return sepax_fail(error, "product: %d bits; give more than -a, at most the sum of both and %d",
+                      (int)o->product, ARITH_WIDTH);
+  }
+  if (o->period != 0 && !(o->period >= 0.5 && o->period <= 20)) {
+    return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20", o->period);
+  }
+  return true;
+}
+
+static bool generate(const multiplier_options *o, sepax_error *error) {
+  char command[200];
+  char name[EMIT_NAME];
+  int used = snprintf(command, sizeof command, "sepax multiplier --a=%d --b=%d --product=%d",
+                      (int)o->a, (int)o->b, (int)o->product);
+  if (o->period > 0) {
+    snprintf(command + used, sizeof command - (size_t)used, " --clock-ns=%g", o->period);
+  }
+  snprintf(name, sizeof name, "sepax_mul_%dx%d", (int)o->a, (int)o->b);
+  arith_plan *plan = malloc(sizeof *plan);
+  if (plan == NULL) {
+    abort();
+  }
+  arith_plan_make(plan, (int)o->a, (int)o->b, (int)o->product, 0, o->period > 0 ? o->period : 1e9);
+  emitter e;
+  emit_init(&e, NULL, command);
+  gen_fa(&e);
+  gen_booth(&e);
+  gen_multiplier(&e, name, plan);
+  bool ok = e.error.text[0] == '\0';
+  if (!ok) {
+    *error = e.error;
+  }
+  ok = ok && gen_write(&e, o->folder, error);
+  if (ok) {
+    printf("%s: %s, product modulo 2^%d, latency %d\n", o->folder, name, (int)o->product,
+           plan->ranks);
+  }
+  emit_free(&e);
+  free(plan);
+  return ok;
+}
+
+int cli_multiplier(int argc, char **argv) {
+  static const struct argp argp = {
+      options, parse, NULL,
+      "Generate the Verilog of one signed multiplier: radix-4 Booth rows, full adders by "
+      "columns, one addition; the same that architecture exact is made of.",
+      NULL, NULL, NULL};
+  multiplier_options o = {0};
+  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  sepax_error error = {""};
+  o.product = o.product == 0 ? o.a + o.b : o.product;
+  if (!check(&o, &error) || !generate(&o, &error)) {
+    return cli_fail("sepax multiplier", &error);
+  }
+  return 0;
+}

@@ -1,0 +1,84 @@
+/* exact.h - architecture exact: the datapath of docs/exact.md as operations, and the
+ * cycles and units they get. */
+#ifndef SEPAX_EXACT_H
+#define SEPAX_EXACT_H
+
+#include "arith.h"
+#include "schedule.h"
+
+/* Operations, by what they make of the two triangles; vertices and edges cyclic, edge i
+ * from vertex i to i + 1. Operations that a turn of both triangles takes into each other
+ * are an orbit and follow in threes, so that they meet in one unit when 3 divides II. */
+typedef enum {
+  EXACT_STRIP,      /* t: edges of A, of B (3 + 3), A_c B_{c+r} at 6 + 3r + c */
+  EXACT_ORDER_X,    /* signs of x_B - x_A, numbered as the strips */
+  EXACT_AREA,       /* g: edge c of A with B_{c+r} at 3r + c, A_c with edge c + r of B at 9 + 3r + c */
+  EXACT_AREA_SIGN,  /* their signs */
+  EXACT_WEIGHT,     /* sums of z for the areas' prisms */
+  EXACT_ORDER_Z,    /* signs of z_B - z_A, numbered as the first nine areas */
+  EXACT_OWN,        /* g of B itself, and of A itself */
+  EXACT_OWN_SIGN,
+  EXACT_OWN_WEIGHT, /* for B */
+  EXACT_PRISM,      /* h, numbered as the areas */
+  EXACT_OWN_PRISM,  /* h of B */
+  EXACT_ABOVE_A,    /* signs of the volumes over A of B_k */
+  EXACT_ABOVE_B,    /* signs of the volumes over B of A_i */
+  EXACT_BETWEEN,    /* signs of the volumes of edge c of A and edge c + r of B, at 3r + c */
+  EXACT_CLASSES
+} exact_class_id;
+
+typedef struct {
+  int operations;
+  int start;     /* cycle of slot 0 */
+  int latency;   /* to the output register */
+  int stream;    /* of unit 0 */
+} exact_class;
+
+enum { EXACT_BANKS = 40 };
+
+typedef struct {
+  const sepax_design *design;
+  schedule schedule;
+  exact_class class[EXACT_CLASSES];
+  arith_plan strip_mul, prism_mul, own_mul;
+  bool strip_rank;        /* registers between the strip's sums and its product */
+  int volume_ranks;       /* registers inside a volume: 0, 1 */
+  bool sign_rank;         /* an area's sign is registered behind the area */
+  bool turns;             /* the vertices go round: 3 divides II */
+  bool running;           /* volumes over A are summed as their prisms come (II = 3) */
+  int u_bank[EXACT_BANKS], z_bank[EXACT_BANKS]; /* first cycle of each */
+  int u_banks, z_banks;   /* u: x, or y where all x are equal; bank 0 is x and y */
+  int plane_cycle;        /* areas' signs are judged; last cycle of a frame */
+  int verdict_cycle;
+  int latency;            /* cycles from a pair taken to its verdict, both counted */
+  double shortest;        /* period in ns that the longest stage needs */
+} exact_plan;
+
+/* Schedule the design. Fails if the clock is too fast for a stage that has no place for
+ * a register. */
+bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error);
+
+/* Units of a class; the operation in a slot of a unit; where its value is; the slot it is
+ * in; the z bank that covers a cycle. */
+int exact_units(const exact_plan *p, exact_class_id id);
+int exact_slots(const exact_plan *p, exact_class_id id, int unit);
+int exact_operation(const exact_plan *p, exact_class_id id, int unit, int slot);
+schedule_value exact_value(const exact_plan *p, exact_class_id id, int operation);
+int exact_z_bank(const exact_plan *p, int cycle);
+
+/* Operation numbers from vertices and edges, indices modulo 3. */
+int exact_cross_strip(int a, int b);   /* EXACT_STRIP, EXACT_ORDER_X */
+int exact_edge_area(int i, int b);     /* edge i of A with B_b */
+int exact_vertex_area(int a, int j);   /* A_a with edge j of B */
+int exact_between(int i, int j);
+
+/* Operands of an operation as values: up to four; returns how many. */
+int exact_operands(const exact_plan *p, exact_class_id id, int operation,
+                   schedule_value operand[4]);
+
+/* Modules. */
+void gen_exact_units(emitter *e, const exact_plan *p);
+void gen_exact_core(emitter *e, const exact_plan *p);
+void gen_exact_top(emitter *e, const exact_plan *p);
+
+#endif

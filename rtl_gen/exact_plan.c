@@ -1,0 +1,423 @@
+/* exact_plan.c - the exact datapath as operations, and their places in time. */
+#include "exact.h"
+
+#include "error.h"
+
+#include <string.h>
+
+static int mod3(int i) { return (i % 3 + 3) % 3; }
+
+int exact_cross_strip(int a, int b) { return 6 + 3 * mod3(b - a) + mod3(a); }
+int exact_edge_area(int i, int b) { return 3 * mod3(b - i) + mod3(i); }
+int exact_vertex_area(int a, int j) { return 9 + 3 * mod3(j - a) + mod3(a); }
+int exact_between(int i, int j) { return 3 * mod3(j - i) + mod3(i); }
+
+int exact_units(const exact_plan *p, exact_class_id id) {
+  int ii = p->design->config.ii;
+  return (p->class[id].operations + ii - 1) / ii;
+}
+
+int exact_slots(const exact_plan *p, exact_class_id id, int unit) {
+  int ii = p->design->config.ii;
+  int left = p->class[id].operations - unit * ii;
+  return left < ii ? left : ii;
+}
+
+/* At II = 3 the areas of A_c and edge c + 2 of B begin with c = 1, so that all areas can
+ * start before the last strip is there. */
+static int turn_by(const exact_plan *p, exact_class_id id, int orbit) {
+  bool area = id == EXACT_AREA || id == EXACT_AREA_SIGN || id == EXACT_WEIGHT ||
+              id == EXACT_ORDER_Z || id == EXACT_PRISM;
+  return p->running && area && orbit == 5;
+}
+
+int exact_operation(const exact_plan *p, exact_class_id id, int unit, int slot) {
+  int place = unit * p->design->config.ii + slot;
+  int orbit = place / 3;
+  return 3 * orbit + mod3(place + turn_by(p, id, orbit));
+}
+
+schedule_value exact_value(const exact_plan *p, exact_class_id id, int operation) {
+  int ii = p->design->config.ii;
+  if (id == EXACT_ABOVE_A && p->running) {
+    return (schedule_value){p->class[id].stream + mod3(operation + 1), 2};
+  }
+  int orbit = operation / 3;
+  int place = 3 * orbit + mod3(operation - turn_by(p, id, orbit));
+  return (schedule_value){p->class[id].stream + place / ii, place % ii};
+}
+
+int exact_z_bank(const exact_plan *p, int cycle) {
+  int bank = 0;
+  while (bank + 1 < p->z_banks && p->z_bank[bank] + p->design->config.ii <= cycle) {
+    bank++;
+  }
+  return bank;
+}
+
+/* ------------------------------------------------------------------- operations */
+
+static int area_operands(const exact_plan *p, int operation, schedule_value v[4]) {
+  int r = operation % 9 / 3;
+  int c = operation % 3;
+  if (operation < 9) { /* t(A_c A_c+1) + t(A_c+1 B) - t(A_c B) */
+    v[0] = exact_value(p, EXACT_STRIP, c);
+    v[1] = exact_value(p, EXACT_STRIP, exact_cross_strip(c + 1, c + r));
+    v[2] = exact_value(p, EXACT_STRIP, exact_cross_strip(c, c + r));
+  } else { /* t(B_j B_j+1) + t(A B_j) - t(A B_j+1) */
+    v[0] = exact_value(p, EXACT_STRIP, 3 + mod3(c + r));
+    v[1] = exact_value(p, EXACT_STRIP, exact_cross_strip(c, c + r));
+    v[2] = exact_value(p, EXACT_STRIP, exact_cross_strip(c, c + r + 1));
+  }
+  return 3;
+}
+
+static int between_operands(const exact_plan *p, int operation, schedule_value v[4]) {
+  int i = operation % 3;
+  int j = i + operation / 3;
+  v[0] = exact_value(p, EXACT_PRISM, exact_vertex_area(i + 1, j));
+  v[1] = exact_value(p, EXACT_PRISM, exact_edge_area(i, j + 1));
+  v[2] = exact_value(p, EXACT_PRISM, exact_vertex_area(i, j));
+  v[3] = exact_value(p, EXACT_PRISM, exact_edge_area(i, j));
+  return 4;
+}
+
+int exact_operands(const exact_plan *p, exact_class_id id, int operation,
+                   schedule_value v[4]) {
+  switch (id) {
+  case EXACT_AREA:
+    return area_operands(p, operation, v);
+  case EXACT_OWN: /* operation 0: B, 1: A */
+    for (int c = 0; c < 3; c++) {
+      v[c] = exact_value(p, EXACT_STRIP, operation == 0 ? 3 + c : c);
+    }
+    return 3;
+  case EXACT_PRISM:
+    v[0] = exact_value(p, EXACT_AREA, operation);
+    v[1] = exact_value(p, EXACT_WEIGHT, operation);
+    return 2;
+  case EXACT_OWN_PRISM:
+    v[0] = exact_value(p, EXACT_OWN, 0);
+    v[1] = exact_value(p, EXACT_OWN_WEIGHT, 0);
+    return 2;
+  case EXACT_ABOVE_A:
+    for (int i = 0; i < 3; i++) {
+      v[i] = exact_value(p, EXACT_PRISM, exact_edge_area(i, operation));
+    }
+    return 3;
+  case EXACT_ABOVE_B:
+    for (int j = 0; j < 3; j++) {
+      v[j] = exact_value(p, EXACT_PRISM, exact_vertex_area(operation, j));
+    }
+    v[3] = exact_value(p, EXACT_OWN_PRISM, 0);
+    return 4;
+  case EXACT_BETWEEN:
+    return between_operands(p, operation, v);
+  default:
+    return 0;
+  }
+}
+
+/* ------------------------------------------------------------------------ names */
+
+static void vertex(char text[8], int v) {
+  snprintf(text, 8, "%c%d", "ab"[v / 3], v % 3 + 1);
+}
+
+static void label_of(exact_class_id id, int operation, char text[EMIT_NAME]) {
+  char part[4][8] = {"", "", "", ""};
+  int c = operation % 3;
+  int r = operation % 9 / 3;
+  switch (id) {
+  case EXACT_STRIP:
+  case EXACT_ORDER_X:
+    if (operation < 6) {
+      vertex(part[0], operation);
+      vertex(part[1], operation < 3 ? mod3(c + 1) : 3 + mod3(c + 1));
+    } else {
+      vertex(part[0], c);
+      vertex(part[1], 3 + mod3(c + operation / 3 - 2));
+    }
+    break;
+  case EXACT_AREA:
+  case EXACT_AREA_SIGN:
+  case EXACT_WEIGHT:
+  case EXACT_ORDER_Z:
+  case EXACT_PRISM:
+    vertex(part[0], c);
+    if (operation < 9) {
+      vertex(part[1], mod3(c + 1));
+      vertex(part[2], 3 + mod3(c + r));
+    } else {
+      vertex(part[1], 3 + mod3(c + r));
+      vertex(part[2], 3 + mod3(c + r + 1));
+    }
+    break;
+  case EXACT_OWN:
+  case EXACT_OWN_SIGN:
+  case EXACT_OWN_WEIGHT:
+  case EXACT_OWN_PRISM:
+    for (int i = 0; i < 3; i++) {
+      vertex(part[i], operation == 0 ? 3 + i : i);
+    }
+    break;
+  case EXACT_ABOVE_A:
+    vertex(part[0], 3 + c);
+    break;
+  case EXACT_ABOVE_B:
+    vertex(part[0], c);
+    break;
+  default:
+    vertex(part[0], c);
+    vertex(part[1], mod3(c + 1));
+    vertex(part[2], 3 + mod3(c + r));
+    vertex(part[3], 3 + mod3(c + r + 1));
+  }
+  snprintf(text, EMIT_NAME, "%s%s%s%s", part[0], part[1], part[2], part[3]);
+}
+
+/* --------------------------------------------------------------------- schedule */
+
+typedef struct {
+  const char *kind, *width;
+  int format; /* SEPAX_X_...; -1: two bits */
+  bool is_signed;
+} stream_row;
+
+static const stream_row rows[EXACT_CLASSES] = {
+    [EXACT_STRIP] = {"t", "G_W", SEPAX_X_AREA, true},
+    [EXACT_ORDER_X] = {"ox", "2", -1, false},
+    [EXACT_AREA] = {"g", "G_W", SEPAX_X_AREA, true},
+    [EXACT_AREA_SIGN] = {"gs", "2", -1, false},
+    [EXACT_WEIGHT] = {"z", "Z_W", SEPAX_X_WEIGHT, true},
+    [EXACT_ORDER_Z] = {"oz", "2", -1, false},
+    [EXACT_OWN] = {"go", "G_W", SEPAX_X_AREA, true},
+    [EXACT_OWN_SIGN] = {"gos", "2", -1, false},
+    [EXACT_OWN_WEIGHT] = {"zo", "O_W", SEPAX_X_OWN_WEIGHT, true},
+    [EXACT_PRISM] = {"h", "V_W", SEPAX_X_VOLUME, true},
+    [EXACT_OWN_PRISM] = {"ho", "V_W", SEPAX_X_VOLUME, true},
+    [EXACT_ABOVE_A] = {"s", "2", -1, false},
+    [EXACT_ABOVE_B] = {"w", "2", -1, false},
+    [EXACT_BETWEEN] = {"d", "2", -1, false},
+};
+
+/* Enter a class that starts in a cycle: its units' output streams. */
+static void enter(exact_plan *p, exact_class_id id, int operations, int start, int latency) {
+  schedule *s = &p->schedule;
+  exact_class *c = &p->class[id];
+  *c = (exact_class){operations, start, latency, s->streams};
+  for (int unit = 0; unit < exact_units(p, id); unit++) {
+    char name[EMIT_NAME];
+    int count = exact_slots(p, id, unit);
+    label_of(id, exact_operation(p, id, unit, 0), name);
+    if (count > 1) {
+      snprintf(name, sizeof name, "%d", unit);
+    }
+    int format = rows[id].format;
+    int stream = schedule_add(s, rows[id].kind, rows[id].width,
+                              format < 0 ? 2 : p->design->format[format].width,
+                              rows[id].is_signed, name);
+    s->stream[stream].first = start + latency;
+    for (int k = 0; k < count; k++) {
+      label_of(id, exact_operation(p, id, unit, k), s->stream[stream].label[k]);
+    }
+  }
+}
+
+/* The first cycle in which a class of so many operations can start. */
+static int earliest(const exact_plan *p, exact_class_id id, int operations) {
+  int start = 0;
+  for (int k = 0; k < operations; k++) {
+    schedule_value v[4];
+    int count = exact_operands(p, id, k, v);
+    for (int i = 0; i < count; i++) {
+      int after = schedule_born(&p->schedule, v[i]) - exact_value(p, id, k).slot;
+      start = after > start ? after : start;
+    }
+  }
+  return start;
+}
+
+static void need_operands(exact_plan *p, exact_class_id id) {
+  const exact_class *c = &p->class[id];
+  for (int k = 0; k < c->operations; k++) {
+    schedule_value v[4];
+    int count = exact_operands(p, id, k, v);
+    for (int i = 0; i < count; i++) {
+      schedule_need(&p->schedule, v[i], c->start + exact_value(p, id, k).slot);
+    }
+  }
+}
+
+static void need_all(exact_plan *p, exact_class_id id, int from, int to, int cycle) {
+  for (int k = from; k < to; k++) {
+    schedule_need(&p->schedule, exact_value(p, id, k), cycle);
+  }
+}
+
+/* Volumes over A at II = 3: unit r adds to the sum it takes over from unit r + 1. */
+static void enter_running(exact_plan *p) {
+  schedule *s = &p->schedule;
+  int start = p->class[EXACT_PRISM].start + p->class[EXACT_PRISM].latency;
+  p->class[EXACT_ABOVE_A] = (exact_class){3, start, 1, s->streams};
+  for (int r = 0; r < 3; r++) {
+    char name[EMIT_NAME];
+    snprintf(name, sizeof name, "%d", r);
+    int stream = schedule_add(s, "s", "2", 2, false, name);
+    s->stream[stream].first = start + 1;
+    for (int k = 0; k < 3; k++) {
+      label_of(EXACT_ABOVE_A, (r + k) % 3, s->stream[stream].label[k]);
+    }
+    schedule_need(s, exact_value(p, EXACT_PRISM, exact_edge_area(0, r + 1)), start + 1);
+    for (int k = 1; k < 3; k++) {
+      schedule_need(s, exact_value(p, EXACT_PRISM, exact_edge_area(k, r + k)), start + k);
+    }
+  }
+}
+
+/* Banks of coordinates, from cycle 0 on each II cycles long, one starting at `at`, until
+ * cycle `last` is covered. Returns their number. */
+static int plan_banks(int bank[EXACT_BANKS], int ii, int at, int last) {
+  int count = 1;
+  bank[0] = 0;
+  while (bank[count - 1] < at) {
+    int next = bank[count - 1] + ii;
+    bank[count++] = next < at ? next : at;
+  }
+  while (bank[count - 1] + ii - 1 < last) {
+    bank[count] = bank[count - 1] + ii;
+    count++;
+  }
+  return count;
+}
+
+static double longer(double a, double b) { return a > b ? a : b; }
+
+/* A strip with registers behind its sums or without, whichever has fewer ranks, or else
+ * fewer registers. */
+static void plan_strip(exact_plan *p, double sums, double period) {
+  int span = p->design->format[SEPAX_X_SPAN].width;
+  int area = p->design->format[SEPAX_X_AREA].width;
+  arith_plan_make(&p->strip_mul, span, span, area, 0, period);
+  int ranks = 1 + p->strip_mul.ranks;
+  int registers = 2 * span + p->strip_mul.registers;
+  arith_plan_make(&p->strip_mul, span, span, area, sums, period);
+  p->strip_rank = sums + delay_booth(span) > period - delay_register() ||
+                  ranks < p->strip_mul.ranks ||
+                  (ranks == p->strip_mul.ranks && registers < p->strip_mul.registers);
+  if (p->strip_rank) {
+    arith_plan_make(&p->strip_mul, span, span, area, 0, period);
+  }
+}
+
+/* Where registers stand inside the units, and the longest stage that is left. */
+static void plan_ranks(exact_plan *p) {
+  const sepax_format *f = p->design->format;
+  double period = p->design->config.clock_ps / 1000.0;
+  double room = period - delay_register();
+  int span = f[SEPAX_X_SPAN].width;
+  int area = f[SEPAX_X_AREA].width;
+  int volume = f[SEPAX_X_VOLUME].width;
+  double mux = delay_mux(p->design->config.ii == 1 ? 1 : 2);
+  double sums = delay_adder(span) + (p->turns ? 0 : mux);
+  plan_strip(p, sums, period);
+  arith_plan_make(&p->prism_mul, area, f[SEPAX_X_WEIGHT].width, volume, 0, period);
+  arith_plan_make(&p->own_mul, area, f[SEPAX_X_OWN_WEIGHT].width, volume, 0, period);
+  double add = mux + 2 * delay_compressor() + delay_adder(volume);
+  p->volume_ranks = add + delay_test(volume) > room;
+  p->sign_rank = delay_test(area) + 1.0 > room;
+  p->shortest = delay_register() +
+                longer(longer(delay_booth(area) + delay_compressor(), delay_adder(volume)),
+                       longer(sums, p->volume_ranks > 0 ? add : 0));
+}
+
+static int latest_born(const exact_plan *p, exact_class_id from, exact_class_id to) {
+  int latest = 0;
+  for (exact_class_id id = from; id <= to; id++) {
+    for (int k = 0; k < p->class[id].operations; k++) {
+      int born = schedule_born(&p->schedule, exact_value(p, id, k));
+      latest = born > latest ? born : latest;
+    }
+  }
+  return latest;
+}
+
+/* Cycles of all classes, from the first to the last. */
+static void enter_classes(exact_plan *p) {
+  bool flag = p->design->config.flag;
+  int own = flag ? 1 : 2;
+  enter(p, EXACT_STRIP, 15, 0, 1 + p->strip_rank + p->strip_mul.ranks);
+  enter(p, EXACT_ORDER_X, 15, 0, 1);
+  int start = earliest(p, EXACT_AREA, 18);
+  enter(p, EXACT_AREA, 18, start, 1);
+  enter(p, EXACT_WEIGHT, 18, start, 1);
+  enter(p, EXACT_ORDER_Z, 18, start, 1);
+  enter(p, EXACT_AREA_SIGN, 18, start, 1 + p->sign_rank);
+  enter(p, EXACT_PRISM, 18, start + 1, 1 + p->prism_mul.ranks);
+  int own_start = earliest(p, EXACT_OWN, own);
+  own_start = own_start > start ? own_start : start;
+  enter(p, EXACT_OWN, own, own_start, 1);
+  enter(p, EXACT_OWN_WEIGHT, 1, own_start, 1);
+  enter(p, EXACT_OWN_SIGN, own, own_start, 1 + p->sign_rank);
+  enter(p, EXACT_OWN_PRISM, 1, own_start + 1, 1 + p->own_mul.ranks);
+  if (p->running) {
+    enter_running(p);
+  } else {
+    enter(p, EXACT_ABOVE_A, 3, earliest(p, EXACT_ABOVE_A, 3), 1 + p->volume_ranks);
+    need_operands(p, EXACT_ABOVE_A);
+  }
+  enter(p, EXACT_ABOVE_B, 3, earliest(p, EXACT_ABOVE_B, 3), 1 + p->volume_ranks);
+  enter(p, EXACT_BETWEEN, 9, earliest(p, EXACT_BETWEEN, 9), 1 + p->volume_ranks);
+  static const exact_class_id readers[] = {EXACT_AREA,      EXACT_OWN,     EXACT_PRISM,
+                                           EXACT_OWN_PRISM, EXACT_ABOVE_B, EXACT_BETWEEN};
+  for (size_t i = 0; i < sizeof readers / sizeof readers[0]; i++) {
+    need_operands(p, readers[i]);
+  }
+}
+
+/* When the plane and the verdict are judged, and what is read then. */
+static void enter_judges(exact_plan *p) {
+  int ii = p->schedule.ii;
+  int frames = 0;
+  if (!p->design->config.flag) {
+    int own = latest_born(p, EXACT_OWN_SIGN, EXACT_OWN_SIGN);
+    int other = latest_born(p, EXACT_AREA_SIGN, EXACT_AREA_SIGN);
+    frames = ((own > other ? own : other) + ii) / ii;
+    p->plane_cycle = frames * ii - 1;
+    need_all(p, EXACT_ORDER_X, 6, 15, p->plane_cycle);
+    need_all(p, EXACT_ORDER_Z, 0, 9, p->plane_cycle);
+    need_all(p, EXACT_AREA_SIGN, 0, 18, p->plane_cycle);
+    need_all(p, EXACT_OWN_SIGN, 0, 2, p->plane_cycle);
+  }
+  int born = latest_born(p, EXACT_ABOVE_A, EXACT_BETWEEN);
+  p->verdict_cycle = born > frames * ii ? born : frames * ii;
+  need_all(p, EXACT_ABOVE_A, 0, 3, p->verdict_cycle);
+  need_all(p, EXACT_ABOVE_B, 0, 3, p->verdict_cycle);
+  need_all(p, EXACT_BETWEEN, 0, 9, p->verdict_cycle);
+  p->latency = p->verdict_cycle + 3;
+}
+
+static void plan_all_banks(exact_plan *p) {
+  int ii = p->schedule.ii;
+  int own = p->class[EXACT_OWN_WEIGHT].start;
+  int last = p->design->config.flag ? 0 : p->plane_cycle;
+  p->u_banks = plan_banks(p->u_bank, ii, 0, last);
+  p->z_banks = plan_banks(p->z_bank, ii, p->class[EXACT_WEIGHT].start, own > last ? own : last);
+}
+
+bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error) {
+  int ii = design->config.ii;
+  *p = (exact_plan){.design = design, .turns = ii % 3 == 0, .running = ii == 3};
+  p->schedule.ii = ii;
+  plan_ranks(p);
+  if (p->shortest * 1000 > design->config.clock_ps) {
+    return sepax_fail(error, "clock-ns: %g is too short for W = %d; give %.2f or more",
+                      design->config.clock_ps / 1000.0, design->config.word,
+                      p->shortest + 0.005);
+  }
+  enter_classes(p);
+  enter_judges(p);
+  schedule_store(&p->schedule);
+  plan_all_banks(p);
+  return true;
+}

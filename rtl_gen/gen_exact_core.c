@@ -1,0 +1,640 @@
+/* gen_exact_core.c - sepax_core: the units of the exact datapath, their operands in each
+ * cycle, and the registers between them. */
+#include "exact.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+  emit_module *m;
+  const exact_plan *p;
+  int ii;
+} core;
+
+typedef char source[EMIT_NAME]; /* the register in which an operand stands */
+
+/* ------------------------------------------------------------------------- banks */
+
+static const char *vertex_name(int v) {
+  static const char *const name[] = {"a1", "a2", "a3", "b1", "b2", "b3"};
+  return name[v];
+}
+
+static void bank_name(char axis, int v, int bank, source text) {
+  int used = snprintf(text, EMIT_NAME, "%c_%s", axis, vertex_name(v));
+  if (bank > 0) {
+    snprintf(text + used, EMIT_NAME - (size_t)used, "_q%d", bank);
+  }
+}
+
+static int banks_of(const core *c, char axis) {
+  return axis == 'z' ? c->p->z_banks : axis == 'u' ? c->p->u_banks : 1;
+}
+
+static int bank_start(const core *c, char axis, int bank) {
+  return axis == 'z' ? c->p->z_bank[bank] : c->p->u_bank[bank];
+}
+
+/* Where vertex v stands in a bank in this cycle; the banks turn where 3 divides II. */
+static void coordinate(const core *c, char axis, int v, int bank, int cycle, source text) {
+  int turned = c->p->turns ? (cycle - bank_start(c, axis, bank)) % 3 : 0;
+  bank_name(axis, v / 3 * 3 + (v % 3 - turned + 3) % 3, bank, text);
+}
+
+static const char axes[] = "xyzu";
+
+static void declare_banks(core *c) {
+  char name[EMIT_NAME];
+  emit_text(c->m, "\n// Coordinates%s.%s",
+            c->p->turns ? "; the vertices of each triangle go round, one place a cycle" : "",
+            c->p->u_banks > 1 ? " u is x, or y where all six x are\n// equal: with z it does for a "
+                                "second look at pairs that are flat in x and y." : "");
+  for (const char *axis = axes; *axis != '\0'; axis++) {
+    for (int bank = *axis == 'u'; bank < banks_of(c, *axis); bank++) {
+      for (int v = 0; v < 6; v++) {
+        bank_name(*axis, v, bank, name);
+        emit_net(c->m, EMIT_REG, true, name, "W");
+      }
+    }
+  }
+  if (c->p->u_banks > 1) {
+    emit_net(c->m, EMIT_WIRE, false, "x_equal", "");
+    emit_text(c->m, "assign x_equal = (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&\n"
+                    "                 (x_b2 == x_a1) && (x_b3 == x_a1);");
+  }
+}
+
+static void turn(core *c, char axis, int bank, const char *indent) {
+  for (int v = 0; v < 6; v++) {
+    source to;
+    source from;
+    bank_name(axis, v, bank, to);
+    bank_name(axis, v / 3 * 3 + (v + 1) % 3, bank, from);
+    emit_text(c->m, "%s%s <= %s;", indent, to, from);
+  }
+}
+
+/* A bank takes the pair over from the one before, or from the input, or, for a second
+ * pass, from the last banks: u for x and z for y. */
+static void load(core *c, char axis, int bank, const char *indent) {
+  for (int v = 0; v < 6; v++) {
+    source to;
+    source from;
+    bank_name(axis, v, bank, to);
+    int before = bank_start(c, axis, bank) - 1;
+    if (axis == 'u' && bank == 1) {
+      source other;
+      coordinate(c, 'x', v, 0, before, from);
+      coordinate(c, 'y', v, 0, before, other);
+      emit_text(c->m, "%s%s <= x_equal ? %s : %s;", indent, to, other, from);
+    } else if (bank > 0) {
+      coordinate(c, axis, v, bank - 1, before, from);
+      emit_text(c->m, "%s%s <= %s;", indent, to, from);
+    } else if (c->p->design->config.flag || axis == 'z') {
+      emit_text(c->m, "%s%s <= in_%s_%c;", indent, to, vertex_name(v), axis);
+    } else {
+      char again = axis == 'x' ? 'u' : 'z';
+      coordinate(c, again, v, banks_of(c, again) - 1, c->p->plane_cycle, from);
+      emit_text(c->m, "%s%s <= again ? %s : in_%s_%c;", indent, to, from, vertex_name(v), axis);
+    }
+  }
+}
+
+static void clock_banks(core *c) {
+  emit_text(c->m, "\nalways @(posedge clk) begin");
+  for (const char *axis = axes; *axis != '\0'; axis++) {
+    for (int bank = *axis == 'u'; bank < banks_of(c, *axis); bank++) {
+      if (c->ii == 1) {
+        load(c, *axis, bank, "  ");
+        continue;
+      }
+      int phase = (bank_start(c, *axis, bank) + c->ii - 1) % c->ii;
+      emit_text(c->m, "  if (at[%d]) begin", phase);
+      load(c, *axis, bank, "    ");
+      if (c->p->turns) {
+        emit_text(c->m, "  end else begin");
+        turn(c, *axis, bank, "    ");
+      }
+      emit_text(c->m, "  end");
+    }
+  }
+  emit_text(c->m, "end");
+}
+
+/* ---------------------------------------------------------------------- operands */
+
+/* The operand of a unit that starts in cycle `start`: a register, or a wire that
+ * chooses one in each cycle. text[k] is where it stands for slot k. */
+static void choose(core *c, const char *name, const char *width, bool is_signed, int start,
+                   int slots, source text[], source out) {
+  int votes[SEPAX_II_MAX] = {0};
+  int best = 0;
+  for (int k = 0; k < slots; k++) {
+    for (int j = 0; j < slots; j++) {
+      votes[k] += strcmp(text[k], text[j]) == 0;
+    }
+    best = votes[k] > votes[best] ? k : best;
+  }
+  if (votes[best] == slots) {
+    snprintf(out, EMIT_NAME, "%s", text[best]);
+    return;
+  }
+  char *line = NULL;
+  size_t size = 0;
+  FILE *stream = open_memstream(&line, &size);
+  if (stream == NULL) {
+    abort();
+  }
+  for (int k = 0; k < slots; k++) {
+    bool first = strcmp(text[k], text[best]) != 0;
+    for (int j = 0; j < k && first; j++) {
+      first = strcmp(text[k], text[j]) != 0;
+    }
+    if (!first) {
+      continue;
+    }
+    const char *separator = "";
+    fputc('(', stream);
+    for (int j = k; j < slots; j++) {
+      if (strcmp(text[k], text[j]) == 0) {
+        fprintf(stream, "%sat[%d]", separator, (start + j) % c->ii);
+        separator = " || ";
+      }
+    }
+    fprintf(stream, ") ? %s :\n         ", text[k]);
+  }
+  fprintf(stream, "%s", text[best]);
+  fclose(stream);
+  snprintf(out, EMIT_NAME, "%s", name);
+  emit_net(c->m, EMIT_WIRE, is_signed, name, width);
+  emit_text(c->m, "assign %s = %s;", name, line);
+  free(line);
+}
+
+typedef struct {
+  exact_class_id id;
+  const exact_class *class;
+  int slots, operation[SEPAX_II_MAX]; /* what it does in each slot */
+  const schedule_stream *out;
+  char suffix[EMIT_NAME]; /* of the names of its wires and instances */
+} unit;
+
+static unit unit_of(const core *c, exact_class_id id, int number) {
+  const exact_class *class = &c->p->class[id];
+  unit u = {.id = id, .class = class, .slots = exact_slots(c->p, id, number)};
+  for (int k = 0; k < u.slots; k++) {
+    u.operation[k] = exact_operation(c->p, id, number, k);
+  }
+  u.out = &c->p->schedule.stream[class->stream + number];
+  snprintf(u.suffix, sizeof u.suffix, "%s", strchr(u.out->name, '_') + 1);
+  return u;
+}
+
+static void describe(core *c, const unit *u) {
+  if (c->ii == 1 || u->slots == 1) {
+    return;
+  }
+  char line[EMIT_NAME * SEPAX_II_MAX];
+  int used = 0;
+  for (int k = 0; k < u->slots; k++) {
+    used += snprintf(line + used, sizeof line - (size_t)used, "%s %s_%s", k > 0 ? "," : "",
+                     u->out->kind, u->out->label[k]);
+  }
+  emit_text(c->m, "\n// %s:%s.", u->out->name, line);
+}
+
+/* Operand `index` of a unit as its slots read it from other units. */
+static void operand(core *c, const unit *u, int index, const char *width, source out) {
+  source text[SEPAX_II_MAX];
+  char name[EMIT_NAME];
+  for (int k = 0; k < u->slots; k++) {
+    schedule_value v[4];
+    exact_operands(c->p, u->id, u->operation[k], v);
+    schedule_source(&c->p->schedule, v[index], u->class->start + k, text[k]);
+  }
+  snprintf(name, sizeof name, "%.40s_%c", u->out->name, "pqrs"[index]);
+  choose(c, name, width, true, u->class->start, u->slots, text, out);
+}
+
+/* Operand of coordinates: vertex[k] in slot k. */
+static void point(core *c, const unit *u, const char *name, char axis, int bank,
+                  const int vertex[], source out) {
+  source text[SEPAX_II_MAX];
+  char wire[EMIT_NAME];
+  for (int k = 0; k < u->slots; k++) {
+    coordinate(c, axis, vertex[k], bank, u->class->start + k, text[k]);
+  }
+  snprintf(wire, sizeof wire, "%.30s_%s", u->out->name, name);
+  choose(c, wire, "W", true, u->class->start, u->slots, text, out);
+}
+
+/* ------------------------------------------------------------------------- stages */
+
+static void declare_outputs(core *c) {
+  static const exact_class_id wires[] = {EXACT_STRIP, EXACT_ORDER_X, EXACT_AREA, EXACT_WEIGHT,
+                                         EXACT_OWN,   EXACT_OWN_WEIGHT, EXACT_PRISM,
+                                         EXACT_OWN_PRISM, EXACT_ABOVE_A, EXACT_ABOVE_B,
+                                         EXACT_BETWEEN, EXACT_ORDER_Z, EXACT_AREA_SIGN,
+                                         EXACT_OWN_SIGN};
+  bool flag = c->p->design->config.flag;
+  emit_text(c->m, "\n// What the units give; _q1, _q2 ... is the same, so many cycles later, _held stays\n"
+                  "// until it has been read.");
+  for (size_t i = 0; i < sizeof wires / sizeof wires[0]; i++) {
+    exact_class_id id = wires[i];
+    bool sign = id == EXACT_ORDER_X || id == EXACT_ORDER_Z || id == EXACT_AREA_SIGN ||
+                id == EXACT_OWN_SIGN;
+    bool registered = c->p->sign_rank && (id == EXACT_AREA_SIGN || id == EXACT_OWN_SIGN);
+    int units = id == EXACT_ABOVE_A && c->p->running ? 3 : exact_units(c->p, id);
+    for (int k = 0; k < units && !(sign && flag); k++) {
+      const schedule_stream *t = &c->p->schedule.stream[c->p->class[id].stream + k];
+      bool crosses = id != EXACT_ORDER_X || (k + 1) * c->ii > 6;
+      bool over_edges = id != EXACT_ORDER_Z || k * c->ii < 9;
+      if (crosses && over_edges) {
+        emit_net(c->m, registered ? EMIT_REG : EMIT_WIRE, t->is_signed, t->name, t->width);
+      }
+    }
+  }
+}
+
+static void strip_vertices(int operation, int *from, int *to) {
+  int k = operation % 3;
+  if (operation < 6) {
+    *from = operation;
+    *to = operation / 3 * 3 + (k + 1) % 3;
+  } else {
+    *from = k;
+    *to = 3 + (k + operation / 3 - 2) % 3;
+  }
+}
+
+static void strips(core *c) {
+  emit_text(c->m, "\n// t: the area between an edge and the x axis; ox: the order of its ends in x.");
+  for (int n = 0; n < exact_units(c->p, EXACT_STRIP); n++) {
+    unit u = unit_of(c, EXACT_STRIP, n);
+    int from[SEPAX_II_MAX];
+    int to[SEPAX_II_MAX];
+    source text[4];
+    for (int k = 0; k < u.slots; k++) {
+      strip_vertices(u.operation[k], &from[k], &to[k]);
+    }
+    describe(c, &u);
+    point(c, &u, "x_from", 'x', 0, from, text[0]);
+    point(c, &u, "x_to", 'x', 0, to, text[1]);
+    point(c, &u, "y_from", 'y', 0, from, text[2]);
+    point(c, &u, "y_to", 'y', 0, to, text[3]);
+    bool order = !c->p->design->config.flag && (n + 1) * c->ii > 6;
+    char name[EMIT_NAME];
+    char more[EMIT_NAME] = "";
+    snprintf(name, sizeof name, "strip_%.30s", u.suffix);
+    if (order) {
+      snprintf(more, sizeof more, ", order=ox_%.30s", strchr(c->p->schedule.stream[c->p->class[EXACT_ORDER_X].stream + n].name, '_') + 1);
+    }
+    emit_instance(c->m, order ? "sepax_strip_ab" : "sepax_strip", name, "W=W, S_W=S_W, G_W=G_W",
+                  "clk=clk, x_from=%s, x_to=%s, y_from=%s, y_to=%s, t=%s%s", text[0], text[1], text[2],
+                  text[3], u.out->name, more);
+  }
+}
+
+static void areas(core *c) {
+  emit_text(c->m, "\n// g: the area of a triangle of both, from the strips under its edges.");
+  for (int n = 0; n < exact_units(c->p, EXACT_AREA); n++) {
+    unit u = unit_of(c, EXACT_AREA, n);
+    source text[3];
+    char name[EMIT_NAME];
+    describe(c, &u);
+    for (int i = 0; i < 3; i++) {
+      operand(c, &u, i, "G_W", text[i]);
+    }
+    snprintf(name, sizeof name, "area_%.30s", u.suffix);
+    emit_instance(c->m, "sepax_area", name, "G_W=G_W", "clk=clk, p=%s, q=%s, r=%s, g=%s", text[0],
+                  text[1], text[2], u.out->name);
+  }
+  for (int n = 0; n < exact_units(c->p, EXACT_OWN); n++) {
+    unit u = unit_of(c, EXACT_OWN, n);
+    source text[3];
+    char name[EMIT_NAME];
+    describe(c, &u);
+    for (int i = 0; i < 3; i++) {
+      operand(c, &u, i, "G_W", text[i]);
+    }
+    snprintf(name, sizeof name, "own_area_%.30s", u.suffix);
+    emit_instance(c->m, "sepax_own_area", name, "G_W=G_W", "clk=clk, p=%s, q=%s, r=%s, g=%s",
+                  text[0], text[1], text[2], u.out->name);
+  }
+}
+
+static void weights(core *c) {
+  int bank = exact_z_bank(c->p, c->p->class[EXACT_WEIGHT].start + c->ii - 1);
+  emit_text(c->m, "\n// z: the weights of the prisms.");
+  for (int n = 0; n < exact_units(c->p, EXACT_WEIGHT); n++) {
+    unit u = unit_of(c, EXACT_WEIGHT, n);
+    int v[4][SEPAX_II_MAX];
+    source text[4];
+    char name[EMIT_NAME];
+    for (int k = 0; k < u.slots; k++) {
+      int operation = u.operation[k];
+      int i = operation % 3;
+      int r = operation % 9 / 3;
+      bool edge_of_a = operation < 9;
+      v[0][k] = 3 + (i + r) % 3;
+      v[2][k] = (i + 2) % 3;
+      v[1][k] = edge_of_a ? v[0][k] : 3 + (i + r + 1) % 3;
+      v[3][k] = edge_of_a ? v[0][k] : (i + 1) % 3;
+    }
+    describe(c, &u);
+    snprintf(name, sizeof name, "weight_%.30s", u.suffix);
+    point(c, &u, "p", 'z', bank, v[0], text[0]);
+    point(c, &u, "r", 'z', bank, v[2], text[2]);
+    if ((n + 1) * c->ii <= 9) {
+      emit_instance(c->m, "sepax_rise", name, "W=W, S_W=S_W, Z_W=Z_W",
+                    "clk=clk, z_p=%s, z_r=%s, z=%s", text[0], text[2], u.out->name);
+      continue;
+    }
+    point(c, &u, "q", 'z', bank, v[1], text[1]);
+    point(c, &u, "s", 'z', bank, v[3], text[3]);
+    emit_instance(c->m, "sepax_weight", name, "W=W, Z_W=Z_W",
+                  "clk=clk, z_p=%s, z_q=%s, z_r=%s, z_s=%s, z=%s", text[0], text[1], text[2],
+                  text[3], u.out->name);
+  }
+  unit u = unit_of(c, EXACT_OWN_WEIGHT, 0);
+  source z[6];
+  for (int v = 0; v < 6; v++) {
+    coordinate(c, 'z', v, exact_z_bank(c->p, u.class->start), u.class->start, z[v]);
+  }
+  emit_blank(c->m);
+  emit_instance(c->m, "sepax_own_weight", "own_weight", "W=W, O_W=O_W",
+                "clk=clk, z_a1=%s, z_a2=%s, z_a3=%s, z_b1=%s, z_b2=%s, z_b3=%s, z=%s", z[0], z[1],
+                z[2], z[3], z[4], z[5], u.out->name);
+}
+
+static void sign_of(core *c, const char *sign, const char *value, const char *width,
+                    const char *clocked) {
+  emit_text(c->m, "%s%s %s {!%s[%s-1] && (%s != {%s{1'b0}}), %s[%s-1]};",
+            clocked[0] != '\0' ? "  " : "assign ", sign, clocked[0] != '\0' ? "<=" : "=", value, width,
+            value, width, value, width);
+}
+
+static void area_signs(core *c) {
+  const schedule *s = &c->p->schedule;
+  const exact_class *class = c->p->class;
+  const char *clocked = c->p->sign_rank ? "clocked" : "";
+  emit_text(c->m, "\n// gs, oz: signs {> 0, < 0} of areas and of differences in z.");
+  if (c->p->sign_rank) {
+    emit_text(c->m, "always @(posedge clk) begin");
+  }
+  for (int n = 0; n < exact_units(c->p, EXACT_AREA); n++) {
+    sign_of(c, s->stream[class[EXACT_AREA_SIGN].stream + n].name,
+            s->stream[class[EXACT_AREA].stream + n].name, "G_W", clocked);
+  }
+  for (int n = 0; n < exact_units(c->p, EXACT_OWN); n++) {
+    sign_of(c, s->stream[class[EXACT_OWN_SIGN].stream + n].name,
+            s->stream[class[EXACT_OWN].stream + n].name, "G_W", clocked);
+  }
+  if (c->p->sign_rank) {
+    emit_text(c->m, "end");
+  }
+  for (int n = 0; n * c->ii < 9; n++) {
+    sign_of(c, s->stream[class[EXACT_ORDER_Z].stream + n].name,
+            s->stream[class[EXACT_WEIGHT].stream + n].name, "Z_W", "");
+  }
+}
+
+static void prisms(core *c) {
+  emit_text(c->m, "\n// h: the prisms under the triangles.");
+  for (int n = 0; n < exact_units(c->p, EXACT_PRISM); n++) {
+    unit u = unit_of(c, EXACT_PRISM, n);
+    source g;
+    source z;
+    char name[EMIT_NAME];
+    describe(c, &u);
+    operand(c, &u, 0, "G_W", g);
+    operand(c, &u, 1, "Z_W", z);
+    snprintf(name, sizeof name, "prism_%.30s", u.suffix);
+    emit_instance(c->m, "sepax_prism", name, "G_W=G_W, Z_W=Z_W, V_W=V_W",
+                  "clk=clk, g=%s, z=%s, h=%s", g, z, u.out->name);
+  }
+  unit u = unit_of(c, EXACT_OWN_PRISM, 0);
+  source g;
+  source z;
+  operand(c, &u, 0, "G_W", g);
+  operand(c, &u, 1, "O_W", z);
+  emit_instance(c->m, "sepax_own_prism", "own_prism", "G_W=G_W, O_W=O_W, V_W=V_W",
+                "clk=clk, g=%s, z=%s, h=%s", g, z, u.out->name);
+}
+
+static void volumes_of(core *c, exact_class_id id, const char *module, int operands) {
+  static const char *const port = "pqrs";
+  for (int n = 0; n < exact_units(c->p, id); n++) {
+    unit u = unit_of(c, id, n);
+    char name[EMIT_NAME];
+    char connections[512] = "clk=clk";
+    describe(c, &u);
+    for (int i = 0; i < operands; i++) {
+      source text;
+      operand(c, &u, i, "V_W", text);
+      size_t used = strlen(connections);
+      snprintf(connections + used, sizeof connections - used, ", %c=%s", port[i], text);
+    }
+    snprintf(name, sizeof name, "%s_%.30s", module + strlen("sepax_"), u.suffix);
+    emit_instance(c->m, module, name, "V_W=V_W", "%s, sign=%s", connections, u.out->name);
+  }
+}
+
+/* Volumes over A at II = 3: in cycle k of the prisms unit r takes the sum of unit r + 1
+ * over and adds the prism over edge k; after cycle 2 the sums are whole. */
+static void running_volumes(core *c) {
+  const schedule *s = &c->p->schedule;
+  const exact_class *class = &c->p->class[EXACT_ABOVE_A];
+  for (int r = 0; r < 3; r++) {
+    char name[EMIT_NAME];
+    snprintf(name, sizeof name, "sum_%d", r);
+    emit_net(c->m, EMIT_WIRE, true, name, "V_W");
+  }
+  for (int r = 0; r < 3; r++) {
+    char name[EMIT_NAME];
+    source sum[2];
+    source prism[2];
+    source p;
+    source q;
+    schedule_source(s, exact_value(c->p, EXACT_PRISM, exact_edge_area(0, r + 1)),
+                    class->start + 1, sum[0]);
+    snprintf(sum[1], EMIT_NAME, "sum_%d", (r + 1) % 3);
+    for (int k = 1; k < 3; k++) {
+      schedule_source(s, exact_value(c->p, EXACT_PRISM, exact_edge_area(k, r + k)),
+                      class->start + k, prism[k - 1]);
+    }
+    snprintf(name, sizeof name, "sum_%d_p", r);
+    choose(c, name, "V_W", true, class->start + 1, 2, sum, p);
+    snprintf(name, sizeof name, "sum_%d_q", r);
+    choose(c, name, "V_W", true, class->start + 1, 2, prism, q);
+    snprintf(name, sizeof name, "above_a_%d", r);
+    emit_instance(c->m, "sepax_above_a", name, "V_W=V_W", "clk=clk, p=%s, q=%s, sum=sum_%d", p, q, r);
+    snprintf(name, sizeof name, "sum_%d", r);
+    sign_of(c, s->stream[class->stream + r].name, name, "V_W", "");
+  }
+}
+
+static void volumes(core *c) {
+  emit_text(c->m, "\n// s, w, d: signs of the tetrahedra over A, over B, and between the edges.");
+  if (c->p->running) {
+    running_volumes(c);
+  } else {
+    volumes_of(c, EXACT_ABOVE_A, "sepax_above_a", 3);
+  }
+  volumes_of(c, EXACT_ABOVE_B, "sepax_above_b", 4);
+  volumes_of(c, EXACT_BETWEEN, "sepax_between", 4);
+}
+
+static void bind(core *c, FILE *out, const char *port, exact_class_id id, int operation,
+                 int cycle) {
+  source text;
+  schedule_source(&c->p->schedule, exact_value(c->p, id, operation), cycle, text);
+  fprintf(out, ", %s=%s", port, text);
+}
+
+static void decide(core *c) {
+  char text[4096];
+  char port[EMIT_NAME];
+  FILE *out = fmemopen(text, sizeof text, "w");
+  if (out == NULL) {
+    abort();
+  }
+  int cycle = c->p->verdict_cycle;
+  for (int i = 0; i < 3; i++) {
+    snprintf(port, sizeof port, "s_%d", i + 1);
+    bind(c, out, port, EXACT_ABOVE_A, i, cycle);
+    snprintf(port, sizeof port, "w_%d", i + 1);
+    bind(c, out, port, EXACT_ABOVE_B, i, cycle);
+    for (int j = 0; j < 3; j++) {
+      snprintf(port, sizeof port, "d_%d%d", i + 1, j + 1);
+      bind(c, out, port, EXACT_BETWEEN, exact_between(i, j), cycle);
+    }
+  }
+  fclose(out);
+  emit_text(c->m, "\n// The verdict, in cycle %d of a pair.", cycle);
+  emit_instance(c->m, "sepax_decide", "decide", "", "second=%s, in_plane=in_plane, coplanar=coplanar, axis=axis%s",
+                c->p->design->config.flag ? "1'b0" : "second", text);
+}
+
+static void plane(core *c) {
+  char text[4096];
+  char port[EMIT_NAME];
+  FILE *out = fmemopen(text, sizeof text, "w");
+  if (out == NULL) {
+    abort();
+  }
+  int cycle = c->p->plane_cycle;
+  bind(c, out, "g_b", EXACT_OWN_SIGN, 0, cycle);
+  bind(c, out, "g_a", EXACT_OWN_SIGN, 1, cycle);
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) {
+      snprintf(port, sizeof port, "g_a%d_b%d", i + 1, j + 1);
+      bind(c, out, port, EXACT_AREA_SIGN, exact_edge_area(i, j), cycle);
+      snprintf(port, sizeof port, "g_b%d_a%d", j + 1, i + 1);
+      bind(c, out, port, EXACT_AREA_SIGN, exact_vertex_area(i, j), cycle);
+      snprintf(port, sizeof port, "x_%d%d", i + 1, j + 1);
+      bind(c, out, port, EXACT_ORDER_X, exact_cross_strip(i, j), cycle);
+      snprintf(port, sizeof port, "z_%d%d", i + 1, j + 1);
+      bind(c, out, port, EXACT_ORDER_Z, exact_edge_area((i + 1) % 3, j), cycle);
+    }
+  }
+  fclose(out);
+  emit_text(c->m, "\n// The pair as if coplanar, in cycle %d.", cycle);
+  emit_instance(c->m, "sepax_plane", "plane", "", "flat=flat, apart=apart, apart_x=apart_x, apart_z=apart_z%s", text);
+}
+
+/* ----------------------------------------------------------------------- the module */
+
+static void ports(core *c) {
+  emit_module *m = c->m;
+  char bits[16];
+  snprintf(bits, sizeof bits, "%d", c->p->design->config.word);
+  emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
+  if (c->ii > 1) {
+    char turns[16];
+    snprintf(turns, sizeof turns, "%d", c->ii);
+    emit_signal(m, EMIT_INPUT, false, "at", turns, "bit k: cycle k of the frame, one-hot");
+  }
+  for (int v = 0; v < 6; v++) {
+    for (int axis = 'x'; axis <= 'z'; axis++) {
+      char name[EMIT_NAME];
+      snprintf(name, sizeof name, "in_%s_%c", vertex_name(v), axis);
+      emit_signal(m, EMIT_INPUT, true, name, bits, "taken at the end of a frame");
+    }
+  }
+  if (!c->p->design->config.flag) {
+    emit_signal(m, EMIT_INPUT, false, "again", "",
+                "take the pair in the last banks once more, u for x and z for y");
+    emit_signal(m, EMIT_OUTPUT, false, "flat", "", "last cycle of frame %d: all areas are zero",
+                (c->p->plane_cycle + 1) / c->ii);
+    emit_signal(m, EMIT_OUTPUT, false, "apart", "", "with it: separated in the projection");
+    emit_signal(m, EMIT_OUTPUT, false, "apart_x", "", "with it: boxes disjoint in x");
+    emit_signal(m, EMIT_OUTPUT, false, "apart_z", "", "with it: boxes disjoint in z");
+    emit_signal(m, EMIT_INPUT, false, "second", "", "in cycle %d: the pair's second pass",
+                c->p->verdict_cycle);
+  }
+  emit_signal(m, EMIT_INPUT, false, "in_plane", "", "in cycle %d: separated if coplanar",
+              c->p->verdict_cycle);
+  emit_signal(m, EMIT_OUTPUT, false, "coplanar", "", "in cycle %d: all volumes are zero",
+              c->p->verdict_cycle);
+  emit_signal(m, EMIT_OUTPUT, false, "axis", "4", "in cycle %d: the axis that separates, or 0",
+              c->p->verdict_cycle);
+}
+
+static void widths(core *c) {
+  static const struct {
+    const char *name;
+    int format;
+    const char *about;
+  } row[] = {{"W", SEPAX_X_COORDINATE, "bits of a coordinate"},
+             {"S_W", SEPAX_X_SPAN, "of a sum or difference of two"},
+             {"G_W", SEPAX_X_AREA, "of twice an area"},
+             {"Z_W", SEPAX_X_WEIGHT, "of a weight"},
+             {"O_W", SEPAX_X_OWN_WEIGHT, "of B's weight"},
+             {"V_W", SEPAX_X_VOLUME, "of six times a volume"}};
+  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+    emit_parameter(c->m, EMIT_LOCALPARAM, row[i].name, c->p->design->format[row[i].format].width,
+                   row[i].about);
+  }
+}
+
+void gen_exact_core(emitter *e, const exact_plan *p) {
+  char banner[1024];
+  snprintf(banner, sizeof banner,
+           "The exact datapath: signs of the 15 tetrahedra of the six vertices from 34\n"
+           "products, a pair every %d cycle%s. Names say which vertices: t_a1b2 is the strip\n"
+           "under the edge from A_1 to B_2, g_a1b2b3 the area of that triangle, h the prism\n"
+           "over it.\n"
+           "  cycle %2d  strips t (15 products in %d multipliers)\n"
+           "  cycle %2d  areas g and weights z\n"
+           "  cycle %2d  prisms h (19 products in %d multipliers)\n"
+           "  cycle %2d  volumes\n"
+           "  cycle %2d  the verdict\n"
+           "Cycle 0 is the first in which a pair stands in the first banks.",
+           p->design->config.ii, p->design->config.ii == 1 ? "" : "s", p->class[EXACT_STRIP].start,
+           exact_units(p, EXACT_STRIP), p->class[EXACT_AREA].start, p->class[EXACT_PRISM].start,
+           exact_units(p, EXACT_PRISM) + 1, p->class[EXACT_ABOVE_B].start, p->verdict_cycle);
+  core c = {emit_begin(e, "sepax_core", banner), p, p->design->config.ii};
+  ports(&c);
+  widths(&c);
+  declare_banks(&c);
+  declare_outputs(&c);
+  schedule_declare(&p->schedule, c.m);
+  clock_banks(&c);
+  emit_text(c.m, "\nalways @(posedge clk) begin");
+  schedule_clock(&p->schedule, c.m);
+  emit_text(c.m, "end");
+  strips(&c);
+  areas(&c);
+  weights(&c);
+  if (!p->design->config.flag) {
+    area_signs(&c);
+  }
+  prisms(&c);
+  volumes(&c);
+  if (!p->design->config.flag) {
+    plane(&c);
+  }
+  decide(&c);
+  emit_end(c.m);
+}
