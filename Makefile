@@ -36,6 +36,7 @@ VVP        ?= vvp
 CPPCHECK   ?= cppcheck
 CLANG_TIDY ?= clang-tidy
 PERIOD     ?=
+MULTIPLIERS ?=
 LIBERTY    ?= /usr/share/qflow/tech/osu018/osu018_stdcells.lib
 export CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY
 
@@ -98,7 +99,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        mapped netlist gates bench sanitize sanitized static options core clean FORCE
+        area-sweep mapped netlist gates bench sanitize sanitized static options core clean FORCE
 
 all:
 	@scripts/setup
@@ -125,6 +126,7 @@ help:
 #: make lint       Verilator, Icarus and Yosys on the design's Verilog
 #: make area       gates with LIBERTY, beside the paper's: of the design, or without ARCH
 #:                 and II of both architectures
+#: make area-sweep GE and GE x II of exact over W and II, as table, CSV, JSON and SVG
 #: make netlist    the mapped gates through the Icarus bench (COUNT=170 takes minutes)
 #: make gates      the mapped gates through the Verilator bench
 #: make bench      pairs a second of the software verdicts and of the verilated machine
@@ -138,6 +140,7 @@ help:
 #: View:    VIEW=behavioural|structural: which body of exact's arithmetic is simulated
 #: Data:    MESH_A= MESH_B= RESOLUTION=fit|length NORMALS=computed|file PAIRS= COUNT= SEED=
 #: Tools:   CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY=file.lib[.gz]
+#:          MULTIPLIERS=generated in the gates of paper: those that exact is made of, not *
 #:          PERIOD=ns the clock that the gates are sized for (CLOCK_NS with Nangate45, else none)
 
 setup:
@@ -176,7 +179,7 @@ $(SEPAX): $(call object,$(CLI_SRC)) $(LIB)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -ljansson -lm -o $@
 
-GEN_OBJ = $(filter-out %/cmd_gen.o,$(call object,$(wildcard rtl_gen/*.c)))
+GEN_OBJ = $(filter-out %/cmd_gen.o %/cmd_multiplier.o,$(call object,$(wildcard rtl_gen/*.c)))
 
 $(BUILD)/test_%: $(call object,tb/test_%.c tb/oracle.c tb/mesh_tools.c tb/pair_tools.c) \
                  $(GEN_OBJ) $(LIB)
@@ -305,8 +308,8 @@ icarus: $(ICARUS) $(CORE)/icarus.pairs
 # The design that was chosen; the paper's in both precisions, as its word length leaves
 # both readings open, unless one was chosen; without a choice the exact ones and these.
 LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
-AREA    = $(CORE)/$(LIBRARY)
-PAPERS  = $(if $(call given,PRECISION),area-of-this,area-of-full area-of-word)
+AREA    = $(CORE)/$(LIBRARY)$(if $(filter generated,$(MULTIPLIERS)),-generated)
+PAPERS  = $(if $(call given,PRECISION),area-of-this,area-of-full area-of-word area-of-generated)
 AREAS   = $(if $(call given,ARCH),$(if $(filter paper,$(ARCH)),$(PAPERS),area-of-this),$(if \
           $(ONLY_EXACT),area-of-this,area-of-ii3 area-of-ii1 $(PAPERS)))
 
@@ -318,7 +321,8 @@ $(AREA)/liberty.sum: FORCE
 
 $(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(wildcard synth/*)
 	@echo "  YOSYS   $(CORE_NAME), $(LIBRARY)"
-	@synth/area -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) -o $(AREA) $(CORE)/rtl
+	@synth/area -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) \
+	  $(if $(filter generated,$(MULTIPLIERS)),-m $(SEPAX)) -o $(AREA) $(CORE)/rtl
 
 area-of-this:
 	@$(MAKE) --no-print-directory mapped
@@ -326,6 +330,8 @@ area-of-ii%:
 	@$(MAKE) --no-print-directory ARCH=exact II=$* mapped
 area-of-full area-of-word:
 	@$(MAKE) --no-print-directory ARCH=paper PRECISION=$(@:area-of-%=%) mapped
+area-of-generated: area-of-full
+	@$(MAKE) --no-print-directory ARCH=paper PRECISION=full MULTIPLIERS=generated mapped
 
 mapped: $(AREA)/area.json
 	@echo $(AREA)/area.json >> $(BUILD)/area.list
@@ -334,6 +340,10 @@ area: $(SEPAX)
 	@rm -f $(BUILD)/area.list
 	@$(MAKE) --no-print-directory -j2 $(AREAS)
 	@synth/report -o $(BUILD)/area.json $$(sort $(BUILD)/area.list)
+
+area-sweep: $(SEPAX)
+	@PERIOD=$(PERIOD) scripts/area-sweep $(if $(call given,WORD),-w "$(WORD)") $(if \
+	  $(call given,II),-i "$(II)") $(BUILD)/area-sweep
 
 $(AREA)/netlist.vvp: $(AREA)/area.json tb/$(BENCH).v
 	@echo "  ICARUS  $(CORE_NAME), mapped to $(LIBRARY)"

@@ -52,6 +52,7 @@ def instances($top):
         options: $d.options,
         latency: $d.latency,
         timing: $timing,
+        multipliers: (if $d.arch == "exact" or $multipliers != "" then "generated" else "*" end),
         area: ([$rows[].area] | add | rounded),
         ge: ([$rows[].ge_total] | add | rounded),
         ff: ([$rows[] | .ff * .instances] | add),
