@@ -190,7 +190,7 @@ void arith_plan_make(arith_plan *p, int a_w, int b_w, int p_w, double used, doub
   if (columns == NULL) {
     abort();
   }
-  bool one[ARITH_WIDTH];
+  bool one[ARITH_WIDTH] = {false};
   plan_rows(p, columns, one, used + delay_booth(a_w));
   int stage = 0;
   double time = 0;

@@ -271,8 +271,8 @@ static void strips(core *c) {
   emit_text(c->m, "\n// t: the area between an edge and the x axis; ox: the order of its ends in x.");
   for (int n = 0; n < exact_units(c->p, EXACT_STRIP); n++) {
     unit u = unit_of(c, EXACT_STRIP, n);
-    int from[SEPAX_II_MAX];
-    int to[SEPAX_II_MAX];
+    int from[SEPAX_II_MAX] = {0};
+    int to[SEPAX_II_MAX] = {0};
     source text[4];
     for (int k = 0; k < u.slots; k++) {
       strip_vertices(u.operation[k], &from[k], &to[k]);
@@ -328,7 +328,7 @@ static void weights(core *c) {
   emit_text(c->m, "\n// z: the weights of the prisms.");
   for (int n = 0; n < exact_units(c->p, EXACT_WEIGHT); n++) {
     unit u = unit_of(c, EXACT_WEIGHT, n);
-    int v[4][SEPAX_II_MAX];
+    int v[4][SEPAX_II_MAX] = {{0}};
     source text[4];
     char name[EMIT_NAME];
     for (int k = 0; k < u.slots; k++) {
