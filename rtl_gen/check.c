@@ -341,6 +341,10 @@ static const operator_row operators[] = {
 enum { OPERATOR_ROWS = sizeof operators / sizeof operators[0], OPERATOR_LEVELS = 8 };
 
 static const operator_row *take_operator(reader *r, int level) {
+  skip_blanks(r);
+  if (r->at == r->end || strchr("|&=!<>^+-*", *r->at) == NULL) {
+    return NULL;
+  }
   for (int i = 0; i < OPERATOR_ROWS; i++) {
     if (next_is(r, operators[i].text)) {
       if (operators[i].level != level) {
