@@ -10,13 +10,16 @@ static const double sum_delay = 0.135;
 static const double late_sum_delay = 0.085;
 static const double carry_delay = 0.095;
 
+/* Low columns are ready early, which helps the last addition, but not behind a rank. */
+static const double skew_lost = 0.07;
+
 double delay_register(void) { return 0.20; }
 
-double delay_booth(int width) { return 0.28 + 0.035 * log2(width); }
+double delay_booth(int width) { return 0.27 + 0.03 * log2(width); }
 
 double delay_compressor(void) { return sum_delay; }
 
-double delay_adder(int width) { return 0.10 + 0.055 * log2(width); }
+double delay_adder(int width) { return 0.10 + 0.055 * log2(width) + 0.0012 * width; }
 
 double delay_test(int width) { return 0.05 + 0.04 * log2(width); }
 
@@ -183,8 +186,7 @@ static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, d
 /* Columns below this are early enough to ripple. */
 enum { RIPPLE = 8 };
 
-void arith_plan_make(arith_plan *p, int a_w, int b_w, int p_w, double used, double period) {
-  double room = period - delay_register();
+static void plan_in(arith_plan *p, int a_w, int b_w, int p_w, double used, double room) {
   *p = (arith_plan){.a_w = a_w, .b_w = b_w, .p_w = p_w, .rows = (b_w + 1) / 2};
   column *columns = calloc(ARITH_WIDTH, sizeof *columns);
   if (columns == NULL) {
@@ -216,7 +218,8 @@ void arith_plan_make(arith_plan *p, int a_w, int b_w, int p_w, double used, doub
     }
   }
   free(columns);
-  p->ranks = time + delay_adder(p_w) > room ? stage + 1 : stage;
+  double skew = stage > 0 ? skew_lost : 0;
+  p->ranks = time + delay_adder(p_w) + skew > room ? stage + 1 : stage;
   for (int c = 0; c < p_w; c++) {
     for (int i = 0; i < 2; i++) {
       if (p->final[i][c] >= 0) {
@@ -226,6 +229,27 @@ void arith_plan_make(arith_plan *p, int a_w, int b_w, int p_w, double used, doub
   }
   for (int i = 0; i < p->bits; i++) {
     p->registers += p->bit[i].source == ARITH_ONE ? 0 : p->bit[i].last - p->bit[i].stage;
+  }
+}
+
+/* With as many ranks as the period needs, their places are those for the shortest period
+ * that needs no more. */
+void arith_plan_make(arith_plan *p, int a_w, int b_w, int p_w, double used, double period) {
+  double enough = period - delay_register();
+  plan_in(p, a_w, b_w, p_w, used, enough);
+  int ranks = p->ranks;
+  double little = enough / 2;
+  for (int i = 0; i < 4 && ranks > 0; i++) {
+    double room = (enough + little) / 2;
+    plan_in(p, a_w, b_w, p_w, used, room);
+    if (p->ranks == ranks) {
+      enough = room;
+    } else {
+      little = room;
+    }
+  }
+  if (p->ranks != ranks) {
+    plan_in(p, a_w, b_w, p_w, used, enough);
   }
 }
 

@@ -42,7 +42,8 @@ typedef struct {
   exact_class class[EXACT_CLASSES];
   arith_plan strip_mul, prism_mul, own_mul;
   bool strip_rank;        /* registers between the strip's sums and its product */
-  int volume_ranks;       /* registers inside a volume: 0, 1 */
+  int volume_ranks;       /* registers inside a volume: behind its sum, behind its rows, too */
+  bool own_weight_rank;   /* registers inside B's weight */
   bool sign_rank;         /* an area's sign is registered behind the area */
   bool turns;             /* the vertices go round: 3 divides II */
   bool running;           /* volumes over A are summed as their prisms come (II = 3) */

@@ -323,12 +323,18 @@ static void plan_ranks(exact_plan *p) {
   plan_strip(p, sums, period);
   arith_plan_make(&p->prism_mul, area, f[SEPAX_X_WEIGHT].width, volume, 0, period);
   arith_plan_make(&p->own_mul, area, f[SEPAX_X_OWN_WEIGHT].width, volume, 0, period);
-  double add = mux + 2 * delay_compressor() + delay_adder(volume);
-  p->volume_ranks = add + delay_test(volume) > room;
+  double fan_out = 0.15; /* of what many units read */
+  double sum = fan_out + delay_adder(volume);
+  double adders = fan_out + mux + 2 * delay_compressor();
+  p->volume_ranks = adders + sum - fan_out > room                     ? 2
+                    : adders + sum - fan_out + delay_test(volume) > room ? 1
+                                                                       : 0;
+  int own = f[SEPAX_X_OWN_WEIGHT].width;
+  p->own_weight_rank = fan_out + 3 * delay_compressor() + delay_adder(own) > room;
   p->sign_rank = delay_test(area) + 1.0 > room;
   p->shortest = delay_register() +
-                longer(longer(delay_booth(area) + delay_compressor(), delay_adder(volume)),
-                       longer(sums, p->volume_ranks > 0 ? add : 0));
+                longer(longer(delay_booth(area) + delay_compressor(), sums),
+                       (p->running ? mux : 0) + sum);
 }
 
 static int latest_born(const exact_plan *p, exact_class_id from, exact_class_id to) {
@@ -357,7 +363,7 @@ static void enter_classes(exact_plan *p) {
   int own_start = earliest(p, EXACT_OWN, own);
   own_start = own_start > start ? own_start : start;
   enter(p, EXACT_OWN, own, own_start, 1);
-  enter(p, EXACT_OWN_WEIGHT, 1, own_start, 1);
+  enter(p, EXACT_OWN_WEIGHT, 1, own_start - p->own_weight_rank, 1 + p->own_weight_rank);
   enter(p, EXACT_OWN_SIGN, own, own_start, 1 + p->sign_rank);
   enter(p, EXACT_OWN_PRISM, 1, own_start + 1, 1 + p->own_mul.ranks);
   if (p->running) {

@@ -44,7 +44,7 @@ static void gen_queue(emitter *e, const exact_plan *p) {
   emit_signal(m, EMIT_OUTPUT, false, "valid", "", "the oldest pair has its verdict");
   emit_signal(m, EMIT_INPUT, false, "ready", "", "it may leave");
   emit_signal(m, EMIT_OUTPUT, false, "oldest", "5", "the verdict of the oldest pair");
-  emit_net(m, EMIT_REG, false, "head", tag_text);
+  emit_signal(m, EMIT_REG, false, "head", places_text, "the oldest place, one-hot");
   emit_signal(m, EMIT_REG, false, "count", count_text, "places taken, 0 ... %d", places);
   emit_signal(m, EMIT_REG, false, "done", places_text, "bit k: place k holds a verdict");
   for (int k = 0; k < places; k++) {
@@ -53,31 +53,26 @@ static void gen_queue(emitter *e, const exact_plan *p) {
   }
   emit_net(m, EMIT_WIRE, false, "leave", "");
   emit_text(m, "\nassign room = !count[%d];\nassign leave = valid && ready;", tag);
-  emit_text(m, "assign valid = (head == %d'd0) ? done[0] :", tag);
-  for (int k = 1; k < places - 1; k++) {
-    emit_text(m, "               (head == %d'd%d) ? done[%d] :", tag, k, k);
+  emit_text(m, "assign valid = |(head & done);");
+  for (int k = 0; k < places; k++) {
+    emit_text(m, "%s(result_%d & {5{head[%d]}})%s", k == 0 ? "assign oldest = " : "                ", k, k,
+              k < places - 1 ? " |" : ";");
   }
-  emit_text(m, "               done[%d];", places - 1);
-  emit_text(m, "assign oldest = (head == %d'd0) ? result_0 :", tag);
-  for (int k = 1; k < places - 1; k++) {
-    emit_text(m, "                (head == %d'd%d) ? result_%d :", tag, k, k);
-  }
-  emit_text(m, "                result_%d;", places - 1);
   emit_text(m,
             "\nalways @(posedge clk) begin\n"
             "  if (rst) begin\n"
-            "    head <= %d'd0;\n    tail <= %d'd0;\n    count <= %d'd0;\n    done <= %d'd0;\n"
+            "    head <= %d'd1;\n    tail <= %d'd0;\n    count <= %d'd0;\n    done <= %d'd0;\n"
             "  end else begin\n"
-            "    if (leave) begin\n      head <= head + %d'd1;\n    end\n"
+            "    if (leave) begin\n      head <= {head[%d:0], head[%d]};\n    end\n"
             "    if (take) begin\n      tail <= tail + %d'd1;\n    end\n"
             "    if (take && !leave) begin\n      count <= count + %d'd1;\n    end\n"
             "    if (leave && !take) begin\n      count <= count - %d'd1;\n    end",
-            tag, tag, tag + 1, places, tag, tag, tag + 1, tag + 1);
+            places, tag, tag + 1, places, places - 2, places - 1, tag, tag + 1, tag + 1);
   for (int k = 0; k < places; k++) {
     emit_text(m,
-              "    if (write && (tag == %d'd%d)) begin\n      done[%d] <= 1'b1;\n    end else if (leave && (head == "
-              "%d'd%d)) begin\n      done[%d] <= 1'b0;\n    end",
-              tag, k, k, tag, k, k);
+              "    if (write && (tag == %d'd%d)) begin\n      done[%d] <= 1'b1;\n    end else if (leave && head[%d]) "
+              "begin\n      done[%d] <= 1'b0;\n    end",
+              tag, k, k, k, k);
   }
   emit_text(m, "  end");
   for (int k = 0; k < places; k++) {

@@ -138,7 +138,7 @@ static void widen(emit_module *m, const char *const port[], int count, const cha
   }
 }
 
-static void gen_weights(emitter *e) {
+static void gen_weights(emitter *e, const exact_plan *p) {
   static const char *const two[] = {"z_p", "z_r"};
   static const char *const four[] = {"z_p", "z_q", "z_r", "z_s"};
   static const char *const six[] = {"z_a1", "z_a2", "z_a3", "z_b1", "z_b2", "z_b3"};
@@ -173,7 +173,7 @@ static void gen_weights(emitter *e) {
 
   m = emit_begin(e, "sepax_own_weight",
                  "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
-                 "B's z less the sum of A's. Latency 1.");
+                 "B's z less the sum of A's.");
   width_parameter(m, "W", SEPAX_X_COORDINATE, "bits of a coordinate");
   width_parameter(m, "O_W", SEPAX_X_OWN_WEIGHT, "bits of the weight");
   weight_ports(m, six, 6);
@@ -183,7 +183,14 @@ static void gen_weights(emitter *e) {
   compress(m, "of_a", "~wide_a1", "~wide_a2", "~wide_a3", "1'b1", "O_W");
   compress(m, "five", "of_b_sum", "of_b_carry", "of_a_sum", "1'b1", "O_W");
   compress(m, "six", "five_sum", "five_carry", "of_a_carry", "1'b0", "O_W");
-  emit_text(m, "\nalways @(posedge clk) begin\n  z <= six_sum + six_carry;\nend");
+  const char *rank = p->own_weight_rank ? "_q" : "";
+  if (p->own_weight_rank) {
+    emit_net(m, EMIT_REG, false, "six_sum_q", "O_W");
+    emit_net(m, EMIT_REG, false, "six_carry_q", "O_W");
+    emit_text(m, "\nalways @(posedge clk) begin\n  six_sum_q <= six_sum;\n"
+                 "  six_carry_q <= six_carry;\nend");
+  }
+  emit_text(m, "\nalways @(posedge clk) begin\n  z <= six_sum%s + six_carry%s;\nend", rank, rank);
   emit_end(m);
 }
 
@@ -212,9 +219,16 @@ static void gen_prism(emitter *e, const exact_plan *p, bool own) {
 }
 
 /* The last steps of a volume: the sum of two rows, its sign. */
-static void signs(emit_module *m, bool rank, const char *left, const char *right) {
-  emit_net(m, rank ? EMIT_REG : EMIT_WIRE, false, "volume", "V_W");
-  if (rank) {
+static void signs(emit_module *m, int ranks, const char *left, const char *right) {
+  emit_net(m, ranks > 0 ? EMIT_REG : EMIT_WIRE, false, "volume", "V_W");
+  if (ranks > 1) {
+    emit_net(m, EMIT_REG, false, "row_0", "V_W");
+    emit_net(m, EMIT_REG, false, "row_1", "V_W");
+    emit_text(m, "\nalways @(posedge clk) begin\n  row_0 <= %s;\n  row_1 <= %s;\nend", left, right);
+    left = "row_0";
+    right = "row_1";
+  }
+  if (ranks > 0) {
     emit_text(m, "\nalways @(posedge clk) begin\n  volume <= %s + %s;\nend", left, right);
   } else {
     emit_text(m, "\nassign volume = %s + %s;", left, right);
@@ -251,20 +265,20 @@ static void gen_volumes(emitter *e, const exact_plan *p) {
     m = begin_volume(e, p, "sepax_above_a",
                      "Sign of the volume of A and a vertex of B: p + q + r (A's own prism is zero)", 3);
     compress(m, "three", "p", "q", "r", "1'b0", "V_W");
-    signs(m, p->volume_ranks > 0, "three_sum", "three_carry");
+    signs(m, p->volume_ranks, "three_sum", "three_carry");
     emit_end(m);
   }
   m = begin_volume(e, p, "sepax_above_b",
                    "Sign of the volume of B and a vertex of A: p + q + r - s, s the prism of B", 4);
   compress(m, "three", "p", "q", "r", "1'b0", "V_W");
   compress(m, "four", "three_sum", "three_carry", "~s", "1'b1", "V_W");
-  signs(m, p->volume_ranks > 0, "four_sum", "four_carry");
+  signs(m, p->volume_ranks, "four_sum", "four_carry");
   emit_end(m);
   m = begin_volume(e, p, "sepax_between",
                    "Sign of the volume of an edge of A and an edge of B: p + q - r - s", 4);
   compress(m, "three", "p", "q", "~r", "1'b1", "V_W");
   compress(m, "four", "three_sum", "three_carry", "~s", "1'b1", "V_W");
-  signs(m, p->volume_ranks > 0, "four_sum", "four_carry");
+  signs(m, p->volume_ranks, "four_sum", "four_carry");
   emit_end(m);
 }
 
@@ -412,7 +426,7 @@ void gen_exact_units(emitter *e, const exact_plan *p) {
     gen_strip(e, p, true);
   }
   gen_area(e);
-  gen_weights(e);
+  gen_weights(e, p);
   gen_prism(e, p, false);
   gen_prism(e, p, true);
   gen_volumes(e, p);
