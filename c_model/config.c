@@ -312,7 +312,7 @@ static interval enter(sepax_design *design, sepax_format_id id, const char *name
                       interval range, int keep) {
   int exact = bits_of(range);
   int shift = exact > keep ? exact - keep : 0;
-  design->format[id] = (sepax_format){name, exact, exact - shift, shift};
+  design->format[id] = (sepax_format){name, exact, exact - shift, shift, 0};
   design->formats = (int)id + 1;
   return (interval){range.lo >> shift, range.hi >> shift};
 }
@@ -320,8 +320,18 @@ static interval enter(sepax_design *design, sepax_format_id id, const char *name
 /* Enter a format of architecture exact; every bit that tells results apart is kept. */
 static void enter_modular(sepax_design *design, int id, const char *name, interval terms,
                           interval result) {
-  design->format[id] = (sepax_format){name, bits_of(terms), bits_of(result), 0};
+  design->format[id] = (sepax_format){name, bits_of(terms), bits_of(result), 0, 0};
   design->formats = id + 1;
+}
+
+/* The same for a factor of a product that is cut into radix-4 digits, all but the highest
+ * counting for one less than they say; 1 + 4 + 16 ... is added to make up for it. */
+static void enter_digits(sepax_design *design, int id, const char *name, interval value) {
+  int digits = (bits_of(value) + 1) / 2;
+  wide offset = (((wide)1 << (2 * (digits - 1))) - 1) / 3;
+  enter_modular(design, id, name, value,
+                (interval){value.lo + offset, value.hi + offset});
+  design->format[id].digits = digits;
 }
 
 static void derive_formats(sepax_design *d) {
@@ -363,9 +373,10 @@ static void derive_exact_formats(sepax_design *d) {
   interval strip = product(span, span);
   enter_modular(d, SEPAX_X_COORDINATE, "coordinate", word, word);
   enter_modular(d, SEPAX_X_SPAN, "span", span, span);
+  d->format[SEPAX_X_SPAN].digits = (bits_of(span) + 1) / 2;
   enter_modular(d, SEPAX_X_AREA, "area", sum_of_three(strip), area);
-  enter_modular(d, SEPAX_X_WEIGHT, "weight", weight, weight);
-  enter_modular(d, SEPAX_X_OWN_WEIGHT, "own_weight", own_weight, own_weight);
+  enter_digits(d, SEPAX_X_WEIGHT, "weight", weight);
+  enter_digits(d, SEPAX_X_OWN_WEIGHT, "own_weight", own_weight);
   enter_modular(d, SEPAX_X_VOLUME, "volume", product(area, own_weight), volume);
 }
 

@@ -131,6 +131,7 @@ const char *sepax_arch_name(sepax_arch arch);
 typedef struct {
   const char *name;
   int exact, width, shift;
+  int digits; /* in architecture exact, of a factor: radix-4 digits it is cut into */
 } sepax_format;
 
 typedef enum {
@@ -152,7 +153,8 @@ enum {
   SEPAX_X_COORDINATE,
   SEPAX_X_SPAN,       /* sum or difference of two coordinates */
   SEPAX_X_AREA,       /* t_ij, g_ijk: twice an area */
-  SEPAX_X_WEIGHT,     /* sum of z, the origin moved to A: for triangles of both */
+  SEPAX_X_WEIGHT,     /* sum of z, the origin moved to A: for triangles of both; plus
+                         1 + 4 + 16 ..., as its digits want it (docs/exact.md) */
   SEPAX_X_OWN_WEIGHT, /* the same for triangle B itself */
   SEPAX_X_VOLUME      /* h_ijk, v_ijkl: six times a volume */
 };

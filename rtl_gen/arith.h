@@ -1,4 +1,4 @@
-/* arith.h - arithmetic of architecture exact: compressors, Booth multipliers, and the
+/* arith.h - arithmetic of architecture exact: multipliers, and the
  * delays by which they are pipelined. */
 #ifndef SEPAX_ARITH_H
 #define SEPAX_ARITH_H
@@ -8,16 +8,19 @@
 /* Delays in nanoseconds of mapped and sized logic, Nangate45 typical (docs/exact.md has
  * the fit, `make timing` holds it against OpenSTA). */
 double delay_register(void);    /* clock to output and setup together */
-double delay_booth(int width);  /* recoding, its fan-out over a row, and selection */
+double delay_row(int width);    /* a digit, its fan-out over a row, and selection */
 double delay_compressor(void);  /* one 3:2 compressor on whole words */
 double delay_adder(int width);  /* carry-propagate addition */
 double delay_test(int width);   /* width bits are zero */
 double delay_mux(int inputs);   /* one of several sources, by cycle of the frame */
 
-/* A multiplier a x b modulo 2^p_w: rows by radix-4 Booth recoding of b; full adders,
- * column by column, the earliest bits first, until two rows are left; one addition. A half
- * adder first makes odd columns even, so that no carry ripples through them. Where
- * a bit would come later than the period allows, it is made behind a rank of registers. */
+/* A multiplier modulo 2^p_w. b is cut into radix-4 digits; each but the highest counts for one
+ * less than it says, so that it is -1, 0, 1 or 2 and its row needs no multiple of a
+ * but a, 2a and -a. All in all that is a (b - K), K = 1 + 4 + 16 ...: whoever wants a b adds
+ * K to b beforehand, or has sums in which a K cancels. Then full adders, column by column,
+ * the earliest bits first, until two rows are left; one addition. A half adder first makes
+ * odd columns even, so that no carry ripples through them. Where a bit would come later
+ * than the period allows, it is made behind a rank of registers. */
 enum { ARITH_BITS = 12288, ARITH_ADDERS = 3072, ARITH_WIDTH = 128, ARITH_RANKS = 8 };
 
 typedef enum { ARITH_ROW, ARITH_NEGATIVE, ARITH_SUM, ARITH_CARRY, ARITH_ONE } arith_source;
@@ -47,7 +50,15 @@ typedef struct {
 } arith_adder;
 
 typedef struct {
+  int a_w, b_w, p_w; /* bits of a, b, the product */
+  int digits;        /* of b, for a (b - K); the highest must be in -2 ... 2. 0: a b */
+  double used;       /* ns spent before b is there */
+} arith_form;
+
+typedef struct {
   int a_w, b_w, p_w;
+  bool plain;        /* a b; else a (b - K) */
+  int sum_w;         /* bits that are cut into digits: b, or b + K */
   int rows, levels, ranks;
   int registers;     /* bits in all ranks */
   arith_bit bit[ARITH_BITS];
@@ -57,11 +68,14 @@ typedef struct {
   int final[2][ARITH_WIDTH]; /* the two rows of the last addition; -1: no bit */
 } arith_plan;
 
-/* `used` ns are spent before the rows. */
-void arith_plan_make(arith_plan *plan, int a_w, int b_w, int p_w, double used, double period);
+void arith_plan_make(arith_plan *plan, const arith_form *form, double period);
+
+/* Bits of a row; whether they are all, or cut off at the product's highest. */
+int arith_row_bits(const arith_plan *plan, int row);
+bool arith_row_whole(const arith_plan *plan, int row);
 
 void gen_fa(emitter *e);
-void gen_booth(emitter *e);
+void gen_digits(emitter *e);
 
 /* Emit the multiplier as a module: ports a, b, p, and clk if it has registers. */
 void gen_multiplier(emitter *e, const char *name, const arith_plan *plan);

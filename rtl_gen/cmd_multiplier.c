@@ -6,17 +6,21 @@
 #include <stdlib.h>
 
 typedef struct {
-  uint64_t a, b, product;
+  uint64_t a, b, product, digits;
   double period;
   const char *folder;
 } multiplier_options;
 
-enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500 };
+enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500, KEY_DIGITS };
 
 static const struct argp_option options[] = {
     {"a", 'a', "BITS", 0, "bits of the first factor, 3 ... 80", 0},
     {"b", 'b', "BITS", 0, "bits of the second factor, which is recoded; at most those of a", 0},
     {"product", 'p', "BITS", 0, "bits of the product kept, the lowest (all of them)", 0},
+    {"digits", KEY_DIGITS, "COUNT", 0,
+     "a (b - K) instead of a b, K = 1 + 4 + ... + 4^(COUNT - 2), which saves an addition; "
+     "floor(b / 4^(COUNT - 1)) must be in -2 ... 2",
+     0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for (no registers)", 0},
     {"output", 'o', "DIR", 0, "folder for the Verilog (made if missing)", 0},
     {0}};
@@ -32,6 +36,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case 'p':
     o->product = cli_count(state, "product", text, UINT64_C(2) * MOST);
+    return 0;
+  case KEY_DIGITS:
+    o->digits = cli_count(state, "digits", text, MOST);
     return 0;
   case KEY_CLOCK:
     o->period = cli_number(state, "clock-ns", text);
@@ -61,6 +68,10 @@ static bool check(const multiplier_options *o, sepax_error *error) {
     return sepax_fail(error, "product: %d bits; give more than -a, at most the sum of both and %d",
                       (int)o->product, ARITH_WIDTH);
   }
+  if (o->digits != 0 && (o->b + 1 < 2 * o->digits || o->b + 1 > 2 * o->digits + 2)) {
+    return sepax_fail(error, "digits: %d for %d bits; give half as many digits as bits",
+                      (int)o->digits, (int)o->b);
+  }
   if (o->period != 0 && !(o->period >= 0.5 && o->period <= 20)) {
     return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20", o->period);
   }
@@ -72,6 +83,9 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   char name[EMIT_NAME];
   int used = snprintf(command, sizeof command, "sepax multiplier --a=%d --b=%d --product=%d",
                       (int)o->a, (int)o->b, (int)o->product);
+  if (o->digits > 0) {
+    used += snprintf(command + used, sizeof command - (size_t)used, " --digits=%d", (int)o->digits);
+  }
   if (o->period > 0) {
     snprintf(command + used, sizeof command - (size_t)used, " --clock-ns=%g", o->period);
   }
@@ -80,11 +94,12 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   if (plan == NULL) {
     abort();
   }
-  arith_plan_make(plan, (int)o->a, (int)o->b, (int)o->product, 0, o->period > 0 ? o->period : 1e9);
+  arith_form form = {(int)o->a, (int)o->b, (int)o->product, (int)o->digits, 0};
+  arith_plan_make(plan, &form, o->period > 0 ? o->period : 1e9);
   emitter e;
   emit_init(&e, NULL, command);
   gen_fa(&e);
-  gen_booth(&e);
+  gen_digits(&e);
   gen_multiplier(&e, name, plan);
   bool ok = e.error.text[0] == '\0';
   if (!ok) {
@@ -103,8 +118,8 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
 int cli_multiplier(int argc, char **argv) {
   static const struct argp argp = {
       options, parse, NULL,
-      "Generate the Verilog of one signed multiplier: radix-4 Booth rows, full adders by "
-      "columns, one addition; the same that architecture exact is made of.",
+      "Generate the Verilog of one signed multiplier: rows by radix-4 digits -1 ... 2, full adders "
+      "by columns, one addition; the same that architecture exact is made of.",
       NULL, NULL, NULL};
   multiplier_options o = {0};
   argp_parse(&argp, argc, argv, 0, NULL, &o);

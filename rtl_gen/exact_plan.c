@@ -298,15 +298,18 @@ static double longer(double a, double b) { return a > b ? a : b; }
 static void plan_strip(exact_plan *p, double sums, double period) {
   int span = p->design->format[SEPAX_X_SPAN].width;
   int area = p->design->format[SEPAX_X_AREA].width;
-  arith_plan_make(&p->strip_mul, span, span, area, 0, period);
+  arith_form form = {span, span, area, p->design->format[SEPAX_X_SPAN].digits, 0};
+  arith_plan_make(&p->strip_mul, &form, period);
   int ranks = 1 + p->strip_mul.ranks;
   int registers = 2 * span + p->strip_mul.registers;
-  arith_plan_make(&p->strip_mul, span, span, area, sums, period);
-  p->strip_rank = sums + delay_booth(span) > period - delay_register() ||
+  form.used = sums;
+  arith_plan_make(&p->strip_mul, &form, period);
+  p->strip_rank = sums + delay_row(span) > period - delay_register() ||
                   ranks < p->strip_mul.ranks ||
                   (ranks == p->strip_mul.ranks && registers < p->strip_mul.registers);
   if (p->strip_rank) {
-    arith_plan_make(&p->strip_mul, span, span, area, 0, period);
+    form.used = 0;
+    arith_plan_make(&p->strip_mul, &form, period);
   }
 }
 
@@ -321,19 +324,22 @@ static void plan_ranks(exact_plan *p) {
   double mux = delay_mux(p->design->config.ii == 1 ? 1 : 2);
   double sums = delay_adder(span) + (p->turns ? 0 : mux);
   plan_strip(p, sums, period);
-  arith_plan_make(&p->prism_mul, area, f[SEPAX_X_WEIGHT].width, volume, 0, period);
-  arith_plan_make(&p->own_mul, area, f[SEPAX_X_OWN_WEIGHT].width, volume, 0, period);
+  const sepax_format *weight = &f[SEPAX_X_WEIGHT];
+  const sepax_format *own_weight = &f[SEPAX_X_OWN_WEIGHT];
+  arith_form prism = {area, weight->width, volume, weight->digits, 0};
+  arith_form own_prism = {area, own_weight->width, volume, own_weight->digits, 0};
+  arith_plan_make(&p->prism_mul, &prism, period);
+  arith_plan_make(&p->own_mul, &own_prism, period);
   double fan_out = 0.15; /* of what many units read */
   double sum = fan_out + delay_adder(volume);
   double adders = fan_out + mux + 2 * delay_compressor();
   p->volume_ranks = adders + sum - fan_out > room                     ? 2
                     : adders + sum - fan_out + delay_test(volume) > room ? 1
                                                                        : 0;
-  int own = f[SEPAX_X_OWN_WEIGHT].width;
-  p->own_weight_rank = fan_out + 3 * delay_compressor() + delay_adder(own) > room;
+  p->own_weight_rank = fan_out + 4 * delay_compressor() + delay_adder(own_weight->width) > room;
   p->sign_rank = delay_test(area) + 1.0 > room;
   p->shortest = delay_register() +
-                longer(longer(delay_booth(area) + delay_compressor(), sums),
+                longer(longer(delay_row(area) + delay_compressor(), sums),
                        (p->running ? mux : 0) + sum);
 }
 

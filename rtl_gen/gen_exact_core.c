@@ -346,13 +346,13 @@ static void weights(core *c) {
     point(c, &u, "p", 'z', bank, v[0], text[0]);
     point(c, &u, "r", 'z', bank, v[2], text[2]);
     if ((n + 1) * c->ii <= 9) {
-      emit_instance(c->m, "sepax_rise", name, "W=W, S_W=S_W, Z_W=Z_W",
+      emit_instance(c->m, "sepax_rise", name, "W=W, Z_W=Z_W, DIGITS=DIGITS",
                     "clk=clk, z_p=%s, z_r=%s, z=%s", text[0], text[2], u.out->name);
       continue;
     }
     point(c, &u, "q", 'z', bank, v[1], text[1]);
     point(c, &u, "s", 'z', bank, v[3], text[3]);
-    emit_instance(c->m, "sepax_weight", name, "W=W, Z_W=Z_W",
+    emit_instance(c->m, "sepax_weight", name, "W=W, Z_W=Z_W, DIGITS=DIGITS",
                   "clk=clk, z_p=%s, z_q=%s, z_r=%s, z_s=%s, z=%s", text[0], text[1], text[2],
                   text[3], u.out->name);
   }
@@ -362,7 +362,7 @@ static void weights(core *c) {
     coordinate(c, 'z', v, exact_z_bank(c->p, u.class->start), u.class->start, z[v]);
   }
   emit_blank(c->m);
-  emit_instance(c->m, "sepax_own_weight", "own_weight", "W=W, O_W=O_W",
+  emit_instance(c->m, "sepax_own_weight", "own_weight", "W=W, O_W=O_W, DIGITS=OWN_DIGITS",
                 "clk=clk, z_a1=%s, z_a2=%s, z_a3=%s, z_b1=%s, z_b2=%s, z_b3=%s, z=%s", z[0], z[1],
                 z[2], z[3], z[4], z[5], u.out->name);
 }
@@ -393,9 +393,12 @@ static void area_signs(core *c) {
   if (c->p->sign_rank) {
     emit_text(c->m, "end");
   }
+  emit_net(c->m, EMIT_WIRE, true, "no_rise", "Z_W");
+  emit_text(c->m, "assign no_rise = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};");
   for (int n = 0; n * c->ii < 9; n++) {
-    sign_of(c, s->stream[class[EXACT_ORDER_Z].stream + n].name,
-            s->stream[class[EXACT_WEIGHT].stream + n].name, "Z_W", "");
+    const char *z = s->stream[class[EXACT_WEIGHT].stream + n].name;
+    emit_text(c->m, "assign %s = {%s > no_rise, %s < no_rise};",
+              s->stream[class[EXACT_ORDER_Z].stream + n].name, z, z);
   }
 }
 
@@ -596,6 +599,10 @@ static void widths(core *c) {
     emit_parameter(c->m, EMIT_LOCALPARAM, row[i].name, c->p->design->format[row[i].format].width,
                    row[i].about);
   }
+  emit_parameter(c->m, EMIT_LOCALPARAM, "DIGITS", c->p->design->format[SEPAX_X_WEIGHT].digits,
+                 "radix-4 digits of a weight");
+  emit_parameter(c->m, EMIT_LOCALPARAM, "OWN_DIGITS",
+                 c->p->design->format[SEPAX_X_OWN_WEIGHT].digits, "of B's weight");
 }
 
 void gen_exact_core(emitter *e, const exact_plan *p) {

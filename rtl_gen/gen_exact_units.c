@@ -24,8 +24,8 @@ static void gen_strip(emitter *e, const exact_plan *p, bool order) {
   char banner[512];
   snprintf(banner, sizeof banner,
            "Twice the area between an edge and the x axis in the projection on x and y:\n"
-           "t = (x_to - x_from) (y_from + y_to) modulo 2^G_W.\n"
-           "Latency %d.",
+           "t = (x_to - x_from) (y_from + y_to - K) modulo 2^G_W, the axis moved by K / 2 as the\n"
+           "multiplier likes it; areas do not depend on K. Latency %d.",
            p->class[EXACT_STRIP].latency);
   emit_module *m = emit_begin(e, order ? "sepax_strip_ab" : "sepax_strip", banner);
   width_parameter(m, "W", SEPAX_X_COORDINATE, "bits of a coordinate");
@@ -138,47 +138,57 @@ static void widen(emit_module *m, const char *const port[], int count, const cha
   }
 }
 
+/* What is added to a weight for its digits' sake: `offset`. */
+static void declare_offset(emit_module *m, const char *width) {
+  emit_signal(m, EMIT_WIRE, true, "offset", width, "1 + 4 + 16 ...: 1 for each digit but the highest");
+  emit_text(m, "\nassign offset = {{(%s+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};", width);
+}
+
+static void weight_parameters(emit_module *m, const char *width, int format) {
+  width_parameter(m, "W", SEPAX_X_COORDINATE, "bits of a coordinate");
+  width_parameter(m, width, format, "bits of the weight");
+  emit_parameter(m, EMIT_PARAMETER, "DIGITS", m->emitter->design->format[format].digits,
+                 "radix-4 digits of the weight");
+}
+
 static void gen_weights(emitter *e, const exact_plan *p) {
   static const char *const two[] = {"z_p", "z_r"};
   static const char *const four[] = {"z_p", "z_q", "z_r", "z_s"};
   static const char *const six[] = {"z_a1", "z_a2", "z_a3", "z_b1", "z_b2", "z_b3"};
   emit_module *m = emit_begin(e, "sepax_rise",
                               "Weight of the prism under an edge of A and a vertex of B, the origin of z\n"
-                              "moved to the mean of A: z = z_p - z_r, p that vertex and r A's third.\n"
+                              "moved to the mean of A: z = z_p - z_r + offset, p that vertex, r A's third.\n"
                               "Latency 1.");
-  width_parameter(m, "W", SEPAX_X_COORDINATE, "bits of a coordinate");
-  width_parameter(m, "S_W", SEPAX_X_SPAN, "bits of a difference, W + 1");
-  width_parameter(m, "Z_W", SEPAX_X_WEIGHT, "bits of a weight, W + 2");
+  weight_parameters(m, "Z_W", SEPAX_X_WEIGHT);
   weight_ports(m, two, 2);
-  emit_signal(m, EMIT_OUTPUT, true, "z", "Z_W", "weight");
-  emit_net(m, EMIT_REG, true, "rise", "S_W");
-  emit_text(m, "\nalways @(posedge clk) begin\n"
-               "  rise <= {z_p[W-1], z_p} - {z_r[W-1], z_r};\nend\n"
-               "\nassign z = {{(Z_W-S_W){rise[S_W-1]}}, rise};");
+  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "Z_W", "weight and offset");
+  widen(m, two, 2, "Z_W", "Z_W-W");
+  declare_offset(m, "Z_W");
+  emit_text(m, "\nalways @(posedge clk) begin\n  z <= wide_p - wide_r + offset;\nend");
   emit_end(m);
 
   m = emit_begin(e, "sepax_weight",
                  "Weight of the prism under a vertex of A and an edge of B, the origin of z moved\n"
-                 "to the mean of A: z = z_p + z_q - z_r - z_s, pq that edge and rs A's other edge.\n"
-                 "Latency 1.");
-  width_parameter(m, "W", SEPAX_X_COORDINATE, "bits of a coordinate");
-  width_parameter(m, "Z_W", SEPAX_X_WEIGHT, "bits of a weight, W + 2");
+                 "to the mean of A: z = z_p + z_q - z_r - z_s + offset, pq that edge and rs A's other\n"
+                 "edge. Latency 1.");
+  weight_parameters(m, "Z_W", SEPAX_X_WEIGHT);
   weight_ports(m, four, 4);
-  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "Z_W", "weight");
+  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "Z_W", "weight and offset");
   widen(m, four, 4, "Z_W", "Z_W-W");
+  declare_offset(m, "Z_W");
   compress(m, "three", "wide_p", "wide_q", "~wide_r", "1'b1", "Z_W");
   compress(m, "four", "three_sum", "three_carry", "~wide_s", "1'b1", "Z_W");
-  emit_text(m, "\nalways @(posedge clk) begin\n  z <= four_sum + four_carry;\nend");
+  emit_text(m, "\nalways @(posedge clk) begin\n  z <= four_sum + four_carry + offset;\nend");
   emit_end(m);
 
   m = emit_begin(e, "sepax_own_weight",
                  "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
-                 "B's z less the sum of A's.");
-  width_parameter(m, "W", SEPAX_X_COORDINATE, "bits of a coordinate");
-  width_parameter(m, "O_W", SEPAX_X_OWN_WEIGHT, "bits of the weight");
+                 "B's z less the sum of A's, plus offset.");
+  weight_parameters(m, "O_W", SEPAX_X_OWN_WEIGHT);
   weight_ports(m, six, 6);
-  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "O_W", "weight");
+  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "O_W", "weight and offset");
   widen(m, six, 6, "O_W", "O_W-W");
+  declare_offset(m, "O_W");
   compress(m, "of_b", "wide_b1", "wide_b2", "wide_b3", "1'b1", "O_W");
   compress(m, "of_a", "~wide_a1", "~wide_a2", "~wide_a3", "1'b1", "O_W");
   compress(m, "five", "of_b_sum", "of_b_carry", "of_a_sum", "1'b1", "O_W");
@@ -190,7 +200,8 @@ static void gen_weights(emitter *e, const exact_plan *p) {
     emit_text(m, "\nalways @(posedge clk) begin\n  six_sum_q <= six_sum;\n"
                  "  six_carry_q <= six_carry;\nend");
   }
-  emit_text(m, "\nalways @(posedge clk) begin\n  z <= six_sum%s + six_carry%s;\nend", rank, rank);
+  emit_text(m, "\nalways @(posedge clk) begin\n  z <= six_sum%s + six_carry%s + offset;\nend", rank,
+            rank);
   emit_end(m);
 }
 
@@ -200,8 +211,8 @@ static void gen_prism(emitter *e, const exact_plan *p, bool own) {
   char banner[400];
   snprintf(banner, sizeof banner,
            "Six times the signed volume of the prism between a triangle and the plane z = 0:\n"
-           "h = g z modulo 2^V_W, g twice its area in the projection, z the sum of its z.\n"
-           "Latency %d.",
+           "h = g (z - K) modulo 2^V_W, g twice its area in the projection, z the sum of its z\n"
+           "plus K. Latency %d.",
            1 + plan->ranks);
   emit_module *m = emit_begin(e, own ? "sepax_own_prism" : "sepax_prism", banner);
   width_parameter(m, "G_W", SEPAX_X_AREA, "bits of an area");
@@ -414,7 +425,7 @@ static void gen_plane(emitter *e) {
 void gen_exact_units(emitter *e, const exact_plan *p) {
   const arith_plan *const plan[] = {&p->strip_mul, &p->prism_mul, &p->own_mul};
   gen_fa(e);
-  gen_booth(e);
+  gen_digits(e);
   for (int i = 0; i < 3; i++) {
     char name[EMIT_NAME];
     multiplier_name(plan[i], name);
