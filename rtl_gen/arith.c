@@ -195,6 +195,7 @@ static void plan_in(arith_plan *p, const arith_form *form, double room) {
   *p = (arith_plan){.a_w = form->a_w, .b_w = form->b_w, .p_w = form->p_w};
   p->rows = form->digits > 0 ? form->digits : (form->b_w + 1) / 2;
   p->plain = form->digits == 0;
+  p->less = form->less;
   p->sum_w = form->b_w + p->plain;
   double used = form->used + (p->plain ? delay_adder(p->sum_w) : 0);
   int p_w = p->p_w;

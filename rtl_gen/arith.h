@@ -17,7 +17,8 @@ double delay_mux(int inputs);   /* one of several sources, by cycle of the frame
 /* A multiplier modulo 2^p_w. b is cut into radix-4 digits; each but the highest counts for one
  * less than it says, so that it is -1, 0, 1 or 2 and its row needs no multiple of a
  * but a, 2a and -a. All in all that is a (b - K), K = 1 + 4 + 16 ...: whoever wants a b adds
- * K to b beforehand, or has sums in which a K cancels. Then full adders, column by column,
+ * K to b beforehand, or has sums in which a K cancels. Two less do as well (-2, -1, 0, 1; K =
+ * 2 + 8 + 32 ...), for a b that has got K twice. Then full adders, column by column,
  * the earliest bits first, until two rows are left; one addition. A half adder first makes
  * odd columns even, so that no carry ripples through them. Where a bit would come later
  * than the period allows, it is made behind a rank of registers. */
@@ -52,12 +53,14 @@ typedef struct {
 typedef struct {
   int a_w, b_w, p_w; /* bits of a, b, the product */
   int digits;        /* of b, for a (b - K); the highest must be in -2 ... 2. 0: a b */
+  int less;          /* what a digit counts less: 1, 2 */
   double used;       /* ns spent before b is there */
 } arith_form;
 
 typedef struct {
   int a_w, b_w, p_w;
   bool plain;        /* a b; else a (b - K) */
+  int less;
   int sum_w;         /* bits that are cut into digits: b, or b + K */
   int rows, levels, ranks;
   int registers;     /* bits in all ranks */
@@ -75,9 +78,12 @@ int arith_row_bits(const arith_plan *plan, int row);
 bool arith_row_whole(const arith_plan *plan, int row);
 
 void gen_fa(emitter *e);
-void gen_digits(emitter *e);
+void gen_digits(emitter *e, bool two_less);
+
+/* Its module: sepax_mul_AxB, or sepax_mul_AxB_2 where digits count two less. */
+void arith_name(const arith_plan *plan, char name[EMIT_NAME]);
 
 /* Emit the multiplier as a module: ports a, b, p, and clk if it has registers. */
-void gen_multiplier(emitter *e, const char *name, const arith_plan *plan);
+void gen_multiplier(emitter *e, const arith_plan *plan);
 
 #endif

@@ -6,12 +6,12 @@
 #include <stdlib.h>
 
 typedef struct {
-  uint64_t a, b, product, digits;
+  uint64_t a, b, product, digits, less;
   double period;
   const char *folder;
 } multiplier_options;
 
-enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500, KEY_DIGITS };
+enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500, KEY_DIGITS, KEY_LESS };
 
 static const struct argp_option options[] = {
     {"a", 'a', "BITS", 0, "bits of the first factor, 3 ... 80", 0},
@@ -21,6 +21,7 @@ static const struct argp_option options[] = {
      "a (b - K) instead of a b, K = 1 + 4 + ... + 4^(COUNT - 2), which saves an addition; "
      "floor(b / 4^(COUNT - 1)) must be in -2 ... 2",
      0},
+    {"less", KEY_LESS, "1|2", 0, "with --digits: K = 2 (1 + 4 + ...) for 2 (1)", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for (no registers)", 0},
     {"output", 'o', "DIR", 0, "folder for the Verilog (made if missing)", 0},
     {0}};
@@ -39,6 +40,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_DIGITS:
     o->digits = cli_count(state, "digits", text, MOST);
+    return 0;
+  case KEY_LESS:
+    o->less = cli_count(state, "less", text, 2);
     return 0;
   case KEY_CLOCK:
     o->period = cli_number(state, "clock-ns", text);
@@ -72,6 +76,9 @@ static bool check(const multiplier_options *o, sepax_error *error) {
     return sepax_fail(error, "digits: %d for %d bits; give half as many digits as bits",
                       (int)o->digits, (int)o->b);
   }
+  if (o->less == 2 && o->digits == 0) {
+    return sepax_fail(error, "less: only with --digits");
+  }
   if (o->period != 0 && !(o->period >= 0.5 && o->period <= 20)) {
     return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20", o->period);
   }
@@ -80,33 +87,33 @@ static bool check(const multiplier_options *o, sepax_error *error) {
 
 static bool generate(const multiplier_options *o, sepax_error *error) {
   char command[200];
-  char name[EMIT_NAME];
   int used = snprintf(command, sizeof command, "sepax multiplier --a=%d --b=%d --product=%d",
                       (int)o->a, (int)o->b, (int)o->product);
   if (o->digits > 0) {
-    used += snprintf(command + used, sizeof command - (size_t)used, " --digits=%d", (int)o->digits);
+    used += snprintf(command + used, sizeof command - (size_t)used, " --digits=%d --less=%d", (int)o->digits, (int)o->less);
   }
   if (o->period > 0) {
     snprintf(command + used, sizeof command - (size_t)used, " --clock-ns=%g", o->period);
   }
-  snprintf(name, sizeof name, "sepax_mul_%dx%d", (int)o->a, (int)o->b);
   arith_plan *plan = malloc(sizeof *plan);
   if (plan == NULL) {
     abort();
   }
-  arith_form form = {(int)o->a, (int)o->b, (int)o->product, (int)o->digits, 0};
+  arith_form form = {(int)o->a, (int)o->b, (int)o->product, (int)o->digits, (int)o->less, 0};
   arith_plan_make(plan, &form, o->period > 0 ? o->period : 1e9);
   emitter e;
   emit_init(&e, NULL, command);
   gen_fa(&e);
-  gen_digits(&e);
-  gen_multiplier(&e, name, plan);
+  gen_digits(&e, o->less == 2);
+  gen_multiplier(&e, plan);
   bool ok = e.error.text[0] == '\0';
   if (!ok) {
     *error = e.error;
   }
   ok = ok && gen_write(&e, o->folder, error);
   if (ok) {
+    char name[EMIT_NAME];
+    arith_name(plan, name);
     printf("%s: %s, product modulo 2^%d, latency %d\n", o->folder, name, (int)o->product,
            plan->ranks);
   }
@@ -121,7 +128,7 @@ int cli_multiplier(int argc, char **argv) {
       "Generate the Verilog of one signed multiplier: rows by radix-4 digits -1 ... 2, full adders "
       "by columns, one addition; the same that architecture exact is made of.",
       NULL, NULL, NULL};
-  multiplier_options o = {0};
+  multiplier_options o = {.less = 1};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};
   o.product = o.product == 0 ? o.a + o.b : o.product;

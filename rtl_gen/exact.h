@@ -27,9 +27,11 @@ typedef enum {
   EXACT_CLASSES
 } exact_class_id;
 
+enum { EXACT_UNITS = 18 };
+
 typedef struct {
   int operations;
-  int start;     /* cycle of slot 0 */
+  int start[EXACT_UNITS]; /* of each unit: cycle of slot 0 */
   int latency;   /* to the output register */
   int stream;    /* of unit 0 */
 } exact_class;
@@ -41,9 +43,11 @@ typedef struct {
   schedule schedule;
   exact_class class[EXACT_CLASSES];
   arith_plan strip_mul, prism_mul, own_mul;
+  arith_plan low_prism_mul; /* where the weight is a sum of two rises */
   bool strip_rank;        /* registers between the strip's sums and its product */
   int volume_ranks;       /* registers inside a volume: behind its sum, behind its rows, too */
   bool own_weight_rank;   /* registers inside B's weight */
+  bool shared_rises;      /* weights are sums of rises, which are there at once (II = 1) */
   bool sign_rank;         /* an area's sign is registered behind the area */
   bool turns;             /* the vertices go round: 3 divides II */
   bool running;           /* volumes over A are summed as their prisms come (II = 3) */

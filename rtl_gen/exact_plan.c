@@ -24,11 +24,11 @@ int exact_slots(const exact_plan *p, exact_class_id id, int unit) {
 }
 
 /* At II = 3 the areas of A_c and edge c + 2 of B begin with c = 1, so that all areas can
- * start before the last strip is there. */
+ * start before the last strip is there; and so do the volumes over B. */
 static int turn_by(const exact_plan *p, exact_class_id id, int orbit) {
   bool area = id == EXACT_AREA || id == EXACT_AREA_SIGN || id == EXACT_WEIGHT ||
               id == EXACT_ORDER_Z || id == EXACT_PRISM;
-  return p->running && area && orbit == 5;
+  return p->running && ((area && orbit == 5) || id == EXACT_ABOVE_B);
 }
 
 int exact_operation(const exact_plan *p, exact_class_id id, int unit, int slot) {
@@ -201,11 +201,29 @@ static const stream_row rows[EXACT_CLASSES] = {
     [EXACT_BETWEEN] = {"d", "2", -1, false},
 };
 
-/* Enter a class that starts in a cycle: its units' output streams. */
+/* The first cycle in which a unit can start. */
+static int earliest_of(const exact_plan *p, exact_class_id id, int unit) {
+  int start = 0;
+  for (int slot = 0; slot < exact_slots(p, id, unit); slot++) {
+    schedule_value v[4];
+    int count = exact_operands(p, id, exact_operation(p, id, unit, slot), v);
+    for (int i = 0; i < count; i++) {
+      int after = schedule_born(&p->schedule, v[i]) - slot;
+      start = after > start ? after : start;
+    }
+  }
+  return start;
+}
+
+/* Enter a class that starts in a cycle, or, -1, as soon as it can: its units' output
+ * streams. */
 static void enter(exact_plan *p, exact_class_id id, int operations, int start, int latency) {
   schedule *s = &p->schedule;
   exact_class *c = &p->class[id];
-  *c = (exact_class){operations, start, latency, s->streams};
+  *c = (exact_class){.operations = operations, .latency = latency, .stream = s->streams};
+  for (int unit = 0; unit < exact_units(p, id); unit++) {
+    c->start[unit] = start < 0 ? earliest_of(p, id, unit) : start;
+  }
   for (int unit = 0; unit < exact_units(p, id); unit++) {
     char name[EMIT_NAME];
     int count = exact_slots(p, id, unit);
@@ -217,34 +235,33 @@ static void enter(exact_plan *p, exact_class_id id, int operations, int start, i
     int stream = schedule_add(s, rows[id].kind, rows[id].width,
                               format < 0 ? 2 : p->design->format[format].width,
                               rows[id].is_signed, name);
-    s->stream[stream].first = start + latency;
+    s->stream[stream].first = c->start[unit] + latency;
     for (int k = 0; k < count; k++) {
       label_of(id, exact_operation(p, id, unit, k), s->stream[stream].label[k]);
     }
   }
 }
 
-/* The first cycle in which a class of so many operations can start. */
-static int earliest(const exact_plan *p, exact_class_id id, int operations) {
+/* The first cycle in which all units of a class of so many operations can start. */
+static int earliest(exact_plan *p, exact_class_id id, int operations) {
   int start = 0;
-  for (int k = 0; k < operations; k++) {
-    schedule_value v[4];
-    int count = exact_operands(p, id, k, v);
-    for (int i = 0; i < count; i++) {
-      int after = schedule_born(&p->schedule, v[i]) - exact_value(p, id, k).slot;
-      start = after > start ? after : start;
-    }
+  p->class[id].operations = operations;
+  for (int unit = 0; unit < exact_units(p, id); unit++) {
+    int after = earliest_of(p, id, unit);
+    start = after > start ? after : start;
   }
   return start;
 }
 
 static void need_operands(exact_plan *p, exact_class_id id) {
   const exact_class *c = &p->class[id];
-  for (int k = 0; k < c->operations; k++) {
-    schedule_value v[4];
-    int count = exact_operands(p, id, k, v);
-    for (int i = 0; i < count; i++) {
-      schedule_need(&p->schedule, v[i], c->start + exact_value(p, id, k).slot);
+  for (int unit = 0; unit < exact_units(p, id); unit++) {
+    for (int slot = 0; slot < exact_slots(p, id, unit); slot++) {
+      schedule_value v[4];
+      int count = exact_operands(p, id, exact_operation(p, id, unit, slot), v);
+      for (int i = 0; i < count; i++) {
+        schedule_need(&p->schedule, v[i], c->start[unit] + slot);
+      }
     }
   }
 }
@@ -258,8 +275,9 @@ static void need_all(exact_plan *p, exact_class_id id, int from, int to, int cyc
 /* Volumes over A at II = 3: unit r adds to the sum it takes over from unit r + 1. */
 static void enter_running(exact_plan *p) {
   schedule *s = &p->schedule;
-  int start = p->class[EXACT_PRISM].start + p->class[EXACT_PRISM].latency;
-  p->class[EXACT_ABOVE_A] = (exact_class){3, start, 1, s->streams};
+  int start = p->class[EXACT_PRISM].start[0] + p->class[EXACT_PRISM].latency;
+  p->class[EXACT_ABOVE_A] =
+      (exact_class){.operations = 3, .start = {start}, .latency = 1, .stream = s->streams};
   for (int r = 0; r < 3; r++) {
     char name[EMIT_NAME];
     snprintf(name, sizeof name, "%d", r);
@@ -298,7 +316,7 @@ static double longer(double a, double b) { return a > b ? a : b; }
 static void plan_strip(exact_plan *p, double sums, double period) {
   int span = p->design->format[SEPAX_X_SPAN].width;
   int area = p->design->format[SEPAX_X_AREA].width;
-  arith_form form = {span, span, area, p->design->format[SEPAX_X_SPAN].digits, 0};
+  arith_form form = {span, span, area, p->design->format[SEPAX_X_SPAN].digits, 1, 0};
   arith_plan_make(&p->strip_mul, &form, period);
   int ranks = 1 + p->strip_mul.ranks;
   int registers = 2 * span + p->strip_mul.registers;
@@ -326,16 +344,20 @@ static void plan_ranks(exact_plan *p) {
   plan_strip(p, sums, period);
   const sepax_format *weight = &f[SEPAX_X_WEIGHT];
   const sepax_format *own_weight = &f[SEPAX_X_OWN_WEIGHT];
-  arith_form prism = {area, weight->width, volume, weight->digits, 0};
-  arith_form own_prism = {area, own_weight->width, volume, own_weight->digits, 0};
+  arith_form prism = {area, weight->width, volume, weight->digits, 1, 0};
+  arith_form own_prism = {area, own_weight->width, volume, own_weight->digits, 1, 0};
   arith_plan_make(&p->prism_mul, &prism, period);
   arith_plan_make(&p->own_mul, &own_prism, period);
+  prism.less = 2;
+  arith_plan_make(&p->low_prism_mul, &prism, period);
   double fan_out = 0.15; /* of what many units read */
   double sum = fan_out + delay_adder(volume);
   double adders = fan_out + mux + 2 * delay_compressor();
   p->volume_ranks = adders + sum - fan_out > room                     ? 2
                     : adders + sum - fan_out + delay_test(volume) > room ? 1
                                                                        : 0;
+  p->shared_rises = p->design->config.ii == 1 &&
+                    fan_out + delay_compressor() + 2 * delay_adder(weight->width) <= room;
   p->own_weight_rank = fan_out + 4 * delay_compressor() + delay_adder(own_weight->width) > room;
   p->sign_rank = delay_test(area) + 1.0 > room;
   p->shortest = delay_register() +
@@ -375,11 +397,11 @@ static void enter_classes(exact_plan *p) {
   if (p->running) {
     enter_running(p);
   } else {
-    enter(p, EXACT_ABOVE_A, 3, earliest(p, EXACT_ABOVE_A, 3), 1 + p->volume_ranks);
+    enter(p, EXACT_ABOVE_A, 3, -1, 1 + p->volume_ranks);
     need_operands(p, EXACT_ABOVE_A);
   }
-  enter(p, EXACT_ABOVE_B, 3, earliest(p, EXACT_ABOVE_B, 3), 1 + p->volume_ranks);
-  enter(p, EXACT_BETWEEN, 9, earliest(p, EXACT_BETWEEN, 9), 1 + p->volume_ranks);
+  enter(p, EXACT_ABOVE_B, 3, -1, 1 + p->volume_ranks);
+  enter(p, EXACT_BETWEEN, 9, -1, 1 + p->volume_ranks);
   static const exact_class_id readers[] = {EXACT_AREA,      EXACT_OWN,     EXACT_PRISM,
                                            EXACT_OWN_PRISM, EXACT_ABOVE_B, EXACT_BETWEEN};
   for (size_t i = 0; i < sizeof readers / sizeof readers[0]; i++) {
@@ -411,10 +433,15 @@ static void enter_judges(exact_plan *p) {
 
 static void plan_all_banks(exact_plan *p) {
   int ii = p->schedule.ii;
-  int own = p->class[EXACT_OWN_WEIGHT].start;
+  int own = p->class[EXACT_OWN_WEIGHT].start[0];
   int last = p->design->config.flag ? 0 : p->plane_cycle;
   p->u_banks = plan_banks(p->u_bank, ii, 0, last);
-  p->z_banks = plan_banks(p->z_bank, ii, p->class[EXACT_WEIGHT].start, own > last ? own : last);
+  last = own > last ? own : last;
+  int aligned = plan_banks(p->z_bank, ii, 0, last);
+  p->z_banks = plan_banks(p->z_bank, ii, p->class[EXACT_WEIGHT].start[0], last);
+  if (aligned < p->z_banks) { /* weights read two banks, but a bank costs more */
+    p->z_banks = plan_banks(p->z_bank, ii, 0, last);
+  }
 }
 
 bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error) {

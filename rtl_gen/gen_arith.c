@@ -53,7 +53,7 @@ static void end_row(emit_module *m) {
   emit_end(m);
 }
 
-void gen_digits(emitter *e) {
+void gen_digits(emitter *e, bool two_less) {
   emit_module *m = begin_row(e, "sepax_digit", "digit = b - 1, which is -1, 0, 1 or 2", "2",
                              "two bits of the other factor");
   emit_text(m, "assign one = b == 2'd2;\n"
@@ -62,6 +62,16 @@ void gen_digits(emitter *e) {
                "assign row = (twice[ROW_W:1] & {ROW_W{one}}) | (twice[ROW_W-1:0] & {ROW_W{two}}) |\n"
                "             (~twice[ROW_W:1] & {ROW_W{negative}});");
   end_row(m);
+  if (two_less) {
+    m = begin_row(e, "sepax_digit_2", "digit = b - 2, which is -2, -1, 0 or 1", "2",
+                  "two bits of the other factor");
+    emit_text(m, "assign one = b == 2'd3;\n"
+                 "assign two = b == 2'd0;\n"
+                 "assign negative = !b[1];\n"
+                 "assign row = (twice[ROW_W:1] & {ROW_W{one}}) | (~twice[ROW_W-1:0] & {ROW_W{two}}) |\n"
+                 "             (~twice[ROW_W:1] & {ROW_W{negative && !two}});");
+    end_row(m);
+  }
   m = begin_row(e, "sepax_top_digit", "digit = b, two's complement, -2, -1, 0, 1 or 2", "3",
                 "the highest bits of the other factor");
   emit_text(m, "assign one = b[0];\n"
@@ -207,7 +217,7 @@ static void recode(writer *w) {
     snprintf(name, sizeof name, "digit_%d", row);
     bool is_top = row == p->rows - 1;
     snprintf(digit, sizeof digit, is_top ? "top" : "%s[%d:%d]", b, 2 * row + 1, 2 * row);
-    emit_instance(w->m, is_top ? "sepax_top_digit" : "sepax_digit", name, parameters,
+    emit_instance(w->m, is_top ? "sepax_top_digit" : p->less == 2 ? "sepax_digit_2" : "sepax_digit", name, parameters,
                   "a=a, b=%s, row=plain_%d, negative=negative[%d]", digit, row, row);
     if (!arith_row_whole(p, row)) {
       emit_text(w->m, "assign row_%d = plain_%d;", row, row);
@@ -373,11 +383,11 @@ static void add_behaviour(const writer *w) {
   emit_view(w->m, EMIT_STRUCTURAL);
 }
 
-/* (4^(rows - 1) - 1) / 3: what rows with a digit of one less each stand for together. */
-static void print_offset(int rows, char text[48]) {
+/* What the digits count less, all together. */
+static void print_offset(const arith_plan *plan, char text[48]) {
   unsigned __int128 offset = 0;
-  for (int i = 1; i < rows; i++) {
-    offset = 4 * offset + 1;
+  for (int i = 1; i < plan->rows; i++) {
+    offset = 4 * offset + (unsigned)plan->less;
   }
   char digits[48];
   int count = 0;
@@ -391,11 +401,17 @@ static void print_offset(int rows, char text[48]) {
   text[count] = '\0';
 }
 
-void gen_multiplier(emitter *e, const char *name, const arith_plan *plan) {
+void arith_name(const arith_plan *plan, char name[EMIT_NAME]) {
+  snprintf(name, EMIT_NAME, "sepax_mul_%dx%d%s", plan->a_w, plan->b_w, plan->less == 2 ? "_2" : "");
+}
+
+void gen_multiplier(emitter *e, const arith_plan *plan) {
+  char name[EMIT_NAME];
+  arith_name(plan, name);
   char banner[512];
   char bits[16];
   char offset[48];
-  print_offset(plan->rows, offset);
+  print_offset(plan, offset);
   if (plan->plain) {
     snprintf(banner, sizeof banner, "Signed product: p = a * b modulo 2^%d.", plan->p_w);
   } else {
@@ -405,10 +421,10 @@ void gen_multiplier(emitter *e, const char *name, const arith_plan *plan) {
   }
   size_t used = strlen(banner);
   snprintf(banner + used, sizeof banner - used,
-           "\nLatency %d. Structure: %d rows, selected by digits -1 ... 2 of %s, %d full\n"
+           "\nLatency %d. Structure: %d rows, selected by digits %s of %s, %d full\n"
            "adders in columns, the earliest bits first, one addition. Where SEPAX_BEHAVIOURAL\n"
            "is defined, a plain product of the same latency.",
-           plan->ranks, plan->rows, plan->plain ? "b" : "b less that number", plan->adders);
+           plan->ranks, plan->rows, plan->less == 2 ? "-2 ... 1" : "-1 ... 2", plan->plain ? "b" : "b less that number", plan->adders);
   writer w = {.m = emit_begin(e, name, banner), .plan = plan};
   memcpy(w.offset, offset, sizeof w.offset);
   w.place = calloc((size_t)ARITH_BITS * ARITH_RANKS, sizeof *w.place);

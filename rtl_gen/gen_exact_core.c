@@ -173,7 +173,7 @@ static void choose(core *c, const char *name, const char *width, bool is_signed,
 
 typedef struct {
   exact_class_id id;
-  const exact_class *class;
+  int start;
   int slots, operation[SEPAX_II_MAX]; /* what it does in each slot */
   const schedule_stream *out;
   char suffix[EMIT_NAME]; /* of the names of its wires and instances */
@@ -181,7 +181,7 @@ typedef struct {
 
 static unit unit_of(const core *c, exact_class_id id, int number) {
   const exact_class *class = &c->p->class[id];
-  unit u = {.id = id, .class = class, .slots = exact_slots(c->p, id, number)};
+  unit u = {.id = id, .start = class->start[number], .slots = exact_slots(c->p, id, number)};
   for (int k = 0; k < u.slots; k++) {
     u.operation[k] = exact_operation(c->p, id, number, k);
   }
@@ -210,22 +210,23 @@ static void operand(core *c, const unit *u, int index, const char *width, source
   for (int k = 0; k < u->slots; k++) {
     schedule_value v[4];
     exact_operands(c->p, u->id, u->operation[k], v);
-    schedule_source(&c->p->schedule, v[index], u->class->start + k, text[k]);
+    schedule_source(&c->p->schedule, v[index], u->start + k, text[k]);
   }
   snprintf(name, sizeof name, "%.40s_%c", u->out->name, "pqrs"[index]);
-  choose(c, name, width, true, u->class->start, u->slots, text, out);
+  choose(c, name, width, true, u->start, u->slots, text, out);
 }
 
 /* Operand of coordinates: vertex[k] in slot k. */
-static void point(core *c, const unit *u, const char *name, char axis, int bank,
-                  const int vertex[], source out) {
+static void point(core *c, const unit *u, const char *name, char axis, const int vertex[],
+                  source out) {
   source text[SEPAX_II_MAX];
   char wire[EMIT_NAME];
   for (int k = 0; k < u->slots; k++) {
-    coordinate(c, axis, vertex[k], bank, u->class->start + k, text[k]);
+    int cycle = u->start + k;
+    coordinate(c, axis, vertex[k], axis == 'z' ? exact_z_bank(c->p, cycle) : 0, cycle, text[k]);
   }
   snprintf(wire, sizeof wire, "%.30s_%s", u->out->name, name);
-  choose(c, wire, "W", true, u->class->start, u->slots, text, out);
+  choose(c, wire, "W", true, u->start, u->slots, text, out);
 }
 
 /* ------------------------------------------------------------------------- stages */
@@ -278,10 +279,10 @@ static void strips(core *c) {
       strip_vertices(u.operation[k], &from[k], &to[k]);
     }
     describe(c, &u);
-    point(c, &u, "x_from", 'x', 0, from, text[0]);
-    point(c, &u, "x_to", 'x', 0, to, text[1]);
-    point(c, &u, "y_from", 'y', 0, from, text[2]);
-    point(c, &u, "y_to", 'y', 0, to, text[3]);
+    point(c, &u, "x_from", 'x', from, text[0]);
+    point(c, &u, "x_to", 'x', to, text[1]);
+    point(c, &u, "y_from", 'y', from, text[2]);
+    point(c, &u, "y_to", 'y', to, text[3]);
     bool order = !c->p->design->config.flag && (n + 1) * c->ii > 6;
     char name[EMIT_NAME];
     char more[EMIT_NAME] = "";
@@ -323,11 +324,51 @@ static void areas(core *c) {
   }
 }
 
+/* Of an edge of A and a vertex of B: from A's third vertex to that. */
+static void rise_name(const core *c, int operation, char text[EMIT_NAME]) {
+  const exact_plan *p = c->p;
+  snprintf(text, EMIT_NAME, "rise_%.30s",
+           strchr(p->schedule.stream[p->class[EXACT_WEIGHT].stream + operation].name, '_') + 1);
+}
+
+/* II = 1: a rise, which all read, or a weight from two of them. */
+static void shared_weight(core *c, const unit *u) {
+  char name[EMIT_NAME];
+  char rise[2][EMIT_NAME];
+  int operation = u->operation[0];
+  int i = operation % 3;
+  int j = i + operation % 9 / 3;
+  if (operation < 9) {
+    int third[SEPAX_II_MAX] = {(i + 2) % 3};
+    int vertex[SEPAX_II_MAX] = {3 + j % 3};
+    source p;
+    source r;
+    describe(c, u);
+    point(c, u, "p", 'z', vertex, p);
+    point(c, u, "r", 'z', third, r);
+    rise_name(c, operation, rise[0]);
+    emit_net(c->m, EMIT_WIRE, true, rise[0], "Z_W");
+    snprintf(name, sizeof name, "of_%.40s", rise[0]);
+    emit_instance(c->m, "sepax_rise", name, "W=W, Z_W=Z_W, DIGITS=DIGITS",
+                  "clk=clk, z_p=%s, z_r=%s, z=%s, rise=%s", p, r, u->out->name, rise[0]);
+  } else {
+    describe(c, u);
+    rise_name(c, exact_edge_area(i + 2, j), rise[0]);
+    rise_name(c, exact_edge_area(i, j + 1), rise[1]);
+    snprintf(name, sizeof name, "weight_%.30s", u->suffix);
+    emit_instance(c->m, "sepax_weight", name, "Z_W=Z_W", "clk=clk, rise_pr=%s, rise_qs=%s, z=%s",
+                  rise[0], rise[1], u->out->name);
+  }
+}
+
 static void weights(core *c) {
-  int bank = exact_z_bank(c->p, c->p->class[EXACT_WEIGHT].start + c->ii - 1);
   emit_text(c->m, "\n// z: the weights of the prisms.");
   for (int n = 0; n < exact_units(c->p, EXACT_WEIGHT); n++) {
     unit u = unit_of(c, EXACT_WEIGHT, n);
+    if (c->p->shared_rises) {
+      shared_weight(c, &u);
+      continue;
+    }
     int v[4][SEPAX_II_MAX] = {{0}};
     source text[4];
     char name[EMIT_NAME];
@@ -343,15 +384,15 @@ static void weights(core *c) {
     }
     describe(c, &u);
     snprintf(name, sizeof name, "weight_%.30s", u.suffix);
-    point(c, &u, "p", 'z', bank, v[0], text[0]);
-    point(c, &u, "r", 'z', bank, v[2], text[2]);
+    point(c, &u, "p", 'z', v[0], text[0]);
+    point(c, &u, "r", 'z', v[2], text[2]);
     if ((n + 1) * c->ii <= 9) {
       emit_instance(c->m, "sepax_rise", name, "W=W, Z_W=Z_W, DIGITS=DIGITS",
                     "clk=clk, z_p=%s, z_r=%s, z=%s", text[0], text[2], u.out->name);
       continue;
     }
-    point(c, &u, "q", 'z', bank, v[1], text[1]);
-    point(c, &u, "s", 'z', bank, v[3], text[3]);
+    point(c, &u, "q", 'z', v[1], text[1]);
+    point(c, &u, "s", 'z', v[3], text[3]);
     emit_instance(c->m, "sepax_weight", name, "W=W, Z_W=Z_W, DIGITS=DIGITS",
                   "clk=clk, z_p=%s, z_q=%s, z_r=%s, z_s=%s, z=%s", text[0], text[1], text[2],
                   text[3], u.out->name);
@@ -359,7 +400,7 @@ static void weights(core *c) {
   unit u = unit_of(c, EXACT_OWN_WEIGHT, 0);
   source z[6];
   for (int v = 0; v < 6; v++) {
-    coordinate(c, 'z', v, exact_z_bank(c->p, u.class->start), u.class->start, z[v]);
+    coordinate(c, 'z', v, exact_z_bank(c->p, u.start), u.start, z[v]);
   }
   emit_blank(c->m);
   emit_instance(c->m, "sepax_own_weight", "own_weight", "W=W, O_W=O_W, DIGITS=OWN_DIGITS",
@@ -413,7 +454,8 @@ static void prisms(core *c) {
     operand(c, &u, 0, "G_W", g);
     operand(c, &u, 1, "Z_W", z);
     snprintf(name, sizeof name, "prism_%.30s", u.suffix);
-    emit_instance(c->m, "sepax_prism", name, "G_W=G_W, Z_W=Z_W, V_W=V_W",
+    bool two_less = c->p->shared_rises && n >= 9;
+    emit_instance(c->m, two_less ? "sepax_prism_2" : "sepax_prism", name, "G_W=G_W, Z_W=Z_W, V_W=V_W",
                   "clk=clk, g=%s, z=%s, h=%s", g, z, u.out->name);
   }
   unit u = unit_of(c, EXACT_OWN_PRISM, 0);
@@ -460,16 +502,16 @@ static void running_volumes(core *c) {
     source p;
     source q;
     schedule_source(s, exact_value(c->p, EXACT_PRISM, exact_edge_area(0, r + 1)),
-                    class->start + 1, sum[0]);
+                    class->start[0] + 1, sum[0]);
     snprintf(sum[1], EMIT_NAME, "sum_%d", (r + 1) % 3);
     for (int k = 1; k < 3; k++) {
       schedule_source(s, exact_value(c->p, EXACT_PRISM, exact_edge_area(k, r + k)),
-                      class->start + k, prism[k - 1]);
+                      class->start[0] + k, prism[k - 1]);
     }
     snprintf(name, sizeof name, "sum_%d_p", r);
-    choose(c, name, "V_W", true, class->start + 1, 2, sum, p);
+    choose(c, name, "V_W", true, class->start[0] + 1, 2, sum, p);
     snprintf(name, sizeof name, "sum_%d_q", r);
-    choose(c, name, "V_W", true, class->start + 1, 2, prism, q);
+    choose(c, name, "V_W", true, class->start[0] + 1, 2, prism, q);
     snprintf(name, sizeof name, "above_a_%d", r);
     emit_instance(c->m, "sepax_above_a", name, "V_W=V_W", "clk=clk, p=%s, q=%s, sum=sum_%d", p, q, r);
     snprintf(name, sizeof name, "sum_%d", r);
@@ -618,9 +660,9 @@ void gen_exact_core(emitter *e, const exact_plan *p) {
            "  cycle %2d  volumes\n"
            "  cycle %2d  the verdict\n"
            "Cycle 0 is the first in which a pair stands in the first banks.",
-           p->design->config.ii, p->design->config.ii == 1 ? "" : "s", p->class[EXACT_STRIP].start,
-           exact_units(p, EXACT_STRIP), p->class[EXACT_AREA].start, p->class[EXACT_PRISM].start,
-           exact_units(p, EXACT_PRISM) + 1, p->class[EXACT_ABOVE_B].start, p->verdict_cycle);
+           p->design->config.ii, p->design->config.ii == 1 ? "" : "s", p->class[EXACT_STRIP].start[0],
+           exact_units(p, EXACT_STRIP), p->class[EXACT_AREA].start[0], p->class[EXACT_PRISM].start[0],
+           exact_units(p, EXACT_PRISM) + 1, p->class[EXACT_ABOVE_B].start[0], p->verdict_cycle);
   core c = {emit_begin(e, "sepax_core", banner), p, p->design->config.ii};
   ports(&c);
   widths(&c);

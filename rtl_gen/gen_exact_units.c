@@ -7,14 +7,10 @@ static void width_parameter(emit_module *m, const char *name, int format, const 
   emit_parameter(m, EMIT_PARAMETER, name, m->emitter->design->format[format].width, about);
 }
 
-static void multiplier_name(const arith_plan *plan, char name[EMIT_NAME]) {
-  snprintf(name, EMIT_NAME, "sepax_mul_%dx%d", plan->a_w, plan->b_w);
-}
-
 static void multiply(emit_module *m, const arith_plan *plan, const char *a, const char *b,
                      const char *p) {
   char name[EMIT_NAME];
-  multiplier_name(plan, name);
+  arith_name(plan, name);
   emit_instance(m, name, "multiply", "", "%sa=%s, b=%s, p=%s", plan->ranks > 0 ? "clk=clk, " : "",
                 a, b, p);
 }
@@ -151,23 +147,9 @@ static void weight_parameters(emit_module *m, const char *width, int format) {
                  "radix-4 digits of the weight");
 }
 
-static void gen_weights(emitter *e, const exact_plan *p) {
-  static const char *const two[] = {"z_p", "z_r"};
+static void gen_whole_weight(emitter *e) {
   static const char *const four[] = {"z_p", "z_q", "z_r", "z_s"};
-  static const char *const six[] = {"z_a1", "z_a2", "z_a3", "z_b1", "z_b2", "z_b3"};
-  emit_module *m = emit_begin(e, "sepax_rise",
-                              "Weight of the prism under an edge of A and a vertex of B, the origin of z\n"
-                              "moved to the mean of A: z = z_p - z_r + offset, p that vertex, r A's third.\n"
-                              "Latency 1.");
-  weight_parameters(m, "Z_W", SEPAX_X_WEIGHT);
-  weight_ports(m, two, 2);
-  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "Z_W", "weight and offset");
-  widen(m, two, 2, "Z_W", "Z_W-W");
-  declare_offset(m, "Z_W");
-  emit_text(m, "\nalways @(posedge clk) begin\n  z <= wide_p - wide_r + offset;\nend");
-  emit_end(m);
-
-  m = emit_begin(e, "sepax_weight",
+  emit_module *m = emit_begin(e, "sepax_weight",
                  "Weight of the prism under a vertex of A and an edge of B, the origin of z moved\n"
                  "to the mean of A: z = z_p + z_q - z_r - z_s + offset, pq that edge and rs A's other\n"
                  "edge. Latency 1.");
@@ -180,6 +162,40 @@ static void gen_weights(emitter *e, const exact_plan *p) {
   compress(m, "four", "three_sum", "three_carry", "~wide_s", "1'b1", "Z_W");
   emit_text(m, "\nalways @(posedge clk) begin\n  z <= four_sum + four_carry + offset;\nend");
   emit_end(m);
+}
+
+static void gen_weights(emitter *e, const exact_plan *p) {
+  static const char *const two[] = {"z_p", "z_r"};
+  static const char *const six[] = {"z_a1", "z_a2", "z_a3", "z_b1", "z_b2", "z_b3"};
+  emit_module *m = emit_begin(e, "sepax_rise",
+                              "Weight of the prism under an edge of A and a vertex of B, the origin of z\n"
+                              "moved to the mean of A: z = z_p - z_r + offset, p that vertex, r A's third.\n"
+                              "Latency 1.");
+  weight_parameters(m, "Z_W", SEPAX_X_WEIGHT);
+  weight_ports(m, two, 2);
+  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "Z_W", "weight and offset");
+  emit_signal(m, p->shared_rises ? EMIT_OUTPUT : EMIT_WIRE, true, "rise", "Z_W", "the same at once");
+  widen(m, two, 2, "Z_W", "Z_W-W");
+  declare_offset(m, "Z_W");
+  emit_text(m, "assign rise = wide_p - wide_r + offset;\n"
+               "\nalways @(posedge clk) begin\n  z <= rise;\nend");
+  emit_end(m);
+
+  if (p->shared_rises) {
+    m = emit_begin(e, "sepax_weight",
+                   "Weight of the prism under a vertex of A and an edge of B, the origin of z moved\n"
+                   "to the mean of A: z = z_p + z_q - z_r - z_s + 2 offset, pq that edge and rs A's\n"
+                   "other edge, as a sum of two rises. Latency 1.");
+    width_parameter(m, "Z_W", SEPAX_X_WEIGHT, "bits of the weight");
+    emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
+    emit_signal(m, EMIT_INPUT, true, "rise_pr", "Z_W", "z_p - z_r + offset");
+    emit_signal(m, EMIT_INPUT, true, "rise_qs", "Z_W", "z_q - z_s + offset");
+    emit_signal(m, EMIT_OUTPUT_REG, true, "z", "Z_W", "weight and 2 offset");
+    emit_text(m, "\nalways @(posedge clk) begin\n  z <= rise_pr + rise_qs;\nend");
+    emit_end(m);
+  } else {
+    gen_whole_weight(e);
+  }
 
   m = emit_begin(e, "sepax_own_weight",
                  "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
@@ -205,16 +221,16 @@ static void gen_weights(emitter *e, const exact_plan *p) {
   emit_end(m);
 }
 
-static void gen_prism(emitter *e, const exact_plan *p, bool own) {
-  const arith_plan *plan = own ? &p->own_mul : &p->prism_mul;
+static void gen_prism(emitter *e, const char *name, const arith_plan *plan) {
+  bool own = strcmp(name, "sepax_own_prism") == 0;
   const char *width = own ? "O_W" : "Z_W";
   char banner[400];
   snprintf(banner, sizeof banner,
            "Six times the signed volume of the prism between a triangle and the plane z = 0:\n"
            "h = g (z - K) modulo 2^V_W, g twice its area in the projection, z the sum of its z\n"
-           "plus K. Latency %d.",
-           1 + plan->ranks);
-  emit_module *m = emit_begin(e, own ? "sepax_own_prism" : "sepax_prism", banner);
+           "plus K (%s, see sepax_mul_...). Latency %d.",
+           plan->less == 2 ? "two offsets" : "an offset", 1 + plan->ranks);
+  emit_module *m = emit_begin(e, name, banner);
   width_parameter(m, "G_W", SEPAX_X_AREA, "bits of an area");
   width_parameter(m, width, own ? SEPAX_X_OWN_WEIGHT : SEPAX_X_WEIGHT, "bits of a weight");
   width_parameter(m, "V_W", SEPAX_X_VOLUME, "bits of a volume");
@@ -423,13 +439,12 @@ static void gen_plane(emitter *e) {
 }
 
 void gen_exact_units(emitter *e, const exact_plan *p) {
-  const arith_plan *const plan[] = {&p->strip_mul, &p->prism_mul, &p->own_mul};
+  const arith_plan *const plan[] = {&p->strip_mul, &p->prism_mul, &p->own_mul,
+                                    &p->low_prism_mul};
   gen_fa(e);
-  gen_digits(e);
-  for (int i = 0; i < 3; i++) {
-    char name[EMIT_NAME];
-    multiplier_name(plan[i], name);
-    gen_multiplier(e, name, plan[i]);
+  gen_digits(e, p->shared_rises);
+  for (int i = 0; i < (p->shared_rises ? 4 : 3); i++) {
+    gen_multiplier(e, plan[i]);
   }
   bool flag = p->design->config.flag;
   gen_strip(e, p, false);
@@ -438,8 +453,11 @@ void gen_exact_units(emitter *e, const exact_plan *p) {
   }
   gen_area(e);
   gen_weights(e, p);
-  gen_prism(e, p, false);
-  gen_prism(e, p, true);
+  gen_prism(e, "sepax_prism", &p->prism_mul);
+  if (p->shared_rises) {
+    gen_prism(e, "sepax_prism_2", &p->low_prism_mul);
+  }
+  gen_prism(e, "sepax_own_prism", &p->own_mul);
   gen_volumes(e, p);
   gen_decide(e);
   if (!flag) {
