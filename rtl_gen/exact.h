@@ -50,7 +50,7 @@ typedef struct {
   bool shared_rises;      /* weights are sums of rises, which are there at once (II = 1) */
   bool sign_rank;         /* an area's sign is registered behind the area */
   bool turns;             /* the vertices go round: 3 divides II */
-  bool running;           /* volumes over A are summed as their prisms come (II = 3) */
+  bool running;           /* volumes over A and B's weight are summed term by term (II = 3) */
   int u_bank[EXACT_BANKS], z_bank[EXACT_BANKS]; /* first cycle of each */
   int u_banks, z_banks;   /* u: x, or y where all x are equal; bank 0 is x and y */
   int plane_cycle;        /* areas' signs are judged; last cycle of a frame */

@@ -100,14 +100,14 @@ int exact_operands(const exact_plan *p, exact_class_id id, int operation,
     v[0] = exact_value(p, EXACT_OWN, 0);
     v[1] = exact_value(p, EXACT_OWN_WEIGHT, 0);
     return 2;
-  case EXACT_ABOVE_A:
-    for (int i = 0; i < 3; i++) {
-      v[i] = exact_value(p, EXACT_PRISM, exact_edge_area(i, operation));
+  case EXACT_ABOVE_A: /* by orbit, so that a turn changes no operand's unit */
+    for (int r = 0; r < 3; r++) {
+      v[r] = exact_value(p, EXACT_PRISM, exact_edge_area(operation - r, operation));
     }
     return 3;
   case EXACT_ABOVE_B:
-    for (int j = 0; j < 3; j++) {
-      v[j] = exact_value(p, EXACT_PRISM, exact_vertex_area(operation, j));
+    for (int r = 0; r < 3; r++) {
+      v[r] = exact_value(p, EXACT_PRISM, exact_vertex_area(operation, operation + r));
     }
     v[3] = exact_value(p, EXACT_OWN_PRISM, 0);
     return 4;
@@ -286,8 +286,7 @@ static void enter_running(exact_plan *p) {
     for (int k = 0; k < 3; k++) {
       label_of(EXACT_ABOVE_A, (r + k) % 3, s->stream[stream].label[k]);
     }
-    schedule_need(s, exact_value(p, EXACT_PRISM, exact_edge_area(0, r + 1)), start + 1);
-    for (int k = 1; k < 3; k++) {
+    for (int k = 0; k < 3; k++) {
       schedule_need(s, exact_value(p, EXACT_PRISM, exact_edge_area(k, r + k)), start + k);
     }
   }
@@ -357,8 +356,8 @@ static void plan_ranks(exact_plan *p) {
                     : adders + sum - fan_out + delay_test(volume) > room ? 1
                                                                        : 0;
   p->shared_rises = p->design->config.ii == 1 &&
-                    fan_out + delay_compressor() + 2 * delay_adder(weight->width) <= room;
-  p->own_weight_rank = fan_out + 4 * delay_compressor() + delay_adder(own_weight->width) > room;
+                    fan_out + 3 * delay_compressor() + 2 * delay_adder(own_weight->width) <= room;
+  p->own_weight_rank = !p->running && !p->shared_rises && fan_out + 4 * delay_compressor() + delay_adder(own_weight->width) > room;
   p->sign_rank = delay_test(area) + 1.0 > room;
   p->shortest = delay_register() +
                 longer(longer(delay_row(area) + delay_compressor(), sums),
@@ -391,7 +390,8 @@ static void enter_classes(exact_plan *p) {
   int own_start = earliest(p, EXACT_OWN, own);
   own_start = own_start > start ? own_start : start;
   enter(p, EXACT_OWN, own, own_start, 1);
-  enter(p, EXACT_OWN_WEIGHT, 1, own_start - p->own_weight_rank, 1 + p->own_weight_rank);
+  int own_weight = p->running ? 3 : p->shared_rises ? 1 : 1 + p->own_weight_rank;
+  enter(p, EXACT_OWN_WEIGHT, 1, own_start + 1 - own_weight, own_weight);
   enter(p, EXACT_OWN_SIGN, own, own_start, 1 + p->sign_rank);
   enter(p, EXACT_OWN_PRISM, 1, own_start + 1, 1 + p->own_mul.ranks);
   if (p->running) {

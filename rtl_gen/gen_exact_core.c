@@ -361,6 +361,43 @@ static void shared_weight(core *c, const unit *u) {
   }
 }
 
+/* B's weight, from all z at once, or one vertex of each triangle a cycle. */
+static void own_weight(core *c) {
+  unit u = unit_of(c, EXACT_OWN_WEIGHT, 0);
+  source z[6];
+  emit_blank(c->m);
+  if (c->p->running) {
+    u.slots = 3;
+    for (int t = 0; t < 2; t++) {
+      int vertex[SEPAX_II_MAX];
+      for (int k = 0; k < 3; k++) {
+        vertex[k] = 3 * t + (u.start + k) % 3;
+      }
+      point(c, &u, t == 0 ? "a" : "b", 'z', vertex, z[t]);
+    }
+    emit_instance(c->m, "sepax_own_weight", "own_weight", "W=W, O_W=O_W, DIGITS=OWN_DIGITS",
+                  "clk=clk, first=at[%d], z_a=%s, z_b=%s, z=%s", u.start % 3, z[0], z[1], u.out->name);
+    return;
+  }
+  if (c->p->shared_rises) {
+    char rise[3][EMIT_NAME];
+    for (int i = 0; i < 3; i++) {
+      rise_name(c, exact_edge_area(i + 1, i), rise[i]);
+    }
+    emit_instance(c->m, "sepax_own_weight", "own_weight",
+                  "Z_W=Z_W, RISE_DIGITS=DIGITS, O_W=O_W, DIGITS=OWN_DIGITS",
+                  "clk=clk, rise_1=%s, rise_2=%s, rise_3=%s, z=%s", rise[0], rise[1], rise[2],
+                  u.out->name);
+    return;
+  }
+  for (int v = 0; v < 6; v++) {
+    coordinate(c, 'z', v, exact_z_bank(c->p, u.start), u.start, z[v]);
+  }
+  emit_instance(c->m, "sepax_own_weight", "own_weight", "W=W, O_W=O_W, DIGITS=OWN_DIGITS",
+                "clk=clk, z_a1=%s, z_a2=%s, z_a3=%s, z_b1=%s, z_b2=%s, z_b3=%s, z=%s", z[0], z[1],
+                z[2], z[3], z[4], z[5], u.out->name);
+}
+
 static void weights(core *c) {
   emit_text(c->m, "\n// z: the weights of the prisms.");
   for (int n = 0; n < exact_units(c->p, EXACT_WEIGHT); n++) {
@@ -397,15 +434,7 @@ static void weights(core *c) {
                   "clk=clk, z_p=%s, z_q=%s, z_r=%s, z_s=%s, z=%s", text[0], text[1], text[2],
                   text[3], u.out->name);
   }
-  unit u = unit_of(c, EXACT_OWN_WEIGHT, 0);
-  source z[6];
-  for (int v = 0; v < 6; v++) {
-    coordinate(c, 'z', v, exact_z_bank(c->p, u.start), u.start, z[v]);
-  }
-  emit_blank(c->m);
-  emit_instance(c->m, "sepax_own_weight", "own_weight", "W=W, O_W=O_W, DIGITS=OWN_DIGITS",
-                "clk=clk, z_a1=%s, z_a2=%s, z_a3=%s, z_b1=%s, z_b2=%s, z_b3=%s, z=%s", z[0], z[1],
-                z[2], z[3], z[4], z[5], u.out->name);
+  own_weight(c);
 }
 
 static void sign_of(core *c, const char *sign, const char *value, const char *width,
@@ -486,32 +515,29 @@ static void volumes_of(core *c, exact_class_id id, const char *module, int opera
 }
 
 /* Volumes over A at II = 3: in cycle k of the prisms unit r takes the sum of unit r + 1
- * over and adds the prism over edge k; after cycle 2 the sums are whole. */
+ * over, none in cycle 0, and adds the prism over edge k; after cycle 2 the sums are whole. */
 static void running_volumes(core *c) {
   const schedule *s = &c->p->schedule;
   const exact_class *class = &c->p->class[EXACT_ABOVE_A];
+  char name[EMIT_NAME];
   for (int r = 0; r < 3; r++) {
-    char name[EMIT_NAME];
     snprintf(name, sizeof name, "sum_%d", r);
     emit_net(c->m, EMIT_WIRE, true, name, "V_W");
   }
   for (int r = 0; r < 3; r++) {
-    char name[EMIT_NAME];
-    source sum[2];
-    source prism[2];
+    source sum[3];
+    source prism[3];
     source p;
     source q;
-    schedule_source(s, exact_value(c->p, EXACT_PRISM, exact_edge_area(0, r + 1)),
-                    class->start[0] + 1, sum[0]);
-    snprintf(sum[1], EMIT_NAME, "sum_%d", (r + 1) % 3);
-    for (int k = 1; k < 3; k++) {
+    for (int k = 0; k < 3; k++) {
+      snprintf(sum[k], EMIT_NAME, k == 0 ? "{V_W{1'b0}}" : "sum_%d", (r + 1) % 3);
       schedule_source(s, exact_value(c->p, EXACT_PRISM, exact_edge_area(k, r + k)),
-                      class->start[0] + k, prism[k - 1]);
+                      class->start[0] + k, prism[k]);
     }
     snprintf(name, sizeof name, "sum_%d_p", r);
-    choose(c, name, "V_W", true, class->start[0] + 1, 2, sum, p);
+    choose(c, name, "V_W", true, class->start[0], 3, sum, p);
     snprintf(name, sizeof name, "sum_%d_q", r);
-    choose(c, name, "V_W", true, class->start[0] + 1, 2, prism, q);
+    choose(c, name, "V_W", true, class->start[0], 3, prism, q);
     snprintf(name, sizeof name, "above_a_%d", r);
     emit_instance(c->m, "sepax_above_a", name, "V_W=V_W", "clk=clk, p=%s, q=%s, sum=sum_%d", p, q, r);
     snprintf(name, sizeof name, "sum_%d", r);

@@ -164,9 +164,87 @@ static void gen_whole_weight(emitter *e) {
   emit_end(m);
 }
 
+static void gen_own_weight(emitter *e, const exact_plan *p) {
+  static const char *const six[] = {"z_a1", "z_a2", "z_a3", "z_b1", "z_b2", "z_b3"};
+  emit_module *m = emit_begin(e, "sepax_own_weight",
+                 "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
+                 "B's z less the sum of A's, plus offset.");
+  weight_parameters(m, "O_W", SEPAX_X_OWN_WEIGHT);
+  weight_ports(m, six, 6);
+  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "O_W", "weight and offset");
+  widen(m, six, 6, "O_W", "O_W-W");
+  declare_offset(m, "O_W");
+  compress(m, "of_b", "wide_b1", "wide_b2", "wide_b3", "1'b1", "O_W");
+  compress(m, "of_a", "~wide_a1", "~wide_a2", "~wide_a3", "1'b1", "O_W");
+  compress(m, "five", "of_b_sum", "of_b_carry", "of_a_sum", "1'b1", "O_W");
+  compress(m, "six", "five_sum", "five_carry", "of_a_carry", "1'b0", "O_W");
+  const char *rank = p->own_weight_rank ? "_q" : "";
+  if (p->own_weight_rank) {
+    emit_net(m, EMIT_REG, false, "six_sum_q", "O_W");
+    emit_net(m, EMIT_REG, false, "six_carry_q", "O_W");
+    emit_text(m, "\nalways @(posedge clk) begin\n  six_sum_q <= six_sum;\n"
+                 "  six_carry_q <= six_carry;\nend");
+  }
+  emit_text(m, "\nalways @(posedge clk) begin\n  z <= six_sum%s + six_carry%s + offset;\nend", rank,
+            rank);
+  emit_end(m);
+}
+
+static void gen_shared_own_weight(emitter *e) {
+  emit_module *m = emit_begin(
+      e, "sepax_own_weight",
+      "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
+      "B's z less the sum of A's, plus its own offset, from three rises, which have brought\n"
+      "an offset of theirs each. Latency 1.");
+  width_parameter(m, "Z_W", SEPAX_X_WEIGHT, "bits of a rise");
+  emit_parameter(m, EMIT_PARAMETER, "RISE_DIGITS", e->design->format[SEPAX_X_WEIGHT].digits,
+                 "radix-4 digits of a rise");
+  width_parameter(m, "O_W", SEPAX_X_OWN_WEIGHT, "bits of the weight");
+  emit_parameter(m, EMIT_PARAMETER, "DIGITS", e->design->format[SEPAX_X_OWN_WEIGHT].digits,
+                 "radix-4 digits of the weight");
+  emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
+  for (int i = 1; i <= 3; i++) {
+    char name[EMIT_NAME];
+    snprintf(name, sizeof name, "rise_%d", i);
+    emit_signal(m, EMIT_INPUT, true, name, "Z_W", "z of B_%d less z of A_%d, and offset", i, i);
+    snprintf(name, sizeof name, "wide_%d", i);
+    emit_net(m, EMIT_WIRE, true, name, "O_W");
+  }
+  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "O_W", "weight and offset");
+  declare_offset(m, "O_W");
+  emit_net(m, EMIT_WIRE, true, "rise_offset", "O_W");
+  emit_net(m, EMIT_WIRE, true, "difference", "O_W");
+  emit_text(m, "assign rise_offset = {{(O_W+2-2*RISE_DIGITS){1'b0}}, {(RISE_DIGITS-1){2'b01}}};\n"
+               "assign difference = offset - (rise_offset + rise_offset + rise_offset);");
+  for (int i = 1; i <= 3; i++) {
+    emit_text(m, "assign wide_%d = {{(O_W-Z_W){rise_%d[Z_W-1]}}, rise_%d};", i, i, i);
+  }
+  compress(m, "three", "wide_1", "wide_2", "wide_3", "1'b0", "O_W");
+  emit_text(m, "\nalways @(posedge clk) begin\n  z <= three_sum + three_carry + difference;\nend");
+  emit_end(m);
+}
+
+static void gen_running_own_weight(emitter *e) {
+  static const char *const two[] = {"z_a", "z_b"};
+  emit_module *m = emit_begin(
+      e, "sepax_own_weight",
+      "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
+      "B's z less the sum of A's, plus offset, one vertex of each a cycle. Latency 3.");
+  weight_parameters(m, "O_W", SEPAX_X_OWN_WEIGHT);
+  weight_ports(m, two, 2);
+  emit_signal(m, EMIT_INPUT, false, "first", "", "the first vertex of each");
+  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "O_W", "weight and offset");
+  emit_net(m, EMIT_WIRE, true, "so_far", "O_W");
+  widen(m, two, 2, "O_W", "O_W-W");
+  declare_offset(m, "O_W");
+  emit_text(m, "assign so_far = first ? offset : z;");
+  compress(m, "three", "so_far", "wide_b", "~wide_a", "1'b1", "O_W");
+  emit_text(m, "\nalways @(posedge clk) begin\n  z <= three_sum + three_carry;\nend");
+  emit_end(m);
+}
+
 static void gen_weights(emitter *e, const exact_plan *p) {
   static const char *const two[] = {"z_p", "z_r"};
-  static const char *const six[] = {"z_a1", "z_a2", "z_a3", "z_b1", "z_b2", "z_b3"};
   emit_module *m = emit_begin(e, "sepax_rise",
                               "Weight of the prism under an edge of A and a vertex of B, the origin of z\n"
                               "moved to the mean of A: z = z_p - z_r + offset, p that vertex, r A's third.\n"
@@ -197,28 +275,13 @@ static void gen_weights(emitter *e, const exact_plan *p) {
     gen_whole_weight(e);
   }
 
-  m = emit_begin(e, "sepax_own_weight",
-                 "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
-                 "B's z less the sum of A's, plus offset.");
-  weight_parameters(m, "O_W", SEPAX_X_OWN_WEIGHT);
-  weight_ports(m, six, 6);
-  emit_signal(m, EMIT_OUTPUT_REG, true, "z", "O_W", "weight and offset");
-  widen(m, six, 6, "O_W", "O_W-W");
-  declare_offset(m, "O_W");
-  compress(m, "of_b", "wide_b1", "wide_b2", "wide_b3", "1'b1", "O_W");
-  compress(m, "of_a", "~wide_a1", "~wide_a2", "~wide_a3", "1'b1", "O_W");
-  compress(m, "five", "of_b_sum", "of_b_carry", "of_a_sum", "1'b1", "O_W");
-  compress(m, "six", "five_sum", "five_carry", "of_a_carry", "1'b0", "O_W");
-  const char *rank = p->own_weight_rank ? "_q" : "";
-  if (p->own_weight_rank) {
-    emit_net(m, EMIT_REG, false, "six_sum_q", "O_W");
-    emit_net(m, EMIT_REG, false, "six_carry_q", "O_W");
-    emit_text(m, "\nalways @(posedge clk) begin\n  six_sum_q <= six_sum;\n"
-                 "  six_carry_q <= six_carry;\nend");
+  if (p->running) {
+    gen_running_own_weight(e);
+  } else if (p->shared_rises) {
+    gen_shared_own_weight(e);
+  } else {
+    gen_own_weight(e, p);
   }
-  emit_text(m, "\nalways @(posedge clk) begin\n  z <= six_sum%s + six_carry%s + offset;\nend", rank,
-            rank);
-  emit_end(m);
 }
 
 static void gen_prism(emitter *e, const char *name, const arith_plan *plan) {
