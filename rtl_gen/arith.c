@@ -263,3 +263,9 @@ void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
     plan_in(p, form, enough);
   }
 }
+
+bool arith_same(const arith_plan *plan, const arith_plan *other) {
+  return plan->a_w == other->a_w && plan->b_w == other->b_w && plan->p_w == other->p_w &&
+         plan->rows == other->rows && plan->plain == other->plain && plan->less == other->less &&
+         plan->ranks == other->ranks;
+}

@@ -73,6 +73,8 @@ typedef struct {
 
 void arith_plan_make(arith_plan *plan, const arith_form *form, double period);
 
+bool arith_same(const arith_plan *plan, const arith_plan *other);
+
 /* Bits of a row; whether they are all, or cut off at the product's highest. */
 int arith_row_bits(const arith_plan *plan, int row);
 bool arith_row_whole(const arith_plan *plan, int row);

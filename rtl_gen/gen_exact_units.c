@@ -217,7 +217,7 @@ static void gen_shared_own_weight(emitter *e) {
   emit_text(m, "assign rise_offset = {{(O_W+2-2*RISE_DIGITS){1'b0}}, {(RISE_DIGITS-1){2'b01}}};\n"
                "assign difference = offset - (rise_offset + rise_offset + rise_offset);");
   for (int i = 1; i <= 3; i++) {
-    emit_text(m, "assign wide_%d = {{(O_W-Z_W){rise_%d[Z_W-1]}}, rise_%d};", i, i, i);
+    emit_text(m, "assign wide_%d = {{(O_W-Z_W+1){rise_%d[Z_W-1]}}, rise_%d[Z_W-2:0]};", i, i, i);
   }
   compress(m, "three", "wide_1", "wide_2", "wide_3", "1'b0", "O_W");
   emit_text(m, "\nalways @(posedge clk) begin\n  z <= three_sum + three_carry + difference;\nend");
@@ -502,12 +502,15 @@ static void gen_plane(emitter *e) {
 }
 
 void gen_exact_units(emitter *e, const exact_plan *p) {
-  const arith_plan *const plan[] = {&p->strip_mul, &p->prism_mul, &p->own_mul,
-                                    &p->low_prism_mul};
   gen_fa(e);
   gen_digits(e, p->shared_rises);
-  for (int i = 0; i < (p->shared_rises ? 4 : 3); i++) {
-    gen_multiplier(e, plan[i]);
+  gen_multiplier(e, &p->strip_mul);
+  gen_multiplier(e, &p->prism_mul);
+  if (!arith_same(&p->own_mul, &p->prism_mul)) { /* they are where W is odd */
+    gen_multiplier(e, &p->own_mul);
+  }
+  if (p->shared_rises) {
+    gen_multiplier(e, &p->low_prism_mul);
   }
   bool flag = p->design->config.flag;
   gen_strip(e, p, false);

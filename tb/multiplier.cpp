@@ -1,7 +1,8 @@
 // multiplier.cpp - holds a verilated generated multiplier against the product of 128-bit
 // integers: operands that are corners, powers of two and their neighbours, and random.
 //
-// Compiled with MODEL=Vsepax_mul_AxB, A_W, B_W, P_W and RANKS.
+// Compiled with MODEL=Vsepax_mul_AxB, A_W, B_W, P_W, RANKS, and DIGITS, LESS: digits of b that
+// count so much less, but for the highest, which is in -2 ... 2; 0: a plain product.
 #define STRINGIFY(name) #name
 #define HEADER(name) STRINGIFY(name.h)
 #include HEADER(MODEL)
@@ -66,15 +67,22 @@ int main(int argc, char **argv) {
   MODEL top;
   Wide expected[RANKS + 1] = {};
   uint64_t wrong = 0;
+  Wide offset = 0;
+  for (int i = 1; i < DIGITS; i++) {
+    offset = 4 * offset + LESS;
+  }
   for (uint64_t n = 0; n < count + RANKS; n++) {
     Wide a = operand(&random, A_W);
     Wide b = operand(&random, B_W);
+    if (DIGITS > 0 && B_W > 2 * DIGITS) { // what a factor of 2 DIGITS bits can be
+      b = low((Wide)extend(b, 2 * DIGITS) + offset, B_W);
+    }
     set(top.a, a);
     set(top.b, b);
     for (int i = RANKS; i > 0; i--) {
       expected[i] = expected[i - 1];
     }
-    expected[0] = low((Wide)(extend(a, A_W)) * (Wide)extend(b, B_W), P_W);
+    expected[0] = low((Wide)(extend(a, A_W)) * ((Wide)extend(b, B_W) - offset), P_W);
 #if RANKS > 0
     top.clk = 0;
     top.eval();
@@ -88,7 +96,7 @@ int main(int argc, char **argv) {
     wrong += low(get(top.p), P_W) != expected[0];
 #endif
   }
-  std::printf("%dx%d modulo 2^%d, latency %d: %llu products, %llu wrong\n", A_W, B_W, P_W, RANKS,
+  std::printf("%dx%d modulo 2^%d, %d digits less %d, latency %d: %llu products, %llu wrong\n", A_W, B_W, P_W, DIGITS, LESS, RANKS,
               (unsigned long long)count, (unsigned long long)wrong);
   return wrong == 0 && count > 0 ? 0 : 1;
 }

@@ -1,8 +1,11 @@
 sepax_fa.v
-sepax_booth.v
+sepax_digit.v
+sepax_digit_2.v
+sepax_top_digit.v
 sepax_mul_19x19.v
-sepax_mul_37x20.v
 sepax_mul_37x21.v
+sepax_mul_37x22.v
+sepax_mul_37x21_2.v
 sepax_strip.v
 sepax_strip_ab.v
 sepax_area.v
@@ -11,6 +14,7 @@ sepax_rise.v
 sepax_weight.v
 sepax_own_weight.v
 sepax_prism.v
+sepax_prism_2.v
 sepax_own_prism.v
 sepax_above_a.v
 sepax_above_b.v

@@ -50,9 +50,11 @@ module sepax_core (
   localparam W = 18; // bits of a coordinate
   localparam S_W = 19; // of a sum or difference of two
   localparam G_W = 37; // of twice an area
-  localparam Z_W = 20; // of a weight
-  localparam O_W = 21; // of B's weight
+  localparam Z_W = 21; // of a weight
+  localparam O_W = 22; // of B's weight
   localparam V_W = 56; // of six times a volume
+  localparam DIGITS = 10; // radix-4 digits of a weight
+  localparam OWN_DIGITS = 11; // of B's weight
 
   // Coordinates. u is x, or y where all six x are
   // equal: with z it does for a second look at pairs that are flat in x and y.
@@ -571,141 +573,138 @@ module sepax_core (
   );
 
   // z: the weights of the prisms.
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_a1a2b1 (
+  wire signed [Z_W-1:0] rise_a1a2b1;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) of_rise_a1a2b1 (
     .clk(clk),
     .z_p(z_b1_q1),
     .z_r(z_a3_q1),
-    .z(z_a1a2b1)
+    .z(z_a1a2b1),
+    .rise(rise_a1a2b1)
   );
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_a2a3b2 (
+  wire signed [Z_W-1:0] rise_a2a3b2;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) of_rise_a2a3b2 (
     .clk(clk),
     .z_p(z_b2_q1),
     .z_r(z_a1_q1),
-    .z(z_a2a3b2)
+    .z(z_a2a3b2),
+    .rise(rise_a2a3b2)
   );
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_a3a1b3 (
+  wire signed [Z_W-1:0] rise_a3a1b3;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) of_rise_a3a1b3 (
     .clk(clk),
     .z_p(z_b3_q1),
     .z_r(z_a2_q1),
-    .z(z_a3a1b3)
+    .z(z_a3a1b3),
+    .rise(rise_a3a1b3)
   );
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_a1a2b2 (
+  wire signed [Z_W-1:0] rise_a1a2b2;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) of_rise_a1a2b2 (
     .clk(clk),
     .z_p(z_b2_q1),
     .z_r(z_a3_q1),
-    .z(z_a1a2b2)
+    .z(z_a1a2b2),
+    .rise(rise_a1a2b2)
   );
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_a2a3b3 (
+  wire signed [Z_W-1:0] rise_a2a3b3;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) of_rise_a2a3b3 (
     .clk(clk),
     .z_p(z_b3_q1),
     .z_r(z_a1_q1),
-    .z(z_a2a3b3)
+    .z(z_a2a3b3),
+    .rise(rise_a2a3b3)
   );
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_a3a1b1 (
+  wire signed [Z_W-1:0] rise_a3a1b1;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) of_rise_a3a1b1 (
     .clk(clk),
     .z_p(z_b1_q1),
     .z_r(z_a2_q1),
-    .z(z_a3a1b1)
+    .z(z_a3a1b1),
+    .rise(rise_a3a1b1)
   );
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_a1a2b3 (
+  wire signed [Z_W-1:0] rise_a1a2b3;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) of_rise_a1a2b3 (
     .clk(clk),
     .z_p(z_b3_q1),
     .z_r(z_a3_q1),
-    .z(z_a1a2b3)
+    .z(z_a1a2b3),
+    .rise(rise_a1a2b3)
   );
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_a2a3b1 (
+  wire signed [Z_W-1:0] rise_a2a3b1;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) of_rise_a2a3b1 (
     .clk(clk),
     .z_p(z_b1_q1),
     .z_r(z_a1_q1),
-    .z(z_a2a3b1)
+    .z(z_a2a3b1),
+    .rise(rise_a2a3b1)
   );
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_a3a1b2 (
+  wire signed [Z_W-1:0] rise_a3a1b2;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) of_rise_a3a1b2 (
     .clk(clk),
     .z_p(z_b2_q1),
     .z_r(z_a2_q1),
-    .z(z_a3a1b2)
+    .z(z_a3a1b2),
+    .rise(rise_a3a1b2)
   );
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_a1b1b2 (
+  sepax_weight #( .Z_W(Z_W) ) weight_a1b1b2 (
     .clk(clk),
-    .z_p(z_b1_q1),
-    .z_q(z_b2_q1),
-    .z_r(z_a3_q1),
-    .z_s(z_a2_q1),
+    .rise_pr(rise_a3a1b1),
+    .rise_qs(rise_a1a2b2),
     .z(z_a1b1b2)
   );
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_a2b2b3 (
+  sepax_weight #( .Z_W(Z_W) ) weight_a2b2b3 (
     .clk(clk),
-    .z_p(z_b2_q1),
-    .z_q(z_b3_q1),
-    .z_r(z_a1_q1),
-    .z_s(z_a3_q1),
+    .rise_pr(rise_a1a2b2),
+    .rise_qs(rise_a2a3b3),
     .z(z_a2b2b3)
   );
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_a3b3b1 (
+  sepax_weight #( .Z_W(Z_W) ) weight_a3b3b1 (
     .clk(clk),
-    .z_p(z_b3_q1),
-    .z_q(z_b1_q1),
-    .z_r(z_a2_q1),
-    .z_s(z_a1_q1),
+    .rise_pr(rise_a2a3b3),
+    .rise_qs(rise_a3a1b1),
     .z(z_a3b3b1)
   );
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_a1b2b3 (
+  sepax_weight #( .Z_W(Z_W) ) weight_a1b2b3 (
     .clk(clk),
-    .z_p(z_b2_q1),
-    .z_q(z_b3_q1),
-    .z_r(z_a3_q1),
-    .z_s(z_a2_q1),
+    .rise_pr(rise_a3a1b2),
+    .rise_qs(rise_a1a2b3),
     .z(z_a1b2b3)
   );
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_a2b3b1 (
+  sepax_weight #( .Z_W(Z_W) ) weight_a2b3b1 (
     .clk(clk),
-    .z_p(z_b3_q1),
-    .z_q(z_b1_q1),
-    .z_r(z_a1_q1),
-    .z_s(z_a3_q1),
+    .rise_pr(rise_a1a2b3),
+    .rise_qs(rise_a2a3b1),
     .z(z_a2b3b1)
   );
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_a3b1b2 (
+  sepax_weight #( .Z_W(Z_W) ) weight_a3b1b2 (
     .clk(clk),
-    .z_p(z_b1_q1),
-    .z_q(z_b2_q1),
-    .z_r(z_a2_q1),
-    .z_s(z_a1_q1),
+    .rise_pr(rise_a2a3b1),
+    .rise_qs(rise_a3a1b2),
     .z(z_a3b1b2)
   );
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_a1b3b1 (
+  sepax_weight #( .Z_W(Z_W) ) weight_a1b3b1 (
     .clk(clk),
-    .z_p(z_b3_q1),
-    .z_q(z_b1_q1),
-    .z_r(z_a3_q1),
-    .z_s(z_a2_q1),
+    .rise_pr(rise_a3a1b3),
+    .rise_qs(rise_a1a2b1),
     .z(z_a1b3b1)
   );
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_a2b1b2 (
+  sepax_weight #( .Z_W(Z_W) ) weight_a2b1b2 (
     .clk(clk),
-    .z_p(z_b1_q1),
-    .z_q(z_b2_q1),
-    .z_r(z_a1_q1),
-    .z_s(z_a3_q1),
+    .rise_pr(rise_a1a2b1),
+    .rise_qs(rise_a2a3b2),
     .z(z_a2b1b2)
   );
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_a3b2b3 (
+  sepax_weight #( .Z_W(Z_W) ) weight_a3b2b3 (
     .clk(clk),
-    .z_p(z_b2_q1),
-    .z_q(z_b3_q1),
-    .z_r(z_a2_q1),
-    .z_s(z_a1_q1),
+    .rise_pr(rise_a2a3b2),
+    .rise_qs(rise_a3a1b3),
     .z(z_a3b2b3)
   );
 
-  sepax_own_weight #( .W(W), .O_W(O_W) ) own_weight (
+  sepax_own_weight #( .Z_W(Z_W), .RISE_DIGITS(DIGITS), .O_W(O_W), .DIGITS(OWN_DIGITS) ) own_weight (
     .clk(clk),
-    .z_a1(z_a1_q1),
-    .z_a2(z_a2_q1),
-    .z_a3(z_a3_q1),
-    .z_b1(z_b1_q1),
-    .z_b2(z_b2_q1),
-    .z_b3(z_b3_q1),
+    .rise_1(rise_a2a3b1),
+    .rise_2(rise_a3a1b2),
+    .rise_3(rise_a1a2b3),
     .z(zo_b1b2b3)
   );
 
@@ -730,15 +729,17 @@ module sepax_core (
   assign gs_a3b2b3 = {!g_a3b2b3[G_W-1] && (g_a3b2b3 != {G_W{1'b0}}), g_a3b2b3[G_W-1]};
   assign gos_b1b2b3 = {!go_b1b2b3[G_W-1] && (go_b1b2b3 != {G_W{1'b0}}), go_b1b2b3[G_W-1]};
   assign gos_a1a2a3 = {!go_a1a2a3[G_W-1] && (go_a1a2a3 != {G_W{1'b0}}), go_a1a2a3[G_W-1]};
-  assign oz_a1a2b1 = {!z_a1a2b1[Z_W-1] && (z_a1a2b1 != {Z_W{1'b0}}), z_a1a2b1[Z_W-1]};
-  assign oz_a2a3b2 = {!z_a2a3b2[Z_W-1] && (z_a2a3b2 != {Z_W{1'b0}}), z_a2a3b2[Z_W-1]};
-  assign oz_a3a1b3 = {!z_a3a1b3[Z_W-1] && (z_a3a1b3 != {Z_W{1'b0}}), z_a3a1b3[Z_W-1]};
-  assign oz_a1a2b2 = {!z_a1a2b2[Z_W-1] && (z_a1a2b2 != {Z_W{1'b0}}), z_a1a2b2[Z_W-1]};
-  assign oz_a2a3b3 = {!z_a2a3b3[Z_W-1] && (z_a2a3b3 != {Z_W{1'b0}}), z_a2a3b3[Z_W-1]};
-  assign oz_a3a1b1 = {!z_a3a1b1[Z_W-1] && (z_a3a1b1 != {Z_W{1'b0}}), z_a3a1b1[Z_W-1]};
-  assign oz_a1a2b3 = {!z_a1a2b3[Z_W-1] && (z_a1a2b3 != {Z_W{1'b0}}), z_a1a2b3[Z_W-1]};
-  assign oz_a2a3b1 = {!z_a2a3b1[Z_W-1] && (z_a2a3b1 != {Z_W{1'b0}}), z_a2a3b1[Z_W-1]};
-  assign oz_a3a1b2 = {!z_a3a1b2[Z_W-1] && (z_a3a1b2 != {Z_W{1'b0}}), z_a3a1b2[Z_W-1]};
+  wire signed [Z_W-1:0] no_rise;
+  assign no_rise = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
+  assign oz_a1a2b1 = {z_a1a2b1 > no_rise, z_a1a2b1 < no_rise};
+  assign oz_a2a3b2 = {z_a2a3b2 > no_rise, z_a2a3b2 < no_rise};
+  assign oz_a3a1b3 = {z_a3a1b3 > no_rise, z_a3a1b3 < no_rise};
+  assign oz_a1a2b2 = {z_a1a2b2 > no_rise, z_a1a2b2 < no_rise};
+  assign oz_a2a3b3 = {z_a2a3b3 > no_rise, z_a2a3b3 < no_rise};
+  assign oz_a3a1b1 = {z_a3a1b1 > no_rise, z_a3a1b1 < no_rise};
+  assign oz_a1a2b3 = {z_a1a2b3 > no_rise, z_a1a2b3 < no_rise};
+  assign oz_a2a3b1 = {z_a2a3b1 > no_rise, z_a2a3b1 < no_rise};
+  assign oz_a3a1b2 = {z_a3a1b2 > no_rise, z_a3a1b2 < no_rise};
 
   // h: the prisms under the triangles.
   sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a1a2b1 (
@@ -795,55 +796,55 @@ module sepax_core (
     .z(z_a3a1b2),
     .h(h_a3a1b2)
   );
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a1b1b2 (
+  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a1b1b2 (
     .clk(clk),
     .g(g_a1b1b2),
     .z(z_a1b1b2),
     .h(h_a1b1b2)
   );
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a2b2b3 (
+  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a2b2b3 (
     .clk(clk),
     .g(g_a2b2b3),
     .z(z_a2b2b3),
     .h(h_a2b2b3)
   );
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a3b3b1 (
+  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a3b3b1 (
     .clk(clk),
     .g(g_a3b3b1),
     .z(z_a3b3b1),
     .h(h_a3b3b1)
   );
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a1b2b3 (
+  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a1b2b3 (
     .clk(clk),
     .g(g_a1b2b3),
     .z(z_a1b2b3),
     .h(h_a1b2b3)
   );
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a2b3b1 (
+  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a2b3b1 (
     .clk(clk),
     .g(g_a2b3b1),
     .z(z_a2b3b1),
     .h(h_a2b3b1)
   );
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a3b1b2 (
+  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a3b1b2 (
     .clk(clk),
     .g(g_a3b1b2),
     .z(z_a3b1b2),
     .h(h_a3b1b2)
   );
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a1b3b1 (
+  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a1b3b1 (
     .clk(clk),
     .g(g_a1b3b1),
     .z(z_a1b3b1),
     .h(h_a1b3b1)
   );
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a2b1b2 (
+  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a2b1b2 (
     .clk(clk),
     .g(g_a2b1b2),
     .z(z_a2b1b2),
     .h(h_a2b1b2)
   );
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a3b2b3 (
+  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_a3b2b3 (
     .clk(clk),
     .g(g_a3b2b3),
     .z(z_a3b2b3),
@@ -860,22 +861,22 @@ module sepax_core (
   sepax_above_a #( .V_W(V_W) ) above_a_b1 (
     .clk(clk),
     .p(h_a1a2b1),
-    .q(h_a2a3b1),
-    .r(h_a3a1b1),
+    .q(h_a3a1b1),
+    .r(h_a2a3b1),
     .sign(s_b1)
   );
   sepax_above_a #( .V_W(V_W) ) above_a_b2 (
     .clk(clk),
-    .p(h_a1a2b2),
-    .q(h_a2a3b2),
+    .p(h_a2a3b2),
+    .q(h_a1a2b2),
     .r(h_a3a1b2),
     .sign(s_b2)
   );
   sepax_above_a #( .V_W(V_W) ) above_a_b3 (
     .clk(clk),
-    .p(h_a1a2b3),
+    .p(h_a3a1b3),
     .q(h_a2a3b3),
-    .r(h_a3a1b3),
+    .r(h_a1a2b3),
     .sign(s_b3)
   );
   sepax_above_b #( .V_W(V_W) ) above_b_a1 (
@@ -888,17 +889,17 @@ module sepax_core (
   );
   sepax_above_b #( .V_W(V_W) ) above_b_a2 (
     .clk(clk),
-    .p(h_a2b1b2),
-    .q(h_a2b2b3),
-    .r(h_a2b3b1),
+    .p(h_a2b2b3),
+    .q(h_a2b3b1),
+    .r(h_a2b1b2),
     .s(ho_b1b2b3),
     .sign(w_a2)
   );
   sepax_above_b #( .V_W(V_W) ) above_b_a3 (
     .clk(clk),
-    .p(h_a3b1b2),
-    .q(h_a3b2b3),
-    .r(h_a3b3b1),
+    .p(h_a3b3b1),
+    .q(h_a3b1b2),
+    .r(h_a3b2b3),
     .s(ho_b1b2b3),
     .sign(w_a3)
   );

@@ -22,7 +22,7 @@ module sepax_queue (
   output wire        [4:0]        oldest  // the verdict of the oldest pair
 );
 
-  reg [2:0] head;
+  reg [7:0] head; // the oldest place, one-hot
   reg [3:0] count; // places taken, 0 ... 8
   reg [7:0] done; // bit k: place k holds a verdict
   reg [4:0] result_0;
@@ -37,32 +37,25 @@ module sepax_queue (
 
   assign room = !count[3];
   assign leave = valid && ready;
-  assign valid = (head == 3'd0) ? done[0] :
-                 (head == 3'd1) ? done[1] :
-                 (head == 3'd2) ? done[2] :
-                 (head == 3'd3) ? done[3] :
-                 (head == 3'd4) ? done[4] :
-                 (head == 3'd5) ? done[5] :
-                 (head == 3'd6) ? done[6] :
-                 done[7];
-  assign oldest = (head == 3'd0) ? result_0 :
-                  (head == 3'd1) ? result_1 :
-                  (head == 3'd2) ? result_2 :
-                  (head == 3'd3) ? result_3 :
-                  (head == 3'd4) ? result_4 :
-                  (head == 3'd5) ? result_5 :
-                  (head == 3'd6) ? result_6 :
-                  result_7;
+  assign valid = |(head & done);
+  assign oldest = (result_0 & {5{head[0]}}) |
+                  (result_1 & {5{head[1]}}) |
+                  (result_2 & {5{head[2]}}) |
+                  (result_3 & {5{head[3]}}) |
+                  (result_4 & {5{head[4]}}) |
+                  (result_5 & {5{head[5]}}) |
+                  (result_6 & {5{head[6]}}) |
+                  (result_7 & {5{head[7]}});
 
   always @(posedge clk) begin
     if (rst) begin
-      head <= 3'd0;
+      head <= 8'd1;
       tail <= 3'd0;
       count <= 4'd0;
       done <= 8'd0;
     end else begin
       if (leave) begin
-        head <= head + 3'd1;
+        head <= {head[6:0], head[7]};
       end
       if (take) begin
         tail <= tail + 3'd1;
@@ -75,42 +68,42 @@ module sepax_queue (
       end
       if (write && (tag == 3'd0)) begin
         done[0] <= 1'b1;
-      end else if (leave && (head == 3'd0)) begin
+      end else if (leave && head[0]) begin
         done[0] <= 1'b0;
       end
       if (write && (tag == 3'd1)) begin
         done[1] <= 1'b1;
-      end else if (leave && (head == 3'd1)) begin
+      end else if (leave && head[1]) begin
         done[1] <= 1'b0;
       end
       if (write && (tag == 3'd2)) begin
         done[2] <= 1'b1;
-      end else if (leave && (head == 3'd2)) begin
+      end else if (leave && head[2]) begin
         done[2] <= 1'b0;
       end
       if (write && (tag == 3'd3)) begin
         done[3] <= 1'b1;
-      end else if (leave && (head == 3'd3)) begin
+      end else if (leave && head[3]) begin
         done[3] <= 1'b0;
       end
       if (write && (tag == 3'd4)) begin
         done[4] <= 1'b1;
-      end else if (leave && (head == 3'd4)) begin
+      end else if (leave && head[4]) begin
         done[4] <= 1'b0;
       end
       if (write && (tag == 3'd5)) begin
         done[5] <= 1'b1;
-      end else if (leave && (head == 3'd5)) begin
+      end else if (leave && head[5]) begin
         done[5] <= 1'b0;
       end
       if (write && (tag == 3'd6)) begin
         done[6] <= 1'b1;
-      end else if (leave && (head == 3'd6)) begin
+      end else if (leave && head[6]) begin
         done[6] <= 1'b0;
       end
       if (write && (tag == 3'd7)) begin
         done[7] <= 1'b1;
-      end else if (leave && (head == 3'd7)) begin
+      end else if (leave && head[7]) begin
         done[7] <= 1'b0;
       end
     end

@@ -1,8 +1,9 @@
 sepax_fa.v
-sepax_booth.v
+sepax_digit.v
+sepax_top_digit.v
 sepax_mul_19x19.v
-sepax_mul_37x20.v
 sepax_mul_37x21.v
+sepax_mul_37x22.v
 sepax_strip.v
 sepax_strip_ab.v
 sepax_area.v

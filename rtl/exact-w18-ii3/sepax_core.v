@@ -7,7 +7,7 @@
 //   cycle  0  strips t (15 products in 5 multipliers)
 //   cycle  2  areas g and weights z
 //   cycle  3  prisms h (19 products in 7 multipliers)
-//   cycle  6  volumes
+//   cycle  5  volumes
 //   cycle  9  the verdict
 // Cycle 0 is the first in which a pair stands in the first banks.
 //
@@ -51,9 +51,11 @@ module sepax_core (
   localparam W = 18; // bits of a coordinate
   localparam S_W = 19; // of a sum or difference of two
   localparam G_W = 37; // of twice an area
-  localparam Z_W = 20; // of a weight
-  localparam O_W = 21; // of B's weight
+  localparam Z_W = 21; // of a weight
+  localparam O_W = 22; // of B's weight
   localparam V_W = 56; // of six times a volume
+  localparam DIGITS = 10; // radix-4 digits of a weight
+  localparam OWN_DIGITS = 11; // of B's weight
 
   // Coordinates; the vertices of each triangle go round, one place a cycle. u is x, or y where all six x are
   // equal: with z it does for a second look at pairs that are flat in x and y.
@@ -81,12 +83,6 @@ module sepax_core (
   reg signed [W-1:0] z_b1_q1;
   reg signed [W-1:0] z_b2_q1;
   reg signed [W-1:0] z_b3_q1;
-  reg signed [W-1:0] z_a1_q2;
-  reg signed [W-1:0] z_a2_q2;
-  reg signed [W-1:0] z_a3_q2;
-  reg signed [W-1:0] z_b1_q2;
-  reg signed [W-1:0] z_b2_q2;
-  reg signed [W-1:0] z_b3_q2;
   reg signed [W-1:0] u_a1_q1;
   reg signed [W-1:0] u_a2_q1;
   reg signed [W-1:0] u_a3_q1;
@@ -189,14 +185,10 @@ module sepax_core (
   reg signed [V_W-1:0] h_0_q1;
   reg signed [V_W-1:0] h_0_q2;
   reg signed [V_W-1:0] h_1_q1;
-  reg signed [V_W-1:0] h_1_q2;
   reg signed [V_W-1:0] h_2_q1;
   reg signed [V_W-1:0] h_2_q2;
-  reg signed [V_W-1:0] h_3_q1;
-  reg signed [V_W-1:0] h_3_q2;
   reg signed [V_W-1:0] h_a1b1b2_held;
   reg signed [V_W-1:0] h_4_q1;
-  reg signed [V_W-1:0] h_4_q2;
   reg signed [V_W-1:0] h_a1b2b3_held;
   reg signed [V_W-1:0] h_5_q1;
   reg signed [V_W-1:0] h_5_q2;
@@ -208,10 +200,14 @@ module sepax_core (
   reg [1:0] s_b2_held;
   reg [1:0] w_0_q1;
   reg [1:0] w_0_q2;
+  reg [1:0] w_0_q3;
   reg [1:0] d_0_q1;
   reg [1:0] d_0_q2;
+  reg [1:0] d_0_q3;
+  reg [1:0] d_0_q4;
   reg [1:0] d_1_q1;
   reg [1:0] d_1_q2;
+  reg [1:0] d_1_q3;
   reg [1:0] d_2_q1;
   reg [1:0] d_2_q2;
 
@@ -232,12 +228,12 @@ module sepax_core (
       x_b3 <= x_b1;
     end
     if (at[2]) begin
-      y_a1 <= again ? z_a1_q2 : in_a1_y;
-      y_a2 <= again ? z_a2_q2 : in_a2_y;
-      y_a3 <= again ? z_a3_q2 : in_a3_y;
-      y_b1 <= again ? z_b1_q2 : in_b1_y;
-      y_b2 <= again ? z_b2_q2 : in_b2_y;
-      y_b3 <= again ? z_b3_q2 : in_b3_y;
+      y_a1 <= again ? z_a2_q1 : in_a1_y;
+      y_a2 <= again ? z_a3_q1 : in_a2_y;
+      y_a3 <= again ? z_a1_q1 : in_a3_y;
+      y_b1 <= again ? z_b2_q1 : in_b1_y;
+      y_b2 <= again ? z_b3_q1 : in_b2_y;
+      y_b3 <= again ? z_b1_q1 : in_b3_y;
     end else begin
       y_a1 <= y_a2;
       y_a2 <= y_a3;
@@ -261,13 +257,13 @@ module sepax_core (
       z_b2 <= z_b3;
       z_b3 <= z_b1;
     end
-    if (at[1]) begin
-      z_a1_q1 <= z_a3;
-      z_a2_q1 <= z_a1;
-      z_a3_q1 <= z_a2;
-      z_b1_q1 <= z_b3;
-      z_b2_q1 <= z_b1;
-      z_b3_q1 <= z_b2;
+    if (at[2]) begin
+      z_a1_q1 <= z_a2;
+      z_a2_q1 <= z_a3;
+      z_a3_q1 <= z_a1;
+      z_b1_q1 <= z_b2;
+      z_b2_q1 <= z_b3;
+      z_b3_q1 <= z_b1;
     end else begin
       z_a1_q1 <= z_a2_q1;
       z_a2_q1 <= z_a3_q1;
@@ -275,21 +271,6 @@ module sepax_core (
       z_b1_q1 <= z_b2_q1;
       z_b2_q1 <= z_b3_q1;
       z_b3_q1 <= z_b1_q1;
-    end
-    if (at[1]) begin
-      z_a1_q2 <= z_a2_q1;
-      z_a2_q2 <= z_a3_q1;
-      z_a3_q2 <= z_a1_q1;
-      z_b1_q2 <= z_b2_q1;
-      z_b2_q2 <= z_b3_q1;
-      z_b3_q2 <= z_b1_q1;
-    end else begin
-      z_a1_q2 <= z_a2_q2;
-      z_a2_q2 <= z_a3_q2;
-      z_a3_q2 <= z_a1_q2;
-      z_b1_q2 <= z_b2_q2;
-      z_b2_q2 <= z_b3_q2;
-      z_b3_q2 <= z_b1_q2;
     end
     if (at[2]) begin
       u_a1_q1 <= x_equal ? y_a2 : x_a2;
@@ -349,30 +330,27 @@ module sepax_core (
     h_0_q1 <= h_0;
     h_0_q2 <= h_0_q1;
     h_1_q1 <= h_1;
-    h_1_q2 <= h_1_q1;
     h_2_q1 <= h_2;
     h_2_q2 <= h_2_q1;
-    h_3_q1 <= h_3;
-    h_3_q2 <= h_3_q1;
     h_4_q1 <= h_4;
-    h_4_q2 <= h_4_q1;
     h_5_q1 <= h_5;
     h_5_q2 <= h_5_q1;
     h_5_q3 <= h_5_q2;
     gos_0_q1 <= gos_0;
     w_0_q1 <= w_0;
     w_0_q2 <= w_0_q1;
+    w_0_q3 <= w_0_q2;
     d_0_q1 <= d_0;
     d_0_q2 <= d_0_q1;
+    d_0_q3 <= d_0_q2;
+    d_0_q4 <= d_0_q3;
     d_1_q1 <= d_1;
     d_1_q2 <= d_1_q1;
+    d_1_q3 <= d_1_q2;
     d_2_q1 <= d_2;
     d_2_q2 <= d_2_q1;
-    if (at[0]) begin
-      h_a1b1b2_held <= h_3_q2;
-      h_a1b2b3_held <= h_4_q2;
-    end
     if (at[1]) begin
+      h_a1b1b2_held <= h_3;
       s_b3_held <= s_0;
       s_b1_held <= s_1;
       s_b2_held <= s_2;
@@ -382,6 +360,7 @@ module sepax_core (
       t_a1b1_held <= t_2_q1;
       t_a1b2_held <= t_3_q1;
       t_a1b3_held <= t_4_q1;
+      h_a1b2b3_held <= h_4_q1;
       ho_b1b2b3_held <= ho_b1b2b3;
     end
   end
@@ -536,67 +515,124 @@ module sepax_core (
   // z: the weights of the prisms.
 
   // z_0: z_a1a2b1, z_a2a3b2, z_a3a1b3.
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_0 (
+  wire signed [W-1:0] z_0_p;
+  assign z_0_p = (at[2]) ? z_b2 :
+           z_b2_q1;
+  wire signed [W-1:0] z_0_r;
+  assign z_0_r = (at[2]) ? z_a1 :
+           z_a1_q1;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) weight_0 (
     .clk(clk),
-    .z_p(z_b1_q1),
-    .z_r(z_a3_q1),
+    .z_p(z_0_p),
+    .z_r(z_0_r),
     .z(z_0)
   );
 
   // z_1: z_a1a2b2, z_a2a3b3, z_a3a1b1.
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_1 (
+  wire signed [W-1:0] z_1_p;
+  assign z_1_p = (at[2]) ? z_b3 :
+           z_b3_q1;
+  wire signed [W-1:0] z_1_r;
+  assign z_1_r = (at[2]) ? z_a1 :
+           z_a1_q1;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) weight_1 (
     .clk(clk),
-    .z_p(z_b2_q1),
-    .z_r(z_a3_q1),
+    .z_p(z_1_p),
+    .z_r(z_1_r),
     .z(z_1)
   );
 
   // z_2: z_a1a2b3, z_a2a3b1, z_a3a1b2.
-  sepax_rise #( .W(W), .S_W(S_W), .Z_W(Z_W) ) weight_2 (
+  wire signed [W-1:0] z_2_p;
+  assign z_2_p = (at[2]) ? z_b1 :
+           z_b1_q1;
+  wire signed [W-1:0] z_2_r;
+  assign z_2_r = (at[2]) ? z_a1 :
+           z_a1_q1;
+  sepax_rise #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) weight_2 (
     .clk(clk),
-    .z_p(z_b3_q1),
-    .z_r(z_a3_q1),
+    .z_p(z_2_p),
+    .z_r(z_2_r),
     .z(z_2)
   );
 
   // z_3: z_a1b1b2, z_a2b2b3, z_a3b3b1.
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_3 (
+  wire signed [W-1:0] z_3_p;
+  assign z_3_p = (at[2]) ? z_b2 :
+           z_b2_q1;
+  wire signed [W-1:0] z_3_r;
+  assign z_3_r = (at[2]) ? z_a1 :
+           z_a1_q1;
+  wire signed [W-1:0] z_3_q;
+  assign z_3_q = (at[2]) ? z_b3 :
+           z_b3_q1;
+  wire signed [W-1:0] z_3_s;
+  assign z_3_s = (at[2]) ? z_a3 :
+           z_a3_q1;
+  sepax_weight #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) weight_3 (
     .clk(clk),
-    .z_p(z_b1_q1),
-    .z_q(z_b2_q1),
-    .z_r(z_a3_q1),
-    .z_s(z_a2_q1),
+    .z_p(z_3_p),
+    .z_q(z_3_q),
+    .z_r(z_3_r),
+    .z_s(z_3_s),
     .z(z_3)
   );
 
   // z_4: z_a1b2b3, z_a2b3b1, z_a3b1b2.
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_4 (
+  wire signed [W-1:0] z_4_p;
+  assign z_4_p = (at[2]) ? z_b3 :
+           z_b3_q1;
+  wire signed [W-1:0] z_4_r;
+  assign z_4_r = (at[2]) ? z_a1 :
+           z_a1_q1;
+  wire signed [W-1:0] z_4_q;
+  assign z_4_q = (at[2]) ? z_b1 :
+           z_b1_q1;
+  wire signed [W-1:0] z_4_s;
+  assign z_4_s = (at[2]) ? z_a3 :
+           z_a3_q1;
+  sepax_weight #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) weight_4 (
     .clk(clk),
-    .z_p(z_b2_q1),
-    .z_q(z_b3_q1),
-    .z_r(z_a3_q1),
-    .z_s(z_a2_q1),
+    .z_p(z_4_p),
+    .z_q(z_4_q),
+    .z_r(z_4_r),
+    .z_s(z_4_s),
     .z(z_4)
   );
 
   // z_5: z_a2b1b2, z_a3b2b3, z_a1b3b1.
-  sepax_weight #( .W(W), .Z_W(Z_W) ) weight_5 (
+  wire signed [W-1:0] z_5_p;
+  assign z_5_p = (at[2]) ? z_b2 :
+           z_b2_q1;
+  wire signed [W-1:0] z_5_r;
+  assign z_5_r = (at[2]) ? z_a2 :
+           z_a2_q1;
+  wire signed [W-1:0] z_5_q;
+  assign z_5_q = (at[2]) ? z_b3 :
+           z_b3_q1;
+  wire signed [W-1:0] z_5_s;
+  assign z_5_s = (at[2]) ? z_a1 :
+           z_a1_q1;
+  sepax_weight #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) weight_5 (
     .clk(clk),
-    .z_p(z_b1_q1),
-    .z_q(z_b2_q1),
-    .z_r(z_a1_q1),
-    .z_s(z_a3_q1),
+    .z_p(z_5_p),
+    .z_q(z_5_q),
+    .z_r(z_5_r),
+    .z_s(z_5_s),
     .z(z_5)
   );
 
-  sepax_own_weight #( .W(W), .O_W(O_W) ) own_weight (
+  wire signed [W-1:0] zo_b1b2b3_a;
+  assign zo_b1b2b3_a = (at[0]) ? z_a1_q1 :
+           z_a1;
+  wire signed [W-1:0] zo_b1b2b3_b;
+  assign zo_b1b2b3_b = (at[0]) ? z_b1_q1 :
+           z_b1;
+  sepax_own_weight #( .W(W), .O_W(O_W), .DIGITS(OWN_DIGITS) ) own_weight (
     .clk(clk),
-    .z_a1(z_a3_q1),
-    .z_a2(z_a1_q1),
-    .z_a3(z_a2_q1),
-    .z_b1(z_b3_q1),
-    .z_b2(z_b1_q1),
-    .z_b3(z_b2_q1),
+    .first(at[1]),
+    .z_a(zo_b1b2b3_a),
+    .z_b(zo_b1b2b3_b),
     .z(zo_b1b2b3)
   );
 
@@ -608,9 +644,11 @@ module sepax_core (
   assign gs_4 = {!g_4[G_W-1] && (g_4 != {G_W{1'b0}}), g_4[G_W-1]};
   assign gs_5 = {!g_5[G_W-1] && (g_5 != {G_W{1'b0}}), g_5[G_W-1]};
   assign gos_0 = {!go_0[G_W-1] && (go_0 != {G_W{1'b0}}), go_0[G_W-1]};
-  assign oz_0 = {!z_0[Z_W-1] && (z_0 != {Z_W{1'b0}}), z_0[Z_W-1]};
-  assign oz_1 = {!z_1[Z_W-1] && (z_1 != {Z_W{1'b0}}), z_1[Z_W-1]};
-  assign oz_2 = {!z_2[Z_W-1] && (z_2 != {Z_W{1'b0}}), z_2[Z_W-1]};
+  wire signed [Z_W-1:0] no_rise;
+  assign no_rise = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
+  assign oz_0 = {z_0 > no_rise, z_0 < no_rise};
+  assign oz_1 = {z_1 > no_rise, z_1 < no_rise};
+  assign oz_2 = {z_2 > no_rise, z_2 < no_rise};
 
   // h: the prisms under the triangles.
 
@@ -673,8 +711,8 @@ module sepax_core (
   wire signed [V_W-1:0] sum_1;
   wire signed [V_W-1:0] sum_2;
   wire signed [V_W-1:0] sum_0_p;
-  assign sum_0_p = (at[0]) ? sum_1 :
-           h_1_q1;
+  assign sum_0_p = (at[1]) ? {V_W{1'b0}} :
+           sum_1;
   sepax_above_a #( .V_W(V_W) ) above_a_0 (
     .clk(clk),
     .p(sum_0_p),
@@ -683,8 +721,8 @@ module sepax_core (
   );
   assign s_0 = {!sum_0[V_W-1] && (sum_0 != {V_W{1'b0}}), sum_0[V_W-1]};
   wire signed [V_W-1:0] sum_1_p;
-  assign sum_1_p = (at[0]) ? sum_2 :
-           h_2_q1;
+  assign sum_1_p = (at[1]) ? {V_W{1'b0}} :
+           sum_2;
   sepax_above_a #( .V_W(V_W) ) above_a_1 (
     .clk(clk),
     .p(sum_1_p),
@@ -693,8 +731,8 @@ module sepax_core (
   );
   assign s_1 = {!sum_1[V_W-1] && (sum_1 != {V_W{1'b0}}), sum_1[V_W-1]};
   wire signed [V_W-1:0] sum_2_p;
-  assign sum_2_p = (at[0]) ? sum_0 :
-           h_0_q1;
+  assign sum_2_p = (at[1]) ? {V_W{1'b0}} :
+           sum_0;
   sepax_above_a #( .V_W(V_W) ) above_a_2 (
     .clk(clk),
     .p(sum_2_p),
@@ -703,48 +741,45 @@ module sepax_core (
   );
   assign s_2 = {!sum_2[V_W-1] && (sum_2 != {V_W{1'b0}}), sum_2[V_W-1]};
 
-  // w_0: w_a1, w_a2, w_a3.
+  // w_0: w_a2, w_a3, w_a1.
   wire signed [V_W-1:0] w_0_p;
-  assign w_0_p = (at[1]) ? h_5_q3 :
-           (at[2]) ? h_4_q2 :
-           h_3_q2;
+  assign w_0_p = (at[1]) ? h_a1b1b2_held :
+           h_3;
   wire signed [V_W-1:0] w_0_q;
-  assign w_0_q = (at[1]) ? h_3_q2 :
-           (at[2]) ? h_5_q3 :
-           h_4_q2;
-  wire signed [V_W-1:0] w_0_r;
-  assign w_0_r = (at[1]) ? h_4_q2 :
-           (at[2]) ? h_3_q2 :
-           h_5;
+  assign w_0_q = (at[1]) ? h_a1b2b3_held :
+           h_4;
+  wire signed [V_W-1:0] w_0_s;
+  assign w_0_s = (at[2]) ? ho_b1b2b3 :
+           ho_b1b2b3_held;
   sepax_above_b #( .V_W(V_W) ) above_b_0 (
     .clk(clk),
     .p(w_0_p),
     .q(w_0_q),
-    .r(w_0_r),
-    .s(ho_b1b2b3_held),
+    .r(h_5_q1),
+    .s(w_0_s),
     .sign(w_0)
   );
 
   // d_0: d_a1a2b1b2, d_a2a3b2b3, d_a3a1b3b1.
   sepax_between #( .V_W(V_W) ) between_0 (
     .clk(clk),
-    .p(h_5_q2),
-    .q(h_1_q2),
-    .r(h_3_q2),
-    .s(h_0_q2),
+    .p(h_5),
+    .q(h_1),
+    .r(h_3),
+    .s(h_0),
     .sign(d_0)
   );
 
   // d_1: d_a1a2b2b3, d_a2a3b3b1, d_a3a1b1b2.
   wire signed [V_W-1:0] d_1_p;
-  assign d_1_p = (at[2]) ? h_a1b1b2_held :
-           h_3_q1;
+  assign d_1_p = (at[1]) ? h_a1b1b2_held :
+           h_3;
   sepax_between #( .V_W(V_W) ) between_1 (
     .clk(clk),
     .p(d_1_p),
-    .q(h_2_q2),
-    .r(h_4_q2),
-    .s(h_1_q2),
+    .q(h_2_q1),
+    .r(h_4_q1),
+    .s(h_1_q1),
     .sign(d_1)
   );
 
@@ -817,20 +852,20 @@ module sepax_core (
     .coplanar(coplanar),
     .axis(axis),
     .s_1(s_b1_held),
-    .w_1(w_0_q2),
-    .d_11(d_0_q2),
-    .d_12(d_1_q2),
+    .w_1(w_0_q1),
+    .d_11(d_0_q4),
+    .d_12(d_1_q3),
     .d_13(d_2_q2),
     .s_2(s_b2_held),
-    .w_2(w_0_q1),
+    .w_2(w_0_q3),
     .d_21(d_2_q1),
-    .d_22(d_0_q1),
-    .d_23(d_1_q1),
+    .d_22(d_0_q3),
+    .d_23(d_1_q2),
     .s_3(s_b3_held),
-    .w_3(w_0),
-    .d_31(d_1),
+    .w_3(w_0_q2),
+    .d_31(d_1_q1),
     .d_32(d_2),
-    .d_33(d_0)
+    .d_33(d_0_q2)
   );
 
 endmodule

@@ -22,7 +22,7 @@ module sepax_queue (
   output wire        [4:0]        oldest  // the verdict of the oldest pair
 );
 
-  reg [1:0] head;
+  reg [3:0] head; // the oldest place, one-hot
   reg [2:0] count; // places taken, 0 ... 4
   reg [3:0] done; // bit k: place k holds a verdict
   reg [4:0] result_0;
@@ -33,24 +33,21 @@ module sepax_queue (
 
   assign room = !count[2];
   assign leave = valid && ready;
-  assign valid = (head == 2'd0) ? done[0] :
-                 (head == 2'd1) ? done[1] :
-                 (head == 2'd2) ? done[2] :
-                 done[3];
-  assign oldest = (head == 2'd0) ? result_0 :
-                  (head == 2'd1) ? result_1 :
-                  (head == 2'd2) ? result_2 :
-                  result_3;
+  assign valid = |(head & done);
+  assign oldest = (result_0 & {5{head[0]}}) |
+                  (result_1 & {5{head[1]}}) |
+                  (result_2 & {5{head[2]}}) |
+                  (result_3 & {5{head[3]}});
 
   always @(posedge clk) begin
     if (rst) begin
-      head <= 2'd0;
+      head <= 4'd1;
       tail <= 2'd0;
       count <= 3'd0;
       done <= 4'd0;
     end else begin
       if (leave) begin
-        head <= head + 2'd1;
+        head <= {head[2:0], head[3]};
       end
       if (take) begin
         tail <= tail + 2'd1;
@@ -63,22 +60,22 @@ module sepax_queue (
       end
       if (write && (tag == 2'd0)) begin
         done[0] <= 1'b1;
-      end else if (leave && (head == 2'd0)) begin
+      end else if (leave && head[0]) begin
         done[0] <= 1'b0;
       end
       if (write && (tag == 2'd1)) begin
         done[1] <= 1'b1;
-      end else if (leave && (head == 2'd1)) begin
+      end else if (leave && head[1]) begin
         done[1] <= 1'b0;
       end
       if (write && (tag == 2'd2)) begin
         done[2] <= 1'b1;
-      end else if (leave && (head == 2'd2)) begin
+      end else if (leave && head[2]) begin
         done[2] <= 1'b0;
       end
       if (write && (tag == 2'd3)) begin
         done[3] <= 1'b1;
-      end else if (leave && (head == 2'd3)) begin
+      end else if (leave && head[3]) begin
         done[3] <= 1'b0;
       end
     end

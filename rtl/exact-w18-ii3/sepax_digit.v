@@ -1,7 +1,6 @@
-// sepax_booth.v
+// sepax_digit.v
 //
-// One row of a radix-4 Booth multiplier: with digit = -2 b2 + b1 + b0 of three
-// neighbouring bits {b2, b1, b0} of b,
+// One row of a multiplier: with digit = b - 1, which is -1, 0, 1 or 2,
 //   digit * a = row + negative modulo 2^ROW_W.
 // Combinational.
 //
@@ -10,29 +9,30 @@
 
 `default_nettype none
 
-module sepax_booth #(
+module sepax_digit #(
   parameter A_W = 8,   // bits of a
   parameter ROW_W = 9  // bits of the row kept, 1 ... A_W + 1
 ) (
   input  wire signed [A_W-1:0]    a,        // the factor that is selected
-  input  wire        [2:0]        b,        // bits of the factor that is recoded
+  input  wire        [1:0]        b,        // two bits of the other factor
   output wire        [ROW_W-1:0]  row,      // the row, two's complement but for `negative`
   output wire                     negative  // to be added at the row's lowest bit
 );
 
   wire one;
   wire two;
-  wire [A_W+2-1:0] signed_a; // a or its complement, and one more bit
+  wire [A_W+2-1:0] twice; // 2 a
 
-  assign one = b[1] ^ b[0];
-  assign two = (b == 3'b011) || (b == 3'b100);
-  assign negative = b[2] && !(b[1] && b[0]);
-  assign signed_a = {a[A_W-1], a, 1'b0} ^ {(A_W+2){b[2]}};
-  assign row = (signed_a[ROW_W:1] & {ROW_W{one}}) | (signed_a[ROW_W-1:0] & {ROW_W{two}});
+  assign twice = {a[A_W-1], a, 1'b0};
+  assign one = b == 2'd2;
+  assign two = b == 2'd3;
+  assign negative = b == 2'd0;
+  assign row = (twice[ROW_W:1] & {ROW_W{one}}) | (twice[ROW_W-1:0] & {ROW_W{two}}) |
+               (~twice[ROW_W:1] & {ROW_W{negative}});
 
   generate
     if (A_W + 1 > ROW_W) begin : beyond
-      wire [A_W-ROW_W:0] unused_bits = signed_a[A_W+1:ROW_W+1];
+      wire [A_W-ROW_W:0] unused_bits = twice[A_W+1:ROW_W+1];
     end
   endgenerate
 
