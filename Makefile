@@ -120,7 +120,7 @@ help:
 #:                 ones)
 #: make exhaustive all 3^18 pairs with coordinates -1, 0, 1 through the verilated machine
 #:                 (GRID=n: the first n)
-#: make hard       20,000,000 hard pairs at each of five II, 1,000,000 at each of six W
+#: make hard       35 designs: 20,000,000 hard pairs at W = 18, 1,000,000 at six more W, for five II
 #:                 (COUNT=n: n instead of 1,000,000)
 #: make wave       PAIR='18 or 24 integers' as a waveform: build/core/NAME/wave.fst
 #: make lint       Verilator, Icarus and Yosys on the design's Verilog
