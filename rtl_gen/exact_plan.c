@@ -351,13 +351,12 @@ static void plan_ranks(exact_plan *p) {
   arith_plan_make(&p->low_prism_mul, &prism, period);
   double fan_out = 0.15; /* of what many units read */
   double sum = fan_out + delay_adder(volume);
-  double adders = fan_out + mux + 2 * delay_compressor();
-  p->volume_ranks = adders + sum - fan_out > room                     ? 2
-                    : adders + sum - fan_out + delay_test(volume) > room ? 1
-                                                                       : 0;
+  double whole = mux + 2 * delay_compressor() + sum;
+  p->volume_ranks = whole > room ? 2 : whole + delay_test(volume) > room ? 1 : 0;
   p->shared_rises = p->design->config.ii == 1 &&
                     fan_out + 3 * delay_compressor() + 2 * delay_adder(own_weight->width) <= room;
-  p->own_weight_rank = !p->running && !p->shared_rises && fan_out + 4 * delay_compressor() + delay_adder(own_weight->width) > room;
+  double six_terms = fan_out + 4 * delay_compressor() + delay_adder(own_weight->width);
+  p->own_weight_rank = !p->running && !p->shared_rises && six_terms > room;
   p->sign_rank = delay_test(area) + 1.0 > room;
   p->shortest = delay_register() +
                 longer(longer(delay_row(area) + delay_compressor(), sums),

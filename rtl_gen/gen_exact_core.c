@@ -1,233 +1,8 @@
-/* gen_exact_core.c - sepax_core: the units of the exact datapath, their operands in each
- * cycle, and the registers between them. */
-#include "exact.h"
+/* gen_exact_core.c - sepax_core: the units of the exact datapath, and what connects them. */
+#include "exact_core.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-typedef struct {
-  emit_module *m;
-  const exact_plan *p;
-  int ii;
-} core;
-
-typedef char source[EMIT_NAME]; /* the register in which an operand stands */
-
-/* ------------------------------------------------------------------------- banks */
-
-static const char *vertex_name(int v) {
-  static const char *const name[] = {"a1", "a2", "a3", "b1", "b2", "b3"};
-  return name[v];
-}
-
-static void bank_name(char axis, int v, int bank, source text) {
-  int used = snprintf(text, EMIT_NAME, "%c_%s", axis, vertex_name(v));
-  if (bank > 0) {
-    snprintf(text + used, EMIT_NAME - (size_t)used, "_q%d", bank);
-  }
-}
-
-static int banks_of(const core *c, char axis) {
-  return axis == 'z' ? c->p->z_banks : axis == 'u' ? c->p->u_banks : 1;
-}
-
-static int bank_start(const core *c, char axis, int bank) {
-  return axis == 'z' ? c->p->z_bank[bank] : c->p->u_bank[bank];
-}
-
-/* Where vertex v stands in a bank in this cycle; the banks turn where 3 divides II. */
-static void coordinate(const core *c, char axis, int v, int bank, int cycle, source text) {
-  int turned = c->p->turns ? (cycle - bank_start(c, axis, bank)) % 3 : 0;
-  bank_name(axis, v / 3 * 3 + (v % 3 - turned + 3) % 3, bank, text);
-}
-
-static const char axes[] = "xyzu";
-
-static void declare_banks(core *c) {
-  char name[EMIT_NAME];
-  emit_text(c->m, "\n// Coordinates%s.%s",
-            c->p->turns ? "; the vertices of each triangle go round, one place a cycle" : "",
-            c->p->u_banks > 1 ? " u is x, or y where all six x are\n// equal: with z it does for a "
-                                "second look at pairs that are flat in x and y." : "");
-  for (const char *axis = axes; *axis != '\0'; axis++) {
-    for (int bank = *axis == 'u'; bank < banks_of(c, *axis); bank++) {
-      for (int v = 0; v < 6; v++) {
-        bank_name(*axis, v, bank, name);
-        emit_net(c->m, EMIT_REG, true, name, "W");
-      }
-    }
-  }
-  if (c->p->u_banks > 1) {
-    emit_net(c->m, EMIT_WIRE, false, "x_equal", "");
-    emit_text(c->m, "assign x_equal = (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&\n"
-                    "                 (x_b2 == x_a1) && (x_b3 == x_a1);");
-  }
-}
-
-static void turn(core *c, char axis, int bank, const char *indent) {
-  for (int v = 0; v < 6; v++) {
-    source to;
-    source from;
-    bank_name(axis, v, bank, to);
-    bank_name(axis, v / 3 * 3 + (v + 1) % 3, bank, from);
-    emit_text(c->m, "%s%s <= %s;", indent, to, from);
-  }
-}
-
-/* A bank takes the pair over from the one before, or from the input, or, for a second
- * pass, from the last banks: u for x and z for y. */
-static void load(core *c, char axis, int bank, const char *indent) {
-  for (int v = 0; v < 6; v++) {
-    source to;
-    source from;
-    bank_name(axis, v, bank, to);
-    int before = bank_start(c, axis, bank) - 1;
-    if (axis == 'u' && bank == 1) {
-      source other;
-      coordinate(c, 'x', v, 0, before, from);
-      coordinate(c, 'y', v, 0, before, other);
-      emit_text(c->m, "%s%s <= x_equal ? %s : %s;", indent, to, other, from);
-    } else if (bank > 0) {
-      coordinate(c, axis, v, bank - 1, before, from);
-      emit_text(c->m, "%s%s <= %s;", indent, to, from);
-    } else if (c->p->design->config.flag || axis == 'z') {
-      emit_text(c->m, "%s%s <= in_%s_%c;", indent, to, vertex_name(v), axis);
-    } else {
-      char again = axis == 'x' ? 'u' : 'z';
-      coordinate(c, again, v, banks_of(c, again) - 1, c->p->plane_cycle, from);
-      emit_text(c->m, "%s%s <= again ? %s : in_%s_%c;", indent, to, from, vertex_name(v), axis);
-    }
-  }
-}
-
-static void clock_banks(core *c) {
-  emit_text(c->m, "\nalways @(posedge clk) begin");
-  for (const char *axis = axes; *axis != '\0'; axis++) {
-    for (int bank = *axis == 'u'; bank < banks_of(c, *axis); bank++) {
-      if (c->ii == 1) {
-        load(c, *axis, bank, "  ");
-        continue;
-      }
-      int phase = (bank_start(c, *axis, bank) + c->ii - 1) % c->ii;
-      emit_text(c->m, "  if (at[%d]) begin", phase);
-      load(c, *axis, bank, "    ");
-      if (c->p->turns) {
-        emit_text(c->m, "  end else begin");
-        turn(c, *axis, bank, "    ");
-      }
-      emit_text(c->m, "  end");
-    }
-  }
-  emit_text(c->m, "end");
-}
-
-/* ---------------------------------------------------------------------- operands */
-
-/* The operand of a unit that starts in cycle `start`: a register, or a wire that
- * chooses one in each cycle. text[k] is where it stands for slot k. */
-static void choose(core *c, const char *name, const char *width, bool is_signed, int start,
-                   int slots, source text[], source out) {
-  int votes[SEPAX_II_MAX] = {0};
-  int best = 0;
-  for (int k = 0; k < slots; k++) {
-    for (int j = 0; j < slots; j++) {
-      votes[k] += strcmp(text[k], text[j]) == 0;
-    }
-    best = votes[k] > votes[best] ? k : best;
-  }
-  if (votes[best] == slots) {
-    snprintf(out, EMIT_NAME, "%s", text[best]);
-    return;
-  }
-  char *line = NULL;
-  size_t size = 0;
-  FILE *stream = open_memstream(&line, &size);
-  if (stream == NULL) {
-    abort();
-  }
-  for (int k = 0; k < slots; k++) {
-    bool first = strcmp(text[k], text[best]) != 0;
-    for (int j = 0; j < k && first; j++) {
-      first = strcmp(text[k], text[j]) != 0;
-    }
-    if (!first) {
-      continue;
-    }
-    const char *separator = "";
-    fputc('(', stream);
-    for (int j = k; j < slots; j++) {
-      if (strcmp(text[k], text[j]) == 0) {
-        fprintf(stream, "%sat[%d]", separator, (start + j) % c->ii);
-        separator = " || ";
-      }
-    }
-    fprintf(stream, ") ? %s :\n         ", text[k]);
-  }
-  fprintf(stream, "%s", text[best]);
-  fclose(stream);
-  snprintf(out, EMIT_NAME, "%s", name);
-  emit_net(c->m, EMIT_WIRE, is_signed, name, width);
-  emit_text(c->m, "assign %s = %s;", name, line);
-  free(line);
-}
-
-typedef struct {
-  exact_class_id id;
-  int start;
-  int slots, operation[SEPAX_II_MAX]; /* what it does in each slot */
-  const schedule_stream *out;
-  char suffix[EMIT_NAME]; /* of the names of its wires and instances */
-} unit;
-
-static unit unit_of(const core *c, exact_class_id id, int number) {
-  const exact_class *class = &c->p->class[id];
-  unit u = {.id = id, .start = class->start[number], .slots = exact_slots(c->p, id, number)};
-  for (int k = 0; k < u.slots; k++) {
-    u.operation[k] = exact_operation(c->p, id, number, k);
-  }
-  u.out = &c->p->schedule.stream[class->stream + number];
-  snprintf(u.suffix, sizeof u.suffix, "%s", strchr(u.out->name, '_') + 1);
-  return u;
-}
-
-static void describe(core *c, const unit *u) {
-  if (c->ii == 1 || u->slots == 1) {
-    return;
-  }
-  char line[EMIT_NAME * SEPAX_II_MAX];
-  int used = 0;
-  for (int k = 0; k < u->slots; k++) {
-    used += snprintf(line + used, sizeof line - (size_t)used, "%s %s_%s", k > 0 ? "," : "",
-                     u->out->kind, u->out->label[k]);
-  }
-  emit_text(c->m, "\n// %s:%s.", u->out->name, line);
-}
-
-/* Operand `index` of a unit as its slots read it from other units. */
-static void operand(core *c, const unit *u, int index, const char *width, source out) {
-  source text[SEPAX_II_MAX];
-  char name[EMIT_NAME];
-  for (int k = 0; k < u->slots; k++) {
-    schedule_value v[4];
-    exact_operands(c->p, u->id, u->operation[k], v);
-    schedule_source(&c->p->schedule, v[index], u->start + k, text[k]);
-  }
-  snprintf(name, sizeof name, "%.40s_%c", u->out->name, "pqrs"[index]);
-  choose(c, name, width, true, u->start, u->slots, text, out);
-}
-
-/* Operand of coordinates: vertex[k] in slot k. */
-static void point(core *c, const unit *u, const char *name, char axis, const int vertex[],
-                  source out) {
-  source text[SEPAX_II_MAX];
-  char wire[EMIT_NAME];
-  for (int k = 0; k < u->slots; k++) {
-    int cycle = u->start + k;
-    coordinate(c, axis, vertex[k], axis == 'z' ? exact_z_bank(c->p, cycle) : 0, cycle, text[k]);
-  }
-  snprintf(wire, sizeof wire, "%.30s_%s", u->out->name, name);
-  choose(c, wire, "W", true, u->start, u->slots, text, out);
-}
 
 /* ------------------------------------------------------------------------- stages */
 
@@ -271,18 +46,18 @@ static void strip_vertices(int operation, int *from, int *to) {
 static void strips(core *c) {
   emit_text(c->m, "\n// t: the area between an edge and the x axis; ox: the order of its ends in x.");
   for (int n = 0; n < exact_units(c->p, EXACT_STRIP); n++) {
-    unit u = unit_of(c, EXACT_STRIP, n);
+    unit u = core_unit_of(c, EXACT_STRIP, n);
     int from[SEPAX_II_MAX] = {0};
     int to[SEPAX_II_MAX] = {0};
     source text[4];
     for (int k = 0; k < u.slots; k++) {
       strip_vertices(u.operation[k], &from[k], &to[k]);
     }
-    describe(c, &u);
-    point(c, &u, "x_from", 'x', from, text[0]);
-    point(c, &u, "x_to", 'x', to, text[1]);
-    point(c, &u, "y_from", 'y', from, text[2]);
-    point(c, &u, "y_to", 'y', to, text[3]);
+    core_describe(c, &u);
+    core_point(c, &u, "x_from", 'x', from, text[0]);
+    core_point(c, &u, "x_to", 'x', to, text[1]);
+    core_point(c, &u, "y_from", 'y', from, text[2]);
+    core_point(c, &u, "y_to", 'y', to, text[3]);
     bool order = !c->p->design->config.flag && (n + 1) * c->ii > 6;
     char name[EMIT_NAME];
     char more[EMIT_NAME] = "";
@@ -299,24 +74,24 @@ static void strips(core *c) {
 static void areas(core *c) {
   emit_text(c->m, "\n// g: the area of a triangle of both, from the strips under its edges.");
   for (int n = 0; n < exact_units(c->p, EXACT_AREA); n++) {
-    unit u = unit_of(c, EXACT_AREA, n);
+    unit u = core_unit_of(c, EXACT_AREA, n);
     source text[3];
     char name[EMIT_NAME];
-    describe(c, &u);
+    core_describe(c, &u);
     for (int i = 0; i < 3; i++) {
-      operand(c, &u, i, "G_W", text[i]);
+      core_operand(c, &u, i, "G_W", text[i]);
     }
     snprintf(name, sizeof name, "area_%.30s", u.suffix);
     emit_instance(c->m, "sepax_area", name, "G_W=G_W", "clk=clk, p=%s, q=%s, r=%s, g=%s", text[0],
                   text[1], text[2], u.out->name);
   }
   for (int n = 0; n < exact_units(c->p, EXACT_OWN); n++) {
-    unit u = unit_of(c, EXACT_OWN, n);
+    unit u = core_unit_of(c, EXACT_OWN, n);
     source text[3];
     char name[EMIT_NAME];
-    describe(c, &u);
+    core_describe(c, &u);
     for (int i = 0; i < 3; i++) {
-      operand(c, &u, i, "G_W", text[i]);
+      core_operand(c, &u, i, "G_W", text[i]);
     }
     snprintf(name, sizeof name, "own_area_%.30s", u.suffix);
     emit_instance(c->m, "sepax_own_area", name, "G_W=G_W", "clk=clk, p=%s, q=%s, r=%s, g=%s",
@@ -343,16 +118,16 @@ static void shared_weight(core *c, const unit *u) {
     int vertex[SEPAX_II_MAX] = {3 + j % 3};
     source p;
     source r;
-    describe(c, u);
-    point(c, u, "p", 'z', vertex, p);
-    point(c, u, "r", 'z', third, r);
+    core_describe(c, u);
+    core_point(c, u, "p", 'z', vertex, p);
+    core_point(c, u, "r", 'z', third, r);
     rise_name(c, operation, rise[0]);
     emit_net(c->m, EMIT_WIRE, true, rise[0], "Z_W");
     snprintf(name, sizeof name, "of_%.40s", rise[0]);
     emit_instance(c->m, "sepax_rise", name, "W=W, Z_W=Z_W, DIGITS=DIGITS",
                   "clk=clk, z_p=%s, z_r=%s, z=%s, rise=%s", p, r, u->out->name, rise[0]);
   } else {
-    describe(c, u);
+    core_describe(c, u);
     rise_name(c, exact_edge_area(i + 2, j), rise[0]);
     rise_name(c, exact_edge_area(i, j + 1), rise[1]);
     snprintf(name, sizeof name, "weight_%.30s", u->suffix);
@@ -363,7 +138,7 @@ static void shared_weight(core *c, const unit *u) {
 
 /* B's weight, from all z at once, or one vertex of each triangle a cycle. */
 static void own_weight(core *c) {
-  unit u = unit_of(c, EXACT_OWN_WEIGHT, 0);
+  unit u = core_unit_of(c, EXACT_OWN_WEIGHT, 0);
   source z[6];
   emit_blank(c->m);
   if (c->p->running) {
@@ -373,7 +148,7 @@ static void own_weight(core *c) {
       for (int k = 0; k < 3; k++) {
         vertex[k] = 3 * t + (u.start + k) % 3;
       }
-      point(c, &u, t == 0 ? "a" : "b", 'z', vertex, z[t]);
+      core_point(c, &u, t == 0 ? "a" : "b", 'z', vertex, z[t]);
     }
     emit_instance(c->m, "sepax_own_weight", "own_weight", "W=W, O_W=O_W, DIGITS=OWN_DIGITS",
                   "clk=clk, first=at[%d], z_a=%s, z_b=%s, z=%s", u.start % 3, z[0], z[1], u.out->name);
@@ -391,7 +166,7 @@ static void own_weight(core *c) {
     return;
   }
   for (int v = 0; v < 6; v++) {
-    coordinate(c, 'z', v, exact_z_bank(c->p, u.start), u.start, z[v]);
+    core_coordinate(c, 'z', v, exact_z_bank(c->p, u.start), u.start, z[v]);
   }
   emit_instance(c->m, "sepax_own_weight", "own_weight", "W=W, O_W=O_W, DIGITS=OWN_DIGITS",
                 "clk=clk, z_a1=%s, z_a2=%s, z_a3=%s, z_b1=%s, z_b2=%s, z_b3=%s, z=%s", z[0], z[1],
@@ -401,7 +176,7 @@ static void own_weight(core *c) {
 static void weights(core *c) {
   emit_text(c->m, "\n// z: the weights of the prisms.");
   for (int n = 0; n < exact_units(c->p, EXACT_WEIGHT); n++) {
-    unit u = unit_of(c, EXACT_WEIGHT, n);
+    unit u = core_unit_of(c, EXACT_WEIGHT, n);
     if (c->p->shared_rises) {
       shared_weight(c, &u);
       continue;
@@ -419,17 +194,17 @@ static void weights(core *c) {
       v[1][k] = edge_of_a ? v[0][k] : 3 + (i + r + 1) % 3;
       v[3][k] = edge_of_a ? v[0][k] : (i + 1) % 3;
     }
-    describe(c, &u);
+    core_describe(c, &u);
     snprintf(name, sizeof name, "weight_%.30s", u.suffix);
-    point(c, &u, "p", 'z', v[0], text[0]);
-    point(c, &u, "r", 'z', v[2], text[2]);
+    core_point(c, &u, "p", 'z', v[0], text[0]);
+    core_point(c, &u, "r", 'z', v[2], text[2]);
     if ((n + 1) * c->ii <= 9) {
       emit_instance(c->m, "sepax_rise", name, "W=W, Z_W=Z_W, DIGITS=DIGITS",
                     "clk=clk, z_p=%s, z_r=%s, z=%s", text[0], text[2], u.out->name);
       continue;
     }
-    point(c, &u, "q", 'z', v[1], text[1]);
-    point(c, &u, "s", 'z', v[3], text[3]);
+    core_point(c, &u, "q", 'z', v[1], text[1]);
+    core_point(c, &u, "s", 'z', v[3], text[3]);
     emit_instance(c->m, "sepax_weight", name, "W=W, Z_W=Z_W, DIGITS=DIGITS",
                   "clk=clk, z_p=%s, z_q=%s, z_r=%s, z_s=%s, z=%s", text[0], text[1], text[2],
                   text[3], u.out->name);
@@ -475,23 +250,23 @@ static void area_signs(core *c) {
 static void prisms(core *c) {
   emit_text(c->m, "\n// h: the prisms under the triangles.");
   for (int n = 0; n < exact_units(c->p, EXACT_PRISM); n++) {
-    unit u = unit_of(c, EXACT_PRISM, n);
+    unit u = core_unit_of(c, EXACT_PRISM, n);
     source g;
     source z;
     char name[EMIT_NAME];
-    describe(c, &u);
-    operand(c, &u, 0, "G_W", g);
-    operand(c, &u, 1, "Z_W", z);
+    core_describe(c, &u);
+    core_operand(c, &u, 0, "G_W", g);
+    core_operand(c, &u, 1, "Z_W", z);
     snprintf(name, sizeof name, "prism_%.30s", u.suffix);
     bool two_less = c->p->shared_rises && n >= 9;
     emit_instance(c->m, two_less ? "sepax_prism_2" : "sepax_prism", name, "G_W=G_W, Z_W=Z_W, V_W=V_W",
                   "clk=clk, g=%s, z=%s, h=%s", g, z, u.out->name);
   }
-  unit u = unit_of(c, EXACT_OWN_PRISM, 0);
+  unit u = core_unit_of(c, EXACT_OWN_PRISM, 0);
   source g;
   source z;
-  operand(c, &u, 0, "G_W", g);
-  operand(c, &u, 1, "O_W", z);
+  core_operand(c, &u, 0, "G_W", g);
+  core_operand(c, &u, 1, "O_W", z);
   emit_instance(c->m, "sepax_own_prism", "own_prism", "G_W=G_W, O_W=O_W, V_W=V_W",
                 "clk=clk, g=%s, z=%s, h=%s", g, z, u.out->name);
 }
@@ -499,13 +274,13 @@ static void prisms(core *c) {
 static void volumes_of(core *c, exact_class_id id, const char *module, int operands) {
   static const char *const port = "pqrs";
   for (int n = 0; n < exact_units(c->p, id); n++) {
-    unit u = unit_of(c, id, n);
+    unit u = core_unit_of(c, id, n);
     char name[EMIT_NAME];
     char connections[512] = "clk=clk";
-    describe(c, &u);
+    core_describe(c, &u);
     for (int i = 0; i < operands; i++) {
       source text;
-      operand(c, &u, i, "V_W", text);
+      core_operand(c, &u, i, "V_W", text);
       size_t used = strlen(connections);
       snprintf(connections + used, sizeof connections - used, ", %c=%s", port[i], text);
     }
@@ -535,9 +310,9 @@ static void running_volumes(core *c) {
                       class->start[0] + k, prism[k]);
     }
     snprintf(name, sizeof name, "sum_%d_p", r);
-    choose(c, name, "V_W", true, class->start[0], 3, sum, p);
+    core_choose(c, name, "V_W", true, class->start[0], 3, sum, p);
     snprintf(name, sizeof name, "sum_%d_q", r);
-    choose(c, name, "V_W", true, class->start[0], 3, prism, q);
+    core_choose(c, name, "V_W", true, class->start[0], 3, prism, q);
     snprintf(name, sizeof name, "above_a_%d", r);
     emit_instance(c->m, "sepax_above_a", name, "V_W=V_W", "clk=clk, p=%s, q=%s, sum=sum_%d", p, q, r);
     snprintf(name, sizeof name, "sum_%d", r);
@@ -629,7 +404,7 @@ static void ports(core *c) {
   for (int v = 0; v < 6; v++) {
     for (int axis = 'x'; axis <= 'z'; axis++) {
       char name[EMIT_NAME];
-      snprintf(name, sizeof name, "in_%s_%c", vertex_name(v), axis);
+      snprintf(name, sizeof name, "in_%s_%c", core_vertex_name(v), axis);
       emit_signal(m, EMIT_INPUT, true, name, bits, "taken at the end of a frame");
     }
   }
@@ -692,10 +467,10 @@ void gen_exact_core(emitter *e, const exact_plan *p) {
   core c = {emit_begin(e, "sepax_core", banner), p, p->design->config.ii};
   ports(&c);
   widths(&c);
-  declare_banks(&c);
+  core_declare_banks(&c);
   declare_outputs(&c);
   schedule_declare(&p->schedule, c.m);
-  clock_banks(&c);
+  core_clock_banks(&c);
   emit_text(c.m, "\nalways @(posedge clk) begin");
   schedule_clock(&p->schedule, c.m);
   emit_text(c.m, "end");
