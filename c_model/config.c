@@ -329,8 +329,8 @@ static void enter_modular(sepax_design *design, int id, const char *name, interv
 static void enter_digits(sepax_design *design, int id, const char *name, interval value) {
   int digits = (bits_of(value) + 1) / 2;
   wide offset = (((wide)1 << (2 * (digits - 1))) - 1) / 3;
-  enter_modular(design, id, name, value,
-                (interval){value.lo + offset, value.hi + offset});
+  interval sum = {value.lo + offset, value.hi + offset};
+  enter_modular(design, id, name, sum, sum);
   design->format[id].digits = digits;
 }
 

@@ -269,3 +269,12 @@ bool arith_same(const arith_plan *plan, const arith_plan *other) {
          plan->rows == other->rows && plan->plain == other->plain && plan->less == other->less &&
          plan->ranks == other->ranks;
 }
+
+double arith_shortest(const arith_form *form) {
+  double row = delay_row(form->a_w) + sum_delay;
+  if (form->digits == 0) {
+    row += delay_adder(form->b_w + 1);
+  }
+  double addition = delay_adder(form->p_w);
+  return delay_register() + (row > addition ? row : addition);
+}

@@ -1,12 +1,12 @@
-/* arith.h - arithmetic of architecture exact: multipliers, and the
- * delays by which they are pipelined. */
+/* arith.h - arithmetic of architecture exact: multipliers, and the delays by which they are
+ * pipelined. */
 #ifndef SEPAX_ARITH_H
 #define SEPAX_ARITH_H
 
 #include "gen.h"
 
-/* Delays in nanoseconds of mapped and sized logic, Nangate45 typical (docs/exact.md has
- * the fit, `make timing` holds it against OpenSTA). */
+/* Delays in nanoseconds of mapped and sized logic, Nangate45 typical (docs/exact.md tells how
+ * far they are right). */
 double delay_register(void);    /* clock to output and setup together */
 double delay_row(int width);    /* a digit, its fan-out over a row, and selection */
 double delay_compressor(void);  /* one 3:2 compressor on whole words */
@@ -70,6 +70,10 @@ typedef struct {
   int adders;
   int final[2][ARITH_WIDTH]; /* the two rows of the last addition; -1: no bit */
 } arith_plan;
+
+/* The shortest period in ns, however many ranks: registers, and a row and a full adder, or the
+ * last addition, or that of K. */
+double arith_shortest(const arith_form *form);
 
 void arith_plan_make(arith_plan *plan, const arith_form *form, double period);
 

@@ -16,7 +16,7 @@ enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500, KEY_DIGITS, KEY_LESS };
 static const struct argp_option options[] = {
     {"a", 'a', "BITS", 0, "bits of the first factor, 3 ... 80", 0},
     {"b", 'b', "BITS", 0, "bits of the second factor, which is recoded; at most those of a", 0},
-    {"product", 'p', "BITS", 0, "bits of the product kept, the lowest (all of them)", 0},
+    {"product", 'p', "BITS", 0, "bits of the product kept, the lowest, at most 128 (all of them)", 0},
     {"digits", KEY_DIGITS, "COUNT", 0,
      "a (b - K) instead of a b, K = 1 + 4 + ... + 4^(COUNT - 2), which saves an addition; "
      "floor(b / 4^(COUNT - 1)) must be in -2 ... 2",
@@ -26,23 +26,33 @@ static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "folder for the Verilog (made if missing)", 0},
     {0}};
 
+/* A count above 0. */
+static uint64_t bits_of(struct argp_state *state, const char *option, const char *text,
+                        uint64_t limit) {
+  uint64_t value = cli_count(state, option, text, limit);
+  if (value == 0) {
+    argp_error(state, "%s: 0; give 1 ... %llu", option, (unsigned long long)limit);
+  }
+  return value;
+}
+
 static error_t parse(int key, char *text, struct argp_state *state) {
   multiplier_options *o = state->input;
   switch (key) {
   case 'a':
-    o->a = cli_count(state, "a", text, MOST);
+    o->a = bits_of(state, "a", text, MOST);
     return 0;
   case 'b':
-    o->b = cli_count(state, "b", text, MOST);
+    o->b = bits_of(state, "b", text, MOST);
     return 0;
   case 'p':
-    o->product = cli_count(state, "product", text, UINT64_C(2) * MOST);
+    o->product = bits_of(state, "product", text, UINT64_C(2) * MOST);
     return 0;
   case KEY_DIGITS:
-    o->digits = cli_count(state, "digits", text, MOST);
+    o->digits = bits_of(state, "digits", text, MOST);
     return 0;
   case KEY_LESS:
-    o->less = cli_count(state, "less", text, 2);
+    o->less = bits_of(state, "less", text, 2);
     return 0;
   case KEY_CLOCK:
     o->period = cli_number(state, "clock-ns", text);
@@ -54,6 +64,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     argp_error(state, "unexpected argument '%s'", text);
     return 0;
   case ARGP_KEY_END:
+    if (o->a == 0 || o->b == 0) {
+      argp_error(state, "give the bits of both factors with -a BITS -b BITS");
+    }
     if (o->folder == NULL) {
       argp_error(state, "give the folder for the Verilog with -o DIR");
     }
@@ -61,6 +74,10 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   default:
     return ARGP_ERR_UNKNOWN;
   }
+}
+
+static arith_form form_of(const multiplier_options *o) {
+  return (arith_form){(int)o->a, (int)o->b, (int)o->product, (int)o->digits, (int)o->less, 0};
 }
 
 static bool check(const multiplier_options *o, sepax_error *error) {
@@ -73,14 +90,19 @@ static bool check(const multiplier_options *o, sepax_error *error) {
                       (int)o->product, ARITH_WIDTH);
   }
   if (o->digits != 0 && (o->b + 1 < 2 * o->digits || o->b + 1 > 2 * o->digits + 2)) {
-    return sepax_fail(error, "digits: %d for %d bits; give half as many digits as bits",
-                      (int)o->digits, (int)o->b);
+    return sepax_fail(error, "digits: %d for -b %d; give %d ... %d", (int)o->digits, (int)o->b,
+                      (int)o->b / 2, ((int)o->b + 1) / 2);
   }
   if (o->less == 2 && o->digits == 0) {
     return sepax_fail(error, "less: only with --digits");
   }
   if (o->period != 0 && !(o->period >= 0.5 && o->period <= 20)) {
     return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20", o->period);
+  }
+  arith_form form = form_of(o);
+  if (o->period != 0 && o->period < arith_shortest(&form)) {
+    return sepax_fail(error, "clock-ns: %g is too short for %dx%d; give %.2f or more", o->period,
+                      (int)o->a, (int)o->b, arith_shortest(&form) + 0.005);
   }
   return true;
 }
@@ -99,7 +121,7 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   if (plan == NULL) {
     abort();
   }
-  arith_form form = {(int)o->a, (int)o->b, (int)o->product, (int)o->digits, (int)o->less, 0};
+  arith_form form = form_of(o);
   arith_plan_make(plan, &form, o->period > 0 ? o->period : 1e9);
   emitter e;
   emit_init(&e, NULL, command);

@@ -84,6 +84,8 @@ int exact_operands(const exact_plan *p, exact_class_id id, int operation,
 /* Modules. */
 void gen_exact_units(emitter *e, const exact_plan *p);
 void gen_exact_core(emitter *e, const exact_plan *p);
+/* "cycle", "3 cycles": a pair comes every ... */
+void gen_exact_every(const exact_plan *p, char text[24]);
 void gen_exact_top(emitter *e, const exact_plan *p);
 
 #endif

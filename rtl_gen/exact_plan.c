@@ -3,6 +3,7 @@
 
 #include "error.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static int mod3(int i) { return (i % 3 + 3) % 3; }
@@ -48,11 +49,12 @@ schedule_value exact_value(const exact_plan *p, exact_class_id id, int operation
 }
 
 int exact_z_bank(const exact_plan *p, int cycle) {
-  int bank = 0;
-  while (bank + 1 < p->z_banks && p->z_bank[bank] + p->design->config.ii <= cycle) {
-    bank++;
+  for (int bank = 0; bank < p->z_banks; bank++) {
+    if (cycle < p->z_bank[bank] + p->design->config.ii) {
+      return bank;
+    }
   }
-  return bank;
+  abort(); /* z is read when no bank has it any more */
 }
 
 /* ------------------------------------------------------------------- operations */
@@ -432,9 +434,11 @@ static void enter_judges(exact_plan *p) {
 
 static void plan_all_banks(exact_plan *p) {
   int ii = p->schedule.ii;
-  int own = p->class[EXACT_OWN_WEIGHT].start[0];
   int last = p->design->config.flag ? 0 : p->plane_cycle;
   p->u_banks = plan_banks(p->u_bank, ii, 0, last);
+  int weights = p->class[EXACT_WEIGHT].start[0] + ii - 1;
+  int own = p->class[EXACT_OWN_WEIGHT].start[0] + (p->running ? 2 : 0);
+  last = weights > last ? weights : last;
   last = own > last ? own : last;
   int aligned = plan_banks(p->z_bank, ii, 0, last);
   p->z_banks = plan_banks(p->z_bank, ii, p->class[EXACT_WEIGHT].start[0], last);

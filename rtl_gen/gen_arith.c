@@ -411,6 +411,10 @@ void gen_multiplier(emitter *e, const arith_plan *plan) {
   char banner[512];
   char bits[16];
   char offset[48];
+  int full = 0;
+  for (int i = 0; i < plan->adders; i++) {
+    full += plan->adder[i].kind == ARITH_FULL || plan->adder[i].kind == ARITH_TOP_FULL;
+  }
   print_offset(plan, offset);
   if (plan->plain) {
     snprintf(banner, sizeof banner, "Signed product: p = a * b modulo 2^%d.", plan->p_w);
@@ -421,10 +425,12 @@ void gen_multiplier(emitter *e, const arith_plan *plan) {
   }
   size_t used = strlen(banner);
   snprintf(banner + used, sizeof banner - used,
-           "\nLatency %d. Structure: %d rows, selected by digits %s of %s, %d full\n"
-           "adders in columns, the earliest bits first, one addition. Where SEPAX_BEHAVIOURAL\n"
-           "is defined, a plain product of the same latency.",
-           plan->ranks, plan->rows, plan->less == 2 ? "-2 ... 1" : "-1 ... 2", plan->plain ? "b" : "b less that number", plan->adders);
+           "\nLatency %d. Structure: %d rows, selected by the radix-4 digits of %s,\n"
+           "each but the highest less %d; %d full and %d half adders in columns, the earliest\n"
+           "bits first; one addition. Where SEPAX_BEHAVIOURAL is defined, a plain product of the\n"
+           "same latency.",
+           plan->ranks, plan->rows, plan->plain ? "b + 1 + 4 + 16 ..." : "b", plan->less, full,
+           plan->adders - full);
   writer w = {.m = emit_begin(e, name, banner), .plan = plan};
   memcpy(w.offset, offset, sizeof w.offset);
   w.place = calloc((size_t)ARITH_BITS * ARITH_RANKS, sizeof *w.place);

@@ -411,8 +411,8 @@ static void ports(core *c) {
   if (!c->p->design->config.flag) {
     emit_signal(m, EMIT_INPUT, false, "again", "",
                 "take the pair in the last banks once more, u for x and z for y");
-    emit_signal(m, EMIT_OUTPUT, false, "flat", "", "last cycle of frame %d: all areas are zero",
-                (c->p->plane_cycle + 1) / c->ii);
+    emit_signal(m, EMIT_OUTPUT, false, "flat", "", "in cycle %d: all areas are zero",
+                c->p->plane_cycle);
     emit_signal(m, EMIT_OUTPUT, false, "apart", "", "with it: separated in the projection");
     emit_signal(m, EMIT_OUTPUT, false, "apart_x", "", "with it: boxes disjoint in x");
     emit_signal(m, EMIT_OUTPUT, false, "apart_z", "", "with it: boxes disjoint in z");
@@ -421,7 +421,7 @@ static void ports(core *c) {
   }
   emit_signal(m, EMIT_INPUT, false, "in_plane", "", "in cycle %d: separated if coplanar",
               c->p->verdict_cycle);
-  emit_signal(m, EMIT_OUTPUT, false, "coplanar", "", "in cycle %d: all volumes are zero",
+  emit_signal(m, EMIT_OUTPUT, false, "coplanar", "", "in cycle %d: all volumes are zero, or a second pass",
               c->p->verdict_cycle);
   emit_signal(m, EMIT_OUTPUT, false, "axis", "4", "in cycle %d: the axis that separates, or 0",
               c->p->verdict_cycle);
@@ -448,11 +448,31 @@ static void widths(core *c) {
                  c->p->design->format[SEPAX_X_OWN_WEIGHT].digits, "of B's weight");
 }
 
+static int first_volumes(const exact_plan *p) {
+  int first = p->class[EXACT_ABOVE_A].start[0];
+  for (exact_class_id id = EXACT_ABOVE_B; id <= EXACT_BETWEEN; id++) {
+    for (int k = 0; k < exact_units(p, id); k++) {
+      first = p->class[id].start[k] < first ? p->class[id].start[k] : first;
+    }
+  }
+  return first;
+}
+
+void gen_exact_every(const exact_plan *p, char text[24]) {
+  if (p->design->config.ii == 1) {
+    snprintf(text, 24, "cycle");
+  } else {
+    snprintf(text, 24, "%d cycles", p->design->config.ii);
+  }
+}
+
 void gen_exact_core(emitter *e, const exact_plan *p) {
   char banner[1024];
+  char every[24];
+  gen_exact_every(p, every);
   snprintf(banner, sizeof banner,
            "The exact datapath: signs of the 15 tetrahedra of the six vertices from 34\n"
-           "products, a pair every %d cycle%s. Names say which vertices: t_a1b2 is the strip\n"
+           "products, a pair every %s. Names say which vertices: t_a1b2 is the strip\n"
            "under the edge from A_1 to B_2, g_a1b2b3 the area of that triangle, h the prism\n"
            "over it.\n"
            "  cycle %2d  strips t (15 products in %d multipliers)\n"
@@ -461,9 +481,9 @@ void gen_exact_core(emitter *e, const exact_plan *p) {
            "  cycle %2d  volumes\n"
            "  cycle %2d  the verdict\n"
            "Cycle 0 is the first in which a pair stands in the first banks.",
-           p->design->config.ii, p->design->config.ii == 1 ? "" : "s", p->class[EXACT_STRIP].start[0],
+           every, p->class[EXACT_STRIP].start[0],
            exact_units(p, EXACT_STRIP), p->class[EXACT_AREA].start[0], p->class[EXACT_PRISM].start[0],
-           exact_units(p, EXACT_PRISM) + 1, p->class[EXACT_ABOVE_B].start[0], p->verdict_cycle);
+           exact_units(p, EXACT_PRISM) + 1, first_volumes(p), p->verdict_cycle);
   core c = {emit_begin(e, "sepax_core", banner), p, p->design->config.ii};
   ports(&c);
   widths(&c);

@@ -239,14 +239,16 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
   c.judged = (p->plane_cycle + 1) / c.ii;
   snprintf(c.tag, sizeof c.tag, "%d", places_log2(p));
   char banner[1024];
+  char every[24];
+  gen_exact_every(p, every);
   snprintf(banner, sizeof banner,
            "Exact collision detection of two triangles: the verdict is the mathematical one\n"
-           "for every input. valid/ready on both sides; a pair every %d cycle%s, verdicts in\n"
+           "for every input. valid/ready on both sides; a pair every %s, verdicts in\n"
            "order.\n"
            "%s\n"
            "Latency %d cycles from the one in which a pair is taken to its verdict, both\n"
            "counted%s. Outputs are 0 without out_valid.",
-           c.ii, c.ii == 1 ? "" : "s",
+           every,
            c.flag ? "Coplanar pairs are called collisions, undecided, and flagged."
                   : "Coplanar and degenerate pairs are decided, too; those flat in the projection on\n"
                     "x and y go round once more; in_ready is low for that turn.",

@@ -21,8 +21,9 @@ static void gen_strip(emitter *e, const exact_plan *p, bool order) {
   snprintf(banner, sizeof banner,
            "Twice the area between an edge and the x axis in the projection on x and y:\n"
            "t = (x_to - x_from) (y_from + y_to - K) modulo 2^G_W, the axis moved by K / 2 as the\n"
-           "multiplier likes it; areas do not depend on K. Latency %d.",
-           p->class[EXACT_STRIP].latency);
+           "multiplier likes it; areas do not depend on K. Latency %d.%s",
+           p->class[EXACT_STRIP].latency,
+           order ? "\nBeside it the order of the edge's ends in x." : "");
   emit_module *m = emit_begin(e, order ? "sepax_strip_ab" : "sepax_strip", banner);
   width_parameter(m, "W", SEPAX_X_COORDINATE, "bits of a coordinate");
   width_parameter(m, "S_W", SEPAX_X_SPAN, "bits of a sum or difference, W + 1");
@@ -166,9 +167,13 @@ static void gen_whole_weight(emitter *e) {
 
 static void gen_own_weight(emitter *e, const exact_plan *p) {
   static const char *const six[] = {"z_a1", "z_a2", "z_a3", "z_b1", "z_b2", "z_b3"};
-  emit_module *m = emit_begin(e, "sepax_own_weight",
-                 "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
-                 "B's z less the sum of A's, plus offset.");
+  emit_module *m = emit_begin(
+      e, "sepax_own_weight",
+      p->own_weight_rank
+          ? "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
+            "B's z less the sum of A's, plus offset. Latency 2."
+          : "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
+            "B's z less the sum of A's, plus offset. Latency 1.");
   weight_parameters(m, "O_W", SEPAX_X_OWN_WEIGHT);
   weight_ports(m, six, 6);
   emit_signal(m, EMIT_OUTPUT_REG, true, "z", "O_W", "weight and offset");
@@ -399,7 +404,7 @@ static void gen_decide(emitter *e) {
   sign_ports(m, "d_%d%d", true, "volume of e_%d and f_%d");
   emit_signal(m, EMIT_INPUT, false, "second", "", "second pass: known to be coplanar");
   emit_signal(m, EMIT_INPUT, false, "in_plane", "", "should the pair be coplanar: it is separated");
-  emit_signal(m, EMIT_OUTPUT, false, "coplanar", "", "all volumes are zero");
+  emit_signal(m, EMIT_OUTPUT, false, "coplanar", "", "all volumes are zero, or a second pass");
   emit_signal(m, EMIT_OUTPUT, false, "axis", "4", "0 ... 12");
   static const char *const wires[] = {"normal_a", "normal_b"};
   for (int i = 0; i < 2; i++) {

@@ -1,7 +1,7 @@
 // sepax_core.v
 //
 // The exact datapath: signs of the 15 tetrahedra of the six vertices from 34
-// products, a pair every 1 cycle. Names say which vertices: t_a1b2 is the strip
+// products, a pair every cycle. Names say which vertices: t_a1b2 is the strip
 // under the edge from A_1 to B_2, g_a1b2b3 the area of that triangle, h the prism
 // over it.
 //   cycle  0  strips t (15 products in 15 multipliers)
@@ -37,13 +37,13 @@ module sepax_core (
   input  wire signed [17:0]       in_b3_y,  // taken at the end of a frame
   input  wire signed [17:0]       in_b3_z,  // taken at the end of a frame
   input  wire                     again,    // take the pair in the last banks once more, u for x and z for y
-  output wire                     flat,     // last cycle of frame 3: all areas are zero
+  output wire                     flat,     // in cycle 2: all areas are zero
   output wire                     apart,    // with it: separated in the projection
   output wire                     apart_x,  // with it: boxes disjoint in x
   output wire                     apart_z,  // with it: boxes disjoint in z
   input  wire                     second,   // in cycle 4: the pair's second pass
   input  wire                     in_plane, // in cycle 4: separated if coplanar
-  output wire                     coplanar, // in cycle 4: all volumes are zero
+  output wire                     coplanar, // in cycle 4: all volumes are zero, or a second pass
   output wire        [3:0]        axis      // in cycle 4: the axis that separates, or 0
 );
 

@@ -32,7 +32,7 @@ module sepax_decide (
   input  wire        [1:0]        d_33,     // volume of e_3 and f_3
   input  wire                     second,   // second pass: known to be coplanar
   input  wire                     in_plane, // should the pair be coplanar: it is separated
-  output wire                     coplanar, // all volumes are zero
+  output wire                     coplanar, // all volumes are zero, or a second pass
   output wire        [3:0]        axis      // 0 ... 12
 );
 

@@ -1,7 +1,7 @@
 // sepax_top.v
 //
 // Exact collision detection of two triangles: the verdict is the mathematical one
-// for every input. valid/ready on both sides; a pair every 1 cycle, verdicts in
+// for every input. valid/ready on both sides; a pair every cycle, verdicts in
 // order.
 // Coplanar and degenerate pairs are decided, too; those flat in the projection on
 // x and y go round once more; in_ready is low for that turn.

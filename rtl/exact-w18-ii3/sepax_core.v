@@ -7,7 +7,7 @@
 //   cycle  0  strips t (15 products in 5 multipliers)
 //   cycle  2  areas g and weights z
 //   cycle  3  prisms h (19 products in 7 multipliers)
-//   cycle  5  volumes
+//   cycle  4  volumes
 //   cycle  9  the verdict
 // Cycle 0 is the first in which a pair stands in the first banks.
 //
@@ -38,13 +38,13 @@ module sepax_core (
   input  wire signed [17:0]       in_b3_y,  // taken at the end of a frame
   input  wire signed [17:0]       in_b3_z,  // taken at the end of a frame
   input  wire                     again,    // take the pair in the last banks once more, u for x and z for y
-  output wire                     flat,     // last cycle of frame 2: all areas are zero
+  output wire                     flat,     // in cycle 5: all areas are zero
   output wire                     apart,    // with it: separated in the projection
   output wire                     apart_x,  // with it: boxes disjoint in x
   output wire                     apart_z,  // with it: boxes disjoint in z
   input  wire                     second,   // in cycle 9: the pair's second pass
   input  wire                     in_plane, // in cycle 9: separated if coplanar
-  output wire                     coplanar, // in cycle 9: all volumes are zero
+  output wire                     coplanar, // in cycle 9: all volumes are zero, or a second pass
   output wire        [3:0]        axis      // in cycle 9: the axis that separates, or 0
 );
 
