@@ -112,7 +112,8 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   int used = snprintf(command, sizeof command, "sepax multiplier --a=%d --b=%d --product=%d",
                       (int)o->a, (int)o->b, (int)o->product);
   if (o->digits > 0) {
-    used += snprintf(command + used, sizeof command - (size_t)used, " --digits=%d --less=%d", (int)o->digits, (int)o->less);
+    used += snprintf(command + used, sizeof command - (size_t)used, " --digits=%d --less=%d",
+                     (int)o->digits, (int)o->less);
   }
   if (o->period > 0) {
     snprintf(command + used, sizeof command - (size_t)used, " --clock-ns=%g", o->period);

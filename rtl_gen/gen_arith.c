@@ -217,7 +217,8 @@ static void recode(writer *w) {
     snprintf(name, sizeof name, "digit_%d", row);
     bool is_top = row == p->rows - 1;
     snprintf(digit, sizeof digit, is_top ? "top" : "%s[%d:%d]", b, 2 * row + 1, 2 * row);
-    emit_instance(w->m, is_top ? "sepax_top_digit" : p->less == 2 ? "sepax_digit_2" : "sepax_digit", name, parameters,
+    const char *low = p->less == 2 ? "sepax_digit_2" : "sepax_digit";
+    emit_instance(w->m, is_top ? "sepax_top_digit" : low, name, parameters,
                   "a=a, b=%s, row=plain_%d, negative=negative[%d]", digit, row, row);
     if (!arith_row_whole(p, row)) {
       emit_text(w->m, "assign row_%d = plain_%d;", row, row);

@@ -63,7 +63,8 @@ static void strips(core *c) {
     char more[EMIT_NAME] = "";
     snprintf(name, sizeof name, "strip_%.30s", u.suffix);
     if (order) {
-      snprintf(more, sizeof more, ", order=ox_%.30s", strchr(c->p->schedule.stream[c->p->class[EXACT_ORDER_X].stream + n].name, '_') + 1);
+      int stream = c->p->class[EXACT_ORDER_X].stream + n;
+      snprintf(more, sizeof more, ", order=%.36s", c->p->schedule.stream[stream].name);
     }
     emit_instance(c->m, order ? "sepax_strip_ab" : "sepax_strip", name, "W=W, S_W=S_W, G_W=G_W",
                   "clk=clk, x_from=%s, x_to=%s, y_from=%s, y_to=%s, t=%s%s", text[0], text[1], text[2],
@@ -358,7 +359,8 @@ static void decide(core *c) {
   }
   fclose(out);
   emit_text(c->m, "\n// The verdict, in cycle %d of a pair.", cycle);
-  emit_instance(c->m, "sepax_decide", "decide", "", "second=%s, in_plane=in_plane, coplanar=coplanar, axis=axis%s",
+  emit_instance(c->m, "sepax_decide", "decide", "",
+                "second=%s, in_plane=in_plane, coplanar=coplanar, axis=axis%s",
                 c->p->design->config.flag ? "1'b0" : "second", text);
 }
 
@@ -386,7 +388,8 @@ static void plane(core *c) {
   }
   fclose(out);
   emit_text(c->m, "\n// The pair as if coplanar, in cycle %d.", cycle);
-  emit_instance(c->m, "sepax_plane", "plane", "", "flat=flat, apart=apart, apart_x=apart_x, apart_z=apart_z%s", text);
+  emit_instance(c->m, "sepax_plane", "plane", "",
+                "flat=flat, apart=apart, apart_x=apart_x, apart_z=apart_z%s", text);
 }
 
 /* ----------------------------------------------------------------------- the module */
