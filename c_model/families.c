@@ -561,7 +561,7 @@ static void turn_axes(draft *d) {
   }
 }
 
-sepax_pair sepax_family_pair(size_t family, int word, sepax_random *random) {
+sepax_pair sepax_family_triangles(size_t family, int word, sepax_random *random) {
   assert(family < FAMILIES);
   draft d = {.random = random, .word = word};
   set_bits(&d, one_in(&d, 2) ? word : (int)range(&d, SEPAX_WORD_MIN, word));
@@ -571,7 +571,11 @@ sepax_pair sepax_family_pair(size_t family, int word, sepax_random *random) {
   }
   shuffle(&d);
   turn_axes(&d);
-  sepax_pair pair = {.a = to_tri(&d.t[0]), .b = to_tri(&d.t[1])};
+  return (sepax_pair){.a = to_tri(&d.t[0]), .b = to_tri(&d.t[1])};
+}
+
+sepax_pair sepax_family_pair(size_t family, int word, sepax_random *random) {
+  sepax_pair pair = sepax_family_triangles(family, word, random);
   pair.na = sepax_unit_normal(&pair.a, word);
   pair.nb = sepax_unit_normal(&pair.b, word);
   return pair;

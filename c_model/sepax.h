@@ -318,6 +318,9 @@ const char *sepax_family_about(size_t family);
  * sepax_unit_normal. */
 sepax_pair sepax_family_pair(size_t family, int word, sepax_random *random);
 
+/* The same with zero normals, several times as fast. */
+sepax_pair sepax_family_triangles(size_t family, int word, sepax_random *random);
+
 /* Pairs as text: one line of 18 decimal integers A1x A1y A1z ... B3z, or 24 with
  * N_A and N_B behind them (computed when absent); '#' starts a comment. */
 typedef enum { SEPAX_LINE_PAIR, SEPAX_LINE_EMPTY, SEPAX_LINE_ERROR } sepax_line;

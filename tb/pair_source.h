@@ -89,7 +89,9 @@ public:
     if (at == pairs) {
       return false;
     }
-    *pair = sepax_family_pair(first + at++ % families, SEPAX_WORD, &random);
+    size_t family = first + at++ % families;
+    *pair = SEPAX_EXACT ? sepax_family_triangles(family, SEPAX_WORD, &random)
+                        : sepax_family_pair(family, SEPAX_WORD, &random);
     return true;
   }
 
