@@ -16,7 +16,8 @@ int32_t sepax_word_max(int word) { return (int32_t)((INT64_C(1) << (word - 1)) -
 /* ------------------------------------------------------------- names and text */
 
 static const char *const arch_names[] = {"paper",   "exact",   "reference",
-                                         "float32", "float64", NULL};
+                                         "float32", "float64",
+                                         "interval32", "interval64", NULL};
 static const char *const coplanarity_names[] = {"plane", "paper", NULL};
 static const char *const inequality_names[] = {"correct", "printed", NULL};
 static const char *const switch_names[] = {"off", "on", NULL};
@@ -238,7 +239,7 @@ bool sepax_config_check(const sepax_config *config, sepax_error *error) {
     return sepax_fail(error, "word: W = %d is out of range; give %d ... %d", config->word,
                       SEPAX_WORD_MIN, SEPAX_WORD_MAX);
   }
-  if (config->arch > SEPAX_ARCH_FLOAT64 || config->coplanarity > SEPAX_COPLANAR_PAPER ||
+  if (config->arch > SEPAX_ARCH_INTERVAL64 || config->coplanarity > SEPAX_COPLANAR_PAPER ||
       config->inequality > SEPAX_INEQUALITY_PRINTED) {
     return sepax_fail(error, "configuration: a value is none of its enumeration");
   }

@@ -1,18 +1,25 @@
-/* float.c - the software baselines: SAT in IEEE single and double precision. */
+/* float.c - the software baselines in IEEE single and double precision: SAT, and the
+ * interval test. */
 #include "sepax.h"
 
 #define REAL float
 #define NAME(name) name##_32
 #include "float_sat.h"
+#include "float_interval.h"
 #undef REAL
 #undef NAME
 
 #define REAL double
 #define NAME(name) name##_64
 #include "float_sat.h"
+#include "float_interval.h"
 #undef REAL
 #undef NAME
 
 bool sepax_float32(const sepax_tri *a, const sepax_tri *b) { return collide_32(a, b); }
 
 bool sepax_float64(const sepax_tri *a, const sepax_tri *b) { return collide_64(a, b); }
+
+bool sepax_interval32(const sepax_tri *a, const sepax_tri *b) { return intervals_meet_32(a, b); }
+
+bool sepax_interval64(const sepax_tri *a, const sepax_tri *b) { return intervals_meet_64(a, b); }

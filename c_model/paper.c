@@ -194,6 +194,10 @@ sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair) {
     return (sepax_verdict){.collision = sepax_float32(&pair->a, &pair->b)};
   case SEPAX_ARCH_FLOAT64:
     return (sepax_verdict){.collision = sepax_float64(&pair->a, &pair->b)};
+  case SEPAX_ARCH_INTERVAL32:
+    return (sepax_verdict){.collision = sepax_interval32(&pair->a, &pair->b)};
+  case SEPAX_ARCH_INTERVAL64:
+    return (sepax_verdict){.collision = sepax_interval64(&pair->a, &pair->b)};
   case SEPAX_ARCH_EXACT:
   default:
     return judge_exact(design, pair);

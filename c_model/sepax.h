@@ -73,7 +73,9 @@ typedef enum {
   SEPAX_ARCH_EXACT,     /* the mathematical verdict, and the axis */
   SEPAX_ARCH_REFERENCE, /* software: the same verdict by another method, sepax_reference */
   SEPAX_ARCH_FLOAT32,   /* software baseline in IEEE single precision */
-  SEPAX_ARCH_FLOAT64    /* software baseline in IEEE double precision */
+  SEPAX_ARCH_FLOAT64,   /* software baseline in IEEE double precision */
+  SEPAX_ARCH_INTERVAL32, /* the interval test of Moeller, the usual one, single precision */
+  SEPAX_ARCH_INTERVAL64 /* the same in double precision */
 } sepax_arch;
 
 typedef enum {
@@ -216,6 +218,17 @@ sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair);
  * equality: what software usually does. Rounded: wrong now and then. */
 bool sepax_float32(const sepax_tri *a, const sepax_tri *b);
 bool sepax_float64(const sepax_tri *a, const sepax_tri *b);
+
+/* The interval test (Moeller 1997) in the same precisions, without a tolerance: the usual
+ * one where speed counts. Triangles without area are beyond it. */
+bool sepax_interval32(const sepax_tri *a, const sepax_tri *b);
+bool sepax_interval64(const sepax_tri *a, const sepax_tri *b);
+
+/* How far a pair is from the other verdict, in LSB, rounded (relative error about 1e-9,
+ * but some 1e-6 LSB at least where triangles are slivers of W > 26): a collision's depth,
+ * the shortest translation that ends in mere contact (0 for contact, and for all coplanar
+ * pairs); of separated triangles minus their distance. */
+double sepax_depth(const sepax_tri *a, const sepax_tri *b);
 
 /* ------------------------------------------------------------------ meshes */
 

@@ -36,6 +36,9 @@ void cli_vector(const struct argp_state *state, const char *option, const char *
                 double vector[3]);
 double cli_number(const struct argp_state *state, const char *option, const char *text);
 
+/* The families that `name` asks for, one or "all": first ... last. Fails if there is none. */
+bool cli_families(const char *name, size_t *first, size_t *last, sepax_error *error);
+
 /* Progress on a terminal: one line on stderr, rewritten four times a second. */
 typedef struct {
   const char *what;
@@ -49,6 +52,7 @@ void cli_progress_show(cli_progress *progress, uint64_t done);
 /* Erase the line; the seconds since the beginning. */
 double cli_progress_end(const cli_progress *progress);
 
+int cli_accuracy(int argc, char **argv);
 int cli_check(int argc, char **argv);
 int cli_gen(int argc, char **argv);
 int cli_judge(int argc, char **argv);

@@ -12,6 +12,7 @@ static const struct {
     {"gen", cli_gen, "generate the Verilog of a design"},
     {"check", cli_check, "which triangles of two STL files collide"},
     {"judge", cli_judge, "verdicts for pairs given as text"},
+    {"accuracy", cli_accuracy, "how often a design is wrong, on which pairs, by how much"},
     {"vectors", cli_vectors, "test vectors of hard cases as text"},
     {"mesh", cli_mesh, "write a sample object as STL"},
     {"multiplier", cli_multiplier, "generate the Verilog of one multiplier"},

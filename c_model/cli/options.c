@@ -1,5 +1,6 @@
 /* options.c - options, messages and progress that the subcommands share. */
 #include "cli.h"
+#include "error.h"
 
 #include <errno.h>
 #include <math.h>
@@ -18,7 +19,8 @@ enum { KEY_ARCH = 0x100, KEY_II, KEY_PRECISION, KEY_BLOCK_FLOAT, KEY_COPLANARITY
 
 static const struct argp_option config_options[] = {
     {NULL, 0, NULL, 0, "Design:", 1},
-    {"arch", KEY_ARCH, "NAME", 0, "exact (default) or paper; without hardware: reference, float32, float64", 0},
+    {"arch", KEY_ARCH, "NAME", 0, "exact (default) or paper; without hardware: reference, float32, "
+     "float64, interval32, interval64", 0},
     {"word", 'w', "BITS", 0, "word length W of a coordinate, 4 ... 32 (18)", 0},
     {"ii", KEY_II, "CYCLES", 0, "initiation interval, paper: 3; exact: 1 ... 18 (3)", 0},
     {NULL, 0, NULL, 0, "Design, architecture exact only:", 2},
@@ -171,4 +173,22 @@ double cli_progress_end(const cli_progress *p) {
     fprintf(stderr, "\r\033[K");
   }
   return seconds_between(&p->start, &now);
+}
+
+/* ------------------------------------------------------------------ families */
+
+bool cli_families(const char *name, size_t *first, size_t *last, sepax_error *error) {
+  bool all = strcmp(name, "all") == 0;
+  bool found = all;
+  *first = 0;
+  *last = 0;
+  for (size_t i = 0; sepax_family_name(i) != NULL; i++) {
+    if (all || strcmp(sepax_family_name(i), name) == 0) {
+      *first = all ? 0 : i;
+      *last = i;
+      found = true;
+    }
+  }
+  return found || sepax_fail(error, "family: '%.60s' is unknown; 'sepax vectors --list' lists them",
+                             name);
 }

@@ -1,6 +1,5 @@
 /* vectors.c - sepax vectors: seeded test vectors of hard cases as text. */
 #include "cli.h"
-#include "error.h"
 
 #include <string.h>
 
@@ -54,22 +53,6 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-/* The families that `name` asks for: first ... last; false if there is none. */
-static bool find_families(const char *name, size_t *first, size_t *last) {
-  bool all = strcmp(name, "all") == 0;
-  bool found = all;
-  *first = 0;
-  *last = 0;
-  for (size_t i = 0; sepax_family_name(i) != NULL; i++) {
-    if (all || strcmp(sepax_family_name(i), name) == 0) {
-      *first = all ? 0 : i;
-      *last = i;
-      found = true;
-    }
-  }
-  return found;
-}
-
 static void print_pair(const sepax_pair *pair, bool normals) {
   if (normals) {
     sepax_pair_print(stdout, pair);
@@ -99,12 +82,7 @@ int cli_vectors(int argc, char **argv) {
   sepax_error error = {""};
   size_t first;
   size_t last;
-  if (!sepax_config_check(&o.config, &error)) {
-    return cli_fail(argv[0], &error);
-  }
-  if (!find_families(o.family, &first, &last)) {
-    sepax_fail(&error, "family: '%.60s' is unknown; 'sepax vectors --list' lists them",
-               o.family);
+  if (!sepax_config_check(&o.config, &error) || !cli_families(o.family, &first, &last, &error)) {
     return cli_fail(argv[0], &error);
   }
   printf("# sepax vectors --family=%s --word=%d --count=%llu --seed=%llu\n", o.family,
