@@ -17,6 +17,16 @@ static bool float32(const sepax_design *paper, const sepax_pair *p) {
   return sepax_float32(&p->a, &p->b);
 }
 
+static bool interval64(const sepax_design *paper, const sepax_pair *p) {
+  (void)paper;
+  return sepax_interval64(&p->a, &p->b);
+}
+
+static bool interval32(const sepax_design *paper, const sepax_pair *p) {
+  (void)paper;
+  return sepax_interval32(&p->a, &p->b);
+}
+
 static bool reference(const sepax_design *paper, const sepax_pair *p) {
   (void)paper;
   return sepax_reference(&p->a, &p->b);
@@ -39,7 +49,7 @@ static bool machine(const sepax_design *paper, const sepax_pair *p) {
 static const struct {
   const char *name;
   bool (*collide)(const sepax_design *paper, const sepax_pair *p);
-} verdicts[] = {{"float64", float64}, {"float32", float32}, {"reference", reference},
+} verdicts[] = {{"float64", float64}, {"float32", float32}, {"interval64", interval64}, {"interval32", interval32}, {"reference", reference},
                 {"exact", exact},     {"sat54", sat54},     {"paper", machine}};
 enum { VERDICTS = sizeof verdicts / sizeof verdicts[0] };
 
