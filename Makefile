@@ -99,7 +99,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        area-sweep mapped netlist gates bench sanitize sanitized static options core clean FORCE
+        area-sweep accuracy mapped netlist gates bench sanitize sanitized static options core clean FORCE
 
 all:
 	@scripts/setup
@@ -130,6 +130,8 @@ help:
 #: make netlist    the mapped gates through the Icarus bench (COUNT=170 takes minutes)
 #: make gates      the mapped gates through the Verilator bench
 #: make bench      pairs a second of the software verdicts and of the verilated machine
+#: make accuracy   wrong verdicts of every design point by family, against speed and gates:
+#:                 build/accuracy/index.html, CSV, JSON, SVG (QUICK=1: a fiftieth of the pairs)
 #: make reference  regenerate rtl/, the W = 18 cores that come with the source
 #: make setup      install what is missing (Debian, Ubuntu); make and make test do it
 #: make clean      remove build/
@@ -208,6 +210,9 @@ bench: $(BUILD)/bench $(COSIM)
 	@$(BUILD)/bench
 	@echo "verilated machine with its golden model, all families:"
 	@$(COSIM) $(SEEDED)
+
+accuracy: $(SEPAX) $(BUILD)/bench
+	@scripts/accuracy $(if $(QUICK),-q) $(BUILD)/accuracy
 
 # ---------------------------------------------------------------------- the RTL
 
