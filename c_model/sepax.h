@@ -309,6 +309,12 @@ bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax
                       bool file_normals, sepax_error *error);
 void sepax_scene_free(sepax_scene *scene);
 
+/* Two closed meshes of which no triangles collide: within[0] iff a connected part of A is
+ * wholly inside the solid B, within[1] the same of B in A. Exact: inside is where a line that
+ * leaves a vertex meets the other mesh an odd number of times. Fails on a mesh that is not
+ * closed: every edge belongs to an even number of triangles. */
+bool sepax_solid(const sepax_scene *scene, bool within[2], sepax_error *error);
+
 /* The pair of triangle i of A and triangle j of B. */
 sepax_pair sepax_scene_pair(const sepax_scene *scene, size_t i, size_t j);
 

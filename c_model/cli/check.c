@@ -11,17 +11,23 @@ typedef struct {
   cli_grid grid;
   const char *path[2];
   int paths;
-  bool json;
+  bool json, solid;
 } check_options;
 
 typedef struct {
   size_t (*pair)[2]; /* indices of colliding triangles */
   size_t count, room;
   double seconds;
+  bool within[2]; /* A in B, B in A */
 } collisions;
 
+enum { KEY_SOLID = 0x380 };
+
 static const struct argp_option options[] = {
-    {"json", 'j', NULL, 0, "print JSON instead of text", 0}, {0}};
+    {"json", 'j', NULL, 0, "print JSON instead of text", 0},
+    {"solid", KEY_SOLID, NULL, 0,
+     "the meshes are closed: one wholly inside the other is a collision, too", 0},
+    {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
   check_options *o = state->input;
@@ -32,6 +38,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case 'j':
     o->json = true;
+    return 0;
+  case KEY_SOLID:
+    o->solid = true;
     return 0;
   case ARGP_KEY_ARG:
     if (o->paths == 2) {
@@ -82,6 +91,10 @@ static bool judge_all(const sepax_design *design, const sepax_scene *scene, coll
   return ok;
 }
 
+static bool hit(const collisions *found) {
+  return found->count > 0 || found->within[0] || found->within[1];
+}
+
 static void print_text(const check_options *o, const sepax_scene *scene,
                        const collisions *found) {
   const sepax_grid *g = &scene->grid;
@@ -92,8 +105,13 @@ static void print_text(const check_options *o, const sepax_scene *scene,
   for (size_t k = 0; k < found->count; k++) {
     printf("A[%zu] B[%zu]\n", found->pair[k][0], found->pair[k][1]);
   }
+  for (int i = 0; i < 2; i++) {
+    if (found->within[i]) {
+      printf("%c, or a part of it, is wholly inside %c\n", "AB"[i], "BA"[i]);
+    }
+  }
   printf("%s  %zu of %zu pairs collide (%s), %.3f s\n",
-         found->count > 0 ? "COLLISION" : "FREE", found->count,
+         hit(found) ? "COLLISION" : "FREE", found->count,
          scene->count[0] * scene->count[1], sepax_arch_name(o->config.arch), found->seconds);
 }
 
@@ -107,12 +125,12 @@ static void print_json(const check_options *o, const sepax_scene *scene,
                                                (json_int_t)found->pair[k][1]));
   }
   json_t *report = json_pack(
-      "{s:s, s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:I, s:I, s:f, s:o}",
+      "{s:s, s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:I, s:I, s:b, s:b, s:f, s:o}",
       "arch", sepax_arch_name(o->config.arch), "a", "file", o->path[0], "triangles",
       (json_int_t)scene->count[0], "b", "file", o->path[1], "triangles",
       (json_int_t)scene->count[1], "grid", "word", g->word, "resolution", g->resolution,
       "origin", g->offset[0], g->offset[1], g->offset[2], "pairs", pairs, "collisions", (json_int_t)found->count,
-      "seconds", found->seconds, "colliding", colliding);
+      "a_inside_b", found->within[0], "b_inside_a", found->within[1], "seconds", found->seconds, "colliding", colliding);
   json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
   putchar('\n');
   json_decref(report);
@@ -155,11 +173,13 @@ int cli_check(int argc, char **argv) {
   }
   collisions found = {0};
   int status = EXIT_ERROR;
-  if (judge_all(&design, &scene, &found)) {
-    (o.json ? print_json : print_text)(&o, &scene, &found);
-    status = found.count > 0 ? EXIT_COLLISION : EXIT_FREE;
-  } else {
+  if (!judge_all(&design, &scene, &found)) {
     fprintf(stderr, "%s: no memory for %zu collisions\n", argv[0], found.count);
+  } else if (o.solid && found.count == 0 && !sepax_solid(&scene, found.within, &error)) {
+    cli_fail(argv[0], &error);
+  } else {
+    (o.json ? print_json : print_text)(&o, &scene, &found);
+    status = hit(&found) ? EXIT_COLLISION : EXIT_FREE;
   }
   free(found.pair);
   sepax_scene_free(&scene);
