@@ -212,6 +212,7 @@ bench: $(BUILD)/bench $(COSIM)
 	@$(COSIM) $(SEEDED)
 
 accuracy: $(SEPAX) $(BUILD)/bench
+	@[ -n "$(QUICK)" ] || [ -r $(BUILD)/area.json ] || $(MAKE) --no-print-directory area > $(BUILD)/area.txt
 	@scripts/accuracy $(if $(QUICK),-q) $(BUILD)/accuracy
 
 # ---------------------------------------------------------------------- the RTL
