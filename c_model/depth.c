@@ -90,8 +90,8 @@ static double distance(const sepax_tri *a, const sepax_tri *b) {
 
 /* The shorter of the two ways along an axis that separate, in LSB. */
 static double overlap(normal n, const point p[6]) {
-  wide low[2];
-  wide high[2];
+  wide low[2] = {0, 0};
+  wide high[2] = {0, 0};
   for (int i = 0; i < 6; i++) {
     wide at = n.c[0] * p[i].c[0] + n.c[1] * p[i].c[1] + n.c[2] * p[i].c[2];
     int t = i / 3;

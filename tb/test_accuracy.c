@@ -97,7 +97,7 @@ static double solid_angle(sepax_vec p, const sepax_tri *t) {
 static sepax_tri *quantised(const char *shape, size_t triangles, const sepax_grid *grid) {
   static const double origin[3] = {0, 0, 0};
   sepax_mesh mesh;
-  sepax_error error;
+  sepax_error error = {""};
   sepax_tri *tri = calloc(triangles, sizeof *tri);
   assert_non_null(tri);
   assert_true(sepax_sample(&mesh, shape, triangles, origin, 0, &error));
@@ -139,7 +139,7 @@ static void solids_by_winding(void **state) {
       }
       sepax_scene scene = {.tri = {tiny, mesh}, .count = {4, TRIANGLES}};
       bool inside[2];
-      sepax_error error;
+      sepax_error error = {""};
       assert_true(sepax_solid(&scene, inside, &error));
       assert_false(inside[1]);
       assert_int_equal(inside[0], fabs(angle) > 2 * pi);
@@ -158,7 +158,7 @@ static void open_meshes_are_refused(void **state) {
   sepax_tri *sphere = quantised("sphere", 40, &grid);
   sepax_scene scene = {.tri = {box, sphere}, .count = {11, 40}};
   bool inside[2];
-  sepax_error error;
+  sepax_error error = {""};
   assert_false(sepax_solid(&scene, inside, &error));
   assert_non_null(strstr(error.text, "mesh A is not closed"));
   scene.count[0] = 12;
