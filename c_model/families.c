@@ -305,8 +305,10 @@ static void make_parallel(draft *d) {
   normal n = cross(l.b.u, l.b.v);
   draw_flat(d, &d->t[0], &l);
   draw_flat(d, &d->t[1], &l);
-  point gap = around(d, 3);
-  move(&d->t[1], dot(n, gap) == 0 ? off_plane(d, n) : gap);
+  if (one_in(d, 2)) {
+    point gap = around(d, 3);
+    move(&d->t[1], dot(n, gap) == 0 ? off_plane(d, n) : gap);
+  }
 }
 
 /* A long edge through the origin, and a point of it rounded and moved by 1 LSB. */
@@ -336,6 +338,12 @@ static void make_sliver(draft *d) {
   move(&d->t[1], nearly(d));
 }
 
+/* B, which is not behind the plane of normal n (not zero), 1 LSB farther off. */
+static void move_off(draft *d, normal n) {
+  point by = off_plane(d, n);
+  move(&d->t[1], dot(n, by) > 0 ? by : times(by, -1));
+}
+
 static void make_shared_vertex(draft *d) {
   basis b = draw_basis(d, d->half);
   normal n = cross(b.u, b.v);
@@ -343,9 +351,13 @@ static void make_shared_vertex(draft *d) {
     d->t[i].v[0] = (point){{0, 0, 0}};
     draw_wing(d, &d->t[i]);
   }
-  if (!one_in(d, 4)) {
+  bool off = one_in(d, 2);
+  if (off || !one_in(d, 4)) {
     wing_to_side(&d->t[0], n, -1);
     wing_to_side(&d->t[1], n, 1);
+  }
+  if (off) {
+    move_off(d, n);
   }
 }
 
@@ -361,6 +373,11 @@ static void make_shared_edge(draft *d) {
   if (one_in(d, 3)) {
     d->t[1].v[2] = times(d->t[0].v[2], sign(d));
     d->t[1].v[2] = sum(d->t[1].v[2], times(u, sign(d)));
+  }
+  if (one_in(d, 2)) {
+    normal n = cross(u, d->t[0].v[2]);
+    d->t[1].v[2] = on_side(d->t[1].v[2], n, 1);
+    move_off(d, n);
   }
 }
 
@@ -387,6 +404,9 @@ static void make_identical(draft *d) {
   d->t[0].v[0] = (point){{0, 0, 0}};
   draw_wing(d, &d->t[0]);
   d->t[1] = d->t[0];
+  if (one_in(d, 2)) {
+    move_off(d, cross(d->t[0].v[1], d->t[0].v[2]));
+  }
 }
 
 static void make_big_tiny(draft *d) {
@@ -472,16 +492,16 @@ static const family_entry families[] = {
     {"coplanar", "both in one plane: overlapping, touching or apart", make_coplanar},
     {"almost-coplanar", "coplanar but for one coordinate, 1 LSB off",
      make_almost_coplanar},
-    {"parallel", "in parallel planes a few LSB apart, never in contact",
+    {"parallel", "in one plane or in parallel ones a few LSB apart",
      make_parallel},
     {"sliver", "long triangles of nearly no area that meet or just miss", make_sliver},
-    {"shared-vertex", "one common vertex, mostly no other common point",
+    {"shared-vertex", "one common vertex, or 1 LSB off",
      make_shared_vertex},
-    {"shared-edge", "two common vertices, folded, flat or overlapping",
+    {"shared-edge", "two common vertices, folded or flat, or 1 LSB off",
      make_shared_edge},
     {"degenerate", "a segment or a point near a triangle, segment or point",
      make_degenerate},
-    {"identical", "twice the same triangle, vertices permuted", make_identical},
+    {"identical", "twice the same triangle, or the same 1 LSB off", make_identical},
     {"big-tiny", "a tiny triangle at the face or an edge of a big one", make_big_tiny},
     {"tangent", "A.N_A = B.N_B without being coplanar", make_tangent},
     {"corners", "coordinates at the ends and the middle of the range", make_corners},
