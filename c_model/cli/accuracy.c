@@ -70,6 +70,7 @@ static const char *const turn_name[TURNS] = {"order", "exchange", "move", "axes"
 
 typedef struct {
   uint64_t pairs, collisions, missed, alarms;
+  uint64_t alarms_no_area; /* where a triangle is a segment or a point */
   double deepest, widest; /* missed penetration, gap called a collision; LSB */
   uint64_t turned, flipped[TURNS], flipped_any;
 } tally;
@@ -92,6 +93,8 @@ static int32_t coarser(int32_t value, int shift) {
   int64_t rounded = (size + half) >> shift;
   return (int32_t)(value < 0 ? -rounded : rounded);
 }
+
+static bool is_zero(sepax_vec v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 static bool judge(const sepax_design *design, const sepax_pair *pair) {
   return sepax_judge(design, pair).collision;
@@ -121,6 +124,7 @@ static void count_pair(tally *t, const sepax_design *design, const accuracy_opti
     t->deepest = fmax(t->deepest, sepax_depth(&given.a, &given.b) * unit);
   } else if (!truth && verdict) {
     t->alarms++;
+    t->alarms_no_area += is_zero(pair.na) || is_zero(pair.nb);
     t->widest = fmax(t->widest, -sepax_depth(&given.a, &given.b) * unit);
   }
 }
@@ -205,7 +209,7 @@ static void print_head(const accuracy_options *o, const char *design) {
     for (int kind = 0; kind < TURNS; kind++) {
       printf(",flipped_%s", turn_name[kind]);
     }
-    putchar('\n');
+    puts(",false_without_area");
     return;
   }
   printf("%s, truth of the %s triangles\n", design, o->real ? "real" : "quantised");
@@ -248,7 +252,7 @@ static void print_row(const accuracy_options *o, const char *design, const char 
   for (int kind = 0; kind < TURNS; kind++) {
     printf(",%llu", (unsigned long long)t->flipped[kind]);
   }
-  putchar('\n');
+  printf(",%llu\n", (unsigned long long)t->alarms_no_area);
 }
 
 static void add(tally *sum, const tally *t) {
@@ -256,6 +260,7 @@ static void add(tally *sum, const tally *t) {
   sum->collisions += t->collisions;
   sum->missed += t->missed;
   sum->alarms += t->alarms;
+  sum->alarms_no_area += t->alarms_no_area;
   sum->deepest = fmax(sum->deepest, t->deepest);
   sum->widest = fmax(sum->widest, t->widest);
   sum->turned += t->turned;
