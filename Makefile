@@ -41,6 +41,7 @@ LIBERTY    ?= /usr/share/qflow/tech/osu018/osu018_stdcells.lib
 export CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY
 
 BUILD  ?= build
+PREFIX ?= /usr/local
 CFLAGS ?= -O2 -g
 SEPAX_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Werror -Wconversion \
                -Wshadow -ffp-contract=off -Ic_model -Irtl_gen $(CFLAGS)
@@ -99,7 +100,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        area-sweep accuracy mapped netlist gates bench sanitize sanitized static options core clean FORCE
+        area-sweep accuracy install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
 
 all:
 	@scripts/setup
@@ -129,9 +130,12 @@ help:
 #: make area-sweep GE and GE x II of exact over W and II, as table, CSV, JSON and SVG
 #: make netlist    the mapped gates through the Icarus bench (COUNT=170 takes minutes)
 #: make gates      the mapped gates through the Verilator bench
-#: make bench      pairs a second of the software verdicts and of the verilated machine
+#: make bench      speed of the software verdicts, 100,000,000 pairs of every path against the
+#:                 scalar model (COUNT=n), meshes, threads, and the verilated machine
 #: make accuracy   wrong verdicts of every design point by family, against speed and gates:
 #:                 build/accuracy/index.html, CSV, JSON, SVG (QUICK=1: a fiftieth of the pairs)
+#: make install    program, library, header, manual pages (PREFIX=/usr/local DESTDIR=);
+#:                 make uninstall removes them
 #: make reference  regenerate rtl/, the W = 18 cores that come with the source
 #: make setup      install what is missing (Debian, Ubuntu); make and make test do it
 #: make clean      remove build/
@@ -173,22 +177,51 @@ $(BUILD)/obj/%.o: %.c
 	@echo "  CC      $<"
 	@$(CC) $(SEPAX_CFLAGS) -MMD -MP -c $< -o $@
 
+# The library's objects serve the shared library, too.
+$(BUILD)/obj/c_model/%.o: SEPAX_CFLAGS += -fPIC -fno-semantic-interposition
+
 $(LIB): $(call object,$(LIB_SRC))
 	@rm -f $@
 	@$(AR) rcs $@ $^
 
+$(BUILD)/libsepax.so.0: $(call object,$(LIB_SRC))
+	@echo "  LINK    $@"
+	@$(CC) $(CFLAGS) -shared -Wl,-soname,libsepax.so.0 -Wl,-Bsymbolic-functions $^ -lm -pthread -o $@
+
 $(SEPAX): $(call object,$(CLI_SRC)) $(LIB)
 	@echo "  LINK    $@"
-	@$(CC) $(CFLAGS) $^ -ljansson -lm -o $@
+	@$(CC) $(CFLAGS) $^ -ljansson -lm -pthread -o $@
 
 GEN_OBJ = $(filter-out %/cmd_gen.o %/cmd_multiplier.o,$(call object,$(wildcard rtl_gen/*.c)))
 
 $(BUILD)/test_%: $(call object,tb/test_%.c tb/oracle.c tb/mesh_tools.c tb/pair_tools.c) \
                  $(GEN_OBJ) $(LIB)
 	@echo "  LINK    $@"
-	@$(CC) $(CFLAGS) $^ -lcmocka -lgmp -ljansson -lm -o $@
+	@$(CC) $(CFLAGS) $^ -lcmocka -lgmp -ljansson -lm -pthread -o $@
 
 -include $(wildcard $(BUILD)/obj/*/*.d $(BUILD)/obj/*/*/*.d)
+
+# -------------------------------------------------------------------- installation
+
+VERSION = $(shell sed -n 's/.define SEPAX_VERSION "\(.*\)"/\1/p' c_model/sepax.h)
+ROOT    = $(DESTDIR)$(PREFIX)
+MAN     = share/man/man1/sepax.1 share/man/man3/libsepax.3
+
+install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
+	@mkdir -p $(addprefix $(ROOT)/,bin include lib/pkgconfig $(dir $(MAN)))
+	@install -m 755 $(SEPAX) $(ROOT)/bin
+	@install -m 644 c_model/sepax.h $(ROOT)/include
+	@install -m 644 $(LIB) $(BUILD)/libsepax.so.0 $(ROOT)/lib
+	@ln -sf libsepax.so.0 $(ROOT)/lib/libsepax.so
+	@printf '%s\n' 'prefix=$(PREFIX)' 'Name: sepax' 'Version: $(VERSION)' \
+	  'Description: exact triangle/triangle collision detection' 'Cflags: -I$${prefix}/include' \
+	  'Libs: -L$${prefix}/lib -lsepax' 'Libs.private: -lm -pthread' > $(ROOT)/lib/pkgconfig/sepax.pc
+	@$(foreach page,$(MAN),sed 's/@VERSION@/$(VERSION)/' docs/$(notdir $(page)) > $(ROOT)/$(page) &&) true
+	@echo "installed in $(ROOT)"
+
+uninstall:
+	@rm -f $(addprefix $(ROOT)/,bin/sepax include/sepax.h lib/libsepax.a lib/libsepax.so \
+	  lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))
 
 # -------------------------------------------------------------------- the meshes
 
@@ -202,13 +235,13 @@ $(BUILD)/mesh/workpiece.stl: $(SEPAX)
 
 # ----------------------------------------------------------------- the benchmark
 
-$(BUILD)/bench: $(BUILD)/obj/tb/bench.o $(LIB)
-	@$(CC) $(CFLAGS) $^ -lm -o $@
+$(BUILD)/bench $(BUILD)/bench_batch: $(BUILD)/%: $(BUILD)/obj/tb/%.o $(LIB)
+	@echo "  LINK    $@"
+	@$(CC) $(CFLAGS) $^ -lm -pthread -o $@
 
-bench: $(BUILD)/bench $(COSIM)
-	@echo "software, one core, families uniform and local, W = 18; ratio to float64:"
-	@$(BUILD)/bench
-	@echo "verilated machine with its golden model, all families:"
+bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch $(COSIM)
+	@scripts/bench $(BUILD)/software $(if $(call given,COUNT),$(COUNT))
+	@echo "== verilated machine with its golden model, all families:"
 	@$(COSIM) $(SEEDED)
 
 accuracy: $(SEPAX) $(BUILD)/bench

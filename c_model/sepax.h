@@ -230,6 +230,63 @@ bool sepax_interval64(const sepax_tri *a, const sepax_tri *b);
  * pairs); of separated triangles minus their distance. */
 double sepax_depth(const sepax_tri *a, const sepax_tri *b);
 
+/* --------------------------------------------------------------- many pairs */
+
+/* Triangles as a structure of arrays: c[k][axis][n] is coordinate `axis` (x, y, z) of
+ * vertex k of triangle n. Any alignment. */
+typedef struct {
+  const int32_t *c[3][3];
+} sepax_columns;
+
+/* How a batch is computed: BEST is the fastest of those that run on this machine. All give
+ * the same verdicts. */
+typedef enum {
+  SEPAX_PATH_BEST,
+  SEPAX_PATH_PORTABLE, /* 2 pairs at once in doubles; sepax_exact where a sign is in doubt */
+  SEPAX_PATH_AVX2,     /* 4 pairs at once */
+  SEPAX_PATH_AVX512    /* 8 pairs at once */
+} sepax_path;
+
+bool sepax_path_runs(sepax_path path);
+const char *sepax_path_name(sepax_path path); /* of BEST: the one that it is */
+
+/* The verdicts of sepax_exact on pairs (a[n], b[n]), n < count: bit n % 64 of bits[n / 64],
+ * 1 for a collision; bits of the last word behind `count` are 0. Exact for every int32_t;
+ * fastest where all 64 pairs of a word have coordinates of up to 20 bits, not much slower
+ * up to 25, and one by one in 128 bits beyond. Reads nothing outside of the arrays. The path must
+ * run on this machine. docs/software.md. */
+void sepax_exact_pairs(sepax_path path, const sepax_columns *a, const sepax_columns *b,
+                       size_t count, uint64_t *bits);
+
+/* The same of one triangle and each of b; what belongs to it alone is computed once. */
+void sepax_exact_one_to_many(sepax_path path, const sepax_tri *a, const sepax_columns *b,
+                             size_t count, uint64_t *bits);
+
+/* How two meshes are searched; all zero is a good choice. */
+typedef struct {
+  int threads;      /* 0: as many as the machine has processors */
+  bool brute_force; /* box tests of all pairs, not down a tree */
+  sepax_path path;
+  /* Called now and then from the calling thread, total last if nothing stops it; false
+   * ends the search. NULL: not called. */
+  bool (*progress)(void *context, uint64_t done, uint64_t total);
+  void *context;
+} sepax_search;
+
+/* pair[n]: the numbers of a triangle of A and of one of B. */
+typedef struct {
+  size_t (*pair)[2];
+  size_t count;
+} sepax_pairs;
+
+/* All colliding pairs of triangles of A and B, exact, by i, then j. Trees of boxes over
+ * leaves of 64 triangles prune; sepax_exact_one_to_many judges in the leaves. `how` may be
+ * NULL. Fails without memory, or when progress ended it; free with sepax_pairs_free. */
+bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b,
+                           size_t count_b, const sepax_search *how, sepax_pairs *found,
+                           sepax_error *error);
+void sepax_pairs_free(sepax_pairs *pairs);
+
 /* ------------------------------------------------------------------ meshes */
 
 /* One facet of a mesh in file units: the coordinates and the normal as written. */

@@ -100,32 +100,59 @@ static bool judge(const sepax_design *design, const sepax_pair *pair) {
   return sepax_judge(design, pair).collision;
 }
 
-static void count_pair(tally *t, const sepax_design *design, const accuracy_options *o,
-                       size_t family, sepax_random *random) {
-  int word = o->config.word;
-  sepax_pair pair = sepax_family_pair(family, o->real ? FINE : word, random);
-  sepax_pair given = pair;
-  double unit = 1;
-  if (o->real) {
-    int shift = FINE + 1 - word;
-    for (int i = 0; i < 18; i++) {
-      int32_t *c = component(vertex(&pair, i / 3), i % 3);
-      *c = coarser(*c, shift);
-    }
-    set_normals(&pair, word);
-    unit = ldexp(1, -shift);
+enum { BLOCK = 64 };
+
+/* Pairs as they are given, and as the design gets them. */
+typedef struct {
+  sepax_pair given[BLOCK], pair[BLOCK];
+  int32_t column[18][BLOCK];
+  uint64_t truth;
+} block;
+
+static void round_pair(sepax_pair *pair, int word) {
+  for (int i = 0; i < 18; i++) {
+    int32_t *c = component(vertex(pair, i / 3), i % 3);
+    *c = coarser(*c, FINE + 1 - word);
   }
-  bool truth = sepax_exact(&given.a, &given.b).collision;
-  bool verdict = judge(design, &pair);
-  t->pairs++;
-  t->collisions += truth;
-  if (truth && !verdict) {
-    t->missed++;
-    t->deepest = fmax(t->deepest, sepax_depth(&given.a, &given.b) * unit);
-  } else if (!truth && verdict) {
-    t->alarms++;
-    t->alarms_no_area += is_zero(pair.na) || is_zero(pair.nb);
-    t->widest = fmax(t->widest, -sepax_depth(&given.a, &given.b) * unit);
+  set_normals(pair, word);
+}
+
+static void draw_block(block *b, size_t count, const accuracy_options *o, size_t family,
+                       sepax_random *random) {
+  int word = o->config.word;
+  for (size_t n = 0; n < count; n++) {
+    b->given[n] = sepax_family_pair(family, o->real ? FINE : word, random);
+    b->pair[n] = b->given[n];
+    if (o->real) {
+      round_pair(&b->pair[n], word);
+    }
+    for (int i = 0; i < 18; i++) {
+      b->column[i][n] = *component(vertex(&b->given[n], i / 3), i % 3);
+    }
+  }
+  sepax_columns columns[2];
+  for (int i = 0; i < 18; i++) {
+    columns[i / 9].c[i / 3 % 3][i % 3] = b->column[i];
+  }
+  sepax_exact_pairs(SEPAX_PATH_BEST, &columns[0], &columns[1], count, &b->truth);
+}
+
+static void count_block(tally *t, const sepax_design *design, const block *b, size_t count,
+                        double unit) {
+  for (size_t n = 0; n < count; n++) {
+    const sepax_pair *given = &b->given[n];
+    bool truth = (b->truth >> n & 1) != 0;
+    bool verdict = judge(design, &b->pair[n]);
+    t->pairs++;
+    t->collisions += truth;
+    if (truth && !verdict) {
+      t->missed++;
+      t->deepest = fmax(t->deepest, sepax_depth(&given->a, &given->b) * unit);
+    } else if (!truth && verdict) {
+      t->alarms++;
+      t->alarms_no_area += is_zero(b->pair[n].na) || is_zero(b->pair[n].nb);
+      t->widest = fmax(t->widest, -sepax_depth(&given->a, &given->b) * unit);
+    }
   }
 }
 
@@ -304,16 +331,17 @@ int cli_accuracy(int argc, char **argv) {
   sepax_config_text(&o.config, name, sizeof name);
   print_head(&o, name);
   tally whole = {0};
+  static block drawn;
   cli_progress progress = cli_progress_begin("pairs", (last - first + 1) * (o.count + o.flips));
   for (size_t family = first; family <= last; family++) {
     sepax_random random = {o.seed * 1000 + family};
     tally t = {0};
     uint64_t before = (family - first) * (o.count + o.flips);
-    for (uint64_t n = 0; n < o.count; n++) {
-      count_pair(&t, &design, &o, family, &random);
-      if (n % 1024 == 0) {
-        cli_progress_show(&progress, before + n);
-      }
+    for (uint64_t n = 0; n < o.count; n += BLOCK) {
+      size_t count = o.count - n < BLOCK ? (size_t)(o.count - n) : BLOCK;
+      draw_block(&drawn, count, &o, family, &random);
+      count_block(&t, &design, &drawn, count, o.real ? ldexp(1, o.config.word - FINE - 1) : 1);
+      cli_progress_show(&progress, before + n);
     }
     for (uint64_t n = 0; n < o.flips; n++) {
       count_flips(&t, &design, family, &random);

@@ -10,23 +10,25 @@ typedef struct {
   sepax_config config;
   cli_grid grid;
   const char *path[2];
-  int paths;
+  int paths, threads;
   bool json, solid;
 } check_options;
 
 typedef struct {
-  size_t (*pair)[2]; /* indices of colliding triangles */
-  size_t count, room;
+  sepax_pairs pairs;
+  size_t room;
   double seconds;
   bool within[2]; /* A in B, B in A */
 } collisions;
 
-enum { KEY_SOLID = 0x380 };
+enum { KEY_SOLID = 0x380, KEY_THREADS };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
     {"solid", KEY_SOLID, NULL, 0,
      "the meshes are closed: one wholly inside the other is a collision, too", 0},
+    {"threads", KEY_THREADS, "N", 0,
+     "threads of --arch=exact (as many as the machine has processors)", 0},
     {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
@@ -41,6 +43,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_SOLID:
     o->solid = true;
+    return 0;
+  case KEY_THREADS:
+    o->threads = (int)cli_count(state, "threads", text, 1024);
     return 0;
   case ARGP_KEY_ARG:
     if (o->paths == 2) {
@@ -59,18 +64,18 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 }
 
 static bool record(collisions *found, size_t i, size_t j) {
-  if (found->count == found->room) {
+  if (found->pairs.count == found->room) {
     size_t room = found->room == 0 ? 1024 : 2 * found->room;
-    void *more = realloc(found->pair, room * sizeof *found->pair);
+    void *more = realloc(found->pairs.pair, room * sizeof *found->pairs.pair);
     if (more == NULL) {
       return false;
     }
-    found->pair = more;
+    found->pairs.pair = more;
     found->room = room;
   }
-  found->pair[found->count][0] = i;
-  found->pair[found->count][1] = j;
-  found->count++;
+  found->pairs.pair[found->pairs.count][0] = i;
+  found->pairs.pair[found->pairs.count][1] = j;
+  found->pairs.count++;
   return true;
 }
 
@@ -91,8 +96,36 @@ static bool judge_all(const sepax_design *design, const sepax_scene *scene, coll
   return ok;
 }
 
+static bool show(void *context, uint64_t done, uint64_t total) {
+  cli_progress *progress = context;
+  progress->total = total;
+  cli_progress_show(progress, done);
+  return true;
+}
+
+static bool search(const check_options *o, const sepax_scene *scene, collisions *found,
+                   sepax_error *error) {
+  cli_progress progress = cli_progress_begin("leaves", 1);
+  sepax_search how = {.threads = o->threads, .progress = show, .context = &progress};
+  bool ok = sepax_colliding_pairs(scene->tri[0], scene->count[0], scene->tri[1],
+                                  scene->count[1], &how, &found->pairs, error);
+  found->seconds = cli_progress_end(&progress);
+  return ok;
+}
+
+/* Exact verdicts down a tree of boxes; those of other designs pair by pair. */
+static bool find(const check_options *o, const sepax_design *design, const sepax_scene *scene,
+                 collisions *found, sepax_error *error) {
+  bool exact = o->config.arch == SEPAX_ARCH_EXACT && !o->config.flag;
+  if (exact) {
+    return search(o, scene, found, error);
+  }
+  return judge_all(design, scene, found) ||
+         sepax_fail(error, "no memory for %zu collisions", found->pairs.count);
+}
+
 static bool hit(const collisions *found) {
-  return found->count > 0 || found->within[0] || found->within[1];
+  return found->pairs.count > 0 || found->within[0] || found->within[1];
 }
 
 static void print_text(const check_options *o, const sepax_scene *scene,
@@ -102,8 +135,8 @@ static void print_text(const check_options *o, const sepax_scene *scene,
          o->path[1], scene->count[1]);
   printf("grid   W = %d, 1 LSB = %.9g, origin %.9g,%.9g,%.9g\n", g->word, g->resolution,
          g->offset[0], g->offset[1], g->offset[2]);
-  for (size_t k = 0; k < found->count; k++) {
-    printf("A[%zu] B[%zu]\n", found->pair[k][0], found->pair[k][1]);
+  for (size_t k = 0; k < found->pairs.count; k++) {
+    printf("A[%zu] B[%zu]\n", found->pairs.pair[k][0], found->pairs.pair[k][1]);
   }
   for (int i = 0; i < 2; i++) {
     if (found->within[i]) {
@@ -111,7 +144,7 @@ static void print_text(const check_options *o, const sepax_scene *scene,
     }
   }
   printf("%s  %zu of %zu pairs collide (%s), %.3f s\n",
-         hit(found) ? "COLLISION" : "FREE", found->count,
+         hit(found) ? "COLLISION" : "FREE", found->pairs.count,
          scene->count[0] * scene->count[1], sepax_arch_name(o->config.arch), found->seconds);
 }
 
@@ -120,16 +153,16 @@ static void print_json(const check_options *o, const sepax_scene *scene,
   const sepax_grid *g = &scene->grid;
   json_int_t pairs = (json_int_t)scene->count[0] * (json_int_t)scene->count[1];
   json_t *colliding = json_array();
-  for (size_t k = 0; k < found->count; k++) {
-    json_array_append_new(colliding, json_pack("[I, I]", (json_int_t)found->pair[k][0],
-                                               (json_int_t)found->pair[k][1]));
+  for (size_t k = 0; k < found->pairs.count; k++) {
+    json_array_append_new(colliding, json_pack("[I, I]", (json_int_t)found->pairs.pair[k][0],
+                                               (json_int_t)found->pairs.pair[k][1]));
   }
   json_t *report = json_pack(
       "{s:s, s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:I, s:I, s:b, s:b, s:f, s:o}",
       "arch", sepax_arch_name(o->config.arch), "a", "file", o->path[0], "triangles",
       (json_int_t)scene->count[0], "b", "file", o->path[1], "triangles",
       (json_int_t)scene->count[1], "grid", "word", g->word, "resolution", g->resolution,
-      "origin", g->offset[0], g->offset[1], g->offset[2], "pairs", pairs, "collisions", (json_int_t)found->count,
+      "origin", g->offset[0], g->offset[1], g->offset[2], "pairs", pairs, "collisions", (json_int_t)found->pairs.count,
       "a_inside_b", found->within[0], "b_inside_a", found->within[1], "seconds", found->seconds, "colliding", colliding);
   json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
   putchar('\n');
@@ -173,15 +206,14 @@ int cli_check(int argc, char **argv) {
   }
   collisions found = {0};
   int status = EXIT_ERROR;
-  if (!judge_all(&design, &scene, &found)) {
-    fprintf(stderr, "%s: no memory for %zu collisions\n", argv[0], found.count);
-  } else if (o.solid && found.count == 0 && !sepax_solid(&scene, found.within, &error)) {
+  if (!find(&o, &design, &scene, &found, &error) ||
+      (o.solid && found.pairs.count == 0 && !sepax_solid(&scene, found.within, &error))) {
     cli_fail(argv[0], &error);
   } else {
     (o.json ? print_json : print_text)(&o, &scene, &found);
     status = hit(&found) ? EXIT_COLLISION : EXIT_FREE;
   }
-  free(found.pair);
+  sepax_pairs_free(&found.pairs);
   sepax_scene_free(&scene);
   return status;
 }
