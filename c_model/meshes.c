@@ -193,7 +193,10 @@ static bool record(worker *w, size_t i, size_t j) {
   found->pair[found->count][0] = i;
   found->pair[found->count][1] = j;
   found->count++;
-  return true;
+  if (w->all->how->first) {
+    atomic_store(&w->all->stop, true);
+  }
+  return !w->all->how->first;
 }
 
 /* The triangles first ... end of A's order against leaves of B. */
@@ -207,7 +210,7 @@ static void judge_leaves(worker *w, const box *boxes, size_t first, size_t end, 
   for (int i = 0; i < 9; i++) {
     columns.c[i / 3][i % 3] = s->b.at.c[i / 3][i % 3] + from;
   }
-  for (size_t n = first; n < end; n++) {
+  for (size_t n = first; n < end && !atomic_load(&w->all->stop); n++) {
     if (leaves == 1 && !meet(&boxes[n - first], &s->b.boxes[s->b.leaves + leaf])) {
       continue;
     }
@@ -308,6 +311,9 @@ static bool gather(worker *workers, size_t count, sepax_pairs *all) {
 
 static size_t threads_of(const sepax_search *how, size_t tasks) {
   long here = sysconf(_SC_NPROCESSORS_ONLN);
+  if (how->first) {
+    return 1;
+  }
   size_t threads = how->threads > 0 ? (size_t)how->threads : here > 0 ? (size_t)here : 1;
   return threads < tasks ? threads : tasks;
 }

@@ -266,6 +266,7 @@ void sepax_exact_one_to_many(sepax_path path, const sepax_tri *a, const sepax_co
 typedef struct {
   int threads;      /* 0: as many as the machine has processors */
   bool brute_force; /* box tests of all pairs, not down a tree */
+  bool first;       /* end at a pair that collides, always the same one */
   sepax_path path;
   /* Called now and then from the calling thread, total last if nothing stops it; false
    * ends the search. NULL: not called. */
@@ -371,6 +372,12 @@ void sepax_scene_free(sepax_scene *scene);
  * leaves a vertex meets the other mesh an odd number of times. Fails on a mesh that is not
  * closed: every edge belongs to an even number of triangles. */
 bool sepax_solid(const sepax_scene *scene, bool within[2], sepax_error *error);
+
+/* Both meshes of a scene as one PLY file (binary), as they were quantised, in file units:
+ * triangles that are in `pairs` red (A) and orange (B), the others pale. Written aside, then
+ * renamed to path; fails where it cannot be. */
+bool sepax_ply_write(const sepax_scene *scene, const sepax_pairs *pairs, const char *path,
+                     sepax_error *error);
 
 /* The pair of triangle i of A and triangle j of B. */
 sepax_pair sepax_scene_pair(const sepax_scene *scene, size_t i, size_t j);

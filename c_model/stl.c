@@ -1,5 +1,6 @@
 /* stl.c - STL files, text and binary, read and written whole. */
 #include "error.h"
+#include "write_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -425,7 +426,8 @@ static bool fits_file(const sepax_mesh *mesh, const char *path, bool ascii,
   return true;
 }
 
-static bool write_text(FILE *out, const sepax_mesh *mesh) {
+static bool write_text(FILE *out, const void *context) {
+  const sepax_mesh *mesh = context;
   bool ok = fputs("solid sepax\n", out) != EOF;
   for (size_t k = 0; ok && k < mesh->count; k++) {
     const double *n = mesh->facet[k].normal;
@@ -440,7 +442,8 @@ static bool write_text(FILE *out, const sepax_mesh *mesh) {
   return ok && fputs("endsolid sepax\n", out) != EOF;
 }
 
-static bool write_binary(FILE *out, const sepax_mesh *mesh) {
+static bool write_binary(FILE *out, const void *context) {
+  const sepax_mesh *mesh = context;
   char head[HEAD_BYTES] = "sepax, binary STL";
   store32(head + TITLE_BYTES, (uint32_t)mesh->count);
   bool ok = fwrite(head, sizeof head, 1, out) == 1;
@@ -455,60 +458,8 @@ static bool write_binary(FILE *out, const sepax_mesh *mesh) {
   return ok;
 }
 
-/* Create a new file beside `path`, with the permissions of any new file; its name
- * is left in aside[size]. */
-static FILE *open_aside(char *aside, size_t size, const char *path) {
-  int file = -1;
-  for (int i = 0; file < 0 && i < 1000; i++) {
-    snprintf(aside, size, "%s.tmp.%ld.%d", path, (long)getpid(), i);
-    file = open(aside, O_WRONLY | O_CREAT | O_EXCL, 0666);
-    if (file < 0 && errno != EEXIST) {
-      return NULL;
-    }
-  }
-  FILE *out = file < 0 ? NULL : fdopen(file, "wb");
-  if (file >= 0 && out == NULL) {
-    close(file);
-    unlink(aside);
-  }
-  return out;
-}
-
-/* On failure errno tells why. */
-static bool write_aside(const char *aside, FILE *out, const sepax_mesh *mesh,
-                        const char *path, bool ascii) {
-  bool ok = ascii ? write_text(out, mesh) : write_binary(out, mesh);
-  ok = ok && fflush(out) == 0;
-  int reason = errno;
-  bool closed = fclose(out) == 0;
-  if (ok) {
-    ok = closed && rename(aside, path) == 0;
-    reason = errno;
-  }
-  if (!ok) {
-    unlink(aside);
-  }
-  errno = reason;
-  return ok;
-}
-
 bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii,
                      sepax_error *error) {
-  if (!fits_file(mesh, path, ascii, error)) {
-    return false;
-  }
-  struct stat status;
-  if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
-    return fail(error, path, "not written: exists and is no file; name another");
-  }
-  size_t size = strlen(path) + 64;
-  char *aside = malloc(size);
-  FILE *out = aside == NULL ? NULL : open_aside(aside, size, path);
-  bool ok = out != NULL && write_aside(aside, out, mesh, path, ascii);
-  if (!ok) {
-    fail(error, path, "not written: %s; check the folder and its room",
-         strerror(errno));
-  }
-  free(aside);
-  return ok;
+  return fits_file(mesh, path, ascii, error) &&
+         sepax_write_file(path, ascii ? write_text : write_binary, mesh, error);
 }

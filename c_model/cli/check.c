@@ -1,6 +1,7 @@
 /* check.c - sepax check: which triangles of two STL files collide. */
 #include "cli.h"
 #include "error.h"
+#include "write_file.h"
 
 #include <jansson.h>
 #include <stdlib.h>
@@ -11,7 +12,8 @@ typedef struct {
   cli_grid grid;
   const char *path[2];
   int paths, threads;
-  bool json, solid;
+  const char *pairs_path, *ply_path;
+  bool json, solid, first;
 } check_options;
 
 typedef struct {
@@ -21,12 +23,15 @@ typedef struct {
   bool within[2]; /* A in B, B in A */
 } collisions;
 
-enum { KEY_SOLID = 0x380, KEY_THREADS };
+enum { KEY_SOLID = 0x380, KEY_THREADS, KEY_FIRST, KEY_PAIRS, KEY_PLY };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
     {"solid", KEY_SOLID, NULL, 0,
      "the meshes are closed: one wholly inside the other is a collision, too", 0},
+    {"first", KEY_FIRST, NULL, 0, "stop at the first pair that collides", 0},
+    {"pairs", KEY_PAIRS, "FILE", 0, "write the colliding pairs as CSV, not to standard output", 0},
+    {"ply", KEY_PLY, "FILE", 0, "write both meshes as PLY, colliding triangles in colour", 0},
     {"threads", KEY_THREADS, "N", 0,
      "threads of --arch=exact (as many as the machine has processors)", 0},
     {0}};
@@ -43,6 +48,15 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_SOLID:
     o->solid = true;
+    return 0;
+  case KEY_FIRST:
+    o->first = true;
+    return 0;
+  case KEY_PAIRS:
+    o->pairs_path = text;
+    return 0;
+  case KEY_PLY:
+    o->ply_path = text;
     return 0;
   case KEY_THREADS:
     o->threads = (int)cli_count(state, "threads", text, 1024);
@@ -79,15 +93,18 @@ static bool record(collisions *found, size_t i, size_t j) {
   return true;
 }
 
-static bool judge_all(const sepax_design *design, const sepax_scene *scene, collisions *found) {
+static bool judge_all(const sepax_design *design, const sepax_scene *scene, bool first,
+                      collisions *found) {
   uint64_t total = (uint64_t)scene->count[0] * scene->count[1];
   cli_progress progress = cli_progress_begin("pairs", total);
   bool ok = true;
-  for (size_t i = 0; i < scene->count[0] && ok; i++) {
-    for (size_t j = 0; j < scene->count[1] && ok; j++) {
+  bool done = false;
+  for (size_t i = 0; i < scene->count[0] && ok && !done; i++) {
+    for (size_t j = 0; j < scene->count[1] && ok && !done; j++) {
       sepax_pair pair = sepax_scene_pair(scene, i, j);
       if (sepax_judge(design, &pair).collision) {
         ok = record(found, i, j);
+        done = first;
       }
     }
     cli_progress_show(&progress, (uint64_t)(i + 1) * scene->count[1]);
@@ -106,7 +123,7 @@ static bool show(void *context, uint64_t done, uint64_t total) {
 static bool search(const check_options *o, const sepax_scene *scene, collisions *found,
                    sepax_error *error) {
   cli_progress progress = cli_progress_begin("leaves", 1);
-  sepax_search how = {.threads = o->threads, .progress = show, .context = &progress};
+  sepax_search how = {.threads = o->threads, .first = o->first, .progress = show, .context = &progress};
   bool ok = sepax_colliding_pairs(scene->tri[0], scene->count[0], scene->tri[1],
                                   scene->count[1], &how, &found->pairs, error);
   found->seconds = cli_progress_end(&progress);
@@ -120,7 +137,7 @@ static bool find(const check_options *o, const sepax_design *design, const sepax
   if (exact) {
     return search(o, scene, found, error);
   }
-  return judge_all(design, scene, found) ||
+  return judge_all(design, scene, o->first, found) ||
          sepax_fail(error, "no memory for %zu collisions", found->pairs.count);
 }
 
@@ -135,7 +152,7 @@ static void print_text(const check_options *o, const sepax_scene *scene,
          o->path[1], scene->count[1]);
   printf("grid   W = %d, 1 LSB = %.9g, origin %.9g,%.9g,%.9g\n", g->word, g->resolution,
          g->offset[0], g->offset[1], g->offset[2]);
-  for (size_t k = 0; k < found->pairs.count; k++) {
+  for (size_t k = 0; k < found->pairs.count && o->pairs_path == NULL; k++) {
     printf("A[%zu] B[%zu]\n", found->pairs.pair[k][0], found->pairs.pair[k][1]);
   }
   for (int i = 0; i < 2; i++) {
@@ -143,8 +160,9 @@ static void print_text(const check_options *o, const sepax_scene *scene,
       printf("%c, or a part of it, is wholly inside %c\n", "AB"[i], "BA"[i]);
     }
   }
-  printf("%s  %zu of %zu pairs collide (%s), %.3f s\n",
-         hit(found) ? "COLLISION" : "FREE", found->pairs.count,
+  printf("%s  %s%zu of %zu pairs collide (%s), %.3f s\n",
+         hit(found) ? "COLLISION" : "FREE",
+         o->first && found->pairs.count > 0 ? "at least " : "", found->pairs.count,
          scene->count[0] * scene->count[1], sepax_arch_name(o->config.arch), found->seconds);
 }
 
@@ -187,6 +205,21 @@ static bool normals_read(const check_options *o, sepax_error *error) {
                     sepax_arch_name(o->config.arch));
 }
 
+static bool write_csv(FILE *out, const void *context) {
+  const sepax_pairs *pairs = context;
+  bool ok = fputs("a,b\n", out) != EOF;
+  for (size_t k = 0; k < pairs->count && ok; k++) {
+    ok = fprintf(out, "%zu,%zu\n", pairs->pair[k][0], pairs->pair[k][1]) > 0;
+  }
+  return ok;
+}
+
+static bool write_files(const check_options *o, const sepax_scene *scene,
+                        const sepax_pairs *pairs, sepax_error *error) {
+  return (o->pairs_path == NULL || sepax_write_file(o->pairs_path, write_csv, pairs, error)) &&
+         (o->ply_path == NULL || sepax_ply_write(scene, pairs, o->ply_path, error));
+}
+
 int cli_check(int argc, char **argv) {
   static const struct argp_child children[] = {
       {&cli_config_argp, 0, NULL, 0}, {&cli_grid_argp, 0, NULL, 0}, {0}};
@@ -207,7 +240,8 @@ int cli_check(int argc, char **argv) {
   collisions found = {0};
   int status = EXIT_ERROR;
   if (!find(&o, &design, &scene, &found, &error) ||
-      (o.solid && found.pairs.count == 0 && !sepax_solid(&scene, found.within, &error))) {
+      (o.solid && found.pairs.count == 0 && !sepax_solid(&scene, found.within, &error)) ||
+      !write_files(&o, &scene, &found.pairs, &error)) {
     cli_fail(argv[0], &error);
   } else {
     (o.json ? print_json : print_text)(&o, &scene, &found);

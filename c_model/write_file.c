@@ -1,0 +1,64 @@
+/* write_file.c - files that are whole or not there. */
+#include "write_file.h"
+
+#include "error.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Create a new file beside `path`, with the permissions of any new file; its name
+ * is left in aside[size]. */
+static FILE *open_aside(char *aside, size_t size, const char *path) {
+  int file = -1;
+  for (int i = 0; file < 0 && i < 1000; i++) {
+    snprintf(aside, size, "%s.tmp.%ld.%d", path, (long)getpid(), i);
+    file = open(aside, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (file < 0 && errno != EEXIST) {
+      return NULL;
+    }
+  }
+  FILE *out = file < 0 ? NULL : fdopen(file, "wb");
+  if (file >= 0 && out == NULL) {
+    close(file);
+    unlink(aside);
+  }
+  return out;
+}
+
+/* On failure errno tells why. */
+static bool finish(FILE *out, bool ok, const char *aside, const char *path) {
+  ok = ok && fflush(out) == 0;
+  int reason = errno;
+  bool closed = fclose(out) == 0;
+  if (ok) {
+    ok = closed && rename(aside, path) == 0;
+    reason = errno;
+  }
+  if (!ok) {
+    unlink(aside);
+  }
+  errno = reason;
+  return ok;
+}
+
+bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *context),
+                      const void *context, sepax_error *error) {
+  struct stat status;
+  if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+    return sepax_fail(error, "%.300s: not written: exists and is no file; name another", path);
+  }
+  size_t size = strlen(path) + 64;
+  char *aside = malloc(size);
+  FILE *out = aside == NULL ? NULL : open_aside(aside, size, path);
+  bool ok = out != NULL && finish(out, write(out, context), aside, path);
+  if (!ok) {
+    sepax_fail(error, "%.300s: not written: %s; check the folder and its room", path,
+               strerror(errno));
+  }
+  free(aside);
+  return ok;
+}

@@ -1,0 +1,13 @@
+/* write_file.h - files that are whole or not there (private). */
+#ifndef SEPAX_WRITE_FILE_H
+#define SEPAX_WRITE_FILE_H
+
+#include "sepax.h"
+
+/* Let `write` fill a new file beside `path`, then rename it to `path`; a false of `write`,
+ * like any failure, leaves nothing new and one line that names the path. Fails also where
+ * path is there but no file. */
+bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *context),
+                      const void *context, sepax_error *error);
+
+#endif
