@@ -19,11 +19,10 @@ static void store32(uint8_t *to, uint32_t value) {
 }
 
 static void store_real(uint8_t *to, double value) {
-  union {
-    float real;
-    uint32_t bits;
-  } both = {.real = (float)value};
-  store32(to, both.bits);
+  float real = (float)value;
+  uint32_t bits;
+  memcpy(&bits, &real, sizeof bits);
+  store32(to, bits);
 }
 
 static bool write_vertices(FILE *out, const sepax_scene *scene) {
