@@ -6,6 +6,8 @@ WORD        ?= 18
 II          ?= 3
 COPLANAR    ?= exact
 CLOCK_NS    ?= 2
+EXTENT_A    ?=
+EXTENT_B    ?=
 PRECISION   ?= full
 BLOCK_FLOAT ?= off
 COPLANARITY ?= plane
@@ -56,10 +58,12 @@ object  = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 # Choices of one architecture go to it; those of another only when someone made them, so
 # that the program refuses them.
 given         = $(filter command environment,$(firstword $(origin $(1))))
-CHOICES_exact = COPLANAR CLOCK_NS
+CHOICES_exact = COPLANAR CLOCK_NS $(if $(EXTENT_A),EXTENT_A) $(if $(EXTENT_B),EXTENT_B)
 CHOICES_paper = PRECISION BLOCK_FLOAT COPLANARITY INEQUALITY EPSILON
 OPTION_COPLANAR    = --coplanar=$(COPLANAR)
 OPTION_CLOCK_NS    = --clock-ns=$(CLOCK_NS)
+OPTION_EXTENT_A    = --extent-a=$(EXTENT_A)
+OPTION_EXTENT_B    = --extent-b=$(EXTENT_B)
 OPTION_PRECISION   = --precision=$(PRECISION)
 OPTION_BLOCK_FLOAT = --block-float=$(BLOCK_FLOAT)
 OPTION_COPLANARITY = --coplanarity=$(COPLANARITY)
@@ -72,7 +76,7 @@ OPTIONS = $(strip --arch=$(ARCH) --word=$(WORD) --ii=$(II) $(foreach \
 # build/core/exact-w18-ii3, build/core/paper-w18-full, with a suffix for whatever is not
 # the default.
 NAME_exact = exact-w$(WORD)-ii$(II)$(if $(filter flag,$(COPLANAR)),-flag)$(if \
-             $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)
+             $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)$(if $(EXTENT_A),-a$(EXTENT_A))$(if $(EXTENT_B),-b$(EXTENT_B))
 NAME_paper = paper-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FLOAT)),-bf)$(if \
              $(filter paper,$(COPLANARITY)),-cop)$(if $(filter printed,$(INEQUALITY)),-ineq)$(if \
              $(filter-out 1,$(EPSILON)),-e$(EPSILON))
@@ -140,7 +144,7 @@ help:
 #: make setup      install what is missing (Debian, Ubuntu); make and make test do it
 #: make clean      remove build/
 #:
-#: Design:  ARCH=exact WORD=18 II=1...18 COPLANAR=exact|flag CLOCK_NS=2
+#: Design:  ARCH=exact WORD=18 II=1...18 COPLANAR=exact|flag CLOCK_NS=2 EXTENT_A= EXTENT_B=
 #:          ARCH=paper WORD=18 PRECISION=full|word|guard=G BLOCK_FLOAT=off|on
 #:          COPLANARITY=plane|paper INEQUALITY=correct|printed EPSILON=1
 #: View:    VIEW=behavioural|structural: which body of exact's arithmetic is simulated

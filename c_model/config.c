@@ -114,6 +114,12 @@ bool sepax_config_set(sepax_config *config, const char *name, const char *value,
   if (strcmp(name, "epsilon") == 0) {
     return parse_int(&config->epsilon, name, value, error);
   }
+  if (strcmp(name, "extent-a") == 0) {
+    return parse_int(&config->extent_a, name, value, error);
+  }
+  if (strcmp(name, "extent-b") == 0) {
+    return parse_int(&config->extent_b, name, value, error);
+  }
   if (strcmp(name, "clock-ns") == 0) {
     return parse_clock(&config->clock_ps, value, error);
   }
@@ -175,8 +181,12 @@ bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *err
 char *sepax_config_text(const sepax_config *config, char *text, size_t size) {
   int used = snprintf(text, size, "--arch=%s --word=%d", arch_names[config->arch], config->word);
   if (config->arch == SEPAX_ARCH_EXACT) {
-    snprintf(text + used, size - (size_t)used, " --ii=%d --coplanar=%s --clock-ns=%g", config->ii,
-             coplanar_names[config->flag], config->clock_ps / 1000.0);
+    used += snprintf(text + used, size - (size_t)used, " --ii=%d --coplanar=%s --clock-ns=%g", config->ii,
+                     coplanar_names[config->flag], config->clock_ps / 1000.0);
+    if (config->extent_a > 0) {
+      snprintf(text + used, size - (size_t)used, " --extent-a=%d --extent-b=%d", config->extent_a,
+               config->extent_b);
+    }
   }
   if (config->arch != SEPAX_ARCH_PAPER) {
     return text;
@@ -209,6 +219,8 @@ static bool check_unused(const sepax_config *config, sepax_error *error) {
       {"epsilon", SEPAX_ARCH_PAPER, config->epsilon != plain.epsilon},
       {"coplanar", SEPAX_ARCH_EXACT, config->flag != plain.flag},
       {"clock-ns", SEPAX_ARCH_EXACT, config->clock_ps != plain.clock_ps},
+      {"extent-a", SEPAX_ARCH_EXACT, config->extent_a != 0},
+      {"extent-b", SEPAX_ARCH_EXACT, config->extent_b != 0},
       {"ii", config->arch == SEPAX_ARCH_PAPER ? SEPAX_ARCH_PAPER : SEPAX_ARCH_EXACT,
        config->ii != plain.ii},
   };
@@ -222,10 +234,37 @@ static bool check_unused(const sepax_config *config, sepax_error *error) {
   return true;
 }
 
+/* Boxes that meet, seen from the lowest corner of the larger kind: its own coordinates reach
+ * up to its extent, the other's from minus its extent to the sum of both. */
+static int core_word(const sepax_config *config) {
+  int64_t a = config->extent_a;
+  int64_t b = config->extent_b;
+  if (a == 0 && b == 0) {
+    return config->word;
+  }
+  int64_t range = a > b ? a + 2 * b : 2 * a + b;
+  int bits = SEPAX_WORD_MIN;
+  while (range >> bits != 0) {
+    bits++;
+  }
+  return bits;
+}
+
 static bool check_exact(const sepax_config *config, sepax_error *error) {
   if (config->ii < 1 || config->ii > SEPAX_II_MAX) {
     return sepax_fail(error, "ii: %d is out of range; give 1 ... %d cycles", config->ii,
                       SEPAX_II_MAX);
+  }
+  if (config->extent_a != 0 || config->extent_b != 0) {
+    int64_t most = (INT64_C(1) << config->word) - 1;
+    if (config->extent_a < 1 || config->extent_b < 1 || config->extent_a > most || config->extent_b > most) {
+      return sepax_fail(error, "extent: %d and %d LSB; give both --extent-a and --extent-b, 1 ... %lld",
+                        config->extent_a, config->extent_b, (long long)most);
+    }
+    if (core_word(config) >= config->word) {
+      return sepax_fail(error, "extent: pairs that near need %d bits, no fewer than W; leave the extents out",
+                        core_word(config));
+    }
   }
   if (config->clock_ps < 500 || config->clock_ps > 20000) {
     return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20",
@@ -364,7 +403,7 @@ static void derive_formats(sepax_design *d) {
  * result; sums that cancel are taken modulo 2^width. Twice the area of a triangle in a
  * square of side L is at most L^2, six times the volume of a tetrahedron in a cube 2 L^3. */
 static void derive_exact_formats(sepax_design *d) {
-  interval word = signed_word(d->config.word);
+  interval word = signed_word(d->core_word);
   interval span = hull(difference(word, word), (interval){2 * word.lo, 2 * word.hi});
   interval weight = {2 * (word.lo - word.hi), 2 * (word.hi - word.lo)};
   interval own_weight = {3 * (word.lo - word.hi), 3 * (word.hi - word.lo)};
@@ -402,6 +441,7 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
     design->coplanar_limit = derive_coplanar_limit(design);
     design->latency = 13;
   } else if (config->arch == SEPAX_ARCH_EXACT) {
+    design->core_word = core_word(config);
     derive_exact_formats(design);
   }
   return true;

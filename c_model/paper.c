@@ -176,7 +176,31 @@ sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair) {
   return m.verdict;
 }
 
+/* -1 apart, 0 within the extents, 1 beyond one. */
+static int judge_boxes(const sepax_config *c, const sepax_pair *pair) {
+  int beyond = 0;
+  for (int axis = 0; axis < 3; axis++) {
+    int64_t low[2] = {INT64_MAX, INT64_MAX};
+    int64_t high[2] = {INT64_MIN, INT64_MIN};
+    for (int i = 0; i < 6; i++) {
+      const sepax_vec *v = i < 3 ? &pair->a.v[i] : &pair->b.v[i - 3];
+      int64_t at = axis == 0 ? v->x : axis == 1 ? v->y : v->z;
+      low[i / 3] = at < low[i / 3] ? at : low[i / 3];
+      high[i / 3] = at > high[i / 3] ? at : high[i / 3];
+    }
+    if (high[0] < low[1] || high[1] < low[0]) {
+      return -1;
+    }
+    beyond |= high[0] - low[0] > c->extent_a || high[1] - low[1] > c->extent_b;
+  }
+  return beyond;
+}
+
 static sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *pair) {
+  int boxes = design->config.extent_a > 0 ? judge_boxes(&design->config, pair) : 0;
+  if (boxes != 0) {
+    return (sepax_verdict){.collision = boxes > 0, .axis = boxes > 0 ? SEPAX_AXIS_RANGE : SEPAX_AXIS_BOXES};
+  }
   sepax_verdict verdict = sepax_exact(&pair->a, &pair->b);
   if (verdict.coplanar && design->config.flag) {
     return (sepax_verdict){.collision = true, .coplanar = true};

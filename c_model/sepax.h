@@ -101,6 +101,8 @@ typedef struct {
   int epsilon;                   /* LSB, 0 ... 2^(W-1) - 1; 0 asks for equality */
   bool flag;                     /* exact: coplanar pairs are called collisions, undecided */
   int clock_ps;                  /* exact: the period to pipeline for, 500 ... 20000 ps */
+  int extent_a, extent_b;        /* exact: longest side of the box of a triangle of A, of B, in
+                                    LSB, that the core decides; 0, 0: any */
 } sepax_config;
 
 /* The defaults: exact, W = 18, II = 3, coplanar pairs decided, 2 ns; and for paper full,
@@ -110,7 +112,7 @@ sepax_config sepax_config_default(void);
 /* Set one value from text, by the name of its command-line option: "arch",
  * "word", "ii", "precision" (full, word, guard=G), "block-float" (on, off),
  * "coplanarity", "inequality", "epsilon", "coplanar" (exact, flag), "clock-ns" (at most
- * three decimals). Fails on an unknown name or value. */
+ * three decimals), "extent-a", "extent-b". Fails on an unknown name or value. */
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error);
 
@@ -166,6 +168,7 @@ typedef struct {
   sepax_config config;
   sepax_format format[SEPAX_F_COUNT]; /* by sepax_format_id, or SEPAX_X_... for exact */
   int formats;
+  int core_word;          /* exact: bits of a coordinate behind the box test; W without extents */
   int64_t coplanar_limit; /* |difference| < limit, in units of NORMAL_PROJECTION */
   int latency;            /* cycles from the first input word to the verdict; of exact it
                              follows from the schedule that the generator makes */
@@ -180,7 +183,11 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
 /* Axis numbers are the paper's: 1 ... 9 of table 1, 1 + 3i + j being e_i x f_j with e_i
  * the edge from A_i to A_i+1 and f_j that from B_j to B_j+1 (i, j = 0, 1, 2 modulo 3);
  * 10 = N_A, 11 = N_B; 0 when none separates or the method has none. Of coplanar pairs
- * paper numbers the axes 1 ... 6 of table 2, exact calls every axis in the plane 12. */
+ * paper numbers the axes 1 ... 6 of table 2, exact calls every axis in the plane 12. Where
+ * the design has extents, 13 are disjoint boxes, and 14 boxes that meet, one of them larger
+ * than its extent: a collision, undecided. */
+enum { SEPAX_AXIS_BOXES = 13, SEPAX_AXIS_RANGE = 14 };
+
 typedef struct {
   bool collision;
   bool coplanar;    /* by the architecture's own test; false if it has none */
@@ -192,7 +199,8 @@ typedef struct {
 /* The verdict of the architecture of `design`, bit for bit what its RTL gives.
  * Pair: W-bit components (the caller checks, sepax_pair_fits). Only `paper` reads the
  * normals and counts multiplications. Of `exact` it is that of sepax_exact, but where
- * the design flags coplanar pairs they are collisions, axis 0. */
+ * the design flags coplanar pairs they are collisions, axis 0, and where it has extents
+ * boxes are tested first (axes 13, 14). */
 sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
 
 /* The exact verdict from 34 products, the golden model of architecture exact: every W up

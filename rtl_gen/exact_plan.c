@@ -454,7 +454,7 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
   plan_ranks(p);
   if (p->shortest * 1000 > design->config.clock_ps) {
     return sepax_fail(error, "clock-ns: %g is too short for W = %d; give %.2f or more",
-                      design->config.clock_ps / 1000.0, design->config.word,
+                      design->config.clock_ps / 1000.0, design->core_word,
                       p->shortest + 0.005);
   }
   enter_classes(p);

@@ -397,7 +397,7 @@ static void plane(core *c) {
 static void ports(core *c) {
   emit_module *m = c->m;
   char bits[16];
-  snprintf(bits, sizeof bits, "%d", c->p->design->config.word);
+  snprintf(bits, sizeof bits, "%d", c->p->design->core_word);
   emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
   if (c->ii > 1) {
     char turns[16];

@@ -22,6 +22,7 @@ static int places_log2(const exact_plan *p) {
 static void gen_queue(emitter *e, const exact_plan *p) {
   int tag = places_log2(p);
   int places = 1 << tag;
+  bool near = p->design->config.extent_a > 0;
   char places_text[16];
   char tag_text[16];
   char count_text[16];
@@ -44,18 +45,30 @@ static void gen_queue(emitter *e, const exact_plan *p) {
   emit_signal(m, EMIT_OUTPUT, false, "valid", "", "the oldest pair has its verdict");
   emit_signal(m, EMIT_INPUT, false, "ready", "", "it may leave");
   emit_signal(m, EMIT_OUTPUT, false, "oldest", "5", "the verdict of the oldest pair");
+  if (near) {
+    emit_signal(m, EMIT_INPUT, false, "note", "2", "what is known of the pair that takes a place");
+    emit_signal(m, EMIT_OUTPUT, false, "oldest_note", "2", "that of the oldest pair");
+  }
   emit_signal(m, EMIT_REG, false, "head", places_text, "the oldest place, one-hot");
   emit_signal(m, EMIT_REG, false, "count", count_text, "places taken, 0 ... %d", places);
   emit_signal(m, EMIT_REG, false, "done", places_text, "bit k: place k holds a verdict");
   for (int k = 0; k < places; k++) {
     snprintf(name, sizeof name, "result_%d", k);
     emit_net(m, EMIT_REG, false, name, "5");
+    if (near) {
+      snprintf(name, sizeof name, "note_%d", k);
+      emit_net(m, EMIT_REG, false, name, "2");
+    }
   }
   emit_net(m, EMIT_WIRE, false, "leave", "");
   emit_text(m, "\nassign room = !count[%d];\nassign leave = valid && ready;", tag);
   emit_text(m, "assign valid = |(head & done);");
   for (int k = 0; k < places; k++) {
     emit_text(m, "%s(result_%d & {5{head[%d]}})%s", k == 0 ? "assign oldest = " : "                ", k, k,
+              k < places - 1 ? " |" : ";");
+  }
+  for (int k = 0; k < places && near; k++) {
+    emit_text(m, "%s(note_%d & {2{head[%d]}})%s", k == 0 ? "assign oldest_note = " : "                ", k, k,
               k < places - 1 ? " |" : ";");
   }
   emit_text(m,
@@ -77,13 +90,15 @@ static void gen_queue(emitter *e, const exact_plan *p) {
   emit_text(m, "  end");
   for (int k = 0; k < places; k++) {
     emit_text(m, "  if (write && (tag == %d'd%d)) begin\n    result_%d <= result;\n  end", tag, k, k);
+    if (near) {
+      emit_text(m, "  if (take && (tail == %d'd%d)) begin\n    note_%d <= note;\n  end", tag, k, k);
+    }
   }
   emit_text(m, "end");
   emit_end(m);
 }
 
-static void ports(emit_module *m, const exact_plan *p) {
-  int word = p->design->config.word;
+void gen_exact_ports(emit_module *m, int word) {
   char bits[16];
   snprintf(bits, sizeof bits, "%d", word);
   emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
@@ -108,7 +123,7 @@ static void ports(emit_module *m, const exact_plan *p) {
 
 typedef struct {
   int ii, stages, judged; /* frames a pair is in; the frame at whose end the plane is known */
-  bool flag;
+  bool flag, near;        /* near: pairs come with a note, and then take no second pass */
   char tag[16];
 } control;
 
@@ -125,6 +140,10 @@ static void declare_frames(emit_module *m, const control *c) {
     if (!c->flag && k < c->judged) {
       snprintf(name, sizeof name, "boxes_%d", k);
       emit_net(m, EMIT_REG, false, name, "");
+      if (c->near) {
+        snprintf(name, sizeof name, "noted_%d", k);
+        emit_net(m, EMIT_REG, false, name, "");
+      }
     } else if (!c->flag) {
       snprintf(name, sizeof name, "in_plane_%d", k);
       emit_net(m, EMIT_REG, false, name, "");
@@ -167,6 +186,9 @@ static void clock_frames(emit_module *m, const control *c) {
     emit_text(m, "%stag_0 <= again ? tag_%d : tail;", inner, c->judged - 1);
     emit_text(m, "%ssecond_0 <= again;", inner);
     emit_text(m, "%sboxes_0 <= again && boxes_so_far;", inner);
+    if (c->near) {
+      emit_text(m, "%snoted_0 <= !again && (in_apart || in_beyond);", inner);
+    }
   }
   for (int k = 1; k <= c->stages; k++) {
     emit_text(m, "%stag_%d <= tag_%d;", inner, k, k - 1);
@@ -175,6 +197,9 @@ static void clock_frames(emit_module *m, const control *c) {
     }
     if (!c->flag && k < c->judged) {
       emit_text(m, "%sboxes_%d <= boxes_%d;", inner, k, k - 1);
+      if (c->near) {
+        emit_text(m, "%snoted_%d <= noted_%d;", inner, k, k - 1);
+      }
     } else if (!c->flag && k > c->judged) {
       emit_text(m, "%sin_plane_%d <= in_plane_%d;", inner, k, k - 1);
     } else if (!c->flag) {
@@ -220,22 +245,26 @@ static void handshake(emit_module *m, const control *c) {
     emit_text(m, "assign in_ready = %sroom;\nassign take = in_valid && in_ready;\nassign enter = take;",
               c->ii > 1 ? "last && " : "");
   } else {
+    char noted[32] = "";
+    if (c->near) {
+      snprintf(noted, sizeof noted, " && !noted_%d", c->judged - 1);
+    }
     emit_text(m,
               "// A pair that is flat in the projection on x and y goes round once more, as seen in\n"
               "// u and z; flat again, it is on a line, where the boxes decide.\n"
-              "assign again = valid_%d && flat && !second_%d;\n"
+              "assign again = valid_%d && flat && !second_%d%s;\n"
               "assign boxes_so_far = apart_x || (apart_z && !second_%d) || boxes_%d;\n"
               "assign in_ready = %sroom && !again;\n"
               "assign take = in_valid && in_ready;\n"
               "assign enter = take || again;",
-              c->judged - 1, c->judged - 1, c->judged - 1, c->judged - 1, c->ii > 1 ? "last && " : "");
+              c->judged - 1, c->judged - 1, noted, c->judged - 1, c->judged - 1, c->ii > 1 ? "last && " : "");
   }
 }
 
 void gen_exact_top(emitter *e, const exact_plan *p) {
   gen_queue(e, p);
   control c = {.ii = p->design->config.ii, .stages = frames_to(p, p->verdict_cycle),
-               .flag = p->design->config.flag};
+               .flag = p->design->config.flag, .near = p->design->config.extent_a > 0};
   c.judged = (p->plane_cycle + 1) / c.ii;
   snprintf(c.tag, sizeof c.tag, "%d", places_log2(p));
   char banner[1024];
@@ -253,8 +282,13 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
                   : "Coplanar and degenerate pairs are decided, too; those flat in the projection on\n"
                     "x and y go round once more; in_ready is low for that turn.",
            p->latency, c.ii > 1 ? ", when the machine was empty" : "");
-  emit_module *m = emit_begin(e, "sepax_top", banner);
-  ports(m, p);
+  emit_module *m = emit_begin(e, c.near ? "sepax_near" : "sepax_top", banner);
+  gen_exact_ports(m, p->design->core_word);
+  if (c.near) {
+    emit_signal(m, EMIT_INPUT, false, "in_apart", "", "the boxes are disjoint; goes with the pair");
+    emit_signal(m, EMIT_INPUT, false, "in_beyond", "", "a box is too long; goes with the pair");
+    emit_signal(m, EMIT_OUTPUT, false, "out_note", "2", "in_apart, in_beyond of the pair; the verdict is none if not 0");
+  }
   if (c.ii > 1) {
     char turns[16];
     snprintf(turns, sizeof turns, "%d", c.ii);
@@ -285,6 +319,10 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
   emit_blank(m);
   emit_instance(m, "sepax_core", "core", "", "%s, coplanar=coplanar, axis=axis", connections);
   emit_text(m, "\nassign result = {coplanar, axis};");
+  if (c.near) {
+    emit_net(m, EMIT_WIRE, false, "note", "2");
+    emit_text(m, "assign note = {in_apart, in_beyond};");
+  }
   char write[64];
   if (c.ii > 1) {
     snprintf(write, sizeof write, "valid_%d && at[%d]", c.stages, p->verdict_cycle % c.ii);
@@ -294,8 +332,8 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
   emit_blank(m);
   emit_instance(m, "sepax_queue", "queue", "",
                 "clk=clk, rst=rst, room=room, take=take, tail=tail, write=%s, tag=tag_%d, "
-                "result=result, valid=out_valid, ready=out_ready, oldest=oldest",
-                write, c.stages);
+                "result=result, valid=out_valid, ready=out_ready, oldest=oldest%s",
+                write, c.stages, c.near ? ", note=note, oldest_note=out_note" : "");
   emit_text(m, "\nassign out_coplanar = out_valid && oldest[4];\n"
                "assign out_axis = oldest[3:0] & {4{out_valid}};\n"
                "assign out_collision = out_valid && (oldest[3:0] == 4'd0);");
@@ -312,6 +350,9 @@ bool gen_exact(emitter *e, int *latency) {
     gen_exact_core(e, plan);
     gen_exact_top(e, plan);
     *latency = plan->latency;
+    if (e->design->config.extent_a > 0) {
+      *latency += gen_exact_near(e, plan);
+    }
   }
   free(plan);
   return e->error.text[0] == '\0';

@@ -28,7 +28,7 @@ public:
     while (!hung) {
       if (stress != 0 ? stressed_tick(&pair) : tick(true, true)) {
         e.cycle = cycle;
-        e.alone = was_empty;
+        e.alone = idle >= SETTLE;
         if (owed.full()) {
           hang("more pairs were taken than the machine can hold");
         }
@@ -62,7 +62,7 @@ public:
   }
 
   void report() const {
-    std::printf("axes 0 ... 12:");
+    std::printf("axes 0 ... %d:", LAST_AXIS);
     for (int axis = 0; axis <= LAST_AXIS; axis++) {
       std::printf(" %llu", (unsigned long long)axes[axis]);
     }
@@ -83,9 +83,20 @@ public:
   }
 
 private:
+#ifdef SEPAX_EXTENT_A
+  static constexpr int LAST_AXIS = SEPAX_AXIS_RANGE;
+#else
   static constexpr int LAST_AXIS = 12;
+#endif
   // Without stress the first pairs go alone, until so many latencies were seen.
   static constexpr uint64_t ALONE_LATENCIES = 3, ALONE_PAIRS = 32;
+  // A pair is alone after so many idle cycles. With extents a pair may be taken before the
+  // core's frame is at its end.
+#ifdef SEPAX_EXTENT_A
+  static constexpr uint64_t SETTLE = 1 + SEPAX_II;
+#else
+  static constexpr uint64_t SETTLE = 1;
+#endif
   // Cycles of waiting, out_ready high, with no transfer on either side.
   static constexpr uint64_t PATIENCE = 2000 + 64 * (SEPAX_LATENCY + SEPAX_II);
 
@@ -133,6 +144,7 @@ private:
       check_independence(offer, ready);
     }
     was_empty = owed.empty();
+    idle = was_empty ? idle + 1 : 0;
     bool take = offer && top->in_ready;
     bool give = top->out_valid && ready;
     look(ready);
@@ -167,6 +179,11 @@ private:
     const Owed &e = owed.front();
     owed.pop();
     count(e);
+#ifdef SEPAX_EXTENT_A
+    if ((top->out_of_range != 0) != (e.verdict.axis == SEPAX_AXIS_RANGE)) {
+      complain(&e, "wrong out_of_range");
+    }
+#endif
     if (shown().axis == e.verdict.axis) {
       axes[e.verdict.axis]++;
       compare(e);
@@ -208,7 +225,9 @@ private:
       while (!owed.empty() && !hung) {
         tick(false, true);
       }
-      tick(false, true); // the verdict has left
+      for (uint64_t i = 0; i < SETTLE; i++) {
+        tick(false, true); // the verdict has left, and a frame that has begun ends
+      }
       return;
     }
     if (streamed++ == 0) {
@@ -311,6 +330,7 @@ private:
   Stretch offering{0, 0}, accepting{0, 0};
   Verdict held{}; // shown and blocked in the cycle before
   bool was_empty = true; // before this cycle
+  uint64_t idle = 0; // cycles for which it has been empty, this one, too
   uint64_t until_reset = 0, blocked = 0, waited = 0, latencies = 0, axes[LAST_AXIS + 1] = {};
   uint64_t streamed = 0, first_taken = 0, last_taken = 0;
 };

@@ -133,7 +133,7 @@ static bool search(const check_options *o, const sepax_scene *scene, collisions 
 /* Exact verdicts down a tree of boxes; those of other designs pair by pair. */
 static bool find(const check_options *o, const sepax_design *design, const sepax_scene *scene,
                  collisions *found, sepax_error *error) {
-  bool exact = o->config.arch == SEPAX_ARCH_EXACT && !o->config.flag;
+  bool exact = o->config.arch == SEPAX_ARCH_EXACT && !o->config.flag && o->config.extent_a == 0;
   if (exact) {
     return search(o, scene, found, error);
   }

@@ -15,7 +15,7 @@ int cli_fail(const char *name, const sepax_error *error) {
 /* ------------------------------------------------------------- configuration */
 
 enum { KEY_ARCH = 0x100, KEY_II, KEY_PRECISION, KEY_BLOCK_FLOAT, KEY_COPLANARITY,
-       KEY_INEQUALITY, KEY_EPSILON, KEY_COPLANAR, KEY_CLOCK, KEY_OFFSET, KEY_NORMALS };
+       KEY_INEQUALITY, KEY_EPSILON, KEY_COPLANAR, KEY_EXTENT_A, KEY_EXTENT_B, KEY_CLOCK, KEY_OFFSET, KEY_NORMALS };
 
 static const struct argp_option config_options[] = {
     {NULL, 0, NULL, 0, "Design:", 1},
@@ -26,6 +26,11 @@ static const struct argp_option config_options[] = {
     {NULL, 0, NULL, 0, "Design, architecture exact only:", 2},
     {"coplanar", KEY_COPLANAR, "HOW", 0,
      "exact: decide coplanar pairs (default); flag: call them collisions and say so", 0},
+    {"extent-a", KEY_EXTENT_A, "LSB", 0,
+     "the longest side of the box of a triangle of A that is decided: a box test goes before, and "
+     "what is behind it is as short as the extents allow; a larger triangle is called a collision "
+     "and flagged (any; needs --extent-b)", 0},
+    {"extent-b", KEY_EXTENT_B, "LSB", 0, "the same of B", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for, 0.5 ... 20 (2)", 0},
     {NULL, 0, NULL, 0, "Design, architecture paper only:", 3},
     {"precision", KEY_PRECISION, "BITS", 0,
