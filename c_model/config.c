@@ -27,7 +27,7 @@ const char *sepax_arch_name(sepax_arch arch) { return arch_names[arch]; }
 
 static bool parse_name(int *value, const char *option, const char *const names[],
                        const char *text, sepax_error *error) {
-  char choice[64] = "";
+  char choice[128] = "";
   for (int i = 0; names[i] != NULL; i++) {
     if (strcmp(names[i], text) == 0) {
       *value = i;

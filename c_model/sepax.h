@@ -377,7 +377,8 @@ void sepax_scene_free(sepax_scene *scene);
 
 /* Two closed meshes of which no triangles collide: within[0] iff a connected part of A is
  * wholly inside the solid B, within[1] the same of B in A. Exact: inside is where a line that
- * leaves a vertex meets the other mesh an odd number of times. Fails on a mesh that is not
+ * leaves a vertex meets the other mesh an odd number of times, or leaves it more often than it
+ * enters it (bodies that overlap), as the triangles' vertices go round. Fails on a mesh that is not
  * closed: every edge belongs to an even number of triangles. */
 bool sepax_solid(const sepax_scene *scene, bool within[2], sepax_error *error);
 

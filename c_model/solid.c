@@ -70,14 +70,15 @@ static bool passes(sepax_vec p, sepax_vec from, sepax_vec to) {
   return to.y > from.y ? side > 0 : side < 0;
 }
 
-/* p is not on the triangle: does the line upwards from p meet it? */
-static bool above(sepax_vec p, const sepax_tri *t) {
+/* p is not on the triangle: does the line upwards from p meet it, and which way does it
+ * face there? 0, -1 downwards, 1 upwards. */
+static int above(sepax_vec p, const sepax_tri *t) {
   bool within = false;
   for (int i = 0; i < 3; i++) {
     within ^= passes(p, t->v[i], t->v[(i + 1) % 3]);
   }
   if (!within) {
-    return false;
+    return 0;
   }
   point a = {{t->v[0].x, t->v[0].y, t->v[0].z}};
   point u = {{(int64_t)t->v[1].x - t->v[0].x, (int64_t)t->v[1].y - t->v[0].y,
@@ -86,15 +87,21 @@ static bool above(sepax_vec p, const sepax_tri *t) {
               (int64_t)t->v[2].z - t->v[0].z}};
   normal n = cross(u, v);
   wide height = n.c[0] * (p.x - a.c[0]) + n.c[1] * (p.y - a.c[1]) + n.c[2] * (p.z - a.c[2]);
-  return n.c[2] > 0 ? height < 0 : height > 0;
+  int up = n.c[2] > 0 ? 1 : -1;
+  return (up > 0 ? height < 0 : height > 0) ? up : 0;
 }
 
+/* Parity holds whatever way the triangles face; where bodies overlap it is even, but the
+ * mesh winds round p. */
 static bool inside(sepax_vec p, const sepax_tri *tri, size_t count) {
-  bool in = false;
+  bool odd = false;
+  int64_t winding = 0;
   for (size_t k = 0; k < count; k++) {
-    in ^= above(p, &tri[k]);
+    int way = above(p, &tri[k]);
+    odd ^= way != 0;
+    winding += way;
   }
-  return in;
+  return odd || winding != 0;
 }
 
 /* -------------------------------------------------------------------- parts */

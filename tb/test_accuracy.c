@@ -167,6 +167,36 @@ static void open_meshes_are_refused(void **state) {
   free(sphere);
 }
 
+/* Two bodies that overlap, or the same one twice, in one mesh: the line upwards from a point in
+ * both meets an even number of triangles. */
+static void overlapping_bodies_are_solid(void **state) {
+  (void)state;
+  enum { BOX = 12 };
+  sepax_grid grid = {.resolution = 1, .word = 10};
+  sepax_tri *box = quantised("box", BOX, &grid);
+  for (int shift = 0; shift < 12; shift += 5) {
+    sepax_tri both[2 * BOX];
+    sepax_tri small[BOX];
+    for (int n = 0; n < BOX; n++) {
+      both[n] = box[n];
+      both[BOX + n] = moved(&box[n], shift, shift, 0);
+      small[n] = box[n];
+      for (int k = 0; k < 3; k++) {
+        small[n].v[k].x = small[n].v[k].x > 0 ? 8 : 6;
+        small[n].v[k].y = small[n].v[k].y > 0 ? 8 : 6;
+        small[n].v[k].z = small[n].v[k].z > 0 ? 2 : 1;
+      }
+    }
+    sepax_scene scene = {.tri = {small, both}, .count = {BOX, 2 * BOX}};
+    bool inside[2];
+    sepax_error error = {""};
+    assert_true(sepax_solid(&scene, inside, &error));
+    assert_true(inside[0]);
+    assert_false(inside[1]);
+  }
+  free(box);
+}
+
 /* Proper triangles of short words are judged right, but for mere contact: quotients round. */
 static void interval_test_is_one(void **state) {
   (void)state;
@@ -186,6 +216,7 @@ int main(void) {
       cmocka_unit_test(known_depths),         cmocka_unit_test(depths_by_moving),
       cmocka_unit_test(solids_by_winding),    cmocka_unit_test(open_meshes_are_refused),
       cmocka_unit_test(interval_test_is_one),
+      cmocka_unit_test(overlapping_bodies_are_solid),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -23,7 +23,7 @@ static const struct argp_option options[] = {
     {"seed", 's', "SEED", 0, "seed of the random numbers (1)", 0},
     {"truth", KEY_TRUTH, "OF", 0,
      "quantised: the verdict on the W-bit integers (default); real: on the triangles before they were "
-     "rounded to W bits, given 31 - W bits finer, at half the range", 0},
+     "rounded to W bits (4 ... 27), given 31 - W bits finer, at half the range", 0},
     {"csv", KEY_CSV, NULL, 0, "comma-separated, for programs", 0},
     {0}};
 
@@ -167,7 +167,7 @@ static sepax_tri reorder(const sepax_tri *t, const int order[3]) {
 /* Do the variants number `from` ... `to` of a kind of turn change the verdict? */
 static bool flips(const sepax_design *design, const sepax_pair *pair, int kind, bool before,
                   sepax_random *random) {
-  static const int variants[TURNS] = {36, 1, 4, 48, 1};
+  static const int variants[TURNS] = {36, 36, 4, 48, 1};
   int word = design->config.word;
   int64_t half = INT64_C(1) << (word - 2);
   for (int n = 0; n < variants[kind]; n++) {
@@ -176,12 +176,9 @@ static bool flips(const sepax_design *design, const sepax_pair *pair, int kind, 
     for (int axis = 0; axis < 3 && kind == 2; axis++) {
       by[axis] = sepax_random_range(random, -half, half);
     }
-    if (kind == 0) {
-      turned.a = reorder(&pair->a, orders[n / 6]);
-      turned.b = reorder(&pair->b, orders[n % 6]);
-    } else if (kind == 1) {
-      turned.a = pair->b;
-      turned.b = pair->a;
+    if (kind <= 1) {
+      turned.a = reorder(kind == 0 ? &pair->a : &pair->b, orders[n / 6]);
+      turned.b = reorder(kind == 0 ? &pair->b : &pair->a, orders[n % 6]);
     }
     for (int i = 0; i < 18 && kind >= 2; i++) {
       int axis = i % 3;
@@ -220,8 +217,13 @@ static void count_flips(tally *t, const sepax_design *design, size_t family,
 /* Ends of the 95 % interval of a share k / n (Wilson). */
 static void interval_of(uint64_t k, uint64_t n, double ends[2]) {
   const double z = 1.959964;
-  double p = n > 0 ? (double)k / (double)n : 0;
-  double m = n > 0 ? (double)n : 1;
+  if (n == 0) {
+    ends[0] = 0;
+    ends[1] = 1;
+    return;
+  }
+  double m = (double)n;
+  double p = (double)k / m;
   double centre = p + z * z / (2 * m);
   double reach = z * sqrt(p * (1 - p) / m + z * z / (4 * m * m));
   double scale = 1 + z * z / m;
