@@ -72,7 +72,7 @@ static void gen_approach(emitter *e) {
   emit_net(m, EMIT_WIRE, true, "base", "N");
   emit_blank(m);
   for (int t = 0; t < 2; t++) {
-    int x = "ab"[t];
+    char x = "ab"[t];
     snprintf(name, sizeof name, "bounds_%c", x);
     emit_instance(m, "sepax_bounds", name, "W=W", "p=%c_1, q=%c_2, r=%c_3, low=low_%c, high=high_%c", x, x, x,
                   x, x);
@@ -84,7 +84,7 @@ static void gen_approach(emitter *e) {
   emit_text(m, "\nalways @(posedge clk) begin\n  if (en_1) begin\n"
                "    low_a_1 <= low_a;\n    high_a_1 <= high_a;\n    low_b_1 <= low_b;\n    high_b_1 <= high_b;");
   for (int i = 0; i < 6; i++) {
-    int x = "ab"[i / 3];
+    char x = "ab"[i / 3];
     emit_text(m, "    %c_%d_1 <= %c_%d[N-1:0];", x, i % 3 + 1, x, i % 3 + 1);
   }
   emit_text(m, "  end\n  if (en_2) begin\n"
@@ -92,7 +92,7 @@ static void gen_approach(emitter *e) {
                "    beyond <= (size_a > %d'd%d) || (size_b > %d'd%d);",
             c->word, c->extent_a, c->word, c->extent_b);
   for (int i = 0; i < 6; i++) {
-    int x = "ab"[i / 3];
+    char x = "ab"[i / 3];
     emit_text(m, "    near_%c_%d <= %c_%d_1 - base + origin;", x, i % 3 + 1, x, i % 3 + 1);
   }
   emit_text(m, "  end\nend");
@@ -153,7 +153,7 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
     size_t used = (size_t)snprintf(connections, sizeof connections,
                                    "clk=clk, en_1=en_1, en_2=en_2, apart=apart_%c, beyond=beyond_%c", axis, axis);
     for (int i = 0; i < 6; i++) {
-      int x = "ab"[i / 3];
+      char x = "ab"[i / 3];
       int k = i % 3 + 1;
       used += (size_t)snprintf(connections + used, sizeof connections - used,
                                ", %c_%d=in_%c%d_%c, near_%c_%d=near_%c%d_%c", x, k, x, k, axis, x, k, x, k, axis);
@@ -169,7 +169,7 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
                                  "out_axis=near_axis, out_note=note");
   for (int axis = 'x'; axis <= 'z'; axis++) {
     for (int i = 0; i < 6; i++) {
-      int x = "ab"[i / 3];
+      char x = "ab"[i / 3];
       int k = i % 3 + 1;
       used += (size_t)snprintf(connections + used, sizeof connections - used, ", in_%c%d_%c=near_%c%d_%c", x, k,
                                axis, x, k, axis);

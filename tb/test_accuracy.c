@@ -176,18 +176,18 @@ static void overlapping_bodies_are_solid(void **state) {
   sepax_tri *box = quantised("box", BOX, &grid);
   for (int shift = 0; shift < 12; shift += 5) {
     sepax_tri both[2 * BOX];
-    sepax_tri small[BOX];
+    sepax_tri inner[BOX];
     for (int n = 0; n < BOX; n++) {
       both[n] = box[n];
       both[BOX + n] = moved(&box[n], shift, shift, 0);
-      small[n] = box[n];
+      inner[n] = box[n];
       for (int k = 0; k < 3; k++) {
-        small[n].v[k].x = small[n].v[k].x > 0 ? 8 : 6;
-        small[n].v[k].y = small[n].v[k].y > 0 ? 8 : 6;
-        small[n].v[k].z = small[n].v[k].z > 0 ? 2 : 1;
+        inner[n].v[k].x = inner[n].v[k].x > 0 ? 8 : 6;
+        inner[n].v[k].y = inner[n].v[k].y > 0 ? 8 : 6;
+        inner[n].v[k].z = inner[n].v[k].z > 0 ? 2 : 1;
       }
     }
-    sepax_scene scene = {.tri = {small, both}, .count = {BOX, 2 * BOX}};
+    sepax_scene scene = {.tri = {inner, both}, .count = {BOX, 2 * BOX}};
     bool inside[2];
     sepax_error error = {""};
     assert_true(sepax_solid(&scene, inside, &error));
