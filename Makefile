@@ -188,9 +188,10 @@ $(LIB): $(call object,$(LIB_SRC))
 	@rm -f $@
 	@$(AR) rcs $@ $^
 
-$(BUILD)/libsepax.so.0: $(call object,$(LIB_SRC))
+$(BUILD)/libsepax.so.0: c_model/libsepax.map $(call object,$(LIB_SRC))
 	@echo "  LINK    $@"
-	@$(CC) $(CFLAGS) -shared -Wl,-soname,libsepax.so.0 -Wl,-Bsymbolic-functions $^ -lm -pthread -o $@
+	@$(CC) $(CFLAGS) -shared -Wl,-soname,libsepax.so.0 -Wl,-Bsymbolic-functions \
+	  -Wl,--version-script=$< $(filter %.o,$^) -lm -pthread -o $@
 
 $(SEPAX): $(call object,$(CLI_SRC)) $(LIB)
 	@echo "  LINK    $@"
@@ -212,15 +213,19 @@ ROOT    = $(DESTDIR)$(PREFIX)
 MAN     = share/man/man1/sepax.1 share/man/man3/libsepax.3
 
 install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
-	@mkdir -p $(addprefix $(ROOT)/,bin include lib/pkgconfig $(dir $(MAN)))
+	@case "$(PREFIX)" in *" "*) echo "install: PREFIX must be without blanks" >&2; exit 2 ;; /*) ;; \
+	  *) echo "install: PREFIX=$(PREFIX) is not absolute; begin with /" >&2; exit 2 ;; esac
+	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' 'Name: sepax' \
+	  'Description: exact triangle/triangle collision detection' 'Version: $(VERSION)' \
+	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -lsepax' 'Libs.private: -lm -pthread' > $(BUILD)/sepax.pc
+	@$(foreach page,$(MAN),sed 's/@VERSION@/$(VERSION)/' docs/$(notdir $(page)) > $(BUILD)/$(notdir $(page)) &&) true
+	@install -d $(addprefix $(ROOT)/,bin include lib/pkgconfig $(dir $(MAN)))
 	@install -m 755 $(SEPAX) $(ROOT)/bin
 	@install -m 644 c_model/sepax.h $(ROOT)/include
 	@install -m 644 $(LIB) $(BUILD)/libsepax.so.0 $(ROOT)/lib
 	@ln -sf libsepax.so.0 $(ROOT)/lib/libsepax.so
-	@printf '%s\n' 'prefix=$(PREFIX)' 'Name: sepax' 'Version: $(VERSION)' \
-	  'Description: exact triangle/triangle collision detection' 'Cflags: -I$${prefix}/include' \
-	  'Libs: -L$${prefix}/lib -lsepax' 'Libs.private: -lm -pthread' > $(ROOT)/lib/pkgconfig/sepax.pc
-	@$(foreach page,$(MAN),sed 's/@VERSION@/$(VERSION)/' docs/$(notdir $(page)) > $(ROOT)/$(page) &&) true
+	@install -m 644 $(BUILD)/sepax.pc $(ROOT)/lib/pkgconfig
+	@$(foreach page,$(MAN),install -m 644 $(BUILD)/$(notdir $(page)) $(ROOT)/$(page) &&) true
 	@echo "installed in $(ROOT)"
 
 uninstall:

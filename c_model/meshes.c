@@ -141,7 +141,14 @@ static bool sort_along_curve(tree *t, const sepax_tri *tri) {
   return true;
 }
 
-static bool build_tree(tree *t, const sepax_tri *tri, size_t count) {
+static void keep_order(tree *t) {
+  for (size_t n = 0; n < t->count; n++) {
+    t->order[n] = n;
+  }
+}
+
+/* Brute force needs neither order nor boxes. */
+static bool build_tree(tree *t, const sepax_tri *tri, size_t count, bool brute_force) {
   *t = (tree){.count = count, .leaves = 1};
   while (t->leaves * LEAF < count) {
     t->leaves *= 2;
@@ -149,12 +156,18 @@ static bool build_tree(tree *t, const sepax_tri *tri, size_t count) {
   t->order = malloc(count * sizeof *t->order);
   t->columns = malloc(t->leaves * LEAF * 9 * sizeof *t->columns);
   t->boxes = malloc(2 * t->leaves * sizeof *t->boxes);
-  if (t->order == NULL || t->columns == NULL || t->boxes == NULL || !sort_along_curve(t, tri)) {
+  bool ok = t->order != NULL && t->columns != NULL && t->boxes != NULL;
+  if (ok && brute_force) {
+    keep_order(t);
+  }
+  if (!ok || (!brute_force && !sort_along_curve(t, tri))) {
     free_tree(t);
     return false;
   }
   fill_columns(t, tri);
-  fill_boxes(t, tri);
+  if (!brute_force) {
+    fill_boxes(t, tri);
+  }
   return true;
 }
 
@@ -164,8 +177,8 @@ typedef struct {
   const sepax_search *how;
   const sepax_tri *tri_a;
   tree a, b;
-  size_t tasks;
-  atomic_size_t next; /* leaf of A */
+  size_t tasks, parts; /* of B */
+  atomic_size_t next; /* task */
   atomic_bool stop;
   bool ended; /* by progress */
 } search;
@@ -211,7 +224,7 @@ static void judge_leaves(worker *w, const box *boxes, size_t first, size_t end, 
     columns.c[i / 3][i % 3] = s->b.at.c[i / 3][i % 3] + from;
   }
   for (size_t n = first; n < end && !atomic_load(&w->all->stop); n++) {
-    if (leaves == 1 && !meet(&boxes[n - first], &s->b.boxes[s->b.leaves + leaf])) {
+    if (boxes != NULL && !meet(&boxes[n - first], &s->b.boxes[s->b.leaves + leaf])) {
       continue;
     }
     size_t i = s->a.order[n];
@@ -227,26 +240,25 @@ static void judge_leaves(worker *w, const box *boxes, size_t first, size_t end, 
   }
 }
 
-/* One leaf of A against all of B, leaf by leaf or down the tree. */
+/* One leaf of A against all of B down its tree, or by brute force against 64 leaves. */
 static void judge_task(worker *w, size_t task) {
   const search *s = w->all;
-  size_t first = task * LEAF;
+  size_t leaf_a = task / s->parts;
+  size_t first = leaf_a * LEAF;
   size_t end = first + LEAF < s->a.count ? first + LEAF : s->a.count;
+  if (s->how->brute_force) {
+    judge_leaves(w, NULL, first, end, task % s->parts * LEAF, LEAF);
+    return;
+  }
   box boxes[LEAF];
   for (size_t n = first; n < end; n++) {
     boxes[n - first] = box_of(&s->tri_a[s->a.order[n]]);
-  }
-  if (s->how->brute_force) {
-    for (size_t leaf = 0; leaf * LEAF < s->b.count; leaf += LEAF) {
-      judge_leaves(w, boxes, first, end, leaf, LEAF);
-    }
-    return;
   }
   size_t stack[64] = {1};
   size_t depth = 1;
   while (depth > 0 && !atomic_load(&w->all->stop)) {
     size_t node = stack[--depth];
-    if (!meet(&s->b.boxes[node], &s->a.boxes[s->a.leaves + task])) {
+    if (!meet(&s->b.boxes[node], &s->a.boxes[s->a.leaves + leaf_a])) {
       continue;
     }
     if (node >= s->b.leaves) {
@@ -362,8 +374,10 @@ bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *
   if (count_a == 0 || count_b == 0) {
     return true;
   }
-  bool ok = build_tree(&s.a, a, count_a) && build_tree(&s.b, b, count_b);
-  s.tasks = (count_a + LEAF - 1) / LEAF;
+  bool brute_force = s.how->brute_force;
+  bool ok = build_tree(&s.a, a, count_a, brute_force) && build_tree(&s.b, b, count_b, brute_force);
+  s.parts = brute_force ? (count_b + LEAF * LEAF - 1) / (LEAF * LEAF) : 1;
+  s.tasks = (count_a + LEAF - 1) / LEAF * s.parts;
   atomic_init(&s.next, 0);
   atomic_init(&s.stop, false);
   ok = ok && run(&s, found);

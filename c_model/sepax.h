@@ -241,7 +241,7 @@ double sepax_depth(const sepax_tri *a, const sepax_tri *b);
 /* --------------------------------------------------------------- many pairs */
 
 /* Triangles as a structure of arrays: c[k][axis][n] is coordinate `axis` (x, y, z) of
- * vertex k of triangle n. Any alignment. */
+ * vertex k of triangle n. No alignment but int32_t's is asked for. */
 typedef struct {
   const int32_t *c[3][3];
 } sepax_columns;

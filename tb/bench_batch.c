@@ -65,10 +65,8 @@ static int check(uint64_t count) {
 
 /* --------------------------------------------------------------------- scale */
 
-/* Best of so many rounds that it takes some time. */
-static double best_of(double *best, double took) {
+static void best_of(double *best, double took) {
   *best = *best == 0 || took < *best ? took : *best;
-  return *best;
 }
 
 static void scale_pairs(void) {
@@ -95,21 +93,17 @@ static void scale_pairs(void) {
 static double search(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
                      int threads, bool brute_force, size_t *collisions) {
   sepax_search how = {.threads = threads, .brute_force = brute_force};
-  double best = 0;
-  double spent = 0;
-  for (int round = 0; round < 50 && (round < 3 || spent < 0.5) && spent < 5; round++) {
-    sepax_pairs found;
-    sepax_error error = {""};
-    double start = bench_seconds();
-    if (!sepax_colliding_pairs(a, count_a, b, count_b, &how, &found, &error)) {
-      fprintf(stderr, "bench_batch: %s\n", error.text);
-      exit(2);
-    }
-    spent += best_of(&best, bench_seconds() - start);
-    *collisions = found.count;
-    sepax_pairs_free(&found);
+  sepax_pairs found;
+  sepax_error error = {""};
+  double start = bench_seconds();
+  if (!sepax_colliding_pairs(a, count_a, b, count_b, &how, &found, &error)) {
+    fprintf(stderr, "bench_batch: %s\n", error.text);
+    exit(2);
   }
-  return best;
+  double took = bench_seconds() - start;
+  *collisions = found.count;
+  sepax_pairs_free(&found);
+  return took;
 }
 
 /* Two spheres, one half a radius beside the other. */
@@ -133,7 +127,11 @@ static void scale_meshes(void) {
       size_t collisions;
       double pairs = (double)triangles * (double)triangles;
       if (brute == 0 || triangles <= 10000) {
-        double took = search(tri[0], triangles, tri[1], triangles, 1, brute != 0, &collisions);
+        double took = 0;
+        double end = bench_seconds() + 0.5;
+        do {
+          best_of(&took, search(tri[0], triangles, tri[1], triangles, 1, brute != 0, &collisions));
+        } while (bench_seconds() < end);
         printf("%s,%zu,%.0f,%.6g,%.4g\n", brute != 0 ? "brute force" : "tree", triangles, pairs, took,
                1e9 * took / pairs);
         fflush(stdout);
@@ -155,20 +153,23 @@ static int meshes(const char *const path[2]) {
     return 2;
   }
   printf("%s, %s: %zu x %zu triangles\n", path[0], path[1], scene.count[0], scene.count[1]);
-  double alone = 0;
+  double best[4] = {0};
+  size_t collisions[4];
+  double end = bench_seconds() + 5;
+  do {
+    for (int way = 0; way < 4; way++) {
+      best_of(&best[way], search(scene.tri[0], scene.count[0], scene.tri[1], scene.count[1], 1 + way % 2,
+                                 way >= 2, &collisions[way]));
+    }
+  } while (bench_seconds() < end);
   for (int way = 0; way < 4; way++) {
-    bool brute = way >= 2;
-    int threads = 1 + way % 2;
-    size_t collisions = 0;
-    double took = search(scene.tri[0], scene.count[0], scene.tri[1], scene.count[1], threads,
-                         brute, &collisions);
-    printf("%-12s %d thread%s %10.3f ms %10.3g pairs/s %8zu collisions", brute ? "brute force" : "tree", threads,
-           threads > 1 ? "s" : " ", 1e3 * took, (double)scene.count[0] * (double)scene.count[1] / took, collisions);
-    if (threads > 1) {
-      printf(", %.2f times one thread", alone / took);
+    double pairs = (double)scene.count[0] * (double)scene.count[1];
+    printf("%-12s %d thread%s %10.3f ms %10.3g pairs/s %8zu collisions", way < 2 ? "tree" : "brute force",
+           1 + way % 2, way % 2 == 1 ? "s" : " ", 1e3 * best[way], pairs / best[way], collisions[way]);
+    if (way % 2 == 1) {
+      printf(", %.2f times one thread", best[way - 1] / best[way]);
     }
     putchar('\n');
-    alone = took;
   }
   sepax_scene_free(&scene);
   return 0;

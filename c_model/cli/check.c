@@ -6,6 +6,7 @@
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 typedef struct {
   sepax_config config;
@@ -187,6 +188,27 @@ static void print_json(const check_options *o, const sepax_scene *scene,
   json_decref(report);
 }
 
+static bool same_file(const char *p, const char *q) {
+  struct stat a;
+  struct stat b;
+  return strcmp(p, q) == 0 || (stat(p, &a) == 0 && stat(q, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino);
+}
+
+/* What is written must not be what is read, nor one file be written twice. */
+static bool outputs_apart(const check_options *o, sepax_error *error) {
+  const char *const outputs[] = {o->pairs_path, o->ply_path};
+  for (int i = 0; i < 4; i++) {
+    const char *output = outputs[i % 2];
+    if (output != NULL && same_file(output, o->path[i / 2])) {
+      return sepax_fail(error, "%.300s: is read; name another file to write", output);
+    }
+  }
+  if (o->pairs_path != NULL && o->ply_path != NULL && same_file(o->pairs_path, o->ply_path)) {
+    return sepax_fail(error, "%.300s: --pairs and --ply name one file; name two", o->ply_path);
+  }
+  return true;
+}
+
 /* JSON is UTF-8. */
 static bool names_printable(const check_options *o, sepax_error *error) {
   for (int i = 0; i < 2 && o->json; i++) {
@@ -233,7 +255,7 @@ int cli_check(int argc, char **argv) {
   sepax_error error = {""};
   sepax_design design;
   sepax_scene scene;
-  if (!names_printable(&o, &error) || !normals_read(&o, &error) || !sepax_design_init(&design, &o.config, &error) ||
+  if (!names_printable(&o, &error) || !outputs_apart(&o, &error) || !normals_read(&o, &error) || !sepax_design_init(&design, &o.config, &error) ||
       !sepax_scene_load(&scene, o.path, &o.grid.grid, o.grid.file_normals, &error)) {
     return cli_fail(argv[0], &error);
   }
