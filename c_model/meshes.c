@@ -88,8 +88,12 @@ static void free_tree(tree *t) {
   *t = (tree){0};
 }
 
-static void fill_columns(tree *t, const sepax_tri *tri) {
+static bool fill_columns(tree *t, const sepax_tri *tri) {
   size_t room = t->leaves * LEAF;
+  t->columns = malloc(room * 9 * sizeof *t->columns);
+  if (t->columns == NULL) {
+    return false;
+  }
   for (int k = 0; k < 3; k++) {
     int32_t *x = t->columns + (size_t)(3 * k) * room;
     for (size_t n = 0; n < room; n++) {
@@ -102,6 +106,7 @@ static void fill_columns(tree *t, const sepax_tri *tri) {
       t->at.c[k][axis] = x + (size_t)axis * room;
     }
   }
+  return true;
 }
 
 static void fill_boxes(tree *t, const sepax_tri *tri) {
@@ -154,9 +159,8 @@ static bool build_tree(tree *t, const sepax_tri *tri, size_t count, bool brute_f
     t->leaves *= 2;
   }
   t->order = malloc(count * sizeof *t->order);
-  t->columns = malloc(t->leaves * LEAF * 9 * sizeof *t->columns);
   t->boxes = malloc(2 * t->leaves * sizeof *t->boxes);
-  bool ok = t->order != NULL && t->columns != NULL && t->boxes != NULL;
+  bool ok = t->order != NULL && t->boxes != NULL;
   if (ok && brute_force) {
     keep_order(t);
   }
@@ -164,7 +168,6 @@ static bool build_tree(tree *t, const sepax_tri *tri, size_t count, bool brute_f
     free_tree(t);
     return false;
   }
-  fill_columns(t, tri);
   if (!brute_force) {
     fill_boxes(t, tri);
   }
@@ -186,7 +189,7 @@ typedef struct {
 typedef struct {
   search *all;
   sepax_pairs found;
-  size_t room;
+  size_t room, taken; /* taken: by gather */
   bool no_memory;
 } worker;
 
@@ -277,6 +280,14 @@ static void report(search *s, size_t done) {
   }
 }
 
+static int compare_pairs(const void *p, const void *q) {
+  const size_t *a = p;
+  const size_t *b = q;
+  int by_a = (a[0] > b[0]) - (a[0] < b[0]);
+  return by_a != 0 ? by_a : (a[1] > b[1]) - (a[1] < b[1]);
+}
+
+/* Leaves the worker's pairs in order. */
 static void work(worker *w, bool reports) {
   search *s = w->all;
   for (size_t task = atomic_fetch_add(&s->next, 1); task < s->tasks && !atomic_load(&s->stop);
@@ -286,6 +297,9 @@ static void work(worker *w, bool reports) {
       report(s, task);
     }
   }
+  if (w->found.count > 0) {
+    qsort(w->found.pair, w->found.count, sizeof *w->found.pair, compare_pairs);
+  }
 }
 
 static void *work_beside(void *argument) {
@@ -293,31 +307,32 @@ static void *work_beside(void *argument) {
   return NULL;
 }
 
-static int compare_pairs(const void *p, const void *q) {
-  const size_t *a = p;
-  const size_t *b = q;
-  int by_a = (a[0] > b[0]) - (a[0] < b[0]);
-  return by_a != 0 ? by_a : (a[1] > b[1]) - (a[1] < b[1]);
-}
-
-/* The pairs of all workers into one list, in order. */
+/* The lists of all workers, which are in order, into one. */
 static bool gather(worker *workers, size_t count, sepax_pairs *all) {
   size_t total = 0;
   for (size_t k = 0; k < count; k++) {
     total += workers[k].found.count;
+    workers[k].taken = 0;
   }
   all->pair = malloc((total + 1) * sizeof *all->pair);
   if (all->pair == NULL) {
     return false;
   }
-  for (size_t k = 0; k < count; k++) {
-    const sepax_pairs *part = &workers[k].found;
-    if (part->count > 0) {
-      memcpy(all->pair + all->count, part->pair, part->count * sizeof *part->pair);
+  for (; all->count < total; all->count++) {
+    worker *least = NULL;
+    for (size_t k = 0; k < count; k++) {
+      worker *w = &workers[k];
+      if (w->taken < w->found.count &&
+          (least == NULL ||
+           compare_pairs(w->found.pair[w->taken], least->found.pair[least->taken]) < 0)) {
+        least = w;
+      }
     }
-    all->count += part->count;
+    if (least == NULL) {
+      break;
+    }
+    memcpy(all->pair[all->count], least->found.pair[least->taken++], sizeof *all->pair);
   }
-  qsort(all->pair, all->count, sizeof *all->pair, compare_pairs);
   return true;
 }
 
@@ -375,7 +390,8 @@ bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *
     return true;
   }
   bool brute_force = s.how->brute_force;
-  bool ok = build_tree(&s.a, a, count_a, brute_force) && build_tree(&s.b, b, count_b, brute_force);
+  bool ok = build_tree(&s.a, a, count_a, brute_force) && build_tree(&s.b, b, count_b, brute_force) &&
+            fill_columns(&s.b, b);
   s.parts = brute_force ? (count_b + LEAF * LEAF - 1) / (LEAF * LEAF) : 1;
   s.tasks = (count_a + LEAF - 1) / LEAF * s.parts;
   atomic_init(&s.next, 0);
