@@ -8,6 +8,10 @@ COPLANAR    ?= exact
 CLOCK_NS    ?= 2
 EXTENT_A    ?=
 EXTENT_B    ?=
+LANES       ?=
+CORES       ?=
+MEMORY_A    ?=
+MEMORY_B    ?=
 PRECISION   ?= full
 BLOCK_FLOAT ?= off
 COPLANARITY ?= plane
@@ -58,12 +62,17 @@ object  = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 # Choices of one architecture go to it; those of another only when someone made them, so
 # that the program refuses them.
 given         = $(filter command environment,$(firstword $(origin $(1))))
-CHOICES_exact = COPLANAR CLOCK_NS $(if $(EXTENT_A),EXTENT_A) $(if $(EXTENT_B),EXTENT_B)
+CHOICES_exact = COPLANAR CLOCK_NS $(foreach choice,EXTENT_A EXTENT_B LANES CORES MEMORY_A \
+                MEMORY_B,$(if $($(choice)),$(choice)))
 CHOICES_paper = PRECISION BLOCK_FLOAT COPLANARITY INEQUALITY EPSILON
 OPTION_COPLANAR    = --coplanar=$(COPLANAR)
 OPTION_CLOCK_NS    = --clock-ns=$(CLOCK_NS)
 OPTION_EXTENT_A    = --extent-a=$(EXTENT_A)
 OPTION_EXTENT_B    = --extent-b=$(EXTENT_B)
+OPTION_LANES       = --lanes=$(LANES)
+OPTION_CORES       = --cores=$(CORES)
+OPTION_MEMORY_A    = --memory-a=$(MEMORY_A)
+OPTION_MEMORY_B    = --memory-b=$(MEMORY_B)
 OPTION_PRECISION   = --precision=$(PRECISION)
 OPTION_BLOCK_FLOAT = --block-float=$(BLOCK_FLOAT)
 OPTION_COPLANARITY = --coplanarity=$(COPLANARITY)
@@ -76,7 +85,8 @@ OPTIONS = $(strip --arch=$(ARCH) --word=$(WORD) --ii=$(II) $(foreach \
 # build/core/exact-w18-ii3, build/core/paper-w18-full, with a suffix for whatever is not
 # the default.
 NAME_exact = exact-w$(WORD)-ii$(II)$(if $(filter flag,$(COPLANAR)),-flag)$(if \
-             $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)$(if $(EXTENT_A),-a$(EXTENT_A))$(if $(EXTENT_B),-b$(EXTENT_B))
+             $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)$(if $(EXTENT_A),-a$(EXTENT_A))$(if $(EXTENT_B),-b$(EXTENT_B))$(if \
+             $(LANES),-k$(LANES))$(if $(CORES),x$(CORES))$(if $(MEMORY_A),-ma$(MEMORY_A))$(if $(MEMORY_B),-mb$(MEMORY_B))
 NAME_paper = paper-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FLOAT)),-bf)$(if \
              $(filter paper,$(COPLANARITY)),-cop)$(if $(filter printed,$(INEQUALITY)),-ineq)$(if \
              $(filter-out 1,$(EPSILON)),-e$(EPSILON))
@@ -310,6 +320,32 @@ $(COSIM): $(COSIM_DEPS)
 $(WAVE): $(COSIM_DEPS)
 	@echo "  VERILATE $(CORE_NAME)$(OF_VIEW) with waveforms"
 	@$(call verilate,--trace-fst)
+
+# The engine: a C program on its verilated buses.
+ENGINE      = $(CORE)/engine
+ENGINE_OBJ  = $(CORE)/obj-c
+ENGINE_C    = $(ENGINE_OBJ)/engine.o $(ENGINE_OBJ)/sepax_driver.o
+
+$(ENGINE_OBJ)/%.o: tb/%.c $(RTL) $(wildcard tb/*.h examples/engine/*.h)
+	@mkdir -p $(@D)
+	@$(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/engine -I$(CORE)/rtl -c $< -o $@
+$(ENGINE_OBJ)/%.o: examples/engine/%.c $(RTL) $(wildcard tb/*.h examples/engine/*.h)
+	@mkdir -p $(@D)
+	@$(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/engine -I$(CORE)/rtl -c $< -o $@
+
+VERILATE_ENGINE = $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree \
+                  --x-assign fast --x-initial unique --top-module sepax_engine -f sepax.f $(VIEW_MACRO) \
+                  -MAKEFLAGS "OPT_FAST=-O3 OPT_GLOBAL=-O2" -CFLAGS "-I$(abspath tb)" \
+                  $(abspath tb/engine_bus.cpp)
+
+$(ENGINE): $(ENGINE_C) tb/engine_bus.cpp tb/engine_bus.h $(LIB) $(RTL)
+	@echo "  VERILATE $(CORE_NAME), the engine"
+	@cd $(CORE)/rtl && { $(VERILATE_ENGINE) $(abspath $(ENGINE_C) $(LIB)) --Mdir ../obj-engine -o ../engine \
+	  > ../engine.log 2>&1 || { tail -20 ../engine.log >&2; exit 1; }; }
+
+engine: $(ENGINE) $(if $(filter families,$(PAIRS)),,$(SAMPLES))
+	@$(ENGINE) $(if $(STRESS),--stress=$(STRESS)) $(if $(filter families,$(PAIRS)),,$(if \
+	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) $(MESH_A) $(MESH_B))
 
 SEEDED      = --count=$(COUNT) --seed=$(SEED)
 FROM_PAIRS  = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners,$(PAIRS)),--corners \

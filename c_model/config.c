@@ -99,26 +99,27 @@ sepax_config sepax_config_default(void) {
                         .coplanarity = SEPAX_COPLANAR_PLANE,
                         .inequality = SEPAX_INEQUALITY_CORRECT,
                         .epsilon = 1,
-                        .clock_ps = 2000};
+                        .clock_ps = 2000,
+                        .cores = 1,
+                        .memory_a = 512,
+                        .memory_b = 512};
 }
 
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error) {
   int choice = 0;
-  if (strcmp(name, "word") == 0) {
-    return parse_int(&config->word, name, value, error);
-  }
-  if (strcmp(name, "ii") == 0) {
-    return parse_int(&config->ii, name, value, error);
-  }
-  if (strcmp(name, "epsilon") == 0) {
-    return parse_int(&config->epsilon, name, value, error);
-  }
-  if (strcmp(name, "extent-a") == 0) {
-    return parse_int(&config->extent_a, name, value, error);
-  }
-  if (strcmp(name, "extent-b") == 0) {
-    return parse_int(&config->extent_b, name, value, error);
+  const struct {
+    const char *name;
+    int *value;
+  } numbers[] = {{"word", &config->word},         {"ii", &config->ii},
+                 {"epsilon", &config->epsilon},   {"extent-a", &config->extent_a},
+                 {"extent-b", &config->extent_b}, {"lanes", &config->lanes},
+                 {"cores", &config->cores},       {"memory-a", &config->memory_a},
+                 {"memory-b", &config->memory_b}};
+  for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+    if (strcmp(name, numbers[i].name) == 0) {
+      return parse_int(numbers[i].value, name, value, error);
+    }
   }
   if (strcmp(name, "clock-ns") == 0) {
     return parse_clock(&config->clock_ps, value, error);
@@ -184,8 +185,12 @@ char *sepax_config_text(const sepax_config *config, char *text, size_t size) {
     used += snprintf(text + used, size - (size_t)used, " --ii=%d --coplanar=%s --clock-ns=%g", config->ii,
                      coplanar_names[config->flag], config->clock_ps / 1000.0);
     if (config->extent_a > 0) {
-      snprintf(text + used, size - (size_t)used, " --extent-a=%d --extent-b=%d", config->extent_a,
-               config->extent_b);
+      used += snprintf(text + used, size - (size_t)used, " --extent-a=%d --extent-b=%d", config->extent_a,
+                       config->extent_b);
+    }
+    if (config->lanes > 0) {
+      snprintf(text + used, size - (size_t)used, " --lanes=%d --cores=%d --memory-a=%d --memory-b=%d", config->lanes,
+               config->cores, config->memory_a, config->memory_b);
     }
   }
   if (config->arch != SEPAX_ARCH_PAPER) {
@@ -221,6 +226,7 @@ static bool check_unused(const sepax_config *config, sepax_error *error) {
       {"clock-ns", SEPAX_ARCH_EXACT, config->clock_ps != plain.clock_ps},
       {"extent-a", SEPAX_ARCH_EXACT, config->extent_a != 0},
       {"extent-b", SEPAX_ARCH_EXACT, config->extent_b != 0},
+      {"lanes", SEPAX_ARCH_EXACT, config->lanes != 0},
       {"ii", config->arch == SEPAX_ARCH_PAPER ? SEPAX_ARCH_PAPER : SEPAX_ARCH_EXACT,
        config->ii != plain.ii},
   };
@@ -250,6 +256,28 @@ static int core_word(const sepax_config *config) {
   return bits;
 }
 
+static bool check_engine(const sepax_config *config, sepax_error *error) {
+  sepax_config plain = sepax_config_default();
+  if (config->lanes == 0) {
+    bool left_alone = config->cores == plain.cores && config->memory_a == plain.memory_a &&
+                      config->memory_b == plain.memory_b;
+    return left_alone || sepax_fail(error, "cores, memory-a, memory-b are those of an object engine; give --lanes, too");
+  }
+  if (config->lanes < 1 || config->lanes > SEPAX_LANES_MAX) {
+    return sepax_fail(error, "lanes: %d is out of range; give 1 ... %d", config->lanes, SEPAX_LANES_MAX);
+  }
+  if (config->cores < 1 || config->cores > 8) {
+    return sepax_fail(error, "cores: %d is out of range; give 1 ... 8", config->cores);
+  }
+  for (int t = 0; t < 2; t++) {
+    int memory = t == 0 ? config->memory_a : config->memory_b;
+    if (memory < 128 || memory > 32768 || (memory & (memory - 1)) != 0) {
+      return sepax_fail(error, "memory-%c: %d triangles is no power of two of 128 ... 32768", 'a' + t, memory);
+    }
+  }
+  return true;
+}
+
 static bool check_exact(const sepax_config *config, sepax_error *error) {
   if (config->ii < 1 || config->ii > SEPAX_II_MAX) {
     return sepax_fail(error, "ii: %d is out of range; give 1 ... %d cycles", config->ii,
@@ -270,7 +298,7 @@ static bool check_exact(const sepax_config *config, sepax_error *error) {
     return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20",
                       config->clock_ps / 1000.0);
   }
-  return true;
+  return check_engine(config, error);
 }
 
 bool sepax_config_check(const sepax_config *config, sepax_error *error) {

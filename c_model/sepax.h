@@ -30,6 +30,7 @@ extern "C" {
 #define SEPAX_WORD_MIN 4
 #define SEPAX_WORD_MAX 32
 #define SEPAX_II_MAX 18
+#define SEPAX_LANES_MAX 64
 
 /* One line of text without a newline; empty until something failed. */
 typedef struct {
@@ -103,6 +104,9 @@ typedef struct {
   int clock_ps;                  /* exact: the period to pipeline for, 500 ... 20000 ps */
   int extent_a, extent_b;        /* exact: longest side of the box of a triangle of A, of B, in
                                     LSB, that the core decides; 0, 0: any */
+  int lanes;                     /* exact: box lanes of an object engine, 1 ... 64; 0: the core alone */
+  int cores;                     /* of the engine, 1 ... 8 */
+  int memory_a, memory_b;        /* triangles of A, of B that it holds: 2^7 ... 2^15 */
 } sepax_config;
 
 /* The defaults: exact, W = 18, II = 3, coplanar pairs decided, 2 ns; and for paper full,
@@ -112,7 +116,7 @@ sepax_config sepax_config_default(void);
 /* Set one value from text, by the name of its command-line option: "arch",
  * "word", "ii", "precision" (full, word, guard=G), "block-float" (on, off),
  * "coplanarity", "inequality", "epsilon", "coplanar" (exact, flag), "clock-ns" (at most
- * three decimals), "extent-a", "extent-b". Fails on an unknown name or value. */
+ * three decimals), "extent-a", "extent-b", "lanes", "cores", "memory-a", "memory-b". Fails on an unknown name or value. */
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error);
 
@@ -295,6 +299,24 @@ bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *
                            size_t count_b, const sepax_search *how, sepax_pairs *found,
                            sepax_error *error);
 void sepax_pairs_free(sepax_pairs *pairs);
+
+/* ------------------------------------------------------------ the object engine */
+
+/* What a run of the engine finds. */
+typedef struct {
+  uint64_t pairs, survivors; /* tested; of these, with boxes that meet */
+  sepax_pairs found;         /* collisions in the order in which they are found */
+  uint64_t out_of_range;     /* of these, undecided: beyond the extents, or moved out of W bits */
+  uint64_t cycles;           /* predicted, to about 1 % or 20 cycles, whichever is more */
+} sepax_engine_run;
+
+/* The golden model of sepax_engine, a design with lanes: triangles of A against those of B,
+ * B's moved by whole LSB (|move| < 2^W). Verdicts are those of sepax_judge; a triangle of B
+ * that was moved out of W bits collides with all whose boxes it meets, and is counted as out of
+ * range. Fails on objects that are empty or do not fit the memories, or without memory; free
+ * run->found with sepax_pairs_free. */
+bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a, const sepax_tri *b,
+                  size_t count_b, const int32_t move[3], sepax_engine_run *run, sepax_error *error);
 
 /* ------------------------------------------------------------------ meshes */
 

@@ -207,6 +207,26 @@ static int selected_width(reader *r, int width, const char *name) {
   return msb - lsb + 1;
 }
 
+static void same_width(reader *r, const char *operator_text, int left, int right) {
+  if (!r->failed && left != right) {
+    char what[96];
+    snprintf(what, sizeof what, "%.40s: %d bits against %d", operator_text, left, right);
+    refuse(r, what, "");
+  }
+}
+
+/* [address] behind a memory's name. */
+static int word_width(reader *r, const emit_symbol *s) {
+  int bits = 0;
+  if (!emit_constant(r->m, r->overrides, r->override_count, s->address, &bits)) {
+    r->failed = true;
+  }
+  expect(r, "[");
+  same_width(r, "address of a memory", expression(r), bits);
+  expect(r, "]");
+  return symbol_width(r, s);
+}
+
 static int signal_width(reader *r, const char *name, bool assigned) {
   const emit_symbol *s = find_symbol(r->m, name);
   if (s == NULL || s->kind < EMIT_INPUT || s->kind == EMIT_LABEL) {
@@ -222,6 +242,9 @@ static int signal_width(reader *r, const char *name, bool assigned) {
   if (assigned && s->kind == EMIT_INPUT) {
     refuse(r, "an input is assigned:", name);
     return 1;
+  }
+  if (s->address[0] != '\0') {
+    return word_width(r, s);
   }
   return selected_width(r, symbol_width(r, s), name);
 }
@@ -277,14 +300,6 @@ static int braces(reader *r) {
   }
   expect(r, "}");
   return width;
-}
-
-static void same_width(reader *r, const char *operator_text, int left, int right) {
-  if (!r->failed && left != right) {
-    char what[96];
-    snprintf(what, sizeof what, "%.40s: %d bits against %d", operator_text, left, right);
-    refuse(r, what, "");
-  }
 }
 
 static int primary(reader *r) {

@@ -185,6 +185,22 @@ void emit_net(emit_module *m, emit_kind kind, bool is_signed, const char *name,
   emit_signal(m, kind, is_signed, name, width, "%s", "");
 }
 
+void emit_memory(emit_module *m, const char *name, const char *width, const char *address,
+                 const char *about) {
+  emit_symbol *s = declare(m, EMIT_REG, name);
+  if (s == NULL) {
+    return;
+  }
+  s->about = copy_text(about);
+  snprintf(s->width, sizeof s->width, "%s", width);
+  snprintf(s->address, sizeof s->address, "%s", address);
+  s->begin = body_position(m);
+  fputs("  reg ", m->text);
+  print_range(m->text, width);
+  fprintf(m->text, "%s [0:(1<<%s)-1]; // %s\n", name, address, about);
+  s->end = body_position(m);
+}
+
 void emit_blank(emit_module *m) { fputc('\n', m->text); }
 
 void emit_text(emit_module *m, const char *format, ...) {

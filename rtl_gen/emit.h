@@ -16,7 +16,7 @@
 
 #include "sepax.h"
 
-enum { EMIT_MODULES = 32, EMIT_SYMBOLS = 2048, EMIT_INSTANCES = 256, EMIT_NAME = 48,
+enum { EMIT_MODULES = 64, EMIT_SYMBOLS = 2048, EMIT_INSTANCES = 256, EMIT_NAME = 48,
        EMIT_VARIANTS = 256, EMIT_PORTS = 128 };
 
 typedef enum {
@@ -34,6 +34,7 @@ typedef struct {
   emit_kind kind;
   char name[EMIT_NAME];
   char width[EMIT_NAME]; /* expression of parameters; "" for one bit */
+  char address[EMIT_NAME]; /* of a memory: bits of its address, likewise; "" for a signal */
   bool is_signed;
   int value;             /* of a parameter */
   char *about;
@@ -99,6 +100,10 @@ void emit_signal(emit_module *m, emit_kind kind, bool is_signed, const char *nam
 /* A wire or reg that its name explains. */
 void emit_net(emit_module *m, emit_kind kind, bool is_signed, const char *name,
               const char *width);
+
+/* A memory of 2^address words, `words[index]`, index exactly `address` bits wide. */
+void emit_memory(emit_module *m, const char *name, const char *width, const char *address,
+                 const char *about);
 
 void emit_blank(emit_module *m);
 

@@ -24,6 +24,15 @@ typedef struct {
 gen_text gen_part(const char *bus, const char *width, int i);
 gen_text gen_sign(const char *bus, const char *width, int i);
 
+/* printf into a text by value. */
+typedef struct {
+  char text[1024];
+} gen_line;
+gen_line gen_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* sepax_bounds: the least and the greatest of three coordinates; once a design. */
+void gen_bounds(emitter *e);
+
 /* One function per module of figure 5 and per leaf below it. */
 void gen_trunc(emitter *e);
 void gen_mul(emitter *e);

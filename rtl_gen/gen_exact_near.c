@@ -7,7 +7,10 @@
 /* Two cycles from a pair taken to the core that it is offered to. */
 enum { APPROACH_CYCLES = 2 };
 
-static void gen_bounds(emitter *e) {
+void gen_bounds(emitter *e) {
+  if (emit_find(e, "sepax_bounds") != NULL) {
+    return;
+  }
   emit_module *m = emit_begin(e, "sepax_bounds",
                               "Least and greatest of three coordinates. Combinational.");
   emit_parameter(m, EMIT_PARAMETER, "W", e->design->config.word, "bits of a coordinate");

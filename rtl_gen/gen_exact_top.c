@@ -1,5 +1,6 @@
 /* gen_exact_top.c - sepax_queue and sepax_top of architecture exact: the handshake, the
  * passes of a pair, and the order of the verdicts. */
+#include "engine.h"
 #include "exact.h"
 
 #include <stdlib.h>
@@ -350,8 +351,14 @@ bool gen_exact(emitter *e, int *latency) {
     gen_exact_core(e, plan);
     gen_exact_top(e, plan);
     *latency = plan->latency;
+    int places = 1 << places_log2(plan);
     if (e->design->config.extent_a > 0) {
-      *latency += gen_exact_near(e, plan);
+      int more = gen_exact_near(e, plan);
+      *latency += more;
+      places += more;
+    }
+    if (e->design->config.lanes > 0) {
+      gen_engine(e, places);
     }
   }
   free(plan);

@@ -1,6 +1,6 @@
 /* output.c - writing a generated design into a folder. */
+#include "engine.h"
 #include "error.h"
-#include "gen.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FILES = EMIT_MODULES + 4, PATH_ROOM = 4096 };
+enum { FILES = EMIT_MODULES + 6, PATH_ROOM = 8192 };
 
 typedef struct {
   char name[EMIT_NAME + 8];
@@ -139,6 +139,10 @@ static int render(const emitter *e, output_file file[FILES]) {
     fprintf(out, "#define SEPAX_EXTENT_A %d\n#define SEPAX_EXTENT_B %d\n", d->config.extent_a,
             d->config.extent_b);
   }
+  if (d->config.lanes > 0) {
+    fprintf(out, "#define SEPAX_LANES %d\n#define SEPAX_CORES %d\n#define SEPAX_MEMORY_A %d\n#define SEPAX_MEMORY_B %d\n",
+            d->config.lanes, d->config.cores, d->config.memory_a, d->config.memory_b);
+  }
   fclose(out);
   out = open_file(&file[count++], "sepax_params.vh");
   fprintf(out,
@@ -149,6 +153,14 @@ static int render(const emitter *e, output_file file[FILES]) {
     fprintf(out, "`define SEPAX_EXTENTS\n");
   }
   fclose(out);
+  if (d->config.lanes > 0) {
+    out = open_file(&file[count++], "sepax_registers.h");
+    engine_header(out);
+    fclose(out);
+    out = open_file(&file[count++], "sepax_registers.md");
+    engine_page(out);
+    fclose(out);
+  }
   out = open_file(&file[count++], "sepax.json");
   json_t *description = describe(e);
   json_dumpf(description, out, JSON_INDENT(2) | JSON_REAL_PRECISION(6));

@@ -15,7 +15,8 @@ int cli_fail(const char *name, const sepax_error *error) {
 /* ------------------------------------------------------------- configuration */
 
 enum { KEY_ARCH = 0x100, KEY_II, KEY_PRECISION, KEY_BLOCK_FLOAT, KEY_COPLANARITY,
-       KEY_INEQUALITY, KEY_EPSILON, KEY_COPLANAR, KEY_EXTENT_A, KEY_EXTENT_B, KEY_CLOCK, KEY_OFFSET, KEY_NORMALS };
+       KEY_INEQUALITY, KEY_EPSILON, KEY_COPLANAR, KEY_EXTENT_A, KEY_EXTENT_B, KEY_LANES, KEY_CORES,
+       KEY_MEMORY_A, KEY_MEMORY_B, KEY_CLOCK, KEY_OFFSET, KEY_NORMALS };
 
 static const struct argp_option config_options[] = {
     {NULL, 0, NULL, 0, "Design:", 1},
@@ -31,6 +32,11 @@ static const struct argp_option config_options[] = {
      "what is behind it is as short as the extents allow; a larger triangle is called a collision "
      "and flagged (any; needs --extent-b)", 0},
     {"extent-b", KEY_EXTENT_B, "LSB", 0, "the same of B", 0},
+    {"lanes", KEY_LANES, "K", 0,
+     "an object engine with K box lanes, 1 ... 64, around the core (none: the core alone)", 0},
+    {"cores", KEY_CORES, "N", 0, "cores of the engine, 1 ... 8 (1)", 0},
+    {"memory-a", KEY_MEMORY_A, "TRIANGLES", 0, "triangles of A that it holds, a power of two (512)", 0},
+    {"memory-b", KEY_MEMORY_B, "TRIANGLES", 0, "the same of B", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for, 0.5 ... 20 (2)", 0},
     {NULL, 0, NULL, 0, "Design, architecture paper only:", 3},
     {"precision", KEY_PRECISION, "BITS", 0,

@@ -1,0 +1,186 @@
+/* engine.c - golden model of the object engine: which pairs it finds, in which order, and
+ * about when (docs/engine.md). */
+#include "error.h"
+
+#include <stdlib.h>
+
+typedef struct {
+  int64_t low[3], high[3];
+} box;
+
+static box box_of(const sepax_tri *t, const int32_t move[3]) {
+  box b = {{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
+  for (int k = 0; k < 3; k++) {
+    const int64_t c[3] = {(int64_t)t->v[k].x + move[0], (int64_t)t->v[k].y + move[1], (int64_t)t->v[k].z + move[2]};
+    for (int i = 0; i < 3; i++) {
+      b.low[i] = c[i] < b.low[i] ? c[i] : b.low[i];
+      b.high[i] = c[i] > b.high[i] ? c[i] : b.high[i];
+    }
+  }
+  return b;
+}
+
+static bool meet(const box *a, const box *b) {
+  for (int i = 0; i < 3; i++) {
+    if (a->high[i] < b->low[i] || b->high[i] < a->low[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool within(const box *b, int word) {
+  for (int i = 0; i < 3; i++) {
+    if (b->low[i] < sepax_word_min(word) || b->high[i] > sepax_word_max(word)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static sepax_tri moved(const sepax_tri *t, const int32_t move[3]) {
+  sepax_tri m;
+  for (int k = 0; k < 3; k++) {
+    m.v[k] = (sepax_vec){t->v[k].x + move[0], t->v[k].y + move[1], t->v[k].z + move[2]};
+  }
+  return m;
+}
+
+/* The queue of masks between lanes and cores, as time goes by: how many pairs are owed for
+ * each mask, oldest first. */
+enum { PLACES = 16, KEPT_FREE = 6 };
+typedef struct {
+  uint64_t owed[PLACES];
+  int first, count;
+  uint64_t now, core_free;
+  uint64_t interval_by_cores; /* II */
+  uint64_t cores;
+} pace;
+
+/* A cycle: a pair leaves if a core takes it. */
+static void tick(pace *p) {
+  p->now++;
+  if (p->count > 0 && p->now * p->cores >= p->core_free) {
+    p->core_free = p->now * p->cores + p->interval_by_cores;
+    if (--p->owed[p->first] == 0) {
+      p->first = (p->first + 1) % PLACES;
+      p->count--;
+    }
+  }
+}
+
+static void step(pace *p, uint64_t survivors) {
+  while (p->count > PLACES - KEPT_FREE) {
+    tick(p);
+  }
+  if (survivors > 0) {
+    p->owed[(p->first + p->count++) % PLACES] = survivors;
+  }
+  tick(p);
+}
+
+typedef struct {
+  const sepax_design *design;
+  const sepax_tri *a, *b;
+  const box *box_a, *box_b;
+  const int32_t *move;
+  sepax_engine_run *run;
+  size_t room;
+  sepax_error *error;
+} walk;
+
+/* A pair whose boxes meet. */
+static bool judge(walk *w, size_t i, size_t j) {
+  sepax_engine_run *run = w->run;
+  run->survivors++;
+  bool outside = !within(&w->box_b[j], w->design->config.word);
+  bool undecided = outside;
+  bool collision = outside;
+  if (!outside) {
+    const sepax_pair pair = {.a = w->a[i], .b = moved(&w->b[j], w->move)};
+    sepax_verdict v = sepax_judge(w->design, &pair);
+    collision = v.collision;
+    undecided = v.axis == SEPAX_AXIS_RANGE;
+  }
+  if (!collision) {
+    return true;
+  }
+  run->out_of_range += undecided;
+  if (run->found.count == w->room) {
+    size_t room = w->room == 0 ? 256 : 2 * w->room;
+    size_t(*pair)[2] = realloc(run->found.pair, room * sizeof *pair);
+    if (pair == NULL) {
+      return sepax_fail(w->error, "out of memory for the pairs that collide");
+    }
+    run->found.pair = pair;
+    w->room = room;
+  }
+  run->found.pair[run->found.count][0] = i;
+  run->found.pair[run->found.count++][1] = j;
+  return true;
+}
+
+static bool walk_all(walk *w, size_t count_a, size_t count_b) {
+  const sepax_config *c = &w->design->config;
+  size_t lanes = (size_t)c->lanes;
+  size_t length = count_b > lanes ? count_b : lanes;
+  size_t rounds = (count_a + lanes - 1) / lanes;
+  size_t last = (count_a - 1) % lanes;
+  pace p = {.cores = (uint64_t)c->cores, .interval_by_cores = (uint64_t)c->ii};
+  for (size_t round = 0; round <= rounds; round++) {
+    for (size_t j = 0; j < length && (round < rounds || j < last); j++) {
+      uint64_t before = w->run->survivors;
+      for (size_t k = 0; k < lanes && j < count_b; k++) {
+        size_t n = round * lanes + k;
+        if (j < k && n < lanes) {
+          continue;
+        }
+        n -= j < k ? lanes : 0;
+        if (n < count_a) {
+          w->run->pairs++;
+          if (meet(&w->box_a[n], &w->box_b[j]) && !judge(w, n, j)) {
+            return false;
+          }
+        }
+      }
+      step(&p, w->run->survivors - before);
+    }
+  }
+  while (p.count > 0) {
+    tick(&p);
+  }
+  enum { STAGES = 8 }; /* memory, lane, mask, queue, pair, triangles, their move, result */
+  w->run->cycles = p.now + STAGES + (uint64_t)w->design->latency;
+  return true;
+}
+
+bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
+                  const int32_t move[3], sepax_engine_run *run, sepax_error *error) {
+  static const int32_t still[3] = {0, 0, 0};
+  *run = (sepax_engine_run){0};
+  if (design->config.lanes == 0 || count_a == 0 || count_b == 0 || count_a > (size_t)design->config.memory_a ||
+      count_b > (size_t)design->config.memory_b) {
+    return sepax_fail(error, "engine: %zu and %zu triangles do not fit %d lanes with memories of %d and %d; give others",
+                      count_a, count_b, design->config.lanes, design->config.memory_a, design->config.memory_b);
+  }
+  box *box_a = malloc(count_a * sizeof *box_a);
+  box *box_b = malloc(count_b * sizeof *box_b);
+  bool ok = box_a != NULL && box_b != NULL;
+  if (!ok) {
+    sepax_fail(error, "out of memory for %zu boxes", count_a + count_b);
+  }
+  for (size_t i = 0; i < count_a && ok; i++) {
+    box_a[i] = box_of(&a[i], still);
+  }
+  for (size_t j = 0; j < count_b && ok; j++) {
+    box_b[j] = box_of(&b[j], move);
+  }
+  walk w = {design, a, b, box_a, box_b, move, run, 0, error};
+  ok = ok && walk_all(&w, count_a, count_b);
+  free(box_a);
+  free(box_b);
+  if (!ok) {
+    sepax_pairs_free(&run->found);
+  }
+  return ok;
+}

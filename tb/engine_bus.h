@@ -1,0 +1,45 @@
+/* engine_bus.h - the verilated sepax_engine on its buses, for programs in C: the four accesses
+ * of examples/engine/sepax_driver.h, and what a test wants besides. All master and slave
+ * sides obey AXI; what the engine owes the bus (valid and data stand until ready) is watched
+ * in every cycle. */
+#ifndef SEPAX_ENGINE_BUS_H
+#define SEPAX_ENGINE_BUS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Build the machine and reset it. stress 0: no gaps; else a seed: every valid and ready of the
+ * bench comes at random. wave: a file for the waveform of a build with traces, or NULL. */
+void bus_open(uint64_t stress, const char *wave);
+void bus_close(void);
+void bus_reset(void);
+
+/* The accesses; context is not read. They fail on SLVERR and after 10,000,000 cycles
+ * without a transfer. bus_receive also takes results that came during other accesses. */
+bool bus_read(void *context, uint32_t address, uint32_t *value);
+bool bus_write(void *context, uint32_t address, uint32_t value);
+bool bus_send(void *context, const int32_t vertex[3], bool last, bool to_b);
+bool bus_receive(void *context, uint64_t *result, bool *last);
+
+/* A write with other byte strobes. */
+bool bus_write_part(uint32_t address, uint32_t value, unsigned strobes);
+/* Take no results (false: from now on again). */
+void bus_block_results(bool block);
+/* Let cycles go by. */
+void bus_idle(uint64_t cycles);
+bool bus_interrupt(void);
+
+/* Transfers on all channels, cycles, and breaches of the protocol so far (each is printed). */
+uint64_t bus_beats(void);
+uint64_t bus_cycles(void);
+uint64_t bus_breaches(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
