@@ -310,7 +310,7 @@ COSIM_DEPS = $(RTL) $(addprefix tb/,cosim.cpp pair_source.h machine.h driver_pap
              driver_exact.h) $(LIB) $(BUILD)/obj/c_model/cli/options.o
 COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
-verilate   = cd $(CORE)/rtl && { $(VERILATE) $(1) --Mdir ../obj-$(notdir $@) -o ../$(notdir $@) \
+verilate   = rm -f $@ && cd $(CORE)/rtl && { $(VERILATE) $(1) --Mdir ../obj-$(notdir $@) -o ../$(notdir $@) \
              > ../$(notdir $@).log 2>&1 || { tail -20 ../$(notdir $@).log >&2; exit 1; }; }
 
 $(COSIM): $(COSIM_DEPS)
@@ -340,7 +340,7 @@ VERILATE_ENGINE = $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-
 
 $(ENGINE): $(ENGINE_C) tb/engine_bus.cpp tb/engine_bus.h $(LIB) $(RTL)
 	@echo "  VERILATE $(CORE_NAME), the engine"
-	@cd $(CORE)/rtl && { $(VERILATE_ENGINE) $(abspath $(ENGINE_C) $(LIB)) --Mdir ../obj-engine -o ../engine \
+	@rm -f $@ && cd $(CORE)/rtl && { $(VERILATE_ENGINE) $(abspath $(ENGINE_C) $(LIB)) --Mdir ../obj-engine -o ../engine \
 	  > ../engine.log 2>&1 || { tail -20 ../engine.log >&2; exit 1; }; }
 
 engine: $(ENGINE) $(if $(filter families,$(PAIRS)),,$(SAMPLES))

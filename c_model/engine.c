@@ -79,6 +79,25 @@ static void step(pace *p, uint64_t survivors) {
   tick(p);
 }
 
+/* A pair whose six vertices are on one line as seen along z goes through the core twice. */
+static bool goes_round(const sepax_pair *pair) {
+  const sepax_vec *v[6] = {&pair->a.v[0], &pair->a.v[1], &pair->a.v[2], &pair->b.v[0], &pair->b.v[1], &pair->b.v[2]};
+  __int128 dx = 0;
+  __int128 dy = 0;
+  for (int i = 1; i < 6; i++) {
+    __int128 x = (__int128)v[i]->x - v[0]->x;
+    __int128 y = (__int128)v[i]->y - v[0]->y;
+    if (dx * y != dy * x) {
+      return false;
+    }
+    if (dx == 0 && dy == 0) {
+      dx = x;
+      dy = y;
+    }
+  }
+  return true;
+}
+
 typedef struct {
   const sepax_design *design;
   const sepax_tri *a, *b;
@@ -86,6 +105,7 @@ typedef struct {
   const int32_t *move;
   sepax_engine_run *run;
   size_t room;
+  uint64_t passes; /* of pairs through the cores */
   sepax_error *error;
 } walk;
 
@@ -93,6 +113,7 @@ typedef struct {
 static bool judge(walk *w, size_t i, size_t j) {
   sepax_engine_run *run = w->run;
   run->survivors++;
+  w->passes++;
   bool outside = !within(&w->box_b[j], w->design->config.word);
   bool undecided = outside;
   bool collision = outside;
@@ -101,6 +122,7 @@ static bool judge(walk *w, size_t i, size_t j) {
     sepax_verdict v = sepax_judge(w->design, &pair);
     collision = v.collision;
     undecided = v.axis == SEPAX_AXIS_RANGE;
+    w->passes += !undecided && !w->design->config.flag && goes_round(&pair);
   }
   if (!collision) {
     return true;
@@ -129,7 +151,7 @@ static bool walk_all(walk *w, size_t count_a, size_t count_b) {
   pace p = {.cores = (uint64_t)c->cores, .interval_by_cores = (uint64_t)c->ii};
   for (size_t round = 0; round <= rounds; round++) {
     for (size_t j = 0; j < length && (round < rounds || j < last); j++) {
-      uint64_t before = w->run->survivors;
+      uint64_t before = w->passes;
       for (size_t k = 0; k < lanes && j < count_b; k++) {
         size_t n = round * lanes + k;
         if (j < k && n < lanes) {
@@ -143,7 +165,7 @@ static bool walk_all(walk *w, size_t count_a, size_t count_b) {
           }
         }
       }
-      step(&p, w->run->survivors - before);
+      step(&p, w->passes - before);
     }
   }
   while (p.count > 0) {
@@ -175,7 +197,7 @@ bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a
   for (size_t j = 0; j < count_b && ok; j++) {
     box_b[j] = box_of(&b[j], move);
   }
-  walk w = {design, a, b, box_a, box_b, move, run, 0, error};
+  walk w = {design, a, b, box_a, box_b, move, run, 0, 0, error};
   ok = ok && walk_all(&w, count_a, count_b);
   free(box_a);
   free(box_b);

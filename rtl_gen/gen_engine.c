@@ -189,51 +189,86 @@ static void gen_cores(emit_module *m, const engine_plan *p) {
 }
 
 /* Both buses under the names of their standard. */
+static const struct {
+  emit_kind kind;
+  const char *name, *width, *about;
+} port[] = {
+    {EMIT_INPUT, "clk", "", "clock of everything"},
+    {EMIT_INPUT, "rst", "", "synchronous reset of the control, active high"},
+    {EMIT_INPUT, "s_axi_awvalid", "", "AXI4-Lite, registers: address to write"},
+    {EMIT_OUTPUT, "s_axi_awready", "", "taken in this cycle"},
+    {EMIT_INPUT, "s_axi_awaddr", "7", "sepax_registers.md"},
+    {EMIT_INPUT, "s_axi_wvalid", "", "data to write"},
+    {EMIT_OUTPUT, "s_axi_wready", "", "taken in this cycle"},
+    {EMIT_INPUT, "s_axi_wdata", "32", "data"},
+    {EMIT_INPUT, "s_axi_wstrb", "4", "byte strobes, all 1"},
+    {EMIT_OUTPUT, "s_axi_bvalid", "", "response to a write"},
+    {EMIT_INPUT, "s_axi_bready", "", "taken in this cycle"},
+    {EMIT_OUTPUT, "s_axi_bresp", "2", "0: OKAY, 2: SLVERR"},
+    {EMIT_INPUT, "s_axi_arvalid", "", "address to read"},
+    {EMIT_OUTPUT, "s_axi_arready", "", "taken in this cycle"},
+    {EMIT_INPUT, "s_axi_araddr", "7", "sepax_registers.md"},
+    {EMIT_OUTPUT, "s_axi_rvalid", "", "data that were read"},
+    {EMIT_INPUT, "s_axi_rready", "", "taken in this cycle"},
+    {EMIT_OUTPUT, "s_axi_rdata", "32", "data"},
+    {EMIT_OUTPUT, "s_axi_rresp", "2", "0: OKAY, 2: SLVERR"},
+    {EMIT_INPUT, "s_axis_tvalid", "", "AXI4-Stream, triangles: a vertex"},
+    {EMIT_OUTPUT, "s_axis_tready", "", "taken in this cycle"},
+    {EMIT_INPUT, "s_axis_tdata", "96", "{z, y, x}, signed, 32 bits each"},
+    {EMIT_INPUT, "s_axis_tlast", "", "last vertex of the object"},
+    {EMIT_INPUT, "s_axis_tdest", "", "0: object A, 1: object B"},
+    {EMIT_OUTPUT, "m_axis_tvalid", "", "AXI4-Stream, results: a colliding pair, or the end"},
+    {EMIT_INPUT, "m_axis_tready", "", "taken in this cycle"},
+    {EMIT_OUTPUT, "m_axis_tdata", "64", "sepax_results.v"},
+    {EMIT_OUTPUT, "m_axis_tlast", "", "end of the run"},
+    {EMIT_OUTPUT, "irq", "", "interrupt, level: PENDING and ENABLE"},
+};
+enum { PORTS = sizeof port / sizeof port[0] };
+
+/* What goes between the logic and its memories: `from_memories` is the direction of what was
+ * read, EMIT_INPUT in the logic and EMIT_WIRE around it. */
+typedef struct {
+  emit_kind kind; /* as the logic sees it */
+  gen_line name;
+  int width;
+  const char *about;
+} memory_port;
+enum { MEMORY_PORTS = 17 };
+
+static int memory_ports(const engine_plan *p, memory_port list[MEMORY_PORTS]) {
+  int w = p->word;
+  int index = p->index_a > p->index_b ? p->index_a : p->index_b;
+  int n = 0;
+  list[n++] = (memory_port){EMIT_OUTPUT, gen_format("write_address"), index, "number of a triangle to write"};
+  list[n++] = (memory_port){EMIT_OUTPUT, gen_format("write_triangle"), 9 * w, "its coordinates"};
+  list[n++] = (memory_port){EMIT_OUTPUT, gen_format("write_box"), 6 * w, "its box"};
+  list[n++] = (memory_port){EMIT_OUTPUT, gen_format("step"), 0, "read both memories of boxes"};
+  list[n++] = (memory_port){EMIT_OUTPUT, gen_format("fetch"), 0, "read both memories of triangles"};
+  for (int t = 0; t < 2; t++) {
+    int bits = t == 0 ? p->index_a : p->index_b;
+    int x = 'a' + t;
+    list[n++] = (memory_port){EMIT_OUTPUT, gen_format("write_%c", x), 0, "write to both memories of the object"};
+    list[n++] = (memory_port){EMIT_OUTPUT, gen_format("address_%c", x), bits, "of the box to read"};
+    list[n++] = (memory_port){EMIT_INPUT, gen_format("read_box_%c", x), 6 * w, "the box, in the next cycle"};
+    list[n++] = (memory_port){EMIT_OUTPUT, gen_format("pick_%c", x), bits, "of the triangle to read"};
+    list[n++] = (memory_port){EMIT_INPUT, gen_format("read_triangle_%c", x), 9 * w, "the triangle, in the next cycle"};
+  }
+  return n;
+}
+
 static void declare_ports(emit_module *m) {
-  static const struct {
-    emit_kind kind;
-    const char *name, *width, *about;
-  } port[] = {
-      {EMIT_INPUT, "clk", "", "clock of everything"},
-      {EMIT_INPUT, "rst", "", "synchronous reset of the control, active high"},
-      {EMIT_INPUT, "s_axi_awvalid", "", "AXI4-Lite, registers: address to write"},
-      {EMIT_OUTPUT, "s_axi_awready", "", "taken in this cycle"},
-      {EMIT_INPUT, "s_axi_awaddr", "7", "sepax_registers.md"},
-      {EMIT_INPUT, "s_axi_wvalid", "", "data to write"},
-      {EMIT_OUTPUT, "s_axi_wready", "", "taken in this cycle"},
-      {EMIT_INPUT, "s_axi_wdata", "32", "data"},
-      {EMIT_INPUT, "s_axi_wstrb", "4", "byte strobes, all 1"},
-      {EMIT_OUTPUT, "s_axi_bvalid", "", "response to a write"},
-      {EMIT_INPUT, "s_axi_bready", "", "taken in this cycle"},
-      {EMIT_OUTPUT, "s_axi_bresp", "2", "0: OKAY, 2: SLVERR"},
-      {EMIT_INPUT, "s_axi_arvalid", "", "address to read"},
-      {EMIT_OUTPUT, "s_axi_arready", "", "taken in this cycle"},
-      {EMIT_INPUT, "s_axi_araddr", "7", "sepax_registers.md"},
-      {EMIT_OUTPUT, "s_axi_rvalid", "", "data that were read"},
-      {EMIT_INPUT, "s_axi_rready", "", "taken in this cycle"},
-      {EMIT_OUTPUT, "s_axi_rdata", "32", "data"},
-      {EMIT_OUTPUT, "s_axi_rresp", "2", "0: OKAY, 2: SLVERR"},
-      {EMIT_INPUT, "s_axis_tvalid", "", "AXI4-Stream, triangles: a vertex"},
-      {EMIT_OUTPUT, "s_axis_tready", "", "taken in this cycle"},
-      {EMIT_INPUT, "s_axis_tdata", "96", "{z, y, x}, signed, 32 bits each"},
-      {EMIT_INPUT, "s_axis_tlast", "", "last vertex of the object"},
-      {EMIT_INPUT, "s_axis_tdest", "", "0: object A, 1: object B"},
-      {EMIT_OUTPUT, "m_axis_tvalid", "", "AXI4-Stream, results: a colliding pair, or the end"},
-      {EMIT_INPUT, "m_axis_tready", "", "taken in this cycle"},
-      {EMIT_OUTPUT, "m_axis_tdata", "64", "sepax_results.v"},
-      {EMIT_OUTPUT, "m_axis_tlast", "", "end of the run"},
-      {EMIT_OUTPUT, "irq", "", "interrupt, level: PENDING and ENABLE"},
-  };
-  for (size_t i = 0; i < sizeof port / sizeof port[0]; i++) {
+  for (int i = 0; i < PORTS; i++) {
     emit_signal(m, port[i].kind, false, port[i].name, port[i].width, "%s", port[i].about);
   }
 }
 
+/* "" for one bit. */
+static gen_line width_text(int width) { return width == 0 ? gen_format("%s", "") : gen_format("%d", width); }
+
 static void declare_wires(emit_module *m, const engine_plan *p) {
   static const char *const bits[] = {
-      "start", "stop", "first", "quiet", "halt", "clear", "done", "hit", "busy", "stopped", "any", "drained", "write_a",
-      "write_b", "loading", "bad_word", "bad_frame", "bad_size", "running", "step", "is_a", "is_b", "load", "lanes_busy",
-      "push", "room", "more", "pop", "pick_valid", "fetch", "fetch_busy", "pair_valid", "pair_ready", "outside",
+      "start", "stop", "first", "quiet", "halt", "clear", "done", "hit", "busy", "stopped", "any", "drained", "loading", "bad_word", "bad_frame", "bad_size", "running", "is_a", "is_b", "load", "lanes_busy",
+      "push", "room", "more", "pop", "pick_valid", "fetch_busy", "pair_valid", "pair_ready", "outside",
       "flight_room", "flight_more", "launch", "land", "verdict_valid", "verdict_ready", "collision", "coplanar",
       "flight_outside"};
   for (size_t i = 0; i < sizeof bits / sizeof bits[0]; i++) {
@@ -243,17 +278,14 @@ static void declare_wires(emit_module *m, const engine_plan *p) {
     emit_net(m, EMIT_WIRE, false, "beyond", "");
   }
   int w = p->word;
-  int index = p->index_a > p->index_b ? p->index_a : p->index_b;
   int survivors = p->lanes + p->index_b + p->index_a;
   const struct {
     const char *name;
     int width;
-  } words[] = {{"write_address", index}, {"write_triangle", 9 * w}, {"write_box", 6 * w}, {"count_a", p->index_a + 1},
-               {"count_b", p->index_b + 1}, {"step_j", p->index_b + 1}, {"address_b", p->index_b},
-               {"address_a", p->index_a}, {"round_base", p->index_a}, {"box_a", 6 * w}, {"box_b", 6 * w},
+  } words[] = {{"count_a", p->index_a + 1},
+               {"count_b", p->index_b + 1}, {"step_j", p->index_b + 1}, {"round_base", p->index_a},
                {"mask", p->lanes}, {"mask_j", p->index_b}, {"mask_base", p->index_a}, {"tested", 7},
-               {"survivor", survivors}, {"oldest", survivors}, {"pick_a", p->index_a}, {"pick_b", p->index_b},
-               {"triangle_a", 9 * w}, {"triangle_b", 9 * w}, {"pair_a", 9 * w}, {"pair_b", 9 * w},
+               {"survivor", survivors}, {"oldest", survivors}, {"pair_a", 9 * w}, {"pair_b", 9 * w},
                {"number_a", p->index_a}, {"number_b", p->index_b}, {"launched", p->index_a + p->index_b + 1},
                {"landed", p->index_a + p->index_b + 1}, {"landed_a", p->index_a}, {"landed_b", p->index_b},
                {"status", 32}, {"shown_a", 32}, {"shown_b", 32}, {"pairs", 32}, {"survivors", 32}, {"collisions", 32},
@@ -282,7 +314,6 @@ static void glue(emit_module *m, const engine_plan *p) {
 }
 
 static void instances(emit_module *m, const engine_plan *p) {
-  int w = p->word;
   int survivors = p->lanes + p->index_b + p->index_a;
   emit_blank(m);
   emit_instance(m, "sepax_registers", "registers", "",
@@ -299,24 +330,13 @@ static void instances(emit_module *m, const engine_plan *p) {
                 "tlast=s_axis_tlast, tdest=s_axis_tdest, write_a=write_a, write_b=write_b, address=write_address, "
                 "triangle=write_triangle, box=write_box, count_a=count_a, count_b=count_b, loading=loading, "
                 "bad_word=bad_word, bad_frame=bad_frame, bad_size=bad_size");
-  for (int t = 0; t < 2; t++) {
-    int x = 'a' + t;
-    int bits = t == 0 ? p->index_a : p->index_b;
-    emit_instance(m, "sepax_ram", gen_format("boxes_%c", x).text, gen_format("WIDTH=%d, ADDRESS=%d", 6 * w, bits).text,
-                  "clk=clk, write=write_%c, write_address=write_address[%d:0], write_data=write_box, read=step, "
-                  "read_address=address_%c, read_data=box_%c", x, bits - 1, x, x);
-    emit_instance(m, "sepax_ram", gen_format("triangles_%c", x).text,
-                  gen_format("WIDTH=%d, ADDRESS=%d", 9 * w, bits).text,
-                  "clk=clk, write=write_%c, write_address=write_address[%d:0], write_data=write_triangle, read=fetch, "
-                  "read_address=pick_%c, read_data=triangle_%c", x, bits - 1, x, x);
-  }
   emit_instance(m, "sepax_walk", "walk", "",
                 "clk=clk, rst=rst, start=start, halt=halt, room=room, count_a=count_a, count_b=count_b, "
                 "running=running, step=step, j=step_j, is_b=is_b, address_b=address_b, round_base=round_base, "
                 "address_a=address_a, load=load, is_a=is_a");
   emit_instance(m, "sepax_lanes", "lanes", "",
                 "clk=clk, clear=clear, step=step, j=step_j, is_b=is_b, base=round_base, load=load, is_a=is_a, "
-                "box_a=box_a, box_b=box_b, move_x=move_x, move_y=move_y, move_z=move_z, busy=lanes_busy, push=push, "
+                "box_a=read_box_a, box_b=read_box_b, move_x=move_x, move_y=move_y, move_z=move_z, busy=lanes_busy, push=push, "
                 "mask=mask, mask_j=mask_j, mask_base=mask_base, tested=tested");
   emit_instance(m, "sepax_survivors", "survivor_queue", "",
                 "clk=clk, clear=clear, push=push, in=survivor, room=room, more=more, pop=pop, out=oldest");
@@ -325,8 +345,8 @@ static void instances(emit_module *m, const engine_plan *p) {
                 "next_base=oldest[%d:0], valid=pick_valid, take=fetch, a=pick_a, b=pick_b",
                 survivors - 1, survivors - p->lanes, survivors - p->lanes - 1, p->index_a, p->index_a - 1);
   emit_instance(m, "sepax_fetch", "fetch_pair", "",
-                "clk=clk, clear=clear, valid=pick_valid, a=pick_a, b=pick_b, read=fetch, read_a=triangle_a, "
-                "read_b=triangle_b, move_x=move_x, move_y=move_y, move_z=move_z, busy=fetch_busy, "
+                "clk=clk, clear=clear, valid=pick_valid, a=pick_a, b=pick_b, read=fetch, read_a=read_triangle_a, "
+                "read_b=read_triangle_b, move_x=move_x, move_y=move_y, move_z=move_z, busy=fetch_busy, "
                 "out_valid=pair_valid, out_ready=pair_ready, out_a=pair_a, out_b=pair_b, out_outside=outside, "
                 "number_a=number_a, number_b=number_b");
   emit_instance(m, "sepax_flight", "flight", "",
@@ -350,6 +370,41 @@ static int log2_of(int number) {
   return bits;
 }
 
+/* The logic, with the memories beside it. */
+static void gen_around(emitter *e, const engine_plan *p, const char *banner) {
+  emit_module *m = emit_begin(e, "sepax_engine", banner);
+  memory_port between[MEMORY_PORTS];
+  int count = memory_ports(p, between);
+  declare_ports(m);
+  for (int i = 0; i < count; i++) {
+    emit_net(m, EMIT_WIRE, false, between[i].name.text, width_text(between[i].width).text);
+  }
+  char connections[4096];
+  size_t used = 0;
+  for (int i = 0; i < PORTS; i++) {
+    used += (size_t)snprintf(connections + used, sizeof connections - used, "%s%s=%s", i > 0 ? ", " : "", port[i].name,
+                             port[i].name);
+  }
+  for (int i = 0; i < count; i++) {
+    used += (size_t)snprintf(connections + used, sizeof connections - used, ", %s=%s", between[i].name.text,
+                             between[i].name.text);
+  }
+  emit_blank(m);
+  emit_instance(m, "sepax_engine_logic", "logic_part", "", "%s", connections);
+  for (int t = 0; t < 2; t++) {
+    int x = 'a' + t;
+    int bits = t == 0 ? p->index_a : p->index_b;
+    emit_instance(m, "sepax_ram", gen_format("boxes_%c", x).text, gen_format("WIDTH=%d, ADDRESS=%d", 6 * p->word, bits).text,
+                  "clk=clk, write=write_%c, write_address=write_address[%d:0], write_data=write_box, read=step, "
+                  "read_address=address_%c, read_data=read_box_%c", x, bits - 1, x, x);
+    emit_instance(m, "sepax_ram", gen_format("triangles_%c", x).text,
+                  gen_format("WIDTH=%d, ADDRESS=%d", 9 * p->word, bits).text,
+                  "clk=clk, write=write_%c, write_address=write_address[%d:0], write_data=write_triangle, read=fetch, "
+                  "read_address=pick_%c, read_data=read_triangle_%c", x, bits - 1, x, x);
+  }
+  emit_end(m);
+}
+
 void gen_engine(emitter *e, int places) {
   const sepax_config *c = &e->design->config;
   engine_plan plan = {.design = e->design,
@@ -369,19 +424,25 @@ void gen_engine(emitter *e, int places) {
                    plan.flight_log2, 2);
   gen_engine_results(e, &plan);
   gen_engine_registers(e, &plan);
-  emit_module *m = emit_begin(
-      e, "sepax_engine",
-      gen_format("Which triangles of object A collide with which of object B: all pairs go through\n"
-                 "%d box lanes, those whose boxes meet to %d exact core%s behind a queue.\n"
-                 "%d triangles of A, %d of B at most. Objects come over AXI4-Stream, a vertex a\n"
-                 "transfer; AXI4-Lite starts a run and reads its counts; collisions leave over\n"
-                 "AXI4-Stream. A run takes ceil(a / %d) max(b, %d) + %d cycles and the latency of the\n"
-                 "core, more where the cores do not keep up.",
-                 c->lanes, c->cores, c->cores > 1 ? "s" : "", c->memory_a, c->memory_b, c->lanes, c->lanes, c->lanes + 8)
-          .text);
+  emit_module *m = emit_begin(e, "sepax_engine_logic", "sepax_engine but for its memories, which are beside it.");
+  memory_port between[MEMORY_PORTS];
+  int count = memory_ports(&plan, between);
   declare_ports(m);
+  for (int i = 0; i < count; i++) {
+    emit_signal(m, between[i].kind, false, between[i].name.text, width_text(between[i].width).text, "%s",
+                between[i].about);
+  }
   declare_wires(m, &plan);
   glue(m, &plan);
   instances(m, &plan);
   emit_end(m);
+  gen_around(e, &plan,
+      gen_format("Which triangles of object A collide with which of object B: all pairs go through\n"
+                 "%d box lanes, those whose boxes meet to %d exact core%s behind a queue.\n"
+                 "%d triangles of A, %d of B at most. Objects come over AXI4-Stream, a vertex a\n"
+                 "transfer; AXI4-Lite starts a run and reads its counts; collisions leave over\n"
+                 "AXI4-Stream. A run takes about ceil(a / %d) max(b, %d) + %d cycles and the latency of\n"
+                 "the core, more where the cores do not keep up.",
+                 c->lanes, c->cores, c->cores > 1 ? "s" : "", c->memory_a, c->memory_b, c->lanes, c->lanes, c->lanes + 8)
+          .text);
 }
