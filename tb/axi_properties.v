@@ -1,0 +1,186 @@
+// axi_properties.v - what the engine owes AXI on the channels that it drives, for
+// yosys-smtbmc: every input is free in every cycle, also in reset, from any state.
+`default_nettype none
+
+// A channel: once valid, it stays, data and all, until it is taken; only reset ends that.
+module stands #(
+    parameter WIDTH = 1
+) (
+    input wire             clk,
+    input wire             rst,
+    input wire             valid,
+    input wire             ready,
+    input wire [WIDTH-1:0] data
+);
+  reg begun = 1'b0;
+  always @(posedge clk) begin
+    begun <= 1'b1;
+    if (begun && $past(valid && !ready && !rst)) begin
+      assert (valid);
+      assert (data == $past(data));
+    end
+    if (begun && $past(rst)) assert (!valid);
+  end
+endmodule
+
+// A slave's side of requests and their responses: no response without its request, and not
+// more than two requests under way (one that waits, one that is answered).
+module answers (
+    input wire clk,
+    input wire rst,
+    input wire request,
+    input wire valid,
+    input wire ready
+);
+  reg [2:0] open = 3'd0;
+  reg begun = 1'b0;
+  always @(posedge clk) begin
+    begun <= 1'b1;
+    assume (begun || rst);
+    open  <= rst ? 3'd0 : open + {2'd0, request} - {2'd0, valid && ready};
+    if (begun && !rst && !$past(rst)) begin
+      if (valid) assert (open != 3'd0);
+      assert (open <= 3'd2);
+    end
+  end
+endmodule
+
+module registers_properties #(
+    parameter MOVE = 19
+) (
+    input wire        clk,
+    input wire        rst,
+    input wire        awvalid,
+    input wire [ 6:0] awaddr,
+    input wire        wvalid,
+    input wire [31:0] wdata,
+    input wire [ 3:0] wstrb,
+    input wire        bready,
+    input wire        arvalid,
+    input wire [ 6:0] araddr,
+    input wire        rready,
+    input wire [31:0] status,
+    input wire        done,
+    input wire        hit,
+    input wire [31:0] number
+);
+  wire awready, wready, bvalid, arready, rvalid, irq, start, stop, first, quiet;
+  wire [1:0] bresp, rresp;
+  wire [31:0] rdata;
+  wire [MOVE-1:0] move_x, move_y, move_z;
+  sepax_registers dut (
+      .clk(clk), .rst(rst), .awvalid(awvalid), .awready(awready), .awaddr(awaddr), .wvalid(wvalid),
+      .wready(wready), .wdata(wdata), .wstrb(wstrb), .bvalid(bvalid), .bready(bready), .bresp(bresp),
+      .arvalid(arvalid), .arready(arready), .araddr(araddr), .rvalid(rvalid), .rready(rready),
+      .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .stop(stop), .first(first),
+      .quiet(quiet), .move_x(move_x), .move_y(move_y), .move_z(move_z), .status(status),
+      .done(done), .hit(hit), .count_a(number), .count_b(number), .pairs(number),
+      .survivors(number), .collisions(number), .out_of_range(number), .cycles(number),
+      .first_a(number), .first_b(number));
+`ifdef STANDS
+  stands #(.WIDTH(2)) b (.clk(clk), .rst(rst), .valid(bvalid), .ready(bready), .data(bresp));
+  stands #(.WIDTH(34)) r (.clk(clk), .rst(rst), .valid(rvalid), .ready(rready), .data({rresp, rdata}));
+`else
+  answers writes (.clk(clk), .rst(rst), .request(awvalid && awready), .valid(bvalid), .ready(bready));
+  answers data (.clk(clk), .rst(rst), .request(wvalid && wready), .valid(bvalid), .ready(bready));
+  answers reads (.clk(clk), .rst(rst), .request(arvalid && arready), .valid(rvalid), .ready(rready));
+  // A run begins only by a write, and not while one goes on or objects are missing.
+  reg begun = 1'b0;
+  always @(posedge clk) begin
+    begun <= 1'b1;
+    if (begun && start) assert ($past(!status[0] && status[4] && status[5] && !status[6]));
+  end
+`endif
+endmodule
+
+module results_properties #(
+    parameter A = 9,
+    parameter B = 9
+) (
+    input wire         clk,
+    input wire         rst,
+    input wire         start,
+    input wire         stop,
+    input wire         first,
+    input wire         quiet,
+    input wire [  6:0] tested,
+    input wire         survived,
+    input wire         drained,
+    input wire         valid,
+    input wire         collision,
+    input wire         coplanar,
+    input wire         outside,
+    input wire [A-1:0] a,
+    input wire [B-1:0] b,
+    input wire         tready
+);
+  wire ready, tvalid, tlast, halt, done, hit, busy, stopped, any;
+  wire [63:0] tdata;
+  wire [31:0] pairs, survivors, collisions, out_of_range, cycles, first_a, first_b;
+  sepax_results dut (
+      .clk(clk), .rst(rst), .start(start), .stop(stop), .first(first), .quiet(quiet),
+      .tested(tested), .survived(survived), .drained(drained), .valid(valid), .ready(ready),
+      .collision(collision), .coplanar(coplanar), .outside(outside), .a(a), .b(b),
+      .tvalid(tvalid), .tready(tready), .tdata(tdata), .tlast(tlast), .halt(halt), .done(done),
+      .hit(hit), .busy(busy), .stopped(stopped), .any(any), .pairs(pairs),
+      .survivors(survivors), .collisions(collisions), .out_of_range(out_of_range),
+      .cycles(cycles), .first_a(first_a), .first_b(first_b));
+`ifdef STANDS
+  stands #(.WIDTH(65)) m (.clk(clk), .rst(rst), .valid(tvalid), .ready(tready), .data({tlast, tdata}));
+`else
+  // With verdicts only in a run and none once it is drained: the last transfer counts those
+  // before it, and it alone has bit 63.
+  reg [31:0] sent = 32'd0;
+  reg begun = 1'b0;
+  always @(posedge clk) begin
+    begun <= 1'b1;
+    assume (begun || rst);
+    if (busy) assume (!start);
+    assume (!quiet);
+    if (!busy) assume (!valid);
+    if (valid) assume (!drained);
+    if (begun && $past(drained && !start && !rst)) assume (drained);
+    if (rst || start) sent <= 32'd0;
+    else if (tvalid && tready && !tlast) sent <= sent + 32'd1;
+    if (begun && !rst && !$past(rst) && tvalid && tlast) begin
+      assert (tdata[31:0] == sent);
+      assert (tdata[63]);
+    end
+    if (begun && !rst && !$past(rst) && tvalid && !tlast) assert (!tdata[63]);
+  end
+`endif
+endmodule
+
+module load_properties (
+    input wire        clk,
+    input wire        rst,
+    input wire        busy,
+    input wire        tvalid,
+    input wire [95:0] tdata,
+    input wire        tlast,
+    input wire        tdest
+);
+  wire tready, write_a, write_b, loading, bad_word, bad_frame, bad_size;
+  wire [8:0] address;
+  wire [161:0] triangle;
+  wire [107:0] box;
+  wire [9:0] count_a, count_b;
+  sepax_load dut (
+      .clk(clk), .rst(rst), .busy(busy), .tvalid(tvalid), .tready(tready), .tdata(tdata),
+      .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b), .address(address),
+      .triangle(triangle), .box(box), .count_a(count_a), .count_b(count_b), .loading(loading),
+      .bad_word(bad_word), .bad_frame(bad_frame), .bad_size(bad_size));
+  // Ready does not wait for valid, and nothing is taken or changed during a run.
+  reg begun = 1'b0;
+  always @(posedge clk) begin
+    begun <= 1'b1;
+    assert (tready == !busy);
+    if (begun && $past(busy && !rst)) begin
+      assert (!write_a && !write_b);
+      assert (count_a == $past(count_a) && count_b == $past(count_b));
+    end
+    if (begun) assert (!(write_a && write_b));
+  end
+endmodule
+
+`default_nettype wire
