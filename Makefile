@@ -347,6 +347,15 @@ engine: $(ENGINE) $(if $(filter families,$(PAIRS)),,$(SAMPLES))
 	@$(ENGINE) $(if $(STRESS),--stress=$(STRESS)) $(if $(filter families,$(PAIRS)),,$(if \
 	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) $(MESH_A) $(MESH_B))
 
+# The example: the driver and the same buses.
+example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
+	@$(CXX) -o $(CORE)/collide $(ENGINE_OBJ)/collide.o $(ENGINE_OBJ)/sepax_driver.o $(CORE)/obj-engine/engine_bus.o \
+	  $(CORE)/obj-engine/Vsepax_engine__ALL.a $(wildcard $(CORE)/obj-engine/verilated*.o) $(LIB) -lm -pthread
+	@$(CORE)/collide "$(MESH_A)" "$(MESH_B)" $(filter-out fit,$(RESOLUTION)) || [ $$? -eq 1 ]
+
+engine-sweep: $(SEPAX)
+	@scripts/engine-sweep $(BUILD)/engine-sweep
+
 SEEDED      = --count=$(COUNT) --seed=$(SEED)
 FROM_PAIRS  = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners,$(PAIRS)),--corners \
               $(SEEDED),$(if $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)")))
@@ -481,6 +490,8 @@ options:
 	@echo $(OPTIONS)
 core:
 	@echo $(CORE)
+area-file:
+	@echo $(AREA)/area.json
 
 clean:
 	rm -rf $(BUILD)

@@ -38,43 +38,64 @@ static bool within(const box *b, int word) {
   return true;
 }
 
-static sepax_tri moved(const sepax_tri *t, const int32_t move[3]) {
+/* The lowest bits of a coordinate: itself, if it fits. */
+static int32_t wrapped(int64_t c, int word) {
+  uint64_t high = UINT64_C(1) << (word - 1);
+  uint64_t low = (uint64_t)c & (2 * high - 1);
+  return (int32_t)((int64_t)(low ^ high) - (int64_t)high);
+}
+
+/* As the cores see it. */
+static sepax_tri moved(const sepax_tri *t, const int32_t move[3], int word) {
   sepax_tri m;
   for (int k = 0; k < 3; k++) {
-    m.v[k] = (sepax_vec){t->v[k].x + move[0], t->v[k].y + move[1], t->v[k].z + move[2]};
+    m.v[k] = (sepax_vec){wrapped((int64_t)t->v[k].x + move[0], word), wrapped((int64_t)t->v[k].y + move[1], word),
+                         wrapped((int64_t)t->v[k].z + move[2], word)};
   }
   return m;
 }
 
-/* The queue of masks between lanes and cores, as time goes by: how many pairs are owed for
- * each mask, oldest first. */
-enum { PLACES = 16, KEPT_FREE = 6 };
+/* What is between lanes and cores as time goes by: a queue of masks, how many pairs each of
+ * them owes, the mask that is taken apart, and the pairs that were fetched. */
+enum { PLACES = 16, KEPT_FREE = 6, FETCHED = 2 };
 typedef struct {
   uint64_t owed[PLACES];
   int first, count;
-  uint64_t now, core_free;
-  uint64_t interval_by_cores; /* II */
-  uint64_t cores;
+  uint64_t picked;
+  int fetched;
+  uint64_t now, last_taken;
+  uint64_t ii, cores;
+  uint64_t free_at[8]; /* each core */
 } pace;
 
-/* A cycle: a pair leaves if a core takes it. */
 static void tick(pace *p) {
   p->now++;
-  if (p->count > 0 && p->now * p->cores >= p->core_free) {
-    p->core_free = p->now * p->cores + p->interval_by_cores;
-    if (--p->owed[p->first] == 0) {
-      p->first = (p->first + 1) % PLACES;
-      p->count--;
-    }
+  uint64_t *free_at = &p->free_at[0];
+  for (uint64_t k = 1; k < p->cores; k++) {
+    free_at = p->free_at[k] < *free_at ? &p->free_at[k] : free_at;
+  }
+  if (p->fetched > 0 && p->now >= *free_at) {
+    *free_at = p->now + p->ii;
+    p->last_taken = p->now;
+    p->fetched--;
+  }
+  if (p->picked > 0 && p->fetched < FETCHED) {
+    p->picked--;
+    p->fetched++;
+  }
+  if (p->picked == 0 && p->count > 0) {
+    p->picked = p->owed[p->first];
+    p->first = (p->first + 1) % PLACES;
+    p->count--;
   }
 }
 
-static void step(pace *p, uint64_t survivors) {
+static void step(pace *p, uint64_t pairs) {
   while (p->count > PLACES - KEPT_FREE) {
     tick(p);
   }
-  if (survivors > 0) {
-    p->owed[(p->first + p->count++) % PLACES] = survivors;
+  if (pairs > 0) {
+    p->owed[(p->first + p->count++) % PLACES] = pairs;
   }
   tick(p);
 }
@@ -105,36 +126,32 @@ typedef struct {
   const int32_t *move;
   sepax_engine_run *run;
   size_t room;
-  uint64_t passes; /* of pairs through the cores */
   sepax_error *error;
 } walk;
 
 /* A pair whose boxes meet. */
 static bool judge(walk *w, size_t i, size_t j) {
   sepax_engine_run *run = w->run;
+  const sepax_config *c = &w->design->config;
+  const sepax_pair pair = {.a = w->a[i], .b = moved(&w->b[j], w->move, c->word)};
+  sepax_verdict v = sepax_judge(w->design, &pair);
+  bool boxes_decide = v.axis == SEPAX_AXIS_BOXES || v.axis == SEPAX_AXIS_RANGE;
+  bool outside = !within(&w->box_b[j], c->word);
+  bool undecided = outside || v.axis == SEPAX_AXIS_RANGE;
+  bool collision = outside || v.collision;
   run->survivors++;
-  w->passes++;
-  bool outside = !within(&w->box_b[j], w->design->config.word);
-  bool undecided = outside;
-  bool collision = outside;
-  if (!outside) {
-    const sepax_pair pair = {.a = w->a[i], .b = moved(&w->b[j], w->move)};
-    sepax_verdict v = sepax_judge(w->design, &pair);
-    collision = v.collision;
-    undecided = v.axis == SEPAX_AXIS_RANGE;
-    w->passes += !undecided && !w->design->config.flag && goes_round(&pair);
-  }
+  run->passes += !c->flag && !boxes_decide && goes_round(&pair) ? 2 : 1;
   if (!collision) {
     return true;
   }
   run->out_of_range += undecided;
   if (run->found.count == w->room) {
     size_t room = w->room == 0 ? 256 : 2 * w->room;
-    size_t(*pair)[2] = realloc(run->found.pair, room * sizeof *pair);
-    if (pair == NULL) {
+    size_t(*more)[2] = realloc(run->found.pair, room * sizeof *more);
+    if (more == NULL) {
       return sepax_fail(w->error, "out of memory for the pairs that collide");
     }
-    run->found.pair = pair;
+    run->found.pair = more;
     w->room = room;
   }
   run->found.pair[run->found.count][0] = i;
@@ -148,10 +165,10 @@ static bool walk_all(walk *w, size_t count_a, size_t count_b) {
   size_t length = count_b > lanes ? count_b : lanes;
   size_t rounds = (count_a + lanes - 1) / lanes;
   size_t last = (count_a - 1) % lanes;
-  pace p = {.cores = (uint64_t)c->cores, .interval_by_cores = (uint64_t)c->ii};
+  pace p = {.cores = (uint64_t)c->cores, .ii = (uint64_t)c->ii};
   for (size_t round = 0; round <= rounds; round++) {
     for (size_t j = 0; j < length && (round < rounds || j < last); j++) {
-      uint64_t before = w->passes;
+      uint64_t before = w->run->passes;
       for (size_t k = 0; k < lanes && j < count_b; k++) {
         size_t n = round * lanes + k;
         if (j < k && n < lanes) {
@@ -165,14 +182,19 @@ static bool walk_all(walk *w, size_t count_a, size_t count_b) {
           }
         }
       }
-      step(&p, w->passes - before);
+      step(&p, w->run->passes - before);
     }
   }
-  while (p.count > 0) {
+  /* Registers from a step to the queue; from there to a core, and behind it. */
+  enum { TO_QUEUE = 5, AROUND_CORE = 6 };
+  w->run->cycles = p.now + TO_QUEUE;
+  while (p.count > 0 || p.picked > 0 || p.fetched > 0) {
     tick(&p);
   }
-  enum { STAGES = 8 }; /* memory, lane, mask, queue, pair, triangles, their move, result */
-  w->run->cycles = p.now + STAGES + (uint64_t)w->design->latency;
+  uint64_t answered = p.last_taken + AROUND_CORE + (uint64_t)w->design->latency;
+  if (p.last_taken > 0 && answered > w->run->cycles) {
+    w->run->cycles = answered;
+  }
   return true;
 }
 
@@ -197,7 +219,7 @@ bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a
   for (size_t j = 0; j < count_b && ok; j++) {
     box_b[j] = box_of(&b[j], move);
   }
-  walk w = {design, a, b, box_a, box_b, move, run, 0, 0, error};
+  walk w = {design, a, b, box_a, box_b, move, run, 0, error};
   ok = ok && walk_all(&w, count_a, count_b);
   free(box_a);
   free(box_b);

@@ -305,9 +305,11 @@ void sepax_pairs_free(sepax_pairs *pairs);
 /* What a run of the engine finds. */
 typedef struct {
   uint64_t pairs, survivors; /* tested; of these, with boxes that meet */
+  uint64_t passes;           /* of survivors through the cores; two for pairs flat along z */
   sepax_pairs found;         /* collisions in the order in which they are found */
   uint64_t out_of_range;     /* of these, undecided: beyond the extents, or moved out of W bits */
-  uint64_t cycles;           /* predicted, to about 1 % or 20 cycles, whichever is more */
+  uint64_t cycles;           /* predicted, to about 1 % and 20 + 4 II cycles; less
+                                well where several cores meet pairs of two passes */
 } sepax_engine_run;
 
 /* The golden model of sepax_engine, a design with lanes: triangles of A against those of B,

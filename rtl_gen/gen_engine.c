@@ -133,7 +133,7 @@ static void gen_fetch(emitter *e, const engine_plan *p) {
   emit_end(m);
 }
 
-/* The cores: sepax_top in turn, verdicts in the order of the pairs. */
+/* The cores: a pair goes to one that is ready; verdicts leave in the order of the pairs. */
 static void gen_cores(emit_module *m, const engine_plan *p) {
   bool near = p->design->config.extent_a > 0;
   int w = p->word;
@@ -142,32 +142,25 @@ static void gen_cores(emit_module *m, const engine_plan *p) {
   for (size_t i = 0; i < sizeof from / sizeof from[0]; i++) {
     emit_net(m, EMIT_WIRE, false, from[i], cores.text);
   }
+  emit_signal(m, EMIT_WIRE, false, "due", cores.text, "one-hot: the core that has the oldest pair");
   emit_net(m, EMIT_WIRE, false, "offered", cores.text);
   emit_net(m, EMIT_WIRE, false, "wanted", cores.text);
   if (near) {
     emit_net(m, EMIT_WIRE, false, "too_long", cores.text);
   }
   if (p->cores == 1) {
-    emit_text(m, "\nassign pair_ready = core_ready[0] && flight_room;\nassign offered[0] = pair_valid && flight_room;\n"
-                 "assign verdict_valid = verdict[0];\nassign wanted[0] = verdict_ready;\n"
-                 "assign collision = collides[0];\nassign coplanar = in_plane[0];");
-    if (near) {
-      emit_text(m, "assign beyond = too_long[0];");
-    }
+    emit_text(m, "\nassign chosen = 1'd1;");
   } else {
-    emit_signal(m, EMIT_REG, false, "turn", cores.text, "one-hot: the core that takes the next pair");
-    emit_signal(m, EMIT_REG, false, "due", cores.text, "one-hot: the core that gives the next verdict");
-    emit_text(m, "\nassign pair_ready = |(core_ready & turn) && flight_room;\n"
-                 "assign offered = turn & {%d{pair_valid && flight_room}};\n"
-                 "assign verdict_valid = |(verdict & due);\nassign wanted = due & {%d{verdict_ready}};\n"
-                 "assign collision = |(collides & due);\nassign coplanar = |(in_plane & due);", p->cores, p->cores);
-    if (near) {
-      emit_text(m, "assign beyond = |(too_long & due);");
-    }
-    emit_text(m, "\nalways @(posedge clk) begin\n  if (rst) begin\n    turn <= %d'd1;\n    due <= %d'd1;\n"
-                 "  end else begin\n    if (launch) begin\n      turn <= {turn[%d:0], turn[%d]};\n    end\n"
-                 "    if (land) begin\n      due <= {due[%d:0], due[%d]};\n    end\n  end\nend",
-              p->cores, p->cores, p->cores - 2, p->cores - 1, p->cores - 2, p->cores - 1);
+    emit_text(m, "\nassign chosen = core_ready & (~core_ready + %d'd1); // the first that is ready", p->cores);
+  }
+  emit_text(m, "assign pair_ready = |core_ready && flight_room;\n"
+               "assign offered = chosen & {%d{pair_valid && flight_room}};\n"
+               "assign due = landed[%d:%d] & {%d{flight_more}};\n"
+               "assign verdict_valid = |(verdict & due);\nassign wanted = due & {%d{verdict_ready}};\n"
+               "assign collision = |(collides & due);\nassign coplanar = |(in_plane & due);",
+            p->cores, p->index_a + p->index_b + p->cores, p->index_a + p->index_b + 1, p->cores, p->cores);
+  if (near) {
+    emit_text(m, "assign beyond = |(too_long & due);");
   }
   for (int c = 0; c < p->cores; c++) {
     char connections[2048];
@@ -286,10 +279,11 @@ static void declare_wires(emit_module *m, const engine_plan *p) {
                {"count_b", p->index_b + 1}, {"step_j", p->index_b + 1}, {"round_base", p->index_a},
                {"mask", p->lanes}, {"mask_j", p->index_b}, {"mask_base", p->index_a}, {"tested", 7},
                {"survivor", survivors}, {"oldest", survivors}, {"pair_a", 9 * w}, {"pair_b", 9 * w},
-               {"number_a", p->index_a}, {"number_b", p->index_b}, {"launched", p->index_a + p->index_b + 1},
-               {"landed", p->index_a + p->index_b + 1}, {"landed_a", p->index_a}, {"landed_b", p->index_b},
+               {"number_a", p->index_a}, {"number_b", p->index_b}, {"launched", p->index_a + p->index_b + 1 + p->cores},
+               {"landed", p->index_a + p->index_b + 1 + p->cores}, {"landed_a", p->index_a}, {"landed_b", p->index_b},
                {"status", 32}, {"shown_a", 32}, {"shown_b", 32}, {"pairs", 32}, {"survivors", 32}, {"collisions", 32},
-               {"out_of_range", 32}, {"cycles", 32}, {"first_a", 32}, {"first_b", 32}};
+               {"out_of_range", 32}, {"cycles", 32}, {"first_a", 32}, {"first_b", 32},
+               {"chosen", p->cores}};
   for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
     emit_net(m, EMIT_WIRE, false, words[i].name, gen_format("%d", words[i].width).text);
   }
@@ -303,7 +297,7 @@ static void glue(emit_module *m, const engine_plan *p) {
             "\nassign clear = rst || start || halt;\n"
             "assign drained = !running && !lanes_busy && !more && !pick_valid && !fetch_busy && !flight_more;\n"
             "assign survivor = {mask, mask_j, mask_base};\n"
-            "assign launch = pair_valid && pair_ready;\nassign launched = {outside, number_b, number_a};\n"
+            "assign launch = pair_valid && pair_ready;\nassign launched = {chosen, outside, number_b, number_a};\n"
             "assign land = verdict_valid && verdict_ready;\n"
             "assign landed_a = landed[%d:0];\nassign landed_b = landed[%d:%d];\nassign flight_outside = landed[%d];\n"
             "assign shown_a = {%d'd0, count_a};\nassign shown_b = {%d'd0, count_b};\n"
@@ -420,8 +414,7 @@ void gen_engine(emitter *e, int places) {
   gen_engine_load(e, &plan);
   gen_engine_lanes(e, &plan);
   gen_fetch(e, &plan);
-  gen_engine_queue(e, "sepax_flight", "Numbers of the pairs that are in the cores.", plan.index_a + plan.index_b + 1,
-                   plan.flight_log2, 2);
+  gen_engine_queue(e, "sepax_flight", "Numbers of the pairs that are in the cores.", plan.index_a + plan.index_b + 1 + plan.cores, plan.flight_log2, 2);
   gen_engine_results(e, &plan);
   gen_engine_registers(e, &plan);
   emit_module *m = emit_begin(e, "sepax_engine_logic", "sepax_engine but for its memories, which are beside it.");
