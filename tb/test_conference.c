@@ -158,7 +158,8 @@ static void test_beside_paper(void **state) {
         sepax_pair pair = sepax_family_pair((size_t)n % FAMILIES, word, &random);
         bool differs = compare(&conference, &paper, &pair);
         differ[s] += differs;
-        assert_true(!differs || s == 1 || s >= 3 || !sepax_reference(&pair.a, &pair.b));
+        bool proof = conference.config.full && conference.config.inequality == SEPAX_INEQUALITY_CORRECT;
+        assert_true(!differs || !proof || !sepax_reference(&pair.a, &pair.b)); /* a false alarm */
       }
     }
   }
