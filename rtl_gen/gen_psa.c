@@ -293,7 +293,7 @@ void gen_psa(emitter *e) {
   emit_end(m);
 }
 
-static void factor(emit_module *m, char side, int number, const char *what) {
+static void operand(emit_module *m, char side, int number, const char *what) {
   char name[EMIT_NAME];
   snprintf(name, sizeof name, "%c_%d", side, number);
   emit_signal(m, EMIT_REG, false, name, "3*E_W", "%s", what);
@@ -319,8 +319,8 @@ void gen_psa_9(emitter *e) {
   edge_nets(m);
   static const char *const about[] = {"edge 1->2", "edge 2->3", "edge 3->1"};
   for (int i = 1; i <= 3; i++) {
-    factor(m, 'p', i, about[i - 1]);
-    factor(m, 'q', i, about[i - 1]);
+    operand(m, 'p', i, about[i - 1]);
+    operand(m, 'q', i, about[i - 1]);
   }
   emit_blank(m);
   edge_instances(m);
@@ -347,10 +347,10 @@ void gen_psa_6(emitter *e) {
   edge_nets(m);
   emit_net(m, EMIT_WIRE, false, "normal_a", "3*E_W");
   emit_net(m, EMIT_WIRE, false, "normal_b", "3*E_W");
-  factor(m, 'p', 1, "N_A");
-  factor(m, 'p', 2, "N_B");
+  operand(m, 'p', 1, "N_A");
+  operand(m, 'p', 2, "N_B");
   for (int i = 1; i <= 6; i++) {
-    factor(m, 'q', i, i <= 3 ? "an edge of A" : "an edge of B");
+    operand(m, 'q', i, i <= 3 ? "an edge of A" : "an edge of B");
   }
   emit_blank(m);
   widen_normal(m, 'a');
