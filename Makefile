@@ -65,6 +65,7 @@ given         = $(filter command environment,$(firstword $(origin $(1))))
 CHOICES_exact = COPLANAR CLOCK_NS $(foreach choice,EXTENT_A EXTENT_B LANES CORES MEMORY_A \
                 MEMORY_B,$(if $($(choice)),$(choice)))
 CHOICES_paper = PRECISION BLOCK_FLOAT COPLANARITY INEQUALITY EPSILON
+CHOICES_conference = $(CHOICES_paper)
 OPTION_COPLANAR    = --coplanar=$(COPLANAR)
 OPTION_CLOCK_NS    = --clock-ns=$(CLOCK_NS)
 OPTION_EXTENT_A    = --extent-a=$(EXTENT_A)
@@ -87,9 +88,10 @@ OPTIONS = $(strip --arch=$(ARCH) --word=$(WORD) --ii=$(II) $(foreach \
 NAME_exact = exact-w$(WORD)-ii$(II)$(if $(filter flag,$(COPLANAR)),-flag)$(if \
              $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)$(if $(EXTENT_A),-a$(EXTENT_A))$(if $(EXTENT_B),-b$(EXTENT_B))$(if \
              $(LANES),-k$(LANES))$(if $(CORES),x$(CORES))$(if $(MEMORY_A),-ma$(MEMORY_A))$(if $(MEMORY_B),-mb$(MEMORY_B))
-NAME_paper = paper-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FLOAT)),-bf)$(if \
+NAME_paper = $(ARCH)-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FLOAT)),-bf)$(if \
              $(filter paper,$(COPLANARITY)),-cop)$(if $(filter printed,$(INEQUALITY)),-ineq)$(if \
              $(filter-out 1,$(EPSILON)),-e$(EPSILON))
+NAME_conference = $(NAME_paper)
 CORE_NAME = $(or $(NAME_$(ARCH)),$(ARCH)-w$(WORD))
 CORE      = $(BUILD)/core/$(CORE_NAME)
 MESH_ARGS = $(if $(filter fit,$(RESOLUTION)),,--resolution=$(RESOLUTION)) \
@@ -105,8 +107,8 @@ BENCH      = $(if $(filter exact,$(ARCH)),sepax_exact_tb,sepax_tb)
 ifeq ($(filter behavioural structural,$(VIEW)),)
 $(error VIEW: '$(VIEW)' is none of: behavioural, structural)
 endif
-ifneq ($(and $(filter paper,$(ARCH)),$(call given,VIEW)),)
-$(error VIEW: architecture paper has one view only; leave it out)
+ifneq ($(and $(filter paper conference,$(ARCH)),$(call given,VIEW)),)
+$(error VIEW: architecture $(ARCH) has one view only; leave it out)
 endif
 ifneq ($(words $(BUILD) $(abspath .)),2)
 $(error BUILD and the project's own path must be without blanks)
@@ -155,12 +157,12 @@ help:
 #: make clean      remove build/
 #:
 #: Design:  ARCH=exact WORD=18 II=1...18 COPLANAR=exact|flag CLOCK_NS=2 EXTENT_A= EXTENT_B=
-#:          ARCH=paper WORD=18 PRECISION=full|word|guard=G BLOCK_FLOAT=off|on
+#:          ARCH=paper|conference WORD=18 PRECISION=full|word|guard=G BLOCK_FLOAT=off|on
 #:          COPLANARITY=plane|paper INEQUALITY=correct|printed EPSILON=1
 #: View:    VIEW=behavioural|structural: which body of exact's arithmetic is simulated
 #: Data:    MESH_A= MESH_B= RESOLUTION=fit|length NORMALS=computed|file PAIRS= COUNT= SEED=
 #: Tools:   CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY=file.lib[.gz]
-#:          MULTIPLIERS=generated in the gates of paper: those that exact is made of, not *
+#:          MULTIPLIERS=generated in the gates of paper, conference: those that exact is made of, not *
 #:          PERIOD=ns the clock that the gates are sized for (CLOCK_NS with Nangate45, else none)
 
 setup:
@@ -399,11 +401,15 @@ icarus: $(ICARUS) $(CORE)/icarus.pairs
 # --------------------------------------------------------------------- the gates
 
 # The design that was chosen; the paper's in both precisions, as its word length leaves
-# both readings open, unless one was chosen; without a choice the exact ones and these.
+# both readings open, unless one was chosen; conference beside paper of the same choices;
+# without a choice the exact ones and the paper's.
 LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
 AREA    = $(CORE)/$(LIBRARY)$(if $(filter generated,$(MULTIPLIERS)),-generated)
 PAPERS  = $(if $(call given,PRECISION),area-of-this,area-of-full area-of-word area-of-generated)
-AREAS   = $(if $(call given,ARCH),$(if $(filter paper,$(ARCH)),$(PAPERS),area-of-this),$(if \
+BESIDE  = $(if $(call given,PRECISION),area-of-this area-of-paper,$(foreach \
+          bits,full word,area-of-conference-$(bits) area-of-$(bits)))
+AREAS   = $(if $(call given,ARCH),$(if $(filter paper,$(ARCH)),$(PAPERS),$(if $(filter \
+          conference,$(ARCH)),$(BESIDE),area-of-this)),$(if \
           $(ONLY_EXACT),area-of-this,area-of-ii3 area-of-ii1 $(PAPERS)))
 
 # Another library of the same name is another library.
@@ -423,6 +429,10 @@ area-of-ii%:
 	@$(MAKE) --no-print-directory ARCH=exact II=$* mapped
 area-of-full area-of-word:
 	@$(MAKE) --no-print-directory ARCH=paper PRECISION=$(@:area-of-%=%) mapped
+area-of-paper:
+	@$(MAKE) --no-print-directory ARCH=paper mapped
+area-of-conference-full area-of-conference-word:
+	@$(MAKE) --no-print-directory ARCH=conference PRECISION=$(@:area-of-conference-%=%) mapped
 area-of-generated: area-of-full
 	@$(MAKE) --no-print-directory ARCH=paper PRECISION=full MULTIPLIERS=generated mapped
 

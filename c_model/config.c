@@ -17,13 +17,18 @@ int32_t sepax_word_max(int word) { return (int32_t)((INT64_C(1) << (word - 1)) -
 
 static const char *const arch_names[] = {"paper",   "exact",   "reference",
                                          "float32", "float64",
-                                         "interval32", "interval64", NULL};
+                                         "interval32", "interval64", "conference", NULL};
 static const char *const coplanarity_names[] = {"plane", "paper", NULL};
 static const char *const inequality_names[] = {"correct", "printed", NULL};
 static const char *const switch_names[] = {"off", "on", NULL};
 static const char *const coplanar_names[] = {"exact", "flag", NULL};
 
 const char *sepax_arch_name(sepax_arch arch) { return arch_names[arch]; }
+
+/* The machines of the paper have the same choices and formats. */
+static bool is_published(sepax_arch arch) {
+  return arch == SEPAX_ARCH_PAPER || arch == SEPAX_ARCH_CONFERENCE;
+}
 
 static bool parse_name(int *value, const char *option, const char *const names[],
                        const char *text, sepax_error *error) {
@@ -193,7 +198,7 @@ char *sepax_config_text(const sepax_config *config, char *text, size_t size) {
                config->cores, config->memory_a, config->memory_b);
     }
   }
-  if (config->arch != SEPAX_ARCH_PAPER) {
+  if (!is_published(config->arch)) {
     return text;
   }
   char precision[24] = "full";
@@ -227,11 +232,12 @@ static bool check_unused(const sepax_config *config, sepax_error *error) {
       {"extent-a", SEPAX_ARCH_EXACT, config->extent_a != 0},
       {"extent-b", SEPAX_ARCH_EXACT, config->extent_b != 0},
       {"lanes", SEPAX_ARCH_EXACT, config->lanes != 0},
-      {"ii", config->arch == SEPAX_ARCH_PAPER ? SEPAX_ARCH_PAPER : SEPAX_ARCH_EXACT,
+      {"ii", is_published(config->arch) ? SEPAX_ARCH_PAPER : SEPAX_ARCH_EXACT,
        config->ii != plain.ii},
   };
+  sepax_arch owner = is_published(config->arch) ? SEPAX_ARCH_PAPER : config->arch;
   for (size_t i = 0; i < sizeof choice / sizeof choice[0]; i++) {
-    if (choice[i].changed && config->arch != choice[i].owner) {
+    if (choice[i].changed && owner != choice[i].owner) {
       return sepax_fail(error,
                         "%s: architecture %s has no such choice; leave it out, or give --arch=%s",
                         choice[i].name, arch_names[config->arch], arch_names[choice[i].owner]);
@@ -306,19 +312,19 @@ bool sepax_config_check(const sepax_config *config, sepax_error *error) {
     return sepax_fail(error, "word: W = %d is out of range; give %d ... %d", config->word,
                       SEPAX_WORD_MIN, SEPAX_WORD_MAX);
   }
-  if (config->arch > SEPAX_ARCH_INTERVAL64 || config->coplanarity > SEPAX_COPLANAR_PAPER ||
+  if (config->arch > SEPAX_ARCH_CONFERENCE || config->coplanarity > SEPAX_COPLANAR_PAPER ||
       config->inequality > SEPAX_INEQUALITY_PRINTED) {
     return sepax_fail(error, "configuration: a value is none of its enumeration");
   }
   if (!check_unused(config, error)) {
     return false;
   }
-  if (config->arch != SEPAX_ARCH_PAPER) {
+  if (!is_published(config->arch)) {
     return config->arch != SEPAX_ARCH_EXACT || check_exact(config, error);
   }
   if (config->ii != 3) {
-    return sepax_fail(error, "ii: architecture paper takes a pair in three input cycles; "
-                             "give --ii=3, not %d", config->ii);
+    return sepax_fail(error, "ii: architecture %s takes a pair in three input cycles; "
+                             "give --ii=3, not %d", arch_names[config->arch], config->ii);
   }
   if (!config->full && (config->guard < 0 || config->guard > 2 * config->word + 3)) {
     return sepax_fail(error, "precision: guard = %d is out of range; give 0 ... %d at "
@@ -464,10 +470,10 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
     return false;
   }
   *design = (sepax_design){.config = *config};
-  if (config->arch == SEPAX_ARCH_PAPER) {
+  if (is_published(config->arch)) {
     derive_formats(design);
     design->coplanar_limit = derive_coplanar_limit(design);
-    design->latency = 13;
+    design->latency = config->arch == SEPAX_ARCH_PAPER ? 13 : 20;
   } else if (config->arch == SEPAX_ARCH_EXACT) {
     design->core_word = core_word(config);
     derive_exact_formats(design);

@@ -1,5 +1,5 @@
-/* paper.c - the bit-accurate model of architecture `paper`: Algorithm 1 in the
- * fixed-point formats of the design. Every intermediate is exact, then floored to
+/* paper.c - the bit-accurate models of architecture `paper`, Algorithm 1 in the
+ * fixed-point formats of the design, and of `conference`, the machine before it. Every intermediate is exact, then floored to
  * the bits that its format keeps. The hardware tries all axes at once; the first
  * separating one decides here, so the verdict is the same. */
 #include "sepax.h"
@@ -176,6 +176,34 @@ sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair) {
   return m.verdict;
 }
 
+/* Coplanar by six inner products of its own, which no other step uses. */
+static bool coplanar_alone(machine *m, const sepax_pair *pair, const components normal[2]) {
+  bool plane = m->design->config.coplanarity == SEPAX_COPLANAR_PLANE;
+  wide of_a[3];
+  wide of_b[3];
+  for (int k = 0; k < 3; k++) {
+    of_a[k] = project(m, pair->a.v[k], &normal[0], SEPAX_F_NORMAL_PRODUCT, SEPAX_F_NORMAL_PROJECTION);
+    of_b[k] = project(m, pair->b.v[k], &normal[plane ? 0 : 1], SEPAX_F_NORMAL_PRODUCT,
+                      SEPAX_F_NORMAL_PROJECTION);
+  }
+  return near(m, of_a, of_b);
+}
+
+sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pair) {
+  machine m = {.design = design};
+  const components normal[2] = {from_vec(pair->na), from_vec(pair->nb)};
+  m.verdict.coplanar = coplanar_alone(&m, pair, normal);
+  for (int i = 0; i < 2 && !m.verdict.coplanar && m.verdict.axis == 0; i++) {
+    projections p = project_pair(&m, pair, &normal[i], SEPAX_F_NORMAL_PRODUCT, SEPAX_F_NORMAL_PROJECTION);
+    m.verdict.axis = apart(&m, &p) ? 10 + i : 0;
+  }
+  if (m.verdict.axis == 0) {
+    m.verdict.axis = first_separating(&m, pair);
+  }
+  m.verdict.collision = m.verdict.axis == 0;
+  return m.verdict;
+}
+
 /* -1 apart, 0 within the extents, 1 beyond one. */
 static int judge_boxes(const sepax_config *c, const sepax_pair *pair) {
   int beyond = 0;
@@ -212,6 +240,8 @@ sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair) {
   switch (design->config.arch) {
   case SEPAX_ARCH_PAPER:
     return sepax_paper(design, pair);
+  case SEPAX_ARCH_CONFERENCE:
+    return sepax_conference(design, pair);
   case SEPAX_ARCH_REFERENCE:
     return (sepax_verdict){.collision = sepax_reference(&pair->a, &pair->b)};
   case SEPAX_ARCH_FLOAT32:

@@ -76,7 +76,8 @@ typedef enum {
   SEPAX_ARCH_FLOAT32,   /* software baseline in IEEE single precision */
   SEPAX_ARCH_FLOAT64,   /* software baseline in IEEE double precision */
   SEPAX_ARCH_INTERVAL32, /* the interval test of Moeller, the usual one, single precision */
-  SEPAX_ARCH_INTERVAL64 /* the same in double precision */
+  SEPAX_ARCH_INTERVAL64, /* the same in double precision */
+  SEPAX_ARCH_CONFERENCE /* the machine that the paper improves on, docs/conference.md */
 } sepax_arch;
 
 typedef enum {
@@ -93,7 +94,7 @@ typedef enum {
 typedef struct {
   sepax_arch arch;
   int word;                      /* W, 4 ... 32 */
-  int ii;                        /* initiation interval, cycles; 3 for paper, else 1 ... 18 */
+  int ii;                        /* initiation interval, cycles; exact: 1 ... 18, paper and conference: 3 */
   bool full;                     /* every bit of every intermediate is kept */
   int guard;                     /* else W + guard bits of each are; 0 ... 2W + 3 */
   bool block_float;              /* axes shifted left in common before truncation */
@@ -109,8 +110,8 @@ typedef struct {
   int memory_a, memory_b;        /* triangles of A, of B that it holds: 2^7 ... 2^15 */
 } sepax_config;
 
-/* The defaults: exact, W = 18, II = 3, coplanar pairs decided, 2 ns; and for paper full,
- * plane, correct, epsilon 1. */
+/* The defaults: exact, W = 18, II = 3, coplanar pairs decided, 2 ns; and for paper and
+ * conference full, plane, correct, epsilon 1. */
 sepax_config sepax_config_default(void);
 
 /* Set one value from text, by the name of its command-line option: "arch",
@@ -187,7 +188,7 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
 /* Axis numbers are the paper's: 1 ... 9 of table 1, 1 + 3i + j being e_i x f_j with e_i
  * the edge from A_i to A_i+1 and f_j that from B_j to B_j+1 (i, j = 0, 1, 2 modulo 3);
  * 10 = N_A, 11 = N_B; 0 when none separates or the method has none. Of coplanar pairs
- * paper numbers the axes 1 ... 6 of table 2, exact calls every axis in the plane 12. Where
+ * paper and conference number the axes 1 ... 6 of table 2, exact calls every axis in the plane 12. Where
  * the design has extents, 13 are disjoint boxes, and 14 boxes that meet, one of them larger
  * than its extent: a collision, undecided. */
 enum { SEPAX_AXIS_BOXES = 13, SEPAX_AXIS_RANGE = 14 };
@@ -201,8 +202,8 @@ typedef struct {
 } sepax_verdict;
 
 /* The verdict of the architecture of `design`, bit for bit what its RTL gives.
- * Pair: W-bit components (the caller checks, sepax_pair_fits). Only `paper` reads the
- * normals and counts multiplications. Of `exact` it is that of sepax_exact, but where
+ * Pair: W-bit components (the caller checks, sepax_pair_fits). Only `paper` and `conference` read
+ * the normals and count multiplications. Of `exact` it is that of sepax_exact, but where
  * the design flags coplanar pairs they are collisions, axis 0, and where it has extents
  * boxes are tested first (axes 13, 14). */
 sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
@@ -225,6 +226,12 @@ bool sepax_sat54(const sepax_tri *a, const sepax_tri *b);
  * normal separates, else 36 + 18 per axis tried: 54 ... 144 for coplanar pairs
  * and 54 ... 198 otherwise (the paper prints 188: it takes 9 x 18 for 152). */
 sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair);
+
+/* The machine before it, on the same formats (arch conference): coplanarity first, then six axes
+ * for coplanar pairs (table 2, the normals are not tried), eleven for others. mul_project is
+ * 18 for coplanarity and 18 per axis tried: 36 ... 126 for coplanar pairs, else 36 ... 216.
+ * The verdict is that of sepax_paper but where a normal separates a pair called coplanar. */
+sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pair);
 
 /* SAT in IEEE single/double precision, normals by cross product, coplanar by
  * equality: what software usually does. Rounded: wrong now and then. */

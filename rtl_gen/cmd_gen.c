@@ -37,8 +37,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 static bool generate(sepax_design *design, const char *folder, sepax_error *error) {
   bool exact = design->config.arch == SEPAX_ARCH_EXACT;
-  if (!exact && design->config.arch != SEPAX_ARCH_PAPER) {
-    return sepax_fail(error, "arch: '%s' has no hardware; give --arch=exact or --arch=paper",
+  bool conference = design->config.arch == SEPAX_ARCH_CONFERENCE;
+  if (!exact && !conference && design->config.arch != SEPAX_ARCH_PAPER) {
+    return sepax_fail(error, "arch: '%s' has no hardware; give --arch=exact, paper or conference",
                       sepax_arch_name(design->config.arch));
   }
   char command[400];
@@ -47,7 +48,7 @@ static bool generate(sepax_design *design, const char *folder, sepax_error *erro
            sepax_config_text(&design->config, text, sizeof text));
   emitter e;
   emit_init(&e, design, command);
-  bool ok = exact ? gen_exact(&e, &design->latency) : gen_paper(&e);
+  bool ok = exact ? gen_exact(&e, &design->latency) : conference ? gen_conference(&e) : gen_paper(&e);
   if (!ok) {
     *error = e.error;
   }

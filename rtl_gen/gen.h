@@ -9,6 +9,7 @@
  * schedule it makes. */
 bool gen_paper(emitter *e);
 bool gen_exact(emitter *e, int *latency);
+bool gen_conference(emitter *e);
 
 /* Write the design's files into a folder: one .v a module, sepax.f (the list of
  * them, top last), and, if the emitter has a design, sepax_params.h and sepax.json
@@ -46,5 +47,20 @@ void gen_psa(emitter *e);
 void gen_cmp(emitter *e);
 void gen_nand(emitter *e);
 void gen_top(emitter *e);
+
+/* The halves that conference does not share: axes of table 1 across edges, axes of table 2, the
+ * inner products of COP. */
+void gen_psa_9(emitter *e);
+void gen_psa_6(emitter *e);
+void gen_cop_proj(emitter *e);
+
+/* Pieces of sepax_top that paper and conference have in common: ports, widths, a word counter
+ * and step_4 ... step_last; "a_1TO <= a_1FROM;" and so on; a sepax_proj of a bank. */
+void gen_paper_ports(emit_module *m);
+void gen_paper_widths(emit_module *m);
+void gen_paper_control(emit_module *m, int last);
+void gen_paper_copy(emit_module *m, const char *indent, const char *to, const char *from);
+void gen_paper_project(emit_module *m, const char *name, const char *parameters, const char *enables,
+                       const char *bank, const char *axis, const char *result);
 
 #endif

@@ -1,4 +1,4 @@
-/* gen_proj.c - sepax_dot and sepax_proj: six vertices onto one axis. */
+/* gen_proj.c - sepax_dot and sepax_proj: six vertices onto one axis; sepax_cop_proj. */
 #include "gen.h"
 
 static void projection_parameters(emit_module *m) {
@@ -73,13 +73,8 @@ void gen_dot(emitter *e) {
   emit_end(m);
 }
 
-void gen_proj(emitter *e) {
-  emit_module *m = emit_begin(e, "sepax_proj",
-                              "PROJ of figure 5: the six vertices of a pair projected onto one axis.\n"
-                              "  on_a = {A_1.c, A_2.c, A_3.c}, on_b = {B_1.c, B_2.c, B_3.c}\n"
-                              "Latency 2, 18 multipliers.");
-  projection_parameters(m);
-  emit_signal(m, EMIT_INPUT, false, "axis", "3*C_W", "axis c, {x, y, z}, signed each");
+/* Six sepax_dot: A's vertices onto one axis, B's onto another, or the same. */
+static void project_six(emit_module *m, const char *axis_a, const char *axis_b) {
   for (int i = 0; i < 6; i++) {
     char name[EMIT_NAME];
     snprintf(name, sizeof name, "%c_%d", "ab"[i / 3], i % 3 + 1);
@@ -102,9 +97,36 @@ void gen_proj(emitter *e) {
     snprintf(name, sizeof name, "inner_%.8s", vertex);
     emit_instance(m, "sepax_dot", name,
                   "V_W=V_W, C_W=C_W, M_W=M_W, P_W=P_W, S_W=S_W, D_W=D_W",
-                  "clk=clk, product_en=product_en, sum_en=sum_en, vertex=%s, axis=axis, "
+                  "clk=clk, product_en=product_en, sum_en=sum_en, vertex=%s, axis=%s, "
                   "dot=dot_%s",
-                  vertex, vertex);
+                  vertex, i < 3 ? axis_a : axis_b, vertex);
   }
+}
+
+void gen_proj(emitter *e) {
+  emit_module *m = emit_begin(e, "sepax_proj",
+                              "PROJ of figure 5: the six vertices of a pair projected onto one axis.\n"
+                              "  on_a = {A_1.c, A_2.c, A_3.c}, on_b = {B_1.c, B_2.c, B_3.c}\n"
+                              "Latency 2, 18 multipliers.");
+  projection_parameters(m);
+  emit_signal(m, EMIT_INPUT, false, "axis", "3*C_W", "axis c, {x, y, z}, signed each");
+  project_six(m, "axis", "axis");
+  emit_end(m);
+}
+
+void gen_cop_proj(emitter *e) {
+  bool plane = e->design->config.coplanarity == SEPAX_COPLANAR_PLANE;
+  emit_module *m = emit_begin(e, "sepax_cop_proj",
+                              plane ? "The six inner products that COP compares, for itself alone:\n"
+                                      "  on_a = {A_1.N_A, A_2.N_A, A_3.N_A}, on_b = {B_1.N_A, B_2.N_A, B_3.N_A}\n"
+                                      "Latency 2, 18 multipliers."
+                                    : "The six inner products that COP compares, for itself alone:\n"
+                                      "  on_a = {A_1.N_A, A_2.N_A, A_3.N_A}, on_b = {B_1.N_B, B_2.N_B, B_3.N_B}\n"
+                                      "Latency 2, 18 multipliers.");
+  projection_parameters(m);
+  emit_signal(m, EMIT_INPUT, false, "axis_a", "3*C_W", "N_A, {x, y, z}, signed each");
+  emit_signal(m, EMIT_INPUT, false, "axis_b", "3*C_W", "N_%c, {x, y, z}, signed each",
+              plane ? 'A' : 'B');
+  project_six(m, "axis_a", "axis_b");
   emit_end(m);
 }

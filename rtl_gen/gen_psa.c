@@ -1,4 +1,5 @@
-/* gen_psa.c - sepax_norm, sepax_cross and sepax_psa: the potential separating axes. */
+/* gen_psa.c - sepax_norm, sepax_cross and sepax_psa, or its two unshared halves: the
+ * potential separating axes. */
 #include "gen.h"
 
 static const char *const axis_name[] = {"x", "y", "z"};
@@ -166,20 +167,13 @@ static void widen_normal(emit_module *m, char body) {
   }
 }
 
-void gen_psa(emitter *e) {
-  const sepax_design *d = e->design;
-  const sepax_format *f = d->format;
-  emit_module *m = emit_begin(
-      e, "sepax_psa",
-      "PSA of figure 5: the potential separating axes of a pair, 54 multipliers.\n"
-      "  not coplanar (table 1): axis 3(i-1) + j = edge i of A x edge j of B\n"
-      "  coplanar (table 2):     axis j = N_A x edge j of A, axis 3 + j = N_B x edge j of B,\n"
-      "                          axes 7 ... 9 rest: their operands and products are held\n"
-      "Edges are 1: 1->2, 2: 2->3, 3: 3->1. Latency 3: operands by load_en, products by\n"
-      "product_en, axes by axis_en; coplanar must stand in all three cycles.");
+static void axes_parameters(emit_module *m, bool normals) {
+  const sepax_format *f = m->emitter->design->format;
   emit_parameter(m, EMIT_PARAMETER, "V_W", f[SEPAX_F_VERTEX].width, "bits of a coordinate");
-  emit_parameter(m, EMIT_PARAMETER, "N_W", f[SEPAX_F_NORMAL].width,
-                 "bits of a normal's component");
+  if (normals) {
+    emit_parameter(m, EMIT_PARAMETER, "N_W", f[SEPAX_F_NORMAL].width,
+                   "bits of a normal's component");
+  }
   emit_parameter(m, EMIT_PARAMETER, "D_W", f[SEPAX_F_EDGE].exact,
                  "bits of a coordinate difference");
   emit_parameter(m, EMIT_PARAMETER, "E_W", f[SEPAX_F_EDGE].width,
@@ -195,24 +189,59 @@ void gen_psa(emitter *e) {
   emit_signal(m, EMIT_INPUT, false, "load_en", "", "first cycle: take the operands");
   emit_signal(m, EMIT_INPUT, false, "product_en", "", "second cycle: take the products");
   emit_signal(m, EMIT_INPUT, false, "axis_en", "", "third cycle: take the axes");
-  emit_signal(m, EMIT_INPUT, false, "coplanar", "", "1: table 2, 0: table 1");
+}
+
+static void axes_ports(emit_module *m, bool normals, int axes) {
   char name[EMIT_NAME];
   for (int i = 0; i < 6; i++) {
     snprintf(name, sizeof name, "%c_%d", "ab"[i / 3], i % 3 + 1);
     emit_signal(m, EMIT_INPUT, false, name, "3*V_W", "vertex %c_%d, {x, y, z}, signed each",
                 "AB"[i / 3], i % 3 + 1);
   }
-  emit_signal(m, EMIT_INPUT, false, "n_a", "3*N_W", "N_A, {x, y, z}, signed each");
-  emit_signal(m, EMIT_INPUT, false, "n_b", "3*N_W", "N_B, {x, y, z}, signed each");
-  for (int i = 1; i <= 9; i++) {
+  if (normals) {
+    emit_signal(m, EMIT_INPUT, false, "n_a", "3*N_W", "N_A, {x, y, z}, signed each");
+    emit_signal(m, EMIT_INPUT, false, "n_b", "3*N_W", "N_B, {x, y, z}, signed each");
+  }
+  for (int i = 1; i <= axes; i++) {
     snprintf(name, sizeof name, "axis_%d", i);
     emit_signal(m, EMIT_OUTPUT, false, name, "3*C_W", "axis %d, {x, y, z}, signed each", i);
   }
-  emit_blank(m);
+}
+
+static void edge_nets(emit_module *m) {
+  char name[EMIT_NAME];
   for (int i = 0; i < 6; i++) {
     snprintf(name, sizeof name, "edge_%c_%d", "ab"[i / 3], i % 3 + 1);
     emit_net(m, EMIT_WIRE, false, name, "3*E_W");
   }
+}
+
+static void edge_instances(emit_module *m) {
+  char name[EMIT_NAME];
+  for (int i = 0; i < 6; i++) {
+    char body = "ab"[i / 3];
+    snprintf(name, sizeof name, "edge_of_%c_%d", body, i % 3 + 1);
+    emit_instance(m, "sepax_edge", name, "V_W=V_W, D_W=D_W, E_W=E_W",
+                  "from=%c_%d, to=%c_%d, edge_vector=edge_%c_%d", body, i % 3 + 1, body,
+                  (i + 1) % 3 + 1, body, i % 3 + 1);
+  }
+}
+
+void gen_psa(emitter *e) {
+  emit_module *m = emit_begin(
+      e, "sepax_psa",
+      "PSA of figure 5: the potential separating axes of a pair, 54 multipliers.\n"
+      "  not coplanar (table 1): axis 3(i-1) + j = edge i of A x edge j of B\n"
+      "  coplanar (table 2):     axis j = N_A x edge j of A, axis 3 + j = N_B x edge j of B,\n"
+      "                          axes 7 ... 9 rest: their operands and products are held\n"
+      "Edges are 1: 1->2, 2: 2->3, 3: 3->1. Latency 3: operands by load_en, products by\n"
+      "product_en, axes by axis_en; coplanar must stand in all three cycles.");
+  axes_parameters(m, true);
+  emit_signal(m, EMIT_INPUT, false, "coplanar", "", "1: table 2, 0: table 1");
+  axes_ports(m, true, 9);
+  char name[EMIT_NAME];
+  emit_blank(m);
+  edge_nets(m);
   emit_net(m, EMIT_WIRE, false, "normal_a", "3*E_W");
   emit_net(m, EMIT_WIRE, false, "normal_b", "3*E_W");
   emit_signal(m, EMIT_WIRE, false, "row_3", "", "axes 7 ... 9 are wanted");
@@ -234,13 +263,7 @@ void gen_psa(emitter *e) {
   emit_text(m, "assign row_3 = !coplanar;\n"
                "assign product_en_3 = product_en && row_3;\n"
                "assign axis_en_3 = axis_en && row_3;\n\n");
-  for (int i = 0; i < 6; i++) {
-    char body = "ab"[i / 3];
-    snprintf(name, sizeof name, "edge_of_%c_%d", body, i % 3 + 1);
-    emit_instance(m, "sepax_edge", name, "V_W=V_W, D_W=D_W, E_W=E_W",
-                  "from=%c_%d, to=%c_%d, edge_vector=edge_%c_%d", body, i % 3 + 1, body,
-                  (i + 1) % 3 + 1, body, i % 3 + 1);
-  }
+  edge_instances(m);
   emit_text(m, "\nalways @(posedge clk) begin\n"
                "  if (load_en) begin\n"
                "    p_1 <= coplanar ? normal_a : edge_a_1;\n"
@@ -266,6 +289,84 @@ void gen_psa(emitter *e) {
                   "clk=clk, product_en=product_en%s, axis_en=axis_en%s, p=p_%d, q=q_%d, "
                   "axis=axis_%d",
                   suffix, suffix, (i + 2) / 3, i, i);
+  }
+  emit_end(m);
+}
+
+static void operand(emit_module *m, char side, int number, const char *what) {
+  char name[EMIT_NAME];
+  snprintf(name, sizeof name, "%c_%d", side, number);
+  emit_signal(m, EMIT_REG, false, name, "3*E_W", "%s", what);
+}
+
+static void cross(emit_module *m, int axis, int p, int q) {
+  char name[EMIT_NAME];
+  snprintf(name, sizeof name, "cross_%d", axis);
+  emit_instance(m, "sepax_cross", name, "E_W=E_W, M_W=M_W, P_W=P_W, S_W=S_W, C_W=C_W",
+                "clk=clk, product_en=product_en, axis_en=axis_en, p=p_%d, q=q_%d, axis=axis_%d", p, q,
+                axis);
+}
+
+void gen_psa_9(emitter *e) {
+  emit_module *m = emit_begin(e, "sepax_psa_9",
+                              "The nine axes of table 1 across edges, 54 multipliers:\n"
+                              "  axis 3(i-1) + j = edge i of A x edge j of B\n"
+                              "Edges are 1: 1->2, 2: 2->3, 3: 3->1. Latency 3: operands by load_en,\n"
+                              "products by product_en, axes by axis_en.");
+  axes_parameters(m, false);
+  axes_ports(m, false, 9);
+  emit_blank(m);
+  edge_nets(m);
+  static const char *const about[] = {"edge 1->2", "edge 2->3", "edge 3->1"};
+  for (int i = 1; i <= 3; i++) {
+    operand(m, 'p', i, about[i - 1]);
+    operand(m, 'q', i, about[i - 1]);
+  }
+  emit_blank(m);
+  edge_instances(m);
+  emit_text(m, "\nalways @(posedge clk) begin\n  if (load_en) begin");
+  for (int i = 1; i <= 3; i++) {
+    emit_text(m, "    p_%d <= edge_a_%d;\n    q_%d <= edge_b_%d;", i, i, i, i);
+  }
+  emit_text(m, "  end\nend\n\n");
+  for (int i = 1; i <= 9; i++) {
+    cross(m, i, (i + 2) / 3, (i - 1) % 3 + 1);
+  }
+  emit_end(m);
+}
+
+void gen_psa_6(emitter *e) {
+  emit_module *m = emit_begin(e, "sepax_psa_6",
+                              "The six axes of table 2, for coplanar pairs, 36 multipliers:\n"
+                              "  axis j = N_A x edge j of A, axis 3 + j = N_B x edge j of B\n"
+                              "Edges are 1: 1->2, 2: 2->3, 3: 3->1. Latency 3: operands by load_en,\n"
+                              "products by product_en, axes by axis_en.");
+  axes_parameters(m, true);
+  axes_ports(m, true, 6);
+  emit_blank(m);
+  edge_nets(m);
+  emit_net(m, EMIT_WIRE, false, "normal_a", "3*E_W");
+  emit_net(m, EMIT_WIRE, false, "normal_b", "3*E_W");
+  operand(m, 'p', 1, "N_A");
+  operand(m, 'p', 2, "N_B");
+  for (int i = 1; i <= 6; i++) {
+    operand(m, 'q', i, i <= 3 ? "an edge of A" : "an edge of B");
+  }
+  emit_blank(m);
+  widen_normal(m, 'a');
+  widen_normal(m, 'b');
+  emit_blank(m);
+  edge_instances(m);
+  emit_text(m, "\nalways @(posedge clk) begin\n"
+               "  if (load_en) begin\n"
+               "    p_1 <= normal_a;\n"
+               "    p_2 <= normal_b;");
+  for (int i = 1; i <= 6; i++) {
+    emit_text(m, "    q_%d <= edge_%c_%d;", i, "ab"[(i - 1) / 3], (i - 1) % 3 + 1);
+  }
+  emit_text(m, "  end\nend\n\n");
+  for (int i = 1; i <= 6; i++) {
+    cross(m, i, (i + 2) / 3, i);
   }
   emit_end(m);
 }

@@ -7,7 +7,7 @@ static void localparam(emit_module *m, const char *name, sepax_format_id id, boo
   emit_parameter(m, EMIT_LOCALPARAM, name, exact ? f->exact : f->width, about);
 }
 
-static void widths(emit_module *m) {
+void gen_paper_widths(emit_module *m) {
   localparam(m, "V_W", SEPAX_F_VERTEX, false, "bits of a coordinate");
   localparam(m, "N_W", SEPAX_F_NORMAL, false, "bits of a normal's component");
   localparam(m, "NM_W", SEPAX_F_NORMAL_PRODUCT, true, "coordinate x normal, exact");
@@ -21,7 +21,7 @@ static void widths(emit_module *m) {
   localparam(m, "D_W", SEPAX_F_PROJECTION, false, "kept of it");
 }
 
-static void ports(emit_module *m) {
+void gen_paper_ports(emit_module *m) {
   const sepax_design *d = m->emitter->design;
   int word = d->config.word;
   char bits[16];
@@ -69,13 +69,13 @@ static void registers(emit_module *m) {
   }
 }
 
-static void control(emit_module *m) {
+void gen_paper_control(emit_module *m, int last) {
   emit_text(m, "\n// Control: a word counter and one bit per cycle of the schedule.\n"
                "always @(posedge clk) begin\n"
                "  if (rst) begin\n"
                "    word <= 2'd0;\n"
                "    step_4 <= 1'b0;");
-  for (int cycle = 5; cycle <= 13; cycle++) {
+  for (int cycle = 5; cycle <= last; cycle++) {
     emit_text(m, "    step_%d <= 1'b0;", cycle);
   }
   emit_text(m, "  end else begin\n"
@@ -83,13 +83,13 @@ static void control(emit_module *m) {
                "      word <= (word == 2'd2) ? 2'd0 : (word + 2'd1);\n"
                "    end\n"
                "    step_4 <= in_valid && (word == 2'd2);");
-  for (int cycle = 5; cycle <= 13; cycle++) {
+  for (int cycle = 5; cycle <= last; cycle++) {
     emit_text(m, "    step_%d <= step_%d;", cycle, cycle - 1);
   }
   emit_text(m, "  end\nend");
 }
 
-static void copy_bank(emit_module *m, const char *indent, const char *to, const char *from) {
+void gen_paper_copy(emit_module *m, const char *indent, const char *to, const char *from) {
   for (int i = 0; i < 6; i++) {
     char vertex[EMIT_NAME];
     snprintf(vertex, sizeof vertex, "%c_%d", "ab"[i / 3], i % 3 + 1);
@@ -111,17 +111,16 @@ static void banks(emit_module *m) {
                "    n_b <= {n_b[2*N_W-1:0], in_nb};\n"
                "  end\n"
                "  if (step_4) begin");
-  copy_bank(m, "    ", "_5", "");
+  gen_paper_copy(m, "    ", "_5", "");
   emit_text(m, "    n_a_5 <= n_a;\n    n_b_5 <= n_b;\n  end\n  if (step_7) begin");
-  copy_bank(m, "    ", "_8", "_5");
+  gen_paper_copy(m, "    ", "_8", "_5");
   emit_text(m, "  end\n  if (step_9 && !coplanar_7) begin");
-  copy_bank(m, "    ", "_rest", "_8");
+  gen_paper_copy(m, "    ", "_rest", "_8");
   emit_text(m, "  end\nend\n");
 }
 
-static void project(emit_module *m, const char *name, const char *parameters,
-                    const char *enables, const char *bank, const char *axis,
-                    const char *result) {
+void gen_paper_project(emit_module *m, const char *name, const char *parameters, const char *enables,
+                       const char *bank, const char *axis, const char *result) {
   emit_instance(m, "sepax_proj", name, parameters,
                 "clk=clk, %s, axis=%s, a_1=a_1%s, a_2=a_2%s, a_3=a_3%s, b_1=b_1%s, b_2=b_2%s, "
                 "b_3=b_3%s, on_a=on_a_%s, on_b=on_b_%s",
@@ -143,8 +142,8 @@ static void normal_axes(emit_module *m) {
     emit_signal(m, EMIT_WIRE, false, name, "", "stands in cycles 7-9");
   }
   emit_blank(m);
-  project(m, "proj_10", parameters, "product_en=step_4, sum_en=step_5", "", "n_a", "10");
-  project(m, "proj_11", parameters, "product_en=step_4, sum_en=step_5", "", "n_b", "11");
+  gen_paper_project(m, "proj_10", parameters, "product_en=step_4, sum_en=step_5", "", "n_a", "10");
+  gen_paper_project(m, "proj_11", parameters, "product_en=step_4, sum_en=step_5", "", "n_b", "11");
   for (int i = 10; i <= 11; i++) {
     snprintf(name, sizeof name, "cmp_%d", i);
     emit_instance(m, "sepax_cmp", name, "D_W=ND_W",
@@ -222,7 +221,7 @@ static void axes(emit_module *m) {
     snprintf(proj, sizeof proj, "proj_%d", i);
     snprintf(axis, sizeof axis, "axis_%d", i);
     snprintf(result, sizeof result, "%d", i);
-    project(m, proj, parameters,
+    gen_paper_project(m, proj, parameters,
             rests ? "product_en=product_en_rest, sum_en=sum_en_rest"
                   : "product_en=step_10, sum_en=step_11",
             rests ? "_rest" : "_8", axis, result);
@@ -262,10 +261,10 @@ void gen_top(emitter *e) {
       "\n"
       "Latency 13 cycles from the first word to the verdict, initiation interval 3, no\n"
       "stall: words may come back to back or with gaps. Outputs are 0 without out_valid.");
-  ports(m);
-  widths(m);
+  gen_paper_ports(m);
+  gen_paper_widths(m);
   registers(m);
-  control(m);
+  gen_paper_control(m, 13);
   normal_axes(m);
   delays(m);
   banks(m);

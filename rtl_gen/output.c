@@ -135,6 +135,9 @@ static int render(const emitter *e, output_file file[FILES]) {
           SEPAX_VERSION, sepax_config_text(&d->config, options, sizeof options),
           variables, d->config.word, d->latency, d->config.ii,
           d->config.arch == SEPAX_ARCH_EXACT, d->config.flag);
+  if (d->config.arch == SEPAX_ARCH_CONFERENCE) {
+    fprintf(out, "#define SEPAX_CONFERENCE 1\n");
+  }
   if (d->config.extent_a > 0) {
     fprintf(out, "#define SEPAX_EXTENT_A %d\n#define SEPAX_EXTENT_B %d\n", d->config.extent_a,
             d->config.extent_b);
@@ -151,6 +154,9 @@ static int render(const emitter *e, output_file file[FILES]) {
           SEPAX_VERSION, d->config.word, d->latency, d->config.ii);
   if (d->config.extent_a > 0) {
     fprintf(out, "`define SEPAX_EXTENTS\n");
+  }
+  if (d->config.arch == SEPAX_ARCH_CONFERENCE) {
+    fprintf(out, "`define SEPAX_CONFERENCE\n");
   }
   fclose(out);
   if (d->config.lanes > 0) {

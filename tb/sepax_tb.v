@@ -2,7 +2,8 @@
 //
 // +pairs=FILE  lines of 24 integers and the expected verdict (sepax judge --echo)
 // +rest=1      from the second pair on all are coplanar: check that whatever belongs
-//              to axes 7 ... 9 stands still (not for netlists)
+//              to axes 7 ... 9 stands still (not for netlists); of conference, none is:
+//              check that whatever belongs to the six axes of table 2 does
 //
 // A verdict must come in its cycle with the expected value; X is a mismatch. Ends
 // with $finish when all is well and with $stop (exit status 1 under vvp -N) if not.
@@ -133,11 +134,20 @@ module sepax_tb;
   end
 
 `ifdef SEPAX_REST
+`ifdef SEPAX_CONFERENCE
+  // Operands, products, axes, projections and comparisons of table 2.
+  wire [1023:0] operands = {dut.a_1_14, dut.b_3_14, dut.psa_6.p_1, dut.psa_6.q_1, dut.psa_6.q_6};
+  wire [2047:0] results = {dut.axis_flat_1, dut.axis_flat_4, dut.axis_flat_6, dut.on_a_flat_1,
+                           dut.on_b_flat_4, dut.on_a_flat_6, dut.overlap_flat,
+                           dut.psa_6.cross_2.product_yz_q, dut.proj_flat_1.inner_a_1.product_x_q,
+                           dut.proj_flat_6.inner_b_3.product_z_q};
+`else
   // Operands, products, projections of the three resting PROJ, and their PSA part.
   wire [1023:0] operands = {dut.a_1_rest, dut.b_3_rest, dut.psa.p_3, dut.psa.q_7, dut.psa.q_9};
   wire [2047:0] results = {dut.axis_7, dut.axis_8, dut.axis_9, dut.on_a_7, dut.on_b_8,
                            dut.on_a_9, dut.proj_7.inner_a_1.product_x_q,
                            dut.proj_9.inner_b_3.product_z_q};
+`endif
   reg [1023:0] operands_before;
   reg [2047:0] results_before;
   integer watched = 0;

@@ -150,20 +150,21 @@ static void test_designs(void **state) {
                                          "--precision=word --block-float=on",
                                          "--coplanarity=paper --inequality=printed"};
   for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
-    for (size_t s = 0; s < sizeof settings / sizeof settings[0]; s++) {
+    for (size_t s = 0; s < 2 * sizeof settings / sizeof settings[0]; s++) {
+      bool conference = s % 2 == 1;
       fixture f = {0};
       sepax_config config = sepax_config_default();
       char *text[2] = {NULL, NULL};
-      config.arch = SEPAX_ARCH_PAPER;
+      config.arch = conference ? SEPAX_ARCH_CONFERENCE : SEPAX_ARCH_PAPER;
       config.word = word;
-      assert_true(sepax_config_parse(&config, settings[s], &f.e.error));
+      assert_true(sepax_config_parse(&config, settings[s / 2], &f.e.error));
       assert_true(sepax_design_init(&f.design, &config, &f.e.error));
       for (int run = 0; run < 2; run++) {
         size_t size = 0;
         FILE *out = open_memstream(&text[run], &size);
         emit_init(&f.e, &f.design, "test");
-        if (!gen_paper(&f.e)) {
-          fail_msg("W = %d %s: %s", word, settings[s], f.e.error.text);
+        if (!(conference ? gen_conference(&f.e) : gen_paper(&f.e))) {
+          fail_msg("W = %d %s: %s", word, settings[s / 2], f.e.error.text);
         }
         for (int i = 0; i < f.e.modules; i++) {
           emit_print(f.e.module[i], out);

@@ -223,6 +223,7 @@ static bool names_printable(const check_options *o, sepax_error *error) {
 
 static bool normals_read(const check_options *o, sepax_error *error) {
   return !o->grid.file_normals || o->config.arch == SEPAX_ARCH_PAPER ||
+         o->config.arch == SEPAX_ARCH_CONFERENCE ||
          sepax_fail(error, "normals: architecture %s reads none; give --arch=paper, too",
                     sepax_arch_name(o->config.arch));
 }

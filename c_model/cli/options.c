@@ -20,10 +20,10 @@ enum { KEY_ARCH = 0x100, KEY_II, KEY_PRECISION, KEY_BLOCK_FLOAT, KEY_COPLANARITY
 
 static const struct argp_option config_options[] = {
     {NULL, 0, NULL, 0, "Design:", 1},
-    {"arch", KEY_ARCH, "NAME", 0, "exact (default) or paper; without hardware: reference, float32, "
-     "float64, interval32, interval64", 0},
+    {"arch", KEY_ARCH, "NAME", 0, "exact (default), paper or conference; without hardware: reference, "
+     "float32, float64, interval32, interval64", 0},
     {"word", 'w', "BITS", 0, "word length W of a coordinate, 4 ... 32 (18)", 0},
-    {"ii", KEY_II, "CYCLES", 0, "initiation interval, paper: 3; exact: 1 ... 18 (3)", 0},
+    {"ii", KEY_II, "CYCLES", 0, "initiation interval, paper and conference: 3; exact: 1 ... 18 (3)", 0},
     {NULL, 0, NULL, 0, "Design, architecture exact only:", 2},
     {"coplanar", KEY_COPLANAR, "HOW", 0,
      "exact: decide coplanar pairs (default); flag: call them collisions and say so", 0},
@@ -38,7 +38,7 @@ static const struct argp_option config_options[] = {
     {"memory-a", KEY_MEMORY_A, "TRIANGLES", 0, "triangles of A that it holds, a power of two (512)", 0},
     {"memory-b", KEY_MEMORY_B, "TRIANGLES", 0, "the same of B", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for, 0.5 ... 20 (2)", 0},
-    {NULL, 0, NULL, 0, "Design, architecture paper only:", 3},
+    {NULL, 0, NULL, 0, "Design, architectures paper and conference only:", 3},
     {"precision", KEY_PRECISION, "BITS", 0,
      "full: every bit of an intermediate (default); word: W bits; guard=G: W + G bits", 0},
     {"block-float", KEY_BLOCK_FLOAT, "on|off", OPTION_ARG_OPTIONAL,
