@@ -120,7 +120,8 @@ help:
 #: make rtl        the Verilog of the design, in build/core/NAME/rtl
 #: make cosim      meshes (MESH_A, MESH_B) or PAIRS=file through the verilated machine, or
 #:                 PAIRS=families|corners: COUNT seeded hard pairs, or PAIRS=bits: all 2^18
-#:                 pairs with coordinates 0, 1
+#:                 pairs with coordinates 0, 1; with extents PAIRS=within|beyond: COUNT hard
+#:                 pairs within them, or one triangle of each not
 #: make icarus     the same vectors through Icarus Verilog (PAIRS=file|bits, or COUNT seeded
 #:                 ones)
 #: make exhaustive all 3^18 pairs with coordinates -1, 0, 1 through the verilated machine
@@ -312,7 +313,7 @@ $(WAVE): $(COSIM_DEPS)
 	@$(call verilate,--trace-fst)
 
 SEEDED      = --count=$(COUNT) --seed=$(SEED)
-FROM_PAIRS  = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners,$(PAIRS)),--corners \
+FROM_PAIRS  = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners within beyond,$(PAIRS)),--$(PAIRS) \
               $(SEEDED),$(if $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)")))
 COSIM_ARGS  = $(if $(PAIRS),$(FROM_PAIRS),$(MESH_ARGS)) $(if $(STRESS),--stress=$(STRESS))
 
