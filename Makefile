@@ -104,7 +104,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        area-sweep accuracy install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
+        area-sweep scene accuracy install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
 
 all:
 	@scripts/setup
@@ -133,6 +133,8 @@ help:
 #: make area       gates with LIBERTY, beside the paper's: of the design, or without ARCH
 #:                 and II of both architectures
 #: make area-sweep GE and GE x II of exact over W and II, as table, CSV, JSON and SVG
+#: make scene      a core for 5 mm triangles in a 200 mm workspace: sized, simulated, and mapped
+#:                 beside the core for any pair of 18 bits
 #: make netlist    the mapped gates through the Icarus bench (COUNT=170 takes minutes)
 #: make gates      the mapped gates through the Verilator bench
 #: make bench      speed of the software verdicts, 100,000,000 pairs of every path against the
@@ -393,6 +395,9 @@ area: $(SEPAX)
 area-sweep: $(SEPAX)
 	@PERIOD=$(PERIOD) scripts/area-sweep $(if $(call given,WORD),-w "$(WORD)") $(if \
 	  $(call given,II),-i "$(II)") $(BUILD)/area-sweep
+
+scene: $(SEPAX)
+	@PERIOD=$(PERIOD) scripts/scene $(BUILD)/scene
 
 $(AREA)/netlist.vvp: $(AREA)/area.json tb/$(BENCH).v
 	@echo "  ICARUS  $(CORE_NAME), mapped to $(LIBRARY)"

@@ -222,6 +222,20 @@ static double unit(sepax_random *random) {
   return (double)(sepax_random_next(random) >> 11) * 0x1p-53;
 }
 
+/* The one of the files, or the nearest to it in the ranges. */
+static pose pose_of_files(const sepax_motion motion[2]) {
+  static const double no_turn[3] = {0, 0.25, 0};
+  pose p;
+  for (int k = 0; k < 12; k++) {
+    int axis = k % 6;
+    double low = motion[k / 6].low[axis % 3];
+    double way = motion[k / 6].high[axis % 3] - low;
+    double u = way > 0 ? fmin(fmax(-low / way, 0), 1) : 0;
+    p.u[k / 6][axis] = axis < 3 ? u : no_turn[axis - 3];
+  }
+  return p;
+}
+
 /* Anywhere, or not far from another pose. */
 static pose draw_pose(const pose *near, double share, sepax_random *random) {
   pose p;
@@ -284,11 +298,10 @@ static void move_body(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_mot
 static bool sample_poses(sepax_size *size, room *r, const sepax_mesh *const mesh[2],
                          const sepax_space *space, sepax_error *error) {
   sepax_random random = {space->seed};
-  pose worst = {{{0}}};
-  uint64_t most = 0;
+  pose worst = pose_of_files(space->motion);
   for (int n = 0; n < space->poses; n++) {
-    bool anywhere = 2 * n < space->poses || most == 0;
-    double share = 1 - (double)n / space->poses;
+    bool anywhere = 2 * n < space->poses || size->worst == 0;
+    double share = 0.5 * exp2(8 - 16.0 * n / space->poses);
     pose p = draw_pose(anywhere ? NULL : &worst, share, &random);
     for (int i = 0; i < 2; i++) {
       if (moves(&space->motion[i])) {
@@ -299,12 +312,11 @@ static bool sample_poses(sepax_size *size, room *r, const sepax_mesh *const mesh
       }
     }
     uint64_t left = count_meeting(r->boxes[0], mesh[0]->count, r->boxes[1], mesh[1]->count);
-    if (left > most) {
-      most = left;
+    if (left > size->worst) {
+      size->worst = left;
       worst = p;
     }
   }
-  size->worst = most > size->given ? most : size->given;
   size->poses = space->poses;
   return true;
 }

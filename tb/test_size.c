@@ -25,8 +25,10 @@ typedef struct {
 static void draw_mesh(scene *s, int i, double size) {
   for (int n = 0; n < FACETS; n++) {
     double middle[3];
+    for (int axis = 0; axis < 3; axis++) {
+      middle[axis] = 20 * random_unit();
+    }
     for (int k = 0; k < 9; k++) {
-      middle[k % 3] = k < 3 ? 20 * random_unit() : middle[k % 3];
       s->facet[i][n].v[k / 3][k % 3] = middle[k % 3] + size * random_unit();
     }
   }
