@@ -312,6 +312,43 @@ static sepax_design design_of(int word, int ii, int extent) {
   return design;
 }
 
+/* Every design that was mapped, within the error that is told, and that error is reached. */
+static void test_gates(void **state) {
+  (void)state;
+  FILE *in = fopen("synth/area-nangate45.csv", "r");
+  char line[200];
+  double worst = 0;
+  double told = 0;
+  int rows = 0;
+  assert_non_null(in);
+  while (fgets(line, sizeof line, in) != NULL) {
+    char *at = line;
+    double number[6];
+    if (line[0] < '0' || line[0] > '9') {
+      continue;
+    }
+    for (int i = 0; i < 6; i++) {
+      number[i] = strtod(at, &at);
+      at++;
+    }
+    sepax_config config = sepax_config_default();
+    sepax_design design;
+    config.word = (int)number[0];
+    config.extent_a = (int)number[1];
+    config.extent_b = (int)number[2];
+    config.ii = (int)number[3];
+    assert_true(sepax_design_init(&design, &config, &fault));
+    double error;
+    double ge = sepax_gates(&design, 0, &error);
+    told = error / ge;
+    worst = fmax(worst, fabs(ge / number[5] - 1));
+    rows++;
+  }
+  fclose(in);
+  assert_true(rows >= 20);
+  assert_true(worst <= told + 1e-4 && worst > told - 1e-3);
+}
+
 /* The cheapest of all, looked for another way round. */
 static void test_machine(void **state) {
   (void)state;
@@ -363,6 +400,13 @@ static void test_jobs(void **state) {
   assert_int_equal(m.config.ii, 3);
   assert_int_equal(m.cycles, 480000);
   assert_int_equal(m.config.extent_a, 0);
+  size.count[1] = 5; /* fewer than lanes: A's triangles go in one by one */
+  assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
+  assert_int_equal(m.cycles, 20 * 20 + 20 + 30);
+  size.worst = 1000;
+  assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
+  assert_int_equal(m.cycles, 1000 * 18);
+  size.worst = 0;
   size.count[0] = 40000;
   size.count[1] = 70000;
   assert_true(sepax_size_machine(&m, &size, 1, 2000, 10, 10, &fault));
@@ -430,7 +474,8 @@ int main(void) {
       cmocka_unit_test(test_poses),         cmocka_unit_test(test_resting),
       cmocka_unit_test(test_samples_count), cmocka_unit_test(test_bound),
       cmocka_unit_test(test_workspace),     cmocka_unit_test(test_refused),
-      cmocka_unit_test(test_machine),       cmocka_unit_test(test_jobs),
+      cmocka_unit_test(test_gates),         cmocka_unit_test(test_machine),
+      cmocka_unit_test(test_jobs),
       cmocka_unit_test(test_extent_pairs),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
