@@ -461,6 +461,7 @@ typedef struct {
   int lanes;       /* box lanes in front of the core; 0: the core alone, fed with every pair */
   int memory[2];   /* with lanes: triangles of A, of B, powers of two up to SEPAX_MEMORY_MAX */
   double gates, gates_error; /* sepax_gates; memories are not counted */
+  bool fitted;     /* the formula was fitted to machines like this one */
   uint64_t cycles; /* for all pairs, the filling of the pipeline left out */
   double seconds;
 } sepax_machine;

@@ -271,7 +271,7 @@ static void print_text(const size_options *o, const sepax_size *s, const sepax_m
     printf("no box lanes\n");
   }
   printf("gates      %.1fK +- %.1fK GE (formula for Nangate45 at 2 ns%s)\n", m->gates / 1000,
-         m->gates_error / 1000, m->config.clock_ps == 2000 ? "" : ": NOT fitted to this clock");
+         m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to machines like this one");
   printf("time       %.4g ms for all pairs (%llu cycles of %g ns)\n", 1e3 * m->seconds,
          (unsigned long long)m->cycles, m->config.clock_ps / 1000.0);
   printf("sepax gen %s -o %s\n", machine_text(m, text), o->generate ? o->folder : "DIR");
@@ -295,7 +295,7 @@ static void print_json(const size_options *o, const sepax_size *s, const sepax_m
       "{s:s, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:s}", "arch", sepax_arch_name(m->config.arch), "ii",
       m->config.ii, "extents", m->config.extent_a > 0, "lanes", m->lanes, "memory_bits",
       (json_int_t)memory_bits(m), "ge", m->gates, "ge_error", m->gates_error, "ge_fitted",
-      m->config.clock_ps == 2000, "cycles", (json_int_t)m->cycles, "seconds", m->seconds, "command", command);
+      m->fitted, "cycles", (json_int_t)m->cycles, "seconds", m->seconds, "command", command);
   json_object_set_new(report, "boxes", boxes);
   json_object_set_new(report, "machine", machine);
   json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
