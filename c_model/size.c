@@ -8,7 +8,7 @@
 
 enum { TERMS = 7 };
 
-/* GE of what each term counts: synth/area-nangate45.csv (Nangate45 typical, 2 ns as timed by
+/* GE of what each term counts: docs/area-nangate45.csv (Nangate45 typical, 2 ns as timed by
  * synth/area) as scripts/fit-area fits it, with the largest relative error on its designs. */
 static const double ge_per_term[TERMS] = {4.4368, 10.15, 1042.9, 43.623, 575.25, 1463.9, 640.19};
 static const int fitted_least = 8; /* bits of a coordinate */
