@@ -116,7 +116,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        area-sweep accuracy install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
+        area-sweep scene accuracy install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
 
 all:
 	@scripts/setup
@@ -132,7 +132,8 @@ help:
 #: make rtl        the Verilog of the design, in build/core/NAME/rtl
 #: make cosim      meshes (MESH_A, MESH_B) or PAIRS=file through the verilated machine, or
 #:                 PAIRS=families|corners: COUNT seeded hard pairs, or PAIRS=bits: all 2^18
-#:                 pairs with coordinates 0, 1
+#:                 pairs with coordinates 0, 1; with extents PAIRS=within|beyond: COUNT hard
+#:                 pairs within them, or one triangle of each not
 #: make icarus     the same vectors through Icarus Verilog (PAIRS=file|bits, or COUNT seeded
 #:                 ones)
 #: make exhaustive all 3^18 pairs with coordinates -1, 0, 1 through the verilated machine
@@ -144,6 +145,8 @@ help:
 #: make area       gates with LIBERTY, beside the paper's: of the design, or without ARCH
 #:                 and II of both architectures
 #: make area-sweep GE and GE x II of exact over W and II, as table, CSV, JSON and SVG
+#: make scene      a core for 5 mm triangles in a 200 mm workspace: sized, simulated, and mapped
+#:                 beside the core for any pair of 18 bits
 #: make netlist    the mapped gates through the Icarus bench (COUNT=170 takes minutes)
 #: make gates      the mapped gates through the Verilator bench
 #: make bench      speed of the software verdicts, 100,000,000 pairs of every path against the
@@ -359,7 +362,7 @@ engine-sweep: $(SEPAX)
 	@scripts/engine-sweep $(BUILD)/engine-sweep
 
 SEEDED      = --count=$(COUNT) --seed=$(SEED)
-FROM_PAIRS  = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners,$(PAIRS)),--corners \
+FROM_PAIRS  = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners within beyond,$(PAIRS)),--$(PAIRS) \
               $(SEEDED),$(if $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)")))
 COSIM_ARGS  = $(if $(PAIRS),$(FROM_PAIRS),$(MESH_ARGS)) $(if $(STRESS),--stress=$(STRESS))
 
@@ -447,6 +450,9 @@ area: $(SEPAX)
 area-sweep: $(SEPAX)
 	@PERIOD=$(PERIOD) scripts/area-sweep $(if $(call given,WORD),-w "$(WORD)") $(if \
 	  $(call given,II),-i "$(II)") $(BUILD)/area-sweep
+
+scene: $(SEPAX)
+	@PERIOD=$(PERIOD) scripts/scene $(BUILD)/scene
 
 $(AREA)/netlist.vvp: $(AREA)/area.json tb/$(BENCH).v
 	@echo "  ICARUS  $(CORE_NAME), mapped to $(LIBRARY)"

@@ -422,6 +422,88 @@ bool sepax_ply_write(const sepax_scene *scene, const sepax_pairs *pairs, const c
 /* The pair of triangle i of A and triangle j of B. */
 sepax_pair sepax_scene_pair(const sepax_scene *scene, size_t i, size_t j);
 
+/* ----------------------------------------------------------- what a scene needs */
+
+/* A turn by any angle about the axis through a centre that is parallel to x, y or z, or
+ * about every axis through it. */
+typedef enum {
+  SEPAX_TURN_NONE,
+  SEPAX_TURN_X,
+  SEPAX_TURN_Y,
+  SEPAX_TURN_Z,
+  SEPAX_TURN_ANY
+} sepax_turn;
+
+/* Where a body may be: turned first, then shifted by low ... high (file units; the pose of
+ * the file, no turn and no shift, is always one of them). All zero: it rests. */
+typedef struct {
+  double low[3], high[3];
+  sepax_turn turn;
+  double centre[3];
+} sepax_motion;
+
+typedef enum {
+  SEPAX_WORKSPACE_NONE,  /* what the poses need */
+  SEPAX_WORKSPACE_SIDES, /* a box of sides high - low about the middle of the poses */
+  SEPAX_WORKSPACE_PLACED /* low ... high */
+} sepax_workspace;
+
+/* A scene beside its two meshes, lengths in file units. */
+typedef struct {
+  double resolution; /* per LSB, > 0 */
+  bool offset_given; /* else the origin of the grid is the middle of the workspace */
+  double offset[3];
+  sepax_workspace workspace;
+  double low[3], high[3];
+  sepax_motion motion[2]; /* of A, of B */
+  int poses;              /* to sample where a body moves */
+  uint64_t seed;
+} sepax_space;
+
+/* What follows for every pose. extent[i] bounds each side of the box of each triangle of A,
+ * of B, in LSB, however the moved body is rounded to the grid; if nothing moves and no
+ * workspace was given it is the longest side itself. */
+typedef struct {
+  sepax_grid grid;         /* the least word length that holds all poses and the workspace */
+  double low[3], high[3];  /* of all poses, file units */
+  size_t count[2];
+  int64_t extent[2];
+  int core_word;           /* bits of a coordinate behind the box test, at most grid.word */
+  uint64_t given;          /* pairs of triangles whose boxes meet as the files stand: counted */
+  uint64_t worst;          /* the most that were counted in this and `poses` sampled poses */
+  int poses;
+} sepax_size;
+
+/* Fails on no triangles, an empty range, a workspace that does not hold all poses, more than
+ * 32 bits, and without memory. docs/size.md. */
+bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b,
+                      const sepax_space *space, sepax_error *error);
+
+/* Gates (GE) of architecture exact at 2 ns, by a formula fitted to mapped designs (Nangate45
+ * typical), and the most that it is wrong by if this design is like those. `lanes` box lanes
+ * in front; 0: the core alone. The design is one that sepax_design_init made. docs/size.md. */
+double sepax_gates(const sepax_design *design, int lanes, double *error);
+
+enum { SEPAX_LANES_MAX = 64, SEPAX_MEMORY_MAX = 32768 };
+
+/* A machine for all pairs of a scene. */
+typedef struct {
+  sepax_config config;
+  int lanes;       /* box lanes in front of the core; 0: the core alone, fed with every pair */
+  int memory[2];   /* with lanes: triangles of A, of B, powers of two up to SEPAX_MEMORY_MAX */
+  double gates, gates_error; /* sepax_gates; memories are not counted */
+  bool fitted;     /* the formula was fitted to machines like this one */
+  uint64_t cycles; /* for all pairs, the filling of the pipeline left out */
+  double seconds;
+} sepax_machine;
+
+/* The machine of the fewest gates that judges all pairs of `size` within `seconds` at a
+ * period of clock_ps, `worst` pairs being left by the box test: lanes_least ... lanes_most
+ * lanes (0 ... SEPAX_LANES_MAX; 0 is the core alone). Fails if none is fast enough, naming
+ * the fastest. */
+bool sepax_size_machine(sepax_machine *machine, const sepax_size *size, double seconds,
+                        int clock_ps, int lanes_least, int lanes_most, sepax_error *error);
+
 /* ------------------------------------------------------------- test vectors */
 
 /* A stream of pseudo-random numbers (splitmix64): same seed, same stream. */
@@ -443,6 +525,12 @@ sepax_pair sepax_family_pair(size_t family, int word, sepax_random *random);
 
 /* The same with zero normals, several times as fast. */
 sepax_pair sepax_family_triangles(size_t family, int word, sepax_random *random);
+
+/* The same, the box of A at most extent[0] and that of B at most extent[1] LSB long (1 ...
+ * 2^W - 1), many to the very LSB, anywhere in the word; or, `beyond`, one of them 1 LSB or more
+ * too long where the word has room for it: always if both extents are below 2^(W-2). */
+sepax_pair sepax_extent_pair(size_t family, int word, const int extent[2], bool beyond,
+                             sepax_random *random);
 
 /* Pairs as text: one line of 18 decimal integers A1x A1y A1z ... B3z, or 24 with
  * N_A and N_B behind them (computed when absent); '#' starts a comment. */

@@ -35,7 +35,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-static bool generate(sepax_design *design, const char *folder, sepax_error *error) {
+bool cli_generate(sepax_design *design, const char *folder, sepax_error *error) {
   bool exact = design->config.arch == SEPAX_ARCH_EXACT;
   bool conference = design->config.arch == SEPAX_ARCH_CONFERENCE;
   if (!exact && !conference && design->config.arch != SEPAX_ARCH_PAPER) {
@@ -69,7 +69,7 @@ int cli_gen(int argc, char **argv) {
   sepax_error error = {""};
   sepax_design design;
   if (!sepax_design_init(&design, &o.config, &error) ||
-      !generate(&design, o.folder, &error)) {
+      !cli_generate(&design, o.folder, &error)) {
     return cli_fail("sepax gen", &error);
   }
   char text[320];

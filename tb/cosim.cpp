@@ -15,12 +15,13 @@ struct Options {
   const char *family = nullptr;
   uint64_t count = 100000, seed = 1, stress = 0;
   uint64_t first = 0, grid_pairs = 0; // of --ternary
-  bool ternary = false, bits = false, corners = false;
+  bool ternary = false, bits = false, corners = false, within = false, beyond = false;
 };
 
 // ----------------------------------------------------------------------- options
 
-enum { KEY_STRESS = 0x400, KEY_WAVE, KEY_FAMILY, KEY_TERNARY, KEY_BITS, KEY_CORNERS };
+enum { KEY_STRESS = 0x400, KEY_WAVE, KEY_FAMILY, KEY_TERNARY, KEY_BITS, KEY_CORNERS,
+       KEY_WITHIN, KEY_BEYOND };
 
 const argp_option options_table[] = {
     {"pairs", 'p', "FILE", 0, "judge the pairs of this file (- : standard input)", 0},
@@ -29,6 +30,10 @@ const argp_option options_table[] = {
     {"family", KEY_FAMILY, "NAME", 0, "of one family only", 0},
     {"corners", KEY_CORNERS, nullptr, 0,
      "instead of those families, coordinates at the ends and the middle of the range", 0},
+#ifdef SEPAX_EXTENT_A
+    {"within", KEY_WITHIN, nullptr, 0, "those families within the extents of the design", 0},
+    {"beyond", KEY_BEYOND, nullptr, 0, "the same, one triangle of each pair beyond them", 0},
+#endif
     {"ternary", KEY_TERNARY, "FIRST:COUNT", 0,
      "judge these of the 3^18 pairs with coordinates -1, 0, 1", 0},
     {"bits", KEY_BITS, nullptr, 0, "judge the 2^18 pairs with coordinates 0, 1", 0},
@@ -55,7 +60,7 @@ void check_sources(const Options &o, argp_state *state) {
     argp_error(state, "give two STL files");
   }
   if ((o.pairs != nullptr) + (o.mesh[0] != nullptr) + o.ternary + o.bits + o.corners +
-          (o.family != nullptr) > 1) {
+          o.within + o.beyond + (o.family != nullptr) > 1) {
     argp_error(state, "give pairs, meshes, a family, corners, ternary or bits, not several");
   }
 }
@@ -80,6 +85,12 @@ error_t parse(int key, char *text, argp_state *state) {
     return 0;
   case KEY_CORNERS:
     o->corners = true;
+    return 0;
+  case KEY_WITHIN:
+    o->within = true;
+    return 0;
+  case KEY_BEYOND:
+    o->beyond = true;
     return 0;
   case KEY_TERNARY:
     parse_ternary(o, state, text);
@@ -123,6 +134,11 @@ Source *open_source(const Options &o) {
   if (o.corners) {
     return new CornerSource(o.count, o.seed);
   }
+#ifdef SEPAX_EXTENT_A
+  if (o.within || o.beyond) {
+    return new ExtentSource(o.count, o.seed, o.beyond);
+  }
+#endif
   return new FamilySource(o.count, o.seed, o.family);
 }
 

@@ -101,6 +101,34 @@ private:
   size_t first, families;
 };
 
+#ifdef SEPAX_EXTENT_A
+// Seeded hard pairs of all families in turn, within the design's extents or beyond.
+class ExtentSource : public Source {
+public:
+  ExtentSource(uint64_t pairs, uint64_t seed, bool beyond)
+      : random{seed}, pairs(pairs), beyond(beyond) {
+    while (sepax_family_name(families) != nullptr) {
+      families++;
+    }
+  }
+  uint64_t total() const override { return pairs; }
+  bool next(sepax_pair *pair) override {
+    const int extent[2] = {SEPAX_EXTENT_A, SEPAX_EXTENT_B};
+    if (at == pairs) {
+      return false;
+    }
+    *pair = sepax_extent_pair(at++ % families, SEPAX_WORD, extent, beyond, &random);
+    return true;
+  }
+
+private:
+  sepax_random random;
+  uint64_t pairs, at = 0;
+  size_t families = 0;
+  bool beyond;
+};
+#endif
+
 // Coordinate 0 ... 17 of a pair, in the order of a line of text.
 inline int32_t &coordinate(sepax_pair *pair, int k) {
   sepax_vec &v = (k < 9 ? pair->a : pair->b).v[k / 3 % 3];

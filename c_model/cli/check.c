@@ -209,13 +209,12 @@ static bool outputs_apart(const check_options *o, sepax_error *error) {
   return true;
 }
 
-/* JSON is UTF-8. */
-static bool names_printable(const check_options *o, sepax_error *error) {
-  for (int i = 0; i < 2 && o->json; i++) {
-    json_t *name = json_string(o->path[i]);
+bool cli_names_printable(const char *const path[2], sepax_error *error) {
+  for (int i = 0; i < 2; i++) {
+    json_t *name = json_string(path[i]);
     json_decref(name);
     if (name == NULL) {
-      return sepax_fail(error, "%.300s: the name is not UTF-8; rename the file", o->path[i]);
+      return sepax_fail(error, "%.300s: the name is not UTF-8; rename the file", path[i]);
     }
   }
   return true;
@@ -256,7 +255,7 @@ int cli_check(int argc, char **argv) {
   sepax_error error = {""};
   sepax_design design;
   sepax_scene scene;
-  if (!names_printable(&o, &error) || !outputs_apart(&o, &error) || !normals_read(&o, &error) || !sepax_design_init(&design, &o.config, &error) ||
+  if ((o.json && !cli_names_printable(o.path, &error)) || !outputs_apart(&o, &error) || !normals_read(&o, &error) || !sepax_design_init(&design, &o.config, &error) ||
       !sepax_scene_load(&scene, o.path, &o.grid.grid, o.grid.file_normals, &error)) {
     return cli_fail(argv[0], &error);
   }

@@ -36,6 +36,26 @@ void cli_vector(const struct argp_state *state, const char *option, const char *
                 double vector[3]);
 double cli_number(const struct argp_state *state, const char *option, const char *text);
 
+/* A power of ten by the name of a unit; the last has no name. */
+typedef struct {
+  const char *name;
+  int power;
+} cli_unit;
+
+/* A decimal number, and a unit behind it if there is one, rounded once: the end of it, or NULL if
+ * there is no finite number. "1..2" is 1 with ".." behind it. */
+const char *cli_scan(const char *text, const cli_unit *units, double *value);
+/* The same of a length in file units, or with nm, um, mm, m where a file unit is 1 mm. */
+const char *cli_scan_length(const char *text, double *value);
+/* Such a length and nothing else; argp_error otherwise. */
+double cli_length(const struct argp_state *state, const char *option, const char *text);
+
+/* JSON is UTF-8: are these names? */
+bool cli_names_printable(const char *const path[2], sepax_error *error);
+
+/* The Verilog of the design into a folder, and its latency (rtl_gen/cmd_gen.c). */
+bool cli_generate(sepax_design *design, const char *folder, sepax_error *error);
+
 /* The families that `name` asks for, one or "all": first ... last. Fails if there is none. */
 bool cli_families(const char *name, size_t *first, size_t *last, sepax_error *error);
 
@@ -58,6 +78,7 @@ int cli_gen(int argc, char **argv);
 int cli_judge(int argc, char **argv);
 int cli_mesh(int argc, char **argv);
 int cli_multiplier(int argc, char **argv);
+int cli_size(int argc, char **argv);
 int cli_vectors(int argc, char **argv);
 
 #ifdef __cplusplus

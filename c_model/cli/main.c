@@ -10,6 +10,7 @@ static const struct {
   const char *about;
 } commands[] = {
     {"gen", cli_gen, "generate the Verilog of a design"},
+    {"size", cli_size, "what a scene needs, and the machine for it"},
     {"check", cli_check, "which triangles of two STL files collide"},
     {"judge", cli_judge, "verdicts for pairs given as text"},
     {"accuracy", cli_accuracy, "how often a design is wrong, on which pairs, by how much"},

@@ -77,7 +77,8 @@ const struct argp cli_config_argp = {config_options, parse_config, NULL, NULL, N
 static const struct argp_option grid_options[] = {
     {NULL, 0, NULL, 0, "Quantisation:", 4},
     {"resolution", 'r', "LENGTH", 0,
-     "file units per LSB (without it both meshes are fitted into the word)", 0},
+     "file units per LSB, or with nm, um, mm or m behind it where these are mm (without it both meshes are "
+     "fitted into the word)", 0},
     {"offset", KEY_OFFSET, "X,Y,Z", 0, "file coordinates of the integer origin (0,0,0); needs --resolution", 0},
     {"normals", KEY_NORMALS, "SOURCE", 0,
      "computed: from the quantised vertices (default); file: as the STL says", 0},
@@ -87,7 +88,7 @@ static error_t parse_grid(int key, char *text, struct argp_state *state) {
   cli_grid *g = state->input;
   switch (key) {
   case 'r':
-    g->grid.resolution = cli_number(state, "resolution", text);
+    g->grid.resolution = cli_length(state, "resolution", text);
     if (g->grid.resolution <= 0) {
       argp_error(state, "resolution: %s is not above 0", text);
     }
@@ -133,6 +134,56 @@ double cli_number(const struct argp_state *state, const char *option, const char
   double value = strtod(text, &end);
   if (end == text || *end != '\0' || !isfinite(value)) {
     argp_error(state, "%s: '%s' is not a number", option, text);
+  }
+  return value;
+}
+
+/* How many characters are a decimal number. */
+static size_t number_length(const char *text) {
+  static const char digits[] = "0123456789";
+  size_t n = text[0] == '+' || text[0] == '-';
+  size_t whole = strspn(text + n, digits);
+  size_t fraction = text[n + whole] == '.' ? strspn(text + n + whole + 1, digits) : 0;
+  n += whole + (fraction > 0 ? fraction + 1 : 0);
+  return whole + fraction > 0 ? n : 0;
+}
+
+const char *cli_scan(const char *text, const cli_unit *units, double *value) {
+  char number[80];
+  size_t length = number_length(text);
+  if (length == 0 || length > sizeof number / 2) {
+    return NULL;
+  }
+  const char *end = text + length;
+  long power = 0;
+  if (*end == 'e' || *end == 'E') {
+    size_t digits = number_length(end + 1);
+    char *after;
+    power = strtol(end + 1, &after, 10);
+    power = power > 9999 ? 9999 : power < -9999 ? -9999 : power;
+    end = digits > 0 ? after : end;
+  }
+  const cli_unit *unit = units;
+  while (unit->name != NULL && strncmp(end, unit->name, strlen(unit->name)) != 0) {
+    unit++;
+  }
+  end += unit->name != NULL ? strlen(unit->name) : 0;
+  snprintf(number, sizeof number, "%.*se%ld", (int)length, text, power + unit->power);
+  *value = strtod(number, NULL);
+  return isfinite(*value) ? end : NULL;
+}
+
+const char *cli_scan_length(const char *text, double *value) {
+  static const cli_unit units[] = {{"nm", -6}, {"um", -3}, {"mm", 0}, {"m", 3}, {NULL, 0}};
+  return cli_scan(text, units, value);
+}
+
+double cli_length(const struct argp_state *state, const char *option, const char *text) {
+  double value = 0;
+  const char *end = cli_scan_length(text, &value);
+  if (end == NULL || *end != '\0') {
+    argp_error(state, "%s: '%s' is not a length; give 0.002, or 2um where file units are mm", option,
+               text);
   }
   return value;
 }

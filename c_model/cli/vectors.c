@@ -7,10 +7,10 @@ typedef struct {
   sepax_config config;
   const char *family;
   uint64_t count, seed;
-  bool normals, list;
+  bool normals, list, beyond;
 } vectors_options;
 
-enum { KEY_NORMALS = 0x200, KEY_LIST };
+enum { KEY_NORMALS = 0x200, KEY_LIST, KEY_EXTENT_A, KEY_EXTENT_B, KEY_BEYOND };
 
 static const struct argp_option options[] = {
     {"family", 'f', "NAME", 0, "one family of cases, or all of them in turn (all)", 0},
@@ -18,6 +18,9 @@ static const struct argp_option options[] = {
     {"seed", 's', "SEED", 0, "seed of the random numbers (1)", 0},
     {"normals", KEY_NORMALS, NULL, 0, "print 24 integers: with both normals", 0},
     {"word", 'w', "BITS", 0, "word length W of a coordinate, 4 ... 32 (18)", 0},
+    {"extent-a", KEY_EXTENT_A, "LSB", 0, "boxes of A up to so long (any; needs --extent-b)", 0},
+    {"extent-b", KEY_EXTENT_B, "LSB", 0, "the same of B", 0},
+    {"beyond", KEY_BEYOND, NULL, 0, "with these: one of both boxes is longer", 0},
     {"list", KEY_LIST, NULL, 0, "list the families", 0},
     {0}};
 
@@ -39,6 +42,15 @@ static error_t parse(int key, char *text, struct argp_state *state) {
       argp_error(state, "%s", error.text);
     }
     return 0;
+  case KEY_EXTENT_A:
+  case KEY_EXTENT_B:
+    if (!sepax_config_set(&o->config, key == KEY_EXTENT_A ? "extent-a" : "extent-b", text, &error)) {
+      argp_error(state, "%s", error.text);
+    }
+    return 0;
+  case KEY_BEYOND:
+    o->beyond = true;
+    return 0;
   case KEY_NORMALS:
     o->normals = true;
     return 0;
@@ -47,6 +59,11 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case ARGP_KEY_ARG:
     argp_error(state, "unexpected argument '%s'", text);
+    return 0;
+  case ARGP_KEY_END:
+    if (o->beyond && o->config.extent_a == 0) {
+      argp_error(state, "beyond: which extents? give --extent-a and --extent-b, too");
+    }
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
@@ -62,6 +79,17 @@ static void print_pair(const sepax_pair *pair, bool normals) {
     sepax_vec v = i < 3 ? pair->a.v[i] : pair->b.v[i - 3];
     printf("%s%d %d %d", i > 0 ? " " : "", v.x, v.y, v.z);
   }
+}
+
+static sepax_pair draw(const vectors_options *o, size_t family, sepax_random *random) {
+  const int extent[2] = {o->config.extent_a, o->config.extent_b};
+  if (extent[0] == 0) {
+    return sepax_family_pair(family, o->config.word, random);
+  }
+  sepax_pair pair = sepax_extent_pair(family, o->config.word, extent, o->beyond, random);
+  pair.na = sepax_unit_normal(&pair.a, o->config.word);
+  pair.nb = sepax_unit_normal(&pair.b, o->config.word);
+  return pair;
 }
 
 int cli_vectors(int argc, char **argv) {
@@ -85,13 +113,18 @@ int cli_vectors(int argc, char **argv) {
   if (!sepax_config_check(&o.config, &error) || !cli_families(o.family, &first, &last, &error)) {
     return cli_fail(argv[0], &error);
   }
-  printf("# sepax vectors --family=%s --word=%d --count=%llu --seed=%llu\n", o.family,
+  printf("# sepax vectors --family=%s --word=%d --count=%llu --seed=%llu", o.family,
          o.config.word, (unsigned long long)o.count, (unsigned long long)o.seed);
+  if (o.config.extent_a > 0) {
+    printf(" --extent-a=%d --extent-b=%d%s", o.config.extent_a, o.config.extent_b,
+           o.beyond ? " --beyond" : "");
+  }
+  putchar('\n');
   sepax_random random = {o.seed};
   size_t family = last;
   for (uint64_t n = 0; n < o.count && !ferror(stdout); n++) {
     family = family < last ? family + 1 : first;
-    sepax_pair pair = sepax_family_pair(family, o.config.word, &random);
+    sepax_pair pair = draw(&o, family, &random);
     print_pair(&pair, o.normals);
     printf(" # %s\n", sepax_family_name(family));
   }

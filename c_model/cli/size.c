@@ -1,0 +1,353 @@
+/* size.c - sepax size: what a scene needs, and the machine for it. */
+#include "cli.h"
+#include "error.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+  sepax_space space;
+  const char *path[2], *folder;
+  int paths, lanes_least, lanes_most;
+  double seconds;
+  sepax_config clock; /* its period only */
+  bool json, generate;
+} size_options;
+
+enum { KEY_OFFSET = 0x480, KEY_WORKSPACE, KEY_MOTION, KEY_MOTION_A, KEY_CENTRE, KEY_CENTRE_A,
+       KEY_POSES, KEY_TIME, KEY_CLOCK, KEY_LANES, KEY_GEN };
+
+static const struct argp_option options[] = {
+    {NULL, 0, NULL, 0, "Scene (a LENGTH is in file units, or with nm, um, mm or m behind it where "
+     "these are mm):", 1},
+    {"resolution", 'r', "LENGTH", 0, "length per LSB", 0},
+    {"offset", KEY_OFFSET, "X,Y,Z", 0,
+     "file coordinates of the integer origin (the middle of the workspace)", 0},
+    {"workspace", KEY_WORKSPACE, "SIZE", 0,
+     "what must hold all poses: LENGTH, LENGTHxLENGTHxLENGTH, or a box LENGTH..LENGTHx... in the "
+     "file's coordinates (what the poses need)", 0},
+    {"motion", KEY_MOTION, "WHERE", 0,
+     "where B may be beside its place in the file: x:LENGTH..LENGTH, y:..., z:... and rotate:x, "
+     "rotate:y, rotate:z or rotate, with commas between (nowhere else)", 0},
+    {"centre", KEY_CENTRE, "X,Y,Z", 0, "what B rotates about, file coordinates (0,0,0)", 0},
+    {"motion-a", KEY_MOTION_A, "WHERE", 0, "the same of A", 0},
+    {"centre-a", KEY_CENTRE_A, "X,Y,Z", 0, "the same of A", 0},
+    {"poses", KEY_POSES, "COUNT", 0,
+     "poses of a moving body to sample for the pairs that the box test leaves (64)", 0},
+    {"seed", 's', "SEED", 0, "seed of these poses (1)", 0},
+    {NULL, 0, NULL, 0, "Machine:", 2},
+    {"time", KEY_TIME, "TIME", 0, "for all pairs, with ns, us, ms or s behind it (0.96ms)", 0},
+    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period, 0.5 ... 20 (2)", 0},
+    {"lanes", KEY_LANES, "COUNT", 0, "so many box lanes, 0 ... 64; 0: a core alone (what it takes)", 0},
+    {NULL, 0, NULL, 0, "Output:", 3},
+    {"json", 'j', NULL, 0, "print JSON instead of text", 0},
+    {"gen", KEY_GEN, NULL, 0, "generate the machine, too, as sepax gen does; needs -o", 0},
+    {"output", 'o', "DIR", 0, "folder for its Verilog (made if missing)", 0},
+    {0}};
+
+/* ----------------------------------------------------------------------- parsing */
+
+/* LENGTH or LENGTH..LENGTH; the end of it, or NULL. */
+static const char *scan_range(const char *text, double *low, double *high, bool *is_range) {
+  const char *at = cli_scan_length(text, low);
+  *high = *low;
+  *is_range = at != NULL && strncmp(at, "..", 2) == 0;
+  return *is_range ? cli_scan_length(at + 2, high) : at;
+}
+
+static bool scan_workspace(sepax_space *space, const char *text) {
+  bool placed[3];
+  const char *at = text;
+  for (int axis = 0; axis < 3; axis++) {
+    at = scan_range(at, &space->low[axis], &space->high[axis], &placed[axis]);
+    if (at == NULL || placed[axis] != placed[0]) {
+      return false;
+    }
+    if (axis == 0 && *at == '\0' && !placed[0]) { /* a cube */
+      for (int k = 1; k < 3; k++) {
+        space->high[k] = space->high[0];
+        placed[k] = false;
+      }
+      break;
+    }
+    if (axis < 2 && *at != 'x' && *at != ',') {
+      return false;
+    }
+    at += axis < 2;
+  }
+  space->workspace = placed[0] ? SEPAX_WORKSPACE_PLACED : SEPAX_WORKSPACE_SIDES;
+  for (int axis = 0; axis < 3 && !placed[0]; axis++) {
+    space->low[axis] = 0;
+  }
+  return *at == '\0';
+}
+
+/* One item of a motion; the end of it, or NULL. */
+static const char *scan_item(sepax_motion *m, const char *text) {
+  static const char rotate[] = "rotate";
+  if (strncmp(text, rotate, sizeof rotate - 1) == 0) {
+    const char *at = text + sizeof rotate - 1;
+    m->turn = SEPAX_TURN_ANY;
+    if (at[0] == ':' && at[1] >= 'x' && at[1] <= 'z') {
+      m->turn = (sepax_turn)(SEPAX_TURN_X + (at[1] - 'x'));
+      at += 2;
+    }
+    return at;
+  }
+  if (text[0] < 'x' || text[0] > 'z' || text[1] != ':') {
+    return NULL;
+  }
+  bool is_range;
+  int axis = text[0] - 'x';
+  const char *at = scan_range(text + 2, &m->low[axis], &m->high[axis], &is_range);
+  return is_range ? at : NULL;
+}
+
+static bool scan_motion(sepax_motion *m, const char *text) {
+  const char *at = scan_item(m, text);
+  while (at != NULL && *at == ',') {
+    at = scan_item(m, at + 1);
+  }
+  return at != NULL && *at == '\0';
+}
+
+static void parse_motion(const struct argp_state *state, sepax_motion *m, const char *option, const char *text) {
+  if (!scan_motion(m, text)) {
+    argp_error(state, "%s: '%s' is not x:LOW..HIGH,y:...,z:...,rotate:x|y|z or rotate", option, text);
+  }
+}
+
+static double parse_time(const struct argp_state *state, const char *text) {
+  static const cli_unit units[] = {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}, {NULL, 0}};
+  double seconds;
+  const char *end = cli_scan(text, units, &seconds);
+  if (end == NULL || *end != '\0' || (end[-1] != 's') || !(seconds > 0)) {
+    argp_error(state, "time: '%s' is no time; give 1ms, say", text);
+  }
+  return seconds;
+}
+
+static error_t parse_scene(int key, char *text, struct argp_state *state) {
+  sepax_space *space = &((size_options *)state->input)->space;
+  switch (key) {
+  case 'r':
+    space->resolution = cli_length(state, "resolution", text);
+    if (space->resolution <= 0) {
+      argp_error(state, "resolution: %s is not above 0", text);
+    }
+    return 0;
+  case KEY_OFFSET:
+    cli_vector(state, "offset", text, space->offset);
+    space->offset_given = true;
+    return 0;
+  case KEY_WORKSPACE:
+    if (!scan_workspace(space, text)) {
+      argp_error(state, "workspace: '%s' is not LENGTHxLENGTHxLENGTH, nor LOW..HIGH three times", text);
+    }
+    return 0;
+  case KEY_MOTION:
+    parse_motion(state, &space->motion[1], "motion", text);
+    return 0;
+  case KEY_MOTION_A:
+    parse_motion(state, &space->motion[0], "motion-a", text);
+    return 0;
+  case KEY_CENTRE:
+    cli_vector(state, "centre", text, space->motion[1].centre);
+    return 0;
+  case KEY_CENTRE_A:
+    cli_vector(state, "centre-a", text, space->motion[0].centre);
+    return 0;
+  case KEY_POSES:
+    space->poses = (int)cli_count(state, "poses", text, 1000000);
+    return 0;
+  case 's':
+    space->seed = cli_count(state, "seed", text, UINT64_MAX);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static void check_given(const size_options *o, const struct argp_state *state) {
+  if (o->paths != 2) {
+    argp_error(state, "give two STL files");
+  }
+  if (o->space.resolution == 0) {
+    argp_error(state, "resolution: what is one LSB? give --resolution=2um, say");
+  }
+  if (o->generate != (o->folder != NULL)) {
+    argp_error(state, "--gen and -o DIR go together; give both");
+  }
+}
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  size_options *o = state->input;
+  sepax_error error;
+  switch (key) {
+  case KEY_TIME:
+    o->seconds = parse_time(state, text);
+    return 0;
+  case KEY_CLOCK:
+    if (!sepax_config_set(&o->clock, "clock-ns", text, &error)) {
+      argp_error(state, "%s", error.text);
+    }
+    return 0;
+  case KEY_LANES:
+    o->lanes_least = (int)cli_count(state, "lanes", text, SEPAX_LANES_MAX);
+    o->lanes_most = o->lanes_least;
+    return 0;
+  case 'j':
+    o->json = true;
+    return 0;
+  case KEY_GEN:
+    o->generate = true;
+    return 0;
+  case 'o':
+    o->folder = text;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->paths == 2) {
+      argp_error(state, "unexpected argument '%s': give two STL files", text);
+    }
+    o->path[o->paths++] = text;
+    return 0;
+  case ARGP_KEY_END:
+    check_given(o, state);
+    return 0;
+  default:
+    return parse_scene(key, text, state);
+  }
+}
+
+/* ------------------------------------------------------------------------ output */
+
+enum { TEXT = 480 };
+
+/* The machine as options of sepax gen. */
+static const char *machine_text(const sepax_machine *m, char text[TEXT]) {
+  sepax_config_text(&m->config, text, TEXT);
+  if (m->lanes > 0) {
+    size_t used = strlen(text);
+    snprintf(text + used, TEXT - used, " --lanes=%d --memory-a=%d --memory-b=%d", m->lanes, m->memory[0],
+             m->memory[1]);
+  }
+  return text;
+}
+
+static uint64_t pairs_of(const sepax_size *s) { return (uint64_t)s->count[0] * s->count[1]; }
+
+static uint64_t memory_bits(const sepax_machine *m) {
+  return 9 * (uint64_t)m->config.word * ((uint64_t)m->memory[0] + (uint64_t)m->memory[1]);
+}
+
+static void print_boxes(const size_options *o, const sepax_size *s) {
+  double pairs = (double)pairs_of(s);
+  printf("boxes      %llu of %.0f pairs meet as the files stand: %.3g %%\n",
+         (unsigned long long)s->given, pairs, 100 * (double)s->given / pairs);
+  if (s->poses > 0) {
+    printf("           the most in %d sampled poses (seed %llu) and that: %llu, %.3g %%\n", s->poses,
+           (unsigned long long)o->space.seed, (unsigned long long)s->worst,
+           100 * (double)s->worst / pairs);
+  }
+}
+
+static void print_text(const size_options *o, const sepax_size *s, const sepax_machine *m) {
+  char text[TEXT];
+  const sepax_grid *g = &s->grid;
+  printf("A          %s, %zu triangles\nB          %s, %zu triangles\n", o->path[0], s->count[0],
+         o->path[1], s->count[1]);
+  printf("poses      x %.9g ... %.9g, y %.9g ... %.9g, z %.9g ... %.9g\n", s->low[0], s->high[0],
+         s->low[1], s->high[1], s->low[2], s->high[2]);
+  printf("grid       W = %d, 1 LSB = %.9g, origin %.9g,%.9g,%.9g\n", g->word, g->resolution,
+         g->offset[0], g->offset[1], g->offset[2]);
+  printf("extents    L_A = %lld, L_B = %lld LSB: %d bits behind the box test\n",
+         (long long)s->extent[0], (long long)s->extent[1], s->core_word);
+  print_boxes(o, s);
+  printf("machine    exact, II = %d, ", m->config.ii);
+  if (m->lanes > 0) {
+    printf("%d box lanes, memories of %.0f kbit\n", m->lanes, (double)memory_bits(m) / 1000);
+  } else {
+    printf("no box lanes\n");
+  }
+  printf("gates      %.1fK +- %.1fK GE (formula for Nangate45 at 2 ns%s)\n", m->gates / 1000,
+         m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to machines like this one");
+  printf("time       %.4g ms for all pairs (%llu cycles of %g ns)\n", 1e3 * m->seconds,
+         (unsigned long long)m->cycles, m->config.clock_ps / 1000.0);
+  printf("sepax gen %s -o %s\n", machine_text(m, text), o->generate ? o->folder : "DIR");
+}
+
+static void print_json(const size_options *o, const sepax_size *s, const sepax_machine *m) {
+  char text[TEXT];
+  char command[TEXT + 16];
+  const sepax_grid *g = &s->grid;
+  snprintf(command, sizeof command, "sepax gen %s", machine_text(m, text));
+  json_t *report = json_pack(
+      "{s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}", "a",
+      "file", o->path[0], "triangles", (json_int_t)s->count[0], "b", "file", o->path[1], "triangles",
+      (json_int_t)s->count[1], "grid", "word", g->word, "resolution", g->resolution, "origin", g->offset[0],
+      g->offset[1], g->offset[2], "poses", s->low[0], s->high[0], s->low[1], s->high[1], s->low[2], s->high[2],
+      "extents", (json_int_t)s->extent[0], (json_int_t)s->extent[1], "core_word", s->core_word);
+  json_t *boxes = json_pack("{s:I, s:I, s:I, s:i, s:I}", "pairs", (json_int_t)pairs_of(s), "meet_as_given",
+                            (json_int_t)s->given, "meet_worst", (json_int_t)s->worst, "sampled_poses",
+                            s->poses, "seed", (json_int_t)o->space.seed);
+  json_t *machine = json_pack(
+      "{s:s, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:s}", "arch", sepax_arch_name(m->config.arch), "ii",
+      m->config.ii, "extents", m->config.extent_a > 0, "lanes", m->lanes, "memory_bits",
+      (json_int_t)memory_bits(m), "ge", m->gates, "ge_error", m->gates_error, "ge_fitted",
+      m->fitted, "cycles", (json_int_t)m->cycles, "seconds", m->seconds, "command", command);
+  json_object_set_new(report, "boxes", boxes);
+  json_object_set_new(report, "machine", machine);
+  json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
+  putchar('\n');
+  json_decref(report);
+}
+
+/* ------------------------------------------------------------------------- steps */
+
+/* Box lanes, where this program generates them. */
+static bool lanes_known(void) {
+  sepax_config config = sepax_config_default();
+  sepax_error unread;
+  return sepax_config_set(&config, "lanes", "1", &unread);
+}
+
+static bool read_and_size(const size_options *o, sepax_size *size, sepax_error *error) {
+  sepax_mesh mesh[2] = {{NULL, 0}, {NULL, 0}};
+  bool ok = sepax_stl_read(&mesh[0], o->path[0], error) && sepax_stl_read(&mesh[1], o->path[1], error) &&
+            sepax_size_scene(size, &mesh[0], &mesh[1], &o->space, error);
+  sepax_mesh_free(&mesh[0]);
+  sepax_mesh_free(&mesh[1]);
+  return ok;
+}
+
+/* Through the text, as sepax gen would read it. */
+static bool generate(const size_options *o, const sepax_machine *m, sepax_error *error) {
+  char text[TEXT];
+  sepax_config config = sepax_config_default();
+  sepax_design design;
+  return sepax_config_parse(&config, machine_text(m, text), error) &&
+         sepax_design_init(&design, &config, error) && cli_generate(&design, o->folder, error);
+}
+
+int cli_size(int argc, char **argv) {
+  static const struct argp argp = {
+      options, parse, "A.stl B.stl",
+      "What an exact machine for two meshes needs in every pose, and the one of the fewest gates "
+      "that judges all pairs in time.",
+      NULL, NULL, NULL};
+  size_options o = {.space = {.poses = 64, .seed = 1}, .lanes_most = lanes_known() ? SEPAX_LANES_MAX : 0,
+                    .seconds = 0.96e-3, .clock = sepax_config_default()};
+  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  sepax_error error = {""};
+  sepax_size size;
+  sepax_machine machine;
+  if ((o.json && !cli_names_printable(o.path, &error)) || !sepax_config_check(&o.clock, &error) ||
+      !read_and_size(&o, &size, &error) ||
+      !sepax_size_machine(&machine, &size, o.seconds, o.clock.clock_ps, o.lanes_least, o.lanes_most, &error) ||
+      (o.generate && !generate(&o, &machine, &error))) {
+    return cli_fail(argv[0], &error);
+  }
+  (o.json ? print_json : print_text)(&o, &size, &machine);
+  return 0;
+}
