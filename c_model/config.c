@@ -277,8 +277,9 @@ static bool check_engine(const sepax_config *config, sepax_error *error) {
   }
   for (int t = 0; t < 2; t++) {
     int memory = t == 0 ? config->memory_a : config->memory_b;
-    if (memory < 128 || memory > 32768 || (memory & (memory - 1)) != 0) {
-      return sepax_fail(error, "memory-%c: %d triangles is no power of two of 128 ... 32768", 'a' + t, memory);
+    if (memory < SEPAX_MEMORY_MIN || memory > SEPAX_MEMORY_MAX || (memory & (memory - 1)) != 0) {
+      return sepax_fail(error, "memory-%c: %d triangles is no power of two of %d ... %d", 'a' + t, memory, SEPAX_MEMORY_MIN,
+                        SEPAX_MEMORY_MAX);
     }
   }
   return true;

@@ -31,6 +31,8 @@ extern "C" {
 #define SEPAX_WORD_MAX 32
 #define SEPAX_II_MAX 18
 #define SEPAX_LANES_MAX 64
+#define SEPAX_MEMORY_MIN 128
+#define SEPAX_MEMORY_MAX 32768
 
 /* One line of text without a newline; empty until something failed. */
 typedef struct {
@@ -480,20 +482,16 @@ bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b
                       const sepax_space *space, sepax_error *error);
 
 /* Gates (GE) of architecture exact at 2 ns, by a formula fitted to mapped designs (Nangate45
- * typical), and the most that it is wrong by if this design is like those. `lanes` box lanes
- * in front; 0: the core alone. The design is one that sepax_design_init made. docs/size.md. */
-double sepax_gates(const sepax_design *design, int lanes, double *error);
-
-enum { SEPAX_LANES_MAX = 64, SEPAX_MEMORY_MAX = 32768 };
+ * typical), and the most that it is wrong by if this design is like those. Of an object engine
+ * without its memories. The design is one that sepax_design_init made. docs/size.md. */
+double sepax_gates(const sepax_design *design, double *error);
 
 /* A machine for all pairs of a scene. */
 typedef struct {
-  sepax_config config;
-  int lanes;       /* box lanes in front of the core; 0: the core alone, fed with every pair */
-  int memory[2];   /* with lanes: triangles of A, of B, powers of two up to SEPAX_MEMORY_MAX */
-  double gates, gates_error; /* sepax_gates; memories are not counted */
+  sepax_config config; /* with lanes: an object engine; without: the core alone, fed with every pair */
+  double gates, gates_error; /* sepax_gates */
   bool fitted;     /* the formula was fitted to machines like this one */
-  uint64_t cycles; /* for all pairs, the filling of the pipeline left out */
+  uint64_t cycles; /* for all pairs; of an engine with loading left out */
   double seconds;
 } sepax_machine;
 

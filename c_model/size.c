@@ -15,11 +15,12 @@ static const int fitted_least = 8; /* bits of a coordinate */
 static const int fitted_most = 24;
 static const double largest_error = 0.0369;
 
-/* The same of box lanes: GE a lane and bit of W, GE of what controls them, relative error.
- * Placeholders: no machine with lanes was mapped yet (scripts/fit-area -l fits them). */
-static const double ge_per_lane_bit = 1000.0 / 18;
-static const double ge_of_control = 8000;
-static const double lanes_error = 0.3;
+/* The same of what an object engine has around its core (scripts/fit-area -l): GE a lane and
+ * bit of W, a bit of W, and in any case. */
+static const double ge_per_lane_bit = 80;
+static const double ge_per_engine_bit = 1000;
+static const double ge_of_engine = 6000;
+static const double lanes_error = 0.1;
 
 /* Intervals of the designs that were mapped. */
 static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
@@ -46,51 +47,60 @@ static void count_terms(double term[TERMS], const sepax_design *d) {
   term[6] = boxes ? d->config.word : 0;
 }
 
-double sepax_gates(const sepax_design *design, int lanes, double *error) {
+double sepax_gates(const sepax_design *design, double *error) {
   double term[TERMS];
   double core = 0;
   count_terms(term, design);
   for (int i = 0; i < TERMS; i++) {
     core += ge_per_term[i] * term[i];
   }
-  double boxes = lanes > 0 ? ge_of_control + ge_per_lane_bit * design->config.word * lanes : 0;
-  *error = core * largest_error + boxes * lanes_error;
-  return core + boxes;
+  const sepax_config *c = &design->config;
+  if (c->lanes == 0) {
+    *error = core * largest_error;
+    return core;
+  }
+  double around = ge_of_engine + (ge_per_engine_bit + ge_per_lane_bit * c->lanes) * c->word;
+  *error = core * c->cores * largest_error + around * lanes_error;
+  return core * c->cores + around;
 }
 
 /* ------------------------------------------------------------------------ time */
 
 static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
-/* Triangles of A stand in the lanes, those of B go past them, one each cycle; a memory at a
- * time. What the boxes leave waits in a queue for the core. */
+/* The walk of the engine (docs/engine.md), a memory of A and of B at a time. */
+static uint64_t walk_cycles(uint64_t a, uint64_t b, uint64_t lanes) {
+  enum { BEHIND_LAST_STEP = 6 };
+  return (a + lanes - 1) / lanes * larger(b, lanes) + (a - 1) % lanes + BEHIND_LAST_STEP;
+}
+
 static uint64_t lane_cycles(uint64_t count_a, uint64_t count_b, uint64_t lanes) {
-  enum { FILLING = 30 };
   uint64_t cycles = 0;
   for (uint64_t a = 0; a < count_a; a += SEPAX_MEMORY_MAX) {
     uint64_t here = count_a - a < SEPAX_MEMORY_MAX ? count_a - a : SEPAX_MEMORY_MAX;
-    uint64_t passes = (here + lanes - 1) / lanes;
-    uint64_t whole = count_b / SEPAX_MEMORY_MAX;
     uint64_t rest = count_b % SEPAX_MEMORY_MAX;
-    cycles += whole * (passes * SEPAX_MEMORY_MAX + lanes + FILLING);
-    cycles += rest > 0 ? passes * larger(rest, lanes) + lanes + FILLING : 0;
+    cycles += count_b / SEPAX_MEMORY_MAX * walk_cycles(here, SEPAX_MEMORY_MAX, lanes);
+    cycles += rest > 0 ? walk_cycles(here, rest, lanes) : 0;
   }
   return cycles;
 }
 
-static uint64_t machine_cycles(const sepax_size *size, int ii, int lanes) {
+/* Where pairs come faster than the core judges them, it takes the longest; else the last pair
+ * of all may still be in it when the walk ends. */
+static uint64_t machine_cycles(const sepax_size *size, const sepax_design *d) {
   uint64_t a = size->count[0];
   uint64_t b = size->count[1];
-  if (lanes == 0) {
-    return a * b * (uint64_t)ii;
+  uint64_t ii = (uint64_t)d->config.ii;
+  if (d->config.lanes == 0) {
+    return a * b * ii;
   }
-  return larger(lane_cycles(a, b, (uint64_t)lanes), size->worst * (uint64_t)ii);
+  return larger(lane_cycles(a, b, (uint64_t)d->config.lanes) + ii, size->worst * ii);
 }
 
 /* --------------------------------------------------------------------- machine */
 
 static int memory_for(size_t count) {
-  int memory = 1;
+  int memory = SEPAX_MEMORY_MIN;
   while (memory < SEPAX_MEMORY_MAX && (size_t)memory < count) {
     memory *= 2;
   }
@@ -100,21 +110,23 @@ static int memory_for(size_t count) {
 static bool fill_machine(sepax_machine *m, const sepax_size *size, int ii, int lanes,
                          bool extents, int clock_ps, sepax_error *error) {
   sepax_design design;
-  *m = (sepax_machine){.config = sepax_config_default(), .lanes = lanes};
+  *m = (sepax_machine){.config = sepax_config_default()};
   m->config.word = size->grid.word;
   m->config.ii = ii;
   m->config.clock_ps = clock_ps;
   m->config.extent_a = extents ? (int)size->extent[0] : 0;
   m->config.extent_b = extents ? (int)size->extent[1] : 0;
+  if (lanes > 0) {
+    m->config.lanes = lanes;
+    m->config.memory_a = memory_for(size->count[0]);
+    m->config.memory_b = memory_for(size->count[1]);
+  }
   if (!sepax_design_init(&design, &m->config, error)) {
     return false;
   }
-  for (int i = 0; i < 2 && lanes > 0; i++) {
-    m->memory[i] = memory_for(size->count[i]);
-  }
-  m->gates = sepax_gates(&design, lanes, &m->gates_error);
-  m->fitted = lanes == 0 && clock_ps == 2000 && design.core_word >= fitted_least && design.core_word <= fitted_most;
-  m->cycles = machine_cycles(size, ii, lanes);
+  m->gates = sepax_gates(&design, &m->gates_error);
+  m->fitted = clock_ps == 2000 && design.core_word >= fitted_least && design.core_word <= fitted_most;
+  m->cycles = machine_cycles(size, &design);
   m->seconds = (double)m->cycles * clock_ps * 1e-12;
   return true;
 }

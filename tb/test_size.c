@@ -339,7 +339,7 @@ static void test_gates(void **state) {
     config.ii = (int)number[3];
     assert_true(sepax_design_init(&design, &config, &fault));
     double error;
-    double ge = sepax_gates(&design, 0, &error);
+    double ge = sepax_gates(&design, &error);
     told = error / ge;
     worst = fmax(worst, fabs(ge / number[5] - 1));
     rows++;
@@ -368,11 +368,12 @@ static void test_machine(void **state) {
         for (int k = lanes ? SEPAX_LANES_MAX : 0; k >= 0; k--) {
           sepax_design design = design_of(18, intervals[i], extent);
           double unread;
-          double ge = sepax_gates(&design, k, &unread);
+          design.config.lanes = k;
+          double ge = sepax_gates(&design, &unread);
           size_t passes = k > 0 ? (size.count[0] + (size_t)k - 1) / (size_t)k : 0;
           size_t step = size.count[1] > (size_t)k ? size.count[1] : (size_t)k;
           double core = (double)(k > 0 ? size.worst : pairs) * intervals[i];
-          double boxes = k > 0 ? (double)(passes * step) + k + 30 : 0;
+          double boxes = k > 0 ? (double)(passes * step + (size.count[0] - 1) % (size_t)k) + 6 + intervals[i] : 0;
           if (fmax(core, boxes) <= cycles) {
             least = fmin(least, ge);
           }
@@ -383,7 +384,8 @@ static void test_machine(void **state) {
     if (ok) {
       assert_true(fabs(m.gates - least) < 1e-6 * least);
       assert_true((double)m.cycles <= cycles * (1 + 1e-8) && m.gates_error > 0);
-      assert_true(m.lanes == 0 || ((size_t)m.memory[0] >= size.count[0] && (size_t)m.memory[0] < 2 * size.count[0]));
+      size_t memory = (size_t)m.config.memory_a;
+      assert_true(m.config.lanes == 0 || (memory >= size.count[0] && (memory < 2 * size.count[0] || memory == 128)));
     } else {
       assert_message("time: ");
     }
@@ -402,7 +404,7 @@ static void test_jobs(void **state) {
   assert_int_equal(m.config.extent_a, 0);
   size.count[1] = 5; /* fewer than lanes: A's triangles go in one by one */
   assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
-  assert_int_equal(m.cycles, 20 * 20 + 20 + 30);
+  assert_int_equal(m.cycles, 20 * 20 + 19 + 6 + m.config.ii);
   size.worst = 1000;
   assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
   assert_int_equal(m.cycles, 1000 * 18);
@@ -410,9 +412,9 @@ static void test_jobs(void **state) {
   size.count[0] = 40000;
   size.count[1] = 70000;
   assert_true(sepax_size_machine(&m, &size, 1, 2000, 10, 10, &fault));
-  assert_int_equal(m.memory[0], 32768);
-  assert_int_equal(m.memory[1], 32768);
-  assert_int_equal(m.cycles, (3277 + 724) * UINT64_C(70000) + 6 * (10 + 30));
+  assert_int_equal(m.config.memory_a, 32768);
+  assert_int_equal(m.config.memory_b, 32768);
+  assert_int_equal(m.cycles, (3277 + 724) * UINT64_C(70000) + 3 * (7 + 6) + 3 * (1 + 6) + (uint64_t)m.config.ii);
 }
 
 /* ------------------------------------------------------------- pairs within extents */

@@ -224,21 +224,11 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 enum { TEXT = 480 };
 
-/* The machine as options of sepax gen. */
-static const char *machine_text(const sepax_machine *m, char text[TEXT]) {
-  sepax_config_text(&m->config, text, TEXT);
-  if (m->lanes > 0) {
-    size_t used = strlen(text);
-    snprintf(text + used, TEXT - used, " --lanes=%d --memory-a=%d --memory-b=%d", m->lanes, m->memory[0],
-             m->memory[1]);
-  }
-  return text;
-}
-
 static uint64_t pairs_of(const sepax_size *s) { return (uint64_t)s->count[0] * s->count[1]; }
 
 static uint64_t memory_bits(const sepax_machine *m) {
-  return 9 * (uint64_t)m->config.word * ((uint64_t)m->memory[0] + (uint64_t)m->memory[1]);
+  const sepax_config *c = &m->config; /* triangles and their boxes */
+  return c->lanes == 0 ? 0 : 15 * (uint64_t)c->word * ((uint64_t)c->memory_a + (uint64_t)c->memory_b);
 }
 
 static void print_boxes(const size_options *o, const sepax_size *s) {
@@ -265,8 +255,8 @@ static void print_text(const size_options *o, const sepax_size *s, const sepax_m
          (long long)s->extent[0], (long long)s->extent[1], s->core_word);
   print_boxes(o, s);
   printf("machine    exact, II = %d, ", m->config.ii);
-  if (m->lanes > 0) {
-    printf("%d box lanes, memories of %.0f kbit\n", m->lanes, (double)memory_bits(m) / 1000);
+  if (m->config.lanes > 0) {
+    printf("%d box lanes, memories of %.0f kbit\n", m->config.lanes, (double)memory_bits(m) / 1000);
   } else {
     printf("no box lanes\n");
   }
@@ -274,14 +264,14 @@ static void print_text(const size_options *o, const sepax_size *s, const sepax_m
          m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to machines like this one");
   printf("time       %.4g ms for all pairs (%llu cycles of %g ns)\n", 1e3 * m->seconds,
          (unsigned long long)m->cycles, m->config.clock_ps / 1000.0);
-  printf("sepax gen %s -o %s\n", machine_text(m, text), o->generate ? o->folder : "DIR");
+  printf("sepax gen %s -o %s\n", sepax_config_text(&m->config, text, TEXT), o->generate ? o->folder : "DIR");
 }
 
 static void print_json(const size_options *o, const sepax_size *s, const sepax_machine *m) {
   char text[TEXT];
   char command[TEXT + 16];
   const sepax_grid *g = &s->grid;
-  snprintf(command, sizeof command, "sepax gen %s", machine_text(m, text));
+  snprintf(command, sizeof command, "sepax gen %s", sepax_config_text(&m->config, text, TEXT));
   json_t *report = json_pack(
       "{s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}", "a",
       "file", o->path[0], "triangles", (json_int_t)s->count[0], "b", "file", o->path[1], "triangles",
@@ -293,7 +283,7 @@ static void print_json(const size_options *o, const sepax_size *s, const sepax_m
                             s->poses, "seed", (json_int_t)o->space.seed);
   json_t *machine = json_pack(
       "{s:s, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:s}", "arch", sepax_arch_name(m->config.arch), "ii",
-      m->config.ii, "extents", m->config.extent_a > 0, "lanes", m->lanes, "memory_bits",
+      m->config.ii, "extents", m->config.extent_a > 0, "lanes", m->config.lanes, "memory_bits",
       (json_int_t)memory_bits(m), "ge", m->gates, "ge_error", m->gates_error, "ge_fitted",
       m->fitted, "cycles", (json_int_t)m->cycles, "seconds", m->seconds, "command", command);
   json_object_set_new(report, "boxes", boxes);
@@ -304,13 +294,6 @@ static void print_json(const size_options *o, const sepax_size *s, const sepax_m
 }
 
 /* ------------------------------------------------------------------------- steps */
-
-/* Box lanes, where this program generates them. */
-static bool lanes_known(void) {
-  sepax_config config = sepax_config_default();
-  sepax_error unread;
-  return sepax_config_set(&config, "lanes", "1", &unread);
-}
 
 static bool read_and_size(const size_options *o, sepax_size *size, sepax_error *error) {
   sepax_mesh mesh[2] = {{NULL, 0}, {NULL, 0}};
@@ -326,7 +309,7 @@ static bool generate(const size_options *o, const sepax_machine *m, sepax_error 
   char text[TEXT];
   sepax_config config = sepax_config_default();
   sepax_design design;
-  return sepax_config_parse(&config, machine_text(m, text), error) &&
+  return sepax_config_parse(&config, sepax_config_text(&m->config, text, TEXT), error) &&
          sepax_design_init(&design, &config, error) && cli_generate(&design, o->folder, error);
 }
 
@@ -336,7 +319,7 @@ int cli_size(int argc, char **argv) {
       "What an exact machine for two meshes needs in every pose, and the one of the fewest gates "
       "that judges all pairs in time.",
       NULL, NULL, NULL};
-  size_options o = {.space = {.poses = 64, .seed = 1}, .lanes_most = lanes_known() ? SEPAX_LANES_MAX : 0,
+  size_options o = {.space = {.poses = 64, .seed = 1}, .lanes_most = SEPAX_LANES_MAX,
                     .seconds = 0.96e-3, .clock = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};
