@@ -134,6 +134,10 @@ help:
 #:                 PAIRS=families|corners: COUNT seeded hard pairs, or PAIRS=bits: all 2^18
 #:                 pairs with coordinates 0, 1; with extents PAIRS=within|beyond: COUNT hard
 #:                 pairs within them, or one triangle of each not
+#: make engine     the object engine (LANES=16): MESH_A against MESH_B, or PAIRS=families
+#:                 (STRESS=seed: random gaps and blocks on all buses)
+#: make example    its C driver on the verilated engine: the pairs that collide
+#: make engine-sweep cycles over lanes, real meshes, all boxes meeting; build/engine-sweep
 #: make icarus     the same vectors through Icarus Verilog (PAIRS=file|bits, or COUNT seeded
 #:                 ones)
 #: make exhaustive all 3^18 pairs with coordinates -1, 0, 1 through the verilated machine
@@ -160,6 +164,7 @@ help:
 #: make clean      remove build/
 #:
 #: Design:  ARCH=exact WORD=18 II=1...18 COPLANAR=exact|flag CLOCK_NS=2 EXTENT_A= EXTENT_B=
+#:          with an object engine: LANES=1...64 CORES=1 MEMORY_A=512 MEMORY_B=512
 #:          ARCH=paper|conference WORD=18 PRECISION=full|word|guard=G BLOCK_FLOAT=off|on
 #:          COPLANARITY=plane|paper INEQUALITY=correct|printed EPSILON=1
 #: View:    VIEW=behavioural|structural: which body of exact's arithmetic is simulated
@@ -338,9 +343,10 @@ $(ENGINE_OBJ)/%.o: examples/engine/%.c $(RTL) $(wildcard tb/*.h examples/engine/
 	@mkdir -p $(@D)
 	@$(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/engine -I$(CORE)/rtl -c $< -o $@
 
+ENGINE_OPT     ?= -O3
 VERILATE_ENGINE = $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree \
                   --x-assign fast --x-initial unique --top-module sepax_engine -f sepax.f $(VIEW_MACRO) \
-                  -MAKEFLAGS "OPT_FAST=-O3 OPT_GLOBAL=-O2" -CFLAGS "-I$(abspath tb)" \
+                  -MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" -CFLAGS "-I$(abspath tb)" \
                   $(abspath tb/engine_bus.cpp)
 
 $(ENGINE): $(ENGINE_C) tb/engine_bus.cpp tb/engine_bus.h $(LIB) $(RTL)
@@ -359,7 +365,7 @@ example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
 	@$(CORE)/collide "$(MESH_A)" "$(MESH_B)" $(filter-out fit,$(RESOLUTION)) || [ $$? -eq 1 ]
 
 engine-sweep: $(SEPAX)
-	@scripts/engine-sweep $(BUILD)/engine-sweep
+	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" scripts/engine-sweep $(BUILD)/engine-sweep
 
 SEEDED      = --count=$(COUNT) --seed=$(SEED)
 FROM_PAIRS  = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners within beyond,$(PAIRS)),--$(PAIRS) \
