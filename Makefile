@@ -8,6 +8,8 @@ COPLANAR    ?= exact
 CLOCK_NS    ?= 2
 EXTENT_A    ?=
 EXTENT_B    ?=
+CLEARANCE   ?=
+WARNING     ?=
 PRECISION   ?= full
 BLOCK_FLOAT ?= off
 COPLANARITY ?= plane
@@ -58,12 +60,15 @@ object  = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 # Choices of one architecture go to it; those of another only when someone made them, so
 # that the program refuses them.
 given         = $(filter command environment,$(firstword $(origin $(1))))
-CHOICES_exact = COPLANAR CLOCK_NS $(if $(EXTENT_A),EXTENT_A) $(if $(EXTENT_B),EXTENT_B)
+CHOICES_exact = COPLANAR CLOCK_NS $(if $(EXTENT_A),EXTENT_A) $(if $(EXTENT_B),EXTENT_B) \
+                $(if $(CLEARANCE),CLEARANCE) $(if $(WARNING),WARNING)
 CHOICES_paper = PRECISION BLOCK_FLOAT COPLANARITY INEQUALITY EPSILON
 OPTION_COPLANAR    = --coplanar=$(COPLANAR)
 OPTION_CLOCK_NS    = --clock-ns=$(CLOCK_NS)
 OPTION_EXTENT_A    = --extent-a=$(EXTENT_A)
 OPTION_EXTENT_B    = --extent-b=$(EXTENT_B)
+OPTION_CLEARANCE   = --clearance=$(CLEARANCE)
+OPTION_WARNING     = --warning=$(WARNING)
 OPTION_PRECISION   = --precision=$(PRECISION)
 OPTION_BLOCK_FLOAT = --block-float=$(BLOCK_FLOAT)
 OPTION_COPLANARITY = --coplanarity=$(COPLANARITY)
@@ -76,7 +81,7 @@ OPTIONS = $(strip --arch=$(ARCH) --word=$(WORD) --ii=$(II) $(foreach \
 # build/core/exact-w18-ii3, build/core/paper-w18-full, with a suffix for whatever is not
 # the default.
 NAME_exact = exact-w$(WORD)-ii$(II)$(if $(filter flag,$(COPLANAR)),-flag)$(if \
-             $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)$(if $(EXTENT_A),-a$(EXTENT_A))$(if $(EXTENT_B),-b$(EXTENT_B))
+             $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)$(if $(EXTENT_A),-a$(EXTENT_A))$(if $(EXTENT_B),-b$(EXTENT_B))$(if $(CLEARANCE),-c$(CLEARANCE))$(if $(WARNING),-d$(WARNING))
 NAME_paper = paper-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FLOAT)),-bf)$(if \
              $(filter paper,$(COPLANARITY)),-cop)$(if $(filter printed,$(INEQUALITY)),-ineq)$(if \
              $(filter-out 1,$(EPSILON)),-e$(EPSILON))
@@ -104,7 +109,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        area-sweep accuracy install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
+        area-sweep accuracy clearance install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
 
 all:
 	@scripts/setup
@@ -138,6 +143,8 @@ help:
 #:                 scalar model (COUNT=n), meshes, threads, and the verilated machine
 #: make accuracy   wrong verdicts of every design point by family, against speed and gates:
 #:                 build/accuracy/index.html, CSV, JSON, SVG (QUICK=1: a fiftieth of the pairs)
+#: make clearance  10,000,000 pairs of real triangles near the limits of a clearance, held against
+#:                 exact distances (COUNT=n); false alarms over distance: build/clearance/
 #: make install    program, library, header, manual pages (PREFIX=/usr/local DESTDIR=);
 #:                 make uninstall removes them
 #: make reference  regenerate rtl/, the W = 18 cores that come with the source
@@ -145,6 +152,7 @@ help:
 #: make clean      remove build/
 #:
 #: Design:  ARCH=exact WORD=18 II=1...18 COPLANAR=exact|flag CLOCK_NS=2 EXTENT_A= EXTENT_B=
+#:          CLEARANCE= WARNING=
 #:          ARCH=paper WORD=18 PRECISION=full|word|guard=G BLOCK_FLOAT=off|on
 #:          COPLANARITY=plane|paper INEQUALITY=correct|printed EPSILON=1
 #: View:    VIEW=behavioural|structural: which body of exact's arithmetic is simulated
@@ -199,7 +207,8 @@ $(SEPAX): $(call object,$(CLI_SRC)) $(LIB)
 
 GEN_OBJ = $(filter-out %/cmd_gen.o %/cmd_multiplier.o,$(call object,$(wildcard rtl_gen/*.c)))
 
-$(BUILD)/test_%: $(call object,tb/test_%.c tb/oracle.c tb/mesh_tools.c tb/pair_tools.c) \
+$(BUILD)/test_%: $(call object,tb/test_%.c tb/oracle.c tb/mesh_tools.c tb/pair_tools.c \
+                 tb/distance.c tb/real_pairs.c tb/clear_rules.c) \
                  $(GEN_OBJ) $(LIB)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -lcmocka -lgmp -ljansson -lm -pthread -o $@
@@ -252,6 +261,14 @@ bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch $(COSIM)
 	@scripts/bench $(BUILD)/software $(if $(call given,COUNT),$(COUNT))
 	@echo "== verilated machine with its golden model, all families:"
 	@$(COSIM) $(SEEDED)
+
+NEAR_SRC = $(addprefix tb/,clearance.c oracle.c distance.c real_pairs.c clear_rules.c)
+$(BUILD)/clearance-test: $(call object,$(NEAR_SRC)) $(LIB)
+	@echo "  LINK    $@"
+	@$(CC) $(CFLAGS) $^ -lgmp -lm -pthread -o $@
+
+clearance: $(BUILD)/clearance-test
+	@scripts/clearance $< $(if $(call given,COUNT),$(COUNT),10000000) $(BUILD)/clearance
 
 accuracy: $(SEPAX) $(BUILD)/bench
 	@[ -n "$(QUICK)" ] || [ -r $(BUILD)/area.json ] || $(MAKE) --no-print-directory area > $(BUILD)/area.txt

@@ -99,7 +99,16 @@ sepax_config sepax_config_default(void) {
                         .coplanarity = SEPAX_COPLANAR_PLANE,
                         .inequality = SEPAX_INEQUALITY_CORRECT,
                         .epsilon = 1,
-                        .clock_ps = 2000};
+                        .clock_ps = 2000,
+                        .clearance = -1};
+}
+
+static bool set_clearance(sepax_config *config, int value, sepax_error *error) {
+  if (value < 0) {
+    return sepax_fail(error, "clearance: %d LSB is out of range; give 0 or more", value);
+  }
+  config->clearance = value;
+  return true;
 }
 
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
@@ -119,6 +128,12 @@ bool sepax_config_set(sepax_config *config, const char *name, const char *value,
   }
   if (strcmp(name, "extent-b") == 0) {
     return parse_int(&config->extent_b, name, value, error);
+  }
+  if (strcmp(name, "clearance") == 0) { /* that there is none is said by leaving it out */
+    return parse_int(&choice, name, value, error) && set_clearance(config, choice, error);
+  }
+  if (strcmp(name, "warning") == 0) {
+    return parse_int(&config->warning, name, value, error);
   }
   if (strcmp(name, "clock-ns") == 0) {
     return parse_clock(&config->clock_ps, value, error);
@@ -184,8 +199,14 @@ char *sepax_config_text(const sepax_config *config, char *text, size_t size) {
     used += snprintf(text + used, size - (size_t)used, " --ii=%d --coplanar=%s --clock-ns=%g", config->ii,
                      coplanar_names[config->flag], config->clock_ps / 1000.0);
     if (config->extent_a > 0) {
-      snprintf(text + used, size - (size_t)used, " --extent-a=%d --extent-b=%d", config->extent_a,
+      used += snprintf(text + used, size - (size_t)used, " --extent-a=%d --extent-b=%d", config->extent_a,
                config->extent_b);
+    }
+    if (config->clearance >= 0) {
+      used += snprintf(text + used, size - (size_t)used, " --clearance=%d", config->clearance);
+    }
+    if (config->warning > 0) {
+      snprintf(text + used, size - (size_t)used, " --warning=%d", config->warning);
     }
   }
   if (config->arch != SEPAX_ARCH_PAPER) {
@@ -221,6 +242,8 @@ static bool check_unused(const sepax_config *config, sepax_error *error) {
       {"clock-ns", SEPAX_ARCH_EXACT, config->clock_ps != plain.clock_ps},
       {"extent-a", SEPAX_ARCH_EXACT, config->extent_a != 0},
       {"extent-b", SEPAX_ARCH_EXACT, config->extent_b != 0},
+      {"clearance", SEPAX_ARCH_EXACT, config->clearance != plain.clearance},
+      {"warning", SEPAX_ARCH_EXACT, config->warning != plain.warning},
       {"ii", config->arch == SEPAX_ARCH_PAPER ? SEPAX_ARCH_PAPER : SEPAX_ARCH_EXACT,
        config->ii != plain.ii},
   };
@@ -234,15 +257,22 @@ static bool check_unused(const sepax_config *config, sepax_error *error) {
   return true;
 }
 
-/* Boxes that meet, seen from the lowest corner of the larger kind: its own coordinates reach
- * up to its extent, the other's from minus its extent to the sum of both. */
+/* The gap of boxes beyond which a pair is free, the outermost clearance granted. */
+static int64_t outer_margin(const sepax_config *config) {
+  int outer = config->warning > 0 ? config->warning : config->clearance;
+  return (int64_t)outer + 1;
+}
+
+/* Boxes that meet, or are no farther apart than the margin, seen from the lowest corner of the
+ * larger kind: its own coordinates reach up to its extent, the other's from minus its extent to
+ * the sum of both, and that much more. */
 static int core_word(const sepax_config *config) {
   int64_t a = config->extent_a;
   int64_t b = config->extent_b;
   if (a == 0 && b == 0) {
     return config->word;
   }
-  int64_t range = a > b ? a + 2 * b : 2 * a + b;
+  int64_t range = (a > b ? a + 2 * b : 2 * a + b) + 2 * outer_margin(config);
   int bits = SEPAX_WORD_MIN;
   while (range >> bits != 0) {
     bits++;
@@ -250,10 +280,31 @@ static int core_word(const sepax_config *config) {
   return bits;
 }
 
+static bool check_clearance(const sepax_config *config, sepax_error *error) {
+  int most = sepax_word_max(config->word);
+  if (config->clearance < -1 || config->clearance > most) {
+    return sepax_fail(error, "clearance: %d LSB is out of range; give 0 ... %d", config->clearance, most);
+  }
+  if (config->warning != 0 && config->clearance < 0) {
+    return sepax_fail(error, "warning: there is no clearance to warn before; give --clearance, too");
+  }
+  if (config->warning != 0 && (config->warning <= config->clearance || config->warning > most)) {
+    return sepax_fail(error, "warning: %d LSB is not above the clearance of %d and up to %d", config->warning,
+                      config->clearance, most);
+  }
+  if (config->clearance >= 0 && config->flag) {
+    return sepax_fail(error, "coplanar: with a clearance coplanar pairs need no second pass; leave flag out");
+  }
+  return true;
+}
+
 static bool check_exact(const sepax_config *config, sepax_error *error) {
   if (config->ii < 1 || config->ii > SEPAX_II_MAX) {
     return sepax_fail(error, "ii: %d is out of range; give 1 ... %d cycles", config->ii,
                       SEPAX_II_MAX);
+  }
+  if (!check_clearance(config, error)) {
+    return false;
   }
   if (config->extent_a != 0 || config->extent_b != 0) {
     int64_t most = (INT64_C(1) << config->word) - 1;
@@ -399,6 +450,26 @@ static void derive_formats(sepax_design *d) {
   enter(d, SEPAX_F_PROJECTION, "projection", sum_of_three(p), keep);
 }
 
+/* What a gap, doubled, must exceed on an axis whose components are at most so long. */
+static interval limit_of(const sepax_config *c, int components, wide longest) {
+  wide outer = outer_margin(c) - 1;
+  return (interval){0, ((outer + 2) * components + outer) * longest};
+}
+
+/* With a clearance: components of e x f are at most twice the square of a side. */
+static void derive_limits(sepax_design *d, wide side) {
+  const sepax_config *c = &d->config;
+  if (c->clearance < 0) {
+    return;
+  }
+  interval cross = {-2 * side * side, 2 * side * side};
+  interval limit = limit_of(c, 3, 2 * side * side);
+  interval edge_limit = limit_of(c, 2, side);
+  enter_modular(d, SEPAX_X_CROSS, "cross", cross, cross);
+  enter_modular(d, SEPAX_X_LIMIT, "limit", limit, limit);
+  enter_modular(d, SEPAX_X_EDGE_LIMIT, "edge_limit", edge_limit, edge_limit);
+}
+
 /* Formats of architecture exact: `exact` bits hold every term on the way, `width` the
  * result; sums that cancel are taken modulo 2^width. Twice the area of a triangle in a
  * square of side L is at most L^2, six times the volume of a tetrahedron in a cube 2 L^3. */
@@ -418,6 +489,7 @@ static void derive_exact_formats(sepax_design *d) {
   enter_digits(d, SEPAX_X_WEIGHT, "weight", weight);
   enter_digits(d, SEPAX_X_OWN_WEIGHT, "own_weight", own_weight);
   enter_modular(d, SEPAX_X_VOLUME, "volume", product(area, own_weight), volume);
+  derive_limits(d, side);
 }
 
 /* epsilon LSB of distance along a unit normal, in units of a normal projection. */
@@ -442,6 +514,9 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
     design->latency = 13;
   } else if (config->arch == SEPAX_ARCH_EXACT) {
     design->core_word = core_word(config);
+    design->limits = config->clearance < 0 ? 0 : config->warning > 0 ? 2 : 1;
+    design->margin[0] = (int64_t)config->clearance + 1;
+    design->margin[1] = outer_margin(config);
     derive_exact_formats(design);
   }
   return true;
