@@ -7,7 +7,12 @@
 /* Two cycles from a pair taken to the core that it is offered to. */
 enum { APPROACH_CYCLES = 2 };
 
-static void gen_bounds(emitter *e) {
+void gen_exact_bounds(emitter *e) {
+  for (int i = 0; i < e->modules; i++) {
+    if (strcmp(e->module[i]->name, "sepax_bounds") == 0) {
+      return;
+    }
+  }
   emit_module *m = emit_begin(e, "sepax_bounds",
                               "Least and greatest of three coordinates. Combinational.");
   emit_parameter(m, EMIT_PARAMETER, "W", e->design->config.word, "bits of a coordinate");
@@ -29,7 +34,7 @@ static void gen_approach(emitter *e) {
   const sepax_config *c = &e->design->config;
   int near = e->design->core_word;
   bool of_a = c->extent_a > c->extent_b;
-  int64_t lesser = of_a ? c->extent_b : c->extent_a;
+  int64_t lesser = (of_a ? c->extent_b : c->extent_a) + e->design->margin[1];
   char name[EMIT_NAME];
   emit_module *m = emit_begin(
       e, "sepax_approach",
@@ -81,6 +86,18 @@ static void gen_approach(emitter *e) {
   emit_text(m, "assign origin = %d'd%lld;", near,
             (long long)((lesser + (INT64_C(1) << (near - 1))) & ((INT64_C(1) << near) - 1)));
   emit_text(m, "assign base = low_%c_1[N-1:0];", of_a ? 'a' : 'b');
+  char apart[200] = "(high_a_1 < low_b_1) || (high_b_1 < low_a_1)";
+  if (e->design->limits > 0) { /* by more than the margin */
+    long long margin = (long long)e->design->margin[1];
+    char wide[16];
+    snprintf(wide, sizeof wide, "%d", c->word + 1);
+    emit_net(m, EMIT_WIRE, false, "up", wide);
+    emit_net(m, EMIT_WIRE, false, "down", wide);
+    emit_text(m, "assign up = {low_b_1[W-1], low_b_1} - {high_a_1[W-1], high_a_1};\n"
+                 "assign down = {low_a_1[W-1], low_a_1} - {high_b_1[W-1], high_b_1};");
+    snprintf(apart, sizeof apart, "(!up[W] && (up[W-1:0] > %d'd%lld)) || (!down[W] && (down[W-1:0] > %d'd%lld))",
+             c->word, margin, c->word, margin);
+  }
   emit_text(m, "\nalways @(posedge clk) begin\n  if (en_1) begin\n"
                "    low_a_1 <= low_a;\n    high_a_1 <= high_a;\n    low_b_1 <= low_b;\n    high_b_1 <= high_b;");
   for (int i = 0; i < 6; i++) {
@@ -88,9 +105,9 @@ static void gen_approach(emitter *e) {
     emit_text(m, "    %c_%d_1 <= %c_%d[N-1:0];", x, i % 3 + 1, x, i % 3 + 1);
   }
   emit_text(m, "  end\n  if (en_2) begin\n"
-               "    apart <= (high_a_1 < low_b_1) || (high_b_1 < low_a_1);\n"
+               "    apart <= %s;\n"
                "    beyond <= (size_a > %d'd%d) || (size_b > %d'd%d);",
-            c->word, c->extent_a, c->word, c->extent_b);
+            apart, c->word, c->extent_a, c->word, c->extent_b);
   for (int i = 0; i < 6; i++) {
     char x = "ab"[i / 3];
     emit_text(m, "    near_%c_%d <= %c_%d_1 - base + origin;", x, i % 3 + 1, x, i % 3 + 1);
@@ -105,7 +122,7 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
   char every[24];
   char connections[2048];
   char name[EMIT_NAME];
-  gen_bounds(e);
+  gen_exact_bounds(e);
   gen_approach(e);
   gen_exact_every(p, every);
   snprintf(banner, sizeof banner,
@@ -130,6 +147,11 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
   }
   emit_net(m, EMIT_WIRE, false, "near_axis", "4");
   emit_net(m, EMIT_WIRE, false, "near_collision", "");
+  bool bands = e->design->limits > 0;
+  if (bands) {
+    emit_signal(m, EMIT_OUTPUT, false, "out_band", "2", "0 free, 1 warning, 2 collision");
+    emit_net(m, EMIT_WIRE, false, "near_band", "2");
+  }
   emit_net(m, EMIT_WIRE, false, "note", "2");
   for (int axis = 'x'; axis <= 'z'; axis++) {
     char bits[16];
@@ -166,7 +188,7 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
                                  "clk=clk, rst=rst, in_valid=valid_2, in_ready=ready, in_apart=apart, "
                                  "in_beyond=beyond, out_valid=out_valid, out_ready=out_ready, "
                                  "out_collision=near_collision, out_coplanar=near_coplanar, "
-                                 "out_axis=near_axis, out_note=note");
+                                 "out_axis=near_axis, out_note=note%s", bands ? ", out_band=near_band" : "");
   for (int axis = 'x'; axis <= 'z'; axis++) {
     for (int i = 0; i < 6; i++) {
       char x = "ab"[i / 3];
@@ -181,6 +203,9 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
                "assign out_coplanar = near_coplanar && (note == 2'd0);\n"
                "assign out_collision = out_of_range || (near_collision && (note == 2'd0));\n"
                "assign out_axis = (note == 2'd0) ? near_axis : ({2'b11, note[0], note[1]} & {4{out_valid}});");
+  if (bands) {
+    emit_text(m, "assign out_band = (note == 2'd0) ? near_band : {out_of_range, 1'b0};");
+  }
   emit_end(m);
   return APPROACH_CYCLES;
 }

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FILES = EMIT_MODULES + 4, PATH_ROOM = 4096 };
+enum { FILES = EMIT_MODULES + 4, PATH_ROOM = 8192 };
 
 typedef struct {
   char name[EMIT_NAME + 8];
@@ -77,6 +77,13 @@ static json_t *describe(const emitter *e) {
       json_object_set_new(all, "extent_b", json_integer(c->extent_b));
       json_object_set_new(all, "core_word", json_integer(d->core_word));
     }
+    if (d->limits > 0) {
+      json_object_set_new(all, "clearance", json_integer(c->clearance));
+      json_object_set_new(all, "margin", json_integer((json_int_t)d->margin[1]));
+    }
+    if (d->limits > 1) {
+      json_object_set_new(all, "warning", json_integer(c->warning));
+    }
     json_object_set_new(all, "behavioural_view", json_string("SEPAX_BEHAVIOURAL"));
   } else {
     json_object_set_new(all, "coplanar_limit", json_integer((json_int_t)d->coplanar_limit));
@@ -139,6 +146,9 @@ static int render(const emitter *e, output_file file[FILES]) {
     fprintf(out, "#define SEPAX_EXTENT_A %d\n#define SEPAX_EXTENT_B %d\n", d->config.extent_a,
             d->config.extent_b);
   }
+  if (d->limits > 0) {
+    fprintf(out, "#define SEPAX_BANDS %d\n", d->limits + 1);
+  }
   fclose(out);
   out = open_file(&file[count++], "sepax_params.vh");
   fprintf(out,
@@ -147,6 +157,9 @@ static int render(const emitter *e, output_file file[FILES]) {
           SEPAX_VERSION, d->config.word, d->latency, d->config.ii);
   if (d->config.extent_a > 0) {
     fprintf(out, "`define SEPAX_EXTENTS\n");
+  }
+  if (d->limits > 0) {
+    fprintf(out, "`define SEPAX_BANDS\n");
   }
   fclose(out);
   out = open_file(&file[count++], "sepax.json");
