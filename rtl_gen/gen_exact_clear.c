@@ -413,7 +413,7 @@ static void decide_by(emit_module *m, const exact_plan *p, int k) {
   for (int i = 0; i < 3; i++) {
     for (int j = 0; j < 3; j++) {
       emit_text(m,
-                "assign by_%d[%d] = f_d%d%d[%d] && (f_d%d%d[%d] ? r_s%d[0] && r_w%d[0] : r_s%d[1] && r_w%d[1]);", k + 1,
+                "assign by_%d[%d] = f_d%d%d[%d] && (f_d%d%d[%d] ? r_s%d[1] && r_w%d[1] : r_s%d[0] && r_w%d[0]);", k + 1,
                 3 * i + j, i + 1, j + 1, k, i + 1, j + 1, sign, j + 1, i + 1, j + 1, i + 1);
     }
   }
@@ -449,7 +449,7 @@ static void gen_decide_band(emitter *e, const exact_plan *p) {
       "  10       N_A: all f_s are beyond on one side\n"
       "  11       N_B: all f_w\n"
       "  1 ... 9  e_i x f_j at 1 + 3 (i - 1) + (j - 1): f_d is beyond, and where it is above\n"
-      "           zero s does not fall along f_j nor w along e_i; below zero, not rise\n"
+      "           zero s does not rise along f_j nor w along e_i; below zero, not fall\n"
       "  12       normal to an edge and to x, y or z\n"
       "  0        none: collision");
   decide_ports(m, p);
