@@ -313,6 +313,11 @@ typedef struct {
 bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b,
                            size_t count_b, const sepax_search *how, sepax_pairs *found,
                            sepax_error *error);
+/* The same search for the pairs that sepax_clearance does not call free: `design` has clearances
+ * (limits > 0), boxes are kept apart by its margin. `first` ends at such a pair. */
+bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
+                      const sepax_tri *b, size_t count_b, const sepax_search *how,
+                      sepax_pairs *found, sepax_error *error);
 void sepax_pairs_free(sepax_pairs *pairs);
 
 /* ------------------------------------------------------------------ meshes */
@@ -393,6 +398,10 @@ typedef struct {
 bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax_grid *grid,
                       bool file_normals, sepax_error *error);
 void sepax_scene_free(sepax_scene *scene);
+
+/* The least whole number of LSB that is not below a length >= 0 in file units; exact. False where it
+ * is above 2^31 - 1. */
+bool sepax_grid_lsb(const sepax_grid *grid, double length, int *lsb);
 
 /* Two closed meshes of which no triangles collide: within[0] iff a connected part of A is
  * wholly inside the solid B, within[1] the same of B in A. Exact: inside is where a line that

@@ -542,6 +542,21 @@ static void edge_limits(core *c) {
   }
 }
 
+/* The part of an edge's limits that a projection reads. */
+static void edge_limit_of(core *c, const unit *u, int projection, source out) {
+  source text[SEPAX_II_MAX];
+  char name[EMIT_NAME];
+  for (int k = 0; k < u->slots; k++) {
+    schedule_value v[EXACT_TERMS];
+    source whole;
+    exact_operands(c->p, u->id, u->operation[k], v);
+    schedule_source(&c->p->schedule, v[4], u->start + k, whole);
+    snprintf(text[k], EMIT_NAME, "%.30s[%d*M_W-1:%d*M_W]", whole, projection + 1, projection);
+  }
+  snprintf(name, sizeof name, "%.40s_t", u->out->name);
+  core_choose(c, name, "M_W", false, u->start, u->slots, text, out);
+}
+
 static void edge_tests(core *c, int projection) {
   exact_class_id id = exact_projected(EXACT_EDGE_XY, projection);
   for (int n = 0; n < exact_units(c->p, id); n++) {
@@ -549,13 +564,14 @@ static void edge_tests(core *c, int projection) {
     source text[5];
     char name[EMIT_NAME];
     core_describe(c, &u);
-    for (int i = 0; i < 5; i++) {
-      core_operand(c, &u, i, i < 4 ? "G_W" : "3*LIMITS*E_W", text[i]);
+    for (int i = 0; i < 4; i++) {
+      core_operand(c, &u, i, "G_W", text[i]);
     }
+    edge_limit_of(c, &u, projection, text[4]);
     snprintf(name, sizeof name, "unit_%.30s", u.out->name);
     emit_instance(c->m, "sepax_edge_clear", name, "",
-                  "clk=clk, g_1=%s, g_2=%s, g_3=%s, own=%s, limit=%s[%d*LIMITS*E_W-1:%d*LIMITS*E_W], clear=%s", text[0],
-                  text[1], text[2], text[3], text[4], projection + 1, projection, u.out->name);
+                  "clk=clk, g_1=%s, g_2=%s, g_3=%s, own=%s, limit=%s, clear=%s", text[0],
+                  text[1], text[2], text[3], text[4], u.out->name);
   }
 }
 

@@ -476,7 +476,8 @@ static void widths(core *c) {
     emit_parameter(c->m, EMIT_LOCALPARAM, "LIMITS", c->p->limits, "clearances");
     emit_parameter(c->m, EMIT_LOCALPARAM, "C_W", f[SEPAX_X_CROSS].width, "bits of a component of e x f");
     emit_parameter(c->m, EMIT_LOCALPARAM, "L_W", f[SEPAX_X_LIMIT].width, "of a limit");
-    emit_parameter(c->m, EMIT_LOCALPARAM, "E_W", f[SEPAX_X_EDGE_LIMIT].width, "of an edge's limit");
+    emit_parameter(c->m, EMIT_LOCALPARAM, "M_W", c->p->limits * f[SEPAX_X_EDGE_LIMIT].width,
+                   "of an edge's limits in one projection");
   }
 }
 
