@@ -175,6 +175,59 @@ static void test_symmetry(void **state) {
   }
 }
 
+/* The search of two meshes finds what a double loop finds. */
+enum { TRIANGLES = 300 };
+
+static void test_near_pairs(void **state) {
+  (void)state;
+  static sepax_tri mesh[2][TRIANGLES];
+  sepax_random random = {11};
+  sepax_design design = design_of(20, 60);
+  for (int n = 0; n < 2 * TRIANGLES; n++) {
+    int64_t at[3];
+    for (int i = 0; i < 3; i++) {
+      at[i] = sepax_random_range(&random, -500, 500);
+    }
+    for (int k = 0; k < 3; k++) {
+      mesh[n / TRIANGLES][n % TRIANGLES].v[k] =
+          (sepax_vec){(int32_t)(at[0] + sepax_random_range(&random, -90, 90)),
+                      (int32_t)(at[1] + sepax_random_range(&random, -90, 90)),
+                      (int32_t)(at[2] + sepax_random_range(&random, -90, 90))};
+    }
+  }
+  sepax_pairs found;
+  sepax_error error = {""};
+  assert_true(sepax_near_pairs(&design, mesh[0], TRIANGLES, mesh[1], TRIANGLES, NULL, &found, &error));
+  size_t next = 0;
+  size_t warned = 0;
+  for (size_t i = 0; i < TRIANGLES; i++) {
+    for (size_t j = 0; j < TRIANGLES; j++) {
+      sepax_band band = sepax_clearance(&design, &mesh[0][i], &mesh[1][j]).band;
+      warned += band == SEPAX_BAND_WARNING;
+      if (band != SEPAX_BAND_FREE) {
+        assert_true(next < found.count && found.pair[next][0] == i && found.pair[next][1] == j);
+        next++;
+      }
+    }
+  }
+  assert_int_equal(next, found.count);
+  assert_true(warned > 50 && next - warned > 50);
+  sepax_pairs_free(&found);
+}
+
+/* A length becomes the least whole number of LSB that is not below it. */
+static void test_lengths(void **state) {
+  (void)state;
+  sepax_grid grid = {.resolution = 0.002, .word = 18};
+  int lsb = -1;
+  assert_true(sepax_grid_lsb(&grid, 0, &lsb) && lsb == 0);
+  assert_true(sepax_grid_lsb(&grid, 0.002, &lsb) && lsb == 1);
+  assert_true(sepax_grid_lsb(&grid, nextafter(0.002, 1), &lsb) && lsb == 2);
+  assert_true(sepax_grid_lsb(&grid, 0.0101, &lsb) && lsb == 6);
+  assert_true(sepax_grid_lsb(&grid, 1e-300, &lsb) && lsb == 1);
+  assert_false(sepax_grid_lsb(&grid, 1e9, &lsb));
+}
+
 static bool accepted(const char *text) {
   sepax_config config = sepax_config_default();
   sepax_error error = {""};
@@ -209,6 +262,7 @@ int main(void) {
       cmocka_unit_test(test_oracle),        cmocka_unit_test(test_nothing_is_missed),
       cmocka_unit_test(test_wrong_rules_miss), cmocka_unit_test(test_far_is_free),
       cmocka_unit_test(test_bands),         cmocka_unit_test(test_symmetry),
+      cmocka_unit_test(test_near_pairs),    cmocka_unit_test(test_lengths),
       cmocka_unit_test(test_configuration),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
