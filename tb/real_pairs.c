@@ -73,7 +73,7 @@ static void hang(sepax_random *r, point n, int on, double size, point t[3]) {
     weight[k] = k < on ? uniform(r, range(r, 0, 3) == 0 ? 0 : 0.05, 1) : 0;
     total += weight[k];
   }
-  for (int k = 0; k < on; k++) {
+  for (int k = 0; k < on && k < 3; k++) {
     touch = along(touch, weight[k] / total, t[k]);
   }
   for (int k = 0; k < 3; k++) {
