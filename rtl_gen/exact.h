@@ -37,6 +37,9 @@ typedef enum {
   EXACT_LIMIT,      /* what twice a gap must exceed on e x f; */
   EXACT_OWN_LIMIT,  /* on N_B, N_A; */
   EXACT_EDGE_LIMIT, /* on what is normal to an edge of A, of B and z, x, y */
+  EXACT_BEYOND_XY,  /* areas of both triangles against it, numbered as they; */
+  EXACT_BEYOND_YZ,
+  EXACT_BEYOND_ZX,
   EXACT_EDGE_XY,    /* does it exceed it on what is normal to an edge of A, of B, and z; */
   EXACT_EDGE_YZ,    /* x; */
   EXACT_EDGE_ZX,    /* y */
@@ -49,7 +52,7 @@ typedef enum {
   EXACT_CLASSES
 } exact_class_id;
 
-enum { EXACT_UNITS = 18, EXACT_TERMS = 5 };
+enum { EXACT_UNITS = 18, EXACT_TERMS = 4 };
 
 typedef struct {
   int operations;

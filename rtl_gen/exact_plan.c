@@ -27,7 +27,7 @@ int exact_slots(const exact_plan *p, exact_class_id id, int unit) {
 /* At II = 3 the areas of A_c and edge c + 2 of B begin with c = 1, so that all areas can
  * start before the last strip is there; and so do the volumes over B. */
 static int turn_by(const exact_plan *p, exact_class_id id, int orbit) {
-  bool area = id == EXACT_AREA || id == EXACT_AREA_YZ || id == EXACT_AREA_ZX || id == EXACT_AREA_SIGN || id == EXACT_WEIGHT ||
+  bool area = id == EXACT_BEYOND_XY || id == EXACT_BEYOND_YZ || id == EXACT_BEYOND_ZX || id == EXACT_AREA || id == EXACT_AREA_YZ || id == EXACT_AREA_ZX || id == EXACT_AREA_SIGN || id == EXACT_WEIGHT ||
               id == EXACT_ORDER_Z || id == EXACT_PRISM;
   return p->running && ((area && orbit == 5) || id == EXACT_ABOVE_B);
 }
@@ -63,6 +63,7 @@ exact_class_id exact_projected(exact_class_id of_xy, int projection) {
   static const exact_class_id other[][3] = {
       {EXACT_STRIP, EXACT_STRIP_YZ, EXACT_STRIP_ZX}, {EXACT_AREA, EXACT_AREA_YZ, EXACT_AREA_ZX},
       {EXACT_OWN, EXACT_OWN_YZ, EXACT_OWN_ZX},       {EXACT_CROSS_XY, EXACT_CROSS_YZ, EXACT_CROSS_ZX},
+      {EXACT_BEYOND_XY, EXACT_BEYOND_YZ, EXACT_BEYOND_ZX},
       {EXACT_EDGE_XY, EXACT_EDGE_YZ, EXACT_EDGE_ZX}};
   for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {
     if (other[i][0] == of_xy) {
@@ -83,11 +84,13 @@ static int projection_of(exact_class_id id) {
   case EXACT_AREA_YZ:
   case EXACT_OWN_YZ:
   case EXACT_CROSS_YZ:
+  case EXACT_BEYOND_YZ:
   case EXACT_EDGE_YZ:
     return 1;
   case EXACT_AREA_ZX:
   case EXACT_OWN_ZX:
   case EXACT_CROSS_ZX:
+  case EXACT_BEYOND_ZX:
   case EXACT_EDGE_ZX:
     return 2;
   default:
@@ -120,17 +123,24 @@ static int between_operands(const exact_plan *p, int operation, schedule_value v
   return 4;
 }
 
-/* The areas of an edge with the vertices of the other triangle, of its own triangle, and its
- * limit. */
+/* An area, and the limit of its edge that is not between both triangles. */
+static int beyond_operands(const exact_plan *p, int projection, int operation, schedule_value v[EXACT_TERMS]) {
+  int c = operation % 3;
+  v[0] = exact_value(p, exact_projected(EXACT_AREA, projection), operation);
+  v[1] = exact_value(p, EXACT_EDGE_LIMIT, operation < 9 ? c : 3 + mod3(c + operation % 9 / 3));
+  return 2;
+}
+
+/* What was found of the areas of an edge and the vertices of the other triangle; the area of its
+ * own triangle. */
 static int edge_operands(const exact_plan *p, int projection, int operation, schedule_value v[EXACT_TERMS]) {
-  exact_class_id area = exact_projected(EXACT_AREA, projection);
+  exact_class_id area = exact_projected(EXACT_BEYOND_XY, projection);
   int i = operation % 3;
   for (int k = 0; k < 3; k++) { /* by orbit, so that a turn changes no operand's unit */
     v[k] = exact_value(p, area, operation < 3 ? exact_edge_area(i, i + k) : exact_vertex_area(i - k, i));
   }
   v[3] = exact_value(p, exact_projected(EXACT_OWN, projection), operation < 3 ? 1 : 0);
-  v[4] = exact_value(p, EXACT_EDGE_LIMIT, operation);
-  return 5;
+  return 4;
 }
 
 static int cross_operands(const exact_plan *p, int projection, int operation, schedule_value v[EXACT_TERMS]) {
@@ -154,6 +164,10 @@ static int clear_operands(const exact_plan *p, exact_class_id id, int operation,
       v[k] = exact_value(p, exact_projected(id == EXACT_LIMIT ? EXACT_CROSS_XY : EXACT_OWN, k), operation);
     }
     return 3;
+  case EXACT_BEYOND_XY:
+  case EXACT_BEYOND_YZ:
+  case EXACT_BEYOND_ZX:
+    return beyond_operands(p, projection_of(id), operation, v);
   case EXACT_EDGE_XY:
   case EXACT_EDGE_YZ:
   case EXACT_EDGE_ZX:
@@ -250,6 +264,9 @@ static void label_of(exact_class_id id, int operation, char text[EMIT_NAME]) {
   case EXACT_AREA:
   case EXACT_AREA_YZ:
   case EXACT_AREA_ZX:
+  case EXACT_BEYOND_XY:
+  case EXACT_BEYOND_YZ:
+  case EXACT_BEYOND_ZX:
   case EXACT_AREA_SIGN:
   case EXACT_WEIGHT:
   case EXACT_ORDER_Z:
@@ -337,6 +354,9 @@ static const stream_row rows[EXACT_CLASSES] = {
     [EXACT_LIMIT] = {"l", "LIMITS*L_W", SEPAX_X_LIMIT, false},
     [EXACT_OWN_LIMIT] = {"lo", "LIMITS*L_W", SEPAX_X_LIMIT, false},
     [EXACT_EDGE_LIMIT] = {"le", "3*M_W", SEPAX_X_EDGE_LIMIT, false},
+    [EXACT_BEYOND_XY] = {"bxy", "LIMITS+1", -1, false},
+    [EXACT_BEYOND_YZ] = {"byz", "LIMITS+1", -1, false},
+    [EXACT_BEYOND_ZX] = {"bzx", "LIMITS+1", -1, false},
     [EXACT_EDGE_XY] = {"exy", "LIMITS", -1, false},
     [EXACT_EDGE_YZ] = {"eyz", "LIMITS", -1, false},
     [EXACT_EDGE_ZX] = {"ezx", "LIMITS", -1, false},
@@ -365,6 +385,7 @@ static int bits_of(const exact_plan *p, exact_class_id id) {
   int bits = format < 0 ? 2 : p->design->format[format].width;
   return id == EXACT_EDGE_LIMIT                            ? 3 * p->limits * bits
          : id == EXACT_LIMIT || id == EXACT_OWN_LIMIT      ? p->limits * bits
+         : id >= EXACT_BEYOND_XY && id <= EXACT_BEYOND_ZX  ? p->limits + 1
          : id >= EXACT_FAR_A && id <= EXACT_FAR_BETWEEN    ? p->limits + 2
          : id >= EXACT_EDGE_XY && id <= EXACT_BOX          ? p->limits
                                                            : bits;
@@ -620,6 +641,7 @@ static void enter_clear(exact_plan *p) {
   enter_and_need(p, EXACT_OWN_LIMIT, 2, limit);
   enter(p, EXACT_EDGE_LIMIT, 6, 0, 3 + p->total_rank);
   for (int projection = 0; projection < 3; projection++) {
+    enter_and_need(p, exact_projected(EXACT_BEYOND_XY, projection), 18, 1);
     enter_and_need(p, exact_projected(EXACT_EDGE_XY, projection), 6, 1);
   }
   enter(p, EXACT_BOX, 3, 0, 2);

@@ -229,43 +229,56 @@ static void exceeds(emit_module *m, const char *value, int width, const char *li
             out, out);
 }
 
-static void gen_edge_clear(emitter *e, const exact_plan *p) {
+static void gen_beyond(emitter *e, const exact_plan *p) {
   int area = width_of(e, SEPAX_X_AREA);
   int bits = width_of(e, SEPAX_X_EDGE_LIMIT);
+  char name[EMIT_NAME];
+  emit_module *m = emit_begin(e, "sepax_beyond",
+                              "An area against the limit of an edge: {it is below 0, twice its size exceeds the limit,\n"
+                              "for each clearance}. Latency 1.");
+  snprintf(name, sizeof name, "%d", area);
+  emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
+  emit_signal(m, EMIT_INPUT, true, "g", name, "area");
+  snprintf(name, sizeof name, "%d", p->limits * bits);
+  emit_signal(m, EMIT_INPUT, false, "limit", name, "for each clearance %d bits", bits);
+  snprintf(name, sizeof name, "%d", p->limits + 1);
+  emit_signal(m, EMIT_OUTPUT_REG, false, "far", name, "what is found");
+  for (int k = 0; k < p->limits; k++) {
+    snprintf(name, sizeof name, "far_%d", k + 1);
+    exceeds(m, "g", area, "limit", k * bits, bits, name);
+  }
+  emit_text(m, "\nalways @(posedge clk) begin\n  far <= {g[%d]%s, far_1};\nend", area - 1,
+            p->limits > 1 ? ", far_2" : "");
+  emit_end(m);
+}
+
+static void gen_edge_clear(emitter *e, const exact_plan *p) {
+  int area = width_of(e, SEPAX_X_AREA);
+  int n = p->limits;
   char width[16];
   char name[EMIT_NAME];
   emit_module *m = emit_begin(e, "sepax_edge_clear",
                               "In a projection: is the other triangle farther from an edge than its limit, all of it\n"
                               "on the side where the edge's own triangle is not? For each clearance. Latency 1.");
-  snprintf(width, sizeof width, "%d", area);
+  snprintf(width, sizeof width, "%d", n + 1);
   emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
   for (int i = 1; i <= 3; i++) {
-    snprintf(name, sizeof name, "g_%d", i);
-    emit_signal(m, EMIT_INPUT, true, name, width, "area of the edge and vertex %d of the other", i);
+    snprintf(name, sizeof name, "b_%d", i);
+    emit_signal(m, EMIT_INPUT, false, name, width, "area of the edge and vertex %d of the other", i);
   }
+  snprintf(width, sizeof width, "%d", area);
   emit_signal(m, EMIT_INPUT, true, "own", width, "area of the edge's own triangle");
-  snprintf(name, sizeof name, "%d", p->limits * bits);
-  emit_signal(m, EMIT_INPUT, false, "limit", name, "for each clearance %d bits", bits);
-  snprintf(name, sizeof name, "%d", p->limits);
-  emit_signal(m, EMIT_OUTPUT_REG, false, "clear", name, "bit k: of clearance k");
+  snprintf(width, sizeof width, "%d", n);
+  emit_signal(m, EMIT_OUTPUT_REG, false, "clear", width, "bit k: of clearance k");
   emit_net(m, EMIT_WIRE, false, "one_side", "");
-  emit_text(m,
-            "assign one_side = (g_1[%d] == g_2[%d]) && (g_1[%d] == g_3[%d]) &&\n"
-            "                  ((own == %d'd0) || (own[%d] != g_1[%d]));",
-            area - 1, area - 1, area - 1, area - 1, area, area - 1, area - 1);
-  for (int k = 0; k < p->limits; k++) {
-    for (int i = 1; i <= 3; i++) {
-      char value[8];
-      snprintf(value, sizeof value, "g_%d", i);
-      snprintf(name, sizeof name, "far_%d_%d", i, k + 1);
-      exceeds(m, value, area, "limit", k * bits, bits, name);
-    }
-  }
-  if (p->limits == 1) {
-    emit_text(m, "\nalways @(posedge clk) begin\n  clear <= one_side && far_1_1 && far_2_1 && far_3_1;\nend");
+  emit_text(m, "assign one_side = (b_1[%d] == b_2[%d]) && (b_1[%d] == b_3[%d]) &&\n"
+               "                  ((own == %d'd0) || (own[%d] != b_1[%d]));",
+            n, n, n, n, area, area - 1, n);
+  if (n == 1) {
+    emit_text(m, "\nalways @(posedge clk) begin\n  clear <= one_side && b_1[0] && b_2[0] && b_3[0];\nend");
   } else {
-    emit_text(m, "\nalways @(posedge clk) begin\n  clear <= {one_side && far_1_2 && far_2_2 && far_3_2,\n"
-                 "            one_side && far_1_1 && far_2_1 && far_3_1};\nend");
+    emit_text(m, "\nalways @(posedge clk) begin\n  clear <= {one_side && b_1[1] && b_2[1] && b_3[1],\n"
+                 "            one_side && b_1[0] && b_2[0] && b_3[0]};\nend");
   }
   emit_end(m);
 }
@@ -482,6 +495,7 @@ void gen_exact_clear_units(emitter *e, const exact_plan *p) {
   gen_limit(e, p, "sepax_limit", SEPAX_X_CROSS, "e x f");
   gen_limit(e, p, "sepax_own_limit", SEPAX_X_AREA, "N_A or N_B");
   gen_edge_limit(e, p);
+  gen_beyond(e, p);
   gen_edge_clear(e, p);
   gen_far(e, p);
   gen_decide_band(e, p);
@@ -550,7 +564,7 @@ static void edge_limit_of(core *c, const unit *u, int projection, source out) {
     schedule_value v[EXACT_TERMS];
     source whole;
     exact_operands(c->p, u->id, u->operation[k], v);
-    schedule_source(&c->p->schedule, v[4], u->start + k, whole);
+    schedule_source(&c->p->schedule, v[1], u->start + k, whole);
     snprintf(text[k], EMIT_NAME, "%.30s[%d*M_W-1:%d*M_W]", whole, projection + 1, projection);
   }
   snprintf(name, sizeof name, "%.40s_t", u->out->name);
@@ -558,21 +572,21 @@ static void edge_limit_of(core *c, const unit *u, int projection, source out) {
 }
 
 static void edge_tests(core *c, int projection) {
-  exact_class_id id = exact_projected(EXACT_EDGE_XY, projection);
+  static const char *const edge[] = {"b_1", "b_2", "b_3", "own", NULL};
+  static const char *const width[] = {"LIMITS+1", "LIMITS+1", "LIMITS+1", "G_W"};
+  exact_class_id id = exact_projected(EXACT_BEYOND_XY, projection);
   for (int n = 0; n < exact_units(c->p, id); n++) {
     unit u = core_unit_of(c, id, n);
-    source text[5];
+    source g;
+    source limit;
     char name[EMIT_NAME];
     core_describe(c, &u);
-    for (int i = 0; i < 4; i++) {
-      core_operand(c, &u, i, "G_W", text[i]);
-    }
-    edge_limit_of(c, &u, projection, text[4]);
+    core_operand(c, &u, 0, "G_W", g);
+    edge_limit_of(c, &u, projection, limit);
     snprintf(name, sizeof name, "unit_%.30s", u.out->name);
-    emit_instance(c->m, "sepax_edge_clear", name, "",
-                  "clk=clk, g_1=%s, g_2=%s, g_3=%s, own=%s, limit=%s, clear=%s", text[0],
-                  text[1], text[2], text[3], text[4], u.out->name);
+    emit_instance(c->m, "sepax_beyond", name, "", "clk=clk, g=%s, limit=%s, far=%s", g, limit, u.out->name);
   }
+  units_of(c, exact_projected(EXACT_EDGE_XY, projection), "sepax_edge_clear", edge, width, "clear");
 }
 
 static void boxes(core *c) {

@@ -192,7 +192,7 @@ void core_operand(core *c, const unit *u, int index, const char *width, source o
     exact_operands(c->p, u->id, u->operation[k], v);
     schedule_source(&c->p->schedule, v[index], u->start + k, text[k]);
   }
-  snprintf(name, sizeof name, "%.40s_%c", u->out->name, "pqrst"[index]);
+  snprintf(name, sizeof name, "%.40s_%c", u->out->name, "pqrs"[index]);
   core_choose(c, name, width, true, u->start, u->slots, text, out);
 }
 
