@@ -2,7 +2,8 @@
  * its false alarms:
  *   clearance sweep COUNT SEED    COUNT pairs near a limit; exit status 1 if one is missed
  *   clearance curve COUNT SEED    CSV: share of pairs not free over the real distance, COUNT
- *                                 pairs a kind and distance, CLEARANCE 5 */
+ *                                 pairs a kind and distance, CLEARANCE 5
+ *   clearance pairs COUNT WORD    pairs near limits of 0 ... 20, rounded, for the benches */
 #include "clear_rules.h"
 #include "distance.h"
 #include "real_pairs.h"
@@ -153,6 +154,27 @@ static int curve(size_t count, uint64_t seed) {
   return 0;
 }
 
+static int pairs(size_t count, uint64_t word) {
+  if (word < SEPAX_WORD_MIN || word > SEPAX_WORD_MAX) {
+    fprintf(stderr, "clearance: word: give %d ... %d\n", SEPAX_WORD_MIN, SEPAX_WORD_MAX);
+    return 2;
+  }
+  static const int near[] = {0, 1, 2, 5, 20};
+  sepax_random random = {word};
+  for (size_t n = 0; n < count;) {
+    int limit = near[sepax_random_range(&random, 0, 4)];
+    double distance = limit + uniform(&random, 0, 2 + limit);
+    real_pair p = real_pair_make((int)(sepax_random_next(&random) % REAL_KINDS), distance, &random);
+    sepax_pair pair = {.a = p.rounded_a, .b = p.rounded_b};
+    if (sepax_pair_fits(&pair, (int)word)) {
+      sepax_pair_print(stdout, &pair);
+      putchar('\n');
+      n++;
+    }
+  }
+  return 0;
+}
+
 int main(int argc, char **argv) {
   char *end = NULL;
   size_t count = argc == 4 ? strtoul(argv[2], &end, 10) : 0;
@@ -163,6 +185,9 @@ int main(int argc, char **argv) {
   if (count > 0 && *end == '\0' && strcmp(argv[1], "curve") == 0) {
     return curve(count, seed);
   }
-  fprintf(stderr, "usage: clearance sweep|curve COUNT SEED\n");
+  if (count > 0 && *end == '\0' && strcmp(argv[1], "pairs") == 0) {
+    return pairs(count, seed);
+  }
+  fprintf(stderr, "usage: clearance sweep|curve COUNT SEED, clearance pairs COUNT WORD\n");
   return 2;
 }
