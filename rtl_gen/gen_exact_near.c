@@ -125,15 +125,20 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
   gen_exact_bounds(e);
   gen_approach(e);
   gen_exact_every(p, every);
+  char apart[96] = "with disjoint boxes are separated (axis 13); of the";
+  if (e->design->limits > 0) {
+    snprintf(apart, sizeof apart, "with boxes more than %lld LSB apart are free (axis 13); of the",
+             (long long)e->design->margin[1]);
+  }
   snprintf(banner, sizeof banner,
            "Exact collision detection of two triangles of which the boxes are at most %d (A)\n"
-           "and %d (B) LSB long. Pairs with disjoint boxes are separated (axis 13); of the\n"
+           "and %d (B) LSB long. Pairs %s\n"
            "others those that are larger are called collisions, undecided, and flagged\n"
            "(out_of_range, axis 14); for the rest %d bits of %d are enough.\n"
            "valid/ready on both sides; a pair every %s, verdicts in order.\n"
            "Latency %d cycles from the one in which a pair is taken to its verdict, both\n"
            "counted%s. Outputs are 0 without out_valid.",
-           c->extent_a, c->extent_b, e->design->core_word, c->word, every,
+           c->extent_a, c->extent_b, apart, e->design->core_word, c->word, every,
            p->latency + APPROACH_CYCLES, c->ii > 1 ? ", when the machine was empty" : "");
   emit_module *m = emit_begin(e, "sepax_top", banner);
   gen_exact_ports(m, c->word);

@@ -121,10 +121,13 @@ void gen_exact_ports(emit_module *m, int word) {
   }
   emit_signal(m, EMIT_OUTPUT, false, "out_valid", "", "a verdict is here");
   emit_signal(m, EMIT_INPUT, false, "out_ready", "", "it is taken in this cycle");
-  emit_signal(m, EMIT_OUTPUT, false, "out_collision", "", "1: the triangles share a point");
+  bool bands = m->emitter->design->limits > 0;
+  emit_signal(m, EMIT_OUTPUT, false, "out_collision", "", "%s",
+              bands ? "1: not proved to be farther apart than the clearance" : "1: the triangles share a point");
   emit_signal(m, EMIT_OUTPUT, false, "out_coplanar", "", "1: all six points are in one plane");
-  emit_signal(m, EMIT_OUTPUT, false, "out_axis", "4",
-              "what separates: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B, 12 in the plane; 0 none");
+  emit_signal(m, EMIT_OUTPUT, false, "out_axis", "4", "%s",
+              bands ? "what proves the band: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B, 12 of an edge, 13 boxes; 0 none"
+                    : "what separates: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B, 12 in the plane; 0 none");
 }
 
 typedef struct {

@@ -3,7 +3,7 @@
 #include <math.h>
 
 static const char *const names[RULES] = {
-    "length", "model",  "sum", "without x, y", "without edges", "products", "boxes", "no rounding",
+    "length", "model",  "sum", "without x and y", "without edges", "products", "boxes", "no rounding",
     "length, wrong"};
 
 const char *clear_rule_name(clear_rule rule) { return names[rule]; }
