@@ -9,6 +9,7 @@ typedef struct {
   emit_module *m;
   const exact_plan *p;
   int ii;
+  bool late; /* choices are made by at_q, the frame's cycle one cycle later: less fan-out of `at` */
 } core;
 
 typedef char source[EMIT_NAME]; /* the register in which an operand stands */

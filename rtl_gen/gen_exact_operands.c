@@ -146,7 +146,7 @@ void core_choose(core *c, const char *name, const char *width, bool is_signed, i
     fputc('(', stream);
     for (int j = k; j < slots; j++) {
       if (strcmp(text[k], text[j]) == 0) {
-        fprintf(stream, "%sat[%d]", separator, (start + j) % c->ii);
+        fprintf(stream, c->late ? "%sat_q[%d]" : "%sat[%d]", separator, (start + j + (c->late ? c->ii - 1 : 0)) % c->ii);
         separator = " || ";
       }
     }
