@@ -154,7 +154,7 @@ static int curve(size_t count, uint64_t seed) {
   return 0;
 }
 
-static int pairs(size_t count, uint64_t word) {
+static int print_pairs(size_t count, uint64_t word) {
   if (word < SEPAX_WORD_MIN || word > SEPAX_WORD_MAX) {
     fprintf(stderr, "clearance: word: give %d ... %d\n", SEPAX_WORD_MIN, SEPAX_WORD_MAX);
     return 2;
@@ -186,7 +186,7 @@ int main(int argc, char **argv) {
     return curve(count, seed);
   }
   if (count > 0 && *end == '\0' && strcmp(argv[1], "pairs") == 0) {
-    return pairs(count, seed);
+    return print_pairs(count, seed);
   }
   fprintf(stderr, "usage: clearance sweep|curve COUNT SEED, clearance pairs COUNT WORD\n");
   return 2;
