@@ -12,6 +12,8 @@ LANES       ?=
 CORES       ?=
 MEMORY_A    ?=
 MEMORY_B    ?=
+CLEARANCE   ?=
+WARNING     ?=
 PRECISION   ?= full
 BLOCK_FLOAT ?= off
 COPLANARITY ?= plane
@@ -62,7 +64,7 @@ object  = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 # Choices of one architecture go to it; those of another only when someone made them, so
 # that the program refuses them.
 given         = $(filter command environment,$(firstword $(origin $(1))))
-CHOICES_exact = COPLANAR CLOCK_NS $(foreach choice,EXTENT_A EXTENT_B LANES CORES MEMORY_A \
+CHOICES_exact = COPLANAR CLOCK_NS $(foreach choice,EXTENT_A EXTENT_B CLEARANCE WARNING LANES CORES MEMORY_A \
                 MEMORY_B,$(if $($(choice)),$(choice)))
 CHOICES_paper = PRECISION BLOCK_FLOAT COPLANARITY INEQUALITY EPSILON
 CHOICES_conference = $(CHOICES_paper)
@@ -74,6 +76,8 @@ OPTION_LANES       = --lanes=$(LANES)
 OPTION_CORES       = --cores=$(CORES)
 OPTION_MEMORY_A    = --memory-a=$(MEMORY_A)
 OPTION_MEMORY_B    = --memory-b=$(MEMORY_B)
+OPTION_CLEARANCE   = --clearance=$(CLEARANCE)
+OPTION_WARNING     = --warning=$(WARNING)
 OPTION_PRECISION   = --precision=$(PRECISION)
 OPTION_BLOCK_FLOAT = --block-float=$(BLOCK_FLOAT)
 OPTION_COPLANARITY = --coplanarity=$(COPLANARITY)
@@ -87,6 +91,7 @@ OPTIONS = $(strip --arch=$(ARCH) --word=$(WORD) --ii=$(II) $(foreach \
 # the default.
 NAME_exact = exact-w$(WORD)-ii$(II)$(if $(filter flag,$(COPLANAR)),-flag)$(if \
              $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)$(if $(EXTENT_A),-a$(EXTENT_A))$(if $(EXTENT_B),-b$(EXTENT_B))$(if \
+             $(CLEARANCE),-c$(CLEARANCE))$(if $(WARNING),-d$(WARNING))$(if \
              $(LANES),-k$(LANES))$(if $(CORES),x$(CORES))$(if $(MEMORY_A),-ma$(MEMORY_A))$(if $(MEMORY_B),-mb$(MEMORY_B))
 NAME_paper = $(ARCH)-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FLOAT)),-bf)$(if \
              $(filter paper,$(COPLANARITY)),-cop)$(if $(filter printed,$(INEQUALITY)),-ineq)$(if \
@@ -116,7 +121,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        area-sweep scene accuracy install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
+        area-sweep scene accuracy clearance install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
 
 all:
 	@scripts/setup
@@ -157,6 +162,8 @@ help:
 #:                 scalar model (COUNT=n), meshes, threads, and the verilated machine
 #: make accuracy   wrong verdicts of every design point by family, against speed and gates:
 #:                 build/accuracy/index.html, CSV, JSON, SVG (QUICK=1: a fiftieth of the pairs)
+#: make clearance  10,000,000 pairs of real triangles near the limits of a clearance, held against
+#:                 exact distances (COUNT=n); false alarms over distance: build/clearance/
 #: make install    program, library, header, manual pages (PREFIX=/usr/local DESTDIR=);
 #:                 make uninstall removes them
 #: make reference  regenerate rtl/, the W = 18 cores that come with the source
@@ -164,6 +171,7 @@ help:
 #: make clean      remove build/
 #:
 #: Design:  ARCH=exact WORD=18 II=1...18 COPLANAR=exact|flag CLOCK_NS=2 EXTENT_A= EXTENT_B=
+#:          CLEARANCE= WARNING=
 #:          with an object engine: LANES=1...64 CORES=1 MEMORY_A=512 MEMORY_B=512
 #:          ARCH=paper|conference WORD=18 PRECISION=full|word|guard=G BLOCK_FLOAT=off|on
 #:          COPLANARITY=plane|paper INEQUALITY=correct|printed EPSILON=1
@@ -219,7 +227,8 @@ $(SEPAX): $(call object,$(CLI_SRC)) $(LIB)
 
 GEN_OBJ = $(filter-out %/cmd_gen.o %/cmd_multiplier.o,$(call object,$(wildcard rtl_gen/*.c)))
 
-$(BUILD)/test_%: $(call object,tb/test_%.c tb/oracle.c tb/mesh_tools.c tb/pair_tools.c) \
+$(BUILD)/test_%: $(call object,tb/test_%.c tb/oracle.c tb/mesh_tools.c tb/pair_tools.c \
+                 tb/distance.c tb/real_pairs.c tb/clear_rules.c) \
                  $(GEN_OBJ) $(LIB)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -lcmocka -lgmp -ljansson -lm -pthread -o $@
@@ -272,6 +281,14 @@ bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch $(COSIM)
 	@scripts/bench $(BUILD)/software $(if $(call given,COUNT),$(COUNT))
 	@echo "== verilated machine with its golden model, all families:"
 	@$(COSIM) $(SEEDED)
+
+NEAR_SRC = $(addprefix tb/,clearance.c oracle.c distance.c real_pairs.c clear_rules.c)
+$(BUILD)/clearance-test: $(call object,$(NEAR_SRC)) $(LIB)
+	@echo "  LINK    $@"
+	@$(CC) $(CFLAGS) $^ -lgmp -lm -pthread -o $@
+
+clearance: $(BUILD)/clearance-test
+	@scripts/clearance $< $(if $(call given,COUNT),$(COUNT),10000000) $(BUILD)/clearance
 
 accuracy: $(SEPAX) $(BUILD)/bench
 	@[ -n "$(QUICK)" ] || [ -r $(BUILD)/area.json ] || $(MAKE) --no-print-directory area > $(BUILD)/area.txt

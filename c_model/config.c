@@ -105,9 +105,18 @@ sepax_config sepax_config_default(void) {
                         .inequality = SEPAX_INEQUALITY_CORRECT,
                         .epsilon = 1,
                         .clock_ps = 2000,
+                        .clearance = -1,
                         .cores = 1,
                         .memory_a = 512,
                         .memory_b = 512};
+}
+
+static bool set_clearance(sepax_config *config, int value, sepax_error *error) {
+  if (value < 0) {
+    return sepax_fail(error, "clearance: %d LSB is out of range; give 0 or more", value);
+  }
+  config->clearance = value;
+  return true;
 }
 
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
@@ -120,11 +129,14 @@ bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                  {"epsilon", &config->epsilon},   {"extent-a", &config->extent_a},
                  {"extent-b", &config->extent_b}, {"lanes", &config->lanes},
                  {"cores", &config->cores},       {"memory-a", &config->memory_a},
-                 {"memory-b", &config->memory_b}};
+                 {"memory-b", &config->memory_b}, {"warning", &config->warning}};
   for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
     if (strcmp(name, numbers[i].name) == 0) {
       return parse_int(numbers[i].value, name, value, error);
     }
+  }
+  if (strcmp(name, "clearance") == 0) { /* that there is none is said by leaving it out */
+    return parse_int(&choice, name, value, error) && set_clearance(config, choice, error);
   }
   if (strcmp(name, "clock-ns") == 0) {
     return parse_clock(&config->clock_ps, value, error);
@@ -193,6 +205,12 @@ char *sepax_config_text(const sepax_config *config, char *text, size_t size) {
       used += snprintf(text + used, size - (size_t)used, " --extent-a=%d --extent-b=%d", config->extent_a,
                        config->extent_b);
     }
+    if (config->clearance >= 0) {
+      used += snprintf(text + used, size - (size_t)used, " --clearance=%d", config->clearance);
+    }
+    if (config->warning > 0) {
+      used += snprintf(text + used, size - (size_t)used, " --warning=%d", config->warning);
+    }
     if (config->lanes > 0) {
       snprintf(text + used, size - (size_t)used, " --lanes=%d --cores=%d --memory-a=%d --memory-b=%d", config->lanes,
                config->cores, config->memory_a, config->memory_b);
@@ -232,6 +250,8 @@ static bool check_unused(const sepax_config *config, sepax_error *error) {
       {"extent-a", SEPAX_ARCH_EXACT, config->extent_a != 0},
       {"extent-b", SEPAX_ARCH_EXACT, config->extent_b != 0},
       {"lanes", SEPAX_ARCH_EXACT, config->lanes != 0},
+      {"clearance", SEPAX_ARCH_EXACT, config->clearance != plain.clearance},
+      {"warning", SEPAX_ARCH_EXACT, config->warning != plain.warning},
       {"ii", is_published(config->arch) ? SEPAX_ARCH_PAPER : SEPAX_ARCH_EXACT,
        config->ii != plain.ii},
   };
@@ -246,15 +266,22 @@ static bool check_unused(const sepax_config *config, sepax_error *error) {
   return true;
 }
 
-/* Boxes that meet, seen from the lowest corner of the larger kind: its own coordinates reach
- * up to its extent, the other's from minus its extent to the sum of both. */
+/* The gap of boxes beyond which a pair is free, the outermost clearance granted. */
+static int64_t outer_margin(const sepax_config *config) {
+  int outer = config->warning > 0 ? config->warning : config->clearance;
+  return (int64_t)outer + 1;
+}
+
+/* Boxes that meet, or are no farther apart than the margin, seen from the lowest corner of the
+ * larger kind: its own coordinates reach up to its extent, the other's from minus its extent to
+ * the sum of both, and that much more. */
 static int core_word(const sepax_config *config) {
   int64_t a = config->extent_a;
   int64_t b = config->extent_b;
   if (a == 0 && b == 0) {
     return config->word;
   }
-  int64_t range = a > b ? a + 2 * b : 2 * a + b;
+  int64_t range = (a > b ? a + 2 * b : 2 * a + b) + 2 * outer_margin(config);
   int bits = SEPAX_WORD_MIN;
   while (range >> bits != 0) {
     bits++;
@@ -285,10 +312,31 @@ static bool check_engine(const sepax_config *config, sepax_error *error) {
   return true;
 }
 
+static bool check_clearance(const sepax_config *config, sepax_error *error) {
+  int most = sepax_word_max(config->word);
+  if (config->clearance < -1 || config->clearance > most) {
+    return sepax_fail(error, "clearance: %d LSB is out of range; give 0 ... %d", config->clearance, most);
+  }
+  if (config->warning != 0 && config->clearance < 0) {
+    return sepax_fail(error, "warning: there is no clearance to warn before; give --clearance, too");
+  }
+  if (config->warning != 0 && (config->warning <= config->clearance || config->warning > most)) {
+    return sepax_fail(error, "warning: %d LSB is not above the clearance of %d and up to %d", config->warning,
+                      config->clearance, most);
+  }
+  if (config->clearance >= 0 && config->flag) {
+    return sepax_fail(error, "coplanar: with a clearance coplanar pairs need no second pass; leave flag out");
+  }
+  return true;
+}
+
 static bool check_exact(const sepax_config *config, sepax_error *error) {
   if (config->ii < 1 || config->ii > SEPAX_II_MAX) {
     return sepax_fail(error, "ii: %d is out of range; give 1 ... %d cycles", config->ii,
                       SEPAX_II_MAX);
+  }
+  if (!check_clearance(config, error)) {
+    return false;
   }
   if (config->extent_a != 0 || config->extent_b != 0) {
     int64_t most = (INT64_C(1) << config->word) - 1;
@@ -434,6 +482,26 @@ static void derive_formats(sepax_design *d) {
   enter(d, SEPAX_F_PROJECTION, "projection", sum_of_three(p), keep);
 }
 
+/* What a gap, doubled, must exceed on an axis whose components are at most so long. */
+static interval limit_of(const sepax_config *c, int components, wide longest) {
+  wide outer = outer_margin(c) - 1;
+  return (interval){0, ((outer + 2) * components + outer) * longest};
+}
+
+/* With a clearance: components of e x f are at most twice the square of a side. */
+static void derive_limits(sepax_design *d, wide side) {
+  const sepax_config *c = &d->config;
+  if (c->clearance < 0) {
+    return;
+  }
+  interval cross = {-2 * side * side, 2 * side * side};
+  interval limit = limit_of(c, 3, 2 * side * side);
+  interval edge_limit = limit_of(c, 2, side);
+  enter_modular(d, SEPAX_X_CROSS, "cross", cross, cross);
+  enter_modular(d, SEPAX_X_LIMIT, "limit", limit, limit);
+  enter_modular(d, SEPAX_X_EDGE_LIMIT, "edge_limit", edge_limit, edge_limit);
+}
+
 /* Formats of architecture exact: `exact` bits hold every term on the way, `width` the
  * result; sums that cancel are taken modulo 2^width. Twice the area of a triangle in a
  * square of side L is at most L^2, six times the volume of a tetrahedron in a cube 2 L^3. */
@@ -453,6 +521,7 @@ static void derive_exact_formats(sepax_design *d) {
   enter_digits(d, SEPAX_X_WEIGHT, "weight", weight);
   enter_digits(d, SEPAX_X_OWN_WEIGHT, "own_weight", own_weight);
   enter_modular(d, SEPAX_X_VOLUME, "volume", product(area, own_weight), volume);
+  derive_limits(d, side);
 }
 
 /* epsilon LSB of distance along a unit normal, in units of a normal projection. */
@@ -477,6 +546,9 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
     design->latency = config->arch == SEPAX_ARCH_PAPER ? 13 : 20;
   } else if (config->arch == SEPAX_ARCH_EXACT) {
     design->core_word = core_word(config);
+    design->limits = config->clearance < 0 ? 0 : config->warning > 0 ? 2 : 1;
+    design->margin[0] = (int64_t)config->clearance + 1;
+    design->margin[1] = outer_margin(config);
     derive_exact_formats(design);
   }
   return true;

@@ -58,6 +58,16 @@ static box box_of(const sepax_tri *t) {
   return b;
 }
 
+/* No axis of the grid has a gap above the margin. */
+static bool near(const box *a, const box *b, int64_t margin) {
+  for (int axis = 0; axis < 3; axis++) {
+    if ((int64_t)a->low[axis] - b->high[axis] > margin || (int64_t)b->low[axis] - a->high[axis] > margin) {
+      return false;
+    }
+  }
+  return true;
+}
+
 static bool meet(const box *a, const box *b) {
   return a->low[0] <= b->high[0] && b->low[0] <= a->high[0] && a->low[1] <= b->high[1] &&
          b->low[1] <= a->high[1] && a->low[2] <= b->high[2] && b->low[2] <= a->high[2];
@@ -178,7 +188,8 @@ static bool build_tree(tree *t, const sepax_tri *tri, size_t count, bool brute_f
 
 typedef struct {
   const sepax_search *how;
-  const sepax_tri *tri_a;
+  const sepax_design *design; /* with clearances, or NULL for collisions */
+  const sepax_tri *tri_a, *tri_b;
   tree a, b;
   size_t tasks, parts; /* of B */
   atomic_size_t next; /* task */
@@ -215,6 +226,24 @@ static bool record(worker *w, size_t i, size_t j) {
   return !w->all->how->first;
 }
 
+static bool reach(const search *s, const box *a, const box *b) {
+  return s->design != NULL ? near(a, b, s->design->margin[1]) : meet(a, b);
+}
+
+/* One triangle of A against the triangles from ... to of B's order: those that are not free. */
+static bool judge_bands(worker *w, size_t i, const box *box_a, size_t from, size_t to) {
+  const search *s = w->all;
+  for (size_t m = from; m < to; m++) {
+    size_t j = s->b.order[m];
+    box box_b = box_of(&s->tri_b[j]);
+    if (near(box_a, &box_b, s->design->margin[1]) &&
+        sepax_clearance(s->design, &s->tri_a[i], &s->tri_b[j]).band != SEPAX_BAND_FREE && !record(w, i, j)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /* The triangles first ... end of A's order against leaves of B. */
 static void judge_leaves(worker *w, const box *boxes, size_t first, size_t end, size_t leaf,
                          size_t leaves) {
@@ -227,10 +256,17 @@ static void judge_leaves(worker *w, const box *boxes, size_t first, size_t end, 
     columns.c[i / 3][i % 3] = s->b.at.c[i / 3][i % 3] + from;
   }
   for (size_t n = first; n < end && !atomic_load(&w->all->stop); n++) {
-    if (boxes != NULL && !meet(&boxes[n - first], &s->b.boxes[s->b.leaves + leaf])) {
+    if (boxes != NULL && !reach(s, &boxes[n - first], &s->b.boxes[s->b.leaves + leaf])) {
       continue;
     }
     size_t i = s->a.order[n];
+    if (s->design != NULL) {
+      box box_a = box_of(&s->tri_a[i]);
+      if (!judge_bands(w, i, &box_a, from, from + many)) {
+        return;
+      }
+      continue;
+    }
     sepax_exact_one_to_many(s->how->path, &s->tri_a[i], &columns, many, bits);
     for (size_t m = 0; m < (many + 63) / 64; m++) {
       for (uint64_t word = bits[m]; word != 0; word &= word - 1) {
@@ -261,7 +297,7 @@ static void judge_task(worker *w, size_t task) {
   size_t depth = 1;
   while (depth > 0 && !atomic_load(&w->all->stop)) {
     size_t node = stack[--depth];
-    if (!meet(&s->b.boxes[node], &s->a.boxes[s->a.leaves + leaf_a])) {
+    if (!reach(s, &s->b.boxes[node], &s->a.boxes[s->a.leaves + leaf_a])) {
       continue;
     }
     if (node >= s->b.leaves) {
@@ -380,11 +416,10 @@ static bool run(search *s, sepax_pairs *found) {
   return ok;
 }
 
-bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b,
-                           size_t count_b, const sepax_search *how, sepax_pairs *found,
-                           sepax_error *error) {
+static bool find_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a, const sepax_tri *b,
+                       size_t count_b, const sepax_search *how, sepax_pairs *found, sepax_error *error) {
   static const sepax_search usual = {0};
-  search s = {.how = how != NULL ? how : &usual, .tri_a = a};
+  search s = {.how = how != NULL ? how : &usual, .design = design, .tri_a = a, .tri_b = b};
   *found = (sepax_pairs){0};
   if (count_a == 0 || count_b == 0) {
     return true;
@@ -405,6 +440,17 @@ bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *
   }
   return ok || sepax_fail(error, "no memory for the search among %zu and %zu triangles", count_a,
                           count_b);
+}
+
+bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b,
+                           size_t count_b, const sepax_search *how, sepax_pairs *found,
+                           sepax_error *error) {
+  return find_pairs(NULL, a, count_a, b, count_b, how, found, error);
+}
+
+bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a, const sepax_tri *b,
+                      size_t count_b, const sepax_search *how, sepax_pairs *found, sepax_error *error) {
+  return find_pairs(design, a, count_a, b, count_b, how, found, error);
 }
 
 void sepax_pairs_free(sepax_pairs *pairs) {

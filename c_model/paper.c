@@ -205,7 +205,8 @@ sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pai
 }
 
 /* -1 apart, 0 within the extents, 1 beyond one. */
-static int judge_boxes(const sepax_config *c, const sepax_pair *pair) {
+static int judge_boxes(const sepax_design *design, const sepax_pair *pair) {
+  const sepax_config *c = &design->config;
   int beyond = 0;
   for (int axis = 0; axis < 3; axis++) {
     int64_t low[2] = {INT64_MAX, INT64_MAX};
@@ -216,7 +217,7 @@ static int judge_boxes(const sepax_config *c, const sepax_pair *pair) {
       low[i / 3] = at < low[i / 3] ? at : low[i / 3];
       high[i / 3] = at > high[i / 3] ? at : high[i / 3];
     }
-    if (high[0] < low[1] || high[1] < low[0]) {
+    if (low[1] - high[0] > design->margin[1] || low[0] - high[1] > design->margin[1]) {
       return -1;
     }
     beyond |= high[0] - low[0] > c->extent_a || high[1] - low[1] > c->extent_b;
@@ -225,9 +226,13 @@ static int judge_boxes(const sepax_config *c, const sepax_pair *pair) {
 }
 
 static sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *pair) {
-  int boxes = design->config.extent_a > 0 ? judge_boxes(&design->config, pair) : 0;
+  int boxes = design->config.extent_a > 0 ? judge_boxes(design, pair) : 0;
   if (boxes != 0) {
-    return (sepax_verdict){.collision = boxes > 0, .axis = boxes > 0 ? SEPAX_AXIS_RANGE : SEPAX_AXIS_BOXES};
+    return (sepax_verdict){.collision = boxes > 0, .axis = boxes > 0 ? SEPAX_AXIS_RANGE : SEPAX_AXIS_BOXES,
+                           .band = boxes > 0 && design->limits > 0 ? SEPAX_BAND_COLLISION : SEPAX_BAND_FREE};
+  }
+  if (design->limits > 0) {
+    return sepax_clearance(design, &pair->a, &pair->b);
   }
   sepax_verdict verdict = sepax_exact(&pair->a, &pair->b);
   if (verdict.coplanar && design->config.flag) {

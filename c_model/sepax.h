@@ -107,6 +107,8 @@ typedef struct {
   int clock_ps;                  /* exact: the period to pipeline for, 500 ... 20000 ps */
   int extent_a, extent_b;        /* exact: longest side of the box of a triangle of A, of B, in
                                     LSB, that the core decides; 0, 0: any */
+  int clearance, warning;        /* exact: LSB; -1 and 0: none. The verdict is free only if the real triangles are
+                                    farther apart than `clearance` (docs/clearance.md) */
   int lanes;                     /* exact: box lanes of an object engine, 1 ... 64; 0: the core alone */
   int cores;                     /* of the engine, 1 ... 8 */
   int memory_a, memory_b;        /* triangles of A, of B that it holds: 2^7 ... 2^15 */
@@ -119,7 +121,8 @@ sepax_config sepax_config_default(void);
 /* Set one value from text, by the name of its command-line option: "arch",
  * "word", "ii", "precision" (full, word, guard=G), "block-float" (on, off),
  * "coplanarity", "inequality", "epsilon", "coplanar" (exact, flag), "clock-ns" (at most
- * three decimals), "extent-a", "extent-b", "lanes", "cores", "memory-a", "memory-b". Fails on an unknown name or value. */
+ * three decimals), "extent-a", "extent-b", "clearance", "warning", "lanes", "cores", "memory-a",
+ * "memory-b". Fails on an unknown name or value. */
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error);
 
@@ -167,7 +170,10 @@ enum {
   SEPAX_X_WEIGHT,     /* sum of z, the origin moved to A: for triangles of both; plus
                          1 + 4 + 16 ..., as its digits want it (docs/exact.md) */
   SEPAX_X_OWN_WEIGHT, /* the same for triangle B itself */
-  SEPAX_X_VOLUME      /* h_ijk, v_ijkl: six times a volume */
+  SEPAX_X_VOLUME,     /* h_ijk, v_ijkl: six times a volume */
+  SEPAX_X_CROSS,      /* with a clearance: a component of e x f, N_A, N_B; */
+  SEPAX_X_LIMIT,      /* what twice a gap on such an axis must exceed; */
+  SEPAX_X_EDGE_LIMIT  /* and on an axis normal to an edge and a coordinate axis */
 };
 
 /* A checked configuration with what follows from it. */
@@ -179,6 +185,9 @@ typedef struct {
   int64_t coplanar_limit; /* |difference| < limit, in units of NORMAL_PROJECTION */
   int latency;            /* cycles from the first input word to the verdict; of exact it
                              follows from the schedule that the generator makes */
+  int limits;             /* clearances asked for, 0 ... 2 */
+  int64_t margin[2];      /* with them: a gap of the boxes above margin[0] is outside of the
+                             clearance, above margin[1] free; 1 + clearance, 1 + warning */
 } sepax_design;
 
 /* Check the configuration and derive formats, limit and latency. */
@@ -192,7 +201,9 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
  * 10 = N_A, 11 = N_B; 0 when none separates or the method has none. Of coplanar pairs
  * paper and conference number the axes 1 ... 6 of table 2, exact calls every axis in the plane 12. Where
  * the design has extents, 13 are disjoint boxes, and 14 boxes that meet, one of them larger
- * than its extent: a collision, undecided. */
+ * than its extent: a collision, undecided. With a clearance 13 is x, y or z, 12 normal to an edge
+ * and to x, y or z. */
+typedef enum { SEPAX_BAND_FREE, SEPAX_BAND_WARNING, SEPAX_BAND_COLLISION } sepax_band;
 enum { SEPAX_AXIS_BOXES = 13, SEPAX_AXIS_RANGE = 14 };
 
 typedef struct {
@@ -201,6 +212,7 @@ typedef struct {
   int axis;         /* at which the search stops; it goes 10, 11, 1, 2, ... 9 */
   int mul_project;  /* multiplications in projections, as the paper counts them */
   int mul_axes;     /* multiplications in cross products, which it leaves out */
+  sepax_band band;  /* with a clearance; collision is then band == SEPAX_BAND_COLLISION */
 } sepax_verdict;
 
 /* The verdict of the architecture of `design`, bit for bit what its RTL gives.
@@ -217,6 +229,14 @@ sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
  * plane and f_j A's, so one that was passed over may separate, too. About 0.1 us for
  * coordinates of up to 20 bits. */
 sepax_verdict sepax_exact(const sepax_tri *a, const sepax_tri *b);
+
+/* The verdict with the clearances of `design` (arch exact, limits > 0): clearance 0 ... D LSB is
+ * band COLLISION, up to the warning limit WARNING, beyond FREE. Conservative: when the real
+ * triangles, every coordinate within 1/2 LSB of those given, are no farther apart than a limit
+ * (Euclid), the band is never beyond it. axis: 13, 10, 11, 1 ... 9, 12 in this order, the first that
+ * proves the band; 0 in band COLLISION. coplanar as of sepax_exact. docs/clearance.md has the
+ * proof and false alarms. Coordinates of W bits; about 1 us. */
+sepax_verdict sepax_clearance(const sepax_design *design, const sepax_tri *a, const sepax_tri *b);
 
 /* Two more models, true iff the triangles collide: they agree with sepax_exact on every
  * pair. The reference: the separating axis theorem on 128-bit integers, axis by axis; and
@@ -307,6 +327,11 @@ typedef struct {
 bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b,
                            size_t count_b, const sepax_search *how, sepax_pairs *found,
                            sepax_error *error);
+/* The same search for the pairs that sepax_clearance does not call free: `design` has clearances
+ * (limits > 0), boxes are kept apart by its margin. `first` ends at such a pair. */
+bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
+                      const sepax_tri *b, size_t count_b, const sepax_search *how,
+                      sepax_pairs *found, sepax_error *error);
 void sepax_pairs_free(sepax_pairs *pairs);
 
 /* ------------------------------------------------------------ the object engine */
@@ -407,6 +432,10 @@ typedef struct {
 bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax_grid *grid,
                       bool file_normals, sepax_error *error);
 void sepax_scene_free(sepax_scene *scene);
+
+/* The least whole number of LSB that is not below a length >= 0 in file units; exact. False where it
+ * is above 2^31 - 1. */
+bool sepax_grid_lsb(const sepax_grid *grid, double length, int *lsb);
 
 /* Two closed meshes of which no triangles collide: within[0] iff a connected part of A is
  * wholly inside the solid B, within[1] the same of B in A. Exact: inside is where a line that

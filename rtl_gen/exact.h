@@ -24,10 +24,35 @@ typedef enum {
   EXACT_ABOVE_A,    /* signs of the volumes over A of B_k */
   EXACT_ABOVE_B,    /* signs of the volumes over B of A_i */
   EXACT_BETWEEN,    /* signs of the volumes of edge c of A and edge c + r of B, at 3r + c */
+  /* With a clearance the volumes come whole, and there is more. The same in y and z, z and x: */
+  EXACT_STRIP_YZ,
+  EXACT_STRIP_ZX,
+  EXACT_AREA_YZ,
+  EXACT_AREA_ZX,
+  EXACT_OWN_YZ,
+  EXACT_OWN_ZX,
+  EXACT_CROSS_XY,   /* components of e x f, numbered as EXACT_BETWEEN */
+  EXACT_CROSS_YZ,
+  EXACT_CROSS_ZX,
+  EXACT_LIMIT,      /* what twice a gap must exceed on e x f; */
+  EXACT_OWN_LIMIT,  /* on N_B, N_A; */
+  EXACT_EDGE_LIMIT, /* on what is normal to an edge of A, of B and z, x, y */
+  EXACT_BEYOND_XY,  /* areas of both triangles against it, numbered as they; */
+  EXACT_BEYOND_YZ,
+  EXACT_BEYOND_ZX,
+  EXACT_EDGE_XY,    /* does it exceed it on what is normal to an edge of A, of B, and z; */
+  EXACT_EDGE_YZ,    /* x; */
+  EXACT_EDGE_ZX,    /* y */
+  EXACT_BOX,        /* x, y, z: the gap of the boxes */
+  EXACT_FAR_A,      /* does the volume over A of B_k exceed it; */
+  EXACT_FAR_B,
+  EXACT_FAR_BETWEEN,
+  EXACT_SLOPE_A,    /* how N_A goes along an edge of B */
+  EXACT_SLOPE_B,
   EXACT_CLASSES
 } exact_class_id;
 
-enum { EXACT_UNITS = 18 };
+enum { EXACT_UNITS = 18, EXACT_TERMS = 4 };
 
 typedef struct {
   int operations;
@@ -50,6 +75,9 @@ typedef struct {
   bool shared_rises;      /* weights are sums of rises, which are there at once (II = 1) */
   bool sign_rank;         /* an area's sign is registered behind the area */
   bool turns;             /* the vertices go round: 3 divides II */
+  int limits;             /* of a clearance, 0 ... 2; with it volumes come whole */
+  bool single;            /* no pair takes a second pass: the plane is not judged */
+  bool most_rank, total_rank; /* registers inside a limit: behind its first maximum, its products */
   bool running;           /* volumes over A and B's weight are summed term by term (II = 3) */
   int u_bank[EXACT_BANKS], z_bank[EXACT_BANKS]; /* first cycle of each */
   int u_banks, z_banks;   /* u: x, or y where all x are equal; bank 0 is x and y */
@@ -77,13 +105,24 @@ int exact_edge_area(int i, int b);     /* edge i of A with B_b */
 int exact_vertex_area(int a, int j);   /* A_a with edge j of B */
 int exact_between(int i, int j);
 
-/* Operands of an operation as values: up to four; returns how many. */
+/* Operands of an operation as values: up to EXACT_TERMS; returns how many. */
 int exact_operands(const exact_plan *p, exact_class_id id, int operation,
-                   schedule_value operand[4]);
+                   schedule_value operand[EXACT_TERMS]);
+
+/* Projection 0, 1, 2 (x and y, y and z, z and x) of the classes that are there for each. */
+exact_class_id exact_projected(exact_class_id of_xy, int projection);
+
+/* Rows that a number is made of when it is multiplied by a factor: signed digits that are not 0. */
+int exact_digits(int64_t factor);
+
+/* The projection in words: "xy", "yz", "zx". */
+const char *exact_projection_name(int projection);
 
 /* Modules. */
 void gen_exact_units(emitter *e, const exact_plan *p);
 void gen_exact_core(emitter *e, const exact_plan *p);
+/* With a clearance: modules of its own. */
+void gen_exact_clear_units(emitter *e, const exact_plan *p);
 /* "cycle", "3 cycles": a pair comes every ... */
 void gen_exact_every(const exact_plan *p, char text[24]);
 /* sepax_top, or sepax_near where the design has extents; gen_exact_near puts the box test

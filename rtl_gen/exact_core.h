@@ -9,6 +9,7 @@ typedef struct {
   emit_module *m;
   const exact_plan *p;
   int ii;
+  bool late; /* choices are made by at_q, the frame's cycle one cycle later: less fan-out of `at` */
 } core;
 
 typedef char source[EMIT_NAME]; /* the register in which an operand stands */
@@ -44,6 +45,11 @@ void core_choose(core *c, const char *name, const char *width, bool is_signed, i
 
 /* Operand `index` of a unit as its slots read it from other units. */
 void core_operand(core *c, const unit *u, int index, const char *width, source out);
+
+/* With a clearance: outputs of its units, the units, the verdict. */
+void core_declare_clear(core *c);
+void core_clear(core *c);
+void core_decide_band(core *c);
 
 /* Operand of coordinates: vertex[k] in slot k. */
 void core_point(core *c, const unit *u, const char *name, char axis, const int vertex[],

@@ -12,7 +12,7 @@ static void declare_outputs(core *c) {
                                          EXACT_OWN_PRISM, EXACT_ABOVE_A, EXACT_ABOVE_B,
                                          EXACT_BETWEEN, EXACT_ORDER_Z, EXACT_AREA_SIGN,
                                          EXACT_OWN_SIGN};
-  bool flag = c->p->design->config.flag;
+  bool flag = c->p->single;
   emit_text(c->m, "\n// What the units give; _q1, _q2 ... is the same, so many cycles later, _held stays\n"
                   "// until it has been read.");
   for (size_t i = 0; i < sizeof wires / sizeof wires[0]; i++) {
@@ -30,6 +30,9 @@ static void declare_outputs(core *c) {
       }
     }
   }
+  if (c->p->limits > 0) {
+    core_declare_clear(c);
+  }
 }
 
 static void strip_vertices(int operation, int *from, int *to) {
@@ -43,10 +46,13 @@ static void strip_vertices(int operation, int *from, int *to) {
   }
 }
 
-static void strips(core *c) {
-  emit_text(c->m, "\n// t: the area between an edge and the x axis; ox: the order of its ends in x.");
-  for (int n = 0; n < exact_units(c->p, EXACT_STRIP); n++) {
-    unit u = core_unit_of(c, EXACT_STRIP, n);
+static void strips(core *c, int projection) {
+  exact_class_id id = exact_projected(EXACT_STRIP, projection);
+  const char *axes = exact_projection_name(projection);
+  emit_text(c->m, projection > 0 ? "\n// The same in %s." :
+                                   "\n// t: the area between an edge and the x axis; ox: the order of its ends in x.", axes);
+  for (int n = 0; n < exact_units(c->p, id); n++) {
+    unit u = core_unit_of(c, id, n);
     int from[SEPAX_II_MAX] = {0};
     int to[SEPAX_II_MAX] = {0};
     source text[4];
@@ -54,14 +60,14 @@ static void strips(core *c) {
       strip_vertices(u.operation[k], &from[k], &to[k]);
     }
     core_describe(c, &u);
-    core_point(c, &u, "x_from", 'x', from, text[0]);
-    core_point(c, &u, "x_to", 'x', to, text[1]);
-    core_point(c, &u, "y_from", 'y', from, text[2]);
-    core_point(c, &u, "y_to", 'y', to, text[3]);
-    bool order = !c->p->design->config.flag && (n + 1) * c->ii > 6;
+    core_point(c, &u, "x_from", axes[0], from, text[0]);
+    core_point(c, &u, "x_to", axes[0], to, text[1]);
+    core_point(c, &u, "y_from", axes[1], from, text[2]);
+    core_point(c, &u, "y_to", axes[1], to, text[3]);
+    bool order = !c->p->single && (n + 1) * c->ii > 6;
     char name[EMIT_NAME];
     char more[EMIT_NAME] = "";
-    snprintf(name, sizeof name, "strip_%.30s", u.suffix);
+    snprintf(name, sizeof name, projection > 0 ? "strip_%.30s_%s" : "strip_%.30s", u.suffix, axes);
     if (order) {
       int stream = c->p->class[EXACT_ORDER_X].stream + n;
       snprintf(more, sizeof more, ", order=%.36s", c->p->schedule.stream[stream].name);
@@ -72,29 +78,33 @@ static void strips(core *c) {
   }
 }
 
-static void areas(core *c) {
-  emit_text(c->m, "\n// g: the area of a triangle of both, from the strips under its edges.");
-  for (int n = 0; n < exact_units(c->p, EXACT_AREA); n++) {
-    unit u = core_unit_of(c, EXACT_AREA, n);
+static void areas(core *c, int projection) {
+  exact_class_id id = exact_projected(EXACT_AREA, projection);
+  exact_class_id own = exact_projected(EXACT_OWN, projection);
+  const char *axes = exact_projection_name(projection);
+  emit_text(c->m, projection > 0 ? "\n// The same in %s." :
+                                   "\n// g: the area of a triangle of both, from the strips under its edges.", axes);
+  for (int n = 0; n < exact_units(c->p, id); n++) {
+    unit u = core_unit_of(c, id, n);
     source text[3];
     char name[EMIT_NAME];
     core_describe(c, &u);
     for (int i = 0; i < 3; i++) {
       core_operand(c, &u, i, "G_W", text[i]);
     }
-    snprintf(name, sizeof name, "area_%.30s", u.suffix);
+    snprintf(name, sizeof name, projection > 0 ? "area_%.30s_%s" : "area_%.30s", u.suffix, axes);
     emit_instance(c->m, "sepax_area", name, "G_W=G_W", "clk=clk, p=%s, q=%s, r=%s, g=%s", text[0],
                   text[1], text[2], u.out->name);
   }
-  for (int n = 0; n < exact_units(c->p, EXACT_OWN); n++) {
-    unit u = core_unit_of(c, EXACT_OWN, n);
+  for (int n = 0; n < exact_units(c->p, own); n++) {
+    unit u = core_unit_of(c, own, n);
     source text[3];
     char name[EMIT_NAME];
     core_describe(c, &u);
     for (int i = 0; i < 3; i++) {
       core_operand(c, &u, i, "G_W", text[i]);
     }
-    snprintf(name, sizeof name, "own_area_%.30s", u.suffix);
+    snprintf(name, sizeof name, projection > 0 ? "own_area_%.30s_%s" : "own_area_%.30s", u.suffix, axes);
     emit_instance(c->m, "sepax_own_area", name, "G_W=G_W", "clk=clk, p=%s, q=%s, r=%s, g=%s",
                   text[0], text[1], text[2], u.out->name);
   }
@@ -286,7 +296,8 @@ static void volumes_of(core *c, exact_class_id id, const char *module, int opera
       snprintf(connections + used, sizeof connections - used, ", %c=%s", port[i], text);
     }
     snprintf(name, sizeof name, "%s_%.30s", module + strlen("sepax_"), u.suffix);
-    emit_instance(c->m, module, name, "V_W=V_W", "%s, sign=%s", connections, u.out->name);
+    emit_instance(c->m, module, name, "V_W=V_W", "%s, %s=%s", connections, c->p->limits > 0 ? "volume" : "sign",
+                  u.out->name);
   }
 }
 
@@ -300,6 +311,7 @@ static void running_volumes(core *c) {
     snprintf(name, sizeof name, "sum_%d", r);
     emit_net(c->m, EMIT_WIRE, true, name, "V_W");
   }
+  bool whole = c->p->limits > 0; /* the sums are the volumes, not their signs */
   for (int r = 0; r < 3; r++) {
     source sum[3];
     source prism[3];
@@ -317,7 +329,11 @@ static void running_volumes(core *c) {
     snprintf(name, sizeof name, "above_a_%d", r);
     emit_instance(c->m, "sepax_above_a", name, "V_W=V_W", "clk=clk, p=%s, q=%s, sum=sum_%d", p, q, r);
     snprintf(name, sizeof name, "sum_%d", r);
-    sign_of(c, s->stream[class->stream + r].name, name, "V_W", "");
+    if (whole) {
+      emit_text(c->m, "assign %s = %s;", s->stream[class->stream + r].name, name);
+    } else {
+      sign_of(c, s->stream[class->stream + r].name, name, "V_W", "");
+    }
   }
 }
 
@@ -361,7 +377,7 @@ static void decide(core *c) {
   emit_text(c->m, "\n// The verdict, in cycle %d of a pair.", cycle);
   emit_instance(c->m, "sepax_decide", "decide", "",
                 "second=%s, in_plane=in_plane, coplanar=coplanar, axis=axis%s",
-                c->p->design->config.flag ? "1'b0" : "second", text);
+                c->p->single ? "1'b0" : "second", text);
 }
 
 static void plane(core *c) {
@@ -411,7 +427,7 @@ static void ports(core *c) {
       emit_signal(m, EMIT_INPUT, true, name, bits, "taken at the end of a frame");
     }
   }
-  if (!c->p->design->config.flag) {
+  if (!c->p->single) {
     emit_signal(m, EMIT_INPUT, false, "again", "",
                 "take the pair in the last banks once more, u for x and z for y");
     emit_signal(m, EMIT_OUTPUT, false, "flat", "", "in cycle %d: all areas are zero",
@@ -421,6 +437,12 @@ static void ports(core *c) {
     emit_signal(m, EMIT_OUTPUT, false, "apart_z", "", "with it: boxes disjoint in z");
     emit_signal(m, EMIT_INPUT, false, "second", "", "in cycle %d: the pair's second pass",
                 c->p->verdict_cycle);
+  }
+  if (c->p->limits > 0) {
+    emit_signal(m, EMIT_OUTPUT, false, "coplanar", "", "in cycle %d: all volumes are zero", c->p->verdict_cycle);
+    emit_signal(m, EMIT_OUTPUT, false, "band", "2", "with it: 0 free, 1 warning, 2 collision");
+    emit_signal(m, EMIT_OUTPUT, false, "axis", "4", "with it: the axis that proves the band, or 0");
+    return;
   }
   emit_signal(m, EMIT_INPUT, false, "in_plane", "", "in cycle %d: separated if coplanar",
               c->p->verdict_cycle);
@@ -449,6 +471,14 @@ static void widths(core *c) {
                  "radix-4 digits of a weight");
   emit_parameter(c->m, EMIT_LOCALPARAM, "OWN_DIGITS",
                  c->p->design->format[SEPAX_X_OWN_WEIGHT].digits, "of B's weight");
+  if (c->p->limits > 0) {
+    const sepax_format *f = c->p->design->format;
+    emit_parameter(c->m, EMIT_LOCALPARAM, "LIMITS", c->p->limits, "clearances");
+    emit_parameter(c->m, EMIT_LOCALPARAM, "C_W", f[SEPAX_X_CROSS].width, "bits of a component of e x f");
+    emit_parameter(c->m, EMIT_LOCALPARAM, "L_W", f[SEPAX_X_LIMIT].width, "of a limit");
+    emit_parameter(c->m, EMIT_LOCALPARAM, "M_W", c->p->limits * f[SEPAX_X_EDGE_LIMIT].width,
+                   "of an edge's limits in one projection");
+  }
 }
 
 static int first_volumes(const exact_plan *p) {
@@ -487,7 +517,7 @@ void gen_exact_core(emitter *e, const exact_plan *p) {
            every, p->class[EXACT_STRIP].start[0],
            exact_units(p, EXACT_STRIP), p->class[EXACT_AREA].start[0], p->class[EXACT_PRISM].start[0],
            exact_units(p, EXACT_PRISM) + 1, first_volumes(p), p->verdict_cycle);
-  core c = {emit_begin(e, "sepax_core", banner), p, p->design->config.ii};
+  core c = {emit_begin(e, "sepax_core", banner), p, p->design->config.ii, false};
   ports(&c);
   widths(&c);
   core_declare_banks(&c);
@@ -497,17 +527,36 @@ void gen_exact_core(emitter *e, const exact_plan *p) {
   emit_text(c.m, "\nalways @(posedge clk) begin");
   schedule_clock(&p->schedule, c.m);
   emit_text(c.m, "end");
-  strips(&c);
-  areas(&c);
+  if (p->limits > 0 && c.ii > 1) {
+    char turns[16];
+    snprintf(turns, sizeof turns, "%d", c.ii);
+    emit_signal(c.m, EMIT_REG, false, "at_q", turns, "at, a cycle later; of use while a pair is in the machine");
+    emit_text(c.m, "\nalways @(posedge clk) begin\n  at_q <= at;\nend");
+  }
+  for (int projection = 0; projection < (p->limits > 0 ? 3 : 1); projection++) {
+    c.late = projection > 0;
+    strips(&c, projection);
+  }
+  for (int projection = 0; projection < (p->limits > 0 ? 3 : 1); projection++) {
+    c.late = projection > 0;
+    areas(&c, projection);
+  }
+  c.late = false;
   weights(&c);
-  if (!p->design->config.flag) {
+  if (!p->single) {
     area_signs(&c);
   }
   prisms(&c);
   volumes(&c);
-  if (!p->design->config.flag) {
+  if (!p->single) {
     plane(&c);
   }
-  decide(&c);
+  if (p->limits > 0) {
+    c.late = true;
+    core_clear(&c);
+    core_decide_band(&c);
+  } else {
+    decide(&c);
+  }
   emit_end(c.m);
 }

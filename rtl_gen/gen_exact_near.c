@@ -32,7 +32,7 @@ static void gen_approach(emitter *e) {
   const sepax_config *c = &e->design->config;
   int near = e->design->core_word;
   bool of_a = c->extent_a > c->extent_b;
-  int64_t lesser = of_a ? c->extent_b : c->extent_a;
+  int64_t lesser = (of_a ? c->extent_b : c->extent_a) + e->design->margin[1];
   char name[EMIT_NAME];
   emit_module *m = emit_begin(
       e, "sepax_approach",
@@ -84,6 +84,18 @@ static void gen_approach(emitter *e) {
   emit_text(m, "assign origin = %d'd%lld;", near,
             (long long)((lesser + (INT64_C(1) << (near - 1))) & ((INT64_C(1) << near) - 1)));
   emit_text(m, "assign base = low_%c_1[N-1:0];", of_a ? 'a' : 'b');
+  char apart[200] = "(high_a_1 < low_b_1) || (high_b_1 < low_a_1)";
+  if (e->design->limits > 0) { /* by more than the margin */
+    long long margin = (long long)e->design->margin[1];
+    char wide[16];
+    snprintf(wide, sizeof wide, "%d", c->word + 1);
+    emit_net(m, EMIT_WIRE, false, "up", wide);
+    emit_net(m, EMIT_WIRE, false, "down", wide);
+    emit_text(m, "assign up = {low_b_1[W-1], low_b_1} - {high_a_1[W-1], high_a_1};\n"
+                 "assign down = {low_a_1[W-1], low_a_1} - {high_b_1[W-1], high_b_1};");
+    snprintf(apart, sizeof apart, "(!up[W] && (up[W-1:0] > %d'd%lld)) || (!down[W] && (down[W-1:0] > %d'd%lld))",
+             c->word, margin, c->word, margin);
+  }
   emit_text(m, "\nalways @(posedge clk) begin\n  if (en_1) begin\n"
                "    low_a_1 <= low_a;\n    high_a_1 <= high_a;\n    low_b_1 <= low_b;\n    high_b_1 <= high_b;");
   for (int i = 0; i < 6; i++) {
@@ -91,9 +103,9 @@ static void gen_approach(emitter *e) {
     emit_text(m, "    %c_%d_1 <= %c_%d[N-1:0];", x, i % 3 + 1, x, i % 3 + 1);
   }
   emit_text(m, "  end\n  if (en_2) begin\n"
-               "    apart <= (high_a_1 < low_b_1) || (high_b_1 < low_a_1);\n"
+               "    apart <= %s;\n"
                "    beyond <= (size_a > %d'd%d) || (size_b > %d'd%d);",
-            c->word, c->extent_a, c->word, c->extent_b);
+            apart, c->word, c->extent_a, c->word, c->extent_b);
   for (int i = 0; i < 6; i++) {
     char x = "ab"[i / 3];
     emit_text(m, "    near_%c_%d <= %c_%d_1 - base + origin;", x, i % 3 + 1, x, i % 3 + 1);
@@ -111,15 +123,20 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
   gen_bounds(e);
   gen_approach(e);
   gen_exact_every(p, every);
+  char apart[96] = "with disjoint boxes are separated (axis 13); of the";
+  if (e->design->limits > 0) {
+    snprintf(apart, sizeof apart, "with boxes more than %lld LSB apart are free (axis 13); of the",
+             (long long)e->design->margin[1]);
+  }
   snprintf(banner, sizeof banner,
            "Exact collision detection of two triangles of which the boxes are at most %d (A)\n"
-           "and %d (B) LSB long. Pairs with disjoint boxes are separated (axis 13); of the\n"
+           "and %d (B) LSB long. Pairs %s\n"
            "others those that are larger are called collisions, undecided, and flagged\n"
            "(out_of_range, axis 14); for the rest %d bits of %d are enough.\n"
            "valid/ready on both sides; a pair every %s, verdicts in order.\n"
            "Latency %d cycles from the one in which a pair is taken to its verdict, both\n"
            "counted%s. Outputs are 0 without out_valid.",
-           c->extent_a, c->extent_b, e->design->core_word, c->word, every,
+           c->extent_a, c->extent_b, apart, e->design->core_word, c->word, every,
            p->latency + APPROACH_CYCLES, c->ii > 1 ? ", when the machine was empty" : "");
   emit_module *m = emit_begin(e, "sepax_top", banner);
   gen_exact_ports(m, c->word);
@@ -133,6 +150,11 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
   }
   emit_net(m, EMIT_WIRE, false, "near_axis", "4");
   emit_net(m, EMIT_WIRE, false, "near_collision", "");
+  bool bands = e->design->limits > 0;
+  if (bands) {
+    emit_signal(m, EMIT_OUTPUT, false, "out_band", "2", "0 free, 1 warning, 2 collision");
+    emit_net(m, EMIT_WIRE, false, "near_band", "2");
+  }
   emit_net(m, EMIT_WIRE, false, "note", "2");
   for (int axis = 'x'; axis <= 'z'; axis++) {
     char bits[16];
@@ -169,7 +191,7 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
                                  "clk=clk, rst=rst, in_valid=valid_2, in_ready=ready, in_apart=apart, "
                                  "in_beyond=beyond, out_valid=out_valid, out_ready=out_ready, "
                                  "out_collision=near_collision, out_coplanar=near_coplanar, "
-                                 "out_axis=near_axis, out_note=note");
+                                 "out_axis=near_axis, out_note=note%s", bands ? ", out_band=near_band" : "");
   for (int axis = 'x'; axis <= 'z'; axis++) {
     for (int i = 0; i < 6; i++) {
       char x = "ab"[i / 3];
@@ -184,6 +206,9 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
                "assign out_coplanar = near_coplanar && (note == 2'd0);\n"
                "assign out_collision = out_of_range || (near_collision && (note == 2'd0));\n"
                "assign out_axis = (note == 2'd0) ? near_axis : ({2'b11, note[0], note[1]} & {4{out_valid}});");
+  if (bands) {
+    emit_text(m, "assign out_band = (note == 2'd0) ? near_band : {out_of_range, 1'b0};");
+  }
   emit_end(m);
   return APPROACH_CYCLES;
 }

@@ -81,7 +81,7 @@ static void load(core *c, char axis, int bank, const char *indent) {
     } else if (bank > 0) {
       core_coordinate(c, axis, v, bank - 1, before, from);
       emit_text(c->m, "%s%s <= %s;", indent, to, from);
-    } else if (c->p->design->config.flag || axis == 'z') {
+    } else if (c->p->single || axis == 'z') {
       emit_text(c->m, "%s%s <= in_%s_%c;", indent, to, core_vertex_name(v), axis);
     } else {
       char again = axis == 'x' ? 'u' : 'z';
@@ -146,7 +146,7 @@ void core_choose(core *c, const char *name, const char *width, bool is_signed, i
     fputc('(', stream);
     for (int j = k; j < slots; j++) {
       if (strcmp(text[k], text[j]) == 0) {
-        fprintf(stream, "%sat[%d]", separator, (start + j) % c->ii);
+        fprintf(stream, c->late ? "%sat_q[%d]" : "%sat[%d]", separator, (start + j + (c->late ? c->ii - 1 : 0)) % c->ii);
         separator = " || ";
       }
     }
@@ -188,7 +188,7 @@ void core_operand(core *c, const unit *u, int index, const char *width, source o
   source text[SEPAX_II_MAX];
   char name[EMIT_NAME];
   for (int k = 0; k < u->slots; k++) {
-    schedule_value v[4];
+    schedule_value v[EXACT_TERMS];
     exact_operands(c->p, u->id, u->operation[k], v);
     schedule_source(&c->p->schedule, v[index], u->start + k, text[k]);
   }

@@ -20,15 +20,21 @@ static int places_log2(const exact_plan *p) {
   return log2;
 }
 
+/* A verdict: the band, if there are any, coplanar, the axis. */
+static int result_bits(const exact_plan *p) { return p->limits > 0 ? 7 : 5; }
+
 static void gen_queue(emitter *e, const exact_plan *p) {
   int tag = places_log2(p);
   int places = 1 << tag;
   bool near = p->design->config.extent_a > 0;
+  int result = result_bits(p);
+  char result_text[16];
   char places_text[16];
   char tag_text[16];
   char count_text[16];
   char name[EMIT_NAME];
   snprintf(places_text, sizeof places_text, "%d", places);
+  snprintf(result_text, sizeof result_text, "%d", result);
   snprintf(tag_text, sizeof tag_text, "%d", tag);
   snprintf(count_text, sizeof count_text, "%d", tag + 1);
   emit_module *m = emit_begin(
@@ -42,10 +48,10 @@ static void gen_queue(emitter *e, const exact_plan *p) {
   emit_signal(m, EMIT_OUTPUT_REG, false, "tail", tag_text, "the next place");
   emit_signal(m, EMIT_INPUT, false, "write", "", "a verdict is here");
   emit_signal(m, EMIT_INPUT, false, "tag", tag_text, "its pair's place");
-  emit_signal(m, EMIT_INPUT, false, "result", "5", "the verdict");
+  emit_signal(m, EMIT_INPUT, false, "result", result_text, "the verdict");
   emit_signal(m, EMIT_OUTPUT, false, "valid", "", "the oldest pair has its verdict");
   emit_signal(m, EMIT_INPUT, false, "ready", "", "it may leave");
-  emit_signal(m, EMIT_OUTPUT, false, "oldest", "5", "the verdict of the oldest pair");
+  emit_signal(m, EMIT_OUTPUT, false, "oldest", result_text, "the verdict of the oldest pair");
   if (near) {
     emit_signal(m, EMIT_INPUT, false, "note", "2", "what is known of the pair that takes a place");
     emit_signal(m, EMIT_OUTPUT, false, "oldest_note", "2", "that of the oldest pair");
@@ -55,7 +61,7 @@ static void gen_queue(emitter *e, const exact_plan *p) {
   emit_signal(m, EMIT_REG, false, "done", places_text, "bit k: place k holds a verdict");
   for (int k = 0; k < places; k++) {
     snprintf(name, sizeof name, "result_%d", k);
-    emit_net(m, EMIT_REG, false, name, "5");
+    emit_net(m, EMIT_REG, false, name, result_text);
     if (near) {
       snprintf(name, sizeof name, "note_%d", k);
       emit_net(m, EMIT_REG, false, name, "2");
@@ -65,7 +71,7 @@ static void gen_queue(emitter *e, const exact_plan *p) {
   emit_text(m, "\nassign room = !count[%d];\nassign leave = valid && ready;", tag);
   emit_text(m, "assign valid = |(head & done);");
   for (int k = 0; k < places; k++) {
-    emit_text(m, "%s(result_%d & {5{head[%d]}})%s", k == 0 ? "assign oldest = " : "                ", k, k,
+    emit_text(m, "%s(result_%d & {%d{head[%d]}})%s", k == 0 ? "assign oldest = " : "                ", k, result, k,
               k < places - 1 ? " |" : ";");
   }
   for (int k = 0; k < places && near; k++) {
@@ -116,15 +122,18 @@ void gen_exact_ports(emit_module *m, int word) {
   }
   emit_signal(m, EMIT_OUTPUT, false, "out_valid", "", "a verdict is here");
   emit_signal(m, EMIT_INPUT, false, "out_ready", "", "it is taken in this cycle");
-  emit_signal(m, EMIT_OUTPUT, false, "out_collision", "", "1: the triangles share a point");
+  bool bands = m->emitter->design->limits > 0;
+  emit_signal(m, EMIT_OUTPUT, false, "out_collision", "", "%s",
+              bands ? "1: not proved to be farther apart than the clearance" : "1: the triangles share a point");
   emit_signal(m, EMIT_OUTPUT, false, "out_coplanar", "", "1: all six points are in one plane");
-  emit_signal(m, EMIT_OUTPUT, false, "out_axis", "4",
-              "what separates: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B, 12 in the plane; 0 none");
+  emit_signal(m, EMIT_OUTPUT, false, "out_axis", "4", "%s",
+              bands ? "what proves the band: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B, 12 of an edge, 13 boxes; 0 none"
+                    : "what separates: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B, 12 in the plane; 0 none");
 }
 
 typedef struct {
   int ii, stages, judged; /* frames a pair is in; the frame at whose end the plane is known */
-  bool flag, near;        /* near: pairs come with a note, and then take no second pass */
+  bool flag, near;        /* flag: there is no second pass; near: pairs come with a note, and then take no second pass */
   char tag[16];
 } control;
 
@@ -213,7 +222,9 @@ static void clock_frames(emit_module *m, const control *c) {
   emit_text(m, "end");
 }
 
-static void handshake(emit_module *m, const control *c) {
+static void handshake(emit_module *m, const exact_plan *p, const control *c) {
+  char bits[16];
+  snprintf(bits, sizeof bits, "%d", result_bits(p));
   static const char *const wires[] = {"room", "take", "enter", "coplanar"};
   for (size_t i = 0; i < sizeof wires / sizeof wires[0]; i++) {
     emit_net(m, EMIT_WIRE, false, wires[i], "");
@@ -223,9 +234,9 @@ static void handshake(emit_module *m, const control *c) {
     emit_net(m, EMIT_WIRE, false, "busy", "");
   }
   emit_net(m, EMIT_WIRE, false, "axis", "4");
-  emit_net(m, EMIT_WIRE, false, "result", "5");
+  emit_net(m, EMIT_WIRE, false, "result", bits);
   emit_net(m, EMIT_WIRE, false, "tail", c->tag);
-  emit_net(m, EMIT_WIRE, false, "oldest", "5");
+  emit_net(m, EMIT_WIRE, false, "oldest", bits);
   if (!c->flag) {
     static const char *const more[] = {"flat", "apart", "apart_x", "apart_z", "again", "boxes_so_far"};
     for (size_t i = 0; i < sizeof more / sizeof more[0]; i++) {
@@ -265,7 +276,7 @@ static void handshake(emit_module *m, const control *c) {
 void gen_exact_top(emitter *e, const exact_plan *p) {
   gen_queue(e, p);
   control c = {.ii = p->design->config.ii, .stages = frames_to(p, p->verdict_cycle),
-               .flag = p->design->config.flag, .near = p->design->config.extent_a > 0};
+               .flag = p->single, .near = p->design->config.extent_a > 0};
   c.judged = (p->plane_cycle + 1) / c.ii;
   snprintf(c.tag, sizeof c.tag, "%d", places_log2(p));
   char banner[1024];
@@ -279,7 +290,9 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
            "Latency %d cycles from the one in which a pair is taken to its verdict, both\n"
            "counted%s. Outputs are 0 without out_valid.",
            every,
-           c.flag ? "Coplanar pairs are called collisions, undecided, and flagged."
+           p->limits > 0 ? "With a clearance: free means that the real triangles, of which each coordinate is\n"
+                           "within 1/2, are farther apart than that; else the band says what is not proved."
+           : c.flag ? "Coplanar pairs are called collisions, undecided, and flagged."
                   : "Coplanar and degenerate pairs are decided, too; those flat in the projection on\n"
                     "x and y go round once more; in_ready is low for that turn.",
            p->latency, c.ii > 1 ? ", when the machine was empty" : "");
@@ -290,13 +303,16 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
     emit_signal(m, EMIT_INPUT, false, "in_beyond", "", "a box is too long; goes with the pair");
     emit_signal(m, EMIT_OUTPUT, false, "out_note", "2", "in_apart, in_beyond of the pair; the verdict is none if not 0");
   }
+  if (p->limits > 0) {
+    emit_signal(m, EMIT_OUTPUT, false, "out_band", "2", "0 free, 1 warning, 2 collision");
+  }
   if (c.ii > 1) {
     char turns[16];
     snprintf(turns, sizeof turns, "%d", c.ii);
     emit_signal(m, EMIT_REG, false, "at", turns, "cycle of the frame, one-hot; rests at its end");
   }
   declare_frames(m, &c);
-  handshake(m, &c);
+  handshake(m, p, &c);
   clock_frames(m, &c);
   char connections[2048] = "clk=clk";
   size_t used = strlen(connections);
@@ -310,7 +326,10 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
                                v % 3 + 1, axis);
     }
   }
-  if (c.flag) {
+  if (p->limits > 0) {
+    emit_net(m, EMIT_WIRE, false, "band", "2");
+    snprintf(connections + used, sizeof connections - used, ", band=band");
+  } else if (c.flag) {
     snprintf(connections + used, sizeof connections - used, ", in_plane=1'b0");
   } else {
     snprintf(connections + used, sizeof connections - used,
@@ -319,7 +338,7 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
   }
   emit_blank(m);
   emit_instance(m, "sepax_core", "core", "", "%s, coplanar=coplanar, axis=axis", connections);
-  emit_text(m, "\nassign result = {coplanar, axis};");
+  emit_text(m, "\nassign result = {%scoplanar, axis};", p->limits > 0 ? "band, " : "");
   if (c.near) {
     emit_net(m, EMIT_WIRE, false, "note", "2");
     emit_text(m, "assign note = {in_apart, in_beyond};");
@@ -338,6 +357,9 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
   emit_text(m, "\nassign out_coplanar = out_valid && oldest[4];\n"
                "assign out_axis = oldest[3:0] & {4{out_valid}};\n"
                "assign out_collision = out_valid && (oldest[3:0] == 4'd0);");
+  if (p->limits > 0) {
+    emit_text(m, "assign out_band = oldest[6:5] & {2{out_valid}};");
+  }
   emit_end(m);
 }
 

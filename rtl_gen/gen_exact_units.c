@@ -314,8 +314,12 @@ static void gen_prism(emitter *e, const char *name, const arith_plan *plan) {
 }
 
 /* The last steps of a volume: the sum of two rows, its sign. */
-static void signs(emit_module *m, int ranks, const char *left, const char *right) {
-  emit_net(m, ranks > 0 ? EMIT_REG : EMIT_WIRE, false, "volume", "V_W");
+static void signs(emit_module *m, const exact_plan *p, const char *left, const char *right) {
+  int ranks = p->volume_ranks;
+  bool whole = p->limits > 0; /* the volume is the output, always a register */
+  if (!whole) {
+    emit_net(m, ranks > 0 ? EMIT_REG : EMIT_WIRE, false, "volume", "V_W");
+  }
   if (ranks > 1) {
     emit_net(m, EMIT_REG, false, "row_0", "V_W");
     emit_net(m, EMIT_REG, false, "row_1", "V_W");
@@ -323,10 +327,13 @@ static void signs(emit_module *m, int ranks, const char *left, const char *right
     left = "row_0";
     right = "row_1";
   }
-  if (ranks > 0) {
+  if (ranks > 0 || whole) {
     emit_text(m, "\nalways @(posedge clk) begin\n  volume <= %s + %s;\nend", left, right);
   } else {
     emit_text(m, "\nassign volume = %s + %s;", left, right);
+  }
+  if (whole) {
+    return;
   }
   emit_text(m, "\nalways @(posedge clk) begin\n"
                "  sign <= {!volume[V_W-1] && (volume != {V_W{1'b0}}), volume[V_W-1]};\nend");
@@ -335,12 +342,17 @@ static void signs(emit_module *m, int ranks, const char *left, const char *right
 static emit_module *begin_volume(emitter *e, const exact_plan *p, const char *name,
                                  const char *formula, int terms) {
   char banner[400];
-  snprintf(banner, sizeof banner, "%s, modulo 2^V_W, from the prisms\nunder its faces. Latency %d.",
-           formula, 1 + p->volume_ranks);
+  bool whole = p->limits > 0;
+  snprintf(banner, sizeof banner, "%s%s, modulo 2^V_W, from the prisms\nunder its faces. Latency %d.",
+           whole ? "V" : "Sign of the v", formula, 1 + (whole ? p->volume_ranks / 2 : p->volume_ranks));
   emit_module *m = emit_begin(e, name, banner);
   width_parameter(m, "V_W", SEPAX_X_VOLUME, "bits of a volume");
   sum_ports(m, "V_W", terms, "prism under a face");
-  emit_signal(m, EMIT_OUTPUT_REG, false, "sign", "2", "{volume > 0, volume < 0}");
+  if (whole) {
+    emit_signal(m, EMIT_OUTPUT_REG, true, "volume", "V_W", "six times the volume");
+  } else {
+    emit_signal(m, EMIT_OUTPUT_REG, false, "sign", "2", "{volume > 0, volume < 0}");
+  }
   emit_blank(m);
   return m;
 }
@@ -358,22 +370,22 @@ static void gen_volumes(emitter *e, const exact_plan *p) {
     emit_end(m);
   } else {
     m = begin_volume(e, p, "sepax_above_a",
-                     "Sign of the volume of A and a vertex of B: p + q + r (A's own prism is zero)", 3);
+                     "olume of A and a vertex of B: p + q + r (A's own prism is zero)", 3);
     compress(m, "three", "p", "q", "r", "1'b0", "V_W");
-    signs(m, p->volume_ranks, "three_sum", "three_carry");
+    signs(m, p, "three_sum", "three_carry");
     emit_end(m);
   }
   m = begin_volume(e, p, "sepax_above_b",
-                   "Sign of the volume of B and a vertex of A: p + q + r - s, s the prism of B", 4);
+                   "olume of B and a vertex of A: p + q + r - s, s the prism of B", 4);
   compress(m, "three", "p", "q", "r", "1'b0", "V_W");
   compress(m, "four", "three_sum", "three_carry", "~s", "1'b1", "V_W");
-  signs(m, p->volume_ranks, "four_sum", "four_carry");
+  signs(m, p, "four_sum", "four_carry");
   emit_end(m);
   m = begin_volume(e, p, "sepax_between",
-                   "Sign of the volume of an edge of A and an edge of B: p + q - r - s", 4);
+                   "olume of an edge of A and an edge of B: p + q - r - s", 4);
   compress(m, "three", "p", "q", "~r", "1'b1", "V_W");
   compress(m, "four", "three_sum", "three_carry", "~s", "1'b1", "V_W");
-  signs(m, p->volume_ranks, "four_sum", "four_carry");
+  signs(m, p, "four_sum", "four_carry");
   emit_end(m);
 }
 
@@ -517,7 +529,7 @@ void gen_exact_units(emitter *e, const exact_plan *p) {
   if (p->shared_rises) {
     gen_multiplier(e, &p->low_prism_mul);
   }
-  bool flag = p->design->config.flag;
+  bool flag = p->single;
   gen_strip(e, p, false);
   if (!flag) {
     gen_strip(e, p, true);
@@ -530,6 +542,10 @@ void gen_exact_units(emitter *e, const exact_plan *p) {
   }
   gen_prism(e, "sepax_own_prism", &p->own_mul);
   gen_volumes(e, p);
+  if (p->limits > 0) {
+    gen_exact_clear_units(e, p);
+    return;
+  }
   gen_decide(e);
   if (!flag) {
     gen_plane(e);

@@ -77,6 +77,13 @@ static json_t *describe(const emitter *e) {
       json_object_set_new(all, "extent_b", json_integer(c->extent_b));
       json_object_set_new(all, "core_word", json_integer(d->core_word));
     }
+    if (d->limits > 0) {
+      json_object_set_new(all, "clearance", json_integer(c->clearance));
+      json_object_set_new(all, "margin", json_integer((json_int_t)d->margin[1]));
+    }
+    if (d->limits > 1) {
+      json_object_set_new(all, "warning", json_integer(c->warning));
+    }
     json_object_set_new(all, "behavioural_view", json_string("SEPAX_BEHAVIOURAL"));
   } else {
     json_object_set_new(all, "coplanar_limit", json_integer((json_int_t)d->coplanar_limit));
@@ -146,6 +153,9 @@ static int render(const emitter *e, output_file file[FILES]) {
     fprintf(out, "#define SEPAX_LANES %d\n#define SEPAX_CORES %d\n#define SEPAX_MEMORY_A %d\n#define SEPAX_MEMORY_B %d\n",
             d->config.lanes, d->config.cores, d->config.memory_a, d->config.memory_b);
   }
+  if (d->limits > 0) {
+    fprintf(out, "#define SEPAX_BANDS %d\n", d->limits + 1);
+  }
   fclose(out);
   out = open_file(&file[count++], "sepax_params.vh");
   fprintf(out,
@@ -157,6 +167,9 @@ static int render(const emitter *e, output_file file[FILES]) {
   }
   if (d->config.arch == SEPAX_ARCH_CONFERENCE) {
     fprintf(out, "`define SEPAX_CONFERENCE\n");
+  }
+  if (d->limits > 0) {
+    fprintf(out, "`define SEPAX_BANDS\n");
   }
   fclose(out);
   if (d->config.lanes > 0) {

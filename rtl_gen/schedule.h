@@ -12,7 +12,7 @@
 
 #include "emit.h"
 
-enum { SCHEDULE_STREAMS = 160 };
+enum { SCHEDULE_STREAMS = 400 };
 
 typedef struct {
   int stream, slot;

@@ -52,7 +52,7 @@ public:
       tick(false, true); // a verdict too many is seen here
     }
     complain_never_came();
-    if (coplanar == 0 && !hung && stream_cycles() > stream_allowed()) {
+    if ((coplanar == 0 || !SECOND_PASS) && !hung && stream_cycles() > stream_allowed()) {
       std::fprintf(stderr, "cosim: %llu cycles from the first to the last of %llu pairs; "
                            "II = %d allows %llu\n",
                    (unsigned long long)stream_cycles(), (unsigned long long)streamed, SEPAX_II,
@@ -66,6 +66,10 @@ public:
     for (int axis = 0; axis <= LAST_AXIS; axis++) {
       std::printf(" %llu", (unsigned long long)axes[axis]);
     }
+#ifdef SEPAX_BANDS
+    std::printf("\nbands free, warning, collision: %llu %llu %llu", (unsigned long long)bands[0],
+                (unsigned long long)bands[1], (unsigned long long)bands[2]);
+#endif
     std::printf("\nlatency %d: %llu pairs that met an empty machine; ", SEPAX_LATENCY,
                 (unsigned long long)latencies);
     if (stress != 0) {
@@ -83,10 +87,17 @@ public:
   }
 
 private:
-#ifdef SEPAX_EXTENT_A
+#if defined SEPAX_EXTENT_A
   static constexpr int LAST_AXIS = SEPAX_AXIS_RANGE;
+#elif defined SEPAX_BANDS
+  static constexpr int LAST_AXIS = SEPAX_AXIS_BOXES;
 #else
   static constexpr int LAST_AXIS = 12;
+#endif
+#ifdef SEPAX_BANDS
+  static constexpr bool SECOND_PASS = false;
+#else
+  static constexpr bool SECOND_PASS = true;
 #endif
   // Without stress the first pairs go alone, until so many latencies were seen.
   static constexpr uint64_t ALONE_LATENCIES = 3, ALONE_PAIRS = 32;
@@ -102,17 +113,23 @@ private:
 
   struct Verdict {
     bool valid, collision, coplanar;
-    int axis;
+    int axis, band;
     bool operator!=(const Verdict &v) const {
       return valid != v.valid || collision != v.collision || coplanar != v.coplanar ||
-             axis != v.axis;
+             axis != v.axis || band != v.band;
     }
   };
 
   Verdict shown() const {
     return {top->out_valid != 0, top->out_collision != 0, top->out_coplanar != 0,
-            (int)top->out_axis};
+            (int)top->out_axis, shown_band()};
   }
+
+#ifdef SEPAX_BANDS
+  int shown_band() const { return (int)top->out_band; }
+#else
+  static int shown_band() { return 0; }
+#endif
 
   void drive(const sepax_pair &p) {
     top->in_a1_x = word_bits(p.a.v[0].x);
@@ -184,23 +201,26 @@ private:
       complain(&e, "wrong out_of_range");
     }
 #endif
-    if (shown().axis == e.verdict.axis) {
+    if (shown().band != (int)e.verdict.band) {
+      complain_axis(e);
+    } else if (shown().axis == e.verdict.axis) {
       axes[e.verdict.axis]++;
+      bands[e.verdict.band]++;
       compare(e);
     } else {
       complain_axis(e);
     }
-    if (!e.verdict.coplanar) {
+    if (!e.verdict.coplanar || !SECOND_PASS) {
       check_latency(e);
     }
   }
 
   void complain_axis(const Owed &e) {
-    char text[80];
+    char text[112];
     Verdict v = shown();
-    std::snprintf(text, sizeof text, "expected %s, axis %d; got %s, axis %d",
-                  e.verdict.collision ? "collision" : "separated", e.verdict.axis,
-                  v.collision ? "collision" : "separated", v.axis);
+    std::snprintf(text, sizeof text, "expected %s, axis %d, band %d; got %s, axis %d, band %d",
+                  e.verdict.collision ? "collision" : "separated", e.verdict.axis, (int)e.verdict.band,
+                  v.collision ? "collision" : "separated", v.axis, v.band);
     complain(&e, text);
   }
 
@@ -332,6 +352,7 @@ private:
   bool was_empty = true; // before this cycle
   uint64_t idle = 0; // cycles for which it has been empty, this one, too
   uint64_t until_reset = 0, blocked = 0, waited = 0, latencies = 0, axes[LAST_AXIS + 1] = {};
+  uint64_t bands[3] = {};
   uint64_t streamed = 0, first_taken = 0, last_taken = 0;
 };
 

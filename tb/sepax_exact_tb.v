@@ -1,7 +1,7 @@
 // sepax_exact_tb.v - self-checking bench of architecture exact for Icarus Verilog.
 //
 // +pairs=FILE  lines of 24 integers and what is expected (sepax judge --echo): the
-//              collision, or collision, coplanar and axis
+//              collision, or collision, coplanar and axis (and band, with a clearance)
 // +stall=SEED  in_valid and out_ready at random, the data anything without in_valid
 //
 // Verdicts must come in the order of the pairs with the expected value and stand still
@@ -31,6 +31,13 @@ module sepax_exact_tb;
   reg signed [WORD-1:0] in_b2_x, in_b2_y, in_b2_z, in_b3_x, in_b3_y, in_b3_z;
   wire in_ready, out_valid, out_collision, out_coplanar;
   wire [3:0] out_axis;
+`ifdef SEPAX_BANDS
+  localparam FIELDS = 28;
+  wire [1:0] out_band;
+`else
+  localparam FIELDS = 27;
+  wire [1:0] out_band = 2'd0;
+`endif
 
   sepax_top dut (
     .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
@@ -42,6 +49,9 @@ module sepax_exact_tb;
     .in_b3_x(in_b3_x), .in_b3_y(in_b3_y), .in_b3_z(in_b3_z),
     .out_valid(out_valid), .out_ready(out_ready), .out_collision(out_collision),
     .out_coplanar(out_coplanar), .out_axis(out_axis)
+`ifdef SEPAX_BANDS
+    , .out_band(out_band)
+`endif
   );
 
   always #2 clk = ~clk;
@@ -51,13 +61,13 @@ module sepax_exact_tb;
   integer file, fields, length, cycle, sent, judged, mismatches, waited, blocked;
   integer idle;
   integer stall, seed, offering, offered, accepting, accepted, i;
-  integer number [0:26];
-  reg [5:0] expected [0:QUEUE-1]; // collision, coplanar, axis
-  reg whole [0:QUEUE-1];          // all three of them are known
+  integer number [0:27];
+  reg [7:0] expected [0:QUEUE-1]; // band, collision, coplanar, axis
+  reg whole [0:QUEUE-1];          // all of them are known
   reg alone [0:QUEUE-1];
   integer taken_in [0:QUEUE-1];
   reg taken, was_empty, held;
-  reg [5:0] shown, before;
+  reg [7:0] shown, before;
 
   task mismatch(input [8*48-1:0] what);
     begin
@@ -78,6 +88,8 @@ module sepax_exact_tb;
         mismatch("wrong out_coplanar");
       end else if (whole[judged % QUEUE] && shown[3:0] !== expected[judged % QUEUE][3:0]) begin
         mismatch("wrong axis");
+      end else if (whole[judged % QUEUE] && shown[7:6] !== expected[judged % QUEUE][7:6]) begin
+        mismatch("wrong band");
       end else if (shown[4] == 1'b0 && shown[3:0] != 4'd12) begin
         // no extra pass
         if (cycle - taken_in[judged % QUEUE] + 1 < LATENCY) begin
@@ -94,7 +106,7 @@ module sepax_exact_tb;
   // What the outputs show in this cycle.
   task look;
     begin
-      shown = {out_collision, out_coplanar, out_axis};
+      shown = {out_band, out_collision, out_coplanar, out_axis};
       if (held && (out_valid !== 1'b1 || shown !== before)) begin
         mismatch("a verdict moves while it is blocked");
       end
@@ -198,8 +210,8 @@ module sepax_exact_tb;
         drive;
         tick;
       end
-      expected[sent % QUEUE] = {number[24] != 0, number[25] != 0, number[26][3:0]};
-      whole[sent % QUEUE] = fields == 27;
+      expected[sent % QUEUE] = {number[27][1:0], number[24] != 0, number[25] != 0, number[26][3:0]};
+      whole[sent % QUEUE] = fields == FIELDS;
       alone[sent % QUEUE] = idle > SETTLE;
       taken_in[sent % QUEUE] = cycle;
       sent = sent + 1;
@@ -232,11 +244,11 @@ module sepax_exact_tb;
       fields = 0;
       length = $fgets(line, file);
       if (length != 0) begin
-        fields = $sscanf(line, "%d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d",
+        fields = $sscanf(line, "%d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d",
           number[0], number[1], number[2], number[3], number[4], number[5], number[6], number[7],
           number[8], number[9], number[10], number[11], number[12], number[13], number[14],
           number[15], number[16], number[17], number[18], number[19], number[20], number[21],
-          number[22], number[23], number[24], number[25], number[26]);
+          number[22], number[23], number[24], number[25], number[26], number[27]);
       end
     end
   endtask
@@ -263,13 +275,13 @@ module sepax_exact_tb;
       $display("icarus: %0s: cannot be read", path);
       $stop;
     end
-    for (i = 0; i < 27; i = i + 1) begin
+    for (i = 0; i < 28; i = i + 1) begin
       number[i] = 0;
     end
     repeat (3) @(negedge clk);
     rst = 1'b0;
     read_pair;
-    while (fields == 25 || fields == 27) begin
+    while (fields == 25 || fields == FIELDS) begin
       send_pair;
       if (sent <= 3) begin
         empty_machine; // their latency is checked
@@ -277,7 +289,7 @@ module sepax_exact_tb;
       read_pair;
     end
     if (length != 0) begin
-      mismatch("a line without 25 or 27 integers");
+      mismatch("a line without 25 integers, or all");
     end
     empty_machine;
     out_ready = 1'b1;

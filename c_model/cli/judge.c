@@ -13,7 +13,7 @@ typedef struct {
 
 static const struct argp_option options[] = {
     {"echo", 'e', NULL, 0, "print the 24 integers of the pair before its verdict, and behind it, for exact, "
-     "whether the pair is coplanar (0, 1) and the axis (0 ... 12)", 0}, {0}};
+     "whether the pair is coplanar (0, 1) and the axis (0 ... 12), with a clearance the band", 0}, {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
   judge_options *o = state->input;
@@ -44,6 +44,9 @@ static void print_verdict(const sepax_design *design, const sepax_pair *pair, bo
   putchar(verdict.collision ? '1' : '0');
   if (echo && design->config.arch == SEPAX_ARCH_EXACT) {
     printf(" %d %d", verdict.coplanar, verdict.axis);
+    if (design->limits > 0) {
+      printf(" %d", verdict.band);
+    }
   }
   putchar('\n');
 }

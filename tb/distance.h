@@ -1,0 +1,22 @@
+/* distance.h - how far apart two triangles are, without separating axes.
+ *
+ * Triangles of int32 coordinates, also segments and points. No state. */
+#ifndef DISTANCE_H
+#define DISTANCE_H
+
+#include "sepax.h"
+
+/* True iff the closed triangles are no farther apart than `limit` >= 0 (Euclid): rational
+ * arithmetic without rounding. Where a plane between the nearest points, found in doubles,
+ * proves in integers that they are farther apart, that is the answer at once, and *quick, if
+ * not NULL, is incremented. limit is below 2^31. */
+bool distance_within(const sepax_tri *a, const sepax_tri *b, int64_t limit, size_t *quick);
+
+/* The same by rational arithmetic alone. */
+bool distance_within_exact(const sepax_tri *a, const sepax_tri *b, int64_t limit);
+
+/* The distance in doubles, of triangles that do not meet, and the vector from the nearest point
+ * of A to that of B. */
+double distance_rounded(const sepax_tri *a, const sepax_tri *b, double way[3]);
+
+#endif
