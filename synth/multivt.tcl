@@ -194,7 +194,7 @@ proc try_slow {names} {
   return [expr {[try_slow [lrange $names 0 $half-1]] + [try_slow [lrange $names $half end]]}]
 }
 
-for {set pass 1} {$pass <= 2} {incr pass} {
+for {set pass 1} {$pass <= 2 && [worst] >= 0} {incr pass} {
   set order {}
   foreach name [array names is_slow] {
     if {!$is_slow($name)} {
