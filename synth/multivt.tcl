@@ -97,13 +97,15 @@ proc late_paths {} {
       set last $name
       set before $time
     }
+    # The register at the end has its setup time.
+    if {[info exists is_slow($name)] && $is_slow($name)} { lappend cells $name 0.008 }
     lappend list [list $slack $cells $all]
   }
   return $list
 }
 
-# Slow cells that drive inputs of these cells: their slopes are felt on the path, too.
-proc slow_drivers {names} {
+# Cells that drive inputs of these cells, slow or not.
+proc drivers {names} {
   global object is_slow
   set list {}
   foreach name $names {
@@ -116,12 +118,23 @@ proc slow_drivers {names} {
       foreach driver [::sta::net_driver_pins $net] {
         if {[::sta::Pin_is_top_level_port $driver]} { continue }
         set from [get_full_name [::sta::Pin_instance $driver]]
-        if {[info exists is_slow($from)] && $is_slow($from)} { lappend list $from }
+        if {[info exists is_slow($from)]} { lappend list $from }
       }
     }
     $pins finish
   }
   return [lsort -unique $list]
+}
+
+# The slow cells nearest before these: their slopes are felt on the path, too.
+proc slow_before {names} {
+  global is_slow
+  for {set level 1} {$level <= 5} {incr level} {
+    set names [drivers $names]
+    set slow [lmap name $names { if {!$is_slow($name)} { continue }; set name }]
+    if {[llength $slow] > 0} { return $slow }
+  }
+  return {}
 }
 
 # Returns the rounds it took, or -1 where a path stays late.
@@ -153,7 +166,7 @@ proc meet_period {} {
         set short [expr {$short - [lindex $item 2]}]
       }
       if {[llength $order] == 0} {
-        foreach name [slow_drivers $all] { set now($name) 1 }
+        foreach name [slow_before $all] { set now($name) 1 }
       }
     }
     foreach name [array names now] { make_fast $name }
