@@ -401,13 +401,13 @@ area-sweep: $(SEPAX)
 	  $(call given,II),-i "$(II)") $(BUILD)/area-sweep
 
 # OpenSTA wants a netlist that is sized for a clock: the generator's, in Nangate45; other
-# libraries are slower, osu018 about six times.
+# libraries are slower, osu018 about four times.
 CORNERS             ?=
 CLOCKS              ?=
 LIBERTY_FAST        ?= $(LIBERTY)
 LIBERTY_LOW_LEAKAGE ?=
 TIMED   = $(if $(PERIOD),,$(if $(filter nangate45%,$(LIBRARY)),$(if $(filter paper,$(ARCH)),PERIOD=$(CLOCK_NS)),PERIOD=$(shell \
-          awk 'BEGIN { print 6 * "$(CLOCK_NS)" }')))
+          awk 'BEGIN { print 4 * "$(CLOCK_NS)" }')))
 TIMINGS = $(if $(call given,ARCH)$(ONLY_EXACT),timing-of-this,timing-of-ii3 timing-of-ii1)
 
 timing-of-this: $(AREA)/area.json
