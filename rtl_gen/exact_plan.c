@@ -3,6 +3,7 @@
 
 #include "error.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -335,11 +336,13 @@ static void plan_strip(exact_plan *p, double sums, double period) {
 /* What steers the operands of shared units comes late, behind its fan-out, ns. */
 static const double steering = 0.28;
 
-/* The longest stage that has no place for a register. */
+/* The longest stage that has no place for a register. Areas and weights read what steering has
+ * selected, the later the more bits it reaches (fitted to W = 8 and 18 at II = 3). */
 static double shortest_stage(const exact_plan *p, double sums, double sum) {
   const sepax_format *f = p->design->format;
   bool shared = p->design->config.ii > 1;
-  double operands = shared ? steering + 0.1 + delay_mux(2) : 0.15;
+  int word = p->design->core_word > 8 ? p->design->core_word : 8;
+  double operands = shared ? 0.38 + 0.26 * log2(word / 8.0) + delay_mux(2) : 0.15;
   double area = delay_compressor() + delay_adder(f[SEPAX_X_AREA].width);
   double weight = 2 * delay_compressor() + delay_adder(f[SEPAX_X_WEIGHT].width);
   double row = delay_row(f[SEPAX_X_AREA].width) + delay_compressor();
