@@ -4,10 +4,10 @@
 # are set by who sources it. Prints lines that begin with a word of its own, for
 # synth/multivt: the cells that stay fast, among others; the last is "end".
 #
-# First every cell is a slow one. Then, as long as paths are too slow, cells on them become
-# fast again: on each path as many as it takes, those first which are on many slow paths, gain
-# much and leak little. At last whatever has slack to spare goes back, in parts, as
-# far as the period holds.
+# Where the fast cells alone are late, nothing is swapped. Else first every cell is a slow one.
+# Then, as long as paths are too slow, cells on them become fast again: on each path as many as
+# it takes, those first which are on many slow paths, gain much and leak little. At last whatever
+# has slack to spare goes back, in parts, as far as the period holds.
 
 foreach file $liberty { read_liberty $file }
 set_cmd_units -time ns
@@ -39,6 +39,7 @@ proc report {when} {
 
 constrain $period $clock $activity
 report before
+set possible [expr {[worst] >= 0}]
 
 set file [open $swaps]
 while {[gets $file line] >= 0} {
@@ -71,7 +72,9 @@ proc make_fast {name} {
   set is_slow($name) 0
 }
 
-foreach name [array names is_slow] { make_slow $name }
+if {$possible} {
+  foreach name [array names is_slow] { make_slow $name }
+}
 puts "slack all_slow [worst]"
 
 # The worst path to each late endpoint: slack, slow cells with what each takes longer (about),
@@ -176,7 +179,7 @@ proc meet_period {} {
   return -1
 }
 
-puts "rounds [meet_period]"
+puts "rounds [expr {$possible ? [meet_period] : -1}]"
 
 # Back again, those that leak most first: a part that makes a path late is undone and halved.
 proc slack_of {cell} {
