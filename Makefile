@@ -121,7 +121,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        area-sweep scene accuracy clearance install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
+        area-sweep timing calibrate multivt scene accuracy clearance install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
 
 all:
 	@scripts/setup
@@ -156,6 +156,11 @@ help:
 #: make area-sweep GE and GE x II of exact over W and II, as table, CSV, JSON and SVG
 #: make scene      a core for 5 mm triangles in a 200 mm workspace: sized, simulated, and mapped
 #:                 beside the core for any pair of 18 bits
+#: make timing     least period, critical path, slacks at each corner by OpenSTA: of the design, or
+#:                 without one of exact at II = 3 and 1; build/timing.json, slack.svg
+#: make calibrate  does OpenSTA confirm CLOCK_NS? WORD x II x CLOCKS of exact; hours in full
+#: make multivt    low-leakage cells where slack allows: power before and after; without
+#:                 LIBERTY_LOW_LEAKAGE a variant derived from LIBERTY_FAST, which the report says
 #: make netlist    the mapped gates through the Icarus bench (COUNT=170 takes minutes)
 #: make gates      the mapped gates through the Verilator bench
 #: make bench      speed of the software verdicts, 100,000,000 pairs of every path against the
@@ -180,6 +185,7 @@ help:
 #: Tools:   CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY=file.lib[.gz]
 #:          MULTIPLIERS=generated in the gates of paper, conference: those that exact is made of, not *
 #:          PERIOD=ns the clock that the gates are sized for (CLOCK_NS with Nangate45, else none)
+#:          CORNERS="file ..." further Liberty files for timing (default: slow, fast beside typ)
 
 setup:
 	@scripts/setup
@@ -430,7 +436,8 @@ icarus: $(ICARUS) $(CORE)/icarus.pairs
 # both readings open, unless one was chosen; conference beside paper of the same choices;
 # without a choice the exact ones and the paper's.
 LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
-AREA    = $(CORE)/$(LIBRARY)$(if $(filter generated,$(MULTIPLIERS)),-generated)
+# A period that was chosen has a folder of its own.
+AREA    = $(CORE)/$(LIBRARY)$(if $(PERIOD),-$(PERIOD)ns)$(if $(filter generated,$(MULTIPLIERS)),-generated)
 PAPERS  = $(if $(call given,PRECISION),area-of-this,area-of-full area-of-word area-of-generated)
 BESIDE  = $(if $(call given,PRECISION),area-of-this area-of-paper,$(foreach \
           bits,full word,area-of-conference-$(bits) area-of-$(bits)))
@@ -476,6 +483,42 @@ area-sweep: $(SEPAX)
 
 scene: $(SEPAX)
 	@PERIOD=$(PERIOD) scripts/scene $(BUILD)/scene
+
+# OpenSTA wants a netlist that is sized for a clock: the generator's, in Nangate45; other
+# libraries are slower, osu018 about four times.
+CORNERS             ?=
+CLOCKS              ?=
+LIBERTY_FAST        ?= $(LIBERTY)
+LIBERTY_LOW_LEAKAGE ?=
+TIMED   = $(if $(PERIOD),,$(if $(filter nangate45%,$(LIBRARY)),$(if $(filter paper,$(ARCH)),PERIOD=$(CLOCK_NS)),PERIOD=$(shell \
+          awk 'BEGIN { print 4 * "$(CLOCK_NS)" }')))
+TIMINGS = $(if $(call given,ARCH)$(ONLY_EXACT),timing-of-this,timing-of-ii3 timing-of-ii1)
+
+timing-of-this: $(AREA)/area.json
+	@echo "  STA     $(CORE_NAME), $(LIBRARY)"
+	@synth/timing -l $(LIBERTY) $(if $(CORNERS),-c "$(CORNERS)") -o $(AREA)/timing $(AREA)
+	@echo $(AREA)/timing/timing.json >> $(BUILD)/timing.list
+timing-of-ii%:
+	@$(MAKE) --no-print-directory ARCH=exact II=$* timing-of-this
+
+timing: $(SEPAX)
+	@rm -f $(BUILD)/timing.list
+	@$(MAKE) --no-print-directory $(TIMED) $(TIMINGS)
+	@synth/timing-report -o $(BUILD)/timing.json $$(cat $(BUILD)/timing.list)
+
+calibrate: $(SEPAX)
+	@scripts/calibrate $(if $(call given,WORD),-w "$(WORD)") $(if $(call given,II),-i "$(II)") $(if \
+	  $(CLOCKS),-c "$(CLOCKS)") $(BUILD)/calibrate
+
+multivt-of-this: $(AREA)/area.json
+	@synth/multivt -f $(LIBERTY) $(if $(LIBERTY_LOW_LEAKAGE),-s $(LIBERTY_LOW_LEAKAGE)) \
+	  -o $(AREA)/multivt $(AREA)
+	@cp $(AREA)/multivt/multivt.json $(BUILD)/multivt.json
+
+multivt: $(SEPAX)
+	@$(MAKE) --no-print-directory LIBERTY=$(LIBERTY_FAST) multivt-timed
+multivt-timed:
+	@$(MAKE) --no-print-directory $(TIMED) multivt-of-this
 
 $(AREA)/netlist.vvp: $(AREA)/area.json tb/$(BENCH).v
 	@echo "  ICARUS  $(CORE_NAME), mapped to $(LIBRARY)"

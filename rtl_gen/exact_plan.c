@@ -3,6 +3,7 @@
 
 #include "error.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -561,6 +562,24 @@ static void plan_limits(exact_plan *p, double room) {
   p->shortest = longer(p->shortest, delay_register() + levels_of(most) * delay_compressor() + sum);
 }
 
+/* What steers the operands of shared units comes late, behind its fan-out, ns. */
+static const double steering = 0.28;
+
+/* The longest stage that has no place for a register. Areas and weights read what steering has
+ * selected, the later the more bits it reaches (fitted to W = 8 and 18 at II = 3). */
+static double shortest_stage(const exact_plan *p, double sums, double sum) {
+  const sepax_format *f = p->design->format;
+  bool shared = p->design->config.ii > 1;
+  int word = p->design->core_word > 8 ? p->design->core_word : 8;
+  double operands = shared ? 0.38 + 0.26 * log2(word / 8.0) + delay_mux(2) : 0.15;
+  double area = delay_compressor() + delay_adder(f[SEPAX_X_AREA].width);
+  double weight = 2 * delay_compressor() + delay_adder(f[SEPAX_X_WEIGHT].width);
+  double row = delay_row(f[SEPAX_X_AREA].width) + delay_compressor();
+  double taken = (p->running ? steering + delay_mux(2) : 0) + sum;
+  return delay_register() +
+         longer(longer(row, sums), longer(operands + longer(area, weight), taken));
+}
+
 /* Where registers stand inside the units, and the longest stage that is left. */
 static void plan_ranks(exact_plan *p) {
   const sepax_format *f = p->design->format;
@@ -582,16 +601,14 @@ static void plan_ranks(exact_plan *p) {
   arith_plan_make(&p->low_prism_mul, &prism, period);
   double fan_out = 0.15; /* of what many units read */
   double sum = fan_out + delay_adder(volume);
-  double whole = mux + 2 * delay_compressor() + sum;
+  double whole = (p->design->config.ii == 1 ? 0 : steering + mux) + 2 * delay_compressor() + sum;
   p->volume_ranks = whole > room ? 2 : whole + delay_test(volume) > room ? 1 : 0;
   p->shared_rises = p->design->config.ii == 1 &&
                     fan_out + 3 * delay_compressor() + 2 * delay_adder(own_weight->width) <= room;
   double six_terms = fan_out + 4 * delay_compressor() + delay_adder(own_weight->width);
   p->own_weight_rank = !p->running && !p->shared_rises && six_terms > room;
   p->sign_rank = delay_test(area) + 1.0 > room;
-  p->shortest = delay_register() +
-                longer(longer(delay_row(area) + delay_compressor(), sums),
-                       (p->running ? mux : 0) + sum);
+  p->shortest = shortest_stage(p, sums, sum);
   plan_limits(p, room);
 }
 
