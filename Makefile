@@ -121,7 +121,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        area-sweep timing calibrate multivt scene accuracy clearance install uninstall mapped netlist gates bench sanitize sanitized static options core clean FORCE
+        area-sweep timing calibrate multivt scene accuracy clearance install uninstall mapped netlist gates bench sanitize sanitized static options core area-file engine engine-sweep example clean FORCE
 
 all:
 	@scripts/setup

@@ -20,9 +20,10 @@ static box box_of(const sepax_tri *t, const int32_t move[3]) {
   return b;
 }
 
-static bool meet(const box *a, const box *b) {
+/* Boxes that are no more than a margin apart. */
+static bool meet(const box *a, const box *b, int64_t margin) {
   for (int i = 0; i < 3; i++) {
-    if (a->high[i] < b->low[i] || b->high[i] < a->low[i]) {
+    if (a->high[i] + margin < b->low[i] || b->high[i] + margin < a->low[i]) {
       return false;
     }
   }
@@ -140,11 +141,14 @@ static bool judge(walk *w, size_t i, size_t j) {
   bool undecided = outside || v.axis == SEPAX_AXIS_RANGE;
   bool collision = outside || v.collision;
   run->survivors++;
-  run->passes += !c->flag && !boxes_decide && goes_round(&pair) ? 2 : 1;
-  if (!collision) {
+  run->passes += !c->flag && w->design->limits == 0 && !boxes_decide && goes_round(&pair) ? 2 : 1;
+  bool warning = !collision && w->design->limits > 0 && v.band == SEPAX_BAND_WARNING;
+  if (!collision && !warning) {
     return true;
   }
   run->out_of_range += undecided;
+  run->first = collision && run->collisions == 0 ? run->found.count : run->first;
+  run->collisions += collision;
   if (run->found.count == w->room) {
     size_t room = w->room == 0 ? 256 : 2 * w->room;
     size_t(*more)[2] = realloc(run->found.pair, room * sizeof *more);
@@ -177,7 +181,7 @@ static bool walk_all(walk *w, size_t count_a, size_t count_b) {
         n -= j < k ? lanes : 0;
         if (n < count_a) {
           w->run->pairs++;
-          if (meet(&w->box_a[n], &w->box_b[j]) && !judge(w, n, j)) {
+          if (meet(&w->box_a[n], &w->box_b[j], w->design->limits > 0 ? w->design->margin[1] : 0) && !judge(w, n, j)) {
             return false;
           }
         }
@@ -221,6 +225,7 @@ bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a
   }
   walk w = {design, a, b, box_a, box_b, move, run, 0, error};
   ok = ok && walk_all(&w, count_a, count_b);
+  run->first = run->collisions > 0 ? run->first : run->found.count;
   free(box_a);
   free(box_b);
   if (!ok) {

@@ -340,7 +340,9 @@ void sepax_pairs_free(sepax_pairs *pairs);
 typedef struct {
   uint64_t pairs, survivors; /* tested; of these, with boxes that meet */
   uint64_t passes;           /* of survivors through the cores; two for pairs flat along z */
-  sepax_pairs found;         /* collisions in the order in which they are found */
+  sepax_pairs found;         /* collisions, and pairs in the band of warnings, in the order of the engine */
+  uint64_t collisions;       /* among them */
+  size_t first;              /* of found: the first collision; found.count without one */
   uint64_t out_of_range;     /* of these, undecided: beyond the extents, or moved out of W bits */
   uint64_t cycles;           /* predicted, to about 1 % and 20 + 4 II cycles; less
                                 well where several cores meet pairs of two passes */

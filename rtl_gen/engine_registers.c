@@ -46,6 +46,7 @@ const engine_register engine_registers[ENGINE_REGISTERS] = {
     [ENGINE_COLLISIONS] = {"COLLISIONS", ENGINE_READ, "pairs that collide", {{0}}},
     [ENGINE_OUT_OF_RANGE] = {"OUT_OF_RANGE", ENGINE_READ,
                              "of these, undecided: beyond the extents, or moved out of W bits", {{0}}},
+    [ENGINE_WARNINGS] = {"WARNINGS", ENGINE_READ, "pairs of the band between clearance and warning", {{0}}},
     [ENGINE_CYCLES] = {"CYCLES", ENGINE_READ, "clock cycles of the run; stays at its largest value", {{0}}},
     [ENGINE_FIRST_A] = {"FIRST_A", ENGINE_READ, "first collision: number of A's triangle", {{0}}},
     [ENGINE_FIRST_B] = {"FIRST_B", ENGINE_READ, "first collision: number of B's triangle", {{0}}},
@@ -131,7 +132,7 @@ static void ports(emitter *e, emit_module *m, const engine_plan *p) {
   emit_signal(m, EMIT_INPUT, false, "done", "", "a run ends in this cycle");
   emit_signal(m, EMIT_INPUT, false, "hit", "", "it finds its first collision in this cycle");
   static const char *const counts[] = {"count_a", "count_b", "pairs", "survivors", "collisions",
-                                       "out_of_range", "cycles", "first_a", "first_b"};
+                                       "out_of_range", "warnings", "cycles", "first_a", "first_b"};
   for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
     emit_signal(m, EMIT_INPUT, false, counts[i], "32", "the register of that name");
   }
@@ -169,7 +170,7 @@ static gen_line shown(const engine_plan *p, int i) {
   }
   default: {
     static const char *const counts[] = {"count_a", "count_b", "", "", "", "pairs", "survivors", "collisions",
-                                         "out_of_range", "cycles", "first_a", "first_b"};
+                                         "out_of_range", "warnings", "cycles", "first_a", "first_b"};
     return gen_format("%s", counts[i - ENGINE_COUNT_A]);
   }
   }

@@ -136,6 +136,7 @@ static void gen_fetch(emitter *e, const engine_plan *p) {
 /* The cores: a pair goes to one that is ready; verdicts leave in the order of the pairs. */
 static void gen_cores(emit_module *m, const engine_plan *p) {
   bool near = p->design->config.extent_a > 0;
+  bool bands = p->design->limits > 0;
   int w = p->word;
   const gen_line cores = gen_format("%d", p->cores);
   static const char *const from[] = {"core_ready", "verdict", "collides", "in_plane"};
@@ -145,6 +146,9 @@ static void gen_cores(emit_module *m, const engine_plan *p) {
   emit_signal(m, EMIT_WIRE, false, "due", cores.text, "one-hot: the core that has the oldest pair");
   emit_net(m, EMIT_WIRE, false, "offered", cores.text);
   emit_net(m, EMIT_WIRE, false, "wanted", cores.text);
+  if (bands) {
+    emit_net(m, EMIT_WIRE, false, "warns", cores.text);
+  }
   if (near) {
     emit_net(m, EMIT_WIRE, false, "too_long", cores.text);
   }
@@ -162,12 +166,24 @@ static void gen_cores(emit_module *m, const engine_plan *p) {
   if (near) {
     emit_text(m, "assign beyond = |(too_long & due);");
   }
+  if (bands) {
+    emit_text(m, "assign warning = |(warns & due);");
+  }
   for (int c = 0; c < p->cores; c++) {
     char connections[2048];
     size_t used = (size_t)snprintf(connections, sizeof connections,
                                    "clk=clk, rst=rst, in_valid=offered[%d], in_ready=core_ready[%d], out_valid=verdict[%d], "
-                                   "out_ready=wanted[%d], out_collision=collides[%d], out_coplanar=in_plane[%d], "
-                                   "out_axis=unused_axis_%d", c, c, c, c, c, c, c);
+                                   "out_ready=wanted[%d], out_coplanar=in_plane[%d], "
+                                   "out_axis=unused_axis_%d", c, c, c, c, c, c);
+    if (bands) {
+      emit_net(m, EMIT_WIRE, false, gen_format("band_%d", c).text, "2");
+      emit_net(m, EMIT_WIRE, false, gen_format("unused_collision_%d", c).text, "");
+      emit_text(m, "assign collides[%d] = band_%d[1];\nassign warns[%d] = band_%d[0];", c, c, c, c);
+      used += (size_t)snprintf(connections + used, sizeof connections - used,
+                               ", out_band=band_%d, out_collision=unused_collision_%d", c, c);
+    } else {
+      used += (size_t)snprintf(connections + used, sizeof connections - used, ", out_collision=collides[%d]", c);
+    }
     if (near) {
       used += (size_t)snprintf(connections + used, sizeof connections - used, ", out_of_range=too_long[%d]", c);
     }
@@ -270,6 +286,9 @@ static void declare_wires(emit_module *m, const engine_plan *p) {
   if (p->design->config.extent_a > 0) {
     emit_net(m, EMIT_WIRE, false, "beyond", "");
   }
+  if (p->design->limits > 0) {
+    emit_net(m, EMIT_WIRE, false, "warning", "");
+  }
   int w = p->word;
   int survivors = p->lanes + p->index_b + p->index_a;
   const struct {
@@ -282,7 +301,7 @@ static void declare_wires(emit_module *m, const engine_plan *p) {
                {"number_a", p->index_a}, {"number_b", p->index_b}, {"launched", p->index_a + p->index_b + 1 + p->cores},
                {"landed", p->index_a + p->index_b + 1 + p->cores}, {"landed_a", p->index_a}, {"landed_b", p->index_b},
                {"status", 32}, {"shown_a", 32}, {"shown_b", 32}, {"pairs", 32}, {"survivors", 32}, {"collisions", 32},
-               {"out_of_range", 32}, {"cycles", 32}, {"first_a", 32}, {"first_b", 32},
+               {"out_of_range", 32}, {"warnings", 32}, {"cycles", 32}, {"first_a", 32}, {"first_b", 32},
                {"chosen", p->cores}};
   for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
     emit_net(m, EMIT_WIRE, false, words[i].name, gen_format("%d", words[i].width).text);
@@ -317,8 +336,8 @@ static void instances(emit_module *m, const engine_plan *p) {
                 "araddr=s_axi_araddr, rvalid=s_axi_rvalid, rready=s_axi_rready, rdata=s_axi_rdata, rresp=s_axi_rresp, "
                 "irq=irq, start=start, stop=stop, first=first, quiet=quiet, move_x=move_x, move_y=move_y, "
                 "move_z=move_z, status=status, done=done, hit=hit, count_a=shown_a, count_b=shown_b, pairs=pairs, "
-                "survivors=survivors, collisions=collisions, out_of_range=out_of_range, cycles=cycles, "
-                "first_a=first_a, first_b=first_b");
+                "survivors=survivors, collisions=collisions, out_of_range=out_of_range, "
+                "warnings=warnings, cycles=cycles, first_a=first_a, first_b=first_b");
   emit_instance(m, "sepax_load", "load_objects", "",
                 "clk=clk, rst=rst, busy=busy, tvalid=s_axis_tvalid, tready=s_axis_tready, tdata=s_axis_tdata, "
                 "tlast=s_axis_tlast, tdest=s_axis_tdest, write_a=write_a, write_b=write_b, address=write_address, "
@@ -349,11 +368,11 @@ static void instances(emit_module *m, const engine_plan *p) {
   emit_instance(m, "sepax_results", "results", "",
                 "clk=clk, rst=rst, start=start, stop=stop, first=first, quiet=quiet, tested=tested, survived=launch, "
                 "drained=drained, valid=verdict_valid, ready=verdict_ready, collision=collision, coplanar=coplanar, "
-                "%soutside=flight_outside, a=landed_a, b=landed_b, tvalid=m_axis_tvalid, tready=m_axis_tready, "
+                "%s%soutside=flight_outside, a=landed_a, b=landed_b, tvalid=m_axis_tvalid, tready=m_axis_tready, "
                 "tdata=m_axis_tdata, tlast=m_axis_tlast, halt=halt, done=done, hit=hit, busy=busy, stopped=stopped, "
                 "any=any, pairs=pairs, survivors=survivors, collisions=collisions, out_of_range=out_of_range, "
-                "cycles=cycles, first_a=first_a, first_b=first_b",
-                p->design->config.extent_a > 0 ? "beyond=beyond, " : "");
+                "warnings=warnings, cycles=cycles, first_a=first_a, first_b=first_b",
+                p->design->config.extent_a > 0 ? "beyond=beyond, " : "", p->design->limits > 0 ? "warning=warning, " : "");
 }
 
 static int log2_of(int number) {

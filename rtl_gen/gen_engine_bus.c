@@ -107,10 +107,13 @@ void gen_engine_load(emitter *e, const engine_plan *p) {
 
 void gen_engine_results(emitter *e, const engine_plan *p) {
   bool near = p->design->config.extent_a > 0;
+  bool bands = p->design->limits > 0;
   emit_module *m = emit_begin(e, "sepax_results",
                               "Counts verdicts and sends those that are collisions as AXI4-Stream, 64 bits each:\n"
-                              "  [31:0] number in A, [55:32] number in B, [56] coplanar, [57] out of range\n"
-                              "A run ends with a transfer with TLAST: [31:0] collisions, [62] stopped, [63] 1.");
+                              "  [31:0] number in A, [55:32] number in B, [56] coplanar, [57] out of range, [58]\n"
+                              "  warning\n"
+                              "A run ends with a transfer with TLAST: [31:0] how many there were, [62] stopped,\n"
+                              "[63] 1.");
   const gen_line a = gen_format("%d", p->index_a);
   const gen_line b = gen_format("%d", p->index_b);
   emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
@@ -129,6 +132,9 @@ void gen_engine_results(emitter *e, const engine_plan *p) {
   if (near) {
     emit_signal(m, EMIT_INPUT, false, "beyond", "", "beyond the extents");
   }
+  if (bands) {
+    emit_signal(m, EMIT_INPUT, false, "warning", "", "in the band between clearance and warning");
+  }
   emit_signal(m, EMIT_INPUT, false, "outside", "", "B was moved out of the word");
   emit_signal(m, EMIT_INPUT, false, "a", a.text, "the pair: number in A");
   emit_signal(m, EMIT_INPUT, false, "b", b.text, "number in B");
@@ -146,24 +152,29 @@ void gen_engine_results(emitter *e, const engine_plan *p) {
                                             {"survivors", "pairs that went to the cores"},
                                             {"collisions", "pairs that collide"},
                                             {"out_of_range", "of these, undecided"},
+                                            {"warnings", "pairs that are too near"},
                                             {"cycles", "clock cycles of the run; stays at its largest value"},
                                             {"first_a", "first collision: number in A"},
                                             {"first_b", "first collision: number in B"}};
-  for (int i = 0; i < 7; i++) {
+  for (size_t i = 0; i < sizeof counters / sizeof counters[0]; i++) {
     emit_signal(m, EMIT_OUTPUT_REG, false, counters[i][0], "32", "%s", counters[i][1]);
   }
   emit_net(m, EMIT_REG, false, "ending", "");
-  static const char *const wires[] = {"take", "undecided", "found", "free", "finish"};
+  static const char *const wires[] = {"take", "undecided", "found", "warned", "free", "finish"};
   for (size_t i = 0; i < sizeof wires / sizeof wires[0]; i++) {
     emit_net(m, EMIT_WIRE, false, wires[i], "");
   }
   emit_text(m, "\nassign free = !tvalid || tready;\nassign ready = free;\nassign take = valid && ready;");
   emit_text(m, near ? "assign undecided = outside || beyond;" : "assign undecided = outside;");
   emit_text(m, "assign found = take && !stopped && (collision || undecided);\n"
+               "%s"
                "assign hit = found && !any;\n"
                "assign halt = stop || (first && hit);\n"
                "assign finish = busy && !ending && drained && free;\n"
-               "assign done = (finish && quiet) || (ending && free);");
+               "assign done = (finish && quiet) || (ending && free);",
+            bands ? "assign warned = take && !stopped && warning && !collision && !undecided;\n" : "assign warned = 1'b0;\n");
+  emit_net(m, EMIT_WIRE, false, "sent", "32");
+  emit_text(m, "assign sent = collisions + warnings;");
   emit_text(m,
             "\nalways @(posedge clk) begin\n  if (rst) begin\n"
             "    busy <= 1'b0;\n    ending <= 1'b0;\n    stopped <= 1'b0;\n    any <= 1'b0;\n    tvalid <= 1'b0;\n"
@@ -172,22 +183,23 @@ void gen_engine_results(emitter *e, const engine_plan *p) {
             "    ending <= (finish && !quiet) || (ending && !free);\n"
             "    if (start) begin\n      stopped <= 1'b0;\n      any <= 1'b0;\n    end else begin\n"
             "      stopped <= stopped || (busy && !ending && halt);\n      any <= any || found;\n    end\n"
-            "    if (free) begin\n      tvalid <= (found || finish) && !quiet;\n    end\n"
+            "    if (free) begin\n      tvalid <= (found || warned || finish) && !quiet;\n    end\n"
             "  end\n"
             "  if (free) begin\n    tlast <= finish;\n"
-            "    tdata <= finish ? {1'b1, stopped, 30'd0, collisions} :\n"
-            "             {6'd0, undecided, coplanar && !undecided, %s, %s};\n  end",
+            "    tdata <= finish ? {1'b1, stopped, 30'd0, sent} :\n"
+            "             {5'd0, warned, undecided, coplanar && !undecided, %s, %s};\n  end",
             gen_format(p->index_b < 24 ? "{%d'd0, b}" : "b", 24 - p->index_b).text,
             gen_format("{%d'd0, a}", 32 - p->index_a).text);
   emit_text(m,
             "  if (hit) begin\n    first_a <= {%d'd0, a};\n    first_b <= {%d'd0, b};\n  end\n"
             "  if (start) begin\n    pairs <= 32'd0;\n    survivors <= 32'd0;\n    collisions <= 32'd0;\n"
-            "    out_of_range <= 32'd0;\n    cycles <= 32'd0;\n"
+            "    out_of_range <= 32'd0;\n    warnings <= 32'd0;\n    cycles <= 32'd0;\n"
             "  end else begin\n"
             "    pairs <= pairs + {25'd0, tested};\n"
             "    survivors <= survivors + {31'd0, survived};\n"
             "    collisions <= collisions + {31'd0, found};\n"
             "    out_of_range <= out_of_range + {31'd0, found && undecided};\n"
+            "    warnings <= warnings + {31'd0, warned};\n"
             "    cycles <= cycles + {31'd0, busy && !(&cycles)};\n"
             "  end\nend",
             32 - p->index_a, 32 - p->index_b);

@@ -158,6 +158,9 @@ static void gen_lanes(emitter *e, const engine_plan *p) {
   emit_net(m, EMIT_WIRE, false, "lost", "");
   for (int k = 0; k < 6; k++) {
     emit_net(m, EMIT_WIRE, true, gen_format("moved_%d", k).text, gen_format("%d", v).text);
+    if (p->design->limits > 0) {
+      emit_net(m, EMIT_WIRE, true, gen_format("widened_%d", k).text, gen_format("%d", v).text);
+    }
   }
   emit_text(m, "\nassign busy = valid_1 || valid_2 || valid_3;\nassign push = |mask;\nassign lost = |(taken & live);\n"
                "assign tested = held & {7{valid_2}};");
@@ -168,6 +171,10 @@ static void gen_lanes(emitter *e, const engine_plan *p) {
     int axis = 'x' + k / 2;
     emit_text(m, "assign moved_%d = {{2{box_b[%d]}}, box_b[%d:%d]} + {move_%c[%d], move_%c};", k, (k + 1) * w - 1,
               (k + 1) * w - 1, k * w, axis, w, axis);
+    if (p->design->limits > 0) { /* boxes nearer than the margin meet */
+      emit_text(m, "assign widened_%d = moved_%d %c %d'd%lld;", k, k, k % 2 ? '+' : '-', v,
+                (long long)p->design->margin[1]);
+    }
   }
   emit_blank(m);
   for (int k = 0; k < p->lanes; k++) {
@@ -186,7 +193,9 @@ static void gen_lanes(emitter *e, const engine_plan *p) {
                "  j_1 <= j;\n  is_b_1 <= is_b;\n  base_1 <= base;\n  load_1 <= load;\n  is_a_1 <= is_a;\n"
                "  j_2 <= j_1[%d:0];\n  base_2 <= base_1;\n"
                "  mask_j <= j_2;\n  mask_base <= base_2;\n"
-               "  box_2 <= {moved_5, moved_4, moved_3, moved_2, moved_1, moved_0};\nend", p->lanes, p->index_b - 1);
+               "  box_2 <= {%s};\nend", p->lanes, p->index_b - 1,
+            p->design->limits > 0 ? "widened_5, widened_4, widened_3, widened_2, widened_1, widened_0"
+                                  : "moved_5, moved_4, moved_3, moved_2, moved_1, moved_0");
   emit_end(m);
 }
 

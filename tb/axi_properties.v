@@ -75,7 +75,7 @@ module registers_properties #(
       .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .stop(stop), .first(first),
       .quiet(quiet), .move_x(move_x), .move_y(move_y), .move_z(move_z), .status(status),
       .done(done), .hit(hit), .count_a(number), .count_b(number), .pairs(number),
-      .survivors(number), .collisions(number), .out_of_range(number), .cycles(number),
+      .survivors(number), .collisions(number), .out_of_range(number), .warnings(number), .cycles(number),
       .first_a(number), .first_b(number));
 `ifdef STANDS
   stands #(.WIDTH(2)) b (.clk(clk), .rst(rst), .valid(bvalid), .ready(bready), .data(bresp));
@@ -116,14 +116,14 @@ module results_properties #(
 );
   wire ready, tvalid, tlast, halt, done, hit, busy, stopped, any;
   wire [63:0] tdata;
-  wire [31:0] pairs, survivors, collisions, out_of_range, cycles, first_a, first_b;
+  wire [31:0] pairs, survivors, collisions, out_of_range, warnings, cycles, first_a, first_b;
   sepax_results dut (
       .clk(clk), .rst(rst), .start(start), .stop(stop), .first(first), .quiet(quiet),
       .tested(tested), .survived(survived), .drained(drained), .valid(valid), .ready(ready),
       .collision(collision), .coplanar(coplanar), .outside(outside), .a(a), .b(b),
       .tvalid(tvalid), .tready(tready), .tdata(tdata), .tlast(tlast), .halt(halt), .done(done),
       .hit(hit), .busy(busy), .stopped(stopped), .any(any), .pairs(pairs),
-      .survivors(survivors), .collisions(collisions), .out_of_range(out_of_range),
+      .survivors(survivors), .collisions(collisions), .out_of_range(out_of_range), .warnings(warnings),
       .cycles(cycles), .first_a(first_a), .first_b(first_b));
 `ifdef STANDS
   stands #(.WIDTH(65)) m (.clk(clk), .rst(rst), .valid(tvalid), .ready(tready), .data({tlast, tdata}));

@@ -102,6 +102,8 @@ static bool see(void *context, const sepax_hit *hit) {
     v = sepax_judge(&design, &judged);
   }
   bool undecided = !within || v.axis == SEPAX_AXIS_RANGE;
+  bool warning = design.limits > 0 && !undecided && v.band == SEPAX_BAND_WARNING;
+  expect("warning of a result", hit->warning, warning);
   expect("out_of_range of a result", hit->out_of_range, undecided);
   expect("coplanar of a result", hit->coplanar, v.coplanar && !undecided);
   return true;
@@ -127,21 +129,22 @@ static sepax_counts run_task(const task *t, bool paced) {
   check(sepax_device_load(&device, true, b, t->count_b), "load B");
   check(sepax_device_move(&device, t->move), "move");
   check(sepax_device_run(&device, t->first, see, &e, &counts), "run");
-  bool early = t->first && e.run.found.count > 0;
-  expect("results", e.seen, early ? 1 : e.run.found.count);
-  expect("collisions", counts.collisions, early ? 1 : e.run.found.count);
+  bool early = t->first && e.run.collisions > 0;
+  expect("results", e.seen, early ? e.run.first + 1 : e.run.found.count);
+  expect("collisions", counts.collisions, early ? 1 : e.run.collisions);
+  expect("warnings", counts.warnings, early ? e.run.first : e.run.found.count - e.run.collisions);
   if (!early) {
     expect("pairs", counts.pairs, e.run.pairs);
     expect("survivors", counts.survivors, e.run.survivors);
     expect("out of range", counts.out_of_range, e.run.out_of_range);
   }
-  if (e.run.found.count > 0) {
+  if (e.run.collisions > 0) {
     uint32_t a_number = 0;
     uint32_t b_number = 0;
     bool ok = bus_read(NULL, SEPAX_FIRST_A, &a_number) && bus_read(NULL, SEPAX_FIRST_B, &b_number);
     expect("FIRST can be read", ok, 1);
-    expect("FIRST_A", a_number, e.run.found.pair[0][0]);
-    expect("FIRST_B", b_number, e.run.found.pair[0][1]);
+    expect("FIRST_A", a_number, e.run.found.pair[e.run.first][0]);
+    expect("FIRST_B", b_number, e.run.found.pair[e.run.first][1]);
   }
   if (paced && !early) {
     near_enough(counts.cycles, e.run.cycles);
@@ -184,8 +187,11 @@ static void run_meshes(const char *const path[2], double resolution, bool paced)
   const sepax_grid grid = {resolution, {0, 0, 0}, SEPAX_WORD};
   stop_on(!sepax_scene_load(&scene, path, &grid, false, &error), error.text);
   whole w = {{NULL, 0}, NULL};
-  stop_on(!sepax_colliding_pairs(scene.tri[0], scene.count[0], scene.tri[1], scene.count[1], NULL, &w.golden, &error),
-          error.text);
+  bool ok = design.limits > 0 ? sepax_near_pairs(&design, scene.tri[0], scene.count[0], scene.tri[1], scene.count[1],
+                                                 NULL, &w.golden, &error)
+                              : sepax_colliding_pairs(scene.tri[0], scene.count[0], scene.tri[1], scene.count[1], NULL,
+                                                      &w.golden, &error);
+  stop_on(!ok, error.text);
   w.there = calloc(w.golden.count + 1, 1);
   stop_on(w.there == NULL, "out of memory");
   int32_t(*a)[9] = columns(scene.tri[0], scene.count[0]);
@@ -202,7 +208,10 @@ static void run_meshes(const char *const path[2], double resolution, bool paced)
     }
   }
   expect("pairs", counts.pairs, scene.count[0] * scene.count[1]);
-  expect("collisions", counts.collisions, w.golden.count);
+  expect("collisions and warnings", counts.collisions + counts.warnings, w.golden.count);
+  if (design.limits > 0) {
+    printf("%llu warnings\n", (unsigned long long)counts.warnings);
+  }
   printf("%zu x %zu triangles: %llu pairs, %llu survivors, %llu collisions, %llu wrong\n", scene.count[0],
          scene.count[1], (unsigned long long)counts.pairs, (unsigned long long)counts.survivors,
          (unsigned long long)counts.collisions, wrong);

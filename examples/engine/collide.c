@@ -12,7 +12,7 @@
 
 static bool print(void *context, const sepax_hit *hit) {
   (void)context;
-  printf("%zu %zu%s\n", hit->a, hit->b, hit->out_of_range ? " undecided" : "");
+  printf("%zu %zu%s\n", hit->a, hit->b, hit->out_of_range ? " undecided" : hit->warning ? " too near" : "");
   return true;
 }
 

@@ -81,14 +81,15 @@ sepax_status sepax_device_move(sepax_device *device, const int32_t move[3]) {
 }
 
 static sepax_status read_counts(sepax_device *device, sepax_counts *counts) {
-  static const uint32_t address[5] = {SEPAX_PAIRS, SEPAX_SURVIVORS, SEPAX_COLLISIONS, SEPAX_OUT_OF_RANGE, SEPAX_CYCLES};
-  uint32_t value[5];
-  for (int i = 0; i < 5; i++) {
+  static const uint32_t address[6] = {SEPAX_PAIRS,        SEPAX_SURVIVORS, SEPAX_COLLISIONS,
+                                      SEPAX_OUT_OF_RANGE, SEPAX_WARNINGS,  SEPAX_CYCLES};
+  uint32_t value[6];
+  for (int i = 0; i < 6; i++) {
     if (!device->bus.read(device->bus.context, address[i], &value[i])) {
       return SEPAX_BUS_ERROR;
     }
   }
-  *counts = (sepax_counts){value[0], value[1], value[2], value[3], value[4]};
+  *counts = (sepax_counts){value[0], value[1], value[2], value[3], value[4], value[5]};
   return SEPAX_OK;
 }
 
@@ -118,7 +119,8 @@ sepax_status sepax_device_run(sepax_device *device, bool first, bool (*found)(vo
     sepax_hit hit = {.a = (size_t)(result & 0xffffffffu),
                      .b = (size_t)(result >> 32 & 0xffffffu),
                      .coplanar = (result >> 56 & 1) != 0,
-                     .out_of_range = (result >> 57 & 1) != 0};
+                     .out_of_range = (result >> 57 & 1) != 0,
+                     .warning = (result >> 58 & 1) != 0};
     if (!ended && !found(context, &hit)) {
       ended = true;
       if (!bus->write(bus->context, SEPAX_COMMAND, SEPAX_COMMAND_STOP)) {
@@ -170,6 +172,7 @@ sepax_status sepax_device_collide(sepax_device *device, const int32_t (*a)[9], s
       counts->survivors += run.survivors;
       counts->collisions += run.collisions;
       counts->out_of_range += run.out_of_range;
+      counts->warnings += run.warnings;
       counts->cycles += run.cycles;
       if (first && status == SEPAX_OK && run.collisions > 0) {
         return SEPAX_OK;

@@ -41,16 +41,17 @@ typedef struct {
   size_t room[2]; /* triangles of A, of B */
 } sepax_device;
 
-/* A pair that collides, and what is known of it. */
+/* A pair that collides, or is too near, and what is known of it. */
 typedef struct {
   size_t a, b;
   bool coplanar;
   bool out_of_range; /* undecided, called a collision */
+  bool warning;      /* no collision, but too near (engines with a warning limit) */
 } sepax_hit;
 
 /* Counts of a run; of sepax_device_collide: their sums. */
 typedef struct {
-  uint64_t pairs, survivors, collisions, out_of_range, cycles;
+  uint64_t pairs, survivors, collisions, out_of_range, warnings, cycles;
 } sepax_counts;
 
 /* Is the engine there, and what is it like. */
@@ -63,7 +64,7 @@ sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*
  * turn the vertices, round them and load B again, so that each is rounded once. */
 sepax_status sepax_device_move(sepax_device *device, const int32_t move[3]);
 
-/* One run over what is loaded. Each collision is handed to `found`, in the engine's order; false
+/* One run over what is loaded. Each of them is handed to `found`, in the engine's order; false
  * ends the run. `first`: it ends at its first collision by itself. */
 sepax_status sepax_device_run(sepax_device *device, bool first, bool (*found)(void *context, const sepax_hit *hit),
                               void *context, sepax_counts *counts);
