@@ -550,13 +550,16 @@ gates: $(GATES)
 
 # ------------------------------------------------------------------ code quality
 
-C_SRC = $(LIB_SRC) $(CLI_SRC) $(wildcard tb/*.c)
+C_SRC  = $(LIB_SRC) $(CLI_SRC) $(wildcard tb/*.c examples/engine/*.c)
+C_PATH = -Ic_model -Irtl_gen -Itb -Iexamples/engine -I$(BUILD)/static
 
-static:
+# Programs of the engine read headers that come with its Verilog.
+static: $(SEPAX)
+	@$(GEN) --lanes=4 -o $(BUILD)/static > /dev/null
 	@$(CPPCHECK) --quiet --error-exitcode=1 --enable=warning,style,performance,portability \
-	  --inline-suppr --suppress=missingIncludeSystem --std=c11 -Ic_model -Irtl_gen $(C_SRC)
+	  --inline-suppr --suppress=missingIncludeSystem --std=c11 $(C_PATH) $(C_SRC)
 	@printf '%s\n' $(C_SRC) | xargs -P 2 -I {} $(CLANG_TIDY) --quiet \
-	  --warnings-as-errors="*" {} -- -std=c11 -D_POSIX_C_SOURCE=200809L -Ic_model -Irtl_gen
+	  --warnings-as-errors="*" {} -- -std=c11 -D_POSIX_C_SOURCE=200809L $(C_PATH)
 
 sanitize:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize \

@@ -55,13 +55,13 @@ void gen_engine_load(emitter *e, const engine_plan *p) {
                  "              ((tdata[95:%d] == %d'd0) || (&tdata[95:%d]));",
               w - 1, 33 - w, w - 1, 31 + w, 33 - w, 31 + w, 63 + w, 33 - w, 63 + w);
   }
-  const char *of = p->index_a == index ? "!to_b || " : "to_b || ";
   if (p->index_a == p->index_b) {
     emit_text(m, "assign room = !number[%d];", index);
   } else {
-    int less = p->index_a < p->index_b ? p->index_a : p->index_b;
-    emit_text(m, "assign room = !number[%d] && (%s(number[%d:%d] == %d'd0));", index, of, index - 1, less,
-              index - less);
+    bool less_of_b = p->index_b < p->index_a;
+    int less = less_of_b ? p->index_b : p->index_a;
+    emit_text(m, "assign room = !number[%d] && (%sto_b || (number[%d:%d] == %d'd0));", index, less_of_b ? "!" : "",
+              index - 1, less, index - less);
   }
   emit_text(m, "assign bad = loading && (bad_word || bad_frame || bad_size);\n"
                "assign whole = tlast && phase[2] && fits && room && !bad;\n"

@@ -44,17 +44,23 @@ static void check(sepax_status status, const char *what) {
   }
 }
 
+static _Noreturn void stop(const char *text) {
+  fprintf(stderr, "engine: %s\n", text);
+  exit(2);
+}
+
 static void stop_on(bool failed, const char *text) {
   if (failed) {
-    fprintf(stderr, "engine: %s\n", text);
-    exit(2);
+    stop(text);
   }
 }
 
 /* Triangles as the driver takes them. */
 static int32_t (*columns(const sepax_tri *tri, size_t count))[9] {
   int32_t(*flat)[9] = malloc(count * sizeof *flat);
-  stop_on(flat == NULL, "out of memory");
+  if (flat == NULL) {
+    stop("out of memory");
+  }
   for (size_t i = 0; i < count; i++) {
     for (int k = 0; k < 3; k++) {
       const sepax_vec *v = &tri[i].v[k];
@@ -310,7 +316,7 @@ static void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, 
   }
   const task t = {a, b, count_a, count_b, {0, 0, 0}, false};
   sepax_counts counts = run_task(&t, paced);
-  expect("survivors where all boxes meet", counts.survivors, (unsigned long long)(count_a * count_b));
+  expect("survivors where all boxes meet", counts.survivors, (unsigned long long)count_a * count_b);
   printf("all boxes meet: %zu x %zu triangles, %llu collisions in %llu cycles, %.4f a pair\n", count_a, count_b,
          (unsigned long long)counts.collisions, (unsigned long long)counts.cycles,
          (double)counts.cycles / (double)(count_a * count_b));
