@@ -48,6 +48,10 @@ MULTIPLIERS ?=
 LIBERTY    ?= /usr/share/qflow/tech/osu018/osu018_stdcells.lib
 export CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY
 
+# Most of what Verilator has compiled is the same for every design.
+export OBJCACHE  ?= $(shell command -v ccache)
+export CCACHE_DIR ?= $(abspath $(BUILD))/ccache
+
 BUILD  ?= build
 PREFIX ?= /usr/local
 CFLAGS ?= -O2 -g

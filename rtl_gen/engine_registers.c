@@ -121,6 +121,7 @@ static void ports(emitter *e, emit_module *m, const engine_plan *p) {
   emit_signal(m, EMIT_OUTPUT_REG, false, "rresp", "2", "0: OKAY, 2: SLVERR");
   emit_signal(m, EMIT_OUTPUT, false, "irq", "", "interrupt, level");
   emit_signal(m, EMIT_OUTPUT_REG, false, "start", "", "a run begins");
+  emit_signal(m, EMIT_OUTPUT, false, "starting", "", "a run begins, or a write that asks for it is here");
   emit_signal(m, EMIT_OUTPUT_REG, false, "stop", "", "the run is to end");
   emit_signal(m, EMIT_OUTPUT_REG, false, "first", "", "mode: end at the first collision");
   emit_signal(m, EMIT_OUTPUT_REG, false, "quiet", "", "mode: no result stream");
@@ -205,8 +206,10 @@ static void decode(emit_module *m, const engine_plan *p) {
   emit_text(m, "\nassign awready = !address_full;\nassign wready = !data_full;\nassign arready = !read_full;\n"
                "assign write = address_full && data_full && (!bvalid || bready);\n"
                "assign read = read_full && (!rvalid || rready);\n"
+               "assign starting = start || (address_full && data_full && to_%d && data[0]);\n"
                "assign irq = |(pending & enable);\nassign busy = status[0];\n"
-               "assign can_start = !busy && !start && status[4] && status[5] && !status[6];");
+               "assign can_start = !busy && !start && status[4] && status[5] && !status[6];",
+            ENGINE_COMMAND);
   char any[512] = "";
   for (int i = 0; i < ENGINE_REGISTERS; i++) {
     size_t used = strlen(any);

@@ -12,7 +12,7 @@ void gen_engine_load(emitter *e, const engine_plan *p) {
                               "object up to TLAST. An object that is not whole is not there: its count stays 0.");
   emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
   emit_signal(m, EMIT_INPUT, false, "rst", "", "synchronous reset, active high");
-  emit_signal(m, EMIT_INPUT, false, "busy", "", "a run is going on: nothing is taken");
+  emit_signal(m, EMIT_INPUT, false, "busy", "", "a run goes on or begins: nothing is taken");
   emit_signal(m, EMIT_INPUT, false, "tvalid", "", "a vertex is here");
   emit_signal(m, EMIT_OUTPUT, false, "tready", "", "it is taken in this cycle");
   emit_signal(m, EMIT_INPUT, false, "tdata", "96", "{z, y, x}, signed, 32 bits each");

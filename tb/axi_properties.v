@@ -64,7 +64,7 @@ module registers_properties #(
     input wire        hit,
     input wire [31:0] number
 );
-  wire awready, wready, bvalid, arready, rvalid, irq, start, stop, first, quiet;
+  wire awready, wready, bvalid, arready, rvalid, irq, start, starting, stop, first, quiet;
   wire [1:0] bresp, rresp;
   wire [31:0] rdata;
   wire [MOVE-1:0] move_x, move_y, move_z;
@@ -72,7 +72,7 @@ module registers_properties #(
       .clk(clk), .rst(rst), .awvalid(awvalid), .awready(awready), .awaddr(awaddr), .wvalid(wvalid),
       .wready(wready), .wdata(wdata), .wstrb(wstrb), .bvalid(bvalid), .bready(bready), .bresp(bresp),
       .arvalid(arvalid), .arready(arready), .araddr(araddr), .rvalid(rvalid), .rready(rready),
-      .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .stop(stop), .first(first),
+      .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop), .first(first),
       .quiet(quiet), .move_x(move_x), .move_y(move_y), .move_z(move_z), .status(status),
       .done(done), .hit(hit), .count_a(number), .count_b(number), .pairs(number),
       .survivors(number), .collisions(number), .out_of_range(number), .warnings(number), .cycles(number),
@@ -180,6 +180,57 @@ module load_properties (
       assert (count_a == $past(count_a) && count_b == $past(count_b));
     end
     if (begun) assert (!(write_a && write_b));
+  end
+endmodule
+
+// A run finds both objects whole, and they stay so: a vertex does not slip in as it begins.
+module start_properties (
+    input wire        clk,
+    input wire        rst,
+    input wire        awvalid,
+    input wire [ 6:0] awaddr,
+    input wire        wvalid,
+    input wire [31:0] wdata,
+    input wire        bready,
+    input wire        ended,
+    input wire        tvalid,
+    input wire [95:0] tdata,
+    input wire        tlast,
+    input wire        tdest
+);
+  wire awready, wready, bvalid, arready, rvalid, irq, start, starting, stop, first, quiet, tready;
+  wire [1:0] bresp, rresp;
+  wire [31:0] rdata;
+  wire [18:0] move_x, move_y, move_z;
+  wire write_a, write_b, loading, bad_word, bad_frame, bad_size;
+  wire [8:0] address;
+  wire [161:0] triangle;
+  wire [107:0] box;
+  wire [9:0] count_a, count_b;
+  wire [31:0] status = {25'd0, loading, |count_b, |count_a, 3'd0, busy};
+  reg busy = 1'b0;
+  reg begun = 1'b0;
+  sepax_registers registers (
+      .clk(clk), .rst(rst), .awvalid(awvalid), .awready(awready), .awaddr(awaddr), .wvalid(wvalid),
+      .wready(wready), .wdata(wdata), .wstrb(4'hf), .bvalid(bvalid), .bready(bready), .bresp(bresp),
+      .arvalid(1'b0), .arready(arready), .araddr(7'd0), .rvalid(rvalid), .rready(1'b0),
+      .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop),
+      .first(first), .quiet(quiet), .move_x(move_x), .move_y(move_y), .move_z(move_z),
+      .status(status), .done(1'b0), .hit(1'b0), .count_a(32'd0), .count_b(32'd0), .pairs(32'd0),
+      .survivors(32'd0), .collisions(32'd0), .out_of_range(32'd0), .warnings(32'd0),
+      .cycles(32'd0), .first_a(32'd0), .first_b(32'd0));
+  sepax_load load (
+      .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(tvalid), .tready(tready),
+      .tdata(tdata), .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b),
+      .address(address), .triangle(triangle), .box(box), .count_a(count_a), .count_b(count_b),
+      .loading(loading), .bad_word(bad_word), .bad_frame(bad_frame), .bad_size(bad_size));
+  always @(posedge clk) begin
+    begun <= 1'b1;
+    assume (begun || rst);
+    busy <= !rst && (start || (busy && !ended));
+    if (begun && !rst && (start || busy)) begin
+      assert (!loading && count_a != 10'd0 && count_b != 10'd0);
+    end
   end
 endmodule
 
