@@ -145,7 +145,7 @@ help:
 #:                 pairs within them, or one triangle of each not
 #: make engine     the object engine (LANES=16): MESH_A against MESH_B, or PAIRS=families
 #:                 (STRESS=seed: random gaps and blocks on all buses)
-#: make example    its C driver on the verilated engine: the pairs that collide
+#: make example    (LANES=16) its C driver on the verilated engine: the pairs that collide
 #: make engine-sweep cycles over lanes, real meshes, all boxes meeting; build/engine-sweep
 #: make icarus     the same vectors through Icarus Verilog (PAIRS=file|bits, or COUNT seeded
 #:                 ones)
@@ -381,6 +381,10 @@ $(ENGINE): $(ENGINE_C) tb/engine_bus.cpp tb/engine_bus.h $(LIB) $(RTL)
 	@rm -f $@ && cd $(CORE)/rtl && { $(VERILATE_ENGINE) $(abspath $(ENGINE_C) $(LIB)) --Mdir ../obj-engine -o ../engine \
 	  > ../engine.log 2>&1 || { tail -20 ../engine.log >&2; exit 1; }; }
 
+ifeq ($(filter-out 0,$(LANES)),)
+engine example:
+	@echo "$@: no box lanes; give LANES=1 ... 64" >&2; exit 2
+else
 engine: $(ENGINE) $(if $(filter families,$(PAIRS)),,$(SAMPLES))
 	@$(ENGINE) $(if $(STRESS),--stress=$(STRESS)) $(if $(filter families,$(PAIRS)),,$(if \
 	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) $(MESH_A) $(MESH_B))
@@ -390,6 +394,8 @@ example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
 	@$(CXX) -o $(CORE)/collide $(ENGINE_OBJ)/collide.o $(ENGINE_OBJ)/sepax_driver.o $(CORE)/obj-engine/engine_bus.o \
 	  $(CORE)/obj-engine/Vsepax_engine__ALL.a $(wildcard $(CORE)/obj-engine/verilated*.o) $(LIB) -lm -pthread
 	@$(CORE)/collide "$(MESH_A)" "$(MESH_B)" $(filter-out fit,$(RESOLUTION)) || [ $$? -eq 1 ]
+
+endif
 
 engine-sweep: $(SEPAX)
 	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" scripts/engine-sweep $(BUILD)/engine-sweep

@@ -522,7 +522,8 @@ typedef struct {
   sepax_config config; /* with lanes: an object engine; without: the core alone, fed with every pair */
   double gates, gates_error; /* sepax_gates */
   bool fitted;     /* the formula was fitted to machines like this one */
-  uint64_t cycles; /* for all pairs; of an engine with loading left out */
+  uint64_t cycles; /* for all pairs, at most; of an engine with loading left out, of a core alone with
+                      second passes left out */
   double seconds;
 } sepax_machine;
 

@@ -86,8 +86,8 @@ static uint64_t lane_cycles(uint64_t count_a, uint64_t count_b, uint64_t lanes) 
   return cycles;
 }
 
-/* Where pairs come faster than the core judges them, it takes the longest; else the last pair
- * of all may still be in it when the walk ends. */
+/* In every cycle the walk goes on or the core is busy, so that a run takes no longer than
+ * both; a pair that is flat as seen along z goes through the core twice. */
 static uint64_t machine_cycles(const sepax_size *size, const sepax_design *d) {
   uint64_t a = size->count[0];
   uint64_t b = size->count[1];
@@ -95,7 +95,7 @@ static uint64_t machine_cycles(const sepax_size *size, const sepax_design *d) {
   if (d->config.lanes == 0) {
     return a * b * ii;
   }
-  return larger(lane_cycles(a, b, (uint64_t)d->config.lanes) + ii, size->worst * ii);
+  return lane_cycles(a, b, (uint64_t)d->config.lanes) + (2 * size->worst + 1) * ii;
 }
 
 /* --------------------------------------------------------------------- machine */

@@ -276,7 +276,7 @@ static gen_line width_text(int width) { return width == 0 ? gen_format("%s", "")
 
 static void declare_wires(emit_module *m, const engine_plan *p) {
   static const char *const bits[] = {
-      "start", "starting", "hold", "stop", "first", "quiet", "halt", "clear", "done", "hit", "busy", "stopped", "any", "drained", "loading", "bad_word", "bad_frame", "bad_size", "running", "is_a", "is_b", "load", "lanes_busy",
+      "start", "starting", "hold", "stop", "first", "quiet", "halt", "clear", "done", "hit", "busy", "stopped", "any", "drained", "loading", "ended", "bad_word", "bad_frame", "bad_size", "running", "is_a", "is_b", "load", "lanes_busy",
       "push", "room", "more", "pop", "pick_valid", "fetch_busy", "pair_valid", "pair_ready", "outside",
       "flight_room", "flight_more", "launch", "land", "verdict_valid", "verdict_ready", "collision", "coplanar",
       "flight_outside"};
@@ -335,14 +335,14 @@ static void instances(emit_module *m, const engine_plan *p) {
                 "bready=s_axi_bready, bresp=s_axi_bresp, arvalid=s_axi_arvalid, arready=s_axi_arready, "
                 "araddr=s_axi_araddr, rvalid=s_axi_rvalid, rready=s_axi_rready, rdata=s_axi_rdata, rresp=s_axi_rresp, "
                 "irq=irq, start=start, starting=starting, stop=stop, first=first, quiet=quiet, move_x=move_x, move_y=move_y, "
-                "move_z=move_z, status=status, done=done, hit=hit, count_a=shown_a, count_b=shown_b, pairs=pairs, "
+                "move_z=move_z, status=status, done=done, hit=hit, loaded=ended, count_a=shown_a, count_b=shown_b, pairs=pairs, "
                 "survivors=survivors, collisions=collisions, out_of_range=out_of_range, "
                 "warnings=warnings, cycles=cycles, first_a=first_a, first_b=first_b");
   emit_instance(m, "sepax_load", "load_objects", "",
                 "clk=clk, rst=rst, busy=hold, tvalid=s_axis_tvalid, tready=s_axis_tready, tdata=s_axis_tdata, "
                 "tlast=s_axis_tlast, tdest=s_axis_tdest, write_a=write_a, write_b=write_b, address=write_address, "
                 "triangle=write_triangle, box=write_box, count_a=count_a, count_b=count_b, loading=loading, "
-                "bad_word=bad_word, bad_frame=bad_frame, bad_size=bad_size");
+                "ended=ended, bad_word=bad_word, bad_frame=bad_frame, bad_size=bad_size");
   emit_instance(m, "sepax_walk", "walk", "",
                 "clk=clk, rst=rst, start=start, halt=halt, room=room, count_a=count_a, count_b=count_b, "
                 "running=running, step=step, j=step_j, is_b=is_b, address_b=address_b, round_base=round_base, "

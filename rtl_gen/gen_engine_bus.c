@@ -27,6 +27,7 @@ void gen_engine_load(emitter *e, const engine_plan *p) {
   emit_signal(m, EMIT_OUTPUT_REG, false, "count_a", gen_format("%d", p->index_a + 1).text, "triangles of A");
   emit_signal(m, EMIT_OUTPUT_REG, false, "count_b", gen_format("%d", p->index_b + 1).text, "triangles of B");
   emit_signal(m, EMIT_OUTPUT_REG, false, "loading", "", "an object has begun to come");
+  emit_signal(m, EMIT_OUTPUT_REG, false, "ended", "", "the last vertex of an object came in the cycle before");
   emit_signal(m, EMIT_OUTPUT_REG, false, "bad_word", "", "last object: a coordinate does not fit");
   emit_signal(m, EMIT_OUTPUT_REG, false, "bad_frame", "", "last object: ended within a triangle");
   emit_signal(m, EMIT_OUTPUT_REG, false, "bad_size", "", "last object: too many triangles");
@@ -76,10 +77,11 @@ void gen_engine_load(emitter *e, const engine_plan *p) {
   }
   emit_text(m, "assign box = {high_z, low_z, high_y, low_y, high_x, low_x};");
   emit_text(m, "\nalways @(posedge clk) begin\n  if (rst) begin\n"
-               "    loading <= 1'b0;\n    phase <= 3'b001;\n    number <= %d'd0;\n    write_a <= 1'b0;\n"
+               "    loading <= 1'b0;\n    ended <= 1'b0;\n    phase <= 3'b001;\n    number <= %d'd0;\n    write_a <= 1'b0;\n"
                "    write_b <= 1'b0;\n    count_a <= %d'd0;\n    count_b <= %d'd0;\n    bad_word <= 1'b0;\n"
                "    bad_frame <= 1'b0;\n    bad_size <= 1'b0;\n"
                "  end else begin\n"
+               "    ended <= take && tlast;\n"
                "    write_a <= take && phase[2] && room && !to_b;\n"
                "    write_b <= take && phase[2] && room && to_b;\n"
                "    if (take) begin\n"

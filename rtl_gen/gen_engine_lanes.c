@@ -78,7 +78,7 @@ static void gen_walk(emitter *e, const engine_plan *p) {
 static void gen_lane(emitter *e, const engine_plan *p) {
   emit_module *m = emit_begin(e, "sepax_lane",
                               "A box lane: holds the box of a triangle of A and tells at once whether that of a\n"
-                              "triangle of B meets it. Boxes are packed {low, high} of z, y, x, x lowest.");
+                              "triangle of B meets it. Boxes are packed {high, low} of z, y, x, x lowest.");
   int w = p->word;
   int v = p->moved;
   emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");

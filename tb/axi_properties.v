@@ -62,6 +62,7 @@ module registers_properties #(
     input wire [31:0] status,
     input wire        done,
     input wire        hit,
+    input wire        loaded,
     input wire [31:0] number
 );
   wire awready, wready, bvalid, arready, rvalid, irq, start, starting, stop, first, quiet;
@@ -74,7 +75,7 @@ module registers_properties #(
       .arvalid(arvalid), .arready(arready), .araddr(araddr), .rvalid(rvalid), .rready(rready),
       .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop), .first(first),
       .quiet(quiet), .move_x(move_x), .move_y(move_y), .move_z(move_z), .status(status),
-      .done(done), .hit(hit), .count_a(number), .count_b(number), .pairs(number),
+      .done(done), .hit(hit), .loaded(loaded), .count_a(number), .count_b(number), .pairs(number),
       .survivors(number), .collisions(number), .out_of_range(number), .warnings(number), .cycles(number),
       .first_a(number), .first_b(number));
 `ifdef STANDS
@@ -160,7 +161,7 @@ module load_properties (
     input wire        tlast,
     input wire        tdest
 );
-  wire tready, write_a, write_b, loading, bad_word, bad_frame, bad_size;
+  wire tready, write_a, write_b, loading, ended, bad_word, bad_frame, bad_size;
   wire [8:0] address;
   wire [161:0] triangle;
   wire [107:0] box;
@@ -169,7 +170,7 @@ module load_properties (
       .clk(clk), .rst(rst), .busy(busy), .tvalid(tvalid), .tready(tready), .tdata(tdata),
       .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b), .address(address),
       .triangle(triangle), .box(box), .count_a(count_a), .count_b(count_b), .loading(loading),
-      .bad_word(bad_word), .bad_frame(bad_frame), .bad_size(bad_size));
+      .ended(ended), .bad_word(bad_word), .bad_frame(bad_frame), .bad_size(bad_size));
   // Ready does not wait for valid, and nothing is taken or changed during a run.
   reg begun = 1'b0;
   always @(posedge clk) begin
@@ -192,7 +193,7 @@ module start_properties (
     input wire        wvalid,
     input wire [31:0] wdata,
     input wire        bready,
-    input wire        ended,
+    input wire        over,
     input wire        tvalid,
     input wire [95:0] tdata,
     input wire        tlast,
@@ -202,7 +203,7 @@ module start_properties (
   wire [1:0] bresp, rresp;
   wire [31:0] rdata;
   wire [18:0] move_x, move_y, move_z;
-  wire write_a, write_b, loading, bad_word, bad_frame, bad_size;
+  wire write_a, write_b, loading, ended, bad_word, bad_frame, bad_size;
   wire [8:0] address;
   wire [161:0] triangle;
   wire [107:0] box;
@@ -216,18 +217,19 @@ module start_properties (
       .arvalid(1'b0), .arready(arready), .araddr(7'd0), .rvalid(rvalid), .rready(1'b0),
       .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop),
       .first(first), .quiet(quiet), .move_x(move_x), .move_y(move_y), .move_z(move_z),
-      .status(status), .done(1'b0), .hit(1'b0), .count_a(32'd0), .count_b(32'd0), .pairs(32'd0),
+      .status(status), .done(1'b0), .hit(1'b0), .loaded(ended), .count_a(32'd0), .count_b(32'd0), .pairs(32'd0),
       .survivors(32'd0), .collisions(32'd0), .out_of_range(32'd0), .warnings(32'd0),
       .cycles(32'd0), .first_a(32'd0), .first_b(32'd0));
   sepax_load load (
       .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(tvalid), .tready(tready),
       .tdata(tdata), .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b),
       .address(address), .triangle(triangle), .box(box), .count_a(count_a), .count_b(count_b),
-      .loading(loading), .bad_word(bad_word), .bad_frame(bad_frame), .bad_size(bad_size));
+      .loading(loading), .ended(ended), .bad_word(bad_word), .bad_frame(bad_frame),
+      .bad_size(bad_size));
   always @(posedge clk) begin
     begun <= 1'b1;
     assume (begun || rst);
-    busy <= !rst && (start || (busy && !ended));
+    busy <= !rst && (start || (busy && !over));
     if (begun && !rst && (start || busy)) begin
       assert (!loading && count_a != 10'd0 && count_b != 10'd0);
     end

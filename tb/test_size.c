@@ -372,9 +372,9 @@ static void test_machine(void **state) {
           double ge = sepax_gates(&design, &unread);
           size_t passes = k > 0 ? (size.count[0] + (size_t)k - 1) / (size_t)k : 0;
           size_t step = size.count[1] > (size_t)k ? size.count[1] : (size_t)k;
-          double core = (double)(k > 0 ? size.worst : pairs) * intervals[i];
-          double boxes = k > 0 ? (double)(passes * step + (size.count[0] - 1) % (size_t)k) + 6 + intervals[i] : 0;
-          if (fmax(core, boxes) <= cycles) {
+          double core = (double)(k > 0 ? 2 * size.worst + 1 : pairs) * intervals[i];
+          double boxes = k > 0 ? (double)(passes * step + (size.count[0] - 1) % (size_t)k) + 6 : 0;
+          if (core + boxes <= cycles) {
             least = fmin(least, ge);
           }
         }
@@ -407,7 +407,7 @@ static void test_jobs(void **state) {
   assert_int_equal(m.cycles, 20 * 20 + 19 + 6 + m.config.ii);
   size.worst = 1000;
   assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
-  assert_int_equal(m.cycles, 1000 * 18);
+  assert_int_equal(m.cycles, 20 * 20 + 19 + 6 + 2001 * (uint64_t)m.config.ii);
   size.worst = 0;
   size.count[0] = 40000;
   size.count[1] = 70000;

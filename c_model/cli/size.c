@@ -83,11 +83,16 @@ static bool scan_workspace(sepax_space *space, const char *text) {
   return *at == '\0';
 }
 
-/* One item of a motion; the end of it, or NULL. */
-static const char *scan_item(sepax_motion *m, const char *text) {
+/* One item of a motion; the end of it, or NULL. Each may be given once: bit 0 ... 2 of `given` x, y, z,
+ * bit 3 rotate. */
+static const char *scan_item(sepax_motion *m, const char *text, unsigned *given) {
   static const char rotate[] = "rotate";
   if (strncmp(text, rotate, sizeof rotate - 1) == 0) {
     const char *at = text + sizeof rotate - 1;
+    if ((*given & 8u) != 0) {
+      return NULL;
+    }
+    *given |= 8u;
     m->turn = SEPAX_TURN_ANY;
     if (at[0] == ':' && at[1] >= 'x' && at[1] <= 'z') {
       m->turn = (sepax_turn)(SEPAX_TURN_X + (at[1] - 'x'));
@@ -100,21 +105,26 @@ static const char *scan_item(sepax_motion *m, const char *text) {
   }
   bool is_range;
   int axis = text[0] - 'x';
+  if ((*given & 1u << axis) != 0) {
+    return NULL;
+  }
+  *given |= 1u << axis;
   const char *at = scan_range(text + 2, &m->low[axis], &m->high[axis], &is_range);
   return is_range ? at : NULL;
 }
 
 static bool scan_motion(sepax_motion *m, const char *text) {
-  const char *at = scan_item(m, text);
+  unsigned given = 0;
+  const char *at = scan_item(m, text, &given);
   while (at != NULL && *at == ',') {
-    at = scan_item(m, at + 1);
+    at = scan_item(m, at + 1, &given);
   }
   return at != NULL && *at == '\0';
 }
 
 static void parse_motion(const struct argp_state *state, sepax_motion *m, const char *option, const char *text) {
   if (!scan_motion(m, text)) {
-    argp_error(state, "%s: '%s' is not x:LOW..HIGH,y:...,z:...,rotate:x|y|z or rotate", option, text);
+    argp_error(state, "%s: '%s' is not x:LOW..HIGH,y:...,z:...,rotate:x|y|z or rotate, each once", option, text);
   }
 }
 

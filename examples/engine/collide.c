@@ -18,7 +18,11 @@ static bool print(void *context, const sepax_hit *hit) {
 
 static int32_t (*flat(const sepax_tri *tri, size_t count))[9] {
   int32_t(*c)[9] = malloc((count + 1) * sizeof *c);
-  for (size_t i = 0; i < count && c != NULL; i++) {
+  if (c == NULL) {
+    fprintf(stderr, "collide: out of memory\n");
+    exit(2);
+  }
+  for (size_t i = 0; i < count; i++) {
     for (int k = 0; k < 3; k++) {
       c[i][3 * k] = tri[i].v[k].x;
       c[i][3 * k + 1] = tri[i].v[k].y;
@@ -36,7 +40,12 @@ int main(int argc, char **argv) {
   sepax_error error = {""};
   sepax_scene scene;
   const char *const path[2] = {argv[1], argv[2]};
-  const sepax_grid grid = {argc == 4 ? strtod(argv[3], NULL) : 0, {0, 0, 0}, SEPAX_WORD};
+  char *end = argv[argc - 1];
+  const sepax_grid grid = {argc == 4 ? strtod(argv[3], &end) : 0, {0, 0, 0}, SEPAX_WORD};
+  if (argc == 4 && (*end != '\0' || !(grid.resolution > 0))) {
+    fprintf(stderr, "collide: '%s' is not a length above 0\n", argv[3]);
+    return 2;
+  }
   if (!sepax_scene_load(&scene, path, &grid, false, &error)) {
     fprintf(stderr, "collide: %s\n", error.text);
     return 2;

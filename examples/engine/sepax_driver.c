@@ -5,7 +5,7 @@
 
 const char *sepax_status_text(sepax_status status) {
   static const char *const text[] = {"done", "no engine there", "bus error", "a coordinate does not fit the words",
-                                     "an object is empty", "a move does not fit W + 1 bits",
+                                     "an object is empty or too large", "a move does not fit W + 1 bits",
                                      "results were lost", "ended"};
   return text[status];
 }
@@ -41,9 +41,35 @@ static bool fits(const int32_t c[9], int word) {
   return true;
 }
 
+/* Until an object has come; some seconds at most. */
+static bool wait_loaded(const sepax_bus *bus) {
+  enum { READS = 10000000 };
+  uint32_t pending = 0;
+  for (long i = 0; i < READS; i++) {
+    if (!bus->read(bus->context, SEPAX_PENDING, &pending)) {
+      return false;
+    }
+    if ((pending & SEPAX_PENDING_LOADED) != 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* An object that a failed access has left unfinished is ended; it does not count. */
+static bool end_object(const sepax_bus *bus) {
+  static const int32_t vertex[3] = {0, 0, 0};
+  uint32_t status = 0;
+  if (!bus->read(bus->context, SEPAX_STATUS, &status)) {
+    return false;
+  }
+  return (status & SEPAX_STATUS_LOADING) == 0 ||
+         (bus->write(bus->context, SEPAX_PENDING, SEPAX_PENDING_LOADED) &&
+          bus->send(bus->context, vertex, true, false) && wait_loaded(bus));
+}
+
 sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*triangle)[9], size_t count) {
   const sepax_bus *bus = &device->bus;
-  uint32_t status = 0;
   if (count == 0 || count > device->room[to_b]) {
     return SEPAX_BAD_SIZE;
   }
@@ -52,6 +78,9 @@ sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*
       return SEPAX_BAD_WORD;
     }
   }
+  if (!end_object(bus) || !bus->write(bus->context, SEPAX_PENDING, SEPAX_PENDING_LOADED)) {
+    return SEPAX_BUS_ERROR;
+  }
   for (size_t i = 0; i < count; i++) {
     for (int k = 0; k < 3; k++) {
       if (!bus->send(bus->context, triangle[i] + 3 * k, i == count - 1 && k == 2, to_b)) {
@@ -59,9 +88,9 @@ sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*
       }
     }
   }
-  uint32_t there = to_b ? SEPAX_STATUS_LOADED_B : SEPAX_STATUS_LOADED_A;
-  bool ok = bus->read(bus->context, SEPAX_STATUS, &status) && (status & there) != 0;
-  return ok ? SEPAX_OK : SEPAX_BUS_ERROR;
+  uint32_t loaded = 0;
+  bool ok = wait_loaded(bus) && bus->read(bus->context, to_b ? SEPAX_COUNT_B : SEPAX_COUNT_A, &loaded);
+  return ok && loaded == count ? SEPAX_OK : SEPAX_BUS_ERROR;
 }
 
 sepax_status sepax_device_move(sepax_device *device, const int32_t move[3]) {

@@ -14,9 +14,9 @@
 typedef enum {
   SEPAX_OK,
   SEPAX_NO_ENGINE,    /* ID is not what it must be */
-  SEPAX_BUS_ERROR,    /* an access failed, or was answered with SLVERR */
+  SEPAX_BUS_ERROR,    /* an access failed, was answered with SLVERR, or a load never ended */
   SEPAX_BAD_WORD,     /* a coordinate does not fit the engine's words */
-  SEPAX_BAD_SIZE,     /* an object is empty */
+  SEPAX_BAD_SIZE,     /* an object is empty, or larger than the memory */
   SEPAX_BAD_MOVE,     /* a move does not fit W + 1 bits */
   SEPAX_INCOMPLETE,   /* the engine sent another number of results than it counted */
   SEPAX_ENDED         /* found() asked for the end */
@@ -29,7 +29,8 @@ typedef struct {
   void *context;
   bool (*read)(void *context, uint32_t address, uint32_t *value);
   bool (*write)(void *context, uint32_t address, uint32_t value);
-  /* A vertex of object A (to_b false) or B, `last` with the last one of the object. */
+  /* A vertex of object A (to_b false) or B, `last` with the last one of the object. It may be
+   * on its way for a while: sepax_device_load waits until the engine has it. */
   bool (*send)(void *context, const int32_t vertex[3], bool last, bool to_b);
   /* Wait for a result and take it. */
   bool (*receive)(void *context, uint64_t *result, bool *last);
@@ -57,7 +58,8 @@ typedef struct {
 /* Is the engine there, and what is it like. */
 sepax_status sepax_device_open(sepax_device *device, const sepax_bus *bus);
 
-/* Load an object: 9 coordinates a triangle, x y z of its three vertices, in LSB. */
+/* Load an object: 9 coordinates a triangle, x y z of its three vertices, in LSB. An object that was
+ * cut off by a failed access is ended first. */
 sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*triangle)[9], size_t count);
 
 /* Move B by whole LSB against where it was loaded; exact. A rotation is no matter of the engine:
@@ -70,7 +72,7 @@ sepax_status sepax_device_run(sepax_device *device, bool first, bool (*found)(vo
                               void *context, sepax_counts *counts);
 
 /* Two objects of any size: part by part as the memories hold them, numbers those of the whole
- * objects. */
+ * objects; B as the last sepax_device_move says. */
 sepax_status sepax_device_collide(sepax_device *device, const int32_t (*a)[9], size_t count_a,
                                   const int32_t (*b)[9], size_t count_b, bool first,
                                   bool (*found)(void *context, const sepax_hit *hit), void *context,
