@@ -577,8 +577,9 @@ static void put_in_order(gates *g) {
 void gates_read(gates *g, const library *lib, const char *path) {
   file_name = path;
   char *text = read_text(path);
-  reader *r = room(1, sizeof *r);
-  r->p = text;
+  static reader read;
+  reader *r = &read;
+  *r = (reader){.p = text};
   while (next_token(r)) {
     if (!is(r, "module")) {
       fail("is not a netlist of synth/area, at", r->token);

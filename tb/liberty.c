@@ -173,7 +173,12 @@ static void emit(parser *s, int op) {
   if (s->f->count == LIB_OPS) {
     fail("too long a function in", s->cell->name);
   }
-  s->f->op[s->f->count++] = (signed char)op;
+  bool operand = op >= 0 || op <= LIB_ZERO;
+  s->f->depth += operand ? 1 : op == LIB_NOT ? 0 : -1;
+  if (s->f->depth > LIB_DEPTH) {
+    fail("too deep a function in", s->cell->name);
+  }
+  s->f->op[s->f->count++] = (short)op;
 }
 
 static void blanks(parser *s) {
@@ -258,7 +263,7 @@ static void parse_or(parser *s) {
 static void parse_function(lib_function *f, const lib_cell *cell, const char *text,
                            const char *state, const char *state_not) {
   parser s = {text, cell, state, state_not, f};
-  f->count = 0;
+  f->count = f->depth = 0;
   parse_or(&s);
   if (*s.p != '\0') {
     fail("a function is not understood, of", cell->name);
@@ -266,7 +271,7 @@ static void parse_function(lib_function *f, const lib_cell *cell, const char *te
 }
 
 uint64_t lib_evaluate(const lib_function *f, const uint64_t pin[], uint64_t state) {
-  uint64_t stack[LIB_OPS];
+  uint64_t stack[LIB_DEPTH] = {0};
   int top = -1;
   for (int k = 0; k < f->count; k++) {
     int op = f->op[k];
@@ -522,7 +527,7 @@ static void read_powers(lib_cell *cell, const node *root, const node *p, int pin
     power->related = related == NULL ? -1 : lib_pin_index(cell, related);
     power->when = ~UINT64_C(0);
     if (value_of(n, "when") != NULL) {
-      lib_function when;
+      lib_function when = {0};
       parse_function(&when, cell, value_of(n, "when"), state[0], state[1]);
       power->when = mask_of(cell, &when);
     }

@@ -6,14 +6,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { LIB_PINS = 12, LIB_OPS = 64, LIB_INDEX = 16, LIB_FANOUT = 64 };
+enum { LIB_PINS = 12, LIB_OPS = 64, LIB_DEPTH = 12, LIB_INDEX = 16, LIB_FANOUT = 64 };
 
 /* A function in postfix order: operand k >= 0 is pin k. */
 enum { LIB_NOT = -1, LIB_AND = -2, LIB_OR = -3, LIB_XOR = -4, LIB_ZERO = -5, LIB_ONE = -6,
        LIB_STATE = -7, LIB_STATE_NOT = -8 };
 typedef struct {
-  int count;
-  signed char op[LIB_OPS];
+  int count, depth; /* operations, operands that wait at the end of them */
+  short op[LIB_OPS];
 } lib_function;
 
 /* A value over the slope of an input (ns) and the load of an output, in the file's units. */

@@ -504,7 +504,7 @@ static void read_meshes(machine *m) {
 }
 
 static void read_pairs(machine *m) {
-  size_t number = 0;
+  size_t lines = 0;
   sepax_error error = {0};
   for (;;) {
     if ((m->pairs & (m->pairs - 1)) == 0) {
@@ -513,7 +513,7 @@ static void read_pairs(machine *m) {
         fail("out of memory");
       }
     }
-    sepax_line line = sepax_pair_read(&m->pair[m->pairs], stdin, "pairs", &number,
+    sepax_line line = sepax_pair_read(&m->pair[m->pairs], stdin, "pairs", &lines,
                                       m->design.config.word, &error);
     if (line == SEPAX_LINE_ERROR) {
       exit(cli_fail("power", &error));
@@ -600,7 +600,8 @@ static request read_options(int argc, char **argv) {
 
 int main(int argc, char **argv) {
   static machine m;
-  request want = read_options(argc, argv);
+  static request want;
+  want = read_options(argc, argv);
   sepax_error error = {0};
   m.want = &want;
   sepax_config config = sepax_config_default();
