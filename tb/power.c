@@ -32,7 +32,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OWED = 256, FILL = 200, IDLE_AFTER = 60, INPUT_WORDS = 3 };
+enum { OWED = 256, FILL = 120, IDLE_AFTER = 40, INPUT_WORDS = 3 };
 
 typedef struct {
   const char *liberty, *netlist, *design, *pins, *by_cell;
