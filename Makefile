@@ -542,7 +542,8 @@ CYCLES    ?= 200
 OPENSTA   ?=
 LOADS      = $(BUILD)/power-w$(WORD)/colliding.txt $(BUILD)/power-w$(WORD)/coplanar.txt
 POWER_RES  = $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION))
-POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),power-of-this,power-of-paper power-of-ii3 power-of-ii1)
+POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),power-of-this,power-of-paper power-of-ii3 power-of-ii1 \
+             $(if $(filter 18,$(WORD)),power-of-near))
 # The paper's machine is made of the same multipliers as exact.
 power-of-this: $(AREA)/area.json $(BUILD)/power $(LOADS) $(SAMPLES)
 	@echo "  POWER   $(CORE_NAME), $(LIBRARY)"
@@ -552,6 +553,9 @@ power-of-this: $(AREA)/area.json $(BUILD)/power $(LOADS) $(SAMPLES)
 	@echo $(AREA)/power/power.json >> $(BUILD)/power.list
 power-of-ii%:
 	@$(MAKE) --no-print-directory ARCH=exact II=$* power-of-this
+# The box test in front, for triangles as long as those of the sample objects.
+power-of-near:
+	@$(MAKE) --no-print-directory ARCH=exact II=3 EXTENT_A=4330 EXTENT_B=12500 power-of-this
 power-of-paper:
 	@$(MAKE) --no-print-directory ARCH=paper PRECISION=full MULTIPLIERS=generated power-of-this
 

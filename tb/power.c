@@ -54,7 +54,7 @@ typedef struct {
   double (*slope)[2];   /* of each net: rise, fall, ns */
   sepax_pair *pair;
   unsigned char *verdict; /* of each pair: bit 0 collision, bit 1 coplanar */
-  size_t pairs;
+  size_t pairs, undecided; /* of all given, those beyond the extents */
   uint64_t taken, judged, wrong, collisions, coplanar; /* while it counts, but wrong: always */
 } machine;
 
@@ -460,10 +460,11 @@ static void print_report(const machine *m) {
   }
   double joule = (all.leakage + all.internal + all.switching) * m->want->period * 1e-9;
   printf("{\"period_ns\": %g, \"lanes\": %d, \"cycles\": %llu, \"pairs\": %llu, \"judged\": %llu, "
-         "\"collisions\": %llu, \"coplanar\": %llu, \"wrong\": %llu, \"cells\": %d,\n ",
+         "\"collisions\": %llu, \"coplanar\": %llu, \"wrong\": %llu, \"undecided_percent\": %.4g, \"cells\": %d,\n ",
          m->want->period, GATES_LANES, (unsigned long long)g->cycles, (unsigned long long)m->taken,
          (unsigned long long)m->judged, (unsigned long long)m->collisions,
-         (unsigned long long)m->coplanar, (unsigned long long)m->wrong, g->cells);
+         (unsigned long long)m->coplanar, (unsigned long long)m->wrong,
+         m->pairs > 0 ? 100.0 * (double)m->undecided / (double)m->pairs : 0.0, g->cells);
   print_watts(all);
   printf(", \"cycle_pj\": %.6g, \"pair_pj\": ", joule * 1e12);
   if (m->taken > 0) {
@@ -530,6 +531,7 @@ static void judge_pairs(machine *m) {
   for (size_t k = 0; k < m->pairs; k++) {
     sepax_verdict v = sepax_judge(&m->design, &m->pair[k]);
     m->verdict[k] = (unsigned char)(v.collision | v.coplanar << 1);
+    m->undecided += m->exact && v.axis == SEPAX_AXIS_RANGE;
   }
 }
 
