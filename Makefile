@@ -125,7 +125,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        area-sweep timing calibrate multivt scene accuracy clearance install uninstall mapped netlist gates bench sanitize sanitized static options core area-file engine engine-sweep example clean FORCE
+        area-sweep timing calibrate multivt power scene accuracy clearance install uninstall mapped netlist gates bench sanitize sanitized static options core area-file engine engine-sweep example clean FORCE
 
 all:
 	@scripts/setup
@@ -165,6 +165,8 @@ help:
 #: make calibrate  does OpenSTA confirm CLOCK_NS? WORD x II x CLOCKS of exact; hours in full
 #: make multivt    low-leakage cells where slack allows: power before and after; without
 #:                 LIBERTY_LOW_LEAKAGE a variant derived from LIBERTY_FAST, which the report says
+#: make power      power and energy per pair of the mapped gates by workload and module: exact at
+#:                 II = 3 and 1 beside paper, or the design; build/power.json
 #: make netlist    the mapped gates through the Icarus bench (COUNT=170 takes minutes)
 #: make gates      the mapped gates through the Verilator bench
 #: make bench      speed of the software verdicts, 100,000,000 pairs of every path against the
@@ -529,6 +531,48 @@ multivt: $(SEPAX)
 	@$(MAKE) --no-print-directory LIBERTY=$(LIBERTY_FAST) multivt-timed
 multivt-timed:
 	@$(MAKE) --no-print-directory $(TIMED) multivt-of-this
+
+# Power: the gates simulated with the pairs of four workloads, the sums by build/power.
+POWER_C = $(call object,$(addprefix tb/,power.c gates.c liberty.c) c_model/cli/options.c)
+$(BUILD)/power: $(POWER_C) $(LIB)
+	@echo "  LINK    $@"
+	@$(CC) $(CFLAGS) $^ -lm -o $@
+
+# Pairs that collide, pairs in one plane: seeded, those of all the mapped designs.
+$(BUILD)/power-w$(WORD)/colliding.txt: $(SEPAX)
+	@mkdir -p $(@D)
+	@$(SEPAX) vectors --word=$(WORD) --family=local --count=12000 | $(SEPAX) judge --word=$(WORD) --echo | \
+	  awk '$$25 == 1 { NF = 24; print }' > $@
+$(BUILD)/power-w$(WORD)/coplanar.txt: $(SEPAX)
+	@mkdir -p $(@D)
+	@$(SEPAX) vectors --word=$(WORD) --family=coplanar --count=8000 | $(SEPAX) judge --word=$(WORD) --echo | \
+	  awk '$$26 == 1 { NF = 24; print }' > $@
+
+CYCLES    ?= 200
+OPENSTA   ?=
+LOADS      = $(BUILD)/power-w$(WORD)/colliding.txt $(BUILD)/power-w$(WORD)/coplanar.txt
+POWER_RES  = $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION))
+POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),power-of-this,power-of-paper power-of-ii3 power-of-ii1 \
+             $(if $(filter 18,$(WORD)),power-of-near))
+# The paper's machine is made of the same multipliers as exact.
+power-of-this: $(AREA)/area.json $(BUILD)/power $(LOADS) $(SAMPLES)
+	@echo "  POWER   $(CORE_NAME), $(LIBRARY)"
+	@POWER=$(BUILD)/power synth/power -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) -o $(AREA)/power $(AREA) \
+	  "separated=$(MESH_A) $(MESH_B) $(POWER_RES)" colliding=$(word 1,$(LOADS)) coplanar=$(word 2,$(LOADS)) \
+	  "idle=idle $(word 1,$(LOADS))"
+	@echo $(AREA)/power/power.json >> $(BUILD)/power.list
+power-of-ii%:
+	@$(MAKE) --no-print-directory ARCH=exact II=$* power-of-this
+# The box test in front, for triangles as long as those of the sample objects.
+power-of-near:
+	@$(MAKE) --no-print-directory ARCH=exact II=3 EXTENT_A=4330 EXTENT_B=12500 power-of-this
+power-of-paper:
+	@$(MAKE) --no-print-directory ARCH=paper PRECISION=full MULTIPLIERS=generated power-of-this
+
+power: $(SEPAX)
+	@rm -f $(BUILD)/power.list
+	@$(MAKE) --no-print-directory $(POWERS)
+	@synth/power-report -o $(BUILD)/power.json $$(cat $(BUILD)/power.list)
 
 $(AREA)/netlist.vvp: $(AREA)/area.json tb/$(BENCH).v
 	@echo "  ICARUS  $(CORE_NAME), mapped to $(LIBRARY)"

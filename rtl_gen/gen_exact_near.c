@@ -142,7 +142,7 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
   gen_exact_ports(m, c->word);
   emit_signal(m, EMIT_OUTPUT, false, "out_of_range", "",
               "1: a triangle is larger than its extent; a collision, undecided");
-  static const char *const wires[] = {"en_1", "en_2", "ready", "apart", "beyond", "near_coplanar"};
+  static const char *const wires[] = {"en_1", "en_2", "ready", "apart", "beyond", "work", "near_coplanar"};
   emit_net(m, EMIT_REG, false, "valid_1", "");
   emit_net(m, EMIT_REG, false, "valid_2", "");
   for (size_t i = 0; i < sizeof wires / sizeof wires[0]; i++) {
@@ -161,6 +161,8 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
     snprintf(bits, sizeof bits, "%d", e->design->core_word);
     for (int i = 0; i < 6; i++) {
       snprintf(name, sizeof name, "near_%c%d_%c", "ab"[i / 3], i % 3 + 1, axis);
+      emit_net(m, EMIT_WIRE, true, name, bits);
+      snprintf(name, sizeof name, "core_%c%d_%c", "ab"[i / 3], i % 3 + 1, axis);
       emit_net(m, EMIT_WIRE, true, name, bits);
     }
     snprintf(name, sizeof name, "apart_%c", axis);
@@ -187,6 +189,13 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
     emit_blank(m);
     emit_instance(m, "sepax_approach", name, "", "%s", connections);
   }
+  emit_text(m, "\n// Pairs that the boxes decide enter the core as zeros, which it passes on without a transition.\n"
+               "assign work = valid_2 && !apart;");
+  for (int k = 0; k < 18; k++) {
+    char end[8];
+    snprintf(end, sizeof end, "%c%d_%c", "ab"[k / 3 % 2], k % 3 + 1, "xyz"[k / 6]);
+    emit_text(m, "assign core_%s = near_%s & {%d{work}};", end, end, e->design->core_word);
+  }
   size_t used = (size_t)snprintf(connections, sizeof connections,
                                  "clk=clk, rst=rst, in_valid=valid_2, in_ready=ready, in_apart=apart, "
                                  "in_beyond=beyond, out_valid=out_valid, out_ready=out_ready, "
@@ -196,7 +205,7 @@ int gen_exact_near(emitter *e, const exact_plan *p) {
     for (int i = 0; i < 6; i++) {
       char x = "ab"[i / 3];
       int k = i % 3 + 1;
-      used += (size_t)snprintf(connections + used, sizeof connections - used, ", in_%c%d_%c=near_%c%d_%c", x, k,
+      used += (size_t)snprintf(connections + used, sizeof connections - used, ", in_%c%d_%c=core_%c%d_%c", x, k,
                                axis, x, k, axis);
     }
   }
