@@ -463,7 +463,9 @@ $(AREA)/liberty.sum: FORCE
 	@mkdir -p $(AREA)
 	@cksum "$(LIBERTY)" > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
-$(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(wildcard synth/*)
+MAP_SRC = $(addprefix synth/,area area.jq assigns fanout multipliers names.jq slow)
+
+$(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(MAP_SRC)
 	@echo "  YOSYS   $(CORE_NAME), $(LIBRARY)"
 	@synth/area -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) \
 	  $(if $(filter generated,$(MULTIPLIERS)),-m $(SEPAX)) -o $(AREA) $(CORE)/rtl
@@ -533,7 +535,7 @@ multivt-timed:
 	@$(MAKE) --no-print-directory $(TIMED) multivt-of-this
 
 # Power: the gates simulated with the pairs of four workloads, the sums by build/power.
-POWER_C = $(call object,$(addprefix tb/,power.c gates.c liberty.c) c_model/cli/options.c)
+POWER_C = $(call object,$(addprefix tb/,power.c gates.c liberty.c text.c) c_model/cli/options.c)
 $(BUILD)/power: $(POWER_C) $(LIB)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -lm -o $@

@@ -59,6 +59,7 @@ void gen_cop_proj(emitter *e);
 void gen_paper_ports(emit_module *m);
 void gen_paper_widths(emit_module *m);
 void gen_paper_control(emit_module *m, int last);
+void gen_paper_input(emit_module *m); /* the clocked block of the banks begins */
 void gen_paper_copy(emit_module *m, const char *indent, const char *to, const char *from);
 void gen_paper_project(emit_module *m, const char *name, const char *parameters, const char *enables,
                        const char *bank, const char *axis, const char *result);

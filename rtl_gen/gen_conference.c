@@ -42,18 +42,7 @@ static void banks(emit_module *m) {
     int step;
     const char *to, *from;
   } copy[] = {{4, "_5", ""}, {7, "_8", "_5"}, {10, "_11", "_8"}};
-  emit_text(m, "\n// Cycles 1-3: word k brings vertex k and component k of the normals.\n"
-               "always @(posedge clk) begin\n"
-               "  if (in_valid) begin\n"
-               "    a_1 <= a_2;\n"
-               "    a_2 <= a_3;\n"
-               "    a_3 <= {in_a_x, in_a_y, in_a_z};\n"
-               "    b_1 <= b_2;\n"
-               "    b_2 <= b_3;\n"
-               "    b_3 <= {in_b_x, in_b_y, in_b_z};\n"
-               "    n_a <= {n_a[2*N_W-1:0], in_na};\n"
-               "    n_b <= {n_b[2*N_W-1:0], in_nb};\n"
-               "  end");
+  gen_paper_input(m);
   for (int i = 0; i < 3; i++) {
     emit_text(m, "  if (step_%d) begin", copy[i].step);
     gen_paper_copy(m, "    ", copy[i].to, copy[i].from);

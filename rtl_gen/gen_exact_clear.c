@@ -229,27 +229,32 @@ static void exceeds(emit_module *m, const char *value, int width, const char *li
             out, out);
 }
 
-static void gen_beyond(emitter *e, const exact_plan *p) {
-  int area = width_of(e, SEPAX_X_AREA);
-  int bits = width_of(e, SEPAX_X_EDGE_LIMIT);
+/* A module that holds a value `x` of a format against limits: {flags, twice its size exceeds the
+ * limit of each clearance}. */
+static void gen_comparison(emitter *e, const exact_plan *p, const char *module, const char *banner, const char *x,
+                           const char *about, int width, int bits, const char *flags, int flag_bits) {
   char name[EMIT_NAME];
-  emit_module *m = emit_begin(e, "sepax_beyond",
-                              "An area against the limit of an edge: {it is below 0, twice its size exceeds the limit,\n"
-                              "for each clearance}. Latency 1.");
-  snprintf(name, sizeof name, "%d", area);
+  emit_module *m = emit_begin(e, module, banner);
+  snprintf(name, sizeof name, "%d", width);
   emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
-  emit_signal(m, EMIT_INPUT, true, "g", name, "area");
+  emit_signal(m, EMIT_INPUT, true, x, name, "%s", about);
   snprintf(name, sizeof name, "%d", p->limits * bits);
   emit_signal(m, EMIT_INPUT, false, "limit", name, "for each clearance %d bits", bits);
-  snprintf(name, sizeof name, "%d", p->limits + 1);
+  snprintf(name, sizeof name, "%d", p->limits + flag_bits);
   emit_signal(m, EMIT_OUTPUT_REG, false, "far", name, "what is found");
   for (int k = 0; k < p->limits; k++) {
-    snprintf(name, sizeof name, "far_%d", k + 1);
-    exceeds(m, "g", area, "limit", k * bits, bits, name);
+    exceeds(m, x, width, "limit", k * bits, bits, k == 0 ? "far_1" : "far_2");
   }
-  emit_text(m, "\nalways @(posedge clk) begin\n  far <= {g[%d]%s, far_1};\nend", area - 1,
-            p->limits > 1 ? ", far_2" : "");
+  emit_text(m, "\nalways @(posedge clk) begin\n  far <= {%s%s, far_1};\nend", flags, p->limits > 1 ? ", far_2" : "");
   emit_end(m);
+}
+
+static void gen_beyond(emitter *e, const exact_plan *p) {
+  int area = width_of(e, SEPAX_X_AREA);
+  gen_comparison(e, p, "sepax_beyond",
+                 "An area against the limit of an edge: {it is below 0, twice its size exceeds the limit,\n"
+                 "for each clearance}. Latency 1.",
+                 "g", "area", area, width_of(e, SEPAX_X_EDGE_LIMIT), gen_format("g[%d]", area - 1).text, 1);
 }
 
 static void gen_edge_clear(emitter *e, const exact_plan *p) {
@@ -285,25 +290,11 @@ static void gen_edge_clear(emitter *e, const exact_plan *p) {
 
 static void gen_far(emitter *e, const exact_plan *p) {
   int volume = width_of(e, SEPAX_X_VOLUME);
-  int bits = width_of(e, SEPAX_X_LIMIT);
-  char name[EMIT_NAME];
-  emit_module *m = emit_begin(e, "sepax_far",
-                              "A volume against the limit of its axis: {it is 0, it is below 0, twice its size exceeds\n"
-                              "the limit, for each clearance}. Latency 1.");
-  snprintf(name, sizeof name, "%d", volume);
-  emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
-  emit_signal(m, EMIT_INPUT, true, "v", name, "volume");
-  snprintf(name, sizeof name, "%d", p->limits * bits);
-  emit_signal(m, EMIT_INPUT, false, "limit", name, "for each clearance %d bits", bits);
-  snprintf(name, sizeof name, "%d", p->limits + 2);
-  emit_signal(m, EMIT_OUTPUT_REG, false, "far", name, "what is found");
-  for (int k = 0; k < p->limits; k++) {
-    snprintf(name, sizeof name, "far_%d", k + 1);
-    exceeds(m, "v", volume, "limit", k * bits, bits, name);
-  }
-  emit_text(m, "\nalways @(posedge clk) begin\n  far <= {v == %d'd0, v[%d]%s, far_1};\nend", volume, volume - 1,
-            p->limits > 1 ? ", far_2" : "");
-  emit_end(m);
+  gen_comparison(e, p, "sepax_far",
+                 "A volume against the limit of its axis: {it is 0, it is below 0, twice its size exceeds\n"
+                 "the limit, for each clearance}. Latency 1.",
+                 "v", "volume", volume, width_of(e, SEPAX_X_LIMIT),
+                 gen_format("v == %d'd0, v[%d]", volume, volume - 1).text, 2);
 }
 
 static void gen_small(emitter *e, const exact_plan *p) {

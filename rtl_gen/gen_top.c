@@ -97,7 +97,7 @@ void gen_paper_copy(emit_module *m, const char *indent, const char *to, const ch
   }
 }
 
-static void banks(emit_module *m) {
+void gen_paper_input(emit_module *m) {
   emit_text(m, "\n// Cycles 1-3: word k brings vertex k and component k of the normals.\n"
                "always @(posedge clk) begin\n"
                "  if (in_valid) begin\n"
@@ -109,8 +109,12 @@ static void banks(emit_module *m) {
                "    b_3 <= {in_b_x, in_b_y, in_b_z};\n"
                "    n_a <= {n_a[2*N_W-1:0], in_na};\n"
                "    n_b <= {n_b[2*N_W-1:0], in_nb};\n"
-               "  end\n"
-               "  if (step_4) begin");
+               "  end");
+}
+
+static void banks(emit_module *m) {
+  gen_paper_input(m);
+  emit_text(m, "  if (step_4) begin");
   gen_paper_copy(m, "    ", "_5", "");
   emit_text(m, "    n_a_5 <= n_a;\n    n_b_5 <= n_b;\n  end\n  if (step_7) begin");
   gen_paper_copy(m, "    ", "_8", "_5");

@@ -1,6 +1,6 @@
 #include "distance.h"
+#include "gmp_vec.h"
 
-#include <gmp.h>
 #include <math.h>
 
 #include "oracle.h"
@@ -139,39 +139,10 @@ static bool proved_apart(const sepax_tri *a, const sepax_tri *b, int64_t limit) 
 /* ------------------------------------------------------------------- in rationals */
 
 typedef struct {
-  mpz_t c[3];
-} vec;
-
-typedef struct {
   vec p[6], u, v, d, c, e;
   mpz_t s, t, square, distance; /* distance: numerator of the square, `square` its denominator */
   mpz_t limit;                  /* squared */
 } work;
-
-static void vec_init(vec *a) { mpz_inits(a->c[0], a->c[1], a->c[2], NULL); }
-
-static void vec_clear(vec *a) { mpz_clears(a->c[0], a->c[1], a->c[2], NULL); }
-
-static void vec_between(vec *r, const vec *from, const vec *to) {
-  for (int i = 0; i < 3; i++) {
-    mpz_sub(r->c[i], to->c[i], from->c[i]);
-  }
-}
-
-static void vec_cross(vec *r, const vec *a, const vec *b) {
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    mpz_mul(r->c[i], a->c[j], b->c[k]);
-    mpz_submul(r->c[i], a->c[k], b->c[j]);
-  }
-}
-
-static void vec_dot(mpz_t r, const vec *a, const vec *b) {
-  mpz_mul(r, a->c[0], b->c[0]);
-  mpz_addmul(r, a->c[1], b->c[1]);
-  mpz_addmul(r, a->c[2], b->c[2]);
-}
 
 /* distance / square <= limit, with square > 0. */
 static bool near_enough(work *w) {
@@ -180,15 +151,15 @@ static bool near_enough(work *w) {
 }
 
 static bool points_near(work *w, const vec *p, const vec *q) {
-  vec_between(&w->d, p, q);
+  vec_sub(&w->d, q, p);
   vec_dot(w->distance, &w->d, &w->d);
   return mpz_cmp(w->distance, w->limit) <= 0;
 }
 
 /* To the inside of a segment; its ends are other points. */
 static bool point_near_segment(work *w, const vec *x, const vec *p, const vec *q) {
-  vec_between(&w->u, p, q);
-  vec_between(&w->d, p, x);
+  vec_sub(&w->u, q, p);
+  vec_sub(&w->d, x, p);
   vec_dot(w->square, &w->u, &w->u);
   vec_dot(w->s, &w->d, &w->u);
   if (mpz_sgn(w->s) <= 0 || mpz_cmp(w->s, w->square) >= 0) {
@@ -201,23 +172,23 @@ static bool point_near_segment(work *w, const vec *x, const vec *p, const vec *q
 
 /* To the plane of a triangle, the foot being in it. */
 static bool point_near_face(work *w, const vec *x, const vec t[3]) {
-  vec_between(&w->u, &t[0], &t[1]);
-  vec_between(&w->v, &t[0], &t[2]);
+  vec_sub(&w->u, &t[1], &t[0]);
+  vec_sub(&w->v, &t[2], &t[0]);
   vec_cross(&w->e, &w->u, &w->v);
   vec_dot(w->square, &w->e, &w->e);
   if (mpz_sgn(w->square) == 0) {
     return false;
   }
   for (int k = 0; k < 3; k++) {
-    vec_between(&w->u, &t[k], &t[(k + 1) % 3]);
-    vec_between(&w->d, &t[k], x);
+    vec_sub(&w->u, &t[(k + 1) % 3], &t[k]);
+    vec_sub(&w->d, x, &t[k]);
     vec_cross(&w->c, &w->u, &w->d);
     vec_dot(w->s, &w->c, &w->e);
     if (mpz_sgn(w->s) < 0) {
       return false;
     }
   }
-  vec_between(&w->d, &t[0], x);
+  vec_sub(&w->d, x, &t[0]);
   vec_dot(w->s, &w->d, &w->e);
   mpz_mul(w->distance, w->s, w->s);
   return near_enough(w);
@@ -231,9 +202,9 @@ static bool parameter_inside(work *w, const vec *along) {
 
 /* Where the common perpendicular meets both. */
 static bool segments_near(work *w, const vec *p, const vec *q, const vec *r, const vec *s) {
-  vec_between(&w->u, p, q);
-  vec_between(&w->v, r, s);
-  vec_between(&w->d, p, r);
+  vec_sub(&w->u, q, p);
+  vec_sub(&w->v, s, r);
+  vec_sub(&w->d, r, p);
   vec_cross(&w->c, &w->u, &w->v);
   vec_dot(w->square, &w->c, &w->c);
   if (mpz_sgn(w->square) == 0 || !parameter_inside(w, &w->v) || !parameter_inside(w, &w->u)) {

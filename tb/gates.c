@@ -1,5 +1,6 @@
 /* gates.c - reads a mapped netlist and simulates it, 64 lanes at once. */
 #include "gates.h"
+#include "text.h"
 
 #include <ctype.h>
 #include <search.h>
@@ -7,30 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *file_name;
-
-static _Noreturn void fail(const char *what, const char *name) {
-  fprintf(stderr, "power: %s: %s %s\n", file_name, what, name);
-  exit(2);
-}
-
 static void *more(void *list, size_t count, size_t size) { /* room for one more */
   if (count > 0 && (count & (count - 1)) != 0) {
     return list;
   }
   list = realloc(list, (count == 0 ? 1 : 2 * count) * size);
   if (list == NULL) {
-    fail("out of", "memory");
+    text_fail("out of", "memory");
   }
   return list;
-}
-
-static void *room(size_t count, size_t size) {
-  void *p = calloc(count > 0 ? count : 1, size);
-  if (p == NULL) {
-    fail("out of", "memory");
-  }
-  return p;
 }
 
 /* ------------------------------------------------------------------ the modules */
@@ -89,7 +75,7 @@ static int net_number(module *m, const char *name) {
     }
   }
   if (m->nets > SLOTS / 2) {
-    fail("too many nets in", m->name);
+    text_fail("too many nets in", m->name);
   }
   m->net_name = more(m->net_name, (size_t)m->nets, sizeof *m->net_name);
   m->net_name[m->nets] = strdup(name);
@@ -134,7 +120,7 @@ static bool next_token(reader *r) {
     length = *r->p != '\0';
   }
   if (length >= sizeof r->token) {
-    fail("a name is too long:", r->p);
+    text_fail("a name is too long:", r->p);
   }
   memcpy(r->token, r->p, length);
   r->token[length] = '\0';
@@ -149,7 +135,7 @@ static bool is(const reader *r, const char *text) {
 static void want(reader *r, const char *text) {
   next_token(r);
   if (!is(r, text)) {
-    fail("what is not understood, before", r->token);
+    text_fail("what is not understood, before", r->token);
   }
 }
 
@@ -168,7 +154,7 @@ static void add_constant(bundle *b, const char *text) {
   long bits = strtol(text, &end, 10);
   int base = end[0] == '\'' ? (end[1] == 'h' ? 16 : end[1] == 'b' ? 2 : 0) : 0;
   if (base == 0 || bits < 1 || bits > 64 || strpbrk(end + 2, "xzXZ") != NULL) {
-    fail("a constant is not understood:", text);
+    text_fail("a constant is not understood:", text);
   }
   uint64_t value = strtoull(end + 2, NULL, base);
   for (long k = bits - 1; k >= 0; k--) {
@@ -236,7 +222,7 @@ static void add_signals(reader *r, module *m, bundle *b) { /* ... or { ... } */
       add_signals(r, m, b);
     }
     if (r->token[0] == '\0') {
-      fail("ends in", m->name);
+      text_fail("ends in", m->name);
     }
   }
 }
@@ -268,7 +254,7 @@ static void read_signal(reader *r, module *m, bool wire, bool output) {
     m->port[m->ports++] = b;
   } else {
     if (b.vector && find_port(m, b.name) == NULL) {
-      fail("has a wire of several bits, which splitnets should have split:", b.name);
+      text_fail("has a wire of several bits, which splitnets should have split:", b.name);
     }
     free(b.name);
   }
@@ -284,7 +270,7 @@ static void read_assign(reader *r, module *m) {
   add_signals(r, m, &side[1]);
   want(r, ";");
   if (side[0].bits != side[1].bits) {
-    fail("an assignment of unequal widths in", m->name);
+    text_fail("an assignment of unequal widths in", m->name);
   }
   for (int k = 0; k < side[0].bits; k++) {
     m->alias = more(m->alias, (size_t)m->aliases, sizeof *m->alias);
@@ -305,7 +291,7 @@ static void read_instance(reader *r, module *m) {
       continue;
     }
     if (!is(r, ".")) {
-      fail("an instance is not understood:", one.name);
+      text_fail("an instance is not understood:", one.name);
     }
     bundle pin = {0};
     next_token(r);
@@ -343,23 +329,8 @@ static void read_module(reader *r) {
     }
   }
   if (!is(r, "endmodule")) {
-    fail("ends in", m->name);
+    text_fail("ends in", m->name);
   }
-}
-
-static char *read_text(const char *path) {
-  FILE *in = fopen(path, "rb");
-  if (in == NULL || fseek(in, 0, SEEK_END) != 0) {
-    fail("cannot be read;", "make one with synth/area");
-  }
-  long size = ftell(in);
-  rewind(in);
-  char *text = room((size_t)(size > 0 ? size : 0) + 1, 1);
-  if (size <= 0 || fread(text, 1, (size_t)size, in) != (size_t)size) {
-    fail("is", "empty");
-  }
-  fclose(in);
-  return text;
 }
 
 /* ---------------------------------------------------------------- all instances */
@@ -389,7 +360,7 @@ static void join(builder *b, int net, int other) {
   net = root_of(b, net);
   other = root_of(b, other);
   if (net < 2 && other < 2 && net != other) {
-    fail("0 and 1 are joined in", b->g->place[0].module);
+    text_fail("0 and 1 are joined in", b->g->place[0].module);
   }
   b->same[net < other ? other : net] = net < other ? net : other;
 }
@@ -406,7 +377,7 @@ static const module *find_module(const reader *r, const char *name) {
 static void add_cell(builder *b, const instance *one, const int *net, int place) {
   const lib_cell *type = library_cell(b->lib, one->type);
   if (type == NULL) {
-    fail("neither a module nor a cell of the library:", one->type);
+    text_fail("neither a module nor a cell of the library:", one->type);
   }
   gates *g = b->g;
   g->cell = more(g->cell, (size_t)g->cells, sizeof *g->cell);
@@ -418,7 +389,7 @@ static void add_cell(builder *b, const instance *one, const int *net, int place)
   for (int k = 0; k < one->pins; k++) {
     int pin = lib_pin_index(type, one->pin[k].name);
     if (pin < 0 || one->pin[k].bits > 1) {
-      fail("a pin that the library does not have, of", one->name);
+      text_fail("a pin that the library does not have, of", one->name);
     }
     if (one->pin[k].bits == 1) {
       cell->net[pin] = net[one->pin[k].bit[0]];
@@ -444,12 +415,12 @@ static void build(builder *b, const module *m, int *net, const char *name, int p
       add_cell(b, one, net, place);
       continue;
     }
-    int *inner = room((size_t)of->nets, sizeof *inner);
+    int *inner = text_room((size_t)of->nets, sizeof *inner);
     memset(inner, 0xff, (size_t)of->nets * sizeof *inner);
     for (int p = 0; p < one->pins; p++) {
       const bundle *port = find_port(of, one->pin[p].name);
       if (port == NULL || (one->pin[p].bits != 0 && port->bits != one->pin[p].bits)) {
-        fail("a connection that does not fit:", one->pin[p].name);
+        text_fail("a connection that does not fit:", one->pin[p].name);
       }
       for (int bit = 0; bit < one->pin[p].bits; bit++) {
         inner[port->bit[bit]] = net[one->pin[p].bit[bit]];
@@ -470,12 +441,12 @@ static const module *top_of(const reader *r) {
       }
     }
     if (!used && top != NULL) {
-      fail("has several top modules, one of them", top->name);
+      text_fail("has several top modules, one of them", top->name);
     }
     top = used ? top : &r->module[k];
   }
   if (top == NULL) {
-    fail("has no", "module");
+    text_fail("has no", "module");
   }
   return top;
 }
@@ -494,8 +465,8 @@ static void add_ports(builder *b, const module *top, const int *net) {
 
 /* Every net has one driver; combinational cells stand behind theirs. */
 static void put_in_order(gates *g) {
-  int *driver = room((size_t)g->nets, sizeof *driver); /* cell + 1; -1: an input, a constant */
-  int *waits = room((size_t)g->cells, sizeof *waits);
+  int *driver = text_room((size_t)g->nets, sizeof *driver); /* cell + 1; -1: an input, a constant */
+  int *waits = text_room((size_t)g->cells, sizeof *waits);
   driver[0] = driver[1] = -1;
   for (int k = 0; k < g->ports; k++) {
     if (!g->port[k].output) {
@@ -509,17 +480,17 @@ static void put_in_order(gates *g) {
         continue;
       }
       if (g->cell[c].type->pin[p].function.count == 0) {
-        fail("the library has no function of", g->cell[c].type->name);
+        text_fail("the library has no function of", g->cell[c].type->name);
       }
       if (driver[net] != 0) {
-        fail("a net has two drivers, one of them", g->cell[c].name);
+        text_fail("a net has two drivers, one of them", g->cell[c].name);
       }
       driver[net] = c + 1;
     }
   }
   /* Readers of each net, as a list through the pins. */
-  int *first = room((size_t)g->nets, sizeof *first);
-  int *next = room((size_t)g->cells * LIB_PINS, sizeof *next);
+  int *first = text_room((size_t)g->nets, sizeof *first);
+  int *next = text_room((size_t)g->cells * LIB_PINS, sizeof *next);
   for (int c = 0; c < g->cells; c++) {
     const lib_cell *type = g->cell[c].type;
     for (int p = 0; p < type->pins; p++) {
@@ -528,11 +499,11 @@ static void put_in_order(gates *g) {
         continue;
       }
       if (net < 0 || driver[net] == 0) {
-        fail("nothing drives an input of", g->cell[c].name);
+        text_fail("nothing drives an input of", g->cell[c].name);
       }
       if (type->register_ && p == type->clock) {
         if (net != g->clock) {
-          fail("another clock than clk, at", g->cell[c].name);
+          text_fail("another clock than clk, at", g->cell[c].name);
         }
         continue;
       }
@@ -543,7 +514,7 @@ static void put_in_order(gates *g) {
       }
     }
   }
-  g->order = room((size_t)g->cells, sizeof *g->order);
+  g->order = text_room((size_t)g->cells, sizeof *g->order);
   int registers = 0;
   for (int c = 0; c < g->cells; c++) {
     registers += g->cell[c].type->register_;
@@ -566,7 +537,7 @@ static void put_in_order(gates *g) {
     }
   }
   if (g->ordered + registers != g->cells) {
-    fail("has a loop without", "registers");
+    text_fail("has a loop without", "registers");
   }
   free(driver);
   free(waits);
@@ -575,14 +546,14 @@ static void put_in_order(gates *g) {
 }
 
 void gates_read(gates *g, const library *lib, const char *path) {
-  file_name = path;
-  char *text = read_text(path);
+  text_file = path;
+  char *text = text_read("make one with synth/area");
   static reader read;
   reader *r = &read;
   *r = (reader){.p = text};
   while (next_token(r)) {
     if (!is(r, "module")) {
-      fail("is not a netlist of synth/area, at", r->token);
+      text_fail("is not a netlist of synth/area, at", r->token);
     }
     read_module(r);
   }
@@ -591,7 +562,7 @@ void gates_read(gates *g, const library *lib, const char *path) {
   new_net(&b);
   new_net(&b);
   const module *top = top_of(r);
-  int *net = room((size_t)top->nets, sizeof *net);
+  int *net = text_room((size_t)top->nets, sizeof *net);
   memset(net, 0xff, (size_t)top->nets * sizeof *net);
   build(&b, top, net, top->name, -1);
   add_ports(&b, top, net);
@@ -607,10 +578,10 @@ void gates_read(gates *g, const library *lib, const char *path) {
   free(net);
   free(b.same);
   free(text); /* the modules stay: places and cells have their names */
-  g->value = room((size_t)g->nets, sizeof *g->value);
-  g->before = room((size_t)g->nets, sizeof *g->before);
-  g->toggles = room((size_t)g->nets, sizeof *g->toggles);
-  g->ones = room((size_t)g->nets, sizeof *g->ones);
+  g->value = text_room((size_t)g->nets, sizeof *g->value);
+  g->before = text_room((size_t)g->nets, sizeof *g->before);
+  g->toggles = text_room((size_t)g->nets, sizeof *g->toggles);
+  g->ones = text_room((size_t)g->nets, sizeof *g->ones);
   g->value[1] = ~UINT64_C(0);
 }
 
@@ -626,7 +597,7 @@ int gates_find(const gates *g, const char *name, int bit) {
       return g->port[k].net;
     }
   }
-  fail("has no port", full);
+  text_fail("has no port", full);
 }
 
 /* -------------------------------------------------------------------- simulation */

@@ -1,5 +1,6 @@
 /* liberty.c - a reader of Liberty files, as far as gates and their power need it. */
 #include "liberty.h"
+#include "text.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -12,43 +13,13 @@ typedef struct node {
   struct node *child, *next;
 } node;
 
-static const char *file_name;
-
-static _Noreturn void fail(const char *what, const char *name) {
-  fprintf(stderr, "power: %s: %s %s\n", file_name, what, name);
-  exit(2);
-}
-
-static void *room(size_t count, size_t size) {
-  void *p = calloc(count > 0 ? count : 1, size);
-  if (p == NULL) {
-    fail("out of", "memory");
-  }
-  return p;
-}
-
 static char *copy(const char *from, size_t length) {
-  char *text = room(length + 1, 1);
+  char *text = text_room(length + 1, 1);
   memcpy(text, from, length);
   return text;
 }
 
 /* --------------------------------------------------------------------- the text */
-
-static char *read_text(const char *path) {
-  FILE *in = fopen(path, "rb");
-  if (in == NULL || fseek(in, 0, SEEK_END) != 0) {
-    fail("cannot be read;", "give a plain Liberty file");
-  }
-  long size = ftell(in);
-  rewind(in);
-  char *text = room((size_t)(size > 0 ? size : 0) + 1, 1);
-  if (size <= 0 || fread(text, 1, (size_t)size, in) != (size_t)size) {
-    fail("is", "empty");
-  }
-  fclose(in);
-  return text;
-}
 
 /* Comments and continued lines become blanks. */
 static void blank_comments(char *text) {
@@ -112,9 +83,9 @@ static const char *parse_body(node *parent, const char *p) {
       p++;
     }
     if (p == start) {
-      fail("is not understood at", copy(p, strnlen(p, 20)));
+      text_fail("is not understood at", copy(p, strnlen(p, 20)));
     }
-    node *n = room(1, sizeof *n);
+    node *n = text_room(1, sizeof *n);
     n->name = copy(start, (size_t)(p - start));
     *tail = n;
     tail = &n->next;
@@ -171,12 +142,12 @@ typedef struct {
 
 static void emit(parser *s, int op) {
   if (s->f->count == LIB_OPS) {
-    fail("too long a function in", s->cell->name);
+    text_fail("too long a function in", s->cell->name);
   }
   bool operand = op >= 0 || op <= LIB_ZERO;
   s->f->depth += operand ? 1 : op == LIB_NOT ? 0 : -1;
   if (s->f->depth > LIB_DEPTH) {
-    fail("too deep a function in", s->cell->name);
+    text_fail("too deep a function in", s->cell->name);
   }
   s->f->op[s->f->count++] = (short)op;
 }
@@ -205,7 +176,7 @@ static void parse_name(parser *s) {
   } else if (s->state_not != NULL && strcmp(name, s->state_not) == 0) {
     emit(s, LIB_STATE_NOT);
   } else {
-    fail("unknown operand in a function of", s->cell->name);
+    text_fail("unknown operand in a function of", s->cell->name);
   }
   free(name);
 }
@@ -222,7 +193,7 @@ static void parse_factor(parser *s) {
     s->p++;
     parse_or(s);
     if (*s->p++ != ')') {
-      fail("a bracket is missing in a function of", s->cell->name);
+      text_fail("a bracket is missing in a function of", s->cell->name);
     }
   } else {
     parse_name(s);
@@ -266,7 +237,7 @@ static void parse_function(lib_function *f, const lib_cell *cell, const char *te
   f->count = f->depth = 0;
   parse_or(&s);
   if (*s.p != '\0') {
-    fail("a function is not understood, of", cell->name);
+    text_fail("a function is not understood, of", cell->name);
   }
 }
 
@@ -382,7 +353,7 @@ static int parse_numbers(const char *text, double *list, int most) {
       continue;
     }
     if (n == most) {
-      fail("has a table that is too large,", "more than 16 entries");
+      text_fail("has a table that is too large,", "more than 16 entries");
     }
     list[n++] = x;
     text = end;
@@ -424,7 +395,7 @@ static void read_table(lib_table *t, const node *root, const node *n) {
   int rows = count[0] > 0 ? count[0] : 1;
   int columns = count[1] > 0 ? count[1] : 1;
   if (parse_numbers(values->args, list, LIB_INDEX * LIB_INDEX) != rows * columns) {
-    fail("has a table of wrong size,", n->name);
+    text_fail("has a table of wrong size,", n->name);
   }
   bool slope_first = first == NULL || strstr(first, "transition") != NULL;
   t->given = true;
@@ -488,7 +459,7 @@ static void read_pin_names(lib_cell *cell, const library *lib, const node *n) {
       continue;
     }
     if (cell->pins == LIB_PINS) {
-      fail("too many pins in", cell->name);
+      text_fail("too many pins in", cell->name);
     }
     lib_pin *pin = &cell->pin[cell->pins++];
     pin->name = copy(p->args, strlen(p->args));
@@ -518,7 +489,7 @@ static void read_powers(lib_cell *cell, const node *root, const node *p, int pin
     }
     cell->power = realloc(cell->power, (size_t)(cell->powers + 1) * sizeof *cell->power);
     if (cell->power == NULL) {
-      fail("out of", "memory");
+      text_fail("out of", "memory");
     }
     lib_power *power = &cell->power[cell->powers++];
     memset(power, 0, sizeof *power);
@@ -546,7 +517,7 @@ static void read_arcs(lib_cell *cell, const node *root, const node *p, int pin) 
     }
     cell->arc = realloc(cell->arc, (size_t)(cell->arcs + 1) * sizeof *cell->arc);
     if (cell->arc == NULL) {
-      fail("out of", "memory");
+      text_fail("out of", "memory");
     }
     lib_arc *arc = &cell->arc[cell->arcs++];
     memset(arc, 0, sizeof *arc);
@@ -665,14 +636,14 @@ static void read_wires(library *lib, const node *root) {
 }
 
 void library_read(library *lib, const char *path) {
-  file_name = path;
-  char *text = read_text(path);
+  text_file = path;
+  char *text = text_read("give a plain Liberty file");
   blank_comments(text);
   node top = {0};
   parse_body(&top, text);
   const node *root = child(&top, "library");
   if (root == NULL) {
-    fail("is no", "Liberty file");
+    text_fail("is no", "Liberty file");
   }
   const node *load = child(root, "capacitive_load_unit");
   lib->farad = load == NULL ? 1e-12 : unit_of(load->args, 1e-12);
@@ -684,7 +655,7 @@ void library_read(library *lib, const char *path) {
   for (const node *n = root->child; n != NULL; n = n->next) {
     lib->cells += strcmp(n->name, "cell") == 0;
   }
-  lib->cell = room(lib->cells, sizeof *lib->cell);
+  lib->cell = text_room(lib->cells, sizeof *lib->cell);
   size_t k = 0;
   for (const node *n = root->child; n != NULL; n = n->next) {
     if (strcmp(n->name, "cell") == 0) {

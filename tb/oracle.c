@@ -1,10 +1,5 @@
+#include "gmp_vec.h"
 #include "oracle.h"
-
-#include <gmp.h>
-
-typedef struct {
-  mpz_t c[3];
-} vec;
 
 typedef struct {
   vec v[3];
@@ -18,38 +13,10 @@ typedef struct {
   mpz_t s, w, dp, dq;
 } work;
 
-static void vec_init(vec *a) {
-  mpz_inits(a->c[0], a->c[1], a->c[2], NULL);
-}
-
-static void vec_clear(vec *a) {
-  mpz_clears(a->c[0], a->c[1], a->c[2], NULL);
-}
-
 static void vec_set(vec *r, const sepax_vec *a) {
   mpz_set_si(r->c[0], a->x);
   mpz_set_si(r->c[1], a->y);
   mpz_set_si(r->c[2], a->z);
-}
-
-static void vec_sub(vec *r, const vec *a, const vec *b) {
-  for (size_t i = 0; i < 3; i++) mpz_sub(r->c[i], a->c[i], b->c[i]);
-}
-
-/* r is neither a nor b. */
-static void vec_cross(vec *r, const vec *a, const vec *b) {
-  for (size_t i = 0; i < 3; i++) {
-    size_t j = (i + 1) % 3;
-    size_t k = (i + 2) % 3;
-    mpz_mul(r->c[i], a->c[j], b->c[k]);
-    mpz_submul(r->c[i], a->c[k], b->c[j]);
-  }
-}
-
-static void vec_dot(mpz_t r, const vec *a, const vec *b) {
-  mpz_mul(r, a->c[0], b->c[0]);
-  mpz_addmul(r, a->c[1], b->c[1]);
-  mpz_addmul(r, a->c[2], b->c[2]);
 }
 
 /* The first component that is not zero, or 3. */

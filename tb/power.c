@@ -26,6 +26,7 @@
  * counted. */
 #include "cli/cli.h"
 #include "gates.h"
+#include "text.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -65,14 +66,6 @@ typedef struct {
 static _Noreturn void fail(const char *what) {
   fprintf(stderr, "power: %s\n", what);
   exit(2);
-}
-
-static void *room(size_t count, size_t size) {
-  void *p = calloc(count > 0 ? count : 1, size);
-  if (p == NULL) {
-    fail("out of memory");
-  }
-  return p;
 }
 
 /* --------------------------------------------------------------------- the lanes */
@@ -225,8 +218,8 @@ static void run(machine *m) {
 
 static void find_activities(machine *m) {
   gates *g = &m->g;
-  m->act = room((size_t)g->nets, sizeof *m->act);
-  m->one = room((size_t)g->nets, sizeof *m->one);
+  m->act = text_room((size_t)g->nets, sizeof *m->act);
+  m->one = text_room((size_t)g->nets, sizeof *m->one);
   for (int k = 0; k < g->nets; k++) {
     bool global = m->want->global >= 0;
     double all = (double)g->cycles * GATES_LANES;
@@ -243,8 +236,8 @@ static void find_activities(machine *m) {
 
 static void find_loads(machine *m) {
   gates *g = &m->g;
-  m->loads = room((size_t)g->nets, sizeof *m->loads);
-  m->load = room((size_t)g->nets, sizeof *m->load);
+  m->loads = text_room((size_t)g->nets, sizeof *m->loads);
+  m->load = text_room((size_t)g->nets, sizeof *m->load);
   for (int c = 0; c < g->cells; c++) {
     const lib_cell *type = g->cell[c].type;
     for (int k = 0; k < type->pins; k++) {
@@ -285,7 +278,7 @@ static void slope_of(machine *m, const gates_cell *cell) {
 
 static void find_slopes(machine *m) {
   gates *g = &m->g;
-  m->slope = room((size_t)g->nets, sizeof *m->slope);
+  m->slope = text_room((size_t)g->nets, sizeof *m->slope);
   for (int c = 0; c < g->cells; c++) {
     if (g->cell[c].type->register_) {
       slope_of(m, &g->cell[c]);
@@ -444,8 +437,8 @@ static void print_watts(watts w) {
 
 static void print_report(const machine *m) {
   const gates *g = &m->g;
-  watts *own = room((size_t)g->places, sizeof *own);
-  int *cells = room((size_t)g->places, sizeof *cells);
+  watts *own = text_room((size_t)g->places, sizeof *own);
+  int *cells = text_room((size_t)g->places, sizeof *cells);
   watts all = {0, 0, 0};
   watts registers = {0, 0, 0};
   for (int c = 0; c < g->cells; c++) {
@@ -497,7 +490,7 @@ static void read_meshes(machine *m) {
     exit(cli_fail("power", &error));
   }
   m->pairs = scene.count[0] * scene.count[1];
-  m->pair = room(m->pairs, sizeof *m->pair);
+  m->pair = text_room(m->pairs, sizeof *m->pair);
   for (size_t k = 0; k < m->pairs; k++) {
     m->pair[k] = sepax_scene_pair(&scene, k / scene.count[1], k % scene.count[1]);
   }
@@ -527,7 +520,7 @@ static void read_pairs(machine *m) {
 }
 
 static void judge_pairs(machine *m) {
-  m->verdict = room(m->pairs, sizeof *m->verdict);
+  m->verdict = text_room(m->pairs, sizeof *m->verdict);
   for (size_t k = 0; k < m->pairs; k++) {
     sepax_verdict v = sepax_judge(&m->design, &m->pair[k]);
     m->verdict[k] = (unsigned char)(v.collision | v.coplanar << 1);

@@ -1,0 +1,19 @@
+/* text.h - what the readers of netlists and libraries share: whole files, memory, refusals. */
+#ifndef SEPAX_TEXT_H
+#define SEPAX_TEXT_H
+
+#include <stddef.h>
+
+/* The file that is read; its reader sets it, messages name it. */
+extern const char *text_file;
+
+/* One line on standard error, "power: FILE: what name", and exit status 2. */
+_Noreturn void text_fail(const char *what, const char *name);
+
+/* Zeroed memory, freed by nobody; ends the program without it. */
+void *text_room(size_t count, size_t size);
+
+/* The whole file text_file, with a 0 behind it; `cure` is what to do if it cannot be read. */
+char *text_read(const char *cure);
+
+#endif
