@@ -6,7 +6,7 @@
 
 const char *text_file = "";
 
-_Noreturn void text_fail(const char *what, const char *name) {
+void text_fail(const char *what, const char *name) {
   fprintf(stderr, "power: %s: %s %s\n", text_file, what, name);
   exit(2);
 }

@@ -8,7 +8,7 @@
 extern const char *text_file;
 
 /* One line on standard error, "power: FILE: what name", and exit status 2. */
-_Noreturn void text_fail(const char *what, const char *name);
+void text_fail(const char *what, const char *name) __attribute__((noreturn));
 
 /* Zeroed memory, freed by nobody; ends the program without it. */
 void *text_room(size_t count, size_t size);
