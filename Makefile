@@ -8,6 +8,7 @@ COPLANAR    ?= exact
 CLOCK_NS    ?= 2
 EXTENT_A    ?=
 EXTENT_B    ?=
+EARLY_OUT   ?= none
 LANES       ?=
 CORES       ?=
 MEMORY_A    ?=
@@ -68,7 +69,7 @@ object  = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 # Choices of one architecture go to it; those of another only when someone made them, so
 # that the program refuses them.
 given         = $(filter command environment,$(firstword $(origin $(1))))
-CHOICES_exact = COPLANAR CLOCK_NS $(foreach choice,EXTENT_A EXTENT_B CLEARANCE WARNING LANES CORES MEMORY_A \
+CHOICES_exact = COPLANAR CLOCK_NS $(if $(filter-out none,$(EARLY_OUT)),EARLY_OUT) $(foreach choice,EXTENT_A EXTENT_B CLEARANCE WARNING LANES CORES MEMORY_A \
                 MEMORY_B,$(if $($(choice)),$(choice)))
 CHOICES_paper = PRECISION BLOCK_FLOAT COPLANARITY INEQUALITY EPSILON
 CHOICES_conference = $(CHOICES_paper)
@@ -80,6 +81,7 @@ OPTION_LANES       = --lanes=$(LANES)
 OPTION_CORES       = --cores=$(CORES)
 OPTION_MEMORY_A    = --memory-a=$(MEMORY_A)
 OPTION_MEMORY_B    = --memory-b=$(MEMORY_B)
+OPTION_EARLY_OUT   = --early-out=$(EARLY_OUT)
 OPTION_CLEARANCE   = --clearance=$(CLEARANCE)
 OPTION_WARNING     = --warning=$(WARNING)
 OPTION_PRECISION   = --precision=$(PRECISION)
@@ -94,7 +96,7 @@ OPTIONS = $(strip --arch=$(ARCH) --word=$(WORD) --ii=$(II) $(foreach \
 # build/core/exact-w18-ii3, build/core/paper-w18-full, with a suffix for whatever is not
 # the default.
 NAME_exact = exact-w$(WORD)-ii$(II)$(if $(filter flag,$(COPLANAR)),-flag)$(if \
-             $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)$(if $(EXTENT_A),-a$(EXTENT_A))$(if $(EXTENT_B),-b$(EXTENT_B))$(if \
+             $(filter-out 2,$(CLOCK_NS)),-$(CLOCK_NS)ns)$(if $(EXTENT_A),-a$(EXTENT_A))$(if $(EXTENT_B),-b$(EXTENT_B))$(if $(filter boxes,$(EARLY_OUT)),-boxes)$(if \
              $(CLEARANCE),-c$(CLEARANCE))$(if $(WARNING),-d$(WARNING))$(if \
              $(LANES),-k$(LANES))$(if $(CORES),x$(CORES))$(if $(MEMORY_A),-ma$(MEMORY_A))$(if $(MEMORY_B),-mb$(MEMORY_B))
 NAME_paper = $(ARCH)-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_FLOAT)),-bf)$(if \
@@ -125,7 +127,7 @@ endif
 
 .DELETE_ON_ERROR:
 .PHONY: all job help setup test rtl reference cosim icarus exhaustive hard wave lint area \
-        area-sweep timing calibrate multivt power scene accuracy clearance install uninstall mapped netlist gates bench sanitize sanitized static options core area-file engine engine-sweep example clean FORCE
+        area-sweep timing calibrate multivt power report scene accuracy clearance install uninstall mapped netlist gates bench sanitize sanitized static options core area-file engine engine-sweep example clean FORCE
 
 all:
 	@scripts/setup
@@ -167,6 +169,8 @@ help:
 #:                 LIBERTY_LOW_LEAKAGE a variant derived from LIBERTY_FAST, which the report says
 #: make power      power and energy per pair of the mapped gates by workload and module: exact at
 #:                 II = 3 and 1 beside paper, or the design; build/power.json
+#: make report     every machine in one table beside the paper's, each figure made anew, in half an
+#:                 hour: build/report.html, build/report/report.json (QUICK=1: two of W = 4)
 #: make netlist    the mapped gates through the Icarus bench (COUNT=170 takes minutes)
 #: make gates      the mapped gates through the Verilator bench
 #: make bench      speed of the software verdicts, 100,000,000 pairs of every path against the
@@ -182,7 +186,7 @@ help:
 #: make clean      remove build/
 #:
 #: Design:  ARCH=exact WORD=18 II=1...18 COPLANAR=exact|flag CLOCK_NS=2 EXTENT_A= EXTENT_B=
-#:          CLEARANCE= WARNING=
+#:          EARLY_OUT=none|boxes CLEARANCE= WARNING=
 #:          with an object engine: LANES=1...64 CORES=1 MEMORY_A=512 MEMORY_B=512
 #:          ARCH=paper|conference WORD=18 PRECISION=full|word|guard=G BLOCK_FLOAT=off|on
 #:          COPLANARITY=plane|paper INEQUALITY=correct|printed EPSILON=1
@@ -555,7 +559,7 @@ OPENSTA   ?=
 LOADS      = $(BUILD)/power-w$(WORD)/colliding.txt $(BUILD)/power-w$(WORD)/coplanar.txt
 POWER_RES  = $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION))
 POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),power-of-this,power-of-paper power-of-ii3 power-of-ii1 \
-             $(if $(filter 18,$(WORD)),power-of-near))
+             power-of-early)
 # The paper's machine is made of the same multipliers as exact.
 power-of-this: $(AREA)/area.json $(BUILD)/power $(LOADS) $(SAMPLES)
 	@echo "  POWER   $(CORE_NAME), $(LIBRARY)"
@@ -565,9 +569,8 @@ power-of-this: $(AREA)/area.json $(BUILD)/power $(LOADS) $(SAMPLES)
 	@echo $(AREA)/power/power.json >> $(BUILD)/power.list
 power-of-ii%:
 	@$(MAKE) --no-print-directory ARCH=exact II=$* power-of-this
-# The box test in front, for triangles as long as those of the sample objects.
-power-of-near:
-	@$(MAKE) --no-print-directory ARCH=exact II=3 EXTENT_A=4330 EXTENT_B=12500 power-of-this
+power-of-early:
+	@$(MAKE) --no-print-directory ARCH=exact II=3 EARLY_OUT=boxes power-of-this
 power-of-paper:
 	@$(MAKE) --no-print-directory ARCH=paper PRECISION=full MULTIPLIERS=generated power-of-this
 
@@ -575,6 +578,11 @@ power: $(SEPAX)
 	@rm -f $(BUILD)/power.list
 	@$(MAKE) --no-print-directory $(POWERS)
 	@synth/power-report -o $(BUILD)/power.json $$(cat $(BUILD)/power.list)
+
+# Every machine beside the paper's; Nangate45 where it is at hand.
+report: $(SEPAX)
+	@LIBERTY=$(if $(call given,LIBERTY),$(LIBERTY),$(firstword $(wildcard ../shared/pdk/nangate45_typ.lib.gz) $(LIBERTY))) \
+	  scripts/report $(if $(QUICK),-q) $(BUILD)/report
 
 $(AREA)/netlist.vvp: $(AREA)/area.json tb/$(BENCH).v
 	@echo "  ICARUS  $(CORE_NAME), mapped to $(LIBRARY)"

@@ -21,6 +21,7 @@ static const char *const arch_names[] = {"paper",   "exact",   "reference",
 static const char *const coplanarity_names[] = {"plane", "paper", NULL};
 static const char *const inequality_names[] = {"correct", "printed", NULL};
 static const char *const switch_names[] = {"off", "on", NULL};
+static const char *const early_names[] = {"none", "boxes", NULL};
 static const char *const coplanar_names[] = {"exact", "flag", NULL};
 
 const char *sepax_arch_name(sepax_arch arch) { return arch_names[arch]; }
@@ -146,6 +147,11 @@ bool sepax_config_set(sepax_config *config, const char *name, const char *value,
     config->flag = ok ? choice == 1 : config->flag;
     return ok;
   }
+  if (strcmp(name, "early-out") == 0) {
+    bool ok = parse_name(&choice, name, early_names, value, error);
+    config->early_out = ok ? choice == 1 : config->early_out;
+    return ok;
+  }
   if (strcmp(name, "precision") == 0) {
     return parse_precision(config, value, error);
   }
@@ -205,6 +211,9 @@ char *sepax_config_text(const sepax_config *config, char *text, size_t size) {
       used += snprintf(text + used, size - (size_t)used, " --extent-a=%d --extent-b=%d", config->extent_a,
                        config->extent_b);
     }
+    if (config->early_out) {
+      used += snprintf(text + used, size - (size_t)used, " --early-out=boxes");
+    }
     if (config->clearance >= 0) {
       used += snprintf(text + used, size - (size_t)used, " --clearance=%d", config->clearance);
     }
@@ -249,6 +258,7 @@ static bool check_unused(const sepax_config *config, sepax_error *error) {
       {"clock-ns", SEPAX_ARCH_EXACT, config->clock_ps != plain.clock_ps},
       {"extent-a", SEPAX_ARCH_EXACT, config->extent_a != 0},
       {"extent-b", SEPAX_ARCH_EXACT, config->extent_b != 0},
+      {"early-out", SEPAX_ARCH_EXACT, config->early_out},
       {"lanes", SEPAX_ARCH_EXACT, config->lanes != 0},
       {"clearance", SEPAX_ARCH_EXACT, config->clearance != plain.clearance},
       {"warning", SEPAX_ARCH_EXACT, config->warning != plain.warning},
@@ -348,6 +358,10 @@ static bool check_exact(const sepax_config *config, sepax_error *error) {
       return sepax_fail(error, "extent: pairs that near need %d bits, no fewer than W; leave the extents out",
                         core_word(config));
     }
+  }
+  if (config->early_out && (config->extent_a != 0 || config->lanes != 0)) {
+    return sepax_fail(error, "early-out: %s test boxes before the core anyway; leave it out",
+                      config->lanes != 0 ? "box lanes" : "extents");
   }
   if (config->clock_ps < 500 || config->clock_ps > 20000) {
     return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20",
@@ -545,6 +559,7 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
     design->coplanar_limit = derive_coplanar_limit(design);
     design->latency = config->arch == SEPAX_ARCH_PAPER ? 13 : 20;
   } else if (config->arch == SEPAX_ARCH_EXACT) {
+    design->boxes = config->early_out || config->extent_a > 0;
     design->core_word = core_word(config);
     design->limits = config->clearance < 0 ? 0 : config->warning > 0 ? 2 : 1;
     design->margin[0] = (int64_t)config->clearance + 1;

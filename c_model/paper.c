@@ -204,7 +204,7 @@ sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pai
   return m.verdict;
 }
 
-/* -1 apart, 0 within the extents, 1 beyond one. */
+/* -1 apart, 0 within the extents if there are any, 1 beyond one. */
 static int judge_boxes(const sepax_design *design, const sepax_pair *pair) {
   const sepax_config *c = &design->config;
   int beyond = 0;
@@ -220,13 +220,13 @@ static int judge_boxes(const sepax_design *design, const sepax_pair *pair) {
     if (low[1] - high[0] > design->margin[1] || low[0] - high[1] > design->margin[1]) {
       return -1;
     }
-    beyond |= high[0] - low[0] > c->extent_a || high[1] - low[1] > c->extent_b;
+    beyond |= c->extent_a > 0 && (high[0] - low[0] > c->extent_a || high[1] - low[1] > c->extent_b);
   }
   return beyond;
 }
 
 static sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *pair) {
-  int boxes = design->config.extent_a > 0 ? judge_boxes(design, pair) : 0;
+  int boxes = design->boxes ? judge_boxes(design, pair) : 0;
   if (boxes != 0) {
     return (sepax_verdict){.collision = boxes > 0, .axis = boxes > 0 ? SEPAX_AXIS_RANGE : SEPAX_AXIS_BOXES,
                            .band = boxes > 0 && design->limits > 0 ? SEPAX_BAND_COLLISION : SEPAX_BAND_FREE};

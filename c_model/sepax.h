@@ -107,6 +107,8 @@ typedef struct {
   int clock_ps;                  /* exact: the period to pipeline for, 500 ... 20000 ps */
   int extent_a, extent_b;        /* exact: longest side of the box of a triangle of A, of B, in
                                     LSB, that the core decides; 0, 0: any */
+  bool early_out;                /* exact: a box test goes before the core, which gets zeros for pairs that
+                                    it decides; with extents it does anyway */
   int clearance, warning;        /* exact: LSB; -1 and 0: none. The verdict is free only if the real triangles are
                                     farther apart than `clearance` (docs/clearance.md) */
   int lanes;                     /* exact: box lanes of an object engine, 1 ... 64; 0: the core alone */
@@ -121,8 +123,8 @@ sepax_config sepax_config_default(void);
 /* Set one value from text, by the name of its command-line option: "arch",
  * "word", "ii", "precision" (full, word, guard=G), "block-float" (on, off),
  * "coplanarity", "inequality", "epsilon", "coplanar" (exact, flag), "clock-ns" (at most
- * three decimals), "extent-a", "extent-b", "clearance", "warning", "lanes", "cores", "memory-a",
- * "memory-b". Fails on an unknown name or value. */
+ * three decimals), "extent-a", "extent-b", "early-out" (none, boxes), "clearance", "warning",
+ * "lanes", "cores", "memory-a", "memory-b". Fails on an unknown name or value. */
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error);
 
@@ -181,6 +183,7 @@ typedef struct {
   sepax_config config;
   sepax_format format[SEPAX_F_COUNT]; /* by sepax_format_id, or SEPAX_X_... for exact */
   int formats;
+  bool boxes;             /* exact: a box test goes before the core */
   int core_word;          /* exact: bits of a coordinate behind the box test; W without extents */
   int64_t coplanar_limit; /* |difference| < limit, in units of NORMAL_PROJECTION */
   int latency;            /* cycles from the first input word to the verdict; of exact it
@@ -199,8 +202,8 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config,
 /* Axis numbers are the paper's: 1 ... 9 of table 1, 1 + 3i + j being e_i x f_j with e_i
  * the edge from A_i to A_i+1 and f_j that from B_j to B_j+1 (i, j = 0, 1, 2 modulo 3);
  * 10 = N_A, 11 = N_B; 0 when none separates or the method has none. Of coplanar pairs
- * paper and conference number the axes 1 ... 6 of table 2, exact calls every axis in the plane 12. Where
- * the design has extents, 13 are disjoint boxes, and 14 boxes that meet, one of them larger
+ * paper and conference number the axes 1 ... 6 of table 2, exact calls every axis in the plane 12. With
+ * a box test in front 13 are disjoint boxes, and with extents 14 boxes that meet, one of them larger
  * than its extent: a collision, undecided. With a clearance 13 is x, y or z, 12 normal to an edge
  * and to x, y or z. */
 typedef enum { SEPAX_BAND_FREE, SEPAX_BAND_WARNING, SEPAX_BAND_COLLISION } sepax_band;
@@ -218,8 +221,8 @@ typedef struct {
 /* The verdict of the architecture of `design`, bit for bit what its RTL gives.
  * Pair: W-bit components (the caller checks, sepax_pair_fits). Only `paper` and `conference` read
  * the normals and count multiplications. Of `exact` it is that of sepax_exact, but where
- * the design flags coplanar pairs they are collisions, axis 0, and where it has extents
- * boxes are tested first (axes 13, 14). */
+ * the design flags coplanar pairs they are collisions, axis 0, and where a box
+ * test goes before the core boxes are tested first (axes 13, 14). */
 sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
 
 /* The exact verdict from 34 products, the golden model of architecture exact: every W up

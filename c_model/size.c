@@ -38,14 +38,13 @@ static void count_terms(double term[TERMS], const sepax_design *d) {
   int w = d->core_word;
   int strips = units(15, ii);
   int prisms = units(18, ii) + 1;
-  bool boxes = d->config.extent_a != 0;
   term[0] = strips * (w + 1) * (w + 1) + prisms * (2 * w + 1) * (w + 3);
   term[1] = (strips + units(20, ii)) * (2 * w + 1) + (prisms + units(15, ii)) * (3 * w + 2);
   term[2] = w;
   term[3] = w * (ii < 9 ? ii : 9);
   term[4] = ii > 1 && ii % 3 != 0 ? w : 0;
   term[5] = 1;
-  term[6] = boxes ? d->config.word : 0;
+  term[6] = d->boxes ? d->config.word : 0;
 }
 
 double sepax_gates(const sepax_design *design, double *error) {

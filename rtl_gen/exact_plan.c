@@ -581,6 +581,13 @@ static double shortest_stage(const exact_plan *p, double sums, double sum) {
 }
 
 /* Where registers stand inside the units, and the longest stage that is left. */
+/* The box test in front: bounds, a comparison with the margin, and what holds the coordinates back. */
+static double boxes_stage(const sepax_design *d) {
+  int word = d->config.word;
+  double compare = delay_adder(word) + (d->limits > 0 ? delay_adder(word + 1) : 0);
+  return delay_register() + delay_adder(word) + delay_mux(3) + compare + steering;
+}
+
 static void plan_ranks(exact_plan *p) {
   const sepax_format *f = p->design->format;
   double period = p->design->config.clock_ps / 1000.0;
@@ -609,6 +616,9 @@ static void plan_ranks(exact_plan *p) {
   p->own_weight_rank = !p->running && !p->shared_rises && six_terms > room;
   p->sign_rank = delay_test(area) + 1.0 > room;
   p->shortest = shortest_stage(p, sums, sum);
+  if (p->design->config.early_out) {
+    p->shortest = longer(p->shortest, boxes_stage(p->design));
+  }
   plan_limits(p, room);
 }
 

@@ -23,18 +23,25 @@ static int places_log2(const exact_plan *p) {
 /* A verdict: the band, if there are any, coplanar, the axis. */
 static int result_bits(const exact_plan *p) { return p->limits > 0 ? 7 : 5; }
 
+/* What the box test found out of a pair: apart, and with extents beyond. */
+static int note_bits(const exact_plan *p) { return p->design->config.extent_a > 0 ? 2 : p->design->boxes ? 1 : 0; }
+static const char *note_width(int bits) { return bits > 1 ? "2" : ""; }
+
 static void gen_queue(emitter *e, const exact_plan *p) {
   int tag = places_log2(p);
   int places = 1 << tag;
-  bool near = p->design->config.extent_a > 0;
+  int note = note_bits(p);
+  bool near = note > 0;
   int result = result_bits(p);
   char result_text[16];
+  char note_text[16];
   char places_text[16];
   char tag_text[16];
   char count_text[16];
   char name[EMIT_NAME];
   snprintf(places_text, sizeof places_text, "%d", places);
   snprintf(result_text, sizeof result_text, "%d", result);
+  snprintf(note_text, sizeof note_text, "%s", note_width(note));
   snprintf(tag_text, sizeof tag_text, "%d", tag);
   snprintf(count_text, sizeof count_text, "%d", tag + 1);
   emit_module *m = emit_begin(
@@ -53,8 +60,8 @@ static void gen_queue(emitter *e, const exact_plan *p) {
   emit_signal(m, EMIT_INPUT, false, "ready", "", "it may leave");
   emit_signal(m, EMIT_OUTPUT, false, "oldest", result_text, "the verdict of the oldest pair");
   if (near) {
-    emit_signal(m, EMIT_INPUT, false, "note", "2", "what is known of the pair that takes a place");
-    emit_signal(m, EMIT_OUTPUT, false, "oldest_note", "2", "that of the oldest pair");
+    emit_signal(m, EMIT_INPUT, false, "note", note_text, "what is known of the pair that takes a place");
+    emit_signal(m, EMIT_OUTPUT, false, "oldest_note", note_text, "that of the oldest pair");
   }
   emit_signal(m, EMIT_REG, false, "head", places_text, "the oldest place, one-hot");
   emit_signal(m, EMIT_REG, false, "count", count_text, "places taken, 0 ... %d", places);
@@ -64,7 +71,7 @@ static void gen_queue(emitter *e, const exact_plan *p) {
     emit_net(m, EMIT_REG, false, name, result_text);
     if (near) {
       snprintf(name, sizeof name, "note_%d", k);
-      emit_net(m, EMIT_REG, false, name, "2");
+      emit_net(m, EMIT_REG, false, name, note_text);
     }
   }
   emit_net(m, EMIT_WIRE, false, "leave", "");
@@ -75,7 +82,7 @@ static void gen_queue(emitter *e, const exact_plan *p) {
               k < places - 1 ? " |" : ";");
   }
   for (int k = 0; k < places && near; k++) {
-    emit_text(m, "%s(note_%d & {2{head[%d]}})%s", k == 0 ? "assign oldest_note = " : "                ", k, k,
+    emit_text(m, "%s(note_%d & {%d{head[%d]}})%s", k == 0 ? "assign oldest_note = " : "                ", k, note, k,
               k < places - 1 ? " |" : ";");
   }
   emit_text(m,
@@ -123,17 +130,23 @@ void gen_exact_ports(emit_module *m, int word) {
   emit_signal(m, EMIT_OUTPUT, false, "out_valid", "", "a verdict is here");
   emit_signal(m, EMIT_INPUT, false, "out_ready", "", "it is taken in this cycle");
   bool bands = m->emitter->design->limits > 0;
+  const char *more = "";
+  if (!bands && strcmp(m->name, "sepax_top") == 0 && m->emitter->design->boxes) {
+    more = m->emitter->design->config.extent_a > 0 ? ", 13 boxes, 14 none, undecided" : ", 13 boxes";
+  }
   emit_signal(m, EMIT_OUTPUT, false, "out_collision", "", "%s",
               bands ? "1: not proved to be farther apart than the clearance" : "1: the triangles share a point");
   emit_signal(m, EMIT_OUTPUT, false, "out_coplanar", "", "1: all six points are in one plane");
-  emit_signal(m, EMIT_OUTPUT, false, "out_axis", "4", "%s",
-              bands ? "what proves the band: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B, 12 of an edge, 13 boxes; 0 none"
-                    : "what separates: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B, 12 in the plane; 0 none");
+  emit_signal(m, EMIT_OUTPUT, false, "out_axis", "4",
+              bands ? "what proves the band: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B, 12 of an edge, 13 boxes; 0 none%s"
+                    : "what separates: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B, 12 in the plane%s; 0 none",
+              more);
 }
 
 typedef struct {
   int ii, stages, judged; /* frames a pair is in; the frame at whose end the plane is known */
-  bool flag, near;        /* flag: there is no second pass; near: pairs come with a note, and then take no second pass */
+  bool flag;              /* there is no second pass */
+  int near;               /* bits of the note that pairs come with; with a note they take no second pass */
   char tag[16];
 } control;
 
@@ -197,7 +210,7 @@ static void clock_frames(emit_module *m, const control *c) {
     emit_text(m, "%ssecond_0 <= again;", inner);
     emit_text(m, "%sboxes_0 <= again && boxes_so_far;", inner);
     if (c->near) {
-      emit_text(m, "%snoted_0 <= !again && (in_apart || in_beyond);", inner);
+      emit_text(m, "%snoted_0 <= !again && %s;", inner, c->near > 1 ? "(in_apart || in_beyond)" : "in_apart");
     }
   }
   for (int k = 1; k <= c->stages; k++) {
@@ -276,7 +289,7 @@ static void handshake(emit_module *m, const exact_plan *p, const control *c) {
 void gen_exact_top(emitter *e, const exact_plan *p) {
   gen_queue(e, p);
   control c = {.ii = p->design->config.ii, .stages = frames_to(p, p->verdict_cycle),
-               .flag = p->single, .near = p->design->config.extent_a > 0};
+               .flag = p->single, .near = note_bits(p)};
   c.judged = (p->plane_cycle + 1) / c.ii;
   snprintf(c.tag, sizeof c.tag, "%d", places_log2(p));
   char banner[1024];
@@ -300,8 +313,11 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
   gen_exact_ports(m, p->design->core_word);
   if (c.near) {
     emit_signal(m, EMIT_INPUT, false, "in_apart", "", "the boxes are disjoint; goes with the pair");
-    emit_signal(m, EMIT_INPUT, false, "in_beyond", "", "a box is too long; goes with the pair");
-    emit_signal(m, EMIT_OUTPUT, false, "out_note", "2", "in_apart, in_beyond of the pair; the verdict is none if not 0");
+    if (c.near > 1) {
+      emit_signal(m, EMIT_INPUT, false, "in_beyond", "", "a box is too long; goes with the pair");
+    }
+    emit_signal(m, EMIT_OUTPUT, false, "out_note", note_width(c.near), "in_apart%s of the pair; the verdict is none if not 0",
+                c.near > 1 ? ", in_beyond" : "");
   }
   if (p->limits > 0) {
     emit_signal(m, EMIT_OUTPUT, false, "out_band", "2", "0 free, 1 warning, 2 collision");
@@ -340,8 +356,8 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
   emit_instance(m, "sepax_core", "core", "", "%s, coplanar=coplanar, axis=axis", connections);
   emit_text(m, "\nassign result = {%scoplanar, axis};", p->limits > 0 ? "band, " : "");
   if (c.near) {
-    emit_net(m, EMIT_WIRE, false, "note", "2");
-    emit_text(m, "assign note = {in_apart, in_beyond};");
+    emit_net(m, EMIT_WIRE, false, "note", note_width(c.near));
+    emit_text(m, "assign note = %s;", c.near > 1 ? "{in_apart, in_beyond}" : "in_apart");
   }
   char write[64];
   if (c.ii > 1) {
@@ -374,8 +390,8 @@ bool gen_exact(emitter *e, int *latency) {
     gen_exact_top(e, plan);
     *latency = plan->latency;
     int places = 1 << places_log2(plan);
-    if (e->design->config.extent_a > 0) {
-      int more = gen_exact_near(e, plan);
+    if (e->design->boxes) {
+      int more = e->design->config.extent_a > 0 ? gen_exact_near(e, plan) : gen_exact_boxes(e, plan);
       *latency += more;
       places += more;
     }

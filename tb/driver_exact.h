@@ -89,7 +89,7 @@ public:
 private:
 #if defined SEPAX_EXTENT_A
   static constexpr int LAST_AXIS = SEPAX_AXIS_RANGE;
-#elif defined SEPAX_BANDS
+#elif defined SEPAX_BOXES || defined SEPAX_BANDS
   static constexpr int LAST_AXIS = SEPAX_AXIS_BOXES;
 #else
   static constexpr int LAST_AXIS = 12;
@@ -101,9 +101,9 @@ private:
 #endif
   // Without stress the first pairs go alone, until so many latencies were seen.
   static constexpr uint64_t ALONE_LATENCIES = 3, ALONE_PAIRS = 32;
-  // A pair is alone after so many idle cycles. With extents a pair may be taken before the
-  // core's frame is at its end.
-#ifdef SEPAX_EXTENT_A
+  // A pair is alone after so many idle cycles. Behind a box test a pair may be taken before
+  // the core's frame is at its end.
+#ifdef SEPAX_BOXES
   static constexpr uint64_t SETTLE = 1 + SEPAX_II;
 #else
   static constexpr uint64_t SETTLE = 1;

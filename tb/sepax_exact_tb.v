@@ -15,7 +15,7 @@ module sepax_exact_tb;
   `include "sepax_params.vh"
 
   localparam QUEUE = 1024;
-`ifdef SEPAX_EXTENTS
+`ifdef SEPAX_BOXES
   localparam SETTLE = II; // a pair may be taken before the core's frame is at its end
 `else
   localparam SETTLE = 0;

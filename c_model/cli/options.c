@@ -15,8 +15,8 @@ int cli_fail(const char *name, const sepax_error *error) {
 /* ------------------------------------------------------------- configuration */
 
 enum { KEY_ARCH = 0x100, KEY_II, KEY_PRECISION, KEY_BLOCK_FLOAT, KEY_COPLANARITY,
-       KEY_INEQUALITY, KEY_EPSILON, KEY_COPLANAR, KEY_EXTENT_A, KEY_EXTENT_B, KEY_CLEARANCE, KEY_WARNING, KEY_LANES, KEY_CORES,
-       KEY_MEMORY_A, KEY_MEMORY_B, KEY_CLOCK, KEY_OFFSET, KEY_NORMALS };
+       KEY_INEQUALITY, KEY_EPSILON, KEY_COPLANAR, KEY_EXTENT_A, KEY_EXTENT_B, KEY_EARLY_OUT, KEY_CLEARANCE, KEY_WARNING,
+       KEY_LANES, KEY_CORES, KEY_MEMORY_A, KEY_MEMORY_B, KEY_CLOCK, KEY_OFFSET, KEY_NORMALS };
 
 static const struct argp_option config_options[] = {
     {NULL, 0, NULL, 0, "Design:", 1},
@@ -32,6 +32,8 @@ static const struct argp_option config_options[] = {
      "what is behind it is as short as the extents allow; a larger triangle is called a collision "
      "and flagged (any; needs --extent-b)", 0},
     {"extent-b", KEY_EXTENT_B, "LSB", 0, "the same of B", 0},
+    {"early-out", KEY_EARLY_OUT, "HOW", 0,
+     "boxes: a box test goes before the core, which rests for the pairs that it decides; none (default)", 0},
     {"clearance", KEY_CLEARANCE, "LSB", 0,
      "call a pair free only if the real triangles are farther apart than this, whatever the rounding to "
      "LSB did to them (none)", 0},
