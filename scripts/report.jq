@@ -71,7 +71,7 @@ def page:
   "<p>W = \(.rows[-1].word). Made by <code>make report LIBERTY=\(.liberty | @html)</code> in \(.seconds / 60 | ceil) minutes with \(tools | @html).</p>",
   html,
   "<p><b>Made by</b>: <code>make area</code> (GE, clock), <code>make power</code> (energy), <code>make cosim</code> or <code>make engine</code> (speed, verdicts) with these variables. ",
-  "<b>Clock</b>: the one that OpenSTA says is met, cells sized, fan-out buffered, no wires; <i>not timed</i>: the published one, and gates for area alone. ",
+  "<b>Clock</b>: the one that OpenSTA says is met, cells sized, fan-out buffered, the default wire load of the library; <i>not timed</i>: the published one, and gates for area alone. ",
   "<b>GE</b>: area of the cells; memories of the engine are not in it. <b>Pairs/s</b>: clock / II; of the engine the \(.rows | map(select(.lanes)) | .[0].mesh_pairs // "-") pairs of the sample objects in \(.rows | map(select(.lanes)) | .[0].mesh_cycles // "-") cycles. ",
   "<b>nJ</b>: energy of a pair, of the mapped gates with pairs that are mostly separated or all collide (docs/power.md); the paper does not tell its pairs. ",
   "<b>Missed</b>: share of the collisions, <b>false alarms</b>: of the separated pairs, among \(hard); each machine's Verilog gave the verdicts of its golden model:</p>",
