@@ -581,11 +581,13 @@ static double shortest_stage(const exact_plan *p, double sums, double sum) {
 }
 
 /* Where registers stand inside the units, and the longest stage that is left. */
-/* The box test in front: bounds, a comparison with the margin, and what holds the coordinates back. */
+/* The box test in front: bounds, a comparison with the margin, and what holds the coordinates back,
+ * each behind its fan-out (fitted to W = 18). */
 static double boxes_stage(const sepax_design *d) {
   int word = d->config.word;
   double compare = delay_adder(word) + (d->limits > 0 ? delay_adder(word + 1) : 0);
-  return delay_register() + delay_adder(word) + delay_mux(3) + compare + steering;
+  double fan_outs = 0.71;
+  return delay_register() + delay_adder(word) + delay_mux(3) + compare + fan_outs;
 }
 
 static void plan_ranks(exact_plan *p) {
