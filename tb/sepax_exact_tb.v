@@ -6,8 +6,8 @@
 //
 // Verdicts must come in the order of the pairs with the expected value and stand still
 // while they wait; the latency of a pair alone in the machine must be LATENCY; X is a
-// mismatch. Ends with $finish when all is well and with $stop (exit status 1 under
-// vvp -N) if not.
+// mismatch; so are operands of a core that a box test puts to rest (SEPAX_REST). Ends with
+// $finish when all is well and with $stop (exit status 1 under vvp -N) if not.
 
 `default_nettype none
 
@@ -55,6 +55,20 @@ module sepax_exact_tb;
   );
 
   always #2 clk = ~clk;
+
+  // Without a pair, or where the boxes have decided, nothing but zeros enters the core.
+  reg restless = 1'b0;
+`ifdef SEPAX_REST
+`ifdef SEPAX_BOXES
+  always @(negedge clk) begin
+    restless <= !(dut.near.in_valid && !dut.near.in_apart) &&
+                (|{dut.near.in_a1_x, dut.near.in_a1_y, dut.near.in_a1_z, dut.near.in_a2_x, dut.near.in_a2_y,
+                   dut.near.in_a2_z, dut.near.in_a3_x, dut.near.in_a3_y, dut.near.in_a3_z, dut.near.in_b1_x,
+                   dut.near.in_b1_y, dut.near.in_b1_z, dut.near.in_b2_x, dut.near.in_b2_y, dut.near.in_b2_z,
+                   dut.near.in_b3_x, dut.near.in_b3_y, dut.near.in_b3_z} !== 1'b0);
+  end
+`endif
+`endif
 
   reg [8*4096-1:0] line;
   reg [8*1024-1:0] path;
@@ -134,6 +148,9 @@ module sepax_exact_tb;
     begin
       cycle = cycle + 1;
       #1;
+      if (restless) begin
+        mismatch("a resting core gets operands");
+      end
       was_empty = judged == sent;
       idle = was_empty ? idle + 1 : 0;
       taken = in_valid && in_ready === 1'b1;
