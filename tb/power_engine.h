@@ -17,8 +17,9 @@ typedef struct {
 
 /* Play the memories (a word is there in the cycle after it was asked for) and the buses of
  * sepax_engine_logic: both objects of the scene are loaded, each lane's from another triangle on, and
- * run once, results taken as they come. wrong counts results, in order, ends, answers and counts that are
- * not sepax_engine's. `cycles` are those of POWER_IDLE. Exits with status 2 if the objects do not fit. */
+ * run once (not for POWER_LOADING), results taken as they come. wrong counts results, in order, ends,
+ * answers and counts that are not sepax_engine's. `cycles` are those of POWER_IDLE. Exits with status 2
+ * if the objects do not fit. */
 power_tally power_engine(gates *g, const sepax_design *design, const sepax_scene *scene, power_part part,
                          int cycles);
 
