@@ -308,7 +308,7 @@ static void check_loaded(engine *e) {
 }
 
 /* From START to the end of the last lane's run. */
-static void run(engine *e) {
+static void run_lanes(engine *e) {
   write_register(e, ENGINE_COMMAND, 1); /* START */
   for (uint64_t k = 0; k < e->limit && e->ended != ALL; k++) {
     tick(e);
@@ -363,7 +363,7 @@ power_tally power_engine(gates *g, const sepax_design *design, const sepax_scene
   check_loaded(e);
   if (part != POWER_LOADING) {
     e->count = part == POWER_RUN;
-    run(e);
+    run_lanes(e);
     e->count = false;
     check_counts(e);
   }
