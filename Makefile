@@ -539,7 +539,7 @@ multivt-timed:
 	@$(MAKE) --no-print-directory $(TIMED) multivt-of-this
 
 # Power: the gates simulated with the pairs of four workloads, the sums by build/power.
-POWER_C = $(call object,$(addprefix tb/,power.c gates.c liberty.c text.c) c_model/cli/options.c)
+POWER_C = $(call object,$(addprefix tb/,power.c power_engine.c gates.c liberty.c text.c) c_model/cli/options.c)
 $(BUILD)/power: $(POWER_C) $(LIB)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -lm -o $@
@@ -558,14 +558,17 @@ CYCLES    ?= 200
 OPENSTA   ?=
 LOADS      = $(BUILD)/power-w$(WORD)/colliding.txt $(BUILD)/power-w$(WORD)/coplanar.txt
 POWER_RES  = $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION))
+POWER_MESH = $(MESH_A) $(MESH_B) $(POWER_RES)
+# An engine makes its pairs itself.
+WORKLOADS  = "separated=$(POWER_MESH)" $(if $(filter-out 0,$(LANES)),"loading=loading $(POWER_MESH)" \
+             "idle=idle $(POWER_MESH)",colliding=$(word 1,$(LOADS)) coplanar=$(word 2,$(LOADS)) "idle=idle $(word 1,$(LOADS))")
 POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),power-of-this,power-of-paper power-of-ii3 power-of-ii1 \
              power-of-early)
 # The paper's machine is made of the same multipliers as exact.
-power-of-this: $(AREA)/area.json $(BUILD)/power $(LOADS) $(SAMPLES)
+power-of-this: $(AREA)/area.json $(BUILD)/power $(if $(filter-out 0,$(LANES)),,$(LOADS)) $(SAMPLES)
 	@echo "  POWER   $(CORE_NAME), $(LIBRARY)"
 	@POWER=$(BUILD)/power synth/power -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) -o $(AREA)/power $(AREA) \
-	  "separated=$(MESH_A) $(MESH_B) $(POWER_RES)" colliding=$(word 1,$(LOADS)) coplanar=$(word 2,$(LOADS)) \
-	  "idle=idle $(word 1,$(LOADS))"
+	  $(WORKLOADS)
 	@echo $(AREA)/power/power.json >> $(BUILD)/power.list
 power-of-ii%:
 	@$(MAKE) --no-print-directory ARCH=exact II=$* power-of-this

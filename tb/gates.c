@@ -1,5 +1,6 @@
 /* gates.c - reads a mapped netlist and simulates it, 64 lanes at once. */
 #include "gates.h"
+#include "sepax.h"
 #include "text.h"
 
 #include <ctype.h>
@@ -152,7 +153,7 @@ static void add_bit(bundle *b, int net) {
 static void add_constant(bundle *b, const char *text) {
   char *end;
   long bits = strtol(text, &end, 10);
-  int base = end[0] == '\'' ? (end[1] == 'h' ? 16 : end[1] == 'b' ? 2 : 0) : 0;
+  int base = end[0] != '\'' ? 0 : end[1] == 'h' ? 16 : end[1] == 'd' ? 10 : end[1] == 'b' ? 2 : 0;
   if (base == 0 || bits < 1 || bits > 64 || strpbrk(end + 2, "xzXZ") != NULL) {
     text_fail("a constant is not understood:", text);
   }
@@ -600,6 +601,33 @@ int gates_find(const gates *g, const char *name, int bit) {
   text_fail("has no port", full);
 }
 
+void gates_find_word(const gates *g, const char *name, int bits, int net[]) {
+  for (int bit = 0; bit < bits; bit++) {
+    net[bit] = gates_find(g, name, bit);
+  }
+}
+
+void gates_set(gates *g, const int net[], int bits, unsigned lane, uint64_t value) {
+  uint64_t mask = UINT64_C(1) << lane;
+  for (int k = 0; k < bits; k++) {
+    g->value[net[k]] = (value >> k & 1) != 0 ? g->value[net[k]] | mask : g->value[net[k]] & ~mask;
+  }
+}
+
+void gates_set_all(gates *g, const int net[], int bits, uint64_t value) {
+  for (int k = 0; k < bits; k++) {
+    g->value[net[k]] = (value >> k & 1) != 0 ? ~UINT64_C(0) : 0;
+  }
+}
+
+uint64_t gates_get(const gates *g, const int net[], int bits, unsigned lane) {
+  uint64_t value = 0;
+  for (int k = 0; k < bits; k++) {
+    value |= (g->value[net[k]] >> lane & 1) << k;
+  }
+  return value;
+}
+
 /* -------------------------------------------------------------------- simulation */
 
 static void evaluate(gates *g, const gates_cell *cell) {
@@ -612,6 +640,13 @@ static void evaluate(gates *g, const gates_cell *cell) {
     if (type->pin[p].output && cell->net[p] >= 0) {
       g->value[cell->net[p]] = lib_evaluate(&type->pin[p].function, in, cell->state);
     }
+  }
+}
+
+void gates_scramble(gates *g) {
+  sepax_random random = {1};
+  for (int c = 0; c < g->cells; c++) {
+    g->cell[c].state = sepax_random_next(&random);
   }
 }
 

@@ -51,6 +51,17 @@ void gates_read(gates *g, const library *lib, const char *path);
 /* The net of a port of the top, by its name and bit (-1: a port without bits); exits if none. */
 int gates_find(const gates *g, const char *name, int bit);
 
+/* The nets of a port of several bits, the lowest first; exits if it has fewer. */
+void gates_find_word(const gates *g, const char *name, int bits, int net[]);
+
+/* The value of a port in one lane, in all lanes: as many of the lowest bits as it has. */
+void gates_set(gates *g, const int net[], int bits, unsigned lane, uint64_t value);
+void gates_set_all(gates *g, const int net[], int bits, uint64_t value);
+uint64_t gates_get(const gates *g, const int net[], int bits, unsigned lane);
+
+/* Registers as they are when power comes up: anything, always the same. */
+void gates_scramble(gates *g);
+
 /* Let the inputs, set in value[], and the registers act on everything else. */
 void gates_settle(gates *g);
 

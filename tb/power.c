@@ -7,9 +7,11 @@
  *
  * LIBERTY  plain, the library of the netlist
  * PERIOD   of the clock in ns
- * A, B     all pairs of their triangles, quantised; each lane begins elsewhere
+ * A, B     all pairs of their triangles, quantised; each lane begins elsewhere. An object engine
+ *          (--lanes) wants them: one whole run, its memories and buses played (power_engine.h)
  * -c N     cycles counted, after those in which the machine fills (200)
- * -i       idle: after some pairs nothing comes any more; then count
+ * -i       idle: after some pairs (an engine: after its run) nothing comes any more; then count
+ * -b       an engine: count while its objects come, before the run
  * -g A     no simulation: A transitions a cycle on every net, half the time 1
  * -s F     plant a fault: transitions counted times F
  * -o       energy inside cells as OpenSTA 2.0.17 counts it, to compare with -g
@@ -26,6 +28,7 @@
  * counted. */
 #include "cli/cli.h"
 #include "gates.h"
+#include "power_engine.h"
 #include "text.h"
 
 #include <getopt.h>
@@ -40,13 +43,13 @@ typedef struct {
   const char *mesh[2];
   double period, global, fault, resolution;
   int cycles;
-  bool idle, as_sta;
+  bool idle, loading, as_sta;
 } request;
 
 typedef struct {
   const request *want;
   sepax_design design;
-  bool exact;
+  bool exact, engine;
   library lib;
   gates g;
   double *act, *one;    /* of each net: transitions a cycle, share of ones */
@@ -77,17 +80,6 @@ typedef struct {
   unsigned begin, stop;
 } lane;
 
-static void set_bits(gates *g, int net, unsigned l, bool bit) {
-  uint64_t mask = UINT64_C(1) << l;
-  g->value[net] = bit ? g->value[net] | mask : g->value[net] & ~mask;
-}
-
-static void set_word(gates *g, const int *net, int word, unsigned l, int32_t value) {
-  for (int k = 0; k < word; k++) {
-    set_bits(g, net[k], l, ((uint32_t)value >> k & 1) != 0);
-  }
-}
-
 typedef struct {
   int in[18][32]; /* coordinates, or the words of paper: a x y z, b x y z, na, nb */
   int in_valid, in_ready, out_valid, out_collision, out_coplanar, out_ready, rst;
@@ -104,9 +96,7 @@ static void find_ports(ports *p, const machine *m) {
     } else {
       snprintf(name, sizeof name, "%s", of_paper[k]);
     }
-    for (int bit = 0; bit < m->design.config.word; bit++) {
-      p->in[k][bit] = gates_find(&m->g, name, bit);
-    }
+    gates_find_word(&m->g, name, m->design.config.word, p->in[k]);
   }
   p->rst = gates_find(&m->g, "rst", -1);
   p->in_valid = gates_find(&m->g, "in_valid", -1);
@@ -124,9 +114,9 @@ static void offer(machine *m, const ports *p, const lane *of, unsigned l) {
   int word = m->design.config.word;
   if (m->exact) {
     for (int k = 0; k < 6; k++) {
-      set_word(&m->g, p->in[3 * k], word, l, v[k]->x);
-      set_word(&m->g, p->in[3 * k + 1], word, l, v[k]->y);
-      set_word(&m->g, p->in[3 * k + 2], word, l, v[k]->z);
+      gates_set(&m->g, p->in[3 * k], word, l, (uint32_t)v[k]->x);
+      gates_set(&m->g, p->in[3 * k + 1], word, l, (uint32_t)v[k]->y);
+      gates_set(&m->g, p->in[3 * k + 2], word, l, (uint32_t)v[k]->z);
     }
     return;
   }
@@ -134,12 +124,12 @@ static void offer(machine *m, const ports *p, const lane *of, unsigned l) {
   const int32_t nb[3] = {pair->nb.x, pair->nb.y, pair->nb.z};
   for (int k = 0; k < 2; k++) {
     const sepax_vec *of_word = v[3 * k + of->word];
-    set_word(&m->g, p->in[3 * k], word, l, of_word->x);
-    set_word(&m->g, p->in[3 * k + 1], word, l, of_word->y);
-    set_word(&m->g, p->in[3 * k + 2], word, l, of_word->z);
+    gates_set(&m->g, p->in[3 * k], word, l, (uint32_t)of_word->x);
+    gates_set(&m->g, p->in[3 * k + 1], word, l, (uint32_t)of_word->y);
+    gates_set(&m->g, p->in[3 * k + 2], word, l, (uint32_t)of_word->z);
   }
-  set_word(&m->g, p->in[6], word, l, na[of->word]);
-  set_word(&m->g, p->in[7], word, l, nb[of->word]);
+  gates_set(&m->g, p->in[6], word, l, (uint32_t)na[of->word]);
+  gates_set(&m->g, p->in[7], word, l, (uint32_t)nb[of->word]);
 }
 
 /* The pair on the inputs, or a word of it, has been taken. */
@@ -186,10 +176,7 @@ static void run(machine *m) {
       fail("give at least 64 pairs");
     }
   }
-  sepax_random random = {1};
-  for (int c = 0; c < g->cells; c++) {
-    g->cell[c].state = sepax_random_next(&random);
-  }
+  gates_scramble(g);
   for (int cycle = -2; cycle < FILL + m->want->cycles; cycle++) {
     bool valid = cycle >= 0 && !(m->want->idle && cycle >= IDLE_AFTER);
     bool count = cycle >= FILL;
@@ -465,6 +452,9 @@ static void print_report(const machine *m) {
   } else {
     printf("null");
   }
+  if (m->engine) {
+    printf(", \"machine_nj\": %.6g, \"memories\": \"not counted\"", joule * 1e9 * (double)g->cycles);
+  }
   printf(",\n \"registers\": {");
   print_watts(registers);
   printf("}, \"clock_pins_pj\": %.6g,\n \"places\": [", m->load[g->clock] * m->lib.volt * m->lib.volt * 1e12);
@@ -482,19 +472,41 @@ static void print_report(const machine *m) {
 
 /* ----------------------------------------------------------------------- input */
 
-static void read_meshes(machine *m) {
+static sepax_scene read_meshes(const machine *m) {
   sepax_error error = {0};
   sepax_scene scene;
   sepax_grid grid = {.resolution = m->want->resolution, .word = m->design.config.word};
   if (!sepax_scene_load(&scene, m->want->mesh, &grid, false, &error)) {
     exit(cli_fail("power", &error));
   }
+  return scene;
+}
+
+static void make_pairs(machine *m) {
+  sepax_scene scene = read_meshes(m);
   m->pairs = scene.count[0] * scene.count[1];
   m->pair = text_room(m->pairs, sizeof *m->pair);
   for (size_t k = 0; k < m->pairs; k++) {
     m->pair[k] = sepax_scene_pair(&scene, k / scene.count[1], k % scene.count[1]);
   }
   sepax_scene_free(&scene);
+}
+
+static void run_engine(machine *m) {
+  if (m->want->mesh[0] == NULL) {
+    fail("an object engine wants two meshes; give -r RESOLUTION A.stl B.stl");
+  }
+  sepax_scene scene = read_meshes(m);
+  power_part part = m->want->idle ? POWER_IDLE : m->want->loading ? POWER_LOADING : POWER_RUN;
+  power_tally tally = power_engine(&m->g, &m->design, &scene, part, m->want->cycles);
+  sepax_scene_free(&scene);
+  m->wrong = tally.wrong;
+  if (part == POWER_RUN) {
+    m->taken = m->judged = m->pairs = tally.pairs;
+    m->collisions = tally.collisions;
+    m->coplanar = tally.coplanar;
+    m->undecided = tally.out_of_range;
+  }
 }
 
 static void read_pairs(machine *m) {
@@ -540,8 +552,11 @@ static double number(const char *text, char option) {
 
 static request read_options(int argc, char **argv) {
   request r = {.global = -1, .fault = 1, .cycles = 200};
-  for (int option; (option = getopt(argc, argv, "c:d:e:g:il:n:op:r:s:t:")) != -1;) {
+  for (int option; (option = getopt(argc, argv, "bc:d:e:g:il:n:op:r:s:t:")) != -1;) {
     switch (option) {
+    case 'b':
+      r.loading = true;
+      break;
     case 'c':
       r.cycles = (int)number(optarg, 'c');
       break;
@@ -605,11 +620,17 @@ int main(int argc, char **argv) {
     return cli_fail("power", &error);
   }
   m.exact = config.arch == SEPAX_ARCH_EXACT;
+  m.engine = config.lanes > 0;
+  if (want.loading && (want.idle || !m.engine)) {
+    fail("-b is for an object engine (--lanes), and not with -i");
+  }
   library_read(&m.lib, want.liberty);
   gates_read(&m.g, &m.lib, want.netlist);
-  if (want.global < 0) {
+  if (want.global < 0 && m.engine) {
+    run_engine(&m);
+  } else if (want.global < 0) {
     if (want.mesh[0] != NULL) {
-      read_meshes(&m);
+      make_pairs(&m);
     } else {
       read_pairs(&m);
     }
@@ -627,7 +648,8 @@ int main(int argc, char **argv) {
   }
   print_report(&m);
   if (m.wrong > 0) {
-    fprintf(stderr, "power: %llu verdicts are not the golden model's\n", (unsigned long long)m.wrong);
+    fprintf(stderr, "power: %llu %s are not the golden model's\n", (unsigned long long)m.wrong,
+            m.engine ? "results, ends and counts" : "verdicts");
     return 1;
   }
   return 0;
