@@ -31,7 +31,7 @@ def digits($n): . * pow(10; $n) | round / pow(10; $n);
 def k: . / 1000 * 10 | round / 10 | tostring | if test("[.]") then . else . + ".0" end + "K";
 def speed: if . >= 1e9 then "\(. / 1e9 | digits(2)) G" else "\(. / 1e6 | round) M" end;
 def share($n; $of): if $n == 0 then "none" else "\($n / $of * 100 | if . >= 0.095 then digits(1) else digits(4) end) %" end;
-def nj: if . == null then "-" else . / 1000 | digits(3) | tostring end;
+def nj: if . == null then "-" else . / 1000 | digits(if . < 0.05 then 5 else 3 end) | tostring end;
 def name:
   .variables as $v
   | if .arch == "exact"
