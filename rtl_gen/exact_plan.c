@@ -501,7 +501,7 @@ static int plan_banks(int bank[EXACT_BANKS], int ii, int at, int last) {
 static double longer(double a, double b) { return a > b ? a : b; }
 
 /* A strip with registers behind its sums or without, whichever has fewer ranks, or else
- * fewer registers. */
+ * fewer registers. Without, its rows are late behind fan-outs (fitted to W = 18 and 20). */
 static void plan_strip(exact_plan *p, double sums, double period) {
   int span = p->design->format[SEPAX_X_SPAN].width;
   int area = p->design->format[SEPAX_X_AREA].width;
@@ -509,7 +509,8 @@ static void plan_strip(exact_plan *p, double sums, double period) {
   arith_plan_make(&p->strip_mul, &form, period);
   int ranks = 1 + p->strip_mul.ranks;
   int registers = 2 * span + p->strip_mul.registers;
-  form.used = sums;
+  double fan_outs = longer(0.125 + 0.022 * (span - 19), 0);
+  form.used = sums + fan_outs;
   arith_plan_make(&p->strip_mul, &form, period);
   p->strip_rank = sums + delay_row(span) > period - delay_register() ||
                   ranks < p->strip_mul.ranks ||
