@@ -451,6 +451,7 @@ icarus: $(ICARUS) $(CORE)/icarus.pairs
 # The design that was chosen; the paper's in both precisions, as its word length leaves
 # both readings open, unless one was chosen; conference beside paper of the same choices;
 # without a choice the exact ones and the paper's.
+AREA_LIST ?= $(BUILD)/area.list
 LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
 # A period that was chosen has a folder of its own.
 AREA    = $(CORE)/$(LIBRARY)$(if $(PERIOD),-$(PERIOD)ns)$(if $(filter generated,$(MULTIPLIERS)),-generated)
@@ -488,12 +489,12 @@ area-of-generated: area-of-full
 	@$(MAKE) --no-print-directory ARCH=paper PRECISION=full MULTIPLIERS=generated mapped
 
 mapped: $(AREA)/area.json
-	@echo $(AREA)/area.json >> $(BUILD)/area.list
+	@echo $(AREA)/area.json >> $(AREA_LIST)
 
 area: $(SEPAX)
-	@rm -f $(BUILD)/area.list
+	@rm -f $(AREA_LIST)
 	@$(MAKE) --no-print-directory -j2 $(AREAS)
-	@synth/report -o $(BUILD)/area.json $$(sort $(BUILD)/area.list)
+	@synth/report -o $(BUILD)/area.json $$(sort $(AREA_LIST))
 
 area-sweep: $(SEPAX)
 	@PERIOD=$(PERIOD) scripts/area-sweep $(if $(call given,WORD),-w "$(WORD)") $(if \

@@ -39,7 +39,7 @@ def name:
       + (if $v | test("EARLY_OUT=boxes") then ", early out" else "" end)
     else "our `\(.arch)`, \($v | capture("PRECISION=(?<p>[a-z]+)").p)" end;
 def entry:
-  {name: name, latency, clock: ("\(.period_ns) ns" + if .timed | not then ", not timed" elif .met then "" else ", missed" end),
+  {name: name, latency: (if .lanes then "-" else .latency end), clock: ("\(.period_ns) ns" + if .timed | not then ", not timed" elif .met then "" else ", missed" end),
    ge: (.ge | k), cost: (if .lanes then "-" else .ge * .ii | k end), speed: (.pairs_per_s | speed),
    separated: (.energy_pj.separated | nj), colliding: (.energy_pj.colliding | nj),
    missed: share(.errors.missed; .errors.collisions), alarms: share(.errors.false_alarms; .errors.pairs - .errors.collisions),
@@ -60,8 +60,11 @@ def html:
 
 def tools: "\(.library) (1 GE = \(.nand2) = \(.nand2_area) um2); \(.yosys); OpenSTA \(.sta); \(.verilator); sepax \(.version)\(if .commit != "" then ", commit \(.commit)" else "" end)";
 def hard: "\(.rows[0].errors.pairs) pairs of all families of hard cases, of which \(.rows[0].errors.collisions) collide";
-def plain($name): $ARGS.named[$name] // "" | if . == "" then empty else "<pre>\(@html)</pre>" end;
-def picture($name): $ARGS.named[$name] // "" | sub("^<[?]xml[^>]*>"; "");
+def section($step; $title; $command):
+  $ARGS.named["\($step)_txt"] as $text
+  | if $text == null then empty
+    else "<h2>\($title)</h2><p><code>\($command)</code></p>", ($ARGS.named["\($step)_svg"] // "" | sub("^<[?]xml[^>]*>"; "")),
+      "<pre>\($text | @html)</pre>" end;
 def page:
   "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>sepax: every machine</title>",
   "<style>body{font:15px/1.5 sans-serif;max-width:80em;margin:2em auto;padding:0 1em}table{border-collapse:collapse;margin:1em 0}",
@@ -76,10 +79,13 @@ def page:
   "<b>nJ</b>: energy of a pair, of the mapped gates with pairs that are mostly separated or all collide (docs/power.md); the paper does not tell its pairs. ",
   "<b>Missed</b>: share of the collisions, <b>false alarms</b>: of the separated pairs, among \(hard); each machine's Verilog gave the verdicts of its golden model:</p>",
   "<pre>\(.rows | map(.variables + "\n" + (.simulated | map("  " + .) | join("\n"))) | join("\n") | @html)</pre>",
-  (if ($ARGS.named.corners // "") != "" then "<h2>Clock at each corner</h2>", plain("corners"), picture("slack") else empty end),
-  (if ($ARGS.named.thresholds // "") != "" then "<h2>Two thresholds</h2>", plain("thresholds") else empty end),
-  (if ($ARGS.named.lanes // "") != "" then "<h2>The engine over its lanes</h2>", plain("lanes"), picture("cycles") else empty end),
-  "<h2>Energy by workload and module</h2>", plain("energy"),
+  section("corners"; "Clock at each corner"; "make timing"),
+  section("energy"; "Energy by workload and module"; "make power"),
+  section("thresholds"; "Two thresholds"; "make multivt"),
+  section("lanes"; "The engine over its lanes, and on meshes"; "make engine-sweep"),
+  section("scene"; "A core for a scene"; "make scene"),
+  section("errors"; "Speed against error"; "make accuracy QUICK=1"),
+  section("clearance"; "The safe side"; "make clearance"),
   "</body></html>";
 
 if $ARGS.named.what == "machine" then machine elif $ARGS.named.what == "table" then markdown else page end
