@@ -103,7 +103,7 @@ NAME_paper = $(ARCH)-w$(WORD)-$(subst =,,$(PRECISION))$(if $(filter on,$(BLOCK_F
              $(filter paper,$(COPLANARITY)),-cop)$(if $(filter printed,$(INEQUALITY)),-ineq)$(if \
              $(filter-out 1,$(EPSILON)),-e$(EPSILON))
 NAME_conference = $(NAME_paper)
-CORE_NAME = $(or $(NAME_$(ARCH)),$(ARCH)-w$(WORD))
+CORE_NAME = $(firstword $(or $(NAME_$(ARCH)),$(ARCH)-w$(WORD)))
 CORE      = $(BUILD)/core/$(CORE_NAME)
 MESH_ARGS = $(if $(filter fit,$(RESOLUTION)),,--resolution=$(RESOLUTION)) \
             --normals=$(NORMALS) "$(MESH_A)" "$(MESH_B)"

@@ -50,7 +50,7 @@ def entries: published + (.rows | map(entry));
 
 def markdown:
   "| \(heads | join(" | ")) |", "|\(heads | map(" --- |") | join(""))",
-  (entries[] | "| \(cells | map(tostring) | .[:-1] + ["`" + .[-1] + "`"] | join(" | ")) |");
+  (entries[] | "| \(cells | map(tostring) | .[:-1] + [.[-1] | if startswith("ARCH=") then "`\(.)`" else . end] | join(" | ")) |");
 
 def bare: gsub("[*]{2}|`"; "");
 def html:
