@@ -5,11 +5,16 @@
 
 #include "exact.h"
 
+/* With a clearance so many units choose that each kind has a copy of its own: less fan-out. */
+enum { TURN_NONE, TURN_STRIPS, TURN_AREAS = TURN_STRIPS + 2, TURN_LIMITS = TURN_AREAS + 2, TURN_EDGES,
+       TURN_BOXES, TURN_FAR, TURNS };
+
 typedef struct {
   emit_module *m;
   const exact_plan *p;
   int ii;
-  bool late; /* choices are made by at_q, the frame's cycle one cycle later: less fan-out of `at` */
+  int turn; /* choices are made by copy `turn` of the frame's cycle, one cycle later; 0: by `at` itself */
+  unsigned turned[TURNS]; /* bits of each copy that are there */
 } core;
 
 typedef char source[EMIT_NAME]; /* the register in which an operand stands */

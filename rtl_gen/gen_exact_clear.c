@@ -480,7 +480,21 @@ static void gen_decide_band(emitter *e, const exact_plan *p) {
   emit_end(m);
 }
 
+static void gen_turn(emitter *e) {
+  emit_module *m = emit_begin(e, "sepax_turn",
+                              "A copy of one bit of the frame's cycle, one cycle later; a module, lest synthesis\n"
+                              "make one of all copies.");
+  emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
+  emit_signal(m, EMIT_INPUT, false, "at", "", "this is the cycle");
+  emit_signal(m, EMIT_OUTPUT_REG, false, "at_q", "", "the last cycle was it");
+  emit_text(m, "\nalways @(posedge clk) begin\n  at_q <= at;\nend");
+  emit_end(m);
+}
+
 void gen_exact_clear_units(emitter *e, const exact_plan *p) {
+  if (p->design->config.ii > 1) {
+    gen_turn(e);
+  }
   gen_bounds(e);
   gen_small(e, p);
   gen_limit(e, p, "sepax_limit", SEPAX_X_CROSS, "e x f");
@@ -610,6 +624,7 @@ void core_clear(core *c) {
   static const char *const volumes[] = {"V_W", "V_W"};
   static const char *const volume_limit[] = {"V_W", "LIMITS*L_W"};
   emit_text(c->m, "\n// c: components of e x f; l, lo, le: limits.");
+  c->turn = TURN_LIMITS;
   for (int projection = 0; projection < 3; projection++) {
     units_of(c, exact_projected(EXACT_CROSS_XY, projection), "sepax_cross", pq, areas, "c");
   }
@@ -617,10 +632,13 @@ void core_clear(core *c) {
   units_of(c, EXACT_OWN_LIMIT, "sepax_own_limit", xyz, areas, "limit");
   edge_limits(c);
   emit_text(c->m, "\n// What is beyond them; rs, rw: how volumes go along the edges.");
+  c->turn = TURN_EDGES;
   for (int projection = 0; projection < 3; projection++) {
     edge_tests(c, projection);
   }
+  c->turn = TURN_BOXES;
   boxes(c);
+  c->turn = TURN_FAR;
   units_of(c, EXACT_FAR_A, "sepax_far", v_limit, volume_limit, "far");
   units_of(c, EXACT_FAR_B, "sepax_far", v_limit, volume_limit, "far");
   units_of(c, EXACT_FAR_BETWEEN, "sepax_far", v_limit, volume_limit, "far");

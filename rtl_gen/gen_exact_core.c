@@ -517,7 +517,7 @@ void gen_exact_core(emitter *e, const exact_plan *p) {
            every, p->class[EXACT_STRIP].start[0],
            exact_units(p, EXACT_STRIP), p->class[EXACT_AREA].start[0], p->class[EXACT_PRISM].start[0],
            exact_units(p, EXACT_PRISM) + 1, first_volumes(p), p->verdict_cycle);
-  core c = {emit_begin(e, "sepax_core", banner), p, p->design->config.ii, false};
+  core c = {.m = emit_begin(e, "sepax_core", banner), .p = p, .ii = p->design->config.ii};
   ports(&c);
   widths(&c);
   core_declare_banks(&c);
@@ -527,21 +527,15 @@ void gen_exact_core(emitter *e, const exact_plan *p) {
   emit_text(c.m, "\nalways @(posedge clk) begin");
   schedule_clock(&p->schedule, c.m);
   emit_text(c.m, "end");
-  if (p->limits > 0 && c.ii > 1) {
-    char turns[16];
-    snprintf(turns, sizeof turns, "%d", c.ii);
-    emit_signal(c.m, EMIT_REG, false, "at_q", turns, "at, a cycle later; of use while a pair is in the machine");
-    emit_text(c.m, "\nalways @(posedge clk) begin\n  at_q <= at;\nend");
-  }
   for (int projection = 0; projection < (p->limits > 0 ? 3 : 1); projection++) {
-    c.late = projection > 0;
+    c.turn = projection > 0 ? TURN_STRIPS + projection - 1 : TURN_NONE;
     strips(&c, projection);
   }
   for (int projection = 0; projection < (p->limits > 0 ? 3 : 1); projection++) {
-    c.late = projection > 0;
+    c.turn = projection > 0 ? TURN_AREAS + projection - 1 : TURN_NONE;
     areas(&c, projection);
   }
-  c.late = false;
+  c.turn = TURN_NONE;
   weights(&c);
   if (!p->single) {
     area_signs(&c);
@@ -552,7 +546,6 @@ void gen_exact_core(emitter *e, const exact_plan *p) {
     plane(&c);
   }
   if (p->limits > 0) {
-    c.late = true;
     core_clear(&c);
     core_decide_band(&c);
   } else {

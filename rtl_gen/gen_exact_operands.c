@@ -114,6 +114,18 @@ void core_clock_banks(core *c) {
 
 /* ---------------------------------------------------------------------- operands */
 
+/* Bit `cycle` of the copy by which this kind of units chooses; of use while a pair is in the machine. */
+static gen_line turned(core *c, int cycle) {
+  const gen_line name = gen_format("at_q%d_%d", c->turn, cycle);
+  if ((c->turned[c->turn] >> cycle & 1) == 0) {
+    c->turned[c->turn] |= 1U << cycle;
+    emit_net(c->m, EMIT_WIRE, false, name.text, "");
+    emit_instance(c->m, "sepax_turn", gen_format("turn_%d_%d", c->turn, cycle).text, "", "clk=clk, at=at[%d], at_q=%s", cycle,
+                  name.text);
+  }
+  return name;
+}
+
 void core_choose(core *c, const char *name, const char *width, bool is_signed, int start,
                    int slots, source text[], source out) {
   int votes[SEPAX_II_MAX] = {0};
@@ -146,7 +158,11 @@ void core_choose(core *c, const char *name, const char *width, bool is_signed, i
     fputc('(', stream);
     for (int j = k; j < slots; j++) {
       if (strcmp(text[k], text[j]) == 0) {
-        fprintf(stream, c->late ? "%sat_q[%d]" : "%sat[%d]", separator, (start + j + (c->late ? c->ii - 1 : 0)) % c->ii);
+        if (c->turn > 0) {
+          fprintf(stream, "%s%s", separator, turned(c, (start + j + c->ii - 1) % c->ii).text);
+        } else {
+          fprintf(stream, "%sat[%d]", separator, (start + j) % c->ii);
+        }
         separator = " || ";
       }
     }
