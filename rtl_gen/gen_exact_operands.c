@@ -115,7 +115,7 @@ void core_clock_banks(core *c) {
 /* ---------------------------------------------------------------------- operands */
 
 /* Bit `cycle` of the copy by which this kind of units chooses; of use while a pair is in the machine. */
-static gen_line turned(core *c, int cycle) {
+static gen_line copy_of(core *c, int cycle) {
   const gen_line name = gen_format("at_q%d_%d", c->turn, cycle);
   if ((c->turned[c->turn] >> cycle & 1) == 0) {
     c->turned[c->turn] |= 1U << cycle;
@@ -159,7 +159,7 @@ void core_choose(core *c, const char *name, const char *width, bool is_signed, i
     for (int j = k; j < slots; j++) {
       if (strcmp(text[k], text[j]) == 0) {
         if (c->turn > 0) {
-          fprintf(stream, "%s%s", separator, turned(c, (start + j + c->ii - 1) % c->ii).text);
+          fprintf(stream, "%s%s", separator, copy_of(c, (start + j + c->ii - 1) % c->ii).text);
         } else {
           fprintf(stream, "%sat[%d]", separator, (start + j) % c->ii);
         }
