@@ -566,19 +566,34 @@ static void plan_limits(exact_plan *p, double room) {
 /* What steers the operands of shared units comes late, behind its fan-out, ns. */
 static const double steering = 0.28;
 
+/* Of shared units, behind the fan-out of what steers them: the later the more bits it reaches (fitted to
+ * W = 8 and 18 at II = 3). */
+static double chosen(const exact_plan *p) {
+  int word = p->design->core_word > 8 ? p->design->core_word : 8;
+  return 0.38 + 0.26 * log2(word / 8.0) + delay_mux(2);
+}
+
 /* The longest stage that has no place for a register. Areas and weights read what steering has
- * selected, the later the more bits it reaches (fitted to W = 8 and 18 at II = 3). */
+ * selected. */
 static double shortest_stage(const exact_plan *p, double sums, double sum) {
   const sepax_format *f = p->design->format;
   bool shared = p->design->config.ii > 1;
-  int word = p->design->core_word > 8 ? p->design->core_word : 8;
-  double operands = shared ? 0.38 + 0.26 * log2(word / 8.0) + delay_mux(2) : 0.15;
+  double operands = shared ? chosen(p) : 0.15;
   double area = delay_compressor() + delay_adder(f[SEPAX_X_AREA].width);
   double weight = 2 * delay_compressor() + delay_adder(f[SEPAX_X_WEIGHT].width);
   double row = delay_row(f[SEPAX_X_AREA].width) + delay_compressor();
   double taken = (p->running ? steering + delay_mux(2) : 0) + sum;
   return delay_register() +
          longer(longer(row, sums), longer(operands + longer(area, weight), taken));
+}
+
+/* Until the operands of a strip are there (fitted to W = 12 at II = 2 and 6), later where no banks turn. At
+ * II = 3 turning banks are all that they need. */
+static double strip_operands(const exact_plan *p) {
+  if (p->design->config.ii == 1 || p->running) {
+    return 0;
+  }
+  return chosen(p) + (p->turns ? 0 : 0.12);
 }
 
 /* Where registers stand inside the units, and the longest stage that is left. */
@@ -599,7 +614,7 @@ static void plan_ranks(exact_plan *p) {
   int area = f[SEPAX_X_AREA].width;
   int volume = f[SEPAX_X_VOLUME].width;
   double mux = delay_mux(p->design->config.ii == 1 ? 1 : 2);
-  double sums = delay_adder(span) + (p->turns ? 0 : mux);
+  double sums = delay_adder(span) + strip_operands(p);
   plan_strip(p, sums, period);
   const sepax_format *weight = &f[SEPAX_X_WEIGHT];
   const sepax_format *own_weight = &f[SEPAX_X_OWN_WEIGHT];
