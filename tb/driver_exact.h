@@ -102,9 +102,9 @@ private:
   // Without stress the first pairs go alone, until so many latencies were seen.
   static constexpr uint64_t ALONE_LATENCIES = 3, ALONE_PAIRS = 32;
   // A pair is alone after so many idle cycles. Behind a box test a pair may be taken before
-  // the core's frame is at its end.
+  // the frame of the core, empty by then, is at its end.
 #ifdef SEPAX_BOXES
-  static constexpr uint64_t SETTLE = 1 + SEPAX_II;
+  static constexpr uint64_t SETTLE = 1 + 2 * SEPAX_II;
 #else
   static constexpr uint64_t SETTLE = 1;
 #endif

@@ -16,7 +16,7 @@ module sepax_exact_tb;
 
   localparam QUEUE = 1024;
 `ifdef SEPAX_BOXES
-  localparam SETTLE = II; // a pair may be taken before the core's frame is at its end
+  localparam SETTLE = 2 * II; // a pair may be taken before the frame of the core, empty by then, is at its end
 `else
   localparam SETTLE = 0;
 `endif
