@@ -10,9 +10,11 @@ static int frames_to(const exact_plan *p, int cycle) {
   return cycle / p->design->config.ii;
 }
 
-/* Places in the queue: a power of two that never makes a full stream wait. */
+/* Places in the queue: a power of two that never makes a full stream wait. Cores side by side take pairs
+ * in bunches, of which the verdicts wait for each other. */
 static int places_log2(const exact_plan *p) {
-  int needed = (p->latency - 1) / p->design->config.ii + 1;
+  int bunch = p->design->config.cores > 1 ? 2 : 0;
+  int needed = (p->latency - 1) / p->design->config.ii + 1 + bunch;
   int log2 = 1;
   while (1 << log2 < needed) {
     log2++;
