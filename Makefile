@@ -169,8 +169,8 @@ help:
 #:                 LIBERTY_LOW_LEAKAGE a variant derived from LIBERTY_FAST, which the report says
 #: make power      power and energy per pair of the mapped gates by workload and module: exact at
 #:                 II = 3 and 1 beside paper, or the design; build/power.json
-#: make report     every machine in one table beside the paper's, each figure made anew, in half an
-#:                 hour: build/report.html, build/report/report.json (QUICK=1: two of W = 4)
+#: make report     every machine in one table beside the paper's, each figure made anew, in twenty
+#:                 minutes: build/report.html, build/report/report.json (QUICK=1: two of W = 4)
 #: make netlist    the mapped gates through the Icarus bench (COUNT=170 takes minutes)
 #: make gates      the mapped gates through the Verilator bench
 #: make bench      speed of the software verdicts, 100,000,000 pairs of every path against the
