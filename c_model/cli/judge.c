@@ -13,7 +13,7 @@ typedef struct {
 
 static const struct argp_option options[] = {
     {"echo", 'e', NULL, 0, "print the 24 integers of the pair before its verdict, and behind it, for exact, "
-     "whether the pair is coplanar (0, 1) and the axis (0 ... 12), with a clearance the band", 0}, {0}};
+     "whether the pair is coplanar (0, 1) and the axis (0 ... 12, behind a box test to 14), with a clearance the band", 0}, {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
   judge_options *o = state->input;
