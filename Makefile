@@ -57,11 +57,11 @@ BUILD  ?= build
 PREFIX ?= /usr/local
 CFLAGS ?= -O2 -g
 SEPAX_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Werror -Wconversion \
-               -Wshadow -ffp-contract=off -Ic_model -Irtl_gen $(CFLAGS)
+               -Wshadow -ffp-contract=off -Ic_model -Irtl_gen -Itb -Isynth $(CFLAGS)
 
-LIB_SRC = $(wildcard c_model/*.c)
-CLI_SRC = $(wildcard c_model/cli/*.c) $(wildcard rtl_gen/*.c)
-UNIT    = $(patsubst tb/%.c,$(BUILD)/%,$(wildcard tb/test_*.c))
+LIB_SRC = $(filter-out c_model/cli/%,$(wildcard c_model/*/*.c))
+CLI_SRC = $(wildcard c_model/cli/*.c) $(wildcard rtl_gen/*/*.c)
+UNIT    = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c))
 SEPAX   = $(BUILD)/sepax
 LIB     = $(BUILD)/libsepax.a
 object  = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
@@ -241,15 +241,16 @@ $(SEPAX): $(call object,$(CLI_SRC)) $(LIB)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -ljansson -lm -pthread -o $@
 
-GEN_OBJ = $(filter-out %/cmd_gen.o %/cmd_multiplier.o,$(call object,$(wildcard rtl_gen/*.c)))
+GEN_OBJ = $(call object,$(wildcard rtl_gen/*/*.c))
 
-$(BUILD)/test_%: $(call object,tb/test_%.c tb/oracle.c tb/mesh_tools.c tb/pair_tools.c \
-                 tb/distance.c tb/real_pairs.c tb/clear_rules.c) \
+$(BUILD)/unit/%: $(call object,tb/unit/%.c $(addprefix tb/oracle/,oracle.c mesh_tools.c pair_tools.c \
+                 distance.c real_pairs.c clear_rules.c)) \
                  $(GEN_OBJ) $(LIB)
+	@mkdir -p $(@D)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -lcmocka -lgmp -ljansson -lm -pthread -o $@
 
--include $(wildcard $(BUILD)/obj/*/*.d $(BUILD)/obj/*/*/*.d)
+-include $(wildcard $(BUILD)/obj/*/*/*.d)
 
 # -------------------------------------------------------------------- installation
 
@@ -289,26 +290,28 @@ $(BUILD)/mesh/workpiece.stl: $(SEPAX)
 
 # ----------------------------------------------------------------- the benchmark
 
-$(BUILD)/bench $(BUILD)/bench_batch: $(BUILD)/%: $(BUILD)/obj/tb/%.o $(LIB)
+$(BUILD)/bench: $(BUILD)/obj/tb/benchmark/verdicts.o $(LIB)
+$(BUILD)/bench_batch: $(BUILD)/obj/tb/benchmark/batch.o $(LIB)
+$(BUILD)/bench $(BUILD)/bench_batch:
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -lm -pthread -o $@
 
 bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch $(COSIM)
-	@scripts/bench $(BUILD)/software $(if $(call given,COUNT),$(COUNT))
+	@scripts/experiments/bench $(BUILD)/software $(if $(call given,COUNT),$(COUNT))
 	@echo "== verilated machine with its golden model, all families:"
 	@$(COSIM) $(SEEDED)
 
-NEAR_SRC = $(addprefix tb/,clearance.c oracle.c distance.c real_pairs.c clear_rules.c)
+NEAR_SRC = $(addprefix tb/,benchmark/clearance.c $(addprefix oracle/,oracle.c distance.c real_pairs.c clear_rules.c))
 $(BUILD)/clearance-test: $(call object,$(NEAR_SRC)) $(LIB)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -lgmp -lm -pthread -o $@
 
 clearance: $(BUILD)/clearance-test
-	@scripts/clearance $< $(if $(call given,COUNT),$(COUNT),10000000) $(BUILD)/clearance
+	@scripts/experiments/clearance $< $(if $(call given,COUNT),$(COUNT),10000000) $(BUILD)/clearance
 
 accuracy: $(SEPAX) $(BUILD)/bench
 	@[ -n "$(QUICK)" ] || [ -r $(BUILD)/area.json ] || $(MAKE) --no-print-directory area > $(BUILD)/area.txt
-	@scripts/accuracy $(if $(QUICK),-q) $(BUILD)/accuracy
+	@scripts/experiments/accuracy $(if $(QUICK),-q) $(BUILD)/accuracy
 
 # ---------------------------------------------------------------------- the RTL
 
@@ -348,8 +351,8 @@ VERILATE = $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree
            --x-assign fast --x-initial unique --top-module sepax_top -f sepax.f $(VIEW_MACRO) \
            -MAKEFLAGS "OPT_FAST=-O3 OPT_GLOBAL=-O2" \
            -CFLAGS "-I$(abspath c_model) -I../rtl" \
-           $(abspath tb/cosim.cpp $(BUILD)/obj/c_model/cli/options.o $(LIB))
-COSIM_DEPS = $(RTL) $(addprefix tb/,cosim.cpp pair_source.h machine.h driver_paper.h \
+           $(abspath tb/cosim/cosim.cpp $(BUILD)/obj/c_model/cli/options.o $(LIB))
+COSIM_DEPS = $(RTL) $(addprefix tb/cosim/,cosim.cpp pair_source.h machine.h driver_paper.h \
              driver_exact.h) $(LIB) $(BUILD)/obj/c_model/cli/options.o
 COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
@@ -369,10 +372,10 @@ ENGINE      = $(CORE)/engine
 ENGINE_OBJ  = $(CORE)/obj-c
 ENGINE_C    = $(ENGINE_OBJ)/engine.o $(ENGINE_OBJ)/sepax_driver.o
 
-$(ENGINE_OBJ)/%.o: tb/%.c $(RTL) $(wildcard tb/*.h examples/engine/*.h)
+$(ENGINE_OBJ)/%.o: tb/cosim/%.c $(RTL) $(wildcard tb/cosim/*.h examples/engine/*.h)
 	@mkdir -p $(@D)
 	@$(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/engine -I$(CORE)/rtl -c $< -o $@
-$(ENGINE_OBJ)/%.o: examples/engine/%.c $(RTL) $(wildcard tb/*.h examples/engine/*.h)
+$(ENGINE_OBJ)/%.o: examples/engine/%.c $(RTL) $(wildcard tb/cosim/*.h examples/engine/*.h)
 	@mkdir -p $(@D)
 	@$(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/engine -I$(CORE)/rtl -c $< -o $@
 
@@ -380,9 +383,9 @@ ENGINE_OPT     ?= -O3
 VERILATE_ENGINE = $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree \
                   --x-assign fast --x-initial unique --top-module sepax_engine -f sepax.f $(VIEW_MACRO) \
                   -MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" -CFLAGS "-I$(abspath tb)" \
-                  $(abspath tb/engine_bus.cpp)
+                  $(abspath tb/cosim/engine_bus.cpp)
 
-$(ENGINE): $(ENGINE_C) tb/engine_bus.cpp tb/engine_bus.h $(LIB) $(RTL)
+$(ENGINE): $(ENGINE_C) tb/cosim/engine_bus.cpp tb/cosim/engine_bus.h $(LIB) $(RTL)
 	@echo "  VERILATE $(CORE_NAME), the engine"
 	@rm -f $@ && cd $(CORE)/rtl && { $(VERILATE_ENGINE) $(abspath $(ENGINE_C) $(LIB)) --Mdir ../obj-engine -o ../engine \
 	  > ../engine.log 2>&1 || { tail -20 ../engine.log >&2; exit 1; }; }
@@ -404,7 +407,7 @@ example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
 endif
 
 engine-sweep: $(SEPAX)
-	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" scripts/engine-sweep $(BUILD)/engine-sweep
+	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" scripts/experiments/engine-sweep $(BUILD)/engine-sweep
 
 SEEDED      = --count=$(COUNT) --seed=$(SEED)
 FROM_PAIRS  = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners within beyond,$(PAIRS)),--$(PAIRS) \
@@ -417,10 +420,10 @@ cosim: $(COSIM) $(if $(PAIRS),,$(SAMPLES))
 # 3^18 pairs, or the first GRID of them.
 GRID ?= 387420489
 exhaustive: $(COSIM)
-	@scripts/exhaustive $(COSIM) $(GRID)
+	@scripts/experiments/exhaustive $(COSIM) $(GRID)
 
 hard: $(SEPAX)
-	@scripts/hard $(if $(call given,COUNT),$(COUNT))
+	@scripts/experiments/hard $(if $(call given,COUNT),$(COUNT))
 
 wave: $(if $(PAIR),$(WAVE))
 	@[ -n "$(PAIR)" ] || { echo "wave: give PAIR='18 or 24 integers'" >&2; exit 2; }
@@ -429,9 +432,9 @@ wave: $(if $(PAIR),$(WAVE))
 
 ICARUS = $(CORE)/icarus$(OF_VIEW).vvp
 
-$(ICARUS): $(RTL) tb/$(BENCH).v
+$(ICARUS): $(RTL) tb/cosim/$(BENCH).v
 	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_REST $(VIEW_MACRO) -I . -s $(BENCH) \
-	  -o ../$(notdir $@) -c sepax.f $(abspath tb/$(BENCH).v)
+	  -o ../$(notdir $@) -c sepax.f $(abspath tb/cosim/$(BENCH).v)
 
 # All pairs with coordinates 0, 1.
 BITS = awk 'BEGIN { for (n = 0; n < 262144; n++) { line = ""; rest = n; for (k = 0; k < 18; k++) { \
@@ -468,11 +471,11 @@ $(AREA)/liberty.sum: FORCE
 	@mkdir -p $(AREA)
 	@cksum "$(LIBERTY)" > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
-MAP_SRC = $(addprefix synth/,area area.jq assigns fanout multipliers names.jq slow)
+MAP_SRC = $(addprefix synth/area/,area area.jq assigns fanout multipliers names.jq slow)
 
 $(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(MAP_SRC)
 	@echo "  YOSYS   $(CORE_NAME), $(LIBRARY)"
-	@synth/area -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) \
+	@synth/area/area -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) \
 	  $(if $(filter generated,$(MULTIPLIERS)),-m $(SEPAX)) -o $(AREA) $(CORE)/rtl
 
 area-of-this:
@@ -494,14 +497,14 @@ mapped: $(AREA)/area.json
 area: $(SEPAX)
 	@rm -f $(AREA_LIST)
 	@$(MAKE) --no-print-directory -j2 $(AREAS)
-	@synth/report -o $(BUILD)/area.json $$(sort $(AREA_LIST))
+	@synth/report/report -o $(BUILD)/area.json $$(sort $(AREA_LIST))
 
 area-sweep: $(SEPAX)
-	@PERIOD=$(PERIOD) scripts/area-sweep $(if $(call given,WORD),-w "$(WORD)") $(if \
+	@PERIOD=$(PERIOD) scripts/experiments/area-sweep $(if $(call given,WORD),-w "$(WORD)") $(if \
 	  $(call given,II),-i "$(II)") $(BUILD)/area-sweep
 
 scene: $(SEPAX)
-	@PERIOD=$(PERIOD) scripts/scene $(BUILD)/scene
+	@PERIOD=$(PERIOD) scripts/experiments/scene $(BUILD)/scene
 
 # OpenSTA wants a netlist that is sized for a clock: the generator's, in Nangate45; other
 # libraries are slower, osu018 about four times.
@@ -515,7 +518,7 @@ TIMINGS = $(if $(call given,ARCH)$(ONLY_EXACT),timing-of-this,timing-of-ii3 timi
 
 timing-of-this: $(AREA)/area.json
 	@echo "  STA     $(CORE_NAME), $(LIBRARY)"
-	@synth/timing -l $(LIBERTY) $(if $(CORNERS),-c "$(CORNERS)") -o $(AREA)/timing $(AREA)
+	@synth/timing/timing -l $(LIBERTY) $(if $(CORNERS),-c "$(CORNERS)") -o $(AREA)/timing $(AREA)
 	@echo $(AREA)/timing/timing.json >> $(BUILD)/timing.list
 timing-of-ii%:
 	@$(MAKE) --no-print-directory ARCH=exact II=$* timing-of-this
@@ -523,14 +526,14 @@ timing-of-ii%:
 timing: $(SEPAX)
 	@rm -f $(BUILD)/timing.list
 	@$(MAKE) --no-print-directory $(TIMED) $(TIMINGS)
-	@synth/timing-report -o $(BUILD)/timing.json $$(cat $(BUILD)/timing.list)
+	@synth/timing/timing-report -o $(BUILD)/timing.json $$(cat $(BUILD)/timing.list)
 
 calibrate: $(SEPAX)
-	@scripts/calibrate $(if $(call given,WORD),-w "$(WORD)") $(if $(call given,II),-i "$(II)") $(if \
+	@scripts/experiments/calibrate $(if $(call given,WORD),-w "$(WORD)") $(if $(call given,II),-i "$(II)") $(if \
 	  $(CLOCKS),-c "$(CLOCKS)") $(BUILD)/calibrate
 
 multivt-of-this: $(AREA)/area.json
-	@synth/multivt -f $(LIBERTY) $(if $(LIBERTY_LOW_LEAKAGE),-s $(LIBERTY_LOW_LEAKAGE)) \
+	@synth/multivt/multivt -f $(LIBERTY) $(if $(LIBERTY_LOW_LEAKAGE),-s $(LIBERTY_LOW_LEAKAGE)) \
 	  -o $(AREA)/multivt $(AREA)
 	@cp $(AREA)/multivt/multivt.json $(BUILD)/multivt.json
 
@@ -540,7 +543,7 @@ multivt-timed:
 	@$(MAKE) --no-print-directory $(TIMED) multivt-of-this
 
 # Power: the gates simulated with the pairs of four workloads, the sums by build/power.
-POWER_C = $(call object,$(addprefix tb/,power.c power_engine.c gates.c liberty.c text.c) c_model/cli/options.c)
+POWER_C = $(call object,$(addprefix synth/,power/power.c power/power_engine.c power/gates.c liberty/liberty.c liberty/text.c) c_model/cli/options.c)
 $(BUILD)/power: $(POWER_C) $(LIB)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -lm -o $@
@@ -568,7 +571,7 @@ POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),power-of-this,power-of-paper p
 # The paper's machine is made of the same multipliers as exact.
 power-of-this: $(AREA)/area.json $(BUILD)/power $(if $(filter-out 0,$(LANES)),,$(LOADS)) $(SAMPLES)
 	@echo "  POWER   $(CORE_NAME), $(LIBRARY)"
-	@POWER=$(BUILD)/power synth/power -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) -o $(AREA)/power $(AREA) \
+	@POWER=$(BUILD)/power synth/power/power -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) -o $(AREA)/power $(AREA) \
 	  $(WORKLOADS)
 	@echo $(AREA)/power/power.json >> $(BUILD)/power.list
 power-of-ii%:
@@ -581,18 +584,18 @@ power-of-paper:
 power: $(SEPAX)
 	@rm -f $(BUILD)/power.list
 	@$(MAKE) --no-print-directory $(POWERS)
-	@synth/power-report -o $(BUILD)/power.json $$(cat $(BUILD)/power.list)
+	@synth/power/power-report -o $(BUILD)/power.json $$(cat $(BUILD)/power.list)
 
 # Every machine beside the paper's; Nangate45 where it is at hand.
 report: $(SEPAX)
 	@LIBERTY=$(if $(call given,LIBERTY),$(LIBERTY),$(firstword $(wildcard ../shared/pdk/nangate45_typ.lib.gz) $(LIBERTY))) \
-	  scripts/report $(if $(QUICK),-q) $(BUILD)/report
+	  scripts/experiments/report $(if $(QUICK),-q) $(BUILD)/report
 
-$(AREA)/netlist.vvp: $(AREA)/area.json tb/$(BENCH).v
+$(AREA)/netlist.vvp: $(AREA)/area.json tb/cosim/$(BENCH).v
 	@echo "  ICARUS  $(CORE_NAME), mapped to $(LIBRARY)"
-	@synth/cells -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
+	@synth/liberty/cells -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
 	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(BENCH) -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
-	  tb/$(BENCH).v
+	  tb/cosim/$(BENCH).v
 
 # A gate-level pair takes a second at W = 18: ten of each family are many.
 netlist: COUNT = 170
@@ -604,13 +607,13 @@ GATES = $(AREA)/cosim
 
 $(GATES): $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(CORE_NAME), mapped to $(LIBRARY)"
-	@synth/cells -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
+	@synth/liberty/cells -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
 	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --hierarchical --no-timing \
 	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module sepax_top \
 	  -MAKEFLAGS "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O1" \
 	  -CFLAGS "-I$(abspath c_model) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \
 	  netlist.vlt cells.v netlist.v \
-	  $(abspath tb/cosim.cpp $(BUILD)/obj/c_model/cli/options.o $(LIB)) > cosim.log 2>&1 || \
+	  $(abspath tb/cosim/cosim.cpp $(BUILD)/obj/c_model/cli/options.o $(LIB)) > cosim.log 2>&1 || \
 	  { tail -20 cosim.log >&2; exit 1; }; }
 
 gates: $(GATES)
@@ -618,8 +621,8 @@ gates: $(GATES)
 
 # ------------------------------------------------------------------ code quality
 
-C_SRC  = $(LIB_SRC) $(CLI_SRC) $(wildcard tb/*.c examples/engine/*.c)
-C_PATH = -Ic_model -Irtl_gen -Itb -Iexamples/engine -I$(BUILD)/static
+C_SRC  = $(LIB_SRC) $(CLI_SRC) $(wildcard tb/*/*.c synth/*/*.c examples/engine/*.c)
+C_PATH = -Ic_model -Irtl_gen -Itb -Isynth -Iexamples/engine -I$(BUILD)/static
 
 # Programs of the engine read headers that come with its Verilog.
 static: $(SEPAX)
@@ -636,7 +639,7 @@ sanitize:
 
 sanitized: $(SEPAX) $(UNIT)
 	@for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
-	@SEPAX=$(SEPAX) tb/cli_test
+	@SEPAX=$(SEPAX) tb/system/cli
 
 # What the scripts ask: the options of the design and the name of its folder.
 options:

@@ -72,14 +72,14 @@ sepax_vec sepax_unit_normal(const sepax_tri *tri, int word);
 /* ----------------------------------------------------------- configuration */
 
 typedef enum {
-  SEPAX_ARCH_PAPER,     /* the paper's datapath, bit for bit */
-  SEPAX_ARCH_EXACT,     /* the mathematical verdict, and the axis */
-  SEPAX_ARCH_REFERENCE, /* software: the same verdict by another method, sepax_reference */
-  SEPAX_ARCH_FLOAT32,   /* software baseline in IEEE single precision */
-  SEPAX_ARCH_FLOAT64,   /* software baseline in IEEE double precision */
+  SEPAX_ARCH_PAPER,      /* the paper's datapath, bit for bit */
+  SEPAX_ARCH_EXACT,      /* the mathematical verdict, and the axis */
+  SEPAX_ARCH_REFERENCE,  /* software: the same verdict by another method, sepax_reference */
+  SEPAX_ARCH_FLOAT32,    /* software baseline in IEEE single precision */
+  SEPAX_ARCH_FLOAT64,    /* software baseline in IEEE double precision */
   SEPAX_ARCH_INTERVAL32, /* the interval test of Moeller, the usual one, single precision */
   SEPAX_ARCH_INTERVAL64, /* the same in double precision */
-  SEPAX_ARCH_CONFERENCE /* the machine that the paper improves on, docs/conference.md */
+  SEPAX_ARCH_CONFERENCE  /* the machine that the paper improves on, docs/conference.md */
 } sepax_arch;
 
 typedef enum {
@@ -95,25 +95,25 @@ typedef enum {
 /* What model, generator and benches must agree on, and all they share. */
 typedef struct {
   sepax_arch arch;
-  int word;                      /* W, 4 ... 32 */
-  int ii;                        /* initiation interval, cycles; exact: 1 ... 18, paper and conference: 3 */
-  bool full;                     /* every bit of every intermediate is kept */
-  int guard;                     /* else W + guard bits of each are; 0 ... 2W + 3 */
-  bool block_float;              /* axes shifted left in common before truncation */
+  int word;         /* W, 4 ... 32 */
+  int ii;           /* initiation interval, cycles; exact: 1 ... 18, paper and conference: 3 */
+  bool full;        /* every bit of every intermediate is kept */
+  int guard;        /* else W + guard bits of each are; 0 ... 2W + 3 */
+  bool block_float; /* axes shifted left in common before truncation */
   sepax_coplanarity coplanarity;
   sepax_inequality inequality;
-  int epsilon;                   /* LSB, 0 ... 2^(W-1) - 1; 0 asks for equality */
-  bool flag;                     /* exact: coplanar pairs are called collisions, undecided */
-  int clock_ps;                  /* exact: the period to pipeline for, 500 ... 20000 ps */
-  int extent_a, extent_b;        /* exact: longest side of the box of a triangle of A, of B, in
-                                    LSB, that the core decides; 0, 0: any */
-  bool early_out;                /* exact: a box test goes before the core, which gets zeros for pairs that
-                                    it decides; with extents it does anyway */
-  int clearance, warning;        /* exact: LSB; -1 and 0: none. The verdict is free only if the real triangles are
-                                    farther apart than `clearance` (docs/clearance.md) */
-  int lanes;                     /* exact: box lanes of an object engine, 1 ... 64; 0: the core alone */
-  int cores;                     /* of the engine, 1 ... 8 */
-  int memory_a, memory_b;        /* triangles of A, of B that it holds: 2^7 ... 2^15 */
+  int epsilon;            /* LSB, 0 ... 2^(W-1) - 1; 0 asks for equality */
+  bool flag;              /* exact: coplanar pairs are called collisions, undecided */
+  int clock_ps;           /* exact: the period to pipeline for, 500 ... 20000 ps */
+  int extent_a, extent_b; /* exact: longest side of the box of a triangle of A, of B, in
+                             LSB, that the core decides; 0, 0: any */
+  bool early_out;         /* exact: a box test goes before the core, which gets zeros for pairs that
+                             it decides; with extents it does anyway */
+  int clearance, warning; /* exact: LSB; -1 and 0: none. The verdict is free only if the real
+                             triangles are farther apart than `clearance` (docs/clearance.md) */
+  int lanes;              /* exact: box lanes of an object engine, 1 ... 64; 0: the core alone */
+  int cores;              /* of the engine, 1 ... 8 */
+  int memory_a, memory_b; /* triangles of A, of B that it holds: 2^7 ... 2^15 */
 } sepax_config;
 
 /* The defaults: exact, W = 18, II = 3, coplanar pairs decided, 2 ns; and for paper and
@@ -194,28 +194,27 @@ typedef struct {
 } sepax_design;
 
 /* Check the configuration and derive formats, limit and latency. */
-bool sepax_design_init(sepax_design *design, const sepax_config *config,
-                       sepax_error *error);
+bool sepax_design_init(sepax_design *design, const sepax_config *config, sepax_error *error);
 
 /* ---------------------------------------------------------------- verdicts */
 
 /* Axis numbers are the paper's: 1 ... 9 of table 1, 1 + 3i + j being e_i x f_j with e_i
  * the edge from A_i to A_i+1 and f_j that from B_j to B_j+1 (i, j = 0, 1, 2 modulo 3);
  * 10 = N_A, 11 = N_B; 0 when none separates or the method has none. Of coplanar pairs
- * paper and conference number the axes 1 ... 6 of table 2, exact calls every axis in the plane 12. With
- * a box test in front 13 are disjoint boxes, and with extents 14 boxes that meet, one of them larger
- * than its extent: a collision, undecided. With a clearance 13 is x, y or z, 12 normal to an edge
- * and to x, y or z. */
+ * paper and conference number the axes 1 ... 6 of table 2, exact calls every axis in the plane 12.
+ * With a box test in front 13 are disjoint boxes, and with extents 14 boxes that meet, one of them
+ * larger than its extent: a collision, undecided. With a clearance 13 is x, y or z, 12 normal to an
+ * edge and to x, y or z. */
 typedef enum { SEPAX_BAND_FREE, SEPAX_BAND_WARNING, SEPAX_BAND_COLLISION } sepax_band;
 enum { SEPAX_AXIS_BOXES = 13, SEPAX_AXIS_RANGE = 14 };
 
 typedef struct {
   bool collision;
-  bool coplanar;    /* by the architecture's own test; false if it has none */
-  int axis;         /* at which the search stops; it goes 10, 11, 1, 2, ... 9 */
-  int mul_project;  /* multiplications in projections, as the paper counts them */
-  int mul_axes;     /* multiplications in cross products, which it leaves out */
-  sepax_band band;  /* with a clearance; collision is then band == SEPAX_BAND_COLLISION */
+  bool coplanar;   /* by the architecture's own test; false if it has none */
+  int axis;        /* at which the search stops; it goes 10, 11, 1, 2, ... 9 */
+  int mul_project; /* multiplications in projections, as the paper counts them */
+  int mul_axes;    /* multiplications in cross products, which it leaves out */
+  sepax_band band; /* with a clearance; collision is then band == SEPAX_BAND_COLLISION */
 } sepax_verdict;
 
 /* The verdict of the architecture of `design`, bit for bit what its RTL gives.
@@ -236,8 +235,8 @@ sepax_verdict sepax_exact(const sepax_tri *a, const sepax_tri *b);
 /* The verdict with the clearances of `design` (arch exact, limits > 0): clearance 0 ... D LSB is
  * band COLLISION, up to the warning limit WARNING, beyond FREE. Conservative: when the real
  * triangles, every coordinate within 1/2 LSB of those given, are no farther apart than a limit
- * (Euclid), the band is never beyond it. axis: 13, 10, 11, 1 ... 9, 12 in this order, the first that
- * proves the band; 0 in band COLLISION. coplanar as of sepax_exact. docs/clearance.md has the
+ * (Euclid), the band is never beyond it. axis: 13, 10, 11, 1 ... 9, 12 in this order, the first
+ * that proves the band; 0 in band COLLISION. coplanar as of sepax_exact. docs/clearance.md has the
  * proof and false alarms. Coordinates of W bits; about 1 us. */
 sepax_verdict sepax_clearance(const sepax_design *design, const sepax_tri *a, const sepax_tri *b);
 
@@ -327,9 +326,8 @@ typedef struct {
 /* All colliding pairs of triangles of A and B, exact, by i, then j. Trees of boxes over
  * leaves of 64 triangles prune; sepax_exact_one_to_many judges in the leaves. `how` may be
  * NULL. Fails without memory, or when progress ended it; free with sepax_pairs_free. */
-bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b,
-                           size_t count_b, const sepax_search *how, sepax_pairs *found,
-                           sepax_error *error);
+bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
+                           const sepax_search *how, sepax_pairs *found, sepax_error *error);
 /* The same search for the pairs that sepax_clearance does not call free: `design` has clearances
  * (limits > 0), boxes are kept apart by its margin. `first` ends at such a pair. */
 bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
@@ -343,12 +341,12 @@ void sepax_pairs_free(sepax_pairs *pairs);
 typedef struct {
   uint64_t pairs, survivors; /* tested; of these, with boxes that meet */
   uint64_t passes;           /* of survivors through the cores; two for pairs flat along z */
-  sepax_pairs found;         /* collisions, and pairs in the band of warnings, in the order of the engine */
-  uint64_t collisions;       /* among them */
-  size_t first;              /* of found: the first collision; found.count without one */
-  uint64_t out_of_range;     /* of these, undecided: beyond the extents, or moved out of W bits */
-  uint64_t cycles;           /* predicted, to about 1 % and 20 + 4 II cycles; less
-                                well where several cores meet pairs of two passes */
+  sepax_pairs found; /* collisions, and pairs in the band of warnings, in the order of the engine */
+  uint64_t collisions;   /* among them */
+  size_t first;          /* of found: the first collision; found.count without one */
+  uint64_t out_of_range; /* of these, undecided: beyond the extents, or moved out of W bits */
+  uint64_t cycles;       /* predicted, to about 1 % and 20 + 4 II cycles; less
+                            well where several cores meet pairs of two passes */
 } sepax_engine_run;
 
 /* The golden model of sepax_engine, a design with lanes: triangles of A against those of B,
@@ -356,8 +354,9 @@ typedef struct {
  * that was moved out of W bits collides with all whose boxes it meets, and is counted as out of
  * range. Fails on objects that are empty or do not fit the memories, or without memory; free
  * run->found with sepax_pairs_free. */
-bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a, const sepax_tri *b,
-                  size_t count_b, const int32_t move[3], sepax_engine_run *run, sepax_error *error);
+bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a,
+                  const sepax_tri *b, size_t count_b, const int32_t move[3], sepax_engine_run *run,
+                  sepax_error *error);
 
 /* ------------------------------------------------------------------ meshes */
 
@@ -384,8 +383,7 @@ bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error);
  * is an error, and so is a facet that loses its area by rounding), or ASCII with 17
  * digits. Written aside, then renamed to path. Fails also on an empty mesh, NaN or
  * infinity, and where path is there but no file. */
-bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii,
-                     sepax_error *error);
+bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii, sepax_error *error);
 
 /* A sample object: a closed mesh of exactly `triangles` facets in mm, refined by
  * longest-edge bisection. `at` is its centre (cutters: the tip; pocket: the middle
@@ -393,8 +391,8 @@ bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii,
  * shape). Fails on an unknown shape, on fewer triangles than the shape needs, on
  * more than 10^9, on an odd number (a closed mesh has an even number), and on a
  * place farther than 2^30 sizes from the origin. */
-bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles,
-                  const double at[3], double size, sepax_error *error);
+bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles, const double at[3],
+                  double size, sepax_error *error);
 
 /* Names, descriptions and least numbers of triangles; NULL and 0 beyond the last. */
 const char *sepax_sample_name(size_t i);
@@ -411,8 +409,8 @@ typedef struct {
 /* The finest grid of W bits on which all the meshes fit: the offset is the centre
  * of their common box, the longest side spans just under 2^W - 1 steps. Fails on a
  * mesh without facets, on no extent and on coordinates above 2^1000. */
-bool sepax_grid_fit(sepax_grid *grid, const sepax_mesh *const meshes[], size_t count,
-                    int word, sepax_error *error);
+bool sepax_grid_fit(sepax_grid *grid, const sepax_mesh *const meshes[], size_t count, int word,
+                    sepax_error *error);
 
 /* Quantise a mesh: tri[mesh->count] receives the triangles, each coordinate
  * rounded to nearest, half away from zero, exactly for the doubles given (0.009 on
@@ -438,8 +436,8 @@ bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax
                       bool file_normals, sepax_error *error);
 void sepax_scene_free(sepax_scene *scene);
 
-/* The least whole number of LSB that is not below a length >= 0 in file units; exact. False where it
- * is above 2^31 - 1. */
+/* The least whole number of LSB that is not below a length >= 0 in file units; exact. False where
+ * it is above 2^31 - 1. */
 bool sepax_grid_lsb(const sepax_grid *grid, double length, int *lsb);
 
 /* Two closed meshes of which no triangles collide: within[0] iff a connected part of A is
@@ -500,13 +498,13 @@ typedef struct {
  * of B, in LSB, however the moved body is rounded to the grid; if nothing moves and no
  * workspace was given it is the longest side itself. */
 typedef struct {
-  sepax_grid grid;         /* the least word length that holds all poses and the workspace */
-  double low[3], high[3];  /* of all poses, file units */
+  sepax_grid grid;        /* the least word length that holds all poses and the workspace */
+  double low[3], high[3]; /* of all poses, file units */
   size_t count[2];
   int64_t extent[2];
-  int core_word;           /* bits of a coordinate behind the box test, at most grid.word */
-  uint64_t given;          /* pairs of triangles whose boxes meet as the files stand: counted */
-  uint64_t worst;          /* the most that were counted in this and `poses` sampled poses */
+  int core_word;  /* bits of a coordinate behind the box test, at most grid.word */
+  uint64_t given; /* pairs of triangles whose boxes meet as the files stand: counted */
+  uint64_t worst; /* the most that were counted in this and `poses` sampled poses */
   int poses;
 } sepax_size;
 
@@ -522,11 +520,12 @@ double sepax_gates(const sepax_design *design, double *error);
 
 /* A machine for all pairs of a scene. */
 typedef struct {
-  sepax_config config; /* with lanes: an object engine; without: the core alone, fed with every pair */
+  sepax_config
+      config; /* with lanes: an object engine; without: the core alone, fed with every pair */
   double gates, gates_error; /* sepax_gates */
-  bool fitted;     /* the formula was fitted to machines like this one */
-  uint64_t cycles; /* for all pairs, at most; of an engine with loading left out, of a core alone with
-                      second passes left out */
+  bool fitted;               /* the formula was fitted to machines like this one */
+  uint64_t cycles; /* for all pairs, at most; of an engine with loading left out, of a core alone
+                      with second passes left out */
   double seconds;
 } sepax_machine;
 
@@ -570,14 +569,13 @@ sepax_pair sepax_extent_pair(size_t family, int word, const int extent[2], bool 
 typedef enum { SEPAX_LINE_PAIR, SEPAX_LINE_EMPTY, SEPAX_LINE_ERROR } sepax_line;
 
 /* Parse one line. Errors: not 18 or 24 integers, or one that does not fit W. */
-sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word,
-                            sepax_error *error);
+sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word, sepax_error *error);
 
-/* The next pair of a stream; empty lines are skipped, a line is at most 4095 long. `number` counts lines for
- * messages (start at 0), `name` names the stream. SEPAX_LINE_EMPTY is the end; after
- * an error the stream stands behind the bad line. */
-sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number,
-                           int word, sepax_error *error);
+/* The next pair of a stream; empty lines are skipped, a line is at most 4095 long. `number` counts
+ * lines for messages (start at 0), `name` names the stream. SEPAX_LINE_EMPTY is the end; after an
+ * error the stream stands behind the bad line. */
+sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number, int word,
+                           sepax_error *error);
 
 /* Print the 24 integers separated by blanks, without a newline. */
 void sepax_pair_print(FILE *out, const sepax_pair *pair);

@@ -1,6 +1,6 @@
 /* accuracy.c - sepax accuracy: wrong verdicts of a design, family by family. */
 #include "cli.h"
-#include "error.h"
+#include "util/error.h"
 
 #include <math.h>
 #include <string.h>
@@ -19,11 +19,13 @@ static const struct argp_option options[] = {
     {"count", 'n', "PAIRS", 0, "pairs of each family (100000)", 0},
     {"flips", KEY_FLIPS, "PAIRS", 0,
      "so many pairs of each family also in every vertex order, exchanged, moved, with axes "
-     "permuted and reflected, and scaled by 2 (none)", 0},
+     "permuted and reflected, and scaled by 2 (none)",
+     0},
     {"seed", 's', "SEED", 0, "seed of the random numbers (1)", 0},
     {"truth", KEY_TRUTH, "OF", 0,
      "quantised: the verdict on the W-bit integers (default); real: on the triangles before they were "
-     "rounded to W bits (4 ... 27), given 31 - W bits finer, at half the range", 0},
+     "rounded to W bits (4 ... 27), given 31 - W bits finer, at half the range",
+     0},
     {"csv", KEY_CSV, NULL, 0, "comma-separated, for programs", 0},
     {0}};
 
@@ -71,7 +73,7 @@ static const char *const turn_name[TURNS] = {"order", "exchange", "move", "axes"
 typedef struct {
   uint64_t pairs, collisions, missed, alarms;
   uint64_t alarms_no_area; /* where a triangle is a segment or a point */
-  double deepest, widest; /* missed penetration, gap called a collision; LSB */
+  double deepest, widest;  /* missed penetration, gap called a collision; LSB */
   uint64_t turned, flipped[TURNS], flipped_any;
 } tally;
 
@@ -196,8 +198,7 @@ static bool flips(const sepax_design *design, const sepax_pair *pair, int kind, 
 }
 
 /* Pairs of W - 2 bits, which leave room for what is done to them. */
-static void count_flips(tally *t, const sepax_design *design, size_t family,
-                        sepax_random *random) {
+static void count_flips(tally *t, const sepax_design *design, size_t family, sepax_random *random) {
   int word = design->config.word;
   sepax_pair pair = sepax_family_pair(family, word - 2, random);
   set_normals(&pair, word);
@@ -314,12 +315,17 @@ static bool check(const accuracy_options *o, sepax_error *error) {
 int cli_accuracy(int argc, char **argv) {
   static const struct argp_child children[] = {{&cli_config_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
-      options, parse, NULL,
+      options,
+      parse,
+      NULL,
       "Count the wrong verdicts of a design on seeded hard pairs: collisions that it misses and "
       "how deep the deepest is, false alarms and how wide the widest gap is, in LSB; and "
       "verdicts that change when a pair is only turned.",
-      children, NULL, NULL};
-  accuracy_options o = {.config = sepax_config_default(), .family = "all", .count = 100000, .seed = 1};
+      children,
+      NULL,
+      NULL};
+  accuracy_options o = {
+      .config = sepax_config_default(), .family = "all", .count = 100000, .seed = 1};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};
   sepax_design design;

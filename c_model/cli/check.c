@@ -1,7 +1,7 @@
 /* check.c - sepax check: which triangles of two STL files collide. */
 #include "cli.h"
-#include "error.h"
-#include "write_file.h"
+#include "util/error.h"
+#include "util/write_file.h"
 
 #include <jansson.h>
 #include <stdlib.h>
@@ -26,8 +26,7 @@ typedef struct {
   bool within[2]; /* A in B, B in A */
 } collisions;
 
-enum { KEY_SOLID = 0x380, KEY_THREADS, KEY_FIRST, KEY_PAIRS, KEY_PLY,
-       KEY_CLEARANCE, KEY_WARNING };
+enum { KEY_SOLID = 0x380, KEY_THREADS, KEY_FIRST, KEY_PAIRS, KEY_PLY, KEY_CLEARANCE, KEY_WARNING };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
@@ -35,8 +34,10 @@ static const struct argp_option options[] = {
      "the meshes are closed: one wholly inside the other is a collision, too", 0},
     {"first", KEY_FIRST, NULL, 0, "stop at the first pair that collides", 0},
     {"clearance", KEY_CLEARANCE, "LENGTH", 0,
-     "in file units: what is not surely farther apart than this, before it was rounded to LSB, collides", 0},
-    {"warning", KEY_WARNING, "LENGTH", 0, "in file units: warn of what is not surely farther apart than this", 0},
+     "in file units: what is not surely farther apart than this, before it was rounded to LSB, collides",
+     0},
+    {"warning", KEY_WARNING, "LENGTH", 0,
+     "in file units: warn of what is not surely farther apart than this", 0},
     {"pairs", KEY_PAIRS, "FILE", 0, "write the colliding pairs as CSV, not to standard output", 0},
     {"ply", KEY_PLY, "FILE", 0, "write both meshes as PLY, colliding triangles in colour", 0},
     {"threads", KEY_THREADS, "N", 0,
@@ -159,17 +160,19 @@ static bool part_bands(const sepax_design *design, const sepax_scene *scene, col
   return true;
 }
 
-static bool search(const check_options *o, const sepax_design *design, const sepax_scene *scene, collisions *found,
-                   sepax_error *error) {
+static bool search(const check_options *o, const sepax_design *design, const sepax_scene *scene,
+                   collisions *found, sepax_error *error) {
   cli_progress progress = cli_progress_begin("leaves", 1);
   bool bands = design->limits > 0;
-  sepax_search how = {.threads = o->threads, .first = o->first && !bands, .progress = show, .context = &progress};
-  bool ok = bands ? sepax_near_pairs(design, scene->tri[0], scene->count[0], scene->tri[1], scene->count[1], &how,
-                                     &found->pairs, error)
+  sepax_search how = {
+      .threads = o->threads, .first = o->first && !bands, .progress = show, .context = &progress};
+  bool ok = bands ? sepax_near_pairs(design, scene->tri[0], scene->count[0], scene->tri[1],
+                                     scene->count[1], &how, &found->pairs, error)
                   : sepax_colliding_pairs(scene->tri[0], scene->count[0], scene->tri[1],
                                           scene->count[1], &how, &found->pairs, error);
   found->seconds = cli_progress_end(&progress);
-  return ok && (!bands || part_bands(design, scene, found) || sepax_fail(error, "no memory for the pairs found"));
+  return ok && (!bands || part_bands(design, scene, found) ||
+                sepax_fail(error, "no memory for the pairs found"));
 }
 
 /* Exact verdicts down a tree of boxes; those of other designs pair by pair. */
@@ -188,10 +191,12 @@ static bool hit(const collisions *found) {
 }
 
 /* Lengths in file units as LSB of the grid, rounded up, into the design. */
-static bool set_clearances(const check_options *o, const sepax_grid *grid, sepax_design *design, sepax_error *error) {
+static bool set_clearances(const check_options *o, const sepax_grid *grid, sepax_design *design,
+                           sepax_error *error) {
   sepax_config config = o->config;
   if (o->clearance >= 0 && !sepax_grid_lsb(grid, o->clearance, &config.clearance)) {
-    return sepax_fail(error, "clearance: %g is above 2^31 LSB of %g", o->clearance, grid->resolution);
+    return sepax_fail(error, "clearance: %g is above 2^31 LSB of %g", o->clearance,
+                      grid->resolution);
   }
   if (o->warning >= 0 && !sepax_grid_lsb(grid, o->warning, &config.warning)) {
     return sepax_fail(error, "warning: %g is above 2^31 LSB of %g", o->warning, grid->resolution);
@@ -199,7 +204,8 @@ static bool set_clearances(const check_options *o, const sepax_grid *grid, sepax
   return sepax_design_init(design, &config, error);
 }
 
-static void print_bands(const sepax_design *design, const sepax_scene *scene, const collisions *found) {
+static void print_bands(const sepax_design *design, const sepax_scene *scene,
+                        const collisions *found) {
   double lsb = scene->grid.resolution;
   size_t near = found->pairs.count + found->warned.count;
   printf("bands  %zu free, ", scene->count[0] * scene->count[1] - near);
@@ -230,7 +236,9 @@ static void print_text(const check_options *o, const sepax_design *design, const
     print_bands(design, scene, found);
   }
   printf("%s  %s%zu of %zu pairs collide (%s), %.3f s\n",
-         hit(found) ? "COLLISION" : found->warned.count > 0 ? "WARNING" : "FREE",
+         hit(found)                ? "COLLISION"
+         : found->warned.count > 0 ? "WARNING"
+                                   : "FREE",
          o->first && found->pairs.count > 0 ? "at least " : "", found->pairs.count,
          scene->count[0] * scene->count[1], sepax_arch_name(o->config.arch), found->seconds);
 }
@@ -248,12 +256,15 @@ static void print_json(const check_options *o, const sepax_design *design, const
       "{s:s, s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:I, s:I, s:b, s:b, s:f, s:o}",
       "arch", sepax_arch_name(o->config.arch), "a", "file", o->path[0], "triangles",
       (json_int_t)scene->count[0], "b", "file", o->path[1], "triangles",
-      (json_int_t)scene->count[1], "grid", "word", g->word, "resolution", g->resolution,
-      "origin", g->offset[0], g->offset[1], g->offset[2], "pairs", pairs, "collisions", (json_int_t)found->pairs.count,
-      "a_inside_b", found->within[0], "b_inside_a", found->within[1], "seconds", found->seconds, "colliding", colliding);
+      (json_int_t)scene->count[1], "grid", "word", g->word, "resolution", g->resolution, "origin",
+      g->offset[0], g->offset[1], g->offset[2], "pairs", pairs, "collisions",
+      (json_int_t)found->pairs.count, "a_inside_b", found->within[0], "b_inside_a",
+      found->within[1], "seconds", found->seconds, "colliding", colliding);
   if (design->limits > 0) {
     json_object_set_new(report, "clearance", json_integer(design->config.clearance));
-    json_object_set_new(report, "free", json_integer(pairs - (json_int_t)(found->pairs.count + found->warned.count)));
+    json_object_set_new(
+        report, "free",
+        json_integer(pairs - (json_int_t)(found->pairs.count + found->warned.count)));
     json_object_set_new(report, "warnings", json_integer((json_int_t)found->warned.count));
   }
   if (design->limits > 1) {
@@ -273,7 +284,8 @@ static void print_json(const check_options *o, const sepax_design *design, const
 static bool same_file(const char *p, const char *q) {
   struct stat a;
   struct stat b;
-  return strcmp(p, q) == 0 || (stat(p, &a) == 0 && stat(q, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino);
+  return strcmp(p, q) == 0 ||
+         (stat(p, &a) == 0 && stat(q, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino);
 }
 
 /* What is written must not be what is read, nor one file be written twice. */
@@ -315,20 +327,24 @@ static bool clearances_make_sense(const check_options *o, sepax_error *error) {
     return true;
   }
   if (o->clearance < 0) {
-    return sepax_fail(error, "warning: there is no clearance to warn before; give --clearance, too");
+    return sepax_fail(error,
+                      "warning: there is no clearance to warn before; give --clearance, too");
   }
   if (o->warning >= 0 && o->warning <= o->clearance) {
-    return sepax_fail(error, "warning: %g is not above the clearance of %g", o->warning, o->clearance);
+    return sepax_fail(error, "warning: %g is not above the clearance of %g", o->warning,
+                      o->clearance);
   }
   if (o->config.arch != SEPAX_ARCH_EXACT) {
-    return sepax_fail(error, "clearance: architecture %s has none; leave it out, or give --arch=exact",
+    return sepax_fail(error,
+                      "clearance: architecture %s has none; leave it out, or give --arch=exact",
                       sepax_arch_name(o->config.arch));
   }
   if (o->config.extent_a != 0 || o->config.extent_b != 0) {
     return sepax_fail(error, "clearance: not with extents here; leave one of them out");
   }
   if (o->first) {
-    return sepax_fail(error, "first: all bands are counted with a clearance; leave one of them out");
+    return sepax_fail(error,
+                      "first: all bands are counted with a clearance; leave one of them out");
   }
   return true;
 }
@@ -342,8 +358,8 @@ static bool write_csv(FILE *out, const void *context) {
   return ok;
 }
 
-static bool write_files(const check_options *o, const sepax_scene *scene,
-                        const sepax_pairs *pairs, sepax_error *error) {
+static bool write_files(const check_options *o, const sepax_scene *scene, const sepax_pairs *pairs,
+                        sepax_error *error) {
   return (o->pairs_path == NULL || sepax_write_file(o->pairs_path, write_csv, pairs, error)) &&
          (o->ply_path == NULL || sepax_ply_write(scene, pairs, o->ply_path, error));
 }
@@ -352,23 +368,30 @@ int cli_check(int argc, char **argv) {
   static const struct argp_child children[] = {
       {&cli_config_argp, 0, NULL, 0}, {&cli_grid_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
-      options, parse, "A.stl B.stl",
+      options,
+      parse,
+      "A.stl B.stl",
       "Judge every pair of triangles of two STL files. Indices count facets from 0.\vExit status: 0 free (or, with --warning, "
       "a warning), 1 collision, 2 error.",
-      children, NULL, NULL};
+      children,
+      NULL,
+      NULL};
   check_options o = {.config = sepax_config_default(), .clearance = -1, .warning = -1};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   o.grid.grid.word = o.config.word;
   sepax_error error = {""};
   sepax_design design;
   sepax_scene scene;
-  if ((o.json && !cli_names_printable(o.path, &error)) || !outputs_apart(&o, &error) || !normals_read(&o, &error) || !sepax_design_init(&design, &o.config, &error) || !clearances_make_sense(&o, &error) ||
+  if ((o.json && !cli_names_printable(o.path, &error)) || !outputs_apart(&o, &error) ||
+      !normals_read(&o, &error) || !sepax_design_init(&design, &o.config, &error) ||
+      !clearances_make_sense(&o, &error) ||
       !sepax_scene_load(&scene, o.path, &o.grid.grid, o.grid.file_normals, &error)) {
     return cli_fail(argv[0], &error);
   }
   collisions found = {0};
   int status = EXIT_ERROR;
-  if (!set_clearances(&o, &scene.grid, &design, &error) || !find(&o, &design, &scene, &found, &error) ||
+  if (!set_clearances(&o, &scene.grid, &design, &error) ||
+      !find(&o, &design, &scene, &found, &error) ||
       (o.solid && found.pairs.count == 0 && !sepax_solid(&scene, found.within, &error)) ||
       !write_files(&o, &scene, &found.pairs, &error)) {
     cli_fail(argv[0], &error);

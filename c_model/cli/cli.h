@@ -53,7 +53,7 @@ double cli_length(const struct argp_state *state, const char *option, const char
 /* JSON is UTF-8: are these names? */
 bool cli_names_printable(const char *const path[2], sepax_error *error);
 
-/* The Verilog of the design into a folder, and its latency (rtl_gen/cmd_gen.c). */
+/* The Verilog of the design into a folder, and its latency (c_model/cli/gen.c). */
 bool cli_generate(sepax_design *design, const char *folder, sepax_error *error);
 
 /* The families that `name` asks for, one or "all": first ... last. Fails if there is none. */

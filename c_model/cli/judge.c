@@ -1,6 +1,6 @@
 /* judge.c - sepax judge: verdicts for pairs given as text. */
 #include "cli.h"
-#include "error.h"
+#include "util/error.h"
 
 #include <errno.h>
 #include <string.h>
@@ -12,8 +12,11 @@ typedef struct {
 } judge_options;
 
 static const struct argp_option options[] = {
-    {"echo", 'e', NULL, 0, "print the 24 integers of the pair before its verdict, and behind it, for exact, "
-     "whether the pair is coplanar (0, 1) and the axis (0 ... 12, behind a box test to 14), with a clearance the band", 0}, {0}};
+    {"echo", 'e', NULL, 0,
+     "print the 24 integers of the pair before its verdict, and behind it, for exact, "
+     "whether the pair is coplanar (0, 1) and the axis (0 ... 12, behind a box test to 14), with a clearance the band",
+     0},
+    {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
   judge_options *o = state->input;
@@ -66,11 +69,15 @@ static bool judge_stream(const sepax_design *design, FILE *in, const char *name,
 int cli_judge(int argc, char **argv) {
   static const struct argp_child children[] = {{&cli_config_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
-      options, parse, "[FILE]",
+      options,
+      parse,
+      "[FILE]",
       "Print 1 (collision) or 0 (separated) for each pair of FILE or standard input: a line "
       "of 18 integers A1x A1y A1z ... B3z, or 24 with both normals (computed when absent); "
       "'#' starts a comment. --arch=reference gives the verdicts of exact by another method.",
-      children, NULL, NULL};
+      children,
+      NULL,
+      NULL};
   judge_options o = {.config = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};

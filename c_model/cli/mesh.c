@@ -61,15 +61,16 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 int cli_mesh(int argc, char **argv) {
   static const struct argp argp = {
-      options, parse, "SHAPE",
-      "Write a sample object, a closed mesh of a chosen number of triangles, as STL.", NULL,
-      NULL, NULL};
+      options, parse,
+      "SHAPE", "Write a sample object, a closed mesh of a chosen number of triangles, as STL.",
+      NULL,    NULL,
+      NULL};
   mesh_options o = {.triangles = 400};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   if (o.list) {
     for (size_t i = 0; sepax_sample_name(i) != NULL; i++) {
-      printf("%-10s %s (at least %zu triangles)\n", sepax_sample_name(i),
-             sepax_sample_about(i), sepax_sample_least(i));
+      printf("%-10s %s (at least %zu triangles)\n", sepax_sample_name(i), sepax_sample_about(i),
+             sepax_sample_least(i));
     }
     return 0;
   }

@@ -1,6 +1,6 @@
 /* options.c - options, messages and progress that the subcommands share. */
 #include "cli.h"
-#include "error.h"
+#include "util/error.h"
 
 #include <errno.h>
 #include <math.h>
@@ -14,34 +14,61 @@ int cli_fail(const char *name, const sepax_error *error) {
 
 /* ------------------------------------------------------------- configuration */
 
-enum { KEY_ARCH = 0x100, KEY_II, KEY_PRECISION, KEY_BLOCK_FLOAT, KEY_COPLANARITY,
-       KEY_INEQUALITY, KEY_EPSILON, KEY_COPLANAR, KEY_EXTENT_A, KEY_EXTENT_B, KEY_EARLY_OUT, KEY_CLEARANCE, KEY_WARNING,
-       KEY_LANES, KEY_CORES, KEY_MEMORY_A, KEY_MEMORY_B, KEY_CLOCK, KEY_OFFSET, KEY_NORMALS };
+enum {
+  KEY_ARCH = 0x100,
+  KEY_II,
+  KEY_PRECISION,
+  KEY_BLOCK_FLOAT,
+  KEY_COPLANARITY,
+  KEY_INEQUALITY,
+  KEY_EPSILON,
+  KEY_COPLANAR,
+  KEY_EXTENT_A,
+  KEY_EXTENT_B,
+  KEY_EARLY_OUT,
+  KEY_CLEARANCE,
+  KEY_WARNING,
+  KEY_LANES,
+  KEY_CORES,
+  KEY_MEMORY_A,
+  KEY_MEMORY_B,
+  KEY_CLOCK,
+  KEY_OFFSET,
+  KEY_NORMALS
+};
 
 static const struct argp_option config_options[] = {
     {NULL, 0, NULL, 0, "Design:", 1},
-    {"arch", KEY_ARCH, "NAME", 0, "exact (default), paper or conference; without hardware: reference, "
-     "float32, float64, interval32, interval64", 0},
+    {"arch", KEY_ARCH, "NAME", 0,
+     "exact (default), paper or conference; without hardware: reference, "
+     "float32, float64, interval32, interval64",
+     0},
     {"word", 'w', "BITS", 0, "word length W of a coordinate, 4 ... 32 (18)", 0},
-    {"ii", KEY_II, "CYCLES", 0, "initiation interval, paper and conference: 3; exact: 1 ... 18 (3)", 0},
+    {"ii", KEY_II, "CYCLES", 0, "initiation interval, paper and conference: 3; exact: 1 ... 18 (3)",
+     0},
     {NULL, 0, NULL, 0, "Design, architecture exact only:", 2},
     {"coplanar", KEY_COPLANAR, "HOW", 0,
      "exact: decide coplanar pairs (default); flag: call them collisions and say so", 0},
     {"extent-a", KEY_EXTENT_A, "LSB", 0,
      "the longest side of the box of a triangle of A that is decided: a box test goes before, and "
      "what is behind it is as short as the extents allow; a larger triangle is called a collision "
-     "and flagged (any; needs --extent-b)", 0},
+     "and flagged (any; needs --extent-b)",
+     0},
     {"extent-b", KEY_EXTENT_B, "LSB", 0, "the same of B", 0},
     {"early-out", KEY_EARLY_OUT, "HOW", 0,
-     "boxes: a box test goes before the core, which rests for the pairs that it decides; none (default)", 0},
+     "boxes: a box test goes before the core, which rests for the pairs that it decides; none (default)",
+     0},
     {"clearance", KEY_CLEARANCE, "LSB", 0,
      "call a pair free only if the real triangles are farther apart than this, whatever the rounding to "
-     "LSB did to them (none)", 0},
-    {"warning", KEY_WARNING, "LSB", 0, "a second, larger clearance: a band between free and collision (none)", 0},
+     "LSB did to them (none)",
+     0},
+    {"warning", KEY_WARNING, "LSB", 0,
+     "a second, larger clearance: a band between free and collision (none)", 0},
     {"lanes", KEY_LANES, "K", 0,
      "an object engine with K box lanes, 1 ... 64, around the core (none: the core alone)", 0},
     {"cores", KEY_CORES, "N", 0, "cores of the engine, 1 ... 8 (1)", 0},
-    {"memory-a", KEY_MEMORY_A, "TRIANGLES", 0, "triangles of A that it holds, a power of two (512)", 0},
+    {"memory-a", KEY_MEMORY_A, "TRIANGLES", 0, "triangles of A that it holds, a power of two (512)",
+     0},
     {"memory-b", KEY_MEMORY_B, "TRIANGLES", 0, "the same of B", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for, 0.5 ... 20 (2)", 0},
     {NULL, 0, NULL, 0, "Design, architectures paper and conference only:", 3},
@@ -51,8 +78,8 @@ static const struct argp_option config_options[] = {
      "shift each axis left in common before truncation (off)", 0},
     {"coplanarity", KEY_COPLANARITY, "TEST", 0,
      "plane: B_k.N_A = A_k.N_A (default); paper: A_k.N_A = B_k.N_B, as printed", 0},
-    {"inequality", KEY_INEQUALITY, "FORM", 0,
-     "correct (default), or printed: (5) as in the paper", 0},
+    {"inequality", KEY_INEQUALITY, "FORM", 0, "correct (default), or printed: (5) as in the paper",
+     0},
     {"epsilon", KEY_EPSILON, "LSB", 0, "tolerance of coplanarity (1; 0: equality)", 0},
     {0}};
 
@@ -75,8 +102,7 @@ static error_t parse_config(int key, char *text, struct argp_state *state) {
   return 0;
 }
 
-const struct argp cli_config_argp = {config_options, parse_config, NULL, NULL, NULL, NULL,
-                                     NULL};
+const struct argp cli_config_argp = {config_options, parse_config, NULL, NULL, NULL, NULL, NULL};
 
 /* ---------------------------------------------------------------------- grid */
 
@@ -84,8 +110,10 @@ static const struct argp_option grid_options[] = {
     {NULL, 0, NULL, 0, "Quantisation:", 4},
     {"resolution", 'r', "LENGTH", 0,
      "file units per LSB, or with nm, um, mm or m behind it where these are mm (without it both meshes are "
-     "fitted into the word)", 0},
-    {"offset", KEY_OFFSET, "X,Y,Z", 0, "file coordinates of the integer origin (0,0,0); needs --resolution", 0},
+     "fitted into the word)",
+     0},
+    {"offset", KEY_OFFSET, "X,Y,Z", 0,
+     "file coordinates of the integer origin (0,0,0); needs --resolution", 0},
     {"normals", KEY_NORMALS, "SOURCE", 0,
      "computed: from the quantised vertices (default); file: as the STL says", 0},
     {0}};
@@ -188,8 +216,8 @@ double cli_length(const struct argp_state *state, const char *option, const char
   double value = 0;
   const char *end = cli_scan_length(text, &value);
   if (end == NULL || *end != '\0') {
-    argp_error(state, "%s: '%s' is not a length; give 0.002, or 2um where file units are mm", option,
-               text);
+    argp_error(state, "%s: '%s' is not a length; give 0.002, or 2um where file units are mm",
+               option, text);
   }
   return value;
 }
@@ -257,6 +285,6 @@ bool cli_families(const char *name, size_t *first, size_t *last, sepax_error *er
       found = true;
     }
   }
-  return found || sepax_fail(error, "family: '%.60s' is unknown; 'sepax vectors --list' lists them",
-                             name);
+  return found ||
+         sepax_fail(error, "family: '%.60s' is unknown; 'sepax vectors --list' lists them", name);
 }

@@ -1,6 +1,6 @@
 /* size.c - sepax size: what a scene needs, and the machine for it. */
 #include "cli.h"
-#include "error.h"
+#include "util/error.h"
 
 #include <jansson.h>
 #include <stdlib.h>
@@ -15,21 +15,36 @@ typedef struct {
   bool json, generate;
 } size_options;
 
-enum { KEY_OFFSET = 0x480, KEY_WORKSPACE, KEY_MOTION, KEY_MOTION_A, KEY_CENTRE, KEY_CENTRE_A,
-       KEY_POSES, KEY_TIME, KEY_CLOCK, KEY_LANES, KEY_GEN };
+enum {
+  KEY_OFFSET = 0x480,
+  KEY_WORKSPACE,
+  KEY_MOTION,
+  KEY_MOTION_A,
+  KEY_CENTRE,
+  KEY_CENTRE_A,
+  KEY_POSES,
+  KEY_TIME,
+  KEY_CLOCK,
+  KEY_LANES,
+  KEY_GEN
+};
 
 static const struct argp_option options[] = {
-    {NULL, 0, NULL, 0, "Scene (a LENGTH is in file units, or with nm, um, mm or m behind it where "
-     "these are mm):", 1},
+    {NULL, 0, NULL, 0,
+     "Scene (a LENGTH is in file units, or with nm, um, mm or m behind it where "
+     "these are mm):",
+     1},
     {"resolution", 'r', "LENGTH", 0, "length per LSB", 0},
     {"offset", KEY_OFFSET, "X,Y,Z", 0,
      "file coordinates of the integer origin (the middle of the workspace)", 0},
     {"workspace", KEY_WORKSPACE, "SIZE", 0,
      "what must hold all poses: LENGTH, LENGTHxLENGTHxLENGTH, or a box LENGTH..LENGTHx... in the "
-     "file's coordinates (what the poses need)", 0},
+     "file's coordinates (what the poses need)",
+     0},
     {"motion", KEY_MOTION, "WHERE", 0,
      "where B may be beside its place in the file: x:LENGTH..LENGTH, y:..., z:... and rotate:x, "
-     "rotate:y, rotate:z or rotate, with commas between (nowhere else)", 0},
+     "rotate:y, rotate:z or rotate, with commas between (nowhere else)",
+     0},
     {"centre", KEY_CENTRE, "X,Y,Z", 0, "what B rotates about, file coordinates (0,0,0)", 0},
     {"motion-a", KEY_MOTION_A, "WHERE", 0, "the same of A", 0},
     {"centre-a", KEY_CENTRE_A, "X,Y,Z", 0, "the same of A", 0},
@@ -39,7 +54,8 @@ static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "Machine:", 2},
     {"time", KEY_TIME, "TIME", 0, "for all pairs, with ns, us, ms or s behind it (0.96ms)", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period, 0.5 ... 20 (2)", 0},
-    {"lanes", KEY_LANES, "COUNT", 0, "so many box lanes, 0 ... 64; 0: a core alone (what it takes)", 0},
+    {"lanes", KEY_LANES, "COUNT", 0, "so many box lanes, 0 ... 64; 0: a core alone (what it takes)",
+     0},
     {NULL, 0, NULL, 0, "Output:", 3},
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
     {"gen", KEY_GEN, NULL, 0, "generate the machine, too, as sepax gen does; needs -o", 0},
@@ -83,8 +99,8 @@ static bool scan_workspace(sepax_space *space, const char *text) {
   return *at == '\0';
 }
 
-/* One item of a motion; the end of it, or NULL. Each may be given once: bit 0 ... 2 of `given` x, y, z,
- * bit 3 rotate. */
+/* One item of a motion; the end of it, or NULL. Each may be given once: bit 0 ... 2 of `given` x,
+ * y, z, bit 3 rotate. */
 static const char *scan_item(sepax_motion *m, const char *text, unsigned *given) {
   static const char rotate[] = "rotate";
   if (strncmp(text, rotate, sizeof rotate - 1) == 0) {
@@ -122,9 +138,11 @@ static bool scan_motion(sepax_motion *m, const char *text) {
   return at != NULL && *at == '\0';
 }
 
-static void parse_motion(const struct argp_state *state, sepax_motion *m, const char *option, const char *text) {
+static void parse_motion(const struct argp_state *state, sepax_motion *m, const char *option,
+                         const char *text) {
   if (!scan_motion(m, text)) {
-    argp_error(state, "%s: '%s' is not x:LOW..HIGH,y:...,z:...,rotate:x|y|z or rotate, each once", option, text);
+    argp_error(state, "%s: '%s' is not x:LOW..HIGH,y:...,z:...,rotate:x|y|z or rotate, each once",
+               option, text);
   }
 }
 
@@ -153,7 +171,8 @@ static error_t parse_scene(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_WORKSPACE:
     if (!scan_workspace(space, text)) {
-      argp_error(state, "workspace: '%s' is not LENGTHxLENGTHxLENGTH, nor LOW..HIGH three times", text);
+      argp_error(state, "workspace: '%s' is not LENGTHxLENGTHxLENGTH, nor LOW..HIGH three times",
+                 text);
     }
     return 0;
   case KEY_MOTION:
@@ -238,7 +257,8 @@ static uint64_t pairs_of(const sepax_size *s) { return (uint64_t)s->count[0] * s
 
 static uint64_t memory_bits(const sepax_machine *m) {
   const sepax_config *c = &m->config; /* triangles and their boxes */
-  return c->lanes == 0 ? 0 : 15 * (uint64_t)c->word * ((uint64_t)c->memory_a + (uint64_t)c->memory_b);
+  return c->lanes == 0 ? 0
+                       : 15 * (uint64_t)c->word * ((uint64_t)c->memory_a + (uint64_t)c->memory_b);
 }
 
 static void print_boxes(const size_options *o, const sepax_size *s) {
@@ -246,8 +266,8 @@ static void print_boxes(const size_options *o, const sepax_size *s) {
   printf("boxes      %llu of %.0f pairs meet as the files stand: %.3g %%\n",
          (unsigned long long)s->given, pairs, 100 * (double)s->given / pairs);
   if (s->poses > 0) {
-    printf("           the most in %d sampled poses (seed %llu) and that: %llu, %.3g %%\n", s->poses,
-           (unsigned long long)o->space.seed, (unsigned long long)s->worst,
+    printf("           the most in %d sampled poses (seed %llu) and that: %llu, %.3g %%\n",
+           s->poses, (unsigned long long)o->space.seed, (unsigned long long)s->worst,
            100 * (double)s->worst / pairs);
   }
 }
@@ -274,7 +294,8 @@ static void print_text(const size_options *o, const sepax_size *s, const sepax_m
          m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to machines like this one");
   printf("time       %.4g ms for all pairs (%llu cycles of %g ns)\n", 1e3 * m->seconds,
          (unsigned long long)m->cycles, m->config.clock_ps / 1000.0);
-  printf("sepax gen %s -o %s\n", sepax_config_text(&m->config, text, TEXT), o->generate ? o->folder : "DIR");
+  printf("sepax gen %s -o %s\n", sepax_config_text(&m->config, text, TEXT),
+         o->generate ? o->folder : "DIR");
 }
 
 static void print_json(const size_options *o, const sepax_size *s, const sepax_machine *m) {
@@ -283,19 +304,22 @@ static void print_json(const size_options *o, const sepax_size *s, const sepax_m
   const sepax_grid *g = &s->grid;
   snprintf(command, sizeof command, "sepax gen %s", sepax_config_text(&m->config, text, TEXT));
   json_t *report = json_pack(
-      "{s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}", "a",
-      "file", o->path[0], "triangles", (json_int_t)s->count[0], "b", "file", o->path[1], "triangles",
-      (json_int_t)s->count[1], "grid", "word", g->word, "resolution", g->resolution, "origin", g->offset[0],
-      g->offset[1], g->offset[2], "poses", s->low[0], s->high[0], s->low[1], s->high[1], s->low[2], s->high[2],
-      "extents", (json_int_t)s->extent[0], (json_int_t)s->extent[1], "core_word", s->core_word);
-  json_t *boxes = json_pack("{s:I, s:I, s:I, s:i, s:I}", "pairs", (json_int_t)pairs_of(s), "meet_as_given",
-                            (json_int_t)s->given, "meet_worst", (json_int_t)s->worst, "sampled_poses",
-                            s->poses, "seed", (json_int_t)o->space.seed);
-  json_t *machine = json_pack(
-      "{s:s, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:s}", "arch", sepax_arch_name(m->config.arch), "ii",
-      m->config.ii, "extents", m->config.extent_a > 0, "lanes", m->config.lanes, "memory_bits",
-      (json_int_t)memory_bits(m), "ge", m->gates, "ge_error", m->gates_error, "ge_fitted",
-      m->fitted, "cycles", (json_int_t)m->cycles, "seconds", m->seconds, "command", command);
+      "{s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}",
+      "a", "file", o->path[0], "triangles", (json_int_t)s->count[0], "b", "file", o->path[1],
+      "triangles", (json_int_t)s->count[1], "grid", "word", g->word, "resolution", g->resolution,
+      "origin", g->offset[0], g->offset[1], g->offset[2], "poses", s->low[0], s->high[0], s->low[1],
+      s->high[1], s->low[2], s->high[2], "extents", (json_int_t)s->extent[0],
+      (json_int_t)s->extent[1], "core_word", s->core_word);
+  json_t *boxes =
+      json_pack("{s:I, s:I, s:I, s:i, s:I}", "pairs", (json_int_t)pairs_of(s), "meet_as_given",
+                (json_int_t)s->given, "meet_worst", (json_int_t)s->worst, "sampled_poses", s->poses,
+                "seed", (json_int_t)o->space.seed);
+  json_t *machine = json_pack("{s:s, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:s}", "arch",
+                              sepax_arch_name(m->config.arch), "ii", m->config.ii, "extents",
+                              m->config.extent_a > 0, "lanes", m->config.lanes, "memory_bits",
+                              (json_int_t)memory_bits(m), "ge", m->gates, "ge_error",
+                              m->gates_error, "ge_fitted", m->fitted, "cycles",
+                              (json_int_t)m->cycles, "seconds", m->seconds, "command", command);
   json_object_set_new(report, "boxes", boxes);
   json_object_set_new(report, "machine", machine);
   json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
@@ -307,7 +331,8 @@ static void print_json(const size_options *o, const sepax_size *s, const sepax_m
 
 static bool read_and_size(const size_options *o, sepax_size *size, sepax_error *error) {
   sepax_mesh mesh[2] = {{NULL, 0}, {NULL, 0}};
-  bool ok = sepax_stl_read(&mesh[0], o->path[0], error) && sepax_stl_read(&mesh[1], o->path[1], error) &&
+  bool ok = sepax_stl_read(&mesh[0], o->path[0], error) &&
+            sepax_stl_read(&mesh[1], o->path[1], error) &&
             sepax_size_scene(size, &mesh[0], &mesh[1], &o->space, error);
   sepax_mesh_free(&mesh[0]);
   sepax_mesh_free(&mesh[1]);
@@ -325,19 +350,26 @@ static bool generate(const size_options *o, const sepax_machine *m, sepax_error 
 
 int cli_size(int argc, char **argv) {
   static const struct argp argp = {
-      options, parse, "A.stl B.stl",
+      options,
+      parse,
+      "A.stl B.stl",
       "What an exact machine for two meshes needs in every pose, and the one of the fewest gates "
       "that judges all pairs in time.",
-      NULL, NULL, NULL};
-  size_options o = {.space = {.poses = 64, .seed = 1}, .lanes_most = SEPAX_LANES_MAX,
-                    .seconds = 0.96e-3, .clock = sepax_config_default()};
+      NULL,
+      NULL,
+      NULL};
+  size_options o = {.space = {.poses = 64, .seed = 1},
+                    .lanes_most = SEPAX_LANES_MAX,
+                    .seconds = 0.96e-3,
+                    .clock = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};
   sepax_size size;
   sepax_machine machine;
   if ((o.json && !cli_names_printable(o.path, &error)) || !sepax_config_check(&o.clock, &error) ||
       !read_and_size(&o, &size, &error) ||
-      !sepax_size_machine(&machine, &size, o.seconds, o.clock.clock_ps, o.lanes_least, o.lanes_most, &error) ||
+      !sepax_size_machine(&machine, &size, o.seconds, o.clock.clock_ps, o.lanes_least, o.lanes_most,
+                          &error) ||
       (o.generate && !generate(&o, &machine, &error))) {
     return cli_fail(argv[0], &error);
   }

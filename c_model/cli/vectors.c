@@ -44,7 +44,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_EXTENT_A:
   case KEY_EXTENT_B:
-    if (!sepax_config_set(&o->config, key == KEY_EXTENT_A ? "extent-a" : "extent-b", text, &error)) {
+    if (!sepax_config_set(&o->config, key == KEY_EXTENT_A ? "extent-a" : "extent-b", text,
+                          &error)) {
       argp_error(state, "%s", error.text);
     }
     return 0;
@@ -94,12 +95,15 @@ static sepax_pair draw(const vectors_options *o, size_t family, sepax_random *ra
 
 int cli_vectors(int argc, char **argv) {
   static const struct argp argp = {
-      options, parse, NULL,
+      options,
+      parse,
+      NULL,
       "Print pairs of triangles, one a line, that sepax judge and the benches read. Same "
       "seed, same pairs.",
-      NULL, NULL, NULL};
-  vectors_options o = {
-      .config = sepax_config_default(), .family = "all", .count = 1000, .seed = 1};
+      NULL,
+      NULL,
+      NULL};
+  vectors_options o = {.config = sepax_config_default(), .family = "all", .count = 1000, .seed = 1};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   if (o.list) {
     for (size_t i = 0; sepax_family_name(i) != NULL; i++) {
@@ -113,8 +117,8 @@ int cli_vectors(int argc, char **argv) {
   if (!sepax_config_check(&o.config, &error) || !cli_families(o.family, &first, &last, &error)) {
     return cli_fail(argv[0], &error);
   }
-  printf("# sepax vectors --family=%s --word=%d --count=%llu --seed=%llu", o.family,
-         o.config.word, (unsigned long long)o.count, (unsigned long long)o.seed);
+  printf("# sepax vectors --family=%s --word=%d --count=%llu --seed=%llu", o.family, o.config.word,
+         (unsigned long long)o.count, (unsigned long long)o.seed);
   if (o.config.extent_a > 0) {
     printf(" --extent-a=%d --extent-b=%d%s", o.config.extent_a, o.config.extent_b,
            o.beyond ? " --beyond" : "");

@@ -3,7 +3,7 @@
  *   make example LANES=16 MESH_A=a.stl MESH_B=b.stl
  * On a board, sepax_driver.c stays as it is; the four accesses of `bus` become registers and
  * DMA, and main ends where it says. */
-#include "engine_bus.h"
+#include "cosim/engine_bus.h"
 #include "sepax.h"
 #include "sepax_driver.h"
 #include "sepax_params.h"
@@ -12,7 +12,10 @@
 
 static bool print(void *context, const sepax_hit *hit) {
   (void)context;
-  printf("%zu %zu%s\n", hit->a, hit->b, hit->out_of_range ? " undecided" : hit->warning ? " too near" : "");
+  printf("%zu %zu%s\n", hit->a, hit->b,
+         hit->out_of_range ? " undecided"
+         : hit->warning    ? " too near"
+                           : "");
   return true;
 }
 
@@ -59,13 +62,15 @@ int main(int argc, char **argv) {
   sepax_counts counts = {0};
   sepax_status status = sepax_device_open(&device, &bus);
   if (status == SEPAX_OK) {
-    status = sepax_device_collide(&device, a, scene.count[0], b, scene.count[1], false, print, NULL, &counts);
+    status = sepax_device_collide(&device, a, scene.count[0], b, scene.count[1], false, print, NULL,
+                                  &counts);
   }
   /* On a board: here. */
 
-  fprintf(stderr, "collide: %s; %llu pairs, %llu to the core, %llu collide, %llu cycles\n", sepax_status_text(status),
-          (unsigned long long)counts.pairs, (unsigned long long)counts.survivors,
-          (unsigned long long)counts.collisions, (unsigned long long)counts.cycles);
+  fprintf(stderr, "collide: %s; %llu pairs, %llu to the core, %llu collide, %llu cycles\n",
+          sepax_status_text(status), (unsigned long long)counts.pairs,
+          (unsigned long long)counts.survivors, (unsigned long long)counts.collisions,
+          (unsigned long long)counts.cycles);
   bus_close();
   free(a);
   free(b);

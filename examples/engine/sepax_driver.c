@@ -4,9 +4,14 @@
 #include "sepax_registers.h"
 
 const char *sepax_status_text(sepax_status status) {
-  static const char *const text[] = {"done", "no engine there", "bus error", "a coordinate does not fit the words",
-                                     "an object is empty or too large", "a move does not fit W + 1 bits",
-                                     "results were lost", "ended"};
+  static const char *const text[] = {"done",
+                                     "no engine there",
+                                     "bus error",
+                                     "a coordinate does not fit the words",
+                                     "an object is empty or too large",
+                                     "a move does not fit W + 1 bits",
+                                     "results were lost",
+                                     "ended"};
   return text[status];
 }
 
@@ -21,7 +26,8 @@ sepax_status sepax_device_open(sepax_device *device, const sepax_bus *bus) {
   if (id != SEPAX_IDENTITY) {
     return SEPAX_NO_ENGINE;
   }
-  if (!bus->read(bus->context, SEPAX_DESIGN, &design) || !bus->read(bus->context, SEPAX_MEMORY, &memory)) {
+  if (!bus->read(bus->context, SEPAX_DESIGN, &design) ||
+      !bus->read(bus->context, SEPAX_MEMORY, &memory)) {
     return SEPAX_BUS_ERROR;
   }
   device->word = (int)SEPAX_DESIGN_WORD(design);
@@ -68,7 +74,8 @@ static bool end_object(const sepax_bus *bus) {
           bus->send(bus->context, vertex, true, false) && wait_loaded(bus));
 }
 
-sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*triangle)[9], size_t count) {
+sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*triangle)[9],
+                               size_t count) {
   const sepax_bus *bus = &device->bus;
   if (count == 0 || count > device->room[to_b]) {
     return SEPAX_BAD_SIZE;
@@ -89,7 +96,8 @@ sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*
     }
   }
   uint32_t loaded = 0;
-  bool ok = wait_loaded(bus) && bus->read(bus->context, to_b ? SEPAX_COUNT_B : SEPAX_COUNT_A, &loaded);
+  bool ok =
+      wait_loaded(bus) && bus->read(bus->context, to_b ? SEPAX_COUNT_B : SEPAX_COUNT_A, &loaded);
   return ok && loaded == count ? SEPAX_OK : SEPAX_BUS_ERROR;
 }
 
@@ -122,8 +130,9 @@ static sepax_status read_counts(sepax_device *device, sepax_counts *counts) {
   return SEPAX_OK;
 }
 
-sepax_status sepax_device_run(sepax_device *device, bool first, bool (*found)(void *context, const sepax_hit *hit),
-                              void *context, sepax_counts *counts) {
+sepax_status sepax_device_run(sepax_device *device, bool first,
+                              bool (*found)(void *context, const sepax_hit *hit), void *context,
+                              sepax_counts *counts) {
   const sepax_bus *bus = &device->bus;
   if (!bus->write(bus->context, SEPAX_PENDING, SEPAX_PENDING_DONE | SEPAX_PENDING_HIT) ||
       !bus->write(bus->context, SEPAX_MODE, first ? SEPAX_MODE_FIRST : 0) ||

@@ -13,13 +13,13 @@
 
 typedef enum {
   SEPAX_OK,
-  SEPAX_NO_ENGINE,    /* ID is not what it must be */
-  SEPAX_BUS_ERROR,    /* an access failed, was answered with SLVERR, or a load never ended */
-  SEPAX_BAD_WORD,     /* a coordinate does not fit the engine's words */
-  SEPAX_BAD_SIZE,     /* an object is empty, or larger than the memory */
-  SEPAX_BAD_MOVE,     /* a move does not fit W + 1 bits */
-  SEPAX_INCOMPLETE,   /* the engine sent another number of results than it counted */
-  SEPAX_ENDED         /* found() asked for the end */
+  SEPAX_NO_ENGINE,  /* ID is not what it must be */
+  SEPAX_BUS_ERROR,  /* an access failed, was answered with SLVERR, or a load never ended */
+  SEPAX_BAD_WORD,   /* a coordinate does not fit the engine's words */
+  SEPAX_BAD_SIZE,   /* an object is empty, or larger than the memory */
+  SEPAX_BAD_MOVE,   /* a move does not fit W + 1 bits */
+  SEPAX_INCOMPLETE, /* the engine sent another number of results than it counted */
+  SEPAX_ENDED       /* found() asked for the end */
 } sepax_status;
 
 const char *sepax_status_text(sepax_status status);
@@ -60,7 +60,8 @@ sepax_status sepax_device_open(sepax_device *device, const sepax_bus *bus);
 
 /* Load an object: 9 coordinates a triangle, x y z of its three vertices, in LSB. An object that was
  * cut off by a failed access is ended first. */
-sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*triangle)[9], size_t count);
+sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*triangle)[9],
+                               size_t count);
 
 /* Move B by whole LSB against where it was loaded; exact. A rotation is no matter of the engine:
  * turn the vertices, round them and load B again, so that each is rounded once. */
@@ -68,8 +69,9 @@ sepax_status sepax_device_move(sepax_device *device, const int32_t move[3]);
 
 /* One run over what is loaded. Each of them is handed to `found`, in the engine's order; false
  * ends the run. `first`: it ends at its first collision by itself. */
-sepax_status sepax_device_run(sepax_device *device, bool first, bool (*found)(void *context, const sepax_hit *hit),
-                              void *context, sepax_counts *counts);
+sepax_status sepax_device_run(sepax_device *device, bool first,
+                              bool (*found)(void *context, const sepax_hit *hit), void *context,
+                              sepax_counts *counts);
 
 /* Two objects of any size: part by part as the memories hold them, numbers those of the whole
  * objects; B as the last sepax_device_move says. */

@@ -1,0 +1,194 @@
+/* batch.c - the exact verdicts of many pairs, several at once: AVX-512, AVX2 or plain C. */
+#include "sepax.h"
+
+#include <assert.h>
+#include <string.h>
+
+#if defined __x86_64__
+#include <immintrin.h>
+#endif
+
+/* Bits of a coordinate's size (batch_lanes.h), and what certain volumes exceed. */
+enum { BLOCK = 64, SHORT_BITS = 19, LONG_BITS = 24 };
+static const double SHORT_LIMIT = 1 << 12;
+static const double LONG_LIMIT = 1 << 28;
+
+/* Unrolled, all sums keep in registers. */
+#define UNROLL _Pragma("GCC unroll 3")
+
+static const int next[3] = {1, 2, 0};
+
+/* 64 pairs: vertex, axis, pair. Copies, so that columns that lie a power of two apart do not
+ * drive each other out of the cache. */
+typedef struct {
+  int32_t a[3][3][BLOCK], b[3][3][BLOCK];
+} block;
+
+static inline int32_t coordinate(const sepax_tri *t, int vertex, int axis) {
+  const sepax_vec *v = &t->v[vertex];
+  return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
+}
+
+static inline sepax_tri gathered(const int32_t from[3][3][BLOCK], size_t at) {
+  sepax_tri t;
+  UNROLL for (int k = 0; k < 3; k++) {
+    t.v[k] = (sepax_vec){from[k][0][at], from[k][1][at], from[k][2][at]};
+  }
+  return t;
+}
+
+/* All pairs of `which`; `one` or else the triangles a. */
+static uint64_t judge_singly(const sepax_tri *one, const block *in, uint64_t which) {
+  uint64_t hits = 0;
+  for (size_t m = 0; m < BLOCK; m++) {
+    if ((which >> m & 1) != 0) {
+      sepax_tri a = one != NULL ? *one : gathered(in->a, m);
+      sepax_tri b = gathered(in->b, m);
+      hits |= (uint64_t)sepax_exact(&a, &b).collision << m;
+    }
+  }
+  return hits;
+}
+
+/* --------------------------------------------------------- instruction sets */
+
+/* Two doubles: SSE2, NEON and the like by the compiler, or whatever does as they do. */
+#define LANES 2
+#define NAME(x) x##_portable
+#define TARGET
+typedef int32_t half_portable __attribute__((vector_size(8), aligned(4), may_alias));
+#define LOAD_REALS(from) __builtin_convertvector(*(const half_portable *)(from), R)
+#define SELECT(TYPE, mask, p, q) ((TYPE)(((V)(p) & (V)(mask)) | ((V)(q) & ~(V)(mask))))
+#define LEAST_REAL(p, q) SELECT(R, (p) < (q), p, q)
+#define BITS(v) ((uint32_t)((v)[0] >> 63 | (v)[1] >> 63 << 1))
+#define BOX_BITS(v) \
+  ((uint32_t)(((v)[0] < 0) | ((v)[1] < 0) << 1 | ((v)[2] < 0) << 2 | ((v)[3] < 0) << 3))
+#define LEAST(p, q) SELECT(SHORTS, (p) < (q), p, q)
+#define MOST(p, q) SELECT(SHORTS, (p) > (q), p, q)
+#include "batch_lanes.h"
+#undef SELECT
+
+#if defined __x86_64__
+
+/* tb/unit/avx512.c runs this with emulated intrinsics on machines without them. */
+#ifndef TARGET_AVX512
+#define TARGET_AVX512 __attribute__((target("avx512f")))
+#endif
+typedef int32_t unaligned_shorts __attribute__((vector_size(32), aligned(4), may_alias));
+#define LANES 8
+#define NAME(x) x##_avx512
+#define TARGET TARGET_AVX512
+#define LOAD(from) \
+  ((V) __builtin_convertvector(*(const unaligned_shorts *)(from), signed_lanes_avx512))
+#define LOAD_REALS(from) __builtin_convertvector(*(const unaligned_shorts *)(from), reals_avx512)
+#define LEAST_REAL(p, q) ((R)_mm512_min_pd((__m512d)(p), (__m512d)(q)))
+#define PRODUCT(p, q) ((V)_mm512_mul_epi32((__m512i)(p), (__m512i)(q)))
+#define BITS(v) ((uint32_t)_mm512_cmpgt_epi64_mask(_mm512_setzero_si512(), (__m512i)(v)))
+#define BOX_BITS(v) ((uint32_t)_mm512_cmpgt_epi32_mask(_mm512_setzero_si512(), (__m512i)(v)))
+#define LEAST(p, q) ((SHORTS)_mm512_min_epi32((__m512i)(p), (__m512i)(q)))
+#define MOST(p, q) ((SHORTS)_mm512_max_epi32((__m512i)(p), (__m512i)(q)))
+#include "batch_lanes.h"
+
+#define LANES 4
+#define NAME(x) x##_avx2
+#define TARGET __attribute__((target("avx2")))
+#define LOAD(from) ((V)_mm256_cvtepi32_epi64(_mm_loadu_si128((const void *)(from))))
+#define LOAD_REALS(from) ((R)_mm256_cvtepi32_pd(_mm_loadu_si128((const void *)(from))))
+#define LEAST_REAL(p, q) ((R)_mm256_min_pd((__m256d)(p), (__m256d)(q)))
+#define PRODUCT(p, q) ((V)_mm256_mul_epi32((__m256i)(p), (__m256i)(q)))
+#define BITS(v) ((uint32_t)_mm256_movemask_pd((__m256d)(v)))
+#define BOX_BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
+#define LEAST(p, q) ((SHORTS)_mm256_min_epi32((__m256i)(p), (__m256i)(q)))
+#define MOST(p, q) ((SHORTS)_mm256_max_epi32((__m256i)(p), (__m256i)(q)))
+#include "batch_lanes.h"
+#endif
+
+/* ----------------------------------------------------------------- dispatch */
+
+typedef struct {
+  uint64_t (*pairs)(const block *in);
+  uint64_t (*one)(const sepax_tri *one, const block *in);
+} functions;
+
+static const functions table[] = {
+    [SEPAX_PATH_PORTABLE] = {judge_pairs_portable, judge_one_portable},
+#if defined __x86_64__
+    [SEPAX_PATH_AVX2] = {judge_pairs_avx2, judge_one_avx2},
+    [SEPAX_PATH_AVX512] = {judge_pairs_avx512, judge_one_avx512},
+#endif
+};
+
+bool sepax_path_runs(sepax_path path) {
+  switch (path) {
+#if defined __x86_64__
+  case SEPAX_PATH_AVX2:
+    return __builtin_cpu_supports("avx2");
+  case SEPAX_PATH_AVX512:
+    return __builtin_cpu_supports("avx512f");
+#endif
+  default:
+    return path == SEPAX_PATH_BEST || path == SEPAX_PATH_PORTABLE;
+  }
+}
+
+static sepax_path best(void) {
+  return sepax_path_runs(SEPAX_PATH_AVX512) ? SEPAX_PATH_AVX512
+         : sepax_path_runs(SEPAX_PATH_AVX2) ? SEPAX_PATH_AVX2
+                                            : SEPAX_PATH_PORTABLE;
+}
+
+static const functions *functions_of(sepax_path path) {
+  assert(sepax_path_runs(path));
+  return &table[path == SEPAX_PATH_BEST ? best() : path];
+}
+
+const char *sepax_path_name(sepax_path path) {
+  static const char *const names[] = {[SEPAX_PATH_PORTABLE] = "portable",
+                                      [SEPAX_PATH_AVX2] = "avx2",
+                                      [SEPAX_PATH_AVX512] = "avx512"};
+  return names[path == SEPAX_PATH_BEST ? best() : path];
+}
+
+/* ------------------------------------------------------------- entry points */
+
+/* Up to a block of triangles; the last again and again behind the end. */
+static void copy_columns(int32_t to[3][3][BLOCK], const sepax_columns *from, size_t at,
+                         size_t count) {
+  for (int k = 0; k < 3; k++) {
+    for (int axis = 0; axis < 3; axis++) {
+      const int32_t *column = from->c[k][axis] + at;
+      if (count >= BLOCK) {
+        memcpy(to[k][axis], column, sizeof to[k][axis]);
+        continue;
+      }
+      for (size_t m = 0; m < BLOCK; m++) {
+        to[k][axis][m] = column[m < count ? m : count - 1];
+      }
+    }
+  }
+}
+
+static uint64_t mask_of(size_t count) {
+  return count >= BLOCK ? ~UINT64_C(0) : (UINT64_C(1) << count) - 1;
+}
+
+void sepax_exact_pairs(sepax_path path, const sepax_columns *a, const sepax_columns *b,
+                       size_t count, uint64_t *bits) {
+  const functions *f = functions_of(path);
+  block in;
+  for (size_t n = 0; n < count; n += BLOCK) {
+    copy_columns(in.a, a, n, count - n);
+    copy_columns(in.b, b, n, count - n);
+    bits[n / BLOCK] = f->pairs(&in) & mask_of(count - n);
+  }
+}
+
+void sepax_exact_one_to_many(sepax_path path, const sepax_tri *a, const sepax_columns *b,
+                             size_t count, uint64_t *bits) {
+  const functions *f = functions_of(path);
+  block in;
+  for (size_t n = 0; n < count; n += BLOCK) {
+    copy_columns(in.b, b, n, count - n);
+    bits[n / BLOCK] = f->one(a, &in) & mask_of(count - n);
+  }
+}

@@ -1,0 +1,361 @@
+/* batch_lanes.h - the exact verdicts of LANES pairs at once (private; batch.c includes it
+ * once per instruction set). Vectors are those of GCC and Clang.
+ *
+ * LANES, NAME(x), TARGET  pairs at once, a name of its own, the attribute of its functions
+ * LOAD(from), LOAD_REALS(from)  the next LANES int32_t, sign-extended; as doubles
+ * PRODUCT(p, q)           product of the low 32 bits of each lane, signed; if there is none,
+ *                         sepax_exact judges what doubles leave in doubt, and LOAD is not used
+ * LEAST_REAL(p, q)        the lesser of doubles
+ * BITS(v), BOX_BITS(v)    the sign bits of lanes, of shorts, as a number
+ * LEAST(p, q), MOST(p, q) of shorts
+ *
+ * In doubles all products and sums of coordinates of 25 bits are exact, up to the areas.
+ * The 19 products of areas and sums of z round, and so do the sums of up to four that are the
+ * volumes: with g up to 2^(2n) and sums of z up to 6 * 2^(n-1), by less than 2^12 in all if
+ * coordinates have n = 20 bits, 2^28 if 25. Where all 15 volumes are larger, their signs are
+ * certain. Elsewhere the volumes are summed modulo 2^64: with 20 bits that is all of them; with 25
+ * the doubles tell the sign of those from 2^62 upwards. */
+
+typedef uint64_t NAME(lanes) __attribute__((vector_size(8 * LANES)));
+typedef int64_t NAME(signed_lanes) __attribute__((vector_size(8 * LANES)));
+typedef double NAME(reals) __attribute__((vector_size(8 * LANES)));
+typedef int32_t NAME(shorts) __attribute__((vector_size(8 * LANES)));
+enum { NAME(BOXES) = 2 * LANES };
+
+#define V NAME(lanes)
+#define R NAME(reals)
+#define SHORTS NAME(shorts)
+#define INLINE TARGET static inline __attribute__((always_inline))
+
+/* -------------------------------------------------------------------- sums */
+
+#ifdef PRODUCT
+/* Modulo 2^64; z fits 32 bits, g need not. */
+INLINE V NAME(weigh)(V g, V z) {
+  return PRODUCT(g, z) + (PRODUCT((g + (UINT64_C(1) << 31)) >> 32, z) << 32);
+}
+
+#define NUMBER V
+#define OF(x) NAME(x##_whole)
+#define TIMES(p, q) PRODUCT(p, q)
+#define WEIGH(g, z) NAME(weigh)(g, z)
+#include "batch_sums.h"
+#endif
+
+#define NUMBER R
+#define OF(x) NAME(x##_real)
+#define TIMES(p, q) ((p) * (q))
+#define WEIGH(g, z) ((g) * (z))
+#include "batch_sums.h"
+
+INLINE R NAME(all_real)(int32_t value) { return (R){0} + (double)value; }
+
+INLINE void NAME(find_real)(NAME(volumes_real) * v, const sepax_tri *one, const block *in,
+                            size_t at) {
+  NAME(coordinate_real) c[3];
+  UNROLL for (int axis = 0; axis < 3; axis++) {
+    UNROLL for (int k = 0; k < 3; k++) {
+      c[axis].a[k] =
+          one != NULL ? NAME(all_real)(coordinate(one, k, axis)) : LOAD_REALS(in->a[k][axis] + at);
+      c[axis].b[k] = LOAD_REALS(in->b[k][axis] + at);
+    }
+  }
+  NAME(areas_real) g;
+  NAME(find_areas_real)(&g, &c[0], &c[1]);
+  NAME(find_volumes_real)(v, &g, &c[2]);
+}
+
+/* ------------------------------------------------------- verdicts by doubles */
+
+INLINE R NAME(least_size)(R least, R volume) {
+  return LEAST_REAL(least, (R)((V)volume & INT64_MAX));
+}
+
+/* An edge with ends on different sides of a plane passes all edges p, q, r on one side. */
+INLINE V NAME(pierces)(R from, R to, R p, R q, R r) {
+  return ((V)from ^ (V)to) & ~(((V)p ^ (V)q) | ((V)q ^ (V)r));
+}
+
+/* The bits of the pairs that collide, and of those of which some sign is in doubt. */
+INLINE uint32_t NAME(judge_large)(const sepax_tri *one, const block *in, size_t at, double limit,
+                                  uint32_t *doubt) {
+  NAME(volumes_real) v;
+  NAME(find_real)(&v, one, in, at);
+  R least = (R)((V)v.s[0] & INT64_MAX);
+  V hit = {0};
+  UNROLL for (int i = 0; i < 3; i++) {
+    int n = next[i];
+    hit |= NAME(pierces)(v.w[i], v.w[n], v.d[i][0], v.d[i][1], v.d[i][2]) |
+           NAME(pierces)(v.s[i], v.s[n], v.d[0][i], v.d[1][i], v.d[2][i]);
+    least = NAME(least_size)(NAME(least_size)(least, v.s[i]), v.w[i]);
+    UNROLL for (int j = 0; j < 3; j++) { least = NAME(least_size)(least, v.d[i][j]); }
+  }
+  *doubt = BITS((V)(least - limit));
+  return BITS(hit);
+}
+
+/* ------------------------------------------------- verdicts by whole numbers */
+
+#ifdef PRODUCT
+INLINE V NAME(all)(int32_t value) { return (V){0} + (uint64_t)value; }
+
+INLINE void NAME(load_whole)(NAME(coordinate_whole) c[3], const sepax_tri *one, const block *in,
+                             size_t at) {
+  UNROLL for (int axis = 0; axis < 3; axis++) {
+    UNROLL for (int k = 0; k < 3; k++) {
+      c[axis].a[k] = one != NULL ? NAME(all)(coordinate(one, k, axis)) : LOAD(in->a[k][axis] + at);
+      c[axis].b[k] = LOAD(in->b[k][axis] + at);
+    }
+  }
+}
+
+/* Of which the sign bits count: of a volume, of its opposite. */
+typedef struct {
+  V low, high;
+} NAME(sign);
+
+typedef struct {
+  NAME(sign) s[3], w[3], d[3][3];
+} NAME(signs);
+
+/* Known modulo 2^64 and, roughly, from 2^62 upwards. */
+INLINE NAME(sign) NAME(sign_of)(V low, R rough) {
+  const uint64_t limit = UINT64_C(1085) << 52; /* the exponent of 2^62 */
+  V bits = (V)rough;
+  V below = -(((bits & (UINT64_C(0x7ff) << 52)) - limit) >> 63);
+  V v = (low & below) | (bits & ~below);
+  return (NAME(sign)){v, -v};
+}
+
+/* rough NULL: volumes fit 64 bits. */
+INLINE void NAME(find_signs)(NAME(signs) * signs, const NAME(volumes_whole) * v,
+                             const NAME(volumes_real) * rough) {
+#define SIGN(m) signs->m = rough != NULL ? NAME(sign_of)(v->m, rough->m) : (NAME(sign)){v->m, -v->m}
+  UNROLL for (int i = 0; i < 3; i++) {
+    SIGN(s[i]);
+    SIGN(w[i]);
+    UNROLL for (int j = 0; j < 3; j++) { SIGN(d[i][j]); }
+  }
+#undef SIGN
+}
+
+/* An edge meets the other triangle: its ends are not on the same side of the plane, and
+ * no two of the other edges pass it on different sides. */
+INLINE V NAME(meets)(NAME(sign) from, NAME(sign) to, NAME(sign) p, NAME(sign) q, NAME(sign) r) {
+  V sides = (from.low ^ to.low) | (from.high ^ to.high);
+  return sides & ~((p.low | q.low | r.low) & (p.high | q.high | r.high));
+}
+
+/* In the projection on two coordinates, an edge has the other triangle strictly on the
+ * side where its own third vertex is not. */
+INLINE V NAME(edge_separates)(const V side[3], V own) {
+  V low = side[0] & side[1] & side[2];
+  V high = -side[0] & -side[1] & -side[2];
+  return (low & ~own) | (high & ~-own);
+}
+
+INLINE V NAME(separate_in_plane)(const NAME(areas_whole) * g) {
+  V apart = {0};
+  UNROLL for (int i = 0; i < 3; i++) {
+    apart |= NAME(edge_separates)(g->a[i], g->own_a) | NAME(edge_separates)(g->b[i], g->own_b);
+  }
+  return apart;
+}
+
+/* Sign bits: some area is not zero. */
+INLINE V NAME(has_area)(const NAME(areas_whole) * g) {
+  V any = g->own_a | g->own_b;
+  UNROLL for (int i = 0; i < 3; i++) {
+    UNROLL for (int k = 0; k < 3; k++) { any |= g->a[i][k] | g->b[i][k]; }
+  }
+  return any | -any;
+}
+
+/* Lanes in which the six values are not all the same: all ones. */
+INLINE V NAME(varies)(const NAME(coordinate_whole) * c) {
+  V any = {0};
+  UNROLL for (int k = 0; k < 3; k++) { any |= (c->a[k] ^ c->a[0]) | (c->b[k] ^ c->a[0]); }
+  return -((any | -any) >> 63);
+}
+
+INLINE void NAME(choose)(NAME(coordinate_whole) * to, V which, const NAME(coordinate_whole) * p,
+                         const NAME(coordinate_whole) * q) {
+  UNROLL for (int k = 0; k < 3; k++) {
+    to->a[k] = (p->a[k] & which) | (q->a[k] & ~which);
+    to->b[k] = (p->b[k] & which) | (q->b[k] & ~which);
+  }
+}
+
+/* The bits of the coplanar pairs `flat` that are not separated in a projection that keeps
+ * their plane: x and y, of which g are the areas, or z and y, or z and x where y does not
+ * vary. A projection more does no harm. On a line the boxes decide. */
+TARGET static __attribute__((noinline)) uint32_t
+NAME(judge_flat)(const NAME(coordinate_whole) c[3], const NAME(areas_whole) * g, uint32_t flat) {
+  V apart = NAME(separate_in_plane)(g);
+  if ((flat & ~BITS(NAME(has_area)(g))) != 0) {
+    NAME(coordinate_whole) level;
+    NAME(areas_whole) upright;
+    NAME(choose)(&level, NAME(varies)(&c[1]), &c[1], &c[0]);
+    NAME(find_areas_whole)(&upright, &c[2], &level);
+    apart |= NAME(separate_in_plane)(&upright);
+  }
+  return flat & ~BITS(apart);
+}
+
+/* The bits of the pairs that collide, if their boxes do. */
+INLINE uint32_t NAME(judge)(const sepax_tri *one, const block *in, size_t at,
+                            const NAME(volumes_real) * rough) {
+  NAME(coordinate_whole) c[3];
+  NAME(areas_whole) g;
+  NAME(volumes_whole) volumes;
+  NAME(signs) v;
+  NAME(load_whole)(c, one, in, at);
+  NAME(find_areas_whole)(&g, &c[0], &c[1]);
+  NAME(find_volumes_whole)(&volumes, &g, &c[2]);
+  NAME(find_signs)(&v, &volumes, rough);
+  V hit = {0};
+  V solid = {0};
+  UNROLL for (int i = 0; i < 3; i++) {
+    int n = next[i];
+    hit |= NAME(meets)(v.w[i], v.w[n], v.d[i][0], v.d[i][1], v.d[i][2]) |
+           NAME(meets)(v.s[i], v.s[n], v.d[0][i], v.d[1][i], v.d[2][i]);
+    solid |= v.s[i].low | v.s[i].high | v.w[i].low | v.w[i].high;
+    UNROLL for (int j = 0; j < 3; j++) { solid |= v.d[i][j].low | v.d[i][j].high; }
+  }
+  uint32_t hits = BITS(hit);
+  uint32_t flat = BITS(~solid);
+  return flat == 0 ? hits : hits | NAME(judge_flat)(c, &g, flat);
+}
+
+TARGET static __attribute__((noinline)) uint32_t NAME(judge_long)(const sepax_tri *one,
+                                                                  const block *in, size_t at) {
+  NAME(volumes_real) rough;
+  NAME(find_real)(&rough, one, in, at);
+  return NAME(judge)(one, in, at, &rough);
+}
+
+/* The verdicts of a group; `doubt` are those that count. */
+INLINE uint32_t NAME(judge_small)(const sepax_tri *one, const block *in, size_t at, bool is_long,
+                                  uint32_t doubt) {
+  (void)doubt;
+  return is_long ? NAME(judge_long)(one, in, at) : NAME(judge)(one, in, at, NULL);
+}
+#else
+INLINE uint32_t NAME(judge_small)(const sepax_tri *one, const block *in, size_t at, bool is_long,
+                                  uint32_t doubt) {
+  (void)is_long;
+  return (uint32_t)(judge_singly(one, in, (uint64_t)doubt << at) >> at);
+}
+#endif
+
+/* ------------------------------------------------------------------- blocks */
+
+typedef struct {
+  SHORTS least, most; /* of all coordinates */
+} NAME(ends);
+
+INLINE SHORTS NAME(short_all)(int32_t value) { return (SHORTS){0} + value; }
+
+INLINE SHORTS NAME(short_load)(const int32_t *from) {
+  SHORTS shorts;
+  memcpy(&shorts, from, sizeof shorts);
+  return shorts;
+}
+
+INLINE SHORTS NAME(apart)(const SHORTS p[3], const SHORTS q[3], NAME(ends) * ends) {
+  SHORTS low_p = LEAST(LEAST(p[0], p[1]), p[2]);
+  SHORTS low_q = LEAST(LEAST(q[0], q[1]), q[2]);
+  SHORTS high_p = MOST(MOST(p[0], p[1]), p[2]);
+  SHORTS high_q = MOST(MOST(q[0], q[1]), q[2]);
+  ends->least = LEAST(ends->least, LEAST(low_p, low_q));
+  ends->most = MOST(ends->most, MOST(high_p, high_q));
+  return (SHORTS)((high_p < low_q) | (high_q < low_p));
+}
+
+/* The pairs of a block with boxes that meet; and a number as long as the longest coordinate. */
+INLINE uint64_t NAME(boxes_meet)(const sepax_tri *one, const block *in, uint32_t *longest) {
+  NAME(ends) ends;
+  ends.least = ends.most = (SHORTS){0};
+  uint64_t apart = 0;
+  for (size_t m = 0; m < BLOCK; m += NAME(BOXES)) {
+    SHORTS any = {0};
+    UNROLL for (int axis = 0; axis < 3; axis++) {
+      SHORTS p[3];
+      SHORTS q[3];
+      UNROLL for (int k = 0; k < 3; k++) {
+        p[k] = one != NULL ? NAME(short_all)(coordinate(one, k, axis))
+                           : NAME(short_load)(in->a[k][axis] + m);
+        q[k] = NAME(short_load)(in->b[k][axis] + m);
+      }
+      any |= NAME(apart)(p, q, &ends);
+    }
+    apart |= (uint64_t)BOX_BITS(any) << m;
+  }
+  int32_t sizes[NAME(BOXES)];
+  SHORTS size = MOST(ends.most, ~ends.least);
+  memcpy(sizes, &size, sizeof size);
+  *longest = 0;
+  for (int k = 0; k < NAME(BOXES); k++) {
+    *longest |= (uint32_t)sizes[k];
+  }
+  return ~apart;
+}
+
+/* Doubles are tried as long as they settle most groups of the block. */
+INLINE uint64_t NAME(judge_block)(const sepax_tri *one, const block *in) {
+  const uint64_t group = (UINT64_C(1) << LANES) - 1;
+  uint32_t longest;
+  uint64_t meet = NAME(boxes_meet)(one, in, &longest);
+  if (meet == 0) {
+    return 0;
+  }
+  if (longest >> LONG_BITS != 0) {
+    return judge_singly(one, in, meet);
+  }
+  bool is_long = longest >> SHORT_BITS != 0;
+  double limit = is_long ? LONG_LIMIT : SHORT_LIMIT;
+  uint64_t hits = 0;
+  size_t tried = 0;
+  size_t failed = 0;
+  for (size_t m = 0; m < BLOCK; m += LANES) {
+    uint32_t wanted = (uint32_t)(meet >> m & group);
+    if (wanted == 0) {
+      continue;
+    }
+    uint32_t found = 0;
+    uint32_t doubt = wanted;
+    if (failed * 3 <= tried) {
+      found = NAME(judge_large)(one, in, m, limit, &doubt);
+      doubt &= wanted;
+      tried++;
+      failed += doubt != 0;
+    }
+    if (doubt != 0) {
+      found = (found & ~doubt) | (doubt & NAME(judge_small)(one, in, m, is_long, doubt));
+    }
+    hits |= (uint64_t)found << m;
+  }
+  return hits & meet;
+}
+
+TARGET static uint64_t NAME(judge_pairs)(const block *in) { return NAME(judge_block)(NULL, in); }
+
+TARGET static uint64_t NAME(judge_one)(const sepax_tri *one, const block *in) {
+  return NAME(judge_block)(one, in);
+}
+
+#undef V
+#undef R
+#undef SHORTS
+#undef INLINE
+#undef LANES
+#undef NAME
+#undef TARGET
+#undef LOAD
+#undef LOAD_REALS
+#undef PRODUCT
+#undef LEAST_REAL
+#undef BITS
+#undef BOX_BITS
+#undef LEAST
+#undef MOST

@@ -1,0 +1,467 @@
+/* poses.c - what two meshes need in every pose of theirs: word length, extents, and how many
+ * pairs the box test leaves. docs/size.md. */
+#include "util/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const char axis_name[] = "xyz";
+static const double full_turn = 6.283185307179586;
+
+/* Rounding when a body is moved in double precision stays far below this share. */
+static const double slack = 0x1p-40;
+
+/* A workspace may be so much too small: how it was written decides nothing. */
+static const double workspace_slack = 1e-9;
+
+typedef struct {
+  double low[3], high[3];
+} range;
+
+static range nowhere(void) {
+  return (range){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+}
+
+static void extend(range *r, int axis, double low, double high) {
+  r->low[axis] = fmin(r->low[axis], low);
+  r->high[axis] = fmax(r->high[axis], high);
+}
+
+static bool moves(const sepax_motion *m) {
+  bool shifted = false;
+  for (int axis = 0; axis < 3; axis++) {
+    shifted = shifted || m->low[axis] != 0 || m->high[axis] != 0;
+  }
+  return shifted || m->turn != SEPAX_TURN_NONE;
+}
+
+/* Does a turn leave this coordinate alone? */
+static bool kept(sepax_turn turn, int axis) {
+  return turn == SEPAX_TURN_NONE || (int)turn - SEPAX_TURN_X == axis;
+}
+
+/* The length of d, without the component that the turn leaves alone. */
+static double length_turned(const double d[3], sepax_turn turn) {
+  double square = 0;
+  for (int axis = 0; axis < 3; axis++) {
+    square += kept(turn, axis) ? 0 : d[axis] * d[axis];
+  }
+  return sqrt(square);
+}
+
+/* ---------------------------------------------------------------- hull, extents */
+
+static void extend_by_vertex(range *hull, const double v[3], const sepax_motion *m) {
+  double arm[3];
+  for (int axis = 0; axis < 3; axis++) {
+    arm[axis] = v[axis] - m->centre[axis];
+  }
+  double radius = length_turned(arm, m->turn);
+  for (int axis = 0; axis < 3; axis++) {
+    double c = m->centre[axis];
+    double r = radius + slack * (radius + fabs(c));
+    bool still = kept(m->turn, axis);
+    double low = still ? v[axis] : fmin(c - r, v[axis]);
+    double high = still ? v[axis] : fmax(c + r, v[axis]);
+    extend(hull, axis, low + fmin(m->low[axis], 0), high + fmax(m->high[axis], 0));
+  }
+}
+
+static range hull_of(const sepax_mesh *const mesh[2], const sepax_motion motion[2]) {
+  range hull = nowhere();
+  for (int i = 0; i < 2; i++) {
+    for (size_t n = 0; n < 3 * mesh[i]->count; n++) {
+      extend_by_vertex(&hull, mesh[i]->facet[n / 3].v[n % 3], &motion[i]);
+    }
+  }
+  return hull;
+}
+
+/* The longest side that the box of a facet has in any pose, file units. */
+static double longest_side(const sepax_facet *f, sepax_turn turn) {
+  double side = 0;
+  for (int k = 0; k < 3; k++) {
+    double edge[3];
+    for (int axis = 0; axis < 3; axis++) {
+      edge[axis] = f->v[(k + 1) % 3][axis] - f->v[k][axis];
+      side = kept(turn, axis) ? fmax(side, fabs(edge[axis])) : side;
+    }
+    side = fmax(side, length_turned(edge, turn));
+  }
+  return side;
+}
+
+/* Two coordinates that are s apart round to grid points up to floor(s) + 1 apart. */
+static int64_t extent_moved(const sepax_mesh *mesh, sepax_turn turn, double reach,
+                            double resolution) {
+  double side = 0;
+  for (size_t n = 0; n < mesh->count; n++) {
+    side = fmax(side, longest_side(&mesh->facet[n], turn));
+  }
+  return (int64_t)floor((side + slack * (side + reach)) / resolution) + 1;
+}
+
+/* --------------------------------------------------------------------- the boxes */
+
+typedef struct {
+  int32_t low[3], high[3];
+} box;
+
+typedef struct {
+  sepax_tri *tri[2];
+  box *boxes[2];
+  sepax_mesh moved[2];
+} room;
+
+static box box_of(const sepax_tri *t) {
+  const int32_t c[3][3] = {{t->v[0].x, t->v[0].y, t->v[0].z},
+                           {t->v[1].x, t->v[1].y, t->v[1].z},
+                           {t->v[2].x, t->v[2].y, t->v[2].z}};
+  box b;
+  for (int axis = 0; axis < 3; axis++) {
+    b.low[axis] = c[0][axis];
+    b.high[axis] = c[0][axis];
+    for (int k = 1; k < 3; k++) {
+      b.low[axis] = c[k][axis] < b.low[axis] ? c[k][axis] : b.low[axis];
+      b.high[axis] = c[k][axis] > b.high[axis] ? c[k][axis] : b.high[axis];
+    }
+  }
+  return b;
+}
+
+static int64_t longest_box_side(const box *boxes, size_t count) {
+  int64_t longest = 1;
+  for (size_t n = 0; n < count; n++) {
+    for (int axis = 0; axis < 3; axis++) {
+      int64_t side = (int64_t)boxes[n].high[axis] - boxes[n].low[axis];
+      longest = side > longest ? side : longest;
+    }
+  }
+  return longest;
+}
+
+static int by_low_x(const void *p, const void *q) {
+  int32_t a = ((const box *)p)->low[0];
+  int32_t b = ((const box *)q)->low[0];
+  return (a > b) - (a < b);
+}
+
+/* The first of the sorted boxes that begins at x or later. */
+static size_t first_from(const box *boxes, size_t count, int64_t x) {
+  size_t low = 0;
+  while (count > 0) {
+    size_t half = count / 2;
+    bool before = boxes[low + half].low[0] < x;
+    low = before ? low + half + 1 : low;
+    count = before ? count - half - 1 : half;
+  }
+  return low;
+}
+
+/* Boxes of A and B that meet; B's are sorted on the way. */
+static uint64_t count_meeting(const box *a, size_t count_a, box *b, size_t count_b) {
+  int64_t longest = 0;
+  for (size_t n = 0; n < count_b; n++) {
+    int64_t side = (int64_t)b[n].high[0] - b[n].low[0];
+    longest = side > longest ? side : longest;
+  }
+  qsort(b, count_b, sizeof *b, by_low_x);
+  uint64_t meeting = 0;
+  for (size_t i = 0; i < count_a; i++) {
+    const box p = a[i];
+    for (size_t j = first_from(b, count_b, p.low[0] - longest);
+         j < count_b && b[j].low[0] <= p.high[0]; j++) {
+      const box *q = &b[j];
+      meeting += (q->high[0] >= p.low[0]) & (q->low[1] <= p.high[1]) & (q->high[1] >= p.low[1]) &
+                 (q->low[2] <= p.high[2]) & (q->high[2] >= p.low[2]);
+    }
+  }
+  return meeting;
+}
+
+static bool quantise_body(room *r, int i, const sepax_mesh *mesh, const sepax_grid *grid,
+                          sepax_error *error) {
+  if (!sepax_quantise(mesh, grid, r->tri[i], NULL, error)) {
+    return false;
+  }
+  for (size_t n = 0; n < mesh->count; n++) {
+    r->boxes[i][n] = box_of(&r->tri[i][n]);
+  }
+  return true;
+}
+
+static bool make_room(room *r, const sepax_mesh *const mesh[2]) {
+  bool ok = true;
+  for (int i = 0; i < 2; i++) {
+    size_t count = mesh[i]->count;
+    r->tri[i] = calloc(count, sizeof *r->tri[i]);
+    r->boxes[i] = calloc(count, sizeof *r->boxes[i]);
+    r->moved[i].facet = calloc(count, sizeof *r->moved[i].facet);
+    r->moved[i].count = count;
+    ok = ok && r->tri[i] != NULL && r->boxes[i] != NULL && r->moved[i].facet != NULL;
+  }
+  return ok;
+}
+
+static void free_room(room *r) {
+  for (int i = 0; i < 2; i++) {
+    free(r->tri[i]);
+    free(r->boxes[i]);
+    free(r->moved[i].facet);
+  }
+}
+
+/* ------------------------------------------------------------------ sampled poses */
+
+/* Numbers of 0 ... 1: where in its three ranges a body stands, and how it is turned. */
+typedef struct {
+  double u[2][6];
+} pose;
+
+static double unit(sepax_random *random) {
+  return (double)(sepax_random_next(random) >> 11) * 0x1p-53;
+}
+
+/* The one of the files, or the nearest to it in the ranges. */
+static pose pose_of_files(const sepax_motion motion[2]) {
+  static const double no_turn[3] = {0, 0.25, 0};
+  pose p;
+  for (int k = 0; k < 12; k++) {
+    int axis = k % 6;
+    double low = motion[k / 6].low[axis % 3];
+    double way = motion[k / 6].high[axis % 3] - low;
+    double u = way > 0 ? fmin(fmax(-low / way, 0), 1) : 0;
+    p.u[k / 6][axis] = axis < 3 ? u : no_turn[axis - 3];
+  }
+  return p;
+}
+
+/* Anywhere, or not far from another pose. */
+static pose draw_pose(const pose *near, double share, sepax_random *random) {
+  pose p;
+  for (int k = 0; k < 12; k++) {
+    double u = unit(random);
+    if (near != NULL) {
+      double moved = near->u[k / 6][k % 6] + share * (u - 0.5);
+      u = k % 6 < 3 ? fmin(fmax(moved, 0), 1) : moved - floor(moved);
+    }
+    p.u[k / 6][k % 6] = u;
+  }
+  return p;
+}
+
+/* A turn about one axis, or any (Shoemake: uniform). */
+static void turn_matrix(double m[3][3], sepax_turn turn, const double u[3]) {
+  double q[4] = {1, 0, 0, 0};
+  if (turn == SEPAX_TURN_ANY) {
+    double near = sqrt(1 - u[0]);
+    double far = sqrt(u[0]);
+    q[0] = near * sin(full_turn * u[1]);
+    q[1] = near * cos(full_turn * u[1]);
+    q[2] = far * sin(full_turn * u[2]);
+    q[3] = far * cos(full_turn * u[2]);
+  } else if (turn != SEPAX_TURN_NONE) {
+    q[0] = cos(full_turn / 2 * u[0]);
+    q[1 + (int)turn - SEPAX_TURN_X] = sin(full_turn / 2 * u[0]);
+  }
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    m[i][i] = 1 - 2 * (q[1 + j] * q[1 + j] + q[1 + k] * q[1 + k]);
+    m[i][j] = 2 * (q[1 + i] * q[1 + j] - q[0] * q[1 + k]);
+    m[i][k] = 2 * (q[1 + i] * q[1 + k] + q[0] * q[1 + j]);
+  }
+}
+
+static void move_body(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_motion *motion,
+                      const double u[6]) {
+  double m[3][3];
+  turn_matrix(m, motion->turn, &u[3]);
+  for (size_t n = 0; n < 3 * mesh->count; n++) {
+    const double *v = mesh->facet[n / 3].v[n % 3];
+    for (int i = 0; i < 3; i++) {
+      double x = v[i];
+      if (!kept(motion->turn, i)) {
+        x = motion->centre[i];
+        for (int k = 0; k < 3; k++) {
+          x += m[i][k] * (v[k] - motion->centre[k]);
+        }
+      }
+      double shift = motion->low[i] + u[i] * (motion->high[i] - motion->low[i]);
+      moved->facet[n / 3].v[n % 3][i] = x + shift;
+    }
+  }
+}
+
+/* The most pairs left in sampled poses: the first half anywhere, then nearer and nearer to
+ * the worst so far. */
+static bool sample_poses(sepax_size *size, room *r, const sepax_mesh *const mesh[2],
+                         const sepax_space *space, sepax_error *error) {
+  sepax_random random = {space->seed};
+  pose worst = pose_of_files(space->motion);
+  for (int n = 0; n < space->poses; n++) {
+    bool anywhere = 2 * n < space->poses || size->worst == 0;
+    double share = 0.5 * exp2(8 - 16.0 * n / space->poses);
+    pose p = draw_pose(anywhere ? NULL : &worst, share, &random);
+    for (int i = 0; i < 2; i++) {
+      if (moves(&space->motion[i])) {
+        move_body(&r->moved[i], mesh[i], &space->motion[i], p.u[i]);
+        if (!quantise_body(r, i, &r->moved[i], &size->grid, error)) {
+          return false;
+        }
+      }
+    }
+    uint64_t left = count_meeting(r->boxes[0], mesh[0]->count, r->boxes[1], mesh[1]->count);
+    if (left > size->worst) {
+      size->worst = left;
+      worst = p;
+    }
+  }
+  size->poses = space->poses;
+  return true;
+}
+
+/* ------------------------------------------------------------------- word length */
+
+/* The workspace, or what the poses need; always with room for all of them. */
+static bool find_space(range *all, const range *hull, const sepax_space *space,
+                       sepax_error *error) {
+  *all = *hull;
+  for (int axis = 0; axis < 3 && space->workspace != SEPAX_WORKSPACE_NONE; axis++) {
+    double low = space->low[axis];
+    double high = space->high[axis];
+    double side = high - low;
+    if (space->workspace == SEPAX_WORKSPACE_SIDES) {
+      low = (hull->low[axis] + hull->high[axis] - side) / 2;
+      high = low + side;
+    }
+    double spare = workspace_slack * side;
+    if (hull->low[axis] < low - spare || hull->high[axis] > high + spare) {
+      return sepax_fail(error,
+                        "workspace: %c = %.9g ... %.9g, but the poses need %.9g ... %.9g; "
+                        "enlarge it or limit the motion",
+                        axis_name[axis], low, high, hull->low[axis], hull->high[axis]);
+    }
+    extend(all, axis, low, high);
+  }
+  return true;
+}
+
+static bool fits(const range *all, const sepax_grid *grid) {
+  sepax_facet corners = {.normal = {0}};
+  for (int axis = 0; axis < 3; axis++) {
+    corners.v[0][axis] = all->low[axis];
+    corners.v[1][axis] = all->high[axis];
+    corners.v[2][axis] = all->high[axis];
+  }
+  sepax_mesh one = {&corners, 1};
+  sepax_tri tri;
+  sepax_error unread;
+  return sepax_quantise(&one, grid, &tri, NULL, &unread);
+}
+
+static bool find_grid(sepax_grid *grid, const range *all, const sepax_space *space,
+                      sepax_error *error) {
+  *grid = (sepax_grid){.resolution = space->resolution, .word = SEPAX_WORD_MIN};
+  double widest = 0;
+  for (int axis = 0; axis < 3; axis++) {
+    double middle = (all->low[axis] + all->high[axis]) / 2;
+    grid->offset[axis] = space->offset_given ? space->offset[axis] : middle;
+    widest = fmax(widest,
+                  fmax(all->high[axis] - grid->offset[axis], grid->offset[axis] - all->low[axis]));
+  }
+  while (grid->word < SEPAX_WORD_MAX && !fits(all, grid)) {
+    grid->word++;
+  }
+  return fits(all, grid) ||
+         sepax_fail(error,
+                    "resolution: coordinates reach %.9g from the origin, more than %d bits "
+                    "of %.9g; give --resolution=%.3g or more",
+                    widest, SEPAX_WORD_MAX, space->resolution,
+                    widest / sepax_word_max(SEPAX_WORD_MAX) * 1.01);
+}
+
+static bool check_space(const sepax_mesh *const mesh[2], const sepax_space *space,
+                        sepax_error *error) {
+  if (mesh[0]->count == 0 || mesh[1]->count == 0) {
+    return sepax_fail(error, "mesh: no triangles; give two meshes that have some");
+  }
+  if (!(space->resolution > 0 && isfinite(space->resolution))) {
+    return sepax_fail(error, "resolution: %g is not a length above 0", space->resolution);
+  }
+  for (int axis = 0; axis < 3; axis++) {
+    for (int i = 0; i < 2; i++) {
+      const sepax_motion *m = &space->motion[i];
+      if (!(m->low[axis] <= m->high[axis])) {
+        return sepax_fail(error, "motion: %c from %g to %g is no range; put the smaller first",
+                          axis_name[axis], m->low[axis], m->high[axis]);
+      }
+    }
+    if (space->workspace != SEPAX_WORKSPACE_NONE && !(space->low[axis] < space->high[axis])) {
+      return sepax_fail(error, "workspace: %c from %g to %g is no range; put the smaller first",
+                        axis_name[axis], space->low[axis], space->high[axis]);
+    }
+  }
+  return true;
+}
+
+/* Behind the box test coordinates are seen from a corner of the larger kind of box. */
+static int bits_behind(const sepax_size *size) {
+  int64_t a = size->extent[0];
+  int64_t b = size->extent[1];
+  int64_t reach = a + b + (a > b ? b : a);
+  int bits = SEPAX_WORD_MIN;
+  while (reach >> bits != 0) {
+    bits++;
+  }
+  return bits < size->grid.word ? bits : size->grid.word;
+}
+
+static bool measure(sepax_size *size, room *r, const sepax_mesh *const mesh[2],
+                    const sepax_space *space, const range *all, sepax_error *error) {
+  double reach = 0;
+  for (int axis = 0; axis < 3; axis++) {
+    reach = fmax(reach, fmax(fabs(all->low[axis]), fabs(all->high[axis])));
+  }
+  bool moving = moves(&space->motion[0]) || moves(&space->motion[1]);
+  for (int i = 0; i < 2; i++) {
+    if (!quantise_body(r, i, mesh[i], &size->grid, error)) {
+      return false;
+    }
+    size->count[i] = mesh[i]->count;
+    size->extent[i] = moving || space->workspace != SEPAX_WORKSPACE_NONE
+                          ? extent_moved(mesh[i], space->motion[i].turn, reach, space->resolution)
+                          : longest_box_side(r->boxes[i], mesh[i]->count);
+  }
+  size->core_word = bits_behind(size);
+  size->given = count_meeting(r->boxes[0], mesh[0]->count, r->boxes[1], mesh[1]->count);
+  size->worst = size->given;
+  return !moving || space->poses == 0 || sample_poses(size, r, mesh, space, error);
+}
+
+bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b,
+                      const sepax_space *space, sepax_error *error) {
+  const sepax_mesh *const mesh[2] = {a, b};
+  sepax_size found = {.poses = 0};
+  range all;
+  if (!check_space(mesh, space, error)) {
+    return false;
+  }
+  range hull = hull_of(mesh, space->motion);
+  if (!find_space(&all, &hull, space, error) || !find_grid(&found.grid, &all, space, error)) {
+    return false;
+  }
+  for (int axis = 0; axis < 3; axis++) {
+    found.low[axis] = hull.low[axis];
+    found.high[axis] = hull.high[axis];
+  }
+  room r = {.tri = {NULL, NULL}};
+  bool ok = make_room(&r, mesh)
+                ? measure(&found, &r, mesh, space, &all, error)
+                : sepax_fail(error, "no memory for %zu and %zu triangles", a->count, b->count);
+  free_room(&r);
+  if (ok) {
+    *size = found;
+  }
+  return ok;
+}

@@ -1,0 +1,164 @@
+/* size.c - gates of a machine before it is mapped, and the machine of the fewest gates that
+ * does a scene in time. docs/size.md. */
+#include "util/error.h"
+
+#include <math.h>
+
+/* ----------------------------------------------------------------------- gates */
+
+enum { TERMS = 7 };
+
+/* GE of what each term counts: docs/area-nangate45.csv (Nangate45 typical, 2 ns as timed by
+ * synth/area/area) as scripts/experiments/fit-area fits it, with the largest relative error on its
+ * designs. */
+static const double ge_per_term[TERMS] = {4.6195, 8.7755, 1134.1, 35.031, 637.73, 1631.2, 635.7};
+static const int fitted_least = 8; /* bits of a coordinate */
+static const int fitted_most = 24;
+static const double largest_error = 0.0831;
+
+/* The same of what an object engine has around its core (docs/area-engine.csv,
+ * scripts/experiments/fit-area -l): GE a lane and bit of W, a bit of W, and in any case. Two word
+ * lengths do not tell the error; 5 % is allowed for. */
+static const double ge_per_lane_bit = 92.735;
+static const double ge_per_engine_bit = 405.8;
+static const double ge_of_engine = 12714;
+static const double engine_error = 0.05;
+
+/* Intervals of the designs that were mapped. */
+static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
+enum { INTERVALS = sizeof intervals / sizeof intervals[0] };
+
+static int units(int operations, int ii) { return (operations + ii - 1) / ii; }
+
+/* What the core is made of, of w bits behind the box test (docs/exact.md#formats): bits of
+ * its multipliers, a x b; bits of the results of its sums; what is stored in any case; what waits
+ * for others in a frame (longer than 9 cycles no more does); operands' multiplexers, where 3
+ * does not divide II; control; the box test. */
+static void count_terms(double term[TERMS], const sepax_design *d) {
+  int ii = d->config.ii;
+  int w = d->core_word;
+  int strips = units(15, ii);
+  int prisms = units(18, ii) + 1;
+  term[0] = strips * (w + 1) * (w + 1) + prisms * (2 * w + 1) * (w + 3);
+  term[1] = (strips + units(20, ii)) * (2 * w + 1) + (prisms + units(15, ii)) * (3 * w + 2);
+  term[2] = w;
+  term[3] = w * (ii < 9 ? ii : 9);
+  term[4] = ii > 1 && ii % 3 != 0 ? w : 0;
+  term[5] = 1;
+  term[6] = d->boxes ? d->config.word : 0;
+}
+
+double sepax_gates(const sepax_design *design, double *error) {
+  double term[TERMS];
+  double core = 0;
+  count_terms(term, design);
+  for (int i = 0; i < TERMS; i++) {
+    core += ge_per_term[i] * term[i];
+  }
+  const sepax_config *c = &design->config;
+  if (c->lanes == 0) {
+    *error = core * largest_error;
+    return core;
+  }
+  double around = ge_of_engine + (ge_per_engine_bit + ge_per_lane_bit * c->lanes) * c->word;
+  *error = core * c->cores * largest_error + around * engine_error;
+  return core * c->cores + around;
+}
+
+/* ------------------------------------------------------------------------ time */
+
+static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
+
+/* The walk of the engine (docs/engine.md), a memory of A and of B at a time. */
+static uint64_t walk_cycles(uint64_t a, uint64_t b, uint64_t lanes) {
+  enum { BEHIND_LAST_STEP = 6 };
+  return (a + lanes - 1) / lanes * larger(b, lanes) + (a - 1) % lanes + BEHIND_LAST_STEP;
+}
+
+static uint64_t lane_cycles(uint64_t count_a, uint64_t count_b, uint64_t lanes) {
+  uint64_t cycles = 0;
+  for (uint64_t a = 0; a < count_a; a += SEPAX_MEMORY_MAX) {
+    uint64_t here = count_a - a < SEPAX_MEMORY_MAX ? count_a - a : SEPAX_MEMORY_MAX;
+    uint64_t rest = count_b % SEPAX_MEMORY_MAX;
+    cycles += count_b / SEPAX_MEMORY_MAX * walk_cycles(here, SEPAX_MEMORY_MAX, lanes);
+    cycles += rest > 0 ? walk_cycles(here, rest, lanes) : 0;
+  }
+  return cycles;
+}
+
+/* In every cycle the walk goes on or the core is busy, so that a run takes no longer than
+ * both; a pair that is flat as seen along z goes through the core twice. */
+static uint64_t machine_cycles(const sepax_size *size, const sepax_design *d) {
+  uint64_t a = size->count[0];
+  uint64_t b = size->count[1];
+  uint64_t ii = (uint64_t)d->config.ii;
+  if (d->config.lanes == 0) {
+    return a * b * ii;
+  }
+  return lane_cycles(a, b, (uint64_t)d->config.lanes) + (2 * size->worst + 1) * ii;
+}
+
+/* --------------------------------------------------------------------- machine */
+
+static int memory_for(size_t count) {
+  int memory = SEPAX_MEMORY_MIN;
+  while (memory < SEPAX_MEMORY_MAX && (size_t)memory < count) {
+    memory *= 2;
+  }
+  return memory;
+}
+
+static bool fill_machine(sepax_machine *m, const sepax_size *size, int ii, int lanes, bool extents,
+                         int clock_ps, sepax_error *error) {
+  sepax_design design;
+  *m = (sepax_machine){.config = sepax_config_default()};
+  m->config.word = size->grid.word;
+  m->config.ii = ii;
+  m->config.clock_ps = clock_ps;
+  m->config.extent_a = extents ? (int)size->extent[0] : 0;
+  m->config.extent_b = extents ? (int)size->extent[1] : 0;
+  if (lanes > 0) {
+    m->config.lanes = lanes;
+    m->config.memory_a = memory_for(size->count[0]);
+    m->config.memory_b = memory_for(size->count[1]);
+  }
+  if (!sepax_design_init(&design, &m->config, error)) {
+    return false;
+  }
+  m->gates = sepax_gates(&design, &m->gates_error);
+  m->fitted =
+      clock_ps == 2000 && design.core_word >= fitted_least && design.core_word <= fitted_most;
+  m->cycles = machine_cycles(size, &design);
+  m->seconds = (double)m->cycles * clock_ps * 1e-12;
+  return true;
+}
+
+bool sepax_size_machine(sepax_machine *machine, const sepax_size *size, double seconds,
+                        int clock_ps, int lanes_least, int lanes_most, sepax_error *error) {
+  sepax_machine best = {.seconds = INFINITY};
+  bool found = false;
+  int kinds = size->core_word < size->grid.word ? 2 : 1;
+  for (int n = 0; n < kinds * INTERVALS; n++) {
+    for (int lanes = lanes_least; lanes <= lanes_most; lanes++) {
+      sepax_machine m;
+      if (!fill_machine(&m, size, intervals[n % INTERVALS], lanes, n >= INTERVALS, clock_ps,
+                        error)) {
+        return false;
+      }
+      bool in_time = m.seconds <= seconds * (1 + 1e-9);
+      if (in_time ? !found || m.gates < best.gates : !found && m.seconds < best.seconds) {
+        best = m;
+      }
+      found = found || in_time;
+    }
+  }
+  if (!found) {
+    return sepax_fail(
+        error,
+        "time: %.4g ms are not enough: at %g ns the fastest machine of up to %d lanes "
+        "takes %.4g ms; allow that, or coarsen the meshes",
+        1e3 * seconds, clock_ps / 1000.0, lanes_most, 1e3 * best.seconds);
+  }
+  *machine = best;
+  return true;
+}

@@ -1,0 +1,457 @@
+/* stl.c - STL files, text and binary, read and written whole. */
+#include "util/error.h"
+#include "util/write_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* A binary file: a title, the number of facets, then for each facet 12 numbers in
+ * binary32 (normal, vertices) and two bytes of attributes; all little-endian. */
+enum { TITLE_BYTES = 80, HEAD_BYTES = 84, FACET_BYTES = 50, FACET_NUMBERS = 12 };
+
+/* What rounds to binary32 infinity begins here. */
+static const double binary32_end = 0x1.ffffffp127;
+
+static const char cure[] = "export the mesh again";
+
+void sepax_mesh_free(sepax_mesh *mesh) {
+  free(mesh->facet);
+  *mesh = (sepax_mesh){0};
+}
+
+static bool fail(sepax_error *error, const char *path, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The path comes first and is cut, so that the cure at the end never is. */
+static bool fail(sepax_error *error, const char *path, const char *format, ...) {
+  char detail[200];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(detail, sizeof detail, format, args);
+  va_end(args);
+  sepax_fail(error, "%.300s: %s", path, detail);
+  return false;
+}
+
+/* The numbers of a facet in the order of the file. */
+static double *facet_number(sepax_facet *facet, int i) {
+  return i < 3 ? &facet->normal[i] : &facet->v[i / 3 - 1][i % 3];
+}
+
+static const char *number_name(int i) { return i < 3 ? "normal" : "coordinate"; }
+
+static const char *flaw(double number) { return isnan(number) ? "NaN" : "infinite"; }
+
+/* ------------------------------------------------------------- whole files */
+
+typedef struct {
+  char *bytes; /* and a '\0' behind them */
+  size_t size;
+} content;
+
+static bool is_readable_kind(FILE *in, const char *path, sepax_error *error) {
+  struct stat status;
+  if (fstat(fileno(in), &status) != 0) {
+    return fail(error, path, "%s; check the file", strerror(errno));
+  }
+  if (S_ISDIR(status.st_mode)) {
+    return fail(error, path, "is a directory; name an STL file");
+  }
+  if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode)) {
+    return fail(error, path, "is neither a file nor a pipe; name an STL file");
+  }
+  return true;
+}
+
+static bool read_stream(content *file, FILE *in, const char *path, sepax_error *error) {
+  size_t room = (size_t)1 << 16;
+  do {
+    room *= 2;
+    char *bytes = realloc(file->bytes, room);
+    if (bytes == NULL) {
+      return fail(error, path, "too large for the memory; use a coarser mesh");
+    }
+    file->bytes = bytes;
+    file->size += fread(bytes + file->size, 1, room - 1 - file->size, in);
+  } while (file->size == room - 1);
+  if (ferror(in)) {
+    return fail(error, path, "%s; check the file", strerror(errno));
+  }
+  file->bytes[file->size] = '\0';
+  return true;
+}
+
+/* No bytes on failure. */
+static content read_content(const char *path, sepax_error *error) {
+  content file = {0};
+  FILE *in = fopen(path, "rb");
+  if (in == NULL) {
+    fail(error, path, "%s; check the path", strerror(errno));
+    return file;
+  }
+  if (!is_readable_kind(in, path, error) || !read_stream(&file, in, path, error)) {
+    free(file.bytes);
+    file = (content){0};
+  }
+  fclose(in);
+  return file;
+}
+
+/* -------------------------------------------------------------------- text */
+
+typedef struct {
+  const char *path;
+  const char *next, *end; /* what is still to be read */
+  const char *word;
+  size_t length;
+  size_t line; /* of the word */
+  sepax_error *error;
+} scanner;
+
+static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/* A line ends with LF, CR LF or CR. */
+static bool ends_line(const char *c) { return *c == '\n' || (*c == '\r' && c[1] != '\n'); }
+
+/* False at the end of the text; the word is then empty. */
+static bool next_word(scanner *text) {
+  for (; text->next < text->end && is_blank(*text->next); text->next++) {
+    text->line += ends_line(text->next);
+  }
+  text->word = text->next;
+  while (text->next < text->end && !is_blank(*text->next)) {
+    text->next++;
+  }
+  text->length = (size_t)(text->next - text->word);
+  return text->length > 0;
+}
+
+static void skip_line(scanner *text) {
+  while (text->next < text->end && !ends_line(text->next)) {
+    text->next++;
+  }
+}
+
+static bool word_is(const scanner *text, const char *keyword) {
+  return text->length == strlen(keyword) && strncasecmp(text->word, keyword, text->length) == 0;
+}
+
+static bool fail_expecting(const scanner *text, const char *what) {
+  if (text->length == 0) {
+    return fail(text->error, text->path, "line %zu: the text ends before %s: truncated; %s",
+                text->line, what, cure);
+  }
+  char found[25] = "";
+  for (size_t i = 0; i < text->length && i < sizeof found - 1; i++) {
+    char c = text->word[i];
+    found[i] = '?';
+    if (c > ' ' && c <= '~') {
+      found[i] = c;
+    }
+  }
+  return fail(text->error, text->path, "line %zu: '%s' where %s is expected; %s", text->line, found,
+              what, cure);
+}
+
+static bool read_keyword(scanner *text, const char *keyword) {
+  next_word(text);
+  return word_is(text, keyword) || fail_expecting(text, keyword);
+}
+
+static bool read_number(scanner *text, double *number, const char *name) {
+  next_word(text);
+  char *end = NULL;
+  *number = strtod(text->word, &end);
+  bool hexadecimal = memchr(text->word, 'x', text->length) != NULL ||
+                     memchr(text->word, 'X', text->length) != NULL;
+  if (text->length == 0 || end != text->word + text->length || hexadecimal) {
+    return fail_expecting(text, "a number");
+  }
+  if (!isfinite(*number)) {
+    return fail(text->error, text->path, "line %zu: %s is %s; %s", text->line, name, flaw(*number),
+                cure);
+  }
+  return true;
+}
+
+static bool read_facet(scanner *text, sepax_facet *facet) {
+  bool ok = read_keyword(text, "normal");
+  for (int i = 0; ok && i < FACET_NUMBERS; i++) {
+    if (i == 3) {
+      ok = read_keyword(text, "outer") && read_keyword(text, "loop");
+    }
+    if (i >= 3 && i % 3 == 0) {
+      ok = ok && read_keyword(text, "vertex");
+    }
+    ok = ok && read_number(text, facet_number(facet, i), number_name(i));
+  }
+  return ok && read_keyword(text, "endloop") && read_keyword(text, "endfacet");
+}
+
+static bool append_facet(sepax_mesh *mesh, size_t *room, const sepax_facet *facet) {
+  if (mesh->count == *room) {
+    size_t more = *room == 0 ? 256 : 2 * *room;
+    sepax_facet *grown = realloc(mesh->facet, more * sizeof *grown);
+    if (grown == NULL) {
+      return false;
+    }
+    mesh->facet = grown;
+    *room = more;
+  }
+  mesh->facet[mesh->count++] = *facet;
+  return true;
+}
+
+static bool read_solid(scanner *text, sepax_mesh *mesh, size_t *room) {
+  if (!word_is(text, "solid")) {
+    return fail_expecting(text, "solid");
+  }
+  skip_line(text);
+  while (next_word(text) && word_is(text, "facet")) {
+    sepax_facet facet;
+    if (!read_facet(text, &facet)) {
+      return false;
+    }
+    if (!append_facet(mesh, room, &facet)) {
+      return fail(text->error, text->path, "too large for the memory; use a coarser mesh");
+    }
+  }
+  if (!word_is(text, "endsolid")) {
+    return fail_expecting(text, "facet or endsolid");
+  }
+  skip_line(text);
+  return true;
+}
+
+static bool read_text(sepax_mesh *mesh, const content *file, const char *path, sepax_error *error) {
+  scanner text = {.path = path,
+                  .next = file->bytes,
+                  .end = file->bytes + file->size,
+                  .line = 1,
+                  .error = error};
+  size_t room = 0;
+  while (next_word(&text)) {
+    if (!read_solid(&text, mesh, &room)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ------------------------------------------------------------------ binary */
+
+static uint32_t load32(const char *bytes) {
+  uint32_t word = 0;
+  for (int i = 3; i >= 0; i--) {
+    word = word << 8 | (unsigned char)bytes[i];
+  }
+  return word;
+}
+
+static void store32(char *bytes, uint32_t word) {
+  for (int i = 0; i < 4; i++) {
+    bytes[i] = (char)(word >> 8 * i & 0xff);
+  }
+}
+
+typedef union {
+  uint32_t word;
+  float number;
+} binary32;
+
+static uint64_t bytes_announced(const content *file) {
+  return HEAD_BYTES + (uint64_t)FACET_BYTES * load32(file->bytes + TITLE_BYTES);
+}
+
+static bool is_binary(const content *file) {
+  return file->size >= HEAD_BYTES && file->size == bytes_announced(file);
+}
+
+static bool read_binary(sepax_mesh *mesh, const content *file, const char *path,
+                        sepax_error *error) {
+  size_t count = (file->size - HEAD_BYTES) / FACET_BYTES;
+  if (count == 0) {
+    return true;
+  }
+  mesh->facet = malloc(count * sizeof *mesh->facet);
+  if (mesh->facet == NULL) {
+    return fail(error, path, "too large for the memory; use a coarser mesh");
+  }
+  const char *bytes = file->bytes + HEAD_BYTES;
+  for (; mesh->count < count; mesh->count++, bytes += FACET_BYTES) {
+    for (int i = 0; i < FACET_NUMBERS; i++) {
+      binary32 value = {.word = load32(bytes + 4 * i)};
+      if (!isfinite(value.number)) {
+        return fail(error, path, "facet %zu: %s is %s; %s", mesh->count + 1, number_name(i),
+                    flaw(value.number), cure);
+      }
+      *facet_number(&mesh->facet[mesh->count], i) = value.number;
+    }
+  }
+  return true;
+}
+
+/* ------------------------------------------------------- which of the two */
+
+/* Binary files may also begin with "solid"; but zeros are in the heads of those. */
+static bool is_text(const content *file) {
+  const char *word = file->bytes;
+  while (is_blank(*word)) {
+    word++;
+  }
+  size_t head = file->size < HEAD_BYTES ? file->size : HEAD_BYTES;
+  return strncasecmp(word, "solid", 5) == 0 && memchr(file->bytes, 0, head) == NULL;
+}
+
+static bool has_text_head(const content *file) {
+  for (size_t i = 0; i < HEAD_BYTES; i++) {
+    unsigned char c = (unsigned char)file->bytes[i];
+    if (c < ' ' && !is_blank((char)c)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool fail_format(const content *file, const char *path, sepax_error *error) {
+  if (file->size == 0) {
+    return fail(error, path, "the file is empty; %s", cure);
+  }
+  if (file->size < HEAD_BYTES || has_text_head(file)) {
+    return fail(error, path, "no STL file: neither 'solid' nor a binary header; %s",
+                "export the mesh as STL");
+  }
+  uint32_t count = load32(file->bytes + TITLE_BYTES);
+  uint64_t announced = bytes_announced(file);
+  const char *what = file->size < announced ? "truncated" : "longer than its count says";
+  return fail(error, path,
+              "%s: %" PRIu32 " facets take %" PRIu64
+              " bytes, the file has %zu (or is no STL file); %s",
+              what, count, announced, file->size, cure);
+}
+
+static bool read_format(sepax_mesh *mesh, const content *file, const char *path,
+                        sepax_error *error) {
+  if (is_binary(file)) {
+    return read_binary(mesh, file, path, error);
+  }
+  if (is_text(file)) {
+    return read_text(mesh, file, path, error);
+  }
+  return fail_format(file, path, error);
+}
+
+bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
+  content file = read_content(path, error);
+  if (file.bytes == NULL) {
+    return false;
+  }
+  sepax_mesh result = {0};
+  bool ok = read_format(&result, &file, path, error);
+  if (ok && result.count == 0) {
+    ok = fail(error, path, "no facets; %s", cure);
+  }
+  free(file.bytes);
+  if (!ok) {
+    sepax_mesh_free(&result);
+    return false;
+  }
+  *mesh = result;
+  return true;
+}
+
+/* ----------------------------------------------------------------- writing */
+
+static bool has_area(const double v[3][3]) {
+  double e[3];
+  double f[3];
+  for (int i = 0; i < 3; i++) {
+    e[i] = v[1][i] - v[0][i];
+    f[i] = v[2][i] - v[0][i];
+  }
+  return e[1] * f[2] != e[2] * f[1] || e[2] * f[0] != e[0] * f[2] || e[0] * f[1] != e[1] * f[0];
+}
+
+/* Does binary32 flatten a facet that has an area? */
+static bool flattened(const sepax_facet *facet) {
+  double rounded[3][3];
+  for (int k = 0; k < 3; k++) {
+    for (int i = 0; i < 3; i++) {
+      rounded[k][i] = (double)(float)facet->v[k][i];
+    }
+  }
+  return has_area(facet->v) && !has_area((const double(*)[3])rounded);
+}
+
+static bool fits_file(const sepax_mesh *mesh, const char *path, bool ascii, sepax_error *error) {
+  if (mesh->count == 0) {
+    return fail(error, path, "not written: the mesh has no facets");
+  }
+  if (!ascii && mesh->count > UINT32_MAX) {
+    return fail(error, path, "not written: too many facets for binary; write text");
+  }
+  for (size_t k = 0; k < mesh->count; k++) {
+    for (int i = 0; i < FACET_NUMBERS; i++) {
+      double number = *facet_number(&mesh->facet[k], i);
+      if (!isfinite(number)) {
+        return fail(error, path, "not written: facet %zu: %s is %s; mend the mesh", k + 1,
+                    number_name(i), flaw(number));
+      }
+      if (!ascii && fabs(number) >= binary32_end) {
+        return fail(error, path, "not written: facet %zu: %s %g does not fit binary32; write text",
+                    k + 1, number_name(i), number);
+      }
+    }
+    if (!ascii && flattened(&mesh->facet[k])) {
+      return fail(error, path,
+                  "not written: facet %zu has no area in binary32; write text or move "
+                  "nearer to the origin",
+                  k + 1);
+    }
+  }
+  return true;
+}
+
+static bool write_text(FILE *out, const void *context) {
+  const sepax_mesh *mesh = context;
+  bool ok = fputs("solid sepax\n", out) != EOF;
+  for (size_t k = 0; ok && k < mesh->count; k++) {
+    const double *n = mesh->facet[k].normal;
+    ok = fprintf(out, "  facet normal %.17g %.17g %.17g\n    outer loop\n", n[0], n[1], n[2]) > 0;
+    for (int i = 0; ok && i < 3; i++) {
+      const double *v = mesh->facet[k].v[i];
+      ok = fprintf(out, "      vertex %.17g %.17g %.17g\n", v[0], v[1], v[2]) > 0;
+    }
+    ok = ok && fputs("    endloop\n  endfacet\n", out) != EOF;
+  }
+  return ok && fputs("endsolid sepax\n", out) != EOF;
+}
+
+static bool write_binary(FILE *out, const void *context) {
+  const sepax_mesh *mesh = context;
+  char head[HEAD_BYTES] = "sepax, binary STL";
+  store32(head + TITLE_BYTES, (uint32_t)mesh->count);
+  bool ok = fwrite(head, sizeof head, 1, out) == 1;
+  for (size_t k = 0; ok && k < mesh->count; k++) {
+    char record[FACET_BYTES] = {0};
+    for (int i = 0; i < FACET_NUMBERS; i++) {
+      binary32 value = {.number = (float)*facet_number(&mesh->facet[k], i)};
+      store32(record + 4 * i, value.word);
+    }
+    ok = fwrite(record, sizeof record, 1, out) == 1;
+  }
+  return ok;
+}
+
+bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii, sepax_error *error) {
+  return fits_file(mesh, path, ascii, error) &&
+         sepax_write_file(path, ascii ? write_text : write_binary, mesh, error);
+}

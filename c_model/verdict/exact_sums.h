@@ -1,0 +1,123 @@
+/* exact_sums.h - the products and sums of exact.c, for one type (private; exact.c
+ * includes it once per type with NUMBER, an unsigned type, and NAME(x) defined).
+ *
+ * All arithmetic is modulo 2^bits of NUMBER: the signs are right if 3W + 2 bits fit. */
+
+/* One coordinate of the six vertices. */
+typedef struct {
+  NUMBER a[3], b[3];
+} NAME(coordinate);
+
+/* g_ijk, of 2W + 1 bits: minus twice the area in the projection on x and y of triangle
+ * A, of B, of edge e_i and vertex B_k (a[i][k]), of edge f_j and vertex A_k (b[j][k]). */
+typedef struct {
+  NUMBER own_a, own_b, a[3][3], b[3][3];
+} NAME(areas);
+
+/* h_ijk, modulo 2^(3W + 2): g_ijk times the sum of z less A's; that of A itself is 0. */
+typedef struct {
+  NUMBER own_b, a[3][3], b[3][3];
+} NAME(weighted);
+
+static int NAME(sign)(NUMBER value) {
+  return (value != 0) - 2 * (int)(value >> (8 * sizeof value - 1));
+}
+
+static void NAME(load)(NAME(coordinate) c[3], const sepax_tri *a, const sepax_tri *b) {
+  UNROLL for (int k = 0; k < 3; k++) {
+    c[0].a[k] = (NUMBER)a->v[k].x;
+    c[1].a[k] = (NUMBER)a->v[k].y;
+    c[2].a[k] = (NUMBER)a->v[k].z;
+    c[0].b[k] = (NUMBER)b->v[k].x;
+    c[1].b[k] = (NUMBER)b->v[k].y;
+    c[2].b[k] = (NUMBER)b->v[k].z;
+  }
+}
+
+/* t_ij: 15 products. */
+static NUMBER NAME(strip)(NUMBER xi, NUMBER yi, NUMBER xj, NUMBER yj) {
+  return (xj - xi) * (yi + yj);
+}
+
+static void NAME(find_areas)(NAME(areas) * g, const NAME(coordinate) * x,
+                             const NAME(coordinate) * y) {
+  NUMBER ta[3];
+  NUMBER tb[3];
+  NUMBER t[3][3];
+  UNROLL for (int i = 0; i < 3; i++) {
+    int n = next[i];
+    ta[i] = NAME(strip)(x->a[i], y->a[i], x->a[n], y->a[n]);
+    tb[i] = NAME(strip)(x->b[i], y->b[i], x->b[n], y->b[n]);
+    UNROLL for (int j = 0; j < 3; j++) {
+      t[i][j] = NAME(strip)(x->a[i], y->a[i], x->b[j], y->b[j]);
+    }
+  }
+  g->own_a = ta[0] + ta[1] + ta[2];
+  g->own_b = tb[0] + tb[1] + tb[2];
+  UNROLL for (int i = 0; i < 3; i++) {
+    UNROLL for (int k = 0; k < 3; k++) {
+      g->a[i][k] = ta[i] + t[next[i]][k] - t[i][k];
+      g->b[i][k] = tb[i] + t[k][i] - t[k][next[i]];
+    }
+  }
+}
+
+/* 19 products. */
+static void NAME(weigh)(NAME(weighted) * h, const NAME(areas) * g, const NAME(coordinate) * z) {
+  NUMBER origin = z->a[0] + z->a[1] + z->a[2];
+  h->own_b = g->own_b * (z->b[0] + z->b[1] + z->b[2] - origin);
+  UNROLL for (int i = 0; i < 3; i++) {
+    NUMBER edge_a = z->a[i] + z->a[next[i]] - origin;
+    NUMBER edge_b = z->b[i] + z->b[next[i]] - origin;
+    UNROLL for (int k = 0; k < 3; k++) {
+      h->a[i][k] = g->a[i][k] * (edge_a + z->b[k]);
+      h->b[i][k] = g->b[i][k] * (edge_b + z->a[k]);
+    }
+  }
+}
+
+static volume_signs NAME(volume_signs)(const NAME(coordinate) c[3]) {
+  NAME(areas) g;
+  NAME(weighted) h;
+  NAME(find_areas)(&g, &c[0], &c[1]);
+  NAME(weigh)(&h, &g, &c[2]);
+  volume_signs v;
+  UNROLL for (int i = 0; i < 3; i++) {
+    int n = next[i];
+    v.s[i] = NAME(sign)(h.a[0][i] + h.a[1][i] + h.a[2][i]);
+    v.w[i] = NAME(sign)(h.b[0][i] + h.b[1][i] + h.b[2][i] - h.own_b);
+    UNROLL for (int j = 0; j < 3; j++) {
+      v.d[i][j] = NAME(sign)(h.a[i][j] - h.a[i][next[j]] + h.b[j][i] - h.b[j][n]);
+    }
+  }
+  return v;
+}
+
+static area_signs NAME(area_signs)(const NAME(coordinate) * x, const NAME(coordinate) * y) {
+  NAME(areas) g;
+  NAME(find_areas)(&g, x, y);
+  area_signs s = {.own_a = NAME(sign)(g.own_a), .own_b = NAME(sign)(g.own_b)};
+  UNROLL for (int i = 0; i < 3; i++) {
+    UNROLL for (int k = 0; k < 3; k++) {
+      s.a[i][k] = NAME(sign)(g.a[i][k]);
+      s.b[i][k] = NAME(sign)(g.b[i][k]);
+    }
+  }
+  return s;
+}
+
+static sepax_verdict NAME(verdict)(const sepax_tri *a, const sepax_tri *b) {
+  NAME(coordinate) c[3];
+  NAME(load)(c, a, b);
+  volume_signs v = NAME(volume_signs)(c);
+  if (!all_zero(&v)) {
+    return judged(false, axis_in_space(&v));
+  }
+  for (int pass = 0; pass < 3; pass++) {
+    area_signs s = NAME(area_signs)(&c[pass], &c[next[pass]]);
+    if (!no_area(&s)) {
+      return judged(true, edge_separates(&s) ? AXIS_IN_PLANE : 0);
+    }
+  }
+  return judged(true, boxes_apart(a, b) ? AXIS_IN_PLANE : 0);
+}

@@ -1,0 +1,280 @@
+/* arith.c - multipliers planned: rows, full adders, ranks; and the delays behind that. */
+#include "arith.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of a full adder, from its first two inputs and from the third, which may be late. */
+static const double sum_delay = 0.135;
+static const double late_sum_delay = 0.085;
+static const double carry_delay = 0.095;
+
+/* Low columns are ready early, which helps the last addition, but not behind a rank. */
+static const double skew_lost = 0.07;
+
+double delay_register(void) { return 0.20; }
+
+double delay_row(int width) { return 0.17 + 0.03 * log2(width); }
+
+double delay_compressor(void) { return sum_delay; }
+
+double delay_adder(int width) { return 0.10 + 0.055 * log2(width) + 0.0012 * width; }
+
+double delay_test(int width) { return 0.05 + 0.04 * log2(width); }
+
+double delay_mux(int inputs) { return inputs > 1 ? 0.08 + 0.04 * log2(inputs) : 0; }
+
+/* ------------------------------------------------------------------------ planning */
+
+typedef struct {
+  int bit[ARITH_WIDTH];
+  int count;
+} column;
+
+static int add_bit(arith_plan *p, arith_source source, int from, int index, int stage,
+                   double time) {
+  if (p->bits == ARITH_BITS) {
+    abort();
+  }
+  p->bit[p->bits] = (arith_bit){source, from, index, stage, stage, time};
+  return p->bits++;
+}
+
+static void put(column *c, int bit) {
+  if (c->count == ARITH_WIDTH) {
+    abort();
+  }
+  c->bit[c->count++] = bit;
+}
+
+/* Take the earliest bit out of a column. */
+static int take_bit(const arith_plan *p, column *c) {
+  int best = 0;
+  for (int i = 1; i < c->count; i++) {
+    const arith_bit *a = &p->bit[c->bit[i]];
+    const arith_bit *b = &p->bit[c->bit[best]];
+    if (a->stage < b->stage || (a->stage == b->stage && a->time < b->time)) {
+      best = i;
+    }
+  }
+  int bit = c->bit[best];
+  memmove(c->bit + best, c->bit + best + 1, (size_t)(c->count - best - 1) * sizeof c->bit[0]);
+  c->count--;
+  return bit;
+}
+
+/* A digit of one bit, which is a sign, is never 2 or -2. */
+static int whole_row(const arith_plan *p, int row) {
+  return p->sum_w - 2 * row == 1 ? p->a_w : p->a_w + 1;
+}
+
+int arith_row_bits(const arith_plan *p, int row) {
+  int whole = whole_row(p, row);
+  int room = p->p_w - 2 * row;
+  return whole < room ? whole : room;
+}
+
+bool arith_row_whole(const arith_plan *p, int row) {
+  return arith_row_bits(p, row) == whole_row(p, row);
+}
+
+/* Rows and their corrections: each row's highest bit, inverted, stands for -2^n + it. */
+static void plan_rows(arith_plan *p, column *columns, bool one[ARITH_WIDTH], double time) {
+  int weight[ARITH_WIDTH] = {0};
+  for (int row = 0; row < p->rows; row++) {
+    int bits = arith_row_bits(p, row);
+    for (int i = 0; i < bits; i++) {
+      put(&columns[2 * row + i], add_bit(p, ARITH_ROW, row, i, 0, time));
+    }
+    if (arith_row_whole(p, row)) {
+      weight[2 * row + bits - 1]++;
+    }
+    put(&columns[2 * row], add_bit(p, ARITH_NEGATIVE, row, 0, 0, time - 0.1));
+  }
+  int borrow = 0;
+  for (int c = 0; c < p->p_w; c++) {
+    int digit = -weight[c] - borrow;
+    one[c] = (digit & 1) != 0;
+    borrow = (one[c] - digit) / 2;
+  }
+}
+
+/* The stage and time at which something with this delay is ready, given its inputs. */
+static void settle(const arith_plan *p, const int *input, int inputs, double delay, double room,
+                   int *stage, double *time) {
+  *stage = 0;
+  *time = 0;
+  for (int i = 0; i < inputs; i++) {
+    const arith_bit *b = &p->bit[input[i]];
+    if (b->stage > *stage) {
+      *stage = b->stage;
+      *time = 0;
+    }
+    if (b->stage == *stage && b->time > *time) {
+      *time = b->time;
+    }
+  }
+  *time += delay;
+  if (*time > room) {
+    (*stage)++;
+    *time = delay;
+  }
+}
+
+static void use(arith_plan *p, int bit, int stage) {
+  p->bit[bit].last = stage > p->bit[bit].last ? stage : p->bit[bit].last;
+}
+
+static int level_of(const arith_plan *p, int bit, int stage) {
+  const arith_bit *b = &p->bit[bit];
+  return b->source < ARITH_SUM || b->source == ARITH_ONE || b->stage < stage
+             ? 0
+             : p->adder[b->from].level;
+}
+
+/* Three bits of a column, or two, or two and a one, become one and a carry. */
+static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, double room) {
+  arith_adder *a = &p->adder[p->adders];
+  if (p->adders == ARITH_ADDERS) {
+    abort();
+  }
+  int inputs = kind == ARITH_FULL ? 3 : 2;
+  bool top = at == p->p_w - 1;
+  kind = top ? kind + (ARITH_TOP_FULL - ARITH_FULL) : kind;
+  *a = (arith_adder){.kind = kind, .column = at};
+  for (int i = 0; i < inputs; i++) {
+    a->input[i] = take_bit(p, &columns[at]);
+  }
+  int stage[3];
+  double time[3];
+  settle(p, a->input, 2, sum_delay, room, &stage[0], &time[0]);
+  settle(p, a->input, 2, carry_delay, room, &stage[1], &time[1]);
+  double sum = time[0];
+  double carry = time[1];
+  a->stage = stage[0];
+  if (inputs == 3) {
+    settle(p, a->input + 2, 1, late_sum_delay, room, &stage[2], &time[2]);
+    if (stage[2] > a->stage) {
+      a->stage = stage[2];
+      sum = carry = time[2] > carry_delay ? time[2] : carry_delay;
+    } else if (stage[2] == a->stage && time[2] > sum) {
+      sum = time[2];
+    }
+    if (stage[2] == a->stage && time[2] + carry_delay - late_sum_delay > carry) {
+      carry = time[2] + carry_delay - late_sum_delay;
+    }
+  }
+  if (stage[1] < a->stage && carry > sum) {
+    carry = sum;
+  }
+  for (int i = 0; i < inputs; i++) {
+    use(p, a->input[i], a->stage);
+    int level = level_of(p, a->input[i], a->stage) + 1;
+    a->level = level > a->level ? level : a->level;
+  }
+  p->levels = a->level > p->levels ? a->level : p->levels;
+  for (int i = 0; i < p->adders; i++) {
+    const arith_adder *b = &p->adder[i];
+    if (b->column == at && b->level == a->level && b->stage == a->stage && b->kind == kind &&
+        b->copy >= a->copy) {
+      a->copy = b->copy + 1;
+    }
+  }
+  int number = p->adders++;
+  put(&columns[at], add_bit(p, ARITH_SUM, number, 0, a->stage, sum));
+  if (!top) {
+    put(&columns[at + 1], add_bit(p, ARITH_CARRY, number, 0, a->stage, carry));
+  }
+}
+
+/* Columns below this are early enough to ripple. */
+enum { RIPPLE = 8 };
+
+static void plan_in(arith_plan *p, const arith_form *form, double room) {
+  *p = (arith_plan){.a_w = form->a_w, .b_w = form->b_w, .p_w = form->p_w};
+  p->rows = form->digits > 0 ? form->digits : (form->b_w + 1) / 2;
+  p->plain = form->digits == 0;
+  p->less = form->less;
+  p->sum_w = form->b_w + p->plain;
+  double used = form->used + (p->plain ? delay_adder(p->sum_w) : 0);
+  int p_w = p->p_w;
+  column *columns = calloc(ARITH_WIDTH, sizeof *columns);
+  if (columns == NULL) {
+    abort();
+  }
+  bool one[ARITH_WIDTH] = {false};
+  plan_rows(p, columns, one, used + delay_row(p->a_w));
+  int stage = 0;
+  double time = 0;
+  for (int c = 0; c < p_w; c++) {
+    if (one[c] && columns[c].count >= 2) {
+      add_adder(p, columns, c, ARITH_PLUS_ONE, room);
+    } else if (one[c]) {
+      put(&columns[c], add_bit(p, ARITH_ONE, 0, 0, 0, 0));
+    }
+    if (c >= RIPPLE && columns[c].count > 2 && columns[c].count % 2 == 1) {
+      add_adder(p, columns, c, ARITH_HALF, room);
+    }
+    while (columns[c].count > 2) {
+      add_adder(p, columns, c, ARITH_FULL, room);
+    }
+    for (int i = 0; i < 2; i++) {
+      p->final[i][c] = i < columns[c].count ? columns[c].bit[i] : -1;
+      if (p->final[i][c] >= 0) {
+        const arith_bit *b = &p->bit[p->final[i][c]];
+        time = b->stage > stage || (b->stage == stage && b->time > time) ? b->time : time;
+        stage = b->stage > stage ? b->stage : stage;
+      }
+    }
+  }
+  free(columns);
+  double skew = stage > 0 ? skew_lost : 0;
+  p->ranks = time + delay_adder(p_w) + skew > room ? stage + 1 : stage;
+  for (int c = 0; c < p_w; c++) {
+    for (int i = 0; i < 2; i++) {
+      if (p->final[i][c] >= 0) {
+        use(p, p->final[i][c], p->ranks);
+      }
+    }
+  }
+  for (int i = 0; i < p->bits; i++) {
+    p->registers += p->bit[i].source == ARITH_ONE ? 0 : p->bit[i].last - p->bit[i].stage;
+  }
+}
+
+/* With as many ranks as the period needs, their places are those for the shortest period
+ * that needs no more. */
+void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
+  double enough = period - delay_register();
+  plan_in(p, form, enough);
+  int ranks = p->ranks;
+  double little = enough / 2;
+  for (int i = 0; i < 4 && ranks > 0; i++) {
+    double room = (enough + little) / 2;
+    plan_in(p, form, room);
+    if (p->ranks == ranks) {
+      enough = room;
+    } else {
+      little = room;
+    }
+  }
+  if (p->ranks != ranks) {
+    plan_in(p, form, enough);
+  }
+}
+
+bool arith_same(const arith_plan *plan, const arith_plan *other) {
+  return plan->a_w == other->a_w && plan->b_w == other->b_w && plan->p_w == other->p_w &&
+         plan->rows == other->rows && plan->plain == other->plain && plan->less == other->less &&
+         plan->ranks == other->ranks;
+}
+
+double arith_shortest(const arith_form *form) {
+  double row = delay_row(form->a_w) + sum_delay;
+  if (form->digits == 0) {
+    row += delay_adder(form->b_w + 1);
+  }
+  double addition = delay_adder(form->p_w);
+  return delay_register() + (row > addition ? row : addition);
+}

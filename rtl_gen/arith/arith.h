@@ -1,0 +1,95 @@
+/* arith.h - arithmetic of architecture exact: multipliers, and the delays by which they are
+ * pipelined. */
+#ifndef SEPAX_ARITH_H
+#define SEPAX_ARITH_H
+
+#include "emit/gen.h"
+
+/* Delays in nanoseconds of mapped and sized logic, Nangate45 typical (docs/exact.md tells how
+ * far they are right). */
+double delay_register(void);   /* clock to output and setup together */
+double delay_row(int width);   /* a digit, its fan-out over a row, and selection */
+double delay_compressor(void); /* one 3:2 compressor on whole words */
+double delay_adder(int width); /* carry-propagate addition */
+double delay_test(int width);  /* width bits are zero */
+double delay_mux(int inputs);  /* one of several sources, by cycle of the frame */
+
+/* A multiplier modulo 2^p_w. b is cut into radix-4 digits; each but the highest counts for one
+ * less than it says, so that it is -1, 0, 1 or 2 and its row needs no multiple of a
+ * but a, 2a and -a. All in all that is a (b - K), K = 1 + 4 + 16 ...: whoever wants a b adds
+ * K to b beforehand, or has sums in which a K cancels. Two less do as well (-2, -1, 0, 1; K =
+ * 2 + 8 + 32 ...), for a b that has got K twice. Then full adders, column by column,
+ * the earliest bits first, until two rows are left; one addition. A half adder first makes
+ * odd columns even, so that no carry ripples through them. Where a bit would come later
+ * than the period allows, it is made behind a rank of registers. */
+enum { ARITH_BITS = 12288, ARITH_ADDERS = 3072, ARITH_WIDTH = 128, ARITH_RANKS = 8 };
+
+typedef enum { ARITH_ROW, ARITH_NEGATIVE, ARITH_SUM, ARITH_CARRY, ARITH_ONE } arith_source;
+
+typedef struct {
+  arith_source source;
+  int from, index; /* row and bit of it; or the adder */
+  int stage;       /* ranks passed when it is made */
+  int last;        /* ranks passed when it is last used */
+  double time;     /* since that rank */
+} arith_bit;
+
+typedef enum {
+  ARITH_FULL,     /* a + b + c */
+  ARITH_HALF,     /* a + b */
+  ARITH_PLUS_ONE, /* a + b + 1 */
+  ARITH_TOP_FULL, /* the same in the highest column, which needs no carry */
+  ARITH_TOP_HALF,
+  ARITH_TOP_PLUS_ONE
+} arith_kind;
+
+typedef struct {
+  arith_kind kind;
+  int column, level, stage;
+  int input[3]; /* bits; two but in full adders */
+  int copy;     /* which of its kind in its column, level and stage */
+} arith_adder;
+
+typedef struct {
+  int a_w, b_w, p_w; /* bits of a, b, the product */
+  int digits;        /* of b, for a (b - K); the highest must be in -2 ... 2. 0: a b */
+  int less;          /* what a digit counts less: 1, 2 */
+  double used;       /* ns spent before b is there */
+} arith_form;
+
+typedef struct {
+  int a_w, b_w, p_w;
+  bool plain; /* a b; else a (b - K) */
+  int less;
+  int sum_w; /* bits that are cut into digits: b, or b + K */
+  int rows, levels, ranks;
+  int registers; /* bits in all ranks */
+  arith_bit bit[ARITH_BITS];
+  int bits;
+  arith_adder adder[ARITH_ADDERS];
+  int adders;
+  int final[2][ARITH_WIDTH]; /* the two rows of the last addition; -1: no bit */
+} arith_plan;
+
+/* The shortest period in ns, however many ranks: registers, and a row and a full adder, or the
+ * last addition, or that of K. */
+double arith_shortest(const arith_form *form);
+
+void arith_plan_make(arith_plan *plan, const arith_form *form, double period);
+
+bool arith_same(const arith_plan *plan, const arith_plan *other);
+
+/* Bits of a row; whether they are all, or cut off at the product's highest. */
+int arith_row_bits(const arith_plan *plan, int row);
+bool arith_row_whole(const arith_plan *plan, int row);
+
+void gen_fa(emitter *e);
+void gen_digits(emitter *e, bool two_less);
+
+/* Its module: sepax_mul_AxB, or sepax_mul_AxB_2 where digits count two less. */
+void arith_name(const arith_plan *plan, char name[EMIT_NAME]);
+
+/* Emit the multiplier as a module: ports a, b, p, and clk if it has registers. */
+void gen_multiplier(emitter *e, const arith_plan *plan);
+
+#endif

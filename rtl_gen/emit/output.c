@@ -1,0 +1,285 @@
+/* output.c - writing a generated design into a folder. */
+#include "engine/engine.h"
+#include "util/error.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { FILES = EMIT_MODULES + 6, PATH_ROOM = 8192 };
+
+typedef struct {
+  char name[EMIT_NAME + 8];
+  char *text;
+  size_t size;
+  bool aside; /* written, not yet renamed */
+} output_file;
+
+static FILE *open_file(output_file *file, const char *name) {
+  snprintf(file->name, sizeof file->name, "%s", name);
+  FILE *stream = open_memstream(&file->text, &file->size);
+  if (stream == NULL) {
+    abort();
+  }
+  return stream;
+}
+
+static json_t *describe_formats(const sepax_design *d) {
+  json_t *list = json_array();
+  for (int i = 0; i < d->formats; i++) {
+    const sepax_format *f = &d->format[i];
+    json_array_append_new(list, json_pack("{s:s, s:i, s:i, s:i}", "name", f->name, "exact",
+                                          f->exact, "width", f->width, "shift", f->shift));
+  }
+  return list;
+}
+
+static json_t *describe_ports(const emit_module *top) {
+  json_t *list = json_array();
+  for (int i = 0; i < top->symbols; i++) {
+    const emit_symbol *s = &top->symbol[i];
+    if (s->kind == EMIT_INPUT || s->kind == EMIT_OUTPUT || s->kind == EMIT_OUTPUT_REG) {
+      int width = 1;
+      if (s->width[0] != '\0') {
+        emit_constant(top, NULL, 0, s->width, &width);
+      }
+      json_array_append_new(list,
+                            json_pack("{s:s, s:s, s:i, s:b, s:s}", "name", s->name, "direction",
+                                      s->kind == EMIT_INPUT ? "input" : "output", "width", width,
+                                      "signed", s->is_signed, "about", s->about));
+    }
+  }
+  return list;
+}
+
+static json_t *describe(const emitter *e) {
+  const sepax_design *d = e->design;
+  const sepax_config *c = &d->config;
+  char text[256];
+  json_t *modules = json_array();
+  for (int i = 0; i < e->modules; i++) {
+    json_array_append_new(modules, json_string(e->module[i]->name));
+  }
+  bool exact = c->arch == SEPAX_ARCH_EXACT;
+  json_t *all =
+      json_pack("{s:s, s:s, s:s, s:i, s:i, s:i, s:i}", "version", SEPAX_VERSION, "arch",
+                sepax_arch_name(c->arch), "options", sepax_config_text(c, text, sizeof text),
+                "word", c->word, "ii", c->ii, "latency", d->latency, "input_words", exact ? 1 : 3);
+  if (exact) {
+    json_object_set_new(all, "clock_ns", json_real(c->clock_ps / 1000.0));
+    json_object_set_new(all, "coplanar", json_string(c->flag ? "flag" : "exact"));
+    if (c->extent_a > 0) {
+      json_object_set_new(all, "extent_a", json_integer(c->extent_a));
+      json_object_set_new(all, "extent_b", json_integer(c->extent_b));
+      json_object_set_new(all, "core_word", json_integer(d->core_word));
+    }
+    if (c->early_out) {
+      json_object_set_new(all, "early_out", json_string("boxes"));
+    }
+    if (d->limits > 0) {
+      json_object_set_new(all, "clearance", json_integer(c->clearance));
+      json_object_set_new(all, "margin", json_integer((json_int_t)d->margin[1]));
+    }
+    if (d->limits > 1) {
+      json_object_set_new(all, "warning", json_integer(c->warning));
+    }
+    json_object_set_new(all, "behavioural_view", json_string("SEPAX_BEHAVIOURAL"));
+  } else {
+    json_object_set_new(all, "coplanar_limit", json_integer((json_int_t)d->coplanar_limit));
+  }
+  json_object_set_new(all, "formats", describe_formats(d));
+  json_object_set_new(all, "modules", modules);
+  json_object_set_new(all, "ports", describe_ports(e->module[e->modules - 1]));
+  return all;
+}
+
+/* "--block-float=off ..." as "BLOCK_FLOAT=off ...", for the Makefile. */
+static void make_variables(const sepax_config *config, char *text, size_t size) {
+  char options[256];
+  size_t used = 0;
+  bool name = true;
+  sepax_config_text(config, options, sizeof options);
+  for (const char *c = options; *c != '\0' && used + 1 < size; c++) {
+    if (c[0] == '-' && c[1] == '-') {
+      c++;
+      name = true;
+      continue;
+    }
+    name = name && *c != '=';
+    text[used++] = (char)(name && *c == '-' ? '_' : name ? toupper((unsigned char)*c) : *c);
+  }
+  text[used] = '\0';
+}
+
+static int render(const emitter *e, output_file file[FILES]) {
+  const sepax_design *d = e->design;
+  char name[EMIT_NAME + 8];
+  char options[256];
+  char variables[256];
+  int count = 0;
+  for (; count < e->modules; count++) {
+    snprintf(name, sizeof name, "%s.v", e->module[count]->name);
+    FILE *out = open_file(&file[count], name);
+    emit_print(e->module[count], out);
+    fclose(out);
+  }
+  FILE *out = open_file(&file[count++], "sepax.f");
+  for (int i = 0; i < e->modules; i++) {
+    fprintf(out, "%s.v\n", e->module[i]->name);
+  }
+  fclose(out);
+  if (d == NULL) {
+    return count;
+  }
+  make_variables(&d->config, variables, sizeof variables);
+  out = open_file(&file[count++], "sepax_params.h");
+  fprintf(out,
+          "/* Generated by sepax %s; do not edit. */\n"
+          "#define SEPAX_OPTIONS \"%s\"\n#define SEPAX_MAKE \"%s\"\n"
+          "#define SEPAX_WORD %d\n#define SEPAX_LATENCY %d\n#define SEPAX_II %d\n"
+          "#define SEPAX_EXACT %d\n#define SEPAX_FLAG %d\n",
+          SEPAX_VERSION, sepax_config_text(&d->config, options, sizeof options), variables,
+          d->config.word, d->latency, d->config.ii, d->config.arch == SEPAX_ARCH_EXACT,
+          d->config.flag);
+  if (d->config.arch == SEPAX_ARCH_CONFERENCE) {
+    fprintf(out, "#define SEPAX_CONFERENCE 1\n");
+  }
+  if (d->boxes) {
+    fprintf(out, "#define SEPAX_BOXES 1\n");
+  }
+  if (d->config.extent_a > 0) {
+    fprintf(out, "#define SEPAX_EXTENT_A %d\n#define SEPAX_EXTENT_B %d\n", d->config.extent_a,
+            d->config.extent_b);
+  }
+  if (d->config.lanes > 0) {
+    fprintf(
+        out,
+        "#define SEPAX_LANES %d\n#define SEPAX_CORES %d\n#define SEPAX_MEMORY_A %d\n#define SEPAX_MEMORY_B %d\n",
+        d->config.lanes, d->config.cores, d->config.memory_a, d->config.memory_b);
+  }
+  if (d->limits > 0) {
+    fprintf(out, "#define SEPAX_BANDS %d\n", d->limits + 1);
+  }
+  fclose(out);
+  out = open_file(&file[count++], "sepax_params.vh");
+  fprintf(out,
+          "// Generated by sepax %s; do not edit.\n"
+          "localparam WORD = %d;\nlocalparam LATENCY = %d;\nlocalparam II = %d;\n",
+          SEPAX_VERSION, d->config.word, d->latency, d->config.ii);
+  if (d->boxes) {
+    fprintf(out, "`define SEPAX_BOXES\n");
+  }
+  if (d->config.arch == SEPAX_ARCH_CONFERENCE) {
+    fprintf(out, "`define SEPAX_CONFERENCE\n");
+  }
+  if (d->limits > 0) {
+    fprintf(out, "`define SEPAX_BANDS\n");
+  }
+  fclose(out);
+  if (d->config.lanes > 0) {
+    out = open_file(&file[count++], "sepax_registers.h");
+    engine_header(out);
+    fclose(out);
+    out = open_file(&file[count++], "sepax_registers.md");
+    engine_page(out);
+    fclose(out);
+  }
+  out = open_file(&file[count++], "sepax.json");
+  json_t *description = describe(e);
+  json_dumpf(description, out, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
+  fputc('\n', out);
+  json_decref(description);
+  fclose(out);
+  return count;
+}
+
+/* Where a file is written before it is renamed; the process's own. */
+static const char *aside_path(char path[PATH_ROOM], const char *folder, const output_file *file) {
+  snprintf(path, PATH_ROOM, "%s/%s.tmp.%ld", folder, file->name, (long)getpid());
+  return path;
+}
+
+static bool write_aside(const char *folder, output_file *file, sepax_error *error) {
+  char path[PATH_ROOM];
+  FILE *out = fopen(aside_path(path, folder, file), "wx");
+  if (out == NULL) {
+    return sepax_fail(error, "%.200s: %s; give a folder that can be written to", path,
+                      strerror(errno));
+  }
+  file->aside = true;
+  bool written = fwrite(file->text, 1, file->size, out) == file->size;
+  if (fclose(out) != 0 || !written) {
+    return sepax_fail(error, "%.200s: %s; free some space or give another folder", path,
+                      strerror(errno));
+  }
+  return true;
+}
+
+static void remove_aside(const char *folder, const output_file *file, int count) {
+  char path[PATH_ROOM];
+  for (int i = 0; i < count; i++) {
+    if (file[i].aside) {
+      unlink(aside_path(path, folder, &file[i]));
+    }
+  }
+}
+
+/* A folder where a file must go would stop the renaming half way. */
+static bool ways_clear(const char *folder, const output_file *file, int count, sepax_error *error) {
+  char path[PATH_ROOM];
+  struct stat status;
+  for (int i = 0; i < count; i++) {
+    snprintf(path, sizeof path, "%s/%s", folder, file[i].name);
+    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+      return sepax_fail(error, "%.200s: not a regular file; remove it", path);
+    }
+  }
+  return true;
+}
+
+static bool rename_all(const char *folder, const output_file *file, int count, sepax_error *error) {
+  char from[PATH_ROOM];
+  char to[PATH_ROOM];
+  for (int i = 0; i < count; i++) {
+    snprintf(to, sizeof to, "%s/%s", folder, file[i].name);
+    if (rename(aside_path(from, folder, &file[i]), to) != 0) {
+      return sepax_fail(error, "%.200s: %s; remove what is in the way", to, strerror(errno));
+    }
+  }
+  return true;
+}
+
+bool gen_write(const emitter *e, const char *folder, sepax_error *error) {
+  if (strlen(folder) > 3000) {
+    return sepax_fail(error, "%.60s...: the folder's name is too long", folder);
+  }
+  bool made = mkdir(folder, 0777) == 0;
+  struct stat status;
+  if (!made && errno != EEXIST) {
+    return sepax_fail(error, "%.200s: %s; give a folder that can be made", folder, strerror(errno));
+  }
+  if (!made && (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode))) {
+    return sepax_fail(error, "%.200s: not a folder; give another name", folder);
+  }
+  output_file file[FILES] = {0};
+  int count = render(e, file);
+  bool ok = ways_clear(folder, file, count, error);
+  for (int i = 0; i < count && ok; i++) {
+    ok = write_aside(folder, &file[i], error);
+  }
+  ok = ok && rename_all(folder, file, count, error);
+  if (!ok) {
+    remove_aside(folder, file, count);
+    if (made) {
+      rmdir(folder);
+    }
+  }
+  for (int i = 0; i < count; i++) {
+    free(file[i].text);
+  }
+  return ok;
+}

@@ -1,0 +1,62 @@
+# What synth/area/area found, from the names of the modules ($names, of synth/area/names.jq), the
+# number of cells in each as mapped ($count), the library ($cells), the design ($design)
+# and its timing ($timing).
+
+def table: split("\n") | map(select(. != "") | split(" "));
+def rounded: . * 1000 | round / 1000;
+# How often each module stands below the top; the top stands once.
+def instances($top):
+  . as $modules
+  | def times($m):
+      if $m == $top then 1
+      else [$modules | to_entries[] | select(.value[$m]) | .value[$m] * times(.key)] | add // 0
+      end;
+    with_entries(.value = times(.key));
+
+($cells | table
+  | map({key: .[0], value: {area: (.[1] | tonumber), ff: (.[2] | tonumber)}}) | from_entries
+  ) as $cell
+| (reduce ($count | table)[] as [$m, $type, $n] ({};
+    if $type == "-" then .[$m] = {} else .[$m][$type] = ($n | tonumber) end)) as $modules
+| ($names[0] | map({key: .plain, value: .readable}) | from_entries) as $name
+| ($modules | instances($top)) as $instances
+| [ $modules | to_entries[] | .key as $m
+    | [.value | to_entries[] | select($cell[.key])] as $own
+    | ([$own[] | .value * $cell[.key].area] | add // 0) as $area
+    | {
+        name: $name[$m],
+        instances: $instances[$m],
+        ge: ($area / $nand2_area | rounded),
+        ge_total: ($area * $instances[$m] / $nand2_area | rounded),
+        ff: ([$own[] | .value * $cell[.key].ff] | add // 0),
+        area: ($area * $instances[$m])
+      }
+  ] as $rows
+| $design[0] as $d
+| {
+    unknown: ([$modules[] | keys[] | select($modules[.] == null and ($cell[.].area // 0) == 0)]
+      | unique),
+    repeated: [$modules | to_entries[]
+      | select($instances[.key] > 1 and ([.value | keys[] | $modules[.]] | all(. == null)))
+      | .key],
+    area: {
+      library: $library,
+      nand2: $nand2,
+      nand2_area: $nand2_area,
+      tools: {yosys: $yosys, sta: $sta},
+      design: {
+        arch: $d.arch,
+        word: $d.word,
+        ii: $d.ii,
+        precision: ([$d.options | capture("--precision=(?<bits>[^ ]+)").bits][0] // "exact"),
+        options: $d.options,
+        latency: $d.latency,
+        timing: $timing,
+        multipliers: (if $d.arch == "exact" or $multipliers != "" then "generated" else "*" end),
+        area: ([$rows[].area] | add | rounded),
+        ge: ([$rows[].ge_total] | add | rounded),
+        ff: ([$rows[] | .ff * .instances] | add),
+        modules: ($rows | map(del(.area)) | sort_by(-.ge_total, .name))
+      }
+    }
+  }

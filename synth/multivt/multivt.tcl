@@ -1,0 +1,235 @@
+# synth/multivt/multivt.tcl - two threshold voltages: which cells of a flat netlist may be slow.
+#
+# liberty (both files), netlist, swaps (the table of synth/multivt/swaps), top, clock, period, activity
+# are set by who sources it. Prints lines that begin with a word of its own, for
+# synth/multivt/multivt: the cells that stay fast, among others; the last is "end".
+#
+# Where the fast cells alone are late, nothing is swapped. Else first every cell is a slow one.
+# Then, as long as paths are too slow, cells on them become fast again: on each path as many as
+# it takes, those first which are on many slow paths, gain much and leak little. At last whatever
+# has slack to spare goes back, in parts, as far as the period holds.
+
+foreach file $liberty { read_liberty $file }
+set_cmd_units -time ns
+read_verilog $netlist
+link_design $top
+
+proc constrain {period clock activity} {
+  create_clock -name clk -period $period [get_ports $clock]
+  set inputs {}
+  foreach port [all_inputs] {
+    if {[get_name $port] ne $clock} { lappend inputs $port }
+  }
+  set_input_delay 0 -clock clk $inputs
+  set_output_delay 0 -clock clk [all_outputs]
+  set_power_activity -input -activity $activity -duty 0.5
+  if {[lsearch [lmap port $inputs { get_name $port }] rst] >= 0} {
+    set_power_activity -input_ports rst -activity 0 -duty 0
+  }
+}
+
+proc worst {} { return [get_property [lindex [find_timing_paths -path_delay max] 0] slack] }
+
+proc report {when} {
+  puts "slack $when [worst]"
+  puts "power $when"
+  report_power -digits 6
+  puts "power done"
+}
+
+constrain $period $clock $activity
+report before
+set possible [expr {[worst] >= 0}]
+
+set file [open $swaps]
+while {[gets $file line] >= 0} {
+  lassign $line fast slow leak_fast leak_slow
+  set slow_of($fast) $slow
+  set gain_of($fast) [expr {$leak_fast - $leak_slow}]
+}
+close $file
+
+foreach cell [get_lib_cells */*] { set lib_cell([get_name $cell]) $cell }
+foreach cell [get_cells -hierarchical *] {
+  set type [get_property $cell ref_name]
+  if {[info exists slow_of($type)]} {
+    set name [get_full_name $cell]
+    set object($name) $cell
+    set type_of($name) $type
+    set is_slow($name) 0
+  }
+}
+
+proc make_slow {name} {
+  global object type_of is_slow slow_of lib_cell
+  replace_cell $object($name) $lib_cell($slow_of($type_of($name)))
+  set is_slow($name) 1
+}
+
+proc make_fast {name} {
+  global object type_of is_slow lib_cell
+  replace_cell $object($name) $lib_cell($type_of($name))
+  set is_slow($name) 0
+}
+
+if {$possible} {
+  foreach name [array names is_slow] { make_slow $name }
+}
+puts "slack all_slow [worst]"
+
+# The worst path to each late endpoint: slack, slow cells with what each takes longer (about),
+# and all cells that could be slow.
+proc late_paths {} {
+  global is_slow
+  set list {}
+  foreach end [find_timing_paths -path_delay max -group_count 4000 -unique_paths_to_endpoint -slack_max 0] {
+    set slack [get_property $end slack]
+    if {$slack >= 0} { continue }
+    set cells {}
+    set all {}
+    set before 0
+    set last ""
+    foreach point [get_property $end points] {
+      set pin [get_full_name [get_property $point pin]]
+      set time [get_property $point arrival]
+      set name [string range $pin 0 [string last / $pin]-1]
+      if {[info exists is_slow($name)] && $is_slow($name) && $name eq $last} {
+        lappend cells $name [expr {($time - $before) * 0.2}]
+      }
+      if {$name ne $last && [info exists is_slow($name)]} { lappend all $name }
+      set last $name
+      set before $time
+    }
+    # The register at the end has its setup time.
+    if {[info exists is_slow($name)] && $is_slow($name)} { lappend cells $name 0.008 }
+    lappend list [list $slack $cells $all]
+  }
+  return $list
+}
+
+# Cells that drive inputs of these cells, slow or not.
+proc drivers {names} {
+  global object is_slow
+  set list {}
+  foreach name $names {
+    set pins [::sta::Instance_pin_iterator $object($name)]
+    while {[$pins has_next]} {
+      set pin [$pins next]
+      if {[::sta::Pin_is_driver $pin]} { continue }
+      set net [::sta::Pin_net $pin]
+      if {$net eq "NULL"} { continue }
+      foreach driver [::sta::net_driver_pins $net] {
+        if {[::sta::Pin_is_top_level_port $driver]} { continue }
+        set from [get_full_name [::sta::Pin_instance $driver]]
+        if {[info exists is_slow($from)]} { lappend list $from }
+      }
+    }
+    $pins finish
+  }
+  return [lsort -unique $list]
+}
+
+# The slow cells nearest before these: their slopes are felt on the path, too.
+proc slow_before {names} {
+  global is_slow
+  for {set level 1} {$level <= 5} {incr level} {
+    set names [drivers $names]
+    set slow [lmap name $names { if {!$is_slow($name)} { continue }; set name }]
+    if {[llength $slow] > 0} { return $slow }
+  }
+  return {}
+}
+
+# Returns the rounds it took, or -1 where a path stays late.
+proc meet_period {} {
+  global type_of gain_of
+  for {set round 1} {$round <= 300} {incr round} {
+    set late [late_paths]
+    if {[llength $late] == 0} { return $round }
+    array unset on
+    foreach path $late {
+      foreach {name longer} [lindex $path 1] { incr on($name) }
+    }
+    array unset now
+    foreach path $late {
+      lassign $path slack cells all
+      # Later rounds take larger steps, as few paths are left and each is a round.
+      set short [expr {-$slack * (1 + $round / 10.0)}]
+      set order {}
+      foreach {name longer} $cells {
+        if {[info exists now($name)]} {
+          set short [expr {$short - $longer}]
+        } else {
+          lappend order [list [expr {$longer * $on($name) / $gain_of($type_of($name))}] $name $longer]
+        }
+      }
+      foreach item [lsort -real -decreasing -index 0 $order] {
+        if {$short <= 0} { break }
+        set now([lindex $item 1]) 1
+        set short [expr {$short - [lindex $item 2]}]
+      }
+      if {[llength $order] == 0} {
+        foreach name [slow_before $all] { set now($name) 1 }
+      }
+    }
+    foreach name [array names now] { make_fast $name }
+    puts "round $round [llength $late] [array size now] [worst]"
+    if {[array size now] == 0} { return -1 }
+  }
+  return -1
+}
+
+puts "rounds [expr {$possible ? [meet_period] : -1}]"
+
+# Back again, those that leak most first: a part that makes a path late is undone and halved.
+proc slack_of {cell} {
+  set least 1e9
+  set pins [::sta::Instance_pin_iterator $cell]
+  while {[$pins has_next]} {
+    set pin [$pins next]
+    if {![::sta::Pin_is_driver $pin]} { continue }
+    foreach vertex [::sta::Pin_vertices $pin] {
+      foreach edge {rise fall} {
+        set slack [expr {1e9 * [lindex [::sta::Vertex_slacks $vertex $edge] 1]}]
+        if {$slack < $least} { set least $slack }
+      }
+    }
+  }
+  $pins finish
+  return $least
+}
+
+proc try_slow {names} {
+  global tries
+  if {[llength $names] == 0 || [incr tries] > 100} { return 0 }
+  foreach name $names { make_slow $name }
+  if {[worst] >= 0} { return [llength $names] }
+  foreach name $names { make_fast $name }
+  if {[llength $names] < 8} { return 0 }
+  set half [expr {[llength $names] / 2}]
+  return [expr {[try_slow [lrange $names 0 $half-1]] + [try_slow [lrange $names $half end]]}]
+}
+
+if {[worst] >= 0} {
+  set order {}
+  foreach name [array names is_slow] {
+    if {!$is_slow($name)} {
+      set slack [slack_of $object($name)]
+      if {$slack > 0.01} { lappend order [list [expr {$slack * $gain_of($type_of($name))}] $name] }
+    }
+  }
+  set names [lmap item [lsort -real -decreasing -index 0 $order] { lindex $item 1 }]
+  set tries 0
+  set back 0
+  for {set i 0} {$i < [llength $names]} {incr i 200} {
+    incr back [try_slow [lrange $names $i $i+199]]
+  }
+  puts "back [llength $names] $back [worst]"
+}
+
+report after
+foreach name [array names is_slow] {
+  if {$is_slow($name)} { puts "swap $name" }
+}
+puts "end"
+exit

@@ -1,0 +1,56 @@
+# synth/timing/timing.tcl - what OpenSTA is asked about a mapped netlist, in one corner.
+#
+# liberty (files), netlist, top, clock (its port), period (ns) are set by who sources it. Prints
+# lines that begin with a word of its own, for synth/timing/timing; the last is "end".
+
+foreach file $liberty { read_liberty $file }
+set_cmd_units -time ns
+read_verilog $netlist
+link_design $top
+
+# Inputs arrive with the clock's edge, outputs are due at the next; the clock is ideal.
+proc constrain {period clock} {
+  create_clock -name clk -period $period [get_ports $clock]
+  set inputs {}
+  foreach port [all_inputs] {
+    if {[get_name $port] ne $clock} { lappend inputs $port }
+  }
+  set_input_delay 0 -clock clk $inputs
+  set_output_delay 0 -clock clk [all_outputs]
+}
+
+constrain $period $clock
+# Registers whose input is a constant, through full adders with constant inputs, say, have no path.
+foreach pin [all_registers -data_pins] {
+  if {[::sta::pin_sim_logic_value $pin] in {0 1}} { puts "constant [get_full_name $pin]" }
+}
+puts "check_setup"
+check_setup -verbose
+puts "check_setup done"
+puts "clocked [llength [all_registers -clock_pins]]"
+
+set most 0
+foreach net [get_nets -hierarchical *] {
+  set loads [llength [::sta::net_load_pins $net]]
+  if {$loads > $most && [get_name $net] ne $clock} { set most $loads }
+}
+puts "loads $most"
+
+set worst ""
+foreach end [find_timing_paths -path_delay max -group_count 1000000 -unique_paths_to_endpoint] {
+  set slack [get_property $end slack]
+  if {$worst eq "" || $slack < $worst} { set worst $slack }
+  puts "endpoint $slack [get_full_name [get_property $end endpoint]]"
+}
+set hold [find_timing_paths -path_delay min -from [all_registers -clock_pins]]
+puts "hold [get_property [lindex $hold 0] slack]"
+puts "path"
+report_checks -path_delay max -digits 4
+puts "path done"
+
+# With the least period there is no slack left, or a path was judged by another edge.
+set least [expr {$period - $worst}]
+constrain $least $clock
+puts "least $least [get_property [lindex [find_timing_paths -path_delay max] 0] slack]"
+puts "end"
+exit

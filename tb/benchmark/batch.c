@@ -1,0 +1,198 @@
+/* bench_batch.c - the batch and the search among meshes at length.
+ *   bench_batch check COUNT        COUNT pairs of all families at W = 8, 18, 24 each: every
+ *                                  path against sepax_exact
+ *   bench_batch scale              time per pair over the number of pairs and of triangles
+ *   bench_batch meshes A.stl B.stl the tree, brute force, and threads, on two meshes */
+#include "bench.h"
+
+#include <string.h>
+
+static const sepax_path paths[] = {SEPAX_PATH_PORTABLE, SEPAX_PATH_AVX2, SEPAX_PATH_AVX512};
+enum { PATHS = sizeof paths / sizeof paths[0], CHUNK = 1 << 14 };
+
+/* --------------------------------------------------------------------- check */
+
+/* Chunks have odd lengths, so that rests occur. */
+static int check(uint64_t count) {
+  static const int words[] = {8, 18, 24};
+  static bool exact[CHUNK];
+  bench_batch batch = bench_batch_of(CHUNK);
+  uint64_t wrong = 0;
+  size_t families = 1;
+  while (sepax_family_name(families) != NULL) {
+    families++;
+  }
+  for (size_t w = 0; w < sizeof words / sizeof words[0]; w++) {
+    sepax_random random = {(uint64_t)words[w]};
+    uint64_t errors[PATHS] = {0};
+    uint64_t collisions = 0;
+    size_t many = 0;
+    for (uint64_t done = 0; done < count; done += many) {
+      many = (size_t)sepax_random_range(&random, CHUNK / 2, CHUNK);
+      many = count - done < many ? (size_t)(count - done) : many;
+      for (size_t n = 0; n < many; n++) {
+        sepax_pair pair = sepax_family_triangles((done + n) % families, words[w], &random);
+        bench_batch_set(&batch, n, &pair);
+        exact[n] = sepax_exact(&pair.a, &pair.b).collision;
+        collisions += exact[n];
+      }
+      for (int p = 0; p < PATHS; p++) {
+        if (!sepax_path_runs(paths[p])) {
+          continue;
+        }
+        sepax_exact_pairs(paths[p], &batch.a, &batch.b, many, batch.bits);
+        for (size_t n = 0; n < many; n++) {
+          errors[p] += bench_bit(batch.bits, n) != exact[n];
+        }
+      }
+    }
+    printf("W = %2d, %llu pairs, %llu collisions:", words[w], (unsigned long long)count,
+           (unsigned long long)collisions);
+    for (int p = 0; p < PATHS; p++) {
+      if (sepax_path_runs(paths[p])) {
+        printf(" %s %llu wrong", sepax_path_name(paths[p]), (unsigned long long)errors[p]);
+      } else {
+        printf(" %s not on this machine", sepax_path_name(paths[p]));
+      }
+      wrong += errors[p];
+    }
+    putchar('\n');
+    fflush(stdout);
+  }
+  bench_batch_free(&batch);
+  return wrong == 0 ? 0 : 1;
+}
+
+/* --------------------------------------------------------------------- scale */
+
+static void best_of(double *best, double took) {
+  *best = *best == 0 || took < *best ? took : *best;
+}
+
+static void scale_pairs(void) {
+  enum { MOST = 10000000 };
+  bench_batch batch = bench_batch_of(MOST);
+  sepax_random random = {1};
+  for (size_t n = 0; n < MOST; n++) {
+    sepax_pair pair = sepax_family_triangles(n % 2, 18, &random);
+    bench_batch_set(&batch, n, &pair);
+  }
+  for (size_t count = 1000; count <= MOST; count *= 10) {
+    double best = 0;
+    for (size_t round = 0; round < 3 + 1000000 / count; round++) {
+      double start = bench_seconds();
+      sepax_exact_pairs(SEPAX_PATH_BEST, &batch.a, &batch.b, count, batch.bits);
+      best_of(&best, bench_seconds() - start);
+    }
+    printf("pairs,%zu,%zu,%.6g,%.4g\n", count, count, best, 1e9 * best / (double)count);
+    fflush(stdout);
+  }
+  bench_batch_free(&batch);
+}
+
+static double search(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
+                     int threads, bool brute_force, size_t *collisions) {
+  sepax_search how = {.threads = threads, .brute_force = brute_force};
+  sepax_pairs found;
+  sepax_error error = {""};
+  double start = bench_seconds();
+  if (!sepax_colliding_pairs(a, count_a, b, count_b, &how, &found, &error)) {
+    fprintf(stderr, "bench_batch: %s\n", error.text);
+    exit(2);
+  }
+  double took = bench_seconds() - start;
+  *collisions = found.count;
+  sepax_pairs_free(&found);
+  return took;
+}
+
+/* Two spheres, one half a radius beside the other. */
+static void scale_meshes(void) {
+  for (size_t triangles = 100; triangles <= 100000; triangles *= 10) {
+    sepax_mesh mesh[2];
+    sepax_error error = {""};
+    sepax_grid grid = {.resolution = 0.0005, .word = 18};
+    sepax_tri *tri[2];
+    for (int i = 0; i < 2; i++) {
+      const double centre[3] = {10.0 * i, 0.37 * i, 0.19 * i};
+      tri[i] = bench_room(triangles * sizeof *tri[i]);
+      if (!sepax_sample(&mesh[i], "sphere", triangles, centre, 40, &error) ||
+          !sepax_quantise(&mesh[i], &grid, tri[i], NULL, &error)) {
+        fprintf(stderr, "bench_batch: %s\n", error.text);
+        exit(2);
+      }
+      sepax_mesh_free(&mesh[i]);
+    }
+    for (int brute = 0; brute < 2; brute++) {
+      size_t collisions;
+      double pairs = (double)triangles * (double)triangles;
+      if (brute == 0 || triangles <= 10000) {
+        double took = 0;
+        double end = bench_seconds() + 0.5;
+        do {
+          best_of(&took, search(tri[0], triangles, tri[1], triangles, 1, brute != 0, &collisions));
+        } while (bench_seconds() < end);
+        printf("%s,%zu,%.0f,%.6g,%.4g\n", brute != 0 ? "brute force" : "tree", triangles, pairs,
+               took, 1e9 * took / pairs);
+        fflush(stdout);
+      }
+    }
+    free(tri[0]);
+    free(tri[1]);
+  }
+}
+
+/* -------------------------------------------------------------------- meshes */
+
+static int meshes(const char *const path[2]) {
+  sepax_scene scene;
+  sepax_error error = {""};
+  sepax_grid grid = {.word = 18};
+  if (!sepax_scene_load(&scene, path, &grid, false, &error)) {
+    fprintf(stderr, "bench_batch: %s\n", error.text);
+    return 2;
+  }
+  printf("%s, %s: %zu x %zu triangles\n", path[0], path[1], scene.count[0], scene.count[1]);
+  double best[4] = {0};
+  size_t collisions[4];
+  double end = bench_seconds() + 5;
+  do {
+    for (int way = 0; way < 4; way++) {
+      best_of(&best[way], search(scene.tri[0], scene.count[0], scene.tri[1], scene.count[1],
+                                 1 + way % 2, way >= 2, &collisions[way]));
+    }
+  } while (bench_seconds() < end);
+  for (int way = 0; way < 4; way++) {
+    double pairs = (double)scene.count[0] * (double)scene.count[1];
+    printf("%-12s %d thread%s %10.3f ms %10.3g pairs/s %8zu collisions",
+           way < 2 ? "tree" : "brute force", 1 + way % 2, way % 2 == 1 ? "s" : " ", 1e3 * best[way],
+           pairs / best[way], collisions[way]);
+    if (way % 2 == 1) {
+      printf(", %.2f times one thread", best[way - 1] / best[way]);
+    }
+    putchar('\n');
+  }
+  sepax_scene_free(&scene);
+  return 0;
+}
+
+int main(int argc, char **argv) {
+  if (argc == 3 && strcmp(argv[1], "check") == 0) {
+    char *end;
+    unsigned long long count = strtoull(argv[2], &end, 10);
+    if (*end == '\0' && count > 0) {
+      return check(count);
+    }
+  }
+  if (argc == 2 && strcmp(argv[1], "scale") == 0) {
+    puts("what,n,pairs,seconds,ns_per_pair");
+    scale_pairs();
+    scale_meshes();
+    return 0;
+  }
+  if (argc == 4 && strcmp(argv[1], "meshes") == 0) {
+    return meshes((const char *const *)&argv[2]);
+  }
+  fputs("usage: bench_batch check COUNT | scale | meshes A.stl B.stl\n", stderr);
+  return 2;
+}

@@ -1,0 +1,198 @@
+/* clearance - holds sepax_clearance against exact distances of the real triangles, and counts
+ * its false alarms:
+ *   clearance sweep COUNT SEED    COUNT pairs near a limit; exit status 1 if one is missed
+ *   clearance curve COUNT SEED    CSV: share of pairs not free over the real distance, COUNT
+ *                                 pairs a kind and distance, CLEARANCE 5
+ *   clearance pairs COUNT WORD    pairs near limits of 0 ... 20, rounded, for the benches */
+#include "clear_rules.h"
+#include "distance.h"
+#include "real_pairs.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const int limits[][2] = {{0, 1}, {0, 7}, {1, 3}, {2, 20}, {5, 20}, {5, 6}, {40, 100}};
+enum { LIMITS = sizeof limits / sizeof limits[0] };
+
+static bool design_of(sepax_design *design, int clearance, int warning) {
+  sepax_error error;
+  sepax_config config = sepax_config_default();
+  config.clearance = clearance;
+  config.warning = warning;
+  bool ok = sepax_design_init(design, &config, &error);
+  if (!ok) {
+    fprintf(stderr, "clearance: %s\n", error.text);
+  }
+  return ok;
+}
+
+static double uniform(sepax_random *r, double low, double high) {
+  return low + (high - low) * 0x1p-53 * (double)(sepax_random_next(r) >> 11);
+}
+
+/* Mostly about the limit itself, and up to where no pair is in doubt. */
+static double distance_near(int limit, sepax_random *r) {
+  switch (sepax_random_range(r, 0, 3)) {
+  case 0:
+    return limit + uniform(r, -0.01, 0.01);
+  case 1:
+    return fmax(0, limit + uniform(r, -1, 1));
+  case 2:
+    return fmax(0, limit + uniform(r, -1, 4));
+  default:
+    return uniform(r, 0, 2.0 * (1 + limit));
+  }
+}
+
+typedef struct {
+  size_t pairs, within[2], beyond[2], clear[2], missed[2], quick;
+} tally;
+
+static void print_pair(const real_pair *p, const int limit[2]) {
+  fprintf(stderr, "missed: %s, limits %d, %d, in 2^-%d LSB:", real_kind_name(p->kind), limit[0],
+          limit[1], p->fraction);
+  for (int k = 0; k < 6; k++) {
+    const sepax_vec *v = k < 3 ? &p->a.v[k] : &p->b.v[k - 3];
+    fprintf(stderr, " %d %d %d", v->x, v->y, v->z);
+  }
+  fputc('\n', stderr);
+}
+
+static void judge(tally *t, const sepax_design *design, const int limit[2], const real_pair *p) {
+  sepax_band band = sepax_clearance(design, &p->rounded_a, &p->rounded_b).band;
+  t->pairs++;
+  for (int k = 0; k < 2; k++) {
+    bool clear = band == SEPAX_BAND_FREE || (k == 0 && band == SEPAX_BAND_WARNING);
+    bool within = distance_within(&p->a, &p->b, (int64_t)limit[k] << p->fraction, &t->quick);
+    t->within[k] += within;
+    t->beyond[k] += !within;
+    t->clear[k] += clear;
+    t->missed[k] += clear && within;
+    if (clear && within && t->missed[k] <= 3) {
+      print_pair(p, limit);
+    }
+  }
+}
+
+static int sweep(size_t count, uint64_t seed) {
+  sepax_random random = {seed};
+  sepax_design design[LIMITS];
+  tally all[REAL_KINDS] = {{0}};
+  for (int i = 0; i < LIMITS; i++) {
+    if (!design_of(&design[i], limits[i][0], limits[i][1])) {
+      return 2;
+    }
+  }
+  for (size_t n = 0; n < count; n++) {
+    int kind = (int)(n % REAL_KINDS);
+    size_t i = (size_t)sepax_random_range(&random, 0, LIMITS - 1);
+    int limit = limits[i][sepax_random_range(&random, 0, 1)];
+    real_pair p = real_pair_make(kind, distance_near(limit, &random), &random);
+    judge(&all[kind], &design[i], limits[i], &p);
+  }
+  printf("%-14s %10s %12s %12s %12s %8s\n", "kind", "pairs", "within", "beyond", "of them clear",
+         "missed");
+  size_t missed = 0;
+  tally sum = {0};
+  for (int kind = 0; kind < REAL_KINDS; kind++) {
+    const tally *t = &all[kind];
+    size_t wrong = t->missed[0] + t->missed[1];
+    printf("%-14s %10zu %12zu %12zu %12zu %8zu\n", real_kind_name(kind), t->pairs,
+           t->within[0] + t->within[1], t->beyond[0] + t->beyond[1], t->clear[0] + t->clear[1],
+           wrong);
+    missed += wrong;
+    sum.pairs += t->pairs;
+    sum.within[0] += t->within[0] + t->within[1];
+    sum.quick += t->quick;
+  }
+  printf(
+      "%zu pairs, two limits each: %zu times within a limit, %zu misses; %zu judged by a plane in integers, %zu by "
+      "rational distances\n",
+      sum.pairs, sum.within[0], missed, sum.quick, 2 * sum.pairs - sum.quick);
+  return missed > 0 || sum.within[0] == 0;
+}
+
+enum { CURVE_LIMIT = 5, STEPS = 60 };
+
+static int curve(size_t count, uint64_t seed) {
+  static const clear_rule rules[] = {RULE_EUCLID,  RULE_SUM,      RULE_XY,
+                                     RULE_NO_EDGE, RULE_PRODUCTS, RULE_BOXES};
+  enum { COMPARED = sizeof rules / sizeof rules[0] };
+  sepax_random random = {seed};
+  sepax_design design;
+  if (!design_of(&design, CURVE_LIMIT, 0)) {
+    return 2;
+  }
+  printf("kind,distance,pairs,not_free");
+  for (int r = 0; r < COMPARED; r++) {
+    printf(",%s", clear_rule_name(rules[r]));
+  }
+  putchar('\n');
+  for (int kind = 0; kind < REAL_KINDS; kind++) {
+    for (int step = 0; step < STEPS; step++) {
+      double from = CURVE_LIMIT + 0.25 * step;
+      size_t pairs = 0;
+      size_t alarms = 0;
+      size_t others[COMPARED] = {0};
+      for (size_t n = 0; n < 4 * count && pairs < count; n++) {
+        real_pair p = real_pair_make(kind, uniform(&random, from, from + 0.25), &random);
+        double way[3];
+        double apart = ldexp(distance_rounded(&p.a, &p.b, way), -p.fraction);
+        if (apart < from || apart >= from + 0.25 || distance_within(&p.a, &p.b, 0, NULL)) {
+          continue;
+        }
+        pairs++;
+        alarms += sepax_clearance(&design, &p.rounded_a, &p.rounded_b).band != SEPAX_BAND_FREE;
+        for (int r = 0; r < COMPARED; r++) {
+          others[r] += !clear_by(rules[r], &p.rounded_a, &p.rounded_b, CURVE_LIMIT);
+        }
+      }
+      printf("%s,%.3f,%zu,%.5f", real_kind_name(kind), from + 0.125, pairs,
+             (double)alarms / (double)pairs);
+      for (int r = 0; r < COMPARED; r++) {
+        printf(",%.5f", (double)others[r] / (double)pairs);
+      }
+      putchar('\n');
+    }
+  }
+  return 0;
+}
+
+static int print_pairs(size_t count, uint64_t word) {
+  if (word < SEPAX_WORD_MIN || word > SEPAX_WORD_MAX) {
+    fprintf(stderr, "clearance: word: give %d ... %d\n", SEPAX_WORD_MIN, SEPAX_WORD_MAX);
+    return 2;
+  }
+  static const int near[] = {0, 1, 2, 5, 20};
+  sepax_random random = {word};
+  for (size_t n = 0; n < count;) {
+    int limit = near[sepax_random_range(&random, 0, 4)];
+    double distance = limit + uniform(&random, 0, 2 + limit);
+    real_pair p = real_pair_make((int)(sepax_random_next(&random) % REAL_KINDS), distance, &random);
+    sepax_pair pair = {.a = p.rounded_a, .b = p.rounded_b};
+    if (sepax_pair_fits(&pair, (int)word)) {
+      sepax_pair_print(stdout, &pair);
+      putchar('\n');
+      n++;
+    }
+  }
+  return 0;
+}
+
+int main(int argc, char **argv) {
+  char *end = NULL;
+  size_t count = argc == 4 ? strtoul(argv[2], &end, 10) : 0;
+  uint64_t seed = argc == 4 ? strtoull(argv[3], NULL, 10) : 0;
+  if (count > 0 && *end == '\0' && strcmp(argv[1], "sweep") == 0) {
+    return sweep(count, seed);
+  }
+  if (count > 0 && *end == '\0' && strcmp(argv[1], "curve") == 0) {
+    return curve(count, seed);
+  }
+  if (count > 0 && *end == '\0' && strcmp(argv[1], "pairs") == 0) {
+    return print_pairs(count, seed);
+  }
+  fprintf(stderr, "usage: clearance sweep|curve COUNT SEED, clearance pairs COUNT WORD\n");
+  return 2;
+}

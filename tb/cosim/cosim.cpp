@@ -1,0 +1,223 @@
+// cosim.cpp - drives a verilated sepax_top with pairs and holds each verdict against the
+// golden model of the same configuration, and its cycle against the architecture's rule.
+#include "sepax_params.h"
+#if SEPAX_EXACT
+#include "driver_exact.h"
+#else
+#include "driver_paper.h"
+#endif
+
+namespace {
+
+struct Options {
+  cli_grid grid{};
+  const char *pairs = nullptr, *mesh[2] = {nullptr, nullptr}, *wave = nullptr;
+  const char *family = nullptr;
+  uint64_t count = 100000, seed = 1, stress = 0;
+  uint64_t first = 0, grid_pairs = 0; // of --ternary
+  bool ternary = false, bits = false, corners = false, within = false, beyond = false;
+};
+
+// ----------------------------------------------------------------------- options
+
+enum {
+  KEY_STRESS = 0x400,
+  KEY_WAVE,
+  KEY_FAMILY,
+  KEY_TERNARY,
+  KEY_BITS,
+  KEY_CORNERS,
+  KEY_WITHIN,
+  KEY_BEYOND
+};
+
+const argp_option options_table[] = {
+    {"pairs", 'p', "FILE", 0, "judge the pairs of this file (- : standard input)", 0},
+    {"count", 'n', "PAIRS", 0, "judge so many pairs of the hard families (100000)", 0},
+    {"seed", 's', "SEED", 0, "seed of those pairs (1)", 0},
+    {"family", KEY_FAMILY, "NAME", 0, "of one family only", 0},
+    {"corners", KEY_CORNERS, nullptr, 0,
+     "instead of those families, coordinates at the ends and the middle of the range", 0},
+#ifdef SEPAX_EXTENT_A
+    {"within", KEY_WITHIN, nullptr, 0, "those families within the extents of the design", 0},
+    {"beyond", KEY_BEYOND, nullptr, 0, "the same, one triangle of each pair beyond them", 0},
+#endif
+    {"ternary", KEY_TERNARY, "FIRST:COUNT", 0,
+     "judge these of the 3^18 pairs with coordinates -1, 0, 1", 0},
+    {"bits", KEY_BITS, nullptr, 0, "judge the 2^18 pairs with coordinates 0, 1", 0},
+    {"stress", KEY_STRESS, "SEED", 0,
+     "gaps, blocked verdicts (where there is out_ready) and resets at random", 0},
+    {"wave", KEY_WAVE, "FILE", 0, "write an FST waveform", 0},
+    {nullptr, 0, nullptr, 0, nullptr, 0}};
+
+void parse_ternary(Options *o, argp_state *state, char *text) {
+  char *colon = std::strchr(text, ':');
+  if (colon == nullptr) {
+    argp_error(state, "ternary: '%s' is not FIRST:COUNT", text);
+    return;
+  }
+  *colon = '\0';
+  uint64_t all = GridSource::size(3);
+  o->ternary = true;
+  o->first = cli_count(state, "ternary", text, all - 1);
+  o->grid_pairs = cli_count(state, "ternary", colon + 1, all - o->first);
+}
+
+void check_sources(const Options &o, argp_state *state) {
+  if ((o.mesh[0] == nullptr) != (o.mesh[1] == nullptr)) {
+    argp_error(state, "give two STL files");
+  }
+  if ((o.pairs != nullptr) + (o.mesh[0] != nullptr) + o.ternary + o.bits + o.corners + o.within +
+          o.beyond + (o.family != nullptr) >
+      1) {
+    argp_error(state, "give pairs, meshes, a family, corners, ternary or bits, not several");
+  }
+}
+
+error_t parse(int key, char *text, argp_state *state) {
+  Options *o = static_cast<Options *>(state->input);
+  switch (key) {
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &o->grid;
+    return 0;
+  case 'p':
+    o->pairs = text;
+    return 0;
+  case 'n':
+    o->count = cli_count(state, "count", text, UINT64_MAX);
+    return 0;
+  case 's':
+    o->seed = cli_count(state, "seed", text, UINT64_MAX);
+    return 0;
+  case KEY_FAMILY:
+    o->family = text;
+    return 0;
+  case KEY_CORNERS:
+    o->corners = true;
+    return 0;
+  case KEY_WITHIN:
+    o->within = true;
+    return 0;
+  case KEY_BEYOND:
+    o->beyond = true;
+    return 0;
+  case KEY_TERNARY:
+    parse_ternary(o, state, text);
+    return 0;
+  case KEY_BITS:
+    o->bits = true;
+    return 0;
+  case KEY_STRESS:
+    o->stress = cli_count(state, "stress", text, UINT64_MAX);
+    return 0;
+  case KEY_WAVE:
+    o->wave = text;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->mesh[1] != nullptr) {
+      argp_error(state, "unexpected argument '%s': give two STL files", text);
+    }
+    o->mesh[o->mesh[0] == nullptr ? 0 : 1] = text;
+    return 0;
+  case ARGP_KEY_END:
+    check_sources(*o, state);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+Source *open_source(const Options &o) {
+  if (o.pairs != nullptr) {
+    return new FileSource(o.pairs);
+  }
+  if (o.mesh[0] != nullptr) {
+    return new MeshSource(o.mesh, o.grid);
+  }
+  if (o.ternary) {
+    return new GridSource(3, -1, o.first, o.grid_pairs);
+  }
+  if (o.bits) {
+    return new GridSource(2, 0, 0, GridSource::size(2));
+  }
+  if (o.corners) {
+    return new CornerSource(o.count, o.seed);
+  }
+#ifdef SEPAX_EXTENT_A
+  if (o.within || o.beyond) {
+    return new ExtentSource(o.count, o.seed, o.beyond);
+  }
+#endif
+  return new FamilySource(o.count, o.seed, o.family);
+}
+
+// ------------------------------------------------------------------------ the run
+
+uint64_t send_all(Driver *driver, Source *source, double *seconds) {
+  constexpr uint64_t PAIRS_A_LOOK = 256; // at the clock
+  sepax_pair pair;
+  uint64_t sent = 0;
+  cli_progress progress = cli_progress_begin("pairs through the machine", source->total());
+  while (!driver->too_many() && source->next(&pair) && driver->send(sent, pair)) {
+    if (++sent % PAIRS_A_LOOK == 0) {
+      cli_progress_show(&progress, sent);
+    }
+  }
+  driver->drain();
+  *seconds = cli_progress_end(&progress);
+  return sent;
+}
+
+int report(const Driver &driver, uint64_t sent, double seconds) {
+  std::printf("%s\n", SEPAX_OPTIONS);
+  std::printf("%llu pairs, %llu mismatches, %llu collisions, %llu coplanar\n",
+              (unsigned long long)driver.judged, (unsigned long long)driver.mismatches,
+              (unsigned long long)driver.collisions, (unsigned long long)driver.coplanar);
+  driver.report();
+  std::printf("simulated in %.1f s, %.0f pairs/s\n", seconds,
+              seconds > 0 ? (double)sent / seconds : 0.0);
+  if (driver.mismatches != 0) {
+    return 1;
+  }
+  if (sent == 0) {
+    std::fprintf(stderr, "cosim: no pairs were given; that is no test\n");
+    return EXIT_ERROR;
+  }
+  if (driver.judged + driver.dropped != sent) {
+    std::fprintf(stderr, "cosim: %llu pairs sent, %llu judged\n", (unsigned long long)sent,
+                 (unsigned long long)driver.judged);
+    return 1;
+  }
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  const argp_child children[] = {{&cli_grid_argp, 0, nullptr, 0}, {nullptr, 0, nullptr, 0}};
+  const argp parser = {options_table,
+                       parse,
+                       "[A.stl B.stl]",
+                       "Co-simulate the generated machine (" SEPAX_OPTIONS
+                       ") and its golden model on two meshes, a file of pairs, or seeded "
+                       "hard pairs.\vExit status: 0 equal, 1 a mismatch, 2 error.",
+                       children,
+                       nullptr,
+                       nullptr};
+  Options options;
+  options.grid.grid.word = SEPAX_WORD;
+  argp_err_exit_status = EXIT_ERROR;
+  argp_parse(&parser, argc, argv, 0, nullptr, &options);
+  sepax_config config = sepax_config_default();
+  sepax_design design;
+  sepax_error error{};
+  if (!sepax_config_parse(&config, SEPAX_OPTIONS, &error) ||
+      !sepax_design_init(&design, &config, &error)) {
+    fail(error);
+  }
+  std::unique_ptr<Source> source(open_source(options));
+  Driver driver(options.wave, options.stress, design);
+  double seconds = 0;
+  uint64_t sent = send_all(&driver, source.get(), &seconds);
+  return report(driver, sent, seconds);
+}

@@ -1,0 +1,577 @@
+/* engine.c - holds the verilated sepax_engine against its golden model.
+ *   engine [--stress=SEED] [--resolution=LENGTH] [--wave=FILE] A.stl B.stl
+ *   engine [--stress=SEED] [--rounds=N] [--beats=N] [--wave=FILE]
+ * The first: the meshes, part by part if the memories are smaller. The second: N rounds of
+ * seeded objects of all families and sizes, moves, first hits and stops, and more rounds until N
+ * transfers were made; objects of which all boxes meet; then what is refused, and interrupts.
+ * Exit status 1: something was wrong. */
+#include "engine_bus.h"
+#include "sepax.h"
+#include "sepax_driver.h"
+#include "sepax_params.h"
+#include "sepax_registers.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static sepax_design design;
+static sepax_device device;
+static unsigned long long wrong;
+
+typedef struct {
+  const sepax_tri *a, *b;
+  size_t count_a, count_b;
+  int32_t move[3];
+  bool first;
+} task;
+
+static void complain(const char *what, unsigned long long got, unsigned long long wanted) {
+  if (wrong++ < 20) {
+    fprintf(stderr, "engine: %s: %llu, expected %llu\n", what, got, wanted);
+  }
+}
+
+static void expect(const char *what, unsigned long long got, unsigned long long wanted) {
+  if (got != wanted) {
+    complain(what, got, wanted);
+  }
+}
+
+static void check(sepax_status status, const char *what) {
+  if (status != SEPAX_OK) {
+    fprintf(stderr, "engine: %s: %s\n", what, sepax_status_text(status));
+    wrong++;
+  }
+}
+
+static _Noreturn void stop(const char *text) {
+  fprintf(stderr, "engine: %s\n", text);
+  exit(2);
+}
+
+static void stop_on(bool failed, const char *text) {
+  if (failed) {
+    stop(text);
+  }
+}
+
+/* Triangles as the driver takes them. */
+static int32_t (*columns(const sepax_tri *tri, size_t count))[9] {
+  int32_t(*flat)[9] = malloc(count * sizeof *flat);
+  if (flat == NULL) {
+    stop("out of memory");
+  }
+  for (size_t i = 0; i < count; i++) {
+    for (int k = 0; k < 3; k++) {
+      const sepax_vec *v = &tri[i].v[k];
+      flat[i][3 * k] = v->x;
+      flat[i][3 * k + 1] = v->y;
+      flat[i][3 * k + 2] = v->z;
+    }
+  }
+  return flat;
+}
+
+/* What the golden model says, and how far the machine is in it. */
+typedef struct {
+  sepax_engine_run run;
+  size_t seen;
+  const task *task;
+} expected;
+
+static bool see(void *context, const sepax_hit *hit) {
+  expected *e = context;
+  if (e->seen >= e->run.found.count) {
+    complain("a result too many, from A", hit->a, 0);
+    e->seen++;
+    return true;
+  }
+  const size_t *pair = e->run.found.pair[e->seen++];
+  if (hit->a != pair[0] || hit->b != pair[1]) {
+    complain("pair of A", hit->a, pair[0]);
+    complain("pair of B", hit->b, pair[1]);
+    return true;
+  }
+  const task *t = e->task;
+  sepax_pair judged = {.a = t->a[hit->a], .b = t->b[hit->b]};
+  bool within = true;
+  for (int k = 0; k < 3; k++) {
+    int32_t *c[3] = {&judged.b.v[k].x, &judged.b.v[k].y, &judged.b.v[k].z};
+    for (int i = 0; i < 3; i++) {
+      int64_t moved = (int64_t)*c[i] + t->move[i];
+      within = within && moved >= sepax_word_min(SEPAX_WORD) && moved <= sepax_word_max(SEPAX_WORD);
+      *c[i] = (int32_t)moved;
+    }
+  }
+  sepax_verdict v = {0};
+  if (within) {
+    v = sepax_judge(&design, &judged);
+  }
+  bool undecided = !within || v.axis == SEPAX_AXIS_RANGE;
+  bool warning = design.limits > 0 && !undecided && v.band == SEPAX_BAND_WARNING;
+  expect("warning of a result", hit->warning, warning);
+  expect("out_of_range of a result", hit->out_of_range, undecided);
+  expect("coplanar of a result", hit->coplanar, v.coplanar && !undecided);
+  return true;
+}
+
+static void near_enough(uint64_t cycles, uint64_t predicted) {
+  uint64_t slack = 20 + 4 * SEPAX_II + predicted / 100;
+  if (cycles > predicted + slack || cycles + slack < predicted) {
+    complain("cycles (to 1 %, 20 and 4 II)", cycles, predicted);
+  }
+}
+
+/* Load and run a task and compare; `paced`: nothing held the results up, so that the cycles
+ * are compared, too. */
+static sepax_counts run_task(const task *t, bool paced) {
+  sepax_error error = {""};
+  expected e = {.task = t};
+  sepax_counts counts = {0};
+  stop_on(!sepax_engine(&design, t->a, t->count_a, t->b, t->count_b, t->move, &e.run, &error),
+          error.text);
+  int32_t(*a)[9] = columns(t->a, t->count_a);
+  int32_t(*b)[9] = columns(t->b, t->count_b);
+  check(sepax_device_load(&device, false, a, t->count_a), "load A");
+  check(sepax_device_load(&device, true, b, t->count_b), "load B");
+  check(sepax_device_move(&device, t->move), "move");
+  check(sepax_device_run(&device, t->first, see, &e, &counts), "run");
+  bool early = t->first && e.run.collisions > 0;
+  expect("results", e.seen, early ? e.run.first + 1 : e.run.found.count);
+  expect("collisions", counts.collisions, early ? 1 : e.run.collisions);
+  expect("warnings", counts.warnings, early ? e.run.first : e.run.found.count - e.run.collisions);
+  if (!early) {
+    expect("pairs", counts.pairs, e.run.pairs);
+    expect("survivors", counts.survivors, e.run.survivors);
+    expect("out of range", counts.out_of_range, e.run.out_of_range);
+  }
+  if (e.run.collisions > 0) {
+    uint32_t a_number = 0;
+    uint32_t b_number = 0;
+    bool ok = bus_read(NULL, SEPAX_FIRST_A, &a_number) && bus_read(NULL, SEPAX_FIRST_B, &b_number);
+    expect("FIRST can be read", ok, 1);
+    expect("FIRST_A", a_number, e.run.found.pair[e.run.first][0]);
+    expect("FIRST_B", b_number, e.run.found.pair[e.run.first][1]);
+  }
+  if (paced && !early) {
+    near_enough(counts.cycles, e.run.cycles);
+  }
+  free(a);
+  free(b);
+  sepax_pairs_free(&e.run.found);
+  return counts;
+}
+
+/* ------------------------------------------------------------------------ meshes */
+
+typedef struct {
+  sepax_pairs golden;
+  unsigned char *there; /* found by the machine */
+} whole;
+
+static int by_numbers(const void *left, const void *right) {
+  const size_t *l = left;
+  const size_t *r = right;
+  return l[0] != r[0] ? (l[0] < r[0] ? -1 : 1) : l[1] != r[1] ? (l[1] < r[1] ? -1 : 1) : 0;
+}
+
+static bool tick_off(void *context, const sepax_hit *hit) {
+  whole *w = context;
+  const size_t key[2] = {hit->a, hit->b};
+  const size_t(*at)[2] =
+      bsearch(key, w->golden.pair, w->golden.count, sizeof *w->golden.pair, by_numbers);
+  if (at == NULL) {
+    complain("a false alarm with triangle of A", hit->a, 0);
+  } else if (w->there[at - w->golden.pair]++ != 0) {
+    complain("a pair came twice, of A", hit->a, 0);
+  }
+  return true;
+}
+
+/* Both meshes against sepax_colliding_pairs, which shares no walk with the engine. */
+static void run_meshes(const char *const path[2], double resolution, bool paced) {
+  sepax_error error = {""};
+  sepax_scene scene;
+  const sepax_grid grid = {resolution, {0, 0, 0}, SEPAX_WORD};
+  stop_on(!sepax_scene_load(&scene, path, &grid, false, &error), error.text);
+  whole w = {{NULL, 0}, NULL};
+  bool ok = design.limits > 0
+                ? sepax_near_pairs(&design, scene.tri[0], scene.count[0], scene.tri[1],
+                                   scene.count[1], NULL, &w.golden, &error)
+                : sepax_colliding_pairs(scene.tri[0], scene.count[0], scene.tri[1], scene.count[1],
+                                        NULL, &w.golden, &error);
+  stop_on(!ok, error.text);
+  w.there = calloc(w.golden.count + 1, 1);
+  stop_on(w.there == NULL, "out of memory");
+  int32_t(*a)[9] = columns(scene.tri[0], scene.count[0]);
+  int32_t(*b)[9] = columns(scene.tri[1], scene.count[1]);
+  sepax_counts counts = {0};
+  static const int32_t still[3] = {0, 0, 0};
+  uint64_t begin = bus_cycles();
+  check(sepax_device_move(&device, still), "move");
+  check(sepax_device_collide(&device, a, scene.count[0], b, scene.count[1], false, tick_off, &w,
+                             &counts),
+        "collide");
+  uint64_t all = bus_cycles() - begin;
+  for (size_t i = 0; i < w.golden.count; i++) {
+    if (w.there[i] == 0) {
+      complain("a missed collision of A", w.golden.pair[i][0], 0);
+    }
+  }
+  expect("pairs", counts.pairs, scene.count[0] * scene.count[1]);
+  expect("collisions and warnings", counts.collisions + counts.warnings, w.golden.count);
+  if (design.limits > 0) {
+    printf("%llu warnings\n", (unsigned long long)counts.warnings);
+  }
+  printf("%zu x %zu triangles: %llu pairs, %llu survivors, %llu collisions, %llu wrong\n",
+         scene.count[0], scene.count[1], (unsigned long long)counts.pairs,
+         (unsigned long long)counts.survivors, (unsigned long long)counts.collisions, wrong);
+  printf("K = %d, II = %d: %llu cycles = %.4f ms at %g ns, with loading %llu = %.4f ms\n",
+         SEPAX_LANES, SEPAX_II, (unsigned long long)counts.cycles,
+         1e-9 * (double)counts.cycles * design.config.clock_ps, 1e-3 * design.config.clock_ps,
+         (unsigned long long)all, 1e-9 * (double)all * design.config.clock_ps);
+  if (scene.count[0] <= device.room[0] && scene.count[1] <= device.room[1]) {
+    const task t = {scene.tri[0], scene.tri[1], scene.count[0], scene.count[1], {0, 0, 0}, false};
+    run_task(&t, paced);
+  }
+  free(w.there);
+  free(a);
+  free(b);
+  sepax_pairs_free(&w.golden);
+  sepax_scene_free(&scene);
+}
+
+/* ------------------------------------------------------------------------ rounds */
+
+static sepax_random rng;
+
+static int64_t range(int64_t lo, int64_t hi) { return sepax_random_range(&rng, lo, hi); }
+
+static size_t families(void) {
+  size_t count = 0;
+  while (sepax_family_name(count) != NULL) {
+    count++;
+  }
+  return count;
+}
+
+/* Sizes that matter: one, about the lanes, the whole memory. */
+static size_t some_count(size_t room) {
+  switch (range(0, 7)) {
+  case 0:
+    return 1;
+  case 1:
+  case 2: {
+    int64_t n = SEPAX_LANES * range(1, 3) + range(-1, 1);
+    return n < 1 ? 1 : (size_t)n > room ? room : (size_t)n;
+  }
+  case 3:
+    return room < 600 ? room : 130;
+  default:
+    return (size_t)range(1, room < 150 ? (int64_t)room : 150);
+  }
+}
+
+static void some_object(sepax_tri *tri, size_t count, bool of_b) {
+  size_t all = families();
+  size_t family = (size_t)range(0, (int64_t)all);
+  for (size_t i = 0; i < count; i++) {
+    size_t f = family < all ? family : (size_t)range(0, (int64_t)all - 1);
+    sepax_pair pair = sepax_family_triangles(f, SEPAX_WORD, &rng);
+    tri[i] = of_b ? pair.b : pair.a;
+  }
+}
+
+static void round_of(sepax_tri *a, sepax_tri *b, bool paced) {
+  task t = {
+      a, b, some_count(device.room[0]), some_count(device.room[1]), {0, 0, 0}, range(0, 3) == 0};
+  some_object(a, t.count_a, false);
+  some_object(b, t.count_b, true);
+  int64_t most = INT64_C(1) << SEPAX_WORD;
+  switch (range(0, 3)) {
+  case 0:
+    for (int i = 0; i < 3; i++) {
+      t.move[i] = (int32_t)range(-5, 5);
+    }
+    break;
+  case 1:
+    for (int i = 0; i < 3; i++) {
+      t.move[i] = (int32_t)range(-most / 8 > INT32_MIN ? -most / 8 : INT32_MIN,
+                                 most / 8 < INT32_MAX ? most / 8 : INT32_MAX);
+    }
+    break;
+  case 2:
+    t.move[range(0, 2)] = (int32_t)(range(0, 1) ? (most - 1 < INT32_MAX ? most - 1 : INT32_MAX)
+                                                : (-most > INT32_MIN ? -most : INT32_MIN));
+    break;
+  default:
+    break;
+  }
+  run_task(&t, paced);
+}
+
+/* Every box meets every other: triangles that all hold the middle of the space. */
+static void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, bool paced) {
+  int32_t far = sepax_word_max(SEPAX_WORD);
+#ifdef SEPAX_EXTENT_A
+  far = (SEPAX_EXTENT_A < SEPAX_EXTENT_B ? SEPAX_EXTENT_A : SEPAX_EXTENT_B) / 2;
+#endif
+  for (size_t i = 0; i < count_a + count_b; i++) {
+    sepax_tri *t = i < count_a ? &a[i] : &b[i - count_a];
+    t->v[0] =
+        (sepax_vec){(int32_t)-range(0, far), (int32_t)-range(0, far), (int32_t)-range(0, far)};
+    t->v[1] = (sepax_vec){(int32_t)range(0, far), (int32_t)range(0, far), (int32_t)range(0, far)};
+    t->v[2] = (sepax_vec){(int32_t)range(-far, far), (int32_t)range(-far, far),
+                          (int32_t)range(-far, far)};
+  }
+  const task t = {a, b, count_a, count_b, {0, 0, 0}, false};
+  sepax_counts counts = run_task(&t, paced);
+  expect("survivors where all boxes meet", counts.survivors, (unsigned long long)count_a * count_b);
+  printf("all boxes meet: %zu x %zu triangles, %llu collisions in %llu cycles, %.4f a pair\n",
+         count_a, count_b, (unsigned long long)counts.collisions, (unsigned long long)counts.cycles,
+         (double)counts.cycles / (double)(count_a * count_b));
+}
+
+/* ------------------------------------------------------------- what is refused */
+
+static uint32_t value_of(uint32_t address) {
+  uint32_t value = 0;
+  expect("a register can be read", bus_read(NULL, address, &value), 1);
+  return value;
+}
+
+/* So many vertices of an object; coordinate `which` of the whole is `value`, the others are 1. */
+static void send_one(size_t beats, size_t which, int32_t value, bool to_b) {
+  for (size_t i = 0; i < beats; i++) {
+    int32_t vertex[3];
+    for (size_t k = 0; k < 3; k++) {
+      vertex[k] = 3 * i + k == which ? value : 1;
+    }
+    expect("a vertex is taken", bus_send(NULL, vertex, i == beats - 1, to_b), 1);
+  }
+}
+
+static void send_beats(size_t beats, bool to_b) { send_one(beats, 0, 1, to_b); }
+
+/* Settings: what they take, what they refuse, and that nobody changes another's. */
+static void settings(void) {
+  static const uint32_t move[3] = {SEPAX_MOVE_X, SEPAX_MOVE_Y, SEPAX_MOVE_Z};
+  static const uint32_t zero[] = {SEPAX_MODE,   SEPAX_ENABLE, SEPAX_PENDING,
+                                  SEPAX_MOVE_X, SEPAX_MOVE_Y, SEPAX_MOVE_Z};
+  for (size_t i = 0; i < sizeof zero / sizeof zero[0]; i++) {
+    expect("a setting after reset", value_of(zero[i]), 0);
+  }
+  expect("a bit that MODE has not", bus_write(NULL, SEPAX_MODE, 4), 0);
+  expect("a bit that ENABLE has not", bus_write(NULL, SEPAX_ENABLE, 8), 0);
+  expect("a command that is none", bus_write(NULL, SEPAX_COMMAND, 3), 0);
+  for (uint32_t i = 0; i < 3; i++) {
+    uint32_t far = UINT32_C(1) << (SEPAX_WORD < 31 ? SEPAX_WORD : 31);
+#if SEPAX_WORD < 31
+    expect("a move too far", bus_write(NULL, move[i], far), 0);
+    expect("a move too far back", bus_write(NULL, move[i], 0u - far - 1), 0);
+#endif
+    expect("the farthest move", bus_write(NULL, move[i], 0u - far + i), 1);
+  }
+  for (uint32_t i = 0; i < 3; i++) {
+    uint32_t far = UINT32_C(1) << (SEPAX_WORD < 31 ? SEPAX_WORD : 31);
+    expect("it reads back", value_of(move[i]), 0u - far + i);
+    expect("no move", bus_write(NULL, move[i], 0), 1);
+  }
+  expect("MODE", bus_write(NULL, SEPAX_MODE, 2), 1);
+  expect("MODE reads back", value_of(SEPAX_MODE), 2);
+  expect("STOP while idle", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_STOP), 1);
+  expect("nothing was stopped", value_of(SEPAX_STATUS), 0);
+}
+
+static void refusals(void) {
+  uint32_t value = 0;
+  bus_reset();
+  expect("nothing is loaded after reset", value_of(SEPAX_STATUS), 0);
+  expect("START without objects", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
+  for (uint32_t address = 0; address < 0x80; address++) {
+    bool known = address % 4 == 0 && address <= SEPAX_FIRST_B && address != SEPAX_COMMAND;
+    expect("which addresses can be read", bus_read(NULL, address, &value), known);
+  }
+  expect("a write to ID", bus_write(NULL, SEPAX_ID, 1), 0);
+  expect("a write of bytes", bus_write_part(SEPAX_ENABLE, 1, 7), 0);
+  settings();
+  send_beats(3, false);
+  expect("A is loaded", value_of(SEPAX_STATUS), SEPAX_STATUS_LOADED_A);
+  expect("COUNT_A", value_of(SEPAX_COUNT_A), 1);
+  send_beats(4, true);
+  expect("an object that ends within a triangle", value_of(SEPAX_STATUS),
+         SEPAX_STATUS_LOADED_A | SEPAX_STATUS_FRAME);
+#if SEPAX_WORD < 32
+  for (size_t which = 0; which < 9; which++) {
+    send_one(3, which,
+             which % 2 == 0 ? INT32_C(1) << (SEPAX_WORD - 1)
+                            : -(INT32_C(1) << (SEPAX_WORD - 1)) - 1,
+             true);
+    expect("a coordinate that does not fit", value_of(SEPAX_STATUS),
+           SEPAX_STATUS_LOADED_A | SEPAX_STATUS_WORD);
+    send_one(3, which, -(INT32_C(1) << (SEPAX_WORD - 1)), true);
+    expect("one that just fits", value_of(SEPAX_STATUS),
+           SEPAX_STATUS_LOADED_A | SEPAX_STATUS_LOADED_B);
+  }
+#endif
+  send_beats(3 * (size_t)SEPAX_MEMORY_A + 3, false);
+  expect("more than A's memory holds",
+         value_of(SEPAX_STATUS) & (SEPAX_STATUS_LOADED_A | SEPAX_STATUS_FULL), SEPAX_STATUS_FULL);
+  send_beats(3, false);
+  expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
+  send_beats(3 * (size_t)SEPAX_MEMORY_B + 3, true);
+  expect("an object has come", value_of(SEPAX_PENDING), SEPAX_PENDING_LOADED);
+  expect("more than the memory holds", value_of(SEPAX_STATUS),
+         SEPAX_STATUS_LOADED_A | SEPAX_STATUS_FULL);
+  expect("START without B", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
+  send_beats(3 * (size_t)SEPAX_MEMORY_B, true);
+  expect("a full memory", value_of(SEPAX_COUNT_B), SEPAX_MEMORY_B);
+  const int32_t vertex[3] = {1, 1, 1};
+  expect("a first vertex", bus_send(NULL, vertex, false, false), 1);
+  expect("an object is under way", value_of(SEPAX_STATUS),
+         SEPAX_STATUS_LOADED_B | SEPAX_STATUS_LOADING);
+  expect("START meanwhile", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
+  expect("a second vertex", bus_send(NULL, vertex, false, true), 1);
+  expect("the last", bus_send(NULL, vertex, true, true), 1);
+  expect("tdest of the first vertex counts", value_of(SEPAX_COUNT_A), 1);
+}
+
+/* Interrupts, quiet runs, STOP, and results that nobody takes. */
+static void controls(sepax_tri *a, sepax_tri *b) {
+  static const uint32_t move[3] = {SEPAX_MOVE_X, SEPAX_MOVE_Y, SEPAX_MOVE_Z};
+  expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
+  expect("no interrupt", bus_interrupt(), 0);
+  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_DONE), 1);
+  expect("MODE", bus_write(NULL, SEPAX_MODE, SEPAX_MODE_QUIET), 1);
+  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
+  bus_idle(20000 + 100 * (uint64_t)SEPAX_MEMORY_B * SEPAX_II);
+  expect("an interrupt", bus_interrupt(), 1);
+  expect("PENDING", value_of(SEPAX_PENDING), SEPAX_PENDING_DONE | SEPAX_PENDING_HIT);
+  expect("all pairs collide", value_of(SEPAX_COLLISIONS), SEPAX_MEMORY_B);
+  expect("STATUS says so", value_of(SEPAX_STATUS),
+         SEPAX_STATUS_LOADED_A | SEPAX_STATUS_LOADED_B | SEPAX_STATUS_HIT);
+  uint32_t cycles = value_of(SEPAX_CYCLES);
+  bus_idle(100);
+  expect("CYCLES stands after the run", value_of(SEPAX_CYCLES), cycles);
+  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_HIT), 1);
+  bus_idle(2);
+  expect("an interrupt by the hit", bus_interrupt(), 1);
+  expect("PENDING.HIT clears", bus_write(NULL, SEPAX_PENDING, SEPAX_PENDING_HIT), 1);
+  bus_idle(2);
+  expect("that interrupt is gone", bus_interrupt(), 0);
+  expect("PENDING", value_of(SEPAX_PENDING), SEPAX_PENDING_DONE);
+  expect("MODE", bus_write(NULL, SEPAX_MODE, SEPAX_MODE_QUIET | SEPAX_MODE_FIRST), 1);
+  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
+  bus_idle(20000 + 100 * (uint64_t)SEPAX_MEMORY_B * SEPAX_II);
+  expect("one collision", value_of(SEPAX_COLLISIONS), 1);
+  /* Its way, that of what was taken until then, and a latency for the phases of several cores. */
+  expect("the first ends the run soon",
+         value_of(SEPAX_CYCLES) < 20u + 3u * SEPAX_LATENCY + 3u * SEPAX_II, 1);
+  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_DONE), 1);
+  expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
+  bus_idle(2);
+  expect("the interrupt is gone", bus_interrupt(), 0);
+  expect("MODE", bus_write(NULL, SEPAX_MODE, 0), 1);
+  bus_block_results(true);
+  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
+  bus_idle(20000);
+  uint32_t busy = value_of(SEPAX_STATUS);
+  expect("a run waits for its results to be taken", busy & SEPAX_STATUS_BUSY, SEPAX_STATUS_BUSY);
+  expect("START while busy", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
+  expect("MODE while busy", bus_write(NULL, SEPAX_MODE, 1), 0);
+  for (int i = 0; i < 3; i++) {
+    expect("MOVE while busy", bus_write(NULL, move[i], 1), 0);
+  }
+  expect("STOP", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_STOP), 1);
+  bus_block_results(false);
+  uint64_t result = 0;
+  uint64_t results = 0;
+  for (bool last = false; !last && bus_receive(NULL, &result, &last);) {
+    results++;
+  }
+  expect("the end says that it was stopped", result >> 62, 3);
+  expect("and how many came", (uint32_t)result, results - 1);
+  expect("STATUS", value_of(SEPAX_STATUS) & (SEPAX_STATUS_BUSY | SEPAX_STATUS_STOPPED),
+         SEPAX_STATUS_STOPPED);
+  bus_reset();
+  overlap(a, b, 3, 5, false);
+}
+
+static bool number_after(const char *text, const char *name, unsigned long long *value) {
+  size_t length = strlen(name);
+  if (strncmp(text, name, length) != 0) {
+    return false;
+  }
+  char *end;
+  *value = strtoull(text + length, &end, 10);
+  stop_on(end == text + length || *end != '\0', "--stress, --rounds and --beats are whole numbers");
+  return true;
+}
+
+static void self_test(unsigned long long rounds, unsigned long long beats, bool paced) {
+  sepax_tri *a = malloc(device.room[0] * sizeof *a);
+  sepax_tri *b = malloc(device.room[1] * sizeof *b);
+  stop_on(a == NULL || b == NULL, "out of memory");
+  unsigned long long made = 0;
+  while ((made < rounds || bus_beats() < beats) && wrong == 0) {
+    round_of(a, b, paced);
+    made++;
+  }
+  overlap(a, b, 100, 100, paced);
+  refusals();
+  controls(a, b);
+  printf("%llu rounds, %llu transfers, %llu cycles, %llu wrong\n", made,
+         (unsigned long long)bus_beats(), (unsigned long long)bus_cycles(), wrong);
+  free(a);
+  free(b);
+}
+
+int main(int argc, char **argv) {
+  const char *path[2] = {NULL, NULL};
+  const char *wave = NULL;
+  unsigned long long stress = 0;
+  unsigned long long rounds = 20;
+  unsigned long long beats = 0;
+  double resolution = 0;
+  int paths = 0;
+  for (int i = 1; i < argc; i++) {
+    char *end = argv[i];
+    if (number_after(argv[i], "--stress=", &stress) ||
+        number_after(argv[i], "--rounds=", &rounds) || number_after(argv[i], "--beats=", &beats)) {
+      continue;
+    }
+    if (strncmp(argv[i], "--resolution=", 13) == 0) {
+      resolution = strtod(argv[i] + 13, &end);
+      stop_on(*end != '\0' || !(resolution > 0), "--resolution is a length above 0");
+    } else if (strncmp(argv[i], "--wave=", 7) == 0) {
+      wave = argv[i] + 7;
+    } else {
+      stop_on(argv[i][0] == '-' || paths == 2,
+              "usage: engine [--stress=SEED] [--resolution=LENGTH] A.stl B.stl, "
+              "or [--stress=SEED] [--rounds=N] [--beats=N]");
+      path[paths++] = argv[i];
+    }
+  }
+  stop_on(paths == 1, "give two meshes, or none");
+  sepax_error error = {""};
+  sepax_config config = sepax_config_default();
+  stop_on(!sepax_config_parse(&config, SEPAX_OPTIONS, &error) ||
+              !sepax_design_init(&design, &config, &error),
+          error.text);
+  design.latency = SEPAX_LATENCY;
+  rng.state = 1 + stress;
+  bus_open(stress, wave);
+  const sepax_bus bus = {NULL, bus_read, bus_write, bus_send, bus_receive};
+  check(sepax_device_open(&device, &bus), "open");
+  expect("lanes", (unsigned long long)device.lanes, SEPAX_LANES);
+  expect("room for A", device.room[0], SEPAX_MEMORY_A);
+  expect("room for B", device.room[1], SEPAX_MEMORY_B);
+  if (paths == 2) {
+    run_meshes(path, resolution, stress == 0);
+  } else {
+    self_test(rounds, beats, stress == 0);
+  }
+  wrong += bus_breaches();
+  bus_close();
+  return wrong != 0;
+}

@@ -1,0 +1,221 @@
+/* test_accuracy.c - what the accuracy laboratory measures with: depths, solids, the
+ * interval test. */
+#include "oracle/pair_tools.h"
+#include "sepax.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static const double pi = 3.14159265358979323846;
+
+static void known_depths(void **state) {
+  (void)state;
+  sepax_tri a = {{{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}};
+  static const struct {
+    sepax_tri b;
+    double depth;
+  } known[] = {
+      {{{{0, 0, 7}, {100, 0, 7}, {0, 100, 7}}}, -7},       /* face to face */
+      {{{{-3, -4, 0}, {-30, -40, 0}, {-30, -50, 9}}}, -5}, /* vertex to vertex */
+      {{{{20, 20, 3}, {20, 20, 50}, {30, 30, 50}}}, -3},   /* vertex to face */
+      {{{{80, 80, 0}, {90, 90, 50}, {90, 90, -50}}}, -30 * 1.4142135623730951}, /* to the edge */
+      {{{{20, 20, -2}, {20, 20, 50}, {30, 30, 50}}}, 2}, /* through the face */
+      {{{{20, 20, 0}, {20, 20, 50}, {30, 30, 50}}}, 0},  /* contact */
+      {{{{10, 10, 0}, {20, 10, 0}, {10, 20, 0}}}, 0},    /* coplanar */
+  };
+  for (size_t i = 0; i < LENGTH(known); i++) {
+    assert_float_equal(sepax_depth(&a, &known[i].b), known[i].depth, 1e-9);
+    assert_float_equal(sepax_depth(&known[i].b, &a), known[i].depth, 1e-9);
+  }
+}
+
+static sepax_tri moved(const sepax_tri *t, int x, int y, int z) {
+  sepax_tri m = *t;
+  for (int i = 0; i < 3; i++) {
+    m.v[i].x += x;
+    m.v[i].y += y;
+    m.v[i].z += z;
+  }
+  return m;
+}
+
+/* No move shorter than the depth changes the verdict; one that is hardly longer does. */
+static void depths_by_moving(void **state) {
+  (void)state;
+  enum { REACH = 9 };
+  for (size_t family = 0; family < family_count(); family++) {
+    sepax_random random = seeded(family, 4);
+    for (int n = 0; n < 40; n++) {
+      sepax_pair pair = sepax_family_pair(family, 4, &random);
+      bool collision = sepax_exact(&pair.a, &pair.b).collision;
+      double depth = fabs(sepax_depth(&pair.a, &pair.b));
+      double nearest = INFINITY;
+      for (int x = -REACH; x <= REACH; x++) {
+        for (int y = -REACH; y <= REACH; y++) {
+          for (int z = -REACH; z <= REACH; z++) {
+            sepax_tri b = moved(&pair.b, x, y, z);
+            double length = sqrt(x * x + y * y + z * z);
+            if (sepax_exact(&pair.a, &b).collision != collision && length < nearest) {
+              nearest = length;
+            }
+          }
+        }
+      }
+      assert_true(nearest >= depth - 1e-9);
+      assert_true(depth > REACH - 2 || !collision || nearest <= depth + 1.75);
+    }
+  }
+}
+
+/* The solid angle under which a point sees a triangle (van Oosterom and Strackee). */
+static double solid_angle(sepax_vec p, const sepax_tri *t) {
+  double r[3][3];
+  double length[3];
+  for (int i = 0; i < 3; i++) {
+    r[i][0] = (double)t->v[i].x - p.x;
+    r[i][1] = (double)t->v[i].y - p.y;
+    r[i][2] = (double)t->v[i].z - p.z;
+    length[i] = sqrt(r[i][0] * r[i][0] + r[i][1] * r[i][1] + r[i][2] * r[i][2]);
+  }
+  double volume = r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) -
+                  r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) +
+                  r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
+  double sum = length[0] * length[1] * length[2];
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    sum += (r[i][0] * r[j][0] + r[i][1] * r[j][1] + r[i][2] * r[j][2]) * length[(i + 2) % 3];
+  }
+  return 2 * atan2(volume, sum);
+}
+
+static sepax_tri *quantised(const char *shape, size_t triangles, const sepax_grid *grid) {
+  static const double origin[3] = {0, 0, 0};
+  sepax_mesh mesh;
+  sepax_error error = {""};
+  sepax_tri *tri = calloc(triangles, sizeof *tri);
+  assert_non_null(tri);
+  assert_true(sepax_sample(&mesh, shape, triangles, origin, 0, &error));
+  assert_true(sepax_quantise(&mesh, grid, tri, NULL, &error));
+  sepax_mesh_free(&mesh);
+  return tri;
+}
+
+/* Tiny tetrahedra round random points of the lattice, many on the planes and edges of the
+ * mesh: inside iff the mesh winds round them. */
+static void solids_by_winding(void **state) {
+  (void)state;
+  static const char *const shape[] = {"sphere", "pocket", "ball-end", "box"};
+  sepax_grid grid = {.resolution = 2, .word = 10};
+  sepax_random random = {5};
+  int within = 0;
+  int without = 0;
+  for (size_t s = 0; s < LENGTH(shape); s++) {
+    enum { TRIANGLES = 200 };
+    sepax_tri *mesh = quantised(shape[s], TRIANGLES, &grid);
+    for (int n = 0; n < 3000; n++) {
+      sepax_vec p = mesh[sepax_random_range(&random, 0, TRIANGLES - 1)].v[0];
+      p.x += (int32_t)sepax_random_range(&random, -12, 12);
+      p.y += (int32_t)sepax_random_range(&random, -12, 12);
+      p.z += (int32_t)sepax_random_range(&random, -12, 12);
+      sepax_vec q[4] = {p, {p.x + 1, p.y, p.z}, {p.x, p.y + 1, p.z}, {p.x, p.y, p.z + 1}};
+      sepax_tri tiny[4] = {
+          {{q[0], q[2], q[1]}}, {{q[0], q[1], q[3]}}, {{q[0], q[3], q[2]}}, {{q[1], q[2], q[3]}}};
+      bool touches = false;
+      double angle = 0;
+      for (int k = 0; k < TRIANGLES; k++) {
+        for (int i = 0; i < 4; i++) {
+          touches = touches || sepax_exact(&mesh[k], &tiny[i]).collision;
+        }
+        angle += solid_angle(p, &mesh[k]);
+      }
+      if (touches) {
+        continue;
+      }
+      sepax_scene scene = {.tri = {tiny, mesh}, .count = {4, TRIANGLES}};
+      bool inside[2];
+      sepax_error error = {""};
+      assert_true(sepax_solid(&scene, inside, &error));
+      assert_false(inside[1]);
+      assert_int_equal(inside[0], fabs(angle) > 2 * pi);
+      within += inside[0];
+      without += !inside[0];
+    }
+    free(mesh);
+  }
+  assert_true(within > 500 && without > 500);
+}
+
+static void open_meshes_are_refused(void **state) {
+  (void)state;
+  sepax_grid grid = {.resolution = 1, .word = 10};
+  sepax_tri *box = quantised("box", 12, &grid);
+  sepax_tri *sphere = quantised("sphere", 40, &grid);
+  sepax_scene scene = {.tri = {box, sphere}, .count = {11, 40}};
+  bool inside[2];
+  sepax_error error = {""};
+  assert_false(sepax_solid(&scene, inside, &error));
+  assert_non_null(strstr(error.text, "mesh A is not closed"));
+  scene.count[0] = 12;
+  assert_true(sepax_solid(&scene, inside, &error));
+  free(box);
+  free(sphere);
+}
+
+/* Two bodies that overlap, or the same one twice, in one mesh: the line upwards from a point in
+ * both meets an even number of triangles. */
+static void overlapping_bodies_are_solid(void **state) {
+  (void)state;
+  enum { BOX = 12 };
+  sepax_grid grid = {.resolution = 1, .word = 10};
+  sepax_tri *box = quantised("box", BOX, &grid);
+  for (int shift = 0; shift < 12; shift += 5) {
+    sepax_tri both[2 * BOX];
+    sepax_tri inner[BOX];
+    for (int n = 0; n < BOX; n++) {
+      both[n] = box[n];
+      both[BOX + n] = moved(&box[n], shift, shift, 0);
+      inner[n] = box[n];
+      for (int k = 0; k < 3; k++) {
+        inner[n].v[k].x = inner[n].v[k].x > 0 ? 8 : 6;
+        inner[n].v[k].y = inner[n].v[k].y > 0 ? 8 : 6;
+        inner[n].v[k].z = inner[n].v[k].z > 0 ? 2 : 1;
+      }
+    }
+    sepax_scene scene = {.tri = {inner, both}, .count = {BOX, 2 * BOX}};
+    bool inside[2];
+    sepax_error error = {""};
+    assert_true(sepax_solid(&scene, inside, &error));
+    assert_true(inside[0]);
+    assert_false(inside[1]);
+  }
+  free(box);
+}
+
+/* Proper triangles of short words are judged right, but for mere contact: quotients round. */
+static void interval_test_is_one(void **state) {
+  (void)state;
+  sepax_random random = {3};
+  for (int n = 0; n < 200000; n++) {
+    sepax_pair pair = sepax_family_pair((size_t)(n % 2), 8, &random);
+    if (both_have_area(&pair, 8)) {
+      bool exact = sepax_exact(&pair.a, &pair.b).collision;
+      assert_true(sepax_interval64(&pair.a, &pair.b) == exact ||
+                  sepax_depth(&pair.a, &pair.b) == 0);
+    }
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(known_depths),         cmocka_unit_test(depths_by_moving),
+      cmocka_unit_test(solids_by_winding),    cmocka_unit_test(open_meshes_are_refused),
+      cmocka_unit_test(interval_test_is_one), cmocka_unit_test(overlapping_bodies_are_solid),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,54 @@
+/* test_avx512.c - the AVX-512 path of batch.c with its intrinsics emulated by SIMDe, so that
+ * it is tested on machines without them. */
+#include <immintrin.h>
+
+#define SIMDE_ENABLE_NATIVE_ALIASES
+#include <simde/x86/avx512.h>
+
+#define TARGET_AVX512
+#include "batch/batch.c" /* NOLINT(bugprone-suspicious-include): its functions are static */
+
+#include "benchmark/bench.h"
+#include "oracle/pair_tools.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+/* A block of each family at each word length: pairs, and one against many. */
+static void every_family_at_every_word(void **state) {
+  (void)state;
+  static const functions emulated = {judge_pairs_avx512, judge_one_avx512};
+  static sepax_tri t[2][BLOCK];
+  bench_batch batch = bench_batch_of(BLOCK);
+  for (size_t family = 0; family < family_count(); family++) {
+    for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
+      sepax_random random = seeded(family, word);
+      for (int round = 0; round < 30; round++) {
+        for (size_t n = 0; n < BLOCK; n++) {
+          sepax_pair pair = sepax_family_triangles(family, word, &random);
+          t[0][n] = pair.a;
+          t[1][n] = pair.b;
+          bench_batch_set(&batch, n, &pair);
+        }
+        block in;
+        copy_columns(in.a, &batch.a, 0, BLOCK);
+        copy_columns(in.b, &batch.b, 0, BLOCK);
+        uint64_t pairs = emulated.pairs(&in);
+        uint64_t one = emulated.one(&t[0][0], &in);
+        for (size_t n = 0; n < BLOCK; n++) {
+          assert_int_equal(bench_bit(&pairs, n), sepax_exact(&t[0][n], &t[1][n]).collision);
+          assert_int_equal(bench_bit(&one, n), sepax_exact(&t[0][0], &t[1][n]).collision);
+        }
+      }
+    }
+  }
+  bench_batch_free(&batch);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(every_family_at_every_word)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,400 @@
+/* test_exact - holds the exact models against the oracle, and the oracle against known
+ * answers. The counts of the exhaustive corpora were found by a third method, that
+ * the origin is in the hull of the nine differences of vertices. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "oracle/oracle.h"
+
+#ifndef EXACT_PAIRS
+#define EXACT_PAIRS 1000000
+#endif
+#define SYMMETRY_PAIRS 4000
+#define PLANES (EXACT_PAIRS < 1000000 ? 1 : 3) /* make sanitize: one */
+#define MISMATCHES_SHOWN 20
+#define AXES 13
+#define LENGTH(array) (sizeof(array) / sizeof *(array))
+
+typedef struct {
+  size_t wrong;
+  size_t count[2][2]; /* [collision][coplanar] */
+  size_t axis[AXES];  /* that sepax_exact named */
+} tally;
+
+static void report(tally *t, const sepax_tri *a, const sepax_tri *b, bool expected, bool got) {
+  for (size_t k = 0; k < 6; k++) {
+    const sepax_vec *v = k < 3 ? &a->v[k] : &b->v[k - 3];
+    print_error("%d %d %d ", (int)v->x, (int)v->y, (int)v->z);
+  }
+  print_error("expected %d got %d\n", expected, got);
+  if (++t->wrong == MISMATCHES_SHOWN)
+    fail_msg("%s", "too many mismatches, stopped");
+}
+
+/* ---------------------------------------------------------- the verdict's axis */
+
+typedef __int128 wide;
+
+typedef struct {
+  wide c[3];
+} wide_vec;
+
+static wide_vec between(sepax_vec from, sepax_vec to) {
+  return (wide_vec){{(wide)to.x - from.x, (wide)to.y - from.y, (wide)to.z - from.z}};
+}
+
+static wide_vec edge(const sepax_tri *t, size_t k) { return between(t->v[k], t->v[(k + 1) % 3]); }
+
+static wide_vec cross(wide_vec p, wide_vec q) {
+  wide_vec r;
+  for (size_t i = 0; i < 3; i++) {
+    size_t j = (i + 1) % 3;
+    size_t k = (i + 2) % 3;
+    r.c[i] = p.c[j] * q.c[k] - p.c[k] * q.c[j];
+  }
+  return r;
+}
+
+/* Axis 1 ... 11 as sepax.h numbers them. */
+static wide_vec axis_vector(int axis, const sepax_tri *a, const sepax_tri *b) {
+  if (axis == 10)
+    return cross(edge(a, 0), edge(a, 1));
+  if (axis == 11)
+    return cross(edge(b, 0), edge(b, 1));
+  return cross(edge(a, (size_t)(axis - 1) / 3), edge(b, (size_t)(axis - 1) % 3));
+}
+
+/* True iff there is a gap between the projections. */
+static bool separates(wide_vec axis, const sepax_tri *a, const sepax_tri *b) {
+  wide low[2] = {0};
+  wide high[2] = {0};
+  for (size_t k = 0; k < 6; k++) {
+    wide_vec v = between(a->v[0], k < 3 ? a->v[k] : b->v[k - 3]);
+    wide p = axis.c[0] * v.c[0] + axis.c[1] * v.c[1] + axis.c[2] * v.c[2];
+    size_t t = k / 3;
+    low[t] = k % 3 == 0 || p < low[t] ? p : low[t];
+    high[t] = k % 3 == 0 || p > high[t] ? p : high[t];
+  }
+  return high[0] < low[1] || high[1] < low[0];
+}
+
+/* Axis 0 for a collision, 12 in a common plane, else one that separates. */
+static bool right(const sepax_verdict *v, const sepax_tri *a, const sepax_tri *b, bool collision,
+                  bool coplanar) {
+  if (v->collision != collision || v->coplanar != coplanar)
+    return false;
+  if (v->mul_project != 0 || v->mul_axes != 0)
+    return false;
+  if (collision)
+    return v->axis == 0;
+  if (coplanar)
+    return v->axis == 12;
+  return v->axis >= 1 && v->axis <= 11 && separates(axis_vector(v->axis, a, b), a, b);
+}
+
+static bool moved(sepax_tri *t, int32_t by) {
+  for (size_t k = 0; k < 3; k++) {
+    int32_t *c[] = {&t->v[k].x, &t->v[k].y, &t->v[k].z};
+    for (size_t i = 0; i < 3; i++) {
+      if (*c[i] > INT32_MAX - by)
+        return false;
+      *c[i] += by;
+    }
+  }
+  return true;
+}
+
+/* The verdict is the same for the same pair a million LSB away, where coordinates of 20
+ * bits have become longer. */
+static bool steady(const sepax_verdict *v, const sepax_tri *a, const sepax_tri *b) {
+  sepax_tri p = *a;
+  sepax_tri q = *b;
+  if (!moved(&p, 1 << 20) || !moved(&q, 1 << 20))
+    return true;
+  sepax_verdict u = sepax_exact(&p, &q);
+  return u.collision == v->collision && u.coplanar == v->coplanar && u.axis == v->axis;
+}
+
+/* Hold each exact model against the oracle and count the pair. */
+static void compare(tally *t, const sepax_tri *a, const sepax_tri *b) {
+  static bool (*const models[])(const sepax_tri *, const sepax_tri *) = {sepax_reference,
+                                                                         sepax_sat54};
+  bool expected = oracle_collide(a, b);
+  bool coplanar = oracle_coplanar(a, b);
+  t->count[expected][coplanar]++;
+  for (size_t m = 0; m < LENGTH(models); m++) {
+    bool got = models[m](a, b);
+    if (got != expected)
+      report(t, a, b, expected, got);
+  }
+  sepax_verdict exact = sepax_exact(a, b);
+  t->axis[exact.axis]++;
+  if (!right(&exact, a, b, expected, coplanar) || !steady(&exact, a, b)) {
+    print_error("axis %d%s: ", exact.axis, exact.coplanar ? ", coplanar" : "");
+    report(t, a, b, expected, exact.collision);
+  }
+}
+
+static void assert_counts(const tally *t, size_t free_apart, size_t free_coplanar, size_t hit_apart,
+                          size_t hit_coplanar) {
+  assert_int_equal(t->wrong, 0);
+  assert_int_equal(t->count[0][0], free_apart);
+  assert_int_equal(t->count[0][1], free_coplanar);
+  assert_int_equal(t->count[1][0], hit_apart);
+  assert_int_equal(t->count[1][1], hit_coplanar);
+}
+
+/* Each of the four kinds of pair makes at least 1 % of the corpus. */
+static void assert_mixed(const tally *t, size_t pairs) {
+  assert_int_equal(t->wrong, 0);
+  for (size_t hit = 0; hit < 2; hit++)
+    for (size_t coplanar = 0; coplanar < 2; coplanar++) {
+      print_message("%s, %s: %zu of %zu\n", hit ? "collision" : "free",
+                    coplanar ? "coplanar" : "not coplanar", t->count[hit][coplanar], pairs);
+      assert_in_range(t->count[hit][coplanar], pairs / 100 + 1, pairs);
+    }
+}
+
+/* ------------------------------------------------------------- known answers */
+
+#define MIN INT32_MIN
+#define MAX INT32_MAX
+#define THIRD (-715827883) /* (MAX + MIN + MIN) / 3, without remainder */
+#define FLAT                            \
+  {                                     \
+    {                                   \
+      {0, 0, 0}, {4, 0, 0}, { 0, 4, 0 } \
+    }                                   \
+  }
+#define TRI(ax, ay, az, bx, by, bz, cx, cy, cz)  \
+  {                                              \
+    {                                            \
+      {ax, ay, az}, {bx, by, bz}, { cx, cy, cz } \
+    }                                            \
+  }
+#define POINT(x, y, z) TRI(x, y, z, x, y, z, x, y, z)
+
+static const struct {
+  const char *name;
+  sepax_tri a, b;
+  bool collision, coplanar;
+} known[] = {
+    {"vertex in face", FLAT, TRI(1, 1, 0, 1, 1, 3, 2, 2, 3), true, false},
+    {"vertex above face", FLAT, TRI(1, 1, 1, 1, 1, 3, 2, 2, 3), false, false},
+    {"vertex on edge", FLAT, TRI(2, 2, 0, 5, 5, 1, 5, 5, -1), true, false},
+    {"vertex beside edge", FLAT, TRI(3, 2, 0, 5, 5, 1, 5, 5, -1), false, false},
+    {"vertex on vertex", FLAT, TRI(4, 0, 0, 6, 0, 1, 6, 1, -1), true, false},
+    {"edges cross at (1.5, 0, 0)", FLAT, TRI(1, -1, -1, 2, 1, 1, 2, -5, 1), true, false},
+    {"edges pass at (1.5, -0.5, 0)", FLAT, TRI(1, -2, -1, 2, 1, 1, 2, -5, 1), false, false},
+    {"edge pierces at (4/3, 1, 0)", FLAT, TRI(1, 1, -1, 2, 1, 2, 9, 9, 9), true, false},
+    {"edge beside face", FLAT, TRI(5, 1, -2, 5, 1, 2, 9, 9, 0), false, false},
+    {"parallel", FLAT, TRI(0, 0, 1, 4, 0, 1, 0, 4, 1), false, false},
+    {"identical", FLAT, FLAT, true, true},
+    {"contained", TRI(0, 0, 0, 12, 0, 0, 0, 12, 0), TRI(2, 2, 0, 4, 2, 0, 2, 4, 0), true, true},
+    {"star", TRI(0, 0, 0, 6, 0, 0, 3, 6, 0), TRI(0, 4, 0, 6, 4, 0, 3, -2, 0), true, true},
+    {"coplanar, apart", FLAT, TRI(5, 0, 0, 9, 0, 0, 5, 4, 0), false, true},
+    {"coplanar, boxes overlap", FLAT, TRI(4, 4, 0, 4, 1, 0, 1, 4, 0), false, true},
+    {"coplanar, common edge", FLAT, TRI(4, 0, 0, 0, 4, 0, 4, 4, 0), true, true},
+    {"coplanar, part of an edge", FLAT, TRI(1, 0, 0, 2, 0, 0, 1, -3, 0), true, true},
+    {"coplanar, common vertex", FLAT, TRI(4, 0, 0, 8, 0, 0, 8, 4, 0), true, true},
+    {"oblique plane, apart", TRI(6, 0, 0, 0, 6, 0, 0, 0, 6), TRI(7, -1, 0, 8, -2, 0, 8, -1, -1),
+     false, true},
+    {"segment pierces", FLAT, TRI(1, 1, -1, 1, 1, 1, 1, 1, 0), true, false},
+    {"segment above", FLAT, TRI(1, 1, 1, 1, 1, 2, 1, 1, 3), false, false},
+    {"segment across", FLAT, TRI(-1, 1, 0, 9, 1, 0, -1, 1, 0), true, true},
+    {"segment beside", FLAT, TRI(5, 0, 0, 5, 9, 0, 5, 1, 0), false, true},
+    {"segments skew", TRI(0, 0, 0, 2, 0, 0, 1, 0, 0), TRI(1, -1, 1, 1, 1, 1, 1, 0, 1), false,
+     false},
+    {"segments cross", TRI(0, 0, 0, 2, 0, 0, 1, 0, 0), TRI(1, -1, 0, 2, 1, 0, 1, -1, 0), true,
+     true},
+    {"segments in line, apart", TRI(0, 0, 0, 1, 1, 1, 2, 2, 2), TRI(3, 3, 3, 5, 5, 5, 4, 4, 4),
+     false, true},
+    {"segments end to end", TRI(0, 0, 0, 1, 1, 1, 2, 2, 2), TRI(2, 2, 2, 5, 5, 5, 4, 4, 4), true,
+     true},
+    {"segments parallel", TRI(0, 0, 0, 1, 1, 1, 2, 2, 2), TRI(0, 0, 1, 1, 1, 2, 2, 2, 3), false,
+     true},
+    {"point in face", FLAT, POINT(1, 1, 0), true, true},
+    {"point on edge", FLAT, POINT(2, 2, 0), true, true},
+    {"point beside", FLAT, POINT(3, 2, 0), false, true},
+    {"point above", FLAT, POINT(1, 1, 1), false, false},
+    {"point on segment", TRI(0, 0, 0, 3, 6, 9, 0, 0, 0), POINT(1, 2, 3), true, true},
+    {"point behind segment", TRI(0, 0, 0, 3, 6, 9, 0, 0, 0), POINT(4, 8, 12), false, true},
+    {"equal points", POINT(1, 2, 3), POINT(1, 2, 3), true, true},
+    {"two points", POINT(1, 2, 3), POINT(1, 2, 4), false, true},
+    {"extreme, vertex in face", TRI(MAX, MIN, MIN, MIN, MAX, MIN, MIN, MIN, MAX),
+     TRI(THIRD, THIRD, THIRD, MAX, MAX, MAX, MAX, MAX, 0), true, false},
+    {"extreme, vertex above face", TRI(MAX, MIN, MIN, MIN, MAX, MIN, MIN, MIN, MAX),
+     TRI(THIRD + 1, THIRD, THIRD, MAX, MAX, MAX, MAX, MAX, 0), false, false},
+    {"extreme, 2^-32 LSB in", TRI(MIN, MIN, 0, MAX, MAX - 1, 0, MIN, MAX, 0),
+     POINT(MIN + 1, MIN + 1, 0), true, true},
+    {"extreme, 2^-32 LSB out", TRI(MIN, MIN, 0, MAX, MAX - 1, 0, MAX, MIN, 0),
+     POINT(MIN + 1, MIN + 1, 0), false, true},
+    {"extreme, diagonals cross", TRI(MIN, MIN, MIN, MAX, MAX, MAX, MIN, MIN, MAX),
+     TRI(MAX, MIN, MIN, MIN, MAX, MAX, MAX, MIN, MAX), true, false},
+    {"extreme, opposite corners", TRI(MIN, MIN, MIN, 0, MIN, MIN, MIN, 0, MIN),
+     TRI(MAX, MAX, MAX, 0, MAX, MAX, MAX, 0, MAX), false, false},
+};
+
+static void test_known(void **state) {
+  (void)state;
+  tally t = {0};
+  for (size_t i = 0; i < LENGTH(known); i++)
+    for (size_t swap = 0; swap < 2; swap++) {
+      const sepax_tri *a = swap ? &known[i].b : &known[i].a;
+      const sepax_tri *b = swap ? &known[i].a : &known[i].b;
+      if (oracle_collide(a, b) != known[i].collision) {
+        print_error("oracle, %s: ", known[i].name);
+        report(&t, a, b, known[i].collision, !known[i].collision);
+      }
+      if (oracle_coplanar(a, b) != known[i].coplanar) {
+        print_error("oracle, coplanar, %s: ", known[i].name);
+        report(&t, a, b, known[i].coplanar, !known[i].coplanar);
+      }
+      compare(&t, a, b);
+    }
+  assert_mixed(&t, 2 * LENGTH(known));
+}
+
+/* ----------------------------------------------------------------- exhaustive */
+
+static void test_cube(void **state) {
+  (void)state;
+  tally t = {0};
+  for (uint32_t code = 0; code < 1U << 18; code++) {
+    sepax_tri tri[2];
+    for (size_t k = 0; k < 6; k++) {
+      uint32_t digit = code >> 3 * k;
+      tri[k / 3].v[k % 3] = (sepax_vec){digit & 1, digit >> 1 & 1, digit >> 2 & 1};
+    }
+    compare(&t, &tri[0], &tri[1]);
+  }
+  assert_counts(&t, 60528, 4376, 150912, 46328);
+}
+
+/* All pairs of {-1, 0, 1}^2 in the plane (x, y), (y, z) or (z, x). */
+static void test_plane(void **state) {
+  (void)state;
+  for (size_t plane = 0; plane < PLANES; plane++) {
+    tally t = {0};
+    for (uint32_t code = 0; code < 531441; code++) {
+      sepax_tri tri[2];
+      uint32_t rest = code;
+      for (size_t k = 0; k < 6; k++) {
+        int32_t c[3] = {0};
+        c[plane] = (int32_t)(rest % 3) - 1;
+        c[(plane + 1) % 3] = (int32_t)(rest / 3 % 3) - 1;
+        rest /= 9;
+        tri[k / 3].v[k % 3] = (sepax_vec){c[0], c[1], c[2]};
+      }
+      compare(&t, &tri[0], &tri[1]);
+    }
+    assert_counts(&t, 0, 91320, 0, 440121);
+  }
+}
+
+/* Every pair of six places of an oblique line. */
+static void test_line(void **state) {
+  (void)state;
+  tally t = {0};
+  for (uint32_t code = 0; code < 46656; code++) {
+    sepax_tri tri[2];
+    uint32_t rest = code;
+    for (size_t k = 0; k < 6; k++) {
+      int32_t place = (int32_t)(rest % 6);
+      tri[k / 3].v[k % 3] = (sepax_vec){2 - place, 3, 2 * place};
+      rest /= 6;
+    }
+    compare(&t, &tri[0], &tri[1]);
+  }
+  assert_counts(&t, 0, 2886, 0, 43770);
+}
+
+/* Vertices drawn from a grid of 3 x 3 x 3: every seldom coincidence comes often. */
+static void test_grid(void **state) {
+  (void)state;
+  tally t = {0};
+  sepax_random random = {3};
+  for (size_t i = 0; i < EXACT_PAIRS; i++) {
+    sepax_tri tri[2];
+    for (size_t k = 0; k < 6; k++) {
+      uint64_t draw = sepax_random_next(&random) >> 32;
+      tri[k / 3].v[k % 3] =
+          (sepax_vec){(int32_t)(draw % 3), (int32_t)(draw / 3 % 3), (int32_t)(draw / 9 % 3)};
+    }
+    compare(&t, &tri[0], &tri[1]);
+  }
+  assert_int_equal(t.wrong, 0);
+  for (size_t axis = 0; axis < AXES; axis++)
+    assert_in_range(t.axis[axis], EXACT_PAIRS / 1000, EXACT_PAIRS);
+}
+
+/* ----------------------------------------------------------------- hard pairs */
+
+/* Pair i of a corpus: all words, then the next family. */
+static sepax_pair hard_pair(size_t i, sepax_random *random) {
+  static const int word[] = {4, 8, 12, 16, 18, 20, 24, 32};
+  size_t families = 1;
+  assert_non_null(sepax_family_name(0));
+  while (sepax_family_name(families))
+    families++;
+  int w = word[i % LENGTH(word)];
+  sepax_pair pair = sepax_family_pair(i / LENGTH(word) % families, w, random);
+  assert_true(sepax_pair_fits(&pair, w));
+  return pair;
+}
+
+static void test_hard(void **state) {
+  (void)state;
+  tally t = {0};
+  sepax_random random = {1};
+  for (size_t i = 0; i < EXACT_PAIRS; i++) {
+    sepax_pair pair = hard_pair(i, &random);
+    compare(&t, &pair.a, &pair.b);
+  }
+  assert_mixed(&t, EXACT_PAIRS);
+  for (size_t axis = 0; axis < AXES; axis++) {
+    print_message("axis %zu: %zu\n", axis, t.axis[axis]);
+    assert_in_range(t.axis[axis], EXACT_PAIRS / 200, EXACT_PAIRS);
+  }
+}
+
+static sepax_tri reordered(const sepax_tri *tri, size_t order) {
+  static const size_t orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                      {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  const size_t *o = orders[order];
+  return (sepax_tri){{tri->v[o[0]], tri->v[o[1]], tri->v[o[2]]}};
+}
+
+/* The verdict depends neither on the order of the vertices nor of the triangles. */
+static void test_symmetry(void **state) {
+  (void)state;
+  tally t = {0};
+  sepax_random random = {2};
+  for (size_t i = 0; i < SYMMETRY_PAIRS; i++) {
+    sepax_pair pair = hard_pair(i, &random);
+    compare(&t, &pair.a, &pair.b);
+    bool expected = sepax_exact(&pair.a, &pair.b).collision;
+    for (size_t order = 0; order < 36; order++) {
+      sepax_tri a = reordered(&pair.a, order / 6);
+      sepax_tri b = reordered(&pair.b, order % 6);
+      if (sepax_exact(&a, &b).collision != expected)
+        report(&t, &a, &b, expected, !expected);
+      if (sepax_exact(&b, &a).collision != expected)
+        report(&t, &b, &a, expected, !expected);
+    }
+  }
+  assert_mixed(&t, SYMMETRY_PAIRS);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_known),    cmocka_unit_test(test_cube), cmocka_unit_test(test_plane),
+      cmocka_unit_test(test_line),     cmocka_unit_test(test_grid), cmocka_unit_test(test_hard),
+      cmocka_unit_test(test_symmetry),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

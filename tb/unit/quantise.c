@@ -1,0 +1,281 @@
+/* test_quantise.c - the quantiser and the fit of a grid. */
+#include "oracle/mesh_tools.h"
+
+#include <float.h>
+#include <gmp.h>
+#include <inttypes.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { RANDOM_VALUES = 200000 };
+
+/* ------------------------------------------------------------------ quantiser */
+
+/* A mesh of one facet: a point, and x in every coordinate. */
+static sepax_facet facet_at(double x) {
+  return (sepax_facet){.v = {{x, x, x}, {x, x, x}, {x, x, x}}};
+}
+
+static bool quantised(int32_t *q, double x, const sepax_grid *grid) {
+  sepax_facet facet = facet_at(x);
+  const sepax_mesh mesh = {&facet, 1};
+  sepax_tri tri = {{{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
+  fault.text[0] = '\0';
+  bool ok = sepax_quantise(&mesh, grid, &tri, NULL, &fault);
+  *q = tri.v[2].z;
+  return ok;
+}
+
+static void assert_quantised(double x, double resolution, double offset, int word,
+                             int32_t expected) {
+  sepax_grid grid = {resolution, {offset, offset, offset}, word};
+  int32_t q = 0;
+  if (!quantised(&q, x, &grid) || q != expected) {
+    fail_msg("(%a - %a) / %a: %" PRId32 ", not %" PRId32 "; %s", x, offset, resolution, q, expected,
+             fault.text);
+  }
+}
+
+static void refuse_value(double x, sepax_grid grid, const char *part) {
+  int32_t q = 0;
+  assert_false(quantised(&q, x, &grid));
+  assert_int_equal(q, 7);
+  assert_message(part);
+}
+
+static void test_rounding(void **state) {
+  (void)state;
+  assert_quantised(0.5, 1, 0, 18, 1);
+  assert_quantised(-0.5, 1, 0, 18, -1);
+  assert_quantised(2.5, 1, 0, 18, 3);
+  assert_quantised(-2.5, 1, 0, 18, -3);
+  assert_quantised(stepped(0.5, -1), 1, 0, 18, 0);
+  assert_quantised(stepped(-0.5, 1), 1, 0, 18, 0);
+  assert_quantised(-0.0, 1, 0, 4, 0);
+  assert_quantised(0.125, 0.25, 0, 18, 1);
+  assert_quantised(1, 2, 2, 18, -1);
+  assert_quantised(0x1p-1074, 0x1p-1074, 0, 18, 1);
+  assert_quantised(0x3p-1074, 0x1p-1073, 0, 18, 2);
+  assert_quantised(0x1p999, 0x1p997, -0x1p999, 18, 8);
+  /* 1e16 + 0.5 as x - offset is no double; only an exact difference sees the half. */
+  assert_quantised(1e16, 1e16, -0.5, 18, 1);
+  assert_quantised(0x1p53, 0x1p54, -0x1p-60, 18, 1);
+  assert_quantised(0x1p53, 0x1p54, 0x1p-60, 18, 0);
+  /* 0.009 / 0.002 and 0.25 / 0.1 give 4.5 and 2.5 in double; exactly they are less. */
+  assert_quantised(0.009, 0.002, 0, 18, 4);
+  assert_quantised(-0.25, 0.1, 0, 18, -2);
+  assert_quantised(0.001, 0.002, 0, 18, 1);
+}
+
+static void test_extremes(void **state) {
+  (void)state;
+  for (int word = 4; word <= 32; word++) {
+    double half = ldexp(1, word - 1);
+    sepax_grid grid = {1, {0, 0, 0}, word};
+    assert_quantised(stepped(half - 0.5, -1), 1, 0, word, sepax_word_max(word));
+    assert_quantised(stepped(-half - 0.5, 1), 1, 0, word, sepax_word_min(word));
+    refuse_value(half - 0.5, grid, "does not fit");
+    refuse_value(-half - 0.5, grid, "does not fit");
+  }
+  sepax_grid grid = {0.002, {0, 0, 0}, 18};
+  refuse_value(300, grid, "facet 1, vertex 1: x = 300 does not fit 18 bits of 0.002 from 0; raise");
+  refuse_value(1e308, grid, "does not fit");
+  refuse_value(-INFINITY, grid, "does not fit");
+  refuse_value(NAN, grid, "does not fit");
+}
+
+static void test_bad_grids(void **state) {
+  (void)state;
+  const double bad[] = {0, -0.0, -1, NAN, INFINITY, DBL_MAX};
+  for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+    refuse_value(1, (sepax_grid){bad[i], {0, 0, 0}, 18}, "resolution: ");
+  }
+  refuse_value(1, (sepax_grid){1, {0, NAN, 0}, 18}, "offset: y = nan");
+  refuse_value(1, (sepax_grid){1, {0, 0, -INFINITY}, 18}, "offset: z = -inf");
+  refuse_value(1, (sepax_grid){1, {0, 0, 0}, 3}, "word: 3 is not in 4 ... 32");
+  refuse_value(1, (sepax_grid){1, {0, 0, 0}, 33}, "word: 33 is not in 4 ... 32");
+}
+
+/* floor(|x - offset| / resolution + 1/2) with its sign, in rationals. */
+static void slow_quantise(mpz_t q, double x, double offset, double resolution) {
+  mpq_t value;
+  mpq_t other;
+  mpq_inits(value, other, NULL);
+  mpq_set_d(value, x);
+  mpq_set_d(other, offset);
+  mpq_sub(value, value, other);
+  mpq_set_d(other, resolution);
+  mpq_div(value, value, other);
+  int sign = mpq_sgn(value);
+  mpq_abs(value, value);
+  mpq_set_ui(other, 1, 2);
+  mpq_add(value, value, other);
+  mpz_fdiv_q(q, mpq_numref(value), mpq_denref(value));
+  if (sign < 0) {
+    mpz_neg(q, q);
+  }
+  mpq_clears(value, other, NULL);
+}
+
+/* Most values lie within a few units in the last place of a border. */
+static void test_against_rationals(void **state) {
+  (void)state;
+  const double resolutions[] = {0.002, 0.1, 1.0 / 3, 1e-3, 7e-7, 1, 0.0254, 1e30, 0x1p-1070, pi};
+  const int count = (int)(sizeof resolutions / sizeof resolutions[0]);
+  int fitting = 0;
+  int below = 0;
+  mpz_t expected;
+  mpz_init(expected);
+  for (int i = 0; i < RANDOM_VALUES; i++) {
+    double step = resolutions[random_below(count)];
+    int word = 4 + random_below(29);
+    double offset = random_below(3) == 0 ? 0 : random_unit() * step * 1e4;
+    double q = floor(random_unit() * ldexp(1.0001, word - 1));
+    double x = stepped((q + 0.5) * step + offset, random_below(5) - 2);
+    x = random_below(8) == 0 ? x + random_unit() * step : x;
+    slow_quantise(expected, x, offset, step);
+    below += mpz_cmp_d(expected, q) == 0;
+    if (mpz_cmp_si(expected, sepax_word_min(word)) >= 0 &&
+        mpz_cmp_si(expected, sepax_word_max(word)) <= 0) {
+      assert_quantised(x, step, offset, word, (int32_t)mpz_get_si(expected));
+      fitting++;
+    } else {
+      refuse_value(x, (sepax_grid){step, {offset, offset, offset}, word}, "does not fit");
+    }
+  }
+  mpz_clear(expected);
+  print_message("%d values against rationals, %d fit, %d below a border\n", RANDOM_VALUES, fitting,
+                below);
+  assert_true(fitting > RANDOM_VALUES / 2 && fitting < RANDOM_VALUES);
+  assert_true(below > RANDOM_VALUES / 4 && below < RANDOM_VALUES * 3 / 4);
+}
+
+static void test_normals(void **state) {
+  (void)state;
+  const struct {
+    double normal[3];
+    int word;
+    sepax_vec expected;
+  } cases[] = {
+      {{0, 0, 0}, 18, {0, 0, 0}},
+      {{0, -0.0, 1}, 18, {0, 0, 131071}},
+      {{-7, 0, 0}, 32, {-2147483647, 0, 0}},
+      {{3e-320, 0, 4e-320}, 18, {78643, 0, 104857}},
+      {{1e308, 1e308, -1e308}, 18, {75674, 75674, -75674}},
+      {{1, 1, 1}, 4, {4, 4, 4}},
+      {{0.5, 0.5, 0x1.6a09e667f3bcdp-1}, 8, {64, 64, 90}},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    sepax_facet facet = {.normal = {0}};
+    memcpy(facet.normal, cases[i].normal, sizeof facet.normal);
+    const sepax_mesh mesh = {&facet, 1};
+    const sepax_grid grid = {1, {0, 0, 0}, cases[i].word};
+    sepax_tri tri;
+    sepax_vec normal;
+    assert_true(sepax_quantise(&mesh, &grid, &tri, &normal, &fault));
+    assert_memory_equal(&normal, &cases[i].expected, sizeof normal);
+  }
+  sepax_facet facet = {.normal = {0, NAN, 0}};
+  const sepax_mesh mesh = {&facet, 1};
+  const sepax_grid grid = {1, {0, 0, 0}, 18};
+  sepax_tri tri;
+  sepax_vec normal;
+  assert_false(sepax_quantise(&mesh, &grid, &tri, &normal, &fault));
+  assert_message("facet 1: the normal has y = nan");
+}
+
+static void test_untouched(void **state) {
+  (void)state;
+  sepax_facet facet[2] = {facet_at(1), facet_at(100)};
+  const sepax_mesh mesh = {facet, 2};
+  sepax_tri tri[2] = {{{{7, 7, 7}}}};
+  sepax_vec normal[2] = {{7, 7, 7}};
+  const sepax_grid grid = {1, {0, 0, 0}, 4};
+  assert_false(sepax_quantise(&mesh, &grid, tri, normal, &fault));
+  assert_message("facet 2, vertex 1: x = 100 does not fit 4 bits");
+  assert_true(tri[0].v[0].x == 7 && normal[0].x == 7);
+}
+
+/* ------------------------------------------------------------------------ fit */
+
+static void test_fit(void **state) {
+  (void)state;
+  for (int i = 0; i < 20000; i++) {
+    double scale = ldexp(1, random_below(80) - 40);
+    double shift = random_below(2) == 0 ? 0 : random_unit() * 1e6;
+    sepax_facet facet[2];
+    for (int k = 0; k < 18; k++) {
+      facet[k / 9].v[k / 3 % 3][k % 3] = shift + random_unit() * scale;
+    }
+    facet[1].v[0][0] = stepped(facet[0].v[0][0], 1); /* never a single point */
+    const sepax_mesh a = {&facet[0], 1};
+    const sepax_mesh b = {&facet[1], 1};
+    assert_fit((const sepax_mesh *const[]){&a, &b}, 2, 4 + random_below(29));
+  }
+}
+
+static void test_fit_extremes(void **state) {
+  (void)state;
+  const double ends[][2] = {{-1, 1},
+                            {0, 10},
+                            {1, 1 + DBL_EPSILON},
+                            {0, 0x1p-1074},
+                            {-0x1p1000, 0x1p1000},
+                            {-0x1p1000, stepped(-0x1p1000, 1)},
+                            {-1e-300, 1e300}};
+  for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+    sepax_facet facet = facet_at(ends[i][0]);
+    facet.v[1][2] = ends[i][1];
+    const sepax_mesh mesh = {&facet, 1};
+    const sepax_mesh *const list[] = {&mesh};
+    for (int word = 4; word <= 32; word++) {
+      assert_fit(list, 1, word);
+    }
+  }
+  sepax_facet facet = {.v = {{0, 0, 0}, {100, 20, 0}, {0, -40, 30}}};
+  const sepax_mesh mesh = {&facet, 1};
+  sepax_grid grid = assert_fit((const sepax_mesh *const[]){&mesh}, 1, 18);
+  assert_true(grid.offset[0] == 50 && grid.offset[1] == -10 && grid.offset[2] == 15);
+  assert_true(fabs(grid.resolution * 262143 / 100 - 1) < 1e-15);
+}
+
+static void refuse_fit(const sepax_mesh *const meshes[], size_t count, int word, const char *part) {
+  sepax_grid grid = {.word = 77};
+  assert_false(sepax_grid_fit(&grid, meshes, count, word, &fault));
+  assert_message(part);
+  assert_int_equal(grid.word, 77);
+}
+
+static void test_fit_errors(void **state) {
+  (void)state;
+  sepax_facet same = facet_at(5);
+  sepax_facet wide = {.v = {{0, 0, 1}, {0, 0, 2}, {0, 0, 3}}};
+  sepax_facet huge = {.v = {{0, 0, 0}, {0, -1e305, 0}, {0, 0, 0}}};
+  sepax_facet wrong = {.v = {{0, 0, 0}, {0, 0, 0}, {0, NAN, 0}}};
+  const sepax_mesh empty = {0};
+  const sepax_mesh point = {&same, 1};
+  const sepax_mesh line = {&wide, 1};
+  const sepax_mesh large = {&huge, 1};
+  const sepax_mesh flawed = {&wrong, 1};
+  refuse_fit(NULL, 0, 18, "empty");
+  refuse_fit((const sepax_mesh *const[]){&empty, &empty}, 2, 18, "empty");
+  refuse_fit((const sepax_mesh *const[]){&empty, &point}, 2, 18, "a single point");
+  refuse_fit((const sepax_mesh *const[]){&line}, 1, 3, "word: 3 is not in 4 ... 32");
+  refuse_fit((const sepax_mesh *const[]){&line, &large}, 2, 18, "mesh 2, facet 1: y = -1e");
+  refuse_fit((const sepax_mesh *const[]){&flawed}, 1, 18, "mesh 1, facet 1: y = nan");
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_rounding),   cmocka_unit_test(test_extremes),
+      cmocka_unit_test(test_bad_grids),  cmocka_unit_test(test_against_rationals),
+      cmocka_unit_test(test_normals),    cmocka_unit_test(test_untouched),
+      cmocka_unit_test(test_fit),        cmocka_unit_test(test_fit_extremes),
+      cmocka_unit_test(test_fit_errors),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,490 @@
+/* test_size.c - what a scene needs, against poses and counts made by other means; gates
+ * against mapped designs; pairs within extents. */
+#include "oracle/mesh_tools.h"
+#include "oracle/oracle.h"
+#include "oracle/pair_tools.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { FACETS = 150, POSES = 60, SCENES = 40 };
+
+/* -------------------------------------------------------------------------- scenes */
+
+typedef struct {
+  sepax_facet facet[2][FACETS];
+  sepax_mesh mesh[2];
+  sepax_space space;
+} scene;
+
+static void draw_mesh(scene *s, int i, double size) {
+  for (int n = 0; n < FACETS; n++) {
+    double middle[3];
+    for (int axis = 0; axis < 3; axis++) {
+      middle[axis] = 20 * random_unit();
+    }
+    for (int k = 0; k < 9; k++) {
+      s->facet[i][n].v[k / 3][k % 3] = middle[k % 3] + size * random_unit();
+    }
+  }
+  s->mesh[i] = (sepax_mesh){s->facet[i], FACETS};
+}
+
+static void draw_scene(scene *s) {
+  memset(s, 0, sizeof *s);
+  draw_mesh(s, 0, 2);
+  draw_mesh(s, 1, 3);
+  s->space.resolution = ldexp(1, -random_below(8)) / (1 + random_below(9));
+  s->space.poses = 20;
+  s->space.seed = (uint64_t)random_below(1000);
+}
+
+static void draw_motion(sepax_motion *m, sepax_turn turn) {
+  m->turn = turn;
+  for (int axis = 0; axis < 3; axis++) {
+    double a = 30 * random_unit();
+    double b = 30 * random_unit();
+    m->low[axis] = fmin(a, b);
+    m->high[axis] = fmax(a, b);
+    m->centre[axis] = 10 * random_unit();
+  }
+}
+
+static sepax_size sized(const scene *s) {
+  sepax_size size;
+  if (!sepax_size_scene(&size, &s->mesh[0], &s->mesh[1], &s->space, &fault)) {
+    fail_msg("%s", fault.text);
+  }
+  return size;
+}
+
+/* Rodrigues' formula about an axis of length 1. */
+static void turned(double out[3], const double v[3], const double axis[3], double angle) {
+  double along = v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2];
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    out[i] = v[i] * cos(angle) + (axis[j] * v[k] - axis[k] * v[j]) * sin(angle) +
+             axis[i] * along * (1 - cos(angle));
+  }
+}
+
+static void draw_axis(double axis[3], sepax_turn turn) {
+  double length = 0;
+  for (int i = 0; i < 3; i++) {
+    bool own = turn == SEPAX_TURN_ANY || (int)turn - SEPAX_TURN_X == i;
+    axis[i] = own ? 1.5 + random_unit() : 0;
+    axis[i] = random_below(2) == 0 ? axis[i] : -axis[i];
+    length += axis[i] * axis[i];
+  }
+  for (int i = 0; i < 3; i++) {
+    axis[i] /= length > 0 ? sqrt(length) : 1;
+  }
+}
+
+/* A body in a pose of its motion, at the ends of the ranges now and then. */
+static void move(scene *s, int i, sepax_facet to[FACETS]) {
+  const sepax_motion *m = &s->space.motion[i];
+  double axis[3];
+  double shift[3];
+  double angle = m->turn == SEPAX_TURN_NONE ? 0 : pi * random_unit();
+  draw_axis(axis, m->turn);
+  for (int k = 0; k < 3; k++) {
+    double u = random_below(3) == 0 ? random_below(2) : 0.5 + 0.5 * random_unit();
+    shift[k] = m->low[k] + u * (m->high[k] - m->low[k]);
+  }
+  for (int n = 0; n < 3 * FACETS; n++) {
+    double arm[3];
+    double out[3];
+    for (int k = 0; k < 3; k++) {
+      arm[k] = s->facet[i][n / 3].v[n % 3][k] - m->centre[k];
+    }
+    turned(out, arm, axis, angle);
+    for (int k = 0; k < 3; k++) {
+      to[n / 3].v[n % 3][k] =
+          (angle == 0 ? s->facet[i][n / 3].v[n % 3][k] : m->centre[k] + out[k]) + shift[k];
+    }
+  }
+}
+
+static int64_t side_of(const sepax_tri *t, int axis) {
+  int64_t c[3];
+  for (int k = 0; k < 3; k++) {
+    c[k] = axis == 0 ? t->v[k].x : axis == 1 ? t->v[k].y : t->v[k].z;
+  }
+  int64_t low = c[0] < c[1] ? c[0] : c[1];
+  int64_t high = c[0] > c[1] ? c[0] : c[1];
+  low = c[2] < low ? c[2] : low;
+  high = c[2] > high ? c[2] : high;
+  return high - low;
+}
+
+static int64_t longest_side(const sepax_tri tri[FACETS]) {
+  int64_t longest = 0;
+  for (int n = 0; n < 3 * FACETS; n++) {
+    int64_t side = side_of(&tri[n / 3], n % 3);
+    longest = side > longest ? side : longest;
+  }
+  return longest;
+}
+
+static uint64_t brute_force(sepax_tri tri[2][FACETS]) {
+  uint64_t meeting = 0;
+  for (int n = 0; n < FACETS * FACETS; n++) {
+    sepax_pair pair = {.a = tri[0][n / FACETS], .b = tri[1][n % FACETS]};
+    meeting += boxes_overlap(&pair, 32);
+  }
+  return meeting;
+}
+
+/* Poses of any kind: on the grid, boxes within the extents, and these not much too long. */
+static void test_poses(void **state) {
+  (void)state;
+  static scene s;
+  static sepax_facet moved[2][FACETS];
+  static sepax_tri tri[2][FACETS];
+  for (int n = 0; n < SCENES; n++) {
+    draw_scene(&s);
+    draw_motion(&s.space.motion[0], (sepax_turn)(n % 5));
+    draw_motion(&s.space.motion[1], (sepax_turn)(n / 5 % 5));
+    s.space.resolution /= n % 4 == 0 ? 100 : 1;
+    sepax_size size = sized(&s);
+    int64_t longest[2] = {0, 0};
+    for (int p = 0; p < POSES; p++) {
+      for (int i = 0; i < 2; i++) {
+        move(&s, i, moved[i]);
+        sepax_mesh mesh = {moved[i], FACETS};
+        if (!sepax_quantise(&mesh, &size.grid, tri[i], NULL, &fault)) {
+          fail_msg("scene %d: %s", n, fault.text);
+        }
+        int64_t side = longest_side(tri[i]);
+        longest[i] = side > longest[i] ? side : longest[i];
+      }
+    }
+    for (int i = 0; i < 2; i++) {
+      assert_true(longest[i] <= size.extent[i]);
+      assert_true((double)longest[i] > 0.8 * (double)size.extent[i] - 1);
+    }
+    assert_true(size.given <= size.worst && size.poses == 20);
+  }
+}
+
+static bool fits(const double low[3], const double high[3], sepax_grid grid, int word) {
+  sepax_facet f = {
+      .v = {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}, {low[0], low[1], low[2]}}};
+  sepax_mesh mesh = {&f, 1};
+  sepax_tri tri;
+  grid.word = word;
+  return word >= SEPAX_WORD_MIN && sepax_quantise(&mesh, &grid, &tri, NULL, &fault);
+}
+
+/* One pose: everything is exact. */
+static void test_resting(void **state) {
+  (void)state;
+  static scene s;
+  static sepax_tri tri[2][FACETS];
+  for (int n = 0; n < SCENES; n++) {
+    draw_scene(&s);
+    sepax_size size = sized(&s);
+    for (int i = 0; i < 2; i++) {
+      assert_true(sepax_quantise(&s.mesh[i], &size.grid, tri[i], NULL, &fault));
+      int64_t side = longest_side(tri[i]);
+      assert_int_equal(size.extent[i], side > 0 ? side : 1);
+    }
+    assert_int_equal(size.given, brute_force(tri));
+    assert_int_equal(size.worst, size.given);
+    assert_true(fits(size.low, size.high, size.grid, size.grid.word));
+    assert_false(fits(size.low, size.high, size.grid, size.grid.word - 1));
+  }
+}
+
+/* A shift to one place: every sample is that pose. */
+static void test_samples_count(void **state) {
+  (void)state;
+  static scene s;
+  static sepax_facet moved[2][FACETS];
+  static sepax_tri tri[2][FACETS];
+  for (int n = 0; n < SCENES; n++) {
+    draw_scene(&s);
+    for (int axis = 0; axis < 3; axis++) {
+      s.space.motion[n % 2].low[axis] = 5 * random_unit();
+      s.space.motion[n % 2].high[axis] = s.space.motion[n % 2].low[axis];
+    }
+    sepax_size size = sized(&s);
+    for (int i = 0; i < 2; i++) {
+      move(&s, i, moved[i]);
+      sepax_mesh mesh = {moved[i], FACETS};
+      assert_true(sepax_quantise(&mesh, &size.grid, tri[i], NULL, &fault));
+    }
+    uint64_t there = brute_force(tri);
+    assert_int_equal(size.worst, there > size.given ? there : size.given);
+  }
+}
+
+/* Half a step more or less: two coordinates that are a whole number of steps apart may
+ * round to one more. */
+static void test_bound(void **state) {
+  (void)state;
+  static scene s;
+  draw_scene(&s);
+  s.mesh[0].count = 1;
+  s.mesh[1].count = 1;
+  s.facet[0][0] = (sepax_facet){.v = {{0, 0, 0}, {5, 0, 0}, {0, 3, 0}}};
+  s.facet[1][0] = (sepax_facet){.v = {{0, 0, 0}, {0, 0, 4.9}, {0, 3, 0}}};
+  s.space.resolution = 0.002;
+  s.space.motion[1].high[0] = 50;
+  sepax_size size = sized(&s);
+  assert_int_equal(size.extent[0], 2501);
+  assert_int_equal(size.extent[1], 2451);
+  assert_int_equal(size.core_word, 13);
+  s.space.motion[1].turn = SEPAX_TURN_Z; /* z stays: 4.9; an edge (0, 3, -4.9) is 3 across */
+  assert_int_equal(sized(&s).extent[1], 2451);
+  s.space.motion[1].turn = SEPAX_TURN_X; /* sqrt(3^2 + 4.9^2) = 5.7454 */
+  assert_int_equal(sized(&s).extent[1], 2873);
+  s.space.motion[1].turn = SEPAX_TURN_ANY;
+  assert_int_equal(sized(&s).extent[1], 2873);
+}
+
+static void test_workspace(void **state) {
+  (void)state;
+  static scene s;
+  draw_scene(&s);
+  s.space.resolution = 0.002;
+  s.space.workspace = SEPAX_WORKSPACE_SIDES;
+  for (int axis = 0; axis < 3; axis++) {
+    s.space.high[axis] = 200;
+  }
+  assert_int_equal(sized(&s).grid.word, 17); /* 100,000 steps */
+  s.space.workspace = SEPAX_WORKSPACE_PLACED;
+  assert_false(sepax_size_scene(&(sepax_size){0}, &s.mesh[0], &s.mesh[1], &s.space, &fault));
+  assert_message("workspace: x = 0 ... 200, but the poses need -2");
+  for (int axis = 0; axis < 3; axis++) {
+    s.space.low[axis] = -200;
+  }
+  assert_int_equal(sized(&s).grid.word, 18);
+  s.space.offset_given = true; /* at the origin: as good; at a corner: a bit more */
+  assert_int_equal(sized(&s).grid.word, 18);
+  s.space.offset[2] = -200;
+  assert_int_equal(sized(&s).grid.word, 19);
+}
+
+static void refuse(const scene *s, const char *part) {
+  sepax_size size = {.core_word = 77};
+  fault.text[0] = '\0';
+  assert_false(sepax_size_scene(&size, &s->mesh[0], &s->mesh[1], &s->space, &fault));
+  assert_int_equal(size.core_word, 77);
+  assert_message(part);
+}
+
+static void test_refused(void **state) {
+  (void)state;
+  static scene s;
+  draw_scene(&s);
+  s.space.resolution = 1e-12;
+  refuse(&s, "resolution: coordinates reach");
+  s.space.resolution = 0;
+  refuse(&s, "resolution: 0 is not");
+  s.space.resolution = 1;
+  s.space.motion[1].low[1] = 1;
+  refuse(&s, "motion: y from 1 to 0");
+  s.space.motion[1].low[1] = 0;
+  s.space.workspace = SEPAX_WORKSPACE_PLACED;
+  refuse(&s, "workspace: x from 0 to 0");
+  s.space.workspace = SEPAX_WORKSPACE_NONE;
+  s.mesh[1].count = 0;
+  refuse(&s, "no triangles");
+}
+
+/* ------------------------------------------------------------------------ machines */
+
+static sepax_design design_of(int word, int ii, int extent) {
+  sepax_config config = sepax_config_default();
+  sepax_design design;
+  config.word = word;
+  config.ii = ii;
+  config.extent_a = extent;
+  config.extent_b = extent;
+  assert_true(sepax_design_init(&design, &config, &fault));
+  return design;
+}
+
+/* Every design that was mapped, within the error that is told, and that error is reached. */
+static void test_gates(void **state) {
+  (void)state;
+  FILE *in = fopen("docs/area-nangate45.csv", "r");
+  char line[200];
+  double worst = 0;
+  double told = 0;
+  int rows = 0;
+  assert_non_null(in);
+  while (fgets(line, sizeof line, in) != NULL) {
+    char *at = line;
+    double number[6];
+    if (line[0] < '0' || line[0] > '9') {
+      continue;
+    }
+    for (int i = 0; i < 6; i++) {
+      number[i] = strtod(at, &at);
+      at++;
+    }
+    sepax_config config = sepax_config_default();
+    sepax_design design;
+    config.word = (int)number[0];
+    config.extent_a = (int)number[1];
+    config.extent_b = (int)number[2];
+    config.ii = (int)number[3];
+    assert_true(sepax_design_init(&design, &config, &fault));
+    double error;
+    double ge = sepax_gates(&design, &error);
+    told = error / ge;
+    worst = fmax(worst, fabs(ge / number[5] - 1));
+    rows++;
+  }
+  fclose(in);
+  assert_true(rows >= 20);
+  assert_true(worst <= told + 1e-4 && worst > told - 1e-3);
+}
+
+/* The cheapest of all, looked for another way round. */
+static void test_machine(void **state) {
+  (void)state;
+  static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
+  for (int n = 0; n < 200; n++) {
+    sepax_size size = {.grid = {.word = 18},
+                       .count = {(size_t)(1 + random_below(900)), (size_t)(1 + random_below(900))},
+                       .extent = {2500, 2500},
+                       .core_word = 13};
+    uint64_t pairs = (uint64_t)size.count[0] * size.count[1];
+    size.worst = pairs / (uint64_t)(1 + random_below(100));
+    double cycles = (double)pairs * pow(10, random_unit());
+    sepax_machine m;
+    bool lanes = random_below(2) == 0;
+    bool ok =
+        sepax_size_machine(&m, &size, cycles * 2e-9, 2000, 0, lanes ? SEPAX_LANES_MAX : 0, &fault);
+    double least = INFINITY;
+    for (int i = 0; i < 7; i++) {
+      for (int extent = 0; extent <= 2500; extent += 2500) {
+        for (int k = lanes ? SEPAX_LANES_MAX : 0; k >= 0; k--) {
+          sepax_design design = design_of(18, intervals[i], extent);
+          double unread;
+          design.config.lanes = k;
+          double ge = sepax_gates(&design, &unread);
+          size_t passes = k > 0 ? (size.count[0] + (size_t)k - 1) / (size_t)k : 0;
+          size_t step = size.count[1] > (size_t)k ? size.count[1] : (size_t)k;
+          double core = (double)(k > 0 ? 2 * size.worst + 1 : pairs) * intervals[i];
+          double boxes = k > 0 ? (double)(passes * step + (size.count[0] - 1) % (size_t)k) + 6 : 0;
+          if (core + boxes <= cycles) {
+            least = fmin(least, ge);
+          }
+        }
+      }
+    }
+    assert_int_equal(ok, isfinite(least));
+    if (ok) {
+      assert_true(fabs(m.gates - least) < 1e-6 * least);
+      assert_true((double)m.cycles <= cycles * (1 + 1e-8) && m.gates_error > 0);
+      size_t memory = (size_t)m.config.memory_a;
+      assert_true(m.config.lanes == 0 ||
+                  (memory >= size.count[0] && (memory < 2 * size.count[0] || memory == 128)));
+    } else {
+      assert_message("time: ");
+    }
+  }
+}
+
+/* The paper's scene: 160,000 pairs in 0.96 ms at 2 ns are II = 3. Too much for one memory
+ * goes through it in parts. */
+static void test_jobs(void **state) {
+  (void)state;
+  sepax_size size = {
+      .grid = {.word = 18}, .count = {400, 400}, .extent = {60000, 60000}, .core_word = 18};
+  sepax_machine m;
+  assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 0, 0, &fault));
+  assert_int_equal(m.config.ii, 3);
+  assert_int_equal(m.cycles, 480000);
+  assert_int_equal(m.config.extent_a, 0);
+  size.count[1] = 5; /* fewer than lanes: A's triangles go in one by one */
+  assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
+  assert_int_equal(m.cycles, 20 * 20 + 19 + 6 + m.config.ii);
+  size.worst = 1000;
+  assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
+  assert_int_equal(m.cycles, 20 * 20 + 19 + 6 + 2001 * (uint64_t)m.config.ii);
+  size.worst = 0;
+  size.count[0] = 40000;
+  size.count[1] = 70000;
+  assert_true(sepax_size_machine(&m, &size, 1, 2000, 10, 10, &fault));
+  assert_int_equal(m.config.memory_a, 32768);
+  assert_int_equal(m.config.memory_b, 32768);
+  assert_int_equal(m.cycles, (3277 + 724) * UINT64_C(70000) + 3 * (7 + 6) + 3 * (1 + 6) +
+                                 (uint64_t)m.config.ii);
+}
+
+/* ------------------------------------------------------------- pairs within extents */
+
+static bool inside(const sepax_pair *pair, const int extent[2]) {
+  bool ok = true;
+  for (int axis = 0; axis < 3; axis++) {
+    ok = ok && side_of(&pair->a, axis) <= extent[0] && side_of(&pair->b, axis) <= extent[1];
+  }
+  return ok;
+}
+
+static void check_extent_pairs(int word, int extent_a, int extent_b) {
+  const int extent[2] = {extent_a, extent_b};
+  sepax_config config = sepax_config_default();
+  config.word = word;
+  config.extent_a = extent_a;
+  config.extent_b = extent_b;
+  sepax_design design;
+  assert_true(sepax_design_init(&design, &config, &fault));
+  int met[2] = {0, 0};
+  int brim[2] = {0, 0};
+  int verdicts[2] = {0, 0};
+  for (size_t family = 0; family < family_count(); family++) {
+    sepax_random random = seeded(family, word);
+    for (int n = 0; n < 2000; n++) {
+      bool beyond = n % 2 == 1;
+      sepax_pair pair = sepax_extent_pair(family, word, extent, beyond, &random);
+      sepax_verdict v = sepax_judge(&design, &pair);
+      bool meet = boxes_overlap(&pair, word);
+      assert_true(sepax_pair_fits(&pair, word));
+      assert_int_equal(inside(&pair, extent), !beyond);
+      assert_int_equal(v.axis == SEPAX_AXIS_RANGE, beyond && meet);
+      assert_int_equal(v.axis == SEPAX_AXIS_BOXES, !meet);
+      assert_int_equal(v.collision, meet && (beyond || oracle_collide(&pair.a, &pair.b)));
+      met[beyond] += meet;
+      verdicts[v.collision] += !beyond;
+      const int shorter[2] = {extent_a - 1, extent_b - 1};
+      const int longer[2] = {extent_a + 1, extent_b + 1};
+      brim[beyond] += beyond ? inside(&pair, longer) : !inside(&pair, shorter);
+    }
+  }
+  for (int k = 0; k < 2; k++) {
+    assert_true(met[k] > 3000 && brim[k] > 300 && verdicts[k] > 300);
+  }
+}
+
+static void test_extent_pairs(void **state) {
+  (void)state;
+  check_extent_pairs(18, 2500, 2500);
+  check_extent_pairs(17, 2501, 1800);
+  check_extent_pairs(12, 300, 40);
+  check_extent_pairs(6, 2, 3);
+  check_extent_pairs(32, 100, 1000000);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_poses),         cmocka_unit_test(test_resting),
+      cmocka_unit_test(test_samples_count), cmocka_unit_test(test_bound),
+      cmocka_unit_test(test_workspace),     cmocka_unit_test(test_refused),
+      cmocka_unit_test(test_gates),         cmocka_unit_test(test_machine),
+      cmocka_unit_test(test_jobs),          cmocka_unit_test(test_extent_pairs),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,458 @@
+/* test_stl.c - STL files: reading, writing, real meshes. */
+#include "oracle/mesh_tools.h"
+
+#include <dirent.h>
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static int files_in_folder(void) {
+  int count = 0;
+  DIR *dir = opendir(folder);
+  assert_non_null(dir);
+  while (readdir(dir) != NULL) {
+    count++;
+  }
+  closedir(dir);
+  return count - 2; /* without . and .. */
+}
+
+static void put_bytes(const void *bytes, size_t size) {
+  FILE *out = fopen(path, "wb");
+  assert_non_null(out);
+  assert_int_equal(fwrite(bytes, 1, size, out), size);
+  assert_int_equal(fclose(out), 0);
+}
+
+static size_t get_bytes(char *bytes, size_t size) {
+  FILE *in = fopen(path, "rb");
+  assert_non_null(in);
+  size_t got = fread(bytes, 1, size, in);
+  fclose(in);
+  return got;
+}
+
+static void assert_refused(const char *part) {
+  sepax_mesh mesh = {.count = 77};
+  fault.text[0] = '\0';
+  assert_false(sepax_stl_read(&mesh, path, &fault));
+  assert_message(part);
+  assert_message(path);
+  assert_null(mesh.facet);
+  assert_int_equal(mesh.count, 77);
+}
+
+static void refuse_bytes(const void *bytes, size_t size, const char *part) {
+  put_bytes(bytes, size);
+  assert_refused(part);
+  remove(path);
+}
+
+static void refuse_text(const char *text, const char *part) {
+  refuse_bytes(text, strlen(text), part);
+}
+
+static sepax_mesh read_text(const char *text) {
+  put_bytes(text, strlen(text));
+  sepax_mesh mesh = read_ok();
+  remove(path);
+  return mesh;
+}
+
+/* ----------------------------------------------------------------- STL files */
+
+#define FACET(number)                                                              \
+  " facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex " number " 0 0\n" \
+  "   vertex 0 1 0\n  endloop\n endfacet\n"
+#define SOLID(number) "solid part\n" FACET(number) "endsolid part\n"
+
+static double number_read(const char *text) {
+  char solid[2048];
+  snprintf(solid, sizeof solid, SOLID("%s"), text);
+  sepax_mesh mesh = read_text(solid);
+  double number = mesh.facet[0].v[1][0];
+  sepax_mesh_free(&mesh);
+  assert_null(mesh.facet);
+  assert_int_equal(mesh.count, 0);
+  return number;
+}
+
+static void test_decimals(void **state) {
+  (void)state;
+  const struct {
+    const char *text;
+    double number;
+  } cases[] = {
+      {"0", 0},
+      {"-1.5E+1", -15},
+      {"+.5", 0.5},
+      {"7.", 7},
+      {"0.1", 0x1.999999999999ap-4},
+      {"1e23", 0x1.52d02c7e14af6p+76},
+      {"9007199254740993", 0x1p53},
+      {"9007199254740993.00000000000000000001", 0x1.0000000000001p53},
+      {"1.00000000000000011102230246251565404236316680908203125", 1},
+      {"1.00000000000000011102230246251565404236316680908203126", 1 + DBL_EPSILON},
+      {"2.2250738585072011e-308", 0x0.fffffffffffffp-1022},
+      {"1.7976931348623158e308", DBL_MAX},
+      {"4.9e-324", 0x1p-1074},
+      {"1e-400", 0},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    double number = number_read(cases[i].text);
+    if (number < cases[i].number || number > cases[i].number) {
+      fail_msg("%s read as %a", cases[i].text, number);
+    }
+  }
+}
+
+static void test_text_forms(void **state) {
+  (void)state;
+  const struct {
+    const char *text;
+    size_t count;
+  } cases[] = {
+      {SOLID("1"), 1},
+      {" \t\r\nSOLID\nFACET NORMAL 0 0 1 OUTER LOOP VERTEX 0 0 0 Vertex 1 0 0 vertex 0 "
+       "1 0"
+       " endLoop EndFacet ENDSOLID",
+       1},
+      {"solid a\r\n" FACET("1\r") "endsolid a\r\n", 1},
+      {"solid a\rfacet normal 0 0 1\router loop\rvertex 0 0 0\rvertex 1 0 0\rvertex 0 "
+       "1 0"
+       "\rendloop\rendfacet\rendsolid a\r",
+       1},
+      {SOLID("1") "\n\n" SOLID("2") "solid empty\nendsolid\n", 2},
+      {"solid facet normal \xff\xfe endsolid\n" FACET("1") FACET("2")
+           FACET("3") "endsolid so it was, facet\n",
+       3},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    sepax_mesh mesh = read_text(cases[i].text);
+    assert_int_equal(mesh.count, cases[i].count);
+    for (size_t k = 0; k < mesh.count; k++) {
+      const sepax_facet *f = &mesh.facet[k];
+      assert_true(f->normal[0] == 0 && f->normal[1] == 0 && f->normal[2] == 1);
+      assert_true(f->v[1][0] == (double)(k + 1) && f->v[2][1] == 1 && f->v[0][2] == 0);
+    }
+    sepax_mesh_free(&mesh);
+  }
+}
+
+static void test_text_errors(void **state) {
+  (void)state;
+  refuse_text("", "empty");
+  refuse_text("hello", "no STL file");
+  refuse_text("<html>This is a page of text, and so long that it might have the head of a "
+              "binary file in it.</html>",
+              "no STL file");
+  refuse_text("solid\nendsolid\n", "no facets");
+  refuse_text("solidify\n", "line 1: 'solidify' where solid is expected");
+  refuse_text("solid a\n", "line 2: the text ends before facet or endsolid: truncated");
+  refuse_text("solid a\n" FACET("1"), "line 9: the text ends before");
+  refuse_text("solid a\n facet normal 0 0", "line 2: the text ends before a number");
+  refuse_text("solid a\n facet normal 0 0 1\n outer\r\n poop\n", "line 4: 'poop' where loop");
+  refuse_text("solid a\r\r facet abnormal", "line 3: 'abnormal' where normal");
+  refuse_text(SOLID("1") "rubbish", "line 10: 'rubbish' where solid");
+  refuse_text(SOLID("1,5"), "line 5: '1,5' where a number");
+  refuse_text(SOLID("0x10"), "line 5: '0x10' where a number");
+  refuse_text(SOLID("1.#QNAN"), "line 5: '1.#QNAN' where a number");
+  refuse_text(SOLID("1 2"), "line 5: '0' where vertex");
+  refuse_text(SOLID("nan"), "line 5: coordinate is NaN; export");
+  refuse_text(SOLID("-inf"), "line 5: coordinate is infinite");
+  refuse_text(SOLID("1e309"), "line 5: coordinate is infinite");
+  refuse_text("solid a\nfacet normal 0 nan 0", "line 2: normal is NaN");
+  refuse_text("solid a\nfacet\033normal\x80zero 0 nan 0",
+              "line 2: 'facet?normal?zero' where facet or endsolid");
+  refuse_text("solid a\na_word_of_more_than_twenty_four_characters",
+              "'a_word_of_more_than_twen' where");
+  const char with_zero[] = SOLID("1\0");
+  put_bytes(with_zero, sizeof with_zero - 1);
+  assert_refused("no STL file");
+  remove(path);
+}
+
+/* A binary file of `count` facets, all numbers 1, with room for what a case appends. */
+static size_t make_binary(unsigned char bytes[], const char *title, unsigned count) {
+  memset(bytes, 0, 84 + 50 * (size_t)count);
+  for (size_t i = 0; title[i] != '\0'; i++) {
+    bytes[i] = (unsigned char)title[i];
+  }
+  bytes[80] = (unsigned char)count;
+  for (size_t i = 0; i < 12 * (size_t)count; i++) {
+    unsigned char *number = bytes + 84 + 50 * (i / 12) + 4 * (i % 12);
+    number[2] = 0x80;
+    number[3] = 0x3f;
+  }
+  return 84 + 50 * (size_t)count;
+}
+
+static void test_binary_forms(void **state) {
+  (void)state;
+  const char *titles[] = {"", "solid", "solid part\n facet normal 0 0 1", "COLOR=\xff"};
+  unsigned char bytes[500];
+  for (size_t i = 0; i < sizeof titles / sizeof titles[0]; i++) {
+    size_t size = make_binary(bytes, titles[i], 3);
+    bytes[84 + 50 + 12 + 3] = 0xbf; /* facet 2, vertex 1, x: -1 */
+    bytes[84 + 50 + 48] = 0xff;     /* attributes */
+    put_bytes(bytes, size);
+    sepax_mesh mesh = read_ok();
+    remove(path);
+    assert_int_equal(mesh.count, 3);
+    assert_true(mesh.facet[1].v[0][0] == -1 && mesh.facet[1].normal[2] == 1);
+    assert_true(mesh.facet[2].v[2][2] == 1 && mesh.facet[2].normal[0] == 1);
+    sepax_mesh_free(&mesh);
+  }
+}
+
+static void test_binary_errors(void **state) {
+  (void)state;
+  unsigned char bytes[500];
+  size_t size = make_binary(bytes, "solid", 3);
+  refuse_bytes(bytes, size - 1, "truncated: 3 facets take 234 bytes, the file has 233");
+  refuse_bytes(bytes, 84, "truncated");
+  refuse_bytes(bytes, 83, "no STL file");
+  bytes[size] = 0;
+  refuse_bytes(bytes, size + 1, "longer than its count says");
+  bytes[80 + 1] = 0xff;
+  refuse_bytes(bytes, size, "truncated: 65283 facets");
+  memset(bytes + 80, 0xff, 4);
+  refuse_bytes(bytes, size, "truncated: 4294967295 facets take 214748364834 bytes");
+  size = make_binary(bytes, "x", 0);
+  refuse_bytes(bytes, size, "no facets");
+  size = make_binary(bytes, "x", 3);
+  bytes[84 + 100 + 44 + 3] = 0x7f;
+  bytes[84 + 100 + 44 + 2] = 0x80;
+  refuse_bytes(bytes, size, "facet 3: coordinate is infinite; export");
+  bytes[84 + 50 + 3] = 0xff;
+  bytes[84 + 50 + 2] = 0xc0;
+  refuse_bytes(bytes, size, "facet 2: normal is NaN; export");
+}
+
+static void test_unreadable(void **state) {
+  (void)state;
+  assert_refused("No such file");
+  assert_int_equal(mkdir(path, 0777), 0);
+  assert_refused("is a directory");
+  assert_int_equal(rmdir(path), 0);
+  assert_int_equal(symlink("/dev/null", path), 0);
+  assert_refused("neither a file nor a pipe");
+  remove(path);
+  put_bytes(SOLID("1"), strlen(SOLID("1")));
+  assert_int_equal(chmod(path, 0), 0);
+  if (geteuid() != 0) {
+    assert_refused("Permission denied");
+  }
+  remove(path);
+  char far[700];
+  memset(far, 'x', sizeof far - 1);
+  far[sizeof far - 1] = '\0';
+  sepax_mesh mesh = {0};
+  assert_false(sepax_stl_read(&mesh, far, &fault));
+  assert_message("check the path");
+}
+
+static void test_pipe(void **state) {
+  (void)state;
+  assert_int_equal(mkfifo(path, 0600), 0);
+  pid_t child = fork();
+  assert_true(child >= 0);
+  if (child == 0) {
+    FILE *out = fopen(path, "w");
+    _exit(out == NULL || fputs(SOLID("1"), out) == EOF || fclose(out) != 0);
+  }
+  sepax_mesh mesh = read_ok();
+  int status = 1;
+  waitpid(child, &status, 0);
+  assert_int_equal(status, 0);
+  assert_int_equal(mesh.count, 1);
+  sepax_mesh_free(&mesh);
+  remove(path);
+}
+
+/* -------------------------------------------------------------------- writing */
+
+/* Random facets of numbers of every magnitude that binary32 holds. */
+static sepax_mesh random_mesh(size_t count, bool single) {
+  sepax_mesh mesh = {calloc(count, sizeof *mesh.facet), count};
+  assert_non_null(mesh.facet);
+  for (size_t i = 0; i < 12 * count; i++) {
+    double number = ldexp(random_unit(), random_below(250) - 124);
+    size_t k = i % 12;
+    sepax_facet *facet = &mesh.facet[i / 12];
+    *(k < 9 ? &facet->v[k / 3][k % 3] : &facet->normal[k - 9]) =
+        single ? (double)(float)number : number;
+  }
+  return mesh;
+}
+
+static void assert_round_trip(const sepax_mesh *mesh, bool ascii) {
+  if (!sepax_stl_write(mesh, path, ascii, &fault)) {
+    fail_msg("%s", fault.text);
+  }
+  assert_int_equal(files_in_folder(), 1);
+  sepax_mesh back = read_ok();
+  assert_int_equal(back.count, mesh->count);
+  assert_memory_equal(back.facet, mesh->facet, mesh->count * sizeof *mesh->facet);
+  sepax_mesh_free(&back);
+  remove(path);
+}
+
+static void test_round_trips(void **state) {
+  (void)state;
+  sepax_mesh mesh = random_mesh(1000, true);
+  mesh.facet[0].v[0][0] = -0.0;
+  mesh.facet[0].v[0][1] = FLT_MAX;
+  mesh.facet[0].v[0][2] = 0x1p-149;
+  assert_round_trip(&mesh, false);
+  assert_round_trip(&mesh, true);
+  sepax_mesh_free(&mesh);
+  mesh = random_mesh(1000, false);
+  mesh.facet[0].v[0][0] = -DBL_MAX;
+  mesh.facet[0].v[0][1] = 0x1p-1074;
+  assert_round_trip(&mesh, true);
+  sepax_mesh_free(&mesh);
+}
+
+static void test_write_form(void **state) {
+  (void)state;
+  sepax_mesh mesh = random_mesh(2, true);
+  mode_t mask = umask(027);
+  assert_true(sepax_stl_write(&mesh, path, false, &fault));
+  umask(mask);
+  struct stat status;
+  assert_int_equal(stat(path, &status), 0);
+  assert_int_equal(status.st_mode & 0777, 0640);
+  assert_int_equal(status.st_size, 184);
+  char bytes[8];
+  assert_int_equal(get_bytes(bytes, sizeof bytes), sizeof bytes);
+  assert_true(strncasecmp(bytes, "solid", 5) != 0);
+  assert_true(sepax_stl_write(&mesh, path, true, &fault)); /* over the old file */
+  assert_int_equal(get_bytes(bytes, sizeof bytes), sizeof bytes);
+  assert_memory_equal(bytes, "solid se", 8);
+  remove(path);
+  sepax_mesh_free(&mesh);
+}
+
+static void refuse_to_write(const sepax_mesh *mesh, bool ascii, const char *part) {
+  int before = files_in_folder();
+  fault.text[0] = '\0';
+  assert_false(sepax_stl_write(mesh, path, ascii, &fault));
+  assert_message(part);
+  assert_message(path);
+  assert_int_equal(files_in_folder(), before);
+}
+
+static void test_write_values(void **state) {
+  (void)state;
+  sepax_mesh mesh = random_mesh(3, true);
+  double *x = &mesh.facet[2].v[1][0];
+  *x = stepped(0x1.ffffffp127, -1);
+  assert_true(sepax_stl_write(&mesh, path, false, &fault));
+  sepax_mesh back = read_ok();
+  assert_true(back.facet[2].v[1][0] == FLT_MAX);
+  sepax_mesh_free(&back);
+  remove(path);
+  *x = -0x1.ffffffp127;
+  refuse_to_write(&mesh, false, "facet 3: coordinate -3.40282e+38 does not fit");
+  *x = NAN;
+  refuse_to_write(&mesh, false, "facet 3: coordinate is NaN");
+  refuse_to_write(&mesh, true, "facet 3: coordinate is NaN");
+  *x = 0;
+  mesh.facet[0].normal[1] = -INFINITY;
+  refuse_to_write(&mesh, true, "facet 1: normal is infinite");
+  sepax_mesh_free(&mesh);
+  refuse_to_write(&mesh, true, "no facets");
+}
+
+static void test_write_failures(void **state) {
+  (void)state;
+  sepax_mesh mesh = random_mesh(100, true);
+  assert_int_equal(mkdir(path, 0777), 0);
+  refuse_to_write(&mesh, false, "exists and is no file");
+  rmdir(path);
+  assert_int_equal(symlink("/dev/null", path), 0);
+  refuse_to_write(&mesh, false, "exists and is no file");
+  remove(path);
+
+  char kept[PATH_BYTES];
+  memcpy(kept, path, sizeof kept);
+  snprintf(path, sizeof path, "%.500s/none/part.stl", folder);
+  refuse_to_write(&mesh, false, "No such file");
+  memcpy(path, kept, sizeof path);
+
+  put_bytes("precious", 8);
+  struct rlimit limit;
+  assert_int_equal(getrlimit(RLIMIT_FSIZE, &limit), 0);
+  struct rlimit tight = {.rlim_cur = 100, .rlim_max = limit.rlim_max};
+  void (*handler)(int) = signal(SIGXFSZ, SIG_IGN);
+  assert_int_equal(setrlimit(RLIMIT_FSIZE, &tight), 0);
+  bool binary = sepax_stl_write(&mesh, path, false, &fault);
+  sepax_error first = fault;
+  bool text = sepax_stl_write(&mesh, path, true, &fault);
+  assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  signal(SIGXFSZ, handler);
+  assert_false(binary || text);
+  assert_message("File too large");
+  assert_string_equal(first.text, fault.text);
+  assert_int_equal(files_in_folder(), 1);
+  char bytes[8];
+  assert_int_equal(get_bytes(bytes, sizeof bytes), 8);
+  assert_memory_equal(bytes, "precious", 8);
+  remove(path);
+  sepax_mesh_free(&mesh);
+}
+
+/* ---------------------------------------------------------------- real meshes */
+
+static bool ends_with(const char *name, const char *end) {
+  return strlen(name) >= strlen(end) && strcmp(name + strlen(name) - strlen(end), end) == 0;
+}
+
+static void test_shared_meshes(void **state) {
+  (void)state;
+  const char *shared = "../shared/meshes";
+  DIR *dir = opendir(shared);
+  if (dir == NULL) {
+    skip();
+    return;
+  }
+  for (struct dirent *entry = readdir(dir); entry != NULL; entry = readdir(dir)) {
+    if (ends_with(entry->d_name, ".stl")) {
+      char name[PATH_BYTES];
+      sepax_mesh mesh = {0};
+      snprintf(name, sizeof name, "%s/%s", shared, entry->d_name);
+      if (!sepax_stl_read(&mesh, name, &fault)) {
+        fail_msg("%s", fault.text);
+      }
+      print_message("%s: %zu facets\n", entry->d_name, mesh.count);
+      assert_true(mesh.count > 0);
+      assert_fit((const sepax_mesh *const[]){&mesh}, 1, 18);
+      sepax_mesh_free(&mesh);
+    }
+  }
+  closedir(dir);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_decimals),       cmocka_unit_test(test_text_forms),
+      cmocka_unit_test(test_text_errors),    cmocka_unit_test(test_binary_forms),
+      cmocka_unit_test(test_binary_errors),  cmocka_unit_test(test_unreadable),
+      cmocka_unit_test(test_pipe),           cmocka_unit_test(test_round_trips),
+      cmocka_unit_test(test_write_form),     cmocka_unit_test(test_write_values),
+      cmocka_unit_test(test_write_failures), cmocka_unit_test(test_shared_meshes),
+  };
+  return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}
