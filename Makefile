@@ -267,7 +267,7 @@ install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
 	@$(foreach page,$(MAN),sed 's/@VERSION@/$(VERSION)/' docs/$(notdir $(page)) > $(BUILD)/$(notdir $(page)) &&) true
 	@install -d $(addprefix $(ROOT)/,bin include lib/pkgconfig $(dir $(MAN)))
 	@install -m 755 $(SEPAX) $(ROOT)/bin
-	@install -m 644 c_model/sepax.h $(ROOT)/include
+	@install -m 644 $(wildcard c_model/sepax*.h) $(ROOT)/include
 	@install -m 644 $(LIB) $(BUILD)/libsepax.so.0 $(ROOT)/lib
 	@ln -sf libsepax.so.0 $(ROOT)/lib/libsepax.so
 	@install -m 644 $(BUILD)/sepax.pc $(ROOT)/lib/pkgconfig
@@ -275,7 +275,7 @@ install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
 	@echo "installed in $(ROOT)"
 
 uninstall:
-	@rm -f $(addprefix $(ROOT)/,bin/sepax include/sepax.h lib/libsepax.a lib/libsepax.so \
+	@rm -f $(addprefix $(ROOT)/,bin/sepax $(addprefix include/,$(notdir $(wildcard c_model/sepax*.h))) lib/libsepax.a lib/libsepax.so \
 	  lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))
 
 # -------------------------------------------------------------------- the meshes

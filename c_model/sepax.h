@@ -29,10 +29,6 @@ extern "C" {
 #define SEPAX_VERSION "0.1.0"
 #define SEPAX_WORD_MIN 4
 #define SEPAX_WORD_MAX 32
-#define SEPAX_II_MAX 18
-#define SEPAX_LANES_MAX 64
-#define SEPAX_MEMORY_MIN 128
-#define SEPAX_MEMORY_MAX 32768
 
 /* One line of text without a newline; empty until something failed. */
 typedef struct {
@@ -69,133 +65,6 @@ bool sepax_pair_fits(const sepax_pair *pair, int word);
  * Zero for a triangle without area. Legal for every triangle of W bits. */
 sepax_vec sepax_unit_normal(const sepax_tri *tri, int word);
 
-/* ----------------------------------------------------------- configuration */
-
-typedef enum {
-  SEPAX_ARCH_PAPER,      /* the paper's datapath, bit for bit */
-  SEPAX_ARCH_EXACT,      /* the mathematical verdict, and the axis */
-  SEPAX_ARCH_REFERENCE,  /* software: the same verdict by another method, sepax_reference */
-  SEPAX_ARCH_FLOAT32,    /* software baseline in IEEE single precision */
-  SEPAX_ARCH_FLOAT64,    /* software baseline in IEEE double precision */
-  SEPAX_ARCH_INTERVAL32, /* the interval test of Moeller, the usual one, single precision */
-  SEPAX_ARCH_INTERVAL64, /* the same in double precision */
-  SEPAX_ARCH_CONFERENCE  /* the machine that the paper improves on, docs/conference.md */
-} sepax_arch;
-
-typedef enum {
-  SEPAX_COPLANAR_PLANE, /* |B_k.N_A - A_k.N_A| < epsilon for all k: right */
-  SEPAX_COPLANAR_PAPER  /* |A_k.N_A - B_k.N_B| < epsilon for all k: printed */
-} sepax_coplanarity;
-
-typedef enum {
-  SEPAX_INEQUALITY_CORRECT, /* (5) as max A < min B */
-  SEPAX_INEQUALITY_PRINTED  /* (5) as printed: max A > min B */
-} sepax_inequality;
-
-/* What model, generator and benches must agree on, and all they share. */
-typedef struct {
-  sepax_arch arch;
-  int word;         /* W, 4 ... 32 */
-  int ii;           /* initiation interval, cycles; exact: 1 ... 18, paper and conference: 3 */
-  bool full;        /* every bit of every intermediate is kept */
-  int guard;        /* else W + guard bits of each are; 0 ... 2W + 3 */
-  bool block_float; /* axes shifted left in common before truncation */
-  sepax_coplanarity coplanarity;
-  sepax_inequality inequality;
-  int epsilon;            /* LSB, 0 ... 2^(W-1) - 1; 0 asks for equality */
-  bool flag;              /* exact: coplanar pairs are called collisions, undecided */
-  int clock_ps;           /* exact: the period to pipeline for, 500 ... 20000 ps */
-  int extent_a, extent_b; /* exact: longest side of the box of a triangle of A, of B, in
-                             LSB, that the core decides; 0, 0: any */
-  bool early_out;         /* exact: a box test goes before the core, which gets zeros for pairs that
-                             it decides; with extents it does anyway */
-  int clearance, warning; /* exact: LSB; -1 and 0: none. The verdict is free only if the real
-                             triangles are farther apart than `clearance` (docs/clearance.md) */
-  int lanes;              /* exact: box lanes of an object engine, 1 ... 64; 0: the core alone */
-  int cores;              /* of the engine, 1 ... 8 */
-  int memory_a, memory_b; /* triangles of A, of B that it holds: 2^7 ... 2^15 */
-} sepax_config;
-
-/* The defaults: exact, W = 18, II = 3, coplanar pairs decided, 2 ns; and for paper and
- * conference full, plane, correct, epsilon 1. */
-sepax_config sepax_config_default(void);
-
-/* Set one value from text, by the name of its command-line option: "arch",
- * "word", "ii", "precision" (full, word, guard=G), "block-float" (on, off),
- * "coplanarity", "inequality", "epsilon", "coplanar" (exact, flag), "clock-ns" (at most
- * three decimals), "extent-a", "extent-b", "early-out" (none, boxes), "clearance", "warning",
- * "lanes", "cores", "memory-a", "memory-b". Fails on an unknown name or value. */
-bool sepax_config_set(sepax_config *config, const char *name, const char *value,
-                      sepax_error *error);
-
-/* Parse a line that sepax_config_text wrote ("--arch=paper --word=18 ..."). */
-bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *error);
-
-/* What the architecture reads, as "--arch=paper --word=18 ...", into text[size];
- * sepax_config_parse reads it back. Returns text. */
-char *sepax_config_text(const sepax_config *config, char *text, size_t size);
-
-/* Fails with the legal range if a value or a combination is not supported, and if a
- * choice is made that the architecture does not have. */
-bool sepax_config_check(const sepax_config *config, sepax_error *error);
-
-const char *sepax_arch_name(sepax_arch arch);
-
-/* Fixed-point format of an intermediate of the paper's datapath. The exact value
- * needs `exact` bits (interval analysis); the lowest `shift` of them are dropped
- * by flooring, `width` = exact - shift are kept. docs/paper.md lists the table. */
-typedef struct {
-  const char *name;
-  int exact, width, shift;
-  int digits; /* in architecture exact, of a factor: radix-4 digits it is cut into */
-} sepax_format;
-
-typedef enum {
-  SEPAX_F_VERTEX,            /* a coordinate */
-  SEPAX_F_NORMAL,            /* a component of N_A, N_B */
-  SEPAX_F_NORMAL_PRODUCT,    /* coordinate x normal component */
-  SEPAX_F_NORMAL_PROJECTION, /* t_k, s_k, u_k, v_k */
-  SEPAX_F_EDGE,              /* component of an edge; holds a normal's too */
-  SEPAX_F_CROSS_PRODUCT,     /* one product of a cross product */
-  SEPAX_F_AXIS,              /* component of an axis */
-  SEPAX_F_PRODUCT,           /* coordinate x axis component */
-  SEPAX_F_PROJECTION,        /* vertex . axis */
-  SEPAX_F_COUNT
-} sepax_format_id;
-
-/* Numbers of architecture exact (docs/exact.md): `exact` bits hold every term, `width`
- * the result; sums that cancel are taken modulo 2^width. shift is 0. */
-enum {
-  SEPAX_X_COORDINATE,
-  SEPAX_X_SPAN,       /* sum or difference of two coordinates */
-  SEPAX_X_AREA,       /* t_ij, g_ijk: twice an area */
-  SEPAX_X_WEIGHT,     /* sum of z, the origin moved to A: for triangles of both; plus
-                         1 + 4 + 16 ..., as its digits want it (docs/exact.md) */
-  SEPAX_X_OWN_WEIGHT, /* the same for triangle B itself */
-  SEPAX_X_VOLUME,     /* h_ijk, v_ijkl: six times a volume */
-  SEPAX_X_CROSS,      /* with a clearance: a component of e x f, N_A, N_B; */
-  SEPAX_X_LIMIT,      /* what twice a gap on such an axis must exceed; */
-  SEPAX_X_EDGE_LIMIT  /* and on an axis normal to an edge and a coordinate axis */
-};
-
-/* A checked configuration with what follows from it. */
-typedef struct {
-  sepax_config config;
-  sepax_format format[SEPAX_F_COUNT]; /* by sepax_format_id, or SEPAX_X_... for exact */
-  int formats;
-  bool boxes;             /* exact: a box test goes before the core */
-  int core_word;          /* exact: bits of a coordinate behind the box test; W without extents */
-  int64_t coplanar_limit; /* |difference| < limit, in units of NORMAL_PROJECTION */
-  int latency;            /* cycles from the first input word to the verdict; of exact it
-                             follows from the schedule that the generator makes */
-  int limits;             /* clearances asked for, 0 ... 2 */
-  int64_t margin[2];      /* with them: a gap of the boxes above margin[0] is outside of the
-                             clearance, above margin[1] free; 1 + clearance, 1 + warning */
-} sepax_design;
-
-/* Check the configuration and derive formats, limit and latency. */
-bool sepax_design_init(sepax_design *design, const sepax_config *config, sepax_error *error);
-
 /* ---------------------------------------------------------------- verdicts */
 
 /* Axis numbers are the paper's: 1 ... 9 of table 1, 1 + 3i + j being e_i x f_j with e_i
@@ -206,7 +75,15 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config, sepax_e
  * larger than its extent: a collision, undecided. With a clearance 13 is x, y or z, 12 normal to an
  * edge and to x, y or z. */
 typedef enum { SEPAX_BAND_FREE, SEPAX_BAND_WARNING, SEPAX_BAND_COLLISION } sepax_band;
-enum { SEPAX_AXIS_BOXES = 13, SEPAX_AXIS_RANGE = 14 };
+typedef enum {
+  SEPAX_AXIS_NONE = 0,
+  SEPAX_AXIS_EDGES = 1, /* e_i x f_j at SEPAX_AXIS_EDGES + 3i + j */
+  SEPAX_AXIS_NORMAL_A = 10,
+  SEPAX_AXIS_NORMAL_B = 11,
+  SEPAX_AXIS_PLANE = 12, /* in the common plane; with a clearance normal to an edge */
+  SEPAX_AXIS_AABB = 13,
+  SEPAX_AXIS_EXTENT = 14 /* undecided: a triangle exceeds its extent */
+} sepax_axis;
 
 typedef struct {
   bool collision;
@@ -217,13 +94,6 @@ typedef struct {
   sepax_band band; /* with a clearance; collision is then band == SEPAX_BAND_COLLISION */
 } sepax_verdict;
 
-/* The verdict of the architecture of `design`, bit for bit what its RTL gives.
- * Pair: W-bit components (the caller checks, sepax_pair_fits). Only `paper` and `conference` read
- * the normals and count multiplications. Of `exact` it is that of sepax_exact, but where
- * the design flags coplanar pairs they are collisions, axis 0, and where a box
- * test goes before the core boxes are tested first (axes 13, 14). */
-sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
-
 /* The exact verdict from 34 products, the golden model of architecture exact: every W up
  * to 32, coplanar and degenerate triangles included, no rounding, no tolerance. coplanar
  * is true iff one plane holds all six vertices. The axis truly separates, and a pair is
@@ -232,30 +102,11 @@ sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
  * coordinates of up to 20 bits. */
 sepax_verdict sepax_exact(const sepax_tri *a, const sepax_tri *b);
 
-/* The verdict with the clearances of `design` (arch exact, limits > 0): clearance 0 ... D LSB is
- * band COLLISION, up to the warning limit WARNING, beyond FREE. Conservative: when the real
- * triangles, every coordinate within 1/2 LSB of those given, are no farther apart than a limit
- * (Euclid), the band is never beyond it. axis: 13, 10, 11, 1 ... 9, 12 in this order, the first
- * that proves the band; 0 in band COLLISION. coplanar as of sepax_exact. docs/clearance.md has the
- * proof and false alarms. Coordinates of W bits; about 1 us. */
-sepax_verdict sepax_clearance(const sepax_design *design, const sepax_tri *a, const sepax_tri *b);
-
 /* Two more models, true iff the triangles collide: they agree with sepax_exact on every
  * pair. The reference: the separating axis theorem on 128-bit integers, axis by axis; and
  * the same theorem written out in 54 products. */
 bool sepax_reference(const sepax_tri *a, const sepax_tri *b);
 bool sepax_sat54(const sepax_tri *a, const sepax_tri *b);
-
-/* Algorithm 1 on the formats of `design` (arch paper). mul_project is 36 when a
- * normal separates, else 36 + 18 per axis tried: 54 ... 144 for coplanar pairs
- * and 54 ... 198 otherwise (the paper prints 188: it takes 9 x 18 for 152). */
-sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair);
-
-/* The machine before it, on the same formats (arch conference): coplanarity first, then six axes
- * for coplanar pairs (table 2, the normals are not tried), eleven for others. mul_project is
- * 18 for coplanarity and 18 per axis tried: 36 ... 126 for coplanar pairs, else 36 ... 216.
- * The verdict is that of sepax_paper but where a normal separates a pair called coplanar. */
-sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pair);
 
 /* SAT in IEEE single/double precision, normals by cross product, coplanar by
  * equality: what software usually does. Rounded: wrong now and then. */
@@ -328,35 +179,7 @@ typedef struct {
  * NULL. Fails without memory, or when progress ended it; free with sepax_pairs_free. */
 bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
                            const sepax_search *how, sepax_pairs *found, sepax_error *error);
-/* The same search for the pairs that sepax_clearance does not call free: `design` has clearances
- * (limits > 0), boxes are kept apart by its margin. `first` ends at such a pair. */
-bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
-                      const sepax_tri *b, size_t count_b, const sepax_search *how,
-                      sepax_pairs *found, sepax_error *error);
 void sepax_pairs_free(sepax_pairs *pairs);
-
-/* ------------------------------------------------------------ the object engine */
-
-/* What a run of the engine finds. */
-typedef struct {
-  uint64_t pairs, survivors; /* tested; of these, with boxes that meet */
-  uint64_t passes;           /* of survivors through the cores; two for pairs flat along z */
-  sepax_pairs found; /* collisions, and pairs in the band of warnings, in the order of the engine */
-  uint64_t collisions;   /* among them */
-  size_t first;          /* of found: the first collision; found.count without one */
-  uint64_t out_of_range; /* of these, undecided: beyond the extents, or moved out of W bits */
-  uint64_t cycles;       /* predicted, to about 1 % and 20 + 4 II cycles; less
-                            well where several cores meet pairs of two passes */
-} sepax_engine_run;
-
-/* The golden model of sepax_engine, a design with lanes: triangles of A against those of B,
- * B's moved by whole LSB (|move| < 2^W). Verdicts are those of sepax_judge; a triangle of B
- * that was moved out of W bits collides with all whose boxes it meets, and is counted as out of
- * range. Fails on objects that are empty or do not fit the memories, or without memory; free
- * run->found with sepax_pairs_free. */
-bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a,
-                  const sepax_tri *b, size_t count_b, const int32_t move[3], sepax_engine_run *run,
-                  sepax_error *error);
 
 /* ------------------------------------------------------------------ meshes */
 
@@ -384,20 +207,6 @@ bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error);
  * digits. Written aside, then renamed to path. Fails also on an empty mesh, NaN or
  * infinity, and where path is there but no file. */
 bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii, sepax_error *error);
-
-/* A sample object: a closed mesh of exactly `triangles` facets in mm, refined by
- * longest-edge bisection. `at` is its centre (cutters: the tip; pocket: the middle
- * of the top face), `size` its characteristic length in mm (0: the default of the
- * shape). Fails on an unknown shape, on fewer triangles than the shape needs, on
- * more than 10^9, on an odd number (a closed mesh has an even number), and on a
- * place farther than 2^30 sizes from the origin. */
-bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles, const double at[3],
-                  double size, sepax_error *error);
-
-/* Names, descriptions and least numbers of triangles; NULL and 0 beyond the last. */
-const char *sepax_sample_name(size_t i);
-const char *sepax_sample_about(size_t i);
-size_t sepax_sample_least(size_t i);
 
 /* The grid of integer coordinates: q = round((x - offset) / resolution). */
 typedef struct {
@@ -455,130 +264,6 @@ bool sepax_ply_write(const sepax_scene *scene, const sepax_pairs *pairs, const c
 
 /* The pair of triangle i of A and triangle j of B. */
 sepax_pair sepax_scene_pair(const sepax_scene *scene, size_t i, size_t j);
-
-/* ----------------------------------------------------------- what a scene needs */
-
-/* A turn by any angle about the axis through a centre that is parallel to x, y or z, or
- * about every axis through it. */
-typedef enum {
-  SEPAX_TURN_NONE,
-  SEPAX_TURN_X,
-  SEPAX_TURN_Y,
-  SEPAX_TURN_Z,
-  SEPAX_TURN_ANY
-} sepax_turn;
-
-/* Where a body may be: turned first, then shifted by low ... high (file units; the pose of
- * the file, no turn and no shift, is always one of them). All zero: it rests. */
-typedef struct {
-  double low[3], high[3];
-  sepax_turn turn;
-  double centre[3];
-} sepax_motion;
-
-typedef enum {
-  SEPAX_WORKSPACE_NONE,  /* what the poses need */
-  SEPAX_WORKSPACE_SIDES, /* a box of sides high - low about the middle of the poses */
-  SEPAX_WORKSPACE_PLACED /* low ... high */
-} sepax_workspace;
-
-/* A scene beside its two meshes, lengths in file units. */
-typedef struct {
-  double resolution; /* per LSB, > 0 */
-  bool offset_given; /* else the origin of the grid is the middle of the workspace */
-  double offset[3];
-  sepax_workspace workspace;
-  double low[3], high[3];
-  sepax_motion motion[2]; /* of A, of B */
-  int poses;              /* to sample where a body moves */
-  uint64_t seed;
-} sepax_space;
-
-/* What follows for every pose. extent[i] bounds each side of the box of each triangle of A,
- * of B, in LSB, however the moved body is rounded to the grid; if nothing moves and no
- * workspace was given it is the longest side itself. */
-typedef struct {
-  sepax_grid grid;        /* the least word length that holds all poses and the workspace */
-  double low[3], high[3]; /* of all poses, file units */
-  size_t count[2];
-  int64_t extent[2];
-  int core_word;  /* bits of a coordinate behind the box test, at most grid.word */
-  uint64_t given; /* pairs of triangles whose boxes meet as the files stand: counted */
-  uint64_t worst; /* the most that were counted in this and `poses` sampled poses */
-  int poses;
-} sepax_size;
-
-/* Fails on no triangles, an empty range, a workspace that does not hold all poses, more than
- * 32 bits, and without memory. docs/size.md. */
-bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b,
-                      const sepax_space *space, sepax_error *error);
-
-/* Gates (GE) of architecture exact at 2 ns, by a formula fitted to mapped designs (Nangate45
- * typical), and the most that it is wrong by if this design is like those. Of an object engine
- * without its memories. The design is one that sepax_design_init made. docs/size.md. */
-double sepax_gates(const sepax_design *design, double *error);
-
-/* A machine for all pairs of a scene. */
-typedef struct {
-  sepax_config
-      config; /* with lanes: an object engine; without: the core alone, fed with every pair */
-  double gates, gates_error; /* sepax_gates */
-  bool fitted;               /* the formula was fitted to machines like this one */
-  uint64_t cycles; /* for all pairs, at most; of an engine with loading left out, of a core alone
-                      with second passes left out */
-  double seconds;
-} sepax_machine;
-
-/* The machine of the fewest gates that judges all pairs of `size` within `seconds` at a
- * period of clock_ps, `worst` pairs being left by the box test: lanes_least ... lanes_most
- * lanes (0 ... SEPAX_LANES_MAX; 0 is the core alone). Fails if none is fast enough, naming
- * the fastest. */
-bool sepax_size_machine(sepax_machine *machine, const sepax_size *size, double seconds,
-                        int clock_ps, int lanes_least, int lanes_most, sepax_error *error);
-
-/* ------------------------------------------------------------- test vectors */
-
-/* A stream of pseudo-random numbers (splitmix64): same seed, same stream. */
-typedef struct {
-  uint64_t state;
-} sepax_random;
-
-uint64_t sepax_random_next(sepax_random *random);
-/* Uniform in lo ... hi, both included; lo <= hi. */
-int64_t sepax_random_range(sepax_random *random, int64_t lo, int64_t hi);
-
-/* Families of hard pairs, numbered from 0; NULL beyond the last. */
-const char *sepax_family_name(size_t family);
-const char *sepax_family_about(size_t family);
-
-/* A random pair of a family (below the last) at W bits, normals by
- * sepax_unit_normal. */
-sepax_pair sepax_family_pair(size_t family, int word, sepax_random *random);
-
-/* The same with zero normals, several times as fast. */
-sepax_pair sepax_family_triangles(size_t family, int word, sepax_random *random);
-
-/* The same, the box of A at most extent[0] and that of B at most extent[1] LSB long (1 ...
- * 2^W - 1), many to the very LSB, anywhere in the word; or, `beyond`, one of them 1 LSB or more
- * too long where the word has room for it: always if both extents are below 2^(W-2). */
-sepax_pair sepax_extent_pair(size_t family, int word, const int extent[2], bool beyond,
-                             sepax_random *random);
-
-/* Pairs as text: one line of 18 decimal integers A1x A1y A1z ... B3z, or 24 with
- * N_A and N_B behind them (computed when absent); '#' starts a comment. */
-typedef enum { SEPAX_LINE_PAIR, SEPAX_LINE_EMPTY, SEPAX_LINE_ERROR } sepax_line;
-
-/* Parse one line. Errors: not 18 or 24 integers, or one that does not fit W. */
-sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word, sepax_error *error);
-
-/* The next pair of a stream; empty lines are skipped, a line is at most 4095 long. `number` counts
- * lines for messages (start at 0), `name` names the stream. SEPAX_LINE_EMPTY is the end; after an
- * error the stream stands behind the bad line. */
-sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number, int word,
-                           sepax_error *error);
-
-/* Print the 24 integers separated by blanks, without a newline. */
-void sepax_pair_print(FILE *out, const sepax_pair *pair);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,7 @@
 /* meshes.c - all colliding pairs of two meshes: leaves of 64 triangles in the order of a
  * space-filling curve, a tree of boxes above them, and the batch of batch.c in a leaf. */
 #include "util/error.h"
+#include "sepax_design.h"
 
 #include <pthread.h>
 #include <stdatomic.h>

@@ -1,6 +1,8 @@
 /* accuracy.c - sepax accuracy: wrong verdicts of a design, family by family. */
 #include "cli.h"
 #include "util/error.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,6 +2,7 @@
 #include "cli.h"
 #include "util/error.h"
 #include "util/write_file.h"
+#include "sepax_design.h"
 
 #include <jansson.h>
 #include <stdlib.h>

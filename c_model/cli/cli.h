@@ -2,7 +2,7 @@
 #ifndef SEPAX_CLI_H
 #define SEPAX_CLI_H
 
-#include "sepax.h"
+#include "sepax_design.h"
 
 #include <argp.h>
 #include <time.h>

@@ -2,6 +2,7 @@
 #include "cli.h"
 #include "util/error.h"
 #include "emit/gen.h"
+#include "sepax_design.h"
 
 #include <string.h>
 

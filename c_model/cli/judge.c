@@ -1,6 +1,8 @@
 /* judge.c - sepax judge: verdicts for pairs given as text. */
 #include "cli.h"
 #include "util/error.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <errno.h>
 #include <string.h>

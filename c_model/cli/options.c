@@ -1,6 +1,8 @@
 /* options.c - options, messages and progress that the subcommands share. */
 #include "cli.h"
 #include "util/error.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <errno.h>
 #include <math.h>

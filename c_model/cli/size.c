@@ -1,6 +1,7 @@
 /* size.c - sepax size: what a scene needs, and the machine for it. */
 #include "cli.h"
 #include "util/error.h"
+#include "sepax_design.h"
 
 #include <jansson.h>
 #include <stdlib.h>
@@ -255,7 +256,7 @@ enum { TEXT = 480 };
 
 static uint64_t pairs_of(const sepax_size *s) { return (uint64_t)s->count[0] * s->count[1]; }
 
-static uint64_t memory_bits(const sepax_machine *m) {
+static uint64_t memory_bits(const sepax_sized_design *m) {
   const sepax_config *c = &m->config; /* triangles and their boxes */
   return c->lanes == 0 ? 0
                        : 15 * (uint64_t)c->word * ((uint64_t)c->memory_a + (uint64_t)c->memory_b);
@@ -272,7 +273,7 @@ static void print_boxes(const size_options *o, const sepax_size *s) {
   }
 }
 
-static void print_text(const size_options *o, const sepax_size *s, const sepax_machine *m) {
+static void print_text(const size_options *o, const sepax_size *s, const sepax_sized_design *m) {
   char text[TEXT];
   const sepax_grid *g = &s->grid;
   printf("A          %s, %zu triangles\nB          %s, %zu triangles\n", o->path[0], s->count[0],
@@ -298,7 +299,7 @@ static void print_text(const size_options *o, const sepax_size *s, const sepax_m
          o->generate ? o->folder : "DIR");
 }
 
-static void print_json(const size_options *o, const sepax_size *s, const sepax_machine *m) {
+static void print_json(const size_options *o, const sepax_size *s, const sepax_sized_design *m) {
   char text[TEXT];
   char command[TEXT + 16];
   const sepax_grid *g = &s->grid;
@@ -340,7 +341,7 @@ static bool read_and_size(const size_options *o, sepax_size *size, sepax_error *
 }
 
 /* Through the text, as sepax gen would read it. */
-static bool generate(const size_options *o, const sepax_machine *m, sepax_error *error) {
+static bool generate(const size_options *o, const sepax_sized_design *m, sepax_error *error) {
   char text[TEXT];
   sepax_config config = sepax_config_default();
   sepax_design design;
@@ -365,11 +366,11 @@ int cli_size(int argc, char **argv) {
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};
   sepax_size size;
-  sepax_machine machine;
+  sepax_sized_design machine;
   if ((o.json && !cli_names_printable(o.path, &error)) || !sepax_config_check(&o.clock, &error) ||
       !read_and_size(&o, &size, &error) ||
-      !sepax_size_machine(&machine, &size, o.seconds, o.clock.clock_ps, o.lanes_least, o.lanes_most,
-                          &error) ||
+      !sepax_size_design(&machine, &size, o.seconds, o.clock.clock_ps, o.lanes_least, o.lanes_most,
+                         &error) ||
       (o.generate && !generate(&o, &machine, &error))) {
     return cli_fail(argv[0], &error);
   }

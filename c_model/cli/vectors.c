@@ -1,5 +1,7 @@
 /* vectors.c - sepax vectors: seeded test vectors of hard cases as text. */
 #include "cli.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <string.h>
 

@@ -1,6 +1,7 @@
 /* config.c - the configuration that model, generator and benches share, and the
  * fixed-point formats that follow from it by interval analysis (docs/paper.md). */
 #include "util/error.h"
+#include "sepax_design.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -536,10 +537,10 @@ static void derive_exact_formats(sepax_design *d) {
   enter_modular(d, SEPAX_X_COORDINATE, "coordinate", word, word);
   enter_modular(d, SEPAX_X_SPAN, "span", span, span);
   d->format[SEPAX_X_SPAN].digits = (bits_of(span) + 1) / 2;
-  enter_modular(d, SEPAX_X_AREA, "area", sum_of_three(strip), area);
-  enter_digits(d, SEPAX_X_WEIGHT, "weight", weight);
-  enter_digits(d, SEPAX_X_OWN_WEIGHT, "own_weight", own_weight);
-  enter_modular(d, SEPAX_X_VOLUME, "volume", product(area, own_weight), volume);
+  enter_modular(d, SEPAX_X_ORIENT2D, "area", sum_of_three(strip), area);
+  enter_digits(d, SEPAX_X_Z_SUM, "weight", weight);
+  enter_digits(d, SEPAX_X_OWN_Z_SUM, "own_weight", own_weight);
+  enter_modular(d, SEPAX_X_ORIENT3D, "volume", product(area, own_weight), volume);
   derive_limits(d, side);
 }
 
@@ -562,7 +563,7 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config, sepax_e
     design->coplanar_limit = derive_coplanar_limit(design);
     design->latency = config->arch == SEPAX_ARCH_PAPER ? 13 : 20;
   } else if (config->arch == SEPAX_ARCH_EXACT) {
-    design->boxes = config->early_out || config->extent_a > 0;
+    design->aabb_test = config->early_out || config->extent_a > 0;
     design->core_word = core_word(config);
     design->limits = config->clearance < 0 ? 0 : config->warning > 0 ? 2 : 1;
     design->margin[0] = (int64_t)config->clearance + 1;

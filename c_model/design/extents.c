@@ -1,5 +1,6 @@
 /* extents.c - hard pairs whose boxes are within given extents, or just not. */
 #include "util/error.h"
+#include "sepax_vectors.h"
 
 enum { TRIES = 8 };
 

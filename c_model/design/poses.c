@@ -1,6 +1,8 @@
 /* poses.c - what two meshes need in every pose of theirs: word length, extents, and how many
  * pairs the box test leaves. docs/size.md. */
 #include "util/error.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 /* size.c - gates of a machine before it is mapped, and the machine of the fewest gates that
  * does a scene in time. docs/size.md. */
 #include "util/error.h"
+#include "sepax_design.h"
 
 #include <math.h>
 
@@ -45,7 +46,7 @@ static void count_terms(double term[TERMS], const sepax_design *d) {
   term[3] = w * (ii < 9 ? ii : 9);
   term[4] = ii > 1 && ii % 3 != 0 ? w : 0;
   term[5] = 1;
-  term[6] = d->boxes ? d->config.word : 0;
+  term[6] = d->aabb_test ? d->config.word : 0;
 }
 
 double sepax_gates(const sepax_design *design, double *error) {
@@ -108,10 +109,10 @@ static int memory_for(size_t count) {
   return memory;
 }
 
-static bool fill_machine(sepax_machine *m, const sepax_size *size, int ii, int lanes, bool extents,
-                         int clock_ps, sepax_error *error) {
+static bool fill_machine(sepax_sized_design *m, const sepax_size *size, int ii, int lanes,
+                         bool extents, int clock_ps, sepax_error *error) {
   sepax_design design;
-  *m = (sepax_machine){.config = sepax_config_default()};
+  *m = (sepax_sized_design){.config = sepax_config_default()};
   m->config.word = size->grid.word;
   m->config.ii = ii;
   m->config.clock_ps = clock_ps;
@@ -133,14 +134,14 @@ static bool fill_machine(sepax_machine *m, const sepax_size *size, int ii, int l
   return true;
 }
 
-bool sepax_size_machine(sepax_machine *machine, const sepax_size *size, double seconds,
-                        int clock_ps, int lanes_least, int lanes_most, sepax_error *error) {
-  sepax_machine best = {.seconds = INFINITY};
+bool sepax_size_design(sepax_sized_design *machine, const sepax_size *size, double seconds,
+                       int clock_ps, int lanes_least, int lanes_most, sepax_error *error) {
+  sepax_sized_design best = {.seconds = INFINITY};
   bool found = false;
   int kinds = size->core_word < size->grid.word ? 2 : 1;
   for (int n = 0; n < kinds * INTERVALS; n++) {
     for (int lanes = lanes_least; lanes <= lanes_most; lanes++) {
-      sepax_machine m;
+      sepax_sized_design m;
       if (!fill_machine(&m, size, intervals[n % INTERVALS], lanes, n >= INTERVALS, clock_ps,
                         error)) {
         return false;

@@ -4,6 +4,7 @@
  * edge is bisected until there are enough triangles: each bisection turns the two
  * triangles at the edge into four, so the mesh stays closed and oriented. */
 #include "util/error.h"
+#include "sepax_vectors.h"
 
 #include <math.h>
 #include <stdlib.h>

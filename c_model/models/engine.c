@@ -1,6 +1,7 @@
 /* engine.c - golden model of the object engine: which pairs it finds, in which order, and
  * about when (docs/engine.md). */
 #include "util/error.h"
+#include "sepax_design.h"
 
 #include <stdlib.h>
 
@@ -139,11 +140,11 @@ static bool judge(walk *w, size_t i, size_t j) {
   const sepax_config *c = &w->design->config;
   const sepax_pair pair = {.a = w->a[i], .b = moved(&w->b[j], w->move, c->word)};
   sepax_verdict v = sepax_judge(w->design, &pair);
-  bool boxes_decide = v.axis == SEPAX_AXIS_BOXES || v.axis == SEPAX_AXIS_RANGE;
+  bool boxes_decide = v.axis == SEPAX_AXIS_AABB || v.axis == SEPAX_AXIS_EXTENT;
   bool outside = !within(&w->box_b[j], c->word);
-  bool undecided = outside || v.axis == SEPAX_AXIS_RANGE;
+  bool undecided = outside || v.axis == SEPAX_AXIS_EXTENT;
   bool collision = outside || v.collision;
-  run->survivors++;
+  run->candidates++;
   run->passes += !c->flag && w->design->limits == 0 && !boxes_decide && goes_round(&pair) ? 2 : 1;
   bool warning = !collision && w->design->limits > 0 && v.band == SEPAX_BAND_WARNING;
   if (!collision && !warning) {

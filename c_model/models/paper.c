@@ -2,7 +2,7 @@
  * fixed-point formats of the design, and of `conference`, the machine before it. Every intermediate
  * is exact, then floored to the bits that its format keeps. The hardware tries all axes at once;
  * the first separating one decides here, so the verdict is the same. */
-#include "sepax.h"
+#include "sepax_design.h"
 
 #include <assert.h>
 
@@ -226,10 +226,10 @@ static int judge_boxes(const sepax_design *design, const sepax_pair *pair) {
 }
 
 static sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *pair) {
-  int boxes = design->boxes ? judge_boxes(design, pair) : 0;
+  int boxes = design->aabb_test ? judge_boxes(design, pair) : 0;
   if (boxes != 0) {
     return (sepax_verdict){.collision = boxes > 0,
-                           .axis = boxes > 0 ? SEPAX_AXIS_RANGE : SEPAX_AXIS_BOXES,
+                           .axis = boxes > 0 ? SEPAX_AXIS_EXTENT : SEPAX_AXIS_AABB,
                            .band = boxes > 0 && design->limits > 0 ? SEPAX_BAND_COLLISION
                                                                    : SEPAX_BAND_FREE};
   }

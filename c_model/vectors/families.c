@@ -9,6 +9,7 @@
  *
  * Draws are separate statements: the stream must not depend on the compiler. */
 #include "mesh/points.h"
+#include "sepax_vectors.h"
 
 #include <assert.h>
 

@@ -1,5 +1,6 @@
 /* pairs.c - pairs of triangles as lines of text. */
 #include "util/error.h"
+#include "sepax_vectors.h"
 
 #include <errno.h>
 #include <inttypes.h>

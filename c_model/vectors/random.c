@@ -1,5 +1,5 @@
 /* random.c - the random numbers of the families: splitmix64, and a range of it. */
-#include "sepax.h"
+#include "sepax_vectors.h"
 
 #include <assert.h>
 

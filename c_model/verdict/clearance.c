@@ -7,7 +7,7 @@
  * with x, y, z; an axis of edges counts only where those edges are the near ends.
  *
  * Widths at W = 32: axes 67 bits, projections 101, limits 100. */
-#include "sepax.h"
+#include "sepax_design.h"
 
 enum { AXIS_NORMAL_A = 10, AXIS_NORMAL_B = 11, AXIS_OF_EDGE = 12 };
 
@@ -106,7 +106,7 @@ static void load(search *s, const sepax_tri *a, const sepax_tri *b) {
 static void try_all(search *s) {
   for (int i = 0; i < 3; i++) {
     vec c = unit(i);
-    try_axis(s, SEPAX_AXIS_BOXES, &c, -1, -1);
+    try_axis(s, SEPAX_AXIS_AABB, &c, -1, -1);
   }
   for (int t = 0; t < 2; t++) {
     vec c = cross(&s->edge[t][0], &s->edge[t][1]);

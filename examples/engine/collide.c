@@ -69,7 +69,7 @@ int main(int argc, char **argv) {
 
   fprintf(stderr, "collide: %s; %llu pairs, %llu to the core, %llu collide, %llu cycles\n",
           sepax_status_text(status), (unsigned long long)counts.pairs,
-          (unsigned long long)counts.survivors, (unsigned long long)counts.collisions,
+          (unsigned long long)counts.candidates, (unsigned long long)counts.collisions,
           (unsigned long long)counts.cycles);
   bus_close();
   free(a);

@@ -118,8 +118,8 @@ sepax_status sepax_device_move(sepax_device *device, const int32_t move[3]) {
 }
 
 static sepax_status read_counts(sepax_device *device, sepax_counts *counts) {
-  static const uint32_t address[6] = {SEPAX_PAIRS,        SEPAX_SURVIVORS, SEPAX_COLLISIONS,
-                                      SEPAX_OUT_OF_RANGE, SEPAX_WARNINGS,  SEPAX_CYCLES};
+  static const uint32_t address[6] = {SEPAX_PAIRS,        SEPAX_CANDIDATES, SEPAX_COLLISIONS,
+                                      SEPAX_OUT_OF_RANGE, SEPAX_WARNINGS,   SEPAX_CYCLES};
   uint32_t value[6];
   for (int i = 0; i < 6; i++) {
     if (!device->bus.read(device->bus.context, address[i], &value[i])) {
@@ -207,7 +207,7 @@ sepax_status sepax_device_collide(sepax_device *device, const int32_t (*a)[9], s
         status = sepax_device_run(device, first, found_in_part, &p, &run);
       }
       counts->pairs += run.pairs;
-      counts->survivors += run.survivors;
+      counts->candidates += run.candidates;
       counts->collisions += run.collisions;
       counts->out_of_range += run.out_of_range;
       counts->warnings += run.warnings;

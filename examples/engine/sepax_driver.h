@@ -7,6 +7,8 @@
 #ifndef SEPAX_DRIVER_H
 #define SEPAX_DRIVER_H
 
+#include "sepax_design.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -52,7 +54,7 @@ typedef struct {
 
 /* Counts of a run; of sepax_device_collide: their sums. */
 typedef struct {
-  uint64_t pairs, survivors, collisions, out_of_range, warnings, cycles;
+  uint64_t pairs, candidates, collisions, out_of_range, warnings, cycles;
 } sepax_counts;
 
 /* Is the engine there, and what is it like. */

@@ -2,6 +2,7 @@
  * sepax_top around it. For triangles that are no larger than the design's extents: sepax_approach
  * and its sepax_top. */
 #include "exact/exact.h"
+#include "sepax_design.h"
 
 #include <string.h>
 
@@ -359,7 +360,7 @@ int gen_exact_boxes(emitter *e, const exact_plan *p) {
       m,
       "\nassign out_coplanar = near_coplanar && !note;\nassign out_collision = near_collision && !note;\n"
       "assign out_axis = note ? (4'd%d & {4{out_valid}}) : near_axis;",
-      SEPAX_AXIS_BOXES);
+      SEPAX_AXIS_AABB);
   if (bands) {
     emit_text(m, "assign out_band = note ? 2'd0 : near_band;");
   }

@@ -1,6 +1,7 @@
 /* gen_exact_clear.c - what a clearance adds to architecture exact: the modules, and their
  * places in sepax_core (docs/clearance.md). */
 #include "exact/core.h"
+#include "sepax_design.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -262,7 +263,7 @@ static void gen_comparison(emitter *e, const exact_plan *p, const char *module, 
 }
 
 static void gen_beyond(emitter *e, const exact_plan *p) {
-  int area = width_of(e, SEPAX_X_AREA);
+  int area = width_of(e, SEPAX_X_ORIENT2D);
   gen_comparison(
       e, p, "sepax_beyond",
       "An area against the limit of an edge: {it is below 0, twice its size exceeds the limit,\n"
@@ -271,7 +272,7 @@ static void gen_beyond(emitter *e, const exact_plan *p) {
 }
 
 static void gen_edge_clear(emitter *e, const exact_plan *p) {
-  int area = width_of(e, SEPAX_X_AREA);
+  int area = width_of(e, SEPAX_X_ORIENT2D);
   int n = p->limits;
   char width[16];
   char name[EMIT_NAME];
@@ -308,7 +309,7 @@ static void gen_edge_clear(emitter *e, const exact_plan *p) {
 }
 
 static void gen_far(emitter *e, const exact_plan *p) {
-  int volume = width_of(e, SEPAX_X_VOLUME);
+  int volume = width_of(e, SEPAX_X_ORIENT3D);
   gen_comparison(
       e, p, "sepax_far",
       "A volume against the limit of its axis: {it is 0, it is below 0, twice its size exceeds\n"
@@ -321,8 +322,8 @@ static void gen_small(emitter *e, const exact_plan *p) {
   char area[16];
   char volume[16];
   char cross[16];
-  snprintf(area, sizeof area, "%d", width_of(e, SEPAX_X_AREA));
-  snprintf(volume, sizeof volume, "%d", width_of(e, SEPAX_X_VOLUME));
+  snprintf(area, sizeof area, "%d", width_of(e, SEPAX_X_ORIENT2D));
+  snprintf(volume, sizeof volume, "%d", width_of(e, SEPAX_X_ORIENT3D));
   snprintf(cross, sizeof cross, "%d", width_of(e, SEPAX_X_CROSS));
   emit_module *m =
       emit_begin(e, "sepax_cross",
@@ -331,8 +332,8 @@ static void gen_small(emitter *e, const exact_plan *p) {
   emit_signal(m, EMIT_INPUT, true, "p", area, "area with the end of f");
   emit_signal(m, EMIT_INPUT, true, "q", area, "area with its beginning");
   emit_signal(m, EMIT_OUTPUT_REG, true, "c", cross, "component");
-  int more = width_of(e, SEPAX_X_CROSS) - width_of(e, SEPAX_X_AREA);
-  int top = width_of(e, SEPAX_X_AREA) - 1;
+  int more = width_of(e, SEPAX_X_CROSS) - width_of(e, SEPAX_X_ORIENT2D);
+  int top = width_of(e, SEPAX_X_ORIENT2D) - 1;
   emit_text(m, "\nalways @(posedge clk) begin\n  c <= {{%d{p[%d]}}, p} - {{%d{q[%d]}}, q};\nend",
             more, top, more, top);
   emit_end(m);
@@ -537,7 +538,7 @@ void gen_exact_clear_units(emitter *e, const exact_plan *p) {
   gen_bounds(e);
   gen_small(e, p);
   gen_limit(e, p, "sepax_limit", SEPAX_X_CROSS, "e x f");
-  gen_limit(e, p, "sepax_own_limit", SEPAX_X_AREA, "N_A or N_B");
+  gen_limit(e, p, "sepax_own_limit", SEPAX_X_ORIENT2D, "N_A or N_B");
   gen_edge_limit(e, p);
   gen_beyond(e, p);
   gen_edge_clear(e, p);

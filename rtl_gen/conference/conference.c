@@ -1,6 +1,7 @@
 /* gen_conference.c - sepax_top of architecture conference: the machine that the paper improves
  * on, table by table in its 20 cycles (docs/conference.md). */
 #include "emit/gen.h"
+#include "sepax_design.h"
 
 enum { LAST = 20, FIRST_NORMAL = 10, AXES = 11, FLAT_AXES = 6 };
 

@@ -1,5 +1,6 @@
 /* schedule.c - lines and holds behind the outputs of shared units. */
 #include "schedule.h"
+#include "sepax_design.h"
 
 #include <string.h>
 

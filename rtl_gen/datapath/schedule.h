@@ -11,6 +11,7 @@
 #define SEPAX_SCHEDULE_H
 
 #include "emit/emit.h"
+#include "sepax_design.h"
 
 enum { SCHEDULE_STREAMS = 400 };
 

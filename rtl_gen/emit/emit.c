@@ -1,5 +1,6 @@
 /* emit.c - building and printing modules; check.c judges them. */
 #include "emit.h"
+#include "sepax_design.h"
 
 #include <stdarg.h>
 #include <stdlib.h>

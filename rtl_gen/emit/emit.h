@@ -14,7 +14,7 @@
 #ifndef SEPAX_EMIT_H
 #define SEPAX_EMIT_H
 
-#include "sepax.h"
+#include "sepax_design.h"
 
 enum {
   EMIT_MODULES = 64,

@@ -172,7 +172,7 @@ void gen_engine_results(emitter *e, const engine_plan *p) {
   emit_signal(m, EMIT_OUTPUT_REG, false, "any", "", "a collision was found");
   static const char *const counters[][2] = {
       {"pairs", "pairs tested"},
-      {"survivors", "pairs that went to the cores"},
+      {"candidates", "pairs that went to the cores"},
       {"collisions", "pairs that collide"},
       {"out_of_range", "of these, undecided"},
       {"warnings", "pairs that are too near"},
@@ -220,11 +220,11 @@ void gen_engine_results(emitter *e, const engine_plan *p) {
   emit_text(
       m,
       "  if (hit) begin\n    first_a <= {%d'd0, a};\n    first_b <= {%d'd0, b};\n  end\n"
-      "  if (start) begin\n    pairs <= 32'd0;\n    survivors <= 32'd0;\n    collisions <= 32'd0;\n"
+      "  if (start) begin\n    pairs <= 32'd0;\n    candidates <= 32'd0;\n    collisions <= 32'd0;\n"
       "    out_of_range <= 32'd0;\n    warnings <= 32'd0;\n    cycles <= 32'd0;\n"
       "  end else begin\n"
       "    pairs <= pairs + {25'd0, tested};\n"
-      "    survivors <= survivors + {31'd0, survived};\n"
+      "    candidates <= candidates + {31'd0, survived};\n"
       "    collisions <= collisions + {31'd0, found};\n"
       "    out_of_range <= out_of_range + {31'd0, found && undecided};\n"
       "    warnings <= warnings + {31'd0, warned};\n"

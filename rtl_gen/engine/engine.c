@@ -1,5 +1,6 @@
 /* gen_engine.c - sepax_engine: memories, box lanes, the cores behind them, and both buses. */
 #include "engine.h"
+#include "sepax_design.h"
 
 #include <stdarg.h>
 #include <string.h>
@@ -318,7 +319,7 @@ static void declare_wires(emit_module *m, const engine_plan *p) {
     emit_net(m, EMIT_WIRE, false, "warning", "");
   }
   int w = p->word;
-  int survivors = p->lanes + p->index_b + p->index_a;
+  int candidates = p->lanes + p->index_b + p->index_a;
   const struct {
     const char *name;
     int width;
@@ -330,8 +331,8 @@ static void declare_wires(emit_module *m, const engine_plan *p) {
                {"mask_j", p->index_b},
                {"mask_base", p->index_a},
                {"tested", 7},
-               {"survivor", survivors},
-               {"oldest", survivors},
+               {"candidate", candidates},
+               {"oldest", candidates},
                {"pair_a", 9 * w},
                {"pair_b", 9 * w},
                {"number_a", p->index_a},
@@ -344,7 +345,7 @@ static void declare_wires(emit_module *m, const engine_plan *p) {
                {"shown_a", 32},
                {"shown_b", 32},
                {"pairs", 32},
-               {"survivors", 32},
+               {"candidates", 32},
                {"collisions", 32},
                {"out_of_range", 32},
                {"warnings", 32},
@@ -365,7 +366,7 @@ static void glue(emit_module *m, const engine_plan *p) {
       m,
       "\nassign clear = rst || start || halt;\nassign hold = busy || starting;\n"
       "assign drained = !running && !lanes_busy && !more && !pick_valid && !fetch_busy && !flight_more;\n"
-      "assign survivor = {mask, mask_j, mask_base};\n"
+      "assign candidate = {mask, mask_j, mask_base};\n"
       "assign launch = pair_valid && pair_ready;\nassign launched = {chosen, outside, number_b, number_a};\n"
       "assign land = verdict_valid && verdict_ready;\n"
       "assign landed_a = landed[%d:0];\nassign landed_b = landed[%d:%d];\nassign flight_outside = landed[%d];\n"
@@ -377,7 +378,7 @@ static void glue(emit_module *m, const engine_plan *p) {
 }
 
 static void instances(emit_module *m, const engine_plan *p) {
-  int survivors = p->lanes + p->index_b + p->index_a;
+  int candidates = p->lanes + p->index_b + p->index_a;
   emit_blank(m);
   emit_instance(
       m, "sepax_registers", "registers", "",
@@ -387,7 +388,7 @@ static void instances(emit_module *m, const engine_plan *p) {
       "araddr=s_axi_araddr, rvalid=s_axi_rvalid, rready=s_axi_rready, rdata=s_axi_rdata, rresp=s_axi_rresp, "
       "irq=irq, start=start, starting=starting, stop=stop, first=first, quiet=quiet, move_x=move_x, move_y=move_y, "
       "move_z=move_z, status=status, done=done, hit=hit, loaded=ended, count_a=shown_a, count_b=shown_b, pairs=pairs, "
-      "survivors=survivors, collisions=collisions, out_of_range=out_of_range, "
+      "candidates=candidates, collisions=collisions, out_of_range=out_of_range, "
       "warnings=warnings, cycles=cycles, first_a=first_a, first_b=first_b");
   emit_instance(
       m, "sepax_load", "load_objects", "",
@@ -406,13 +407,13 @@ static void instances(emit_module *m, const engine_plan *p) {
       "box_a=read_box_a, box_b=read_box_b, move_x=move_x, move_y=move_y, move_z=move_z, busy=lanes_busy, push=push, "
       "mask=mask, mask_j=mask_j, mask_base=mask_base, tested=tested");
   emit_instance(
-      m, "sepax_survivors", "survivor_queue", "",
-      "clk=clk, clear=clear, push=push, in=survivor, room=room, more=more, pop=pop, out=oldest");
+      m, "sepax_candidates", "candidate_queue", "",
+      "clk=clk, clear=clear, push=push, in=candidate, room=room, more=more, pop=pop, out=oldest");
   emit_instance(
       m, "sepax_pick", "pick", "",
       "clk=clk, clear=clear, more=more, pop=pop, next_mask=oldest[%d:%d], next_j=oldest[%d:%d], "
       "next_base=oldest[%d:0], valid=pick_valid, take=fetch, a=pick_a, b=pick_b",
-      survivors - 1, survivors - p->lanes, survivors - p->lanes - 1, p->index_a, p->index_a - 1);
+      candidates - 1, candidates - p->lanes, candidates - p->lanes - 1, p->index_a, p->index_a - 1);
   emit_instance(
       m, "sepax_fetch", "fetch_pair", "",
       "clk=clk, clear=clear, valid=pick_valid, a=pick_a, b=pick_b, read=fetch, read_a=read_triangle_a, "
@@ -429,7 +430,7 @@ static void instances(emit_module *m, const engine_plan *p) {
       "drained=drained, valid=verdict_valid, ready=verdict_ready, collision=collision, coplanar=coplanar, "
       "%s%soutside=flight_outside, a=landed_a, b=landed_b, tvalid=m_axis_tvalid, tready=m_axis_tready, "
       "tdata=m_axis_tdata, tlast=m_axis_tlast, halt=halt, done=done, hit=hit, busy=busy, stopped=stopped, "
-      "any=any, pairs=pairs, survivors=survivors, collisions=collisions, out_of_range=out_of_range, "
+      "any=any, pairs=pairs, candidates=candidates, collisions=collisions, out_of_range=out_of_range, "
       "warnings=warnings, cycles=cycles, first_a=first_a, first_b=first_b",
       p->design->config.extent_a > 0 ? "beyond=beyond, " : "",
       p->design->limits > 0 ? "warning=warning, " : "");

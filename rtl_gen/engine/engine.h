@@ -4,6 +4,7 @@
 #define SEPAX_ENGINE_H
 
 #include "emit/gen.h"
+#include "sepax_design.h"
 
 typedef struct {
   const sepax_design *design;
@@ -42,7 +43,7 @@ enum {
   ENGINE_MOVE_Y,
   ENGINE_MOVE_Z,
   ENGINE_PAIRS,
-  ENGINE_SURVIVORS,
+  ENGINE_CANDIDATES,
   ENGINE_COLLISIONS,
   ENGINE_OUT_OF_RANGE,
   ENGINE_WARNINGS,
@@ -63,7 +64,7 @@ void engine_page(FILE *out);
  * holds. */
 void gen_engine(emitter *e, int places);
 
-void gen_engine_lanes(emitter *e, const engine_plan *p); /* walk, lanes, survivors, pick */
+void gen_engine_lanes(emitter *e, const engine_plan *p); /* walk, lanes, candidates, pick */
 void gen_engine_load(emitter *e, const engine_plan *p);
 void gen_engine_results(emitter *e, const engine_plan *p);
 void gen_engine_registers(emitter *e, const engine_plan *p);

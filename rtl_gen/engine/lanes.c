@@ -299,7 +299,7 @@ void gen_engine_lanes(emitter *e, const engine_plan *p) {
   gen_walk(e, p);
   gen_lane(e, p);
   gen_lanes(e, p);
-  gen_engine_queue(e, "sepax_survivors",
+  gen_engine_queue(e, "sepax_candidates",
                    "Masks of box pairs that meet, until their pairs are judged.",
                    p->lanes + p->index_b + p->index_a, 4, UNDER_WAY);
   gen_pick(e, p);

@@ -1,5 +1,6 @@
 /* engine_registers.c - the register map of the engine, once: for the RTL, for C, for people. */
 #include "engine.h"
+#include "sepax_design.h"
 
 #include <string.h>
 
@@ -63,7 +64,7 @@ const engine_register engine_registers[ENGINE_REGISTERS] = {
     [ENGINE_MOVE_Y] = {"MOVE_Y", ENGINE_READ_WRITE, "likewise", {{0}}},
     [ENGINE_MOVE_Z] = {"MOVE_Z", ENGINE_READ_WRITE, "likewise", {{0}}},
     [ENGINE_PAIRS] = {"PAIRS", ENGINE_READ, "pairs through the box lanes in this run", {{0}}},
-    [ENGINE_SURVIVORS] = {"SURVIVORS", ENGINE_READ, "pairs that went on to the cores", {{0}}},
+    [ENGINE_CANDIDATES] = {"CANDIDATES", ENGINE_READ, "pairs that went on to the cores", {{0}}},
     [ENGINE_COLLISIONS] = {"COLLISIONS", ENGINE_READ, "pairs that collide", {{0}}},
     [ENGINE_OUT_OF_RANGE] = {"OUT_OF_RANGE",
                              ENGINE_READ,
@@ -170,7 +171,7 @@ static void ports(emitter *e, emit_module *m, const engine_plan *p) {
   emit_signal(m, EMIT_INPUT, false, "done", "", "a run ends in this cycle");
   emit_signal(m, EMIT_INPUT, false, "hit", "", "it finds its first collision in this cycle");
   emit_signal(m, EMIT_INPUT, false, "loaded", "", "the last vertex of an object has come");
-  static const char *const counts[] = {"count_a",    "count_b",      "pairs",    "survivors",
+  static const char *const counts[] = {"count_a",    "count_b",      "pairs",    "candidates",
                                        "collisions", "out_of_range", "warnings", "cycles",
                                        "first_a",    "first_b"};
   for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
@@ -213,7 +214,7 @@ static gen_line shown(const engine_plan *p, int i) {
   }
   default: {
     static const char *const counts[] = {
-        "count_a",    "count_b",      "",         "",       "",        "pairs",  "survivors",
+        "count_a",    "count_b",      "",         "",       "",        "pairs",  "candidates",
         "collisions", "out_of_range", "warnings", "cycles", "first_a", "first_b"};
     return gen_format("%s", counts[i - ENGINE_COUNT_A]);
   }

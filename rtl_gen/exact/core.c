@@ -1,5 +1,6 @@
 /* gen_exact_core.c - sepax_core: the units of the exact datapath, and what connects them. */
 #include "core.h"
+#include "sepax_design.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -471,18 +472,18 @@ static void widths(core *c) {
     const char *about;
   } row[] = {{"W", SEPAX_X_COORDINATE, "bits of a coordinate"},
              {"S_W", SEPAX_X_SPAN, "of a sum or difference of two"},
-             {"G_W", SEPAX_X_AREA, "of twice an area"},
-             {"Z_W", SEPAX_X_WEIGHT, "of a weight"},
-             {"O_W", SEPAX_X_OWN_WEIGHT, "of B's weight"},
-             {"V_W", SEPAX_X_VOLUME, "of six times a volume"}};
+             {"G_W", SEPAX_X_ORIENT2D, "of twice an area"},
+             {"Z_W", SEPAX_X_Z_SUM, "of a weight"},
+             {"O_W", SEPAX_X_OWN_Z_SUM, "of B's weight"},
+             {"V_W", SEPAX_X_ORIENT3D, "of six times a volume"}};
   for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
     emit_parameter(c->m, EMIT_LOCALPARAM, row[i].name, c->p->design->format[row[i].format].width,
                    row[i].about);
   }
-  emit_parameter(c->m, EMIT_LOCALPARAM, "DIGITS", c->p->design->format[SEPAX_X_WEIGHT].digits,
+  emit_parameter(c->m, EMIT_LOCALPARAM, "DIGITS", c->p->design->format[SEPAX_X_Z_SUM].digits,
                  "radix-4 digits of a weight");
   emit_parameter(c->m, EMIT_LOCALPARAM, "OWN_DIGITS",
-                 c->p->design->format[SEPAX_X_OWN_WEIGHT].digits, "of B's weight");
+                 c->p->design->format[SEPAX_X_OWN_Z_SUM].digits, "of B's weight");
   if (c->p->limits > 0) {
     const sepax_format *f = c->p->design->format;
     emit_parameter(c->m, EMIT_LOCALPARAM, "LIMITS", c->p->limits, "clearances");

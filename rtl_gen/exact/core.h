@@ -4,6 +4,7 @@
 #define SEPAX_EXACT_CORE_H
 
 #include "exact.h"
+#include "sepax_design.h"
 
 /* With a clearance so many units choose that each kind has a copy of its own: less fan-out. */
 enum {

@@ -5,6 +5,7 @@
 
 #include "arith/arith.h"
 #include "datapath/schedule.h"
+#include "sepax_design.h"
 
 /* Operations, by what they make of the two triangles; vertices and edges cyclic, edge i
  * from vertex i to i + 1. Operations that a turn of both triangles takes into each other

@@ -1,6 +1,7 @@
 /* gen_exact_operands.c - banks of coordinates in sepax_core, and where its units find their
  * operands in each cycle. */
 #include "core.h"
+#include "sepax_design.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,6 +2,7 @@
 #include "exact.h"
 
 #include "util/error.h"
+#include "sepax_design.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -338,26 +339,26 @@ typedef struct {
 } stream_row;
 
 static const stream_row rows[EXACT_CLASSES] = {
-    [EXACT_STRIP] = {"t", "G_W", SEPAX_X_AREA, true},
+    [EXACT_STRIP] = {"t", "G_W", SEPAX_X_ORIENT2D, true},
     [EXACT_ORDER_X] = {"ox", "2", -1, false},
-    [EXACT_AREA] = {"g", "G_W", SEPAX_X_AREA, true},
+    [EXACT_AREA] = {"g", "G_W", SEPAX_X_ORIENT2D, true},
     [EXACT_AREA_SIGN] = {"gs", "2", -1, false},
-    [EXACT_WEIGHT] = {"z", "Z_W", SEPAX_X_WEIGHT, true},
+    [EXACT_WEIGHT] = {"z", "Z_W", SEPAX_X_Z_SUM, true},
     [EXACT_ORDER_Z] = {"oz", "2", -1, false},
-    [EXACT_OWN] = {"go", "G_W", SEPAX_X_AREA, true},
+    [EXACT_OWN] = {"go", "G_W", SEPAX_X_ORIENT2D, true},
     [EXACT_OWN_SIGN] = {"gos", "2", -1, false},
-    [EXACT_OWN_WEIGHT] = {"zo", "O_W", SEPAX_X_OWN_WEIGHT, true},
-    [EXACT_PRISM] = {"h", "V_W", SEPAX_X_VOLUME, true},
-    [EXACT_OWN_PRISM] = {"ho", "V_W", SEPAX_X_VOLUME, true},
+    [EXACT_OWN_WEIGHT] = {"zo", "O_W", SEPAX_X_OWN_Z_SUM, true},
+    [EXACT_PRISM] = {"h", "V_W", SEPAX_X_ORIENT3D, true},
+    [EXACT_OWN_PRISM] = {"ho", "V_W", SEPAX_X_ORIENT3D, true},
     [EXACT_ABOVE_A] = {"s", "2", -1, false},
     [EXACT_ABOVE_B] = {"w", "2", -1, false},
     [EXACT_BETWEEN] = {"d", "2", -1, false},
-    [EXACT_STRIP_YZ] = {"tyz", "G_W", SEPAX_X_AREA, true},
-    [EXACT_STRIP_ZX] = {"tzx", "G_W", SEPAX_X_AREA, true},
-    [EXACT_AREA_YZ] = {"gyz", "G_W", SEPAX_X_AREA, true},
-    [EXACT_AREA_ZX] = {"gzx", "G_W", SEPAX_X_AREA, true},
-    [EXACT_OWN_YZ] = {"goyz", "G_W", SEPAX_X_AREA, true},
-    [EXACT_OWN_ZX] = {"gozx", "G_W", SEPAX_X_AREA, true},
+    [EXACT_STRIP_YZ] = {"tyz", "G_W", SEPAX_X_ORIENT2D, true},
+    [EXACT_STRIP_ZX] = {"tzx", "G_W", SEPAX_X_ORIENT2D, true},
+    [EXACT_AREA_YZ] = {"gyz", "G_W", SEPAX_X_ORIENT2D, true},
+    [EXACT_AREA_ZX] = {"gzx", "G_W", SEPAX_X_ORIENT2D, true},
+    [EXACT_OWN_YZ] = {"goyz", "G_W", SEPAX_X_ORIENT2D, true},
+    [EXACT_OWN_ZX] = {"gozx", "G_W", SEPAX_X_ORIENT2D, true},
     [EXACT_CROSS_XY] = {"cxy", "C_W", SEPAX_X_CROSS, true},
     [EXACT_CROSS_YZ] = {"cyz", "C_W", SEPAX_X_CROSS, true},
     [EXACT_CROSS_ZX] = {"czx", "C_W", SEPAX_X_CROSS, true},
@@ -383,7 +384,7 @@ static stream_row row_of(const exact_plan *p, exact_class_id id) {
   stream_row row = rows[id];
   if (p->limits > 0 && id >= EXACT_ABOVE_A && id <= EXACT_BETWEEN) {
     row.width = "V_W";
-    row.format = SEPAX_X_VOLUME;
+    row.format = SEPAX_X_ORIENT3D;
     row.is_signed = true;
   }
   return row;
@@ -513,7 +514,7 @@ static double longer(double a, double b) { return a > b ? a : b; }
  * fewer registers. Without, its rows are late behind fan-outs (fitted to W = 18 and 20). */
 static void plan_strip(exact_plan *p, double sums, double period) {
   int span = p->design->format[SEPAX_X_SPAN].width;
-  int area = p->design->format[SEPAX_X_AREA].width;
+  int area = p->design->format[SEPAX_X_ORIENT2D].width;
   arith_form form = {span, span, area, p->design->format[SEPAX_X_SPAN].digits, 1, 0};
   arith_plan_make(&p->strip_mul, &form, period);
   int ranks = 1 + p->strip_mul.ranks;
@@ -588,9 +589,9 @@ static double shortest_stage(const exact_plan *p, double sums, double sum) {
   const sepax_format *f = p->design->format;
   bool shared = p->design->config.ii > 1;
   double operands = shared ? chosen(p) : 0.15;
-  double area = delay_compressor() + delay_adder(f[SEPAX_X_AREA].width);
-  double weight = 2 * delay_compressor() + delay_adder(f[SEPAX_X_WEIGHT].width);
-  double row = delay_row(f[SEPAX_X_AREA].width) + delay_compressor();
+  double area = delay_compressor() + delay_adder(f[SEPAX_X_ORIENT2D].width);
+  double weight = 2 * delay_compressor() + delay_adder(f[SEPAX_X_Z_SUM].width);
+  double row = delay_row(f[SEPAX_X_ORIENT2D].width) + delay_compressor();
   double taken = (p->running ? steering + delay_mux(2) : 0) + sum;
   return delay_register() +
          longer(longer(row, sums), longer(operands + longer(area, weight), taken));
@@ -608,7 +609,7 @@ static double strip_operands(const exact_plan *p) {
 /* Where registers stand inside the units, and the longest stage that is left. */
 /* The box test in front: bounds, a comparison with the margin, and what holds the coordinates back,
  * each behind its fan-out (fitted to W = 18). */
-static double boxes_stage(const sepax_design *d) {
+static double aabb_stage(const sepax_design *d) {
   int word = d->config.word;
   double compare = delay_adder(word) + (d->limits > 0 ? delay_adder(word + 1) : 0);
   double fan_outs = 0.71;
@@ -620,13 +621,13 @@ static void plan_ranks(exact_plan *p) {
   double period = p->design->config.clock_ps / 1000.0;
   double room = period - delay_register();
   int span = f[SEPAX_X_SPAN].width;
-  int area = f[SEPAX_X_AREA].width;
-  int volume = f[SEPAX_X_VOLUME].width;
+  int area = f[SEPAX_X_ORIENT2D].width;
+  int volume = f[SEPAX_X_ORIENT3D].width;
   double mux = delay_mux(p->design->config.ii == 1 ? 1 : 2);
   double sums = delay_adder(span) + strip_operands(p);
   plan_strip(p, sums, period);
-  const sepax_format *weight = &f[SEPAX_X_WEIGHT];
-  const sepax_format *own_weight = &f[SEPAX_X_OWN_WEIGHT];
+  const sepax_format *weight = &f[SEPAX_X_Z_SUM];
+  const sepax_format *own_weight = &f[SEPAX_X_OWN_Z_SUM];
   arith_form prism = {area, weight->width, volume, weight->digits, 1, 0};
   arith_form own_prism = {area, own_weight->width, volume, own_weight->digits, 1, 0};
   arith_plan_make(&p->prism_mul, &prism, period);
@@ -644,7 +645,7 @@ static void plan_ranks(exact_plan *p) {
   p->sign_rank = delay_test(area) + 1.0 > room;
   p->shortest = shortest_stage(p, sums, sum);
   if (p->design->config.early_out) {
-    p->shortest = longer(p->shortest, boxes_stage(p->design));
+    p->shortest = longer(p->shortest, aabb_stage(p->design));
   }
   plan_limits(p, room);
 }

@@ -25,7 +25,7 @@ static int result_bits(const exact_plan *p) { return p->limits > 0 ? 7 : 5; }
 
 /* What the box test found out of a pair: apart, and with extents beyond. */
 static int note_bits(const exact_plan *p) {
-  return p->design->config.extent_a > 0 ? 2 : p->design->boxes ? 1 : 0;
+  return p->design->config.extent_a > 0 ? 2 : p->design->aabb_test ? 1 : 0;
 }
 static const char *note_width(int bits) { return bits > 1 ? "2" : ""; }
 
@@ -138,7 +138,7 @@ void gen_exact_ports(emit_module *m, int word) {
   emit_signal(m, EMIT_INPUT, false, "out_ready", "", "it is taken in this cycle");
   bool bands = m->emitter->design->limits > 0;
   const char *more = "";
-  if (!bands && strcmp(m->name, "sepax_top") == 0 && m->emitter->design->boxes) {
+  if (!bands && strcmp(m->name, "sepax_top") == 0 && m->emitter->design->aabb_test) {
     more =
         m->emitter->design->config.extent_a > 0 ? ", 13 boxes, 14 none, undecided" : ", 13 boxes";
   }
@@ -416,7 +416,7 @@ bool gen_exact(emitter *e, int *latency) {
     gen_exact_top(e, plan);
     *latency = plan->latency;
     int places = 1 << places_log2(plan);
-    if (e->design->boxes) {
+    if (e->design->aabb_test) {
       int more =
           e->design->config.extent_a > 0 ? gen_exact_near(e, plan) : gen_exact_boxes(e, plan);
       *latency += more;

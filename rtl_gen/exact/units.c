@@ -1,5 +1,6 @@
 /* gen_exact_units.c - the modules of architecture exact below its core. */
 #include "exact.h"
+#include "sepax_design.h"
 
 #include <string.h>
 
@@ -27,7 +28,7 @@ static void gen_strip(emitter *e, const exact_plan *p, bool order) {
   emit_module *m = emit_begin(e, order ? "sepax_strip_ab" : "sepax_strip", banner);
   width_parameter(m, "W", SEPAX_X_COORDINATE, "bits of a coordinate");
   width_parameter(m, "S_W", SEPAX_X_SPAN, "bits of a sum or difference, W + 1");
-  width_parameter(m, "G_W", SEPAX_X_AREA, "bits of t");
+  width_parameter(m, "G_W", SEPAX_X_ORIENT2D, "bits of t");
   emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
   static const char *const port[] = {"x_from", "x_to", "y_from", "y_to"};
   for (int i = 0; i < 4; i++) {
@@ -96,7 +97,7 @@ static void gen_area(emitter *e) {
                  "Twice the area of a triangle in the projection on x and y, from the strips\n"
                  "under its edges: g = p + q - r modulo 2^G_W.\n"
                  "Latency 1.");
-  width_parameter(m, "G_W", SEPAX_X_AREA, "bits of an area");
+  width_parameter(m, "G_W", SEPAX_X_ORIENT2D, "bits of an area");
   sum_ports(m, "G_W", 3, "strip under an edge");
   emit_signal(m, EMIT_OUTPUT_REG, true, "g", "G_W", "twice the area");
   emit_blank(m);
@@ -107,7 +108,7 @@ static void gen_area(emitter *e) {
   m = emit_begin(e, "sepax_own_area",
                  "Twice the area of A or of B in the projection on x and y: g = p + q + r modulo\n"
                  "2^G_W of the strips under its edges. Latency 1.");
-  width_parameter(m, "G_W", SEPAX_X_AREA, "bits of an area");
+  width_parameter(m, "G_W", SEPAX_X_ORIENT2D, "bits of an area");
   sum_ports(m, "G_W", 3, "strip under an edge");
   emit_signal(m, EMIT_OUTPUT_REG, true, "g", "G_W", "twice the area");
   emit_blank(m);
@@ -158,7 +159,7 @@ static void gen_whole_weight(emitter *e) {
       "Weight of the prism under a vertex of A and an edge of B, the origin of z moved\n"
       "to the mean of A: z = z_p + z_q - z_r - z_s + offset, pq that edge and rs A's other\n"
       "edge. Latency 1.");
-  weight_parameters(m, "Z_W", SEPAX_X_WEIGHT);
+  weight_parameters(m, "Z_W", SEPAX_X_Z_SUM);
   weight_ports(m, four, 4);
   emit_signal(m, EMIT_OUTPUT_REG, true, "z", "Z_W", "weight and offset");
   widen(m, four, 4, "Z_W", "Z_W-W");
@@ -178,7 +179,7 @@ static void gen_own_weight(emitter *e, const exact_plan *p) {
             "B's z less the sum of A's, plus offset. Latency 2."
           : "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
             "B's z less the sum of A's, plus offset. Latency 1.");
-  weight_parameters(m, "O_W", SEPAX_X_OWN_WEIGHT);
+  weight_parameters(m, "O_W", SEPAX_X_OWN_Z_SUM);
   weight_ports(m, six, 6);
   emit_signal(m, EMIT_OUTPUT_REG, true, "z", "O_W", "weight and offset");
   widen(m, six, 6, "O_W", "O_W-W");
@@ -205,11 +206,11 @@ static void gen_shared_own_weight(emitter *e) {
       "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
       "B's z less the sum of A's, plus its own offset, from three rises, which have brought\n"
       "an offset of theirs each. Latency 1.");
-  width_parameter(m, "Z_W", SEPAX_X_WEIGHT, "bits of a rise");
-  emit_parameter(m, EMIT_PARAMETER, "RISE_DIGITS", e->design->format[SEPAX_X_WEIGHT].digits,
+  width_parameter(m, "Z_W", SEPAX_X_Z_SUM, "bits of a rise");
+  emit_parameter(m, EMIT_PARAMETER, "RISE_DIGITS", e->design->format[SEPAX_X_Z_SUM].digits,
                  "radix-4 digits of a rise");
-  width_parameter(m, "O_W", SEPAX_X_OWN_WEIGHT, "bits of the weight");
-  emit_parameter(m, EMIT_PARAMETER, "DIGITS", e->design->format[SEPAX_X_OWN_WEIGHT].digits,
+  width_parameter(m, "O_W", SEPAX_X_OWN_Z_SUM, "bits of the weight");
+  emit_parameter(m, EMIT_PARAMETER, "DIGITS", e->design->format[SEPAX_X_OWN_Z_SUM].digits,
                  "radix-4 digits of the weight");
   emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
   for (int i = 1; i <= 3; i++) {
@@ -239,7 +240,7 @@ static void gen_running_own_weight(emitter *e) {
       emit_begin(e, "sepax_own_weight",
                  "Weight of the prism under B, the origin of z moved to the mean of A: the sum of\n"
                  "B's z less the sum of A's, plus offset, one vertex of each a cycle. Latency 3.");
-  weight_parameters(m, "O_W", SEPAX_X_OWN_WEIGHT);
+  weight_parameters(m, "O_W", SEPAX_X_OWN_Z_SUM);
   weight_ports(m, two, 2);
   emit_signal(m, EMIT_INPUT, false, "first", "", "the first vertex of each");
   emit_signal(m, EMIT_OUTPUT_REG, true, "z", "O_W", "weight and offset");
@@ -259,7 +260,7 @@ static void gen_weights(emitter *e, const exact_plan *p) {
                  "Weight of the prism under an edge of A and a vertex of B, the origin of z\n"
                  "moved to the mean of A: z = z_p - z_r + offset, p that vertex, r A's third.\n"
                  "Latency 1.");
-  weight_parameters(m, "Z_W", SEPAX_X_WEIGHT);
+  weight_parameters(m, "Z_W", SEPAX_X_Z_SUM);
   weight_ports(m, two, 2);
   emit_signal(m, EMIT_OUTPUT_REG, true, "z", "Z_W", "weight and offset");
   emit_signal(m, p->shared_rises ? EMIT_OUTPUT : EMIT_WIRE, true, "rise", "Z_W",
@@ -276,7 +277,7 @@ static void gen_weights(emitter *e, const exact_plan *p) {
         "Weight of the prism under a vertex of A and an edge of B, the origin of z moved\n"
         "to the mean of A: z = z_p + z_q - z_r - z_s + 2 offset, pq that edge and rs A's\n"
         "other edge, as a sum of two rises. Latency 1.");
-    width_parameter(m, "Z_W", SEPAX_X_WEIGHT, "bits of the weight");
+    width_parameter(m, "Z_W", SEPAX_X_Z_SUM, "bits of the weight");
     emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
     emit_signal(m, EMIT_INPUT, true, "rise_pr", "Z_W", "z_p - z_r + offset");
     emit_signal(m, EMIT_INPUT, true, "rise_qs", "Z_W", "z_q - z_s + offset");
@@ -306,9 +307,9 @@ static void gen_prism(emitter *e, const char *name, const arith_plan *plan) {
            "plus K (%s, see sepax_mul_...). Latency %d.",
            plan->less == 2 ? "two offsets" : "an offset", 1 + plan->ranks);
   emit_module *m = emit_begin(e, name, banner);
-  width_parameter(m, "G_W", SEPAX_X_AREA, "bits of an area");
-  width_parameter(m, width, own ? SEPAX_X_OWN_WEIGHT : SEPAX_X_WEIGHT, "bits of a weight");
-  width_parameter(m, "V_W", SEPAX_X_VOLUME, "bits of a volume");
+  width_parameter(m, "G_W", SEPAX_X_ORIENT2D, "bits of an area");
+  width_parameter(m, width, own ? SEPAX_X_OWN_Z_SUM : SEPAX_X_Z_SUM, "bits of a weight");
+  width_parameter(m, "V_W", SEPAX_X_ORIENT3D, "bits of a volume");
   emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
   emit_signal(m, EMIT_INPUT, true, "g", "G_W", "twice the area");
   emit_signal(m, EMIT_INPUT, true, "z", width, "weight");
@@ -354,7 +355,7 @@ static emit_module *begin_volume(emitter *e, const exact_plan *p, const char *na
       banner, sizeof banner, "%s%s, modulo 2^V_W, from the prisms\nunder its faces. Latency %d.",
       whole ? "V" : "Sign of the v", formula, 1 + (whole ? p->volume_ranks / 2 : p->volume_ranks));
   emit_module *m = emit_begin(e, name, banner);
-  width_parameter(m, "V_W", SEPAX_X_VOLUME, "bits of a volume");
+  width_parameter(m, "V_W", SEPAX_X_ORIENT3D, "bits of a volume");
   sum_ports(m, "V_W", terms, "prism under a face");
   if (whole) {
     emit_signal(m, EMIT_OUTPUT_REG, true, "volume", "V_W", "six times the volume");
@@ -371,7 +372,7 @@ static void gen_volumes(emitter *e, const exact_plan *p) {
     m = emit_begin(e, "sepax_above_a",
                    "Running sum of the prisms under the faces of a tetrahedron over A:\n"
                    "sum = p + q modulo 2^V_W. Latency 1.");
-    width_parameter(m, "V_W", SEPAX_X_VOLUME, "bits of a volume");
+    width_parameter(m, "V_W", SEPAX_X_ORIENT3D, "bits of a volume");
     sum_ports(m, "V_W", 2, "prism, or sum so far");
     emit_signal(m, EMIT_OUTPUT_REG, true, "sum", "V_W", "sum");
     emit_text(m, "\nalways @(posedge clk) begin\n  sum <= p + q;\nend");

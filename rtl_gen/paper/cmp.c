@@ -1,5 +1,6 @@
 /* gen_cmp.c - sepax_cmp and sepax_nand: from projections to the verdict. */
 #include "emit/gen.h"
+#include "sepax_design.h"
 
 static void extreme(emit_module *m, const char *bus, const char *kind, const char *relation) {
   char name[EMIT_NAME];

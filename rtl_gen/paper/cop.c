@@ -1,5 +1,6 @@
 /* gen_cop.c - sepax_cop: are the two triangles coplanar? */
 #include "emit/gen.h"
+#include "sepax_design.h"
 
 void gen_cop(emitter *e) {
   const sepax_design *d = e->design;

@@ -1,6 +1,7 @@
 /* gen_leaf.c - the arithmetic below the paper's modules: sepax_trunc, sepax_mul,
  * sepax_edge. */
 #include "emit/gen.h"
+#include "sepax_design.h"
 
 gen_text gen_part(const char *bus, const char *width, int i) {
   static const char *const range[] = {"[3*%s-1:2*%s]", "[2*%s-1:%s]", "[%s-1:0]"};

@@ -1,5 +1,6 @@
 /* gen_proj.c - sepax_dot and sepax_proj: six vertices onto one axis; sepax_cop_proj. */
 #include "emit/gen.h"
+#include "sepax_design.h"
 
 static void projection_parameters(emit_module *m) {
   const sepax_format *f = m->emitter->design->format;

@@ -1,6 +1,7 @@
 /* gen_psa.c - sepax_norm, sepax_cross and sepax_psa, or its two unshared halves: the
  * potential separating axes. */
 #include "emit/gen.h"
+#include "sepax_design.h"
 
 static const char *const axis_name[] = {"x", "y", "z"};
 

@@ -1,5 +1,6 @@
 /* gen_top.c - sepax_top: figure 5 wired and scheduled as figure 6. */
 #include "emit/gen.h"
+#include "sepax_design.h"
 
 static void localparam(emit_module *m, const char *name, sepax_format_id id, bool exact,
                        const char *about) {

@@ -5,7 +5,7 @@ def number($text): $text | tonumber;
 
 def machine:
   ($ARGS.named.area[0].design) as $d
-  | ($ARGS.named.meshes | [scan("([0-9]+) pairs, [0-9]+ (?:mismatches|survivors)")][0][0] | tonumber) as $pairs
+  | ($ARGS.named.meshes | [scan("([0-9]+) pairs, [0-9]+ (?:mismatches|candidates)")][0][0] | tonumber) as $pairs
   | ([$ARGS.named.meshes | scan("II = [0-9]+: ([0-9]+) cycles = [0-9.]+ ms at")][0][0] // null) as $cycles
   | ($d.timing.period_ns // ([$d.options | capture("--clock-ns=(?<ns>[^ ]+)").ns | tonumber][0])
      // (if $d.arch == "conference" then 2.5 else 2 end)) as $period

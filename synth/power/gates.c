@@ -1,6 +1,6 @@
 /* gates.c - reads a mapped netlist and simulates it, 64 lanes at once. */
 #include "gates.h"
-#include "sepax.h"
+#include "sepax_vectors.h"
 #include "liberty/text.h"
 
 #include <ctype.h>

@@ -30,6 +30,8 @@
 #include "gates.h"
 #include "power_engine.h"
 #include "liberty/text.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -541,7 +543,7 @@ static void judge_pairs(machine *m) {
   for (size_t k = 0; k < m->pairs; k++) {
     sepax_verdict v = sepax_judge(&m->design, &m->pair[k]);
     m->verdict[k] = (unsigned char)(v.collision | v.coplanar << 1);
-    m->undecided += m->exact && v.axis == SEPAX_AXIS_RANGE;
+    m->undecided += m->exact && v.axis == SEPAX_AXIS_EXTENT;
   }
 }
 

@@ -2,6 +2,7 @@
 #include "power_engine.h"
 #include "engine/engine.h"
 #include "liberty/text.h"
+#include "sepax_design.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +30,7 @@ typedef struct {
 typedef struct {
   uint64_t *result;
   size_t count, seen;
-  uint32_t pairs, survivors, collisions;
+  uint32_t pairs, candidates, collisions;
 } expected;
 
 typedef struct {
@@ -269,7 +270,7 @@ static uint64_t result_of(const sepax_design *design, const sepax_tri *a, const 
                           const size_t number[2]) {
   const sepax_pair pair = {.a = *a, .b = *b};
   sepax_verdict v = sepax_judge(design, &pair);
-  bool undecided = v.axis == SEPAX_AXIS_RANGE;
+  bool undecided = v.axis == SEPAX_AXIS_EXTENT;
   bool warning = design->limits > 0 && !undecided && v.band == SEPAX_BAND_WARNING;
   return (uint64_t)number[0] | (uint64_t)number[1] << 32 |
          (uint64_t)(v.coplanar && !undecided) << 56 | (uint64_t)undecided << 57 |
@@ -295,7 +296,7 @@ static void expect(engine *e, unsigned l) {
   }
   owed->count = run.found.count;
   owed->pairs = (uint32_t)run.pairs;
-  owed->survivors = (uint32_t)run.survivors;
+  owed->candidates = (uint32_t)run.candidates;
   owed->collisions = (uint32_t)run.collisions;
   owed->result = text_room(owed->count + 1, sizeof *owed->result);
   for (size_t k = 0; k < owed->count; k++) {
@@ -332,14 +333,14 @@ static void run_lanes(engine *e) {
 /* The registers after the run, all of which must be the model's. */
 static void check_counts(engine *e) {
   uint32_t pairs[LANES] = {0};
-  uint32_t survivors[LANES] = {0};
+  uint32_t candidates[LANES] = {0};
   uint32_t collisions[LANES] = {0};
   read_register(e, ENGINE_PAIRS, pairs);
-  read_register(e, ENGINE_SURVIVORS, survivors);
+  read_register(e, ENGINE_CANDIDATES, candidates);
   read_register(e, ENGINE_COLLISIONS, collisions);
   for (unsigned l = 0; l < LANES; l++) {
     const expected *owed = &e->lane[l];
-    e->tally.wrong += pairs[l] != owed->pairs || survivors[l] != owed->survivors ||
+    e->tally.wrong += pairs[l] != owed->pairs || candidates[l] != owed->candidates ||
                       collisions[l] != owed->collisions;
     e->tally.pairs += pairs[l];
     e->tally.collisions += collisions[l];

@@ -4,7 +4,7 @@
 #define SEPAX_POWER_ENGINE_H
 
 #include "gates.h"
-#include "sepax.h"
+#include "sepax_design.h"
 
 /* What of it is counted: from START to the end of the last lane's run; both objects as they come;
  * the cycles after the run, in which nothing comes. */

@@ -4,6 +4,7 @@
  *   bench_batch scale              time per pair over the number of pairs and of triangles
  *   bench_batch meshes A.stl B.stl the tree, brute force, and threads, on two meshes */
 #include "bench.h"
+#include "sepax_vectors.h"
 
 #include <string.h>
 

@@ -7,6 +7,8 @@
 #include "clear_rules.h"
 #include "distance.h"
 #include "real_pairs.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,6 +2,8 @@
  * pairs of W = 18: first the families uniform and local in turn, 48 % of which collide,
  * then each family, of which the slowest is told. Best of five rounds. */
 #include "bench.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 enum { PAIRS = 1 << 15, ROUNDS = 5 };
 

@@ -5,6 +5,7 @@
 #include "driver_exact.h"
 #else
 #include "driver_paper.h"
+#include "sepax_design.h"
 #endif
 
 namespace {

@@ -4,6 +4,7 @@
 #define SEPAX_DRIVER_EXACT_H
 
 #include "machine.h"
+#include "sepax_design.h"
 
 class Driver : public Machine {
 public:
@@ -89,9 +90,9 @@ public:
 
 private:
 #if defined SEPAX_EXTENT_A
-  static constexpr int LAST_AXIS = SEPAX_AXIS_RANGE;
+  static constexpr int LAST_AXIS = SEPAX_AXIS_EXTENT;
 #elif defined SEPAX_BOXES || defined SEPAX_BANDS
-  static constexpr int LAST_AXIS = SEPAX_AXIS_BOXES;
+  static constexpr int LAST_AXIS = SEPAX_AXIS_AABB;
 #else
   static constexpr int LAST_AXIS = 12;
 #endif
@@ -198,7 +199,7 @@ private:
     owed.pop();
     count(e);
 #ifdef SEPAX_EXTENT_A
-    if ((top->out_of_range != 0) != (e.verdict.axis == SEPAX_AXIS_RANGE)) {
+    if ((top->out_of_range != 0) != (e.verdict.axis == SEPAX_AXIS_EXTENT)) {
       complain(&e, "wrong out_of_range");
     }
 #endif

@@ -4,6 +4,8 @@
 #define SEPAX_DRIVER_PAPER_H
 
 #include "machine.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 class Driver : public Machine {
 public:

@@ -6,7 +6,8 @@
  * transfers were made; objects of which all boxes meet; then what is refused, and interrupts.
  * Exit status 1: something was wrong. */
 #include "engine_bus.h"
-#include "sepax.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 #include "sepax_driver.h"
 #include "sepax_params.h"
 #include "sepax_registers.h"
@@ -107,7 +108,7 @@ static bool see(void *context, const sepax_hit *hit) {
   if (within) {
     v = sepax_judge(&design, &judged);
   }
-  bool undecided = !within || v.axis == SEPAX_AXIS_RANGE;
+  bool undecided = !within || v.axis == SEPAX_AXIS_EXTENT;
   bool warning = design.limits > 0 && !undecided && v.band == SEPAX_BAND_WARNING;
   expect("warning of a result", hit->warning, warning);
   expect("out_of_range of a result", hit->out_of_range, undecided);
@@ -142,7 +143,7 @@ static sepax_counts run_task(const task *t, bool paced) {
   expect("warnings", counts.warnings, early ? e.run.first : e.run.found.count - e.run.collisions);
   if (!early) {
     expect("pairs", counts.pairs, e.run.pairs);
-    expect("survivors", counts.survivors, e.run.survivors);
+    expect("candidates", counts.candidates, e.run.candidates);
     expect("out of range", counts.out_of_range, e.run.out_of_range);
   }
   if (e.run.collisions > 0) {
@@ -223,9 +224,9 @@ static void run_meshes(const char *const path[2], double resolution, bool paced)
   if (design.limits > 0) {
     printf("%llu warnings\n", (unsigned long long)counts.warnings);
   }
-  printf("%zu x %zu triangles: %llu pairs, %llu survivors, %llu collisions, %llu wrong\n",
+  printf("%zu x %zu triangles: %llu pairs, %llu candidates, %llu collisions, %llu wrong\n",
          scene.count[0], scene.count[1], (unsigned long long)counts.pairs,
-         (unsigned long long)counts.survivors, (unsigned long long)counts.collisions, wrong);
+         (unsigned long long)counts.candidates, (unsigned long long)counts.collisions, wrong);
   printf("K = %d, II = %d: %llu cycles = %.4f ms at %g ns, with loading %llu = %.4f ms\n",
          SEPAX_LANES, SEPAX_II, (unsigned long long)counts.cycles,
          1e-9 * (double)counts.cycles * design.config.clock_ps, 1e-3 * design.config.clock_ps,
@@ -326,7 +327,8 @@ static void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, 
   }
   const task t = {a, b, count_a, count_b, {0, 0, 0}, false};
   sepax_counts counts = run_task(&t, paced);
-  expect("survivors where all boxes meet", counts.survivors, (unsigned long long)count_a * count_b);
+  expect("candidates where all boxes meet", counts.candidates,
+         (unsigned long long)count_a * count_b);
   printf("all boxes meet: %zu x %zu triangles, %llu collisions in %llu cycles, %.4f a pair\n",
          count_a, count_b, (unsigned long long)counts.collisions, (unsigned long long)counts.cycles,
          (double)counts.cycles / (double)(count_a * count_b));

@@ -5,6 +5,8 @@
 #ifndef SEPAX_ENGINE_BUS_H
 #define SEPAX_ENGINE_BUS_H
 
+#include "sepax_design.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 

@@ -8,6 +8,8 @@
 #include "verilated.h"
 #if VM_TRACE
 #include "verilated_fst_c.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 #endif
 
 #include <memory>

@@ -6,7 +6,7 @@
 #define STRINGIFY(name) #name
 #define HEADER(name) STRINGIFY(name.h)
 #include HEADER(MODEL)
-#include "sepax.h"
+#include "sepax_vectors.h"
 #include "verilated.h"
 
 #include <cstdio>

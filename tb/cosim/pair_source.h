@@ -4,6 +4,7 @@
 
 #include "cli/cli.h"
 #include "sepax_params.h"
+#include "sepax_vectors.h"
 
 #include <cstdlib>
 #include <cstring>

@@ -76,7 +76,7 @@ module registers_properties #(
       .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop), .first(first),
       .quiet(quiet), .move_x(move_x), .move_y(move_y), .move_z(move_z), .status(status),
       .done(done), .hit(hit), .loaded(loaded), .count_a(number), .count_b(number), .pairs(number),
-      .survivors(number), .collisions(number), .out_of_range(number), .warnings(number), .cycles(number),
+      .candidates(number), .collisions(number), .out_of_range(number), .warnings(number), .cycles(number),
       .first_a(number), .first_b(number));
 `ifdef STANDS
   stands #(.WIDTH(2)) b (.clk(clk), .rst(rst), .valid(bvalid), .ready(bready), .data(bresp));
@@ -117,14 +117,14 @@ module results_properties #(
 );
   wire ready, tvalid, tlast, halt, done, hit, busy, stopped, any;
   wire [63:0] tdata;
-  wire [31:0] pairs, survivors, collisions, out_of_range, warnings, cycles, first_a, first_b;
+  wire [31:0] pairs, candidates, collisions, out_of_range, warnings, cycles, first_a, first_b;
   sepax_results dut (
       .clk(clk), .rst(rst), .start(start), .stop(stop), .first(first), .quiet(quiet),
       .tested(tested), .survived(survived), .drained(drained), .valid(valid), .ready(ready),
       .collision(collision), .coplanar(coplanar), .outside(outside), .a(a), .b(b),
       .tvalid(tvalid), .tready(tready), .tdata(tdata), .tlast(tlast), .halt(halt), .done(done),
       .hit(hit), .busy(busy), .stopped(stopped), .any(any), .pairs(pairs),
-      .survivors(survivors), .collisions(collisions), .out_of_range(out_of_range), .warnings(warnings),
+      .candidates(candidates), .collisions(collisions), .out_of_range(out_of_range), .warnings(warnings),
       .cycles(cycles), .first_a(first_a), .first_b(first_b));
 `ifdef STANDS
   stands #(.WIDTH(65)) m (.clk(clk), .rst(rst), .valid(tvalid), .ready(tready), .data({tlast, tdata}));
@@ -218,7 +218,7 @@ module start_properties (
       .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop),
       .first(first), .quiet(quiet), .move_x(move_x), .move_y(move_y), .move_z(move_z),
       .status(status), .done(1'b0), .hit(1'b0), .loaded(ended), .count_a(32'd0), .count_b(32'd0), .pairs(32'd0),
-      .survivors(32'd0), .collisions(32'd0), .out_of_range(32'd0), .warnings(32'd0),
+      .candidates(32'd0), .collisions(32'd0), .out_of_range(32'd0), .warnings(32'd0),
       .cycles(32'd0), .first_a(32'd0), .first_b(32'd0));
   sepax_load load (
       .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(tvalid), .tready(tready),

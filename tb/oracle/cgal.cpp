@@ -1,7 +1,7 @@
 // cgal.cpp - cross-check of the exact model against CGAL's exact predicates: seeded pairs of
 // all families, degenerate triangles left out (CGAL asks for area).
 //   cgal [PAIRS [WORD]]
-#include "sepax.h"
+#include "sepax_vectors.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangle_3.h>

@@ -3,7 +3,7 @@
 #ifndef CLEAR_RULES_H
 #define CLEAR_RULES_H
 
-#include "sepax.h"
+#include "sepax_design.h"
 
 typedef enum {
   RULE_EUCLID,      /* gap > |c|_1 + D |c|_2: what the axes of the model can give at best */

@@ -1,5 +1,6 @@
 /* pair_tools.c - seeds, and the properties of a pair in exact integers. */
 #include "pair_tools.h"
+#include "sepax_vectors.h"
 
 typedef __int128 wide;
 

@@ -2,7 +2,7 @@
 #ifndef PAIR_TOOLS_H
 #define PAIR_TOOLS_H
 
-#include "sepax.h"
+#include "sepax_vectors.h"
 
 #define LENGTH(array) (sizeof(array) / sizeof *(array))
 

@@ -1,6 +1,7 @@
 #include "real_pairs.h"
 
 #include "distance.h"
+#include "sepax_vectors.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 #ifndef REAL_PAIRS_H
 #define REAL_PAIRS_H
 
-#include "sepax.h"
+#include "sepax_vectors.h"
 
 enum { REAL_KINDS = 12 };
 

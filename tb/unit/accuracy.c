@@ -1,7 +1,7 @@
 /* test_accuracy.c - what the accuracy laboratory measures with: depths, solids, the
  * interval test. */
 #include "oracle/pair_tools.h"
-#include "sepax.h"
+#include "sepax_vectors.h"
 
 #include <math.h>
 #include <setjmp.h>

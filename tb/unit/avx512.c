@@ -10,6 +10,7 @@
 
 #include "benchmark/bench.h"
 #include "oracle/pair_tools.h"
+#include "sepax_vectors.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* test_batch.c - the verdicts of batches and of meshes against sepax_exact, one by one. */
 #include "oracle/pair_tools.h"
-#include "sepax.h"
+#include "sepax_vectors.h"
 
 #include <fcntl.h>
 #include <setjmp.h>

@@ -11,6 +11,8 @@
 #include "oracle/distance.h"
 #include "oracle/oracle.h"
 #include "oracle/real_pairs.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <math.h>
 #include <string.h>
@@ -153,7 +155,7 @@ static void test_bands(void **state) {
     sepax_tri b = {{{0, 0, row[i].gap}, {100, 0, row[i].gap}, {0, 100, row[i].gap}}};
     sepax_verdict v = sepax_clearance(&design, &a, &b);
     assert_int_equal(v.band, row[i].band);
-    assert_int_equal(v.axis, row[i].band == SEPAX_BAND_COLLISION ? 0 : SEPAX_AXIS_BOXES);
+    assert_int_equal(v.axis, row[i].band == SEPAX_BAND_COLLISION ? 0 : SEPAX_AXIS_AABB);
     assert_int_equal(v.coplanar, row[i].gap == 0);
   }
 }

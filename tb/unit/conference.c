@@ -1,6 +1,7 @@
 /* test_conference.c - the machine that the paper improves on: against the separating axis
  * theorem written another way, and against the paper's machine, bit for bit. */
-#include "sepax.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,7 @@
 /* test_emit.c - what the Verilog emitter must refuse, and what it must accept. */
 #include "emit/emit.h"
 #include "emit/gen.h"
+#include "sepax_design.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "oracle/oracle.h"
+#include "sepax_vectors.h"
 
 #ifndef EXACT_PAIRS
 #define EXACT_PAIRS 1000000

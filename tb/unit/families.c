@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "oracle/pair_tools.h"
+#include "sepax_vectors.h"
 
 #ifndef VECTOR_PAIRS
 #define VECTOR_PAIRS 2000

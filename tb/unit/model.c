@@ -1,5 +1,6 @@
 /* test_model.c - configuration, formats, the paper's machine and the baselines. */
-#include "sepax.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "oracle/pair_tools.h"
+#include "sepax_vectors.h"
 
 #define EIGHTEEN "0 0 0 7 0 0 0 7 0 1 1 -3 1 1 3 2 2 3"
 

@@ -1,5 +1,6 @@
 /* test_samples.c - the sample objects. */
 #include "oracle/mesh_tools.h"
+#include "sepax_vectors.h"
 
 #include <math.h>
 #include <setjmp.h>

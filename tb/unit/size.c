@@ -3,6 +3,8 @@
 #include "oracle/mesh_tools.h"
 #include "oracle/oracle.h"
 #include "oracle/pair_tools.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -362,10 +364,10 @@ static void test_machine(void **state) {
     uint64_t pairs = (uint64_t)size.count[0] * size.count[1];
     size.worst = pairs / (uint64_t)(1 + random_below(100));
     double cycles = (double)pairs * pow(10, random_unit());
-    sepax_machine m;
+    sepax_sized_design m;
     bool lanes = random_below(2) == 0;
     bool ok =
-        sepax_size_machine(&m, &size, cycles * 2e-9, 2000, 0, lanes ? SEPAX_LANES_MAX : 0, &fault);
+        sepax_size_design(&m, &size, cycles * 2e-9, 2000, 0, lanes ? SEPAX_LANES_MAX : 0, &fault);
     double least = INFINITY;
     for (int i = 0; i < 7; i++) {
       for (int extent = 0; extent <= 2500; extent += 2500) {
@@ -403,21 +405,21 @@ static void test_jobs(void **state) {
   (void)state;
   sepax_size size = {
       .grid = {.word = 18}, .count = {400, 400}, .extent = {60000, 60000}, .core_word = 18};
-  sepax_machine m;
-  assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 0, 0, &fault));
+  sepax_sized_design m;
+  assert_true(sepax_size_design(&m, &size, 0.96e-3, 2000, 0, 0, &fault));
   assert_int_equal(m.config.ii, 3);
   assert_int_equal(m.cycles, 480000);
   assert_int_equal(m.config.extent_a, 0);
   size.count[1] = 5; /* fewer than lanes: A's triangles go in one by one */
-  assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
+  assert_true(sepax_size_design(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
   assert_int_equal(m.cycles, 20 * 20 + 19 + 6 + m.config.ii);
   size.worst = 1000;
-  assert_true(sepax_size_machine(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
+  assert_true(sepax_size_design(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
   assert_int_equal(m.cycles, 20 * 20 + 19 + 6 + 2001 * (uint64_t)m.config.ii);
   size.worst = 0;
   size.count[0] = 40000;
   size.count[1] = 70000;
-  assert_true(sepax_size_machine(&m, &size, 1, 2000, 10, 10, &fault));
+  assert_true(sepax_size_design(&m, &size, 1, 2000, 10, 10, &fault));
   assert_int_equal(m.config.memory_a, 32768);
   assert_int_equal(m.config.memory_b, 32768);
   assert_int_equal(m.cycles, (3277 + 724) * UINT64_C(70000) + 3 * (7 + 6) + 3 * (1 + 6) +
@@ -454,8 +456,8 @@ static void check_extent_pairs(int word, int extent_a, int extent_b) {
       bool meet = boxes_overlap(&pair, word);
       assert_true(sepax_pair_fits(&pair, word));
       assert_int_equal(inside(&pair, extent), !beyond);
-      assert_int_equal(v.axis == SEPAX_AXIS_RANGE, beyond && meet);
-      assert_int_equal(v.axis == SEPAX_AXIS_BOXES, !meet);
+      assert_int_equal(v.axis == SEPAX_AXIS_EXTENT, beyond && meet);
+      assert_int_equal(v.axis == SEPAX_AXIS_AABB, !meet);
       assert_int_equal(v.collision, meet && (beyond || oracle_collide(&pair.a, &pair.b)));
       met[beyond] += meet;
       verdicts[v.collision] += !beyond;
