@@ -471,11 +471,11 @@ $(AREA)/liberty.sum: FORCE
 	@mkdir -p $(AREA)
 	@cksum "$(LIBERTY)" > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
-MAP_SRC = $(addprefix synth/area/,area area.jq assigns fanout multipliers names.jq slow)
+MAP_SRC = $(wildcard synth/area/*) $(BUILD)/liberty
 
 $(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(MAP_SRC)
 	@echo "  YOSYS   $(CORE_NAME), $(LIBRARY)"
-	@synth/area/area -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) \
+	@synth/area/map -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) \
 	  $(if $(filter generated,$(MULTIPLIERS)),-m $(SEPAX)) -o $(AREA) $(CORE)/rtl
 
 area-of-this:
@@ -497,13 +497,13 @@ mapped: $(AREA)/area.json
 area: $(SEPAX)
 	@rm -f $(AREA_LIST)
 	@$(MAKE) --no-print-directory -j2 $(AREAS)
-	@synth/report/report -o $(BUILD)/area.json $$(sort $(AREA_LIST))
+	@synth/report/gates -o $(BUILD)/area.json $$(sort $(AREA_LIST))
 
-area-sweep: $(SEPAX)
+area-sweep: $(SEPAX) $(BUILD)/liberty
 	@PERIOD=$(PERIOD) scripts/experiments/area-sweep $(if $(call given,WORD),-w "$(WORD)") $(if \
 	  $(call given,II),-i "$(II)") $(BUILD)/area-sweep
 
-scene: $(SEPAX)
+scene: $(SEPAX) $(BUILD)/liberty
 	@PERIOD=$(PERIOD) scripts/experiments/scene $(BUILD)/scene
 
 # OpenSTA wants a netlist that is sized for a clock: the generator's, in Nangate45; other
@@ -518,7 +518,7 @@ TIMINGS = $(if $(call given,ARCH)$(ONLY_EXACT),timing-of-this,timing-of-ii3 timi
 
 timing-of-this: $(AREA)/area.json
 	@echo "  STA     $(CORE_NAME), $(LIBRARY)"
-	@synth/timing/timing -l $(LIBERTY) $(if $(CORNERS),-c "$(CORNERS)") -o $(AREA)/timing $(AREA)
+	@synth/timing/sta -l $(LIBERTY) $(if $(CORNERS),-c "$(CORNERS)") -o $(AREA)/timing $(AREA)
 	@echo $(AREA)/timing/timing.json >> $(BUILD)/timing.list
 timing-of-ii%:
 	@$(MAKE) --no-print-directory ARCH=exact II=$* timing-of-this
@@ -526,14 +526,14 @@ timing-of-ii%:
 timing: $(SEPAX)
 	@rm -f $(BUILD)/timing.list
 	@$(MAKE) --no-print-directory $(TIMED) $(TIMINGS)
-	@synth/timing/timing-report -o $(BUILD)/timing.json $$(cat $(BUILD)/timing.list)
+	@synth/report/timing -o $(BUILD)/timing.json $$(cat $(BUILD)/timing.list)
 
-calibrate: $(SEPAX)
+calibrate: $(SEPAX) $(BUILD)/liberty
 	@scripts/experiments/calibrate $(if $(call given,WORD),-w "$(WORD)") $(if $(call given,II),-i "$(II)") $(if \
 	  $(CLOCKS),-c "$(CLOCKS)") $(BUILD)/calibrate
 
 multivt-of-this: $(AREA)/area.json
-	@synth/multivt/multivt -f $(LIBERTY) $(if $(LIBERTY_LOW_LEAKAGE),-s $(LIBERTY_LOW_LEAKAGE)) \
+	@synth/multivt/assign -f $(LIBERTY) $(if $(LIBERTY_LOW_LEAKAGE),-s $(LIBERTY_LOW_LEAKAGE)) \
 	  -o $(AREA)/multivt $(AREA)
 	@cp $(AREA)/multivt/multivt.json $(BUILD)/multivt.json
 
@@ -543,10 +543,15 @@ multivt-timed:
 	@$(MAKE) --no-print-directory $(TIMED) multivt-of-this
 
 # Power: the gates simulated with the pairs of four workloads, the sums by build/power.
-POWER_C = $(call object,$(addprefix synth/,power/power.c power/power_engine.c power/gates.c liberty/liberty.c liberty/text.c) c_model/cli/options.c)
+LIBERTY_C = $(wildcard synth/liberty/*.c)
+$(BUILD)/liberty: $(call object,$(LIBERTY_C))
+	@echo "  LINK    $@"
+	@$(CC) $(CFLAGS) $^ -ljansson -o $@
+
+POWER_C = $(call object,$(wildcard synth/power/*.c) $(filter-out %/main.c,$(LIBERTY_C)) c_model/cli/options.c)
 $(BUILD)/power: $(POWER_C) $(LIB)
 	@echo "  LINK    $@"
-	@$(CC) $(CFLAGS) $^ -lm -o $@
+	@$(CC) $(CFLAGS) $^ -ljansson -lm -o $@
 
 # Pairs that collide, pairs in one plane: seeded, those of all the mapped designs.
 $(BUILD)/power-w$(WORD)/colliding.txt: $(SEPAX)
@@ -571,7 +576,7 @@ POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),power-of-this,power-of-paper p
 # The paper's machine is made of the same multipliers as exact.
 power-of-this: $(AREA)/area.json $(BUILD)/power $(if $(filter-out 0,$(LANES)),,$(LOADS)) $(SAMPLES)
 	@echo "  POWER   $(CORE_NAME), $(LIBRARY)"
-	@POWER=$(BUILD)/power synth/power/power -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) -o $(AREA)/power $(AREA) \
+	@POWER=$(BUILD)/power synth/power/run -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) -o $(AREA)/power $(AREA) \
 	  $(WORKLOADS)
 	@echo $(AREA)/power/power.json >> $(BUILD)/power.list
 power-of-ii%:
@@ -584,7 +589,7 @@ power-of-paper:
 power: $(SEPAX)
 	@rm -f $(BUILD)/power.list
 	@$(MAKE) --no-print-directory $(POWERS)
-	@synth/power/power-report -o $(BUILD)/power.json $$(cat $(BUILD)/power.list)
+	@synth/report/power -o $(BUILD)/power.json $$(cat $(BUILD)/power.list)
 
 # Every machine beside the paper's; Nangate45 where it is at hand.
 report: $(SEPAX)
@@ -593,7 +598,7 @@ report: $(SEPAX)
 
 $(AREA)/netlist.vvp: $(AREA)/area.json tb/cosim/$(BENCH).v
 	@echo "  ICARUS  $(CORE_NAME), mapped to $(LIBRARY)"
-	@synth/liberty/cells -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
+	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
 	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(BENCH) -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
 	  tb/cosim/$(BENCH).v
 
@@ -607,7 +612,7 @@ GATES = $(AREA)/cosim
 
 $(GATES): $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(CORE_NAME), mapped to $(LIBRARY)"
-	@synth/liberty/cells -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
+	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
 	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --hierarchical --no-timing \
 	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module sepax_top \
 	  -MAKEFLAGS "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O1" \

@@ -10,7 +10,7 @@
 enum { TERMS = 7 };
 
 /* GE of what each term counts: docs/area-nangate45.csv (Nangate45 typical, 2 ns as timed by
- * synth/area/area) as scripts/experiments/fit-area fits it, with the largest relative error on its
+ * synth/area/map) as scripts/experiments/fit-area fits it, with the largest relative error on its
  * designs. */
 static const double ge_per_term[TERMS] = {4.6195, 8.7755, 1134.1, 35.031, 637.73, 1631.2, 635.7};
 static const int fitted_least = 8; /* bits of a coordinate */

@@ -547,13 +547,13 @@ static void put_in_order(gates *g) {
 
 void gates_read(gates *g, const library *lib, const char *path) {
   text_file = path;
-  char *text = text_read("make one with synth/area/area");
+  char *text = text_read("make one with synth/area/map");
   static reader read;
   reader *r = &read;
   *r = (reader){.p = text};
   while (next_token(r)) {
     if (!is(r, "module")) {
-      text_fail("is not a netlist of synth/area/area, at", r->token);
+      text_fail("is not a netlist of synth/area/map, at", r->token);
     }
     read_module(r);
   }

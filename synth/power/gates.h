@@ -2,7 +2,7 @@
 #ifndef SEPAX_GATES_H
 #define SEPAX_GATES_H
 
-#include "liberty/liberty.h"
+#include "liberty/cells.h"
 
 enum { GATES_LANES = 64 };
 
@@ -44,7 +44,7 @@ typedef struct {
   uint64_t cycles; /* counted */
 } gates;
 
-/* Read a netlist as synth/area/area writes it; exits with status 2 and a message on anything that
+/* Read a netlist as synth/area/map writes it; exits with status 2 and a message on anything that
  * is not understood: an unknown cell, a net with two drivers or none, a loop, a second clock. */
 void gates_read(gates *g, const library *lib, const char *path);
 

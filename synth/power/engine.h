@@ -1,4 +1,4 @@
-/* power_engine.h - an object engine as gates: what stands around it, for a whole run in 64 lanes.
+/* engine.h - an object engine as gates: what stands around it, for a whole run in 64 lanes.
  */
 #ifndef SEPAX_POWER_ENGINE_H
 #define SEPAX_POWER_ENGINE_H

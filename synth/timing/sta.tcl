@@ -1,7 +1,7 @@
-# synth/timing/timing.tcl - what OpenSTA is asked about a mapped netlist, in one corner.
+# synth/timing/sta.tcl - what OpenSTA is asked about a mapped netlist, in one corner.
 #
 # liberty (files), netlist, top, clock (its port), period (ns) are set by who sources it. Prints
-# lines that begin with a word of its own, for synth/timing/timing; the last is "end".
+# lines that begin with a word of its own, for synth/timing/sta; the last is "end".
 
 foreach file $liberty { read_liberty $file }
 set_cmd_units -time ns

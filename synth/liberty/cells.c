@@ -1,5 +1,5 @@
-/* liberty.c - a reader of Liberty files, as far as gates and their power need it. */
-#include "liberty.h"
+/* cells.c - a reader of Liberty files, as far as gates and their power need it. */
+#include "cells.h"
 #include "text.h"
 
 #include <ctype.h>

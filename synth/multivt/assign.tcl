@@ -1,8 +1,8 @@
-# synth/multivt/multivt.tcl - two threshold voltages: which cells of a flat netlist may be slow.
+# synth/multivt/assign.tcl - two threshold voltages: which cells of a flat netlist may be slow.
 #
 # liberty (both files), netlist, swaps (the table of synth/multivt/swaps), top, clock, period, activity
 # are set by who sources it. Prints lines that begin with a word of its own, for
-# synth/multivt/multivt: the cells that stay fast, among others; the last is "end".
+# synth/multivt/assign: the cells that stay fast, among others; the last is "end".
 #
 # Where the fast cells alone are late, nothing is swapped. Else first every cell is a slow one.
 # Then, as long as paths are too slow, cells on them become fast again: on each path as many as

@@ -8,14 +8,14 @@
  * LIBERTY  plain, the library of the netlist
  * PERIOD   of the clock in ns
  * A, B     all pairs of their triangles, quantised; each lane begins elsewhere. An object engine
- *          (--lanes) wants them: one whole run, its memories and buses played (power_engine.h)
+ *          (--lanes) wants them: one whole run, its memories and buses played (engine.h)
  * -c N     cycles counted, after those in which the machine fills (200)
  * -i       idle: after some pairs (an engine: after its run) nothing comes any more; then count
  * -b       an engine: count while its objects come, before the run
  * -g A     no simulation: A transitions a cycle on every net, half the time 1
  * -s F     plant a fault: transitions counted times F
  * -o       energy inside cells as OpenSTA 2.0.17 counts it, to compare with -g
- * -t FILE  transitions a cycle and share of ones, by pin, for OpenSTA (synth/power/power.tcl)
+ * -t FILE  transitions a cycle and share of ones, by pin, for OpenSTA (synth/power/sta.tcl)
  * -e FILE  power by cell: path, type; internal, switching, leakage in W
  *
  * JSON on standard output. Exit status 1: a wrong verdict; 2: it could not be done.
@@ -28,7 +28,7 @@
  * not counted. */
 #include "cli/cli.h"
 #include "gates.h"
-#include "power_engine.h"
+#include "engine.h"
 #include "liberty/text.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"

@@ -1,4 +1,4 @@
-# synth/power/power.tcl - hands transitions to OpenSTA and asks its report_power.
+# synth/power/sta.tcl - hands transitions to OpenSTA and asks its report_power.
 #
 # liberty, netlist, top, clock, period (ns), pins (what build/power -t wrote) are set by who
 # sources it. The last line is "end". set_power_activity -pins of 2.0.17 calls a procedure that

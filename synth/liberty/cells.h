@@ -1,6 +1,6 @@
-/* liberty.h - the cells of a Liberty file that a simulation of gates and its power need. */
-#ifndef SEPAX_LIBERTY_H
-#define SEPAX_LIBERTY_H
+/* cells.h - the cells of a Liberty file that a simulation of gates and its power need. */
+#ifndef SEPAX_CELLS_H
+#define SEPAX_CELLS_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-# What synth/area/area found, from the names of the modules ($names, of synth/area/names.jq), the
+# What synth/area/map found, from the names of the modules ($names, of synth/area/names.jq), the
 # number of cells in each as mapped ($count), the library ($cells), the design ($design)
 # and its timing ($timing).
 

@@ -1,5 +1,5 @@
-/* power_engine.c - see power_engine.h. */
-#include "power_engine.h"
+/* engine.c - see engine.h. */
+#include "engine.h"
 #include "engine/engine.h"
 #include "liberty/text.h"
 #include "sepax_design.h"
