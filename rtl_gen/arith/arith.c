@@ -1,29 +1,8 @@
-/* arith.c - multipliers planned: rows, full adders, ranks; and the delays behind that. */
+/* arith.c - multipliers planned: rows, full adders, ranks. */
 #include "arith.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Of a full adder, from its first two inputs and from the third, which may be late. */
-static const double sum_delay = 0.135;
-static const double late_sum_delay = 0.085;
-static const double carry_delay = 0.095;
-
-/* Low columns are ready early, which helps the last addition, but not behind a rank. */
-static const double skew_lost = 0.07;
-
-double delay_register(void) { return 0.20; }
-
-double delay_row(int width) { return 0.17 + 0.03 * log2(width); }
-
-double delay_compressor(void) { return sum_delay; }
-
-double delay_adder(int width) { return 0.10 + 0.055 * log2(width) + 0.0012 * width; }
-
-double delay_test(int width) { return 0.05 + 0.04 * log2(width); }
-
-double delay_mux(int inputs) { return inputs > 1 ? 0.08 + 0.04 * log2(inputs) : 0; }
 
 /* ------------------------------------------------------------------------ planning */
 
@@ -90,7 +69,8 @@ static void plan_rows(arith_plan *p, column *columns, bool one[ARITH_WIDTH], dou
     if (arith_row_whole(p, row)) {
       weight[2 * row + bits - 1]++;
     }
-    put(&columns[2 * row], add_bit(p, ARITH_NEGATIVE, row, 0, 0, time - 0.1));
+    put(&columns[2 * row],
+        add_bit(p, ARITH_NEGATIVE, row, 0, 0, time - delay_used->early_correction));
   }
   int borrow = 0;
   for (int c = 0; c < p->p_w; c++) {
@@ -148,21 +128,21 @@ static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, d
   }
   int stage[3];
   double time[3];
-  settle(p, a->input, 2, sum_delay, room, &stage[0], &time[0]);
-  settle(p, a->input, 2, carry_delay, room, &stage[1], &time[1]);
+  settle(p, a->input, 2, delay_used->sum, room, &stage[0], &time[0]);
+  settle(p, a->input, 2, delay_used->carry, room, &stage[1], &time[1]);
   double sum = time[0];
   double carry = time[1];
   a->stage = stage[0];
   if (inputs == 3) {
-    settle(p, a->input + 2, 1, late_sum_delay, room, &stage[2], &time[2]);
+    settle(p, a->input + 2, 1, delay_used->late_sum, room, &stage[2], &time[2]);
     if (stage[2] > a->stage) {
       a->stage = stage[2];
-      sum = carry = time[2] > carry_delay ? time[2] : carry_delay;
+      sum = carry = time[2] > delay_used->carry ? time[2] : delay_used->carry;
     } else if (stage[2] == a->stage && time[2] > sum) {
       sum = time[2];
     }
-    if (stage[2] == a->stage && time[2] + carry_delay - late_sum_delay > carry) {
-      carry = time[2] + carry_delay - late_sum_delay;
+    if (stage[2] == a->stage && time[2] + delay_used->carry - delay_used->late_sum > carry) {
+      carry = time[2] + delay_used->carry - delay_used->late_sum;
     }
   }
   if (stage[1] < a->stage && carry > sum) {
@@ -229,7 +209,7 @@ static void plan_in(arith_plan *p, const arith_form *form, double room) {
     }
   }
   free(columns);
-  double skew = stage > 0 ? skew_lost : 0;
+  double skew = stage > 0 ? delay_used->skew_lost : 0;
   p->ranks = time + delay_adder(p_w) + skew > room ? stage + 1 : stage;
   for (int c = 0; c < p_w; c++) {
     for (int i = 0; i < 2; i++) {
@@ -271,7 +251,7 @@ bool arith_same(const arith_plan *plan, const arith_plan *other) {
 }
 
 double arith_shortest(const arith_form *form) {
-  double row = delay_row(form->a_w) + sum_delay;
+  double row = delay_row(form->a_w) + delay_used->sum;
   if (form->digits == 0) {
     row += delay_adder(form->b_w + 1);
   }

@@ -1,18 +1,9 @@
-/* arith.h - arithmetic of architecture exact: multipliers, and the delays by which they are
- * pipelined. */
+/* arith.h - arithmetic of architecture exact: multipliers, pipelined by the delay model. */
 #ifndef SEPAX_ARITH_H
 #define SEPAX_ARITH_H
 
+#include "datapath/delay.h"
 #include "emit/gen.h"
-
-/* Delays in nanoseconds of mapped and sized logic, Nangate45 typical (docs/exact.md tells how
- * far they are right). */
-double delay_register(void);   /* clock to output and setup together */
-double delay_row(int width);   /* a digit, its fan-out over a row, and selection */
-double delay_compressor(void); /* one 3:2 compressor on whole words */
-double delay_adder(int width); /* carry-propagate addition */
-double delay_test(int width);  /* width bits are zero */
-double delay_mux(int inputs);  /* one of several sources, by cycle of the frame */
 
 /* A multiplier modulo 2^p_w. b is cut into radix-4 digits; each but the highest counts for one
  * less than it says, so that it is -1, 0, 1 or 2 and its row needs no multiple of a

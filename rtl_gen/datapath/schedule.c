@@ -1,5 +1,7 @@
 /* schedule.c - lines and holds behind the outputs of shared units. */
 #include "schedule.h"
+
+#include "delay.h"
 #include "sepax_design.h"
 
 #include <string.h>
@@ -36,7 +38,6 @@ static int holds(const schedule *s, const schedule_stream *t, int slot, int line
 }
 
 void schedule_store(schedule *s) {
-  enum { FLIP_FLOP = 17, ENABLED = 24 }; /* thirds of a gate per bit */
   for (int i = 0; i < s->streams; i++) {
     schedule_stream *t = &s->stream[i];
     int longest = 0;
@@ -45,9 +46,9 @@ void schedule_store(schedule *s) {
     }
     int least = 0;
     for (int line = 0; line <= longest; line++) {
-      int cost = line * FLIP_FLOP;
+      int cost = line * delay_used->flip_flop;
       for (int k = 0; k < s->ii; k++) {
-        cost += holds(s, t, k, line) * ENABLED;
+        cost += holds(s, t, k, line) * delay_used->enabled_flip_flop;
       }
       if (line == 0 || cost < least) {
         least = cost;
