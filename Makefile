@@ -65,6 +65,8 @@ UNIT    = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c))
 SEPAX   = $(BUILD)/sepax
 LIB     = $(BUILD)/libsepax.a
 object  = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
+TEMPLATES    = $(wildcard rtl_gen/*/*.v)
+TEMPLATE_OBJ = $(BUILD)/obj/templates.o
 
 # Choices of one architecture go to it; those of another only when someone made them, so
 # that the program refuses them.
@@ -237,11 +239,18 @@ $(BUILD)/libsepax.so.0: c_model/libsepax.map $(call object,$(LIB_SRC))
 	@$(CC) $(CFLAGS) -shared -Wl,-soname,libsepax.so.0 -Wl,-Bsymbolic-functions \
 	  -Wl,--version-script=$< $(filter %.o,$^) -lm -pthread -o $@
 
-$(SEPAX): $(call object,$(CLI_SRC)) $(LIB)
+# The Verilog templates as C strings.
+$(BUILD)/obj/templates.c: scripts/embed $(TEMPLATES) $(wildcard rtl_gen/*)
+	@mkdir -p $(@D)
+	@scripts/embed $(TEMPLATES) > $@
+$(TEMPLATE_OBJ): $(BUILD)/obj/templates.c
+	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
+
+$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(LIB)
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) $^ -ljansson -lm -pthread -o $@
 
-GEN_OBJ = $(call object,$(wildcard rtl_gen/*/*.c))
+GEN_OBJ = $(call object,$(wildcard rtl_gen/*/*.c)) $(TEMPLATE_OBJ)
 
 $(BUILD)/unit/%: $(call object,tb/unit/%.c $(addprefix tb/oracle/,oracle.c mesh_tools.c pair_tools.c \
                  distance.c real_pairs.c clear_rules.c)) \

@@ -1,54 +1,10 @@
 /* emit.c - building and printing modules; check.c judges them. */
 #include "emit.h"
-#include "sepax_design.h"
+#include "check.h"
 
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-void emit_init(emitter *e, const sepax_design *design, const char *command) {
-  *e = (emitter){.design = design};
-  snprintf(e->command, sizeof e->command, "%s", command);
-}
-
-static void free_module(emit_module *m) {
-  if (m->text != NULL) {
-    fclose(m->text);
-  }
-  for (int i = 0; i < m->symbols; i++) {
-    free(m->symbol[i].about);
-  }
-  for (int i = 0; i < m->instances; i++) {
-    free(m->instance[i].parameters);
-    free(m->instance[i].connections);
-  }
-  free(m->body);
-  free(m->banner);
-  free(m);
-}
-
-void emit_free(emitter *e) {
-  for (int i = 0; i < e->modules; i++) {
-    free_module(e->module[i]);
-  }
-  for (int i = 0; i < e->variants; i++) {
-    free(e->variant[i]);
-  }
-  e->modules = 0;
-  e->variants = 0;
-}
-
-bool emit_refuse(const emit_module *m, const char *format, ...) {
-  sepax_error *error = &m->emitter->error;
-  if (error->text[0] == '\0') {
-    int used = snprintf(error->text, sizeof error->text, "generator refuses %s: ", m->name);
-    va_list args;
-    va_start(args, format);
-    vsnprintf(error->text + used, sizeof error->text - (size_t)used, format, args);
-    va_end(args);
-  }
-  return false;
-}
 
 static char *copy_text(const char *text) {
   char *copy = strdup(text);
@@ -69,79 +25,26 @@ static char *format_text(const char *format, va_list args) {
 }
 
 emit_module *emit_begin(emitter *e, const char *name, const char *banner) {
-  emit_module *m = calloc(1, sizeof *m);
-  if (m == NULL) {
-    abort();
-  }
-  m->emitter = e;
-  snprintf(m->name, sizeof m->name, "%s", name);
-  m->banner = copy_text(banner);
-  m->text = open_memstream(&m->body, &m->body_size);
-  if (m->text == NULL) {
-    abort();
-  }
-  for (int i = 0; i < e->modules; i++) {
-    if (strcmp(e->module[i]->name, name) == 0) {
-      emit_refuse(m, "module is emitted twice");
-    }
-  }
-  if (e->modules == EMIT_MODULES) {
-    emit_refuse(m, "more than %d modules", EMIT_MODULES);
-    e->modules--;
-    free_module(e->module[e->modules]);
-  }
-  e->module[e->modules++] = m;
-  return m;
+  return emit_new_module(e, name, banner);
 }
 
 bool emit_end(emit_module *m) {
   fflush(m->text);
-  return m->emitter->error.text[0] == '\0' && emit_check(m, NULL, 0);
-}
-
-const emit_module *emit_find(emitter *e, const char *name) {
-  for (int i = 0; i < e->modules; i++) {
-    if (strcmp(e->module[i]->name, name) == 0) {
-      return e->module[i];
-    }
-  }
-  return NULL;
-}
-
-static emit_symbol *declare(emit_module *m, emit_kind kind, const char *name) {
-  for (int i = 0; i < m->symbols; i++) {
-    if (strcmp(m->symbol[i].name, name) == 0) {
-      emit_refuse(m, "'%s' is declared twice", name);
-      return NULL;
-    }
-  }
-  if (m->symbols == EMIT_SYMBOLS || strlen(name) >= EMIT_NAME) {
-    emit_refuse(m, "no room for the name '%s'", name);
-    return NULL;
-  }
-  emit_symbol *s = &m->symbol[m->symbols++];
-  s->kind = kind;
-  snprintf(s->name, sizeof s->name, "%s", name);
-  return s;
-}
-
-static size_t body_position(emit_module *m) {
-  fflush(m->text);
-  return m->body_size;
+  return m->emitter->error.text[0] == '\0' && emit_check(m);
 }
 
 void emit_parameter(emit_module *m, emit_kind kind, const char *name, int value,
                     const char *about) {
-  emit_symbol *s = declare(m, kind, name);
-  if (s == NULL) {
+  if (kind == EMIT_LOCALPARAM) {
+    fprintf(m->text, "  localparam %s = %d; // %s\n", name, value, about);
     return;
   }
-  s->value = value;
-  s->about = copy_text(about);
-  if (kind == EMIT_LOCALPARAM) {
-    s->begin = body_position(m);
-    fprintf(m->text, "  localparam %s = %d; // %s\n", name, value, about);
-    s->end = body_position(m);
+  emit_symbol *s = emit_declare(m, kind, name);
+  if (s != NULL) {
+    char text[16];
+    snprintf(text, sizeof text, "%d", value);
+    s->value = copy_text(text);
+    s->about = copy_text(about);
   }
 }
 
@@ -160,25 +63,26 @@ static void print_range(FILE *out, const char *width) {
 
 void emit_signal(emit_module *m, emit_kind kind, bool is_signed, const char *name,
                  const char *width, const char *about, ...) {
-  emit_symbol *s = declare(m, kind, name);
-  if (s == NULL) {
-    return;
-  }
   va_list args;
   va_start(args, about);
-  s->about = format_text(about, args);
+  char *comment = format_text(about, args);
   va_end(args);
-  s->is_signed = is_signed;
-  snprintf(s->width, sizeof s->width, "%s", width);
   if (kind == EMIT_WIRE || kind == EMIT_REG) {
-    s->begin = body_position(m);
     fprintf(m->text, "  %s %s", kind == EMIT_WIRE ? "wire" : "reg", is_signed ? "signed " : "");
     print_range(m->text, width);
-    fprintf(m->text, "%s;%s%s\n", name, s->about[0] != '\0' ? " // " : "", s->about);
-    s->end = body_position(m);
-  } else if (s->about[0] == '\0') {
-    emit_refuse(m, "port '%s' has no description", name);
+    fprintf(m->text, "%s;%s%s\n", name, comment[0] != '\0' ? " // " : "", comment);
+  } else {
+    emit_symbol *s = emit_declare(m, kind, name);
+    if (s != NULL) {
+      s->is_signed = is_signed;
+      s->width = copy_text(width);
+      s->about = copy_text(comment);
+    }
+    if (comment[0] == '\0') {
+      emit_refuse(m, "port '%s' has no description", name);
+    }
   }
+  free(comment);
 }
 
 void emit_net(emit_module *m, emit_kind kind, bool is_signed, const char *name, const char *width) {
@@ -187,18 +91,9 @@ void emit_net(emit_module *m, emit_kind kind, bool is_signed, const char *name, 
 
 void emit_memory(emit_module *m, const char *name, const char *width, const char *address,
                  const char *about) {
-  emit_symbol *s = declare(m, EMIT_REG, name);
-  if (s == NULL) {
-    return;
-  }
-  s->about = copy_text(about);
-  snprintf(s->width, sizeof s->width, "%s", width);
-  snprintf(s->address, sizeof s->address, "%s", address);
-  s->begin = body_position(m);
   fputs("  reg ", m->text);
   print_range(m->text, width);
   fprintf(m->text, "%s [0:(1<<%s)-1]; // %s\n", name, address, about);
-  s->end = body_position(m);
 }
 
 void emit_blank(emit_module *m) { fputc('\n', m->text); }
@@ -239,25 +134,10 @@ static void print_bindings(FILE *out, const char *bindings, const char *indent) 
 
 void emit_instance(emit_module *m, const char *module, const char *name, const char *parameters,
                    const char *connections, ...) {
-  emit_symbol *s = declare(m, EMIT_LABEL, name);
-  const emit_module *child = emit_find(m->emitter, module);
-  if (child == NULL) {
-    emit_refuse(m, "instance '%s' of a module '%s' that is not emitted yet", name, module);
-    return;
-  }
-  if (s == NULL || m->instances == EMIT_INSTANCES) {
-    emit_refuse(m, "no room for the instance '%s'", name);
-    return;
-  }
-  emit_instance_record *record = &m->instance[m->instances++];
-  record->module = child;
-  snprintf(record->name, sizeof record->name, "%s", name);
-  record->parameters = copy_text(parameters);
   va_list args;
   va_start(args, connections);
-  record->connections = format_text(connections, args);
+  char *text = format_text(connections, args);
   va_end(args);
-  s->begin = record->begin = body_position(m);
   fprintf(m->text, "  %s ", module);
   if (parameters[0] != '\0') {
     fprintf(m->text, "#(");
@@ -265,9 +145,9 @@ void emit_instance(emit_module *m, const char *module, const char *name, const c
     fprintf(m->text, " ) ");
   }
   fprintf(m->text, "%s (", name);
-  print_bindings(m->text, record->connections, "\n    ");
+  print_bindings(m->text, text, "\n    ");
   fprintf(m->text, "\n  );\n");
-  s->end = record->end = body_position(m);
+  free(text);
 }
 
 /* ------------------------------------------------------------------ printing */
@@ -281,40 +161,39 @@ static void print_comment(FILE *out, const char *text) {
 }
 
 /* The declaration of a parameter or port, in aligned columns, without its comma. */
-static void describe(const emit_symbol *s, char *text, size_t size) {
+static char *describe(const emit_symbol *s) {
   static const char *const direction[] = {[EMIT_INPUT] = "input  wire",
                                           [EMIT_OUTPUT] = "output wire",
                                           [EMIT_OUTPUT_REG] = "output reg "};
-  if (s->kind == EMIT_PARAMETER) {
-    snprintf(text, size, "parameter %s = %d", s->name, s->value);
-    return;
-  }
-  char range[2 * EMIT_NAME] = "";
-  FILE *out = fmemopen(range, sizeof range, "w");
+  char *text = NULL;
+  size_t size = 0;
+  FILE *out = open_memstream(&text, &size);
   if (out == NULL) {
     abort();
   }
-  print_range(out, s->width);
+  if (s->kind == EMIT_PARAMETER) {
+    fprintf(out, "parameter %s = %s", s->name, s->value);
+  } else {
+    fprintf(out, "%s %-6s ", direction[s->kind], s->is_signed ? "signed" : "");
+    long before = ftell(out);
+    print_range(out, s->width);
+    int used = (int)(ftell(out) - before);
+    fprintf(out, "%*s%s", used < 13 ? 13 - used : 0, "", s->name);
+  }
   fclose(out);
-  snprintf(text, size, "%s %-6s %-13s%s", direction[s->kind], s->is_signed ? "signed" : "", range,
-           s->name);
-}
-
-static bool in_header(const emit_symbol *s, bool parameters) {
-  return parameters ? s->kind == EMIT_PARAMETER
-                    : s->kind == EMIT_INPUT || s->kind == EMIT_OUTPUT || s->kind == EMIT_OUTPUT_REG;
+  return text;
 }
 
 /* Parameters or ports in parentheses, one a line with its comment. */
 static void print_list(const emit_module *m, bool parameters, FILE *out) {
-  char text[4 * EMIT_NAME];
   size_t longest = 0;
   int left = 0;
   for (int i = 0; i < m->symbols; i++) {
-    if (in_header(&m->symbol[i], parameters)) {
-      describe(&m->symbol[i], text, sizeof text);
+    if (emit_is_port(&m->symbol[i]) != parameters) {
+      char *text = describe(&m->symbol[i]);
       longest = strlen(text) > longest ? strlen(text) : longest;
       left++;
+      free(text);
     }
   }
   if (left == 0) {
@@ -322,11 +201,12 @@ static void print_list(const emit_module *m, bool parameters, FILE *out) {
   }
   fprintf(out, parameters ? " #(\n" : " (\n");
   for (int i = 0; i < m->symbols; i++) {
-    if (in_header(&m->symbol[i], parameters)) {
+    if (emit_is_port(&m->symbol[i]) != parameters) {
       left--;
-      describe(&m->symbol[i], text, sizeof text);
-      strcat(text, left > 0 ? "," : "");
-      fprintf(out, "  %-*s // %s\n", (int)longest + 1, text, m->symbol[i].about);
+      char *text = describe(&m->symbol[i]);
+      fprintf(out, "  %s%-*s // %s\n", text, (int)(longest + 1 - strlen(text)), left > 0 ? "," : "",
+              m->symbol[i].about);
+      free(text);
     }
   }
   fprintf(out, ")");
@@ -337,8 +217,14 @@ void emit_print(const emit_module *m, FILE *out) {
   print_comment(out, m->banner);
   fprintf(out, "//\n// Generated by sepax %s; do not edit. Made by:\n//   %s\n\n", SEPAX_VERSION,
           m->emitter->command);
-  fprintf(out, "`default_nettype none\n\nmodule %s", m->name);
-  print_list(m, true, out);
-  print_list(m, false, out);
-  fprintf(out, ";\n\n%.*s\nendmodule\n\n`default_nettype wire\n", (int)m->body_size, m->body);
+  fprintf(out, "`default_nettype none\n\n");
+  if (m->header != NULL) {
+    fputs(m->header, out);
+  } else {
+    fprintf(out, "module %s", m->name);
+    print_list(m, true, out);
+    print_list(m, false, out);
+    fprintf(out, ";\n\n");
+  }
+  fprintf(out, "%.*s\nendmodule\n\n`default_nettype wire\n", (int)m->body_size, m->body);
 }

@@ -1,86 +1,23 @@
 /* emit.h - a small strict emitter of Verilog-2005 modules.
  *
- * A module is built from parameters, ports, signals, literal text and instances,
- * and is checked before a byte of it is written. The emitter refuses
+ * A module is built from parameters, ports, signals, literal text and instances, or is a
+ * template (template.h), and is checked before a byte of it is written. The emitter refuses
  *   - a name declared twice, a name used before it is declared,
  *   - an operator or an assignment whose sides differ in width (no implicit
- *     extension or truncation), a select outside a signal's range,
+ *     extension or truncation, no constant without a size), a select outside a signal's range,
+ *   - an assignment to an input, to a wire in an always block, to a reg outside of one,
  *   - an instance with an unknown, missing or mis-sized port or parameter,
  *   - a module used but not emitted, and any statement it does not understand.
- * Widths may be expressions of parameters; they are checked for the values of
- * every instance.
+ * It elaborates: widths may be expressions of parameters and are checked for the values of every
+ * instance; generate and for loops run; what a constant condition excludes is read for its
+ * syntax only. Indices that are not constant have exactly the bits that number the elements;
+ * an integer or genvar i in an expression gets its size by a select, i[3:0].
  *
  * The first refusal is kept in the emitter's error; later calls do nothing. */
 #ifndef SEPAX_EMIT_H
 #define SEPAX_EMIT_H
 
-#include "sepax_design.h"
-
-enum {
-  EMIT_MODULES = 64,
-  EMIT_SYMBOLS = 4096,
-  EMIT_INSTANCES = 512,
-  EMIT_NAME = 48,
-  EMIT_VARIANTS = 256,
-  EMIT_PORTS = 128
-};
-
-typedef enum {
-  EMIT_PARAMETER,
-  EMIT_LOCALPARAM,
-  EMIT_INPUT,
-  EMIT_OUTPUT,
-  EMIT_OUTPUT_REG,
-  EMIT_WIRE,
-  EMIT_REG,
-  EMIT_LABEL
-} emit_kind;
-
-typedef struct {
-  emit_kind kind;
-  char name[EMIT_NAME];
-  char width[EMIT_NAME];   /* expression of parameters; "" for one bit */
-  char address[EMIT_NAME]; /* of a memory: bits of its address, likewise; "" for a signal */
-  bool is_signed;
-  int value; /* of a parameter */
-  char *about;
-  size_t begin, end; /* its declaration in the body; 0, 0 for the header's */
-} emit_symbol;
-
-typedef struct emit_module emit_module;
-
-typedef struct {
-  const emit_module *module;
-  char name[EMIT_NAME];
-  char *parameters, *connections;
-  size_t begin, end; /* its text in the body */
-} emit_instance_record;
-
-struct emit_module {
-  struct emitter *emitter;
-  char name[EMIT_NAME];
-  char *banner;
-  emit_symbol symbol[EMIT_SYMBOLS];
-  int symbols;
-  emit_instance_record instance[EMIT_INSTANCES];
-  int instances;
-  char *body; /* all that stands between the header and endmodule */
-  size_t body_size;
-  FILE *text; /* writes body */
-};
-
-typedef struct emitter {
-  const sepax_design *design;
-  char command[512]; /* printed in every banner */
-  emit_module *module[EMIT_MODULES];
-  int modules;
-  char *variant[EMIT_VARIANTS]; /* modules with parameter values that passed the check */
-  int variants;
-  sepax_error error;
-} emitter;
-
-void emit_init(emitter *e, const sepax_design *design, const char *command);
-void emit_free(emitter *e);
+#include "module.h"
 
 /* Begin a module. The banner says purpose, formula and latency, one or more lines;
  * emitter and ports add the rest. */
@@ -88,9 +25,6 @@ emit_module *emit_begin(emitter *e, const char *name, const char *banner);
 
 /* Check the module; false and e->error set if it is refused. */
 bool emit_end(emit_module *m);
-
-/* A module emitted before, by name; refuses an unknown one. */
-const emit_module *emit_find(emitter *e, const char *name);
 
 /* The default value of a parameter and what it counts. */
 void emit_parameter(emit_module *m, emit_kind kind, const char *name, int value, const char *about);
@@ -125,24 +59,5 @@ void emit_instance(emit_module *m, const char *module, const char *name, const c
 
 /* Print one checked module. */
 void emit_print(const emit_module *m, FILE *out);
-
-/* ------------------------------------------------------- check.c, for emit.c */
-
-typedef struct {
-  char name[EMIT_NAME];
-  int value;
-} emit_binding;
-
-/* The value of a constant expression of a module's parameters, some of which may
- * be overridden; refuses (returns false) what it cannot evaluate. */
-bool emit_constant(const emit_module *m, const emit_binding *overrides, int count,
-                   const char *expression, int *value);
-
-/* Check a whole module with some parameters overridden. */
-bool emit_check(const emit_module *m, const emit_binding *overrides, int count);
-
-/* Keep a refusal, unless there is one already; always returns false. */
-bool emit_refuse(const emit_module *m, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -1,4 +1,5 @@
 /* output.c - writing a generated design into a folder. */
+#include "check.h"
 #include "engine/engine.h"
 #include "util/error.h"
 #include "sepax_design.h"
@@ -11,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FILES = EMIT_MODULES + 6, PATH_ROOM = 8192 };
+enum { FILES = 128, PATH_ROOM = 32768 };
 
 typedef struct {
   char name[EMIT_NAME + 8];
@@ -43,15 +44,11 @@ static json_t *describe_ports(const emit_module *top) {
   json_t *list = json_array();
   for (int i = 0; i < top->symbols; i++) {
     const emit_symbol *s = &top->symbol[i];
-    if (s->kind == EMIT_INPUT || s->kind == EMIT_OUTPUT || s->kind == EMIT_OUTPUT_REG) {
-      int width = 1;
-      if (s->width[0] != '\0') {
-        emit_constant(top, NULL, 0, s->width, &width);
-      }
-      json_array_append_new(list,
-                            json_pack("{s:s, s:s, s:i, s:b, s:s}", "name", s->name, "direction",
-                                      s->kind == EMIT_INPUT ? "input" : "output", "width", width,
-                                      "signed", s->is_signed, "about", s->about));
+    if (emit_is_port(s)) {
+      json_array_append_new(list, json_pack("{s:s, s:s, s:i, s:b, s:s}", "name", s->name,
+                                            "direction", s->kind == EMIT_INPUT ? "input" : "output",
+                                            "width", emit_port_width(top, s), "signed",
+                                            s->is_signed, "about", s->about));
     }
   }
   return list;

@@ -1,0 +1,75 @@
+/* template.h - modules that are Verilog files with named holes.
+ *
+ * A file rtl_gen/ROOM/sepax_NAME.v looks like the module that it makes and is compiled into the
+ * program. It is a comment (the banner: purpose, formula, latency), then one module whose
+ * parameters and ports stand one on a line, each with a comment behind it:
+ *
+ *     // A ring of DEPTH words: what was pushed first is popped first.
+ *     // Latency 1.
+ *     module sepax_fifo #(
+ *       parameter WIDTH = @width@, // bits of a word
+ *       parameter DEPTH = 4        // words, a power of 2
+ *     ) (
+ *       input  wire             clk,  // clock
+ *       input  wire             push, // append in
+ *       input  wire [WIDTH-1:0] in,   // the word
+ *     //@ if level
+ *       output wire [7:0]       used, // words that are stored, 0 ... DEPTH
+ *     //@ end
+ *       output wire [WIDTH-1:0] out   // the oldest word
+ *     );
+ *       ...
+ *     endmodule
+ *
+ * @name@ is a hole: the text that the caller gives takes its place. The lines between
+ * "//@ if name" and "//@ else" or "//@ end" stay if the hole's text is neither empty nor "0";
+ * "//@ if !name" negates. They nest, and stand alone on their lines. Holes may stand anywhere, in
+ * the banner and in the module's name, too. A hole without a text, a text without a hole,
+ * and a line of more than 100 columns are refused.
+ *
+ * What is left is checked as every module is (emit.h) and can be instantiated from then on, by
+ * emit_instance and by other templates. The reader understands: parameter, localparam (with a range
+ * or without), input, output [reg], wire, reg, memories reg [W-1:0] x [0:N-1], wire arrays,
+ * integer, genvar; assign; always @(posedge clk), always @(*) with begin/end, if/else,
+ * case/casez, for; generate if/for with labels; function with its arguments in parentheses;
+ * instances with named ports and parameters; part selects [i*W +: W]; {N{x}}; $signed, $unsigned,
+ * $clog2; `ifdef, where both branches are checked; behind `ifdef FORMAL also initial, assert,
+ * assume, cover, $past, $stable. Ranges end at 0, [msb:0].
+ *
+ * A module refuses parameters that it cannot serve by a generate block that instantiates a module
+ * which does not exist and whose name is the fault:
+ *
+ *     generate
+ *       if (DEPTH < 2) begin : check
+ *         sepax_fifo_DEPTH_must_be_2_or_more fault ();
+ *       end
+ *     endgenerate
+ *
+ * The call, before the first instance:
+ *
+ *     emit_template(e, "sepax_fifo", (emit_hole[]){{"width", text.text}, {"level", "1"}, {NULL}});
+ *
+ * `name` is the file's name without ".v"; the module's is what the text says. */
+#ifndef SEPAX_EMIT_TEMPLATE_H
+#define SEPAX_EMIT_TEMPLATE_H
+
+#include "module.h"
+
+typedef struct {
+  const char *name, *text;
+} emit_hole;
+
+/* Emit and check a module made of a template; false with e->error set if it is refused. `holes`
+ * ends with {NULL}; NULL: there are none. */
+bool emit_template(emitter *e, const char *name, const emit_hole *holes);
+
+/* The same with the template's text itself. */
+bool emit_template_text(emitter *e, const char *name, const char *text, const emit_hole *holes);
+
+/* All files, made by scripts/embed; the last has no name. */
+typedef struct {
+  const char *name, *text;
+} emit_template_file;
+extern const emit_template_file emit_templates[];
+
+#endif

@@ -1,0 +1,245 @@
+/* template.c - what the Verilog templates may say, and what of it is refused. */
+#include "emit/emit.h"
+#include "emit/template.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static const char head[] = "// A module.\n"
+                           "module @name@ #(\n"
+                           "  parameter W = 8, // bits\n"
+                           "  parameter N = 3  // words, 1 ...\n"
+                           ") (\n"
+                           "  input  wire           clk, // clock\n"
+                           "  input  wire           en,  // take it\n"
+                           "  input  wire [1:0]     sel, // which\n"
+                           "  input  wire [W-1:0]   a,   // a word\n"
+                           "  input  wire [N*W-1:0] all, // words\n"
+                           "//@ if wide\n"
+                           "  input  wire [W:0]     more, // a word more\n"
+                           "//@ end\n"
+                           "  output wire [W-1:0]   y,   // a word\n"
+                           "  output reg  [N*W-1:0] q    // words\n"
+                           ");\n";
+
+static const emit_hole no_holes[] = {{"name", "small"}, {"wide", ""}, {NULL, NULL}};
+
+/* Emit head and body and compare the refusal; NULL: none. */
+static void expect_with(const emit_hole *holes, const char *begin, const char *body,
+                        const char *refusal) {
+  emitter e;
+  char text[4096];
+  emit_init(&e, NULL, "test");
+  snprintf(text, sizeof text, "%s%s\nendmodule\n", begin, body);
+  bool ok = emit_template_text(&e, "small", text, holes);
+  if (ok != (refusal == NULL)) {
+    fail_msg("'%s': %s", body, ok ? "accepted" : e.error.text);
+  }
+  if (refusal != NULL && strstr(e.error.text, refusal) == NULL) {
+    fail_msg("'%s': '%s' does not say '%s'", body, e.error.text, refusal);
+  }
+  emit_free(&e);
+}
+
+static void expect(const char *body, const char *refusal) {
+  expect_with(no_holes, head, body, refusal);
+}
+
+static void test_declarations(void **state) {
+  (void)state;
+  expect("  localparam S = 2 * W;\n  wire [S-1:0] d = {a, a};\n  assign y = d[W +: W];", NULL);
+  expect("  localparam [3:0] LIMIT = N;\n  wire f = a[3:0] == LIMIT;", NULL);
+  expect("  localparam [0:0] LIMIT = N;", "exceeds the size of 'LIMIT'");
+  expect("  wire [W-1:0] d = all;", "8 bits against 24");
+  expect("  wire [0:3] d;", "does not end at 0");
+  expect("  wire a;", "'a' is declared twice");
+  expect("  assign y = n;\n  wire [W-1:0] n;", "undeclared signal 'n'");
+  expect("  wire f = a == 2'd4;", "exceeds its size");
+  expect("  wire [W-1:0] p, m;\n  assign {p, m} = {a, a};", NULL);
+  expect("  assign q = all;", "no wire: 'q'");
+  expect("  always @(posedge clk) begin\n    y <= a;\n  end", "a wire is assigned in an always");
+}
+
+static void test_memories(void **state) {
+  (void)state;
+  expect("  reg [W-1:0] word_q [0:N-1];\n"
+         "  assign y = word_q[sel];\n"
+         "  always @(posedge clk) begin\n    word_q[sel] <= a;\n  end",
+         NULL);
+  expect("  reg [W-1:0] word_q [0:N-1];\n  assign y = word_q[en];", "index: 1 bits against 2");
+  expect("  reg [W-1:0] word_q [0:N-1];\n  assign y = word_q[3];", "select outside of 'word_q'");
+  expect("  reg [W-1:0] word_q [0:N-1];\n  wire b = word_q[2][7];", NULL);
+  expect("  reg [W-1:0] word_q [0:N-1];\n  wire b = word_q[2][8];", "select outside of 'word_q'");
+}
+
+static void test_loops(void **state) {
+  (void)state;
+  static const char loop[] = "  integer i;\n"
+                             "  always @(posedge clk) begin\n"
+                             "    for (i = %d; i < N; i = i + 1) begin\n"
+                             "      if (en && sel == i[1:0]) begin\n"
+                             "        q[i*W +: %s] <= a;\n"
+                             "      end\n"
+                             "    end\n"
+                             "  end";
+  char text[1024];
+  snprintf(text, sizeof text, loop, 0, "W");
+  expect(text, NULL);
+  snprintf(text, sizeof text, loop, -1, "W");
+  expect(text, "select outside of 'q'");
+  snprintf(text, sizeof text, loop, 0, "W-1");
+  expect(text, "7 bits against 8");
+  expect("  genvar k;\n"
+         "  generate\n"
+         "    for (k = 0; k < N; k = k + 1) begin : each\n"
+         "      wire [W-1:0] mine;\n"
+         "      assign mine = all[k*W +: W];\n"
+         "      if (k == N - 1) begin : last\n"
+         "        assign y = mine;\n"
+         "      end else begin : other\n"
+         "        wire [W-1:0] next;\n"
+         "        assign next = all[(k+1)*W +: W] ^ mine;\n"
+         "      end\n"
+         "    end\n"
+         "  endgenerate",
+         NULL);
+  expect("  genvar k;\n  generate\n    for (k = 0; k < N; k = k + 1) begin : each\n"
+         "      wire [W-1:0] next = all[(k+1)*W +: W];\n    end\n  endgenerate",
+         "select outside of 'all'");
+  expect("  genvar k;\n  generate\n    for (k = 0; k < N; k = k) begin : each\n"
+         "      wire mine;\n    end\n  endgenerate",
+         "a loop without an end");
+  expect("  integer i;\n  wire f = a == i;", "without a size");
+}
+
+static void test_statements(void **state) {
+  (void)state;
+  expect("  always @(posedge clk) begin\n"
+         "    case (sel)\n"
+         "      2'd0, 2'd1: q[W-1:0] <= a;\n"
+         "      default: q <= all;\n"
+         "    endcase\n"
+         "  end",
+         NULL);
+  expect("  always @(posedge clk) begin\n    casez ({en, sel})\n      3'b1??: q <= all;\n"
+         "      default: q <= {N{a}};\n    endcase\n  end",
+         NULL);
+  expect("  always @(posedge clk) begin\n    case (sel)\n      3'd0: q <= all;\n    endcase\n  end",
+         "case: 2 bits against 3");
+  expect("  always @(*) begin\n    q = all;\n  end", NULL);
+  expect("  always @(*) begin\n    q <= all;\n  end", "<= in a combinational block");
+  expect("  always @(posedge clk) begin\n    q = all;\n  end", "expected '<='");
+  expect("  function [W-1:0] twice(input [W-1:0] x, input f);\n"
+         "    twice = f ? {x[W-2:0], 1'b0} : x;\n  endfunction\n"
+         "  assign y = twice(a, en);",
+         NULL);
+  expect("  function [W-1:0] twice(input [W-1:0] x);\n    twice = x;\n  endfunction\n"
+         "  assign y = twice(sel);",
+         "twice: 2 bits against 8");
+  expect("  /* any */ (* keep *) wire f = a[$clog2(W)] && a < 8'h1f; // f", NULL);
+  expect("  initial q = all;", "not understood");
+  expect("`ifdef FORMAL\n  initial assume (en);\n  always @(posedge clk) begin\n"
+         "    if (!$initstate) begin\n      assert ($past(a) == y || $stable(sel));\n    end\n"
+         "  end\n`endif",
+         NULL);
+  expect("`ifdef FORMAL\n  always @(posedge clk) begin\n    assert (a);\n  end\n`endif",
+         "condition: 8 bits against 1");
+}
+
+static void test_holes(void **state) {
+  (void)state;
+  static const emit_hole wide[] = {{"name", "large"}, {"wide", "1"}, {NULL, NULL}};
+  static const emit_hole short_of[] = {{"wide", "1"}, {NULL, NULL}};
+  static const emit_hole too_many[] = {{"name", "a"}, {"wide", ""}, {"x", "y"}, {NULL, NULL}};
+  static const char nested[] = "//@ if wide\n//@ if !name\n  wire n = 0;\n//@ else\n  assign y ="
+                               " more[W-1:0];\n//@ end\n//@ else\n  assign y = a;\n//@ end";
+  expect_with(wide, head, "  assign y = more[W:1];", NULL);
+  expect("  assign y = more[W:1];", "undeclared signal 'more'");
+  expect_with(wide, head, nested, NULL);
+  expect(nested, NULL);
+  expect_with(short_of, head, "", "no text for the hole @name@");
+  expect_with(too_many, head, "", "no hole for the text 'x'");
+  expect("//@ if wide", "//@ if without //@ end");
+  expect("//@ for wide", "not understood: //@ for wide");
+  expect("  // 3456789 123456789 123456789 123456789 123456789 123456789 123456789 123456789 "
+         "123456789 123456789",
+         "more than 100 columns");
+  expect_with(NULL, "module m (\n  input wire a\n);\n", "", "no comment");
+  expect_with(NULL, "module m (\n  input wire a // port\n);\nendmodule\n", "", "text behind");
+}
+
+/* A template instantiates and is instantiated; the checks follow the parameters. */
+static void test_instances(void **state) {
+  (void)state;
+  static const char leaf[] =
+      "// A leaf.\nmodule leaf #(\n  parameter W = 8, // bits\n"
+      "  parameter V = W + 1 // bits\n) (\n"
+      "  input wire [W-1:0] a, // word\n  output wire [V-1:0] y // word\n);\n"
+      "  generate\n    if (W < 4) begin : check\n"
+      "      leaf_W_must_be_at_least_4 fault ();\n    end\n  endgenerate\n"
+      "  assign y = {a, 1'b0};\nendmodule\n";
+  static const struct {
+    const char *text, *refusal;
+  } row[] = {
+      {"leaf #(.W(5)) inner (.a(a), .y(y));", NULL},
+      {"leaf #(.W(5)) inner (.a(a), .y({y[5:1], y[0]}));", NULL},
+      {"leaf #(.W(4)) inner (.a(a), .y(y));", "port 'a' has 4 bits, its connection 5"},
+      {"leaf #(.W(5), .V(5)) inner (.a(a), .y(y[5:1]));", "5 bits against 6"},
+      {"leaf #(.W(3)) inner (.a(a[2:0]), .y(y[3:0]));", "leaf_W_must_be_at_least_4"},
+      {"leaf #(.W(5)) inner (.a(a), .y(a));", "an input is assigned"},
+      {"leaf #(.W(5)) inner (.a(a));", "1 of the 2 ports are connected of 'leaf'"},
+      {"leaf #(.X(5)) inner (.a(a), .y(y));", "no parameter 'X'"},
+      {"leaf #(.W(2+1+2+0+0+0+0+0+0+0+0+0+0+0+0+0+0+0+0+0+0+0+0+0)) inner (.a(a), .y(y));", NULL},
+      {"twig #(.W(5)) inner (.a(a), .y(y));", "not emitted yet: 'twig'"},
+  };
+  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+    char text[512];
+    emitter e;
+    emit_init(&e, NULL, "test");
+    assert_true(emit_template_text(&e, "leaf", leaf, NULL));
+    snprintf(text, sizeof text,
+             "module top (\n  input wire [4:0] a, // word\n  output wire [5:0] y // word\n);\n"
+             "  %s\nendmodule\n",
+             row[i].text);
+    bool ok = emit_template_text(&e, "top", text, NULL);
+    if (ok != (row[i].refusal == NULL) || (!ok && strstr(e.error.text, row[i].refusal) == NULL)) {
+      fail_msg("'%s': %s", row[i].text, ok ? "accepted" : e.error.text);
+    }
+    emit_free(&e);
+  }
+}
+
+static void test_print(void **state) {
+  (void)state;
+  emitter e;
+  char *text = NULL;
+  size_t size = 0;
+  emit_init(&e, NULL, "sepax gen");
+  assert_true(emit_template_text(&e, "m",
+                                 "// Bits of @w@.\nmodule m_@w@ (\n  input wire a, // bit\n"
+                                 "  output wire y // bit\n);\n  assign y = a;\nendmodule\n",
+                                 (emit_hole[]){{"w", "3"}, {NULL, NULL}}));
+  FILE *out = open_memstream(&text, &size);
+  emit_print(emit_find(&e, "m_3"), out);
+  fclose(out);
+  assert_string_equal(text, "// m_3.v\n//\n// Bits of 3.\n//\n// Generated by sepax " SEPAX_VERSION
+                            "; do not edit. Made by:\n//   sepax gen\n\n`default_nettype none\n\n"
+                            "module m_3 (\n  input wire a, // bit\n  output wire y // bit\n);\n"
+                            "  assign y = a;\nendmodule\n\n`default_nettype wire\n");
+  free(text);
+  emit_free(&e);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_declarations), cmocka_unit_test(test_memories),
+      cmocka_unit_test(test_loops),        cmocka_unit_test(test_statements),
+      cmocka_unit_test(test_holes),        cmocka_unit_test(test_instances),
+      cmocka_unit_test(test_print),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
