@@ -1,7 +1,10 @@
-/* meshes.c - all colliding pairs of two meshes: leaves of 64 triangles in the order of a
- * space-filling curve, a tree of boxes above them, and the batch of batch.c in a leaf. */
-#include "util/error.h"
+/* meshes.c - all colliding pairs of two meshes. Leaves hold 64 triangles in the order of a
+ * space-filling curve, a tree of axis-aligned bounding boxes (AABB) is above them, and batch.c
+ * judges the pairs in a leaf. */
 #include "sepax_design.h"
+#include "util/aabb.h"
+#include "util/error.h"
+#include "util/list.h"
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -11,18 +14,15 @@
 
 enum { LEAF = 64, DIGITS = 21 };
 
-typedef struct {
-  int32_t low[3], high[3];
-} box;
-
-/* Leaf k has triangles 64 k ... 64 k + 63 of the order, the last one again and again behind
- * the end. Box 1 is the root, 2 n and 2 n + 1 are in n, leaf k is leaves + k. */
+/* Leaf k has triangles 64 k ... 64 k + 63 of the order; the last triangle fills the rest of its
+ * leaf, and leaves behind that one are empty. Node 1 is the root, nodes 2 n and 2 n + 1 are the
+ * children of node n, leaf k is node leaves + k. */
 typedef struct {
   size_t count, leaves; /* leaves: a power of two */
   size_t *order;        /* number in the mesh */
   int32_t *columns;
   sepax_columns at;
-  box *boxes;
+  aabb *bounds; /* of each node; of an empty one aabb_of_none */
 } tree;
 
 /* ------------------------------------------------------------------- the tree */
@@ -30,61 +30,21 @@ typedef struct {
 typedef struct {
   uint64_t code;
   size_t triangle;
-} place;
+} curve_entry;
 
-static int compare_places(const void *p, const void *q) {
-  const place *a = p;
-  const place *b = q;
+static int compare_entries(const void *p, const void *q) {
+  const curve_entry *a = p;
+  const curve_entry *b = q;
   int by_code = (a->code > b->code) - (a->code < b->code);
   return by_code != 0 ? by_code : (a->triangle > b->triangle) - (a->triangle < b->triangle);
 }
 
-static box empty_box(void) {
-  return (box){{INT32_MAX, INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN, INT32_MIN}};
-}
-
-static void extend(box *b, const box *by) {
-  for (int axis = 0; axis < 3; axis++) {
-    b->low[axis] = by->low[axis] < b->low[axis] ? by->low[axis] : b->low[axis];
-    b->high[axis] = by->high[axis] > b->high[axis] ? by->high[axis] : b->high[axis];
-  }
-}
-
-static box box_of(const sepax_tri *t) {
-  box b = empty_box();
-  for (int k = 0; k < 3; k++) {
-    box point = {{t->v[k].x, t->v[k].y, t->v[k].z}, {t->v[k].x, t->v[k].y, t->v[k].z}};
-    extend(&b, &point);
-  }
-  return b;
-}
-
-/* No axis of the grid has a gap above the margin. */
-static bool near(const box *a, const box *b, int64_t margin) {
-  for (int axis = 0; axis < 3; axis++) {
-    if ((int64_t)a->low[axis] - b->high[axis] > margin ||
-        (int64_t)b->low[axis] - a->high[axis] > margin) {
-      return false;
-    }
-  }
-  return true;
-}
-
-static bool meet(const box *a, const box *b) {
-  return a->low[0] <= b->high[0] && b->low[0] <= a->high[0] && a->low[1] <= b->high[1] &&
-         b->low[1] <= a->high[1] && a->low[2] <= b->high[2] && b->low[2] <= a->high[2];
-}
-
-/* The middle of the box on a curve through a grid of 2^21 cells a side (Morton). */
-static uint64_t curve_code(const box *b, const box *all) {
+/* The centre of an AABB as a Morton code: its position on a curve through 2^21 cells a side. */
+static uint64_t curve_code(const aabb *b, const aabb *all) {
   uint64_t code = 0;
-  int64_t size = 1;
+  int64_t size = aabb_longest_side(all) + 1;
   for (int axis = 0; axis < 3; axis++) {
-    int64_t side = (int64_t)all->high[axis] - all->low[axis] + 1;
-    size = side > size ? side : size;
-  }
-  for (int axis = 0; axis < 3; axis++) {
-    int64_t middle = ((int64_t)b->low[axis] + b->high[axis]) / 2 - all->low[axis];
+    int64_t middle = (b->low[axis] + b->high[axis]) / 2 - all->low[axis];
     uint64_t cell = (uint64_t)(middle * ((INT64_C(1) << DIGITS) - 1) / size);
     for (int digit = 0; digit < DIGITS; digit++) {
       code |= (cell >> digit & 1) << (3 * digit + axis);
@@ -96,65 +56,65 @@ static uint64_t curve_code(const box *b, const box *all) {
 static void free_tree(tree *t) {
   free(t->order);
   free(t->columns);
-  free(t->boxes);
+  free(t->bounds);
   *t = (tree){0};
 }
 
 static bool fill_columns(tree *t, const sepax_tri *tri) {
-  size_t room = t->leaves * LEAF;
-  t->columns = malloc(room * 9 * sizeof *t->columns);
+  size_t length = t->leaves * LEAF;
+  t->columns = malloc(length * 9 * sizeof *t->columns);
   if (t->columns == NULL) {
     return false;
   }
   for (int k = 0; k < 3; k++) {
-    int32_t *x = t->columns + (size_t)(3 * k) * room;
-    for (size_t n = 0; n < room; n++) {
+    int32_t *x = t->columns + (size_t)(3 * k) * length;
+    for (size_t n = 0; n < length; n++) {
       const sepax_vec *v = &tri[t->order[n < t->count ? n : t->count - 1]].v[k];
       x[n] = v->x;
-      x[n + room] = v->y;
-      x[n + 2 * room] = v->z;
+      x[n + length] = v->y;
+      x[n + 2 * length] = v->z;
     }
     for (int axis = 0; axis < 3; axis++) {
-      t->at.c[k][axis] = x + (size_t)axis * room;
+      t->at.c[k][axis] = x + (size_t)axis * length;
     }
   }
   return true;
 }
 
-static void fill_boxes(tree *t, const sepax_tri *tri) {
+static void fill_bounds(tree *t, const sepax_tri *tri) {
   for (size_t leaf = 0; leaf < t->leaves; leaf++) {
-    box b = empty_box();
+    aabb all = aabb_of_none();
     for (size_t n = leaf * LEAF; n < (leaf + 1) * LEAF && n < t->count; n++) {
-      box small = box_of(&tri[t->order[n]]);
-      extend(&b, &small);
+      aabb b = aabb_of(&tri[t->order[n]]);
+      aabb_enclose(&all, &b);
     }
-    t->boxes[t->leaves + leaf] = b;
+    t->bounds[t->leaves + leaf] = all;
   }
   for (size_t n = t->leaves - 1; n > 0; n--) {
-    t->boxes[n] = t->boxes[2 * n];
-    extend(&t->boxes[n], &t->boxes[2 * n + 1]);
+    t->bounds[n] = t->bounds[2 * n];
+    aabb_enclose(&t->bounds[n], &t->bounds[2 * n + 1]);
   }
 }
 
 static bool sort_along_curve(tree *t, const sepax_tri *tri) {
-  place *places = malloc(t->count * sizeof *places);
-  if (places == NULL) {
+  curve_entry *entries = malloc(t->count * sizeof *entries);
+  if (entries == NULL) {
     return false;
   }
-  box all = empty_box();
+  aabb all = aabb_of_none();
   for (size_t n = 0; n < t->count; n++) {
-    box b = box_of(&tri[n]);
-    extend(&all, &b);
+    aabb b = aabb_of(&tri[n]);
+    aabb_enclose(&all, &b);
   }
   for (size_t n = 0; n < t->count; n++) {
-    box b = box_of(&tri[n]);
-    places[n] = (place){curve_code(&b, &all), n};
+    aabb b = aabb_of(&tri[n]);
+    entries[n] = (curve_entry){curve_code(&b, &all), n};
   }
-  qsort(places, t->count, sizeof *places, compare_places);
+  qsort(entries, t->count, sizeof *entries, compare_entries);
   for (size_t n = 0; n < t->count; n++) {
-    t->order[n] = places[n].triangle;
+    t->order[n] = entries[n].triangle;
   }
-  free(places);
+  free(entries);
   return true;
 }
 
@@ -164,15 +124,15 @@ static void keep_order(tree *t) {
   }
 }
 
-/* Brute force needs neither order nor boxes. */
+/* Brute force needs neither an order nor bounds. */
 static bool build_tree(tree *t, const sepax_tri *tri, size_t count, bool brute_force) {
   *t = (tree){.count = count, .leaves = 1};
   while (t->leaves * LEAF < count) {
     t->leaves *= 2;
   }
   t->order = malloc(count * sizeof *t->order);
-  t->boxes = malloc(2 * t->leaves * sizeof *t->boxes);
-  bool ok = t->order != NULL && t->boxes != NULL;
+  t->bounds = malloc(2 * t->leaves * sizeof *t->bounds);
+  bool ok = t->order != NULL && t->bounds != NULL;
   if (ok && brute_force) {
     keep_order(t);
   }
@@ -181,7 +141,7 @@ static bool build_tree(tree *t, const sepax_tri *tri, size_t count, bool brute_f
     return false;
   }
   if (!brute_force) {
-    fill_boxes(t, tri);
+    fill_bounds(t, tri);
   }
   return true;
 }
@@ -202,43 +162,33 @@ typedef struct {
 typedef struct {
   search *all;
   sepax_pairs found;
-  size_t room, taken; /* taken: by gather */
+  size_t capacity, taken; /* taken: by gather */
   bool no_memory;
 } worker;
 
+/* False where the search ends with this pair. */
 static bool record(worker *w, size_t i, size_t j) {
-  sepax_pairs *found = &w->found;
-  if (found->count == w->room) {
-    size_t room = w->room == 0 ? 256 : 2 * w->room;
-    void *more = realloc(found->pair, room * sizeof *found->pair);
-    if (more == NULL) {
-      w->no_memory = true;
-      atomic_store(&w->all->stop, true);
-      return false;
-    }
-    found->pair = more;
-    w->room = room;
-  }
-  found->pair[found->count][0] = i;
-  found->pair[found->count][1] = j;
-  found->count++;
-  if (w->all->how->first) {
+  w->no_memory = !list_add_pair(&w->found, &w->capacity, i, j);
+  bool ends = w->no_memory || w->all->how->first;
+  if (ends) {
     atomic_store(&w->all->stop, true);
   }
-  return !w->all->how->first;
+  return !ends;
 }
 
-static bool reach(const search *s, const box *a, const box *b) {
-  return s->design != NULL ? near(a, b, s->design->margin[1]) : meet(a, b);
+/* With clearances AABBs may be as far apart as the margin. */
+static bool within_reach(const search *s, const aabb *a, const aabb *b) {
+  return !aabb_disjoint(a, b, s->design != NULL ? s->design->margin[1] : 0);
 }
 
 /* One triangle of A against the triangles from ... to of B's order: those that are not free. */
-static bool judge_bands(worker *w, size_t i, const box *box_a, size_t from, size_t to) {
+static bool judge_bands(worker *w, size_t i, size_t from, size_t to) {
   const search *s = w->all;
+  aabb a = aabb_of(&s->tri_a[i]);
   for (size_t m = from; m < to; m++) {
     size_t j = s->b.order[m];
-    box box_b = box_of(&s->tri_b[j]);
-    if (near(box_a, &box_b, s->design->margin[1]) &&
+    aabb b = aabb_of(&s->tri_b[j]);
+    if (within_reach(s, &a, &b) &&
         sepax_clearance(s->design, &s->tri_a[i], &s->tri_b[j]).band != SEPAX_BAND_FREE &&
         !record(w, i, j)) {
       return false;
@@ -247,8 +197,9 @@ static bool judge_bands(worker *w, size_t i, const box *box_a, size_t from, size
   return true;
 }
 
-/* The triangles first ... end of A's order against leaves of B. */
-static void judge_leaves(worker *w, const box *boxes, size_t first, size_t end, size_t leaf,
+/* The triangles first ... end - 1 of A's order, of which `bounds` are the AABBs (NULL: not tested),
+ * against leaves of B. Leaf `leaf` is not empty. */
+static void judge_leaves(worker *w, const aabb *bounds, size_t first, size_t end, size_t leaf,
                          size_t leaves) {
   const search *s = w->all;
   uint64_t bits[LEAF];
@@ -259,13 +210,12 @@ static void judge_leaves(worker *w, const box *boxes, size_t first, size_t end, 
     columns.c[i / 3][i % 3] = s->b.at.c[i / 3][i % 3] + from;
   }
   for (size_t n = first; n < end && !atomic_load(&w->all->stop); n++) {
-    if (boxes != NULL && !reach(s, &boxes[n - first], &s->b.boxes[s->b.leaves + leaf])) {
+    if (bounds != NULL && !within_reach(s, &bounds[n - first], &s->b.bounds[s->b.leaves + leaf])) {
       continue;
     }
     size_t i = s->a.order[n];
     if (s->design != NULL) {
-      box box_a = box_of(&s->tri_a[i]);
-      if (!judge_bands(w, i, &box_a, from, from + many)) {
+      if (!judge_bands(w, i, from, from + many)) {
         return;
       }
       continue;
@@ -292,19 +242,19 @@ static void judge_task(worker *w, size_t task) {
     judge_leaves(w, NULL, first, end, task % s->parts * LEAF, LEAF);
     return;
   }
-  box boxes[LEAF];
+  aabb bounds[LEAF];
   for (size_t n = first; n < end; n++) {
-    boxes[n - first] = box_of(&s->tri_a[s->a.order[n]]);
+    bounds[n - first] = aabb_of(&s->tri_a[s->a.order[n]]);
   }
   size_t stack[64] = {1};
   size_t depth = 1;
   while (depth > 0 && !atomic_load(&w->all->stop)) {
     size_t node = stack[--depth];
-    if (!reach(s, &s->b.boxes[node], &s->a.boxes[s->a.leaves + leaf_a])) {
+    if (!within_reach(s, &s->b.bounds[node], &s->a.bounds[s->a.leaves + leaf_a])) {
       continue;
     }
     if (node >= s->b.leaves) {
-      judge_leaves(w, boxes, first, end, node - s->b.leaves, 1);
+      judge_leaves(w, bounds, first, end, node - s->b.leaves, 1);
     } else {
       stack[depth++] = 2 * node + 1;
       stack[depth++] = 2 * node;

@@ -1,9 +1,10 @@
 /* bench_batch.c - the batch and the search among meshes at length.
- *   bench_batch check COUNT        COUNT pairs of all families at W = 8, 18, 24 each: every
- *                                  path against sepax_exact
+ *   bench_batch check COUNT        COUNT pairs of all families at W = 8, 18, 24, 32 each: every
+ *                                  path, and the trees of meshes, against verdicts one by one
  *   bench_batch scale              time per pair over the number of pairs and of triangles
  *   bench_batch meshes A.stl B.stl the tree, brute force, and threads, on two meshes */
 #include "bench.h"
+#include "sepax_design.h"
 #include "sepax_vectors.h"
 
 #include <string.h>
@@ -13,54 +14,131 @@ enum { PATHS = sizeof paths / sizeof paths[0], CHUNK = 1 << 14 };
 
 /* --------------------------------------------------------------------- check */
 
-/* Chunks have odd lengths, so that rests occur. */
-static int check(uint64_t count) {
-  static const int words[] = {8, 18, 24};
-  static bool exact[CHUNK];
-  bench_batch batch = bench_batch_of(CHUNK);
-  uint64_t wrong = 0;
+static size_t family_count(void) {
   size_t families = 1;
   while (sepax_family_name(families) != NULL) {
     families++;
   }
-  for (size_t w = 0; w < sizeof words / sizeof words[0]; w++) {
-    sepax_random random = {(uint64_t)words[w]};
-    uint64_t errors[PATHS] = {0};
-    uint64_t collisions = 0;
-    size_t many = 0;
-    for (uint64_t done = 0; done < count; done += many) {
-      many = (size_t)sepax_random_range(&random, CHUNK / 2, CHUNK);
-      many = count - done < many ? (size_t)(count - done) : many;
-      for (size_t n = 0; n < many; n++) {
-        sepax_pair pair = sepax_family_triangles((done + n) % families, words[w], &random);
-        bench_batch_set(&batch, n, &pair);
-        exact[n] = sepax_exact(&pair.a, &pair.b).collision;
-        collisions += exact[n];
-      }
-      for (int p = 0; p < PATHS; p++) {
-        if (!sepax_path_runs(paths[p])) {
-          continue;
-        }
-        sepax_exact_pairs(paths[p], &batch.a, &batch.b, many, batch.bits);
-        for (size_t n = 0; n < many; n++) {
-          errors[p] += bench_bit(batch.bits, n) != exact[n];
-        }
-      }
+  return families;
+}
+
+typedef struct {
+  uint64_t collisions, wrong[PATHS];
+} tally;
+
+/* Batches have odd lengths, so that the last word of bits is partly used. */
+static tally check_paths(int word, uint64_t count) {
+  static bool exact[CHUNK];
+  bench_batch batch = bench_batch_of(CHUNK);
+  sepax_random random = {(uint64_t)word};
+  size_t families = family_count();
+  size_t many = 0;
+  tally t = {0};
+  for (uint64_t done = 0; done < count; done += many) {
+    many = (size_t)sepax_random_range(&random, CHUNK / 2, CHUNK);
+    many = count - done < many ? (size_t)(count - done) : many;
+    for (size_t n = 0; n < many; n++) {
+      sepax_pair pair = sepax_family_triangles((done + n) % families, word, &random);
+      bench_batch_set(&batch, n, &pair);
+      exact[n] = sepax_exact(&pair.a, &pair.b).collision;
+      t.collisions += exact[n];
     }
-    printf("W = %2d, %llu pairs, %llu collisions:", words[w], (unsigned long long)count,
-           (unsigned long long)collisions);
     for (int p = 0; p < PATHS; p++) {
       if (sepax_path_runs(paths[p])) {
-        printf(" %s %llu wrong", sepax_path_name(paths[p]), (unsigned long long)errors[p]);
-      } else {
-        printf(" %s not on this machine", sepax_path_name(paths[p]));
+        sepax_exact_pairs(paths[p], &batch.a, &batch.b, many, batch.bits);
+        for (size_t n = 0; n < many; n++) {
+          t.wrong[p] += bench_bit(batch.bits, n) != exact[n];
+        }
       }
-      wrong += errors[p];
     }
-    putchar('\n');
-    fflush(stdout);
   }
   bench_batch_free(&batch);
+  return t;
+}
+
+/* How many entries differ between a list of pairs and the pairs of all triangles, one by one. */
+static uint64_t count_wrong(const sepax_pairs *found, const sepax_tri *a, size_t count_a,
+                            const sepax_tri *b, size_t count_b, const sepax_design *design) {
+  uint64_t wrong = 0;
+  size_t k = 0;
+  for (size_t i = 0; i < count_a; i++) {
+    for (size_t j = 0; j < count_b; j++) {
+      bool expected = design != NULL ? sepax_clearance(design, &a[i], &b[j]).band != SEPAX_BAND_FREE
+                                     : sepax_exact(&a[i], &b[j]).collision;
+      bool listed = k < found->count && found->pair[k][0] == i && found->pair[k][1] == j;
+      wrong += expected != listed;
+      k += listed;
+    }
+  }
+  return wrong + (found->count - k);
+}
+
+/* Meshes of 1 ... MOST triangles of all families, down the trees and by brute force: `count` pairs
+ * of triangles at least. With a clearance the pairs that are not free, else those that collide. */
+static uint64_t check_trees(int word, uint64_t count, int clearance) {
+  enum { MOST = 700 };
+  static sepax_tri a[MOST], b[MOST];
+  sepax_random random = {(uint64_t)word};
+  sepax_error error = {""};
+  sepax_config config = sepax_config_default();
+  sepax_design design;
+  config.word = word;
+  config.clearance = clearance;
+  if (!sepax_design_init(&design, &config, &error)) {
+    bench_fail(&error);
+  }
+  size_t families = family_count();
+  uint64_t wrong = 0;
+  size_t drawn = 0;
+  for (uint64_t done = 0; done < count;) {
+    size_t count_a = (size_t)sepax_random_range(&random, 1, MOST);
+    size_t count_b = (size_t)sepax_random_range(&random, 1, MOST);
+    for (size_t n = 0; n < count_a || n < count_b; n++) {
+      sepax_pair pair = sepax_family_triangles(drawn++ % families, word, &random);
+      a[n] = pair.a;
+      b[n] = pair.b;
+    }
+    for (int way = 0; way < 2; way++) {
+      sepax_search how = {.threads = 2, .brute_force = way == 1};
+      sepax_pairs found;
+      if (clearance < 0
+              ? !sepax_colliding_pairs(a, count_a, b, count_b, &how, &found, &error)
+              : !sepax_near_pairs(&design, a, count_a, b, count_b, &how, &found, &error)) {
+        bench_fail(&error);
+      }
+      wrong += count_wrong(&found, a, count_a, b, count_b, clearance < 0 ? NULL : &design);
+      sepax_pairs_free(&found);
+    }
+    done += (uint64_t)count_a * count_b;
+  }
+  return wrong;
+}
+
+/* A tree costs a second verdict of every pair, with a clearance about 20 times as long a one. */
+static int check(uint64_t count) {
+  static const int words[] = {8, 18, 24, 32};
+  enum { SHARE_TREES = 10, SHARE_NEAR = 200 };
+  uint64_t wrong = 0;
+  for (size_t w = 0; w < sizeof words / sizeof words[0]; w++) {
+    int word = words[w];
+    tally t = check_paths(word, count);
+    printf("W = %2d, %llu pairs, %llu collisions:", word, (unsigned long long)count,
+           (unsigned long long)t.collisions);
+    for (int p = 0; p < PATHS; p++) {
+      if (sepax_path_runs(paths[p])) {
+        printf(" %s %llu wrong,", sepax_path_name(paths[p]), (unsigned long long)t.wrong[p]);
+      } else {
+        printf(" %s not on this machine,", sepax_path_name(paths[p]));
+      }
+      wrong += t.wrong[p];
+    }
+    uint64_t trees = check_trees(word, count / SHARE_TREES + 1, -1);
+    uint64_t near = check_trees(word, count / SHARE_NEAR + 1, 1 << (word - 4));
+    printf(" trees %llu wrong, trees with a clearance %llu wrong\n", (unsigned long long)trees,
+           (unsigned long long)near);
+    fflush(stdout);
+    wrong += trees + near;
+  }
   return wrong == 0 ? 0 : 1;
 }
 
@@ -98,8 +176,7 @@ static double search(const sepax_tri *a, size_t count_a, const sepax_tri *b, siz
   sepax_error error = {""};
   double start = bench_seconds();
   if (!sepax_colliding_pairs(a, count_a, b, count_b, &how, &found, &error)) {
-    fprintf(stderr, "bench_batch: %s\n", error.text);
-    exit(2);
+    bench_fail(&error);
   }
   double took = bench_seconds() - start;
   *collisions = found.count;
@@ -119,8 +196,7 @@ static void scale_meshes(void) {
       tri[i] = bench_room(triangles * sizeof *tri[i]);
       if (!sepax_sample(&mesh[i], "sphere", triangles, centre, 40, &error) ||
           !sepax_quantise(&mesh[i], &grid, tri[i], NULL, &error)) {
-        fprintf(stderr, "bench_batch: %s\n", error.text);
-        exit(2);
+        bench_fail(&error);
       }
       sepax_mesh_free(&mesh[i]);
     }
@@ -150,8 +226,7 @@ static int meshes(const char *const path[2]) {
   sepax_error error = {""};
   sepax_grid grid = {.word = 18};
   if (!sepax_scene_load(&scene, path, &grid, false, &error)) {
-    fprintf(stderr, "bench_batch: %s\n", error.text);
-    return 2;
+    bench_fail(&error);
   }
   printf("%s, %s: %zu x %zu triangles\n", path[0], path[1], scene.count[0], scene.count[1]);
   double best[4] = {0};

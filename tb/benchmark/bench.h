@@ -13,6 +13,11 @@ static inline double bench_seconds(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+static inline void __attribute__((noreturn)) bench_fail(const sepax_error *error) {
+  fprintf(stderr, "bench: %s\n", error->text);
+  exit(2);
+}
+
 static inline void *bench_room(size_t bytes) {
   void *room = malloc(bytes);
   if (room == NULL) {

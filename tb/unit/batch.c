@@ -1,5 +1,6 @@
 /* test_batch.c - the verdicts of batches and of meshes against sepax_exact, one by one. */
 #include "oracle/pair_tools.h"
+#include "sepax_design.h"
 #include "sepax_vectors.h"
 
 #include <fcntl.h>
@@ -211,6 +212,38 @@ static void meshes_of_every_size(void **state) {
   }
 }
 
+/* Trees end in empty leaves, for 129 triangles in the fourth of four; a triangle that reaches both
+ * ends of the range on all axes meets none of them. */
+static void empty_leaves_are_left_out(void **state) {
+  (void)state;
+  enum { SMALL = 129 };
+  const sepax_tri whole = {{{INT32_MIN, INT32_MIN, INT32_MIN},
+                            {INT32_MAX, INT32_MAX, INT32_MAX},
+                            {INT32_MIN, INT32_MAX, INT32_MIN}}};
+  sepax_error error = {""};
+  sepax_config config = sepax_config_default();
+  sepax_design design;
+  config.word = SEPAX_WORD_MAX;
+  config.clearance = INT32_MAX;
+  assert_true(sepax_design_init(&design, &config, &error));
+  sepax_random random = {11};
+  sepax_tri *small = soup(SMALL, SEPAX_WORD_MAX, 1000, &random);
+  for (int way = 0; way < 2; way++) {
+    sepax_search how = {.threads = 1, .brute_force = way == 1};
+    assert_all_pairs(&whole, 1, small, SMALL, &how);
+    assert_all_pairs(small, SMALL, &whole, 1, &how);
+    sepax_pairs found;
+    assert_true(sepax_near_pairs(&design, &whole, 1, small, SMALL, &how, &found, &error));
+    size_t expected = 0;
+    for (size_t n = 0; n < SMALL; n++) {
+      expected += sepax_clearance(&design, &whole, &small[n]).band != SEPAX_BAND_FREE;
+    }
+    assert_true(expected > 0 && expected == found.count);
+    sepax_pairs_free(&found);
+  }
+  free(small);
+}
+
 typedef struct {
   uint64_t calls, last, total, ends;
 } watch;
@@ -247,6 +280,7 @@ int main(void) {
       cmocka_unit_test(every_count),
       cmocka_unit_test(words_mixed),
       cmocka_unit_test(meshes_of_every_size),
+      cmocka_unit_test(empty_leaves_are_left_out),
       cmocka_unit_test(progress_is_told_and_ends),
   };
   printf("paths:");
