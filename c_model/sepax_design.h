@@ -11,20 +11,23 @@ extern "C" {
 
 #define SEPAX_II_MAX 18
 #define SEPAX_LANES_MAX 64
+#define SEPAX_CORES_MAX 8
 #define SEPAX_MEMORY_MIN 128
 #define SEPAX_MEMORY_MAX 32768
+#define SEPAX_CONFIG_TEXT 512 /* bytes that hold every text of a configuration */
 
 /* ----------------------------------------------------------- configuration */
 
 typedef enum {
-  SEPAX_ARCH_PAPER,      /* the paper's datapath, bit for bit */
   SEPAX_ARCH_EXACT,      /* the mathematical verdict, and the axis */
+  SEPAX_ARCH_PAPER,      /* the paper's datapath, bit for bit */
+  SEPAX_ARCH_CONFERENCE, /* the design that the paper improves on, docs/conference.md */
   SEPAX_ARCH_REFERENCE,  /* software: the same verdict by another method, sepax_reference */
   SEPAX_ARCH_FLOAT32,    /* software baseline in IEEE single precision */
   SEPAX_ARCH_FLOAT64,    /* software baseline in IEEE double precision */
   SEPAX_ARCH_INTERVAL32, /* the interval test of Moeller, the usual one, single precision */
   SEPAX_ARCH_INTERVAL64, /* the same in double precision */
-  SEPAX_ARCH_CONFERENCE  /* the machine that the paper improves on, docs/conference.md */
+  SEPAX_ARCH_COUNT
 } sepax_arch;
 
 typedef enum {
@@ -42,8 +45,7 @@ typedef struct {
   sepax_arch arch;
   int word;         /* W, 4 ... 32 */
   int ii;           /* initiation interval, cycles; exact: 1 ... 18, paper and conference: 3 */
-  bool full;        /* every bit of every intermediate is kept */
-  int guard;        /* else W + guard bits of each are; 0 ... 2W + 3 */
+  int guard;        /* W + guard bits of every intermediate are kept, 0 ... 2W + 3; -1: all */
   bool block_float; /* axes shifted left in common before truncation */
   sepax_coplanarity coplanarity;
   sepax_inequality inequality;
@@ -65,20 +67,33 @@ typedef struct {
  * conference full, plane, correct, epsilon 1. */
 sepax_config sepax_config_default(void);
 
-/* Set one value from text, by the name of its command-line option: "arch",
- * "word", "ii", "precision" (full, word, guard=G), "block-float" (on, off),
- * "coplanarity", "inequality", "epsilon", "coplanar" (exact, flag), "clock-ns" (at most
- * three decimals), "extent-a", "extent-b", "early-out" (none, boxes), "clearance", "warning",
- * "lanes", "cores", "memory-a", "memory-b". Fails on an unknown name or value. */
+/* Set one value from text, by the name of its command-line option ("word", "early-out", ...;
+ * c_model/design/options.c has the table). "" is none where none is the default. Fails on an
+ * unknown name or value. */
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error);
 
 /* Parse a line that sepax_config_text wrote ("--arch=paper --word=18 ..."). */
 bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *error);
 
-/* What the architecture reads, as "--arch=paper --word=18 ...", into text[size];
- * sepax_config_parse reads it back. Returns text. */
+/* What the architecture reads, but for options that are none, into text[size], cut where it does
+ * not fit: as "--arch=paper --word=18 ...", which sepax_config_parse reads back, or as
+ * "ARCH=paper WORD=18 ...", the variables of make. Both return text. */
 char *sepax_config_text(const sepax_config *config, char *text, size_t size);
+char *sepax_config_variables(const sepax_config *config, char *text, size_t size);
+
+/* The same, one at a time. */
+typedef struct {
+  const char *name; /* "early-out" */
+  char value[32];   /* "boxes" */
+  bool is_number;   /* value is one */
+} sepax_setting;
+/* Setting i of `config`; false behind the last. */
+bool sepax_config_setting(const sepax_config *config, size_t i, sepax_setting *setting);
+
+/* The name of the design, "exact-w18-ii3", into text[size], cut where it does not fit: what is
+ * not the default follows. Returns text. */
+char *sepax_config_name(const sepax_config *config, char *text, size_t size);
 
 /* Fails with the legal range if a value or a combination is not supported, and if a
  * choice is made that the architecture does not have. */

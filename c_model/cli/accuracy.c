@@ -337,7 +337,7 @@ int cli_accuracy(int argc, char **argv) {
       !cli_families(o.family, &first, &last, &error)) {
     return cli_fail(argv[0], &error);
   }
-  char name[256];
+  char name[SEPAX_CONFIG_TEXT];
   sepax_config_text(&o.config, name, sizeof name);
   print_head(&o, name);
   tally whole = {0};

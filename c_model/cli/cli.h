@@ -21,6 +21,7 @@ int cli_fail(const char *name, const sepax_error *error);
  * sepax_config *), and --resolution --offset --normals into a cli_grid (input:
  * cli_grid *). */
 extern const struct argp cli_config_argp;
+void cli_options_init(void); /* once, before the first is used */
 extern const struct argp cli_grid_argp;
 
 typedef struct {

@@ -43,8 +43,8 @@ bool cli_generate(sepax_design *design, const char *folder, sepax_error *error) 
     return sepax_fail(error, "arch: '%s' has no hardware; give --arch=exact, paper or conference",
                       sepax_arch_name(design->config.arch));
   }
-  char command[400];
-  char text[320];
+  char command[SEPAX_CONFIG_TEXT + 16];
+  char text[SEPAX_CONFIG_TEXT];
   snprintf(command, sizeof command, "sepax gen %s",
            sepax_config_text(&design->config, text, sizeof text));
   emitter e;
@@ -78,7 +78,7 @@ int cli_gen(int argc, char **argv) {
   if (!sepax_design_init(&design, &o.config, &error) || !cli_generate(&design, o.folder, &error)) {
     return cli_fail("sepax gen", &error);
   }
-  char text[320];
+  char text[SEPAX_CONFIG_TEXT];
   printf("%s: %s, latency %d, II %d\n", o.folder, sepax_config_text(&o.config, text, sizeof text),
          design.latency, o.config.ii);
   return 0;

@@ -33,6 +33,7 @@ static void usage(FILE *out) {
 int main(int argc, char **argv) {
   argp_program_version = "sepax " SEPAX_VERSION;
   argp_err_exit_status = EXIT_ERROR;
+  cli_options_init();
   if (argc >= 2 && strcmp(argv[1], "--help") == 0) {
     usage(stdout);
     return 0;

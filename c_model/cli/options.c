@@ -1,5 +1,6 @@
 /* options.c - options, messages and progress that the subcommands share. */
 #include "cli.h"
+#include "design/options.h"
 #include "util/error.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
@@ -16,97 +17,93 @@ int cli_fail(const char *name, const sepax_error *error) {
 
 /* ------------------------------------------------------------- configuration */
 
-enum {
-  KEY_ARCH = 0x100,
-  KEY_II,
-  KEY_PRECISION,
-  KEY_BLOCK_FLOAT,
-  KEY_COPLANARITY,
-  KEY_INEQUALITY,
-  KEY_EPSILON,
-  KEY_COPLANAR,
-  KEY_EXTENT_A,
-  KEY_EXTENT_B,
-  KEY_EARLY_OUT,
-  KEY_CLEARANCE,
-  KEY_WARNING,
-  KEY_LANES,
-  KEY_CORES,
-  KEY_MEMORY_A,
-  KEY_MEMORY_B,
-  KEY_CLOCK,
-  KEY_OFFSET,
-  KEY_NORMALS
-};
+enum { MOST = 64, KEY_OPTION = 0x100, KEY_ENVIRONMENT = KEY_OPTION + MOST };
 
-static const struct argp_option config_options[] = {
-    {NULL, 0, NULL, 0, "Design:", 1},
-    {"arch", KEY_ARCH, "NAME", 0,
-     "exact (default), paper or conference; without hardware: reference, "
-     "float32, float64, interval32, interval64",
-     0},
-    {"word", 'w', "BITS", 0, "word length W of a coordinate, 4 ... 32 (18)", 0},
-    {"ii", KEY_II, "CYCLES", 0, "initiation interval, paper and conference: 3; exact: 1 ... 18 (3)",
-     0},
-    {NULL, 0, NULL, 0, "Design, architecture exact only:", 2},
-    {"coplanar", KEY_COPLANAR, "HOW", 0,
-     "exact: decide coplanar pairs (default); flag: call them collisions and say so", 0},
-    {"extent-a", KEY_EXTENT_A, "LSB", 0,
-     "the longest side of the box of a triangle of A that is decided: a box test goes before, and "
-     "what is behind it is as short as the extents allow; a larger triangle is called a collision "
-     "and flagged (any; needs --extent-b)",
-     0},
-    {"extent-b", KEY_EXTENT_B, "LSB", 0, "the same of B", 0},
-    {"early-out", KEY_EARLY_OUT, "HOW", 0,
-     "boxes: a box test goes before the core, which rests for the pairs that it decides; none (default)",
-     0},
-    {"clearance", KEY_CLEARANCE, "LSB", 0,
-     "call a pair free only if the real triangles are farther apart than this, whatever the rounding to "
-     "LSB did to them (none)",
-     0},
-    {"warning", KEY_WARNING, "LSB", 0,
-     "a second, larger clearance: a band between free and collision (none)", 0},
-    {"lanes", KEY_LANES, "K", 0,
-     "an object engine with K box lanes, 1 ... 64, around the core (none: the core alone)", 0},
-    {"cores", KEY_CORES, "N", 0, "cores of the engine, 1 ... 8 (1)", 0},
-    {"memory-a", KEY_MEMORY_A, "TRIANGLES", 0, "triangles of A that it holds, a power of two (512)",
-     0},
-    {"memory-b", KEY_MEMORY_B, "TRIANGLES", 0, "the same of B", 0},
-    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for, 0.5 ... 20 (2)", 0},
-    {NULL, 0, NULL, 0, "Design, architectures paper and conference only:", 3},
-    {"precision", KEY_PRECISION, "BITS", 0,
-     "full: every bit of an intermediate (default); word: W bits; guard=G: W + G bits", 0},
-    {"block-float", KEY_BLOCK_FLOAT, "on|off", OPTION_ARG_OPTIONAL,
-     "shift each axis left in common before truncation (off)", 0},
-    {"coplanarity", KEY_COPLANARITY, "TEST", 0,
-     "plane: B_k.N_A = A_k.N_A (default); paper: A_k.N_A = B_k.N_B, as printed", 0},
-    {"inequality", KEY_INEQUALITY, "FORM", 0, "correct (default), or printed: (5) as in the paper",
-     0},
-    {"epsilon", KEY_EPSILON, "LSB", 0, "tolerance of coplanarity (1; 0: equality)", 0},
-    {0}};
+/* Rows of design/options.c with their titles, filled in by cli_options_init. */
+static struct argp_option config_options[MOST];
 
-static const char *option_name(const struct argp_option *options, int key) {
-  while (options->key != key) {
-    options++;
+/* The title above the options that these architectures read; "Design" alone where most do. */
+static const char *title_of(unsigned archs) {
+  static char titles[8][96];
+  static size_t count;
+  unsigned all = design_option_at(0)->archs;
+  char names[80] = "";
+  int found = 0;
+  for (int i = 0; i < SEPAX_ARCH_COUNT; i++) {
+    if ((archs >> i & 1) != 0) {
+      size_t used = strlen(names);
+      snprintf(names + used, sizeof names - used, "%s%s", found++ > 0 ? " and " : "",
+               sepax_arch_name((sepax_arch)i));
+    }
   }
-  return options->name;
+  if (archs == all || found > 2) {
+    return "Design:";
+  }
+  char *title = titles[count++ % 8];
+  snprintf(title, sizeof titles[0], "Design, architecture%s %s only:", found > 1 ? "s" : "", names);
+  return title;
+}
+
+void cli_options_init(void) {
+  const design_option *option;
+  const char *title = "";
+  int used = 0;
+  int group = 0;
+  for (size_t i = 0; (option = design_option_at(i)) != NULL && used + 4 < MOST; i++) {
+    const char *next = title_of(option->archs);
+    if (strcmp(next, title) != 0) {
+      title = next;
+      config_options[used++] = (struct argp_option){.doc = title, .group = ++group};
+    }
+    config_options[used++] = (struct argp_option){
+        .name = option->name,
+        .key = option->letter != 0 ? option->letter : KEY_OPTION + (int)i,
+        .arg = option->argument,
+        .flags = option->kind == OPTION_SWITCH ? OPTION_ARG_OPTIONAL : 0,
+        .doc = option->help,
+    };
+  }
+  config_options[used] = (struct argp_option){
+      .name = "environment",
+      .key = KEY_ENVIRONMENT,
+      .doc = "take options from variables, too: WORD for --word, EARLY_OUT for --early-out",
+      .group = 1};
+}
+
+static void read_environment(sepax_config *config, const struct argp_state *state) {
+  const design_option *option;
+  for (size_t i = 0; (option = design_option_at(i)) != NULL; i++) {
+    const char *value = getenv(design_option_variable(option).text);
+    sepax_error error;
+    if (value != NULL && !sepax_config_set(config, option->name, value, &error)) {
+      argp_error(state, "%s", error.text);
+    }
+  }
 }
 
 static error_t parse_config(int key, char *text, struct argp_state *state) {
-  if (key != 'w' && (key < KEY_ARCH || key > KEY_CLOCK)) {
-    return ARGP_ERR_UNKNOWN;
+  if (key == KEY_ENVIRONMENT) {
+    read_environment(state->input, state);
+    return 0;
   }
-  sepax_error error;
-  if (!sepax_config_set(state->input, option_name(config_options + 1, key),
-                        text != NULL ? text : "on", &error)) {
-    argp_error(state, "%s", error.text);
+  const design_option *option;
+  for (size_t i = 0; (option = design_option_at(i)) != NULL; i++) {
+    if (key == KEY_OPTION + (int)i || (option->letter != 0 && key == option->letter)) {
+      sepax_error error;
+      if (!sepax_config_set(state->input, option->name, text != NULL ? text : "on", &error)) {
+        argp_error(state, "%s", error.text);
+      }
+      return 0;
+    }
   }
-  return 0;
+  return ARGP_ERR_UNKNOWN;
 }
 
 const struct argp cli_config_argp = {config_options, parse_config, NULL, NULL, NULL, NULL, NULL};
 
 /* ---------------------------------------------------------------------- grid */
+
+enum { KEY_OFFSET = 0x200, KEY_NORMALS };
 
 static const struct argp_option grid_options[] = {
     {NULL, 0, NULL, 0, "Quantisation:", 4},

@@ -252,8 +252,6 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 /* ------------------------------------------------------------------------ output */
 
-enum { TEXT = 480 };
-
 static uint64_t pairs_of(const sepax_size *s) { return (uint64_t)s->count[0] * s->count[1]; }
 
 static uint64_t memory_bits(const sepax_sized_design *m) {
@@ -274,7 +272,7 @@ static void print_boxes(const size_options *o, const sepax_size *s) {
 }
 
 static void print_text(const size_options *o, const sepax_size *s, const sepax_sized_design *m) {
-  char text[TEXT];
+  char text[SEPAX_CONFIG_TEXT];
   const sepax_grid *g = &s->grid;
   printf("A          %s, %zu triangles\nB          %s, %zu triangles\n", o->path[0], s->count[0],
          o->path[1], s->count[1]);
@@ -295,15 +293,16 @@ static void print_text(const size_options *o, const sepax_size *s, const sepax_s
          m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to machines like this one");
   printf("time       %.4g ms for all pairs (%llu cycles of %g ns)\n", 1e3 * m->seconds,
          (unsigned long long)m->cycles, m->config.clock_ps / 1000.0);
-  printf("sepax gen %s -o %s\n", sepax_config_text(&m->config, text, TEXT),
+  printf("sepax gen %s -o %s\n", sepax_config_text(&m->config, text, sizeof text),
          o->generate ? o->folder : "DIR");
 }
 
 static void print_json(const size_options *o, const sepax_size *s, const sepax_sized_design *m) {
-  char text[TEXT];
-  char command[TEXT + 16];
+  char text[SEPAX_CONFIG_TEXT];
+  char command[SEPAX_CONFIG_TEXT + 16];
   const sepax_grid *g = &s->grid;
-  snprintf(command, sizeof command, "sepax gen %s", sepax_config_text(&m->config, text, TEXT));
+  snprintf(command, sizeof command, "sepax gen %s",
+           sepax_config_text(&m->config, text, sizeof text));
   json_t *report = json_pack(
       "{s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}",
       "a", "file", o->path[0], "triangles", (json_int_t)s->count[0], "b", "file", o->path[1],
@@ -342,10 +341,10 @@ static bool read_and_size(const size_options *o, sepax_size *size, sepax_error *
 
 /* Through the text, as sepax gen would read it. */
 static bool generate(const size_options *o, const sepax_sized_design *m, sepax_error *error) {
-  char text[TEXT];
+  char text[SEPAX_CONFIG_TEXT];
   sepax_config config = sepax_config_default();
   sepax_design design;
-  return sepax_config_parse(&config, sepax_config_text(&m->config, text, TEXT), error) &&
+  return sepax_config_parse(&config, sepax_config_text(&m->config, text, sizeof text), error) &&
          sepax_design_init(&design, &config, error) && cli_generate(&design, o->folder, error);
 }
 

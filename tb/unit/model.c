@@ -60,12 +60,12 @@ static void test_config(void **state) {
   refuse("--word=33", "4 ... 32");
   refuse("--word=eighteen", "whole number");
   refuse("--word=99999999999", "out of range");
-  refuse("--arch=fast", "paper, exact, reference, float32, float64");
+  refuse("--arch=fast", "exact, paper, conference, reference, float32");
   refuse("--ii=2", "--ii=3");
   refuse("--precision=half", "full, word, guard=BITS");
   refuse("--precision=guard=x", "whole number");
   refuse("--precision=guard=40", "0 ... 39");
-  refuse("--precision=guard=-1", "0 ... 39");
+  refuse("--precision=guard=-1", "0 ... 2 W + 3");
   refuse("--block-float=on", "--precision=word");
   refuse("--coplanarity=none", "plane, paper");
   refuse("--inequality=wrong", "correct, printed");
@@ -81,6 +81,57 @@ static void test_config(void **state) {
   refuse("--arch=exact --epsilon=2", "no such choice");
   refuse("--speed=1", "no setting");
   refuse("word=18", "--NAME=VALUE");
+}
+
+/* A text that does not fit is cut; nothing behind it is written. */
+static void test_small_buffers(void **state) {
+  (void)state;
+  char *(*const print[])(const sepax_config *, char *,
+                         size_t) = {sepax_config_text, sepax_config_variables, sepax_config_name};
+  static const char options[] = "--arch=exact --word=18 --extent-a=2500 --extent-b=2500 "
+                                "--clearance=5 --warning=20 --lanes=16 --memory-a=1024";
+  sepax_config config = sepax_config_default();
+  sepax_error error = {""};
+  assert_true(sepax_config_parse(&config, options, &error));
+  for (size_t i = 0; i < sizeof print / sizeof print[0]; i++) {
+    char whole[SEPAX_CONFIG_TEXT];
+    size_t length = strlen(print[i](&config, whole, sizeof whole));
+    for (size_t size = 0; size <= length; size++) {
+      char text[SEPAX_CONFIG_TEXT];
+      memset(text, '#', sizeof text);
+      print[i](&config, text, size);
+      assert_true(size == 0 || strlen(text) == size - 1);
+      assert_memory_equal(text, whole, size == 0 ? 0 : size - 1);
+      for (size_t k = size; k < sizeof text; k++) {
+        assert_int_equal(text[k], '#');
+      }
+    }
+  }
+}
+
+/* The folder of a design: what is not the default follows. */
+static void test_names(void **state) {
+  (void)state;
+  static const struct {
+    const char *options, *name;
+  } design[] = {
+      {"--arch=exact", "exact-w18-ii3"},
+      {"--arch=exact --word=8 --ii=1 --coplanar=flag --clock-ns=1.5", "exact-w8-ii1-flag-1.5ns"},
+      {"--arch=exact --extent-a=300 --extent-b=40 --clearance=0 --warning=7",
+       "exact-w18-ii3-a300-b40-c0-d7"},
+      {"--arch=exact --early-out=boxes", "exact-w18-ii3-boxes"},
+      {"--arch=exact --lanes=16 --cores=2 --memory-a=1024", "exact-w18-ii3-k16x2-ma1024"},
+      {"--arch=paper", "paper-w18-full"},
+      {"--arch=paper --word=12 --precision=guard=4 --block-float=on", "paper-w12-guard4-bf"},
+      {"--arch=paper --coplanarity=paper --inequality=printed", "paper-w18-full-cop-ineq"},
+      {"--arch=conference --precision=word --epsilon=4", "conference-w18-word-e4"}};
+  for (size_t i = 0; i < sizeof design / sizeof design[0]; i++) {
+    char name[SEPAX_CONFIG_TEXT];
+    sepax_config config = sepax_config_default();
+    sepax_error error = {""};
+    assert_true(sepax_config_parse(&config, design[i].options, &error));
+    assert_string_equal(sepax_config_name(&config, name, sizeof name), design[i].name);
+  }
 }
 
 static void expect_format(const sepax_design *d, sepax_format_id id, int exact, int width) {
@@ -362,6 +413,8 @@ static void test_float_baselines(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_config),
+      cmocka_unit_test(test_small_buffers),
+      cmocka_unit_test(test_names),
       cmocka_unit_test(test_formats),
       cmocka_unit_test(test_coplanar_limit),
       cmocka_unit_test(test_ranges),

@@ -1,0 +1,45 @@
+/* architectures.c - the list of architectures; a design is checked and derived by its row. */
+#include "design/architecture.h"
+#include "design/options.h"
+
+int32_t sepax_word_min(int word) { return (int32_t)(-(INT64_C(1) << (word - 1))); }
+
+int32_t sepax_word_max(int word) { return (int32_t)((INT64_C(1) << (word - 1)) - 1); }
+
+static const architecture reference = {.name = "reference"};
+static const architecture float32 = {.name = "float32"};
+static const architecture float64 = {.name = "float64"};
+static const architecture interval32 = {.name = "interval32"};
+static const architecture interval64 = {.name = "interval64"};
+
+static const architecture *const architectures[SEPAX_ARCH_COUNT] = {
+    [SEPAX_ARCH_EXACT] = &architecture_exact,
+    [SEPAX_ARCH_PAPER] = &architecture_paper,
+    [SEPAX_ARCH_CONFERENCE] = &architecture_conference,
+    [SEPAX_ARCH_REFERENCE] = &reference,
+    [SEPAX_ARCH_FLOAT32] = &float32,
+    [SEPAX_ARCH_FLOAT64] = &float64,
+    [SEPAX_ARCH_INTERVAL32] = &interval32,
+    [SEPAX_ARCH_INTERVAL64] = &interval64,
+};
+
+const char *sepax_arch_name(sepax_arch arch) { return architectures[arch]->name; }
+
+bool sepax_config_check(const sepax_config *config, sepax_error *error) {
+  if (!design_options_check(config, error)) {
+    return false;
+  }
+  const architecture *arch = architectures[config->arch];
+  return arch->check == NULL || arch->check(config, error);
+}
+
+bool sepax_design_init(sepax_design *design, const sepax_config *config, sepax_error *error) {
+  if (!sepax_config_check(config, error)) {
+    return false;
+  }
+  *design = (sepax_design){.config = *config};
+  if (architectures[config->arch]->derive != NULL) {
+    architectures[config->arch]->derive(design);
+  }
+  return true;
+}

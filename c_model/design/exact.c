@@ -1,0 +1,145 @@
+/* exact.c - architecture exact: its checks and the formats of its numbers (docs/exact.md). */
+#include "design/architecture.h"
+#include "design/interval.h"
+#include "util/error.h"
+
+/* The gap of AABBs beyond which a pair is free, the outermost clearance granted. */
+static int64_t outer_margin(const sepax_config *config) {
+  int outer = config->warning > 0 ? config->warning : config->clearance;
+  return (int64_t)outer + 1;
+}
+
+/* AABBs that overlap, or are no farther apart than the margin, seen from the lowest corner of the
+ * larger kind: its own coordinates reach up to its extent, the other's from minus its extent to
+ * the sum of both, and that much more. */
+static int core_word(const sepax_config *config) {
+  int64_t a = config->extent_a;
+  int64_t b = config->extent_b;
+  if (a == 0 && b == 0) {
+    return config->word;
+  }
+  int64_t range = (a > b ? a + 2 * b : 2 * a + b) + 2 * outer_margin(config);
+  int bits = SEPAX_WORD_MIN;
+  while (range >> bits != 0) {
+    bits++;
+  }
+  return bits;
+}
+
+static bool check_memory(char object, int triangles, sepax_error *error) {
+  return (triangles & (triangles - 1)) == 0 ||
+         sepax_fail(error, "memory-%c: %d triangles is no power of two of %d ... %d", object,
+                    triangles, SEPAX_MEMORY_MIN, SEPAX_MEMORY_MAX);
+}
+
+static bool check_clearance(const sepax_config *config, sepax_error *error) {
+  int most = sepax_word_max(config->word);
+  if (config->clearance > most) {
+    return sepax_fail(error, "clearance: %d LSB is out of range; give 0 ... %d", config->clearance,
+                      most);
+  }
+  if (config->warning != 0 && (config->warning <= config->clearance || config->warning > most)) {
+    return sepax_fail(error, "warning: %d LSB is not above the clearance of %d and up to %d",
+                      config->warning, config->clearance, most);
+  }
+  if (config->clearance >= 0 && config->flag) {
+    return sepax_fail(
+        error, "coplanar: with a clearance coplanar pairs need no second pass; leave flag out");
+  }
+  return true;
+}
+
+static bool check_extents(const sepax_config *config, sepax_error *error) {
+  int64_t most = (INT64_C(1) << config->word) - 1;
+  if (config->extent_a == 0) {
+    return true;
+  }
+  if (config->extent_a > most || config->extent_b > most) {
+    return sepax_fail(error, "extent: %d and %d LSB; give 1 ... %lld", config->extent_a,
+                      config->extent_b, (long long)most);
+  }
+  return core_word(config) < config->word ||
+         sepax_fail(error,
+                    "extent: pairs that near need %d bits, no fewer than W; leave the extents out",
+                    core_word(config));
+}
+
+static bool check(const sepax_config *config, sepax_error *error) {
+  if (!check_clearance(config, error) || !check_extents(config, error)) {
+    return false;
+  }
+  if (config->early_out && (config->extent_a != 0 || config->lanes != 0)) {
+    return sepax_fail(error, "early-out: %s test AABBs before the core anyway; leave it out",
+                      config->lanes != 0 ? "comparator lanes" : "extents");
+  }
+  return check_memory('a', config->memory_a, error) && check_memory('b', config->memory_b, error);
+}
+
+/* Enter a format; every bit that tells results apart is kept. */
+static void enter(sepax_design *design, int id, const char *name, interval terms, interval result) {
+  design->format[id] = (sepax_format){name, bits_of(terms), bits_of(result), 0, 0};
+  design->formats = id + 1;
+}
+
+/* The same for the factor of a product that is recoded: the recoded multiplier computes
+ * a (b - K), K = 1 + 4 + 16 ..., so K is added to the factor. */
+static void enter_digits(sepax_design *design, int id, const char *name, interval value) {
+  int digits = (bits_of(value) + 1) / 2;
+  wide bias = (((wide)1 << (2 * (digits - 1))) - 1) / 3;
+  interval sum = {value.lo + bias, value.hi + bias};
+  enter(design, id, name, sum, sum);
+  design->format[id].digits = digits;
+}
+
+/* What a gap, doubled, must exceed on an axis whose components are at most so long. */
+static interval limit_of(const sepax_config *c, int components, wide longest) {
+  wide outer = outer_margin(c) - 1;
+  return (interval){0, ((outer + 2) * components + outer) * longest};
+}
+
+/* With a clearance: components of e x f are at most twice the square of a side. */
+static void derive_limits(sepax_design *d, wide side) {
+  const sepax_config *c = &d->config;
+  if (c->clearance < 0) {
+    return;
+  }
+  interval cross = {-2 * side * side, 2 * side * side};
+  interval limit = limit_of(c, 3, 2 * side * side);
+  interval edge_limit = limit_of(c, 2, side);
+  enter(d, SEPAX_X_CROSS, "cross", cross, cross);
+  enter(d, SEPAX_X_LIMIT, "limit", limit, limit);
+  enter(d, SEPAX_X_EDGE_LIMIT, "edge_limit", edge_limit, edge_limit);
+}
+
+/* `exact` bits hold every term on the way, `width` the result; sums that cancel are taken modulo
+ * 2^width. Twice the area of a triangle in a square of side L is at most L^2, six times the
+ * volume of a tetrahedron in a cube 2 L^3. */
+static void derive_formats(sepax_design *d) {
+  interval word = signed_word(d->core_word);
+  interval span = hull(difference(word, word), (interval){2 * word.lo, 2 * word.hi});
+  interval z_sum = {2 * (word.lo - word.hi), 2 * (word.hi - word.lo)};
+  interval own_z_sum = {3 * (word.lo - word.hi), 3 * (word.hi - word.lo)};
+  wide side = word.hi - word.lo;
+  interval orient2d = {-side * side, side * side};
+  interval orient3d = {-2 * side * side * side, 2 * side * side * side};
+  enter(d, SEPAX_X_COORDINATE, "coordinate", word, word);
+  enter(d, SEPAX_X_SPAN, "span", span, span);
+  d->format[SEPAX_X_SPAN].digits = (bits_of(span) + 1) / 2;
+  enter(d, SEPAX_X_ORIENT2D, "orient2d", sum_of_three(product(span, span)), orient2d);
+  enter_digits(d, SEPAX_X_Z_SUM, "z_sum", z_sum);
+  enter_digits(d, SEPAX_X_OWN_Z_SUM, "own_z_sum", own_z_sum);
+  enter(d, SEPAX_X_ORIENT3D, "orient3d", product(orient2d, own_z_sum), orient3d);
+  derive_limits(d, side);
+}
+
+static void derive(sepax_design *design) {
+  const sepax_config *config = &design->config;
+  design->aabb_test = config->early_out || config->extent_a > 0;
+  design->core_word = core_word(config);
+  design->limits = config->clearance < 0 ? 0 : config->warning > 0 ? 2 : 1;
+  design->margin[0] = (int64_t)config->clearance + 1;
+  design->margin[1] = outer_margin(config);
+  derive_formats(design);
+}
+
+const architecture architecture_exact = {"exact", check, derive};

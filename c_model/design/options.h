@@ -1,0 +1,50 @@
+/* options.h - the table of options: a row says everything about an option of a design but its use.
+ */
+#ifndef SEPAX_OPTIONS_H
+#define SEPAX_OPTIONS_H
+
+#include "sepax_design.h"
+
+typedef enum {
+  OPTION_NUMBER,    /* a whole number */
+  OPTION_PERIOD,    /* nanoseconds, at most three decimals; the field holds picoseconds */
+  OPTION_CHOICE,    /* one of `choices`; the field holds its index */
+  OPTION_SWITCH,    /* the same of two; without a value it is the second */
+  OPTION_PRECISION, /* full, word, guard=G; the field holds G, -1 for full */
+  OPTION_ARCH       /* the name of an architecture */
+} option_kind;
+
+typedef struct {
+  const char *name; /* as in --name; its variable of make is in capitals, with _ for - */
+  char letter;      /* -w; or 0 */
+  option_kind kind;
+  size_t field, size;         /* in sepax_config */
+  int standard;               /* the default; outside of low ... high it means "none" */
+  int low, high;              /* the range, as far as it depends on nothing else */
+  const char *const *choices; /* ends with NULL */
+  unsigned archs;             /* bits 1 << sepax_arch: those that read it */
+  unsigned named;             /* those whose name of a design always holds it */
+  bool shown;                 /* sepax_config_text prints the default, too */
+  const char *needs;          /* NULL, or the option without which it means nothing */
+  const char *tag;            /* what it adds to the name of a design, "-a%s" */
+  const char *argument;       /* of --help */
+  const char *help;
+} design_option;
+
+/* Row i, NULL after the last. */
+const design_option *design_option_at(size_t i);
+
+/* The variable of make: EARLY_OUT for early-out. */
+typedef struct {
+  char text[32];
+} option_text;
+option_text design_option_variable(const design_option *option);
+
+/* The value in `config` as text, and the default; "" for none. */
+option_text design_option_value(const design_option *option, const sepax_config *config);
+
+/* Fails if an architecture does not read an option that was changed, if a value is out of its
+ * range, or without the option that it needs. */
+bool design_options_check(const sepax_config *config, sepax_error *error);
+
+#endif
