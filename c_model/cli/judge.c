@@ -15,8 +15,9 @@ typedef struct {
 
 static const struct argp_option options[] = {
     {"echo", 'e', NULL, 0,
-     "print the 24 integers of the pair before its verdict, and behind it, for exact, "
-     "whether the pair is coplanar (0, 1) and the axis (0 ... 12, behind a box test to 14), with a clearance the band",
+     "print the 24 integers of the pair before its verdict, and behind it, for designs with "
+     "hardware, whether the pair is coplanar (0, 1), for exact also the axis (0 ... 12, behind an "
+     "AABB test to 14) and with a clearance the band",
      0},
     {0}};
 
@@ -47,8 +48,13 @@ static void print_verdict(const sepax_design *design, const sepax_pair *pair, bo
     putchar(' ');
   }
   putchar(verdict.collision ? '1' : '0');
-  if (echo && design->config.arch == SEPAX_ARCH_EXACT) {
-    printf(" %d %d", verdict.coplanar, verdict.axis);
+  sepax_arch arch = design->config.arch;
+  bool exact = arch == SEPAX_ARCH_EXACT;
+  if (echo && (exact || arch == SEPAX_ARCH_PAPER || arch == SEPAX_ARCH_CONFERENCE)) {
+    printf(" %d", verdict.coplanar);
+  }
+  if (echo && exact) {
+    printf(" %d", verdict.axis);
     if (design->limits > 0) {
       printf(" %d", verdict.band);
     }

@@ -1,6 +1,6 @@
 // sepax_tb.v - self-checking bench of sepax_top for Icarus Verilog.
 //
-// +pairs=FILE  lines of 24 integers and the expected verdict (sepax judge --echo)
+// +pairs=FILE  lines of 24 integers and the expected collision, coplanar (sepax judge --echo)
 // +rest=1      from the second pair on all are coplanar: check that whatever belongs
 //              to axes 7 ... 9 stands still (not for netlists); of conference, none is:
 //              check that whatever belongs to the six axes of table 2 does
@@ -33,15 +33,15 @@ module sepax_tb;
 
   reg [8*1024-1:0] path;
   integer file, fields, i, word, cycle, sent, judged, mismatches, rest;
-  integer number [0:24];
+  integer number [0:25];
   integer due [0:QUEUE-1];
-  reg expected [0:QUEUE-1];
+  reg [1:0] expected [0:QUEUE-1]; // collision, coplanar
 
   task mismatch(input [8*40-1:0] what);
     begin
       mismatches = mismatches + 1;
-      $display("icarus: pair %0d, cycle %0d: %0s (valid %b, collision %b)", judged, cycle, what,
-               out_valid, out_collision);
+      $display("icarus: pair %0d, cycle %0d: %0s (valid %b, collision %b, coplanar %b)", judged,
+               cycle, what, out_valid, out_collision, out_coplanar);
       if (mismatches == 20) begin
         $stop;
       end
@@ -55,10 +55,10 @@ module sepax_tb;
       if (judged < sent && due[judged % QUEUE] == cycle) begin
         if (out_valid !== 1'b1) begin
           mismatch("no verdict");
-        end else if (out_collision !== expected[judged % QUEUE]) begin
+        end else if (out_collision !== expected[judged % QUEUE][1]) begin
           mismatch("wrong verdict");
-        end else if (out_coplanar !== 1'b0 && out_coplanar !== 1'b1) begin
-          mismatch("out_coplanar is X");
+        end else if (out_coplanar !== expected[judged % QUEUE][0]) begin
+          mismatch("wrong out_coplanar");
         end
         judged = judged + 1;
       end else if (out_valid !== 1'b0 || out_collision !== 1'b0 || out_coplanar !== 1'b0) begin
@@ -71,7 +71,7 @@ module sepax_tb;
   task read_pair;
     begin
       fields = 0;
-      for (i = 0; i < 25; i = i + 1) begin
+      for (i = 0; i < 26; i = i + 1) begin
         fields = fields + ($fscanf(file, "%d", number[i]) == 1);
       end
     end
@@ -80,7 +80,7 @@ module sepax_tb;
   task send_pair;
     begin
       due[sent % QUEUE] = cycle + LATENCY;
-      expected[sent % QUEUE] = number[24] != 0;
+      expected[sent % QUEUE] = {number[24] != 0, number[25] != 0};
       sent = sent + 1;
       for (word = 0; word < 3; word = word + 1) begin
         in_valid = 1'b1;
@@ -118,12 +118,12 @@ module sepax_tb;
     repeat (3) @(negedge clk);
     rst = 1'b0;
     read_pair;
-    while (fields == 25) begin
+    while (fields == 26) begin
       send_pair;
       read_pair;
     end
     if (fields != 0) begin
-      mismatch("a line without 25 integers");
+      mismatch("a line without 26 integers");
     end
     repeat (2 * LATENCY) tick;
     $display("icarus: %0d pairs, %0d mismatches", judged, mismatches);
