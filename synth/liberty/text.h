@@ -4,14 +4,15 @@
 
 #include <stddef.h>
 
-/* The file that is read; its reader sets it, messages name it. */
+/* The program and the file that is read; messages name both. */
+extern const char *text_program;
 extern const char *text_file;
 
-/* One line on standard error, "power: FILE: what name", and exit status 2. */
+/* One line on standard error, "PROGRAM: FILE: what name", and exit status 2. */
 void text_fail(const char *what, const char *name) __attribute__((noreturn));
 
 /* Zeroed memory, freed by nobody; ends the program without it. */
-void *text_room(size_t count, size_t size);
+void *text_alloc(size_t count, size_t size);
 
 /* The whole file text_file, with a 0 behind it; `cure` is what to do if it cannot be read. */
 char *text_read(const char *cure);

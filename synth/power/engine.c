@@ -76,7 +76,7 @@ static void find_memories(engine *e) {
     gates_find_word(g, name, m->places, m->read_address);
     snprintf(name, sizeof name, "read_%s_%c", kind, x);
     gates_find_word(g, name, m->bits, m->read_data);
-    m->word = text_room((size_t)room * (size_t)m->bits, sizeof *m->word);
+    m->word = text_alloc((size_t)room * (size_t)m->bits, sizeof *m->word);
   }
 }
 
@@ -284,7 +284,7 @@ static void expect(engine *e, unsigned l) {
   sepax_engine_run run;
   sepax_tri *tri[2];
   for (int object = 0; object < 2; object++) {
-    tri[object] = text_room(e->scene->count[object], sizeof *tri[object]);
+    tri[object] = text_alloc(e->scene->count[object], sizeof *tri[object]);
     for (size_t k = 0; k < e->scene->count[object]; k++) {
       tri[object][k] = *triangle_of(e, object, k, l);
     }
@@ -298,7 +298,7 @@ static void expect(engine *e, unsigned l) {
   owed->pairs = (uint32_t)run.pairs;
   owed->candidates = (uint32_t)run.candidates;
   owed->collisions = (uint32_t)run.collisions;
-  owed->result = text_room(owed->count + 1, sizeof *owed->result);
+  owed->result = text_alloc(owed->count + 1, sizeof *owed->result);
   for (size_t k = 0; k < owed->count; k++) {
     const size_t *number = run.found.pair[k];
     owed->result[k] = result_of(e->design, &tri[0][number[0]], &tri[1][number[1]], number);

@@ -415,7 +415,7 @@ static void build(builder *b, const module *m, int *net, const char *name, int p
       add_cell(b, one, net, place);
       continue;
     }
-    int *inner = text_room((size_t)of->nets, sizeof *inner);
+    int *inner = text_alloc((size_t)of->nets, sizeof *inner);
     memset(inner, 0xff, (size_t)of->nets * sizeof *inner);
     for (int p = 0; p < one->pins; p++) {
       const bundle *port = find_port(of, one->pin[p].name);
@@ -465,8 +465,9 @@ static void add_ports(builder *b, const module *top, const int *net) {
 
 /* Every net has one driver; combinational cells stand behind theirs. */
 static void put_in_order(gates *g) {
-  int *driver = text_room((size_t)g->nets, sizeof *driver); /* cell + 1; -1: an input, a constant */
-  int *waits = text_room((size_t)g->cells, sizeof *waits);
+  int *driver =
+      text_alloc((size_t)g->nets, sizeof *driver); /* cell + 1; -1: an input, a constant */
+  int *waits = text_alloc((size_t)g->cells, sizeof *waits);
   driver[0] = driver[1] = -1;
   for (int k = 0; k < g->ports; k++) {
     if (!g->port[k].output) {
@@ -489,8 +490,8 @@ static void put_in_order(gates *g) {
     }
   }
   /* Readers of each net, as a list through the pins. */
-  int *first = text_room((size_t)g->nets, sizeof *first);
-  int *next = text_room((size_t)g->cells * LIB_PINS, sizeof *next);
+  int *first = text_alloc((size_t)g->nets, sizeof *first);
+  int *next = text_alloc((size_t)g->cells * LIB_PINS, sizeof *next);
   for (int c = 0; c < g->cells; c++) {
     const lib_cell *type = g->cell[c].type;
     for (int p = 0; p < type->pins; p++) {
@@ -514,7 +515,7 @@ static void put_in_order(gates *g) {
       }
     }
   }
-  g->order = text_room((size_t)g->cells, sizeof *g->order);
+  g->order = text_alloc((size_t)g->cells, sizeof *g->order);
   int registers = 0;
   for (int c = 0; c < g->cells; c++) {
     registers += g->cell[c].type->register_;
@@ -562,7 +563,7 @@ void gates_read(gates *g, const library *lib, const char *path) {
   new_net(&b);
   new_net(&b);
   const module *top = top_of(r);
-  int *net = text_room((size_t)top->nets, sizeof *net);
+  int *net = text_alloc((size_t)top->nets, sizeof *net);
   memset(net, 0xff, (size_t)top->nets * sizeof *net);
   build(&b, top, net, top->name, -1);
   add_ports(&b, top, net);
@@ -578,10 +579,10 @@ void gates_read(gates *g, const library *lib, const char *path) {
   free(net);
   free(b.same);
   free(text); /* the modules stay: places and cells have their names */
-  g->value = text_room((size_t)g->nets, sizeof *g->value);
-  g->before = text_room((size_t)g->nets, sizeof *g->before);
-  g->toggles = text_room((size_t)g->nets, sizeof *g->toggles);
-  g->ones = text_room((size_t)g->nets, sizeof *g->ones);
+  g->value = text_alloc((size_t)g->nets, sizeof *g->value);
+  g->before = text_alloc((size_t)g->nets, sizeof *g->before);
+  g->toggles = text_alloc((size_t)g->nets, sizeof *g->toggles);
+  g->ones = text_alloc((size_t)g->nets, sizeof *g->ones);
   g->value[1] = ~UINT64_C(0);
 }
 

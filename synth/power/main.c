@@ -209,8 +209,8 @@ static void run(machine *m) {
 
 static void find_activities(machine *m) {
   gates *g = &m->g;
-  m->act = text_room((size_t)g->nets, sizeof *m->act);
-  m->one = text_room((size_t)g->nets, sizeof *m->one);
+  m->act = text_alloc((size_t)g->nets, sizeof *m->act);
+  m->one = text_alloc((size_t)g->nets, sizeof *m->one);
   for (int k = 0; k < g->nets; k++) {
     bool global = m->want->global >= 0;
     double all = (double)g->cycles * GATES_LANES;
@@ -227,8 +227,8 @@ static void find_activities(machine *m) {
 
 static void find_loads(machine *m) {
   gates *g = &m->g;
-  m->loads = text_room((size_t)g->nets, sizeof *m->loads);
-  m->load = text_room((size_t)g->nets, sizeof *m->load);
+  m->loads = text_alloc((size_t)g->nets, sizeof *m->loads);
+  m->load = text_alloc((size_t)g->nets, sizeof *m->load);
   for (int c = 0; c < g->cells; c++) {
     const lib_cell *type = g->cell[c].type;
     for (int k = 0; k < type->pins; k++) {
@@ -269,7 +269,7 @@ static void slope_of(machine *m, const gates_cell *cell) {
 
 static void find_slopes(machine *m) {
   gates *g = &m->g;
-  m->slope = text_room((size_t)g->nets, sizeof *m->slope);
+  m->slope = text_alloc((size_t)g->nets, sizeof *m->slope);
   for (int c = 0; c < g->cells; c++) {
     if (g->cell[c].type->register_) {
       slope_of(m, &g->cell[c]);
@@ -428,8 +428,8 @@ static void print_watts(watts w) {
 
 static void print_report(const machine *m) {
   const gates *g = &m->g;
-  watts *own = text_room((size_t)g->places, sizeof *own);
-  int *cells = text_room((size_t)g->places, sizeof *cells);
+  watts *own = text_alloc((size_t)g->places, sizeof *own);
+  int *cells = text_alloc((size_t)g->places, sizeof *cells);
   watts all = {0, 0, 0};
   watts registers = {0, 0, 0};
   for (int c = 0; c < g->cells; c++) {
@@ -492,7 +492,7 @@ static sepax_scene read_meshes(const machine *m) {
 static void make_pairs(machine *m) {
   sepax_scene scene = read_meshes(m);
   m->pairs = scene.count[0] * scene.count[1];
-  m->pair = text_room(m->pairs, sizeof *m->pair);
+  m->pair = text_alloc(m->pairs, sizeof *m->pair);
   for (size_t k = 0; k < m->pairs; k++) {
     m->pair[k] = sepax_scene_pair(&scene, k / scene.count[1], k % scene.count[1]);
   }
@@ -539,7 +539,7 @@ static void read_pairs(machine *m) {
 }
 
 static void judge_pairs(machine *m) {
-  m->verdict = text_room(m->pairs, sizeof *m->verdict);
+  m->verdict = text_alloc(m->pairs, sizeof *m->verdict);
   for (size_t k = 0; k < m->pairs; k++) {
     sepax_verdict v = sepax_judge(&m->design, &m->pair[k]);
     m->verdict[k] = (unsigned char)(v.collision | v.coplanar << 1);

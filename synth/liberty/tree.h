@@ -1,0 +1,33 @@
+/* tree.h - the statements of a Liberty file, as they stand there. */
+#ifndef SEPAX_LIBERTY_TREE_H
+#define SEPAX_LIBERTY_TREE_H
+
+#include <stddef.h>
+
+/* A statement: name (args) { child ... } or name : value. Its args or value, without blanks and
+ * quotes around them, stand in the text between from and to. */
+typedef struct node {
+  char *name, *args, *value;
+  const char *from, *to;
+  struct node *child, *next;
+} node;
+
+/* Read the statements of a text; its comments and continued lines become blanks of the same
+ * length. The root's only child of interest is `library`. Exits with status 2 and a message where
+ * the text is no Liberty file. */
+node *tree_read(char *text);
+void tree_free(node *n);
+
+/* The first child of this name, its value, its number; NULL or `other` where there is none. */
+const node *tree_child(const node *n, const char *name);
+const char *tree_value(const node *n, const char *name);
+double tree_number(const node *n, const char *name, double other);
+
+/* A unit in SI, "1nW" or "1,pf"; `other` where the text is NULL. */
+double tree_unit(const char *text, double other);
+
+/* Copies: of so many characters; of what is between blanks and quotes. */
+char *tree_copy(const char *from, size_t length);
+char *tree_trimmed(const char *from, const char *to);
+
+#endif
