@@ -480,7 +480,7 @@ $(AREA)/liberty.sum: FORCE
 	@mkdir -p $(AREA)
 	@cksum "$(LIBERTY)" > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
-MAP_SRC = $(wildcard synth/area/*) $(BUILD)/liberty
+MAP_SRC = $(wildcard synth/area/* synth/common* synth/netlist.jq) $(BUILD)/liberty
 
 $(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(MAP_SRC)
 	@echo "  YOSYS   $(CORE_NAME), $(LIBRARY)"

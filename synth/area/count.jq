@@ -1,8 +1,8 @@
-# What synth/area/map found, from the names of the modules ($names, of synth/area/names.jq), the
-# number of cells in each as mapped ($count), the library ($cells), the design ($design)
-# and its timing ($timing).
+# What synth/area/map found in a netlist of synth/netlist.jq, with the names of its modules ($names,
+# of synth/area/names.jq), the library ($cells), the design ($design) and its timing ($timing).
 
-def table: split("\n") | map(select(. != "") | split(" "));
+include "netlist";
+
 def rounded: . * 1000 | round / 1000;
 # How often each module stands below the top; the top stands once.
 def instances($top):
@@ -13,11 +13,11 @@ def instances($top):
       end;
     with_entries(.value = times(.key));
 
-($cells | table
-  | map({key: .[0], value: {area: (.[1] | tonumber), ff: (.[2] | tonumber)}}) | from_entries
-  ) as $cell
-| (reduce ($count | table)[] as [$m, $type, $n] ({};
-    if $type == "-" then .[$m] = {} else .[$m][$type] = ($n | tonumber) end)) as $modules
+$cells[0].cells as $library_cell
+| ($library_cell | map_values({area: (.area // 0),
+    ff: ([.state[] | select(.kind | startswith("ff"))] | length)})) as $cell
+| $library_cell[$nand2].area as $nand2_area
+| count as $modules
 | ($names[0] | map({key: .plain, value: .readable}) | from_entries) as $name
 | ($modules | instances($top)) as $instances
 | [ $modules | to_entries[] | .key as $m

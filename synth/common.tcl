@@ -1,0 +1,28 @@
+# synth/common.tcl - what every run of OpenSTA begins with.
+
+proc read_design {liberty netlist top} {
+  foreach file $liberty { read_liberty $file }
+  set_cmd_units -time ns
+  read_verilog $netlist
+  link_design $top
+}
+
+# Inputs but the clock, those whose name matches `late` or only those.
+proc inputs {clock late} {
+  lmap port [all_inputs] {
+    set name [get_name $port]
+    if {$name eq $clock || ![string match $late $name]} { continue }
+    set port
+  }
+}
+
+# Inputs arrive with the clock's edge, `late` ones half a period after it; outputs are due at the
+# next edge; the clock is ideal.
+proc constrain {period clock {late ""}} {
+  create_clock -name clk -period $period [get_ports $clock]
+  set_input_delay 0 -clock clk [inputs $clock *]
+  if {$late ne ""} { set_input_delay [expr {$period / 2.0}] -clock clk [inputs $clock $late] }
+  set_output_delay 0 -clock clk [all_outputs]
+}
+
+proc worst_slack_of {} { return [get_property [lindex [find_timing_paths -path_delay max] 0] slack] }

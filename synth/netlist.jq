@@ -1,0 +1,28 @@
+# synth/netlist.jq - a mapped netlist as synth/area/map keeps it, from Yosys' write_json:
+# {modules: {NAME: {ports: {NAME: {direction, bits}}, cells: {NAME: {type, connections: {PIN:
+# [BIT ...]}}}, netnames: {NAME: {bits}}}}}. A bit is a number, one net of the module, or a constant
+# "0", "1". Large objects are made by from_entries: jq 1.6 copies them with each |=.
+
+# What is kept of Yosys' own: not the library's cells, which are black boxes, nor attributes.
+def of_yosys:
+  def only(f): with_entries(.value |= f);
+  {modules: (.modules | to_entries | map(select(.value.attributes.blackbox | not) | {key,
+    value: (.value | {ports, cells: (.cells | only({type, connections})),
+                      netnames: (.netnames | only({bits}))})}) | from_entries)};
+
+# The module that no other has an instance of.
+def tops: .modules as $m | [$m[].cells[].type] as $used | ($m | keys_unsorted) - $used;
+def top: tops | if length == 1 then .[0] else error("several top modules: \(join(" "))") end;
+
+# Number of cells by type in each module: {MODULE: {TYPE: NUMBER}}.
+def count:
+  .modules | with_entries(.value |= ([.cells[].type] | group_by(.)
+    | map({key: .[0], value: length}) | from_entries));
+
+# Instances of modules: rows of module, instance, its module.
+def hierarchy:
+  .modules as $m | $m | to_entries[] | .key as $in | .value.cells | to_entries[]
+  | select($m[.value.type]) | [$in, .key, .value.type];
+
+# The module that an instance is of, by its path from the top.
+def module_at($path): .modules as $m | reduce $path[] as $name (top; $m[.].cells[$name].type);
