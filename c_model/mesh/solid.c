@@ -1,6 +1,6 @@
 /* solid.c - closed meshes as solids: is a part of one wholly inside the other? */
 #include "util/error.h"
-#include "points.h"
+#include "util/wide.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -80,13 +80,9 @@ static int above(sepax_vec p, const sepax_tri *t) {
   if (!within) {
     return 0;
   }
-  point a = {{t->v[0].x, t->v[0].y, t->v[0].z}};
-  point u = {{(int64_t)t->v[1].x - t->v[0].x, (int64_t)t->v[1].y - t->v[0].y,
-              (int64_t)t->v[1].z - t->v[0].z}};
-  point v = {{(int64_t)t->v[2].x - t->v[0].x, (int64_t)t->v[2].y - t->v[0].y,
-              (int64_t)t->v[2].z - t->v[0].z}};
-  normal n = cross(u, v);
-  wide height = n.c[0] * (p.x - a.c[0]) + n.c[1] * (p.y - a.c[1]) + n.c[2] * (p.z - a.c[2]);
+  wide_vec a = wide_from(t->v[0]);
+  wide_vec n = wide_cross(wide_sub(wide_from(t->v[1]), a), wide_sub(wide_from(t->v[2]), a));
+  wide height = wide_dot(n, wide_sub(wide_from(p), a));
   int up = n.c[2] > 0 ? 1 : -1;
   return (up > 0 ? height < 0 : height > 0) ? up : 0;
 }

@@ -1,5 +1,6 @@
 /* stl.c - STL files, text and binary, read and written whole. */
 #include "util/error.h"
+#include "util/list.h"
 #include "util/write_file.h"
 
 #include <errno.h>
@@ -71,17 +72,20 @@ static bool is_readable_kind(FILE *in, const char *path, sepax_error *error) {
   return true;
 }
 
+static bool fail_memory(sepax_error *error, const char *path) {
+  return fail(error, path, "too large for the memory; use a coarser mesh");
+}
+
 static bool read_stream(content *file, FILE *in, const char *path, sepax_error *error) {
-  size_t room = (size_t)1 << 16;
+  size_t capacity = 0;
   do {
-    room *= 2;
-    char *bytes = realloc(file->bytes, room);
+    char *bytes = list_grow(file->bytes, &capacity, file->size + 1, 1);
     if (bytes == NULL) {
-      return fail(error, path, "too large for the memory; use a coarser mesh");
+      return fail_memory(error, path);
     }
     file->bytes = bytes;
-    file->size += fread(bytes + file->size, 1, room - 1 - file->size, in);
-  } while (file->size == room - 1);
+    file->size += fread(bytes + file->size, 1, capacity - 1 - file->size, in);
+  } while (file->size == capacity - 1);
   if (ferror(in)) {
     return fail(error, path, "%s; check the file", strerror(errno));
   }
@@ -196,21 +200,17 @@ static bool read_facet(scanner *text, sepax_facet *facet) {
   return ok && read_keyword(text, "endloop") && read_keyword(text, "endfacet");
 }
 
-static bool append_facet(sepax_mesh *mesh, size_t *room, const sepax_facet *facet) {
-  if (mesh->count == *room) {
-    size_t more = *room == 0 ? 256 : 2 * *room;
-    sepax_facet *grown = realloc(mesh->facet, more * sizeof *grown);
-    if (grown == NULL) {
-      return false;
-    }
-    mesh->facet = grown;
-    *room = more;
+static bool append_facet(sepax_mesh *mesh, size_t *capacity, const sepax_facet *facet) {
+  sepax_facet *grown = list_grow(mesh->facet, capacity, mesh->count, sizeof *grown);
+  if (grown == NULL) {
+    return false;
   }
+  mesh->facet = grown;
   mesh->facet[mesh->count++] = *facet;
   return true;
 }
 
-static bool read_solid(scanner *text, sepax_mesh *mesh, size_t *room) {
+static bool read_solid(scanner *text, sepax_mesh *mesh, size_t *capacity) {
   if (!word_is(text, "solid")) {
     return fail_expecting(text, "solid");
   }
@@ -220,8 +220,8 @@ static bool read_solid(scanner *text, sepax_mesh *mesh, size_t *room) {
     if (!read_facet(text, &facet)) {
       return false;
     }
-    if (!append_facet(mesh, room, &facet)) {
-      return fail(text->error, text->path, "too large for the memory; use a coarser mesh");
+    if (!append_facet(mesh, capacity, &facet)) {
+      return fail_memory(text->error, text->path);
     }
   }
   if (!word_is(text, "endsolid")) {
@@ -237,9 +237,9 @@ static bool read_text(sepax_mesh *mesh, const content *file, const char *path, s
                   .end = file->bytes + file->size,
                   .line = 1,
                   .error = error};
-  size_t room = 0;
+  size_t capacity = 0;
   while (next_word(&text)) {
-    if (!read_solid(&text, mesh, &room)) {
+    if (!read_solid(&text, mesh, &capacity)) {
       return false;
     }
   }
@@ -283,7 +283,7 @@ static bool read_binary(sepax_mesh *mesh, const content *file, const char *path,
   }
   mesh->facet = malloc(count * sizeof *mesh->facet);
   if (mesh->facet == NULL) {
-    return fail(error, path, "too large for the memory; use a coarser mesh");
+    return fail_memory(error, path);
   }
   const char *bytes = file->bytes + HEAD_BYTES;
   for (; mesh->count < count; mesh->count++, bytes += FACET_BYTES) {

@@ -1,232 +1,11 @@
 /* families.c - the families of hard pairs.
  *
- * A maker writes a draft: six points round the origin, all coordinates within
- * +-half, of which one group may then move by 1 LSB in one direction. So the draft
- * is at most 2 half + 1 long and always finds a place in the W-bit range; sizes are
- * derived from `half`, a choice that would spoil the family (parallel edges, say)
- * is replaced by a unit vector that does not. Hence no maker retries or fails. The
- * contact that a family is about is at the origin.
- *
- * Draws are separate statements: the stream must not depend on the compiler. */
-#include "mesh/points.h"
-#include "sepax_vectors.h"
-
-#include <assert.h>
-
-/* ------------------------------------------------------------------- drawing */
-
-typedef struct {
-  sepax_random *random;
-  int word;      /* W */
-  int bits;      /* 4 ... W, the bits of half: pairs are also small in a large range */
-  int64_t half;  /* 2^(bits - 1) - 1 */
-  bool fixed;    /* the place is part of the family */
-  bool oriented; /* both normals or none may change their sign */
-  triangle t[2]; /* A, B */
-} draft;
-
-static point *vertex(draft *d, int i) { return &d->t[i / 3].v[i % 3]; }
-
-static int64_t range(draft *d, int64_t lo, int64_t hi) {
-  return sepax_random_range(d->random, lo, hi);
-}
-
-static bool one_in(draft *d, int64_t n) { return range(d, 1, n) == 1; }
-
-static int64_t sign(draft *d) { return one_in(d, 2) ? 1 : -1; }
-
-static void set_bits(draft *d, int bits) {
-  d->bits = bits;
-  d->half = (INT64_C(1) << (bits - 1)) - 1;
-}
-
-/* A power of two, 1 ... 2^(bits - 3), at most `most`: how many steps a lattice has. */
-static int64_t draw_steps(draft *d, int64_t most) {
-  int64_t steps = INT64_C(1) << range(d, 0, d->bits - 3);
-  return steps < most ? steps : most;
-}
-
-static point around(draft *d, int64_t reach) {
-  point p;
-  for (int i = 0; i < 3; i++) {
-    p.c[i] = range(d, -reach, reach);
-  }
-  return p;
-}
-
-static point direction(draft *d, int64_t reach) {
-  point p = around(d, reach);
-  bool zero = p.c[0] == 0 && p.c[1] == 0 && p.c[2] == 0;
-  return zero ? unit(0) : p;
-}
-
-/* A vector that is not parallel to u, which is not zero. */
-static point independent(draft *d, point u, int64_t reach) {
-  point p = around(d, reach);
-  for (int axis = 0; axis < 2 && parallel(u, p); axis++) {
-    p = unit(axis);
-  }
-  return p;
-}
-
-static basis draw_basis(draft *d, int64_t reach) {
-  basis b;
-  b.u = direction(d, reach);
-  b.v = independent(d, b.u, reach);
-  return b;
-}
-
-static point lsb(draft *d) {
-  point p = unit(range(d, 0, 2));
-  return times(p, sign(d));
-}
-
-/* The origin, or 1 LSB off in three of four cases. */
-static point nearly(draft *d) { return one_in(d, 4) ? (point){{0, 0, 0}} : lsb(d); }
-
-/* +-1 LSB along an axis that is not parallel to the plane of normal n (not zero). */
-static point off_plane(draft *d, normal n) {
-  int64_t axis = range(d, 0, 2);
-  while (n.c[axis] == 0) {
-    axis = (axis + 1) % 3;
-  }
-  point p = unit(axis);
-  return times(p, sign(d));
-}
-
-/* ------------------------------------------------- triangles round the origin */
-
-static void draw_edge(draft *d, triangle *t, point u, int64_t steps) {
-  int64_t ahead = range(d, 1, steps);
-  int64_t behind = range(d, 1, steps);
-  t->v[0] = times(u, ahead);
-  t->v[1] = times(u, -behind);
-}
-
-/* The origin is inside; coordinates reach 2 * steps * that of u and v. */
-static void draw_face(draft *d, triangle *t, const basis *b, int64_t steps) {
-  int64_t k = range(d, 1, steps);
-  int64_t l = range(d, 1, steps);
-  int64_t i = range(d, 1, steps);
-  int64_t j = range(d, 1, steps);
-  t->v[0] = times(b->u, k);
-  t->v[1] = times(b->v, l);
-  t->v[2] = combine(b, -i, -j);
-}
-
-static void draw_segment(draft *d, triangle *t, point u, int64_t steps) {
-  draw_edge(d, t, u, steps);
-  int64_t at = range(d, -steps, steps);
-  t->v[2] = times(u, at);
-  if (one_in(d, 3)) {
-    t->v[2] = t->v[0];
-  }
-}
-
-/* The origin is inside or on an edge; coordinates reach `reach`. */
-static void draw_open(draft *d, triangle *t, int64_t reach, int64_t most) {
-  int64_t steps = draw_steps(d, most);
-  basis b = draw_basis(d, reach / (2 * steps));
-  if (one_in(d, 2)) {
-    draw_face(d, t, &b, steps);
-    return;
-  }
-  draw_edge(d, t, b.u, steps);
-  t->v[2] = independent(d, b.u, reach);
-}
-
-/* Vertices 1 and 2, so that with the origin there is an area. */
-static void draw_wing(draft *d, triangle *t) {
-  t->v[1] = direction(d, d->half);
-  t->v[2] = independent(d, t->v[1], d->half);
-}
-
-static void wing_to_side(triangle *t, normal n, int side) {
-  t->v[1] = on_side(t->v[1], n, side);
-  t->v[2] = on_side(t->v[2], n, side);
-}
-
-/* ------------------------------------------------------------ lattice planes */
-
-/* Coordinates keep within +-half also one lattice step outside. */
-static lattice draw_lattice(draft *d) {
-  lattice l;
-  if (one_in(d, 4)) {
-    l.b = (basis){unit(0), unit(1)};
-    l.steps = d->half - 1;
-    return l;
-  }
-  l.steps = draw_steps(d, INT64_MAX);
-  assert(l.steps > 0);
-  l.b = draw_basis(d, d->half / 2 / (l.steps + 1));
-  return l;
-}
-
-static flat flat_around(draft *d, const lattice *l) {
-  flat f;
-  f.i = range(d, -l->steps, l->steps);
-  f.j = range(d, -l->steps, l->steps);
-  return f;
-}
-
-static flat flat_direction(draft *d, const lattice *l) {
-  flat f = flat_around(d, l);
-  return f.i == 0 && f.j == 0 ? (flat){1, 0} : f;
-}
-
-/* Not parallel to g, which is not zero; on the given side of it. */
-static flat flat_on_side(draft *d, const lattice *l, flat g, int side) {
-  flat f = flat_around(d, l);
-  if (flat_area(g, f) == 0) {
-    f = g.i != 0 ? (flat){0, 1} : (flat){1, 0};
-  }
-  return flat_area(g, f) * side < 0 ? (flat){-f.i, -f.j} : f;
-}
-
-static void draw_flat(draft *d, triangle *t, const lattice *l) {
-  flat f[3];
-  for (int k = 0; k < 3; k++) {
-    f[k] = flat_around(d, l);
-  }
-  flat u = {f[1].i - f[0].i, f[1].j - f[0].j};
-  flat v = {f[2].i - f[0].i, f[2].j - f[0].j};
-  if (flat_area(u, v) == 0) {
-    f[0] = (flat){0, 0};
-    f[1] = (flat){1, 0};
-    f[2] = (flat){0, 1};
-  }
-  for (int k = 0; k < 3; k++) {
-    t->v[k] = lifted(l, f[k]);
-  }
-}
-
-/* An edge or vertex of A meets vertex 0 of B from outside, or a lattice step off. */
-static void draw_flat_contact(draft *d, const lattice *l) {
-  flat g = flat_direction(d, l);
-  flat a = flat_on_side(d, l, g, 1);
-  flat b = flat_on_side(d, l, g, -1);
-  flat c = flat_on_side(d, l, b, one_in(d, 2) ? 1 : -1);
-  c = flat_area(g, c) > 0 ? (flat){-c.i, -c.j} : c;
-  d->t[0].v[0] = lifted(l, g);
-  d->t[0].v[1] = times(d->t[0].v[0], -range(d, 0, 1));
-  d->t[0].v[2] = lifted(l, a);
-  d->t[1].v[0] = (point){{0, 0, 0}};
-  d->t[1].v[1] = lifted(l, b);
-  d->t[1].v[2] = lifted(l, c);
-  point step = one_in(d, 2) ? l->b.u : l->b.v;
-  move(&d->t[1], times(step, range(d, -1, 1)));
-}
-
-static lattice draw_coplanar(draft *d) {
-  lattice l = draw_lattice(d);
-  if (one_in(d, 3)) {
-    draw_flat(d, &d->t[0], &l);
-    draw_flat(d, &d->t[1], &l);
-  } else {
-    draw_flat_contact(d, &l);
-  }
-  return l;
-}
+ * A maker writes a draft: six points round the origin, all coordinates within +-half, of which one
+ * group may then move by 1 LSB in one direction. So the draft is at most 2 half + 1 long and always
+ * fits the W-bit range. Sizes are derived from `half`; a choice that would spoil the family
+ * (parallel edges, say) is replaced by a unit vector that does not. Hence no maker retries or
+ * fails. The contact that a family is about is at the origin. */
+#include "draft.h"
 
 /* -------------------------------------------------------------------- makers */
 
@@ -266,7 +45,7 @@ static void make_touch_face(draft *d) {
 static void make_touch_edge(draft *d) {
   int64_t steps = draw_steps(d, INT64_MAX);
   basis b = draw_basis(d, d->half / steps);
-  normal n = cross(b.u, b.v);
+  wide_vec n = cross(b.u, b.v);
   draw_edge(d, &d->t[0], b.u, steps);
   d->t[0].v[2] = on_side(independent(d, b.u, d->half), n, -1);
   draw_wing(d, &d->t[1]);
@@ -279,7 +58,7 @@ static void make_touch_edge(draft *d) {
 static void make_touch_edges(draft *d) {
   int64_t steps = draw_steps(d, INT64_MAX);
   basis b = draw_basis(d, d->half / steps);
-  normal n = cross(b.u, b.v);
+  wide_vec n = cross(b.u, b.v);
   draw_edge(d, &d->t[0], b.u, steps);
   draw_edge(d, &d->t[1], b.v, steps);
   d->t[0].v[2] = on_side(independent(d, b.u, d->half), n, -1);
@@ -301,7 +80,7 @@ static void make_almost_coplanar(draft *d) {
 
 static void make_parallel(draft *d) {
   lattice l = draw_lattice(d);
-  normal n = cross(l.b.u, l.b.v);
+  wide_vec n = cross(l.b.u, l.b.v);
   draw_flat(d, &d->t[0], &l);
   draw_flat(d, &d->t[1], &l);
   if (one_in(d, 2)) {
@@ -337,15 +116,15 @@ static void make_sliver(draft *d) {
   move(&d->t[1], nearly(d));
 }
 
-/* B, which is not behind the plane of normal n (not zero), 1 LSB farther off. */
-static void move_off(draft *d, normal n) {
+/* B, which is not behind the plane of wide_vec n (not zero), 1 LSB farther off. */
+static void move_off(draft *d, wide_vec n) {
   point by = off_plane(d, n);
   move(&d->t[1], dot(n, by) > 0 ? by : times(by, -1));
 }
 
 static void make_shared_vertex(draft *d) {
   basis b = draw_basis(d, d->half);
-  normal n = cross(b.u, b.v);
+  wide_vec n = cross(b.u, b.v);
   for (int i = 0; i < 2; i++) {
     d->t[i].v[0] = (point){{0, 0, 0}};
     draw_wing(d, &d->t[i]);
@@ -374,7 +153,7 @@ static void make_shared_edge(draft *d) {
     d->t[1].v[2] = sum(d->t[1].v[2], times(u, sign(d)));
   }
   if (one_in(d, 2)) {
-    normal n = cross(u, d->t[0].v[2]);
+    wide_vec n = cross(u, d->t[0].v[2]);
     d->t[1].v[2] = on_side(d->t[1].v[2], n, 1);
     move_off(d, n);
   }
@@ -418,9 +197,9 @@ static void make_big_tiny(draft *d) {
   move(&d->t[1], around(d, reach));
 }
 
-/* Turn t by a symmetry of the cube that does not map its plane to itself; there is
- * one for every plane. */
-static void turn(draft *d, triangle *t, normal n, wide level) {
+/* Map t by a symmetry of the cube that does not map its plane to itself; there is one for every
+ * plane. */
+static void map_out_of_plane(draft *d, triangle *t, wide_vec n, wide level) {
   int64_t number = range(d, 0, 47);
   triangle image;
   do {
@@ -438,14 +217,14 @@ static void make_tangent(draft *d) {
   d->oriented = true;
   lattice l = draw_lattice(d);
   l.steps = (l.steps + 1) / 2;
-  normal n = cross(l.b.u, l.b.v);
+  wide_vec n = cross(l.b.u, l.b.v);
   point at = around(d, (d->half - lattice_reach(&l)) >> range(d, 1, 5));
   at = dot(n, at) == 0 ? off_plane(d, n) : at;
   for (int i = 0; i < 2; i++) {
     draw_face(d, &d->t[i], &l.b, l.steps);
     move(&d->t[i], at);
   }
-  turn(d, &d->t[1], n, dot(n, at));
+  map_out_of_plane(d, &d->t[1], n, dot(n, at));
   wide a = dot(normal_of(&d->t[0]), d->t[0].v[0]);
   wide b = dot(normal_of(&d->t[1]), d->t[1].v[0]);
   if ((a < 0) != (b < 0)) {
@@ -517,8 +296,8 @@ static int64_t draw_shift(draft *d, int64_t from, int64_t to) {
   return choice == 0 ? from : choice == 1 ? to : range(d, from, to);
 }
 
-/* Move the draft to any place in the range, now and then to its very end. */
-static void place(draft *d) {
+/* Translate the draft to anywhere in the range, now and then to its very end. */
+static void translate_anywhere(draft *d) {
   point shift;
   for (int axis = 0; axis < 3; axis++) {
     int64_t low = d->t[0].v[0].c[axis];
@@ -535,7 +314,7 @@ static void place(draft *d) {
 }
 
 static void shuffle_vertices(draft *d, triangle *t, bool odd) {
-  for (int64_t turns = range(d, 0, 2); turns > 0; turns--) {
+  for (int64_t steps = range(d, 0, 2); steps > 0; steps--) {
     exchange(&t->v[0], &t->v[1]);
     exchange(&t->v[1], &t->v[2]);
   }
@@ -557,7 +336,7 @@ static void shuffle(draft *d) {
 }
 
 /* The smallest coordinate has no opposite, so an axis that holds it keeps its sign. */
-static void turn_axes(draft *d) {
+static void permute_axes(draft *d) {
   int64_t number = range(d, 0, 47);
   for (int i = 0; i < 6; i++) {
     point image = symmetric(*vertex(d, i), number);
@@ -577,10 +356,10 @@ sepax_pair sepax_family_triangles(size_t family, int word, sepax_random *random)
   set_bits(&d, one_in(&d, 2) ? word : (int)range(&d, SEPAX_WORD_MIN, word));
   families[family].make(&d);
   if (!d.fixed) {
-    place(&d);
+    translate_anywhere(&d);
   }
   shuffle(&d);
-  turn_axes(&d);
+  permute_axes(&d);
   return (sepax_pair){.a = to_tri(&d.t[0]), .b = to_tri(&d.t[1])};
 }
 

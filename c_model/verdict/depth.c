@@ -1,5 +1,5 @@
 /* depth.c - how far a pair is from the other verdict. */
-#include "mesh/points.h"
+#include "util/wide.h"
 
 #include <math.h>
 
@@ -86,38 +86,37 @@ static double distance(const sepax_tri *a, const sepax_tri *b) {
   return least;
 }
 
-/* The shorter of the two ways along an axis that separate, in LSB. */
-static double overlap(normal n, const point p[6]) {
+/* The length of the shorter of the two translations along an axis that separate, in LSB. */
+static double overlap(wide_vec n, const wide_vec p[6]) {
   wide low[2] = {0, 0};
   wide high[2] = {0, 0};
   for (int i = 0; i < 6; i++) {
-    wide at = n.c[0] * p[i].c[0] + n.c[1] * p[i].c[1] + n.c[2] * p[i].c[2];
+    wide at = wide_dot(n, p[i]);
     int t = i / 3;
     low[t] = i % 3 == 0 || at < low[t] ? at : low[t];
     high[t] = i % 3 == 0 || at > high[t] ? at : high[t];
   }
-  wide way = high[0] - low[1] < high[1] - low[0] ? high[0] - low[1] : high[1] - low[0];
+  wide shorter = high[0] - low[1] < high[1] - low[0] ? high[0] - low[1] : high[1] - low[0];
   double x = (double)n.c[0];
   double y = (double)n.c[1];
   double z = (double)n.c[2];
-  return (double)way / sqrt(x * x + y * y + z * z);
+  return (double)shorter / sqrt(x * x + y * y + z * z);
 }
 
 static double penetration(const sepax_tri *a, const sepax_tri *b) {
-  point p[6];
-  point edge[6];
+  wide_vec p[6];
+  wide_vec edge[6];
   for (int i = 0; i < 6; i++) {
-    sepax_vec v = i < 3 ? a->v[i] : b->v[i - 3];
-    p[i] = (point){{v.x, v.y, v.z}};
+    p[i] = wide_from(i < 3 ? a->v[i] : b->v[i - 3]);
   }
   for (int i = 0; i < 6; i++) {
-    edge[i] = sum(p[i / 3 * 3 + (i + 1) % 3], times(p[i], -1));
+    edge[i] = wide_sub(p[i / 3 * 3 + (i + 1) % 3], p[i]);
   }
   double least = INFINITY;
   for (int i = 0; i < 5; i++) {
     for (int j = i + 1; j < 6; j++) {
-      normal n = cross(edge[i], edge[j]);
-      if (n.c[0] != 0 || n.c[1] != 0 || n.c[2] != 0) {
+      wide_vec n = wide_cross(edge[i], edge[j]);
+      if (!wide_is_zero(n)) {
         least = fmin(least, overlap(n, p));
       }
     }

@@ -8,16 +8,16 @@ typedef struct {
   NUMBER a[3], b[3];
 } NAME(coordinate);
 
-/* g_ijk, of 2W + 1 bits: minus twice the area in the projection on x and y of triangle
- * A, of B, of edge e_i and vertex B_k (a[i][k]), of edge f_j and vertex A_k (b[j][k]). */
+/* g_ijk, negated orient2d in the projection on x and y, of 2W + 1 bits: of triangle A, of B, of
+ * edge e_i and vertex B_k (a[i][k]), of edge f_j and vertex A_k (b[j][k]). */
 typedef struct {
   NUMBER own_a, own_b, a[3][3], b[3][3];
-} NAME(areas);
+} NAME(orient2d);
 
-/* h_ijk, modulo 2^(3W + 2): g_ijk times the sum of z less A's; that of A itself is 0. */
+/* h_ijk modulo 2^(3W + 2): g_ijk times the sum of z less that of A; h of A itself is 0. */
 typedef struct {
   NUMBER own_b, a[3][3], b[3][3];
-} NAME(weighted);
+} NAME(prisms);
 
 static int NAME(sign)(NUMBER value) {
   return (value != 0) - 2 * (int)(value >> (8 * sizeof value - 1));
@@ -34,22 +34,22 @@ static void NAME(load)(NAME(coordinate) c[3], const sepax_tri *a, const sepax_tr
   }
 }
 
-/* t_ij: 15 products. */
-static NUMBER NAME(strip)(NUMBER xi, NUMBER yi, NUMBER xj, NUMBER yj) {
+/* t_ij, 15 products. */
+static NUMBER NAME(trapezoid)(NUMBER xi, NUMBER yi, NUMBER xj, NUMBER yj) {
   return (xj - xi) * (yi + yj);
 }
 
-static void NAME(find_areas)(NAME(areas) * g, const NAME(coordinate) * x,
-                             const NAME(coordinate) * y) {
+static void NAME(find_orient2d)(NAME(orient2d) * g, const NAME(coordinate) * x,
+                                const NAME(coordinate) * y) {
   NUMBER ta[3];
   NUMBER tb[3];
   NUMBER t[3][3];
   UNROLL for (int i = 0; i < 3; i++) {
     int n = next[i];
-    ta[i] = NAME(strip)(x->a[i], y->a[i], x->a[n], y->a[n]);
-    tb[i] = NAME(strip)(x->b[i], y->b[i], x->b[n], y->b[n]);
+    ta[i] = NAME(trapezoid)(x->a[i], y->a[i], x->a[n], y->a[n]);
+    tb[i] = NAME(trapezoid)(x->b[i], y->b[i], x->b[n], y->b[n]);
     UNROLL for (int j = 0; j < 3; j++) {
-      t[i][j] = NAME(strip)(x->a[i], y->a[i], x->b[j], y->b[j]);
+      t[i][j] = NAME(trapezoid)(x->a[i], y->a[i], x->b[j], y->b[j]);
     }
   }
   g->own_a = ta[0] + ta[1] + ta[2];
@@ -63,7 +63,8 @@ static void NAME(find_areas)(NAME(areas) * g, const NAME(coordinate) * x,
 }
 
 /* 19 products. */
-static void NAME(weigh)(NAME(weighted) * h, const NAME(areas) * g, const NAME(coordinate) * z) {
+static void NAME(find_prisms)(NAME(prisms) * h, const NAME(orient2d) * g,
+                              const NAME(coordinate) * z) {
   NUMBER origin = z->a[0] + z->a[1] + z->a[2];
   h->own_b = g->own_b * (z->b[0] + z->b[1] + z->b[2] - origin);
   UNROLL for (int i = 0; i < 3; i++) {
@@ -76,12 +77,12 @@ static void NAME(weigh)(NAME(weighted) * h, const NAME(areas) * g, const NAME(co
   }
 }
 
-static volume_signs NAME(volume_signs)(const NAME(coordinate) c[3]) {
-  NAME(areas) g;
-  NAME(weighted) h;
-  NAME(find_areas)(&g, &c[0], &c[1]);
-  NAME(weigh)(&h, &g, &c[2]);
-  volume_signs v;
+static orient3d_signs NAME(orient3d_signs)(const NAME(coordinate) c[3]) {
+  NAME(orient2d) g;
+  NAME(prisms) h;
+  NAME(find_orient2d)(&g, &c[0], &c[1]);
+  NAME(find_prisms)(&h, &g, &c[2]);
+  orient3d_signs v;
   UNROLL for (int i = 0; i < 3; i++) {
     int n = next[i];
     v.s[i] = NAME(sign)(h.a[0][i] + h.a[1][i] + h.a[2][i]);
@@ -93,10 +94,10 @@ static volume_signs NAME(volume_signs)(const NAME(coordinate) c[3]) {
   return v;
 }
 
-static area_signs NAME(area_signs)(const NAME(coordinate) * x, const NAME(coordinate) * y) {
-  NAME(areas) g;
-  NAME(find_areas)(&g, x, y);
-  area_signs s = {.own_a = NAME(sign)(g.own_a), .own_b = NAME(sign)(g.own_b)};
+static orient2d_signs NAME(orient2d_signs)(const NAME(coordinate) * x, const NAME(coordinate) * y) {
+  NAME(orient2d) g;
+  NAME(find_orient2d)(&g, x, y);
+  orient2d_signs s = {.own_a = NAME(sign)(g.own_a), .own_b = NAME(sign)(g.own_b)};
   UNROLL for (int i = 0; i < 3; i++) {
     UNROLL for (int k = 0; k < 3; k++) {
       s.a[i][k] = NAME(sign)(g.a[i][k]);
@@ -109,15 +110,15 @@ static area_signs NAME(area_signs)(const NAME(coordinate) * x, const NAME(coordi
 static sepax_verdict NAME(verdict)(const sepax_tri *a, const sepax_tri *b) {
   NAME(coordinate) c[3];
   NAME(load)(c, a, b);
-  volume_signs v = NAME(volume_signs)(c);
-  if (!all_zero(&v)) {
+  orient3d_signs v = NAME(orient3d_signs)(c);
+  if (!all_zero_3d(&v)) {
     return judged(false, axis_in_space(&v));
   }
   for (int pass = 0; pass < 3; pass++) {
-    area_signs s = NAME(area_signs)(&c[pass], &c[next[pass]]);
-    if (!no_area(&s)) {
-      return judged(true, edge_separates(&s) ? AXIS_IN_PLANE : 0);
+    orient2d_signs s = NAME(orient2d_signs)(&c[pass], &c[next[pass]]);
+    if (!all_zero_2d(&s)) {
+      return judged(true, edge_separates(&s) ? SEPAX_AXIS_PLANE : SEPAX_AXIS_NONE);
     }
   }
-  return judged(true, boxes_apart(a, b) ? AXIS_IN_PLANE : 0);
+  return judged(true, aabbs_disjoint(a, b) ? SEPAX_AXIS_PLANE : SEPAX_AXIS_NONE);
 }

@@ -1,12 +1,9 @@
 /* normal.c - unit normals of integer triangles, in integers. */
-#include "sepax.h"
+#include "util/wide.h"
 
 #include <math.h>
 
-typedef __int128 wide;
 typedef unsigned __int128 uwide;
-
-static uwide magnitude(wide value) { return value < 0 ? (uwide)-value : (uwide)value; }
 
 /* value * 2^shift, rounded down. */
 static wide shifted(wide value, int shift) {
@@ -23,33 +20,33 @@ static uwide square_root(uwide value) {
 
 static int32_t scaled_component(wide component, uwide length, int word) {
   uwide scale = (uwide)sepax_word_max(word);
-  uwide rounded = (2 * magnitude(component) * scale + length) / (2 * length);
+  uwide rounded = (2 * (uwide)wide_magnitude(component) * scale + length) / (2 * length);
   int32_t value = (int32_t)rounded;
   return component < 0 ? -value : value;
 }
 
 sepax_vec sepax_unit_normal(const sepax_tri *tri, int word) {
-  const sepax_vec *v = tri->v;
-  const wide e[3] = {(wide)v[1].x - v[0].x, (wide)v[1].y - v[0].y, (wide)v[1].z - v[0].z};
-  const wide f[3] = {(wide)v[2].x - v[0].x, (wide)v[2].y - v[0].y, (wide)v[2].z - v[0].z};
-  wide n[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
-  uwide largest = 0;
+  wide_vec origin = wide_from(tri->v[0]);
+  wide_vec n =
+      wide_cross(wide_sub(wide_from(tri->v[1]), origin), wide_sub(wide_from(tri->v[2]), origin));
+  wide largest = 0;
   for (int i = 0; i < 3; i++) {
-    largest = magnitude(n[i]) > largest ? magnitude(n[i]) : largest;
+    wide size = wide_magnitude(n.c[i]);
+    largest = size > largest ? size : largest;
   }
   if (largest == 0) {
     return (sepax_vec){0, 0, 0};
   }
   int shift = 61; /* to bring the largest component to 61 bits */
-  for (uwide rest = largest; rest != 0; rest >>= 1) {
+  for (wide rest = largest; rest != 0; rest >>= 1) {
     shift--;
   }
   uwide square = 0;
   for (int i = 0; i < 3; i++) {
-    n[i] = shifted(n[i], shift);
-    square += magnitude(n[i]) * magnitude(n[i]);
+    n.c[i] = shifted(n.c[i], shift);
+    square += (uwide)(n.c[i] * n.c[i]);
   }
   uwide length = square_root(square);
-  return (sepax_vec){scaled_component(n[0], length, word), scaled_component(n[1], length, word),
-                     scaled_component(n[2], length, word)};
+  return (sepax_vec){scaled_component(n.c[0], length, word), scaled_component(n.c[1], length, word),
+                     scaled_component(n.c[2], length, word)};
 }

@@ -1,5 +1,4 @@
-/* extents.c - hard pairs whose boxes are within given extents, or just not. */
-#include "util/error.h"
+/* extents.c - hard pairs of which the AABBs keep to given extents, or just exceed them. */
 #include "sepax_vectors.h"
 
 enum { TRIES = 8 };
@@ -52,7 +51,7 @@ static bool within(const points *p, const int extent[2]) {
   return ok;
 }
 
-/* Fold what is too long back into its extent. */
+/* Take coordinates modulo extent + 1, counted from the lowest, where a side exceeds its extent. */
 static void fold(points *p, const int extent[2]) {
   for (int k = 0; k < 6; k++) {
     int64_t low;
@@ -65,9 +64,9 @@ static void fold(points *p, const int extent[2]) {
   }
 }
 
-/* Move the highest vertex of a triangle along an axis up to a side of that length, if the
- * word has room for it. The box only grows. */
-static void stretch(points *p, int triangle, int axis, int64_t side, int64_t room) {
+/* Move the highest vertex of a triangle along an axis until its AABB is `side` long, if all
+ * vertices then span at most `range`. The AABB only grows. */
+static void stretch(points *p, int triangle, int axis, int64_t side, int64_t range) {
   int64_t low;
   int64_t high;
   int64_t all_low;
@@ -75,7 +74,7 @@ static void stretch(points *p, int triangle, int axis, int64_t side, int64_t roo
   int first = 3 * triangle;
   bounds(p, first, first + 3, axis, &low, &high);
   bounds(p, 0, 6, axis, &all_low, &all_high);
-  if (low + side < high || low + side - all_low > room) {
+  if (low + side < high || low + side - all_low > range) {
     return;
   }
   for (int i = first; i < first + 3; i++) {
@@ -111,8 +110,8 @@ static points draw_within(size_t family, int word, const int extent[2], sepax_ra
   return p;
 }
 
-/* Anywhere in the word, now and then at its very end. */
-static void place(points *p, int word, sepax_random *random) {
+/* Translate to anywhere in the word, now and then to its very end. */
+static void translate_anywhere(points *p, int word, sepax_random *random) {
   for (int axis = 0; axis < 3; axis++) {
     int64_t low;
     int64_t high;
@@ -128,21 +127,21 @@ static void place(points *p, int word, sepax_random *random) {
   }
 }
 
-sepax_pair sepax_extent_pair(size_t family, int word, const int extent[2], bool beyond,
+sepax_pair sepax_extent_pair(size_t family, int word, const int extent[2], bool exceeds,
                              sepax_random *random) {
   points p = draw_within(family, word, extent, random);
-  int64_t room = (INT64_C(1) << word) - 1;
+  int64_t range = (INT64_C(1) << word) - 1;
   int triangle = (int)sepax_random_range(random, 0, 1);
   int axis = (int)sepax_random_range(random, 0, 2);
   int64_t choice = sepax_random_range(random, 0, 3);
-  int64_t more = sepax_random_range(random, 1, room);
-  if (beyond) {
-    int64_t far = extent[triangle] + (more >> sepax_random_range(random, 0, word - 1));
-    stretch(&p, triangle, axis, extent[triangle] + 1, room);
-    stretch(&p, triangle, axis, far, room);
+  int64_t more = sepax_random_range(random, 1, range);
+  if (exceeds) {
+    int64_t side = extent[triangle] + (more >> sepax_random_range(random, 0, word - 1));
+    stretch(&p, triangle, axis, extent[triangle] + 1, range);
+    stretch(&p, triangle, axis, side, range);
   } else if (choice == 0) {
-    stretch(&p, triangle, axis, extent[triangle], room);
+    stretch(&p, triangle, axis, extent[triangle], range);
   }
-  place(&p, word, random);
+  translate_anywhere(&p, word, random);
   return pair_of(&p);
 }

@@ -2,9 +2,7 @@
 #ifndef SEPAX_POINTS_H
 #define SEPAX_POINTS_H
 
-#include "sepax.h"
-
-typedef __int128 wide;
+#include "util/wide.h"
 
 typedef struct {
   int64_t c[3];
@@ -13,10 +11,6 @@ typedef struct {
 typedef struct {
   point v[3];
 } triangle;
-
-typedef struct {
-  wide c[3];
-} normal;
 
 /* Two vectors that are not parallel. */
 typedef struct {
@@ -49,8 +43,8 @@ static inline void exchange(point *p, point *q) {
   *q = kept;
 }
 
-static inline normal cross(point p, point q) {
-  normal n;
+static inline wide_vec cross(point p, point q) {
+  wide_vec n;
   for (int i = 0; i < 3; i++) {
     int j = (i + 1) % 3;
     int k = (i + 2) % 3;
@@ -59,18 +53,15 @@ static inline normal cross(point p, point q) {
   return n;
 }
 
-static inline normal normal_of(const triangle *t) {
+static inline wide_vec normal_of(const triangle *t) {
   return cross(sum(t->v[1], times(t->v[0], -1)), sum(t->v[2], times(t->v[0], -1)));
 }
 
-static inline wide dot(normal n, point p) {
+static inline wide dot(wide_vec n, point p) {
   return n.c[0] * p.c[0] + n.c[1] * p.c[1] + n.c[2] * p.c[2];
 }
 
-static inline bool parallel(point p, point q) {
-  normal n = cross(p, q);
-  return n.c[0] == 0 && n.c[1] == 0 && n.c[2] == 0;
-}
+static inline bool parallel(point p, point q) { return wide_is_zero(cross(p, q)); }
 
 /* The image of p under symmetry 0 ... 47 of the cube. */
 static inline point symmetric(point p, int64_t number) {
@@ -84,11 +75,11 @@ static inline point symmetric(point p, int64_t number) {
 }
 
 /* p or -p, whichever is on the side of the plane through the origin. */
-static inline point on_side(point p, normal n, int side) {
+static inline point on_side(point p, wide_vec n, int side) {
   return dot(n, p) * side < 0 ? times(p, -1) : p;
 }
 
-static inline bool in_plane(const triangle *t, normal n, wide level) {
+static inline bool in_plane(const triangle *t, wide_vec n, wide level) {
   return dot(n, t->v[0]) == level && dot(n, t->v[1]) == level && dot(n, t->v[2]) == level;
 }
 

@@ -1,0 +1,54 @@
+/* judge.c - the verdict of a design: the model of its architecture, behind the AABB test if it has
+ * one. */
+#include "sepax_design.h"
+#include "util/aabb.h"
+
+static bool exceeds_extents(const sepax_config *c, const aabb *a, const aabb *b) {
+  return c->extent_a > 0 &&
+         (aabb_longest_side(a) > c->extent_a || aabb_longest_side(b) > c->extent_b);
+}
+
+static sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *pair) {
+  if (design->aabb_test) {
+    aabb a = aabb_of(&pair->a);
+    aabb b = aabb_of(&pair->b);
+    if (aabb_disjoint(&a, &b, design->margin[1])) {
+      return (sepax_verdict){.axis = SEPAX_AXIS_AABB, .band = SEPAX_BAND_FREE};
+    }
+    if (exceeds_extents(&design->config, &a, &b)) {
+      return (sepax_verdict){.collision = true,
+                             .axis = SEPAX_AXIS_EXTENT,
+                             .band = design->limits > 0 ? SEPAX_BAND_COLLISION : SEPAX_BAND_FREE};
+    }
+  }
+  if (design->limits > 0) {
+    return sepax_clearance(design, &pair->a, &pair->b);
+  }
+  sepax_verdict verdict = sepax_exact(&pair->a, &pair->b);
+  if (verdict.coplanar && design->config.flag) {
+    return (sepax_verdict){.collision = true, .coplanar = true};
+  }
+  return verdict;
+}
+
+sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair) {
+  switch (design->config.arch) {
+  case SEPAX_ARCH_PAPER:
+    return sepax_paper(design, pair);
+  case SEPAX_ARCH_CONFERENCE:
+    return sepax_conference(design, pair);
+  case SEPAX_ARCH_REFERENCE:
+    return (sepax_verdict){.collision = sepax_reference(&pair->a, &pair->b)};
+  case SEPAX_ARCH_FLOAT32:
+    return (sepax_verdict){.collision = sepax_float32(&pair->a, &pair->b)};
+  case SEPAX_ARCH_FLOAT64:
+    return (sepax_verdict){.collision = sepax_float64(&pair->a, &pair->b)};
+  case SEPAX_ARCH_INTERVAL32:
+    return (sepax_verdict){.collision = sepax_interval32(&pair->a, &pair->b)};
+  case SEPAX_ARCH_INTERVAL64:
+    return (sepax_verdict){.collision = sepax_interval64(&pair->a, &pair->b)};
+  case SEPAX_ARCH_EXACT:
+  default:
+    return judge_exact(design, pair);
+  }
+}
