@@ -1,7 +1,7 @@
-// multiplier.cpp - holds a verilated generated multiplier against the product of 128-bit
+// multiplier.cpp - checks a verilated generated multiplier against the product of 128-bit
 // integers: operands that are corners, powers of two and their neighbours, and random.
 //
-// Compiled with MODEL=Vsepax_mul_AxB, A_W, B_W, P_W, RANKS, and DIGITS, LESS: digits of b that
+// Compiled with MODEL=Vsepax_mul_AxB, A_W, B_W, P_W, LATENCY, and DIGITS, LESS: digits of b that
 // count so much less, but for the highest, which is in -2 ... 2; 0: a plain product.
 #define STRINGIFY(name) #name
 #define HEADER(name) STRINGIFY(name.h)
@@ -65,13 +65,13 @@ int main(int argc, char **argv) {
   uint64_t count = argc > 1 ? strtoull(argv[1], nullptr, 10) : 1000000;
   sepax_random random = {A_W * 1000 + B_W};
   MODEL top;
-  Wide expected[RANKS + 1] = {};
+  Wide expected[LATENCY + 1] = {};
   uint64_t wrong = 0;
   Wide offset = 0;
   for (int i = 1; i < DIGITS; i++) {
     offset = 4 * offset + LESS;
   }
-  for (uint64_t n = 0; n < count + RANKS; n++) {
+  for (uint64_t n = 0; n < count + LATENCY; n++) {
     Wide a = operand(&random, A_W);
     Wide b = operand(&random, B_W);
     if (DIGITS > 0 && B_W > 2 * DIGITS) { // what a factor of 2 DIGITS bits can be
@@ -79,14 +79,14 @@ int main(int argc, char **argv) {
     }
     set(top.a, a);
     set(top.b, b);
-    for (int i = RANKS; i > 0; i--) {
+    for (int i = LATENCY; i > 0; i--) {
       expected[i] = expected[i - 1];
     }
     expected[0] = low((Wide)(extend(a, A_W)) * ((Wide)extend(b, B_W) - offset), P_W);
-#if RANKS > 0
+#if LATENCY > 0
     top.clk = 0;
     top.eval();
-    if (n >= RANKS && low(get(top.p), P_W) != expected[RANKS]) {
+    if (n >= LATENCY && low(get(top.p), P_W) != expected[LATENCY]) {
       wrong++;
     }
     top.clk = 1;
@@ -97,6 +97,6 @@ int main(int argc, char **argv) {
 #endif
   }
   std::printf("%dx%d modulo 2^%d, %d digits less %d, latency %d: %llu products, %llu wrong\n", A_W,
-              B_W, P_W, DIGITS, LESS, RANKS, (unsigned long long)count, (unsigned long long)wrong);
+              B_W, P_W, DIGITS, LESS, LATENCY, (unsigned long long)count, (unsigned long long)wrong);
   return wrong == 0 && count > 0 ? 0 : 1;
 }
