@@ -361,7 +361,7 @@ VERILATE = $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree
            -MAKEFLAGS "OPT_FAST=-O3 OPT_GLOBAL=-O2" \
            -CFLAGS "-I$(abspath c_model) -I../rtl" \
            $(abspath tb/cosim/cosim.cpp $(BUILD)/obj/c_model/cli/options.o $(LIB))
-COSIM_DEPS = $(RTL) $(addprefix tb/cosim/,cosim.cpp pair_source.h machine.h driver_paper.h \
+COSIM_DEPS = $(RTL) $(addprefix tb/cosim/,cosim.cpp pair_source.h design_under_test.h verilated_top.h driver_paper.h \
              driver_exact.h) $(LIB) $(BUILD)/obj/c_model/cli/options.o
 COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)

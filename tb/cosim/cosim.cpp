@@ -1,11 +1,10 @@
-// cosim.cpp - drives a verilated sepax_top with pairs and holds each verdict against the
-// golden model of the same configuration, and its cycle against the architecture's rule.
+// cosim.cpp - drives a verilated sepax_top with pairs and checks each verdict against the golden
+// model of the same configuration, and its cycle against the architecture's rule.
 #include "sepax_params.h"
 #if SEPAX_EXACT
 #include "driver_exact.h"
 #else
 #include "driver_paper.h"
-#include "sepax_design.h"
 #endif
 
 namespace {
@@ -158,7 +157,7 @@ uint64_t send_all(Driver *driver, Source *source, double *seconds) {
   constexpr uint64_t PAIRS_A_LOOK = 256; // at the clock
   sepax_pair pair;
   uint64_t sent = 0;
-  cli_progress progress = cli_progress_begin("pairs through the machine", source->total());
+  cli_progress progress = cli_progress_begin("pairs through the design", source->total());
   while (!driver->too_many() && source->next(&pair) && driver->send(sent, pair)) {
     if (++sent % PAIRS_A_LOOK == 0) {
       cli_progress_show(&progress, sent);
@@ -199,7 +198,7 @@ int main(int argc, char **argv) {
   const argp parser = {options_table,
                        parse,
                        "[A.stl B.stl]",
-                       "Co-simulate the generated machine (" SEPAX_OPTIONS
+                       "Co-simulate the generated design (" SEPAX_OPTIONS
                        ") and its golden model on two meshes, a file of pairs, or seeded "
                        "hard pairs.\vExit status: 0 equal, 1 a mismatch, 2 error.",
                        children,

@@ -3,13 +3,12 @@
 #ifndef SEPAX_DRIVER_EXACT_H
 #define SEPAX_DRIVER_EXACT_H
 
-#include "machine.h"
-#include "sepax_design.h"
+#include "design_under_test.h"
 
-class Driver : public Machine {
+class Driver : public DesignUnderTest {
 public:
   Driver(const char *wave, uint64_t stress, const sepax_design &design)
-      : Machine(wave, stress, design) {
+      : DesignUnderTest(wave, stress, design) {
     top->rst = 1;
     top->in_valid = 0;
     top->out_ready = 1;
@@ -22,18 +21,18 @@ public:
     until_reset = next_reset();
   }
 
-  // Offer the pair until it is taken; false when the machine hangs.
+  // Offer the pair until it is taken; false when the design hangs.
   bool send(uint64_t index, const sepax_pair &pair) {
-    Owed e{index, 0, false, sepax_judge(&design, &pair), pair};
+    Outstanding e{index, 0, false, sepax_judge(&design, &pair), pair};
     drive(pair);
     while (!hung) {
       if (stress != 0 ? stressed_tick(&pair) : tick(true, true)) {
         e.cycle = cycle;
         e.alone = idle >= SETTLE;
-        if (owed.full()) {
-          hang("more pairs were taken than the machine can hold");
+        if (scoreboard.full()) {
+          hang("more pairs were taken than the design can hold");
         }
-        owed.push(e);
+        scoreboard.push(e);
         taken(e);
         return true;
       }
@@ -42,7 +41,7 @@ public:
   }
 
   void drain() {
-    while (!owed.empty() && !hung) {
+    while (!scoreboard.empty() && !hung) {
       if (stress != 0) {
         stressed_tick(nullptr);
       } else {
@@ -72,7 +71,7 @@ public:
     std::printf("\nbands free, warning, collision: %llu %llu %llu", (unsigned long long)bands[0],
                 (unsigned long long)bands[1], (unsigned long long)bands[2]);
 #endif
-    std::printf("\nlatency %d: %llu pairs that met an empty machine; ", SEPAX_LATENCY,
+    std::printf("\nlatency %d: %llu pairs that met an empty core; ", SEPAX_LATENCY,
                 (unsigned long long)latencies);
     if (stress != 0) {
       std::printf("random gaps and blocks, %llu resets, %llu pairs dropped by them\n",
@@ -103,8 +102,8 @@ private:
 #endif
   // Without stress the first pairs go alone, until so many latencies were seen.
   static constexpr uint64_t ALONE_LATENCIES = 3, ALONE_PAIRS = 32;
-  // A pair is alone after so many idle cycles. Behind a box test a pair may be taken before
-  // the frame of the core, empty by then, is at its end.
+  // A pair is alone after so many idle cycles. Behind an AABB test a pair may be taken
+  // before the II window of the core, empty by then, ends.
 #ifdef SEPAX_BOXES
   static constexpr uint64_t SETTLE = 1 + 2 * SEPAX_II;
 #else
@@ -162,7 +161,7 @@ private:
     if (stress != 0) {
       check_independence(offer, ready);
     }
-    was_empty = owed.empty();
+    was_empty = scoreboard.empty();
     idle = was_empty ? idle + 1 : 0;
     bool take = offer && top->in_ready;
     bool give = top->out_valid && ready;
@@ -180,23 +179,24 @@ private:
   }
 
   void look(bool ready) {
-    if (held.valid && shown() != held) {
-      complain(owed.empty() ? nullptr : &owed.front(), "a verdict moves while it is blocked");
+    if (blocked_verdict.valid && shown() != blocked_verdict) {
+      complain(scoreboard.empty() ? nullptr : &scoreboard.front(),
+               "a verdict moves while it is blocked");
     }
-    held = {};
+    blocked_verdict = {};
     if (!top->out_valid) {
       return;
     }
-    if (owed.empty()) {
+    if (scoreboard.empty()) {
       complain(nullptr, "a verdict that nobody asked for");
       return;
     }
     if (!ready) {
-      held = shown();
+      blocked_verdict = shown();
       return;
     }
-    const Owed &e = owed.front();
-    owed.pop();
+    const Outstanding &e = scoreboard.front();
+    scoreboard.pop();
     count(e);
 #ifdef SEPAX_EXTENT_A
     if ((top->out_of_range != 0) != (e.verdict.axis == SEPAX_AXIS_EXTENT)) {
@@ -217,7 +217,7 @@ private:
     }
   }
 
-  void complain_axis(const Owed &e) {
+  void complain_axis(const Outstanding &e) {
     char text[112];
     Verdict v = shown();
     std::snprintf(text, sizeof text, "expected %s, axis %d, band %d; got %s, axis %d, band %d",
@@ -227,7 +227,7 @@ private:
   }
 
   // Never earlier; not later where nothing was in the way.
-  void check_latency(const Owed &e) {
+  void check_latency(const Outstanding &e) {
     uint64_t took = cycle - e.cycle + 1;
     bool free = e.alone && blocked < e.cycle;
     latencies += free;
@@ -239,16 +239,16 @@ private:
     }
   }
 
-  void taken(const Owed &e) {
+  void taken(const Outstanding &e) {
     if (stress != 0) {
       return;
     }
     if (latencies < ALONE_LATENCIES && e.index < ALONE_PAIRS) {
-      while (!owed.empty() && !hung) {
+      while (!scoreboard.empty() && !hung) {
         tick(false, true);
       }
       for (uint64_t i = 0; i < SETTLE; i++) {
-        tick(false, true); // the verdict has left, and a frame that has begun ends
+        tick(false, true); // the verdict has left, and an II window that has begun ends
       }
       return;
     }
@@ -264,7 +264,7 @@ private:
   }
 
   void hang(const char *what) {
-    complain(owed.empty() ? nullptr : &owed.front(), what);
+    complain(scoreboard.empty() ? nullptr : &scoreboard.front(), what);
     hung = true;
   }
 
@@ -286,7 +286,7 @@ private:
   }
 
   // A cycle with anything on the data inputs when no pair is offered; now and then a
-  // reset, which drops every pair in the machine.
+  // reset, which drops every pair in flight.
   bool stressed_tick(const sepax_pair *pair) {
     if (until_reset-- == 0) {
       reset();
@@ -326,8 +326,8 @@ private:
       rise();
     } while (chance(3));
     top->rst = 0;
-    drop_owed();
-    held = {};
+    drop_outstanding();
+    blocked_verdict = {};
     waited = 0;
   }
 
@@ -350,9 +350,9 @@ private:
   }
 
   Stretch offering{0, 0}, accepting{0, 0};
-  Verdict held{};        // shown and blocked in the cycle before
-  bool was_empty = true; // before this cycle
-  uint64_t idle = 0;     // cycles for which it has been empty, this one, too
+  Verdict blocked_verdict{}; // shown and blocked in the cycle before
+  bool was_empty = true;     // before this cycle
+  uint64_t idle = 0;         // cycles for which it has been empty, this one, too
   uint64_t until_reset = 0, blocked = 0, waited = 0, latencies = 0, axes[LAST_AXIS + 1] = {};
   uint64_t bands[3] = {};
   uint64_t streamed = 0, first_taken = 0, last_taken = 0;

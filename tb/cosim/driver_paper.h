@@ -3,11 +3,9 @@
 #ifndef SEPAX_DRIVER_PAPER_H
 #define SEPAX_DRIVER_PAPER_H
 
-#include "machine.h"
-#include "sepax_design.h"
-#include "sepax_vectors.h"
+#include "design_under_test.h"
 
-class Driver : public Machine {
+class Driver : public DesignUnderTest {
 public:
 #ifdef SEPAX_CONFERENCE
   static constexpr double CLOCK_MHZ = 400; // table 4
@@ -17,7 +15,7 @@ public:
   static constexpr int INPUT_WORDS = 3;
 
   Driver(const char *wave, uint64_t stress, const sepax_design &design)
-      : Machine(wave, stress, design) {
+      : DesignUnderTest(wave, stress, design) {
     top->rst = 1;
     idle();
     tick();
@@ -38,8 +36,8 @@ public:
         }
         drive(pair, k);
         if (k == INPUT_WORDS - 1) {
-          owed.push({index, cycle + 1 + SEPAX_LATENCY - INPUT_WORDS, false,
-                     sepax_judge(&design, &pair), pair});
+          scoreboard.push({index, cycle + 1 + SEPAX_LATENCY - INPUT_WORDS, false,
+                           sepax_judge(&design, &pair), pair});
         }
         tick();
       }
@@ -52,7 +50,7 @@ public:
 
   void drain() {
     idle();
-    for (int i = 0; i < 2 * SEPAX_LATENCY && !owed.empty(); i++) {
+    for (int i = 0; i < 2 * SEPAX_LATENCY && !scoreboard.empty(); i++) {
       tick();
     }
     for (int i = 0; i < SEPAX_LATENCY; i++) {
@@ -93,7 +91,7 @@ private:
   void idle() { top->in_valid = 0; }
 
   // A gap with whatever on the data inputs; now and then a reset, which drops every
-  // pair in the machine.
+  // pair in flight.
   void disturb() {
     sepax_pair noise = sepax_family_pair(0, SEPAX_WORD, &random);
     drive(noise, 0);
@@ -102,7 +100,7 @@ private:
       top->rst = 1;
       tick();
       top->rst = 0;
-      drop_owed();
+      drop_outstanding();
     } else {
       tick();
     }
@@ -117,7 +115,7 @@ private:
   }
 
   void look() {
-    bool due = !owed.empty() && owed.front().cycle == cycle;
+    bool due = !scoreboard.empty() && scoreboard.front().cycle == cycle;
     if (!top->out_valid && !due) {
       if (top->out_collision || top->out_coplanar) {
         complain(nullptr, "an output is 1 without out_valid");
@@ -128,8 +126,8 @@ private:
       complain(nullptr, "a verdict that nobody asked for");
       return;
     }
-    const Owed &e = owed.front();
-    owed.pop();
+    const Outstanding &e = scoreboard.front();
+    scoreboard.pop();
     count(e);
     if (!top->out_valid) {
       complain(&e, "no verdict in the cycle where it is due");

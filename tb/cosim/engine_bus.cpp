@@ -2,10 +2,7 @@
 #include "engine_bus.h"
 
 #include "Vsepax_engine.h"
-#include "verilated.h"
-#if VM_TRACE
-#include "verilated_fst_c.h"
-#endif
+#include "verilated_top.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -28,33 +25,11 @@ struct Result {
 
 class Bus {
 public:
-  Bus(uint64_t seed, const char *wave) : stress(seed != 0), state(seed) {
-    context.randReset(2);
-    context.randSeed(1 + (int)(seed % 1000000));
-    top.reset(new Vsepax_engine(&context));
-#if VM_TRACE
-    if (wave != nullptr) {
-      context.traceEverOn(true);
-      trace.reset(new VerilatedFstC);
-      top->trace(trace.get(), 99);
-      trace->open(wave);
-    }
-#else
-    (void)wave;
-#endif
-    top->clk = 0;
+  Bus(uint64_t seed, const char *wave) : top(wave, seed), stress(seed != 0), state(seed) {
     top->s_axi_awvalid = top->s_axi_wvalid = top->s_axi_bready = 0;
     top->s_axi_arvalid = top->s_axi_rready = 0;
     top->s_axis_tvalid = top->m_axis_tready = 0;
     reset();
-  }
-  ~Bus() {
-#if VM_TRACE
-    if (trace) {
-      trace->close();
-    }
-#endif
-    top->final();
   }
 
   void reset() {
@@ -169,21 +144,9 @@ private:
   }
 
   void half_cycles() {
-    top->clk = 1;
-    top->eval();
-    dump();
-    top->clk = 0;
-    top->eval();
-    dump();
+    top.rise();
+    top.settle();
     cycles++;
-  }
-
-  void dump() {
-#if VM_TRACE
-    if (trace) {
-      trace->dump(time++);
-    }
-#endif
   }
 
   // Raise valid of a pending request sooner or later; it then stays.
@@ -228,12 +191,7 @@ private:
     return z ^ z >> 31;
   }
 
-  VerilatedContext context;
-  std::unique_ptr<Vsepax_engine> top;
-#if VM_TRACE
-  std::unique_ptr<VerilatedFstC> trace;
-  uint64_t time = 0;
-#endif
+  VerilatedTop<Vsepax_engine> top;
   bool stress;
   uint64_t state, rate = 4, waited = 0;
   bool want_aw = false, want_w = false, want_ar = false, want_t = false;

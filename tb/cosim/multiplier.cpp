@@ -97,6 +97,7 @@ int main(int argc, char **argv) {
 #endif
   }
   std::printf("%dx%d modulo 2^%d, %d digits less %d, latency %d: %llu products, %llu wrong\n", A_W,
-              B_W, P_W, DIGITS, LESS, LATENCY, (unsigned long long)count, (unsigned long long)wrong);
+              B_W, P_W, DIGITS, LESS, LATENCY, (unsigned long long)count,
+              (unsigned long long)wrong);
   return wrong == 0 && count > 0 ? 0 : 1;
 }

@@ -1,4 +1,4 @@
-// pair_source.h - where the pairs of the Verilator bench come from.
+// pair_source.h - where the pairs of the Verilator test bench come from.
 #ifndef SEPAX_PAIR_SOURCE_H
 #define SEPAX_PAIR_SOURCE_H
 
@@ -101,11 +101,11 @@ private:
 };
 
 #ifdef SEPAX_EXTENT_A
-// Seeded hard pairs of all families in turn, within the design's extents or beyond.
+// Seeded hard pairs of all families in turn, within the design's extents or exceeding them.
 class ExtentSource : public Source {
 public:
-  ExtentSource(uint64_t pairs, uint64_t seed, bool beyond)
-      : random{seed}, pairs(pairs), beyond(beyond) {
+  ExtentSource(uint64_t pairs, uint64_t seed, bool exceeding)
+      : random{seed}, pairs(pairs), exceeding(exceeding) {
     while (sepax_family_name(families) != nullptr) {
       families++;
     }
@@ -116,7 +116,7 @@ public:
     if (at == pairs) {
       return false;
     }
-    *pair = sepax_extent_pair(at++ % families, SEPAX_WORD, extent, beyond, &random);
+    *pair = sepax_extent_pair(at++ % families, SEPAX_WORD, extent, exceeding, &random);
     return true;
   }
 
@@ -124,7 +124,7 @@ private:
   sepax_random random;
   uint64_t pairs, at = 0;
   size_t families = 0;
-  bool beyond;
+  bool exceeding;
 };
 #endif
 

@@ -1,12 +1,12 @@
-// sepax_exact_tb.v - self-checking bench of architecture exact for Icarus Verilog.
+// sepax_exact_tb.v - self-checking test bench of architecture exact for Icarus Verilog.
 //
 // +pairs=FILE  lines of 24 integers and what is expected (sepax judge --echo): the
 //              collision, or collision, coplanar and axis (and band, with a clearance)
 // +stall=SEED  in_valid and out_ready at random, the data anything without in_valid
 //
 // Verdicts must come in the order of the pairs with the expected value and stand still
-// while they wait; the latency of a pair alone in the machine must be LATENCY; X is a
-// mismatch; so are operands of a core that a box test puts to rest (SEPAX_REST). Ends with
+// while they wait; the latency of a pair alone in the core must be LATENCY; X is a
+// mismatch; so are operands of a core that an AABB test isolates (SEPAX_REST). Ends with
 // $finish when all is well and with $stop (exit status 1 under vvp -N) if not.
 
 `default_nettype none
@@ -16,7 +16,8 @@ module sepax_exact_tb;
 
   localparam QUEUE = 1024;
 `ifdef SEPAX_BOXES
-  localparam SETTLE = 2 * II; // a pair may be taken before the frame of the core, empty by then, is at its end
+  // A pair may be taken before the II window of the core, empty by then, ends.
+  localparam SETTLE = 2 * II;
 `else
   localparam SETTLE = 0;
 `endif
@@ -80,7 +81,7 @@ module sepax_exact_tb;
   reg whole [0:QUEUE-1];          // all of them are known
   reg alone [0:QUEUE-1];
   integer taken_in [0:QUEUE-1];
-  reg taken, was_empty, held;
+  reg taken, was_empty, was_blocked;
   reg [7:0] shown, before;
 
   task mismatch(input [8*48-1:0] what);
@@ -121,10 +122,10 @@ module sepax_exact_tb;
   task look;
     begin
       shown = {out_band, out_collision, out_coplanar, out_axis};
-      if (held && (out_valid !== 1'b1 || shown !== before)) begin
+      if (was_blocked && (out_valid !== 1'b1 || shown !== before)) begin
         mismatch("a verdict moves while it is blocked");
       end
-      held = 1'b0;
+      was_blocked = 1'b0;
       if (out_valid !== 1'b0 && out_valid !== 1'b1) begin
         mismatch("out_valid is X");
       end else if (out_valid) begin
@@ -136,7 +137,7 @@ module sepax_exact_tb;
         end else if (out_ready) begin
           judge_verdict;
         end else begin
-          held = 1'b1;
+          was_blocked = 1'b1;
           before = shown;
         end
       end
@@ -241,7 +242,7 @@ module sepax_exact_tb;
     end
   endtask
 
-  task empty_machine;
+  task empty_core;
     begin
       in_valid = 1'b0;
       while (judged < sent) begin
@@ -261,7 +262,8 @@ module sepax_exact_tb;
       fields = 0;
       length = $fgets(line, file);
       if (length != 0) begin
-        fields = $sscanf(line, "%d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d",
+        fields = $sscanf(line,
+          "%d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d %d",
           number[0], number[1], number[2], number[3], number[4], number[5], number[6], number[7],
           number[8], number[9], number[10], number[11], number[12], number[13], number[14],
           number[15], number[16], number[17], number[18], number[19], number[20], number[21],
@@ -280,7 +282,7 @@ module sepax_exact_tb;
     blocked = -1;
     offered = 0;
     accepted = 0;
-    held = 1'b0;
+    was_blocked = 1'b0;
     seed = 1;
     stall = $value$plusargs("stall=%d", seed);
     if (!$value$plusargs("pairs=%s", path)) begin
@@ -301,14 +303,14 @@ module sepax_exact_tb;
     while (fields == 25 || fields == FIELDS) begin
       send_pair;
       if (sent <= 3) begin
-        empty_machine; // their latency is checked
+        empty_core; // their latency is checked
       end
       read_pair;
     end
     if (length != 0) begin
       mismatch("a line without 25 integers, or all");
     end
-    empty_machine;
+    empty_core;
     out_ready = 1'b1;
     repeat (4 * (LATENCY + II)) tick; // a verdict too many is seen here
     $display("icarus: %0d pairs, %0d mismatches", judged, mismatches);

@@ -1,9 +1,9 @@
-// sepax_tb.v - self-checking bench of sepax_top for Icarus Verilog.
+// sepax_tb.v - self-checking test bench of sepax_top for Icarus Verilog.
 //
 // +pairs=FILE  lines of 24 integers and the expected collision, coplanar (sepax judge --echo)
-// +rest=1      from the second pair on all are coplanar: check that whatever belongs
-//              to axes 7 ... 9 stands still (not for netlists); of conference, none is:
-//              check that whatever belongs to the six axes of table 2 does
+// +isolated=1  from the second pair on all are coplanar: check that the operands of axes 7 ... 9
+//              and what depends on them are isolated: they do not toggle (not for netlists); of
+//              conference, none is coplanar: the same of the six axes of table 2
 //
 // A verdict must come in its cycle with the expected value; X is a mismatch. Ends
 // with $finish when all is well and with $stop (exit status 1 under vvp -N) if not.
@@ -32,7 +32,7 @@ module sepax_tb;
   always #1 clk = ~clk;
 
   reg [8*1024-1:0] path;
-  integer file, fields, i, word, cycle, sent, judged, mismatches, rest;
+  integer file, fields, i, word, cycle, sent, judged, mismatches, isolated;
   integer number [0:25];
   integer due [0:QUEUE-1];
   reg [1:0] expected [0:QUEUE-1]; // collision, coplanar
@@ -103,8 +103,8 @@ module sepax_tb;
     sent = 0;
     judged = 0;
     mismatches = 0;
-    if (!$value$plusargs("rest=%d", rest)) begin
-      rest = 0;
+    if (!$value$plusargs("isolated=%d", isolated)) begin
+      isolated = 0;
     end
     if (!$value$plusargs("pairs=%s", path)) begin
       $display("icarus: give +pairs=FILE");
@@ -142,7 +142,7 @@ module sepax_tb;
                            dut.psa_6.cross_2.product_yz_q, dut.proj_flat_1.inner_a_1.product_x_q,
                            dut.proj_flat_6.inner_b_3.product_z_q};
 `else
-  // Operands, products, projections of the three resting PROJ, and their PSA part.
+  // Operands, products, projections of the three isolated PROJ, and their PSA part.
   wire [1023:0] operands = {dut.a_1_rest, dut.b_3_rest, dut.psa.p_3, dut.psa.q_7, dut.psa.q_9};
   wire [2047:0] results = {dut.axis_7, dut.axis_8, dut.axis_9, dut.on_a_7, dut.on_b_8,
                            dut.on_a_9, dut.proj_7.inner_a_1.product_x_q,
@@ -153,9 +153,9 @@ module sepax_tb;
   integer watched = 0;
 
   always @(negedge clk) begin
-    if (rest != 0 && judged >= 1) begin
+    if (isolated != 0 && judged >= 1) begin
       if (watched > 0 && (operands !== operands_before || results !== results_before)) begin
-        mismatch("a resting axis moved");
+        mismatch("an isolated axis moved");
       end
       watched = watched + 1;
     end

@@ -1,76 +1,46 @@
-// machine.h - what the drivers of all architectures share: the verilated sepax_top with
-// its clock and waveform, the verdicts it owes, and what was wrong.
-#ifndef SEPAX_MACHINE_H
-#define SEPAX_MACHINE_H
+// design_under_test.h - what the drivers of all architectures share: the verilated sepax_top,
+// the scoreboard of outstanding verdicts, and what was wrong.
+#ifndef SEPAX_DESIGN_UNDER_TEST_H
+#define SEPAX_DESIGN_UNDER_TEST_H
 
 #include "Vsepax_top.h"
 #include "pair_source.h"
-#include "verilated.h"
-#if VM_TRACE
-#include "verilated_fst_c.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
-#endif
-
-#include <memory>
+#include "verilated_top.h"
 
 constexpr uint64_t MISMATCHES_SHOWN = 20;
 
-struct Owed {
+struct Outstanding {
   uint64_t index, cycle; // of the verdict (paper), or of taking the pair (exact)
-  bool alone;            // the machine was empty
+  bool alone;            // the core was empty
   sepax_verdict verdict;
   sepax_pair pair;
 };
 
 // First in, first out; no heap.
-class OwedQueue {
+class Scoreboard {
 public:
-  static constexpr uint64_t ROOM = 1024;
+  static constexpr uint64_t CAPACITY = 1024;
   bool empty() const { return begin == end; }
-  bool full() const { return size() == ROOM; }
+  bool full() const { return size() == CAPACITY; }
   uint64_t size() const { return end - begin; }
-  Owed &front() { return entry[begin % ROOM]; }
-  void push(const Owed &owed) { entry[end++ % ROOM] = owed; }
+  Outstanding &front() { return entry[begin % CAPACITY]; }
+  void push(const Outstanding &expected) { entry[end++ % CAPACITY] = expected; }
   void pop() { begin++; }
   void clear() { begin = end; }
 
 private:
-  Owed entry[ROOM];
+  Outstanding entry[CAPACITY];
   uint64_t begin = 0, end = 0;
 };
-static_assert(2 * (SEPAX_LATENCY / SEPAX_II + 8) <= OwedQueue::ROOM, "more than a machine holds");
+static_assert(2 * (SEPAX_LATENCY / SEPAX_II + 8) <= Scoreboard::CAPACITY,
+              "more pairs in flight than entries");
 
-class Machine {
+class DesignUnderTest {
 public:
-  Machine(const char *wave, uint64_t stress, const sepax_design &design)
-      : design(design), stress(stress), random{stress} {
-    context.randReset(2); // registers begin with anything
-    context.randSeed(1 + (int)(stress % 1000000));
-    top.reset(new Vsepax_top(&context));
-#if VM_TRACE
-    if (wave != nullptr) {
-      context.traceEverOn(true);
-      trace.reset(new VerilatedFstC);
-      top->trace(trace.get(), 99);
-      trace->open(wave);
-    }
-#else
-    (void)wave;
-#endif
-    top->clk = 0;
-  }
-  Machine(const Machine &) = delete;
-  Machine &operator=(const Machine &) = delete;
-
-  ~Machine() {
-#if VM_TRACE
-    if (trace) {
-      trace->close();
-    }
-#endif
-    top->final();
-  }
+  DesignUnderTest(const char *wave, uint64_t stress, const sepax_design &design)
+      : design(design), stress(stress), random{stress}, top(wave, stress) {}
 
   bool too_many() const { return mismatches >= MISMATCHES_SHOWN || hung; }
 
@@ -81,35 +51,27 @@ protected:
   uint64_t draw() { return sepax_random_next(&random); }
   bool chance(uint64_t one_in) { return draw() % one_in == 0; }
 
-  // The first half of a clock cycle: the inputs act on the outputs. Then the second,
-  // which begins with the rising edge.
   void settle() {
     cycle++;
-    top->eval();
-    dump();
+    top.settle();
   }
-  void rise() {
-    top->clk = 1;
-    top->eval();
-    dump();
-    top->clk = 0;
-  }
+  void rise() { top.rise(); }
 
-  void drop_owed() {
+  void drop_outstanding() {
     resets++;
-    dropped += owed.size();
-    owed.clear();
+    dropped += scoreboard.size();
+    scoreboard.clear();
   }
 
-  // The oldest verdict owed came, or should have come.
-  void count(const Owed &e) {
+  // The oldest outstanding verdict came, or should have come.
+  void count(const Outstanding &e) {
     judged++;
     collisions += e.verdict.collision;
     coplanar += e.verdict.coplanar;
     last_verdict_cycle = cycle;
   }
 
-  void compare(const Owed &e) {
+  void compare(const Outstanding &e) {
     if (top->out_collision != e.verdict.collision) {
       complain(&e, e.verdict.collision ? "expected collision, got separated"
                                        : "expected separated, got collision");
@@ -119,7 +81,7 @@ protected:
     }
   }
 
-  void complain(const Owed *e, const char *what) {
+  void complain(const Outstanding *e, const char *what) {
     mismatches++;
     if (mismatches > MISMATCHES_SHOWN) {
       return;
@@ -137,24 +99,23 @@ protected:
   }
 
   void complain_never_came() {
-    if (!owed.empty()) {
+    if (!scoreboard.empty()) {
       std::fprintf(stderr, "cosim: time-out: %llu verdicts never came\n",
-                   (unsigned long long)owed.size());
-      mismatches += owed.size();
+                   (unsigned long long)scoreboard.size());
+      mismatches += scoreboard.size();
     }
   }
 
   const sepax_design &design;
   uint64_t stress;
   sepax_random random;
-  VerilatedContext context;
-  std::unique_ptr<Vsepax_top> top;
-  OwedQueue owed;
+  VerilatedTop<Vsepax_top> top;
+  Scoreboard scoreboard;
   uint64_t cycle = 0;
   bool hung = false;
 
 private:
-  // What the machine was given: the architecture without normals has 18 words.
+  // What the design was given: the architecture without normals has 18 words.
   static void print(sepax_pair pair) {
     if (!SEPAX_EXACT) {
       sepax_pair_print(stderr, &pair);
@@ -164,19 +125,6 @@ private:
       std::fprintf(stderr, "%s%ld", k > 0 ? " " : "", (long)coordinate(&pair, k));
     }
   }
-
-  void dump() {
-#if VM_TRACE
-    if (trace) {
-      trace->dump(time++);
-    }
-#endif
-  }
-
-#if VM_TRACE
-  std::unique_ptr<VerilatedFstC> trace;
-  uint64_t time = 0; // half cycles
-#endif
 };
 
 inline uint32_t word_bits(int32_t value) {
