@@ -143,14 +143,15 @@ typedef struct {
   sepax_config config;
   sepax_format format[SEPAX_F_COUNT]; /* by sepax_format_id, or SEPAX_X_... for exact */
   int formats;
-  bool aabb_test;         /* exact: a box test goes before the core */
-  int core_word;          /* exact: bits of a coordinate behind the box test; W without extents */
+  bool aabb_test;         /* exact: an AABB test goes before the core */
+  int core_word;          /* exact: bits of a coordinate behind the AABB test; W without extents */
   int64_t coplanar_limit; /* |difference| < limit, in units of NORMAL_PROJECTION */
   int latency;            /* cycles from the first input word to the verdict; of exact it
                              follows from the schedule that the generator makes */
   int limits;             /* clearances asked for, 0 ... 2 */
-  int64_t margin[2];      /* with them: a gap of the boxes above margin[0] is outside of the
-                             clearance, above margin[1] free; 1 + clearance, 1 + warning */
+  int64_t margin[2];      /* of AABBs: with a gap above margin[0] = 1 + clearance a pair is not in
+                             band COLLISION, above margin[1] = 1 + the outermost clearance it is
+                             in band FREE; 0 without clearances */
 } sepax_design;
 
 /* Check the configuration and derive formats, limit and latency. */
@@ -158,19 +159,21 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config, sepax_e
 
 /* ---------------------------------------------------------- golden models */
 
-/* The verdict of the architecture of `design`, bit for bit what its RTL gives.
- * Pair: W-bit components (the caller checks, sepax_pair_fits). Only `paper` and `conference` read
- * the normals and count multiplications. Of `exact` it is that of sepax_exact, but where
- * the design flags coplanar pairs they are collisions, axis 0, and where a box
- * test goes before the core boxes are tested first (axes 13, 14). */
+/* The verdict of the architecture of `design`, bit for bit what its RTL gives. The pair has
+ * components of W bits (the caller checks, sepax_pair_fits). Only `paper` and `conference` read the
+ * normals and count multiplications. Architecture `exact` gives the verdict of sepax_exact, or that
+ * of sepax_clearance if limits > 0; with two exceptions: a design that flags coplanar pairs calls
+ * them collisions, SEPAX_AXIS_NONE; and an AABB test, where there is one, decides first
+ * (SEPAX_AXIS_AABB, SEPAX_AXIS_EXTENT). */
 sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
 
-/* The verdict with the clearances of `design` (arch exact, limits > 0): clearance 0 ... D LSB is
- * band COLLISION, up to the warning limit WARNING, beyond FREE. Conservative: when the real
- * triangles, every coordinate within 1/2 LSB of those given, are no farther apart than a limit
- * (Euclid), the band is never beyond it. axis: 13, 10, 11, 1 ... 9, 12 in this order, the first
- * that proves the band; 0 in band COLLISION. coplanar as of sepax_exact. docs/clearance.md has the
- * proof and false alarms. Coordinates of W bits; about 1 us. */
+/* The verdict with the clearances of `design` (arch exact, limits > 0): band COLLISION within the
+ * clearance, WARNING between the clearance and the warning limit, FREE farther apart. It is
+ * conservative: if the real triangles, each coordinate of which is within 1/2 LSB of the one given,
+ * are no farther apart than a limit (Euclidean distance), the band never says that they are. axis
+ * is the first in the order 13, 10, 11, 1 ... 9, 12 that proves the band, SEPAX_AXIS_NONE in band
+ * COLLISION. coplanar is that of sepax_exact. docs/clearance.md has the proof and the rate of false
+ * alarms. Coordinates of W bits; about 1 us. */
 sepax_verdict sepax_clearance(const sepax_design *design, const sepax_tri *a, const sepax_tri *b);
 
 /* Algorithm 1 on the formats of `design` (arch paper). mul_project is 36 when a
@@ -178,14 +181,15 @@ sepax_verdict sepax_clearance(const sepax_design *design, const sepax_tri *a, co
  * and 54 ... 198 otherwise (the paper prints 188: it takes 9 x 18 for 152). */
 sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair);
 
-/* The machine before it, on the same formats (arch conference): coplanarity first, then six axes
- * for coplanar pairs (table 2, the normals are not tried), eleven for others. mul_project is
+/* The predecessor of `paper`, on the same formats (arch conference): coplanarity first, then six
+ * axes for coplanar pairs (table 2, the normals are not tried), eleven for others. mul_project is
  * 18 for coplanarity and 18 per axis tried: 36 ... 126 for coplanar pairs, else 36 ... 216.
  * The verdict is that of sepax_paper but where a normal separates a pair called coplanar. */
 sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pair);
 
-/* The same search for the pairs that sepax_clearance does not call free: `design` has clearances
- * (limits > 0), boxes are kept apart by its margin. `first` ends at such a pair. */
+/* As sepax_colliding_pairs, but for the pairs that sepax_clearance does not call free. `design` has
+ * clearances (limits > 0), and AABBs within its margin[1] count as overlapping. `first` ends the
+ * search at such a pair. */
 bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
                       const sepax_tri *b, size_t count_b, const sepax_search *how,
                       sepax_pairs *found, sepax_error *error);
@@ -194,48 +198,48 @@ bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t cou
 
 /* What a run of the engine finds. */
 typedef struct {
-  uint64_t pairs, candidates; /* tested; of these, with boxes that meet */
-  uint64_t passes;            /* of candidates through the cores; two for pairs flat along z */
-  sepax_pairs found; /* collisions, and pairs in the band of warnings, in the order of the engine */
-  uint64_t collisions;   /* among them */
-  size_t first;          /* of found: the first collision; found.count without one */
-  uint64_t out_of_range; /* of these, undecided: beyond the extents, or moved out of W bits */
+  uint64_t pairs, candidates; /* tested; of these, with AABBs that overlap (or are in the margin) */
+  uint64_t passes;       /* of candidates through the cores; two for pairs flat as seen along z */
+  sepax_pairs found;     /* collisions, and pairs in band WARNING, in the order of the engine */
+  uint64_t collisions;   /* among found */
+  size_t first;          /* index in found of the first collision; found.count without one */
+  uint64_t out_of_range; /* among found, undecided: an extent is exceeded, or B is out of W bits */
   uint64_t cycles;       /* predicted, to about 1 % and 20 + 4 II cycles; less
                             well where several cores meet pairs of two passes */
 } sepax_engine_run;
 
-/* The golden model of sepax_engine, a design with lanes: triangles of A against those of B,
- * B's moved by whole LSB (|move| < 2^W). Verdicts are those of sepax_judge; a triangle of B
- * that was moved out of W bits collides with all whose boxes it meets, and is counted as out of
- * range. Fails on objects that are empty or do not fit the memories, or without memory; free
- * run->found with sepax_pairs_free. */
+/* The golden model of the object engine, a design with lanes: all triangles of A against those of
+ * B, which is moved by whole LSB (|move| < 2^W). Verdicts are those of sepax_judge. A triangle of B
+ * that was moved out of W bits collides with every triangle whose AABB overlaps its own, and counts
+ * as out of range. Fails on objects that are empty or do not fit the memories of the design, and
+ * without memory. Free run->found with sepax_pairs_free. */
 bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a,
                   const sepax_tri *b, size_t count_b, const int32_t move[3], sepax_engine_run *run,
                   sepax_error *error);
 
 /* ----------------------------------------------------------- what a scene needs */
 
-/* A turn by any angle about the axis through a centre that is parallel to x, y or z, or
- * about every axis through it. */
+/* A rotation by any angle about the axis through a centre that is parallel to x, y or z, or about
+ * every axis through the centre. */
 typedef enum {
-  SEPAX_TURN_NONE,
-  SEPAX_TURN_X,
-  SEPAX_TURN_Y,
-  SEPAX_TURN_Z,
-  SEPAX_TURN_ANY
-} sepax_turn;
+  SEPAX_ROTATION_NONE,
+  SEPAX_ROTATION_X,
+  SEPAX_ROTATION_Y,
+  SEPAX_ROTATION_Z,
+  SEPAX_ROTATION_ANY
+} sepax_rotation;
 
-/* Where a body may be: turned first, then shifted by low ... high (file units; the pose of
- * the file, no turn and no shift, is always one of them). All zero: it rests. */
+/* The poses of a body: rotated first, then shifted by low ... high (file units). The pose of the
+ * file, without rotation and shift, is always one of them. All zero: the body does not move. */
 typedef struct {
   double low[3], high[3];
-  sepax_turn turn;
+  sepax_rotation rotation;
   double centre[3];
 } sepax_motion;
 
 typedef enum {
   SEPAX_WORKSPACE_NONE,  /* what the poses need */
-  SEPAX_WORKSPACE_SIDES, /* a box of sides high - low about the middle of the poses */
+  SEPAX_WORKSPACE_SIDES, /* a cuboid of sides high - low about the middle of the poses */
   SEPAX_WORKSPACE_PLACED /* low ... high */
 } sepax_workspace;
 
@@ -251,17 +255,17 @@ typedef struct {
   uint64_t seed;
 } sepax_space;
 
-/* What follows for every pose. extent[i] bounds each side of the box of each triangle of A,
- * of B, in LSB, however the moved body is rounded to the grid; if nothing moves and no
- * workspace was given it is the longest side itself. */
+/* What follows for every pose. extent[i] bounds each side of the AABB of each triangle of A, of B,
+ * in LSB, in every pose and for every rounding of the moved body to the grid. If nothing moves and
+ * no workspace was given, it is the longest side itself. */
 typedef struct {
   sepax_grid grid;        /* the least word length that holds all poses and the workspace */
   double low[3], high[3]; /* of all poses, file units */
   size_t count[2];
   int64_t extent[2];
-  int core_word;  /* bits of a coordinate behind the box test, at most grid.word */
-  uint64_t given; /* pairs of triangles whose boxes meet as the files stand: counted */
-  uint64_t worst; /* the most that were counted in this and `poses` sampled poses */
+  int core_word;  /* bits of a coordinate behind the AABB test, at most grid.word */
+  uint64_t given; /* pairs of triangles with overlapping AABBs in the pose of the files, counted */
+  uint64_t worst; /* the most that were counted in that and in `poses` sampled poses */
   int poses;
 } sepax_size;
 
@@ -271,26 +275,25 @@ bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b
                       const sepax_space *space, sepax_error *error);
 
 /* Gates (GE) of architecture exact at 2 ns, by a formula fitted to mapped designs (Nangate45
- * typical), and the most that it is wrong by if this design is like those. Of an object engine
- * without its memories. The design is one that sepax_design_init made. docs/size.md. */
+ * typical); *error is the largest error of the formula if this design is like those. An object
+ * engine is counted without its memories. The design is one that sepax_design_init made.
+ * docs/size.md. */
 double sepax_gates(const sepax_design *design, double *error);
 
-/* A machine for all pairs of a scene. */
+/* A design for all pairs of a scene. */
 typedef struct {
-  sepax_config
-      config; /* with lanes: an object engine; without: the core alone, fed with every pair */
+  sepax_config config; /* with lanes: an object engine; without: the core alone, given every pair */
   double gates, gates_error; /* sepax_gates */
-  bool fitted;               /* the formula was fitted to machines like this one */
-  uint64_t cycles; /* for all pairs, at most; of an engine with loading left out, of a core alone
-                      with second passes left out */
+  bool fitted;               /* the formula was fitted to designs like this one */
+  uint64_t cycles; /* for all pairs, at most; an engine's without loading, a core's without second
+                      passes */
   double seconds;
 } sepax_sized_design;
 
-/* The machine of the fewest gates that judges all pairs of `size` within `seconds` at a
- * period of clock_ps, `worst` pairs being left by the box test: lanes_least ... lanes_most
- * lanes (0 ... SEPAX_LANES_MAX; 0 is the core alone). Fails if none is fast enough, naming
- * the fastest. */
-bool sepax_size_design(sepax_sized_design *machine, const sepax_size *size, double seconds,
+/* The design of the fewest gates that judges all pairs of `size` within `seconds` at a period of
+ * clock_ps, if the AABB test leaves `worst` pairs. It has lanes_least ... lanes_most lanes (0 ...
+ * SEPAX_LANES_MAX; 0 is the core alone). Fails if none is fast enough, and names the fastest. */
+bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size, double seconds,
                        int clock_ps, int lanes_least, int lanes_most, sepax_error *error);
 
 #ifdef __cplusplus

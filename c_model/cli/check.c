@@ -1,10 +1,11 @@
 /* check.c - sepax check: which triangles of two STL files collide. */
 #include "cli.h"
-#include "util/error.h"
-#include "util/write_file.h"
+#include "cli/report.h"
 #include "sepax_design.h"
+#include "util/error.h"
+#include "util/list.h"
+#include "util/write_file.h"
 
-#include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -22,7 +23,7 @@ typedef struct {
 typedef struct {
   sepax_pairs pairs; /* that collide */
   sepax_pairs warned;
-  size_t room;
+  size_t capacity; /* of pairs */
   double seconds;
   bool within[2]; /* A in B, B in A */
 } collisions;
@@ -32,17 +33,17 @@ enum { KEY_SOLID = 0x380, KEY_THREADS, KEY_FIRST, KEY_PAIRS, KEY_PLY, KEY_CLEARA
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
     {"solid", KEY_SOLID, NULL, 0,
-     "the meshes are closed: one wholly inside the other is a collision, too", 0},
+     "the meshes are closed: a part wholly inside the other mesh is a collision, too", 0},
     {"first", KEY_FIRST, NULL, 0, "stop at the first pair that collides", 0},
     {"clearance", KEY_CLEARANCE, "LENGTH", 0,
-     "in file units: what is not surely farther apart than this, before it was rounded to LSB, collides",
+     "in file units: pairs collide unless they are provably farther apart than this, before they "
+     "were rounded to LSB",
      0},
     {"warning", KEY_WARNING, "LENGTH", 0,
-     "in file units: warn of what is not surely farther apart than this", 0},
+     "in file units: warn of pairs unless they are provably farther apart than this", 0},
     {"pairs", KEY_PAIRS, "FILE", 0, "write the colliding pairs as CSV, not to standard output", 0},
     {"ply", KEY_PLY, "FILE", 0, "write both meshes as PLY, colliding triangles in colour", 0},
-    {"threads", KEY_THREADS, "N", 0,
-     "threads of --arch=exact (as many as the machine has processors)", 0},
+    {"threads", KEY_THREADS, "N", 0, "threads of --arch=exact (one for each processor)", 0},
     {0}};
 
 static double length(struct argp_state *state, const char *name, const char *text) {
@@ -100,22 +101,6 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-static bool record(collisions *found, size_t i, size_t j) {
-  if (found->pairs.count == found->room) {
-    size_t room = found->room == 0 ? 1024 : 2 * found->room;
-    void *more = realloc(found->pairs.pair, room * sizeof *found->pairs.pair);
-    if (more == NULL) {
-      return false;
-    }
-    found->pairs.pair = more;
-    found->room = room;
-  }
-  found->pairs.pair[found->pairs.count][0] = i;
-  found->pairs.pair[found->pairs.count][1] = j;
-  found->pairs.count++;
-  return true;
-}
-
 static bool judge_all(const sepax_design *design, const sepax_scene *scene, bool first,
                       collisions *found) {
   uint64_t total = (uint64_t)scene->count[0] * scene->count[1];
@@ -126,7 +111,7 @@ static bool judge_all(const sepax_design *design, const sepax_scene *scene, bool
     for (size_t j = 0; j < scene->count[1] && ok && !done; j++) {
       sepax_pair pair = sepax_scene_pair(scene, i, j);
       if (sepax_judge(design, &pair).collision) {
-        ok = record(found, i, j);
+        ok = list_add_pair(&found->pairs, &found->capacity, i, j);
         done = first;
       }
     }
@@ -143,8 +128,8 @@ static bool show(void *context, uint64_t done, uint64_t total) {
   return true;
 }
 
-/* Pairs that are not free into those that collide and those to be warned of. */
-static bool part_bands(const sepax_design *design, const sepax_scene *scene, collisions *found) {
+/* Divide the pairs that are not free: those that collide stay, the others go to found->warned. */
+static bool divide_bands(const sepax_design *design, const sepax_scene *scene, collisions *found) {
   sepax_pairs *all = &found->pairs;
   size_t colliding = 0;
   found->warned.pair = malloc((all->count + 1) * sizeof *all->pair);
@@ -172,11 +157,11 @@ static bool search(const check_options *o, const sepax_design *design, const sep
                   : sepax_colliding_pairs(scene->tri[0], scene->count[0], scene->tri[1],
                                           scene->count[1], &how, &found->pairs, error);
   found->seconds = cli_progress_end(&progress);
-  return ok && (!bands || part_bands(design, scene, found) ||
+  return ok && (!bands || divide_bands(design, scene, found) ||
                 sepax_fail(error, "no memory for the pairs found"));
 }
 
-/* Exact verdicts down a tree of boxes; those of other designs pair by pair. */
+/* Exact verdicts down a tree of AABBs; verdicts of other designs pair by pair. */
 static bool find(const check_options *o, const sepax_design *design, const sepax_scene *scene,
                  collisions *found, sepax_error *error) {
   bool exact = o->config.arch == SEPAX_ARCH_EXACT && !o->config.flag && o->config.extent_a == 0;
@@ -208,8 +193,8 @@ static bool set_clearances(const check_options *o, const sepax_grid *grid, sepax
 static void print_bands(const sepax_design *design, const sepax_scene *scene,
                         const collisions *found) {
   double lsb = scene->grid.resolution;
-  size_t near = found->pairs.count + found->warned.count;
-  printf("bands  %zu free, ", scene->count[0] * scene->count[1] - near);
+  size_t not_free = found->pairs.count + found->warned.count;
+  printf("bands  %zu free, ", scene->count[0] * scene->count[1] - not_free);
   if (design->limits > 1) {
     printf("%zu warning (up to %d LSB = %.9g), ", found->warned.count, design->config.warning,
            design->config.warning * lsb);
@@ -220,11 +205,10 @@ static void print_bands(const sepax_design *design, const sepax_scene *scene,
 
 static void print_text(const check_options *o, const sepax_design *design, const sepax_scene *scene,
                        const collisions *found) {
-  const sepax_grid *g = &scene->grid;
-  printf("A      %s, %zu triangles\nB      %s, %zu triangles\n", o->path[0], scene->count[0],
-         o->path[1], scene->count[1]);
-  printf("grid   W = %d, 1 LSB = %.9g, origin %.9g,%.9g,%.9g\n", g->word, g->resolution,
-         g->offset[0], g->offset[1], g->offset[2]);
+  enum { WIDTH = 7 };
+  report_print_file('A', WIDTH, o->path[0], scene->count[0]);
+  report_print_file('B', WIDTH, o->path[1], scene->count[1]);
+  report_print_grid(WIDTH, &scene->grid);
   for (size_t k = 0; k < found->pairs.count && o->pairs_path == NULL; k++) {
     printf("A[%zu] B[%zu]\n", found->pairs.pair[k][0], found->pairs.pair[k][1]);
   }
@@ -244,42 +228,37 @@ static void print_text(const check_options *o, const sepax_design *design, const
          scene->count[0] * scene->count[1], sepax_arch_name(o->config.arch), found->seconds);
 }
 
+static json_t *pairs_as_json(const sepax_pairs *pairs) {
+  json_t *list = json_array();
+  for (size_t k = 0; k < pairs->count; k++) {
+    json_array_append_new(
+        list, json_pack("[I, I]", (json_int_t)pairs->pair[k][0], (json_int_t)pairs->pair[k][1]));
+  }
+  return list;
+}
+
 static void print_json(const check_options *o, const sepax_design *design, const sepax_scene *scene,
                        const collisions *found) {
-  const sepax_grid *g = &scene->grid;
   json_int_t pairs = (json_int_t)scene->count[0] * (json_int_t)scene->count[1];
-  json_t *colliding = json_array();
-  for (size_t k = 0; k < found->pairs.count; k++) {
-    json_array_append_new(colliding, json_pack("[I, I]", (json_int_t)found->pairs.pair[k][0],
-                                               (json_int_t)found->pairs.pair[k][1]));
-  }
-  json_t *report = json_pack(
-      "{s:s, s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:I, s:I, s:b, s:b, s:f, s:o}",
-      "arch", sepax_arch_name(o->config.arch), "a", "file", o->path[0], "triangles",
-      (json_int_t)scene->count[0], "b", "file", o->path[1], "triangles",
-      (json_int_t)scene->count[1], "grid", "word", g->word, "resolution", g->resolution, "origin",
-      g->offset[0], g->offset[1], g->offset[2], "pairs", pairs, "collisions",
-      (json_int_t)found->pairs.count, "a_inside_b", found->within[0], "b_inside_a",
-      found->within[1], "seconds", found->seconds, "colliding", colliding);
+  json_t *report =
+      json_pack("{s:s, s:I, s:I, s:b, s:b, s:f, s:o}", "arch", sepax_arch_name(o->config.arch),
+                "pairs", pairs, "collisions", (json_int_t)found->pairs.count, "a_inside_b",
+                found->within[0], "b_inside_a", found->within[1], "seconds", found->seconds,
+                "colliding", pairs_as_json(&found->pairs));
+  json_t *files = report_scene(o->path, scene->count, &scene->grid);
+  json_object_update(report, files);
+  json_decref(files);
   if (design->limits > 0) {
+    json_int_t free = pairs - (json_int_t)(found->pairs.count + found->warned.count);
     json_object_set_new(report, "clearance", json_integer(design->config.clearance));
-    json_object_set_new(
-        report, "free",
-        json_integer(pairs - (json_int_t)(found->pairs.count + found->warned.count)));
+    json_object_set_new(report, "free", json_integer(free));
     json_object_set_new(report, "warnings", json_integer((json_int_t)found->warned.count));
   }
   if (design->limits > 1) {
     json_object_set_new(report, "warning", json_integer(design->config.warning));
-    json_t *warned = json_array();
-    for (size_t k = 0; k < found->warned.count; k++) {
-      json_array_append_new(warned, json_pack("[I, I]", (json_int_t)found->warned.pair[k][0],
-                                              (json_int_t)found->warned.pair[k][1]));
-    }
-    json_object_set_new(report, "warned", warned);
+    json_object_set_new(report, "warned", pairs_as_json(&found->warned));
   }
-  json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
-  putchar('\n');
-  json_decref(report);
+  report_print_json(report);
 }
 
 static bool same_file(const char *p, const char *q) {
@@ -290,7 +269,7 @@ static bool same_file(const char *p, const char *q) {
 }
 
 /* What is written must not be what is read, nor one file be written twice. */
-static bool outputs_apart(const check_options *o, sepax_error *error) {
+static bool outputs_distinct(const check_options *o, sepax_error *error) {
   const char *const outputs[] = {o->pairs_path, o->ply_path};
   for (int i = 0; i < 4; i++) {
     const char *output = outputs[i % 2];
@@ -304,17 +283,6 @@ static bool outputs_apart(const check_options *o, sepax_error *error) {
   return true;
 }
 
-bool cli_names_printable(const char *const path[2], sepax_error *error) {
-  for (int i = 0; i < 2; i++) {
-    json_t *name = json_string(path[i]);
-    json_decref(name);
-    if (name == NULL) {
-      return sepax_fail(error, "%.300s: the name is not UTF-8; rename the file", path[i]);
-    }
-  }
-  return true;
-}
-
 static bool normals_read(const check_options *o, sepax_error *error) {
   return !o->grid.file_normals || o->config.arch == SEPAX_ARCH_PAPER ||
          o->config.arch == SEPAX_ARCH_CONFERENCE ||
@@ -322,7 +290,7 @@ static bool normals_read(const check_options *o, sepax_error *error) {
                     sepax_arch_name(o->config.arch));
 }
 
-/* What needs no mesh to be refused. */
+/* The checks that need no mesh. */
 static bool clearances_make_sense(const check_options *o, sepax_error *error) {
   if (o->clearance < 0 && o->warning < 0) {
     return true;
@@ -372,8 +340,8 @@ int cli_check(int argc, char **argv) {
       options,
       parse,
       "A.stl B.stl",
-      "Judge every pair of triangles of two STL files. Indices count facets from 0.\vExit status: 0 free (or, with --warning, "
-      "a warning), 1 collision, 2 error.",
+      "Judge every pair of triangles of two STL files. Indices count facets from 0.\v"
+      "Exit status: 0 free (or, with --warning, a warning), 1 collision, 2 error.",
       children,
       NULL,
       NULL};
@@ -383,7 +351,7 @@ int cli_check(int argc, char **argv) {
   sepax_error error = {""};
   sepax_design design;
   sepax_scene scene;
-  if ((o.json && !cli_names_printable(o.path, &error)) || !outputs_apart(&o, &error) ||
+  if ((o.json && !report_names_printable(o.path, &error)) || !outputs_distinct(&o, &error) ||
       !normals_read(&o, &error) || !sepax_design_init(&design, &o.config, &error) ||
       !clearances_make_sense(&o, &error) ||
       !sepax_scene_load(&scene, o.path, &o.grid.grid, o.grid.file_normals, &error)) {

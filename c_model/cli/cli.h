@@ -51,9 +51,6 @@ const char *cli_scan_length(const char *text, double *value);
 /* Such a length and nothing else; argp_error otherwise. */
 double cli_length(const struct argp_state *state, const char *option, const char *text);
 
-/* JSON is UTF-8: are these names? */
-bool cli_names_printable(const char *const path[2], sepax_error *error);
-
 /* The Verilog of the design into a folder, and its latency (c_model/cli/gen.c). */
 bool cli_generate(sepax_design *design, const char *folder, sepax_error *error);
 

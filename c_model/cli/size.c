@@ -1,9 +1,9 @@
-/* size.c - sepax size: what a scene needs, and the machine for it. */
+/* size.c - sepax size: what a scene needs, and the design for it. */
 #include "cli.h"
-#include "util/error.h"
+#include "cli/report.h"
 #include "sepax_design.h"
+#include "util/error.h"
 
-#include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,27 +39,27 @@ static const struct argp_option options[] = {
     {"offset", KEY_OFFSET, "X,Y,Z", 0,
      "file coordinates of the integer origin (the middle of the workspace)", 0},
     {"workspace", KEY_WORKSPACE, "SIZE", 0,
-     "what must hold all poses: LENGTH, LENGTHxLENGTHxLENGTH, or a box LENGTH..LENGTHx... in the "
+     "a cuboid that must hold all poses: LENGTH, LENGTHxLENGTHxLENGTH, or LENGTH..LENGTHx... in the "
      "file's coordinates (what the poses need)",
      0},
     {"motion", KEY_MOTION, "WHERE", 0,
-     "where B may be beside its place in the file: x:LENGTH..LENGTH, y:..., z:... and rotate:x, "
-     "rotate:y, rotate:z or rotate, with commas between (nowhere else)",
+     "how B may move from its pose in the file: x:LENGTH..LENGTH, y:..., z:... and rotate:x, "
+     "rotate:y, rotate:z or rotate, with commas between (not at all)",
      0},
     {"centre", KEY_CENTRE, "X,Y,Z", 0, "what B rotates about, file coordinates (0,0,0)", 0},
     {"motion-a", KEY_MOTION_A, "WHERE", 0, "the same of A", 0},
     {"centre-a", KEY_CENTRE_A, "X,Y,Z", 0, "the same of A", 0},
     {"poses", KEY_POSES, "COUNT", 0,
-     "poses of a moving body to sample for the pairs that the box test leaves (64)", 0},
+     "poses of a moving body to sample for the candidates that the AABB test leaves (64)", 0},
     {"seed", 's', "SEED", 0, "seed of these poses (1)", 0},
-    {NULL, 0, NULL, 0, "Machine:", 2},
+    {NULL, 0, NULL, 0, "Design:", 2},
     {"time", KEY_TIME, "TIME", 0, "for all pairs, with ns, us, ms or s behind it (0.96ms)", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period, 0.5 ... 20 (2)", 0},
-    {"lanes", KEY_LANES, "COUNT", 0, "so many box lanes, 0 ... 64; 0: a core alone (what it takes)",
-     0},
+    {"lanes", KEY_LANES, "COUNT", 0,
+     "comparator lanes, 0 ... 64; 0: a core alone (as many as the time takes)", 0},
     {NULL, 0, NULL, 0, "Output:", 3},
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
-    {"gen", KEY_GEN, NULL, 0, "generate the machine, too, as sepax gen does; needs -o", 0},
+    {"gen", KEY_GEN, NULL, 0, "generate the design, too, as sepax gen does; needs -o", 0},
     {"output", 'o', "DIR", 0, "folder for its Verilog (made if missing)", 0},
     {0}};
 
@@ -100,8 +100,8 @@ static bool scan_workspace(sepax_space *space, const char *text) {
   return *at == '\0';
 }
 
-/* One item of a motion; the end of it, or NULL. Each may be given once: bit 0 ... 2 of `given` x,
- * y, z, bit 3 rotate. */
+/* One item of a motion; the end of it, or NULL. Each may be given once: bits 0 ... 2 of `given`
+ * stand for x, y, z, bit 3 for rotate. */
 static const char *scan_item(sepax_motion *m, const char *text, unsigned *given) {
   static const char rotate[] = "rotate";
   if (strncmp(text, rotate, sizeof rotate - 1) == 0) {
@@ -110,9 +110,9 @@ static const char *scan_item(sepax_motion *m, const char *text, unsigned *given)
       return NULL;
     }
     *given |= 8u;
-    m->turn = SEPAX_TURN_ANY;
+    m->rotation = SEPAX_ROTATION_ANY;
     if (at[0] == ':' && at[1] >= 'x' && at[1] <= 'z') {
-      m->turn = (sepax_turn)(SEPAX_TURN_X + (at[1] - 'x'));
+      m->rotation = (sepax_rotation)(SEPAX_ROTATION_X + (at[1] - 'x'));
       at += 2;
     }
     return at;
@@ -255,44 +255,49 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 static uint64_t pairs_of(const sepax_size *s) { return (uint64_t)s->count[0] * s->count[1]; }
 
 static uint64_t memory_bits(const sepax_sized_design *m) {
-  const sepax_config *c = &m->config; /* triangles and their boxes */
+  const sepax_config *c = &m->config; /* triangles and their AABBs */
   return c->lanes == 0 ? 0
                        : 15 * (uint64_t)c->word * ((uint64_t)c->memory_a + (uint64_t)c->memory_b);
 }
 
-static void print_boxes(const size_options *o, const sepax_size *s) {
+enum { WIDTH = 11 };
+
+static void print_candidates(const size_options *o, const sepax_size *s) {
   double pairs = (double)pairs_of(s);
-  printf("boxes      %llu of %.0f pairs meet as the files stand: %.3g %%\n",
-         (unsigned long long)s->given, pairs, 100 * (double)s->given / pairs);
+  printf("%-*s%llu of %.0f pairs have overlapping AABBs in the pose of the files: %.3g %%\n", WIDTH,
+         "AABBs", (unsigned long long)s->given, pairs, 100 * (double)s->given / pairs);
   if (s->poses > 0) {
-    printf("           the most in %d sampled poses (seed %llu) and that: %llu, %.3g %%\n",
+    printf("%-*sthe most in that and in %d sampled poses (seed %llu): %llu, %.3g %%\n", WIDTH, "",
            s->poses, (unsigned long long)o->space.seed, (unsigned long long)s->worst,
            100 * (double)s->worst / pairs);
   }
 }
 
-static void print_text(const size_options *o, const sepax_size *s, const sepax_sized_design *m) {
-  char text[SEPAX_CONFIG_TEXT];
-  const sepax_grid *g = &s->grid;
-  printf("A          %s, %zu triangles\nB          %s, %zu triangles\n", o->path[0], s->count[0],
-         o->path[1], s->count[1]);
-  printf("poses      x %.9g ... %.9g, y %.9g ... %.9g, z %.9g ... %.9g\n", s->low[0], s->high[0],
-         s->low[1], s->high[1], s->low[2], s->high[2]);
-  printf("grid       W = %d, 1 LSB = %.9g, origin %.9g,%.9g,%.9g\n", g->word, g->resolution,
-         g->offset[0], g->offset[1], g->offset[2]);
-  printf("extents    L_A = %lld, L_B = %lld LSB: %d bits behind the box test\n",
-         (long long)s->extent[0], (long long)s->extent[1], s->core_word);
-  print_boxes(o, s);
-  printf("machine    exact, II = %d, ", m->config.ii);
+static void print_design(const sepax_sized_design *m) {
+  printf("design     exact, II = %d, ", m->config.ii);
   if (m->config.lanes > 0) {
-    printf("%d box lanes, memories of %.0f kbit\n", m->config.lanes, (double)memory_bits(m) / 1000);
+    printf("%d comparator lanes, memories of %.0f kbit\n", m->config.lanes,
+           (double)memory_bits(m) / 1000);
   } else {
-    printf("no box lanes\n");
+    printf("no comparator lanes\n");
   }
   printf("gates      %.1fK +- %.1fK GE (formula for Nangate45 at 2 ns%s)\n", m->gates / 1000,
-         m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to machines like this one");
+         m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to designs like this one");
   printf("time       %.4g ms for all pairs (%llu cycles of %g ns)\n", 1e3 * m->seconds,
          (unsigned long long)m->cycles, m->config.clock_ps / 1000.0);
+}
+
+static void print_text(const size_options *o, const sepax_size *s, const sepax_sized_design *m) {
+  char text[SEPAX_CONFIG_TEXT];
+  report_print_file('A', WIDTH, o->path[0], s->count[0]);
+  report_print_file('B', WIDTH, o->path[1], s->count[1]);
+  printf("poses      x %.9g ... %.9g, y %.9g ... %.9g, z %.9g ... %.9g\n", s->low[0], s->high[0],
+         s->low[1], s->high[1], s->low[2], s->high[2]);
+  report_print_grid(WIDTH, &s->grid);
+  printf("extents    L_A = %lld, L_B = %lld LSB: %d bits behind the AABB test\n",
+         (long long)s->extent[0], (long long)s->extent[1], s->core_word);
+  print_candidates(o, s);
+  print_design(m);
   printf("sepax gen %s -o %s\n", sepax_config_text(&m->config, text, sizeof text),
          o->generate ? o->folder : "DIR");
 }
@@ -300,31 +305,27 @@ static void print_text(const size_options *o, const sepax_size *s, const sepax_s
 static void print_json(const size_options *o, const sepax_size *s, const sepax_sized_design *m) {
   char text[SEPAX_CONFIG_TEXT];
   char command[SEPAX_CONFIG_TEXT + 16];
-  const sepax_grid *g = &s->grid;
   snprintf(command, sizeof command, "sepax gen %s",
            sepax_config_text(&m->config, text, sizeof text));
-  json_t *report = json_pack(
-      "{s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}, s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}",
-      "a", "file", o->path[0], "triangles", (json_int_t)s->count[0], "b", "file", o->path[1],
-      "triangles", (json_int_t)s->count[1], "grid", "word", g->word, "resolution", g->resolution,
-      "origin", g->offset[0], g->offset[1], g->offset[2], "poses", s->low[0], s->high[0], s->low[1],
-      s->high[1], s->low[2], s->high[2], "extents", (json_int_t)s->extent[0],
-      (json_int_t)s->extent[1], "core_word", s->core_word);
-  json_t *boxes =
-      json_pack("{s:I, s:I, s:I, s:i, s:I}", "pairs", (json_int_t)pairs_of(s), "meet_as_given",
-                (json_int_t)s->given, "meet_worst", (json_int_t)s->worst, "sampled_poses", s->poses,
-                "seed", (json_int_t)o->space.seed);
-  json_t *machine = json_pack("{s:s, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:s}", "arch",
-                              sepax_arch_name(m->config.arch), "ii", m->config.ii, "extents",
-                              m->config.extent_a > 0, "lanes", m->config.lanes, "memory_bits",
-                              (json_int_t)memory_bits(m), "ge", m->gates, "ge_error",
-                              m->gates_error, "ge_fitted", m->fitted, "cycles",
-                              (json_int_t)m->cycles, "seconds", m->seconds, "command", command);
-  json_object_set_new(report, "boxes", boxes);
-  json_object_set_new(report, "machine", machine);
-  json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
-  putchar('\n');
-  json_decref(report);
+  json_t *report = report_scene(o->path, s->count, &s->grid);
+  json_t *needs =
+      json_pack("{s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}", "poses", s->low[0], s->high[0],
+                s->low[1], s->high[1], s->low[2], s->high[2], "extents", (json_int_t)s->extent[0],
+                (json_int_t)s->extent[1], "core_word", s->core_word);
+  json_t *candidates = json_pack("{s:I, s:I, s:I, s:i, s:I}", "pairs", (json_int_t)pairs_of(s),
+                                 "as_given", (json_int_t)s->given, "worst", (json_int_t)s->worst,
+                                 "sampled_poses", s->poses, "seed", (json_int_t)o->space.seed);
+  json_t *design = json_pack("{s:s, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:s}", "arch",
+                             sepax_arch_name(m->config.arch), "ii", m->config.ii, "extents",
+                             m->config.extent_a > 0, "lanes", m->config.lanes, "memory_bits",
+                             (json_int_t)memory_bits(m), "ge", m->gates, "ge_error", m->gates_error,
+                             "ge_fitted", m->fitted, "cycles", (json_int_t)m->cycles, "seconds",
+                             m->seconds, "command", command);
+  json_object_update(report, needs);
+  json_decref(needs);
+  json_object_set_new(report, "candidates", candidates);
+  json_object_set_new(report, "design", design);
+  report_print_json(report);
 }
 
 /* ------------------------------------------------------------------------- steps */
@@ -353,7 +354,7 @@ int cli_size(int argc, char **argv) {
       options,
       parse,
       "A.stl B.stl",
-      "What an exact machine for two meshes needs in every pose, and the one of the fewest gates "
+      "What an exact design for two meshes needs in every pose, and the design of the fewest gates "
       "that judges all pairs in time.",
       NULL,
       NULL,
@@ -365,14 +366,14 @@ int cli_size(int argc, char **argv) {
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};
   sepax_size size;
-  sepax_sized_design machine;
-  if ((o.json && !cli_names_printable(o.path, &error)) || !sepax_config_check(&o.clock, &error) ||
-      !read_and_size(&o, &size, &error) ||
-      !sepax_size_design(&machine, &size, o.seconds, o.clock.clock_ps, o.lanes_least, o.lanes_most,
+  sepax_sized_design design;
+  if ((o.json && !report_names_printable(o.path, &error)) ||
+      !sepax_config_check(&o.clock, &error) || !read_and_size(&o, &size, &error) ||
+      !sepax_size_design(&design, &size, o.seconds, o.clock.clock_ps, o.lanes_least, o.lanes_most,
                          &error) ||
-      (o.generate && !generate(&o, &machine, &error))) {
+      (o.generate && !generate(&o, &design, &error))) {
     return cli_fail(argv[0], &error);
   }
-  (o.json ? print_json : print_text)(&o, &size, &machine);
+  (o.json ? print_json : print_text)(&o, &size, &design);
   return 0;
 }

@@ -9,10 +9,10 @@ typedef struct {
   sepax_config config;
   const char *family;
   uint64_t count, seed;
-  bool normals, list, beyond;
+  bool normals, list, exceed;
 } vectors_options;
 
-enum { KEY_NORMALS = 0x200, KEY_LIST, KEY_EXTENT_A, KEY_EXTENT_B, KEY_BEYOND };
+enum { KEY_NORMALS = 0x200, KEY_LIST, KEY_EXTENT_A, KEY_EXTENT_B, KEY_EXCEED };
 
 static const struct argp_option options[] = {
     {"family", 'f', "NAME", 0, "one family of cases, or all of them in turn (all)", 0},
@@ -20,9 +20,10 @@ static const struct argp_option options[] = {
     {"seed", 's', "SEED", 0, "seed of the random numbers (1)", 0},
     {"normals", KEY_NORMALS, NULL, 0, "print 24 integers: with both normals", 0},
     {"word", 'w', "BITS", 0, "word length W of a coordinate, 4 ... 32 (18)", 0},
-    {"extent-a", KEY_EXTENT_A, "LSB", 0, "boxes of A up to so long (any; needs --extent-b)", 0},
+    {"extent-a", KEY_EXTENT_A, "LSB", 0, "the longest side of an AABB of A (any; needs --extent-b)",
+     0},
     {"extent-b", KEY_EXTENT_B, "LSB", 0, "the same of B", 0},
-    {"beyond", KEY_BEYOND, NULL, 0, "with these: one of both boxes is longer", 0},
+    {"exceed", KEY_EXCEED, NULL, 0, "with these: one triangle of each pair exceeds its extent", 0},
     {"list", KEY_LIST, NULL, 0, "list the families", 0},
     {0}};
 
@@ -51,8 +52,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
       argp_error(state, "%s", error.text);
     }
     return 0;
-  case KEY_BEYOND:
-    o->beyond = true;
+  case KEY_EXCEED:
+    o->exceed = true;
     return 0;
   case KEY_NORMALS:
     o->normals = true;
@@ -64,8 +65,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     argp_error(state, "unexpected argument '%s'", text);
     return 0;
   case ARGP_KEY_END:
-    if (o->beyond && o->config.extent_a == 0) {
-      argp_error(state, "beyond: which extents? give --extent-a and --extent-b, too");
+    if (o->exceed && o->config.extent_a == 0) {
+      argp_error(state, "exceed: which extents? give --extent-a and --extent-b, too");
     }
     return 0;
   default:
@@ -89,7 +90,7 @@ static sepax_pair draw(const vectors_options *o, size_t family, sepax_random *ra
   if (extent[0] == 0) {
     return sepax_family_pair(family, o->config.word, random);
   }
-  sepax_pair pair = sepax_extent_pair(family, o->config.word, extent, o->beyond, random);
+  sepax_pair pair = sepax_extent_pair(family, o->config.word, extent, o->exceed, random);
   pair.na = sepax_unit_normal(&pair.a, o->config.word);
   pair.nb = sepax_unit_normal(&pair.b, o->config.word);
   return pair;
@@ -123,7 +124,7 @@ int cli_vectors(int argc, char **argv) {
          (unsigned long long)o.count, (unsigned long long)o.seed);
   if (o.config.extent_a > 0) {
     printf(" --extent-a=%d --extent-b=%d%s", o.config.extent_a, o.config.extent_b,
-           o.beyond ? " --beyond" : "");
+           o.exceed ? " --exceed" : "");
   }
   putchar('\n');
   sepax_random random = {o.seed};

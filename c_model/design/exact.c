@@ -9,21 +9,10 @@ static int64_t outer_margin(const sepax_config *config) {
   return (int64_t)outer + 1;
 }
 
-/* AABBs that overlap, or are no farther apart than the margin, seen from the lowest corner of the
- * larger kind: its own coordinates reach up to its extent, the other's from minus its extent to
- * the sum of both, and that much more. */
 static int core_word(const sepax_config *config) {
-  int64_t a = config->extent_a;
-  int64_t b = config->extent_b;
-  if (a == 0 && b == 0) {
-    return config->word;
-  }
-  int64_t range = (a > b ? a + 2 * b : 2 * a + b) + 2 * outer_margin(config);
-  int bits = SEPAX_WORD_MIN;
-  while (range >> bits != 0) {
-    bits++;
-  }
-  return bits;
+  bool any = config->extent_a == 0 && config->extent_b == 0;
+  return any ? config->word
+             : bits_behind_aabb_test(config->extent_a, config->extent_b, outer_margin(config));
 }
 
 static bool check_memory(char object, int triangles, sepax_error *error) {

@@ -2,7 +2,7 @@
 #ifndef SEPAX_INTERVAL_H
 #define SEPAX_INTERVAL_H
 
-typedef __int128 wide;
+#include "util/wide.h"
 
 typedef struct {
   wide lo, hi;
@@ -31,6 +31,20 @@ static inline interval sum_of_three(interval p) { return (interval){3 * p.lo, 3 
 static inline int bits_of(interval p) {
   int bits = 1;
   while (p.lo < -((wide)1 << (bits - 1)) || p.hi >= (wide)1 << (bits - 1)) {
+    bits++;
+  }
+  return bits;
+}
+
+/* The bits of a coordinate behind the AABB test. AABBs overlap, or are no farther apart than the
+ * margin; they are seen from the lowest corner of the object with the larger extent. Coordinates of
+ * this object reach up to its extent, those of the other from minus its extent to the sum of both,
+ * and the margin more on either side. */
+static inline int bits_behind_aabb_test(int64_t extent_a, int64_t extent_b, int64_t margin) {
+  int64_t lesser = extent_a < extent_b ? extent_a : extent_b;
+  int64_t range = extent_a + extent_b + lesser + 2 * margin;
+  int bits = SEPAX_WORD_MIN;
+  while (range >> bits != 0) {
     bits++;
   }
   return bits;

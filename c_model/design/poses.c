@@ -1,19 +1,22 @@
-/* poses.c - what two meshes need in every pose of theirs: word length, extents, and how many
- * pairs the box test leaves. docs/size.md. */
-#include "util/error.h"
+/* poses.c - what two meshes need in each of their poses: word length, extents, and how many
+ * candidates the AABB test leaves. docs/size.md. */
+#include "design/interval.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
+#include "util/aabb.h"
+#include "util/error.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 static const char axis_name[] = "xyz";
-static const double full_turn = 6.283185307179586;
+static const double full_angle = 6.283185307179586;
 
-/* Rounding when a body is moved in double precision stays far below this share. */
+/* Rounding when a body is moved in double precision stays well below this share. */
 static const double slack = 0x1p-40;
 
-/* A workspace may be so much too small: how it was written decides nothing. */
+/* A workspace may be too small by this share, so that the rounding of its decimals decides nothing.
+ */
 static const double workspace_slack = 1e-9;
 
 typedef struct {
@@ -34,19 +37,19 @@ static bool moves(const sepax_motion *m) {
   for (int axis = 0; axis < 3; axis++) {
     shifted = shifted || m->low[axis] != 0 || m->high[axis] != 0;
   }
-  return shifted || m->turn != SEPAX_TURN_NONE;
+  return shifted || m->rotation != SEPAX_ROTATION_NONE;
 }
 
-/* Does a turn leave this coordinate alone? */
-static bool kept(sepax_turn turn, int axis) {
-  return turn == SEPAX_TURN_NONE || (int)turn - SEPAX_TURN_X == axis;
+/* True iff the rotation does not change this coordinate. */
+static bool kept(sepax_rotation rotation, int axis) {
+  return rotation == SEPAX_ROTATION_NONE || (int)rotation - SEPAX_ROTATION_X == axis;
 }
 
-/* The length of d, without the component that the turn leaves alone. */
-static double length_turned(const double d[3], sepax_turn turn) {
+/* The length of d without the component that the rotation does not change. */
+static double length_rotated(const double d[3], sepax_rotation rotation) {
   double square = 0;
   for (int axis = 0; axis < 3; axis++) {
-    square += kept(turn, axis) ? 0 : d[axis] * d[axis];
+    square += kept(rotation, axis) ? 0 : d[axis] * d[axis];
   }
   return sqrt(square);
 }
@@ -58,11 +61,11 @@ static void extend_by_vertex(range *hull, const double v[3], const sepax_motion 
   for (int axis = 0; axis < 3; axis++) {
     arm[axis] = v[axis] - m->centre[axis];
   }
-  double radius = length_turned(arm, m->turn);
+  double radius = length_rotated(arm, m->rotation);
   for (int axis = 0; axis < 3; axis++) {
     double c = m->centre[axis];
     double r = radius + slack * (radius + fabs(c));
-    bool still = kept(m->turn, axis);
+    bool still = kept(m->rotation, axis);
     double low = still ? v[axis] : fmin(c - r, v[axis]);
     double high = still ? v[axis] : fmax(c + r, v[axis]);
     extend(hull, axis, low + fmin(m->low[axis], 0), high + fmax(m->high[axis], 0));
@@ -79,143 +82,121 @@ static range hull_of(const sepax_mesh *const mesh[2], const sepax_motion motion[
   return hull;
 }
 
-/* The longest side that the box of a facet has in any pose, file units. */
-static double longest_side(const sepax_facet *f, sepax_turn turn) {
+/* The longest side that the AABB of a facet has in any pose, file units. */
+static double longest_side(const sepax_facet *f, sepax_rotation rotation) {
   double side = 0;
   for (int k = 0; k < 3; k++) {
     double edge[3];
     for (int axis = 0; axis < 3; axis++) {
       edge[axis] = f->v[(k + 1) % 3][axis] - f->v[k][axis];
-      side = kept(turn, axis) ? fmax(side, fabs(edge[axis])) : side;
+      side = kept(rotation, axis) ? fmax(side, fabs(edge[axis])) : side;
     }
-    side = fmax(side, length_turned(edge, turn));
+    side = fmax(side, length_rotated(edge, rotation));
   }
   return side;
 }
 
 /* Two coordinates that are s apart round to grid points up to floor(s) + 1 apart. */
-static int64_t extent_moved(const sepax_mesh *mesh, sepax_turn turn, double reach,
+static int64_t extent_moved(const sepax_mesh *mesh, sepax_rotation rotation, double reach,
                             double resolution) {
   double side = 0;
   for (size_t n = 0; n < mesh->count; n++) {
-    side = fmax(side, longest_side(&mesh->facet[n], turn));
+    side = fmax(side, longest_side(&mesh->facet[n], rotation));
   }
   return (int64_t)floor((side + slack * (side + reach)) / resolution) + 1;
 }
 
-/* --------------------------------------------------------------------- the boxes */
-
-typedef struct {
-  int32_t low[3], high[3];
-} box;
+/* --------------------------------------------------------------------- the AABBs */
 
 typedef struct {
   sepax_tri *tri[2];
-  box *boxes[2];
+  aabb *bounds[2]; /* of the triangles */
   sepax_mesh moved[2];
-} room;
+} bodies;
 
-static box box_of(const sepax_tri *t) {
-  const int32_t c[3][3] = {{t->v[0].x, t->v[0].y, t->v[0].z},
-                           {t->v[1].x, t->v[1].y, t->v[1].z},
-                           {t->v[2].x, t->v[2].y, t->v[2].z}};
-  box b;
-  for (int axis = 0; axis < 3; axis++) {
-    b.low[axis] = c[0][axis];
-    b.high[axis] = c[0][axis];
-    for (int k = 1; k < 3; k++) {
-      b.low[axis] = c[k][axis] < b.low[axis] ? c[k][axis] : b.low[axis];
-      b.high[axis] = c[k][axis] > b.high[axis] ? c[k][axis] : b.high[axis];
-    }
-  }
-  return b;
-}
-
-static int64_t longest_box_side(const box *boxes, size_t count) {
+static int64_t longest_side_of(const aabb *bounds, size_t count) {
   int64_t longest = 1;
   for (size_t n = 0; n < count; n++) {
-    for (int axis = 0; axis < 3; axis++) {
-      int64_t side = (int64_t)boxes[n].high[axis] - boxes[n].low[axis];
-      longest = side > longest ? side : longest;
-    }
+    int64_t side = aabb_longest_side(&bounds[n]);
+    longest = side > longest ? side : longest;
   }
   return longest;
 }
 
 static int by_low_x(const void *p, const void *q) {
-  int32_t a = ((const box *)p)->low[0];
-  int32_t b = ((const box *)q)->low[0];
+  int64_t a = ((const aabb *)p)->low[0];
+  int64_t b = ((const aabb *)q)->low[0];
   return (a > b) - (a < b);
 }
 
-/* The first of the sorted boxes that begins at x or later. */
-static size_t first_from(const box *boxes, size_t count, int64_t x) {
+/* The first of the sorted AABBs that begins at x or later. */
+static size_t first_from(const aabb *bounds, size_t count, int64_t x) {
   size_t low = 0;
   while (count > 0) {
     size_t half = count / 2;
-    bool before = boxes[low + half].low[0] < x;
+    bool before = bounds[low + half].low[0] < x;
     low = before ? low + half + 1 : low;
     count = before ? count - half - 1 : half;
   }
   return low;
 }
 
-/* Boxes of A and B that meet; B's are sorted on the way. */
-static uint64_t count_meeting(const box *a, size_t count_a, box *b, size_t count_b) {
+/* Pairs whose AABBs overlap; those of B are sorted on the way. */
+static uint64_t count_candidates(bodies *r) {
+  const size_t count_b = r->moved[1].count;
+  aabb *b = r->bounds[1];
   int64_t longest = 0;
   for (size_t n = 0; n < count_b; n++) {
-    int64_t side = (int64_t)b[n].high[0] - b[n].low[0];
+    int64_t side = b[n].high[0] - b[n].low[0];
     longest = side > longest ? side : longest;
   }
   qsort(b, count_b, sizeof *b, by_low_x);
-  uint64_t meeting = 0;
-  for (size_t i = 0; i < count_a; i++) {
-    const box p = a[i];
+  uint64_t candidates = 0;
+  for (size_t i = 0; i < r->moved[0].count; i++) {
+    const aabb p = r->bounds[0][i];
     for (size_t j = first_from(b, count_b, p.low[0] - longest);
          j < count_b && b[j].low[0] <= p.high[0]; j++) {
-      const box *q = &b[j];
-      meeting += (q->high[0] >= p.low[0]) & (q->low[1] <= p.high[1]) & (q->high[1] >= p.low[1]) &
-                 (q->low[2] <= p.high[2]) & (q->high[2] >= p.low[2]);
+      candidates += !aabb_disjoint(&p, &b[j], 0);
     }
   }
-  return meeting;
+  return candidates;
 }
 
-static bool quantise_body(room *r, int i, const sepax_mesh *mesh, const sepax_grid *grid,
+static bool quantise_body(bodies *r, int i, const sepax_mesh *mesh, const sepax_grid *grid,
                           sepax_error *error) {
   if (!sepax_quantise(mesh, grid, r->tri[i], NULL, error)) {
     return false;
   }
   for (size_t n = 0; n < mesh->count; n++) {
-    r->boxes[i][n] = box_of(&r->tri[i][n]);
+    r->bounds[i][n] = aabb_of(&r->tri[i][n]);
   }
   return true;
 }
 
-static bool make_room(room *r, const sepax_mesh *const mesh[2]) {
+static bool allocate(bodies *r, const sepax_mesh *const mesh[2]) {
   bool ok = true;
   for (int i = 0; i < 2; i++) {
     size_t count = mesh[i]->count;
     r->tri[i] = calloc(count, sizeof *r->tri[i]);
-    r->boxes[i] = calloc(count, sizeof *r->boxes[i]);
+    r->bounds[i] = calloc(count, sizeof *r->bounds[i]);
     r->moved[i].facet = calloc(count, sizeof *r->moved[i].facet);
     r->moved[i].count = count;
-    ok = ok && r->tri[i] != NULL && r->boxes[i] != NULL && r->moved[i].facet != NULL;
+    ok = ok && r->tri[i] != NULL && r->bounds[i] != NULL && r->moved[i].facet != NULL;
   }
   return ok;
 }
 
-static void free_room(room *r) {
+static void release(bodies *r) {
   for (int i = 0; i < 2; i++) {
     free(r->tri[i]);
-    free(r->boxes[i]);
+    free(r->bounds[i]);
     free(r->moved[i].facet);
   }
 }
 
 /* ------------------------------------------------------------------ sampled poses */
 
-/* Numbers of 0 ... 1: where in its three ranges a body stands, and how it is turned. */
+/* Numbers of 0 ... 1 of each body: three for its shift, three for its rotation. */
 typedef struct {
   double u[2][6];
 } pose;
@@ -224,27 +205,27 @@ static double unit(sepax_random *random) {
   return (double)(sepax_random_next(random) >> 11) * 0x1p-53;
 }
 
-/* The one of the files, or the nearest to it in the ranges. */
+/* The pose of the files, or the nearest to it in the ranges. */
 static pose pose_of_files(const sepax_motion motion[2]) {
-  static const double no_turn[3] = {0, 0.25, 0};
+  static const double no_rotation[3] = {0, 0.25, 0};
   pose p;
   for (int k = 0; k < 12; k++) {
     int axis = k % 6;
     double low = motion[k / 6].low[axis % 3];
     double way = motion[k / 6].high[axis % 3] - low;
     double u = way > 0 ? fmin(fmax(-low / way, 0), 1) : 0;
-    p.u[k / 6][axis] = axis < 3 ? u : no_turn[axis - 3];
+    p.u[k / 6][axis] = axis < 3 ? u : no_rotation[axis - 3];
   }
   return p;
 }
 
-/* Anywhere, or not far from another pose. */
-static pose draw_pose(const pose *near, double share, sepax_random *random) {
+/* Any pose, or one within a share of the ranges around another pose. */
+static pose draw_pose(const pose *centre, double share, sepax_random *random) {
   pose p;
   for (int k = 0; k < 12; k++) {
     double u = unit(random);
-    if (near != NULL) {
-      double moved = near->u[k / 6][k % 6] + share * (u - 0.5);
+    if (centre != NULL) {
+      double moved = centre->u[k / 6][k % 6] + share * (u - 0.5);
       u = k % 6 < 3 ? fmin(fmax(moved, 0), 1) : moved - floor(moved);
     }
     p.u[k / 6][k % 6] = u;
@@ -252,19 +233,19 @@ static pose draw_pose(const pose *near, double share, sepax_random *random) {
   return p;
 }
 
-/* A turn about one axis, or any (Shoemake: uniform). */
-static void turn_matrix(double m[3][3], sepax_turn turn, const double u[3]) {
+/* A rotation about one axis, or any rotation (Shoemake: uniform). */
+static void rotation_matrix(double m[3][3], sepax_rotation rotation, const double u[3]) {
   double q[4] = {1, 0, 0, 0};
-  if (turn == SEPAX_TURN_ANY) {
-    double near = sqrt(1 - u[0]);
-    double far = sqrt(u[0]);
-    q[0] = near * sin(full_turn * u[1]);
-    q[1] = near * cos(full_turn * u[1]);
-    q[2] = far * sin(full_turn * u[2]);
-    q[3] = far * cos(full_turn * u[2]);
-  } else if (turn != SEPAX_TURN_NONE) {
-    q[0] = cos(full_turn / 2 * u[0]);
-    q[1 + (int)turn - SEPAX_TURN_X] = sin(full_turn / 2 * u[0]);
+  if (rotation == SEPAX_ROTATION_ANY) {
+    double p = sqrt(1 - u[0]);
+    double r = sqrt(u[0]);
+    q[0] = p * sin(full_angle * u[1]);
+    q[1] = p * cos(full_angle * u[1]);
+    q[2] = r * sin(full_angle * u[2]);
+    q[3] = r * cos(full_angle * u[2]);
+  } else if (rotation != SEPAX_ROTATION_NONE) {
+    q[0] = cos(full_angle / 2 * u[0]);
+    q[1 + (int)rotation - SEPAX_ROTATION_X] = sin(full_angle / 2 * u[0]);
   }
   for (int i = 0; i < 3; i++) {
     int j = (i + 1) % 3;
@@ -278,12 +259,12 @@ static void turn_matrix(double m[3][3], sepax_turn turn, const double u[3]) {
 static void move_body(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_motion *motion,
                       const double u[6]) {
   double m[3][3];
-  turn_matrix(m, motion->turn, &u[3]);
+  rotation_matrix(m, motion->rotation, &u[3]);
   for (size_t n = 0; n < 3 * mesh->count; n++) {
     const double *v = mesh->facet[n / 3].v[n % 3];
     for (int i = 0; i < 3; i++) {
       double x = v[i];
-      if (!kept(motion->turn, i)) {
+      if (!kept(motion->rotation, i)) {
         x = motion->centre[i];
         for (int k = 0; k < 3; k++) {
           x += m[i][k] * (v[k] - motion->centre[k]);
@@ -295,9 +276,9 @@ static void move_body(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_mot
   }
 }
 
-/* The most pairs left in sampled poses: the first half anywhere, then nearer and nearer to
- * the worst so far. */
-static bool sample_poses(sepax_size *size, room *r, const sepax_mesh *const mesh[2],
+/* The most candidates in sampled poses. The first half of the poses is anywhere, the second half
+ * closes in on the worst pose so far. */
+static bool sample_poses(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2],
                          const sepax_space *space, sepax_error *error) {
   sepax_random random = {space->seed};
   pose worst = pose_of_files(space->motion);
@@ -313,7 +294,7 @@ static bool sample_poses(sepax_size *size, room *r, const sepax_mesh *const mesh
         }
       }
     }
-    uint64_t left = count_meeting(r->boxes[0], mesh[0]->count, r->boxes[1], mesh[1]->count);
+    uint64_t left = count_candidates(r);
     if (left > size->worst) {
       size->worst = left;
       worst = p;
@@ -325,7 +306,7 @@ static bool sample_poses(sepax_size *size, room *r, const sepax_mesh *const mesh
 
 /* ------------------------------------------------------------------- word length */
 
-/* The workspace, or what the poses need; always with room for all of them. */
+/* The workspace, or what the poses need; it always holds all of them. */
 static bool find_space(range *all, const range *hull, const sepax_space *space,
                        sepax_error *error) {
   *all = *hull;
@@ -407,19 +388,7 @@ static bool check_space(const sepax_mesh *const mesh[2], const sepax_space *spac
   return true;
 }
 
-/* Behind the box test coordinates are seen from a corner of the larger kind of box. */
-static int bits_behind(const sepax_size *size) {
-  int64_t a = size->extent[0];
-  int64_t b = size->extent[1];
-  int64_t reach = a + b + (a > b ? b : a);
-  int bits = SEPAX_WORD_MIN;
-  while (reach >> bits != 0) {
-    bits++;
-  }
-  return bits < size->grid.word ? bits : size->grid.word;
-}
-
-static bool measure(sepax_size *size, room *r, const sepax_mesh *const mesh[2],
+static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2],
                     const sepax_space *space, const range *all, sepax_error *error) {
   double reach = 0;
   for (int axis = 0; axis < 3; axis++) {
@@ -431,12 +400,14 @@ static bool measure(sepax_size *size, room *r, const sepax_mesh *const mesh[2],
       return false;
     }
     size->count[i] = mesh[i]->count;
-    size->extent[i] = moving || space->workspace != SEPAX_WORKSPACE_NONE
-                          ? extent_moved(mesh[i], space->motion[i].turn, reach, space->resolution)
-                          : longest_box_side(r->boxes[i], mesh[i]->count);
+    size->extent[i] =
+        moving || space->workspace != SEPAX_WORKSPACE_NONE
+            ? extent_moved(mesh[i], space->motion[i].rotation, reach, space->resolution)
+            : longest_side_of(r->bounds[i], mesh[i]->count);
   }
-  size->core_word = bits_behind(size);
-  size->given = count_meeting(r->boxes[0], mesh[0]->count, r->boxes[1], mesh[1]->count);
+  int bits = bits_behind_aabb_test(size->extent[0], size->extent[1], 0);
+  size->core_word = bits < size->grid.word ? bits : size->grid.word;
+  size->given = count_candidates(r);
   size->worst = size->given;
   return !moving || space->poses == 0 || sample_poses(size, r, mesh, space, error);
 }
@@ -457,11 +428,11 @@ bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b
     found.low[axis] = hull.low[axis];
     found.high[axis] = hull.high[axis];
   }
-  room r = {.tri = {NULL, NULL}};
-  bool ok = make_room(&r, mesh)
+  bodies r = {.tri = {NULL, NULL}};
+  bool ok = allocate(&r, mesh)
                 ? measure(&found, &r, mesh, space, &all, error)
                 : sepax_fail(error, "no memory for %zu and %zu triangles", a->count, b->count);
-  free_room(&r);
+  release(&r);
   if (ok) {
     *size = found;
   }

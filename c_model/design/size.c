@@ -1,7 +1,7 @@
-/* size.c - gates of a machine before it is mapped, and the machine of the fewest gates that
- * does a scene in time. docs/size.md. */
-#include "util/error.h"
+/* size.c - gates of a design before it is mapped, and the design of the fewest gates that judges a
+ * scene in time. docs/size.md. */
 #include "sepax_design.h"
+#include "util/error.h"
 
 #include <math.h>
 
@@ -18,8 +18,8 @@ static const int fitted_most = 24;
 static const double largest_error = 0.0831;
 
 /* The same of what an object engine has around its core (docs/area-engine.csv,
- * scripts/experiments/fit-area -l): GE a lane and bit of W, a bit of W, and in any case. Two word
- * lengths do not tell the error; 5 % is allowed for. */
+ * scripts/experiments/fit-area -l): GE for each lane and bit of W, for each bit of W, and constant.
+ * The fit has two word lengths, which give no error; 5 % is assumed. */
 static const double ge_per_lane_bit = 92.735;
 static const double ge_per_engine_bit = 405.8;
 static const double ge_of_engine = 12714;
@@ -31,17 +31,17 @@ enum { INTERVALS = sizeof intervals / sizeof intervals[0] };
 
 static int units(int operations, int ii) { return (operations + ii - 1) / ii; }
 
-/* What the core is made of, of w bits behind the box test (docs/exact.md#formats): bits of
- * its multipliers, a x b; bits of the results of its sums; what is stored in any case; what waits
- * for others in a frame (longer than 9 cycles no more does); operands' multiplexers, where 3
- * does not divide II; control; the box test. */
+/* What a core of w bits behind the AABB test is made of (docs/exact.md#formats): the bits of its
+ * multipliers, a x b; the bits of the results of its sums; registers of any schedule; registers
+ * that hold values within an II window (no more beyond 9 cycles); multiplexers of operands, where 3
+ * does not divide II; control; the AABB test. */
 static void count_terms(double term[TERMS], const sepax_design *d) {
   int ii = d->config.ii;
   int w = d->core_word;
-  int strips = units(15, ii);
+  int trapezoids = units(15, ii);
   int prisms = units(18, ii) + 1;
-  term[0] = strips * (w + 1) * (w + 1) + prisms * (2 * w + 1) * (w + 3);
-  term[1] = (strips + units(20, ii)) * (2 * w + 1) + (prisms + units(15, ii)) * (3 * w + 2);
+  term[0] = trapezoids * (w + 1) * (w + 1) + prisms * (2 * w + 1) * (w + 3);
+  term[1] = (trapezoids + units(20, ii)) * (2 * w + 1) + (prisms + units(15, ii)) * (3 * w + 2);
   term[2] = w;
   term[3] = w * (ii < 9 ? ii : 9);
   term[4] = ii > 1 && ii % 3 != 0 ? w : 0;
@@ -70,8 +70,8 @@ double sepax_gates(const sepax_design *design, double *error) {
 
 static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
-/* The walk of the engine (docs/engine.md), a memory of A and of B at a time. */
-static uint64_t walk_cycles(uint64_t a, uint64_t b, uint64_t lanes) {
+/* The steps of the pair enumerator (docs/engine.md) for one memory of A and one of B. */
+static uint64_t enumeration_cycles(uint64_t a, uint64_t b, uint64_t lanes) {
   enum { BEHIND_LAST_STEP = 6 };
   return (a + lanes - 1) / lanes * larger(b, lanes) + (a - 1) % lanes + BEHIND_LAST_STEP;
 }
@@ -81,15 +81,15 @@ static uint64_t lane_cycles(uint64_t count_a, uint64_t count_b, uint64_t lanes) 
   for (uint64_t a = 0; a < count_a; a += SEPAX_MEMORY_MAX) {
     uint64_t here = count_a - a < SEPAX_MEMORY_MAX ? count_a - a : SEPAX_MEMORY_MAX;
     uint64_t rest = count_b % SEPAX_MEMORY_MAX;
-    cycles += count_b / SEPAX_MEMORY_MAX * walk_cycles(here, SEPAX_MEMORY_MAX, lanes);
-    cycles += rest > 0 ? walk_cycles(here, rest, lanes) : 0;
+    cycles += count_b / SEPAX_MEMORY_MAX * enumeration_cycles(here, SEPAX_MEMORY_MAX, lanes);
+    cycles += rest > 0 ? enumeration_cycles(here, rest, lanes) : 0;
   }
   return cycles;
 }
 
-/* In every cycle the walk goes on or the core is busy, so that a run takes no longer than
- * both; a pair that is flat as seen along z goes through the core twice. */
-static uint64_t machine_cycles(const sepax_size *size, const sepax_design *d) {
+/* In every cycle the pair enumerator takes a step or the core is busy, so that a run takes no
+ * longer than both in turn. A pair that is flat as seen along z goes through the core twice. */
+static uint64_t design_cycles(const sepax_size *size, const sepax_design *d) {
   uint64_t a = size->count[0];
   uint64_t b = size->count[1];
   uint64_t ii = (uint64_t)d->config.ii;
@@ -99,7 +99,7 @@ static uint64_t machine_cycles(const sepax_size *size, const sepax_design *d) {
   return lane_cycles(a, b, (uint64_t)d->config.lanes) + (2 * size->worst + 1) * ii;
 }
 
-/* --------------------------------------------------------------------- machine */
+/* ---------------------------------------------------------------------- design */
 
 static int memory_for(size_t count) {
   int memory = SEPAX_MEMORY_MIN;
@@ -109,8 +109,8 @@ static int memory_for(size_t count) {
   return memory;
 }
 
-static bool fill_machine(sepax_sized_design *m, const sepax_size *size, int ii, int lanes,
-                         bool extents, int clock_ps, sepax_error *error) {
+static bool fill_design(sepax_sized_design *m, const sepax_size *size, int ii, int lanes,
+                        bool extents, int clock_ps, sepax_error *error) {
   sepax_design design;
   *m = (sepax_sized_design){.config = sepax_config_default()};
   m->config.word = size->grid.word;
@@ -129,12 +129,12 @@ static bool fill_machine(sepax_sized_design *m, const sepax_size *size, int ii, 
   m->gates = sepax_gates(&design, &m->gates_error);
   m->fitted =
       clock_ps == 2000 && design.core_word >= fitted_least && design.core_word <= fitted_most;
-  m->cycles = machine_cycles(size, &design);
+  m->cycles = design_cycles(size, &design);
   m->seconds = (double)m->cycles * clock_ps * 1e-12;
   return true;
 }
 
-bool sepax_size_design(sepax_sized_design *machine, const sepax_size *size, double seconds,
+bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size, double seconds,
                        int clock_ps, int lanes_least, int lanes_most, sepax_error *error) {
   sepax_sized_design best = {.seconds = INFINITY};
   bool found = false;
@@ -142,8 +142,8 @@ bool sepax_size_design(sepax_sized_design *machine, const sepax_size *size, doub
   for (int n = 0; n < kinds * INTERVALS; n++) {
     for (int lanes = lanes_least; lanes <= lanes_most; lanes++) {
       sepax_sized_design m;
-      if (!fill_machine(&m, size, intervals[n % INTERVALS], lanes, n >= INTERVALS, clock_ps,
-                        error)) {
+      if (!fill_design(&m, size, intervals[n % INTERVALS], lanes, n >= INTERVALS, clock_ps,
+                       error)) {
         return false;
       }
       bool in_time = m.seconds <= seconds * (1 + 1e-9);
@@ -154,12 +154,11 @@ bool sepax_size_design(sepax_sized_design *machine, const sepax_size *size, doub
     }
   }
   if (!found) {
-    return sepax_fail(
-        error,
-        "time: %.4g ms are not enough: at %g ns the fastest machine of up to %d lanes "
-        "takes %.4g ms; allow that, or coarsen the meshes",
-        1e3 * seconds, clock_ps / 1000.0, lanes_most, 1e3 * best.seconds);
+    return sepax_fail(error,
+                      "time: %.4g ms are not enough: at %g ns the fastest design of up to %d lanes "
+                      "takes %.4g ms; allow that, or coarsen the meshes",
+                      1e3 * seconds, clock_ps / 1000.0, lanes_most, 1e3 * best.seconds);
   }
-  *machine = best;
+  *sized = best;
   return true;
 }

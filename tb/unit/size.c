@@ -46,8 +46,8 @@ static void draw_scene(scene *s) {
   s->space.seed = (uint64_t)random_below(1000);
 }
 
-static void draw_motion(sepax_motion *m, sepax_turn turn) {
-  m->turn = turn;
+static void draw_motion(sepax_motion *m, sepax_rotation rotation) {
+  m->rotation = rotation;
   for (int axis = 0; axis < 3; axis++) {
     double a = 30 * random_unit();
     double b = 30 * random_unit();
@@ -76,10 +76,10 @@ static void turned(double out[3], const double v[3], const double axis[3], doubl
   }
 }
 
-static void draw_axis(double axis[3], sepax_turn turn) {
+static void draw_axis(double axis[3], sepax_rotation rotation) {
   double length = 0;
   for (int i = 0; i < 3; i++) {
-    bool own = turn == SEPAX_TURN_ANY || (int)turn - SEPAX_TURN_X == i;
+    bool own = rotation == SEPAX_ROTATION_ANY || (int)rotation - SEPAX_ROTATION_X == i;
     axis[i] = own ? 1.5 + random_unit() : 0;
     axis[i] = random_below(2) == 0 ? axis[i] : -axis[i];
     length += axis[i] * axis[i];
@@ -94,8 +94,8 @@ static void move(scene *s, int i, sepax_facet to[FACETS]) {
   const sepax_motion *m = &s->space.motion[i];
   double axis[3];
   double shift[3];
-  double angle = m->turn == SEPAX_TURN_NONE ? 0 : pi * random_unit();
-  draw_axis(axis, m->turn);
+  double angle = m->rotation == SEPAX_ROTATION_NONE ? 0 : pi * random_unit();
+  draw_axis(axis, m->rotation);
   for (int k = 0; k < 3; k++) {
     double u = random_below(3) == 0 ? random_below(2) : 0.5 + 0.5 * random_unit();
     shift[k] = m->low[k] + u * (m->high[k] - m->low[k]);
@@ -152,8 +152,8 @@ static void test_poses(void **state) {
   static sepax_tri tri[2][FACETS];
   for (int n = 0; n < SCENES; n++) {
     draw_scene(&s);
-    draw_motion(&s.space.motion[0], (sepax_turn)(n % 5));
-    draw_motion(&s.space.motion[1], (sepax_turn)(n / 5 % 5));
+    draw_motion(&s.space.motion[0], (sepax_rotation)(n % 5));
+    draw_motion(&s.space.motion[1], (sepax_rotation)(n / 5 % 5));
     s.space.resolution /= n % 4 == 0 ? 100 : 1;
     sepax_size size = sized(&s);
     int64_t longest[2] = {0, 0};
@@ -244,11 +244,12 @@ static void test_bound(void **state) {
   assert_int_equal(size.extent[0], 2501);
   assert_int_equal(size.extent[1], 2451);
   assert_int_equal(size.core_word, 13);
-  s.space.motion[1].turn = SEPAX_TURN_Z; /* z stays: 4.9; an edge (0, 3, -4.9) is 3 across */
+  s.space.motion[1].rotation =
+      SEPAX_ROTATION_Z; /* z stays: 4.9; an edge (0, 3, -4.9) is 3 across */
   assert_int_equal(sized(&s).extent[1], 2451);
-  s.space.motion[1].turn = SEPAX_TURN_X; /* sqrt(3^2 + 4.9^2) = 5.7454 */
+  s.space.motion[1].rotation = SEPAX_ROTATION_X; /* sqrt(3^2 + 4.9^2) = 5.7454 */
   assert_int_equal(sized(&s).extent[1], 2873);
-  s.space.motion[1].turn = SEPAX_TURN_ANY;
+  s.space.motion[1].rotation = SEPAX_ROTATION_ANY;
   assert_int_equal(sized(&s).extent[1], 2873);
 }
 
