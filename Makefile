@@ -365,7 +365,7 @@ COSIM_DEPS = $(RTL) $(addprefix tb/cosim/,cosim.cpp pair_source.h design_under_t
              driver_exact.h) $(LIB) $(BUILD)/obj/c_model/cli/options.o
 COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
-verilate   = rm -f $@ && cd $(CORE)/rtl && { $(VERILATE) $(1) --Mdir ../obj-$(notdir $@) -o ../$(notdir $@) \
+verilate   = rm -rf $@ $(CORE)/obj-$(notdir $@) && cd $(CORE)/rtl && { $(VERILATE) $(1) --Mdir ../obj-$(notdir $@) -o ../$(notdir $@) \
              > ../$(notdir $@).log 2>&1 || { tail -20 ../$(notdir $@).log >&2; exit 1; }; }
 
 $(COSIM): $(COSIM_DEPS)

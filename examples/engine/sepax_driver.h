@@ -7,8 +7,6 @@
 #ifndef SEPAX_DRIVER_H
 #define SEPAX_DRIVER_H
 
-#include "sepax_design.h"
-
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>

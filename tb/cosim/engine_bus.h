@@ -5,8 +5,6 @@
 #ifndef SEPAX_ENGINE_BUS_H
 #define SEPAX_ENGINE_BUS_H
 
-#include "sepax_design.h"
-
 #include <stdbool.h>
 #include <stdint.h>
 
