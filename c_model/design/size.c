@@ -9,7 +9,7 @@
 
 enum { TERMS = 7 };
 
-/* GE of what each term counts: docs/area-nangate45.csv (Nangate45 typical, 2 ns as timed by
+/* GE of what each term counts: docs/results/area-nangate45.csv (Nangate45 typical, 2 ns as timed by
  * synth/area/map) as scripts/experiments/fit-area fits it, with the largest relative error on its
  * designs. */
 static const double ge_per_term[TERMS] = {4.6195, 8.7755, 1134.1, 35.031, 637.73, 1631.2, 635.7};
@@ -17,7 +17,7 @@ static const int fitted_least = 8; /* bits of a coordinate */
 static const int fitted_most = 24;
 static const double largest_error = 0.0831;
 
-/* The same of what an object engine has around its core (docs/area-engine.csv,
+/* The same of what an object engine has around its core (docs/results/area-engine.csv,
  * scripts/experiments/fit-area -l): GE for each lane and bit of W, for each bit of W, and constant.
  * The fit has two word lengths, which give no error; 5 % is assumed. */
 static const double ge_per_lane_bit = 92.735;

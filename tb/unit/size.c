@@ -319,7 +319,7 @@ static sepax_design design_of(int word, int ii, int extent) {
 /* Every design that was mapped, within the error that is told, and that error is reached. */
 static void test_gates(void **state) {
   (void)state;
-  FILE *in = fopen("docs/area-nangate45.csv", "r");
+  FILE *in = fopen("docs/results/area-nangate45.csv", "r");
   char line[200];
   double worst = 0;
   double told = 0;
