@@ -1,7 +1,7 @@
 /* check.h - the emitter's strictness: a recursive-descent reader of the Verilog that the
  * generator writes. It elaborates a module for given parameters: generate loops run, constant
  * conditions choose, every expression gets its width. check.c reads modules and instances,
- * statement.c what stands in them, expression.c the operands, reader.c the names. */
+ * statement.c what stands in them, expression.c and operand.c the widths, reader.c the names. */
 #ifndef SEPAX_EMIT_CHECK_H
 #define SEPAX_EMIT_CHECK_H
 
@@ -35,6 +35,7 @@ typedef struct {
   name_kind kind;
   char name[EMIT_NAME];
   int width;     /* 0: a constant without a size */
+  int low;       /* number of the lowest bit */
   int64_t words; /* of a memory; 0: none */
   bool known;    /* the constant's value is */
   int64_t value;
@@ -81,9 +82,11 @@ void reader_leave(reader *r, int outer);
 /* Bits that number n things: 1 for 1 and 2. */
 int check_index_bits(int64_t n);
 
-operand check_expression(reader *r);
-int64_t check_constant(reader *r); /* refuses what has no known value */
-int check_range(reader *r);        /* [msb:0], or none: the bits */
+operand check_expression(reader *r); /* expression.c */
+operand check_primary(reader *r);    /* operand.c: without operators around it */
+int64_t check_constant(reader *r);   /* refuses what has no known value */
+/* [msb:lsb] or none: the bits, the lowest's number. */
+int check_range(reader *r, int *low);
 void check_same_width(reader *r, const char *what, operand left, operand right);
 void check_condition(reader *r, operand condition);
 

@@ -3,7 +3,8 @@
 
 #include <string.h>
 
-int check_range(reader *r) {
+int check_range(reader *r, int *low) {
+  *low = 0;
   if (!reader_take(r, "[")) {
     return 1;
   }
@@ -14,15 +15,17 @@ int check_range(reader *r) {
   if (r->failed || r->off > 0) {
     return 1;
   }
-  if (lsb != 0) {
-    reader_refuse(r, "a range that does not end at 0", "");
+  if (lsb < 0 || msb - lsb >= 1 << 24) {
+    reader_refuse(r, "range not understood", "");
   }
-  return msb < 1 << 24 ? (int)msb + 1 : 0;
+  *low = (int)lsb;
+  return (int)(msb - lsb) + 1;
 }
 
 /* ---------------------------------------------------------------------- declarations */
 
-static void declare_net(reader *r, name_kind kind, int width, const char *name) {
+static void declare_net(reader *r, const check_name *net, const char *name) {
+  int width = net->width;
   int64_t words = 0;
   if (reader_take(r, "[")) {
     int64_t first = check_constant(r);
@@ -37,7 +40,9 @@ static void declare_net(reader *r, name_kind kind, int width, const char *name) 
     if (!r->failed && width < 1) {
       reader_refuse(r, "no bits in", name);
     }
-    reader_declare(r, kind, name, width)->words = words;
+    check_name *n = reader_declare(r, net->kind, name, width);
+    n->low = net->low;
+    n->words = words;
   }
   if (reader_take(r, "=")) {
     operand right = check_expression(r);
@@ -67,7 +72,8 @@ static void declare_names(reader *r, const char *word) {
   bool is_integer = strcmp(word, "integer") == 0 || strcmp(word, "genvar") == 0;
   reader_take(r, "signed");
   bool ranged = reader_next_is(r, "[");
-  int width = check_range(r);
+  check_name net = {.kind = strcmp(word, "wire") == 0 ? NAME_WIRE : NAME_REG};
+  net.width = check_range(r, &net.low);
   do {
     char name[EMIT_NAME];
     if (!reader_take_name(r, name)) {
@@ -75,9 +81,9 @@ static void declare_names(reader *r, const char *word) {
       return;
     }
     if (is_localparam) {
-      declare_constant(r, ranged ? width : 0, name);
+      declare_constant(r, ranged ? net.width : 0, name);
     } else if (!is_integer) {
-      declare_net(r, strcmp(word, "wire") == 0 ? NAME_WIRE : NAME_REG, width, name);
+      declare_net(r, &net, name);
     } else if (r->off == 0) {
       reader_declare(r, NAME_CONSTANT, name, 0);
     }
@@ -102,7 +108,8 @@ void check_function(reader *r) {
   char name[EMIT_NAME] = "";
   reader_take(r, "automatic");
   reader_take(r, "signed");
-  check_name f = {.width = check_range(r)};
+  int low = 0;
+  check_name f = {.width = check_range(r, &low)};
   reader_take_name(r, name);
   reader_expect(r, "(");
   int outer = reader_enter(r);
@@ -110,7 +117,7 @@ void check_function(reader *r) {
     char argument[EMIT_NAME] = "";
     reader_expect(r, "input");
     reader_take(r, "signed");
-    int width = check_range(r);
+    int width = check_range(r, &low);
     reader_take_name(r, argument);
     if (f.arguments == CHECK_ARGUMENTS) {
       reader_refuse(r, "too many arguments of", name);

@@ -5,13 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { HOLES = 256, DEPTH = 16, COLUMNS = 100 };
+enum { DEPTH = 16, COLUMNS = 100 };
 
 typedef struct {
   emit_module *m;
   const emit_hole *holes;
   int count;
-  bool used[HOLES];
   bool keeps[DEPTH]; /* of the conditions around a line: its branch stays */
   int depth;
 } filler;
@@ -19,7 +18,6 @@ typedef struct {
 static const char *hole_text(filler *f, const char *name, size_t length) {
   for (int i = 0; i < f->count; i++) {
     if (strlen(f->holes[i].name) == length && memcmp(f->holes[i].name, name, length) == 0) {
-      f->used[i] = true;
       return f->holes[i].text;
     }
   }
@@ -95,11 +93,6 @@ static char *fill(filler *f, const char *text) {
   fclose(out);
   if (f->depth > 0) {
     emit_refuse(f->m, "//@ if without //@ end");
-  }
-  for (int i = 0; i < f->count; i++) {
-    if (!f->used[i]) {
-      emit_refuse(f->m, "no hole for the text '%s'", f->holes[i].name);
-    }
   }
   return filled;
 }
@@ -273,7 +266,7 @@ bool emit_template_text(emitter *e, const char *name, const char *text, const em
   }
   emit_module *m = emit_new_module(e, name, "");
   filler f = {.m = m, .holes = holes};
-  while (holes != NULL && holes[f.count].name != NULL && f.count < HOLES) {
+  while (holes != NULL && holes[f.count].name != NULL) {
     f.count++;
   }
   char *filled = fill(&f, text);
@@ -290,11 +283,18 @@ bool emit_template_text(emitter *e, const char *name, const char *text, const em
 }
 
 bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
-  for (const emit_template_file *file = emit_templates; file->name != NULL; file++) {
-    if (strcmp(file->name, name) == 0) {
-      return emit_template_text(e, name, file->text, holes);
+  const emit_template_file *found = NULL;
+  int count = 0;
+  for (const emit_template_file *file = emit_templates; file->path != NULL; file++) {
+    const char *base = strrchr(file->path, '/') + 1;
+    if (strcmp(file->path, name) == 0 || strcmp(base, name) == 0) {
+      found = file;
+      count++;
     }
   }
+  if (count == 1) {
+    return emit_template_text(e, name, found->text, holes);
+  }
   emit_module *m = emit_new_module(e, name, "");
-  return emit_refuse(m, "no such template");
+  return emit_refuse(m, count == 0 ? "no such template" : "a template of several rooms; say which");
 }

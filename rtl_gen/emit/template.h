@@ -24,8 +24,9 @@
  * @name@ is a hole: the text that the caller gives takes its place. The lines between
  * "//@ if name" and "//@ else" or "//@ end" stay if the hole's text is neither empty nor "0";
  * "//@ if !name" negates. They nest, and stand alone on their lines. Holes may stand anywhere, in
- * the banner and in the module's name, too. A hole without a text, a text without a hole,
- * and a line of more than 100 columns are refused.
+ * the banner and in the module's name, too. A hole without a text and a line of more than
+ * 100 columns are refused; texts that the file has no hole for are not, so that the files of a
+ * room can share a list.
  *
  * What is left is checked as every module is (emit.h) and can be instantiated from then on, by
  * emit_instance and by other templates. The reader understands: parameter, localparam (with a range
@@ -34,7 +35,8 @@
  * case/casez, for; generate if/for with labels; function with its arguments in parentheses;
  * instances with named ports and parameters; part selects [i*W +: W]; {N{x}}; $signed, $unsigned,
  * $clog2; `ifdef, where both branches are checked; behind `ifdef FORMAL also initial, assert,
- * assume, cover, $past, $stable. Ranges end at 0, [msb:0].
+ * assume, cover, $past, $stable. Ranges are [msb:lsb] with
+ * lsb >= 0, of ports [msb:0].
  *
  * A module refuses parameters that it cannot serve by a generate block that instantiates a module
  * which does not exist and whose name is the fault:
@@ -49,7 +51,8 @@
  *
  *     emit_template(e, "sepax_fifo", (emit_hole[]){{"width", text.text}, {"level", "1"}, {NULL}});
  *
- * `name` is the file's name without ".v"; the module's is what the text says. */
+ * `name` is the file's name without ".v", with its room before it ("paper/sepax_top") where files
+ * of several rooms have it; the module's is what the text says. */
 #ifndef SEPAX_EMIT_TEMPLATE_H
 #define SEPAX_EMIT_TEMPLATE_H
 
@@ -68,7 +71,7 @@ bool emit_template_text(emitter *e, const char *name, const char *text, const em
 
 /* All files, made by scripts/embed; the last has no name. */
 typedef struct {
-  const char *name, *text;
+  const char *path, *text; /* "ROOM/sepax_NAME" */
 } emit_template_file;
 extern const emit_template_file emit_templates[];
 

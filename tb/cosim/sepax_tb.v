@@ -136,17 +136,22 @@ module sepax_tb;
 `ifdef SEPAX_REST
 `ifdef SEPAX_CONFERENCE
   // Operands, products, axes, projections and comparisons of table 2.
-  wire [1023:0] operands = {dut.a_1_14, dut.b_3_14, dut.psa_6.p_1, dut.psa_6.q_1, dut.psa_6.q_6};
-  wire [2047:0] results = {dut.axis_flat_1, dut.axis_flat_4, dut.axis_flat_6, dut.on_a_flat_1,
-                           dut.on_b_flat_4, dut.on_a_flat_6, dut.overlap_flat,
-                           dut.psa_6.cross_2.product_yz_q, dut.proj_flat_1.inner_a_1.product_x_q,
-                           dut.proj_flat_6.inner_b_3.product_z_q};
+  wire [1023:0] operands = {dut.a_14, dut.b_14, dut.psa_6.axes[0].product.p,
+                            dut.psa_6.axes[0].product.q, dut.psa_6.axes[5].product.q};
+  wire [2047:0] results = {dut.psa_6.axes[0].product.axis, dut.psa_6.axes[3].product.axis,
+                           dut.psa_6.axes[5].product.axis, dut.flat[0].on_a, dut.flat[3].on_b,
+                           dut.flat[5].on_a, dut.overlap_flat,
+                           dut.psa_6.axes[1].product.component[0].ij_q,
+                           dut.flat[0].proj.vertex[0].dot_a.product_q,
+                           dut.flat[5].proj.vertex[2].dot_b.product_q};
 `else
   // Operands, products, projections of the three isolated PROJ, and their PSA part.
-  wire [1023:0] operands = {dut.a_1_rest, dut.b_3_rest, dut.psa.p_3, dut.psa.q_7, dut.psa.q_9};
-  wire [2047:0] results = {dut.axis_7, dut.axis_8, dut.axis_9, dut.on_a_7, dut.on_b_8,
-                           dut.on_a_9, dut.proj_7.inner_a_1.product_x_q,
-                           dut.proj_9.inner_b_3.product_z_q};
+  wire [1023:0] operands = {dut.a_10, dut.b_10, dut.psa.axes[6].product.p,
+                            dut.psa.axes[6].product.q, dut.psa.axes[8].product.q};
+  wire [2047:0] results = {dut.psa.axes[6].product.axis, dut.psa.axes[7].product.axis,
+                           dut.psa.axes[8].product.axis, dut.axes[6].on_a, dut.axes[7].on_b,
+                           dut.axes[8].on_a, dut.axes[6].proj.vertex[0].dot_a.product_q,
+                           dut.axes[8].proj.vertex[2].dot_b.product_q};
 `endif
   reg [1023:0] operands_before;
   reg [2047:0] results_before;

@@ -1,0 +1,13 @@
+/* paper.h - what architectures paper and conference have in common. */
+#ifndef SEPAX_PAPER_H
+#define SEPAX_PAPER_H
+
+#include "emit/gen.h"
+
+/* Emit the templates, leaves first, up to NULL; false with e->error set if one is refused.
+ * sepax_norm is left out of designs without block floating point. Their holes: each format's name
+ * (bits kept) and NAME_exact (sepax.json lists them), msb, min, max of a coordinate, latency,
+ * coplanar_limit and epsilon; conditions plane, printed, block_float. */
+bool paper_emit(emitter *e, const char *const *file);
+
+#endif
