@@ -8,4 +8,5 @@ sepax_cross.v
 sepax_psa.v
 sepax_cmp.v
 sepax_nand.v
+sepax_input.v
 sepax_top.v
