@@ -607,7 +607,7 @@ report: $(SEPAX)
 
 $(AREA)/netlist.vvp: $(AREA)/area.json tb/cosim/$(BENCH).v
 	@echo "  ICARUS  $(CORE_NAME), mapped to $(LIBRARY)"
-	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
+	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
 	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(BENCH) -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
 	  tb/cosim/$(BENCH).v
 
@@ -621,7 +621,7 @@ GATES = $(AREA)/cosim
 
 $(GATES): $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(CORE_NAME), mapped to $(LIBRARY)"
-	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
+	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
 	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --hierarchical --no-timing \
 	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module sepax_top \
 	  -MAKEFLAGS "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O1" \

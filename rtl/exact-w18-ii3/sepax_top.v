@@ -126,7 +126,7 @@ module sepax_top (
 
   sepax_core core (
     .clk(clk),
-    .at(at),
+    .slot(at),
     .in_a1_x(in_a1_x),
     .in_a1_y(in_a1_y),
     .in_a1_z(in_a1_z),
@@ -147,9 +147,9 @@ module sepax_top (
     .in_b3_z(in_b3_z),
     .again(again),
     .flat(flat),
-    .apart(apart),
-    .apart_x(apart_x),
-    .apart_z(apart_z),
+    .separated(apart),
+    .disjoint_x(apart_x),
+    .disjoint_z(apart_z),
     .second(second_3),
     .in_plane(in_plane_3),
     .coplanar(coplanar),

@@ -1,29 +1,39 @@
-/* schedule.c - lines and holds behind the outputs of shared units. */
+/* schedule.c - delay lines and holding registers behind the outputs of units. */
 #include "schedule.h"
 
 #include "delay.h"
 #include "sepax_design.h"
 
+#include <stdlib.h>
 #include <string.h>
 
-int schedule_add(schedule *s, const char *kind, const char *width, int bits, bool is_signed,
-                 const char *name) {
+int schedule_add(schedule *s, const char *symbol, const char *name, const char *width,
+                 bool is_signed) {
+  if (s->streams == SCHEDULE_STREAMS) {
+    abort(); /* more streams than SCHEDULE_STREAMS */
+  }
   schedule_stream *t = &s->stream[s->streams];
-  *t = (schedule_stream){.width = width, .bits = bits, .is_signed = is_signed};
-  snprintf(t->name, sizeof t->name, "%s_%s", kind, name);
-  snprintf(t->kind, sizeof t->kind, "%s", kind);
+  *t = (schedule_stream){.width = width, .is_signed = is_signed};
+  int whole = snprintf(t->name, sizeof t->name, "%s_%s", symbol, name);
+  int part = snprintf(t->symbol, sizeof t->symbol, "%s", symbol);
+  if (whole >= (int)sizeof t->name || part >= (int)sizeof t->symbol) {
+    abort(); /* a name is cut off */
+  }
   for (int k = 0; k < SEPAX_II_MAX; k++) {
     t->last[k] = -1;
   }
   return s->streams++;
 }
 
-int schedule_born(const schedule *s, schedule_value v) {
+int schedule_defined(const schedule *s, schedule_value v) {
   return s->stream[v.stream].first + v.slot;
 }
 
 void schedule_need(schedule *s, schedule_value v, int cycle) {
   int *last = &s->stream[v.stream].last[v.slot];
+  if (cycle < schedule_defined(s, v)) {
+    abort(); /* read before it is defined */
+  }
   *last = cycle > *last ? cycle : *last;
 }
 
@@ -31,7 +41,7 @@ static int age(const schedule_stream *t, int slot) {
   return t->last[slot] < 0 ? 0 : t->last[slot] - t->first - slot;
 }
 
-/* Registers that hold a value beyond a line. */
+/* Holding registers of a value beyond the delay line. */
 static int holds(const schedule *s, const schedule_stream *t, int slot, int line) {
   int beyond = age(t, slot) - line;
   return beyond > 0 ? (beyond + s->ii - 1) / s->ii : 0;
@@ -60,22 +70,22 @@ void schedule_store(schedule *s) {
 
 static void line_name(const schedule_stream *t, int place, char text[EMIT_NAME]) {
   if (place == 0) {
-    snprintf(text, EMIT_NAME, "%.30s", t->name);
+    snprintf(text, EMIT_NAME, "%s", t->name);
   } else {
-    snprintf(text, EMIT_NAME, "%.30s_q%d", t->name, place);
+    snprintf(text, EMIT_NAME, place == 1 ? "%s_q" : "%s_q%d", t->name, place);
   }
 }
 
 static void hold_name(const schedule_stream *t, int slot, int copy, char text[EMIT_NAME]) {
-  int used = snprintf(text, EMIT_NAME, "%s_%.30s_held", t->kind, t->label[slot]);
+  int used = snprintf(text, EMIT_NAME, "%s_%s_hold", t->symbol, t->label[slot]);
   if (copy > 0) {
-    snprintf(text + used, EMIT_NAME - (size_t)used, "_%d", copy + 1);
+    snprintf(text + used, EMIT_NAME - (size_t)used, "%d", copy + 1);
   }
 }
 
 void schedule_source(const schedule *s, schedule_value v, int cycle, char text[EMIT_NAME]) {
   const schedule_stream *t = &s->stream[v.stream];
-  int place = cycle - schedule_born(s, v);
+  int place = cycle - schedule_defined(s, v);
   if (place <= t->line) {
     line_name(t, place, text);
   } else {
@@ -123,7 +133,7 @@ void schedule_clock(const schedule *s, emit_module *m) {
         for (int copy = 0; copy < holds(s, t, k, t->line); copy++) {
           hold_name(t, k, copy, name);
           if (!open) {
-            emit_text(m, "  if (at[%d]) begin", phase);
+            emit_text(m, "  if (slot[%d]) begin", phase);
             open = true;
           }
           emit_text(m, "    %s <= %s;", name, from);

@@ -1,129 +1,89 @@
-/* exact.h - architecture exact: the datapath of docs/exact.md as operations, and the
- * cycles and units they get. */
+/* exact.h - architecture exact: its expression graph (docs/exact.md), the registers inside its
+ * units, its cycles, its modules. */
 #ifndef SEPAX_EXACT_H
 #define SEPAX_EXACT_H
 
 #include "arith/arith.h"
-#include "datapath/schedule.h"
+#include "datapath/times.h"
 #include "sepax_design.h"
 
-/* Operations, by what they make of the two triangles; vertices and edges cyclic, edge i
- * from vertex i to i + 1. Operations that a turn of both triangles takes into each other
- * are an orbit and follow in threes, so that they meet in one unit when 3 divides II. */
-typedef enum {
-  EXACT_STRIP,   /* t: edges of A, of B (3 + 3), A_c B_{c+r} at 6 + 3r + c */
-  EXACT_ORDER_X, /* signs of x_B - x_A, numbered as the strips */
-  EXACT_AREA,    /* g: edge c of A with B_{c+r} at 3r + c, A_c with edge c + r of B at 9 + 3r + c */
-  EXACT_AREA_SIGN, /* their signs */
-  EXACT_WEIGHT,    /* sums of z for the areas' prisms */
-  EXACT_ORDER_Z,   /* signs of z_B - z_A, numbered as the first nine areas */
-  EXACT_OWN,       /* g of B itself, and of A itself */
-  EXACT_OWN_SIGN,
-  EXACT_OWN_WEIGHT, /* for B */
-  EXACT_PRISM,      /* h, numbered as the areas */
-  EXACT_OWN_PRISM,  /* h of B */
-  EXACT_ABOVE_A,    /* signs of the volumes over A of B_k */
-  EXACT_ABOVE_B,    /* signs of the volumes over B of A_i */
-  EXACT_BETWEEN,    /* signs of the volumes of edge c of A and edge c + r of B, at 3r + c */
-  /* With a clearance the volumes come whole, and there is more. The same in y and z, z and x: */
-  EXACT_STRIP_YZ,
-  EXACT_STRIP_ZX,
-  EXACT_AREA_YZ,
-  EXACT_AREA_ZX,
-  EXACT_OWN_YZ,
-  EXACT_OWN_ZX,
-  EXACT_CROSS_XY, /* components of e x f, numbered as EXACT_BETWEEN */
-  EXACT_CROSS_YZ,
-  EXACT_CROSS_ZX,
-  EXACT_LIMIT,      /* what twice a gap must exceed on e x f; */
-  EXACT_OWN_LIMIT,  /* on N_B, N_A; */
-  EXACT_EDGE_LIMIT, /* on what is normal to an edge of A, of B and z, x, y */
-  EXACT_BEYOND_XY,  /* areas of both triangles against it, numbered as they; */
-  EXACT_BEYOND_YZ,
-  EXACT_BEYOND_ZX,
-  EXACT_EDGE_XY, /* does it exceed it on what is normal to an edge of A, of B, and z; */
-  EXACT_EDGE_YZ, /* x; */
-  EXACT_EDGE_ZX, /* y */
-  EXACT_BOX,     /* x, y, z: the gap of the boxes */
-  EXACT_FAR_A,   /* does the volume over A of B_k exceed it; */
-  EXACT_FAR_B,
-  EXACT_FAR_BETWEEN,
-  EXACT_SLOPE_A, /* how N_A goes along an edge of B */
-  EXACT_SLOPE_B,
-  EXACT_CLASSES
-} exact_class_id;
-
-enum { EXACT_UNITS = 18, EXACT_TERMS = 4 };
-
+/* Registers inside the units, and the longest stage that is left: stages.c. */
 typedef struct {
-  int operations;
-  int start[EXACT_UNITS]; /* of each unit: cycle of slot 0 */
-  int latency;            /* to the output register */
-  int stream;             /* of unit 0 */
-} exact_class;
+  arith_plan trapezoid, prism, own_prism;
+  arith_plan prism_of_two; /* where the z sum is a sum of two differences */
+  bool trapezoid_sums;     /* between a trapezoid's sums and its product */
+  int orient3d;            /* behind its sum; 2: behind its rows, too */
+  bool own_zsum;           /* inside B's z sum */
+  bool zdiff_shared; /* z sums are sums of z differences, which settle in the same cycle (II = 1) */
+  bool sign;         /* behind the sign of an orient2d */
+  bool most, total;  /* inside a limit: behind its first maximum, its products */
+  double shortest;   /* the period in ns that the longest stage needs */
+} exact_stages;
 
-enum { EXACT_BANKS = 40 };
+enum { EXACT_BUSES = 10, EXACT_BUS = 20 };
+
+/* Values that are read together, by the name of a port; they end with 0, buses with port NULL. */
+typedef struct {
+  const char *port;
+  graph_value value[EXACT_BUS];
+} exact_bus;
+
+/* Kinds that start in a cycle of their own; others start as soon as they can. */
+typedef struct {
+  int trapezoid[3], orient2d[3], own_orient2d[3];
+  int zdiff, zsum, order_z, own_zsum, prism, running_sum;
+} exact_kinds;
+
+/* Values by vertices: 0 ... 2 are A's, 3 ... 5 B's; by projection: on xy, yz, zx. Projections 1 and
+ * 2 are there with a clearance. */
+typedef struct {
+  graph *graph;
+  exact_kinds kind;
+  graph_value coordinate[3][6];    /* x, y, z */
+  graph_value t[3][6][6];          /* trapezoid terms; t_ji = -t_ij */
+  graph_value g[3][6][6][6];       /* orient2d; the sign is that of the permutation */
+  graph_value zdiff[3][6];         /* z of B's vertex less that of A's, where they are shared */
+  graph_value z[6][6][6];          /* z sums less the sum of A's z */
+  graph_value h[6][6][6];          /* signed prism volumes, signs as g */
+  graph_value s[3], w[3], d[3][3]; /* orient3d: B_k and A's plane, A_i and B's, edges i and j */
+  exact_bus verdict[EXACT_BUSES], projection[EXACT_BUSES]; /* that the last modules read */
+} exact_graph;
 
 typedef struct {
   const sepax_design *design;
-  schedule schedule;
-  exact_class class[EXACT_CLASSES];
-  arith_plan strip_mul, prism_mul, own_mul;
-  arith_plan low_prism_mul;   /* where the weight is a sum of two rises */
-  bool strip_rank;            /* registers between the strip's sums and its product */
-  int volume_ranks;           /* registers inside a volume: behind its sum, behind its rows, too */
-  bool own_weight_rank;       /* registers inside B's weight */
-  bool shared_rises;          /* weights are sums of rises, which are there at once (II = 1) */
-  bool sign_rank;             /* an area's sign is registered behind the area */
-  bool turns;                 /* the vertices go round: 3 divides II */
-  int limits;                 /* of a clearance, 0 ... 2; with it volumes come whole */
-  bool single;                /* no pair takes a second pass: the plane is not judged */
-  bool most_rank, total_rank; /* registers inside a limit: behind its first maximum, its products */
-  bool running;               /* volumes over A and B's weight are summed term by term (II = 3) */
-  int u_bank[EXACT_BANKS], z_bank[EXACT_BANKS]; /* first cycle of each */
-  int u_banks, z_banks; /* u: x, or y where all x are equal; bank 0 is x and y */
-  int plane_cycle;      /* areas' signs are judged; last cycle of a frame */
+  int limits;   /* of a clearance, 0 ... 2; with it orient3d comes whole, not as a sign */
+  bool single;  /* no pair takes a second pass: the plane is not judged */
+  bool running; /* orient3d of A's plane and B's z sum are summed term by term (II = 3) */
+  exact_stages stages;
+  exact_graph graph;
+  datapath datapath;
+  int plane_cycle; /* signs of orient2d are judged; last cycle of an II window */
   int verdict_cycle;
-  int latency;     /* cycles from a pair taken to its verdict, both counted */
-  double shortest; /* period in ns that the longest stage needs */
+  int latency; /* cycles from a pair taken to its verdict, both counted */
 } exact_plan;
 
 /* Schedule the design. Fails if the clock is too fast for a stage that has no place for
  * a register. */
 bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error);
 
-/* Units of a class; the operation in a slot of a unit; where its value is; the slot it is
- * in; the z bank that covers a cycle. */
-int exact_units(const exact_plan *p, exact_class_id id);
-int exact_slots(const exact_plan *p, exact_class_id id, int unit);
-int exact_operation(const exact_plan *p, exact_class_id id, int unit, int slot);
-schedule_value exact_value(const exact_plan *p, exact_class_id id, int operation);
-int exact_z_bank(const exact_plan *p, int cycle);
+void exact_stages_make(exact_plan *p);
 
-/* Operation numbers from vertices and edges, indices modulo 3. */
-int exact_cross_strip(int a, int b); /* EXACT_STRIP, EXACT_ORDER_X */
-int exact_edge_area(int i, int b);   /* edge i of A with B_b */
-int exact_vertex_area(int a, int j); /* A_a with edge j of B */
-int exact_between(int i, int j);
+/* The vertices A_i and B_j, indices modulo 3. */
+int exact_a(int i);
+int exact_b(int j);
 
-/* Operands of an operation as values: up to EXACT_TERMS; returns how many. */
-int exact_operands(const exact_plan *p, exact_class_id id, int operation,
-                   schedule_value operand[EXACT_TERMS]);
+/* Build the graph: values, kinds, buses. */
+void exact_graph_make(exact_plan *p);
 
-/* Projection 0, 1, 2 (x and y, y and z, z and x) of the classes that are there for each. */
-exact_class_id exact_projected(exact_class_id of_xy, int projection);
+/* Its trapezoid terms and orient2d in a projection. */
+void exact_graph_projection(exact_plan *p, int projection);
 
-/* Rows that a number is made of when it is multiplied by a factor: signed digits that are not 0. */
-int exact_digits(int64_t factor);
-
-/* The projection in words: "xy", "yz", "zx". */
-const char *exact_projection_name(int projection);
+/* "_yz", "_zx": what names of a projection end with; "" of the first. */
+const char *exact_projection_suffix(int projection);
 
 /* Modules. */
 void gen_exact_units(emitter *e, const exact_plan *p);
 void gen_exact_core(emitter *e, const exact_plan *p);
-/* With a clearance: modules of its own. */
-void gen_exact_clear_units(emitter *e, const exact_plan *p);
 /* "cycle", "3 cycles": a pair comes every ... */
 void gen_exact_every(const exact_plan *p, char text[24]);
 /* sepax_top, or sepax_near behind a box test; with extents gen_exact_near, else gen_exact_boxes

@@ -358,7 +358,7 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
   char connections[2048] = "clk=clk";
   size_t used = strlen(connections);
   if (c.ii > 1) {
-    used += (size_t)snprintf(connections + used, sizeof connections - used, ", at=at");
+    used += (size_t)snprintf(connections + used, sizeof connections - used, ", slot=at");
   }
   for (int v = 0; v < 6; v++) {
     for (int axis = 'x'; axis <= 'z'; axis++) {
@@ -374,7 +374,7 @@ void gen_exact_top(emitter *e, const exact_plan *p) {
     snprintf(connections + used, sizeof connections - used, ", in_plane=1'b0");
   } else {
     snprintf(connections + used, sizeof connections - used,
-             ", again=again, flat=flat, apart=apart, apart_x=apart_x, apart_z=apart_z, "
+             ", again=again, flat=flat, separated=apart, disjoint_x=apart_x, disjoint_z=apart_z, "
              "second=second_%d, in_plane=in_plane_%d",
              c.stages, c.stages);
   }

@@ -1,0 +1,64 @@
+// One coordinate: is the gap of the AABBs above 1 + D, for each clearance D? Latency 2.
+module sepax_aabb_outside #(
+  parameter W = @w@,          // bits of a coordinate
+  parameter LIMITS = @limits@ // clearances
+) (
+  input  wire                clk,    // clock
+  input  wire signed [W-1:0] a_1,    // coordinate
+  input  wire signed [W-1:0] a_2,    // coordinate
+  input  wire signed [W-1:0] a_3,    // coordinate
+  input  wire signed [W-1:0] b_1,    // coordinate
+  input  wire signed [W-1:0] b_2,    // coordinate
+  input  wire signed [W-1:0] b_3,    // coordinate
+  output reg  [LIMITS-1:0]   outside // bit k: of clearance k
+);
+
+  localparam [LIMITS*W-1:0] MARGINS = {@margins@};
+
+  wire signed [W-1:0] low_a;
+  wire signed [W-1:0] high_a;
+  wire signed [W-1:0] low_b;
+  wire signed [W-1:0] high_b;
+  reg signed [W-1:0] low_a_q;
+  reg signed [W-1:0] high_a_q;
+  reg signed [W-1:0] low_b_q;
+  reg signed [W-1:0] high_b_q;
+  wire [W:0] up;
+  wire [W:0] down;
+  wire [LIMITS-1:0] above;
+
+  sepax_bounds #(.W(W)) bounds_a (
+    .p(a_1),
+    .q(a_2),
+    .r(a_3),
+    .low(low_a),
+    .high(high_a)
+  );
+  sepax_bounds #(.W(W)) bounds_b (
+    .p(b_1),
+    .q(b_2),
+    .r(b_3),
+    .low(low_b),
+    .high(high_b)
+  );
+
+  assign up = {low_b_q[W-1], low_b_q} - {high_a_q[W-1], high_a_q};
+  assign down = {low_a_q[W-1], low_a_q} - {high_b_q[W-1], high_b_q};
+
+  genvar k;
+  generate
+    for (k = 0; k < LIMITS; k = k + 1) begin : clearance
+      assign above[k] = (!up[W] && (up[W-1:0] > MARGINS[k*W +: W])) ||
+                        (!down[W] && (down[W-1:0] > MARGINS[k*W +: W]));
+    end
+  endgenerate
+
+  always @(posedge clk) begin
+    low_a_q <= low_a;
+    high_a_q <= high_a;
+    low_b_q <= low_b;
+    high_b_q <= high_b;
+    outside <= above;
+  end
+
+endmodule

@@ -1,0 +1,105 @@
+// The band, and the axis that proves it, from what is farther apart than the limits. Each of f is
+// {orient3d is zero, is below zero, exceeds the limit of each clearance}. Combinational. In this
+// order:
+//   AXIS_AABB      x, y or z: the AABBs are outside the clearance
+//   AXIS_NORMAL_A  N_A: all f_s exceed on one side
+//   AXIS_NORMAL_B  N_B: all f_w
+//   AXIS_EDGES + 3 i + j  e_i x f_j: f_d exceeds, and where it is above zero s does not rise along
+//                  f_j nor w along e_i; below zero, not fall
+//   AXIS_PLANE     normal to an edge and to x, y or z
+//   AXIS_NONE      none: collision
+module sepax_decide_band #(
+  parameter LIMITS = @limits@, // clearances
+  parameter F = LIMITS+2       // bits of each of f
+) (
+  input  wire [3*F-1:0]      f_s,      // of A's plane and B_k
+  input  wire [3*F-1:0]      f_w,      // of B's plane and A_i
+  input  wire [9*F-1:0]      f_d,      // of edge i of A and edge j of B at 3i + j
+  input  wire [5:0]          r_s,      // {does not fall, does not rise} along edge j of B
+  input  wire [5:0]          r_w,      // along edge i of A
+  input  wire [6*LIMITS-1:0] e_xy,     // outside by edges of A, of B, in this projection
+  input  wire [6*LIMITS-1:0] e_yz,     // likewise
+  input  wire [6*LIMITS-1:0] e_zx,     // likewise
+  input  wire [3*LIMITS-1:0] box,      // AABBs are outside in x, y, z
+  output wire                coplanar, // all orient3d are zero
+  output wire [1:0]          band,     // 0 free, 1 warning, 2 collision
+  output reg  [3:0]          axis      // AXIS_...
+);
+
+  localparam [3:0] AXIS_NONE = 4'd@axis_none@;
+  localparam [3:0] AXIS_EDGES = 4'd@axis_edges@;
+  localparam [3:0] AXIS_NORMAL_A = 4'd@axis_normal_a@;
+  localparam [3:0] AXIS_NORMAL_B = 4'd@axis_normal_b@;
+  localparam [3:0] AXIS_PLANE = 4'd@axis_plane@;
+  localparam [3:0] AXIS_AABB = 4'd@axis_aabb@;
+
+  // For each clearance: 0 ... 8 e_i x f_j, 9 N_A, 10 N_B, 11 edges, 12 boxes.
+  wire [13*LIMITS-1:0] proved;
+  wire [12:0] by;
+  wire [14:0] zero;
+
+  genvar i;
+  genvar j;
+  genvar k;
+  generate
+    for (k = 0; k < LIMITS; k = k + 1) begin : clearance
+      wire [17:0] edges;
+      for (i = 0; i < 3; i = i + 1) begin : edge_of_a
+        for (j = 0; j < 3; j = j + 1) begin : edge_of_b
+          assign proved[13*k+3*i+j] = f_d[(3*i+j)*F+k] &&
+                                      (f_d[(3*i+j)*F+LIMITS] ? (r_s[2*j+1] && r_w[2*i+1])
+                                                             : (r_s[2*j] && r_w[2*i]));
+        end
+      end
+      assign proved[13*k+9] = f_s[k] && f_s[F+k] && f_s[2*F+k] &&
+                              (f_s[LIMITS] == f_s[F+LIMITS]) &&
+                              (f_s[LIMITS] == f_s[2*F+LIMITS]);
+      assign proved[13*k+10] = f_w[k] && f_w[F+k] && f_w[2*F+k] &&
+                               (f_w[LIMITS] == f_w[F+LIMITS]) &&
+                               (f_w[LIMITS] == f_w[2*F+LIMITS]);
+      for (i = 0; i < 6; i = i + 1) begin : of_triangle
+        assign edges[i] = e_xy[i*LIMITS+k];
+        assign edges[6+i] = e_yz[i*LIMITS+k];
+        assign edges[12+i] = e_zx[i*LIMITS+k];
+      end
+      assign proved[13*k+11] = |edges;
+      assign proved[13*k+12] = box[k] || box[LIMITS+k] || box[2*LIMITS+k];
+    end
+    for (i = 0; i < 3; i = i + 1) begin : normal
+      assign zero[i] = f_s[i*F+F-1];
+      assign zero[3+i] = f_w[i*F+F-1];
+    end
+    for (i = 0; i < 9; i = i + 1) begin : pair
+      assign zero[6+i] = f_d[i*F+F-1];
+    end
+  endgenerate
+
+  assign coplanar = &zero;
+//@ if two
+  assign by = (proved[25:13] != 13'd0) ? proved[25:13] : proved[12:0];
+  assign band = (proved[25:13] != 13'd0) ? 2'd0 : (proved[12:0] != 13'd0) ? 2'd1 : 2'd2;
+//@ else
+  assign by = proved;
+  assign band = (by != 13'd0) ? 2'd0 : 2'd2;
+//@ end
+
+  integer n;
+  always @(*) begin
+    axis = by[11] ? AXIS_PLANE : AXIS_NONE;
+    for (n = 8; n >= 0; n = n - 1) begin
+      if (by[n]) begin
+        axis = AXIS_EDGES + n[3:0];
+      end
+    end
+    if (by[10]) begin
+      axis = AXIS_NORMAL_B;
+    end
+    if (by[9]) begin
+      axis = AXIS_NORMAL_A;
+    end
+    if (by[12]) begin
+      axis = AXIS_AABB;
+    end
+  end
+
+endmodule

@@ -1,0 +1,43 @@
+//@ if zero
+// orient3d against the limit of its axis: is twice its size above it, for each clearance?
+//@ else
+// orient2d against the limit of its edge: is twice its size above it, for each clearance?
+//@ end
+// For v of sign s the comparison is {~v if s else v, s, s} > {limit, 0}. Latency 1.
+module @name@ #(
+  parameter V_W = @v_w@,      // bits of the value
+  parameter L_W = @l_w@,      // bits of a limit
+  parameter N = @n@,          // bits of the comparison
+  parameter LIMITS = @limits@ // clearances
+) (
+  input  wire                  clk,     // clock
+  input  wire signed [V_W-1:0] @value@,       // value
+  input  wire [LIMITS*L_W-1:0] limit,   // for each clearance, the inner in the lower half
+//@ if zero
+  output reg  [LIMITS+1:0]     exceeds  // {it is 0, is below 0, exceeds each limit}
+//@ else
+  output reg  [LIMITS:0]       exceeds  // {it is below 0, exceeds each limit}
+//@ end
+);
+
+  wire [N-1:0] size;
+  wire [LIMITS-1:0] above;
+
+  assign size = {@pad_v@@value@ ^ {V_W{@value@[V_W-1]}}, {2{@value@[V_W-1]}}};
+
+  genvar k;
+  generate
+    for (k = 0; k < LIMITS; k = k + 1) begin : clearance
+      assign above[k] = size > {{(N-L_W-1){1'b0}}, limit[k*L_W +: L_W], 1'b0};
+    end
+  endgenerate
+
+  always @(posedge clk) begin
+//@ if zero
+    exceeds <= {@value@ == {V_W{1'b0}}, @value@[V_W-1], above};
+//@ else
+    exceeds <= {@value@[V_W-1], above};
+//@ end
+  end
+
+endmodule

@@ -1,0 +1,47 @@
+/* binding.c - operations to units and slots. */
+#include "binding.h"
+
+#include <stdlib.h>
+
+/* Place of operation n in its kind's order: a rotated class begins with its member 1. */
+static int place_of(const graph_kind *k, int n) {
+  bool rotated = (k->rotated >> n / 3 & 1) != 0;
+  return n / 3 * 3 + (n % 3 + (rotated ? 2 : 0)) % 3;
+}
+
+void binding_make(graph *g, int ii) {
+  for (int i = 0; i < g->kinds; i++) {
+    graph_kind *k = &g->kind[i];
+    for (int n = 0; n < k->operations; n++) {
+      graph_node *node = &g->node[k->operation[n]];
+      const graph_node *beside = &g->node[node->beside];
+      node->unit = node->beside > 0 ? beside->unit : place_of(k, n) / ii;
+      node->slot = node->beside > 0 ? beside->slot : place_of(k, n) % ii;
+      if (node->unit >= GRAPH_UNITS || k->at[node->unit][node->slot] != 0) {
+        abort(); /* two operations in one slot */
+      }
+      k->at[node->unit][node->slot] = k->operation[n];
+      k->units = node->unit >= k->units ? node->unit + 1 : k->units;
+    }
+  }
+}
+
+int binding_count(const graph_kind *k, int unit) {
+  int count = 0;
+  for (int slot = 0; slot < SEPAX_II_MAX; slot++) {
+    count += k->at[unit][slot] != 0;
+  }
+  return count;
+}
+
+void binding_name(const graph *g, const graph_kind *k, int unit, char text[GRAPH_LABEL]) {
+  if (binding_count(k, unit) > 1) {
+    snprintf(text, GRAPH_LABEL, "%d", unit);
+    return;
+  }
+  for (int slot = 0; slot < SEPAX_II_MAX; slot++) {
+    if (k->at[unit][slot] != 0) {
+      snprintf(text, GRAPH_LABEL, "%s", g->node[k->at[unit][slot]].label);
+    }
+  }
+}

@@ -1,0 +1,42 @@
+/* coordinates.h - the registers of the 18 coordinates. A pair stands in the first registers for one
+ * II window and moves on to holding registers, window by window, as long as it is read. Where 3
+ * divides II the three vertices of each triangle rotate by one place a cycle (binding.h). */
+#ifndef SEPAX_COORDINATES_H
+#define SEPAX_COORDINATES_H
+
+#include "emit/emit.h"
+
+enum { COORDINATES_BANKS = 40 };
+
+/* Registers of one axis: x, y, z, or u, which is x, or y where all six x are equal. */
+typedef struct {
+  int start[COORDINATES_BANKS]; /* first cycle of each bank; each holds for II cycles */
+  int banks;
+  int last[6]; /* the last cycle in which a vertex is read; -1: never */
+} coordinates_axis;
+
+typedef struct {
+  int ii;
+  bool rotate;
+  bool second_pass; /* a pair may be taken once more, with u for x and z for y */
+  int again;        /* the cycle in which it is */
+  coordinates_axis axis[4];
+} coordinates;
+
+void coordinates_init(coordinates *c, int ii);
+
+/* Vertex v is read in this cycle. */
+void coordinates_need(coordinates *c, char axis, int v, int cycle);
+
+/* All needs are known: lay out the banks. z's first change is in cycle `z_change` where that
+ * costs no bank more: then no reader of z_change ... z_change + II - 1 has two sources. */
+void coordinates_store(coordinates *c, int z_change);
+
+/* The register in which vertex v stands in this cycle. */
+void coordinates_source(const coordinates *c, char axis, int v, int cycle, char text[EMIT_NAME]);
+
+/* Declarations, then the clocked assignments. */
+void coordinates_declare(const coordinates *c, emit_module *m);
+void coordinates_clock(const coordinates *c, emit_module *m);
+
+#endif

@@ -1,0 +1,101 @@
+/* times.c - starts of units, and lifetimes of values. */
+#include "times.h"
+
+#include "binding.h"
+
+#include <stdlib.h>
+
+static const graph_node *node_of(const datapath *d, graph_value v) {
+  return &d->graph.node[abs(v)];
+}
+
+static schedule_value value_of(const datapath *d, graph_value v) {
+  const graph_node *n = node_of(d, v);
+  return (schedule_value){d->graph.kind[n->kind].stream[n->unit], n->slot};
+}
+
+int times_defined(const datapath *d, graph_value v) {
+  return schedule_defined(&d->schedule, value_of(d, v));
+}
+
+/* The first cycle in which a unit can start: coordinates and constants are there in cycle 0. */
+static int earliest_of(const datapath *d, const graph_kind *k, int unit) {
+  int start = 0;
+  for (int slot = 0; slot < d->schedule.ii; slot++) {
+    const graph_node *n = &d->graph.node[k->at[unit][slot]];
+    for (int i = 0; i < n->operands; i++) {
+      if (node_of(d, n->operand[i])->kind >= 0) {
+        int after = times_defined(d, n->operand[i]) - slot;
+        start = after > start ? after : start;
+      }
+    }
+  }
+  return start;
+}
+
+int times_earliest(const datapath *d, int kind) {
+  const graph_kind *k = &d->graph.kind[kind];
+  int start = 0;
+  for (int unit = 0; unit < k->units; unit++) {
+    int after = earliest_of(d, k, unit);
+    start = after > start ? after : start;
+  }
+  return start;
+}
+
+void times_start(datapath *d, int kind, int cycle) {
+  graph_kind *k = &d->graph.kind[kind];
+  if (k->started) {
+    return;
+  }
+  k->started = true;
+  for (int unit = 0; unit < k->units; unit++) {
+    if (binding_count(k, unit) == 0) {
+      continue;
+    }
+    char name[GRAPH_LABEL];
+    binding_name(&d->graph, k, unit, name);
+    k->start[unit] = cycle < 0 ? earliest_of(d, k, unit) : cycle;
+    k->stream[unit] = schedule_add(&d->schedule, k->symbol, name, k->row.width, k->row.is_signed);
+    schedule_stream *stream = &d->schedule.stream[k->stream[unit]];
+    stream->first = k->start[unit] + k->latency;
+    for (int slot = 0; slot < d->schedule.ii; slot++) {
+      snprintf(stream->label[slot], sizeof stream->label[slot], "%s",
+               d->graph.node[k->at[unit][slot]].label);
+    }
+  }
+}
+
+void times_need(datapath *d, graph_value v, int cycle) {
+  const graph_node *n = node_of(d, v);
+  if (n->kind >= 0) {
+    schedule_need(&d->schedule, value_of(d, v), cycle);
+  } else if (n->axis != '\0') {
+    coordinates_need(&d->coordinates, n->axis, n->vertex, cycle);
+  }
+}
+
+void times_need_operands(datapath *d) {
+  for (int i = 0; i < d->graph.kinds; i++) {
+    const graph_kind *k = &d->graph.kind[i];
+    for (int unit = 0; unit < k->units; unit++) {
+      for (int slot = 0; slot < d->schedule.ii; slot++) {
+        const graph_node *n = &d->graph.node[k->at[unit][slot]];
+        for (int j = 0; j < n->operands; j++) {
+          times_need(d, n->operand[j], k->start[unit] + slot);
+        }
+      }
+    }
+  }
+}
+
+void times_source(const datapath *d, graph_value v, int cycle, char text[EMIT_NAME]) {
+  const graph_node *n = node_of(d, v);
+  if (n->kind >= 0) {
+    schedule_source(&d->schedule, value_of(d, v), cycle, text);
+  } else if (n->axis != '\0') {
+    coordinates_source(&d->coordinates, n->axis, n->vertex, cycle, text);
+  } else {
+    snprintf(text, EMIT_NAME, "%s", n->text);
+  }
+}

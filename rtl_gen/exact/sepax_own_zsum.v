@@ -1,0 +1,149 @@
+// z sum of B: the sum of B's z less the sum of A's, since the origin of z is the mean of A's z,
+// plus BIAS = 1 + 4 + 16 ..., which the recoded multiplier of the prism deducts.
+//@ if running
+// One vertex of each triangle a cycle: z = so_far + z_b - z_a. Latency 1.
+//@ end
+//@ if shared
+// It is made of three z differences, which have brought a DIFF_BIAS of theirs each. Latency 1.
+//@ end
+//@ if six
+// Latency @latency@.
+//@ end
+module sepax_own_zsum #(
+//@ if shared
+  parameter Z_W = @z_w@,                 // bits of a z difference
+  parameter DIFF_DIGITS = @diff_digits@, // radix-4 digits of a z difference
+//@ else
+  parameter W = @w@,          // bits of a coordinate
+//@ end
+//@ if running
+  parameter O_W = @o_w@       // bits of the z sum
+//@ else
+  parameter O_W = @o_w@,      // bits of the z sum
+  parameter DIGITS = @digits@ // radix-4 digits of the z sum
+//@ end
+) (
+  input  wire                  clk,    // clock
+//@ if running
+  input  wire signed [O_W-1:0] so_far, // BIAS, or the sum that has no third vertices yet
+  input  wire signed [W-1:0]   z_a,    // coordinate
+  input  wire signed [W-1:0]   z_b,    // coordinate
+//@ end
+//@ if shared
+  input  wire signed [Z_W-1:0] diff_1, // z of B_1 less z of A_1, + DIFF_BIAS
+  input  wire signed [Z_W-1:0] diff_2, // z of B_2 less z of A_2, + DIFF_BIAS
+  input  wire signed [Z_W-1:0] diff_3, // z of B_3 less z of A_3, + DIFF_BIAS
+//@ end
+//@ if six
+  input  wire signed [W-1:0]   z_a1,   // coordinate
+  input  wire signed [W-1:0]   z_a2,   // coordinate
+  input  wire signed [W-1:0]   z_a3,   // coordinate
+  input  wire signed [W-1:0]   z_b1,   // coordinate
+  input  wire signed [W-1:0]   z_b2,   // coordinate
+  input  wire signed [W-1:0]   z_b3,   // coordinate
+//@ end
+  output reg  signed [O_W-1:0] z       // z sum + BIAS
+);
+
+//@ if running
+  wire [O_W-1:0] sum;
+  wire [O_W-1:0] carry;
+
+  sepax_csa #(.N(O_W)) three (
+    .a(so_far),
+    .b({{(O_W-W){z_b[W-1]}}, z_b}),
+    .c(~{{(O_W-W){z_a[W-1]}}, z_a}),
+    .carry_in(1'b1),
+    .sum(sum),
+    .carry(carry)
+  );
+
+  always @(posedge clk) begin
+    z <= sum + carry;
+  end
+//@ end
+//@ if shared
+  // 1 for each digit but the highest.
+  localparam [O_W-1:0] BIAS = {{(O_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
+  localparam [O_W-1:0] DIFF_BIAS = {{(O_W+2-2*DIFF_DIGITS){1'b0}}, {(DIFF_DIGITS-1){2'b01}}};
+
+  wire [O_W-1:0] sum;
+  wire [O_W-1:0] carry;
+
+  sepax_csa #(.N(O_W)) three (
+    .a({{(O_W-Z_W+1){diff_1[Z_W-1]}}, diff_1[Z_W-2:0]}),
+    .b({{(O_W-Z_W+1){diff_2[Z_W-1]}}, diff_2[Z_W-2:0]}),
+    .c({{(O_W-Z_W+1){diff_3[Z_W-1]}}, diff_3[Z_W-2:0]}),
+    .carry_in(1'b0),
+    .sum(sum),
+    .carry(carry)
+  );
+
+  always @(posedge clk) begin
+    z <= sum + carry + (BIAS - (DIFF_BIAS + DIFF_BIAS + DIFF_BIAS));
+  end
+//@ end
+//@ if six
+  // 1 for each digit but the highest.
+  localparam [O_W-1:0] BIAS = {{(O_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
+
+  wire [O_W-1:0] b_sum;
+  wire [O_W-1:0] b_carry;
+  wire [O_W-1:0] a_sum;
+  wire [O_W-1:0] a_carry;
+  wire [O_W-1:0] five_sum;
+  wire [O_W-1:0] five_carry;
+  wire [O_W-1:0] six_sum;
+  wire [O_W-1:0] six_carry;
+
+  sepax_csa #(.N(O_W)) of_b (
+    .a({{(O_W-W){z_b1[W-1]}}, z_b1}),
+    .b({{(O_W-W){z_b2[W-1]}}, z_b2}),
+    .c({{(O_W-W){z_b3[W-1]}}, z_b3}),
+    .carry_in(1'b1),
+    .sum(b_sum),
+    .carry(b_carry)
+  );
+  sepax_csa #(.N(O_W)) of_a (
+    .a(~{{(O_W-W){z_a1[W-1]}}, z_a1}),
+    .b(~{{(O_W-W){z_a2[W-1]}}, z_a2}),
+    .c(~{{(O_W-W){z_a3[W-1]}}, z_a3}),
+    .carry_in(1'b1),
+    .sum(a_sum),
+    .carry(a_carry)
+  );
+  sepax_csa #(.N(O_W)) five (
+    .a(b_sum),
+    .b(b_carry),
+    .c(a_sum),
+    .carry_in(1'b1),
+    .sum(five_sum),
+    .carry(five_carry)
+  );
+  sepax_csa #(.N(O_W)) six (
+    .a(five_sum),
+    .b(five_carry),
+    .c(a_carry),
+    .carry_in(1'b0),
+    .sum(six_sum),
+    .carry(six_carry)
+  );
+//@ if registered
+
+  reg [O_W-1:0] six_sum_q;
+  reg [O_W-1:0] six_carry_q;
+
+  always @(posedge clk) begin
+    six_sum_q <= six_sum;
+    six_carry_q <= six_carry;
+    z <= six_sum_q + six_carry_q + BIAS;
+  end
+//@ else
+
+  always @(posedge clk) begin
+    z <= six_sum + six_carry + BIAS;
+  end
+//@ end
+//@ end
+
+endmodule

@@ -1,0 +1,35 @@
+// Signed prism volume: six times the volume between a triangle and the plane z = 0,
+//   h = g (z - BIAS) modulo 2^V_W, g = orient2d of the triangle, z = its z sum + BIAS,
+//@ if two
+// BIAS = 2 + 8 + 32 ..., since the z sum is a sum of two z differences.
+//@ else
+// BIAS = 1 + 4 + 16 ...
+//@ end
+// The recoded multiplier deducts it. Latency @latency@.
+module @name@ #(
+  parameter G_W = @g_w@, // bits of an orient2d
+  parameter Z_W = @z_w@, // bits of a z sum
+  parameter V_W = @v_w@  // bits of an orient3d
+) (
+  input  wire                  clk, // clock
+  input  wire signed [G_W-1:0] g,   // orient2d
+  input  wire signed [Z_W-1:0] z,   // z sum + BIAS
+  output reg  signed [V_W-1:0] h    // signed prism volume
+);
+
+  wire signed [V_W-1:0] product;
+
+  @multiplier@ multiply (
+//@ if clocked
+    .clk(clk),
+//@ end
+    .a(g),
+    .b(z),
+    .p(product)
+  );
+
+  always @(posedge clk) begin
+    h <= product;
+  end
+
+endmodule

@@ -1,0 +1,52 @@
+// The pair in one projection, from the signs {> 0, < 0} of its orient2d. Combinational.
+//   flat        all six vertices are on one line there
+//   separated   an edge of one triangle has the other strictly on the side where its own third
+//               vertex is not
+//   disjoint_x, disjoint_z  the AABBs are disjoint in x, in z
+module sepax_projection (
+  input  wire [17:0] g_a,        // of edge i of A and B_j: [2(3i + j) +: 2]
+  input  wire [17:0] g_b,        // of edge j of B and A_i: [2(3j + i) +: 2]
+  input  wire [3:0]  g_own,      // of A: [1:0], of B: [3:2]
+  input  wire [17:0] x_order,    // sign of x of B_j less x of A_i: [2(3i + j) +: 2]
+  input  wire [17:0] z_order,    // sign of z of B_j less z of A_i, likewise
+  output wire        flat,       // all orient2d are zero
+  output wire        separated,  // in this projection, unless it is flat
+  output wire        disjoint_x, // all of B below or above all of A in x
+  output wire        disjoint_z  // in z
+);
+
+  wire [8:0] a_above;
+  wire [8:0] a_below;
+  wire [8:0] b_above;
+  wire [8:0] b_below;
+  wire [8:0] x_above;
+  wire [8:0] x_below;
+  wire [8:0] z_above;
+  wire [8:0] z_below;
+  wire [2:0] by_a; // edge i of A separates
+  wire [2:0] by_b; // edge j of B
+
+  genvar i;
+  generate
+    for (i = 0; i < 9; i = i + 1) begin : sign
+      assign a_above[i] = g_a[2*i+1];
+      assign a_below[i] = g_a[2*i];
+      assign b_above[i] = g_b[2*i+1];
+      assign b_below[i] = g_b[2*i];
+      assign x_above[i] = x_order[2*i+1];
+      assign x_below[i] = x_order[2*i];
+      assign z_above[i] = z_order[2*i+1];
+      assign z_below[i] = z_order[2*i];
+    end
+    for (i = 0; i < 3; i = i + 1) begin : triangle_edge
+      assign by_a[i] = ((&a_above[3*i +: 3]) && !g_own[1]) || ((&a_below[3*i +: 3]) && !g_own[0]);
+      assign by_b[i] = ((&b_above[3*i +: 3]) && !g_own[3]) || ((&b_below[3*i +: 3]) && !g_own[2]);
+    end
+  endgenerate
+
+  assign separated = (by_a != 3'd0) || (by_b != 3'd0);
+  assign flat = {g_own, g_a, g_b} == 40'd0;
+  assign disjoint_x = (&x_above) || (&x_below);
+  assign disjoint_z = (&z_above) || (&z_below);
+
+endmodule

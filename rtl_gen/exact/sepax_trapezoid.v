@@ -1,0 +1,62 @@
+// The trapezoid term of an edge: twice the area between the edge and the x axis in a projection,
+//   t = (x_to - x_from) (y_from + y_to - BIAS) modulo 2^G_W, BIAS = 1 + 4 + 16 ... = @bias@.
+// y is offset by BIAS / 2, because the recoded multiplier computes a (b - BIAS). The offset cancels
+// in every closed sum. Latency @latency@.
+//@ if order
+// Beside it the order of the edge's ends in x.
+//@ end
+module @name@ #(
+  parameter W = @w@,     // bits of a coordinate
+  parameter S_W = @s_w@, // bits of a sum or difference, W + 1
+  parameter G_W = @g_w@  // bits of t
+) (
+  input  wire                  clk,    // clock
+  input  wire signed [W-1:0]   x_from, // coordinate
+  input  wire signed [W-1:0]   x_to,   // coordinate
+  input  wire signed [W-1:0]   y_from, // coordinate
+  input  wire signed [W-1:0]   y_to,   // coordinate
+//@ if order
+  output reg         [1:0]     order,  // {x_to > x_from, x_to < x_from}, 1 clock later
+//@ end
+  output reg  signed [G_W-1:0] t       // trapezoid term
+);
+
+  wire signed [S_W-1:0] run;
+  wire signed [S_W-1:0] height;
+  wire signed [G_W-1:0] product;
+
+  assign run = {x_to[W-1], x_to} - {x_from[W-1], x_from};
+  assign height = {y_to[W-1], y_to} + {y_from[W-1], y_from};
+//@ if sums
+
+  reg signed [S_W-1:0] run_q;
+  reg signed [S_W-1:0] height_q;
+
+  always @(posedge clk) begin
+    run_q <= run;
+    height_q <= height;
+  end
+//@ end
+
+  @multiplier@ multiply (
+//@ if clocked
+    .clk(clk),
+//@ end
+//@ if sums
+    .a(run_q),
+    .b(height_q),
+//@ else
+    .a(run),
+    .b(height),
+//@ end
+    .p(product)
+  );
+
+  always @(posedge clk) begin
+    t <= product;
+//@ if order
+    order <= {!run[S_W-1] && (run != {S_W{1'b0}}), run[S_W-1]};
+//@ end
+  end
+
+endmodule

@@ -1,0 +1,66 @@
+// z sum of a vertex of A and an edge of B: the origin of z is the mean of A's z, so that all terms
+// cancel but z_p and z_q of that edge, z_r and z_s of A's other two vertices:
+//@ if shared
+//   z = z_p + z_q - z_r - z_s + 2 BIAS, as a sum of two z differences. Latency 1.
+//@ else
+//   z = z_p + z_q - z_r - z_s + BIAS, BIAS = 1 + 4 + 16 ..., which the recoded multiplier of the
+// prism deducts. Latency 1.
+//@ end
+module sepax_zsum #(
+//@ if shared
+  parameter Z_W = @z_w@ // bits of a z sum
+//@ else
+  parameter W = @w@,          // bits of a coordinate
+  parameter Z_W = @z_w@,      // bits of a z sum
+  parameter DIGITS = @digits@ // radix-4 digits of a z sum
+//@ end
+) (
+  input  wire                  clk,    // clock
+//@ if shared
+  input  wire signed [Z_W-1:0] diff_1, // z difference + BIAS
+  input  wire signed [Z_W-1:0] diff_2, // z difference + BIAS
+  output reg  signed [Z_W-1:0] z       // z sum + 2 BIAS
+);
+
+  always @(posedge clk) begin
+    z <= diff_1 + diff_2;
+  end
+//@ else
+  input  wire signed [W-1:0]   z_p,    // coordinate
+  input  wire signed [W-1:0]   z_q,    // coordinate
+  input  wire signed [W-1:0]   z_r,    // coordinate
+  input  wire signed [W-1:0]   z_s,    // coordinate
+  output reg  signed [Z_W-1:0] z       // z sum + BIAS
+);
+
+  // 1 for each digit but the highest.
+  localparam [Z_W-1:0] BIAS = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
+
+  wire [Z_W-1:0] three_sum;
+  wire [Z_W-1:0] three_carry;
+  wire [Z_W-1:0] four_sum;
+  wire [Z_W-1:0] four_carry;
+
+  sepax_csa #(.N(Z_W)) three (
+    .a({{(Z_W-W){z_p[W-1]}}, z_p}),
+    .b({{(Z_W-W){z_q[W-1]}}, z_q}),
+    .c(~{{(Z_W-W){z_r[W-1]}}, z_r}),
+    .carry_in(1'b1),
+    .sum(three_sum),
+    .carry(three_carry)
+  );
+  sepax_csa #(.N(Z_W)) four (
+    .a(three_sum),
+    .b(three_carry),
+    .c(~{{(Z_W-W){z_s[W-1]}}, z_s}),
+    .carry_in(1'b1),
+    .sum(four_sum),
+    .carry(four_carry)
+  );
+
+  always @(posedge clk) begin
+    z <= four_sum + four_carry + BIAS;
+  end
+//@ end
+
+endmodule

@@ -1,0 +1,122 @@
+/* stages.c - registers inside the units of the exact datapath: the delay model asks where. */
+#include "clearance/clearance.h"
+#include "exact.h"
+
+#include <math.h>
+
+/* Until operands of coordinates are selected. At II = 1 there is nothing to select, at II = 3
+ * rotating registers are all that trapezoids need. */
+static double coordinate_operands(const exact_plan *p) {
+  int ii = p->design->config.ii;
+  if (ii == 1 || p->running) {
+    return 0;
+  }
+  return delay_operands(p->design->core_word) + (ii % 3 == 0 ? 0 : delay_used->fixed_slots);
+}
+
+/* A trapezoid with registers behind its sums or without, whichever has fewer pipeline registers, or
+ * else fewer bits of them. Without, its rows are late behind fan-outs. */
+static void place_in_trapezoid(exact_stages *s, const sepax_format *f, double sums, double period) {
+  int span = f[SEPAX_X_SPAN].width;
+  arith_form form = {span, span, f[SEPAX_X_ORIENT2D].width, f[SEPAX_X_SPAN].digits, 1, 0};
+  arith_plan_make(&s->trapezoid, &form, period);
+  int ranks = 1 + s->trapezoid.ranks;
+  int registers = 2 * span + s->trapezoid.registers;
+  form.used = sums + delay_sums_fan_out(span);
+  arith_plan_make(&s->trapezoid, &form, period);
+  s->trapezoid_sums = sums + delay_row(span) > period - delay_register() ||
+                      ranks < s->trapezoid.ranks ||
+                      (ranks == s->trapezoid.ranks && registers < s->trapezoid.registers);
+  if (s->trapezoid_sums) {
+    form.used = 0;
+    arith_plan_make(&s->trapezoid, &form, period);
+  }
+}
+
+static void place_in_prisms(exact_stages *s, const sepax_format *f, double period) {
+  const sepax_format *zsum = &f[SEPAX_X_Z_SUM];
+  const sepax_format *own_zsum = &f[SEPAX_X_OWN_Z_SUM];
+  int orient2d = f[SEPAX_X_ORIENT2D].width;
+  int orient3d = f[SEPAX_X_ORIENT3D].width;
+  arith_form form = {orient2d, zsum->width, orient3d, zsum->digits, 1, 0};
+  arith_form own_form = {orient2d, own_zsum->width, orient3d, own_zsum->digits, 1, 0};
+  arith_plan_make(&s->prism, &form, period);
+  arith_plan_make(&s->own_prism, &own_form, period);
+  form.less = 2;
+  arith_plan_make(&s->prism_of_two, &form, period);
+}
+
+/* Full adders one after the other that leave two rows of so many. */
+static int levels_of(int terms) {
+  int levels = 0;
+  for (; terms > 2; terms = terms / 3 * 2 + terms % 3) {
+    levels++;
+  }
+  return levels;
+}
+
+/* With a clearance: registers inside a limit. */
+static void place_in_limits(exact_plan *p, double room) {
+  const sepax_format *f = p->design->format;
+  exact_stages *s = &p->stages;
+  double maximum = delay_adder(f[SEPAX_X_CROSS].width) + delay_mux(2);
+  double sum = delay_adder(f[SEPAX_X_LIMIT].width);
+  int terms = 0;
+  int most = 0;
+  for (int k = 0; k < p->limits; k++) {
+    int of_sum = clearance_digits(p->design->margin[k] + 1);
+    int of_most = clearance_digits(p->design->margin[k] - 1);
+    terms = of_sum + of_most > terms ? of_sum + of_most : terms;
+    most = of_sum > most ? of_sum : most;
+    most = of_most > most ? of_most : most;
+  }
+  s->most = 2 * maximum > room;
+  s->total = levels_of(terms) * delay_compressor() + sum > room;
+  s->shortest = fmax(s->shortest, delay_register() + levels_of(most) * delay_compressor() + sum);
+}
+
+/* The longest stage that has no place for a register: sums of coordinates, of trapezoid terms, of
+ * prisms, and the AABB test in front. `sum`: the last addition of an orient3d. */
+static double shortest_stage(const exact_plan *p, double sums, double sum) {
+  const sepax_design *d = p->design;
+  const sepax_format *f = d->format;
+  double operands = d->config.ii > 1 ? delay_operands(d->core_word) : delay_used->shared_value;
+  double orient2d = delay_compressor() + delay_adder(f[SEPAX_X_ORIENT2D].width);
+  double zsum = 2 * delay_compressor() + delay_adder(f[SEPAX_X_Z_SUM].width);
+  double row = delay_row(f[SEPAX_X_ORIENT2D].width) + delay_compressor();
+  double running = (p->running ? delay_used->slot + delay_mux(2) : 0) + sum;
+  double longest = fmax(fmax(row, sums), fmax(operands + fmax(orient2d, zsum), running));
+  if (d->config.early_out) {
+    int word = d->config.word;
+    double compare = delay_adder(word) + (d->limits > 0 ? delay_adder(word + 1) : 0);
+    longest = fmax(longest, delay_adder(word) + delay_mux(3) + compare + delay_used->aabb);
+  }
+  return delay_register() + longest;
+}
+
+void exact_stages_make(exact_plan *p) {
+  const sepax_format *f = p->design->format;
+  exact_stages *s = &p->stages;
+  bool shared_units = p->design->config.ii > 1;
+  double period = p->design->config.clock_ps / 1000.0;
+  double room = period - delay_register();
+  int orient3d = f[SEPAX_X_ORIENT3D].width;
+  int own_zsum = f[SEPAX_X_OWN_Z_SUM].width;
+  double fan_out = delay_used->shared_value;
+  double sums = delay_adder(f[SEPAX_X_SPAN].width) + coordinate_operands(p);
+  double sum = fan_out + delay_adder(orient3d);
+  double whole =
+      (shared_units ? delay_used->slot + delay_mux(2) : 0) + 2 * delay_compressor() + sum;
+  place_in_trapezoid(s, f, sums, period);
+  place_in_prisms(s, f, period);
+  s->orient3d = whole > room ? 2 : whole + delay_test(orient3d) > room ? 1 : 0;
+  s->zdiff_shared =
+      !shared_units && fan_out + 3 * delay_compressor() + 2 * delay_adder(own_zsum) <= room;
+  double six_terms = fan_out + 4 * delay_compressor() + delay_adder(own_zsum);
+  s->own_zsum = !p->running && !s->zdiff_shared && six_terms > room;
+  s->sign = delay_test(f[SEPAX_X_ORIENT2D].width) + delay_used->orient2d_sign > room;
+  s->shortest = shortest_stage(p, sums, sum);
+  if (p->limits > 0) {
+    place_in_limits(p, room);
+  }
+}
