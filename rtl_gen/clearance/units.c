@@ -194,7 +194,7 @@ void gen_clearance_units(emitter *e, const exact_plan *p) {
   if (p->design->config.ii > 1) {
     emit_template(e, "sepax_slot_copy", NULL);
   }
-  emit_template(e, "sepax_cross",
+  emit_template(e, "clearance/sepax_cross",
                 (emit_hole[]){{"g_w", NUMBER(f[SEPAX_X_ORIENT2D].width)},
                               {"c_w", NUMBER(f[SEPAX_X_CROSS].width)},
                               {NULL, NULL}});
