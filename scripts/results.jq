@@ -51,8 +51,9 @@ def designs:
   "- Latency in cycles. GE: area of the cells; the engine's memories are not in it.",
   "- Clock: the period that OpenSTA says is met, cells sized, fan-out buffered, the library's wire",
   "  load. Not timed: area alone, at the published clock.",
-  "- Pairs/s: clock / II; the engine's are the \(.rows | map(select(.lanes))[0].mesh_pairs) pairs of the sample objects in \(
-    .rows | map(select(.lanes))[0].mesh_cycles) cycles.",
+  (.rows | map(select(.lanes))[0]
+    | "- Pairs/s: clock / II; the engine's are the \(.mesh_pairs) pairs of the sample objects in",
+      "  \(.mesh_cycles) cycles."),
   "- Missed: share of the collisions; false alarms: share of the separated pairs, among",
   "  \(errors.pairs) [hard pairs](../vectors.md), of which \(errors.collisions) collide.",
   "- All of ours have the same multipliers. `make area` finds gates and clock, `make cosim` and",
@@ -69,7 +70,7 @@ def energy:
   (.rows[] | .energy_pj as $own
     | [name, (.ge | k), (["separated", "colliding", "coplanar"][]
         | ($own[.] | nj) + (if $paper[.] then ratio($paper[.]; $own[.]) else "" end))] | line),
-  "", "The paper states 81.14 mW at 500 MHz and II = 3, that is 0.49 nJ a pair; it does not tell the",
-  "pairs.";
+  "", "The paper states 81.14 mW at 500 MHz and II = 3, that is 0.49 nJ a pair; it does not tell",
+  "the pairs.";
 
 if $what == "readme" then readme elif $what == "designs" then designs else energy end

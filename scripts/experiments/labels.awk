@@ -18,8 +18,9 @@ BEGIN {
   left = log10(end[1])
   right = log10(end[2])
   # Offsets in pixels from the point to the label's anchor, and how the label is aligned there.
-  places = split("9,0,left -9,0,right 0,13,center 0,-13,center 6,13,left 6,-13,left -6,13,right " \
-    "-6,-13,right 0,28,center 0,-28,center 6,28,left -6,28,right 6,-28,left -6,-28,right", place, " ")
+  places = split("9,0,left -9,0,right 0,13,center 0,-13,center 6,13,left 6,-13,left " \
+    "-6,13,right -6,-13,right 0,28,center 0,-28,center 6,28,left -6,28,right " \
+    "6,-28,left -6,-28,right", place, " ")
 }
 {
   x[NR] = $1; y[NR] = $2 > 0 ? $2 : 1e-7
