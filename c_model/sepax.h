@@ -46,8 +46,8 @@ typedef struct {
   sepax_vec v[3];
 } sepax_tri;
 
-/* Two triangles and their normals. A normal is a direction of W-bit components,
- * Q1.(W-1) of a unit vector when sepax_unit_normal or the quantiser made it. */
+/* Two triangles and their normals. A normal is a direction of W-bit components, a unit vector in
+ * Q1.(W-1) when sepax_unit_normal or the quantiser made it. */
 typedef struct {
   sepax_tri a, b;
   sepax_vec na, nb;
@@ -67,103 +67,103 @@ sepax_vec sepax_unit_normal(const sepax_tri *tri, int word);
 
 /* ---------------------------------------------------------------- verdicts */
 
-/* Axis numbers are the paper's: 1 ... 9 of table 1, 1 + 3i + j being e_i x f_j with e_i
- * the edge from A_i to A_i+1 and f_j that from B_j to B_j+1 (i, j = 0, 1, 2 modulo 3);
- * 10 = N_A, 11 = N_B; 0 when none separates or the method has none. Of coplanar pairs
- * paper and conference number the axes 1 ... 6 of table 2, exact calls every axis in the plane 12.
- * With a box test in front 13 are disjoint boxes, and with extents 14 boxes that meet, one of them
- * larger than its extent: a collision, undecided. With a clearance 13 is x, y or z, 12 normal to an
- * edge and to x, y or z. */
+/* The band of a pair where a design has a clearance (sepax_clearance). */
 typedef enum { SEPAX_BAND_FREE, SEPAX_BAND_WARNING, SEPAX_BAND_COLLISION } sepax_band;
+
+/* Axis numbers are those of the paper. e_i is the edge from A_i to A_i+1, f_j that from B_j to
+ * B_j+1 (i, j = 0, 1, 2 modulo 3). Where paper and conference find a pair coplanar, 1 ... 6 number
+ * the axes of table 2 instead. */
 typedef enum {
-  SEPAX_AXIS_NONE = 0,
-  SEPAX_AXIS_EDGES = 1, /* e_i x f_j at SEPAX_AXIS_EDGES + 3i + j */
-  SEPAX_AXIS_NORMAL_A = 10,
-  SEPAX_AXIS_NORMAL_B = 11,
-  SEPAX_AXIS_PLANE = 12, /* in the common plane; with a clearance normal to an edge */
-  SEPAX_AXIS_AABB = 13,
-  SEPAX_AXIS_EXTENT = 14 /* undecided: a triangle exceeds its extent */
+  SEPAX_AXIS_NONE = 0,      /* no axis separates, or the method names none */
+  SEPAX_AXIS_EDGES = 1,     /* 1 ... 9, table 1: SEPAX_AXIS_EDGES + 3i + j is e_i x f_j */
+  SEPAX_AXIS_NORMAL_A = 10, /* N_A */
+  SEPAX_AXIS_NORMAL_B = 11, /* N_B */
+  SEPAX_AXIS_PLANE = 12,    /* exact: some axis in the common plane of a coplanar pair; with a
+                               clearance an axis normal to an edge and to x, y or z */
+  SEPAX_AXIS_AABB = 13,     /* x, y or z, tried where an AABB test or a clearance is */
+  SEPAX_AXIS_EXTENT = 14    /* undecided, called a collision: the AABBs overlap, and one of them
+                               exceeds its extent */
 } sepax_axis;
 
 typedef struct {
   bool collision;
   bool coplanar;   /* by the architecture's own test; false if it has none */
-  int axis;        /* at which the search stops; it goes 10, 11, 1, 2, ... 9 */
+  int axis;        /* sepax_axis: the first that separates in the order 10, 11, 1, 2, ... 9 */
   int mul_project; /* multiplications in projections, as the paper counts them */
-  int mul_axes;    /* multiplications in cross products, which it leaves out */
+  int mul_axes;    /* multiplications in cross products, which the paper does not count */
   sepax_band band; /* with a clearance; collision is then band == SEPAX_BAND_COLLISION */
 } sepax_verdict;
 
-/* The exact verdict from 34 products, the golden model of architecture exact: every W up
- * to 32, coplanar and degenerate triangles included, no rounding, no tolerance. coplanar
- * is true iff one plane holds all six vertices. The axis truly separates, and a pair is
- * separated iff there is one; 1 ... 9 are tried only where e_i crosses or touches B's
- * plane and f_j A's, so one that was passed over may separate, too. About 0.1 us for
- * coordinates of up to 20 bits. */
+/* The exact verdict from 34 products, the golden model of architecture exact: for every W up to 32,
+ * for coplanar and degenerate triangles, too, without rounding and without a tolerance. coplanar is
+ * true iff one plane holds all six vertices. A pair is separated iff an axis is named, and this
+ * axis separates it. Axes 1 ... 9 are tried only where e_i crosses or touches B's plane and f_j A's
+ * plane; an axis that was not tried may separate, too. About 0.1 us for coordinates of up to 20
+ * bits. */
 sepax_verdict sepax_exact(const sepax_tri *a, const sepax_tri *b);
 
-/* Two more models, true iff the triangles collide: they agree with sepax_exact on every
- * pair. The reference: the separating axis theorem on 128-bit integers, axis by axis; and
+/* Two more models, true iff the triangles collide. They agree with sepax_exact on every pair.
+ * sepax_reference is the separating axis theorem on 128-bit integers, axis by axis; sepax_sat54 is
  * the same theorem written out in 54 products. */
 bool sepax_reference(const sepax_tri *a, const sepax_tri *b);
 bool sepax_sat54(const sepax_tri *a, const sepax_tri *b);
 
-/* SAT in IEEE single/double precision, normals by cross product, coplanar by
- * equality: what software usually does. Rounded: wrong now and then. */
+/* SAT in IEEE single and double precision, with normals by cross product and coplanarity by
+ * equality, as software usually does it. Rounding makes some verdicts wrong. */
 bool sepax_float32(const sepax_tri *a, const sepax_tri *b);
 bool sepax_float64(const sepax_tri *a, const sepax_tri *b);
 
-/* The interval test (Moeller 1997) in the same precisions, without a tolerance: the usual
- * one where speed counts. Triangles without area are beyond it. */
+/* The interval test (Moeller 1997) in the same precisions, without a tolerance: the usual test
+ * where speed counts. It is not defined for triangles without area. */
 bool sepax_interval32(const sepax_tri *a, const sepax_tri *b);
 bool sepax_interval64(const sepax_tri *a, const sepax_tri *b);
 
-/* How far a pair is from the other verdict, in LSB, rounded (relative error about 1e-9,
- * but some 1e-6 LSB at least where triangles are slivers of W > 26): a collision's depth,
- * the shortest translation that ends in mere contact (0 for contact, and for all coplanar
- * pairs); of separated triangles minus their distance. */
+/* How far a pair is from the other verdict, in LSB. For a collision it is the depth, the length of
+ * the shortest translation that leaves mere contact (0 for contact, and for all coplanar pairs);
+ * for separated triangles it is minus their distance. Rounded: the relative error is about 1e-9,
+ * and up to some 1e-6 LSB where triangles are slivers of W > 26. */
 double sepax_depth(const sepax_tri *a, const sepax_tri *b);
 
 /* --------------------------------------------------------------- many pairs */
 
-/* Triangles as a structure of arrays: c[k][axis][n] is coordinate `axis` (x, y, z) of
- * vertex k of triangle n. No alignment but int32_t's is asked for. */
+/* Triangles as a structure of arrays: c[k][axis][n] is coordinate `axis` (x, y, z) of vertex k of
+ * triangle n. The arrays need the alignment of int32_t. */
 typedef struct {
   const int32_t *c[3][3];
 } sepax_columns;
 
-/* How a batch is computed: BEST is the fastest of those that run on this machine. All give
- * the same verdicts. */
+/* How a batch is computed: BEST is the fastest path that this processor runs. All paths give the
+ * same verdicts. */
 typedef enum {
   SEPAX_PATH_BEST,
-  SEPAX_PATH_PORTABLE, /* 2 pairs at once in doubles; sepax_exact where a sign is in doubt */
+  SEPAX_PATH_PORTABLE, /* 2 pairs at once in doubles; sepax_exact where a sign is uncertain */
   SEPAX_PATH_AVX2,     /* 4 pairs at once */
   SEPAX_PATH_AVX512    /* 8 pairs at once */
 } sepax_path;
 
 bool sepax_path_runs(sepax_path path);
-const char *sepax_path_name(sepax_path path); /* of BEST: the one that it is */
+const char *sepax_path_name(sepax_path path); /* of BEST: the name of the path that it stands for */
 
-/* The verdicts of sepax_exact on pairs (a[n], b[n]), n < count: bit n % 64 of bits[n / 64],
- * 1 for a collision; bits of the last word behind `count` are 0. Exact for every int32_t;
- * fastest where all 64 pairs of a word have coordinates of up to 20 bits, not much slower
- * up to 25, and one by one in 128 bits beyond. Reads nothing outside of the arrays. The path must
- * run on this machine. docs/software.md. */
+/* The verdicts of sepax_exact on pairs (a[n], b[n]), n < count: bit n % 64 of bits[n / 64] is 1 for
+ * a collision; bits of the last word from `count` on are 0. Exact for every int32_t. It is fastest
+ * where all 64 pairs of a word have coordinates of up to 20 bits, not much slower up to 25 bits,
+ * and judges longer coordinates one by one in 128 bits. It reads nothing outside of the arrays. The
+ * path must run on this processor. docs/software.md. */
 void sepax_exact_pairs(sepax_path path, const sepax_columns *a, const sepax_columns *b,
                        size_t count, uint64_t *bits);
 
-/* The same of one triangle and each of b; what belongs to it alone is computed once. */
+/* The same of one triangle and each of b; sums of a's own vertices are computed once. */
 void sepax_exact_one_to_many(sepax_path path, const sepax_tri *a, const sepax_columns *b,
                              size_t count, uint64_t *bits);
 
 /* How two meshes are searched; all zero is a good choice. */
 typedef struct {
-  int threads;      /* 0: as many as the machine has processors */
-  bool brute_force; /* box tests of all pairs, not down a tree */
-  bool first;       /* end at a pair that collides, always the same one */
+  int threads;      /* 0: one for each processor */
+  bool brute_force; /* every pair is tested, without a tree */
+  bool first;       /* end at a pair that collides, always at the same one */
   sepax_path path;
-  /* Called now and then from the calling thread, total last if nothing stops it; false
-   * ends the search. NULL: not called. */
+  /* Called now and then from the calling thread, at the end with done == total if nothing ends the
+   * search before. False ends the search. NULL: not called. */
   bool (*progress)(void *context, uint64_t done, uint64_t total);
   void *context;
 } sepax_search;
@@ -174,9 +174,10 @@ typedef struct {
   size_t count;
 } sepax_pairs;
 
-/* All colliding pairs of triangles of A and B, exact, by i, then j. Trees of boxes over
- * leaves of 64 triangles prune; sepax_exact_one_to_many judges in the leaves. `how` may be
- * NULL. Fails without memory, or when progress ended it; free with sepax_pairs_free. */
+/* All colliding pairs of triangles of A and B, exact, in the order of i, then of j. Trees of AABBs
+ * over leaves of 64 triangles exclude most pairs; sepax_exact_one_to_many judges the pairs in
+ * leaves. `how` may be NULL. Fails without memory, or when progress ended it; free with
+ * sepax_pairs_free. */
 bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
                            const sepax_search *how, sepax_pairs *found, sepax_error *error);
 void sepax_pairs_free(sepax_pairs *pairs);
@@ -202,10 +203,10 @@ void sepax_mesh_free(sepax_mesh *mesh);
  * coordinate or a normal, and on text that is no STL (with its line). */
 bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error);
 
-/* Write a binary STL (coordinates rounded to binary32; a value that does not fit
- * is an error, and so is a facet that loses its area by rounding), or ASCII with 17
- * digits. Written aside, then renamed to path. Fails also on an empty mesh, NaN or
- * infinity, and where path is there but no file. */
+/* Write a binary STL (coordinates rounded to binary32; a value that does not fit is an error, and
+ * so is a facet that loses its area by rounding), or ASCII with 17 digits. The file is written
+ * under a temporary name beside path, then renamed to path. Fails also on an empty mesh, on NaN or
+ * infinity, and where path exists but is no file. */
 bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii, sepax_error *error);
 
 /* The grid of integer coordinates: q = round((x - offset) / resolution). */
@@ -215,9 +216,9 @@ typedef struct {
   int word;
 } sepax_grid;
 
-/* The finest grid of W bits on which all the meshes fit: the offset is the centre
- * of their common box, the longest side spans just under 2^W - 1 steps. Fails on a
- * mesh without facets, on no extent and on coordinates above 2^1000. */
+/* The finest grid of W bits on which all the meshes fit: the offset is the centre of their common
+ * AABB, the longest side spans just under 2^W - 1 steps. Fails on meshes without facets, on meshes
+ * that are a single point, and on coordinates above 2^1000. */
 bool sepax_grid_fit(sepax_grid *grid, const sepax_mesh *const meshes[], size_t count, int word,
                     sepax_error *error);
 
@@ -246,19 +247,19 @@ bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax
 void sepax_scene_free(sepax_scene *scene);
 
 /* The least whole number of LSB that is not below a length >= 0 in file units; exact. False where
- * it is above 2^31 - 1. */
+ * this number is above 2^31 - 1. */
 bool sepax_grid_lsb(const sepax_grid *grid, double length, int *lsb);
 
-/* Two closed meshes of which no triangles collide: within[0] iff a connected part of A is
- * wholly inside the solid B, within[1] the same of B in A. Exact: inside is where a line that
- * leaves a vertex meets the other mesh an odd number of times, or leaves it more often than it
- * enters it (bodies that overlap), as the triangles' vertices go round. Fails on a mesh that is not
- * closed: every edge belongs to an even number of triangles. */
+/* Two closed meshes of which no triangles collide: within[0] iff a connected part of A is wholly
+ * inside the solid B, within[1] iff one of B is inside A. Exact. A vertex is inside if a ray from
+ * it meets the other mesh an odd number of times, or if the mesh winds round it (bodies that
+ * overlap), by the orientation of the triangles. Fails on a mesh that is not closed, that is, where
+ * an edge does not belong to an even number of triangles. */
 bool sepax_solid(const sepax_scene *scene, bool within[2], sepax_error *error);
 
-/* Both meshes of a scene as one PLY file (binary), as they were quantised, in file units:
- * triangles that are in `pairs` red (A) and orange (B), the others pale. Written aside, then
- * renamed to path; fails where it cannot be. */
+/* Both meshes of a scene as one PLY file (binary), as they were quantised, in file units. Triangles
+ * that are in `pairs` are red (A) and orange (B), the others pale. Written under a temporary name,
+ * then renamed to path; fails where the file cannot be written. */
 bool sepax_ply_write(const sepax_scene *scene, const sepax_pairs *pairs, const char *path,
                      sepax_error *error);
 

@@ -52,13 +52,13 @@ typedef struct {
   int epsilon;            /* LSB, 0 ... 2^(W-1) - 1; 0 asks for equality */
   bool flag;              /* exact: coplanar pairs are called collisions, undecided */
   int clock_ps;           /* exact: the period to pipeline for, 500 ... 20000 ps */
-  int extent_a, extent_b; /* exact: longest side of the box of a triangle of A, of B, in
-                             LSB, that the core decides; 0, 0: any */
-  bool early_out;         /* exact: a box test goes before the core, which gets zeros for pairs that
-                             it decides; with extents it does anyway */
+  int extent_a, extent_b; /* exact: the longest side of the AABB of a triangle of A, of B, in LSB,
+                             that the core decides; 0, 0: any */
+  bool early_out;         /* exact: an AABB test goes before the core, whose operands are then zero
+                             for pairs that the test decides; with extents there is one anyway */
   int clearance, warning; /* exact: LSB; -1 and 0: none. The verdict is free only if the real
                              triangles are farther apart than `clearance` (docs/clearance.md) */
-  int lanes;              /* exact: box lanes of an object engine, 1 ... 64; 0: the core alone */
+  int lanes;              /* exact: comparator lanes of an object engine, 1 ... 64; 0: none */
   int cores;              /* of the engine, 1 ... 8 */
   int memory_a, memory_b; /* triangles of A, of B that it holds: 2^7 ... 2^15 */
 } sepax_config;
