@@ -1,9 +1,9 @@
-/* bench_batch.c - the batch and the search among meshes at length.
- *   bench_batch check COUNT        COUNT pairs of all families at W = 8, 18, 24, 32 each: every
+/* batch.c - the batch and the search among meshes at length.
+ *   batch check COUNT        COUNT pairs of all families at W = 8, 18, 24, 32 each: every
  *                                  path, and the trees of meshes, against verdicts one by one
- *   bench_batch scale              time per pair over the number of pairs and of triangles
- *   bench_batch meshes A.stl B.stl the tree, brute force, and threads, on two meshes */
-#include "bench.h"
+ *   batch scale              time per pair over the number of pairs and of triangles
+ *   batch meshes A.stl B.stl the tree, brute force, and threads, on two meshes */
+#include "columns.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
 
@@ -29,7 +29,7 @@ typedef struct {
 /* Batches have odd lengths, so that the last word of bits is partly used. */
 static tally check_paths(int word, uint64_t count) {
   static bool exact[CHUNK];
-  bench_batch batch = bench_batch_of(CHUNK);
+  pair_columns batch = columns_of(CHUNK);
   sepax_random random = {(uint64_t)word};
   size_t families = family_count();
   size_t many = 0;
@@ -39,7 +39,7 @@ static tally check_paths(int word, uint64_t count) {
     many = count - done < many ? (size_t)(count - done) : many;
     for (size_t n = 0; n < many; n++) {
       sepax_pair pair = sepax_family_triangles((done + n) % families, word, &random);
-      bench_batch_set(&batch, n, &pair);
+      columns_set(&batch, n, &pair);
       exact[n] = sepax_exact(&pair.a, &pair.b).collision;
       t.collisions += exact[n];
     }
@@ -47,12 +47,12 @@ static tally check_paths(int word, uint64_t count) {
       if (sepax_path_runs(paths[p])) {
         sepax_exact_pairs(paths[p], &batch.a, &batch.b, many, batch.bits);
         for (size_t n = 0; n < many; n++) {
-          t.wrong[p] += bench_bit(batch.bits, n) != exact[n];
+          t.wrong[p] += bit_at(batch.bits, n) != exact[n];
         }
       }
     }
   }
-  bench_batch_free(&batch);
+  columns_free(&batch);
   return t;
 }
 
@@ -155,23 +155,23 @@ static void best_of(double *best, double took) {
 
 static void scale_pairs(void) {
   enum { MOST = 10000000 };
-  bench_batch batch = bench_batch_of(MOST);
+  pair_columns batch = columns_of(MOST);
   sepax_random random = {1};
   for (size_t n = 0; n < MOST; n++) {
     sepax_pair pair = sepax_family_triangles(n % 2, 18, &random);
-    bench_batch_set(&batch, n, &pair);
+    columns_set(&batch, n, &pair);
   }
   for (size_t count = 1000; count <= MOST; count *= 10) {
     double best = 0;
     for (size_t round = 0; round < 3 + 1000000 / count; round++) {
-      double start = bench_seconds();
+      double start = seconds_now();
       sepax_exact_pairs(SEPAX_PATH_BEST, &batch.a, &batch.b, count, batch.bits);
-      best_of(&best, bench_seconds() - start);
+      best_of(&best, seconds_now() - start);
     }
     printf("pairs,%zu,%zu,%.6g,%.4g\n", count, count, best, 1e9 * best / (double)count);
     fflush(stdout);
   }
-  bench_batch_free(&batch);
+  columns_free(&batch);
 }
 
 static double search(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
@@ -179,11 +179,11 @@ static double search(const sepax_tri *a, size_t count_a, const sepax_tri *b, siz
   sepax_search how = {.threads = threads, .brute_force = brute_force};
   sepax_pairs found;
   sepax_error error = {""};
-  double start = bench_seconds();
+  double start = seconds_now();
   if (!sepax_colliding_pairs(a, count_a, b, count_b, &how, &found, &error)) {
     bench_fail(&error);
   }
-  double took = bench_seconds() - start;
+  double took = seconds_now() - start;
   *collisions = found.count;
   sepax_pairs_free(&found);
   return took;
@@ -198,7 +198,7 @@ static void scale_meshes(void) {
     sepax_tri *tri[2];
     for (int i = 0; i < 2; i++) {
       const double centre[3] = {10.0 * i, 0.37 * i, 0.19 * i};
-      tri[i] = bench_room(triangles * sizeof *tri[i]);
+      tri[i] = allocate(triangles * sizeof *tri[i]);
       if (!sepax_sample(&mesh[i], "sphere", triangles, centre, 40, &error) ||
           !sepax_quantise(&mesh[i], &grid, tri[i], NULL, &error)) {
         bench_fail(&error);
@@ -210,10 +210,10 @@ static void scale_meshes(void) {
       double pairs = (double)triangles * (double)triangles;
       if (brute == 0 || triangles <= 10000) {
         double took = 0;
-        double end = bench_seconds() + 0.5;
+        double end = seconds_now() + 0.5;
         do {
           best_of(&took, search(tri[0], triangles, tri[1], triangles, 1, brute != 0, &collisions));
-        } while (bench_seconds() < end);
+        } while (seconds_now() < end);
         printf("%s,%zu,%.0f,%.6g,%.4g\n", brute != 0 ? "brute force" : "tree", triangles, pairs,
                took, 1e9 * took / pairs);
         fflush(stdout);
@@ -236,13 +236,13 @@ static int meshes(const char *const path[2]) {
   printf("%s, %s: %zu x %zu triangles\n", path[0], path[1], scene.count[0], scene.count[1]);
   double best[4] = {0};
   size_t collisions[4];
-  double end = bench_seconds() + 5;
+  double end = seconds_now() + 5;
   do {
     for (int way = 0; way < 4; way++) {
       best_of(&best[way], search(scene.tri[0], scene.count[0], scene.tri[1], scene.count[1],
                                  1 + way % 2, way >= 2, &collisions[way]));
     }
-  } while (bench_seconds() < end);
+  } while (seconds_now() < end);
   for (int way = 0; way < 4; way++) {
     double pairs = (double)scene.count[0] * (double)scene.count[1];
     printf("%-12s %d thread%s %10.3f ms %10.3g pairs/s %8zu collisions",
@@ -274,6 +274,6 @@ int main(int argc, char **argv) {
   if (argc == 4 && strcmp(argv[1], "meshes") == 0) {
     return meshes((const char *const *)&argv[2]);
   }
-  fputs("usage: bench_batch check COUNT | scale | meshes A.stl B.stl\n", stderr);
+  fputs("usage: batch check COUNT | scale | meshes A.stl B.stl\n", stderr);
   return 2;
 }

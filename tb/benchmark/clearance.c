@@ -1,12 +1,12 @@
-/* clearance - holds sepax_clearance against exact distances of the real triangles, and counts
+/* clearance - checks sepax_clearance against exact distances of the real triangles, and counts
  * its false alarms:
  *   clearance sweep COUNT SEED    COUNT pairs near a limit; exit status 1 if one is missed
  *   clearance curve COUNT SEED    CSV: share of pairs not free over the real distance, COUNT
  *                                 pairs a kind and distance, CLEARANCE 5
  *   clearance pairs COUNT WORD    pairs near limits of 0 ... 20, rounded, for the benches */
-#include "clear_rules.h"
-#include "distance.h"
-#include "real_pairs.h"
+#include "oracle/clear_rules.h"
+#include "oracle/distance.h"
+#include "oracle/real_pairs.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
 
@@ -27,10 +27,6 @@ static bool design_of(sepax_design *design, int clearance, int warning) {
     fprintf(stderr, "clearance: %s\n", error.text);
   }
   return ok;
-}
-
-static double uniform(sepax_random *r, double low, double high) {
-  return low + (high - low) * 0x1p-53 * (double)(sepax_random_next(r) >> 11);
 }
 
 /* Mostly about the limit itself, and up to where no pair is in doubt. */
@@ -108,10 +104,9 @@ static int sweep(size_t count, uint64_t seed) {
     sum.within[0] += t->within[0] + t->within[1];
     sum.quick += t->quick;
   }
-  printf(
-      "%zu pairs, two limits each: %zu times within a limit, %zu misses; %zu judged by a plane in integers, %zu by "
-      "rational distances\n",
-      sum.pairs, sum.within[0], missed, sum.quick, 2 * sum.pairs - sum.quick);
+  printf("%zu pairs, two limits each: %zu times within a limit, %zu misses; %zu judged by a plane "
+         "in integers, %zu by rational distances\n",
+         sum.pairs, sum.within[0], missed, sum.quick, 2 * sum.pairs - sum.quick);
   return missed > 0 || sum.within[0] == 0;
 }
 
@@ -140,8 +135,8 @@ static int curve(size_t count, uint64_t seed) {
       for (size_t n = 0; n < 4 * count && pairs < count; n++) {
         real_pair p = real_pair_make(kind, uniform(&random, from, from + 0.25), &random);
         double way[3];
-        double apart = ldexp(distance_rounded(&p.a, &p.b, way), -p.fraction);
-        if (apart < from || apart >= from + 0.25 || distance_within(&p.a, &p.b, 0, NULL)) {
+        double distance = ldexp(distance_rounded(&p.a, &p.b, way), -p.fraction);
+        if (distance < from || distance >= from + 0.25 || distance_within(&p.a, &p.b, 0, NULL)) {
           continue;
         }
         pairs++;

@@ -1,7 +1,7 @@
-/* bench.c - pairs a second of the software verdicts on one core, side by side on the same
+/* verdicts.c - pairs a second of the software verdicts on one core, side by side on the same
  * pairs of W = 18: first the families uniform and local in turn, 48 % of which collide,
  * then each family, of which the slowest is told. Best of five rounds. */
-#include "bench.h"
+#include "columns.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
 
@@ -9,7 +9,7 @@ enum { PAIRS = 1 << 15, ROUNDS = 5 };
 
 typedef struct {
   sepax_pair *pair;
-  bench_batch batch;
+  pair_columns batch;
   sepax_design paper;
 } work;
 
@@ -75,7 +75,7 @@ static void draw(work *w, int family) {
   sepax_random random = {1};
   for (size_t n = 0; n < PAIRS; n++) {
     w->pair[n] = sepax_family_pair(family < 0 ? n % 2 : (size_t)family, 18, &random);
-    bench_batch_set(&w->batch, n, &w->pair[n]);
+    columns_set(&w->batch, n, &w->pair[n]);
   }
 }
 
@@ -85,9 +85,9 @@ static void measure(const work *w, result results[METHODS]) {
       if (!sepax_path_runs(methods[i].path)) {
         continue;
       }
-      double start = bench_seconds();
+      double start = seconds_now();
       results[i].collisions = methods[i].run(w);
-      double rate = PAIRS / (bench_seconds() - start);
+      double rate = PAIRS / (seconds_now() - start);
       results[i].rate = rate > results[i].rate ? rate : results[i].rate;
     }
   }
@@ -96,7 +96,7 @@ static void measure(const work *w, result results[METHODS]) {
 int main(void) {
   sepax_config config = sepax_config_default();
   sepax_error error = {""};
-  work w = {.pair = bench_room(PAIRS * sizeof(sepax_pair)), .batch = bench_batch_of(PAIRS)};
+  work w = {.pair = allocate(PAIRS * sizeof(sepax_pair)), .batch = columns_of(PAIRS)};
   config.arch = SEPAX_ARCH_PAPER;
   if (!sepax_design_init(&w.paper, &config, &error)) {
     fprintf(stderr, "bench: %s\n", error.text);
@@ -128,6 +128,6 @@ int main(void) {
     }
   }
   free(w.pair);
-  bench_batch_free(&w.batch);
+  columns_free(&w.batch);
   return 0;
 }

@@ -107,8 +107,8 @@ double distance_rounded(const sepax_tri *a, const sepax_tri *b, double way[3]) {
   return sqrt(n.squared);
 }
 
-/* Farther apart than the limit, as the projections on a whole-numbered vector say: exact. */
-static bool proved_apart(const sepax_tri *a, const sepax_tri *b, int64_t limit) {
+/* The distance exceeds the limit, as the projections on a whole-numbered vector say: exact. */
+static bool proved_farther(const sepax_tri *a, const sepax_tri *b, int64_t limit) {
   double way[3];
   double most = 0;
   distance_rounded(a, b, way);
@@ -260,7 +260,7 @@ bool distance_within_exact(const sepax_tri *a, const sepax_tri *b, int64_t limit
 }
 
 bool distance_within(const sepax_tri *a, const sepax_tri *b, int64_t limit, size_t *quick) {
-  if (proved_apart(a, b, limit)) {
+  if (proved_farther(a, b, limit)) {
     if (quick != NULL) {
       ++*quick;
     }

@@ -1,4 +1,4 @@
-/* distance.h - how far apart two triangles are, without separating axes.
+/* distance.h - the distance of two triangles, without separating axes.
  *
  * Triangles of int32 coordinates, also segments and points. No state. */
 #ifndef DISTANCE_H
@@ -6,9 +6,9 @@
 
 #include "sepax.h"
 
-/* True iff the closed triangles are no farther apart than `limit` >= 0 (Euclid): rational
+/* True iff the distance of the closed triangles is at most `limit` >= 0 (Euclid): rational
  * arithmetic without rounding. Where a plane between the nearest points, found in doubles,
- * proves in integers that they are farther apart, that is the answer at once, and *quick, if
+ * proves in integers that it is greater, that is the answer at once, and *quick, if
  * not NULL, is incremented. limit is below 2^31. */
 bool distance_within(const sepax_tri *a, const sepax_tri *b, int64_t limit, size_t *quick);
 

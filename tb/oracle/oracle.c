@@ -170,7 +170,7 @@ bool oracle_collide(const sepax_tri *a, const sepax_tri *b) {
 bool oracle_coplanar(const sepax_tri *a, const sepax_tri *b) {
   work w;
   work_init(&w, a, b);
-  /* u: from the first vertex to one apart from it, c: normal to u and a third. */
+  /* u: from the first vertex to another point, c: normal to u and a third. */
   const vec *origin = &w.t[0].v[0];
   bool line = false;
   bool plane = false;

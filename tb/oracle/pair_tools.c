@@ -322,7 +322,7 @@ bool small(const sepax_pair *pair, int word) {
   return extent(&pair->a) <= most && extent(&pair->b) <= most;
 }
 
-static void box_along(const sepax_tri *t, int axis, int64_t box[2]) {
+static void aabb_along(const sepax_tri *t, int axis, int64_t box[2]) {
   box[0] = INT64_MAX;
   box[1] = INT64_MIN;
   for (int k = 0; k < 3; k++) {
@@ -332,13 +332,13 @@ static void box_along(const sepax_tri *t, int axis, int64_t box[2]) {
   }
 }
 
-bool boxes_overlap(const sepax_pair *pair, int word) {
+bool aabbs_overlap(const sepax_pair *pair, int word) {
   (void)word;
   for (int axis = 0; axis < 3; axis++) {
     int64_t a[2];
     int64_t b[2];
-    box_along(&pair->a, axis, a);
-    box_along(&pair->b, axis, b);
+    aabb_along(&pair->a, axis, a);
+    aabb_along(&pair->b, axis, b);
     if (a[1] < b[0] || b[1] < a[0]) {
       return false;
     }

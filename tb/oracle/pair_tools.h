@@ -19,6 +19,6 @@ typedef bool property(const sepax_pair *pair, int word);
 property legal, collides, coplanar, almost_coplanar, both_have_area, normals_parallel,
     same_orientation, one_common, two_common, three_common, same_order, vertex_on_face,
     vertex_on_edge, edge_on_edge, has_sliver, has_tiny, a_is_tiny, a_has_area, is_point, small,
-    boxes_overlap, at_least_value, at_greatest_value, at_corners, on_grid, tangent;
+    aabbs_overlap, at_least_value, at_greatest_value, at_corners, on_grid, tangent;
 
 #endif

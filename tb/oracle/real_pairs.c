@@ -22,7 +22,7 @@ typedef struct {
   double c[3];
 } point;
 
-static double uniform(sepax_random *r, double low, double high) {
+double uniform(sepax_random *r, double low, double high) {
   return low + (high - low) * 0x1p-53 * (double)(sepax_random_next(r) >> 11);
 }
 
@@ -151,11 +151,11 @@ static void draw_near(real_pair *p, double distance, sepax_random *r) {
   p->a = whole.a;
   p->b = whole.b;
   double way[3];
-  double apart = ldexp(distance_rounded(&p->a, &p->b, way), -p->fraction);
-  if (apart > distance && !distance_within(&p->a, &p->b, 0, NULL)) {
+  double away = ldexp(distance_rounded(&p->a, &p->b, way), -p->fraction);
+  if (away > distance && !distance_within(&p->a, &p->b, 0, NULL)) {
     int32_t by[3];
     for (int i = 0; i < 3; i++) {
-      by[i] = (int32_t)llround(way[i] * (distance / apart - 1));
+      by[i] = (int32_t)llround(way[i] * (distance / away - 1));
     }
     move(&p->b, by);
   }

@@ -17,7 +17,10 @@ typedef struct {
 /* What touches what where the triangles come nearest, or what the kind is otherwise. */
 const char *real_kind_name(int kind);
 
-/* A random pair of a kind, about `distance` LSB apart, but for kind "family": as far or nearer.
+/* low ... high, uniformly. */
+double uniform(sepax_random *random, double low, double high);
+
+/* A random pair of a kind at about `distance` LSB, but for kind "family": at most that.
  * Coordinates rounded to LSB fit 12 bits and more. */
 real_pair real_pair_make(int kind, double distance, sepax_random *random);
 

@@ -1,16 +1,12 @@
-/* test_accuracy.c - what the accuracy laboratory measures with: depths, solids, the
+/* accuracy.c - what the accuracy laboratory measures with: depths, solids, the
  * interval test. */
 #include "oracle/pair_tools.h"
 #include "sepax_vectors.h"
+#include "unit/harness.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 static const double pi = 3.14159265358979323846;
 

@@ -1,4 +1,4 @@
-/* test_avx512.c - the AVX-512 path of batch.c with its intrinsics emulated by SIMDe, so that
+/* avx512.c - the AVX-512 path of batch.c with its intrinsics emulated by SIMDe, so that
  * it is tested on machines without them. */
 #include <immintrin.h>
 
@@ -8,22 +8,17 @@
 #define TARGET_AVX512
 #include "batch/batch.c" /* NOLINT(bugprone-suspicious-include): its functions are static */
 
-#include "benchmark/bench.h"
+#include "benchmark/columns.h"
 #include "oracle/pair_tools.h"
 #include "sepax_vectors.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
+#include "unit/harness.h"
 
 /* A block of each family at each word length: pairs, and one against many. */
 static void every_family_at_every_word(void **state) {
   (void)state;
   static const functions emulated = {judge_pairs_avx512, judge_one_avx512};
   static sepax_tri t[2][BLOCK];
-  bench_batch batch = bench_batch_of(BLOCK);
+  pair_columns batch = columns_of(BLOCK);
   for (size_t family = 0; family < family_count(); family++) {
     for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
       sepax_random random = seeded(family, word);
@@ -32,7 +27,7 @@ static void every_family_at_every_word(void **state) {
           sepax_pair pair = sepax_family_triangles(family, word, &random);
           t[0][n] = pair.a;
           t[1][n] = pair.b;
-          bench_batch_set(&batch, n, &pair);
+          columns_set(&batch, n, &pair);
         }
         block in;
         copy_columns(in.a, &batch.a, 0, BLOCK);
@@ -40,13 +35,13 @@ static void every_family_at_every_word(void **state) {
         uint64_t pairs = emulated.pairs(&in);
         uint64_t one = emulated.one(&t[0][0], &in);
         for (size_t n = 0; n < BLOCK; n++) {
-          assert_int_equal(bench_bit(&pairs, n), sepax_exact(&t[0][n], &t[1][n]).collision);
-          assert_int_equal(bench_bit(&one, n), sepax_exact(&t[0][0], &t[1][n]).collision);
+          assert_int_equal(bit_at(&pairs, n), sepax_exact(&t[0][n], &t[1][n]).collision);
+          assert_int_equal(bit_at(&one, n), sepax_exact(&t[0][0], &t[1][n]).collision);
         }
       }
     }
   }
-  bench_batch_free(&batch);
+  columns_free(&batch);
 }
 
 int main(void) {

@@ -1,18 +1,14 @@
-/* test_batch.c - the verdicts of batches and of meshes against sepax_exact, one by one. */
+/* batch.c - the verdicts of batches and of meshes against sepax_exact, one by one. */
 #include "oracle/pair_tools.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
+#include "unit/harness.h"
 
 #include <fcntl.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 enum { MOST = 500 };
 

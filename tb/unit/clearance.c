@@ -1,18 +1,12 @@
-/* test_clearance - holds sepax_clearance against exact distances of real triangles near its
+/* clearance.c - checks sepax_clearance against exact distances of real triangles near its
  * limits; `make clearance` does so 10,000,000 times. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "oracle/clear_rules.h"
 #include "oracle/distance.h"
 #include "oracle/oracle.h"
 #include "oracle/real_pairs.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
+#include "unit/harness.h"
 
 #include <math.h>
 #include <string.h>
@@ -34,23 +28,19 @@ static sepax_design design_of(int clearance, int warning) {
   return design;
 }
 
-static double uniform(sepax_random *r, double low, double high) {
-  return low + (high - low) * 0x1p-53 * (double)(sepax_random_next(r) >> 11);
-}
-
 static real_pair pair_near(size_t n, int limit, sepax_random *random) {
   double reach = n % 3 == 0 ? 0.02 : n % 3 == 1 ? 1 : 3;
   return real_pair_make((int)(n % REAL_KINDS), fmax(0, limit + uniform(random, -reach, reach)),
                         random);
 }
 
-/* No pair within a limit is called clear of it. */
+/* No pair within a limit is called free of it. */
 static void test_nothing_is_missed(void **state) {
   (void)state;
   static const int limits[][2] = {{0, 1}, {0, 7}, {1, 3}, {2, 20}, {5, 6}, {40, 100}};
   sepax_random random = {2026};
   size_t within = 0;
-  size_t clear = 0;
+  size_t free_pairs = 0;
   size_t quick = 0;
   for (size_t n = 0; n < REAL_PAIRS; n++) {
     const int *limit = limits[n % 6];
@@ -60,14 +50,14 @@ static void test_nothing_is_missed(void **state) {
     assert_int_equal(v.collision, v.band == SEPAX_BAND_COLLISION);
     assert_int_equal(v.axis == 0, v.collision);
     for (int k = 0; k < 2; k++) {
-      bool near = distance_within(&p.a, &p.b, (int64_t)limit[k] << p.fraction, &quick);
-      bool called_clear = v.band == SEPAX_BAND_FREE || (k == 0 && v.band == SEPAX_BAND_WARNING);
-      within += near;
-      clear += called_clear;
-      assert_false(near && called_clear);
+      bool is_within = distance_within(&p.a, &p.b, (int64_t)limit[k] << p.fraction, &quick);
+      bool called_free = v.band == SEPAX_BAND_FREE || (k == 0 && v.band == SEPAX_BAND_WARNING);
+      within += is_within;
+      free_pairs += called_free;
+      assert_false(is_within && called_free);
     }
   }
-  assert_true(within > REAL_PAIRS / 2 && clear > REAL_PAIRS / 4);
+  assert_true(within > REAL_PAIRS / 2 && free_pairs > REAL_PAIRS / 4);
 }
 
 /* The pairs are hard enough: rules without the rounding, or with a length for the sum, miss. */
@@ -130,13 +120,13 @@ static void test_oracle(void **state) {
   sepax_random random = {1};
   for (size_t n = 0; n < 20000; n++) {
     real_pair p = pair_near(n, 2, &random);
-    bool near = distance_within_exact(&p.a, &p.b, (int64_t)2 << p.fraction);
-    assert_int_equal(distance_within(&p.a, &p.b, (int64_t)2 << p.fraction, NULL), near);
+    bool is_within = distance_within_exact(&p.a, &p.b, (int64_t)2 << p.fraction);
+    assert_int_equal(distance_within(&p.a, &p.b, (int64_t)2 << p.fraction, NULL), is_within);
     assert_int_equal(distance_within_exact(&p.a, &p.b, 0), oracle_collide(&p.a, &p.b));
   }
 }
 
-/* Boxes decide exactly at the margin; limits nest; both triangles are alike. */
+/* AABBs decide exactly at the margin; limits nest; both triangles are alike. */
 static void test_bands(void **state) {
   (void)state;
   sepax_design design = design_of(5, 20);

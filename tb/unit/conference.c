@@ -1,13 +1,10 @@
-/* test_conference.c - the machine that the paper improves on: against the separating axis
- * theorem written another way, and against the paper's machine, bit for bit. */
+/* conference.c - the design that the paper improves on: against the separating axis
+ * theorem written another way, and against the paper's design, bit for bit. */
 #include "sepax_design.h"
 #include "sepax_vectors.h"
+#include "unit/harness.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 typedef __int128 wide;
 
@@ -61,17 +58,17 @@ static vec edge(const sepax_tri *t, int i) { return between(t->v[i], t->v[(i + 1
 static bool collides(const sepax_pair *pair, bool coplanar) {
   vec na = wide_of(pair->na);
   vec nb = wide_of(pair->nb);
-  bool apart = !coplanar && (separates(pair, na) || separates(pair, nb));
-  for (int i = 0; i < 3 && !apart; i++) {
+  bool disjoint = !coplanar && (separates(pair, na) || separates(pair, nb));
+  for (int i = 0; i < 3 && !disjoint; i++) {
     if (coplanar) {
-      apart = separates(pair, cross(na, edge(&pair->a, i))) ||
-              separates(pair, cross(nb, edge(&pair->b, i)));
+      disjoint = separates(pair, cross(na, edge(&pair->a, i))) ||
+                 separates(pair, cross(nb, edge(&pair->b, i)));
     }
-    for (int j = 0; j < 3 && !coplanar && !apart; j++) {
-      apart = separates(pair, cross(edge(&pair->a, i), edge(&pair->b, j)));
+    for (int j = 0; j < 3 && !coplanar && !disjoint; j++) {
+      disjoint = separates(pair, cross(edge(&pair->a, i), edge(&pair->b, j)));
     }
   }
-  return !apart;
+  return !disjoint;
 }
 
 /* B_k within epsilon LSB of A's plane by the distance of B_k from A_k; printed: equal offsets. */
@@ -116,7 +113,7 @@ static void test_full_precision(void **state) {
   }
 }
 
-/* ------------------------------------------------------------ beside the paper's machine */
+/* ------------------------------------------------------------ beside the paper's design */
 
 /* Everything is the same but that no normal is tried on coplanar pairs, and that the inner
  * products of coplanarity are computed for themselves. Returns whether the verdict differs. */
@@ -173,11 +170,11 @@ static void test_beside_paper(void **state) {
   for (size_t s = 0; s < 8; s++) {
     print_message("%s: %d verdicts differ\n", precision[s], differ[s]);
   }
-  assert_true(differ[0] > 0 &&
-              differ[6] > 0); /* coplanar for the machine, yet a normal separates */
+  assert_true(differ[0] > 0 && differ[6] > 0); /* coplanar for the design, yet a normal separates */
 }
 
-/* Two planes, 2 LSB apart: coplanar within 4; only a normal separates what lies in them. */
+/* Two planes at a distance of 2 LSB: coplanar within 4; only a normal separates what lies in them.
+ */
 static void test_thin_gap(void **state) {
   (void)state;
   static const sepax_tri low = {{{0, 0, 0}, {90, 0, 0}, {0, 90, 0}}};

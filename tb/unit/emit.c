@@ -1,14 +1,11 @@
-/* test_emit.c - what the Verilog emitter must refuse, and what it must accept. */
+/* emit.c - what the Verilog emitter must refuse, and what it must accept. */
 #include "emit/emit.h"
 #include "emit/gen.h"
 #include "sepax_design.h"
+#include "unit/harness.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 typedef struct {
   sepax_design design;

@@ -1,15 +1,9 @@
-/* test_exact - holds the exact models against the oracle, and the oracle against known
+/* exact.c - checks the exact models against the oracle, and the oracle against known
  * answers. The counts of the exhaustive corpora were found by a third method, that
  * the origin is in the hull of the nine differences of vertices. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "oracle/oracle.h"
 #include "sepax_vectors.h"
+#include "unit/harness.h"
 
 #ifndef EXACT_PAIRS
 #define EXACT_PAIRS 1000000
@@ -120,7 +114,7 @@ static bool steady(const sepax_verdict *v, const sepax_tri *a, const sepax_tri *
   return u.collision == v->collision && u.coplanar == v->coplanar && u.axis == v->axis;
 }
 
-/* Hold each exact model against the oracle and count the pair. */
+/* Check each exact model against the oracle and count the pair. */
 static void compare(tally *t, const sepax_tri *a, const sepax_tri *b) {
   static bool (*const models[])(const sepax_tri *, const sepax_tri *) = {sepax_reference,
                                                                          sepax_sat54};
@@ -140,12 +134,12 @@ static void compare(tally *t, const sepax_tri *a, const sepax_tri *b) {
   }
 }
 
-static void assert_counts(const tally *t, size_t free_apart, size_t free_coplanar, size_t hit_apart,
-                          size_t hit_coplanar) {
+static void assert_counts(const tally *t, size_t free_oblique, size_t free_coplanar,
+                          size_t hit_oblique, size_t hit_coplanar) {
   assert_int_equal(t->wrong, 0);
-  assert_int_equal(t->count[0][0], free_apart);
+  assert_int_equal(t->count[0][0], free_oblique);
   assert_int_equal(t->count[0][1], free_coplanar);
-  assert_int_equal(t->count[1][0], hit_apart);
+  assert_int_equal(t->count[1][0], hit_oblique);
   assert_int_equal(t->count[1][1], hit_coplanar);
 }
 
@@ -197,12 +191,12 @@ static const struct {
     {"identical", FLAT, FLAT, true, true},
     {"contained", TRI(0, 0, 0, 12, 0, 0, 0, 12, 0), TRI(2, 2, 0, 4, 2, 0, 2, 4, 0), true, true},
     {"star", TRI(0, 0, 0, 6, 0, 0, 3, 6, 0), TRI(0, 4, 0, 6, 4, 0, 3, -2, 0), true, true},
-    {"coplanar, apart", FLAT, TRI(5, 0, 0, 9, 0, 0, 5, 4, 0), false, true},
-    {"coplanar, boxes overlap", FLAT, TRI(4, 4, 0, 4, 1, 0, 1, 4, 0), false, true},
+    {"coplanar, disjoint", FLAT, TRI(5, 0, 0, 9, 0, 0, 5, 4, 0), false, true},
+    {"coplanar, AABBs overlap", FLAT, TRI(4, 4, 0, 4, 1, 0, 1, 4, 0), false, true},
     {"coplanar, common edge", FLAT, TRI(4, 0, 0, 0, 4, 0, 4, 4, 0), true, true},
     {"coplanar, part of an edge", FLAT, TRI(1, 0, 0, 2, 0, 0, 1, -3, 0), true, true},
     {"coplanar, common vertex", FLAT, TRI(4, 0, 0, 8, 0, 0, 8, 4, 0), true, true},
-    {"oblique plane, apart", TRI(6, 0, 0, 0, 6, 0, 0, 0, 6), TRI(7, -1, 0, 8, -2, 0, 8, -1, -1),
+    {"oblique plane, disjoint", TRI(6, 0, 0, 0, 6, 0, 0, 0, 6), TRI(7, -1, 0, 8, -2, 0, 8, -1, -1),
      false, true},
     {"segment pierces", FLAT, TRI(1, 1, -1, 1, 1, 1, 1, 1, 0), true, false},
     {"segment above", FLAT, TRI(1, 1, 1, 1, 1, 2, 1, 1, 3), false, false},
@@ -212,7 +206,7 @@ static const struct {
      false},
     {"segments cross", TRI(0, 0, 0, 2, 0, 0, 1, 0, 0), TRI(1, -1, 0, 2, 1, 0, 1, -1, 0), true,
      true},
-    {"segments in line, apart", TRI(0, 0, 0, 1, 1, 1, 2, 2, 2), TRI(3, 3, 3, 5, 5, 5, 4, 4, 4),
+    {"segments in line, disjoint", TRI(0, 0, 0, 1, 1, 1, 2, 2, 2), TRI(3, 3, 3, 5, 5, 5, 4, 4, 4),
      false, true},
     {"segments end to end", TRI(0, 0, 0, 1, 1, 1, 2, 2, 2), TRI(2, 2, 2, 5, 5, 5, 4, 4, 4), true,
      true},

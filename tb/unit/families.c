@@ -1,15 +1,9 @@
-/* test_families.c - the random stream and the families of hard pairs. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
+/* families.c - the random stream and the families of hard pairs. */
 #include <string.h>
 
 #include "oracle/pair_tools.h"
 #include "sepax_vectors.h"
+#include "unit/harness.h"
 
 #ifndef VECTOR_PAIRS
 #define VECTOR_PAIRS 2000
@@ -105,7 +99,7 @@ static const expectation expectations[] = {
     {"uniform", collides, 22, 35},
     {"uniform", coplanar, 0, 1},
     {"local", collides, 35, 75},
-    {"local", boxes_overlap, 80, 100},
+    {"local", aabbs_overlap, 80, 100},
     {"local", small, 100, 100},
     {"touch-face", collides, 40, 75},
     {"touch-face", vertex_on_face, 20, 55},

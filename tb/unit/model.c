@@ -1,13 +1,10 @@
-/* test_model.c - configuration, formats, the paper's machine and the baselines. */
+/* model.c - configuration, formats, the paper's design and the baselines. */
 #include "sepax_design.h"
 #include "sepax_vectors.h"
+#include "unit/harness.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 static sepax_config paper_config(void) {
   sepax_config config = sepax_config_default();

@@ -1,16 +1,10 @@
-/* test_pairs.c - pairs as text. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
+/* pairs.c - pairs as text. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "oracle/pair_tools.h"
 #include "sepax_vectors.h"
+#include "unit/harness.h"
 
 #define EIGHTEEN "0 0 0 7 0 0 0 7 0 1 1 -3 1 1 3 2 2 3"
 

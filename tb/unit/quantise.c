@@ -1,15 +1,12 @@
-/* test_quantise.c - the quantiser and the fit of a grid. */
+/* quantise.c - the quantiser and the fit of a grid. */
 #include "oracle/mesh_tools.h"
+#include "unit/harness.h"
 
 #include <float.h>
 #include <gmp.h>
 #include <inttypes.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 enum { RANDOM_VALUES = 200000 };
 

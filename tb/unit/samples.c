@@ -1,14 +1,11 @@
-/* test_samples.c - the sample objects. */
+/* samples.c - the sample objects. */
 #include "oracle/mesh_tools.h"
 #include "sepax_vectors.h"
+#include "unit/harness.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 typedef struct {
   double p[3];

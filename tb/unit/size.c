@@ -1,18 +1,15 @@
-/* test_size.c - what a scene needs, against poses and counts made by other means; gates
+/* size.c - what a scene needs, against poses and counts made by other means; gates
  * against mapped designs; pairs within extents. */
 #include "oracle/mesh_tools.h"
 #include "oracle/oracle.h"
 #include "oracle/pair_tools.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
+#include "unit/harness.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 enum { FACETS = 150, POSES = 60, SCENES = 40 };
 
@@ -139,7 +136,7 @@ static uint64_t brute_force(sepax_tri tri[2][FACETS]) {
   uint64_t meeting = 0;
   for (int n = 0; n < FACETS * FACETS; n++) {
     sepax_pair pair = {.a = tri[0][n / FACETS], .b = tri[1][n % FACETS]};
-    meeting += boxes_overlap(&pair, 32);
+    meeting += aabbs_overlap(&pair, 32);
   }
   return meeting;
 }
@@ -228,7 +225,7 @@ static void test_samples_count(void **state) {
   }
 }
 
-/* Half a step more or less: two coordinates that are a whole number of steps apart may
+/* Half a step more or less: two coordinates that are at a whole number of steps may
  * round to one more. */
 static void test_bound(void **state) {
   (void)state;
@@ -303,7 +300,7 @@ static void test_refused(void **state) {
   refuse(&s, "no triangles");
 }
 
-/* ------------------------------------------------------------------------ machines */
+/* ------------------------------------------------------------------------ designs */
 
 static sepax_design design_of(int word, int ii, int extent) {
   sepax_config config = sepax_config_default();
@@ -451,20 +448,20 @@ static void check_extent_pairs(int word, int extent_a, int extent_b) {
   for (size_t family = 0; family < family_count(); family++) {
     sepax_random random = seeded(family, word);
     for (int n = 0; n < 2000; n++) {
-      bool beyond = n % 2 == 1;
-      sepax_pair pair = sepax_extent_pair(family, word, extent, beyond, &random);
+      bool exceeding = n % 2 == 1;
+      sepax_pair pair = sepax_extent_pair(family, word, extent, exceeding, &random);
       sepax_verdict v = sepax_judge(&design, &pair);
-      bool meet = boxes_overlap(&pair, word);
+      bool meet = aabbs_overlap(&pair, word);
       assert_true(sepax_pair_fits(&pair, word));
-      assert_int_equal(inside(&pair, extent), !beyond);
-      assert_int_equal(v.axis == SEPAX_AXIS_EXTENT, beyond && meet);
+      assert_int_equal(inside(&pair, extent), !exceeding);
+      assert_int_equal(v.axis == SEPAX_AXIS_EXTENT, exceeding && meet);
       assert_int_equal(v.axis == SEPAX_AXIS_AABB, !meet);
-      assert_int_equal(v.collision, meet && (beyond || oracle_collide(&pair.a, &pair.b)));
-      met[beyond] += meet;
-      verdicts[v.collision] += !beyond;
+      assert_int_equal(v.collision, meet && (exceeding || oracle_collide(&pair.a, &pair.b)));
+      met[exceeding] += meet;
+      verdicts[v.collision] += !exceeding;
       const int shorter[2] = {extent_a - 1, extent_b - 1};
       const int longer[2] = {extent_a + 1, extent_b + 1};
-      brim[beyond] += beyond ? inside(&pair, longer) : !inside(&pair, shorter);
+      brim[exceeding] += exceeding ? inside(&pair, longer) : !inside(&pair, shorter);
     }
   }
   for (int k = 0; k < 2; k++) {

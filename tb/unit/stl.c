@@ -1,12 +1,11 @@
-/* test_stl.c - STL files: reading, writing, real meshes. */
+/* stl.c - STL files: reading, writing, real meshes. */
 #include "oracle/mesh_tools.h"
+#include "unit/harness.h"
 
 #include <dirent.h>
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -14,8 +13,6 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 static int files_in_folder(void) {
   int count = 0;
@@ -183,7 +180,7 @@ static void test_text_errors(void **state) {
   remove(path);
 }
 
-/* A binary file of `count` facets, all numbers 1, with room for what a case appends. */
+/* A binary file of `count` facets, all numbers 1, with space for what a case appends. */
 static size_t make_binary(unsigned char bytes[], const char *title, unsigned count) {
   memset(bytes, 0, 84 + 50 * (size_t)count);
   for (size_t i = 0; title[i] != '\0'; i++) {
@@ -420,29 +417,41 @@ static bool ends_with(const char *name, const char *end) {
   return strlen(name) >= strlen(end) && strcmp(name + strlen(name) - strlen(end), end) == 0;
 }
 
-static void test_shared_meshes(void **state) {
-  (void)state;
-  const char *shared = "../shared/meshes";
-  DIR *dir = opendir(shared);
-  if (dir == NULL) {
-    skip();
-    return;
-  }
-  for (struct dirent *entry = readdir(dir); entry != NULL; entry = readdir(dir)) {
+/* Every STL file of a folder is read; how many there are. */
+static size_t read_folder(const char *name) {
+  DIR *dir = opendir(name);
+  size_t files = 0;
+  for (struct dirent *entry = NULL; dir != NULL && (entry = readdir(dir)) != NULL;) {
     if (ends_with(entry->d_name, ".stl")) {
-      char name[PATH_BYTES];
+      char file[PATH_BYTES];
       sepax_mesh mesh = {0};
-      snprintf(name, sizeof name, "%s/%s", shared, entry->d_name);
-      if (!sepax_stl_read(&mesh, name, &fault)) {
+      snprintf(file, sizeof file, "%s/%s", name, entry->d_name);
+      if (!sepax_stl_read(&mesh, file, &fault)) {
         fail_msg("%s", fault.text);
       }
       print_message("%s: %zu facets\n", entry->d_name, mesh.count);
       assert_true(mesh.count > 0);
       assert_fit((const sepax_mesh *const[]){&mesh}, 1, 18);
       sepax_mesh_free(&mesh);
+      files++;
     }
   }
-  closedir(dir);
+  if (dir != NULL) {
+    closedir(dir);
+  }
+  return files;
+}
+
+static void test_data_meshes(void **state) {
+  (void)state;
+  assert_int_equal(read_folder("tb/data"), 3);
+}
+
+static void test_shared_meshes(void **state) {
+  (void)state;
+  if (read_folder("../shared/meshes") == 0) {
+    skip();
+  }
 }
 
 int main(void) {
@@ -452,7 +461,8 @@ int main(void) {
       cmocka_unit_test(test_binary_errors),  cmocka_unit_test(test_unreadable),
       cmocka_unit_test(test_pipe),           cmocka_unit_test(test_round_trips),
       cmocka_unit_test(test_write_form),     cmocka_unit_test(test_write_values),
-      cmocka_unit_test(test_write_failures), cmocka_unit_test(test_shared_meshes),
+      cmocka_unit_test(test_write_failures), cmocka_unit_test(test_data_meshes),
+      cmocka_unit_test(test_shared_meshes),
   };
   return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }

@@ -1,13 +1,10 @@
 /* template.c - what the Verilog templates may say, and what of it is refused. */
 #include "emit/emit.h"
 #include "emit/template.h"
+#include "unit/harness.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 static const char head[] = "// A module.\n"
                            "module @name@ #(\n"

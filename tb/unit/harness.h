@@ -1,0 +1,13 @@
+/* harness.h - what every unit test includes: cmocka with the headers that it wants before it. */
+#ifndef UNIT_HARNESS_H
+#define UNIT_HARNESS_H
+
+/* clang-format off */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+/* clang-format on */
+
+#endif
