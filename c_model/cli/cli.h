@@ -22,6 +22,8 @@ int cli_fail(const char *name, const sepax_error *error);
  * cli_grid *). */
 extern const struct argp cli_config_argp;
 void cli_options_init(void); /* once, before the first is used */
+/* The title above options that these architectures (bits) read; "Design:" where most do. */
+const char *cli_options_title(unsigned archs);
 extern const struct argp cli_grid_argp;
 
 typedef struct {
@@ -76,6 +78,7 @@ int cli_gen(int argc, char **argv);
 int cli_judge(int argc, char **argv);
 int cli_mesh(int argc, char **argv);
 int cli_multiplier(int argc, char **argv);
+int cli_name(int argc, char **argv);
 int cli_size(int argc, char **argv);
 int cli_vectors(int argc, char **argv);
 

@@ -10,12 +10,13 @@ static const struct {
   const char *about;
 } commands[] = {
     {"gen", cli_gen, "generate the Verilog of a design"},
-    {"size", cli_size, "what a scene needs, and the machine for it"},
+    {"size", cli_size, "what a scene needs, and the design for it"},
     {"check", cli_check, "which triangles of two STL files collide"},
     {"judge", cli_judge, "verdicts for pairs given as text"},
     {"accuracy", cli_accuracy, "how often a design is wrong, on which pairs, by how much"},
     {"vectors", cli_vectors, "test vectors of hard cases as text"},
     {"mesh", cli_mesh, "write a sample object as STL"},
+    {"name", cli_name, "the name of a design, and the list of options"},
     {"multiplier", cli_multiplier, "generate the Verilog of one multiplier"},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };

@@ -22,8 +22,7 @@ enum { MOST = 64, KEY_OPTION = 0x100, KEY_ENVIRONMENT = KEY_OPTION + MOST };
 /* Rows of design/options.c with their titles, filled in by cli_options_init. */
 static struct argp_option config_options[MOST];
 
-/* The title above the options that these architectures read; "Design" alone where most do. */
-static const char *title_of(unsigned archs) {
+const char *cli_options_title(unsigned archs) {
   static char titles[8][96];
   static size_t count;
   unsigned all = design_option_at(0)->archs;
@@ -50,7 +49,7 @@ void cli_options_init(void) {
   int used = 0;
   int group = 0;
   for (size_t i = 0; (option = design_option_at(i)) != NULL && used + 4 < MOST; i++) {
-    const char *next = title_of(option->archs);
+    const char *next = cli_options_title(option->archs);
     if (strcmp(next, title) != 0) {
       title = next;
       config_options[used++] = (struct argp_option){.doc = title, .group = ++group};

@@ -1,0 +1,59 @@
+# build.mk - the program, the library, and the programs of tests and reports.
+
+LIB_SRC  = $(filter-out c_model/cli/%,$(wildcard c_model/*/*.c))
+CLI_SRC  = $(wildcard c_model/cli/*.c) $(wildcard rtl_gen/*/*.c)
+UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c))
+
+$(BUILD)/obj/%.o: %.c
+	@mkdir -p $(@D)
+	@echo "  CC      $<"
+	@$(CC) $(SEPAX_CFLAGS) -MMD -MP -c $< -o $@
+
+# The library's objects serve the shared library, too.
+$(BUILD)/obj/c_model/%.o: SEPAX_CFLAGS += -fPIC -fno-semantic-interposition
+
+$(LIB): $(call object,$(LIB_SRC))
+	@rm -f $@
+	@$(AR) rcs $@ $^
+
+$(BUILD)/libsepax.so.0: c_model/libsepax.map $(call object,$(LIB_SRC))
+	@echo "  LINK    $@"
+	@$(CC) $(CFLAGS) -shared -Wl,-soname,libsepax.so.0 -Wl,-Bsymbolic-functions \
+	  -Wl,--version-script=$< $(filter %.o,$^) -lm -pthread -o $@
+
+# The Verilog templates as C strings.
+TEMPLATES    = $(wildcard rtl_gen/*/*.v)
+TEMPLATE_OBJ = $(BUILD)/obj/templates.o
+$(BUILD)/obj/templates.c: scripts/embed $(TEMPLATES) $(wildcard rtl_gen/*)
+	@mkdir -p $(@D)
+	@scripts/embed $(TEMPLATES) > $@
+$(TEMPLATE_OBJ): $(BUILD)/obj/templates.c
+	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
+
+# Programs: objects, then libraries.
+define link
+@mkdir -p $(@D)
+@echo "  LINK    $@"
+@$(CC) $(CFLAGS) $(LDFLAGS) $^ $(LIBS) $(LDLIBS) -lm -pthread -o $@
+endef
+ORACLE_OBJ  = $(call object,$(wildcard tb/oracle/*.c))
+LIBERTY_OBJ = $(call object,$(wildcard synth/liberty/*.c))
+GEN_OBJ     = $(call object,$(wildcard rtl_gen/*/*.c)) $(TEMPLATE_OBJ)
+POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(filter-out %/main.o,$(LIBERTY_OBJ)) $(OPTIONS_OBJ)
+
+$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(LIB)
+$(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
+$(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
+$(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)
+$(BUILD)/liberty: $(LIBERTY_OBJ)
+$(BUILD)/power: $(POWER_OBJ) $(LIB)
+$(SEPAX) $(BUILD)/liberty $(BUILD)/power: LIBS = -ljansson
+$(BUILD)/clearance-test: LIBS = -lgmp
+$(SEPAX) $(addprefix $(BUILD)/,bench bench_batch clearance-test liberty power):
+	$(link)
+
+$(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson
+$(BUILD)/unit/%: $(BUILD)/obj/tb/unit/%.o $(ORACLE_OBJ) $(GEN_OBJ) $(LIB)
+	$(link)
+
+-include $(wildcard $(BUILD)/obj/*/*/*.d)

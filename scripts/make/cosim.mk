@@ -1,0 +1,136 @@
+# cosim.mk - the Verilog of the design DESIGN_NAME, and what simulates it. `sepax name` gave its
+# options: OPTIONS for the program, and each as a variable.
+
+CORE = $(BUILD)/core/$(DESIGN_NAME)
+RTL  = $(CORE)/rtl/sepax.f
+# Makes that are started from here are of other designs.
+MAKEOVERRIDES =
+unexport DESIGN_NAME OPTIONS
+
+ifneq ($(and $(filter-out exact,$(ARCH)),$(call given,VIEW)),)
+$(error VIEW: architecture $(ARCH) has one view only; leave it out)
+endif
+
+.PHONY: core options rtl lint cosim exhaustive wave icarus engine example
+
+core:
+	@echo $(CORE)
+options:
+	@echo $(OPTIONS)
+
+# Generated on every run, so that no option goes unread, and moved into place where it differs
+# from what is there.
+$(RTL): $(SEPAX) FORCE
+	@new=$(CORE).$$$$ && mkdir -p $(@D) && trap 'rm -rf $$new' EXIT && \
+	$(GEN) $(OPTIONS) -o $$new > /dev/null && { diff -rq $$new $(@D) > /dev/null 2>&1 || \
+	  { echo "  GEN     $(@D)"; rm -rf $(@D) && mv $$new $(@D); }; }
+
+rtl: $(RTL)
+	@echo "$(CORE)/rtl: $$(wc -l < $(RTL)) modules"
+
+lint: $(RTL)
+	@cd $(CORE)/rtl && $(abspath scripts/lint)
+
+# ------------------------------------------------------------------------- data
+
+MESH_ARGS = $(if $(filter fit,$(RESOLUTION)),,--resolution=$(RESOLUTION)) \
+            --normals=$(NORMALS) "$(MESH_A)" "$(MESH_B)"
+SAMPLES   = $(filter $(BUILD)/mesh/%,$(MESH_A) $(MESH_B))
+SEEDED    = --count=$(COUNT) --seed=$(SEED)
+STRESSED  = $(if $(STRESS),--stress=$(STRESS))
+PAIR_ARGS = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners within beyond,$(PAIRS)),--$(PAIRS) \
+            $(SEEDED),$(if $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)")))
+
+# ------------------------------------------------------------------------- Verilator
+
+# The view of exact's arithmetic that is simulated: its macro, and the suffix of what is made of it.
+VIEW_MACRO = $(if $(filter behavioural,$(VIEW)),-DSEPAX_BEHAVIOURAL)
+OF_VIEW    = $(if $(filter behavioural,$(VIEW)),,-structural)
+COSIM      = $(CORE)/cosim$(OF_VIEW)
+WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
+COSIM_CPP  = $(abspath tb/cosim/cosim.cpp $(OPTIONS_OBJ) $(LIB))
+COSIM_DEPS = $(RTL) $(filter-out tb/cosim/engine%,$(wildcard tb/cosim/*.cpp tb/cosim/*.h)) $(LIB) $(OPTIONS_OBJ)
+
+# verilate TOP FLAGS FILES: Verilator 5.006 miscompiles trees of single bits (its issue 4059) but
+# for -fno-const-bit-op-tree.
+verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { $(VERILATOR) --cc --exe --build -O3 --noassert \
+           -fno-const-bit-op-tree --x-assign fast --x-initial unique --top-module $(1) -f sepax.f \
+           $(VIEW_MACRO) $(2) $(3) --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
+           { tail -20 ../$(@F).log >&2; exit 1; }; }
+COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=-O3 OPT_GLOBAL=-O2" -CFLAGS "-I$(abspath c_model) -I../rtl"
+
+$(COSIM): $(COSIM_DEPS)
+	@echo "  VERILATE $(DESIGN_NAME)$(OF_VIEW)"
+	@$(call verilate,sepax_top,$(COSIM_FLAGS),$(COSIM_CPP))
+
+$(WAVE): $(COSIM_DEPS)
+	@echo "  VERILATE $(DESIGN_NAME)$(OF_VIEW) with waveforms"
+	@$(call verilate,sepax_top,$(COSIM_FLAGS) --trace-fst,$(COSIM_CPP))
+
+cosim: $(COSIM) $(if $(PAIRS),,$(SAMPLES))
+	@$(COSIM) $(if $(PAIRS),$(PAIR_ARGS),$(MESH_ARGS)) $(STRESSED)
+
+# 3^18 pairs, or the first GRID of them.
+GRID ?= 387420489
+exhaustive: $(COSIM)
+	@scripts/experiments/exhaustive $(COSIM) $(GRID)
+
+# A mismatch (exit status 1) leaves a waveform; a pair that cannot be read leaves the old one.
+wave: $(if $(PAIR),$(WAVE))
+	@[ -n "$(PAIR)" ] || { echo "wave: give PAIR='18 or 24 integers'" >&2; exit 2; }
+	@status=0; new=$(CORE)/new.$$$$.fst; trap 'rm -f $$new' EXIT; \
+	  echo '$(PAIR)' | $(WAVE) --pairs=- --wave=$$new || status=$$?; \
+	  [ $$status -gt 1 ] || mv $$new $(CORE)/wave.fst; exit $$status
+	@echo "$(CORE)/wave.fst"
+
+# The engine: a C program on its verilated buses; the example: the driver on the same buses.
+ENGINE     = $(CORE)/engine
+ENGINE_OBJ = $(CORE)/obj-c
+ENGINE_C   = $(ENGINE_OBJ)/engine.o $(ENGINE_OBJ)/sepax_driver.o
+ENGINE_OPT ?= -O3
+
+vpath %.c tb/cosim examples/engine
+$(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/cosim/*.h examples/engine/*.h)
+	@mkdir -p $(@D)
+	@$(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/engine -I$(CORE)/rtl -c $< -o $@
+
+$(ENGINE): $(ENGINE_C) tb/cosim/engine_bus.cpp tb/cosim/engine_bus.h $(LIB) $(RTL)
+	@echo "  VERILATE $(DESIGN_NAME), the engine"
+	@$(call verilate,sepax_engine,-MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" -CFLAGS \
+	  "-I$(abspath tb)",$(abspath tb/cosim/engine_bus.cpp $(ENGINE_C) $(LIB)))
+
+ifeq ($(filter-out 0,$(LANES)),)
+engine example:
+	@echo "$@: no comparator lanes; give LANES=1 ... 64" >&2; exit 2
+else
+engine: $(ENGINE) $(if $(filter families,$(PAIRS)),,$(SAMPLES))
+	@$(ENGINE) $(STRESSED) $(if $(filter families,$(PAIRS)),,$(if \
+	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) $(MESH_A) $(MESH_B))
+
+example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
+	@$(CXX) -o $(CORE)/collide $(ENGINE_OBJ)/collide.o $(ENGINE_OBJ)/sepax_driver.o $(CORE)/obj-engine/engine_bus.o \
+	  $(CORE)/obj-engine/Vsepax_engine__ALL.a $(wildcard $(CORE)/obj-engine/verilated*.o) $(LIB) -lm -pthread
+	@$(CORE)/collide "$(MESH_A)" "$(MESH_B)" $(filter-out fit,$(RESOLUTION)) || [ $$? -eq 1 ]
+endif
+
+# ------------------------------------------------------------------------- Icarus
+
+BENCH  = tb/cosim/$(if $(filter exact,$(ARCH)),sepax_exact_tb,sepax_tb).v
+ICARUS = $(CORE)/icarus$(OF_VIEW).vvp
+
+$(ICARUS): $(RTL) $(BENCH)
+	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_REST $(VIEW_MACRO) -I . -s $(basename $(notdir $(BENCH))) \
+	  -o ../$(@F) -c sepax.f $(abspath $(BENCH))
+
+# All pairs with coordinates 0, 1.
+BITS = awk 'BEGIN { for (n = 0; n < 262144; n++) { line = ""; rest = n; for (k = 0; k < 18; k++) { \
+       line = line " " rest % 2; rest = int(rest / 2) } print line } }'
+
+$(CORE)/icarus.pairs: $(SEPAX) FORCE
+	@mkdir -p $(CORE)
+	@$(if $(filter-out families bits,$(PAIRS)),$(SEPAX) judge $(OPTIONS) --echo "$(PAIRS)",$(if \
+	  $(filter bits,$(PAIRS)),$(BITS),$(SEPAX) vectors --word=$(WORD) $(SEEDED)) | \
+	  $(SEPAX) judge $(OPTIONS) --echo) > $@
+
+icarus: $(ICARUS) $(CORE)/icarus.pairs
+	@$(VVP) -N $(ICARUS) +pairs=$(CORE)/icarus.pairs $(if $(STRESS),+stall=$(STRESS))

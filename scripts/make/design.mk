@@ -1,0 +1,22 @@
+# design.mk - verbs of one design: the program reads its options, from DESIGN and from variables
+# like WORD=12, refuses what does not go together, and prints its name and its options; make
+# runs again with them.
+
+DESIGN_VERBS = core options rtl lint cosim exhaustive wave icarus engine example netlist gates \
+               mapped area-file timed timing-file assigned powered power-file
+OF_DESIGN   := $(filter $(DESIGN_VERBS) $(BUILD)/core/%,$(MAKECMDGOALS))
+
+# With DESIGN every verb is of that design alone.
+ifneq ($(DESIGN),)
+OF_DESIGN := $(or $(MAKECMDGOALS),all)
+endif
+LATER = $(if $(filter-out $(DESIGN_VERBS) $(BUILD)/core/%,$(OF_DESIGN)),DESIGN_NAME=)
+
+.PHONY: $(OF_DESIGN)
+$(firstword $(OF_DESIGN) $(DESIGN_VERBS)): $(SEPAX) $(LIB) $(OPTIONS_OBJ) \
+    $(if $(filter powered,$(OF_DESIGN)),$(BUILD)/power) \
+    $(if $(filter mapped timed assigned powered netlist gates,$(OF_DESIGN)),$(BUILD)/liberty)
+	@design=$$($(SEPAX) name --make --environment $(DESIGN)) && \
+	  eval "$(MAKE) DESIGN= $$design $(LATER) $(OF_DESIGN)"
+$(wordlist 2,99,$(OF_DESIGN)): $(firstword $(OF_DESIGN))
+	@:

@@ -1,0 +1,7 @@
+# flags.mk - how C is compiled, and where its objects are.
+
+CFLAGS      ?= -O2 -g
+SEPAX_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Werror -Wconversion \
+               -Wshadow -ffp-contract=off -Ic_model -Irtl_gen -Itb -Isynth $(CFLAGS)
+object       = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
+OPTIONS_OBJ  = $(call object,c_model/cli/options.c)

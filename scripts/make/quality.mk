@@ -1,0 +1,22 @@
+# quality.mk - static analysis and sanitizers.
+
+.PHONY: static sanitize sanitized
+C_SRC  = $(LIB_SRC) $(CLI_SRC) $(wildcard tb/*/*.c synth/*/*.c examples/engine/*.c)
+C_PATH = -Ic_model -Irtl_gen -Itb -Isynth -Iexamples/engine -I$(BUILD)/static
+
+# Programs of the engine read headers that come with its Verilog.
+static: $(SEPAX)
+	@$(GEN) --lanes=4 -o $(BUILD)/static > /dev/null
+	@$(CPPCHECK) --quiet --error-exitcode=1 --enable=warning,style,performance,portability \
+	  --inline-suppr --suppress=missingIncludeSystem --std=c11 $(C_PATH) $(C_SRC)
+	@printf '%s\n' $(C_SRC) | xargs -P 2 -I {} $(CLANG_TIDY) --quiet \
+	  --warnings-as-errors="*" {} -- -std=c11 -D_POSIX_C_SOURCE=200809L $(C_PATH)
+
+sanitize:
+	@$(MAKE) BUILD=$(BUILD)/sanitize \
+	  CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all \
+	          -DEXACT_PAIRS=50000" sanitized
+
+sanitized: $(SEPAX) $(UNIT)
+	@for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
+	@SEPAX=$(SEPAX) tb/system/cli

@@ -1,0 +1,98 @@
+# synth.mk - the gates of the design DESIGN_NAME: mapped, timed, simulated.
+
+LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
+
+# OpenSTA wants a netlist that is sized for a clock: the generator's, in Nangate45; other libraries
+# are slower, osu018 about four times.
+CLOCK_NS ?= 2
+ifneq ($(filter timed timing-file assigned,$(MAKECMDGOALS)),)
+PERIOD := $(or $(PERIOD),$(if $(filter nangate45%,$(LIBRARY)),$(if $(filter paper,$(ARCH)),$(CLOCK_NS)),$(shell \
+            LC_ALL=C awk 'BEGIN { print 4 * "$(CLOCK_NS)" }')))
+endif
+
+# A period that was given, and multipliers, have a folder of their own.
+AREA = $(CORE)/$(LIBRARY)$(if $(PERIOD),-$(PERIOD)ns)$(if $(filter generated,$(MULTIPLIERS)),-generated)
+
+.PHONY: mapped area-file timed timing-file assigned powered power-file netlist gates
+
+# Another library of the same name is another library.
+$(AREA)/liberty.sum: FORCE
+	@[ -r "$(LIBERTY)" ] || { echo "area: $(LIBERTY) cannot be read; give LIBERTY=file.lib[.gz]" >&2; exit 2; }
+	@mkdir -p $(AREA)
+	@cksum "$(LIBERTY)" > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+
+$(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(wildcard synth/area/* synth/common* synth/netlist.jq) $(BUILD)/liberty
+	@echo "  YOSYS   $(DESIGN_NAME), $(LIBRARY)"
+	@synth/area/map -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) \
+	  $(if $(filter generated,$(MULTIPLIERS)),-m $(SEPAX)) -o $(AREA) $(CORE)/rtl
+
+mapped: $(AREA)/area.json
+area-file:
+	@echo $(AREA)/area.json
+
+timed: $(AREA)/area.json
+	@echo "  STA     $(DESIGN_NAME), $(LIBRARY)"
+	@synth/timing/sta -l $(LIBERTY) $(if $(CORNERS),-c "$(CORNERS)") -o $(AREA)/timing $(AREA)
+timing-file:
+	@echo $(AREA)/timing/timing.json
+
+assigned: $(AREA)/area.json
+	@synth/multivt/assign -f $(LIBERTY) $(if $(LIBERTY_LOW_LEAKAGE),-s $(LIBERTY_LOW_LEAKAGE)) \
+	  -o $(AREA)/multivt $(AREA)
+	@cp $(AREA)/multivt/multivt.json $(BUILD)/multivt.json
+
+# ------------------------------------------------------------------------- power
+
+# Pairs that collide, pairs in one plane: seeded, the same for all designs of a word length.
+LOADS     = $(BUILD)/power-w$(WORD)
+COLLIDING = --family=local --count=12000
+COPLANAR_PAIRS = --family=coplanar --count=8000
+select    = mkdir -p $(@D) && $(SEPAX) vectors --word=$(WORD) $(1) | $(SEPAX) judge --word=$(WORD) --echo | \
+            awk '$$$(2) == 1 { NF = 24; print }' > $@
+$(LOADS)/colliding.txt: $(SEPAX)
+	@$(call select,$(COLLIDING),25)
+$(LOADS)/coplanar.txt: $(SEPAX)
+	@$(call select,$(COPLANAR_PAIRS),26)
+
+# An engine makes its pairs itself.
+CYCLES    ?= 200
+POWER_MESH = $(MESH_A) $(MESH_B) $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION))
+ifeq ($(filter-out 0,$(LANES)),)
+LOAD_FILES = $(LOADS)/colliding.txt $(LOADS)/coplanar.txt
+WORKLOADS  = colliding=$(LOADS)/colliding.txt coplanar=$(LOADS)/coplanar.txt "idle=idle $(LOADS)/colliding.txt"
+else
+WORKLOADS  = "loading=loading $(POWER_MESH)" "idle=idle $(POWER_MESH)"
+endif
+
+powered: $(AREA)/area.json $(BUILD)/power $(LOAD_FILES) $(SAMPLES)
+	@echo "  POWER   $(DESIGN_NAME), $(LIBRARY)"
+	@POWER=$(BUILD)/power synth/power/run -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) -o $(AREA)/power $(AREA) \
+	  "separated=$(POWER_MESH)" $(WORKLOADS)
+power-file:
+	@echo $(AREA)/power/power.json
+
+# ----------------------------------------------------------------- the gates simulated
+
+$(AREA)/netlist.vvp: $(AREA)/area.json $(BENCH)
+	@echo "  ICARUS  $(DESIGN_NAME), mapped to $(LIBRARY)"
+	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
+	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(basename $(notdir $(BENCH))) -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
+	  $(BENCH)
+
+# A gate-level pair takes a second at W = 18: ten of each family are many.
+netlist: COUNT = 170
+netlist: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
+	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
+
+# Under the Verilator bench, module by module.
+$(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
+	@echo "  VERILATE $(DESIGN_NAME), mapped to $(LIBRARY)"
+	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
+	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --hierarchical --no-timing \
+	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module sepax_top \
+	  -MAKEFLAGS "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O1" \
+	  -CFLAGS "-I$(abspath c_model) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \
+	  netlist.vlt cells.v netlist.v $(COSIM_CPP) > cosim.log 2>&1 || { tail -20 cosim.log >&2; exit 1; }; }
+
+gates: $(AREA)/cosim
+	@$(AREA)/cosim $(if $(PAIRS),$(PAIR_ARGS),$(SEEDED)) $(STRESSED)
