@@ -78,7 +78,7 @@ exhaustive: $(COSIM)
 # A mismatch (exit status 1) leaves a waveform; a pair that cannot be read leaves the old one.
 wave: $(if $(PAIR),$(WAVE))
 	@[ -n "$(PAIR)" ] || { echo "wave: give PAIR='18 or 24 integers'" >&2; exit 2; }
-	@status=0; new=$(CORE)/new.$$$$.fst; trap 'rm -f $$new' EXIT; \
+	@status=0; new=$(CORE)/new.$$$$.fst; trap 'rm -f $$new*' EXIT; \
 	  echo '$(PAIR)' | $(WAVE) --pairs=- --wave=$$new || status=$$?; \
 	  [ $$status -gt 1 ] || mv $$new $(CORE)/wave.fst; exit $$status
 	@echo "$(CORE)/wave.fst"
