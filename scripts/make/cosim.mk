@@ -97,7 +97,7 @@ $(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/cosim/*.h examples/engine/*.h)
 $(ENGINE): $(ENGINE_C) tb/cosim/engine_bus.cpp tb/cosim/engine_bus.h $(LIB) $(RTL)
 	@echo "  VERILATE $(DESIGN_NAME), the engine"
 	@$(call verilate,sepax_engine,-MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" -CFLAGS \
-	  "-I$(abspath tb)",$(abspath tb/cosim/engine_bus.cpp $(ENGINE_C) $(LIB)))
+	  "-I$(abspath tb) -I$(abspath c_model)",$(abspath tb/cosim/engine_bus.cpp $(ENGINE_C) $(LIB)))
 
 ifeq ($(filter-out 0,$(LANES)),)
 engine example:
