@@ -56,6 +56,7 @@ typedef struct {
                              that the core decides; 0, 0: any */
   bool early_out;         /* exact: an AABB test goes before the core, whose operands are then zero
                              for pairs that the test decides; with extents there is one anyway */
+  bool registered_ready;  /* exact: a skid buffer before the core; in_ready is a register */
   int clearance, warning; /* exact: LSB; -1 and 0: none. The verdict is free only if the real
                              triangles are farther apart than `clearance` (docs/clearance.md) */
   int lanes;              /* exact: comparator lanes of an object engine, 1 ... 64; 0: none */

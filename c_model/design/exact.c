@@ -61,6 +61,10 @@ static bool check(const sepax_config *config, sepax_error *error) {
     return sepax_fail(error, "early-out: %s test AABBs before the core anyway; leave it out",
                       config->lanes != 0 ? "comparator lanes" : "extents");
   }
+  if (config->registered_ready && config->lanes != 0) {
+    return sepax_fail(error, "registered-ready: the engine's ready outputs are so anyway; leave "
+                             "it out");
+  }
   return check_memory('a', config->memory_a, error) && check_memory('b', config->memory_b, error);
 }
 

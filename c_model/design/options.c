@@ -57,6 +57,9 @@ static const design_option table[] = {
      EXACT, 0, false, NULL, "-%s", "HOW",
      "boxes: an AABB test goes before the core, which idles for the pairs that it decides; none "
      "(default)"},
+    {"registered-ready", 0, OPTION_SWITCH, FIELD(registered_ready), 0, 0, 1, switch_names,
+     EXACT, 0, false, NULL, "-rr", "on|off",
+     "a skid buffer before the core: in_ready is a register, which no input reaches (off)"},
     {"clearance", 0, OPTION_NUMBER, FIELD(clearance), -1, 0, INT32_MAX, NULL,
      EXACT, 0, false, NULL, "-c%s", "LSB",
      "call a pair free only if the real triangles are farther apart than this, whatever the "

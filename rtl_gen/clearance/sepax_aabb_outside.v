@@ -28,16 +28,16 @@ module sepax_aabb_outside #(
   wire [LIMITS-1:0] above;
 
   sepax_bounds #(.W(W)) bounds_a (
-    .p(a_1),
-    .q(a_2),
-    .r(a_3),
+    .x_1(a_1),
+    .x_2(a_2),
+    .x_3(a_3),
     .low(low_a),
     .high(high_a)
   );
   sepax_bounds #(.W(W)) bounds_b (
-    .p(b_1),
-    .q(b_2),
-    .r(b_3),
+    .x_1(b_1),
+    .x_2(b_2),
+    .x_3(b_3),
     .low(low_b),
     .high(high_b)
   );

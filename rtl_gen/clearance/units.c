@@ -1,6 +1,7 @@
 /* units.c - the modules that a clearance adds to architecture exact. */
 #include "clearance.h"
 
+#include "aabb/aabb.h"
 #include "emit/gen.h"
 #include "emit/template.h"
 

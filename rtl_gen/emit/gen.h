@@ -23,7 +23,4 @@ typedef struct {
 } gen_line;
 gen_line gen_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* sepax_bounds: the least and the greatest of three coordinates; once a design. */
-void gen_bounds(emitter *e);
-
 #endif

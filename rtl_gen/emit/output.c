@@ -1,11 +1,13 @@
 /* output.c - writing a generated design into a folder. */
 #include "check.h"
 #include "engine/engine.h"
+#include "gen.h"
 #include "util/error.h"
 #include "sepax_design.h"
 
 #include <errno.h>
 #include <jansson.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -270,4 +272,13 @@ bool gen_write(const emitter *e, const char *folder, sepax_error *error) {
     free(file[i].text);
   }
   return ok;
+}
+
+gen_line gen_format(const char *format, ...) {
+  gen_line line;
+  va_list args;
+  va_start(args, format);
+  vsnprintf(line.text, sizeof line.text, format, args);
+  va_end(args);
+  return line;
 }

@@ -2,6 +2,7 @@
 #include "template.h"
 #include "check.h"
 
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -297,4 +298,31 @@ bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
   }
   emit_module *m = emit_new_module(e, name, "");
   return emit_refuse(m, count == 0 ? "no such template" : "a template of several rooms; say which");
+}
+
+void emit_hole_set(emit_holes *h, const char *name, const char *format, ...) {
+  char text[4096];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(text, sizeof text, format, args);
+  va_end(args);
+  int i = 0;
+  while (i < h->count && strcmp(h->hole[i].name, name) != 0) {
+    i++;
+  }
+  if (i == h->count) {
+    h->hole = emit_grow(h->hole, h->count + 1, sizeof *h->hole);
+    h->hole[++h->count] = (emit_hole){NULL, NULL};
+  } else {
+    free((char *)h->hole[i].text);
+  }
+  h->hole[i] = (emit_hole){name, emit_copy(text, strlen(text))};
+}
+
+void emit_holes_free(emit_holes *h) {
+  for (int i = 0; i < h->count; i++) {
+    free((char *)h->hole[i].text);
+  }
+  free(h->hole);
+  *h = (emit_holes){NULL, 0};
 }

@@ -66,6 +66,16 @@ typedef struct {
  * ends with {NULL}; NULL: there are none. */
 bool emit_template(emitter *e, const char *name, const emit_hole *holes);
 
+/* A list of holes that grows: texts printf-like, a name set again gets the new text. `hole` ends
+ * with {NULL}. */
+typedef struct {
+  emit_hole *hole;
+  int count;
+} emit_holes;
+void emit_hole_set(emit_holes *h, const char *name, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+void emit_holes_free(emit_holes *h);
+
 /* The same with the template's text itself. */
 bool emit_template_text(emitter *e, const char *name, const char *text, const emit_hole *holes);
 

@@ -86,12 +86,4 @@ void gen_exact_units(emitter *e, const exact_plan *p);
 void gen_exact_core(emitter *e, const exact_plan *p);
 /* "cycle", "3 cycles": a pair comes every ... */
 void gen_exact_every(const exact_plan *p, char text[24]);
-/* sepax_top, or sepax_near behind a box test; with extents gen_exact_near, else gen_exact_boxes
- * puts that test and sepax_top before it. */
-void gen_exact_top(emitter *e, const exact_plan *p);
-int gen_exact_near(emitter *e, const exact_plan *p); /* the cycles that it adds */
-int gen_exact_boxes(emitter *e, const exact_plan *p);
-/* The ports of sepax_top but for what extents and a clearance add. */
-void gen_exact_ports(emit_module *m, int word);
-
 #endif

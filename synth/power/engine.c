@@ -58,7 +58,7 @@ static void find_memories(engine *e) {
   gates *g = e->g;
   for (int k = 0; k < MEMORIES; k++) {
     memory *m = &e->memory[k];
-    const char *kind = k < 2 ? "box" : "triangle";
+    const char *kind = k < 2 ? "aabb" : "triangle";
     char x = (char)('a' + k % 2);
     char name[32];
     int room = k % 2 == 0 ? c->memory_a : c->memory_b;
@@ -72,7 +72,7 @@ static void find_memories(engine *e) {
     gates_find_word(g, "write_address", m->places, m->write_address);
     snprintf(name, sizeof name, "write_%s", kind);
     gates_find_word(g, name, m->bits, m->write_data);
-    snprintf(name, sizeof name, k < 2 ? "address_%c" : "pick_%c", x);
+    snprintf(name, sizeof name, k < 2 ? "aabb_address_%c" : "fetch_%c", x);
     gates_find_word(g, name, m->places, m->read_address);
     snprintf(name, sizeof name, "read_%s_%c", kind, x);
     gates_find_word(g, name, m->bits, m->read_data);

@@ -62,11 +62,8 @@ module sepax_exact_tb;
 `ifdef SEPAX_REST
 `ifdef SEPAX_BOXES
   always @(negedge clk) begin
-    restless <= !(dut.near.in_valid && !dut.near.in_apart) &&
-                (|{dut.near.in_a1_x, dut.near.in_a1_y, dut.near.in_a1_z, dut.near.in_a2_x, dut.near.in_a2_y,
-                   dut.near.in_a2_z, dut.near.in_a3_x, dut.near.in_a3_y, dut.near.in_a3_z, dut.near.in_b1_x,
-                   dut.near.in_b1_y, dut.near.in_b1_z, dut.near.in_b2_x, dut.near.in_b2_y, dut.near.in_b2_z,
-                   dut.near.in_b3_x, dut.near.in_b3_y, dut.near.in_b3_z} !== 1'b0);
+    restless <= !(dut.narrow.in_valid && !dut.narrow.in_disjoint) &&
+                (|dut.narrow.in_pair !== 1'b0);
   end
 `endif
 `endif

@@ -68,13 +68,13 @@ module registers_properties #(
   wire awready, wready, bvalid, arready, rvalid, irq, start, starting, stop, first, quiet;
   wire [1:0] bresp, rresp;
   wire [31:0] rdata;
-  wire [MOVE-1:0] move_x, move_y, move_z;
+  wire [3*MOVE-1:0] move;
   sepax_registers dut (
       .clk(clk), .rst(rst), .awvalid(awvalid), .awready(awready), .awaddr(awaddr), .wvalid(wvalid),
       .wready(wready), .wdata(wdata), .wstrb(wstrb), .bvalid(bvalid), .bready(bready), .bresp(bresp),
       .arvalid(arvalid), .arready(arready), .araddr(araddr), .rvalid(rvalid), .rready(rready),
       .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop), .first(first),
-      .quiet(quiet), .move_x(move_x), .move_y(move_y), .move_z(move_z), .status(status),
+      .quiet(quiet), .move(move), .status(status),
       .done(done), .hit(hit), .loaded(loaded), .count_a(number), .count_b(number), .pairs(number),
       .candidates(number), .collisions(number), .out_of_range(number), .warnings(number), .cycles(number),
       .first_a(number), .first_b(number));
@@ -105,7 +105,7 @@ module results_properties #(
     input wire         first,
     input wire         quiet,
     input wire [  6:0] tested,
-    input wire         survived,
+    input wire         launched,
     input wire         drained,
     input wire         valid,
     input wire         collision,
@@ -120,7 +120,7 @@ module results_properties #(
   wire [31:0] pairs, candidates, collisions, out_of_range, warnings, cycles, first_a, first_b;
   sepax_results dut (
       .clk(clk), .rst(rst), .start(start), .stop(stop), .first(first), .quiet(quiet),
-      .tested(tested), .survived(survived), .drained(drained), .valid(valid), .ready(ready),
+      .tested(tested), .launched(launched), .drained(drained), .valid(valid), .ready(ready),
       .collision(collision), .coplanar(coplanar), .outside(outside), .a(a), .b(b),
       .tvalid(tvalid), .tready(tready), .tdata(tdata), .tlast(tlast), .halt(halt), .done(done),
       .hit(hit), .busy(busy), .stopped(stopped), .any(any), .pairs(pairs),
@@ -164,12 +164,12 @@ module load_properties (
   wire tready, write_a, write_b, loading, ended, bad_word, bad_frame, bad_size;
   wire [8:0] address;
   wire [161:0] triangle;
-  wire [107:0] box;
+  wire [107:0] aabb;
   wire [9:0] count_a, count_b;
   sepax_load dut (
       .clk(clk), .rst(rst), .busy(busy), .tvalid(tvalid), .tready(tready), .tdata(tdata),
       .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b), .address(address),
-      .triangle(triangle), .box(box), .count_a(count_a), .count_b(count_b), .loading(loading),
+      .triangle(triangle), .aabb(aabb), .count_a(count_a), .count_b(count_b), .loading(loading),
       .ended(ended), .bad_word(bad_word), .bad_frame(bad_frame), .bad_size(bad_size));
   // Ready does not wait for valid, and nothing is taken or changed during a run.
   reg begun = 1'b0;
@@ -202,11 +202,11 @@ module start_properties (
   wire awready, wready, bvalid, arready, rvalid, irq, start, starting, stop, first, quiet, tready;
   wire [1:0] bresp, rresp;
   wire [31:0] rdata;
-  wire [18:0] move_x, move_y, move_z;
+  wire [56:0] move;
   wire write_a, write_b, loading, ended, bad_word, bad_frame, bad_size;
   wire [8:0] address;
   wire [161:0] triangle;
-  wire [107:0] box;
+  wire [107:0] aabb;
   wire [9:0] count_a, count_b;
   wire [31:0] status = {25'd0, loading, |count_b, |count_a, 3'd0, busy};
   reg busy = 1'b0;
@@ -216,14 +216,14 @@ module start_properties (
       .wready(wready), .wdata(wdata), .wstrb(4'hf), .bvalid(bvalid), .bready(bready), .bresp(bresp),
       .arvalid(1'b0), .arready(arready), .araddr(7'd0), .rvalid(rvalid), .rready(1'b0),
       .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop),
-      .first(first), .quiet(quiet), .move_x(move_x), .move_y(move_y), .move_z(move_z),
+      .first(first), .quiet(quiet), .move(move),
       .status(status), .done(1'b0), .hit(1'b0), .loaded(ended), .count_a(32'd0), .count_b(32'd0), .pairs(32'd0),
       .candidates(32'd0), .collisions(32'd0), .out_of_range(32'd0), .warnings(32'd0),
       .cycles(32'd0), .first_a(32'd0), .first_b(32'd0));
   sepax_load load (
       .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(tvalid), .tready(tready),
       .tdata(tdata), .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b),
-      .address(address), .triangle(triangle), .box(box), .count_a(count_a), .count_b(count_b),
+      .address(address), .triangle(triangle), .aabb(aabb), .count_a(count_a), .count_b(count_b),
       .loading(loading), .ended(ended), .bad_word(bad_word), .bad_frame(bad_frame),
       .bad_size(bad_size));
   always @(posedge clk) begin

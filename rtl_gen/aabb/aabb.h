@@ -1,0 +1,16 @@
+/* aabb.h - axis-aligned bounding boxes in the RTL. */
+#ifndef SEPAX_GEN_AABB_H
+#define SEPAX_GEN_AABB_H
+
+#include "emit/template.h"
+
+/* sepax_bounds: the least and the greatest of three coordinates; once a design. */
+void gen_bounds(emitter *e);
+/* sepax_disjoint: have two intervals no common point; once a design. */
+void gen_disjoint(emitter *e);
+
+/* sepax_aabb_axis, if the design has an AABB test before the core. Returns the cycles from a pair
+ * taken by sepax_top to the narrow phase that it is offered to. */
+int gen_aabb_test(emitter *e);
+
+#endif

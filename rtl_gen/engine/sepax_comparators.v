@@ -1,0 +1,103 @@
+// @lanes@ comparator lanes. AABBs come from the memories one cycle after the step that asked for
+// them; B's is moved in another; its candidate mask, bit k for lane k, leaves two cycles later.
+module sepax_comparators (
+  input  wire           clk,       // clock
+  input  wire           clear,     // drop all that is in flight
+  input  wire           step,      // a step is made
+  input  wire [@index_b@:0]     j,         // number of B's triangle
+  input  wire           is_b,      // there is one
+  input  wire [@index_a@-1:0]   base,      // first of A's triangles in this round
+  input  wire           load,      // lane j takes a triangle of A
+  input  wire           is_a,      // there is one
+  input  wire [6*@word@-1:0] aabb_a,    // AABB of A, one cycle behind the step
+  input  wire [6*@word@-1:0] aabb_b,    // AABB of B, likewise
+  input  wire [3*(@word@+1)-1:0] move, // added to B: {z, y, x}, signed
+  output wire           busy,      // a step is in flight
+  output wire           push,      // some AABBs overlap
+  output reg  [@lanes@-1:0]  mask,      // in which lanes
+  output reg  [@index_b@-1:0]   mask_j,    // number of B's triangle
+  output reg  [@index_a@-1:0]   mask_base, // its base
+  output wire [6:0]     tested     // pairs that are tested in this cycle
+);
+  localparam LANES = @lanes@;
+  localparam W = @word@;    // bits of a coordinate
+  localparam V = @moved@;   // of one that was moved
+  localparam A = @index_a@; // bits of the number of a triangle of A
+  localparam B = @index_b@; // of B
+  //@ if margin
+  localparam [V-1:0] MARGIN = @margin@; // AABBs nearer than this overlap
+  //@ end
+  reg              valid_q;
+  reg              valid_q2;
+  reg              valid_q3;
+  reg              is_b_q;
+  reg              load_q;
+  reg              is_a_q;
+  reg  [B:0]       j_q;
+  reg  [B-1:0]     j_q2;
+  reg  [A-1:0]     base_q;
+  reg  [A-1:0]     base_q2;
+  reg  [6*V-1:0]   aabb_q2;
+  reg  [6:0]       live_q; // lanes that hold an AABB
+  wire [6*V-1:0]   moved;
+  wire [6*V-1:0]   moved_b;
+  wire [LANES-1:0] overlap;
+  wire [LANES-1:0] live;
+  wire [LANES-1:0] taken;
+  wire             lost;
+  genvar           k;
+
+  assign busy = valid_q || valid_q2 || valid_q3;
+  assign push = |mask;
+  assign lost = |(taken & live);
+  assign tested = live_q & {7{valid_q2}};
+
+  generate
+    for (k = 0; k < 6; k = k + 1) begin : side
+      assign moved[k*V +: V] = {{2{aabb_b[k*W+W-1]}}, aabb_b[k*W +: W]} +
+                               {move[(k/2)*(W+1)+W], move[(k/2)*(W+1) +: W+1]};
+      //@ if margin
+      if (k % 2 == 1) begin : high
+        assign moved_b[k*V +: V] = moved[k*V +: V] + MARGIN;
+      end else begin : low
+        assign moved_b[k*V +: V] = moved[k*V +: V] - MARGIN;
+      end
+      //@ else
+      assign moved_b[k*V +: V] = moved[k*V +: V];
+      //@ end
+    end
+    for (k = 0; k < LANES; k = k + 1) begin : lane
+      assign taken[k] = valid_q && load_q && (j_q == k[B:0]);
+      sepax_comparator comparator (
+        .clk(clk), .clear(clear), .load(taken[k]), .is_a(is_a_q), .aabb_a(aabb_a),
+        .is_b(valid_q2), .aabb_b(aabb_q2), .live(live[k]), .overlap(overlap[k])
+      );
+    end
+  endgenerate
+
+  always @(posedge clk) begin
+    if (clear) begin
+      valid_q <= 1'b0;
+      valid_q2 <= 1'b0;
+      valid_q3 <= 1'b0;
+      mask <= {LANES{1'b0}};
+      live_q <= 7'd0;
+    end else begin
+      valid_q <= step;
+      valid_q2 <= valid_q && is_b_q;
+      valid_q3 <= valid_q2;
+      mask <= overlap;
+      live_q <= live_q + {6'd0, valid_q && load_q && is_a_q} - {6'd0, lost};
+    end
+    j_q <= j;
+    is_b_q <= is_b;
+    base_q <= base;
+    load_q <= load;
+    is_a_q <= is_a;
+    j_q2 <= j_q[B-1:0];
+    base_q2 <= base_q;
+    mask_j <= j_q2;
+    mask_base <= base_q2;
+    aabb_q2 <= moved_b;
+  end
+endmodule

@@ -1,0 +1,218 @@
+// sepax_engine but for its memories, which are beside it.
+module sepax_engine_logic (
+  input  wire        clk,           // clock of everything
+  input  wire        rst,           // synchronous reset of the control, active high
+  input  wire        s_axi_awvalid, // AXI4-Lite, registers: address to write
+  output wire        s_axi_awready, // taken in this cycle
+  input  wire [6:0]  s_axi_awaddr,  // sepax_registers.md
+  input  wire        s_axi_wvalid,  // data to write
+  output wire        s_axi_wready,  // taken in this cycle
+  input  wire [31:0] s_axi_wdata,   // data
+  input  wire [3:0]  s_axi_wstrb,   // byte strobes, all 1
+  output wire        s_axi_bvalid,  // response to a write
+  input  wire        s_axi_bready,  // taken in this cycle
+  output wire [1:0]  s_axi_bresp,   // 0: OKAY, 2: SLVERR
+  input  wire        s_axi_arvalid, // address to read
+  output wire        s_axi_arready, // taken in this cycle
+  input  wire [6:0]  s_axi_araddr,  // sepax_registers.md
+  output wire        s_axi_rvalid,  // data that were read
+  input  wire        s_axi_rready,  // taken in this cycle
+  output wire [31:0] s_axi_rdata,   // data
+  output wire [1:0]  s_axi_rresp,   // 0: OKAY, 2: SLVERR
+  input  wire        s_axis_tvalid, // AXI4-Stream, triangles: a vertex
+  output wire        s_axis_tready, // taken in this cycle
+  input  wire [95:0] s_axis_tdata,  // {z, y, x}, signed, 32 bits each
+  input  wire        s_axis_tlast,  // last vertex of the object
+  input  wire        s_axis_tdest,  // 0: object A, 1: object B
+  output wire        m_axis_tvalid, // AXI4-Stream, results: a colliding pair, or the end
+  input  wire        m_axis_tready, // taken in this cycle
+  output wire [63:0] m_axis_tdata,  // sepax_results.v
+  output wire        m_axis_tlast,  // end of the run
+  output wire        irq,           // interrupt, level: PENDING and ENABLE
+  output wire [@index@-1:0]    write_address,   // number of a triangle to write
+  output wire [9*@word@-1:0] write_triangle,  // its coordinates
+  output wire [6*@word@-1:0] write_aabb,      // its AABB
+  output wire            write_a,         // write to both memories of A
+  output wire            write_b,         // write to both memories of B
+  output wire            step,            // read both memories of AABBs
+  output wire            fetch,           // read both memories of triangles
+  output wire [@index_a@-1:0]    aabb_address_a,  // of A's AABB to read
+  output wire [@index_b@-1:0]    aabb_address_b,  // of B's
+  input  wire [6*@word@-1:0] read_aabb_a,     // A's AABB, in the next cycle
+  input  wire [6*@word@-1:0] read_aabb_b,     // B's
+  output wire [@index_a@-1:0]    fetch_a,         // number of A's triangle to read
+  output wire [@index_b@-1:0]    fetch_b,         // of B's
+  input  wire [9*@word@-1:0] read_triangle_a, // A's triangle, in the next cycle
+  input  wire [9*@word@-1:0] read_triangle_b  // B's
+);
+  localparam W = @word@;     // bits of a coordinate
+  localparam LANES = @lanes@;
+  localparam A = @index_a@; // bits of the number of a triangle of A
+  localparam B = @index_b@; // of B
+  wire start;
+  wire starting;
+  wire stop;
+  wire first;
+  wire quiet;
+  wire halt;
+  wire clear;
+  wire done;
+  wire hit;
+  wire busy;
+  wire stopped;
+  wire any;
+  wire drained;
+  wire [3*(W+1)-1:0] move; // {z, y, x}
+  wire [31:0] status;
+  wire [31:0] pairs;
+  wire [31:0] candidates;
+  wire [31:0] collisions;
+  wire [31:0] out_of_range;
+  wire [31:0] warnings;
+  wire [31:0] cycles;
+  wire [31:0] first_a;
+  wire [31:0] first_b;
+  wire [A:0]  count_a;
+  wire [B:0]  count_b;
+  wire loading;
+  wire ended;
+  wire bad_word;
+  wire bad_frame;
+  wire bad_size;
+
+  assign clear = rst || start || halt;
+  assign status = {
+    21'd0, bad_size, bad_frame, bad_word, 1'b0, loading, |count_b, |count_a, stopped,
+    any && (|out_of_range), any, busy
+  };
+
+  sepax_registers registers (
+    .clk(clk), .rst(rst), .awvalid(s_axi_awvalid), .awready(s_axi_awready), .awaddr(s_axi_awaddr),
+    .wvalid(s_axi_wvalid), .wready(s_axi_wready), .wdata(s_axi_wdata), .wstrb(s_axi_wstrb),
+    .bvalid(s_axi_bvalid), .bready(s_axi_bready), .bresp(s_axi_bresp), .arvalid(s_axi_arvalid),
+    .arready(s_axi_arready), .araddr(s_axi_araddr), .rvalid(s_axi_rvalid), .rready(s_axi_rready),
+    .rdata(s_axi_rdata), .rresp(s_axi_rresp), .irq(irq), .start(start), .starting(starting),
+    .stop(stop), .first(first), .quiet(quiet), .move(move), .status(status), .done(done),
+    .hit(hit), .loaded(ended), .count_a({{(31-A){1'b0}}, count_a}),
+    .count_b({{(31-B){1'b0}}, count_b}), .pairs(pairs), .candidates(candidates),
+    .collisions(collisions), .out_of_range(out_of_range), .warnings(warnings), .cycles(cycles),
+    .first_a(first_a), .first_b(first_b)
+  );
+
+  sepax_load load_objects (
+    .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(s_axis_tvalid), .tready(s_axis_tready),
+    .tdata(s_axis_tdata), .tlast(s_axis_tlast), .tdest(s_axis_tdest), .write_a(write_a),
+    .write_b(write_b), .address(write_address), .triangle(write_triangle), .aabb(write_aabb),
+    .count_a(count_a), .count_b(count_b), .loading(loading), .ended(ended), .bad_word(bad_word),
+    .bad_frame(bad_frame), .bad_size(bad_size)
+  );
+
+  // Broad phase.
+  wire running;
+  wire [B:0] step_j;
+  wire is_b;
+  wire [A-1:0] round_base;
+  wire load;
+  wire is_a;
+  wire lanes_busy;
+  wire push;
+  wire [LANES-1:0] mask;
+  wire [B-1:0] mask_j;
+  wire [A-1:0] mask_base;
+  wire [6:0] tested;
+  wire free;
+  wire more;
+  wire pop;
+  wire [LANES-1:0] next_mask;
+  wire [B-1:0] next_j;
+  wire [A-1:0] next_base;
+  wire candidate;
+
+  sepax_enumerator enumerator (
+    .clk(clk), .rst(rst), .start(start), .halt(halt), .free(free), .count_a(count_a),
+    .count_b(count_b), .running(running), .step(step), .j(step_j), .is_b(is_b),
+    .address_b(aabb_address_b), .round_base(round_base), .address_a(aabb_address_a), .load(load),
+    .is_a(is_a)
+  );
+
+  sepax_comparators comparators (
+    .clk(clk), .clear(clear), .step(step), .j(step_j), .is_b(is_b), .base(round_base), .load(load),
+    .is_a(is_a), .aabb_a(read_aabb_a), .aabb_b(read_aabb_b), .move(move), .busy(lanes_busy),
+    .push(push), .mask(mask), .mask_j(mask_j), .mask_base(mask_base), .tested(tested)
+  );
+
+  // Six masks may come after the enumerator has seen the FIFO full.
+  sepax_fifo #(.WIDTH(LANES + A + B), .ADDRESS(4), .MARGIN(6)) candidates_fifo (
+    .clk(clk), .clear(clear), .push(push), .in({mask, mask_j, mask_base}), .free(free),
+    .valid(more), .pop(pop), .out({next_mask, next_j, next_base})
+  );
+
+  sepax_priority priority_encoder (
+    .clk(clk), .clear(clear), .more(more), .pop(pop), .next_mask(next_mask), .next_j(next_j),
+    .next_base(next_base), .valid(candidate), .take(fetch), .a(fetch_a), .b(fetch_b)
+  );
+
+  // Narrow phase.
+  wire fetch_busy;
+  wire pair_valid;
+  wire pair_ready;
+  wire [9*W-1:0] pair_a;
+  wire [9*W-1:0] pair_b;
+  wire outside;
+  wire [A-1:0] number_a;
+  wire [B-1:0] number_b;
+  wire in_flight;
+  wire verdict_valid;
+  wire verdict_ready;
+  wire collision;
+  wire coplanar;
+  //@ if extents
+  wire exceeds;
+  //@ end
+  //@ if limits
+  wire warning;
+  //@ end
+  wire verdict_outside;
+  wire [A-1:0] verdict_a;
+  wire [B-1:0] verdict_b;
+
+  sepax_fetch fetch_pair (
+    .clk(clk), .clear(clear), .valid(candidate), .a(fetch_a), .b(fetch_b), .read(fetch),
+    .read_a(read_triangle_a), .read_b(read_triangle_b), .move(move), .busy(fetch_busy),
+    .out_valid(pair_valid), .out_ready(pair_ready), .out_a(pair_a), .out_b(pair_b),
+    .out_outside(outside), .number_a(number_a), .number_b(number_b)
+  );
+
+  sepax_cores cores (
+    .clk(clk), .rst(rst), .pair_valid(pair_valid), .pair_ready(pair_ready), .pair_a(pair_a),
+    .pair_b(pair_b), .pair_info({outside, number_b, number_a}), .in_flight(in_flight),
+    .verdict_valid(verdict_valid), .verdict_ready(verdict_ready),
+    //@ if extents
+    .exceeds(exceeds),
+    //@ end
+    //@ if limits
+    .warning(warning),
+    //@ end
+    .collision(collision), .coplanar(coplanar),
+    .verdict_info({verdict_outside, verdict_b, verdict_a})
+  );
+
+  assign drained = !running && !lanes_busy && !more && !candidate && !fetch_busy && !in_flight;
+
+  sepax_results results (
+    .clk(clk), .rst(rst), .start(start), .stop(stop), .first(first), .quiet(quiet),
+    .tested(tested), .launched(pair_valid && pair_ready), .drained(drained),
+    .valid(verdict_valid), .ready(verdict_ready), .collision(collision), .coplanar(coplanar),
+    //@ if extents
+    .exceeds(exceeds),
+    //@ end
+    //@ if limits
+    .warning(warning),
+    //@ end
+    .outside(verdict_outside), .a(verdict_a), .b(verdict_b), .tvalid(m_axis_tvalid),
+    .tready(m_axis_tready), .tdata(m_axis_tdata), .tlast(m_axis_tlast), .halt(halt), .done(done),
+    .hit(hit), .busy(busy), .stopped(stopped), .any(any), .pairs(pairs), .candidates(candidates),
+    .collisions(collisions), .out_of_range(out_of_range), .warnings(warnings), .cycles(cycles),
+    .first_a(first_a), .first_b(first_b)
+  );
+endmodule

@@ -1,0 +1,80 @@
+// The triangles of a pair from the memories, B's moved, and valid/ready to the cores. A pair of
+// which B does not fit the word any more is marked; its verdict does not count.
+module sepax_fetch (
+  input  wire            clk,         // clock
+  input  wire            clear,       // drop what is in flight
+  input  wire            valid,       // a pair is here
+  input  wire [@index_a@-1:0]    a,           // number of A's triangle
+  input  wire [@index_b@-1:0]    b,           // number of B's triangle
+  output wire            read,        // it is taken: read both memories
+  input  wire [9*@word@-1:0] read_a,      // from A's, in the next cycle
+  input  wire [9*@word@-1:0] read_b,      // from B's
+  input  wire [3*(@word@+1)-1:0] move,    // added to B: {z, y, x}, signed
+  output wire            busy,        // a pair is in flight
+  output reg             out_valid,   // a pair for a core
+  input  wire            out_ready,   // it is taken
+  output reg  [9*@word@-1:0] out_a,       // A
+  output reg  [9*@word@-1:0] out_b,       // B
+  output reg             out_outside, // B does not fit
+  output reg  [@index_a@-1:0]    number_a,    // number of A's triangle
+  output reg  [@index_b@-1:0]    number_b     // number of B's triangle
+);
+  localparam W = @word@;  // bits of a coordinate
+  localparam V = @moved@; // of one that was moved
+  reg            valid_q;
+  reg  [@index_a@-1:0]   a_q;
+  reg  [@index_b@-1:0]   b_q;
+  wire           enable_1;
+  wire           enable_2;
+  wire [9*V-1:0] moved;
+  wire [9*W-1:0] moved_b;
+  wire [8:0]     outside;
+  genvar         k;
+
+  //@ if each_cycle
+  assign enable_2 = !out_valid || out_ready;
+  //@ else
+  // in_ready of a core comes late in its cycle; a pair in every other cycle is enough.
+  assign enable_2 = !out_valid;
+  //@ end
+  assign enable_1 = !valid_q || enable_2;
+  assign read = valid && enable_1;
+  assign busy = valid_q || out_valid;
+
+  generate
+    for (k = 0; k < 9; k = k + 1) begin : coordinate
+      assign moved[k*V +: V] = {{2{read_b[k*W+W-1]}}, read_b[k*W +: W]} +
+                               {move[(k%3)*(W+1)+W], move[(k%3)*(W+1) +: W+1]};
+      assign moved_b[k*W +: W] = moved[k*V +: W];
+      assign outside[k] = (moved[k*V+V-1] != moved[k*V+W-1]) ||
+                          (moved[k*V+V-2] != moved[k*V+W-1]);
+    end
+  endgenerate
+
+  always @(posedge clk) begin
+    if (clear) begin
+      valid_q <= 1'b0;
+      out_valid <= 1'b0;
+    end else begin
+      if (enable_1) begin
+        valid_q <= valid;
+      end
+      if (enable_2) begin
+        out_valid <= valid_q;
+      end else if (out_ready) begin
+        out_valid <= 1'b0;
+      end
+    end
+    if (read) begin
+      a_q <= a;
+      b_q <= b;
+    end
+    if (enable_2) begin
+      number_a <= a_q;
+      number_b <= b_q;
+      out_a <= read_a;
+      out_b <= moved_b;
+      out_outside <= |outside;
+    end
+  end
+endmodule

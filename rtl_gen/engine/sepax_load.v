@@ -1,0 +1,122 @@
+// Triangles from AXI4-Stream into a memory: a vertex a transfer, three a triangle, an object up to
+// TLAST. An object that is not whole is not there: its count stays 0.
+module sepax_load (
+  input  wire            clk,       // clock
+  input  wire            rst,       // synchronous reset, active high
+  input  wire            busy,      // a run goes on or begins: nothing is taken
+  input  wire            tvalid,    // a vertex is here
+  output wire            tready,    // it is taken in this cycle
+  input  wire [95:0]     tdata,     // {z, y, x}, signed, 32 bits each
+  input  wire            tlast,     // the last of the object
+  input  wire            tdest,     // 0: of object A, 1: of B; that of its first vertex counts
+  output reg             write_a,   // write a triangle of A
+  output reg             write_b,   // write a triangle of B
+  output reg  [@index@-1:0]    address,   // its number
+  output reg  [9*@word@-1:0] triangle,  // signed, @word@ bits each, x of the first vertex lowest
+  output wire [6*@word@-1:0] aabb,      // its AABB, {high, low} of z, y, x
+  output reg  [@index_a@:0]      count_a,   // triangles of A
+  output reg  [@index_b@:0]      count_b,   // triangles of B
+  output reg             loading,   // an object has begun to come
+  output reg             ended,     // the last vertex of an object came in the cycle before
+  output reg             bad_word,  // last object: a coordinate does not fit
+  output reg             bad_frame, // last object: ended within a triangle
+  output reg             bad_size   // last object: too many triangles
+);
+  localparam W = @word@;     // bits of a coordinate
+  localparam INDEX = @index@; // bits of a triangle's number
+  localparam [INDEX:0] ONE = 1;
+  reg              is_b_q;   // object B is coming
+  reg  [2:0]       phase_q;  // one-hot: the vertex of the triangle
+  reg  [INDEX:0]   number_q; // of the triangle
+  reg  [3*W-1:0]   vertex_1_q;
+  reg  [3*W-1:0]   vertex_2_q;
+  wire [3*W-1:0]   vertex;
+  wire [2:0]       fits;
+  wire             bad_vertex;
+  wire             take;
+  wire             to_b;
+  wire             free;
+  wire             bad;
+  wire             whole;
+  wire [INDEX:0]   next_number;
+  genvar           k;
+
+  assign tready = !busy;
+  assign take = tvalid && tready;
+  assign to_b = loading ? is_b_q : tdest;
+
+  generate
+    for (k = 0; k < 3; k = k + 1) begin : axis
+      assign vertex[k*W +: W] = tdata[32*k +: W];
+      //@ if narrow
+      assign fits[k] = !(|tdata[32*k+W-1 +: 33-W]) || (&tdata[32*k+W-1 +: 33-W]);
+      //@ else
+      assign fits[k] = 1'b1;
+      //@ end
+      sepax_bounds #(.W(W)) bounds (
+        .x_1(triangle[k*W +: W]), .x_2(triangle[(3+k)*W +: W]), .x_3(triangle[(6+k)*W +: W]),
+        .low(aabb[2*k*W +: W]), .high(aabb[(2*k+1)*W +: W])
+      );
+    end
+  endgenerate
+
+  assign bad_vertex = !(&fits);
+  //@ if smaller
+  assign free = !number_q[INDEX] && (@not_smaller@ || !(|number_q[INDEX-1:@smaller@]));
+  //@ else
+  assign free = !number_q[INDEX];
+  //@ end
+  assign bad = loading && (bad_word || bad_frame || bad_size);
+  assign whole = tlast && phase_q[2] && !bad_vertex && free && !bad;
+  assign next_number = number_q + ONE;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      loading <= 1'b0;
+      ended <= 1'b0;
+      phase_q <= 3'b001;
+      number_q <= {(INDEX+1){1'b0}};
+      write_a <= 1'b0;
+      write_b <= 1'b0;
+      count_a <= {(@index_a@+1){1'b0}};
+      count_b <= {(@index_b@+1){1'b0}};
+      bad_word <= 1'b0;
+      bad_frame <= 1'b0;
+      bad_size <= 1'b0;
+    end else begin
+      ended <= take && tlast;
+      write_a <= take && phase_q[2] && free && !to_b;
+      write_b <= take && phase_q[2] && free && to_b;
+      if (take) begin
+        loading <= !tlast;
+        phase_q <= tlast ? 3'b001 : {phase_q[1:0], phase_q[2]};
+        bad_word <= bad_vertex || (loading && bad_word);
+        bad_frame <= tlast && !phase_q[2];
+        bad_size <= (phase_q[2] && !free) || (loading && bad_size);
+        if (tlast) begin
+          number_q <= {(INDEX+1){1'b0}};
+        end else if (phase_q[2] && free) begin
+          number_q <= next_number;
+        end
+        if (to_b) begin
+          count_b <= next_number[@index_b@:0] & {(@index_b@+1){whole}};
+        end else begin
+          count_a <= next_number[@index_a@:0] & {(@index_a@+1){whole}};
+        end
+      end
+    end
+    if (take && !loading) begin
+      is_b_q <= tdest;
+    end
+    if (take && phase_q[0]) begin
+      vertex_1_q <= vertex;
+    end
+    if (take && phase_q[1]) begin
+      vertex_2_q <= vertex;
+    end
+    if (take && phase_q[2]) begin
+      triangle <= {vertex, vertex_2_q, vertex_1_q};
+      address <= number_q[INDEX-1:0];
+    end
+  end
+endmodule

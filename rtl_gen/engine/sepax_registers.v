@@ -1,0 +1,199 @@
+// The registers of the engine behind AXI4-Lite (sepax_registers.md lists them). All outputs are
+// registers; a write may come with its data before its address.
+module sepax_registers (
+  input  wire        clk,          // clock
+  input  wire        rst,          // synchronous reset, active high
+  input  wire        awvalid,      // AXI4-Lite: an address to write
+  output wire        awready,      // it is taken in this cycle
+  input  wire [6:0]  awaddr,       // address, a multiple of 4
+  input  wire        wvalid,       // data to write
+  output wire        wready,       // they are taken in this cycle
+  input  wire [31:0] wdata,        // data
+  input  wire [3:0]  wstrb,        // byte strobes; all 1, else SLVERR
+  output reg         bvalid,       // the write is done
+  input  wire        bready,       // its response is taken
+  output reg  [1:0]  bresp,        // 0: OKAY, 2: SLVERR, nothing was changed
+  input  wire        arvalid,      // an address to read
+  output wire        arready,      // it is taken in this cycle
+  input  wire [6:0]  araddr,       // address, a multiple of 4
+  output reg         rvalid,       // data are here
+  input  wire        rready,       // they are taken in this cycle
+  output reg  [31:0] rdata,        // data
+  output reg  [1:0]  rresp,        // 0: OKAY, 2: SLVERR
+  output wire        irq,          // interrupt, level
+  output reg         start,        // a run begins
+  output wire        starting,     // a run begins, or a write that asks for it is here
+  output reg         stop,         // the run is to end
+  output reg         first,        // mode: end at the first collision
+  output reg         quiet,        // mode: no result stream
+  output reg  [3*(@word@+1)-1:0] move, // added to B: {z, y, x}, signed
+  input  wire [31:0] status,       // what STATUS shows
+  input  wire        done,         // a run ends in this cycle
+  input  wire        hit,          // it finds its first collision in this cycle
+  input  wire        loaded,       // the last vertex of an object has come
+  input  wire [31:0] count_a,      // the register of that name
+  input  wire [31:0] count_b,      // likewise
+  input  wire [31:0] pairs,        // likewise
+  input  wire [31:0] candidates,   // likewise
+  input  wire [31:0] collisions,   // likewise
+  input  wire [31:0] out_of_range, // likewise
+  input  wire [31:0] warnings,     // likewise
+  input  wire [31:0] cycles,       // likewise
+  input  wire [31:0] first_a,      // likewise
+  input  wire [31:0] first_b       // likewise
+);
+  // Addresses of what can be written.
+@addresses@
+  localparam [31:0] IDENTITY = @identity@;
+  localparam [31:0] GENERATOR = @generator@;
+  localparam [31:0] DESIGN = @design@;
+  localparam [31:0] MEMORY = @memory@;
+  localparam M = @word@ + 1; // bits of a move
+  reg         address_full_q;
+  reg  [6:0]  address_q;
+  reg         data_full_q;
+  reg  [31:0] data_q;
+  reg         whole_q; // all byte strobes were 1
+  reg         read_full_q;
+  reg  [6:0]  read_address_q;
+  reg  [2:0]  enable_q;
+  reg  [2:0]  pending_q;
+  reg         accepted;
+  reg         known;
+  reg  [31:0] shown;
+  wire        write;
+  wire        accept;
+  wire        read;
+  wire        fits;
+  wire        busy;
+  wire        idle;
+  wire        can_start;
+  wire [95:0] shown_move; // {z, y, x}
+  //@ if !move_is_word
+  genvar      k;
+  //@ end
+
+  assign awready = !address_full_q;
+  assign wready = !data_full_q;
+  assign arready = !read_full_q;
+  assign write = address_full_q && data_full_q && (!bvalid || bready);
+  assign read = read_full_q && (!rvalid || rready);
+  assign starting = start || (address_full_q && data_full_q && (address_q == COMMAND) && data_q[0]);
+  assign irq = |(pending_q & enable_q);
+  assign busy = status[0];
+  assign idle = !busy && !start;
+  assign can_start = idle && status[4] && status[5] && !status[6];
+  //@ if move_is_word
+  assign fits = 1'b1;
+  assign shown_move = {move[2*M +: 32], move[M +: 32], move[0 +: 32]};
+  //@ else
+  assign fits = !(|data_q[31:M-1]) || (&data_q[31:M-1]);
+  generate
+    for (k = 0; k < 3; k = k + 1) begin : axis
+      assign shown_move[32*k +: 32] = {{(32-M){move[k*M+M-1]}}, move[k*M +: M]};
+    end
+  endgenerate
+  //@ end
+  assign accept = write && whole_q && accepted;
+
+  always @(*) begin
+    case (address_q)
+      COMMAND: accepted = ((data_q == 32'd1) && can_start) || (data_q == 32'd2);
+      MODE: accepted = idle && !(|data_q[31:2]);
+      ENABLE, PENDING: accepted = !(|data_q[31:3]);
+      MOVE_X, MOVE_Y, MOVE_Z: accepted = idle && fits;
+      default: accepted = 1'b0;
+    endcase
+  end
+
+  always @(*) begin
+    known = 1'b1;
+    case (read_address_q)
+@readable@
+      default: begin
+        shown = 32'd0;
+        known = 1'b0;
+      end
+    endcase
+  end
+
+  always @(posedge clk) begin
+    if (rst) begin
+      address_full_q <= 1'b0;
+      data_full_q <= 1'b0;
+      read_full_q <= 1'b0;
+      bvalid <= 1'b0;
+      rvalid <= 1'b0;
+      start <= 1'b0;
+      stop <= 1'b0;
+      first <= 1'b0;
+      quiet <= 1'b0;
+      enable_q <= 3'd0;
+      pending_q <= 3'd0;
+      move <= {(3*M){1'b0}};
+    end else begin
+      if (awvalid && awready) begin
+        address_full_q <= 1'b1;
+      end else if (write) begin
+        address_full_q <= 1'b0;
+      end
+      if (wvalid && wready) begin
+        data_full_q <= 1'b1;
+      end else if (write) begin
+        data_full_q <= 1'b0;
+      end
+      if (write) begin
+        bvalid <= 1'b1;
+      end else if (bready) begin
+        bvalid <= 1'b0;
+      end
+      if (arvalid && arready) begin
+        read_full_q <= 1'b1;
+      end else if (read) begin
+        read_full_q <= 1'b0;
+      end
+      if (read) begin
+        rvalid <= 1'b1;
+      end else if (rready) begin
+        rvalid <= 1'b0;
+      end
+      start <= accept && (address_q == COMMAND) && data_q[0];
+      stop <= accept && (address_q == COMMAND) && data_q[1];
+      if (accept && (address_q == MODE)) begin
+        first <= data_q[0];
+        quiet <= data_q[1];
+      end
+      if (accept && (address_q == ENABLE)) begin
+        enable_q <= data_q[2:0];
+      end
+      pending_q <= (pending_q & ~(data_q[2:0] & {3{accept && (address_q == PENDING)}})) |
+                   {loaded, hit, done};
+      if (accept && (address_q == MOVE_X)) begin
+        move[0*M +: M] <= @data@;
+      end
+      if (accept && (address_q == MOVE_Y)) begin
+        move[1*M +: M] <= @data@;
+      end
+      if (accept && (address_q == MOVE_Z)) begin
+        move[2*M +: M] <= @data@;
+      end
+    end
+    if (awvalid && awready) begin
+      address_q <= awaddr;
+    end
+    if (wvalid && wready) begin
+      data_q <= wdata;
+      whole_q <= &wstrb;
+    end
+    if (write) begin
+      bresp <= {!accept, 1'b0};
+    end
+    if (arvalid && arready) begin
+      read_address_q <= araddr;
+    end
+    if (read) begin
+      rdata <= shown;
+      rresp <= {!known, 1'b0};
+    end
+  end
+endmodule

@@ -1,0 +1,128 @@
+// Counts verdicts and sends those that are collisions as AXI4-Stream, 64 bits each:
+//   [31:0] number in A, [55:32] number in B, [56] coplanar, [57] out of range, [58] warning
+// A run ends with a transfer with TLAST: [31:0] how many there were, [62] stopped, [63] 1.
+module sepax_results (
+  input  wire         clk,          // clock
+  input  wire         rst,          // synchronous reset, active high
+  input  wire         start,        // a run begins
+  input  wire         stop,         // it is to end
+  input  wire         first,        // it is to end at its first collision
+  input  wire         quiet,        // nothing is sent
+  input  wire [6:0]   tested,       // pairs that the lanes test in this cycle
+  input  wire         launched,     // a pair goes on to a core
+  input  wire         drained,      // no pair is left anywhere
+  input  wire         valid,        // a verdict is here
+  output wire         ready,        // it is taken
+  input  wire         collision,    // the verdict
+  input  wire         coplanar,     // the triangles are in one plane
+  //@ if extents
+  input  wire         exceeds,      // an AABB exceeds its extent
+  //@ end
+  //@ if limits
+  input  wire         warning,      // in the band between clearance and warning
+  //@ end
+  input  wire         outside,      // B was moved out of the word
+  input  wire [@index_a@-1:0] a,            // the pair: number in A
+  input  wire [@index_b@-1:0] b,            // number in B
+  output reg          tvalid,       // a result is here
+  input  wire         tready,       // it is taken in this cycle
+  output reg  [63:0]  tdata,        // the result
+  output reg          tlast,        // the end of the run
+  output wire         halt,         // make no more pairs and drop those in flight
+  output wire         done,         // the run ends in this cycle
+  output wire         hit,          // its first collision is here
+  output reg          busy,         // a run is going on
+  output reg          stopped,      // it ends before all pairs are tested
+  output reg          any,          // a collision was found
+  output reg  [31:0]  pairs,        // pairs tested
+  output reg  [31:0]  candidates,   // pairs that went to the cores
+  output reg  [31:0]  collisions,   // pairs that collide
+  output reg  [31:0]  out_of_range, // of these, undecided
+  output reg  [31:0]  warnings,     // pairs that are too near
+  output reg  [31:0]  cycles,       // clock cycles of the run; stays at its largest value
+  output reg  [31:0]  first_a,      // first collision: number in A
+  output reg  [31:0]  first_b       // first collision: number in B
+);
+  localparam A = @index_a@; // bits of the number of a triangle of A
+  localparam B = @index_b@; // of B
+  reg         ending_q;
+  wire        take;
+  wire        undecided;
+  wire        found;
+  wire        warned;
+  wire        free;
+  wire        finish;
+  wire [31:0] sent;
+
+  assign free = !tvalid || tready;
+  assign ready = free;
+  assign take = valid && ready;
+  //@ if extents
+  assign undecided = outside || exceeds;
+  //@ else
+  assign undecided = outside;
+  //@ end
+  assign found = take && !stopped && (collision || undecided);
+  //@ if limits
+  assign warned = take && !stopped && warning && !collision && !undecided;
+  //@ else
+  assign warned = 1'b0;
+  //@ end
+  assign hit = found && !any;
+  assign halt = stop || (first && hit);
+  assign finish = busy && !ending_q && drained && free;
+  assign done = (finish && quiet) || (ending_q && free);
+  assign sent = collisions + warnings;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      busy <= 1'b0;
+      ending_q <= 1'b0;
+      stopped <= 1'b0;
+      any <= 1'b0;
+      tvalid <= 1'b0;
+    end else begin
+      if (start) begin
+        busy <= 1'b1;
+      end else if (done) begin
+        busy <= 1'b0;
+      end
+      ending_q <= (finish && !quiet) || (ending_q && !free);
+      if (start) begin
+        stopped <= 1'b0;
+        any <= 1'b0;
+      end else begin
+        stopped <= stopped || (busy && !ending_q && halt);
+        any <= any || found;
+      end
+      if (free) begin
+        tvalid <= (found || warned || finish) && !quiet;
+      end
+    end
+    if (free) begin
+      tlast <= finish;
+      tdata <= finish ? {1'b1, stopped, 30'd0, sent} :
+               {5'd0, warned, undecided, coplanar && !undecided,
+                {(24-B){1'b0}}, b, {(32-A){1'b0}}, a};
+    end
+    if (hit) begin
+      first_a <= {{(32-A){1'b0}}, a};
+      first_b <= {{(32-B){1'b0}}, b};
+    end
+    if (start) begin
+      pairs <= 32'd0;
+      candidates <= 32'd0;
+      collisions <= 32'd0;
+      out_of_range <= 32'd0;
+      warnings <= 32'd0;
+      cycles <= 32'd0;
+    end else begin
+      pairs <= pairs + {25'd0, tested};
+      candidates <= candidates + {31'd0, launched};
+      collisions <= collisions + {31'd0, found};
+      out_of_range <= out_of_range + {31'd0, found && undecided};
+      warnings <= warnings + {31'd0, warned};
+      cycles <= cycles + {31'd0, busy && !(&cycles)};
+    end
+  end
+endmodule

@@ -1,0 +1,187 @@
+// Narrow phase: sepax_core with its control. A pair enters at the end of an II window and moves on
+// by a stage in each; its verdict goes to the reorder buffer, which has an entry for each pair.
+//@ if passes
+// A pair that is flat in the projection on x and y goes round once more, as seen in u and z; flat
+// again, it is on a line, where the AABBs decide.
+//@ end
+module sepax_narrow (
+  input  wire            clk,      // clock
+  input  wire            rst,      // synchronous reset of the control, active high
+  input  wire            in_valid, // a pair is here
+  output wire            in_ready, // it is taken in this cycle
+  input  wire [18*@core_word@-1:0] in_pair, // x of A_1 (lowest) ... A_3, B_1 ... B_3, then y, then z
+  //@ if aabb_test
+  input  wire            in_disjoint, // the AABBs are disjoint; goes with the pair
+  //@ end
+  //@ if extents
+  input  wire            in_exceeds, // an AABB exceeds its extent; goes with the pair
+  //@ end
+  output wire            out_valid,     // a verdict is here
+  input  wire            out_ready,     // it is taken in this cycle
+  output wire            out_collision, // 1: @collision_about@
+  output wire            out_coplanar,  // 1: all six points are in one plane
+  //@ if limits
+  output wire [1:0]      out_band,      // 0 free, 1 warning, 2 collision
+  //@ end
+  //@ if aabb_test
+  output wire [@note@-1:0]      out_note, // in_disjoint@exceeds_about@ of the pair; no verdict if not 0
+  //@ end
+  output wire [3:0]      out_axis       // what @axis_about@, see sepax_top; 0 none
+);
+  localparam N = @core_word@;       // bits of a coordinate
+  localparam STAGES = @stages@;  // a pair is in stages 0 ... STAGES
+  //@ if passes
+  localparam JUDGED = @judged@;  // stage that it enters when its plane is known
+  //@ end
+  localparam TAG = @tag@;     // log2 of the entries of the reorder buffer
+  localparam RESULT = @result@;  // bits of a verdict
+
+  reg  [STAGES:0]           valid_q;  // a pair is in stage k
+  reg  [(STAGES+1)*TAG-1:0] tag_q;    // its entry in the reorder buffer
+  //@ if passes
+  reg  [STAGES:0]           second_q;   // this is its second pass
+  reg  [JUDGED-1:0]         disjoint_q; // its projections were disjoint in the first
+  reg  [STAGES-JUDGED:0]    in_plane_q; // from stage JUDGED on: it is separated if coplanar
+  //@ if aabb_test
+  reg  [JUDGED-1:0]         decided_q;  // the AABB test has decided it
+  //@ end
+  wire                      flat;
+  wire                      separated;
+  wire                      disjoint_x;
+  wire                      disjoint_z;
+  wire                      again;
+  wire                      disjoint;
+  //@ end
+  //@ if shared
+  localparam II = @ii@;
+  reg  [II-1:0]             slot_q; // cycle of the II window, one-hot; rests at its end
+  wire                      last_slot;
+  wire                      busy;
+  //@ end
+  wire                      free;
+  wire                      take;
+  wire                      enter;
+  wire                      coplanar;
+  wire [3:0]                axis;
+  //@ if limits
+  wire [1:0]                band;
+  //@ end
+  wire [TAG-1:0]            tail;
+  wire [RESULT-1:0]         result;
+  wire [RESULT-1:0]         oldest;
+  integer                   k;
+
+  //@ if shared
+  assign last_slot = slot_q[II-1];
+  assign busy = |valid_q;
+  //@ end
+  assign take = in_valid && in_ready;
+  assign in_ready = @at_last_slot@free@unless_again@;
+  //@ if passes
+  assign again = valid_q[JUDGED-1] && flat && !second_q[JUDGED-1]@unless_decided@;
+  assign disjoint = disjoint_x || (disjoint_z && !second_q[JUDGED-1]) || disjoint_q[JUDGED-1];
+  assign enter = take || again;
+  //@ else
+  assign enter = take;
+  //@ end
+
+  always @(posedge clk) begin
+    if (rst) begin
+      //@ if shared
+      slot_q <= {1'b1, {(II-1){1'b0}}};
+      //@ end
+      valid_q <= {(STAGES+1){1'b0}};
+    end else begin
+      //@ if shared
+      if (!last_slot || enter || busy) begin
+        slot_q <= {slot_q[II-2:0], slot_q[II-1]};
+      end
+      //@ end
+      if (@window_ends@) begin
+        valid_q[0] <= enter;
+        for (k = 1; k <= STAGES; k = k + 1) begin
+          valid_q[k] <= valid_q[k-1];
+        end
+        //@ if passes
+        valid_q[JUDGED] <= valid_q[JUDGED-1] && !again;
+        //@ end
+      end
+    end
+    if (@window_ends@) begin
+      //@ if passes
+      tag_q[0 +: TAG] <= again ? tag_q[(JUDGED-1)*TAG +: TAG] : tail;
+      second_q[0] <= again;
+      disjoint_q[0] <= again && disjoint;
+      //@ if aabb_test
+      decided_q[0] <= !again && @decided@;
+      //@ end
+      //@ else
+      tag_q[0 +: TAG] <= tail;
+      //@ end
+      for (k = 1; k <= STAGES; k = k + 1) begin
+        tag_q[k*TAG +: TAG] <= tag_q[(k-1)*TAG +: TAG];
+        //@ if passes
+        second_q[k] <= second_q[k-1];
+        //@ end
+      end
+      //@ if passes
+      for (k = 1; k < JUDGED; k = k + 1) begin
+        disjoint_q[k] <= disjoint_q[k-1];
+        //@ if aabb_test
+        decided_q[k] <= decided_q[k-1];
+        //@ end
+      end
+      in_plane_q[0] <= flat ? disjoint : separated;
+      for (k = 1; k <= STAGES - JUDGED; k = k + 1) begin
+        in_plane_q[k] <= in_plane_q[k-1];
+      end
+      //@ end
+    end
+  end
+
+  sepax_core core (
+    .clk(clk),
+    //@ if shared
+    .slot(slot_q),
+    //@ end
+    .in_a1_x(in_pair[0*N +: N]), .in_a1_y(in_pair[6*N +: N]), .in_a1_z(in_pair[12*N +: N]),
+    .in_a2_x(in_pair[1*N +: N]), .in_a2_y(in_pair[7*N +: N]), .in_a2_z(in_pair[13*N +: N]),
+    .in_a3_x(in_pair[2*N +: N]), .in_a3_y(in_pair[8*N +: N]), .in_a3_z(in_pair[14*N +: N]),
+    .in_b1_x(in_pair[3*N +: N]), .in_b1_y(in_pair[9*N +: N]), .in_b1_z(in_pair[15*N +: N]),
+    .in_b2_x(in_pair[4*N +: N]), .in_b2_y(in_pair[10*N +: N]), .in_b2_z(in_pair[16*N +: N]),
+    .in_b3_x(in_pair[5*N +: N]), .in_b3_y(in_pair[11*N +: N]), .in_b3_z(in_pair[17*N +: N]),
+    //@ if limits
+    .band(band),
+    //@ else
+    //@ if passes
+    .again(again), .flat(flat), .separated(separated), .disjoint_x(disjoint_x),
+    .disjoint_z(disjoint_z), .second(second_q[STAGES]), .in_plane(in_plane_q[STAGES-JUDGED]),
+    //@ else
+    .in_plane(1'b0),
+    //@ end
+    //@ end
+    .coplanar(coplanar), .axis(axis)
+  );
+
+  //@ if limits
+  assign result = {band, coplanar, axis};
+  //@ else
+  assign result = {coplanar, axis};
+  //@ end
+
+  sepax_reorder reorder (
+    .clk(clk), .rst(rst), .free(free), .take(take), .tail(tail),
+    //@ if aabb_test
+    .note(@note_in@), .oldest_note(out_note),
+    //@ end
+    .write(valid_q[STAGES]@at_verdict_slot@), .tag(tag_q[STAGES*TAG +: TAG]), .result(result),
+    .valid(out_valid), .ready(out_ready), .oldest(oldest)
+  );
+
+  assign out_coplanar = out_valid && oldest[4];
+  assign out_axis = oldest[3:0] & {4{out_valid}};
+  assign out_collision = out_valid && (oldest[3:0] == 4'd0);
+  //@ if limits
+  assign out_band = oldest[6:5] & {2{out_valid}};
+  //@ end
+endmodule

@@ -1,0 +1,212 @@
+// Exact collision detection of two triangles: the verdict is the mathematical one for every
+// input. valid/ready on both sides; a pair every @every@, verdicts in order.
+//@ if extents
+// Pairs @aabb_decided@ (axis @aabb_axis@); of the others those with an
+// AABB longer than @extent_a@ (A) or @extent_b@ (B) LSB are called collisions, undecided, and
+// flagged (out_of_range, axis @limit_axis@); for the rest @core_word@ bits of @word@ are enough.
+//@ end
+//@ if aabb_alone
+// Pairs @aabb_decided@ at once (axis @aabb_axis@). These enter the
+// core as zeros, which it passes on without a transition.
+//@ end
+//@ if limits
+// With a clearance: free means that the real triangles, of which each coordinate is within 1/2,
+// are farther apart than that; else the band says what is not proved.
+//@ end
+//@ if flag
+// Coplanar pairs are called collisions, undecided, and flagged.
+//@ end
+//@ if passes
+// Coplanar and degenerate pairs are decided, too; those flat in the projection on x and y go
+// round once more; in_ready is low for that II window.
+//@ end
+//@ if registered_ready
+// in_ready is a register: no path leads to it from an input.
+//@ end
+// out_axis: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B,
+// 12 @axis_12@@axis_aabb@; 0 none.
+// Latency @latency@ from the cycle in which a pair is taken to that of its verdict, both
+// counted@when_empty@. Outputs are 0 without out_valid.
+module sepax_top (
+  input  wire            clk,      // clock
+  input  wire            rst,      // synchronous reset of the control, active high
+  input  wire            in_valid, // a pair is here
+  output wire            in_ready, // it is taken in this cycle
+  input  wire signed [@msb@:0] in_a1_x, // x of A_1, @least@ ... @most@
+  input  wire signed [@msb@:0] in_a1_y, // y of A_1, @least@ ... @most@
+  input  wire signed [@msb@:0] in_a1_z, // z of A_1, @least@ ... @most@
+  input  wire signed [@msb@:0] in_a2_x, // x of A_2, @least@ ... @most@
+  input  wire signed [@msb@:0] in_a2_y, // y of A_2, @least@ ... @most@
+  input  wire signed [@msb@:0] in_a2_z, // z of A_2, @least@ ... @most@
+  input  wire signed [@msb@:0] in_a3_x, // x of A_3, @least@ ... @most@
+  input  wire signed [@msb@:0] in_a3_y, // y of A_3, @least@ ... @most@
+  input  wire signed [@msb@:0] in_a3_z, // z of A_3, @least@ ... @most@
+  input  wire signed [@msb@:0] in_b1_x, // x of B_1, @least@ ... @most@
+  input  wire signed [@msb@:0] in_b1_y, // y of B_1, @least@ ... @most@
+  input  wire signed [@msb@:0] in_b1_z, // z of B_1, @least@ ... @most@
+  input  wire signed [@msb@:0] in_b2_x, // x of B_2, @least@ ... @most@
+  input  wire signed [@msb@:0] in_b2_y, // y of B_2, @least@ ... @most@
+  input  wire signed [@msb@:0] in_b2_z, // z of B_2, @least@ ... @most@
+  input  wire signed [@msb@:0] in_b3_x, // x of B_3, @least@ ... @most@
+  input  wire signed [@msb@:0] in_b3_y, // y of B_3, @least@ ... @most@
+  input  wire signed [@msb@:0] in_b3_z, // z of B_3, @least@ ... @most@
+  output wire            out_valid,     // a verdict is here
+  input  wire            out_ready,     // it is taken in this cycle
+  output wire            out_collision, // 1: @collision_about@
+  output wire            out_coplanar,  // 1: all six points are in one plane
+  //@ if extents
+  output wire            out_of_range,  // 1: an AABB exceeds its extent; a collision, undecided
+  //@ end
+  //@ if limits
+  output wire [1:0]      out_band,      // 0 free, 1 warning, 2 collision
+  //@ end
+  output wire [3:0]      out_axis       // what @axis_about@, 0: nothing
+);
+  localparam W = @word@; // bits of a coordinate
+  wire [18*W-1:0] in_pair; // x of A_1 (lowest) ... A_3, B_1 ... B_3, then y, then z
+  wire [18*W-1:0] pair;
+  wire            pair_valid;
+  wire            pair_ready;
+
+  assign in_pair = {
+    in_b3_z, in_b2_z, in_b1_z, in_a3_z, in_a2_z, in_a1_z,
+    in_b3_y, in_b2_y, in_b1_y, in_a3_y, in_a2_y, in_a1_y,
+    in_b3_x, in_b2_x, in_b1_x, in_a3_x, in_a2_x, in_a1_x
+  };
+
+  //@ if registered_ready
+  sepax_skid #(.WIDTH(18*W)) skid (
+    .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in(in_pair),
+    .out_valid(pair_valid), .out_ready(pair_ready), .out(pair)
+  );
+  //@ else
+  assign pair = in_pair;
+  assign pair_valid = in_valid;
+  assign in_ready = pair_ready;
+  //@ end
+
+  //@ if aabb_test
+  wire [2:0]      axis_disjoint;
+  wire            disjoint;
+  wire            narrow_valid;
+  wire            narrow_ready;
+  wire            narrow_collision;
+  wire            narrow_coplanar;
+  wire [3:0]      narrow_axis;
+  //@ if limits
+  wire [1:0]      narrow_band;
+  //@ end
+  wire [@note@-1:0]      note;
+  wire            idle; // what the AABB test decides enters as zeros
+  genvar          k;
+  //@ if extents
+  localparam N = @core_word@; // bits of a coordinate from the local origin
+  reg             valid_q;
+  reg             valid_q2;
+  wire            enable_1;
+  wire            enable_2;
+  wire [2:0]      axis_exceeds;
+  wire            exceeds;
+  wire [18*N-1:0] near;
+
+  assign enable_2 = !valid_q2 || narrow_ready;
+  assign enable_1 = !valid_q || enable_2;
+  assign pair_ready = enable_1;
+  assign narrow_valid = valid_q2;
+  assign exceeds = !disjoint && (|axis_exceeds);
+
+  always @(posedge clk) begin
+    if (rst) begin
+      valid_q <= 1'b0;
+      valid_q2 <= 1'b0;
+    end else begin
+      if (enable_1) begin
+        valid_q <= pair_valid;
+      end
+      if (enable_2) begin
+        valid_q2 <= valid_q;
+      end
+    end
+  end
+
+  generate
+    for (k = 0; k < 3; k = k + 1) begin : axis
+      sepax_aabb_axis test (
+        .clk(clk), .enable_1(enable_1), .enable_2(enable_2), .points(pair[k*6*W +: 6*W]),
+        .exceeds(axis_exceeds[k]), .near(near[k*6*N +: 6*N]), .disjoint(axis_disjoint[k])
+      );
+    end
+  endgenerate
+  //@ else
+  localparam N = W; // bits of a coordinate in the core
+  reg             valid_q;
+  reg  [18*W-1:0] pair_q;
+  wire [18*N-1:0] near;
+
+  assign pair_ready = !valid_q || narrow_ready;
+  assign narrow_valid = valid_q;
+  assign near = pair_q;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      valid_q <= 1'b0;
+    end else if (pair_ready) begin
+      valid_q <= pair_valid;
+    end
+    if (pair_valid && pair_ready) begin
+      pair_q <= pair;
+    end
+  end
+
+  generate
+    for (k = 0; k < 3; k = k + 1) begin : axis
+      sepax_aabb_axis test (.points(pair_q[k*6*W +: 6*W]), .disjoint(axis_disjoint[k]));
+    end
+  endgenerate
+  //@ end
+
+  assign disjoint = |axis_disjoint;
+  assign idle = !narrow_valid || disjoint;
+
+  sepax_narrow narrow (
+    .clk(clk), .rst(rst), .in_valid(narrow_valid), .in_ready(narrow_ready),
+    .in_pair(near & {(18*N){!idle}}), .in_disjoint(disjoint),
+    //@ if extents
+    .in_exceeds(exceeds),
+    //@ end
+    .out_valid(out_valid), .out_ready(out_ready), .out_collision(narrow_collision),
+    .out_coplanar(narrow_coplanar),
+    //@ if limits
+    .out_band(narrow_band),
+    //@ end
+    .out_note(note), .out_axis(narrow_axis)
+  );
+
+  //@ if extents
+  assign out_of_range = out_valid && note[0];
+  assign out_coplanar = narrow_coplanar && (note == 2'd0);
+  assign out_collision = out_of_range || (narrow_collision && (note == 2'd0));
+  assign out_axis = (note == 2'd0) ? narrow_axis : ({2'b11, note[0], note[1]} & {4{out_valid}});
+  //@ if limits
+  assign out_band = (note == 2'd0) ? narrow_band : {out_of_range, 1'b0};
+  //@ end
+  //@ else
+  assign out_coplanar = narrow_coplanar && !note;
+  assign out_collision = narrow_collision && !note;
+  assign out_axis = note ? (4'd@aabb_axis@ & {4{out_valid}}) : narrow_axis;
+  //@ if limits
+  assign out_band = note ? 2'd0 : narrow_band;
+  //@ end
+  //@ end
+  //@ else
+  sepax_narrow narrow (
+    .clk(clk), .rst(rst), .in_valid(pair_valid), .in_ready(pair_ready), .in_pair(pair),
+    .out_valid(out_valid), .out_ready(out_ready), .out_collision(out_collision),
+    .out_coplanar(out_coplanar),
+    //@ if limits
+    .out_band(out_band),
+    //@ end
+    .out_axis(out_axis)
+  );
+  //@ end
+endmodule

@@ -1,0 +1,97 @@
+// Reorder buffer: verdicts in the order of their pairs. A pair gets an entry when it is taken; its
+// verdict is written there whenever it comes, and leaves when all before it have.
+module sepax_reorder #(
+  //@ if note
+  parameter NOTE = @note@,   // bits that come with a pair
+  //@ end
+  parameter TAG = @tag@,    // log2 of the entries
+  parameter RESULT = @result@  // bits of a verdict
+) (
+  input  wire              clk,    // clock
+  input  wire              rst,    // synchronous reset, active high
+  output wire              free,   // an entry is free
+  input  wire              take,   // a pair takes the next entry; only if one is free
+  //@ if note
+  input  wire [NOTE-1:0]   note,   // what is known of this pair
+  //@ end
+  output reg  [TAG-1:0]    tail,   // the next entry
+  input  wire              write,  // a verdict is here
+  input  wire [TAG-1:0]    tag,    // entry of its pair
+  input  wire [RESULT-1:0] result, // the verdict
+  output wire              valid,  // the oldest pair has its verdict
+  input  wire              ready,  // it may leave
+  //@ if note
+  output reg  [NOTE-1:0]   oldest_note, // note of the oldest pair
+  //@ end
+  output reg  [RESULT-1:0] oldest  // verdict of the oldest pair
+);
+  localparam ENTRIES = 1 << TAG;
+  localparam [TAG:0] ONE = 1;
+  localparam [ENTRIES-1:0] FIRST = 1;
+  reg  [ENTRIES-1:0]        head_q;   // the oldest entry, one-hot
+  reg  [TAG:0]              count_q;  // entries taken
+  reg  [ENTRIES-1:0]        done_q;   // entries that hold a verdict
+  reg  [ENTRIES*RESULT-1:0] result_q; // verdicts
+  //@ if note
+  reg  [ENTRIES*NOTE-1:0]   note_q;
+  //@ end
+  wire                      leave;
+  integer                   i;
+  integer                   k;
+
+  assign free = !count_q[TAG];
+  assign valid = |(head_q & done_q);
+  assign leave = valid && ready;
+
+  always @(*) begin
+    oldest = {RESULT{1'b0}};
+    //@ if note
+    oldest_note = {NOTE{1'b0}};
+    //@ end
+    for (i = 0; i < ENTRIES; i = i + 1) begin
+      oldest = oldest | (result_q[i*RESULT +: RESULT] & {RESULT{head_q[i]}});
+      //@ if note
+      oldest_note = oldest_note | (note_q[i*NOTE +: NOTE] & {NOTE{head_q[i]}});
+      //@ end
+    end
+  end
+
+  always @(posedge clk) begin
+    if (rst) begin
+      head_q <= FIRST;
+      tail <= {TAG{1'b0}};
+      count_q <= {(TAG+1){1'b0}};
+      done_q <= {ENTRIES{1'b0}};
+    end else begin
+      if (leave) begin
+        head_q <= {head_q[ENTRIES-2:0], head_q[ENTRIES-1]};
+      end
+      if (take) begin
+        tail <= tail + ONE[TAG-1:0];
+      end
+      if (take && !leave) begin
+        count_q <= count_q + ONE;
+      end
+      if (leave && !take) begin
+        count_q <= count_q - ONE;
+      end
+      for (k = 0; k < ENTRIES; k = k + 1) begin
+        if (write && (tag == k[TAG-1:0])) begin
+          done_q[k] <= 1'b1;
+        end else if (leave && head_q[k]) begin
+          done_q[k] <= 1'b0;
+        end
+      end
+    end
+    for (k = 0; k < ENTRIES; k = k + 1) begin
+      if (write && (tag == k[TAG-1:0])) begin
+        result_q[k*RESULT +: RESULT] <= result;
+      end
+      //@ if note
+      if (take && (tail == k[TAG-1:0])) begin
+        note_q[k*NOTE +: NOTE] <= note;
+      end
+      //@ end
+    end
+  end
+endmodule
