@@ -20,5 +20,6 @@ sepax_orient3d_edges.v
 sepax_decide.v
 sepax_projection.v
 sepax_core.v
-sepax_queue.v
+sepax_reorder.v
+sepax_narrow.v
 sepax_top.v
