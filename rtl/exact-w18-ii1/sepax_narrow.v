@@ -34,9 +34,9 @@ module sepax_narrow (
   reg  [JUDGED-1:0]         disjoint_q; // its projections were disjoint in the first
   reg  [STAGES-JUDGED:0]    in_plane_q; // from stage JUDGED on: it is separated if coplanar
   wire                      flat;
-  wire                      apart;
-  wire                      apart_x;
-  wire                      apart_z;
+  wire                      separated;
+  wire                      disjoint_x;
+  wire                      disjoint_z;
   wire                      again;
   wire                      disjoint;
   wire                      free;
@@ -52,7 +52,7 @@ module sepax_narrow (
   assign take = in_valid && in_ready;
   assign in_ready = free && !again;
   assign again = valid_q[JUDGED-1] && flat && !second_q[JUDGED-1];
-  assign disjoint = apart_x || (apart_z && !second_q[JUDGED-1]) || disjoint_q[JUDGED-1];
+  assign disjoint = disjoint_x || (disjoint_z && !second_q[JUDGED-1]) || disjoint_q[JUDGED-1];
   assign enter = take || again;
 
   always @(posedge clk) begin
@@ -78,7 +78,7 @@ module sepax_narrow (
       for (k = 1; k < JUDGED; k = k + 1) begin
         disjoint_q[k] <= disjoint_q[k-1];
       end
-      in_plane_q[0] <= flat ? disjoint : apart;
+      in_plane_q[0] <= flat ? disjoint : separated;
       for (k = 1; k <= STAGES - JUDGED; k = k + 1) begin
         in_plane_q[k] <= in_plane_q[k-1];
       end
@@ -93,8 +93,8 @@ module sepax_narrow (
     .in_b1_x(in_pair[3*N +: N]), .in_b1_y(in_pair[9*N +: N]), .in_b1_z(in_pair[15*N +: N]),
     .in_b2_x(in_pair[4*N +: N]), .in_b2_y(in_pair[10*N +: N]), .in_b2_z(in_pair[16*N +: N]),
     .in_b3_x(in_pair[5*N +: N]), .in_b3_y(in_pair[11*N +: N]), .in_b3_z(in_pair[17*N +: N]),
-    .again(again), .flat(flat), .apart(apart), .apart_x(apart_x), .apart_z(apart_z),
-    .second(second_q[STAGES]), .in_plane(in_plane_q[STAGES-JUDGED]),
+    .again(again), .flat(flat), .separated(separated), .disjoint_x(disjoint_x),
+    .disjoint_z(disjoint_z), .second(second_q[STAGES]), .in_plane(in_plane_q[STAGES-JUDGED]),
     .coplanar(coplanar), .axis(axis)
   );
 
