@@ -1,5 +1,6 @@
 /* main.c - build/sepax: picks the subcommand. */
 #include "cli.h"
+#include "util/temporary.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -35,6 +36,7 @@ int main(int argc, char **argv) {
   argp_program_version = "sepax " SEPAX_VERSION;
   argp_err_exit_status = EXIT_ERROR;
   cli_options_init();
+  temporary_remove_on_signals();
   if (argc >= 2 && strcmp(argv[1], "--help") == 0) {
     usage(stdout);
     return 0;

@@ -2,6 +2,7 @@
 #include "write_file.h"
 
 #include "error.h"
+#include "temporary.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -54,7 +55,11 @@ bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *con
   size_t size = strlen(path) + 64;
   char *aside = malloc(size);
   FILE *out = aside == NULL ? NULL : open_aside(aside, size, path);
+  int ticket = out == NULL ? -1 : temporary_add(aside);
   bool ok = out != NULL && finish(out, write(out, context), aside, path);
+  int reason = errno;
+  temporary_drop(ticket);
+  errno = reason;
   if (!ok) {
     sepax_fail(error, "%.300s: not written: %s; check the folder and its room", path,
                strerror(errno));

@@ -1,6 +1,7 @@
 /* emit.c - building and printing modules; check.c judges them. */
 #include "emit.h"
 #include "check.h"
+#include "gen.h"
 
 #include <stdarg.h>
 #include <stdlib.h>
@@ -245,4 +246,13 @@ void emit_print(const emit_module *m, FILE *out) {
     fprintf(out, ";\n\n");
   }
   fprintf(out, "%.*s\nendmodule\n\n`default_nettype wire\n", (int)m->body_size, m->body);
+}
+
+gen_line gen_format(const char *format, ...) {
+  gen_line line;
+  va_list args;
+  va_start(args, format);
+  vsnprintf(line.text, sizeof line.text, format, args);
+  va_end(args);
+  return line;
 }

@@ -1,29 +1,53 @@
 /* output.c - writing a generated design into a folder. */
-#include "check.h"
+#include "describe.h"
+#include "emit.h"
 #include "engine/engine.h"
 #include "gen.h"
 #include "util/error.h"
-#include "sepax_design.h"
+#include "util/temporary.h"
 
+#include <dirent.h>
 #include <errno.h>
-#include <jansson.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FILES = 128, PATH_ROOM = 32768 };
+enum { OTHER_FILES = 6, FOLDER_LENGTH = 3000 };
 
 typedef struct {
-  char name[EMIT_NAME + 8];
+  char *name;
+  char *path, *aside; /* where it goes; where it is written before */
   char *text;
   size_t size;
-  bool aside; /* written, not yet renamed */
+  int ticket;
+  bool written; /* aside, not yet renamed */
 } output_file;
 
-static FILE *open_file(output_file *file, const char *name) {
-  snprintf(file->name, sizeof file->name, "%s", name);
+typedef struct {
+  const char *folder;
+  output_file *file; /* modules and OTHER_FILES */
+  int count;
+} output;
+
+static char *join(const char *folder, const char *separator, const char *name) {
+  size_t size = strlen(folder) + strlen(separator) + strlen(name) + 1;
+  char *path = malloc(size);
+  if (path == NULL) {
+    abort();
+  }
+  snprintf(path, size, "%s%s%s", folder, separator, name);
+  return path;
+}
+
+/* A file of the output; what is written to the stream becomes its text. */
+static FILE *open_file(output *o, const char *name) {
+  output_file *file = &o->file[o->count++];
+  char process[32];
+  snprintf(process, sizeof process, ".tmp.%ld", (long)getpid());
+  *file = (output_file){.path = join(o->folder, "/", name), .ticket = -1};
+  file->name = emit_copy(name, strlen(name));
+  file->aside = join(file->path, process, "");
   FILE *stream = open_memstream(&file->text, &file->size);
   if (stream == NULL) {
     abort();
@@ -31,199 +55,63 @@ static FILE *open_file(output_file *file, const char *name) {
   return stream;
 }
 
-static json_t *describe_formats(const sepax_design *d) {
-  json_t *list = json_array();
-  for (int i = 0; i < d->formats; i++) {
-    const sepax_format *f = &d->format[i];
-    json_array_append_new(list, json_pack("{s:s, s:i, s:i, s:i}", "name", f->name, "exact",
-                                          f->exact, "width", f->width, "shift", f->shift));
-  }
-  return list;
-}
-
-static json_t *describe_ports(const emit_module *top) {
-  json_t *list = json_array();
-  for (int i = 0; i < top->symbols; i++) {
-    const emit_symbol *s = &top->symbol[i];
-    if (emit_is_port(s)) {
-      json_array_append_new(list, json_pack("{s:s, s:s, s:i, s:b, s:s}", "name", s->name,
-                                            "direction", s->kind == EMIT_INPUT ? "input" : "output",
-                                            "width", emit_port_width(top, s), "signed",
-                                            s->is_signed, "about", s->about));
-    }
-  }
-  return list;
-}
-
-/* Each option of the design: "early_out": "boxes". */
-static void describe_settings(json_t *all, const sepax_config *config) {
-  sepax_setting setting;
-  for (size_t i = 0; sepax_config_setting(config, i, &setting); i++) {
-    char name[sizeof setting.value];
-    size_t k = 0;
-    for (; setting.name[k] != '\0' && k + 1 < sizeof name; k++) {
-      name[k] = (char)(setting.name[k] == '-' ? '_' : setting.name[k]);
-    }
-    name[k] = '\0';
-    double number = setting.is_number ? strtod(setting.value, NULL) : 0;
-    json_int_t whole = (json_int_t)number;
-    json_object_set_new(all, name,
-                        !setting.is_number        ? json_string(setting.value)
-                        : (double)whole == number ? json_integer(whole)
-                                                  : json_real(number));
-  }
-}
-
-static json_t *describe(const emitter *e) {
+static void render(const emitter *e, output *o) {
   const sepax_design *d = e->design;
-  const sepax_config *c = &d->config;
-  char text[SEPAX_CONFIG_TEXT];
-  json_t *modules = json_array();
   for (int i = 0; i < e->modules; i++) {
-    json_array_append_new(modules, json_string(e->module[i]->name));
-  }
-  bool exact = c->arch == SEPAX_ARCH_EXACT;
-  json_t *all = json_pack("{s:s, s:s}", "version", SEPAX_VERSION, "options",
-                          sepax_config_text(c, text, sizeof text));
-  describe_settings(all, c);
-  json_object_set_new(all, "latency", json_integer(d->latency));
-  json_object_set_new(all, "input_words", json_integer(exact ? 1 : 3));
-  if (exact) {
-    if (c->extent_a > 0) {
-      json_object_set_new(all, "core_word", json_integer(d->core_word));
-    }
-    if (d->limits > 0) {
-      json_object_set_new(all, "margin", json_integer((json_int_t)d->margin[1]));
-    }
-    json_object_set_new(all, "behavioural_view", json_string("SEPAX_BEHAVIOURAL"));
-  } else {
-    json_object_set_new(all, "coplanar_limit", json_integer((json_int_t)d->coplanar_limit));
-  }
-  json_object_set_new(all, "formats", describe_formats(d));
-  json_object_set_new(all, "modules", modules);
-  json_object_set_new(all, "ports", describe_ports(e->module[e->modules - 1]));
-  return all;
-}
-
-static int render(const emitter *e, output_file file[FILES]) {
-  const sepax_design *d = e->design;
-  char name[EMIT_NAME + 8];
-  char options[SEPAX_CONFIG_TEXT];
-  char variables[SEPAX_CONFIG_TEXT];
-  int count = 0;
-  for (; count < e->modules; count++) {
-    snprintf(name, sizeof name, "%s.v", e->module[count]->name);
-    FILE *out = open_file(&file[count], name);
-    emit_print(e->module[count], out);
+    char *name = join(e->module[i]->name, ".", "v");
+    FILE *out = open_file(o, name);
+    emit_print(e->module[i], out);
     fclose(out);
+    free(name);
   }
-  FILE *out = open_file(&file[count++], "sepax.f");
+  FILE *out = open_file(o, "sepax.f");
   for (int i = 0; i < e->modules; i++) {
     fprintf(out, "%s.v\n", e->module[i]->name);
   }
   fclose(out);
   if (d == NULL) {
-    return count;
+    return;
   }
-  sepax_config_variables(&d->config, variables, sizeof variables);
-  out = open_file(&file[count++], "sepax_params.h");
-  fprintf(out,
-          "/* Generated by sepax %s; do not edit. */\n"
-          "#define SEPAX_OPTIONS \"%s\"\n#define SEPAX_MAKE \"%s\"\n"
-          "#define SEPAX_WORD %d\n#define SEPAX_LATENCY %d\n#define SEPAX_II %d\n"
-          "#define SEPAX_EXACT %d\n#define SEPAX_FLAG %d\n",
-          SEPAX_VERSION, sepax_config_text(&d->config, options, sizeof options), variables,
-          d->config.word, d->latency, d->config.ii, d->config.arch == SEPAX_ARCH_EXACT,
-          d->config.flag);
-  if (d->config.arch == SEPAX_ARCH_CONFERENCE) {
-    fprintf(out, "#define SEPAX_CONFERENCE 1\n");
-  }
-  if (d->aabb_test) {
-    fprintf(out, "#define SEPAX_BOXES 1\n");
-  }
-  if (d->config.extent_a > 0) {
-    fprintf(out, "#define SEPAX_EXTENT_A %d\n#define SEPAX_EXTENT_B %d\n", d->config.extent_a,
-            d->config.extent_b);
-  }
-  if (d->config.lanes > 0) {
-    fprintf(
-        out,
-        "#define SEPAX_LANES %d\n#define SEPAX_CORES %d\n#define SEPAX_MEMORY_A %d\n#define SEPAX_MEMORY_B %d\n",
-        d->config.lanes, d->config.cores, d->config.memory_a, d->config.memory_b);
-  }
-  if (d->limits > 0) {
-    fprintf(out, "#define SEPAX_BANDS %d\n", d->limits + 1);
-  }
+  out = open_file(o, "sepax_params.h");
+  describe_c(d, out);
   fclose(out);
-  out = open_file(&file[count++], "sepax_params.vh");
-  fprintf(out,
-          "// Generated by sepax %s; do not edit.\n"
-          "localparam WORD = %d;\nlocalparam LATENCY = %d;\nlocalparam II = %d;\n",
-          SEPAX_VERSION, d->config.word, d->latency, d->config.ii);
-  if (d->aabb_test) {
-    fprintf(out, "`define SEPAX_BOXES\n");
-  }
-  if (d->config.arch == SEPAX_ARCH_CONFERENCE) {
-    fprintf(out, "`define SEPAX_CONFERENCE\n");
-  }
-  if (d->limits > 0) {
-    fprintf(out, "`define SEPAX_BANDS\n");
-  }
+  out = open_file(o, "sepax_params.vh");
+  describe_verilog(d, out);
   fclose(out);
   if (d->config.lanes > 0) {
-    out = open_file(&file[count++], "sepax_registers.h");
+    out = open_file(o, "sepax_registers.h");
     engine_header(out);
     fclose(out);
-    out = open_file(&file[count++], "sepax_registers.md");
+    out = open_file(o, "sepax_registers.md");
     engine_page(out);
     fclose(out);
   }
-  out = open_file(&file[count++], "sepax.json");
-  json_t *description = describe(e);
-  json_dumpf(description, out, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
-  fputc('\n', out);
-  json_decref(description);
+  out = open_file(o, "sepax.json");
+  describe_json(e, out);
   fclose(out);
-  return count;
 }
 
-/* Where a file is written before it is renamed; the process's own. */
-static const char *aside_path(char path[PATH_ROOM], const char *folder, const output_file *file) {
-  snprintf(path, PATH_ROOM, "%s/%s.tmp.%ld", folder, file->name, (long)getpid());
-  return path;
-}
-
-static bool write_aside(const char *folder, output_file *file, sepax_error *error) {
-  char path[PATH_ROOM];
-  FILE *out = fopen(aside_path(path, folder, file), "wx");
+static bool write_aside(output_file *file, sepax_error *error) {
+  FILE *out = fopen(file->aside, "wx");
   if (out == NULL) {
-    return sepax_fail(error, "%.200s: %s; give a folder that can be written to", path,
+    return sepax_fail(error, "%.200s: %s; give a folder that can be written to", file->aside,
                       strerror(errno));
   }
-  file->aside = true;
-  bool written = fwrite(file->text, 1, file->size, out) == file->size;
-  if (fclose(out) != 0 || !written) {
-    return sepax_fail(error, "%.200s: %s; free some space or give another folder", path,
+  file->ticket = temporary_add(file->aside);
+  file->written = true;
+  bool whole = fwrite(file->text, 1, file->size, out) == file->size;
+  if (fclose(out) != 0 || !whole) {
+    return sepax_fail(error, "%.200s: %s; free some space or give another folder", file->aside,
                       strerror(errno));
   }
   return true;
 }
 
-static void remove_aside(const char *folder, const output_file *file, int count) {
-  char path[PATH_ROOM];
-  for (int i = 0; i < count; i++) {
-    if (file[i].aside) {
-      unlink(aside_path(path, folder, &file[i]));
-    }
-  }
-}
-
 /* A folder where a file must go would stop the renaming half way. */
-static bool ways_clear(const char *folder, const output_file *file, int count, sepax_error *error) {
-  char path[PATH_ROOM];
+static bool ways_clear(const output *o, sepax_error *error) {
   struct stat status;
-  for (int i = 0; i < count; i++) {
-    snprintf(path, sizeof path, "%s/%s", folder, file[i].name);
+  for (int i = 0; i < o->count; i++) {
+    const char *path = o->file[i].path;
     if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
       return sepax_fail(error, "%.200s: not a regular file; remove it", path);
     }
@@ -231,54 +119,106 @@ static bool ways_clear(const char *folder, const output_file *file, int count, s
   return true;
 }
 
-static bool rename_all(const char *folder, const output_file *file, int count, sepax_error *error) {
-  char from[PATH_ROOM];
-  char to[PATH_ROOM];
-  for (int i = 0; i < count; i++) {
-    snprintf(to, sizeof to, "%s/%s", folder, file[i].name);
-    if (rename(aside_path(from, folder, &file[i]), to) != 0) {
-      return sepax_fail(error, "%.200s: %s; remove what is in the way", to, strerror(errno));
+static bool rename_all(output *o, sepax_error *error) {
+  for (int i = 0; i < o->count; i++) {
+    output_file *file = &o->file[i];
+    if (rename(file->aside, file->path) != 0) {
+      return sepax_fail(error, "%.200s: %s; remove what is in the way", file->path,
+                        strerror(errno));
     }
+    file->written = false;
+  }
+  return true;
+}
+
+/* Does a regular file begin as generated ones do? */
+static bool is_generated(const char *path) {
+  char head[4096];
+  struct stat status;
+  FILE *in = lstat(path, &status) == 0 && S_ISREG(status.st_mode) ? fopen(path, "r") : NULL;
+  if (in == NULL) {
+    return false;
+  }
+  size_t size = fread(head, 1, sizeof head - 1, in);
+  fclose(in);
+  head[size] = '\0';
+  const char *banner = strstr(head, "Generated by sepax ");
+  return banner != NULL && strstr(banner, "; do not edit.") != NULL;
+}
+
+/* Files of a design that was in the folder before and that the new one does not have: named
+ * sepax_..., with the banner of generated files. All others stay. */
+static void remove_former(const output *o) {
+  DIR *folder = opendir(o->folder);
+  const struct dirent *entry = NULL;
+  while (folder != NULL && (entry = readdir(folder)) != NULL) {
+    bool ours = strncmp(entry->d_name, "sepax_", 6) == 0;
+    for (int i = 0; i < o->count && ours; i++) {
+      ours = strcmp(entry->d_name, o->file[i].name) != 0;
+    }
+    char *path = join(o->folder, "/", entry->d_name);
+    if (ours && is_generated(path)) {
+      unlink(path);
+    }
+    free(path);
+  }
+  if (folder != NULL) {
+    closedir(folder);
+  }
+}
+
+static void close_files(output *o) {
+  for (int i = 0; i < o->count; i++) {
+    output_file *file = &o->file[i];
+    if (file->written) {
+      unlink(file->aside);
+    }
+    temporary_drop(file->ticket);
+    free(file->name);
+    free(file->path);
+    free(file->aside);
+    free(file->text);
+  }
+  free(o->file);
+}
+
+static bool make_folder(const char *folder, bool *made, sepax_error *error) {
+  struct stat status;
+  if (strlen(folder) > FOLDER_LENGTH) {
+    return sepax_fail(error, "%.60s...: the folder's name is too long", folder);
+  }
+  *made = mkdir(folder, 0777) == 0;
+  if (!*made && errno != EEXIST) {
+    return sepax_fail(error, "%.200s: %s; give a folder that can be made", folder, strerror(errno));
+  }
+  if (!*made && (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode))) {
+    return sepax_fail(error, "%.200s: not a folder; give another name", folder);
   }
   return true;
 }
 
 bool gen_write(const emitter *e, const char *folder, sepax_error *error) {
-  if (strlen(folder) > 3000) {
-    return sepax_fail(error, "%.60s...: the folder's name is too long", folder);
+  bool made = false;
+  if (!make_folder(folder, &made, error)) {
+    return false;
   }
-  bool made = mkdir(folder, 0777) == 0;
-  struct stat status;
-  if (!made && errno != EEXIST) {
-    return sepax_fail(error, "%.200s: %s; give a folder that can be made", folder, strerror(errno));
+  output o = {.folder = folder};
+  o.file = calloc((size_t)e->modules + OTHER_FILES, sizeof o.file[0]);
+  if (o.file == NULL) {
+    abort();
   }
-  if (!made && (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode))) {
-    return sepax_fail(error, "%.200s: not a folder; give another name", folder);
+  render(e, &o);
+  bool ok = ways_clear(&o, error);
+  for (int i = 0; i < o.count && ok; i++) {
+    ok = write_aside(&o.file[i], error);
   }
-  output_file file[FILES] = {0};
-  int count = render(e, file);
-  bool ok = ways_clear(folder, file, count, error);
-  for (int i = 0; i < count && ok; i++) {
-    ok = write_aside(folder, &file[i], error);
+  ok = ok && rename_all(&o, error);
+  if (ok) {
+    remove_former(&o);
   }
-  ok = ok && rename_all(folder, file, count, error);
-  if (!ok) {
-    remove_aside(folder, file, count);
-    if (made) {
-      rmdir(folder);
-    }
-  }
-  for (int i = 0; i < count; i++) {
-    free(file[i].text);
+  close_files(&o);
+  if (!ok && made) {
+    rmdir(folder);
   }
   return ok;
-}
-
-gen_line gen_format(const char *format, ...) {
-  gen_line line;
-  va_list args;
-  va_start(args, format);
-  vsnprintf(line.text, sizeof line.text, format, args);
-  va_end(args);
-  return line;
 }

@@ -1,0 +1,53 @@
+/* temporary.c - a signal's handler reads the paths, so each stands in an atomic pointer. */
+#include "temporary.h"
+
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { TICKETS = 256 };
+
+static _Atomic(char *) under_way[TICKETS];
+
+int temporary_add(const char *path) {
+  char *copy = strdup(path);
+  for (int i = 0; copy != NULL && i < TICKETS; i++) {
+    char *none = NULL;
+    if (atomic_compare_exchange_strong(&under_way[i], &none, copy)) {
+      return i;
+    }
+  }
+  free(copy);
+  return -1;
+}
+
+void temporary_drop(int ticket) {
+  if (ticket >= 0) {
+    free(atomic_exchange(&under_way[ticket], NULL));
+  }
+}
+
+static void remove_and_end(int number) {
+  for (int i = 0; i < TICKETS; i++) {
+    const char *path = atomic_load(&under_way[i]);
+    if (path != NULL) {
+      unlink(path);
+    }
+  }
+  raise(number); /* SA_RESETHAND: its default now */
+}
+
+void temporary_remove_on_signals(void) {
+  static const int number[] = {SIGINT, SIGTERM, SIGHUP};
+  for (size_t i = 0; i < sizeof number / sizeof number[0]; i++) {
+    struct sigaction was;
+    struct sigaction action = {.sa_handler = remove_and_end};
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = (int)SA_RESETHAND;
+    if (sigaction(number[i], NULL, &was) == 0 && was.sa_handler != SIG_IGN) {
+      sigaction(number[i], &action, NULL);
+    }
+  }
+}

@@ -1,0 +1,16 @@
+/* temporary.h - files under way, which a signal that ends the program removes (private). */
+#ifndef SEPAX_TEMPORARY_H
+#define SEPAX_TEMPORARY_H
+
+/* Remember a file that is not to outlive the program; the ticket goes to temporary_drop. -1: it
+ * is not remembered, as too many are. */
+int temporary_add(const char *path);
+
+/* The file is renamed or removed. */
+void temporary_drop(int ticket);
+
+/* From now on SIGINT, SIGTERM and SIGHUP remove the files and then end the program as they do
+ * by default; a signal that is ignored stays ignored. For programs, not for the library. */
+void temporary_remove_on_signals(void);
+
+#endif

@@ -1,0 +1,11 @@
+/* describe.h - the files that tell benches and scripts about a design. */
+#ifndef SEPAX_EMIT_DESCRIBE_H
+#define SEPAX_EMIT_DESCRIBE_H
+
+#include "module.h"
+
+void describe_json(const emitter *e, FILE *out);              /* sepax.json */
+void describe_c(const sepax_design *design, FILE *out);       /* sepax_params.h */
+void describe_verilog(const sepax_design *design, FILE *out); /* sepax_params.vh */
+
+#endif

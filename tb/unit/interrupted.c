@@ -1,0 +1,87 @@
+/* interrupted.c - a signal that ends a program leaves no half-written file. */
+#include "util/temporary.h"
+#include "util/write_file.h"
+
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static const char *const path = "build/test/interrupted.txt";
+
+/* Write something and be interrupted: by a signal, or not by 0. */
+static bool write_half(FILE *out, const void *context) {
+  const int *number = context;
+  fputs("half", out);
+  fflush(out);
+  if (*number != 0) {
+    raise(*number);
+  }
+  return true;
+}
+
+/* How a process ends that is interrupted while it writes. */
+static int end_of(int number, bool program) {
+  pid_t child = fork();
+  assert_true(child >= 0);
+  if (child == 0) {
+    sepax_error error = {""};
+    if (program) {
+      temporary_remove_on_signals();
+    }
+    _exit(sepax_write_file(path, write_half, &number, &error) ? 0 : 1);
+  }
+  int status = 0;
+  assert_int_equal(waitpid(child, &status, 0), child);
+  char command[128];
+  snprintf(command, sizeof command, "ls %s.tmp.%ld.* > build/test/interrupted.ls 2>&1", path,
+           (long)child);
+  assert_int_equal(system(command) == 0, number != 0 && !program);
+  snprintf(command, sizeof command, "rm -f %s.tmp.*", path);
+  assert_int_equal(system(command), 0);
+  return status;
+}
+
+static void test_signals(void **state) {
+  (void)state;
+  static const int number[] = {SIGINT, SIGTERM, SIGHUP};
+  assert_int_equal(system("mkdir -p build/test"), 0);
+  for (int i = 0; i < 3; i++) {
+    int status = end_of(number[i], true);
+    assert_true(WIFSIGNALED(status));
+    assert_int_equal(WTERMSIG(status), number[i]);
+    assert_int_equal(access(path, F_OK), -1);
+  }
+  end_of(SIGTERM, false); /* the library leaves signals alone */
+  assert_int_equal(end_of(0, true), 0);
+  assert_int_equal(access(path, F_OK), 0);
+  unlink(path);
+}
+
+/* More files than tickets are still written. */
+static void test_tickets(void **state) {
+  (void)state;
+  int ticket[300];
+  for (int i = 0; i < 300; i++) {
+    ticket[i] = temporary_add("build/test/no-such-file");
+  }
+  assert_int_equal(ticket[0], 0);
+  assert_int_equal(ticket[299], -1);
+  for (int i = 0; i < 300; i++) {
+    temporary_drop(ticket[i]);
+  }
+  assert_int_equal(temporary_add("build/test/no-such-file"), 0);
+  temporary_drop(0);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_signals),
+      cmocka_unit_test(test_tickets),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
