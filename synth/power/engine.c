@@ -20,13 +20,13 @@ static const uint64_t END = UINT64_C(1) << 63;
 
 /* sepax_ram: one port to write, one to read. */
 typedef struct {
-  int write, read, bits, places; /* of a word, of an address */
+  int write, read, bits, address_bits; /* of a word, of an address */
   int write_address[ADDRESS_MOST], read_address[ADDRESS_MOST];
   int write_data[WORD_MOST], read_data[WORD_MOST];
   uint64_t *word; /* [address][bit], one bit a lane */
 } memory;
 
-/* What a lane owes: its results in order, the end behind them; its counts. */
+/* What is outstanding in a lane: its results in order, the end behind them; its counts. */
 typedef struct {
   uint64_t *result;
   size_t count, seen;
@@ -61,30 +61,30 @@ static void find_memories(engine *e) {
     const char *kind = k < 2 ? "aabb" : "triangle";
     char x = (char)('a' + k % 2);
     char name[32];
-    int room = k % 2 == 0 ? c->memory_a : c->memory_b;
+    int words = k % 2 == 0 ? c->memory_a : c->memory_b;
     m->bits = (k < 2 ? 6 : 9) * c->word;
-    while (1 << m->places < room) {
-      m->places++;
+    while (1 << m->address_bits < words) {
+      m->address_bits++;
     }
     snprintf(name, sizeof name, "write_%c", x);
     m->write = gates_find(g, name, -1);
     m->read = gates_find(g, k < 2 ? "step" : "fetch", -1);
-    gates_find_word(g, "write_address", m->places, m->write_address);
+    gates_find_word(g, "write_address", m->address_bits, m->write_address);
     snprintf(name, sizeof name, "write_%s", kind);
     gates_find_word(g, name, m->bits, m->write_data);
     snprintf(name, sizeof name, k < 2 ? "aabb_address_%c" : "fetch_%c", x);
-    gates_find_word(g, name, m->places, m->read_address);
+    gates_find_word(g, name, m->address_bits, m->read_address);
     snprintf(name, sizeof name, "read_%s_%c", kind, x);
     gates_find_word(g, name, m->bits, m->read_data);
-    m->word = text_alloc((size_t)room * (size_t)m->bits, sizeof *m->word);
+    m->word = text_alloc((size_t)words * (size_t)m->bits, sizeof *m->word);
   }
 }
 
 /* Those of the lanes `of` that ask for the same word as the first of them. */
 static uint64_t with_first(const gates *g, const memory *m, const int address[], uint64_t of,
                            uint64_t **word) {
-  uint64_t number = gates_get(g, address, m->places, (unsigned)__builtin_ctzll(of));
-  for (int k = 0; k < m->places; k++) {
+  uint64_t number = gates_get(g, address, m->address_bits, (unsigned)__builtin_ctzll(of));
+  for (int k = 0; k < m->address_bits; k++) {
     of &= (number >> k & 1) != 0 ? g->value[address[k]] : ~g->value[address[k]];
   }
   *word = m->word + number * (uint64_t)m->bits;
@@ -161,16 +161,16 @@ static void blame(engine *e, uint64_t lanes) {
 }
 
 static void take_result(engine *e, unsigned l) {
-  expected *owed = &e->lane[l];
+  expected *outstanding = &e->lane[l];
   uint64_t lane = UINT64_C(1) << l;
   uint64_t result = gates_get(e->g, e->out_data, 64, l);
   bool last = (e->g->value[e->out_last] >> l & 1) != 0;
-  bool right = (e->ended & lane) == 0 && result == owed->result[owed->seen] &&
-               last == (owed->seen == owed->count);
+  bool right = (e->ended & lane) == 0 && result == outstanding->result[outstanding->seen] &&
+               last == (outstanding->seen == outstanding->count);
   e->tally.wrong += !right;
   e->tally.coplanar += !last && (result >> 56 & 1) != 0;
   e->tally.out_of_range += !last && (result >> 57 & 1) != 0;
-  owed->seen += right && !last;
+  outstanding->seen += right && !last;
   e->ended |= last ? lane : 0;
 }
 
@@ -279,7 +279,7 @@ static uint64_t result_of(const sepax_design *design, const sepax_tri *a, const 
 
 static void expect(engine *e, unsigned l) {
   static const int32_t still[3] = {0, 0, 0};
-  expected *owed = &e->lane[l];
+  expected *outstanding = &e->lane[l];
   sepax_error error = {""};
   sepax_engine_run run;
   sepax_tri *tri[2];
@@ -294,16 +294,16 @@ static void expect(engine *e, unsigned l) {
     fprintf(stderr, "power: %s\n", error.text);
     exit(2);
   }
-  owed->count = run.found.count;
-  owed->pairs = (uint32_t)run.pairs;
-  owed->candidates = (uint32_t)run.candidates;
-  owed->collisions = (uint32_t)run.collisions;
-  owed->result = text_alloc(owed->count + 1, sizeof *owed->result);
-  for (size_t k = 0; k < owed->count; k++) {
+  outstanding->count = run.found.count;
+  outstanding->pairs = (uint32_t)run.pairs;
+  outstanding->candidates = (uint32_t)run.candidates;
+  outstanding->collisions = (uint32_t)run.collisions;
+  outstanding->result = text_alloc(outstanding->count + 1, sizeof *outstanding->result);
+  for (size_t k = 0; k < outstanding->count; k++) {
     const size_t *number = run.found.pair[k];
-    owed->result[k] = result_of(e->design, &tri[0][number[0]], &tri[1][number[1]], number);
+    outstanding->result[k] = result_of(e->design, &tri[0][number[0]], &tri[1][number[1]], number);
   }
-  owed->result[owed->count] = END | owed->count;
+  outstanding->result[outstanding->count] = END | outstanding->count;
   e->limit = 2 * run.cycles + PATIENCE > e->limit ? 2 * run.cycles + PATIENCE : e->limit;
   sepax_pairs_free(&run.found);
   free(tri[0]);
@@ -339,9 +339,9 @@ static void check_counts(engine *e) {
   read_register(e, ENGINE_CANDIDATES, candidates);
   read_register(e, ENGINE_COLLISIONS, collisions);
   for (unsigned l = 0; l < LANES; l++) {
-    const expected *owed = &e->lane[l];
-    e->tally.wrong += pairs[l] != owed->pairs || candidates[l] != owed->candidates ||
-                      collisions[l] != owed->collisions;
+    const expected *outstanding = &e->lane[l];
+    e->tally.wrong += pairs[l] != outstanding->pairs || candidates[l] != outstanding->candidates ||
+                      collisions[l] != outstanding->collisions;
     e->tally.pairs += pairs[l];
     e->tally.collisions += collisions[l];
   }

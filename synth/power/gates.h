@@ -10,25 +10,25 @@ enum { GATES_LANES = 64 };
 typedef struct {
   const char *name, *module;
   int parent;
-} gates_place;
+} gates_instance;
 
 typedef struct {
   const lib_cell *type;
   const char *name;
-  int place;
+  int instance;
   int net[LIB_PINS]; /* of each pin; -1: none */
   uint64_t state;    /* of a register, one bit a lane */
 } gates_cell;
 
 typedef struct {
-  const char *name; /* of a port of the top, "in_a1_x[3]" */
+  const char *name; /* of a bit of a port of the top, "in_a1_x[3]" */
   int net;
   bool output;
 } gates_port;
 
 typedef struct {
-  gates_place *place;
-  int places;
+  gates_instance *instance;
+  int instances;
   gates_cell *cell;
   int cells;
   gates_port *port;
@@ -44,11 +44,11 @@ typedef struct {
   uint64_t cycles; /* counted */
 } gates;
 
-/* Read a netlist as synth/area/map writes it; exits with status 2 and a message on anything that
+/* Read the netlist.json of synth/area/map; exits with status 2 and a message on anything that
  * is not understood: an unknown cell, a net with two drivers or none, a loop, a second clock. */
 void gates_read(gates *g, const library *lib, const char *path);
 
-/* The net of a port of the top, by its name and bit (-1: a port without bits); exits if none. */
+/* The net of a port of the top, by its name and bit (-1: a port of one bit); exits if none. */
 int gates_find(const gates *g, const char *name, int bit);
 
 /* The nets of a port of several bits, the lowest first; exits if it has fewer. */

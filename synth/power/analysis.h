@@ -1,0 +1,53 @@
+/* analysis.h - what the parts of build/power share. */
+#ifndef SEPAX_POWER_ANALYSIS_H
+#define SEPAX_POWER_ANALYSIS_H
+
+#include "gates.h"
+#include "sepax_design.h"
+
+typedef struct {
+  const char *liberty, *netlist, *design, *pins, *by_cell;
+  const char *mesh[2];
+  double period, global, fault, resolution;
+  int cycles;
+  bool idle, loading, as_sta;
+} request;
+
+typedef struct {
+  const request *want;
+  sepax_design design;
+  bool exact, engine;
+  library lib;
+  gates g;
+  double *act, *one;       /* of each net: transitions a cycle, share of ones */
+  double *load;            /* of each net, F */
+  int *loads;              /* pins that read it */
+  double (*slope)[2];      /* of each net: rise, fall, ns */
+  size_t pairs, undecided; /* of all given, those beyond the extents */
+  uint64_t taken, judged, wrong, collisions, coplanar; /* while it counts, but wrong: always */
+} analysis;
+
+typedef struct {
+  double leakage, internal, switching;
+} watts;
+
+/* One line on standard error and exit status 2. */
+void power_fail(const char *what) __attribute__((noreturn));
+
+/* The request's meshes, quantised. */
+sepax_scene power_meshes(const analysis *m);
+
+/* Simulate the gates with all pairs of the meshes, or with those on standard input; each verdict is
+ * compared with the golden model's. */
+void power_pairs(analysis *m);
+
+/* From the simulation's counts, or the request's global activity: transitions, loads, slopes. */
+void power_prepare(analysis *m);
+
+/* What a cell draws. */
+watts power_of(const analysis *m, const gates_cell *cell);
+
+/* The files of pins and of cells that the request names, and JSON on standard output. */
+void power_report(const analysis *m);
+
+#endif

@@ -1,0 +1,159 @@
+/* energy.c - transitions of nets become leakage, internal and switching power, by the library. */
+#include "analysis.h"
+#include "liberty/text.h"
+
+static void find_activities(analysis *m) {
+  gates *g = &m->g;
+  m->act = text_alloc((size_t)g->nets, sizeof *m->act);
+  m->one = text_alloc((size_t)g->nets, sizeof *m->one);
+  for (int k = 0; k < g->nets; k++) {
+    bool global = m->want->global >= 0;
+    double all = (double)g->cycles * GATES_LANES;
+    m->act[k] = global ? m->want->global : m->want->fault * (double)g->toggles[k] / all;
+    m->one[k] = global ? 0.5 : (double)g->ones[k] / all;
+  }
+  m->act[0] = m->act[1] = m->one[0] = 0;
+  m->one[1] = 1;
+  m->act[g->clock] = 2;
+  m->one[g->clock] = 0.5;
+}
+
+static void find_loads(analysis *m) {
+  gates *g = &m->g;
+  m->loads = text_alloc((size_t)g->nets, sizeof *m->loads);
+  m->load = text_alloc((size_t)g->nets, sizeof *m->load);
+  for (int c = 0; c < g->cells; c++) {
+    const lib_cell *type = g->cell[c].type;
+    for (int k = 0; k < type->pins; k++) {
+      if (!type->pin[k].output && g->cell[c].net[k] >= 0) {
+        m->load[g->cell[c].net[k]] += type->pin[k].capacitance;
+        m->loads[g->cell[c].net[k]]++;
+      }
+    }
+  }
+  for (int k = 0; k < g->ports; k++) {
+    m->loads[g->port[k].net] += g->port[k].output;
+  }
+  for (int k = 0; k < g->nets; k++) {
+    m->load[k] += m->lib.wire[m->loads[k] < LIB_FANOUT ? m->loads[k] : LIB_FANOUT - 1];
+  }
+}
+
+static void slope_of(analysis *m, const gates_cell *cell) {
+  for (int k = 0; k < cell->type->arcs; k++) {
+    const lib_arc *arc = &cell->type->arc[k];
+    int to = cell->net[arc->to];
+    if (to < 0 || arc->from < 0) {
+      continue;
+    }
+    double load = m->load[to] / m->lib.farad;
+    for (int edge = 0; edge < 2; edge++) {   /* of the output */
+      for (int from = 0; from < 2; from++) { /* of the input */
+        bool causes = arc->clocked ? from == 0 : from == edge ? arc->on_rise : arc->on_fall;
+        double in = arc->clocked ? 0 : m->slope[cell->net[arc->from]][from];
+        double slope = causes ? lib_look_up(&arc->slope[edge], in, load) : 0;
+        if (slope > m->slope[to][edge]) {
+          m->slope[to][edge] = slope;
+        }
+      }
+    }
+  }
+}
+
+static void find_slopes(analysis *m) {
+  gates *g = &m->g;
+  m->slope = text_alloc((size_t)g->nets, sizeof *m->slope);
+  for (int c = 0; c < g->cells; c++) {
+    if (g->cell[c].type->register_) {
+      slope_of(m, &g->cell[c]);
+    }
+  }
+  for (int k = 0; k < g->ordered; k++) {
+    slope_of(m, &g->cell[g->order[k]]);
+  }
+}
+
+void power_prepare(analysis *m) {
+  find_activities(m);
+  find_loads(m);
+  find_slopes(m);
+}
+
+/* Energy (J) of a transition by these tables, rise and fall in equal parts. */
+static double energy_of(const analysis *m, const gates_cell *cell, const lib_power *power) {
+  int from = cell->net[power->related >= 0 ? power->related : power->pin];
+  int out = cell->net[power->pin];
+  double load = cell->type->pin[power->pin].output ? m->load[out] / m->lib.farad : 0;
+  double sum = 0;
+  for (int edge = 0; edge < 2; edge++) {
+    sum += lib_look_up(&power->energy[edge], from < 0 ? 0 : m->slope[from][edge], load);
+  }
+  return sum / 2 * m->lib.joule;
+}
+
+/* Inside the cell, in a cycle (J). */
+static double internal_energy(const analysis *m, const gates_cell *cell) {
+  const lib_cell *type = cell->type;
+  double one[LIB_PINS];
+  double energy[LIB_PINS] = {0};
+  double weight[LIB_PINS] = {0};
+  double plain[LIB_PINS] = {0};
+  int tables[LIB_PINS] = {0};
+  double row[64];
+  double state = 0.5;
+  double differ = 0.5;
+  for (int k = 0; k < type->pins; k++) {
+    one[k] = cell->net[k] >= 0 ? m->one[cell->net[k]] : 0.5;
+    if (type->register_ && type->pin[k].output && cell->net[k] >= 0) {
+      state = type->pin[k].function.op[0] == LIB_STATE ? one[k] : 1 - one[k];
+      differ = m->want->global >= 0 ? 0.5 : m->act[cell->net[k]];
+    }
+  }
+  int rows = lib_rows(type, one, state, differ, row);
+  double sum = 0;
+  for (int k = 0; k < type->powers; k++) {
+    const lib_power *power = &type->power[k];
+    int pin = power->pin;
+    if (cell->net[pin] < 0) {
+      continue;
+    }
+    double likely = 0;
+    for (int r = 0; r < rows; r++) {
+      likely += (power->when >> r & 1) != 0 ? row[r] : 0;
+    }
+    double each = energy_of(m, cell, power);
+    if (m->want->as_sta) {
+      sum += 2 * each * likely * m->act[cell->net[pin]];
+      continue;
+    }
+    if (!type->pin[pin].output) {
+      sum += each * likely * m->act[cell->net[pin]];
+      continue;
+    }
+    int related = power->related < 0 ? -1 : cell->net[power->related];
+    double w = likely * (related < 0 ? 1 : m->act[related]);
+    energy[pin] += w * each;
+    weight[pin] += w;
+    plain[pin] += each;
+    tables[pin]++;
+  }
+  for (int k = 0; k < type->pins; k++) {
+    if (tables[k] > 0) {
+      sum += m->act[cell->net[k]] * (weight[k] > 0 ? energy[k] / weight[k] : plain[k] / tables[k]);
+    }
+  }
+  return sum;
+}
+
+watts power_of(const analysis *m, const gates_cell *cell) {
+  double rate = 1e9 / m->want->period;
+  double volt = m->lib.volt;
+  watts w = {.leakage = cell->type->leakage, .internal = internal_energy(m, cell) * rate};
+  for (int k = 0; k < cell->type->pins; k++) {
+    int net = cell->net[k];
+    if (cell->type->pin[k].output && net >= 0) {
+      w.switching += 0.5 * m->load[net] * volt * volt * m->act[net] * rate;
+    }
+  }
+  return w;
+}
