@@ -25,4 +25,6 @@ proc constrain {period clock {late ""}} {
   set_output_delay 0 -clock clk [all_outputs]
 }
 
-proc worst_slack_of {} { return [get_property [lindex [find_timing_paths -path_delay max] 0] slack] }
+proc worst_slack {} {
+  return [get_property [lindex [find_timing_paths -path_delay max] 0] slack]
+}

@@ -26,3 +26,6 @@ def hierarchy:
 
 # The module that an instance is of, by its path from the top.
 def module_at($path): .modules as $m | reduce $path[] as $name (top; $m[.].cells[$name].type);
+
+# Types of cells that are no module of the netlist.
+def foreign: .modules as $m | [$m[].cells[].type] | unique - ($m | keys);

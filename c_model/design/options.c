@@ -2,6 +2,7 @@
 #include "design/options.h"
 #include "design/architecture.h"
 #include "util/error.h"
+#include "util/plain_numbers.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -234,7 +235,9 @@ static bool parse_int(int *value, const char *option, const char *text, sepax_er
 static bool parse_period(int *picoseconds, const char *option, const char *text,
                          sepax_error *error) {
   char *end;
+  plain_numbers plain = plain_numbers_begin();
   double number = strtod(text, &end);
+  plain_numbers_end(plain);
   if (end == text || *end != '\0' || !(number > 0) || number > 1000) {
     return sepax_fail(error, "%s: '%.40s' is no period in nanoseconds; give 0.5 ... 20", option,
                       text);

@@ -1,6 +1,7 @@
 /* stl.c - STL files, text and binary, read and written whole. */
 #include "util/error.h"
 #include "util/list.h"
+#include "util/plain_numbers.h"
 #include "util/write_file.h"
 
 #include <errno.h>
@@ -355,7 +356,9 @@ bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
     return false;
   }
   sepax_mesh result = {0};
+  plain_numbers plain = plain_numbers_begin();
   bool ok = read_format(&result, &file, path, error);
+  plain_numbers_end(plain);
   if (ok && result.count == 0) {
     ok = fail(error, path, "no facets; %s", cure);
   }
@@ -452,6 +455,9 @@ static bool write_binary(FILE *out, const void *context) {
 }
 
 bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii, sepax_error *error) {
-  return fits_file(mesh, path, ascii, error) &&
-         sepax_write_file(path, ascii ? write_text : write_binary, mesh, error);
+  plain_numbers plain = plain_numbers_begin();
+  bool ok = fits_file(mesh, path, ascii, error) &&
+            sepax_write_file(path, ascii ? write_text : write_binary, mesh, error);
+  plain_numbers_end(plain);
+  return ok;
 }

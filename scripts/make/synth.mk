@@ -75,7 +75,7 @@ power-file:
 
 $(AREA)/netlist.vvp: $(AREA)/area.json $(BENCH)
 	@echo "  ICARUS  $(DESIGN_NAME), mapped to $(LIBRARY)"
-	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
+	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
 	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(basename $(notdir $(BENCH))) -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
 	  $(BENCH)
 
@@ -87,7 +87,7 @@ netlist: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
 # Under the Verilator bench, module by module.
 $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME), mapped to $(LIBRARY)"
-	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.v -o $(AREA)/cells.v
+	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
 	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --hierarchical --no-timing \
 	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module sepax_top \
 	  -MAKEFLAGS "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O1" \

@@ -1,45 +1,36 @@
-# synth/multivt/assign.tcl - two threshold voltages: which cells of a flat netlist may be slow.
+# synth/multivt/assign.tcl - multi-Vt: which cells of a flat netlist may be slow.
 #
-# liberty (both files), netlist, swaps (the table of synth/multivt/swaps), top, clock, period, activity
-# are set by who sources it. Prints lines that begin with a word of its own, for
-# synth/multivt/assign: the cells that stay fast, among others; the last is "end".
+# liberty (both files), netlist, swaps (fast cell, slow cell, their leakages), top, clock, period,
+# activity, common (synth/common.tcl) are set by who sources it. Prints lines that begin with a
+# word of its own, for synth/multivt/assign: the cells that become slow, among others; the last is
+# "end".
 #
 # Where the fast cells alone are late, nothing is swapped. Else first every cell is a slow one.
 # Then, as long as paths are too slow, cells on them become fast again: on each path as many as
 # it takes, those first which are on many slow paths, gain much and leak little. At last whatever
 # has slack to spare goes back, in parts, as far as the period holds.
 
-foreach file $liberty { read_liberty $file }
-set_cmd_units -time ns
-read_verilog $netlist
-link_design $top
+source $common
+read_design $liberty $netlist $top
 
-proc constrain {period clock activity} {
-  create_clock -name clk -period $period [get_ports $clock]
-  set inputs {}
-  foreach port [all_inputs] {
-    if {[get_name $port] ne $clock} { lappend inputs $port }
-  }
-  set_input_delay 0 -clock clk $inputs
-  set_output_delay 0 -clock clk [all_outputs]
+proc set_activity {clock activity} {
   set_power_activity -input -activity $activity -duty 0.5
-  if {[lsearch [lmap port $inputs { get_name $port }] rst] >= 0} {
+  if {[llength [inputs $clock rst]] > 0} {
     set_power_activity -input_ports rst -activity 0 -duty 0
   }
 }
 
-proc worst {} { return [get_property [lindex [find_timing_paths -path_delay max] 0] slack] }
-
 proc report {when} {
-  puts "slack $when [worst]"
+  puts "slack $when [worst_slack]"
   puts "power $when"
   report_power -digits 6
   puts "power done"
 }
 
-constrain $period $clock $activity
+constrain $period $clock
+set_activity $clock $activity
 report before
-set possible [expr {[worst] >= 0}]
+set possible [expr {[worst_slack] >= 0}]
 
 set file [open $swaps]
 while {[gets $file line] >= 0} {
@@ -75,7 +66,7 @@ proc make_fast {name} {
 if {$possible} {
   foreach name [array names is_slow] { make_slow $name }
 }
-puts "slack all_slow [worst]"
+puts "slack all_slow [worst_slack]"
 
 # The worst path to each late endpoint: slack, slow cells with what each takes longer (about),
 # and all cells that could be slow.
@@ -173,7 +164,7 @@ proc meet_period {} {
       }
     }
     foreach name [array names now] { make_fast $name }
-    puts "round $round [llength $late] [array size now] [worst]"
+    puts "round $round [llength $late] [array size now] [worst_slack]"
     if {[array size now] == 0} { return -1 }
   }
   return -1
@@ -203,14 +194,14 @@ proc try_slow {names} {
   global tries
   if {[llength $names] == 0 || [incr tries] > 100} { return 0 }
   foreach name $names { make_slow $name }
-  if {[worst] >= 0} { return [llength $names] }
+  if {[worst_slack] >= 0} { return [llength $names] }
   foreach name $names { make_fast $name }
   if {[llength $names] < 8} { return 0 }
   set half [expr {[llength $names] / 2}]
   return [expr {[try_slow [lrange $names 0 $half-1]] + [try_slow [lrange $names $half end]]}]
 }
 
-if {[worst] >= 0} {
+if {[worst_slack] >= 0} {
   set order {}
   foreach name [array names is_slow] {
     if {!$is_slow($name)} {
@@ -224,7 +215,7 @@ if {[worst] >= 0} {
   for {set i 0} {$i < [llength $names]} {incr i 200} {
     incr back [try_slow [lrange $names $i $i+199]]
   }
-  puts "back [llength $names] $back [worst]"
+  puts "back [llength $names] $back [worst_slack]"
 }
 
 report after

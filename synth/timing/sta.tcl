@@ -1,24 +1,10 @@
 # synth/timing/sta.tcl - what OpenSTA is asked about a mapped netlist, in one corner.
 #
-# liberty (files), netlist, top, clock (its port), period (ns) are set by who sources it. Prints
-# lines that begin with a word of its own, for synth/timing/sta; the last is "end".
+# liberty (files), netlist, top, clock (its port), period (ns), common (synth/common.tcl) are set by
+# who sources it. Prints lines that begin with a word of its own, for synth/timing/sta; the last is "end".
 
-foreach file $liberty { read_liberty $file }
-set_cmd_units -time ns
-read_verilog $netlist
-link_design $top
-
-# Inputs arrive with the clock's edge, outputs are due at the next; the clock is ideal.
-proc constrain {period clock} {
-  create_clock -name clk -period $period [get_ports $clock]
-  set inputs {}
-  foreach port [all_inputs] {
-    if {[get_name $port] ne $clock} { lappend inputs $port }
-  }
-  set_input_delay 0 -clock clk $inputs
-  set_output_delay 0 -clock clk [all_outputs]
-}
-
+source $common
+read_design $liberty $netlist $top
 constrain $period $clock
 # Registers whose input is a constant, through full adders with constant inputs, say, have no path.
 foreach pin [all_registers -data_pins] {
@@ -51,6 +37,6 @@ puts "path done"
 # With the least period there is no slack left, or a path was judged by another edge.
 set least [expr {$period - $worst}]
 constrain $least $clock
-puts "least $least [get_property [lindex [find_timing_paths -path_delay max] 0] slack]"
+puts "least $least [worst_slack]"
 puts "end"
 exit
