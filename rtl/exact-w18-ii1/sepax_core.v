@@ -47,15 +47,12 @@ module sepax_core (
 );
 
   localparam W = 18; // bits of a coordinate
-  localparam S_W = 19; // of a sum or difference of two
   localparam G_W = 37; // of a trapezoid term or an orient2d
   localparam Z_W = 21; // of a z sum
   localparam O_W = 22; // of B's z sum
   localparam V_W = 56; // of a signed prism volume or an orient3d
   localparam DIGITS = 10; // radix-4 digits of a z sum
-  localparam OWN_DIGITS = 11; // of B's z sum
-  // What z sums have more than the sum, as prisms deduct it: 1 for each digit but the highest.
-  localparam signed [Z_W-1:0] BIAS =
+  localparam signed [Z_W-1:0] BIAS = // of z sums, as prisms deduct it
     {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
 
   // Coordinates. _hold, _hold2 ... stand for one II window more each.
@@ -320,7 +317,7 @@ module sepax_core (
 
   // Trapezoid terms.
 
-  sepax_trapezoid #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_t_a1a2 (
+  sepax_trapezoid trapezoid_t_a1a2 (
     .clk(clk),
     .x_from(x_a1),
     .x_to(x_a2),
@@ -329,7 +326,7 @@ module sepax_core (
     .t(t_a1a2)
   );
 
-  sepax_trapezoid #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_t_a2a3 (
+  sepax_trapezoid trapezoid_t_a2a3 (
     .clk(clk),
     .x_from(x_a2),
     .x_to(x_a3),
@@ -338,7 +335,7 @@ module sepax_core (
     .t(t_a2a3)
   );
 
-  sepax_trapezoid #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_t_a3a1 (
+  sepax_trapezoid trapezoid_t_a3a1 (
     .clk(clk),
     .x_from(x_a3),
     .x_to(x_a1),
@@ -347,7 +344,7 @@ module sepax_core (
     .t(t_a3a1)
   );
 
-  sepax_trapezoid #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_t_b1b2 (
+  sepax_trapezoid trapezoid_t_b1b2 (
     .clk(clk),
     .x_from(x_b1),
     .x_to(x_b2),
@@ -356,7 +353,7 @@ module sepax_core (
     .t(t_b1b2)
   );
 
-  sepax_trapezoid #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_t_b2b3 (
+  sepax_trapezoid trapezoid_t_b2b3 (
     .clk(clk),
     .x_from(x_b2),
     .x_to(x_b3),
@@ -365,7 +362,7 @@ module sepax_core (
     .t(t_b2b3)
   );
 
-  sepax_trapezoid #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_t_b3b1 (
+  sepax_trapezoid trapezoid_t_b3b1 (
     .clk(clk),
     .x_from(x_b3),
     .x_to(x_b1),
@@ -374,7 +371,7 @@ module sepax_core (
     .t(t_b3b1)
   );
 
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_a1b1 (
+  sepax_trapezoid_ab trapezoid_ab_t_a1b1 (
     .clk(clk),
     .x_from(x_a1),
     .x_to(x_b1),
@@ -384,7 +381,7 @@ module sepax_core (
     .order(ox_a1b1)
   );
 
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_a2b2 (
+  sepax_trapezoid_ab trapezoid_ab_t_a2b2 (
     .clk(clk),
     .x_from(x_a2),
     .x_to(x_b2),
@@ -394,7 +391,7 @@ module sepax_core (
     .order(ox_a2b2)
   );
 
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_a3b3 (
+  sepax_trapezoid_ab trapezoid_ab_t_a3b3 (
     .clk(clk),
     .x_from(x_a3),
     .x_to(x_b3),
@@ -404,7 +401,7 @@ module sepax_core (
     .order(ox_a3b3)
   );
 
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_a1b2 (
+  sepax_trapezoid_ab trapezoid_ab_t_a1b2 (
     .clk(clk),
     .x_from(x_a1),
     .x_to(x_b2),
@@ -414,7 +411,7 @@ module sepax_core (
     .order(ox_a1b2)
   );
 
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_a2b3 (
+  sepax_trapezoid_ab trapezoid_ab_t_a2b3 (
     .clk(clk),
     .x_from(x_a2),
     .x_to(x_b3),
@@ -424,7 +421,7 @@ module sepax_core (
     .order(ox_a2b3)
   );
 
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_a3b1 (
+  sepax_trapezoid_ab trapezoid_ab_t_a3b1 (
     .clk(clk),
     .x_from(x_a3),
     .x_to(x_b1),
@@ -434,7 +431,7 @@ module sepax_core (
     .order(ox_a3b1)
   );
 
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_a1b3 (
+  sepax_trapezoid_ab trapezoid_ab_t_a1b3 (
     .clk(clk),
     .x_from(x_a1),
     .x_to(x_b3),
@@ -444,7 +441,7 @@ module sepax_core (
     .order(ox_a1b3)
   );
 
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_a2b1 (
+  sepax_trapezoid_ab trapezoid_ab_t_a2b1 (
     .clk(clk),
     .x_from(x_a2),
     .x_to(x_b1),
@@ -454,7 +451,7 @@ module sepax_core (
     .order(ox_a2b1)
   );
 
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_a3b2 (
+  sepax_trapezoid_ab trapezoid_ab_t_a3b2 (
     .clk(clk),
     .x_from(x_a3),
     .x_to(x_b2),
@@ -466,7 +463,7 @@ module sepax_core (
 
   // orient2d of vertices of both triangles.
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a1a2b1 (
+  sepax_orient2d orient2d_g_a1a2b1 (
     .clk(clk),
     .p(t_a1a2),
     .q(t_a2b1),
@@ -474,7 +471,7 @@ module sepax_core (
     .g(g_a1a2b1)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a2a3b2 (
+  sepax_orient2d orient2d_g_a2a3b2 (
     .clk(clk),
     .p(t_a2a3),
     .q(t_a3b2),
@@ -482,7 +479,7 @@ module sepax_core (
     .g(g_a2a3b2)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a3a1b3 (
+  sepax_orient2d orient2d_g_a3a1b3 (
     .clk(clk),
     .p(t_a3a1),
     .q(t_a1b3),
@@ -490,7 +487,7 @@ module sepax_core (
     .g(g_a3a1b3)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a1a2b2 (
+  sepax_orient2d orient2d_g_a1a2b2 (
     .clk(clk),
     .p(t_a1a2),
     .q(t_a2b2),
@@ -498,7 +495,7 @@ module sepax_core (
     .g(g_a1a2b2)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a2a3b3 (
+  sepax_orient2d orient2d_g_a2a3b3 (
     .clk(clk),
     .p(t_a2a3),
     .q(t_a3b3),
@@ -506,7 +503,7 @@ module sepax_core (
     .g(g_a2a3b3)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a3a1b1 (
+  sepax_orient2d orient2d_g_a3a1b1 (
     .clk(clk),
     .p(t_a3a1),
     .q(t_a1b1),
@@ -514,7 +511,7 @@ module sepax_core (
     .g(g_a3a1b1)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a1a2b3 (
+  sepax_orient2d orient2d_g_a1a2b3 (
     .clk(clk),
     .p(t_a1a2),
     .q(t_a2b3),
@@ -522,7 +519,7 @@ module sepax_core (
     .g(g_a1a2b3)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a2a3b1 (
+  sepax_orient2d orient2d_g_a2a3b1 (
     .clk(clk),
     .p(t_a2a3),
     .q(t_a3b1),
@@ -530,7 +527,7 @@ module sepax_core (
     .g(g_a2a3b1)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a3a1b2 (
+  sepax_orient2d orient2d_g_a3a1b2 (
     .clk(clk),
     .p(t_a3a1),
     .q(t_a1b2),
@@ -538,7 +535,7 @@ module sepax_core (
     .g(g_a3a1b2)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a1b1b2 (
+  sepax_orient2d orient2d_g_a1b1b2 (
     .clk(clk),
     .p(t_b1b2),
     .q(t_a1b1),
@@ -546,7 +543,7 @@ module sepax_core (
     .g(g_a1b1b2)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a2b2b3 (
+  sepax_orient2d orient2d_g_a2b2b3 (
     .clk(clk),
     .p(t_b2b3),
     .q(t_a2b2),
@@ -554,7 +551,7 @@ module sepax_core (
     .g(g_a2b2b3)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a3b3b1 (
+  sepax_orient2d orient2d_g_a3b3b1 (
     .clk(clk),
     .p(t_b3b1),
     .q(t_a3b3),
@@ -562,7 +559,7 @@ module sepax_core (
     .g(g_a3b3b1)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a1b2b3 (
+  sepax_orient2d orient2d_g_a1b2b3 (
     .clk(clk),
     .p(t_b2b3),
     .q(t_a1b2),
@@ -570,7 +567,7 @@ module sepax_core (
     .g(g_a1b2b3)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a2b3b1 (
+  sepax_orient2d orient2d_g_a2b3b1 (
     .clk(clk),
     .p(t_b3b1),
     .q(t_a2b3),
@@ -578,7 +575,7 @@ module sepax_core (
     .g(g_a2b3b1)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a3b1b2 (
+  sepax_orient2d orient2d_g_a3b1b2 (
     .clk(clk),
     .p(t_b1b2),
     .q(t_a3b1),
@@ -586,7 +583,7 @@ module sepax_core (
     .g(g_a3b1b2)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a1b3b1 (
+  sepax_orient2d orient2d_g_a1b3b1 (
     .clk(clk),
     .p(t_b3b1),
     .q(t_a1b3),
@@ -594,7 +591,7 @@ module sepax_core (
     .g(g_a1b3b1)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a2b1b2 (
+  sepax_orient2d orient2d_g_a2b1b2 (
     .clk(clk),
     .p(t_b1b2),
     .q(t_a2b1),
@@ -602,7 +599,7 @@ module sepax_core (
     .g(g_a2b1b2)
   );
 
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_a3b2b3 (
+  sepax_orient2d orient2d_g_a3b2b3 (
     .clk(clk),
     .p(t_b2b3),
     .q(t_a3b2),
@@ -612,7 +609,7 @@ module sepax_core (
 
   // orient2d of B, of A.
 
-  sepax_own_orient2d #( .G_W(G_W) ) own_orient2d_go_b1b2b3 (
+  sepax_own_orient2d own_orient2d_go_b1b2b3 (
     .clk(clk),
     .p(t_b1b2),
     .q(t_b2b3),
@@ -620,7 +617,7 @@ module sepax_core (
     .g(go_b1b2b3)
   );
 
-  sepax_own_orient2d #( .G_W(G_W) ) own_orient2d_go_a1a2a3 (
+  sepax_own_orient2d own_orient2d_go_a1a2a3 (
     .clk(clk),
     .p(t_a1a2),
     .q(t_a2a3),
@@ -630,55 +627,55 @@ module sepax_core (
 
   // z differences, in the same cycle.
 
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_a1a2b1 (
+  sepax_zdiff zdiff_z_a1a2b1 (
     .z_p(z_b1_hold),
     .z_r(z_a3_hold),
     .z(z_a1a2b1)
   );
 
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_a2a3b2 (
+  sepax_zdiff zdiff_z_a2a3b2 (
     .z_p(z_b2_hold),
     .z_r(z_a1_hold),
     .z(z_a2a3b2)
   );
 
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_a3a1b3 (
+  sepax_zdiff zdiff_z_a3a1b3 (
     .z_p(z_b3_hold),
     .z_r(z_a2_hold),
     .z(z_a3a1b3)
   );
 
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_a1a2b2 (
+  sepax_zdiff zdiff_z_a1a2b2 (
     .z_p(z_b2_hold),
     .z_r(z_a3_hold),
     .z(z_a1a2b2)
   );
 
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_a2a3b3 (
+  sepax_zdiff zdiff_z_a2a3b3 (
     .z_p(z_b3_hold),
     .z_r(z_a1_hold),
     .z(z_a2a3b3)
   );
 
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_a3a1b1 (
+  sepax_zdiff zdiff_z_a3a1b1 (
     .z_p(z_b1_hold),
     .z_r(z_a2_hold),
     .z(z_a3a1b1)
   );
 
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_a1a2b3 (
+  sepax_zdiff zdiff_z_a1a2b3 (
     .z_p(z_b3_hold),
     .z_r(z_a3_hold),
     .z(z_a1a2b3)
   );
 
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_a2a3b1 (
+  sepax_zdiff zdiff_z_a2a3b1 (
     .z_p(z_b1_hold),
     .z_r(z_a1_hold),
     .z(z_a2a3b1)
   );
 
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_a3a1b2 (
+  sepax_zdiff zdiff_z_a3a1b2 (
     .z_p(z_b2_hold),
     .z_r(z_a2_hold),
     .z(z_a3a1b2)
@@ -686,70 +683,70 @@ module sepax_core (
 
   // z sums of two differences.
 
-  sepax_zsum #( .Z_W(Z_W) ) zsum_z_a1b1b2 (
+  sepax_zsum zsum_z_a1b1b2 (
     .clk(clk),
     .diff_1(z_a3a1b1),
     .diff_2(z_a1a2b2),
     .z(z_a1b1b2)
   );
 
-  sepax_zsum #( .Z_W(Z_W) ) zsum_z_a2b2b3 (
+  sepax_zsum zsum_z_a2b2b3 (
     .clk(clk),
     .diff_1(z_a1a2b2),
     .diff_2(z_a2a3b3),
     .z(z_a2b2b3)
   );
 
-  sepax_zsum #( .Z_W(Z_W) ) zsum_z_a3b3b1 (
+  sepax_zsum zsum_z_a3b3b1 (
     .clk(clk),
     .diff_1(z_a2a3b3),
     .diff_2(z_a3a1b1),
     .z(z_a3b3b1)
   );
 
-  sepax_zsum #( .Z_W(Z_W) ) zsum_z_a1b2b3 (
+  sepax_zsum zsum_z_a1b2b3 (
     .clk(clk),
     .diff_1(z_a3a1b2),
     .diff_2(z_a1a2b3),
     .z(z_a1b2b3)
   );
 
-  sepax_zsum #( .Z_W(Z_W) ) zsum_z_a2b3b1 (
+  sepax_zsum zsum_z_a2b3b1 (
     .clk(clk),
     .diff_1(z_a1a2b3),
     .diff_2(z_a2a3b1),
     .z(z_a2b3b1)
   );
 
-  sepax_zsum #( .Z_W(Z_W) ) zsum_z_a3b1b2 (
+  sepax_zsum zsum_z_a3b1b2 (
     .clk(clk),
     .diff_1(z_a2a3b1),
     .diff_2(z_a3a1b2),
     .z(z_a3b1b2)
   );
 
-  sepax_zsum #( .Z_W(Z_W) ) zsum_z_a1b3b1 (
+  sepax_zsum zsum_z_a1b3b1 (
     .clk(clk),
     .diff_1(z_a3a1b3),
     .diff_2(z_a1a2b1),
     .z(z_a1b3b1)
   );
 
-  sepax_zsum #( .Z_W(Z_W) ) zsum_z_a2b1b2 (
+  sepax_zsum zsum_z_a2b1b2 (
     .clk(clk),
     .diff_1(z_a1a2b1),
     .diff_2(z_a2a3b2),
     .z(z_a2b1b2)
   );
 
-  sepax_zsum #( .Z_W(Z_W) ) zsum_z_a3b2b3 (
+  sepax_zsum zsum_z_a3b2b3 (
     .clk(clk),
     .diff_1(z_a2a3b2),
     .diff_2(z_a3a1b3),
     .z(z_a3b2b3)
   );
 
-  sepax_own_zsum #( .Z_W(Z_W), .DIFF_DIGITS(DIGITS), .O_W(O_W), .DIGITS(OWN_DIGITS) ) own_zsum_zo_b1b2b3 (
+  sepax_own_zsum own_zsum_zo_b1b2b3 (
     .clk(clk),
     .diff_1(z_a2a3b1),
     .diff_2(z_a3a1b2),
@@ -759,142 +756,142 @@ module sepax_core (
 
   // Signed prism volumes.
 
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_a1a2b1 (
+  sepax_prism prism_h_a1a2b1 (
     .clk(clk),
     .g(g_a1a2b1),
     .z(z_a1a2b1_q),
     .h(h_a1a2b1)
   );
 
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_a2a3b2 (
+  sepax_prism prism_h_a2a3b2 (
     .clk(clk),
     .g(g_a2a3b2),
     .z(z_a2a3b2_q),
     .h(h_a2a3b2)
   );
 
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_a3a1b3 (
+  sepax_prism prism_h_a3a1b3 (
     .clk(clk),
     .g(g_a3a1b3),
     .z(z_a3a1b3_q),
     .h(h_a3a1b3)
   );
 
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_a1a2b2 (
+  sepax_prism prism_h_a1a2b2 (
     .clk(clk),
     .g(g_a1a2b2),
     .z(z_a1a2b2_q),
     .h(h_a1a2b2)
   );
 
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_a2a3b3 (
+  sepax_prism prism_h_a2a3b3 (
     .clk(clk),
     .g(g_a2a3b3),
     .z(z_a2a3b3_q),
     .h(h_a2a3b3)
   );
 
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_a3a1b1 (
+  sepax_prism prism_h_a3a1b1 (
     .clk(clk),
     .g(g_a3a1b1),
     .z(z_a3a1b1_q),
     .h(h_a3a1b1)
   );
 
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_a1a2b3 (
+  sepax_prism prism_h_a1a2b3 (
     .clk(clk),
     .g(g_a1a2b3),
     .z(z_a1a2b3_q),
     .h(h_a1a2b3)
   );
 
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_a2a3b1 (
+  sepax_prism prism_h_a2a3b1 (
     .clk(clk),
     .g(g_a2a3b1),
     .z(z_a2a3b1_q),
     .h(h_a2a3b1)
   );
 
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_a3a1b2 (
+  sepax_prism prism_h_a3a1b2 (
     .clk(clk),
     .g(g_a3a1b2),
     .z(z_a3a1b2_q),
     .h(h_a3a1b2)
   );
 
-  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_2_h_a1b1b2 (
+  sepax_prism_2 prism_2_h_a1b1b2 (
     .clk(clk),
     .g(g_a1b1b2),
     .z(z_a1b1b2),
     .h(h_a1b1b2)
   );
 
-  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_2_h_a2b2b3 (
+  sepax_prism_2 prism_2_h_a2b2b3 (
     .clk(clk),
     .g(g_a2b2b3),
     .z(z_a2b2b3),
     .h(h_a2b2b3)
   );
 
-  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_2_h_a3b3b1 (
+  sepax_prism_2 prism_2_h_a3b3b1 (
     .clk(clk),
     .g(g_a3b3b1),
     .z(z_a3b3b1),
     .h(h_a3b3b1)
   );
 
-  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_2_h_a1b2b3 (
+  sepax_prism_2 prism_2_h_a1b2b3 (
     .clk(clk),
     .g(g_a1b2b3),
     .z(z_a1b2b3),
     .h(h_a1b2b3)
   );
 
-  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_2_h_a2b3b1 (
+  sepax_prism_2 prism_2_h_a2b3b1 (
     .clk(clk),
     .g(g_a2b3b1),
     .z(z_a2b3b1),
     .h(h_a2b3b1)
   );
 
-  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_2_h_a3b1b2 (
+  sepax_prism_2 prism_2_h_a3b1b2 (
     .clk(clk),
     .g(g_a3b1b2),
     .z(z_a3b1b2),
     .h(h_a3b1b2)
   );
 
-  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_2_h_a1b3b1 (
+  sepax_prism_2 prism_2_h_a1b3b1 (
     .clk(clk),
     .g(g_a1b3b1),
     .z(z_a1b3b1),
     .h(h_a1b3b1)
   );
 
-  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_2_h_a2b1b2 (
+  sepax_prism_2 prism_2_h_a2b1b2 (
     .clk(clk),
     .g(g_a2b1b2),
     .z(z_a2b1b2),
     .h(h_a2b1b2)
   );
 
-  sepax_prism_2 #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_2_h_a3b2b3 (
+  sepax_prism_2 prism_2_h_a3b2b3 (
     .clk(clk),
     .g(g_a3b2b3),
     .z(z_a3b2b3),
     .h(h_a3b2b3)
   );
 
-  sepax_own_prism #( .G_W(G_W), .Z_W(O_W), .V_W(V_W) ) own_prism_ho_b1b2b3 (
+  sepax_own_prism own_prism_ho_b1b2b3 (
     .clk(clk),
     .g(go_b1b2b3),
     .z(zo_b1b2b3),
     .h(ho_b1b2b3)
   );
 
-  // orient3d of A's plane and B's vertices.
+  // orient3d.
 
-  sepax_orient3d_a #( .V_W(V_W) ) orient3d_a_s_b1 (
+  sepax_orient3d_a orient3d_a_s_b1 (
     .clk(clk),
     .p(h_a1a2b1),
     .q(h_a3a1b1),
@@ -902,7 +899,7 @@ module sepax_core (
     .sign(s_b1)
   );
 
-  sepax_orient3d_a #( .V_W(V_W) ) orient3d_a_s_b2 (
+  sepax_orient3d_a orient3d_a_s_b2 (
     .clk(clk),
     .p(h_a2a3b2),
     .q(h_a1a2b2),
@@ -910,7 +907,7 @@ module sepax_core (
     .sign(s_b2)
   );
 
-  sepax_orient3d_a #( .V_W(V_W) ) orient3d_a_s_b3 (
+  sepax_orient3d_a orient3d_a_s_b3 (
     .clk(clk),
     .p(h_a3a1b3),
     .q(h_a2a3b3),
@@ -918,9 +915,7 @@ module sepax_core (
     .sign(s_b3)
   );
 
-  // orient3d of B's plane and A's vertices.
-
-  sepax_orient3d_b #( .V_W(V_W) ) orient3d_b_w_a1 (
+  sepax_orient3d_b orient3d_b_w_a1 (
     .clk(clk),
     .p(h_a1b1b2),
     .q(h_a1b2b3),
@@ -929,7 +924,7 @@ module sepax_core (
     .sign(w_a1)
   );
 
-  sepax_orient3d_b #( .V_W(V_W) ) orient3d_b_w_a2 (
+  sepax_orient3d_b orient3d_b_w_a2 (
     .clk(clk),
     .p(h_a2b2b3),
     .q(h_a2b3b1),
@@ -938,7 +933,7 @@ module sepax_core (
     .sign(w_a2)
   );
 
-  sepax_orient3d_b #( .V_W(V_W) ) orient3d_b_w_a3 (
+  sepax_orient3d_b orient3d_b_w_a3 (
     .clk(clk),
     .p(h_a3b3b1),
     .q(h_a3b1b2),
@@ -947,9 +942,7 @@ module sepax_core (
     .sign(w_a3)
   );
 
-  // orient3d of an edge of A and an edge of B.
-
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_a1a2b1b2 (
+  sepax_orient3d_edges orient3d_edges_d_a1a2b1b2 (
     .clk(clk),
     .p(h_a2b1b2),
     .q(h_a1a2b2),
@@ -958,7 +951,7 @@ module sepax_core (
     .sign(d_a1a2b1b2)
   );
 
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_a2a3b2b3 (
+  sepax_orient3d_edges orient3d_edges_d_a2a3b2b3 (
     .clk(clk),
     .p(h_a3b2b3),
     .q(h_a2a3b3),
@@ -967,7 +960,7 @@ module sepax_core (
     .sign(d_a2a3b2b3)
   );
 
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_a3a1b3b1 (
+  sepax_orient3d_edges orient3d_edges_d_a3a1b3b1 (
     .clk(clk),
     .p(h_a1b3b1),
     .q(h_a3a1b1),
@@ -976,7 +969,7 @@ module sepax_core (
     .sign(d_a3a1b3b1)
   );
 
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_a1a2b2b3 (
+  sepax_orient3d_edges orient3d_edges_d_a1a2b2b3 (
     .clk(clk),
     .p(h_a2b2b3),
     .q(h_a1a2b3),
@@ -985,7 +978,7 @@ module sepax_core (
     .sign(d_a1a2b2b3)
   );
 
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_a2a3b3b1 (
+  sepax_orient3d_edges orient3d_edges_d_a2a3b3b1 (
     .clk(clk),
     .p(h_a3b3b1),
     .q(h_a2a3b1),
@@ -994,7 +987,7 @@ module sepax_core (
     .sign(d_a2a3b3b1)
   );
 
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_a3a1b1b2 (
+  sepax_orient3d_edges orient3d_edges_d_a3a1b1b2 (
     .clk(clk),
     .p(h_a1b1b2),
     .q(h_a3a1b2),
@@ -1003,7 +996,7 @@ module sepax_core (
     .sign(d_a3a1b1b2)
   );
 
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_a1a2b3b1 (
+  sepax_orient3d_edges orient3d_edges_d_a1a2b3b1 (
     .clk(clk),
     .p(h_a2b3b1),
     .q(h_a1a2b1),
@@ -1012,7 +1005,7 @@ module sepax_core (
     .sign(d_a1a2b3b1)
   );
 
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_a2a3b1b2 (
+  sepax_orient3d_edges orient3d_edges_d_a2a3b1b2 (
     .clk(clk),
     .p(h_a3b1b2),
     .q(h_a2a3b2),
@@ -1021,7 +1014,7 @@ module sepax_core (
     .sign(d_a2a3b1b2)
   );
 
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_a3a1b2b3 (
+  sepax_orient3d_edges orient3d_edges_d_a3a1b2b3 (
     .clk(clk),
     .p(h_a1b2b3),
     .q(h_a3a1b3),
@@ -1041,7 +1034,7 @@ module sepax_core (
   assign oz_a1b1 = {z_a2a3b1_q > BIAS, z_a2a3b1_q < BIAS};
   assign oz_a2b2 = {z_a3a1b2_q > BIAS, z_a3a1b2_q < BIAS};
 
-  // Their signs {> 0, < 0}.
+  // Signs {> 0, < 0} of orient2d.
   assign gs_a1a2b1 = {!g_a1a2b1[G_W-1] && (g_a1a2b1 != {G_W{1'b0}}), g_a1a2b1[G_W-1]};
   assign gs_a2a3b2 = {!g_a2a3b2[G_W-1] && (g_a2a3b2 != {G_W{1'b0}}), g_a2a3b2[G_W-1]};
   assign gs_a3a1b3 = {!g_a3a1b3[G_W-1] && (g_a3a1b3 != {G_W{1'b0}}), g_a3a1b3[G_W-1]};

@@ -33,9 +33,7 @@ module sepax_own_zsum #(
     .a({{(O_W-Z_W+1){diff_1[Z_W-1]}}, diff_1[Z_W-2:0]}),
     .b({{(O_W-Z_W+1){diff_2[Z_W-1]}}, diff_2[Z_W-2:0]}),
     .c({{(O_W-Z_W+1){diff_3[Z_W-1]}}, diff_3[Z_W-2:0]}),
-    .carry_in(1'b0),
-    .sum(sum),
-    .carry(carry)
+    .carry_in(1'b0), .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin

@@ -2,73 +2,34 @@
  * limit? */
 #include "clearance.h"
 
-#define LIMIT_W "LIMITS*L_W"
-#define EDGE_LIMIT_W "M_W"
-
-static const graph_row cross = {.symbol = "c",
-                                .module = "sepax_cross",
-                                .operand = {"p", "q"},
-                                .negative = 1,
-                                .output = "c",
-                                .parameters = "",
-                                .width = "C_W",
-                                .is_signed = true,
-                                .about = "Components of e x f."};
-static const graph_row limit = {.symbol = "l",
-                                .module = "sepax_limit",
-                                .operand = {"x", "y", "z"},
-                                .output = "limit",
-                                .parameters = "",
-                                .width = LIMIT_W,
-                                .about = "Limits on e x f, on N_B and N_A, on edges."};
-static const graph_row own_limit = {.symbol = "lo",
-                                    .module = "sepax_own_limit",
-                                    .operand = {"x", "y", "z"},
-                                    .output = "limit",
-                                    .parameters = "",
-                                    .width = LIMIT_W};
-static const graph_row edge_limit = {
-    .symbol = "le",
-    .module = "sepax_edge_limit",
-    .operand = {"x_from", "x_to", "y_from", "y_to", "z_from", "z_to"},
-    .output = "limit_xy",
-    .parameters = "",
-    .width = EDGE_LIMIT_W};
-static const graph_row more_edge_limit[2] = {
-    {.symbol = "le", .output = "limit_yz", .width = EDGE_LIMIT_W},
-    {.symbol = "le", .output = "limit_zx", .width = EDGE_LIMIT_W}};
-static const graph_row exceeds_edge = {.symbol = "ge",
-                                       .module = "sepax_exceeds_edge",
-                                       .operand = {"g", "limit"},
-                                       .output = "exceeds",
-                                       .parameters = "",
-                                       .width = "LIMITS+1",
-                                       .about = "Does orient2d exceed the limit of the edge?"};
-static const graph_row edge_outside = {
-    .symbol = "e",
-    .module = "sepax_edge_outside",
-    .operand = {"b_1", "b_2", "b_3", "own"},
-    .output = "outside",
-    .parameters = "",
-    .width = "LIMITS",
-    .about = "Is the other triangle outside the clearance of the edge?"};
-static const graph_row aabb_outside = {.symbol = "box",
-                                       .module = "sepax_aabb_outside",
-                                       .operand = {"a_1", "a_2", "a_3", "b_1", "b_2", "b_3"},
-                                       .output = "outside",
-                                       .parameters = "",
-                                       .width = "LIMITS",
-                                       .about = "Is the gap of the AABBs outside the clearance?"};
-static const graph_row exceeds = {.module = "sepax_exceeds",
-                                  .operand = {"v", "limit"},
-                                  .output = "exceeds",
-                                  .parameters = "",
-                                  .width = "LIMITS+2"};
-static const graph_row slope = {.module = "sepax_slope",
-                                .operand = {"p", "q"},
-                                .output = "slope",
-                                .parameters = "",
-                                .width = "2"};
+/* One row a kind: symbol, module, lesser module, operands, how many it subtracts, output, width,
+ * signed, expression, comment. */
+/* clang-format off */
+static const graph_row
+  cross = {"c", "sepax_cross", NULL, {"p", "q"}, 1, "c", "C_W", true, NULL,
+    "Components of e x f."},
+  limit = {"l", "sepax_limit", NULL, {"x", "y", "z"}, 0, "limit", "LIMITS*L_W", false, NULL,
+    "Limits on e x f, on N_B and N_A."},
+  own_limit = {"lo", "sepax_own_limit", NULL, {"x", "y", "z"}, 0, "limit", "LIMITS*L_W", false,
+    NULL, NULL},
+  edge_limit[3] = {{"le", "sepax_edge_limit", NULL, {"x_from", "x_to", "y_from", "y_to",
+    "z_from", "z_to"}, 0, "limit_xy", "M_W", false, NULL, "Limits on edges."},
+    {"le", NULL, NULL, {NULL}, 0, "limit_yz", "M_W", false, NULL, NULL},
+    {"le", NULL, NULL, {NULL}, 0, "limit_zx", "M_W", false, NULL, NULL}},
+  exceeds_edge = {"ge", "sepax_exceeds_edge", NULL, {"g", "limit"}, 0, "exceeds", "LIMITS+1",
+    false, NULL, "Does orient2d exceed the limit of the edge?"},
+  edge_outside = {"e", "sepax_edge_outside", NULL, {"b_1", "b_2", "b_3", "own"}, 0, "outside",
+    "LIMITS", false, NULL, "Is the other triangle outside the clearance of the edge?"},
+  aabb_outside = {"box", "sepax_aabb_outside", NULL, {"a_1", "a_2", "a_3", "b_1", "b_2", "b_3"},
+    0, "outside", "LIMITS", false, NULL, "Are the AABBs outside the clearance?"},
+  exceeds[3] = {{"fs", "sepax_exceeds", NULL, {"v", "limit"}, 0, "exceeds", "LIMITS+2", false,
+    NULL, "Does orient3d exceed the limit of the axis?"},
+    {"fw", "sepax_exceeds", NULL, {"v", "limit"}, 0, "exceeds", "LIMITS+2", false, NULL, NULL},
+    {"fd", "sepax_exceeds", NULL, {"v", "limit"}, 0, "exceeds", "LIMITS+2", false, NULL, NULL}},
+  slope[2] = {{"rs", "sepax_slope", NULL, {"p", "q"}, 0, "slope", "2", false, NULL,
+    "How orient3d changes along an edge."},
+    {"rw", "sepax_slope", NULL, {"p", "q"}, 0, "slope", "2", false, NULL, NULL}};
+/* clang-format on */
 
 /* Components of e_i x f_j, from orient2d of e_i and both ends of f_j. */
 static void make_crosses(exact_plan *p, graph_value c[3][3][3]) {
@@ -93,10 +54,9 @@ static void make_edges(exact_plan *p, exact_bus *bus) {
   exact_graph *e = &p->graph;
   graph_value le[3][6];
   int limit_kind[3];
-  limit_kind[0] = graph_kind_add(e->graph, &edge_limit, "", 3 + p->stages.total, "limit");
-  for (int n = 1; n < 3; n++) {
-    limit_kind[n] = graph_kind_add(e->graph, &more_edge_limit[n - 1], exact_projection_suffix(n),
-                                   3 + p->stages.total, NULL);
+  for (int n = 0; n < 3; n++) {
+    limit_kind[n] = graph_kind_add(e->graph, &edge_limit[n], exact_projection_suffix(n),
+                                   3 + p->stages.total, "limit");
   }
   for (int v = 0; v < 6; v++) {
     int to = v < 3 ? exact_a(v + 1) : exact_b(v - 2);
@@ -157,13 +117,6 @@ static void make_boxes(exact_plan *p, exact_bus *bus) {
   }
 }
 
-static int add_kind(exact_plan *p, const graph_row *of, const char *symbol, const char *about) {
-  graph_row row = *of;
-  row.symbol = symbol;
-  row.about = about;
-  return graph_kind_add(p->graph.graph, &row, "", 1, "exceeds");
-}
-
 /* orient3d against the limits of its axis; bus 0, 1, 2: s, w, d. */
 static void make_exceeds(exact_plan *p, graph_value c[3][3][3], exact_bus *bus) {
   exact_graph *e = &p->graph;
@@ -183,9 +136,9 @@ static void make_exceeds(exact_plan *p, graph_value c[3][3][3], exact_bus *bus) 
                                GRAPH_IN(e->g[0][3][4][5], e->g[1][3][4][5], e->g[2][3][4][5]), 0);
   graph_value of_a = graph_add(g, own_kind, GRAPH_OF(0, 1, 2),
                                GRAPH_IN(e->g[0][0][1][2], e->g[1][0][1][2], e->g[2][0][1][2]), 0);
-  kind = add_kind(p, &exceeds, "fs", "Does orient3d exceed the limit of the axis?");
-  int kind_w = add_kind(p, &exceeds, "fw", NULL);
-  int kind_d = add_kind(p, &exceeds, "fd", NULL);
+  kind = graph_kind_add(g, &exceeds[0], "", 1, "exceeds");
+  int kind_w = graph_kind_add(g, &exceeds[1], "", 1, "exceeds");
+  int kind_d = graph_kind_add(g, &exceeds[2], "", 1, "exceeds");
   static const char *const port[] = {"f_s", "f_w", "f_d"};
   for (int n = 0; n < 3; n++) {
     bus[n].port = port[n];
@@ -207,8 +160,8 @@ static void make_exceeds(exact_plan *p, graph_value c[3][3][3], exact_bus *bus) 
 /* How s changes along B's edges, w along A's. */
 static void make_slopes(exact_plan *p, exact_bus *bus) {
   exact_graph *e = &p->graph;
-  int kind_s = add_kind(p, &slope, "rs", "How orient3d changes along an edge.");
-  int kind_w = add_kind(p, &slope, "rw", NULL);
+  int kind_s = graph_kind_add(e->graph, &slope[0], "", 1, "exceeds");
+  int kind_w = graph_kind_add(e->graph, &slope[1], "", 1, "exceeds");
   bus[0].port = "r_s";
   bus[1].port = "r_w";
   for (int i = 0; i < 3; i++) {

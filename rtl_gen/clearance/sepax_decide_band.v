@@ -75,7 +75,7 @@ module sepax_decide_band #(
   endgenerate
 
   assign coplanar = &zero;
-//@ if two
+//@ if two_limits
   assign by = (proved[25:13] != 13'd0) ? proved[25:13] : proved[12:0];
   assign band = (proved[25:13] != 13'd0) ? 2'd0 : (proved[12:0] != 13'd0) ? 2'd1 : 2'd2;
 //@ else

@@ -37,13 +37,13 @@ module sepax_edge_limit #(
 //@ if most
       reg [W-1:0] most_q;
 //@ end
-//@ if two
+//@ if two_limits
       reg [L_W-1:0] limit_2_q;
 //@ end
 //@ if parts
       reg [L_W-1:0] of_sum_1_q;
       reg [L_W-1:0] of_most_1_q;
-//@ if two
+//@ if two_limits
       reg [L_W-1:0] of_sum_2_q;
       reg [L_W-1:0] of_most_2_q;
 //@ end
@@ -60,19 +60,19 @@ module sepax_edge_limit #(
         of_sum_1_q <= @of_sum_1@;
         of_most_1_q <= @of_most_1@;
         limit_1_q <= of_sum_1_q + of_most_1_q;
-//@ if two
+//@ if two_limits
         of_sum_2_q <= @of_sum_2@;
         of_most_2_q <= @of_most_2@;
         limit_2_q <= of_sum_2_q + of_most_2_q;
 //@ end
 //@ else
         limit_1_q <= @limit_1@;
-//@ if two
+//@ if two_limits
         limit_2_q <= @limit_2@;
 //@ end
 //@ end
       end
-//@ if two
+//@ if two_limits
       assign limit[n*M_W +: M_W] = {limit_2_q, limit_1_q};
 //@ else
       assign limit[n*M_W +: M_W] = limit_1_q;

@@ -5,7 +5,7 @@
 //@ end
 // For v of sign s the comparison is {~v if s else v, s, s} > {limit, 0}. Latency 1.
 module @name@ #(
-  parameter V_W = @v_w@,      // bits of the value
+  parameter V_W = @x_w@,      // bits of the value
   parameter L_W = @l_w@,      // bits of a limit
   parameter N = @n@,          // bits of the comparison
   parameter LIMITS = @limits@ // clearances
@@ -23,7 +23,7 @@ module @name@ #(
   wire [N-1:0] size;
   wire [LIMITS-1:0] above;
 
-  assign size = {@pad_v@@value@ ^ {V_W{@value@[V_W-1]}}, {2{@value@[V_W-1]}}};
+  assign size = {@pad@@value@ ^ {V_W{@value@[V_W-1]}}, {2{@value@[V_W-1]}}};
 
   genvar k;
   generate

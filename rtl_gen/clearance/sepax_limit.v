@@ -8,7 +8,7 @@ module @name@ #(
   input  wire signed [C_W-1:0] x,    // component
   input  wire signed [C_W-1:0] y,    // component
   input  wire signed [C_W-1:0] z,    // component
-//@ if two
+//@ if two_limits
   output wire [2*L_W-1:0]      limit // for each clearance, the inner in the lower half
 //@ else
   output wire [L_W-1:0]        limit // of the clearance
@@ -58,13 +58,13 @@ module @name@ #(
 
   // (2 + D) sum + D most
   reg [L_W-1:0] limit_1_q;
-//@ if two
+//@ if two_limits
   reg [L_W-1:0] limit_2_q;
 //@ end
 //@ if parts
   reg [L_W-1:0] of_sum_1_q;
   reg [L_W-1:0] of_most_1_q;
-//@ if two
+//@ if two_limits
   reg [L_W-1:0] of_sum_2_q;
   reg [L_W-1:0] of_most_2_q;
 //@ end
@@ -75,20 +75,20 @@ module @name@ #(
     of_sum_1_q <= @of_sum_1@;
     of_most_1_q <= @of_most_1@;
     limit_1_q <= of_sum_1_q + of_most_1_q;
-//@ if two
+//@ if two_limits
     of_sum_2_q <= @of_sum_2@;
     of_most_2_q <= @of_most_2@;
     limit_2_q <= of_sum_2_q + of_most_2_q;
 //@ end
 //@ else
     limit_1_q <= @limit_1@;
-//@ if two
+//@ if two_limits
     limit_2_q <= @limit_2@;
 //@ end
 //@ end
   end
 
-//@ if two
+//@ if two_limits
   assign limit = {limit_2_q, limit_1_q};
 //@ else
   assign limit = limit_1_q;

@@ -3,12 +3,8 @@
 
 #include "aabb/aabb.h"
 #include "emit/gen.h"
-#include "emit/template.h"
 
 #include <stdlib.h>
-#include <string.h>
-
-#define NUMBER(value) gen_format("%d", (value)).text
 
 /* One digit of a factor, -1, 0 or 1, and what is left of it, halved. */
 static int digit_of(int64_t *factor) {
@@ -58,21 +54,18 @@ typedef struct {
   int sum_width, most_width, bits;
 } limit_terms;
 
-enum { LIMIT_HOLES = 16 };
-
-/* Holes of both kinds of limits, behind those that are there: for each clearance D of_sum, of_most,
- * or their sum. Their texts are to be freed, from `more` on. */
-static void limit_holes(const exact_plan *p, const limit_terms *t, emit_hole hole[LIMIT_HOLES],
-                        int more) {
+/* Holes of both kinds of limits: for each clearance D of_sum, of_most, or their sum. Their texts
+ * are to be freed, from hole h->count on as it is now. */
+static void limit_holes(const exact_plan *p, const limit_terms *t, exact_holes *h) {
   static const char *const name[2][3] = {{"of_sum_1", "of_most_1", "limit_1"},
                                          {"of_sum_2", "of_most_2", "limit_2"}};
   for (int k = 0; k < p->limits; k++) {
     int64_t d = p->design->margin[k] - 1;
-    for (int part = p->stages.total ? 0 : 2; part < (p->stages.total ? 2 : 3); part++) {
+    for (int part = 0; part < 3; part++) {
       char *text = NULL;
       size_t size = 0;
       FILE *out = open_memstream(&text, &size);
-      if (out == NULL || more + 1 >= LIMIT_HOLES) {
+      if (out == NULL) {
         abort();
       }
       if (part != 1) {
@@ -85,64 +78,49 @@ static void limit_holes(const exact_plan *p, const limit_terms *t, emit_hole hol
         print_multiple(out, t->most, t->most_width, d, t->bits);
       }
       fclose(out);
-      hole[more++] = (emit_hole){name[k][part], text};
+      exact_hole(h, name[k][part], text);
     }
   }
-  hole[more] = (emit_hole){NULL, NULL};
 }
 
-static void free_texts(emit_hole *hole) {
-  for (; hole->name != NULL; hole++) {
-    free((char *)hole->text);
+/* Emit a limit's module of these terms. */
+static void gen_limit_of(emitter *e, const exact_plan *p, const char *file, const limit_terms *t,
+                         exact_holes *h) {
+  exact_hole_number(h, "l_w", t->bits);
+  exact_hole_number(h, "m_w", p->limits * t->bits);
+  exact_hole_number(h, "registered", p->stages.most);
+  exact_hole_number(h, "most", p->design->margin[1] > 1);
+  exact_hole_number(h, "parts", p->stages.total);
+  int first = h->count;
+  limit_holes(p, t, h);
+  exact_template(e, file, h);
+  for (int i = first; i < h->count; i++) {
+    free((char *)h->hole[i].text);
   }
 }
-
-static const char *flag(bool set) { return set ? "1" : ""; }
-
-static bool most_matters(const exact_plan *p) { return p->design->margin[1] > 1; }
 
 static void gen_limit(emitter *e, const exact_plan *p, const char *name, int format,
                       const char *what) {
   const sepax_format *f = p->design->format;
-  const gen_line latency = gen_format("%d", 3 + p->stages.most + p->stages.total);
-  const gen_line component = gen_format("%d", f[format].width);
-  const gen_line bits = gen_format("%d", f[SEPAX_X_LIMIT].width);
-  enum { MORE = 9 };
-  emit_hole hole[LIMIT_HOLES] = {{"name", name},
-                                 {"what", what},
-                                 {"latency", latency.text},
-                                 {"c_w", component.text},
-                                 {"l_w", bits.text},
-                                 {"two", flag(p->limits > 1)},
-                                 {"registered", flag(p->stages.most)},
-                                 {"most", flag(most_matters(p))},
-                                 {"parts", flag(p->stages.total)}};
+  exact_holes h;
+  exact_holes_make(&h, p);
+  exact_hole(&h, "name", name);
+  exact_hole(&h, "what", what);
+  exact_hole_number(&h, "latency", 3 + p->stages.most + p->stages.total);
+  exact_hole_number(&h, "c_w", f[format].width);
   const limit_terms terms = {p->stages.most ? "sum_q2" : "sum_q", "most_q", f[format].width + 2,
                              f[format].width, f[SEPAX_X_LIMIT].width};
-  limit_holes(p, &terms, hole, MORE);
-  emit_template(e, "sepax_limit", hole);
-  free_texts(hole + MORE);
+  gen_limit_of(e, p, "sepax_limit", &terms, &h);
 }
 
 static void gen_edge_limit(emitter *e, const exact_plan *p) {
   int word = p->design->core_word;
-  int bits = p->design->format[SEPAX_X_EDGE_LIMIT].width;
-  const gen_line latency = gen_format("%d", 3 + p->stages.total);
-  const gen_line coordinate = gen_format("%d", word);
-  const gen_line each = gen_format("%d", bits);
-  const gen_line all = gen_format("%d", p->limits * bits);
-  enum { MORE = 7 };
-  emit_hole hole[LIMIT_HOLES] = {{"latency", latency.text},
-                                 {"w", coordinate.text},
-                                 {"l_w", each.text},
-                                 {"m_w", all.text},
-                                 {"two", flag(p->limits > 1)},
-                                 {"most", flag(most_matters(p))},
-                                 {"parts", flag(p->stages.total)}};
-  const limit_terms terms = {"sum_q", "most_q", word + 1, word, bits};
-  limit_holes(p, &terms, hole, MORE);
-  emit_template(e, "sepax_edge_limit", hole);
-  free_texts(hole + MORE);
+  exact_holes h;
+  exact_holes_make(&h, p);
+  exact_hole_number(&h, "latency", 3 + p->stages.total);
+  const limit_terms terms = {"sum_q", "most_q", word + 1, word,
+                             p->design->format[SEPAX_X_EDGE_LIMIT].width};
+  gen_limit_of(e, p, "sepax_edge_limit", &terms, &h);
 }
 
 static void gen_exceeds(emitter *e, const exact_plan *p, const char *name, int value, int limit) {
@@ -150,68 +128,42 @@ static void gen_exceeds(emitter *e, const exact_plan *p, const char *name, int v
   int l_w = p->design->format[limit].width;
   int n = (v_w > l_w ? v_w : l_w) + 2;
   bool of_3d = value == SEPAX_X_ORIENT3D;
-  emit_template(e, "sepax_exceeds",
-                (emit_hole[]){{"name", name},
-                              {"value", of_3d ? "v" : "g"},
-                              {"zero", flag(of_3d)},
-                              {"v_w", NUMBER(v_w)},
-                              {"l_w", NUMBER(l_w)},
-                              {"n", NUMBER(n)},
-                              {"pad_v", n > v_w + 2 ? gen_format("%d'd0, ", n - v_w - 2).text : ""},
-                              {"limits", NUMBER(p->limits)},
-                              {NULL, NULL}});
-}
-
-static void gen_aabb_outside(emitter *e, const exact_plan *p) {
-  int word = p->design->core_word;
-  long long inner = (long long)p->design->margin[0];
-  long long outer = (long long)p->design->margin[1];
-  const gen_line margins = p->limits > 1
-                               ? gen_format("%d'd%lld, %d'd%lld", word, outer, word, inner)
-                               : gen_format("%d'd%lld", word, inner);
-  gen_bounds(e);
-  emit_template(e, "sepax_aabb_outside",
-                (emit_hole[]){{"w", NUMBER(word)},
-                              {"limits", NUMBER(p->limits)},
-                              {"margins", margins.text},
-                              {NULL, NULL}});
-}
-
-static void gen_decide_band(emitter *e, const exact_plan *p) {
-  emit_template(e, "sepax_decide_band",
-                (emit_hole[]){{"limits", NUMBER(p->limits)},
-                              {"two", flag(p->limits > 1)},
-                              {"axis_none", NUMBER(SEPAX_AXIS_NONE)},
-                              {"axis_edges", NUMBER(SEPAX_AXIS_EDGES)},
-                              {"axis_normal_a", NUMBER(SEPAX_AXIS_NORMAL_A)},
-                              {"axis_normal_b", NUMBER(SEPAX_AXIS_NORMAL_B)},
-                              {"axis_plane", NUMBER(SEPAX_AXIS_PLANE)},
-                              {"axis_aabb", NUMBER(SEPAX_AXIS_AABB)},
-                              {NULL, NULL}});
+  const gen_line pad = gen_format("%d'd0, ", n - v_w - 2);
+  exact_holes h;
+  exact_holes_make(&h, p);
+  exact_hole(&h, "name", name);
+  exact_hole(&h, "value", of_3d ? "v" : "g");
+  exact_hole_number(&h, "zero", of_3d);
+  exact_hole_number(&h, "x_w", v_w);
+  exact_hole_number(&h, "l_w", l_w);
+  exact_hole_number(&h, "n", n);
+  exact_hole(&h, "pad", n > v_w + 2 ? pad.text : "");
+  exact_template(e, "sepax_exceeds", &h);
 }
 
 void gen_clearance_units(emitter *e, const exact_plan *p) {
-  const sepax_format *f = p->design->format;
+  int word = p->design->core_word;
+  const int64_t *margin = p->design->margin;
+  const gen_line margins = gen_format("%d'd%lld", word, (long long)margin[p->limits - 1]);
+  const gen_line both = gen_format("%s, %d'd%lld", margins.text, word, (long long)margin[0]);
+  exact_holes h;
+  exact_holes_make(&h, p);
+  exact_hole_number(&h, "c_w", p->design->format[SEPAX_X_CROSS].width);
+  exact_hole(&h, "margins", p->limits > 1 ? both.text : margins.text);
   if (p->design->config.ii > 1) {
-    emit_template(e, "sepax_slot_copy", NULL);
+    exact_template(e, "sepax_slot_copy", &h);
   }
-  emit_template(e, "clearance/sepax_cross",
-                (emit_hole[]){{"g_w", NUMBER(f[SEPAX_X_ORIENT2D].width)},
-                              {"c_w", NUMBER(f[SEPAX_X_CROSS].width)},
-                              {NULL, NULL}});
-  emit_template(e, "sepax_slope",
-                (emit_hole[]){{"v_w", NUMBER(f[SEPAX_X_ORIENT3D].width)}, {NULL, NULL}});
-  emit_template(e, "sepax_edge_outside",
-                (emit_hole[]){{"g_w", NUMBER(f[SEPAX_X_ORIENT2D].width)},
-                              {"limits", NUMBER(p->limits)},
-                              {NULL, NULL}});
+  gen_bounds(e);
+  exact_template(e, "clearance/sepax_cross", &h);
+  exact_template(e, "sepax_slope", &h);
+  exact_template(e, "sepax_edge_outside", &h);
+  exact_template(e, "sepax_aabb_outside", &h);
   gen_limit(e, p, "sepax_limit", SEPAX_X_CROSS, "e x f");
   gen_limit(e, p, "sepax_own_limit", SEPAX_X_ORIENT2D, "N_A or N_B");
   gen_edge_limit(e, p);
   gen_exceeds(e, p, "sepax_exceeds", SEPAX_X_ORIENT3D, SEPAX_X_LIMIT);
   gen_exceeds(e, p, "sepax_exceeds_edge", SEPAX_X_ORIENT2D, SEPAX_X_EDGE_LIMIT);
-  gen_aabb_outside(e, p);
-  gen_decide_band(e, p);
+  exact_template(e, "sepax_decide_band", &h);
 }
 
 void clearance_widths(emit_module *m, const exact_plan *p) {

@@ -238,8 +238,8 @@ static void instance(emission *e, int kind, int unit) {
       k->row.lesser != NULL && without && more == 0 ? k->row.lesser : k->row.module;
   source name;
   snprintf(name, EMIT_NAME, "%s_%s", module + strlen("sepax_"), stream_of(e, k, unit)->name);
-  emit_instance(e->m, module, name, k->row.parameters, "%s%s",
-                k->latency > 0 ? "clk=clk" : connections + 2, k->latency > 0 ? connections : "");
+  emit_instance(e->m, module, name, "", "%s%s", k->latency > 0 ? "clk=clk" : connections + 2,
+                k->latency > 0 ? connections : "");
   free(connections);
 }
 

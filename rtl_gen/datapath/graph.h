@@ -22,21 +22,20 @@ enum {
 /* A node by its number, or minus its number: the negated value. 0: no value. */
 typedef int graph_value;
 
-/* A kind of operation, one row of a table. */
+/* A kind of operation, one row of a table. A row without module has an expression, or else its
+ * result is an optional output of the unit that it is beside. */
 typedef struct {
   const char *symbol;                  /* of its values: t, g ... */
-  const char *module;                  /* that computes it, or NULL: see expression, other */
+  const char *module;                  /* that computes it, or NULL */
   const char *lesser;                  /* the module without optional ports, or NULL */
-  const char *parameters;              /* of an instance */
-  const char *output;                  /* port of the result */
   const char *operand[GRAPH_OPERANDS]; /* ports. "?name" is optional: left out of a unit where all
                                           optional operands of each operation are one value,
                                           because they cancel */
   int negative;                        /* operands that it subtracts, the last ones */
+  const char *output;                  /* port of the result */
   const char *width;                   /* text for declarations */
   bool is_signed;
-  const char *expression; /* for a row without module: Verilog, @ stands for the operand. NULL: the
-                             result is an optional output of the unit `beside` which it is */
+  const char *expression; /* Verilog, @ stands for the operand */
   const char *about;      /* comment above the units, or NULL */
 } graph_row;
 
@@ -91,6 +90,9 @@ graph_value graph_add(graph *g, int kind, const int vertex[], const graph_value 
 
 /* "a1" ... "b3", "x", "y", "z". */
 const char *graph_vertex_name(int vertex);
+
+/* The operand of an operation. */
+graph_value graph_operand(const graph *g, graph_value v, int index);
 
 const graph_kind *graph_kind_of(const graph *g, graph_value v);
 

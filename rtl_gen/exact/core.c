@@ -48,7 +48,6 @@ static void widths(emit_module *m, const exact_plan *p) {
     int format;
     const char *about;
   } row[] = {{"W", SEPAX_X_COORDINATE, "bits of a coordinate"},
-             {"S_W", SEPAX_X_SPAN, "of a sum or difference of two"},
              {"G_W", SEPAX_X_ORIENT2D, "of a trapezoid term or an orient2d"},
              {"Z_W", SEPAX_X_Z_SUM, "of a z sum"},
              {"O_W", SEPAX_X_OWN_Z_SUM, "of B's z sum"},
@@ -57,17 +56,15 @@ static void widths(emit_module *m, const exact_plan *p) {
   for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
     emit_parameter(m, EMIT_LOCALPARAM, row[i].name, f[row[i].format].width, row[i].about);
   }
-  emit_parameter(m, EMIT_LOCALPARAM, "DIGITS", f[SEPAX_X_Z_SUM].digits,
-                 "radix-4 digits of a z sum");
-  emit_parameter(m, EMIT_LOCALPARAM, "OWN_DIGITS", f[SEPAX_X_OWN_Z_SUM].digits, "of B's z sum");
-  emit_text(m,
-            "// What z sums have more than the sum, as prisms deduct it: 1 for each digit but the "
-            "highest.");
+  /* What prisms deduct of a z sum: 1 for each digit but the highest. */
   if (!p->single) {
-    emit_text(m, "localparam signed [Z_W-1:0] BIAS =\n"
+    emit_parameter(m, EMIT_LOCALPARAM, "DIGITS", f[SEPAX_X_Z_SUM].digits,
+                   "radix-4 digits of a z sum");
+    emit_text(m, "localparam signed [Z_W-1:0] BIAS = // of z sums, as prisms deduct it\n"
                  "  {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};");
   }
   if (p->running) {
+    emit_parameter(m, EMIT_LOCALPARAM, "OWN_DIGITS", f[SEPAX_X_OWN_Z_SUM].digits, "of B's z sum");
     emit_text(m, "localparam signed [O_W-1:0] OWN_BIAS =\n"
                  "  {{(O_W+2-2*OWN_DIGITS){1'b0}}, {(OWN_DIGITS-1){2'b01}}};");
   }

@@ -5,6 +5,7 @@
 
 #include "arith/arith.h"
 #include "datapath/times.h"
+#include "emit/template.h"
 #include "sepax_design.h"
 
 /* Registers inside the units, and the longest stage that is left: stages.c. */
@@ -43,7 +44,6 @@ typedef struct {
   graph_value t[3][6][6];          /* trapezoid terms; t_ji = -t_ij */
   graph_value g[3][6][6][6];       /* orient2d; the sign is that of the permutation */
   graph_value zdiff[3][6];         /* z of B's vertex less that of A's, where they are shared */
-  graph_value z[6][6][6];          /* z sums less the sum of A's z */
   graph_value h[6][6][6];          /* signed prism volumes, signs as g */
   graph_value s[3], w[3], d[3][3]; /* orient3d: B_k and A's plane, A_i and B's, edges i and j */
   exact_bus verdict[EXACT_BUSES], projection[EXACT_BUSES]; /* that the last modules read */
@@ -80,6 +80,19 @@ void exact_graph_projection(exact_plan *p, int projection);
 
 /* "_yz", "_zx": what names of a projection end with; "" of the first. */
 const char *exact_projection_suffix(int projection);
+
+/* Holes of templates: widths, axis numbers, what is there; and those of a module. */
+enum { EXACT_HOLES = 40 };
+typedef struct {
+  emit_hole hole[EXACT_HOLES];
+  char number[EXACT_HOLES][24];
+  int count;
+} exact_holes;
+
+void exact_holes_make(exact_holes *h, const exact_plan *p);
+void exact_hole(exact_holes *h, const char *name, const char *text);
+void exact_hole_number(exact_holes *h, const char *name, int64_t number);
+void exact_template(emitter *e, const char *file, exact_holes *h);
 
 /* Modules. */
 void gen_exact_units(emitter *e, const exact_plan *p);

@@ -12,153 +12,84 @@ const char *exact_projection_suffix(int projection) {
 
 /* ------------------------------------------------------------- kinds of operations */
 
-#define SIGN(width) "{!@[" width "-1] && (@ != {" width "{1'b0}}), @[" width "-1]}"
-
-static const graph_row trapezoid = {.symbol = "t",
-                                    .module = "sepax_trapezoid_ab",
-                                    .lesser = "sepax_trapezoid",
-                                    .operand = {"x_from", "x_to", "y_from", "y_to"},
-                                    .output = "t",
-                                    .parameters = "W=W, S_W=S_W, G_W=G_W",
-                                    .width = "G_W",
-                                    .is_signed = true,
-                                    .about = "Trapezoid terms."};
-static const graph_row order_x = {.symbol = "ox", .output = "order", .width = "2"};
-static const graph_row orient2d = {.symbol = "g",
-                                   .module = "sepax_orient2d",
-                                   .operand = {"p", "q", "r"},
-                                   .negative = 1,
-                                   .output = "g",
-                                   .parameters = "G_W=G_W",
-                                   .width = "G_W",
-                                   .is_signed = true,
-                                   .about = "orient2d of vertices of both triangles."};
-static const graph_row own_orient2d = {.symbol = "go",
-                                       .module = "sepax_own_orient2d",
-                                       .operand = {"p", "q", "r"},
-                                       .output = "g",
-                                       .parameters = "G_W=G_W",
-                                       .width = "G_W",
-                                       .is_signed = true,
-                                       .about = "orient2d of B, of A."};
-static const graph_row sign = {.symbol = "gs",
-                               .operand = {"g"},
-                               .width = "2",
-                               .expression = SIGN("G_W"),
-                               .about = "Their signs {> 0, < 0}."};
-static const graph_row zsum = {.symbol = "z",
-                               .module = "sepax_zsum",
-                               .lesser = "sepax_zdiff",
-                               .operand = {"z_p", "?z_q", "z_r", "?z_s"},
-                               .negative = 2,
-                               .output = "z",
-                               .parameters = "W=W, Z_W=Z_W, DIGITS=DIGITS",
-                               .width = "Z_W",
-                               .is_signed = true,
-                               .about = "z sums."};
-static const graph_row zdiff = {.symbol = "z",
-                                .module = "sepax_zdiff",
-                                .operand = {"z_p", "z_r"},
-                                .negative = 1,
-                                .output = "z",
-                                .parameters = "W=W, Z_W=Z_W, DIGITS=DIGITS",
-                                .width = "Z_W",
-                                .is_signed = true,
-                                .about = "z differences, in the same cycle."};
-static const graph_row zsum_of_two = {.symbol = "z",
-                                      .module = "sepax_zsum",
-                                      .operand = {"diff_1", "diff_2"},
-                                      .output = "z",
-                                      .parameters = "Z_W=Z_W",
-                                      .width = "Z_W",
-                                      .is_signed = true,
-                                      .about = "z sums of two differences."};
-static const graph_row order_z = {.symbol = "oz",
-                                  .operand = {"z"},
-                                  .width = "2",
-                                  .expression = "{@ > BIAS, @ < BIAS}",
-                                  .about = "Signs of z differences."};
-static const graph_row own_zsum = {.symbol = "zo",
-                                   .module = "sepax_own_zsum",
-                                   .operand = {"z_b1", "z_b2", "z_b3", "z_a1", "z_a2", "z_a3"},
-                                   .negative = 3,
-                                   .output = "z",
-                                   .parameters = "W=W, O_W=O_W, DIGITS=OWN_DIGITS",
-                                   .width = "O_W",
-                                   .is_signed = true};
-static const graph_row own_zsum_of_three = {
-    .symbol = "zo",
-    .module = "sepax_own_zsum",
-    .operand = {"diff_1", "diff_2", "diff_3"},
-    .output = "z",
-    .parameters = "Z_W=Z_W, DIFF_DIGITS=DIGITS, O_W=O_W, DIGITS=OWN_DIGITS",
-    .width = "O_W",
-    .is_signed = true};
-static const graph_row own_zsum_running = {.symbol = "zo",
-                                           .module = "sepax_own_zsum",
-                                           .operand = {"so_far", "z_b", "z_a"},
-                                           .negative = 1,
-                                           .output = "z",
-                                           .parameters = "W=W, O_W=O_W",
-                                           .width = "O_W",
-                                           .is_signed = true};
-static const graph_row prism = {.symbol = "h",
-                                .module = "sepax_prism",
-                                .operand = {"g", "z"},
-                                .output = "h",
-                                .parameters = "G_W=G_W, Z_W=Z_W, V_W=V_W",
-                                .width = "V_W",
-                                .is_signed = true,
-                                .about = "Signed prism volumes."};
-static const graph_row prism_of_two = {.symbol = "h",
-                                       .module = "sepax_prism_2",
-                                       .operand = {"g", "z"},
-                                       .output = "h",
-                                       .parameters = "G_W=G_W, Z_W=Z_W, V_W=V_W",
-                                       .width = "V_W",
-                                       .is_signed = true};
-static const graph_row own_prism = {.symbol = "ho",
-                                    .module = "sepax_own_prism",
-                                    .operand = {"g", "z"},
-                                    .output = "h",
-                                    .parameters = "G_W=G_W, Z_W=O_W, V_W=V_W",
-                                    .width = "V_W",
-                                    .is_signed = true};
-static const graph_row running_sum = {.symbol = "v",
-                                      .module = "sepax_orient3d_a",
-                                      .operand = {"p", "q"},
-                                      .output = "sum",
-                                      .parameters = "V_W=V_W",
-                                      .width = "V_W",
-                                      .is_signed = true,
-                                      .about =
-                                          "orient3d of A's plane and B's vertices, term by term."};
-static const graph_row sum_sign = {.symbol = "s",
-                                   .operand = {"sum"},
-                                   .width = "2",
-                                   .expression = SIGN("V_W"),
-                                   .about = "Their signs."};
-static const graph_row orient3d[3] = {{.symbol = "s",
-                                       .module = "sepax_orient3d_a",
-                                       .operand = {"p", "q", "r"},
-                                       .about = "orient3d of A's plane and B's vertices."},
-                                      {.symbol = "w",
-                                       .module = "sepax_orient3d_b",
-                                       .operand = {"p", "q", "r", "s"},
-                                       .negative = 1,
-                                       .about = "orient3d of B's plane and A's vertices."},
-                                      {.symbol = "d",
-                                       .module = "sepax_orient3d_edges",
-                                       .operand = {"p", "q", "r", "s"},
-                                       .negative = 2,
-                                       .about = "orient3d of an edge of A and an edge of B."}};
+/* One row a kind: symbol, module, lesser module, operands, how many it subtracts, output, width,
+ * signed, expression, comment. */
+/* clang-format off */
+static const graph_row
+  trapezoid = {"t", "sepax_trapezoid_ab", "sepax_trapezoid", {"x_from", "x_to", "y_from",
+    "y_to"}, 0, "t", "G_W", true, NULL, "Trapezoid terms."},
+  orient2d = {"g", "sepax_orient2d", NULL, {"p", "q", "r"}, 1, "g", "G_W", true, NULL,
+    "orient2d of vertices of both triangles."},
+  own_orient2d = {"go", "sepax_own_orient2d", NULL, {"p", "q", "r"}, 0, "g", "G_W", true, NULL,
+    "orient2d of B, of A."},
+  zsum = {"z", "sepax_zsum", "sepax_zdiff", {"z_p", "?z_q", "z_r", "?z_s"}, 2, "z", "Z_W", true,
+    NULL, "z sums."},
+  zdiff = {"z", "sepax_zdiff", NULL, {"z_p", "z_r"}, 1, "z", "Z_W", true, NULL,
+    "z differences, in the same cycle."},
+  zsum_of_two = {"z", "sepax_zsum", NULL, {"diff_1", "diff_2"}, 0, "z", "Z_W", true, NULL,
+    "z sums of two differences."},
+  own_zsum = {"zo", "sepax_own_zsum", NULL, {"z_b1", "z_b2", "z_b3", "z_a1", "z_a2", "z_a3"}, 3,
+    "z", "O_W", true, NULL, NULL},
+  own_zsum_of_three = {"zo", "sepax_own_zsum", NULL, {"diff_1", "diff_2", "diff_3"}, 0, "z",
+    "O_W", true, NULL, NULL},
+  own_zsum_running = {"zo", "sepax_own_zsum", NULL, {"so_far", "z_b", "z_a"}, 1, "z", "O_W",
+    true, NULL, NULL},
+  prism = {"h", "sepax_prism", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL,
+    "Signed prism volumes."},
+  prism_of_two = {"h", "sepax_prism_2", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL, NULL},
+  own_prism = {"ho", "sepax_own_prism", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL, NULL},
+  running_sum = {"v", "sepax_orient3d_a", NULL, {"p", "q"}, 0, "sum", "V_W", true, NULL,
+    "orient3d of A's plane and B's vertices, term by term."},
+  orient3d[2][3] = {{{"s", "sepax_orient3d_a", NULL, {"p", "q", "r"}, 0, "sign", "2", false,
+    NULL, "orient3d."},
+    {"w", "sepax_orient3d_b", NULL, {"p", "q", "r", "s"}, 1, "sign", "2", false, NULL, NULL},
+    {"d", "sepax_orient3d_edges", NULL, {"p", "q", "r", "s"}, 2, "sign", "2", false, NULL,
+     NULL}},
+    {{"s", "sepax_orient3d_a", NULL, {"p", "q", "r"}, 0, "volume", "V_W", true, NULL,
+     "orient3d."},
+    {"w", "sepax_orient3d_b", NULL, {"p", "q", "r", "s"}, 1, "volume", "V_W", true, NULL, NULL},
+    {"d", "sepax_orient3d_edges", NULL, {"p", "q", "r", "s"}, 2, "volume", "V_W", true, NULL,
+     NULL}}},
+  order_x = {"ox", NULL, NULL, {NULL}, 0, "order", "2", false, NULL, NULL},
+  order_z = {"oz", NULL, NULL, {"z"}, 0, NULL, "2", false, "{@ > BIAS, @ < BIAS}",
+    "Signs of z differences."},
+  sign = {"gs", NULL, NULL, {"g"}, 0, NULL, "2", false,
+    "{!@[G_W-1] && (@ != {G_W{1'b0}}), @[G_W-1]}", "Signs {> 0, < 0} of orient2d."},
+  own_sign = {"gos", NULL, NULL, {"g"}, 0, NULL, "2", false,
+    "{!@[G_W-1] && (@ != {G_W{1'b0}}), @[G_W-1]}", NULL},
+  sum_sign = {"s", NULL, NULL, {"sum"}, 0, NULL, "2", false,
+    "{!@[V_W-1] && (@ != {V_W{1'b0}}), @[V_W-1]}", "Their signs."};
+/* clang-format on */
 
 /* -------------------------------------------------------------------------- nodes */
 
+typedef struct {
+  int i, j, k;
+} triangle;
+
+static const triangle own_a = {0, 1, 2};
+static const triangle own_b = {3, 4, 5};
+
+/* Triangles of both: 0 ... 8 an edge of A with a vertex of B, 9 ... 17 an edge of B with a vertex
+ * of A, by cyclic symmetry classes. */
+static triangle triangle_of(int n) {
+  int c = n % 3;
+  int r = n / 3 % 3;
+  return n < 9 ? (triangle){exact_a(c), exact_a(c + 1), exact_b(c + r)}
+               : (triangle){exact_b(c + r), exact_b(c + r + 1), exact_a(c)};
+}
+
+/* An operation on a triangle; its label begins with A's vertices. */
+static graph_value add(exact_graph *e, int kind, triangle v, const graph_value operand[],
+                       graph_value beside) {
+  const int *label = v.i > v.k ? GRAPH_OF(v.k, v.i, v.j) : GRAPH_OF(v.i, v.j, v.k);
+  return graph_add(e->graph, kind, label, operand, beside);
+}
+
 /* A value and its permutations: the sign is that of the permutation. */
-static void permute(graph_value v[6][6][6], int i, int j, int k, graph_value value) {
-  v[i][j][k] = v[j][k][i] = v[k][i][j] = value;
-  v[j][i][k] = v[i][k][j] = v[k][j][i] = -value;
+static void permute(graph_value f[6][6][6], triangle v, graph_value value) {
+  f[v.i][v.j][v.k] = f[v.j][v.k][v.i] = f[v.k][v.i][v.j] = value;
+  f[v.j][v.i][v.k] = f[v.i][v.k][v.j] = f[v.k][v.j][v.i] = -value;
 }
 
 /* t_ij = (x_j - x_i) (y_i + y_j) */
@@ -171,59 +102,35 @@ static void make_trapezoid(exact_graph *e, int p, int i, int j) {
 }
 
 /* g_ijk = t_ij + t_jk + t_ki */
-static void make_orient2d(exact_graph *e, int p, int kind, int i, int j, int k) {
+static void make_orient2d(exact_graph *e, int p, int kind, triangle v) {
   graph_value(*t)[6] = e->t[p];
-  const int *label = i > k ? GRAPH_OF(k, i, j) : GRAPH_OF(i, j, k);
-  permute(e->g[p], i, j, k,
-          graph_add(e->graph, kind, label, GRAPH_IN(t[i][j], t[j][k], t[k][i]), 0));
+  permute(e->g[p], v, add(e, kind, v, GRAPH_IN(t[v.i][v.j], t[v.j][v.k], t[v.k][v.i]), 0));
 }
 
-/* z_i + z_j + z_k less the sum of A's z: common terms cancel. The triangle has an edge ij of A and
- * leaves out A's third vertex, or an edge ij of B and leaves out two. */
-static graph_value make_zsum(exact_plan *p, int i, int j, int k) {
+/* h_ijk = g_ijk z_ijk, z_ijk = z_i + z_j + z_k - z_0 - z_1 - z_2 */
+static void make_prism(exact_graph *e, int kind, triangle v, graph_value z) {
+  graph_value g = e->g[0][v.i][v.j][v.k];
+  permute(e->h, v, add(e, kind, v, GRAPH_IN(g, z), g));
+}
+
+/* z_ijk: common terms cancel. What is left of a triangle with an edge of A is z_k less z of A's
+ * third vertex; with an edge ij of B z_i + z_j less z of A's two others. */
+static graph_value make_zsum(exact_plan *p, triangle v) {
   exact_graph *e = &p->graph;
   const graph_value *z = e->coordinate[2];
-  const int *label = i > k ? GRAPH_OF(k, i, j) : GRAPH_OF(i, j, k);
-  graph_value beside = e->g[0][i][j][k];
-  int out = exact_a(i > k ? k + 2 : j + 1);
-  int out_2 = exact_a(k + 1);
-  if (p->stages.zdiff_shared && i > k) {
-    return graph_add(e->graph, e->kind.zsum, label, GRAPH_IN(e->zdiff[out_2][i], e->zdiff[out][j]),
-                     beside);
-  }
+  graph_value g = e->g[0][v.i][v.j][v.k];
+  bool edge_of_a = v.i < v.k;
+  int r = exact_a(edge_of_a ? v.j + 1 : v.k + 2);
+  int s = exact_a(v.k + 1);
   if (p->stages.zdiff_shared) {
-    return e->zdiff[out][k] =
-               graph_add(e->graph, e->kind.zdiff, label, GRAPH_IN(z[k], -z[out]), beside);
+    return edge_of_a ? e->zdiff[r][v.k] = add(e, e->kind.zdiff, v, GRAPH_IN(z[v.k], -z[r]), g)
+                     : add(e, e->kind.zsum, v, GRAPH_IN(e->zdiff[s][v.i], e->zdiff[r][v.j]), g);
   }
-  if (i > k) {
-    return graph_add(e->graph, e->kind.zsum, label, GRAPH_IN(z[i], z[j], -z[out], -z[out_2]),
-                     beside);
-  }
-  return graph_add(e->graph, e->kind.zsum, label, GRAPH_IN(z[k], z[k], -z[out], -z[k]), beside);
-}
-
-/* h_ijk = g_ijk (z_i + z_j + z_k - z_0 - z_1 - z_2) */
-static void make_prism(exact_plan *p, int kind, int i, int j, int k) {
-  exact_graph *e = &p->graph;
-  graph_value g = e->g[0][i][j][k];
-  const int *label = i > k ? GRAPH_OF(k, i, j) : GRAPH_OF(i, j, k);
-  permute(e->h, i, j, k, graph_add(e->graph, kind, label, GRAPH_IN(g, e->z[i][j][k]), g));
+  return edge_of_a ? add(e, e->kind.zsum, v, GRAPH_IN(z[v.k], z[v.k], -z[r], -z[v.k]), g)
+                   : add(e, e->kind.zsum, v, GRAPH_IN(z[v.i], z[v.j], -z[r], -z[s]), g);
 }
 
 /* ------------------------------------------------------------------- projections */
-
-/* All triangles of both: an edge of A with a vertex of B, then an edge of B with a vertex of A, by
- * cyclic symmetry classes. */
-typedef struct {
-  int i, j, k;
-} triangle;
-
-static triangle triangle_of(int n) {
-  int c = n % 3;
-  int r = n / 3 % 3;
-  return n < 9 ? (triangle){exact_a(c), exact_a(c + 1), exact_b(c + r)}
-               : (triangle){exact_b(c + r), exact_b(c + r + 1), exact_a(c)};
-}
 
 void exact_graph_projection(exact_plan *p, int projection) {
   exact_graph *e = &p->graph;
@@ -248,62 +155,59 @@ void exact_graph_projection(exact_plan *p, int projection) {
     }
   }
   for (int n = 0; n < 18; n++) {
-    triangle v = triangle_of(n);
-    make_orient2d(e, projection, e->kind.orient2d[projection], v.i, v.j, v.k);
+    make_orient2d(e, projection, e->kind.orient2d[projection], triangle_of(n));
   }
-  make_orient2d(e, projection, e->kind.own_orient2d[projection], 3, 4, 5);
+  make_orient2d(e, projection, e->kind.own_orient2d[projection], own_b);
   if (!p->single || p->limits > 0) {
-    make_orient2d(e, projection, e->kind.own_orient2d[projection], 0, 1, 2);
+    make_orient2d(e, projection, e->kind.own_orient2d[projection], own_a);
   }
 }
 
 /* -------------------------------------------------------- z sums, prisms, orient3d */
 
-static void make_own_zsum(exact_plan *p) {
+/* z of B's own triangle. */
+static graph_value make_own_zsum(exact_plan *p) {
   exact_graph *e = &p->graph;
   const graph_value *z = e->coordinate[2];
-  const int *b = GRAPH_OF(3, 4, 5);
-  if (p->running) { /* one vertex of each triangle a cycle */
-    e->kind.own_zsum = graph_kind_add(e->graph, &own_zsum_running, "", 1, NULL);
-    graph_value sum = graph_constant(e->graph, "OWN_BIAS", "O_W");
-    for (int k = 0; k < 3; k++) {
-      sum = graph_add(e->graph, e->kind.own_zsum, k < 2 ? GRAPH_OF(3, 3 + k) : b,
-                      GRAPH_IN(sum, z[exact_b(k)], -z[exact_a(k)]), 0);
-    }
-    e->z[3][4][5] = sum;
-  } else if (p->stages.zdiff_shared) {
-    e->kind.own_zsum = graph_kind_add(e->graph, &own_zsum_of_three, "", 1, NULL);
-    e->z[3][4][5] = graph_add(e->graph, e->kind.own_zsum, b,
-                              GRAPH_IN(e->zdiff[0][3], e->zdiff[1][4], e->zdiff[2][5]), 0);
-  } else {
-    e->kind.own_zsum = graph_kind_add(e->graph, &own_zsum, "", 1 + p->stages.own_zsum, NULL);
-    e->z[3][4][5] = graph_add(e->graph, e->kind.own_zsum, b,
-                              GRAPH_IN(z[3], z[4], z[5], -z[0], -z[1], -z[2]), 0);
+  int *kind = &e->kind.own_zsum;
+  if (p->stages.zdiff_shared) {
+    *kind = graph_kind_add(e->graph, &own_zsum_of_three, "", 1, NULL);
+    return add(e, *kind, own_b, GRAPH_IN(e->zdiff[0][3], e->zdiff[1][4], e->zdiff[2][5]), 0);
   }
+  if (!p->running) {
+    *kind = graph_kind_add(e->graph, &own_zsum, "", 1 + p->stages.own_zsum, NULL);
+    return add(e, *kind, own_b, GRAPH_IN(z[3], z[4], z[5], -z[0], -z[1], -z[2]), 0);
+  }
+  *kind = graph_kind_add(e->graph, &own_zsum_running, "", 1, NULL);
+  graph_value sum = graph_constant(e->graph, "OWN_BIAS", "O_W");
+  for (int k = 0; k < 3; k++) { /* one vertex of each triangle a cycle */
+    sum = graph_add(e->graph, *kind, GRAPH_OF(exact_b(k)),
+                    GRAPH_IN(sum, z[exact_b(k)], -z[exact_a(k)]), 0);
+  }
+  return sum;
 }
 
 static void make_prisms(exact_plan *p) {
   exact_graph *e = &p->graph;
-  bool shared = p->stages.zdiff_shared;
-  if (shared) {
+  const exact_stages *s = &p->stages;
+  graph_value z[18];
+  if (s->zdiff_shared) {
     e->kind.zdiff = graph_kind_add(e->graph, &zdiff, "", 0, NULL);
   }
-  e->kind.zsum = graph_kind_add(e->graph, shared ? &zsum_of_two : &zsum, "", 1, NULL);
+  e->kind.zsum = graph_kind_add(e->graph, s->zdiff_shared ? &zsum_of_two : &zsum, "", 1, NULL);
   for (int n = 0; n < 18; n++) {
-    triangle v = triangle_of(n);
-    e->z[v.i][v.j][v.k] = make_zsum(p, v.i, v.j, v.k);
+    z[n] = make_zsum(p, triangle_of(n));
   }
-  make_own_zsum(p);
-  int kind = e->kind.prism = graph_kind_add(e->graph, &prism, "", 1 + p->stages.prism.ranks, NULL);
-  int kind_of_two =
-      shared ? graph_kind_add(e->graph, &prism_of_two, "", 1 + p->stages.prism_of_two.ranks, NULL)
-             : kind;
+  graph_value own = make_own_zsum(p);
+  e->kind.prism = graph_kind_add(e->graph, &prism, "", 1 + s->prism.ranks, NULL);
+  int of_two = s->zdiff_shared
+                   ? graph_kind_add(e->graph, &prism_of_two, "", 1 + s->prism_of_two.ranks, NULL)
+                   : e->kind.prism;
   for (int n = 0; n < 18; n++) {
-    triangle v = triangle_of(n);
-    make_prism(p, n < 9 ? kind : kind_of_two, v.i, v.j, v.k);
+    make_prism(e, n < 9 ? e->kind.prism : of_two, triangle_of(n), z[n]);
   }
-  kind = graph_kind_add(e->graph, &own_prism, "", 1 + p->stages.own_prism.ranks, NULL);
-  make_prism(p, kind, 3, 4, 5);
+  int kind = graph_kind_add(e->graph, &own_prism, "", 1 + s->own_prism.ranks, NULL);
+  make_prism(e, kind, own_b, own);
 }
 
 /* orient3d over A, term by term at II = 3: in slot k unit r adds the prism over edge k to the sum
@@ -332,16 +236,10 @@ static void make_running_sums(exact_plan *p) {
   }
 }
 
-/* orient3d: whole with a clearance, else its sign. */
 static int add_orient3d(exact_plan *p, int which) {
-  graph_row row = orient3d[which];
   bool whole = p->limits > 0;
-  row.output = whole ? "volume" : "sign";
-  row.width = whole ? "V_W" : "2";
-  row.is_signed = whole;
-  row.parameters = "V_W=V_W";
   int registers = whole ? p->stages.orient3d / 2 : p->stages.orient3d;
-  return graph_kind_add(p->graph.graph, &row, "", 1 + registers, NULL);
+  return graph_kind_add(p->graph.graph, &orient3d[whole][which], "", 1 + registers, NULL);
 }
 
 /* orient3d(i, j, k, l) = h_jkl - h_ikl + h_ijl - h_ijk; A's own h is zero. Operands by class, so
@@ -387,39 +285,37 @@ static void make_orient3d(exact_plan *p) {
 static void make_projection(exact_plan *p) {
   exact_graph *e = &p->graph;
   graph *g = e->graph;
-  graph_row own_sign = sign;
-  own_sign.symbol = "gos";
-  own_sign.about = NULL;
   int in_x = graph_kind_add(g, &order_x, "", 1, NULL);
   int in_z = e->kind.order_z = graph_kind_add(g, &order_z, "", 0, NULL);
-  int kind = graph_kind_add(g, &sign, "", 0, NULL);
-  int own = graph_kind_add(g, &own_sign, "", 0, NULL);
-  static const char *const port[] = {"g_a", "g_b", "g_own", "x_order", "z_order"};
-  for (int i = 0; i < 5; i++) {
-    e->projection[i].port = port[i];
+  int of_both = graph_kind_add(g, &sign, "", 0, NULL);
+  int of_one = graph_kind_add(g, &own_sign, "", 0, NULL);
+  enum { G_A, G_B, G_OWN, X, Z };
+  static const char *const port[] = {
+      [G_A] = "g_a", [G_B] = "g_b", [G_OWN] = "g_own", [X] = "x_order", [Z] = "z_order"};
+  exact_bus *bus = e->projection;
+  for (size_t i = 0; i < sizeof port / sizeof port[0]; i++) {
+    bus[i].port = port[i];
   }
   for (int n = 0; n < 18; n++) {
     triangle v = triangle_of(n);
     graph_value of = e->g[0][v.i][v.j][v.k];
-    const int *label = n < 9 ? GRAPH_OF(v.i, v.j, v.k) : GRAPH_OF(v.k, v.i, v.j);
-    graph_value s = graph_add(g, kind, label, GRAPH_IN(of), of);
-    if (n < 9) {
-      int third = exact_a(v.j + 1);
-      e->projection[0].value[3 * v.i + v.k - 3] = s;
-      e->projection[3].value[3 * v.i + v.k - 3] =
-          graph_add(g, in_x, GRAPH_OF(v.i, v.k), (const graph_value[]){0}, e->t[0][v.i][v.k]);
-      graph_value z = e->z[v.i][v.j][v.k];
-      e->projection[4].value[3 * third + v.k - 3] =
-          graph_add(g, in_z, GRAPH_OF(third, v.k), GRAPH_IN(z), z);
-    } else {
-      e->projection[1].value[3 * (v.i - 3) + v.k] = s;
+    graph_value s = add(e, of_both, v, GRAPH_IN(of), of);
+    if (n >= 9) {
+      bus[G_B].value[3 * (v.i - 3) + v.k] = s;
+      continue;
     }
+    int b = v.k - 3;
+    int third = exact_a(v.j + 1); /* of which the z sum is z_k - z_third */
+    graph_value z = graph_operand(g, e->h[v.i][v.j][v.k], 1);
+    bus[G_A].value[3 * v.i + b] = s;
+    bus[X].value[3 * v.i + b] =
+        graph_add(g, in_x, GRAPH_OF(v.i, v.k), (const graph_value[]){0}, e->t[0][v.i][v.k]);
+    bus[Z].value[3 * third + b] = graph_add(g, in_z, GRAPH_OF(third, v.k), GRAPH_IN(z), z);
   }
-  for (int n = 0; n < 2; n++) { /* B's, A's */
-    graph_value of = n == 0 ? e->g[0][3][4][5] : e->g[0][0][1][2];
-    const int *label = n == 0 ? GRAPH_OF(3, 4, 5) : GRAPH_OF(0, 1, 2);
-    e->projection[2].value[1 - n] = graph_add(g, own, label, GRAPH_IN(of), of);
-  }
+  graph_value b = e->g[0][3][4][5];
+  graph_value a = e->g[0][0][1][2];
+  bus[G_OWN].value[1] = add(e, of_one, own_b, GRAPH_IN(b), b);
+  bus[G_OWN].value[0] = add(e, of_one, own_a, GRAPH_IN(a), a);
 }
 
 void exact_graph_make(exact_plan *p) {

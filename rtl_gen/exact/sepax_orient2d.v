@@ -1,12 +1,6 @@
-//@ if own
-// orient2d of the vertices of A or of B: twice its signed area in a projection, from the trapezoid
-// terms of its edges: g = p + q + r modulo 2^G_W. Latency 1.
-module sepax_own_orient2d #(
-//@ else
 // orient2d of three vertices of both triangles: twice the signed area in a projection, from the
 // trapezoid terms of the edges: g = p + q - r modulo 2^G_W. Latency 1.
 module sepax_orient2d #(
-//@ end
   parameter G_W = @g_w@ // bits of an orient2d
 ) (
   input  wire                  clk, // clock
@@ -20,17 +14,9 @@ module sepax_orient2d #(
   wire [G_W-1:0] carry;
 
   sepax_csa #(.N(G_W)) three (
-    .a(p),
-    .b(q),
-//@ if own
-    .c(r),
-    .carry_in(1'b0),
-//@ else
+    .a(p), .b(q),
     .c(~r),
-    .carry_in(1'b1),
-//@ end
-    .sum(sum),
-    .carry(carry)
+    .carry_in(1'b1), .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin

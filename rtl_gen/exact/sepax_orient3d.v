@@ -46,9 +46,7 @@ module @name@ #(
     .a(three_sum),
     .b(three_carry),
     .c(~s),
-    .carry_in(1'b1),
-    .sum(sum),
-    .carry(carry)
+    .carry_in(1'b1), .sum(sum), .carry(carry)
   );
 //@ else
   assign sum = three_sum;

@@ -12,7 +12,7 @@
 module sepax_own_zsum #(
 //@ if shared
   parameter Z_W = @z_w@,                 // bits of a z difference
-  parameter DIFF_DIGITS = @diff_digits@, // radix-4 digits of a z difference
+  parameter DIFF_DIGITS = @digits@, // radix-4 digits of a z difference
 //@ else
   parameter W = @w@,          // bits of a coordinate
 //@ end
@@ -20,7 +20,7 @@ module sepax_own_zsum #(
   parameter O_W = @o_w@       // bits of the z sum
 //@ else
   parameter O_W = @o_w@,      // bits of the z sum
-  parameter DIGITS = @digits@ // radix-4 digits of the z sum
+  parameter DIGITS = @own_digits@ // radix-4 digits of the z sum
 //@ end
 ) (
   input  wire                  clk,    // clock
@@ -53,9 +53,7 @@ module sepax_own_zsum #(
     .a(so_far),
     .b({{(O_W-W){z_b[W-1]}}, z_b}),
     .c(~{{(O_W-W){z_a[W-1]}}, z_a}),
-    .carry_in(1'b1),
-    .sum(sum),
-    .carry(carry)
+    .carry_in(1'b1), .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin
@@ -74,9 +72,7 @@ module sepax_own_zsum #(
     .a({{(O_W-Z_W+1){diff_1[Z_W-1]}}, diff_1[Z_W-2:0]}),
     .b({{(O_W-Z_W+1){diff_2[Z_W-1]}}, diff_2[Z_W-2:0]}),
     .c({{(O_W-Z_W+1){diff_3[Z_W-1]}}, diff_3[Z_W-2:0]}),
-    .carry_in(1'b0),
-    .sum(sum),
-    .carry(carry)
+    .carry_in(1'b0), .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin
@@ -100,33 +96,25 @@ module sepax_own_zsum #(
     .a({{(O_W-W){z_b1[W-1]}}, z_b1}),
     .b({{(O_W-W){z_b2[W-1]}}, z_b2}),
     .c({{(O_W-W){z_b3[W-1]}}, z_b3}),
-    .carry_in(1'b1),
-    .sum(b_sum),
-    .carry(b_carry)
+    .carry_in(1'b1), .sum(b_sum), .carry(b_carry)
   );
   sepax_csa #(.N(O_W)) of_a (
     .a(~{{(O_W-W){z_a1[W-1]}}, z_a1}),
     .b(~{{(O_W-W){z_a2[W-1]}}, z_a2}),
     .c(~{{(O_W-W){z_a3[W-1]}}, z_a3}),
-    .carry_in(1'b1),
-    .sum(a_sum),
-    .carry(a_carry)
+    .carry_in(1'b1), .sum(a_sum), .carry(a_carry)
   );
   sepax_csa #(.N(O_W)) five (
     .a(b_sum),
     .b(b_carry),
     .c(a_sum),
-    .carry_in(1'b1),
-    .sum(five_sum),
-    .carry(five_carry)
+    .carry_in(1'b1), .sum(five_sum), .carry(five_carry)
   );
   sepax_csa #(.N(O_W)) six (
     .a(five_sum),
     .b(five_carry),
     .c(a_carry),
-    .carry_in(1'b0),
-    .sum(six_sum),
-    .carry(six_carry)
+    .carry_in(1'b0), .sum(six_sum), .carry(six_carry)
   );
 //@ if registered
 

@@ -1,79 +1,90 @@
-/* units.c - the modules of architecture exact below its core. */
+/* units.c - the modules of architecture exact below its core: templates and their holes. */
 #include "clearance/clearance.h"
-#include "emit/template.h"
 #include "exact.h"
 
-#define NUMBER(value) gen_format("%d", (value)).text
-#define LIST(...) ((emit_hole[]){__VA_ARGS__, {NULL, NULL}})
+#include <stdlib.h>
 
-static const char *flag(bool set) { return set ? "1" : ""; }
+void exact_hole(exact_holes *h, const char *name, const char *text) {
+  if (h->count + 1 == EXACT_HOLES) {
+    abort(); /* more holes than EXACT_HOLES */
+  }
+  h->hole[h->count++] = (emit_hole){name, text};
+}
 
-static int width_of(const exact_plan *p, int format) { return p->design->format[format].width; }
+void exact_hole_number(exact_holes *h, const char *name, int64_t number) {
+  exact_hole(h, name, h->number[h->count]);
+  snprintf(h->number[h->count - 1], sizeof h->number[0], "%lld", (long long)number);
+}
+
+void exact_holes_make(exact_holes *h, const exact_plan *p) {
+  const sepax_format *f = p->design->format;
+  const exact_stages *s = &p->stages;
+  const struct {
+    const char *name;
+    int number;
+  } row[] = {{"w", f[SEPAX_X_COORDINATE].width},
+             {"s_w", f[SEPAX_X_SPAN].width},
+             {"g_w", f[SEPAX_X_ORIENT2D].width},
+             {"o_w", f[SEPAX_X_OWN_Z_SUM].width},
+             {"v_w", f[SEPAX_X_ORIENT3D].width},
+             {"digits", f[SEPAX_X_Z_SUM].digits},
+             {"own_digits", f[SEPAX_X_OWN_Z_SUM].digits},
+             {"shared", s->zdiff_shared},
+             {"running", p->running},
+             {"six", !s->zdiff_shared && !p->running},
+             {"sums", s->trapezoid_sums},
+             {"whole", p->limits > 0},
+             {"limits", p->limits},
+             {"two_limits", p->limits > 1},
+             {"axis_none", SEPAX_AXIS_NONE},
+             {"axis_edges", SEPAX_AXIS_EDGES},
+             {"axis_normal_a", SEPAX_AXIS_NORMAL_A},
+             {"axis_normal_b", SEPAX_AXIS_NORMAL_B},
+             {"axis_plane", SEPAX_AXIS_PLANE},
+             {"axis_aabb", SEPAX_AXIS_AABB}};
+  h->count = 0;
+  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+    exact_hole_number(h, row[i].name, row[i].number);
+  }
+}
+
+void exact_template(emitter *e, const char *file, exact_holes *h) {
+  h->hole[h->count] = (emit_hole){NULL, NULL};
+  emit_template(e, file, h->hole);
+}
 
 static void gen_trapezoid(emitter *e, const exact_plan *p, bool order) {
   const arith_plan *multiplier = &p->stages.trapezoid;
   char name[EMIT_NAME];
-  arith_name(multiplier, name);
+  exact_holes h;
   int64_t bias = 0; /* 1 for each digit but the highest */
   for (int digit = 0; digit < multiplier->rows - 1; digit++) {
     bias = 4 * bias + 1;
   }
-  emit_template(e, "sepax_trapezoid",
-                LIST({"name", order ? "sepax_trapezoid_ab" : "sepax_trapezoid"},
-                     {"order", flag(order)}, {"w", NUMBER(width_of(p, SEPAX_X_COORDINATE))},
-                     {"s_w", NUMBER(width_of(p, SEPAX_X_SPAN))},
-                     {"g_w", NUMBER(width_of(p, SEPAX_X_ORIENT2D))},
-                     {"bias", gen_format("%lld", (long long)bias).text},
-                     {"latency", NUMBER(1 + p->stages.trapezoid_sums + multiplier->ranks)},
-                     {"sums", flag(p->stages.trapezoid_sums)}, {"multiplier", name},
-                     {"clocked", flag(multiplier->ranks > 0)}));
-}
-
-static void gen_zsums(emitter *e, const exact_plan *p) {
-  const sepax_format *zsum = &p->design->format[SEPAX_X_Z_SUM];
-  const sepax_format *own = &p->design->format[SEPAX_X_OWN_Z_SUM];
-  const gen_line w = gen_format("%d", width_of(p, SEPAX_X_COORDINATE));
-  const gen_line z_w = gen_format("%d", zsum->width);
-  const gen_line o_w = gen_format("%d", own->width);
-  const gen_line digits = gen_format("%d", zsum->digits);
-  const gen_line own_digits = gen_format("%d", own->digits);
-  const emit_hole hole_w = {"w", w.text};
-  const emit_hole hole_z_w = {"z_w", z_w.text};
-  const emit_hole hole_o_w = {"o_w", o_w.text};
-  bool shared = p->stages.zdiff_shared;
-  const emit_hole hole_shared = {"shared", flag(shared)};
-  const emit_hole running = {"running", flag(p->running)};
-  const emit_hole six = {"six", flag(!shared && !p->running)};
-  const emit_hole registered = {"registered", flag(p->stages.own_zsum)};
-  emit_template(e, "sepax_zdiff", LIST(hole_w, hole_z_w, {"digits", digits.text}, hole_shared));
-  if (shared) {
-    emit_template(e, "sepax_zsum", LIST(hole_z_w, hole_shared));
-    emit_template(e, "sepax_own_zsum",
-                  LIST(hole_z_w, {"diff_digits", digits.text}, hole_o_w,
-                       {"digits", own_digits.text}, hole_shared, running, six, registered));
-    return;
-  }
-  emit_template(e, "sepax_zsum", LIST(hole_w, hole_z_w, {"digits", digits.text}, hole_shared));
-  if (p->running) {
-    emit_template(e, "sepax_own_zsum",
-                  LIST(hole_w, hole_o_w, hole_shared, running, six, registered));
-  } else {
-    emit_template(e, "sepax_own_zsum",
-                  LIST(hole_w, hole_o_w, {"digits", own_digits.text}, hole_shared, running, six,
-                       registered, {"latency", NUMBER(1 + p->stages.own_zsum)}));
-  }
+  arith_name(multiplier, name);
+  exact_holes_make(&h, p);
+  exact_hole(&h, "name", order ? "sepax_trapezoid_ab" : "sepax_trapezoid");
+  exact_hole(&h, "multiplier", name);
+  exact_hole_number(&h, "order", order);
+  exact_hole_number(&h, "bias", bias);
+  exact_hole_number(&h, "latency", 1 + p->stages.trapezoid_sums + multiplier->ranks);
+  exact_hole_number(&h, "clocked", multiplier->ranks > 0);
+  exact_template(e, "sepax_trapezoid", &h);
 }
 
 static void gen_prism(emitter *e, const exact_plan *p, const char *name,
-                      const arith_plan *multiplier, int zsum) {
+                      const arith_plan *multiplier) {
   char multiply[EMIT_NAME];
+  exact_holes h;
   arith_name(multiplier, multiply);
-  emit_template(
-      e, "sepax_prism",
-      LIST({"name", name}, {"multiplier", multiply}, {"g_w", NUMBER(width_of(p, SEPAX_X_ORIENT2D))},
-           {"z_w", NUMBER(width_of(p, zsum))}, {"v_w", NUMBER(width_of(p, SEPAX_X_ORIENT3D))},
-           {"latency", NUMBER(1 + multiplier->ranks)}, {"two", flag(multiplier->less == 2)},
-           {"clocked", flag(multiplier->ranks > 0)}));
+  exact_holes_make(&h, p);
+  exact_hole(&h, "name", name);
+  exact_hole(&h, "multiplier", multiply);
+  exact_hole_number(&h, "z_w", multiplier->b_w);
+  exact_hole_number(&h, "latency", 1 + multiplier->ranks);
+  exact_hole_number(&h, "two", multiplier->less == 2);
+  exact_hole_number(&h, "clocked", multiplier->ranks > 0);
+  exact_template(e, "sepax_prism", &h);
 }
 
 static void gen_orient3d(emitter *e, const exact_plan *p) {
@@ -85,20 +96,20 @@ static void gen_orient3d(emitter *e, const exact_plan *p) {
        false},
       {"sepax_orient3d_b", "B and a vertex of A", "p + q + r - s, s the prism of B", true, false},
       {"sepax_orient3d_edges", "an edge of A and an edge of B", "p + q - r - s", true, true}};
-  const gen_line v_w = gen_format("%d", width_of(p, SEPAX_X_ORIENT3D));
-  bool whole = p->limits > 0;
-  if (p->running) {
-    emit_template(e, "sepax_running_sum", LIST({"v_w", v_w.text}));
-  }
-  for (int i = p->running; i < 3; i++) {
-    int registers = p->stages.orient3d;
-    emit_template(
-        e, "sepax_orient3d",
-        LIST({"name", row[i].name}, {"points", row[i].points}, {"formula", row[i].formula},
-             {"four", flag(row[i].four)}, {"minus_r", flag(row[i].minus_r)}, {"v_w", v_w.text},
-             {"latency", NUMBER(1 + (whole ? registers / 2 : registers))}, {"whole", flag(whole)},
-             {"rows", flag(registers > 1)}, {"registered", flag(registers > 0)},
-             {"sum", registers > 1 ? "sum_q + carry_q" : "sum + carry"}));
+  int registers = p->stages.orient3d;
+  for (int i = 0; i < 3; i++) {
+    exact_holes h;
+    exact_holes_make(&h, p);
+    exact_hole(&h, "name", row[i].name);
+    exact_hole(&h, "points", row[i].points);
+    exact_hole(&h, "formula", row[i].formula);
+    exact_hole(&h, "sum", registers > 1 ? "sum_q + carry_q" : "sum + carry");
+    exact_hole_number(&h, "four", row[i].four);
+    exact_hole_number(&h, "minus_r", row[i].minus_r);
+    exact_hole_number(&h, "latency", 1 + (p->limits > 0 ? registers / 2 : registers));
+    exact_hole_number(&h, "rows", registers > 1);
+    exact_hole_number(&h, "registered", registers > 0);
+    exact_template(e, i == 0 && p->running ? "sepax_running_sum" : "sepax_orient3d", &h);
   }
 }
 
@@ -116,33 +127,34 @@ static void gen_multipliers(emitter *e, const exact_stages *s) {
 }
 
 void gen_exact_units(emitter *e, const exact_plan *p) {
-  const gen_line g_w = gen_format("%d", width_of(p, SEPAX_X_ORIENT2D));
+  exact_holes h;
+  exact_holes_make(&h, p);
+  exact_hole_number(&h, "z_w", p->design->format[SEPAX_X_Z_SUM].width);
+  exact_hole_number(&h, "latency", 1 + p->stages.own_zsum);
+  exact_hole_number(&h, "registered", p->stages.own_zsum);
   gen_multipliers(e, &p->stages);
   emit_template(e, "sepax_csa", NULL);
   gen_trapezoid(e, p, false);
   if (!p->single) {
     gen_trapezoid(e, p, true);
   }
-  emit_template(e, "sepax_orient2d", LIST({"own", ""}, {"g_w", g_w.text}));
-  emit_template(e, "sepax_orient2d", LIST({"own", "1"}, {"g_w", g_w.text}));
-  gen_zsums(e, p);
-  gen_prism(e, p, "sepax_prism", &p->stages.prism, SEPAX_X_Z_SUM);
+  exact_template(e, "sepax_orient2d", &h);
+  exact_template(e, "sepax_own_orient2d", &h);
+  exact_template(e, "sepax_zdiff", &h);
+  exact_template(e, "sepax_zsum", &h);
+  exact_template(e, "sepax_own_zsum", &h);
+  gen_prism(e, p, "sepax_prism", &p->stages.prism);
   if (p->stages.zdiff_shared) {
-    gen_prism(e, p, "sepax_prism_2", &p->stages.prism_of_two, SEPAX_X_Z_SUM);
+    gen_prism(e, p, "sepax_prism_2", &p->stages.prism_of_two);
   }
-  gen_prism(e, p, "sepax_own_prism", &p->stages.own_prism, SEPAX_X_OWN_Z_SUM);
+  gen_prism(e, p, "sepax_own_prism", &p->stages.own_prism);
   gen_orient3d(e, p);
   if (p->limits > 0) {
     gen_clearance_units(e, p);
     return;
   }
-  emit_template(e, "sepax_decide",
-                LIST({"axis_none", NUMBER(SEPAX_AXIS_NONE)},
-                     {"axis_edges", NUMBER(SEPAX_AXIS_EDGES)},
-                     {"axis_normal_a", NUMBER(SEPAX_AXIS_NORMAL_A)},
-                     {"axis_normal_b", NUMBER(SEPAX_AXIS_NORMAL_B)},
-                     {"axis_plane", NUMBER(SEPAX_AXIS_PLANE)}));
+  exact_template(e, "sepax_decide", &h);
   if (!p->single) {
-    emit_template(e, "sepax_projection", NULL);
+    exact_template(e, "sepax_projection", &h);
   }
 }
