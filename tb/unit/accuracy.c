@@ -10,8 +10,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-static void known_depths(void **state) {
-  (void)state;
+CASE(known_depths) {
   sepax_tri a = {{{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}};
   static const struct {
     sepax_tri b;
@@ -42,8 +41,7 @@ static sepax_tri moved(const sepax_tri *t, int x, int y, int z) {
 }
 
 /* No move shorter than the depth changes the verdict; one that is hardly longer does. */
-static void depths_by_moving(void **state) {
-  (void)state;
+CASE(depths_by_moving) {
   enum { REACH = 9 };
   for (size_t family = 0; family < family_count(); family++) {
     sepax_random random = seeded(family, 4);
@@ -104,8 +102,7 @@ static sepax_tri *quantised(const char *shape, size_t triangles, const sepax_gri
 
 /* Tiny tetrahedra round random points of the lattice, many on the planes and edges of the
  * mesh: inside iff the mesh winds round them. */
-static void solids_by_winding(void **state) {
-  (void)state;
+CASE(solids_by_winding) {
   static const char *const shape[] = {"sphere", "pocket", "ball-end", "box"};
   sepax_grid grid = {.resolution = 2, .word = 10};
   sepax_random random = {5};
@@ -147,8 +144,7 @@ static void solids_by_winding(void **state) {
   assert_true(within > 500 && without > 500);
 }
 
-static void open_meshes_are_refused(void **state) {
-  (void)state;
+CASE(open_meshes_are_refused) {
   sepax_grid grid = {.resolution = 1, .word = 10};
   sepax_tri *box = quantised("box", 12, &grid);
   sepax_tri *sphere = quantised("sphere", 40, &grid);
@@ -165,8 +161,7 @@ static void open_meshes_are_refused(void **state) {
 
 /* Two bodies that overlap, or the same one twice, in one mesh: the line upwards from a point in
  * both meets an even number of triangles. */
-static void overlapping_bodies_are_solid(void **state) {
-  (void)state;
+CASE(overlapping_bodies_are_solid) {
   enum { BOX = 12 };
   sepax_grid grid = {.resolution = 1, .word = 10};
   sepax_tri *box = quantised("box", BOX, &grid);
@@ -194,8 +189,7 @@ static void overlapping_bodies_are_solid(void **state) {
 }
 
 /* Proper triangles of short words are judged right, but for mere contact: quotients round. */
-static void interval_test_is_one(void **state) {
-  (void)state;
+CASE(interval_test_is_one) {
   sepax_random random = {3};
   for (int n = 0; n < 200000; n++) {
     sepax_pair pair = sepax_family_pair((size_t)(n % 2), 8, &random);

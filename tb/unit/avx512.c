@@ -14,8 +14,7 @@
 #include "unit/harness.h"
 
 /* A block of each family at each word length: pairs, and one against many. */
-static void every_family_at_every_word(void **state) {
-  (void)state;
+CASE(every_family_at_every_word) {
   static const functions emulated = {judge_pairs_avx512, judge_one_avx512};
   static sepax_tri t[2][BLOCK];
   pair_columns batch = columns_of(BLOCK);

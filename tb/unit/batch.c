@@ -99,8 +99,7 @@ static void assert_all_ways(batch *s, size_t count) {
   }
 }
 
-static void every_family_at_every_word(void **state) {
-  (void)state;
+CASE(every_family_at_every_word) {
   static batch s;
   begin(&s, MOST);
   for (size_t family = 0; family < family_count(); family++) {
@@ -114,8 +113,7 @@ static void every_family_at_every_word(void **state) {
 }
 
 /* Each count has pages of its own right at the ends: a read beyond them is a fault. */
-static void every_count(void **state) {
-  (void)state;
+CASE(every_count) {
   static batch s;
   sepax_random random = {7};
   for (size_t count = 0; count <= 200; count++) {
@@ -127,8 +125,7 @@ static void every_count(void **state) {
 }
 
 /* Short, long and very long coordinates in one batch; the ends of the range of each kind. */
-static void words_mixed(void **state) {
-  (void)state;
+CASE(words_mixed) {
   static const int word[] = {8, 20, 21, 25, 26, 32};
   static batch s;
   sepax_random random = {8};
@@ -186,8 +183,7 @@ static void assert_all_pairs(const sepax_tri *a, size_t count_a, const sepax_tri
   sepax_pairs_free(&found);
 }
 
-static void meshes_of_every_size(void **state) {
-  (void)state;
+CASE(meshes_of_every_size) {
   static const size_t counts[][2] = {{0, 0},   {0, 5},   {5, 0},   {1, 1},     {1, 200},
                                      {64, 64}, {65, 63}, {200, 1}, {129, 700}, {500, 4200}};
   static const int word[] = {5, 18, 24, 32};
@@ -210,8 +206,7 @@ static void meshes_of_every_size(void **state) {
 
 /* Trees end in empty leaves, for 129 triangles in the fourth of four; a triangle that reaches both
  * ends of the range on all axes meets none of them. */
-static void empty_leaves_are_left_out(void **state) {
-  (void)state;
+CASE(empty_leaves_are_left_out) {
   enum { SMALL = 129 };
   const sepax_tri whole = {{{INT32_MIN, INT32_MIN, INT32_MIN},
                             {INT32_MAX, INT32_MAX, INT32_MAX},
@@ -252,8 +247,7 @@ static bool watched(void *context, uint64_t done, uint64_t total) {
   return w->calls < w->ends;
 }
 
-static void progress_is_told_and_ends(void **state) {
-  (void)state;
+CASE(progress_is_told_and_ends) {
   sepax_random random = {10};
   sepax_tri *a = soup(1000, 18, 5000, &random);
   sepax_pairs found;

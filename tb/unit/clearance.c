@@ -35,8 +35,7 @@ static real_pair pair_near(size_t n, int limit, sepax_random *random) {
 }
 
 /* No pair within a limit is called free of it. */
-static void test_nothing_is_missed(void **state) {
-  (void)state;
+CASE(test_nothing_is_missed) {
   static const int limits[][2] = {{0, 1}, {0, 7}, {1, 3}, {2, 20}, {5, 6}, {40, 100}};
   sepax_random random = {2026};
   size_t within = 0;
@@ -73,15 +72,13 @@ static size_t missed_by(clear_rule rule) {
   return missed;
 }
 
-static void test_wrong_rules_miss(void **state) {
-  (void)state;
+CASE(test_wrong_rules_miss) {
   assert_true(missed_by(RULE_NO_ROUNDING) > 100);
   assert_true(missed_by(RULE_LENGTH) > 10);
 }
 
 /* Beyond sqrt(3) (D + 2) every pair is free, docs/clearance.md. */
-static void test_far_is_free(void **state) {
-  (void)state;
+CASE(test_far_is_free) {
   sepax_random random = {3};
   size_t beyond = 0;
   for (size_t n = 0; n < FAULT_PAIRS; n++) {
@@ -99,8 +96,7 @@ static void test_far_is_free(void **state) {
 }
 
 /* The two halves of the oracle agree, and the rational one with known answers. */
-static void test_oracle(void **state) {
-  (void)state;
+CASE(test_oracle) {
   sepax_tri a = {{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}};
   sepax_tri over = {{{2, 2, 7}, {2, 3, 9}, {3, 2, 9}}};
   sepax_tri crossing = {{{5, -5, 1}, {5, 25, 1}, {5, 25, 1}}};
@@ -127,8 +123,7 @@ static void test_oracle(void **state) {
 }
 
 /* AABBs decide exactly at the margin; limits nest; both triangles are alike. */
-static void test_bands(void **state) {
-  (void)state;
+CASE(test_bands) {
   sepax_design design = design_of(5, 20);
   assert_int_equal(design.margin[0], 6);
   assert_int_equal(design.margin[1], 21);
@@ -150,8 +145,7 @@ static void test_bands(void **state) {
   }
 }
 
-static void test_symmetry(void **state) {
-  (void)state;
+CASE(test_symmetry) {
   sepax_random random = {5};
   sepax_design design = design_of(2, 9);
   for (size_t n = 0; n < 50000; n++) {
@@ -174,8 +168,7 @@ static void test_symmetry(void **state) {
 /* The search of two meshes finds what a double loop finds. */
 enum { TRIANGLES = 300 };
 
-static void test_near_pairs(void **state) {
-  (void)state;
+CASE(test_near_pairs) {
   static sepax_tri mesh[2][TRIANGLES];
   sepax_random random = {11};
   sepax_design design = design_of(20, 60);
@@ -213,8 +206,7 @@ static void test_near_pairs(void **state) {
 }
 
 /* A length becomes the least whole number of LSB that is not below it. */
-static void test_lengths(void **state) {
-  (void)state;
+CASE(test_lengths) {
   sepax_grid grid = {.resolution = 0.002, .word = 18};
   int lsb = -1;
   assert_true(sepax_grid_lsb(&grid, 0, &lsb) && lsb == 0);
@@ -235,8 +227,7 @@ static bool accepted(const char *text) {
          again.clearance == config.clearance && again.warning == config.warning;
 }
 
-static void test_configuration(void **state) {
-  (void)state;
+CASE(test_configuration) {
   assert_true(accepted("--clearance=0"));
   assert_true(accepted("--clearance=5 --warning=20"));
   assert_true(accepted("--clearance=131071"));

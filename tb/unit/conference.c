@@ -85,8 +85,7 @@ static bool called_coplanar(const sepax_pair *pair, const sepax_config *config) 
   return true;
 }
 
-static void test_full_precision(void **state) {
-  (void)state;
+CASE(test_full_precision) {
   static const char *const designs[] = {
       "--word=4",  "--word=8 --coplanarity=paper", "--word=12 --epsilon=4",
       "--word=18", "--word=18 --epsilon=0",        "--word=32"};
@@ -139,8 +138,7 @@ static bool compare(const sepax_design *conference, const sepax_design *paper,
   return false;
 }
 
-static void test_beside_paper(void **state) {
-  (void)state;
+CASE(test_beside_paper) {
   static const char *const precision[] = {
       "--precision=full",    "--precision=word",
       "--precision=guard=4", "--precision=word --block-float=on",
@@ -175,8 +173,7 @@ static void test_beside_paper(void **state) {
 
 /* Two planes at a distance of 2 LSB: coplanar within 4; only a normal separates what lies in them.
  */
-static void test_thin_gap(void **state) {
-  (void)state;
+CASE(test_thin_gap) {
   static const sepax_tri low = {{{0, 0, 0}, {90, 0, 0}, {0, 90, 0}}};
   static const sepax_tri high = {{{10, 10, 2}, {50, 10, 2}, {10, 50, 2}}};
   sepax_pair pair = {low, high, sepax_unit_normal(&low, 18), sepax_unit_normal(&high, 18)};
@@ -191,8 +188,7 @@ static void test_thin_gap(void **state) {
   assert_true(!c.coplanar && !c.collision && c.axis == 10);
 }
 
-static void test_multiplications(void **state) {
-  (void)state;
+CASE(test_multiplications) {
   sepax_design design = design_of("conference", "--word=18");
   sepax_random random = {5};
   int least[2] = {1000, 1000};
@@ -210,8 +206,7 @@ static void test_multiplications(void **state) {
   assert_int_equal(most[1], 126);
 }
 
-static void test_choices(void **state) {
-  (void)state;
+CASE(test_choices) {
   static const char *const bad[] = {"--ii=1", "--coplanar=flag", "--clock-ns=1", "--extent-a=5",
                                     "--precision=full --block-float=on"};
   for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {

@@ -46,8 +46,7 @@ static void expect_text(const char *text, const char *refusal) {
   emit_free(&f.e);
 }
 
-static void test_statements(void **state) {
-  (void)state;
+CASE(test_statements) {
   expect_text("assign y = a + b;", NULL);
   expect_text("assign y = (a < b) ? a : (b - a);", NULL);
   expect_text("assign y = {{(W-4){s[3]}}, s};", NULL);
@@ -76,8 +75,7 @@ static void test_statements(void **state) {
   expect_text("always @(negedge clk) begin\n t <= 1'b0;\nend", "@(posedge clk)");
 }
 
-static void test_declarations(void **state) {
-  (void)state;
+CASE(test_declarations) {
   fixture f;
   open_fixture(&f);
   emit_module *m = small(&f, "twice");
@@ -126,8 +124,7 @@ static void expect_instance(const char *module, const char *parameters, const ch
   emit_free(&f.e);
 }
 
-static void test_instances(void **state) {
-  (void)state;
+CASE(test_instances) {
   expect_instance("small", "W=W", "clk=clk, a=a, b=b, s=s, y=y, t=u", NULL);
   expect_instance("small", "W=4", "clk=clk, a=s, b=s, s=s, y=y[3:0], t=u", NULL);
   expect_instance("small", "W=9", "clk=clk, a=a, b=b, s=s, y=y, t=u", "port 'a' has 9 bits");
@@ -141,8 +138,7 @@ static void test_instances(void **state) {
 }
 
 /* Every configuration passes its own check and prints the same bytes twice. */
-static void test_designs(void **state) {
-  (void)state;
+CASE(test_designs) {
   static const char *const settings[] = {"--precision=full", "--precision=word",
                                          "--precision=guard=5", "--precision=word --block-float=on",
                                          "--coplanarity=paper --inequality=printed"};

@@ -234,8 +234,7 @@ static const struct {
      TRI(MAX, MAX, MAX, 0, MAX, MAX, MAX, 0, MAX), false, false},
 };
 
-static void test_known(void **state) {
-  (void)state;
+CASE(test_known) {
   tally t = {0};
   for (size_t i = 0; i < LENGTH(known); i++)
     for (size_t swap = 0; swap < 2; swap++) {
@@ -256,8 +255,7 @@ static void test_known(void **state) {
 
 /* ----------------------------------------------------------------- exhaustive */
 
-static void test_cube(void **state) {
-  (void)state;
+CASE(test_cube) {
   tally t = {0};
   for (uint32_t code = 0; code < 1U << 18; code++) {
     sepax_tri tri[2];
@@ -271,8 +269,7 @@ static void test_cube(void **state) {
 }
 
 /* All pairs of {-1, 0, 1}^2 in the plane (x, y), (y, z) or (z, x). */
-static void test_plane(void **state) {
-  (void)state;
+CASE(test_plane) {
   for (size_t plane = 0; plane < PLANES; plane++) {
     tally t = {0};
     for (uint32_t code = 0; code < 531441; code++) {
@@ -292,8 +289,7 @@ static void test_plane(void **state) {
 }
 
 /* Every pair of six places of an oblique line. */
-static void test_line(void **state) {
-  (void)state;
+CASE(test_line) {
   tally t = {0};
   for (uint32_t code = 0; code < 46656; code++) {
     sepax_tri tri[2];
@@ -309,8 +305,7 @@ static void test_line(void **state) {
 }
 
 /* Vertices drawn from a grid of 3 x 3 x 3: every seldom coincidence comes often. */
-static void test_grid(void **state) {
-  (void)state;
+CASE(test_grid) {
   tally t = {0};
   sepax_random random = {3};
   for (size_t i = 0; i < EXACT_PAIRS; i++) {
@@ -342,8 +337,7 @@ static sepax_pair hard_pair(size_t i, sepax_random *random) {
   return pair;
 }
 
-static void test_hard(void **state) {
-  (void)state;
+CASE(test_hard) {
   tally t = {0};
   sepax_random random = {1};
   for (size_t i = 0; i < EXACT_PAIRS; i++) {
@@ -365,8 +359,7 @@ static sepax_tri reordered(const sepax_tri *tri, size_t order) {
 }
 
 /* The verdict depends neither on the order of the vertices nor of the triangles. */
-static void test_symmetry(void **state) {
-  (void)state;
+CASE(test_symmetry) {
   tally t = {0};
   sepax_random random = {2};
   for (size_t i = 0; i < SYMMETRY_PAIRS; i++) {

@@ -11,8 +11,7 @@
 
 /* ------------------------------------------------------------- random numbers */
 
-static void random_is_splitmix64(void **state) {
-  (void)state;
+CASE(random_is_splitmix64) {
   sepax_random random = {0};
   assert_int_equal(sepax_random_next(&random), UINT64_C(0xe220a8397b1dcdaf));
   assert_int_equal(sepax_random_next(&random), UINT64_C(0x6e789e6aa1b965f4));
@@ -20,8 +19,7 @@ static void random_is_splitmix64(void **state) {
 }
 
 /* Chi-squared with 6 degrees of freedom: 33 is exceeded once in 100000. */
-static void range_is_uniform(void **state) {
-  (void)state;
+CASE(range_is_uniform) {
   enum { EXPECTED = 10000, DRAWS = 7 * EXPECTED };
   sepax_random random = {1};
   int count[7] = {0};
@@ -39,8 +37,7 @@ static void range_is_uniform(void **state) {
 }
 
 /* A modulo would draw the lower half of a span of 3/4 2^64 twice as often. */
-static void range_is_unbiased(void **state) {
-  (void)state;
+CASE(range_is_unbiased) {
   enum { DRAWS = 30000 };
   sepax_random random = {2};
   int64_t hi = INT64_MIN + 3 * (INT64_MAX / 4);
@@ -66,8 +63,7 @@ static void assert_spread(int64_t lo, int64_t hi) {
   assert_true(quarter[0] && quarter[1] && quarter[2] && quarter[3]);
 }
 
-static void range_spans(void **state) {
-  (void)state;
+CASE(range_spans) {
   sepax_random random = {4};
   assert_int_equal(sepax_random_range(&random, -7, -7), -7);
   assert_int_equal(sepax_random_range(&random, INT64_MAX, INT64_MAX), INT64_MAX);
@@ -174,8 +170,7 @@ static int count_misses(const expectation *e, size_t index, size_t family) {
   return misses;
 }
 
-static void families_are_what_they_say(void **state) {
-  (void)state;
+CASE(families_are_what_they_say) {
   int misses = 0;
   for (size_t i = 0; i < LENGTH(expectations); i++) {
     const expectation *e = &expectations[i];
@@ -190,8 +185,7 @@ static void families_are_what_they_say(void **state) {
   assert_int_equal(misses, 0);
 }
 
-static void every_family_is_expected(void **state) {
-  (void)state;
+CASE(every_family_is_expected) {
   for (size_t family = 0; family < family_count(); family++) {
     size_t found = 0;
     for (size_t i = 1; i < LENGTH(expectations); i++) {
@@ -212,8 +206,7 @@ static bool lies_anywhere(const char *family) {
 }
 
 /* Families that are moved to any place get to both ends of the range. */
-static void families_reach_the_ends(void **state) {
-  (void)state;
+CASE(families_reach_the_ends) {
   for (size_t family = 0; family < family_count(); family++) {
     const char *name = sepax_family_name(family);
     const expectation ends[] = {{name, at_least_value, 10, 100},
@@ -227,8 +220,7 @@ static void families_reach_the_ends(void **state) {
 
 /* -------------------------------------------------------------- table and streams */
 
-static void names_are_a_table(void **state) {
-  (void)state;
+CASE(names_are_a_table) {
   assert_int_equal(family_count(), 17);
   for (size_t i = 0; i < family_count(); i++) {
     const char *name = sepax_family_name(i);
@@ -261,8 +253,7 @@ static uint64_t stream_hash(size_t family, int word, uint64_t seed) {
   return hash;
 }
 
-static void streams_follow_the_seed(void **state) {
-  (void)state;
+CASE(streams_follow_the_seed) {
   for (size_t family = 0; family < family_count(); family++) {
     for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
       uint64_t hash = stream_hash(family, word, 7);
@@ -274,8 +265,7 @@ static void streams_follow_the_seed(void **state) {
 
 /* Recorded vectors stay reproducible: a change of a family or of the compiler that
  * changes the stream has to change this number too. */
-static void streams_are_frozen(void **state) {
-  (void)state;
+CASE(streams_are_frozen) {
   uint64_t all = 0;
   for (size_t family = 0; family < family_count(); family++) {
     all = all * 31 + stream_hash(family, 18, 1);

@@ -10,4 +10,7 @@
 #include <cmocka.h>
 /* clang-format on */
 
+/* A test case, for cmocka_unit_test. */
+#define CASE(name) static void name(__attribute__((unused)) void **state)
+
 #endif

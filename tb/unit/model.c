@@ -35,8 +35,7 @@ static void refuse(const char *options, const char *why) {
   }
 }
 
-static void test_config(void **state) {
-  (void)state;
+CASE(test_config) {
   static const char *const texts[] = {
       "--arch=paper --word=18 --ii=3 --precision=full --block-float=off "
       "--coplanarity=plane --inequality=correct --epsilon=1",
@@ -81,8 +80,7 @@ static void test_config(void **state) {
 }
 
 /* A text that does not fit is cut; nothing behind it is written. */
-static void test_small_buffers(void **state) {
-  (void)state;
+CASE(test_small_buffers) {
   char *(*const print[])(const sepax_config *, char *,
                          size_t) = {sepax_config_text, sepax_config_variables, sepax_config_name};
   static const char options[] = "--arch=exact --word=18 --extent-a=2500 --extent-b=2500 "
@@ -107,8 +105,7 @@ static void test_small_buffers(void **state) {
 }
 
 /* The folder of a design: what is not the default follows. */
-static void test_names(void **state) {
-  (void)state;
+CASE(test_names) {
   static const struct {
     const char *options, *name;
   } design[] = {
@@ -137,8 +134,7 @@ static void expect_format(const sepax_design *d, sepax_format_id id, int exact, 
   assert_int_equal(d->format[id].shift, exact - width);
 }
 
-static void test_formats(void **state) {
-  (void)state;
+CASE(test_formats) {
   for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
     char options[64];
     snprintf(options, sizeof options, "--word=%d", word);
@@ -167,8 +163,7 @@ static void test_formats(void **state) {
   }
 }
 
-static void test_coplanar_limit(void **state) {
-  (void)state;
+CASE(test_coplanar_limit) {
   assert_int_equal(design_of("--word=18 --epsilon=1").coplanar_limit, 131072);
   assert_int_equal(design_of("--word=18 --epsilon=0").coplanar_limit, 1);
   assert_int_equal(design_of("--word=18 --precision=word --epsilon=1").coplanar_limit, 1);
@@ -178,8 +173,7 @@ static void test_coplanar_limit(void **state) {
 }
 
 /* The model's own asserts check every intermediate against its format. */
-static void test_ranges(void **state) {
-  (void)state;
+CASE(test_ranges) {
   static const char *const settings[] = {"full", "word", "guard=3"};
   sepax_random random = {11};
   for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
@@ -205,8 +199,7 @@ static void test_ranges(void **state) {
 }
 
 /* With every bit kept, an axis that separates is a proof: no collision is missed. */
-static void test_full_never_misses(void **state) {
-  (void)state;
+CASE(test_full_never_misses) {
   static const int words[] = {4, 8, 12, 18, 24, 32};
   static const char *const tests[] = {"plane", "paper"};
   for (size_t w = 0; w < sizeof words / sizeof words[0]; w++) {
@@ -237,8 +230,7 @@ static bool same(sepax_verdict u, sepax_verdict v) {
 }
 
 /* Flagged, coplanar pairs are collisions; everything else is the exact verdict. */
-static void test_coplanar_flag(void **state) {
-  (void)state;
+CASE(test_coplanar_flag) {
   sepax_design exact = design_of("--arch=exact");
   sepax_design flag = design_of("--arch=exact --coplanar=flag");
   const sepax_verdict flagged = {.collision = true, .coplanar = true};
@@ -254,8 +246,7 @@ static void test_coplanar_flag(void **state) {
   assert_in_range(changed, 500, 10000);
 }
 
-static void test_multiplications(void **state) {
-  (void)state;
+CASE(test_multiplications) {
   sepax_design design = design_of("--word=18");
   sepax_random random = {5};
   int least[2] = {1000, 1000};
@@ -290,8 +281,7 @@ static sepax_pair pair_of(const sepax_tri *a, const sepax_tri *b, int word) {
   return (sepax_pair){*a, *b, sepax_unit_normal(a, word), sepax_unit_normal(b, word)};
 }
 
-static void test_printed_coplanarity(void **state) {
-  (void)state;
+CASE(test_printed_coplanarity) {
   sepax_design plane = design_of("--word=18 --coplanarity=plane");
   sepax_design paper = design_of("--word=18 --coplanarity=paper");
   sepax_pair tangent = pair_of(&tangent_a, &tangent_b, 18);
@@ -312,8 +302,7 @@ static void test_printed_coplanarity(void **state) {
   assert_false(sepax_paper(&plane, &opposite).collision);
 }
 
-static void test_printed_inequality(void **state) {
-  (void)state;
+CASE(test_printed_inequality) {
   sepax_design printed = design_of("--word=18 --inequality=printed");
   sepax_random random = {3};
   int collisions = 0;
@@ -332,8 +321,7 @@ static void test_printed_inequality(void **state) {
 /* Edges of 100 LSB leave no bit of their cross product in an 18-bit word: where only
  * such an axis separates, truncation raises a false alarm; block floating point keeps
  * the axis. */
-static void test_short_edges(void **state) {
-  (void)state;
+CASE(test_short_edges) {
   sepax_design full = design_of("--word=18");
   sepax_design word = design_of("--word=18 --precision=word");
   sepax_design block = design_of("--word=18 --precision=word --block-float=on");
@@ -358,8 +346,7 @@ static void test_short_edges(void **state) {
   assert_true(alarms_block < alarms_word);
 }
 
-static void test_unit_normal(void **state) {
-  (void)state;
+CASE(test_unit_normal) {
   static const sepax_tri flat = {{{0, 0, 0}, {7, 0, 0}, {0, 9, 0}}};
   sepax_vec n = sepax_unit_normal(&flat, 18);
   assert_int_equal(n.x, 0);
@@ -391,8 +378,7 @@ static void test_unit_normal(void **state) {
 }
 
 /* At W = 8 doubles round nothing: the baseline is right on proper triangles. */
-static void test_float_baselines(void **state) {
-  (void)state;
+CASE(test_float_baselines) {
   sepax_random random = {21};
   int wrong32 = 0;
   for (int n = 0; n < 60000; n++) {

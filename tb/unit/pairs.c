@@ -31,8 +31,7 @@ static bool fits_with(int32_t value, int field, int word) {
   return sepax_pair_fits(&pair, word);
 }
 
-static void fits_looks_at_every_field(void **state) {
-  (void)state;
+CASE(fits_looks_at_every_field) {
   for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
     int32_t least = sepax_word_min(word);
     int32_t most = sepax_word_max(word);
@@ -47,8 +46,7 @@ static void fits_looks_at_every_field(void **state) {
   }
 }
 
-static void printing_is_24_integers(void **state) {
-  (void)state;
+CASE(printing_is_24_integers) {
   char text[256] = "";
   FILE *out = fmemopen(text, sizeof text, "w");
   assert_non_null(out);
@@ -57,8 +55,7 @@ static void printing_is_24_integers(void **state) {
   assert_string_equal(text, "1 2 3 4 5 6 7 -1 -2 -3 -4 -5 -6 -7 -8 0 1 2 3 4 5 -1 -2 -3");
 }
 
-static void print_then_read(void **state) {
-  (void)state;
+CASE(print_then_read) {
   sepax_error error = {""};
   for (size_t family = 0; family < family_count(); family++) {
     for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
@@ -78,8 +75,7 @@ static void print_then_read(void **state) {
   }
 }
 
-static void absent_normals_are_computed(void **state) {
-  (void)state;
+CASE(absent_normals_are_computed) {
   sepax_error error = {""};
   sepax_pair pair;
   assert_int_equal(sepax_pair_parse(&pair, EIGHTEEN, 4, &error), SEPAX_LINE_PAIR);
@@ -89,8 +85,7 @@ static void absent_normals_are_computed(void **state) {
   assert_string_equal(error.text, "");
 }
 
-static void given_normals_are_taken(void **state) {
-  (void)state;
+CASE(given_normals_are_taken) {
   sepax_error error = {""};
   sepax_pair pair;
   assert_int_equal(sepax_pair_parse(&pair, EIGHTEEN " 1 2 3 -4 -5 -6", 4, &error), SEPAX_LINE_PAIR);
@@ -98,8 +93,7 @@ static void given_normals_are_taken(void **state) {
   assert_true(equal(pair.nb, (sepax_vec){-4, -5, -6}));
 }
 
-static void spellings_are_tolerated(void **state) {
-  (void)state;
+CASE(spellings_are_tolerated) {
   static const char *const lines[] = {
       EIGHTEEN "\n",
       EIGHTEEN "\r\n",
@@ -120,8 +114,7 @@ static void spellings_are_tolerated(void **state) {
   }
 }
 
-static void empty_lines_are_empty(void **state) {
-  (void)state;
+CASE(empty_lines_are_empty) {
   static const char *const lines[] = {"", "\n", "\r\n", "\r", " \t \r\n", "#", "  # 1 2 3\n"};
   sepax_error error = {""};
   for (size_t i = 0; i < LENGTH(lines); i++) {
@@ -187,8 +180,7 @@ static const refusal refusals[] = {
      "number 1, '123456789012345678901234567890123456789x', is not a decimal integer"},
 };
 
-static void errors_say_what_is_wrong(void **state) {
-  (void)state;
+CASE(errors_say_what_is_wrong) {
   for (size_t i = 0; i < LENGTH(refusals); i++) {
     const refusal *r = &refusals[i];
     sepax_error error = {""};
@@ -200,8 +192,7 @@ static void errors_say_what_is_wrong(void **state) {
   }
 }
 
-static void every_field_has_its_name(void **state) {
-  (void)state;
+CASE(every_field_has_its_name) {
   static const char names[] = "A1x A1y A1z A2x A2y A2z A3x A3y A3z "
                               "B1x B1y B1z B2x B2y B2z B3x B3y B3z "
                               "N_Ax N_Ay N_Az N_Bx N_By N_Bz";
@@ -233,8 +224,7 @@ static FILE *stream_of(const char *text, size_t length) {
   return file;
 }
 
-static void reading_counts_lines(void **state) {
-  (void)state;
+CASE(reading_counts_lines) {
   static const char text[] = "# head\n\n" EIGHTEEN "\r\n \t\n# two\n1 2 3\n" EIGHTEEN
                              " 1 2 3 4 5 6 # last, without a line feed";
   FILE *in = stream_of(text, sizeof text - 1);
@@ -258,8 +248,7 @@ static void reading_counts_lines(void **state) {
   fclose(in);
 }
 
-static void an_empty_stream_ends(void **state) {
-  (void)state;
+CASE(an_empty_stream_ends) {
   FILE *in = stream_of("", 0);
   sepax_error error = {""};
   sepax_pair pair = untouched;
@@ -281,8 +270,7 @@ static void assert_nul_refused(const char *text, size_t length) {
   fclose(in);
 }
 
-static void nul_bytes_are_refused(void **state) {
-  (void)state;
+CASE(nul_bytes_are_refused) {
   static const char inside[] = EIGHTEEN "\0 1\n";
   static const char comment[] = EIGHTEEN " # \0\n";
   static const char alone[] = "\0\n";
@@ -293,8 +281,7 @@ static void nul_bytes_are_refused(void **state) {
   assert_nul_refused(last, sizeof last - 1);
 }
 
-static void long_names_and_lines_fit(void **state) {
-  (void)state;
+CASE(long_names_and_lines_fit) {
   enum { LONG = 100000, SHORTER = 4000 };
   char *text = malloc(LONG + 1);
   assert_non_null(text);
@@ -319,8 +306,7 @@ static void long_names_and_lines_fit(void **state) {
   free(text);
 }
 
-static void read_failures_are_errors(void **state) {
-  (void)state;
+CASE(read_failures_are_errors) {
   FILE *in = fopen("/", "r");
   assert_non_null(in);
   sepax_error error = {""};

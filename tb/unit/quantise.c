@@ -44,8 +44,7 @@ static void refuse_value(double x, sepax_grid grid, const char *part) {
   assert_message(part);
 }
 
-static void test_rounding(void **state) {
-  (void)state;
+CASE(test_rounding) {
   assert_quantised(0.5, 1, 0, 18, 1);
   assert_quantised(-0.5, 1, 0, 18, -1);
   assert_quantised(2.5, 1, 0, 18, 3);
@@ -68,8 +67,7 @@ static void test_rounding(void **state) {
   assert_quantised(0.001, 0.002, 0, 18, 1);
 }
 
-static void test_extremes(void **state) {
-  (void)state;
+CASE(test_extremes) {
   for (int word = 4; word <= 32; word++) {
     double half = ldexp(1, word - 1);
     sepax_grid grid = {1, {0, 0, 0}, word};
@@ -85,8 +83,7 @@ static void test_extremes(void **state) {
   refuse_value(NAN, grid, "does not fit");
 }
 
-static void test_bad_grids(void **state) {
-  (void)state;
+CASE(test_bad_grids) {
   const double bad[] = {0, -0.0, -1, NAN, INFINITY, DBL_MAX};
   for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
     refuse_value(1, (sepax_grid){bad[i], {0, 0, 0}, 18}, "resolution: ");
@@ -119,8 +116,7 @@ static void slow_quantise(mpz_t q, double x, double offset, double resolution) {
 }
 
 /* Most values lie within a few units in the last place of a border. */
-static void test_against_rationals(void **state) {
-  (void)state;
+CASE(test_against_rationals) {
   const double resolutions[] = {0.002, 0.1, 1.0 / 3, 1e-3, 7e-7, 1, 0.0254, 1e30, 0x1p-1070, pi};
   const int count = (int)(sizeof resolutions / sizeof resolutions[0]);
   int fitting = 0;
@@ -151,8 +147,7 @@ static void test_against_rationals(void **state) {
   assert_true(below > RANDOM_VALUES / 4 && below < RANDOM_VALUES * 3 / 4);
 }
 
-static void test_normals(void **state) {
-  (void)state;
+CASE(test_normals) {
   const struct {
     double normal[3];
     int word;
@@ -185,8 +180,7 @@ static void test_normals(void **state) {
   assert_message("facet 1: the normal has y = nan");
 }
 
-static void test_untouched(void **state) {
-  (void)state;
+CASE(test_untouched) {
   sepax_facet facet[2] = {facet_at(1), facet_at(100)};
   const sepax_mesh mesh = {facet, 2};
   sepax_tri tri[2] = {{{{7, 7, 7}}}};
@@ -199,8 +193,7 @@ static void test_untouched(void **state) {
 
 /* ------------------------------------------------------------------------ fit */
 
-static void test_fit(void **state) {
-  (void)state;
+CASE(test_fit) {
   for (int i = 0; i < 20000; i++) {
     double scale = ldexp(1, random_below(80) - 40);
     double shift = random_below(2) == 0 ? 0 : random_unit() * 1e6;
@@ -215,8 +208,7 @@ static void test_fit(void **state) {
   }
 }
 
-static void test_fit_extremes(void **state) {
-  (void)state;
+CASE(test_fit_extremes) {
   const double ends[][2] = {{-1, 1},
                             {0, 10},
                             {1, 1 + DBL_EPSILON},
@@ -247,8 +239,7 @@ static void refuse_fit(const sepax_mesh *const meshes[], size_t count, int word,
   assert_int_equal(grid.word, 77);
 }
 
-static void test_fit_errors(void **state) {
-  (void)state;
+CASE(test_fit_errors) {
   sepax_facet same = facet_at(5);
   sepax_facet wide = {.v = {{0, 0, 1}, {0, 0, 2}, {0, 0, 3}}};
   sepax_facet huge = {.v = {{0, 0, 0}, {0, -1e305, 0}, {0, 0, 0}}};

@@ -143,8 +143,7 @@ static sepax_mesh sample(const char *shape, size_t triangles, const double at[3]
 
 static const double origin[3] = {0, 0, 0};
 
-static void test_sample_meshes(void **state) {
-  (void)state;
+CASE(test_sample_meshes) {
   const double at[3] = {3, -40, 0.5};
   for (size_t i = 0; sepax_sample_name(i) != NULL; i++) {
     size_t least = sepax_sample_least(i);
@@ -188,16 +187,14 @@ static void assert_cutter(bool ball, size_t triangles) {
   sepax_mesh_free(&mesh);
 }
 
-static void test_cutters(void **state) {
-  (void)state;
+CASE(test_cutters) {
   for (size_t triangles = 100; triangles < 30000; triangles = triangles * 3 + 2) {
     assert_cutter(true, triangles);
     assert_cutter(false, triangles);
   }
 }
 
-static void test_sphere(void **state) {
-  (void)state;
+CASE(test_sphere) {
   for (size_t triangles = 8; triangles < 30000; triangles = triangles * 2 + 2) {
     sepax_mesh mesh = sample("sphere", triangles, origin, 2);
     for (size_t i = 0; i < 3 * mesh.count; i++) {
@@ -224,8 +221,7 @@ static void assert_box(const sepax_mesh *mesh, const double low[3], const double
   }
 }
 
-static void test_blocks(void **state) {
-  (void)state;
+CASE(test_blocks) {
   const double at[3] = {100, 0, -8};
   sepax_mesh mesh = sample("box", 5000, at, 60);
   assert_box(&mesh, (double[3]){70, -20, -18}, (double[3]){130, 20, 2});
@@ -238,8 +234,7 @@ static void test_blocks(void **state) {
   sepax_mesh_free(&mesh);
 }
 
-static void test_sample_again(void **state) {
-  (void)state;
+CASE(test_sample_again) {
   sepax_mesh once = sample("ball-end", 4000, origin, 0);
   sepax_mesh twice = sample("ball-end", 4000, origin, 20);
   assert_memory_equal(once.facet, twice.facet, once.count * sizeof *once.facet);
@@ -247,8 +242,7 @@ static void test_sample_again(void **state) {
   sepax_mesh_free(&twice);
 }
 
-static void test_sample_list(void **state) {
-  (void)state;
+CASE(test_sample_list) {
   const char *names[] = {"ball-end", "flat-end", "pocket", "sphere", "box"};
   for (size_t i = 0; i < 5; i++) {
     assert_string_equal(sepax_sample_name(i), names[i]);
@@ -269,8 +263,7 @@ static void refuse_sample(const char *shape, size_t triangles, const double at[3
   assert_int_equal(mesh.count, 77);
 }
 
-static void test_sample_errors(void **state) {
-  (void)state;
+CASE(test_sample_errors) {
   const double far[3] = {0, 0, -1e17};
   const double nowhere[3] = {0, NAN, 0};
   refuse_sample("torus", 100, origin, 0,
@@ -289,8 +282,7 @@ static void test_sample_errors(void **state) {
 }
 
 /* A sample survives the file, binary32 included, and the finest grid of 18 bits. */
-static void test_sample_to_grid(void **state) {
-  (void)state;
+CASE(test_sample_to_grid) {
   for (size_t i = 0; sepax_sample_name(i) != NULL; i++) {
     sepax_mesh mesh = sample(sepax_sample_name(i), 2000, origin, 0);
     assert_true(sepax_stl_write(&mesh, path, false, &fault));

@@ -142,8 +142,7 @@ static uint64_t brute_force(sepax_tri tri[2][FACETS]) {
 }
 
 /* Poses of any kind: on the grid, boxes within the extents, and these not much too long. */
-static void test_poses(void **state) {
-  (void)state;
+CASE(test_poses) {
   static scene s;
   static sepax_facet moved[2][FACETS];
   static sepax_tri tri[2][FACETS];
@@ -183,8 +182,7 @@ static bool fits(const double low[3], const double high[3], sepax_grid grid, int
 }
 
 /* One pose: everything is exact. */
-static void test_resting(void **state) {
-  (void)state;
+CASE(test_resting) {
   static scene s;
   static sepax_tri tri[2][FACETS];
   for (int n = 0; n < SCENES; n++) {
@@ -203,8 +201,7 @@ static void test_resting(void **state) {
 }
 
 /* A shift to one place: every sample is that pose. */
-static void test_samples_count(void **state) {
-  (void)state;
+CASE(test_samples_count) {
   static scene s;
   static sepax_facet moved[2][FACETS];
   static sepax_tri tri[2][FACETS];
@@ -227,8 +224,7 @@ static void test_samples_count(void **state) {
 
 /* Half a step more or less: two coordinates that are at a whole number of steps may
  * round to one more. */
-static void test_bound(void **state) {
-  (void)state;
+CASE(test_bound) {
   static scene s;
   draw_scene(&s);
   s.mesh[0].count = 1;
@@ -250,8 +246,7 @@ static void test_bound(void **state) {
   assert_int_equal(sized(&s).extent[1], 2873);
 }
 
-static void test_workspace(void **state) {
-  (void)state;
+CASE(test_workspace) {
   static scene s;
   draw_scene(&s);
   s.space.resolution = 0.002;
@@ -281,8 +276,7 @@ static void refuse(const scene *s, const char *part) {
   assert_message(part);
 }
 
-static void test_refused(void **state) {
-  (void)state;
+CASE(test_refused) {
   static scene s;
   draw_scene(&s);
   s.space.resolution = 1e-12;
@@ -314,8 +308,7 @@ static sepax_design design_of(int word, int ii, int extent) {
 }
 
 /* Every design that was mapped, within the error that is told, and that error is reached. */
-static void test_gates(void **state) {
-  (void)state;
+CASE(test_gates) {
   FILE *in = fopen("docs/results/area-nangate45.csv", "r");
   char line[200];
   double worst = 0;
@@ -351,8 +344,7 @@ static void test_gates(void **state) {
 }
 
 /* The cheapest of all, looked for another way round. */
-static void test_machine(void **state) {
-  (void)state;
+CASE(test_machine) {
   static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
   for (int n = 0; n < 200; n++) {
     sepax_size size = {.grid = {.word = 18},
@@ -399,8 +391,7 @@ static void test_machine(void **state) {
 
 /* The paper's scene: 160,000 pairs in 0.96 ms at 2 ns are II = 3. Too much for one memory
  * goes through it in parts. */
-static void test_jobs(void **state) {
-  (void)state;
+CASE(test_jobs) {
   sepax_size size = {
       .grid = {.word = 18}, .count = {400, 400}, .extent = {60000, 60000}, .core_word = 18};
   sepax_sized_design m;
@@ -469,8 +460,7 @@ static void check_extent_pairs(int word, int extent_a, int extent_b) {
   }
 }
 
-static void test_extent_pairs(void **state) {
-  (void)state;
+CASE(test_extent_pairs) {
   check_extent_pairs(18, 2500, 2500);
   check_extent_pairs(17, 2501, 1800);
   check_extent_pairs(12, 300, 40);

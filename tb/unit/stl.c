@@ -85,8 +85,7 @@ static double number_read(const char *text) {
   return number;
 }
 
-static void test_decimals(void **state) {
-  (void)state;
+CASE(test_decimals) {
   const struct {
     const char *text;
     double number;
@@ -114,8 +113,7 @@ static void test_decimals(void **state) {
   }
 }
 
-static void test_text_forms(void **state) {
-  (void)state;
+CASE(test_text_forms) {
   const struct {
     const char *text;
     size_t count;
@@ -147,8 +145,7 @@ static void test_text_forms(void **state) {
   }
 }
 
-static void test_text_errors(void **state) {
-  (void)state;
+CASE(test_text_errors) {
   refuse_text("", "empty");
   refuse_text("hello", "no STL file");
   refuse_text("<html>This is a page of text, and so long that it might have the head of a "
@@ -195,8 +192,7 @@ static size_t make_binary(unsigned char bytes[], const char *title, unsigned cou
   return 84 + 50 * (size_t)count;
 }
 
-static void test_binary_forms(void **state) {
-  (void)state;
+CASE(test_binary_forms) {
   const char *titles[] = {"", "solid", "solid part\n facet normal 0 0 1", "COLOR=\xff"};
   unsigned char bytes[500];
   for (size_t i = 0; i < sizeof titles / sizeof titles[0]; i++) {
@@ -213,8 +209,7 @@ static void test_binary_forms(void **state) {
   }
 }
 
-static void test_binary_errors(void **state) {
-  (void)state;
+CASE(test_binary_errors) {
   unsigned char bytes[500];
   size_t size = make_binary(bytes, "solid", 3);
   refuse_bytes(bytes, size - 1, "truncated: 3 facets take 234 bytes, the file has 233");
@@ -237,8 +232,7 @@ static void test_binary_errors(void **state) {
   refuse_bytes(bytes, size, "facet 2: normal is NaN; export");
 }
 
-static void test_unreadable(void **state) {
-  (void)state;
+CASE(test_unreadable) {
   assert_refused("No such file");
   assert_int_equal(mkdir(path, 0777), 0);
   assert_refused("is a directory");
@@ -260,8 +254,7 @@ static void test_unreadable(void **state) {
   assert_message("check the path");
 }
 
-static void test_pipe(void **state) {
-  (void)state;
+CASE(test_pipe) {
   assert_int_equal(mkfifo(path, 0600), 0);
   pid_t child = fork();
   assert_true(child >= 0);
@@ -306,8 +299,7 @@ static void assert_round_trip(const sepax_mesh *mesh, bool ascii) {
   remove(path);
 }
 
-static void test_round_trips(void **state) {
-  (void)state;
+CASE(test_round_trips) {
   sepax_mesh mesh = random_mesh(1000, true);
   mesh.facet[0].v[0][0] = -0.0;
   mesh.facet[0].v[0][1] = FLT_MAX;
@@ -322,8 +314,7 @@ static void test_round_trips(void **state) {
   sepax_mesh_free(&mesh);
 }
 
-static void test_write_form(void **state) {
-  (void)state;
+CASE(test_write_form) {
   sepax_mesh mesh = random_mesh(2, true);
   mode_t mask = umask(027);
   assert_true(sepax_stl_write(&mesh, path, false, &fault));
@@ -351,8 +342,7 @@ static void refuse_to_write(const sepax_mesh *mesh, bool ascii, const char *part
   assert_int_equal(files_in_folder(), before);
 }
 
-static void test_write_values(void **state) {
-  (void)state;
+CASE(test_write_values) {
   sepax_mesh mesh = random_mesh(3, true);
   double *x = &mesh.facet[2].v[1][0];
   *x = stepped(0x1.ffffffp127, -1);
@@ -373,8 +363,7 @@ static void test_write_values(void **state) {
   refuse_to_write(&mesh, true, "no facets");
 }
 
-static void test_write_failures(void **state) {
-  (void)state;
+CASE(test_write_failures) {
   sepax_mesh mesh = random_mesh(100, true);
   assert_int_equal(mkdir(path, 0777), 0);
   refuse_to_write(&mesh, false, "exists and is no file");
@@ -442,13 +431,9 @@ static size_t read_folder(const char *name) {
   return files;
 }
 
-static void test_data_meshes(void **state) {
-  (void)state;
-  assert_int_equal(read_folder("tb/data"), 3);
-}
+CASE(test_data_meshes) { assert_int_equal(read_folder("tb/data"), 3); }
 
-static void test_shared_meshes(void **state) {
-  (void)state;
+CASE(test_shared_meshes) {
   if (read_folder("../shared/meshes") == 0) {
     skip();
   }

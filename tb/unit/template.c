@@ -46,8 +46,7 @@ static void expect(const char *body, const char *refusal) {
   expect_with(no_holes, head, body, refusal);
 }
 
-static void test_declarations(void **state) {
-  (void)state;
+CASE(test_declarations) {
   expect("  localparam S = 2 * W;\n  wire [S-1:0] d = {a, a};\n  assign y = d[W +: W];", NULL);
   expect("  localparam [3:0] LIMIT = N;\n  wire f = a[3:0] == LIMIT;", NULL);
   expect("  localparam [0:0] LIMIT = N;", "exceeds the size of 'LIMIT'");
@@ -65,8 +64,7 @@ static void test_declarations(void **state) {
   expect("  always @(posedge clk) begin\n    y <= a;\n  end", "a wire is assigned in an always");
 }
 
-static void test_memories(void **state) {
-  (void)state;
+CASE(test_memories) {
   expect("  reg [W-1:0] word_q [0:N-1];\n"
          "  assign y = word_q[sel];\n"
          "  always @(posedge clk) begin\n    word_q[sel] <= a;\n  end",
@@ -77,8 +75,7 @@ static void test_memories(void **state) {
   expect("  reg [W-1:0] word_q [0:N-1];\n  wire b = word_q[2][8];", "select outside of 'word_q'");
 }
 
-static void test_loops(void **state) {
-  (void)state;
+CASE(test_loops) {
   static const char loop[] = "  integer i;\n"
                              "  always @(posedge clk) begin\n"
                              "    for (i = %d; i < N; i = i + 1) begin\n"
@@ -117,8 +114,7 @@ static void test_loops(void **state) {
   expect("  integer i;\n  wire f = a == i;", "without a size");
 }
 
-static void test_statements(void **state) {
-  (void)state;
+CASE(test_statements) {
   expect("  always @(posedge clk) begin\n"
          "    case (sel)\n"
          "      2'd0, 2'd1: q[W-1:0] <= a;\n"
@@ -151,8 +147,7 @@ static void test_statements(void **state) {
          "condition: 8 bits against 1");
 }
 
-static void test_holes(void **state) {
-  (void)state;
+CASE(test_holes) {
   static const emit_hole wide[] = {{"name", "large"}, {"wide", "1"}, {NULL, NULL}};
   static const emit_hole short_of[] = {{"wide", "1"}, {NULL, NULL}};
   static const char nested[] = "//@ if wide\n//@ if !name\n  wire n = 0;\n//@ else\n  assign y ="
@@ -172,8 +167,7 @@ static void test_holes(void **state) {
 }
 
 /* A template instantiates and is instantiated; the checks follow the parameters. */
-static void test_instances(void **state) {
-  (void)state;
+CASE(test_instances) {
   static const char leaf[] =
       "// A leaf.\nmodule leaf #(\n  parameter W = 8, // bits\n"
       "  parameter V = W + 1 // bits\n) (\n"
@@ -212,8 +206,7 @@ static void test_instances(void **state) {
   }
 }
 
-static void test_print(void **state) {
-  (void)state;
+CASE(test_print) {
   emitter e;
   char *text = NULL;
   size_t size = 0;
