@@ -41,6 +41,14 @@ LIBERTY_OBJ = $(call object,$(wildcard synth/liberty/*.c))
 GEN_OBJ     = $(call object,$(wildcard rtl_gen/*/*.c)) $(TEMPLATE_OBJ)
 POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(filter-out %/main.o,$(LIBERTY_OBJ)) $(OPTIONS_OBJ)
 
+# The engine's register map, as its drivers read it.
+REGISTERS = $(BUILD)/registers/sepax_registers.h
+$(REGISTERS): $(SEPAX)
+	@$(SEPAX) gen --lanes=1 -o $(@D) > /dev/null
+	@touch $@
+$(BUILD)/obj/synth/power/engine.o: $(REGISTERS)
+$(BUILD)/obj/synth/power/engine.o: SEPAX_CFLAGS += -I$(BUILD)/registers
+
 $(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)

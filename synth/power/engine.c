@@ -1,8 +1,8 @@
 /* engine.c - see engine.h. */
 #include "engine.h"
-#include "engine/engine.h"
 #include "liberty/text.h"
 #include "sepax_design.h"
+#include "sepax_registers.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,9 +39,10 @@ typedef struct {
   const sepax_scene *scene;
   memory memory[MEMORIES];
   int rst;
-  int awvalid, awready, awaddr[ENGINE_ADDRESS_BITS], wvalid, wready, wdata[32], wstrb[4];
+  int register_bits; /* of their addresses */
+  int awvalid, awready, awaddr[ADDRESS_MOST], wvalid, wready, wdata[32], wstrb[4];
   int bvalid, bready, bresp[2];
-  int arvalid, arready, araddr[ENGINE_ADDRESS_BITS], rvalid, rready, rdata[32], rresp[2];
+  int arvalid, arready, araddr[ADDRESS_MOST], rvalid, rready, rdata[32], rresp[2];
   int in_valid, in_ready, in_data[96], in_last, in_dest;
   int out_valid, out_ready, out_data[64], out_last;
   expected lane[LANES];
@@ -114,6 +115,7 @@ static void clock_memory(gates *g, const memory *m) {
 /* ---------------------------------------------------------------------- buses */
 
 static void find_buses(engine *e) {
+  e->register_bits = gates_bits(e->g, "s_axi_awaddr", ADDRESS_MOST);
   const struct {
     const char *name;
     int bits; /* 0: no vector */
@@ -122,7 +124,7 @@ static void find_buses(engine *e) {
       {"rst", 0, &e->rst},
       {"s_axi_awvalid", 0, &e->awvalid},
       {"s_axi_awready", 0, &e->awready},
-      {"s_axi_awaddr", ENGINE_ADDRESS_BITS, e->awaddr},
+      {"s_axi_awaddr", e->register_bits, e->awaddr},
       {"s_axi_wvalid", 0, &e->wvalid},
       {"s_axi_wready", 0, &e->wready},
       {"s_axi_wdata", 32, e->wdata},
@@ -132,7 +134,7 @@ static void find_buses(engine *e) {
       {"s_axi_bresp", 2, e->bresp},
       {"s_axi_arvalid", 0, &e->arvalid},
       {"s_axi_arready", 0, &e->arready},
-      {"s_axi_araddr", ENGINE_ADDRESS_BITS, e->araddr},
+      {"s_axi_araddr", e->register_bits, e->araddr},
       {"s_axi_rvalid", 0, &e->rvalid},
       {"s_axi_rready", 0, &e->rready},
       {"s_axi_rdata", 32, e->rdata},
@@ -190,12 +192,12 @@ static void tick(engine *e) {
   rise(e);
 }
 
-static void write_register(engine *e, int number, uint32_t data) {
+static void write_register(engine *e, uint64_t address_of, uint32_t data) {
   uint64_t *value = e->g->value;
   uint64_t address = ALL; /* lanes that still have to do it */
   uint64_t word = ALL;
   uint64_t answer = ALL;
-  gates_set_all(e->g, e->awaddr, ENGINE_ADDRESS_BITS, 4 * (uint64_t)number);
+  gates_set_all(e->g, e->awaddr, e->register_bits, address_of);
   gates_set_all(e->g, e->wdata, 32, data);
   for (int k = 0; k < PATIENCE && answer != 0; k++) {
     value[e->awvalid] = address;
@@ -212,11 +214,11 @@ static void write_register(engine *e, int number, uint32_t data) {
   value[e->awvalid] = value[e->wvalid] = 0;
 }
 
-static void read_register(engine *e, int number, uint32_t data[LANES]) {
+static void read_register(engine *e, uint64_t address_of, uint32_t data[LANES]) {
   uint64_t *value = e->g->value;
   uint64_t address = ALL;
   uint64_t answer = ALL;
-  gates_set_all(e->g, e->araddr, ENGINE_ADDRESS_BITS, 4 * (uint64_t)number);
+  gates_set_all(e->g, e->araddr, e->register_bits, address_of);
   for (int k = 0; k < PATIENCE && answer != 0; k++) {
     value[e->arvalid] = address;
     gates_settle(e->g);
@@ -314,7 +316,7 @@ static void expect(engine *e, unsigned l) {
 static void check_loaded(engine *e) {
   for (int object = 0; object < 2; object++) {
     uint32_t count[LANES] = {0};
-    read_register(e, object == 0 ? ENGINE_COUNT_A : ENGINE_COUNT_B, count);
+    read_register(e, object == 0 ? SEPAX_COUNT_A : SEPAX_COUNT_B, count);
     for (unsigned l = 0; l < LANES; l++) {
       e->tally.wrong += count[l] != e->scene->count[object];
     }
@@ -323,7 +325,7 @@ static void check_loaded(engine *e) {
 
 /* From START to the end of the last lane's run. */
 static void run_lanes(engine *e) {
-  write_register(e, ENGINE_COMMAND, 1); /* START */
+  write_register(e, SEPAX_COMMAND, SEPAX_COMMAND_START);
   for (uint64_t k = 0; k < e->limit && e->ended != ALL; k++) {
     tick(e);
   }
@@ -335,9 +337,9 @@ static void check_counts(engine *e) {
   uint32_t pairs[LANES] = {0};
   uint32_t candidates[LANES] = {0};
   uint32_t collisions[LANES] = {0};
-  read_register(e, ENGINE_PAIRS, pairs);
-  read_register(e, ENGINE_CANDIDATES, candidates);
-  read_register(e, ENGINE_COLLISIONS, collisions);
+  read_register(e, SEPAX_PAIRS, pairs);
+  read_register(e, SEPAX_CANDIDATES, candidates);
+  read_register(e, SEPAX_COLLISIONS, collisions);
   for (unsigned l = 0; l < LANES; l++) {
     const expected *outstanding = &e->lane[l];
     e->tally.wrong += pairs[l] != outstanding->pairs || candidates[l] != outstanding->candidates ||

@@ -21,6 +21,19 @@ int gates_find(const gates *g, const char *name, int bit) {
   text_fail("has no port", full);
 }
 
+int gates_bits(const gates *g, const char *name, int most) {
+  size_t length = strlen(name);
+  int bits = 0;
+  for (int k = 0; k < g->ports; k++) {
+    const char *port = g->port[k].name;
+    bits += strncmp(port, name, length) == 0 && (port[length] == '[' || port[length] == '\0');
+  }
+  if (bits > most) {
+    text_fail("has too many bits of", name);
+  }
+  return bits;
+}
+
 void gates_find_word(const gates *g, const char *name, int bits, int net[]) {
   for (int bit = 0; bit < bits; bit++) {
     net[bit] = gates_find(g, name, bits == 1 ? -1 : bit);

@@ -51,6 +51,9 @@ void gates_read(gates *g, const library *lib, const char *path);
 /* The net of a port of the top, by its name and bit (-1: a port of one bit); exits if none. */
 int gates_find(const gates *g, const char *name, int bit);
 
+/* How many bits a port has; exits if it has more than so many. */
+int gates_bits(const gates *g, const char *name, int most);
+
 /* The nets of a port of several bits, the lowest first; exits if it has fewer. */
 void gates_find_word(const gates *g, const char *name, int bits, int net[]);
 
