@@ -1,5 +1,4 @@
-# Makefile - the verbs of sepax; `make help` lists them. The rules behind them are in scripts/make/:
-# build, quality, install; and, for one design, design, cosim, synth.
+# Makefile - the verbs of sepax; `make help` lists them. scripts/make/ has the rules behind them.
 
 # What goes through a design: two meshes, or PAIRS=file, or COUNT seeded hard pairs.
 MESH_A     ?= $(BUILD)/mesh/cutter.stl
@@ -53,8 +52,8 @@ include $(addprefix scripts/make/,flags.mk mesh.mk build.mk design.mk)
 ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 
-.PHONY: all job help build setup test reference area area-sweep timing calibrate multivt power report \
-        scene accuracy clearance bench hard engine-sweep clean
+.PHONY: all job help build setup test reference clean area timing multivt power area-sweep \
+        calibrate scene report accuracy clearance bench hard engine-sweep
 
 all:
 	@scripts/setup
@@ -83,7 +82,8 @@ ONLY_EXACT = $(strip $(foreach name,II VIEW $(shell $(SEPAX) name --only),$(call
 ARCHS      = $(if $(call given,ARCH),$(ARCH),exact $(if $(ONLY_EXACT),,paper))
 
 job: $(SEPAX)
-	@$(foreach arch,$(ARCHS),echo "== architecture $(arch) against its golden model: $(MESH_A), $(MESH_B)" && \
+	@$(foreach arch,$(ARCHS), \
+	  echo "== architecture $(arch) against its golden model: $(MESH_A), $(MESH_B)" && \
 	  $(MAKE) ARCH=$(arch) cosim &&) true
 	@echo "== gates"
 	@$(MAKE) area
@@ -101,14 +101,16 @@ reference: $(SEPAX)
 # length leaves both readings open, unless one is given; conference beside paper.
 PAPERS     = "ARCH=paper PRECISION=full" "ARCH=paper PRECISION=word" \
              "ARCH=paper PRECISION=full MULTIPLIERS=generated"
-BESIDE     = $(foreach bits,full word,"ARCH=conference PRECISION=$(bits)" "ARCH=paper PRECISION=$(bits)")
+BESIDE     = $(foreach bits,full word,$(foreach arch,conference paper,"ARCH=$(arch) PRECISION=$(bits)"))
 PAIR_II    = "ARCH=exact II=3" "ARCH=exact II=1"
-OF_ARCH    = $(if $(filter conference,$(ARCH)),$(if $(call given,PRECISION),"" ARCH=paper,$(BESIDE)),$(if \
-             $(call given,PRECISION)$(filter-out paper,$(ARCH)),"",$(PAPERS)))
-AREAS      = $(if $(call given,ARCH),$(OF_ARCH),$(if $(ONLY_EXACT),"",$(PAIR_II) $(PAPERS)))
+AREAS_paper      = $(if $(call given,PRECISION),"",$(PAPERS))
+AREAS_conference = $(if $(call given,PRECISION),"" ARCH=paper,$(BESIDE))
+AREAS      = $(if $(call given,ARCH),$(or $(AREAS_$(ARCH)),""),$(if \
+             $(ONLY_EXACT),"",$(PAIR_II) $(PAPERS)))
 TIMINGS    = $(if $(call given,ARCH)$(ONLY_EXACT),"",$(PAIR_II))
-POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),"","ARCH=paper PRECISION=full MULTIPLIERS=generated" \
-             $(PAIR_II) "ARCH=exact II=3 EARLY_OUT=boxes")
+POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
+             "ARCH=paper PRECISION=full MULTIPLIERS=generated" $(PAIR_II) \
+             "ARCH=exact II=3 EARLY_OUT=boxes")
 AREA_JSON ?= $(BUILD)/area.json
 
 area: $(SEPAX) $(BUILD)/liberty
@@ -142,8 +144,9 @@ scene: $(SEPAX) $(BUILD)/liberty
 	@PERIOD=$(PERIOD) $(EXPERIMENT)/scene $(BUILD)/scene
 
 # Nangate45 where it is at hand.
+NANGATE45 = $(wildcard ../shared/pdk/nangate45_typ.lib.gz)
 report: $(SEPAX) $(BUILD)/liberty
-	@LIBERTY=$(if $(call given,LIBERTY),$(LIBERTY),$(firstword $(wildcard ../shared/pdk/nangate45_typ.lib.gz) $(LIBERTY))) \
+	@LIBERTY=$(if $(call given,LIBERTY),$(LIBERTY),$(firstword $(NANGATE45) $(LIBERTY))) \
 	  $(EXPERIMENT)/report $(if $(QUICK),-q) $(BUILD)/report
 
 accuracy: $(SEPAX) $(BUILD)/bench

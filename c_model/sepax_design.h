@@ -128,23 +128,25 @@ typedef enum {
  * the result; sums that cancel are taken modulo 2^width. shift is 0. */
 enum {
   SEPAX_X_COORDINATE,
-  SEPAX_X_SPAN,      /* sum or difference of two coordinates */
-  SEPAX_X_ORIENT2D,  /* t_ij, g_ijk: twice an area */
-  SEPAX_X_Z_SUM,     /* sum of z, the origin moved to A: for triangles of both; plus
-                         1 + 4 + 16 ..., as its digits want it (docs/exact.md) */
-  SEPAX_X_OWN_Z_SUM, /* the same for triangle B itself */
-  SEPAX_X_ORIENT3D,  /* h_ijk, v_ijkl: six times a volume */
-  SEPAX_X_CROSS,     /* with a clearance: a component of e x f, N_A, N_B; */
-  SEPAX_X_LIMIT,     /* what twice a gap on such an axis must exceed; */
-  SEPAX_X_EDGE_LIMIT /* and on an axis normal to an edge and a coordinate axis */
+  SEPAX_X_SPAN,       /* sum or difference of two coordinates */
+  SEPAX_X_ORIENT2D,   /* t_ij, g_ijk: twice an area */
+  SEPAX_X_Z_SUM,      /* sum of z, the origin moved to A: for triangles of both; plus
+                          1 + 4 + 16 ..., as its digits want it (docs/exact.md) */
+  SEPAX_X_OWN_Z_SUM,  /* the same for triangle B itself */
+  SEPAX_X_ORIENT3D,   /* h_ijk, v_ijkl: six times a volume */
+  SEPAX_X_CROSS,      /* with a clearance: a component of e x f, N_A, N_B; */
+  SEPAX_X_LIMIT,      /* what twice a gap on such an axis must exceed; */
+  SEPAX_X_EDGE_LIMIT, /* and on an axis normal to an edge and a coordinate axis */
+  SEPAX_X_COUNT
 };
 
 /* A checked configuration with what follows from it. */
 typedef struct {
   sepax_config config;
-  sepax_format format[SEPAX_F_COUNT]; /* by sepax_format_id, or SEPAX_X_... for exact */
-  int formats;
-  bool aabb_test;         /* exact: an AABB test goes before the core */
+  sepax_format format[SEPAX_F_COUNT];       /* of paper and conference, by sepax_format_id */
+  sepax_format exact_format[SEPAX_X_COUNT]; /* of exact, by SEPAX_X_... */
+  int formats;                              /* of the one of both that the architecture has */
+  bool aabb_test;                           /* exact: an AABB test goes before the core */
   int core_word;          /* exact: bits of a coordinate behind the AABB test; W without extents */
   int64_t coplanar_limit; /* |difference| < limit, in units of NORMAL_PROJECTION */
   int latency;            /* cycles from the first input word to the verdict; of exact it

@@ -36,10 +36,29 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
+static bool generate_exact(emitter *e, sepax_design *design) {
+  return gen_exact(e, &design->latency);
+}
+
+static bool generate_paper(emitter *e, sepax_design *design) {
+  (void)design;
+  return gen_paper(e);
+}
+
+static bool generate_conference(emitter *e, sepax_design *design) {
+  (void)design;
+  return gen_conference(e);
+}
+
+/* The generator of each architecture with hardware. */
+static bool (*const generators[SEPAX_ARCH_COUNT])(emitter *, sepax_design *) = {
+    [SEPAX_ARCH_EXACT] = generate_exact,
+    [SEPAX_ARCH_PAPER] = generate_paper,
+    [SEPAX_ARCH_CONFERENCE] = generate_conference,
+};
+
 bool cli_generate(sepax_design *design, const char *folder, sepax_error *error) {
-  bool exact = design->config.arch == SEPAX_ARCH_EXACT;
-  bool conference = design->config.arch == SEPAX_ARCH_CONFERENCE;
-  if (!exact && !conference && design->config.arch != SEPAX_ARCH_PAPER) {
+  if (generators[design->config.arch] == NULL) {
     return sepax_fail(error, "arch: '%s' has no hardware; give --arch=exact, paper or conference",
                       sepax_arch_name(design->config.arch));
   }
@@ -49,9 +68,7 @@ bool cli_generate(sepax_design *design, const char *folder, sepax_error *error) 
            sepax_config_text(&design->config, text, sizeof text));
   emitter e;
   emit_init(&e, design, command);
-  bool ok = exact        ? gen_exact(&e, &design->latency)
-            : conference ? gen_conference(&e)
-                         : gen_paper(&e);
+  bool ok = generators[design->config.arch](&e, design);
   if (!ok) {
     *error = e.error;
   }

@@ -4,15 +4,23 @@
 
 #include "sepax_design.h"
 
+typedef sepax_verdict judge_function(const sepax_design *design, const sepax_pair *pair);
+
 typedef struct {
   const char *name;
+  judge_function *judge; /* the golden model */
   /* Fails on values that do not go together; NULL: all do. Each is in the range of its option. */
   bool (*check)(const sepax_config *config, sepax_error *error);
   /* Formats, latency and the rest of a design whose configuration is checked; NULL: none. */
   void (*derive)(sepax_design *design);
 } architecture;
 
-/* The rows of the list in architectures.c, each in the file of its architecture. */
+/* By sepax_arch. A new architecture is a file with such a row and a line of the list. */
+extern const architecture *const architectures[SEPAX_ARCH_COUNT];
 extern const architecture architecture_exact, architecture_paper, architecture_conference;
+
+/* Models that are no function of the public headers. */
+judge_function judge_exact, judge_reference, judge_float32, judge_float64, judge_interval32,
+    judge_interval64;
 
 #endif

@@ -6,13 +6,13 @@ int32_t sepax_word_min(int word) { return (int32_t)(-(INT64_C(1) << (word - 1)))
 
 int32_t sepax_word_max(int word) { return (int32_t)((INT64_C(1) << (word - 1)) - 1); }
 
-static const architecture reference = {.name = "reference"};
-static const architecture float32 = {.name = "float32"};
-static const architecture float64 = {.name = "float64"};
-static const architecture interval32 = {.name = "interval32"};
-static const architecture interval64 = {.name = "interval64"};
+static const architecture reference = {.name = "reference", .judge = judge_reference};
+static const architecture float32 = {.name = "float32", .judge = judge_float32};
+static const architecture float64 = {.name = "float64", .judge = judge_float64};
+static const architecture interval32 = {.name = "interval32", .judge = judge_interval32};
+static const architecture interval64 = {.name = "interval64", .judge = judge_interval64};
 
-static const architecture *const architectures[SEPAX_ARCH_COUNT] = {
+const architecture *const architectures[SEPAX_ARCH_COUNT] = {
     [SEPAX_ARCH_EXACT] = &architecture_exact,
     [SEPAX_ARCH_PAPER] = &architecture_paper,
     [SEPAX_ARCH_CONFERENCE] = &architecture_conference,

@@ -70,7 +70,7 @@ static bool check(const sepax_config *config, sepax_error *error) {
 
 /* Enter a format; every bit that tells results apart is kept. */
 static void enter(sepax_design *design, int id, const char *name, interval terms, interval result) {
-  design->format[id] = (sepax_format){name, bits_of(terms), bits_of(result), 0, 0};
+  design->exact_format[id] = (sepax_format){name, bits_of(terms), bits_of(result), 0, 0};
   design->formats = id + 1;
 }
 
@@ -81,7 +81,7 @@ static void enter_digits(sepax_design *design, int id, const char *name, interva
   wide bias = (((wide)1 << (2 * (digits - 1))) - 1) / 3;
   interval sum = {value.lo + bias, value.hi + bias};
   enter(design, id, name, sum, sum);
-  design->format[id].digits = digits;
+  design->exact_format[id].digits = digits;
 }
 
 /* What a gap, doubled, must exceed on an axis whose components are at most so long. */
@@ -117,7 +117,7 @@ static void derive_formats(sepax_design *d) {
   interval orient3d = {-2 * side * side * side, 2 * side * side * side};
   enter(d, SEPAX_X_COORDINATE, "coordinate", word, word);
   enter(d, SEPAX_X_SPAN, "span", span, span);
-  d->format[SEPAX_X_SPAN].digits = (bits_of(span) + 1) / 2;
+  d->exact_format[SEPAX_X_SPAN].digits = (bits_of(span) + 1) / 2;
   enter(d, SEPAX_X_ORIENT2D, "orient2d", sum_of_three(product(span, span)), orient2d);
   enter_digits(d, SEPAX_X_Z_SUM, "z_sum", z_sum);
   enter_digits(d, SEPAX_X_OWN_Z_SUM, "own_z_sum", own_z_sum);
@@ -135,4 +135,4 @@ static void derive(sepax_design *design) {
   derive_formats(design);
 }
 
-const architecture architecture_exact = {"exact", check, derive};
+const architecture architecture_exact = {"exact", judge_exact, check, derive};

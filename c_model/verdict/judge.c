@@ -1,6 +1,6 @@
 /* judge.c - the verdict of a design: the model of its architecture, behind the AABB test if it has
  * one. */
-#include "sepax_design.h"
+#include "design/architecture.h"
 #include "util/aabb.h"
 
 static bool exceeds_extents(const sepax_config *c, const aabb *a, const aabb *b) {
@@ -8,7 +8,7 @@ static bool exceeds_extents(const sepax_config *c, const aabb *a, const aabb *b)
          (aabb_longest_side(a) > c->extent_a || aabb_longest_side(b) > c->extent_b);
 }
 
-static sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *pair) {
+sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *pair) {
   if (design->aabb_test) {
     aabb a = aabb_of(&pair->a);
     aabb b = aabb_of(&pair->b);
@@ -31,24 +31,17 @@ static sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *p
   return verdict;
 }
 
-sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair) {
-  switch (design->config.arch) {
-  case SEPAX_ARCH_PAPER:
-    return sepax_paper(design, pair);
-  case SEPAX_ARCH_CONFERENCE:
-    return sepax_conference(design, pair);
-  case SEPAX_ARCH_REFERENCE:
-    return (sepax_verdict){.collision = sepax_reference(&pair->a, &pair->b)};
-  case SEPAX_ARCH_FLOAT32:
-    return (sepax_verdict){.collision = sepax_float32(&pair->a, &pair->b)};
-  case SEPAX_ARCH_FLOAT64:
-    return (sepax_verdict){.collision = sepax_float64(&pair->a, &pair->b)};
-  case SEPAX_ARCH_INTERVAL32:
-    return (sepax_verdict){.collision = sepax_interval32(&pair->a, &pair->b)};
-  case SEPAX_ARCH_INTERVAL64:
-    return (sepax_verdict){.collision = sepax_interval64(&pair->a, &pair->b)};
-  case SEPAX_ARCH_EXACT:
-  default:
-    return judge_exact(design, pair);
+#define SOFTWARE(name)                                                             \
+  sepax_verdict judge_##name(const sepax_design *design, const sepax_pair *pair) { \
+    (void)design;                                                                  \
+    return (sepax_verdict){.collision = sepax_##name(&pair->a, &pair->b)};         \
   }
+SOFTWARE(reference)
+SOFTWARE(float32)
+SOFTWARE(float64)
+SOFTWARE(interval32)
+SOFTWARE(interval64)
+
+sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair) {
+  return architectures[design->config.arch]->judge(design, pair);
 }

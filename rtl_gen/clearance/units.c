@@ -101,7 +101,7 @@ static void gen_limit_of(emitter *e, const exact_plan *p, const char *file, cons
 
 static void gen_limit(emitter *e, const exact_plan *p, const char *name, int format,
                       const char *what) {
-  const sepax_format *f = p->design->format;
+  const sepax_format *f = p->design->exact_format;
   exact_holes h;
   exact_holes_make(&h, p);
   exact_hole(&h, "name", name);
@@ -119,13 +119,13 @@ static void gen_edge_limit(emitter *e, const exact_plan *p) {
   exact_holes_make(&h, p);
   exact_hole_number(&h, "latency", 3 + p->stages.total);
   const limit_terms terms = {"sum_q", "most_q", word + 1, word,
-                             p->design->format[SEPAX_X_EDGE_LIMIT].width};
+                             p->design->exact_format[SEPAX_X_EDGE_LIMIT].width};
   gen_limit_of(e, p, "sepax_edge_limit", &terms, &h);
 }
 
 static void gen_exceeds(emitter *e, const exact_plan *p, const char *name, int value, int limit) {
-  int v_w = p->design->format[value].width;
-  int l_w = p->design->format[limit].width;
+  int v_w = p->design->exact_format[value].width;
+  int l_w = p->design->exact_format[limit].width;
   int n = (v_w > l_w ? v_w : l_w) + 2;
   bool of_3d = value == SEPAX_X_ORIENT3D;
   const gen_line pad = gen_format("%d'd0, ", n - v_w - 2);
@@ -148,7 +148,7 @@ void gen_clearance_units(emitter *e, const exact_plan *p) {
   const gen_line both = gen_format("%s, %d'd%lld", margins.text, word, (long long)margin[0]);
   exact_holes h;
   exact_holes_make(&h, p);
-  exact_hole_number(&h, "c_w", p->design->format[SEPAX_X_CROSS].width);
+  exact_hole_number(&h, "c_w", p->design->exact_format[SEPAX_X_CROSS].width);
   exact_hole(&h, "margins", p->limits > 1 ? both.text : margins.text);
   if (p->design->config.ii > 1) {
     exact_template(e, "sepax_slot_copy", &h);
@@ -167,7 +167,7 @@ void gen_clearance_units(emitter *e, const exact_plan *p) {
 }
 
 void clearance_widths(emit_module *m, const exact_plan *p) {
-  const sepax_format *f = p->design->format;
+  const sepax_format *f = p->design->exact_format;
   emit_parameter(m, EMIT_LOCALPARAM, "LIMITS", p->limits, "clearances");
   emit_parameter(m, EMIT_LOCALPARAM, "C_W", f[SEPAX_X_CROSS].width, "bits of a component of e x f");
   emit_parameter(m, EMIT_LOCALPARAM, "L_W", f[SEPAX_X_LIMIT].width, "of a limit");

@@ -8,8 +8,9 @@
 
 static json_t *describe_formats(const sepax_design *d) {
   json_t *list = json_array();
+  bool exact = d->config.arch == SEPAX_ARCH_EXACT;
   for (int i = 0; i < d->formats; i++) {
-    const sepax_format *f = &d->format[i];
+    const sepax_format *f = exact ? &d->exact_format[i] : &d->format[i];
     json_array_append_new(list, json_pack("{s:s, s:i, s:i, s:i}", "name", f->name, "exact",
                                           f->exact, "width", f->width, "shift", f->shift));
   }

@@ -52,7 +52,7 @@ static void widths(emit_module *m, const exact_plan *p) {
              {"Z_W", SEPAX_X_Z_SUM, "of a z sum"},
              {"O_W", SEPAX_X_OWN_Z_SUM, "of B's z sum"},
              {"V_W", SEPAX_X_ORIENT3D, "of a signed prism volume or an orient3d"}};
-  const sepax_format *f = p->design->format;
+  const sepax_format *f = p->design->exact_format;
   for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
     emit_parameter(m, EMIT_LOCALPARAM, row[i].name, f[row[i].format].width, row[i].about);
   }

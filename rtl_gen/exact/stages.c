@@ -57,7 +57,7 @@ static int levels_of(int terms) {
 
 /* With a clearance: registers inside a limit. */
 static void place_in_limits(exact_plan *p, double room) {
-  const sepax_format *f = p->design->format;
+  const sepax_format *f = p->design->exact_format;
   exact_stages *s = &p->stages;
   double maximum = delay_adder(f[SEPAX_X_CROSS].width) + delay_mux(2);
   double sum = delay_adder(f[SEPAX_X_LIMIT].width);
@@ -79,7 +79,7 @@ static void place_in_limits(exact_plan *p, double room) {
  * prisms, and the AABB test in front. `sum`: the last addition of an orient3d. */
 static double shortest_stage(const exact_plan *p, double sums, double sum) {
   const sepax_design *d = p->design;
-  const sepax_format *f = d->format;
+  const sepax_format *f = d->exact_format;
   double operands = d->config.ii > 1 ? delay_operands(d->core_word) : delay_used->shared_value;
   double orient2d = delay_compressor() + delay_adder(f[SEPAX_X_ORIENT2D].width);
   double zsum = 2 * delay_compressor() + delay_adder(f[SEPAX_X_Z_SUM].width);
@@ -95,7 +95,7 @@ static double shortest_stage(const exact_plan *p, double sums, double sum) {
 }
 
 void exact_stages_make(exact_plan *p) {
-  const sepax_format *f = p->design->format;
+  const sepax_format *f = p->design->exact_format;
   exact_stages *s = &p->stages;
   bool shared_units = p->design->config.ii > 1;
   double period = p->design->config.clock_ps / 1000.0;

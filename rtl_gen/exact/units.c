@@ -17,7 +17,7 @@ void exact_hole_number(exact_holes *h, const char *name, int64_t number) {
 }
 
 void exact_holes_make(exact_holes *h, const exact_plan *p) {
-  const sepax_format *f = p->design->format;
+  const sepax_format *f = p->design->exact_format;
   const exact_stages *s = &p->stages;
   const struct {
     const char *name;
@@ -129,7 +129,7 @@ static void gen_multipliers(emitter *e, const exact_stages *s) {
 void gen_exact_units(emitter *e, const exact_plan *p) {
   exact_holes h;
   exact_holes_make(&h, p);
-  exact_hole_number(&h, "z_w", p->design->format[SEPAX_X_Z_SUM].width);
+  exact_hole_number(&h, "z_w", p->design->exact_format[SEPAX_X_Z_SUM].width);
   exact_hole_number(&h, "latency", 1 + p->stages.own_zsum);
   exact_hole_number(&h, "registered", p->stages.own_zsum);
   gen_multipliers(e, &p->stages);

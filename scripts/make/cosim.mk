@@ -38,8 +38,9 @@ MESH_ARGS = $(if $(filter fit,$(RESOLUTION)),,--resolution=$(RESOLUTION)) \
 SAMPLES   = $(filter $(BUILD)/mesh/%,$(MESH_A) $(MESH_B))
 SEEDED    = --count=$(COUNT) --seed=$(SEED)
 STRESSED  = $(if $(STRESS),--stress=$(STRESS))
-PAIR_ARGS = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if $(filter corners within beyond,$(PAIRS)),--$(PAIRS) \
-            $(SEEDED),$(if $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)")))
+PAIR_ARGS = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if \
+            $(filter corners within beyond,$(PAIRS)),--$(PAIRS) $(SEEDED),$(if \
+            $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)")))
 
 # ------------------------------------------------------------------------- Verilator
 
@@ -49,7 +50,8 @@ OF_VIEW    = $(if $(filter behavioural,$(VIEW)),,-structural)
 COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
 COSIM_CPP  = $(abspath tb/cosim/cosim.cpp $(OPTIONS_OBJ) $(LIB))
-COSIM_DEPS = $(RTL) $(filter-out tb/cosim/engine%,$(wildcard tb/cosim/*.cpp tb/cosim/*.h)) $(LIB) $(OPTIONS_OBJ)
+COSIM_DEPS = $(RTL) $(LIB) $(OPTIONS_OBJ) \
+             $(filter-out tb/cosim/engine%,$(wildcard tb/cosim/*.cpp tb/cosim/*.h))
 
 # verilate TOP FLAGS FILES: Verilator 5.006 miscompiles trees of single bits (its issue 4059) but
 # for -fno-const-bit-op-tree.
@@ -108,23 +110,25 @@ engine: $(ENGINE) $(if $(filter families,$(PAIRS)),,$(SAMPLES))
 	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) $(MESH_A) $(MESH_B))
 
 example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
-	@$(CXX) -o $(CORE)/collide $(ENGINE_OBJ)/collide.o $(ENGINE_OBJ)/sepax_driver.o $(CORE)/obj-engine/engine_bus.o \
-	  $(CORE)/obj-engine/Vsepax_engine__ALL.a $(wildcard $(CORE)/obj-engine/verilated*.o) $(LIB) -lm -pthread
+	@$(CXX) -o $(CORE)/collide $(ENGINE_OBJ)/collide.o $(ENGINE_OBJ)/sepax_driver.o \
+	  $(CORE)/obj-engine/engine_bus.o $(CORE)/obj-engine/Vsepax_engine__ALL.a \
+	  $(wildcard $(CORE)/obj-engine/verilated*.o) $(LIB) -lm -pthread
 	@$(CORE)/collide "$(MESH_A)" "$(MESH_B)" $(filter-out fit,$(RESOLUTION)) || [ $$? -eq 1 ]
 endif
 
 # ------------------------------------------------------------------------- Icarus
 
-BENCH  = tb/cosim/$(if $(filter exact,$(ARCH)),sepax_exact_tb,sepax_tb).v
+BENCH  = $(if $(filter exact,$(ARCH)),sepax_exact_tb,sepax_tb)
+BENCH_V = tb/cosim/$(BENCH).v
 ICARUS = $(CORE)/icarus$(OF_VIEW).vvp
 
-$(ICARUS): $(RTL) $(BENCH)
-	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_REST $(VIEW_MACRO) -I . -s $(basename $(notdir $(BENCH))) \
-	  -o ../$(@F) -c sepax.f $(abspath $(BENCH))
+$(ICARUS): $(RTL) $(BENCH_V)
+	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_REST $(VIEW_MACRO) -I . -s $(BENCH) \
+	  -o ../$(@F) -c sepax.f $(abspath $(BENCH_V))
 
 # All pairs with coordinates 0, 1.
-BITS = awk 'BEGIN { for (n = 0; n < 262144; n++) { line = ""; rest = n; for (k = 0; k < 18; k++) { \
-       line = line " " rest % 2; rest = int(rest / 2) } print line } }'
+BITS = awk 'BEGIN { for (n = 0; n < 262144; n++) \
+       for (k = 0; k < 18; k++) printf "%d%s", int(n / 2 ^ k) % 2, k < 17 ? " " : "\n" }'
 
 $(CORE)/icarus.pairs: $(SEPAX) FORCE
 	@mkdir -p $(CORE)

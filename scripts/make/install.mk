@@ -2,19 +2,20 @@
 
 VERSION = $(shell sed -n 's/.define SEPAX_VERSION "\(.*\)"/\1/p' c_model/sepax.h)
 ROOT    = $(DESTDIR)$(PREFIX)
+HEADERS = $(wildcard c_model/sepax*.h)
 MAN     = share/man/man1/sepax.1 share/man/man3/libsepax.3
 
 .PHONY: install uninstall
 install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
 	@case "$(PREFIX)" in *" "*) echo "install: PREFIX must be without blanks" >&2; exit 2 ;; /*) ;; \
 	  *) echo "install: PREFIX=$(PREFIX) is not absolute; begin with /" >&2; exit 2 ;; esac
-	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' 'Name: sepax' \
-	  'Description: exact triangle/triangle collision detection' 'Version: $(VERSION)' \
+	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' \
+	  'Name: sepax' 'Description: exact triangle/triangle collision detection' 'Version: $(VERSION)' \
 	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -lsepax' 'Libs.private: -lm -pthread' > $(BUILD)/sepax.pc
-	@$(foreach page,$(MAN),sed 's/@VERSION@/$(VERSION)/' docs/$(notdir $(page)) > $(BUILD)/$(notdir $(page)) &&) true
+	@for page in $(notdir $(MAN)); do sed 's/@VERSION@/$(VERSION)/' docs/$$page > $(BUILD)/$$page; done
 	@install -d $(addprefix $(ROOT)/,bin include lib/pkgconfig $(dir $(MAN)))
 	@install -m 755 $(SEPAX) $(ROOT)/bin
-	@install -m 644 $(wildcard c_model/sepax*.h) $(ROOT)/include
+	@install -m 644 $(HEADERS) $(ROOT)/include
 	@install -m 644 $(LIB) $(BUILD)/libsepax.so.0 $(ROOT)/lib
 	@ln -sf libsepax.so.0 $(ROOT)/lib/libsepax.so
 	@install -m 644 $(BUILD)/sepax.pc $(ROOT)/lib/pkgconfig
@@ -22,5 +23,5 @@ install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
 	@echo "installed in $(ROOT)"
 
 uninstall:
-	@rm -f $(addprefix $(ROOT)/,bin/sepax $(addprefix include/,$(notdir $(wildcard c_model/sepax*.h))) lib/libsepax.a lib/libsepax.so \
-	  lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))
+	@rm -f $(addprefix $(ROOT)/,bin/sepax $(HEADERS:c_model/%=include/%) lib/libsepax.a \
+	  lib/libsepax.so lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))

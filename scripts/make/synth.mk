@@ -6,25 +6,28 @@ LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
 # are slower, osu018 about four times.
 CLOCK_NS ?= 2
 ifneq ($(filter timed timing-file assigned,$(MAKECMDGOALS)),)
-PERIOD := $(or $(PERIOD),$(if $(filter nangate45%,$(LIBRARY)),$(if $(filter paper,$(ARCH)),$(CLOCK_NS)),$(shell \
-            LC_ALL=C awk 'BEGIN { print 4 * "$(CLOCK_NS)" }')))
+SIZED_FOR = $(if $(filter nangate45%,$(LIBRARY)),$(if $(filter paper,$(ARCH)),$(CLOCK_NS)),$(shell \
+            LC_ALL=C awk 'BEGIN { print 4 * "$(CLOCK_NS)" }'))
+PERIOD   := $(or $(PERIOD),$(SIZED_FOR))
 endif
 
 # A period that was given, and multipliers, have a folder of their own.
-AREA = $(CORE)/$(LIBRARY)$(if $(PERIOD),-$(PERIOD)ns)$(if $(filter generated,$(MULTIPLIERS)),-generated)
+GENERATED = $(filter generated,$(MULTIPLIERS))
+AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)
 
 .PHONY: mapped area-file timed timing-file assigned powered power-file netlist gates
 
 # Another library of the same name is another library.
 $(AREA)/liberty.sum: FORCE
-	@[ -r "$(LIBERTY)" ] || { echo "area: $(LIBERTY) cannot be read; give LIBERTY=file.lib[.gz]" >&2; exit 2; }
+	@[ -r "$(LIBERTY)" ] || \
+	  { echo "area: $(LIBERTY) cannot be read; give LIBERTY=file.lib[.gz]" >&2; exit 2; }
 	@mkdir -p $(AREA)
 	@cksum "$(LIBERTY)" > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 $(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(wildcard synth/area/* synth/common* synth/netlist.jq) $(BUILD)/liberty
 	@echo "  YOSYS   $(DESIGN_NAME), $(LIBRARY)"
 	@synth/area/map -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) \
-	  $(if $(filter generated,$(MULTIPLIERS)),-m $(SEPAX)) -o $(AREA) $(CORE)/rtl
+	  $(if $(GENERATED),-m $(SEPAX)) -o $(AREA) $(CORE)/rtl
 
 mapped: $(AREA)/area.json
 area-file:
@@ -47,8 +50,8 @@ assigned: $(AREA)/area.json
 LOADS     = $(BUILD)/power-w$(WORD)
 COLLIDING = --family=local --count=12000
 COPLANAR_PAIRS = --family=coplanar --count=8000
-select    = mkdir -p $(@D) && $(SEPAX) vectors --word=$(WORD) $(1) | $(SEPAX) judge --word=$(WORD) --echo | \
-            awk '$$$(2) == 1 { NF = 24; print }' > $@
+select    = mkdir -p $(@D) && $(SEPAX) vectors --word=$(WORD) $(1) | \
+            $(SEPAX) judge --word=$(WORD) --echo | awk '$$$(2) == 1 { NF = 24; print }' > $@
 $(LOADS)/colliding.txt: $(SEPAX)
 	@$(call select,$(COLLIDING),25)
 $(LOADS)/coplanar.txt: $(SEPAX)
@@ -66,18 +69,17 @@ endif
 
 powered: $(AREA)/area.json $(BUILD)/power $(LOAD_FILES) $(SAMPLES)
 	@echo "  POWER   $(DESIGN_NAME), $(LIBRARY)"
-	@POWER=$(BUILD)/power synth/power/run -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) -o $(AREA)/power $(AREA) \
-	  "separated=$(POWER_MESH)" $(WORKLOADS)
+	@POWER=$(BUILD)/power synth/power/run -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) \
+	  -o $(AREA)/power $(AREA) "separated=$(POWER_MESH)" $(WORKLOADS)
 power-file:
 	@echo $(AREA)/power/power.json
 
 # ----------------------------------------------------------------- the gates simulated
 
-$(AREA)/netlist.vvp: $(AREA)/area.json $(BENCH)
+$(AREA)/netlist.vvp: $(AREA)/area.json $(BENCH_V)
 	@echo "  ICARUS  $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
-	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(basename $(notdir $(BENCH))) -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
-	  $(BENCH)
+	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(BENCH) -o $@ $(AREA)/netlist.v $(AREA)/cells.v $(BENCH_V)
 
 # A gate-level pair takes a second at W = 18: ten of each family are many.
 netlist: COUNT = 170
@@ -92,7 +94,8 @@ $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module sepax_top \
 	  -MAKEFLAGS "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O1" \
 	  -CFLAGS "-I$(abspath c_model) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \
-	  netlist.vlt cells.v netlist.v $(COSIM_CPP) > cosim.log 2>&1 || { tail -20 cosim.log >&2; exit 1; }; }
+	  netlist.vlt cells.v netlist.v $(COSIM_CPP) > cosim.log 2>&1 || \
+	  { tail -20 cosim.log >&2; exit 1; }; }
 
 gates: $(AREA)/cosim
 	@$(AREA)/cosim $(if $(PAIRS),$(PAIR_ARGS),$(SEEDED)) $(STRESSED)
