@@ -123,7 +123,7 @@ BENCH_V = tb/cosim/$(BENCH).v
 ICARUS = $(CORE)/icarus$(OF_VIEW).vvp
 
 $(ICARUS): $(RTL) $(BENCH_V)
-	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_REST $(VIEW_MACRO) -I . -s $(BENCH) \
+	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_ISOLATION $(VIEW_MACRO) -I . -s $(BENCH) \
 	  -o ../$(@F) -c sepax.f $(abspath $(BENCH_V))
 
 # All pairs with coordinates 0, 1.

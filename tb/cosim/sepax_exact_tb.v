@@ -6,7 +6,7 @@
 //
 // Verdicts must come in the order of the pairs with the expected value and stand still
 // while they wait; the latency of a pair alone in the core must be LATENCY; X is a
-// mismatch; so are operands of a core that an AABB test isolates (SEPAX_REST). Ends with
+// mismatch; so are operands of a core that an AABB test isolates (SEPAX_ISOLATION). Ends with
 // $finish when all is well and with $stop (exit status 1 under vvp -N) if not.
 
 `default_nettype none
@@ -58,11 +58,11 @@ module sepax_exact_tb;
   always #2 clk = ~clk;
 
   // Without a pair, or where the boxes have decided, nothing but zeros enters the core.
-  reg restless = 1'b0;
-`ifdef SEPAX_REST
+  reg not_isolated = 1'b0;
+`ifdef SEPAX_ISOLATION
 `ifdef SEPAX_BOXES
   always @(negedge clk) begin
-    restless <= !(dut.narrow.in_valid && !dut.narrow.in_disjoint) &&
+    not_isolated <= !(dut.narrow.in_valid && !dut.narrow.in_disjoint) &&
                 (|dut.narrow.in_pair !== 1'b0);
   end
 `endif
@@ -146,8 +146,8 @@ module sepax_exact_tb;
     begin
       cycle = cycle + 1;
       #1;
-      if (restless) begin
-        mismatch("a resting core gets operands");
+      if (not_isolated) begin
+        mismatch("an isolated core gets operands");
       end
       was_empty = judged == sent;
       idle = was_empty ? idle + 1 : 0;

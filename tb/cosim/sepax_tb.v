@@ -133,7 +133,7 @@ module sepax_tb;
     $finish;
   end
 
-`ifdef SEPAX_REST
+`ifdef SEPAX_ISOLATION
 `ifdef SEPAX_CONFERENCE
   // Operands, products, axes, projections and comparisons of table 2.
   wire [1023:0] operands = {dut.a_14, dut.b_14, dut.psa_6.axes[0].product.p,

@@ -2,7 +2,7 @@
  * interval test. */
 #include "oracle/pair_tools.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <math.h>
 #include <stdlib.h>

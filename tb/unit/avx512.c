@@ -11,7 +11,7 @@
 #include "benchmark/columns.h"
 #include "oracle/pair_tools.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 /* A block of each family at each word length: pairs, and one against many. */
 CASE(every_family_at_every_word) {

@@ -2,7 +2,7 @@
 #include "oracle/pair_tools.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <fcntl.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #include "oracle/real_pairs.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,7 +2,7 @@
  * theorem written another way, and against the paper's design, bit for bit. */
 #include "sepax_design.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <string.h>
 

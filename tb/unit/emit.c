@@ -2,7 +2,7 @@
 #include "emit/emit.h"
 #include "emit/gen.h"
 #include "sepax_design.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
  * the origin is in the hull of the nine differences of vertices. */
 #include "oracle/oracle.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #ifndef EXACT_PAIRS
 #define EXACT_PAIRS 1000000

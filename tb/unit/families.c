@@ -3,7 +3,7 @@
 
 #include "oracle/pair_tools.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #ifndef VECTOR_PAIRS
 #define VECTOR_PAIRS 2000

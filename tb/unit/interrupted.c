@@ -1,15 +1,12 @@
 /* interrupted.c - a signal that ends a program leaves no half-written file. */
+#include "harness.h"
 #include "util/temporary.h"
 #include "util/write_file.h"
 
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 static const char *const path = "build/test/interrupted.txt";
 
@@ -46,8 +43,7 @@ static int end_of(int number, bool program) {
   return status;
 }
 
-static void test_signals(void **state) {
-  (void)state;
+CASE(test_signals) {
   static const int number[] = {SIGINT, SIGTERM, SIGHUP};
   assert_int_equal(system("mkdir -p build/test"), 0);
   for (int i = 0; i < 3; i++) {
@@ -63,8 +59,7 @@ static void test_signals(void **state) {
 }
 
 /* More files than tickets are still written. */
-static void test_tickets(void **state) {
-  (void)state;
+CASE(test_tickets) {
   int ticket[300];
   for (int i = 0; i < 300; i++) {
     ticket[i] = temporary_add("build/test/no-such-file");

@@ -1,7 +1,7 @@
 /* model.c - configuration, formats, the paper's design and the baselines. */
 #include "sepax_design.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 
 #include "oracle/pair_tools.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #define EIGHTEEN "0 0 0 7 0 0 0 7 0 1 1 -3 1 1 3 2 2 3"
 

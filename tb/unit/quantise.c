@@ -1,6 +1,6 @@
 /* quantise.c - the quantiser and the fit of a grid. */
 #include "oracle/mesh_tools.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <float.h>
 #include <gmp.h>

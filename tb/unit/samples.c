@@ -1,7 +1,7 @@
 /* samples.c - the sample objects. */
 #include "oracle/mesh_tools.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <math.h>
 #include <stdlib.h>

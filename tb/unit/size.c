@@ -5,7 +5,7 @@
 #include "oracle/pair_tools.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* stl.c - STL files: reading, writing, real meshes. */
 #include "oracle/mesh_tools.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <dirent.h>
 #include <float.h>

@@ -1,7 +1,7 @@
 /* template.c - what the Verilog templates may say, and what of it is refused. */
 #include "emit/emit.h"
 #include "emit/template.h"
-#include "unit/harness.h"
+#include "harness.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* harness.h - what every unit test includes: cmocka with the headers that it wants before it. */
-#ifndef UNIT_HARNESS_H
-#define UNIT_HARNESS_H
+#ifndef HARNESS_H
+#define HARNESS_H
 
 /* clang-format off */
 #include <setjmp.h>
