@@ -90,9 +90,10 @@ job: $(SEPAX)
 
 REFERENCE ?= rtl
 reference: $(SEPAX)
-	@cd $(REFERENCE) && rm -rf exact-w18-ii3 exact-w18-ii1 paper-w18 && \
+	@cd $(REFERENCE) && rm -rf exact-w18-ii3 exact-w18-ii1 engine-w18-k4 paper-w18 && \
 	  $(abspath $(SEPAX)) gen --arch=exact --word=18 --ii=3 -o exact-w18-ii3 && \
 	  $(abspath $(SEPAX)) gen --arch=exact --word=18 --ii=1 -o exact-w18-ii1 && \
+	  $(abspath $(SEPAX)) gen --arch=exact --word=18 --ii=3 --lanes=4 -o engine-w18-k4 && \
 	  $(abspath $(SEPAX)) gen --arch=paper --word=18 -o paper-w18
 
 # ------------------------------------------------------------------ gates, clock, power
