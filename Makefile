@@ -102,7 +102,8 @@ reference: $(SEPAX)
 # length leaves both readings open, unless one is given; conference beside paper.
 PAPERS     = "ARCH=paper PRECISION=full" "ARCH=paper PRECISION=word" \
              "ARCH=paper PRECISION=full MULTIPLIERS=generated"
-BESIDE     = $(foreach bits,full word,$(foreach arch,conference paper,"ARCH=$(arch) PRECISION=$(bits)"))
+BESIDE     = $(foreach bits,full word, \
+             "ARCH=conference PRECISION=$(bits)" "ARCH=paper PRECISION=$(bits)")
 PAIR_II    = "ARCH=exact II=3" "ARCH=exact II=1"
 AREAS_paper      = $(if $(call given,PRECISION),"",$(PAPERS))
 AREAS_conference = $(if $(call given,PRECISION),"" ARCH=paper,$(BESIDE))

@@ -1,9 +1,10 @@
-# scripts/experiments/report: `what` is "machine", one of them from what scripts/experiments/report-task found of it, or "table"
+# scripts/experiments/report: `what` is "design", one of them from what
+# scripts/experiments/report-task found of it, or "table"
 # or "page", from report.json.
 
 def number($text): $text | tonumber;
 
-def machine:
+def design:
   ($ARGS.named.area[0].design) as $d
   | ($ARGS.named.meshes | [scan("([0-9]+) pairs, [0-9]+ (?:mismatches|candidates)")][0][0] | tonumber) as $pairs
   | ([$ARGS.named.meshes | scan("II = [0-9]+: ([0-9]+) cycles = [0-9.]+ ms at")][0][0] // null) as $cycles
@@ -20,7 +21,7 @@ def machine:
      energy_pj: ([$ARGS.named.power[0].workloads[] | select(.pair_pj) | {key: .workload, value: .pair_pj}] | from_entries),
      errors: $errors};
 
-# The published machines as the paper's table 4 (and section 6) has them; 81.14 mW at 500 MHz and II = 3.
+# The published designs as the paper's table 4 (and section 6) has them; 81.14 mW at 500 MHz and II = 3.
 def published: [
   {name: "conference [20]", latency: 20, clock: "2.5 ns", ge: "1961K", cost: "-", speed: "20 M (printed)", separated: "-", colliding: "-",
    missed: "not told", alarms: "not told", made: "paper, table 4"},
@@ -44,7 +45,8 @@ def entry:
    separated: (.energy_pj.separated | nj), colliding: (.energy_pj.colliding | nj),
    missed: share(.errors.missed; .errors.collisions), alarms: share(.errors.false_alarms; .errors.pairs - .errors.collisions),
    made: .variables};
-def heads: ["machine", "latency", "clock", "GE", "GE x II", "pairs/s", "nJ, separated", "nJ, colliding", "missed", "false alarms", "made by, or where"];
+def heads: ["design", "latency", "clock", "GE", "GE x II", "pairs/s", "nJ, separated", "nJ, colliding",
+  "missed", "false alarms", "made by, or where"];
 def cells: [.name, .latency, .clock, .ge, .cost, .speed, .separated, .colliding, .missed, .alarms, .made];
 def entries: published + (.rows | map(entry));
 
@@ -66,26 +68,26 @@ def section($step; $title; $command):
     else "<h2>\($title)</h2><p><code>\($command)</code></p>", ($ARGS.named["\($step)_svg"] // "" | sub("^<[?]xml[^>]*>"; "")),
       "<pre>\($text | @html)</pre>" end;
 def page:
-  "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>sepax: every machine</title>",
+  "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>sepax: every design</title>",
   "<style>body{font:15px/1.5 sans-serif;max-width:80em;margin:2em auto;padding:0 1em}table{border-collapse:collapse;margin:1em 0}",
   "td,th{border:1px solid #ccc;padding:.2em .6em;text-align:right}td:first-child,th:first-child,td:last-child,th:last-child{text-align:left}",
   "pre{background:#f6f6f6;padding:1em;overflow-x:auto}svg{max-width:100%;height:auto}</style></head><body>",
-  "<h1>Every machine in one table</h1>",
+  "<h1>Every design in one table</h1>",
   "<p>W = \(.rows[-1].word). Made by <code>make report LIBERTY=\(.liberty | @html)</code> in \(.seconds / 60 | ceil) minutes with \(tools | @html).</p>",
   html,
   "<p><b>Made by</b>: <code>make area</code> (GE, clock), <code>make power</code> (energy), <code>make cosim</code> or <code>make engine</code> (speed, verdicts) with these variables. ",
   "<b>Clock</b>: the one that OpenSTA says is met, cells sized, fan-out buffered, the default wire load of the library; <i>not timed</i>: the published one, and gates for area alone. ",
   "<b>GE</b>: area of the cells; memories of the engine are not in it. <b>Pairs/s</b>: clock / II; of the engine the \(.rows | map(select(.lanes)) | .[0].mesh_pairs // "-") pairs of the sample objects in \(.rows | map(select(.lanes)) | .[0].mesh_cycles // "-") cycles. ",
   "<b>nJ</b>: energy of a pair, of the mapped gates with pairs that are mostly separated or all collide (docs/power.md); the paper does not tell its pairs. ",
-  "<b>Missed</b>: share of the collisions, <b>false alarms</b>: of the separated pairs, among \(hard); each machine's Verilog gave the verdicts of its golden model:</p>",
+  "<b>Missed</b>: share of the collisions, <b>false alarms</b>: of the separated pairs, among \(hard); each design's Verilog gave the verdicts of its golden model:</p>",
   "<pre>\(.rows | map(.variables + "\n" + (.simulated | map("  " + .) | join("\n"))) | join("\n") | @html)</pre>",
   section("corners"; "Clock at each corner"; "make timing"),
   section("energy"; "Energy by workload and module"; "make power"),
-  section("thresholds"; "Two thresholds"; "make multivt"),
+  section("thresholds"; "Multi-Vt"; "make multivt"),
   section("lanes"; "The engine over its lanes, and on meshes"; "make engine-sweep"),
   section("scene"; "A core for a scene"; "make scene"),
   section("errors"; "Speed against error"; "make accuracy QUICK=1"),
-  section("clearance"; "The safe side"; "make clearance"),
+  section("clearance"; "Conservative clearance"; "make clearance"),
   "</body></html>";
 
-if $ARGS.named.what == "machine" then machine elif $ARGS.named.what == "table" then markdown else page end
+if $ARGS.named.what == "design" then design elif $ARGS.named.what == "table" then markdown else page end

@@ -55,8 +55,8 @@ COSIM_DEPS = $(RTL) $(LIB) $(OPTIONS_OBJ) \
 
 # verilate TOP FLAGS FILES: Verilator 5.006 miscompiles trees of single bits (its issue 4059) but
 # for -fno-const-bit-op-tree.
-verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { $(VERILATOR) --cc --exe --build -O3 --noassert \
-           -fno-const-bit-op-tree --x-assign fast --x-initial unique --top-module $(1) -f sepax.f \
+verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { $(VERILATOR) --cc --exe --build \
+           -O3 --noassert -fno-const-bit-op-tree --x-assign fast --x-initial unique --top-module $(1) -f sepax.f \
            $(VIEW_MACRO) $(2) $(3) --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
            { tail -20 ../$(@F).log >&2; exit 1; }; }
 COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=-O3 OPT_GLOBAL=-O2" -CFLAGS "-I$(abspath c_model) -I../rtl"

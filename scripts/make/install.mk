@@ -11,7 +11,8 @@ install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
 	  *) echo "install: PREFIX=$(PREFIX) is not absolute; begin with /" >&2; exit 2 ;; esac
 	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' \
 	  'Name: sepax' 'Description: exact triangle/triangle collision detection' 'Version: $(VERSION)' \
-	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -lsepax' 'Libs.private: -lm -pthread' > $(BUILD)/sepax.pc
+	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -lsepax' \
+	  'Libs.private: -lm -pthread' > $(BUILD)/sepax.pc
 	@for page in $(notdir $(MAN)); do sed 's/@VERSION@/$(VERSION)/' docs/$$page > $(BUILD)/$$page; done
 	@install -d $(addprefix $(ROOT)/,bin include lib/pkgconfig $(dir $(MAN)))
 	@install -m 755 $(SEPAX) $(ROOT)/bin

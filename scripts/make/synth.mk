@@ -24,7 +24,8 @@ $(AREA)/liberty.sum: FORCE
 	@mkdir -p $(AREA)
 	@cksum "$(LIBERTY)" > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
-$(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(wildcard synth/area/* synth/common* synth/netlist.jq) $(BUILD)/liberty
+$(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(BUILD)/liberty \
+    $(wildcard synth/area/* synth/common* synth/netlist.jq)
 	@echo "  YOSYS   $(DESIGN_NAME), $(LIBRARY)"
 	@synth/area/map -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) \
 	  $(if $(GENERATED),-m $(SEPAX)) -o $(AREA) $(CORE)/rtl
@@ -62,7 +63,8 @@ CYCLES    ?= 200
 POWER_MESH = $(MESH_A) $(MESH_B) $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION))
 ifeq ($(filter-out 0,$(LANES)),)
 LOAD_FILES = $(LOADS)/colliding.txt $(LOADS)/coplanar.txt
-WORKLOADS  = colliding=$(LOADS)/colliding.txt coplanar=$(LOADS)/coplanar.txt "idle=idle $(LOADS)/colliding.txt"
+WORKLOADS  = colliding=$(LOADS)/colliding.txt coplanar=$(LOADS)/coplanar.txt \
+             "idle=idle $(LOADS)/colliding.txt"
 else
 WORKLOADS  = "loading=loading $(POWER_MESH)" "idle=idle $(POWER_MESH)"
 endif

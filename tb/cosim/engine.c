@@ -3,7 +3,7 @@
  *   engine [--stress=SEED] [--rounds=N] [--beats=N] [--wave=FILE]
  * The first: the meshes, part by part if the memories are smaller. The second: N rounds of
  * seeded objects of all families and sizes, moves, first hits and stops, and more rounds until N
- * transfers were made; objects of which all boxes meet; then what is refused, and interrupts.
+ * transfers were made; objects of which all AABBs overlap; then what is refused, and interrupts.
  * Exit status 1: something was wrong. */
 #include "engine_bus.h"
 #include "sepax_design.h"
@@ -327,9 +327,9 @@ static void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, 
   }
   const task t = {a, b, count_a, count_b, {0, 0, 0}, false};
   sepax_counts counts = run_task(&t, paced);
-  expect("candidates where all boxes meet", counts.candidates,
+  expect("candidates where all AABBs overlap", counts.candidates,
          (unsigned long long)count_a * count_b);
-  printf("all boxes meet: %zu x %zu triangles, %llu collisions in %llu cycles, %.4f a pair\n",
+  printf("all AABBs overlap: %zu x %zu triangles, %llu collisions in %llu cycles, %.4f a pair\n",
          count_a, count_b, (unsigned long long)counts.collisions, (unsigned long long)counts.cycles,
          (double)counts.cycles / (double)(count_a * count_b));
 }
