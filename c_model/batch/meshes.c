@@ -1,5 +1,5 @@
 /* meshes.c - all colliding pairs of two meshes. Leaves hold 64 triangles in the order of a
- * space-filling curve, a tree of axis-aligned bounding boxes (AABB) is above them, and batch.c
+ * space-filling curve, a tree of axis-aligned bounding boxes (AABB) is above them, and pairs.c
  * judges the pairs in a leaf. */
 #include "sepax_design.h"
 #include "util/aabb.h"

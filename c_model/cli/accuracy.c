@@ -68,15 +68,15 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 /* ------------------------------------------------------------------ pairs */
 
-enum { FINE = 31, TURNS = 5 };
+enum { FINE = 31, VARIANTS = 5 };
 
-static const char *const turn_name[TURNS] = {"order", "exchange", "move", "axes", "scale"};
+static const char *const variant_name[VARIANTS] = {"order", "exchange", "move", "axes", "scale"};
 
 typedef struct {
   uint64_t pairs, collisions, missed, alarms;
   uint64_t alarms_no_area; /* where a triangle is a segment or a point */
   double deepest, widest;  /* missed penetration, gap called a collision; LSB */
-  uint64_t turned, flipped[TURNS], flipped_any;
+  uint64_t varied, flipped[VARIANTS], flipped_any;
 } tally;
 
 static sepax_vec *vertex(sepax_pair *p, int i) { return i < 3 ? &p->a.v[i] : &p->b.v[i - 3]; }
@@ -106,7 +106,7 @@ static bool judge(const sepax_design *design, const sepax_pair *pair) {
 
 enum { BLOCK = 64 };
 
-/* Pairs as they are given, and as the design gets them. */
+/* Pairs as they are given, and as the design reads them. */
 typedef struct {
   sepax_pair given[BLOCK], pair[BLOCK];
   int32_t column[18][BLOCK];
@@ -160,7 +160,7 @@ static void count_block(tally *t, const sepax_design *design, const block *b, si
   }
 }
 
-/* ------------------------------------------------------------------ turns */
+/* --------------------------------------------------------------- variants */
 
 static const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
 
@@ -168,50 +168,50 @@ static sepax_tri reorder(const sepax_tri *t, const int order[3]) {
   return (sepax_tri){{t->v[order[0]], t->v[order[1]], t->v[order[2]]}};
 }
 
-/* Do the variants number `from` ... `to` of a kind of turn change the verdict? */
+/* True iff a variant of this kind has another verdict. */
 static bool flips(const sepax_design *design, const sepax_pair *pair, int kind, bool before,
                   sepax_random *random) {
-  static const int variants[TURNS] = {36, 36, 4, 48, 1};
+  static const int variants_of[VARIANTS] = {36, 36, 4, 48, 1};
   int word = design->config.word;
   int64_t half = INT64_C(1) << (word - 2);
-  for (int n = 0; n < variants[kind]; n++) {
-    sepax_pair turned = *pair;
+  for (int n = 0; n < variants_of[kind]; n++) {
+    sepax_pair variant = *pair;
     int64_t by[3] = {0, 0, 0};
     for (int axis = 0; axis < 3 && kind == 2; axis++) {
       by[axis] = sepax_random_range(random, -half, half);
     }
     if (kind <= 1) {
-      turned.a = reorder(kind == 0 ? &pair->a : &pair->b, orders[n / 6]);
-      turned.b = reorder(kind == 0 ? &pair->b : &pair->a, orders[n % 6]);
+      variant.a = reorder(kind == 0 ? &pair->a : &pair->b, orders[n / 6]);
+      variant.b = reorder(kind == 0 ? &pair->b : &pair->a, orders[n % 6]);
     }
     for (int i = 0; i < 18 && kind >= 2; i++) {
       int axis = i % 3;
       sepax_pair was = *pair;
       int32_t c = *component(vertex(&was, i / 3), kind == 3 ? orders[n / 8][axis] : axis);
       c = kind == 3 && (n >> axis) % 2 == 1 ? -c : kind == 4 ? 2 * c : (int32_t)(c + by[axis]);
-      *component(vertex(&turned, i / 3), axis) = c;
+      *component(vertex(&variant, i / 3), axis) = c;
     }
-    set_normals(&turned, word);
-    if (judge(design, &turned) != before) {
+    set_normals(&variant, word);
+    if (judge(design, &variant) != before) {
       return true;
     }
   }
   return false;
 }
 
-/* Pairs of W - 2 bits, which leave room for what is done to them. */
+/* Pairs of W - 2 bits, so that every variant fits W bits. */
 static void count_flips(tally *t, const sepax_design *design, size_t family, sepax_random *random) {
   int word = design->config.word;
   sepax_pair pair = sepax_family_pair(family, word - 2, random);
   set_normals(&pair, word);
   bool before = judge(design, &pair);
   bool any = false;
-  for (int kind = 0; kind < TURNS; kind++) {
+  for (int kind = 0; kind < VARIANTS; kind++) {
     bool flipped = flips(design, &pair, kind, before, random);
     t->flipped[kind] += flipped;
     any = any || flipped;
   }
-  t->turned++;
+  t->varied++;
   t->flipped_any += any;
 }
 
@@ -237,9 +237,9 @@ static void interval_of(uint64_t k, uint64_t n, double ends[2]) {
 static void print_head(const accuracy_options *o, const char *design) {
   if (o->csv) {
     printf("design,truth,family,pairs,collisions,missed,missed_low,missed_high,deepest_missed_lsb,"
-           "false_alarms,false_low,false_high,widest_false_lsb,turned,flipped");
-    for (int kind = 0; kind < TURNS; kind++) {
-      printf(",flipped_%s", turn_name[kind]);
+           "false_alarms,false_low,false_high,widest_false_lsb,varied,flipped");
+    for (int kind = 0; kind < VARIANTS; kind++) {
+      printf(",flipped_%s", variant_name[kind]);
     }
     puts(",false_without_area");
     return;
@@ -266,8 +266,8 @@ static void print_row(const accuracy_options *o, const char *design, const char 
     printf(" %9.4g", t->deepest);
     print_share(t->alarms, t->pairs - t->collisions);
     printf(" %9.4g", t->widest);
-    if (t->turned > 0) {
-      printf(" %7.3f %%", 100 * (double)t->flipped_any / (double)t->turned);
+    if (t->varied > 0) {
+      printf(" %7.3f %%", 100 * (double)t->flipped_any / (double)t->varied);
     }
     putchar('\n');
     return;
@@ -280,8 +280,8 @@ static void print_row(const accuracy_options *o, const char *design, const char 
          o->real ? "real" : "quantised", family, (unsigned long long)t->pairs,
          (unsigned long long)t->collisions, (unsigned long long)t->missed, missed[0], missed[1],
          t->deepest, (unsigned long long)t->alarms, alarms[0], alarms[1], t->widest,
-         (unsigned long long)t->turned, (unsigned long long)t->flipped_any);
-  for (int kind = 0; kind < TURNS; kind++) {
+         (unsigned long long)t->varied, (unsigned long long)t->flipped_any);
+  for (int kind = 0; kind < VARIANTS; kind++) {
     printf(",%llu", (unsigned long long)t->flipped[kind]);
   }
   printf(",%llu\n", (unsigned long long)t->alarms_no_area);
@@ -295,9 +295,9 @@ static void add(tally *sum, const tally *t) {
   sum->alarms_no_area += t->alarms_no_area;
   sum->deepest = fmax(sum->deepest, t->deepest);
   sum->widest = fmax(sum->widest, t->widest);
-  sum->turned += t->turned;
+  sum->varied += t->varied;
   sum->flipped_any += t->flipped_any;
-  for (int kind = 0; kind < TURNS; kind++) {
+  for (int kind = 0; kind < VARIANTS; kind++) {
     sum->flipped[kind] += t->flipped[kind];
   }
 }
@@ -308,10 +308,31 @@ static bool check(const accuracy_options *o, sepax_error *error) {
                       FINE, FINE - 4);
   }
   if (o->flips > 0 && o->config.word < SEPAX_WORD_MIN + 2) {
-    return sepax_fail(error, "flips: at --word=%d there is no room to move; give %d or more",
+    return sepax_fail(error, "flips: at --word=%d a moved pair does not fit; give %d or more",
                       o->config.word, SEPAX_WORD_MIN + 2);
   }
   return true;
+}
+
+static tally study(const accuracy_options *o, const sepax_design *design, size_t family,
+                   cli_progress *progress, uint64_t before) {
+  static block drawn;
+  const double lsb = o->real ? ldexp(1, o->config.word - FINE - 1) : 1;
+  sepax_random random = {o->seed * 1000 + family};
+  tally t = {0};
+  for (uint64_t n = 0; n < o->count; n += BLOCK) {
+    size_t count = o->count - n < BLOCK ? (size_t)(o->count - n) : BLOCK;
+    draw_block(&drawn, count, o, family, &random);
+    count_block(&t, design, &drawn, count, lsb);
+    cli_progress_show(progress, before + n);
+  }
+  for (uint64_t n = 0; n < o->flips; n++) {
+    count_flips(&t, design, family, &random);
+    if (n % BLOCK == 0) {
+      cli_progress_show(progress, before + o->count + n);
+    }
+  }
+  return t;
 }
 
 int cli_accuracy(int argc, char **argv) {
@@ -322,7 +343,8 @@ int cli_accuracy(int argc, char **argv) {
       NULL,
       "Count the wrong verdicts of a design on seeded hard pairs: collisions that it misses and "
       "how deep the deepest is, false alarms and how wide the widest gap is, in LSB; and "
-      "verdicts that change when a pair is only turned.",
+      "verdicts that change with the order of vertices or of triangles, a translation, a symmetry or "
+      "a scale.",
       children,
       NULL,
       NULL};
@@ -341,24 +363,9 @@ int cli_accuracy(int argc, char **argv) {
   sepax_config_text(&o.config, name, sizeof name);
   print_head(&o, name);
   tally whole = {0};
-  static block drawn;
   cli_progress progress = cli_progress_begin("pairs", (last - first + 1) * (o.count + o.flips));
   for (size_t family = first; family <= last; family++) {
-    sepax_random random = {o.seed * 1000 + family};
-    tally t = {0};
-    uint64_t before = (family - first) * (o.count + o.flips);
-    for (uint64_t n = 0; n < o.count; n += BLOCK) {
-      size_t count = o.count - n < BLOCK ? (size_t)(o.count - n) : BLOCK;
-      draw_block(&drawn, count, &o, family, &random);
-      count_block(&t, &design, &drawn, count, o.real ? ldexp(1, o.config.word - FINE - 1) : 1);
-      cli_progress_show(&progress, before + n);
-    }
-    for (uint64_t n = 0; n < o.flips; n++) {
-      count_flips(&t, &design, family, &random);
-      if (n % 64 == 0) {
-        cli_progress_show(&progress, before + o.count + n);
-      }
-    }
+    tally t = study(&o, &design, family, &progress, (family - first) * (o.count + o.flips));
     print_row(&o, name, sepax_family_name(family), &t);
     add(&whole, &t);
   }

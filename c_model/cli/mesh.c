@@ -14,7 +14,7 @@ enum { KEY_AT = 0x300, KEY_SIZE, KEY_ASCII, KEY_LIST };
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "the STL file to write", 0},
     {"triangles", 'n', "COUNT", 0, "number of triangles, even (400)", 0},
-    {"at", KEY_AT, "X,Y,Z", 0, "place of the object in mm (0,0,0)", 0},
+    {"at", KEY_AT, "X,Y,Z", 0, "position of the object in mm (0,0,0)", 0},
     {"size", KEY_SIZE, "MM", 0, "diameter or longest side (by shape)", 0},
     {"ascii", KEY_ASCII, NULL, 0, "write ASCII instead of binary STL", 0},
     {"list", KEY_LIST, NULL, 0, "list the shapes", 0},

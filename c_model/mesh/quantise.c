@@ -131,9 +131,9 @@ static bool check_grid(const sepax_grid *grid, sepax_error *error) {
 
 typedef struct {
   double low[3], high[3];
-} box;
+} bounds;
 
-static bool extend_box(box *bounds, const sepax_mesh *mesh, size_t number, sepax_error *error) {
+static bool extend(bounds *all, const sepax_mesh *mesh, size_t number, sepax_error *error) {
   for (size_t i = 0; i < 9 * mesh->count; i++) {
     int axis = (int)(i % 3);
     double x = mesh->facet[i / 9].v[i / 3 % 3][axis];
@@ -141,55 +141,55 @@ static bool extend_box(box *bounds, const sepax_mesh *mesh, size_t number, sepax
       return sepax_fail(error, "mesh %zu, facet %zu: %c = %g is too large; %s", number, i / 9 + 1,
                         axis_name[axis], x, "scale the mesh down");
     }
-    bounds->low[axis] = fmin(bounds->low[axis], x);
-    bounds->high[axis] = fmax(bounds->high[axis], x);
+    all->low[axis] = fmin(all->low[axis], x);
+    all->high[axis] = fmax(all->high[axis], x);
   }
   return true;
 }
 
-static bool find_box(box *bounds, const sepax_mesh *const meshes[], size_t count,
-                     sepax_error *error) {
-  *bounds = (box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+static bool find_bounds(bounds *all, const sepax_mesh *const meshes[], size_t count,
+                        sepax_error *error) {
+  *all = (bounds){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
   for (size_t i = 0; i < count; i++) {
-    if (!extend_box(bounds, meshes[i], i + 1, error)) {
+    if (!extend(all, meshes[i], i + 1, error)) {
       return false;
     }
   }
   bool point = true;
   for (int axis = 0; axis < 3; axis++) {
-    point = point && bounds->low[axis] >= bounds->high[axis];
+    point = point && all->low[axis] >= all->high[axis];
   }
   if (point) {
     return sepax_fail(error, "no extent: the meshes are %s; give the resolution",
-                      bounds->low[0] > bounds->high[0] ? "empty" : "a single point");
+                      all->low[0] > all->high[0] ? "empty" : "a single point");
   }
   return true;
 }
 
-static bool box_fits(const box *bounds, const sepax_grid *grid, double resolution) {
+static bool all_fit(const bounds *all, const sepax_grid *grid, double resolution) {
   sepax_grid trial = *grid;
   trial.resolution = resolution;
   bool ok = resolution > 0;
   for (int axis = 0; ok && axis < 3; axis++) {
     int32_t q;
-    ok = quantise_coordinate(&q, bounds->low[axis], &trial, axis) &&
-         quantise_coordinate(&q, bounds->high[axis], &trial, axis);
+    ok = quantise_coordinate(&q, all->low[axis], &trial, axis) &&
+         quantise_coordinate(&q, all->high[axis], &trial, axis);
   }
   return ok;
 }
 
 /* The word ends half a step inside of 2^(W-1) above and half a step outside below.
  * The quotient is the finest resolution or a few units in the last place below. */
-static double finest_resolution(const box *bounds, const sepax_grid *grid) {
+static double finest_resolution(const bounds *all, const sepax_grid *grid) {
   double above = 2.0 * sepax_word_max(grid->word) + 1;
   double below = above + 2;
   double resolution = 0;
   for (int axis = 0; axis < 3; axis++) {
-    double high = bounds->high[axis] - grid->offset[axis];
-    double low = grid->offset[axis] - bounds->low[axis];
+    double high = all->high[axis] - grid->offset[axis];
+    double low = grid->offset[axis] - all->low[axis];
     resolution = fmax(resolution, fmax(2 * high / above, 2 * low / below));
   }
-  while (!box_fits(bounds, grid, resolution)) {
+  while (!all_fit(all, grid, resolution)) {
     resolution = nextafter(resolution, INFINITY);
   }
   return resolution;
@@ -197,15 +197,15 @@ static double finest_resolution(const box *bounds, const sepax_grid *grid) {
 
 bool sepax_grid_fit(sepax_grid *grid, const sepax_mesh *const meshes[], size_t count, int word,
                     sepax_error *error) {
-  box bounds;
-  if (!check_word(word, error) || !find_box(&bounds, meshes, count, error)) {
+  bounds all;
+  if (!check_word(word, error) || !find_bounds(&all, meshes, count, error)) {
     return false;
   }
   sepax_grid fit = {.word = word};
   for (int axis = 0; axis < 3; axis++) {
-    fit.offset[axis] = 0.5 * (bounds.low[axis] + bounds.high[axis]);
+    fit.offset[axis] = 0.5 * (all.low[axis] + all.high[axis]);
   }
-  fit.resolution = finest_resolution(&bounds, &fit);
+  fit.resolution = finest_resolution(&all, &fit);
   *grid = fit;
   return true;
 }

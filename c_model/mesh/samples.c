@@ -12,7 +12,7 @@
 
 enum { TRIANGLES_MAX = 1000000000 };
 
-/* Farther from the origin, doubles blur an object by more than 2^-23 of its size. */
+/* At a greater distance from the origin doubles round an object by more than 2^-23 of its size. */
 static const double sizes_away_max = 0x1p30;
 
 /* Curved surfaces of radius 1: a sphere round the origin, a cylinder round the z axis.
@@ -210,7 +210,7 @@ static void sift_up(surface *s, size_t at, size_t e) {
   s->heap[at] = e;
 }
 
-/* Put the edge in the place of the longest among the first `count`. */
+/* Replace the longest edge, the root of the first `count`, by edge e. */
 static void sift_down(surface *s, size_t count, size_t e) {
   size_t at = 0;
   for (size_t child = 1; child < count; child = 2 * at + 1) {
@@ -330,7 +330,7 @@ static void bisect_longest(surface *s) {
 
 /* ------------------------------------------------------------------ result */
 
-static void place(surface *s, const sample *kind, const double at[3], double size) {
+static void transform(surface *s, const sample *kind, const double at[3], double size) {
   double scale = size / kind->length;
   for (size_t i = 0; i < s->corners; i++) {
     double *p = s->corner[i].p;
@@ -405,7 +405,7 @@ static bool make(sepax_mesh *mesh, const sample *kind, size_t triangles, const d
     while (s.triangles < triangles) {
       bisect_longest(&s);
     }
-    place(&s, kind, at, size);
+    transform(&s, kind, at, size);
     ok = copy_facets(&result, &s) ||
          sepax_fail(error,
                     "%s: triangles of no area in double precision at size %g; choose "
@@ -458,8 +458,8 @@ bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles, const d
   double length = size > 0 ? size : kind->size;
   for (int axis = 0; axis < 3; axis++) {
     if (!(fabs(at[axis]) <= sizes_away_max * length)) {
-      return sepax_fail(error, "at: %c = %g is no place for an object of %g mm; %s", "xyz"[axis],
-                        at[axis], length, "move it nearer the origin");
+      return sepax_fail(error, "at: %c = %g is too far away for an object of %g mm; %s",
+                        "xyz"[axis], at[axis], length, "move it nearer the origin");
     }
   }
   return make(mesh, kind, triangles, at, length, error);

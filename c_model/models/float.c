@@ -20,6 +20,6 @@ bool sepax_float32(const sepax_tri *a, const sepax_tri *b) { return collide_32(a
 
 bool sepax_float64(const sepax_tri *a, const sepax_tri *b) { return collide_64(a, b); }
 
-bool sepax_interval32(const sepax_tri *a, const sepax_tri *b) { return intervals_meet_32(a, b); }
+bool sepax_interval32(const sepax_tri *a, const sepax_tri *b) { return intervals_overlap_32(a, b); }
 
-bool sepax_interval64(const sepax_tri *a, const sepax_tri *b) { return intervals_meet_64(a, b); }
+bool sepax_interval64(const sepax_tri *a, const sepax_tri *b) { return intervals_overlap_64(a, b); }

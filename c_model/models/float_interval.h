@@ -1,7 +1,7 @@
 /* float_interval.h - the interval test of Moeller (A Fast Triangle-Triangle Intersection
  * Test, 1997) in floating point without tolerance, for one type (private; float.c includes
  * it once per type, behind float_sat.h). Each triangle cuts the line in which the two
- * planes meet in an interval; they collide iff the intervals do. */
+ * planes intersect in an interval; they collide iff the intervals do. */
 
 static REAL NAME(dot)(NAME(vec) p, NAME(vec) q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 
@@ -42,8 +42,8 @@ static void NAME(interval)(const NAME(vec) p[3], const REAL side[3], int one, in
   }
 }
 
-/* Twice the area of p, q, r in the projection along an axis. */
-static REAL NAME(turn)(NAME(vec) p, NAME(vec) q, NAME(vec) r, int axis) {
+/* Twice the signed area of p, q, r in the projection along an axis. */
+static REAL NAME(orient2d)(NAME(vec) p, NAME(vec) q, NAME(vec) r, int axis) {
   int u = (axis + 1) % 3;
   int v = (axis + 2) % 3;
   return (NAME(along)(q, u) - NAME(along)(p, u)) * (NAME(along)(r, v) - NAME(along)(p, v)) -
@@ -53,7 +53,7 @@ static REAL NAME(turn)(NAME(vec) p, NAME(vec) q, NAME(vec) r, int axis) {
 static bool NAME(inside)(NAME(vec) p, const NAME(vec) t[3], int axis) {
   REAL side[3];
   for (int i = 0; i < 3; i++) {
-    side[i] = NAME(turn)(t[i], t[(i + 1) % 3], p, axis);
+    side[i] = NAME(orient2d)(t[i], t[(i + 1) % 3], p, axis);
   }
   return (side[0] >= 0 && side[1] >= 0 && side[2] >= 0) ||
          (side[0] <= 0 && side[1] <= 0 && side[2] <= 0);
@@ -66,8 +66,8 @@ static bool NAME(in_plane)(const NAME(vec) p[6], int axis) {
       NAME(vec) b = p[(i + 1) % 3];
       NAME(vec) c = p[j];
       NAME(vec) d = p[3 + (j + 1) % 3];
-      if (NAME(turn)(a, b, c, axis) * NAME(turn)(a, b, d, axis) <= 0 &&
-          NAME(turn)(c, d, a, axis) * NAME(turn)(c, d, b, axis) <= 0) {
+      if (NAME(orient2d)(a, b, c, axis) * NAME(orient2d)(a, b, d, axis) <= 0 &&
+          NAME(orient2d)(c, d, a, axis) * NAME(orient2d)(c, d, b, axis) <= 0) {
         return true;
       }
     }
@@ -86,7 +86,7 @@ static bool NAME(sides)(const NAME(vec) of[3], const NAME(vec) plane[3], NAME(ve
   return side[0] * side[1] > 0 && side[0] * side[2] > 0;
 }
 
-static bool NAME(intervals_meet)(const sepax_tri *a, const sepax_tri *b) {
+static bool NAME(intervals_overlap)(const sepax_tri *a, const sepax_tri *b) {
   NAME(vec) p[6];
   NAME(vec) normal[2];
   REAL side[2][3];

@@ -29,14 +29,14 @@ static REAL NAME(greatest)(const REAL p[3]) {
   return high > p[2] ? high : p[2];
 }
 
-static bool NAME(apart)(const REAL p[6]) {
+static bool NAME(disjoint)(const REAL p[6]) {
   return NAME(greatest)(p) < NAME(least)(p + 3) || NAME(greatest)(p + 3) < NAME(least)(p);
 }
 
 static bool NAME(separates)(NAME(vec) axis, const NAME(vec) p[6]) {
   REAL projection[6];
   NAME(project)(axis, p, projection);
-  return NAME(apart)(projection);
+  return NAME(disjoint)(projection);
 }
 
 static bool NAME(collide)(const sepax_tri *a, const sepax_tri *b) {
@@ -52,7 +52,7 @@ static bool NAME(collide)(const sepax_tri *a, const sepax_tri *b) {
   NAME(vec) normal[2] = {NAME(cross)(edge[0], edge[1]), NAME(cross)(edge[3], edge[4])};
   REAL on_na[6];
   NAME(project)(normal[0], p, on_na);
-  if (NAME(apart)(on_na) || NAME(separates)(normal[1], p)) {
+  if (NAME(disjoint)(on_na) || NAME(separates)(normal[1], p)) {
     return false;
   }
   bool coplanar = on_na[0] == on_na[3] && on_na[1] == on_na[4] && on_na[2] == on_na[5];

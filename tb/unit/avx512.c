@@ -1,4 +1,4 @@
-/* avx512.c - the AVX-512 path of batch.c with its intrinsics emulated by SIMDe, so that
+/* avx512.c - the AVX-512 path of batch/pairs.c with its intrinsics emulated by SIMDe, so that
  * it is tested on machines without them. */
 #include <immintrin.h>
 
@@ -6,7 +6,7 @@
 #include <simde/x86/avx512.h>
 
 #define TARGET_AVX512
-#include "batch/batch.c" /* NOLINT(bugprone-suspicious-include): its functions are static */
+#include "batch/pairs.c" /* NOLINT(bugprone-suspicious-include): its functions are static */
 
 #include "benchmark/columns.h"
 #include "oracle/pair_tools.h"

@@ -276,7 +276,7 @@ CASE(test_sample_errors) {
   refuse_sample("box", 100, origin, NAN, "size: nan is not a length");
   refuse_sample("box", 100, origin, INFINITY, "size: inf is not a length");
   refuse_sample("box", 100, nowhere, 0, "at: y = nan");
-  refuse_sample("box", 100, far, 0, "at: z = -1e+17 is no place for an object of 120 mm");
+  refuse_sample("box", 100, far, 0, "at: z = -1e+17 is too far away for an object of 120 mm");
   refuse_sample("box", 100, origin, 1e-170, "triangles of no area");
   refuse_sample("box", 100, origin, 1e200, "triangles of no area");
 }

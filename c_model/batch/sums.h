@@ -1,39 +1,43 @@
-/* batch_sums.h - products and sums of batch_lanes.h, for whole numbers modulo 2^64 and for
- * doubles (private; batch_lanes.h includes it once for each).
+/* sums.h - products and sums of lanes.h, for whole numbers modulo 2^64 and for doubles (private;
+ * lanes.h includes it once for each).
  *
  * NUMBER, OF(x)       the type of a vector, a name of its own
  * TIMES(p, q)         products of differences and sums of coordinates
- * WEIGH(g, z)         products of areas and sums of coordinates
+ * PRISM(g, z)         products of orient2d and sums of coordinates
  *
- * They are those of exact.c. */
+ * The formulas are those of exact.c. */
 
 /* One coordinate of the six vertices. */
 typedef struct {
   NUMBER a[3], b[3];
 } OF(coordinate);
 
-/* g_ijk: of A, of B, of edge e_i and vertex B_k (a[i][k]), of f_j and A_k (b[j][k]). */
+/* g_ijk, negated orient2d: of A, of B, of edge e_i and vertex B_k (a[i][k]), of f_j and A_k
+ * (b[j][k]). */
 typedef struct {
   NUMBER own_a, own_b, a[3][3], b[3][3];
-} OF(areas);
+} OF(orient2d);
 
 typedef struct {
   NUMBER s[3], w[3], d[3][3];
-} OF(volumes);
+} OF(orient3d);
 
-INLINE NUMBER OF(strip)(NUMBER xi, NUMBER yi, NUMBER xj, NUMBER yj) {
+INLINE NUMBER OF(trapezoid)(NUMBER xi, NUMBER yi, NUMBER xj, NUMBER yj) {
   return TIMES(xj - xi, yi + yj);
 }
 
-INLINE void OF(find_areas)(OF(areas) * g, const OF(coordinate) * x, const OF(coordinate) * y) {
+INLINE void OF(find_orient2d)(OF(orient2d) * g, const OF(coordinate) * x,
+                              const OF(coordinate) * y) {
   NUMBER ta[3];
   NUMBER tb[3];
   NUMBER t[3][3];
   UNROLL for (int i = 0; i < 3; i++) {
     int n = next[i];
-    ta[i] = OF(strip)(x->a[i], y->a[i], x->a[n], y->a[n]);
-    tb[i] = OF(strip)(x->b[i], y->b[i], x->b[n], y->b[n]);
-    UNROLL for (int j = 0; j < 3; j++) { t[i][j] = OF(strip)(x->a[i], y->a[i], x->b[j], y->b[j]); }
+    ta[i] = OF(trapezoid)(x->a[i], y->a[i], x->a[n], y->a[n]);
+    tb[i] = OF(trapezoid)(x->b[i], y->b[i], x->b[n], y->b[n]);
+    UNROLL for (int j = 0; j < 3; j++) {
+      t[i][j] = OF(trapezoid)(x->a[i], y->a[i], x->b[j], y->b[j]);
+    }
   }
   g->own_a = ta[0] + ta[1] + ta[2];
   g->own_b = tb[0] + tb[1] + tb[2];
@@ -45,17 +49,17 @@ INLINE void OF(find_areas)(OF(areas) * g, const OF(coordinate) * x, const OF(coo
   }
 }
 
-INLINE void OF(find_volumes)(OF(volumes) * v, const OF(areas) * g, const OF(coordinate) * z) {
+INLINE void OF(find_orient3d)(OF(orient3d) * v, const OF(orient2d) * g, const OF(coordinate) * z) {
   NUMBER ha[3][3];
   NUMBER hb[3][3];
   NUMBER origin = z->a[0] + z->a[1] + z->a[2];
-  NUMBER own_b = WEIGH(g->own_b, z->b[0] + z->b[1] + z->b[2] - origin);
+  NUMBER own_b = PRISM(g->own_b, z->b[0] + z->b[1] + z->b[2] - origin);
   UNROLL for (int i = 0; i < 3; i++) {
     NUMBER edge_a = z->a[i] + z->a[next[i]] - origin;
     NUMBER edge_b = z->b[i] + z->b[next[i]] - origin;
     UNROLL for (int k = 0; k < 3; k++) {
-      ha[i][k] = WEIGH(g->a[i][k], edge_a + z->b[k]);
-      hb[i][k] = WEIGH(g->b[i][k], edge_b + z->a[k]);
+      ha[i][k] = PRISM(g->a[i][k], edge_a + z->b[k]);
+      hb[i][k] = PRISM(g->b[i][k], edge_b + z->a[k]);
     }
   }
   UNROLL for (int i = 0; i < 3; i++) {
@@ -70,4 +74,4 @@ INLINE void OF(find_volumes)(OF(volumes) * v, const OF(areas) * g, const OF(coor
 #undef NUMBER
 #undef OF
 #undef TIMES
-#undef WEIGH
+#undef PRISM

@@ -1,26 +1,25 @@
-/* batch_lanes.h - the exact verdicts of LANES pairs at once (private; batch.c includes it
- * once per instruction set). Vectors are those of GCC and Clang.
+/* lanes.h - the exact verdicts of LANES pairs at once (private; pairs.c includes it once per
+ * instruction set). Vectors are those of GCC and Clang.
  *
  * LANES, NAME(x), TARGET  pairs at once, a name of its own, the attribute of its functions
  * LOAD(from), LOAD_REALS(from)  the next LANES int32_t, sign-extended; as doubles
- * PRODUCT(p, q)           product of the low 32 bits of each lane, signed; if there is none,
- *                         sepax_exact judges what doubles leave in doubt, and LOAD is not used
- * LEAST_REAL(p, q)        the lesser of doubles
- * BITS(v), BOX_BITS(v)    the sign bits of lanes, of shorts, as a number
- * LEAST(p, q), MOST(p, q) of shorts
+ * PRODUCT(p, q)           product of the low 32 bits of each lane, signed; if it is not defined,
+ *                         sepax_exact judges pairs that are uncertain in doubles, and LOAD is not
+ * used LEAST_REAL(p, q)        the lesser of doubles BITS(v), BITS_OF_SHORTS(v)    the sign bits of
+ * lanes, of shorts, as a number LEAST(p, q), MOST(p, q) of shorts
  *
- * In doubles all products and sums of coordinates of 25 bits are exact, up to the areas.
- * The 19 products of areas and sums of z round, and so do the sums of up to four that are the
- * volumes: with g up to 2^(2n) and sums of z up to 6 * 2^(n-1), by less than 2^12 in all if
- * coordinates have n = 20 bits, 2^28 if 25. Where all 15 volumes are larger, their signs are
- * certain. Elsewhere the volumes are summed modulo 2^64: with 20 bits that is all of them; with 25
- * the doubles tell the sign of those from 2^62 upwards. */
+ * In doubles all products and sums of coordinates of 25 bits are exact, up to orient2d. The 19
+ * products of orient2d and sums of z round, and so do their sums of up to four, orient3d. With
+ * orient2d up to 2^(2n) and sums of z up to 6 * 2^(n-1) they round by less than 2^12 in all if
+ * coordinates have n = 20 bits, by less than 2^28 for n = 25. Where all 15 orient3d are larger,
+ * their signs are certain. Elsewhere they are summed modulo 2^64: with 20 bits that is all of them;
+ * with 25 bits the doubles give the sign of those from 2^62 upwards. */
 
 typedef uint64_t NAME(lanes) __attribute__((vector_size(8 * LANES)));
 typedef int64_t NAME(signed_lanes) __attribute__((vector_size(8 * LANES)));
 typedef double NAME(reals) __attribute__((vector_size(8 * LANES)));
 typedef int32_t NAME(shorts) __attribute__((vector_size(8 * LANES)));
-enum { NAME(BOXES) = 2 * LANES };
+enum { NAME(SHORT_LANES) = 2 * LANES };
 
 #define V NAME(lanes)
 #define R NAME(reals)
@@ -31,26 +30,26 @@ enum { NAME(BOXES) = 2 * LANES };
 
 #ifdef PRODUCT
 /* Modulo 2^64; z fits 32 bits, g need not. */
-INLINE V NAME(weigh)(V g, V z) {
+INLINE V NAME(prism)(V g, V z) {
   return PRODUCT(g, z) + (PRODUCT((g + (UINT64_C(1) << 31)) >> 32, z) << 32);
 }
 
 #define NUMBER V
 #define OF(x) NAME(x##_whole)
 #define TIMES(p, q) PRODUCT(p, q)
-#define WEIGH(g, z) NAME(weigh)(g, z)
-#include "batch_sums.h"
+#define PRISM(g, z) NAME(prism)(g, z)
+#include "sums.h"
 #endif
 
 #define NUMBER R
 #define OF(x) NAME(x##_real)
 #define TIMES(p, q) ((p) * (q))
-#define WEIGH(g, z) ((g) * (z))
-#include "batch_sums.h"
+#define PRISM(g, z) ((g) * (z))
+#include "sums.h"
 
 INLINE R NAME(all_real)(int32_t value) { return (R){0} + (double)value; }
 
-INLINE void NAME(find_real)(NAME(volumes_real) * v, const sepax_tri *one, const block *in,
+INLINE void NAME(find_real)(NAME(orient3d_real) * v, const sepax_tri *one, const block *in,
                             size_t at) {
   NAME(coordinate_real) c[3];
   UNROLL for (int axis = 0; axis < 3; axis++) {
@@ -60,26 +59,24 @@ INLINE void NAME(find_real)(NAME(volumes_real) * v, const sepax_tri *one, const 
       c[axis].b[k] = LOAD_REALS(in->b[k][axis] + at);
     }
   }
-  NAME(areas_real) g;
-  NAME(find_areas_real)(&g, &c[0], &c[1]);
-  NAME(find_volumes_real)(v, &g, &c[2]);
+  NAME(orient2d_real) g;
+  NAME(find_orient2d_real)(&g, &c[0], &c[1]);
+  NAME(find_orient3d_real)(v, &g, &c[2]);
 }
 
 /* ------------------------------------------------------- verdicts by doubles */
 
-INLINE R NAME(least_size)(R least, R volume) {
-  return LEAST_REAL(least, (R)((V)volume & INT64_MAX));
-}
+INLINE R NAME(least_size)(R least, R value) { return LEAST_REAL(least, (R)((V)value & INT64_MAX)); }
 
 /* An edge with ends on different sides of a plane passes all edges p, q, r on one side. */
 INLINE V NAME(pierces)(R from, R to, R p, R q, R r) {
   return ((V)from ^ (V)to) & ~(((V)p ^ (V)q) | ((V)q ^ (V)r));
 }
 
-/* The bits of the pairs that collide, and of those of which some sign is in doubt. */
+/* The bits of the pairs that collide, and of those of which some sign is uncertain. */
 INLINE uint32_t NAME(judge_large)(const sepax_tri *one, const block *in, size_t at, double limit,
-                                  uint32_t *doubt) {
-  NAME(volumes_real) v;
+                                  uint32_t *uncertain) {
+  NAME(orient3d_real) v;
   NAME(find_real)(&v, one, in, at);
   R least = (R)((V)v.s[0] & INT64_MAX);
   V hit = {0};
@@ -90,7 +87,7 @@ INLINE uint32_t NAME(judge_large)(const sepax_tri *one, const block *in, size_t 
     least = NAME(least_size)(NAME(least_size)(least, v.s[i]), v.w[i]);
     UNROLL for (int j = 0; j < 3; j++) { least = NAME(least_size)(least, v.d[i][j]); }
   }
-  *doubt = BITS((V)(least - limit));
+  *uncertain = BITS((V)(least - limit));
   return BITS(hit);
 }
 
@@ -109,7 +106,7 @@ INLINE void NAME(load_whole)(NAME(coordinate_whole) c[3], const sepax_tri *one, 
   }
 }
 
-/* Of which the sign bits count: of a volume, of its opposite. */
+/* The sign bits count: those of an orient3d, and those of its opposite. */
 typedef struct {
   V low, high;
 } NAME(sign);
@@ -127,9 +124,9 @@ INLINE NAME(sign) NAME(sign_of)(V low, R rough) {
   return (NAME(sign)){v, -v};
 }
 
-/* rough NULL: volumes fit 64 bits. */
-INLINE void NAME(find_signs)(NAME(signs) * signs, const NAME(volumes_whole) * v,
-                             const NAME(volumes_real) * rough) {
+/* rough NULL: orient3d fit 64 bits. */
+INLINE void NAME(find_signs)(NAME(signs) * signs, const NAME(orient3d_whole) * v,
+                             const NAME(orient3d_real) * rough) {
 #define SIGN(m) signs->m = rough != NULL ? NAME(sign_of)(v->m, rough->m) : (NAME(sign)){v->m, -v->m}
   UNROLL for (int i = 0; i < 3; i++) {
     SIGN(s[i]);
@@ -139,9 +136,9 @@ INLINE void NAME(find_signs)(NAME(signs) * signs, const NAME(volumes_whole) * v,
 #undef SIGN
 }
 
-/* An edge meets the other triangle: its ends are not on the same side of the plane, and
- * no two of the other edges pass it on different sides. */
-INLINE V NAME(meets)(NAME(sign) from, NAME(sign) to, NAME(sign) p, NAME(sign) q, NAME(sign) r) {
+/* An edge crosses or touches the other triangle: its ends are not on the same side of the plane,
+ * and no two of the other edges pass it on different sides. */
+INLINE V NAME(edge_hits)(NAME(sign) from, NAME(sign) to, NAME(sign) p, NAME(sign) q, NAME(sign) r) {
   V sides = (from.low ^ to.low) | (from.high ^ to.high);
   return sides & ~((p.low | q.low | r.low) & (p.high | q.high | r.high));
 }
@@ -154,16 +151,16 @@ INLINE V NAME(edge_separates)(const V side[3], V own) {
   return (low & ~own) | (high & ~-own);
 }
 
-INLINE V NAME(separate_in_plane)(const NAME(areas_whole) * g) {
-  V apart = {0};
+INLINE V NAME(separate_in_plane)(const NAME(orient2d_whole) * g) {
+  V disjoint = {0};
   UNROLL for (int i = 0; i < 3; i++) {
-    apart |= NAME(edge_separates)(g->a[i], g->own_a) | NAME(edge_separates)(g->b[i], g->own_b);
+    disjoint |= NAME(edge_separates)(g->a[i], g->own_a) | NAME(edge_separates)(g->b[i], g->own_b);
   }
-  return apart;
+  return disjoint;
 }
 
-/* Sign bits: some area is not zero. */
-INLINE V NAME(has_area)(const NAME(areas_whole) * g) {
+/* Sign bits: some orient2d is not zero. */
+INLINE V NAME(has_orient2d)(const NAME(orient2d_whole) * g) {
   V any = g->own_a | g->own_b;
   UNROLL for (int i = 0; i < 3; i++) {
     UNROLL for (int k = 0; k < 3; k++) { any |= g->a[i][k] | g->b[i][k]; }
@@ -187,38 +184,38 @@ INLINE void NAME(choose)(NAME(coordinate_whole) * to, V which, const NAME(coordi
 }
 
 /* The bits of the coplanar pairs `flat` that are not separated in a projection that keeps
- * their plane: x and y, of which g are the areas, or z and y, or z and x where y does not
- * vary. A projection more does no harm. On a line the boxes decide. */
+ * their plane: x and y, of which g are the orient2d, or z and y, or z and x where y does not
+ * vary. An additional projection changes nothing. On a line the AABBs decide. */
 TARGET static __attribute__((noinline)) uint32_t
-NAME(judge_flat)(const NAME(coordinate_whole) c[3], const NAME(areas_whole) * g, uint32_t flat) {
-  V apart = NAME(separate_in_plane)(g);
-  if ((flat & ~BITS(NAME(has_area)(g))) != 0) {
+NAME(judge_flat)(const NAME(coordinate_whole) c[3], const NAME(orient2d_whole) * g, uint32_t flat) {
+  V disjoint = NAME(separate_in_plane)(g);
+  if ((flat & ~BITS(NAME(has_orient2d)(g))) != 0) {
     NAME(coordinate_whole) level;
-    NAME(areas_whole) upright;
+    NAME(orient2d_whole) upright;
     NAME(choose)(&level, NAME(varies)(&c[1]), &c[1], &c[0]);
-    NAME(find_areas_whole)(&upright, &c[2], &level);
-    apart |= NAME(separate_in_plane)(&upright);
+    NAME(find_orient2d_whole)(&upright, &c[2], &level);
+    disjoint |= NAME(separate_in_plane)(&upright);
   }
-  return flat & ~BITS(apart);
+  return flat & ~BITS(disjoint);
 }
 
-/* The bits of the pairs that collide, if their boxes do. */
+/* The bits of the pairs that collide, if their AABBs overlap. */
 INLINE uint32_t NAME(judge)(const sepax_tri *one, const block *in, size_t at,
-                            const NAME(volumes_real) * rough) {
+                            const NAME(orient3d_real) * rough) {
   NAME(coordinate_whole) c[3];
-  NAME(areas_whole) g;
-  NAME(volumes_whole) volumes;
+  NAME(orient2d_whole) g;
+  NAME(orient3d_whole) orient3d;
   NAME(signs) v;
   NAME(load_whole)(c, one, in, at);
-  NAME(find_areas_whole)(&g, &c[0], &c[1]);
-  NAME(find_volumes_whole)(&volumes, &g, &c[2]);
-  NAME(find_signs)(&v, &volumes, rough);
+  NAME(find_orient2d_whole)(&g, &c[0], &c[1]);
+  NAME(find_orient3d_whole)(&orient3d, &g, &c[2]);
+  NAME(find_signs)(&v, &orient3d, rough);
   V hit = {0};
   V solid = {0};
   UNROLL for (int i = 0; i < 3; i++) {
     int n = next[i];
-    hit |= NAME(meets)(v.w[i], v.w[n], v.d[i][0], v.d[i][1], v.d[i][2]) |
-           NAME(meets)(v.s[i], v.s[n], v.d[0][i], v.d[1][i], v.d[2][i]);
+    hit |= NAME(edge_hits)(v.w[i], v.w[n], v.d[i][0], v.d[i][1], v.d[i][2]) |
+           NAME(edge_hits)(v.s[i], v.s[n], v.d[0][i], v.d[1][i], v.d[2][i]);
     solid |= v.s[i].low | v.s[i].high | v.w[i].low | v.w[i].high;
     UNROLL for (int j = 0; j < 3; j++) { solid |= v.d[i][j].low | v.d[i][j].high; }
   }
@@ -229,22 +226,22 @@ INLINE uint32_t NAME(judge)(const sepax_tri *one, const block *in, size_t at,
 
 TARGET static __attribute__((noinline)) uint32_t NAME(judge_long)(const sepax_tri *one,
                                                                   const block *in, size_t at) {
-  NAME(volumes_real) rough;
+  NAME(orient3d_real) rough;
   NAME(find_real)(&rough, one, in, at);
   return NAME(judge)(one, in, at, &rough);
 }
 
-/* The verdicts of a group; `doubt` are those that count. */
+/* The verdicts of a group; only those of `uncertain` are used. */
 INLINE uint32_t NAME(judge_small)(const sepax_tri *one, const block *in, size_t at, bool is_long,
-                                  uint32_t doubt) {
-  (void)doubt;
+                                  uint32_t uncertain) {
+  (void)uncertain;
   return is_long ? NAME(judge_long)(one, in, at) : NAME(judge)(one, in, at, NULL);
 }
 #else
 INLINE uint32_t NAME(judge_small)(const sepax_tri *one, const block *in, size_t at, bool is_long,
-                                  uint32_t doubt) {
+                                  uint32_t uncertain) {
   (void)is_long;
-  return (uint32_t)(judge_singly(one, in, (uint64_t)doubt << at) >> at);
+  return (uint32_t)(judge_singly(one, in, (uint64_t)uncertain << at) >> at);
 }
 #endif
 
@@ -262,7 +259,7 @@ INLINE SHORTS NAME(short_load)(const int32_t *from) {
   return shorts;
 }
 
-INLINE SHORTS NAME(apart)(const SHORTS p[3], const SHORTS q[3], NAME(ends) * ends) {
+INLINE SHORTS NAME(disjoint)(const SHORTS p[3], const SHORTS q[3], NAME(ends) * ends) {
   SHORTS low_p = LEAST(LEAST(p[0], p[1]), p[2]);
   SHORTS low_q = LEAST(LEAST(q[0], q[1]), q[2]);
   SHORTS high_p = MOST(MOST(p[0], p[1]), p[2]);
@@ -272,12 +269,13 @@ INLINE SHORTS NAME(apart)(const SHORTS p[3], const SHORTS q[3], NAME(ends) * end
   return (SHORTS)((high_p < low_q) | (high_q < low_p));
 }
 
-/* The pairs of a block with boxes that meet; and a number as long as the longest coordinate. */
-INLINE uint64_t NAME(boxes_meet)(const sepax_tri *one, const block *in, uint32_t *longest) {
+/* The pairs of a block whose AABBs overlap; *longest is a number as long as the longest coordinate.
+ */
+INLINE uint64_t NAME(aabbs_overlap)(const sepax_tri *one, const block *in, uint32_t *longest) {
   NAME(ends) ends;
   ends.least = ends.most = (SHORTS){0};
-  uint64_t apart = 0;
-  for (size_t m = 0; m < BLOCK; m += NAME(BOXES)) {
+  uint64_t disjoint = 0;
+  for (size_t m = 0; m < BLOCK; m += NAME(SHORT_LANES)) {
     SHORTS any = {0};
     UNROLL for (int axis = 0; axis < 3; axis++) {
       SHORTS p[3];
@@ -287,30 +285,30 @@ INLINE uint64_t NAME(boxes_meet)(const sepax_tri *one, const block *in, uint32_t
                            : NAME(short_load)(in->a[k][axis] + m);
         q[k] = NAME(short_load)(in->b[k][axis] + m);
       }
-      any |= NAME(apart)(p, q, &ends);
+      any |= NAME(disjoint)(p, q, &ends);
     }
-    apart |= (uint64_t)BOX_BITS(any) << m;
+    disjoint |= (uint64_t)BITS_OF_SHORTS(any) << m;
   }
-  int32_t sizes[NAME(BOXES)];
+  int32_t sizes[NAME(SHORT_LANES)];
   SHORTS size = MOST(ends.most, ~ends.least);
   memcpy(sizes, &size, sizeof size);
   *longest = 0;
-  for (int k = 0; k < NAME(BOXES); k++) {
+  for (int k = 0; k < NAME(SHORT_LANES); k++) {
     *longest |= (uint32_t)sizes[k];
   }
-  return ~apart;
+  return ~disjoint;
 }
 
 /* Doubles are tried as long as they settle most groups of the block. */
 INLINE uint64_t NAME(judge_block)(const sepax_tri *one, const block *in) {
   const uint64_t group = (UINT64_C(1) << LANES) - 1;
   uint32_t longest;
-  uint64_t meet = NAME(boxes_meet)(one, in, &longest);
-  if (meet == 0) {
+  uint64_t candidates = NAME(aabbs_overlap)(one, in, &longest);
+  if (candidates == 0) {
     return 0;
   }
   if (longest >> LONG_BITS != 0) {
-    return judge_singly(one, in, meet);
+    return judge_singly(one, in, candidates);
   }
   bool is_long = longest >> SHORT_BITS != 0;
   double limit = is_long ? LONG_LIMIT : SHORT_LIMIT;
@@ -318,24 +316,25 @@ INLINE uint64_t NAME(judge_block)(const sepax_tri *one, const block *in) {
   size_t tried = 0;
   size_t failed = 0;
   for (size_t m = 0; m < BLOCK; m += LANES) {
-    uint32_t wanted = (uint32_t)(meet >> m & group);
+    uint32_t wanted = (uint32_t)(candidates >> m & group);
     if (wanted == 0) {
       continue;
     }
     uint32_t found = 0;
-    uint32_t doubt = wanted;
+    uint32_t uncertain = wanted;
     if (failed * 3 <= tried) {
-      found = NAME(judge_large)(one, in, m, limit, &doubt);
-      doubt &= wanted;
+      found = NAME(judge_large)(one, in, m, limit, &uncertain);
+      uncertain &= wanted;
       tried++;
-      failed += doubt != 0;
+      failed += uncertain != 0;
     }
-    if (doubt != 0) {
-      found = (found & ~doubt) | (doubt & NAME(judge_small)(one, in, m, is_long, doubt));
+    if (uncertain != 0) {
+      found =
+          (found & ~uncertain) | (uncertain & NAME(judge_small)(one, in, m, is_long, uncertain));
     }
     hits |= (uint64_t)found << m;
   }
-  return hits & meet;
+  return hits & candidates;
 }
 
 TARGET static uint64_t NAME(judge_pairs)(const block *in) { return NAME(judge_block)(NULL, in); }
@@ -356,6 +355,6 @@ TARGET static uint64_t NAME(judge_one)(const sepax_tri *one, const block *in) {
 #undef PRODUCT
 #undef LEAST_REAL
 #undef BITS
-#undef BOX_BITS
+#undef BITS_OF_SHORTS
 #undef LEAST
 #undef MOST

@@ -1,4 +1,4 @@
-/* batch.c - the exact verdicts of many pairs, several at once: AVX-512, AVX2 or plain C. */
+/* pairs.c - the exact verdicts of many pairs, several at once: AVX-512, AVX2 or plain C. */
 #include "sepax.h"
 
 #include <assert.h>
@@ -8,18 +8,19 @@
 #include <immintrin.h>
 #endif
 
-/* Bits of a coordinate's size (batch_lanes.h), and what certain volumes exceed. */
+/* Bits of the magnitude of a coordinate (lanes.h), and the limits above which the sign of an
+ * orient3d is certain. */
 enum { BLOCK = 64, SHORT_BITS = 19, LONG_BITS = 24 };
 static const double SHORT_LIMIT = 1 << 12;
 static const double LONG_LIMIT = 1 << 28;
 
-/* Unrolled, all sums keep in registers. */
+/* Unrolled loops keep all sums in registers. */
 #define UNROLL _Pragma("GCC unroll 3")
 
 static const int next[3] = {1, 2, 0};
 
-/* 64 pairs: vertex, axis, pair. Copies, so that columns that lie a power of two apart do not
- * drive each other out of the cache. */
+/* 64 pairs: vertex, axis, pair. They are copied, because columns at distances of a power of two
+ * would evict each other from the cache. */
 typedef struct {
   int32_t a[3][3][BLOCK], b[3][3][BLOCK];
 } block;
@@ -37,7 +38,8 @@ static inline sepax_tri gathered(const int32_t from[3][3][BLOCK], size_t at) {
   return t;
 }
 
-/* All pairs of `which`; `one` or else the triangles a. */
+/* The verdicts of the pairs in `which`, one by one; of `one` and in->b, or of in->a if one is NULL.
+ */
 static uint64_t judge_singly(const sepax_tri *one, const block *in, uint64_t which) {
   uint64_t hits = 0;
   for (size_t m = 0; m < BLOCK; m++) {
@@ -52,7 +54,7 @@ static uint64_t judge_singly(const sepax_tri *one, const block *in, uint64_t whi
 
 /* --------------------------------------------------------- instruction sets */
 
-/* Two doubles: SSE2, NEON and the like by the compiler, or whatever does as they do. */
+/* Two doubles: the compiler uses SSE2, NEON and the like, or scalar instructions. */
 #define LANES 2
 #define NAME(x) x##_portable
 #define TARGET
@@ -61,11 +63,11 @@ typedef int32_t half_portable __attribute__((vector_size(8), aligned(4), may_ali
 #define SELECT(TYPE, mask, p, q) ((TYPE)(((V)(p) & (V)(mask)) | ((V)(q) & ~(V)(mask))))
 #define LEAST_REAL(p, q) SELECT(R, (p) < (q), p, q)
 #define BITS(v) ((uint32_t)((v)[0] >> 63 | (v)[1] >> 63 << 1))
-#define BOX_BITS(v) \
+#define BITS_OF_SHORTS(v) \
   ((uint32_t)(((v)[0] < 0) | ((v)[1] < 0) << 1 | ((v)[2] < 0) << 2 | ((v)[3] < 0) << 3))
 #define LEAST(p, q) SELECT(SHORTS, (p) < (q), p, q)
 #define MOST(p, q) SELECT(SHORTS, (p) > (q), p, q)
-#include "batch_lanes.h"
+#include "lanes.h"
 #undef SELECT
 
 #if defined __x86_64__
@@ -84,10 +86,10 @@ typedef int32_t unaligned_shorts __attribute__((vector_size(32), aligned(4), may
 #define LEAST_REAL(p, q) ((R)_mm512_min_pd((__m512d)(p), (__m512d)(q)))
 #define PRODUCT(p, q) ((V)_mm512_mul_epi32((__m512i)(p), (__m512i)(q)))
 #define BITS(v) ((uint32_t)_mm512_cmpgt_epi64_mask(_mm512_setzero_si512(), (__m512i)(v)))
-#define BOX_BITS(v) ((uint32_t)_mm512_cmpgt_epi32_mask(_mm512_setzero_si512(), (__m512i)(v)))
+#define BITS_OF_SHORTS(v) ((uint32_t)_mm512_cmpgt_epi32_mask(_mm512_setzero_si512(), (__m512i)(v)))
 #define LEAST(p, q) ((SHORTS)_mm512_min_epi32((__m512i)(p), (__m512i)(q)))
 #define MOST(p, q) ((SHORTS)_mm512_max_epi32((__m512i)(p), (__m512i)(q)))
-#include "batch_lanes.h"
+#include "lanes.h"
 
 #define LANES 4
 #define NAME(x) x##_avx2
@@ -97,10 +99,10 @@ typedef int32_t unaligned_shorts __attribute__((vector_size(32), aligned(4), may
 #define LEAST_REAL(p, q) ((R)_mm256_min_pd((__m256d)(p), (__m256d)(q)))
 #define PRODUCT(p, q) ((V)_mm256_mul_epi32((__m256i)(p), (__m256i)(q)))
 #define BITS(v) ((uint32_t)_mm256_movemask_pd((__m256d)(v)))
-#define BOX_BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
+#define BITS_OF_SHORTS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
 #define LEAST(p, q) ((SHORTS)_mm256_min_epi32((__m256i)(p), (__m256i)(q)))
 #define MOST(p, q) ((SHORTS)_mm256_max_epi32((__m256i)(p), (__m256i)(q)))
-#include "batch_lanes.h"
+#include "lanes.h"
 #endif
 
 /* ----------------------------------------------------------------- dispatch */
@@ -151,7 +153,7 @@ const char *sepax_path_name(sepax_path path) {
 
 /* ------------------------------------------------------------- entry points */
 
-/* Up to a block of triangles; the last again and again behind the end. */
+/* Up to a block of triangles; the last triangle fills the rest of the block. */
 static void copy_columns(int32_t to[3][3][BLOCK], const sepax_columns *from, size_t at,
                          size_t count) {
   for (int k = 0; k < 3; k++) {
