@@ -25,8 +25,8 @@ static const struct argp_option options[] = {
      0},
     {"seed", 's', "SEED", 0, "seed of the random numbers (1)", 0},
     {"truth", KEY_TRUTH, "OF", 0,
-     "quantised: the verdict on the W-bit integers (default); real: on the triangles before they were "
-     "rounded to W bits (4 ... 27), given 31 - W bits finer, at half the range",
+     "quantised: the verdict on the W-bit integers (default); real: on the triangles before they "
+     "were rounded to W bits (4 ... 27), given 31 - W bits finer, at half the range",
      0},
     {"csv", KEY_CSV, NULL, 0, "comma-separated, for programs", 0},
     {0}};
@@ -343,8 +343,8 @@ int cli_accuracy(int argc, char **argv) {
       NULL,
       "Count the wrong verdicts of a design on seeded hard pairs: collisions that it misses and "
       "how deep the deepest is, false alarms and how wide the widest gap is, in LSB; and "
-      "verdicts that change with the order of vertices or of triangles, a translation, a symmetry or "
-      "a scale.",
+      "verdicts that change with the order of vertices or of triangles, a translation, a symmetry "
+      "or a scale.",
       children,
       NULL,
       NULL};

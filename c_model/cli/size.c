@@ -39,8 +39,8 @@ static const struct argp_option options[] = {
     {"offset", KEY_OFFSET, "X,Y,Z", 0,
      "file coordinates of the integer origin (the middle of the workspace)", 0},
     {"workspace", KEY_WORKSPACE, "SIZE", 0,
-     "a cuboid that must hold all poses: LENGTH, LENGTHxLENGTHxLENGTH, or LENGTH..LENGTHx... in the "
-     "file's coordinates (what the poses need)",
+     "a cuboid that must hold all poses: LENGTH, LENGTHxLENGTHxLENGTH, or LENGTH..LENGTHx... in "
+     "the file's coordinates (what the poses need)",
      0},
     {"motion", KEY_MOTION, "WHERE", 0,
      "how B may move from its pose in the file: x:LENGTH..LENGTH, y:..., z:... and rotate:x, "
