@@ -4,6 +4,7 @@
 
 #include <dirent.h>
 #include <float.h>
+#include <locale.h>
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -254,6 +255,35 @@ CASE(test_unreadable) {
   assert_message("check the path");
 }
 
+/* A program that took over a language with a decimal comma reads and writes the same files. */
+CASE(test_decimal_comma) {
+  char command[3 * PATH_BYTES + 100];
+  snprintf(command, sizeof command,
+           "localedef -i de_DE -f UTF-8 %s/de_DE.UTF-8 > %s/log 2>&1; rm %s/log", folder, folder,
+           folder);
+  setenv("LOCPATH", folder, 1);
+  bool made = system(command) == 0 && setlocale(LC_ALL, "de_DE.UTF-8") != NULL &&
+              strcmp(localeconv()->decimal_point, ",") == 0;
+  sepax_mesh mesh = {0};
+  if (made) {
+    put_bytes(SOLID("1.5"), strlen(SOLID("1.5")));
+    mesh = read_ok();
+    assert_true(sepax_stl_write(&mesh, path, true, &fault));
+    sepax_mesh_free(&mesh);
+    mesh = read_ok();
+    assert_string_equal(localeconv()->decimal_point, ",");
+  }
+  setlocale(LC_ALL, "C");
+  snprintf(command, sizeof command, "rm -rf %s/de_DE.UTF-8", folder);
+  assert_int_equal(system(command), 0);
+  remove(path);
+  if (!made) {
+    skip();
+  }
+  assert_int_equal(mesh.count, 1);
+  sepax_mesh_free(&mesh);
+}
+
 CASE(test_pipe) {
   assert_int_equal(mkfifo(path, 0600), 0);
   pid_t child = fork();
@@ -441,13 +471,13 @@ CASE(test_shared_meshes) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_decimals),       cmocka_unit_test(test_text_forms),
-      cmocka_unit_test(test_text_errors),    cmocka_unit_test(test_binary_forms),
-      cmocka_unit_test(test_binary_errors),  cmocka_unit_test(test_unreadable),
-      cmocka_unit_test(test_pipe),           cmocka_unit_test(test_round_trips),
-      cmocka_unit_test(test_write_form),     cmocka_unit_test(test_write_values),
-      cmocka_unit_test(test_write_failures), cmocka_unit_test(test_data_meshes),
-      cmocka_unit_test(test_shared_meshes),
+      cmocka_unit_test(test_decimals),      cmocka_unit_test(test_text_forms),
+      cmocka_unit_test(test_text_errors),   cmocka_unit_test(test_binary_forms),
+      cmocka_unit_test(test_binary_errors), cmocka_unit_test(test_unreadable),
+      cmocka_unit_test(test_decimal_comma), cmocka_unit_test(test_pipe),
+      cmocka_unit_test(test_round_trips),   cmocka_unit_test(test_write_form),
+      cmocka_unit_test(test_write_values),  cmocka_unit_test(test_write_failures),
+      cmocka_unit_test(test_data_meshes),   cmocka_unit_test(test_shared_meshes),
   };
   return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
