@@ -32,8 +32,8 @@ sepax_status sepax_device_open(sepax_device *device, const sepax_bus *bus) {
   }
   device->word = (int)SEPAX_DESIGN_WORD(design);
   device->lanes = (int)SEPAX_DESIGN_LANES(design);
-  device->room[0] = (size_t)1 << SEPAX_MEMORY_LOG2_A(memory);
-  device->room[1] = (size_t)1 << SEPAX_MEMORY_LOG2_B(memory);
+  device->capacity[0] = (size_t)1 << SEPAX_MEMORY_LOG2_A(memory);
+  device->capacity[1] = (size_t)1 << SEPAX_MEMORY_LOG2_B(memory);
   return SEPAX_OK;
 }
 
@@ -77,7 +77,7 @@ static bool end_object(const sepax_bus *bus) {
 sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*triangle)[9],
                                size_t count) {
   const sepax_bus *bus = &device->bus;
-  if (count == 0 || count > device->room[to_b]) {
+  if (count == 0 || count > device->capacity[to_b]) {
     return SEPAX_BAD_SIZE;
   }
   for (size_t i = 0; i < count; i++) {
@@ -194,13 +194,13 @@ sepax_status sepax_device_collide(sepax_device *device, const int32_t (*a)[9], s
     return SEPAX_BAD_SIZE;
   }
   part p = {{0, 0}, found, context};
-  for (p.base[0] = 0; p.base[0] < count_a; p.base[0] += device->room[0]) {
-    size_t of_a = count_a - p.base[0] < device->room[0] ? count_a - p.base[0] : device->room[0];
+  for (p.base[0] = 0; p.base[0] < count_a; p.base[0] += device->capacity[0]) {
+    size_t of_a = count_a - p.base[0] < device->capacity[0] ? count_a - p.base[0] : device->capacity[0];
     sepax_status status = sepax_device_load(device, false, a + p.base[0], of_a);
-    for (p.base[1] = 0; p.base[1] < count_b && status == SEPAX_OK; p.base[1] += device->room[1]) {
-      size_t of_b = count_b - p.base[1] < device->room[1] ? count_b - p.base[1] : device->room[1];
+    for (p.base[1] = 0; p.base[1] < count_b && status == SEPAX_OK; p.base[1] += device->capacity[1]) {
+      size_t of_b = count_b - p.base[1] < device->capacity[1] ? count_b - p.base[1] : device->capacity[1];
       sepax_counts run = {0};
-      if (count_b > device->room[1] || p.base[0] == 0) { /* B stays where it fits */
+      if (count_b > device->capacity[1] || p.base[0] == 0) { /* B stays where it fits */
         status = sepax_device_load(device, true, b + p.base[1], of_b);
       }
       if (status == SEPAX_OK) {

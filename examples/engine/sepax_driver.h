@@ -39,7 +39,7 @@ typedef struct {
 typedef struct {
   sepax_bus bus;
   int word, lanes;
-  size_t room[2]; /* triangles of A, of B */
+  size_t capacity[2]; /* triangles of A, of B */
 } sepax_device;
 
 /* A pair that collides, or is too near, and what is known of it. */

@@ -231,7 +231,7 @@ static void run_meshes(const char *const path[2], double resolution, bool paced)
          SEPAX_LANES, SEPAX_II, (unsigned long long)counts.cycles,
          1e-9 * (double)counts.cycles * design.config.clock_ps, 1e-3 * design.config.clock_ps,
          (unsigned long long)all, 1e-9 * (double)all * design.config.clock_ps);
-  if (scene.count[0] <= device.room[0] && scene.count[1] <= device.room[1]) {
+  if (scene.count[0] <= device.capacity[0] && scene.count[1] <= device.capacity[1]) {
     const task t = {scene.tri[0], scene.tri[1], scene.count[0], scene.count[1], {0, 0, 0}, false};
     run_task(&t, paced);
   }
@@ -285,7 +285,7 @@ static void some_object(sepax_tri *tri, size_t count, bool of_b) {
 
 static void round_of(sepax_tri *a, sepax_tri *b, bool paced) {
   task t = {
-      a, b, some_count(device.room[0]), some_count(device.room[1]), {0, 0, 0}, range(0, 3) == 0};
+      a, b, some_count(device.capacity[0]), some_count(device.capacity[1]), {0, 0, 0}, range(0, 3) == 0};
   some_object(a, t.count_a, false);
   some_object(b, t.count_b, true);
   int64_t most = INT64_C(1) << SEPAX_WORD;
@@ -511,8 +511,8 @@ static bool number_after(const char *text, const char *name, unsigned long long 
 }
 
 static void self_test(unsigned long long rounds, unsigned long long beats, bool paced) {
-  sepax_tri *a = malloc(device.room[0] * sizeof *a);
-  sepax_tri *b = malloc(device.room[1] * sizeof *b);
+  sepax_tri *a = malloc(device.capacity[0] * sizeof *a);
+  sepax_tri *b = malloc(device.capacity[1] * sizeof *b);
   stop_on(a == NULL || b == NULL, "out of memory");
   unsigned long long made = 0;
   while ((made < rounds || bus_beats() < beats) && wrong == 0) {
@@ -566,8 +566,8 @@ int main(int argc, char **argv) {
   const sepax_bus bus = {NULL, bus_read, bus_write, bus_send, bus_receive};
   check(sepax_device_open(&device, &bus), "open");
   expect("lanes", (unsigned long long)device.lanes, SEPAX_LANES);
-  expect("room for A", device.room[0], SEPAX_MEMORY_A);
-  expect("room for B", device.room[1], SEPAX_MEMORY_B);
+  expect("capacity for A", device.capacity[0], SEPAX_MEMORY_A);
+  expect("capacity for B", device.capacity[1], SEPAX_MEMORY_B);
   if (paths == 2) {
     run_meshes(path, resolution, stress == 0);
   } else {
