@@ -139,7 +139,7 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
     char name[EMIT_NAME];
     arith_name(plan, name);
     printf("%s: %s, product modulo 2^%d, latency %d\n", o->folder, name, (int)o->product,
-           plan->ranks);
+           plan->latency);
   }
   emit_free(&e);
   free(plan);

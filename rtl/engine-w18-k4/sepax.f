@@ -1,9 +1,9 @@
 sepax_fa.v
 sepax_digit.v
 sepax_top_digit.v
-sepax_mul_19x19.v
-sepax_mul_37x21.v
-sepax_mul_37x22.v
+sepax_mul_19x19_biased.v
+sepax_mul_37x21_biased.v
+sepax_mul_37x22_biased.v
 sepax_csa.v
 sepax_trapezoid.v
 sepax_trapezoid_ab.v

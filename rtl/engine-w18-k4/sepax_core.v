@@ -49,16 +49,14 @@ module sepax_core (
 );
 
   localparam W = 18; // bits of a coordinate
-  localparam S_W = 19; // of a sum or difference of two
   localparam G_W = 37; // of a trapezoid term or an orient2d
   localparam Z_W = 21; // of a z sum
   localparam O_W = 22; // of B's z sum
   localparam V_W = 56; // of a signed prism volume or an orient3d
   localparam DIGITS = 10; // radix-4 digits of a z sum
-  localparam OWN_DIGITS = 11; // of B's z sum
-  // What z sums have more than the sum, as prisms deduct it: 1 for each digit but the highest.
-  localparam signed [Z_W-1:0] BIAS =
+  localparam signed [Z_W-1:0] BIAS = // of z sums, as prisms deduct it
     {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
+  localparam OWN_DIGITS = 11; // of B's z sum
   localparam signed [O_W-1:0] OWN_BIAS =
     {{(O_W+2-2*OWN_DIGITS){1'b0}}, {(OWN_DIGITS-1){2'b01}}};
 
@@ -376,7 +374,7 @@ module sepax_core (
   // Trapezoid terms.
 
   // t_0: t_a1a2, t_a2a3, t_a3a1.
-  sepax_trapezoid #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_t_0 (
+  sepax_trapezoid trapezoid_t_0 (
     .clk(clk),
     .x_from(x_a1),
     .x_to(x_a2),
@@ -386,7 +384,7 @@ module sepax_core (
   );
 
   // t_1: t_b1b2, t_b2b3, t_b3b1.
-  sepax_trapezoid #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_t_1 (
+  sepax_trapezoid trapezoid_t_1 (
     .clk(clk),
     .x_from(x_b1),
     .x_to(x_b2),
@@ -396,7 +394,7 @@ module sepax_core (
   );
 
   // t_2: t_a1b1, t_a2b2, t_a3b3.
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_2 (
+  sepax_trapezoid_ab trapezoid_ab_t_2 (
     .clk(clk),
     .x_from(x_a1),
     .x_to(x_b1),
@@ -407,7 +405,7 @@ module sepax_core (
   );
 
   // t_3: t_a1b2, t_a2b3, t_a3b1.
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_3 (
+  sepax_trapezoid_ab trapezoid_ab_t_3 (
     .clk(clk),
     .x_from(x_a1),
     .x_to(x_b2),
@@ -418,7 +416,7 @@ module sepax_core (
   );
 
   // t_4: t_a1b3, t_a2b1, t_a3b2.
-  sepax_trapezoid_ab #( .W(W), .S_W(S_W), .G_W(G_W) ) trapezoid_ab_t_4 (
+  sepax_trapezoid_ab trapezoid_ab_t_4 (
     .clk(clk),
     .x_from(x_a1),
     .x_to(x_b3),
@@ -435,7 +433,7 @@ module sepax_core (
   assign g_0_op2 =
       (slot[1]) ? t_a1b3_hold :
       t_4;
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_0 (
+  sepax_orient2d orient2d_g_0 (
     .clk(clk),
     .p(t_0_q),
     .q(g_0_op2),
@@ -448,7 +446,7 @@ module sepax_core (
   assign g_1_op2 =
       (slot[1]) ? t_a1b1_hold :
       t_2;
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_1 (
+  sepax_orient2d orient2d_g_1 (
     .clk(clk),
     .p(t_0_q),
     .q(g_1_op2),
@@ -461,7 +459,7 @@ module sepax_core (
   assign g_2_op2 =
       (slot[1]) ? t_a1b2_hold :
       t_3;
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_2 (
+  sepax_orient2d orient2d_g_2 (
     .clk(clk),
     .p(t_0_q),
     .q(g_2_op2),
@@ -470,7 +468,7 @@ module sepax_core (
   );
 
   // g_3: g_a1b1b2, g_a2b2b3, g_a3b3b1.
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_3 (
+  sepax_orient2d orient2d_g_3 (
     .clk(clk),
     .p(t_1_q),
     .q(t_2_q),
@@ -483,7 +481,7 @@ module sepax_core (
   assign g_4_op1 =
       (slot[1]) ? t_b1b2_hold :
       t_1;
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_4 (
+  sepax_orient2d orient2d_g_4 (
     .clk(clk),
     .p(g_4_op1),
     .q(t_3_q),
@@ -500,7 +498,7 @@ module sepax_core (
   assign g_5_op3 =
       (slot[1]) ? t_a1b1_hold :
       t_2;
-  sepax_orient2d #( .G_W(G_W) ) orient2d_g_5 (
+  sepax_orient2d orient2d_g_5 (
     .clk(clk),
     .p(t_1_q),
     .q(g_5_op2),
@@ -523,7 +521,7 @@ module sepax_core (
   assign go_0_op3 =
       (slot[1]) ? t_0_q :
       t_1;
-  sepax_own_orient2d #( .G_W(G_W) ) own_orient2d_go_0 (
+  sepax_own_orient2d own_orient2d_go_0 (
     .clk(clk),
     .p(go_0_op1),
     .q(go_0_op2),
@@ -542,7 +540,7 @@ module sepax_core (
   assign z_0_op3 =
       (slot[2]) ? z_a1 :
       z_a1_hold;
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_0 (
+  sepax_zdiff zdiff_z_0 (
     .clk(clk),
     .z_p(z_0_op1),
     .z_r(z_0_op3),
@@ -558,7 +556,7 @@ module sepax_core (
   assign z_1_op3 =
       (slot[2]) ? z_a1 :
       z_a1_hold;
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_1 (
+  sepax_zdiff zdiff_z_1 (
     .clk(clk),
     .z_p(z_1_op1),
     .z_r(z_1_op3),
@@ -574,7 +572,7 @@ module sepax_core (
   assign z_2_op3 =
       (slot[2]) ? z_a1 :
       z_a1_hold;
-  sepax_zdiff #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zdiff_z_2 (
+  sepax_zdiff zdiff_z_2 (
     .clk(clk),
     .z_p(z_2_op1),
     .z_r(z_2_op3),
@@ -598,7 +596,7 @@ module sepax_core (
   assign z_3_op4 =
       (slot[2]) ? z_a3 :
       z_a3_hold;
-  sepax_zsum #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zsum_z_3 (
+  sepax_zsum zsum_z_3 (
     .clk(clk),
     .z_p(z_3_op1),
     .z_q(z_3_op2),
@@ -624,7 +622,7 @@ module sepax_core (
   assign z_4_op4 =
       (slot[2]) ? z_a3 :
       z_a3_hold;
-  sepax_zsum #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zsum_z_4 (
+  sepax_zsum zsum_z_4 (
     .clk(clk),
     .z_p(z_4_op1),
     .z_q(z_4_op2),
@@ -650,7 +648,7 @@ module sepax_core (
   assign z_5_op4 =
       (slot[2]) ? z_a1 :
       z_a1_hold;
-  sepax_zsum #( .W(W), .Z_W(Z_W), .DIGITS(DIGITS) ) zsum_z_5 (
+  sepax_zsum zsum_z_5 (
     .clk(clk),
     .z_p(z_5_op1),
     .z_q(z_5_op2),
@@ -659,7 +657,7 @@ module sepax_core (
     .z(z_5)
   );
 
-  // zo_0: zo_b1b1, zo_b1b2, zo_b1b2b3.
+  // zo_0: zo_b1, zo_b2, zo_b3.
   wire signed [O_W-1:0] zo_0_op1;
   assign zo_0_op1 =
       (slot[1]) ? OWN_BIAS :
@@ -672,7 +670,7 @@ module sepax_core (
   assign zo_0_op3 =
       (slot[0]) ? z_a3_hold :
       z_a3;
-  sepax_own_zsum #( .W(W), .O_W(O_W) ) own_zsum_zo_0 (
+  sepax_own_zsum own_zsum_zo_0 (
     .clk(clk),
     .so_far(zo_0_op1),
     .z_b(zo_0_op2),
@@ -683,7 +681,7 @@ module sepax_core (
   // Signed prism volumes.
 
   // h_0: h_a1a2b1, h_a2a3b2, h_a3a1b3.
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_0 (
+  sepax_prism prism_h_0 (
     .clk(clk),
     .g(g_0),
     .z(z_0),
@@ -691,7 +689,7 @@ module sepax_core (
   );
 
   // h_1: h_a1a2b2, h_a2a3b3, h_a3a1b1.
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_1 (
+  sepax_prism prism_h_1 (
     .clk(clk),
     .g(g_1),
     .z(z_1),
@@ -699,7 +697,7 @@ module sepax_core (
   );
 
   // h_2: h_a1a2b3, h_a2a3b1, h_a3a1b2.
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_2 (
+  sepax_prism prism_h_2 (
     .clk(clk),
     .g(g_2),
     .z(z_2),
@@ -707,7 +705,7 @@ module sepax_core (
   );
 
   // h_3: h_a1b1b2, h_a2b2b3, h_a3b3b1.
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_3 (
+  sepax_prism prism_h_3 (
     .clk(clk),
     .g(g_3),
     .z(z_3),
@@ -715,7 +713,7 @@ module sepax_core (
   );
 
   // h_4: h_a1b2b3, h_a2b3b1, h_a3b1b2.
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_4 (
+  sepax_prism prism_h_4 (
     .clk(clk),
     .g(g_4),
     .z(z_4),
@@ -723,14 +721,14 @@ module sepax_core (
   );
 
   // h_5: h_a2b1b2, h_a3b2b3, h_a1b3b1.
-  sepax_prism #( .G_W(G_W), .Z_W(Z_W), .V_W(V_W) ) prism_h_5 (
+  sepax_prism prism_h_5 (
     .clk(clk),
     .g(g_5),
     .z(z_5),
     .h(h_5)
   );
 
-  sepax_own_prism #( .G_W(G_W), .Z_W(O_W), .V_W(V_W) ) own_prism_ho_b1b2b3 (
+  sepax_own_prism own_prism_ho_b1b2b3 (
     .clk(clk),
     .g(go_0),
     .z(zo_0),
@@ -744,7 +742,7 @@ module sepax_core (
   assign v_0_op1 =
       (slot[1]) ? {V_W{1'b0}} :
       v_1;
-  sepax_orient3d_a #( .V_W(V_W) ) orient3d_a_v_0 (
+  sepax_orient3d_a orient3d_a_v_0 (
     .clk(clk),
     .p(v_0_op1),
     .q(h_0),
@@ -756,7 +754,7 @@ module sepax_core (
   assign v_1_op1 =
       (slot[1]) ? {V_W{1'b0}} :
       v_2;
-  sepax_orient3d_a #( .V_W(V_W) ) orient3d_a_v_1 (
+  sepax_orient3d_a orient3d_a_v_1 (
     .clk(clk),
     .p(v_1_op1),
     .q(h_1),
@@ -768,7 +766,7 @@ module sepax_core (
   assign v_2_op1 =
       (slot[1]) ? {V_W{1'b0}} :
       v_0;
-  sepax_orient3d_a #( .V_W(V_W) ) orient3d_a_v_2 (
+  sepax_orient3d_a orient3d_a_v_2 (
     .clk(clk),
     .p(v_2_op1),
     .q(h_2),
@@ -779,8 +777,6 @@ module sepax_core (
   assign s_b3 = {!v_0[V_W-1] && (v_0 != {V_W{1'b0}}), v_0[V_W-1]};
   assign s_b1 = {!v_1[V_W-1] && (v_1 != {V_W{1'b0}}), v_1[V_W-1]};
   assign s_b2 = {!v_2[V_W-1] && (v_2 != {V_W{1'b0}}), v_2[V_W-1]};
-
-  // orient3d of B's plane and A's vertices.
 
   // w_0: w_a2, w_a3, w_a1.
   wire signed [V_W-1:0] w_0_op1;
@@ -795,7 +791,7 @@ module sepax_core (
   assign w_0_op4 =
       (slot[2]) ? ho_b1b2b3 :
       ho_b1b2b3_hold;
-  sepax_orient3d_b #( .V_W(V_W) ) orient3d_b_w_0 (
+  sepax_orient3d_b orient3d_b_w_0 (
     .clk(clk),
     .p(w_0_op1),
     .q(w_0_op2),
@@ -804,10 +800,8 @@ module sepax_core (
     .sign(w_0)
   );
 
-  // orient3d of an edge of A and an edge of B.
-
   // d_0: d_a1a2b1b2, d_a2a3b2b3, d_a3a1b3b1.
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_0 (
+  sepax_orient3d_edges orient3d_edges_d_0 (
     .clk(clk),
     .p(h_5),
     .q(h_1),
@@ -821,7 +815,7 @@ module sepax_core (
   assign d_1_op1 =
       (slot[1]) ? h_a1b1b2_hold :
       h_3;
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_1 (
+  sepax_orient3d_edges orient3d_edges_d_1 (
     .clk(clk),
     .p(d_1_op1),
     .q(h_2_q),
@@ -839,7 +833,7 @@ module sepax_core (
   assign d_2_op3 =
       (slot[0]) ? h_5 :
       h_5_q3;
-  sepax_orient3d_edges #( .V_W(V_W) ) orient3d_edges_d_2 (
+  sepax_orient3d_edges orient3d_edges_d_2 (
     .clk(clk),
     .p(d_2_op1),
     .q(h_0_q2),
@@ -853,7 +847,7 @@ module sepax_core (
   assign oz_1 = {z_1 > BIAS, z_1 < BIAS};
   assign oz_2 = {z_2 > BIAS, z_2 < BIAS};
 
-  // Their signs {> 0, < 0}.
+  // Signs {> 0, < 0} of orient2d.
   assign gs_0 = {!g_0[G_W-1] && (g_0 != {G_W{1'b0}}), g_0[G_W-1]};
   assign gs_1 = {!g_1[G_W-1] && (g_1 != {G_W{1'b0}}), g_1[G_W-1]};
   assign gs_2 = {!g_2[G_W-1] && (g_2 != {G_W{1'b0}}), g_2[G_W-1]};

@@ -10,13 +10,13 @@
 `default_nettype none
 
 module sepax_fa #(
-  parameter N = 8  // bits
+  parameter N = 8 // bits
 ) (
-  input  wire        [N-1:0]      a,     // row
-  input  wire        [N-1:0]      b,     // row
-  input  wire        [N-1:0]      c,     // row, may be the last to come
-  output wire        [N-1:0]      sum,   // sums of the columns
-  output wire        [N-1:0]      carry  // carries of the columns
+  input  wire [N-1:0] a,    // row
+  input  wire [N-1:0] b,    // row
+  input  wire [N-1:0] c,    // row, may be the last to come
+  output wire [N-1:0] sum,  // sums of the columns
+  output wire [N-1:0] carry // carries of the columns
 );
 
   wire [N-1:0] half;

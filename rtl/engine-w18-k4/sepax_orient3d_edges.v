@@ -38,9 +38,7 @@ module sepax_orient3d_edges #(
     .a(three_sum),
     .b(three_carry),
     .c(~s),
-    .carry_in(1'b1),
-    .sum(sum),
-    .carry(carry)
+    .carry_in(1'b1), .sum(sum), .carry(carry)
   );
 
   wire [V_W-1:0] volume;

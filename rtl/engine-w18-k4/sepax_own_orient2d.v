@@ -23,12 +23,9 @@ module sepax_own_orient2d #(
   wire [G_W-1:0] carry;
 
   sepax_csa #(.N(G_W)) three (
-    .a(p),
-    .b(q),
+    .a(p), .b(q),
     .c(r),
-    .carry_in(1'b0),
-    .sum(sum),
-    .carry(carry)
+    .carry_in(1'b0), .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin

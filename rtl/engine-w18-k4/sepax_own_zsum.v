@@ -28,9 +28,7 @@ module sepax_own_zsum #(
     .a(so_far),
     .b({{(O_W-W){z_b[W-1]}}, z_b}),
     .c(~{{(O_W-W){z_a[W-1]}}, z_a}),
-    .carry_in(1'b1),
-    .sum(sum),
-    .carry(carry)
+    .carry_in(1'b1), .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin

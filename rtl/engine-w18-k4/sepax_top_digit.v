@@ -11,18 +11,18 @@
 `default_nettype none
 
 module sepax_top_digit #(
-  parameter A_W = 8,   // bits of a
+  parameter A_W   = 8, // bits of a
   parameter ROW_W = 9  // bits of the row kept, 1 ... A_W + 1
 ) (
-  input  wire signed [A_W-1:0]    a,        // the factor that is selected
-  input  wire        [2:0]        b,        // the highest bits of the other factor
-  output wire        [ROW_W-1:0]  row,      // the row, two's complement but for `negative`
-  output wire                     negative  // to be added at the row's lowest bit
+  input  wire signed [A_W-1:0] a, // the factor that is selected
+  input  wire [2:0]       b,       // the highest bits of the other factor
+  output wire [ROW_W-1:0] row,     // the row, two's complement but for `negative`
+  output wire             negative // to be added at the row's lowest bit
 );
 
   wire one;
   wire two;
-  wire [A_W+2-1:0] twice; // 2 a
+  wire [A_W+1:0] twice; // 2 a
 
   assign twice = {a[A_W-1], a, 1'b0};
   assign one = b[0];
@@ -32,7 +32,10 @@ module sepax_top_digit #(
                ((twice[ROW_W-1:0] ^ {ROW_W{negative}}) & {ROW_W{two}});
 
   generate
-    if (A_W + 1 > ROW_W) begin : beyond
+    if (ROW_W > A_W + 1) begin : check
+      sepax_top_digit_row_is_wider_than_twice_a fault ();
+    end
+    if (A_W + 1 > ROW_W) begin : cut
       wire [A_W-ROW_W:0] unused_bits = twice[A_W+1:ROW_W+1];
     end
   endgenerate

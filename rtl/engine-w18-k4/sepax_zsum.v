@@ -36,17 +36,13 @@ module sepax_zsum #(
     .a({{(Z_W-W){z_p[W-1]}}, z_p}),
     .b({{(Z_W-W){z_q[W-1]}}, z_q}),
     .c(~{{(Z_W-W){z_r[W-1]}}, z_r}),
-    .carry_in(1'b1),
-    .sum(three_sum),
-    .carry(three_carry)
+    .carry_in(1'b1), .sum(three_sum), .carry(three_carry)
   );
   sepax_csa #(.N(Z_W)) four (
     .a(three_sum),
     .b(three_carry),
     .c(~{{(Z_W-W){z_s[W-1]}}, z_s}),
-    .carry_in(1'b1),
-    .sum(four_sum),
-    .carry(four_carry)
+    .carry_in(1'b1), .sum(four_sum), .carry(four_carry)
   );
 
   always @(posedge clk) begin

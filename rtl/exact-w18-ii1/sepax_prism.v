@@ -23,7 +23,7 @@ module sepax_prism #(
 
   wire signed [V_W-1:0] product;
 
-  sepax_mul_37x21 multiply (
+  sepax_mul_37x21_biased multiply (
     .a(g),
     .b(z),
     .p(product)

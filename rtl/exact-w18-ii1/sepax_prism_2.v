@@ -23,7 +23,7 @@ module sepax_prism_2 #(
 
   wire signed [V_W-1:0] product;
 
-  sepax_mul_37x21_2 multiply (
+  sepax_mul_37x21_biased_2 multiply (
     .a(g),
     .b(z),
     .p(product)

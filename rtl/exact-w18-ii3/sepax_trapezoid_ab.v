@@ -32,7 +32,7 @@ module sepax_trapezoid_ab #(
   assign run = {x_to[W-1], x_to} - {x_from[W-1], x_from};
   assign height = {y_to[W-1], y_to} + {y_from[W-1], y_from};
 
-  sepax_mul_19x19 multiply (
+  sepax_mul_19x19_biased multiply (
     .a(run),
     .b(height),
     .p(product)

@@ -1,4 +1,4 @@
-/* arith.c - multipliers planned: rows, full adders, ranks. */
+/* arith.c - multipliers planned: rows, full adders, pipeline registers. */
 #include "arith.h"
 
 #include <stdlib.h>
@@ -210,11 +210,11 @@ static void plan_in(arith_plan *p, const arith_form *form, double room) {
   }
   free(columns);
   double skew = stage > 0 ? delay_used->skew_lost : 0;
-  p->ranks = time + delay_adder(p_w) + skew > room ? stage + 1 : stage;
+  p->latency = time + delay_adder(p_w) + skew > room ? stage + 1 : stage;
   for (int c = 0; c < p_w; c++) {
     for (int i = 0; i < 2; i++) {
       if (p->final[i][c] >= 0) {
-        use(p, p->final[i][c], p->ranks);
+        use(p, p->final[i][c], p->latency);
       }
     }
   }
@@ -223,23 +223,23 @@ static void plan_in(arith_plan *p, const arith_form *form, double room) {
   }
 }
 
-/* With as many ranks as the period needs, their places are those for the shortest period
- * that needs no more. */
+/* With as many pipeline registers as the period needs, their places are those for the shortest
+ * period that needs no more. */
 void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
   double enough = period - delay_register();
   plan_in(p, form, enough);
-  int ranks = p->ranks;
+  int latency = p->latency;
   double little = enough / 2;
-  for (int i = 0; i < 4 && ranks > 0; i++) {
+  for (int i = 0; i < 4 && latency > 0; i++) {
     double room = (enough + little) / 2;
     plan_in(p, form, room);
-    if (p->ranks == ranks) {
+    if (p->latency == latency) {
       enough = room;
     } else {
       little = room;
     }
   }
-  if (p->ranks != ranks) {
+  if (p->latency != latency) {
     plan_in(p, form, enough);
   }
 }
@@ -247,7 +247,7 @@ void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
 bool arith_same(const arith_plan *plan, const arith_plan *other) {
   return plan->a_w == other->a_w && plan->b_w == other->b_w && plan->p_w == other->p_w &&
          plan->rows == other->rows && plan->plain == other->plain && plan->less == other->less &&
-         plan->ranks == other->ranks;
+         plan->latency == other->latency;
 }
 
 double arith_shortest(const arith_form *form) {

@@ -5,24 +5,25 @@
 #include "datapath/delay.h"
 #include "emit/gen.h"
 
-/* A multiplier modulo 2^p_w. b is cut into radix-4 digits; each but the highest counts for one
- * less than it says, so that it is -1, 0, 1 or 2 and its row needs no multiple of a
- * but a, 2a and -a. All in all that is a (b - K), K = 1 + 4 + 16 ...: whoever wants a b adds
- * K to b beforehand, or has sums in which a K cancels. Two less do as well (-2, -1, 0, 1; K =
- * 2 + 8 + 32 ...), for a b that has got K twice. Then full adders, column by column,
+/* A recoded multiplier modulo 2^p_w. b is cut into radix-4 digits; each but the highest counts
+ * for one less than it says, so that it is -1, 0, 1 or 2 and its row needs no multiple of a
+ * but a, 2a and -a. All in all that is a (b - BIAS), BIAS = 1 + 4 + 16 ...: the biased
+ * multiplier, for whoever adds BIAS to b beforehand, or has sums in which a BIAS cancels; or the
+ * plain one, which adds BIAS to b itself. Two less do as well (-2, -1, 0, 1; BIAS = 2 + 8 + 32
+ * ...), for a b that has got the lesser BIAS twice. Then full adders, column by column,
  * the earliest bits first, until two rows are left; one addition. A half adder first makes
  * odd columns even, so that no carry ripples through them. Where a bit would come later
- * than the period allows, it is made behind a rank of registers. */
-enum { ARITH_BITS = 12288, ARITH_ADDERS = 3072, ARITH_WIDTH = 128, ARITH_RANKS = 8 };
+ * than the period allows, it is made behind a pipeline register. */
+enum { ARITH_BITS = 12288, ARITH_ADDERS = 3072, ARITH_WIDTH = 128, ARITH_STAGES = 8 };
 
 typedef enum { ARITH_ROW, ARITH_NEGATIVE, ARITH_SUM, ARITH_CARRY, ARITH_ONE } arith_source;
 
 typedef struct {
   arith_source source;
   int from, index; /* row and bit of it; or the adder */
-  int stage;       /* ranks passed when it is made */
-  int last;        /* ranks passed when it is last used */
-  double time;     /* since that rank */
+  int stage;       /* pipeline registers passed when it is made */
+  int last;        /* and when it is last used */
+  double time;     /* ns since the last of them */
 } arith_bit;
 
 typedef enum {
@@ -43,18 +44,18 @@ typedef struct {
 
 typedef struct {
   int a_w, b_w, p_w; /* bits of a, b, the product */
-  int digits;        /* of b, for a (b - K); the highest must be in -2 ... 2. 0: a b */
+  int digits;        /* of b, for a (b - BIAS); the highest must be in -2 ... 2. 0: a b */
   int less;          /* what a digit counts less: 1, 2 */
   double used;       /* ns spent before b is there */
 } arith_form;
 
 typedef struct {
   int a_w, b_w, p_w;
-  bool plain; /* a b; else a (b - K) */
+  bool plain; /* a b; else a (b - BIAS) */
   int less;
-  int sum_w; /* bits that are cut into digits: b, or b + K */
-  int rows, levels, ranks;
-  int registers; /* bits in all ranks */
+  int sum_w; /* bits that are cut into digits: b, or b + BIAS */
+  int rows, levels, latency;
+  int registers; /* bits in all pipeline registers */
   arith_bit bit[ARITH_BITS];
   int bits;
   arith_adder adder[ARITH_ADDERS];
@@ -62,25 +63,32 @@ typedef struct {
   int final[2][ARITH_WIDTH]; /* the two rows of the last addition; -1: no bit */
 } arith_plan;
 
-/* The shortest period in ns, however many ranks: registers, and a row and a full adder, or the
- * last addition, or that of K. */
+/* The shortest period in ns, however many pipeline registers: registers, and a row and a full
+ * adder, or the last addition, or that of BIAS. */
 double arith_shortest(const arith_form *form);
 
+/* Plan the multiplier for a period in ns, not below arith_shortest: its latency is the least that
+ * the delay model (datapath/delay.h) allows. More bits, adders or columns than the plan holds end
+ * the program; 80 x 80 bits, the most that a design asks for, fit. */
 void arith_plan_make(arith_plan *plan, const arith_form *form, double period);
 
+/* Would both plans make the same module? */
 bool arith_same(const arith_plan *plan, const arith_plan *other);
 
 /* Bits of a row; whether they are all, or cut off at the product's highest. */
 int arith_row_bits(const arith_plan *plan, int row);
 bool arith_row_whole(const arith_plan *plan, int row);
 
+/* Emit what multipliers are made of, once a design and before them: sepax_fa; sepax_digit and
+ * sepax_top_digit, and sepax_digit_2, of digits that count two less, if asked for. */
 void gen_fa(emitter *e);
 void gen_digits(emitter *e, bool two_less);
 
-/* Its module: sepax_mul_AxB, or sepax_mul_AxB_2 where digits count two less. */
+/* Its module: sepax_mul_AxB; of biased ones sepax_mul_AxB_biased, or sepax_mul_AxB_biased_2 where
+ * digits count two less. */
 void arith_name(const arith_plan *plan, char name[EMIT_NAME]);
 
-/* Emit the multiplier as a module: ports a, b, p, and clk if it has registers. */
+/* Emit the multiplier as a module: ports a, b, p, and clk if its latency is above 0. */
 void gen_multiplier(emitter *e, const arith_plan *plan);
 
 #endif

@@ -1,88 +1,23 @@
-/* gen_arith.c - sepax_fa, sepax_digit, and the multipliers made of them. */
+/* multiplier.c - a planned multiplier as a module of rows (sepax_digit) and adders (sepax_fa). */
 #include "arith.h"
+#include "emit/template.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-void gen_fa(emitter *e) {
-  emit_module *m = emit_begin(e, "sepax_fa",
-                              "N full adders side by side: a + b + c = sum + 2 carry, bit by bit.\n"
-                              "Combinational. A library's full-adder cell may stand for it.");
-  emit_parameter(m, EMIT_PARAMETER, "N", 8, "bits");
-  emit_signal(m, EMIT_INPUT, false, "a", "N", "row");
-  emit_signal(m, EMIT_INPUT, false, "b", "N", "row");
-  emit_signal(m, EMIT_INPUT, false, "c", "N", "row, may be the last to come");
-  emit_signal(m, EMIT_OUTPUT, false, "sum", "N", "sums of the columns");
-  emit_signal(m, EMIT_OUTPUT, false, "carry", "N", "carries of the columns");
-  emit_net(m, EMIT_WIRE, false, "half", "N");
-  emit_text(m, "\nassign half = a ^ b;\n"
-               "assign sum = half ^ c;\n"
-               "assign carry = (a & b) | (half & c);");
-  emit_end(m);
-}
+void gen_fa(emitter *e) { emit_template(e, "sepax_fa", NULL); }
 
-static emit_module *begin_row(emitter *e, const char *name, const char *digit, const char *bits,
-                              const char *about) {
-  char banner[400];
-  snprintf(banner, sizeof banner,
-           "One row of a multiplier: with %s,\n"
-           "  digit * a = row + negative modulo 2^ROW_W.\n"
-           "Combinational.",
-           digit);
-  emit_module *m = emit_begin(e, name, banner);
-  emit_parameter(m, EMIT_PARAMETER, "A_W", 8, "bits of a");
-  emit_parameter(m, EMIT_PARAMETER, "ROW_W", 9, "bits of the row kept, 1 ... A_W + 1");
-  emit_signal(m, EMIT_INPUT, true, "a", "A_W", "the factor that is selected");
-  emit_signal(m, EMIT_INPUT, false, "b", bits, "%s", about);
-  emit_signal(m, EMIT_OUTPUT, false, "row", "ROW_W",
-              "the row, two's complement but for `negative`");
-  emit_signal(m, EMIT_OUTPUT, false, "negative", "", "to be added at the row's lowest bit");
-  emit_net(m, EMIT_WIRE, false, "one", "");
-  emit_net(m, EMIT_WIRE, false, "two", "");
-  emit_signal(m, EMIT_WIRE, false, "twice", "A_W+2", "2 a");
-  emit_text(m, "\nassign twice = {a[A_W-1], a, 1'b0};");
-  return m;
-}
-
-static void end_row(emit_module *m) {
-  emit_text(m, "\n"
-               "generate\n"
-               "  if (A_W + 1 > ROW_W) begin : beyond\n"
-               "    wire [A_W-ROW_W:0] unused_bits = twice[A_W+1:ROW_W+1];\n"
-               "  end\n"
-               "endgenerate");
-  emit_end(m);
+static void gen_digit(emitter *e, const char *name, const char *top, const char *two_less) {
+  const emit_hole holes[] = {{"name", name}, {"top", top}, {"two_less", two_less}, {NULL, NULL}};
+  emit_template(e, "sepax_digit", holes);
 }
 
 void gen_digits(emitter *e, bool two_less) {
-  emit_module *m = begin_row(e, "sepax_digit", "digit = b - 1, which is -1, 0, 1 or 2", "2",
-                             "two bits of the other factor");
-  emit_text(m,
-            "assign one = b == 2'd2;\n"
-            "assign two = b == 2'd3;\n"
-            "assign negative = b == 2'd0;\n"
-            "assign row = (twice[ROW_W:1] & {ROW_W{one}}) | (twice[ROW_W-1:0] & {ROW_W{two}}) |\n"
-            "             (~twice[ROW_W:1] & {ROW_W{negative}});");
-  end_row(m);
+  gen_digit(e, "sepax_digit", "", "");
   if (two_less) {
-    m = begin_row(e, "sepax_digit_2", "digit = b - 2, which is -2, -1, 0 or 1", "2",
-                  "two bits of the other factor");
-    emit_text(
-        m, "assign one = b == 2'd3;\n"
-           "assign two = b == 2'd0;\n"
-           "assign negative = !b[1];\n"
-           "assign row = (twice[ROW_W:1] & {ROW_W{one}}) | (~twice[ROW_W-1:0] & {ROW_W{two}}) |\n"
-           "             (~twice[ROW_W:1] & {ROW_W{negative && !two}});");
-    end_row(m);
+    gen_digit(e, "sepax_digit_2", "", "1");
   }
-  m = begin_row(e, "sepax_top_digit", "digit = b, two's complement, -2, -1, 0, 1 or 2", "3",
-                "the highest bits of the other factor");
-  emit_text(m, "assign one = b[0];\n"
-               "assign two = b[1] && !b[0];\n"
-               "assign negative = b[2];\n"
-               "assign row = ((twice[ROW_W:1] ^ {ROW_W{negative}}) & {ROW_W{one}}) |\n"
-               "             ((twice[ROW_W-1:0] ^ {ROW_W{negative}}) & {ROW_W{two}});");
-  end_row(m);
+  gen_digit(e, "sepax_top_digit", "1", "");
 }
 
 /* ------------------------------------------------------------------- multipliers */
@@ -90,9 +25,9 @@ void gen_digits(emitter *e, bool two_less) {
 typedef struct {
   emit_module *m;
   const arith_plan *plan;
-  int *place;      /* of each bit in each rank */
-  int *order;      /* of each adder in its group */
-  char offset[48]; /* K */
+  int *place;    /* of each bit in each pipeline register */
+  int *order;    /* of each adder in its group */
+  char bias[48]; /* BIAS, decimal */
 } writer;
 
 /* "sum_2_0" and the like: adders of one kind, level and stage, the k-th of their columns. */
@@ -103,16 +38,17 @@ static void adder_name(const arith_adder *a, const char *what, char text[EMIT_NA
   snprintf(text + used, EMIT_NAME - (size_t)used, "_%d_%d", a->level, a->copy);
 }
 
-/* The vector and index in which a bit stands behind `rank` ranks; index -1: it is a bit. */
-static int bit_name(const writer *w, int bit, int rank, char text[EMIT_NAME]) {
+/* The vector and index in which a bit stands behind `stage` pipeline registers; index -1: it is a
+ * bit. */
+static int bit_name(const writer *w, int bit, int stage, char text[EMIT_NAME]) {
   const arith_bit *b = &w->plan->bit[bit];
   if (b->source == ARITH_ONE) {
     snprintf(text, EMIT_NAME, "1'b1");
     return -1;
   }
-  if (rank > b->stage) {
-    snprintf(text, EMIT_NAME, "rank_%d", rank);
-    return w->place[bit * ARITH_RANKS + rank];
+  if (stage > b->stage) {
+    snprintf(text, EMIT_NAME, "stage_%d", stage);
+    return w->place[bit * ARITH_STAGES + stage];
   }
   switch (b->source) {
   case ARITH_ROW:
@@ -129,7 +65,7 @@ static int bit_name(const writer *w, int bit, int rank, char text[EMIT_NAME]) {
 
 /* bit[at] and what follows below it in the same vector, as one range; -1: zero. Returns
  * how many bits that is. */
-static int print_run(const writer *w, const int bit[], int at, int rank, char *text, size_t size) {
+static int print_run(const writer *w, const int bit[], int at, int stage, char *text, size_t size) {
   char name[EMIT_NAME];
   int run = 1;
   if (bit[at] < 0) {
@@ -139,10 +75,10 @@ static int print_run(const writer *w, const int bit[], int at, int rank, char *t
     snprintf(text, size, "%d'd0", run);
     return run;
   }
-  int index = bit_name(w, bit[at], rank, name);
+  int index = bit_name(w, bit[at], stage, name);
   char next[EMIT_NAME];
   while (index >= 0 && at - run >= 0 && bit[at - run] >= 0 &&
-         bit_name(w, bit[at - run], rank, next) == index - run && strcmp(name, next) == 0) {
+         bit_name(w, bit[at - run], stage, next) == index - run && strcmp(name, next) == 0) {
     run++;
   }
   if (index < 0) {
@@ -156,12 +92,12 @@ static int print_run(const writer *w, const int bit[], int at, int rank, char *t
 }
 
 /* {highest ... lowest} of these bits, runs of one vector as ranges; -1: zero. */
-static void print_bits(const writer *w, const int bit[], int count, int rank, FILE *out) {
+static void print_bits(const writer *w, const int bit[], int count, int stage, FILE *out) {
   fputc('{', out);
   int column_at = 0;
   for (int i = count - 1; i >= 0;) {
     char text[3 * EMIT_NAME];
-    int run = print_run(w, bit, i, rank, text, sizeof text);
+    int run = print_run(w, bit, i, stage, text, sizeof text);
     i -= run;
     column_at += (int)strlen(text) + 2;
     fprintf(out, "%s%s", text, i >= 0 ? column_at > 80 ? ",\n                     " : ", " : "}");
@@ -169,14 +105,14 @@ static void print_bits(const writer *w, const int bit[], int count, int rank, FI
   }
 }
 
-static char *bits_text(const writer *w, const int bit[], int count, int rank) {
+static char *bits_text(const writer *w, const int bit[], int count, int stage) {
   char *text = NULL;
   size_t size = 0;
   FILE *out = open_memstream(&text, &size);
   if (out == NULL) {
     abort();
   }
-  print_bits(w, bit, count, rank, out);
+  print_bits(w, bit, count, stage, out);
   fclose(out);
   return text;
 }
@@ -185,6 +121,11 @@ static void emit_vector(emit_module *m, emit_kind kind, const char *name, int bi
   char width[16];
   snprintf(width, sizeof width, "%d", bits);
   emit_net(m, kind, false, name, width);
+}
+
+/* BIAS: what the digits count less, all together. */
+static void emit_bias(const writer *w, int bits, const char *about) {
+  emit_text(w->m, "localparam [%d:0] BIAS = %d'd%s; // %s", bits - 1, bits, w->bias, about);
 }
 
 static void recode(writer *w) {
@@ -197,14 +138,15 @@ static void recode(writer *w) {
   emit_text(w->m, "// Rows: digit k selects row k, worth 4^k; its sign bit counts negative.");
   if (p->plain) {
     emit_vector(w->m, EMIT_WIRE, "sum", p->sum_w);
-    emit_text(w->m, "assign sum = {b[%d], b} + %d'd%s;", p->b_w - 1, p->sum_w, w->offset);
+    emit_bias(w, p->sum_w, "added to b, so that its digits may be one less");
+    emit_text(w->m, "assign sum = {b[%d], b} + BIAS;", p->b_w - 1);
   }
   emit_vector(w->m, EMIT_WIRE, "top", 3);
   if (top == 3) {
     emit_text(w->m, "assign top = %s[%d:%d];", b, p->sum_w - 1, p->sum_w - 3);
   } else {
-    emit_text(w->m, "assign top = {{%d{%s[%d]}}, %s[%d:%d]};", 3 - top, b, p->sum_w - 1, b,
-              p->sum_w - 1, p->sum_w - top);
+    const gen_line high = gen_format("%s[%d:%d]", b, p->sum_w - 1, p->sum_w - top);
+    emit_text(w->m, "assign top = {{%d{%s[%d]}}, %s};", 3 - top, b, p->sum_w - 1, high.text);
   }
   emit_vector(w->m, EMIT_WIRE, "negative", p->rows);
   for (int row = 0; row < p->rows; row++) {
@@ -225,8 +167,8 @@ static void recode(writer *w) {
     if (!arith_row_whole(p, row)) {
       emit_text(w->m, "assign row_%d = plain_%d;", row, row);
     } else {
-      emit_text(w->m, "assign row_%d = {~plain_%d[%d], plain_%d[%d:0]};", row, row, bits - 1, row,
-                bits - 2);
+      const gen_line sign = gen_format("~plain_%d[%d]", row, bits - 1);
+      emit_text(w->m, "assign row_%d = {%s, plain_%d[%d:0]};", row, sign.text, row, bits - 2);
     }
   }
 }
@@ -286,8 +228,8 @@ static void emit_group(writer *w, int first) {
       emit_vector(w->m, EMIT_WIRE, wire, count);
       emit_text(w->m, "assign %s = %s;", wire, text[k]);
     }
-    emit_instance(w->m, "sepax_fa", name, parameters, "a=%s_a, b=%s_b, c=%s_c, sum=%s, carry=%s",
-                  name, name, name, sum, carry);
+    emit_instance(w->m, "sepax_fa", name, parameters, "%s, sum=%s, carry=%s",
+                  gen_format("a=%s_a, b=%s_b, c=%s_c", name, name, name).text, sum, carry);
     break;
   case ARITH_HALF:
     emit_text(w->m, "assign %s = %s & %s;", carry, text[0], text[1]);
@@ -311,8 +253,8 @@ static void emit_group(writer *w, int first) {
   }
 }
 
-/* Every bit that is used behind a rank and made before it passes the rank. */
-static void emit_rank(writer *w, int rank) {
+/* Every bit that is used behind a pipeline register and made before it passes the register. */
+static void emit_register(writer *w, int stage) {
   const arith_plan *p = w->plan;
   int *crossing = calloc(ARITH_BITS, sizeof *crossing);
   int count = 0;
@@ -320,16 +262,16 @@ static void emit_rank(writer *w, int rank) {
     abort();
   }
   for (int i = 0; i < p->bits; i++) {
-    if (p->bit[i].source != ARITH_ONE && p->bit[i].stage < rank && p->bit[i].last >= rank) {
-      w->place[i * ARITH_RANKS + rank] = count;
+    if (p->bit[i].source != ARITH_ONE && p->bit[i].stage < stage && p->bit[i].last >= stage) {
+      w->place[i * ARITH_STAGES + stage] = count;
       crossing[count++] = i;
     }
   }
   char name[EMIT_NAME];
-  snprintf(name, sizeof name, "rank_%d", rank);
-  emit_text(w->m, "\n// Register rank %d.", rank);
+  snprintf(name, sizeof name, "stage_%d", stage);
+  emit_text(w->m, "\n// Pipeline register %d.", stage);
   emit_vector(w->m, EMIT_REG, name, count);
-  char *text = bits_text(w, crossing, count, rank - 1);
+  char *text = bits_text(w, crossing, count, stage - 1);
   emit_text(w->m, "always @(posedge clk) begin\n  %s <= %s;\nend", name, text);
   free(text);
   free(crossing);
@@ -348,7 +290,7 @@ static void compress(writer *w, int stage) {
       if (first) {
         if (!headed) {
           emit_text(w->m, "\n// Full adders, level %d%s.", level,
-                    stage > 0 ? " behind the rank" : "");
+                    stage > 0 ? " behind the register" : "");
           headed = true;
         }
         emit_group(w, i);
@@ -366,38 +308,37 @@ static void add_behaviour(const writer *w) {
   if (p->plain) {
     emit_text(w->m, "assign above_b = {{%d{b[%d]}}, b};", p->p_w - p->b_w, p->b_w - 1);
   } else {
-    emit_text(w->m, "assign above_b = {{%d{b[%d]}}, b} - %d'd%s;", p->p_w - p->b_w, p->b_w - 1,
-              p->p_w, w->offset);
+    emit_bias(w, p->p_w, "the module multiplies by b - BIAS");
+    emit_text(w->m, "assign above_b = {{%d{b[%d]}}, b} - BIAS;", p->p_w - p->b_w, p->b_w - 1);
   }
-  if (p->ranks == 0) {
+  if (p->latency == 0) {
     emit_text(w->m, "assign p = above_a * above_b;");
   } else {
-    for (int i = 1; i <= p->ranks; i++) {
+    for (int i = 1; i <= p->latency; i++) {
       char name[EMIT_NAME];
       snprintf(name, sizeof name, "product_%d", i);
       emit_vector(w->m, EMIT_REG, name, p->p_w);
     }
     emit_text(w->m, "always @(posedge clk) begin\n  product_1 <= above_a * above_b;");
-    for (int i = 2; i <= p->ranks; i++) {
+    for (int i = 2; i <= p->latency; i++) {
       emit_text(w->m, "  product_%d <= product_%d;", i, i - 1);
     }
-    emit_text(w->m, "end\nassign p = product_%d;", p->ranks);
+    emit_text(w->m, "end\nassign p = product_%d;", p->latency);
   }
   emit_view(w->m, EMIT_STRUCTURAL);
 }
 
-/* What the digits count less, all together. */
-static void print_offset(const arith_plan *plan, char text[48]) {
-  unsigned __int128 offset = 0;
+static void print_bias(const arith_plan *plan, char text[48]) {
+  unsigned __int128 bias = 0;
   for (int i = 1; i < plan->rows; i++) {
-    offset = 4 * offset + (unsigned)plan->less;
+    bias = 4 * bias + (unsigned)plan->less;
   }
   char digits[48];
   int count = 0;
   do {
-    digits[count++] = (char)('0' + (int)(offset % 10));
-    offset /= 10;
-  } while (offset > 0);
+    digits[count++] = (char)('0' + (int)(bias % 10));
+    bias /= 10;
+  } while (bias > 0);
   for (int i = 0; i < count; i++) {
     text[i] = digits[count - 1 - i];
   }
@@ -405,64 +346,67 @@ static void print_offset(const arith_plan *plan, char text[48]) {
 }
 
 void arith_name(const arith_plan *plan, char name[EMIT_NAME]) {
-  snprintf(name, EMIT_NAME, "sepax_mul_%dx%d%s", plan->a_w, plan->b_w, plan->less == 2 ? "_2" : "");
+  const char *kind = plan->plain ? "" : plan->less == 2 ? "_biased_2" : "_biased";
+  snprintf(name, EMIT_NAME, "sepax_mul_%dx%d%s", plan->a_w, plan->b_w, kind);
 }
 
-void gen_multiplier(emitter *e, const arith_plan *plan) {
-  char name[EMIT_NAME];
-  arith_name(plan, name);
-  char banner[512];
-  char bits[16];
-  char offset[48];
+static gen_line banner_of(const arith_plan *plan, const char *bias) {
   int full = 0;
   for (int i = 0; i < plan->adders; i++) {
     full += plan->adder[i].kind == ARITH_FULL || plan->adder[i].kind == ARITH_TOP_FULL;
   }
-  print_offset(plan, offset);
-  if (plan->plain) {
-    snprintf(banner, sizeof banner, "Signed product: p = a * b modulo 2^%d.", plan->p_w);
-  } else {
-    snprintf(banner, sizeof banner,
-             "Signed product: p = a * (b - %s) modulo 2^%d, floor(b / 4^%d) in -2 ... 2.", offset,
-             plan->p_w, plan->rows - 1);
+  const gen_line product =
+      plan->plain
+          ? gen_format("Signed product: p = a * b modulo 2^%d.", plan->p_w)
+          : gen_format("Biased multiplier: p = a * (b - BIAS) modulo 2^%d, BIAS = %s,\n"
+                       "for b with floor(b / 4^%d) in -2 ... 2. Whoever wants a * b adds BIAS to"
+                       " b\nbeforehand, or has sums in which a * BIAS cancels.",
+                       plan->p_w, bias, plan->rows - 1);
+  const gen_line rows =
+      gen_format("Latency %d. Structure: %d rows, selected by the radix-4 digits of %s,\n"
+                 "each but the highest less %d;",
+                 plan->latency, plan->rows, plan->plain ? "b + BIAS" : "b", plan->less);
+  return gen_format("%.400s\n%.300s %d full and %d half adders in columns, the earliest\n"
+                    "bits first; one addition. Where SEPAX_BEHAVIOURAL is defined, a plain product"
+                    " of the\nsame latency.",
+                    product.text, rows.text, full, plan->adders - full);
+}
+
+static void ports(emit_module *m, const arith_plan *plan) {
+  if (plan->latency > 0) {
+    emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
   }
-  size_t used = strlen(banner);
-  snprintf(banner + used, sizeof banner - used,
-           "\nLatency %d. Structure: %d rows, selected by the radix-4 digits of %s,\n"
-           "each but the highest less %d; %d full and %d half adders in columns, the earliest\n"
-           "bits first; one addition. Where SEPAX_BEHAVIOURAL is defined, a plain product of the\n"
-           "same latency.",
-           plan->ranks, plan->rows, plan->plain ? "b + 1 + 4 + 16 ..." : "b", plan->less, full,
-           plan->adders - full);
-  writer w = {.m = emit_begin(e, name, banner), .plan = plan};
-  memcpy(w.offset, offset, sizeof w.offset);
-  w.place = calloc((size_t)ARITH_BITS * ARITH_RANKS, sizeof *w.place);
+  emit_signal(m, EMIT_INPUT, true, "a", gen_format("%d", plan->a_w).text, "first factor");
+  emit_signal(m, EMIT_INPUT, true, "b", gen_format("%d", plan->b_w).text, "second factor%s",
+              plan->plain ? "" : " + BIAS");
+  emit_signal(m, EMIT_OUTPUT, true, "p", gen_format("%d", plan->p_w).text,
+              "product, %d clocks later", plan->latency);
+}
+
+void gen_multiplier(emitter *e, const arith_plan *plan) {
+  char name[EMIT_NAME];
+  writer w = {.plan = plan};
+  arith_name(plan, name);
+  print_bias(plan, w.bias);
+  w.m = emit_begin(e, name, banner_of(plan, w.bias).text);
+  w.place = calloc((size_t)ARITH_BITS * ARITH_STAGES, sizeof *w.place);
   w.order = calloc(ARITH_ADDERS, sizeof *w.order);
   if (w.place == NULL || w.order == NULL) {
     abort();
   }
-  if (plan->ranks > 0) {
-    emit_signal(w.m, EMIT_INPUT, false, "clk", "", "clock");
-  }
-  snprintf(bits, sizeof bits, "%d", plan->a_w);
-  emit_signal(w.m, EMIT_INPUT, true, "a", bits, "first factor");
-  snprintf(bits, sizeof bits, "%d", plan->b_w);
-  emit_signal(w.m, EMIT_INPUT, true, "b", bits, "second factor");
-  snprintf(bits, sizeof bits, "%d", plan->p_w);
-  emit_signal(w.m, EMIT_OUTPUT, true, "p", bits, "product, %d clocks later", plan->ranks);
-  emit_blank(w.m);
+  ports(w.m, plan);
   add_behaviour(&w);
   recode(&w);
   group_adders(&w);
-  for (int stage = 0; stage <= plan->ranks; stage++) {
+  for (int stage = 0; stage <= plan->latency; stage++) {
     if (stage > 0) {
-      emit_rank(&w, stage);
+      emit_register(&w, stage);
     }
     compress(&w, stage);
   }
   char *row[2];
   for (int i = 0; i < 2; i++) {
-    row[i] = bits_text(&w, plan->final[i], plan->p_w, plan->ranks);
+    row[i] = bits_text(&w, plan->final[i], plan->p_w, plan->latency);
   }
   emit_text(w.m, "\n// The last two rows.\nassign p = %s +\n           %s;", row[0], row[1]);
   emit_view(w.m, EMIT_BOTH);

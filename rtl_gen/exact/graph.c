@@ -139,7 +139,7 @@ void exact_graph_projection(exact_plan *p, int projection) {
   static const char *const slots[] = {NULL, "g_yz", "g_zx"};
   const exact_stages *s = &p->stages;
   e->kind.trapezoid[projection] = graph_kind_add(
-      e->graph, &trapezoid, suffix, 1 + s->trapezoid_sums + s->trapezoid.ranks, slots_t);
+      e->graph, &trapezoid, suffix, 1 + s->trapezoid_sums + s->trapezoid.latency, slots_t);
   e->kind.orient2d[projection] = graph_kind_add(e->graph, &orient2d, suffix, 1, slots[projection]);
   e->kind.own_orient2d[projection] =
       graph_kind_add(e->graph, &own_orient2d, suffix, 1, slots[projection]);
@@ -199,14 +199,14 @@ static void make_prisms(exact_plan *p) {
     z[n] = make_zsum(p, triangle_of(n));
   }
   graph_value own = make_own_zsum(p);
-  e->kind.prism = graph_kind_add(e->graph, &prism, "", 1 + s->prism.ranks, NULL);
+  e->kind.prism = graph_kind_add(e->graph, &prism, "", 1 + s->prism.latency, NULL);
   int of_two = s->zdiff_shared
-                   ? graph_kind_add(e->graph, &prism_of_two, "", 1 + s->prism_of_two.ranks, NULL)
+                   ? graph_kind_add(e->graph, &prism_of_two, "", 1 + s->prism_of_two.latency, NULL)
                    : e->kind.prism;
   for (int n = 0; n < 18; n++) {
     make_prism(e, n < 9 ? e->kind.prism : of_two, triangle_of(n), z[n]);
   }
-  int kind = graph_kind_add(e->graph, &own_prism, "", 1 + s->own_prism.ranks, NULL);
+  int kind = graph_kind_add(e->graph, &own_prism, "", 1 + s->own_prism.latency, NULL);
   make_prism(e, kind, own_b, own);
 }
 

@@ -20,13 +20,13 @@ static void place_in_trapezoid(exact_stages *s, const sepax_format *f, double su
   int span = f[SEPAX_X_SPAN].width;
   arith_form form = {span, span, f[SEPAX_X_ORIENT2D].width, f[SEPAX_X_SPAN].digits, 1, 0};
   arith_plan_make(&s->trapezoid, &form, period);
-  int ranks = 1 + s->trapezoid.ranks;
+  int latency = 1 + s->trapezoid.latency;
   int registers = 2 * span + s->trapezoid.registers;
   form.used = sums + delay_sums_fan_out(span);
   arith_plan_make(&s->trapezoid, &form, period);
   s->trapezoid_sums = sums + delay_row(span) > period - delay_register() ||
-                      ranks < s->trapezoid.ranks ||
-                      (ranks == s->trapezoid.ranks && registers < s->trapezoid.registers);
+                      latency < s->trapezoid.latency ||
+                      (latency == s->trapezoid.latency && registers < s->trapezoid.registers);
   if (s->trapezoid_sums) {
     form.used = 0;
     arith_plan_make(&s->trapezoid, &form, period);

@@ -67,8 +67,8 @@ static void gen_trapezoid(emitter *e, const exact_plan *p, bool order) {
   exact_hole(&h, "multiplier", name);
   exact_hole_number(&h, "order", order);
   exact_hole_number(&h, "bias", bias);
-  exact_hole_number(&h, "latency", 1 + p->stages.trapezoid_sums + multiplier->ranks);
-  exact_hole_number(&h, "clocked", multiplier->ranks > 0);
+  exact_hole_number(&h, "latency", 1 + p->stages.trapezoid_sums + multiplier->latency);
+  exact_hole_number(&h, "clocked", multiplier->latency > 0);
   exact_template(e, "sepax_trapezoid", &h);
 }
 
@@ -81,9 +81,9 @@ static void gen_prism(emitter *e, const exact_plan *p, const char *name,
   exact_hole(&h, "name", name);
   exact_hole(&h, "multiplier", multiply);
   exact_hole_number(&h, "z_w", multiplier->b_w);
-  exact_hole_number(&h, "latency", 1 + multiplier->ranks);
+  exact_hole_number(&h, "latency", 1 + multiplier->latency);
   exact_hole_number(&h, "two", multiplier->less == 2);
-  exact_hole_number(&h, "clocked", multiplier->ranks > 0);
+  exact_hole_number(&h, "clocked", multiplier->latency > 0);
   exact_template(e, "sepax_prism", &h);
 }
 

@@ -1,6 +1,8 @@
-// sepax_mul_37x22.v
+// sepax_mul_37x22_biased.v
 //
-// Signed product: p = a * (b - 349525) modulo 2^56, floor(b / 4^10) in -2 ... 2.
+// Biased multiplier: p = a * (b - BIAS) modulo 2^56, BIAS = 349525,
+// for b with floor(b / 4^10) in -2 ... 2. Whoever wants a * b adds BIAS to b
+// beforehand, or has sums in which a * BIAS cancels.
 // Latency 0. Structure: 11 rows, selected by the radix-4 digits of b,
 // each but the highest less 1; 321 full and 48 half adders in columns, the earliest
 // bits first; one addition. Where SEPAX_BEHAVIOURAL is defined, a plain product of the
@@ -11,18 +13,18 @@
 
 `default_nettype none
 
-module sepax_mul_37x22 (
+module sepax_mul_37x22_biased (
   input  wire signed [36:0]       a, // first factor
-  input  wire signed [21:0]       b, // second factor
+  input  wire signed [21:0]       b, // second factor + BIAS
   output wire signed [55:0]       p  // product, 0 clocks later
 );
-
 
 `ifdef SEPAX_BEHAVIOURAL
   wire [55:0] above_a;
   wire [55:0] above_b;
   assign above_a = {{19{a[36]}}, a};
-  assign above_b = {{34{b[21]}}, b} - 56'd349525;
+  localparam [55:0] BIAS = 56'd349525; // the module multiplies by b - BIAS
+  assign above_b = {{34{b[21]}}, b} - BIAS;
   assign p = above_a * above_b;
 `else
   // Rows: digit k selects row k, worth 4^k; its sign bit counts negative.

@@ -1,6 +1,8 @@
-// sepax_mul_19x19.v
+// sepax_mul_19x19_biased.v
 //
-// Signed product: p = a * (b - 87381) modulo 2^37, floor(b / 4^9) in -2 ... 2.
+// Biased multiplier: p = a * (b - BIAS) modulo 2^37, BIAS = 87381,
+// for b with floor(b / 4^9) in -2 ... 2. Whoever wants a * b adds BIAS to b
+// beforehand, or has sums in which a * BIAS cancels.
 // Latency 0. Structure: 10 rows, selected by the radix-4 digits of b,
 // each but the highest less 1; 142 full and 28 half adders in columns, the earliest
 // bits first; one addition. Where SEPAX_BEHAVIOURAL is defined, a plain product of the
@@ -11,18 +13,18 @@
 
 `default_nettype none
 
-module sepax_mul_19x19 (
+module sepax_mul_19x19_biased (
   input  wire signed [18:0]       a, // first factor
-  input  wire signed [18:0]       b, // second factor
+  input  wire signed [18:0]       b, // second factor + BIAS
   output wire signed [36:0]       p  // product, 0 clocks later
 );
-
 
 `ifdef SEPAX_BEHAVIOURAL
   wire [36:0] above_a;
   wire [36:0] above_b;
   assign above_a = {{18{a[18]}}, a};
-  assign above_b = {{18{b[18]}}, b} - 37'd87381;
+  localparam [36:0] BIAS = 37'd87381; // the module multiplies by b - BIAS
+  assign above_b = {{18{b[18]}}, b} - BIAS;
   assign p = above_a * above_b;
 `else
   // Rows: digit k selects row k, worth 4^k; its sign bit counts negative.

@@ -1,8 +1,10 @@
-// sepax_mul_37x21.v
+// sepax_mul_37x21_biased_2.v
 //
-// Signed product: p = a * (b - 87381) modulo 2^56, floor(b / 4^9) in -2 ... 2.
+// Biased multiplier: p = a * (b - BIAS) modulo 2^56, BIAS = 174762,
+// for b with floor(b / 4^9) in -2 ... 2. Whoever wants a * b adds BIAS to b
+// beforehand, or has sums in which a * BIAS cancels.
 // Latency 0. Structure: 10 rows, selected by the radix-4 digits of b,
-// each but the highest less 1; 286 full and 47 half adders in columns, the earliest
+// each but the highest less 2; 286 full and 47 half adders in columns, the earliest
 // bits first; one addition. Where SEPAX_BEHAVIOURAL is defined, a plain product of the
 // same latency.
 //
@@ -11,18 +13,18 @@
 
 `default_nettype none
 
-module sepax_mul_37x21 (
+module sepax_mul_37x21_biased_2 (
   input  wire signed [36:0]       a, // first factor
-  input  wire signed [20:0]       b, // second factor
+  input  wire signed [20:0]       b, // second factor + BIAS
   output wire signed [55:0]       p  // product, 0 clocks later
 );
-
 
 `ifdef SEPAX_BEHAVIOURAL
   wire [55:0] above_a;
   wire [55:0] above_b;
   assign above_a = {{19{a[36]}}, a};
-  assign above_b = {{35{b[20]}}, b} - 56'd87381;
+  localparam [55:0] BIAS = 56'd174762; // the module multiplies by b - BIAS
+  assign above_b = {{35{b[20]}}, b} - BIAS;
   assign p = above_a * above_b;
 `else
   // Rows: digit k selects row k, worth 4^k; its sign bit counts negative.
@@ -49,63 +51,63 @@ module sepax_mul_37x21 (
   wire [37:0] row_8;
   wire [37:0] plain_9;
   wire [37:0] row_9;
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_0 (
+  sepax_digit_2 #( .A_W(37), .ROW_W(38) ) digit_0 (
     .a(a),
     .b(b[1:0]),
     .row(plain_0),
     .negative(negative[0])
   );
   assign row_0 = {~plain_0[37], plain_0[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_1 (
+  sepax_digit_2 #( .A_W(37), .ROW_W(38) ) digit_1 (
     .a(a),
     .b(b[3:2]),
     .row(plain_1),
     .negative(negative[1])
   );
   assign row_1 = {~plain_1[37], plain_1[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_2 (
+  sepax_digit_2 #( .A_W(37), .ROW_W(38) ) digit_2 (
     .a(a),
     .b(b[5:4]),
     .row(plain_2),
     .negative(negative[2])
   );
   assign row_2 = {~plain_2[37], plain_2[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_3 (
+  sepax_digit_2 #( .A_W(37), .ROW_W(38) ) digit_3 (
     .a(a),
     .b(b[7:6]),
     .row(plain_3),
     .negative(negative[3])
   );
   assign row_3 = {~plain_3[37], plain_3[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_4 (
+  sepax_digit_2 #( .A_W(37), .ROW_W(38) ) digit_4 (
     .a(a),
     .b(b[9:8]),
     .row(plain_4),
     .negative(negative[4])
   );
   assign row_4 = {~plain_4[37], plain_4[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_5 (
+  sepax_digit_2 #( .A_W(37), .ROW_W(38) ) digit_5 (
     .a(a),
     .b(b[11:10]),
     .row(plain_5),
     .negative(negative[5])
   );
   assign row_5 = {~plain_5[37], plain_5[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_6 (
+  sepax_digit_2 #( .A_W(37), .ROW_W(38) ) digit_6 (
     .a(a),
     .b(b[13:12]),
     .row(plain_6),
     .negative(negative[6])
   );
   assign row_6 = {~plain_6[37], plain_6[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_7 (
+  sepax_digit_2 #( .A_W(37), .ROW_W(38) ) digit_7 (
     .a(a),
     .b(b[15:14]),
     .row(plain_7),
     .negative(negative[7])
   );
   assign row_7 = {~plain_7[37], plain_7[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_8 (
+  sepax_digit_2 #( .A_W(37), .ROW_W(38) ) digit_8 (
     .a(a),
     .b(b[17:16]),
     .row(plain_8),

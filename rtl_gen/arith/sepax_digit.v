@@ -1,0 +1,62 @@
+//@ if top
+// One row of a multiplier: with digit = b, two's complement, -2, -1, 0, 1 or 2,
+//@ else
+//@ if two_less
+// One row of a multiplier: with digit = b - 2, which is -2, -1, 0 or 1,
+//@ else
+// One row of a multiplier: with digit = b - 1, which is -1, 0, 1 or 2,
+//@ end
+//@ end
+//   digit * a = row + negative modulo 2^ROW_W.
+// Combinational.
+module @name@ #(
+  parameter A_W   = 8, // bits of a
+  parameter ROW_W = 9  // bits of the row kept, 1 ... A_W + 1
+) (
+  input  wire signed [A_W-1:0] a, // the factor that is selected
+//@ if top
+  input  wire [2:0]       b,       // the highest bits of the other factor
+//@ else
+  input  wire [1:0]       b,       // two bits of the other factor
+//@ end
+  output wire [ROW_W-1:0] row,     // the row, two's complement but for `negative`
+  output wire             negative // to be added at the row's lowest bit
+);
+
+  wire one;
+  wire two;
+  wire [A_W+1:0] twice; // 2 a
+
+  assign twice = {a[A_W-1], a, 1'b0};
+//@ if top
+  assign one = b[0];
+  assign two = b[1] && !b[0];
+  assign negative = b[2];
+  assign row = ((twice[ROW_W:1] ^ {ROW_W{negative}}) & {ROW_W{one}}) |
+               ((twice[ROW_W-1:0] ^ {ROW_W{negative}}) & {ROW_W{two}});
+//@ else
+//@ if two_less
+  assign one = b == 2'd3;
+  assign two = b == 2'd0;
+  assign negative = !b[1];
+  assign row = (twice[ROW_W:1] & {ROW_W{one}}) | (~twice[ROW_W-1:0] & {ROW_W{two}}) |
+               (~twice[ROW_W:1] & {ROW_W{negative && !two}});
+//@ else
+  assign one = b == 2'd2;
+  assign two = b == 2'd3;
+  assign negative = b == 2'd0;
+  assign row = (twice[ROW_W:1] & {ROW_W{one}}) | (twice[ROW_W-1:0] & {ROW_W{two}}) |
+               (~twice[ROW_W:1] & {ROW_W{negative}});
+//@ end
+//@ end
+
+  generate
+    if (ROW_W > A_W + 1) begin : check
+      @name@_row_is_wider_than_twice_a fault ();
+    end
+    if (A_W + 1 > ROW_W) begin : cut
+      wire [A_W-ROW_W:0] unused_bits = twice[A_W+1:ROW_W+1];
+    end
+  endgenerate
+
+endmodule
