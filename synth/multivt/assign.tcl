@@ -73,7 +73,8 @@ puts "slack all_slow [worst_slack]"
 proc late_paths {} {
   global is_slow
   set list {}
-  foreach end [find_timing_paths -path_delay max -group_count 4000 -unique_paths_to_endpoint -slack_max 0] {
+  foreach end [find_timing_paths -path_delay max -group_count 4000 -unique_paths_to_endpoint \
+                 -slack_max 0] {
     set slack [get_property $end slack]
     if {$slack >= 0} { continue }
     set cells {}
@@ -151,7 +152,8 @@ proc meet_period {} {
         if {[info exists now($name)]} {
           set short [expr {$short - $longer}]
         } else {
-          lappend order [list [expr {$longer * $on($name) / $gain_of($type_of($name))}] $name $longer]
+          set worth [expr {$longer * $on($name) / $gain_of($type_of($name))}]
+          lappend order [list $worth $name $longer]
         }
       }
       foreach item [lsort -real -decreasing -index 0 $order] {

@@ -86,13 +86,13 @@ static void print_report(const analysis *m) {
     cells[g->cell[c].instance]++;
   }
   double joule = (all.leakage + all.internal + all.switching) * m->want->period * 1e-9;
-  printf(
-      "{\"period_ns\": %g, \"lanes\": %d, \"cycles\": %llu, \"pairs\": %llu, \"judged\": %llu, "
-      "\"collisions\": %llu, \"coplanar\": %llu, \"wrong\": %llu, \"undecided_percent\": %.4g, \"cells\": %d,\n ",
-      m->want->period, GATES_LANES, (unsigned long long)g->cycles, (unsigned long long)m->taken,
-      (unsigned long long)m->judged, (unsigned long long)m->collisions,
-      (unsigned long long)m->coplanar, (unsigned long long)m->wrong,
-      m->pairs > 0 ? 100.0 * (double)m->undecided / (double)m->pairs : 0.0, g->cells);
+  printf("{\"period_ns\": %g, \"lanes\": %d, \"cycles\": %llu, \"pairs\": %llu, \"judged\": %llu, "
+         "\"collisions\": %llu, \"coplanar\": %llu, \"wrong\": %llu, "
+         "\"undecided_percent\": %.4g, \"cells\": %d,\n ",
+         m->want->period, GATES_LANES, (unsigned long long)g->cycles, (unsigned long long)m->taken,
+         (unsigned long long)m->judged, (unsigned long long)m->collisions,
+         (unsigned long long)m->coplanar, (unsigned long long)m->wrong,
+         m->pairs > 0 ? 100.0 * (double)m->undecided / (double)m->pairs : 0.0, g->cells);
   print_watts(all);
   printf(", \"cycle_pj\": %.6g, \"pair_pj\": ", joule * 1e12);
   if (m->taken > 0) {

@@ -1,7 +1,8 @@
 # synth/timing/sta.tcl - what OpenSTA is asked about a mapped netlist, in one corner.
 #
 # liberty (files), netlist, top, clock (its port), period (ns), common (synth/common.tcl) are set by
-# who sources it. Prints lines that begin with a word of its own, for synth/timing/sta; the last is "end".
+# who sources it. Prints lines that begin with a word of its own, for synth/timing/sta; the last is
+# "end".
 
 source $common
 read_design $liberty $netlist $top
