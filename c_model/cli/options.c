@@ -65,7 +65,7 @@ void cli_options_init(void) {
   config_options[used] = (struct argp_option){
       .name = "environment",
       .key = KEY_ENVIRONMENT,
-      .doc = "take options from variables, too: WORD for --word, EARLY_OUT for --early-out",
+      .doc = "take options from variables, too: WORD for --word, CLOCK_NS for --clock-ns",
       .group = 1};
 }
 

@@ -34,7 +34,7 @@ typedef struct {
 /* Row i, NULL after the last. */
 const design_option *design_option_at(size_t i);
 
-/* The variable of make: EARLY_OUT for early-out. */
+/* The variable of make: CLOCK_NS for clock-ns. */
 typedef struct {
   char text[32];
 } option_text;

@@ -31,7 +31,7 @@ static json_t *describe_ports(const emit_module *top) {
   return list;
 }
 
-/* Each option of the design: "early_out": "boxes". */
+/* Each option of the design: "clock_ns": 2. */
 static void describe_settings(json_t *all, const sepax_config *config) {
   sepax_setting setting;
   for (size_t i = 0; sepax_config_setting(config, i, &setting); i++) {
