@@ -257,19 +257,19 @@ static size_t families(void) {
 }
 
 /* Sizes that matter: one, about the lanes, the whole memory. */
-static size_t some_count(size_t room) {
+static size_t some_count(size_t capacity) {
   switch (range(0, 7)) {
   case 0:
     return 1;
   case 1:
   case 2: {
     int64_t n = SEPAX_LANES * range(1, 3) + range(-1, 1);
-    return n < 1 ? 1 : (size_t)n > room ? room : (size_t)n;
+    return n < 1 ? 1 : (size_t)n > capacity ? capacity : (size_t)n;
   }
   case 3:
-    return room < 600 ? room : 130;
+    return capacity < 600 ? capacity : 130;
   default:
-    return (size_t)range(1, room < 150 ? (int64_t)room : 150);
+    return (size_t)range(1, capacity < 150 ? (int64_t)capacity : 150);
   }
 }
 
