@@ -61,7 +61,7 @@ bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *con
   temporary_drop(ticket);
   errno = reason;
   if (!ok) {
-    sepax_fail(error, "%.300s: not written: %s; check the folder and its room", path,
+    sepax_fail(error, "%.300s: not written: %s; check the folder and its free space", path,
                strerror(errno));
   }
   free(aside);

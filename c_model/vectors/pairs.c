@@ -80,9 +80,9 @@ static bool parse_integer(int64_t *value, const char *text, size_t length) {
       return false;
     }
     int64_t digit = text[i] - '0';
-    bool room = negative ? *value >= (INT64_MIN + digit) / 10 : *value <= (INT64_MAX - digit) / 10;
+    bool fits = negative ? *value >= (INT64_MIN + digit) / 10 : *value <= (INT64_MAX - digit) / 10;
     int64_t limit = negative ? INT64_MIN : INT64_MAX;
-    *value = room ? *value * 10 + (negative ? -digit : digit) : limit;
+    *value = fits ? *value * 10 + (negative ? -digit : digit) : limit;
   }
   return length > start;
 }
@@ -184,7 +184,7 @@ static sepax_line parse_numbered(sepax_pair *pair, const char *line, size_t leng
   return kind == SEPAX_LINE_ERROR ? fail_at(error, name, number, inner.text) : kind;
 }
 
-/* The next line with its end, cut where the room ends; its length, 0 at the end. */
+/* The next line with its end, cut where the buffer ends; its length, 0 at the end. */
 static size_t read_line(char line[LINE_BYTES], FILE *in) {
   size_t length = 0;
   int c = 0;
