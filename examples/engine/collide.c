@@ -3,7 +3,7 @@
  *   make example LANES=16 MESH_A=a.stl MESH_B=b.stl
  * On a board, sepax_driver.c stays as it is; the four accesses of `bus` become registers and
  * DMA, and main ends where it says. */
-#include "cosim/engine_bus.h"
+#include "engine/bus.h"
 #include "sepax.h"
 #include "sepax_driver.h"
 #include "sepax_params.h"

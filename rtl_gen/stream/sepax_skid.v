@@ -28,4 +28,25 @@ module sepax_skid #(
       word_q <= in;
     end
   end
+
+`ifdef FORMAL
+  // What is offered and not taken stays, on both sides; what was taken comes out.
+  reg begun_q = 1'b0;
+  always @(posedge clk) begin
+    begun_q <= 1'b1;
+    assume (begun_q || rst);
+    if (begun_q && $past(begun_q && !rst && in_valid && !in_ready)) begin
+      assume (in_valid && $stable(in));
+    end
+    if (begun_q && $past(begun_q && !rst && out_valid && !out_ready)) begin
+      assert (out_valid && $stable(out));
+    end
+    if (begun_q && $past(begun_q && !rst && in_valid && in_ready && !out_ready)) begin
+      assert (!in_ready && (out == $past(in)));
+    end
+    if (begun_q && $past(begun_q && rst)) begin
+      assert (in_ready);
+    end
+  end
+`endif
 endmodule

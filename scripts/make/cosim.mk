@@ -50,8 +50,7 @@ OF_VIEW    = $(if $(filter behavioural,$(VIEW)),,-structural)
 COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
 COSIM_CPP  = $(abspath tb/cosim/cosim.cpp $(OPTIONS_OBJ) $(LIB))
-COSIM_DEPS = $(RTL) $(LIB) $(OPTIONS_OBJ) \
-             $(filter-out tb/cosim/engine%,$(wildcard tb/cosim/*.cpp tb/cosim/*.h))
+COSIM_DEPS = $(RTL) $(LIB) $(OPTIONS_OBJ) $(wildcard tb/cosim/*.cpp tb/cosim/*.h)
 
 # verilate TOP FLAGS FILES: Verilator 5.006 miscompiles trees of single bits (its issue 4059) but
 # for -fno-const-bit-op-tree.
@@ -88,18 +87,18 @@ wave: $(if $(PAIR),$(WAVE))
 # The engine: a C program on its verilated buses; the example: the driver on the same buses.
 ENGINE     = $(CORE)/engine
 ENGINE_OBJ = $(CORE)/obj-c
-ENGINE_C   = $(ENGINE_OBJ)/engine.o $(ENGINE_OBJ)/sepax_driver.o
+ENGINE_C   = $(addprefix $(ENGINE_OBJ)/,bench.o refusals.o sepax_driver.o)
 ENGINE_OPT ?= -O3
 
-vpath %.c tb/cosim examples/engine
-$(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/cosim/*.h examples/engine/*.h)
+vpath %.c tb/engine examples/engine
+$(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/engine/*.h examples/engine/*.h)
 	@mkdir -p $(@D)
 	@$(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/engine -I$(CORE)/rtl -c $< -o $@
 
-$(ENGINE): $(ENGINE_C) tb/cosim/engine_bus.cpp tb/cosim/engine_bus.h $(LIB) $(RTL)
+$(ENGINE): $(ENGINE_C) tb/engine/bus.cpp tb/engine/bus.h $(LIB) $(RTL)
 	@echo "  VERILATE $(DESIGN_NAME), the engine"
 	@$(call verilate,sepax_engine,-MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" -CFLAGS \
-	  "-I$(abspath tb) -I$(abspath c_model)",$(abspath tb/cosim/engine_bus.cpp $(ENGINE_C) $(LIB)))
+	  "-I$(abspath tb) -I$(abspath c_model)",$(abspath tb/engine/bus.cpp $(ENGINE_C) $(LIB)))
 
 ifeq ($(filter-out 0,$(LANES)),)
 engine example:
@@ -111,7 +110,7 @@ engine: $(ENGINE) $(if $(filter families,$(PAIRS)),,$(SAMPLES))
 
 example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
 	@$(CXX) -o $(CORE)/collide $(ENGINE_OBJ)/collide.o $(ENGINE_OBJ)/sepax_driver.o \
-	  $(CORE)/obj-engine/engine_bus.o $(CORE)/obj-engine/Vsepax_engine__ALL.a \
+	  $(CORE)/obj-engine/bus.o $(CORE)/obj-engine/Vsepax_engine__ALL.a \
 	  $(wildcard $(CORE)/obj-engine/verilated*.o) $(LIB) -lm -pthread
 	@$(CORE)/collide "$(MESH_A)" "$(MESH_B)" $(filter-out fit,$(RESOLUTION)) || [ $$? -eq 1 ]
 endif

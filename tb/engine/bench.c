@@ -1,22 +1,18 @@
-/* engine.c - holds the verilated sepax_engine against its golden model.
+/* bench.c - checks the verilated sepax_engine against its golden model.
  *   engine [--stress=SEED] [--resolution=LENGTH] [--wave=FILE] A.stl B.stl
  *   engine [--stress=SEED] [--rounds=N] [--beats=N] [--wave=FILE]
  * The first: the meshes, part by part if the memories are smaller. The second: N rounds of
  * seeded objects of all families and sizes, moves, first hits and stops, and more rounds until N
  * transfers were made; objects of which all AABBs overlap; then what is refused, and interrupts.
  * Exit status 1: something was wrong. */
-#include "engine_bus.h"
-#include "sepax_design.h"
+#include "bench.h"
 #include "sepax_vectors.h"
-#include "sepax_driver.h"
-#include "sepax_params.h"
-#include "sepax_registers.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+sepax_device device;
 static sepax_design design;
-static sepax_device device;
 static unsigned long long wrong;
 
 typedef struct {
@@ -32,7 +28,7 @@ static void complain(const char *what, unsigned long long got, unsigned long lon
   }
 }
 
-static void expect(const char *what, unsigned long long got, unsigned long long wanted) {
+void expect(const char *what, unsigned long long got, unsigned long long wanted) {
   if (got != wanted) {
     complain(what, got, wanted);
   }
@@ -73,7 +69,7 @@ static int32_t (*columns(const sepax_tri *tri, size_t count))[9] {
   return flat;
 }
 
-/* What the golden model says, and how far the machine is in it. */
+/* What the golden model says, and how far the engine is in it. */
 typedef struct {
   sepax_engine_run run;
   size_t seen;
@@ -167,7 +163,7 @@ static sepax_counts run_task(const task *t, bool paced) {
 
 typedef struct {
   sepax_pairs golden;
-  unsigned char *there; /* found by the machine */
+  unsigned char *there; /* found by the engine */
 } whole;
 
 static int by_numbers(const void *left, const void *right) {
@@ -189,7 +185,7 @@ static bool tick_off(void *context, const sepax_hit *hit) {
   return true;
 }
 
-/* Both meshes against sepax_colliding_pairs, which shares no walk with the engine. */
+/* Both meshes against sepax_colliding_pairs, which enumerates no pairs as the engine does. */
 static void run_meshes(const char *const path[2], double resolution, bool paced) {
   sepax_error error = {""};
   sepax_scene scene;
@@ -311,8 +307,8 @@ static void round_of(sepax_tri *a, sepax_tri *b, bool paced) {
   run_task(&t, paced);
 }
 
-/* Every box meets every other: triangles that all hold the middle of the space. */
-static void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, bool paced) {
+/* Every AABB overlaps every other: triangles that all hold the middle of the space. */
+void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, bool paced) {
   int32_t far = sepax_word_max(SEPAX_WORD);
 #ifdef SEPAX_EXTENT_A
   far = (SEPAX_EXTENT_A < SEPAX_EXTENT_B ? SEPAX_EXTENT_A : SEPAX_EXTENT_B) / 2;
@@ -332,171 +328,6 @@ static void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, 
   printf("all AABBs overlap: %zu x %zu triangles, %llu collisions in %llu cycles, %.4f a pair\n",
          count_a, count_b, (unsigned long long)counts.collisions, (unsigned long long)counts.cycles,
          (double)counts.cycles / (double)(count_a * count_b));
-}
-
-/* ------------------------------------------------------------- what is refused */
-
-static uint32_t value_of(uint32_t address) {
-  uint32_t value = 0;
-  expect("a register can be read", bus_read(NULL, address, &value), 1);
-  return value;
-}
-
-/* So many vertices of an object; coordinate `which` of the whole is `value`, the others are 1. */
-static void send_one(size_t beats, size_t which, int32_t value, bool to_b) {
-  for (size_t i = 0; i < beats; i++) {
-    int32_t vertex[3];
-    for (size_t k = 0; k < 3; k++) {
-      vertex[k] = 3 * i + k == which ? value : 1;
-    }
-    expect("a vertex is taken", bus_send(NULL, vertex, i == beats - 1, to_b), 1);
-  }
-}
-
-static void send_beats(size_t beats, bool to_b) { send_one(beats, 0, 1, to_b); }
-
-/* Settings: what they take, what they refuse, and that nobody changes another's. */
-static void settings(void) {
-  static const uint32_t move[3] = {SEPAX_MOVE_X, SEPAX_MOVE_Y, SEPAX_MOVE_Z};
-  static const uint32_t zero[] = {SEPAX_MODE,   SEPAX_ENABLE, SEPAX_PENDING,
-                                  SEPAX_MOVE_X, SEPAX_MOVE_Y, SEPAX_MOVE_Z};
-  for (size_t i = 0; i < sizeof zero / sizeof zero[0]; i++) {
-    expect("a setting after reset", value_of(zero[i]), 0);
-  }
-  expect("a bit that MODE has not", bus_write(NULL, SEPAX_MODE, 4), 0);
-  expect("a bit that ENABLE has not", bus_write(NULL, SEPAX_ENABLE, 8), 0);
-  expect("a command that is none", bus_write(NULL, SEPAX_COMMAND, 3), 0);
-  for (uint32_t i = 0; i < 3; i++) {
-    uint32_t far = UINT32_C(1) << (SEPAX_WORD < 31 ? SEPAX_WORD : 31);
-#if SEPAX_WORD < 31
-    expect("a move too far", bus_write(NULL, move[i], far), 0);
-    expect("a move too far back", bus_write(NULL, move[i], 0u - far - 1), 0);
-#endif
-    expect("the farthest move", bus_write(NULL, move[i], 0u - far + i), 1);
-  }
-  for (uint32_t i = 0; i < 3; i++) {
-    uint32_t far = UINT32_C(1) << (SEPAX_WORD < 31 ? SEPAX_WORD : 31);
-    expect("it reads back", value_of(move[i]), 0u - far + i);
-    expect("no move", bus_write(NULL, move[i], 0), 1);
-  }
-  expect("MODE", bus_write(NULL, SEPAX_MODE, 2), 1);
-  expect("MODE reads back", value_of(SEPAX_MODE), 2);
-  expect("STOP while idle", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_STOP), 1);
-  expect("nothing was stopped", value_of(SEPAX_STATUS), 0);
-}
-
-static void refusals(void) {
-  uint32_t value = 0;
-  bus_reset();
-  expect("nothing is loaded after reset", value_of(SEPAX_STATUS), 0);
-  expect("START without objects", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
-  for (uint32_t address = 0; address < 0x80; address++) {
-    bool known = address % 4 == 0 && address <= SEPAX_FIRST_B && address != SEPAX_COMMAND;
-    expect("which addresses can be read", bus_read(NULL, address, &value), known);
-  }
-  expect("a write to ID", bus_write(NULL, SEPAX_ID, 1), 0);
-  expect("a write of bytes", bus_write_part(SEPAX_ENABLE, 1, 7), 0);
-  settings();
-  send_beats(3, false);
-  expect("A is loaded", value_of(SEPAX_STATUS), SEPAX_STATUS_LOADED_A);
-  expect("COUNT_A", value_of(SEPAX_COUNT_A), 1);
-  send_beats(4, true);
-  expect("an object that ends within a triangle", value_of(SEPAX_STATUS),
-         SEPAX_STATUS_LOADED_A | SEPAX_STATUS_FRAME);
-#if SEPAX_WORD < 32
-  for (size_t which = 0; which < 9; which++) {
-    send_one(3, which,
-             which % 2 == 0 ? INT32_C(1) << (SEPAX_WORD - 1)
-                            : -(INT32_C(1) << (SEPAX_WORD - 1)) - 1,
-             true);
-    expect("a coordinate that does not fit", value_of(SEPAX_STATUS),
-           SEPAX_STATUS_LOADED_A | SEPAX_STATUS_WORD);
-    send_one(3, which, -(INT32_C(1) << (SEPAX_WORD - 1)), true);
-    expect("one that just fits", value_of(SEPAX_STATUS),
-           SEPAX_STATUS_LOADED_A | SEPAX_STATUS_LOADED_B);
-  }
-#endif
-  send_beats(3 * (size_t)SEPAX_MEMORY_A + 3, false);
-  expect("more than A's memory holds",
-         value_of(SEPAX_STATUS) & (SEPAX_STATUS_LOADED_A | SEPAX_STATUS_FULL), SEPAX_STATUS_FULL);
-  send_beats(3, false);
-  expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
-  send_beats(3 * (size_t)SEPAX_MEMORY_B + 3, true);
-  expect("an object has come", value_of(SEPAX_PENDING), SEPAX_PENDING_LOADED);
-  expect("more than the memory holds", value_of(SEPAX_STATUS),
-         SEPAX_STATUS_LOADED_A | SEPAX_STATUS_FULL);
-  expect("START without B", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
-  send_beats(3 * (size_t)SEPAX_MEMORY_B, true);
-  expect("a full memory", value_of(SEPAX_COUNT_B), SEPAX_MEMORY_B);
-  const int32_t vertex[3] = {1, 1, 1};
-  expect("a first vertex", bus_send(NULL, vertex, false, false), 1);
-  expect("an object is under way", value_of(SEPAX_STATUS),
-         SEPAX_STATUS_LOADED_B | SEPAX_STATUS_LOADING);
-  expect("START meanwhile", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
-  expect("a second vertex", bus_send(NULL, vertex, false, true), 1);
-  expect("the last", bus_send(NULL, vertex, true, true), 1);
-  expect("tdest of the first vertex counts", value_of(SEPAX_COUNT_A), 1);
-}
-
-/* Interrupts, quiet runs, STOP, and results that nobody takes. */
-static void controls(sepax_tri *a, sepax_tri *b) {
-  static const uint32_t move[3] = {SEPAX_MOVE_X, SEPAX_MOVE_Y, SEPAX_MOVE_Z};
-  expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
-  expect("no interrupt", bus_interrupt(), 0);
-  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_DONE), 1);
-  expect("MODE", bus_write(NULL, SEPAX_MODE, SEPAX_MODE_QUIET), 1);
-  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
-  bus_idle(20000 + 100 * (uint64_t)SEPAX_MEMORY_B * SEPAX_II);
-  expect("an interrupt", bus_interrupt(), 1);
-  expect("PENDING", value_of(SEPAX_PENDING), SEPAX_PENDING_DONE | SEPAX_PENDING_HIT);
-  expect("all pairs collide", value_of(SEPAX_COLLISIONS), SEPAX_MEMORY_B);
-  expect("STATUS says so", value_of(SEPAX_STATUS),
-         SEPAX_STATUS_LOADED_A | SEPAX_STATUS_LOADED_B | SEPAX_STATUS_HIT);
-  uint32_t cycles = value_of(SEPAX_CYCLES);
-  bus_idle(100);
-  expect("CYCLES stands after the run", value_of(SEPAX_CYCLES), cycles);
-  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_HIT), 1);
-  bus_idle(2);
-  expect("an interrupt by the hit", bus_interrupt(), 1);
-  expect("PENDING.HIT clears", bus_write(NULL, SEPAX_PENDING, SEPAX_PENDING_HIT), 1);
-  bus_idle(2);
-  expect("that interrupt is gone", bus_interrupt(), 0);
-  expect("PENDING", value_of(SEPAX_PENDING), SEPAX_PENDING_DONE);
-  expect("MODE", bus_write(NULL, SEPAX_MODE, SEPAX_MODE_QUIET | SEPAX_MODE_FIRST), 1);
-  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
-  bus_idle(20000 + 100 * (uint64_t)SEPAX_MEMORY_B * SEPAX_II);
-  expect("one collision", value_of(SEPAX_COLLISIONS), 1);
-  /* Its way, that of what was taken until then, and a latency for the phases of several cores. */
-  expect("the first ends the run soon",
-         value_of(SEPAX_CYCLES) < 20u + 3u * SEPAX_LATENCY + 3u * SEPAX_II, 1);
-  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_DONE), 1);
-  expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
-  bus_idle(2);
-  expect("the interrupt is gone", bus_interrupt(), 0);
-  expect("MODE", bus_write(NULL, SEPAX_MODE, 0), 1);
-  bus_block_results(true);
-  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
-  bus_idle(20000);
-  uint32_t busy = value_of(SEPAX_STATUS);
-  expect("a run waits for its results to be taken", busy & SEPAX_STATUS_BUSY, SEPAX_STATUS_BUSY);
-  expect("START while busy", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
-  expect("MODE while busy", bus_write(NULL, SEPAX_MODE, 1), 0);
-  for (int i = 0; i < 3; i++) {
-    expect("MOVE while busy", bus_write(NULL, move[i], 1), 0);
-  }
-  expect("STOP", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_STOP), 1);
-  bus_block_results(false);
-  uint64_t result = 0;
-  uint64_t results = 0;
-  for (bool last = false; !last && bus_receive(NULL, &result, &last);) {
-    results++;
-  }
-  expect("the end says that it was stopped", result >> 62, 3);
-  expect("and how many came", (uint32_t)result, results - 1);
-  expect("STATUS", value_of(SEPAX_STATUS) & (SEPAX_STATUS_BUSY | SEPAX_STATUS_STOPPED),
-         SEPAX_STATUS_STOPPED);
-  bus_reset();
-  overlap(a, b, 3, 5, false);
 }
 
 static bool number_after(const char *text, const char *name, unsigned long long *value) {

@@ -1,8 +1,8 @@
-// engine_bus.cpp - see engine_bus.h.
-#include "engine_bus.h"
+// bus.cpp - see bus.h.
+#include "bus.h"
 
 #include "Vsepax_engine.h"
-#include "verilated_top.h"
+#include "cosim/verilated_top.h"
 
 #include <cstdio>
 #include <cstdlib>
