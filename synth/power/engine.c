@@ -49,7 +49,7 @@ typedef struct {
   uint64_t ended; /* lanes whose run has */
   uint64_t limit; /* cycles that no run takes */
   bool count;
-  power_tally tally;
+  engine_tally tally;
 } engine;
 
 /* ------------------------------------------------------------------- memories */
@@ -349,8 +349,8 @@ static void check_counts(engine *e) {
   }
 }
 
-power_tally power_engine(gates *g, const sepax_design *design, const sepax_scene *scene,
-                         power_part part, int cycles) {
+engine_tally engine_run(gates *g, const sepax_design *design, const sepax_scene *scene,
+                        engine_part part, int cycles) {
   enum { RESET = 2, SETTLING = 4 };
   static engine it;
   engine *e = &it;

@@ -54,8 +54,8 @@ static void run_engine(analysis *m) {
     power_fail("an object engine wants two meshes; give -r RESOLUTION A.stl B.stl");
   }
   sepax_scene scene = power_meshes(m);
-  power_part part = m->want->idle ? POWER_IDLE : m->want->loading ? POWER_LOADING : POWER_RUN;
-  power_tally tally = power_engine(&m->g, &m->design, &scene, part, m->want->cycles);
+  engine_part part = m->want->idle ? POWER_IDLE : m->want->loading ? POWER_LOADING : POWER_RUN;
+  engine_tally tally = engine_run(&m->g, &m->design, &scene, part, m->want->cycles);
   sepax_scene_free(&scene);
   m->wrong = tally.wrong;
   if (part == POWER_RUN) {
