@@ -140,15 +140,16 @@ check_name *reader_find(reader *r, const char *name) {
 
 /* Words of Verilog and SystemVerilog that a module's author might take for a name. */
 static const char reserved[] =
-    " alias and assign assume automatic before bind bins bit break buf byte cell checker class config"
-    " const context continue cover cross deassign default design disable dist do edge end enum event"
-    " expect export extends extern final first_match for force fork generate global import include"
-    " initial inside int interface join let library local logic longint matches modport nand new"
-    " nor not null or package packed primitive priority program property protected pull0 pull1 pure"
-    " rand real ref release repeat restrict return sequence shortint small solve specify static"
-    " string strong struct super table tagged task this throughout time tran tri type typedef union"
-    " unique untyped use uwire var vectored virtual void wait weak while wildcard with within wor"
-    " xnor xor ";
+    " alias and assign assume automatic before bind bins bit break buf byte cell checker"
+    " class config const context continue cover cross deassign default design disable"
+    " dist do edge end enum event expect export extends extern final first_match for"
+    " force fork generate global import include initial inside int interface join let"
+    " library local logic longint matches modport nand new nor not null or package packed"
+    " primitive priority program property protected pull0 pull1 pure rand real ref"
+    " release repeat restrict return sequence shortint small solve specify static string"
+    " strong struct super table tagged task this throughout time tran tri type typedef"
+    " union unique untyped use uwire var vectored virtual void wait weak while wildcard"
+    " with within wor xnor xor ";
 
 static bool is_reserved(const char *name) {
   char word[EMIT_NAME + 2];
