@@ -57,10 +57,32 @@ module sepax_fifo #(
   end
 
 `ifdef FORMAL
+  // Who pushes has seen `free` at most MARGIN words before; nobody pops what is not there.
+  reg             begun_q = 1'b0;
+  reg [ADDRESS:0] late_q;   // words pushed since `free` was seen last
+  reg             stored_q; // a word is watched: it stands at entry_q until it is popped
+  reg [ADDRESS-1:0] entry_q;
+  reg [WIDTH-1:0] watched_q;
   always @(posedge clk) begin
-    if (!clear) begin
+    begun_q <= 1'b1;
+    assume (begun_q || clear);
+    assume (!push || free || (late_q != MARGIN[ADDRESS:0] - ONE));
+    assume (!pop || valid);
+    late_q <= (clear || free) ? {(ADDRESS+1){1'b0}} : late_q + {{ADDRESS{1'b0}}, push};
+    stored_q <= !clear && ((stored_q && !(pop && (head_q == entry_q))) || (push && !stored_q));
+    if (push && !stored_q) begin
+      entry_q <= tail_q;
+      watched_q <= in;
+    end
+    if (begun_q && !clear) begin
       assert (!(push && !pop && count_q[ADDRESS]));
-      assert (!(pop && !valid));
+      assert (!(count_q[ADDRESS] && (|count_q[ADDRESS-1:0])));
+      if (stored_q && (head_q == entry_q)) begin
+        assert (valid && (out == watched_q));
+      end
+      if (begun_q && $past(begun_q && valid && !pop && !clear)) begin
+        assert (valid && (out == $past(out)));
+      end
     end
   end
 `endif

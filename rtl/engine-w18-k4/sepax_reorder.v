@@ -80,6 +80,31 @@ module sepax_reorder #(
       end
     end
   end
+
+`ifdef FORMAL
+  // A verdict comes once, to an entry that was taken and has none; it stays until it may leave.
+  reg               begun_q = 1'b0;
+  reg [ENTRIES-1:0] open_q; // entries whose verdict is outstanding
+  always @(posedge clk) begin
+    begun_q <= 1'b1;
+    assume (begun_q || rst);
+    assume (!take || free);
+    assume (!write || open_q[tag]);
+    for (k = 0; k < ENTRIES; k = k + 1) begin
+      open_q[k] <= !rst && ((take && (tail == k[TAG-1:0])) ||
+                            (open_q[k] && !(write && (tag == k[TAG-1:0]))));
+    end
+    if (begun_q && !rst) begin
+      assert (!(|(open_q & done_q)));
+      assert (!(leave && !(|count_q)));
+      assert (!(take && open_q[tail]) && !(take && done_q[tail]));
+      assert (!(count_q[TAG] && (|count_q[TAG-1:0])));
+    end
+    if (begun_q && $past(begun_q && !rst && valid && !ready)) begin
+      assert (valid && $stable(oldest));
+    end
+  end
+`endif
 endmodule
 
 `default_nettype wire

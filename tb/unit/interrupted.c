@@ -27,6 +27,10 @@ static int end_of(int number, bool program) {
   assert_true(child >= 0);
   if (child == 0) {
     sepax_error error = {""};
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    for (int i = 0; i < 3; i++) { /* a process in the background begins with some ignored */
+      signal(signals[i], SIG_DFL);
+    }
     if (program) {
       temporary_remove_on_signals();
     }
