@@ -1,7 +1,6 @@
 /* emit.c - building and printing modules; check.c judges them. */
 #include "emit.h"
 #include "check.h"
-#include "gen.h"
 
 #include <stdarg.h>
 #include <stdlib.h>

@@ -57,6 +57,12 @@ void emit_view(emit_module *m, emit_views view);
 void emit_instance(emit_module *m, const char *module, const char *name, const char *parameters,
                    const char *connections, ...) __attribute__((format(printf, 5, 6)));
 
+/* printf into a text by value. */
+typedef struct {
+  char text[1024];
+} gen_line;
+gen_line gen_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 /* Print one checked module. */
 void emit_print(const emit_module *m, FILE *out);
 

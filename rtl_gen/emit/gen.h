@@ -13,15 +13,9 @@ bool gen_conference(emitter *e);
 
 /* Write the design's files into a folder: one .v a module, sepax.f (the list of
  * them, top last), and, if the emitter has a design, sepax_params.h and sepax.json
- * (configuration, formats, latency, ports) for benches. Each file is written aside and renamed; the
- * folder is made if missing, and removed again if the run fails. Files of a design that was there
- * before go: those named sepax_... that begin with a generated file's banner. */
+ * (configuration, formats, latency, ports) for test benches. Each file is written aside and
+ * renamed; the folder is made if missing, and removed again if the run fails. Files of a design
+ * that was there before go: those named sepax_... that begin with a generated file's banner. */
 bool gen_write(const emitter *e, const char *folder, sepax_error *error);
-
-/* printf into a text by value. */
-typedef struct {
-  char text[1024];
-} gen_line;
-gen_line gen_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 #endif

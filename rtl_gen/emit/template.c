@@ -234,8 +234,8 @@ static void check_columns(const emit_module *m, const char *text) {
 static void take_apart(emit_module *m, const char *text) {
   reader r;
   reader_open(&r, m, text, strlen(text));
+  const char *begin = text + strspn(text, "\n"); /* with attributes of the module */
   reader_skip(&r);
-  const char *begin = r.at;
   reader_expect(&r, "module");
   reader_take_name(&r, m->name);
   if (reader_take(&r, "#(")) {

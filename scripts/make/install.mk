@@ -13,7 +13,8 @@ install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
 	  'Name: sepax' 'Description: exact triangle/triangle collision detection' 'Version: $(VERSION)' \
 	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -lsepax' \
 	  'Libs.private: -lm -pthread' > $(BUILD)/sepax.pc
-	@for page in $(notdir $(MAN)); do sed 's/@VERSION@/$(VERSION)/' docs/$$page > $(BUILD)/$$page; done
+	@for page in $(notdir $(MAN)); do \
+	  sed 's/@VERSION@/$(VERSION)/' docs/man/$$page > $(BUILD)/$$page; done
 	@install -d $(addprefix $(ROOT)/,bin include lib/pkgconfig $(dir $(MAN)))
 	@install -m 755 $(SEPAX) $(ROOT)/bin
 	@install -m 644 $(HEADERS) $(ROOT)/include

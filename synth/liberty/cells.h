@@ -42,13 +42,14 @@ typedef struct {
 typedef struct {
   int pin, related;
   uint64_t when;       /* row r of the inputs and the state: bit r */
-  lib_table energy[2]; /* rise, fall of `pin` */
+  lib_table energy[2]; /* rising, falling `pin` */
 } lib_power;
 
 /* Slope of output `to` after a transition of `from`. */
 typedef struct {
   int to, from;
-  bool on_rise, on_fall; /* unateness: `to` goes as `from`, against it; of a clock its rise only */
+  bool on_rise,
+      on_fall; /* unateness: `to` goes as `from`, against it; of a clock its rising edge only */
   bool clocked;
   lib_table slope[2];
 } lib_arc;
@@ -72,27 +73,5 @@ typedef struct {
   double farad, joule;     /* the file's units of capacitance and energy */
   double wire[LIB_FANOUT]; /* F of a net with so many loads by the default wire load model */
 } library;
-
-/* Read a plain Liberty file; exits with status 2 and a message where it cannot be read. */
-void library_read(library *lib, const char *path);
-
-/* The cell of this name, or NULL. */
-const lib_cell *library_cell(const library *lib, const char *name);
-
-/* Index of a pin, or -1. */
-int lib_pin_index(const lib_cell *cell, const char *name);
-
-/* The function on 64 lanes of pin values; `state` is that of a register. */
-uint64_t lib_evaluate(const lib_function *f, const uint64_t pin[], uint64_t state);
-
-/* How likely each row of a cell is: bit k of its number is input k (counted without outputs), the
- * last one the state of a register. Inputs are 1 with probability one[pin], independent of each
- * other; the state with one_state. A register whose next state is a pin differs from it with
- * `differ`: it moves as often. Returns the number of rows. */
-int lib_rows(const lib_cell *cell, const double one[], double one_state, double differ,
-             double row[64]);
-
-/* The table at a slope (ns) and a load (the file's unit): linear between and beyond its points. */
-double lib_look_up(const lib_table *t, double slope, double load);
 
 #endif

@@ -14,6 +14,15 @@ typedef struct {
   lib_function *f;
 } parser;
 
+int lib_pin_index(const lib_cell *cell, const char *name) {
+  for (int k = 0; k < cell->pins; k++) {
+    if (strcmp(cell->pin[k].name, name) == 0) {
+      return k;
+    }
+  }
+  return -1;
+}
+
 static void emit(parser *s, int op) {
   if (s->f->count == LIB_OPS) {
     text_fail("too long a function in", s->cell->name);

@@ -22,7 +22,7 @@ typedef struct {
   double *act, *one;       /* of each net: transitions a cycle, share of ones */
   double *load;            /* of each net, F */
   int *loads;              /* pins that read it */
-  double (*slope)[2];      /* of each net: rise, fall, ns */
+  double (*slope)[2];      /* of each net: rising, falling, ns */
   size_t pairs, undecided; /* of all given, those beyond the extents */
   uint64_t taken, judged, wrong, collisions, coplanar; /* while it counts, but wrong: always */
 } analysis;

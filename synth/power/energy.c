@@ -79,7 +79,7 @@ void power_prepare(analysis *m) {
   find_slopes(m);
 }
 
-/* Energy (J) of a transition by these tables, rise and fall in equal parts. */
+/* Energy (J) of a transition by these tables, rising and falling in equal parts. */
 static double energy_of(const analysis *m, const gates_cell *cell, const lib_power *power) {
   int from = cell->net[power->related >= 0 ? power->related : power->pin];
   int out = cell->net[power->pin];

@@ -177,7 +177,7 @@ static void take_result(engine *e, unsigned l) {
 }
 
 /* The rest of a cycle whose inputs have settled. */
-static void rise(engine *e) {
+static void clock_edge(engine *e) {
   for (uint64_t left = e->g->value[e->out_valid]; left != 0; left &= left - 1) {
     take_result(e, (unsigned)__builtin_ctzll(left));
   }
@@ -189,7 +189,7 @@ static void rise(engine *e) {
 
 static void tick(engine *e) {
   gates_settle(e->g);
-  rise(e);
+  clock_edge(e);
 }
 
 static void write_register(engine *e, uint64_t address_of, uint32_t data) {
@@ -208,7 +208,7 @@ static void write_register(engine *e, uint64_t address_of, uint32_t data) {
     uint64_t now = answer & value[e->bvalid];
     blame(e, now & (value[e->bresp[0]] | value[e->bresp[1]]));
     answer &= ~now;
-    rise(e);
+    clock_edge(e);
   }
   blame(e, answer);
   value[e->awvalid] = value[e->wvalid] = 0;
@@ -230,7 +230,7 @@ static void read_register(engine *e, uint64_t address_of, uint32_t data[LANES]) 
       data[l] = (uint32_t)gates_get(e->g, e->rdata, 32, l);
     }
     answer &= ~now;
-    rise(e);
+    clock_edge(e);
   }
   blame(e, answer);
   value[e->arvalid] = 0;
@@ -261,7 +261,7 @@ static void load(engine *e, int object) {
       value[e->in_valid] = left;
       gates_settle(e->g);
       left &= ~value[e->in_ready];
-      rise(e);
+      clock_edge(e);
     }
     blame(e, left);
   }

@@ -2,7 +2,7 @@
 #ifndef SEPAX_GATES_H
 #define SEPAX_GATES_H
 
-#include "liberty/cells.h"
+#include "liberty/library.h"
 
 enum { GATES_LANES = 64 };
 

@@ -22,7 +22,7 @@
  *
  * A transition of a net takes C V^2 / 2 of its pins and of the library's default wire load. The
  * energy inside a cell is that of the library's tables at the input's slope and the output's load,
- * rise and fall in equal parts; an input's by the probability of each `when`, an output's from
+ * rising and falling in equal parts; an input's by the probability of each `when`, an output's from
  * the tables of all its inputs, weighted by how often they move. Without delays there are no
  * glitches. The clock has no slope and two transitions a cycle; what drives it and the inputs is
  * not counted. */

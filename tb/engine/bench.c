@@ -280,8 +280,12 @@ static void some_object(sepax_tri *tri, size_t count, bool of_b) {
 }
 
 static void round_of(sepax_tri *a, sepax_tri *b, bool paced) {
-  task t = {
-      a, b, some_count(device.capacity[0]), some_count(device.capacity[1]), {0, 0, 0}, range(0, 3) == 0};
+  task t = {a,
+            b,
+            some_count(device.capacity[0]),
+            some_count(device.capacity[1]),
+            {0, 0, 0},
+            range(0, 3) == 0};
   some_object(a, t.count_a, false);
   some_object(b, t.count_b, true);
   int64_t most = INT64_C(1) << SEPAX_WORD;

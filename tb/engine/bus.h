@@ -1,6 +1,6 @@
 /* bus.h - the verilated sepax_engine on its buses, for programs in C: the four accesses
  * of examples/engine/sepax_driver.h, and what a test wants besides. All master and slave
- * sides obey AXI; what the engine owes the bus (valid and data stand until ready) is watched
+ * sides obey AXI; what AXI asks of the engine (valid and data stand until ready) is watched
  * in every cycle. */
 #ifndef SEPAX_ENGINE_BUS_H
 #define SEPAX_ENGINE_BUS_H
@@ -13,7 +13,7 @@ extern "C" {
 #endif
 
 /* Build the design and reset it. stress 0: no gaps; else a seed: every valid and ready of the
- * bench comes at random. wave: a file for the waveform of a build with traces, or NULL. */
+ * test bench comes at random. wave: a file for the waveform of a build with traces, or NULL. */
 void bus_open(uint64_t stress, const char *wave);
 void bus_close(void);
 void bus_reset(void);

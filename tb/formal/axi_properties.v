@@ -1,4 +1,4 @@
-// axi_properties.v - what the engine owes AXI on the channels that it drives, for
+// axi_properties.v - what AXI asks of the engine on the channels that it drives, for
 // yosys-smtbmc: every input is free in every cycle, also in reset, from any state.
 `default_nettype none
 
@@ -71,20 +71,25 @@ module registers_properties #(
   wire [3*MOVE-1:0] move;
   sepax_registers dut (
       .clk(clk), .rst(rst), .awvalid(awvalid), .awready(awready), .awaddr(awaddr), .wvalid(wvalid),
-      .wready(wready), .wdata(wdata), .wstrb(wstrb), .bvalid(bvalid), .bready(bready), .bresp(bresp),
-      .arvalid(arvalid), .arready(arready), .araddr(araddr), .rvalid(rvalid), .rready(rready),
-      .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop), .first(first),
-      .quiet(quiet), .move(move), .status(status),
-      .done(done), .hit(hit), .loaded(loaded), .count_a(number), .count_b(number), .pairs(number),
-      .candidates(number), .collisions(number), .out_of_range(number), .warnings(number), .cycles(number),
-      .first_a(number), .first_b(number));
+      .wready(wready), .wdata(wdata), .wstrb(wstrb), .bvalid(bvalid), .bready(bready),
+      .bresp(bresp), .arvalid(arvalid), .arready(arready), .araddr(araddr), .rvalid(rvalid),
+      .rready(rready), .rdata(rdata), .rresp(rresp), .irq(irq), .start(start),
+      .starting(starting), .stop(stop), .first(first), .quiet(quiet), .move(move),
+      .status(status), .done(done), .hit(hit), .loaded(loaded), .count_a(number),
+      .count_b(number), .pairs(number), .candidates(number), .collisions(number),
+      .out_of_range(number), .warnings(number), .cycles(number), .first_a(number),
+      .first_b(number));
 `ifdef STANDS
   stands #(.WIDTH(2)) b (.clk(clk), .rst(rst), .valid(bvalid), .ready(bready), .data(bresp));
-  stands #(.WIDTH(34)) r (.clk(clk), .rst(rst), .valid(rvalid), .ready(rready), .data({rresp, rdata}));
+  stands #(.WIDTH(34)) r (
+      .clk(clk), .rst(rst), .valid(rvalid), .ready(rready), .data({rresp, rdata}));
 `else
-  answers writes (.clk(clk), .rst(rst), .request(awvalid && awready), .valid(bvalid), .ready(bready));
-  answers data (.clk(clk), .rst(rst), .request(wvalid && wready), .valid(bvalid), .ready(bready));
-  answers reads (.clk(clk), .rst(rst), .request(arvalid && arready), .valid(rvalid), .ready(rready));
+  answers writes (
+      .clk(clk), .rst(rst), .request(awvalid && awready), .valid(bvalid), .ready(bready));
+  answers data (
+      .clk(clk), .rst(rst), .request(wvalid && wready), .valid(bvalid), .ready(bready));
+  answers reads (
+      .clk(clk), .rst(rst), .request(arvalid && arready), .valid(rvalid), .ready(rready));
   // A run begins only by a write, and not while one goes on or objects are missing.
   reg begun = 1'b0;
   always @(posedge clk) begin
@@ -124,10 +129,11 @@ module results_properties #(
       .collision(collision), .coplanar(coplanar), .outside(outside), .a(a), .b(b),
       .tvalid(tvalid), .tready(tready), .tdata(tdata), .tlast(tlast), .halt(halt), .done(done),
       .hit(hit), .busy(busy), .stopped(stopped), .any(any), .pairs(pairs),
-      .candidates(candidates), .collisions(collisions), .out_of_range(out_of_range), .warnings(warnings),
-      .cycles(cycles), .first_a(first_a), .first_b(first_b));
+      .candidates(candidates), .collisions(collisions), .out_of_range(out_of_range),
+      .warnings(warnings), .cycles(cycles), .first_a(first_a), .first_b(first_b));
 `ifdef STANDS
-  stands #(.WIDTH(65)) m (.clk(clk), .rst(rst), .valid(tvalid), .ready(tready), .data({tlast, tdata}));
+  stands #(.WIDTH(65)) m (
+      .clk(clk), .rst(rst), .valid(tvalid), .ready(tready), .data({tlast, tdata}));
 `else
   // With verdicts only in a run and none once it is drained: the last transfer counts those
   // before it, and it alone has bit 63.
@@ -217,9 +223,9 @@ module start_properties (
       .arvalid(1'b0), .arready(arready), .araddr(7'd0), .rvalid(rvalid), .rready(1'b0),
       .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop),
       .first(first), .quiet(quiet), .move(move),
-      .status(status), .done(1'b0), .hit(1'b0), .loaded(ended), .count_a(32'd0), .count_b(32'd0), .pairs(32'd0),
-      .candidates(32'd0), .collisions(32'd0), .out_of_range(32'd0), .warnings(32'd0),
-      .cycles(32'd0), .first_a(32'd0), .first_b(32'd0));
+      .status(status), .done(1'b0), .hit(1'b0), .loaded(ended), .count_a(32'd0),
+      .count_b(32'd0), .pairs(32'd0), .candidates(32'd0), .collisions(32'd0),
+      .out_of_range(32'd0), .warnings(32'd0), .cycles(32'd0), .first_a(32'd0), .first_b(32'd0));
   sepax_load load (
       .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(tvalid), .tready(tready),
       .tdata(tdata), .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b),

@@ -1,21 +1,10 @@
-/* cells.c - see cells.h. */
-#include "cells.h"
-#include "function.h"
-#include "table.h"
+/* library.c - see library.h. */
+#include "library.h"
 #include "text.h"
 #include "tree.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-int lib_pin_index(const lib_cell *cell, const char *name) {
-  for (int k = 0; k < cell->pins; k++) {
-    if (strcmp(cell->pin[k].name, name) == 0) {
-      return k;
-    }
-  }
-  return -1;
-}
 
 static bool is_pin(const node *n) {
   const char *direction = strcmp(n->name, "pin") == 0 ? tree_value(n, "direction") : NULL;
