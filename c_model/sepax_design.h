@@ -58,7 +58,8 @@ typedef struct {
                              for pairs that the test decides; with extents there is one anyway */
   bool registered_ready;  /* exact: a skid buffer before the core; in_ready is a register */
   int clearance, warning; /* exact: LSB; -1 and 0: none. The verdict is free only if the real
-                             triangles are farther apart than `clearance` (docs/clearance.md) */
+                             triangles are farther from each other than `clearance`
+                             (docs/clearance.md) */
   int lanes;              /* exact: comparator lanes of an object engine, 1 ... 64; 0: none */
   int cores;              /* of the engine, 1 ... 8 */
   int memory_a, memory_b; /* triangles of A, of B that it holds: 2^7 ... 2^15 */
@@ -171,12 +172,12 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config, sepax_e
 sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
 
 /* The verdict with the clearances of `design` (arch exact, limits > 0): band COLLISION within the
- * clearance, WARNING between the clearance and the warning limit, FREE farther apart. It is
+ * clearance, WARNING between the clearance and the warning limit, FREE beyond both. It is
  * conservative: if the real triangles, each coordinate of which is within 1/2 LSB of the one given,
- * are no farther apart than a limit (Euclidean distance), the band never says that they are. axis
- * is the first in the order 13, 10, 11, 1 ... 9, 12 that proves the band, SEPAX_AXIS_NONE in band
- * COLLISION. coplanar is that of sepax_exact. docs/clearance.md has the proof and the rate of false
- * alarms. Coordinates of W bits; about 1 us. */
+ * are within a limit of each other (Euclidean distance), the band never says that they are not.
+ * axis is the first in the order 13, 10, 11, 1 ... 9, 12 that proves the band, SEPAX_AXIS_NONE in
+ * band COLLISION. coplanar is that of sepax_exact. docs/clearance.md has the proof and the rate of
+ * false alarms. Coordinates of W bits; about 1 us. */
 sepax_verdict sepax_clearance(const sepax_design *design, const sepax_tri *a, const sepax_tri *b);
 
 /* Algorithm 1 on the formats of `design` (arch paper). mul_project is 36 when a

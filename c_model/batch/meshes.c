@@ -176,7 +176,7 @@ static bool record(worker *w, size_t i, size_t j) {
   return !ends;
 }
 
-/* With clearances AABBs may be as far apart as the margin. */
+/* With clearances AABBs may be as far from each other as the margin. */
 static bool within_reach(const search *s, const aabb *a, const aabb *b) {
   return !aabb_disjoint(a, b, s->design != NULL ? s->design->margin[1] : 0);
 }

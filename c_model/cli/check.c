@@ -36,11 +36,11 @@ static const struct argp_option options[] = {
      "the meshes are closed: a part wholly inside the other mesh is a collision, too", 0},
     {"first", KEY_FIRST, NULL, 0, "stop at the first pair that collides", 0},
     {"clearance", KEY_CLEARANCE, "LENGTH", 0,
-     "in file units: pairs collide unless they are provably farther apart than this, before they "
-     "were rounded to LSB",
+     "in file units: pairs collide unless they are provably farther from each other than this, "
+     "before they were rounded to LSB",
      0},
     {"warning", KEY_WARNING, "LENGTH", 0,
-     "in file units: warn of pairs unless they are provably farther apart than this", 0},
+     "in file units: warn of pairs unless they are provably farther from each other than this", 0},
     {"pairs", KEY_PAIRS, "FILE", 0, "write the colliding pairs as CSV, not to standard output", 0},
     {"ply", KEY_PLY, "FILE", 0, "write both meshes as PLY, colliding triangles in colour", 0},
     {"threads", KEY_THREADS, "N", 0, "threads of --arch=exact (one for each processor)", 0},

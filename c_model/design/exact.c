@@ -68,7 +68,7 @@ static bool check(const sepax_config *config, sepax_error *error) {
   return check_memory('a', config->memory_a, error) && check_memory('b', config->memory_b, error);
 }
 
-/* Enter a format; every bit that tells results apart is kept. */
+/* Enter a format; every bit that distinguishes results is kept. */
 static void enter(sepax_design *design, int id, const char *name, interval terms, interval result) {
   design->exact_format[id] = (sepax_format){name, bits_of(terms), bits_of(result), 0, 0};
   design->formats = id + 1;

@@ -36,10 +36,10 @@ static inline int bits_of(interval p) {
   return bits;
 }
 
-/* The bits of a coordinate behind the AABB test. AABBs overlap, or are no farther apart than the
- * margin; they are seen from the lowest corner of the object with the larger extent. Coordinates of
- * this object reach up to its extent, those of the other from minus its extent to the sum of both,
- * and the margin more on either side. */
+/* The bits of a coordinate behind the AABB test. AABBs overlap, or their distance is the
+ * margin at most; they are seen from the lowest corner of the object with the larger extent.
+ * Coordinates of this object reach up to its extent, those of the other from minus its extent to
+ * the sum of both, and the margin more on either side. */
 static inline int bits_behind_aabb_test(int64_t extent_a, int64_t extent_b, int64_t margin) {
   int64_t lesser = extent_a < extent_b ? extent_a : extent_b;
   int64_t range = extent_a + extent_b + lesser + 2 * margin;

@@ -63,8 +63,8 @@ static const design_option table[] = {
      "a skid buffer before the core: in_ready is a register, which no input reaches (off)"},
     {"clearance", 0, OPTION_NUMBER, FIELD(clearance), -1, 0, INT32_MAX, NULL,
      EXACT, 0, false, NULL, "-c%s", "LSB",
-     "call a pair free only if the real triangles are farther apart than this, whatever the "
-     "rounding to LSB did to them (none)"},
+     "call a pair free only if the real triangles are farther from each other than this, whatever "
+     "the rounding to LSB did to them (none)"},
     {"warning", 0, OPTION_NUMBER, FIELD(warning), 0, 1, INT32_MAX, NULL,
      EXACT, 0, false, "clearance", "-d%s", "LSB",
      "a second, larger clearance: a band between free and collision (none)"},

@@ -96,7 +96,7 @@ static double longest_side(const sepax_facet *f, sepax_rotation rotation) {
   return side;
 }
 
-/* Two coordinates that are s apart round to grid points up to floor(s) + 1 apart. */
+/* Two coordinates at a distance of s round to grid points at a distance of floor(s) + 1 at most. */
 static int64_t extent_moved(const sepax_mesh *mesh, sepax_rotation rotation, double reach,
                             double resolution) {
   double side = 0;

@@ -1,7 +1,7 @@
-/* clearance.c - conservative clearance: is a pair provably farther apart than D LSB, although its
- * coordinates were rounded to LSB? docs/clearance.md has the proof.
+/* clearance.c - conservative clearance: is the distance of a pair provably above D LSB, although
+ * its coordinates were rounded to LSB? docs/clearance.md has the proof.
  *
- * The integer triangles have a gap on an axis c. The real triangles are farther apart than D if
+ * The integer triangles have a gap on an axis c. The real triangles have a distance above D if
  *   2 gap > (2 + D) |c|_1 + D |c|_inf
  * The axes are x, y, z, N_A, N_B, the nine e_i x f_j, and the cross products of each edge with x,
  * y, z; an axis of edges counts only where these edges are the near ends of their triangles.

@@ -185,6 +185,8 @@ static bool found_in_part(void *context, const sepax_hit *hit) {
   return p->found(p->context, &whole);
 }
 
+static size_t least(size_t a, size_t b) { return a < b ? a : b; }
+
 sepax_status sepax_device_collide(sepax_device *device, const int32_t (*a)[9], size_t count_a,
                                   const int32_t (*b)[9], size_t count_b, bool first,
                                   bool (*found)(void *context, const sepax_hit *hit), void *context,
@@ -195,10 +197,11 @@ sepax_status sepax_device_collide(sepax_device *device, const int32_t (*a)[9], s
   }
   part p = {{0, 0}, found, context};
   for (p.base[0] = 0; p.base[0] < count_a; p.base[0] += device->capacity[0]) {
-    size_t of_a = count_a - p.base[0] < device->capacity[0] ? count_a - p.base[0] : device->capacity[0];
+    size_t of_a = least(count_a - p.base[0], device->capacity[0]);
     sepax_status status = sepax_device_load(device, false, a + p.base[0], of_a);
-    for (p.base[1] = 0; p.base[1] < count_b && status == SEPAX_OK; p.base[1] += device->capacity[1]) {
-      size_t of_b = count_b - p.base[1] < device->capacity[1] ? count_b - p.base[1] : device->capacity[1];
+    for (p.base[1] = 0; p.base[1] < count_b && status == SEPAX_OK;
+         p.base[1] += device->capacity[1]) {
+      size_t of_b = least(count_b - p.base[1], device->capacity[1]);
       sepax_counts run = {0};
       if (count_b > device->capacity[1] || p.base[0] == 0) { /* B stays where it fits */
         status = sepax_device_load(device, true, b + p.base[1], of_b);

@@ -50,8 +50,8 @@ static int whole_row(const arith_plan *p, int row) {
 
 int arith_row_bits(const arith_plan *p, int row) {
   int whole = whole_row(p, row);
-  int room = p->p_w - 2 * row;
-  return whole < room ? whole : room;
+  int most = p->p_w - 2 * row;
+  return whole < most ? whole : most;
 }
 
 bool arith_row_whole(const arith_plan *p, int row) {
@@ -81,8 +81,8 @@ static void plan_rows(arith_plan *p, column *columns, bool one[ARITH_WIDTH], dou
 }
 
 /* The stage and time at which something with this delay is ready, given its inputs. */
-static void settle(const arith_plan *p, const int *input, int inputs, double delay, double room,
-                   int *stage, double *time) {
+static void settle(const arith_plan *p, const int *input, int inputs, double delay,
+                   double available, int *stage, double *time) {
   *stage = 0;
   *time = 0;
   for (int i = 0; i < inputs; i++) {
@@ -96,7 +96,7 @@ static void settle(const arith_plan *p, const int *input, int inputs, double del
     }
   }
   *time += delay;
-  if (*time > room) {
+  if (*time > available) {
     (*stage)++;
     *time = delay;
   }
@@ -114,7 +114,7 @@ static int level_of(const arith_plan *p, int bit, int stage) {
 }
 
 /* Three bits of a column, or two, or two and a one, become one and a carry. */
-static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, double room) {
+static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, double available) {
   arith_adder *a = &p->adder[p->adders];
   if (p->adders == ARITH_ADDERS) {
     abort();
@@ -128,13 +128,13 @@ static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, d
   }
   int stage[3];
   double time[3];
-  settle(p, a->input, 2, delay_used->sum, room, &stage[0], &time[0]);
-  settle(p, a->input, 2, delay_used->carry, room, &stage[1], &time[1]);
+  settle(p, a->input, 2, delay_used->sum, available, &stage[0], &time[0]);
+  settle(p, a->input, 2, delay_used->carry, available, &stage[1], &time[1]);
   double sum = time[0];
   double carry = time[1];
   a->stage = stage[0];
   if (inputs == 3) {
-    settle(p, a->input + 2, 1, delay_used->late_sum, room, &stage[2], &time[2]);
+    settle(p, a->input + 2, 1, delay_used->late_sum, available, &stage[2], &time[2]);
     if (stage[2] > a->stage) {
       a->stage = stage[2];
       sum = carry = time[2] > delay_used->carry ? time[2] : delay_used->carry;
@@ -171,7 +171,7 @@ static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, d
 /* Columns below this are early enough to ripple. */
 enum { RIPPLE = 8 };
 
-static void plan_in(arith_plan *p, const arith_form *form, double room) {
+static void plan_in(arith_plan *p, const arith_form *form, double available) {
   *p = (arith_plan){.a_w = form->a_w, .b_w = form->b_w, .p_w = form->p_w};
   p->rows = form->digits > 0 ? form->digits : (form->b_w + 1) / 2;
   p->plain = form->digits == 0;
@@ -189,15 +189,15 @@ static void plan_in(arith_plan *p, const arith_form *form, double room) {
   double time = 0;
   for (int c = 0; c < p_w; c++) {
     if (one[c] && columns[c].count >= 2) {
-      add_adder(p, columns, c, ARITH_PLUS_ONE, room);
+      add_adder(p, columns, c, ARITH_PLUS_ONE, available);
     } else if (one[c]) {
       put(&columns[c], add_bit(p, ARITH_ONE, 0, 0, 0, 0));
     }
     if (c >= RIPPLE && columns[c].count > 2 && columns[c].count % 2 == 1) {
-      add_adder(p, columns, c, ARITH_HALF, room);
+      add_adder(p, columns, c, ARITH_HALF, available);
     }
     while (columns[c].count > 2) {
-      add_adder(p, columns, c, ARITH_FULL, room);
+      add_adder(p, columns, c, ARITH_FULL, available);
     }
     for (int i = 0; i < 2; i++) {
       p->final[i][c] = i < columns[c].count ? columns[c].bit[i] : -1;
@@ -210,7 +210,7 @@ static void plan_in(arith_plan *p, const arith_form *form, double room) {
   }
   free(columns);
   double skew = stage > 0 ? delay_used->skew_lost : 0;
-  p->latency = time + delay_adder(p_w) + skew > room ? stage + 1 : stage;
+  p->latency = time + delay_adder(p_w) + skew > available ? stage + 1 : stage;
   for (int c = 0; c < p_w; c++) {
     for (int i = 0; i < 2; i++) {
       if (p->final[i][c] >= 0) {
@@ -231,12 +231,12 @@ void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
   int latency = p->latency;
   double little = enough / 2;
   for (int i = 0; i < 4 && latency > 0; i++) {
-    double room = (enough + little) / 2;
-    plan_in(p, form, room);
+    double available = (enough + little) / 2;
+    plan_in(p, form, available);
     if (p->latency == latency) {
-      enough = room;
+      enough = available;
     } else {
-      little = room;
+      little = available;
     }
   }
   if (p->latency != latency) {

@@ -302,24 +302,24 @@ static void compress(writer *w, int stage) {
 static void add_behaviour(const writer *w) {
   const arith_plan *p = w->plan;
   emit_view(w->m, EMIT_BEHAVIOURAL);
-  emit_vector(w->m, EMIT_WIRE, "above_a", p->p_w);
-  emit_vector(w->m, EMIT_WIRE, "above_b", p->p_w);
-  emit_text(w->m, "assign above_a = {{%d{a[%d]}}, a};", p->p_w - p->a_w, p->a_w - 1);
+  emit_vector(w->m, EMIT_WIRE, "wide_a", p->p_w);
+  emit_vector(w->m, EMIT_WIRE, "wide_b", p->p_w);
+  emit_text(w->m, "assign wide_a = {{%d{a[%d]}}, a};", p->p_w - p->a_w, p->a_w - 1);
   if (p->plain) {
-    emit_text(w->m, "assign above_b = {{%d{b[%d]}}, b};", p->p_w - p->b_w, p->b_w - 1);
+    emit_text(w->m, "assign wide_b = {{%d{b[%d]}}, b};", p->p_w - p->b_w, p->b_w - 1);
   } else {
     emit_bias(w, p->p_w, "the module multiplies by b - BIAS");
-    emit_text(w->m, "assign above_b = {{%d{b[%d]}}, b} - BIAS;", p->p_w - p->b_w, p->b_w - 1);
+    emit_text(w->m, "assign wide_b = {{%d{b[%d]}}, b} - BIAS;", p->p_w - p->b_w, p->b_w - 1);
   }
   if (p->latency == 0) {
-    emit_text(w->m, "assign p = above_a * above_b;");
+    emit_text(w->m, "assign p = wide_a * wide_b;");
   } else {
     for (int i = 1; i <= p->latency; i++) {
       char name[EMIT_NAME];
       snprintf(name, sizeof name, "product_%d", i);
       emit_vector(w->m, EMIT_REG, name, p->p_w);
     }
-    emit_text(w->m, "always @(posedge clk) begin\n  product_1 <= above_a * above_b;");
+    emit_text(w->m, "always @(posedge clk) begin\n  product_1 <= wide_a * wide_b;");
     for (int i = 2; i <= p->latency; i++) {
       emit_text(w->m, "  product_%d <= product_%d;", i, i - 1);
     }

@@ -1,11 +1,11 @@
-// The band, and the axis that proves it, from what is farther apart than the limits. Each of f is
+// The band, and the axis that proves it, from what exceeds the limits. Each of f is
 // {orient3d is zero, is below zero, exceeds the limit of each clearance}. Combinational. In this
 // order:
 //   AXIS_AABB      x, y or z: the AABBs are outside the clearance
 //   AXIS_NORMAL_A  N_A: all f_s exceed on one side
 //   AXIS_NORMAL_B  N_B: all f_w
-//   AXIS_EDGES + 3 i + j  e_i x f_j: f_d exceeds, and where it is above zero s does not rise along
-//                  f_j nor w along e_i; below zero, not fall
+//   AXIS_EDGES + 3 i + j  e_i x f_j: f_d exceeds, and where it is above zero s does not increase
+//                  along f_j nor w along e_i; below zero, not decrease
 //   AXIS_PLANE     normal to an edge and to x, y or z
 //   AXIS_NONE      none: collision
 module sepax_decide_band #(
@@ -15,7 +15,7 @@ module sepax_decide_band #(
   input  wire [3*F-1:0]      f_s,      // of A's plane and B_k
   input  wire [3*F-1:0]      f_w,      // of B's plane and A_i
   input  wire [9*F-1:0]      f_d,      // of edge i of A and edge j of B at 3i + j
-  input  wire [5:0]          r_s,      // {does not fall, does not rise} along edge j of B
+  input  wire [5:0]          r_s,      // {does not decrease, does not increase} along edge j of B
   input  wire [5:0]          r_w,      // along edge i of A
   input  wire [6*LIMITS-1:0] e_xy,     // outside by edges of A, of B, in this projection
   input  wire [6*LIMITS-1:0] e_yz,     // likewise

@@ -16,7 +16,7 @@ typedef struct {
 
 static bool check_module(const emit_module *m, const bindings *overrides);
 
-/* The value of an expression that stands apart from the body, which may name parameters. */
+/* The value of an expression that stands outside the body, which may name parameters. */
 static int64_t evaluate(reader *r, const char *expression) {
   const char *begin = r->begin;
   const char *at = r->at;

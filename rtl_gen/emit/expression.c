@@ -82,7 +82,7 @@ static int64_t power(int64_t base, int64_t exponent) {
   return value;
 }
 
-/* The value of an operation on constants; the first character tells most of them apart. */
+/* The value of an operation on constants; the first character distinguishes most of them. */
 static int64_t fold(const char *op, int64_t a, int64_t b) {
   bool doubled = op[1] == op[0];
   switch (op[0]) {

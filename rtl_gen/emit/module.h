@@ -68,6 +68,6 @@ bool emit_refuse(const emit_module *m, const char *format, ...)
 
 /* Copies that end the program without memory. */
 char *emit_copy(const char *text, size_t length);
-void *emit_grow(void *list, int count, size_t size); /* room for one more than `count` */
+void *emit_grow(void *list, int count, size_t size); /* capacity for one more than `count` */
 
 #endif

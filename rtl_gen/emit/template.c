@@ -231,7 +231,7 @@ static void check_columns(const emit_module *m, const char *text) {
 }
 
 /* Header, body, and nothing behind them. */
-static void take_apart(emit_module *m, const char *text) {
+static void split_module(emit_module *m, const char *text) {
   reader r;
   reader_open(&r, m, text, strlen(text));
   const char *begin = text + strspn(text, "\n"); /* with attributes of the module */
@@ -277,7 +277,7 @@ bool emit_template_text(emitter *e, const char *name, const char *text, const em
   m->banner = read_banner(&rest);
   m->name[0] = '\0'; /* what the text says */
   if (e->error.text[0] == '\0') {
-    take_apart(m, rest);
+    split_module(m, rest);
   }
   free(filled);
   return e->error.text[0] == '\0' && emit_check(m);

@@ -26,7 +26,7 @@
  * "//@ if !name" negates. They nest, and stand alone on their lines. Holes may stand anywhere, in
  * the banner and in the module's name, too. A hole without a text and a line of more than
  * 100 columns are refused; texts that the file has no hole for are not, so that the files of a
- * room can share a list.
+ * folder can share a list.
  *
  * What is left is checked as every module is (emit.h) and can be instantiated from then on, by
  * emit_instance and by other templates. The reader understands: parameter, localparam (with a range
@@ -51,8 +51,8 @@
  *
  *     emit_template(e, "sepax_fifo", (emit_hole[]){{"width", text.text}, {"level", "1"}, {NULL}});
  *
- * `name` is the file's name without ".v", with its room before it ("paper/sepax_top") where files
- * of several rooms have it; the module's is what the text says. */
+ * `name` is the file's name without ".v", with its folder before it ("paper/sepax_top") where files
+ * of several folders have it; the module's is what the text says. */
 #ifndef SEPAX_EMIT_TEMPLATE_H
 #define SEPAX_EMIT_TEMPLATE_H
 

@@ -3,8 +3,8 @@
 // @memory_a@ triangles of A, @memory_b@ of B at most. Objects come over AXI4-Stream, a vertex a
 // transfer; AXI4-Lite starts a run and reads its counts; collisions leave over AXI4-Stream. No
 // ready is reached from an input without a register. A run takes about
-// ceil(a / @lanes@) max(b, @lanes@) + @fill@ cycles and the latency of the core, more where the cores do not
-// keep up.
+// ceil(a / @lanes@) max(b, @lanes@) + @fill@ cycles and the latency of the core, more where the
+// cores do not keep up.
 module sepax_engine (
   input  wire        clk,           // clock of everything
   input  wire        rst,           // synchronous reset of the control, active high

@@ -19,7 +19,7 @@ module sepax_load (
   output reg             loading,   // an object has begun to come
   output reg             ended,     // the last vertex of an object came in the cycle before
   output reg             bad_word,  // last object: a coordinate does not fit
-  output reg             bad_frame, // last object: ended within a triangle
+  output reg             partial, // last object: ended within a triangle
   output reg             bad_size   // last object: too many triangles
 );
   localparam W = @word@;     // bits of a coordinate
@@ -66,7 +66,7 @@ module sepax_load (
   //@ else
   assign free = !number_q[INDEX];
   //@ end
-  assign bad = loading && (bad_word || bad_frame || bad_size);
+  assign bad = loading && (bad_word || partial || bad_size);
   assign whole = tlast && phase_q[2] && !bad_vertex && free && !bad;
   assign next_number = number_q + ONE;
 
@@ -81,7 +81,7 @@ module sepax_load (
       count_a <= {(@index_a@+1){1'b0}};
       count_b <= {(@index_b@+1){1'b0}};
       bad_word <= 1'b0;
-      bad_frame <= 1'b0;
+      partial <= 1'b0;
       bad_size <= 1'b0;
     end else begin
       ended <= take && tlast;
@@ -91,7 +91,7 @@ module sepax_load (
         loading <= !tlast;
         phase_q <= tlast ? 3'b001 : {phase_q[1:0], phase_q[2]};
         bad_word <= bad_vertex || (loading && bad_word);
-        bad_frame <= tlast && !phase_q[2];
+        partial <= tlast && !phase_q[2];
         bad_size <= (phase_q[2] && !free) || (loading && bad_size);
         if (tlast) begin
           number_q <= {(INDEX+1){1'b0}};

@@ -9,7 +9,7 @@ module sepax_narrow (
   input  wire            rst,      // synchronous reset of the control, active high
   input  wire            in_valid, // a pair is here
   output wire            in_ready, // it is taken in this cycle
-  input  wire [18*@core_word@-1:0] in_pair, // x of A_1 (lowest) ... A_3, B_1 ... B_3, then y, then z
+  input  wire [18*@core_word@-1:0] in_pair, // x of A_1 (lowest) ... A_3, B_1 ... B_3; y; z
   //@ if aabb_test
   input  wire            in_disjoint, // the AABBs are disjoint; goes with the pair
   //@ end
@@ -24,7 +24,7 @@ module sepax_narrow (
   output wire [1:0]      out_band,      // 0 free, 1 warning, 2 collision
   //@ end
   //@ if aabb_test
-  output wire [@note@-1:0]      out_note, // in_disjoint@exceeds_about@ of the pair; no verdict if not 0
+  output wire [@note@-1:0] out_note, // in_disjoint@exceeds_about@ of the pair; no verdict if not 0
   //@ end
   output wire [3:0]      out_axis       // what @axis_about@, see sepax_top; 0 none
 );

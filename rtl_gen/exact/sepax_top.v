@@ -10,8 +10,8 @@
 // core as zeros, which it passes on without a transition.
 //@ end
 //@ if limits
-// With a clearance: free means that the real triangles, of which each coordinate is within 1/2,
-// are farther apart than that; else the band says what is not proved.
+// With a clearance: free means that the distance of the real triangles, of which each coordinate is
+// within 1/2, is above that; else the band says what is not proved.
 //@ end
 //@ if flag
 // Coplanar pairs are called collisions, undecided, and flagged.

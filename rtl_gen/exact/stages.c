@@ -56,7 +56,7 @@ static int levels_of(int terms) {
 }
 
 /* With a clearance: registers inside a limit. */
-static void place_in_limits(exact_plan *p, double room) {
+static void place_in_limits(exact_plan *p, double available) {
   const sepax_format *f = p->design->exact_format;
   exact_stages *s = &p->stages;
   double maximum = delay_adder(f[SEPAX_X_CROSS].width) + delay_mux(2);
@@ -70,8 +70,8 @@ static void place_in_limits(exact_plan *p, double room) {
     most = of_sum > most ? of_sum : most;
     most = of_most > most ? of_most : most;
   }
-  s->most = 2 * maximum > room;
-  s->total = levels_of(terms) * delay_compressor() + sum > room;
+  s->most = 2 * maximum > available;
+  s->total = levels_of(terms) * delay_compressor() + sum > available;
   s->shortest = fmax(s->shortest, delay_register() + levels_of(most) * delay_compressor() + sum);
 }
 
@@ -99,7 +99,7 @@ void exact_stages_make(exact_plan *p) {
   exact_stages *s = &p->stages;
   bool shared_units = p->design->config.ii > 1;
   double period = p->design->config.clock_ps / 1000.0;
-  double room = period - delay_register();
+  double available = period - delay_register();
   int orient3d = f[SEPAX_X_ORIENT3D].width;
   int own_zsum = f[SEPAX_X_OWN_Z_SUM].width;
   double fan_out = delay_used->shared_value;
@@ -109,14 +109,14 @@ void exact_stages_make(exact_plan *p) {
       (shared_units ? delay_used->slot + delay_mux(2) : 0) + 2 * delay_compressor() + sum;
   place_in_trapezoid(s, f, sums, period);
   place_in_prisms(s, f, period);
-  s->orient3d = whole > room ? 2 : whole + delay_test(orient3d) > room ? 1 : 0;
+  s->orient3d = whole > available ? 2 : whole + delay_test(orient3d) > available ? 1 : 0;
   s->zdiff_shared =
-      !shared_units && fan_out + 3 * delay_compressor() + 2 * delay_adder(own_zsum) <= room;
+      !shared_units && fan_out + 3 * delay_compressor() + 2 * delay_adder(own_zsum) <= available;
   double six_terms = fan_out + 4 * delay_compressor() + delay_adder(own_zsum);
-  s->own_zsum = !p->running && !s->zdiff_shared && six_terms > room;
-  s->sign = delay_test(f[SEPAX_X_ORIENT2D].width) + delay_used->orient2d_sign > room;
+  s->own_zsum = !p->running && !s->zdiff_shared && six_terms > available;
+  s->sign = delay_test(f[SEPAX_X_ORIENT2D].width) + delay_used->orient2d_sign > available;
   s->shortest = shortest_stage(p, sums, sum);
   if (p->limits > 0) {
-    place_in_limits(p, room);
+    place_in_limits(p, available);
   }
 }

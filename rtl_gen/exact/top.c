@@ -40,7 +40,7 @@ static void set_words(emit_holes *h, const exact_plan *p) {
   emit_hole_set(h, "note", "%d", extents ? 2 : design->aabb_test);
   emit_hole_set(h, "registered_ready", "%d", c->registered_ready);
   emit_hole_set(h, "collision_about",
-                p->limits > 0 ? "not proved to be farther apart than the clearance"
+                p->limits > 0 ? "not proved to be outside the clearance"
                               : "the triangles share a point");
   emit_hole_set(h, "axis_about", p->limits > 0 ? "proves the band" : "separates");
   emit_hole_set(h, "axis_12", p->limits > 0 ? "normal to an edge" : "in the common plane");
@@ -49,7 +49,7 @@ static void set_words(emit_holes *h, const exact_plan *p) {
                 : design->aabb_test || p->limits > 0 ? ", 13 AABBs"
                                                      : "");
   emit_hole_set(h, "aabb_decided",
-                p->limits > 0 ? "with AABBs more than %lld LSB apart are free"
+                p->limits > 0 ? "with AABBs at a distance above %lld LSB are free"
                               : "with disjoint AABBs are separated",
                 (long long)design->margin[1]);
 }

@@ -58,7 +58,7 @@ $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
 $(SEPAX) $(BUILD)/liberty $(BUILD)/power: LIBS = -ljansson
 $(BUILD)/clearance-test: LIBS = -lgmp
-$(SEPAX) $(addprefix $(BUILD)/,bench bench_batch clearance-test liberty power):
+$(SEPAX) $(addprefix $(BUILD)/,bench_batch clearance-test liberty power) $(BUILD)/bench:
 	$(link)
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson

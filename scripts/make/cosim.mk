@@ -55,8 +55,9 @@ COSIM_DEPS = $(RTL) $(LIB) $(OPTIONS_OBJ) $(wildcard tb/cosim/*.cpp tb/cosim/*.h
 # verilate TOP FLAGS FILES: Verilator 5.006 miscompiles trees of single bits (its issue 4059) but
 # for -fno-const-bit-op-tree.
 verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { $(VERILATOR) --cc --exe --build \
-           -O3 --noassert -fno-const-bit-op-tree --x-assign fast --x-initial unique --top-module $(1) -f sepax.f \
-           $(VIEW_MACRO) $(2) $(3) --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
+           -O3 --noassert -fno-const-bit-op-tree --x-assign fast --x-initial unique \
+           --top-module $(1) -f sepax.f $(VIEW_MACRO) $(2) $(3) \
+           --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
            { tail -20 ../$(@F).log >&2; exit 1; }; }
 COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=-O3 OPT_GLOBAL=-O2" -CFLAGS "-I$(abspath c_model) -I../rtl"
 
@@ -117,13 +118,13 @@ endif
 
 # ------------------------------------------------------------------------- Icarus
 
-BENCH  = $(if $(filter exact,$(ARCH)),sepax_exact_tb,sepax_tb)
-BENCH_V = tb/cosim/$(BENCH).v
-ICARUS = $(CORE)/icarus$(OF_VIEW).vvp
+TEST_BENCH   = $(if $(filter exact,$(ARCH)),sepax_exact_tb,sepax_tb)
+TEST_BENCH_V = tb/cosim/$(TEST_BENCH).v
+ICARUS       = $(CORE)/icarus$(OF_VIEW).vvp
 
-$(ICARUS): $(RTL) $(BENCH_V)
-	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_ISOLATION $(VIEW_MACRO) -I . -s $(BENCH) \
-	  -o ../$(@F) -c sepax.f $(abspath $(BENCH_V))
+$(ICARUS): $(RTL) $(TEST_BENCH_V)
+	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_ISOLATION $(VIEW_MACRO) -I . \
+	  -s $(TEST_BENCH) -o ../$(@F) -c sepax.f $(abspath $(TEST_BENCH_V))
 
 # All pairs with coordinates 0, 1.
 BITS = awk 'BEGIN { for (n = 0; n < 262144; n++) \

@@ -78,17 +78,18 @@ power-file:
 
 # ----------------------------------------------------------------- the gates simulated
 
-$(AREA)/netlist.vvp: $(AREA)/area.json $(BENCH_V)
+$(AREA)/netlist.vvp: $(AREA)/area.json $(TEST_BENCH_V)
 	@echo "  ICARUS  $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
-	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(BENCH) -o $@ $(AREA)/netlist.v $(AREA)/cells.v $(BENCH_V)
+	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(TEST_BENCH) -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
+	  $(TEST_BENCH_V)
 
 # A gate-level pair takes a second at W = 18: ten of each family are many.
 netlist: COUNT = 170
 netlist: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
 	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
 
-# Under the Verilator bench, module by module.
+# Under the Verilator test bench, module by module.
 $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v

@@ -67,7 +67,7 @@ void refusals(void) {
   expect("COUNT_A", value_of(SEPAX_COUNT_A), 1);
   send_beats(4, true);
   expect("an object that ends within a triangle", value_of(SEPAX_STATUS),
-         SEPAX_STATUS_LOADED_A | SEPAX_STATUS_FRAME);
+         SEPAX_STATUS_LOADED_A | SEPAX_STATUS_PARTIAL);
 #if SEPAX_WORD < 32
   for (size_t which = 0; which < 9; which++) {
     send_one(3, which,

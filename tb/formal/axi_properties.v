@@ -167,7 +167,7 @@ module load_properties (
     input wire        tlast,
     input wire        tdest
 );
-  wire tready, write_a, write_b, loading, ended, bad_word, bad_frame, bad_size;
+  wire tready, write_a, write_b, loading, ended, bad_word, partial, bad_size;
   wire [8:0] address;
   wire [161:0] triangle;
   wire [107:0] aabb;
@@ -176,7 +176,7 @@ module load_properties (
       .clk(clk), .rst(rst), .busy(busy), .tvalid(tvalid), .tready(tready), .tdata(tdata),
       .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b), .address(address),
       .triangle(triangle), .aabb(aabb), .count_a(count_a), .count_b(count_b), .loading(loading),
-      .ended(ended), .bad_word(bad_word), .bad_frame(bad_frame), .bad_size(bad_size));
+      .ended(ended), .bad_word(bad_word), .partial(partial), .bad_size(bad_size));
   // Ready does not wait for valid, and nothing is taken or changed during a run.
   reg begun = 1'b0;
   always @(posedge clk) begin
@@ -209,7 +209,7 @@ module start_properties (
   wire [1:0] bresp, rresp;
   wire [31:0] rdata;
   wire [56:0] move;
-  wire write_a, write_b, loading, ended, bad_word, bad_frame, bad_size;
+  wire write_a, write_b, loading, ended, bad_word, partial, bad_size;
   wire [8:0] address;
   wire [161:0] triangle;
   wire [107:0] aabb;
@@ -230,7 +230,7 @@ module start_properties (
       .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(tvalid), .tready(tready),
       .tdata(tdata), .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b),
       .address(address), .triangle(triangle), .aabb(aabb), .count_a(count_a), .count_b(count_b),
-      .loading(loading), .ended(ended), .bad_word(bad_word), .bad_frame(bad_frame),
+      .loading(loading), .ended(ended), .bad_word(bad_word), .partial(partial),
       .bad_size(bad_size));
   always @(posedge clk) begin
     begun <= 1'b1;
