@@ -14,9 +14,9 @@ module sepax_cores (
   input  wire            rst,           // synchronous reset of the control, active high
   input  wire            pair_valid,    // a pair is here
   output wire            pair_ready,    // it is taken in this cycle
-  input  wire [9*18-1:0] pair_a,        // A: signed, 18 bits each, x of the first vertex lowest
-  input  wire [9*18-1:0] pair_b,        // B, likewise
-  input  wire [19-1:0]   pair_info,     // goes with the pair
+  input  wire [9*18-1:0] pair_a, // A: signed, 18 bits each, x of the first vertex lowest
+  input  wire [9*18-1:0] pair_b, // B, likewise
+  input  wire [19-1:0]   pair_info, // goes with the pair
   output wire            in_flight,     // there are pairs in the cores
   output wire            verdict_valid, // a verdict is here
   input  wire            verdict_ready, // it is taken in this cycle

@@ -86,12 +86,12 @@ module sepax_engine_logic (
   wire loading;
   wire ended;
   wire bad_word;
-  wire bad_frame;
+  wire partial;
   wire bad_size;
 
   assign clear = rst || start || halt;
   assign status = {
-    21'd0, bad_size, bad_frame, bad_word, 1'b0, loading, |count_b, |count_a, stopped,
+    21'd0, bad_size, partial, bad_word, 1'b0, loading, |count_b, |count_a, stopped,
     any && (|out_of_range), any, busy
   };
 
@@ -113,7 +113,7 @@ module sepax_engine_logic (
     .tdata(s_axis_tdata), .tlast(s_axis_tlast), .tdest(s_axis_tdest), .write_a(write_a),
     .write_b(write_b), .address(write_address), .triangle(write_triangle), .aabb(write_aabb),
     .count_a(count_a), .count_b(count_b), .loading(loading), .ended(ended), .bad_word(bad_word),
-    .bad_frame(bad_frame), .bad_size(bad_size)
+    .partial(partial), .bad_size(bad_size)
   );
 
   // Broad phase.

@@ -12,7 +12,7 @@
 module sepax_fifo #(
   parameter WIDTH = 8,   // bits of a word
   parameter ADDRESS = 4, // log2 of the entries
-  parameter MARGIN = 2   // entries that `free` promises
+  parameter MARGIN = 2   // entries that `free` stands for
 ) (
   input  wire             clk,   // clock
   input  wire             clear, // drop all words

@@ -28,7 +28,7 @@ module sepax_load (
   output reg             loading,   // an object has begun to come
   output reg             ended,     // the last vertex of an object came in the cycle before
   output reg             bad_word,  // last object: a coordinate does not fit
-  output reg             bad_frame, // last object: ended within a triangle
+  output reg             partial, // last object: ended within a triangle
   output reg             bad_size   // last object: too many triangles
 );
   localparam W = 18;     // bits of a coordinate
@@ -67,7 +67,7 @@ module sepax_load (
 
   assign bad_vertex = !(&fits);
   assign free = !number_q[INDEX];
-  assign bad = loading && (bad_word || bad_frame || bad_size);
+  assign bad = loading && (bad_word || partial || bad_size);
   assign whole = tlast && phase_q[2] && !bad_vertex && free && !bad;
   assign next_number = number_q + ONE;
 
@@ -82,7 +82,7 @@ module sepax_load (
       count_a <= {(9+1){1'b0}};
       count_b <= {(9+1){1'b0}};
       bad_word <= 1'b0;
-      bad_frame <= 1'b0;
+      partial <= 1'b0;
       bad_size <= 1'b0;
     end else begin
       ended <= take && tlast;
@@ -92,7 +92,7 @@ module sepax_load (
         loading <= !tlast;
         phase_q <= tlast ? 3'b001 : {phase_q[1:0], phase_q[2]};
         bad_word <= bad_vertex || (loading && bad_word);
-        bad_frame <= tlast && !phase_q[2];
+        partial <= tlast && !phase_q[2];
         bad_size <= (phase_q[2] && !free) || (loading && bad_size);
         if (tlast) begin
           number_q <= {(INDEX+1){1'b0}};

@@ -21,12 +21,12 @@ module sepax_mul_19x19_biased (
 );
 
 `ifdef SEPAX_BEHAVIOURAL
-  wire [36:0] above_a;
-  wire [36:0] above_b;
-  assign above_a = {{18{a[18]}}, a};
+  wire [36:0] wide_a;
+  wire [36:0] wide_b;
+  assign wide_a = {{18{a[18]}}, a};
   localparam [36:0] BIAS = 37'd87381; // the module multiplies by b - BIAS
-  assign above_b = {{18{b[18]}}, b} - BIAS;
-  assign p = above_a * above_b;
+  assign wide_b = {{18{b[18]}}, b} - BIAS;
+  assign p = wide_a * wide_b;
 `else
   // Rows: digit k selects row k, worth 4^k; its sign bit counts negative.
   wire [2:0] top;

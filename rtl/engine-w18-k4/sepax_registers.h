@@ -38,7 +38,7 @@
 #define SEPAX_STATUS_LOADED_B 0x20u
 #define SEPAX_STATUS_LOADING 0x40u
 #define SEPAX_STATUS_WORD 0x100u
-#define SEPAX_STATUS_FRAME 0x200u
+#define SEPAX_STATUS_PARTIAL 0x200u
 #define SEPAX_STATUS_FULL 0x400u
 
 #define SEPAX_ENABLE 0x1cu /* which of PENDING raise the interrupt */

@@ -4,8 +4,8 @@
 // Combinational. In this order:
 //   AXIS_NORMAL_A  N_A: all of s have one sign
 //   AXIS_NORMAL_B  N_B: all of w have one sign
-//   AXIS_EDGES + 3 i + j  e_i x f_j: d_ij has a sign that separates the edges, and on it s falls
-//                  (rises) along f_j and w along e_i
+//   AXIS_EDGES + 3 i + j  e_i x f_j: d_ij has a sign that separates the edges, and on it s
+//                  decreases (increases) along f_j and w along e_i
 //   AXIS_PLANE     an axis in the common plane: all orient3d are zero, in_plane says so
 //   AXIS_NONE      none: collision
 //

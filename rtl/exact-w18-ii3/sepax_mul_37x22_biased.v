@@ -20,12 +20,12 @@ module sepax_mul_37x22_biased (
 );
 
 `ifdef SEPAX_BEHAVIOURAL
-  wire [55:0] above_a;
-  wire [55:0] above_b;
-  assign above_a = {{19{a[36]}}, a};
+  wire [55:0] wide_a;
+  wire [55:0] wide_b;
+  assign wide_a = {{19{a[36]}}, a};
   localparam [55:0] BIAS = 56'd349525; // the module multiplies by b - BIAS
-  assign above_b = {{34{b[21]}}, b} - BIAS;
-  assign p = above_a * above_b;
+  assign wide_b = {{34{b[21]}}, b} - BIAS;
+  assign p = wide_a * wide_b;
 `else
   // Rows: digit k selects row k, worth 4^k; its sign bit counts negative.
   wire [2:0] top;

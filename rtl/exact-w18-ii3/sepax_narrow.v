@@ -15,7 +15,7 @@ module sepax_narrow (
   input  wire            rst,      // synchronous reset of the control, active high
   input  wire            in_valid, // a pair is here
   output wire            in_ready, // it is taken in this cycle
-  input  wire [18*18-1:0] in_pair, // x of A_1 (lowest) ... A_3, B_1 ... B_3, then y, then z
+  input  wire [18*18-1:0] in_pair, // x of A_1 (lowest) ... A_3, B_1 ... B_3; y; z
   output wire            out_valid,     // a verdict is here
   input  wire            out_ready,     // it is taken in this cycle
   output wire            out_collision, // 1: the triangles share a point
