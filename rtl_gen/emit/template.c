@@ -297,7 +297,8 @@ bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
     return emit_template_text(e, name, found->text, holes);
   }
   emit_module *m = emit_new_module(e, name, "");
-  return emit_refuse(m, count == 0 ? "no such template" : "a template of several rooms; say which");
+  return emit_refuse(m,
+                     count == 0 ? "no such template" : "a template of several folders; say which");
 }
 
 void emit_hole_set(emit_holes *h, const char *name, const char *format, ...) {

@@ -1,6 +1,6 @@
 /* template.h - modules that are Verilog files with named holes.
  *
- * A file rtl_gen/ROOM/sepax_NAME.v looks like the module that it makes and is compiled into the
+ * A file rtl_gen/FOLDER/sepax_NAME.v looks like the module that it makes and is compiled into the
  * program. It is a comment (the banner: purpose, formula, latency), then one module whose
  * parameters and ports stand one on a line, each with a comment behind it:
  *
@@ -81,7 +81,7 @@ bool emit_template_text(emitter *e, const char *name, const char *text, const em
 
 /* All files, made by scripts/embed; the last has no name. */
 typedef struct {
-  const char *path, *text; /* "ROOM/sepax_NAME" */
+  const char *path, *text; /* "FOLDER/sepax_NAME" */
 } emit_template_file;
 extern const emit_template_file emit_templates[];
 

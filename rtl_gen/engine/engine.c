@@ -58,7 +58,7 @@ void gen_engine(emitter *e, int entries) {
       "sepax_fifo",       "sepax_ram",        "sepax_registers",   "sepax_load",
       "sepax_enumerator", "sepax_comparator", "sepax_comparators", "sepax_priority",
       "sepax_fetch",      "sepax_cores",      "sepax_results",     "sepax_engine_logic",
-      "sepax_engine"};
+      "engine/sepax_top"};
   emit_holes h = {NULL, 0};
   set_sizes(&h, e->design, entries);
   set_identity(&h, &e->design->config);
