@@ -23,7 +23,7 @@ enum { MOST = 64, KEY_OPTION = 0x100, KEY_ENVIRONMENT = KEY_OPTION + MOST };
 static struct argp_option config_options[MOST];
 
 const char *cli_options_title(unsigned archs) {
-  static char titles[8][96];
+  static char titles[8][128];
   static size_t count;
   unsigned all = design_option_at(0)->archs;
   char names[80] = "";
@@ -52,7 +52,8 @@ void cli_options_init(void) {
     const char *next = cli_options_title(option->archs);
     if (strcmp(next, title) != 0) {
       title = next;
-      config_options[used++] = (struct argp_option){.doc = title, .group = ++group};
+      group++;
+      config_options[used++] = (struct argp_option){.doc = title, .group = group};
     }
     config_options[used++] = (struct argp_option){
         .name = option->name,
@@ -73,7 +74,7 @@ static void read_environment(sepax_config *config, const struct argp_state *stat
   const design_option *option;
   for (size_t i = 0; (option = design_option_at(i)) != NULL; i++) {
     const char *value = getenv(design_option_variable(option).text);
-    sepax_error error;
+    sepax_error error = {""};
     if (value != NULL && !sepax_config_set(config, option->name, value, &error)) {
       argp_error(state, "%s", error.text);
     }
@@ -88,7 +89,7 @@ static error_t parse_config(int key, char *text, struct argp_state *state) {
   const design_option *option;
   for (size_t i = 0; (option = design_option_at(i)) != NULL; i++) {
     if (key == KEY_OPTION + (int)i || (option->letter != 0 && key == option->letter)) {
-      sepax_error error;
+      sepax_error error = {""};
       if (!sepax_config_set(state->input, option->name, text != NULL ? text : "on", &error)) {
         argp_error(state, "%s", error.text);
       }

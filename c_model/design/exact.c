@@ -109,7 +109,7 @@ static void derive_limits(sepax_design *d, wide side) {
  * volume of a tetrahedron in a cube 2 L^3. */
 static void derive_formats(sepax_design *d) {
   interval word = signed_word(d->core_word);
-  interval span = hull(difference(word, word), (interval){2 * word.lo, 2 * word.hi});
+  interval span = interval_hull(difference(word, word), (interval){2 * word.lo, 2 * word.hi});
   interval z_sum = {2 * (word.lo - word.hi), 2 * (word.hi - word.lo)};
   interval own_z_sum = {3 * (word.lo - word.hi), 3 * (word.hi - word.lo)};
   wide side = word.hi - word.lo;

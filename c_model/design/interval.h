@@ -8,7 +8,7 @@ typedef struct {
   wide lo, hi;
 } interval;
 
-static inline interval hull(interval p, interval q) {
+static inline interval interval_hull(interval p, interval q) {
   return (interval){p.lo < q.lo ? p.lo : q.lo, p.hi > q.hi ? p.hi : q.hi};
 }
 
@@ -20,7 +20,7 @@ static inline interval product(interval p, interval q) {
   wide corner[] = {p.lo * q.lo, p.lo * q.hi, p.hi * q.lo, p.hi * q.hi};
   interval r = {corner[0], corner[0]};
   for (int i = 1; i < 4; i++) {
-    r = hull(r, (interval){corner[i], corner[i]});
+    r = interval_hull(r, (interval){corner[i], corner[i]});
   }
   return r;
 }

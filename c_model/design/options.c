@@ -174,8 +174,10 @@ static option_text text_of(const design_option *option, int value) {
 
 option_text design_option_value(const design_option *option, const sepax_config *config) {
   int value = get(option, config);
-  bool none = value == option->standard && !in_range(option, value);
-  return none ? (option_text){""} : text_of(option, value);
+  if (value == option->standard && !in_range(option, value)) {
+    return (option_text){""};
+  }
+  return text_of(option, value);
 }
 
 option_text design_option_variable(const design_option *option) {

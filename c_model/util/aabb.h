@@ -72,11 +72,12 @@ static inline int64_t aabb_longest_side(const aabb *b) {
 
 /* True iff all coordinates fit a word of W bits. */
 static inline bool aabb_fits(const aabb *b, int word) {
-  bool fits = true;
   for (int axis = 0; axis < 3; axis++) {
-    fits = fits && b->low[axis] >= sepax_word_min(word) && b->high[axis] <= sepax_word_max(word);
+    if (b->low[axis] < sepax_word_min(word) || b->high[axis] > sepax_word_max(word)) {
+      return false;
+    }
   }
-  return fits;
+  return true;
 }
 
 #endif

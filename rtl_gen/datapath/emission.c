@@ -60,11 +60,11 @@ static void slot_name(emission *e, const char *copies, int cycle, source text) {
   if (e->copies == EMISSION_COPIES) {
     abort(); /* more slot copies than EMISSION_COPIES */
   }
-  source instance;
+  source name;
   snprintf(e->copy[e->copies++], EMIT_NAME, "%s", text);
-  snprintf(instance, EMIT_NAME, "copy_%s_%d", copies, cycle % ii);
+  snprintf(name, EMIT_NAME, "copy_%s_%d", copies, cycle % ii);
   emit_net(e->m, EMIT_WIRE, false, text, "");
-  emit_instance(e->m, "sepax_slot_copy", instance, "", "clk=clk, slot=slot[%d], slot_q=%s",
+  emit_instance(e->m, "sepax_slot_copy", name, "", "clk=clk, slot=slot[%d], slot_q=%s",
                 (cycle + ii - 1) % ii, text);
 }
 

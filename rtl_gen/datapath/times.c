@@ -4,6 +4,7 @@
 #include "binding.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static const graph_node *node_of(const datapath *d, graph_value v) {
   return &d->graph.node[abs(v)];
@@ -60,8 +61,8 @@ void times_start(datapath *d, int kind, int cycle) {
     schedule_stream *stream = &d->schedule.stream[k->stream[unit]];
     stream->first = k->start[unit] + k->latency;
     for (int slot = 0; slot < d->schedule.ii; slot++) {
-      snprintf(stream->label[slot], sizeof stream->label[slot], "%s",
-               d->graph.node[k->at[unit][slot]].label);
+      _Static_assert((int)GRAPH_LABEL <= (int)SCHEDULE_NAME, "a label fits");
+      memcpy(stream->label[slot], d->graph.node[k->at[unit][slot]].label, GRAPH_LABEL);
     }
   }
 }

@@ -3,7 +3,8 @@
 # runs again with them.
 
 DESIGN_VERBS = core options rtl lint cosim exhaustive wave icarus engine example netlist gates \
-               mapped area-file timed timing-file assigned powered power-file
+               mapped area-file timed timing-file assigned powered power-file \
+               workloads
 OF_DESIGN   := $(filter $(DESIGN_VERBS) $(BUILD)/core/%,$(MAKECMDGOALS))
 
 # With DESIGN every verb is of that design alone.

@@ -58,6 +58,9 @@ $(LOADS)/colliding.txt: $(SEPAX)
 $(LOADS)/coplanar.txt: $(SEPAX)
 	@$(call select,$(COPLANAR_PAIRS),26)
 
+.PHONY: workloads
+workloads: $(LOADS)/colliding.txt $(LOADS)/coplanar.txt
+
 # An engine makes its pairs itself.
 CYCLES    ?= 200
 POWER_MESH = $(MESH_A) $(MESH_B) $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION))

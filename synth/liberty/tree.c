@@ -79,7 +79,8 @@ static const char *parse_body(node *parent, const char *p) {
       p++;
     }
     if (p == start) {
-      text_fail("is not understood at", tree_copy(p, strnlen(p, 20)));
+      size_t line = strcspn(p, "\n");
+      text_fail("is not understood at", tree_copy(p, line < 20 ? line : 20));
     }
     node *n = text_alloc(1, sizeof *n);
     n->name = tree_copy(start, (size_t)(p - start));

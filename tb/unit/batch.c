@@ -218,21 +218,21 @@ CASE(empty_leaves_are_left_out) {
   config.clearance = INT32_MAX;
   assert_true(sepax_design_init(&design, &config, &error));
   sepax_random random = {11};
-  sepax_tri *small = soup(SMALL, SEPAX_WORD_MAX, 1000, &random);
+  sepax_tri *many = soup(SMALL, SEPAX_WORD_MAX, 1000, &random);
   for (int way = 0; way < 2; way++) {
     sepax_search how = {.threads = 1, .brute_force = way == 1};
-    assert_all_pairs(&whole, 1, small, SMALL, &how);
-    assert_all_pairs(small, SMALL, &whole, 1, &how);
+    assert_all_pairs(&whole, 1, many, SMALL, &how);
+    assert_all_pairs(many, SMALL, &whole, 1, &how);
     sepax_pairs found;
-    assert_true(sepax_near_pairs(&design, &whole, 1, small, SMALL, &how, &found, &error));
+    assert_true(sepax_near_pairs(&design, &whole, 1, many, SMALL, &how, &found, &error));
     size_t expected = 0;
     for (size_t n = 0; n < SMALL; n++) {
-      expected += sepax_clearance(&design, &whole, &small[n]).band != SEPAX_BAND_FREE;
+      expected += sepax_clearance(&design, &whole, &many[n]).band != SEPAX_BAND_FREE;
     }
     assert_true(expected > 0 && expected == found.count);
     sepax_pairs_free(&found);
   }
-  free(small);
+  free(many);
 }
 
 typedef struct {

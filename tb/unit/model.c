@@ -81,8 +81,8 @@ CASE(test_config) {
 
 /* A text that does not fit is cut; nothing behind it is written. */
 CASE(test_small_buffers) {
-  char *(*const print[])(const sepax_config *, char *,
-                         size_t) = {sepax_config_text, sepax_config_variables, sepax_config_name};
+  typedef char *print_config(const sepax_config *, char *, size_t);
+  print_config *const print[] = {sepax_config_text, sepax_config_variables, sepax_config_name};
   static const char options[] = "--arch=exact --word=18 --extent-a=2500 --extent-b=2500 "
                                 "--clearance=5 --warning=20 --lanes=16 --memory-a=1024";
   sepax_config config = sepax_config_default();
