@@ -23,9 +23,11 @@ enum { MOST = 64, KEY_OPTION = 0x100, KEY_ENVIRONMENT = KEY_OPTION + MOST };
 static struct argp_option config_options[MOST];
 
 const char *cli_options_title(unsigned archs) {
-  static char titles[8][128];
-  static size_t count;
-  unsigned all = design_option_at(0)->archs;
+  static struct {
+    unsigned archs;
+    char text[128];
+  } title[8]; /* argp keeps pointers to them */
+  enum { TITLES = sizeof title / sizeof title[0] };
   char names[80] = "";
   int found = 0;
   for (int i = 0; i < SEPAX_ARCH_COUNT; i++) {
@@ -35,12 +37,17 @@ const char *cli_options_title(unsigned archs) {
                sepax_arch_name((sepax_arch)i));
     }
   }
-  if (archs == all || found > 2) {
+  if (archs == design_option_at(0)->archs || found > 2) {
     return "Design:";
   }
-  char *title = titles[count++ % 8];
-  snprintf(title, sizeof titles[0], "Design, architecture%s %s only:", found > 1 ? "s" : "", names);
-  return title;
+  int n = 0;
+  while (n < TITLES - 1 && title[n].archs != 0 && title[n].archs != archs) {
+    n++;
+  }
+  title[n].archs = archs;
+  snprintf(title[n].text, sizeof title[n].text,
+           "Design, architecture%s %s only:", found > 1 ? "s" : "", names);
+  return title[n].text;
 }
 
 void cli_options_init(void) {
