@@ -1,8 +1,9 @@
 /* template.h - modules that are Verilog files with named holes.
  *
  * A file rtl_gen/FOLDER/sepax_NAME.v looks like the module that it makes and is compiled into the
- * program. It is a comment (the banner: purpose, formula, latency), then one module whose
- * parameters and ports stand one on a line, each with a comment behind it:
+ * program. It is a comment (the banner: purpose, formula, latency), then one module, with or
+ * without an attribute on the line before it (keep_hierarchy), whose parameters and ports stand
+ * one on a line, each with a comment behind it:
  *
  *     // A ring of DEPTH words: what was pushed first is popped first.
  *     // Latency 1.

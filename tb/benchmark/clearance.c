@@ -3,7 +3,7 @@
  *   clearance sweep COUNT SEED    COUNT pairs near a limit; exit status 1 if one is missed
  *   clearance curve COUNT SEED    CSV: share of pairs not free over the real distance, COUNT
  *                                 pairs a kind and distance, CLEARANCE 5
- *   clearance pairs COUNT WORD    pairs near limits of 0 ... 20, rounded, for the benches */
+ *   clearance pairs COUNT WORD    pairs near limits of 0 ... 20, rounded, for the test benches */
 #include "oracle/clear_rules.h"
 #include "oracle/distance.h"
 #include "oracle/real_pairs.h"

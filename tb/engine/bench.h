@@ -1,4 +1,4 @@
-/* bench.h - what the parts of the engine's bench share. */
+/* bench.h - what the parts of the engine's test bench share. */
 #ifndef SEPAX_ENGINE_BENCH_H
 #define SEPAX_ENGINE_BENCH_H
 
