@@ -1,4 +1,4 @@
-/* cmd_gen.c - sepax gen: configuration -> Verilog folder. */
+/* gen.c - sepax gen: configuration -> Verilog folder. */
 #include "cli.h"
 #include "util/error.h"
 #include "emit/gen.h"

@@ -1,4 +1,4 @@
-/* cmd_multiplier.c - sepax multiplier: one of the generated multipliers by itself. */
+/* multiplier.c - sepax multiplier: one of the generated multipliers by itself. */
 #include "arith/arith.h"
 #include "cli.h"
 #include "util/error.h"

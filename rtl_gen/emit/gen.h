@@ -4,9 +4,9 @@
 
 #include "emit.h"
 
-/* Emit every module of the design, leaves first, `sepax_top` last. False with
- * e->error set if the emitter refuses one. gen_exact also reports the latency of the
- * schedule it makes. */
+/* Emit every module of the design, leaves first, its top last (`sepax_top`; of an engine
+ * `sepax_engine`). False with e->error set if the emitter refuses one. gen_exact also reports the
+ * latency of the schedule it makes. */
 bool gen_paper(emitter *e);
 bool gen_exact(emitter *e, int *latency);
 bool gen_conference(emitter *e);
