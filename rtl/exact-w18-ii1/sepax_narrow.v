@@ -1,7 +1,8 @@
 // sepax_narrow.v
 //
-// Narrow phase: sepax_core with its control. A pair enters at the end of an II window and moves on
-// by a stage in each; its verdict goes to the reorder buffer, which has an entry for each pair.
+// Narrow phase: sepax_core with its control. A pair enters at the end of an II window and is in
+// window 0 then, in window k after k more; its verdict goes to the reorder buffer, which has an
+// entry for each pair.
 // A pair that is flat in the projection on x and y goes round once more, as seen in u and z; flat
 // again, it is on a line, where the AABBs decide.
 //
@@ -23,16 +24,16 @@ module sepax_narrow (
   output wire [3:0]      out_axis       // what separates, see sepax_top; 0 none
 );
   localparam N = 18;       // bits of a coordinate
-  localparam STAGES = 4;  // a pair is in stages 0 ... STAGES
-  localparam JUDGED = 3;  // stage that it enters when its plane is known
+  localparam LAST = 4;  // window of the verdict; a pair is in windows 0 ... LAST
+  localparam JUDGED = 3;  // window that it enters when its plane is known
   localparam TAG = 3;     // log2 of the entries of the reorder buffer
   localparam RESULT = 5;  // bits of a verdict
 
-  reg  [STAGES:0]           valid_q;  // a pair is in stage k
-  reg  [(STAGES+1)*TAG-1:0] tag_q;    // its entry in the reorder buffer
-  reg  [STAGES:0]           second_q;   // this is its second pass
+  reg  [LAST:0]             valid_q;  // a pair is in window k
+  reg  [(LAST+1)*TAG-1:0]   tag_q;    // its entry in the reorder buffer
+  reg  [LAST:0]             second_q;   // this is its second pass
   reg  [JUDGED-1:0]         disjoint_q; // its projections were disjoint in the first
-  reg  [STAGES-JUDGED:0]    in_plane_q; // from stage JUDGED on: it is separated if coplanar
+  reg  [LAST-JUDGED:0]      in_plane_q; // from window JUDGED on: it is separated if coplanar
   wire                      flat;
   wire                      separated;
   wire                      disjoint_x;
@@ -57,11 +58,11 @@ module sepax_narrow (
 
   always @(posedge clk) begin
     if (rst) begin
-      valid_q <= {(STAGES+1){1'b0}};
+      valid_q <= {(LAST+1){1'b0}};
     end else begin
       if (1'b1) begin
         valid_q[0] <= enter;
-        for (k = 1; k <= STAGES; k = k + 1) begin
+        for (k = 1; k <= LAST; k = k + 1) begin
           valid_q[k] <= valid_q[k-1];
         end
         valid_q[JUDGED] <= valid_q[JUDGED-1] && !again;
@@ -71,7 +72,7 @@ module sepax_narrow (
       tag_q[0 +: TAG] <= again ? tag_q[(JUDGED-1)*TAG +: TAG] : tail;
       second_q[0] <= again;
       disjoint_q[0] <= again && disjoint;
-      for (k = 1; k <= STAGES; k = k + 1) begin
+      for (k = 1; k <= LAST; k = k + 1) begin
         tag_q[k*TAG +: TAG] <= tag_q[(k-1)*TAG +: TAG];
         second_q[k] <= second_q[k-1];
       end
@@ -79,7 +80,7 @@ module sepax_narrow (
         disjoint_q[k] <= disjoint_q[k-1];
       end
       in_plane_q[0] <= flat ? disjoint : separated;
-      for (k = 1; k <= STAGES - JUDGED; k = k + 1) begin
+      for (k = 1; k <= LAST - JUDGED; k = k + 1) begin
         in_plane_q[k] <= in_plane_q[k-1];
       end
     end
@@ -94,7 +95,7 @@ module sepax_narrow (
     .in_b2_x(in_pair[4*N +: N]), .in_b2_y(in_pair[10*N +: N]), .in_b2_z(in_pair[16*N +: N]),
     .in_b3_x(in_pair[5*N +: N]), .in_b3_y(in_pair[11*N +: N]), .in_b3_z(in_pair[17*N +: N]),
     .again(again), .flat(flat), .separated(separated), .disjoint_x(disjoint_x),
-    .disjoint_z(disjoint_z), .second(second_q[STAGES]), .in_plane(in_plane_q[STAGES-JUDGED]),
+    .disjoint_z(disjoint_z), .second(second_q[LAST]), .in_plane(in_plane_q[LAST-JUDGED]),
     .coplanar(coplanar), .axis(axis)
   );
 
@@ -102,7 +103,7 @@ module sepax_narrow (
 
   sepax_reorder reorder (
     .clk(clk), .rst(rst), .free(free), .take(take), .tail(tail),
-    .write(valid_q[STAGES]), .tag(tag_q[STAGES*TAG +: TAG]), .result(result),
+    .write(valid_q[LAST]), .tag(tag_q[LAST*TAG +: TAG]), .result(result),
     .valid(out_valid), .ready(out_ready), .oldest(oldest)
   );
 

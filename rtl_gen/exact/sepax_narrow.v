@@ -1,5 +1,6 @@
-// Narrow phase: sepax_core with its control. A pair enters at the end of an II window and moves on
-// by a stage in each; its verdict goes to the reorder buffer, which has an entry for each pair.
+// Narrow phase: sepax_core with its control. A pair enters at the end of an II window and is in
+// window 0 then, in window k after k more; its verdict goes to the reorder buffer, which has an
+// entry for each pair.
 //@ if passes
 // A pair that is flat in the projection on x and y goes round once more, as seen in u and z; flat
 // again, it is on a line, where the AABBs decide.
@@ -29,19 +30,19 @@ module sepax_narrow (
   output wire [3:0]      out_axis       // what @axis_about@, see sepax_top; 0 none
 );
   localparam N = @core_word@;       // bits of a coordinate
-  localparam STAGES = @stages@;  // a pair is in stages 0 ... STAGES
+  localparam LAST = @last_window@;  // window of the verdict; a pair is in windows 0 ... LAST
   //@ if passes
-  localparam JUDGED = @judged@;  // stage that it enters when its plane is known
+  localparam JUDGED = @judged@;  // window that it enters when its plane is known
   //@ end
   localparam TAG = @tag@;     // log2 of the entries of the reorder buffer
   localparam RESULT = @result@;  // bits of a verdict
 
-  reg  [STAGES:0]           valid_q;  // a pair is in stage k
-  reg  [(STAGES+1)*TAG-1:0] tag_q;    // its entry in the reorder buffer
+  reg  [LAST:0]             valid_q;  // a pair is in window k
+  reg  [(LAST+1)*TAG-1:0]   tag_q;    // its entry in the reorder buffer
   //@ if passes
-  reg  [STAGES:0]           second_q;   // this is its second pass
+  reg  [LAST:0]             second_q;   // this is its second pass
   reg  [JUDGED-1:0]         disjoint_q; // its projections were disjoint in the first
-  reg  [STAGES-JUDGED:0]    in_plane_q; // from stage JUDGED on: it is separated if coplanar
+  reg  [LAST-JUDGED:0]      in_plane_q; // from window JUDGED on: it is separated if coplanar
   //@ if aabb_test
   reg  [JUDGED-1:0]         decided_q;  // the AABB test has decided it
   //@ end
@@ -90,7 +91,7 @@ module sepax_narrow (
       //@ if shared
       slot_q <= {1'b1, {(II-1){1'b0}}};
       //@ end
-      valid_q <= {(STAGES+1){1'b0}};
+      valid_q <= {(LAST+1){1'b0}};
     end else begin
       //@ if shared
       if (!last_slot || enter || busy) begin
@@ -99,7 +100,7 @@ module sepax_narrow (
       //@ end
       if (@window_ends@) begin
         valid_q[0] <= enter;
-        for (k = 1; k <= STAGES; k = k + 1) begin
+        for (k = 1; k <= LAST; k = k + 1) begin
           valid_q[k] <= valid_q[k-1];
         end
         //@ if passes
@@ -118,7 +119,7 @@ module sepax_narrow (
       //@ else
       tag_q[0 +: TAG] <= tail;
       //@ end
-      for (k = 1; k <= STAGES; k = k + 1) begin
+      for (k = 1; k <= LAST; k = k + 1) begin
         tag_q[k*TAG +: TAG] <= tag_q[(k-1)*TAG +: TAG];
         //@ if passes
         second_q[k] <= second_q[k-1];
@@ -132,7 +133,7 @@ module sepax_narrow (
         //@ end
       end
       in_plane_q[0] <= flat ? disjoint : separated;
-      for (k = 1; k <= STAGES - JUDGED; k = k + 1) begin
+      for (k = 1; k <= LAST - JUDGED; k = k + 1) begin
         in_plane_q[k] <= in_plane_q[k-1];
       end
       //@ end
@@ -155,7 +156,7 @@ module sepax_narrow (
     //@ else
     //@ if passes
     .again(again), .flat(flat), .separated(separated), .disjoint_x(disjoint_x),
-    .disjoint_z(disjoint_z), .second(second_q[STAGES]), .in_plane(in_plane_q[STAGES-JUDGED]),
+    .disjoint_z(disjoint_z), .second(second_q[LAST]), .in_plane(in_plane_q[LAST-JUDGED]),
     //@ else
     .in_plane(1'b0),
     //@ end
@@ -174,7 +175,7 @@ module sepax_narrow (
     //@ if aabb_test
     .note(@note_in@), .oldest_note(out_note),
     //@ end
-    .write(valid_q[STAGES]@at_verdict_slot@), .tag(tag_q[STAGES*TAG +: TAG]), .result(result),
+    .write(valid_q[LAST]@at_verdict_slot@), .tag(tag_q[LAST*TAG +: TAG]), .result(result),
     .valid(out_valid), .ready(out_ready), .oldest(oldest)
   );
 

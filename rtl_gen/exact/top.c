@@ -61,7 +61,7 @@ static void set_control(emit_holes *h, const exact_plan *p) {
   int judged = (p->plane_cycle + 1) / c->ii;
   emit_hole_set(h, "ii", "%d", c->ii);
   emit_hole_set(h, "shared", "%d", shared);
-  emit_hole_set(h, "stages", "%d", p->verdict_cycle / c->ii);
+  emit_hole_set(h, "last_window", "%d", p->verdict_cycle / c->ii);
   emit_hole_set(h, "judged", "%d", judged);
   emit_hole_set(h, "tag", "%d", entries_log2(p));
   emit_hole_set(h, "result", "%d", p->limits > 0 ? 7 : 5);
