@@ -65,13 +65,20 @@ module sepax_own_zsum #(
   localparam [O_W-1:0] BIAS = {{(O_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
   localparam [O_W-1:0] DIFF_BIAS = {{(O_W+2-2*DIFF_DIGITS){1'b0}}, {(DIFF_DIGITS-1){2'b01}}};
 
+  // Wires of their own: where O_W = Z_W Yosys takes a port's concatenation for the signed wire.
+  wire [O_W-1:0] term_1;
+  wire [O_W-1:0] term_2;
+  wire [O_W-1:0] term_3;
   wire [O_W-1:0] sum;
   wire [O_W-1:0] carry;
 
+  assign term_1 = {{(O_W-Z_W+1){diff_1[Z_W-1]}}, diff_1[Z_W-2:0]};
+  assign term_2 = {{(O_W-Z_W+1){diff_2[Z_W-1]}}, diff_2[Z_W-2:0]};
+  assign term_3 = {{(O_W-Z_W+1){diff_3[Z_W-1]}}, diff_3[Z_W-2:0]};
   sepax_csa #(.N(O_W)) three (
-    .a({{(O_W-Z_W+1){diff_1[Z_W-1]}}, diff_1[Z_W-2:0]}),
-    .b({{(O_W-Z_W+1){diff_2[Z_W-1]}}, diff_2[Z_W-2:0]}),
-    .c({{(O_W-Z_W+1){diff_3[Z_W-1]}}, diff_3[Z_W-2:0]}),
+    .a(term_1),
+    .b(term_2),
+    .c(term_3),
     .carry_in(1'b0), .sum(sum), .carry(carry)
   );
 

@@ -37,6 +37,7 @@ define link
 @$(CC) $(CFLAGS) $(LDFLAGS) $^ $(LIBS) $(LDLIBS) -lm -pthread -o $@
 endef
 ORACLE_OBJ  = $(call object,$(wildcard tb/oracle/*.c))
+DISTANCE_OBJ = $(call object,$(addprefix tb/oracle/,oracle.c distance.c real_pairs.c clear_rules.c))
 LIBERTY_OBJ = $(call object,$(wildcard synth/liberty/*.c))
 GEN_OBJ     = $(call object,$(wildcard rtl_gen/*/*.c)) $(TEMPLATE_OBJ)
 POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(OPTIONS_OBJ) \
@@ -53,7 +54,7 @@ $(BUILD)/obj/synth/power/engine.o: SEPAX_CFLAGS += -I$(BUILD)/registers
 $(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
-$(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)
+$(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(DISTANCE_OBJ) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
 $(SEPAX) $(BUILD)/liberty $(BUILD)/power: LIBS = -ljansson
