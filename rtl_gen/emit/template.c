@@ -35,16 +35,21 @@ static bool kept(const filler *f) {
   return true;
 }
 
+/* "name": is the hole's text neither empty nor "0"? "!name": is it? */
+static bool holds(filler *f, const char *name, size_t length) {
+  bool negated = length > 0 && name[0] == '!';
+  const char *text = hole_text(f, name + negated, length - negated);
+  bool set = text[0] != '\0' && strcmp(text, "0") != 0;
+  return set != negated;
+}
+
 /* "if name", "if !name", "else", "end" behind the mark. */
 static void condition(filler *f, const char *words, size_t length) {
   while (length > 0 && words[length - 1] == ' ') {
     length--;
   }
   if (length > 3 && memcmp(words, "if ", 3) == 0 && f->depth < DEPTH) {
-    bool negated = words[3] == '!';
-    const char *text = hole_text(f, words + 3 + negated, length - 3 - negated);
-    bool set = text[0] != '\0' && strcmp(text, "0") != 0;
-    f->keeps[f->depth++] = set != negated;
+    f->keeps[f->depth++] = holds(f, words + 3, length - 3);
   } else if (length == 4 && memcmp(words, "else", 4) == 0 && f->depth > 0) {
     f->keeps[f->depth - 1] = !f->keeps[f->depth - 1];
   } else if (length == 3 && memcmp(words, "end", 3) == 0 && f->depth > 0) {
@@ -54,9 +59,18 @@ static void condition(filler *f, const char *words, size_t length) {
   }
 }
 
-/* One line with its holes filled. */
+/* One line with its holes filled, if the condition that it ends with holds. */
 static void fill_line(filler *f, const char *line, size_t length, FILE *out) {
   const char *end = line + length;
+  const char *mark = strstr(line, "//@ ");
+  if (mark != NULL && mark < end) {
+    if (!holds(f, mark + 4, (size_t)(end - mark - 4))) {
+      return;
+    }
+    for (end = mark; end > line && end[-1] == ' ';) {
+      end--;
+    }
+  }
   while (line < end) {
     const char *hole = memchr(line, '@', (size_t)(end - line));
     const char *close = hole != NULL ? memchr(hole + 1, '@', (size_t)(end - hole - 1)) : NULL;

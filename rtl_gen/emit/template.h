@@ -22,12 +22,13 @@
  *       ...
  *     endmodule
  *
- * @name@ is a hole: the text that the caller gives takes its place. The lines between
- * "//@ if name" and "//@ else" or "//@ end" stay if the hole's text is neither empty nor "0";
- * "//@ if !name" negates. They nest, and stand alone on their lines. Holes may stand anywhere, in
- * the banner and in the module's name, too. A hole without a text and a line of more than
- * 100 columns are refused; texts that the file has no hole for are not, so that the files of a
- * folder can share a list.
+ * @name@ is a hole: the text that the caller gives takes its place. The lines between "//@ if
+ * name" and "//@ else" or "//@ end" stay if the hole's text is neither empty nor "0"; "//@ if
+ * !name" negates. They nest, and stand alone on their lines. One line that ends with "//@ name" or
+ * "//@ !name", behind its comment, stays or goes alone, without this mark. Holes may stand
+ * anywhere, in the banner and in the module's name, too. A hole without a text and a line of more
+ * than 100 columns are refused; texts that the file has no hole for are not, so that the files of
+ * a folder can share a list.
  *
  * What is left is checked as every module is (emit.h) and can be instantiated from then on, by
  * emit_instance and by other templates. The reader understands: parameter, localparam (with a range

@@ -156,6 +156,11 @@ CASE(test_holes) {
   expect("  assign y = more[W:1];", "undeclared signal 'more'");
   expect_with(wide, head, nested, NULL);
   expect(nested, NULL);
+  static const char inlined[] = "  assign y = more[W:1]; // a line //@ wide\n"
+                                "  assign y = a; //@ !wide\n  wire n = nothing; //@ !name";
+  expect_with(wide, head, inlined, NULL);
+  expect(inlined, NULL);
+  expect("  assign y = a; //@ no wide", "no text for the hole @no wide@");
   expect_with(short_of, head, "", "no text for the hole @name@");
   expect("//@ if wide", "//@ if without //@ end");
   expect("//@ for wide", "not understood: //@ for wide");
@@ -213,7 +218,7 @@ CASE(test_print) {
   emit_init(&e, NULL, "sepax gen");
   assert_true(emit_template_text(
       &e, "m",
-      "// Bits of @w@.\n(* keep_hierarchy *)\nmodule m_@w@ (\n  input wire a, // bit\n"
+      "// Bits of @w@.\n(* keep_hierarchy *)\nmodule m_@w@ (\n  input wire a, // bit  //@ w\n"
       "  output wire y // bit\n);\n  assign y = a;\nendmodule\n",
       (emit_hole[]){{"w", "3"}, {NULL, NULL}}));
   FILE *out = open_memstream(&text, &size);
