@@ -25,6 +25,18 @@ void *emit_grow(void *list, int count, size_t size) {
   return grown;
 }
 
+void emit_stream_open(emit_stream *s) {
+  s->out = open_memstream(&s->text, &s->size);
+  if (s->out == NULL) {
+    abort();
+  }
+}
+
+char *emit_stream_close(emit_stream *s) {
+  fclose(s->out);
+  return s->text;
+}
+
 void emit_init(emitter *e, const sepax_design *design, const char *command) {
   *e = (emitter){.design = design};
   snprintf(e->command, sizeof e->command, "%s", command);

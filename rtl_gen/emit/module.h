@@ -70,4 +70,14 @@ bool emit_refuse(const emit_module *m, const char *format, ...)
 char *emit_copy(const char *text, size_t length);
 void *emit_grow(void *list, int count, size_t size); /* capacity for one more than `count` */
 
+/* A text that grows: written to `out`, whole in `text` behind emit_stream_close, which returns it;
+ * to be freed. */
+typedef struct {
+  FILE *out;
+  char *text;
+  size_t size;
+} emit_stream;
+void emit_stream_open(emit_stream *s);
+char *emit_stream_close(emit_stream *s);
+
 #endif

@@ -315,12 +315,7 @@ bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
                      count == 0 ? "no such template" : "a template of several folders; say which");
 }
 
-void emit_hole_set(emit_holes *h, const char *name, const char *format, ...) {
-  char text[4096];
-  va_list args;
-  va_start(args, format);
-  vsnprintf(text, sizeof text, format, args);
-  va_end(args);
+void emit_hole_take(emit_holes *h, const char *name, emit_stream *text) {
   int i = 0;
   while (i < h->count && strcmp(h->hole[i].name, name) != 0) {
     i++;
@@ -331,7 +326,17 @@ void emit_hole_set(emit_holes *h, const char *name, const char *format, ...) {
   } else {
     free((char *)h->hole[i].text);
   }
-  h->hole[i] = (emit_hole){name, emit_copy(text, strlen(text))};
+  h->hole[i] = (emit_hole){name, emit_stream_close(text)};
+}
+
+void emit_hole_set(emit_holes *h, const char *name, const char *format, ...) {
+  emit_stream text;
+  emit_stream_open(&text);
+  va_list args;
+  va_start(args, format);
+  vfprintf(text.out, format, args);
+  va_end(args);
+  emit_hole_take(h, name, &text);
 }
 
 void emit_holes_free(emit_holes *h) {

@@ -76,6 +76,7 @@ typedef struct {
 } emit_holes;
 void emit_hole_set(emit_holes *h, const char *name, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+void emit_hole_take(emit_holes *h, const char *name, emit_stream *text); /* what was written */
 void emit_holes_free(emit_holes *h);
 
 /* The same with the template's text itself. */
