@@ -18,20 +18,14 @@ module sepax_own_orient2d #(
   input  wire signed [G_W-1:0] r,   // trapezoid term
   output reg  signed [G_W-1:0] g    // twice the area
 );
-
   wire [G_W-1:0] sum;
   wire [G_W-1:0] carry;
 
-  sepax_csa #(.N(G_W)) three (
-    .a(p), .b(q),
-    .c(r),
-    .carry_in(1'b0), .sum(sum), .carry(carry)
-  );
+  sepax_csa #(.N(G_W)) three (.a(p), .b(q), .c(r), .carry_in(1'b0), .sum(sum), .carry(carry));
 
   always @(posedge clk) begin
     g <= sum + carry;
   end
-
 endmodule
 
 `default_nettype wire

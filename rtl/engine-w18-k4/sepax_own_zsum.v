@@ -20,21 +20,17 @@ module sepax_own_zsum #(
   input  wire signed [W-1:0]   z_b,    // coordinate
   output reg  signed [O_W-1:0] z       // z sum + BIAS
 );
-
   wire [O_W-1:0] sum;
   wire [O_W-1:0] carry;
 
   sepax_csa #(.N(O_W)) three (
-    .a(so_far),
-    .b({{(O_W-W){z_b[W-1]}}, z_b}),
-    .c(~{{(O_W-W){z_a[W-1]}}, z_a}),
-    .carry_in(1'b1), .sum(sum), .carry(carry)
+    .a(so_far), .b({{(O_W-W){z_b[W-1]}}, z_b}), .c(~{{(O_W-W){z_a[W-1]}}, z_a}), .carry_in(1'b1),
+    .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin
     z <= sum + carry;
   end
-
 endmodule
 
 `default_nettype wire

@@ -19,7 +19,6 @@ module sepax_top_digit #(
   output wire [ROW_W-1:0] row,     // the row, two's complement but for `negative`
   output wire             negative // to be added at the row's lowest bit
 );
-
   wire one;
   wire two;
   wire [A_W+1:0] twice; // 2 a
@@ -39,7 +38,6 @@ module sepax_top_digit #(
       wire [A_W-ROW_W:0] unused_bits = twice[A_W+1:ROW_W+1];
     end
   endgenerate
-
 endmodule
 
 `default_nettype wire

@@ -23,7 +23,6 @@ module sepax_trapezoid #(
   input  wire signed [W-1:0]   y_to,   // coordinate
   output reg  signed [G_W-1:0] t       // trapezoid term
 );
-
   wire signed [S_W-1:0] run;
   wire signed [S_W-1:0] height;
   wire signed [G_W-1:0] product;
@@ -40,7 +39,6 @@ module sepax_trapezoid #(
   always @(posedge clk) begin
     t <= product;
   end
-
 endmodule
 
 `default_nettype wire

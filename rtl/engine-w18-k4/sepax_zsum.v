@@ -23,7 +23,6 @@ module sepax_zsum #(
   input  wire signed [W-1:0]   z_s,    // coordinate
   output reg  signed [Z_W-1:0] z       // z sum + BIAS
 );
-
   // 1 for each digit but the highest.
   localparam [Z_W-1:0] BIAS = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
 
@@ -33,22 +32,17 @@ module sepax_zsum #(
   wire [Z_W-1:0] four_carry;
 
   sepax_csa #(.N(Z_W)) three (
-    .a({{(Z_W-W){z_p[W-1]}}, z_p}),
-    .b({{(Z_W-W){z_q[W-1]}}, z_q}),
-    .c(~{{(Z_W-W){z_r[W-1]}}, z_r}),
+    .a({{(Z_W-W){z_p[W-1]}}, z_p}), .b({{(Z_W-W){z_q[W-1]}}, z_q}), .c(~{{(Z_W-W){z_r[W-1]}}, z_r}),
     .carry_in(1'b1), .sum(three_sum), .carry(three_carry)
   );
   sepax_csa #(.N(Z_W)) four (
-    .a(three_sum),
-    .b(three_carry),
-    .c(~{{(Z_W-W){z_s[W-1]}}, z_s}),
-    .carry_in(1'b1), .sum(four_sum), .carry(four_carry)
+    .a(three_sum), .b(three_carry), .c(~{{(Z_W-W){z_s[W-1]}}, z_s}), .carry_in(1'b1),
+    .sum(four_sum), .carry(four_carry)
   );
 
   always @(posedge clk) begin
     z <= four_sum + four_carry + BIAS;
   end
-
 endmodule
 
 `default_nettype wire

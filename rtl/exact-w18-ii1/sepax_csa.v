@@ -18,19 +18,13 @@ module sepax_csa #(
   output wire [N-1:0] sum,      // of each column
   output wire [N-1:0] carry     // from the column below
 );
-
   wire [N-2:0] up;
 
   assign sum[N-1] = a[N-1] ^ b[N-1] ^ c[N-1];
   assign carry = {up, carry_in};
   sepax_fa #(.N(N-1)) columns (
-    .a(a[N-2:0]),
-    .b(b[N-2:0]),
-    .c(c[N-2:0]),
-    .sum(sum[N-2:0]),
-    .carry(up)
+    .a(a[N-2:0]), .b(b[N-2:0]), .c(c[N-2:0]), .sum(sum[N-2:0]), .carry(up)
   );
-
 endmodule
 
 `default_nettype wire

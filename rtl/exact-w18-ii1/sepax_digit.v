@@ -18,7 +18,6 @@ module sepax_digit #(
   output wire [ROW_W-1:0] row,     // the row, two's complement but for `negative`
   output wire             negative // to be added at the row's lowest bit
 );
-
   wire one;
   wire two;
   wire [A_W+1:0] twice; // 2 a
@@ -38,7 +37,6 @@ module sepax_digit #(
       wire [A_W-ROW_W:0] unused_bits = twice[A_W+1:ROW_W+1];
     end
   endgenerate
-
 endmodule
 
 `default_nettype wire

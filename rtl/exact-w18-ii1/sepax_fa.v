@@ -17,13 +17,11 @@ module sepax_fa #(
   output wire [N-1:0] sum,  // sums of the columns
   output wire [N-1:0] carry // carries of the columns
 );
-
   wire [N-1:0] half;
 
   assign half = a ^ b;
   assign sum = half ^ c;
   assign carry = (a & b) | (half & c);
-
 endmodule
 
 `default_nettype wire

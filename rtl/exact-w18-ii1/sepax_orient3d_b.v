@@ -19,25 +19,19 @@ module sepax_orient3d_b #(
   input  wire signed [V_W-1:0] s,      // signed prism volume
   output reg         [1:0]     sign    // {volume > 0, volume < 0}
 );
-
   wire [V_W-1:0] three_sum;
   wire [V_W-1:0] three_carry;
   wire [V_W-1:0] sum;
   wire [V_W-1:0] carry;
 
   sepax_csa #(.N(V_W)) three (
-    .a(p),
-    .b(q),
+    .a(p), .b(q),
     .c(r),
     .carry_in(1'b0),
-    .sum(three_sum),
-    .carry(three_carry)
+    .sum(three_sum), .carry(three_carry)
   );
   sepax_csa #(.N(V_W)) four (
-    .a(three_sum),
-    .b(three_carry),
-    .c(~s),
-    .carry_in(1'b1), .sum(sum), .carry(carry)
+    .a(three_sum), .b(three_carry), .c(~s), .carry_in(1'b1), .sum(sum), .carry(carry)
   );
 
   wire [V_W-1:0] volume;
@@ -47,7 +41,6 @@ module sepax_orient3d_b #(
   always @(posedge clk) begin
     sign <= {!volume[V_W-1] && (volume != {V_W{1'b0}}), volume[V_W-1]};
   end
-
 endmodule
 
 `default_nettype wire

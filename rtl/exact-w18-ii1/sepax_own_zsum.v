@@ -21,7 +21,6 @@ module sepax_own_zsum #(
   input  wire signed [Z_W-1:0] diff_3, // z of B_3 less z of A_3, + DIFF_BIAS
   output reg  signed [O_W-1:0] z       // z sum + BIAS
 );
-
   // 1 for each digit but the highest.
   localparam [O_W-1:0] BIAS = {{(O_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
   localparam [O_W-1:0] DIFF_BIAS = {{(O_W+2-2*DIFF_DIGITS){1'b0}}, {(DIFF_DIGITS-1){2'b01}}};
@@ -37,16 +36,12 @@ module sepax_own_zsum #(
   assign term_2 = {{(O_W-Z_W+1){diff_2[Z_W-1]}}, diff_2[Z_W-2:0]};
   assign term_3 = {{(O_W-Z_W+1){diff_3[Z_W-1]}}, diff_3[Z_W-2:0]};
   sepax_csa #(.N(O_W)) three (
-    .a(term_1),
-    .b(term_2),
-    .c(term_3),
-    .carry_in(1'b0), .sum(sum), .carry(carry)
+    .a(term_1), .b(term_2), .c(term_3), .carry_in(1'b0), .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin
     z <= sum + carry + (BIAS - (DIFF_BIAS + DIFF_BIAS + DIFF_BIAS));
   end
-
 endmodule
 
 `default_nettype wire

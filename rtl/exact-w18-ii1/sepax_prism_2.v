@@ -20,19 +20,15 @@ module sepax_prism_2 #(
   input  wire signed [Z_W-1:0] z,   // z sum + BIAS
   output reg  signed [V_W-1:0] h    // signed prism volume
 );
-
   wire signed [V_W-1:0] product;
 
   sepax_mul_37x21_biased_2 multiply (
-    .a(g),
-    .b(z),
-    .p(product)
+    .a(g), .b(z), .p(product)
   );
 
   always @(posedge clk) begin
     h <= product;
   end
-
 endmodule
 
 `default_nettype wire

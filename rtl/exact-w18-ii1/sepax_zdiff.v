@@ -19,7 +19,6 @@ module sepax_zdiff #(
   input  wire signed [W-1:0]   z_r, // coordinate
   output wire signed [Z_W-1:0] z    // difference + BIAS
 );
-
   // 1 for each digit but the highest.
   localparam signed [Z_W-1:0] BIAS = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
 
@@ -29,7 +28,6 @@ module sepax_zdiff #(
   assign wide_p = {{(Z_W-W){z_p[W-1]}}, z_p};
   assign wide_r = {{(Z_W-W){z_r[W-1]}}, z_r};
   assign z = wide_p - wide_r + BIAS;
-
 endmodule
 
 `default_nettype wire

@@ -17,11 +17,9 @@ module sepax_zsum #(
   input  wire signed [Z_W-1:0] diff_2, // z difference + BIAS
   output reg  signed [Z_W-1:0] z       // z sum + 2 BIAS
 );
-
   always @(posedge clk) begin
     z <= diff_1 + diff_2;
   end
-
 endmodule
 
 `default_nettype wire

@@ -23,7 +23,6 @@ module sepax_decide (
   output wire        coplanar, // all orient3d are zero, or a second pass
   output reg  [3:0]  axis      // AXIS_...
 );
-
   localparam [3:0] AXIS_NONE = 4'd0;
   localparam [3:0] AXIS_EDGES = 4'd1;
   localparam [3:0] AXIS_NORMAL_A = 4'd10;
@@ -78,7 +77,6 @@ module sepax_decide (
       axis = in_plane ? AXIS_PLANE : AXIS_NONE;
     end
   end
-
 endmodule
 
 `default_nettype wire

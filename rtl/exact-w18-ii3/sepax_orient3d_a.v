@@ -16,11 +16,9 @@ module sepax_orient3d_a #(
   input  wire signed [V_W-1:0] q,   // signed prism volume
   output reg  signed [V_W-1:0] sum  // sum; behind the third prism the orient3d
 );
-
   always @(posedge clk) begin
     sum <= p + q;
   end
-
 endmodule
 
 `default_nettype wire

@@ -24,7 +24,6 @@ module sepax_trapezoid_ab #(
   output reg         [1:0]     order,  // {x_to > x_from, x_to < x_from}, 1 clock later
   output reg  signed [G_W-1:0] t       // trapezoid term
 );
-
   wire signed [S_W-1:0] run;
   wire signed [S_W-1:0] height;
   wire signed [G_W-1:0] product;
@@ -42,7 +41,6 @@ module sepax_trapezoid_ab #(
     t <= product;
     order <= {!run[S_W-1] && (run != {S_W{1'b0}}), run[S_W-1]};
   end
-
 endmodule
 
 `default_nettype wire

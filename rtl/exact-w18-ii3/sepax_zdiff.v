@@ -20,7 +20,6 @@ module sepax_zdiff #(
   input  wire signed [W-1:0]   z_r, // coordinate
   output reg  signed [Z_W-1:0] z    // difference + BIAS
 );
-
   // 1 for each digit but the highest.
   localparam signed [Z_W-1:0] BIAS = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
 
@@ -33,7 +32,6 @@ module sepax_zdiff #(
   always @(posedge clk) begin
     z <= wide_p - wide_r + BIAS;
   end
-
 endmodule
 
 `default_nettype wire

@@ -20,7 +20,6 @@ module sepax_cmp #(
   input  wire [3*D_W-1:0] on_b,   // projections of B_3, B_2, B_1, signed each
   output reg              overlap // 0: a separating axis
 );
-
   wire signed [D_W-1:0] a_1 = on_a[0 +: D_W];
   wire signed [D_W-1:0] a_2 = on_a[D_W +: D_W];
   wire signed [D_W-1:0] a_3 = on_a[2*D_W +: D_W];
@@ -42,7 +41,6 @@ module sepax_cmp #(
       overlap <= idle || !((min_a > max_b) || (max_a < min_b));
     end
   end
-
 endmodule
 
 `default_nettype wire

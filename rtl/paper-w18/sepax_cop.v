@@ -19,7 +19,6 @@ module sepax_cop #(
   input  wire [3*D_W-1:0] q,       // {q_3, q_2, q_1}, signed each
   output wire             coplanar // 1: treat the pair as coplanar
 );
-
   localparam signed [D_W:0] LIMIT = 38'sd131072; // 1 LSB along a unit normal
 
   reg [2:0] near_q; // |p_k - q_k| < LIMIT
@@ -38,7 +37,6 @@ module sepax_cop #(
   endgenerate
 
   assign coplanar = &near_q;
-
 endmodule
 
 `default_nettype wire

@@ -25,7 +25,6 @@ module sepax_cross #(
   input  wire [3*E_W-1:0] q,          // right factor
   output reg  [3*C_W-1:0] axis        // p x q
 );
-
   wire [3*S_W-1:0] exact;
   wire [3*S_W-1:0] scaled;
   wire [3*C_W-1:0] kept;
@@ -68,7 +67,6 @@ module sepax_cross #(
       axis <= kept;
     end
   end
-
 endmodule
 
 `default_nettype wire

@@ -26,7 +26,6 @@ module sepax_dot #(
   input  wire        [3*C_W-1:0] axis,     // axis
   output reg  signed [D_W-1:0] dot         // inner product
 );
-
   wire [3*P_W-1:0] product;
   reg  [3*P_W-1:0] product_q;
 
@@ -37,9 +36,7 @@ module sepax_dot #(
     end
     for (c = 0; c < 3; c = c + 1) begin : component
       sepax_mul #(.A_W(V_W), .B_W(C_W), .FULL_W(M_W), .P_W(P_W)) mul (
-        .a(vertex[c*V_W +: V_W]),
-        .b(axis[c*C_W +: C_W]),
-        .p(product[c*P_W +: P_W])
+        .a(vertex[c*V_W +: V_W]), .b(axis[c*C_W +: C_W]), .p(product[c*P_W +: P_W])
       );
     end
   endgenerate
@@ -59,7 +56,6 @@ module sepax_dot #(
       dot <= sum_kept;
     end
   end
-
 endmodule
 
 `default_nettype wire

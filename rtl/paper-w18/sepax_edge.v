@@ -18,7 +18,6 @@ module sepax_edge #(
   input  wire [3*V_W-1:0] to,         // vertex
   output wire [3*E_W-1:0] edge_vector // edge
 );
-
   genvar c;
   generate
     if (D_W != V_W + 1) begin : check
@@ -29,12 +28,10 @@ module sepax_edge #(
       wire signed [V_W-1:0] tail = from[c*V_W +: V_W];
       wire signed [D_W-1:0] difference = {head[V_W-1], head} - {tail[V_W-1], tail};
       sepax_trunc #(.IN_W(D_W), .OUT_W(E_W)) trunc (
-        .value(difference),
-        .kept(edge_vector[c*E_W +: E_W])
+        .value(difference), .kept(edge_vector[c*E_W +: E_W])
       );
     end
   endgenerate
-
 endmodule
 
 `default_nettype wire

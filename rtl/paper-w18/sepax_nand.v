@@ -13,9 +13,7 @@ module sepax_nand (
   input  wire [10:0] overlap,  // bit i-1: projections on axis i overlap
   output wire        separated // 1: the triangles are separated
 );
-
   assign separated = ~(&overlap);
-
 endmodule
 
 `default_nettype wire

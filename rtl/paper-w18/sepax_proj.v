@@ -28,7 +28,6 @@ module sepax_proj #(
   output wire [3*D_W-1:0] on_a,       // projections of A_3, A_2, A_1, signed each
   output wire [3*D_W-1:0] on_b        // projections of B_3, B_2, B_1, signed each
 );
-
   genvar k;
   generate
     for (k = 0; k < 3; k = k + 1) begin : vertex
@@ -42,7 +41,6 @@ module sepax_proj #(
       );
     end
   endgenerate
-
 endmodule
 
 `default_nettype wire

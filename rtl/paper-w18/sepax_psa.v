@@ -35,7 +35,6 @@ module sepax_psa #(
   input  wire [3*N_W-1:0]  n_b,        // N_B
   output wire [27*C_W-1:0] axis        // axes 1 ... 9
 );
-
   localparam U = 3 * E_W; // bits of an operand
 
   wire [3*U-1:0] edge_a;
@@ -52,14 +51,10 @@ module sepax_psa #(
   generate
     for (k = 0; k < 3; k = k + 1) begin : edges
       sepax_edge #(.V_W(V_W), .D_W(D_W), .E_W(E_W)) of_a (
-        .from(a[3*k*V_W +: 3*V_W]),
-        .to(a[3*((k+1)%3)*V_W +: 3*V_W]),
-        .edge_vector(edge_a[k*U +: U])
+        .from(a[3*k*V_W +: 3*V_W]), .to(a[3*((k+1)%3)*V_W +: 3*V_W]), .edge_vector(edge_a[k*U +: U])
       );
       sepax_edge #(.V_W(V_W), .D_W(D_W), .E_W(E_W)) of_b (
-        .from(b[3*k*V_W +: 3*V_W]),
-        .to(b[3*((k+1)%3)*V_W +: 3*V_W]),
-        .edge_vector(edge_b[k*U +: U])
+        .from(b[3*k*V_W +: 3*V_W]), .to(b[3*((k+1)%3)*V_W +: 3*V_W]), .edge_vector(edge_b[k*U +: U])
       );
     end
     for (k = 0; k < 3; k = k + 1) begin : component
@@ -84,16 +79,12 @@ module sepax_psa #(
   generate
     for (k = 0; k < 9; k = k + 1) begin : axes
       sepax_cross #(.E_W(E_W), .M_W(M_W), .P_W(P_W), .S_W(S_W), .C_W(C_W)) product (
-        .clk(clk),
-        .product_en(k < 6 ? product_en : product_en_3),
-        .axis_en(k < 6 ? axis_en : axis_en_3),
-        .p(p_q[(k/3)*U +: U]),
-        .q(q_q[k*U +: U]),
+        .clk(clk), .product_en(k < 6 ? product_en : product_en_3),
+        .axis_en(k < 6 ? axis_en : axis_en_3), .p(p_q[(k/3)*U +: U]), .q(q_q[k*U +: U]),
         .axis(axis[3*k*C_W +: 3*C_W])
       );
     end
   endgenerate
-
 endmodule
 
 `default_nettype wire

@@ -36,7 +36,6 @@ module sepax_top (
   output wire              out_collision, // 1: no separating axis was found
   output wire              out_coplanar   // 1: judged by table 2
 );
-
   localparam V_W = 18; // bits of a coordinate
   localparam N_W = 18; // bits of a normal's component
   localparam NM_W = 36; // coordinate x normal, exact
@@ -65,10 +64,9 @@ module sepax_top (
   reg [9*V_W-1:0] b_10;
 
   sepax_input #(.V_W(V_W), .N_W(N_W), .LAST(13)) words (
-    .clk(clk), .rst(rst), .in_valid(in_valid),
-    .in_a({in_a_z, in_a_y, in_a_x}), .in_b({in_b_z, in_b_y, in_b_x}),
-    .in_na(in_na), .in_nb(in_nb),
-    .a(a), .b(b), .n_a(n_a), .n_b(n_b), .step(step)
+    .clk(clk), .rst(rst), .in_valid(in_valid), .in_a({in_a_z, in_a_y, in_a_x}),
+    .in_b({in_b_z, in_b_y, in_b_x}), .in_na(in_na), .in_nb(in_nb), .a(a), .b(b), .n_a(n_a),
+    .n_b(n_b), .step(step)
   );
 
   // Cycles 4-5: PROJ on the normals; 6: CMP of axes 10 (N_A) and 11 (N_B).
@@ -159,15 +157,10 @@ module sepax_top (
       sepax_proj #(
         .V_W(V_W), .C_W(C_W), .M_W(M_W), .P_W(P_W), .S_W(S_W), .D_W(D_W)
       ) proj (
-        .clk(clk),
-        .product_en(i < 6 ? step[10] : product_en_3),
-        .sum_en(i < 6 ? step[11] : sum_en_3),
-        .axis_a(axis[3*i*C_W +: 3*C_W]),
-        .axis_b(axis[3*i*C_W +: 3*C_W]),
-        .a(i < 6 ? a_8 : a_10),
-        .b(i < 6 ? b_8 : b_10),
-        .on_a(on_a),
-        .on_b(on_b)
+        .clk(clk), .product_en(i < 6 ? step[10] : product_en_3),
+        .sum_en(i < 6 ? step[11] : sum_en_3), .axis_a(axis[3*i*C_W +: 3*C_W]),
+        .axis_b(axis[3*i*C_W +: 3*C_W]), .a(i < 6 ? a_8 : a_10), .b(i < 6 ? b_8 : b_10),
+        .on_a(on_a), .on_b(on_b)
       );
       sepax_cmp #(.D_W(D_W)) cmp (
         .clk(clk), .en(step[12]), .idle(i < 6 ? 1'b0 : coplanar_10),
@@ -184,7 +177,6 @@ module sepax_top (
   assign out_valid = step[13];
   assign out_collision = out_valid && !separated;
   assign out_coplanar = out_valid && coplanar_13;
-
 endmodule
 
 `default_nettype wire

@@ -16,7 +16,6 @@ module sepax_trunc #(
   input  wire signed [IN_W-1:0]  value, // exact value
   output wire signed [OUT_W-1:0] kept   // its OUT_W most significant bits
 );
-
   generate
     if (OUT_W > IN_W) begin : check
       sepax_trunc_keeps_more_bits_than_there_are fault ();
@@ -27,7 +26,6 @@ module sepax_trunc #(
   endgenerate
 
   assign kept = value[IN_W-1:IN_W-OUT_W];
-
 endmodule
 
 `default_nettype wire

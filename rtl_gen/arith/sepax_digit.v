@@ -1,11 +1,8 @@
 //@ if top
 // One row of a multiplier: with digit = b, two's complement, -2, -1, 0, 1 or 2,
 //@ else
-//@ if two_less
-// One row of a multiplier: with digit = b - 2, which is -2, -1, 0 or 1,
-//@ else
-// One row of a multiplier: with digit = b - 1, which is -1, 0, 1 or 2,
-//@ end
+// One row of a multiplier: with digit = b - 2, which is -2, -1, 0 or 1, //@ two_less
+// One row of a multiplier: with digit = b - 1, which is -1, 0, 1 or 2, //@ !two_less
 //@ end
 //   digit * a = row + negative modulo 2^ROW_W.
 // Combinational.
@@ -14,15 +11,11 @@ module @name@ #(
   parameter ROW_W = 9  // bits of the row kept, 1 ... A_W + 1
 ) (
   input  wire signed [A_W-1:0] a, // the factor that is selected
-//@ if top
-  input  wire [2:0]       b,       // the highest bits of the other factor
-//@ else
-  input  wire [1:0]       b,       // two bits of the other factor
-//@ end
+  input  wire [2:0]       b,       // the highest bits of the other factor //@ top
+  input  wire [1:0]       b,       // two bits of the other factor //@ !top
   output wire [ROW_W-1:0] row,     // the row, two's complement but for `negative`
   output wire             negative // to be added at the row's lowest bit
 );
-
   wire one;
   wire two;
   wire [A_W+1:0] twice; // 2 a
@@ -58,5 +51,4 @@ module @name@ #(
       wire [A_W-ROW_W:0] unused_bits = twice[A_W+1:ROW_W+1];
     end
   endgenerate
-
 endmodule

@@ -12,7 +12,6 @@ module sepax_aabb_outside #(
   input  wire signed [W-1:0] b_3,    // coordinate
   output reg  [LIMITS-1:0]   outside // bit k: of clearance k
 );
-
   localparam [LIMITS*W-1:0] MARGINS = {@margins@};
 
   wire signed [W-1:0] low_a;
@@ -27,20 +26,8 @@ module sepax_aabb_outside #(
   wire [W:0] down;
   wire [LIMITS-1:0] above;
 
-  sepax_bounds #(.W(W)) bounds_a (
-    .x_1(a_1),
-    .x_2(a_2),
-    .x_3(a_3),
-    .low(low_a),
-    .high(high_a)
-  );
-  sepax_bounds #(.W(W)) bounds_b (
-    .x_1(b_1),
-    .x_2(b_2),
-    .x_3(b_3),
-    .low(low_b),
-    .high(high_b)
-  );
+  sepax_bounds #(.W(W)) bounds_a (.x_1(a_1), .x_2(a_2), .x_3(a_3), .low(low_a), .high(high_a));
+  sepax_bounds #(.W(W)) bounds_b (.x_1(b_1), .x_2(b_2), .x_3(b_3), .low(low_b), .high(high_b));
 
   assign up = {low_b_q[W-1], low_b_q} - {high_a_q[W-1], high_a_q};
   assign down = {low_a_q[W-1], low_a_q} - {high_b_q[W-1], high_b_q};
@@ -60,5 +47,4 @@ module sepax_aabb_outside #(
     high_b_q <= high_b;
     outside <= above;
   end
-
 endmodule

@@ -8,9 +8,7 @@ module sepax_cross #(
   input  wire signed [G_W-1:0] q,   // orient2d with its beginning
   output reg  signed [C_W-1:0] c    // component
 );
-
   always @(posedge clk) begin
     c <= {{(C_W-G_W){p[G_W-1]}}, p} - {{(C_W-G_W){q[G_W-1]}}, q};
   end
-
 endmodule

@@ -25,7 +25,6 @@ module sepax_decide_band #(
   output wire [1:0]          band,     // 0 free, 1 warning, 2 collision
   output reg  [3:0]          axis      // AXIS_...
 );
-
   localparam [3:0] AXIS_NONE = 4'd@axis_none@;
   localparam [3:0] AXIS_EDGES = 4'd@axis_edges@;
   localparam [3:0] AXIS_NORMAL_A = 4'd@axis_normal_a@;
@@ -101,5 +100,4 @@ module sepax_decide_band #(
       axis = AXIS_AABB;
     end
   end
-
 endmodule

@@ -17,7 +17,6 @@ module sepax_edge_limit #(
   output wire [M_W-1:0]      limit_yz, // likewise
   output wire [M_W-1:0]      limit_zx  // likewise
 );
-
   reg [3*W-1:0] size_q; // |Z|, |Y|, |X|
   wire [3*M_W-1:0] limit;
 
@@ -34,28 +33,20 @@ module sepax_edge_limit #(
       wire [W-1:0] size_2;
       reg [W:0] sum_q;
       reg [L_W-1:0] limit_1_q;
-//@ if most
-      reg [W-1:0] most_q;
-//@ end
-//@ if two_limits
-      reg [L_W-1:0] limit_2_q;
-//@ end
+      reg [W-1:0] most_q; //@ most
+      reg [L_W-1:0] limit_2_q; //@ two_limits
 //@ if parts
       reg [L_W-1:0] of_sum_1_q;
       reg [L_W-1:0] of_most_1_q;
-//@ if two_limits
-      reg [L_W-1:0] of_sum_2_q;
-      reg [L_W-1:0] of_most_2_q;
-//@ end
+      reg [L_W-1:0] of_sum_2_q; //@ two_limits
+      reg [L_W-1:0] of_most_2_q; //@ two_limits
 //@ end
 
       assign size_1 = size_q[n*W +: W];
       assign size_2 = size_q[((n+1)%3)*W +: W];
       always @(posedge clk) begin
         sum_q <= {1'b0, size_1} + {1'b0, size_2};
-//@ if most
-        most_q <= (size_1 > size_2) ? size_1 : size_2;
-//@ end
+        most_q <= (size_1 > size_2) ? size_1 : size_2; //@ most
 //@ if parts
         of_sum_1_q <= @of_sum_1@;
         of_most_1_q <= @of_most_1@;
@@ -67,21 +58,15 @@ module sepax_edge_limit #(
 //@ end
 //@ else
         limit_1_q <= @limit_1@;
-//@ if two_limits
-        limit_2_q <= @limit_2@;
-//@ end
+        limit_2_q <= @limit_2@; //@ two_limits
 //@ end
       end
-//@ if two_limits
-      assign limit[n*M_W +: M_W] = {limit_2_q, limit_1_q};
-//@ else
-      assign limit[n*M_W +: M_W] = limit_1_q;
-//@ end
+      assign limit[n*M_W +: M_W] = {limit_2_q, limit_1_q}; //@ two_limits
+      assign limit[n*M_W +: M_W] = limit_1_q; //@ !two_limits
     end
   endgenerate
 
   assign limit_xy = limit[0*M_W +: M_W];
   assign limit_yz = limit[1*M_W +: M_W];
   assign limit_zx = limit[2*M_W +: M_W];
-
 endmodule

@@ -1,8 +1,5 @@
-//@ if zero
-// orient3d against the limit of its axis: is twice its size above it, for each clearance?
-//@ else
-// orient2d against the limit of its edge: is twice its size above it, for each clearance?
-//@ end
+// orient3d against the limit of its axis: is twice its size above it, for each clearance? //@ zero
+// orient2d against the limit of its edge: is twice its size above it, for each clearance? //@ !zero
 // For v of sign s the comparison is {~v if s else v, s, s} > {limit, 0}. Latency 1.
 module @name@ #(
   parameter V_W = @x_w@,      // bits of the value
@@ -13,13 +10,9 @@ module @name@ #(
   input  wire                  clk,     // clock
   input  wire signed [V_W-1:0] @value@,       // value
   input  wire [LIMITS*L_W-1:0] limit,   // for each clearance, the inner in the lower half
-//@ if zero
-  output reg  [LIMITS+1:0]     exceeds  // {it is 0, is below 0, exceeds each limit}
-//@ else
-  output reg  [LIMITS:0]       exceeds  // {it is below 0, exceeds each limit}
-//@ end
+  output reg  [LIMITS+1:0]     exceeds  // {it is 0, is below 0, exceeds each limit} //@ zero
+  output reg  [LIMITS:0]       exceeds  // {it is below 0, exceeds each limit} //@ !zero
 );
-
   wire [N-1:0] size;
   wire [LIMITS-1:0] above;
 
@@ -33,11 +26,7 @@ module @name@ #(
   endgenerate
 
   always @(posedge clk) begin
-//@ if zero
-    exceeds <= {@value@ == {V_W{1'b0}}, @value@[V_W-1], above};
-//@ else
-    exceeds <= {@value@[V_W-1], above};
-//@ end
+    exceeds <= {@value@ == {V_W{1'b0}}, @value@[V_W-1], above}; //@ zero
+    exceeds <= {@value@[V_W-1], above}; //@ !zero
   end
-
 endmodule

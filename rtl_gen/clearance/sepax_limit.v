@@ -14,7 +14,6 @@ module @name@ #(
   output wire [L_W-1:0]        limit // of the clearance
 //@ end
 );
-
   reg [C_W-1:0] size_x_q;
   reg [C_W-1:0] size_y_q;
   reg [C_W-1:0] size_z_q;
@@ -58,16 +57,12 @@ module @name@ #(
 
   // (2 + D) sum + D most
   reg [L_W-1:0] limit_1_q;
-//@ if two_limits
-  reg [L_W-1:0] limit_2_q;
-//@ end
+  reg [L_W-1:0] limit_2_q; //@ two_limits
 //@ if parts
   reg [L_W-1:0] of_sum_1_q;
   reg [L_W-1:0] of_most_1_q;
-//@ if two_limits
-  reg [L_W-1:0] of_sum_2_q;
-  reg [L_W-1:0] of_most_2_q;
-//@ end
+  reg [L_W-1:0] of_sum_2_q; //@ two_limits
+  reg [L_W-1:0] of_most_2_q; //@ two_limits
 //@ end
 
   always @(posedge clk) begin
@@ -82,16 +77,10 @@ module @name@ #(
 //@ end
 //@ else
     limit_1_q <= @limit_1@;
-//@ if two_limits
-    limit_2_q <= @limit_2@;
-//@ end
+    limit_2_q <= @limit_2@; //@ two_limits
 //@ end
   end
 
-//@ if two_limits
-  assign limit = {limit_2_q, limit_1_q};
-//@ else
-  assign limit = limit_1_q;
-//@ end
-
+  assign limit = {limit_2_q, limit_1_q}; //@ two_limits
+  assign limit = limit_1_q; //@ !two_limits
 endmodule

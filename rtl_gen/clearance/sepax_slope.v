@@ -7,9 +7,7 @@ module sepax_slope #(
   input  wire signed [V_W-1:0] q,    // orient3d of its end
   output reg         [1:0]     slope // {q >= p, q <= p}
 );
-
   always @(posedge clk) begin
     slope <= {q >= p, q <= p};
   end
-
 endmodule

@@ -6,9 +6,7 @@ module sepax_slot_copy (
   input  wire slot,   // the slot before
   output reg  slot_q  // the slot
 );
-
   always @(posedge clk) begin
     slot_q <= slot;
   end
-
 endmodule

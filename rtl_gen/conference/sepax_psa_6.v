@@ -23,7 +23,6 @@ module sepax_psa_6 #(
   input  wire [3*N_W-1:0]  n_b,        // N_B
   output wire [18*C_W-1:0] axis        // axes 1 ... 6
 );
-
   localparam U = 3 * E_W; // bits of an operand
 
   wire [3*U-1:0] edge_a;
@@ -37,14 +36,10 @@ module sepax_psa_6 #(
   generate
     for (k = 0; k < 3; k = k + 1) begin : edges
       sepax_edge #(.V_W(V_W), .D_W(D_W), .E_W(E_W)) of_a (
-        .from(a[3*k*V_W +: 3*V_W]),
-        .to(a[3*((k+1)%3)*V_W +: 3*V_W]),
-        .edge_vector(edge_a[k*U +: U])
+        .from(a[3*k*V_W +: 3*V_W]), .to(a[3*((k+1)%3)*V_W +: 3*V_W]), .edge_vector(edge_a[k*U +: U])
       );
       sepax_edge #(.V_W(V_W), .D_W(D_W), .E_W(E_W)) of_b (
-        .from(b[3*k*V_W +: 3*V_W]),
-        .to(b[3*((k+1)%3)*V_W +: 3*V_W]),
-        .edge_vector(edge_b[k*U +: U])
+        .from(b[3*k*V_W +: 3*V_W]), .to(b[3*((k+1)%3)*V_W +: 3*V_W]), .edge_vector(edge_b[k*U +: U])
       );
     end
     for (k = 0; k < 3; k = k + 1) begin : component
@@ -65,5 +60,4 @@ module sepax_psa_6 #(
       q_q <= {edge_b, edge_a};
     end
   end
-
 endmodule

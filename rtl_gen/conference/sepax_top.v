@@ -31,7 +31,6 @@ module sepax_top (
   output wire              out_collision, // 1: no separating axis was found
   output wire              out_coplanar   // 1: judged by table 2
 );
-
   localparam V_W = @vertex@; // bits of a coordinate
   localparam N_W = @normal@; // bits of a normal's component
   localparam NM_W = @normal_product_exact@; // coordinate x normal, exact
@@ -67,18 +66,16 @@ module sepax_top (
   reg [9*V_W-1:0] b_14;
 
   sepax_input #(.V_W(V_W), .N_W(N_W), .LAST(20)) words (
-    .clk(clk), .rst(rst), .in_valid(in_valid),
-    .in_a({in_a_z, in_a_y, in_a_x}), .in_b({in_b_z, in_b_y, in_b_x}),
-    .in_na(in_na), .in_nb(in_nb),
-    .a(a), .b(b), .n_a(n_a), .n_b(n_b), .step(step)
+    .clk(clk), .rst(rst), .in_valid(in_valid), .in_a({in_a_z, in_a_y, in_a_x}),
+    .in_b({in_b_z, in_b_y, in_b_x}), .in_na(in_na), .in_nb(in_nb), .a(a), .b(b), .n_a(n_a),
+    .n_b(n_b), .step(step)
   );
 
   // Cycles 4-6: the nine axes across edges; 10 is N_A, 11 is N_B.
   wire [27*C_W-1:0] axis;
 
   sepax_psa_9 psa_9 (
-    .clk(clk), .load_en(step[4]), .product_en(step[5]), .axis_en(step[6]),
-    .a(a), .b(b), .axis(axis)
+    .clk(clk), .load_en(step[4]), .product_en(step[5]), .axis_en(step[6]), .a(a), .b(b), .axis(axis)
   );
 
   // Cycles 7-8: eleven PROJ. Cycle 9: eleven CMP, which stand in cycles 10-12.
@@ -92,9 +89,8 @@ module sepax_top (
       sepax_proj #(
         .V_W(V_W), .C_W(C_W), .M_W(M_W), .P_W(P_W), .S_W(S_W), .D_W(D_W)
       ) proj (
-        .clk(clk), .product_en(step[7]), .sum_en(step[8]),
-        .axis_a(axis[3*i*C_W +: 3*C_W]), .axis_b(axis[3*i*C_W +: 3*C_W]),
-        .a(a_5), .b(b_5), .on_a(on_a), .on_b(on_b)
+        .clk(clk), .product_en(step[7]), .sum_en(step[8]), .axis_a(axis[3*i*C_W +: 3*C_W]),
+        .axis_b(axis[3*i*C_W +: 3*C_W]), .a(a_5), .b(b_5), .on_a(on_a), .on_b(on_b)
       );
       sepax_cmp #(.D_W(D_W)) cmp (
         .clk(clk), .en(step[9]), .idle(1'b0), .on_a(on_a), .on_b(on_b), .overlap(overlap[i])
@@ -106,9 +102,8 @@ module sepax_top (
       sepax_proj #(
         .V_W(V_W), .C_W(N_W), .M_W(NM_W), .P_W(NP_W), .S_W(NS_W), .D_W(ND_W)
       ) proj (
-        .clk(clk), .product_en(step[7]), .sum_en(step[8]),
-        .axis_a(i == 0 ? n_a_5 : n_b_5), .axis_b(i == 0 ? n_a_5 : n_b_5),
-        .a(a_5), .b(b_5), .on_a(on_a), .on_b(on_b)
+        .clk(clk), .product_en(step[7]), .sum_en(step[8]), .axis_a(i == 0 ? n_a_5 : n_b_5),
+        .axis_b(i == 0 ? n_a_5 : n_b_5), .a(a_5), .b(b_5), .on_a(on_a), .on_b(on_b)
       );
       sepax_cmp #(.D_W(ND_W)) cmp (
         .clk(clk), .en(step[9]), .idle(1'b0), .on_a(on_a), .on_b(on_b), .overlap(overlap[9+i])
@@ -125,20 +120,14 @@ module sepax_top (
     .V_W(V_W), .C_W(N_W), .M_W(NM_W), .P_W(NP_W), .S_W(NS_W), .D_W(ND_W)
   ) proj_cop (
     .clk(clk), .product_en(step[10]), .sum_en(step[11]),
-//@ if plane
-    .axis_a(n_a_8), .axis_b(n_a_8),
-//@ else
-    .axis_a(n_a_8), .axis_b(n_b_8),
-//@ end
+    .axis_a(n_a_8), .axis_b(n_a_8), //@ plane
+    .axis_a(n_a_8), .axis_b(n_b_8), //@ !plane
     .a(a_8), .b(b_8), .on_a(on_a_cop), .on_b(on_b_cop)
   );
   sepax_cop #(.D_W(ND_W)) cop (
     .clk(clk), .en(step[12]),
-//@ if plane
-    .p(on_b_cop), .q(on_a_cop), .coplanar(coplanar_13)
-//@ else
-    .p(on_a_cop), .q(on_b_cop), .coplanar(coplanar_13)
-//@ end
+    .p(on_b_cop), .q(on_a_cop), .coplanar(coplanar_13) //@ plane
+    .p(on_a_cop), .q(on_b_cop), .coplanar(coplanar_13) //@ !plane
   );
 
   // Cycles 13-15: the six axes of table 2; 16-17: six PROJ; 18: six CMP, which stand in cycles
@@ -165,9 +154,8 @@ module sepax_top (
       sepax_proj #(
         .V_W(V_W), .C_W(C_W), .M_W(M_W), .P_W(P_W), .S_W(S_W), .D_W(D_W)
       ) proj (
-        .clk(clk), .product_en(flat_proj), .sum_en(flat_sum),
-        .axis_a(axis_flat[3*i*C_W +: 3*C_W]), .axis_b(axis_flat[3*i*C_W +: 3*C_W]),
-        .a(a_14), .b(b_14), .on_a(on_a), .on_b(on_b)
+        .clk(clk), .product_en(flat_proj), .sum_en(flat_sum), .axis_a(axis_flat[3*i*C_W +: 3*C_W]),
+        .axis_b(axis_flat[3*i*C_W +: 3*C_W]), .a(a_14), .b(b_14), .on_a(on_a), .on_b(on_b)
       );
       sepax_cmp #(.D_W(D_W)) cmp (
         .clk(clk), .en(flat_cmp), .idle(1'b0), .on_a(on_a), .on_b(on_b), .overlap(overlap_flat[i])
@@ -230,5 +218,4 @@ module sepax_top (
   assign out_valid = step[20];
   assign out_collision = out_valid && collision_20;
   assign out_coplanar = out_valid && coplanar_20;
-
 endmodule

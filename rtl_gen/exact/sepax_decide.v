@@ -15,7 +15,6 @@ module sepax_decide (
   output wire        coplanar, // all orient3d are zero, or a second pass
   output reg  [3:0]  axis      // AXIS_...
 );
-
   localparam [3:0] AXIS_NONE = 4'd@axis_none@;
   localparam [3:0] AXIS_EDGES = 4'd@axis_edges@;
   localparam [3:0] AXIS_NORMAL_A = 4'd@axis_normal_a@;
@@ -70,5 +69,4 @@ module sepax_decide (
       axis = in_plane ? AXIS_PLANE : AXIS_NONE;
     end
   end
-
 endmodule

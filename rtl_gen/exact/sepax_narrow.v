@@ -11,19 +11,13 @@ module sepax_narrow (
   input  wire            in_valid, // a pair is here
   output wire            in_ready, // it is taken in this cycle
   input  wire [18*@core_word@-1:0] in_pair, // x of A_1 (lowest) ... A_3, B_1 ... B_3; y; z
-  //@ if aabb_test
-  input  wire            in_disjoint, // the AABBs are disjoint; goes with the pair
-  //@ end
-  //@ if extents
-  input  wire            in_exceeds, // an AABB exceeds its extent; goes with the pair
-  //@ end
+  input  wire            in_disjoint, // the AABBs are disjoint; goes with the pair //@ aabb_test
+  input  wire            in_exceeds, // an AABB exceeds its extent; goes with the pair //@ extents
   output wire            out_valid,     // a verdict is here
   input  wire            out_ready,     // it is taken in this cycle
   output wire            out_collision, // 1: @collision_about@
   output wire            out_coplanar,  // 1: all six points are in one plane
-  //@ if limits
-  output wire [1:0]      out_band,      // 0 free, 1 warning, 2 collision
-  //@ end
+  output wire [1:0]      out_band,      // 0 free, 1 warning, 2 collision //@ limits
   //@ if aabb_test
   output wire [@note@-1:0] out_note, // in_disjoint@exceeds_about@ of the pair; no verdict if not 0
   //@ end
@@ -31,9 +25,7 @@ module sepax_narrow (
 );
   localparam N = @core_word@;       // bits of a coordinate
   localparam LAST = @last_window@;  // window of the verdict; a pair is in windows 0 ... LAST
-  //@ if passes
-  localparam JUDGED = @judged@;  // window that it enters when its plane is known
-  //@ end
+  localparam JUDGED = @judged@;  // window that it enters when its plane is known //@ passes
   localparam TAG = @tag@;     // log2 of the entries of the reorder buffer
   localparam RESULT = @result@;  // bits of a verdict
 
@@ -43,9 +35,7 @@ module sepax_narrow (
   reg  [LAST:0]             second_q;   // this is its second pass
   reg  [JUDGED-1:0]         disjoint_q; // its projections were disjoint in the first
   reg  [LAST-JUDGED:0]      in_plane_q; // from window JUDGED on: it is separated if coplanar
-  //@ if aabb_test
-  reg  [JUDGED-1:0]         decided_q;  // the AABB test has decided it
-  //@ end
+  reg  [JUDGED-1:0]         decided_q;  // the AABB test has decided it //@ aabb_test
   wire                      flat;
   wire                      separated;
   wire                      disjoint_x;
@@ -64,18 +54,14 @@ module sepax_narrow (
   wire                      enter;
   wire                      coplanar;
   wire [3:0]                axis;
-  //@ if limits
-  wire [1:0]                band;
-  //@ end
+  wire [1:0]                band; //@ limits
   wire [TAG-1:0]            tail;
   wire [RESULT-1:0]         result;
   wire [RESULT-1:0]         oldest;
   integer                   k;
 
-  //@ if shared
-  assign last_slot = slot_q[II-1];
-  assign busy = |valid_q;
-  //@ end
+  assign last_slot = slot_q[II-1]; //@ shared
+  assign busy = |valid_q; //@ shared
   assign take = in_valid && in_ready;
   assign in_ready = @at_last_slot@free@unless_again@;
   //@ if passes
@@ -88,9 +74,7 @@ module sepax_narrow (
 
   always @(posedge clk) begin
     if (rst) begin
-      //@ if shared
-      slot_q <= {1'b1, {(II-1){1'b0}}};
-      //@ end
+      slot_q <= {1'b1, {(II-1){1'b0}}}; //@ shared
       valid_q <= {(LAST+1){1'b0}};
     end else begin
       //@ if shared
@@ -103,9 +87,7 @@ module sepax_narrow (
         for (k = 1; k <= LAST; k = k + 1) begin
           valid_q[k] <= valid_q[k-1];
         end
-        //@ if passes
-        valid_q[JUDGED] <= valid_q[JUDGED-1] && !again;
-        //@ end
+        valid_q[JUDGED] <= valid_q[JUDGED-1] && !again; //@ passes
       end
     end
     if (@window_ends@) begin
@@ -113,24 +95,18 @@ module sepax_narrow (
       tag_q[0 +: TAG] <= again ? tag_q[(JUDGED-1)*TAG +: TAG] : tail;
       second_q[0] <= again;
       disjoint_q[0] <= again && disjoint;
-      //@ if aabb_test
-      decided_q[0] <= !again && @decided@;
-      //@ end
+      decided_q[0] <= !again && @decided@; //@ aabb_test
       //@ else
       tag_q[0 +: TAG] <= tail;
       //@ end
       for (k = 1; k <= LAST; k = k + 1) begin
         tag_q[k*TAG +: TAG] <= tag_q[(k-1)*TAG +: TAG];
-        //@ if passes
-        second_q[k] <= second_q[k-1];
-        //@ end
+        second_q[k] <= second_q[k-1]; //@ passes
       end
       //@ if passes
       for (k = 1; k < JUDGED; k = k + 1) begin
         disjoint_q[k] <= disjoint_q[k-1];
-        //@ if aabb_test
-        decided_q[k] <= decided_q[k-1];
-        //@ end
+        decided_q[k] <= decided_q[k-1]; //@ aabb_test
       end
       in_plane_q[0] <= flat ? disjoint : separated;
       for (k = 1; k <= LAST - JUDGED; k = k + 1) begin
@@ -142,9 +118,7 @@ module sepax_narrow (
 
   sepax_core core (
     .clk(clk),
-    //@ if shared
-    .slot(slot_q),
-    //@ end
+    .slot(slot_q), //@ shared
     .in_a1_x(in_pair[0*N +: N]), .in_a1_y(in_pair[6*N +: N]), .in_a1_z(in_pair[12*N +: N]),
     .in_a2_x(in_pair[1*N +: N]), .in_a2_y(in_pair[7*N +: N]), .in_a2_z(in_pair[13*N +: N]),
     .in_a3_x(in_pair[2*N +: N]), .in_a3_y(in_pair[8*N +: N]), .in_a3_z(in_pair[14*N +: N]),
@@ -154,27 +128,19 @@ module sepax_narrow (
     //@ if limits
     .band(band),
     //@ else
-    //@ if passes
-    .again(again), .flat(flat), .separated(separated), .disjoint_x(disjoint_x),
-    .disjoint_z(disjoint_z), .second(second_q[LAST]), .in_plane(in_plane_q[LAST-JUDGED]),
-    //@ else
-    .in_plane(1'b0),
-    //@ end
+    .again(again), .flat(flat), .separated(separated), .disjoint_x(disjoint_x), //@ passes
+    .disjoint_z(disjoint_z), .second(second_q[LAST]), .in_plane(in_plane_q[LAST-JUDGED]), //@ passes
+    .in_plane(1'b0), //@ !passes
     //@ end
     .coplanar(coplanar), .axis(axis)
   );
 
-  //@ if limits
-  assign result = {band, coplanar, axis};
-  //@ else
-  assign result = {coplanar, axis};
-  //@ end
+  assign result = {band, coplanar, axis}; //@ limits
+  assign result = {coplanar, axis}; //@ !limits
 
   sepax_reorder reorder (
     .clk(clk), .rst(rst), .free(free), .take(take), .tail(tail),
-    //@ if aabb_test
-    .note(@note_in@), .oldest_note(out_note),
-    //@ end
+    .note(@note_in@), .oldest_note(out_note), //@ aabb_test
     .write(valid_q[LAST]@at_verdict_slot@), .tag(tag_q[LAST*TAG +: TAG]), .result(result),
     .valid(out_valid), .ready(out_ready), .oldest(oldest)
   );
@@ -182,7 +148,5 @@ module sepax_narrow (
   assign out_coplanar = out_valid && oldest[4];
   assign out_axis = oldest[3:0] & {4{out_valid}};
   assign out_collision = out_valid && (oldest[3:0] == 4'd0);
-  //@ if limits
-  assign out_band = oldest[6:5] & {2{out_valid}};
-  //@ end
+  assign out_band = oldest[6:5] & {2{out_valid}}; //@ limits
 endmodule

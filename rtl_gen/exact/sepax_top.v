@@ -5,24 +5,18 @@
 // AABB longer than @extent_a@ (A) or @extent_b@ (B) LSB are called collisions, undecided, and
 // flagged (out_of_range, axis @limit_axis@); for the rest @core_word@ bits of @word@ are enough.
 //@ end
-//@ if aabb_alone
-// Pairs @aabb_decided@ at once (axis @aabb_axis@). These enter the
-// core as zeros, which it passes on without a transition.
-//@ end
+// Pairs @aabb_decided@ at once (axis @aabb_axis@). These enter the //@ aabb_alone
+// core as zeros, which it passes on without a transition. //@ aabb_alone
 //@ if limits
 // With a clearance: free means that the distance of the real triangles, of which each coordinate is
 // within 1/2, is above that; else the band says what is not proved.
 //@ end
-//@ if flag
-// Coplanar pairs are called collisions, undecided, and flagged.
-//@ end
+// Coplanar pairs are called collisions, undecided, and flagged. //@ flag
 //@ if passes
 // Coplanar and degenerate pairs are decided, too; those flat in the projection on x and y go
 // round once more; in_ready is low for that II window.
 //@ end
-//@ if registered_ready
-// in_ready is a register: no path leads to it from an input.
-//@ end
+// in_ready is a register: no path leads to it from an input. //@ registered_ready
 // out_axis: 1 ... 9 e_i x f_j, 10 N_A, 11 N_B,
 // 12 @axis_12@@axis_aabb@; 0 none.
 // Latency @latency@ from the cycle in which a pair is taken to that of its verdict, both
@@ -57,9 +51,7 @@ module sepax_top (
   //@ if extents
   output wire            out_of_range,  // 1: an AABB exceeds its extent; a collision, undecided
   //@ end
-  //@ if limits
-  output wire [1:0]      out_band,      // 0 free, 1 warning, 2 collision
-  //@ end
+  output wire [1:0]      out_band,      // 0 free, 1 warning, 2 collision //@ limits
   output wire [3:0]      out_axis       // what @axis_about@, 0: nothing
 );
   localparam W = @word@; // bits of a coordinate
@@ -93,9 +85,7 @@ module sepax_top (
   wire            narrow_collision;
   wire            narrow_coplanar;
   wire [3:0]      narrow_axis;
-  //@ if limits
-  wire [1:0]      narrow_band;
-  //@ end
+  wire [1:0]      narrow_band; //@ limits
   wire [@note@-1:0]      note;
   wire            idle; // what the AABB test decides enters as zeros
   genvar          k;
@@ -171,14 +161,10 @@ module sepax_top (
   sepax_narrow narrow (
     .clk(clk), .rst(rst), .in_valid(narrow_valid), .in_ready(narrow_ready),
     .in_pair(near & {(18*N){!idle}}), .in_disjoint(disjoint),
-    //@ if extents
-    .in_exceeds(exceeds),
-    //@ end
+    .in_exceeds(exceeds), //@ extents
     .out_valid(out_valid), .out_ready(out_ready), .out_collision(narrow_collision),
     .out_coplanar(narrow_coplanar),
-    //@ if limits
-    .out_band(narrow_band),
-    //@ end
+    .out_band(narrow_band), //@ limits
     .out_note(note), .out_axis(narrow_axis)
   );
 
@@ -187,25 +173,19 @@ module sepax_top (
   assign out_coplanar = narrow_coplanar && (note == 2'd0);
   assign out_collision = out_of_range || (narrow_collision && (note == 2'd0));
   assign out_axis = (note == 2'd0) ? narrow_axis : ({2'b11, note[0], note[1]} & {4{out_valid}});
-  //@ if limits
-  assign out_band = (note == 2'd0) ? narrow_band : {out_of_range, 1'b0};
-  //@ end
+  assign out_band = (note == 2'd0) ? narrow_band : {out_of_range, 1'b0}; //@ limits
   //@ else
   assign out_coplanar = narrow_coplanar && !note;
   assign out_collision = narrow_collision && !note;
   assign out_axis = note ? (4'd@aabb_axis@ & {4{out_valid}}) : narrow_axis;
-  //@ if limits
-  assign out_band = note ? 2'd0 : narrow_band;
-  //@ end
+  assign out_band = note ? 2'd0 : narrow_band; //@ limits
   //@ end
   //@ else
   sepax_narrow narrow (
     .clk(clk), .rst(rst), .in_valid(pair_valid), .in_ready(pair_ready), .in_pair(pair),
     .out_valid(out_valid), .out_ready(out_ready), .out_collision(out_collision),
     .out_coplanar(out_coplanar),
-    //@ if limits
-    .out_band(out_band),
-    //@ end
+    .out_band(out_band), //@ limits
     .out_axis(out_axis)
   );
   //@ end

@@ -1,9 +1,6 @@
 // CMP of figure 5: do the projections of A and B on one axis overlap?
-//@ if printed
-//   overlap = not (min A > max B or max A > min B): (5) as the paper prints it
-//@ else
-//   overlap = not (min A > max B or max A < min B): touching intervals overlap
-//@ end
+//   overlap = not (min A > max B or max A > min B): (5) as the paper prints it //@ printed
+//   overlap = not (min A > max B or max A < min B): touching intervals overlap //@ !printed
 // Latency 1. An idle axis overlaps.
 module sepax_cmp #(
   parameter D_W = @projection@ // bits of a projection
@@ -15,7 +12,6 @@ module sepax_cmp #(
   input  wire [3*D_W-1:0] on_b,   // projections of B_3, B_2, B_1, signed each
   output reg              overlap // 0: a separating axis
 );
-
   wire signed [D_W-1:0] a_1 = on_a[0 +: D_W];
   wire signed [D_W-1:0] a_2 = on_a[D_W +: D_W];
   wire signed [D_W-1:0] a_3 = on_a[2*D_W +: D_W];
@@ -34,12 +30,8 @@ module sepax_cmp #(
 
   always @(posedge clk) begin
     if (en) begin
-//@ if printed
-      overlap <= idle || !((min_a > max_b) || (max_a > min_b));
-//@ else
-      overlap <= idle || !((min_a > max_b) || (max_a < min_b));
-//@ end
+      overlap <= idle || !((min_a > max_b) || (max_a > min_b)); //@ printed
+      overlap <= idle || !((min_a > max_b) || (max_a < min_b)); //@ !printed
     end
   end
-
 endmodule

@@ -1,10 +1,7 @@
 // COP of figure 5: coplanar iff |p_k - q_k| < LIMIT for k = 1, 2, 3, with
-//@ if plane
-// p_k = s_k = B_k.N_A and q_k = t_k = A_k.N_A (all of B in A's plane).
-//@ else
-// p_k = t_k = A_k.N_A and q_k = v_k = B_k.N_B, as line 12 of Algorithm 1 is printed
-// (it compares plane offsets).
-//@ end
+// p_k = s_k = B_k.N_A and q_k = t_k = A_k.N_A (all of B in A's plane). //@ plane
+// p_k = t_k = A_k.N_A and q_k = v_k = B_k.N_B, as line 12 of Algorithm 1 is printed //@ !plane
+// (it compares plane offsets). //@ !plane
 // Latency 1; en registers the three comparisons.
 module sepax_cop #(
   parameter D_W = @normal_projection@ // bits of a projection on a normal
@@ -15,7 +12,6 @@ module sepax_cop #(
   input  wire [3*D_W-1:0] q,       // {q_3, q_2, q_1}, signed each
   output wire             coplanar // 1: treat the pair as coplanar
 );
-
   localparam signed [D_W:0] LIMIT = @coplanar_limit@; // @epsilon@ LSB along a unit normal
 
   reg [2:0] near_q; // |p_k - q_k| < LIMIT
@@ -34,5 +30,4 @@ module sepax_cop #(
   endgenerate
 
   assign coplanar = &near_q;
-
 endmodule

@@ -16,7 +16,6 @@ module sepax_cross #(
   input  wire [3*E_W-1:0] q,          // right factor
   output reg  [3*C_W-1:0] axis        // p x q
 );
-
   wire [3*S_W-1:0] exact;
   wire [3*S_W-1:0] scaled;
   wire [3*C_W-1:0] kept;
@@ -52,16 +51,12 @@ module sepax_cross #(
     end
   endgenerate
 
-//@ if block_float
-  sepax_norm #(.S_W(S_W)) norm (.exact(exact), .shifted(scaled));
-//@ else
-  assign scaled = exact;
-//@ end
+  sepax_norm #(.S_W(S_W)) norm (.exact(exact), .shifted(scaled)); //@ block_float
+  assign scaled = exact; //@ !block_float
 
   always @(posedge clk) begin
     if (axis_en) begin
       axis <= kept;
     end
   end
-
 endmodule

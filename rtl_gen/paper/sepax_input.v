@@ -19,7 +19,6 @@ module sepax_input #(
   output reg  [3*N_W-1:0] n_b,      // N_B
   output reg  [LAST-4:0]  step      // bit c - 4: a pair is in cycle c
 );
-
   reg [1:0] word_q; // words taken of the pair, 0 ... 2
 
   always @(posedge clk) begin
@@ -39,5 +38,4 @@ module sepax_input #(
       n_b <= {in_nb, n_b[3*N_W-1:N_W]};
     end
   end
-
 endmodule

@@ -11,7 +11,6 @@ module sepax_mul #(
   input  wire signed [B_W-1:0] b, // second factor
   output wire signed [P_W-1:0] p  // product, its P_W most significant bits
 );
-
   wire signed [FULL_W-1:0] a_wide = {{(FULL_W-A_W){a[A_W-1]}}, a};
   wire signed [FULL_W-1:0] b_wide = {{(FULL_W-B_W){b[B_W-1]}}, b};
   wire signed [FULL_W-1:0] full = a_wide * b_wide;
@@ -23,5 +22,4 @@ module sepax_mul #(
   endgenerate
 
   sepax_trunc #(.IN_W(FULL_W), .OUT_W(P_W)) trunc_p (.value(full), .kept(p));
-
 endmodule

@@ -4,7 +4,5 @@ module sepax_nand (
   input  wire [10:0] overlap,  // bit i-1: projections on axis i overlap
   output wire        separated // 1: the triangles are separated
 );
-
   assign separated = ~(&overlap);
-
 endmodule

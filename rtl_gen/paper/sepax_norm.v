@@ -7,7 +7,6 @@ module sepax_norm #(
   input  wire [3*S_W-1:0] exact,  // {z, y, x}, signed each
   output wire [3*S_W-1:0] shifted // {z, y, x} times one power of 2
 );
-
   localparam STEPS = $clog2(S_W);
 
   reg [S_W-1:0] x, y, z;
@@ -28,5 +27,4 @@ module sepax_norm #(
   end
 
   assign shifted = {z, y, x};
-
 endmodule

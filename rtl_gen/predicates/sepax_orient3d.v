@@ -1,10 +1,7 @@
-//@ if whole
-// orient3d of @points@: six times the signed volume of the tetrahedron, modulo
-// 2^V_W, from the signed prism volumes of its faces:
-//@ else
-// Sign of the orient3d of @points@: six times the signed volume of the
-// tetrahedron, modulo 2^V_W, from the signed prism volumes of its faces:
-//@ end
+// orient3d of @points@: six times the signed volume of the tetrahedron, modulo //@ whole
+// 2^V_W, from the signed prism volumes of its faces: //@ whole
+// Sign of the orient3d of @points@: six times the signed volume of the //@ !whole
+// tetrahedron, modulo 2^V_W, from the signed prism volumes of its faces: //@ !whole
 //   volume = @formula@. Latency @latency@.
 module @name@ #(
   parameter V_W = @v_w@ // bits of an orient3d
@@ -13,40 +10,26 @@ module @name@ #(
   input  wire signed [V_W-1:0] p,      // signed prism volume
   input  wire signed [V_W-1:0] q,      // signed prism volume
   input  wire signed [V_W-1:0] r,      // signed prism volume
-//@ if four
-  input  wire signed [V_W-1:0] s,      // signed prism volume
-//@ end
-//@ if whole
-  output reg  signed [V_W-1:0] volume  // orient3d
-//@ else
-  output reg         [1:0]     sign    // {volume > 0, volume < 0}
-//@ end
+  input  wire signed [V_W-1:0] s,      // signed prism volume //@ four
+  output reg  signed [V_W-1:0] volume  // orient3d //@ whole
+  output reg         [1:0]     sign    // {volume > 0, volume < 0} //@ !whole
 );
-
   wire [V_W-1:0] three_sum;
   wire [V_W-1:0] three_carry;
   wire [V_W-1:0] sum;
   wire [V_W-1:0] carry;
 
   sepax_csa #(.N(V_W)) three (
-    .a(p),
-    .b(q),
-//@ if minus_r
-    .c(~r),
-    .carry_in(1'b1),
-//@ else
-    .c(r),
-    .carry_in(1'b0),
-//@ end
-    .sum(three_sum),
-    .carry(three_carry)
+    .a(p), .b(q),
+    .c(~r), //@ minus_r
+    .carry_in(1'b1), //@ minus_r
+    .c(r), //@ !minus_r
+    .carry_in(1'b0), //@ !minus_r
+    .sum(three_sum), .carry(three_carry)
   );
 //@ if four
   sepax_csa #(.N(V_W)) four (
-    .a(three_sum),
-    .b(three_carry),
-    .c(~s),
-    .carry_in(1'b1), .sum(sum), .carry(carry)
+    .a(three_sum), .b(three_carry), .c(~s), .carry_in(1'b1), .sum(sum), .carry(carry)
   );
 //@ else
   assign sum = three_sum;
@@ -86,5 +69,4 @@ module @name@ #(
     sign <= {!volume[V_W-1] && (volume != {V_W{1'b0}}), volume[V_W-1]};
   end
 //@ end
-
 endmodule

@@ -1,27 +1,17 @@
 // z sum of B: the sum of B's z less the sum of A's, since the origin of z is the mean of A's z,
 // plus BIAS = 1 + 4 + 16 ..., which the recoded multiplier of the prism deducts.
-//@ if running
-// One vertex of each triangle a cycle: z = so_far + z_b - z_a. Latency 1.
-//@ end
+// One vertex of each triangle a cycle: z = so_far + z_b - z_a. Latency 1. //@ running
 //@ if shared
 // It is made of three z differences, which have brought a DIFF_BIAS of theirs each. Latency 1.
 //@ end
-//@ if six
-// Latency @latency@.
-//@ end
+// Latency @latency@. //@ six
 module sepax_own_zsum #(
-//@ if shared
-  parameter Z_W = @z_w@,                 // bits of a z difference
-  parameter DIFF_DIGITS = @digits@, // radix-4 digits of a z difference
-//@ else
-  parameter W = @w@,          // bits of a coordinate
-//@ end
-//@ if running
-  parameter O_W = @o_w@       // bits of the z sum
-//@ else
-  parameter O_W = @o_w@,      // bits of the z sum
-  parameter DIGITS = @own_digits@ // radix-4 digits of the z sum
-//@ end
+  parameter Z_W = @z_w@,                 // bits of a z difference //@ shared
+  parameter DIFF_DIGITS = @digits@, // radix-4 digits of a z difference //@ shared
+  parameter W = @w@,          // bits of a coordinate //@ !shared
+  parameter O_W = @o_w@       // bits of the z sum //@ running
+  parameter O_W = @o_w@,      // bits of the z sum //@ !running
+  parameter DIGITS = @own_digits@ // radix-4 digits of the z sum //@ !running
 ) (
   input  wire                  clk,    // clock
 //@ if running
@@ -44,16 +34,13 @@ module sepax_own_zsum #(
 //@ end
   output reg  signed [O_W-1:0] z       // z sum + BIAS
 );
-
 //@ if running
   wire [O_W-1:0] sum;
   wire [O_W-1:0] carry;
 
   sepax_csa #(.N(O_W)) three (
-    .a(so_far),
-    .b({{(O_W-W){z_b[W-1]}}, z_b}),
-    .c(~{{(O_W-W){z_a[W-1]}}, z_a}),
-    .carry_in(1'b1), .sum(sum), .carry(carry)
+    .a(so_far), .b({{(O_W-W){z_b[W-1]}}, z_b}), .c(~{{(O_W-W){z_a[W-1]}}, z_a}), .carry_in(1'b1),
+    .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin
@@ -76,10 +63,7 @@ module sepax_own_zsum #(
   assign term_2 = {{(O_W-Z_W+1){diff_2[Z_W-1]}}, diff_2[Z_W-2:0]};
   assign term_3 = {{(O_W-Z_W+1){diff_3[Z_W-1]}}, diff_3[Z_W-2:0]};
   sepax_csa #(.N(O_W)) three (
-    .a(term_1),
-    .b(term_2),
-    .c(term_3),
-    .carry_in(1'b0), .sum(sum), .carry(carry)
+    .a(term_1), .b(term_2), .c(term_3), .carry_in(1'b0), .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin
@@ -100,28 +84,18 @@ module sepax_own_zsum #(
   wire [O_W-1:0] six_carry;
 
   sepax_csa #(.N(O_W)) of_b (
-    .a({{(O_W-W){z_b1[W-1]}}, z_b1}),
-    .b({{(O_W-W){z_b2[W-1]}}, z_b2}),
-    .c({{(O_W-W){z_b3[W-1]}}, z_b3}),
-    .carry_in(1'b1), .sum(b_sum), .carry(b_carry)
+    .a({{(O_W-W){z_b1[W-1]}}, z_b1}), .b({{(O_W-W){z_b2[W-1]}}, z_b2}),
+    .c({{(O_W-W){z_b3[W-1]}}, z_b3}), .carry_in(1'b1), .sum(b_sum), .carry(b_carry)
   );
   sepax_csa #(.N(O_W)) of_a (
-    .a(~{{(O_W-W){z_a1[W-1]}}, z_a1}),
-    .b(~{{(O_W-W){z_a2[W-1]}}, z_a2}),
-    .c(~{{(O_W-W){z_a3[W-1]}}, z_a3}),
-    .carry_in(1'b1), .sum(a_sum), .carry(a_carry)
+    .a(~{{(O_W-W){z_a1[W-1]}}, z_a1}), .b(~{{(O_W-W){z_a2[W-1]}}, z_a2}),
+    .c(~{{(O_W-W){z_a3[W-1]}}, z_a3}), .carry_in(1'b1), .sum(a_sum), .carry(a_carry)
   );
   sepax_csa #(.N(O_W)) five (
-    .a(b_sum),
-    .b(b_carry),
-    .c(a_sum),
-    .carry_in(1'b1), .sum(five_sum), .carry(five_carry)
+    .a(b_sum), .b(b_carry), .c(a_sum), .carry_in(1'b1), .sum(five_sum), .carry(five_carry)
   );
   sepax_csa #(.N(O_W)) six (
-    .a(five_sum),
-    .b(five_carry),
-    .c(a_carry),
-    .carry_in(1'b0), .sum(six_sum), .carry(six_carry)
+    .a(five_sum), .b(five_carry), .c(a_carry), .carry_in(1'b0), .sum(six_sum), .carry(six_carry)
   );
 //@ if registered
 
@@ -140,5 +114,4 @@ module sepax_own_zsum #(
   end
 //@ end
 //@ end
-
 endmodule

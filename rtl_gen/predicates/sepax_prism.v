@@ -1,10 +1,7 @@
 // Signed prism volume: six times the volume between a triangle and the plane z = 0,
 //   h = g (z - BIAS) modulo 2^V_W, g = orient2d of the triangle, z = its z sum + BIAS,
-//@ if two
-// BIAS = 2 + 8 + 32 ..., since the z sum is a sum of two z differences.
-//@ else
-// BIAS = 1 + 4 + 16 ...
-//@ end
+// BIAS = 2 + 8 + 32 ..., since the z sum is a sum of two z differences. //@ two
+// BIAS = 1 + 4 + 16 ... //@ !two
 // The recoded multiplier deducts it. Latency @latency@.
 module @name@ #(
   parameter G_W = @g_w@, // bits of an orient2d
@@ -16,20 +13,14 @@ module @name@ #(
   input  wire signed [Z_W-1:0] z,   // z sum + BIAS
   output reg  signed [V_W-1:0] h    // signed prism volume
 );
-
   wire signed [V_W-1:0] product;
 
   @multiplier@ multiply (
-//@ if clocked
-    .clk(clk),
-//@ end
-    .a(g),
-    .b(z),
-    .p(product)
+    .clk(clk), //@ clocked
+    .a(g), .b(z), .p(product)
   );
 
   always @(posedge clk) begin
     h <= product;
   end
-
 endmodule

@@ -14,7 +14,6 @@ module sepax_projection (
   output wire        disjoint_x, // all of B below or above all of A in x
   output wire        disjoint_z  // in z
 );
-
   wire [8:0] a_above;
   wire [8:0] a_below;
   wire [8:0] b_above;
@@ -48,5 +47,4 @@ module sepax_projection (
   assign flat = {g_own, g_a, g_b} == 40'd0;
   assign disjoint_x = (&x_above) || (&x_below);
   assign disjoint_z = (&z_above) || (&z_below);
-
 endmodule

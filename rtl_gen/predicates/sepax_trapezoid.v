@@ -2,9 +2,7 @@
 //   t = (x_to - x_from) (y_from + y_to - BIAS) modulo 2^G_W, BIAS = 1 + 4 + 16 ... = @bias@.
 // y is offset by BIAS / 2, because the recoded multiplier computes a (b - BIAS). The offset cancels
 // in every closed sum. Latency @latency@.
-//@ if order
-// Beside it the order of the edge's ends in x.
-//@ end
+// Beside it the order of the edge's ends in x. //@ order
 module @name@ #(
   parameter W = @w@,     // bits of a coordinate
   parameter S_W = @s_w@, // bits of a sum or difference, W + 1
@@ -15,12 +13,9 @@ module @name@ #(
   input  wire signed [W-1:0]   x_to,   // coordinate
   input  wire signed [W-1:0]   y_from, // coordinate
   input  wire signed [W-1:0]   y_to,   // coordinate
-//@ if order
-  output reg         [1:0]     order,  // {x_to > x_from, x_to < x_from}, 1 clock later
-//@ end
+  output reg         [1:0]     order,  // {x_to > x_from, x_to < x_from}, 1 clock later //@ order
   output reg  signed [G_W-1:0] t       // trapezoid term
 );
-
   wire signed [S_W-1:0] run;
   wire signed [S_W-1:0] height;
   wire signed [G_W-1:0] product;
@@ -39,24 +34,16 @@ module @name@ #(
 //@ end
 
   @multiplier@ multiply (
-//@ if clocked
-    .clk(clk),
-//@ end
-//@ if sums
-    .a(run_q),
-    .b(height_q),
-//@ else
-    .a(run),
-    .b(height),
-//@ end
+    .clk(clk), //@ clocked
+    .a(run_q), //@ sums
+    .b(height_q), //@ sums
+    .a(run), //@ !sums
+    .b(height), //@ !sums
     .p(product)
   );
 
   always @(posedge clk) begin
     t <= product;
-//@ if order
-    order <= {!run[S_W-1] && (run != {S_W{1'b0}}), run[S_W-1]};
-//@ end
+    order <= {!run[S_W-1] && (run != {S_W{1'b0}}), run[S_W-1]}; //@ order
   end
-
 endmodule

@@ -1,28 +1,19 @@
 // z difference, the z sum of an edge of A and a vertex of B: the origin of z is the mean of A's z,
 // so that all terms cancel but z_p of that vertex and z_r of A's third:
 //   z = z_p - z_r + BIAS, BIAS = 1 + 4 + 16 ..., which the recoded multiplier of the prism deducts.
-//@ if shared
-// Combinational.
-//@ else
-// Latency 1.
-//@ end
+// Combinational. //@ shared
+// Latency 1. //@ !shared
 module sepax_zdiff #(
   parameter W = @w@,          // bits of a coordinate
   parameter Z_W = @z_w@,      // bits of a z sum
   parameter DIGITS = @digits@ // radix-4 digits of a z sum
 ) (
-//@ if !shared
-  input  wire                  clk, // clock
-//@ end
+  input  wire                  clk, // clock //@ !shared
   input  wire signed [W-1:0]   z_p, // coordinate
   input  wire signed [W-1:0]   z_r, // coordinate
-//@ if shared
-  output wire signed [Z_W-1:0] z    // difference + BIAS
-//@ else
-  output reg  signed [Z_W-1:0] z    // difference + BIAS
-//@ end
+  output wire signed [Z_W-1:0] z    // difference + BIAS //@ shared
+  output reg  signed [Z_W-1:0] z    // difference + BIAS //@ !shared
 );
-
   // 1 for each digit but the highest.
   localparam signed [Z_W-1:0] BIAS = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
 
@@ -39,5 +30,4 @@ module sepax_zdiff #(
     z <= wide_p - wide_r + BIAS;
   end
 //@ end
-
 endmodule

@@ -1,9 +1,7 @@
 // Reorder buffer: verdicts in the order of their pairs. A pair gets an entry when it is taken; its
 // verdict is written there whenever it comes, and leaves when all before it have.
 module sepax_reorder #(
-  //@ if note
-  parameter NOTE = @note@,   // bits that come with a pair
-  //@ end
+  parameter NOTE = @note@,   // bits that come with a pair //@ note
   parameter TAG = @tag@,    // log2 of the entries
   parameter RESULT = @result@  // bits of a verdict
 ) (
@@ -11,18 +9,14 @@ module sepax_reorder #(
   input  wire              rst,    // synchronous reset, active high
   output wire              free,   // an entry is free
   input  wire              take,   // a pair takes the next entry; only if one is free
-  //@ if note
-  input  wire [NOTE-1:0]   note,   // what is known of this pair
-  //@ end
+  input  wire [NOTE-1:0]   note,   // what is known of this pair //@ note
   output reg  [TAG-1:0]    tail,   // the next entry
   input  wire              write,  // a verdict is here
   input  wire [TAG-1:0]    tag,    // entry of its pair
   input  wire [RESULT-1:0] result, // the verdict
   output wire              valid,  // the oldest pair has its verdict
   input  wire              ready,  // it may leave
-  //@ if note
-  output reg  [NOTE-1:0]   oldest_note, // note of the oldest pair
-  //@ end
+  output reg  [NOTE-1:0]   oldest_note, // note of the oldest pair //@ note
   output reg  [RESULT-1:0] oldest  // verdict of the oldest pair
 );
   localparam ENTRIES = 1 << TAG;
@@ -32,9 +26,7 @@ module sepax_reorder #(
   reg  [TAG:0]              count_q;  // entries taken
   reg  [ENTRIES-1:0]        done_q;   // entries that hold a verdict
   reg  [ENTRIES*RESULT-1:0] result_q; // verdicts
-  //@ if note
-  reg  [ENTRIES*NOTE-1:0]   note_q;
-  //@ end
+  reg  [ENTRIES*NOTE-1:0]   note_q; //@ note
   wire                      leave;
   integer                   i;
   integer                   k;
@@ -45,14 +37,10 @@ module sepax_reorder #(
 
   always @(*) begin
     oldest = {RESULT{1'b0}};
-    //@ if note
-    oldest_note = {NOTE{1'b0}};
-    //@ end
+    oldest_note = {NOTE{1'b0}}; //@ note
     for (i = 0; i < ENTRIES; i = i + 1) begin
       oldest = oldest | (result_q[i*RESULT +: RESULT] & {RESULT{head_q[i]}});
-      //@ if note
-      oldest_note = oldest_note | (note_q[i*NOTE +: NOTE] & {NOTE{head_q[i]}});
-      //@ end
+      oldest_note = oldest_note | (note_q[i*NOTE +: NOTE] & {NOTE{head_q[i]}}); //@ note
     end
   end
 
