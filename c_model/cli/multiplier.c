@@ -127,8 +127,7 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   arith_plan_make(plan, &form, o->period > 0 ? o->period : 1e9);
   emitter e;
   emit_init(&e, NULL, command);
-  gen_fa(&e);
-  gen_digits(&e, o->less == 2);
+  gen_multiplier_parts(&e, o->less == 2);
   gen_multiplier(&e, plan);
   bool ok = e.error.text[0] == '\0';
   if (!ok) {

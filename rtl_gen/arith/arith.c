@@ -16,7 +16,7 @@ static int add_bit(arith_plan *p, arith_source source, int from, int index, int 
   if (p->bits == ARITH_BITS) {
     abort();
   }
-  p->bit[p->bits] = (arith_bit){source, from, index, stage, stage, time};
+  p->bit[p->bits] = (arith_bit){source, from, index, stage, stage, time, {0}};
   return p->bits++;
 }
 
@@ -113,6 +113,20 @@ static int level_of(const arith_plan *p, int bit, int stage) {
              : p->adder[b->from].level;
 }
 
+/* Its copy and order among the adders before it. */
+static void place_adder(const arith_plan *p, arith_adder *a) {
+  for (int pass = 0; pass < 2; pass++) {
+    for (const arith_adder *b = p->adder; b < a; b++) {
+      bool same = b->kind == a->kind && b->level == a->level && b->stage == a->stage;
+      if (pass == 0) {
+        a->copy += same && b->column == a->column;
+      } else {
+        a->order += same && b->copy == a->copy;
+      }
+    }
+  }
+}
+
 /* Three bits of a column, or two, or two and a one, become one and a carry. */
 static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, double available) {
   arith_adder *a = &p->adder[p->adders];
@@ -154,13 +168,7 @@ static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, d
     a->level = level > a->level ? level : a->level;
   }
   p->levels = a->level > p->levels ? a->level : p->levels;
-  for (int i = 0; i < p->adders; i++) {
-    const arith_adder *b = &p->adder[i];
-    if (b->column == at && b->level == a->level && b->stage == a->stage && b->kind == kind &&
-        b->copy >= a->copy) {
-      a->copy = b->copy + 1;
-    }
-  }
+  place_adder(p, a);
   int number = p->adders++;
   put(&columns[at], add_bit(p, ARITH_SUM, number, 0, a->stage, sum));
   if (!top) {
@@ -211,6 +219,9 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
   free(columns);
   double skew = stage > 0 ? delay_used->skew_lost : 0;
   p->latency = time + delay_adder(p_w) + skew > available ? stage + 1 : stage;
+  if (p->latency >= ARITH_STAGES) {
+    abort(); /* more pipeline registers than ARITH_STAGES */
+  }
   for (int c = 0; c < p_w; c++) {
     for (int i = 0; i < 2; i++) {
       if (p->final[i][c] >= 0) {
@@ -218,8 +229,11 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
       }
     }
   }
-  for (int i = 0; i < p->bits; i++) {
-    p->registers += p->bit[i].source == ARITH_ONE ? 0 : p->bit[i].last - p->bit[i].stage;
+  for (arith_bit *b = p->bit; b < p->bit + p->bits; b++) {
+    for (int s = b->stage + 1; s <= b->last && b->source != ARITH_ONE; s++) {
+      b->place[s] = p->crossing[s]++;
+      p->registers++;
+    }
   }
 }
 

@@ -20,10 +20,11 @@ typedef enum { ARITH_ROW, ARITH_NEGATIVE, ARITH_SUM, ARITH_CARRY, ARITH_ONE } ar
 
 typedef struct {
   arith_source source;
-  int from, index; /* row and bit of it; or the adder */
-  int stage;       /* pipeline registers passed when it is made */
-  int last;        /* and when it is last used */
-  double time;     /* ns since the last of them */
+  int from, index;         /* row and bit of it; or the adder */
+  int stage;               /* pipeline registers passed when it is made */
+  int last;                /* and when it is last used */
+  double time;             /* ns since the last of them */
+  int place[ARITH_STAGES]; /* in each pipeline register that it passes */
 } arith_bit;
 
 typedef enum {
@@ -40,6 +41,7 @@ typedef struct {
   int column, level, stage;
   int input[3]; /* bits; two but in full adders */
   int copy;     /* which of its kind in its column, level and stage */
+  int order;    /* which of its kind, level, stage and copy: they stand side by side */
 } arith_adder;
 
 typedef struct {
@@ -55,7 +57,8 @@ typedef struct {
   int less;
   int sum_w; /* bits that are cut into digits: b, or b + BIAS */
   int rows, levels, latency;
-  int registers; /* bits in all pipeline registers */
+  int registers;              /* bits in all pipeline registers */
+  int crossing[ARITH_STAGES]; /* in each */
   arith_bit bit[ARITH_BITS];
   int bits;
   arith_adder adder[ARITH_ADDERS];
@@ -81,12 +84,14 @@ bool arith_row_whole(const arith_plan *plan, int row);
 
 /* Emit what multipliers are made of, once a design and before them: sepax_fa; sepax_digit and
  * sepax_top_digit, and sepax_digit_2, of digits that count two less, if asked for. */
-void gen_fa(emitter *e);
-void gen_digits(emitter *e, bool two_less);
+void gen_multiplier_parts(emitter *e, bool two_less);
 
 /* Its module: sepax_mul_AxB; of biased ones sepax_mul_AxB_biased, or sepax_mul_AxB_biased_2 where
  * digits count two less. */
 void arith_name(const arith_plan *plan, char name[EMIT_NAME]);
+
+/* BIAS, decimal. */
+void arith_bias(const arith_plan *plan, char text[48]);
 
 /* Emit the multiplier as a module: ports a, b, p, and clk if its latency is above 0. */
 void gen_multiplier(emitter *e, const arith_plan *plan);

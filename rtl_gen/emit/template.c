@@ -339,6 +339,12 @@ void emit_hole_set(emit_holes *h, const char *name, const char *format, ...) {
   emit_hole_take(h, name, &text);
 }
 
+void emit_hole_numbers(emit_holes *h, const emit_number *row) {
+  for (; row->name != NULL; row++) {
+    emit_hole_set(h, row->name, "%lld", (long long)row->number);
+  }
+}
+
 void emit_holes_free(emit_holes *h) {
   for (int i = 0; i < h->count; i++) {
     free((char *)h->hole[i].text);

@@ -76,6 +76,12 @@ typedef struct {
 } emit_holes;
 void emit_hole_set(emit_holes *h, const char *name, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+/* Numbers of several holes; the last row has no name. */
+typedef struct {
+  const char *name;
+  int64_t number;
+} emit_number;
+void emit_hole_numbers(emit_holes *h, const emit_number *row);
 void emit_hole_take(emit_holes *h, const char *name, emit_stream *text); /* what was written */
 void emit_holes_free(emit_holes *h);
 

@@ -114,8 +114,7 @@ static void gen_orient3d(emitter *e, const exact_plan *p) {
 }
 
 static void gen_multipliers(emitter *e, const exact_stages *s) {
-  gen_fa(e);
-  gen_digits(e, s->zdiff_shared);
+  gen_multiplier_parts(e, s->zdiff_shared);
   gen_multiplier(e, &s->trapezoid);
   gen_multiplier(e, &s->prism);
   if (!arith_same(&s->own_prism, &s->prism)) { /* they are where W is odd */
