@@ -2,3 +2,4 @@
 localparam WORD = 18;
 localparam LATENCY = 7;
 localparam II = 1;
+`define SEPAX_EXACT

@@ -2,3 +2,4 @@
 localparam WORD = 18;
 localparam LATENCY = 12;
 localparam II = 3;
+`define SEPAX_EXACT

@@ -89,7 +89,7 @@ void describe_json(const emitter *e, FILE *out) {
 }
 
 /* A number of the design for benches: a macro SEPAX_NAME in C; in Verilog a localparam NAME, a
- * macro, or nothing. */
+ * macro if it is not 0, or nothing. */
 typedef struct {
   const char *name;
   int value;
@@ -107,7 +107,7 @@ static void list_numbers(const sepax_design *d, number list[NUMBERS]) {
       {"WORD", c->word, true, LOCALPARAM},
       {"LATENCY", d->latency, true, LOCALPARAM},
       {"II", c->ii, true, LOCALPARAM},
-      {"EXACT", c->arch == SEPAX_ARCH_EXACT, true, C_ONLY},
+      {"EXACT", c->arch == SEPAX_ARCH_EXACT, true, MACRO},
       {"FLAG", c->flag, true, C_ONLY},
       {"CONFERENCE", 1, c->arch == SEPAX_ARCH_CONFERENCE, MACRO},
       {"BOXES", 1, d->aabb_test, MACRO},
@@ -147,7 +147,7 @@ void describe_verilog(const sepax_design *d, FILE *out) {
   for (int i = 0; i < NUMBERS; i++) {
     if (list[i].given && list[i].verilog == LOCALPARAM) {
       fprintf(out, "localparam %s = %d;\n", list[i].name, list[i].value);
-    } else if (list[i].given && list[i].verilog == MACRO) {
+    } else if (list[i].given && list[i].verilog == MACRO && list[i].value != 0) {
       fprintf(out, "`define SEPAX_%s\n", list[i].name);
     }
   }

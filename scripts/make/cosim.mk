@@ -118,13 +118,12 @@ endif
 
 # ------------------------------------------------------------------------- Icarus
 
-TEST_BENCH   = $(if $(filter exact,$(ARCH)),sepax_exact_tb,sepax_tb)
-TEST_BENCH_V = tb/cosim/$(TEST_BENCH).v
-ICARUS       = $(CORE)/icarus$(OF_VIEW).vvp
+TEST_BENCH = tb/cosim/sepax_tb.v
+ICARUS     = $(CORE)/icarus$(OF_VIEW).vvp
 
-$(ICARUS): $(RTL) $(TEST_BENCH_V)
+$(ICARUS): $(RTL) $(TEST_BENCH)
 	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_ISOLATION $(VIEW_MACRO) -I . \
-	  -s $(TEST_BENCH) -o ../$(@F) -c sepax.f $(abspath $(TEST_BENCH_V))
+	  -s sepax_tb -o ../$(@F) -c sepax.f $(abspath $(TEST_BENCH))
 
 # All pairs with coordinates 0, 1.
 BITS = awk 'BEGIN { for (n = 0; n < 262144; n++) \

@@ -81,11 +81,11 @@ power-file:
 
 # ----------------------------------------------------------------- the gates simulated
 
-$(AREA)/netlist.vvp: $(AREA)/area.json $(TEST_BENCH_V)
+$(AREA)/netlist.vvp: $(AREA)/area.json $(TEST_BENCH)
 	@echo "  ICARUS  $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
-	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s $(TEST_BENCH) -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
-	  $(TEST_BENCH_V)
+	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s sepax_tb -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
+	  $(TEST_BENCH)
 
 # A gate-level pair takes a second at W = 18: ten of each family are many.
 netlist: COUNT = 170

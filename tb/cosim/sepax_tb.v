@@ -1,111 +1,269 @@
-// sepax_tb.v - self-checking test bench of sepax_top for Icarus Verilog.
+// sepax_tb.v - self-checking test bench of sepax_top for Icarus Verilog, of any architecture.
 //
-// +pairs=FILE  lines of 24 integers and the expected collision, coplanar (sepax judge --echo)
+// +pairs=FILE  lines of 24 integers and what is expected (sepax judge --echo): collision and
+//              coplanar; of exact also axis, and band with a clearance
+// +stall=SEED  in_valid and out_ready at random
 // +isolated=1  from the second pair on all are coplanar: check that the operands of axes 7 ... 9
 //              and what depends on them are isolated: they do not toggle (not for netlists); of
 //              conference, none is coplanar: the same of the six axes of table 2
 //
-// A verdict must come in its cycle with the expected value; X is a mismatch. Ends
-// with $finish when all is well and with $stop (exit status 1 under vvp -N) if not.
+// A pair is WORDS input words; the data is anything without in_valid. Verdicts must come in the
+// order of the pairs with the expected value and stand still while they wait. The latency must be
+// LATENCY: of a pair alone in the core where there is out_ready, else of every pair. X is a
+// mismatch; so are operands of a core that an AABB test isolates (SEPAX_ISOLATION). Ends with
+// $finish when all is well and with $stop (exit status 1 under vvp -N) if not.
 
 `default_nettype none
 
 module sepax_tb;
   `include "sepax_params.vh"
 
-  localparam QUEUE = 16;
-
   reg clk = 1'b0;
   reg rst = 1'b1;
   reg in_valid = 1'b0;
-  reg signed [WORD-1:0] in_a_x, in_a_y, in_a_z, in_b_x, in_b_y, in_b_z, in_na, in_nb;
-  wire out_valid, out_collision, out_coplanar;
+  reg out_ready = 1'b1;
+  wire in_ready, out_valid, out_collision, out_coplanar;
+  wire [3:0] out_axis;
+  wire [1:0] out_band;
+  reg signed [WORD-1:0] in [0:17]; // the input ports in their order
 
+`ifdef SEPAX_EXACT
+  localparam EXACT = 1;
+  localparam WORDS = 1;
+  sepax_top dut (
+    .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
+    .in_a1_x(in[0]), .in_a1_y(in[1]), .in_a1_z(in[2]),
+    .in_a2_x(in[3]), .in_a2_y(in[4]), .in_a2_z(in[5]),
+    .in_a3_x(in[6]), .in_a3_y(in[7]), .in_a3_z(in[8]),
+    .in_b1_x(in[9]), .in_b1_y(in[10]), .in_b1_z(in[11]),
+    .in_b2_x(in[12]), .in_b2_y(in[13]), .in_b2_z(in[14]),
+    .in_b3_x(in[15]), .in_b3_y(in[16]), .in_b3_z(in[17]),
+`ifdef SEPAX_BANDS
+    .out_band(out_band),
+`endif
+    .out_valid(out_valid), .out_ready(out_ready), .out_collision(out_collision),
+    .out_coplanar(out_coplanar), .out_axis(out_axis)
+  );
+`else
+  localparam EXACT = 0;
+  localparam WORDS = 3;
+  assign in_ready = 1'b1;
+  assign out_axis = 4'd0;
   sepax_top dut (
     .clk(clk), .rst(rst), .in_valid(in_valid),
-    .in_a_x(in_a_x), .in_a_y(in_a_y), .in_a_z(in_a_z),
-    .in_b_x(in_b_x), .in_b_y(in_b_y), .in_b_z(in_b_z),
-    .in_na(in_na), .in_nb(in_nb),
+    .in_a_x(in[0]), .in_a_y(in[1]), .in_a_z(in[2]),
+    .in_b_x(in[3]), .in_b_y(in[4]), .in_b_z(in[5]), .in_na(in[6]), .in_nb(in[7]),
     .out_valid(out_valid), .out_collision(out_collision), .out_coplanar(out_coplanar)
   );
+`endif
+`ifdef SEPAX_BANDS
+  localparam FIELDS = 28;
+`else
+  localparam FIELDS = EXACT ? 27 : 26;
+  assign out_band = 2'd0;
+`endif
+`ifdef SEPAX_BOXES
+  // A pair may be taken before the II window of the core, empty by then, ends.
+  localparam SETTLE = 2 * II;
+`else
+  localparam SETTLE = 0;
+`endif
+  localparam QUEUE = 1024;
+  localparam PATIENCE = 2000 + 64 * (LATENCY + II);
 
-  always #1 clk = ~clk;
+  always #2 clk = ~clk;
 
   reg [8*1024-1:0] path;
-  integer file, fields, i, word, cycle, sent, judged, mismatches, isolated;
-  integer number [0:25];
-  integer due [0:QUEUE-1];
-  reg [1:0] expected [0:QUEUE-1]; // collision, coplanar
+  integer file, fields, cycle, sent, judged, mismatches, waited, blocked, idle, took;
+  integer stall, isolated, seed, offering, offered, accepting, accepted, i, word;
+  integer number [0:27];
+  reg [7:0] expected [0:QUEUE-1]; // band, collision, coplanar, axis
+  reg alone [0:QUEUE-1];
+  integer taken_in [0:QUEUE-1];   // the cycle, as if a pair's words came without gaps
+  reg taken, was_empty, was_blocked, not_isolated;
+  reg [7:0] shown, before;
 
-  task mismatch(input [8*40-1:0] what);
+  task mismatch(input [8*48-1:0] what);
     begin
       mismatches = mismatches + 1;
-      $display("icarus: pair %0d, cycle %0d: %0s (valid %b, collision %b, coplanar %b)", judged,
-               cycle, what, out_valid, out_collision, out_coplanar);
+      $display("icarus: pair %0d, cycle %0d: %0s (valid %b, collision %b, coplanar %b, axis %0d)",
+               judged, cycle, what, out_valid, out_collision, out_coplanar, out_axis);
       if (mismatches == 20) begin
         $stop;
       end
     end
   endtask
 
-  // The middle of one clock cycle: judge its outputs, then wait for the next.
+  task judge_verdict(input [7:0] due);
+    begin
+      if (shown[5] !== due[5]) begin
+        mismatch("wrong verdict");
+      end else if (shown[4] !== due[4]) begin
+        mismatch("wrong out_coplanar");
+      end else if (shown[3:0] !== due[3:0]) begin
+        mismatch("wrong axis");
+      end else if (shown[7:6] !== due[7:6]) begin
+        mismatch("wrong band");
+      end else if (!EXACT || (shown[4] == 1'b0 && shown[3:0] != 4'd12)) begin // no extra pass
+        if (took < LATENCY) begin
+          mismatch("a verdict too early");
+        end else if (took > LATENCY && (!EXACT || (alone[judged % QUEUE] &&
+                                                   blocked < taken_in[judged % QUEUE]))) begin
+          mismatch("a verdict too late");
+        end
+      end
+      judged = judged + 1;
+    end
+  endtask
+
+  // What the outputs show in this cycle.
+  task look;
+    begin
+      shown = {out_band, out_collision, out_coplanar, out_axis};
+      took = cycle - taken_in[judged % QUEUE] + 1;
+      if (was_blocked && (out_valid !== 1'b1 || shown !== before)) begin
+        mismatch("a verdict moves while it is blocked");
+      end
+      was_blocked = 1'b0;
+      if (^{in_ready, out_valid, shown} === 1'bx) begin
+        mismatch("an output is X");
+      end
+      if (out_valid !== 1'b1) begin
+        if (shown !== 8'd0) begin
+          mismatch("an output is not 0 without a verdict");
+        end
+        if (!EXACT && !was_empty && took >= LATENCY) begin
+          mismatch("no verdict");
+          judged = judged + 1;
+        end
+      end else if (was_empty) begin
+        mismatch("a verdict that nobody asked for");
+      end else if (out_ready || !EXACT) begin
+        judge_verdict(expected[judged % QUEUE]);
+      end else begin
+        was_blocked = 1'b1;
+        before = shown;
+      end
+    end
+  endtask
+
+  // One clock cycle from the falling edge.
   task tick;
     begin
+      drive;
       cycle = cycle + 1;
-      if (judged < sent && due[judged % QUEUE] == cycle) begin
-        if (out_valid !== 1'b1) begin
-          mismatch("no verdict");
-        end else if (out_collision !== expected[judged % QUEUE][1]) begin
-          mismatch("wrong verdict");
-        end else if (out_coplanar !== expected[judged % QUEUE][0]) begin
-          mismatch("wrong out_coplanar");
-        end
-        judged = judged + 1;
-      end else if (out_valid !== 1'b0 || out_collision !== 1'b0 || out_coplanar !== 1'b0) begin
-        mismatch("an output is not 0 without a verdict");
+      #1;
+      if (not_isolated === 1'b1) begin
+        mismatch("an isolated core gets operands");
+      end
+      was_empty = judged == sent;
+      idle = was_empty ? idle + 1 : 0;
+      taken = in_valid && in_ready === 1'b1;
+      waited = taken || (out_valid === 1'b1 && out_ready) ? 0
+               : out_ready && (in_valid || !was_empty)    ? waited + 1
+                                                          : waited;
+      look;
+      if (!out_ready) begin
+        blocked = cycle;
+      end
+      if (waited > PATIENCE) begin
+        mismatch("time-out: nothing comes and nothing is taken");
+        $stop;
       end
       @(negedge clk);
+    end
+  endtask
+
+  // A signal is 1 in `rate` of 8 cycles of a stretch.
+  task draw_stalls;
+    begin
+      draw_stretch(offered, offering);
+      draw_stretch(accepted, accepting);
+      in_valid = draw(8) < offering;
+      out_ready = draw(8) < accepting;
+    end
+  endtask
+
+  task draw_stretch(inout integer left, inout integer rate);
+    begin
+      if (left == 0) begin
+        left = 1 + draw(8 * LATENCY);
+        case (draw(5))
+          0: rate = 0;
+          1: rate = 1;
+          2: rate = 4;
+          3: rate = 7;
+          default: rate = 8;
+        endcase
+      end
+      left = left - 1;
+    end
+  endtask
+
+  function integer draw(input integer below);
+    draw = $unsigned($random(seed)) % below;
+  endfunction
+
+  // Word `word` of the pair, or anything when it is not offered.
+  task drive;
+    for (i = 0; i < 18; i = i + 1) begin
+      in[i] = !in_valid ? $random(seed)
+              : EXACT   ? number[i]
+              : i < 6   ? number[9 * (i / 3) + 3 * word + i % 3]
+                        : number[18 + 3 * (i % 2) + word];
+    end
+  endtask
+
+  task send_pair;
+    begin
+      for (word = 0; word < WORDS; word = word + taken) begin
+        in_valid = 1'b1;
+        if (stall) begin
+          draw_stalls;
+        end
+        tick;
+      end
+      in_valid = 1'b0;
+      expected[sent % QUEUE] = {number[27][1:0], number[24] != 0, number[25] != 0, number[26][3:0]};
+      alone[sent % QUEUE] = idle > SETTLE;
+      taken_in[sent % QUEUE] = cycle - (WORDS - 1);
+      sent = sent + 1;
+      if (sent - judged > QUEUE) begin
+        mismatch("more pairs were taken than fit");
+        $stop;
+      end
+    end
+  endtask
+
+  task empty_core;
+    begin
+      while (judged < sent) begin
+        if (stall) begin
+          draw_stalls;
+        end
+        in_valid = 1'b0;
+        tick;
+      end
+      tick;
     end
   endtask
 
   task read_pair;
     begin
       fields = 0;
-      for (i = 0; i < 26; i = i + 1) begin
+      for (i = 0; i < FIELDS; i = i + 1) begin
         fields = fields + ($fscanf(file, "%d", number[i]) == 1);
       end
     end
   endtask
 
-  task send_pair;
-    begin
-      due[sent % QUEUE] = cycle + LATENCY;
-      expected[sent % QUEUE] = {number[24] != 0, number[25] != 0};
-      sent = sent + 1;
-      for (word = 0; word < 3; word = word + 1) begin
-        in_valid = 1'b1;
-        in_a_x = number[3*word];
-        in_a_y = number[3*word+1];
-        in_a_z = number[3*word+2];
-        in_b_x = number[3*word+9];
-        in_b_y = number[3*word+10];
-        in_b_z = number[3*word+11];
-        in_na = number[word+18];
-        in_nb = number[word+21];
-        tick;
-      end
-      in_valid = 1'b0;
-    end
-  endtask
-
   initial begin
-    cycle = 0;
-    sent = 0;
-    judged = 0;
-    mismatches = 0;
-    if (!$value$plusargs("isolated=%d", isolated)) begin
-      isolated = 0;
-    end
+    {cycle, idle, sent, judged, mismatches, waited, blocked, offered, accepted} = 0;
+    {number[26], number[27]} = 0;
+    was_blocked = 1'b0;
+    seed = 1;
+    stall = $value$plusargs("stall=%d", seed);
+    isolated = $test$plusargs("isolated=1");
     if (!$value$plusargs("pairs=%s", path)) begin
       $display("icarus: give +pairs=FILE");
       $stop;
@@ -118,14 +276,19 @@ module sepax_tb;
     repeat (3) @(negedge clk);
     rst = 1'b0;
     read_pair;
-    while (fields == 26) begin
+    while (fields == FIELDS) begin
       send_pair;
+      if (sent <= 3) begin
+        empty_core; // their latency is checked
+      end
       read_pair;
     end
     if (fields != 0) begin
-      mismatch("a line without 26 integers");
+      mismatch("a line without all its integers");
     end
-    repeat (2 * LATENCY) tick;
+    empty_core;
+    out_ready = 1'b1;
+    repeat (4 * (LATENCY + II)) tick; // a verdict too many is seen here
     $display("icarus: %0d pairs, %0d mismatches", judged, mismatches);
     if (sent == 0 || judged != sent || mismatches != 0) begin
       $stop;
@@ -133,7 +296,16 @@ module sepax_tb;
     $finish;
   end
 
+  // Without a pair, or where the boxes have decided, nothing but zeros enters the core.
+  initial not_isolated = 1'b0;
 `ifdef SEPAX_ISOLATION
+`ifdef SEPAX_BOXES
+  always @(negedge clk) begin
+    not_isolated <= !(dut.narrow.in_valid && !dut.narrow.in_disjoint) &&
+                    (|dut.narrow.in_pair !== 1'b0);
+  end
+`endif
+`ifndef SEPAX_EXACT
 `ifdef SEPAX_CONFERENCE
   // Operands, products, axes, projections and comparisons of table 2.
   wire [1023:0] operands = {dut.a_14, dut.b_14, dut.psa_6.axes[0].product.p,
@@ -167,6 +339,7 @@ module sepax_tb;
     operands_before = operands;
     results_before = results;
   end
+`endif
 `endif
 endmodule
 
