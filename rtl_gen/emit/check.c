@@ -4,340 +4,269 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct {
+/* ----------------------------------------------------------------------------- headers */
+
+/* The comment on the line that is read. */
+static const char *comment(reader *r) {
+  const char *about = strstr(r->at, "//");
+  if (about == NULL || about > r->at + strcspn(r->at, "\n")) {
+    reader_refuse(r, "no comment behind a parameter or port");
+    return r->end;
+  }
+  return about + 2 + (about[2] == ' ');
+}
+
+/* parameter [integer] NAME = value; an instance's value stands outside the header's scope. */
+static void parameter(reader *r) {
   char name[EMIT_NAME];
-  int64_t value;
-} binding;
-
-typedef struct {
-  binding *list;
-  int count;
-} bindings;
-
-static bool check_module(const emit_module *m, const bindings *overrides);
-
-/* The value of an expression that stands outside the body, which may name parameters. */
-static int64_t evaluate(reader *r, const char *expression) {
-  const char *begin = r->begin;
-  const char *at = r->at;
-  const char *end = r->end;
-  r->begin = r->at = expression;
-  r->end = expression + strlen(expression);
+  reader_expect(r, "parameter");
+  reader_take(r, "integer");
+  reader_expect_name(r, name);
+  comment(r);
+  const check_name *bound = reader_find(r, name);
+  int64_t given = bound != NULL ? bound->value : 0;
+  reader_expect(r, "=");
+  r->off += bound != NULL;
   int64_t value = check_constant(r);
-  reader_skip(r);
-  if (!r->failed && r->at != r->end) {
-    reader_refuse(r, "not a constant expression", "");
-  }
-  r->begin = begin;
-  r->at = r->failed ? end : at;
-  r->end = end;
-  return value;
+  r->off -= bound != NULL;
+  check_name *n = reader_declare(r, NAME_CONSTANT, name, 0);
+  n->known = true;
+  n->value = bound != NULL ? given : value;
 }
 
-static int64_t parameter_value(reader *r, const emit_symbol *s, const bindings *overrides) {
-  for (int i = 0; i < overrides->count; i++) {
-    if (strcmp(overrides->list[i].name, s->name) == 0) {
-      return overrides->list[i].value;
-    }
+/* input or output [wire] [reg] [signed] [range] name */
+static void port(reader *r) {
+  char name[EMIT_NAME];
+  int low = 0;
+  name_kind kind = reader_take(r, "input") ? NAME_INPUT : NAME_WIRE;
+  if (kind == NAME_WIRE) {
+    reader_expect(r, "output");
   }
-  return evaluate(r, s->value);
+  if (!reader_take(r, "wire") && kind == NAME_WIRE && reader_take(r, "reg")) {
+    kind = NAME_REG;
+  }
+  bool is_signed = reader_take(r, "signed");
+  int width = check_range(r, &low);
+  if (low > 0) {
+    reader_fault(r, "a port without a bit 0");
+  }
+  reader_expect_name(r, name);
+  const char *about = comment(r);
+  check_name *n = reader_declare(r, kind, name, width);
+  n->is_signed = is_signed;
+  n->about = about;
 }
 
-/* Declare parameters and ports of the module. */
-static void open_header(reader *r, const bindings *overrides) {
-  for (int i = 0; i < r->m->symbols && !r->failed; i++) {
-    const emit_symbol *s = &r->m->symbol[i];
-    if (s->kind == EMIT_PARAMETER) {
-      int64_t value = parameter_value(r, s, overrides);
-      check_name *n = reader_declare(r, NAME_CONSTANT, s->name, 0);
-      n->known = true;
-      n->value = value;
-    } else {
-      int64_t width = s->width[0] != '\0' ? evaluate(r, s->width) : 1;
-      if (!r->failed && (width < 1 || width > 1 << 24)) {
-        reader_refuse(r, "no bits in", s->name);
-      }
-      name_kind kind = s->kind == EMIT_INPUT    ? NAME_INPUT
-                       : s->kind == EMIT_OUTPUT ? NAME_WIRE
-                                                : NAME_REG;
-      reader_declare(r, kind, s->name, (int)width);
-    }
+/* Several in parentheses, behind the first one. */
+static void list(reader *r, void (*read)(reader *r)) {
+  if (reader_take(r, ")")) {
+    return;
   }
+  do {
+    read(r);
+  } while (reader_take(r, ","));
+  reader_expect(r, ")");
+}
+
+void check_header(reader *r) {
+  char name[EMIT_NAME];
+  reader_enter(r);
+  reader_expect(r, "module");
+  reader_expect_name(r, name);
+  if (reader_take(r, "#(")) {
+    list(r, parameter);
+  }
+  reader_expect(r, "(");
+  list(r, port);
+  reader_expect(r, ";");
+  r->header = r->names;
+}
+
+/* A parameter or port of a module whose header was read. */
+static check_name *find_in_header(reader *r, const char *name) {
+  check_name *n = reader_find(r, name);
+  return n != NULL && n - r->name >= r->scope && n - r->name < r->header ? n : NULL;
 }
 
 /* -------------------------------------------------------------------------- instances */
 
-static const emit_symbol *find_symbol(const emit_module *m, const char *name) {
-  for (int i = 0; i < m->symbols; i++) {
-    if (strcmp(m->symbol[i].name, name) == 0) {
-      return &m->symbol[i];
-    }
-  }
-  return NULL;
-}
-
-/* .NAME(value), ... behind "#(". */
-static void bind_parameters(reader *r, const emit_module *child, bindings *bound) {
+/* .NAME(value), ... behind "#(", declared around the header of the child. */
+static void bind_parameters(reader *r, reader *child) {
+  char name[EMIT_NAME];
   do {
-    binding b = {"", 0};
     reader_expect(r, ".");
-    reader_take_name(r, b.name);
-    const emit_symbol *s = child != NULL ? find_symbol(child, b.name) : NULL;
-    if (r->off == 0 && (s == NULL || s->kind != EMIT_PARAMETER)) {
-      reader_refuse(r, "no parameter", b.name);
-    }
+    reader_expect_name(r, name);
     reader_expect(r, "(");
-    b.value = check_constant(r);
+    int64_t value = check_constant(r);
     reader_expect(r, ")");
-    for (int i = 0; i < bound->count; i++) {
-      if (strcmp(bound->list[i].name, b.name) == 0) {
-        reader_refuse(r, "bound twice:", b.name);
-      }
-    }
-    bound->list = emit_grow(bound->list, bound->count, sizeof b);
-    bound->list[bound->count++] = b;
-  } while (!r->failed && reader_take(r, ","));
+    check_name *n = reader_declare(child, NAME_CONSTANT, name, 0);
+    n->known = true;
+    n->value = value;
+  } while (reader_take(r, ","));
   reader_expect(r, ")");
 }
 
-/* "sepax_mul A_W=18 ...": a module with the values that its parameters have. */
-static char *variant_of(reader *child) {
-  char *text = NULL;
-  size_t size = 0;
-  FILE *out = open_memstream(&text, &size);
-  if (out == NULL) {
-    abort();
-  }
-  fputs(child->m->name, out);
-  for (int i = 0; i < child->m->symbols; i++) {
-    const emit_symbol *s = &child->m->symbol[i];
-    if (s->kind == EMIT_PARAMETER) {
-      fprintf(out, " %s=%lld", s->name, (long long)reader_find(child, s->name)->value);
+/* What stands behind the header, unless it passed with the same values of the parameters. */
+static void check_items(reader *r) {
+  emitter *e = r->m->emitter;
+  emit_stream variant;
+  emit_stream_open(&variant);
+  fputs(r->m->name, variant.out);
+  for (int i = r->scope; i < r->header; i++) {
+    if (r->name[i].kind == NAME_CONSTANT) {
+      fprintf(variant.out, " %lld", (long long)r->name[i].value);
     }
   }
-  fclose(out);
-  return text;
-}
-
-/* Check a variant of a module, once. */
-static bool check_variant(reader *child, const bindings *bound) {
-  emitter *e = child->m->emitter;
-  char *variant = variant_of(child);
+  emit_stream_close(&variant);
   for (int i = 0; i < e->variants; i++) {
-    if (strcmp(e->variant[i], variant) == 0) {
-      free(variant);
-      return true;
+    if (strcmp(e->variant[i], variant.text) == 0) {
+      free(variant.text);
+      return;
     }
-  }
-  if (!check_module(child->m, bound)) {
-    free(variant);
-    return false;
   }
   e->variant = emit_grow(e->variant, e->variants, sizeof(char *));
-  e->variant[e->variants++] = variant;
-  return true;
-}
-
-/* .port(expression) of a port that is `bits` wide; an output drives what it is connected to. */
-static void connect(reader *r, const char *port, bool output, int bits) {
-  operand given = output ? check_target(r, false) : check_expression(r);
-  if (!r->failed && r->off == 0 && given.width != bits) {
-    char what[EMIT_NAME + 96];
-    snprintf(what, sizeof what, "port '%s' has %d bits, its connection %d", port, bits,
-             given.width);
-    reader_refuse(r, what, "");
+  e->variant[e->variants++] = variant.text;
+  while (reader_is_before(r, "endmodule")) {
+    check_item(r);
+  }
+  reader_skip(r);
+  if (r->at < r->end) {
+    reader_refuse(r, "text behind the module");
   }
 }
 
-/* The connections, in any order; each port once. `child` is NULL in a branch not taken. */
-static void check_connections(reader *r, const emit_module *m, reader *child) {
+/* The module of an instance with the values that are bound. */
+static void check_child(reader *r, reader *child) {
+  check_header(child);
+  for (int i = 0; i < child->scope; i++) {
+    const check_name *n = find_in_header(child, child->name[i].name);
+    if (n == NULL || n->kind != NAME_CONSTANT) {
+      reader_fault(r, "no parameter '%s'", child->name[i].name);
+    }
+  }
+  if (!r->failed) {
+    check_items(child);
+  }
+  if (child->failed) {
+    reader_refuse(r, "refused: '%s'", child->m->name);
+  }
+}
+
+/* .port(expression): an output drives what it is connected to. */
+static void connect(reader *r, reader *child) {
+  char name[EMIT_NAME];
+  reader_expect(r, ".");
+  reader_expect_name(r, name);
+  reader_expect(r, "(");
+  check_name *n = find_in_header(child, name);
+  bool output = n != NULL && n->kind != NAME_INPUT;
+  operand given = output ? check_target(r) : check_expression(r);
+  reader_expect(r, ")");
+  if (n == NULL || n->kind == NAME_CONSTANT) {
+    reader_fault(r, "no port '%s'", name);
+  } else if (n->connected) {
+    reader_fault(r, "connected twice: '%s'", name);
+  } else if (given.width != n->width) {
+    reader_fault(r, "port '%s' has %d bits, its connection %d", name, n->width, given.width);
+  } else {
+    n->connected = true;
+  }
+}
+
+/* (.port(expression), ...); in any order, each port once. */
+static void connections(reader *r, reader *child) {
+  reader_expect(r, "(");
+  if (!reader_take(r, ")")) {
+    do {
+      connect(r, child);
+    } while (reader_take(r, ","));
+    reader_expect(r, ")");
+  }
   int ports = 0;
   int connected = 0;
-  for (int i = 0; m != NULL && i < m->symbols; i++) {
-    ports += emit_is_port(&m->symbol[i]);
+  for (int i = child->scope; i < child->header; i++) {
+    ports += child->name[i].kind != NAME_CONSTANT;
+    connected += child->name[i].connected;
   }
-  bool *seen = calloc((size_t)(m != NULL ? m->symbols : 0) + 1, sizeof *seen);
-  if (seen == NULL) {
-    abort();
+  if (connected != ports) {
+    reader_fault(r, "%d of the %d ports are connected of '%s'", connected, ports, child->m->name);
   }
-  while (!r->failed && reader_take(r, ".")) {
-    char port[EMIT_NAME] = "";
-    reader_take_name(r, port);
-    const emit_symbol *s = m != NULL ? find_symbol(m, port) : NULL;
-    reader_expect(r, "(");
-    if (child == NULL) {
-      check_expression(r);
-    } else if (s == NULL || !emit_is_port(s)) {
-      reader_refuse(r, "no port", port);
-    } else if (seen[s - m->symbol]) {
-      reader_refuse(r, "connected twice:", port);
-    } else {
-      seen[s - m->symbol] = true;
-      connect(r, port, s->kind != EMIT_INPUT, reader_find(child, port)->width);
-    }
-    reader_expect(r, ")");
-    connected++;
-    if (!reader_take(r, ",")) {
-      break;
-    }
-  }
-  if (!r->failed && child != NULL && connected != ports) {
-    char what[96];
-    snprintf(what, sizeof what, "%d of the %d ports are connected of", connected, ports);
-    reader_refuse(r, what, m->name);
-  }
-  free(seen);
-  reader_expect(r, ")");
   reader_expect(r, ";");
 }
 
-/* module #(.P(value), ...) name (.port(expression), ...); behind the first word. */
-static void check_instance(reader *r, const char *module) {
-  bindings bound = {NULL, 0};
-  char name[EMIT_NAME] = "";
+/* module #(.P(value), ...) name (.port(expression), ...); */
+static void instance(reader *r) {
+  char module[EMIT_NAME];
+  char name[EMIT_NAME];
+  bool named = reader_take_name(r, module);
   const emit_module *m = r->off == 0 ? emit_find(r->m->emitter, module) : NULL;
-  bool parameters = reader_take(r, "#(");
-  if (r->off == 0 && m == NULL && (parameters || !reader_next_is(r, "="))) {
-    const char *at = r->at;
-    bool looks = parameters || (reader_take_name(r, name) && reader_next_is(r, "("));
-    r->at = at;
-    reader_refuse(r, looks ? "a module that is not emitted yet:" : "item not understood", module);
+  reader child;
+  reader_open(&child, m != NULL ? m : r->m, m != NULL ? m->verilog : "");
+  child.off = r->off;
+  if (named && reader_take(r, "#(")) {
+    bind_parameters(r, &child);
   }
-  if (parameters) {
-    bind_parameters(r, m, &bound);
-  }
-  if (!r->failed && !reader_take_name(r, name)) {
-    reader_refuse(r, "item not understood", "");
-  }
-  reader_expect(r, "(");
-  if (r->off > 0) {
-    check_connections(r, NULL, NULL);
-  } else if (!r->failed) {
+  if (!named || !reader_take_name(r, name) || !reader_next_is(r, "(")) {
+    reader_refuse(r, "item not understood");
+  } else if (m == NULL || m == r->m) {
+    reader_fault(r, "a module that is not emitted yet: '%s'", module);
+  } else {
     reader_declare(r, NAME_LABEL, name, 0);
-    reader child;
-    reader_open(&child, m, "", 0);
-    open_header(&child, &bound);
-    if (child.failed || !check_variant(&child, &bound)) {
-      reader_refuse(r, "refused:", name);
-    } else {
-      check_connections(r, m, &child);
-    }
-    reader_close(&child);
+    check_child(r, &child);
   }
-  free(bound.list);
+  connections(r, &child);
+  reader_close(&child);
 }
 
 /* ------------------------------------------------------------------------------ items */
 
-static void item(reader *r);
-
-/* One item of a generate construct, or begin : label ... end. */
-static void block(reader *r) {
-  if (!reader_take(r, "begin")) {
-    item(r);
-    return;
-  }
-  char label[EMIT_NAME];
-  int outer = reader_enter(r);
-  if (reader_take(r, ":") && reader_take_name(r, label) && r->off == 0) {
-    reader_declare(r, NAME_LABEL, label, 0);
-  }
-  while (!r->failed && !reader_take(r, "end")) {
-    item(r);
-  }
-  reader_leave(r, outer);
-}
-
-static void generate_if(reader *r) {
-  reader_expect(r, "(");
-  bool holds = check_constant(r) != 0;
-  reader_expect(r, ")");
-  r->off += !holds;
-  block(r);
-  r->off -= !holds;
-  if (reader_take(r, "else")) {
-    r->off += holds;
-    block(r);
-    r->off -= holds;
-  }
-}
-
 static void always(reader *r) {
-  r->clocked = reader_take(r, "@(posedge clk)");
-  r->combinational = !r->clocked && (reader_take(r, "@(*)") || reader_take(r, "@*"));
-  if (!r->clocked && !r->combinational) {
-    reader_refuse(r, "expected", "@(posedge clk) or @(*)");
+  if (reader_take(r, "@(posedge clk)")) {
+    check_process(r, IN_CLOCKED);
+  } else if (reader_take(r, "@(*)") || reader_take(r, "@*")) {
+    check_process(r, IN_COMBINATIONAL);
+  } else {
+    reader_refuse(r, "expected '@(posedge clk)' or '@(*)'");
   }
-  check_statement(r);
-  r->clocked = false;
-  r->combinational = false;
 }
 
-static void assign(reader *r) {
-  operand left = check_target(r, false);
-  reader_expect(r, "=");
-  check_same_width(r, "=", left, check_expression(r));
-  reader_expect(r, ";");
-}
-
-static void item(reader *r) {
-  char name[EMIT_NAME];
+static void module_item(reader *r) {
   if (reader_take(r, "assign")) {
-    assign(r);
+    check_assignment(r);
   } else if (reader_take(r, "always")) {
     always(r);
+  } else if (r->formal && reader_take(r, "initial")) {
+    check_process(r, IN_COMBINATIONAL);
   } else if (reader_take(r, "generate")) {
-    while (!r->failed && !reader_take(r, "endgenerate")) {
-      item(r);
+    while (reader_is_before(r, "endgenerate")) {
+      check_item(r);
     }
-  } else if (reader_take(r, "for")) {
-    check_loop(r, block);
-  } else if (reader_take(r, "if")) {
-    generate_if(r);
   } else if (reader_take(r, "function")) {
     check_function(r);
-  } else if (r->formal && reader_take(r, "initial")) {
-    check_statement(r);
   } else if (!check_declaration(r)) {
-    if (!r->failed && reader_take_name(r, name)) {
-      check_instance(r, name);
-    } else {
-      reader_refuse(r, "item not understood", "");
-    }
+    instance(r);
   }
 }
 
-static bool check_module(const emit_module *m, const bindings *overrides) {
-  reader r;
-  reader_open(&r, m, m->body, m->body_size);
-  open_header(&r, overrides);
-  reader_skip(&r);
-  while (!r.failed && r.at < r.end) {
-    item(&r);
-    reader_skip(&r);
+void check_item(reader *r) {
+  if (check_control(r)) {
+    return;
   }
-  reader_close(&r);
-  return !r.failed;
+  if (r->place == IN_MODULE) {
+    module_item(r);
+  } else {
+    check_statement(r);
+  }
 }
 
 bool emit_check(const emit_module *m) {
-  for (int i = 0; i < m->emitter->modules; i++) {
-    const emit_module *other = m->emitter->module[i];
-    if (other != m && strcmp(other->name, m->name) == 0) {
-      return emit_refuse(m, "module is emitted twice");
-    }
+  if (emit_find(m->emitter, m->name) != m) {
+    return emit_refuse(m, "module is emitted twice");
   }
-  const bindings none = {NULL, 0};
-  return check_module(m, &none);
-}
-
-int emit_port_width(const emit_module *m, const emit_symbol *port) {
-  const bindings none = {NULL, 0};
   reader r;
-  reader_open(&r, m, "", 0);
-  open_header(&r, &none);
-  const check_name *n = reader_find(&r, port->name);
-  int width = n != NULL ? n->width : 1;
+  reader_open(&r, m, m->verilog);
+  check_header(&r);
+  check_items(&r);
   reader_close(&r);
-  return width;
+  return !r.failed;
 }

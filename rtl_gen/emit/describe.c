@@ -5,6 +5,7 @@
 
 #include <jansson.h>
 #include <stdlib.h>
+#include <string.h>
 
 static json_t *describe_formats(const sepax_design *d) {
   json_t *list = json_array();
@@ -19,15 +20,18 @@ static json_t *describe_formats(const sepax_design *d) {
 
 static json_t *describe_ports(const emit_module *top) {
   json_t *list = json_array();
-  for (int i = 0; i < top->symbols; i++) {
-    const emit_symbol *s = &top->symbol[i];
-    if (emit_is_port(s)) {
-      json_array_append_new(list, json_pack("{s:s, s:s, s:i, s:b, s:s}", "name", s->name,
-                                            "direction", s->kind == EMIT_INPUT ? "input" : "output",
-                                            "width", emit_port_width(top, s), "signed",
-                                            s->is_signed, "about", s->about));
+  reader r;
+  reader_open(&r, top, top->verilog);
+  check_header(&r);
+  for (const check_name *n = r.name; n < r.name + r.header; n++) {
+    if (n->kind != NAME_CONSTANT) {
+      json_array_append_new(list, json_pack("{s:s, s:s, s:i, s:b, s:s%}", "name", n->name,
+                                            "direction", n->kind == NAME_INPUT ? "input" : "output",
+                                            "width", n->width, "signed", n->is_signed, "about",
+                                            n->about, strcspn(n->about, "\n")));
     }
   }
+  reader_close(&r);
   return list;
 }
 

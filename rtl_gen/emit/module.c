@@ -52,7 +52,7 @@ static void free_module(emit_module *m) {
     free(m->symbol[i].about);
   }
   free(m->symbol);
-  free(m->header);
+  free(m->verilog);
   free(m->body);
   free(m->banner);
   free(m);

@@ -32,8 +32,8 @@ typedef struct {
   char *banner;
   emit_symbol *symbol; /* parameters and ports in the order of their declaration */
   int symbols;
-  char *header; /* of a template: its text up to the ports' end; else made from the symbols */
-  char *body;   /* all that stands between the header and endmodule */
+  char *verilog; /* from the attributes of the module to endmodule; builders make it last */
+  char *body;    /* all that stands between the header and endmodule */
   size_t body_size;
   FILE *text; /* writes body */
 } emit_module;

@@ -2,11 +2,12 @@
 #include "check.h"
 
 #include <ctype.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
-void reader_open(reader *r, const emit_module *m, const char *text, size_t size) {
-  *r = (reader){.m = m, .begin = text, .at = text, .end = text + size};
+void reader_open(reader *r, const emit_module *m, const char *text) {
+  *r = (reader){.m = m, .begin = text, .at = text, .end = text + strlen(text)};
   for (int i = 0; i < CHECK_BUCKETS; i++) {
     r->bucket[i] = -1;
   }
@@ -14,56 +15,60 @@ void reader_open(reader *r, const emit_module *m, const char *text, size_t size)
 
 void reader_close(reader *r) { free(r->name); }
 
-void reader_refuse(reader *r, const char *what, const char *name) {
+static void refuse(reader *r, const char *format, va_list args) {
   if (!r->failed) {
-    r->failed = true;
+    char what[160];
     const char *line = r->at;
     while (line > r->begin && line[-1] != '\n') {
       line--;
     }
     line += strspn(line, " ");
     int length = (int)strcspn(line, "\n");
-    bool named = name[0] != '\0';
-    char quoted[EMIT_NAME + 4] = "";
-    if (named) {
-      snprintf(quoted, sizeof quoted, " '%.*s'", EMIT_NAME, name);
-    }
-    emit_refuse(r->m, "%s%s in: %.*s", what, quoted, length < 120 ? length : 120, line);
+    vsnprintf(what, sizeof what, format, args);
+    emit_refuse(r->m, "%s in: %.*s", what, length < 120 ? length : 120, line);
   }
+  r->failed = true;
   r->at = r->end;
 }
 
+void reader_refuse(reader *r, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  refuse(r, format, args);
+  va_end(args);
+}
+
+void reader_fault(reader *r, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  if (r->off == 0) {
+    refuse(r, format, args);
+  }
+  va_end(args);
+}
+
 static bool starts(const reader *r, const char *text) {
-  size_t length = strlen(text);
-  return (size_t)(r->end - r->at) >= length && memcmp(r->at, text, length) == 0;
+  return strncmp(r->at, text, strlen(text)) == 0;
 }
 
-static void skip_to(reader *r, const char *text) {
-  while (r->at < r->end && !starts(r, text)) {
-    r->at++;
-  }
-}
-
-static void directive(reader *r) {
-  if (starts(r, "`ifdef FORMAL")) {
-    r->formal = true;
-  } else if (starts(r, "`endif")) {
-    r->formal = false;
-  }
-  skip_to(r, "\n");
+/* Behind the text, or to the end without it. */
+static void skip_behind(reader *r, const char *text) {
+  const char *found = strstr(r->at, text);
+  r->at = found != NULL ? found + strlen(text) : r->end;
 }
 
 void reader_skip(reader *r) {
-  while (r->at < r->end) {
-    if (isspace((unsigned char)*r->at)) {
-      r->at++;
-    } else if (*r->at == '`') {
-      directive(r);
+  for (;;) {
+    r->at += strspn(r->at, " \t\r\n");
+    if (*r->at == '`') {
+      r->formal = starts(r, "`ifdef FORMAL") || (r->formal && !starts(r, "`endif"));
+      skip_behind(r, "\n");
     } else if (starts(r, "//")) {
-      skip_to(r, "\n");
-    } else if (starts(r, "/*") || (starts(r, "(*") && !starts(r, "(*)"))) {
-      skip_to(r, *r->at == '/' ? "*/" : "*)");
-      r->at += r->at < r->end ? 2 : 0;
+      skip_behind(r, "\n");
+    } else if (starts(r, "/*")) {
+      skip_behind(r, "*/");
+    } else if (starts(r, "(*") && !starts(r, "(*)")) {
+      skip_behind(r, "*)");
     } else {
       return;
     }
@@ -75,11 +80,8 @@ static bool is_name_character(char c) { return isalnum((unsigned char)c) || c ==
 bool reader_take(reader *r, const char *token) {
   reader_skip(r);
   size_t length = strlen(token);
-  if (!starts(r, token)) {
-    return false;
-  }
   bool word = is_name_character(token[length - 1]);
-  if (word && r->at + length < r->end && is_name_character(r->at[length])) {
+  if (!starts(r, token) || (word && is_name_character(r->at[length]))) {
     return false;
   }
   r->at += length;
@@ -95,28 +97,33 @@ bool reader_next_is(reader *r, const char *token) {
 }
 
 void reader_expect(reader *r, const char *token) {
-  if (!r->failed && !reader_take(r, token)) {
-    reader_refuse(r, "expected", token);
+  if (!reader_take(r, token)) {
+    reader_refuse(r, "expected '%s'", token);
   }
 }
+
+bool reader_is_before(reader *r, const char *token) { return !reader_take(r, token) && !r->failed; }
 
 bool reader_take_name(reader *r, char name[EMIT_NAME]) {
   reader_skip(r);
   size_t length = 0;
-  while (r->at + length < r->end && is_name_character(r->at[length])) {
+  while (is_name_character(r->at[length]) && !isdigit((unsigned char)*r->at)) {
     length++;
   }
-  if (length == 0 || isdigit((unsigned char)*r->at)) {
-    return false;
-  }
   if (length >= EMIT_NAME) {
-    reader_refuse(r, "a name is too long", "");
-    return false;
+    reader_refuse(r, "a name is too long");
+    length = 0;
   }
   memcpy(name, r->at, length);
   name[length] = '\0';
   r->at += length;
-  return true;
+  return length > 0;
+}
+
+void reader_expect_name(reader *r, char name[EMIT_NAME]) {
+  if (!reader_take_name(r, name)) {
+    reader_refuse(r, "a name is missing");
+  }
 }
 
 /* ---------------------------------------------------------------------------- names */
@@ -160,12 +167,16 @@ static bool is_reserved(const char *name) {
 check_name *reader_declare(reader *r, name_kind kind, const char *name, int width) {
   const check_name *found = reader_find(r, name);
   if (found != NULL && found - r->name >= r->scope) {
-    char what[EMIT_NAME + 32];
-    snprintf(what, sizeof what, "'%s' is declared twice", name);
-    reader_refuse(r, what, "");
+    reader_fault(r, "'%s' is declared twice", name);
   }
   if (is_reserved(name)) {
-    reader_refuse(r, "a word of SystemVerilog as a name:", name);
+    reader_fault(r, "a word of SystemVerilog as a name: '%s'", name);
+  }
+  if (kind >= NAME_WIRE && width < 1) {
+    reader_fault(r, "no bits in '%s'", name);
+  }
+  if (r->off > 0) {
+    return &r->ignored;
   }
   int *bucket = &r->bucket[bucket_of(name)];
   r->name = emit_grow(r->name, r->names, sizeof r->name[0]);

@@ -1,287 +1,263 @@
-/* statement.c - declarations, and what stands in always blocks and functions. */
+/* statement.c - declarations, what stands in always blocks and functions, and control around
+ * statements or items. */
 #include "check.h"
 
 #include <string.h>
 
-int check_range(reader *r, int *low) {
-  *low = 0;
-  if (!reader_take(r, "[")) {
-    return 1;
-  }
-  int64_t msb = check_constant(r);
-  reader_expect(r, ":");
-  int64_t lsb = check_constant(r);
-  reader_expect(r, "]");
-  if (r->failed || r->off > 0) {
-    return 1;
-  }
-  if (lsb < 0 || msb - lsb >= 1 << 24) {
-    reader_refuse(r, "range not understood", "");
-  }
-  *low = (int)lsb;
-  return (int)(msb - lsb) + 1;
-}
-
 /* ---------------------------------------------------------------------- declarations */
 
-static void declare_net(reader *r, const check_name *net, const char *name) {
-  int width = net->width;
-  int64_t words = 0;
+/* name [0:N-1] = value: a signal like `kind`, whose range was read. */
+static void declare_net(reader *r, const check_name *kind, const char *name) {
+  check_name net = *kind;
   if (reader_take(r, "[")) {
     int64_t first = check_constant(r);
     reader_expect(r, ":");
-    words = check_constant(r) + 1;
+    net.words = check_constant(r) + 1;
     reader_expect(r, "]");
-    if (!r->failed && r->off == 0 && (first != 0 || words < 1)) {
-      reader_refuse(r, "no words in", name);
+    if (first != 0 || net.words < 1) {
+      reader_fault(r, "no words in '%s'", name);
     }
   }
-  if (r->off == 0) {
-    if (!r->failed && width < 1) {
-      reader_refuse(r, "no bits in", name);
-    }
-    check_name *n = reader_declare(r, net->kind, name, width);
-    n->low = net->low;
-    n->words = words;
-  }
+  check_name *n = reader_declare(r, net.kind, name, net.width);
+  n->low = net.low;
+  n->words = net.words;
   if (reader_take(r, "=")) {
-    operand right = check_expression(r);
-    check_same_width(r, "=", (operand){width, false, 0}, right);
+    check_same_width(r, "=", (operand){net.width, false, 0}, check_expression(r));
   }
 }
 
 static void declare_constant(reader *r, int width, const char *name) {
   reader_expect(r, "=");
   operand o = check_expression(r);
-  if (r->failed || r->off > 0) {
-    return;
-  }
   if (width > 0 && width < 63 && o.known && o.value >= 0 && (o.value >> width) != 0) {
-    reader_refuse(r, "a value exceeds the size of", name);
-  }
-  if (width == 0 && o.width > 0 && !o.known) {
-    width = o.width;
+    reader_fault(r, "a value exceeds the size of '%s'", name);
   }
   check_name *n = reader_declare(r, NAME_CONSTANT, name, width > 0 ? width : o.width);
   n->known = o.known;
   n->value = o.value;
 }
 
-static void declare_names(reader *r, const char *word) {
-  bool is_localparam = strcmp(word, "localparam") == 0;
-  bool is_integer = strcmp(word, "integer") == 0 || strcmp(word, "genvar") == 0;
+static void declare_names(reader *r, name_kind kind) {
+  char name[EMIT_NAME];
   reader_take(r, "signed");
   bool ranged = reader_next_is(r, "[");
-  check_name net = {.kind = strcmp(word, "wire") == 0 ? NAME_WIRE : NAME_REG};
+  check_name net = {.kind = kind};
   net.width = check_range(r, &net.low);
   do {
-    char name[EMIT_NAME];
-    if (!reader_take_name(r, name)) {
-      reader_refuse(r, "a name is missing", "");
-      return;
-    }
-    if (is_localparam) {
+    reader_expect_name(r, name);
+    if (kind == NAME_CONSTANT) {
       declare_constant(r, ranged ? net.width : 0, name);
-    } else if (!is_integer) {
+    } else if (kind == NAME_VARIABLE) {
+      reader_declare(r, kind, name, 0);
+    } else {
       declare_net(r, &net, name);
-    } else if (r->off == 0) {
-      reader_declare(r, NAME_CONSTANT, name, 0);
     }
-  } while (!r->failed && reader_take(r, ","));
+  } while (reader_take(r, ","));
   reader_expect(r, ";");
 }
 
 bool check_declaration(reader *r) {
-  static const char *const word[] = {"wire", "reg", "integer", "genvar", "localparam"};
-  for (size_t i = 0; i < sizeof word / sizeof word[0]; i++) {
-    if (reader_take(r, word[i])) {
-      declare_names(r, word[i]);
+  static const struct {
+    const char *word;
+    name_kind kind;
+  } row[] = {{"wire", NAME_WIRE},
+             {"reg", NAME_REG},
+             {"localparam", NAME_CONSTANT},
+             {"integer", NAME_VARIABLE},
+             {"genvar", NAME_VARIABLE}};
+  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+    if (reader_take(r, row[i].word)) {
+      declare_names(r, row[i].kind);
       return true;
     }
   }
   return false;
 }
 
-/* function [automatic] [signed] [range] name(input [signed] [range] a, ...); statement endfunction
- */
 void check_function(reader *r) {
-  char name[EMIT_NAME] = "";
+  char name[EMIT_NAME];
+  char argument[EMIT_NAME];
+  int low = 0;
   reader_take(r, "automatic");
   reader_take(r, "signed");
-  int low = 0;
   check_name f = {.width = check_range(r, &low)};
-  reader_take_name(r, name);
+  reader_expect_name(r, name);
   reader_expect(r, "(");
   int outer = reader_enter(r);
   do {
-    char argument[EMIT_NAME] = "";
     reader_expect(r, "input");
     reader_take(r, "signed");
     int width = check_range(r, &low);
-    reader_take_name(r, argument);
+    reader_expect_name(r, argument);
+    reader_declare(r, NAME_INPUT, argument, width);
     if (f.arguments == CHECK_ARGUMENTS) {
-      reader_refuse(r, "too many arguments of", name);
-    }
-    if (!r->failed && r->off == 0) {
+      reader_refuse(r, "too many arguments of '%s'", name);
+    } else {
       f.argument[f.arguments++] = width;
-      reader_declare(r, NAME_INPUT, argument, width);
     }
-  } while (!r->failed && reader_take(r, ","));
+  } while (reader_take(r, ","));
   reader_expect(r, ")");
   reader_expect(r, ";");
-  if (!r->failed && r->off == 0) {
-    reader_declare(r, NAME_REG, name, f.width);
-  }
-  while (!r->failed && check_declaration(r)) {}
-  check_statement(r);
+  reader_declare(r, NAME_REG, name, f.width);
+  while (check_declaration(r)) {}
+  check_process(r, IN_COMBINATIONAL);
   reader_expect(r, "endfunction");
   reader_leave(r, outer);
-  if (!r->failed && r->off == 0) {
-    check_name *n = reader_declare(r, NAME_FUNCTION, name, f.width);
-    n->arguments = f.arguments;
-    memcpy(n->argument, f.argument, sizeof n->argument);
-  }
+  check_name *n = reader_declare(r, NAME_FUNCTION, name, f.width);
+  n->arguments = f.arguments;
+  memcpy(n->argument, f.argument, sizeof n->argument);
 }
 
-/* ------------------------------------------------------------------------- statements */
+/* ---------------------------------------------------------------------------- control */
 
 enum { LOOP_TURNS = 65536 };
 
-/* The value of "i = value"; i is the variable `loop`, or the first, which names it. */
-static int64_t loop_value(reader *r, char loop[EMIT_NAME]) {
-  char name[EMIT_NAME] = "";
-  reader_take_name(r, name);
-  if (loop[0] == '\0') {
-    memcpy(loop, name, EMIT_NAME);
-  } else if (strcmp(loop, name) != 0) {
-    reader_refuse(r, "a loop of two variables", name);
+/* begin : label ... end with a scope of its own, behind the first word. */
+static void block(reader *r) {
+  char label[EMIT_NAME];
+  int outer = reader_enter(r);
+  if (reader_take(r, ":")) {
+    reader_expect_name(r, label);
+    reader_declare(r, NAME_LABEL, label, 0);
   }
-  reader_expect(r, "=");
-  return check_constant(r);
+  while (check_declaration(r)) {}
+  while (reader_is_before(r, "end")) {
+    check_item(r);
+  }
+  reader_leave(r, outer);
 }
 
-static void set_loop(reader *r, const char *loop, bool known, int64_t value) {
-  check_name *n = reader_find(r, loop);
-  if (n == NULL || n->kind != NAME_CONSTANT || n->width != 0) {
-    if (r->off == 0) {
-      reader_refuse(r, "no genvar or integer", loop);
-    }
+static void branch(reader *r, bool dead) {
+  r->off += dead;
+  if (reader_take(r, "begin")) {
+    block(r);
+  } else {
+    check_item(r);
+  }
+  r->off -= dead;
+}
+
+static operand in_parentheses(reader *r) {
+  reader_expect(r, "(");
+  operand o = check_expression(r);
+  reader_expect(r, ")");
+  return o;
+}
+
+/* Around items the condition is constant. */
+static void conditional(reader *r) {
+  operand condition = in_parentheses(r);
+  check_condition(r, condition);
+  if (!condition.known && r->place == IN_MODULE) {
+    reader_fault(r, "not a constant expression");
+  }
+  branch(r, check_is(condition, false));
+  if (reader_take(r, "else")) {
+    branch(r, check_is(condition, true));
+  }
+}
+
+static void set_variable(reader *r, const char *name, bool known, int64_t value) {
+  check_name *n = reader_find(r, name);
+  if (n == NULL || n->kind != NAME_VARIABLE) {
+    reader_fault(r, "no genvar or integer '%s'", name);
     return;
   }
   n->known = known;
   n->value = value;
 }
 
-void check_loop(reader *r, void (*body)(reader *r)) {
-  char loop[EMIT_NAME] = "";
+/* for (i = ...; ...; i = ...), unrolled; what runs no time is read once. */
+static void loop(reader *r) {
+  char name[EMIT_NAME];
   reader_expect(r, "(");
-  int64_t value = loop_value(r, loop);
+  reader_expect_name(r, name);
+  reader_expect(r, "=");
+  int64_t value = check_constant(r);
   reader_expect(r, ";");
   const char *head = r->at;
-  const char *end = head;
+  const char *end = r->end;
   bool runs = true;
-  for (int turn = 0; !r->failed && runs; turn++) {
+  for (int turn = 0; runs && !r->failed; turn++) {
     r->at = head;
-    set_loop(r, loop, true, value);
-    runs = (r->off > 0 ? check_expression(r).value : check_constant(r)) != 0 && r->off == 0;
+    set_variable(r, name, true, value);
+    runs = check_constant(r) != 0 && r->off == 0;
     reader_expect(r, ";");
-    value = loop_value(r, loop);
+    reader_expect(r, name);
+    reader_expect(r, "=");
+    value = check_constant(r);
     reader_expect(r, ")");
     if (turn == LOOP_TURNS) {
-      reader_refuse(r, "a loop without an end", "");
+      reader_fault(r, "a loop without an end");
     }
     if (runs || turn == 0) {
-      r->off += !runs;
-      body(r);
-      r->off -= !runs;
+      branch(r, !runs);
       end = r->at;
-    } else if (!r->failed) {
-      r->at = end;
     }
   }
-  set_loop(r, loop, false, 0);
+  r->at = r->failed ? r->end : end;
+  set_variable(r, name, false, 0);
 }
 
-static void labelled(reader *r) {
-  char label[EMIT_NAME];
-  if (reader_take(r, ":") && reader_take_name(r, label) && r->off == 0) {
-    reader_declare(r, NAME_LABEL, label, 0);
-  }
-}
-
-static void branch(reader *r, bool dead, void (*body)(reader *r)) {
-  r->off += dead;
-  body(r);
-  r->off -= dead;
-}
-
-static void case_statement(reader *r) {
-  reader_expect(r, "(");
-  operand selector = check_expression(r);
-  reader_expect(r, ")");
-  while (!r->failed && !reader_take(r, "endcase")) {
-    if (reader_take(r, "default")) {
-      reader_take(r, ":");
-    } else {
-      do {
-        check_same_width(r, "case", selector, check_expression(r));
-      } while (!r->failed && reader_take(r, ","));
-      reader_expect(r, ":");
-    }
-    check_statement(r);
-  }
-}
-
-static void assignment(reader *r) {
-  operand left = check_target(r, true);
-  bool late = reader_take(r, "<=");
-  if (!late) {
-    reader_expect(r, r->clocked ? "<=" : "=");
-  } else if (r->combinational) {
-    reader_refuse(r, "<= in a combinational block", "");
-  }
-  check_same_width(r, late ? "<=" : "=", left, check_expression(r));
-  reader_expect(r, ";");
-}
-
-static bool formal_statement(reader *r) {
-  if (!r->formal || !(reader_take(r, "assert") || reader_take(r, "assume") ||
-                      reader_take(r, "cover") || reader_take(r, "restrict"))) {
+bool check_control(reader *r) {
+  if (reader_take(r, "if")) {
+    conditional(r);
+  } else if (reader_take(r, "for")) {
+    loop(r);
+  } else {
     return false;
   }
-  reader_expect(r, "(");
-  check_condition(r, check_expression(r));
-  reader_expect(r, ")");
-  reader_expect(r, ";");
   return true;
 }
 
+/* ------------------------------------------------------------------------- statements */
+
+static void case_statement(reader *r) {
+  operand selector = in_parentheses(r);
+  while (reader_is_before(r, "endcase")) {
+    if (!reader_take(r, "default")) {
+      do {
+        check_same_width(r, "case", selector, check_expression(r));
+      } while (reader_take(r, ","));
+    }
+    reader_expect(r, ":");
+    branch(r, false);
+  }
+}
+
+void check_assignment(reader *r) {
+  operand left = check_target(r);
+  if (r->place == IN_COMBINATIONAL && reader_take(r, "<=")) {
+    reader_refuse(r, "<= in a combinational block");
+  }
+  reader_expect(r, r->place == IN_CLOCKED ? "<=" : "=");
+  check_same_width(r, "assignment", left, check_expression(r));
+  reader_expect(r, ";");
+}
+
+static bool is_assertion(reader *r) {
+  return r->formal &&
+         (reader_take(r, "assert") || reader_take(r, "assume") || reader_take(r, "cover"));
+}
+
 void check_statement(reader *r) {
-  if (r->failed || reader_take(r, ";") || formal_statement(r)) {
+  if (reader_take(r, ";")) {
     return;
   }
-  if (reader_take(r, "begin")) {
-    int outer = reader_enter(r);
-    labelled(r);
-    while (!r->failed && check_declaration(r)) {}
-    while (!r->failed && !reader_take(r, "end")) {
-      check_statement(r);
-    }
-    reader_leave(r, outer);
-  } else if (reader_take(r, "if")) {
-    reader_expect(r, "(");
-    operand condition = check_expression(r);
-    check_condition(r, condition);
-    reader_expect(r, ")");
-    branch(r, check_is_false(condition), check_statement);
-    if (reader_take(r, "else")) {
-      branch(r, check_is_true(condition), check_statement);
-    }
-  } else if (reader_take(r, "for")) {
-    check_loop(r, check_statement);
+  if (is_assertion(r)) {
+    check_condition(r, in_parentheses(r));
+    reader_expect(r, ";");
+  } else if (reader_take(r, "begin")) {
+    block(r);
   } else if (reader_take(r, "case") || reader_take(r, "casez")) {
     case_statement(r);
   } else {
-    assignment(r);
+    check_assignment(r);
   }
+}
+
+void check_process(reader *r, check_place place) {
+  r->place = place;
+  check_item(r);
+  r->place = IN_MODULE;
 }
