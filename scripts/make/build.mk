@@ -40,8 +40,7 @@ ORACLE_OBJ  = $(call object,$(wildcard tb/oracle/*.c))
 DISTANCE_OBJ = $(call object,$(addprefix tb/oracle/,oracle.c distance.c real_pairs.c clear_rules.c))
 LIBERTY_OBJ = $(call object,$(wildcard synth/liberty/*.c))
 GEN_OBJ     = $(call object,$(wildcard rtl_gen/*/*.c)) $(TEMPLATE_OBJ)
-POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(OPTIONS_OBJ) \
-              $(filter-out %/main.o,$(LIBERTY_OBJ))
+POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(filter-out %/main.o,$(LIBERTY_OBJ))
 
 # The engine's register map, as its drivers read it.
 REGISTERS = $(BUILD)/registers/sepax_registers.h

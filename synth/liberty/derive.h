@@ -4,13 +4,9 @@
 
 #include "tree.h"
 
-typedef struct {
-  const char *delay, *leakage, *suffix; /* factors as text, behind each cell's name */
-} derivation;
-
-/* Print the library whose text stands at `text` and whose statements are `library`: each cell gets
- * the suffix, its delays, output slopes, setup and hold times are multiplied by `delay`, its
- * leakage by `leakage`. Areas, capacitances, functions and energies stay. */
-void derive(const char *text, const char *origin, const node *library, const derivation *how);
+/* Print the library: each cell's name gets the suffix, its delays, output slopes, setup and hold
+ * times are multiplied by `delay`, its leakage by `leakage` (both are numbers as text). Areas,
+ * capacitances, functions and energies stay. */
+void derive(const node *library, const char *delay, const char *leakage, const char *suffix);
 
 #endif

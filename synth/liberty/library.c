@@ -1,141 +1,119 @@
-/* library.c - see library.h. */
-#include "library.h"
+/* library.c - reads cells.h's library from the statements of a Liberty file. */
+#include "function.h"
+#include "table.h"
 #include "text.h"
 #include "tree.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_pin(const node *n) {
-  const char *direction = strcmp(n->name, "pin") == 0 ? tree_value(n, "direction") : NULL;
-  return direction != NULL && strcmp(direction, "internal") != 0;
-}
-
-static void read_pin_names(lib_cell *cell, const library *lib, const node *n) {
-  for (const node *p = n->child; p != NULL; p = p->next) {
-    if (!is_pin(p)) {
+/* The pins but internal ones; of[k] is the statement of pin k. */
+static void read_pin_names(lib_cell *cell, const library *lib, const node *n, const node *of[]) {
+  for (const node *p = tree_child(n, "pin"); p != NULL; p = tree_next(p)) {
+    const char *direction = tree_value(p, "direction");
+    if (direction == NULL || strcmp(direction, "internal") == 0) {
       continue;
     }
     if (cell->pins == LIB_PINS) {
       text_fail("too many pins in", cell->name);
     }
+    of[cell->pins] = p;
     lib_pin *pin = &cell->pin[cell->pins++];
-    pin->name = tree_copy(p->args, strlen(p->args));
-    pin->output = strcmp(tree_value(p, "direction"), "output") == 0;
-    pin->capacitance = tree_number(p, "capacitance", 0) * lib->farad;
+    *pin = (lib_pin){.name = p->args,
+                     .output = strcmp(direction, "output") == 0,
+                     .capacitance = tree_number(p, "capacitance", 0) * lib->farad};
+    pin->known = !pin->output;
+    if (!pin->output && cell->inputs++ < LIB_INPUTS) {
+      pin->rows = function_column(cell->inputs - 1);
+    }
   }
 }
 
-static void read_register(lib_cell *cell, const node *ff, char *state[2]) {
+/* The register `ff`, whose state and complement get names; without it the cell is none that the
+ * netlists have, and library_cell's user sees that it has no function. */
+static bool read_register(lib_cell *cell, const node *ff, char *state[2]) {
   char *comma = strchr(ff->args, ',');
-  if (comma == NULL || tree_value(ff, "next_state") == NULL || tree_child(ff, "clear") != NULL ||
+  const char *next = tree_value(ff, "next_state");
+  const char *clock = tree_value(ff, "clocked_on");
+  if (comma == NULL || next == NULL || clock == NULL || tree_child(ff, "clear") != NULL ||
       tree_child(ff, "preset") != NULL) {
-    return; /* not one that the netlists have; library_cell's user sees it has no function */
+    return false;
   }
   state[0] = tree_trimmed(ff->args, comma);
   state[1] = tree_trimmed(comma + 1, comma + strlen(comma));
-  function_parse(&cell->next, cell, tree_value(ff, "next_state"), state[0], state[1]);
-  const char *clock = tree_value(ff, "clocked_on");
-  cell->clock = clock == NULL ? -1 : lib_pin_index(cell, clock);
+  cell->next = function_rows(cell, next, state);
+  cell->clock = lib_pin_index(cell, clock);
   cell->register_ = cell->clock >= 0;
+  return cell->register_;
 }
 
 static void read_powers(lib_cell *cell, const node *root, const node *p, int pin, char *state[2]) {
-  for (const node *n = p->child; n != NULL; n = n->next) {
-    if (strcmp(n->name, "internal_power") != 0) {
-      continue;
-    }
-    cell->power = realloc(cell->power, (size_t)(cell->powers + 1) * sizeof *cell->power);
-    if (cell->power == NULL) {
-      text_fail("out of", "memory");
-    }
-    lib_power *power = &cell->power[cell->powers++];
-    memset(power, 0, sizeof *power);
-    power->pin = pin;
+  for (const node *n = tree_child(p, "internal_power"); n != NULL; n = tree_next(n)) {
     const char *related = tree_value(n, "related_pin");
-    power->related = related == NULL ? -1 : lib_pin_index(cell, related);
-    power->when = ~UINT64_C(0);
-    if (tree_value(n, "when") != NULL) {
-      lib_function when = {0};
-      function_parse(&when, cell, tree_value(n, "when"), state[0], state[1]);
-      power->when = function_rows(cell, &when);
-    }
+    const char *when = tree_value(n, "when");
+    cell->power = text_more(cell->power, (size_t)cell->powers, sizeof *cell->power);
+    lib_power *power = &cell->power[cell->powers++];
+    *power = (lib_power){.pin = pin,
+                         .related = related == NULL ? -1 : lib_pin_index(cell, related),
+                         .when = when == NULL ? ~UINT64_C(0) : function_rows(cell, when, state)};
     table_read(&power->energy[0], root, tree_child(n, "rise_power"));
     table_read(&power->energy[1], root, tree_child(n, "fall_power"));
   }
 }
 
 static void read_arcs(lib_cell *cell, const node *root, const node *p, int pin) {
-  for (const node *n = p->child; n != NULL; n = n->next) {
-    const char *related = strcmp(n->name, "timing") == 0 ? tree_value(n, "related_pin") : NULL;
-    const char *sense = related == NULL ? NULL : tree_value(n, "timing_sense");
-    const char *type = related == NULL ? NULL : tree_value(n, "timing_type");
+  for (const node *n = tree_child(p, "timing"); n != NULL; n = tree_next(n)) {
+    const char *related = tree_value(n, "related_pin");
+    const char *sense = tree_value(n, "timing_sense");
+    const char *type = tree_value(n, "timing_type");
     if (related == NULL || tree_child(n, "rise_transition") == NULL) {
       continue;
     }
-    cell->arc = realloc(cell->arc, (size_t)(cell->arcs + 1) * sizeof *cell->arc);
-    if (cell->arc == NULL) {
-      text_fail("out of", "memory");
-    }
+    cell->arc = text_more(cell->arc, (size_t)cell->arcs, sizeof *cell->arc);
     lib_arc *arc = &cell->arc[cell->arcs++];
-    memset(arc, 0, sizeof *arc);
-    arc->to = pin;
-    arc->from = lib_pin_index(cell, related);
-    arc->clocked = type != NULL && strcmp(type, "rising_edge") == 0;
-    arc->on_rise = sense == NULL || strcmp(sense, "negative_unate") != 0;
-    arc->on_fall = sense == NULL || strcmp(sense, "positive_unate") != 0;
+    *arc = (lib_arc){.to = pin,
+                     .from = lib_pin_index(cell, related),
+                     .clocked = type != NULL && strcmp(type, "rising_edge") == 0,
+                     .on_rise = sense == NULL || strcmp(sense, "negative_unate") != 0,
+                     .on_fall = sense == NULL || strcmp(sense, "positive_unate") != 0};
     table_read(&arc->slope[0], root, tree_child(n, "rise_transition"));
     table_read(&arc->slope[1], root, tree_child(n, "fall_transition"));
   }
 }
 
 /* All functions first, as a `when` may ask for an output. */
-static void read_pins(lib_cell *cell, const node *root, const node *n, char *state[2]) {
-  int pin = 0;
-  for (const node *p = n->child; p != NULL; p = p->next) {
-    if (is_pin(p)) {
-      if (tree_child(p, "three_state") == NULL && tree_value(p, "function") != NULL) {
-        function_parse(&cell->pin[pin].function, cell, tree_value(p, "function"), state[0],
-                       state[1]);
-      }
-      pin++;
+static void read_pins(lib_cell *cell, const node *root, const node *const of[], char *state[2]) {
+  for (int k = 0; k < cell->pins; k++) {
+    const char *function = tree_value(of[k], "function");
+    if (cell->pin[k].output && tree_child(of[k], "three_state") == NULL && function != NULL) {
+      cell->pin[k].rows = function_rows(cell, function, state);
+      cell->pin[k].known = true;
     }
   }
-  pin = 0;
-  for (const node *p = n->child; p != NULL; p = p->next) {
-    if (is_pin(p)) {
-      read_powers(cell, root, p, pin, state);
-      read_arcs(cell, root, p, pin++);
-    }
+  for (int k = 0; k < cell->pins; k++) {
+    read_powers(cell, root, of[k], k, state);
+    read_arcs(cell, root, of[k], k);
   }
 }
 
 static void read_cell(lib_cell *cell, const library *lib, const node *root, const node *n,
                       double watt) {
   char *state[2] = {NULL, NULL};
-  cell->name = tree_copy(n->args, strlen(n->args));
+  const node *pin[LIB_PINS];
+  const node *ff = tree_child(n, "ff");
+  cell->name = n->args;
   cell->leakage = tree_number(n, "cell_leakage_power", 0) * watt;
-  read_pin_names(cell, lib, n);
-  if (tree_child(n, "ff") != NULL) {
-    read_register(cell, tree_child(n, "ff"), state);
-  }
+  read_pin_names(cell, lib, n, pin);
   if (tree_child(n, "latch") == NULL && tree_child(n, "statetable") == NULL &&
-      (tree_child(n, "ff") == NULL || cell->register_) &&
-      function_inputs(cell) + cell->register_ <= 6) {
-    read_pins(cell, root, n, state);
+      cell->inputs + (ff != NULL) <= LIB_INPUTS && (ff == NULL || read_register(cell, ff, state))) {
+    read_pins(cell, root, pin, state);
   }
-  free(state[0]);
-  free(state[1]);
 }
 
 /* The default wire load: a length for a number of loads, linear between, `slope` beyond. */
 static void read_wires(library *lib, const node *root) {
   const char *name = tree_value(root, "default_wire_load");
-  const node *model = root->child;
-  while (model != NULL && (name == NULL || strcmp(model->name, "wire_load") != 0 ||
-                           strcmp(model->args, name) != 0)) {
-    model = model->next;
-  }
+  const node *model = name == NULL ? NULL : tree_named(root, "wire_load", name);
   if (model == NULL) {
     return;
   }
@@ -143,9 +121,9 @@ static void read_wires(library *lib, const node *root) {
   double length = 0;
   double slope = 0;
   int next = 1;
-  for (const node *n = model->child; n != NULL; n = n->next) {
+  for (const node *n = tree_child(model, "fanout_length"); n != NULL; n = tree_next(n)) {
     double point[2];
-    if (strcmp(n->name, "fanout_length") != 0 || table_numbers(n->args, point, 2) != 2) {
+    if (table_numbers(n->args, point, 2) != 2) {
       continue;
     }
     slope = (point[1] - length) / (point[0] - at);
@@ -164,10 +142,7 @@ static void read_wires(library *lib, const node *root) {
 }
 
 void library_read(library *lib, const char *path) {
-  text_file = path;
-  char *text = text_read("give a plain Liberty file");
-  node *top = tree_read(text);
-  const node *root = tree_child(top, "library");
+  const node *root = tree_read(path);
   const node *load = tree_child(root, "capacitive_load_unit");
   lib->farad = load == NULL ? 1e-12 : tree_unit(load->args, 1e-12);
   lib->volt = tree_number(root, "nom_voltage", 0);
@@ -175,18 +150,11 @@ void library_read(library *lib, const char *path) {
   lib->joule = lib->farad * volt_unit * volt_unit;
   double watt = tree_unit(tree_value(root, "leakage_power_unit"), 1e-9);
   read_wires(lib, root);
-  for (const node *n = root->child; n != NULL; n = n->next) {
-    lib->cells += strcmp(n->name, "cell") == 0;
+  for (const node *n = tree_child(root, "cell"); n != NULL; n = tree_next(n)) {
+    lib->cell = text_more(lib->cell, lib->cells, sizeof *lib->cell);
+    lib->cell[lib->cells] = (lib_cell){0};
+    read_cell(&lib->cell[lib->cells++], lib, root, n, watt);
   }
-  lib->cell = text_alloc(lib->cells, sizeof *lib->cell);
-  size_t k = 0;
-  for (const node *n = root->child; n != NULL; n = n->next) {
-    if (strcmp(n->name, "cell") == 0) {
-      read_cell(&lib->cell[k++], lib, root, n, watt);
-    }
-  }
-  tree_free(top);
-  free(text);
 }
 
 const lib_cell *library_cell(const library *lib, const char *name) {

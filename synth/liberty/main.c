@@ -8,15 +8,13 @@
  * direction, capacitance, function, three_state. What the file does not say is null. Exit status
  * 2: it could not be done. */
 #include "derive.h"
-#include "text.h"
 #include "tree.h"
 
+#include <err.h>
 #include <getopt.h>
 #include <jansson.h>
 #include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static json_t *text_of(const node *n, const char *name) {
   const char *value = tree_value(n, name);
@@ -25,11 +23,6 @@ static json_t *text_of(const node *n, const char *name) {
 
 static json_t *number_of(const node *n, const char *name) {
   return tree_value(n, name) == NULL ? json_null() : json_real(tree_number(n, name, 0));
-}
-
-static bool is_state(const char *name) {
-  return strcmp(name, "ff") == 0 || strcmp(name, "ff_bank") == 0 || strcmp(name, "latch") == 0 ||
-         strcmp(name, "latch_bank") == 0 || strcmp(name, "statetable") == 0;
 }
 
 /* What a register or latch is made of: its kind, the names of its states, all its functions. */
@@ -44,16 +37,18 @@ static json_t *state_of(const node *n) {
 }
 
 static json_t *cell_of(const node *cell) {
+  static const char *const kinds[] = {"ff", "ff_bank", "latch", "latch_bank", "statetable"};
   json_t *pins = json_object();
   json_t *states = json_array();
-  for (const node *n = cell->child; n != NULL; n = n->next) {
-    if (strcmp(n->name, "pin") == 0) {
-      json_object_set_new(pins, n->args,
-                          json_pack("{s:o, s:o, s:o, s:o}", "direction", text_of(n, "direction"),
-                                    "capacitance", number_of(n, "capacitance"), "function",
-                                    text_of(n, "function"), "three_state",
-                                    text_of(n, "three_state")));
-    } else if (is_state(n->name)) {
+  for (const node *n = tree_child(cell, "pin"); n != NULL; n = tree_next(n)) {
+    json_object_set_new(pins, n->args,
+                        json_pack("{s:o, s:o, s:o, s:o}", "direction", text_of(n, "direction"),
+                                  "capacitance", number_of(n, "capacitance"), "function",
+                                  text_of(n, "function"), "three_state",
+                                  text_of(n, "three_state")));
+  }
+  for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
+    for (const node *n = tree_child(cell, kinds[k]); n != NULL; n = tree_next(n)) {
       json_array_append_new(states, state_of(n));
     }
   }
@@ -64,10 +59,8 @@ static json_t *cell_of(const node *cell) {
 
 static int print_cells(const node *library) {
   json_t *cells = json_object();
-  for (const node *n = library->child; n != NULL; n = n->next) {
-    if (strcmp(n->name, "cell") == 0 && n->args != NULL) {
-      json_object_set_new(cells, n->args, cell_of(n));
-    }
+  for (const node *n = tree_child(library, "cell"); n != NULL; n = tree_next(n)) {
+    json_object_set_new(cells, n->args, cell_of(n));
   }
   const node *load = tree_child(library, "capacitive_load_unit");
   double watt = tree_unit(tree_value(library, "leakage_power_unit"), 1e-9);
@@ -82,42 +75,19 @@ static int print_cells(const node *library) {
 }
 
 int main(int argc, char **argv) {
-  derivation how = {NULL, NULL, NULL};
-  text_program = "liberty";
-  for (int option; (option = getopt(argc, argv, "d:k:s:")) != -1;) {
-    switch (option) {
-    case 'd':
-      how.delay = optarg;
-      break;
-    case 'k':
-      how.leakage = optarg;
-      break;
-    case 's':
-      how.suffix = optarg;
-      break;
-    default:
-      return 2;
-    }
+  const char *given[128] = {NULL}; /* by the option's letter */
+  int options = 0;
+  for (int option; (option = getopt(argc, argv, "d:k:s:")) != -1; options++) {
+    given[option] = optarg;
   }
-  bool all = how.delay != NULL && how.leakage != NULL && how.suffix != NULL;
-  bool none = how.delay == NULL && how.leakage == NULL && how.suffix == NULL;
-  if (optind + 1 != argc || !(all || none)) {
-    fputs("usage: liberty [-d DELAY -k LEAKAGE -s SUFFIX] FILE.lib\n", stderr);
-    return 2;
+  bool all = given['d'] != NULL && given['k'] != NULL && given['s'] != NULL;
+  if (optind + 1 != argc || (options > 0 && !all)) {
+    errx(2, "usage: liberty [-d DELAY -k LEAKAGE -s SUFFIX] FILE.lib");
   }
-  text_file = argv[optind];
-  char *text = text_read("give a plain Liberty file");
-  char *origin = tree_copy(text, strlen(text));
-  node *top = tree_read(text);
-  const node *library = tree_child(top, "library");
-  int status = 0;
-  if (all) {
-    derive(text, origin, library, &how);
-  } else {
-    status = print_cells(library);
+  const node *library = tree_read(argv[optind]);
+  if (!all) {
+    return print_cells(library);
   }
-  tree_free(top);
-  free(origin);
-  free(text);
-  return status;
+  derive(library, given['d'], given['k'], given['s']);
+  return 0;
 }

@@ -1,4 +1,4 @@
-/* table.c - see table.h. */
+/* table.c - see table.h; and interpolates in them. */
 #include "table.h"
 #include "text.h"
 
@@ -23,65 +23,45 @@ int table_numbers(const char *text, double *list, int most) {
   return n;
 }
 
-static const node *find_template(const node *root, const char *name) {
-  for (const node *n = root->child; n != NULL; n = n->next) {
-    if ((strcmp(n->name, "lu_table_template") == 0 || strcmp(n->name, "power_lut_template") == 0) &&
-        strcmp(n->args, name) == 0) {
-      return n;
-    }
-  }
-  return NULL;
-}
-
-static int index_of(const node *table, const node *model, const char *name, double *list) {
+/* An axis of a table, or else of its template; 1 point where neither has it. */
+static int read_axis(const node *table, const node *model, const char *name, double *list) {
   const node *n = tree_child(table, name);
-  if (n == NULL && model != NULL) {
-    n = tree_child(model, name);
-  }
-  return n == NULL || n->args == NULL ? 0 : table_numbers(n->args, list, LIB_INDEX);
+  n = n == NULL && model != NULL ? tree_child(model, name) : n;
+  int count = n == NULL || n->args == NULL ? 0 : table_numbers(n->args, list, LIB_INDEX);
+  return count > 0 ? count : 1;
 }
 
 void table_read(lib_table *t, const node *root, const node *n) {
-  if (n == NULL) {
-    return;
-  }
-  const node *model = find_template(root, n->args);
-  const char *first = model == NULL ? NULL : tree_value(model, "variable_1");
-  double axis[2][LIB_INDEX];
-  int count[2] = {index_of(n, model, "index_1", axis[0]), index_of(n, model, "index_2", axis[1])};
-  const node *values = tree_child(n, "values");
+  const node *values = n == NULL ? NULL : tree_child(n, "values");
   if (values == NULL) {
     return;
   }
-  static double list[LIB_INDEX * LIB_INDEX];
-  int rows = count[0] > 0 ? count[0] : 1;
-  int columns = count[1] > 0 ? count[1] : 1;
+  const node *model = tree_named(root, "lu_table_template", n->args);
+  model = model == NULL ? tree_named(root, "power_lut_template", n->args) : model;
+  const char *first = model == NULL ? NULL : tree_value(model, "variable_1");
+  bool slope_first = first == NULL || strstr(first, "transition") != NULL;
+  double list[LIB_INDEX * LIB_INDEX];
+  int rows = read_axis(n, model, "index_1", slope_first ? t->slope : t->load);
+  int columns = read_axis(n, model, "index_2", slope_first ? t->load : t->slope);
   if (table_numbers(values->args, list, LIB_INDEX * LIB_INDEX) != rows * columns) {
     text_fail("has a table of wrong size,", n->name);
   }
-  bool slope_first = first == NULL || strstr(first, "transition") != NULL;
   t->given = true;
   t->slopes = slope_first ? rows : columns;
   t->loads = slope_first ? columns : rows;
-  memcpy(t->slope, axis[slope_first ? 0 : 1], sizeof t->slope);
-  memcpy(t->load, axis[slope_first ? 1 : 0], sizeof t->load);
-  for (int r = 0; r < rows; r++) {
-    for (int c = 0; c < columns; c++) {
-      t->value[slope_first ? r : c][slope_first ? c : r] = list[r * columns + c];
-    }
+  for (int k = 0; k < rows * columns; k++) {
+    int row = k / columns;
+    int column = k % columns;
+    t->value[slope_first ? row : column][slope_first ? column : row] = list[k];
   }
 }
 
 static int place(const double *axis, int n, double x, double *part) {
-  if (n < 2) {
-    *part = 0;
-    return 0;
-  }
   int k = 0;
   while (k + 2 < n && x >= axis[k + 1]) {
     k++;
   }
-  *part = (x - axis[k]) / (axis[k + 1] - axis[k]);
+  *part = n < 2 ? 0 : (x - axis[k]) / (axis[k + 1] - axis[k]);
   return k;
 }
 

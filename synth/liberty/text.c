@@ -1,16 +1,13 @@
 /* text.c - see text.h. */
 #include "text.h"
 
+#include <err.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-const char *text_program = "power";
 const char *text_file = "";
 
-void text_fail(const char *what, const char *name) {
-  fprintf(stderr, "%s: %s: %s %s\n", text_program, text_file, what, name);
-  exit(2);
-}
+void text_fail(const char *what, const char *name) { errx(2, "%s: %s %s", text_file, what, name); }
 
 void *text_alloc(size_t count, size_t size) {
   void *p = calloc(count > 0 ? count : 1, size);
@@ -20,15 +17,25 @@ void *text_alloc(size_t count, size_t size) {
   return p;
 }
 
+void *text_more(void *list, size_t count, size_t size) {
+  if ((count & (count - 1)) != 0) { /* its space is the next power of two */
+    return list;
+  }
+  list = realloc(list, (count == 0 ? 1 : 2 * count) * size);
+  if (list == NULL) {
+    text_fail("out of", "memory");
+  }
+  return list;
+}
+
 char *text_read(const char *cure) {
-  FILE *in = fopen(text_file, "rb");
-  if (in == NULL || fseek(in, 0, SEEK_END) != 0) {
+  FILE *in = fopen(text_file, "r");
+  if (in == NULL) {
     text_fail("cannot be read;", cure);
   }
-  long size = ftell(in);
-  rewind(in);
-  char *text = text_alloc((size_t)(size > 0 ? size : 0) + 1, 1);
-  if (size <= 0 || fread(text, 1, (size_t)size, in) != (size_t)size) {
+  char *text = NULL;
+  size_t size = 0;
+  if (getdelim(&text, &size, '\0', in) <= 0) {
     text_fail("is", "empty");
   }
   fclose(in);

@@ -4,8 +4,7 @@
 
 #include <stddef.h>
 
-/* The program and the file that is read; messages name both. */
-extern const char *text_program;
+/* The file that is read; messages name it. */
 extern const char *text_file;
 
 /* One line on standard error, "PROGRAM: FILE: what name", and exit status 2. */
@@ -14,7 +13,11 @@ void text_fail(const char *what, const char *name) __attribute__((noreturn));
 /* Zeroed memory, freed by nobody; ends the program without it. */
 void *text_alloc(size_t count, size_t size);
 
-/* The whole file text_file, with a 0 behind it; `cure` is what to do if it cannot be read. */
+/* A list of `count` elements (NULL: of none) with space for one more; ends the program without
+ * memory. For lists that grow by this alone. */
+void *text_more(void *list, size_t count, size_t size);
+
+/* The whole file text_file; `cure` is what to do if it cannot be read. */
 char *text_read(const char *cure);
 
 #endif

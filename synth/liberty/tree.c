@@ -47,28 +47,16 @@ char *tree_trimmed(const char *from, const char *to) {
   return tree_copy(from, (size_t)(to - from));
 }
 
-static const char *parse_value(node *n, const char *p) {
-  const char *start = ++p;
+/* The value or args from p up to one of these characters, but for quoted ones; returns its end. */
+static const char *parse_text(node *n, char **text, const char *p, const char *ends) {
   bool quoted = false;
-  while (*p != '\0' && (quoted || (*p != ';' && *p != '\n' && *p != '}'))) {
+  n->from = p;
+  while (*p != '\0' && (quoted || strchr(ends, *p) == NULL)) {
     quoted ^= *p++ == '"';
   }
-  n->value = tree_trimmed(start, p);
-  n->from = start;
   n->to = p;
+  *text = tree_trimmed(n->from, n->to);
   return p;
-}
-
-static const char *parse_args(node *n, const char *p) {
-  const char *start = ++p;
-  bool quoted = false;
-  while (*p != '\0' && (quoted || *p != ')')) {
-    quoted ^= *p++ == '"';
-  }
-  n->args = tree_trimmed(start, p);
-  n->from = start;
-  n->to = p;
-  return skip(*p == ')' ? p + 1 : p);
 }
 
 static const char *parse_body(node *parent, const char *p) {
@@ -88,9 +76,10 @@ static const char *parse_body(node *parent, const char *p) {
     tail = &n->next;
     p = skip(p);
     if (*p == ':') {
-      p = parse_value(n, p);
+      p = parse_text(n, &n->value, p + 1, ";\n}");
     } else if (*p == '(') {
-      p = parse_args(n, p);
+      p = parse_text(n, &n->args, p + 1, ")");
+      p = skip(*p == ')' ? p + 1 : p);
       if (*p == '{') {
         p = parse_body(n, p + 1);
         p += *p == '}';
@@ -100,20 +89,19 @@ static const char *parse_body(node *parent, const char *p) {
   return p;
 }
 
-void tree_free(node *n) {
-  while (n != NULL) {
-    node *next = n->next;
-    tree_free(n->child);
-    free(n->name);
-    free(n->args);
-    free(n->value);
-    free(n);
-    n = next;
-  }
-}
-
 const node *tree_child(const node *n, const char *name) {
   for (n = n->child; n != NULL && strcmp(n->name, name) != 0; n = n->next) {}
+  return n;
+}
+
+const node *tree_next(const node *n) {
+  const char *name = n->name;
+  for (n = n->next; n != NULL && strcmp(n->name, name) != 0; n = n->next) {}
+  return n;
+}
+
+const node *tree_named(const node *n, const char *name, const char *args) {
+  for (n = tree_child(n, name); n != NULL && strcmp(n->args, args) != 0; n = tree_next(n)) {}
   return n;
 }
 
@@ -142,12 +130,15 @@ double tree_unit(const char *text, double other) {
   return at == NULL ? number : number * scale[at - prefix];
 }
 
-node *tree_read(char *text) {
-  node *top = text_alloc(1, sizeof *top);
+const node *tree_read(const char *path) {
+  text_file = path;
+  char *text = text_read("give a plain Liberty file");
   blank_comments(text);
-  parse_body(top, text);
-  if (tree_child(top, "library") == NULL) {
+  node top = {.from = text};
+  parse_body(&top, text);
+  const node *library = tree_child(&top, "library");
+  if (library == NULL) {
     text_fail("is no", "Liberty file");
   }
-  return top;
+  return library;
 }

@@ -12,14 +12,15 @@ typedef struct node {
   struct node *child, *next;
 } node;
 
-/* Read the statements of a text; its comments and continued lines become blanks of the same
- * length. The root's only child of interest is `library`. Exits with status 2 and a message where
- * the text is no Liberty file. */
-node *tree_read(char *text);
-void tree_free(node *n);
+/* Read the statement `library` of a file, which stays; comments and continued lines become blanks.
+ * Exits with status 2 and a message where the file is no Liberty file. */
+const node *tree_read(const char *path);
 
-/* The first child of this name, its value, its number; NULL or `other` where there is none. */
+/* The first child of this name, of this name and args; the next of the same name; a child's value,
+ * its number. NULL or `other` where there is none. */
 const node *tree_child(const node *n, const char *name);
+const node *tree_named(const node *n, const char *name, const char *args);
+const node *tree_next(const node *n);
 const char *tree_value(const node *n, const char *name);
 double tree_number(const node *n, const char *name, double other);
 

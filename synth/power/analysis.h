@@ -31,9 +31,6 @@ typedef struct {
   double leakage, internal, switching;
 } watts;
 
-/* One line on standard error and exit status 2. */
-void power_fail(const char *what) __attribute__((noreturn));
-
 /* The request's meshes, quantised. */
 sepax_scene power_meshes(const analysis *m);
 

@@ -32,14 +32,17 @@ static void find_loads(analysis *m) {
     }
   }
   for (int k = 0; k < g->ports; k++) {
-    m->loads[g->port[k].net] += g->port[k].output;
+    for (int bit = 0; bit < g->port[k].bits; bit++) {
+      m->loads[g->port[k].net[bit]] += g->port[k].output;
+    }
   }
   for (int k = 0; k < g->nets; k++) {
     m->load[k] += m->lib.wire[m->loads[k] < LIB_FANOUT ? m->loads[k] : LIB_FANOUT - 1];
   }
 }
 
-static void slope_of(analysis *m, const gates_cell *cell) {
+/* Of what the cell drives; slopes of its inputs are known. */
+static void find_slopes(analysis *m, const gates_cell *cell) {
   for (int k = 0; k < cell->type->arcs; k++) {
     const lib_arc *arc = &cell->type->arc[k];
     int to = cell->net[arc->to];
@@ -60,23 +63,13 @@ static void slope_of(analysis *m, const gates_cell *cell) {
   }
 }
 
-static void find_slopes(analysis *m) {
-  gates *g = &m->g;
-  m->slope = text_alloc((size_t)g->nets, sizeof *m->slope);
-  for (int c = 0; c < g->cells; c++) {
-    if (g->cell[c].type->register_) {
-      slope_of(m, &g->cell[c]);
-    }
-  }
-  for (int k = 0; k < g->ordered; k++) {
-    slope_of(m, &g->cell[g->order[k]]);
-  }
-}
-
 void power_prepare(analysis *m) {
   find_activities(m);
   find_loads(m);
-  find_slopes(m);
+  m->slope = text_alloc((size_t)m->g.nets, sizeof *m->slope);
+  for (int c = 0; c < m->g.cells; c++) {
+    find_slopes(m, &m->g.cell[c]);
+  }
 }
 
 /* Energy (J) of a transition by these tables, rising and falling in equal parts. */
@@ -91,30 +84,19 @@ static double energy_of(const analysis *m, const gates_cell *cell, const lib_pow
   return sum / 2 * m->lib.joule;
 }
 
-/* Inside the cell, in a cycle (J). */
-static double internal_energy(const analysis *m, const gates_cell *cell) {
+/* Inside the cell for transitions of a pin, in a cycle (J). An output's is the mean of its tables,
+ * by how often their inputs move. */
+static double pin_energy(const analysis *m, const gates_cell *cell, int pin, const double row[],
+                         int rows) {
   const lib_cell *type = cell->type;
-  double one[LIB_PINS];
-  double energy[LIB_PINS] = {0};
-  double weight[LIB_PINS] = {0};
-  double plain[LIB_PINS] = {0};
-  int tables[LIB_PINS] = {0};
-  double row[64];
-  double state = 0.5;
-  double differ = 0.5;
-  for (int k = 0; k < type->pins; k++) {
-    one[k] = cell->net[k] >= 0 ? m->one[cell->net[k]] : 0.5;
-    if (type->register_ && type->pin[k].output && cell->net[k] >= 0) {
-      state = type->pin[k].function.op[0] == LIB_STATE ? one[k] : 1 - one[k];
-      differ = m->want->global >= 0 ? 0.5 : m->act[cell->net[k]];
-    }
-  }
-  int rows = lib_rows(type, one, state, differ, row);
-  double sum = 0;
+  bool by_inputs = type->pin[pin].output && !m->want->as_sta;
+  double energy = 0;
+  double weight = 0;
+  double plain = 0;
+  int tables = 0;
   for (int k = 0; k < type->powers; k++) {
     const lib_power *power = &type->power[k];
-    int pin = power->pin;
-    if (cell->net[pin] < 0) {
+    if (power->pin != pin) {
       continue;
     }
     double likely = 0;
@@ -122,25 +104,34 @@ static double internal_energy(const analysis *m, const gates_cell *cell) {
       likely += (power->when >> r & 1) != 0 ? row[r] : 0;
     }
     double each = energy_of(m, cell, power);
-    if (m->want->as_sta) {
-      sum += 2 * each * likely * m->act[cell->net[pin]];
-      continue;
-    }
-    if (!type->pin[pin].output) {
-      sum += each * likely * m->act[cell->net[pin]];
-      continue;
-    }
-    int related = power->related < 0 ? -1 : cell->net[power->related];
-    double w = likely * (related < 0 ? 1 : m->act[related]);
-    energy[pin] += w * each;
-    weight[pin] += w;
-    plain[pin] += each;
-    tables[pin]++;
+    double w = likely * (by_inputs && power->related >= 0 ? m->act[cell->net[power->related]] : 1);
+    energy += w * each;
+    weight += w;
+    plain += each;
+    tables++;
   }
+  double mean = !by_inputs || tables == 0 ? energy : weight > 0 ? energy / weight : plain / tables;
+  return mean * m->act[cell->net[pin]] * (m->want->as_sta ? 2 : 1);
+}
+
+/* Inside the cell, in a cycle (J). */
+static double internal_energy(const analysis *m, const gates_cell *cell) {
+  const lib_cell *type = cell->type;
+  double one[LIB_PINS];
+  double row[1 << LIB_INPUTS];
+  double state = 0.5;
+  double differ = 0.5;
   for (int k = 0; k < type->pins; k++) {
-    if (tables[k] > 0) {
-      sum += m->act[cell->net[k]] * (weight[k] > 0 ? energy[k] / weight[k] : plain[k] / tables[k]);
+    one[k] = cell->net[k] >= 0 ? m->one[cell->net[k]] : 0.5;
+    if (type->register_ && type->pin[k].output && cell->net[k] >= 0) {
+      state = (type->pin[k].rows & 1) == 0 ? one[k] : 1 - one[k];
+      differ = m->want->global >= 0 ? 0.5 : m->act[cell->net[k]];
     }
+  }
+  int rows = type->powers > 0 ? lib_rows(type, one, state, differ, row) : 0;
+  double sum = 0;
+  for (int k = 0; k < type->pins; k++) {
+    sum += cell->net[k] < 0 ? 0 : pin_energy(m, cell, k, row, rows);
   }
   return sum;
 }

@@ -2,14 +2,13 @@
 #ifndef SEPAX_GATES_H
 #define SEPAX_GATES_H
 
-#include "liberty/library.h"
+#include "liberty/cells.h"
 
 enum { GATES_LANES = 64 };
 
-/* One instance of a module, in the instance `parent` (-1: the top). */
+/* One instance of a module: its path from the top, which ends with "/" (the top's is empty). */
 typedef struct {
-  const char *name, *module;
-  int parent;
+  const char *path, *module;
 } gates_instance;
 
 typedef struct {
@@ -20,21 +19,21 @@ typedef struct {
   uint64_t state;    /* of a register, one bit a lane */
 } gates_cell;
 
+/* A port of the top. */
 typedef struct {
-  const char *name; /* of a bit of a port of the top, "in_a1_x[3]" */
-  int net;
+  const char *name;
   bool output;
+  int bits;
+  int *net; /* of each bit, the lowest first */
 } gates_port;
 
 typedef struct {
   gates_instance *instance;
   int instances;
-  gates_cell *cell;
+  gates_cell *cell; /* registers, then combinational cells, each behind those that drive it */
   int cells;
   gates_port *port;
   int ports;
-  int *order; /* combinational cells, each behind those that drive it */
-  int ordered;
   int nets;
   int clock;         /* net of the port clk */
   uint64_t *value;   /* of each net, one bit a lane; net 0 is 0, net 1 is 1 */
@@ -45,25 +44,21 @@ typedef struct {
 } gates;
 
 /* Read the netlist.json of synth/area/map; exits with status 2 and a message on anything that
- * is not understood: an unknown cell, a net with two drivers or none, a loop, a second clock. */
+ * is not understood: an unknown cell, a net with two drivers or none, a loop, a second clock.
+ * Registers are as when power comes up: anything, always the same. */
 void gates_read(gates *g, const library *lib, const char *path);
 
-/* The net of a port of the top, by its name and bit (-1: a port of one bit); exits if none. */
-int gates_find(const gates *g, const char *name, int bit);
+/* The nets of a port of the top, which must have so many bits (0: any number); exits if it has not
+ * or is not there. */
+const gates_port *gates_find(const gates *g, const char *name, int bits);
 
-/* How many bits a port has; exits if it has more than so many. */
-int gates_bits(const gates *g, const char *name, int most);
+/* A port of one bit, in all lanes. */
+uint64_t *gates_bit(const gates *g, const char *name);
 
-/* The nets of a port of several bits, the lowest first; exits if it has fewer. */
-void gates_find_word(const gates *g, const char *name, int bits, int net[]);
-
-/* The value of a port in one lane, in all lanes: as many of the lowest bits as it has. */
+/* The value of nets, the lowest bit first, in one lane, in all lanes. */
 void gates_set(gates *g, const int net[], int bits, unsigned lane, uint64_t value);
-void gates_set_all(gates *g, const int net[], int bits, uint64_t value);
+void gates_set_all(gates *g, const gates_port *port, uint64_t value);
 uint64_t gates_get(const gates *g, const int net[], int bits, unsigned lane);
-
-/* Registers as they are when power comes up: anything, always the same. */
-void gates_scramble(gates *g);
 
 /* Let the inputs, set in value[], and the registers act on everything else. */
 void gates_settle(gates *g);

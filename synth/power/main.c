@@ -27,31 +27,25 @@
  * glitches. The clock has no slope and two transitions a cycle; what drives it and the inputs is
  * not counted. */
 #include "analysis.h"
-#include "cli/cli.h"
 #include "engine.h"
 
+#include <err.h>
 #include <getopt.h>
-#include <stdio.h>
 #include <stdlib.h>
-
-void power_fail(const char *what) {
-  fprintf(stderr, "power: %s\n", what);
-  exit(2);
-}
 
 sepax_scene power_meshes(const analysis *m) {
   sepax_error error = {0};
   sepax_scene scene;
   sepax_grid grid = {.resolution = m->want->resolution, .word = m->design.config.word};
   if (!sepax_scene_load(&scene, m->want->mesh, &grid, false, &error)) {
-    exit(cli_fail("power", &error));
+    errx(2, "%s", error.text);
   }
   return scene;
 }
 
 static void run_engine(analysis *m) {
   if (m->want->mesh[0] == NULL) {
-    power_fail("an object engine wants two meshes; give -r RESOLUTION A.stl B.stl");
+    errx(2, "an object engine wants two meshes; give -r RESOLUTION A.stl B.stl");
   }
   sepax_scene scene = power_meshes(m);
   engine_part part = m->want->idle ? POWER_IDLE : m->want->loading ? POWER_LOADING : POWER_RUN;
@@ -66,66 +60,44 @@ static void run_engine(analysis *m) {
   }
 }
 
-static double number(const char *text, char option) {
+/* The number that option -c has been given, or else `other`. */
+static double number(const char *const given[], char option, double other) {
+  const char *text = given[(unsigned char)option];
+  if (text == NULL) {
+    return other;
+  }
   char *end;
   double x = strtod(text, &end);
   if (end == text || *end != '\0' || !(x >= 0 && x < 1e9)) {
-    fprintf(stderr, "power: -%c %s: give a number\n", option, text);
-    exit(2);
+    errx(2, "-%c %s: give a number", option, text);
   }
   return x;
 }
 
 static request read_options(int argc, char **argv) {
-  request r = {.global = -1, .fault = 1, .cycles = 200};
+  const char *given[128] = {NULL}; /* by the option's letter: its argument, or "" */
   for (int option; (option = getopt(argc, argv, "bc:d:e:g:il:n:op:r:s:t:")) != -1;) {
-    switch (option) {
-    case 'b':
-      r.loading = true;
-      break;
-    case 'c':
-      r.cycles = (int)number(optarg, 'c');
-      break;
-    case 'd':
-      r.design = optarg;
-      break;
-    case 'e':
-      r.by_cell = optarg;
-      break;
-    case 'g':
-      r.global = number(optarg, 'g');
-      break;
-    case 'i':
-      r.idle = true;
-      break;
-    case 'l':
-      r.liberty = optarg;
-      break;
-    case 'n':
-      r.netlist = optarg;
-      break;
-    case 'o':
-      r.as_sta = true;
-      break;
-    case 'p':
-      r.period = number(optarg, 'p');
-      break;
-    case 'r':
-      r.resolution = number(optarg, 'r');
-      break;
-    case 's':
-      r.fault = number(optarg, 's');
-      break;
-    case 't':
-      r.pins = optarg;
-      break;
-    default:
+    if (option == '?') {
       exit(2);
     }
+    given[option] = optarg != NULL ? optarg : "";
   }
+  request r = {.liberty = given['l'],
+               .netlist = given['n'],
+               .design = given['d'],
+               .pins = given['t'],
+               .by_cell = given['e'],
+               .period = number(given, 'p', 0),
+               .global = number(given, 'g', -1),
+               .fault = number(given, 's', 1),
+               .resolution = number(given, 'r', 0),
+               .cycles = (int)number(given, 'c', 200),
+               .idle = given['i'] != NULL,
+               .loading = given['b'] != NULL,
+               .as_sta = given['o'] != NULL};
   if (r.liberty == NULL || r.netlist == NULL || r.design == NULL || r.period <= 0 || r.cycles < 1 ||
       (optind != argc && optind + 2 != argc)) {
-    power_fail("give -l LIBERTY -n NETLIST -d DESIGN -p PERIOD, and pairs on standard input");
+    errx(2, "give -l LIBERTY -n NETLIST -d DESIGN -p PERIOD, and pairs on standard input");
   }
   if (optind < argc) {
     r.mesh[0] = argv[optind];
@@ -143,12 +115,12 @@ int main(int argc, char **argv) {
   sepax_config config = sepax_config_default();
   if (!sepax_config_parse(&config, want.design, &error) ||
       !sepax_design_init(&m.design, &config, &error)) {
-    return cli_fail("power", &error);
+    errx(2, "%s", error.text);
   }
   m.exact = config.arch == SEPAX_ARCH_EXACT;
   m.engine = config.lanes > 0;
   if (want.loading && (want.idle || !m.engine)) {
-    power_fail("-b is for an object engine (--lanes), and not with -i");
+    errx(2, "-b is for an object engine (--lanes), and not with -i");
   }
   library_read(&m.lib, want.liberty);
   gates_read(&m.g, &m.lib, want.netlist);
@@ -160,9 +132,8 @@ int main(int argc, char **argv) {
   power_prepare(&m);
   power_report(&m);
   if (m.wrong > 0) {
-    fprintf(stderr, "power: %llu %s are not the golden model's\n", (unsigned long long)m.wrong,
-            m.engine ? "results, ends and counts" : "verdicts");
-    return 1;
+    errx(1, "%llu %s are not the golden model's", (unsigned long long)m.wrong,
+         m.engine ? "results, ends and counts" : "verdicts");
   }
   return 0;
 }

@@ -1,12 +1,12 @@
 /* netlist.c - reads a mapped netlist, Yosys' write_json, into all its instances. */
 #include "gates.h"
 #include "liberty/text.h"
+#include "sepax_vectors.h"
 
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Nets of a module have numbers from 2 on, as in the file; 0 and 1 are the constants. */
 typedef struct {
   json_t *modules;
   const library *lib;
@@ -14,20 +14,15 @@ typedef struct {
   int *same; /* of each net: one that it is the same as */
 } builder;
 
-/* Space for one more of `count` elements. */
-static void *more(void *list, int count, size_t size) {
-  if (count > 0 && (count & (count - 1)) != 0) {
-    return list;
-  }
-  list = realloc(list, (count == 0 ? 1 : 2 * (size_t)count) * size);
-  if (list == NULL) {
-    text_fail("out of", "memory");
-  }
-  return list;
-}
+/* An instance, and of each bit of its module the net, or -1. */
+typedef struct {
+  int instance;
+  int *net;
+  int bits;
+} scope;
 
 static int new_net(builder *b) {
-  b->same = more(b->same, b->g->nets, sizeof *b->same);
+  b->same = text_more(b->same, (size_t)b->g->nets, sizeof *b->same);
   b->same[b->g->nets] = b->g->nets;
   return b->g->nets++;
 }
@@ -49,48 +44,41 @@ static void join(builder *b, int net, int other) {
   b->same[net < other ? other : net] = net < other ? net : other;
 }
 
-/* The number of bit k in a list of a module of so many nets. */
-static int net_of(const json_t *bits, size_t k, int nets) {
+/* Place k of a list of bits: their numbers are from 2 on, as in the file, or "0", "1". */
+static int *place_of(scope *s, const json_t *bits, size_t k) {
   const json_t *bit = json_array_get(bits, k);
   const char *constant = json_string_value(bit);
-  int net = constant == NULL             ? (int)json_integer_value(bit)
-            : strcmp(constant, "0") == 0 ? 0
-            : strcmp(constant, "1") == 0 ? 1
-                                         : -1;
-  if (net < 0 || (constant == NULL && net < 2) || net >= nets) {
+  int number = constant == NULL             ? (int)json_integer_value(bit)
+               : strcmp(constant, "0") == 0 ? 0
+               : strcmp(constant, "1") == 0 ? 1
+                                            : -1;
+  if (number < 0 || (constant == NULL && number < 2)) {
     text_fail("has a bit that is not understood:", constant == NULL ? "a number" : constant);
   }
-  return net;
-}
-
-static int nets_of(json_t *module) {
-  int nets = 2;
-  const char *name;
-  json_t *of;
-  json_object_foreach(json_object_get(module, "netnames"), name, of) {
-    const json_t *bits = json_object_get(of, "bits");
-    for (size_t k = 0; k < json_array_size(bits); k++) {
-      int bit = (int)json_integer_value(json_array_get(bits, k));
-      nets = bit >= nets ? bit + 1 : nets;
-    }
+  for (; s->bits <= number; s->bits++) {
+    s->net = text_more(s->net, (size_t)s->bits, sizeof *s->net);
+    s->net[s->bits] = s->bits < 2 ? s->bits : -1;
   }
-  return nets;
+  return &s->net[number];
 }
 
-static void add_cell(builder *b, const char *name, json_t *cell, const int *net, int nets,
-                     int instance) {
+static int net_of(builder *b, scope *s, const json_t *bits, size_t k) {
+  int *net = place_of(s, bits, k);
+  *net = *net < 0 ? new_net(b) : *net;
+  return *net;
+}
+
+static void add_cell(builder *b, const char *name, const json_t *cell, scope *in) {
   const char *type = json_string_value(json_object_get(cell, "type"));
   const lib_cell *of = library_cell(b->lib, type);
   if (of == NULL) {
     text_fail("neither a module nor a cell of the library:", type);
   }
   gates *g = b->g;
-  g->cell = more(g->cell, g->cells, sizeof *g->cell);
+  g->cell = text_more(g->cell, (size_t)g->cells, sizeof *g->cell);
   gates_cell *it = &g->cell[g->cells++];
-  *it = (gates_cell){.type = of, .name = name, .instance = instance};
-  for (int k = 0; k < LIB_PINS; k++) {
-    it->net[k] = -1;
-  }
+  *it = (gates_cell){.type = of, .name = name, .instance = in->instance};
+  memset(it->net, 0xff, sizeof it->net);
   const char *pin_name;
   json_t *bits;
   json_object_foreach(json_object_get(cell, "connections"), pin_name, bits) {
@@ -99,63 +87,57 @@ static void add_cell(builder *b, const char *name, json_t *cell, const int *net,
       text_fail("a pin that the library does not have, of", name);
     }
     if (json_array_size(bits) == 1) {
-      it->net[pin] = net[net_of(bits, 0, nets)];
+      it->net[pin] = net_of(b, in, bits, 0);
     }
   }
 }
 
-static void build(builder *b, const char *type, const char *name, int parent, int *net, int nets);
+static json_t *module_of(const builder *b, const json_t *cell) {
+  return json_object_get(b->modules, json_string_value(json_object_get(cell, "type")));
+}
 
-/* An instance of a module: its ports' nets are those that they are connected to. */
-static void add_instance(builder *b, const char *name, json_t *cell, const int *net, int nets,
-                         int parent) {
-  const char *type = json_string_value(json_object_get(cell, "type"));
-  json_t *of = json_object_get(b->modules, type);
-  int inner_nets = nets_of(of);
-  int *inner = text_alloc((size_t)inner_nets, sizeof *inner);
-  memset(inner, 0xff, (size_t)inner_nets * sizeof *inner);
-  inner[0] = 0;
-  inner[1] = 1;
-  const char *port_name;
+/* Nets of a module's ports are those that its instance is connected to. */
+static void connect(builder *b, scope *s, const json_t *ports, json_t *connections, scope *outer) {
+  const char *name;
   json_t *bits;
-  json_object_foreach(json_object_get(cell, "connections"), port_name, bits) {
-    const json_t *port = json_object_get(json_object_get(of, "ports"), port_name);
-    const json_t *inside = json_object_get(port, "bits");
+  json_object_foreach(connections, name, bits) {
+    const json_t *inside = json_object_get(json_object_get(ports, name), "bits");
     if (json_array_size(bits) != 0 && json_array_size(bits) != json_array_size(inside)) {
-      text_fail("a connection that does not fit:", port_name);
+      text_fail("a connection that does not fit:", name);
     }
     for (size_t k = 0; k < json_array_size(bits); k++) {
-      int outer = net[net_of(bits, k, nets)];
-      int *in = &inner[net_of(inside, k, inner_nets)];
+      int net = net_of(b, outer, bits, k);
+      int *in = place_of(s, inside, k);
       if (*in < 0) {
-        *in = outer;
+        *in = net;
       } else {
-        join(b, *in, outer);
+        join(b, *in, net);
       }
     }
   }
-  build(b, type, name, parent, inner, inner_nets);
-  free(inner);
 }
 
-static void build(builder *b, const char *type, const char *name, int parent, int *net, int nets) {
+/* All cells of an instance of a module, whose ports are connected. */
+static void build(builder *b, const char *path, const char *type, scope *s) {
   gates *g = b->g;
-  g->instance = more(g->instance, g->instances, sizeof *g->instance);
-  int instance = g->instances++;
-  g->instance[instance] = (gates_instance){name, type, parent};
-  for (int k = 0; k < nets; k++) {
-    net[k] = net[k] >= 0 ? net[k] : new_net(b);
-  }
+  s->instance = g->instances;
+  g->instance = text_more(g->instance, (size_t)g->instances, sizeof *g->instance);
+  g->instance[g->instances++] = (gates_instance){path, type};
   const char *cell_name;
   json_t *cell;
   json_object_foreach(json_object_get(json_object_get(b->modules, type), "cells"), cell_name,
                       cell) {
-    const json_t *of = json_object_get(cell, "type");
-    if (json_object_get(b->modules, json_string_value(of)) != NULL) {
-      add_instance(b, cell_name, cell, net, nets, instance);
-    } else {
-      add_cell(b, cell_name, cell, net, nets, instance);
+    json_t *module = module_of(b, cell);
+    if (module == NULL) {
+      add_cell(b, cell_name, cell, s);
+      continue;
     }
+    scope inner = {0};
+    connect(b, &inner, json_object_get(module, "ports"), json_object_get(cell, "connections"), s);
+    char *inner_path = text_alloc(strlen(path) + strlen(cell_name) + 2, 1);
+    sprintf(inner_path, "%s%s/", path, cell_name);
+    build(b, inner_path, json_string_value(json_object_get(cell, "type")), &inner);
+    free(inner.net);
   }
 }
 
@@ -180,19 +162,21 @@ static const char *top_of(json_t *modules) {
   return name;
 }
 
-static void add_ports(builder *b, json_t *top, const int *net, int nets) {
+static void add_ports(builder *b, json_t *top, scope *s) {
   gates *g = b->g;
   const char *name;
-  json_t *port;
-  json_object_foreach(json_object_get(top, "ports"), name, port) {
-    const json_t *bits = json_object_get(port, "bits");
-    const char *direction = json_string_value(json_object_get(port, "direction"));
-    for (size_t k = 0; k < json_array_size(bits); k++) {
-      char full[320];
-      snprintf(full, sizeof full, json_array_size(bits) > 1 ? "%s[%zu]" : "%s", name, k);
-      g->port = more(g->port, g->ports, sizeof *g->port);
-      g->port[g->ports++] = (gates_port){strdup(full), root_of(b, net[net_of(bits, k, nets)]),
-                                         direction != NULL && strcmp(direction, "output") == 0};
+  json_t *of;
+  json_object_foreach(json_object_get(top, "ports"), name, of) {
+    const json_t *bits = json_object_get(of, "bits");
+    const char *direction = json_string_value(json_object_get(of, "direction"));
+    g->port = text_more(g->port, (size_t)g->ports, sizeof *g->port);
+    gates_port *port = &g->port[g->ports++];
+    *port = (gates_port){.name = name,
+                         .output = direction != NULL && strcmp(direction, "output") == 0,
+                         .bits = (int)json_array_size(bits),
+                         .net = text_alloc(json_array_size(bits), sizeof *port->net)};
+    for (int k = 0; k < port->bits; k++) {
+      port->net[k] = root_of(b, net_of(b, s, bits, (size_t)k));
     }
   }
 }
@@ -201,12 +185,13 @@ static void add_ports(builder *b, json_t *top, const int *net, int nets) {
 
 enum { UNDRIVEN = 0, FROM_OUTSIDE = -1 }; /* else the cell's number + 1 */
 
+/* The driver of each net, one at most. */
 static int *find_drivers(const gates *g) {
   int *driver = text_alloc((size_t)g->nets, sizeof *driver);
   driver[0] = driver[1] = FROM_OUTSIDE;
   for (int k = 0; k < g->ports; k++) {
-    if (!g->port[k].output) {
-      driver[g->port[k].net] = FROM_OUTSIDE;
+    for (int bit = 0; bit < g->port[k].bits && !g->port[k].output; bit++) {
+      driver[g->port[k].net[bit]] = FROM_OUTSIDE;
     }
   }
   for (int c = 0; c < g->cells; c++) {
@@ -216,7 +201,7 @@ static int *find_drivers(const gates *g) {
       if (!type->pin[p].output || net < 0) {
         continue;
       }
-      if (type->pin[p].function.count == 0) {
+      if (!type->pin[p].known) {
         text_fail("the library has no function of", type->name);
       }
       if (driver[net] != UNDRIVEN) {
@@ -228,65 +213,61 @@ static int *find_drivers(const gates *g) {
   return driver;
 }
 
-/* Does this input of a combinational cell wait for another one? */
-static bool waits_for(const gates *g, int c, int p, const int *driver) {
-  const lib_cell *type = g->cell[c].type;
-  int net = g->cell[c].net[p];
-  if (type->pin[p].output) {
-    return false;
-  }
-  if (net < 0 || driver[net] == UNDRIVEN) {
-    text_fail("nothing drives an input of", g->cell[c].name);
-  }
-  if (type->register_ && p == type->clock && net != g->clock) {
-    text_fail("another clock than clk, at", g->cell[c].name);
-  }
-  return !type->register_ && driver[net] > 0 && !g->cell[driver[net] - 1].type->register_;
-}
+typedef struct {
+  const gates *g;
+  int *driver;
+  enum { NEW, UNDER_WAY, DONE } * progress; /* of each cell */
+  gates_cell *cell;                         /* in order */
+  int cells;
+} sorter;
 
-/* Every net has one driver; combinational cells stand behind theirs. */
-static void put_in_order(gates *g) {
-  int *driver = find_drivers(g);
-  int *waits = text_alloc((size_t)g->cells, sizeof *waits);
-  /* Readers of each net, as a list through the pins. */
-  int *first = text_alloc((size_t)g->nets, sizeof *first);
-  int *next = text_alloc((size_t)g->cells * LIB_PINS, sizeof *next);
-  g->order = text_alloc((size_t)g->cells, sizeof *g->order);
-  int registers = 0;
-  for (int c = 0; c < g->cells; c++) {
-    for (int p = 0; p < g->cell[c].type->pins; p++) {
-      if (waits_for(g, c, p, driver)) {
-        waits[c]++;
-        next[c * LIB_PINS + p] = first[g->cell[c].net[p]];
-        first[g->cell[c].net[p]] = c * LIB_PINS + p + 1;
-      }
-    }
-    registers += g->cell[c].type->register_;
-    if (!g->cell[c].type->register_ && waits[c] == 0) {
-      g->order[g->ordered++] = c;
-    }
-  }
-  for (int k = 0; k < g->ordered; k++) {
-    const gates_cell *cell = &g->cell[g->order[k]];
-    for (int p = 0; p < cell->type->pins; p++) {
-      if (!cell->type->pin[p].output || cell->net[p] < 0) {
-        continue;
-      }
-      for (int at = first[cell->net[p]]; at != 0; at = next[at - 1]) {
-        int reads = (at - 1) / LIB_PINS;
-        if (--waits[reads] == 0) {
-          g->order[g->ordered++] = reads;
-        }
-      }
-    }
-  }
-  if (g->ordered + registers != g->cells) {
+/* Behind the combinational cells that drive it; all its inputs are driven. */
+static void put_in_order(sorter *s, int c) {
+  const gates_cell *cell = &s->g->cell[c];
+  const lib_cell *type = cell->type;
+  if (s->progress[c] == UNDER_WAY) {
     text_fail("has a loop without", "registers");
   }
-  free(driver);
-  free(waits);
-  free(first);
-  free(next);
+  if (s->progress[c] == DONE) {
+    return;
+  }
+  s->progress[c] = UNDER_WAY;
+  for (int p = 0; p < type->pins; p++) {
+    int net = cell->net[p];
+    if (type->pin[p].output) {
+      continue;
+    }
+    if (net < 0 || s->driver[net] == UNDRIVEN) {
+      text_fail("nothing drives an input of", cell->name);
+    }
+    if (type->register_ && p == type->clock && net != s->g->clock) {
+      text_fail("another clock than clk, at", cell->name);
+    }
+    if (!type->register_ && s->driver[net] > 0) {
+      put_in_order(s, s->driver[net] - 1);
+    }
+  }
+  s->progress[c] = DONE;
+  s->cell[s->cells++] = *cell;
+}
+
+/* Registers, then combinational cells. */
+static void sort_cells(gates *g) {
+  sorter s = {.g = g,
+              .driver = find_drivers(g),
+              .progress = text_alloc((size_t)g->cells, sizeof *s.progress),
+              .cell = text_alloc((size_t)g->cells, sizeof *s.cell)};
+  for (int pass = 0; pass < 2; pass++) {
+    for (int c = 0; c < g->cells; c++) {
+      if (g->cell[c].type->register_ == (pass == 0)) {
+        put_in_order(&s, c);
+      }
+    }
+  }
+  free(s.driver);
+  free(s.progress);
+  free(g->cell);
+  g->cell = s.cell;
 }
 
 void gates_read(gates *g, const library *lib, const char *path) {
@@ -302,28 +283,25 @@ void gates_read(gates *g, const library *lib, const char *path) {
   new_net(&b);
   new_net(&b);
   const char *top = top_of(modules);
-  json_t *module = json_object_get(modules, top);
-  int nets = nets_of(module);
-  int *net = text_alloc((size_t)nets, sizeof *net);
-  memset(net, 0xff, (size_t)nets * sizeof *net);
-  net[0] = 0;
-  net[1] = 1;
-  build(&b, top, top, -1, net, nets);
-  add_ports(&b, module, net, nets);
+  scope whole = {0};
+  build(&b, "", top, &whole);
+  add_ports(&b, json_object_get(modules, top), &whole);
+  sepax_random random = {1};
   for (int c = 0; c < g->cells; c++) {
+    g->cell[c].state = sepax_random_next(&random);
     for (int p = 0; p < LIB_PINS; p++) {
       if (g->cell[c].net[p] >= 0) {
         g->cell[c].net[p] = root_of(&b, g->cell[c].net[p]);
       }
     }
   }
-  g->clock = gates_find(g, "clk", -1);
-  put_in_order(g);
-  free(net);
+  g->clock = gates_find(g, "clk", 1)->net[0];
+  sort_cells(g);
+  free(whole.net);
   free(b.same);
-  g->value = text_alloc((size_t)g->nets, sizeof *g->value);
-  g->before = text_alloc((size_t)g->nets, sizeof *g->before);
-  g->toggles = text_alloc((size_t)g->nets, sizeof *g->toggles);
-  g->ones = text_alloc((size_t)g->nets, sizeof *g->ones);
+  uint64_t **const of_nets[] = {&g->value, &g->before, &g->toggles, &g->ones};
+  for (size_t k = 0; k < sizeof of_nets / sizeof of_nets[0]; k++) {
+    *of_nets[k] = text_alloc((size_t)g->nets, sizeof **of_nets[k]);
+  }
   g->value[1] = ~UINT64_C(0);
 }

@@ -1,130 +1,118 @@
 /* report.c - what build/power writes. */
 #include "analysis.h"
 #include "liberty/text.h"
+#include "util/write_file.h"
 
-#include <stdio.h>
+#include <err.h>
+#include <jansson.h>
 #include <stdlib.h>
 
-static void print_path(FILE *out, const gates *g, int instance) {
-  if (g->instance[instance].parent >= 0) {
-    print_path(out, g, g->instance[instance].parent);
-    fprintf(out, "%s/", g->instance[instance].name);
-  }
-}
-
-static FILE *create(const char *path) {
-  FILE *out = fopen(path, "w");
-  if (out == NULL) {
-    fprintf(stderr, "power: %s: cannot be written\n", path);
-    exit(2);
-  }
-  return out;
-}
-
-static void close_file(FILE *out, const char *path) {
-  if (fclose(out) != 0) {
-    fprintf(stderr, "power: %s: cannot be written\n", path);
-    exit(2);
-  }
-}
-
 /* What OpenSTA lets be set: inputs of the top, and all pins of cells. */
-static void print_pins(const analysis *m) {
+static bool write_pins(FILE *out, const void *context) {
+  const analysis *m = context;
   const gates *g = &m->g;
-  FILE *out = create(m->want->pins);
   for (int k = 0; k < g->ports; k++) {
-    if (!g->port[k].output && g->port[k].net != g->clock) {
-      fprintf(out, "port %s %.6g %.6g\n", g->port[k].name, m->act[g->port[k].net],
-              m->one[g->port[k].net]);
+    const gates_port *port = &g->port[k];
+    for (int bit = 0; bit < port->bits && !port->output && port->net[0] != g->clock; bit++) {
+      fprintf(out, port->bits > 1 ? "port %s[%d]" : "port %s", port->name, bit);
+      fprintf(out, " %.6g %.6g\n", m->act[port->net[bit]], m->one[port->net[bit]]);
     }
   }
   for (int c = 0; c < g->cells; c++) {
     const gates_cell *cell = &g->cell[c];
     for (int k = 0; k < cell->type->pins; k++) {
-      if (cell->net[k] > 1 && cell->net[k] != g->clock) {
-        fprintf(out, "pin ");
-        print_path(out, g, cell->instance);
-        fprintf(out, "%s/%s %.6g %.6g\n", cell->name, cell->type->pin[k].name, m->act[cell->net[k]],
-                m->one[cell->net[k]]);
+      int net = cell->net[k];
+      if (net > 1 && net != g->clock) {
+        fprintf(out, "pin %s%s/%s %.6g %.6g\n", g->instance[cell->instance].path, cell->name,
+                cell->type->pin[k].name, m->act[net], m->one[net]);
       }
     }
   }
-  close_file(out, m->want->pins);
+  return true;
 }
 
-static void print_cells(const analysis *m) {
-  FILE *out = create(m->want->by_cell);
+static bool write_cells(FILE *out, const void *context) {
+  const analysis *m = context;
   for (int c = 0; c < m->g.cells; c++) {
-    watts w = power_of(m, &m->g.cell[c]);
-    print_path(out, &m->g, m->g.cell[c].instance);
-    fprintf(out, "%s %s %.6g %.6g %.6g\n", m->g.cell[c].name, m->g.cell[c].type->name, w.internal,
-            w.switching, w.leakage);
+    const gates_cell *cell = &m->g.cell[c];
+    watts w = power_of(m, cell);
+    fprintf(out, "%s%s %s %.6g %.6g %.6g\n", m->g.instance[cell->instance].path, cell->name,
+            cell->type->name, w.internal, w.switching, w.leakage);
   }
-  close_file(out, m->want->by_cell);
+  return true;
 }
 
-static void print_watts(watts w) {
-  printf("\"leakage_w\": %.6g, \"internal_w\": %.6g, \"switching_w\": %.6g, \"total_w\": %.6g",
-         w.leakage, w.internal, w.switching, w.leakage + w.internal + w.switching);
+static void write_file(const char *path, bool (*write)(FILE *, const void *), const analysis *m) {
+  sepax_error error = {""};
+  if (path != NULL && !sepax_write_file(path, write, m, &error)) {
+    errx(2, "%s", error.text);
+  }
 }
 
-static void print_report(const analysis *m) {
+static void add(watts *to, watts w) {
+  to->leakage += w.leakage;
+  to->internal += w.internal;
+  to->switching += w.switching;
+}
+
+static double sum_of(watts w) { return w.leakage + w.internal + w.switching; }
+
+/* The object, and in it the power. */
+static json_t *with_power(json_t *object, watts w) {
+  json_object_update_new(object,
+                         json_pack("{s:f, s:f, s:f, s:f}", "leakage_w", w.leakage, "internal_w",
+                                   w.internal, "switching_w", w.switching, "total_w", sum_of(w)));
+  return object;
+}
+
+void power_report(const analysis *m) {
   const gates *g = &m->g;
+  write_file(m->want->pins, write_pins, m);
+  write_file(m->want->by_cell, write_cells, m);
   watts *own = text_alloc((size_t)g->instances, sizeof *own);
   int *cells = text_alloc((size_t)g->instances, sizeof *cells);
   watts all = {0, 0, 0};
   watts registers = {0, 0, 0};
   for (int c = 0; c < g->cells; c++) {
     watts w = power_of(m, &g->cell[c]);
-    watts *into[3] = {&own[g->cell[c].instance], &all,
-                      g->cell[c].type->register_ ? &registers : NULL};
-    for (int k = 0; k < 3 && into[k] != NULL; k++) {
-      into[k]->leakage += w.leakage;
-      into[k]->internal += w.internal;
-      into[k]->switching += w.switching;
+    add(&own[g->cell[c].instance], w);
+    add(&all, w);
+    if (g->cell[c].type->register_) {
+      add(&registers, w);
     }
     cells[g->cell[c].instance]++;
   }
-  double joule = (all.leakage + all.internal + all.switching) * m->want->period * 1e-9;
-  printf("{\"period_ns\": %g, \"lanes\": %d, \"cycles\": %llu, \"pairs\": %llu, \"judged\": %llu, "
-         "\"collisions\": %llu, \"coplanar\": %llu, \"wrong\": %llu, "
-         "\"undecided_percent\": %.4g, \"cells\": %d,\n ",
-         m->want->period, GATES_LANES, (unsigned long long)g->cycles, (unsigned long long)m->taken,
-         (unsigned long long)m->judged, (unsigned long long)m->collisions,
-         (unsigned long long)m->coplanar, (unsigned long long)m->wrong,
-         m->pairs > 0 ? 100.0 * (double)m->undecided / (double)m->pairs : 0.0, g->cells);
-  print_watts(all);
-  printf(", \"cycle_pj\": %.6g, \"pair_pj\": ", joule * 1e12);
-  if (m->taken > 0) {
-    printf("%.6g", joule * 1e12 * (double)g->cycles * GATES_LANES / (double)m->taken);
-  } else {
-    printf("null");
-  }
-  if (m->engine) {
-    printf(", \"run_nj\": %.6g, \"memories\": \"not counted\"", joule * 1e9 * (double)g->cycles);
-  }
-  printf(",\n \"registers\": {");
-  print_watts(registers);
-  printf("}, \"clock_pins_pj\": %.6g,\n \"instances\": [",
-         m->load[g->clock] * m->lib.volt * m->lib.volt * 1e12);
+  json_t *instances = json_array();
   for (int k = 0; k < g->instances; k++) {
-    printf("%s\n  {\"path\": \"", k > 0 ? "," : "");
-    print_path(stdout, g, k);
-    printf("\", \"module\": \"%s\", \"cells\": %d, ", g->instance[k].module, cells[k]);
-    print_watts(own[k]); /* NOLINT(clang-analyzer-core.NullDereference): as many as instances */
-    printf("}");
+    json_t *row = json_pack("{s:s, s:s, s:i}", "path", g->instance[k].path, "module",
+                            g->instance[k].module, "cells", cells[k]);
+    json_array_append_new(instances, with_power(row, own[k]));
   }
-  printf("]}\n");
   free(own);
   free(cells);
-}
-
-void power_report(const analysis *m) {
-  if (m->want->pins != NULL) {
-    print_pins(m);
+  double cycle_pj = sum_of(all) * m->want->period * 1e3;
+  double lane_cycles = (double)g->cycles * GATES_LANES;
+  json_t *report = json_pack(
+      "{s:f, s:i, s:I, s:I, s:I, s:I, s:I, s:I, s:f, s:i, s:f, s:o}", "period_ns", m->want->period,
+      "lanes", GATES_LANES, "cycles", (json_int_t)g->cycles, "pairs", (json_int_t)m->taken,
+      "judged", (json_int_t)m->judged, "collisions", (json_int_t)m->collisions, "coplanar",
+      (json_int_t)m->coplanar, "wrong", (json_int_t)m->wrong, "undecided_percent",
+      m->pairs > 0 ? 100.0 * (double)m->undecided / (double)m->pairs : 0.0, "cells", g->cells,
+      "cycle_pj", cycle_pj, "pair_pj",
+      m->taken > 0 ? json_real(cycle_pj * lane_cycles / (double)m->taken) : json_null());
+  if (m->engine) {
+    json_object_update_new(report,
+                           json_pack("{s:f, s:s}", "run_nj", cycle_pj * 1e-3 * (double)g->cycles,
+                                     "memories", "not counted"));
   }
-  if (m->want->by_cell != NULL) {
-    print_cells(m);
+  json_object_update_new(with_power(report, all),
+                         json_pack("{s:o, s:f, s:o}", "registers",
+                                   with_power(json_object(), registers), "clock_pins_pj",
+                                   m->load[g->clock] * m->lib.volt * m->lib.volt * 1e12,
+                                   "instances", instances));
+  if (json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(6)) != 0 ||
+      fputs("\n", stdout) < 0) {
+    errx(2, "the report cannot be written");
   }
-  print_report(m);
+  json_decref(report);
 }
