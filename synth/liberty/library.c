@@ -99,7 +99,7 @@ static void read_pins(lib_cell *cell, const node *root, const node *const of[], 
 static void read_cell(lib_cell *cell, const library *lib, const node *root, const node *n,
                       double watt) {
   char *state[2] = {NULL, NULL};
-  const node *pin[LIB_PINS];
+  const node *pin[LIB_PINS] = {NULL};
   const node *ff = tree_child(n, "ff");
   cell->name = n->args;
   cell->leakage = tree_number(n, "cell_leakage_power", 0) * watt;

@@ -46,7 +46,7 @@ uint64_t gates_get(const gates *g, const int net[], int bits, unsigned lane) {
 /* A truth table of a cell, halved by each input: rows in which it is 0 and 1 become one. */
 static uint64_t evaluate(const gates *g, const gates_cell *cell, uint64_t table) {
   const lib_cell *type = cell->type;
-  uint64_t row[1 << LIB_INPUTS];
+  uint64_t row[1 << LIB_INPUTS] = {0};
   int rows = 1 << (type->inputs + type->register_);
   for (int r = 0; r < rows; r++) {
     row[r] = (table >> r & 1) != 0 ? ~UINT64_C(0) : 0;
