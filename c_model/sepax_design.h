@@ -78,9 +78,9 @@ bool sepax_config_set(sepax_config *config, const char *name, const char *value,
 /* Parse a line that sepax_config_text wrote ("--arch=paper --word=18 ..."). */
 bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *error);
 
-/* What the architecture reads, but for options that are none, into text[size], cut where it does
- * not fit: as "--arch=paper --word=18 ...", which sepax_config_parse reads back, or as
- * "ARCH=paper WORD=18 ...", the variables of make. Both return text. */
+/* The options that the architecture reads, without those that are "none", into text[size], cut
+ * where it does not fit: as "--arch=paper --word=18 ...", which sepax_config_parse reads back, or
+ * as "ARCH=paper WORD=18 ...", the variables of make. Both return text. */
 char *sepax_config_text(const sepax_config *config, char *text, size_t size);
 char *sepax_config_variables(const sepax_config *config, char *text, size_t size);
 
@@ -103,13 +103,13 @@ bool sepax_config_check(const sepax_config *config, sepax_error *error);
 
 const char *sepax_arch_name(sepax_arch arch);
 
-/* Fixed-point format of an intermediate of the paper's datapath. The exact value
- * needs `exact` bits (interval analysis); the lowest `shift` of them are dropped
- * by flooring, `width` = exact - shift are kept. docs/paper.md lists the table. */
+/* The format of a number of the datapath. In paper and conference the exact value needs `exact`
+ * bits (interval analysis); the lowest `shift` of them are dropped by flooring, `width` = exact -
+ * shift are kept (docs/paper.md has the table). In exact see SEPAX_X_... below. */
 typedef struct {
   const char *name;
   int exact, width, shift;
-  int digits; /* in architecture exact, of a factor: radix-4 digits it is cut into */
+  int digits; /* exact: how many radix-4 digits a multiplier cuts this factor into; else 0 */
 } sepax_format;
 
 typedef enum {
@@ -125,19 +125,19 @@ typedef enum {
   SEPAX_F_COUNT
 } sepax_format_id;
 
-/* Numbers of architecture exact (docs/exact.md): `exact` bits hold every term, `width`
- * the result; sums that cancel are taken modulo 2^width. shift is 0. */
+/* Formats of architecture exact (docs/exact.md): `exact` bits would hold every term, `width`
+ * bits hold the result, as sums that cancel are taken modulo 2^width. shift is 0. */
 enum {
   SEPAX_X_COORDINATE,
   SEPAX_X_SPAN,       /* sum or difference of two coordinates */
   SEPAX_X_ORIENT2D,   /* t_ij, g_ijk: twice an area */
-  SEPAX_X_Z_SUM,      /* sum of z, the origin moved to A: for triangles of both; plus
-                          1 + 4 + 16 ..., as its digits want it (docs/exact.md) */
-  SEPAX_X_OWN_Z_SUM,  /* the same for triangle B itself */
-  SEPAX_X_ORIENT3D,   /* h_ijk, v_ijkl: six times a volume */
-  SEPAX_X_CROSS,      /* with a clearance: a component of e x f, N_A, N_B; */
-  SEPAX_X_LIMIT,      /* what twice a gap on such an axis must exceed; */
-  SEPAX_X_EDGE_LIMIT, /* and on an axis normal to an edge and a coordinate axis */
+  SEPAX_X_Z_SUM,      /* z sum of vertices of both triangles, plus BIAS = 1 + 4 + 16 ..., which the
+                         biased multiplier deducts */
+  SEPAX_X_OWN_Z_SUM,  /* the same of B's own vertices */
+  SEPAX_X_ORIENT3D,   /* h_ijk, s_k, w_i, d_ij: six times a volume */
+  SEPAX_X_CROSS,      /* with a clearance: a component of e x f, N_A, N_B */
+  SEPAX_X_LIMIT,      /* with a clearance: what twice a gap on such an axis must exceed */
+  SEPAX_X_EDGE_LIMIT, /* the same on an axis that is normal to an edge and to x, y or z */
   SEPAX_X_COUNT
 };
 
@@ -146,12 +146,12 @@ typedef struct {
   sepax_config config;
   sepax_format format[SEPAX_F_COUNT];       /* of paper and conference, by sepax_format_id */
   sepax_format exact_format[SEPAX_X_COUNT]; /* of exact, by SEPAX_X_... */
-  int formats;                              /* of the one of both that the architecture has */
+  int formats;                              /* entries of format, or of exact_format */
   bool aabb_test;                           /* exact: an AABB test goes before the core */
   int core_word;          /* exact: bits of a coordinate behind the AABB test; W without extents */
   int64_t coplanar_limit; /* |difference| < limit, in units of NORMAL_PROJECTION */
-  int latency;            /* cycles from the first input word to the verdict; of exact it
-                             follows from the schedule that the generator makes */
+  int latency;            /* cycles from the first input word to the verdict; of exact 0 until the
+                             generator has made the schedule */
   int limits;             /* clearances asked for, 0 ... 2 */
   int64_t margin[2];      /* of AABBs: with a gap above margin[0] = 1 + clearance a pair is not in
                              band COLLISION, above margin[1] = 1 + the outermost clearance it is

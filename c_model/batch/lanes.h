@@ -1,15 +1,17 @@
 /* lanes.h - the exact verdicts of LANES pairs at once (private; pairs.c includes it once per
  * instruction set). Vectors are those of GCC and Clang.
  *
- * LANES, NAME(x), TARGET  pairs at once, a name of its own, the attribute of its functions
+ * LANES, NAME(x), TARGET        pairs at once, a name of its own, the attribute of its functions
  * LOAD(from), LOAD_REALS(from)  the next LANES int32_t, sign-extended; as doubles
- * PRODUCT(p, q)           product of the low 32 bits of each lane, signed; if it is not defined,
- *                         sepax_exact judges pairs that are uncertain in doubles, and LOAD is not
- * used LEAST_REAL(p, q)        the lesser of doubles BITS(v), BITS_OF_SHORTS(v)    the sign bits of
- * lanes, of shorts, as a number LEAST(p, q), MOST(p, q) of shorts
+ * PRODUCT(p, q)                 product of the low 32 bits of each lane, signed; if it is not
+ *                               defined, sepax_exact judges pairs uncertain in doubles, and
+ *                               LOAD is not used
+ * LEAST_REAL(p, q)              the lesser of doubles
+ * BITS(v), BITS_OF_SHORTS(v)    the sign bits of lanes, of shorts, as a number
+ * LEAST(p, q), MOST(p, q)       the lesser, the greater of shorts
  *
  * In doubles all products and sums of coordinates of 25 bits are exact, up to orient2d. The 19
- * products of orient2d and sums of z round, and so do their sums of up to four, orient3d. With
+ * products of orient2d and z sums round, and so do orient3d, their sums of up to four. With
  * orient2d up to 2^(2n) and sums of z up to 6 * 2^(n-1) they round by less than 2^12 in all if
  * coordinates have n = 20 bits, by less than 2^28 for n = 25. Where all 15 orient3d are larger,
  * their signs are certain. Elsewhere they are summed modulo 2^64: with 20 bits that is all of them;

@@ -3,7 +3,7 @@
  *
  * NUMBER, OF(x)       the type of a vector, a name of its own
  * TIMES(p, q)         products of differences and sums of coordinates
- * PRISM(g, z)         products of orient2d and sums of coordinates
+ * PRISM(g, z)         products of orient2d and z sums
  *
  * The formulas are those of exact.c. */
 
@@ -12,8 +12,8 @@ typedef struct {
   NUMBER a[3], b[3];
 } OF(coordinate);
 
-/* g_ijk, negated orient2d: of A, of B, of edge e_i and vertex B_k (a[i][k]), of f_j and A_k
- * (b[j][k]). */
+/* g_ijk, orient2d, above 0 if clockwise: of A, of B, of edge e_i and vertex B_k (a[i][k]), of f_j
+ * and A_k (b[j][k]). */
 typedef struct {
   NUMBER own_a, own_b, a[3][3], b[3][3];
 } OF(orient2d);

@@ -1,5 +1,4 @@
-/* options.h - the table of options: a row says everything about an option of a design but its use.
- */
+/* options.h - the table of options. A row says everything about an option but what it does. */
 #ifndef SEPAX_OPTIONS_H
 #define SEPAX_OPTIONS_H
 
@@ -23,8 +22,8 @@ typedef struct {
   int low, high;              /* the range, as far as it depends on nothing else */
   const char *const *choices; /* ends with NULL */
   unsigned archs;             /* bits 1 << sepax_arch: those that read it */
-  unsigned named;             /* those whose name of a design always holds it */
-  bool shown;                 /* sepax_config_text prints the default, too */
+  unsigned named;             /* those whose designs always have it in their name */
+  bool shown;                 /* sepax_config_text prints it even where it is the default */
   const char *needs;          /* NULL, or the option without which it means nothing */
   const char *tag;            /* what it adds to the name of a design, "-a%s" */
   const char *argument;       /* of --help */

@@ -15,7 +15,7 @@
 typedef struct {
   sepax_random *random;
   int word;      /* W */
-  int bits;      /* 4 ... W, the bits of half: pairs are also small in a large range */
+  int bits;      /* 4 ... W, the bits of this pair: many pairs are small in a large range */
   int64_t half;  /* 2^(bits - 1) - 1 */
   bool fixed;    /* the position is part of the family */
   bool oriented; /* both normals or none may change their sign */
@@ -81,7 +81,7 @@ static inline point lsb(draft *d) {
 /* The origin, or 1 LSB off in three of four cases. */
 static inline point nearly(draft *d) { return one_in(d, 4) ? (point){{0, 0, 0}} : lsb(d); }
 
-/* +-1 LSB along an axis that is not parallel to the plane of wide_vec n (not zero). */
+/* +-1 LSB along an axis that is not parallel to the plane of normal n (not zero). */
 static inline point off_plane(draft *d, wide_vec n) {
   int64_t axis = range(d, 0, 2);
   while (n.c[axis] == 0) {

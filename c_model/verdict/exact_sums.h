@@ -8,13 +8,13 @@ typedef struct {
   NUMBER a[3], b[3];
 } NAME(coordinate);
 
-/* g_ijk, negated orient2d in the projection on x and y, of 2W + 1 bits: of triangle A, of B, of
- * edge e_i and vertex B_k (a[i][k]), of edge f_j and vertex A_k (b[j][k]). */
+/* g_ijk, orient2d in the projection on x and y (above 0 if clockwise), of 2W + 1 bits: of triangle
+ * A, of B, of edge e_i and vertex B_k (a[i][k]), of edge f_j and vertex A_k (b[j][k]). */
 typedef struct {
   NUMBER own_a, own_b, a[3][3], b[3][3];
 } NAME(orient2d);
 
-/* h_ijk modulo 2^(3W + 2): g_ijk times the sum of z less that of A; h of A itself is 0. */
+/* h_ijk, signed prism volumes, modulo 2^(3W + 2): g_ijk times the z sum; h of A itself is 0. */
 typedef struct {
   NUMBER own_b, a[3][3], b[3][3];
 } NAME(prisms);
