@@ -12,9 +12,6 @@ void clearance_graph(exact_plan *p);
 int clearance_digits(int64_t factor);
 
 /* Its modules. */
-void gen_clearance_units(emitter *e, const exact_plan *p);
-
-/* Its localparams in sepax_core. */
-void clearance_widths(emit_module *m, const exact_plan *p);
+void gen_clearance_units(emitter *e, const exact_plan *p, emit_holes *h);
 
 #endif

@@ -106,47 +106,35 @@ void coordinates_source(const coordinates *c, char axis, int v, int cycle, char 
   source_in(c, axis, v, bank_of(c, axis, cycle), cycle, text);
 }
 
-void coordinates_declare(const coordinates *c, emit_module *m) {
-  bool has_u = c->axis[index_of('u')].banks > 1;
-  char name[EMIT_NAME];
-  emit_text(m, "\n// Coordinates. _hold, _hold2 ... stand for one II window more each.%s%s",
-            c->rotate ? "\n// The vertices of each triangle rotate, one place a cycle." : "",
-            has_u
-                ? "\n// u is x, or y where all six x are equal: with z it makes the projection of "
-                  "a second pass."
-                : "");
+void coordinates_declare(const coordinates *c, FILE *out) {
   for (const char *axis = axes; *axis != '\0'; axis++) {
     for (int bank = 0; bank < c->axis[index_of(*axis)].banks; bank++) {
       for (int v = 0; v < 6; v++) {
         if (is_there(c, *axis, v, bank)) {
+          char name[EMIT_NAME];
           register_name(*axis, v, bank, name);
-          emit_net(m, EMIT_REG, true, name, "W");
+          emit_net(out, "reg signed", "W", name);
         }
       }
     }
   }
-  if (has_u) {
-    emit_net(m, EMIT_WIRE, false, "x_equal", "");
-    emit_text(m, "assign x_equal = (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&\n"
-                 "                 (x_b2 == x_a1) && (x_b3 == x_a1);");
-  }
 }
 
-static void rotate(const coordinates *c, emit_module *m, char axis, int bank) {
+static void rotate(const coordinates *c, FILE *out, char axis, int bank) {
   for (int v = 0; v < 6; v++) {
     char to[EMIT_NAME];
     char from[EMIT_NAME];
     register_name(axis, v, bank, to);
     register_name(axis, v / 3 * 3 + (v + 1) % 3, bank, from);
     if (is_there(c, axis, v, bank)) {
-      emit_text(m, "    %s <= %s;", to, from);
+      fprintf(out, "      %s <= %s;\n", to, from);
     }
   }
 }
 
 /* A register takes its coordinate over from the bank before, or from the input, or, for a second
  * pass, from the last banks: u for x and z for y. */
-static void load(const coordinates *c, emit_module *m, char axis, int v, int bank) {
+static void load(const coordinates *c, FILE *out, char axis, int v, int bank) {
   const char *indent = c->ii > 1 ? "    " : "  ";
   char to[EMIT_NAME];
   char from[EMIT_NAME];
@@ -156,41 +144,39 @@ static void load(const coordinates *c, emit_module *m, char axis, int v, int ban
     char other[EMIT_NAME];
     source_in(c, 'x', v, 0, before, from);
     source_in(c, 'y', v, 0, before, other);
-    emit_text(m, "%s%s <= x_equal ? %s : %s;", indent, to, other, from);
+    fprintf(out, "  %s%s <= x_equal ? %s : %s;\n", indent, to, other, from);
   } else if (bank > 0) {
     source_in(c, axis, v, bank - 1, before, from);
-    emit_text(m, "%s%s <= %s;", indent, to, from);
+    fprintf(out, "  %s%s <= %s;\n", indent, to, from);
   } else if (!c->second_pass || axis == 'z') {
-    emit_text(m, "%s%s <= in_%s_%c;", indent, to, graph_vertex_name(v), axis);
+    fprintf(out, "  %s%s <= in_%s_%c;\n", indent, to, graph_vertex_name(v), axis);
   } else {
     coordinates_source(c, axis == 'x' ? 'u' : 'z', v, c->again, from);
     snprintf(from + strlen(from), EMIT_NAME - strlen(from), " : in_%s_%c", graph_vertex_name(v),
              axis);
-    emit_text(m, "%s%s <= again ? %s;", indent, to, from);
+    fprintf(out, "  %s%s <= again ? %s;\n", indent, to, from);
   }
 }
 
-void coordinates_clock(const coordinates *c, emit_module *m) {
-  emit_text(m, "\nalways @(posedge clk) begin");
+void coordinates_clock(const coordinates *c, FILE *out) {
   for (const char *axis = axes; *axis != '\0'; axis++) {
     const coordinates_axis *a = &c->axis[index_of(*axis)];
     for (int bank = *axis == 'u'; bank < a->banks; bank++) {
       if (c->ii > 1) {
-        emit_text(m, "  if (slot[%d]) begin", (a->start[bank] + c->ii - 1) % c->ii);
+        fprintf(out, "    if (slot[%d]) begin\n", (a->start[bank] + c->ii - 1) % c->ii);
       }
       for (int v = 0; v < 6; v++) {
         if (is_there(c, *axis, v, bank)) {
-          load(c, m, *axis, v, bank);
+          load(c, out, *axis, v, bank);
         }
       }
       if (c->rotate) {
-        emit_text(m, "  end else begin");
-        rotate(c, m, *axis, bank);
+        fprintf(out, "    end else begin\n");
+        rotate(c, out, *axis, bank);
       }
       if (c->ii > 1) {
-        emit_text(m, "  end");
+        fprintf(out, "    end\n");
       }
     }
   }
-  emit_text(m, "end");
 }

@@ -36,7 +36,7 @@ void coordinates_store(coordinates *c, int z_change);
 void coordinates_source(const coordinates *c, char axis, int v, int cycle, char text[EMIT_NAME]);
 
 /* Declarations, then the clocked assignments. */
-void coordinates_declare(const coordinates *c, emit_module *m);
-void coordinates_clock(const coordinates *c, emit_module *m);
+void coordinates_declare(const coordinates *c, FILE *out);
+void coordinates_clock(const coordinates *c, FILE *out);
 
 #endif

@@ -8,134 +8,107 @@
 
 typedef char source[EMIT_NAME];
 
-static const schedule_stream *stream_of(const emission *e, const graph_kind *k, int unit) {
-  return &e->d->schedule.stream[k->stream[unit]];
-}
+typedef struct {
+  const datapath *d;
+  emit_stream *text; /* all units so far */
+} emission;
 
-static FILE *open_text(char **text, size_t *size) {
-  FILE *out = open_memstream(text, size);
-  if (out == NULL) {
-    abort();
-  }
-  return out;
-}
-
-void emission_declare(emission *e) {
-  const graph *g = &e->d->graph;
-  coordinates_declare(&e->d->coordinates, e->m);
-  emit_text(e->m,
-            "\n// Outputs of the units. _q, _q2 ... are their delay lines; _hold is a holding "
-            "register.");
-  for (int i = 0; i < g->kinds; i++) {
-    const graph_kind *k = &g->kind[i];
-    for (int unit = 0; unit < k->units; unit++) {
-      if (binding_count(k, unit) > 0) {
-        emit_net(e->m, EMIT_WIRE, k->row.is_signed, stream_of(e, k, unit)->name, k->row.width);
-      }
-    }
-  }
-  schedule_declare(&e->d->schedule, e->m);
-  coordinates_clock(&e->d->coordinates, e->m);
-  emit_text(e->m, "\nalways @(posedge clk) begin");
-  schedule_clock(&e->d->schedule, e->m);
-  emit_text(e->m, "end");
+static const schedule_stream *stream_of(const datapath *d, const graph_kind *k, int unit) {
+  return &d->schedule.stream[k->stream[unit]];
 }
 
 /* ---------------------------------------------------------------------- operands */
 
 /* What is high in this cycle of the II window: a bit of the slot, or its copy of this name, which
  * is made of the bit a cycle earlier. */
-static void slot_name(emission *e, const char *copies, int cycle, source text) {
+static void slot_name(const emission *e, const char *copies, int cycle, source name) {
   int ii = e->d->schedule.ii;
+  int slot = cycle % ii;
   if (copies == NULL) {
-    snprintf(text, EMIT_NAME, "slot[%d]", cycle % ii);
+    snprintf(name, EMIT_NAME, "slot[%d]", slot);
     return;
   }
-  snprintf(text, EMIT_NAME, "slot_%s_%d", copies, cycle % ii);
-  for (int i = 0; i < e->copies; i++) {
-    if (strcmp(e->copy[i], text) == 0) {
-      return;
-    }
+  snprintf(name, EMIT_NAME, "slot_%s_%d", copies, slot);
+  const gen_line wire = gen_format("  wire %s;\n", name);
+  fflush(e->text->out);
+  if (strstr(e->text->text, wire.text) == NULL) {
+    fprintf(e->text->out,
+            "%s  sepax_slot_copy copy_%s_%d (\n"
+            "    .clk(clk),\n    .slot(slot[%d]),\n    .slot_q(%s)\n  );\n",
+            wire.text, copies, slot, (cycle + ii - 1) % ii, name);
   }
-  if (e->copies == EMISSION_COPIES) {
-    abort(); /* more slot copies than EMISSION_COPIES */
-  }
-  source name;
-  snprintf(e->copy[e->copies++], EMIT_NAME, "%s", text);
-  snprintf(name, EMIT_NAME, "copy_%s_%d", copies, cycle % ii);
-  emit_net(e->m, EMIT_WIRE, false, text, "");
-  emit_instance(e->m, "sepax_slot_copy", name, "", "clk=clk, slot=slot[%d], slot_q=%s",
-                (cycle + ii - 1) % ii, text);
 }
 
 /* "(slot[0] || slot[2]) ? source :" for all slots in which it is the operand. */
-static void print_case(emission *e, FILE *out, const graph_kind *k, int unit, source text[],
+static void print_case(const emission *e, FILE *out, const graph_kind *k, int unit, source text[],
                        int first) {
-  const char *separator = "\n    (";
+  const char *separator = "\n      (";
   int terms = 0;
   for (int slot = first; slot < e->d->schedule.ii; slot++) {
     if (strcmp(text[slot], text[first]) == 0) {
       source name;
       slot_name(e, k->slots, k->start[unit] + slot, name);
       fprintf(out, "%s%s", separator, name);
-      separator = ++terms % 4 == 0 ? " ||\n     " : " || ";
+      separator = ++terms % 4 == 0 ? " ||\n       " : " || ";
     }
   }
   fprintf(out, ") ? %s :", text[first]);
 }
 
+/* The first slot that reads the same; slots that read nothing have "". */
+static int first_of(source text[], int slot) {
+  int first = 0;
+  while (strcmp(text[first], text[slot]) != 0) {
+    first++;
+  }
+  return first;
+}
+
 /* The operand that a unit reads, text[slot] in each slot ("": nothing): a register, or a wire
  * `name` that selects one. What most slots read needs no condition. */
-static void select_operand(emission *e, const graph_kind *k, int unit, const char *name,
+static void select_operand(const emission *e, const graph_kind *k, int unit, source name,
                            source text[], graph_value operand, source out) {
   int ii = e->d->schedule.ii;
   int votes[SEPAX_II_MAX] = {0};
   int best = 0;
   int used = 0;
   for (int slot = 0; slot < ii; slot++) {
-    /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): callers fill ii slots */
-    for (int other = 0; other < ii && text[slot][0] != '\0'; other++) {
-      votes[slot] += strcmp(text[slot], text[other]) == 0;
-    }
     used += text[slot][0] != '\0';
+    votes[first_of(text, slot)] += text[slot][0] != '\0';
+  }
+  for (int slot = 1; slot < ii; slot++) {
     best = votes[slot] > votes[best] ? slot : best;
   }
-  snprintf(out, EMIT_NAME, "%s", votes[best] == used ? text[best] : name);
+  memcpy(out, votes[best] == used ? text[best] : name, EMIT_NAME);
   if (votes[best] == used) {
     return;
   }
-  char *line = NULL;
-  size_t size = 0;
-  FILE *stream = open_text(&line, &size);
+  emit_stream cases;
+  emit_stream_open(&cases);
   for (int slot = 0; slot < ii; slot++) {
-    bool first = text[slot][0] != '\0' && strcmp(text[slot], text[best]) != 0;
-    for (int other = 0; other < slot && first; other++) {
-      first = strcmp(text[slot], text[other]) != 0;
-    }
-    if (first) {
-      print_case(e, stream, k, unit, text, slot);
+    if (votes[slot] > 0 && slot != best) {
+      print_case(e, cases.out, k, unit, text, slot);
     }
   }
-  fclose(stream);
-  emit_net(e->m, EMIT_WIRE, graph_is_signed(&e->d->graph, operand), name,
-           graph_width(&e->d->graph, operand));
-  emit_text(e->m, "assign %s =%s\n    %s;", name, line, text[best]);
-  free(line);
+  emit_net(e->text->out, graph_is_signed(&e->d->graph, operand) ? "wire signed" : "wire",
+           graph_width(&e->d->graph, operand), name);
+  char *selected = emit_stream_close(&cases);
+  fprintf(e->text->out, "  assign %s =%s\n      %s;\n", name, selected, text[best]);
+  free(selected);
 }
 
-static void operand_of(emission *e, const graph_kind *k, int unit, int index, source out) {
+static void operand_of(const emission *e, const graph_kind *k, int unit, int index, source out) {
   source text[SEPAX_II_MAX];
   source name;
   graph_value operand = 0;
   for (int slot = 0; slot < e->d->schedule.ii; slot++) {
-    const graph_node *n = &e->d->graph.node[k->at[unit][slot]];
     text[slot][0] = '\0';
     if (k->at[unit][slot] != 0) {
-      operand = n->operand[index];
+      operand = e->d->graph.node[k->at[unit][slot]].operand[index];
       times_source(e->d, operand, k->start[unit] + slot, text[slot]);
     }
   }
-  snprintf(name, EMIT_NAME, "%s_op%d", stream_of(e, k, unit)->name, index + 1);
+  snprintf(name, EMIT_NAME, "%s_op%d", stream_of(e->d, k, unit)->name, index + 1);
   select_operand(e, k, unit, name, text, operand, out);
 }
 
@@ -160,126 +133,136 @@ static bool cancel(const emission *e, const graph_kind *k, int unit) {
   return true;
 }
 
-/* Results that a unit has beside its own: connections; their number. */
-static int more_outputs(const emission *e, int kind, int unit, FILE *out) {
+/* Optional outputs of a unit: operations beside its own. Returns how many there are. */
+static int more_outputs(const emission *e, const graph_kind *of, int unit, FILE *out) {
   const graph *g = &e->d->graph;
   int count = 0;
-  for (int i = 0; i < g->kinds; i++) {
-    const graph_kind *k = &g->kind[i];
-    if (k->row.module != NULL || k->row.expression != NULL || unit >= k->units ||
-        binding_count(k, unit) == 0 || g->node[g->node[k->operation[0]].beside].kind != kind) {
-      continue;
+  for (const graph_kind *k = g->kind; k < g->kind + g->kinds; k++) {
+    if (k->row.module == NULL && k->row.expression == NULL && binding_count(k, unit) > 0 &&
+        graph_kind_of(g, g->node[k->operation[0]].beside) == of) {
+      fprintf(out, ",\n    .%s(%s)", k->row.output, stream_of(e->d, k, unit)->name);
+      count++;
     }
-    fprintf(out, ", %s=%s", k->row.output, stream_of(e, k, unit)->name);
-    count++;
   }
   return count;
 }
 
 /* A comment: the operations of a unit that has several. */
 static void describe(const emission *e, const graph_kind *k, int unit) {
-  const schedule_stream *s = stream_of(e, k, unit);
-  if (binding_count(k, unit) < 2) {
-    emit_blank(e->m);
+  const schedule_stream *s = stream_of(e->d, k, unit);
+  FILE *out = e->text->out;
+  int left = binding_count(k, unit);
+  fputc('\n', out);
+  if (left < 2) {
     return;
   }
-  char *line = NULL;
-  size_t size = 0;
-  FILE *out = open_text(&line, &size);
-  const char *separator = "";
-  int terms = 0;
-  for (int slot = 0; slot < e->d->schedule.ii; slot++) {
+  fprintf(out, "  // %s:", s->name);
+  for (int slot = 0, terms = 1; left > 0; slot++) {
     if (k->at[unit][slot] != 0) {
-      fprintf(out, "%s %s_%s", separator, s->symbol, s->label[slot]);
-      separator = ++terms % 4 == 0 ? ",\n//  " : ",";
+      left--;
+      fprintf(out, " %s_%s%s", s->symbol, s->label[slot],
+              left == 0          ? ".\n"
+              : terms++ % 4 == 0 ? ",\n  //  "
+                                 : ",");
     }
   }
-  fclose(out);
-  emit_text(e->m, "\n// %s:%s.", s->name, line);
-  free(line);
 }
 
-/* The row's expression of the operand. */
-static void assign_expression(const emission *e, const graph_kind *k, int unit,
-                              const char *operand) {
-  char *line = NULL;
-  size_t size = 0;
-  FILE *out = open_text(&line, &size);
-  for (const char *c = k->row.expression; *c != '\0'; c++) {
-    if (*c == '@') {
-      fputs(operand, out);
-    } else {
-      fputc(*c, out);
-    }
-  }
-  fclose(out);
-  emit_text(e->m, "assign %s = %s;", stream_of(e, k, unit)->name, line);
-  free(line);
-}
-
-static void instance(emission *e, int kind, int unit) {
-  const graph_kind *k = &e->d->graph.kind[kind];
-  char *connections = NULL;
-  size_t size = 0;
-  FILE *out = open_text(&connections, &size);
-  describe(e, k, unit);
+static void print_instance(const emission *e, const graph_kind *k, int unit) {
+  const char *name = stream_of(e->d, k, unit)->name;
   bool without = cancel(e, k, unit);
+  emit_stream ports;
+  emit_stream_open(&ports);
+  describe(e, k, unit);
+  fputs(k->latency > 0 ? "\n    .clk(clk)," : "", ports.out);
   for (int i = 0; i < GRAPH_OPERANDS && k->row.operand[i] != NULL; i++) {
     const char *port = k->row.operand[i];
     if (!is_optional(port) || !without) {
       source text;
       operand_of(e, k, unit, i, text);
-      fprintf(out, ", %s=%s", port + is_optional(port), text);
+      fprintf(ports.out, "\n    .%s(%s),", port + is_optional(port), text);
     }
   }
-  fprintf(out, ", %s=%s", k->row.output, stream_of(e, k, unit)->name);
-  int more = more_outputs(e, kind, unit, out);
-  fclose(out);
+  fprintf(ports.out, "\n    .%s(%s)", k->row.output, name);
+  int more = more_outputs(e, k, unit, ports.out);
   const char *module =
       k->row.lesser != NULL && without && more == 0 ? k->row.lesser : k->row.module;
-  source name;
-  snprintf(name, EMIT_NAME, "%s_%s", module + strlen("sepax_"), stream_of(e, k, unit)->name);
-  emit_instance(e->m, module, name, "", "%s%s", k->latency > 0 ? "clk=clk" : connections + 2,
-                k->latency > 0 ? connections : "");
+  char *connections = emit_stream_close(&ports);
+  fprintf(e->text->out, "  %s %s_%s (%s\n  );\n", module, module + strlen("sepax_"), name,
+          connections);
   free(connections);
 }
 
-void emission_units(emission *e, int kind) {
-  const graph_kind *k = &e->d->graph.kind[kind];
+/* The row's expression of the operand. */
+static void print_expression(const emission *e, const graph_kind *k, int unit) {
+  source operand;
+  operand_of(e, k, unit, 0, operand);
+  fprintf(e->text->out, "  assign %s = ", stream_of(e->d, k, unit)->name);
+  for (const char *c = k->row.expression; *c != '\0'; c++) {
+    fprintf(e->text->out, "%.*s", *c == '@' ? EMIT_NAME : 1, *c == '@' ? operand : c);
+  }
+  fputs(";\n", e->text->out);
+}
+
+/* The units of a kind, with what selects their operands. */
+static void print_units(const emission *e, const graph_kind *k) {
   if (k->row.about != NULL) {
-    emit_text(e->m, "\n// %s", k->row.about);
+    fprintf(e->text->out, "\n  // %s\n", k->row.about);
   }
   for (int unit = 0; unit < k->units; unit++) {
-    if (binding_count(k, unit) == 0) {
-      continue;
-    }
-    if (k->row.module != NULL) {
-      instance(e, kind, unit);
-    } else if (k->row.expression != NULL) {
-      source text;
-      operand_of(e, k, unit, 0, text);
-      assign_expression(e, k, unit, text);
+    if (binding_count(k, unit) > 0 && k->row.module != NULL) {
+      print_instance(e, k, unit);
+    } else if (binding_count(k, unit) > 0 && k->row.expression != NULL) {
+      print_expression(e, k, unit);
     }
   }
 }
 
-void emission_bus(emission *e, const char *name, const graph_value value[], int cycle) {
-  char *line = NULL;
-  size_t size = 0;
-  FILE *out = open_text(&line, &size);
-  char width[2 * EMIT_NAME];
+/* ---------------------------------------------------------------------- the module */
+
+static void declare_outputs(const datapath *d, FILE *out) {
+  for (const graph_kind *k = d->graph.kind; k < d->graph.kind + d->graph.kinds; k++) {
+    for (int unit = 0; unit < k->units; unit++) {
+      if (binding_count(k, unit) > 0) {
+        emit_net(out, k->row.is_signed ? "wire signed" : "wire", k->row.width,
+                 stream_of(d, k, unit)->name);
+      }
+    }
+  }
+}
+
+void emission_holes(const datapath *d, emit_holes *h) {
+  static const char *const name[] = {"coordinates", "outputs", "coordinate_moves", "output_moves",
+                                     "units"};
+  emit_stream text[sizeof name / sizeof name[0]];
+  for (size_t i = 0; i < sizeof name / sizeof name[0]; i++) {
+    emit_stream_open(&text[i]);
+  }
+  coordinates_declare(&d->coordinates, text[0].out);
+  declare_outputs(d, text[1].out);
+  schedule_declare(&d->schedule, text[1].out);
+  coordinates_clock(&d->coordinates, text[2].out);
+  schedule_clock(&d->schedule, text[3].out);
+  const emission e = {d, &text[4]};
+  for (int kind = 0; kind < d->graph.kinds; kind++) {
+    print_units(&e, &d->graph.kind[kind]);
+  }
+  for (size_t i = 0; i < sizeof name / sizeof name[0]; i++) {
+    emit_hole_take(h, name[i], &text[i]);
+  }
+}
+
+void emission_bus(const datapath *d, FILE *out, const char *name, const graph_value value[],
+                  int cycle) {
   int count = 0;
   while (value[count] != 0) {
     count++;
   }
+  emit_net(out, "wire", gen_format("%d*(%s)", count, graph_width(&d->graph, value[0])).text, name);
+  fprintf(out, "  assign %s = {", name);
   for (int i = count - 1; i >= 0; i--) {
     source text;
-    times_source(e->d, value[i], cycle, text);
-    fprintf(out, "%s%s", text, i == 0 ? "" : i % 4 == 0 ? ",\n    " : ", ");
+    times_source(d, value[i], cycle, text);
+    fprintf(out, "%s%s", text, i == 0 ? "};\n" : i % 4 == 0 ? ",\n      " : ", ");
   }
-  fclose(out);
-  snprintf(width, sizeof width, "%d*(%s)", count, graph_width(&e->d->graph, value[0]));
-  emit_net(e->m, EMIT_WIRE, false, name, width);
-  emit_text(e->m, "assign %s = {%s};", name, line);
-  free(line);
 }

@@ -93,24 +93,25 @@ void schedule_source(const schedule *s, schedule_value v, int cycle, char text[E
   }
 }
 
-void schedule_declare(const schedule *s, emit_module *m) {
+void schedule_declare(const schedule *s, FILE *out) {
   char name[EMIT_NAME];
   for (int i = 0; i < s->streams; i++) {
     const schedule_stream *t = &s->stream[i];
+    const char *kind = t->is_signed ? "reg signed" : "reg";
     for (int place = 1; place <= t->line; place++) {
       line_name(t, place, name);
-      emit_net(m, EMIT_REG, t->is_signed, name, t->width);
+      emit_net(out, kind, t->width, name);
     }
     for (int k = 0; k < s->ii; k++) {
       for (int copy = 0; copy < holds(s, t, k, t->line); copy++) {
         hold_name(t, k, copy, name);
-        emit_net(m, EMIT_REG, t->is_signed, name, t->width);
+        emit_net(out, kind, t->width, name);
       }
     }
   }
 }
 
-void schedule_clock(const schedule *s, emit_module *m) {
+void schedule_clock(const schedule *s, FILE *out) {
   char name[EMIT_NAME];
   char from[EMIT_NAME];
   for (int i = 0; i < s->streams; i++) {
@@ -118,7 +119,7 @@ void schedule_clock(const schedule *s, emit_module *m) {
     for (int place = 1; place <= t->line; place++) {
       line_name(t, place, name);
       line_name(t, place - 1, from);
-      emit_text(m, "  %s <= %s;", name, from);
+      fprintf(out, "    %s <= %s;\n", name, from);
     }
   }
   for (int phase = 0; phase < s->ii; phase++) {
@@ -133,16 +134,16 @@ void schedule_clock(const schedule *s, emit_module *m) {
         for (int copy = 0; copy < holds(s, t, k, t->line); copy++) {
           hold_name(t, k, copy, name);
           if (!open) {
-            emit_text(m, "  if (slot[%d]) begin", phase);
+            fprintf(out, "    if (slot[%d]) begin\n", phase);
             open = true;
           }
-          emit_text(m, "    %s <= %s;", name, from);
+          fprintf(out, "      %s <= %s;\n", name, from);
           snprintf(from, sizeof from, "%s", name);
         }
       }
     }
     if (open) {
-      emit_text(m, "  end");
+      fprintf(out, "    end\n");
     }
   }
 }

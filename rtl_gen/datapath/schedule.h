@@ -55,7 +55,7 @@ void schedule_source(const schedule *s, schedule_value v, int cycle, char text[E
 
 /* Registers behind the outputs: declarations, then their clocked assignments. slot[k] is
  * high in cycle k modulo II. */
-void schedule_declare(const schedule *s, emit_module *m);
-void schedule_clock(const schedule *s, emit_module *m);
+void schedule_declare(const schedule *s, FILE *out);
+void schedule_clock(const schedule *s, FILE *out);
 
 #endif

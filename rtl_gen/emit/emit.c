@@ -107,8 +107,10 @@ void emit_signal(emit_module *m, emit_kind kind, bool is_signed, const char *nam
   free(comment);
 }
 
-void emit_net(emit_module *m, emit_kind kind, bool is_signed, const char *name, const char *width) {
-  emit_signal(m, kind, is_signed, name, width, "%s", "");
+void emit_net(FILE *out, const char *kind, const char *width, const char *name) {
+  fprintf(out, "  %s ", kind);
+  print_range(out, width);
+  fprintf(out, "%s;\n", name);
 }
 
 void emit_memory(emit_module *m, const char *name, const char *width, const char *address,

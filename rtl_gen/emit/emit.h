@@ -35,8 +35,8 @@ void emit_parameter(emit_module *m, emit_kind kind, const char *name, int value,
 void emit_signal(emit_module *m, emit_kind kind, bool is_signed, const char *name,
                  const char *width, const char *about, ...) __attribute__((format(printf, 6, 7)));
 
-/* A wire or reg that its name explains. */
-void emit_net(emit_module *m, emit_kind kind, bool is_signed, const char *name, const char *width);
+/* A declaration: "wire", "reg signed" ... of `width` bits, "" for one. */
+void emit_net(FILE *out, const char *kind, const char *width, const char *name);
 
 /* A memory of 2^address words, `words[index]`, index exactly `address` bits wide. */
 void emit_memory(emit_module *m, const char *name, const char *width, const char *address,

@@ -14,7 +14,8 @@ typedef struct {
   arith_plan prism_of_two; /* where the z sum is a sum of two differences */
   bool trapezoid_sums;     /* between a trapezoid's sums and its product */
   int orient3d;            /* behind its sum; 2: behind its rows, too */
-  bool own_zsum;           /* inside B's z sum */
+  int orient3d_latency;
+  bool own_zsum;     /* inside B's z sum */
   bool zdiff_shared; /* z sums are sums of z differences, which settle in the same cycle (II = 1) */
   bool sign;         /* behind the sign of an orient2d */
   bool most, total;  /* inside a limit: behind its first maximum, its products */
@@ -81,22 +82,9 @@ void exact_graph_projection(exact_plan *p, int projection);
 /* "_yz", "_zx": what names of a projection end with; "" of the first. */
 const char *exact_projection_suffix(int projection);
 
-/* Holes of templates: widths, axis numbers, what is there; and those of a module. */
-enum { EXACT_HOLES = 40 };
-typedef struct {
-  emit_hole hole[EXACT_HOLES];
-  char number[EXACT_HOLES][24];
-  int count;
-} exact_holes;
-
-void exact_holes_make(exact_holes *h, const exact_plan *p);
-void exact_hole(exact_holes *h, const char *name, const char *text);
-void exact_hole_number(exact_holes *h, const char *name, int64_t number);
-void exact_template(emitter *e, const char *file, exact_holes *h);
-
-/* Modules. */
-void gen_exact_units(emitter *e, const exact_plan *p);
-void gen_exact_core(emitter *e, const exact_plan *p);
+/* Modules; what one of them sets in the list of holes, the next finds there or sets anew. */
+void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h);
+void gen_exact_core(emitter *e, const exact_plan *p, emit_holes *h);
 /* "cycle", "3 cycles": a pair comes every ... */
 void gen_exact_every(const exact_plan *p, char text[24]);
 #endif

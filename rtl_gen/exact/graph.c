@@ -237,9 +237,8 @@ static void make_running_sums(exact_plan *p) {
 }
 
 static int add_orient3d(exact_plan *p, int which) {
-  bool whole = p->limits > 0;
-  int registers = whole ? p->stages.orient3d / 2 : p->stages.orient3d;
-  return graph_kind_add(p->graph.graph, &orient3d[whole][which], "", 1 + registers, NULL);
+  const graph_row *row = &orient3d[p->limits > 0][which];
+  return graph_kind_add(p->graph.graph, row, "", p->stages.orient3d_latency, NULL);
 }
 
 /* orient3d(i, j, k, l) = h_jkl - h_ikl + h_ijl - h_ijk; A's own h is zero. Operands by class, so

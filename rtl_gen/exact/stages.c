@@ -110,6 +110,7 @@ void exact_stages_make(exact_plan *p) {
   place_in_trapezoid(s, f, sums, period);
   place_in_prisms(s, f, period);
   s->orient3d = whole > available ? 2 : whole + delay_test(orient3d) > available ? 1 : 0;
+  s->orient3d_latency = 1 + (p->limits > 0 ? s->orient3d / 2 : s->orient3d);
   s->zdiff_shared =
       !shared_units && fan_out + 3 * delay_compressor() + 2 * delay_adder(own_zsum) <= available;
   double six_terms = fan_out + 4 * delay_compressor() + delay_adder(own_zsum);

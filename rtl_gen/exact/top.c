@@ -18,27 +18,29 @@ static int entries_log2(const exact_plan *p) {
   return log2;
 }
 
+/* What sepax_narrow and sepax_top ask for: the pair and its verdict. */
 static void set_words(emit_holes *h, const exact_plan *p) {
   const sepax_design *design = p->design;
   const sepax_config *c = &design->config;
   bool extents = c->extent_a > 0;
-  emit_hole_set(h, "word", "%d", c->word);
-  emit_hole_set(h, "core_word", "%d", design->core_word);
-  emit_hole_set(h, "msb", "%d", c->word - 1);
-  emit_hole_set(h, "least", "%ld", (long)sepax_word_min(c->word));
-  emit_hole_set(h, "most", "%ld", (long)sepax_word_max(c->word));
-  emit_hole_set(h, "limits", "%d", p->limits);
-  emit_hole_set(h, "flag", "%d", c->flag);
-  emit_hole_set(h, "passes", "%d", !p->single);
-  emit_hole_set(h, "aabb_test", "%d", design->aabb_test);
-  emit_hole_set(h, "extents", "%d", extents);
-  emit_hole_set(h, "aabb_alone", "%d", design->aabb_test && !extents);
-  emit_hole_set(h, "extent_a", "%d", c->extent_a);
-  emit_hole_set(h, "extent_b", "%d", c->extent_b);
-  emit_hole_set(h, "aabb_axis", "%d", SEPAX_AXIS_AABB);
-  emit_hole_set(h, "limit_axis", "%d", SEPAX_AXIS_EXTENT);
-  emit_hole_set(h, "note", "%d", extents ? 2 : design->aabb_test);
-  emit_hole_set(h, "registered_ready", "%d", c->registered_ready);
+  emit_hole_numbers(h, (emit_number[]){{"word", c->word},
+                                       {"core_word", design->core_word},
+                                       {"msb", c->word - 1},
+                                       {"least", sepax_word_min(c->word)},
+                                       {"most", sepax_word_max(c->word)},
+                                       {"limits", p->limits},
+                                       {"flag", c->flag},
+                                       {"passes", !p->single},
+                                       {"aabb_test", design->aabb_test},
+                                       {"extents", extents},
+                                       {"aabb_alone", design->aabb_test && !extents},
+                                       {"extent_a", c->extent_a},
+                                       {"extent_b", c->extent_b},
+                                       {"aabb_axis", SEPAX_AXIS_AABB},
+                                       {"limit_axis", SEPAX_AXIS_EXTENT},
+                                       {"note", extents ? 2 : design->aabb_test},
+                                       {"registered_ready", c->registered_ready},
+                                       {NULL, 0}});
   emit_hole_set(h, "collision_about",
                 p->limits > 0 ? "not proved to be outside the clearance"
                               : "the triangles share a point");
@@ -58,17 +60,16 @@ static void set_words(emit_holes *h, const exact_plan *p) {
 static void set_control(emit_holes *h, const exact_plan *p) {
   const sepax_config *c = &p->design->config;
   bool shared = c->ii > 1;
-  int judged = (p->plane_cycle + 1) / c->ii;
-  emit_hole_set(h, "ii", "%d", c->ii);
-  emit_hole_set(h, "shared", "%d", shared);
-  emit_hole_set(h, "last_window", "%d", p->verdict_cycle / c->ii);
-  emit_hole_set(h, "judged", "%d", judged);
-  emit_hole_set(h, "tag", "%d", entries_log2(p));
-  emit_hole_set(h, "result", "%d", p->limits > 0 ? 7 : 5);
+  emit_hole_numbers(h, (emit_number[]){{"ii", c->ii},
+                                       {"shared", shared},
+                                       {"last_window", p->verdict_cycle / c->ii},
+                                       {"judged", (p->plane_cycle + 1) / c->ii},
+                                       {"tag", entries_log2(p)},
+                                       {"result", p->limits > 0 ? 7 : 5},
+                                       {NULL, 0}});
   emit_hole_set(h, "window_ends", shared ? "last_slot" : "1'b1");
   emit_hole_set(h, "at_last_slot", shared ? "last_slot && " : "");
-  emit_hole_set(h, "at_verdict_slot", "%s",
-                shared ? gen_format(" && slot_q[%d]", p->verdict_cycle % c->ii).text : "");
+  emit_hole_set(h, "at_verdict_slot", shared ? " && slot_q[%d]" : "", p->verdict_cycle % c->ii);
   emit_hole_set(h, "unless_again", p->single ? "" : " && !again");
   emit_hole_set(h, "unless_decided", p->design->aabb_test ? " && !decided_q[JUDGED-1]" : "");
   emit_hole_set(h, "decided", c->extent_a > 0 ? "(in_disjoint || in_exceeds)" : "in_disjoint");
@@ -84,17 +85,14 @@ bool gen_exact(emitter *e, int *latency) {
   if (exact_plan_make(plan, e->design, &e->error)) {
     const sepax_config *c = &e->design->config;
     emit_holes h = {NULL, 0};
-    char every[24];
-    gen_exact_units(e, plan);
-    gen_exact_core(e, plan);
+    gen_exact_units(e, plan, &h);
+    gen_exact_core(e, plan, &h);
     set_words(&h, plan);
     set_control(&h, plan);
     emit_template(e, "sepax_reorder", h.hole);
     emit_template(e, "sepax_narrow", h.hole);
     int added = gen_aabb_test(e);
     *latency = plan->latency + added;
-    gen_exact_every(plan, every);
-    emit_hole_set(&h, "every", "%s", every);
     emit_hole_set(&h, "latency", "%d cycles", *latency);
     emit_hole_set(&h, "when_empty", c->ii > 1 ? ", when the core was empty" : "");
     if (c->registered_ready) {

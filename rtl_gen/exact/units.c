@@ -2,92 +2,64 @@
 #include "clearance/clearance.h"
 #include "exact.h"
 
-#include <stdlib.h>
-
-void exact_hole(exact_holes *h, const char *name, const char *text) {
-  if (h->count + 1 == EXACT_HOLES) {
-    abort(); /* more holes than EXACT_HOLES */
-  }
-  h->hole[h->count++] = (emit_hole){name, text};
-}
-
-void exact_hole_number(exact_holes *h, const char *name, int64_t number) {
-  exact_hole(h, name, h->number[h->count]);
-  snprintf(h->number[h->count - 1], sizeof h->number[0], "%lld", (long long)number);
-}
-
-void exact_holes_make(exact_holes *h, const exact_plan *p) {
+/* What several modules ask for. Those that ask for more set it before them. */
+static void set_shared(emit_holes *h, const exact_plan *p) {
   const sepax_format *f = p->design->exact_format;
   const exact_stages *s = &p->stages;
-  const struct {
-    const char *name;
-    int number;
-  } row[] = {{"w", f[SEPAX_X_COORDINATE].width},
-             {"s_w", f[SEPAX_X_SPAN].width},
-             {"g_w", f[SEPAX_X_ORIENT2D].width},
-             {"o_w", f[SEPAX_X_OWN_Z_SUM].width},
-             {"v_w", f[SEPAX_X_ORIENT3D].width},
-             {"digits", f[SEPAX_X_Z_SUM].digits},
-             {"own_digits", f[SEPAX_X_OWN_Z_SUM].digits},
-             {"shared", s->zdiff_shared},
-             {"running", p->running},
-             {"six", !s->zdiff_shared && !p->running},
-             {"sums", s->trapezoid_sums},
-             {"whole", p->limits > 0},
-             {"limits", p->limits},
-             {"two_limits", p->limits > 1},
-             {"axis_none", SEPAX_AXIS_NONE},
-             {"axis_edges", SEPAX_AXIS_EDGES},
-             {"axis_normal_a", SEPAX_AXIS_NORMAL_A},
-             {"axis_normal_b", SEPAX_AXIS_NORMAL_B},
-             {"axis_plane", SEPAX_AXIS_PLANE},
-             {"axis_aabb", SEPAX_AXIS_AABB}};
-  h->count = 0;
-  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
-    exact_hole_number(h, row[i].name, row[i].number);
-  }
+  emit_hole_numbers(h, (emit_number[]){{"w", f[SEPAX_X_COORDINATE].width},
+                                       {"s_w", f[SEPAX_X_SPAN].width},
+                                       {"g_w", f[SEPAX_X_ORIENT2D].width},
+                                       {"z_w", f[SEPAX_X_Z_SUM].width},
+                                       {"o_w", f[SEPAX_X_OWN_Z_SUM].width},
+                                       {"v_w", f[SEPAX_X_ORIENT3D].width},
+                                       {"digits", f[SEPAX_X_Z_SUM].digits},
+                                       {"own_digits", f[SEPAX_X_OWN_Z_SUM].digits},
+                                       {"shared", s->zdiff_shared},
+                                       {"running", p->running},
+                                       {"six", !s->zdiff_shared && !p->running},
+                                       {"sums", s->trapezoid_sums},
+                                       {"whole", p->limits > 0},
+                                       {"limits", p->limits},
+                                       {"two_limits", p->limits > 1},
+                                       {"axis_none", SEPAX_AXIS_NONE},
+                                       {"axis_edges", SEPAX_AXIS_EDGES},
+                                       {"axis_normal_a", SEPAX_AXIS_NORMAL_A},
+                                       {"axis_normal_b", SEPAX_AXIS_NORMAL_B},
+                                       {"axis_plane", SEPAX_AXIS_PLANE},
+                                       {"axis_aabb", SEPAX_AXIS_AABB},
+                                       {NULL, 0}});
 }
 
-void exact_template(emitter *e, const char *file, exact_holes *h) {
-  h->hole[h->count] = (emit_hole){NULL, NULL};
-  emit_template(e, file, h->hole);
-}
-
-static void gen_trapezoid(emitter *e, const exact_plan *p, bool order) {
-  const arith_plan *multiplier = &p->stages.trapezoid;
-  char name[EMIT_NAME];
-  exact_holes h;
-  int64_t bias = 0; /* 1 for each digit but the highest */
-  for (int digit = 0; digit < multiplier->rows - 1; digit++) {
-    bias = 4 * bias + 1;
-  }
-  arith_name(multiplier, name);
-  exact_holes_make(&h, p);
-  exact_hole(&h, "name", order ? "sepax_trapezoid_ab" : "sepax_trapezoid");
-  exact_hole(&h, "multiplier", name);
-  exact_hole_number(&h, "order", order);
-  exact_hole_number(&h, "bias", bias);
-  exact_hole_number(&h, "latency", 1 + p->stages.trapezoid_sums + multiplier->latency);
-  exact_hole_number(&h, "clocked", multiplier->latency > 0);
-  exact_template(e, "sepax_trapezoid", &h);
-}
-
-static void gen_prism(emitter *e, const exact_plan *p, const char *name,
-                      const arith_plan *multiplier) {
+/* What a module with a multiplier asks for. */
+static void set_product(emit_holes *h, const char *name, const arith_plan *multiplier,
+                        int latency) {
   char multiply[EMIT_NAME];
-  exact_holes h;
+  char bias[48];
   arith_name(multiplier, multiply);
-  exact_holes_make(&h, p);
-  exact_hole(&h, "name", name);
-  exact_hole(&h, "multiplier", multiply);
-  exact_hole_number(&h, "z_w", multiplier->b_w);
-  exact_hole_number(&h, "latency", 1 + multiplier->latency);
-  exact_hole_number(&h, "two", multiplier->less == 2);
-  exact_hole_number(&h, "clocked", multiplier->latency > 0);
-  exact_template(e, "sepax_prism", &h);
+  arith_bias(multiplier, bias);
+  emit_hole_set(h, "name", "%s", name);
+  emit_hole_set(h, "multiplier", "%s", multiply);
+  emit_hole_set(h, "bias", "%s", bias);
+  emit_hole_numbers(h, (emit_number[]){{"latency", latency + multiplier->latency},
+                                       {"two", multiplier->less == 2},
+                                       {"clocked", multiplier->latency > 0},
+                                       {NULL, 0}});
 }
 
-static void gen_orient3d(emitter *e, const exact_plan *p) {
+static void gen_trapezoid(emitter *e, const exact_plan *p, emit_holes *h, bool order) {
+  set_product(h, order ? "sepax_trapezoid_ab" : "sepax_trapezoid", &p->stages.trapezoid,
+              1 + p->stages.trapezoid_sums);
+  emit_hole_set(h, "order", "%d", order);
+  emit_template(e, "sepax_trapezoid", h->hole);
+}
+
+static void gen_prism(emitter *e, emit_holes *h, const char *name, const arith_plan *multiplier) {
+  set_product(h, name, multiplier, 1);
+  emit_hole_set(h, "z_w", "%d", multiplier->b_w);
+  emit_template(e, "sepax_prism", h->hole);
+}
+
+static void gen_orient3d(emitter *e, const exact_plan *p, emit_holes *h) {
   static const struct {
     const char *name, *points, *formula;
     bool four, minus_r;
@@ -97,19 +69,18 @@ static void gen_orient3d(emitter *e, const exact_plan *p) {
       {"sepax_orient3d_b", "B and a vertex of A", "p + q + r - s, s the prism of B", true, false},
       {"sepax_orient3d_edges", "an edge of A and an edge of B", "p + q - r - s", true, true}};
   int registers = p->stages.orient3d;
+  emit_hole_set(h, "sum", registers > 1 ? "sum_q + carry_q" : "sum + carry");
+  emit_hole_numbers(h, (emit_number[]){{"latency", p->stages.orient3d_latency},
+                                       {"rows", registers > 1},
+                                       {"registered", registers > 0},
+                                       {NULL, 0}});
   for (int i = 0; i < 3; i++) {
-    exact_holes h;
-    exact_holes_make(&h, p);
-    exact_hole(&h, "name", row[i].name);
-    exact_hole(&h, "points", row[i].points);
-    exact_hole(&h, "formula", row[i].formula);
-    exact_hole(&h, "sum", registers > 1 ? "sum_q + carry_q" : "sum + carry");
-    exact_hole_number(&h, "four", row[i].four);
-    exact_hole_number(&h, "minus_r", row[i].minus_r);
-    exact_hole_number(&h, "latency", 1 + (p->limits > 0 ? registers / 2 : registers));
-    exact_hole_number(&h, "rows", registers > 1);
-    exact_hole_number(&h, "registered", registers > 0);
-    exact_template(e, i == 0 && p->running ? "sepax_running_sum" : "sepax_orient3d", &h);
+    emit_hole_set(h, "name", "%s", row[i].name);
+    emit_hole_set(h, "points", "%s", row[i].points);
+    emit_hole_set(h, "formula", "%s", row[i].formula);
+    emit_hole_set(h, "four", "%d", row[i].four);
+    emit_hole_set(h, "minus_r", "%d", row[i].minus_r);
+    emit_template(e, i == 0 && p->running ? "sepax_running_sum" : "sepax_orient3d", h->hole);
   }
 }
 
@@ -125,35 +96,34 @@ static void gen_multipliers(emitter *e, const exact_stages *s) {
   }
 }
 
-void gen_exact_units(emitter *e, const exact_plan *p) {
-  exact_holes h;
-  exact_holes_make(&h, p);
-  exact_hole_number(&h, "z_w", p->design->exact_format[SEPAX_X_Z_SUM].width);
-  exact_hole_number(&h, "latency", 1 + p->stages.own_zsum);
-  exact_hole_number(&h, "registered", p->stages.own_zsum);
-  gen_multipliers(e, &p->stages);
+void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h) {
+  static const char *const sums[] = {"sepax_orient2d", "sepax_own_orient2d", "sepax_zdiff",
+                                     "sepax_zsum", "sepax_own_zsum"};
+  const exact_stages *s = &p->stages;
+  gen_multipliers(e, s);
   emit_template(e, "sepax_csa", NULL);
-  gen_trapezoid(e, p, false);
+  set_shared(h, p);
+  gen_trapezoid(e, p, h, false);
   if (!p->single) {
-    gen_trapezoid(e, p, true);
+    gen_trapezoid(e, p, h, true);
   }
-  exact_template(e, "sepax_orient2d", &h);
-  exact_template(e, "sepax_own_orient2d", &h);
-  exact_template(e, "sepax_zdiff", &h);
-  exact_template(e, "sepax_zsum", &h);
-  exact_template(e, "sepax_own_zsum", &h);
-  gen_prism(e, p, "sepax_prism", &p->stages.prism);
-  if (p->stages.zdiff_shared) {
-    gen_prism(e, p, "sepax_prism_2", &p->stages.prism_of_two);
+  emit_hole_set(h, "latency", "%d", 1 + s->own_zsum);
+  emit_hole_set(h, "registered", "%d", s->own_zsum);
+  for (size_t i = 0; i < sizeof sums / sizeof sums[0]; i++) {
+    emit_template(e, sums[i], h->hole);
   }
-  gen_prism(e, p, "sepax_own_prism", &p->stages.own_prism);
-  gen_orient3d(e, p);
+  gen_prism(e, h, "sepax_prism", &s->prism);
+  if (s->zdiff_shared) {
+    gen_prism(e, h, "sepax_prism_2", &s->prism_of_two);
+  }
+  gen_prism(e, h, "sepax_own_prism", &s->own_prism);
+  gen_orient3d(e, p, h);
   if (p->limits > 0) {
-    gen_clearance_units(e, p);
+    gen_clearance_units(e, p, h);
     return;
   }
-  exact_template(e, "sepax_decide", &h);
+  emit_template(e, "sepax_decide", h->hole);
   if (!p->single) {
-    exact_template(e, "sepax_projection", &h);
+    emit_template(e, "sepax_projection", h->hole);
   }
 }

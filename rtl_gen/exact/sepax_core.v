@@ -1,0 +1,102 @@
+// The exact datapath: the 15 orient3d of the six vertices from 34 products, a pair every
+// @every@. Names say which vertices: t_a1b2 is the trapezoid term of the edge from A_1
+// to B_2, g_a1b2b3 the orient2d of that triangle, h its signed prism volume.
+//   cycle @t_cycle@  trapezoid terms t: 15 products in @t_units@ multipliers
+//   cycle @g_cycle@  orient2d g, z sums z
+//   cycle @h_cycle@  signed prism volumes h: 19 products in @h_units@ multipliers
+//   cycle @d_cycle@  orient3d d of edges
+//   cycle @v_cycle@  the verdict
+// Cycle 0 is the first in which a pair stands in the first registers.
+module sepax_core (
+  input  wire       clk,        // clock
+  input  wire [@last_slot@:0] slot,       // bit k: cycle k of the II window, one-hot //@ slots
+@inputs@
+//@ if passes
+  input  wire       again,      // take the pair once more, u for x and z for y
+  output wire       flat,       // in cycle @plane_cycle@: all orient2d are zero
+  output wire       separated,  // with it: separated in the projection
+  output wire       disjoint_x, // with it: AABBs disjoint in x
+  output wire       disjoint_z, // with it: AABBs disjoint in z
+  input  wire       second,     // in cycle @verdict_cycle@: the pair's second pass
+//@ end
+//@ if limits
+  output wire       coplanar,   // in cycle @verdict_cycle@: all orient3d are zero
+  output wire [1:0] band,       // with it: 0 free, 1 warning, 2 collision
+  output wire [3:0] axis        // with it: the axis that proves the band, or 0
+//@ else
+  input  wire       in_plane,   // in cycle @verdict_cycle@: separated if coplanar
+  output wire       coplanar,   // in cycle @verdict_cycle@: all orient3d are zero, or a second pass
+  output wire [3:0] axis        // in cycle @verdict_cycle@: the axis that separates, or 0
+//@ end
+);
+
+  localparam W = @w@;     // bits of a coordinate
+  localparam G_W = @g_w@; // of a trapezoid term or an orient2d
+  localparam Z_W = @z_w@; // of a z sum
+  localparam O_W = @o_w@; // of B's z sum
+  localparam V_W = @v_w@; // of a signed prism volume or an orient3d
+//@ if passes
+  localparam DIGITS = @digits@; // radix-4 digits of a z sum
+  localparam signed [Z_W-1:0] BIAS = // of z sums, as prisms deduct it
+    {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
+//@ end
+//@ if running
+  localparam OWN_DIGITS = @own_digits@; // of B's z sum
+  localparam signed [O_W-1:0] OWN_BIAS =
+    {{(O_W+2-2*OWN_DIGITS){1'b0}}, {(OWN_DIGITS-1){2'b01}}};
+//@ end
+//@ if limits
+  localparam LIMITS = @limits@; // clearances
+  localparam C_W = @c_w@; // bits of a component of e x f
+  localparam L_W = @l_w@; // of a limit
+  localparam M_W = @m_w@; // of an edge's limits in one projection
+//@ end
+
+  // Coordinates. _hold, _hold2 ... stand for one II window more each.
+  // The vertices of each triangle rotate, one place a cycle. //@ rotate
+  // u is x, or y where all six x are equal: with z it makes the plane of a second pass. //@ passes
+@coordinates@
+//@ if passes
+  wire x_equal;
+  assign x_equal = (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&
+                   (x_b2 == x_a1) && (x_b3 == x_a1);
+//@ end
+
+  // Outputs of the units. _q, _q2 ... are their delay lines; _hold is a holding register.
+@outputs@
+  always @(posedge clk) begin
+@coordinate_moves@
+  end
+
+  always @(posedge clk) begin
+@output_moves@
+  end
+@units@
+//@ if passes
+
+  // In cycle @plane_cycle@ of a pair:
+@plane@
+  sepax_projection projection (
+    .flat(flat), .separated(separated), .disjoint_x(disjoint_x), .disjoint_z(disjoint_z),
+    .g_a(all_g_a), .g_b(all_g_b), .g_own(all_g_own), .x_order(all_x_order), .z_order(all_z_order)
+  );
+//@ end
+
+  // In cycle @verdict_cycle@ of a pair:
+@verdict@
+//@ if limits
+  sepax_decide_band decide_band (
+    .coplanar(coplanar), .band(band), .axis(axis),
+    .f_s(all_f_s), .f_w(all_f_w), .f_d(all_f_d), .r_s(all_r_s), .r_w(all_r_w),
+    .e_xy(all_e_xy), .e_yz(all_e_yz), .e_zx(all_e_zx), .box(all_box)
+  );
+//@ else
+  sepax_decide decide (
+    .second(second), //@ passes
+    .second(1'b0), //@ !passes
+    .in_plane(in_plane), .coplanar(coplanar), .axis(axis),
+    .s(all_s), .w(all_w), .d(all_d)
+  );
+//@ end
+
+endmodule
