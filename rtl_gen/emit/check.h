@@ -5,7 +5,7 @@
 #ifndef SEPAX_EMIT_CHECK_H
 #define SEPAX_EMIT_CHECK_H
 
-#include "module.h"
+#include "emit.h"
 
 #include <stdint.h>
 

@@ -2,7 +2,7 @@
 #ifndef SEPAX_EMIT_DESCRIBE_H
 #define SEPAX_EMIT_DESCRIBE_H
 
-#include "module.h"
+#include "emit.h"
 
 void describe_json(const emitter *e, FILE *out);              /* sepax.json */
 void describe_c(const sepax_design *design, FILE *out);       /* sepax_params.h */

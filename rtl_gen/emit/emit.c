@@ -1,231 +1,113 @@
-/* emit.c - building and printing modules; check.c judges them. */
+/* emit.c - the emitter's modules and texts; template.c makes them, check.c judges them. */
 #include "emit.h"
-#include "check.h"
 
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
-static char *copy_text(const char *text) {
-  char *copy = strdup(text);
+char *emit_copy(const char *text, size_t length) {
+  char *copy = strndup(text, length);
   if (copy == NULL) {
     abort();
   }
   return copy;
 }
 
-static char *format_text(const char *format, va_list args) {
-  char *text = NULL;
-  size_t size = 0;
-  FILE *stream = open_memstream(&text, &size);
-  if (stream == NULL || vfprintf(stream, format, args) < 0 || fclose(stream) != 0) {
+void *emit_grow(void *list, int count, size_t size) {
+  bool is_power = (count & (count - 1)) == 0;
+  if (!is_power) {
+    return list;
+  }
+  void *grown = realloc(list, (count > 0 ? 2 * (size_t)count : 1) * size);
+  if (grown == NULL) {
     abort();
   }
-  return text;
+  return grown;
 }
 
-static void print_comment(FILE *out, const char *text) {
-  for (const char *line = text; *line != '\0';) {
-    size_t length = strcspn(line, "\n");
-    fprintf(out, "//%s%.*s\n", length > 0 ? " " : "", (int)length, line);
-    line += length + (line[length] == '\n');
+void emit_stream_open(emit_stream *s) {
+  s->out = open_memstream(&s->text, &s->size);
+  if (s->out == NULL) {
+    abort();
   }
 }
 
-emit_module *emit_begin(emitter *e, const char *name, const char *banner) {
-  emit_stream s;
-  emit_stream_open(&s);
-  print_comment(s.out, banner);
-  emit_module *m = emit_new_module(e, name, emit_stream_close(&s));
-  free(s.text);
-  return m;
+char *emit_stream_close(emit_stream *s) {
+  fclose(s->out);
+  return s->text;
 }
 
-static void print_list(const emit_module *m, bool parameters, FILE *out);
-
-bool emit_end(emit_module *m) {
-  emit_stream s;
-  emit_stream_open(&s);
-  fflush(m->text);
-  fprintf(s.out, "module %s", m->name);
-  print_list(m, true, s.out);
-  print_list(m, false, s.out);
-  fprintf(s.out, ";\n\n%.*s\nendmodule\n", (int)m->body_size, m->body);
-  m->verilog = emit_stream_close(&s);
-  return m->emitter->error.text[0] == '\0' && emit_check(m);
-}
-
-void emit_parameter(emit_module *m, emit_kind kind, const char *name, int value,
-                    const char *about) {
-  if (kind == EMIT_LOCALPARAM) {
-    fprintf(m->text, "  localparam %s = %d; // %s\n", name, value, about);
-    return;
-  }
-  emit_symbol *s = emit_declare(m, kind, name);
-  if (s != NULL) {
-    char text[16];
-    snprintf(text, sizeof text, "%d", value);
-    s->value = copy_text(text);
-    s->about = copy_text(about);
-  }
-}
-
-static void print_range(FILE *out, const char *width) {
-  char *end;
-  long bits = strtol(width, &end, 10);
-  if (*width == '\0') {
-    return;
-  }
-  if (*end == '\0') {
-    fprintf(out, "[%ld:0] ", bits - 1);
-  } else {
-    fprintf(out, "[%s-1:0] ", width);
-  }
-}
-
-void emit_signal(emit_module *m, emit_kind kind, bool is_signed, const char *name,
-                 const char *width, const char *about, ...) {
+gen_line gen_format(const char *format, ...) {
+  gen_line line;
   va_list args;
-  va_start(args, about);
-  char *comment = format_text(about, args);
+  va_start(args, format);
+  vsnprintf(line.text, sizeof line.text, format, args);
   va_end(args);
-  if (kind == EMIT_WIRE || kind == EMIT_REG) {
-    fprintf(m->text, "  %s %s", kind == EMIT_WIRE ? "wire" : "reg", is_signed ? "signed " : "");
-    print_range(m->text, width);
-    fprintf(m->text, "%s;%s%s\n", name, comment[0] != '\0' ? " // " : "", comment);
-  } else {
-    emit_symbol *s = emit_declare(m, kind, name);
-    if (s != NULL) {
-      s->is_signed = is_signed;
-      s->width = copy_text(width);
-      s->about = copy_text(comment);
-    }
-    if (comment[0] == '\0') {
-      emit_refuse(m, "port '%s' has no description", name);
-    }
-  }
-  free(comment);
+  return line;
 }
 
 void emit_net(FILE *out, const char *kind, const char *width, const char *name) {
-  fprintf(out, "  %s ", kind);
-  print_range(out, width);
-  fprintf(out, "%s;\n", name);
-}
-
-void emit_memory(emit_module *m, const char *name, const char *width, const char *address,
-                 const char *about) {
-  fputs("  reg ", m->text);
-  print_range(m->text, width);
-  fprintf(m->text, "%s [0:(1<<%s)-1]; // %s\n", name, address, about);
-}
-
-void emit_blank(emit_module *m) { fputc('\n', m->text); }
-
-void emit_text(emit_module *m, const char *format, ...) {
-  va_list args;
-  va_start(args, format);
-  char *text = format_text(format, args);
-  va_end(args);
-  for (char *line = text; *line != '\0';) {
-    size_t length = strcspn(line, "\n");
-    fprintf(m->text, "%s%.*s\n", length > 0 ? "  " : "", (int)length, line);
-    line += length + (line[length] == '\n');
+  char *end;
+  long bits = strtol(width, &end, 10);
+  if (*end == '\0') {
+    fprintf(out, "  %s [%ld:0] %s;\n", kind, bits - 1, name);
+  } else {
+    fprintf(out, "  %s [%s-1:0] %s;\n", kind, width, name);
   }
-  free(text);
 }
 
-void emit_view(emit_module *m, emit_views view) {
-  static const char *const directive[] = {"`ifdef SEPAX_BEHAVIOURAL", "`else", "`endif"};
-  fprintf(m->text, "%s\n", directive[view]);
+/* --------------------------------------------------------------------------- modules */
+
+void emit_init(emitter *e, const sepax_design *design, const char *command) {
+  *e = (emitter){.design = design};
+  snprintf(e->command, sizeof e->command, "%s", command);
 }
 
-static void print_bindings(FILE *out, const char *bindings, const char *indent) {
-  char *copy = copy_text(bindings);
-  char *rest = NULL;
-  const char *separator = "";
-  for (char *item = strtok_r(copy, ",", &rest); item != NULL; item = strtok_r(NULL, ",", &rest)) {
-    item += strspn(item, " \n");
-    char *value = strchr(item, '=');
-    if (value != NULL) {
-      *value++ = '\0';
-      fprintf(out, "%s%s.%s(%s)", separator, indent, item, value);
-      separator = ",";
-    }
+void emit_free(emitter *e) {
+  for (int i = 0; i < e->modules; i++) {
+    free(e->module[i]->banner);
+    free(e->module[i]->verilog);
+    free(e->module[i]);
   }
-  free(copy);
-}
-
-void emit_instance(emit_module *m, const char *module, const char *name, const char *parameters,
-                   const char *connections, ...) {
-  va_list args;
-  va_start(args, connections);
-  char *text = format_text(connections, args);
-  va_end(args);
-  fprintf(m->text, "  %s ", module);
-  if (parameters[0] != '\0') {
-    fprintf(m->text, "#(");
-    print_bindings(m->text, parameters, " ");
-    fprintf(m->text, " ) ");
+  for (int i = 0; i < e->variants; i++) {
+    free(e->variant[i]);
   }
-  fprintf(m->text, "%s (", name);
-  print_bindings(m->text, text, "\n    ");
-  fprintf(m->text, "\n  );\n");
-  free(text);
+  free(e->module);
+  free(e->variant);
+  *e = (emitter){.error = e->error};
 }
 
-/* ------------------------------------------------------------------ printing */
+bool emit_refuse(const emit_module *m, const char *format, ...) {
+  sepax_error *error = &m->emitter->error;
+  if (error->text[0] == '\0') {
+    int used = snprintf(error->text, sizeof error->text, "generator refuses %s: ", m->name);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(error->text + used, sizeof error->text - (size_t)used, format, args);
+    va_end(args);
+  }
+  return false;
+}
 
-/* The declaration of a parameter or port, in aligned columns, without its comma. */
-static char *describe(const emit_symbol *s) {
-  static const char *const direction[] = {[EMIT_INPUT] = "input  wire",
-                                          [EMIT_OUTPUT] = "output wire",
-                                          [EMIT_OUTPUT_REG] = "output reg "};
-  char *text = NULL;
-  size_t size = 0;
-  FILE *out = open_memstream(&text, &size);
-  if (out == NULL) {
+emit_module *emit_new_module(emitter *e, const char *name) {
+  emit_module *m = calloc(1, sizeof *m);
+  if (m == NULL) {
     abort();
   }
-  if (s->kind == EMIT_PARAMETER) {
-    fprintf(out, "parameter %s = %s", s->name, s->value);
-  } else {
-    fprintf(out, "%s %-6s ", direction[s->kind], s->is_signed ? "signed" : "");
-    long before = ftell(out);
-    print_range(out, s->width);
-    int used = (int)(ftell(out) - before);
-    fprintf(out, "%*s%s", used < 13 ? 13 - used : 0, "", s->name);
-  }
-  fclose(out);
-  return text;
+  m->emitter = e;
+  snprintf(m->name, sizeof m->name, "%s", name);
+  e->module = emit_grow(e->module, e->modules, sizeof(emit_module *));
+  e->module[e->modules++] = m;
+  return m;
 }
 
-/* Parameters or ports in parentheses, one a line with its comment. */
-static void print_list(const emit_module *m, bool parameters, FILE *out) {
-  size_t longest = 0;
-  int left = 0;
-  for (int i = 0; i < m->symbols; i++) {
-    if (emit_is_port(&m->symbol[i]) != parameters) {
-      char *text = describe(&m->symbol[i]);
-      longest = strlen(text) > longest ? strlen(text) : longest;
-      left++;
-      free(text);
+const emit_module *emit_find(const emitter *e, const char *name) {
+  for (int i = 0; i < e->modules; i++) {
+    if (strcmp(e->module[i]->name, name) == 0) {
+      return e->module[i];
     }
   }
-  if (left == 0) {
-    return;
-  }
-  fprintf(out, parameters ? " #(\n" : " (\n");
-  for (int i = 0; i < m->symbols; i++) {
-    if (emit_is_port(&m->symbol[i]) != parameters) {
-      left--;
-      char *text = describe(&m->symbol[i]);
-      fprintf(out, "  %s%-*s // %s\n", text, (int)(longest + 1 - strlen(text)), left > 0 ? "," : "",
-              m->symbol[i].about);
-      free(text);
-    }
-  }
-  fprintf(out, ")");
+  return NULL;
 }
 
 /* The command behind "//   ", broken at blanks. */
@@ -246,19 +128,8 @@ static void print_command(FILE *out, const char *command) {
 }
 
 void emit_print(const emit_module *m, FILE *out) {
-  fprintf(out, "// %s.v\n//\n", m->name);
-  fputs(m->banner, out);
+  fprintf(out, "// %s.v\n//\n%s", m->name, m->banner);
   fprintf(out, "//\n// Generated by sepax %s; do not edit. Made by:\n", SEPAX_VERSION);
   print_command(out, m->emitter->command);
-  fprintf(out, "\n");
-  fprintf(out, "`default_nettype none\n\n%s\n`default_nettype wire\n", m->verilog);
-}
-
-gen_line gen_format(const char *format, ...) {
-  gen_line line;
-  va_list args;
-  va_start(args, format);
-  vsnprintf(line.text, sizeof line.text, format, args);
-  va_end(args);
-  return line;
+  fprintf(out, "\n`default_nettype none\n\n%s\n`default_nettype wire\n", m->verilog);
 }

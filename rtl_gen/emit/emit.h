@@ -1,7 +1,7 @@
 /* emit.h - a small strict emitter of Verilog-2005 modules.
  *
- * A module is built from parameters, ports, signals, literal text and instances, or is a
- * template (template.h), and is checked before a byte of it is written. The emitter refuses
+ * A module is a template (template.h) and is checked before a byte of it is written. The emitter
+ * refuses
  *   - a name declared twice, a name used before it is declared,
  *   - an operator or an assignment whose sides differ in width (no implicit
  *     extension or truncation, no constant without a size), a select outside a signal's range,
@@ -17,45 +17,56 @@
 #ifndef SEPAX_EMIT_H
 #define SEPAX_EMIT_H
 
-#include "module.h"
+#include "sepax_design.h"
 
-/* Begin a module. The banner says purpose, formula and latency, one or more lines;
- * emitter and ports add the rest. */
-emit_module *emit_begin(emitter *e, const char *name, const char *banner);
+enum { EMIT_NAME = 64 }; /* a name and the zero behind it; longer ones are refused */
 
-/* Check the module; false and e->error set if it is refused. */
-bool emit_end(emit_module *m);
+typedef struct {
+  struct emitter *emitter;
+  char name[EMIT_NAME];
+  char *banner;  /* comment lines */
+  char *verilog; /* from the attributes of the module to endmodule */
+} emit_module;
 
-/* The default value of a parameter and what it counts. */
-void emit_parameter(emit_module *m, emit_kind kind, const char *name, int value, const char *about);
+typedef struct emitter {
+  const sepax_design *design;
+  char command[512]; /* printed in every banner */
+  emit_module **module;
+  int modules;
+  char **variant; /* modules with parameter values that passed the check */
+  int variants;
+  sepax_error error;
+} emitter;
 
-/* A port, wire or reg of `width` bits ("" for one bit). `about` says what it holds
- * and, printf-like, its range; ports must have it. Wires and regs are declared
- * where they are called for. */
-void emit_signal(emit_module *m, emit_kind kind, bool is_signed, const char *name,
-                 const char *width, const char *about, ...) __attribute__((format(printf, 6, 7)));
+void emit_init(emitter *e, const sepax_design *design, const char *command);
+void emit_free(emitter *e);
 
-/* A declaration: "wire", "reg signed" ... of `width` bits, "" for one. */
-void emit_net(FILE *out, const char *kind, const char *width, const char *name);
+/* A new module of the emitter, without text. */
+emit_module *emit_new_module(emitter *e, const char *name);
 
-/* A memory of 2^address words, `words[index]`, index exactly `address` bits wide. */
-void emit_memory(emit_module *m, const char *name, const char *width, const char *address,
-                 const char *about);
+/* A module emitted before, by name; NULL if there is none. */
+const emit_module *emit_find(const emitter *e, const char *name);
 
-void emit_blank(emit_module *m);
+/* Print one checked module. */
+void emit_print(const emit_module *m, FILE *out);
 
-/* Literal Verilog, one or more lines, with two blanks put before each. */
-void emit_text(emit_module *m, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Keep a refusal, unless there is one already; always returns false. */
+bool emit_refuse(const emit_module *m, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
-/* Two bodies for one module: what stands between emit_view(m, EMIT_BEHAVIOURAL) and
- * emit_view(m, EMIT_STRUCTURAL) is read where the macro SEPAX_BEHAVIOURAL is defined,
- * from there to emit_view(m, EMIT_BOTH) where it is not. */
-typedef enum { EMIT_BEHAVIOURAL, EMIT_STRUCTURAL, EMIT_BOTH } emit_views;
-void emit_view(emit_module *m, emit_views view);
+/* Copies that end the program without memory. */
+char *emit_copy(const char *text, size_t length);
+void *emit_grow(void *list, int count, size_t size); /* capacity for one more than `count` */
 
-/* An instance of an emitted module: "A_W=VW, P_W=PW" and "a=v_x, p=product_x". */
-void emit_instance(emit_module *m, const char *module, const char *name, const char *parameters,
-                   const char *connections, ...) __attribute__((format(printf, 5, 6)));
+/* A text that grows: written to `out`, whole in `text` behind emit_stream_close, which returns it;
+ * to be freed. */
+typedef struct {
+  FILE *out;
+  char *text;
+  size_t size;
+} emit_stream;
+void emit_stream_open(emit_stream *s);
+char *emit_stream_close(emit_stream *s);
 
 /* printf into a text by value. */
 typedef struct {
@@ -63,7 +74,7 @@ typedef struct {
 } gen_line;
 gen_line gen_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Print one checked module. */
-void emit_print(const emit_module *m, FILE *out);
+/* A declaration: "wire", "reg signed" ... of `width` bits, a number or an expression. */
+void emit_net(FILE *out, const char *kind, const char *width, const char *name);
 
 #endif

@@ -109,7 +109,7 @@ bool emit_template_text(emitter *e, const char *name, const char *text, const em
   if (e->error.text[0] != '\0') {
     return false;
   }
-  emit_module *m = emit_new_module(e, name, "");
+  emit_module *m = emit_new_module(e, name);
   filler f = {.m = m, .holes = holes, .keeps = {true}};
   char *filled = fill(&f, text);
   const char *module = filled;
@@ -118,7 +118,6 @@ bool emit_template_text(emitter *e, const char *name, const char *text, const em
     module += strcspn(module, "\n");
     module += *module == '\n';
   }
-  free(m->banner);
   m->banner = emit_copy(filled, (size_t)(module - filled));
   m->verilog = emit_copy(module + strspn(module, "\n"), strlen(module));
   free(filled);
@@ -143,7 +142,7 @@ bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
   if (count == 1) {
     return emit_template_text(e, name, found->text, holes);
   }
-  emit_module *m = emit_new_module(e, name, "");
+  emit_module *m = emit_new_module(e, name);
   return emit_refuse(m,
                      count == 0 ? "no such template" : "a template of several folders; say which");
 }
@@ -159,7 +158,11 @@ void emit_hole_take(emit_holes *h, const char *name, emit_stream *text) {
   } else {
     free((char *)h->hole[i].text);
   }
-  h->hole[i] = (emit_hole){name, emit_stream_close(text)};
+  char *all = emit_stream_close(text);
+  if (text->size > 0 && all[text->size - 1] == '\n') {
+    all[text->size - 1] = '\0';
+  }
+  h->hole[i] = (emit_hole){name, all};
 }
 
 void emit_hole_set(emit_holes *h, const char *name, const char *format, ...) {

@@ -30,8 +30,8 @@
  * than 100 columns are refused; texts that the file has no hole for are not, so that the files of
  * a folder can share a list.
  *
- * What is left is checked as every module is (emit.h) and can be instantiated from then on, by
- * emit_instance and by other templates. The reader understands: parameter, localparam (with a range
+ * What is left is checked as every module is (emit.h) and can be instantiated from then on by
+ * other templates. The reader understands: parameter, localparam (with a range
  * or without), input, output [reg], wire, reg, memories reg [W-1:0] x [0:N-1], wire arrays,
  * integer, genvar; assign; always @(posedge clk), always @(*) with begin/end, if/else,
  * case/casez, for; generate if/for with labels; function with its arguments in parentheses;
@@ -58,7 +58,7 @@
 #ifndef SEPAX_EMIT_TEMPLATE_H
 #define SEPAX_EMIT_TEMPLATE_H
 
-#include "module.h"
+#include "emit.h"
 
 typedef struct {
   const char *name, *text;
@@ -82,7 +82,8 @@ typedef struct {
   int64_t number;
 } emit_number;
 void emit_hole_numbers(emit_holes *h, const emit_number *row);
-void emit_hole_take(emit_holes *h, const char *name, emit_stream *text); /* what was written */
+/* What was written to the stream, which this closes, but for the last newline. */
+void emit_hole_take(emit_holes *h, const char *name, emit_stream *text);
 void emit_holes_free(emit_holes *h);
 
 /* The same with the template's text itself. */

@@ -1,6 +1,7 @@
 /* emit.c - what the Verilog emitter must refuse, and what it must accept. */
 #include "emit/emit.h"
 #include "emit/gen.h"
+#include "emit/template.h"
 #include "sepax_design.h"
 #include "harness.h"
 
@@ -18,32 +19,45 @@ static void open_fixture(fixture *f) {
   emit_init(&f->e, &f->design, "test");
 }
 
-/* A module with inputs a, b of 8 bits, s of 4, and outputs y of 8 bits and t of 1. */
-static emit_module *small(fixture *f, const char *name) {
-  emit_module *m = emit_begin(&f->e, name, "A small module.");
-  emit_parameter(m, EMIT_PARAMETER, "W", 8, "bits");
-  emit_signal(m, EMIT_INPUT, false, "clk", "", "clock");
-  emit_signal(m, EMIT_INPUT, true, "a", "W", "number");
-  emit_signal(m, EMIT_INPUT, true, "b", "W", "number");
-  emit_signal(m, EMIT_INPUT, false, "s", "4", "number");
-  emit_signal(m, EMIT_OUTPUT, true, "y", "W", "number");
-  emit_signal(m, EMIT_OUTPUT_REG, false, "t", "", "flag");
-  return m;
+/* Emit a module with inputs a, b of 8 bits, s of 4, and outputs y of 8 bits and t of 1. */
+static bool small(emitter *e, const char *name, const char *body) {
+  char text[2048];
+  snprintf(text, sizeof text,
+           "// A small module.\n"
+           "module %s #(\n"
+           "  parameter W = 8 // bits\n"
+           ") (\n"
+           "  input  wire                clk, // clock\n"
+           "  input  wire signed [W-1:0] a, // number\n"
+           "  input  wire signed [W-1:0] b, // number\n"
+           "  input  wire        [3:0]   s, // number\n"
+           "  output wire signed [W-1:0] y, // number\n"
+           "  output reg                 t  // flag\n"
+           ");\n%s\nendmodule\n",
+           name, body);
+  return emit_template_text(e, name, text, NULL);
 }
 
-static void expect_text(const char *text, const char *refusal) {
+/* `first`, if there is one, then a module with this body. */
+static void expect_behind(const char *first, const char *name, const char *body,
+                          const char *refusal) {
   fixture f;
   open_fixture(&f);
-  emit_module *m = small(&f, "small");
-  emit_text(m, "%s", text);
-  bool ok = emit_end(m);
+  if (first != NULL) {
+    assert_true(small(&f.e, first, ""));
+  }
+  bool ok = small(&f.e, name, body);
   if (ok != (refusal == NULL)) {
-    fail_msg("'%s': %s", text, ok ? "accepted" : f.e.error.text);
+    fail_msg("'%s': %s", body, ok ? "accepted" : f.e.error.text);
   }
   if (refusal != NULL && strstr(f.e.error.text, refusal) == NULL) {
-    fail_msg("'%s': '%s' does not say '%s'", text, f.e.error.text, refusal);
+    fail_msg("'%s': '%s' does not say '%s'", body, f.e.error.text, refusal);
   }
   emit_free(&f.e);
+}
+
+static void expect_text(const char *body, const char *refusal) {
+  expect_behind(NULL, "small", body, refusal);
 }
 
 CASE(test_statements) {
@@ -76,65 +90,31 @@ CASE(test_statements) {
 }
 
 CASE(test_declarations) {
-  fixture f;
-  open_fixture(&f);
-  emit_module *m = small(&f, "twice");
-  emit_net(m, EMIT_WIRE, true, "a", "W");
-  assert_false(emit_end(m));
-  assert_non_null(strstr(f.e.error.text, "'a' is declared twice"));
-  emit_free(&f.e);
-
-  open_fixture(&f);
-  m = small(&f, "late");
-  emit_text(m, "assign y = n;");
-  emit_net(m, EMIT_WIRE, true, "n", "W");
-  assert_false(emit_end(m));
-  assert_non_null(strstr(f.e.error.text, "undeclared signal 'n'"));
-  emit_free(&f.e);
-
-  open_fixture(&f);
-  m = small(&f, "empty");
-  emit_net(m, EMIT_WIRE, true, "n", "W-8");
-  assert_false(emit_end(m));
-  assert_non_null(strstr(f.e.error.text, "no bits in"));
-  emit_free(&f.e);
-
-  open_fixture(&f);
-  assert_true(emit_end(small(&f, "same")));
-  assert_false(emit_end(small(&f, "same")));
-  assert_non_null(strstr(f.e.error.text, "emitted twice"));
-  emit_free(&f.e);
+  expect_text("wire signed [W-1:0] a;", "'a' is declared twice");
+  expect_text("assign y = n;\nwire signed [W-1:0] n;", "undeclared signal 'n'");
+  expect_text("wire signed [W-9:0] n;", "no bits in");
+  expect_behind("same", "same", "", "emitted twice");
 }
 
-static void expect_instance(const char *module, const char *parameters, const char *connections,
-                            const char *refusal) {
-  fixture f;
-  open_fixture(&f);
-  assert_true(emit_end(small(&f, "small")));
-  emit_module *m = small(&f, "outer");
-  emit_net(m, EMIT_WIRE, false, "u", "");
-  emit_instance(m, module, "inner", parameters, "%s", connections);
-  bool ok = emit_end(m);
-  if (ok != (refusal == NULL)) {
-    fail_msg("%s (%s): %s", parameters, connections, ok ? "accepted" : f.e.error.text);
-  }
-  if (refusal != NULL && strstr(f.e.error.text, refusal) == NULL) {
-    fail_msg("'%s' does not say '%s'", f.e.error.text, refusal);
-  }
-  emit_free(&f.e);
+static void expect_instance(const char *head, const char *connections, const char *refusal) {
+  char body[512];
+  snprintf(body, sizeof body, "wire u;\n%s inner (%s);", head, connections);
+  expect_behind("small", "outer", body, refusal);
 }
 
 CASE(test_instances) {
-  expect_instance("small", "W=W", "clk=clk, a=a, b=b, s=s, y=y, t=u", NULL);
-  expect_instance("small", "W=4", "clk=clk, a=s, b=s, s=s, y=y[3:0], t=u", NULL);
-  expect_instance("small", "W=9", "clk=clk, a=a, b=b, s=s, y=y, t=u", "port 'a' has 9 bits");
-  expect_instance("small", "", "clk=clk, a=a, b=b, s=a, y=y, t=u", "port 's' has 4 bits");
-  expect_instance("small", "", "clk=clk, a=a, b=b, s=s, y=y", "5 of the 6 ports");
-  expect_instance("small", "", "clk=clk, a=a, a=a, b=b, s=s, y=y", "connected twice");
-  expect_instance("small", "", "clk=clk, a=a, b=b, s=s, y=y, z=u", "no port 'z'");
-  expect_instance("small", "", "clk=clk, a=a, b=b, s=s, y=y, t=v", "undeclared signal 'v'");
-  expect_instance("small", "V=8", "clk=clk, a=a, b=b, s=s, y=y, t=u", "no parameter 'V'");
-  expect_instance("large", "", "clk=clk", "not emitted yet");
+  expect_instance("small #(.W(W))", ".clk(clk), .a(a), .b(b), .s(s), .y(y), .t(u)", NULL);
+  expect_instance("small #(.W(4))", ".clk(clk), .a(s), .b(s), .s(s), .y(y[3:0]), .t(u)", NULL);
+  expect_instance("small #(.W(9))", ".clk(clk), .a(a), .b(b), .s(s), .y(y), .t(u)",
+                  "port 'a' has 9 bits");
+  expect_instance("small", ".clk(clk), .a(a), .b(b), .s(a), .y(y), .t(u)", "port 's' has 4 bits");
+  expect_instance("small", ".clk(clk), .a(a), .b(b), .s(s), .y(y)", "5 of the 6 ports");
+  expect_instance("small", ".clk(clk), .a(a), .a(a), .b(b), .s(s), .y(y)", "connected twice");
+  expect_instance("small", ".clk(clk), .a(a), .b(b), .s(s), .y(y), .z(u)", "no port 'z'");
+  expect_instance("small", ".clk(clk), .a(a), .b(b), .s(s), .y(y), .t(v)", "undeclared signal 'v'");
+  expect_instance("small #(.V(8))", ".clk(clk), .a(a), .b(b), .s(s), .y(y), .t(u)",
+                  "no parameter 'V'");
+  expect_instance("large", ".clk(clk)", "not emitted yet");
 }
 
 /* Every configuration passes its own check and prints the same bytes twice. */
