@@ -25,8 +25,8 @@ module sepax_comparator (
   reg  [6*W-1:0] aabb_q;
   wire [6*V-1:0] wide_a;
   wire [2:0]     disjoint;
-  genvar         k;
 
+  genvar k;
   generate
     for (k = 0; k < 6; k = k + 1) begin : side
       assign wide_a[k*V +: V] = {{(V-W){aabb_q[k*W+W-1]}}, aabb_q[k*W +: W]};

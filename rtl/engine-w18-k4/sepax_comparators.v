@@ -33,31 +33,20 @@ module sepax_comparators (
   localparam V = 20;   // of one that was moved
   localparam A = 9; // bits of the number of a triangle of A
   localparam B = 9; // of B
-  reg              valid_q;
-  reg              valid_q2;
-  reg              valid_q3;
-  reg              is_b_q;
-  reg              load_q;
-  reg              is_a_q;
+  reg              valid_q, valid_q2, valid_q3, is_b_q, load_q, is_a_q;
   reg  [B:0]       j_q;
   reg  [B-1:0]     j_q2;
-  reg  [A-1:0]     base_q;
-  reg  [A-1:0]     base_q2;
+  reg  [A-1:0]     base_q, base_q2;
   reg  [6*V-1:0]   aabb_q2;
   reg  [6:0]       live_q; // lanes that hold an AABB
-  wire [6*V-1:0]   moved;
-  wire [6*V-1:0]   moved_b;
-  wire [LANES-1:0] overlap;
-  wire [LANES-1:0] live;
-  wire [LANES-1:0] taken;
-  wire             lost;
-  genvar           k;
+  wire [6*V-1:0]   moved, moved_b;
+  wire [LANES-1:0] overlap, live, taken;
 
   assign busy = valid_q || valid_q2 || valid_q3;
   assign push = |mask;
-  assign lost = |(taken & live);
   assign tested = live_q & {7{valid_q2}};
 
+  genvar k;
   generate
     for (k = 0; k < 6; k = k + 1) begin : side
       assign moved[k*V +: V] = {{2{aabb_b[k*W+W-1]}}, aabb_b[k*W +: W]} +
@@ -85,7 +74,7 @@ module sepax_comparators (
       valid_q2 <= valid_q && is_b_q;
       valid_q3 <= valid_q2;
       mask <= overlap;
-      live_q <= live_q + {6'd0, valid_q && load_q && is_a_q} - {6'd0, lost};
+      live_q <= live_q + {6'd0, valid_q && load_q && is_a_q} - {6'd0, |(taken & live)};
     end
     j_q <= j;
     is_b_q <= is_b;

@@ -27,50 +27,39 @@ module sepax_cores (
   localparam W = 18;     // bits of a coordinate
   localparam CORES = 1;
   localparam INFO = 19;
-  wire [CORES-1:0]      core_ready;
-  wire [CORES-1:0]      chosen;   // one-hot: the core that takes a pair
-  wire [CORES-1:0]      oldest;   // one-hot: the core that has the oldest pair
-  wire [CORES-1:0]      offered;
-  wire [CORES-1:0]      due;
-  wire [CORES-1:0]      wanted;
-  wire [CORES-1:0]      core_valid;
-  wire [CORES-1:0]      core_collision;
-  wire [CORES-1:0]      core_coplanar;
-  wire                  free;
-  wire                  launch;
-  wire                  land;
-  genvar                k;
+  wire [CORES-1:0] core_ready, core_valid, core_collision, core_coplanar;
+  wire [CORES-1:0] chosen; // one-hot: the core that takes a pair
+  wire [CORES-1:0] oldest; // one-hot: the core that has the oldest pair
+  wire [CORES-1:0] due = oldest & {CORES{in_flight}};
+  wire             free;
 
+  assign chosen = 1'b1;
   assign pair_ready = (|core_ready) && free;
-  assign offered = chosen & {CORES{pair_valid && free}};
-  assign launch = pair_valid && pair_ready;
-  assign due = oldest & {CORES{in_flight}};
   assign verdict_valid = |(core_valid & due);
-  assign wanted = due & {CORES{verdict_ready}};
-  assign land = verdict_valid && verdict_ready;
   assign collision = |(core_collision & due);
   assign coplanar = |(core_coplanar & due);
-  assign chosen = 1'b1;
 
   sepax_fifo #(.WIDTH(CORES + INFO), .ADDRESS(3), .MARGIN(2)) in_flight_fifo (
-    .clk(clk), .clear(rst), .push(launch), .in({chosen, pair_info}), .free(free),
-    .valid(in_flight), .pop(land), .out({oldest, verdict_info})
+    .clk(clk), .clear(rst), .push(pair_valid && pair_ready), .in({chosen, pair_info}),
+    .free(free), .valid(in_flight), .pop(verdict_valid && verdict_ready),
+    .out({oldest, verdict_info})
   );
 
+  genvar k;
   generate
     for (k = 0; k < CORES; k = k + 1) begin : core
       wire [3:0] unused_axis;
       sepax_top top (
-        .clk(clk), .rst(rst), .in_valid(offered[k]), .in_ready(core_ready[k]),
+        .clk(clk), .rst(rst), .in_valid(chosen[k] && pair_valid && free), .in_ready(core_ready[k]),
         .in_a1_x(pair_a[0*W +: W]), .in_a1_y(pair_a[1*W +: W]), .in_a1_z(pair_a[2*W +: W]),
         .in_a2_x(pair_a[3*W +: W]), .in_a2_y(pair_a[4*W +: W]), .in_a2_z(pair_a[5*W +: W]),
         .in_a3_x(pair_a[6*W +: W]), .in_a3_y(pair_a[7*W +: W]), .in_a3_z(pair_a[8*W +: W]),
         .in_b1_x(pair_b[0*W +: W]), .in_b1_y(pair_b[1*W +: W]), .in_b1_z(pair_b[2*W +: W]),
         .in_b2_x(pair_b[3*W +: W]), .in_b2_y(pair_b[4*W +: W]), .in_b2_z(pair_b[5*W +: W]),
         .in_b3_x(pair_b[6*W +: W]), .in_b3_y(pair_b[7*W +: W]), .in_b3_z(pair_b[8*W +: W]),
-        .out_valid(core_valid[k]), .out_ready(wanted[k]), .out_coplanar(core_coplanar[k]),
-        .out_collision(core_collision[k]),
-        .out_axis(unused_axis)
+        .out_valid(core_valid[k]), .out_ready(due[k] && verdict_ready),
+        .out_coplanar(core_coplanar[k]), .out_axis(unused_axis),
+        .out_collision(core_collision[k])
       );
     end
   endgenerate

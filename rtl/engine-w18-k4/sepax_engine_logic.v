@@ -58,42 +58,19 @@ module sepax_engine_logic (
   localparam LANES = 4;
   localparam A = 9; // bits of the number of a triangle of A
   localparam B = 9; // of B
-  wire start;
-  wire starting;
-  wire stop;
-  wire first;
-  wire quiet;
-  wire halt;
-  wire clear;
-  wire done;
-  wire hit;
-  wire busy;
-  wire stopped;
-  wire any;
-  wire drained;
+
+  // Registers, and the objects that they let in.
+  wire start, starting, stop, first, quiet, halt, done, hit, busy, stopped, any, drained;
+  wire loading, ended, bad_word, partial, bad_size;
   wire [3*(W+1)-1:0] move; // {z, y, x}
-  wire [31:0] status;
-  wire [31:0] pairs;
-  wire [31:0] candidates;
-  wire [31:0] collisions;
-  wire [31:0] out_of_range;
-  wire [31:0] warnings;
-  wire [31:0] cycles;
-  wire [31:0] first_a;
-  wire [31:0] first_b;
+  wire [31:0] pairs, candidates, collisions, out_of_range, warnings, cycles, first_a, first_b;
   wire [A:0]  count_a;
   wire [B:0]  count_b;
-  wire loading;
-  wire ended;
-  wire bad_word;
-  wire partial;
-  wire bad_size;
-
-  assign clear = rst || start || halt;
-  assign status = {
+  wire [31:0] status = {
     21'd0, bad_size, partial, bad_word, 1'b0, loading, |count_b, |count_a, stopped,
     any && (|out_of_range), any, busy
   };
+  wire clear = rst || start || halt;
 
   sepax_registers registers (
     .clk(clk), .rst(rst), .awvalid(s_axi_awvalid), .awready(s_axi_awready), .awaddr(s_axi_awaddr),
@@ -117,25 +94,12 @@ module sepax_engine_logic (
   );
 
   // Broad phase.
-  wire running;
-  wire [B:0] step_j;
-  wire is_b;
-  wire [A-1:0] round_base;
-  wire load;
-  wire is_a;
-  wire lanes_busy;
-  wire push;
-  wire [LANES-1:0] mask;
-  wire [B-1:0] mask_j;
-  wire [A-1:0] mask_base;
-  wire [6:0] tested;
-  wire free;
-  wire more;
-  wire pop;
-  wire [LANES-1:0] next_mask;
-  wire [B-1:0] next_j;
-  wire [A-1:0] next_base;
-  wire candidate;
+  wire running, is_b, load, is_a, lanes_busy, push, free, more, pop, candidate;
+  wire [LANES-1:0] mask, next_mask;
+  wire [B:0]   step_j;
+  wire [B-1:0] mask_j, next_j;
+  wire [A-1:0] round_base, mask_base, next_base;
+  wire [6:0]   tested;
 
   sepax_enumerator enumerator (
     .clk(clk), .rst(rst), .start(start), .halt(halt), .free(free), .count_a(count_a),
@@ -162,22 +126,11 @@ module sepax_engine_logic (
   );
 
   // Narrow phase.
-  wire fetch_busy;
-  wire pair_valid;
-  wire pair_ready;
-  wire [9*W-1:0] pair_a;
-  wire [9*W-1:0] pair_b;
-  wire outside;
-  wire [A-1:0] number_a;
-  wire [B-1:0] number_b;
-  wire in_flight;
-  wire verdict_valid;
-  wire verdict_ready;
-  wire collision;
-  wire coplanar;
-  wire verdict_outside;
-  wire [A-1:0] verdict_a;
-  wire [B-1:0] verdict_b;
+  wire fetch_busy, pair_valid, pair_ready, outside, in_flight;
+  wire verdict_valid, verdict_ready, verdict_outside, collision, coplanar;
+  wire [9*W-1:0] pair_a, pair_b;
+  wire [A-1:0]   number_a, verdict_a;
+  wire [B-1:0]   number_b, verdict_b;
 
   sepax_fetch fetch_pair (
     .clk(clk), .clear(clear), .valid(candidate), .a(fetch_a), .b(fetch_b), .read(fetch),
@@ -189,9 +142,8 @@ module sepax_engine_logic (
   sepax_cores cores (
     .clk(clk), .rst(rst), .pair_valid(pair_valid), .pair_ready(pair_ready), .pair_a(pair_a),
     .pair_b(pair_b), .pair_info({outside, number_b, number_a}), .in_flight(in_flight),
-    .verdict_valid(verdict_valid), .verdict_ready(verdict_ready),
-    .collision(collision), .coplanar(coplanar),
-    .verdict_info({verdict_outside, verdict_b, verdict_a})
+    .collision(collision), .coplanar(coplanar), .verdict_valid(verdict_valid),
+    .verdict_ready(verdict_ready), .verdict_info({verdict_outside, verdict_b, verdict_a})
   );
 
   assign drained = !running && !lanes_busy && !more && !candidate && !fetch_busy && !in_flight;

@@ -40,29 +40,20 @@ module sepax_enumerator (
   reg  [B:0]   last_j_q;   // end of a round
   reg  [A+1:0] last_n_q;   // would take the last of A's out of its lane
   reg          emptying_q; // the last round: no triangle of A is left
-  wire [A+1:0] next_base;
-  wire [A+1:0] wide_a;
-  wire         finished;
+  wire [A+1:0] wide_a = {1'b0, count_a};
+  wire [A+1:0] next_base = base_q + LANES_A;
+  wire         finished = emptying_q && (n_q == last_n_q);
 
   assign address_a = n_q[A-1:0];
   assign address_b = j[B-1:0];
   assign round_base = base_q[A-1:0];
-  assign wide_a = {1'b0, count_a};
-  assign next_base = base_q + LANES_A;
-  assign finished = emptying_q && (n_q == last_n_q);
   assign step = running && free && !finished;
   assign is_b = j < count_b;
   assign load = j < LANES_B;
   assign is_a = !emptying_q && (n_q < wide_a);
 
   always @(posedge clk) begin
-    if (rst || halt) begin
-      running <= 1'b0;
-    end else if (start) begin
-      running <= 1'b1;
-    end else if (finished) begin
-      running <= 1'b0;
-    end
+    running <= !(rst || halt) && (start || (running && !finished));
     if (start) begin
       j <= {(B+1){1'b0}};
       n_q <= {(A+2){1'b0}};

@@ -33,19 +33,17 @@ module sepax_fetch (
   reg            valid_q;
   reg  [9-1:0]   a_q;
   reg  [9-1:0]   b_q;
-  wire           enable_1;
-  wire           enable_2;
   wire [9*V-1:0] moved;
   wire [9*W-1:0] moved_b;
   wire [8:0]     outside;
-  genvar         k;
+  // A core's in_ready comes late; a pair in every other cycle is enough.
+  wire           enable_2 = !out_valid;
+  wire           enable_1 = !valid_q || enable_2;
 
-  // in_ready of a core comes late in its cycle; a pair in every other cycle is enough.
-  assign enable_2 = !out_valid;
-  assign enable_1 = !valid_q || enable_2;
   assign read = valid && enable_1;
   assign busy = valid_q || out_valid;
 
+  genvar k;
   generate
     for (k = 0; k < 9; k = k + 1) begin : coordinate
       assign moved[k*V +: V] = {{2{read_b[k*W+W-1]}}, read_b[k*W +: W]} +
@@ -64,11 +62,7 @@ module sepax_fetch (
       if (enable_1) begin
         valid_q <= valid;
       end
-      if (enable_2) begin
-        out_valid <= valid_q;
-      end else if (out_ready) begin
-        out_valid <= 1'b0;
-      end
+      out_valid <= enable_2 ? valid_q : !out_ready;
     end
     if (read) begin
       a_q <= a;

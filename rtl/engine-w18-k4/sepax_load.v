@@ -37,23 +37,20 @@ module sepax_load (
   reg              is_b_q;   // object B is coming
   reg  [2:0]       phase_q;  // one-hot: the vertex of the triangle
   reg  [INDEX:0]   number_q; // of the triangle
-  reg  [3*W-1:0]   vertex_1_q;
-  reg  [3*W-1:0]   vertex_2_q;
+  reg  [3*W-1:0]   vertex_1_q, vertex_2_q;
   wire [3*W-1:0]   vertex;
   wire [2:0]       fits;
-  wire             bad_vertex;
-  wire             take;
-  wire             to_b;
-  wire             free;
-  wire             bad;
-  wire             whole;
-  wire [INDEX:0]   next_number;
-  genvar           k;
+  wire             bad_vertex = !(&fits);
+  wire             take = tvalid && tready;
+  wire             to_b = loading ? is_b_q : tdest;
+  wire             free = !number_q[INDEX];
+  wire             bad = loading && (bad_word || partial || bad_size);
+  wire             whole = tlast && phase_q[2] && !bad_vertex && free && !bad;
+  wire [INDEX:0]   next_number = number_q + ONE;
 
   assign tready = !busy;
-  assign take = tvalid && tready;
-  assign to_b = loading ? is_b_q : tdest;
 
+  genvar k;
   generate
     for (k = 0; k < 3; k = k + 1) begin : axis
       assign vertex[k*W +: W] = tdata[32*k +: W];
@@ -65,25 +62,13 @@ module sepax_load (
     end
   endgenerate
 
-  assign bad_vertex = !(&fits);
-  assign free = !number_q[INDEX];
-  assign bad = loading && (bad_word || partial || bad_size);
-  assign whole = tlast && phase_q[2] && !bad_vertex && free && !bad;
-  assign next_number = number_q + ONE;
-
   always @(posedge clk) begin
     if (rst) begin
-      loading <= 1'b0;
-      ended <= 1'b0;
+      {loading, ended, write_a, write_b, bad_word, partial, bad_size} <= 7'd0;
       phase_q <= 3'b001;
       number_q <= {(INDEX+1){1'b0}};
-      write_a <= 1'b0;
-      write_b <= 1'b0;
       count_a <= {(9+1){1'b0}};
       count_b <= {(9+1){1'b0}};
-      bad_word <= 1'b0;
-      partial <= 1'b0;
-      bad_size <= 1'b0;
     end else begin
       ended <= take && tlast;
       write_a <= take && phase_q[2] && free && !to_b;

@@ -29,7 +29,7 @@
 #define SEPAX_MODE_FIRST 0x1u
 #define SEPAX_MODE_QUIET 0x2u
 
-#define SEPAX_STATUS 0x18u
+#define SEPAX_STATUS 0x18u /* of the run and of both objects */
 #define SEPAX_STATUS_BUSY 0x1u
 #define SEPAX_STATUS_HIT 0x2u
 #define SEPAX_STATUS_OUT_OF_RANGE 0x4u
@@ -67,7 +67,7 @@
 
 #define SEPAX_COLLISIONS 0x40u /* pairs that collide */
 
-#define SEPAX_OUT_OF_RANGE 0x44u /* of these, undecided: an AABB exceeds its extent, or moved out of W bits */
+#define SEPAX_OUT_OF_RANGE 0x44u /* of these, undecided: beyond an extent, or moved out of W bits */
 
 #define SEPAX_WARNINGS 0x48u /* pairs of the band between clearance and warning */
 

@@ -36,20 +36,20 @@ module sepax_registers (
   output reg         first,        // mode: end at the first collision
   output reg         quiet,        // mode: no result stream
   output reg  [3*(18+1)-1:0] move, // added to B: {z, y, x}, signed
-  input  wire [31:0] status,       // what STATUS shows
+  input  wire [31:0] status,       // of the run and of both objects
+  input  wire [31:0] count_a,      // triangles of A, 0 unless it is whole
+  input  wire [31:0] count_b,      // triangles of B, 0 unless it is whole
+  input  wire [31:0] pairs,        // pairs through the comparator lanes in this run
+  input  wire [31:0] candidates,   // pairs that went on to the cores
+  input  wire [31:0] collisions,   // pairs that collide
+  input  wire [31:0] out_of_range, // of these, undecided: beyond an extent, or moved out of W bits
+  input  wire [31:0] warnings,     // pairs of the band between clearance and warning
+  input  wire [31:0] cycles,       // clock cycles of the run; stays at its largest value
+  input  wire [31:0] first_a,      // first collision: number of A's triangle
+  input  wire [31:0] first_b,      // first collision: number of B's triangle
   input  wire        done,         // a run ends in this cycle
   input  wire        hit,          // it finds its first collision in this cycle
-  input  wire        loaded,       // the last vertex of an object has come
-  input  wire [31:0] count_a,      // the register of that name
-  input  wire [31:0] count_b,      // likewise
-  input  wire [31:0] pairs,        // likewise
-  input  wire [31:0] candidates,   // likewise
-  input  wire [31:0] collisions,   // likewise
-  input  wire [31:0] out_of_range, // likewise
-  input  wire [31:0] warnings,     // likewise
-  input  wire [31:0] cycles,       // likewise
-  input  wire [31:0] first_a,      // likewise
-  input  wire [31:0] first_b       // likewise
+  input  wire        loaded        // the last vertex of an object has come
 );
   // Addresses of what can be written.
   localparam [6:0] COMMAND = 7'd16;
@@ -64,45 +64,33 @@ module sepax_registers (
   localparam [31:0] DESIGN = 50398226;
   localparam [31:0] MEMORY = 2313;
   localparam M = 18 + 1; // bits of a move
-  reg         address_full_q;
-  reg  [6:0]  address_q;
-  reg         data_full_q;
+  reg         address_full_q, data_full_q, read_full_q; // a request has come
+  reg  [6:0]  address_q, read_address_q;
   reg  [31:0] data_q;
   reg         whole_q; // all byte strobes were 1
-  reg         read_full_q;
-  reg  [6:0]  read_address_q;
-  reg  [2:0]  enable_q;
-  reg  [2:0]  pending_q;
-  reg         accepted;
-  reg         known;
+  reg  [2:0]  enable_q, pending_q;
+  reg         accepted, known;
   reg  [31:0] shown;
-  wire        write;
-  wire        accept;
-  wire        read;
-  wire        fits;
-  wire        busy;
-  wire        idle;
-  wire        can_start;
   wire [95:0] shown_move; // {z, y, x}
-  genvar      k;
+  wire        fits;       // a move of data_q
+  wire        write = address_full_q && data_full_q && (!bvalid || bready);
+  wire        read = read_full_q && (!rvalid || rready);
+  wire        accept = write && whole_q && accepted;
+  wire        idle = !status[0] && !start;
+  wire        can_start = idle && status[4] && status[5] && !status[6];
 
   assign awready = !address_full_q;
   assign wready = !data_full_q;
   assign arready = !read_full_q;
-  assign write = address_full_q && data_full_q && (!bvalid || bready);
-  assign read = read_full_q && (!rvalid || rready);
   assign starting = start || (address_full_q && data_full_q && (address_q == COMMAND) && data_q[0]);
   assign irq = |(pending_q & enable_q);
-  assign busy = status[0];
-  assign idle = !busy && !start;
-  assign can_start = idle && status[4] && status[5] && !status[6];
   assign fits = !(|data_q[31:M-1]) || (&data_q[31:M-1]);
+  genvar k;
   generate
     for (k = 0; k < 3; k = k + 1) begin : axis
       assign shown_move[32*k +: 32] = {{(32-M){move[k*M+M-1]}}, move[k*M +: M]};
     end
   endgenerate
-  assign accept = write && whole_q && accepted;
 
   always @(*) begin
     case (address_q)
@@ -147,64 +135,30 @@ module sepax_registers (
 
   always @(posedge clk) begin
     if (rst) begin
-      address_full_q <= 1'b0;
-      data_full_q <= 1'b0;
-      read_full_q <= 1'b0;
-      bvalid <= 1'b0;
-      rvalid <= 1'b0;
-      start <= 1'b0;
-      stop <= 1'b0;
-      first <= 1'b0;
-      quiet <= 1'b0;
-      enable_q <= 3'd0;
-      pending_q <= 3'd0;
+      {address_full_q, data_full_q, read_full_q, bvalid, rvalid} <= 5'd0;
+      {start, stop, first, quiet} <= 4'd0;
+      {enable_q, pending_q} <= 6'd0;
       move <= {(3*M){1'b0}};
     end else begin
-      if (awvalid && awready) begin
-        address_full_q <= 1'b1;
-      end else if (write) begin
-        address_full_q <= 1'b0;
-      end
-      if (wvalid && wready) begin
-        data_full_q <= 1'b1;
-      end else if (write) begin
-        data_full_q <= 1'b0;
-      end
-      if (write) begin
-        bvalid <= 1'b1;
-      end else if (bready) begin
-        bvalid <= 1'b0;
-      end
-      if (arvalid && arready) begin
-        read_full_q <= 1'b1;
-      end else if (read) begin
-        read_full_q <= 1'b0;
-      end
-      if (read) begin
-        rvalid <= 1'b1;
-      end else if (rready) begin
-        rvalid <= 1'b0;
-      end
+      address_full_q <= address_full_q ? !write : awvalid;
+      data_full_q <= data_full_q ? !write : wvalid;
+      bvalid <= write || (bvalid && !bready);
+      read_full_q <= read_full_q ? !read : arvalid;
+      rvalid <= read || (rvalid && !rready);
       start <= accept && (address_q == COMMAND) && data_q[0];
       stop <= accept && (address_q == COMMAND) && data_q[1];
-      if (accept && (address_q == MODE)) begin
-        first <= data_q[0];
-        quiet <= data_q[1];
-      end
-      if (accept && (address_q == ENABLE)) begin
-        enable_q <= data_q[2:0];
+      if (accept) begin
+        case (address_q)
+          MODE: {quiet, first} <= data_q[1:0];
+          ENABLE: enable_q <= data_q[2:0];
+          MOVE_X: move[0*M +: M] <= data_q[18:0];
+          MOVE_Y: move[1*M +: M] <= data_q[18:0];
+          MOVE_Z: move[2*M +: M] <= data_q[18:0];
+          default: ;
+        endcase
       end
       pending_q <= (pending_q & ~(data_q[2:0] & {3{accept && (address_q == PENDING)}})) |
                    {loaded, hit, done};
-      if (accept && (address_q == MOVE_X)) begin
-        move[0*M +: M] <= data_q[18:0];
-      end
-      if (accept && (address_q == MOVE_Y)) begin
-        move[1*M +: M] <= data_q[18:0];
-      end
-      if (accept && (address_q == MOVE_Z)) begin
-        move[2*M +: M] <= data_q[18:0];
-      end
     end
     if (awvalid && awready) begin
       address_q <= awaddr;

@@ -49,47 +49,27 @@ module sepax_results (
   localparam A = 9; // bits of the number of a triangle of A
   localparam B = 9; // of B
   reg         ending_q;
-  wire        take;
-  wire        undecided;
-  wire        found;
-  wire        warned;
-  wire        free;
-  wire        finish;
-  wire [31:0] sent;
+  wire        free = !tvalid || tready;
+  wire        counted = valid && free && !stopped;
+  wire        undecided = outside;
+  wire        found = counted && (collision || undecided);
+  wire        warned = 1'b0;
+  wire        finish = busy && !ending_q && drained && free;
+  wire [31:0] sent = collisions + warnings;
 
-  assign free = !tvalid || tready;
   assign ready = free;
-  assign take = valid && ready;
-  assign undecided = outside;
-  assign found = take && !stopped && (collision || undecided);
-  assign warned = 1'b0;
   assign hit = found && !any;
   assign halt = stop || (first && hit);
-  assign finish = busy && !ending_q && drained && free;
   assign done = (finish && quiet) || (ending_q && free);
-  assign sent = collisions + warnings;
 
   always @(posedge clk) begin
     if (rst) begin
-      busy <= 1'b0;
-      ending_q <= 1'b0;
-      stopped <= 1'b0;
-      any <= 1'b0;
-      tvalid <= 1'b0;
+      {busy, ending_q, stopped, any, tvalid} <= 5'd0;
     end else begin
-      if (start) begin
-        busy <= 1'b1;
-      end else if (done) begin
-        busy <= 1'b0;
-      end
+      busy <= start || (busy && !done);
       ending_q <= (finish && !quiet) || (ending_q && !free);
-      if (start) begin
-        stopped <= 1'b0;
-        any <= 1'b0;
-      end else begin
-        stopped <= stopped || (busy && !ending_q && halt);
-        any <= any || found;
-      end
+      stopped <= !start && (stopped || (busy && !ending_q && halt));
+      any <= !start && (any || found);
       if (free) begin
         tvalid <= (found || warned || finish) && !quiet;
       end

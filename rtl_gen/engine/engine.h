@@ -6,24 +6,10 @@
 #include "emit/template.h"
 #include "sepax_design.h"
 
-/* A memory-mapped register, 32 bits: its place in the table is its address / 4. */
-typedef enum { ENGINE_READ, ENGINE_WRITE, ENGINE_READ_WRITE, ENGINE_CLEAR } engine_access;
-typedef struct {
-  const char *name;
-  engine_access access;
-  const char *shown; /* in sepax_registers.v, as it is read; @...@ is a hole */
-  const char *about;
-  struct {
-    const char *name;
-    int low, bits;
-    const char *about;
-  } field[10]; /* none: all 32 bits are one number */
-} engine_register;
-
 enum { ENGINE_IDENTITY = 0x53505841 };
 
-/* Addresses of what can be written, and the cases in which a register is read, for the holes of
- * sepax_registers.v. */
+/* Holes of sepax_registers.v: inputs that are read as they are, addresses of what can be written,
+ * the cases in which a register is read. */
 void engine_decode(emit_holes *h);
 
 /* The register map for drivers: a C header, a page. */

@@ -2,116 +2,96 @@
 #include "engine.h"
 #include "sepax_design.h"
 
+#include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
-static const engine_register register_table[] = {
-    {"ID", ENGINE_READ, "IDENTITY", "0x53505841, \"SPXA\"", {{0}}},
-    {"GENERATOR",
-     ENGINE_READ,
-     "GENERATOR",
-     "its version",
-     {{"MAJOR", 16, 8, ""}, {"MINOR", 8, 8, ""}, {"PATCH", 0, 8, ""}}},
-    {"DESIGN",
-     ENGINE_READ,
-     "DESIGN",
-     "what was generated",
-     {{"WORD", 0, 6, "bits of a coordinate"},
-      {"LANES", 8, 7, "comparator lanes"},
-      {"CORES", 16, 4, "exact cores"},
-      {"II", 24, 5, "cycles a pair of each core"}}},
-    {"MEMORY",
-     ENGINE_READ,
-     "MEMORY",
-     "triangles that the memories hold",
-     {{"LOG2_A", 0, 4, "2^LOG2_A of A"}, {"LOG2_B", 8, 4, "2^LOG2_B of B"}}},
-    {"COMMAND",
-     ENGINE_WRITE,
-     "",
-     "one bit, written as 1",
-     {{"START", 0, 1, "begin a run; refused while busy or loading, or without objects"},
-      {"STOP", 1, 1, "end the run as soon as the core is empty"}}},
-    {"MODE",
-     ENGINE_READ_WRITE,
-     "{30'd0, quiet, first}",
-     "of the next run; not writable while busy",
-     {{"FIRST", 0, 1, "end at the first collision"},
-      {"QUIET", 1, 1, "count only: nothing on the result stream"}}},
-    {"STATUS",
-     ENGINE_READ,
-     "status",
-     "",
-     {{"BUSY", 0, 1, "a run is going on"},
-      {"HIT", 1, 1, "the run has found a collision"},
-      {"OUT_OF_RANGE", 2, 1, "some of them are undecided, and flagged"},
-      {"STOPPED", 3, 1, "the run ended before all pairs were tested"},
-      {"LOADED_A", 4, 1, "object A is whole"},
-      {"LOADED_B", 5, 1, "object B is whole"},
-      {"LOADING", 6, 1, "an object has begun to come"},
-      {"WORD", 8, 1, "last object: a coordinate does not fit W bits"},
-      {"PARTIAL", 9, 1, "last object: it ended within a triangle"},
-      {"FULL", 10, 1, "last object: more triangles than the memory holds"}}},
-    {"ENABLE",
-     ENGINE_READ_WRITE,
-     "{29'd0, enable_q}",
-     "which of PENDING raise the interrupt",
-     {{"DONE", 0, 1, ""}, {"HIT", 1, 1, ""}, {"LOADED", 2, 1, ""}}},
-    {"PENDING",
-     ENGINE_CLEAR,
-     "{29'd0, pending_q}",
-     "write 1 to clear",
-     {{"DONE", 0, 1, "a run has ended"},
-      {"HIT", 1, 1, "a run has found its first collision"},
-      {"LOADED", 2, 1, "an object has come, whole or not"}}},
-    {"COUNT_A", ENGINE_READ, "count_a", "triangles of A, 0 unless it is whole", {{0}}},
-    {"COUNT_B", ENGINE_READ, "count_b", "triangles of B, 0 unless it is whole", {{0}}},
-    {"MOVE_X",
-     ENGINE_READ_WRITE,
-     "shown_move[0 +: 32]",
-     "added to each x of B, signed, W + 1 bits; not writable while busy",
-     {{0}}},
-    {"MOVE_Y", ENGINE_READ_WRITE, "shown_move[32 +: 32]", "likewise", {{0}}},
-    {"MOVE_Z", ENGINE_READ_WRITE, "shown_move[64 +: 32]", "likewise", {{0}}},
-    {"PAIRS", ENGINE_READ, "pairs", "pairs through the comparator lanes in this run", {{0}}},
-    {"CANDIDATES", ENGINE_READ, "candidates", "pairs that went on to the cores", {{0}}},
-    {"COLLISIONS", ENGINE_READ, "collisions", "pairs that collide", {{0}}},
-    {"OUT_OF_RANGE",
-     ENGINE_READ,
-     "out_of_range",
-     "of these, undecided: an AABB exceeds its extent, or moved out of W bits",
-     {{0}}},
-    {"WARNINGS", ENGINE_READ, "warnings", "pairs of the band between clearance and warning", {{0}}},
-    {"CYCLES", ENGINE_READ, "cycles", "clock cycles of the run; stays at its largest value", {{0}}},
-    {"FIRST_A", ENGINE_READ, "first_a", "first collision: number of A's triangle", {{0}}},
-    {"FIRST_B", ENGINE_READ, "first_b", "first collision: number of B's triangle", {{0}}},
+/* A memory-mapped register, 32 bits, at the next address; behind it its fields, if it is not one
+ * number. `shown` is what is read, in sepax_registers.v; a name in small letters is an input. */
+static const struct {
+  const char *name;
+  enum { READ, WRITE, READ_WRITE, CLEAR, FIELD } kind;
+  const char *shown;
+  int low, bits; /* of a field */
+  const char *about;
+} table[] = {
+    {"ID", READ, "IDENTITY", 0, 32, "0x53505841, \"SPXA\""},
+    {"GENERATOR", READ, "GENERATOR", 0, 32, "its version"},
+    {"MAJOR", FIELD, "", 16, 8, ""},
+    {"MINOR", FIELD, "", 8, 8, ""},
+    {"PATCH", FIELD, "", 0, 8, ""},
+    {"DESIGN", READ, "DESIGN", 0, 32, "what was generated"},
+    {"WORD", FIELD, "", 0, 6, "bits of a coordinate"},
+    {"LANES", FIELD, "", 8, 7, "comparator lanes"},
+    {"CORES", FIELD, "", 16, 4, "exact cores"},
+    {"II", FIELD, "", 24, 5, "cycles a pair of each core"},
+    {"MEMORY", READ, "MEMORY", 0, 32, "triangles that the memories hold"},
+    {"LOG2_A", FIELD, "", 0, 4, "2^LOG2_A of A"},
+    {"LOG2_B", FIELD, "", 8, 4, "2^LOG2_B of B"},
+    {"COMMAND", WRITE, "", 0, 32, "one bit, written as 1"},
+    {"START", FIELD, "", 0, 1, "begin a run; refused while busy or loading, or without objects"},
+    {"STOP", FIELD, "", 1, 1, "end the run as soon as the core is empty"},
+    {"MODE", READ_WRITE, "{30'd0, quiet, first}", 0, 32,
+     "of the next run; not writable while busy"},
+    {"FIRST", FIELD, "", 0, 1, "end at the first collision"},
+    {"QUIET", FIELD, "", 1, 1, "count only: nothing on the result stream"},
+    {"STATUS", READ, "status", 0, 32, "of the run and of both objects"},
+    {"BUSY", FIELD, "", 0, 1, "a run is going on"},
+    {"HIT", FIELD, "", 1, 1, "the run has found a collision"},
+    {"OUT_OF_RANGE", FIELD, "", 2, 1, "some of them are undecided, and flagged"},
+    {"STOPPED", FIELD, "", 3, 1, "the run ended before all pairs were tested"},
+    {"LOADED_A", FIELD, "", 4, 1, "object A is whole"},
+    {"LOADED_B", FIELD, "", 5, 1, "object B is whole"},
+    {"LOADING", FIELD, "", 6, 1, "an object has begun to come"},
+    {"WORD", FIELD, "", 8, 1, "last object: a coordinate does not fit W bits"},
+    {"PARTIAL", FIELD, "", 9, 1, "last object: it ended within a triangle"},
+    {"FULL", FIELD, "", 10, 1, "last object: more triangles than the memory holds"},
+    {"ENABLE", READ_WRITE, "{29'd0, enable_q}", 0, 32, "which of PENDING raise the interrupt"},
+    {"DONE", FIELD, "", 0, 1, ""},
+    {"HIT", FIELD, "", 1, 1, ""},
+    {"LOADED", FIELD, "", 2, 1, ""},
+    {"PENDING", CLEAR, "{29'd0, pending_q}", 0, 32, "write 1 to clear"},
+    {"DONE", FIELD, "", 0, 1, "a run has ended"},
+    {"HIT", FIELD, "", 1, 1, "a run has found its first collision"},
+    {"LOADED", FIELD, "", 2, 1, "an object has come, whole or not"},
+    {"COUNT_A", READ, "count_a", 0, 32, "triangles of A, 0 unless it is whole"},
+    {"COUNT_B", READ, "count_b", 0, 32, "triangles of B, 0 unless it is whole"},
+    {"MOVE_X", READ_WRITE, "shown_move[0 +: 32]", 0, 32,
+     "added to each x of B, signed, W + 1 bits; not writable while busy"},
+    {"MOVE_Y", READ_WRITE, "shown_move[32 +: 32]", 0, 32, "likewise"},
+    {"MOVE_Z", READ_WRITE, "shown_move[64 +: 32]", 0, 32, "likewise"},
+    {"PAIRS", READ, "pairs", 0, 32, "pairs through the comparator lanes in this run"},
+    {"CANDIDATES", READ, "candidates", 0, 32, "pairs that went on to the cores"},
+    {"COLLISIONS", READ, "collisions", 0, 32, "pairs that collide"},
+    {"OUT_OF_RANGE", READ, "out_of_range", 0, 32,
+     "of these, undecided: beyond an extent, or moved out of W bits"},
+    {"WARNINGS", READ, "warnings", 0, 32, "pairs of the band between clearance and warning"},
+    {"CYCLES", READ, "cycles", 0, 32, "clock cycles of the run; stays at its largest value"},
+    {"FIRST_A", READ, "first_a", 0, 32, "first collision: number of A's triangle"},
+    {"FIRST_B", READ, "first_b", 0, 32, "first collision: number of B's triangle"},
 };
 
-enum { REGISTERS = sizeof register_table / sizeof register_table[0] };
-
-static int fields(const engine_register *r) {
-  int count = 0;
-  while (count < 10 && r->field[count].name != NULL) {
-    count++;
-  }
-  return count;
-}
+enum { ROWS = sizeof table / sizeof table[0] };
 
 void engine_header(FILE *out) {
   fprintf(out,
           "/* Registers of sepax_engine, 32 bits each. Generated by sepax %s; do not edit. */\n"
           "#ifndef SEPAX_REGISTERS_H\n#define SEPAX_REGISTERS_H\n\n#define SEPAX_IDENTITY 0x%xu\n",
           SEPAX_VERSION, (unsigned)ENGINE_IDENTITY);
-  for (int i = 0; i < REGISTERS; i++) {
-    const engine_register *r = &register_table[i];
-    fprintf(out, "\n#define SEPAX_%s 0x%02xu%s%s%s\n", r->name, 4u * (unsigned)i,
-            r->about[0] != '\0' ? " /* " : "", r->about, r->about[0] != '\0' ? " */" : "");
-    for (int k = 0; k < fields(r); k++) {
-      unsigned mask = ((1u << r->field[k].bits) - 1) << r->field[k].low;
-      if (r->field[k].bits == 1) {
-        fprintf(out, "#define SEPAX_%s_%s 0x%xu\n", r->name, r->field[k].name, mask);
-      } else {
-        fprintf(out, "#define SEPAX_%s_%s(value) (((value) & 0x%xu) >> %d)\n", r->name,
-                r->field[k].name, mask, r->field[k].low);
-      }
+  unsigned address = 0;
+  const char *of = "";
+  for (int i = 0; i < ROWS; i++) {
+    const char *name = table[i].name;
+    int low = table[i].low;
+    unsigned mask = (unsigned)((UINT64_C(1) << table[i].bits) - 1) << low;
+    if (table[i].kind != FIELD) {
+      fprintf(out, "\n#define SEPAX_%s 0x%02xu /* %s */\n", name, address, table[i].about);
+      of = name;
+      address += 4;
+    } else if (table[i].bits == 1) {
+      fprintf(out, "#define SEPAX_%s_%s 0x%xu\n", of, name, mask);
+    } else {
+      fprintf(out, "#define SEPAX_%s_%s(value) (((value) & 0x%xu) >> %d)\n", of, name, mask, low);
     }
   }
   fprintf(out, "\n#endif\n");
@@ -128,37 +108,49 @@ void engine_page(FILE *out) {
       "alike.\n\n"
       "| address | name | access | bits | |\n| --- | --- | --- | --- | --- |\n",
       SEPAX_VERSION);
-  for (int i = 0; i < REGISTERS; i++) {
-    const engine_register *r = &register_table[i];
-    fprintf(out, "| 0x%02x | `%s` | %s | | %s |\n", 4 * i, r->name, access[r->access], r->about);
-    for (int k = 0; k < fields(r); k++) {
-      int low = r->field[k].low;
-      fprintf(out,
-              r->field[k].bits > 1 ? "| | `%s` | | %d:%d | %s |\n" : "| | `%s` | | %d%.0d | %s |\n",
-              r->field[k].name, low + r->field[k].bits - 1, r->field[k].bits > 1 ? low : 0,
-              r->field[k].about);
+  unsigned address = 0;
+  for (int i = 0; i < ROWS; i++) {
+    const char *name = table[i].name;
+    int low = table[i].low;
+    if (table[i].kind != FIELD) {
+      fprintf(out, "| 0x%02x | `%s` | %s | | ", address, name, access[table[i].kind]);
+      address += 4;
+    } else if (table[i].bits == 1) {
+      fprintf(out, "| | `%s` | | %d | ", name, low);
+    } else {
+      fprintf(out, "| | `%s` | | %d:%d | ", name, low + table[i].bits - 1, low);
     }
+    fprintf(out, "%s |\n", table[i].about);
   }
 }
 
 void engine_decode(emit_holes *h) {
-  char addresses[1024] = "";
-  char readable[4096] = "";
-  size_t written = 0;
-  size_t read = 0;
-  for (int i = 0; i < REGISTERS; i++) {
-    const engine_register *r = &register_table[i];
-    if (r->access != ENGINE_READ) {
-      written += (size_t)snprintf(addresses + written, sizeof addresses - written,
-                                  "%s  localparam [6:0] %s = 7'd%d;", written > 0 ? "\n" : "",
-                                  r->name, 4 * i);
-    }
-    if (r->access != ENGINE_WRITE) {
-      read += (size_t)snprintf(readable + read, sizeof readable - read,
-                               "%s      7'd%d: shown = %s; // %s", read > 0 ? "\n" : "", 4 * i,
-                               r->shown, r->name);
-    }
+  static const char *const hole[] = {"numbers", "addresses", "readable"};
+  char *text[3];
+  size_t size[3];
+  FILE *out[3];
+  for (int k = 0; k < 3; k++) {
+    out[k] = open_memstream(&text[k], &size[k]);
   }
-  emit_hole_set(h, "addresses", "%s", addresses);
-  emit_hole_set(h, "readable", "%s", readable);
+  unsigned address = 0;
+  for (int i = 0; i < ROWS; i++) {
+    const char *name = table[i].name;
+    const char *shown = table[i].shown;
+    if (table[i].kind == READ && islower((unsigned char)shown[0])) {
+      int pad = 13 - (int)strlen(shown);
+      fprintf(out[0], "\n  input  wire [31:0] %s,%*s// %s", shown, pad, "", table[i].about);
+    }
+    if (table[i].kind != READ && table[i].kind != FIELD) {
+      fprintf(out[1], "\n  localparam [6:0] %s = 7'd%u;", name, address);
+    }
+    if (shown[0] != '\0') {
+      fprintf(out[2], "\n      7'd%u: shown = %s; // %s", address, shown, name);
+    }
+    address += table[i].kind == FIELD ? 0 : 4;
+  }
+  for (int k = 0; k < 3; k++) {
+    fclose(out[k]);
+    emit_hole_set(h, hole[k], "%s", text[k] + 1);
+    free(text[k]);
+  }
 }

@@ -24,47 +24,27 @@ module sepax_comparators (
   localparam V = @moved@;   // of one that was moved
   localparam A = @index_a@; // bits of the number of a triangle of A
   localparam B = @index_b@; // of B
-  //@ if margin
-  localparam [V-1:0] MARGIN = @margin@; // AABBs nearer than this overlap
-  //@ end
-  reg              valid_q;
-  reg              valid_q2;
-  reg              valid_q3;
-  reg              is_b_q;
-  reg              load_q;
-  reg              is_a_q;
+  localparam [V-1:0] MARGIN = @margin@; // AABBs nearer than this overlap //@ margin
+  reg              valid_q, valid_q2, valid_q3, is_b_q, load_q, is_a_q;
   reg  [B:0]       j_q;
   reg  [B-1:0]     j_q2;
-  reg  [A-1:0]     base_q;
-  reg  [A-1:0]     base_q2;
+  reg  [A-1:0]     base_q, base_q2;
   reg  [6*V-1:0]   aabb_q2;
   reg  [6:0]       live_q; // lanes that hold an AABB
-  wire [6*V-1:0]   moved;
-  wire [6*V-1:0]   moved_b;
-  wire [LANES-1:0] overlap;
-  wire [LANES-1:0] live;
-  wire [LANES-1:0] taken;
-  wire             lost;
-  genvar           k;
+  wire [6*V-1:0]   moved, moved_b;
+  wire [LANES-1:0] overlap, live, taken;
 
   assign busy = valid_q || valid_q2 || valid_q3;
   assign push = |mask;
-  assign lost = |(taken & live);
   assign tested = live_q & {7{valid_q2}};
 
+  genvar k;
   generate
     for (k = 0; k < 6; k = k + 1) begin : side
       assign moved[k*V +: V] = {{2{aabb_b[k*W+W-1]}}, aabb_b[k*W +: W]} +
                                {move[(k/2)*(W+1)+W], move[(k/2)*(W+1) +: W+1]};
-      //@ if margin
-      if (k % 2 == 1) begin : high
-        assign moved_b[k*V +: V] = moved[k*V +: V] + MARGIN;
-      end else begin : low
-        assign moved_b[k*V +: V] = moved[k*V +: V] - MARGIN;
-      end
-      //@ else
-      assign moved_b[k*V +: V] = moved[k*V +: V];
-      //@ end
+      assign moved_b[k*V +: V] = moved[k*V +: V]; //@ !margin
+      assign moved_b[k*V +: V] = moved[k*V +: V] + ((k % 2 == 1) ? MARGIN : -MARGIN); //@ margin
     end
     for (k = 0; k < LANES; k = k + 1) begin : lane
       assign taken[k] = valid_q && load_q && (j_q == k[B:0]);
@@ -87,7 +67,7 @@ module sepax_comparators (
       valid_q2 <= valid_q && is_b_q;
       valid_q3 <= valid_q2;
       mask <= overlap;
-      live_q <= live_q + {6'd0, valid_q && load_q && is_a_q} - {6'd0, lost};
+      live_q <= live_q + {6'd0, valid_q && load_q && is_a_q} - {6'd0, |(taken & live)};
     end
     j_q <= j;
     is_b_q <= is_b;

@@ -28,31 +28,27 @@ module sepax_load (
   reg              is_b_q;   // object B is coming
   reg  [2:0]       phase_q;  // one-hot: the vertex of the triangle
   reg  [INDEX:0]   number_q; // of the triangle
-  reg  [3*W-1:0]   vertex_1_q;
-  reg  [3*W-1:0]   vertex_2_q;
+  reg  [3*W-1:0]   vertex_1_q, vertex_2_q;
   wire [3*W-1:0]   vertex;
   wire [2:0]       fits;
-  wire             bad_vertex;
-  wire             take;
-  wire             to_b;
-  wire             free;
-  wire             bad;
-  wire             whole;
-  wire [INDEX:0]   next_number;
-  genvar           k;
+  wire             bad_vertex = !(&fits);
+  wire             take = tvalid && tready;
+  wire             to_b = loading ? is_b_q : tdest;
+  wire             free = !number_q[INDEX]; //@ !smaller
+  wire             free = !number_q[INDEX] && //@ smaller
+                          (@not_smaller@ || !(|number_q[INDEX-1:@smaller@])); //@ smaller
+  wire             bad = loading && (bad_word || partial || bad_size);
+  wire             whole = tlast && phase_q[2] && !bad_vertex && free && !bad;
+  wire [INDEX:0]   next_number = number_q + ONE;
 
   assign tready = !busy;
-  assign take = tvalid && tready;
-  assign to_b = loading ? is_b_q : tdest;
 
+  genvar k;
   generate
     for (k = 0; k < 3; k = k + 1) begin : axis
       assign vertex[k*W +: W] = tdata[32*k +: W];
-      //@ if narrow
-      assign fits[k] = !(|tdata[32*k+W-1 +: 33-W]) || (&tdata[32*k+W-1 +: 33-W]);
-      //@ else
-      assign fits[k] = 1'b1;
-      //@ end
+      assign fits[k] = !(|tdata[32*k+W-1 +: 33-W]) || (&tdata[32*k+W-1 +: 33-W]); //@ narrow
+      assign fits[k] = 1'b1; //@ !narrow
       sepax_bounds #(.W(W)) bounds (
         .x_1(triangle[k*W +: W]), .x_2(triangle[(3+k)*W +: W]), .x_3(triangle[(6+k)*W +: W]),
         .low(aabb[2*k*W +: W]), .high(aabb[(2*k+1)*W +: W])
@@ -60,29 +56,13 @@ module sepax_load (
     end
   endgenerate
 
-  assign bad_vertex = !(&fits);
-  //@ if smaller
-  assign free = !number_q[INDEX] && (@not_smaller@ || !(|number_q[INDEX-1:@smaller@]));
-  //@ else
-  assign free = !number_q[INDEX];
-  //@ end
-  assign bad = loading && (bad_word || partial || bad_size);
-  assign whole = tlast && phase_q[2] && !bad_vertex && free && !bad;
-  assign next_number = number_q + ONE;
-
   always @(posedge clk) begin
     if (rst) begin
-      loading <= 1'b0;
-      ended <= 1'b0;
+      {loading, ended, write_a, write_b, bad_word, partial, bad_size} <= 7'd0;
       phase_q <= 3'b001;
       number_q <= {(INDEX+1){1'b0}};
-      write_a <= 1'b0;
-      write_b <= 1'b0;
       count_a <= {(@index_a@+1){1'b0}};
       count_b <= {(@index_b@+1){1'b0}};
-      bad_word <= 1'b0;
-      partial <= 1'b0;
-      bad_size <= 1'b0;
     end else begin
       ended <= take && tlast;
       write_a <= take && phase_q[2] && free && !to_b;

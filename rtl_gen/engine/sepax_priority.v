@@ -20,13 +20,10 @@ module sepax_priority (
   reg  [LANES-1:0] mask_q;
   reg  [B-1:0]     j_q;
   reg  [A-1:0]     base_q;
-  wire [LANES-1:0] lowest;
-  wire [LANES-1:0] others;
-  wire             last; // lane of the mask
+  wire [LANES-1:0] lowest = mask_q & (~mask_q + ONE);
+  wire [LANES-1:0] others = mask_q & ~lowest;
+  wire             last = !(|others); // lane of the mask
 
-  assign lowest = mask_q & (~mask_q + ONE);
-  assign others = mask_q & ~lowest;
-  assign last = !(|others);
   assign b = j_q;
   assign pop = more && (!valid || (take && last));
 
@@ -34,7 +31,7 @@ module sepax_priority (
   localparam LANE = @lane_bits@; // bits of a lane's number
   localparam [A-1:0] ROUND = @round@; // LANES, modulo 2^A
   reg  [LANE-1:0] lane;
-  wire            early;
+  wire            early = j_q < {{(B-LANE){1'b0}}, lane};
   integer         k;
   always @(*) begin
     lane = {LANE{1'b0}};
@@ -42,20 +39,13 @@ module sepax_priority (
       lane = lane | (k[LANE-1:0] & {LANE{lowest[k]}});
     end
   end
-  assign early = j_q < {{(B-LANE){1'b0}}, lane};
   assign a = base_q + {{(A-LANE){1'b0}}, lane} - (ROUND & {A{early}});
   //@ else
   assign a = base_q;
   //@ end
 
   always @(posedge clk) begin
-    if (clear) begin
-      valid <= 1'b0;
-    end else if (pop) begin
-      valid <= 1'b1;
-    end else if (take && last) begin
-      valid <= 1'b0;
-    end
+    valid <= !clear && (pop || (valid && !(take && last)));
     if (pop) begin
       mask_q <= next_mask;
       j_q <= next_j;

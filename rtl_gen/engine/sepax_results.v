@@ -15,12 +15,8 @@ module sepax_results (
   output wire         ready,        // it is taken
   input  wire         collision,    // the verdict
   input  wire         coplanar,     // the triangles are in one plane
-  //@ if extents
-  input  wire         exceeds,      // an AABB exceeds its extent
-  //@ end
-  //@ if limits
-  input  wire         warning,      // in the band between clearance and warning
-  //@ end
+  input  wire         exceeds,      // an AABB exceeds its extent //@ extents
+  input  wire         warning,      // in the band between clearance and warning //@ limits
   input  wire         outside,      // B was moved out of the word
   input  wire [@index_a@-1:0] a,            // the pair: number in A
   input  wire [@index_b@-1:0] b,            // number in B
@@ -46,55 +42,29 @@ module sepax_results (
   localparam A = @index_a@; // bits of the number of a triangle of A
   localparam B = @index_b@; // of B
   reg         ending_q;
-  wire        take;
-  wire        undecided;
-  wire        found;
-  wire        warned;
-  wire        free;
-  wire        finish;
-  wire [31:0] sent;
+  wire        free = !tvalid || tready;
+  wire        counted = valid && free && !stopped;
+  wire        undecided = outside || exceeds; //@ extents
+  wire        undecided = outside; //@ !extents
+  wire        found = counted && (collision || undecided);
+  wire        warned = counted && warning && !collision && !undecided; //@ limits
+  wire        warned = 1'b0; //@ !limits
+  wire        finish = busy && !ending_q && drained && free;
+  wire [31:0] sent = collisions + warnings;
 
-  assign free = !tvalid || tready;
   assign ready = free;
-  assign take = valid && ready;
-  //@ if extents
-  assign undecided = outside || exceeds;
-  //@ else
-  assign undecided = outside;
-  //@ end
-  assign found = take && !stopped && (collision || undecided);
-  //@ if limits
-  assign warned = take && !stopped && warning && !collision && !undecided;
-  //@ else
-  assign warned = 1'b0;
-  //@ end
   assign hit = found && !any;
   assign halt = stop || (first && hit);
-  assign finish = busy && !ending_q && drained && free;
   assign done = (finish && quiet) || (ending_q && free);
-  assign sent = collisions + warnings;
 
   always @(posedge clk) begin
     if (rst) begin
-      busy <= 1'b0;
-      ending_q <= 1'b0;
-      stopped <= 1'b0;
-      any <= 1'b0;
-      tvalid <= 1'b0;
+      {busy, ending_q, stopped, any, tvalid} <= 5'd0;
     end else begin
-      if (start) begin
-        busy <= 1'b1;
-      end else if (done) begin
-        busy <= 1'b0;
-      end
+      busy <= start || (busy && !done);
       ending_q <= (finish && !quiet) || (ending_q && !free);
-      if (start) begin
-        stopped <= 1'b0;
-        any <= 1'b0;
-      end else begin
-        stopped <= stopped || (busy && !ending_q && halt);
-        any <= any || found;
-      end
+      stopped <= !start && (stopped || (busy && !ending_q && halt));
+      any <= !start && (any || found);
       if (free) begin
         tvalid <= (found || warned || finish) && !quiet;
       end

@@ -39,21 +39,12 @@ module sepax_engine (
   localparam W = @word@;     // bits of a coordinate
   localparam A = @index_a@; // bits of the number of a triangle of A
   localparam B = @index_b@; // of B
+  wire write_a, write_b, step, fetch;
   wire [@index@-1:0] write_address;
-  wire [9*W-1:0] write_triangle;
-  wire [6*W-1:0] write_aabb;
-  wire           write_a;
-  wire           write_b;
-  wire           step;
-  wire           fetch;
-  wire [A-1:0]   aabb_address_a;
-  wire [B-1:0]   aabb_address_b;
-  wire [6*W-1:0] read_aabb_a;
-  wire [6*W-1:0] read_aabb_b;
-  wire [A-1:0]   fetch_a;
-  wire [B-1:0]   fetch_b;
-  wire [9*W-1:0] read_triangle_a;
-  wire [9*W-1:0] read_triangle_b;
+  wire [9*W-1:0] write_triangle, read_triangle_a, read_triangle_b;
+  wire [6*W-1:0] write_aabb, read_aabb_a, read_aabb_b;
+  wire [A-1:0]   aabb_address_a, fetch_a;
+  wire [B-1:0]   aabb_address_b, fetch_b;
 
   sepax_engine_logic logic_part (
     .clk(clk), .rst(rst),

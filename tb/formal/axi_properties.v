@@ -6,10 +6,7 @@
 module stands #(
     parameter WIDTH = 1
 ) (
-    input wire             clk,
-    input wire             rst,
-    input wire             valid,
-    input wire             ready,
+    input wire clk, rst, valid, ready,
     input wire [WIDTH-1:0] data
 );
   reg begun = 1'b0;
@@ -26,11 +23,7 @@ endmodule
 // A slave's side of requests and their responses: no response without its request, and not
 // more than two requests under way (one that waits, one that is answered).
 module answers (
-    input wire clk,
-    input wire rst,
-    input wire request,
-    input wire valid,
-    input wire ready
+    input wire clk, rst, request, valid, ready
 );
   reg [2:0] open = 3'd0;
   reg begun = 1'b0;
@@ -45,40 +38,23 @@ module answers (
   end
 endmodule
 
-module registers_properties #(
-    parameter MOVE = 19
-) (
-    input wire        clk,
-    input wire        rst,
-    input wire        awvalid,
-    input wire [ 6:0] awaddr,
-    input wire        wvalid,
-    input wire [31:0] wdata,
-    input wire [ 3:0] wstrb,
-    input wire        bready,
-    input wire        arvalid,
-    input wire [ 6:0] araddr,
-    input wire        rready,
-    input wire [31:0] status,
-    input wire        done,
-    input wire        hit,
-    input wire        loaded,
-    input wire [31:0] number
+module registers_properties (
+    input wire clk, rst, awvalid, wvalid, bready, arvalid, rready, done, hit, loaded,
+    input wire [6:0] awaddr, araddr,
+    input wire [3:0] wstrb,
+    input wire [31:0] wdata, status, number
 );
-  wire awready, wready, bvalid, arready, rvalid, irq, start, starting, stop, first, quiet;
+  wire awready, wready, bvalid, arready, rvalid, start;
   wire [1:0] bresp, rresp;
   wire [31:0] rdata;
-  wire [3*MOVE-1:0] move;
   sepax_registers dut (
       .clk(clk), .rst(rst), .awvalid(awvalid), .awready(awready), .awaddr(awaddr), .wvalid(wvalid),
       .wready(wready), .wdata(wdata), .wstrb(wstrb), .bvalid(bvalid), .bready(bready),
       .bresp(bresp), .arvalid(arvalid), .arready(arready), .araddr(araddr), .rvalid(rvalid),
-      .rready(rready), .rdata(rdata), .rresp(rresp), .irq(irq), .start(start),
-      .starting(starting), .stop(stop), .first(first), .quiet(quiet), .move(move),
-      .status(status), .done(done), .hit(hit), .loaded(loaded), .count_a(number),
-      .count_b(number), .pairs(number), .candidates(number), .collisions(number),
-      .out_of_range(number), .warnings(number), .cycles(number), .first_a(number),
-      .first_b(number));
+      .rready(rready), .rdata(rdata), .rresp(rresp), .start(start), .status(status), .done(done),
+      .hit(hit), .loaded(loaded), .count_a(number), .count_b(number), .pairs(number),
+      .candidates(number), .collisions(number), .out_of_range(number), .warnings(number),
+      .cycles(number), .first_a(number), .first_b(number));
 `ifdef STANDS
   stands #(.WIDTH(2)) b (.clk(clk), .rst(rst), .valid(bvalid), .ready(bready), .data(bresp));
   stands #(.WIDTH(34)) r (
@@ -99,38 +75,19 @@ module registers_properties #(
 `endif
 endmodule
 
-module results_properties #(
-    parameter A = 9,
-    parameter B = 9
-) (
-    input wire         clk,
-    input wire         rst,
-    input wire         start,
-    input wire         stop,
-    input wire         first,
-    input wire         quiet,
-    input wire [  6:0] tested,
-    input wire         launched,
-    input wire         drained,
-    input wire         valid,
-    input wire         collision,
-    input wire         coplanar,
-    input wire         outside,
-    input wire [A-1:0] a,
-    input wire [B-1:0] b,
-    input wire         tready
+module results_properties (
+    input wire clk, rst, start, stop, first, quiet, launched, drained, valid, collision, coplanar,
+    input wire outside, tready,
+    input wire [6:0] tested,
+    input wire [8:0] a, b
 );
-  wire ready, tvalid, tlast, halt, done, hit, busy, stopped, any;
+  wire tvalid, tlast, busy;
   wire [63:0] tdata;
-  wire [31:0] pairs, candidates, collisions, out_of_range, warnings, cycles, first_a, first_b;
   sepax_results dut (
       .clk(clk), .rst(rst), .start(start), .stop(stop), .first(first), .quiet(quiet),
-      .tested(tested), .launched(launched), .drained(drained), .valid(valid), .ready(ready),
+      .tested(tested), .launched(launched), .drained(drained), .valid(valid),
       .collision(collision), .coplanar(coplanar), .outside(outside), .a(a), .b(b),
-      .tvalid(tvalid), .tready(tready), .tdata(tdata), .tlast(tlast), .halt(halt), .done(done),
-      .hit(hit), .busy(busy), .stopped(stopped), .any(any), .pairs(pairs),
-      .candidates(candidates), .collisions(collisions), .out_of_range(out_of_range),
-      .warnings(warnings), .cycles(cycles), .first_a(first_a), .first_b(first_b));
+      .tvalid(tvalid), .tready(tready), .tdata(tdata), .tlast(tlast), .busy(busy));
 `ifdef STANDS
   stands #(.WIDTH(65)) m (
       .clk(clk), .rst(rst), .valid(tvalid), .ready(tready), .data({tlast, tdata}));
@@ -159,24 +116,15 @@ module results_properties #(
 endmodule
 
 module load_properties (
-    input wire        clk,
-    input wire        rst,
-    input wire        busy,
-    input wire        tvalid,
-    input wire [95:0] tdata,
-    input wire        tlast,
-    input wire        tdest
+    input wire clk, rst, busy, tvalid, tlast, tdest,
+    input wire [95:0] tdata
 );
-  wire tready, write_a, write_b, loading, ended, bad_word, partial, bad_size;
-  wire [8:0] address;
-  wire [161:0] triangle;
-  wire [107:0] aabb;
+  wire tready, write_a, write_b;
   wire [9:0] count_a, count_b;
   sepax_load dut (
       .clk(clk), .rst(rst), .busy(busy), .tvalid(tvalid), .tready(tready), .tdata(tdata),
-      .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b), .address(address),
-      .triangle(triangle), .aabb(aabb), .count_a(count_a), .count_b(count_b), .loading(loading),
-      .ended(ended), .bad_word(bad_word), .partial(partial), .bad_size(bad_size));
+      .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b), .count_a(count_a),
+      .count_b(count_b));
   // Ready does not wait for valid, and nothing is taken or changed during a run.
   reg begun = 1'b0;
   always @(posedge clk) begin
@@ -192,46 +140,25 @@ endmodule
 
 // A run finds both objects whole, and they stay so: a vertex does not slip in as it begins.
 module start_properties (
-    input wire        clk,
-    input wire        rst,
-    input wire        awvalid,
-    input wire [ 6:0] awaddr,
-    input wire        wvalid,
+    input wire clk, rst, awvalid, wvalid, bready, over, tvalid, tlast, tdest,
+    input wire [6:0] awaddr,
     input wire [31:0] wdata,
-    input wire        bready,
-    input wire        over,
-    input wire        tvalid,
-    input wire [95:0] tdata,
-    input wire        tlast,
-    input wire        tdest
+    input wire [95:0] tdata
 );
-  wire awready, wready, bvalid, arready, rvalid, irq, start, starting, stop, first, quiet, tready;
-  wire [1:0] bresp, rresp;
-  wire [31:0] rdata;
-  wire [56:0] move;
-  wire write_a, write_b, loading, ended, bad_word, partial, bad_size;
-  wire [8:0] address;
-  wire [161:0] triangle;
-  wire [107:0] aabb;
+  wire start, starting, loading, ended;
   wire [9:0] count_a, count_b;
   wire [31:0] status = {25'd0, loading, |count_b, |count_a, 3'd0, busy};
   reg busy = 1'b0;
   reg begun = 1'b0;
   sepax_registers registers (
-      .clk(clk), .rst(rst), .awvalid(awvalid), .awready(awready), .awaddr(awaddr), .wvalid(wvalid),
-      .wready(wready), .wdata(wdata), .wstrb(4'hf), .bvalid(bvalid), .bready(bready), .bresp(bresp),
-      .arvalid(1'b0), .arready(arready), .araddr(7'd0), .rvalid(rvalid), .rready(1'b0),
-      .rdata(rdata), .rresp(rresp), .irq(irq), .start(start), .starting(starting), .stop(stop),
-      .first(first), .quiet(quiet), .move(move),
-      .status(status), .done(1'b0), .hit(1'b0), .loaded(ended), .count_a(32'd0),
-      .count_b(32'd0), .pairs(32'd0), .candidates(32'd0), .collisions(32'd0),
+      .clk(clk), .rst(rst), .awvalid(awvalid), .awaddr(awaddr), .wvalid(wvalid), .wdata(wdata),
+      .wstrb(4'hf), .bready(bready), .arvalid(1'b0), .araddr(7'd0), .rready(1'b0), .start(start),
+      .starting(starting), .status(status), .done(1'b0), .hit(1'b0), .loaded(ended),
+      .count_a(32'd0), .count_b(32'd0), .pairs(32'd0), .candidates(32'd0), .collisions(32'd0),
       .out_of_range(32'd0), .warnings(32'd0), .cycles(32'd0), .first_a(32'd0), .first_b(32'd0));
   sepax_load load (
-      .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(tvalid), .tready(tready),
-      .tdata(tdata), .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b),
-      .address(address), .triangle(triangle), .aabb(aabb), .count_a(count_a), .count_b(count_b),
-      .loading(loading), .ended(ended), .bad_word(bad_word), .partial(partial),
-      .bad_size(bad_size));
+      .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(tvalid), .tdata(tdata), .tlast(tlast),
+      .tdest(tdest), .count_a(count_a), .count_b(count_b), .loading(loading), .ended(ended));
   always @(posedge clk) begin
     begun <= 1'b1;
     assume (begun || rst);
