@@ -15,16 +15,17 @@
 `default_nettype none
 
 module sepax_mul_19x19_biased (
-  input  wire signed [18:0]       a, // first factor
-  input  wire signed [18:0]       b, // second factor + BIAS
-  output wire signed [36:0]       p  // product, 0 clocks later
+  input  wire signed [18:0] a, // first factor
+  input  wire signed [18:0] b, // second factor + BIAS
+  output wire signed [36:0] p  // product, 0 clocks later
 );
 
 `ifdef SEPAX_BEHAVIOURAL
   wire [36:0] wide_a;
   wire [36:0] wide_b;
   assign wide_a = {{18{a[18]}}, a};
-  localparam [36:0] BIAS = 37'd87381; // the module multiplies by b - BIAS
+  // The module multiplies by b - BIAS.
+  localparam [36:0] BIAS = 37'd87381;
   assign wide_b = {{18{b[18]}}, b} - BIAS;
   assign p = wide_a * wide_b;
 `else
@@ -52,70 +53,70 @@ module sepax_mul_19x19_biased (
   wire [19:0] row_8;
   wire [18:0] plain_9;
   wire [18:0] row_9;
-  sepax_digit #( .A_W(19), .ROW_W(20) ) digit_0 (
+  sepax_digit #(.A_W(19), .ROW_W(20)) digit_0 (
     .a(a),
     .b(b[1:0]),
     .row(plain_0),
     .negative(negative[0])
   );
   assign row_0 = {~plain_0[19], plain_0[18:0]};
-  sepax_digit #( .A_W(19), .ROW_W(20) ) digit_1 (
+  sepax_digit #(.A_W(19), .ROW_W(20)) digit_1 (
     .a(a),
     .b(b[3:2]),
     .row(plain_1),
     .negative(negative[1])
   );
   assign row_1 = {~plain_1[19], plain_1[18:0]};
-  sepax_digit #( .A_W(19), .ROW_W(20) ) digit_2 (
+  sepax_digit #(.A_W(19), .ROW_W(20)) digit_2 (
     .a(a),
     .b(b[5:4]),
     .row(plain_2),
     .negative(negative[2])
   );
   assign row_2 = {~plain_2[19], plain_2[18:0]};
-  sepax_digit #( .A_W(19), .ROW_W(20) ) digit_3 (
+  sepax_digit #(.A_W(19), .ROW_W(20)) digit_3 (
     .a(a),
     .b(b[7:6]),
     .row(plain_3),
     .negative(negative[3])
   );
   assign row_3 = {~plain_3[19], plain_3[18:0]};
-  sepax_digit #( .A_W(19), .ROW_W(20) ) digit_4 (
+  sepax_digit #(.A_W(19), .ROW_W(20)) digit_4 (
     .a(a),
     .b(b[9:8]),
     .row(plain_4),
     .negative(negative[4])
   );
   assign row_4 = {~plain_4[19], plain_4[18:0]};
-  sepax_digit #( .A_W(19), .ROW_W(20) ) digit_5 (
+  sepax_digit #(.A_W(19), .ROW_W(20)) digit_5 (
     .a(a),
     .b(b[11:10]),
     .row(plain_5),
     .negative(negative[5])
   );
   assign row_5 = {~plain_5[19], plain_5[18:0]};
-  sepax_digit #( .A_W(19), .ROW_W(20) ) digit_6 (
+  sepax_digit #(.A_W(19), .ROW_W(20)) digit_6 (
     .a(a),
     .b(b[13:12]),
     .row(plain_6),
     .negative(negative[6])
   );
   assign row_6 = {~plain_6[19], plain_6[18:0]};
-  sepax_digit #( .A_W(19), .ROW_W(20) ) digit_7 (
+  sepax_digit #(.A_W(19), .ROW_W(20)) digit_7 (
     .a(a),
     .b(b[15:14]),
     .row(plain_7),
     .negative(negative[7])
   );
   assign row_7 = {~plain_7[19], plain_7[18:0]};
-  sepax_digit #( .A_W(19), .ROW_W(20) ) digit_8 (
+  sepax_digit #(.A_W(19), .ROW_W(20)) digit_8 (
     .a(a),
     .b(b[17:16]),
     .row(plain_8),
     .negative(negative[8])
   );
   assign row_8 = {~plain_8[19], plain_8[18:0]};
-  sepax_top_digit #( .A_W(19), .ROW_W(19) ) digit_9 (
+  sepax_top_digit #(.A_W(19), .ROW_W(19)) digit_9 (
     .a(a),
     .b(top),
     .row(plain_9),
@@ -127,21 +128,24 @@ module sepax_mul_19x19_biased (
   wire [26:0] sum_1_0;
   wire [26:0] carry_1_0;
   wire [26:0] fa_1_0_a;
-  assign fa_1_0_a = {row_7[19], row_6[19], row_5[19], row_4[19], row_3[19], row_7[10], row_2[19], row_6[10],
-                       row_1[19], row_5[10], row_2[15], row_1[16], row_2[13], row_1[14], row_2[11], row_1[12],
-                       row_2[9], row_1[10], row_2[7], row_1[8], row_2[5], row_1[6], row_0[7], negative[3],
-                       row_0[5], negative[2:1]};
+  assign fa_1_0_a =
+    {row_7[19], row_6[19], row_5[19], row_4[19], row_3[19], row_7[10], row_2[19], row_6[10],
+     row_1[19], row_5[10], row_2[15], row_1[16], row_2[13], row_1[14], row_2[11],
+     row_1[12], row_2[9], row_1[10], row_2[7], row_1[8], row_2[5], row_1[6], row_0[7],
+     negative[3], row_0[5], negative[2:1]};
   wire [26:0] fa_1_0_b;
-  assign fa_1_0_b = {row_8[17], row_7[17], row_6[17], row_5[17], row_4[17], row_8[8], row_3[17], row_7[8],
-                       row_2[17], row_6[8], row_3[13], row_2[14], row_3[11], row_2[12], row_3[9], row_2[10],
-                       row_3[7], row_2[8], row_3[5], row_2[6], row_3[3], row_2[4], row_1[5], row_0[6], row_1[3],
-                       row_0[4], row_0[2]};
+  assign fa_1_0_b =
+    {row_8[17], row_7[17], row_6[17], row_5[17], row_4[17], row_8[8], row_3[17], row_7[8],
+     row_2[17], row_6[8], row_3[13], row_2[14], row_3[11], row_2[12], row_3[9],
+     row_2[10], row_3[7], row_2[8], row_3[5], row_2[6], row_3[3], row_2[4], row_1[5],
+     row_0[6], row_1[3], row_0[4], row_0[2]};
   wire [26:0] fa_1_0_c;
-  assign fa_1_0_c = {row_9[15], row_8[15], row_7[15], row_6[15], row_5[15], row_9[6], row_4[15], row_8[6],
-                       row_3[15], row_7[6], row_4[11], row_3[12], row_4[9], row_3[10], row_4[7], row_3[8],
-                       row_4[5], row_3[6], row_4[3], row_3[4], row_4[1], row_3[2], row_2[3], row_1[4], row_2[1],
-                       row_1[2], row_1[0]};
-  sepax_fa #( .N(27) ) fa_1_0 (
+  assign fa_1_0_c =
+    {row_9[15], row_8[15], row_7[15], row_6[15], row_5[15], row_9[6], row_4[15], row_8[6],
+     row_3[15], row_7[6], row_4[11], row_3[12], row_4[9], row_3[10], row_4[7], row_3[8],
+     row_4[5], row_3[6], row_4[3], row_3[4], row_4[1], row_3[2], row_2[3], row_1[4],
+     row_2[1], row_1[2], row_1[0]};
+  sepax_fa #(.N(27)) fa_1_0 (
     .a(fa_1_0_a),
     .b(fa_1_0_b),
     .c(fa_1_0_c),
@@ -150,28 +154,35 @@ module sepax_mul_19x19_biased (
   );
   wire [16:0] half_sum_1_0;
   wire [16:0] half_carry_1_0;
-  assign half_carry_1_0 = {row_8[14], row_7[14], row_6[14], row_5[14], row_4[14], row_3[14], negative[9], row_0[17],
-                       negative[8], row_0[15], negative[7], row_0[13], negative[6], row_0[11], negative[5],
-                       row_0[9], negative[4]} & {row_9[12], row_8[12], row_7[12], row_6[12], row_5[12], row_4[12], row_0[18], row_1[15],
-                       row_0[16], row_1[13], row_0[14], row_1[11], row_0[12], row_1[9], row_0[10], row_1[7],
-                       row_0[8]};
-  assign half_sum_1_0 = {row_8[14], row_7[14], row_6[14], row_5[14], row_4[14], row_3[14], negative[9], row_0[17],
-                       negative[8], row_0[15], negative[7], row_0[13], negative[6], row_0[11], negative[5],
-                       row_0[9], negative[4]} ^ {row_9[12], row_8[12], row_7[12], row_6[12], row_5[12], row_4[12], row_0[18], row_1[15],
-                       row_0[16], row_1[13], row_0[14], row_1[11], row_0[12], row_1[9], row_0[10], row_1[7],
-                       row_0[8]};
+  assign half_carry_1_0 =
+    {row_8[14], row_7[14], row_6[14], row_5[14], row_4[14], row_3[14], negative[9], row_0[17],
+     negative[8], row_0[15], negative[7], row_0[13], negative[6], row_0[11],
+     negative[5], row_0[9], negative[4]} &
+    {row_9[12], row_8[12], row_7[12], row_6[12], row_5[12], row_4[12], row_0[18], row_1[15],
+     row_0[16], row_1[13], row_0[14], row_1[11], row_0[12], row_1[9], row_0[10],
+     row_1[7], row_0[8]};
+  assign half_sum_1_0 =
+    {row_8[14], row_7[14], row_6[14], row_5[14], row_4[14], row_3[14], negative[9], row_0[17],
+     negative[8], row_0[15], negative[7], row_0[13], negative[6], row_0[11],
+     negative[5], row_0[9], negative[4]} ^
+    {row_9[12], row_8[12], row_7[12], row_6[12], row_5[12], row_4[12], row_0[18], row_1[15],
+     row_0[16], row_1[13], row_0[14], row_1[11], row_0[12], row_1[9], row_0[10],
+     row_1[7], row_0[8]};
   wire [10:0] sum_1_1;
   wire [10:0] carry_1_1;
   wire [10:0] fa_1_1_a;
-  assign fa_1_1_a = {row_7[13], row_6[13], row_5[13], row_4[13], row_5[9], row_4[10], row_5[7], row_4[8],
-                       row_5[5], row_4[6], row_4[4]};
+  assign fa_1_1_a =
+    {row_7[13], row_6[13], row_5[13], row_4[13], row_5[9], row_4[10], row_5[7], row_4[8],
+     row_5[5], row_4[6], row_4[4]};
   wire [10:0] fa_1_1_b;
-  assign fa_1_1_b = {row_8[11], row_7[11], row_6[11], row_5[11], row_6[7], row_5[8], row_6[5], row_5[6],
-                       row_6[3], row_5[4], row_5[2]};
+  assign fa_1_1_b =
+    {row_8[11], row_7[11], row_6[11], row_5[11], row_6[7], row_5[8], row_6[5], row_5[6],
+     row_6[3], row_5[4], row_5[2]};
   wire [10:0] fa_1_1_c;
-  assign fa_1_1_c = {row_9[9], row_8[9], row_7[9], row_6[9], row_7[5], row_6[6], row_7[3], row_6[4], row_7[1],
-                       row_6[2], row_6[0]};
-  sepax_fa #( .N(11) ) fa_1_1 (
+  assign fa_1_1_c =
+    {row_9[9], row_8[9], row_7[9], row_6[9], row_7[5], row_6[6], row_7[3], row_6[4], row_7[1],
+     row_6[2], row_6[0]};
+  sepax_fa #(.N(11)) fa_1_1 (
     .a(fa_1_1_a),
     .b(fa_1_1_b),
     .c(fa_1_1_c),
@@ -181,12 +192,15 @@ module sepax_mul_19x19_biased (
   wire [1:0] sum_1_2;
   wire [1:0] carry_1_2;
   wire [1:0] fa_1_2_a;
-  assign fa_1_2_a = {row_7[7], row_7[4]};
+  assign fa_1_2_a =
+    {row_7[7], row_7[4]};
   wire [1:0] fa_1_2_b;
-  assign fa_1_2_b = {row_8[5], row_8[2]};
+  assign fa_1_2_b =
+    {row_8[5], row_8[2]};
   wire [1:0] fa_1_2_c;
-  assign fa_1_2_c = {row_9[3], row_9[0]};
-  sepax_fa #( .N(2) ) fa_1_2 (
+  assign fa_1_2_c =
+    {row_9[3], row_9[0]};
+  sepax_fa #(.N(2)) fa_1_2 (
     .a(fa_1_2_a),
     .b(fa_1_2_b),
     .c(fa_1_2_c),
@@ -195,34 +209,43 @@ module sepax_mul_19x19_biased (
   );
   wire [8:0] ones_sum_1_0;
   wire [8:0] ones_carry_1_0;
-  assign ones_carry_1_0 = {row_8[18], row_7[18], row_6[18], row_5[18], row_4[18], row_3[18], row_2[18], row_1[18],
-                       row_0[19]} | {row_9[16], row_8[16], row_7[16], row_6[16], row_5[16], row_4[16], row_3[16], row_2[16],
-                       row_1[17]};
-  assign ones_sum_1_0 = ~({row_8[18], row_7[18], row_6[18], row_5[18], row_4[18], row_3[18], row_2[18], row_1[18],
-                       row_0[19]} ^ {row_9[16], row_8[16], row_7[16], row_6[16], row_5[16], row_4[16], row_3[16], row_2[16],
-                       row_1[17]});
+  assign ones_carry_1_0 =
+    {row_8[18], row_7[18], row_6[18], row_5[18], row_4[18], row_3[18], row_2[18], row_1[18],
+     row_0[19]} |
+    {row_9[16], row_8[16], row_7[16], row_6[16], row_5[16], row_4[16], row_3[16], row_2[16],
+     row_1[17]};
+  assign ones_sum_1_0 = ~(
+    {row_8[18], row_7[18], row_6[18], row_5[18], row_4[18], row_3[18], row_2[18], row_1[18],
+     row_0[19]} ^
+    {row_9[16], row_8[16], row_7[16], row_6[16], row_5[16], row_4[16], row_3[16], row_2[16],
+     row_1[17]});
 
   // Full adders, level 2.
   wire [27:0] sum_2_0;
   wire [27:0] carry_2_0;
   wire [27:0] fa_2_0_a;
-  assign fa_2_0_a = {row_8[19], row_9[13], carry_1_0[24], row_8[13], row_9[10], ones_carry_1_0[4], row_8[10],
-                       row_9[7], carry_1_0[20], row_8[7], row_9[4], ones_carry_1_0[1], row_8[4:3], half_carry_1_0[9],
-                       row_8[1], row_7[2], half_carry_1_0[6], row_7[0], row_5[3], half_carry_1_0[3], row_5[1],
-                       row_4[2], half_carry_1_0[0], row_4[0], row_3[1], row_2[2], row_0[3]};
+  assign fa_2_0_a =
+    {row_8[19], row_9[13], carry_1_0[24], row_8[13], row_9[10], ones_carry_1_0[4], row_8[10],
+     row_9[7], carry_1_0[20], row_8[7], row_9[4], ones_carry_1_0[1], row_8[4:3],
+     half_carry_1_0[9], row_8[1], row_7[2], half_carry_1_0[6], row_7[0], row_5[3],
+     half_carry_1_0[3], row_5[1], row_4[2], half_carry_1_0[0], row_4[0], row_3[1],
+     row_2[2], row_0[3]};
   wire [27:0] fa_2_0_b;
-  assign fa_2_0_b = {row_9[17], ones_carry_1_0[6], ones_sum_1_0[6], row_9[11], carry_1_0[23], half_carry_1_0[14],
-                       row_9[8], ones_carry_1_0[3], carry_1_1[8], row_9[5], carry_1_0[18], half_carry_1_0[11],
-                       row_9[2:1], carry_1_0[14], half_carry_1_0[8], row_8[0], carry_1_0[11], half_carry_1_0[5],
-                       row_6[1], carry_1_0[8], half_carry_1_0[2], row_5[0], carry_1_0[5:3], row_3[0], row_1[1]};
+  assign fa_2_0_b =
+    {row_9[17], ones_carry_1_0[6], ones_sum_1_0[6], row_9[11], carry_1_0[23],
+     half_carry_1_0[14], row_9[8], ones_carry_1_0[3], carry_1_1[8], row_9[5],
+     carry_1_0[18], half_carry_1_0[11], row_9[2:1], carry_1_0[14], half_carry_1_0[8],
+     row_8[0], carry_1_0[11], half_carry_1_0[5], row_6[1], carry_1_0[8],
+     half_carry_1_0[2], row_5[0], carry_1_0[5:3], row_3[0], row_1[1]};
   wire [27:0] fa_2_0_c;
-  assign fa_2_0_c = {ones_carry_1_0[8], half_carry_1_0[16], half_sum_1_0[16], ones_carry_1_0[5], carry_1_1[10],
-                       sum_1_0[23], carry_1_0[22], half_carry_1_0[13], ones_sum_1_0[3], ones_carry_1_0[2],
-                       carry_1_1[7], carry_1_0[17], ones_carry_1_0[0], half_carry_1_0[10], carry_1_1[4],
-                       carry_1_0[13], half_carry_1_0[7], carry_1_1[1], carry_1_0[10], half_carry_1_0[4],
-                       half_sum_1_0[4], carry_1_0[7], half_carry_1_0[1], half_sum_1_0[1:0], sum_1_0[4],
-                       carry_1_0[2], carry_1_0[0]};
-  sepax_fa #( .N(28) ) fa_2_0 (
+  assign fa_2_0_c =
+    {ones_carry_1_0[8], half_carry_1_0[16], half_sum_1_0[16], ones_carry_1_0[5],
+     carry_1_1[10], sum_1_0[23], carry_1_0[22], half_carry_1_0[13], ones_sum_1_0[3],
+     ones_carry_1_0[2], carry_1_1[7], carry_1_0[17], ones_carry_1_0[0],
+     half_carry_1_0[10], carry_1_1[4], carry_1_0[13], half_carry_1_0[7], carry_1_1[1],
+     carry_1_0[10], half_carry_1_0[4], half_sum_1_0[4], carry_1_0[7], half_carry_1_0[1],
+     half_sum_1_0[1:0], sum_1_0[4], carry_1_0[2], carry_1_0[0]};
+  sepax_fa #(.N(28)) fa_2_0 (
     .a(fa_2_0_a),
     .b(fa_2_0_b),
     .c(fa_2_0_c),
@@ -232,16 +255,21 @@ module sepax_mul_19x19_biased (
   wire [13:0] sum_2_1;
   wire [13:0] carry_2_1;
   wire [13:0] fa_2_1_a;
-  assign fa_2_1_a = {carry_1_1[9], carry_1_0[21], half_carry_1_0[12], carry_1_2[1], sum_1_0[18], carry_1_0[16:15],
-                       half_sum_1_0[10], carry_1_1[3], carry_1_0[12], half_sum_1_0[7:6], carry_1_0[9], carry_1_0[6]};
+  assign fa_2_1_a =
+    {carry_1_1[9], carry_1_0[21], half_carry_1_0[12], carry_1_2[1], sum_1_0[18],
+     carry_1_0[16:15], half_sum_1_0[10], carry_1_1[3], carry_1_0[12], half_sum_1_0[7:6],
+     carry_1_0[9], carry_1_0[6]};
   wire [13:0] fa_2_1_b;
-  assign fa_2_1_b = {ones_sum_1_0[4], sum_1_0[22], carry_1_0[19], ones_sum_1_0[2], sum_1_1[7], carry_1_1[6:5],
-                       sum_1_0[15], half_sum_1_0[9], carry_1_1[2], sum_1_0[12:11], carry_1_1[0], half_sum_1_0[2]};
+  assign fa_2_1_b =
+    {ones_sum_1_0[4], sum_1_0[22], carry_1_0[19], ones_sum_1_0[2], sum_1_1[7], carry_1_1[6:5],
+     sum_1_0[15], half_sum_1_0[9], carry_1_1[2], sum_1_0[12:11], carry_1_1[0],
+     half_sum_1_0[2]};
   wire [13:0] fa_2_1_c;
-  assign fa_2_1_c = {half_sum_1_0[14], sum_1_1[9], sum_1_0[20], half_sum_1_0[12], sum_1_2[1], ones_sum_1_0[1],
-                       carry_1_2[0], sum_1_1[5], sum_1_0[14], half_sum_1_0[8], sum_1_1[2:1], half_sum_1_0[5],
-                       sum_1_0[7]};
-  sepax_fa #( .N(14) ) fa_2_1 (
+  assign fa_2_1_c =
+    {half_sum_1_0[14], sum_1_1[9], sum_1_0[20], half_sum_1_0[12], sum_1_2[1], ones_sum_1_0[1],
+     carry_1_2[0], sum_1_1[5], sum_1_0[14], half_sum_1_0[8], sum_1_1[2:1],
+     half_sum_1_0[5], sum_1_0[7]};
+  sepax_fa #(.N(14)) fa_2_1 (
     .a(fa_2_1_a),
     .b(fa_2_1_b),
     .c(fa_2_1_c),
@@ -251,12 +279,15 @@ module sepax_mul_19x19_biased (
   wire [0:0] sum_2_2;
   wire [0:0] carry_2_2;
   wire [0:0] fa_2_2_a;
-  assign fa_2_2_a = {ones_sum_1_0[0]};
+  assign fa_2_2_a =
+    {ones_sum_1_0[0]};
   wire [0:0] fa_2_2_b;
-  assign fa_2_2_b = {sum_1_0[16]};
+  assign fa_2_2_b =
+    {sum_1_0[16]};
   wire [0:0] fa_2_2_c;
-  assign fa_2_2_c = {sum_1_1[6]};
-  sepax_fa #( .N(1) ) fa_2_2 (
+  assign fa_2_2_c =
+    {sum_1_1[6]};
+  sepax_fa #(.N(1)) fa_2_2 (
     .a(fa_2_2_a),
     .b(fa_2_2_b),
     .c(fa_2_2_c),
@@ -265,26 +296,35 @@ module sepax_mul_19x19_biased (
   );
   wire [1:0] half_sum_2_0;
   wire [1:0] half_carry_2_0;
-  assign half_carry_2_0 = {carry_1_0[26], row_9[14]} & {ones_sum_1_0[8], carry_1_0[25]};
-  assign half_sum_2_0 = {carry_1_0[26], row_9[14]} ^ {ones_sum_1_0[8], carry_1_0[25]};
+  assign half_carry_2_0 =
+    {carry_1_0[26], row_9[14]} &
+    {ones_sum_1_0[8], carry_1_0[25]};
+  assign half_sum_2_0 =
+    {carry_1_0[26], row_9[14]} ^
+    {ones_sum_1_0[8], carry_1_0[25]};
 
   // Full adders, level 3.
   wire [25:0] sum_3_0;
   wire [25:0] carry_3_0;
   wire [25:0] fa_3_0_a;
-  assign fa_3_0_a = {ones_carry_1_0[7], ones_sum_1_0[7], sum_1_0[25], half_carry_1_0[15], ones_sum_1_0[5],
-                       sum_1_1[10], sum_2_0[21], carry_2_0[19], half_sum_1_0[13], sum_1_1[8], sum_1_0[19],
-                       carry_2_0[15], half_sum_1_0[11], sum_2_0[14], sum_1_2[0], sum_1_1[4], sum_1_0[13],
-                       carry_2_0[9:8], sum_1_0[10:9], half_sum_1_0[3], sum_2_0[5], sum_1_0[6:5], row_2[0]};
+  assign fa_3_0_a =
+    {ones_carry_1_0[7], ones_sum_1_0[7], sum_1_0[25], half_carry_1_0[15], ones_sum_1_0[5],
+     sum_1_1[10], sum_2_0[21], carry_2_0[19], half_sum_1_0[13], sum_1_1[8], sum_1_0[19],
+     carry_2_0[15], half_sum_1_0[11], sum_2_0[14], sum_1_2[0], sum_1_1[4], sum_1_0[13],
+     carry_2_0[9:8], sum_1_0[10:9], half_sum_1_0[3], sum_2_0[5], sum_1_0[6:5], row_2[0]};
   wire [25:0] fa_3_0_b;
-  assign fa_3_0_b = {sum_1_0[26], carry_2_0[26:25], sum_1_0[24], half_sum_1_0[15], carry_2_0[21:20], sum_2_0[20],
-                       sum_1_0[21], sum_2_0[18], carry_2_0[16], carry_2_1[8], sum_1_0[17], carry_2_0[13:11],
-                       sum_1_1[3], carry_2_1[2:1], sum_2_0[8], sum_1_1[0], sum_1_0[8], carry_2_0[4:2], sum_1_0[1]};
+  assign fa_3_0_b =
+    {sum_1_0[26], carry_2_0[26:25], sum_1_0[24], half_sum_1_0[15], carry_2_0[21:20],
+     sum_2_0[20], sum_1_0[21], sum_2_0[18], carry_2_0[16], carry_2_1[8], sum_1_0[17],
+     carry_2_0[13:11], sum_1_1[3], carry_2_1[2:1], sum_2_0[8], sum_1_1[0], sum_1_0[8],
+     carry_2_0[4:2], sum_1_0[1]};
   wire [25:0] fa_3_0_c;
-  assign fa_3_0_c = {half_carry_2_0[0], half_sum_2_0[0], sum_2_0[26], sum_2_0[24], carry_2_0[22], carry_2_1[13:12],
-                       sum_2_1[12], carry_2_0[18:17], carry_2_1[9], sum_2_0[16:15], carry_2_1[6:4], sum_2_0[11:9],
-                       carry_2_0[7:5], sum_2_1[0], sum_2_0[4:3], carry_2_0[0]};
-  sepax_fa #( .N(26) ) fa_3_0 (
+  assign fa_3_0_c =
+    {half_carry_2_0[0], half_sum_2_0[0], sum_2_0[26], sum_2_0[24], carry_2_0[22],
+     carry_2_1[13:12], sum_2_1[12], carry_2_0[18:17], carry_2_1[9], sum_2_0[16:15],
+     carry_2_1[6:4], sum_2_0[11:9], carry_2_0[7:5], sum_2_1[0], sum_2_0[4:3],
+     carry_2_0[0]};
+  sepax_fa #(.N(26)) fa_3_0 (
     .a(fa_3_0_a),
     .b(fa_3_0_b),
     .c(fa_3_0_c),
@@ -294,12 +334,15 @@ module sepax_mul_19x19_biased (
   wire [1:0] sum_3_1;
   wire [1:0] carry_3_1;
   wire [1:0] fa_3_1_a;
-  assign fa_3_1_a = {carry_2_0[14], carry_2_0[10]};
+  assign fa_3_1_a =
+    {carry_2_0[14], carry_2_0[10]};
   wire [1:0] fa_3_1_b;
-  assign fa_3_1_b = {carry_2_1[7], carry_2_1[3]};
+  assign fa_3_1_b =
+    {carry_2_1[7], carry_2_1[3]};
   wire [1:0] fa_3_1_c;
-  assign fa_3_1_c = {carry_2_2[0], sum_2_1[4]};
-  sepax_fa #( .N(2) ) fa_3_1 (
+  assign fa_3_1_c =
+    {carry_2_2[0], sum_2_1[4]};
+  sepax_fa #(.N(2)) fa_3_1 (
     .a(fa_3_1_a),
     .b(fa_3_1_b),
     .c(fa_3_1_c),
@@ -311,16 +354,21 @@ module sepax_mul_19x19_biased (
   wire [19:0] sum_4_0;
   wire [19:0] carry_4_0;
   wire [19:0] fa_4_0_a;
-  assign fa_4_0_a = {carry_2_0[24:23], sum_2_0[23:22], sum_2_1[13], carry_2_1[11:10], sum_2_0[17], sum_2_1[9:7],
-                       sum_2_0[13:12], sum_3_0[9], sum_2_1[3:1], sum_2_0[7], carry_2_1[0], carry_1_0[1]};
+  assign fa_4_0_a =
+    {carry_2_0[24:23], sum_2_0[23:22], sum_2_1[13], carry_2_1[11:10], sum_2_0[17],
+     sum_2_1[9:7], sum_2_0[13:12], sum_3_0[9], sum_2_1[3:1], sum_2_0[7], carry_2_1[0],
+     carry_1_0[1]};
   wire [19:0] fa_4_0_b;
-  assign fa_4_0_b = {sum_2_0[25], sum_3_0[22:21], carry_3_0[19], sum_3_0[19], sum_2_0[19], sum_2_1[11:10],
-                       carry_3_0[13], sum_3_0[13], sum_2_2[0], sum_2_1[6:5], carry_3_0[8:5], sum_3_0[5],
-                       sum_2_0[6], sum_1_0[2]};
+  assign fa_4_0_b =
+    {sum_2_0[25], sum_3_0[22:21], carry_3_0[19], sum_3_0[19], sum_2_0[19], sum_2_1[11:10],
+     carry_3_0[13], sum_3_0[13], sum_2_2[0], sum_2_1[6:5], carry_3_0[8:5], sum_3_0[5],
+     sum_2_0[6], sum_1_0[2]};
   wire [19:0] fa_4_0_c;
-  assign fa_4_0_c = {carry_3_0[22:20], sum_3_0[20], carry_3_0[18], sum_3_0[17:16], carry_3_0[14], carry_3_1[1],
-                       carry_3_0[12:9], sum_3_1[0], sum_3_0[8:6], carry_3_0[4], sum_3_0[4], carry_3_0[0]};
-  sepax_fa #( .N(20) ) fa_4_0 (
+  assign fa_4_0_c =
+    {carry_3_0[22:20], sum_3_0[20], carry_3_0[18], sum_3_0[17:16], carry_3_0[14],
+     carry_3_1[1], carry_3_0[12:9], sum_3_1[0], sum_3_0[8:6], carry_3_0[4], sum_3_0[4],
+     carry_3_0[0]};
+  sepax_fa #(.N(20)) fa_4_0 (
     .a(fa_4_0_a),
     .b(fa_4_0_b),
     .c(fa_4_0_c),
@@ -332,12 +380,15 @@ module sepax_mul_19x19_biased (
   wire [9:0] sum_5_0;
   wire [9:0] carry_5_0;
   wire [9:0] fa_5_0_a;
-  assign fa_5_0_a = {carry_3_0[17:15], sum_3_0[15:14], sum_3_1[1], sum_3_0[12:11], carry_3_1[0], sum_1_0[3]};
+  assign fa_5_0_a =
+    {carry_3_0[17:15], sum_3_0[15:14], sum_3_1[1], sum_3_0[12:11], carry_3_1[0], sum_1_0[3]};
   wire [9:0] fa_5_0_b;
-  assign fa_5_0_b = {sum_3_0[18], sum_4_0[14:9], carry_4_0[7], sum_3_0[10], sum_2_0[1]};
+  assign fa_5_0_b =
+    {sum_3_0[18], sum_4_0[14:9], carry_4_0[7], sum_3_0[10], sum_2_0[1]};
   wire [9:0] fa_5_0_c;
-  assign fa_5_0_c = {carry_4_0[14:8], sum_4_0[8:7], carry_4_0[0]};
-  sepax_fa #( .N(10) ) fa_5_0 (
+  assign fa_5_0_c =
+    {carry_4_0[14:8], sum_4_0[8:7], carry_4_0[0]};
+  sepax_fa #(.N(10)) fa_5_0 (
     .a(fa_5_0_a),
     .b(fa_5_0_b),
     .c(fa_5_0_c),
@@ -349,25 +400,28 @@ module sepax_mul_19x19_biased (
   wire [0:0] sum_6_0;
   wire [0:0] carry_6_0;
   wire [0:0] fa_6_0_a;
-  assign fa_6_0_a = {carry_2_0[1]};
+  assign fa_6_0_a =
+    {carry_2_0[1]};
   wire [0:0] fa_6_0_b;
-  assign fa_6_0_b = {sum_2_0[2]};
+  assign fa_6_0_b =
+    {sum_2_0[2]};
   wire [0:0] fa_6_0_c;
-  assign fa_6_0_c = {carry_5_0[0]};
-  sepax_fa #( .N(1) ) fa_6_0 (
+  assign fa_6_0_c =
+    {carry_5_0[0]};
+  sepax_fa #(.N(1)) fa_6_0 (
     .a(fa_6_0_a),
     .b(fa_6_0_b),
     .c(fa_6_0_c),
     .sum(sum_6_0),
     .carry(carry_6_0)
   );
-
   // The last two rows.
-  assign p = {row_9[18], half_carry_2_0[1], carry_3_0[25:23], carry_4_0[19:15], carry_5_0[9:1],
-                       carry_4_0[6:1], carry_3_0[3:1], carry_6_0[0], sum_6_0[0], sum_5_0[0], sum_4_0[0],
-                       sum_3_0[0], sum_2_0[0], sum_1_0[0], row_0[1:0]} +
-             {carry_2_0[27], sum_2_0[27], half_sum_2_0[1], sum_3_0[25:23], sum_4_0[19:15], sum_5_0[9:1],
-                       sum_4_0[6:1], sum_3_0[3:1], 7'd0, negative[0]};
+  assign p =
+    {row_9[18], half_carry_2_0[1], carry_3_0[25:23], carry_4_0[19:15], carry_5_0[9:1],
+     carry_4_0[6:1], carry_3_0[3:1], carry_6_0[0], sum_6_0[0], sum_5_0[0], sum_4_0[0],
+     sum_3_0[0], sum_2_0[0], sum_1_0[0], row_0[1:0]} +
+    {carry_2_0[27], sum_2_0[27], half_sum_2_0[1], sum_3_0[25:23], sum_4_0[19:15],
+     sum_5_0[9:1], sum_4_0[6:1], sum_3_0[3:1], 7'd0, negative[0]};
 `endif
 
 endmodule

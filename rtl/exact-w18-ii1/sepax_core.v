@@ -16,37 +16,37 @@
 `default_nettype none
 
 module sepax_core (
-  input  wire                     clk,        // clock
-  input  wire signed [17:0]       in_a1_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a1_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a1_z,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a2_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a2_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a2_z,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a3_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a3_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a3_z,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b1_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b1_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b1_z,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b2_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b2_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b2_z,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b3_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b3_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b3_z,    // taken at the end of an II window
-  input  wire                     again,      // take the pair once more, u for x and z for y
-  output wire                     flat,       // in cycle 2: all orient2d are zero
-  output wire                     separated,  // with it: separated in the projection
-  output wire                     disjoint_x, // with it: AABBs disjoint in x
-  output wire                     disjoint_z, // with it: AABBs disjoint in z
-  input  wire                     second,     // in cycle 4: the pair's second pass
-  input  wire                     in_plane,   // in cycle 4: separated if coplanar
-  output wire                     coplanar,   // in cycle 4: all orient3d are zero, or a second pass
-  output wire        [3:0]        axis        // in cycle 4: the axis that separates, or 0
+  input  wire       clk,        // clock
+  input  wire signed [17:0] in_a1_x, // taken at the end of an II window
+  input  wire signed [17:0] in_a1_y, // taken at the end of an II window
+  input  wire signed [17:0] in_a1_z, // taken at the end of an II window
+  input  wire signed [17:0] in_a2_x, // taken at the end of an II window
+  input  wire signed [17:0] in_a2_y, // taken at the end of an II window
+  input  wire signed [17:0] in_a2_z, // taken at the end of an II window
+  input  wire signed [17:0] in_a3_x, // taken at the end of an II window
+  input  wire signed [17:0] in_a3_y, // taken at the end of an II window
+  input  wire signed [17:0] in_a3_z, // taken at the end of an II window
+  input  wire signed [17:0] in_b1_x, // taken at the end of an II window
+  input  wire signed [17:0] in_b1_y, // taken at the end of an II window
+  input  wire signed [17:0] in_b1_z, // taken at the end of an II window
+  input  wire signed [17:0] in_b2_x, // taken at the end of an II window
+  input  wire signed [17:0] in_b2_y, // taken at the end of an II window
+  input  wire signed [17:0] in_b2_z, // taken at the end of an II window
+  input  wire signed [17:0] in_b3_x, // taken at the end of an II window
+  input  wire signed [17:0] in_b3_y, // taken at the end of an II window
+  input  wire signed [17:0] in_b3_z, // taken at the end of an II window
+  input  wire       again,      // take the pair once more, u for x and z for y
+  output wire       flat,       // in cycle 2: all orient2d are zero
+  output wire       separated,  // with it: separated in the projection
+  output wire       disjoint_x, // with it: AABBs disjoint in x
+  output wire       disjoint_z, // with it: AABBs disjoint in z
+  input  wire       second,     // in cycle 4: the pair's second pass
+  input  wire       in_plane,   // in cycle 4: separated if coplanar
+  output wire       coplanar,   // in cycle 4: all orient3d are zero, or a second pass
+  output wire [3:0] axis        // in cycle 4: the axis that separates, or 0
 );
 
-  localparam W = 18; // bits of a coordinate
+  localparam W = 18;     // bits of a coordinate
   localparam G_W = 37; // of a trapezoid term or an orient2d
   localparam Z_W = 21; // of a z sum
   localparam O_W = 22; // of B's z sum
@@ -56,7 +56,7 @@ module sepax_core (
     {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
 
   // Coordinates. _hold, _hold2 ... stand for one II window more each.
-  // u is x, or y where all six x are equal: with z it makes the projection of a second pass.
+  // u is x, or y where all six x are equal: with z it makes the plane of a second pass.
   reg signed [W-1:0] x_a1;
   reg signed [W-1:0] x_a2;
   reg signed [W-1:0] x_a3;
@@ -248,7 +248,6 @@ module sepax_core (
   reg [1:0] ox_a1b3_q;
   reg [1:0] ox_a2b1_q;
   reg [1:0] ox_a3b2_q;
-
   always @(posedge clk) begin
     x_a1 <= again ? u_a1_hold2 : in_a1_x;
     x_a2 <= again ? u_a2_hold2 : in_a2_x;
@@ -1076,15 +1075,8 @@ module sepax_core (
       oz_a3b2, oz_a3b1, oz_a2b3, oz_a2b2,
       oz_a2b1, oz_a1b3, oz_a1b2, oz_a1b1};
   sepax_projection projection (
-    .flat(flat),
-    .separated(separated),
-    .disjoint_x(disjoint_x),
-    .disjoint_z(disjoint_z),
-    .g_a(all_g_a),
-    .g_b(all_g_b),
-    .g_own(all_g_own),
-    .x_order(all_x_order),
-    .z_order(all_z_order)
+    .flat(flat), .separated(separated), .disjoint_x(disjoint_x), .disjoint_z(disjoint_z),
+    .g_a(all_g_a), .g_b(all_g_b), .g_own(all_g_own), .x_order(all_x_order), .z_order(all_z_order)
   );
 
   // In cycle 4 of a pair:
@@ -1098,12 +1090,8 @@ module sepax_core (
       d_a2a3b1b2, d_a1a2b3b1, d_a1a2b2b3, d_a1a2b1b2};
   sepax_decide decide (
     .second(second),
-    .in_plane(in_plane),
-    .coplanar(coplanar),
-    .axis(axis),
-    .s(all_s),
-    .w(all_w),
-    .d(all_d)
+    .in_plane(in_plane), .coplanar(coplanar), .axis(axis),
+    .s(all_s), .w(all_w), .d(all_d)
   );
 
 endmodule

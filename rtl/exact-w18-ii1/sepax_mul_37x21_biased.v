@@ -14,16 +14,17 @@
 `default_nettype none
 
 module sepax_mul_37x21_biased (
-  input  wire signed [36:0]       a, // first factor
-  input  wire signed [20:0]       b, // second factor + BIAS
-  output wire signed [55:0]       p  // product, 0 clocks later
+  input  wire signed [36:0] a, // first factor
+  input  wire signed [20:0] b, // second factor + BIAS
+  output wire signed [55:0] p  // product, 0 clocks later
 );
 
 `ifdef SEPAX_BEHAVIOURAL
   wire [55:0] wide_a;
   wire [55:0] wide_b;
   assign wide_a = {{19{a[36]}}, a};
-  localparam [55:0] BIAS = 56'd87381; // the module multiplies by b - BIAS
+  // The module multiplies by b - BIAS.
+  localparam [55:0] BIAS = 56'd87381;
   assign wide_b = {{35{b[20]}}, b} - BIAS;
   assign p = wide_a * wide_b;
 `else
@@ -51,70 +52,70 @@ module sepax_mul_37x21_biased (
   wire [37:0] row_8;
   wire [37:0] plain_9;
   wire [37:0] row_9;
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_0 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_0 (
     .a(a),
     .b(b[1:0]),
     .row(plain_0),
     .negative(negative[0])
   );
   assign row_0 = {~plain_0[37], plain_0[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_1 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_1 (
     .a(a),
     .b(b[3:2]),
     .row(plain_1),
     .negative(negative[1])
   );
   assign row_1 = {~plain_1[37], plain_1[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_2 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_2 (
     .a(a),
     .b(b[5:4]),
     .row(plain_2),
     .negative(negative[2])
   );
   assign row_2 = {~plain_2[37], plain_2[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_3 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_3 (
     .a(a),
     .b(b[7:6]),
     .row(plain_3),
     .negative(negative[3])
   );
   assign row_3 = {~plain_3[37], plain_3[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_4 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_4 (
     .a(a),
     .b(b[9:8]),
     .row(plain_4),
     .negative(negative[4])
   );
   assign row_4 = {~plain_4[37], plain_4[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_5 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_5 (
     .a(a),
     .b(b[11:10]),
     .row(plain_5),
     .negative(negative[5])
   );
   assign row_5 = {~plain_5[37], plain_5[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_6 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_6 (
     .a(a),
     .b(b[13:12]),
     .row(plain_6),
     .negative(negative[6])
   );
   assign row_6 = {~plain_6[37], plain_6[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_7 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_7 (
     .a(a),
     .b(b[15:14]),
     .row(plain_7),
     .negative(negative[7])
   );
   assign row_7 = {~plain_7[37], plain_7[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_8 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_8 (
     .a(a),
     .b(b[17:16]),
     .row(plain_8),
     .negative(negative[8])
   );
   assign row_8 = {~plain_8[37], plain_8[36:0]};
-  sepax_top_digit #( .A_W(37), .ROW_W(38) ) digit_9 (
+  sepax_top_digit #(.A_W(37), .ROW_W(38)) digit_9 (
     .a(a),
     .b(top),
     .row(plain_9),
@@ -126,21 +127,24 @@ module sepax_mul_37x21_biased (
   wire [44:0] sum_1_0;
   wire [44:0] carry_1_0;
   wire [44:0] fa_1_0_a;
-  assign fa_1_0_a = {row_7[37], row_6[37], row_5[37], row_4[37], row_3[37], row_7[28], row_2[37], row_6[28],
-                       row_1[37], row_5[28], row_2[33:15], row_1[16], row_2[13], row_1[14], row_2[11], row_1[12],
-                       row_2[9], row_1[10], row_2[7], row_1[8], row_2[5], row_1[6], row_0[7], negative[3],
-                       row_0[5], negative[2:1]};
+  assign fa_1_0_a =
+    {row_7[37], row_6[37], row_5[37], row_4[37], row_3[37], row_7[28], row_2[37], row_6[28],
+     row_1[37], row_5[28], row_2[33:15], row_1[16], row_2[13], row_1[14], row_2[11],
+     row_1[12], row_2[9], row_1[10], row_2[7], row_1[8], row_2[5], row_1[6], row_0[7],
+     negative[3], row_0[5], negative[2:1]};
   wire [44:0] fa_1_0_b;
-  assign fa_1_0_b = {row_8[35], row_7[35], row_6[35], row_5[35], row_4[35], row_8[26], row_3[35], row_7[26],
-                       row_2[35], row_6[26], row_3[31:13], row_2[14], row_3[11], row_2[12], row_3[9], row_2[10],
-                       row_3[7], row_2[8], row_3[5], row_2[6], row_3[3], row_2[4], row_1[5], row_0[6], row_1[3],
-                       row_0[4], row_0[2]};
+  assign fa_1_0_b =
+    {row_8[35], row_7[35], row_6[35], row_5[35], row_4[35], row_8[26], row_3[35], row_7[26],
+     row_2[35], row_6[26], row_3[31:13], row_2[14], row_3[11], row_2[12], row_3[9],
+     row_2[10], row_3[7], row_2[8], row_3[5], row_2[6], row_3[3], row_2[4], row_1[5],
+     row_0[6], row_1[3], row_0[4], row_0[2]};
   wire [44:0] fa_1_0_c;
-  assign fa_1_0_c = {row_9[33], row_8[33], row_7[33], row_6[33], row_5[33], row_9[24], row_4[33], row_8[24],
-                       row_3[33], row_7[24], row_4[29:11], row_3[12], row_4[9], row_3[10], row_4[7], row_3[8],
-                       row_4[5], row_3[6], row_4[3], row_3[4], row_4[1], row_3[2], row_2[3], row_1[4], row_2[1],
-                       row_1[2], row_1[0]};
-  sepax_fa #( .N(45) ) fa_1_0 (
+  assign fa_1_0_c =
+    {row_9[33], row_8[33], row_7[33], row_6[33], row_5[33], row_9[24], row_4[33], row_8[24],
+     row_3[33], row_7[24], row_4[29:11], row_3[12], row_4[9], row_3[10], row_4[7],
+     row_3[8], row_4[5], row_3[6], row_4[3], row_3[4], row_4[1], row_3[2], row_2[3],
+     row_1[4], row_2[1], row_1[2], row_1[0]};
+  sepax_fa #(.N(45)) fa_1_0 (
     .a(fa_1_0_a),
     .b(fa_1_0_b),
     .c(fa_1_0_c),
@@ -149,28 +153,35 @@ module sepax_mul_37x21_biased (
   );
   wire [34:0] half_sum_1_0;
   wire [34:0] half_carry_1_0;
-  assign half_carry_1_0 = {row_8[32], row_7[32], row_6[32], row_5[32], row_4[32], row_3[32], row_0[36:19], negative[9],
-                       row_0[17], negative[8], row_0[15], negative[7], row_0[13], negative[6], row_0[11],
-                       negative[5], row_0[9], negative[4]} & {row_9[30], row_8[30], row_7[30], row_6[30], row_5[30], row_4[30], row_1[34:17], row_0[18],
-                       row_1[15], row_0[16], row_1[13], row_0[14], row_1[11], row_0[12], row_1[9], row_0[10],
-                       row_1[7], row_0[8]};
-  assign half_sum_1_0 = {row_8[32], row_7[32], row_6[32], row_5[32], row_4[32], row_3[32], row_0[36:19], negative[9],
-                       row_0[17], negative[8], row_0[15], negative[7], row_0[13], negative[6], row_0[11],
-                       negative[5], row_0[9], negative[4]} ^ {row_9[30], row_8[30], row_7[30], row_6[30], row_5[30], row_4[30], row_1[34:17], row_0[18],
-                       row_1[15], row_0[16], row_1[13], row_0[14], row_1[11], row_0[12], row_1[9], row_0[10],
-                       row_1[7], row_0[8]};
+  assign half_carry_1_0 =
+    {row_8[32], row_7[32], row_6[32], row_5[32], row_4[32], row_3[32], row_0[36:19],
+     negative[9], row_0[17], negative[8], row_0[15], negative[7], row_0[13],
+     negative[6], row_0[11], negative[5], row_0[9], negative[4]} &
+    {row_9[30], row_8[30], row_7[30], row_6[30], row_5[30], row_4[30], row_1[34:17],
+     row_0[18], row_1[15], row_0[16], row_1[13], row_0[14], row_1[11], row_0[12],
+     row_1[9], row_0[10], row_1[7], row_0[8]};
+  assign half_sum_1_0 =
+    {row_8[32], row_7[32], row_6[32], row_5[32], row_4[32], row_3[32], row_0[36:19],
+     negative[9], row_0[17], negative[8], row_0[15], negative[7], row_0[13],
+     negative[6], row_0[11], negative[5], row_0[9], negative[4]} ^
+    {row_9[30], row_8[30], row_7[30], row_6[30], row_5[30], row_4[30], row_1[34:17],
+     row_0[18], row_1[15], row_0[16], row_1[13], row_0[14], row_1[11], row_0[12],
+     row_1[9], row_0[10], row_1[7], row_0[8]};
   wire [28:0] sum_1_1;
   wire [28:0] carry_1_1;
   wire [28:0] fa_1_1_a;
-  assign fa_1_1_a = {row_7[31], row_6[31], row_5[31], row_4[31], row_5[27:9], row_4[10], row_5[7], row_4[8],
-                       row_5[5], row_4[6], row_4[4]};
+  assign fa_1_1_a =
+    {row_7[31], row_6[31], row_5[31], row_4[31], row_5[27:9], row_4[10], row_5[7], row_4[8],
+     row_5[5], row_4[6], row_4[4]};
   wire [28:0] fa_1_1_b;
-  assign fa_1_1_b = {row_8[29], row_7[29], row_6[29], row_5[29], row_6[25:7], row_5[8], row_6[5], row_5[6],
-                       row_6[3], row_5[4], row_5[2]};
+  assign fa_1_1_b =
+    {row_8[29], row_7[29], row_6[29], row_5[29], row_6[25:7], row_5[8], row_6[5], row_5[6],
+     row_6[3], row_5[4], row_5[2]};
   wire [28:0] fa_1_1_c;
-  assign fa_1_1_c = {row_9[27], row_8[27], row_7[27], row_6[27], row_7[23:5], row_6[6], row_7[3], row_6[4],
-                       row_7[1], row_6[2], row_6[0]};
-  sepax_fa #( .N(29) ) fa_1_1 (
+  assign fa_1_1_c =
+    {row_9[27], row_8[27], row_7[27], row_6[27], row_7[23:5], row_6[6], row_7[3], row_6[4],
+     row_7[1], row_6[2], row_6[0]};
+  sepax_fa #(.N(29)) fa_1_1 (
     .a(fa_1_1_a),
     .b(fa_1_1_b),
     .c(fa_1_1_c),
@@ -180,12 +191,15 @@ module sepax_mul_37x21_biased (
   wire [1:0] sum_1_2;
   wire [1:0] carry_1_2;
   wire [1:0] fa_1_2_a;
-  assign fa_1_2_a = {row_7[25], row_7[4]};
+  assign fa_1_2_a =
+    {row_7[25], row_7[4]};
   wire [1:0] fa_1_2_b;
-  assign fa_1_2_b = {row_8[23], row_8[2]};
+  assign fa_1_2_b =
+    {row_8[23], row_8[2]};
   wire [1:0] fa_1_2_c;
-  assign fa_1_2_c = {row_9[21], row_9[0]};
-  sepax_fa #( .N(2) ) fa_1_2 (
+  assign fa_1_2_c =
+    {row_9[21], row_9[0]};
+  sepax_fa #(.N(2)) fa_1_2 (
     .a(fa_1_2_a),
     .b(fa_1_2_b),
     .c(fa_1_2_c),
@@ -194,34 +208,43 @@ module sepax_mul_37x21_biased (
   );
   wire [8:0] ones_sum_1_0;
   wire [8:0] ones_carry_1_0;
-  assign ones_carry_1_0 = {row_8[36], row_7[36], row_6[36], row_5[36], row_4[36], row_3[36], row_2[36], row_1[36],
-                       row_0[37]} | {row_9[34], row_8[34], row_7[34], row_6[34], row_5[34], row_4[34], row_3[34], row_2[34],
-                       row_1[35]};
-  assign ones_sum_1_0 = ~({row_8[36], row_7[36], row_6[36], row_5[36], row_4[36], row_3[36], row_2[36], row_1[36],
-                       row_0[37]} ^ {row_9[34], row_8[34], row_7[34], row_6[34], row_5[34], row_4[34], row_3[34], row_2[34],
-                       row_1[35]});
+  assign ones_carry_1_0 =
+    {row_8[36], row_7[36], row_6[36], row_5[36], row_4[36], row_3[36], row_2[36], row_1[36],
+     row_0[37]} |
+    {row_9[34], row_8[34], row_7[34], row_6[34], row_5[34], row_4[34], row_3[34], row_2[34],
+     row_1[35]};
+  assign ones_sum_1_0 = ~(
+    {row_8[36], row_7[36], row_6[36], row_5[36], row_4[36], row_3[36], row_2[36], row_1[36],
+     row_0[37]} ^
+    {row_9[34], row_8[34], row_7[34], row_6[34], row_5[34], row_4[34], row_3[34], row_2[34],
+     row_1[35]});
 
   // Full adders, level 2.
   wire [45:0] sum_2_0;
   wire [45:0] carry_2_0;
   wire [45:0] fa_2_0_a;
-  assign fa_2_0_a = {row_8[37], row_9[31], carry_1_0[42], row_8[31], row_9[28], ones_carry_1_0[4], row_8[28],
-                       row_9[25], carry_1_0[38], row_8[25], row_9[22], ones_carry_1_0[1], row_8[22:3], half_carry_1_0[9],
-                       row_8[1], row_7[2], half_carry_1_0[6], row_7[0], row_5[3], half_carry_1_0[3], row_5[1],
-                       row_4[2], half_carry_1_0[0], row_4[0], row_3[1], row_2[2], row_0[3]};
+  assign fa_2_0_a =
+    {row_8[37], row_9[31], carry_1_0[42], row_8[31], row_9[28], ones_carry_1_0[4], row_8[28],
+     row_9[25], carry_1_0[38], row_8[25], row_9[22], ones_carry_1_0[1], row_8[22:3],
+     half_carry_1_0[9], row_8[1], row_7[2], half_carry_1_0[6], row_7[0], row_5[3],
+     half_carry_1_0[3], row_5[1], row_4[2], half_carry_1_0[0], row_4[0], row_3[1],
+     row_2[2], row_0[3]};
   wire [45:0] fa_2_0_b;
-  assign fa_2_0_b = {row_9[35], ones_carry_1_0[6], ones_sum_1_0[6], row_9[29], carry_1_0[41], half_carry_1_0[32],
-                       row_9[26], ones_carry_1_0[3], carry_1_1[26], row_9[23], carry_1_0[36], half_carry_1_0[29],
-                       row_9[20:1], carry_1_0[14], half_carry_1_0[8], row_8[0], carry_1_0[11], half_carry_1_0[5],
-                       row_6[1], carry_1_0[8], half_carry_1_0[2], row_5[0], carry_1_0[5:3], row_3[0], row_1[1]};
+  assign fa_2_0_b =
+    {row_9[35], ones_carry_1_0[6], ones_sum_1_0[6], row_9[29], carry_1_0[41],
+     half_carry_1_0[32], row_9[26], ones_carry_1_0[3], carry_1_1[26], row_9[23],
+     carry_1_0[36], half_carry_1_0[29], row_9[20:1], carry_1_0[14], half_carry_1_0[8],
+     row_8[0], carry_1_0[11], half_carry_1_0[5], row_6[1], carry_1_0[8],
+     half_carry_1_0[2], row_5[0], carry_1_0[5:3], row_3[0], row_1[1]};
   wire [45:0] fa_2_0_c;
-  assign fa_2_0_c = {ones_carry_1_0[8], half_carry_1_0[34], half_sum_1_0[34], ones_carry_1_0[5], carry_1_1[28],
-                       sum_1_0[41], carry_1_0[40], half_carry_1_0[31], ones_sum_1_0[3], ones_carry_1_0[2],
-                       carry_1_1[25], carry_1_0[35], ones_carry_1_0[0], half_carry_1_0[28:10], carry_1_1[4],
-                       carry_1_0[13], half_carry_1_0[7], carry_1_1[1], carry_1_0[10], half_carry_1_0[4],
-                       half_sum_1_0[4], carry_1_0[7], half_carry_1_0[1], half_sum_1_0[1:0], sum_1_0[4],
-                       carry_1_0[2], carry_1_0[0]};
-  sepax_fa #( .N(46) ) fa_2_0 (
+  assign fa_2_0_c =
+    {ones_carry_1_0[8], half_carry_1_0[34], half_sum_1_0[34], ones_carry_1_0[5],
+     carry_1_1[28], sum_1_0[41], carry_1_0[40], half_carry_1_0[31], ones_sum_1_0[3],
+     ones_carry_1_0[2], carry_1_1[25], carry_1_0[35], ones_carry_1_0[0],
+     half_carry_1_0[28:10], carry_1_1[4], carry_1_0[13], half_carry_1_0[7],
+     carry_1_1[1], carry_1_0[10], half_carry_1_0[4], half_sum_1_0[4], carry_1_0[7],
+     half_carry_1_0[1], half_sum_1_0[1:0], sum_1_0[4], carry_1_0[2], carry_1_0[0]};
+  sepax_fa #(.N(46)) fa_2_0 (
     .a(fa_2_0_a),
     .b(fa_2_0_b),
     .c(fa_2_0_c),
@@ -231,16 +254,21 @@ module sepax_mul_37x21_biased (
   wire [31:0] sum_2_1;
   wire [31:0] carry_2_1;
   wire [31:0] fa_2_1_a;
-  assign fa_2_1_a = {carry_1_1[27], carry_1_0[39], half_carry_1_0[30], carry_1_2[1], sum_1_0[36], carry_1_0[34:15],
-                       half_sum_1_0[10], carry_1_1[3], carry_1_0[12], half_sum_1_0[7:6], carry_1_0[9], carry_1_0[6]};
+  assign fa_2_1_a =
+    {carry_1_1[27], carry_1_0[39], half_carry_1_0[30], carry_1_2[1], sum_1_0[36],
+     carry_1_0[34:15], half_sum_1_0[10], carry_1_1[3], carry_1_0[12], half_sum_1_0[7:6],
+     carry_1_0[9], carry_1_0[6]};
   wire [31:0] fa_2_1_b;
-  assign fa_2_1_b = {ones_sum_1_0[4], sum_1_0[40], carry_1_0[37], ones_sum_1_0[2], sum_1_1[25], carry_1_1[24:5],
-                       sum_1_0[15], half_sum_1_0[9], carry_1_1[2], sum_1_0[12:11], carry_1_1[0], half_sum_1_0[2]};
+  assign fa_2_1_b =
+    {ones_sum_1_0[4], sum_1_0[40], carry_1_0[37], ones_sum_1_0[2], sum_1_1[25],
+     carry_1_1[24:5], sum_1_0[15], half_sum_1_0[9], carry_1_1[2], sum_1_0[12:11],
+     carry_1_1[0], half_sum_1_0[2]};
   wire [31:0] fa_2_1_c;
-  assign fa_2_1_c = {half_sum_1_0[32], sum_1_1[27], sum_1_0[38], half_sum_1_0[30], sum_1_2[1], ones_sum_1_0[1:0],
-                       half_sum_1_0[28:12], carry_1_2[0], sum_1_1[5], sum_1_0[14], half_sum_1_0[8], sum_1_1[2:1],
-                       half_sum_1_0[5], sum_1_0[7]};
-  sepax_fa #( .N(32) ) fa_2_1 (
+  assign fa_2_1_c =
+    {half_sum_1_0[32], sum_1_1[27], sum_1_0[38], half_sum_1_0[30], sum_1_2[1],
+     ones_sum_1_0[1:0], half_sum_1_0[28:12], carry_1_2[0], sum_1_1[5], sum_1_0[14],
+     half_sum_1_0[8], sum_1_1[2:1], half_sum_1_0[5], sum_1_0[7]};
+  sepax_fa #(.N(32)) fa_2_1 (
     .a(fa_2_1_a),
     .b(fa_2_1_b),
     .c(fa_2_1_c),
@@ -250,12 +278,15 @@ module sepax_mul_37x21_biased (
   wire [0:0] sum_2_2;
   wire [0:0] carry_2_2;
   wire [0:0] fa_2_2_a;
-  assign fa_2_2_a = {half_sum_1_0[11]};
+  assign fa_2_2_a =
+    {half_sum_1_0[11]};
   wire [0:0] fa_2_2_b;
-  assign fa_2_2_b = {sum_1_0[16]};
+  assign fa_2_2_b =
+    {sum_1_0[16]};
   wire [0:0] fa_2_2_c;
-  assign fa_2_2_c = {sum_1_1[6]};
-  sepax_fa #( .N(1) ) fa_2_2 (
+  assign fa_2_2_c =
+    {sum_1_1[6]};
+  sepax_fa #(.N(1)) fa_2_2 (
     .a(fa_2_2_a),
     .b(fa_2_2_b),
     .c(fa_2_2_c),
@@ -264,28 +295,36 @@ module sepax_mul_37x21_biased (
   );
   wire [1:0] half_sum_2_0;
   wire [1:0] half_carry_2_0;
-  assign half_carry_2_0 = {carry_1_0[44], row_9[32]} & {ones_sum_1_0[8], carry_1_0[43]};
-  assign half_sum_2_0 = {carry_1_0[44], row_9[32]} ^ {ones_sum_1_0[8], carry_1_0[43]};
+  assign half_carry_2_0 =
+    {carry_1_0[44], row_9[32]} &
+    {ones_sum_1_0[8], carry_1_0[43]};
+  assign half_sum_2_0 =
+    {carry_1_0[44], row_9[32]} ^
+    {ones_sum_1_0[8], carry_1_0[43]};
 
   // Full adders, level 3.
   wire [43:0] sum_3_0;
   wire [43:0] carry_3_0;
   wire [43:0] fa_3_0_a;
-  assign fa_3_0_a = {ones_carry_1_0[7], ones_sum_1_0[7], sum_1_0[43], half_carry_1_0[33], ones_sum_1_0[5],
-                       sum_1_1[28], sum_2_0[39], carry_2_0[37], half_sum_1_0[31], sum_1_1[26], sum_1_0[37],
-                       carry_2_0[33], half_sum_1_0[29], sum_1_0[34:17], sum_2_0[14], sum_1_2[0], sum_1_1[4],
-                       sum_1_0[13], carry_2_0[9:8], sum_1_0[10:9], half_sum_1_0[3], sum_2_0[5], sum_1_0[6:5],
-                       row_2[0]};
+  assign fa_3_0_a =
+    {ones_carry_1_0[7], ones_sum_1_0[7], sum_1_0[43], half_carry_1_0[33], ones_sum_1_0[5],
+     sum_1_1[28], sum_2_0[39], carry_2_0[37], half_sum_1_0[31], sum_1_1[26],
+     sum_1_0[37], carry_2_0[33], half_sum_1_0[29], sum_1_0[34:17], sum_2_0[14],
+     sum_1_2[0], sum_1_1[4], sum_1_0[13], carry_2_0[9:8], sum_1_0[10:9],
+     half_sum_1_0[3], sum_2_0[5], sum_1_0[6:5], row_2[0]};
   wire [43:0] fa_3_0_b;
-  assign fa_3_0_b = {sum_1_0[44], carry_2_0[44:43], sum_1_0[42], half_sum_1_0[33], carry_2_0[39:38], sum_2_0[38],
-                       sum_1_0[39], sum_2_0[36], carry_2_0[34], carry_2_1[26], sum_1_0[35], sum_1_1[24:7],
-                       carry_2_0[13:11], sum_1_1[3], carry_2_1[2:1], sum_2_0[8], sum_1_1[0], sum_1_0[8],
-                       carry_2_0[4:2], sum_1_0[1]};
+  assign fa_3_0_b =
+    {sum_1_0[44], carry_2_0[44:43], sum_1_0[42], half_sum_1_0[33], carry_2_0[39:38],
+     sum_2_0[38], sum_1_0[39], sum_2_0[36], carry_2_0[34], carry_2_1[26], sum_1_0[35],
+     sum_1_1[24:7], carry_2_0[13:11], sum_1_1[3], carry_2_1[2:1], sum_2_0[8],
+     sum_1_1[0], sum_1_0[8], carry_2_0[4:2], sum_1_0[1]};
   wire [43:0] fa_3_0_c;
-  assign fa_3_0_c = {half_carry_2_0[0], half_sum_2_0[0], sum_2_0[44], sum_2_0[42], carry_2_0[40], carry_2_1[31:30],
-                       sum_2_1[30], carry_2_0[36:35], carry_2_1[27], sum_2_0[34:15], carry_2_1[6:4], sum_2_0[11:9],
-                       carry_2_0[7:5], sum_2_1[0], sum_2_0[4:3], carry_2_0[0]};
-  sepax_fa #( .N(44) ) fa_3_0 (
+  assign fa_3_0_c =
+    {half_carry_2_0[0], half_sum_2_0[0], sum_2_0[44], sum_2_0[42], carry_2_0[40],
+     carry_2_1[31:30], sum_2_1[30], carry_2_0[36:35], carry_2_1[27], sum_2_0[34:15],
+     carry_2_1[6:4], sum_2_0[11:9], carry_2_0[7:5], sum_2_1[0], sum_2_0[4:3],
+     carry_2_0[0]};
+  sepax_fa #(.N(44)) fa_3_0 (
     .a(fa_3_0_a),
     .b(fa_3_0_b),
     .c(fa_3_0_c),
@@ -295,12 +334,15 @@ module sepax_mul_37x21_biased (
   wire [19:0] sum_3_1;
   wire [19:0] carry_3_1;
   wire [19:0] fa_3_1_a;
-  assign fa_3_1_a = {carry_2_0[32:14], carry_2_0[10]};
+  assign fa_3_1_a =
+    {carry_2_0[32:14], carry_2_0[10]};
   wire [19:0] fa_3_1_b;
-  assign fa_3_1_b = {carry_2_1[25:7], carry_2_1[3]};
+  assign fa_3_1_b =
+    {carry_2_1[25:7], carry_2_1[3]};
   wire [19:0] fa_3_1_c;
-  assign fa_3_1_c = {sum_2_1[26:9], carry_2_2[0], sum_2_1[4]};
-  sepax_fa #( .N(20) ) fa_3_1 (
+  assign fa_3_1_c =
+    {sum_2_1[26:9], carry_2_2[0], sum_2_1[4]};
+  sepax_fa #(.N(20)) fa_3_1 (
     .a(fa_3_1_a),
     .b(fa_3_1_b),
     .c(fa_3_1_c),
@@ -309,24 +351,32 @@ module sepax_mul_37x21_biased (
   );
   wire [0:0] ones_sum_3_0;
   wire [0:0] ones_carry_3_0;
-  assign ones_carry_3_0 = {row_9[36]} | {carry_2_0[45]};
-  assign ones_sum_3_0 = ~({row_9[36]} ^ {carry_2_0[45]});
+  assign ones_carry_3_0 =
+    {row_9[36]} |
+    {carry_2_0[45]};
+  assign ones_sum_3_0 = ~(
+    {row_9[36]} ^
+    {carry_2_0[45]});
 
   // Full adders, level 4.
   wire [37:0] sum_4_0;
   wire [37:0] carry_4_0;
   wire [37:0] fa_4_0_a;
-  assign fa_4_0_a = {carry_2_0[42:41], sum_2_0[41:40], sum_2_1[31], carry_2_1[29:28], sum_2_0[35], sum_2_1[27],
-                       sum_3_0[31:14], sum_2_1[8:7], sum_2_0[13:12], sum_3_0[9], sum_2_1[3:1], sum_2_0[7],
-                       carry_2_1[0], carry_1_0[1]};
+  assign fa_4_0_a =
+    {carry_2_0[42:41], sum_2_0[41:40], sum_2_1[31], carry_2_1[29:28], sum_2_0[35],
+     sum_2_1[27], sum_3_0[31:14], sum_2_1[8:7], sum_2_0[13:12], sum_3_0[9],
+     sum_2_1[3:1], sum_2_0[7], carry_2_1[0], carry_1_0[1]};
   wire [37:0] fa_4_0_b;
-  assign fa_4_0_b = {sum_2_0[43], sum_3_0[40:39], carry_3_0[37], sum_3_0[37], sum_2_0[37], sum_2_1[29:28],
-                       carry_3_0[31:13], sum_3_0[13], sum_2_2[0], sum_2_1[6:5], carry_3_0[8:5], sum_3_0[5],
-                       sum_2_0[6], sum_1_0[2]};
+  assign fa_4_0_b =
+    {sum_2_0[43], sum_3_0[40:39], carry_3_0[37], sum_3_0[37], sum_2_0[37], sum_2_1[29:28],
+     carry_3_0[31:13], sum_3_0[13], sum_2_2[0], sum_2_1[6:5], carry_3_0[8:5],
+     sum_3_0[5], sum_2_0[6], sum_1_0[2]};
   wire [37:0] fa_4_0_c;
-  assign fa_4_0_c = {carry_3_0[40:38], sum_3_0[38], carry_3_0[36], sum_3_0[35:34], carry_3_0[32], carry_3_1[19:1],
-                       carry_3_0[12:9], sum_3_1[0], sum_3_0[8:6], carry_3_0[4], sum_3_0[4], carry_3_0[0]};
-  sepax_fa #( .N(38) ) fa_4_0 (
+  assign fa_4_0_c =
+    {carry_3_0[40:38], sum_3_0[38], carry_3_0[36], sum_3_0[35:34], carry_3_0[32],
+     carry_3_1[19:1], carry_3_0[12:9], sum_3_1[0], sum_3_0[8:6], carry_3_0[4],
+     sum_3_0[4], carry_3_0[0]};
+  sepax_fa #(.N(38)) fa_4_0 (
     .a(fa_4_0_a),
     .b(fa_4_0_b),
     .c(fa_4_0_c),
@@ -338,12 +388,16 @@ module sepax_mul_37x21_biased (
   wire [27:0] sum_5_0;
   wire [27:0] carry_5_0;
   wire [27:0] fa_5_0_a;
-  assign fa_5_0_a = {carry_3_0[35:33], sum_3_0[33:32], sum_3_1[19:1], sum_3_0[12:11], carry_3_1[0], sum_1_0[3]};
+  assign fa_5_0_a =
+    {carry_3_0[35:33], sum_3_0[33:32], sum_3_1[19:1], sum_3_0[12:11], carry_3_1[0],
+     sum_1_0[3]};
   wire [27:0] fa_5_0_b;
-  assign fa_5_0_b = {sum_3_0[36], sum_4_0[32:9], carry_4_0[7], sum_3_0[10], sum_2_0[1]};
+  assign fa_5_0_b =
+    {sum_3_0[36], sum_4_0[32:9], carry_4_0[7], sum_3_0[10], sum_2_0[1]};
   wire [27:0] fa_5_0_c;
-  assign fa_5_0_c = {carry_4_0[32:8], sum_4_0[8:7], carry_4_0[0]};
-  sepax_fa #( .N(28) ) fa_5_0 (
+  assign fa_5_0_c =
+    {carry_4_0[32:8], sum_4_0[8:7], carry_4_0[0]};
+  sepax_fa #(.N(28)) fa_5_0 (
     .a(fa_5_0_a),
     .b(fa_5_0_b),
     .c(fa_5_0_c),
@@ -355,25 +409,28 @@ module sepax_mul_37x21_biased (
   wire [0:0] sum_6_0;
   wire [0:0] carry_6_0;
   wire [0:0] fa_6_0_a;
-  assign fa_6_0_a = {carry_2_0[1]};
+  assign fa_6_0_a =
+    {carry_2_0[1]};
   wire [0:0] fa_6_0_b;
-  assign fa_6_0_b = {sum_2_0[2]};
+  assign fa_6_0_b =
+    {sum_2_0[2]};
   wire [0:0] fa_6_0_c;
-  assign fa_6_0_c = {carry_5_0[0]};
-  sepax_fa #( .N(1) ) fa_6_0 (
+  assign fa_6_0_c =
+    {carry_5_0[0]};
+  sepax_fa #(.N(1)) fa_6_0 (
     .a(fa_6_0_a),
     .b(fa_6_0_b),
     .c(fa_6_0_c),
     .sum(sum_6_0),
     .carry(carry_6_0)
   );
-
   // The last two rows.
-  assign p = {row_9[37], ones_sum_3_0[0], half_carry_2_0[1], carry_3_0[43:41], carry_4_0[37:33],
-                       carry_5_0[27:1], carry_4_0[6:1], carry_3_0[3:1], carry_6_0[0], sum_6_0[0], sum_5_0[0],
-                       sum_4_0[0], sum_3_0[0], sum_2_0[0], sum_1_0[0], row_0[1:0]} +
-             {ones_carry_3_0[0], 1'd0, sum_2_0[45], half_sum_2_0[1], sum_3_0[43:41], sum_4_0[37:33],
-                       sum_5_0[27:1], sum_4_0[6:1], sum_3_0[3:1], 7'd0, negative[0]};
+  assign p =
+    {row_9[37], ones_sum_3_0[0], half_carry_2_0[1], carry_3_0[43:41], carry_4_0[37:33],
+     carry_5_0[27:1], carry_4_0[6:1], carry_3_0[3:1], carry_6_0[0], sum_6_0[0],
+     sum_5_0[0], sum_4_0[0], sum_3_0[0], sum_2_0[0], sum_1_0[0], row_0[1:0]} +
+    {ones_carry_3_0[0], 1'd0, sum_2_0[45], half_sum_2_0[1], sum_3_0[43:41], sum_4_0[37:33],
+     sum_5_0[27:1], sum_4_0[6:1], sum_3_0[3:1], 7'd0, negative[0]};
 `endif
 
 endmodule

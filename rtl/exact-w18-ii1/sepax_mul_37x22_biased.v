@@ -14,16 +14,17 @@
 `default_nettype none
 
 module sepax_mul_37x22_biased (
-  input  wire signed [36:0]       a, // first factor
-  input  wire signed [21:0]       b, // second factor + BIAS
-  output wire signed [55:0]       p  // product, 0 clocks later
+  input  wire signed [36:0] a, // first factor
+  input  wire signed [21:0] b, // second factor + BIAS
+  output wire signed [55:0] p  // product, 0 clocks later
 );
 
 `ifdef SEPAX_BEHAVIOURAL
   wire [55:0] wide_a;
   wire [55:0] wide_b;
   assign wide_a = {{19{a[36]}}, a};
-  localparam [55:0] BIAS = 56'd349525; // the module multiplies by b - BIAS
+  // The module multiplies by b - BIAS.
+  localparam [55:0] BIAS = 56'd349525;
   assign wide_b = {{34{b[21]}}, b} - BIAS;
   assign p = wide_a * wide_b;
 `else
@@ -53,77 +54,77 @@ module sepax_mul_37x22_biased (
   wire [37:0] row_9;
   wire [35:0] plain_10;
   wire [35:0] row_10;
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_0 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_0 (
     .a(a),
     .b(b[1:0]),
     .row(plain_0),
     .negative(negative[0])
   );
   assign row_0 = {~plain_0[37], plain_0[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_1 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_1 (
     .a(a),
     .b(b[3:2]),
     .row(plain_1),
     .negative(negative[1])
   );
   assign row_1 = {~plain_1[37], plain_1[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_2 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_2 (
     .a(a),
     .b(b[5:4]),
     .row(plain_2),
     .negative(negative[2])
   );
   assign row_2 = {~plain_2[37], plain_2[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_3 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_3 (
     .a(a),
     .b(b[7:6]),
     .row(plain_3),
     .negative(negative[3])
   );
   assign row_3 = {~plain_3[37], plain_3[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_4 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_4 (
     .a(a),
     .b(b[9:8]),
     .row(plain_4),
     .negative(negative[4])
   );
   assign row_4 = {~plain_4[37], plain_4[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_5 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_5 (
     .a(a),
     .b(b[11:10]),
     .row(plain_5),
     .negative(negative[5])
   );
   assign row_5 = {~plain_5[37], plain_5[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_6 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_6 (
     .a(a),
     .b(b[13:12]),
     .row(plain_6),
     .negative(negative[6])
   );
   assign row_6 = {~plain_6[37], plain_6[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_7 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_7 (
     .a(a),
     .b(b[15:14]),
     .row(plain_7),
     .negative(negative[7])
   );
   assign row_7 = {~plain_7[37], plain_7[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_8 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_8 (
     .a(a),
     .b(b[17:16]),
     .row(plain_8),
     .negative(negative[8])
   );
   assign row_8 = {~plain_8[37], plain_8[36:0]};
-  sepax_digit #( .A_W(37), .ROW_W(38) ) digit_9 (
+  sepax_digit #(.A_W(37), .ROW_W(38)) digit_9 (
     .a(a),
     .b(b[19:18]),
     .row(plain_9),
     .negative(negative[9])
   );
   assign row_9 = {~plain_9[37], plain_9[36:0]};
-  sepax_top_digit #( .A_W(37), .ROW_W(36) ) digit_10 (
+  sepax_top_digit #(.A_W(37), .ROW_W(36)) digit_10 (
     .a(a),
     .b(top),
     .row(plain_10),
@@ -135,21 +136,25 @@ module sepax_mul_37x22_biased (
   wire [46:0] sum_1_0;
   wire [46:0] carry_1_0;
   wire [46:0] fa_1_0_a;
-  assign fa_1_0_a = {row_8[37], row_7[37], row_6[37], row_5[37], row_4[37], row_8[28], row_3[37], row_7[28],
-                       row_2[37], row_6[28], row_1[37], row_5[28], row_2[33:17], row_1[18], row_2[15], row_1[16],
-                       row_2[13], row_1[14], row_2[11], row_1[12], row_2[9], row_1[10], row_2[7], row_1[8],
-                       row_2[5], row_1[6], row_0[7], negative[3], row_0[5], negative[2:1]};
+  assign fa_1_0_a =
+    {row_8[37], row_7[37], row_6[37], row_5[37], row_4[37], row_8[28], row_3[37], row_7[28],
+     row_2[37], row_6[28], row_1[37], row_5[28], row_2[33:17], row_1[18], row_2[15],
+     row_1[16], row_2[13], row_1[14], row_2[11], row_1[12], row_2[9], row_1[10],
+     row_2[7], row_1[8], row_2[5], row_1[6], row_0[7], negative[3], row_0[5],
+     negative[2:1]};
   wire [46:0] fa_1_0_b;
-  assign fa_1_0_b = {row_9[35], row_8[35], row_7[35], row_6[35], row_5[35], row_9[26], row_4[35], row_8[26],
-                       row_3[35], row_7[26], row_2[35], row_6[26], row_3[31:15], row_2[16], row_3[13], row_2[14],
-                       row_3[11], row_2[12], row_3[9], row_2[10], row_3[7], row_2[8], row_3[5], row_2[6],
-                       row_3[3], row_2[4], row_1[5], row_0[6], row_1[3], row_0[4], row_0[2]};
+  assign fa_1_0_b =
+    {row_9[35], row_8[35], row_7[35], row_6[35], row_5[35], row_9[26], row_4[35], row_8[26],
+     row_3[35], row_7[26], row_2[35], row_6[26], row_3[31:15], row_2[16], row_3[13],
+     row_2[14], row_3[11], row_2[12], row_3[9], row_2[10], row_3[7], row_2[8], row_3[5],
+     row_2[6], row_3[3], row_2[4], row_1[5], row_0[6], row_1[3], row_0[4], row_0[2]};
   wire [46:0] fa_1_0_c;
-  assign fa_1_0_c = {row_10[33], row_9[33], row_8[33], row_7[33], row_6[33], row_10[24], row_5[33], row_9[24],
-                       row_4[33], row_8[24], row_3[33], row_7[24], row_4[29:13], row_3[14], row_4[11], row_3[12],
-                       row_4[9], row_3[10], row_4[7], row_3[8], row_4[5], row_3[6], row_4[3], row_3[4],
-                       row_4[1], row_3[2], row_2[3], row_1[4], row_2[1], row_1[2], row_1[0]};
-  sepax_fa #( .N(47) ) fa_1_0 (
+  assign fa_1_0_c =
+    {row_10[33], row_9[33], row_8[33], row_7[33], row_6[33], row_10[24], row_5[33], row_9[24],
+     row_4[33], row_8[24], row_3[33], row_7[24], row_4[29:13], row_3[14], row_4[11],
+     row_3[12], row_4[9], row_3[10], row_4[7], row_3[8], row_4[5], row_3[6], row_4[3],
+     row_3[4], row_4[1], row_3[2], row_2[3], row_1[4], row_2[1], row_1[2], row_1[0]};
+  sepax_fa #(.N(47)) fa_1_0 (
     .a(fa_1_0_a),
     .b(fa_1_0_b),
     .c(fa_1_0_c),
@@ -158,28 +163,37 @@ module sepax_mul_37x22_biased (
   );
   wire [35:0] half_sum_1_0;
   wire [35:0] half_carry_1_0;
-  assign half_carry_1_0 = {row_9[32], row_8[32], row_7[32], row_6[32], row_5[32], row_4[32], row_3[32], row_0[36:21],
-                       negative[10], row_0[19], negative[9], row_0[17], negative[8], row_0[15], negative[7],
-                       row_0[13], negative[6], row_0[11], negative[5], row_0[9], negative[4]} & {row_10[30], row_9[30], row_8[30], row_7[30], row_6[30], row_5[30], row_4[30], row_1[34:19],
-                       row_0[20], row_1[17], row_0[18], row_1[15], row_0[16], row_1[13], row_0[14], row_1[11],
-                       row_0[12], row_1[9], row_0[10], row_1[7], row_0[8]};
-  assign half_sum_1_0 = {row_9[32], row_8[32], row_7[32], row_6[32], row_5[32], row_4[32], row_3[32], row_0[36:21],
-                       negative[10], row_0[19], negative[9], row_0[17], negative[8], row_0[15], negative[7],
-                       row_0[13], negative[6], row_0[11], negative[5], row_0[9], negative[4]} ^ {row_10[30], row_9[30], row_8[30], row_7[30], row_6[30], row_5[30], row_4[30], row_1[34:19],
-                       row_0[20], row_1[17], row_0[18], row_1[15], row_0[16], row_1[13], row_0[14], row_1[11],
-                       row_0[12], row_1[9], row_0[10], row_1[7], row_0[8]};
+  assign half_carry_1_0 =
+    {row_9[32], row_8[32], row_7[32], row_6[32], row_5[32], row_4[32], row_3[32],
+     row_0[36:21], negative[10], row_0[19], negative[9], row_0[17], negative[8],
+     row_0[15], negative[7], row_0[13], negative[6], row_0[11], negative[5], row_0[9],
+     negative[4]} &
+    {row_10[30], row_9[30], row_8[30], row_7[30], row_6[30], row_5[30], row_4[30],
+     row_1[34:19], row_0[20], row_1[17], row_0[18], row_1[15], row_0[16], row_1[13],
+     row_0[14], row_1[11], row_0[12], row_1[9], row_0[10], row_1[7], row_0[8]};
+  assign half_sum_1_0 =
+    {row_9[32], row_8[32], row_7[32], row_6[32], row_5[32], row_4[32], row_3[32],
+     row_0[36:21], negative[10], row_0[19], negative[9], row_0[17], negative[8],
+     row_0[15], negative[7], row_0[13], negative[6], row_0[11], negative[5], row_0[9],
+     negative[4]} ^
+    {row_10[30], row_9[30], row_8[30], row_7[30], row_6[30], row_5[30], row_4[30],
+     row_1[34:19], row_0[20], row_1[17], row_0[18], row_1[15], row_0[16], row_1[13],
+     row_0[14], row_1[11], row_0[12], row_1[9], row_0[10], row_1[7], row_0[8]};
   wire [30:0] sum_1_1;
   wire [30:0] carry_1_1;
   wire [30:0] fa_1_1_a;
-  assign fa_1_1_a = {row_8[31], row_7[31], row_6[31], row_5[31], row_4[31], row_8[22], row_5[27:11], row_4[12],
-                       row_5[9], row_4[10], row_5[7], row_4[8], row_5[5], row_4[6], row_4[4]};
+  assign fa_1_1_a =
+    {row_8[31], row_7[31], row_6[31], row_5[31], row_4[31], row_8[22], row_5[27:11],
+     row_4[12], row_5[9], row_4[10], row_5[7], row_4[8], row_5[5], row_4[6], row_4[4]};
   wire [30:0] fa_1_1_b;
-  assign fa_1_1_b = {row_9[29], row_8[29], row_7[29], row_6[29], row_5[29], row_9[20], row_6[25:9], row_5[10],
-                       row_6[7], row_5[8], row_6[5], row_5[6], row_6[3], row_5[4], row_5[2]};
+  assign fa_1_1_b =
+    {row_9[29], row_8[29], row_7[29], row_6[29], row_5[29], row_9[20], row_6[25:9], row_5[10],
+     row_6[7], row_5[8], row_6[5], row_5[6], row_6[3], row_5[4], row_5[2]};
   wire [30:0] fa_1_1_c;
-  assign fa_1_1_c = {row_10[27], row_9[27], row_8[27], row_7[27], row_6[27], row_10[18], row_7[23:7],
-                       row_6[8], row_7[5], row_6[6], row_7[3], row_6[4], row_7[1], row_6[2], row_6[0]};
-  sepax_fa #( .N(31) ) fa_1_1 (
+  assign fa_1_1_c =
+    {row_10[27], row_9[27], row_8[27], row_7[27], row_6[27], row_10[18], row_7[23:7],
+     row_6[8], row_7[5], row_6[6], row_7[3], row_6[4], row_7[1], row_6[2], row_6[0]};
+  sepax_fa #(.N(31)) fa_1_1 (
     .a(fa_1_1_a),
     .b(fa_1_1_b),
     .c(fa_1_1_c),
@@ -189,12 +203,15 @@ module sepax_mul_37x22_biased (
   wire [20:0] sum_1_2;
   wire [20:0] carry_1_2;
   wire [20:0] fa_1_2_a;
-  assign fa_1_2_a = {row_8[25], row_7[25], row_8[21:5], row_7[6], row_7[4]};
+  assign fa_1_2_a =
+    {row_8[25], row_7[25], row_8[21:5], row_7[6], row_7[4]};
   wire [20:0] fa_1_2_b;
-  assign fa_1_2_b = {row_9[23], row_8[23], row_9[19:3], row_8[4], row_8[2]};
+  assign fa_1_2_b =
+    {row_9[23], row_8[23], row_9[19:3], row_8[4], row_8[2]};
   wire [20:0] fa_1_2_c;
-  assign fa_1_2_c = {row_10[21], row_9[21], row_10[17:1], row_9[2], row_9[0]};
-  sepax_fa #( .N(21) ) fa_1_2 (
+  assign fa_1_2_c =
+    {row_10[21], row_9[21], row_10[17:1], row_9[2], row_9[0]};
+  sepax_fa #(.N(21)) fa_1_2 (
     .a(fa_1_2_a),
     .b(fa_1_2_b),
     .c(fa_1_2_c),
@@ -203,36 +220,45 @@ module sepax_mul_37x22_biased (
   );
   wire [9:0] ones_sum_1_0;
   wire [9:0] ones_carry_1_0;
-  assign ones_carry_1_0 = {row_9[36], row_8[36], row_7[36], row_6[36], row_5[36], row_4[36], row_3[36], row_2[36],
-                       row_1[36], row_0[37]} | {row_10[34], row_9[34], row_8[34], row_7[34], row_6[34], row_5[34], row_4[34], row_3[34],
-                       row_2[34], row_1[35]};
-  assign ones_sum_1_0 = ~({row_9[36], row_8[36], row_7[36], row_6[36], row_5[36], row_4[36], row_3[36], row_2[36],
-                       row_1[36], row_0[37]} ^ {row_10[34], row_9[34], row_8[34], row_7[34], row_6[34], row_5[34], row_4[34], row_3[34],
-                       row_2[34], row_1[35]});
+  assign ones_carry_1_0 =
+    {row_9[36], row_8[36], row_7[36], row_6[36], row_5[36], row_4[36], row_3[36], row_2[36],
+     row_1[36], row_0[37]} |
+    {row_10[34], row_9[34], row_8[34], row_7[34], row_6[34], row_5[34], row_4[34], row_3[34],
+     row_2[34], row_1[35]};
+  assign ones_sum_1_0 = ~(
+    {row_9[36], row_8[36], row_7[36], row_6[36], row_5[36], row_4[36], row_3[36], row_2[36],
+     row_1[36], row_0[37]} ^
+    {row_10[34], row_9[34], row_8[34], row_7[34], row_6[34], row_5[34], row_4[34], row_3[34],
+     row_2[34], row_1[35]});
 
   // Full adders, level 2.
   wire [46:0] sum_2_0;
   wire [46:0] carry_2_0;
   wire [46:0] fa_2_0_a;
-  assign fa_2_0_a = {row_10[31], carry_1_0[44], row_9[31], row_10[28], ones_carry_1_0[5], row_9[28], row_10[25],
-                       carry_1_0[40], row_9[25], row_10[22], ones_carry_1_0[2], row_9[22], row_10[19], ones_carry_1_0[0],
-                       half_carry_1_0[28:12], row_10[0], row_8[3], half_carry_1_0[9], row_8[1], row_7[2],
-                       half_carry_1_0[6], row_7[0], row_5[3], half_carry_1_0[3], row_5[1], row_4[2], half_carry_1_0[0],
-                       row_4[0], row_3[1], row_2[2], row_0[3]};
+  assign fa_2_0_a =
+    {row_10[31], carry_1_0[44], row_9[31], row_10[28], ones_carry_1_0[5], row_9[28],
+     row_10[25], carry_1_0[40], row_9[25], row_10[22], ones_carry_1_0[2], row_9[22],
+     row_10[19], ones_carry_1_0[0], half_carry_1_0[28:12], row_10[0], row_8[3],
+     half_carry_1_0[9], row_8[1], row_7[2], half_carry_1_0[6], row_7[0], row_5[3],
+     half_carry_1_0[3], row_5[1], row_4[2], half_carry_1_0[0], row_4[0], row_3[1],
+     row_2[2], row_0[3]};
   wire [46:0] fa_2_0_b;
-  assign fa_2_0_b = {ones_carry_1_0[7], ones_sum_1_0[7], row_10[29], carry_1_0[43], half_carry_1_0[33],
-                       row_10[26], ones_carry_1_0[4], carry_1_1[28], row_10[23], carry_1_0[38], half_carry_1_0[30],
-                       row_10[20], ones_carry_1_0[1], carry_1_0[34:17], half_carry_1_0[11], row_9[1], carry_1_0[14],
-                       half_carry_1_0[8], row_8[0], carry_1_0[11], half_carry_1_0[5], row_6[1], carry_1_0[8],
-                       half_carry_1_0[2], row_5[0], carry_1_0[5:3], row_3[0], row_1[1]};
+  assign fa_2_0_b =
+    {ones_carry_1_0[7], ones_sum_1_0[7], row_10[29], carry_1_0[43], half_carry_1_0[33],
+     row_10[26], ones_carry_1_0[4], carry_1_1[28], row_10[23], carry_1_0[38],
+     half_carry_1_0[30], row_10[20], ones_carry_1_0[1], carry_1_0[34:17],
+     half_carry_1_0[11], row_9[1], carry_1_0[14], half_carry_1_0[8], row_8[0],
+     carry_1_0[11], half_carry_1_0[5], row_6[1], carry_1_0[8], half_carry_1_0[2],
+     row_5[0], carry_1_0[5:3], row_3[0], row_1[1]};
   wire [46:0] fa_2_0_c;
-  assign fa_2_0_c = {half_carry_1_0[35], half_sum_1_0[35], ones_carry_1_0[6], carry_1_1[30], sum_1_0[43],
-                       carry_1_0[42], half_carry_1_0[32], ones_sum_1_0[4], ones_carry_1_0[3], carry_1_1[27],
-                       carry_1_0[37:36], half_carry_1_0[29], carry_1_1[24:7], carry_1_0[16], half_carry_1_0[10],
-                       carry_1_1[4], carry_1_0[13], half_carry_1_0[7], carry_1_1[1], carry_1_0[10], half_carry_1_0[4],
-                       half_sum_1_0[4], carry_1_0[7], half_carry_1_0[1], half_sum_1_0[1:0], sum_1_0[4],
-                       carry_1_0[2], carry_1_0[0]};
-  sepax_fa #( .N(47) ) fa_2_0 (
+  assign fa_2_0_c =
+    {half_carry_1_0[35], half_sum_1_0[35], ones_carry_1_0[6], carry_1_1[30], sum_1_0[43],
+     carry_1_0[42], half_carry_1_0[32], ones_sum_1_0[4], ones_carry_1_0[3],
+     carry_1_1[27], carry_1_0[37:36], half_carry_1_0[29], carry_1_1[24:7],
+     carry_1_0[16], half_carry_1_0[10], carry_1_1[4], carry_1_0[13], half_carry_1_0[7],
+     carry_1_1[1], carry_1_0[10], half_carry_1_0[4], half_sum_1_0[4], carry_1_0[7],
+     half_carry_1_0[1], half_sum_1_0[1:0], sum_1_0[4], carry_1_0[2], carry_1_0[0]};
+  sepax_fa #(.N(47)) fa_2_0 (
     .a(fa_2_0_a),
     .b(fa_2_0_b),
     .c(fa_2_0_c),
@@ -242,18 +268,23 @@ module sepax_mul_37x22_biased (
   wire [33:0] sum_2_1;
   wire [33:0] carry_2_1;
   wire [33:0] fa_2_1_a;
-  assign fa_2_1_a = {carry_1_1[29], carry_1_0[41], half_carry_1_0[31], carry_1_2[20], sum_1_0[38], carry_1_1[26],
-                       carry_1_0[35], carry_1_2[18:1], carry_1_1[6], carry_1_0[15], half_sum_1_0[10], carry_1_1[3],
-                       carry_1_0[12], half_sum_1_0[7:6], carry_1_0[9], carry_1_0[6]};
+  assign fa_2_1_a =
+    {carry_1_1[29], carry_1_0[41], half_carry_1_0[31], carry_1_2[20], sum_1_0[38],
+     carry_1_1[26], carry_1_0[35], carry_1_2[18:1], carry_1_1[6], carry_1_0[15],
+     half_sum_1_0[10], carry_1_1[3], carry_1_0[12], half_sum_1_0[7:6], carry_1_0[9],
+     carry_1_0[6]};
   wire [33:0] fa_2_1_b;
-  assign fa_2_1_b = {ones_sum_1_0[5], sum_1_0[42], carry_1_0[39], ones_sum_1_0[3], sum_1_1[27], carry_1_2[19],
-                       carry_1_1[25], ones_sum_1_0[1:0], half_sum_1_0[28:12], carry_1_1[5], sum_1_0[15],
-                       half_sum_1_0[9], carry_1_1[2], sum_1_0[12:11], carry_1_1[0], half_sum_1_0[2]};
+  assign fa_2_1_b =
+    {ones_sum_1_0[5], sum_1_0[42], carry_1_0[39], ones_sum_1_0[3], sum_1_1[27], carry_1_2[19],
+     carry_1_1[25], ones_sum_1_0[1:0], half_sum_1_0[28:12], carry_1_1[5], sum_1_0[15],
+     half_sum_1_0[9], carry_1_1[2], sum_1_0[12:11], carry_1_1[0], half_sum_1_0[2]};
   wire [33:0] fa_2_1_c;
-  assign fa_2_1_c = {half_sum_1_0[33], sum_1_1[29], sum_1_0[40], half_sum_1_0[31], sum_1_2[20], ones_sum_1_0[2],
-                       sum_1_0[36], half_sum_1_0[29], sum_1_0[34:17], carry_1_2[0], sum_1_1[5], sum_1_0[14],
-                       half_sum_1_0[8], sum_1_1[2:1], half_sum_1_0[5], sum_1_0[7]};
-  sepax_fa #( .N(34) ) fa_2_1 (
+  assign fa_2_1_c =
+    {half_sum_1_0[33], sum_1_1[29], sum_1_0[40], half_sum_1_0[31], sum_1_2[20],
+     ones_sum_1_0[2], sum_1_0[36], half_sum_1_0[29], sum_1_0[34:17], carry_1_2[0],
+     sum_1_1[5], sum_1_0[14], half_sum_1_0[8], sum_1_1[2:1], half_sum_1_0[5],
+     sum_1_0[7]};
+  sepax_fa #(.N(34)) fa_2_1 (
     .a(fa_2_1_a),
     .b(fa_2_1_b),
     .c(fa_2_1_c),
@@ -263,12 +294,15 @@ module sepax_mul_37x22_biased (
   wire [0:0] sum_2_2;
   wire [0:0] carry_2_2;
   wire [0:0] fa_2_2_a;
-  assign fa_2_2_a = {half_sum_1_0[11]};
+  assign fa_2_2_a =
+    {half_sum_1_0[11]};
   wire [0:0] fa_2_2_b;
-  assign fa_2_2_b = {sum_1_0[16]};
+  assign fa_2_2_b =
+    {sum_1_0[16]};
   wire [0:0] fa_2_2_c;
-  assign fa_2_2_c = {sum_1_1[6]};
-  sepax_fa #( .N(1) ) fa_2_2 (
+  assign fa_2_2_c =
+    {sum_1_1[6]};
+  sepax_fa #(.N(1)) fa_2_2 (
     .a(fa_2_2_a),
     .b(fa_2_2_b),
     .c(fa_2_2_c),
@@ -277,30 +311,41 @@ module sepax_mul_37x22_biased (
   );
   wire [1:0] half_sum_2_0;
   wire [1:0] half_carry_2_0;
-  assign half_carry_2_0 = {carry_1_0[46], row_10[32]} & {ones_sum_1_0[9], carry_1_0[45]};
-  assign half_sum_2_0 = {carry_1_0[46], row_10[32]} ^ {ones_sum_1_0[9], carry_1_0[45]};
+  assign half_carry_2_0 =
+    {carry_1_0[46], row_10[32]} &
+    {ones_sum_1_0[9], carry_1_0[45]};
+  assign half_sum_2_0 =
+    {carry_1_0[46], row_10[32]} ^
+    {ones_sum_1_0[9], carry_1_0[45]};
   wire [0:0] top_sum_2_0;
-  assign top_sum_2_0 = {row_9[37]} ^ {row_10[35]} ^ {ones_carry_1_0[9]};
+  assign top_sum_2_0 =
+    {row_9[37]} ^
+    {row_10[35]} ^
+    {ones_carry_1_0[9]};
 
   // Full adders, level 3.
   wire [45:0] sum_3_0;
   wire [45:0] carry_3_0;
   wire [45:0] fa_3_0_a;
-  assign fa_3_0_a = {ones_carry_1_0[8], ones_sum_1_0[8], sum_1_0[45], half_carry_1_0[34], ones_sum_1_0[6],
-                       sum_1_1[30], sum_2_0[41], carry_2_0[39], half_sum_1_0[32], sum_1_1[28], sum_1_0[39],
-                       carry_2_0[35], half_sum_1_0[30], sum_1_1[26], sum_1_0[35], sum_1_1[24:7], sum_2_0[14],
-                       sum_1_2[0], sum_1_1[4], sum_1_0[13], carry_2_0[9:8], sum_1_0[10:9], half_sum_1_0[3],
-                       sum_2_0[5], sum_1_0[6:5], row_2[0]};
+  assign fa_3_0_a =
+    {ones_carry_1_0[8], ones_sum_1_0[8], sum_1_0[45], half_carry_1_0[34], ones_sum_1_0[6],
+     sum_1_1[30], sum_2_0[41], carry_2_0[39], half_sum_1_0[32], sum_1_1[28],
+     sum_1_0[39], carry_2_0[35], half_sum_1_0[30], sum_1_1[26], sum_1_0[35],
+     sum_1_1[24:7], sum_2_0[14], sum_1_2[0], sum_1_1[4], sum_1_0[13], carry_2_0[9:8],
+     sum_1_0[10:9], half_sum_1_0[3], sum_2_0[5], sum_1_0[6:5], row_2[0]};
   wire [45:0] fa_3_0_b;
-  assign fa_3_0_b = {sum_1_0[46], carry_2_0[46:45], sum_1_0[44], half_sum_1_0[34], carry_2_0[41:40], sum_2_0[40],
-                       sum_1_0[41], sum_2_0[38], carry_2_0[36], carry_2_1[28], sum_1_0[37], sum_1_2[19],
-                       sum_1_1[25], sum_1_2[18:1], carry_2_0[13:11], sum_1_1[3], carry_2_1[2:1], sum_2_0[8],
-                       sum_1_1[0], sum_1_0[8], carry_2_0[4:2], sum_1_0[1]};
+  assign fa_3_0_b =
+    {sum_1_0[46], carry_2_0[46:45], sum_1_0[44], half_sum_1_0[34], carry_2_0[41:40],
+     sum_2_0[40], sum_1_0[41], sum_2_0[38], carry_2_0[36], carry_2_1[28], sum_1_0[37],
+     sum_1_2[19], sum_1_1[25], sum_1_2[18:1], carry_2_0[13:11], sum_1_1[3],
+     carry_2_1[2:1], sum_2_0[8], sum_1_1[0], sum_1_0[8], carry_2_0[4:2], sum_1_0[1]};
   wire [45:0] fa_3_0_c;
-  assign fa_3_0_c = {half_carry_2_0[0], half_sum_2_0[0], sum_2_0[46], sum_2_0[44], carry_2_0[42], carry_2_1[33:32],
-                       sum_2_1[32], carry_2_0[38:37], carry_2_1[29], sum_2_0[36:35], carry_2_0[33:14], carry_2_1[6:4],
-                       sum_2_0[11:9], carry_2_0[7:5], sum_2_1[0], sum_2_0[4:3], carry_2_0[0]};
-  sepax_fa #( .N(46) ) fa_3_0 (
+  assign fa_3_0_c =
+    {half_carry_2_0[0], half_sum_2_0[0], sum_2_0[46], sum_2_0[44], carry_2_0[42],
+     carry_2_1[33:32], sum_2_1[32], carry_2_0[38:37], carry_2_1[29], sum_2_0[36:35],
+     carry_2_0[33:14], carry_2_1[6:4], sum_2_0[11:9], carry_2_0[7:5], sum_2_1[0],
+     sum_2_0[4:3], carry_2_0[0]};
+  sepax_fa #(.N(46)) fa_3_0 (
     .a(fa_3_0_a),
     .b(fa_3_0_b),
     .c(fa_3_0_c),
@@ -310,12 +355,15 @@ module sepax_mul_37x22_biased (
   wire [21:0] sum_3_1;
   wire [21:0] carry_3_1;
   wire [21:0] fa_3_1_a;
-  assign fa_3_1_a = {carry_2_0[34], carry_2_1[26:7], carry_2_0[10]};
+  assign fa_3_1_a =
+    {carry_2_0[34], carry_2_1[26:7], carry_2_0[10]};
   wire [21:0] fa_3_1_b;
-  assign fa_3_1_b = {carry_2_1[27], sum_2_0[34:16], carry_2_2[0], carry_2_1[3]};
+  assign fa_3_1_b =
+    {carry_2_1[27], sum_2_0[34:16], carry_2_2[0], carry_2_1[3]};
   wire [21:0] fa_3_1_c;
-  assign fa_3_1_c = {sum_2_1[28:9], sum_2_0[15], sum_2_1[4]};
-  sepax_fa #( .N(22) ) fa_3_1 (
+  assign fa_3_1_c =
+    {sum_2_1[28:9], sum_2_0[15], sum_2_1[4]};
+  sepax_fa #(.N(22)) fa_3_1 (
     .a(fa_3_1_a),
     .b(fa_3_1_b),
     .c(fa_3_1_c),
@@ -327,17 +375,21 @@ module sepax_mul_37x22_biased (
   wire [39:0] sum_4_0;
   wire [39:0] carry_4_0;
   wire [39:0] fa_4_0_a;
-  assign fa_4_0_a = {carry_2_0[44:43], sum_2_0[43:42], sum_2_1[33], carry_2_1[31:30], sum_2_0[37], sum_2_1[29],
-                       sum_3_0[33:14], sum_2_1[8:7], sum_2_0[13:12], sum_3_0[9], sum_2_1[3:1], sum_2_0[7],
-                       carry_2_1[0], carry_1_0[1]};
+  assign fa_4_0_a =
+    {carry_2_0[44:43], sum_2_0[43:42], sum_2_1[33], carry_2_1[31:30], sum_2_0[37],
+     sum_2_1[29], sum_3_0[33:14], sum_2_1[8:7], sum_2_0[13:12], sum_3_0[9],
+     sum_2_1[3:1], sum_2_0[7], carry_2_1[0], carry_1_0[1]};
   wire [39:0] fa_4_0_b;
-  assign fa_4_0_b = {sum_2_0[45], sum_3_0[42:41], carry_3_0[39], sum_3_0[39], sum_2_0[39], sum_2_1[31:30],
-                       carry_3_0[33:13], sum_3_0[13], sum_2_2[0], sum_2_1[6:5], carry_3_0[8:5], sum_3_0[5],
-                       sum_2_0[6], sum_1_0[2]};
+  assign fa_4_0_b =
+    {sum_2_0[45], sum_3_0[42:41], carry_3_0[39], sum_3_0[39], sum_2_0[39], sum_2_1[31:30],
+     carry_3_0[33:13], sum_3_0[13], sum_2_2[0], sum_2_1[6:5], carry_3_0[8:5],
+     sum_3_0[5], sum_2_0[6], sum_1_0[2]};
   wire [39:0] fa_4_0_c;
-  assign fa_4_0_c = {carry_3_0[42:40], sum_3_0[40], carry_3_0[38], sum_3_0[37:36], carry_3_0[34], carry_3_1[21:1],
-                       carry_3_0[12:9], sum_3_1[0], sum_3_0[8:6], carry_3_0[4], sum_3_0[4], carry_3_0[0]};
-  sepax_fa #( .N(40) ) fa_4_0 (
+  assign fa_4_0_c =
+    {carry_3_0[42:40], sum_3_0[40], carry_3_0[38], sum_3_0[37:36], carry_3_0[34],
+     carry_3_1[21:1], carry_3_0[12:9], sum_3_1[0], sum_3_0[8:6], carry_3_0[4],
+     sum_3_0[4], carry_3_0[0]};
+  sepax_fa #(.N(40)) fa_4_0 (
     .a(fa_4_0_a),
     .b(fa_4_0_b),
     .c(fa_4_0_c),
@@ -349,13 +401,17 @@ module sepax_mul_37x22_biased (
   wire [29:0] sum_5_0;
   wire [29:0] carry_5_0;
   wire [29:0] fa_5_0_a;
-  assign fa_5_0_a = {carry_3_0[37:35], sum_3_0[35:34], sum_3_1[21:1], sum_3_0[12:11], carry_3_1[0], sum_1_0[3]};
+  assign fa_5_0_a =
+    {carry_3_0[37:35], sum_3_0[35:34], sum_3_1[21:1], sum_3_0[12:11], carry_3_1[0],
+     sum_1_0[3]};
   wire [29:0] fa_5_0_b;
-  assign fa_5_0_b = {sum_3_0[38], sum_4_0[34:13], carry_4_0[11:10], sum_4_0[10:9], carry_4_0[7], sum_3_0[10],
-                       sum_2_0[1]};
+  assign fa_5_0_b =
+    {sum_3_0[38], sum_4_0[34:13], carry_4_0[11:10], sum_4_0[10:9], carry_4_0[7], sum_3_0[10],
+     sum_2_0[1]};
   wire [29:0] fa_5_0_c;
-  assign fa_5_0_c = {carry_4_0[34:12], sum_4_0[12:11], carry_4_0[9:8], sum_4_0[8:7], carry_4_0[0]};
-  sepax_fa #( .N(30) ) fa_5_0 (
+  assign fa_5_0_c =
+    {carry_4_0[34:12], sum_4_0[12:11], carry_4_0[9:8], sum_4_0[8:7], carry_4_0[0]};
+  sepax_fa #(.N(30)) fa_5_0 (
     .a(fa_5_0_a),
     .b(fa_5_0_b),
     .c(fa_5_0_c),
@@ -367,25 +423,28 @@ module sepax_mul_37x22_biased (
   wire [0:0] sum_6_0;
   wire [0:0] carry_6_0;
   wire [0:0] fa_6_0_a;
-  assign fa_6_0_a = {carry_2_0[1]};
+  assign fa_6_0_a =
+    {carry_2_0[1]};
   wire [0:0] fa_6_0_b;
-  assign fa_6_0_b = {sum_2_0[2]};
+  assign fa_6_0_b =
+    {sum_2_0[2]};
   wire [0:0] fa_6_0_c;
-  assign fa_6_0_c = {carry_5_0[0]};
-  sepax_fa #( .N(1) ) fa_6_0 (
+  assign fa_6_0_c =
+    {carry_5_0[0]};
+  sepax_fa #(.N(1)) fa_6_0 (
     .a(fa_6_0_a),
     .b(fa_6_0_b),
     .c(fa_6_0_c),
     .sum(sum_6_0),
     .carry(carry_6_0)
   );
-
   // The last two rows.
-  assign p = {half_carry_2_0[1], carry_3_0[45:43], carry_4_0[39:35], carry_5_0[29:1], carry_4_0[6:1],
-                       carry_3_0[3:1], carry_6_0[0], sum_6_0[0], sum_5_0[0], sum_4_0[0], sum_3_0[0], sum_2_0[0],
-                       sum_1_0[0], row_0[1:0]} +
-             {top_sum_2_0[0], half_sum_2_0[1], sum_3_0[45:43], sum_4_0[39:35], sum_5_0[29:1], sum_4_0[6:1],
-                       sum_3_0[3:1], 7'd0, negative[0]};
+  assign p =
+    {half_carry_2_0[1], carry_3_0[45:43], carry_4_0[39:35], carry_5_0[29:1], carry_4_0[6:1],
+     carry_3_0[3:1], carry_6_0[0], sum_6_0[0], sum_5_0[0], sum_4_0[0], sum_3_0[0],
+     sum_2_0[0], sum_1_0[0], row_0[1:0]} +
+    {top_sum_2_0[0], half_sum_2_0[1], sum_3_0[45:43], sum_4_0[39:35], sum_5_0[29:1],
+     sum_4_0[6:1], sum_3_0[3:1], 7'd0, negative[0]};
 `endif
 
 endmodule

@@ -16,38 +16,38 @@
 `default_nettype none
 
 module sepax_core (
-  input  wire                     clk,        // clock
-  input  wire        [2:0]        slot,       // bit k: cycle k of the II window, one-hot
-  input  wire signed [17:0]       in_a1_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a1_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a1_z,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a2_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a2_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a2_z,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a3_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a3_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_a3_z,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b1_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b1_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b1_z,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b2_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b2_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b2_z,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b3_x,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b3_y,    // taken at the end of an II window
-  input  wire signed [17:0]       in_b3_z,    // taken at the end of an II window
-  input  wire                     again,      // take the pair once more, u for x and z for y
-  output wire                     flat,       // in cycle 5: all orient2d are zero
-  output wire                     separated,  // with it: separated in the projection
-  output wire                     disjoint_x, // with it: AABBs disjoint in x
-  output wire                     disjoint_z, // with it: AABBs disjoint in z
-  input  wire                     second,     // in cycle 9: the pair's second pass
-  input  wire                     in_plane,   // in cycle 9: separated if coplanar
-  output wire                     coplanar,   // in cycle 9: all orient3d are zero, or a second pass
-  output wire        [3:0]        axis        // in cycle 9: the axis that separates, or 0
+  input  wire       clk,        // clock
+  input  wire [2:0] slot,       // bit k: cycle k of the II window, one-hot
+  input  wire signed [17:0] in_a1_x, // taken at the end of an II window
+  input  wire signed [17:0] in_a1_y, // taken at the end of an II window
+  input  wire signed [17:0] in_a1_z, // taken at the end of an II window
+  input  wire signed [17:0] in_a2_x, // taken at the end of an II window
+  input  wire signed [17:0] in_a2_y, // taken at the end of an II window
+  input  wire signed [17:0] in_a2_z, // taken at the end of an II window
+  input  wire signed [17:0] in_a3_x, // taken at the end of an II window
+  input  wire signed [17:0] in_a3_y, // taken at the end of an II window
+  input  wire signed [17:0] in_a3_z, // taken at the end of an II window
+  input  wire signed [17:0] in_b1_x, // taken at the end of an II window
+  input  wire signed [17:0] in_b1_y, // taken at the end of an II window
+  input  wire signed [17:0] in_b1_z, // taken at the end of an II window
+  input  wire signed [17:0] in_b2_x, // taken at the end of an II window
+  input  wire signed [17:0] in_b2_y, // taken at the end of an II window
+  input  wire signed [17:0] in_b2_z, // taken at the end of an II window
+  input  wire signed [17:0] in_b3_x, // taken at the end of an II window
+  input  wire signed [17:0] in_b3_y, // taken at the end of an II window
+  input  wire signed [17:0] in_b3_z, // taken at the end of an II window
+  input  wire       again,      // take the pair once more, u for x and z for y
+  output wire       flat,       // in cycle 5: all orient2d are zero
+  output wire       separated,  // with it: separated in the projection
+  output wire       disjoint_x, // with it: AABBs disjoint in x
+  output wire       disjoint_z, // with it: AABBs disjoint in z
+  input  wire       second,     // in cycle 9: the pair's second pass
+  input  wire       in_plane,   // in cycle 9: separated if coplanar
+  output wire       coplanar,   // in cycle 9: all orient3d are zero, or a second pass
+  output wire [3:0] axis        // in cycle 9: the axis that separates, or 0
 );
 
-  localparam W = 18; // bits of a coordinate
+  localparam W = 18;     // bits of a coordinate
   localparam G_W = 37; // of a trapezoid term or an orient2d
   localparam Z_W = 21; // of a z sum
   localparam O_W = 22; // of B's z sum
@@ -61,7 +61,7 @@ module sepax_core (
 
   // Coordinates. _hold, _hold2 ... stand for one II window more each.
   // The vertices of each triangle rotate, one place a cycle.
-  // u is x, or y where all six x are equal: with z it makes the projection of a second pass.
+  // u is x, or y where all six x are equal: with z it makes the plane of a second pass.
   reg signed [W-1:0] x_a1;
   reg signed [W-1:0] x_a2;
   reg signed [W-1:0] x_a3;
@@ -215,7 +215,6 @@ module sepax_core (
   reg [1:0] gs_5_q;
   reg [1:0] gs_5_q2;
   reg [1:0] gos_0_q;
-
   always @(posedge clk) begin
     if (slot[2]) begin
       x_a1 <= again ? u_a2_hold : in_a1_x;
@@ -875,15 +874,8 @@ module sepax_core (
       oz_1_q2, oz_0_q2, oz_0, oz_2,
       oz_1, oz_1_q, oz_0_q, oz_2_q};
   sepax_projection projection (
-    .flat(flat),
-    .separated(separated),
-    .disjoint_x(disjoint_x),
-    .disjoint_z(disjoint_z),
-    .g_a(all_g_a),
-    .g_b(all_g_b),
-    .g_own(all_g_own),
-    .x_order(all_x_order),
-    .z_order(all_z_order)
+    .flat(flat), .separated(separated), .disjoint_x(disjoint_x), .disjoint_z(disjoint_z),
+    .g_a(all_g_a), .g_b(all_g_b), .g_own(all_g_own), .x_order(all_x_order), .z_order(all_z_order)
   );
 
   // In cycle 9 of a pair:
@@ -897,12 +889,8 @@ module sepax_core (
       d_2_q, d_2_q2, d_1_q3, d_0_q4};
   sepax_decide decide (
     .second(second),
-    .in_plane(in_plane),
-    .coplanar(coplanar),
-    .axis(axis),
-    .s(all_s),
-    .w(all_w),
-    .d(all_d)
+    .in_plane(in_plane), .coplanar(coplanar), .axis(axis),
+    .s(all_s), .w(all_w), .d(all_d)
   );
 
 endmodule
