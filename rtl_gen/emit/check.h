@@ -25,7 +25,7 @@ typedef enum {
   NAME_FUNCTION
 } name_kind;
 
-enum { CHECK_ARGUMENTS = 16, CHECK_BUCKETS = 1024 };
+enum { CHECK_ARGUMENTS = 16 };
 
 typedef struct {
   name_kind kind;
@@ -38,7 +38,6 @@ typedef struct {
   bool known;                /* the constant's value is */
   int64_t value;
   int arguments, argument[CHECK_ARGUMENTS]; /* of a function: their widths */
-  int next;                                 /* in the bucket; -1: none */
 } check_name;
 
 /* Among the items of a module, or among the statements of a process. */
@@ -52,9 +51,8 @@ typedef struct {
   bool formal;                  /* between `ifdef FORMAL and `endif */
   check_place place;
   check_name *name;
-  int names, scope; /* scope: the first name of the innermost one */
-  int header;       /* the names from the outermost scope to here: parameters and ports */
-  int bucket[CHECK_BUCKETS];
+  int names, scope;   /* scope: the first name of the innermost one */
+  int header;         /* the names from the outermost scope to here: parameters and ports */
   check_name ignored; /* what a branch that is not taken declares */
 } reader;
 

@@ -39,75 +39,61 @@ static json_t *describe_ports(const emit_module *top) {
 static void describe_settings(json_t *all, const sepax_config *config) {
   sepax_setting setting;
   for (size_t i = 0; sepax_config_setting(config, i, &setting); i++) {
-    char name[sizeof setting.value];
-    size_t k = 0;
-    for (; setting.name[k] != '\0' && k + 1 < sizeof name; k++) {
-      name[k] = (char)(setting.name[k] == '-' ? '_' : setting.name[k]);
+    char *name = emit_copy(setting.name, strlen(setting.name));
+    for (char *dash = name; (dash = strchr(dash, '-')) != NULL;) {
+      *dash = '_';
     }
-    name[k] = '\0';
     double number = setting.is_number ? strtod(setting.value, NULL) : 0;
     json_int_t whole = (json_int_t)number;
     json_object_set_new(all, name,
                         !setting.is_number        ? json_string(setting.value)
                         : (double)whole == number ? json_integer(whole)
                                                   : json_real(number));
+    free(name);
   }
 }
 
-static json_t *describe(const emitter *e) {
+static json_t *optional(bool given, json_int_t number) {
+  return given ? json_integer(number) : NULL;
+}
+
+void describe_json(const emitter *e, FILE *out) {
   const sepax_design *d = e->design;
-  const sepax_config *c = &d->config;
+  const bool exact = d->config.arch == SEPAX_ARCH_EXACT;
   char text[SEPAX_CONFIG_TEXT];
   json_t *modules = json_array();
   for (int i = 0; i < e->modules; i++) {
     json_array_append_new(modules, json_string(e->module[i]->name));
   }
-  bool exact = c->arch == SEPAX_ARCH_EXACT;
-  json_t *all = json_pack("{s:s, s:s}", "version", SEPAX_VERSION, "options",
-                          sepax_config_text(c, text, sizeof text));
-  describe_settings(all, c);
-  json_object_set_new(all, "latency", json_integer(d->latency));
-  json_object_set_new(all, "input_words", json_integer(exact ? 1 : 3));
-  if (exact) {
-    if (c->extent_a > 0) {
-      json_object_set_new(all, "core_word", json_integer(d->core_word));
-    }
-    if (d->limits > 0) {
-      json_object_set_new(all, "margin", json_integer((json_int_t)d->margin[1]));
-    }
-    json_object_set_new(all, "behavioural_view", json_string("SEPAX_BEHAVIOURAL"));
-  } else {
-    json_object_set_new(all, "coplanar_limit", json_integer((json_int_t)d->coplanar_limit));
-  }
-  json_object_set_new(all, "formats", describe_formats(d));
-  json_object_set_new(all, "modules", modules);
-  json_object_set_new(all, "ports", describe_ports(e->module[e->modules - 1]));
-  return all;
-}
-
-void describe_json(const emitter *e, FILE *out) {
-  json_t *description = describe(e);
-  json_dumpf(description, out, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
+  json_t *all = json_pack("{ss, ss}", "version", SEPAX_VERSION, "options",
+                          sepax_config_text(&d->config, text, sizeof text));
+  describe_settings(all, &d->config);
+  json_t *rest =
+      json_pack("{si, si, so*, so*, ss*, so*, so, so, so}", "latency", d->latency, "input_words",
+                exact ? 1 : 3, "core_word", optional(exact && d->config.extent_a > 0, d->core_word),
+                "margin", optional(exact && d->limits > 0, (json_int_t)d->margin[1]),
+                "behavioural_view", exact ? "SEPAX_BEHAVIOURAL" : NULL, "coplanar_limit",
+                optional(!exact, (json_int_t)d->coplanar_limit), "formats", describe_formats(d),
+                "modules", modules, "ports", describe_ports(e->module[e->modules - 1]));
+  json_object_update(all, rest);
+  json_decref(rest);
+  json_dumpf(all, out, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
   fputc('\n', out);
-  json_decref(description);
+  json_decref(all);
 }
 
-/* A number of the design for benches: a macro SEPAX_NAME in C; in Verilog a localparam NAME, a
- * macro if it is not 0, or nothing. */
-typedef struct {
-  const char *name;
-  int value;
-  bool given; /* else left out */
-  enum { C_ONLY, LOCALPARAM, MACRO } verilog;
-} number;
-
-enum { NUMBERS = 14 };
-
-static void list_numbers(const sepax_design *d, number list[NUMBERS]) {
+/* Numbers of the design for benches, if they are given: macros SEPAX_NAME in C; in Verilog a
+ * localparam NAME, a macro if it is not 0, or nothing. */
+static void describe_numbers(const sepax_design *d, bool verilog, FILE *out) {
   const sepax_config *c = &d->config;
-  bool extents = c->extent_a > 0;
-  bool engine = c->lanes > 0;
-  const number all[NUMBERS] = {
+  const bool extents = c->extent_a > 0;
+  const bool engine = c->lanes > 0;
+  const struct {
+    const char *name;
+    int value;
+    bool given;
+    enum { C_ONLY, LOCALPARAM, MACRO } kind;
+  } row[] = {
       {"WORD", c->word, true, LOCALPARAM},
       {"LATENCY", d->latency, true, LOCALPARAM},
       {"II", c->ii, true, LOCALPARAM},
@@ -123,36 +109,28 @@ static void list_numbers(const sepax_design *d, number list[NUMBERS]) {
       {"MEMORY_B", c->memory_b, engine, C_ONLY},
       {"BANDS", d->limits + 1, d->limits > 0, MACRO},
   };
-  for (int i = 0; i < NUMBERS; i++) {
-    list[i] = all[i];
+  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+    if (row[i].given && !verilog) {
+      fprintf(out, "#define SEPAX_%s %d\n", row[i].name, row[i].value);
+    } else if (row[i].given && row[i].kind == LOCALPARAM) {
+      fprintf(out, "localparam %s = %d;\n", row[i].name, row[i].value);
+    } else if (row[i].given && row[i].kind == MACRO && row[i].value != 0) {
+      fprintf(out, "`define SEPAX_%s\n", row[i].name);
+    }
   }
 }
 
 void describe_c(const sepax_design *d, FILE *out) {
   char options[SEPAX_CONFIG_TEXT];
   char variables[SEPAX_CONFIG_TEXT];
-  number list[NUMBERS];
-  list_numbers(d, list);
   sepax_config_variables(&d->config, variables, sizeof variables);
   fprintf(out, "/* Generated by sepax %s; do not edit. */\n", SEPAX_VERSION);
   fprintf(out, "#define SEPAX_OPTIONS \"%s\"\n#define SEPAX_MAKE \"%s\"\n",
           sepax_config_text(&d->config, options, sizeof options), variables);
-  for (int i = 0; i < NUMBERS; i++) {
-    if (list[i].given) {
-      fprintf(out, "#define SEPAX_%s %d\n", list[i].name, list[i].value);
-    }
-  }
+  describe_numbers(d, false, out);
 }
 
 void describe_verilog(const sepax_design *d, FILE *out) {
-  number list[NUMBERS];
-  list_numbers(d, list);
   fprintf(out, "// Generated by sepax %s; do not edit.\n", SEPAX_VERSION);
-  for (int i = 0; i < NUMBERS; i++) {
-    if (list[i].given && list[i].verilog == LOCALPARAM) {
-      fprintf(out, "localparam %s = %d;\n", list[i].name, list[i].value);
-    } else if (list[i].given && list[i].verilog == MACRO && list[i].value != 0) {
-      fprintf(out, "`define SEPAX_%s\n", list[i].name);
-    }
-  }
+  describe_numbers(d, true, out);
 }

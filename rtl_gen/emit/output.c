@@ -18,8 +18,7 @@ enum { OTHER_FILES = 6, FOLDER_LENGTH = 3000 };
 typedef struct {
   char *name;
   char *path, *aside; /* where it goes; where it is written before */
-  char *text;
-  size_t size;
+  emit_stream text;
   int ticket;
   bool written; /* aside, not yet renamed */
 } output_file;
@@ -31,67 +30,51 @@ typedef struct {
 } output;
 
 static char *join(const char *folder, const char *separator, const char *name) {
-  size_t size = strlen(folder) + strlen(separator) + strlen(name) + 1;
-  char *path = malloc(size);
-  if (path == NULL) {
-    abort();
-  }
-  snprintf(path, size, "%s%s%s", folder, separator, name);
-  return path;
+  emit_stream s;
+  emit_stream_open(&s);
+  fprintf(s.out, "%s%s%s", folder, separator, name);
+  return emit_stream_close(&s);
 }
 
-/* A file of the output; what is written to the stream becomes its text. */
-static FILE *open_file(output *o, const char *name) {
+/* A file of the output, and where its text is written to. */
+static FILE *add_file(output *o, const char *base, const char *ending) {
   output_file *file = &o->file[o->count++];
   char process[32];
   snprintf(process, sizeof process, ".tmp.%ld", (long)getpid());
-  *file = (output_file){.path = join(o->folder, "/", name), .ticket = -1};
-  file->name = emit_copy(name, strlen(name));
+  *file = (output_file){.name = join(base, ".", ending), .ticket = -1};
+  file->path = join(o->folder, "/", file->name);
   file->aside = join(file->path, process, "");
-  FILE *stream = open_memstream(&file->text, &file->size);
-  if (stream == NULL) {
-    abort();
-  }
-  return stream;
+  emit_stream_open(&file->text);
+  return file->text.out;
 }
 
 static void render(const emitter *e, output *o) {
   const sepax_design *d = e->design;
   for (int i = 0; i < e->modules; i++) {
-    char *name = join(e->module[i]->name, ".", "v");
-    FILE *out = open_file(o, name);
-    emit_print(e->module[i], out);
-    fclose(out);
-    free(name);
+    emit_print(e->module[i], add_file(o, e->module[i]->name, "v"));
   }
-  FILE *out = open_file(o, "sepax.f");
+  FILE *list = add_file(o, "sepax", "f");
   for (int i = 0; i < e->modules; i++) {
-    fprintf(out, "%s.v\n", e->module[i]->name);
+    fprintf(list, "%s.v\n", e->module[i]->name);
   }
-  fclose(out);
   if (d == NULL) {
     return;
   }
-  out = open_file(o, "sepax_params.h");
-  describe_c(d, out);
-  fclose(out);
-  out = open_file(o, "sepax_params.vh");
-  describe_verilog(d, out);
-  fclose(out);
+  describe_c(d, add_file(o, "sepax_params", "h"));
+  describe_verilog(d, add_file(o, "sepax_params", "vh"));
   if (d->config.lanes > 0) {
-    out = open_file(o, "sepax_registers.h");
-    engine_header(out);
-    fclose(out);
-    out = open_file(o, "sepax_registers.md");
-    engine_page(out);
-    fclose(out);
+    engine_header(add_file(o, "sepax_registers", "h"));
+    engine_page(add_file(o, "sepax_registers", "md"));
   }
-  out = open_file(o, "sepax.json");
-  describe_json(e, out);
-  fclose(out);
+  describe_json(e, add_file(o, "sepax", "json"));
 }
 
+/* A folder where a file must go would stop the renaming half way. */
 static bool write_aside(output_file *file, sepax_error *error) {
+  struct stat status;
+  if (stat(file->path, &status) == 0 && !S_ISREG(status.st_mode)) {
+    return sepax_fail(error, "%.200s: not a regular file; remove it", file->path);
+  }
   FILE *out = fopen(file->aside, "wx");
   if (out == NULL) {
     return sepax_fail(error, "%.200s: %s; give a folder that can be written to", file->aside,
@@ -99,7 +82,7 @@ static bool write_aside(output_file *file, sepax_error *error) {
   }
   file->ticket = temporary_add(file->aside);
   file->written = true;
-  bool whole = fwrite(file->text, 1, file->size, out) == file->size;
+  bool whole = fputs(file->text.text, out) >= 0;
   if (fclose(out) != 0 || !whole) {
     return sepax_fail(error, "%.200s: %s; free some space or give another folder", file->aside,
                       strerror(errno));
@@ -107,27 +90,11 @@ static bool write_aside(output_file *file, sepax_error *error) {
   return true;
 }
 
-/* A folder where a file must go would stop the renaming half way. */
-static bool ways_clear(const output *o, sepax_error *error) {
-  struct stat status;
-  for (int i = 0; i < o->count; i++) {
-    const char *path = o->file[i].path;
-    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
-      return sepax_fail(error, "%.200s: not a regular file; remove it", path);
-    }
+static bool put_in_place(output_file *file, sepax_error *error) {
+  if (rename(file->aside, file->path) != 0) {
+    return sepax_fail(error, "%.200s: %s; remove what is in the way", file->path, strerror(errno));
   }
-  return true;
-}
-
-static bool rename_all(output *o, sepax_error *error) {
-  for (int i = 0; i < o->count; i++) {
-    output_file *file = &o->file[i];
-    if (rename(file->aside, file->path) != 0) {
-      return sepax_fail(error, "%.200s: %s; remove what is in the way", file->path,
-                        strerror(errno));
-    }
-    file->written = false;
-  }
+  file->written = false;
   return true;
 }
 
@@ -177,7 +144,7 @@ static void close_files(output *o) {
     free(file->name);
     free(file->path);
     free(file->aside);
-    free(file->text);
+    free(file->text.text);
   }
   free(o->file);
 }
@@ -208,11 +175,14 @@ bool gen_write(const emitter *e, const char *folder, sepax_error *error) {
     abort();
   }
   render(e, &o);
-  bool ok = ways_clear(&o, error);
-  for (int i = 0; i < o.count && ok; i++) {
-    ok = write_aside(&o.file[i], error);
+  bool ok = true;
+  for (int i = 0; i < o.count; i++) {
+    emit_stream_close(&o.file[i].text);
+    ok = ok && write_aside(&o.file[i], error);
   }
-  ok = ok && rename_all(&o, error);
+  for (int i = 0; i < o.count && ok; i++) {
+    ok = put_in_place(&o.file[i], error);
+  }
   if (ok) {
     remove_former(&o);
   }

@@ -8,9 +8,6 @@
 
 void reader_open(reader *r, const emit_module *m, const char *text) {
   *r = (reader){.m = m, .begin = text, .at = text, .end = text + strlen(text)};
-  for (int i = 0; i < CHECK_BUCKETS; i++) {
-    r->bucket[i] = -1;
-  }
 }
 
 void reader_close(reader *r) { free(r->name); }
@@ -128,16 +125,8 @@ void reader_expect_name(reader *r, char name[EMIT_NAME]) {
 
 /* ---------------------------------------------------------------------------- names */
 
-static unsigned bucket_of(const char *name) {
-  unsigned hash = 5381;
-  for (; *name != '\0'; name++) {
-    hash = 33 * hash + (unsigned char)*name;
-  }
-  return hash % CHECK_BUCKETS;
-}
-
 check_name *reader_find(reader *r, const char *name) {
-  for (int i = r->bucket[bucket_of(name)]; i >= 0; i = r->name[i].next) {
+  for (int i = r->names - 1; i >= 0; i--) {
     if (strcmp(r->name[i].name, name) == 0) {
       return &r->name[i];
     }
@@ -178,12 +167,10 @@ check_name *reader_declare(reader *r, name_kind kind, const char *name, int widt
   if (r->off > 0) {
     return &r->ignored;
   }
-  int *bucket = &r->bucket[bucket_of(name)];
   r->name = emit_grow(r->name, r->names, sizeof r->name[0]);
-  check_name *n = &r->name[r->names];
-  *n = (check_name){.kind = kind, .width = width, .next = *bucket};
+  check_name *n = &r->name[r->names++];
+  *n = (check_name){.kind = kind, .width = width};
   snprintf(n->name, sizeof n->name, "%s", name);
-  *bucket = r->names++;
   return n;
 }
 
@@ -194,9 +181,6 @@ int reader_enter(reader *r) {
 }
 
 void reader_leave(reader *r, int outer) {
-  while (r->names > r->scope) {
-    const check_name *n = &r->name[--r->names];
-    r->bucket[bucket_of(n->name)] = n->next;
-  }
+  r->names = r->scope;
   r->scope = outer;
 }
