@@ -1,21 +1,15 @@
 // cosim.cpp - drives a verilated sepax_top with pairs and checks each verdict against the golden
 // model of the same configuration, and its cycle against the architecture's rule.
-#include "sepax_params.h"
-#if SEPAX_EXACT
-#include "driver_exact.h"
-#else
-#include "driver_paper.h"
-#endif
+#include "driver.h"
 
 namespace {
 
 struct Options {
   cli_grid grid{};
-  const char *pairs = nullptr, *mesh[2] = {nullptr, nullptr}, *wave = nullptr;
-  const char *family = nullptr;
+  int source = 0; // the key of the option that names it, or KEY_MESHES
+  const char *text = nullptr, *mesh[2] = {nullptr, nullptr}, *wave = nullptr;
   uint64_t count = 100000, seed = 1, stress = 0;
-  uint64_t first = 0, grid_pairs = 0; // of --ternary
-  bool ternary = false, bits = false, corners = false, within = false, beyond = false;
+  uint64_t first = 0, ternary_pairs = 0;
 };
 
 // ----------------------------------------------------------------------- options
@@ -28,7 +22,8 @@ enum {
   KEY_BITS,
   KEY_CORNERS,
   KEY_WITHIN,
-  KEY_BEYOND
+  KEY_BEYOND,
+  KEY_MESHES
 };
 
 const argp_option options_table[] = {
@@ -57,21 +52,16 @@ void parse_ternary(Options *o, argp_state *state, char *text) {
     return;
   }
   *colon = '\0';
-  uint64_t all = GridSource::size(3);
-  o->ternary = true;
-  o->first = cli_count(state, "ternary", text, all - 1);
-  o->grid_pairs = cli_count(state, "ternary", colon + 1, all - o->first);
+  o->first = cli_count(state, "ternary", text, TERNARY_PAIRS - 1);
+  o->ternary_pairs = cli_count(state, "ternary", colon + 1, TERNARY_PAIRS - o->first);
 }
 
-void check_sources(const Options &o, argp_state *state) {
-  if ((o.mesh[0] == nullptr) != (o.mesh[1] == nullptr)) {
-    argp_error(state, "give two STL files");
-  }
-  if ((o.pairs != nullptr) + (o.mesh[0] != nullptr) + o.ternary + o.bits + o.corners + o.within +
-          o.beyond + (o.family != nullptr) >
-      1) {
+void choose_source(Options *o, argp_state *state, int key, char *text) {
+  if (o->source != 0 && (o->source != key || key != KEY_MESHES)) {
     argp_error(state, "give pairs, meshes, a family, corners, ternary or bits, not several");
   }
+  o->source = key;
+  o->text = text;
 }
 
 error_t parse(int key, char *text, argp_state *state) {
@@ -80,32 +70,11 @@ error_t parse(int key, char *text, argp_state *state) {
   case ARGP_KEY_INIT:
     state->child_inputs[0] = &o->grid;
     return 0;
-  case 'p':
-    o->pairs = text;
-    return 0;
   case 'n':
     o->count = cli_count(state, "count", text, UINT64_MAX);
     return 0;
   case 's':
     o->seed = cli_count(state, "seed", text, UINT64_MAX);
-    return 0;
-  case KEY_FAMILY:
-    o->family = text;
-    return 0;
-  case KEY_CORNERS:
-    o->corners = true;
-    return 0;
-  case KEY_WITHIN:
-    o->within = true;
-    return 0;
-  case KEY_BEYOND:
-    o->beyond = true;
-    return 0;
-  case KEY_TERNARY:
-    parse_ternary(o, state, text);
-    return 0;
-  case KEY_BITS:
-    o->bits = true;
     return 0;
   case KEY_STRESS:
     o->stress = cli_count(state, "stress", text, UINT64_MAX);
@@ -113,52 +82,64 @@ error_t parse(int key, char *text, argp_state *state) {
   case KEY_WAVE:
     o->wave = text;
     return 0;
+  case KEY_TERNARY:
+    parse_ternary(o, state, text);
+    [[fallthrough]];
+  case 'p':
+  case KEY_FAMILY:
+  case KEY_CORNERS:
+  case KEY_WITHIN:
+  case KEY_BEYOND:
+  case KEY_BITS:
+    choose_source(o, state, key, text);
+    return 0;
   case ARGP_KEY_ARG:
     if (o->mesh[1] != nullptr) {
       argp_error(state, "unexpected argument '%s': give two STL files", text);
     }
+    choose_source(o, state, KEY_MESHES, text);
     o->mesh[o->mesh[0] == nullptr ? 0 : 1] = text;
     return 0;
   case ARGP_KEY_END:
-    check_sources(*o, state);
+    if (o->source == KEY_MESHES && o->mesh[1] == nullptr) {
+      argp_error(state, "give two STL files");
+    }
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
   }
 }
 
-Source *open_source(const Options &o) {
-  if (o.pairs != nullptr) {
-    return new FileSource(o.pairs);
-  }
-  if (o.mesh[0] != nullptr) {
-    return new MeshSource(o.mesh, o.grid);
-  }
-  if (o.ternary) {
-    return new GridSource(3, -1, o.first, o.grid_pairs);
-  }
-  if (o.bits) {
-    return new GridSource(2, 0, 0, GridSource::size(2));
-  }
-  if (o.corners) {
-    return new CornerSource(o.count, o.seed);
-  }
+Source open_source(const Options &o) {
+  switch (o.source) {
+  case 'p':
+    return file_source(o.text);
+  case KEY_TERNARY:
+    return ternary_source(o.first, o.ternary_pairs);
+  case KEY_BITS:
+    return bits_source();
+  case KEY_CORNERS:
+    return corner_source(o.count, o.seed);
 #ifdef SEPAX_EXTENT_A
-  if (o.within || o.beyond) {
-    return new ExtentSource(o.count, o.seed, o.beyond);
-  }
+  case KEY_WITHIN:
+  case KEY_BEYOND:
+    return extent_source(o.count, o.seed, o.source == KEY_BEYOND);
 #endif
-  return new FamilySource(o.count, o.seed, o.family);
+  case KEY_MESHES:
+    return mesh_source(o.mesh, o.grid);
+  default:
+    return family_source(o.count, o.seed, o.text == nullptr ? "all" : o.text);
+  }
 }
 
 // ------------------------------------------------------------------------ the run
 
-uint64_t send_all(Driver *driver, Source *source, double *seconds) {
+uint64_t send_all(Driver *driver, const Source &source, double *seconds) {
   constexpr uint64_t PAIRS_A_LOOK = 256; // at the clock
   sepax_pair pair;
   uint64_t sent = 0;
-  cli_progress progress = cli_progress_begin("pairs through the design", source->total());
-  while (!driver->too_many() && source->next(&pair) && driver->send(sent, pair)) {
+  cli_progress progress = cli_progress_begin("pairs through the design", source.total);
+  while (!driver->too_many() && source.next(&pair) && driver->send(sent, pair)) {
     if (++sent % PAIRS_A_LOOK == 0) {
       cli_progress_show(&progress, sent);
     }
@@ -170,9 +151,6 @@ uint64_t send_all(Driver *driver, Source *source, double *seconds) {
 
 int report(const Driver &driver, uint64_t sent, double seconds) {
   std::printf("%s\n", SEPAX_OPTIONS);
-  std::printf("%llu pairs, %llu mismatches, %llu collisions, %llu coplanar\n",
-              (unsigned long long)driver.judged, (unsigned long long)driver.mismatches,
-              (unsigned long long)driver.collisions, (unsigned long long)driver.coplanar);
   driver.report();
   std::printf("simulated in %.1f s, %.0f pairs/s\n", seconds,
               seconds > 0 ? (double)sent / seconds : 0.0);
@@ -215,9 +193,9 @@ int main(int argc, char **argv) {
       !sepax_design_init(&design, &config, &error)) {
     fail(error);
   }
-  std::unique_ptr<Source> source(open_source(options));
+  Source source = open_source(options);
   Driver driver(options.wave, options.stress, design);
   double seconds = 0;
-  uint64_t sent = send_all(&driver, source.get(), &seconds);
+  uint64_t sent = send_all(&driver, source, &seconds);
   return report(driver, sent, seconds);
 }

@@ -42,7 +42,7 @@ public:
   }
 
   Module *operator->() { return module.get(); }
-  const Module *operator->() const { return module.get(); }
+  Module &operator*() { return *module; }
 
   // The first half of a clock cycle: the inputs act on the outputs.
   void settle() {

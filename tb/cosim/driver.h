@@ -1,0 +1,372 @@
+// driver.h - drives a verilated sepax_top with pairs and compares its verdicts, in the order of the
+// pairs, with the golden model's.
+#ifndef SEPAX_DRIVER_H
+#define SEPAX_DRIVER_H
+
+#include "ports.h"
+#include "scoreboard.h"
+#include "sepax_design.h"
+#include "verilated_top.h"
+
+constexpr uint64_t MISMATCHES_SHOWN = 20;
+
+class Driver {
+public:
+  Driver(const char *wave, uint64_t stress, const sepax_design &design)
+      : design(design), stress(stress), random{stress}, top(wave, stress) {
+    top->rst = 1;
+    top->in_valid = 0;
+    set_out_ready(*top, true);
+    top.settle();
+    top.rise();
+    top.settle();
+    top.rise();
+    top->rst = 0;
+    until_reset = next_reset();
+  }
+
+  bool too_many() const { return mismatches >= MISMATCHES_SHOWN || hung; }
+
+  // Offer the words of the pair until they are taken; false when the design hangs.
+  bool send(uint64_t index, const sepax_pair &pair) {
+    Outstanding e{index, 0, false, sepax_judge(&design, &pair), pair};
+    for (int word = 0; word < INPUT_WORDS && !hung;) {
+      if (reset_by_chance()) {
+        word = 0;
+      }
+      word += step(&pair, word);
+    }
+    if (hung) {
+      return false;
+    }
+    e.cycle = cycle - (INPUT_WORDS - 1);
+    e.alone = idle >= SETTLE;
+    if (scoreboard.full()) {
+      hang("more pairs were taken than the design can hold");
+    }
+    scoreboard.push(e);
+    if (stress == 0) {
+      pace(e);
+    }
+    return true;
+  }
+
+  void drain() {
+    while (!scoreboard.empty() && !hung) {
+      reset_by_chance();
+      step(nullptr, 0);
+    }
+    for (int i = 0; i < 4 * (SEPAX_LATENCY + SEPAX_II) && !hung; i++) {
+      tick(false, true); // a verdict too many is seen here
+    }
+    if (!scoreboard.empty()) {
+      std::fprintf(stderr, "cosim: time-out: %llu verdicts never came\n",
+                   (unsigned long long)scoreboard.size());
+      mismatches += scoreboard.size();
+    }
+    uint64_t allowed = streamed == 0 ? 0 : (streamed - 1) * SEPAX_II + SEPAX_LATENCY;
+    if ((coplanar == 0 || !SECOND_PASS) && !hung && last_taken - first_taken > allowed) {
+      std::fprintf(stderr,
+                   "cosim: %llu cycles from the first to the last of %llu pairs; "
+                   "II = %d allows %llu\n",
+                   (unsigned long long)(last_taken - first_taken), (unsigned long long)streamed,
+                   SEPAX_II, (unsigned long long)allowed);
+      mismatches++;
+    }
+  }
+
+  void report() const {
+    std::printf("%llu pairs, %llu mismatches, %llu collisions, %llu coplanar\n",
+                (unsigned long long)judged, (unsigned long long)mismatches,
+                (unsigned long long)collisions, (unsigned long long)coplanar);
+#if SEPAX_EXACT
+    std::printf("axes 0 ... %d:", LAST_AXIS);
+    for (int axis = 0; axis <= LAST_AXIS; axis++) {
+      std::printf(" %llu", (unsigned long long)axes[axis]);
+    }
+    std::printf("\n");
+#endif
+#ifdef SEPAX_BANDS
+    std::printf("bands free, warning, collision: %llu %llu %llu\n", (unsigned long long)bands[0],
+                (unsigned long long)bands[1], (unsigned long long)bands[2]);
+#endif
+    std::printf("latency %d: %llu pairs that did not wait; ", SEPAX_LATENCY,
+                (unsigned long long)latencies);
+    if (stress != 0) {
+      std::printf("random gaps%s, %llu resets, %llu pairs dropped by them\n",
+                  HANDSHAKE ? " and blocks" : "", (unsigned long long)resets,
+                  (unsigned long long)dropped);
+      return;
+    }
+    std::printf("II %d", SEPAX_II);
+    if (streamed > 1) {
+      std::printf(": %.4f cycles a pair",
+                  (double)(last_taken - first_taken) / (double)(streamed - 1));
+    }
+    double ps = HANDSHAKE ? design.config.clock_ps : PAPER_PS;
+    std::printf("; %llu cycles = %.3f ms at %g ns\n", (unsigned long long)last_verdict_cycle,
+                1e-9 * (double)last_verdict_cycle * ps, 1e-3 * ps);
+  }
+
+  uint64_t mismatches = 0, judged = 0, dropped = 0;
+
+private:
+#ifdef SEPAX_CONFERENCE
+  static constexpr double PAPER_PS = 2500; // 400 MHz, table 4
+#else
+  static constexpr double PAPER_PS = 2000;
+#endif
+#if !SEPAX_EXACT
+  static constexpr int LAST_AXIS = 0; // none is told
+#elif defined SEPAX_EXTENT_A
+  static constexpr int LAST_AXIS = SEPAX_AXIS_EXTENT;
+#elif defined SEPAX_BOXES || defined SEPAX_BANDS
+  static constexpr int LAST_AXIS = SEPAX_AXIS_AABB;
+#else
+  static constexpr int LAST_AXIS = SEPAX_AXIS_PLANE;
+#endif
+#if !SEPAX_EXACT || defined SEPAX_BANDS
+  static constexpr bool SECOND_PASS = false;
+#else
+  static constexpr bool SECOND_PASS = true;
+#endif
+  // Without stress the first pairs go alone, until so many latencies were seen.
+  static constexpr uint64_t ALONE_LATENCIES = 3, ALONE_PAIRS = 32;
+  // A pair is alone after so many idle cycles. Behind an AABB test a pair may be taken
+  // before the II window of the core, empty by then, ends.
+#ifdef SEPAX_BOXES
+  static constexpr uint64_t SETTLE = 1 + 2 * SEPAX_II;
+#else
+  static constexpr uint64_t SETTLE = 1;
+#endif
+  // Cycles of waiting, out_ready high, with no transfer on either side.
+  static constexpr uint64_t PATIENCE = 2000 + 64 * (SEPAX_LATENCY + SEPAX_II);
+
+  // One clock cycle, under stress perhaps a gap, with anything on the data inputs, or a block;
+  // true if the word is taken.
+  bool step(const sepax_pair *pair, int word) {
+    bool offer = (stress == 0 || next(&offering)) && pair != nullptr;
+    if (offer) {
+      drive(*top, *pair, word);
+    } else if (stress != 0) {
+      drive_noise();
+    }
+    return tick(offer, !HANDSHAKE || stress == 0 || next(&accepting));
+  }
+
+  bool tick(bool offer, bool ready) {
+    top->in_valid = offer;
+    set_out_ready(*top, ready);
+    cycle++;
+    top.settle();
+    if (HANDSHAKE && stress != 0) {
+      check_independence(offer, ready);
+    }
+    bool was_empty = scoreboard.empty();
+    idle = was_empty ? idle + 1 : 0;
+    bool take = offer && in_ready(*top);
+    bool give = top->out_valid && ready;
+    look(ready);
+    top.rise();
+    if (!ready) {
+      blocked = cycle;
+    }
+    if (take || give) {
+      waited = 0;
+    } else if (ready && (offer || !was_empty) && ++waited > PATIENCE) {
+      hang(offer ? "time-out: no pair is taken" : "time-out: no verdict comes");
+    }
+    return take;
+  }
+
+  const Outstanding *oldest() { return scoreboard.empty() ? nullptr : &scoreboard.front(); }
+
+  void look(bool ready) {
+    const Verdict now = shown(*top);
+    const Outstanding *e = oldest();
+    if (blocked_verdict.valid && now != blocked_verdict) {
+      complain(e, "a verdict moves while it is blocked");
+    }
+    blocked_verdict = {};
+    if (!now.valid) {
+      if (now != Verdict{}) {
+        complain(nullptr, "an output is 1 without out_valid");
+      }
+      if (!HANDSHAKE && e != nullptr && cycle - e->cycle + 1 >= SEPAX_LATENCY) {
+        complain(e, "no verdict in the cycle where it is due");
+        scoreboard.pop();
+      }
+    } else if (e == nullptr) {
+      complain(nullptr, "a verdict that nobody asked for");
+    } else if (!ready) {
+      blocked_verdict = now;
+    } else {
+      judge(*e, now);
+      scoreboard.pop();
+    }
+  }
+
+  void judge(const Outstanding &e, const Verdict &now) {
+    const Verdict want = expected(e.verdict);
+    judged++;
+    collisions += e.verdict.collision;
+    coplanar += e.verdict.coplanar;
+    last_verdict_cycle = cycle;
+    axes[want.axis]++;
+    bands[want.band]++;
+    if (now != want) {
+      complain(&e, "expected " + text(want) + "; got " + text(now));
+    }
+    // Never earlier; not later where nothing was in the way.
+    if (!e.verdict.coplanar || !SECOND_PASS) {
+      uint64_t took = cycle - e.cycle + 1;
+      bool free = !HANDSHAKE || (e.alone && blocked < e.cycle);
+      latencies += free;
+      if (took < SEPAX_LATENCY || (free && took != SEPAX_LATENCY)) {
+        complain(&e, "verdict in cycle " + std::to_string(took) + " from taking the pair, not " +
+                         std::to_string(SEPAX_LATENCY));
+      }
+    }
+  }
+
+  static std::string text(const Verdict &v) {
+    return std::string(v.collision ? "collision" : "separated") + (v.coplanar ? ", coplanar" : "") +
+           (v.out_of_range ? ", out of range" : "") + ", axis " + std::to_string(v.axis) +
+           ", band " + std::to_string(v.band);
+  }
+
+  void complain(const Outstanding *e, const std::string &what) {
+    mismatches++;
+    if (mismatches > MISMATCHES_SHOWN) {
+      return;
+    }
+    std::string pair;
+    if (e != nullptr) { // the architecture without normals has 18 numbers
+      for (int k = 0; k < (SEPAX_EXACT ? 18 : 24); k++) {
+        pair += (k > 0 ? " " : "") + std::to_string(coordinate(e->pair, k));
+      }
+      std::fprintf(stderr, "cosim: pair %llu, ", (unsigned long long)e->index);
+    } else {
+      std::fputs("cosim: ", stderr);
+    }
+    std::fprintf(stderr, "cycle %llu: %s\n", (unsigned long long)cycle, what.c_str());
+    if (e != nullptr) {
+      std::fprintf(stderr, "  %s\n  replay: make wave " SEPAX_MAKE " PAIR='%s'\n", pair.c_str(),
+                   pair.c_str());
+    }
+  }
+
+  void hang(const char *what) {
+    complain(oldest(), what);
+    hung = true;
+  }
+
+  // The first pairs go alone; then a pair as soon as it is taken.
+  void pace(const Outstanding &e) {
+    if (latencies < ALONE_LATENCIES && e.index < ALONE_PAIRS) {
+      while (!scoreboard.empty() && !hung) {
+        tick(false, true);
+      }
+      for (uint64_t i = 0; i < SETTLE; i++) {
+        tick(false, true); // the verdict has left, and an II window that has begun ends
+      }
+      return;
+    }
+    if (streamed++ == 0) {
+      first_taken = e.cycle;
+    }
+    last_taken = e.cycle;
+  }
+
+  // ------------------------------------------------------------------------ stress
+
+  uint64_t draw() { return sepax_random_next(&random); }
+
+  // A stretch of cycles in which a signal is 1 in `eighths` of 8 cycles.
+  struct Stretch {
+    uint64_t left, eighths;
+  };
+
+  bool next(Stretch *s) {
+    static const uint64_t rates[] = {0, 1, 4, 7, 8};
+    if (s->left == 0) {
+      s->left = 1 + draw() % (8 * SEPAX_LATENCY);
+      s->eighths = rates[draw() % 5];
+    }
+    s->left--;
+    return draw() % 8 < s->eighths;
+  }
+
+  void drive_noise() {
+    sepax_pair noise;
+    for (int k = 0; k < 24; k++) {
+      coordinate(noise, k) = (int32_t)(uint32_t)draw();
+    }
+    drive(*top, noise, 0);
+  }
+
+  // A few cycles or many thousand.
+  uint64_t next_reset() {
+    uint64_t most = UINT64_C(8) << draw() % 13;
+    return draw() % most;
+  }
+
+  // Now and then a reset, which drops every pair in flight. Nothing is handed over in a cycle of
+  // reset, whatever valid and ready say.
+  bool reset_by_chance() {
+    if (stress == 0 || until_reset-- != 0) {
+      return false;
+    }
+    until_reset = next_reset();
+    top->rst = 1;
+    do {
+      drive_noise();
+      top->in_valid = draw() % 2;
+      set_out_ready(*top, draw() % 2 != 0);
+      cycle++;
+      top.settle();
+      top.rise();
+    } while (draw() % 3 == 0);
+    top->rst = 0;
+    resets++;
+    dropped += scoreboard.size();
+    scoreboard.clear();
+    blocked_verdict = {};
+    waited = 0;
+    return true;
+  }
+
+  void check_independence(bool offer, bool ready) {
+    bool was_ready = in_ready(*top);
+    Verdict before = shown(*top);
+    top->in_valid = !offer;
+    top->eval();
+    if (in_ready(*top) != was_ready) {
+      complain(nullptr, "in_ready depends on in_valid of the same cycle");
+    }
+    top->in_valid = offer;
+    set_out_ready(*top, !ready);
+    top->eval();
+    if (shown(*top) != before) {
+      complain(nullptr, "the verdict depends on out_ready of the same cycle");
+    }
+    set_out_ready(*top, ready);
+    top->eval();
+  }
+
+  const sepax_design &design;
+  uint64_t stress;
+  sepax_random random;
+  VerilatedTop<Vsepax_top> top;
+  Scoreboard scoreboard;
+  bool hung = false;
+  Stretch offering{0, 0}, accepting{0, 0};
+  Verdict blocked_verdict{}; // shown and blocked in the cycle before
+  uint64_t idle = 0;         // cycles for which it has been empty, this one, too
+  uint64_t cycle = 0, until_reset = 0, blocked = 0, waited = 0, last_verdict_cycle = 0;
+  uint64_t collisions = 0, coplanar = 0, latencies = 0, resets = 0;
+  uint64_t axes[LAST_AXIS + 1] = {}, bands[3] = {};
+  uint64_t streamed = 0, first_taken = 0, last_taken = 0;
+};
+
+#endif
