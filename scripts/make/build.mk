@@ -37,7 +37,6 @@ define link
 @$(CC) $(CFLAGS) $(LDFLAGS) $^ $(LIBS) $(LDLIBS) -lm -pthread -o $@
 endef
 ORACLE_OBJ  = $(call object,$(wildcard tb/oracle/*.c))
-DISTANCE_OBJ = $(call object,$(addprefix tb/oracle/,oracle.c distance.c real_pairs.c clear_rules.c))
 LIBERTY_OBJ = $(call object,$(wildcard synth/liberty/*.c))
 GEN_OBJ     = $(call object,$(wildcard rtl_gen/*/*.c)) $(TEMPLATE_OBJ)
 POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(filter-out %/main.o,$(LIBERTY_OBJ))
@@ -53,7 +52,7 @@ $(BUILD)/obj/synth/power/engine.o: SEPAX_CFLAGS += -I$(BUILD)/registers
 $(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
-$(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(DISTANCE_OBJ) $(LIB)
+$(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
 $(SEPAX) $(BUILD)/liberty $(BUILD)/power: LIBS = -ljansson
@@ -62,7 +61,7 @@ $(SEPAX) $(addprefix $(BUILD)/,bench_batch clearance-test liberty power) $(BUILD
 	$(link)
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson
-$(BUILD)/unit/%: $(BUILD)/obj/tb/unit/%.o $(ORACLE_OBJ) $(GEN_OBJ) $(LIB)
+$(BUILD)/unit/%: $(BUILD)/obj/tb/unit/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) $(GEN_OBJ) $(LIB)
 	$(link)
 
--include $(wildcard $(BUILD)/obj/*/*/*.d)
+-include $(wildcard $(BUILD)/obj/*/*/*.d $(BUILD)/obj/*/*.d)

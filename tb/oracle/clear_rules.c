@@ -1,5 +1,7 @@
 #include "clear_rules.h"
 
+#include "geometry.h"
+
 #include <math.h>
 
 static const char *const names[RULES] = {"length",          "model",         "sum",
@@ -8,27 +10,12 @@ static const char *const names[RULES] = {"length",          "model",         "su
 
 const char *clear_rule_name(clear_rule rule) { return names[rule]; }
 
-typedef struct {
-  double c[3];
-} vec;
+static double sum_of(point p) { return fabs(p.c[0]) + fabs(p.c[1]) + fabs(p.c[2]); }
 
-static vec minus(vec p, vec q) {
-  return (vec){{p.c[0] - q.c[0], p.c[1] - q.c[1], p.c[2] - q.c[2]}};
-}
-
-static vec outer(vec p, vec q) {
-  return (vec){{p.c[1] * q.c[2] - p.c[2] * q.c[1], p.c[2] * q.c[0] - p.c[0] * q.c[2],
-                p.c[0] * q.c[1] - p.c[1] * q.c[0]}};
-}
-
-static double inner(vec p, vec q) { return p.c[0] * q.c[0] + p.c[1] * q.c[1] + p.c[2] * q.c[2]; }
-
-static double sum_of(vec p) { return fabs(p.c[0]) + fabs(p.c[1]) + fabs(p.c[2]); }
-
-static double most_of(vec p) { return fmax(fabs(p.c[0]), fmax(fabs(p.c[1]), fabs(p.c[2]))); }
+static double most_of(point p) { return fmax(fabs(p.c[0]), fmax(fabs(p.c[1]), fabs(p.c[2]))); }
 
 /* `bound`: of |c|_1, for the rule that has no better. */
-static bool axis_clears(clear_rule rule, const vec p[6], vec c, double bound, double d) {
+static bool axis_clears(clear_rule rule, const point p[6], point c, double bound, double d) {
   double low[2] = {INFINITY, INFINITY};
   double high[2] = {-INFINITY, -INFINITY};
   for (int k = 0; k < 6; k++) {
@@ -38,68 +25,38 @@ static bool axis_clears(clear_rule rule, const vec p[6], vec c, double bound, do
   }
   double gap = fmax(low[0] - high[1], low[1] - high[0]);
   double length = sqrt(inner(c, c));
-  double limit = sum_of(c) + 0.5 * d * (sum_of(c) + most_of(c));
-  switch (rule) {
-  case RULE_EUCLID:
-    limit = sum_of(c) + d * length;
-    break;
-  case RULE_SUM:
-    limit = (1 + d) * sum_of(c);
-    break;
-  case RULE_PRODUCTS:
-    limit = (1 + d) * bound;
-    break;
-  case RULE_NO_ROUNDING:
-    limit = d * sum_of(c);
-    break;
-  case RULE_LENGTH:
-    limit = (1 + d) * length;
-    break;
-  default:
-    break;
-  }
+  double sum = sum_of(c);
+  double limit = rule == RULE_EUCLID        ? sum + d * length
+                 : rule == RULE_SUM         ? (1 + d) * sum
+                 : rule == RULE_PRODUCTS    ? (1 + d) * bound
+                 : rule == RULE_NO_ROUNDING ? d * sum
+                 : rule == RULE_LENGTH      ? (1 + d) * length
+                                            : sum + 0.5 * d * (sum + most_of(c));
   return length > 0 && gap > limit;
 }
 
-static bool edges_clear(clear_rule rule, const vec p[6], const vec edge[6], double d) {
-  int first = rule == RULE_XY || rule == RULE_PRODUCTS ? 2 : rule == RULE_NO_EDGE ? 3 : 0;
-  for (int i = 0; i < 6; i++) {
-    for (int axis = first; axis < 3; axis++) {
-      vec unit = {{axis == 0, axis == 1, axis == 2}};
-      vec c = outer(edge[i], unit);
-      if (axis_clears(rule, p, c, sum_of(c), d)) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 bool clear_by(clear_rule rule, const sepax_tri *a, const sepax_tri *b, double d) {
-  vec p[6];
-  vec edge[6];
+  static const point unit[3] = {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
+  int first = rule == RULE_XY || rule == RULE_PRODUCTS ? 2 : rule == RULE_NO_EDGE ? 3 : 0;
+  point p[6];
+  point e[6];
   for (int i = 0; i < 6; i++) {
-    sepax_vec v = i < 3 ? a->v[i] : b->v[i - 3];
-    p[i] = (vec){{v.x, v.y, v.z}};
+    const sepax_vec *v = i < 3 ? a->v : b->v;
+    p[i] = point_of(v[i % 3]);
+    e[i] = minus(point_of(v[(i + 1) % 3]), p[i]);
   }
-  for (int i = 0; i < 6; i++) {
-    edge[i] = minus(p[i / 3 * 3 + (i + 1) % 3], p[i]);
-  }
+  bool clear = false;
   for (int axis = 0; axis < 3; axis++) {
-    vec unit = {{axis == 0, axis == 1, axis == 2}};
-    if (axis_clears(rule, p, unit, 1, d)) {
-      return true;
-    }
+    clear = clear || axis_clears(rule, p, unit[axis], 1, d);
   }
-  if (rule == RULE_BOXES) {
-    return false;
-  }
-  for (int i = 0; i < 5; i++) {
+  for (int i = 0; i < 6 && rule != RULE_BOXES; i++) {
     for (int j = i + 1; j < 6; j++) {
-      if (axis_clears(rule, p, outer(edge[i], edge[j]), sum_of(edge[i]) * sum_of(edge[j]), d)) {
-        return true;
-      }
+      clear = clear || axis_clears(rule, p, outer(e[i], e[j]), sum_of(e[i]) * sum_of(e[j]), d);
+    }
+    for (int axis = first; axis < 3; axis++) {
+      point c = outer(e[i], unit[axis]);
+      clear = clear || axis_clears(rule, p, c, sum_of(c), d);
     }
   }
-  return edges_clear(rule, p, edge, d);
+  return clear;
 }

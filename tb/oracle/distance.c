@@ -1,32 +1,12 @@
 #include "distance.h"
+
+#include "geometry.h"
 #include "gmp_vec.h"
+#include "oracle.h"
 
 #include <math.h>
 
-#include "oracle.h"
-
 /* ---------------------------------------------------------------------- in doubles */
-
-typedef struct {
-  double c[3];
-} point;
-
-static point of(const sepax_vec *v) { return (point){{v->x, v->y, v->z}}; }
-
-static point along(point p, double t, point u) {
-  return (point){{p.c[0] + t * u.c[0], p.c[1] + t * u.c[1], p.c[2] + t * u.c[2]}};
-}
-
-static point minus(point p, point q) { return along(p, -1, q); }
-
-static double inner(point p, point q) {
-  return p.c[0] * q.c[0] + p.c[1] * q.c[1] + p.c[2] * q.c[2];
-}
-
-static point outer(point p, point q) {
-  return (point){{p.c[1] * q.c[2] - p.c[2] * q.c[1], p.c[2] * q.c[0] - p.c[0] * q.c[2],
-                  p.c[0] * q.c[1] - p.c[1] * q.c[0]}};
-}
 
 typedef struct {
   double squared;
@@ -85,8 +65,8 @@ double distance_rounded(const sepax_tri *a, const sepax_tri *b, double way[3]) {
   point p[2][3];
   nearest n = {INFINITY, {{0, 0, 0}}};
   for (int k = 0; k < 3; k++) {
-    p[0][k] = of(&a->v[k]);
-    p[1][k] = of(&b->v[k]);
+    p[0][k] = point_of(a->v[k]);
+    p[1][k] = point_of(b->v[k]);
   }
   for (int i = 0; i < 3; i++) {
     point u = minus(p[0][(i + 1) % 3], p[0][i]);
@@ -138,11 +118,7 @@ static bool proved_farther(const sepax_tri *a, const sepax_tri *b, int64_t limit
 
 /* ------------------------------------------------------------------- in rationals */
 
-typedef struct {
-  vec p[6], u, v, d, c, e;
-  mpz_t s, t, square, distance; /* distance: numerator of the square, `square` its denominator */
-  mpz_t limit;                  /* squared */
-} work;
+/* Squares of distances are `distance` / `square`, that of the limit is `limit`. */
 
 /* distance / square <= limit, with square > 0. */
 static bool near_enough(work *w) {
@@ -170,49 +146,29 @@ static bool point_near_segment(work *w, const vec *x, const vec *p, const vec *q
   return near_enough(w);
 }
 
-/* To the plane of a triangle, the foot being in it. */
-static bool point_near_face(work *w, const vec *x, const vec t[3]) {
-  vec_sub(&w->u, &t[1], &t[0]);
-  vec_sub(&w->v, &t[2], &t[0]);
-  vec_cross(&w->e, &w->u, &w->v);
-  vec_dot(w->square, &w->e, &w->e);
-  if (mpz_sgn(w->square) == 0) {
-    return false;
-  }
-  for (int k = 0; k < 3; k++) {
+/* To the plane of triangle i, the foot being in it. */
+static bool point_near_face(work *w, const vec *x, int i) {
+  const vec *t = &w->p[3 * i];
+  vec_dot(w->square, &w->n[i], &w->n[i]);
+  bool inside = mpz_sgn(w->square) != 0;
+  for (int k = 0; k < 3 && inside; k++) {
     vec_sub(&w->u, &t[(k + 1) % 3], &t[k]);
     vec_sub(&w->d, x, &t[k]);
     vec_cross(&w->c, &w->u, &w->d);
-    vec_dot(w->s, &w->c, &w->e);
-    if (mpz_sgn(w->s) < 0) {
-      return false;
-    }
+    vec_dot(w->s, &w->c, &w->n[i]);
+    inside = mpz_sgn(w->s) >= 0;
   }
-  vec_sub(&w->d, x, &t[0]);
-  vec_dot(w->s, &w->d, &w->e);
+  vec_dot(w->s, &w->d, &w->n[i]);
   mpz_mul(w->distance, w->s, w->s);
-  return near_enough(w);
-}
-
-static bool parameter_inside(work *w, const vec *along) {
-  vec_cross(&w->e, &w->d, along);
-  vec_dot(w->s, &w->e, &w->c);
-  return mpz_sgn(w->s) >= 0 && mpz_cmp(w->s, w->square) <= 0;
+  return inside && near_enough(w);
 }
 
 /* Where the common perpendicular meets both. */
 static bool segments_near(work *w, const vec *p, const vec *q, const vec *r, const vec *s) {
-  vec_sub(&w->u, q, p);
-  vec_sub(&w->v, s, r);
-  vec_sub(&w->d, r, p);
-  vec_cross(&w->c, &w->u, &w->v);
-  vec_dot(w->square, &w->c, &w->c);
-  if (mpz_sgn(w->square) == 0 || !parameter_inside(w, &w->v) || !parameter_inside(w, &w->u)) {
-    return false;
-  }
+  bool inside = perpendicular_meets(w, p, q, r, s);
   vec_dot(w->s, &w->d, &w->c);
   mpz_mul(w->distance, w->s, w->s);
-  return near_enough(w);
+  return inside && near_enough(w);
 }
 
 static bool any_near(work *w) {
@@ -228,7 +184,7 @@ static bool any_near(work *w) {
         return true;
       }
     }
-    if (point_near_face(w, &a[i], b) || point_near_face(w, &b[i], a)) {
+    if (point_near_face(w, &a[i], 1) || point_near_face(w, &b[i], 0)) {
       return true;
     }
   }
@@ -237,25 +193,11 @@ static bool any_near(work *w) {
 
 bool distance_within_exact(const sepax_tri *a, const sepax_tri *b, int64_t limit) {
   work w;
-  vec *vectors[] = {&w.p[0], &w.p[1], &w.p[2], &w.p[3], &w.p[4], &w.p[5],
-                    &w.u,    &w.v,    &w.d,    &w.c,    &w.e};
-  for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++) {
-    vec_init(vectors[i]);
-  }
-  mpz_inits(w.s, w.t, w.square, w.distance, w.limit, NULL);
-  for (int i = 0; i < 6; i++) {
-    const sepax_vec *v = i < 3 ? &a->v[i] : &b->v[i - 3];
-    mpz_set_si(w.p[i].c[0], v->x);
-    mpz_set_si(w.p[i].c[1], v->y);
-    mpz_set_si(w.p[i].c[2], v->z);
-  }
+  work_init(&w, a, b);
   mpz_set_si(w.limit, (long)limit);
   mpz_mul(w.limit, w.limit, w.limit);
   bool near = any_near(&w) || oracle_collide(a, b);
-  for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++) {
-    vec_clear(vectors[i]);
-  }
-  mpz_clears(w.s, w.t, w.square, w.distance, w.limit, NULL);
+  work_clear(&w);
   return near;
 }
 

@@ -1,8 +1,8 @@
 /* pair_tools.c - seeds, and the properties of a pair in exact integers. */
 #include "pair_tools.h"
-#include "sepax_vectors.h"
+#include "geometry.h"
 
-typedef __int128 wide;
+#include <string.h>
 
 size_t family_count(void) {
   size_t count = 0;
@@ -12,28 +12,31 @@ size_t family_count(void) {
   return count;
 }
 
+size_t family_number(const char *name) {
+  size_t family = 0;
+  while (sepax_family_name(family) != NULL && strcmp(sepax_family_name(family), name) != 0) {
+    family++;
+  }
+  return family;
+}
+
 sepax_random seeded(size_t family, int word) {
   return (sepax_random){1000 * (uint64_t)family + (uint64_t)word};
 }
 
+int32_t *field(sepax_pair *pair, int i) {
+  sepax_vec *v = i < 9 ? &pair->a.v[i / 3] : i < 18 ? &pair->b.v[i / 3 - 3] : &pair->na;
+  return coordinate(i < 21 ? v : &pair->nb, i % 3);
+}
+
+int32_t field_of(const sepax_pair *pair, int i) {
+  sepax_pair copy = *pair;
+  return *field(&copy, i);
+}
+
 /* ------------------------------------------------------------------- geometry */
 
-typedef struct {
-  wide c[3];
-} vec;
-
-static vec between(sepax_vec from, sepax_vec to) {
-  return (vec){{(wide)to.x - from.x, (wide)to.y - from.y, (wide)to.z - from.z}};
-}
-
-static vec cross(vec p, vec q) {
-  return (vec){{p.c[1] * q.c[2] - p.c[2] * q.c[1], p.c[2] * q.c[0] - p.c[0] * q.c[2],
-                p.c[0] * q.c[1] - p.c[1] * q.c[0]}};
-}
-
-static wide dot(vec p, vec q) { return p.c[0] * q.c[0] + p.c[1] * q.c[1] + p.c[2] * q.c[2]; }
-
-static bool is_zero(vec p) { return p.c[0] == 0 && p.c[1] == 0 && p.c[2] == 0; }
+static bool is_zero(wide_vec p) { return p.c[0] == 0 && p.c[1] == 0 && p.c[2] == 0; }
 
 static wide gcd(wide p, wide q) {
   while (q != 0) {
@@ -44,22 +47,24 @@ static wide gcd(wide p, wide q) {
   return p < 0 ? -p : p;
 }
 
-static vec normal(const sepax_tri *t) {
-  return cross(between(t->v[0], t->v[1]), between(t->v[0], t->v[2]));
-}
+static wide_vec normal(const sepax_tri *t) { return cross(edge(t, 0), edge(t, 1)); }
 
-/* The normal without its common factor, which is returned. */
-static wide primitive(vec *n) {
+/* The normal without its common factor; false if it is zero. */
+static bool primitive(wide_vec *n, const sepax_tri *t) {
+  *n = normal(t);
   wide factor = gcd(gcd(n->c[0], n->c[1]), n->c[2]);
   for (int i = 0; i < 3 && factor != 0; i++) {
     n->c[i] /= factor;
   }
-  return factor;
+  return factor != 0;
 }
 
 bool equal(sepax_vec p, sepax_vec q) { return p.x == q.x && p.y == q.y && p.z == q.z; }
 
-sepax_vec vertex(const sepax_pair *pair, int i) { return i < 3 ? pair->a.v[i] : pair->b.v[i - 3]; }
+/* Vertex 0 ... 5: three of A, three of B. */
+static sepax_vec vertex(const sepax_pair *pair, int i) {
+  return i < 3 ? pair->a.v[i] : pair->b.v[i - 3];
+}
 
 static int sign(wide value) { return (value > 0) - (value < 0); }
 
@@ -69,18 +74,17 @@ static int side(sepax_vec p, sepax_vec q, sepax_vec r, int dropped) {
 }
 
 /* An axis along which a vector is not zero. */
-static int pivot(vec n) { return n.c[0] != 0 ? 0 : n.c[1] != 0 ? 1 : 2; }
+static int pivot(wide_vec n) { return n.c[0] != 0 ? 0 : n.c[1] != 0 ? 1 : 2; }
 
 static bool on_face(sepax_vec p, const sepax_tri *t) {
-  vec n = normal(t);
+  wide_vec n = normal(t);
   if (is_zero(n) || dot(n, between(t->v[0], p)) != 0) {
     return false;
   }
-  int dropped = pivot(n);
   int ahead = 0;
   int behind = 0;
   for (int k = 0; k < 3; k++) {
-    int s = side(t->v[k], t->v[(k + 1) % 3], p, dropped);
+    int s = side(t->v[k], t->v[(k + 1) % 3], p, pivot(n));
     ahead += s > 0;
     behind += s < 0;
   }
@@ -88,14 +92,16 @@ static bool on_face(sepax_vec p, const sepax_tri *t) {
 }
 
 static bool on_edge(sepax_vec p, sepax_vec from, sepax_vec to) {
-  vec ahead = between(p, to);
-  vec behind = between(p, from);
+  wide_vec ahead = between(p, to);
+  wide_vec behind = between(p, from);
   return is_zero(cross(ahead, behind)) && dot(ahead, behind) <= 0;
 }
 
 /* Two edges that are not parallel have a common point. */
-static bool edges_meet(const sepax_vec e[2], const sepax_vec f[2]) {
-  vec n = cross(between(e[0], e[1]), between(f[0], f[1]));
+static bool edges_meet(const sepax_tri *a, int i, const sepax_tri *b, int j) {
+  const sepax_vec e[2] = {a->v[i], a->v[(i + 1) % 3]};
+  const sepax_vec f[2] = {b->v[j], b->v[(j + 1) % 3]};
+  wide_vec n = cross(edge(a, i), edge(b, j));
   if (is_zero(n) || dot(n, between(e[0], f[0])) != 0) {
     return false;
   }
@@ -104,43 +110,35 @@ static bool edges_meet(const sepax_vec e[2], const sepax_vec f[2]) {
          side(f[0], f[1], e[0], d) * side(f[0], f[1], e[1], d) <= 0;
 }
 
-static wide extent(const sepax_tri *t) {
-  wide most = 0;
-  for (int k = 0; k < 3; k++) {
-    vec edge = between(t->v[k], t->v[(k + 1) % 3]);
-    for (int i = 0; i < 3; i++) {
-      wide length = edge.c[i] < 0 ? -edge.c[i] : edge.c[i];
-      most = length > most ? length : most;
-    }
+int64_t longest_side(const sepax_tri *t) {
+  int64_t most = 0;
+  for (int i = 0; i < 9; i++) {
+    int64_t length = (int64_t)edge(t, i / 3).c[i % 3];
+    length = length < 0 ? -length : length;
+    most = length > most ? length : most;
   }
   return most;
 }
 
 /* ----------------------------------------------------------- what a pair may be */
 
-bool legal(const sepax_pair *pair, int word) {
+#define PROPERTY(name) bool name(const sepax_pair *pair, __attribute__((unused)) int word)
+
+PROPERTY(legal) {
   return sepax_pair_fits(pair, word) && equal(pair->na, sepax_unit_normal(&pair->a, word)) &&
          equal(pair->nb, sepax_unit_normal(&pair->b, word));
 }
 
-bool collides(const sepax_pair *pair, int word) {
-  (void)word;
-  return sepax_reference(&pair->a, &pair->b);
-}
+PROPERTY(collides) { return sepax_reference(&pair->a, &pair->b); }
 
 typedef struct {
-  vec v[6];
+  wide_vec v[6];
 } six;
 
-static vec minus(vec p, vec q) {
-  return (vec){{p.c[0] - q.c[0], p.c[1] - q.c[1], p.c[2] - q.c[2]}};
-}
-
 static six vertices(const sepax_pair *pair) {
-  static const sepax_vec origin = {0, 0, 0};
   six s;
   for (int i = 0; i < 6; i++) {
-    s.v[i] = between(origin, vertex(pair, i));
+    s.v[i] = wide_of(vertex(pair, i));
   }
   return s;
 }
@@ -150,9 +148,9 @@ static bool flat(const six *s) {
   for (int i = 0; i < 6; i++) {
     for (int j = i + 1; j < 6; j++) {
       for (int k = j + 1; k < 6; k++) {
-        vec n = cross(minus(s->v[j], s->v[i]), minus(s->v[k], s->v[i]));
+        wide_vec n = cross(wide_minus(s->v[j], s->v[i]), wide_minus(s->v[k], s->v[i]));
         for (int l = k + 1; l < 6; l++) {
-          if (dot(n, minus(s->v[l], s->v[i])) != 0) {
+          if (dot(n, wide_minus(s->v[l], s->v[i])) != 0) {
             return false;
           }
         }
@@ -162,50 +160,39 @@ static bool flat(const six *s) {
   return true;
 }
 
-bool coplanar(const sepax_pair *pair, int word) {
-  (void)word;
+PROPERTY(coplanar) {
   six s = vertices(pair);
   return flat(&s);
 }
 
 /* A move of one coordinate by 1 LSB, maybe out of the range, makes the pair flat. */
-bool almost_coplanar(const sepax_pair *pair, int word) {
-  (void)word;
+PROPERTY(almost_coplanar) {
   six s = vertices(pair);
-  for (int i = 0; i < 18; i++) {
+  bool found = false;
+  for (int i = 0; i < COORDINATES && !found; i++) {
     wide *c = &s.v[i / 3].c[i % 3];
-    wide kept = *c;
-    *c = kept + 1;
-    bool found = flat(&s);
-    *c = kept - 1;
+    *c += 1;
+    found = flat(&s);
+    *c -= 2;
     found = found || flat(&s);
-    *c = kept;
-    if (found) {
-      return true;
-    }
+    *c += 1;
   }
-  return false;
+  return found;
 }
 
-static bool has_area(const sepax_tri *t) { return !is_zero(normal(t)); }
+PROPERTY(a_has_area) { return !is_zero(normal(&pair->a)); }
 
-bool both_have_area(const sepax_pair *pair, int word) {
-  (void)word;
-  return has_area(&pair->a) && has_area(&pair->b);
+PROPERTY(both_have_area) { return a_has_area(pair, word) && !is_zero(normal(&pair->b)); }
+
+PROPERTY(normals_parallel) {
+  wide_vec a;
+  wide_vec b;
+  return primitive(&a, &pair->a) && primitive(&b, &pair->b) && is_zero(cross(a, b));
 }
 
-bool normals_parallel(const sepax_pair *pair, int word) {
-  (void)word;
-  vec a = normal(&pair->a);
-  vec b = normal(&pair->b);
-  return primitive(&a) != 0 && primitive(&b) != 0 && is_zero(cross(a, b));
-}
-
-bool same_orientation(const sepax_pair *pair, int word) {
-  (void)word;
-  vec a = normal(&pair->a);
-  vec b = normal(&pair->b);
-  return sign(a.c[pivot(a)]) == sign(b.c[pivot(a)]);
+PROPERTY(same_orientation) {
+  wide_vec a = normal(&pair->a);
+  return sign(a.c[pivot(a)]) == sign(normal(&pair->b).c[pivot(a)]);
 }
 
 static int common_vertices(const sepax_pair *pair) {
@@ -218,64 +205,42 @@ static int common_vertices(const sepax_pair *pair) {
   return count;
 }
 
-bool one_common(const sepax_pair *pair, int word) {
-  (void)word;
-  return common_vertices(pair) >= 1;
-}
+PROPERTY(one_common) { return common_vertices(pair) >= 1; }
 
-bool two_common(const sepax_pair *pair, int word) {
-  (void)word;
-  return common_vertices(pair) >= 2;
-}
+PROPERTY(two_common) { return common_vertices(pair) >= 2; }
 
-bool three_common(const sepax_pair *pair, int word) {
-  (void)word;
-  return common_vertices(pair) == 3;
-}
+PROPERTY(three_common) { return common_vertices(pair) == 3; }
 
-bool same_order(const sepax_pair *pair, int word) {
-  (void)word;
+PROPERTY(same_order) {
   return equal(pair->a.v[0], pair->b.v[0]) && equal(pair->a.v[1], pair->b.v[1]);
 }
 
-bool vertex_on_face(const sepax_pair *pair, int word) {
-  (void)word;
+PROPERTY(vertex_on_face) {
+  bool found = false;
   for (int i = 0; i < 6; i++) {
-    if (on_face(vertex(pair, i), i < 3 ? &pair->b : &pair->a)) {
-      return true;
-    }
+    found = found || on_face(vertex(pair, i), i < 3 ? &pair->b : &pair->a);
   }
-  return false;
+  return found;
 }
 
-bool vertex_on_edge(const sepax_pair *pair, int word) {
-  (void)word;
-  for (int i = 0; i < 6; i++) {
-    const sepax_tri *other = i < 3 ? &pair->b : &pair->a;
-    for (int k = 0; k < 3; k++) {
-      if (on_edge(vertex(pair, i), other->v[k], other->v[(k + 1) % 3])) {
-        return true;
-      }
-    }
+PROPERTY(vertex_on_edge) {
+  bool found = false;
+  for (int i = 0; i < 18; i++) {
+    const sepax_vec *other = i < 9 ? pair->b.v : pair->a.v;
+    found = found || on_edge(vertex(pair, i / 3), other[i % 3], other[(i + 1) % 3]);
   }
-  return false;
+  return found;
 }
 
-bool edge_on_edge(const sepax_pair *pair, int word) {
-  (void)word;
-  for (int i = 0; i < 3; i++) {
-    const sepax_vec e[2] = {pair->a.v[i], pair->a.v[(i + 1) % 3]};
-    for (int k = 0; k < 3; k++) {
-      const sepax_vec f[2] = {pair->b.v[k], pair->b.v[(k + 1) % 3]};
-      if (edges_meet(e, f)) {
-        return true;
-      }
-    }
+PROPERTY(edge_on_edge) {
+  bool found = false;
+  for (int i = 0; i < 9; i++) {
+    found = found || edges_meet(&pair->a, i / 3, &pair->b, i % 3);
   }
-  return false;
+  return found;
 }
 
-static double square(vec p) {
+static double square(wide_vec p) {
   double total = 0;
   for (int i = 0; i < 3; i++) {
     total += (double)p.c[i] * (double)p.c[i];
@@ -287,116 +252,78 @@ static double square(vec p) {
 static bool is_sliver(const sepax_tri *t, int word) {
   double longest = 0;
   for (int k = 0; k < 3; k++) {
-    double length = square(between(t->v[k], t->v[(k + 1) % 3]));
+    double length = square(edge(t, k));
     longest = length > longest ? length : longest;
   }
-  return square(normal(t)) < 2.8 * longest && extent(t) >= sepax_word_max(word) / 6;
+  return square(normal(t)) < 2.8 * longest && longest_side(t) >= sepax_word_max(word) / 6;
 }
 
-bool has_sliver(const sepax_pair *pair, int word) {
-  return is_sliver(&pair->a, word) || is_sliver(&pair->b, word);
-}
+PROPERTY(has_sliver) { return is_sliver(&pair->a, word) || is_sliver(&pair->b, word); }
 
 static bool is_tiny(const sepax_tri *t, int word) {
-  return extent(t) <= (word > 6 ? (wide)1 << (word - 5) : 2);
+  return longest_side(t) <= (word > 6 ? INT64_C(1) << (word - 5) : 2);
 }
 
-bool has_tiny(const sepax_pair *pair, int word) {
-  return is_tiny(&pair->a, word) || is_tiny(&pair->b, word);
-}
+PROPERTY(has_tiny) { return is_tiny(&pair->a, word) || is_tiny(&pair->b, word); }
 
-bool a_is_tiny(const sepax_pair *pair, int word) { return is_tiny(&pair->a, word); }
+PROPERTY(a_is_tiny) { return is_tiny(&pair->a, word); }
 
-bool a_has_area(const sepax_pair *pair, int word) {
-  (void)word;
-  return has_area(&pair->a);
-}
+PROPERTY(is_point) { return longest_side(&pair->a) == 0 || longest_side(&pair->b) == 0; }
 
-bool is_point(const sepax_pair *pair, int word) {
-  (void)word;
-  return extent(&pair->a) == 0 || extent(&pair->b) == 0;
-}
-
-bool small(const sepax_pair *pair, int word) {
-  wide most = sepax_word_max(word);
-  return extent(&pair->a) <= most && extent(&pair->b) <= most;
-}
-
-static void aabb_along(const sepax_tri *t, int axis, int64_t box[2]) {
-  box[0] = INT64_MAX;
-  box[1] = INT64_MIN;
-  for (int k = 0; k < 3; k++) {
-    int64_t c[3] = {t->v[k].x, t->v[k].y, t->v[k].z};
-    box[0] = c[axis] < box[0] ? c[axis] : box[0];
-    box[1] = c[axis] > box[1] ? c[axis] : box[1];
-  }
-}
-
-bool aabbs_overlap(const sepax_pair *pair, int word) {
-  (void)word;
-  for (int axis = 0; axis < 3; axis++) {
-    int64_t a[2];
-    int64_t b[2];
-    aabb_along(&pair->a, axis, a);
-    aabb_along(&pair->b, axis, b);
-    if (a[1] < b[0] || b[1] < a[0]) {
-      return false;
-    }
-  }
-  return true;
-}
-
-static bool coordinate_at(const sepax_pair *pair, int64_t value) {
-  for (int i = 0; i < 6; i++) {
-    sepax_vec v = vertex(pair, i);
-    if (v.x == value || v.y == value || v.z == value) {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool at_least_value(const sepax_pair *pair, int word) {
-  return coordinate_at(pair, sepax_word_min(word));
-}
-
-bool at_greatest_value(const sepax_pair *pair, int word) {
-  return coordinate_at(pair, sepax_word_max(word));
-}
-
-bool at_corners(const sepax_pair *pair, int word) {
+PROPERTY(small) {
   int64_t most = sepax_word_max(word);
-  for (int i = 0; i < 6; i++) {
-    sepax_vec v = vertex(pair, i);
-    const int64_t c[3] = {v.x, v.y, v.z};
-    for (int axis = 0; axis < 3; axis++) {
-      int64_t size = c[axis] < 0 ? -c[axis] : c[axis];
-      if (size > 1 && size < most - 1) {
-        return false;
-      }
-    }
-  }
-  return true;
+  return longest_side(&pair->a) <= most && longest_side(&pair->b) <= most;
 }
 
-bool on_grid(const sepax_pair *pair, int word) {
-  (void)word;
-  for (int i = 0; i < 6; i++) {
-    sepax_vec v = vertex(pair, i);
-    if (v.x < -1 || v.x > 1 || v.y < -1 || v.y > 1 || v.z < -1 || v.z > 1) {
+/* Along no axis are all vertices of one triangle below all of the other. */
+PROPERTY(aabbs_overlap) {
+  int below[3] = {0};
+  int above[3] = {0};
+  for (int i = 0; i < 27; i++) {
+    wide_vec way = between(pair->a.v[i / 9], pair->b.v[i / 3 % 3]);
+    below[i % 3] += way.c[i % 3] > 0;
+    above[i % 3] += way.c[i % 3] < 0;
+  }
+  for (int axis = 0; axis < 3; axis++) {
+    if (below[axis] == 9 || above[axis] == 9) {
       return false;
     }
   }
   return true;
 }
+
+static bool coordinate_at(const sepax_pair *pair, int32_t value) {
+  bool found = false;
+  for (int i = 0; i < COORDINATES; i++) {
+    found = found || field_of(pair, i) == value;
+  }
+  return found;
+}
+
+PROPERTY(at_least_value) { return coordinate_at(pair, sepax_word_min(word)); }
+
+PROPERTY(at_greatest_value) { return coordinate_at(pair, sepax_word_max(word)); }
+
+/* Every coordinate is in -1 ... 1, or its size in big ... . */
+static bool at_places(const sepax_pair *pair, int64_t big) {
+  bool all = true;
+  for (int i = 0; i < COORDINATES; i++) {
+    int64_t c = field_of(pair, i);
+    int64_t size = c < 0 ? -c : c;
+    all = all && (size <= 1 || size >= big);
+  }
+  return all;
+}
+
+PROPERTY(at_corners) { return at_places(pair, (int64_t)sepax_word_max(word) - 1); }
+
+PROPERTY(on_grid) { return at_places(pair, INT64_MAX); }
 
 /* A.N_A = B.N_B, exactly: equal levels and squares of the primitive normals. */
-bool tangent(const sepax_pair *pair, int word) {
-  (void)word;
-  static const sepax_vec origin = {0, 0, 0};
-  vec a = normal(&pair->a);
-  vec b = normal(&pair->b);
-  bool areas = primitive(&a) != 0 && primitive(&b) != 0;
+PROPERTY(tangent) {
+  wide_vec a;
+  wide_vec b;
+  bool areas = primitive(&a, &pair->a) && primitive(&b, &pair->b);
   return areas && dot(a, a) == dot(b, b) &&
-         dot(a, between(origin, pair->a.v[0])) == dot(b, between(origin, pair->b.v[0]));
+         dot(a, wide_of(pair->a.v[0])) == dot(b, wide_of(pair->b.v[0]));
 }

@@ -4,14 +4,20 @@
 
 #include "sepax_vectors.h"
 
-#define LENGTH(array) (sizeof(array) / sizeof *(array))
-
 size_t family_count(void);
+/* The family of a name; their count where none has it. */
+size_t family_number(const char *name);
 sepax_random seeded(size_t family, int word);
 
-/* Vertex 0 ... 5: three of A, three of B. */
-sepax_vec vertex(const sepax_pair *pair, int i);
+/* The integers of a pair as text has them: 0 ... 17 coordinates, 18 ... 23 of the normals. */
+enum { COORDINATES = 18, FIELDS = 24 };
+int32_t *field(sepax_pair *pair, int i);
+int32_t field_of(const sepax_pair *pair, int i);
+
 bool equal(sepax_vec p, sepax_vec q);
+
+/* The longest side of the AABB of a triangle. */
+int64_t longest_side(const sepax_tri *t);
 
 /* What a pair may be, found in exact integers. */
 typedef bool property(const sepax_pair *pair, int word);

@@ -1,7 +1,8 @@
 #include "real_pairs.h"
 
 #include "distance.h"
-#include "sepax_vectors.h"
+#include "geometry.h"
+#include "pair_tools.h"
 
 #include <math.h>
 
@@ -18,24 +19,12 @@ enum { LOCAL = 9, FAMILY = 10, FLAT = 11 };
 
 const char *real_kind_name(int kind) { return kinds[kind].name; }
 
-typedef struct {
-  double c[3];
-} point;
-
 double uniform(sepax_random *r, double low, double high) {
   return low + (high - low) * 0x1p-53 * (double)(sepax_random_next(r) >> 11);
 }
 
 static int64_t range(sepax_random *r, int64_t low, int64_t high) {
   return sepax_random_range(r, low, high);
-}
-
-static point along(point p, double t, point u) {
-  return (point){{p.c[0] + t * u.c[0], p.c[1] + t * u.c[1], p.c[2] + t * u.c[2]}};
-}
-
-static double inner(point p, point q) {
-  return p.c[0] * q.c[0] + p.c[1] * q.c[1] + p.c[2] * q.c[2];
 }
 
 static point scaled(point p) { return along((point){{0, 0, 0}}, 1 / sqrt(inner(p, p)), p); }
@@ -82,13 +71,11 @@ static void hang(sepax_random *r, point n, int on, double size, point t[3]) {
   }
 }
 
-static int32_t fine(double x, int fraction) { return (int32_t)llround(ldexp(x, fraction)); }
-
 static sepax_tri fine_tri(const point t[3], point at, int fraction) {
   sepax_tri tri;
-  for (int k = 0; k < 3; k++) {
-    point p = along(t[k], 1, at);
-    tri.v[k] = (sepax_vec){fine(p.c[0], fraction), fine(p.c[1], fraction), fine(p.c[2], fraction)};
+  for (int i = 0; i < 9; i++) {
+    double c = t[i / 3].c[i % 3] + at.c[i % 3];
+    *coordinate(&tri.v[i / 3], i % 3) = (int32_t)llround(ldexp(c, fraction));
   }
   return tri;
 }
@@ -100,32 +87,21 @@ static int32_t nearest(int32_t x, int fraction) {
   return (int32_t)(x < 0 ? -size : size);
 }
 
-static sepax_tri rounded(const sepax_tri *t, int fraction) {
-  sepax_tri q;
-  for (int k = 0; k < 3; k++) {
-    q.v[k] = (sepax_vec){nearest(t->v[k].x, fraction), nearest(t->v[k].y, fraction),
-                         nearest(t->v[k].z, fraction)};
+static sepax_tri rounded(sepax_tri t, int fraction) {
+  for (int i = 0; i < 9; i++) {
+    int32_t *c = coordinate(&t.v[i / 3], i % 3);
+    *c = nearest(*c, fraction);
   }
-  return q;
+  return t;
 }
 
 /* Each coordinate to where rounding moves it as far as can be against `sign`. */
 static void worst(sepax_tri *t, point n, double sign, int fraction) {
-  for (int k = 0; k < 3; k++) {
-    int32_t *c[3] = {&t->v[k].x, &t->v[k].y, &t->v[k].z};
-    for (int i = 0; i < 3; i++) {
-      int32_t half = (1 << (fraction - 1)) - 1;
-      int32_t grid = (int32_t)((uint32_t)nearest(*c[i], fraction) << fraction);
-      *c[i] = grid + (n.c[i] * sign > 0 ? half : -half);
-    }
-  }
-}
-
-static void move(sepax_tri *t, const int32_t by[3]) {
-  for (int k = 0; k < 3; k++) {
-    t->v[k].x += by[0];
-    t->v[k].y += by[1];
-    t->v[k].z += by[2];
+  for (int i = 0; i < 9; i++) {
+    int32_t *c = coordinate(&t->v[i / 3], i % 3);
+    int32_t half = (1 << (fraction - 1)) - 1;
+    int32_t grid = (int32_t)((uint32_t)nearest(*c, fraction) << fraction);
+    *c = grid + (n.c[i % 3] * sign > 0 ? half : -half);
   }
 }
 
@@ -133,31 +109,22 @@ static void move(sepax_tri *t, const int32_t by[3]) {
  * along the way between their nearest points; that leaves exactly the way that is left. */
 static void draw_near(real_pair *p, double distance, sepax_random *r) {
   int word = (int)range(r, 4, 28 - p->fraction);
-  size_t families = 0;
-  while (sepax_family_name(families) != NULL) {
-    families++;
-  }
-  size_t family = (size_t)range(r, 0, (int64_t)families - 1);
+  size_t family = (size_t)range(r, 0, (int64_t)family_count() - 1);
   sepax_pair whole = sepax_family_triangles(family, word, r);
   bool noise = range(r, 0, 3) != 0;
-  for (int i = 0; i < 6; i++) {
-    sepax_vec *v = i < 3 ? &whole.a.v[i] : &whole.b.v[i - 3];
-    int32_t *c[3] = {&v->x, &v->y, &v->z};
-    for (int k = 0; k < 3; k++) {
-      int64_t half = noise ? INT64_C(1) << (p->fraction - 1) : 0;
-      *c[k] = (int32_t)(*c[k] * (INT64_C(1) << p->fraction) + range(r, -half, half));
-    }
+  for (int i = 0; i < COORDINATES; i++) {
+    int32_t *c = field(&whole, i);
+    int64_t half = noise ? INT64_C(1) << (p->fraction - 1) : 0;
+    *c = (int32_t)(*c * (INT64_C(1) << p->fraction) + range(r, -half, half));
   }
   p->a = whole.a;
   p->b = whole.b;
   double way[3];
   double away = ldexp(distance_rounded(&p->a, &p->b, way), -p->fraction);
   if (away > distance && !distance_within(&p->a, &p->b, 0, NULL)) {
-    int32_t by[3];
-    for (int i = 0; i < 3; i++) {
-      by[i] = (int32_t)llround(way[i] * (distance / away - 1));
+    for (int i = 0; i < 9; i++) {
+      *coordinate(&p->b.v[i / 3], i % 3) += (int32_t)llround(way[i % 3] * (distance / away - 1));
     }
-    move(&p->b, by);
   }
 }
 
@@ -200,7 +167,7 @@ real_pair real_pair_make(int kind, double distance, sepax_random *random) {
     p.a = p.b;
     p.b = kept;
   }
-  p.rounded_a = rounded(&p.a, p.fraction);
-  p.rounded_b = rounded(&p.b, p.fraction);
+  p.rounded_a = rounded(p.a, p.fraction);
+  p.rounded_b = rounded(p.b, p.fraction);
   return p;
 }

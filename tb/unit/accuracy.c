@@ -1,14 +1,11 @@
 /* accuracy.c - what the accuracy laboratory measures with: depths, solids, the
  * interval test. */
 #include "oracle/pair_tools.h"
-#include "sepax_vectors.h"
 #include "harness.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 CASE(known_depths) {
   sepax_tri a = {{{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}};
@@ -135,7 +132,7 @@ CASE(solids_by_winding) {
       sepax_error error = {""};
       assert_true(sepax_solid(&scene, inside, &error));
       assert_false(inside[1]);
-      assert_int_equal(inside[0], fabs(angle) > 2 * pi);
+      assert_int_equal(inside[0], fabs(angle) > 2 * PI);
       within += inside[0];
       without += !inside[0];
     }
@@ -199,13 +196,4 @@ CASE(interval_test_is_one) {
                   sepax_depth(&pair.a, &pair.b) == 0);
     }
   }
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(known_depths),         cmocka_unit_test(depths_by_moving),
-      cmocka_unit_test(solids_by_winding),    cmocka_unit_test(open_meshes_are_refused),
-      cmocka_unit_test(interval_test_is_one), cmocka_unit_test(overlapping_bodies_are_solid),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

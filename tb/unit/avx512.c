@@ -10,7 +10,6 @@
 
 #include "benchmark/columns.h"
 #include "oracle/pair_tools.h"
-#include "sepax_vectors.h"
 #include "harness.h"
 
 /* A block of each family at each word length: pairs, and one against many. */
@@ -41,9 +40,4 @@ CASE(every_family_at_every_word) {
     }
   }
   columns_free(&batch);
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(every_family_at_every_word)};
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,6 @@
 /* batch.c - the verdicts of batches and of meshes against sepax_exact, one by one. */
+#include "oracle/geometry.h"
 #include "oracle/pair_tools.h"
-#include "sepax_design.h"
-#include "sepax_vectors.h"
 #include "harness.h"
 
 #include <fcntl.h>
@@ -41,18 +40,18 @@ static void release(guarded *g) { munmap(g->all, g->pages * g->page); }
 
 typedef struct {
   sepax_tri t[2][MOST];
-  guarded memory[18], bits_memory;
-  int32_t *column[18];
+  guarded memory[COORDINATES + 1];
+  int32_t *column[COORDINATES];
   sepax_columns a, b;
   uint64_t *bits;
 } batch;
 
 static void begin(batch *s, size_t count) {
-  for (int i = 0; i < 18; i++) {
+  for (int i = 0; i < COORDINATES; i++) {
     s->column[i] = guard(&s->memory[i], count * sizeof *s->column[i]);
     (i < 9 ? &s->a : &s->b)->c[i / 3 % 3][i % 3] = s->column[i];
   }
-  s->bits = guard(&s->bits_memory, (count + 63) / 64 * sizeof *s->bits);
+  s->bits = guard(&s->memory[COORDINATES], (count + 63) / 64 * sizeof *s->bits);
 }
 
 static void fill(batch *s, size_t count, size_t family, int word, sepax_random *random) {
@@ -60,47 +59,48 @@ static void fill(batch *s, size_t count, size_t family, int word, sepax_random *
     sepax_pair pair = sepax_family_pair(family, word, random);
     s->t[0][n] = pair.a;
     s->t[1][n] = pair.b;
-    for (int i = 0; i < 18; i++) {
-      sepax_vec v = s->t[i / 9][n].v[i / 3 % 3];
-      s->column[i][n] = i % 3 == 0 ? v.x : i % 3 == 1 ? v.y : v.z;
+    for (int i = 0; i < COORDINATES; i++) {
+      s->column[i][n] = field_of(&pair, i);
     }
   }
 }
 
 static void end(batch *s) {
-  for (int i = 0; i < 18; i++) {
+  for (int i = 0; i <= COORDINATES; i++) {
     release(&s->memory[i]);
   }
-  release(&s->bits_memory);
 }
 
 /* One of A against all, or pairs: 0 different, nothing behind the end. */
-static void assert_judged(batch *s, sepax_path path, size_t count, bool one) {
+static void assert_judged(batch *s, sepax_path way, size_t count, bool one) {
   memset(s->bits, 0xa5, (count + 63) / 64 * sizeof *s->bits);
   if (one) {
-    sepax_exact_one_to_many(path, &s->t[0][0], &s->b, count, s->bits);
+    sepax_exact_one_to_many(way, &s->t[0][0], &s->b, count, s->bits);
   } else {
-    sepax_exact_pairs(path, &s->a, &s->b, count, s->bits);
+    sepax_exact_pairs(way, &s->a, &s->b, count, s->bits);
   }
   for (size_t n = 0; n < (count + 63) / 64 * 64; n++) {
     bool expected = n < count && sepax_exact(&s->t[0][one ? 0 : n], &s->t[1][n]).collision;
     if (((s->bits[n / 64] >> n % 64 & 1) != 0) != expected) {
-      fail_msg("%s, pair %zu of %zu: %d expected", sepax_path_name(path), n, count, expected);
+      fail_msg("%s, pair %zu of %zu: %d expected", sepax_path_name(way), n, count, expected);
     }
   }
 }
 
 static void assert_all_ways(batch *s, size_t count) {
-  for (sepax_path path = SEPAX_PATH_BEST; path <= SEPAX_PATH_AVX512; path++) {
-    if (sepax_path_runs(path)) {
-      assert_judged(s, path, count, false);
-      assert_judged(s, path, count, count > 0);
+  for (sepax_path way = SEPAX_PATH_BEST; way <= SEPAX_PATH_AVX512; way++) {
+    if (sepax_path_runs(way)) {
+      assert_judged(s, way, count, false);
+      assert_judged(s, way, count, count > 0);
     }
   }
 }
 
 CASE(every_family_at_every_word) {
   static batch s;
+  for (sepax_path way = SEPAX_PATH_PORTABLE; way <= SEPAX_PATH_AVX512; way++) {
+    print_message("%s: %s\n", sepax_path_name(way), sepax_path_runs(way) ? "runs" : "not here");
+  }
   begin(&s, MOST);
   for (size_t family = 0; family < family_count(); family++) {
     for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
@@ -129,11 +129,8 @@ CASE(words_mixed) {
   static const int word[] = {8, 20, 21, 25, 26, 32};
   static batch s;
   sepax_random random = {8};
+  size_t corners = family_number("corners");
   begin(&s, MOST);
-  size_t corners = 0;
-  while (strcmp(sepax_family_name(corners), "corners") != 0) {
-    corners++;
-  }
   for (int round = 0; round < 200; round++) {
     fill(&s, MOST, corners, word[round % (int)LENGTH(word)], &random);
     for (int i = 0; i < 9; i++) {
@@ -151,29 +148,38 @@ static sepax_tri *soup(size_t count, int word, int64_t size, sepax_random *rando
   sepax_tri *t = calloc(count + 1, sizeof *t);
   assert_non_null(t);
   for (size_t n = 0; n < count; n++) {
-    int64_t at[3];
     for (int axis = 0; axis < 3; axis++) {
-      at[axis] =
+      int64_t at =
           sepax_random_range(random, sepax_word_min(word) + size, sepax_word_max(word) - size);
-    }
-    for (int k = 0; k < 3; k++) {
-      t[n].v[k].x = (int32_t)(at[0] + sepax_random_range(random, -size, size));
-      t[n].v[k].y = (int32_t)(at[1] + sepax_random_range(random, -size, size));
-      t[n].v[k].z = (int32_t)(at[2] + sepax_random_range(random, -size, size));
+      for (int k = 0; k < 3; k++) {
+        *coordinate(&t[n].v[k], axis) = (int32_t)(at + sepax_random_range(random, -size, size));
+      }
     }
   }
   return t;
 }
 
-static void assert_all_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
-                             const sepax_search *how) {
+/* What a double loop finds: collisions, or with a design pairs that it does not call free; how many
+ * in each band. */
+typedef struct {
+  size_t of[3];
+} bands;
+
+static bands assert_all_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
+                              const sepax_tri *b, size_t count_b, const sepax_search *how) {
   sepax_pairs found;
-  sepax_error error = {""};
-  assert_true(sepax_colliding_pairs(a, count_a, b, count_b, how, &found, &error));
+  bands count = {{0}};
+  assert_works(design == NULL
+                   ? sepax_colliding_pairs(a, count_a, b, count_b, how, &found, &fault)
+                   : sepax_near_pairs(design, a, count_a, b, count_b, how, &found, &fault));
   size_t k = 0;
   for (size_t i = 0; i < count_a; i++) {
     for (size_t j = 0; j < count_b; j++) {
-      if (sepax_exact(&a[i], &b[j]).collision) {
+      sepax_band band = design != NULL ? sepax_clearance(design, &a[i], &b[j]).band
+                        : sepax_exact(&a[i], &b[j]).collision ? SEPAX_BAND_COLLISION
+                                                              : SEPAX_BAND_FREE;
+      count.of[band]++;
+      if (band != SEPAX_BAND_FREE) {
         assert_true(k < found.count && found.pair[k][0] == i && found.pair[k][1] == j);
         k++;
       }
@@ -181,6 +187,7 @@ static void assert_all_pairs(const sepax_tri *a, size_t count_a, const sepax_tri
   }
   assert_int_equal(k, found.count);
   sepax_pairs_free(&found);
+  return count;
 }
 
 CASE(meshes_of_every_size) {
@@ -193,15 +200,26 @@ CASE(meshes_of_every_size) {
       int64_t size = INT64_C(1) << (word[w] - 4);
       sepax_tri *a = soup(counts[c][0], word[w], size, &random);
       sepax_tri *b = soup(counts[c][1], word[w], size, &random);
-      for (int way = 0; way < 4; way++) {
+      for (int way = 0; way < 5; way++) {
         sepax_search how = {.threads = way < 2 ? 1 : 3, .brute_force = way % 2 == 1};
-        assert_all_pairs(a, counts[c][0], b, counts[c][1], &how);
+        assert_all_pairs(NULL, a, counts[c][0], b, counts[c][1], way < 4 ? &how : NULL);
       }
-      assert_all_pairs(a, counts[c][0], b, counts[c][1], NULL);
       free(a);
       free(b);
     }
   }
+}
+
+CASE(near_pairs_are_found) {
+  enum { COUNT = 300 };
+  sepax_random random = {11};
+  sepax_design design = design_of("--clearance=20 --warning=60");
+  sepax_tri *a = soup(COUNT, 10, 90, &random);
+  sepax_tri *b = soup(COUNT, 10, 90, &random);
+  bands count = assert_all_pairs(&design, a, COUNT, b, COUNT, NULL);
+  assert_true(count.of[SEPAX_BAND_WARNING] > 50 && count.of[SEPAX_BAND_COLLISION] > 50);
+  free(a);
+  free(b);
 }
 
 /* Trees end in empty leaves, for 129 triangles in the fourth of four; a triangle that reaches both
@@ -211,26 +229,15 @@ CASE(empty_leaves_are_left_out) {
   const sepax_tri whole = {{{INT32_MIN, INT32_MIN, INT32_MIN},
                             {INT32_MAX, INT32_MAX, INT32_MAX},
                             {INT32_MIN, INT32_MAX, INT32_MIN}}};
-  sepax_error error = {""};
-  sepax_config config = sepax_config_default();
-  sepax_design design;
-  config.word = SEPAX_WORD_MAX;
-  config.clearance = INT32_MAX;
-  assert_true(sepax_design_init(&design, &config, &error));
+  sepax_design design = design_of("--word=32 --clearance=%d", INT32_MAX);
   sepax_random random = {11};
   sepax_tri *many = soup(SMALL, SEPAX_WORD_MAX, 1000, &random);
   for (int way = 0; way < 2; way++) {
     sepax_search how = {.threads = 1, .brute_force = way == 1};
-    assert_all_pairs(&whole, 1, many, SMALL, &how);
-    assert_all_pairs(many, SMALL, &whole, 1, &how);
-    sepax_pairs found;
-    assert_true(sepax_near_pairs(&design, &whole, 1, many, SMALL, &how, &found, &error));
-    size_t expected = 0;
-    for (size_t n = 0; n < SMALL; n++) {
-      expected += sepax_clearance(&design, &whole, &many[n]).band != SEPAX_BAND_FREE;
-    }
-    assert_true(expected > 0 && expected == found.count);
-    sepax_pairs_free(&found);
+    assert_all_pairs(NULL, &whole, 1, many, SMALL, &how);
+    assert_all_pairs(NULL, many, SMALL, &whole, 1, &how);
+    bands count = assert_all_pairs(&design, &whole, 1, many, SMALL, &how);
+    assert_true(count.of[SEPAX_BAND_FREE] < SMALL);
   }
   free(many);
 }
@@ -251,32 +258,13 @@ CASE(progress_is_told_and_ends) {
   sepax_random random = {10};
   sepax_tri *a = soup(1000, 18, 5000, &random);
   sepax_pairs found;
-  sepax_error error = {""};
   watch w = {.ends = UINT64_MAX};
   sepax_search how = {.threads = 1, .progress = watched, .context = &w};
-  assert_true(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &error));
+  assert_works(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &fault));
   assert_true(w.calls > 5 && w.last == w.total);
   sepax_pairs_free(&found);
   w = (watch){.ends = 3};
-  assert_false(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &error));
+  assert_fault(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &fault), "ended");
   assert_int_equal(w.calls, 3);
-  assert_non_null(strstr(error.text, "ended"));
   free(a);
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(every_family_at_every_word),
-      cmocka_unit_test(every_count),
-      cmocka_unit_test(words_mixed),
-      cmocka_unit_test(meshes_of_every_size),
-      cmocka_unit_test(empty_leaves_are_left_out),
-      cmocka_unit_test(progress_is_told_and_ends),
-  };
-  printf("paths:");
-  for (sepax_path path = SEPAX_PATH_PORTABLE; path <= SEPAX_PATH_AVX512; path++) {
-    printf(" %s%s", sepax_path_name(path), sepax_path_runs(path) ? "" : " (not on this machine)");
-  }
-  putchar('\n');
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,12 +4,9 @@
 #include "oracle/distance.h"
 #include "oracle/oracle.h"
 #include "oracle/real_pairs.h"
-#include "sepax_design.h"
-#include "sepax_vectors.h"
 #include "harness.h"
 
 #include <math.h>
-#include <string.h>
 
 #ifdef EXACT_PAIRS /* make sanitize */
 #define REAL_PAIRS 20000
@@ -17,16 +14,6 @@
 #define REAL_PAIRS 200000
 #endif
 #define FAULT_PAIRS 40000
-
-static sepax_design design_of(int clearance, int warning) {
-  sepax_design design;
-  sepax_error error = {""};
-  sepax_config config = sepax_config_default();
-  config.clearance = clearance;
-  config.warning = warning;
-  assert_true(sepax_design_init(&design, &config, &error));
-  return design;
-}
 
 static real_pair pair_near(size_t n, int limit, sepax_random *random) {
   double reach = n % 3 == 0 ? 0.02 : n % 3 == 1 ? 1 : 3;
@@ -43,7 +30,7 @@ CASE(test_nothing_is_missed) {
   size_t quick = 0;
   for (size_t n = 0; n < REAL_PAIRS; n++) {
     const int *limit = limits[n % 6];
-    sepax_design design = design_of(limit[0], limit[1]);
+    sepax_design design = design_of("--clearance=%d --warning=%d", limit[0], limit[1]);
     real_pair p = pair_near(n, limit[sepax_random_range(&random, 0, 1)], &random);
     sepax_verdict v = sepax_clearance(&design, &p.rounded_a, &p.rounded_b);
     assert_int_equal(v.collision, v.band == SEPAX_BAND_COLLISION);
@@ -83,7 +70,7 @@ CASE(test_far_is_free) {
   size_t beyond = 0;
   for (size_t n = 0; n < FAULT_PAIRS; n++) {
     int limit = (int)(n / REAL_KINDS % 6);
-    sepax_design design = design_of(limit, 0);
+    sepax_design design = design_of("--clearance=%d", limit);
     double far = sqrt(3) * (limit + 2);
     real_pair p = real_pair_make((int)(n % REAL_KINDS), far * uniform(&random, 0.9, 1.2), &random);
     int64_t reach = (int64_t)ceil(ldexp(far, p.fraction));
@@ -98,20 +85,20 @@ CASE(test_far_is_free) {
 /* The two halves of the oracle agree, and the rational one with known answers. */
 CASE(test_oracle) {
   sepax_tri a = {{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}};
-  sepax_tri over = {{{2, 2, 7}, {2, 3, 9}, {3, 2, 9}}};
-  sepax_tri crossing = {{{5, -5, 1}, {5, 25, 1}, {5, 25, 1}}};
-  sepax_tri corner = {{{13, -4, 0}, {20, -5, 3}, {20, -6, 0}}};
-  sepax_tri through = {{{2, 2, -5}, {2, 2, 5}, {3, 2, 5}}};
-  const struct {
-    const sepax_tri *b;
+  static const struct {
+    sepax_tri b;
     int64_t within;
-  } known[] = {{&over, 7}, {&crossing, 1}, {&corner, 5}, {&through, 0}};
-  for (size_t i = 0; i < 4; i++) {
+  } known[] = {{{{{2, 2, 7}, {2, 3, 9}, {3, 2, 9}}}, 7},       /* over */
+               {{{{5, -5, 1}, {5, 25, 1}, {5, 25, 1}}}, 1},    /* crossing */
+               {{{{13, -4, 0}, {20, -5, 3}, {20, -6, 0}}}, 5}, /* to a corner */
+               {{{{2, 2, -5}, {2, 2, 5}, {3, 2, 5}}}, 0}};     /* through */
+  for (size_t i = 0; i < LENGTH(known); i++) {
+    const sepax_tri *b = &known[i].b;
     int64_t d = known[i].within;
-    assert_true(distance_within_exact(&a, known[i].b, d));
-    assert_true(distance_within(known[i].b, &a, d, NULL));
-    assert_true(d == 0 || !distance_within_exact(known[i].b, &a, d - 1));
-    assert_true(d == 0 || !distance_within(&a, known[i].b, d - 1, NULL));
+    assert_true(distance_within_exact(&a, b, d));
+    assert_true(distance_within(b, &a, d, NULL));
+    assert_true(d == 0 || !distance_within_exact(b, &a, d - 1));
+    assert_true(d == 0 || !distance_within(&a, b, d - 1, NULL));
   }
   sepax_random random = {1};
   for (size_t n = 0; n < 20000; n++) {
@@ -124,7 +111,7 @@ CASE(test_oracle) {
 
 /* AABBs decide exactly at the margin; limits nest; both triangles are alike. */
 CASE(test_bands) {
-  sepax_design design = design_of(5, 20);
+  sepax_design design = design_of("--clearance=5 --warning=20");
   assert_int_equal(design.margin[0], 6);
   assert_int_equal(design.margin[1], 21);
   sepax_tri a = {{{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}};
@@ -136,7 +123,7 @@ CASE(test_bands) {
              {7, SEPAX_BAND_WARNING},
              {21, SEPAX_BAND_WARNING},
              {22, SEPAX_BAND_FREE}};
-  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+  for (size_t i = 0; i < LENGTH(row); i++) {
     sepax_tri b = {{{0, 0, row[i].gap}, {100, 0, row[i].gap}, {0, 100, row[i].gap}}};
     sepax_verdict v = sepax_clearance(&design, &a, &b);
     assert_int_equal(v.band, row[i].band);
@@ -147,115 +134,32 @@ CASE(test_bands) {
 
 CASE(test_symmetry) {
   sepax_random random = {5};
-  sepax_design design = design_of(2, 9);
+  sepax_design design = design_of("--clearance=2 --warning=9");
   for (size_t n = 0; n < 50000; n++) {
     real_pair p = pair_near(n, 4, &random);
     sepax_band band = sepax_clearance(&design, &p.rounded_a, &p.rounded_b).band;
     sepax_tri turned;
-    for (int k = 0; k < 3; k++) {
-      sepax_vec v = p.rounded_a.v[(k + (int)(n % 3)) % 3];
-      turned.v[k] = (sepax_vec){v.y, v.z, v.x};
-    }
     sepax_tri other;
-    for (int k = 0; k < 3; k++) {
-      sepax_vec v = p.rounded_b.v[2 - k];
-      other.v[k] = (sepax_vec){v.y, v.z, v.x};
+    for (size_t k = 0; k < 3; k++) {
+      sepax_vec v = p.rounded_a.v[(k + n) % 3];
+      sepax_vec w = p.rounded_b.v[2 - k];
+      turned.v[k] = (sepax_vec){v.y, v.z, v.x};
+      other.v[k] = (sepax_vec){w.y, w.z, w.x};
     }
     assert_int_equal(sepax_clearance(&design, &other, &turned).band, band);
   }
 }
 
-/* The search of two meshes finds what a double loop finds. */
-enum { TRIANGLES = 300 };
-
-CASE(test_near_pairs) {
-  static sepax_tri mesh[2][TRIANGLES];
-  sepax_random random = {11};
-  sepax_design design = design_of(20, 60);
-  for (int n = 0; n < 2 * TRIANGLES; n++) {
-    int64_t at[3];
-    for (int i = 0; i < 3; i++) {
-      at[i] = sepax_random_range(&random, -500, 500);
-    }
-    for (int k = 0; k < 3; k++) {
-      mesh[n / TRIANGLES][n % TRIANGLES].v[k] =
-          (sepax_vec){(int32_t)(at[0] + sepax_random_range(&random, -90, 90)),
-                      (int32_t)(at[1] + sepax_random_range(&random, -90, 90)),
-                      (int32_t)(at[2] + sepax_random_range(&random, -90, 90))};
-    }
-  }
-  sepax_pairs found;
-  sepax_error error = {""};
-  assert_true(
-      sepax_near_pairs(&design, mesh[0], TRIANGLES, mesh[1], TRIANGLES, NULL, &found, &error));
-  size_t next = 0;
-  size_t warned = 0;
-  for (size_t i = 0; i < TRIANGLES; i++) {
-    for (size_t j = 0; j < TRIANGLES; j++) {
-      sepax_band band = sepax_clearance(&design, &mesh[0][i], &mesh[1][j]).band;
-      warned += band == SEPAX_BAND_WARNING;
-      if (band != SEPAX_BAND_FREE) {
-        assert_true(next < found.count && found.pair[next][0] == i && found.pair[next][1] == j);
-        next++;
-      }
-    }
-  }
-  assert_int_equal(next, found.count);
-  assert_true(warned > 50 && next - warned > 50);
-  sepax_pairs_free(&found);
-}
-
 /* A length becomes the least whole number of LSB that is not below it. */
 CASE(test_lengths) {
   sepax_grid grid = {.resolution = 0.002, .word = 18};
+  const struct {
+    double length;
+    int lsb;
+  } row[] = {{0, 0}, {0.002, 1}, {nextafter(0.002, 1), 2}, {0.0101, 6}, {1e-300, 1}};
   int lsb = -1;
-  assert_true(sepax_grid_lsb(&grid, 0, &lsb) && lsb == 0);
-  assert_true(sepax_grid_lsb(&grid, 0.002, &lsb) && lsb == 1);
-  assert_true(sepax_grid_lsb(&grid, nextafter(0.002, 1), &lsb) && lsb == 2);
-  assert_true(sepax_grid_lsb(&grid, 0.0101, &lsb) && lsb == 6);
-  assert_true(sepax_grid_lsb(&grid, 1e-300, &lsb) && lsb == 1);
+  for (size_t i = 0; i < LENGTH(row); i++) {
+    assert_true(sepax_grid_lsb(&grid, row[i].length, &lsb) && lsb == row[i].lsb);
+  }
   assert_false(sepax_grid_lsb(&grid, 1e9, &lsb));
-}
-
-static bool accepted(const char *text) {
-  sepax_config config = sepax_config_default();
-  sepax_error error = {""};
-  bool ok = sepax_config_parse(&config, text, &error) && sepax_config_check(&config, &error);
-  char back[256];
-  sepax_config again = sepax_config_default();
-  return ok && sepax_config_parse(&again, sepax_config_text(&config, back, sizeof back), &error) &&
-         again.clearance == config.clearance && again.warning == config.warning;
-}
-
-CASE(test_configuration) {
-  assert_true(accepted("--clearance=0"));
-  assert_true(accepted("--clearance=5 --warning=20"));
-  assert_true(accepted("--clearance=131071"));
-  assert_true(accepted("--clearance=3 --extent-a=500 --extent-b=500"));
-  assert_false(accepted("--clearance=131072"));
-  assert_false(accepted("--clearance=-2"));
-  assert_false(accepted("--warning=5"));
-  assert_false(accepted("--clearance=5 --warning=5"));
-  assert_false(accepted("--clearance=5 --warning=131072"));
-  assert_false(accepted("--clearance=5 --coplanar=flag"));
-  assert_false(accepted("--arch=paper --clearance=5"));
-  assert_false(accepted("--clearance=100000 --extent-a=500 --extent-b=500"));
-  char text[256];
-  sepax_config plain = sepax_config_default();
-  assert_null(strstr(sepax_config_text(&plain, text, sizeof text), "clearance"));
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_oracle),
-      cmocka_unit_test(test_nothing_is_missed),
-      cmocka_unit_test(test_wrong_rules_miss),
-      cmocka_unit_test(test_far_is_free),
-      cmocka_unit_test(test_bands),
-      cmocka_unit_test(test_symmetry),
-      cmocka_unit_test(test_near_pairs),
-      cmocka_unit_test(test_lengths),
-      cmocka_unit_test(test_configuration),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

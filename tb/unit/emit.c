@@ -2,7 +2,6 @@
 #include "emit/emit.h"
 #include "emit/gen.h"
 #include "emit/template.h"
-#include "sepax_design.h"
 #include "harness.h"
 
 #include <stdlib.h>
@@ -150,14 +149,4 @@ CASE(test_designs) {
       free(text[1]);
     }
   }
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_statements),
-      cmocka_unit_test(test_declarations),
-      cmocka_unit_test(test_instances),
-      cmocka_unit_test(test_designs),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,7 +2,6 @@
  * answers. The counts of the exhaustive corpora were found by a third method, that
  * the origin is in the hull of the nine differences of vertices. */
 #include "oracle/oracle.h"
-#include "sepax_vectors.h"
 #include "harness.h"
 
 #ifndef EXACT_PAIRS
@@ -12,7 +11,6 @@
 #define PLANES (EXACT_PAIRS < 1000000 ? 1 : 3) /* make sanitize: one */
 #define MISMATCHES_SHOWN 20
 #define AXES 13
-#define LENGTH(array) (sizeof(array) / sizeof *(array))
 
 typedef struct {
   size_t wrong;
@@ -376,13 +374,4 @@ CASE(test_symmetry) {
     }
   }
   assert_mixed(&t, SYMMETRY_PAIRS);
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_known),    cmocka_unit_test(test_cube), cmocka_unit_test(test_plane),
-      cmocka_unit_test(test_line),     cmocka_unit_test(test_grid), cmocka_unit_test(test_hard),
-      cmocka_unit_test(test_symmetry),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

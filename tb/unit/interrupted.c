@@ -8,8 +8,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static const char *const path = "build/test/interrupted.txt";
-
 /* Write something and be interrupted: by a signal, or not by 0. */
 static bool write_half(FILE *out, const void *context) {
   const int *number = context;
@@ -26,7 +24,6 @@ static int end_of(int number, bool program) {
   pid_t child = fork();
   assert_true(child >= 0);
   if (child == 0) {
-    sepax_error error = {""};
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     for (int i = 0; i < 3; i++) { /* a process in the background begins with some ignored */
       signal(signals[i], SIG_DFL);
@@ -34,22 +31,18 @@ static int end_of(int number, bool program) {
     if (program) {
       temporary_remove_on_signals();
     }
-    _exit(sepax_write_file(path, write_half, &number, &error) ? 0 : 1);
+    _exit(sepax_write_file(path, write_half, &number, &fault) ? 0 : 1);
   }
   int status = 0;
   assert_int_equal(waitpid(child, &status, 0), child);
-  char command[128];
-  snprintf(command, sizeof command, "ls %s.tmp.%ld.* > build/test/interrupted.ls 2>&1", path,
-           (long)child);
+  char command[PATH_BYTES + 50];
+  snprintf(command, sizeof command, "ls %s.tmp.%ld.* > /dev/null 2>&1", path, (long)child);
   assert_int_equal(system(command) == 0, number != 0 && !program);
-  snprintf(command, sizeof command, "rm -f %s.tmp.*", path);
-  assert_int_equal(system(command), 0);
   return status;
 }
 
 CASE(test_signals) {
   static const int number[] = {SIGINT, SIGTERM, SIGHUP};
-  assert_int_equal(system("mkdir -p build/test"), 0);
   for (int i = 0; i < 3; i++) {
     int status = end_of(number[i], true);
     assert_true(WIFSIGNALED(status));
@@ -59,7 +52,6 @@ CASE(test_signals) {
   end_of(SIGTERM, false); /* the library leaves signals alone */
   assert_int_equal(end_of(0, true), 0);
   assert_int_equal(access(path, F_OK), 0);
-  unlink(path);
 }
 
 /* More files than tickets are still written. */
@@ -75,12 +67,4 @@ CASE(test_tickets) {
   }
   assert_int_equal(temporary_add("build/test/no-such-file"), 0);
   temporary_drop(0);
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_signals),
-      cmocka_unit_test(test_tickets),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,10 +1,8 @@
 /* pairs.c - pairs as text. */
-#include <stdlib.h>
-#include <string.h>
-
 #include "oracle/pair_tools.h"
-#include "sepax_vectors.h"
 #include "harness.h"
+
+#include <string.h>
 
 #define EIGHTEEN "0 0 0 7 0 0 0 7 0 1 1 -3 1 1 3 2 2 3"
 
@@ -14,33 +12,44 @@ static const sepax_pair untouched = {{{{1, 2, 3}, {4, 5, 6}, {7, -1, -2}}},
                                      {-1, -2, -3}};
 
 static bool same_pair(const sepax_pair *p, const sepax_pair *q) {
-  for (int i = 0; i < 6; i++) {
-    if (!equal(vertex(p, i), vertex(q, i))) {
-      return false;
-    }
-  }
-  return equal(p->na, q->na) && equal(p->nb, q->nb);
+  return memcmp(p, q, sizeof *p) == 0;
 }
 
-static bool fits_with(int32_t value, int field, int word) {
+static bool fits_with(int32_t value, int number, int word) {
   sepax_pair pair = {0};
-  sepax_vec *v[8] = {&pair.a.v[0], &pair.a.v[1], &pair.a.v[2], &pair.b.v[0],
-                     &pair.b.v[1], &pair.b.v[2], &pair.na,     &pair.nb};
-  int32_t *c[3] = {&v[field / 3]->x, &v[field / 3]->y, &v[field / 3]->z};
-  *c[field % 3] = value;
+  *field(&pair, number) = value;
   return sepax_pair_fits(&pair, word);
+}
+
+/* The pair of a line that is one. */
+static sepax_pair parsed(const char *line) {
+  sepax_pair pair = untouched;
+  fault.text[0] = '\0';
+  assert_int_equal(sepax_pair_parse(&pair, line, 4, &fault), SEPAX_LINE_PAIR);
+  assert_string_equal(fault.text, "");
+  return pair;
+}
+
+/* A line that is none leaves the pair alone. */
+static void assert_no_pair(const char *line, int word, sepax_line kind, const char *message) {
+  sepax_pair pair = untouched;
+  fault.text[0] = '\0';
+  sepax_line got = sepax_pair_parse(&pair, line, word, &fault);
+  assert_string_equal(fault.text, message);
+  assert_int_equal(got, kind);
+  assert_true(same_pair(&pair, &untouched));
 }
 
 CASE(fits_looks_at_every_field) {
   for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
     int32_t least = sepax_word_min(word);
     int32_t most = sepax_word_max(word);
-    for (int field = 0; field < 24; field++) {
-      assert_true(fits_with(least, field, word));
-      assert_true(fits_with(most, field, word));
+    for (int number = 0; number < FIELDS; number++) {
+      assert_true(fits_with(least, number, word));
+      assert_true(fits_with(most, number, word));
       if (word < SEPAX_WORD_MAX) {
-        assert_false(fits_with(least - 1, field, word));
-        assert_false(fits_with(most + 1, field, word));
+        assert_false(fits_with(least - 1, number, word));
+        assert_false(fits_with(most + 1, number, word));
       }
     }
   }
@@ -56,7 +65,6 @@ CASE(printing_is_24_integers) {
 }
 
 CASE(print_then_read) {
-  sepax_error error = {""};
   for (size_t family = 0; family < family_count(); family++) {
     for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
       sepax_random random = seeded(family, word);
@@ -68,7 +76,7 @@ CASE(print_then_read) {
       rewind(file);
       sepax_pair got;
       size_t number = 0;
-      assert_int_equal(sepax_pair_read(&got, file, "x", &number, word, &error), SEPAX_LINE_PAIR);
+      assert_int_equal(sepax_pair_read(&got, file, "x", &number, word, &fault), SEPAX_LINE_PAIR);
       assert_true(same_pair(&got, &pair));
       assert_int_equal(fclose(file), 0);
     }
@@ -76,19 +84,14 @@ CASE(print_then_read) {
 }
 
 CASE(absent_normals_are_computed) {
-  sepax_error error = {""};
-  sepax_pair pair;
-  assert_int_equal(sepax_pair_parse(&pair, EIGHTEEN, 4, &error), SEPAX_LINE_PAIR);
+  sepax_pair pair = parsed(EIGHTEEN);
   assert_true(legal(&pair, 4));
   assert_true(equal(pair.na, (sepax_vec){0, 0, 7}));
   assert_true(equal(pair.b.v[2], (sepax_vec){2, 2, 3}));
-  assert_string_equal(error.text, "");
 }
 
 CASE(given_normals_are_taken) {
-  sepax_error error = {""};
-  sepax_pair pair;
-  assert_int_equal(sepax_pair_parse(&pair, EIGHTEEN " 1 2 3 -4 -5 -6", 4, &error), SEPAX_LINE_PAIR);
+  sepax_pair pair = parsed(EIGHTEEN " 1 2 3 -4 -5 -6");
   assert_true(equal(pair.na, (sepax_vec){1, 2, 3}));
   assert_true(equal(pair.nb, (sepax_vec){-4, -5, -6}));
 }
@@ -104,36 +107,27 @@ CASE(spellings_are_tolerated) {
       (" \t" EIGHTEEN),
       "+0 -0 00 +7 0 0 0\t007 0 1 1 -3 1  1 3 2 2 3",
   };
-  sepax_error error = {""};
-  sepax_pair expected;
-  assert_int_equal(sepax_pair_parse(&expected, EIGHTEEN, 4, &error), SEPAX_LINE_PAIR);
+  sepax_pair expected = parsed(EIGHTEEN);
   for (size_t i = 0; i < LENGTH(lines); i++) {
-    sepax_pair pair = untouched;
-    assert_int_equal(sepax_pair_parse(&pair, lines[i], 4, &error), SEPAX_LINE_PAIR);
+    sepax_pair pair = parsed(lines[i]);
     assert_true(same_pair(&pair, &expected));
   }
 }
 
 CASE(empty_lines_are_empty) {
   static const char *const lines[] = {"", "\n", "\r\n", "\r", " \t \r\n", "#", "  # 1 2 3\n"};
-  sepax_error error = {""};
   for (size_t i = 0; i < LENGTH(lines); i++) {
-    sepax_pair pair = untouched;
-    assert_int_equal(sepax_pair_parse(&pair, lines[i], 4, &error), SEPAX_LINE_EMPTY);
-    assert_true(same_pair(&pair, &untouched));
-    assert_string_equal(error.text, "");
+    assert_no_pair(lines[i], 4, SEPAX_LINE_EMPTY, "");
   }
 }
-
-typedef struct {
-  int word;
-  const char *line, *message;
-} refusal;
 
 #define COUNT_MESSAGE \
   " where 18 (A1x A1y A1z ... B3z) or 24 (with the normals N_A, N_B) are expected"
 
-static const refusal refusals[] = {
+static const struct {
+  int word;
+  const char *line, *message;
+} refusals[] = {
     {4, "1", "1 number" COUNT_MESSAGE},
     {4, "1 2 3 4 5 6 7 1 2 3 4 5 6 7 1 2 3", "17 numbers" COUNT_MESSAGE},
     {4, "1 2 3 4 5 6 7 1 2 3 4 5 6 7 1 2 3 # 4", "17 numbers" COUNT_MESSAGE},
@@ -182,35 +176,22 @@ static const refusal refusals[] = {
 
 CASE(errors_say_what_is_wrong) {
   for (size_t i = 0; i < LENGTH(refusals); i++) {
-    const refusal *r = &refusals[i];
-    sepax_error error = {""};
-    sepax_pair pair = untouched;
-    sepax_line kind = sepax_pair_parse(&pair, r->line, r->word, &error);
-    assert_string_equal(error.text, r->message);
-    assert_int_equal(kind, SEPAX_LINE_ERROR);
-    assert_true(same_pair(&pair, &untouched));
+    assert_no_pair(refusals[i].line, refusals[i].word, SEPAX_LINE_ERROR, refusals[i].message);
   }
 }
 
 CASE(every_field_has_its_name) {
-  static const char names[] = "A1x A1y A1z A2x A2y A2z A3x A3y A3z "
-                              "B1x B1y B1z B2x B2y B2z B3x B3y B3z "
-                              "N_Ax N_Ay N_Az N_Bx N_By N_Bz";
-  const char *name = names;
-  for (size_t field = 0; field < 24; field++) {
-    char line[64] = "";
-    for (size_t i = 0; i < field; i++) {
-      line[2 * i] = '0';
-      line[2 * i + 1] = ' ';
-    }
-    line[2 * field] = '8';
-    sepax_error error = {""};
-    sepax_pair pair;
-    assert_int_equal(sepax_pair_parse(&pair, line, 4, &error), SEPAX_LINE_ERROR);
-    size_t length = strcspn(name, " ");
-    assert_memory_equal(error.text, name, length);
-    assert_memory_equal(error.text + length, " = 8 ", 5);
-    name += length + 1;
+  static const char *const names[FIELDS] = {
+      "A1x", "A1y", "A1z", "A2x", "A2y", "A2z", "A3x",  "A3y",  "A3z",  "B1x",  "B1y",  "B1z",
+      "B2x", "B2y", "B2z", "B3x", "B3y", "B3z", "N_Ax", "N_Ay", "N_Az", "N_Bx", "N_By", "N_Bz"};
+  char line[64] = "";
+  for (size_t i = 0; i < FIELDS; i++) {
+    char message[64];
+    line[2 * i] = '8';
+    snprintf(message, sizeof message, "%s = 8 does not fit W = 4 (-8 ... 7)", names[i]);
+    assert_no_pair(line, 4, SEPAX_LINE_ERROR, message);
+    line[2 * i] = '0';
+    line[2 * i + 1] = ' ';
   }
 }
 
@@ -224,111 +205,81 @@ static FILE *stream_of(const char *text, size_t length) {
   return file;
 }
 
+/* The next pair of a stream "f", if it is one, else as it was; `number` lines were read. */
+static sepax_pair read_next(FILE *in, size_t *number, sepax_line kind, size_t expected) {
+  sepax_pair pair = untouched;
+  fault.text[0] = '\0';
+  assert_int_equal(sepax_pair_read(&pair, in, "f", number, 4, &fault), kind);
+  assert_int_equal(*number, expected);
+  assert_int_equal(fault.text[0] == '\0', kind != SEPAX_LINE_ERROR);
+  assert_int_equal(same_pair(&pair, &untouched), kind != SEPAX_LINE_PAIR);
+  return pair;
+}
+
 CASE(reading_counts_lines) {
   static const char text[] = "# head\n\n" EIGHTEEN "\r\n \t\n# two\n1 2 3\n" EIGHTEEN
                              " 1 2 3 4 5 6 # last, without a line feed";
   FILE *in = stream_of(text, sizeof text - 1);
-  sepax_error error = {""};
-  sepax_pair pair;
   size_t number = 0;
-  assert_int_equal(sepax_pair_read(&pair, in, "f", &number, 4, &error), SEPAX_LINE_PAIR);
-  assert_int_equal(number, 3);
-  assert_string_equal(error.text, "");
-  sepax_pair first = pair;
-  assert_int_equal(sepax_pair_read(&pair, in, "f", &number, 4, &error), SEPAX_LINE_ERROR);
-  assert_int_equal(number, 6);
-  assert_string_equal(error.text, "f:6: 3 numbers" COUNT_MESSAGE);
-  assert_true(same_pair(&pair, &first));
-  assert_int_equal(sepax_pair_read(&pair, in, "f", &number, 4, &error), SEPAX_LINE_PAIR);
-  assert_int_equal(number, 7);
-  assert_int_equal(pair.nb.z, 6);
-  assert_int_equal(sepax_pair_read(&pair, in, "f", &number, 4, &error), SEPAX_LINE_EMPTY);
-  assert_int_equal(sepax_pair_read(&pair, in, "f", &number, 4, &error), SEPAX_LINE_EMPTY);
-  assert_int_equal(number, 7);
+  read_next(in, &number, SEPAX_LINE_PAIR, 3);
+  read_next(in, &number, SEPAX_LINE_ERROR, 6);
+  assert_string_equal(fault.text, "f:6: 3 numbers" COUNT_MESSAGE);
+  assert_int_equal(read_next(in, &number, SEPAX_LINE_PAIR, 7).nb.z, 6);
+  read_next(in, &number, SEPAX_LINE_EMPTY, 7);
+  read_next(in, &number, SEPAX_LINE_EMPTY, 7);
   fclose(in);
 }
 
 CASE(an_empty_stream_ends) {
   FILE *in = stream_of("", 0);
-  sepax_error error = {""};
-  sepax_pair pair = untouched;
   size_t number = 0;
-  assert_int_equal(sepax_pair_read(&pair, in, "f", &number, 4, &error), SEPAX_LINE_EMPTY);
-  assert_int_equal(number, 0);
-  assert_true(same_pair(&pair, &untouched));
-  fclose(in);
-}
-
-static void assert_nul_refused(const char *text, size_t length) {
-  FILE *in = stream_of(text, length);
-  sepax_error error = {""};
-  sepax_pair pair = untouched;
-  size_t number = 0;
-  assert_int_equal(sepax_pair_read(&pair, in, "f", &number, 4, &error), SEPAX_LINE_ERROR);
-  assert_string_equal(error.text, "f:1: NUL byte where text is expected");
-  assert_true(same_pair(&pair, &untouched));
+  read_next(in, &number, SEPAX_LINE_EMPTY, 0);
   fclose(in);
 }
 
 CASE(nul_bytes_are_refused) {
-  static const char inside[] = EIGHTEEN "\0 1\n";
-  static const char comment[] = EIGHTEEN " # \0\n";
-  static const char alone[] = "\0\n";
-  static const char last[] = EIGHTEEN "\0";
-  assert_nul_refused(inside, sizeof inside - 1);
-  assert_nul_refused(comment, sizeof comment - 1);
-  assert_nul_refused(alone, sizeof alone - 1);
-  assert_nul_refused(last, sizeof last - 1);
+#define BYTES(text) \
+  { text, sizeof text - 1 }
+  static const struct {
+    const char *text;
+    size_t length;
+  } row[] = {BYTES(EIGHTEEN "\0 1\n"), BYTES(EIGHTEEN " # \0\n"), BYTES("\0\n"),
+             BYTES(EIGHTEEN "\0")};
+  for (size_t i = 0; i < LENGTH(row); i++) {
+    FILE *in = stream_of(row[i].text, row[i].length);
+    size_t number = 0;
+    read_next(in, &number, SEPAX_LINE_ERROR, 1);
+    assert_string_equal(fault.text, "f:1: NUL byte where text is expected");
+    fclose(in);
+  }
 }
 
 CASE(long_names_and_lines_fit) {
   enum { LONG = 100000, SHORTER = 4000 };
-  char *text = malloc(LONG + 1);
-  assert_non_null(text);
-  for (size_t i = 0; i < LONG; i++) {
-    text[i] = 'n';
+  static const struct {
+    size_t length;
+    const char *part;
+  } row[] = {{LONG, ":1: longer than any pair"},
+             {SHORTER, ":1: number 1, 'nnnn"},
+             {SHORTER, "nn...', is not a decimal integer"}};
+  static char text[LONG + 1];
+  memset(text, 'n', LONG);
+  for (size_t i = 0; i < LENGTH(row); i++) {
+    sepax_pair pair;
+    size_t number = 0;
+    FILE *in = stream_of(text, row[i].length);
+    assert_int_equal(sepax_pair_read(&pair, in, text, &number, 4, &fault), SEPAX_LINE_ERROR);
+    assert_message(row[i].part);
+    fclose(in);
   }
-  text[LONG] = '\0';
-  sepax_error error = {""};
-  sepax_pair pair;
-  size_t number = 0;
-  FILE *in = stream_of(text, LONG);
-  assert_int_equal(sepax_pair_read(&pair, in, text, &number, 4, &error), SEPAX_LINE_ERROR);
-  assert_non_null(strstr(error.text, ":1: longer than any pair"));
-  fclose(in);
-
-  number = 0;
-  in = stream_of(text, SHORTER);
-  assert_int_equal(sepax_pair_read(&pair, in, text, &number, 4, &error), SEPAX_LINE_ERROR);
-  assert_non_null(strstr(error.text, ":1: number 1, 'nnnn"));
-  assert_non_null(strstr(error.text, "nn...', is not a decimal integer"));
-  fclose(in);
-  free(text);
 }
 
 CASE(read_failures_are_errors) {
   FILE *in = fopen("/", "r");
   assert_non_null(in);
-  sepax_error error = {""};
-  sepax_pair pair = untouched;
   size_t number = 4;
-  assert_int_equal(sepax_pair_read(&pair, in, "/", &number, 4, &error), SEPAX_LINE_ERROR);
-  assert_memory_equal(error.text, "/:5: cannot read: ", 18);
-  assert_true(strlen(error.text) > 20);
-  assert_int_equal(number, 4);
-  assert_true(same_pair(&pair, &untouched));
+  read_next(in, &number, SEPAX_LINE_ERROR, 4);
+  assert_memory_equal(fault.text, "f:5: cannot read: ", 18);
+  assert_true(strlen(fault.text) > 20);
   fclose(in);
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(fits_looks_at_every_field), cmocka_unit_test(printing_is_24_integers),
-      cmocka_unit_test(print_then_read),           cmocka_unit_test(absent_normals_are_computed),
-      cmocka_unit_test(given_normals_are_taken),   cmocka_unit_test(spellings_are_tolerated),
-      cmocka_unit_test(empty_lines_are_empty),     cmocka_unit_test(errors_say_what_is_wrong),
-      cmocka_unit_test(every_field_has_its_name),  cmocka_unit_test(reading_counts_lines),
-      cmocka_unit_test(an_empty_stream_ends),      cmocka_unit_test(nul_bytes_are_refused),
-      cmocka_unit_test(long_names_and_lines_fit),  cmocka_unit_test(read_failures_are_errors),
-  };
-  return cmocka_run_group_tests_name("test_pairs", tests, NULL, NULL);
 }

@@ -1,5 +1,4 @@
 /* quantise.c - the quantiser and the fit of a grid. */
-#include "oracle/mesh_tools.h"
 #include "harness.h"
 
 #include <float.h>
@@ -85,7 +84,7 @@ CASE(test_extremes) {
 
 CASE(test_bad_grids) {
   const double bad[] = {0, -0.0, -1, NAN, INFINITY, DBL_MAX};
-  for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+  for (size_t i = 0; i < LENGTH(bad); i++) {
     refuse_value(1, (sepax_grid){bad[i], {0, 0, 0}, 18}, "resolution: ");
   }
   refuse_value(1, (sepax_grid){1, {0, NAN, 0}, 18}, "offset: y = nan");
@@ -117,8 +116,8 @@ static void slow_quantise(mpz_t q, double x, double offset, double resolution) {
 
 /* Most values lie within a few units in the last place of a border. */
 CASE(test_against_rationals) {
-  const double resolutions[] = {0.002, 0.1, 1.0 / 3, 1e-3, 7e-7, 1, 0.0254, 1e30, 0x1p-1070, pi};
-  const int count = (int)(sizeof resolutions / sizeof resolutions[0]);
+  const double resolutions[] = {0.002, 0.1, 1.0 / 3, 1e-3, 7e-7, 1, 0.0254, 1e30, 0x1p-1070, PI};
+  const int count = (int)(LENGTH(resolutions));
   int fitting = 0;
   int below = 0;
   mpz_t expected;
@@ -161,7 +160,7 @@ CASE(test_normals) {
       {{1, 1, 1}, 4, {4, 4, 4}},
       {{0.5, 0.5, 0x1.6a09e667f3bcdp-1}, 8, {64, 64, 90}},
   };
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+  for (size_t i = 0; i < LENGTH(cases); i++) {
     sepax_facet facet = {.normal = {0}};
     memcpy(facet.normal, cases[i].normal, sizeof facet.normal);
     const sepax_mesh mesh = {&facet, 1};
@@ -216,7 +215,7 @@ CASE(test_fit_extremes) {
                             {-0x1p1000, 0x1p1000},
                             {-0x1p1000, stepped(-0x1p1000, 1)},
                             {-1e-300, 1e300}};
-  for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+  for (size_t i = 0; i < LENGTH(ends); i++) {
     sepax_facet facet = facet_at(ends[i][0]);
     facet.v[1][2] = ends[i][1];
     const sepax_mesh mesh = {&facet, 1};
@@ -255,15 +254,4 @@ CASE(test_fit_errors) {
   refuse_fit((const sepax_mesh *const[]){&line}, 1, 3, "word: 3 is not in 4 ... 32");
   refuse_fit((const sepax_mesh *const[]){&line, &large}, 2, 18, "mesh 2, facet 1: y = -1e");
   refuse_fit((const sepax_mesh *const[]){&flawed}, 1, 18, "mesh 1, facet 1: y = nan");
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_rounding),   cmocka_unit_test(test_extremes),
-      cmocka_unit_test(test_bad_grids),  cmocka_unit_test(test_against_rationals),
-      cmocka_unit_test(test_normals),    cmocka_unit_test(test_untouched),
-      cmocka_unit_test(test_fit),        cmocka_unit_test(test_fit_extremes),
-      cmocka_unit_test(test_fit_errors),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

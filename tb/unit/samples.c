@@ -1,6 +1,4 @@
 /* samples.c - the sample objects. */
-#include "oracle/mesh_tools.h"
-#include "sepax_vectors.h"
 #include "harness.h"
 
 #include <math.h>
@@ -149,7 +147,7 @@ CASE(test_sample_meshes) {
     size_t least = sepax_sample_least(i);
     const size_t counts[] = {least,      least + 2,  least + 4, least + 6, least + 8,
                              least + 10, least + 40, 500,       1000,      20000};
-    for (size_t k = 0; k < sizeof counts / sizeof counts[0]; k++) {
+    for (size_t k = 0; k < LENGTH(counts); k++) {
       sepax_mesh mesh = sample(sepax_sample_name(i), counts[k], at, k % 2 == 0 ? 0 : 7);
       assert_closed(&mesh);
       assert_normals(&mesh);
@@ -181,7 +179,7 @@ static void assert_cutter(bool ball, size_t triangles) {
   }
   assert_true(lowest == 3);
   assert_seen_from(&mesh, inside);
-  double solid = pi * 1000 * (6 + (ball ? 2.0 / 3 : 0));
+  double solid = PI * 1000 * (6 + (ball ? 2.0 / 3 : 0));
   double filled = volume(&mesh, at) / solid;
   assert_true(filled < 1 && filled > 1 - 30.0 / (double)triangles);
   sepax_mesh_free(&mesh);
@@ -202,7 +200,7 @@ CASE(test_sphere) {
       assert_true(fabs(dot(v, v) - 1) < 1e-14);
     }
     assert_seen_from(&mesh, origin);
-    double filled = volume(&mesh, origin) / (pi * 4 / 3);
+    double filled = volume(&mesh, origin) / (PI * 4 / 3);
     assert_true(filled < 1 && filled > 1 - 14.0 / (double)triangles);
     sepax_mesh_free(&mesh);
   }
@@ -286,21 +284,11 @@ CASE(test_sample_to_grid) {
   for (size_t i = 0; sepax_sample_name(i) != NULL; i++) {
     sepax_mesh mesh = sample(sepax_sample_name(i), 2000, origin, 0);
     assert_true(sepax_stl_write(&mesh, path, false, &fault));
-    sepax_mesh back = read_ok();
+    sepax_mesh back = read_mesh();
     assert_closed(&back);
     assert_fit((const sepax_mesh *const[]){&mesh, &back}, 2, 18);
     sepax_mesh_free(&back);
     sepax_mesh_free(&mesh);
     remove(path);
   }
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_sample_meshes), cmocka_unit_test(test_cutters),
-      cmocka_unit_test(test_sphere),        cmocka_unit_test(test_blocks),
-      cmocka_unit_test(test_sample_again),  cmocka_unit_test(test_sample_list),
-      cmocka_unit_test(test_sample_errors), cmocka_unit_test(test_sample_to_grid),
-  };
-  return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }

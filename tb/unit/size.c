@@ -1,10 +1,8 @@
 /* size.c - what a scene needs, against poses and counts made by other means; gates
  * against mapped designs; pairs within extents. */
-#include "oracle/mesh_tools.h"
+#include "oracle/geometry.h"
 #include "oracle/oracle.h"
 #include "oracle/pair_tools.h"
-#include "sepax_design.h"
-#include "sepax_vectors.h"
 #include "harness.h"
 
 #include <math.h>
@@ -56,77 +54,60 @@ static void draw_motion(sepax_motion *m, sepax_rotation rotation) {
 
 static sepax_size sized(const scene *s) {
   sepax_size size;
-  if (!sepax_size_scene(&size, &s->mesh[0], &s->mesh[1], &s->space, &fault)) {
-    fail_msg("%s", fault.text);
-  }
+  assert_works(sepax_size_scene(&size, &s->mesh[0], &s->mesh[1], &s->space, &fault));
   return size;
 }
 
-/* Rodrigues' formula about an axis of length 1. */
-static void turned(double out[3], const double v[3], const double axis[3], double angle) {
-  double along = v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2];
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    out[i] = v[i] * cos(angle) + (axis[j] * v[k] - axis[k] * v[j]) * sin(angle) +
-             axis[i] * along * (1 - cos(angle));
-  }
+static void refuse(const scene *s, const char *part) {
+  sepax_size size = {.core_word = 77};
+  assert_fault(sepax_size_scene(&size, &s->mesh[0], &s->mesh[1], &s->space, &fault), part);
+  assert_int_equal(size.core_word, 77);
 }
 
-static void draw_axis(double axis[3], sepax_rotation rotation) {
-  double length = 0;
+/* Rodrigues' formula about an axis of length 1. */
+static point turned(point v, point axis, double angle) {
+  point sideways = outer(axis, v);
+  point at = along((point){{0, 0, 0}}, cos(angle), v);
+  at = along(at, sin(angle), sideways);
+  return along(at, inner(v, axis) * (1 - cos(angle)), axis);
+}
+
+static point draw_axis(sepax_rotation rotation) {
+  point axis;
   for (int i = 0; i < 3; i++) {
     bool own = rotation == SEPAX_ROTATION_ANY || (int)rotation - SEPAX_ROTATION_X == i;
-    axis[i] = own ? 1.5 + random_unit() : 0;
-    axis[i] = random_below(2) == 0 ? axis[i] : -axis[i];
-    length += axis[i] * axis[i];
+    axis.c[i] = own ? (random_below(2) == 0 ? 1 : -1) * (1.5 + random_unit()) : 0;
   }
-  for (int i = 0; i < 3; i++) {
-    axis[i] /= length > 0 ? sqrt(length) : 1;
-  }
+  double length = sqrt(inner(axis, axis));
+  return along(axis, length > 0 ? 1 / length - 1 : 0, axis);
 }
 
-/* A body in a pose of its motion, at the ends of the ranges now and then. */
-static void move(scene *s, int i, sepax_facet to[FACETS]) {
+/* A body in a pose of its motion, at the ends of the ranges now and then, on the grid. */
+static void move(scene *s, int i, const sepax_grid *grid, sepax_tri tri[FACETS]) {
+  static sepax_facet to[FACETS];
   const sepax_motion *m = &s->space.motion[i];
-  double axis[3];
+  point axis = draw_axis(m->rotation);
+  double angle = m->rotation == SEPAX_ROTATION_NONE ? 0 : PI * random_unit();
   double shift[3];
-  double angle = m->rotation == SEPAX_ROTATION_NONE ? 0 : pi * random_unit();
-  draw_axis(axis, m->rotation);
   for (int k = 0; k < 3; k++) {
     double u = random_below(3) == 0 ? random_below(2) : 0.5 + 0.5 * random_unit();
     shift[k] = m->low[k] + u * (m->high[k] - m->low[k]);
   }
   for (int n = 0; n < 3 * FACETS; n++) {
-    double arm[3];
-    double out[3];
+    const double *from = s->facet[i][n / 3].v[n % 3];
+    point arm = {{from[0] - m->centre[0], from[1] - m->centre[1], from[2] - m->centre[2]}};
+    point out = turned(arm, axis, angle);
     for (int k = 0; k < 3; k++) {
-      arm[k] = s->facet[i][n / 3].v[n % 3][k] - m->centre[k];
-    }
-    turned(out, arm, axis, angle);
-    for (int k = 0; k < 3; k++) {
-      to[n / 3].v[n % 3][k] =
-          (angle == 0 ? s->facet[i][n / 3].v[n % 3][k] : m->centre[k] + out[k]) + shift[k];
+      to[n / 3].v[n % 3][k] = (angle == 0 ? from[k] : m->centre[k] + out.c[k]) + shift[k];
     }
   }
+  assert_works(sepax_quantise(&(sepax_mesh){to, FACETS}, grid, tri, NULL, &fault));
 }
 
-static int64_t side_of(const sepax_tri *t, int axis) {
-  int64_t c[3];
-  for (int k = 0; k < 3; k++) {
-    c[k] = axis == 0 ? t->v[k].x : axis == 1 ? t->v[k].y : t->v[k].z;
-  }
-  int64_t low = c[0] < c[1] ? c[0] : c[1];
-  int64_t high = c[0] > c[1] ? c[0] : c[1];
-  low = c[2] < low ? c[2] : low;
-  high = c[2] > high ? c[2] : high;
-  return high - low;
-}
-
-static int64_t longest_side(const sepax_tri tri[FACETS]) {
+static int64_t longest_of(const sepax_tri tri[FACETS]) {
   int64_t longest = 0;
-  for (int n = 0; n < 3 * FACETS; n++) {
-    int64_t side = side_of(&tri[n / 3], n % 3);
+  for (int n = 0; n < FACETS; n++) {
+    int64_t side = longest_side(&tri[n]);
     longest = side > longest ? side : longest;
   }
   return longest;
@@ -144,7 +125,6 @@ static uint64_t brute_force(sepax_tri tri[2][FACETS]) {
 /* Poses of any kind: on the grid, boxes within the extents, and these not much too long. */
 CASE(test_poses) {
   static scene s;
-  static sepax_facet moved[2][FACETS];
   static sepax_tri tri[2][FACETS];
   for (int n = 0; n < SCENES; n++) {
     draw_scene(&s);
@@ -155,12 +135,8 @@ CASE(test_poses) {
     int64_t longest[2] = {0, 0};
     for (int p = 0; p < POSES; p++) {
       for (int i = 0; i < 2; i++) {
-        move(&s, i, moved[i]);
-        sepax_mesh mesh = {moved[i], FACETS};
-        if (!sepax_quantise(&mesh, &size.grid, tri[i], NULL, &fault)) {
-          fail_msg("scene %d: %s", n, fault.text);
-        }
-        int64_t side = longest_side(tri[i]);
+        move(&s, i, &size.grid, tri[i]);
+        int64_t side = longest_of(tri[i]);
         longest[i] = side > longest[i] ? side : longest[i];
       }
     }
@@ -189,8 +165,8 @@ CASE(test_resting) {
     draw_scene(&s);
     sepax_size size = sized(&s);
     for (int i = 0; i < 2; i++) {
-      assert_true(sepax_quantise(&s.mesh[i], &size.grid, tri[i], NULL, &fault));
-      int64_t side = longest_side(tri[i]);
+      assert_works(sepax_quantise(&s.mesh[i], &size.grid, tri[i], NULL, &fault));
+      int64_t side = longest_of(tri[i]);
       assert_int_equal(size.extent[i], side > 0 ? side : 1);
     }
     assert_int_equal(size.given, brute_force(tri));
@@ -203,7 +179,6 @@ CASE(test_resting) {
 /* A shift to one place: every sample is that pose. */
 CASE(test_samples_count) {
   static scene s;
-  static sepax_facet moved[2][FACETS];
   static sepax_tri tri[2][FACETS];
   for (int n = 0; n < SCENES; n++) {
     draw_scene(&s);
@@ -213,9 +188,7 @@ CASE(test_samples_count) {
     }
     sepax_size size = sized(&s);
     for (int i = 0; i < 2; i++) {
-      move(&s, i, moved[i]);
-      sepax_mesh mesh = {moved[i], FACETS};
-      assert_true(sepax_quantise(&mesh, &size.grid, tri[i], NULL, &fault));
+      move(&s, i, &size.grid, tri[i]);
     }
     uint64_t there = brute_force(tri);
     assert_int_equal(size.worst, there > size.given ? there : size.given);
@@ -256,8 +229,7 @@ CASE(test_workspace) {
   }
   assert_int_equal(sized(&s).grid.word, 17); /* 100,000 steps */
   s.space.workspace = SEPAX_WORKSPACE_PLACED;
-  assert_false(sepax_size_scene(&(sepax_size){0}, &s.mesh[0], &s.mesh[1], &s.space, &fault));
-  assert_message("workspace: x = 0 ... 200, but the poses need -2");
+  refuse(&s, "workspace: x = 0 ... 200, but the poses need -2");
   for (int axis = 0; axis < 3; axis++) {
     s.space.low[axis] = -200;
   }
@@ -266,14 +238,6 @@ CASE(test_workspace) {
   assert_int_equal(sized(&s).grid.word, 18);
   s.space.offset[2] = -200;
   assert_int_equal(sized(&s).grid.word, 19);
-}
-
-static void refuse(const scene *s, const char *part) {
-  sepax_size size = {.core_word = 77};
-  fault.text[0] = '\0';
-  assert_false(sepax_size_scene(&size, &s->mesh[0], &s->mesh[1], &s->space, &fault));
-  assert_int_equal(size.core_word, 77);
-  assert_message(part);
 }
 
 CASE(test_refused) {
@@ -296,17 +260,6 @@ CASE(test_refused) {
 
 /* ------------------------------------------------------------------------ designs */
 
-static sepax_design design_of(int word, int ii, int extent) {
-  sepax_config config = sepax_config_default();
-  sepax_design design;
-  config.word = word;
-  config.ii = ii;
-  config.extent_a = extent;
-  config.extent_b = extent;
-  assert_true(sepax_design_init(&design, &config, &fault));
-  return design;
-}
-
 /* Every design that was mapped, within the error that is told, and that error is reached. */
 CASE(test_gates) {
   FILE *in = fopen("docs/results/area-nangate45.csv", "r");
@@ -316,26 +269,19 @@ CASE(test_gates) {
   int rows = 0;
   assert_non_null(in);
   while (fgets(line, sizeof line, in) != NULL) {
-    char *at = line;
-    double number[6];
-    if (line[0] < '0' || line[0] > '9') {
+    int word;
+    int ii;
+    int extent[2];
+    double mapped;
+    if (sscanf(line, "%d,%d,%d,%d,%*[^,],%lf", &word, &extent[0], &extent[1], &ii, &mapped) != 5) {
       continue;
     }
-    for (int i = 0; i < 6; i++) {
-      number[i] = strtod(at, &at);
-      at++;
-    }
-    sepax_config config = sepax_config_default();
-    sepax_design design;
-    config.word = (int)number[0];
-    config.extent_a = (int)number[1];
-    config.extent_b = (int)number[2];
-    config.ii = (int)number[3];
-    assert_true(sepax_design_init(&design, &config, &fault));
+    sepax_design design =
+        design_of("--word=%d --extent-a=%d --extent-b=%d --ii=%d", word, extent[0], extent[1], ii);
     double error;
     double ge = sepax_gates(&design, &error);
     told = error / ge;
-    worst = fmax(worst, fabs(ge / number[5] - 1));
+    worst = fmax(worst, fabs(ge / mapped - 1));
     rows++;
   }
   fclose(in);
@@ -346,6 +292,11 @@ CASE(test_gates) {
 /* The cheapest of all, looked for another way round. */
 CASE(test_machine) {
   static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
+  sepax_design designs[LENGTH(intervals)][2];
+  for (size_t i = 0; i < LENGTH(intervals); i++) {
+    designs[i][0] = design_of("--ii=%d", intervals[i]);
+    designs[i][1] = design_of("--ii=%d --extent-a=2500 --extent-b=2500", intervals[i]);
+  }
   for (int n = 0; n < 200; n++) {
     sepax_size size = {.grid = {.word = 18},
                        .count = {(size_t)(1 + random_below(900)), (size_t)(1 + random_below(900))},
@@ -359,10 +310,10 @@ CASE(test_machine) {
     bool ok =
         sepax_size_design(&m, &size, cycles * 2e-9, 2000, 0, lanes ? SEPAX_LANES_MAX : 0, &fault);
     double least = INFINITY;
-    for (int i = 0; i < 7; i++) {
+    for (size_t i = 0; i < LENGTH(intervals); i++) {
       for (int extent = 0; extent <= 2500; extent += 2500) {
         for (int k = lanes ? SEPAX_LANES_MAX : 0; k >= 0; k--) {
-          sepax_design design = design_of(18, intervals[i], extent);
+          sepax_design design = designs[i][extent > 0];
           double unread;
           design.config.lanes = k;
           double ge = sepax_gates(&design, &unread);
@@ -395,20 +346,20 @@ CASE(test_jobs) {
   sepax_size size = {
       .grid = {.word = 18}, .count = {400, 400}, .extent = {60000, 60000}, .core_word = 18};
   sepax_sized_design m;
-  assert_true(sepax_size_design(&m, &size, 0.96e-3, 2000, 0, 0, &fault));
+  assert_works(sepax_size_design(&m, &size, 0.96e-3, 2000, 0, 0, &fault));
   assert_int_equal(m.config.ii, 3);
   assert_int_equal(m.cycles, 480000);
   assert_int_equal(m.config.extent_a, 0);
   size.count[1] = 5; /* fewer than lanes: A's triangles go in one by one */
-  assert_true(sepax_size_design(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
+  assert_works(sepax_size_design(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
   assert_int_equal(m.cycles, 20 * 20 + 19 + 6 + m.config.ii);
   size.worst = 1000;
-  assert_true(sepax_size_design(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
+  assert_works(sepax_size_design(&m, &size, 0.96e-3, 2000, 20, 20, &fault));
   assert_int_equal(m.cycles, 20 * 20 + 19 + 6 + 2001 * (uint64_t)m.config.ii);
   size.worst = 0;
   size.count[0] = 40000;
   size.count[1] = 70000;
-  assert_true(sepax_size_design(&m, &size, 1, 2000, 10, 10, &fault));
+  assert_works(sepax_size_design(&m, &size, 1, 2000, 10, 10, &fault));
   assert_int_equal(m.config.memory_a, 32768);
   assert_int_equal(m.config.memory_b, 32768);
   assert_int_equal(m.cycles, (3277 + 724) * UINT64_C(70000) + 3 * (7 + 6) + 3 * (1 + 6) +
@@ -417,22 +368,14 @@ CASE(test_jobs) {
 
 /* ------------------------------------------------------------- pairs within extents */
 
-static bool inside(const sepax_pair *pair, const int extent[2]) {
-  bool ok = true;
-  for (int axis = 0; axis < 3; axis++) {
-    ok = ok && side_of(&pair->a, axis) <= extent[0] && side_of(&pair->b, axis) <= extent[1];
-  }
-  return ok;
+static bool inside(const sepax_pair *pair, int extent_a, int extent_b) {
+  return longest_side(&pair->a) <= extent_a && longest_side(&pair->b) <= extent_b;
 }
 
 static void check_extent_pairs(int word, int extent_a, int extent_b) {
   const int extent[2] = {extent_a, extent_b};
-  sepax_config config = sepax_config_default();
-  config.word = word;
-  config.extent_a = extent_a;
-  config.extent_b = extent_b;
-  sepax_design design;
-  assert_true(sepax_design_init(&design, &config, &fault));
+  sepax_design design =
+      design_of("--word=%d --extent-a=%d --extent-b=%d", word, extent_a, extent_b);
   int met[2] = {0, 0};
   int brim[2] = {0, 0};
   int verdicts[2] = {0, 0};
@@ -444,15 +387,14 @@ static void check_extent_pairs(int word, int extent_a, int extent_b) {
       sepax_verdict v = sepax_judge(&design, &pair);
       bool meet = aabbs_overlap(&pair, word);
       assert_true(sepax_pair_fits(&pair, word));
-      assert_int_equal(inside(&pair, extent), !exceeding);
+      assert_int_equal(inside(&pair, extent_a, extent_b), !exceeding);
       assert_int_equal(v.axis == SEPAX_AXIS_EXTENT, exceeding && meet);
       assert_int_equal(v.axis == SEPAX_AXIS_AABB, !meet);
       assert_int_equal(v.collision, meet && (exceeding || oracle_collide(&pair.a, &pair.b)));
       met[exceeding] += meet;
       verdicts[v.collision] += !exceeding;
-      const int shorter[2] = {extent_a - 1, extent_b - 1};
-      const int longer[2] = {extent_a + 1, extent_b + 1};
-      brim[exceeding] += exceeding ? inside(&pair, longer) : !inside(&pair, shorter);
+      brim[exceeding] += exceeding ? inside(&pair, extent_a + 1, extent_b + 1)
+                                   : !inside(&pair, extent_a - 1, extent_b - 1);
     }
   }
   for (int k = 0; k < 2; k++) {
@@ -466,15 +408,4 @@ CASE(test_extent_pairs) {
   check_extent_pairs(12, 300, 40);
   check_extent_pairs(6, 2, 3);
   check_extent_pairs(32, 100, 1000000);
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_poses),         cmocka_unit_test(test_resting),
-      cmocka_unit_test(test_samples_count), cmocka_unit_test(test_bound),
-      cmocka_unit_test(test_workspace),     cmocka_unit_test(test_refused),
-      cmocka_unit_test(test_gates),         cmocka_unit_test(test_machine),
-      cmocka_unit_test(test_jobs),          cmocka_unit_test(test_extent_pairs),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,4 @@
 /* stl.c - STL files: reading, writing, real meshes. */
-#include "oracle/mesh_tools.h"
 #include "harness.h"
 
 #include <dirent.h>
@@ -43,9 +42,7 @@ static size_t get_bytes(char *bytes, size_t size) {
 
 static void assert_refused(const char *part) {
   sepax_mesh mesh = {.count = 77};
-  fault.text[0] = '\0';
-  assert_false(sepax_stl_read(&mesh, path, &fault));
-  assert_message(part);
+  assert_fault(sepax_stl_read(&mesh, path, &fault), part);
   assert_message(path);
   assert_null(mesh.facet);
   assert_int_equal(mesh.count, 77);
@@ -57,13 +54,9 @@ static void refuse_bytes(const void *bytes, size_t size, const char *part) {
   remove(path);
 }
 
-static void refuse_text(const char *text, const char *part) {
-  refuse_bytes(text, strlen(text), part);
-}
-
 static sepax_mesh read_text(const char *text) {
   put_bytes(text, strlen(text));
-  sepax_mesh mesh = read_ok();
+  sepax_mesh mesh = read_mesh();
   remove(path);
   return mesh;
 }
@@ -106,7 +99,7 @@ CASE(test_decimals) {
       {"4.9e-324", 0x1p-1074},
       {"1e-400", 0},
   };
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+  for (size_t i = 0; i < LENGTH(cases); i++) {
     double number = number_read(cases[i].text);
     if (number < cases[i].number || number > cases[i].number) {
       fail_msg("%s read as %a", cases[i].text, number);
@@ -134,7 +127,7 @@ CASE(test_text_forms) {
            FACET("3") "endsolid so it was, facet\n",
        3},
   };
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+  for (size_t i = 0; i < LENGTH(cases); i++) {
     sepax_mesh mesh = read_text(cases[i].text);
     assert_int_equal(mesh.count, cases[i].count);
     for (size_t k = 0; k < mesh.count; k++) {
@@ -147,35 +140,36 @@ CASE(test_text_forms) {
 }
 
 CASE(test_text_errors) {
-  refuse_text("", "empty");
-  refuse_text("hello", "no STL file");
-  refuse_text("<html>This is a page of text, and so long that it might have the head of a "
-              "binary file in it.</html>",
-              "no STL file");
-  refuse_text("solid\nendsolid\n", "no facets");
-  refuse_text("solidify\n", "line 1: 'solidify' where solid is expected");
-  refuse_text("solid a\n", "line 2: the text ends before facet or endsolid: truncated");
-  refuse_text("solid a\n" FACET("1"), "line 9: the text ends before");
-  refuse_text("solid a\n facet normal 0 0", "line 2: the text ends before a number");
-  refuse_text("solid a\n facet normal 0 0 1\n outer\r\n poop\n", "line 4: 'poop' where loop");
-  refuse_text("solid a\r\r facet abnormal", "line 3: 'abnormal' where normal");
-  refuse_text(SOLID("1") "rubbish", "line 10: 'rubbish' where solid");
-  refuse_text(SOLID("1,5"), "line 5: '1,5' where a number");
-  refuse_text(SOLID("0x10"), "line 5: '0x10' where a number");
-  refuse_text(SOLID("1.#QNAN"), "line 5: '1.#QNAN' where a number");
-  refuse_text(SOLID("1 2"), "line 5: '0' where vertex");
-  refuse_text(SOLID("nan"), "line 5: coordinate is NaN; export");
-  refuse_text(SOLID("-inf"), "line 5: coordinate is infinite");
-  refuse_text(SOLID("1e309"), "line 5: coordinate is infinite");
-  refuse_text("solid a\nfacet normal 0 nan 0", "line 2: normal is NaN");
-  refuse_text("solid a\nfacet\033normal\x80zero 0 nan 0",
-              "line 2: 'facet?normal?zero' where facet or endsolid");
-  refuse_text("solid a\na_word_of_more_than_twenty_four_characters",
-              "'a_word_of_more_than_twen' where");
+  static const char *const row[][2] = {
+      {"", "empty"},
+      {"hello", "no STL file"},
+      {"<html>This is a page of text, and so long that it might have the head of a "
+       "binary file in it.</html>",
+       "no STL file"},
+      {"solid\nendsolid\n", "no facets"},
+      {"solidify\n", "line 1: 'solidify' where solid is expected"},
+      {"solid a\n", "line 2: the text ends before facet or endsolid: truncated"},
+      {"solid a\n" FACET("1"), "line 9: the text ends before"},
+      {"solid a\n facet normal 0 0", "line 2: the text ends before a number"},
+      {"solid a\n facet normal 0 0 1\n outer\r\n poop\n", "line 4: 'poop' where loop"},
+      {"solid a\r\r facet abnormal", "line 3: 'abnormal' where normal"},
+      {SOLID("1") "rubbish", "line 10: 'rubbish' where solid"},
+      {SOLID("1,5"), "line 5: '1,5' where a number"},
+      {SOLID("0x10"), "line 5: '0x10' where a number"},
+      {SOLID("1.#QNAN"), "line 5: '1.#QNAN' where a number"},
+      {SOLID("1 2"), "line 5: '0' where vertex"},
+      {SOLID("nan"), "line 5: coordinate is NaN; export"},
+      {SOLID("-inf"), "line 5: coordinate is infinite"},
+      {SOLID("1e309"), "line 5: coordinate is infinite"},
+      {"solid a\nfacet normal 0 nan 0", "line 2: normal is NaN"},
+      {"solid a\nfacet\033normal\x80zero 0 nan 0",
+       "line 2: 'facet?normal?zero' where facet or endsolid"},
+      {"solid a\na_word_of_more_than_twenty_four_characters", "'a_word_of_more_than_twen' where"}};
+  for (size_t i = 0; i < LENGTH(row); i++) {
+    refuse_bytes(row[i][0], strlen(row[i][0]), row[i][1]);
+  }
   const char with_zero[] = SOLID("1\0");
-  put_bytes(with_zero, sizeof with_zero - 1);
-  assert_refused("no STL file");
-  remove(path);
+  refuse_bytes(with_zero, sizeof with_zero - 1, "no STL file");
 }
 
 /* A binary file of `count` facets, all numbers 1, with space for what a case appends. */
@@ -196,12 +190,12 @@ static size_t make_binary(unsigned char bytes[], const char *title, unsigned cou
 CASE(test_binary_forms) {
   const char *titles[] = {"", "solid", "solid part\n facet normal 0 0 1", "COLOR=\xff"};
   unsigned char bytes[500];
-  for (size_t i = 0; i < sizeof titles / sizeof titles[0]; i++) {
+  for (size_t i = 0; i < LENGTH(titles); i++) {
     size_t size = make_binary(bytes, titles[i], 3);
     bytes[84 + 50 + 12 + 3] = 0xbf; /* facet 2, vertex 1, x: -1 */
     bytes[84 + 50 + 48] = 0xff;     /* attributes */
     put_bytes(bytes, size);
-    sepax_mesh mesh = read_ok();
+    sepax_mesh mesh = read_mesh();
     remove(path);
     assert_int_equal(mesh.count, 3);
     assert_true(mesh.facet[1].v[0][0] == -1 && mesh.facet[1].normal[2] == 1);
@@ -251,8 +245,7 @@ CASE(test_unreadable) {
   memset(far, 'x', sizeof far - 1);
   far[sizeof far - 1] = '\0';
   sepax_mesh mesh = {0};
-  assert_false(sepax_stl_read(&mesh, far, &fault));
-  assert_message("check the path");
+  assert_fault(sepax_stl_read(&mesh, far, &fault), "check the path");
 }
 
 /* A program that took over a language with a decimal comma reads and writes the same files. */
@@ -267,10 +260,10 @@ CASE(test_decimal_comma) {
   sepax_mesh mesh = {0};
   if (made) {
     put_bytes(SOLID("1.5"), strlen(SOLID("1.5")));
-    mesh = read_ok();
-    assert_true(sepax_stl_write(&mesh, path, true, &fault));
+    mesh = read_mesh();
+    assert_works(sepax_stl_write(&mesh, path, true, &fault));
     sepax_mesh_free(&mesh);
-    mesh = read_ok();
+    mesh = read_mesh();
     assert_string_equal(localeconv()->decimal_point, ",");
   }
   setlocale(LC_ALL, "C");
@@ -292,7 +285,7 @@ CASE(test_pipe) {
     FILE *out = fopen(path, "w");
     _exit(out == NULL || fputs(SOLID("1"), out) == EOF || fclose(out) != 0);
   }
-  sepax_mesh mesh = read_ok();
+  sepax_mesh mesh = read_mesh();
   int status = 1;
   waitpid(child, &status, 0);
   assert_int_equal(status, 0);
@@ -318,11 +311,9 @@ static sepax_mesh random_mesh(size_t count, bool single) {
 }
 
 static void assert_round_trip(const sepax_mesh *mesh, bool ascii) {
-  if (!sepax_stl_write(mesh, path, ascii, &fault)) {
-    fail_msg("%s", fault.text);
-  }
+  assert_works(sepax_stl_write(mesh, path, ascii, &fault));
   assert_int_equal(files_in_folder(), 1);
-  sepax_mesh back = read_ok();
+  sepax_mesh back = read_mesh();
   assert_int_equal(back.count, mesh->count);
   assert_memory_equal(back.facet, mesh->facet, mesh->count * sizeof *mesh->facet);
   sepax_mesh_free(&back);
@@ -347,7 +338,7 @@ CASE(test_round_trips) {
 CASE(test_write_form) {
   sepax_mesh mesh = random_mesh(2, true);
   mode_t mask = umask(027);
-  assert_true(sepax_stl_write(&mesh, path, false, &fault));
+  assert_works(sepax_stl_write(&mesh, path, false, &fault));
   umask(mask);
   struct stat status;
   assert_int_equal(stat(path, &status), 0);
@@ -356,7 +347,7 @@ CASE(test_write_form) {
   char bytes[8];
   assert_int_equal(get_bytes(bytes, sizeof bytes), sizeof bytes);
   assert_true(strncasecmp(bytes, "solid", 5) != 0);
-  assert_true(sepax_stl_write(&mesh, path, true, &fault)); /* over the old file */
+  assert_works(sepax_stl_write(&mesh, path, true, &fault)); /* over the old file */
   assert_int_equal(get_bytes(bytes, sizeof bytes), sizeof bytes);
   assert_memory_equal(bytes, "solid se", 8);
   remove(path);
@@ -365,9 +356,7 @@ CASE(test_write_form) {
 
 static void refuse_to_write(const sepax_mesh *mesh, bool ascii, const char *part) {
   int before = files_in_folder();
-  fault.text[0] = '\0';
-  assert_false(sepax_stl_write(mesh, path, ascii, &fault));
-  assert_message(part);
+  assert_fault(sepax_stl_write(mesh, path, ascii, &fault), part);
   assert_message(path);
   assert_int_equal(files_in_folder(), before);
 }
@@ -376,8 +365,8 @@ CASE(test_write_values) {
   sepax_mesh mesh = random_mesh(3, true);
   double *x = &mesh.facet[2].v[1][0];
   *x = stepped(0x1.ffffffp127, -1);
-  assert_true(sepax_stl_write(&mesh, path, false, &fault));
-  sepax_mesh back = read_ok();
+  assert_works(sepax_stl_write(&mesh, path, false, &fault));
+  sepax_mesh back = read_mesh();
   assert_true(back.facet[2].v[1][0] == FLT_MAX);
   sepax_mesh_free(&back);
   remove(path);
@@ -445,9 +434,7 @@ static size_t read_folder(const char *name) {
       char file[PATH_BYTES];
       sepax_mesh mesh = {0};
       snprintf(file, sizeof file, "%s/%s", name, entry->d_name);
-      if (!sepax_stl_read(&mesh, file, &fault)) {
-        fail_msg("%s", fault.text);
-      }
+      assert_works(sepax_stl_read(&mesh, file, &fault));
       print_message("%s: %zu facets\n", entry->d_name, mesh.count);
       assert_true(mesh.count > 0);
       assert_fit((const sepax_mesh *const[]){&mesh}, 1, 18);
@@ -467,17 +454,4 @@ CASE(test_shared_meshes) {
   if (read_folder("../shared/meshes") == 0) {
     skip();
   }
-}
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_decimals),      cmocka_unit_test(test_text_forms),
-      cmocka_unit_test(test_text_errors),   cmocka_unit_test(test_binary_forms),
-      cmocka_unit_test(test_binary_errors), cmocka_unit_test(test_unreadable),
-      cmocka_unit_test(test_decimal_comma), cmocka_unit_test(test_pipe),
-      cmocka_unit_test(test_round_trips),   cmocka_unit_test(test_write_form),
-      cmocka_unit_test(test_write_values),  cmocka_unit_test(test_write_failures),
-      cmocka_unit_test(test_data_meshes),   cmocka_unit_test(test_shared_meshes),
-  };
-  return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }

@@ -233,13 +233,3 @@ CASE(test_print) {
   free(text);
   emit_free(&e);
 }
-
-int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(test_declarations), cmocka_unit_test(test_memories),
-      cmocka_unit_test(test_loops),        cmocka_unit_test(test_statements),
-      cmocka_unit_test(test_holes),        cmocka_unit_test(test_instances),
-      cmocka_unit_test(test_print),
-  };
-  return cmocka_run_group_tests(tests, NULL, NULL);
-}
