@@ -87,6 +87,7 @@ graph_value graph_add(graph *g, int kind, const int vertex[], const graph_value 
                       graph_value beside);
 #define GRAPH_OF(...) ((const int[]){__VA_ARGS__, -1})
 #define GRAPH_IN(...) ((const graph_value[]){__VA_ARGS__, 0})
+#define GRAPH_NONE ((const graph_value[]){0})
 
 /* "a1" ... "b3", "x", "y", "z". */
 const char *graph_vertex_name(int vertex);

@@ -69,9 +69,27 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
 
 void exact_stages_make(exact_plan *p);
 
-/* The vertices A_i and B_j, indices modulo 3. */
+/* The vertices A_i and B_j, indices modulo 3; the vertex that follows v in its triangle. */
 int exact_a(int i);
 int exact_b(int j);
+int exact_next(int v);
+
+/* Triangles of both: 0 ... 8 an edge of A with a vertex of B, 9 ... 17 an edge of B with a vertex
+ * of A; edges ij of A and kl of B, 0 ... 8. By cyclic symmetry classes. */
+typedef struct {
+  int i, j, k;
+} exact_triangle;
+exact_triangle exact_triangle_of(int n);
+typedef struct {
+  int i, j, k, l;
+} exact_edges;
+exact_edges exact_edges_of(int n);
+
+/* Projections on xy, yz, zx: what names end with, slot copies of trapezoid terms and orient2d. */
+typedef struct {
+  const char *suffix, *slots_t, *slots_g;
+} exact_projection;
+extern const exact_projection exact_projections[];
 
 /* Build the graph: values, kinds, buses. */
 void exact_graph_make(exact_plan *p);
@@ -79,8 +97,9 @@ void exact_graph_make(exact_plan *p);
 /* Its trapezoid terms and orient2d in a projection. */
 void exact_graph_projection(exact_plan *p, int projection);
 
-/* "_yz", "_zx": what names of a projection end with; "" of the first. */
-const char *exact_projection_suffix(int projection);
+/* An operation on a triangle; its label begins with A's vertices. */
+graph_value exact_add(exact_graph *e, int kind, exact_triangle v, const graph_value operand[],
+                      graph_value beside);
 
 /* Modules; what one of them sets in the list of holes, the next finds there or sets anew. */
 void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h);

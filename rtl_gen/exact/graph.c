@@ -2,15 +2,31 @@
 #include "clearance/clearance.h"
 #include "exact.h"
 
+#include <string.h>
+
 int exact_a(int i) { return i % 3; }
 int exact_b(int j) { return 3 + j % 3; }
+int exact_next(int v) { return v / 3 * 3 + (v + 1) % 3; }
 
-const char *exact_projection_suffix(int projection) {
-  static const char *const suffix[] = {"", "_yz", "_zx"};
-  return suffix[projection];
+exact_triangle exact_triangle_of(int n) {
+  int c = n % 3;
+  int r = n / 3 % 3;
+  return n < 9 ? (exact_triangle){exact_a(c), exact_a(c + 1), exact_b(c + r)}
+               : (exact_triangle){exact_b(c + r), exact_b(c + r + 1), exact_a(c)};
 }
 
+exact_edges exact_edges_of(int n) {
+  int c = n % 3;
+  int r = n / 3;
+  return (exact_edges){exact_a(c), exact_a(c + 1), exact_b(c + r), exact_b(c + r + 1)};
+}
+
+const exact_projection exact_projections[] = {
+    {"", NULL, NULL}, {"_yz", "yz", "g_yz"}, {"_zx", "zx", "g_zx"}};
+
 /* ------------------------------------------------------------- kinds of operations */
+
+#define SIGN_OF(width) "{!@[" width "-1] && (@ != {" width "{1'b0}}), @[" width "-1]}"
 
 /* One row a kind: symbol, module, lesser module, operands, how many it subtracts, output, width,
  * signed, expression, comment. */
@@ -40,54 +56,38 @@ static const graph_row
   own_prism = {"ho", "sepax_own_prism", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL, NULL},
   running_sum = {"v", "sepax_orient3d_a", NULL, {"p", "q"}, 0, "sum", "V_W", true, NULL,
     "orient3d of A's plane and B's vertices, term by term."},
-  orient3d[2][3] = {{{"s", "sepax_orient3d_a", NULL, {"p", "q", "r"}, 0, "sign", "2", false,
-    NULL, "orient3d."},
-    {"w", "sepax_orient3d_b", NULL, {"p", "q", "r", "s"}, 1, "sign", "2", false, NULL, NULL},
-    {"d", "sepax_orient3d_edges", NULL, {"p", "q", "r", "s"}, 2, "sign", "2", false, NULL,
-     NULL}},
-    {{"s", "sepax_orient3d_a", NULL, {"p", "q", "r"}, 0, "volume", "V_W", true, NULL,
-     "orient3d."},
-    {"w", "sepax_orient3d_b", NULL, {"p", "q", "r", "s"}, 1, "volume", "V_W", true, NULL, NULL},
-    {"d", "sepax_orient3d_edges", NULL, {"p", "q", "r", "s"}, 2, "volume", "V_W", true, NULL,
-     NULL}}},
+  orient3d_a = {"s", "sepax_orient3d_a", NULL, {"p", "q", "r"}, 0, "sign", "2", false, NULL,
+    "orient3d."},
+  orient3d_b = {"w", "sepax_orient3d_b", NULL, {"p", "q", "r", "s"}, 1, "sign", "2", false, NULL,
+    NULL},
+  orient3d_edges = {"d", "sepax_orient3d_edges", NULL, {"p", "q", "r", "s"}, 2, "sign", "2",
+    false, NULL, NULL},
   order_x = {"ox", NULL, NULL, {NULL}, 0, "order", "2", false, NULL, NULL},
   order_z = {"oz", NULL, NULL, {"z"}, 0, NULL, "2", false, "{@ > BIAS, @ < BIAS}",
     "Signs of z differences."},
-  sign = {"gs", NULL, NULL, {"g"}, 0, NULL, "2", false,
-    "{!@[G_W-1] && (@ != {G_W{1'b0}}), @[G_W-1]}", "Signs {> 0, < 0} of orient2d."},
-  own_sign = {"gos", NULL, NULL, {"g"}, 0, NULL, "2", false,
-    "{!@[G_W-1] && (@ != {G_W{1'b0}}), @[G_W-1]}", NULL},
-  sum_sign = {"s", NULL, NULL, {"sum"}, 0, NULL, "2", false,
-    "{!@[V_W-1] && (@ != {V_W{1'b0}}), @[V_W-1]}", "Their signs."};
+  sign = {"gs", NULL, NULL, {"g"}, 0, NULL, "2", false, SIGN_OF("G_W"),
+    "Signs {> 0, < 0} of orient2d."},
+  own_sign = {"gos", NULL, NULL, {"g"}, 0, NULL, "2", false, SIGN_OF("G_W"), NULL},
+  sum_sign = {"s", NULL, NULL, {"sum"}, 0, NULL, "2", false, SIGN_OF("V_W"), "Their signs."};
 /* clang-format on */
+
+static int add_kind(exact_graph *e, const graph_row *row, int latency) {
+  return graph_kind_add(e->graph, row, "", latency, NULL);
+}
 
 /* -------------------------------------------------------------------------- nodes */
 
-typedef struct {
-  int i, j, k;
-} triangle;
+static const exact_triangle own_a = {0, 1, 2};
+static const exact_triangle own_b = {3, 4, 5};
 
-static const triangle own_a = {0, 1, 2};
-static const triangle own_b = {3, 4, 5};
-
-/* Triangles of both: 0 ... 8 an edge of A with a vertex of B, 9 ... 17 an edge of B with a vertex
- * of A, by cyclic symmetry classes. */
-static triangle triangle_of(int n) {
-  int c = n % 3;
-  int r = n / 3 % 3;
-  return n < 9 ? (triangle){exact_a(c), exact_a(c + 1), exact_b(c + r)}
-               : (triangle){exact_b(c + r), exact_b(c + r + 1), exact_a(c)};
-}
-
-/* An operation on a triangle; its label begins with A's vertices. */
-static graph_value add(exact_graph *e, int kind, triangle v, const graph_value operand[],
-                       graph_value beside) {
+graph_value exact_add(exact_graph *e, int kind, exact_triangle v, const graph_value operand[],
+                      graph_value beside) {
   const int *label = v.i > v.k ? GRAPH_OF(v.k, v.i, v.j) : GRAPH_OF(v.i, v.j, v.k);
   return graph_add(e->graph, kind, label, operand, beside);
 }
 
 /* A value and its permutations: the sign is that of the permutation. */
-static void permute(graph_value f[6][6][6], triangle v, graph_value value) {
+static void permute(graph_value f[6][6][6], exact_triangle v, graph_value value) {
   f[v.i][v.j][v.k] = f[v.j][v.k][v.i] = f[v.k][v.i][v.j] = value;
   f[v.j][v.i][v.k] = f[v.i][v.k][v.j] = f[v.k][v.j][v.i] = -value;
 }
@@ -102,20 +102,20 @@ static void make_trapezoid(exact_graph *e, int p, int i, int j) {
 }
 
 /* g_ijk = t_ij + t_jk + t_ki */
-static void make_orient2d(exact_graph *e, int p, int kind, triangle v) {
+static void make_orient2d(exact_graph *e, int p, int kind, exact_triangle v) {
   graph_value(*t)[6] = e->t[p];
-  permute(e->g[p], v, add(e, kind, v, GRAPH_IN(t[v.i][v.j], t[v.j][v.k], t[v.k][v.i]), 0));
+  permute(e->g[p], v, exact_add(e, kind, v, GRAPH_IN(t[v.i][v.j], t[v.j][v.k], t[v.k][v.i]), 0));
 }
 
 /* h_ijk = g_ijk z_ijk, z_ijk = z_i + z_j + z_k - z_0 - z_1 - z_2 */
-static void make_prism(exact_graph *e, int kind, triangle v, graph_value z) {
+static void make_prism(exact_graph *e, int kind, exact_triangle v, graph_value z) {
   graph_value g = e->g[0][v.i][v.j][v.k];
-  permute(e->h, v, add(e, kind, v, GRAPH_IN(g, z), g));
+  permute(e->h, v, exact_add(e, kind, v, GRAPH_IN(g, z), g));
 }
 
 /* z_ijk: common terms cancel. What is left of a triangle with an edge of A is z_k less z of A's
  * third vertex; with an edge ij of B z_i + z_j less z of A's two others. */
-static graph_value make_zsum(exact_plan *p, triangle v) {
+static graph_value make_zsum(exact_plan *p, exact_triangle v) {
   exact_graph *e = &p->graph;
   const graph_value *z = e->coordinate[2];
   graph_value g = e->g[0][v.i][v.j][v.k];
@@ -123,43 +123,38 @@ static graph_value make_zsum(exact_plan *p, triangle v) {
   int r = exact_a(edge_of_a ? v.j + 1 : v.k + 2);
   int s = exact_a(v.k + 1);
   if (p->stages.zdiff_shared) {
-    return edge_of_a ? e->zdiff[r][v.k] = add(e, e->kind.zdiff, v, GRAPH_IN(z[v.k], -z[r]), g)
-                     : add(e, e->kind.zsum, v, GRAPH_IN(e->zdiff[s][v.i], e->zdiff[r][v.j]), g);
+    return edge_of_a
+               ? e->zdiff[r][v.k] = exact_add(e, e->kind.zdiff, v, GRAPH_IN(z[v.k], -z[r]), g)
+               : exact_add(e, e->kind.zsum, v, GRAPH_IN(e->zdiff[s][v.i], e->zdiff[r][v.j]), g);
   }
-  return edge_of_a ? add(e, e->kind.zsum, v, GRAPH_IN(z[v.k], z[v.k], -z[r], -z[v.k]), g)
-                   : add(e, e->kind.zsum, v, GRAPH_IN(z[v.i], z[v.j], -z[r], -z[s]), g);
+  return edge_of_a ? exact_add(e, e->kind.zsum, v, GRAPH_IN(z[v.k], z[v.k], -z[r], -z[v.k]), g)
+                   : exact_add(e, e->kind.zsum, v, GRAPH_IN(z[v.i], z[v.j], -z[r], -z[s]), g);
 }
 
 /* ------------------------------------------------------------------- projections */
 
 void exact_graph_projection(exact_plan *p, int projection) {
   exact_graph *e = &p->graph;
-  const char *suffix = exact_projection_suffix(projection);
-  const char *slots_t = projection > 0 ? suffix + 1 : NULL;
-  static const char *const slots[] = {NULL, "g_yz", "g_zx"};
-  const exact_stages *s = &p->stages;
-  e->kind.trapezoid[projection] = graph_kind_add(
-      e->graph, &trapezoid, suffix, 1 + s->trapezoid_sums + s->trapezoid.latency, slots_t);
-  e->kind.orient2d[projection] = graph_kind_add(e->graph, &orient2d, suffix, 1, slots[projection]);
-  e->kind.own_orient2d[projection] =
-      graph_kind_add(e->graph, &own_orient2d, suffix, 1, slots[projection]);
-  for (int c = 0; c < 3; c++) {
-    make_trapezoid(e, projection, exact_a(c), exact_a(c + 1));
+  const exact_projection *n = &exact_projections[projection];
+  int *orient2d_kind = &e->kind.orient2d[projection];
+  int *own_kind = &e->kind.own_orient2d[projection];
+  e->kind.trapezoid[projection] =
+      graph_kind_add(e->graph, &trapezoid, n->suffix,
+                     1 + p->stages.trapezoid_sums + p->stages.trapezoid.latency, n->slots_t);
+  *orient2d_kind = graph_kind_add(e->graph, &orient2d, n->suffix, 1, n->slots_g);
+  *own_kind = graph_kind_add(e->graph, &own_orient2d, n->suffix, 1, n->slots_g);
+  for (int v = 0; v < 6; v++) {
+    make_trapezoid(e, projection, v, exact_next(v));
   }
-  for (int c = 0; c < 3; c++) {
-    make_trapezoid(e, projection, exact_b(c), exact_b(c + 1));
+  for (int k = 0; k < 9; k++) {
+    make_trapezoid(e, projection, exact_edges_of(k).i, exact_edges_of(k).k);
   }
-  for (int r = 0; r < 3; r++) {
-    for (int c = 0; c < 3; c++) {
-      make_trapezoid(e, projection, exact_a(c), exact_b(c + r));
-    }
+  for (int k = 0; k < 18; k++) {
+    make_orient2d(e, projection, *orient2d_kind, exact_triangle_of(k));
   }
-  for (int n = 0; n < 18; n++) {
-    make_orient2d(e, projection, e->kind.orient2d[projection], triangle_of(n));
-  }
-  make_orient2d(e, projection, e->kind.own_orient2d[projection], own_b);
+  make_orient2d(e, projection, *own_kind, own_b);
   if (!p->single || p->limits > 0) {
-    make_orient2d(e, projection, e->kind.own_orient2d[projection], own_a);
+    make_orient2d(e, projection, *own_kind, own_a);
   }
 }
 
@@ -171,14 +166,14 @@ static graph_value make_own_zsum(exact_plan *p) {
   const graph_value *z = e->coordinate[2];
   int *kind = &e->kind.own_zsum;
   if (p->stages.zdiff_shared) {
-    *kind = graph_kind_add(e->graph, &own_zsum_of_three, "", 1, NULL);
-    return add(e, *kind, own_b, GRAPH_IN(e->zdiff[0][3], e->zdiff[1][4], e->zdiff[2][5]), 0);
+    *kind = add_kind(e, &own_zsum_of_three, 1);
+    return exact_add(e, *kind, own_b, GRAPH_IN(e->zdiff[0][3], e->zdiff[1][4], e->zdiff[2][5]), 0);
   }
   if (!p->running) {
-    *kind = graph_kind_add(e->graph, &own_zsum, "", 1 + p->stages.own_zsum, NULL);
-    return add(e, *kind, own_b, GRAPH_IN(z[3], z[4], z[5], -z[0], -z[1], -z[2]), 0);
+    *kind = add_kind(e, &own_zsum, 1 + p->stages.own_zsum);
+    return exact_add(e, *kind, own_b, GRAPH_IN(z[3], z[4], z[5], -z[0], -z[1], -z[2]), 0);
   }
-  *kind = graph_kind_add(e->graph, &own_zsum_running, "", 1, NULL);
+  *kind = add_kind(e, &own_zsum_running, 1);
   graph_value sum = graph_constant(e->graph, "OWN_BIAS", "O_W");
   for (int k = 0; k < 3; k++) { /* one vertex of each triangle a cycle */
     sum = graph_add(e->graph, *kind, GRAPH_OF(exact_b(k)),
@@ -192,21 +187,20 @@ static void make_prisms(exact_plan *p) {
   const exact_stages *s = &p->stages;
   graph_value z[18];
   if (s->zdiff_shared) {
-    e->kind.zdiff = graph_kind_add(e->graph, &zdiff, "", 0, NULL);
+    e->kind.zdiff = add_kind(e, &zdiff, 0);
   }
-  e->kind.zsum = graph_kind_add(e->graph, s->zdiff_shared ? &zsum_of_two : &zsum, "", 1, NULL);
+  e->kind.zsum = add_kind(e, s->zdiff_shared ? &zsum_of_two : &zsum, 1);
   for (int n = 0; n < 18; n++) {
-    z[n] = make_zsum(p, triangle_of(n));
+    z[n] = make_zsum(p, exact_triangle_of(n));
   }
   graph_value own = make_own_zsum(p);
-  e->kind.prism = graph_kind_add(e->graph, &prism, "", 1 + s->prism.latency, NULL);
-  int of_two = s->zdiff_shared
-                   ? graph_kind_add(e->graph, &prism_of_two, "", 1 + s->prism_of_two.latency, NULL)
-                   : e->kind.prism;
+  e->kind.prism = add_kind(e, &prism, 1 + s->prism.latency);
+  int of_two =
+      s->zdiff_shared ? add_kind(e, &prism_of_two, 1 + s->prism_of_two.latency) : e->kind.prism;
   for (int n = 0; n < 18; n++) {
-    make_prism(e, n < 9 ? e->kind.prism : of_two, triangle_of(n), z[n]);
+    make_prism(e, n < 9 ? e->kind.prism : of_two, exact_triangle_of(n), z[n]);
   }
-  int kind = graph_kind_add(e->graph, &own_prism, "", 1 + s->own_prism.latency, NULL);
+  int kind = add_kind(e, &own_prism, 1 + s->own_prism.latency);
   make_prism(e, kind, own_b, own);
 }
 
@@ -217,7 +211,7 @@ static void make_running_sums(exact_plan *p) {
   graph_value(*h)[6][6] = e->h;
   graph_value zero = graph_constant(e->graph, "{V_W{1'b0}}", "V_W");
   graph_value sum[3] = {zero, zero, zero};
-  e->kind.running_sum = graph_kind_add(e->graph, &running_sum, "", 1, NULL);
+  e->kind.running_sum = add_kind(e, &running_sum, 1);
   for (int k = 0; k < 3; k++) {
     graph_value before[3] = {sum[0], sum[1], sum[2]};
     for (int r = 0; r < 3; r++) {
@@ -227,7 +221,7 @@ static void make_running_sums(exact_plan *p) {
                          term);
     }
   }
-  int kind = p->limits > 0 ? -1 : graph_kind_add(e->graph, &sum_sign, "", 0, NULL);
+  int kind = p->limits > 0 ? -1 : add_kind(e, &sum_sign, 0);
   for (int r = 0; r < 3; r++) {
     int v = (r + 2) % 3;
     e->s[v] = p->limits > 0
@@ -236,9 +230,14 @@ static void make_running_sums(exact_plan *p) {
   }
 }
 
-static int add_orient3d(exact_plan *p, int which) {
-  const graph_row *row = &orient3d[p->limits > 0][which];
-  return graph_kind_add(p->graph.graph, row, "", p->stages.orient3d_latency, NULL);
+/* Signs, or, with a clearance, whole volumes. */
+static int add_orient3d(exact_plan *p, graph_row row) {
+  if (p->limits > 0) {
+    row.output = "volume";
+    row.width = "V_W";
+    row.is_signed = true;
+  }
+  return add_kind(&p->graph, &row, p->stages.orient3d_latency);
 }
 
 /* orient3d(i, j, k, l) = h_jkl - h_ikl + h_ijl - h_ijk; A's own h is zero. Operands by class, so
@@ -250,31 +249,28 @@ static void make_orient3d(exact_plan *p) {
   if (p->running) {
     make_running_sums(p);
   } else {
-    int kind = add_orient3d(p, 0);
-    for (int k = 0; k < 3; k++) {
-      int a[3] = {k, exact_a(k + 2), exact_a(k + 1)}; /* edges k, k - 1, k - 2 */
-      int b = exact_b(k);
-      e->s[k] = graph_add(g, kind, GRAPH_OF(b),
-                          GRAPH_IN(h[a[0]][a[2]][b], h[a[1]][a[0]][b], h[a[2]][a[1]][b]), 0);
+    int kind = add_orient3d(p, orient3d_a);
+    for (int i = 0; i < 3; i++) {
+      int j = exact_next(i);
+      int k = exact_next(j);
+      int l = exact_b(i);
+      e->s[i] = graph_add(g, kind, GRAPH_OF(l), GRAPH_IN(h[i][j][l], h[k][i][l], h[j][k][l]), 0);
     }
   }
-  int kind = add_orient3d(p, 1);
+  int kind = add_orient3d(p, orient3d_b);
   for (int i = 0; i < 3; i++) {
-    int b[3] = {exact_b(i), exact_b(i + 1), exact_b(i + 2)};
-    e->w[i] =
-        graph_add(g, kind, GRAPH_OF(i),
-                  GRAPH_IN(h[i][b[0]][b[1]], h[i][b[1]][b[2]], h[i][b[2]][b[0]], -h[3][4][5]), 0);
+    int j = exact_b(i);
+    int k = exact_next(j);
+    int l = exact_next(k);
+    e->w[i] = graph_add(g, kind, GRAPH_OF(i),
+                        GRAPH_IN(h[i][j][k], h[i][k][l], h[i][l][j], -h[3][4][5]), 0);
   }
-  kind = add_orient3d(p, 2);
-  for (int r = 0; r < 3; r++) {
-    for (int c = 0; c < 3; c++) {
-      int i[2] = {exact_a(c), exact_a(c + 1)};
-      int j[2] = {exact_b(c + r), exact_b(c + r + 1)};
-      e->d[i[0]][j[0] - 3] = graph_add(g, kind, GRAPH_OF(i[0], i[1], j[0], j[1]),
-                                       GRAPH_IN(h[i[1]][j[0]][j[1]], -h[i[0]][j[0]][j[1]],
-                                                h[i[0]][i[1]][j[1]], -h[i[0]][i[1]][j[0]]),
-                                       0);
-    }
+  kind = add_orient3d(p, orient3d_edges);
+  for (int n = 0; n < 9; n++) {
+    exact_edges v = exact_edges_of(n);
+    e->d[v.i][v.k - 3] = graph_add(
+        g, kind, GRAPH_OF(v.i, v.j, v.k, v.l),
+        GRAPH_IN(h[v.j][v.k][v.l], -h[v.i][v.k][v.l], h[v.i][v.j][v.l], -h[v.i][v.j][v.k]), 0);
   }
 }
 
@@ -284,10 +280,10 @@ static void make_orient3d(exact_plan *p) {
 static void make_projection(exact_plan *p) {
   exact_graph *e = &p->graph;
   graph *g = e->graph;
-  int in_x = graph_kind_add(g, &order_x, "", 1, NULL);
-  int in_z = e->kind.order_z = graph_kind_add(g, &order_z, "", 0, NULL);
-  int of_both = graph_kind_add(g, &sign, "", 0, NULL);
-  int of_one = graph_kind_add(g, &own_sign, "", 0, NULL);
+  int in_x = add_kind(e, &order_x, 1);
+  int in_z = e->kind.order_z = add_kind(e, &order_z, 0);
+  int of_both = add_kind(e, &sign, 0);
+  int of_one = add_kind(e, &own_sign, 0);
   enum { G_A, G_B, G_OWN, X, Z };
   static const char *const port[] = {
       [G_A] = "g_a", [G_B] = "g_b", [G_OWN] = "g_own", [X] = "x_order", [Z] = "z_order"};
@@ -296,9 +292,9 @@ static void make_projection(exact_plan *p) {
     bus[i].port = port[i];
   }
   for (int n = 0; n < 18; n++) {
-    triangle v = triangle_of(n);
+    exact_triangle v = exact_triangle_of(n);
     graph_value of = e->g[0][v.i][v.j][v.k];
-    graph_value s = add(e, of_both, v, GRAPH_IN(of), of);
+    graph_value s = exact_add(e, of_both, v, GRAPH_IN(of), of);
     if (n >= 9) {
       bus[G_B].value[3 * (v.i - 3) + v.k] = s;
       continue;
@@ -308,13 +304,13 @@ static void make_projection(exact_plan *p) {
     graph_value z = graph_operand(g, e->h[v.i][v.j][v.k], 1);
     bus[G_A].value[3 * v.i + b] = s;
     bus[X].value[3 * v.i + b] =
-        graph_add(g, in_x, GRAPH_OF(v.i, v.k), (const graph_value[]){0}, e->t[0][v.i][v.k]);
+        graph_add(g, in_x, GRAPH_OF(v.i, v.k), GRAPH_NONE, e->t[0][v.i][v.k]);
     bus[Z].value[3 * third + b] = graph_add(g, in_z, GRAPH_OF(third, v.k), GRAPH_IN(z), z);
   }
   graph_value b = e->g[0][3][4][5];
   graph_value a = e->g[0][0][1][2];
-  bus[G_OWN].value[1] = add(e, of_one, own_b, GRAPH_IN(b), b);
-  bus[G_OWN].value[0] = add(e, of_one, own_a, GRAPH_IN(a), a);
+  bus[G_OWN].value[1] = exact_add(e, of_one, own_b, GRAPH_IN(b), b);
+  bus[G_OWN].value[0] = exact_add(e, of_one, own_a, GRAPH_IN(a), a);
 }
 
 void exact_graph_make(exact_plan *p) {
@@ -335,14 +331,10 @@ void exact_graph_make(exact_plan *p) {
     clearance_graph(p);
     return;
   }
-  e->verdict[0].port = "s";
-  e->verdict[1].port = "w";
-  e->verdict[2].port = "d";
+  static const char *const port[] = {"s", "w", "d"};
+  const graph_value *const value[] = {e->s, e->w, e->d[0]};
   for (int i = 0; i < 3; i++) {
-    e->verdict[0].value[i] = e->s[i];
-    e->verdict[1].value[i] = e->w[i];
-    for (int j = 0; j < 3; j++) {
-      e->verdict[2].value[3 * i + j] = e->d[i][j];
-    }
+    e->verdict[i].port = port[i];
+    memcpy(e->verdict[i].value, value[i], (i < 2 ? 3 : 9) * sizeof(graph_value));
   }
 }
