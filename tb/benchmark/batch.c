@@ -4,8 +4,6 @@
  *   batch scale              time per pair over the number of pairs and of triangles
  *   batch meshes A.stl B.stl the tree, brute force, and threads, on two meshes */
 #include "columns.h"
-#include "sepax_design.h"
-#include "sepax_vectors.h"
 
 #include <string.h>
 
@@ -81,12 +79,9 @@ static uint64_t check_trees(int word, uint64_t count, int clearance) {
   sepax_random random = {(uint64_t)word};
   sepax_error error = {""};
   sepax_config config = sepax_config_default();
-  sepax_design design;
   config.word = word;
   config.clearance = clearance;
-  if (!sepax_design_init(&design, &config, &error)) {
-    bench_fail(&error);
-  }
+  const sepax_design design = design_of(config);
   size_t families = family_count();
   uint64_t wrong = 0;
   size_t drawn = 0;

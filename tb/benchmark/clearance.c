@@ -4,29 +4,22 @@
  *   clearance curve COUNT SEED    CSV: share of pairs not free over the real distance, COUNT
  *                                 pairs a kind and distance, CLEARANCE 5
  *   clearance pairs COUNT WORD    pairs near limits of 0 ... 20, rounded, for the test benches */
+#include "columns.h"
 #include "oracle/clear_rules.h"
 #include "oracle/distance.h"
 #include "oracle/real_pairs.h"
-#include "sepax_design.h"
-#include "sepax_vectors.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const int limits[][2] = {{0, 1}, {0, 7}, {1, 3}, {2, 20}, {5, 20}, {5, 6}, {40, 100}};
 enum { LIMITS = sizeof limits / sizeof limits[0] };
 
-static bool design_of(sepax_design *design, int clearance, int warning) {
-  sepax_error error;
+static sepax_design clear_design(int clearance, int warning) {
   sepax_config config = sepax_config_default();
   config.clearance = clearance;
   config.warning = warning;
-  bool ok = sepax_design_init(design, &config, &error);
-  if (!ok) {
-    fprintf(stderr, "clearance: %s\n", error.text);
-  }
-  return ok;
+  return design_of(config);
 }
 
 /* Mostly about the limit itself, and up to where no pair is in doubt. */
@@ -44,7 +37,7 @@ static double distance_near(int limit, sepax_random *r) {
 }
 
 typedef struct {
-  size_t pairs, within[2], beyond[2], clear[2], missed[2], quick;
+  size_t pairs, within, clear, missed, quick; /* within ... missed of two limits a pair */
 } tally;
 
 static void print_pair(const real_pair *p, const int limit[2]) {
@@ -63,11 +56,10 @@ static void judge(tally *t, const sepax_design *design, const int limit[2], cons
   for (int k = 0; k < 2; k++) {
     bool clear = band == SEPAX_BAND_FREE || (k == 0 && band == SEPAX_BAND_WARNING);
     bool within = distance_within(&p->a, &p->b, (int64_t)limit[k] << p->fraction, &t->quick);
-    t->within[k] += within;
-    t->beyond[k] += !within;
-    t->clear[k] += clear;
-    t->missed[k] += clear && within;
-    if (clear && within && t->missed[k] <= 3) {
+    t->within += within;
+    t->clear += clear;
+    t->missed += clear && within;
+    if (clear && within && t->missed <= 3) {
       print_pair(p, limit);
     }
   }
@@ -78,9 +70,7 @@ static int sweep(size_t count, uint64_t seed) {
   sepax_design design[LIMITS];
   tally all[REAL_KINDS] = {{0}};
   for (int i = 0; i < LIMITS; i++) {
-    if (!design_of(&design[i], limits[i][0], limits[i][1])) {
-      return 2;
-    }
+    design[i] = clear_design(limits[i][0], limits[i][1]);
   }
   for (size_t n = 0; n < count; n++) {
     int kind = (int)(n % REAL_KINDS);
@@ -91,23 +81,20 @@ static int sweep(size_t count, uint64_t seed) {
   }
   printf("%-14s %10s %12s %12s %12s %8s\n", "kind", "pairs", "within", "beyond", "of them clear",
          "missed");
-  size_t missed = 0;
   tally sum = {0};
   for (int kind = 0; kind < REAL_KINDS; kind++) {
     const tally *t = &all[kind];
-    size_t wrong = t->missed[0] + t->missed[1];
-    printf("%-14s %10zu %12zu %12zu %12zu %8zu\n", real_kind_name(kind), t->pairs,
-           t->within[0] + t->within[1], t->beyond[0] + t->beyond[1], t->clear[0] + t->clear[1],
-           wrong);
-    missed += wrong;
+    printf("%-14s %10zu %12zu %12zu %12zu %8zu\n", real_kind_name(kind), t->pairs, t->within,
+           2 * t->pairs - t->within, t->clear, t->missed);
     sum.pairs += t->pairs;
-    sum.within[0] += t->within[0] + t->within[1];
+    sum.within += t->within;
+    sum.missed += t->missed;
     sum.quick += t->quick;
   }
   printf("%zu pairs, two limits each: %zu times within a limit, %zu misses; %zu judged by a plane "
          "in integers, %zu by rational distances\n",
-         sum.pairs, sum.within[0], missed, sum.quick, 2 * sum.pairs - sum.quick);
-  return missed > 0 || sum.within[0] == 0;
+         sum.pairs, sum.within, sum.missed, sum.quick, 2 * sum.pairs - sum.quick);
+  return sum.missed > 0 || sum.within == 0;
 }
 
 enum { CURVE_LIMIT = 5, STEPS = 60 };
@@ -117,10 +104,7 @@ static int curve(size_t count, uint64_t seed) {
                                      RULE_NO_EDGE, RULE_PRODUCTS, RULE_BOXES};
   enum { COMPARED = sizeof rules / sizeof rules[0] };
   sepax_random random = {seed};
-  sepax_design design;
-  if (!design_of(&design, CURVE_LIMIT, 0)) {
-    return 2;
-  }
+  const sepax_design design = clear_design(CURVE_LIMIT, 0);
   printf("kind,distance,pairs,not_free");
   for (int r = 0; r < COMPARED; r++) {
     printf(",%s", clear_rule_name(rules[r]));
@@ -181,14 +165,14 @@ int main(int argc, char **argv) {
   char *end = NULL;
   size_t count = argc == 4 ? strtoul(argv[2], &end, 10) : 0;
   uint64_t seed = argc == 4 ? strtoull(argv[3], NULL, 10) : 0;
-  if (count > 0 && *end == '\0' && strcmp(argv[1], "sweep") == 0) {
-    return sweep(count, seed);
-  }
-  if (count > 0 && *end == '\0' && strcmp(argv[1], "curve") == 0) {
-    return curve(count, seed);
-  }
-  if (count > 0 && *end == '\0' && strcmp(argv[1], "pairs") == 0) {
-    return print_pairs(count, seed);
+  static const struct {
+    const char *name;
+    int (*run)(size_t count, uint64_t seed);
+  } verbs[] = {{"sweep", sweep}, {"curve", curve}, {"pairs", print_pairs}};
+  for (size_t i = 0; i < 3 && count > 0 && *end == '\0'; i++) {
+    if (strcmp(argv[1], verbs[i].name) == 0) {
+      return verbs[i].run(count, seed);
+    }
   }
   fprintf(stderr, "usage: clearance sweep|curve COUNT SEED, clearance pairs COUNT WORD\n");
   return 2;

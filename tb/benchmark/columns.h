@@ -1,8 +1,9 @@
-/* columns.h - what the software benchmarks share: the clock, pairs as columns. */
+/* columns.h - what the software benchmarks share: the clock, designs, pairs as columns. */
 #ifndef BENCHMARK_COLUMNS_H
 #define BENCHMARK_COLUMNS_H
 
-#include "sepax.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
 
 #include <stdlib.h>
 #include <time.h>
@@ -16,6 +17,15 @@ static inline double seconds_now(void) {
 static inline void __attribute__((noreturn)) bench_fail(const sepax_error *error) {
   fprintf(stderr, "bench: %s\n", error->text);
   exit(2);
+}
+
+static inline sepax_design design_of(sepax_config config) {
+  sepax_design design;
+  sepax_error error = {""};
+  if (!sepax_design_init(&design, &config, &error)) {
+    bench_fail(&error);
+  }
+  return design;
 }
 
 static inline void *allocate(size_t bytes) {

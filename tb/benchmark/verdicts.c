@@ -2,8 +2,6 @@
  * pairs of W = 18: first the families uniform and local in turn, 48 % of which collide,
  * then each family, of which the slowest is told. Best of five rounds. */
 #include "columns.h"
-#include "sepax_design.h"
-#include "sepax_vectors.h"
 
 enum { PAIRS = 1 << 15, ROUNDS = 5 };
 
@@ -95,13 +93,10 @@ static void measure(const work *w, result results[METHODS]) {
 
 int main(void) {
   sepax_config config = sepax_config_default();
-  sepax_error error = {""};
-  work w = {.pair = allocate(PAIRS * sizeof(sepax_pair)), .batch = columns_of(PAIRS)};
   config.arch = SEPAX_ARCH_PAPER;
-  if (!sepax_design_init(&w.paper, &config, &error)) {
-    fprintf(stderr, "bench: %s\n", error.text);
-    return 2;
-  }
+  work w = {.pair = allocate(PAIRS * sizeof(sepax_pair)),
+            .batch = columns_of(PAIRS),
+            .paper = design_of(config)};
   result usual[METHODS] = {{0, 0}};
   result least[METHODS] = {{0, 0}};
   size_t slowest[METHODS] = {0};
