@@ -56,8 +56,7 @@ module sepax_fetch (
 
   always @(posedge clk) begin
     if (clear) begin
-      valid_q <= 1'b0;
-      out_valid <= 1'b0;
+      {valid_q, out_valid} <= 2'd0;
     end else begin
       if (enable_1) begin
         valid_q <= valid;

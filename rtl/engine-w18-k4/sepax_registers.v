@@ -59,10 +59,6 @@ module sepax_registers (
   localparam [6:0] MOVE_X = 7'd44;
   localparam [6:0] MOVE_Y = 7'd48;
   localparam [6:0] MOVE_Z = 7'd52;
-  localparam [31:0] IDENTITY = 1397774401;
-  localparam [31:0] GENERATOR = 256;
-  localparam [31:0] DESIGN = 50398226;
-  localparam [31:0] MEMORY = 2313;
   localparam M = 18 + 1; // bits of a move
   reg         address_full_q, data_full_q, read_full_q; // a request has come
   reg  [6:0]  address_q, read_address_q;
@@ -105,10 +101,10 @@ module sepax_registers (
   always @(*) begin
     known = 1'b1;
     case (read_address_q)
-      7'd0: shown = IDENTITY; // ID
-      7'd4: shown = GENERATOR; // GENERATOR
-      7'd8: shown = DESIGN; // DESIGN
-      7'd12: shown = MEMORY; // MEMORY
+      7'd0: shown = 32'h53505841; // ID
+      7'd4: shown = 32'h00000100; // GENERATOR
+      7'd8: shown = 32'h03010412; // DESIGN
+      7'd12: shown = 32'h00000909; // MEMORY
       7'd20: shown = {30'd0, quiet, first}; // MODE
       7'd24: shown = status; // STATUS
       7'd28: shown = {29'd0, enable_q}; // ENABLE

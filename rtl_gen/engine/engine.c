@@ -2,13 +2,8 @@
 #include "engine.h"
 #include "aabb/aabb.h"
 
-static int log2_of(int number) {
-  int bits = 0;
-  while (1 << bits < number) {
-    bits++;
-  }
-  return bits;
-}
+/* Rounded up. */
+static int log2_of(int number) { return 31 - __builtin_clz(2 * (unsigned)number - 1); }
 
 static void set_sizes(emit_holes *h, const sepax_design *design, int entries) {
   const sepax_config *c = &design->config;
@@ -42,15 +37,15 @@ static void set_sizes(emit_holes *h, const sepax_design *design, int entries) {
   emit_hole_set(h, "flight_log2", "%d", log2_of(entries * c->cores + 1));
 }
 
-/* What can be read of the design itself. */
-static void set_identity(emit_holes *h, const sepax_config *c) {
+/* What can be read of the design itself: its constant registers. */
+static void set_registers(emit_holes *h, const sepax_config *c) {
   int version[3] = {0, 0, 0};
   (void)sscanf(SEPAX_VERSION, "%d.%d.%d", &version[0], &version[1],
                &version[2]); // NOLINT(cert-err34-c)
-  emit_hole_set(h, "identity", "%u", (unsigned)ENGINE_IDENTITY);
-  emit_hole_set(h, "generator", "%d", (version[0] << 16) + (version[1] << 8) + version[2]);
-  emit_hole_set(h, "design", "%d", c->word + (c->lanes << 8) + (c->cores << 16) + (c->ii << 24));
-  emit_hole_set(h, "memory", "%d", log2_of(c->memory_a) + (log2_of(c->memory_b) << 8));
+  const int constants[] = {ENGINE_IDENTITY, (version[0] << 16) + (version[1] << 8) + version[2],
+                           c->word + (c->lanes << 8) + (c->cores << 16) + (c->ii << 24),
+                           log2_of(c->memory_a) + (log2_of(c->memory_b) << 8)};
+  engine_decode(h, constants);
 }
 
 void gen_engine(emitter *e, int entries) {
@@ -61,8 +56,7 @@ void gen_engine(emitter *e, int entries) {
       "engine/sepax_top"};
   emit_holes h = {NULL, 0};
   set_sizes(&h, e->design, entries);
-  set_identity(&h, &e->design->config);
-  engine_decode(&h);
+  set_registers(&h, &e->design->config);
   gen_bounds(e);
   gen_disjoint(e);
   for (size_t i = 0; i < sizeof modules / sizeof modules[0]; i++) {

@@ -9,8 +9,8 @@
 enum { ENGINE_IDENTITY = 0x53505841 };
 
 /* Holes of sepax_registers.v: inputs that are read as they are, addresses of what can be written,
- * the cases in which a register is read. */
-void engine_decode(emit_holes *h);
+ * the cases in which a register is read; `constants` are those of ID, GENERATOR, DESIGN, MEMORY. */
+void engine_decode(emit_holes *h, const int constants[4]);
 
 /* The register map for drivers: a C header, a page. */
 void engine_header(FILE *out);

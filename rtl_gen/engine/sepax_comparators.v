@@ -57,9 +57,7 @@ module sepax_comparators (
 
   always @(posedge clk) begin
     if (clear) begin
-      valid_q <= 1'b0;
-      valid_q2 <= 1'b0;
-      valid_q3 <= 1'b0;
+      {valid_q, valid_q2, valid_q3} <= 3'd0;
       mask <= {LANES{1'b0}};
       live_q <= 7'd0;
     end else begin
@@ -70,10 +68,8 @@ module sepax_comparators (
       live_q <= live_q + {6'd0, valid_q && load_q && is_a_q} - {6'd0, |(taken & live)};
     end
     j_q <= j;
-    is_b_q <= is_b;
     base_q <= base;
-    load_q <= load;
-    is_a_q <= is_a;
+    {is_b_q, load_q, is_a_q} <= {is_b, load, is_a};
     j_q2 <= j_q[B-1:0];
     base_q2 <= base_q;
     mask_j <= j_q2;

@@ -34,10 +34,6 @@ module sepax_registers (
 );
   // Addresses of what can be written.
 @addresses@
-  localparam [31:0] IDENTITY = @identity@;
-  localparam [31:0] GENERATOR = @generator@;
-  localparam [31:0] DESIGN = @design@;
-  localparam [31:0] MEMORY = @memory@;
   localparam M = @word@ + 1; // bits of a move
   reg         address_full_q, data_full_q, read_full_q; // a request has come
   reg  [6:0]  address_q, read_address_q;

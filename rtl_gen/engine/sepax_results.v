@@ -80,12 +80,7 @@ module sepax_results (
       first_b <= {{(32-B){1'b0}}, b};
     end
     if (start) begin
-      pairs <= 32'd0;
-      candidates <= 32'd0;
-      collisions <= 32'd0;
-      out_of_range <= 32'd0;
-      warnings <= 32'd0;
-      cycles <= 32'd0;
+      {pairs, candidates, collisions, out_of_range, warnings, cycles} <= 192'd0;
     end else begin
       pairs <= pairs + {25'd0, tested};
       candidates <= candidates + {31'd0, launched};
