@@ -33,15 +33,3 @@ int binding_count(const graph_kind *k, int unit) {
   }
   return count;
 }
-
-void binding_name(const graph *g, const graph_kind *k, int unit, char text[GRAPH_LABEL]) {
-  if (binding_count(k, unit) > 1) {
-    snprintf(text, GRAPH_LABEL, "%d", unit);
-    return;
-  }
-  for (int slot = 0; slot < SEPAX_II_MAX; slot++) {
-    if (k->at[unit][slot] != 0) {
-      snprintf(text, GRAPH_LABEL, "%s", g->node[k->at[unit][slot]].label);
-    }
-  }
-}

@@ -26,7 +26,4 @@ void binding_make(graph *g, int ii);
 /* The operations in a unit. */
 int binding_count(const graph_kind *k, int unit);
 
-/* Name of a unit's output: the label of its only operation, or its number. */
-void binding_name(const graph *g, const graph_kind *k, int unit, char text[GRAPH_LABEL]);
-
 #endif

@@ -4,31 +4,23 @@
 #include "graph.h"
 
 #include <stdlib.h>
-#include <string.h>
 
-static const char axes[] = "xyzu";
+enum { X, Y, Z, U, AXES };
 
-static int index_of(char axis) { return (int)(strchr(axes, axis) - axes); }
+void coordinates_need(coordinates *c, int axis, int v, int cycle) {
+  int *end = &c->axis[axis].end[v];
+  *end = cycle >= *end ? cycle + 1 : *end;
+}
 
-void coordinates_init(coordinates *c, int ii) {
-  *c = (coordinates){.ii = ii, .rotate = ii % 3 == 0};
-  for (int i = 0; i < 4; i++) {
-    for (int v = 0; v < 6; v++) {
-      c->axis[i].last[v] = -1;
-    }
+/* Banks from cycle 0 on, a change in cycle `change`, until all reads are covered. */
+static void lay_out(coordinates_axis *a, int ii, int change) {
+  int end = 1;
+  for (int v = 0; v < 6; v++) {
+    end = a->end[v] > end ? a->end[v] : end;
   }
-}
-
-void coordinates_need(coordinates *c, char axis, int v, int cycle) {
-  int *last = &c->axis[index_of(axis)].last[v];
-  *last = cycle > *last ? cycle : *last;
-}
-
-/* Banks from cycle 0 on, a change in cycle `change`, until cycle `last` is covered. */
-static void lay_out(coordinates_axis *a, int ii, int change, int last) {
   a->banks = 1;
   a->start[0] = 0;
-  while (a->start[a->banks - 1] < change || a->start[a->banks - 1] + ii - 1 < last) {
+  while (a->start[a->banks - 1] < change || a->start[a->banks - 1] + ii < end) {
     if (a->banks == COORDINATES_BANKS) {
       abort(); /* more banks than COORDINATES_BANKS */
     }
@@ -37,146 +29,122 @@ static void lay_out(coordinates_axis *a, int ii, int change, int last) {
   }
 }
 
-static int last_of(const coordinates_axis *a) {
-  int last = 0;
-  for (int v = 0; v < 6; v++) {
-    last = a->last[v] > last ? a->last[v] : last;
-  }
-  return last;
-}
-
 void coordinates_store(coordinates *c, int z_change) {
-  if (c->second_pass) {
-    for (int v = 0; v < 6; v++) {
-      coordinates_need(c, 'u', v, c->again);
-      coordinates_need(c, 'z', v, c->again);
-    }
+  for (int v = 0; v < 6 && c->second_pass; v++) {
+    coordinates_need(c, U, v, c->again);
+    coordinates_need(c, Z, v, c->again);
   }
-  for (int i = 0; i < 4; i++) {
-    lay_out(&c->axis[i], c->ii, 0, last_of(&c->axis[i]));
+  for (int axis = 0; axis < AXES; axis++) {
+    lay_out(&c->axis[axis], c->ii, 0);
   }
-  coordinates_axis *z = &c->axis[index_of('z')];
-  int fewest = z->banks;
-  lay_out(z, c->ii, z_change, last_of(z));
-  if (z->banks > fewest) {
-    lay_out(z, c->ii, 0, last_of(z));
+  int fewest = c->axis[Z].banks;
+  lay_out(&c->axis[Z], c->ii, z_change);
+  if (c->axis[Z].banks > fewest) {
+    lay_out(&c->axis[Z], c->ii, 0);
   }
-}
-
-static int bank_of(const coordinates *c, char axis, int cycle) {
-  const coordinates_axis *a = &c->axis[index_of(axis)];
-  for (int bank = 0; bank < a->banks; bank++) {
-    if (cycle < a->start[bank] + c->ii) {
-      return bank;
-    }
-  }
-  abort(); /* it is read when no bank has it any more */
 }
 
 /* Bank 0 of u is x. Is a register of the others there: read, or rotated, or moved on? */
-static bool is_there(const coordinates *c, char axis, int v, int bank) {
-  const coordinates_axis *a = &c->axis[index_of(axis)];
+static bool is_there(const coordinates *c, int axis, int v, int bank) {
+  const coordinates_axis *a = &c->axis[axis];
   if (bank == 0) {
-    return axis != 'u';
+    return axis != U;
   }
-  int last = a->last[v];
+  int end = a->end[v];
   for (int k = 0; k < 3 && c->rotate; k++) {
-    int other = a->last[v / 3 * 3 + k];
-    last = other > last ? other : last;
+    int other = a->end[v / 3 * 3 + k];
+    end = other > end ? other : end;
   }
-  return last >= a->start[bank - 1] + c->ii;
+  return end > a->start[bank - 1] + c->ii;
 }
 
-static void register_name(char axis, int v, int bank, char text[EMIT_NAME]) {
-  int used = snprintf(text, EMIT_NAME, "%c_%s", axis, graph_vertex_name(v));
-  if (bank == 1) {
-    snprintf(text + used, EMIT_NAME - (size_t)used, "_hold");
-  } else if (bank > 1) {
-    snprintf(text + used, EMIT_NAME - (size_t)used, "_hold%d", bank);
+static void register_name(int axis, int v, int bank, char text[EMIT_NAME]) {
+  int used = snprintf(text, EMIT_NAME, "%c_%s", "xyzu"[axis], graph_vertex_name(v));
+  if (bank > 0) {
+    snprintf(text + used, EMIT_NAME - (size_t)used, bank > 1 ? "_hold%d" : "_hold", bank);
   }
 }
 
-static void source_in(const coordinates *c, char axis, int v, int bank, int cycle,
+static void source_in(const coordinates *c, int axis, int v, int bank, int cycle,
                       char text[EMIT_NAME]) {
-  int turned = c->rotate ? (cycle - c->axis[index_of(axis)].start[bank]) % 3 : 0;
+  int turned = c->rotate ? (cycle - c->axis[axis].start[bank]) % 3 : 0;
   register_name(axis, v / 3 * 3 + (v % 3 - turned + 3) % 3, bank, text);
 }
 
-void coordinates_source(const coordinates *c, char axis, int v, int cycle, char text[EMIT_NAME]) {
-  source_in(c, axis, v, bank_of(c, axis, cycle), cycle, text);
+void coordinates_source(const coordinates *c, int axis, int v, int cycle, char text[EMIT_NAME]) {
+  const coordinates_axis *a = &c->axis[axis];
+  int bank = 0;
+  while (cycle >= a->start[bank] + c->ii) {
+    if (++bank == a->banks) {
+      abort(); /* it is read when no bank has it any more */
+    }
+  }
+  source_in(c, axis, v, bank, cycle, text);
 }
 
 void coordinates_declare(const coordinates *c, FILE *out) {
-  for (const char *axis = axes; *axis != '\0'; axis++) {
-    for (int bank = 0; bank < c->axis[index_of(*axis)].banks; bank++) {
-      for (int v = 0; v < 6; v++) {
-        if (is_there(c, *axis, v, bank)) {
-          char name[EMIT_NAME];
-          register_name(*axis, v, bank, name);
-          emit_net(out, "reg signed", "W", name);
-        }
+  for (int axis = 0; axis < AXES; axis++) {
+    for (int n = 0; n < 6 * c->axis[axis].banks; n++) {
+      if (is_there(c, axis, n % 6, n / 6)) {
+        char name[EMIT_NAME];
+        register_name(axis, n % 6, n / 6, name);
+        emit_net(out, "reg signed", "W", name);
       }
-    }
-  }
-}
-
-static void rotate(const coordinates *c, FILE *out, char axis, int bank) {
-  for (int v = 0; v < 6; v++) {
-    char to[EMIT_NAME];
-    char from[EMIT_NAME];
-    register_name(axis, v, bank, to);
-    register_name(axis, v / 3 * 3 + (v + 1) % 3, bank, from);
-    if (is_there(c, axis, v, bank)) {
-      fprintf(out, "      %s <= %s;\n", to, from);
     }
   }
 }
 
 /* A register takes its coordinate over from the bank before, or from the input, or, for a second
  * pass, from the last banks: u for x and z for y. */
-static void load(const coordinates *c, FILE *out, char axis, int v, int bank) {
-  const char *indent = c->ii > 1 ? "    " : "  ";
-  char to[EMIT_NAME];
+static void load(const coordinates *c, FILE *out, int axis, int v, int bank) {
   char from[EMIT_NAME];
-  register_name(axis, v, bank, to);
-  int before = c->axis[index_of(axis)].start[bank] - 1;
-  if (axis == 'u' && bank == 1) {
-    char other[EMIT_NAME];
-    source_in(c, 'x', v, 0, before, from);
-    source_in(c, 'y', v, 0, before, other);
-    fprintf(out, "  %s%s <= x_equal ? %s : %s;\n", indent, to, other, from);
+  char other[EMIT_NAME];
+  int before = c->axis[axis].start[bank] - 1;
+  if (axis == U && bank == 1) {
+    source_in(c, X, v, 0, before, from);
+    source_in(c, Y, v, 0, before, other);
+    fprintf(out, "x_equal ? %s : %s;\n", other, from);
   } else if (bank > 0) {
     source_in(c, axis, v, bank - 1, before, from);
-    fprintf(out, "  %s%s <= %s;\n", indent, to, from);
-  } else if (!c->second_pass || axis == 'z') {
-    fprintf(out, "  %s%s <= in_%s_%c;\n", indent, to, graph_vertex_name(v), axis);
+    fprintf(out, "%s;\n", from);
   } else {
-    coordinates_source(c, axis == 'x' ? 'u' : 'z', v, c->again, from);
-    snprintf(from + strlen(from), EMIT_NAME - strlen(from), " : in_%s_%c", graph_vertex_name(v),
-             axis);
-    fprintf(out, "  %s%s <= again ? %s;\n", indent, to, from);
+    if (c->second_pass && axis != Z) {
+      coordinates_source(c, axis == X ? U : Z, v, c->again, from);
+      fprintf(out, "again ? %s : ", from);
+    }
+    fprintf(out, "in_%s_%c;\n", graph_vertex_name(v), "xyz"[axis]);
+  }
+}
+
+/* All registers of a bank take their coordinates over, or rotate. */
+static void move(const coordinates *c, FILE *out, int axis, int bank, bool rotate) {
+  for (int v = 0; v < 6; v++) {
+    if (is_there(c, axis, v, bank)) {
+      char name[EMIT_NAME];
+      register_name(axis, v, bank, name);
+      fprintf(out, c->ii > 1 ? "      %s <= " : "    %s <= ", name);
+      if (rotate) {
+        register_name(axis, v / 3 * 3 + (v + 1) % 3, bank, name);
+        fprintf(out, "%s;\n", name);
+      } else {
+        load(c, out, axis, v, bank);
+      }
+    }
   }
 }
 
 void coordinates_clock(const coordinates *c, FILE *out) {
-  for (const char *axis = axes; *axis != '\0'; axis++) {
-    const coordinates_axis *a = &c->axis[index_of(*axis)];
-    for (int bank = *axis == 'u'; bank < a->banks; bank++) {
+  for (int axis = 0; axis < AXES; axis++) {
+    for (int bank = axis == U; bank < c->axis[axis].banks; bank++) {
       if (c->ii > 1) {
-        fprintf(out, "    if (slot[%d]) begin\n", (a->start[bank] + c->ii - 1) % c->ii);
+        fprintf(out, "    if (slot[%d]) begin\n", (c->axis[axis].start[bank] + c->ii - 1) % c->ii);
       }
-      for (int v = 0; v < 6; v++) {
-        if (is_there(c, *axis, v, bank)) {
-          load(c, out, *axis, v, bank);
-        }
-      }
+      move(c, out, axis, bank, false);
       if (c->rotate) {
         fprintf(out, "    end else begin\n");
-        rotate(c, out, *axis, bank);
+        move(c, out, axis, bank, true);
       }
-      if (c->ii > 1) {
-        fprintf(out, "    end\n");
-      }
+      fputs(c->ii > 1 ? "    end\n" : "", out);
     }
   }
 }

@@ -12,28 +12,26 @@ enum { COORDINATES_BANKS = 40 };
 typedef struct {
   int start[COORDINATES_BANKS]; /* first cycle of each bank; each holds for II cycles */
   int banks;
-  int last[6]; /* the last cycle in which a vertex is read; -1: never */
+  int end[6]; /* of a vertex: the cycle behind its last read; 0: it is never read */
 } coordinates_axis;
 
 typedef struct {
   int ii;
-  bool rotate;
+  bool rotate;      /* 3 divides ii */
   bool second_pass; /* a pair may be taken once more, with u for x and z for y */
   int again;        /* the cycle in which it is */
   coordinates_axis axis[4];
 } coordinates;
 
-void coordinates_init(coordinates *c, int ii);
-
-/* Vertex v is read in this cycle. */
-void coordinates_need(coordinates *c, char axis, int v, int cycle);
+/* Vertex v is read in this cycle; axis 0 ... 3 are x, y, z, u. */
+void coordinates_need(coordinates *c, int axis, int v, int cycle);
 
 /* All needs are known: lay out the banks. z's first change is in cycle `z_change` where that
  * costs no bank more: then no reader of z_change ... z_change + II - 1 has two sources. */
 void coordinates_store(coordinates *c, int z_change);
 
 /* The register in which vertex v stands in this cycle. */
-void coordinates_source(const coordinates *c, char axis, int v, int cycle, char text[EMIT_NAME]);
+void coordinates_source(const coordinates *c, int axis, int v, int cycle, char text[EMIT_NAME]);
 
 /* Declarations, then the clocked assignments. */
 void coordinates_declare(const coordinates *c, FILE *out);

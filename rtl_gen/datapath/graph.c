@@ -35,15 +35,15 @@ static graph_node *new_node(graph *g, int kind) {
   return n;
 }
 
-graph_value graph_coordinate(graph *g, char axis, int vertex) {
-  graph_node *n = new_node(g, -1);
+graph_value graph_coordinate(graph *g, int axis, int vertex) {
+  graph_node *n = new_node(g, GRAPH_COORDINATE);
   n->axis = axis;
   n->vertex = vertex;
   return g->nodes - 1;
 }
 
 graph_value graph_constant(graph *g, const char *text, const char *width) {
-  graph_node *n = new_node(g, -2);
+  graph_node *n = new_node(g, GRAPH_CONSTANT);
   n->text = text;
   n->width = width;
   return g->nodes - 1;
@@ -93,7 +93,9 @@ const graph_kind *graph_kind_of(const graph *g, graph_value v) {
 
 const char *graph_width(const graph *g, graph_value v) {
   const graph_node *n = &g->node[abs(v)];
-  return n->kind == -1 ? "W" : n->kind == -2 ? n->width : g->kind[n->kind].row.width;
+  return n->kind == GRAPH_COORDINATE ? "W"
+         : n->kind == GRAPH_CONSTANT ? n->width
+                                     : g->kind[n->kind].row.width;
 }
 
 bool graph_is_signed(const graph *g, graph_value v) {

@@ -16,6 +16,8 @@ enum {
   GRAPH_OPERANDS = 6,
   GRAPH_LABEL = 16,
   GRAPH_SYMBOL = 16,
+  GRAPH_COORDINATE = -1,
+  GRAPH_CONSTANT = -2,
   GRAPH_AXIS = 6 /* in labels, behind the vertices 0 ... 5: x, y, z */
 };
 
@@ -57,13 +59,12 @@ typedef struct {
 } graph_kind;
 
 typedef struct {
-  int kind;                              /* of an operation; -1: a coordinate, -2: a constant */
+  int kind;                              /* of an operation, or GRAPH_COORDINATE, GRAPH_CONSTANT */
   char label[GRAPH_LABEL];               /* the vertices: a1b2 */
   int operand[GRAPH_OPERANDS], operands; /* nodes */
-  int beside;     /* it takes the slot and the unit's number of this node; 0 */
-  int unit, slot; /* binding */
-  char axis;      /* of a coordinate: x, y, z */
-  int vertex;
+  int beside;               /* it takes the slot and the unit's number of this node; 0 */
+  int unit, slot;           /* binding */
+  int axis, vertex;         /* of a coordinate: 0 x, 1 y, 2 z; 0 ... 5 */
   const char *text, *width; /* of a constant */
 } graph_node;
 
@@ -78,7 +79,7 @@ typedef struct {
 int graph_kind_add(graph *g, const graph_row *row, const char *suffix, int latency,
                    const char *slots);
 
-graph_value graph_coordinate(graph *g, char axis, int vertex);
+graph_value graph_coordinate(graph *g, int axis, int vertex);
 graph_value graph_constant(graph *g, const char *text, const char *width);
 
 /* An operation. `vertex` ends with -1 and makes its label; `operand` ends with 0. Negated operands

@@ -7,21 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-int schedule_add(schedule *s, const char *symbol, const char *name, const char *width,
-                 bool is_signed) {
+int schedule_add(schedule *s, const schedule_stream *stream) {
   if (s->streams == SCHEDULE_STREAMS) {
     abort(); /* more streams than SCHEDULE_STREAMS */
   }
-  schedule_stream *t = &s->stream[s->streams];
-  *t = (schedule_stream){.width = width, .is_signed = is_signed};
-  int whole = snprintf(t->name, sizeof t->name, "%s_%s", symbol, name);
-  int part = snprintf(t->symbol, sizeof t->symbol, "%s", symbol);
-  if (whole >= (int)sizeof t->name || part >= (int)sizeof t->symbol) {
-    abort(); /* a name is cut off */
-  }
-  for (int k = 0; k < SEPAX_II_MAX; k++) {
-    t->last[k] = -1;
-  }
+  s->stream[s->streams] = *stream;
   return s->streams++;
 }
 
@@ -30,20 +20,17 @@ int schedule_defined(const schedule *s, schedule_value v) {
 }
 
 void schedule_need(schedule *s, schedule_value v, int cycle) {
-  int *last = &s->stream[v.stream].last[v.slot];
-  if (cycle < schedule_defined(s, v)) {
+  int *oldest = &s->stream[v.stream].age[v.slot];
+  int age = cycle - schedule_defined(s, v);
+  if (age < 0) {
     abort(); /* read before it is defined */
   }
-  *last = cycle > *last ? cycle : *last;
-}
-
-static int age(const schedule_stream *t, int slot) {
-  return t->last[slot] < 0 ? 0 : t->last[slot] - t->first - slot;
+  *oldest = age > *oldest ? age : *oldest;
 }
 
 /* Holding registers of a value beyond the delay line. */
 static int holds(const schedule *s, const schedule_stream *t, int slot, int line) {
-  int beyond = age(t, slot) - line;
+  int beyond = t->age[slot] - line;
   return beyond > 0 ? (beyond + s->ii - 1) / s->ii : 0;
 }
 
@@ -52,7 +39,7 @@ void schedule_store(schedule *s) {
     schedule_stream *t = &s->stream[i];
     int longest = 0;
     for (int k = 0; k < s->ii; k++) {
-      longest = age(t, k) > longest ? age(t, k) : longest;
+      longest = t->age[k] > longest ? t->age[k] : longest;
     }
     int least = 0;
     for (int line = 0; line <= longest; line++) {

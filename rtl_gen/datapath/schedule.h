@@ -12,23 +12,23 @@
 #define SEPAX_SCHEDULE_H
 
 #include "emit/emit.h"
-#include "sepax_design.h"
+#include "graph.h"
 
-enum { SCHEDULE_STREAMS = 400, SCHEDULE_NAME = 16 };
+enum { SCHEDULE_STREAMS = 400 };
 
 typedef struct {
   int stream, slot;
 } schedule_value;
 
 typedef struct {
-  char name[2 * SCHEDULE_NAME]; /* of the output: t_a1b2, or t_3 where it is shared */
-  char symbol[SCHEDULE_NAME];   /* t, g, h ... */
-  const char *width;            /* text for declarations */
+  char name[2 * GRAPH_LABEL]; /* of the output: t_a1b2, or t_3 where it is shared */
+  char symbol[GRAPH_SYMBOL];  /* t, g, h ... */
+  const char *width;          /* text for declarations */
   bool is_signed;
-  int first;                               /* cycle in which slot 0 stands in the output */
-  char label[SEPAX_II_MAX][SCHEDULE_NAME]; /* what each slot brings: a1b2 */
-  int last[SEPAX_II_MAX];                  /* the last use; -1: none */
-  int line;                                /* registers of the delay line */
+  int first;                             /* cycle in which slot 0 stands in the output */
+  char label[SEPAX_II_MAX][GRAPH_LABEL]; /* what each slot brings: a1b2 */
+  int age[SEPAX_II_MAX];                 /* at the last use: cycles behind the definition */
+  int line;                              /* registers of the delay line */
 } schedule_stream;
 
 typedef struct {
@@ -37,9 +37,8 @@ typedef struct {
   int streams;
 } schedule;
 
-/* A new stream, SYMBOL_NAME; slots get their labels as they are filled. */
-int schedule_add(schedule *s, const char *symbol, const char *name, const char *width,
-                 bool is_signed);
+/* A new stream; returns its number. */
+int schedule_add(schedule *s, const schedule_stream *stream);
 
 /* The definition cycle of a value: it stands in its unit's output. */
 int schedule_defined(const schedule *s, schedule_value v);

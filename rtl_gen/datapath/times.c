@@ -46,32 +46,35 @@ int times_earliest(const datapath *d, int kind) {
 
 void times_start(datapath *d, int kind, int cycle) {
   graph_kind *k = &d->graph.kind[kind];
-  if (k->started) {
-    return;
+  for (int unit = 0; unit < k->units && !k->started; unit++) {
+    int operations = binding_count(k, unit);
+    if (operations > 0) {
+      k->start[unit] = cycle < 0 ? earliest_of(d, k, unit) : cycle;
+      schedule_stream stream = {.width = k->row.width,
+                                .is_signed = k->row.is_signed,
+                                .first = k->start[unit] + k->latency};
+      memcpy(stream.symbol, k->symbol, sizeof stream.symbol);
+      for (int slot = 0; slot < d->schedule.ii; slot++) {
+        const char *label = d->graph.node[k->at[unit][slot]].label;
+        memcpy(stream.label[slot], label, sizeof stream.label[slot]);
+        if (k->at[unit][slot] != 0) {
+          snprintf(stream.name, sizeof stream.name, "%s_%s", k->symbol, label);
+        }
+      }
+      if (operations > 1) {
+        snprintf(stream.name, sizeof stream.name, "%s_%d", k->symbol, unit);
+      }
+      k->stream[unit] = schedule_add(&d->schedule, &stream);
+    }
   }
   k->started = true;
-  for (int unit = 0; unit < k->units; unit++) {
-    if (binding_count(k, unit) == 0) {
-      continue;
-    }
-    char name[GRAPH_LABEL];
-    binding_name(&d->graph, k, unit, name);
-    k->start[unit] = cycle < 0 ? earliest_of(d, k, unit) : cycle;
-    k->stream[unit] = schedule_add(&d->schedule, k->symbol, name, k->row.width, k->row.is_signed);
-    schedule_stream *stream = &d->schedule.stream[k->stream[unit]];
-    stream->first = k->start[unit] + k->latency;
-    for (int slot = 0; slot < d->schedule.ii; slot++) {
-      _Static_assert((int)GRAPH_LABEL <= (int)SCHEDULE_NAME, "a label fits");
-      memcpy(stream->label[slot], d->graph.node[k->at[unit][slot]].label, GRAPH_LABEL);
-    }
-  }
 }
 
 void times_need(datapath *d, graph_value v, int cycle) {
   const graph_node *n = node_of(d, v);
   if (n->kind >= 0) {
     schedule_need(&d->schedule, value_of(d, v), cycle);
-  } else if (n->axis != '\0') {
+  } else if (n->kind == GRAPH_COORDINATE) {
     coordinates_need(&d->coordinates, n->axis, n->vertex, cycle);
   }
 }
@@ -94,7 +97,7 @@ void times_source(const datapath *d, graph_value v, int cycle, char text[EMIT_NA
   const graph_node *n = node_of(d, v);
   if (n->kind >= 0) {
     schedule_source(&d->schedule, value_of(d, v), cycle, text);
-  } else if (n->axis != '\0') {
+  } else if (n->kind == GRAPH_COORDINATE) {
     coordinates_source(&d->coordinates, n->axis, n->vertex, cycle, text);
   } else {
     snprintf(text, EMIT_NAME, "%s", n->text);

@@ -92,7 +92,7 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
                       p->stages.shortest + 0.005);
   }
   p->datapath.schedule.ii = ii;
-  coordinates_init(&p->datapath.coordinates, ii);
+  p->datapath.coordinates = (coordinates){.ii = ii, .rotate = ii % 3 == 0};
   exact_graph_make(p);
   if (p->running) {
     rotate_classes(p);

@@ -318,7 +318,7 @@ void exact_graph_make(exact_plan *p) {
   e->graph = &p->datapath.graph;
   for (int axis = 0; axis < 3; axis++) {
     for (int v = 0; v < 6; v++) {
-      e->coordinate[axis][v] = graph_coordinate(e->graph, "xyz"[axis], v);
+      e->coordinate[axis][v] = graph_coordinate(e->graph, axis, v);
     }
   }
   exact_graph_projection(p, 0);
