@@ -58,20 +58,19 @@ static bool is_there(const coordinates *c, int axis, int v, int bank) {
   return end > a->start[bank - 1] + c->ii;
 }
 
-static void register_name(int axis, int v, int bank, char text[EMIT_NAME]) {
-  int used = snprintf(text, EMIT_NAME, "%c_%s", "xyzu"[axis], graph_vertex_name(v));
-  if (bank > 0) {
-    snprintf(text + used, EMIT_NAME - (size_t)used, bank > 1 ? "_hold%d" : "_hold", bank);
-  }
+static gen_line register_name(int axis, int v, int bank) {
+  return gen_format(bank > 1    ? "%c_%s_hold%d"
+                    : bank == 1 ? "%c_%s_hold"
+                                : "%c_%s",
+                    "xyzu"[axis], graph_vertex_name(v), bank);
 }
 
-static void source_in(const coordinates *c, int axis, int v, int bank, int cycle,
-                      char text[EMIT_NAME]) {
+static gen_line source_in(const coordinates *c, int axis, int v, int bank, int cycle) {
   int turned = c->rotate ? (cycle - c->axis[axis].start[bank]) % 3 : 0;
-  register_name(axis, v / 3 * 3 + (v % 3 - turned + 3) % 3, bank, text);
+  return register_name(axis, v / 3 * 3 + (v % 3 - turned + 3) % 3, bank);
 }
 
-void coordinates_source(const coordinates *c, int axis, int v, int cycle, char text[EMIT_NAME]) {
+gen_line coordinates_source(const coordinates *c, int axis, int v, int cycle) {
   const coordinates_axis *a = &c->axis[axis];
   int bank = 0;
   while (cycle >= a->start[bank] + c->ii) {
@@ -79,16 +78,14 @@ void coordinates_source(const coordinates *c, int axis, int v, int cycle, char t
       abort(); /* it is read when no bank has it any more */
     }
   }
-  source_in(c, axis, v, bank, cycle, text);
+  return source_in(c, axis, v, bank, cycle);
 }
 
 void coordinates_declare(const coordinates *c, FILE *out) {
   for (int axis = 0; axis < AXES; axis++) {
     for (int n = 0; n < 6 * c->axis[axis].banks; n++) {
       if (is_there(c, axis, n % 6, n / 6)) {
-        char name[EMIT_NAME];
-        register_name(axis, n % 6, n / 6, name);
-        emit_net(out, "reg signed", "W", name);
+        emit_net(out, "reg signed", "W", register_name(axis, n % 6, n / 6).text);
       }
     }
   }
@@ -97,20 +94,15 @@ void coordinates_declare(const coordinates *c, FILE *out) {
 /* A register takes its coordinate over from the bank before, or from the input, or, for a second
  * pass, from the last banks: u for x and z for y. */
 static void load(const coordinates *c, FILE *out, int axis, int v, int bank) {
-  char from[EMIT_NAME];
-  char other[EMIT_NAME];
   int before = c->axis[axis].start[bank] - 1;
   if (axis == U && bank == 1) {
-    source_in(c, X, v, 0, before, from);
-    source_in(c, Y, v, 0, before, other);
-    fprintf(out, "x_equal ? %s : %s;\n", other, from);
+    fprintf(out, "x_equal ? %s : %s;\n", source_in(c, Y, v, 0, before).text,
+            source_in(c, X, v, 0, before).text);
   } else if (bank > 0) {
-    source_in(c, axis, v, bank - 1, before, from);
-    fprintf(out, "%s;\n", from);
+    fprintf(out, "%s;\n", source_in(c, axis, v, bank - 1, before).text);
   } else {
     if (c->second_pass && axis != Z) {
-      coordinates_source(c, axis == X ? U : Z, v, c->again, from);
-      fprintf(out, "again ? %s : ", from);
+      fprintf(out, "again ? %s : ", coordinates_source(c, axis == X ? U : Z, v, c->again).text);
     }
     fprintf(out, "in_%s_%c;\n", graph_vertex_name(v), "xyz"[axis]);
   }
@@ -120,12 +112,10 @@ static void load(const coordinates *c, FILE *out, int axis, int v, int bank) {
 static void move(const coordinates *c, FILE *out, int axis, int bank, bool rotate) {
   for (int v = 0; v < 6; v++) {
     if (is_there(c, axis, v, bank)) {
-      char name[EMIT_NAME];
-      register_name(axis, v, bank, name);
-      fprintf(out, c->ii > 1 ? "      %s <= " : "    %s <= ", name);
+      const char *indent = c->ii > 1 ? "      " : "    ";
+      fprintf(out, "%s%s <= ", indent, register_name(axis, v, bank).text);
       if (rotate) {
-        register_name(axis, v / 3 * 3 + (v + 1) % 3, bank, name);
-        fprintf(out, "%s;\n", name);
+        fprintf(out, "%s;\n", register_name(axis, v / 3 * 3 + (v + 1) % 3, bank).text);
       } else {
         load(c, out, axis, v, bank);
       }

@@ -31,7 +31,7 @@ void coordinates_need(coordinates *c, int axis, int v, int cycle);
 void coordinates_store(coordinates *c, int z_change);
 
 /* The register in which vertex v stands in this cycle. */
-void coordinates_source(const coordinates *c, int axis, int v, int cycle, char text[EMIT_NAME]);
+gen_line coordinates_source(const coordinates *c, int axis, int v, int cycle);
 
 /* Declarations, then the clocked assignments. */
 void coordinates_declare(const coordinates *c, FILE *out);

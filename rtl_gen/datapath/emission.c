@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef char source[EMIT_NAME];
-
 typedef struct {
   const datapath *d;
   emit_stream *text; /* all units so far */
@@ -21,95 +19,79 @@ static const schedule_stream *stream_of(const datapath *d, const graph_kind *k, 
 
 /* What is high in this cycle of the II window: a bit of the slot, or its copy of this name, which
  * is made of the bit a cycle earlier. */
-static void slot_name(const emission *e, const char *copies, int cycle, source name) {
+static gen_line slot_name(const emission *e, const char *copies, int cycle) {
   int ii = e->d->schedule.ii;
   int slot = cycle % ii;
   if (copies == NULL) {
-    snprintf(name, EMIT_NAME, "slot[%d]", slot);
-    return;
+    return gen_format("slot[%d]", slot);
   }
-  snprintf(name, EMIT_NAME, "slot_%s_%d", copies, slot);
-  const gen_line wire = gen_format("  wire %s;\n", name);
+  const gen_line name = gen_format("slot_%s_%d", copies, slot);
+  const gen_line wire = gen_format("  wire %s;\n", name.text);
   fflush(e->text->out);
   if (strstr(e->text->text, wire.text) == NULL) {
     fprintf(e->text->out,
             "%s  sepax_slot_copy copy_%s_%d (\n"
             "    .clk(clk),\n    .slot(slot[%d]),\n    .slot_q(%s)\n  );\n",
-            wire.text, copies, slot, (cycle + ii - 1) % ii, name);
+            wire.text, copies, slot, (cycle + ii - 1) % ii, name.text);
   }
+  return name;
 }
 
 /* "(slot[0] || slot[2]) ? source :" for all slots in which it is the operand. */
-static void print_case(const emission *e, FILE *out, const graph_kind *k, int unit, source text[],
-                       int first) {
+static void print_case(const emission *e, FILE *out, const graph_kind *k, int unit,
+                       const gen_line source[], int first) {
   const char *separator = "\n      (";
   int terms = 0;
   for (int slot = first; slot < e->d->schedule.ii; slot++) {
-    if (strcmp(text[slot], text[first]) == 0) {
-      source name;
-      slot_name(e, k->slots, k->start[unit] + slot, name);
-      fprintf(out, "%s%s", separator, name);
+    if (strcmp(source[slot].text, source[first].text) == 0) {
+      fprintf(out, "%s%s", separator, slot_name(e, k->slots, k->start[unit] + slot).text);
       separator = ++terms % 4 == 0 ? " ||\n       " : " || ";
     }
   }
-  fprintf(out, ") ? %s :", text[first]);
+  fprintf(out, ") ? %s :", source[first].text);
 }
 
-/* The first slot that reads the same; slots that read nothing have "". */
-static int first_of(source text[], int slot) {
-  int first = 0;
-  while (strcmp(text[first], text[slot]) != 0) {
-    first++;
-  }
-  return first;
-}
-
-/* The operand that a unit reads, text[slot] in each slot ("": nothing): a register, or a wire
- * `name` that selects one. What most slots read needs no condition. */
-static void select_operand(const emission *e, const graph_kind *k, int unit, source name,
-                           source text[], graph_value operand, source out) {
-  int ii = e->d->schedule.ii;
-  int votes[SEPAX_II_MAX] = {0};
+/* The operand that a unit reads: a register, or a wire that selects one. What most slots read needs
+ * no condition. */
+static gen_line operand_of(const emission *e, const graph_kind *k, int unit, int index) {
+  gen_line source[SEPAX_II_MAX]; /* in each slot; "": nothing */
+  int votes[SEPAX_II_MAX] = {0}; /* of slots that read the same, for the first of them */
   int best = 0;
   int used = 0;
-  for (int slot = 0; slot < ii; slot++) {
-    used += text[slot][0] != '\0';
-    votes[first_of(text, slot)] += text[slot][0] != '\0';
+  graph_value operand = 0;
+  for (int slot = 0; slot < e->d->schedule.ii; slot++) {
+    source[slot].text[0] = '\0';
+    if (k->at[unit][slot] != 0) {
+      operand = e->d->graph.node[k->at[unit][slot]].operand[index];
+      source[slot] = times_source(e->d, operand, k->start[unit] + slot);
+      int first = 0;
+      while (strcmp(source[first].text, source[slot].text) != 0) {
+        first++;
+      }
+      votes[first]++;
+      used++;
+    }
   }
-  for (int slot = 1; slot < ii; slot++) {
+  for (int slot = 1; slot < e->d->schedule.ii; slot++) {
     best = votes[slot] > votes[best] ? slot : best;
   }
-  memcpy(out, votes[best] == used ? text[best] : name, EMIT_NAME);
   if (votes[best] == used) {
-    return;
+    return source[best];
   }
   emit_stream cases;
   emit_stream_open(&cases);
-  for (int slot = 0; slot < ii; slot++) {
-    if (votes[slot] > 0 && slot != best) {
-      print_case(e, cases.out, k, unit, text, slot);
-    }
-  }
-  emit_net(e->text->out, graph_is_signed(&e->d->graph, operand) ? "wire signed" : "wire",
-           graph_width(&e->d->graph, operand), name);
-  char *selected = emit_stream_close(&cases);
-  fprintf(e->text->out, "  assign %s =%s\n      %s;\n", name, selected, text[best]);
-  free(selected);
-}
-
-static void operand_of(const emission *e, const graph_kind *k, int unit, int index, source out) {
-  source text[SEPAX_II_MAX];
-  source name;
-  graph_value operand = 0;
   for (int slot = 0; slot < e->d->schedule.ii; slot++) {
-    text[slot][0] = '\0';
-    if (k->at[unit][slot] != 0) {
-      operand = e->d->graph.node[k->at[unit][slot]].operand[index];
-      times_source(e->d, operand, k->start[unit] + slot, text[slot]);
+    if (votes[slot] > 0 && slot != best) {
+      print_case(e, cases.out, k, unit, source, slot);
     }
   }
-  snprintf(name, EMIT_NAME, "%s_op%d", stream_of(e->d, k, unit)->name, index + 1);
-  select_operand(e, k, unit, name, text, operand, out);
+  char *selected = emit_stream_close(&cases);
+  const gen_line name = gen_format("%s_op%d", stream_of(e->d, k, unit)->name, index + 1);
+  emit_net(e->text->out, graph_is_signed(&e->d->graph, operand) ? "wire signed" : "wire",
+           graph_width(&e->d->graph, operand), name.text);
+  fprintf(e->text->out, "  assign %s =%s\n      %s;\n", name.text, selected, source[best].text);
+  free(selected);
+  return name;
 }
 
 /* ------------------------------------------------------------------------- units */
@@ -178,9 +160,8 @@ static void print_instance(const emission *e, const graph_kind *k, int unit) {
   for (int i = 0; i < GRAPH_OPERANDS && k->row.operand[i] != NULL; i++) {
     const char *port = k->row.operand[i];
     if (!is_optional(port) || !without) {
-      source text;
-      operand_of(e, k, unit, i, text);
-      fprintf(ports.out, "\n    .%s(%s),", port + is_optional(port), text);
+      const gen_line operand = operand_of(e, k, unit, i);
+      fprintf(ports.out, "\n    .%s(%s),", port + is_optional(port), operand.text);
     }
   }
   fprintf(ports.out, "\n    .%s(%s)", k->row.output, name);
@@ -195,11 +176,10 @@ static void print_instance(const emission *e, const graph_kind *k, int unit) {
 
 /* The row's expression of the operand. */
 static void print_expression(const emission *e, const graph_kind *k, int unit) {
-  source operand;
-  operand_of(e, k, unit, 0, operand);
+  const gen_line operand = operand_of(e, k, unit, 0);
   fprintf(e->text->out, "  assign %s = ", stream_of(e->d, k, unit)->name);
   for (const char *c = k->row.expression; *c != '\0'; c++) {
-    fprintf(e->text->out, "%.*s", *c == '@' ? EMIT_NAME : 1, *c == '@' ? operand : c);
+    fprintf(e->text->out, "%.*s", *c == '@' ? EMIT_NAME : 1, *c == '@' ? operand.text : c);
   }
   fputs(";\n", e->text->out);
 }
@@ -261,8 +241,9 @@ void emission_bus(const datapath *d, FILE *out, const char *name, const graph_va
   emit_net(out, "wire", gen_format("%d*(%s)", count, graph_width(&d->graph, value[0])).text, name);
   fprintf(out, "  assign %s = {", name);
   for (int i = count - 1; i >= 0; i--) {
-    source text;
-    times_source(d, value[i], cycle, text);
-    fprintf(out, "%s%s", text, i == 0 ? "};\n" : i % 4 == 0 ? ",\n      " : ", ");
+    fprintf(out, "%s%s", times_source(d, value[i], cycle).text,
+            i == 0       ? "};\n"
+            : i % 4 == 0 ? ",\n      "
+                         : ", ");
   }
 }

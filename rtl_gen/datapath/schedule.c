@@ -55,82 +55,65 @@ void schedule_store(schedule *s) {
   }
 }
 
-static void line_name(const schedule_stream *t, int place, char text[EMIT_NAME]) {
-  if (place == 0) {
-    snprintf(text, EMIT_NAME, "%s", t->name);
-  } else {
-    snprintf(text, EMIT_NAME, place == 1 ? "%s_q" : "%s_q%d", t->name, place);
+/* Register n behind the output (0): of the delay line, then the holding registers of a slot. */
+static gen_line register_name(const schedule_stream *t, int slot, int n) {
+  int copy = n - t->line;
+  if (n == 0) {
+    return gen_format("%s", t->name);
   }
+  if (copy <= 0) {
+    return gen_format(n > 1 ? "%s_q%d" : "%s_q", t->name, n);
+  }
+  return gen_format(copy > 1 ? "%s_%s_hold%d" : "%s_%s_hold", t->symbol, t->label[slot], copy);
 }
 
-static void hold_name(const schedule_stream *t, int slot, int copy, char text[EMIT_NAME]) {
-  int used = snprintf(text, EMIT_NAME, "%s_%s_hold", t->symbol, t->label[slot]);
-  if (copy > 0) {
-    snprintf(text + used, EMIT_NAME - (size_t)used, "%d", copy + 1);
-  }
-}
-
-void schedule_source(const schedule *s, schedule_value v, int cycle, char text[EMIT_NAME]) {
+gen_line schedule_source(const schedule *s, schedule_value v, int cycle) {
   const schedule_stream *t = &s->stream[v.stream];
   int place = cycle - schedule_defined(s, v);
-  if (place <= t->line) {
-    line_name(t, place, text);
-  } else {
-    hold_name(t, v.slot, (place - t->line - 1) / s->ii, text);
-  }
+  int beyond = place - t->line;
+  return register_name(t, v.slot, beyond > 0 ? t->line + (beyond + s->ii - 1) / s->ii : place);
 }
 
 void schedule_declare(const schedule *s, FILE *out) {
-  char name[EMIT_NAME];
-  for (int i = 0; i < s->streams; i++) {
-    const schedule_stream *t = &s->stream[i];
+  for (const schedule_stream *t = s->stream; t < s->stream + s->streams; t++) {
     const char *kind = t->is_signed ? "reg signed" : "reg";
-    for (int place = 1; place <= t->line; place++) {
-      line_name(t, place, name);
-      emit_net(out, kind, t->width, name);
+    for (int n = 1; n <= t->line; n++) {
+      emit_net(out, kind, t->width, register_name(t, 0, n).text);
     }
     for (int k = 0; k < s->ii; k++) {
-      for (int copy = 0; copy < holds(s, t, k, t->line); copy++) {
-        hold_name(t, k, copy, name);
-        emit_net(out, kind, t->width, name);
+      for (int n = t->line + 1; n <= t->line + holds(s, t, k, t->line); n++) {
+        emit_net(out, kind, t->width, register_name(t, k, n).text);
       }
     }
   }
 }
 
+static void move(FILE *out, const schedule_stream *t, int slot, int n) {
+  fprintf(out, "%s <= %s;\n", register_name(t, slot, n).text, register_name(t, slot, n - 1).text);
+}
+
 void schedule_clock(const schedule *s, FILE *out) {
-  char name[EMIT_NAME];
-  char from[EMIT_NAME];
-  for (int i = 0; i < s->streams; i++) {
-    const schedule_stream *t = &s->stream[i];
-    for (int place = 1; place <= t->line; place++) {
-      line_name(t, place, name);
-      line_name(t, place - 1, from);
-      fprintf(out, "    %s <= %s;\n", name, from);
+  for (const schedule_stream *t = s->stream; t < s->stream + s->streams; t++) {
+    for (int n = 1; n <= t->line; n++) {
+      fputs("    ", out);
+      move(out, t, 0, n);
     }
   }
   for (int phase = 0; phase < s->ii; phase++) {
     bool open = false;
-    for (int i = 0; i < s->streams; i++) {
-      const schedule_stream *t = &s->stream[i];
+    for (const schedule_stream *t = s->stream; t < s->stream + s->streams; t++) {
       for (int k = 0; k < s->ii; k++) {
-        if ((t->first + k + t->line) % s->ii != phase) {
-          continue;
-        }
-        line_name(t, t->line, from);
-        for (int copy = 0; copy < holds(s, t, k, t->line); copy++) {
-          hold_name(t, k, copy, name);
+        bool now = (t->first + k + t->line) % s->ii == phase;
+        for (int n = t->line + 1; now && n <= t->line + holds(s, t, k, t->line); n++) {
           if (!open) {
             fprintf(out, "    if (slot[%d]) begin\n", phase);
             open = true;
           }
-          fprintf(out, "      %s <= %s;\n", name, from);
-          snprintf(from, sizeof from, "%s", name);
+          fputs("      ", out);
+          move(out, t, k, n);
         }
       }
     }
-    if (open) {
-      fprintf(out, "    end\n");
-    }
+    fputs(open ? "    end\n" : "", out);
   }
 }

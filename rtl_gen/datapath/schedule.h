@@ -50,7 +50,7 @@ void schedule_need(schedule *s, schedule_value v, int cycle);
 void schedule_store(schedule *s);
 
 /* The register in which v stands in this cycle. */
-void schedule_source(const schedule *s, schedule_value v, int cycle, char text[EMIT_NAME]);
+gen_line schedule_source(const schedule *s, schedule_value v, int cycle);
 
 /* Registers behind the outputs: declarations, then their clocked assignments. slot[k] is
  * high in cycle k modulo II. */

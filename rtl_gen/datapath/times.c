@@ -93,13 +93,10 @@ void times_need_operands(datapath *d) {
   }
 }
 
-void times_source(const datapath *d, graph_value v, int cycle, char text[EMIT_NAME]) {
+gen_line times_source(const datapath *d, graph_value v, int cycle) {
   const graph_node *n = node_of(d, v);
-  if (n->kind >= 0) {
-    schedule_source(&d->schedule, value_of(d, v), cycle, text);
-  } else if (n->kind == GRAPH_COORDINATE) {
-    coordinates_source(&d->coordinates, n->axis, n->vertex, cycle, text);
-  } else {
-    snprintf(text, EMIT_NAME, "%s", n->text);
-  }
+  return n->kind == GRAPH_CONSTANT ? gen_format("%s", n->text)
+         : n->kind == GRAPH_COORDINATE
+             ? coordinates_source(&d->coordinates, n->axis, n->vertex, cycle)
+             : schedule_source(&d->schedule, value_of(d, v), cycle);
 }

@@ -29,6 +29,6 @@ void times_need(datapath *d, graph_value v, int cycle);
 void times_need_operands(datapath *d);
 
 /* Where a value stands in this cycle. */
-void times_source(const datapath *d, graph_value v, int cycle, char text[EMIT_NAME]);
+gen_line times_source(const datapath *d, graph_value v, int cycle);
 
 #endif
