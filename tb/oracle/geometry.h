@@ -42,6 +42,18 @@ static inline wide dot(wide_vec p, wide_vec q) {
   return p.c[0] * q.c[0] + p.c[1] * q.c[1] + p.c[2] * q.c[2];
 }
 
+/* True iff all of B is strictly on one side of all of A along c: the signs of nine differences. */
+static inline bool separates(wide_vec c, const sepax_tri *a, const sepax_tri *b) {
+  int above = 0;
+  int below = 0;
+  for (int i = 0; i < 9; i++) {
+    wide d = dot(c, between(a->v[i / 3], b->v[i % 3]));
+    above += d > 0;
+    below += d < 0;
+  }
+  return above == 9 || below == 9;
+}
+
 /* --------------------------------------------------------------------- in doubles */
 
 typedef struct {

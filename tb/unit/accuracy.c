@@ -1,11 +1,11 @@
 /* accuracy.c - what the accuracy laboratory measures with: depths, solids, the
  * interval test. */
+#include "oracle/geometry.h"
 #include "oracle/pair_tools.h"
 #include "harness.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 CASE(known_depths) {
   sepax_tri a = {{{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}};
@@ -28,11 +28,10 @@ CASE(known_depths) {
 }
 
 static sepax_tri moved(const sepax_tri *t, int x, int y, int z) {
+  const int by[3] = {x, y, z};
   sepax_tri m = *t;
-  for (int i = 0; i < 3; i++) {
-    m.v[i].x += x;
-    m.v[i].y += y;
-    m.v[i].z += z;
+  for (int i = 0; i < 9; i++) {
+    *coordinate(&m.v[i / 3], i % 3) += by[i % 3];
   }
   return m;
 }
@@ -66,33 +65,26 @@ CASE(depths_by_moving) {
 
 /* The solid angle under which a point sees a triangle (van Oosterom and Strackee). */
 static double solid_angle(sepax_vec p, const sepax_tri *t) {
-  double r[3][3];
+  point r[3];
   double length[3];
   for (int i = 0; i < 3; i++) {
-    r[i][0] = (double)t->v[i].x - p.x;
-    r[i][1] = (double)t->v[i].y - p.y;
-    r[i][2] = (double)t->v[i].z - p.z;
-    length[i] = sqrt(r[i][0] * r[i][0] + r[i][1] * r[i][1] + r[i][2] * r[i][2]);
+    r[i] = minus(point_of(t->v[i]), point_of(p));
+    length[i] = sqrt(inner(r[i], r[i]));
   }
-  double volume = r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) -
-                  r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) +
-                  r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
   double sum = length[0] * length[1] * length[2];
   for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    sum += (r[i][0] * r[j][0] + r[i][1] * r[j][1] + r[i][2] * r[j][2]) * length[(i + 2) % 3];
+    sum += inner(r[i], r[(i + 1) % 3]) * length[(i + 2) % 3];
   }
-  return 2 * atan2(volume, sum);
+  return 2 * atan2(inner(r[0], outer(r[1], r[2])), sum);
 }
 
 static sepax_tri *quantised(const char *shape, size_t triangles, const sepax_grid *grid) {
   static const double origin[3] = {0, 0, 0};
   sepax_mesh mesh;
-  sepax_error error = {""};
   sepax_tri *tri = calloc(triangles, sizeof *tri);
   assert_non_null(tri);
-  assert_true(sepax_sample(&mesh, shape, triangles, origin, 0, &error));
-  assert_true(sepax_quantise(&mesh, grid, tri, NULL, &error));
+  assert_works(sepax_sample(&mesh, shape, triangles, origin, 0, &fault));
+  assert_works(sepax_quantise(&mesh, grid, tri, NULL, &fault));
   sepax_mesh_free(&mesh);
   return tri;
 }
@@ -110,9 +102,9 @@ CASE(solids_by_winding) {
     sepax_tri *mesh = quantised(shape[s], TRIANGLES, &grid);
     for (int n = 0; n < 3000; n++) {
       sepax_vec p = mesh[sepax_random_range(&random, 0, TRIANGLES - 1)].v[0];
-      p.x += (int32_t)sepax_random_range(&random, -12, 12);
-      p.y += (int32_t)sepax_random_range(&random, -12, 12);
-      p.z += (int32_t)sepax_random_range(&random, -12, 12);
+      for (int i = 0; i < 3; i++) {
+        *coordinate(&p, i) += (int32_t)sepax_random_range(&random, -12, 12);
+      }
       sepax_vec q[4] = {p, {p.x + 1, p.y, p.z}, {p.x, p.y + 1, p.z}, {p.x, p.y, p.z + 1}};
       sepax_tri tiny[4] = {
           {{q[0], q[2], q[1]}}, {{q[0], q[1], q[3]}}, {{q[0], q[3], q[2]}}, {{q[1], q[2], q[3]}}};
@@ -129,8 +121,7 @@ CASE(solids_by_winding) {
       }
       sepax_scene scene = {.tri = {tiny, mesh}, .count = {4, TRIANGLES}};
       bool inside[2];
-      sepax_error error = {""};
-      assert_true(sepax_solid(&scene, inside, &error));
+      assert_works(sepax_solid(&scene, inside, &fault));
       assert_false(inside[1]);
       assert_int_equal(inside[0], fabs(angle) > 2 * PI);
       within += inside[0];
@@ -147,11 +138,9 @@ CASE(open_meshes_are_refused) {
   sepax_tri *sphere = quantised("sphere", 40, &grid);
   sepax_scene scene = {.tri = {box, sphere}, .count = {11, 40}};
   bool inside[2];
-  sepax_error error = {""};
-  assert_false(sepax_solid(&scene, inside, &error));
-  assert_non_null(strstr(error.text, "mesh A is not closed"));
+  assert_fault(sepax_solid(&scene, inside, &fault), "mesh A is not closed");
   scene.count[0] = 12;
-  assert_true(sepax_solid(&scene, inside, &error));
+  assert_works(sepax_solid(&scene, inside, &fault));
   free(box);
   free(sphere);
 }
@@ -164,21 +153,18 @@ CASE(overlapping_bodies_are_solid) {
   sepax_tri *box = quantised("box", BOX, &grid);
   for (int shift = 0; shift < 12; shift += 5) {
     sepax_tri both[2 * BOX];
-    sepax_tri inner[BOX];
+    sepax_tri within[BOX];
     for (int n = 0; n < BOX; n++) {
       both[n] = box[n];
       both[BOX + n] = moved(&box[n], shift, shift, 0);
-      inner[n] = box[n];
       for (int k = 0; k < 3; k++) {
-        inner[n].v[k].x = inner[n].v[k].x > 0 ? 8 : 6;
-        inner[n].v[k].y = inner[n].v[k].y > 0 ? 8 : 6;
-        inner[n].v[k].z = inner[n].v[k].z > 0 ? 2 : 1;
+        sepax_vec v = box[n].v[k];
+        within[n].v[k] = (sepax_vec){v.x > 0 ? 8 : 6, v.y > 0 ? 8 : 6, v.z > 0 ? 2 : 1};
       }
     }
-    sepax_scene scene = {.tri = {inner, both}, .count = {BOX, 2 * BOX}};
+    sepax_scene scene = {.tri = {within, both}, .count = {BOX, 2 * BOX}};
     bool inside[2];
-    sepax_error error = {""};
-    assert_true(sepax_solid(&scene, inside, &error));
+    assert_works(sepax_solid(&scene, inside, &fault));
     assert_true(inside[0]);
     assert_false(inside[1]);
   }

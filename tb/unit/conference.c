@@ -5,30 +5,20 @@
 
 /* ------------------------------------------------------- the theorem, with all bits */
 
-/* All of B strictly on one side of all of A along c: the signs of nine differences. */
-static bool separates(const sepax_pair *pair, wide_vec c) {
-  int above = 0;
-  int below = 0;
-  for (int i = 0; i < 9; i++) {
-    wide d = dot(between(pair->a.v[i / 3], pair->b.v[i % 3]), c);
-    above += d > 0;
-    below += d < 0;
-  }
-  return above == 9 || below == 9;
-}
+static bool splits(const sepax_pair *pair, wide_vec c) { return separates(c, &pair->a, &pair->b); }
 
 /* The verdict of an eleven-axis test, or of a six-axis one where the pair is called coplanar. */
 static bool collides(const sepax_pair *pair, bool coplanar) {
   wide_vec na = wide_of(pair->na);
   wide_vec nb = wide_of(pair->nb);
-  bool disjoint = !coplanar && (separates(pair, na) || separates(pair, nb));
+  bool disjoint = !coplanar && (splits(pair, na) || splits(pair, nb));
   for (int i = 0; i < 3 && !disjoint; i++) {
     if (coplanar) {
-      disjoint = separates(pair, cross(na, edge(&pair->a, i))) ||
-                 separates(pair, cross(nb, edge(&pair->b, i)));
+      disjoint =
+          splits(pair, cross(na, edge(&pair->a, i))) || splits(pair, cross(nb, edge(&pair->b, i)));
     }
     for (int j = 0; j < 3 && !coplanar && !disjoint; j++) {
-      disjoint = separates(pair, cross(edge(&pair->a, i), edge(&pair->b, j)));
+      disjoint = splits(pair, cross(edge(&pair->a, i), edge(&pair->b, j)));
     }
   }
   return !disjoint;

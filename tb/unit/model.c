@@ -265,13 +265,13 @@ static sepax_pair pair_of(const sepax_tri *a, const sepax_tri *b, int word) {
 CASE(test_printed_coplanarity) {
   sepax_design plane = design_of("--arch=paper --word=18 --coplanarity=plane");
   sepax_design paper = design_of("--arch=paper --word=18 --coplanarity=paper");
-  sepax_pair tangent = pair_of(&tangent_a, &tangent_b, 18);
-  tangent.nb = (sepax_vec){-tangent.nb.x, -tangent.nb.y, -tangent.nb.z};
-  if (sepax_paper(&paper, &tangent).coplanar == false) {
-    tangent = pair_of(&tangent_a, &tangent_b, 18);
+  sepax_pair touching = pair_of(&tangent_a, &tangent_b, 18);
+  touching.nb = (sepax_vec){-touching.nb.x, -touching.nb.y, -touching.nb.z};
+  if (sepax_paper(&paper, &touching).coplanar == false) {
+    touching = pair_of(&tangent_a, &tangent_b, 18);
   }
-  assert_true(sepax_paper(&paper, &tangent).coplanar);
-  assert_false(sepax_paper(&plane, &tangent).coplanar);
+  assert_true(sepax_paper(&paper, &touching).coplanar);
+  assert_false(sepax_paper(&plane, &touching).coplanar);
 
   static const sepax_tri up = {{{0, 0, 50}, {90, 0, 50}, {0, 90, 50}}};
   static const sepax_tri down = {{{100, 100, 50}, {100, 190, 50}, {190, 100, 50}}};

@@ -238,13 +238,13 @@ CASE(an_empty_stream_ends) {
 }
 
 CASE(nul_bytes_are_refused) {
-#define BYTES(text) \
-  { text, sizeof text - 1 }
   static const struct {
     const char *text;
     size_t length;
-  } row[] = {BYTES(EIGHTEEN "\0 1\n"), BYTES(EIGHTEEN " # \0\n"), BYTES("\0\n"),
-             BYTES(EIGHTEEN "\0")};
+  } row[] = {{EIGHTEEN "\0 1\n", sizeof EIGHTEEN + 3},
+             {EIGHTEEN " # \0\n", sizeof EIGHTEEN + 4},
+             {"\0\n", 2},
+             {EIGHTEEN "\0", sizeof EIGHTEEN}};
   for (size_t i = 0; i < LENGTH(row); i++) {
     FILE *in = stream_of(row[i].text, row[i].length);
     size_t number = 0;

@@ -20,7 +20,6 @@ static bool quantised(int32_t *q, double x, const sepax_grid *grid) {
   sepax_facet facet = facet_at(x);
   const sepax_mesh mesh = {&facet, 1};
   sepax_tri tri = {{{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
-  fault.text[0] = '\0';
   bool ok = sepax_quantise(&mesh, grid, &tri, NULL, &fault);
   *q = tri.v[2].z;
   return ok;
@@ -38,9 +37,8 @@ static void assert_quantised(double x, double resolution, double offset, int wor
 
 static void refuse_value(double x, sepax_grid grid, const char *part) {
   int32_t q = 0;
-  assert_false(quantised(&q, x, &grid));
+  assert_fault(quantised(&q, x, &grid), part);
   assert_int_equal(q, 7);
-  assert_message(part);
 }
 
 CASE(test_rounding) {
@@ -117,13 +115,12 @@ static void slow_quantise(mpz_t q, double x, double offset, double resolution) {
 /* Most values lie within a few units in the last place of a border. */
 CASE(test_against_rationals) {
   const double resolutions[] = {0.002, 0.1, 1.0 / 3, 1e-3, 7e-7, 1, 0.0254, 1e30, 0x1p-1070, PI};
-  const int count = (int)(LENGTH(resolutions));
   int fitting = 0;
   int below = 0;
   mpz_t expected;
   mpz_init(expected);
   for (int i = 0; i < RANDOM_VALUES; i++) {
-    double step = resolutions[random_below(count)];
+    double step = resolutions[random_below((int)LENGTH(resolutions))];
     int word = 4 + random_below(29);
     double offset = random_below(3) == 0 ? 0 : random_unit() * step * 1e4;
     double q = floor(random_unit() * ldexp(1.0001, word - 1));
@@ -175,8 +172,8 @@ CASE(test_normals) {
   const sepax_grid grid = {1, {0, 0, 0}, 18};
   sepax_tri tri;
   sepax_vec normal;
-  assert_false(sepax_quantise(&mesh, &grid, &tri, &normal, &fault));
-  assert_message("facet 1: the normal has y = nan");
+  assert_fault(sepax_quantise(&mesh, &grid, &tri, &normal, &fault),
+               "facet 1: the normal has y = nan");
 }
 
 CASE(test_untouched) {
@@ -185,8 +182,8 @@ CASE(test_untouched) {
   sepax_tri tri[2] = {{{{7, 7, 7}}}};
   sepax_vec normal[2] = {{7, 7, 7}};
   const sepax_grid grid = {1, {0, 0, 0}, 4};
-  assert_false(sepax_quantise(&mesh, &grid, tri, normal, &fault));
-  assert_message("facet 2, vertex 1: x = 100 does not fit 4 bits");
+  assert_fault(sepax_quantise(&mesh, &grid, tri, normal, &fault),
+               "facet 2, vertex 1: x = 100 does not fit 4 bits");
   assert_true(tri[0].v[0].x == 7 && normal[0].x == 7);
 }
 
@@ -231,13 +228,6 @@ CASE(test_fit_extremes) {
   assert_true(fabs(grid.resolution * 262143 / 100 - 1) < 1e-15);
 }
 
-static void refuse_fit(const sepax_mesh *const meshes[], size_t count, int word, const char *part) {
-  sepax_grid grid = {.word = 77};
-  assert_false(sepax_grid_fit(&grid, meshes, count, word, &fault));
-  assert_message(part);
-  assert_int_equal(grid.word, 77);
-}
-
 CASE(test_fit_errors) {
   sepax_facet same = facet_at(5);
   sepax_facet wide = {.v = {{0, 0, 1}, {0, 0, 2}, {0, 0, 3}}};
@@ -248,10 +238,21 @@ CASE(test_fit_errors) {
   const sepax_mesh line = {&wide, 1};
   const sepax_mesh large = {&huge, 1};
   const sepax_mesh flawed = {&wrong, 1};
-  refuse_fit(NULL, 0, 18, "empty");
-  refuse_fit((const sepax_mesh *const[]){&empty, &empty}, 2, 18, "empty");
-  refuse_fit((const sepax_mesh *const[]){&empty, &point}, 2, 18, "a single point");
-  refuse_fit((const sepax_mesh *const[]){&line}, 1, 3, "word: 3 is not in 4 ... 32");
-  refuse_fit((const sepax_mesh *const[]){&line, &large}, 2, 18, "mesh 2, facet 1: y = -1e");
-  refuse_fit((const sepax_mesh *const[]){&flawed}, 1, 18, "mesh 1, facet 1: y = nan");
+  const struct {
+    const sepax_mesh *mesh[2];
+    size_t count;
+    int word;
+    const char *part;
+  } row[] = {{{NULL, NULL}, 0, 18, "empty"},
+             {{&empty, &empty}, 2, 18, "empty"},
+             {{&empty, &point}, 2, 18, "a single point"},
+             {{&line, NULL}, 1, 3, "word: 3 is not in 4 ... 32"},
+             {{&line, &large}, 2, 18, "mesh 2, facet 1: y = -1e"},
+             {{&flawed, NULL}, 1, 18, "mesh 1, facet 1: y = nan"}};
+  for (size_t i = 0; i < LENGTH(row); i++) {
+    sepax_grid grid = {.word = 77};
+    assert_fault(sepax_grid_fit(&grid, row[i].mesh, row[i].count, row[i].word, &fault),
+                 row[i].part);
+    assert_int_equal(grid.word, 77);
+  }
 }

@@ -1,148 +1,96 @@
 /* samples.c - the sample objects. */
+#include "oracle/geometry.h"
 #include "harness.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct {
-  double p[3];
-} point;
+static point at_corner(const sepax_mesh *mesh, size_t facet, size_t k) {
+  const double *v = mesh->facet[facet].v[k % 3];
+  return (point){{v[0], v[1], v[2]}};
+}
 
-static int compare_points(const void *a, const void *b) {
-  const point *p = a;
-  const point *q = b;
-  for (int i = 0; i < 3; i++) {
-    if (p->p[i] < q->p[i] || p->p[i] > q->p[i]) {
-      return p->p[i] < q->p[i] ? -1 : 1;
+static point normal_of(const sepax_mesh *mesh, size_t facet) {
+  point v = at_corner(mesh, facet, 0);
+  return outer(minus(at_corner(mesh, facet, 1), v), minus(at_corner(mesh, facet, 2), v));
+}
+
+static point written_normal(const sepax_mesh *mesh, size_t facet) {
+  const double *n = mesh->facet[facet].normal;
+  return (point){{n[0], n[1], n[2]}};
+}
+
+/* An edge is two points. */
+static int compare_numbers(const double *p, const double *q, int count) {
+  for (int i = 0; i < count; i++) {
+    if (p[i] < q[i] || p[i] > q[i]) {
+      return p[i] < q[i] ? -1 : 1;
     }
   }
   return 0;
 }
 
-static int compare_edges(const void *a, const void *b) {
-  const size_t *e = a;
-  const size_t *f = b;
-  for (int i = 0; i < 2; i++) {
-    if (e[i] != f[i]) {
-      return e[i] < f[i] ? -1 : 1;
-    }
-  }
-  return 0;
-}
-
-/* The distinct corners of the mesh in ascending order; their number is returned. */
-static size_t find_corners(point **corners, const sepax_mesh *mesh) {
-  size_t count = 0;
-  point *all = malloc(3 * mesh->count * sizeof *all);
-  assert_non_null(all);
-  for (size_t i = 0; i < 3 * mesh->count; i++) {
-    memcpy(all[i].p, mesh->facet[i / 3].v[i % 3], sizeof all[i].p);
-  }
-  qsort(all, 3 * mesh->count, sizeof *all, compare_points);
-  for (size_t i = 0; i < 3 * mesh->count; i++) {
-    if (count == 0 || compare_points(&all[i], &all[count - 1]) != 0) {
-      all[count++] = all[i];
-    }
-  }
-  *corners = all;
-  return count;
-}
+static int compare_edges(const void *a, const void *b) { return compare_numbers(a, b, 6); }
 
 /* Each directed edge once, and once its opposite; as many corners as a surface of
  * the topology of the sphere has. */
 static void assert_closed(const sepax_mesh *mesh) {
-  point *corners = NULL;
-  size_t count = find_corners(&corners, mesh);
-  assert_int_equal(2 * count, mesh->count + 4);
   size_t edges = 3 * mesh->count;
-  size_t(*edge)[2] = malloc(edges * sizeof *edge);
-  assert_non_null(edge);
+  size_t corners = 0;
+  point(*way)[2] = calloc(edges, sizeof *way);
+  assert_non_null(way);
   for (size_t i = 0; i < edges; i++) {
-    for (size_t k = 0; k < 2; k++) {
-      const double *v = mesh->facet[i / 3].v[(i % 3 + k) % 3];
-      const point *found = bsearch(v, corners, count, sizeof *corners, compare_points);
-      assert_non_null(found);
-      edge[i][k] = (size_t)(found - corners);
-    }
+    way[i][0] = at_corner(mesh, i / 3, i % 3);
+    way[i][1] = at_corner(mesh, i / 3, i % 3 + 1);
   }
-  qsort(edge, edges, sizeof *edge, compare_edges);
+  qsort(way, edges, sizeof *way, compare_edges);
   for (size_t i = 0; i < edges; i++) {
-    const size_t opposite[2] = {edge[i][1], edge[i][0]};
-    assert_true(i == 0 || compare_edges(edge[i], edge[i - 1]) != 0);
-    assert_non_null(bsearch(opposite, edge, edges, sizeof *edge, compare_edges));
+    const point opposite[2] = {way[i][1], way[i][0]};
+    corners += i == 0 || compare_numbers(way[i][0].c, way[i - 1][0].c, 3) != 0;
+    assert_true(i == 0 || compare_edges(way[i], way[i - 1]) != 0);
+    assert_non_null(bsearch(opposite, way, edges, sizeof *way, compare_edges));
   }
-  free(edge);
-  free(corners);
-}
-
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross_edges(double n[3], const sepax_facet *facet) {
-  double e[2][3];
-  for (int i = 0; i < 3; i++) {
-    e[0][i] = facet->v[1][i] - facet->v[0][i];
-    e[1][i] = facet->v[2][i] - facet->v[0][i];
-  }
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    n[i] = e[0][j] * e[1][k] - e[0][k] * e[1][j];
-  }
+  assert_int_equal(2 * corners, mesh->count + 4);
+  free(way);
 }
 
 /* The normals of the file are those of the corners, and of unit length. */
 static void assert_normals(const sepax_mesh *mesh) {
   for (size_t i = 0; i < mesh->count; i++) {
-    const sepax_facet *facet = &mesh->facet[i];
-    double n[3];
-    cross_edges(n, facet);
-    assert_true(fabs(dot(facet->normal, facet->normal) - 1) < 1e-14);
-    assert_true(fabs(dot(facet->normal, n) / sqrt(dot(n, n)) - 1) < 1e-12);
+    point n = normal_of(mesh, i);
+    point written = written_normal(mesh, i);
+    assert_true(fabs(inner(written, written) - 1) < 1e-14);
+    assert_true(fabs(inner(written, n) / sqrt(inner(n, n)) - 1) < 1e-12);
   }
 }
 
-static double volume(const sepax_mesh *mesh, const double origin[3]) {
+static double volume(const sepax_mesh *mesh, point origin) {
   double sum = 0;
   for (size_t i = 0; i < mesh->count; i++) {
-    const sepax_facet *facet = &mesh->facet[i];
-    double n[3];
-    double v[3];
-    cross_edges(n, facet);
-    for (int k = 0; k < 3; k++) {
-      v[k] = facet->v[0][k] - origin[k];
-    }
-    sum += dot(v, n) / 6;
+    sum += inner(minus(at_corner(mesh, i, 0), origin), normal_of(mesh, i)) / 6;
   }
   return sum;
 }
 
 /* A point of the axis or the centre sees every facet of a convex body from inside. */
-static void assert_seen_from(const sepax_mesh *mesh, const double inside[3]) {
+static void assert_seen_from(const sepax_mesh *mesh, point inside) {
   for (size_t i = 0; i < mesh->count; i++) {
-    double v[3];
-    for (int k = 0; k < 3; k++) {
-      v[k] = mesh->facet[i].v[0][k] - inside[k];
-    }
-    assert_true(dot(v, mesh->facet[i].normal) > 0);
+    assert_true(inner(minus(at_corner(mesh, i, 0), inside), written_normal(mesh, i)) > 0);
   }
 }
 
-static sepax_mesh sample(const char *shape, size_t triangles, const double at[3], double size) {
+static sepax_mesh sample(const char *shape, size_t triangles, point at, double size) {
   sepax_mesh mesh = {0};
-  if (!sepax_sample(&mesh, shape, triangles, at, size, &fault)) {
-    fail_msg("%s", fault.text);
-  }
+  assert_works(sepax_sample(&mesh, shape, triangles, at.c, size, &fault));
   assert_int_equal(mesh.count, triangles);
   return mesh;
 }
 
-static const double origin[3] = {0, 0, 0};
+static const point origin = {{0, 0, 0}};
 
 CASE(test_sample_meshes) {
-  const double at[3] = {3, -40, 0.5};
+  const point at = {{3, -40, 0.5}};
   for (size_t i = 0; sepax_sample_name(i) != NULL; i++) {
     size_t least = sepax_sample_least(i);
     const size_t counts[] = {least,      least + 2,  least + 4, least + 6, least + 8,
@@ -167,18 +115,16 @@ static bool on_cutter(double z, double r, bool ball) {
 }
 
 static void assert_cutter(bool ball, size_t triangles) {
-  const double at[3] = {1, 2, 3};
-  const double inside[3] = {1, 2, 3 + 20};
+  const point at = {{1, 2, 3}};
   sepax_mesh mesh = sample(ball ? "ball-end" : "flat-end", triangles, at, 0);
   double lowest = INFINITY;
   for (size_t i = 0; i < 3 * mesh.count; i++) {
-    const double *v = mesh.facet[i / 3].v[i % 3];
-    double r = sqrt((v[0] - 1) * (v[0] - 1) + (v[1] - 2) * (v[1] - 2)) / 10;
-    assert_true(on_cutter((v[2] - 3) / 10 - (ball ? 1 : 0), r, ball));
-    lowest = fmin(lowest, v[2]);
+    point v = minus(at_corner(&mesh, i / 3, i % 3), at);
+    assert_true(on_cutter(v.c[2] / 10 - (ball ? 1 : 0), hypot(v.c[0], v.c[1]) / 10, ball));
+    lowest = fmin(lowest, v.c[2]);
   }
-  assert_true(lowest == 3);
-  assert_seen_from(&mesh, inside);
+  assert_true(lowest == 0);
+  assert_seen_from(&mesh, along(at, 20, (point){{0, 0, 1}}));
   double solid = PI * 1000 * (6 + (ball ? 2.0 / 3 : 0));
   double filled = volume(&mesh, at) / solid;
   assert_true(filled < 1 && filled > 1 - 30.0 / (double)triangles);
@@ -196,8 +142,8 @@ CASE(test_sphere) {
   for (size_t triangles = 8; triangles < 30000; triangles = triangles * 2 + 2) {
     sepax_mesh mesh = sample("sphere", triangles, origin, 2);
     for (size_t i = 0; i < 3 * mesh.count; i++) {
-      const double *v = mesh.facet[i / 3].v[i % 3];
-      assert_true(fabs(dot(v, v) - 1) < 1e-14);
+      point v = at_corner(&mesh, i / 3, i % 3);
+      assert_true(fabs(inner(v, v) - 1) < 1e-14);
     }
     assert_seen_from(&mesh, origin);
     double filled = volume(&mesh, origin) / (PI * 4 / 3);
@@ -220,7 +166,7 @@ static void assert_box(const sepax_mesh *mesh, const double low[3], const double
 }
 
 CASE(test_blocks) {
-  const double at[3] = {100, 0, -8};
+  const point at = {{100, 0, -8}};
   sepax_mesh mesh = sample("box", 5000, at, 60);
   assert_box(&mesh, (double[3]){70, -20, -18}, (double[3]){130, 20, 2});
   assert_seen_from(&mesh, at);
@@ -252,38 +198,44 @@ CASE(test_sample_list) {
   assert_int_equal(sepax_sample_least(5), 0);
 }
 
-static void refuse_sample(const char *shape, size_t triangles, const double at[3], double size,
-                          const char *part) {
-  sepax_mesh mesh = {.count = 77};
-  assert_false(sepax_sample(&mesh, shape, triangles, at, size, &fault));
-  assert_message(part);
-  assert_null(mesh.facet);
-  assert_int_equal(mesh.count, 77);
-}
-
 CASE(test_sample_errors) {
-  const double far[3] = {0, 0, -1e17};
-  const double nowhere[3] = {0, NAN, 0};
-  refuse_sample("torus", 100, origin, 0,
-                "shape: 'torus' is none of: ball-end, flat-end, pocket, sphere, box");
-  refuse_sample("box", 101, origin, 0, "101 triangles close no mesh; ask for an even");
-  refuse_sample("box", 10, origin, 0, "box: 10 triangles are not in 12 ...");
-  refuse_sample("box", 0, origin, 0, "not in 12 ...");
-  refuse_sample("box", SIZE_MAX - 1, origin, 0, "not in 12 ...");
-  refuse_sample("box", 100, origin, -1, "size: -1 is not a length");
-  refuse_sample("box", 100, origin, NAN, "size: nan is not a length");
-  refuse_sample("box", 100, origin, INFINITY, "size: inf is not a length");
-  refuse_sample("box", 100, nowhere, 0, "at: y = nan");
-  refuse_sample("box", 100, far, 0, "at: z = -1e+17 is too far away for an object of 120 mm");
-  refuse_sample("box", 100, origin, 1e-170, "triangles of no area");
-  refuse_sample("box", 100, origin, 1e200, "triangles of no area");
+  static const struct {
+    const char *shape;
+    size_t triangles;
+    point at;
+    double size;
+    const char *part;
+  } row[] = {
+      {"torus",
+       100,
+       {{0}},
+       0,
+       "shape: 'torus' is none of: ball-end, flat-end, pocket, sphere, box"},
+      {"box", 101, {{0}}, 0, "101 triangles close no mesh; ask for an even"},
+      {"box", 10, {{0}}, 0, "box: 10 triangles are not in 12 ..."},
+      {"box", 0, {{0}}, 0, "not in 12 ..."},
+      {"box", SIZE_MAX - 1, {{0}}, 0, "not in 12 ..."},
+      {"box", 100, {{0}}, -1, "size: -1 is not a length"},
+      {"box", 100, {{0}}, NAN, "size: nan is not a length"},
+      {"box", 100, {{0}}, INFINITY, "size: inf is not a length"},
+      {"box", 100, {{0, NAN, 0}}, 0, "at: y = nan"},
+      {"box", 100, {{0, 0, -1e17}}, 0, "at: z = -1e+17 is too far away for an object of 120 mm"},
+      {"box", 100, {{0}}, 1e-170, "triangles of no area"},
+      {"box", 100, {{0}}, 1e200, "triangles of no area"}};
+  for (size_t i = 0; i < LENGTH(row); i++) {
+    sepax_mesh mesh = {.count = 77};
+    assert_fault(
+        sepax_sample(&mesh, row[i].shape, row[i].triangles, row[i].at.c, row[i].size, &fault),
+        row[i].part);
+    assert_true(mesh.facet == NULL && mesh.count == 77);
+  }
 }
 
 /* A sample survives the file, binary32 included, and the finest grid of 18 bits. */
 CASE(test_sample_to_grid) {
   for (size_t i = 0; sepax_sample_name(i) != NULL; i++) {
     sepax_mesh mesh = sample(sepax_sample_name(i), 2000, origin, 0);
-    assert_true(sepax_stl_write(&mesh, path, false, &fault));
+    assert_works(sepax_stl_write(&mesh, path, false, &fault));
     sepax_mesh back = read_mesh();
     assert_closed(&back);
     assert_fit((const sepax_mesh *const[]){&mesh, &back}, 2, 18);
