@@ -135,10 +135,8 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   }
   ok = ok && gen_write(&e, o->folder, error);
   if (ok) {
-    char name[EMIT_NAME];
-    arith_name(plan, name);
-    printf("%s: %s, product modulo 2^%d, latency %d\n", o->folder, name, (int)o->product,
-           plan->latency);
+    printf("%s: %s, product modulo 2^%d, latency %d\n", o->folder, arith_name(plan).text,
+           (int)o->product, plan->latency);
   }
   emit_free(&e);
   free(plan);

@@ -70,7 +70,7 @@ static void plan_rows(arith_plan *p, column *columns, bool one[ARITH_WIDTH], dou
       weight[2 * row + bits - 1]++;
     }
     put(&columns[2 * row],
-        add_bit(p, ARITH_NEGATIVE, row, 0, 0, time - delay_used->early_correction));
+        add_bit(p, ARITH_NEGATIVE, row, row, 0, time - delay_used->early_correction));
   }
   int borrow = 0;
   for (int c = 0; c < p->p_w; c++) {
@@ -170,9 +170,9 @@ static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, d
   p->levels = a->level > p->levels ? a->level : p->levels;
   place_adder(p, a);
   int number = p->adders++;
-  put(&columns[at], add_bit(p, ARITH_SUM, number, 0, a->stage, sum));
+  put(&columns[at], add_bit(p, ARITH_SUM, number, a->order, a->stage, sum));
   if (!top) {
-    put(&columns[at + 1], add_bit(p, ARITH_CARRY, number, 0, a->stage, carry));
+    put(&columns[at + 1], add_bit(p, ARITH_CARRY, number, a->order, a->stage, carry));
   }
 }
 
@@ -199,7 +199,7 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
     if (one[c] && columns[c].count >= 2) {
       add_adder(p, columns, c, ARITH_PLUS_ONE, available);
     } else if (one[c]) {
-      put(&columns[c], add_bit(p, ARITH_ONE, 0, 0, 0, 0));
+      put(&columns[c], add_bit(p, ARITH_ONE, 0, -1, 0, 0));
     }
     if (c >= RIPPLE && columns[c].count > 2 && columns[c].count % 2 == 1) {
       add_adder(p, columns, c, ARITH_HALF, available);

@@ -20,7 +20,7 @@ typedef enum { ARITH_ROW, ARITH_NEGATIVE, ARITH_SUM, ARITH_CARRY, ARITH_ONE } ar
 
 typedef struct {
   arith_source source;
-  int from, index;         /* row and bit of it; or the adder */
+  int from, index;         /* the row or adder; where in its vector, -1: it has none */
   int stage;               /* pipeline registers passed when it is made */
   int last;                /* and when it is last used */
   double time;             /* ns since the last of them */
@@ -88,10 +88,10 @@ void gen_multiplier_parts(emitter *e, bool two_less);
 
 /* Its module: sepax_mul_AxB; of biased ones sepax_mul_AxB_biased, or sepax_mul_AxB_biased_2 where
  * digits count two less. */
-void arith_name(const arith_plan *plan, char name[EMIT_NAME]);
+gen_line arith_name(const arith_plan *plan);
 
 /* BIAS, decimal. */
-void arith_bias(const arith_plan *plan, char text[48]);
+gen_line arith_bias(const arith_plan *plan);
 
 /* Emit the multiplier as a module: ports a, b, p, and clk if its latency is above 0. */
 void gen_multiplier(emitter *e, const arith_plan *plan);

@@ -18,12 +18,12 @@ void gen_multiplier_parts(emitter *e, bool two_less) {
   gen_digit(e, "sepax_top_digit", "1", "");
 }
 
-void arith_name(const arith_plan *plan, char name[EMIT_NAME]) {
+gen_line arith_name(const arith_plan *plan) {
   const char *kind = plan->plain ? "" : plan->less == 2 ? "_biased_2" : "_biased";
-  snprintf(name, EMIT_NAME, "sepax_mul_%dx%d%s", plan->a_w, plan->b_w, kind);
+  return gen_format("sepax_mul_%dx%d%s", plan->a_w, plan->b_w, kind);
 }
 
-void arith_bias(const arith_plan *plan, char text[48]) {
+gen_line arith_bias(const arith_plan *plan) {
   unsigned __int128 bias = 0;
   for (int i = 1; i < plan->rows; i++) {
     bias = 4 * bias + (unsigned)plan->less;
@@ -34,7 +34,7 @@ void arith_bias(const arith_plan *plan, char text[48]) {
     *--at = (char)('0' + (int)(bias % 10));
     bias /= 10;
   } while (bias > 0);
-  snprintf(text, sizeof digits, "%s", at);
+  return gen_format("%s", at);
 }
 
 /* ------------------------------------------------------------------------ lists of bits */
@@ -52,44 +52,28 @@ static const struct {
               [ARITH_TOP_PLUS_ONE] = {"top_ones_", 2, NULL, "~^"}};
 
 /* "sum_2_0" and the like: adders of one kind, level and stage, the k-th of their columns. */
-static void adder_name(const arith_adder *a, const char *what, char text[EMIT_NAME]) {
-  int used = snprintf(text, EMIT_NAME, "%s%s", adders[a->kind].name, what);
-  if (a->stage > 0) {
-    used += snprintf(text + used, EMIT_NAME - (size_t)used, "_r%d", a->stage);
-  }
-  snprintf(text + used, EMIT_NAME - (size_t)used, "_%d_%d", a->level, a->copy);
+static gen_line adder_name(const arith_adder *a, const char *what) {
+  const gen_line stage = gen_format(a->stage > 0 ? "_r%d" : "", a->stage);
+  return gen_format("%s%s%s_%d_%d", adders[a->kind].name, what, stage.text, a->level, a->copy);
 }
 
 /* The vector and index in which a bit stands behind `stage` pipeline registers; index -1: it is a
  * bit. */
-static int bit_name(const arith_plan *p, int bit, int stage, char text[EMIT_NAME]) {
+static gen_line bit_name(const arith_plan *p, int bit, int stage, int *index) {
   const arith_bit *b = &p->bit[bit];
-  if (b->source == ARITH_ONE) {
-    snprintf(text, EMIT_NAME, "1'b1");
-    return -1;
-  }
-  if (stage > b->stage) {
-    snprintf(text, EMIT_NAME, "stage_%d", stage);
-    return b->place[stage];
-  }
-  switch (b->source) {
-  case ARITH_ROW:
-    snprintf(text, EMIT_NAME, "row_%d", b->from);
-    return b->index;
-  case ARITH_NEGATIVE:
-    snprintf(text, EMIT_NAME, "negative");
-    return b->from;
-  default:
-    adder_name(&p->adder[b->from], b->source == ARITH_SUM ? "sum" : "carry", text);
-    return p->adder[b->from].order;
-  }
+  bool passed = stage > b->stage && b->source != ARITH_ONE;
+  *index = passed ? b->place[stage] : b->index;
+  return passed                        ? gen_format("stage_%d", stage)
+         : b->source == ARITH_ONE      ? gen_format("1'b1")
+         : b->source == ARITH_ROW      ? gen_format("row_%d", b->from)
+         : b->source == ARITH_NEGATIVE ? gen_format("negative")
+         : b->source == ARITH_SUM      ? adder_name(&p->adder[b->from], "sum")
+                                       : adder_name(&p->adder[b->from], "carry");
 }
 
 /* bit[at] and what follows below it in the same vector, as one range; -1: zero. Returns
  * how many bits that is. */
 static int run_text(const arith_plan *p, const int bit[], int at, int stage, gen_line *text) {
-  char name[EMIT_NAME];
-  char next[EMIT_NAME];
   int run = 1;
   if (bit[at] < 0) {
     while (at - run >= 0 && bit[at - run] < 0) {
@@ -98,14 +82,18 @@ static int run_text(const arith_plan *p, const int bit[], int at, int stage, gen
     *text = gen_format("%d'd0", run);
     return run;
   }
-  int index = bit_name(p, bit[at], stage, name);
-  while (index >= 0 && at - run >= 0 && bit[at - run] >= 0 &&
-         bit_name(p, bit[at - run], stage, next) == index - run && strcmp(name, next) == 0) {
-    run++;
+  int index;
+  const gen_line name = bit_name(p, bit[at], stage, &index);
+  for (; index >= 0 && at - run >= 0 && bit[at - run] >= 0; run++) {
+    int below;
+    const gen_line next = bit_name(p, bit[at - run], stage, &below);
+    if (below != index - run || strcmp(name.text, next.text) != 0) {
+      break;
+    }
   }
-  *text = index < 0  ? gen_format("%s", name)
-          : run == 1 ? gen_format("%s[%d]", name, index)
-                     : gen_format("%s[%d:%d]", name, index, index - run + 1);
+  *text = index < 0  ? name
+          : run == 1 ? gen_format("%s[%d]", name.text, index)
+                     : gen_format("%s[%d:%d]", name.text, index, index - run + 1);
   return run;
 }
 
@@ -166,22 +154,19 @@ static void print_digits(FILE *out, const arith_plan *p) {
 
 static void print_full_adders(FILE *out, const arith_plan *p, const arith_adder *a,
                               const int input[3][ARITH_WIDTH], int count) {
-  char name[EMIT_NAME];
-  adder_name(a, "fa", name);
+  const gen_line name = adder_name(a, "fa");
   for (int k = 0; k < 3; k++) {
-    fprintf(out, "  wire [%d:0] %s_%c;\n  assign %s_%c =", count - 1, name, 'a' + k, name, 'a' + k);
+    const gen_line wire = gen_format("%s_%c", name.text, 'a' + k);
+    fprintf(out, "  wire [%d:0] %s;\n  assign %s =", count - 1, wire.text, wire.text);
     print_bits(out, p, input[k], count, a->stage);
     fputs(";\n", out);
   }
-  fprintf(out, "  sepax_fa #(.N(%d)) %s (\n", count, name);
+  fprintf(out, "  sepax_fa #(.N(%d)) %s (\n", count, name.text);
   for (int k = 'a'; k <= 'c'; k++) {
-    fprintf(out, "    .%c(%s_%c),\n", k, name, k);
+    fprintf(out, "    .%c(%s_%c),\n", k, name.text, k);
   }
-  char sum[EMIT_NAME];
-  char carry[EMIT_NAME];
-  adder_name(a, "sum", sum);
-  adder_name(a, "carry", carry);
-  fprintf(out, "    .sum(%s),\n    .carry(%s)\n  );\n", sum, carry);
+  fprintf(out, "    .sum(%s),\n    .carry(%s)\n  );\n", adder_name(a, "sum").text,
+          adder_name(a, "carry").text);
 }
 
 /* The adders of one kind, level, stage and copy side by side, in the order of their columns. */
@@ -197,19 +182,17 @@ static void print_group(FILE *out, const arith_plan *p, const arith_adder *first
       count++;
     }
   }
-  static const char *const what[] = {"sum", "carry"};
   const char *op[] = {adders[first->kind].sum, adders[first->kind].carry};
-  char name[2][EMIT_NAME];
+  const gen_line name[] = {adder_name(first, "sum"), adder_name(first, "carry")};
   for (int k = 0; k < (first->kind < ARITH_TOP_FULL ? 2 : 1); k++) {
-    adder_name(first, what[k], name[k]);
-    fprintf(out, "  wire [%d:0] %s;\n", count - 1, name[k]);
+    fprintf(out, "  wire [%d:0] %s;\n", count - 1, name[k].text);
   }
   if (first->kind == ARITH_FULL) {
     print_full_adders(out, p, first, input, count);
   }
   for (int k = 1; k >= 0; k--) {
     if (op[k] != NULL) {
-      fprintf(out, "  assign %s =", name[k]);
+      fprintf(out, "  assign %s =", name[k].text);
       print_terms(out, p, op[k], input, adders[first->kind].inputs, count, first->stage);
       fputs(";\n", out);
     }
@@ -256,16 +239,12 @@ static void print_adders(FILE *out, const arith_plan *p) {
 /* -------------------------------------------------------------------------- the module */
 
 static void set_holes(emit_holes *h, const arith_plan *p) {
-  char name[EMIT_NAME];
-  char bias[48];
   const char *b = p->plain ? "sum" : "b";
   int top = p->sum_w - 2 * (p->rows - 1);
   int full = 0;
   for (int i = 0; i < p->adders; i++) {
     full += p->adder[i].kind == ARITH_FULL || p->adder[i].kind == ARITH_TOP_FULL;
   }
-  arith_name(p, name);
-  arith_bias(p, bias);
   emit_hole_numbers(h, (emit_number[]){{"a_msb", p->a_w - 1},
                                        {"b_msb", p->b_w - 1},
                                        {"p_msb", p->p_w - 1},
@@ -282,8 +261,8 @@ static void set_holes(emit_holes *h, const arith_plan *p) {
                                        {"full", full},
                                        {"half", p->adders - full},
                                        {NULL, 0}});
-  emit_hole_set(h, "name", "%s", name);
-  emit_hole_set(h, "bias", "%s", bias);
+  emit_hole_set(h, "name", "%s", arith_name(p).text);
+  emit_hole_set(h, "bias", "%s", arith_bias(p).text);
   emit_hole_set(h, "biased", p->plain ? "" : " + BIAS");
   emit_hole_set(h, "recoded", p->plain ? "b + BIAS" : "b");
   const gen_line high = gen_format("%s[%d:%d]", b, p->sum_w - 1, p->sum_w - top);

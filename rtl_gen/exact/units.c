@@ -33,13 +33,9 @@ static void set_shared(emit_holes *h, const exact_plan *p) {
 /* What a module with a multiplier asks for. */
 static void set_product(emit_holes *h, const char *name, const arith_plan *multiplier,
                         int latency) {
-  char multiply[EMIT_NAME];
-  char bias[48];
-  arith_name(multiplier, multiply);
-  arith_bias(multiplier, bias);
   emit_hole_set(h, "name", "%s", name);
-  emit_hole_set(h, "multiplier", "%s", multiply);
-  emit_hole_set(h, "bias", "%s", bias);
+  emit_hole_set(h, "multiplier", "%s", arith_name(multiplier).text);
+  emit_hole_set(h, "bias", "%s", arith_bias(multiplier).text);
   emit_hole_numbers(h, (emit_number[]){{"latency", latency + multiplier->latency},
                                        {"two", multiplier->less == 2},
                                        {"clocked", multiplier->latency > 0},
