@@ -11,13 +11,16 @@ typedef struct {
   int count;
 } column;
 
-static int add_bit(arith_plan *p, arith_source source, int from, int index, int stage,
-                   double time) {
+static int add_bit(arith_plan *p, arith_source source, int from, int index, arith_moment made) {
   if (p->bits == ARITH_BITS) {
     abort();
   }
-  p->bit[p->bits] = (arith_bit){source, from, index, stage, stage, time, {0}};
+  p->bit[p->bits] = (arith_bit){source, from, index, made, made.stage, {0}};
   return p->bits++;
+}
+
+static arith_moment later(arith_moment a, arith_moment b) {
+  return a.stage > b.stage || (a.stage == b.stage && a.time >= b.time) ? a : b;
 }
 
 static void put(column *c, int bit) {
@@ -31,9 +34,10 @@ static void put(column *c, int bit) {
 static int take_bit(const arith_plan *p, column *c) {
   int best = 0;
   for (int i = 1; i < c->count; i++) {
-    const arith_bit *a = &p->bit[c->bit[i]];
-    const arith_bit *b = &p->bit[c->bit[best]];
-    if (a->stage < b->stage || (a->stage == b->stage && a->time < b->time)) {
+    arith_moment made = p->bit[c->bit[i]].made;
+    arith_moment earliest = p->bit[c->bit[best]].made;
+    if (made.stage < earliest.stage ||
+        (made.stage == earliest.stage && made.time < earliest.time)) {
       best = i;
     }
   }
@@ -64,13 +68,13 @@ static void plan_rows(arith_plan *p, column *columns, bool one[ARITH_WIDTH], dou
   for (int row = 0; row < p->rows; row++) {
     int bits = arith_row_bits(p, row);
     for (int i = 0; i < bits; i++) {
-      put(&columns[2 * row + i], add_bit(p, ARITH_ROW, row, i, 0, time));
+      put(&columns[2 * row + i], add_bit(p, ARITH_ROW, row, i, (arith_moment){0, time}));
     }
     if (arith_row_whole(p, row)) {
       weight[2 * row + bits - 1]++;
     }
-    put(&columns[2 * row],
-        add_bit(p, ARITH_NEGATIVE, row, row, 0, time - delay_used->early_correction));
+    put(&columns[2 * row], add_bit(p, ARITH_NEGATIVE, row, row,
+                                   (arith_moment){0, time - delay_used->early_correction}));
   }
   int borrow = 0;
   for (int c = 0; c < p->p_w; c++) {
@@ -80,26 +84,39 @@ static void plan_rows(arith_plan *p, column *columns, bool one[ARITH_WIDTH], dou
   }
 }
 
-/* The stage and time at which something with this delay is ready, given its inputs. */
-static void settle(const arith_plan *p, const int *input, int inputs, double delay,
-                   double available, int *stage, double *time) {
-  *stage = 0;
-  *time = 0;
-  for (int i = 0; i < inputs; i++) {
-    const arith_bit *b = &p->bit[input[i]];
-    if (b->stage > *stage) {
-      *stage = b->stage;
-      *time = 0;
+/* When something with this delay is ready whose inputs are there at m. */
+static arith_moment settle(arith_moment m, double delay, double available) {
+  return m.time + delay > available ? (arith_moment){m.stage + 1, delay}
+                                    : (arith_moment){m.stage, m.time + delay};
+}
+
+/* When the sum and the carry of these inputs are ready, in the stage of the adder; the third input
+ * may be late. */
+static void settle_adder(const arith_plan *p, const int *input, int inputs, double available,
+                         arith_moment *sum, arith_moment *carry) {
+  arith_moment early = later(p->bit[input[0]].made, p->bit[input[1]].made);
+  double carry_delay = delay_used->carry;
+  *sum = settle(early, delay_used->sum, available);
+  *carry = settle(early, carry_delay, available);
+  bool carry_waits = carry->stage < sum->stage;
+  if (inputs == 3) {
+    arith_moment late = settle(p->bit[input[2]].made, delay_used->late_sum, available);
+    double late_carry = late.time + carry_delay - delay_used->late_sum;
+    if (late.stage > sum->stage) {
+      carry_waits = carry->stage < late.stage;
+      sum->stage = late.stage;
+      sum->time = carry->time = late.time > carry_delay ? late.time : carry_delay;
+    } else if (late.stage == sum->stage && late.time > sum->time) {
+      sum->time = late.time;
     }
-    if (b->stage == *stage && b->time > *time) {
-      *time = b->time;
+    if (late.stage == sum->stage && late_carry > carry->time) {
+      carry->time = late_carry;
     }
   }
-  *time += delay;
-  if (*time > available) {
-    (*stage)++;
-    *time = delay;
+  if (carry_waits && carry->time > sum->time) {
+    carry->time = sum->time;
   }
+  carry->stage = sum->stage;
 }
 
 static void use(arith_plan *p, int bit, int stage) {
@@ -108,7 +125,7 @@ static void use(arith_plan *p, int bit, int stage) {
 
 static int level_of(const arith_plan *p, int bit, int stage) {
   const arith_bit *b = &p->bit[bit];
-  return b->source < ARITH_SUM || b->source == ARITH_ONE || b->stage < stage
+  return b->source < ARITH_SUM || b->source == ARITH_ONE || b->made.stage < stage
              ? 0
              : p->adder[b->from].level;
 }
@@ -140,28 +157,10 @@ static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, d
   for (int i = 0; i < inputs; i++) {
     a->input[i] = take_bit(p, &columns[at]);
   }
-  int stage[3];
-  double time[3];
-  settle(p, a->input, 2, delay_used->sum, available, &stage[0], &time[0]);
-  settle(p, a->input, 2, delay_used->carry, available, &stage[1], &time[1]);
-  double sum = time[0];
-  double carry = time[1];
-  a->stage = stage[0];
-  if (inputs == 3) {
-    settle(p, a->input + 2, 1, delay_used->late_sum, available, &stage[2], &time[2]);
-    if (stage[2] > a->stage) {
-      a->stage = stage[2];
-      sum = carry = time[2] > delay_used->carry ? time[2] : delay_used->carry;
-    } else if (stage[2] == a->stage && time[2] > sum) {
-      sum = time[2];
-    }
-    if (stage[2] == a->stage && time[2] + delay_used->carry - delay_used->late_sum > carry) {
-      carry = time[2] + delay_used->carry - delay_used->late_sum;
-    }
-  }
-  if (stage[1] < a->stage && carry > sum) {
-    carry = sum;
-  }
+  arith_moment sum;
+  arith_moment carry;
+  settle_adder(p, a->input, inputs, available, &sum, &carry);
+  a->stage = sum.stage;
   for (int i = 0; i < inputs; i++) {
     use(p, a->input[i], a->stage);
     int level = level_of(p, a->input[i], a->stage) + 1;
@@ -170,9 +169,9 @@ static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, d
   p->levels = a->level > p->levels ? a->level : p->levels;
   place_adder(p, a);
   int number = p->adders++;
-  put(&columns[at], add_bit(p, ARITH_SUM, number, a->order, a->stage, sum));
+  put(&columns[at], add_bit(p, ARITH_SUM, number, a->order, sum));
   if (!top) {
-    put(&columns[at + 1], add_bit(p, ARITH_CARRY, number, a->order, a->stage, carry));
+    put(&columns[at + 1], add_bit(p, ARITH_CARRY, number, a->order, carry));
   }
 }
 
@@ -193,13 +192,12 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
   }
   bool one[ARITH_WIDTH] = {false};
   plan_rows(p, columns, one, used + delay_row(p->a_w));
-  int stage = 0;
-  double time = 0;
+  arith_moment last = {0, 0};
   for (int c = 0; c < p_w; c++) {
     if (one[c] && columns[c].count >= 2) {
       add_adder(p, columns, c, ARITH_PLUS_ONE, available);
     } else if (one[c]) {
-      put(&columns[c], add_bit(p, ARITH_ONE, 0, -1, 0, 0));
+      put(&columns[c], add_bit(p, ARITH_ONE, 0, -1, (arith_moment){0, 0}));
     }
     if (c >= RIPPLE && columns[c].count > 2 && columns[c].count % 2 == 1) {
       add_adder(p, columns, c, ARITH_HALF, available);
@@ -210,15 +208,13 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
     for (int i = 0; i < 2; i++) {
       p->final[i][c] = i < columns[c].count ? columns[c].bit[i] : -1;
       if (p->final[i][c] >= 0) {
-        const arith_bit *b = &p->bit[p->final[i][c]];
-        time = b->stage > stage || (b->stage == stage && b->time > time) ? b->time : time;
-        stage = b->stage > stage ? b->stage : stage;
+        last = later(last, p->bit[p->final[i][c]].made);
       }
     }
   }
   free(columns);
-  double skew = stage > 0 ? delay_used->skew_lost : 0;
-  p->latency = time + delay_adder(p_w) + skew > available ? stage + 1 : stage;
+  double skew = last.stage > 0 ? delay_used->skew_lost : 0;
+  p->latency = settle(last, delay_adder(p_w) + skew, available).stage;
   if (p->latency >= ARITH_STAGES) {
     abort(); /* more pipeline registers than ARITH_STAGES */
   }
@@ -230,7 +226,7 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
     }
   }
   for (arith_bit *b = p->bit; b < p->bit + p->bits; b++) {
-    for (int s = b->stage + 1; s <= b->last && b->source != ARITH_ONE; s++) {
+    for (int s = b->made.stage + 1; s <= b->last && b->source != ARITH_ONE; s++) {
       b->place[s] = p->crossing[s]++;
       p->registers++;
     }

@@ -18,12 +18,17 @@ enum { ARITH_BITS = 12288, ARITH_ADDERS = 3072, ARITH_WIDTH = 128, ARITH_STAGES 
 
 typedef enum { ARITH_ROW, ARITH_NEGATIVE, ARITH_SUM, ARITH_CARRY, ARITH_ONE } arith_source;
 
+/* Pipeline registers passed, and ns since the last of them. */
+typedef struct {
+  int stage;
+  double time;
+} arith_moment;
+
 typedef struct {
   arith_source source;
-  int from, index;         /* the row or adder; where in its vector, -1: it has none */
-  int stage;               /* pipeline registers passed when it is made */
-  int last;                /* and when it is last used */
-  double time;             /* ns since the last of them */
+  int from, index; /* the row or adder; where in its vector, -1: it has none */
+  arith_moment made;
+  int last;                /* the stage in which it is last used */
   int place[ARITH_STAGES]; /* in each pipeline register that it passes */
 } arith_bit;
 

@@ -61,7 +61,7 @@ static gen_line adder_name(const arith_adder *a, const char *what) {
  * bit. */
 static gen_line bit_name(const arith_plan *p, int bit, int stage, int *index) {
   const arith_bit *b = &p->bit[bit];
-  bool passed = stage > b->stage && b->source != ARITH_ONE;
+  bool passed = stage > b->made.stage && b->source != ARITH_ONE;
   *index = passed ? b->place[stage] : b->index;
   return passed                        ? gen_format("stage_%d", stage)
          : b->source == ARITH_ONE      ? gen_format("1'b1")
@@ -205,7 +205,7 @@ static void print_register(FILE *out, const arith_plan *p, int stage) {
   int count = 0;
   for (int i = 0; i < p->bits; i++) {
     const arith_bit *b = &p->bit[i];
-    if (b->source != ARITH_ONE && b->stage < stage && b->last >= stage) {
+    if (b->source != ARITH_ONE && b->made.stage < stage && b->last >= stage) {
       crossing[count++] = i;
     }
   }
