@@ -21,15 +21,8 @@ void binding_make(graph *g, int ii) {
         abort(); /* two operations in one slot */
       }
       k->at[node->unit][node->slot] = k->operation[n];
+      k->count[node->unit]++;
       k->units = node->unit >= k->units ? node->unit + 1 : k->units;
     }
   }
-}
-
-int binding_count(const graph_kind *k, int unit) {
-  int count = 0;
-  for (int slot = 0; slot < SEPAX_II_MAX; slot++) {
-    count += k->at[unit][slot] != 0;
-  }
-  return count;
 }

@@ -23,7 +23,4 @@
 /* Bind all operations of the graph for this II. */
 void binding_make(graph *g, int ii);
 
-/* The operations in a unit. */
-int binding_count(const graph_kind *k, int unit);
-
 #endif

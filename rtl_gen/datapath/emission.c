@@ -1,8 +1,6 @@
 /* emission.c - units of a datapath: operands, instances. */
 #include "emission.h"
 
-#include "binding.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -120,7 +118,7 @@ static int more_outputs(const emission *e, const graph_kind *of, int unit, FILE 
   const graph *g = &e->d->graph;
   int count = 0;
   for (const graph_kind *k = g->kind; k < g->kind + g->kinds; k++) {
-    if (k->row.module == NULL && k->row.expression == NULL && binding_count(k, unit) > 0 &&
+    if (k->row.module == NULL && k->row.expression == NULL && k->count[unit] > 0 &&
         graph_kind_of(g, g->node[k->operation[0]].beside) == of) {
       fprintf(out, ",\n    .%s(%s)", k->row.output, stream_of(e->d, k, unit)->name);
       count++;
@@ -133,7 +131,7 @@ static int more_outputs(const emission *e, const graph_kind *of, int unit, FILE 
 static void describe(const emission *e, const graph_kind *k, int unit) {
   const schedule_stream *s = stream_of(e->d, k, unit);
   FILE *out = e->text->out;
-  int left = binding_count(k, unit);
+  int left = k->count[unit];
   fputc('\n', out);
   if (left < 2) {
     return;
@@ -190,9 +188,9 @@ static void print_units(const emission *e, const graph_kind *k) {
     fprintf(e->text->out, "\n  // %s\n", k->row.about);
   }
   for (int unit = 0; unit < k->units; unit++) {
-    if (binding_count(k, unit) > 0 && k->row.module != NULL) {
+    if (k->count[unit] > 0 && k->row.module != NULL) {
       print_instance(e, k, unit);
-    } else if (binding_count(k, unit) > 0 && k->row.expression != NULL) {
+    } else if (k->count[unit] > 0 && k->row.expression != NULL) {
       print_expression(e, k, unit);
     }
   }
@@ -203,7 +201,7 @@ static void print_units(const emission *e, const graph_kind *k) {
 static void declare_outputs(const datapath *d, FILE *out) {
   for (const graph_kind *k = d->graph.kind; k < d->graph.kind + d->graph.kinds; k++) {
     for (int unit = 0; unit < k->units; unit++) {
-      if (binding_count(k, unit) > 0) {
+      if (k->count[unit] > 0) {
         emit_net(out, k->row.is_signed ? "wire signed" : "wire", k->row.width,
                  stream_of(d, k, unit)->name);
       }

@@ -51,7 +51,8 @@ typedef struct {
   int operations, operation[GRAPH_OPERATIONS]; /* nodes */
   unsigned rotated; /* bit c: cyclic symmetry class c begins with its member 1 */
   /* Binding: */
-  int units, at[GRAPH_UNITS][SEPAX_II_MAX]; /* the node in each slot of each unit; 0: none */
+  int units, count[GRAPH_UNITS];     /* operations of each unit */
+  int at[GRAPH_UNITS][SEPAX_II_MAX]; /* the node in each slot of each unit; 0: none */
   /* Schedule: */
   bool started;
   int start[GRAPH_UNITS];  /* cycle of slot 0 */

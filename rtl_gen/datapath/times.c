@@ -1,8 +1,6 @@
 /* times.c - starts of units, and lifetimes of values. */
 #include "times.h"
 
-#include "binding.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,8 +45,7 @@ int times_earliest(const datapath *d, int kind) {
 void times_start(datapath *d, int kind, int cycle) {
   graph_kind *k = &d->graph.kind[kind];
   for (int unit = 0; unit < k->units && !k->started; unit++) {
-    int operations = binding_count(k, unit);
-    if (operations > 0) {
+    if (k->count[unit] > 0) {
       k->start[unit] = cycle < 0 ? earliest_of(d, k, unit) : cycle;
       schedule_stream stream = {.width = k->row.width,
                                 .is_signed = k->row.is_signed,
@@ -61,7 +58,7 @@ void times_start(datapath *d, int kind, int cycle) {
           snprintf(stream.name, sizeof stream.name, "%s_%s", k->symbol, label);
         }
       }
-      if (operations > 1) {
+      if (k->count[unit] > 1) {
         snprintf(stream.name, sizeof stream.name, "%s_%d", k->symbol, unit);
       }
       k->stream[unit] = schedule_add(&d->schedule, &stream);

@@ -2,20 +2,10 @@
 #include "datapath/emission.h"
 #include "exact.h"
 
-void gen_exact_every(const exact_plan *p, char text[24]) {
-  if (p->design->config.ii == 1) {
-    snprintf(text, 24, "cycle");
-  } else {
-    snprintf(text, 24, "%d cycles", p->design->config.ii);
-  }
-}
-
 static void set_numbers(emit_holes *h, const exact_plan *p) {
   const sepax_format *f = p->design->exact_format;
   int ii = p->design->config.ii;
-  char every[24];
-  gen_exact_every(p, every);
-  emit_hole_set(h, "every", "%s", every);
+  emit_hole_set(h, "every", ii > 1 ? "%d cycles" : "cycle", ii);
   emit_hole_numbers(
       h, (emit_number[]){{"slots", ii > 1},
                          {"last_slot", ii - 1},

@@ -104,6 +104,5 @@ graph_value exact_add(exact_graph *e, int kind, exact_triangle v, const graph_va
 /* Modules; what one of them sets in the list of holes, the next finds there or sets anew. */
 void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h);
 void gen_exact_core(emitter *e, const exact_plan *p, emit_holes *h);
-/* "cycle", "3 cycles": a pair comes every ... */
-void gen_exact_every(const exact_plan *p, char text[24]);
+
 #endif
