@@ -17,13 +17,10 @@ module sepax_bounds #(
   output wire signed [W-1:0] low, // the least
   output wire signed [W-1:0] high // the greatest
 );
-  wire less_12;
-  wire less_13;
-  wire less_23;
+  wire less_12 = x_1 < x_2;
+  wire less_13 = x_1 < x_3;
+  wire less_23 = x_2 < x_3;
 
-  assign less_12 = x_1 < x_2;
-  assign less_13 = x_1 < x_3;
-  assign less_23 = x_2 < x_3;
   assign low = less_12 ? (less_13 ? x_1 : x_3) : (less_23 ? x_2 : x_3);
   assign high = less_12 ? (less_23 ? x_3 : x_2) : (less_13 ? x_3 : x_1);
 endmodule

@@ -26,14 +26,12 @@ module sepax_fifo #(
   localparam [ADDRESS:0] ONE = 1;
   localparam [ADDRESS:0] FULLEST = (1 << ADDRESS) - MARGIN;
   reg  [WIDTH-1:0]   word_q [0:(1<<ADDRESS)-1];
-  reg  [ADDRESS-1:0] head_q;
-  reg  [ADDRESS-1:0] tail_q;
+  reg  [ADDRESS-1:0] head_q, tail_q;
   reg  [ADDRESS:0]   count_q;
-  wire [ADDRESS:0]   next_count;
+  wire [ADDRESS:0]   next_count = count_q + {{ADDRESS{1'b0}}, push} - {{ADDRESS{1'b0}}, pop};
 
   assign valid = |count_q;
   assign out = word_q[head_q];
-  assign next_count = count_q + {{ADDRESS{1'b0}}, push} - {{ADDRESS{1'b0}}, pop};
 
   always @(posedge clk) begin
     if (clear) begin

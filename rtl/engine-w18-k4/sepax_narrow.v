@@ -24,51 +24,39 @@ module sepax_narrow (
   output wire            out_coplanar,  // 1: all six points are in one plane
   output wire [3:0]      out_axis       // what separates, see sepax_top; 0 none
 );
-  localparam N = 18;       // bits of a coordinate
-  localparam LAST = 3;  // window of the verdict; a pair is in windows 0 ... LAST
-  localparam JUDGED = 2;  // window that it enters when its plane is known
-  localparam TAG = 2;     // log2 of the entries of the reorder buffer
-  localparam RESULT = 5;  // bits of a verdict
-
-  reg  [LAST:0]             valid_q;  // a pair is in window k
-  reg  [(LAST+1)*TAG-1:0]   tag_q;    // its entry in the reorder buffer
-  reg  [LAST:0]             second_q;   // this is its second pass
-  reg  [JUDGED-1:0]         disjoint_q; // its projections were disjoint in the first
-  reg  [LAST-JUDGED:0]      in_plane_q; // from window JUDGED on: it is separated if coplanar
-  wire                      flat;
-  wire                      separated;
-  wire                      disjoint_x;
-  wire                      disjoint_z;
-  wire                      again;
-  wire                      disjoint;
+  localparam N = 18; // bits of a coordinate
+  localparam LAST = 3; // window of the verdict; a pair is in windows 0 ... LAST
+  localparam JUDGED = 2; // window that it enters when its plane is known
+  localparam TAG = 2; // log2 of the entries of the reorder buffer
+  localparam RESULT = 5; // bits of a verdict
   localparam II = 3;
-  reg  [II-1:0]             slot_q; // cycle of the II window, one-hot; rests at its end
-  wire                      last_slot;
-  wire                      busy;
-  wire                      free;
-  wire                      take;
-  wire                      enter;
-  wire                      coplanar;
-  wire [3:0]                axis;
-  wire [TAG-1:0]            tail;
-  wire [RESULT-1:0]         result;
-  wire [RESULT-1:0]         oldest;
-  integer                   k;
 
-  assign last_slot = slot_q[II-1];
-  assign busy = |valid_q;
-  assign take = in_valid && in_ready;
+  reg  [LAST:0]           valid_q;    // a pair is in window k
+  reg  [(LAST+1)*TAG-1:0] tag_q;      // its entry in the reorder buffer
+  wire [TAG-1:0]          tail;
+  wire [RESULT-1:0]       oldest;
+  wire                    free, coplanar;
+  wire [3:0]              axis;
+  integer                 k;
+  reg  [LAST:0]           second_q;   // this is its second pass
+  reg  [JUDGED-1:0]       disjoint_q; // its projections were disjoint in the first
+  reg  [LAST-JUDGED:0]    in_plane_q; // from window JUDGED on: it is separated if coplanar
+  wire                    flat, separated, disjoint_x, disjoint_z;
+  wire again = valid_q[JUDGED-1] && flat && !second_q[JUDGED-1];
+  wire disjoint = disjoint_x || (disjoint_z && !second_q[JUDGED-1]) || disjoint_q[JUDGED-1];
+  reg  [II-1:0]           slot_q; // cycle of the II window, one-hot; rests at its end
+  wire last_slot = slot_q[II-1];
+  wire take = in_valid && in_ready;
+  wire enter = take || again;
+
   assign in_ready = last_slot && free && !again;
-  assign again = valid_q[JUDGED-1] && flat && !second_q[JUDGED-1];
-  assign disjoint = disjoint_x || (disjoint_z && !second_q[JUDGED-1]) || disjoint_q[JUDGED-1];
-  assign enter = take || again;
 
   always @(posedge clk) begin
     if (rst) begin
       slot_q <= {1'b1, {(II-1){1'b0}}};
       valid_q <= {(LAST+1){1'b0}};
     end else begin
-      if (!last_slot || enter || busy) begin
+      if (!last_slot || enter || (|valid_q)) begin
         slot_q <= {slot_q[II-2:0], slot_q[II-1]};
       end
       if (last_slot) begin
@@ -81,12 +69,12 @@ module sepax_narrow (
     end
     if (last_slot) begin
       tag_q[0 +: TAG] <= again ? tag_q[(JUDGED-1)*TAG +: TAG] : tail;
-      second_q[0] <= again;
-      disjoint_q[0] <= again && disjoint;
       for (k = 1; k <= LAST; k = k + 1) begin
         tag_q[k*TAG +: TAG] <= tag_q[(k-1)*TAG +: TAG];
         second_q[k] <= second_q[k-1];
       end
+      second_q[0] <= again;
+      disjoint_q[0] <= again && disjoint;
       for (k = 1; k < JUDGED; k = k + 1) begin
         disjoint_q[k] <= disjoint_q[k-1];
       end
@@ -111,11 +99,10 @@ module sepax_narrow (
     .coplanar(coplanar), .axis(axis)
   );
 
-  assign result = {coplanar, axis};
-
   sepax_reorder reorder (
     .clk(clk), .rst(rst), .free(free), .take(take), .tail(tail),
-    .write(valid_q[LAST] && slot_q[0]), .tag(tag_q[LAST*TAG +: TAG]), .result(result),
+    .write(valid_q[LAST] && slot_q[0]), .tag(tag_q[LAST*TAG +: TAG]),
+    .result({coplanar, axis}),
     .valid(out_valid), .ready(out_ready), .oldest(oldest)
   );
 

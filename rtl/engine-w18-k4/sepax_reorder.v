@@ -32,13 +32,11 @@ module sepax_reorder #(
   reg  [TAG:0]              count_q;  // entries taken
   reg  [ENTRIES-1:0]        done_q;   // entries that hold a verdict
   reg  [ENTRIES*RESULT-1:0] result_q; // verdicts
-  wire                      leave;
-  integer                   i;
-  integer                   k;
+  wire                      leave = valid && ready;
+  integer                   i, k;
 
   assign free = !count_q[TAG];
   assign valid = |(head_q & done_q);
-  assign leave = valid && ready;
 
   always @(*) begin
     oldest = {RESULT{1'b0}};

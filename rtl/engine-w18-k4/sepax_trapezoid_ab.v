@@ -25,17 +25,12 @@ module sepax_trapezoid_ab #(
   output reg         [1:0]     order,  // {x_to > x_from, x_to < x_from}, 1 clock later
   output reg  signed [G_W-1:0] t       // trapezoid term
 );
-  wire signed [S_W-1:0] run;
-  wire signed [S_W-1:0] height;
+  wire signed [S_W-1:0] run = {x_to[W-1], x_to} - {x_from[W-1], x_from};
+  wire signed [S_W-1:0] height = {y_to[W-1], y_to} + {y_from[W-1], y_from};
   wire signed [G_W-1:0] product;
 
-  assign run = {x_to[W-1], x_to} - {x_from[W-1], x_from};
-  assign height = {y_to[W-1], y_to} + {y_from[W-1], y_from};
-
   sepax_mul_19x19_biased multiply (
-    .a(run),
-    .b(height),
-    .p(product)
+    .a(run), .b(height), .p(product)
   );
 
   always @(posedge clk) begin

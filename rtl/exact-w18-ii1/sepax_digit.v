@@ -18,13 +18,9 @@ module sepax_digit #(
   output wire [ROW_W-1:0] row,     // the row, two's complement but for `negative`
   output wire             negative // to be added at the row's lowest bit
 );
-  wire one;
-  wire two;
-  wire [A_W+1:0] twice; // 2 a
-
-  assign twice = {a[A_W-1], a, 1'b0};
-  assign one = b == 2'd2;
-  assign two = b == 2'd3;
+  wire [A_W+1:0] twice = {a[A_W-1], a, 1'b0}; // 2 a
+  wire one = b == 2'd2;
+  wire two = b == 2'd3;
   assign negative = b == 2'd0;
   assign row = (twice[ROW_W:1] & {ROW_W{one}}) | (twice[ROW_W-1:0] & {ROW_W{two}}) |
                (~twice[ROW_W:1] & {ROW_W{negative}});

@@ -17,9 +17,7 @@ module sepax_fa #(
   output wire [N-1:0] sum,  // sums of the columns
   output wire [N-1:0] carry // carries of the columns
 );
-  wire [N-1:0] half;
-
-  assign half = a ^ b;
+  wire [N-1:0] half = a ^ b;
   assign sum = half ^ c;
   assign carry = (a & b) | (half & c);
 endmodule

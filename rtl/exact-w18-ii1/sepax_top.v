@@ -44,16 +44,13 @@ module sepax_top (
   output wire [3:0]      out_axis       // what separates, 0: nothing
 );
   localparam W = 18; // bits of a coordinate
-  wire [18*W-1:0] in_pair; // x of A_1 (lowest) ... A_3, B_1 ... B_3, then y, then z
-  wire [18*W-1:0] pair;
-  wire            pair_valid;
-  wire            pair_ready;
-
-  assign in_pair = {
+  wire [18*W-1:0] in_pair = { // x of A_1 (lowest) ... A_3, B_1 ... B_3, then y, then z
     in_b3_z, in_b2_z, in_b1_z, in_a3_z, in_a2_z, in_a1_z,
     in_b3_y, in_b2_y, in_b1_y, in_a3_y, in_a2_y, in_a1_y,
     in_b3_x, in_b2_x, in_b1_x, in_a3_x, in_a2_x, in_a1_x
   };
+  wire [18*W-1:0] pair;
+  wire pair_valid, pair_ready;
 
   assign pair = in_pair;
   assign pair_valid = in_valid;
@@ -62,8 +59,7 @@ module sepax_top (
   sepax_narrow narrow (
     .clk(clk), .rst(rst), .in_valid(pair_valid), .in_ready(pair_ready), .in_pair(pair),
     .out_valid(out_valid), .out_ready(out_ready), .out_collision(out_collision),
-    .out_coplanar(out_coplanar),
-    .out_axis(out_axis)
+    .out_coplanar(out_coplanar), .out_axis(out_axis)
   );
 endmodule
 

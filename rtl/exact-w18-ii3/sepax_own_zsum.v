@@ -10,8 +10,8 @@
 `default_nettype none
 
 module sepax_own_zsum #(
-  parameter W = 18,          // bits of a coordinate
-  parameter O_W = 22       // bits of the z sum
+  parameter W = 18, // bits of a coordinate
+  parameter O_W = 22 // bits of the z sum
 ) (
   input  wire                  clk,    // clock
   input  wire signed [O_W-1:0] so_far, // BIAS, or the sum that has no third vertices yet
@@ -19,12 +19,13 @@ module sepax_own_zsum #(
   input  wire signed [W-1:0]   z_b,    // coordinate
   output reg  signed [O_W-1:0] z       // z sum + BIAS
 );
-  wire [O_W-1:0] sum;
-  wire [O_W-1:0] carry;
+  function [O_W-1:0] wide(input [W-1:0] coordinate);
+    wide = {{(O_W-W){coordinate[W-1]}}, coordinate};
+  endfunction
+  wire [O_W-1:0] sum, carry;
 
   sepax_csa #(.N(O_W)) three (
-    .a(so_far), .b({{(O_W-W){z_b[W-1]}}, z_b}), .c(~{{(O_W-W){z_a[W-1]}}, z_a}), .carry_in(1'b1),
-    .sum(sum), .carry(carry)
+    .a(so_far), .b(wide(z_b)), .c(~wide(z_a)), .carry_in(1'b1), .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin

@@ -18,13 +18,9 @@ module sepax_top_digit #(
   output wire [ROW_W-1:0] row,     // the row, two's complement but for `negative`
   output wire             negative // to be added at the row's lowest bit
 );
-  wire one;
-  wire two;
-  wire [A_W+1:0] twice; // 2 a
-
-  assign twice = {a[A_W-1], a, 1'b0};
-  assign one = b[0];
-  assign two = b[1] && !b[0];
+  wire [A_W+1:0] twice = {a[A_W-1], a, 1'b0}; // 2 a
+  wire one = b[0];
+  wire two = b[1] && !b[0];
   assign negative = b[2];
   assign row = ((twice[ROW_W:1] ^ {ROW_W{negative}}) & {ROW_W{one}}) |
                ((twice[ROW_W-1:0] ^ {ROW_W{negative}}) & {ROW_W{two}});

@@ -1,6 +1,6 @@
 sepax_trunc.v
 sepax_mul.v
-sepax_edge.v
+sepax_edges.v
 sepax_dot.v
 sepax_proj.v
 sepax_cop.v

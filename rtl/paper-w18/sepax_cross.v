@@ -25,8 +25,7 @@ module sepax_cross #(
   input  wire [3*E_W-1:0] q,          // right factor
   output reg  [3*C_W-1:0] axis        // p x q
 );
-  wire [3*S_W-1:0] exact;
-  wire [3*S_W-1:0] scaled;
+  wire [3*S_W-1:0] exact, scaled;
   wire [3*C_W-1:0] kept;
 
   genvar c;
@@ -35,12 +34,9 @@ module sepax_cross #(
       sepax_cross_S_W_is_not_P_W_plus_1 fault ();
     end
     for (c = 0; c < 3; c = c + 1) begin : component
-      localparam I = (c + 1) % 3;
-      localparam J = (c + 2) % 3;
-      wire signed [P_W-1:0] ij; // p_i q_j
-      wire signed [P_W-1:0] ji; // p_j q_i
-      reg  signed [P_W-1:0] ij_q;
-      reg  signed [P_W-1:0] ji_q;
+      localparam I = (c + 1) % 3, J = (c + 2) % 3;
+      wire signed [P_W-1:0] ij, ji; // p_i q_j, p_j q_i
+      reg signed [P_W-1:0] ij_q, ji_q;
       sepax_mul #(.A_W(E_W), .B_W(E_W), .FULL_W(M_W), .P_W(P_W)) mul_ij (
         .a(p[I*E_W +: E_W]), .b(q[J*E_W +: E_W]), .p(ij)
       );

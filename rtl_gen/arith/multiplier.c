@@ -4,18 +4,20 @@
 
 #include <string.h>
 
-static void gen_digit(emitter *e, const char *name, const char *top, const char *two_less) {
-  const emit_hole holes[] = {{"name", name}, {"top", top}, {"two_less", two_less}, {NULL, NULL}};
+/* `kind`: one of the holes "top", "one_less", "two_less"; the first of a name counts. */
+static void gen_digit(emitter *e, const char *name, const char *kind) {
+  const emit_hole holes[] = {{"name", name},   {kind, "1"},      {"top", ""},
+                             {"one_less", ""}, {"two_less", ""}, {NULL, NULL}};
   emit_template(e, "sepax_digit", holes);
 }
 
 void gen_multiplier_parts(emitter *e, bool two_less) {
   emit_template(e, "sepax_fa", NULL);
-  gen_digit(e, "sepax_digit", "", "");
+  gen_digit(e, "sepax_digit", "one_less");
   if (two_less) {
-    gen_digit(e, "sepax_digit_2", "", "1");
+    gen_digit(e, "sepax_digit_2", "two_less");
   }
-  gen_digit(e, "sepax_top_digit", "1", "");
+  gen_digit(e, "sepax_top_digit", "top");
 }
 
 gen_line arith_name(const arith_plan *plan) {

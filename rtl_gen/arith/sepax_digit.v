@@ -1,9 +1,6 @@
-//@ if top
-// One row of a multiplier: with digit = b, two's complement, -2, -1, 0, 1 or 2,
-//@ else
+// One row of a multiplier: with digit = b, two's complement, -2, -1, 0, 1 or 2, //@ top
 // One row of a multiplier: with digit = b - 2, which is -2, -1, 0 or 1, //@ two_less
-// One row of a multiplier: with digit = b - 1, which is -1, 0, 1 or 2, //@ !two_less
-//@ end
+// One row of a multiplier: with digit = b - 1, which is -1, 0, 1 or 2, //@ one_less
 //   digit * a = row + negative modulo 2^ROW_W.
 // Combinational.
 module @name@ #(
@@ -16,31 +13,27 @@ module @name@ #(
   output wire [ROW_W-1:0] row,     // the row, two's complement but for `negative`
   output wire             negative // to be added at the row's lowest bit
 );
-  wire one;
-  wire two;
-  wire [A_W+1:0] twice; // 2 a
-
-  assign twice = {a[A_W-1], a, 1'b0};
+  wire [A_W+1:0] twice = {a[A_W-1], a, 1'b0}; // 2 a
 //@ if top
-  assign one = b[0];
-  assign two = b[1] && !b[0];
+  wire one = b[0];
+  wire two = b[1] && !b[0];
   assign negative = b[2];
   assign row = ((twice[ROW_W:1] ^ {ROW_W{negative}}) & {ROW_W{one}}) |
                ((twice[ROW_W-1:0] ^ {ROW_W{negative}}) & {ROW_W{two}});
-//@ else
+//@ end
 //@ if two_less
-  assign one = b == 2'd3;
-  assign two = b == 2'd0;
+  wire one = b == 2'd3;
+  wire two = b == 2'd0;
   assign negative = !b[1];
   assign row = (twice[ROW_W:1] & {ROW_W{one}}) | (~twice[ROW_W-1:0] & {ROW_W{two}}) |
                (~twice[ROW_W:1] & {ROW_W{negative && !two}});
-//@ else
-  assign one = b == 2'd2;
-  assign two = b == 2'd3;
+//@ end
+//@ if one_less
+  wire one = b == 2'd2;
+  wire two = b == 2'd3;
   assign negative = b == 2'd0;
   assign row = (twice[ROW_W:1] & {ROW_W{one}}) | (twice[ROW_W-1:0] & {ROW_W{two}}) |
                (~twice[ROW_W:1] & {ROW_W{negative}});
-//@ end
 //@ end
 
   generate

@@ -14,37 +14,23 @@ module sepax_aabb_outside #(
 );
   localparam [LIMITS*W-1:0] MARGINS = {@margins@};
 
-  wire signed [W-1:0] low_a;
-  wire signed [W-1:0] high_a;
-  wire signed [W-1:0] low_b;
-  wire signed [W-1:0] high_b;
-  reg signed [W-1:0] low_a_q;
-  reg signed [W-1:0] high_a_q;
-  reg signed [W-1:0] low_b_q;
-  reg signed [W-1:0] high_b_q;
-  wire [W:0] up;
-  wire [W:0] down;
-  wire [LIMITS-1:0] above;
+  wire signed [W-1:0] low_a, high_a, low_b, high_b;
+  reg signed [W-1:0] low_a_q, high_a_q, low_b_q, high_b_q;
+  wire [W:0] up = {low_b_q[W-1], low_b_q} - {high_a_q[W-1], high_a_q};
+  wire [W:0] down = {low_a_q[W-1], low_a_q} - {high_b_q[W-1], high_b_q};
+  integer k;
 
   sepax_bounds #(.W(W)) bounds_a (.x_1(a_1), .x_2(a_2), .x_3(a_3), .low(low_a), .high(high_a));
   sepax_bounds #(.W(W)) bounds_b (.x_1(b_1), .x_2(b_2), .x_3(b_3), .low(low_b), .high(high_b));
-
-  assign up = {low_b_q[W-1], low_b_q} - {high_a_q[W-1], high_a_q};
-  assign down = {low_a_q[W-1], low_a_q} - {high_b_q[W-1], high_b_q};
-
-  genvar k;
-  generate
-    for (k = 0; k < LIMITS; k = k + 1) begin : clearance
-      assign above[k] = (!up[W] && (up[W-1:0] > MARGINS[k*W +: W])) ||
-                        (!down[W] && (down[W-1:0] > MARGINS[k*W +: W]));
-    end
-  endgenerate
 
   always @(posedge clk) begin
     low_a_q <= low_a;
     high_a_q <= high_a;
     low_b_q <= low_b;
     high_b_q <= high_b;
-    outside <= above;
+    for (k = 0; k < LIMITS; k = k + 1) begin
+      outside[k] <= (!up[W] && (up[W-1:0] > MARGINS[k*W +: W])) ||
+                    (!down[W] && (down[W-1:0] > MARGINS[k*W +: W]));
+    end
   end
 endmodule

@@ -23,32 +23,26 @@ module sepax_decide_band #(
   input  wire [3*LIMITS-1:0] box,      // AABBs are outside in x, y, z
   output wire                coplanar, // all orient3d are zero
   output wire [1:0]          band,     // 0 free, 1 warning, 2 collision
-  output reg  [3:0]          axis      // AXIS_...
+  output wire [3:0]          axis      // AXIS_...
 );
-  localparam [3:0] AXIS_NONE = 4'd@axis_none@;
-  localparam [3:0] AXIS_EDGES = 4'd@axis_edges@;
-  localparam [3:0] AXIS_NORMAL_A = 4'd@axis_normal_a@;
-  localparam [3:0] AXIS_NORMAL_B = 4'd@axis_normal_b@;
-  localparam [3:0] AXIS_PLANE = 4'd@axis_plane@;
-  localparam [3:0] AXIS_AABB = 4'd@axis_aabb@;
+  localparam [3:0] AXIS_NONE = 4'd@axis_none@, AXIS_EDGES = 4'd@axis_edges@,
+                   AXIS_NORMAL_A = 4'd@axis_normal_a@, AXIS_NORMAL_B = 4'd@axis_normal_b@,
+                   AXIS_PLANE = 4'd@axis_plane@, AXIS_AABB = 4'd@axis_aabb@;
 
   // For each clearance: 0 ... 8 e_i x f_j, 9 N_A, 10 N_B, 11 edges, 12 boxes.
   wire [13*LIMITS-1:0] proved;
   wire [12:0] by;
+  wire [15*F-1:0] f = {f_d, f_w, f_s};
   wire [14:0] zero;
+  reg [3:0] edges; // the first of AXIS_EDGES ... that proves, else of those behind them
 
-  genvar i;
-  genvar j;
-  genvar k;
+  genvar i, k;
   generate
     for (k = 0; k < LIMITS; k = k + 1) begin : clearance
-      wire [17:0] edges;
-      for (i = 0; i < 3; i = i + 1) begin : edge_of_a
-        for (j = 0; j < 3; j = j + 1) begin : edge_of_b
-          assign proved[13*k+3*i+j] = f_d[(3*i+j)*F+k] &&
-                                      (f_d[(3*i+j)*F+LIMITS] ? (r_s[2*j+1] && r_w[2*i+1])
-                                                             : (r_s[2*j] && r_w[2*i]));
-        end
+      wire [17:0] in_projection;
+      for (i = 0; i < 9; i = i + 1) begin : edge_pair
+        assign proved[13*k+i] = f_d[i*F+k] && (f_d[i*F+LIMITS] ? (r_s[2*(i%3)+1] && r_w[2*(i/3)+1])
+                                                               : (r_s[2*(i%3)] && r_w[2*(i/3)]));
       end
       assign proved[13*k+9] = f_s[k] && f_s[F+k] && f_s[2*F+k] &&
                               (f_s[LIMITS] == f_s[F+LIMITS]) &&
@@ -57,19 +51,13 @@ module sepax_decide_band #(
                                (f_w[LIMITS] == f_w[F+LIMITS]) &&
                                (f_w[LIMITS] == f_w[2*F+LIMITS]);
       for (i = 0; i < 6; i = i + 1) begin : of_triangle
-        assign edges[i] = e_xy[i*LIMITS+k];
-        assign edges[6+i] = e_yz[i*LIMITS+k];
-        assign edges[12+i] = e_zx[i*LIMITS+k];
+        assign in_projection[3*i +: 3] = {e_xy[i*LIMITS+k], e_yz[i*LIMITS+k], e_zx[i*LIMITS+k]};
       end
-      assign proved[13*k+11] = |edges;
+      assign proved[13*k+11] = |in_projection;
       assign proved[13*k+12] = box[k] || box[LIMITS+k] || box[2*LIMITS+k];
     end
-    for (i = 0; i < 3; i = i + 1) begin : normal
-      assign zero[i] = f_s[i*F+F-1];
-      assign zero[3+i] = f_w[i*F+F-1];
-    end
-    for (i = 0; i < 9; i = i + 1) begin : pair
-      assign zero[6+i] = f_d[i*F+F-1];
+    for (i = 0; i < 15; i = i + 1) begin : of_orient3d
+      assign zero[i] = f[i*F+F-1];
     end
   endgenerate
 
@@ -84,20 +72,12 @@ module sepax_decide_band #(
 
   integer n;
   always @(*) begin
-    axis = by[11] ? AXIS_PLANE : AXIS_NONE;
+    edges = by[11] ? AXIS_PLANE : AXIS_NONE;
     for (n = 8; n >= 0; n = n - 1) begin
       if (by[n]) begin
-        axis = AXIS_EDGES + n[3:0];
+        edges = AXIS_EDGES + n[3:0];
       end
     end
-    if (by[10]) begin
-      axis = AXIS_NORMAL_B;
-    end
-    if (by[9]) begin
-      axis = AXIS_NORMAL_A;
-    end
-    if (by[12]) begin
-      axis = AXIS_AABB;
-    end
   end
+  assign axis = by[12] ? AXIS_AABB : by[9] ? AXIS_NORMAL_A : by[10] ? AXIS_NORMAL_B : edges;
 endmodule

@@ -11,10 +11,8 @@ module sepax_edge_outside #(
   input  wire signed [G_W-1:0] own,    // orient2d of the edge's own triangle
   output reg  [LIMITS-1:0]     outside // bit k: of clearance k
 );
-  wire one_side;
-
-  assign one_side = (b_1[LIMITS] == b_2[LIMITS]) && (b_1[LIMITS] == b_3[LIMITS]) &&
-                    ((own == {G_W{1'b0}}) || (own[G_W-1] != b_1[LIMITS]));
+  wire one_side = (b_1[LIMITS] == b_2[LIMITS]) && (b_1[LIMITS] == b_3[LIMITS]) &&
+                  ((own == {G_W{1'b0}}) || (own[G_W-1] != b_1[LIMITS]));
 
   always @(posedge clk) begin
     outside <= {LIMITS{one_side}} & b_1[LIMITS-1:0] & b_2[LIMITS-1:0] & b_3[LIMITS-1:0];

@@ -13,20 +13,14 @@ module @name@ #(
   output reg  [LIMITS+1:0]     exceeds  // {it is 0, is below 0, exceeds each limit} //@ zero
   output reg  [LIMITS:0]       exceeds  // {it is below 0, exceeds each limit} //@ !zero
 );
-  wire [N-1:0] size;
-  wire [LIMITS-1:0] above;
-
-  assign size = {@pad@@value@ ^ {V_W{@value@[V_W-1]}}, {2{@value@[V_W-1]}}};
-
-  genvar k;
-  generate
-    for (k = 0; k < LIMITS; k = k + 1) begin : clearance
-      assign above[k] = size > {{(N-L_W-1){1'b0}}, limit[k*L_W +: L_W], 1'b0};
-    end
-  endgenerate
+  wire [N-1:0] size = {@pad@@value@ ^ {V_W{@value@[V_W-1]}}, {2{@value@[V_W-1]}}};
+  integer k;
 
   always @(posedge clk) begin
-    exceeds <= {@value@ == {V_W{1'b0}}, @value@[V_W-1], above}; //@ zero
-    exceeds <= {@value@[V_W-1], above}; //@ !zero
+    exceeds[LIMITS+1] <= @value@ == {V_W{1'b0}}; //@ zero
+    exceeds[LIMITS] <= @value@[V_W-1];
+    for (k = 0; k < LIMITS; k = k + 1) begin
+      exceeds[k] <= size > {{(N-L_W-1){1'b0}}, limit[k*L_W +: L_W], 1'b0};
+    end
   end
 endmodule

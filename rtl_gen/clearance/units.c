@@ -29,7 +29,10 @@ static void print_multiple(FILE *out, const char *value, int width, int64_t fact
     if (digit == 0 || shift >= bits) {
       continue;
     }
-    fprintf(out, "%s{", first ? (digit < 0 ? "-" : "") : digit < 0 ? "\n      - " : "\n      + ");
+    fprintf(out, "%s{",
+            first       ? (digit < 0 ? "-" : "")
+            : digit < 0 ? "\n        - "
+                        : "\n        + ");
     first = false;
     if (bits > shift + width) {
       fprintf(out, "%d'd0, ", bits - shift - width);
@@ -53,31 +56,32 @@ typedef struct {
   int sum_width, most_width, bits;
 } limit_terms;
 
-/* Emit a module of limits: for each clearance D (2 + d) sum + d most, d = D - 1, and its parts. */
+/* Emit a module of limits: for each clearance D, the inner last, (2 + d) sum + d most, d = D - 1,
+ * and its parts. */
 static void gen_limit_of(emitter *e, const exact_plan *p, emit_holes *h, const char *file,
                          limit_terms t) {
-  static const char *const name[2][3] = {{"of_sum_1", "of_most_1", "limit_1"},
-                                         {"of_sum_2", "of_most_2", "limit_2"}};
+  static const char *const name[3] = {"of_sum", "of_most", "limit"};
   emit_hole_numbers(h, (emit_number[]){{"l_w", t.bits},
-                                       {"m_w", p->limits * t.bits},
                                        {"registered", p->stages.most},
                                        {"most", p->design->margin[1] > 1},
                                        {"parts", p->stages.total},
                                        {NULL, 0}});
-  for (int k = 0; k < p->limits; k++) {
-    int64_t d = p->design->margin[k] - 1;
-    for (int part = 0; part < 3; part++) {
-      emit_stream text;
-      emit_stream_open(&text);
+  for (int part = 0; part < 3; part++) {
+    emit_stream text;
+    emit_stream_open(&text);
+    for (int k = p->limits - 1; k >= 0; k--) {
+      int64_t d = p->design->margin[k] - 1;
+      fputs("\n      ", text.out);
       if (part != 1) {
         print_multiple(text.out, t.sum, t.sum_width, 2 + d, t.bits);
       }
-      fputs(part == 2 && d > 0 ? "\n      + " : "", text.out);
+      fputs(part == 2 && d > 0 ? "\n        + " : "", text.out);
       if (part == 1 || (part == 2 && d > 0)) {
         print_multiple(text.out, "most_q", t.most_width, d, t.bits);
       }
-      emit_hole_take(h, name[k][part], &text);
+      fputs(k > 0 ? "," : "", text.out);
     }
+    emit_hole_take(h, name[part], &text);
   }
   emit_template(e, file, h->hole);
 }

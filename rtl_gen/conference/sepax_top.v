@@ -38,44 +38,28 @@ module sepax_top (
   localparam NS_W = @normal_projection_exact@; // projection on a normal, exact
   localparam ND_W = @normal_projection@; // kept of it
   localparam C_W = @axis@; // bits of an axis component
-  localparam M_W = @product_exact@; // coordinate x axis component, exact
-  localparam P_W = @product@; // kept of it
-  localparam S_W = @projection_exact@; // projection on an axis, exact
-  localparam D_W = @projection@; // kept of it
+  localparam D_W = @projection@; // bits of a projection on an axis
 
   // Cycles 1-3: words 1 ... 3. Vertices and normals stand in cycles 5-7, 8-10, 11-13, too;
   // vertices of coplanar pairs in 14-16.
   wire [20:4] step; // bit c: a pair is in cycle c
-  wire [9*V_W-1:0] a;
-  wire [9*V_W-1:0] b;
-  wire [3*N_W-1:0] n_a;
-  wire [3*N_W-1:0] n_b;
-  reg [9*V_W-1:0] a_5;
-  reg [9*V_W-1:0] b_5;
-  reg [3*N_W-1:0] n_a_5;
-  reg [3*N_W-1:0] n_b_5;
-  reg [9*V_W-1:0] a_8;
-  reg [9*V_W-1:0] b_8;
-  reg [3*N_W-1:0] n_a_8;
-  reg [3*N_W-1:0] n_b_8;
-  reg [9*V_W-1:0] a_11;
-  reg [9*V_W-1:0] b_11;
-  reg [3*N_W-1:0] n_a_11;
-  reg [3*N_W-1:0] n_b_11;
-  reg [9*V_W-1:0] a_14;
-  reg [9*V_W-1:0] b_14;
+  wire [9*V_W-1:0] a, b;
+  wire [3*N_W-1:0] n_a, n_b;
+  reg [9*V_W-1:0] a_5, b_5, a_8, b_8, a_11, b_11, a_14, b_14;
+  reg [3*N_W-1:0] n_a_5, n_b_5, n_a_8, n_b_8, n_a_11, n_b_11;
 
-  sepax_input #(.V_W(V_W), .N_W(N_W), .LAST(20)) words (
-    .clk(clk), .rst(rst), .in_valid(in_valid), .in_a({in_a_z, in_a_y, in_a_x}),
-    .in_b({in_b_z, in_b_y, in_b_x}), .in_na(in_na), .in_nb(in_nb), .a(a), .b(b), .n_a(n_a),
-    .n_b(n_b), .step(step)
+  sepax_input words (
+    .clk(clk), .rst(rst), .in_valid(in_valid), .in_na(in_na), .in_nb(in_nb),
+    .in_a({in_a_z, in_a_y, in_a_x}), .in_b({in_b_z, in_b_y, in_b_x}),
+    .a(a), .b(b), .n_a(n_a), .n_b(n_b), .step(step)
   );
 
   // Cycles 4-6: the nine axes across edges; 10 is N_A, 11 is N_B.
   wire [27*C_W-1:0] axis;
 
   sepax_psa_9 psa_9 (
-    .clk(clk), .load_en(step[4]), .product_en(step[5]), .axis_en(step[6]), .a(a), .b(b), .axis(axis)
+    .clk(clk), .load_en(step[4]), .product_en(step[5]), .axis_en(step[6]),
+    .a(a), .b(b), .axis(axis)
   );
 
   // Cycles 7-8: eleven PROJ. Cycle 9: eleven CMP, which stand in cycles 10-12.
@@ -84,26 +68,22 @@ module sepax_top (
   genvar i;
   generate
     for (i = 0; i < 9; i = i + 1) begin : axes
-      wire [3*D_W-1:0] on_a;
-      wire [3*D_W-1:0] on_b;
-      sepax_proj #(
-        .V_W(V_W), .C_W(C_W), .M_W(M_W), .P_W(P_W), .S_W(S_W), .D_W(D_W)
-      ) proj (
-        .clk(clk), .product_en(step[7]), .sum_en(step[8]), .axis_a(axis[3*i*C_W +: 3*C_W]),
-        .axis_b(axis[3*i*C_W +: 3*C_W]), .a(a_5), .b(b_5), .on_a(on_a), .on_b(on_b)
+      wire [3*D_W-1:0] on_a, on_b;
+      sepax_proj proj (
+        .clk(clk), .product_en(step[7]), .sum_en(step[8]),
+        .axis_a(axis[3*i*C_W +: 3*C_W]), .axis_b(axis[3*i*C_W +: 3*C_W]),
+        .a(a_5), .b(b_5), .on_a(on_a), .on_b(on_b)
       );
-      sepax_cmp #(.D_W(D_W)) cmp (
+      sepax_cmp cmp (
         .clk(clk), .en(step[9]), .idle(1'b0), .on_a(on_a), .on_b(on_b), .overlap(overlap[i])
       );
     end
     for (i = 0; i < 2; i = i + 1) begin : normals
-      wire [3*ND_W-1:0] on_a;
-      wire [3*ND_W-1:0] on_b;
-      sepax_proj #(
-        .V_W(V_W), .C_W(N_W), .M_W(NM_W), .P_W(NP_W), .S_W(NS_W), .D_W(ND_W)
-      ) proj (
-        .clk(clk), .product_en(step[7]), .sum_en(step[8]), .axis_a(i == 0 ? n_a_5 : n_b_5),
-        .axis_b(i == 0 ? n_a_5 : n_b_5), .a(a_5), .b(b_5), .on_a(on_a), .on_b(on_b)
+      wire [3*N_W-1:0] normal = i == 0 ? n_a_5 : n_b_5;
+      wire [3*ND_W-1:0] on_a, on_b;
+      sepax_proj #(.C_W(N_W), .M_W(NM_W), .P_W(NP_W), .S_W(NS_W), .D_W(ND_W)) proj (
+        .clk(clk), .product_en(step[7]), .sum_en(step[8]),
+        .axis_a(normal), .axis_b(normal), .a(a_5), .b(b_5), .on_a(on_a), .on_b(on_b)
       );
       sepax_cmp #(.D_W(ND_W)) cmp (
         .clk(clk), .en(step[9]), .idle(1'b0), .on_a(on_a), .on_b(on_b), .overlap(overlap[9+i])
@@ -112,22 +92,19 @@ module sepax_top (
   endgenerate
 
   // Cycles 10-11: inner products for COP alone. 12: COP; its verdict stands in cycles 13-15.
-  wire [3*ND_W-1:0] on_a_cop;
-  wire [3*ND_W-1:0] on_b_cop;
+  wire [3*ND_W-1:0] on_a_cop, on_b_cop;
   wire coplanar_13;
 
-  sepax_proj #(
-    .V_W(V_W), .C_W(N_W), .M_W(NM_W), .P_W(NP_W), .S_W(NS_W), .D_W(ND_W)
-  ) proj_cop (
+  sepax_proj #(.C_W(N_W), .M_W(NM_W), .P_W(NP_W), .S_W(NS_W), .D_W(ND_W)) proj_cop (
     .clk(clk), .product_en(step[10]), .sum_en(step[11]),
     .axis_a(n_a_8), .axis_b(n_a_8), //@ plane
     .axis_a(n_a_8), .axis_b(n_b_8), //@ !plane
     .a(a_8), .b(b_8), .on_a(on_a_cop), .on_b(on_b_cop)
   );
-  sepax_cop #(.D_W(ND_W)) cop (
-    .clk(clk), .en(step[12]),
-    .p(on_b_cop), .q(on_a_cop), .coplanar(coplanar_13) //@ plane
-    .p(on_a_cop), .q(on_b_cop), .coplanar(coplanar_13) //@ !plane
+  sepax_cop cop (
+    .clk(clk), .en(step[12]), .coplanar(coplanar_13),
+    .p(on_b_cop), .q(on_a_cop) //@ plane
+    .p(on_a_cop), .q(on_b_cop) //@ !plane
   );
 
   // Cycles 13-15: the six axes of table 2; 16-17: six PROJ; 18: six CMP, which stand in cycles
@@ -149,19 +126,22 @@ module sepax_top (
 
   generate
     for (i = 0; i < 6; i = i + 1) begin : flat
-      wire [3*D_W-1:0] on_a;
-      wire [3*D_W-1:0] on_b;
-      sepax_proj #(
-        .V_W(V_W), .C_W(C_W), .M_W(M_W), .P_W(P_W), .S_W(S_W), .D_W(D_W)
-      ) proj (
-        .clk(clk), .product_en(flat_proj), .sum_en(flat_sum), .axis_a(axis_flat[3*i*C_W +: 3*C_W]),
-        .axis_b(axis_flat[3*i*C_W +: 3*C_W]), .a(a_14), .b(b_14), .on_a(on_a), .on_b(on_b)
+      wire [3*D_W-1:0] on_a, on_b;
+      sepax_proj proj (
+        .clk(clk), .product_en(flat_proj), .sum_en(flat_sum),
+        .axis_a(axis_flat[3*i*C_W +: 3*C_W]), .axis_b(axis_flat[3*i*C_W +: 3*C_W]),
+        .a(a_14), .b(b_14), .on_a(on_a), .on_b(on_b)
       );
-      sepax_cmp #(.D_W(D_W)) cmp (
+      sepax_cmp cmp (
         .clk(clk), .en(flat_cmp), .idle(1'b0), .on_a(on_a), .on_b(on_b), .overlap(overlap_flat[i])
       );
     end
   endgenerate
+
+  // What cycles 10 and 13 know goes along to the choice in cycle 19: eleven axes or six.
+  reg separated_13, separated_16, separated_19;
+  reg coplanar_19, coplanar_20;
+  reg collision_20;
 
   always @(posedge clk) begin
     if (step[4]) begin
@@ -182,23 +162,12 @@ module sepax_top (
       n_a_11 <= n_a_8;
       n_b_11 <= n_b_8;
     end
+    if (step[12]) begin
+      separated_13 <= ~(&overlap);
+    end
     if (flat_load) begin
       a_14 <= a_11;
       b_14 <= b_11;
-    end
-  end
-
-  // What cycles 10 and 13 know goes along to the choice in cycle 19: eleven axes or six.
-  reg separated_13;
-  reg separated_16;
-  reg separated_19;
-  reg coplanar_19;
-  reg collision_20;
-  reg coplanar_20;
-
-  always @(posedge clk) begin
-    if (step[12]) begin
-      separated_13 <= ~(&overlap);
     end
     if (step[15]) begin
       separated_16 <= separated_13;

@@ -1,10 +1,10 @@
 // The axis that separates, from the signs {> 0, < 0} of the 15 orient3d; 00 is zero.
 // Combinational. In this order:
+//   AXIS_PLANE     all orient3d are zero: an axis in the common plane, if in_plane says so
 //   AXIS_NORMAL_A  N_A: all of s have one sign
 //   AXIS_NORMAL_B  N_B: all of w have one sign
 //   AXIS_EDGES + 3 i + j  e_i x f_j: d_ij has a sign that separates the edges, and on it s
 //                  decreases (increases) along f_j and w along e_i
-//   AXIS_PLANE     an axis in the common plane: all orient3d are zero, in_plane says so
 //   AXIS_NONE      none: collision
 module sepax_decide (
   input  wire [5:0]  s,        // of A's plane and B_k: [2k +: 2]
@@ -13,27 +13,20 @@ module sepax_decide (
   input  wire        second,   // second pass: known to be coplanar
   input  wire        in_plane, // should the pair be coplanar: it is separated
   output wire        coplanar, // all orient3d are zero, or a second pass
-  output reg  [3:0]  axis      // AXIS_...
+  output wire [3:0]  axis      // AXIS_...
 );
-  localparam [3:0] AXIS_NONE = 4'd@axis_none@;
-  localparam [3:0] AXIS_EDGES = 4'd@axis_edges@;
-  localparam [3:0] AXIS_NORMAL_A = 4'd@axis_normal_a@;
-  localparam [3:0] AXIS_NORMAL_B = 4'd@axis_normal_b@;
-  localparam [3:0] AXIS_PLANE = 4'd@axis_plane@;
+  localparam [3:0] AXIS_NONE = 4'd@axis_none@, AXIS_EDGES = 4'd@axis_edges@,
+                   AXIS_NORMAL_A = 4'd@axis_normal_a@, AXIS_NORMAL_B = 4'd@axis_normal_b@,
+                   AXIS_PLANE = 4'd@axis_plane@;
 
-  wire [2:0] s_falls;   // along f_j, or stays
-  wire [2:0] s_rises;
-  wire [2:0] w_falls;   // along e_i
-  wire [2:0] w_rises;
-  wire [8:0] separates; // e_i x f_j: bit 3i + j
-  wire normal_a;
-  wire normal_b;
+  wire [2:0] s_falls, s_rises; // along f_j, or stays
+  wire [2:0] w_falls, w_rises; // along e_i
+  wire [8:0] separates;        // e_i x f_j: bit 3i + j
+  wire normal_a = (s[1] && s[3] && s[5]) || (s[0] && s[2] && s[4]);
+  wire normal_b = (w[1] && w[3] && w[5]) || (w[0] && w[2] && w[4]);
+  reg [3:0] edges;             // the first of AXIS_EDGES ... that separates
 
-  assign normal_a = (s[1] && s[3] && s[5]) || (s[0] && s[2] && s[4]);
-  assign normal_b = (w[1] && w[3] && w[5]) || (w[0] && w[2] && w[4]);
-
-  genvar i;
-  genvar j;
+  genvar i, j;
   generate
     for (i = 0; i < 3; i = i + 1) begin : along
       assign s_falls[i] = !(s[2*i] || s[2*((i+1)%3)+1]);
@@ -49,24 +42,17 @@ module sepax_decide (
     end
   endgenerate
 
-  assign coplanar = second || ({s, w, d} == 30'd0);
-
   integer k;
   always @(*) begin
-    axis = AXIS_NONE;
+    edges = AXIS_NONE;
     for (k = 8; k >= 0; k = k - 1) begin
       if (separates[k]) begin
-        axis = AXIS_EDGES + k[3:0];
+        edges = AXIS_EDGES + k[3:0];
       end
     end
-    if (normal_b) begin
-      axis = AXIS_NORMAL_B;
-    end
-    if (normal_a) begin
-      axis = AXIS_NORMAL_A;
-    end
-    if (coplanar) begin
-      axis = in_plane ? AXIS_PLANE : AXIS_NONE;
-    end
   end
+
+  assign coplanar = second || ({s, w, d} == 30'd0);
+  assign axis = coplanar ? (in_plane ? AXIS_PLANE : AXIS_NONE) :
+                normal_a ? AXIS_NORMAL_A : normal_b ? AXIS_NORMAL_B : edges;
 endmodule

@@ -23,54 +23,37 @@ module sepax_narrow (
   //@ end
   output wire [3:0]      out_axis       // what @axis_about@, see sepax_top; 0 none
 );
-  localparam N = @core_word@;       // bits of a coordinate
-  localparam LAST = @last_window@;  // window of the verdict; a pair is in windows 0 ... LAST
-  localparam JUDGED = @judged@;  // window that it enters when its plane is known //@ passes
-  localparam TAG = @tag@;     // log2 of the entries of the reorder buffer
-  localparam RESULT = @result@;  // bits of a verdict
+  localparam N = @core_word@; // bits of a coordinate
+  localparam LAST = @last_window@; // window of the verdict; a pair is in windows 0 ... LAST
+  localparam JUDGED = @judged@; // window that it enters when its plane is known //@ passes
+  localparam TAG = @tag@; // log2 of the entries of the reorder buffer
+  localparam RESULT = @result@; // bits of a verdict
+  localparam II = @ii@; //@ shared
 
-  reg  [LAST:0]             valid_q;  // a pair is in window k
-  reg  [(LAST+1)*TAG-1:0]   tag_q;    // its entry in the reorder buffer
+  reg  [LAST:0]           valid_q;    // a pair is in window k
+  reg  [(LAST+1)*TAG-1:0] tag_q;      // its entry in the reorder buffer
+  wire [TAG-1:0]          tail;
+  wire [RESULT-1:0]       oldest;
+  wire                    free, coplanar;
+  wire [3:0]              axis;
+  wire [1:0]              band; //@ limits
+  integer                 k;
   //@ if passes
-  reg  [LAST:0]             second_q;   // this is its second pass
-  reg  [JUDGED-1:0]         disjoint_q; // its projections were disjoint in the first
-  reg  [LAST-JUDGED:0]      in_plane_q; // from window JUDGED on: it is separated if coplanar
-  reg  [JUDGED-1:0]         decided_q;  // the AABB test has decided it //@ aabb_test
-  wire                      flat;
-  wire                      separated;
-  wire                      disjoint_x;
-  wire                      disjoint_z;
-  wire                      again;
-  wire                      disjoint;
+  reg  [LAST:0]           second_q;   // this is its second pass
+  reg  [JUDGED-1:0]       disjoint_q; // its projections were disjoint in the first
+  reg  [LAST-JUDGED:0]    in_plane_q; // from window JUDGED on: it is separated if coplanar
+  reg  [JUDGED-1:0]       decided_q;  // the AABB test has decided it //@ aabb_test
+  wire                    flat, separated, disjoint_x, disjoint_z;
+  wire again = valid_q[JUDGED-1] && flat && !second_q[JUDGED-1]@unless_decided@;
+  wire disjoint = disjoint_x || (disjoint_z && !second_q[JUDGED-1]) || disjoint_q[JUDGED-1];
   //@ end
-  //@ if shared
-  localparam II = @ii@;
-  reg  [II-1:0]             slot_q; // cycle of the II window, one-hot; rests at its end
-  wire                      last_slot;
-  wire                      busy;
-  //@ end
-  wire                      free;
-  wire                      take;
-  wire                      enter;
-  wire                      coplanar;
-  wire [3:0]                axis;
-  wire [1:0]                band; //@ limits
-  wire [TAG-1:0]            tail;
-  wire [RESULT-1:0]         result;
-  wire [RESULT-1:0]         oldest;
-  integer                   k;
+  reg  [II-1:0]           slot_q; // cycle of the II window, one-hot; rests at its end //@ shared
+  wire last_slot = slot_q[II-1]; //@ shared
+  wire take = in_valid && in_ready;
+  wire enter = take || again; //@ passes
+  wire enter = take; //@ !passes
 
-  assign last_slot = slot_q[II-1]; //@ shared
-  assign busy = |valid_q; //@ shared
-  assign take = in_valid && in_ready;
   assign in_ready = @at_last_slot@free@unless_again@;
-  //@ if passes
-  assign again = valid_q[JUDGED-1] && flat && !second_q[JUDGED-1]@unless_decided@;
-  assign disjoint = disjoint_x || (disjoint_z && !second_q[JUDGED-1]) || disjoint_q[JUDGED-1];
-  assign enter = take || again;
-  //@ else
-  assign enter = take;
-  //@ end
 
   always @(posedge clk) begin
     if (rst) begin
@@ -78,7 +61,7 @@ module sepax_narrow (
       valid_q <= {(LAST+1){1'b0}};
     end else begin
       //@ if shared
-      if (!last_slot || enter || busy) begin
+      if (!last_slot || enter || (|valid_q)) begin
         slot_q <= {slot_q[II-2:0], slot_q[II-1]};
       end
       //@ end
@@ -91,19 +74,16 @@ module sepax_narrow (
       end
     end
     if (@window_ends@) begin
-      //@ if passes
-      tag_q[0 +: TAG] <= again ? tag_q[(JUDGED-1)*TAG +: TAG] : tail;
-      second_q[0] <= again;
-      disjoint_q[0] <= again && disjoint;
-      decided_q[0] <= !again && @decided@; //@ aabb_test
-      //@ else
-      tag_q[0 +: TAG] <= tail;
-      //@ end
+      tag_q[0 +: TAG] <= again ? tag_q[(JUDGED-1)*TAG +: TAG] : tail; //@ passes
+      tag_q[0 +: TAG] <= tail; //@ !passes
       for (k = 1; k <= LAST; k = k + 1) begin
         tag_q[k*TAG +: TAG] <= tag_q[(k-1)*TAG +: TAG];
         second_q[k] <= second_q[k-1]; //@ passes
       end
       //@ if passes
+      second_q[0] <= again;
+      disjoint_q[0] <= again && disjoint;
+      decided_q[0] <= !again && @decided@; //@ aabb_test
       for (k = 1; k < JUDGED; k = k + 1) begin
         disjoint_q[k] <= disjoint_q[k-1];
         decided_q[k] <= decided_q[k-1]; //@ aabb_test
@@ -135,13 +115,12 @@ module sepax_narrow (
     .coplanar(coplanar), .axis(axis)
   );
 
-  assign result = {band, coplanar, axis}; //@ limits
-  assign result = {coplanar, axis}; //@ !limits
-
   sepax_reorder reorder (
     .clk(clk), .rst(rst), .free(free), .take(take), .tail(tail),
     .note(@note_in@), .oldest_note(out_note), //@ aabb_test
-    .write(valid_q[LAST]@at_verdict_slot@), .tag(tag_q[LAST*TAG +: TAG]), .result(result),
+    .write(valid_q[LAST]@at_verdict_slot@), .tag(tag_q[LAST*TAG +: TAG]),
+    .result({band, coplanar, axis}), //@ limits
+    .result({coplanar, axis}), //@ !limits
     .valid(out_valid), .ready(out_ready), .oldest(oldest)
   );
 

@@ -48,23 +48,18 @@ module sepax_top (
   input  wire            out_ready,     // it is taken in this cycle
   output wire            out_collision, // 1: @collision_about@
   output wire            out_coplanar,  // 1: all six points are in one plane
-  //@ if extents
-  output wire            out_of_range,  // 1: an AABB exceeds its extent; a collision, undecided
-  //@ end
+  output wire            out_of_range,  // 1: an AABB exceeds its extent; undecided //@ extents
   output wire [1:0]      out_band,      // 0 free, 1 warning, 2 collision //@ limits
   output wire [3:0]      out_axis       // what @axis_about@, 0: nothing
 );
   localparam W = @word@; // bits of a coordinate
-  wire [18*W-1:0] in_pair; // x of A_1 (lowest) ... A_3, B_1 ... B_3, then y, then z
-  wire [18*W-1:0] pair;
-  wire            pair_valid;
-  wire            pair_ready;
-
-  assign in_pair = {
+  wire [18*W-1:0] in_pair = { // x of A_1 (lowest) ... A_3, B_1 ... B_3, then y, then z
     in_b3_z, in_b2_z, in_b1_z, in_a3_z, in_a2_z, in_a1_z,
     in_b3_y, in_b2_y, in_b1_y, in_a3_y, in_a2_y, in_a1_y,
     in_b3_x, in_b2_x, in_b1_x, in_a3_x, in_a2_x, in_a1_x
   };
+  wire [18*W-1:0] pair;
+  wire pair_valid, pair_ready;
 
   //@ if registered_ready
   sepax_skid #(.WIDTH(18*W)) skid (
@@ -78,32 +73,25 @@ module sepax_top (
   //@ end
 
   //@ if aabb_test
-  wire [2:0]      axis_disjoint;
-  wire            disjoint;
-  wire            narrow_valid;
-  wire            narrow_ready;
-  wire            narrow_collision;
-  wire            narrow_coplanar;
-  wire [3:0]      narrow_axis;
-  wire [1:0]      narrow_band; //@ limits
-  wire [@note@-1:0]      note;
-  wire            idle; // what the AABB test decides enters as zeros
-  genvar          k;
+  localparam N = @core_word@; // bits of a coordinate in the core
+  reg valid_q;
+  reg valid_q2; //@ extents
+  wire [2:0] axis_disjoint;
+  wire [2:0] axis_exceeds; //@ extents
+  wire narrow_ready, narrow_collision, narrow_coplanar;
+  wire [3:0] narrow_axis;
+  wire [1:0] narrow_band; //@ limits
+  wire [@note@-1:0] note;
+  wire decided = |note;
+  wire disjoint = |axis_disjoint;
+  genvar k;
   //@ if extents
-  localparam N = @core_word@; // bits of a coordinate from the local origin
-  reg             valid_q;
-  reg             valid_q2;
-  wire            enable_1;
-  wire            enable_2;
-  wire [2:0]      axis_exceeds;
-  wire            exceeds;
-  wire [18*N-1:0] near;
+  wire [18*N-1:0] near; // from the local origin
+  wire enable_2 = !valid_q2 || narrow_ready;
+  wire enable_1 = !valid_q || enable_2;
+  wire narrow_valid = valid_q2;
 
-  assign enable_2 = !valid_q2 || narrow_ready;
-  assign enable_1 = !valid_q || enable_2;
   assign pair_ready = enable_1;
-  assign narrow_valid = valid_q2;
-  assign exceeds = !disjoint && (|axis_exceeds);
 
   always @(posedge clk) begin
     if (rst) begin
@@ -118,24 +106,12 @@ module sepax_top (
       end
     end
   end
-
-  generate
-    for (k = 0; k < 3; k = k + 1) begin : axis
-      sepax_aabb_axis test (
-        .clk(clk), .enable_1(enable_1), .enable_2(enable_2), .points(pair[k*6*W +: 6*W]),
-        .exceeds(axis_exceeds[k]), .near(near[k*6*N +: 6*N]), .disjoint(axis_disjoint[k])
-      );
-    end
-  endgenerate
   //@ else
-  localparam N = W; // bits of a coordinate in the core
-  reg             valid_q;
-  reg  [18*W-1:0] pair_q;
-  wire [18*N-1:0] near;
+  reg [18*W-1:0] pair_q;
+  wire [18*N-1:0] near = pair_q;
+  wire narrow_valid = valid_q;
 
   assign pair_ready = !valid_q || narrow_ready;
-  assign narrow_valid = valid_q;
-  assign near = pair_q;
 
   always @(posedge clk) begin
     if (rst) begin
@@ -147,46 +123,47 @@ module sepax_top (
       pair_q <= pair;
     end
   end
+  //@ end
 
   generate
     for (k = 0; k < 3; k = k + 1) begin : axis
-      sepax_aabb_axis test (.points(pair_q[k*6*W +: 6*W]), .disjoint(axis_disjoint[k]));
+      sepax_aabb_axis test (
+        .clk(clk), .enable_1(enable_1), .enable_2(enable_2), //@ extents
+        .points(pair[k*6*W +: 6*W]), .near(near[k*6*N +: 6*N]), //@ extents
+        .exceeds(axis_exceeds[k]), //@ extents
+        .points(pair_q[k*6*W +: 6*W]), //@ !extents
+        .disjoint(axis_disjoint[k])
+      );
     end
   endgenerate
-  //@ end
 
-  assign disjoint = |axis_disjoint;
-  assign idle = !narrow_valid || disjoint;
-
+  wire idle = !narrow_valid || disjoint; // what the AABB test decides enters as zeros
   sepax_narrow narrow (
     .clk(clk), .rst(rst), .in_valid(narrow_valid), .in_ready(narrow_ready),
     .in_pair(near & {(18*N){!idle}}), .in_disjoint(disjoint),
-    .in_exceeds(exceeds), //@ extents
+    .in_exceeds(!disjoint && (|axis_exceeds)), //@ extents
     .out_valid(out_valid), .out_ready(out_ready), .out_collision(narrow_collision),
-    .out_coplanar(narrow_coplanar),
     .out_band(narrow_band), //@ limits
-    .out_note(note), .out_axis(narrow_axis)
+    .out_coplanar(narrow_coplanar), .out_note(note), .out_axis(narrow_axis)
   );
 
+  assign out_coplanar = narrow_coplanar && !decided;
   //@ if extents
   assign out_of_range = out_valid && note[0];
-  assign out_coplanar = narrow_coplanar && (note == 2'd0);
-  assign out_collision = out_of_range || (narrow_collision && (note == 2'd0));
-  assign out_axis = (note == 2'd0) ? narrow_axis : ({2'b11, note[0], note[1]} & {4{out_valid}});
-  assign out_band = (note == 2'd0) ? narrow_band : {out_of_range, 1'b0}; //@ limits
+  assign out_collision = out_of_range || (narrow_collision && !decided);
+  assign out_axis = decided ? ({2'b11, note[0], note[1]} & {4{out_valid}}) : narrow_axis;
+  assign out_band = decided ? {out_of_range, 1'b0} : narrow_band; //@ limits
   //@ else
-  assign out_coplanar = narrow_coplanar && !note;
-  assign out_collision = narrow_collision && !note;
-  assign out_axis = note ? (4'd@aabb_axis@ & {4{out_valid}}) : narrow_axis;
-  assign out_band = note ? 2'd0 : narrow_band; //@ limits
+  assign out_collision = narrow_collision && !decided;
+  assign out_axis = decided ? (4'd@aabb_axis@ & {4{out_valid}}) : narrow_axis;
+  assign out_band = decided ? 2'd0 : narrow_band; //@ limits
   //@ end
   //@ else
   sepax_narrow narrow (
     .clk(clk), .rst(rst), .in_valid(pair_valid), .in_ready(pair_ready), .in_pair(pair),
     .out_valid(out_valid), .out_ready(out_ready), .out_collision(out_collision),
-    .out_coplanar(out_coplanar),
     .out_band(out_band), //@ limits
-    .out_axis(out_axis)
+    .out_coplanar(out_coplanar), .out_axis(out_axis)
   );
   //@ end
 endmodule

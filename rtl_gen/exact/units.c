@@ -55,6 +55,13 @@ static void gen_prism(emitter *e, emit_holes *h, const char *name, const arith_p
   emit_template(e, "sepax_prism", h->hole);
 }
 
+static void gen_orient2d(emitter *e, emit_holes *h, bool own) {
+  emit_hole_set(h, "name", own ? "sepax_own_orient2d" : "sepax_orient2d");
+  emit_hole_set(h, "plus_r", own ? "+" : "-");
+  emit_hole_set(h, "own", "%d", own);
+  emit_template(e, "sepax_orient2d", h->hole);
+}
+
 static void gen_orient3d(emitter *e, const exact_plan *p, emit_holes *h) {
   static const struct {
     const char *name, *points, *formula;
@@ -65,10 +72,11 @@ static void gen_orient3d(emitter *e, const exact_plan *p, emit_holes *h) {
       {"sepax_orient3d_b", "B and a vertex of A", "p + q + r - s, s the prism of B", true, false},
       {"sepax_orient3d_edges", "an edge of A and an edge of B", "p + q - r - s", true, true}};
   int registers = p->stages.orient3d;
+  emit_hole_set(h, "what", p->limits > 0 ? "orient3d" : "Sign of the orient3d");
   emit_hole_set(h, "sum", registers > 1 ? "sum_q + carry_q" : "sum + carry");
   emit_hole_numbers(h, (emit_number[]){{"latency", p->stages.orient3d_latency},
                                        {"rows", registers > 1},
-                                       {"registered", registers > 0},
+                                       {"registered", registers > 0 || p->limits > 0},
                                        {NULL, 0}});
   for (int i = 0; i < 3; i++) {
     emit_hole_set(h, "name", "%s", row[i].name);
@@ -93,8 +101,7 @@ static void gen_multipliers(emitter *e, const exact_stages *s) {
 }
 
 void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h) {
-  static const char *const sums[] = {"sepax_orient2d", "sepax_own_orient2d", "sepax_zdiff",
-                                     "sepax_zsum", "sepax_own_zsum"};
+  static const char *const sums[] = {"sepax_zdiff", "sepax_zsum", "sepax_own_zsum"};
   const exact_stages *s = &p->stages;
   gen_multipliers(e, s);
   emit_template(e, "sepax_csa", NULL);
@@ -103,7 +110,10 @@ void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h) {
   if (!p->single) {
     gen_trapezoid(e, p, h, true);
   }
+  gen_orient2d(e, h, false);
+  gen_orient2d(e, h, true);
   emit_hole_set(h, "latency", "%d", 1 + s->own_zsum);
+  emit_hole_set(h, "sum", s->own_zsum ? "sum_q + carry_q" : "sum + carry");
   emit_hole_set(h, "registered", "%d", s->own_zsum);
   for (size_t i = 0; i < sizeof sums / sizeof sums[0]; i++) {
     emit_template(e, sums[i], h->hole);

@@ -4,55 +4,52 @@
 
 #include <string.h>
 
-enum { HOLES = 2 * SEPAX_F_COUNT + 10 };
-
-typedef struct {
-  emit_hole hole[HOLES];
-  gen_line name[HOLES], text[HOLES];
-  int count;
-} hole_list;
-
-static void add(hole_list *list, gen_line name, gen_line text) {
-  int i = list->count++;
-  list->name[i] = name;
-  list->text[i] = text;
-  list->hole[i] = (emit_hole){list->name[i].text, list->text[i].text};
+/* sepax_psa and its kinds sepax_psa_9, sepax_psa_6 are one file. */
+static const char *set_psa(emit_holes *h, const char *module) {
+  bool nine = strcmp(module, "sepax_psa_9") == 0;
+  bool six = strcmp(module, "sepax_psa_6") == 0;
+  emit_hole_set(h, "name", "%s", module);
+  emit_hole_numbers(
+      h,
+      (emit_number[]){
+          {"nine", nine}, {"six", six}, {"both", !nine && !six}, {"axes", six ? 6 : 9}, {NULL, 0}});
+  return nine || six ? "sepax_psa" : module;
 }
 
-static void add_number(hole_list *list, const char *name, long long value) {
-  add(list, gen_format("%s", name), gen_format("%lld", value));
-}
-
-bool paper_emit(emitter *e, const char *const *file) {
+bool paper_emit(emitter *e, const char *const *module) {
   const sepax_design *d = e->design;
   const sepax_config *c = &d->config;
-  hole_list w = {.count = 0};
+  emit_holes h = {NULL, 0};
+  gen_line exact[SEPAX_F_COUNT];
   for (int i = 0; i < d->formats; i++) {
-    add_number(&w, d->format[i].name, d->format[i].width);
-    add_number(&w, gen_format("%s_exact", d->format[i].name).text, d->format[i].exact);
+    exact[i] = gen_format("%s_exact", d->format[i].name);
+    emit_hole_set(&h, d->format[i].name, "%d", d->format[i].width);
+    emit_hole_set(&h, exact[i].text, "%d", d->format[i].exact);
   }
-  add_number(&w, "msb", c->word - 1);
-  add_number(&w, "min", sepax_word_min(c->word));
-  add_number(&w, "max", sepax_word_max(c->word));
-  add_number(&w, "latency", d->latency);
-  add_number(&w, "epsilon", c->epsilon);
-  add_number(&w, "plane", c->coplanarity == SEPAX_COPLANAR_PLANE);
-  add_number(&w, "printed", c->inequality == SEPAX_INEQUALITY_PRINTED);
-  add_number(&w, "block_float", c->block_float);
-  int bits = d->format[SEPAX_F_NORMAL_PROJECTION].width + 1;
-  add(&w, gen_format("coplanar_limit"),
-      gen_format("%d'sd%lld", bits, (long long)d->coplanar_limit));
+  emit_hole_numbers(&h, (emit_number[]){{"msb", c->word - 1},
+                                        {"min", sepax_word_min(c->word)},
+                                        {"max", sepax_word_max(c->word)},
+                                        {"latency", d->latency},
+                                        {"epsilon", c->epsilon},
+                                        {"plane", c->coplanarity == SEPAX_COPLANAR_PLANE},
+                                        {"printed", c->inequality == SEPAX_INEQUALITY_PRINTED},
+                                        {"block_float", c->block_float},
+                                        {NULL, 0}});
+  emit_hole_set(&h, "coplanar_limit", "%d'sd%lld", d->format[SEPAX_F_NORMAL_PROJECTION].width + 1,
+                (long long)d->coplanar_limit);
   bool ok = true;
-  for (; *file != NULL && ok; file++) {
-    ok = (!c->block_float && strcmp(*file, "sepax_norm") == 0) || emit_template(e, *file, w.hole);
+  for (; *module != NULL && ok; module++) {
+    ok = (!c->block_float && strcmp(*module, "sepax_norm") == 0) ||
+         emit_template(e, set_psa(&h, *module), h.hole);
   }
+  emit_holes_free(&h);
   return ok;
 }
 
 bool gen_paper(emitter *e) {
-  static const char *const file[] = {
-      "sepax_trunc", "sepax_mul",   "sepax_edge",        "sepax_dot", "sepax_proj",
+  static const char *const module[] = {
+      "sepax_trunc", "sepax_mul",   "sepax_edges",       "sepax_dot", "sepax_proj",
       "sepax_cop",   "sepax_norm",  "paper/sepax_cross", "sepax_psa", "sepax_cmp",
       "sepax_nand",  "sepax_input", "paper/sepax_top",   NULL};
-  return paper_emit(e, file);
+  return paper_emit(e, module);
 }

@@ -4,10 +4,11 @@
 
 #include "emit/gen.h"
 
-/* Emit the templates, leaves first, up to NULL; false with e->error set if one is refused.
+/* Emit the modules, leaves first, up to NULL; false with e->error set if one is refused.
  * sepax_norm is left out of designs without block floating point. Their holes: each format's name
  * (bits kept) and NAME_exact (sepax.json lists them), msb, min, max of a coordinate, latency,
- * coplanar_limit and epsilon; conditions plane, printed, block_float. */
-bool paper_emit(emitter *e, const char *const *file);
+ * coplanar_limit and epsilon; conditions plane, printed, block_float; of sepax_psa its name, axes
+ * and nine, six or both. */
+bool paper_emit(emitter *e, const char *const *module);
 
 #endif

@@ -19,16 +19,17 @@ module sepax_proj #(
   output wire [3*D_W-1:0] on_a,       // projections of A_3, A_2, A_1, signed each
   output wire [3*D_W-1:0] on_b        // projections of B_3, B_2, B_1, signed each
 );
+  wire [18*V_W-1:0] vertices = {b, a};
+  wire [6*D_W-1:0] dots;
+
+  assign {on_b, on_a} = dots;
+
   genvar k;
   generate
-    for (k = 0; k < 3; k = k + 1) begin : vertex
-      sepax_dot #(.V_W(V_W), .C_W(C_W), .M_W(M_W), .P_W(P_W), .S_W(S_W), .D_W(D_W)) dot_a (
-        .clk(clk), .product_en(product_en), .sum_en(sum_en),
-        .vertex(a[3*k*V_W +: 3*V_W]), .axis(axis_a), .dot(on_a[k*D_W +: D_W])
-      );
-      sepax_dot #(.V_W(V_W), .C_W(C_W), .M_W(M_W), .P_W(P_W), .S_W(S_W), .D_W(D_W)) dot_b (
-        .clk(clk), .product_en(product_en), .sum_en(sum_en),
-        .vertex(b[3*k*V_W +: 3*V_W]), .axis(axis_b), .dot(on_b[k*D_W +: D_W])
+    for (k = 0; k < 6; k = k + 1) begin : vertex
+      sepax_dot #(.V_W(V_W), .C_W(C_W), .M_W(M_W), .P_W(P_W), .S_W(S_W), .D_W(D_W)) inner (
+        .clk(clk), .product_en(product_en), .sum_en(sum_en), .axis(k < 3 ? axis_a : axis_b),
+        .vertex(vertices[3*k*V_W +: 3*V_W]), .dot(dots[k*D_W +: D_W])
       );
     end
   endgenerate

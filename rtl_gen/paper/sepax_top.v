@@ -34,74 +34,63 @@ module sepax_top (
   localparam NS_W = @normal_projection_exact@; // projection on a normal, exact
   localparam ND_W = @normal_projection@; // kept of it
   localparam C_W = @axis@; // bits of an axis component
-  localparam M_W = @product_exact@; // coordinate x axis component, exact
-  localparam P_W = @product@; // kept of it
-  localparam S_W = @projection_exact@; // projection on an axis, exact
-  localparam D_W = @projection@; // kept of it
+  localparam D_W = @projection@; // bits of a projection on an axis
 
   // Cycles 1-3: words 1 ... 3. Vertices and normals stand in cycles 5-7, 8-10, 10-12, too.
   wire [13:4] step; // bit c: a pair is in cycle c
-  wire [9*V_W-1:0] a;
-  wire [9*V_W-1:0] b;
-  wire [3*N_W-1:0] n_a;
-  wire [3*N_W-1:0] n_b;
-  reg [9*V_W-1:0] a_5;
-  reg [9*V_W-1:0] b_5;
-  reg [3*N_W-1:0] n_a_5;
-  reg [3*N_W-1:0] n_b_5;
-  reg [9*V_W-1:0] a_8;
-  reg [9*V_W-1:0] b_8;
-  reg [9*V_W-1:0] a_10; // for axes 7 ... 9, held for coplanar pairs
-  reg [9*V_W-1:0] b_10;
+  wire [9*V_W-1:0] a, b;
+  wire [3*N_W-1:0] n_a, n_b;
+  reg [9*V_W-1:0] a_5, b_5, a_8, b_8;
+  reg [9*V_W-1:0] a_10, b_10; // for axes 7 ... 9, held for coplanar pairs
+  reg [3*N_W-1:0] n_a_5, n_b_5;
 
-  sepax_input #(.V_W(V_W), .N_W(N_W), .LAST(13)) words (
-    .clk(clk), .rst(rst), .in_valid(in_valid), .in_a({in_a_z, in_a_y, in_a_x}),
-    .in_b({in_b_z, in_b_y, in_b_x}), .in_na(in_na), .in_nb(in_nb), .a(a), .b(b), .n_a(n_a),
-    .n_b(n_b), .step(step)
+  sepax_input words (
+    .clk(clk), .rst(rst), .in_valid(in_valid), .in_na(in_na), .in_nb(in_nb),
+    .in_a({in_a_z, in_a_y, in_a_x}), .in_b({in_b_z, in_b_y, in_b_x}),
+    .a(a), .b(b), .n_a(n_a), .n_b(n_b), .step(step)
   );
 
-  // Cycles 4-5: PROJ on the normals; 6: CMP of axes 10 (N_A) and 11 (N_B).
-  wire [3*ND_W-1:0] on_a_normal_a; // t_k = A_k.N_A
-  wire [3*ND_W-1:0] on_b_normal_a; // s_k = B_k.N_A
-  wire [3*ND_W-1:0] on_a_normal_b; // u_k = A_k.N_B
-  wire [3*ND_W-1:0] on_b_normal_b; // v_k = B_k.N_B
-  wire [1:0] overlap_7; // of axes 11 and 10
+  // Cycles 4-5: PROJ on N_A, lowest, and N_B; 6: CMP of axes 10 (N_A) and 11 (N_B).
+  wire [6*ND_W-1:0] on_a_normal; // t_k = A_k.N_A, u_k = A_k.N_B
+  wire [6*ND_W-1:0] on_b_normal; // s_k = B_k.N_A, v_k = B_k.N_B
+  wire [1:0] overlap_7;
 
-  sepax_proj #(
-    .V_W(V_W), .C_W(N_W), .M_W(NM_W), .P_W(NP_W), .S_W(NS_W), .D_W(ND_W)
-  ) proj_normal_a (
-    .clk(clk), .product_en(step[4]), .sum_en(step[5]), .axis_a(n_a), .axis_b(n_a),
-    .a(a), .b(b), .on_a(on_a_normal_a), .on_b(on_b_normal_a)
-  );
-  sepax_proj #(
-    .V_W(V_W), .C_W(N_W), .M_W(NM_W), .P_W(NP_W), .S_W(NS_W), .D_W(ND_W)
-  ) proj_normal_b (
-    .clk(clk), .product_en(step[4]), .sum_en(step[5]), .axis_a(n_b), .axis_b(n_b),
-    .a(a), .b(b), .on_a(on_a_normal_b), .on_b(on_b_normal_b)
-  );
-  sepax_cmp #(.D_W(ND_W)) cmp_normal_a (
-    .clk(clk), .en(step[6]), .idle(1'b0),
-    .on_a(on_a_normal_a), .on_b(on_b_normal_a), .overlap(overlap_7[0])
-  );
-  sepax_cmp #(.D_W(ND_W)) cmp_normal_b (
-    .clk(clk), .en(step[6]), .idle(1'b0),
-    .on_a(on_a_normal_b), .on_b(on_b_normal_b), .overlap(overlap_7[1])
-  );
+  genvar i;
+  generate
+    for (i = 0; i < 2; i = i + 1) begin : normals
+      wire [3*N_W-1:0] normal = i == 0 ? n_a : n_b;
+      sepax_proj #(.C_W(N_W), .M_W(NM_W), .P_W(NP_W), .S_W(NS_W), .D_W(ND_W)) proj (
+        .clk(clk), .product_en(step[4]), .sum_en(step[5]),
+        .axis_a(normal), .axis_b(normal), .a(a), .b(b),
+        .on_a(on_a_normal[3*i*ND_W +: 3*ND_W]), .on_b(on_b_normal[3*i*ND_W +: 3*ND_W])
+      );
+      sepax_cmp #(.D_W(ND_W)) cmp (
+        .clk(clk), .en(step[6]), .idle(1'b0), .on_a(on_a_normal[3*i*ND_W +: 3*ND_W]),
+        .on_b(on_b_normal[3*i*ND_W +: 3*ND_W]), .overlap(overlap_7[i])
+      );
+    end
+  endgenerate
 
   // Cycle 6: COP; its verdict stands in cycles 7-9.
   wire coplanar_7;
 
-  sepax_cop #(.D_W(ND_W)) cop (
-    .clk(clk), .en(step[6]),
-    .p(on_b_normal_a), .q(on_a_normal_a), .coplanar(coplanar_7) //@ plane
-    .p(on_a_normal_a), .q(on_b_normal_b), .coplanar(coplanar_7) //@ !plane
+  sepax_cop cop (
+    .clk(clk), .en(step[6]), .coplanar(coplanar_7),
+    .p(on_b_normal[0 +: 3*ND_W]), .q(on_a_normal[0 +: 3*ND_W]) //@ plane
+    .p(on_a_normal[0 +: 3*ND_W]), .q(on_b_normal[3*ND_W +: 3*ND_W]) //@ !plane
+  );
+
+  // Cycles 7-9: operands, products and differences of PSA.
+  wire [27*C_W-1:0] axis;
+
+  sepax_psa psa (
+    .clk(clk), .load_en(step[7]), .product_en(step[8]), .axis_en(step[9]),
+    .coplanar(coplanar_7), .a(a_5), .b(b_5), .n_a(n_a_5), .n_b(n_b_5), .axis(axis)
   );
 
   // What cycle 7 knows goes along to cycles 10-12 and to the verdict in cycle 13.
-  reg coplanar_10;
-  reg coplanar_13;
-  reg [1:0] overlap_10;
-  reg [1:0] overlap_13;
+  reg coplanar_10, coplanar_13;
+  reg [1:0] overlap_10, overlap_13; // of axes 11 and 10
 
   always @(posedge clk) begin
     if (step[4]) begin
@@ -114,11 +103,11 @@ module sepax_top (
       a_8 <= a_5;
       b_8 <= b_5;
     end
-    if (step[9] && !coplanar_7) begin
-      a_10 <= a_8;
-      b_10 <= b_8;
-    end
     if (step[9]) begin
+      if (!coplanar_7) begin
+        a_10 <= a_8;
+        b_10 <= b_8;
+      end
       coplanar_10 <= coplanar_7;
       overlap_10 <= overlap_7;
     end
@@ -128,33 +117,21 @@ module sepax_top (
     end
   end
 
-  // Cycles 7-9: operands, products and differences of PSA.
-  wire [27*C_W-1:0] axis;
-
-  sepax_psa psa (
-    .clk(clk), .load_en(step[7]), .product_en(step[8]), .axis_en(step[9]),
-    .coplanar(coplanar_7), .a(a_5), .b(b_5), .n_a(n_a_5), .n_b(n_b_5), .axis(axis)
-  );
-
   // Cycles 10-11: nine PROJ; 7 ... 9 are idle for coplanar pairs. Cycle 12: nine CMP.
   wire product_en_3 = step[10] && !coplanar_10;
   wire sum_en_3 = step[11] && !coplanar_10;
   wire [8:0] overlap;
 
-  genvar i;
   generate
     for (i = 0; i < 9; i = i + 1) begin : axes
-      wire [3*D_W-1:0] on_a;
-      wire [3*D_W-1:0] on_b;
-      sepax_proj #(
-        .V_W(V_W), .C_W(C_W), .M_W(M_W), .P_W(P_W), .S_W(S_W), .D_W(D_W)
-      ) proj (
+      wire [3*D_W-1:0] on_a, on_b;
+      sepax_proj proj (
         .clk(clk), .product_en(i < 6 ? step[10] : product_en_3),
-        .sum_en(i < 6 ? step[11] : sum_en_3), .axis_a(axis[3*i*C_W +: 3*C_W]),
-        .axis_b(axis[3*i*C_W +: 3*C_W]), .a(i < 6 ? a_8 : a_10), .b(i < 6 ? b_8 : b_10),
-        .on_a(on_a), .on_b(on_b)
+        .sum_en(i < 6 ? step[11] : sum_en_3),
+        .axis_a(axis[3*i*C_W +: 3*C_W]), .axis_b(axis[3*i*C_W +: 3*C_W]),
+        .a(i < 6 ? a_8 : a_10), .b(i < 6 ? b_8 : b_10), .on_a(on_a), .on_b(on_b)
       );
-      sepax_cmp #(.D_W(D_W)) cmp (
+      sepax_cmp cmp (
         .clk(clk), .en(step[12]), .idle(i < 6 ? 1'b0 : coplanar_10),
         .on_a(on_a), .on_b(on_b), .overlap(overlap[i])
       );

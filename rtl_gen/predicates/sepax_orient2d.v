@@ -1,6 +1,7 @@
-// orient2d of three vertices of both triangles: twice the signed area in a projection, from the
-// trapezoid terms of the edges: g = p + q - r modulo 2^G_W. Latency 1.
-module sepax_orient2d #(
+// orient2d of three vertices of both triangles: twice the signed area in a projection, //@ !own
+// orient2d of the vertices of A or of B: twice its signed area in a projection, //@ own
+// from the trapezoid terms of the edges: g = p + q @plus_r@ r modulo 2^G_W. Latency 1.
+module @name@ #(
   parameter G_W = @g_w@ // bits of an orient2d
 ) (
   input  wire                  clk, // clock
@@ -9,10 +10,12 @@ module sepax_orient2d #(
   input  wire signed [G_W-1:0] r,   // trapezoid term
   output reg  signed [G_W-1:0] g    // twice the area
 );
-  wire [G_W-1:0] sum;
-  wire [G_W-1:0] carry;
+  wire [G_W-1:0] sum, carry;
 
-  sepax_csa #(.N(G_W)) three (.a(p), .b(q), .c(~r), .carry_in(1'b1), .sum(sum), .carry(carry));
+  sepax_csa #(.N(G_W)) three (
+    .a(p), .b(q), .c(r), .carry_in(1'b0), .sum(sum), .carry(carry) //@ own
+    .a(p), .b(q), .c(~r), .carry_in(1'b1), .sum(sum), .carry(carry) //@ !own
+  );
 
   always @(posedge clk) begin
     g <= sum + carry;

@@ -1,17 +1,14 @@
 // z sum of B: the sum of B's z less the sum of A's, since the origin of z is the mean of A's z,
 // plus BIAS = 1 + 4 + 16 ..., which the recoded multiplier of the prism deducts.
 // One vertex of each triangle a cycle: z = so_far + z_b - z_a. Latency 1. //@ running
-//@ if shared
-// It is made of three z differences, which have brought a DIFF_BIAS of theirs each. Latency 1.
-//@ end
+// Made of three z differences, which have brought a DIFF_BIAS of theirs each. Latency 1. //@ shared
 // Latency @latency@. //@ six
 module sepax_own_zsum #(
-  parameter Z_W = @z_w@,                 // bits of a z difference //@ shared
+  parameter Z_W = @z_w@, // bits of a z difference //@ shared
   parameter DIFF_DIGITS = @digits@, // radix-4 digits of a z difference //@ shared
-  parameter W = @w@,          // bits of a coordinate //@ !shared
-  parameter O_W = @o_w@       // bits of the z sum //@ running
-  parameter O_W = @o_w@,      // bits of the z sum //@ !running
-  parameter DIGITS = @own_digits@ // radix-4 digits of the z sum //@ !running
+  parameter W = @w@, // bits of a coordinate //@ !shared
+  parameter DIGITS = @own_digits@, // radix-4 digits of the z sum //@ !running
+  parameter O_W = @o_w@ // bits of the z sum
 ) (
   input  wire                  clk,    // clock
 //@ if running
@@ -34,84 +31,57 @@ module sepax_own_zsum #(
 //@ end
   output reg  signed [O_W-1:0] z       // z sum + BIAS
 );
-//@ if running
-  wire [O_W-1:0] sum;
-  wire [O_W-1:0] carry;
-
-  sepax_csa #(.N(O_W)) three (
-    .a(so_far), .b({{(O_W-W){z_b[W-1]}}, z_b}), .c(~{{(O_W-W){z_a[W-1]}}, z_a}), .carry_in(1'b1),
-    .sum(sum), .carry(carry)
-  );
-
-  always @(posedge clk) begin
-    z <= sum + carry;
-  end
-//@ end
-//@ if shared
+//@ if !running
   // 1 for each digit but the highest.
   localparam [O_W-1:0] BIAS = {{(O_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
+//@ end
+//@ if shared
   localparam [O_W-1:0] DIFF_BIAS = {{(O_W+2-2*DIFF_DIGITS){1'b0}}, {(DIFF_DIGITS-1){2'b01}}};
-
   // Wires of their own: where O_W = Z_W Yosys takes a port's concatenation for the signed wire.
-  wire [O_W-1:0] term_1;
-  wire [O_W-1:0] term_2;
-  wire [O_W-1:0] term_3;
-  wire [O_W-1:0] sum;
-  wire [O_W-1:0] carry;
+  wire [O_W-1:0] term_1 = {{(O_W-Z_W+1){diff_1[Z_W-1]}}, diff_1[Z_W-2:0]};
+  wire [O_W-1:0] term_2 = {{(O_W-Z_W+1){diff_2[Z_W-1]}}, diff_2[Z_W-2:0]};
+  wire [O_W-1:0] term_3 = {{(O_W-Z_W+1){diff_3[Z_W-1]}}, diff_3[Z_W-2:0]};
+//@ else
+  function [O_W-1:0] wide(input [W-1:0] coordinate);
+    wide = {{(O_W-W){coordinate[W-1]}}, coordinate};
+  endfunction
+//@ end
+  wire [O_W-1:0] sum, carry;
 
-  assign term_1 = {{(O_W-Z_W+1){diff_1[Z_W-1]}}, diff_1[Z_W-2:0]};
-  assign term_2 = {{(O_W-Z_W+1){diff_2[Z_W-1]}}, diff_2[Z_W-2:0]};
-  assign term_3 = {{(O_W-Z_W+1){diff_3[Z_W-1]}}, diff_3[Z_W-2:0]};
+//@ if running
+  sepax_csa #(.N(O_W)) three (
+    .a(so_far), .b(wide(z_b)), .c(~wide(z_a)), .carry_in(1'b1), .sum(sum), .carry(carry)
+  );
+//@ end
+//@ if shared
   sepax_csa #(.N(O_W)) three (
     .a(term_1), .b(term_2), .c(term_3), .carry_in(1'b0), .sum(sum), .carry(carry)
   );
-
-  always @(posedge clk) begin
-    z <= sum + carry + (BIAS - (DIFF_BIAS + DIFF_BIAS + DIFF_BIAS));
-  end
 //@ end
 //@ if six
-  // 1 for each digit but the highest.
-  localparam [O_W-1:0] BIAS = {{(O_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
-
-  wire [O_W-1:0] b_sum;
-  wire [O_W-1:0] b_carry;
-  wire [O_W-1:0] a_sum;
-  wire [O_W-1:0] a_carry;
-  wire [O_W-1:0] five_sum;
-  wire [O_W-1:0] five_carry;
-  wire [O_W-1:0] six_sum;
-  wire [O_W-1:0] six_carry;
+  wire [O_W-1:0] b_sum, b_carry, a_sum, a_carry, five_sum, five_carry;
 
   sepax_csa #(.N(O_W)) of_b (
-    .a({{(O_W-W){z_b1[W-1]}}, z_b1}), .b({{(O_W-W){z_b2[W-1]}}, z_b2}),
-    .c({{(O_W-W){z_b3[W-1]}}, z_b3}), .carry_in(1'b1), .sum(b_sum), .carry(b_carry)
+    .a(wide(z_b1)), .b(wide(z_b2)), .c(wide(z_b3)), .carry_in(1'b1), .sum(b_sum), .carry(b_carry)
   );
   sepax_csa #(.N(O_W)) of_a (
-    .a(~{{(O_W-W){z_a1[W-1]}}, z_a1}), .b(~{{(O_W-W){z_a2[W-1]}}, z_a2}),
-    .c(~{{(O_W-W){z_a3[W-1]}}, z_a3}), .carry_in(1'b1), .sum(a_sum), .carry(a_carry)
+    .a(~wide(z_a1)), .b(~wide(z_a2)), .c(~wide(z_a3)),
+    .carry_in(1'b1), .sum(a_sum), .carry(a_carry)
   );
   sepax_csa #(.N(O_W)) five (
     .a(b_sum), .b(b_carry), .c(a_sum), .carry_in(1'b1), .sum(five_sum), .carry(five_carry)
   );
   sepax_csa #(.N(O_W)) six (
-    .a(five_sum), .b(five_carry), .c(a_carry), .carry_in(1'b0), .sum(six_sum), .carry(six_carry)
+    .a(five_sum), .b(five_carry), .c(a_carry), .carry_in(1'b0), .sum(sum), .carry(carry)
   );
-//@ if registered
-
-  reg [O_W-1:0] six_sum_q;
-  reg [O_W-1:0] six_carry_q;
-
-  always @(posedge clk) begin
-    six_sum_q <= six_sum;
-    six_carry_q <= six_carry;
-    z <= six_sum_q + six_carry_q + BIAS;
-  end
-//@ else
-
-  always @(posedge clk) begin
-    z <= six_sum + six_carry + BIAS;
-  end
 //@ end
-//@ end
+
+  reg [O_W-1:0] sum_q, carry_q; //@ registered
+  always @(posedge clk) begin
+    sum_q <= sum; //@ registered
+    carry_q <= carry; //@ registered
+    z <= sum + carry; //@ running
+    z <= sum + carry + (BIAS - (DIFF_BIAS + DIFF_BIAS + DIFF_BIAS)); //@ shared
+    z <= @sum@ + BIAS; //@ six
+  end
 endmodule

@@ -14,28 +14,16 @@ module sepax_projection (
   output wire        disjoint_x, // all of B below or above all of A in x
   output wire        disjoint_z  // in z
 );
-  wire [8:0] a_above;
-  wire [8:0] a_below;
-  wire [8:0] b_above;
-  wire [8:0] b_below;
-  wire [8:0] x_above;
-  wire [8:0] x_below;
-  wire [8:0] z_above;
-  wire [8:0] z_below;
-  wire [2:0] by_a; // edge i of A separates
-  wire [2:0] by_b; // edge j of B
+  wire [8:0] a_above, a_below, b_above, b_below, x_above, x_below, z_above, z_below;
+  wire [2:0] by_a, by_b; // edge i of A, edge j of B separates
 
   genvar i;
   generate
     for (i = 0; i < 9; i = i + 1) begin : sign
-      assign a_above[i] = g_a[2*i+1];
-      assign a_below[i] = g_a[2*i];
-      assign b_above[i] = g_b[2*i+1];
-      assign b_below[i] = g_b[2*i];
-      assign x_above[i] = x_order[2*i+1];
-      assign x_below[i] = x_order[2*i];
-      assign z_above[i] = z_order[2*i+1];
-      assign z_below[i] = z_order[2*i];
+      assign {a_above[i], a_below[i]} = g_a[2*i +: 2];
+      assign {b_above[i], b_below[i]} = g_b[2*i +: 2];
+      assign {x_above[i], x_below[i]} = x_order[2*i +: 2];
+      assign {z_above[i], z_below[i]} = z_order[2*i +: 2];
     end
     for (i = 0; i < 3; i = i + 1) begin : triangle_edge
       assign by_a[i] = ((&a_above[3*i +: 3]) && !g_own[1]) || ((&a_below[3*i +: 3]) && !g_own[0]);

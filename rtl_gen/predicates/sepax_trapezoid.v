@@ -16,33 +16,20 @@ module @name@ #(
   output reg         [1:0]     order,  // {x_to > x_from, x_to < x_from}, 1 clock later //@ order
   output reg  signed [G_W-1:0] t       // trapezoid term
 );
-  wire signed [S_W-1:0] run;
-  wire signed [S_W-1:0] height;
+  wire signed [S_W-1:0] run = {x_to[W-1], x_to} - {x_from[W-1], x_from};
+  wire signed [S_W-1:0] height = {y_to[W-1], y_to} + {y_from[W-1], y_from};
+  reg signed [S_W-1:0] run_q, height_q; //@ sums
   wire signed [G_W-1:0] product;
-
-  assign run = {x_to[W-1], x_to} - {x_from[W-1], x_from};
-  assign height = {y_to[W-1], y_to} + {y_from[W-1], y_from};
-//@ if sums
-
-  reg signed [S_W-1:0] run_q;
-  reg signed [S_W-1:0] height_q;
-
-  always @(posedge clk) begin
-    run_q <= run;
-    height_q <= height;
-  end
-//@ end
 
   @multiplier@ multiply (
     .clk(clk), //@ clocked
-    .a(run_q), //@ sums
-    .b(height_q), //@ sums
-    .a(run), //@ !sums
-    .b(height), //@ !sums
-    .p(product)
+    .a(run_q), .b(height_q), .p(product) //@ sums
+    .a(run), .b(height), .p(product) //@ !sums
   );
 
   always @(posedge clk) begin
+    run_q <= run; //@ sums
+    height_q <= height; //@ sums
     t <= product;
     order <= {!run[S_W-1] && (run != {S_W{1'b0}}), run[S_W-1]}; //@ order
   end

@@ -17,15 +17,12 @@ module sepax_zdiff #(
   // 1 for each digit but the highest.
   localparam signed [Z_W-1:0] BIAS = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
 
-  wire signed [Z_W-1:0] wide_p;
-  wire signed [Z_W-1:0] wide_r;
+  wire signed [Z_W-1:0] wide_p = {{(Z_W-W){z_p[W-1]}}, z_p};
+  wire signed [Z_W-1:0] wide_r = {{(Z_W-W){z_r[W-1]}}, z_r};
 
-  assign wide_p = {{(Z_W-W){z_p[W-1]}}, z_p};
-  assign wide_r = {{(Z_W-W){z_r[W-1]}}, z_r};
 //@ if shared
   assign z = wide_p - wide_r + BIAS;
 //@ else
-
   always @(posedge clk) begin
     z <= wide_p - wide_r + BIAS;
   end

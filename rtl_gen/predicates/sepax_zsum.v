@@ -1,19 +1,12 @@
 // z sum of a vertex of A and an edge of B: the origin of z is the mean of A's z, so that all terms
 // cancel but z_p and z_q of that edge, z_r and z_s of A's other two vertices:
-//@ if shared
-//   z = z_p + z_q - z_r - z_s + 2 BIAS, as a sum of two z differences. Latency 1.
-//@ else
-//   z = z_p + z_q - z_r - z_s + BIAS, BIAS = 1 + 4 + 16 ..., which the recoded multiplier of the
-// prism deducts. Latency 1.
-//@ end
+//   z = z_p + z_q - z_r - z_s + 2 BIAS, as a sum of two z differences. Latency 1. //@ shared
+//   z = z_p + z_q - z_r - z_s + BIAS, BIAS = 1 + 4 + 16 ..., which the recoded //@ !shared
+// multiplier of the prism deducts. Latency 1. //@ !shared
 module sepax_zsum #(
-//@ if shared
+  parameter W = @w@, // bits of a coordinate //@ !shared
+  parameter DIGITS = @digits@, // radix-4 digits of a z sum //@ !shared
   parameter Z_W = @z_w@ // bits of a z sum
-//@ else
-  parameter W = @w@,          // bits of a coordinate
-  parameter Z_W = @z_w@,      // bits of a z sum
-  parameter DIGITS = @digits@ // radix-4 digits of a z sum
-//@ end
 ) (
   input  wire                  clk,    // clock
 //@ if shared
@@ -34,22 +27,21 @@ module sepax_zsum #(
   // 1 for each digit but the highest.
   localparam [Z_W-1:0] BIAS = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
 
-  wire [Z_W-1:0] three_sum;
-  wire [Z_W-1:0] three_carry;
-  wire [Z_W-1:0] four_sum;
-  wire [Z_W-1:0] four_carry;
+  function [Z_W-1:0] wide(input [W-1:0] coordinate);
+    wide = {{(Z_W-W){coordinate[W-1]}}, coordinate};
+  endfunction
+  wire [Z_W-1:0] three_sum, three_carry, sum, carry;
 
   sepax_csa #(.N(Z_W)) three (
-    .a({{(Z_W-W){z_p[W-1]}}, z_p}), .b({{(Z_W-W){z_q[W-1]}}, z_q}), .c(~{{(Z_W-W){z_r[W-1]}}, z_r}),
+    .a(wide(z_p)), .b(wide(z_q)), .c(~wide(z_r)),
     .carry_in(1'b1), .sum(three_sum), .carry(three_carry)
   );
   sepax_csa #(.N(Z_W)) four (
-    .a(three_sum), .b(three_carry), .c(~{{(Z_W-W){z_s[W-1]}}, z_s}), .carry_in(1'b1),
-    .sum(four_sum), .carry(four_carry)
+    .a(three_sum), .b(three_carry), .c(~wide(z_s)), .carry_in(1'b1), .sum(sum), .carry(carry)
   );
 
   always @(posedge clk) begin
-    z <= four_sum + four_carry + BIAS;
+    z <= sum + carry + BIAS;
   end
 //@ end
 endmodule

@@ -314,16 +314,16 @@ module sepax_tb;
                            dut.psa_6.axes[5].product.axis, dut.flat[0].on_a, dut.flat[3].on_b,
                            dut.flat[5].on_a, dut.overlap_flat,
                            dut.psa_6.axes[1].product.component[0].ij_q,
-                           dut.flat[0].proj.vertex[0].dot_a.product_q,
-                           dut.flat[5].proj.vertex[2].dot_b.product_q};
+                           dut.flat[0].proj.vertex[0].inner.product_q,
+                           dut.flat[5].proj.vertex[5].inner.product_q};
 `else
   // Operands, products, projections of the three isolated PROJ, and their PSA part.
   wire [1023:0] operands = {dut.a_10, dut.b_10, dut.psa.axes[6].product.p,
                             dut.psa.axes[6].product.q, dut.psa.axes[8].product.q};
   wire [2047:0] results = {dut.psa.axes[6].product.axis, dut.psa.axes[7].product.axis,
                            dut.psa.axes[8].product.axis, dut.axes[6].on_a, dut.axes[7].on_b,
-                           dut.axes[8].on_a, dut.axes[6].proj.vertex[0].dot_a.product_q,
-                           dut.axes[8].proj.vertex[2].dot_b.product_q};
+                           dut.axes[8].on_a, dut.axes[6].proj.vertex[0].inner.product_q,
+                           dut.axes[8].proj.vertex[5].inner.product_q};
 `endif
   reg [1023:0] operands_before;
   reg [2047:0] results_before;
