@@ -46,7 +46,7 @@ static void port(reader *r) {
     kind = NAME_REG;
   }
   bool is_signed = reader_take(r, "signed");
-  int width = check_range(r, &low);
+  int width = check_range(r, 1, &low);
   if (low > 0) {
     reader_fault(r, "a port without a bit 0");
   }
@@ -57,27 +57,16 @@ static void port(reader *r) {
   n->about = about;
 }
 
-/* Several in parentheses, behind the first one. */
-static void list(reader *r, void (*read)(reader *r)) {
-  if (reader_take(r, ")")) {
-    return;
-  }
-  do {
-    read(r);
-  } while (reader_take(r, ","));
-  reader_expect(r, ")");
-}
-
 void check_header(reader *r) {
   char name[EMIT_NAME];
   reader_enter(r);
   reader_expect(r, "module");
   reader_expect_name(r, name);
   if (reader_take(r, "#(")) {
-    list(r, parameter);
+    reader_list(r, parameter);
   }
   reader_expect(r, "(");
-  list(r, port);
+  reader_list(r, port);
   reader_expect(r, ";");
   r->header = r->names;
 }
@@ -90,20 +79,17 @@ static check_name *find_in_header(reader *r, const char *name) {
 
 /* -------------------------------------------------------------------------- instances */
 
-/* .NAME(value), ... behind "#(", declared around the header of the child. */
-static void bind_parameters(reader *r, reader *child) {
+/* .NAME(value), declared around the header of the child. */
+static void bind_parameter(reader *r) {
   char name[EMIT_NAME];
-  do {
-    reader_expect(r, ".");
-    reader_expect_name(r, name);
-    reader_expect(r, "(");
-    int64_t value = check_constant(r);
-    reader_expect(r, ")");
-    check_name *n = reader_declare(child, NAME_CONSTANT, name, 0);
-    n->known = true;
-    n->value = value;
-  } while (reader_take(r, ","));
+  reader_expect(r, ".");
+  reader_expect_name(r, name);
+  reader_expect(r, "(");
+  int64_t value = check_constant(r);
   reader_expect(r, ")");
+  check_name *n = reader_declare(r->child, NAME_CONSTANT, name, 0);
+  n->known = true;
+  n->value = value;
 }
 
 /* What stands behind the header, unless it passed with the same values of the parameters. */
@@ -153,12 +139,12 @@ static void check_child(reader *r, reader *child) {
 }
 
 /* .port(expression): an output drives what it is connected to. */
-static void connect(reader *r, reader *child) {
+static void connect(reader *r) {
   char name[EMIT_NAME];
   reader_expect(r, ".");
   reader_expect_name(r, name);
   reader_expect(r, "(");
-  check_name *n = find_in_header(child, name);
+  check_name *n = find_in_header(r->child, name);
   bool output = n != NULL && n->kind != NAME_INPUT;
   operand given = output ? check_target(r) : check_expression(r);
   reader_expect(r, ")");
@@ -173,15 +159,7 @@ static void connect(reader *r, reader *child) {
   }
 }
 
-/* (.port(expression), ...); in any order, each port once. */
-static void connections(reader *r, reader *child) {
-  reader_expect(r, "(");
-  if (!reader_take(r, ")")) {
-    do {
-      connect(r, child);
-    } while (reader_take(r, ","));
-    reader_expect(r, ")");
-  }
+static void check_connected(reader *r, const reader *child) {
   int ports = 0;
   int connected = 0;
   for (int i = child->scope; i < child->header; i++) {
@@ -191,7 +169,6 @@ static void connections(reader *r, reader *child) {
   if (connected != ports) {
     reader_fault(r, "%d of the %d ports are connected of '%s'", connected, ports, child->m->name);
   }
-  reader_expect(r, ";");
 }
 
 /* module #(.P(value), ...) name (.port(expression), ...); */
@@ -203,10 +180,11 @@ static void instance(reader *r) {
   reader child;
   reader_open(&child, m != NULL ? m : r->m, m != NULL ? m->verilog : "");
   child.off = r->off;
+  r->child = &child;
   if (named && reader_take(r, "#(")) {
-    bind_parameters(r, &child);
+    reader_list(r, bind_parameter);
   }
-  if (!named || !reader_take_name(r, name) || !reader_next_is(r, "(")) {
+  if (!named || !reader_take_name(r, name) || !reader_take(r, "(")) {
     reader_refuse(r, "item not understood");
   } else if (m == NULL || m == r->m) {
     reader_fault(r, "a module that is not emitted yet: '%s'", module);
@@ -214,7 +192,10 @@ static void instance(reader *r) {
     reader_declare(r, NAME_LABEL, name, 0);
     check_child(r, &child);
   }
-  connections(r, &child);
+  reader_list(r, connect);
+  reader_expect(r, ";");
+  check_connected(r, &child);
+  r->child = NULL;
   reader_close(&child);
 }
 

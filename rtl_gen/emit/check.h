@@ -43,13 +43,14 @@ typedef struct {
 /* Among the items of a module, or among the statements of a process. */
 typedef enum { IN_MODULE, IN_CLOCKED, IN_COMBINATIONAL } check_place;
 
-typedef struct {
+typedef struct reader {
   const emit_module *m;
   const char *begin, *at, *end; /* *end is 0 */
   bool failed;                  /* then nothing is left: at == end */
   int off;                      /* > 0: in a branch that is not taken */
   bool formal;                  /* between `ifdef FORMAL and `endif */
   check_place place;
+  struct reader *child; /* the module of the instance that is read */
   check_name *name;
   int names, scope;   /* scope: the first name of the innermost one */
   int header;         /* the names from the outermost scope to here: parameters and ports */
@@ -62,6 +63,7 @@ typedef struct {
   bool known;
   int64_t value;
 } operand;
+static inline operand check_bits(int width) { return (operand){width, false, 0}; }
 
 /* The text ends with a 0. */
 void reader_open(reader *r, const emit_module *m, const char *text);
@@ -74,11 +76,11 @@ void reader_fault(reader *r, const char *format, ...) __attribute__((format(prin
 
 void reader_skip(reader *r);                            /* blanks, comments, directives */
 bool reader_take(reader *r, const char *token);         /* if it is next; words whole */
-bool reader_next_is(reader *r, const char *token);      /* without taking it */
 void reader_expect(reader *r, const char *token);       /* or refuse */
 bool reader_is_before(reader *r, const char *token);    /* takes it, or there is more before it */
 bool reader_take_name(reader *r, char name[EMIT_NAME]); /* "": there is none */
 void reader_expect_name(reader *r, char name[EMIT_NAME]);
+void reader_list(reader *r, void (*part)(reader *r)); /* behind "(" up to ")", with commas */
 
 check_name *reader_find(reader *r, const char *name);
 check_name *reader_declare(reader *r, name_kind kind, const char *name, int width);
@@ -87,8 +89,9 @@ void reader_leave(reader *r, int outer);
 
 /* expression.c */
 operand check_expression(reader *r);
-int64_t check_constant(reader *r);    /* refuses what has no known value */
-int check_range(reader *r, int *low); /* [msb:lsb] or none: the bits, the lowest's number */
+int64_t check_constant(reader *r); /* refuses what has no known value */
+/* [msb:lsb], if one is next, else `none`: the bits, the lowest's number. */
+int check_range(reader *r, int none, int *low);
 void check_same_width(reader *r, const char *what, operand left, operand right);
 void check_condition(reader *r, operand condition);
 bool check_is(operand condition, bool value); /* known to be */

@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-static operand bits(int width) { return (operand){width, false, 0}; }
-
 bool check_is(operand condition, bool value) {
   return condition.known && (condition.value != 0) == value;
 }
@@ -21,7 +19,7 @@ void check_same_width(reader *r, const char *what, operand left, operand right) 
 
 void check_condition(reader *r, operand condition) {
   if (condition.width != 0 || !condition.known) {
-    check_same_width(r, "condition", condition, bits(1));
+    check_same_width(r, "condition", condition, check_bits(1));
   }
 }
 
@@ -33,10 +31,10 @@ int64_t check_constant(reader *r) {
   return o.value;
 }
 
-int check_range(reader *r, int *low) {
+int check_range(reader *r, int none, int *low) {
   *low = 0;
   if (!reader_take(r, "[")) {
-    return 1;
+    return none;
   }
   int64_t msb = check_constant(r);
   reader_expect(r, ":");
@@ -72,8 +70,10 @@ static const operator_row *take_operator(reader *r, int level) {
   reader_skip(r);
   for (int i = 0; i < OPERATOR_ROWS && r->at[0] != '\0' && r->at[1] != ':'; i++) {
     const operator_row *row = &operators[i];
-    if (reader_next_is(r, row->text)) {
-      return row->level >= level && reader_take(r, row->text) ? row : NULL;
+    if (reader_take(r, row->text)) {
+      bool binds = row->level >= level;
+      r->at -= binds ? 0 : strlen(row->text);
+      return binds ? row : NULL;
     }
   }
   return NULL;
@@ -121,7 +121,7 @@ static operand apply(reader *r, const operator_row *o, operand left, operand rig
   if (left.known && right.known && (unsized || decides)) {
     return (operand){unsized ? 0 : 1, true, fold(o->text, left.value, right.value)};
   }
-  return bits(decides ? 1 : left.width);
+  return check_bits(decides ? 1 : left.width);
 }
 
 /* Operators of one level and above, from the left. */
@@ -158,5 +158,5 @@ operand check_expression(reader *r) {
     return check_is(condition, true) ? left : right;
   }
   check_same_width(r, "arms of ?:", left, right);
-  return bits(left.width);
+  return check_bits(left.width);
 }

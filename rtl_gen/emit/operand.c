@@ -4,8 +4,6 @@
 #include <ctype.h>
 #include <string.h>
 
-static operand bits(int width) { return (operand){width, false, 0}; }
-
 /* Bits that number n things: 1 for 1 and 2. */
 static int index_bits(int64_t n) {
   int width = 1;
@@ -49,7 +47,7 @@ static operand literal(reader *r) {
   const char *letter = memchr(letters, tolower((unsigned char)*r->at), sizeof letters - 1);
   if (letter == NULL || size.value < 1 || size.value > 100000) {
     reader_refuse(r, "literal not understood");
-    return bits(1);
+    return check_bits(1);
   }
   r->at++;
   operand o = digits(r, base[letter - letters]);
@@ -65,7 +63,7 @@ static operand literal(reader *r) {
 /* One index of n things: a constant within, or just the bits that number them. */
 static void check_index(reader *r, const char *what, operand index, int64_t n) {
   if (!index.known) {
-    check_same_width(r, "index", index, bits(index_bits(n)));
+    check_same_width(r, "index", index, check_bits(index_bits(n)));
   } else if (index.value < 0 || index.value >= n) {
     reader_fault(r, "select outside of '%s'", what);
   }
@@ -105,7 +103,7 @@ static operand selected(reader *r, const check_name *whole) {
     reader_fault(r, "select outside of '%s'", whole->name);
   }
   if (r->failed || r->off > 0) {
-    return bits(1);
+    return check_bits(1);
   }
   part.width = (int)count;
   part.known = whole->known && first.known && low < 63 && count < 62;
@@ -117,11 +115,11 @@ static operand called(reader *r, const check_name *f) {
   const char *separator = "(";
   for (int i = 0; i < f->arguments; i++) {
     reader_expect(r, separator);
-    check_same_width(r, f->name, check_expression(r), bits(f->argument[i]));
+    check_same_width(r, f->name, check_expression(r), check_bits(f->argument[i]));
     separator = ",";
   }
   reader_expect(r, ")");
-  return bits(f->width);
+  return check_bits(f->width);
 }
 
 /* A signal or constant with its selects; the first is the index of a memory's word. */
@@ -144,19 +142,17 @@ static const check_name *declared(reader *r, const char *name) {
   return n;
 }
 
+static void argument(reader *r) { check_expression(r); }
+
 /* The selects or the call behind a name that is not known. */
 static operand skipped(reader *r) {
   const check_name any = {.width = 1};
-  while (reader_next_is(r, "[")) {
-    selected(r, &any);
-  }
+  selected(r, &any);
+  selected(r, &any);
   if (reader_take(r, "(")) {
-    do {
-      check_expression(r);
-    } while (reader_take(r, ","));
-    reader_expect(r, ")");
+    reader_list(r, argument);
   }
-  return bits(1);
+  return check_bits(1);
 }
 
 static operand named(reader *r, const char *name) {
@@ -178,7 +174,7 @@ static operand concatenated(reader *r, operand first, operand (*part)(reader *r)
   if (!sized) {
     reader_fault(r, "a constant without a size");
   }
-  return bits(first.width);
+  return check_bits(first.width);
 }
 
 /* {a, b} or {N{a, b}} behind the opening brace. */
@@ -194,7 +190,7 @@ static operand braces(reader *r) {
   } else if (first.value < 1) {
     reader_fault(r, "replication by less than one");
   }
-  return bits((int)(first.value * part.width));
+  return check_bits((int)(first.value * part.width));
 }
 
 operand check_target(reader *r) {
@@ -228,7 +224,7 @@ operand check_target(reader *r) {
 /* Behind the dollar sign. */
 static operand system_function(reader *r) {
   if (r->formal && reader_take(r, "initstate")) {
-    return bits(1);
+    return check_bits(1);
   }
   bool logarithm = reader_take(r, "clog2");
   bool past = r->formal && reader_take(r, "past");
@@ -245,12 +241,12 @@ static operand system_function(reader *r) {
   if (logarithm) {
     return (operand){0, o.known, o.value > 1 ? index_bits(o.value) : 0};
   }
-  return bits(stable ? 1 : o.width);
+  return check_bits(stable ? 1 : o.width);
 }
 
 operand check_primary(reader *r) {
   char name[EMIT_NAME];
-  operand o = bits(1);
+  operand o = check_bits(1);
   reader_skip(r);
   if (isdigit((unsigned char)*r->at)) {
     return literal(r);
@@ -266,10 +262,10 @@ operand check_primary(reader *r) {
   } else if (reader_take(r, "$")) {
     o = system_function(r);
   } else if (reader_take(r, "~")) {
-    o = bits(check_primary(r).width);
+    o = check_bits(check_primary(r).width);
   } else if (reader_take(r, "-")) {
     o = check_primary(r);
-    o = o.width == 0 ? (operand){0, o.known, -o.value} : bits(o.width);
+    o = o.width == 0 ? (operand){0, o.known, -o.value} : check_bits(o.width);
   } else if (reader_take(r, "!")) {
     o = check_primary(r);
     check_condition(r, o);

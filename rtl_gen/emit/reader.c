@@ -85,14 +85,6 @@ bool reader_take(reader *r, const char *token) {
   return true;
 }
 
-bool reader_next_is(reader *r, const char *token) {
-  reader_skip(r);
-  const char *at = r->at;
-  bool found = reader_take(r, token);
-  r->at = at;
-  return found;
-}
-
 void reader_expect(reader *r, const char *token) {
   if (!reader_take(r, token)) {
     reader_refuse(r, "expected '%s'", token);
@@ -100,6 +92,15 @@ void reader_expect(reader *r, const char *token) {
 }
 
 bool reader_is_before(reader *r, const char *token) { return !reader_take(r, token) && !r->failed; }
+
+void reader_list(reader *r, void (*part)(reader *r)) {
+  if (!reader_take(r, ")")) {
+    do {
+      part(r);
+    } while (reader_take(r, ","));
+    reader_expect(r, ")");
+  }
+}
 
 bool reader_take_name(reader *r, char name[EMIT_NAME]) {
   reader_skip(r);

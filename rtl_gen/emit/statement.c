@@ -40,13 +40,12 @@ static void declare_constant(reader *r, int width, const char *name) {
 static void declare_names(reader *r, name_kind kind) {
   char name[EMIT_NAME];
   reader_take(r, "signed");
-  bool ranged = reader_next_is(r, "[");
   check_name net = {.kind = kind};
-  net.width = check_range(r, &net.low);
+  net.width = check_range(r, kind == NAME_CONSTANT ? 0 : 1, &net.low);
   do {
     reader_expect_name(r, name);
     if (kind == NAME_CONSTANT) {
-      declare_constant(r, ranged ? net.width : 0, name);
+      declare_constant(r, net.width, name);
     } else if (kind == NAME_VARIABLE) {
       reader_declare(r, kind, name, 0);
     } else {
@@ -80,14 +79,14 @@ void check_function(reader *r) {
   int low = 0;
   reader_take(r, "automatic");
   reader_take(r, "signed");
-  check_name f = {.width = check_range(r, &low)};
+  check_name f = {.width = check_range(r, 1, &low)};
   reader_expect_name(r, name);
   reader_expect(r, "(");
   int outer = reader_enter(r);
   do {
     reader_expect(r, "input");
     reader_take(r, "signed");
-    int width = check_range(r, &low);
+    int width = check_range(r, 1, &low);
     reader_expect_name(r, argument);
     reader_declare(r, NAME_INPUT, argument, width);
     if (f.arguments == CHECK_ARGUMENTS) {
@@ -114,9 +113,9 @@ enum { LOOP_TURNS = 65536 };
 
 /* begin : label ... end with a scope of its own, behind the first word. */
 static void block(reader *r) {
-  char label[EMIT_NAME];
   int outer = reader_enter(r);
   if (reader_take(r, ":")) {
+    char label[EMIT_NAME];
     reader_expect_name(r, label);
     reader_declare(r, NAME_LABEL, label, 0);
   }
