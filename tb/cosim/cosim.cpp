@@ -122,13 +122,14 @@ Source open_source(const Options &o) {
     return corner_source(o.count, o.seed);
 #ifdef SEPAX_EXTENT_A
   case KEY_WITHIN:
+    return family_source(o.count, o.seed, "all", draw_extents<false>);
   case KEY_BEYOND:
-    return extent_source(o.count, o.seed, o.source == KEY_BEYOND);
+    return family_source(o.count, o.seed, "all", draw_extents<true>);
 #endif
   case KEY_MESHES:
     return mesh_source(o.mesh, o.grid);
   default:
-    return family_source(o.count, o.seed, o.text == nullptr ? "all" : o.text);
+    return family_source(o.count, o.seed, o.text == nullptr ? "all" : o.text, draw_pair);
   }
 }
 

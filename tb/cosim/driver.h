@@ -8,6 +8,9 @@
 #include "sepax_design.h"
 #include "verilated_top.h"
 
+#include <cinttypes>
+#include <string>
+
 constexpr uint64_t MISMATCHES_SHOWN = 20;
 
 class Driver {
@@ -60,42 +63,38 @@ public:
       tick(false, true); // a verdict too many is seen here
     }
     if (!scoreboard.empty()) {
-      std::fprintf(stderr, "cosim: time-out: %llu verdicts never came\n",
-                   (unsigned long long)scoreboard.size());
+      std::fprintf(stderr, "cosim: time-out: %" PRIu64 " verdicts never came\n", scoreboard.size());
       mismatches += scoreboard.size();
     }
     uint64_t allowed = streamed == 0 ? 0 : (streamed - 1) * SEPAX_II + SEPAX_LATENCY;
     if ((coplanar == 0 || !SECOND_PASS) && !hung && last_taken - first_taken > allowed) {
       std::fprintf(stderr,
-                   "cosim: %llu cycles from the first to the last of %llu pairs; "
-                   "II = %d allows %llu\n",
-                   (unsigned long long)(last_taken - first_taken), (unsigned long long)streamed,
-                   SEPAX_II, (unsigned long long)allowed);
+                   "cosim: %" PRIu64 " cycles from the first to the last of %" PRIu64 " pairs; "
+                   "II = %d allows %" PRIu64 "\n",
+                   (last_taken - first_taken), streamed, SEPAX_II, allowed);
       mismatches++;
     }
   }
 
   void report() const {
-    std::printf("%llu pairs, %llu mismatches, %llu collisions, %llu coplanar\n",
-                (unsigned long long)judged, (unsigned long long)mismatches,
-                (unsigned long long)collisions, (unsigned long long)coplanar);
+    std::printf("%" PRIu64 " pairs, %" PRIu64 " mismatches, %" PRIu64 " collisions, %" PRIu64
+                " coplanar\n",
+                judged, mismatches, collisions, coplanar);
 #if SEPAX_EXACT
     std::printf("axes 0 ... %d:", LAST_AXIS);
     for (int axis = 0; axis <= LAST_AXIS; axis++) {
-      std::printf(" %llu", (unsigned long long)axes[axis]);
+      std::printf(" %" PRIu64, axes[axis]);
     }
     std::printf("\n");
 #endif
 #ifdef SEPAX_BANDS
-    std::printf("bands free, warning, collision: %llu %llu %llu\n", (unsigned long long)bands[0],
-                (unsigned long long)bands[1], (unsigned long long)bands[2]);
+    std::printf("bands free, warning, collision: %" PRIu64 " %" PRIu64 " %" PRIu64 "\n", bands[0],
+                bands[1], bands[2]);
 #endif
-    std::printf("latency %d: %llu pairs that did not wait; ", SEPAX_LATENCY,
-                (unsigned long long)latencies);
+    std::printf("latency %d: %" PRIu64 " pairs that did not wait; ", SEPAX_LATENCY, latencies);
     if (stress != 0) {
-      std::printf("random gaps%s, %llu resets, %llu pairs dropped by them\n",
-                  HANDSHAKE ? " and blocks" : "", (unsigned long long)resets,
-                  (unsigned long long)dropped);
+      std::printf("random gaps%s, %" PRIu64 " resets, %" PRIu64 " pairs dropped by them\n",
+                  HANDSHAKE ? " and blocks" : "", resets, dropped);
       return;
     }
     std::printf("II %d", SEPAX_II);
@@ -104,7 +103,7 @@ public:
                   (double)(last_taken - first_taken) / (double)(streamed - 1));
     }
     double ps = HANDSHAKE ? design.config.clock_ps : PAPER_PS;
-    std::printf("; %llu cycles = %.3f ms at %g ns\n", (unsigned long long)last_verdict_cycle,
+    std::printf("; %" PRIu64 " cycles = %.3f ms at %g ns\n", last_verdict_cycle,
                 1e-9 * (double)last_verdict_cycle * ps, 1e-3 * ps);
   }
 
@@ -245,11 +244,11 @@ private:
       for (int k = 0; k < (SEPAX_EXACT ? 18 : 24); k++) {
         pair += (k > 0 ? " " : "") + std::to_string(coordinate(e->pair, k));
       }
-      std::fprintf(stderr, "cosim: pair %llu, ", (unsigned long long)e->index);
+      std::fprintf(stderr, "cosim: pair %" PRIu64 ", ", e->index);
     } else {
       std::fputs("cosim: ", stderr);
     }
-    std::fprintf(stderr, "cycle %llu: %s\n", (unsigned long long)cycle, what.c_str());
+    std::fprintf(stderr, "cycle %" PRIu64 ": %s\n", cycle, what.c_str());
     if (e != nullptr) {
       std::fprintf(stderr, "  %s\n  replay: make wave " SEPAX_MAKE " PAIR='%s'\n", pair.c_str(),
                    pair.c_str());

@@ -55,30 +55,29 @@ inline Source mesh_source(const char *const path[2], const cli_grid &grid) {
   });
 }
 
-// Seeded hard pairs: of one family, or of "all" in turn.
-inline Source family_source(uint64_t count, uint64_t seed, const char *name) {
+// Seeded hard pairs draw(family, random): of one family, or of "all" in turn.
+template <typename Draw>
+Source family_source(uint64_t count, uint64_t seed, const char *name, Draw draw) {
   sepax_error error{};
   size_t first, last;
   if (!cli_families(name, &first, &last, &error)) {
     fail(error);
   }
   return counted(count, [=, random = sepax_random{seed}](uint64_t n) mutable {
-    auto *pair = SEPAX_EXACT ? sepax_family_triangles : sepax_family_pair;
-    return pair(first + n % (last - first + 1), SEPAX_WORD, &random);
+    return draw(first + n % (last - first + 1), &random);
   });
 }
 
+inline sepax_pair draw_pair(size_t family, sepax_random *random) {
+  auto *pair = SEPAX_EXACT ? sepax_family_triangles : sepax_family_pair;
+  return pair(family, SEPAX_WORD, random);
+}
+
 #ifdef SEPAX_EXTENT_A
-// The same of all families, within the design's extents or exceeding them.
-inline Source extent_source(uint64_t count, uint64_t seed, bool exceeding) {
-  size_t families = 0;
-  while (sepax_family_name(families) != nullptr) {
-    families++;
-  }
-  return counted(count, [=, random = sepax_random{seed}](uint64_t n) mutable {
-    const int extent[2] = {SEPAX_EXTENT_A, SEPAX_EXTENT_B};
-    return sepax_extent_pair(n % families, SEPAX_WORD, extent, exceeding, &random);
-  });
+// Within the design's extents, or exceeding them.
+template <bool exceeding> sepax_pair draw_extents(size_t family, sepax_random *random) {
+  const int extent[2] = {SEPAX_EXTENT_A, SEPAX_EXTENT_B};
+  return sepax_extent_pair(family, SEPAX_WORD, extent, exceeding, random);
 }
 #endif
 
