@@ -5,6 +5,7 @@
  *   batch meshes A.stl B.stl the tree, brute force, and threads, on two meshes */
 #include "columns.h"
 
+#include <inttypes.h>
 #include <string.h>
 
 static const sepax_path paths[] = {SEPAX_PATH_PORTABLE, SEPAX_PATH_AVX2, SEPAX_PATH_AVX512};
@@ -122,11 +123,10 @@ static int check(uint64_t count) {
   for (size_t w = 0; w < sizeof words / sizeof words[0]; w++) {
     int word = words[w];
     tally t = check_paths(word, count);
-    printf("W = %2d, %llu pairs, %llu collisions:", word, (unsigned long long)count,
-           (unsigned long long)t.collisions);
+    printf("W = %2d, %" PRIu64 " pairs, %" PRIu64 " collisions:", word, count, t.collisions);
     for (int p = 0; p < PATHS; p++) {
       if (sepax_path_runs(paths[p])) {
-        printf(" %s %llu wrong,", sepax_path_name(paths[p]), (unsigned long long)t.wrong[p]);
+        printf(" %s %" PRIu64 " wrong,", sepax_path_name(paths[p]), t.wrong[p]);
       } else {
         printf(" %s not on this machine,", sepax_path_name(paths[p]));
       }
@@ -134,8 +134,7 @@ static int check(uint64_t count) {
     }
     uint64_t trees = check_trees(word, count / SHARE_TREES + 1, -1);
     uint64_t near = check_trees(word, count / SHARE_NEAR + 1, 1 << (word - 4));
-    printf(" trees %llu wrong, trees with a clearance %llu wrong\n", (unsigned long long)trees,
-           (unsigned long long)near);
+    printf(" trees %" PRIu64 " wrong, trees with a clearance %" PRIu64 " wrong\n", trees, near);
     fflush(stdout);
     wrong += trees + near;
   }
@@ -169,13 +168,13 @@ static void scale_pairs(void) {
   columns_free(&batch);
 }
 
-static double search(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
-                     int threads, bool brute_force, size_t *collisions) {
+static double search(const sepax_scene *s, int threads, bool brute_force, size_t *collisions) {
   sepax_search how = {.threads = threads, .brute_force = brute_force};
   sepax_pairs found;
   sepax_error error = {""};
   double start = seconds_now();
-  if (!sepax_colliding_pairs(a, count_a, b, count_b, &how, &found, &error)) {
+  if (!sepax_colliding_pairs(s->tri[0], s->count[0], s->tri[1], s->count[1], &how, &found,
+                             &error)) {
     bench_fail(&error);
   }
   double took = seconds_now() - start;
@@ -190,32 +189,29 @@ static void scale_meshes(void) {
     sepax_mesh mesh[2];
     sepax_error error = {""};
     sepax_grid grid = {.resolution = 0.0005, .word = 18};
-    sepax_tri *tri[2];
+    sepax_scene scene = {.count = {triangles, triangles}};
     for (int i = 0; i < 2; i++) {
       const double centre[3] = {10.0 * i, 0.37 * i, 0.19 * i};
-      tri[i] = allocate(triangles * sizeof *tri[i]);
+      scene.tri[i] = allocate(triangles * sizeof *scene.tri[i]);
       if (!sepax_sample(&mesh[i], "sphere", triangles, centre, 40, &error) ||
-          !sepax_quantise(&mesh[i], &grid, tri[i], NULL, &error)) {
+          !sepax_quantise(&mesh[i], &grid, scene.tri[i], NULL, &error)) {
         bench_fail(&error);
       }
       sepax_mesh_free(&mesh[i]);
     }
-    for (int brute = 0; brute < 2; brute++) {
+    double pairs = (double)triangles * (double)triangles;
+    for (int brute = 0; brute < (triangles <= 10000 ? 2 : 1); brute++) {
       size_t collisions;
-      double pairs = (double)triangles * (double)triangles;
-      if (brute == 0 || triangles <= 10000) {
-        double took = 0;
-        double end = seconds_now() + 0.5;
-        do {
-          best_of(&took, search(tri[0], triangles, tri[1], triangles, 1, brute != 0, &collisions));
-        } while (seconds_now() < end);
-        printf("%s,%zu,%.0f,%.6g,%.4g\n", brute != 0 ? "brute force" : "tree", triangles, pairs,
-               took, 1e9 * took / pairs);
-        fflush(stdout);
-      }
+      double took = 0;
+      double end = seconds_now() + 0.5;
+      do {
+        best_of(&took, search(&scene, 1, brute != 0, &collisions));
+      } while (seconds_now() < end);
+      printf("%s,%zu,%.0f,%.6g,%.4g\n", brute != 0 ? "brute force" : "tree", triangles, pairs, took,
+             1e9 * took / pairs);
+      fflush(stdout);
     }
-    free(tri[0]);
-    free(tri[1]);
+    sepax_scene_free(&scene);
   }
 }
 
@@ -234,8 +230,7 @@ static int meshes(const char *const path[2]) {
   double end = seconds_now() + 5;
   do {
     for (int way = 0; way < 4; way++) {
-      best_of(&best[way], search(scene.tri[0], scene.count[0], scene.tri[1], scene.count[1],
-                                 1 + way % 2, way >= 2, &collisions[way]));
+      best_of(&best[way], search(&scene, 1 + way % 2, way >= 2, &collisions[way]));
     }
   } while (seconds_now() < end);
   for (int way = 0; way < 4; way++) {
@@ -253,12 +248,10 @@ static int meshes(const char *const path[2]) {
 }
 
 int main(int argc, char **argv) {
-  if (argc == 3 && strcmp(argv[1], "check") == 0) {
-    char *end;
-    unsigned long long count = strtoull(argv[2], &end, 10);
-    if (*end == '\0' && count > 0) {
-      return check(count);
-    }
+  char *end = NULL;
+  uint64_t count = argc == 3 && strcmp(argv[1], "check") == 0 ? strtoull(argv[2], &end, 10) : 0;
+  if (count > 0 && *end == '\0') {
+    return check(count);
   }
   if (argc == 2 && strcmp(argv[1], "scale") == 0) {
     puts("what,n,pairs,seconds,ns_per_pair");
