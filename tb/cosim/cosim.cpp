@@ -2,6 +2,8 @@
 // model of the same configuration, and its cycle against the architecture's rule.
 #include "driver.h"
 
+#include <algorithm>
+
 namespace {
 
 struct Options {
@@ -9,7 +11,7 @@ struct Options {
   int source = 0; // the key of the option that names it, or KEY_MESHES
   const char *text = nullptr, *mesh[2] = {nullptr, nullptr}, *wave = nullptr;
   uint64_t count = 100000, seed = 1, stress = 0;
-  uint64_t first = 0, ternary_pairs = 0;
+  uint64_t first = 0; // of --ternary
 };
 
 // ----------------------------------------------------------------------- options
@@ -28,7 +30,8 @@ enum {
 
 const argp_option options_table[] = {
     {"pairs", 'p', "FILE", 0, "judge the pairs of this file (- : standard input)", 0},
-    {"count", 'n', "PAIRS", 0, "judge so many pairs of the hard families (100000)", 0},
+    {"count", 'n', "PAIRS", 0, "judge so many pairs of the hard families or of ternary (100000)",
+     0},
     {"seed", 's', "SEED", 0, "seed of those pairs (1)", 0},
     {"family", KEY_FAMILY, "NAME", 0, "of one family only", 0},
     {"corners", KEY_CORNERS, nullptr, 0,
@@ -37,24 +40,13 @@ const argp_option options_table[] = {
     {"within", KEY_WITHIN, nullptr, 0, "those families within the extents of the design", 0},
     {"beyond", KEY_BEYOND, nullptr, 0, "the same, one triangle of each pair beyond them", 0},
 #endif
-    {"ternary", KEY_TERNARY, "FIRST:COUNT", 0,
-     "judge these of the 3^18 pairs with coordinates -1, 0, 1", 0},
+    {"ternary", KEY_TERNARY, "FIRST", 0,
+     "judge pairs from this on of the 3^18 with coordinates -1, 0, 1", 0},
     {"bits", KEY_BITS, nullptr, 0, "judge the 2^18 pairs with coordinates 0, 1", 0},
     {"stress", KEY_STRESS, "SEED", 0,
      "gaps, blocked verdicts (where there is out_ready) and resets at random", 0},
     {"wave", KEY_WAVE, "FILE", 0, "write an FST waveform", 0},
     {nullptr, 0, nullptr, 0, nullptr, 0}};
-
-void parse_ternary(Options *o, argp_state *state, char *text) {
-  char *colon = std::strchr(text, ':');
-  if (colon == nullptr) {
-    argp_error(state, "ternary: '%s' is not FIRST:COUNT", text);
-    return;
-  }
-  *colon = '\0';
-  o->first = cli_count(state, "ternary", text, TERNARY_PAIRS - 1);
-  o->ternary_pairs = cli_count(state, "ternary", colon + 1, TERNARY_PAIRS - o->first);
-}
 
 void choose_source(Options *o, argp_state *state, int key, char *text) {
   if (o->source != 0 && (o->source != key || key != KEY_MESHES)) {
@@ -83,7 +75,7 @@ error_t parse(int key, char *text, argp_state *state) {
     o->wave = text;
     return 0;
   case KEY_TERNARY:
-    parse_ternary(o, state, text);
+    o->first = cli_count(state, "ternary", text, TERNARY_PAIRS - 1);
     [[fallthrough]];
   case 'p':
   case KEY_FAMILY:
@@ -115,7 +107,7 @@ Source open_source(const Options &o) {
   case 'p':
     return file_source(o.text);
   case KEY_TERNARY:
-    return ternary_source(o.first, o.ternary_pairs);
+    return ternary_source(o.first, std::min(o.count, TERNARY_PAIRS - o.first));
   case KEY_BITS:
     return bits_source();
   case KEY_CORNERS:
