@@ -117,11 +117,11 @@ AREA_JSON ?= $(BUILD)/area.json
 
 area: $(SEPAX) $(BUILD)/liberty
 	@scripts/designs -j 2 mapped $(AREAS)
-	@synth/report/gates -o $(AREA_JSON) $$(scripts/designs area-file $(AREAS) | sort)
+	@synth/report/tables gates -o $(AREA_JSON) $$(scripts/designs area-file $(AREAS) | sort)
 
 timing: $(SEPAX) $(BUILD)/liberty
 	@scripts/designs timed $(TIMINGS)
-	@synth/report/timing -o $(BUILD)/timing.json $$(scripts/designs timing-file $(TIMINGS))
+	@synth/report/tables timing -o $(BUILD)/timing.json $$(scripts/designs timing-file $(TIMINGS))
 
 LIBERTY_FAST ?= $(LIBERTY)
 multivt: $(SEPAX) $(BUILD)/liberty
@@ -129,7 +129,7 @@ multivt: $(SEPAX) $(BUILD)/liberty
 
 power: $(SEPAX) $(BUILD)/liberty $(BUILD)/power
 	@scripts/designs powered $(POWERS)
-	@synth/report/power -o $(BUILD)/power.json $$(scripts/designs power-file $(POWERS))
+	@synth/report/tables power -o $(BUILD)/power.json $$(scripts/designs power-file $(POWERS))
 
 # ------------------------------------------------------------------------- experiments
 

@@ -1,11 +1,10 @@
-# synth/common.tcl - what every run of OpenSTA begins with.
+# synth/common.tcl - what every run of OpenSTA begins with: reads the design. liberty (files),
+# netlist and top are set by who sources it (run_sta of synth/common).
 
-proc read_design {liberty netlist top} {
-  foreach file $liberty { read_liberty $file }
-  set_cmd_units -time ns
-  read_verilog $netlist
-  link_design $top
-}
+foreach file $liberty { read_liberty $file }
+set_cmd_units -time ns
+read_verilog $netlist
+link_design $top
 
 # Inputs but the clock, those whose name matches `late` or only those.
 proc inputs {clock late} {

@@ -29,3 +29,17 @@ def module_at($path): .modules as $m | reduce $path[] as $name (top; $m[.].cells
 
 # Types of cells that are no module of the netlist.
 def foreign: .modules as $m | [$m[].cells[].type] | unique - ($m | keys);
+
+# ------------------------------------------------------------------ for numbers and designs
+
+# Rounded to so many parts of one.
+def rounded($parts): . * $parts | round / $parts;
+
+# Thousands, with one decimal.
+def k: . / 1000 | rounded(10) | tostring | if test("[.]") then . else . + ".0" end + "K";
+
+# What an option of a design says, or nothing.
+def option($name): .options | capture("--\($name)=(?<value>[^ ]+)").value;
+
+# By a module's name in the netlist the one that people read; names.json of synth/area/map.
+def readable($names): $names[0] | map({key: .plain, value: .readable}) | from_entries;

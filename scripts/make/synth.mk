@@ -4,7 +4,7 @@ LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
 
 # OpenSTA wants a netlist that is sized for a clock: the generator's, in Nangate45; other libraries
 # are slower, osu018 about four times.
-CLOCK_NS ?= 2
+CLOCK_NS ?= $(patsubst CLOCK_NS=%,%,$(filter CLOCK_NS=%,$(shell $(SEPAX) name --make)))
 ifneq ($(filter timed timing-file assigned,$(MAKECMDGOALS)),)
 SIZED_FOR = $(if $(filter nangate45%,$(LIBRARY)),$(if $(filter paper,$(ARCH)),$(CLOCK_NS)),$(shell \
             LC_ALL=C awk 'BEGIN { print 4 * "$(CLOCK_NS)" }'))

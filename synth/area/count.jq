@@ -3,7 +3,6 @@
 
 include "netlist";
 
-def rounded: . * 1000 | round / 1000;
 # How often each module stands below the top; the top stands once.
 def instances($top):
   . as $modules
@@ -18,7 +17,7 @@ $cells[0].cells as $library_cell
     ff: ([.state[] | select(.kind | startswith("ff"))] | length)})) as $cell
 | $library_cell[$nand2].area as $nand2_area
 | count as $modules
-| ($names[0] | map({key: .plain, value: .readable}) | from_entries) as $name
+| readable($names) as $name
 | ($modules | instances($top)) as $instances
 | [ $modules | to_entries[] | .key as $m
     | [.value | to_entries[] | select($cell[.key])] as $own
@@ -26,8 +25,8 @@ $cells[0].cells as $library_cell
     | {
         name: $name[$m],
         instances: $instances[$m],
-        ge: ($area / $nand2_area | rounded),
-        ge_total: ($area * $instances[$m] / $nand2_area | rounded),
+        ge: ($area / $nand2_area | rounded(1000)),
+        ge_total: ($area * $instances[$m] / $nand2_area | rounded(1000)),
         ff: ([$own[] | .value * $cell[.key].ff] | add // 0),
         area: ($area * $instances[$m])
       }
@@ -48,13 +47,13 @@ $cells[0].cells as $library_cell
         arch: $d.arch,
         word: $d.word,
         ii: $d.ii,
-        precision: ([$d.options | capture("--precision=(?<bits>[^ ]+)").bits][0] // "exact"),
+        precision: ([$d | option("precision")][0] // "exact"),
         options: $d.options,
         latency: $d.latency,
         timing: $timing,
         multipliers: (if $d.arch == "exact" or $multipliers != "" then "generated" else "*" end),
-        area: ([$rows[].area] | add | rounded),
-        ge: ([$rows[].ge_total] | add | rounded),
+        area: ([$rows[].area] | add | rounded(1000)),
+        ge: ([$rows[].ge_total] | add | rounded(1000)),
         ff: ([$rows[] | .ff * .instances] | add),
         modules: ($rows | map(del(.area)) | sort_by(-.ge_total, .name))
       }

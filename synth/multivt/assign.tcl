@@ -1,34 +1,25 @@
 # synth/multivt/assign.tcl - multi-Vt: which cells of a flat netlist may be slow.
 #
-# liberty (both files), netlist, swaps (fast cell, slow cell, their leakages), top, clock, period,
-# activity, common (synth/common.tcl) are set by who sources it. Prints lines that begin with a
-# word of its own, for synth/multivt/assign: the cells that become slow, among others; the last is
-# "end".
+# swaps (fast cell, slow cell, their leakages), clock, period and activity are set by who sources
+# it, after synth/common.tcl. Prints lines that begin with a word of its own, for
+# synth/multivt/assign: the cells that become slow, among others.
 #
 # Where the fast cells alone are late, nothing is swapped. Else first every cell is a slow one.
 # Then, as long as paths are too slow, cells on them become fast again: on each path as many as
 # it takes, those first which are on many slow paths, gain much and leak little. At last whatever
 # has slack to spare goes back, in parts, as far as the period holds.
 
-source $common
-read_design $liberty $netlist $top
-
-proc set_activity {clock activity} {
-  set_power_activity -input -activity $activity -duty 0.5
-  if {[llength [inputs $clock rst]] > 0} {
-    set_power_activity -input_ports rst -activity 0 -duty 0
-  }
-}
-
 proc report {when} {
   puts "slack $when [worst_slack]"
   puts "power $when"
   report_power -digits 6
-  puts "power done"
 }
 
 constrain $period $clock
-set_activity $clock $activity
+set_power_activity -input -activity $activity -duty 0.5
+if {[llength [inputs $clock rst]] > 0} {
+  set_power_activity -input_ports rst -activity 0 -duty 0
+}
 report before
 set possible [expr {[worst_slack] >= 0}]
 
@@ -51,21 +42,16 @@ foreach cell [get_cells -hierarchical *] {
   }
 }
 
-proc make_slow {name} {
+proc make {slow names} {
   global object type_of is_slow slow_of lib_cell
-  replace_cell $object($name) $lib_cell($slow_of($type_of($name)))
-  set is_slow($name) 1
+  foreach name $names {
+    set type $type_of($name)
+    replace_cell $object($name) $lib_cell([expr {$slow ? $slow_of($type) : $type}])
+    set is_slow($name) $slow
+  }
 }
 
-proc make_fast {name} {
-  global object type_of is_slow lib_cell
-  replace_cell $object($name) $lib_cell($type_of($name))
-  set is_slow($name) 0
-}
-
-if {$possible} {
-  foreach name [array names is_slow] { make_slow $name }
-}
+if {$possible} { make 1 [array names is_slow] }
 puts "slack all_slow [worst_slack]"
 
 # The worst path to each late endpoint: slack, slow cells with what each takes longer (about),
@@ -99,15 +85,24 @@ proc late_paths {} {
   return $list
 }
 
+# The pins of a cell that drive, or those that do not.
+proc pins {cell driving} {
+  set list {}
+  set pins [::sta::Instance_pin_iterator $cell]
+  while {[$pins has_next]} {
+    set pin [$pins next]
+    if {[::sta::Pin_is_driver $pin] == $driving} { lappend list $pin }
+  }
+  $pins finish
+  return $list
+}
+
 # Cells that drive inputs of these cells, slow or not.
 proc drivers {names} {
   global object is_slow
   set list {}
   foreach name $names {
-    set pins [::sta::Instance_pin_iterator $object($name)]
-    while {[$pins has_next]} {
-      set pin [$pins next]
-      if {[::sta::Pin_is_driver $pin]} { continue }
+    foreach pin [pins $object($name) 0] {
       set net [::sta::Pin_net $pin]
       if {$net eq "NULL"} { continue }
       foreach driver [::sta::net_driver_pins $net] {
@@ -116,7 +111,6 @@ proc drivers {names} {
         if {[info exists is_slow($from)]} { lappend list $from }
       }
     }
-    $pins finish
   }
   return [lsort -unique $list]
 }
@@ -165,7 +159,7 @@ proc meet_period {} {
         foreach name [slow_before $all] { set now($name) 1 }
       }
     }
-    foreach name [array names now] { make_fast $name }
+    make 0 [array names now]
     puts "round $round [llength $late] [array size now] [worst_slack]"
     if {[array size now] == 0} { return -1 }
   }
@@ -176,28 +170,23 @@ puts "rounds [expr {$possible ? [meet_period] : -1}]"
 
 # Back again, those that leak most first: a part that makes a path late is undone and halved.
 proc slack_of {cell} {
-  set least 1e9
-  set pins [::sta::Instance_pin_iterator $cell]
-  while {[$pins has_next]} {
-    set pin [$pins next]
-    if {![::sta::Pin_is_driver $pin]} { continue }
+  set list 1e9
+  foreach pin [pins $cell 1] {
     foreach vertex [::sta::Pin_vertices $pin] {
       foreach edge {rise fall} {
-        set slack [expr {1e9 * [lindex [::sta::Vertex_slacks $vertex $edge] 1]}]
-        if {$slack < $least} { set least $slack }
+        lappend list [expr {1e9 * [lindex [::sta::Vertex_slacks $vertex $edge] 1]}]
       }
     }
   }
-  $pins finish
-  return $least
+  return [tcl::mathfunc::min {*}$list]
 }
 
 proc try_slow {names} {
   global tries
   if {[llength $names] == 0 || [incr tries] > 100} { return 0 }
-  foreach name $names { make_slow $name }
+  make 1 $names
   if {[worst_slack] >= 0} { return [llength $names] }
-  foreach name $names { make_fast $name }
+  make 0 $names
   if {[llength $names] < 8} { return 0 }
   set half [expr {[llength $names] / 2}]
   return [expr {[try_slow [lrange $names 0 $half-1]] + [try_slow [lrange $names $half end]]}]
@@ -224,5 +213,3 @@ report after
 foreach name [array names is_slow] {
   if {$is_slow($name)} { puts "swap $name" }
 }
-puts "end"
-exit

@@ -1,12 +1,9 @@
 # synth/power/sta.tcl - hands transitions to OpenSTA and asks its report_power.
 #
-# liberty, netlist, top, clock, period (ns), pins (what build/power -t wrote), common
-# (synth/common.tcl) are set by who sources it. The last line is "end". set_power_activity -pins of
-# 2.0.17 calls a procedure that it does not have; what it would call is called here. A pin that is
-# not there is an error.
+# clock, period (ns) and pins (what build/power -t wrote) are set by who sources it, after
+# synth/common.tcl. set_power_activity -pins of 2.0.17 calls a procedure that it does not have; what
+# it would call is called here. A pin that is not there is an error.
 
-source $common
-read_design $liberty $netlist $top
 create_clock -name clk -period $period [get_ports $clock]
 
 set file [open $pins]
@@ -28,5 +25,3 @@ while {[gets $file line] >= 0} {
 close $file
 puts "rows $rows"
 report_power -digits 6
-puts "end"
-exit

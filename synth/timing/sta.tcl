@@ -1,11 +1,8 @@
 # synth/timing/sta.tcl - what OpenSTA is asked about a mapped netlist, in one corner.
 #
-# liberty (files), netlist, top, clock (its port), period (ns), common (synth/common.tcl) are set by
-# who sources it. Prints lines that begin with a word of its own, for synth/timing/sta; the last is
-# "end".
+# clock (its port) and period (ns) are set by who sources it, after synth/common.tcl. Prints lines
+# that begin with a word of its own, for synth/timing/sta.
 
-source $common
-read_design $liberty $netlist $top
 constrain $period $clock
 # Registers whose input is a constant, through full adders with constant inputs, say, have no path.
 foreach pin [all_registers -data_pins] {
@@ -39,5 +36,3 @@ puts "path done"
 set least [expr {$period - $worst}]
 constrain $least $clock
 puts "least $least [worst_slack]"
-puts "end"
-exit

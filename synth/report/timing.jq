@@ -1,14 +1,7 @@
-#!/bin/sh
-# synth/report/timing - clock, slack and critical paths of one or more designs.
-#
-#   synth/report/timing [-o FILE.json] TIMING.json ...
-#
-# TIMING.json  what synth/timing/sta wrote; all of one library
-# FILE.json    gets library, tools, constraints and `designs`
-#
-# Exit status 2: could not be done.
-. "$(dirname -- "$0")/table" <<'JQ'
-def k: . / 1000 * 10 | round / 10 | tostring | if test("[.]") then . else . + ".0" end + "K";
+# synth/report/timing.jq - clock, slack and critical paths of designs, as synth/timing/sta says.
+
+include "netlist";
+
 def named: if . == "" then "-" else . end;
 def end_of_path: "\(.instance | named) \(.signal)";
 
@@ -26,4 +19,3 @@ def end_of_path: "\(.instance | named) \(.signal)";
     + "from \($p.from | end_of_path) to \($p.to | end_of_path)",
     (["instance", "module", "cells", "ns", "up to signal"],
      ($p.steps[] | [(.instance | named), .module, .cells, .ns, (.signal | named)]) | @tsv))
-JQ

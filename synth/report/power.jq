@@ -1,20 +1,9 @@
-#!/bin/sh
-# synth/report/power - power and energy per pair of several designs beside each other.
-#
-#   synth/report/power [-o FILE.json] POWER.json ...
-#
-# POWER.json  what synth/power/run wrote
-# FILE.json   gets them as `designs`
-#
-# Exit status 2: could not be done.
-join='{designs: .}'
-. "$(dirname -- "$0")/table" <<'JQ'
-def energy: if . < 0.05 then . * 100000 | round / 100000 else . * 1000 | round / 1000 end;
-def r3: . * 1000 | round / 1000;
-def r1: . * 10 | round / 10;
-def mw: "\(. * 1000 | r3) mW";
-# What an option of the design says, or nothing.
-def option($name): .options | capture("--\($name)=(?<value>[^ ]+)").value;
+# synth/report/power.jq - power and energy per pair of designs, as synth/power/run says.
+
+include "netlist";
+
+def energy: if . < 0.05 then rounded(100000) else rounded(1000) end;
+def mw: "\(. * 1000 | rounded(1000)) mW";
 def extents: if .options | contains("--extent")
   then " [extents \([option("extent-a"), option("extent-b")] | join(", "))]" else "" end;
 def early_out: if .options | contains("--early-out") then " [early out]" else "" end;
@@ -32,7 +21,7 @@ def name: .design | "\(.arch) W = \(.word), II = \(.ii)" + extents + early_out +
        (.switching_w | mw), (.total_w | mw), (.registers.total_w | mw),
        (if .pair_pj then .pair_pj / 1000 | energy else "-" end),
        (if .undecided_percent > 1 then "beyond extents"
-        elif .pair_pj and $of_paper[.workload] then $of_paper[.workload] / .pair_pj | r1
+        elif .pair_pj and $of_paper[.workload] then $of_paper[.workload] / .pair_pj | rounded(10)
         else "-" end)])
    | @tsv),
   "pJ a cycle by module",
@@ -40,6 +29,5 @@ def name: .design | "\(.arch) W = \(.word), II = \(.ii)" + extents + early_out +
    | ([($d | name)] + $loads | @tsv),
      (. as $w | .[0].modules[0:12][].module as $m
       | [$m] + [$w[] | .period_ns as $t | .modules[] | select(.module == $m)
-                | .total_w * $t * 1000 | r1] | @tsv),
+                | .total_w * $t * 1000 | rounded(10)] | @tsv),
      "")
-JQ

@@ -1,16 +1,9 @@
-#!/bin/sh
-# synth/report/gates - the gates of one or more designs beside the paper's.
-#
-#   synth/report/gates [-o FILE.json] AREA.json ...
-#
-# AREA.json  what synth/area/map wrote; all of one library
-# FILE.json  gets library, nand2_area, tools and `designs`
-#
-# Exit status 2: could not be done.
-. "$(dirname -- "$0")/table" <<'JQ'
-def k: . / 1000 * 10 | round / 10 | tostring | if test("[.]") then . else . + ".0" end + "K";
+# synth/report/gates.jq - the gates of designs, as synth/area/map counts them, beside the paper's.
+
+include "netlist";
+
 def share($all): . / $all * 1000 | round / 10 | tostring + " %";
-def over: . * 100 | round / 100 | tostring;
+def over: rounded(100) | tostring;
 def clock: if .timing == null then "-" else
   "\(.timing.period_ns) ns" + if .timing.met then "" else " missed by \(-.timing.slack_ns)" end end;
 def version: split("\n")[0] | split(" ")[0];
@@ -42,4 +35,3 @@ def same_choices($a; $b): ($a.options | ltrimstr("--arch=paper"))
     (["module", "instances", "GE each", "GE in all", "share", "FF each"],
      (.modules[] | [.name, .instances, (.ge | round), (.ge_total | round),
        (.ge_total | share($all)), .ff]) | @tsv))
-JQ
