@@ -2,7 +2,6 @@
 #include "text.h"
 
 #include <err.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 const char *text_file = "";
@@ -26,18 +25,4 @@ void *text_more(void *list, size_t count, size_t size) {
     text_fail("out of", "memory");
   }
   return list;
-}
-
-char *text_read(const char *cure) {
-  FILE *in = fopen(text_file, "r");
-  if (in == NULL) {
-    text_fail("cannot be read;", cure);
-  }
-  char *text = NULL;
-  size_t size = 0;
-  if (getdelim(&text, &size, '\0', in) <= 0) {
-    text_fail("is", "empty");
-  }
-  fclose(in);
-  return text;
 }

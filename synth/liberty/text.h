@@ -1,4 +1,4 @@
-/* text.h - what the readers of netlists and libraries share: whole files, memory, refusals. */
+/* text.h - what the readers of netlists and libraries share: memory, refusals. */
 #ifndef SEPAX_TEXT_H
 #define SEPAX_TEXT_H
 
@@ -16,8 +16,5 @@ void *text_alloc(size_t count, size_t size);
 /* A list of `count` elements (NULL: of none) with space for one more; ends the program without
  * memory. For lists that grow by this alone. */
 void *text_more(void *list, size_t count, size_t size);
-
-/* The whole file text_file; `cure` is what to do if it cannot be read. */
-char *text_read(const char *cure);
 
 #endif

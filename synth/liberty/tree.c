@@ -4,6 +4,7 @@
 
 #include <ctype.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -132,7 +133,16 @@ double tree_unit(const char *text, double other) {
 
 const node *tree_read(const char *path) {
   text_file = path;
-  char *text = text_read("give a plain Liberty file");
+  FILE *in = fopen(path, "r");
+  if (in == NULL) {
+    text_fail("cannot be read;", "give a plain Liberty file");
+  }
+  char *text = NULL;
+  size_t size = 0;
+  if (getdelim(&text, &size, '\0', in) <= 0) {
+    text_fail("is", "empty");
+  }
+  fclose(in);
   blank_comments(text);
   node top = {.from = text};
   parse_body(&top, text);

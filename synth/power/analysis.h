@@ -38,6 +38,11 @@ sepax_scene power_meshes(const analysis *m);
  * compared with the golden model's. */
 void power_pairs(analysis *m);
 
+/* An object engine: load the meshes into it and let it run, or what the request asks for of that;
+ * its results, ends and counters are compared with the golden model's. Exits if the meshes do not
+ * fit. */
+void power_engine(analysis *m);
+
 /* From the simulation's counts, or the request's global activity: transitions, loads, slopes. */
 void power_prepare(analysis *m);
 

@@ -1,5 +1,10 @@
-/* engine.c - see engine.h. */
-#include "engine.h"
+/* engine.c - an object engine as gates: what stands around it, for a whole run in 64 lanes.
+ *
+ * The memories (a word is there in the cycle after it was asked for) and the buses of
+ * sepax_engine_logic are played: both objects are loaded, each lane's from another triangle on, and
+ * run once, results taken as they come. Wrong are results, in order, ends, answers and counters
+ * that are not sepax_engine's. */
+#include "analysis.h"
 #include "liberty/text.h"
 #include "sepax_registers.h"
 
@@ -33,10 +38,14 @@ typedef struct {
   uint32_t counter[COUNTERS];
 } expected;
 
+/* What is counted: from START to the end of the last lane's run; both objects as they come; the
+ * cycles after the run, in which nothing comes. */
+typedef enum { PART_RUN, PART_LOADING, PART_IDLE } run_part;
+
 typedef struct {
   gates *g;
   const sepax_design *design;
-  const sepax_scene *scene;
+  sepax_scene scene;
   memory memory[MEMORIES];
   channel write_address, write_data, write_answer, read_address, read_answer, in, out;
   uint64_t *rst, *in_last, *in_dest, *out_last;
@@ -44,7 +53,7 @@ typedef struct {
   uint64_t ended; /* lanes whose run has */
   uint64_t limit; /* cycles that no run takes */
   bool count;
-  engine_tally tally;
+  uint64_t wrong, pairs, collisions, coplanar, out_of_range; /* of all lanes */
 } engine;
 
 /* ------------------------------------------------------------------- memories */
@@ -135,9 +144,7 @@ static void find_buses(engine *e) {
   e->rst = gates_bit(g, "rst");
 }
 
-static void blame(engine *e, uint64_t lanes) {
-  e->tally.wrong += (uint64_t)__builtin_popcountll(lanes);
-}
+static void blame(engine *e, uint64_t lanes) { e->wrong += (uint64_t)__builtin_popcountll(lanes); }
 
 static void take_result(engine *e, unsigned l) {
   expected *outstanding = &e->lane[l];
@@ -146,9 +153,9 @@ static void take_result(engine *e, unsigned l) {
   bool last = (*e->out_last & lane) != 0;
   bool right = (e->ended & lane) == 0 && result == outstanding->result[outstanding->seen] &&
                last == (outstanding->seen == outstanding->count);
-  e->tally.wrong += !right;
-  e->tally.coplanar += !last && (result >> 56 & 1) != 0;
-  e->tally.out_of_range += !last && (result >> 57 & 1) != 0;
+  e->wrong += !right;
+  e->coplanar += !last && (result >> 56 & 1) != 0;
+  e->out_of_range += !last && (result >> 57 & 1) != 0;
   outstanding->seen += right && !last;
   e->ended |= last ? lane : 0;
 }
@@ -187,7 +194,7 @@ static void transfer(engine *e, const channel *first, const channel *second, con
     uint64_t now = answer == NULL ? 0 : waits & *answer->valid;
     for (uint64_t lanes = now; lanes != 0; lanes &= lanes - 1) {
       unsigned l = (unsigned)__builtin_ctzll(lanes);
-      e->tally.wrong += gates_get(e->g, answer->response->net, 2, l) != 0;
+      e->wrong += gates_get(e->g, answer->response->net, 2, l) != 0;
       if (answer->word != NULL) {
         data[l] = (uint32_t)gates_get(e->g, answer->word->net, 32, l);
       }
@@ -216,12 +223,12 @@ static void read_register(engine *e, uint64_t address, uint32_t data[LANES]) {
 
 /* The triangle that is number k of a lane's object. */
 static const sepax_tri *triangle_of(const engine *e, int object, size_t k, unsigned l) {
-  size_t count = e->scene->count[object];
-  return &e->scene->tri[object][(k + count * l / LANES) % count];
+  size_t count = e->scene.count[object];
+  return &e->scene.tri[object][(k + count * l / LANES) % count];
 }
 
 static void load(engine *e, int object) {
-  size_t count = e->scene->count[object];
+  size_t count = e->scene.count[object];
   const int *net = e->in.word->net;
   *e->in_dest = object == 1 ? ALL : 0;
   for (size_t k = 0; k < 3 * count; k++) {
@@ -255,12 +262,12 @@ static void expect(engine *e, unsigned l) {
   sepax_engine_run run;
   sepax_tri *tri[2];
   for (int object = 0; object < 2; object++) {
-    tri[object] = text_alloc(e->scene->count[object], sizeof *tri[object]);
-    for (size_t k = 0; k < e->scene->count[object]; k++) {
+    tri[object] = text_alloc(e->scene.count[object], sizeof *tri[object]);
+    for (size_t k = 0; k < e->scene.count[object]; k++) {
       tri[object][k] = *triangle_of(e, object, k, l);
     }
   }
-  if (!sepax_engine(e->design, tri[0], e->scene->count[0], tri[1], e->scene->count[1], still, &run,
+  if (!sepax_engine(e->design, tri[0], e->scene.count[0], tri[1], e->scene.count[1], still, &run,
                     &error)) {
     errx(2, "%s", error.text);
   }
@@ -286,7 +293,7 @@ static void check_loaded(engine *e) {
     uint32_t count[LANES] = {0};
     read_register(e, object == 0 ? SEPAX_COUNT_A : SEPAX_COUNT_B, count);
     for (unsigned l = 0; l < LANES; l++) {
-      e->tally.wrong += count[l] != e->scene->count[object];
+      e->wrong += count[l] != e->scene.count[object];
     }
   }
 }
@@ -312,33 +319,36 @@ static void check_counters(engine *e) {
     for (int k = 0; k < COUNTERS; k++) {
       right = right && counter[k][l] == e->lane[l].counter[k];
     }
-    e->tally.wrong += !right;
-    e->tally.pairs += counter[0][l];
-    e->tally.collisions += counter[2][l];
+    e->wrong += !right;
+    e->pairs += counter[0][l];
+    e->collisions += counter[2][l];
   }
 }
 
-engine_tally engine_run(gates *g, const sepax_design *design, const sepax_scene *scene,
-                        engine_part part, int cycles) {
+void power_engine(analysis *m) {
   enum { RESET = 2, SETTLING = 4 };
   static engine it;
   engine *e = &it;
-  *e = (engine){.g = g, .design = design, .scene = scene};
+  run_part part = m->want->idle ? PART_IDLE : m->want->loading ? PART_LOADING : PART_RUN;
+  if (m->want->mesh[0] == NULL) {
+    errx(2, "an object engine wants two meshes; give -r RESOLUTION A.stl B.stl");
+  }
+  *e = (engine){.g = &m->g, .design = &m->design, .scene = power_meshes(m)};
   find_memories(e);
   find_buses(e);
   for (unsigned l = 0; l < LANES; l++) {
     expect(e, l);
   }
-  gates_set_all(g, gates_find(g, "s_axi_wstrb", 4), 15);
+  gates_set_all(e->g, gates_find(e->g, "s_axi_wstrb", 4), 15);
   *e->write_answer.ready = *e->read_answer.ready = *e->out.ready = ALL;
   *e->rst = ALL;
   for (int k = 0; k < RESET; k++) {
-    gates_settle(g);
-    gates_rise(g, false);
+    gates_settle(e->g);
+    gates_rise(e->g, false);
   }
   *e->rst = 0;
   tick(e);
-  e->count = part == POWER_LOADING;
+  e->count = part == PART_LOADING;
   load(e, 0);
   load(e, 1);
   for (int k = 0; k < SETTLING; k++) {
@@ -346,21 +356,21 @@ engine_tally engine_run(gates *g, const sepax_design *design, const sepax_scene 
   }
   e->count = false;
   check_loaded(e);
-  if (part != POWER_LOADING) {
-    e->count = part == POWER_RUN;
+  if (part != PART_LOADING) {
+    e->count = part == PART_RUN;
     run_lanes(e);
     e->count = false;
     check_counters(e);
   }
-  e->count = part == POWER_IDLE;
-  for (int k = 0; k < cycles && e->count; k++) {
+  e->count = part == PART_IDLE;
+  for (int k = 0; k < m->want->cycles && e->count; k++) {
     tick(e);
   }
-  for (unsigned l = 0; l < LANES; l++) {
-    free(e->lane[l].result);
+  m->wrong = e->wrong;
+  if (part == PART_RUN) {
+    m->taken = m->judged = m->pairs = e->pairs;
+    m->collisions = e->collisions;
+    m->coplanar = e->coplanar;
+    m->undecided = e->out_of_range;
   }
-  for (int k = 0; k < MEMORIES; k++) {
-    free(e->memory[k].word);
-  }
-  return e->tally;
 }

@@ -8,7 +8,7 @@
  * LIBERTY  plain, the library of the netlist
  * PERIOD   of the clock in ns
  * A, B     all pairs of their triangles, quantised; each lane begins elsewhere. An object engine
- *          (--lanes) wants them: one whole run, its memories and buses played (engine.h)
+ *          (--lanes) wants them: one whole run, its memories and buses played
  * -c N     cycles counted, after those in which the pipeline fills (200)
  * -i       idle: after some pairs (an engine: after its run) nothing comes any more; then count
  * -b       an engine: count while its objects come, before the run
@@ -27,7 +27,6 @@
  * glitches. The clock has no slope and two transitions a cycle; what drives it and the inputs is
  * not counted. */
 #include "analysis.h"
-#include "engine.h"
 
 #include <err.h>
 #include <getopt.h>
@@ -41,23 +40,6 @@ sepax_scene power_meshes(const analysis *m) {
     errx(2, "%s", error.text);
   }
   return scene;
-}
-
-static void run_engine(analysis *m) {
-  if (m->want->mesh[0] == NULL) {
-    errx(2, "an object engine wants two meshes; give -r RESOLUTION A.stl B.stl");
-  }
-  sepax_scene scene = power_meshes(m);
-  engine_part part = m->want->idle ? POWER_IDLE : m->want->loading ? POWER_LOADING : POWER_RUN;
-  engine_tally tally = engine_run(&m->g, &m->design, &scene, part, m->want->cycles);
-  sepax_scene_free(&scene);
-  m->wrong = tally.wrong;
-  if (part == POWER_RUN) {
-    m->taken = m->judged = m->pairs = tally.pairs;
-    m->collisions = tally.collisions;
-    m->coplanar = tally.coplanar;
-    m->undecided = tally.out_of_range;
-  }
 }
 
 /* The number that option -c has been given, or else `other`. */
@@ -125,7 +107,7 @@ int main(int argc, char **argv) {
   library_read(&m.lib, want.liberty);
   gates_read(&m.g, &m.lib, want.netlist);
   if (want.global < 0 && m.engine) {
-    run_engine(&m);
+    power_engine(&m);
   } else if (want.global < 0) {
     power_pairs(&m);
   }
