@@ -1,9 +1,9 @@
-/* aabb.c - the AABB test before architecture exact: sepax_aabb_axis on each axis. */
+/* aabb.c - the AABB test before architecture exact: sepax_aabb_axis on each axis, and all that
+ * other files have to know of it. */
 #include "aabb.h"
 
+#include "datapath/delay.h"
 #include "emit/emit.h"
-
-#include <stdlib.h>
 
 static void gen_once(emitter *e, const char *name) {
   if (emit_find(e, name) == NULL) {
@@ -16,36 +16,58 @@ void gen_bounds(emitter *e) { gen_once(e, "sepax_bounds"); }
 
 void gen_disjoint(emitter *e) { gen_once(e, "sepax_disjoint"); }
 
-int gen_aabb_test(emitter *e) {
-  const sepax_design *design = e->design;
+void aabb_holes(emit_holes *h, const sepax_design *design) {
   const sepax_config *c = &design->config;
-  if (!design->aabb_test) {
-    return 0;
-  }
   bool extents = c->extent_a > 0;
   bool a_is_larger = c->extent_a > c->extent_b;
   int64_t smaller = a_is_larger ? c->extent_b : c->extent_a;
   int64_t margin = design->margin[1];
   int64_t modulus = INT64_C(1) << design->core_word;
-  emit_holes h = {NULL, 0};
-  emit_hole_numbers(&h,
-                    (emit_number[]){{"word", c->word},
-                                    {"extents", extents},
-                                    {"core_word", design->core_word},
-                                    {"extent_a", c->extent_a},
-                                    {"extent_b", c->extent_b},
-                                    {"origin", (smaller + margin + modulus / 2) & (modulus - 1)},
-                                    {"limits", design->limits},
-                                    {"margin", margin},
-                                    {"margin_w", c->word + 1},
-                                    {NULL, 0}});
-  emit_hole_set(&h, "stage", extents ? "_q" : "");
-  emit_hole_set(&h, "larger", a_is_larger ? "a" : "b");
-  emit_hole_set(&h, "margin_about", design->limits > 0 ? " by more than %lld LSB" : "",
+  emit_hole_numbers(h, (emit_number[]){{"aabb_test", design->aabb_test},
+                                       {"extents", extents},
+                                       {"aabb_alone", design->aabb_test && !extents},
+                                       {"extent_a", c->extent_a},
+                                       {"extent_b", c->extent_b},
+                                       {"aabb_axis", SEPAX_AXIS_AABB},
+                                       {"limit_axis", SEPAX_AXIS_EXTENT},
+                                       {"note", extents ? 2 : design->aabb_test},
+                                       {"origin", (smaller + margin + modulus / 2) & (modulus - 1)},
+                                       {"margin", margin},
+                                       {"margin_w", c->word + 1},
+                                       {NULL, 0}});
+  emit_hole_set(h, "stage", extents ? "_q" : "");
+  emit_hole_set(h, "larger", a_is_larger ? "a" : "b");
+  emit_hole_set(h, "margin_about", design->limits > 0 ? " by more than %lld LSB" : "",
                 (long long)margin);
+  emit_hole_set(h, "aabb_decided",
+                design->limits > 0 ? "with AABBs at a distance above %lld LSB are free"
+                                   : "with disjoint AABBs are separated",
+                (long long)margin);
+  emit_hole_set(h, "axis_aabb",
+                extents                                   ? ", 13 AABBs, 14 undecided"
+                : design->aabb_test || design->limits > 0 ? ", 13 AABBs"
+                                                          : "");
+  emit_hole_set(h, "unless_decided", design->aabb_test ? " && !decided_q[JUDGED-1]" : "");
+  emit_hole_set(h, "decided", extents ? "(in_disjoint || in_exceeds)" : "in_disjoint");
+  emit_hole_set(h, "note_in", extents ? "{in_disjoint, in_exceeds}" : "in_disjoint");
+  emit_hole_set(h, "exceeds_about", extents ? ", in_exceeds" : "");
+}
+
+double aabb_delay(const sepax_design *design) {
+  int word = design->config.word;
+  if (!design->aabb_test || design->config.extent_a > 0) {
+    return 0;
+  }
+  double compare = delay_adder(word) + (design->limits > 0 ? delay_adder(word + 1) : 0);
+  return delay_adder(word) + delay_mux(3) + compare + delay_used->aabb;
+}
+
+int gen_aabb_test(emitter *e, const emit_holes *h) {
+  if (!e->design->aabb_test) {
+    return 0;
+  }
   gen_bounds(e);
   gen_disjoint(e);
-  emit_template(e, "sepax_aabb_axis", h.hole);
-  emit_holes_free(&h);
-  return extents ? 2 : 1;
+  emit_template(e, "sepax_aabb_axis", h->hole);
+  return e->design->config.extent_a > 0 ? 2 : 1;
 }

@@ -9,8 +9,14 @@ void gen_bounds(emitter *e);
 /* sepax_disjoint: have two intervals no common point; once a design. */
 void gen_disjoint(emitter *e);
 
+/* What the templates of architecture exact say of the AABB test, with one and without. */
+void aabb_holes(emit_holes *h, const sepax_design *design);
+
+/* ns behind a register until a pair is in the core; 0 if there is a register between. */
+double aabb_delay(const sepax_design *design);
+
 /* sepax_aabb_axis, if the design has an AABB test before the core. Returns the cycles from a pair
  * taken by sepax_top to the narrow phase that it is offered to. */
-int gen_aabb_test(emitter *e);
+int gen_aabb_test(emitter *e, const emit_holes *h);
 
 #endif

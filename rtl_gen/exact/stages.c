@@ -1,4 +1,5 @@
 /* stages.c - registers inside the units of the exact datapath: the delay model asks where. */
+#include "aabb/aabb.h"
 #include "clearance/clearance.h"
 #include "exact.h"
 
@@ -86,11 +87,7 @@ static double shortest_stage(const exact_plan *p, double sums, double sum) {
   double row = delay_row(f[SEPAX_X_ORIENT2D].width) + delay_compressor();
   double running = (p->running ? delay_used->slot + delay_mux(2) : 0) + sum;
   double longest = fmax(fmax(row, sums), fmax(operands + fmax(orient2d, zsum), running));
-  if (d->config.early_out) {
-    int word = d->config.word;
-    double compare = delay_adder(word) + (d->limits > 0 ? delay_adder(word + 1) : 0);
-    longest = fmax(longest, delay_adder(word) + delay_mux(3) + compare + delay_used->aabb);
-  }
+  longest = fmax(longest, aabb_delay(d));
   return delay_register() + longest;
 }
 

@@ -22,7 +22,6 @@ static int entries_log2(const exact_plan *p) {
 static void set_words(emit_holes *h, const exact_plan *p) {
   const sepax_design *design = p->design;
   const sepax_config *c = &design->config;
-  bool extents = c->extent_a > 0;
   emit_hole_numbers(h, (emit_number[]){{"word", c->word},
                                        {"core_word", design->core_word},
                                        {"msb", c->word - 1},
@@ -31,14 +30,6 @@ static void set_words(emit_holes *h, const exact_plan *p) {
                                        {"limits", p->limits},
                                        {"flag", c->flag},
                                        {"passes", !p->single},
-                                       {"aabb_test", design->aabb_test},
-                                       {"extents", extents},
-                                       {"aabb_alone", design->aabb_test && !extents},
-                                       {"extent_a", c->extent_a},
-                                       {"extent_b", c->extent_b},
-                                       {"aabb_axis", SEPAX_AXIS_AABB},
-                                       {"limit_axis", SEPAX_AXIS_EXTENT},
-                                       {"note", extents ? 2 : design->aabb_test},
                                        {"registered_ready", c->registered_ready},
                                        {NULL, 0}});
   emit_hole_set(h, "collision_about",
@@ -46,14 +37,6 @@ static void set_words(emit_holes *h, const exact_plan *p) {
                               : "the triangles share a point");
   emit_hole_set(h, "axis_about", p->limits > 0 ? "proves the band" : "separates");
   emit_hole_set(h, "axis_12", p->limits > 0 ? "normal to an edge" : "in the common plane");
-  emit_hole_set(h, "axis_aabb",
-                extents                              ? ", 13 AABBs, 14 undecided"
-                : design->aabb_test || p->limits > 0 ? ", 13 AABBs"
-                                                     : "");
-  emit_hole_set(h, "aabb_decided",
-                p->limits > 0 ? "with AABBs at a distance above %lld LSB are free"
-                              : "with disjoint AABBs are separated",
-                (long long)design->margin[1]);
 }
 
 /* The II windows that a pair passes. */
@@ -71,10 +54,6 @@ static void set_control(emit_holes *h, const exact_plan *p) {
   emit_hole_set(h, "at_last_slot", shared ? "last_slot && " : "");
   emit_hole_set(h, "at_verdict_slot", shared ? " && slot_q[%d]" : "", p->verdict_cycle % c->ii);
   emit_hole_set(h, "unless_again", p->single ? "" : " && !again");
-  emit_hole_set(h, "unless_decided", p->design->aabb_test ? " && !decided_q[JUDGED-1]" : "");
-  emit_hole_set(h, "decided", c->extent_a > 0 ? "(in_disjoint || in_exceeds)" : "in_disjoint");
-  emit_hole_set(h, "note_in", c->extent_a > 0 ? "{in_disjoint, in_exceeds}" : "in_disjoint");
-  emit_hole_set(h, "exceeds_about", c->extent_a > 0 ? ", in_exceeds" : "");
 }
 
 bool gen_exact(emitter *e, int *latency) {
@@ -89,9 +68,10 @@ bool gen_exact(emitter *e, int *latency) {
     gen_exact_core(e, plan, &h);
     set_words(&h, plan);
     set_control(&h, plan);
+    aabb_holes(&h, e->design);
     emit_template(e, "sepax_reorder", h.hole);
     emit_template(e, "sepax_narrow", h.hole);
-    int added = gen_aabb_test(e);
+    int added = gen_aabb_test(e, &h);
     *latency = plan->latency + added;
     emit_hole_set(&h, "latency", "%d cycles", *latency);
     emit_hole_set(&h, "when_empty", c->ii > 1 ? ", when the core was empty" : "");
