@@ -277,11 +277,11 @@ PROPERTY(small) {
 
 PROPERTY(aabbs_overlap) {
   static const wide_vec unit[3] = {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
-  bool apart = false;
+  bool separated = false;
   for (int axis = 0; axis < 3; axis++) {
-    apart = apart || separates(unit[axis], &pair->a, &pair->b);
+    separated = separated || separates(unit[axis], &pair->a, &pair->b);
   }
-  return !apart;
+  return !separated;
 }
 
 static bool coordinate_at(const sepax_pair *pair, int32_t value) {
