@@ -83,6 +83,7 @@ static const operator_row *take_operator(reader *r, int level) {
 static int64_t fold(const char *op, int64_t a, int64_t b) {
   bool doubled = op[1] == op[0];
   bool or_equal = op[1] == '=';
+  bool shifts = b >= 0 && b < 62;
   switch (op[0]) {
   case '|':
     return doubled ? (a != 0 || b != 0) : (a | b);
@@ -95,9 +96,9 @@ static int64_t fold(const char *op, int64_t a, int64_t b) {
   case '!':
     return a != b;
   case '<':
-    return doubled ? (b < 62 ? a * (INT64_C(1) << b) : 0) : or_equal ? a <= b : a < b;
+    return doubled ? (shifts ? a * (INT64_C(1) << b) : 0) : or_equal ? a <= b : a < b;
   case '>':
-    return doubled ? (b < 62 ? a >> b : 0) : or_equal ? a >= b : a > b;
+    return doubled ? (shifts ? a >> b : 0) : or_equal ? a >= b : a > b;
   case '+':
     return a + b;
   case '-':

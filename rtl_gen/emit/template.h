@@ -31,14 +31,13 @@
  * a folder can share a list.
  *
  * What is left is checked as every module is (emit.h) and can be instantiated from then on by
- * other templates. The reader understands: parameter, localparam (with a range
- * or without), input, output [reg], wire, reg, memories reg [W-1:0] x [0:N-1], wire arrays,
- * integer, genvar; assign; always @(posedge clk), always @(*) with begin/end, if/else,
- * case/casez, for; generate if/for with labels; function with its arguments in parentheses;
- * instances with named ports and parameters; part selects [i*W +: W]; {N{x}}; $signed, $unsigned,
- * $clog2; `ifdef, where both branches are checked; behind `ifdef FORMAL also initial, assert,
- * assume, cover, $past, $stable. Ranges are [msb:lsb] with
- * lsb >= 0, of ports [msb:0].
+ * other templates. The reader understands: parameter, localparam (with a range or without), input,
+ * output [reg], wire, reg, memories reg [W-1:0] x [0:N-1], wire arrays, integer, genvar; assign;
+ * always @(posedge clk), always @(*) with begin/end, if/else, case/casez, for; generate if/for
+ * with labels; function with its arguments in parentheses; instances with named ports and
+ * parameters; part selects [i*W +: W]; {N{x}}; $signed, $unsigned, $clog2; `ifdef, where both
+ * branches are checked; behind `ifdef FORMAL also initial, assert, assume, cover, $past, $stable.
+ * Ranges are [msb:lsb] with lsb >= 0, of ports [msb:0].
  *
  * A module refuses parameters that it cannot serve by a generate block that instantiates a module
  * which does not exist and whose name is the fault:
