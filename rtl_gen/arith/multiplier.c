@@ -276,26 +276,21 @@ static void set_holes(emit_holes *h, const arith_plan *p) {
 }
 
 void gen_multiplier(emitter *e, const arith_plan *plan) {
-  enum { PRODUCTS, DELAYS, DIGITS, ADDERS, FINAL, TEXTS };
-  static const char *const name[TEXTS] = {"products", "delays", "digits", "adders", "final"};
-  emit_holes h = {NULL, 0};
-  emit_stream text[TEXTS];
+  emit_holes h = {0};
   set_holes(&h, plan);
-  for (int i = 0; i < TEXTS; i++) {
-    emit_stream_open(&text[i]);
-  }
+  FILE *out = emit_hole_open(&h, "products");
   for (int i = 1; i <= plan->latency; i++) {
-    fprintf(text[PRODUCTS].out, "  reg [%d:0] product_%d;\n", plan->p_w - 1, i);
-    if (i > 1) {
-      fprintf(text[DELAYS].out, "\n    product_%d <= product_%d;", i, i - 1);
-    }
+    fprintf(out, "  reg [%d:0] product_%d;\n", plan->p_w - 1, i);
   }
-  print_digits(text[DIGITS].out, plan);
-  print_adders(text[ADDERS].out, plan);
-  print_terms(text[FINAL].out, plan, "+", plan->final, 2, plan->p_w, plan->latency);
-  for (int i = 0; i < TEXTS; i++) {
-    emit_hole_take(&h, name[i], &text[i]);
+  out = emit_hole_open(&h, "delays");
+  for (int i = 2; i <= plan->latency; i++) {
+    fprintf(out, "\n    product_%d <= product_%d;", i, i - 1);
   }
+  print_digits(emit_hole_open(&h, "digits"), plan);
+  print_adders(emit_hole_open(&h, "adders"), plan);
+  out = emit_hole_open(&h, "final");
+  print_terms(out, plan, "+", plan->final, 2, plan->p_w, plan->latency);
+  emit_hole_close(&h);
   emit_template(e, "sepax_multiplier", h.hole);
   emit_holes_free(&h);
 }

@@ -67,22 +67,21 @@ static void gen_limit_of(emitter *e, const exact_plan *p, emit_holes *h, const c
                                        {"parts", p->stages.total},
                                        {NULL, 0}});
   for (int part = 0; part < 3; part++) {
-    emit_stream text;
-    emit_stream_open(&text);
+    FILE *out = emit_hole_open(h, name[part]);
     for (int k = p->limits - 1; k >= 0; k--) {
       int64_t d = p->design->margin[k] - 1;
-      fputs("\n      ", text.out);
+      fputs("\n      ", out);
       if (part != 1) {
-        print_multiple(text.out, t.sum, t.sum_width, 2 + d, t.bits);
+        print_multiple(out, t.sum, t.sum_width, 2 + d, t.bits);
       }
-      fputs(part == 2 && d > 0 ? "\n        + " : "", text.out);
+      fputs(part == 2 && d > 0 ? "\n        + " : "", out);
       if (part == 1 || (part == 2 && d > 0)) {
-        print_multiple(text.out, "most_q", t.most_width, d, t.bits);
+        print_multiple(out, "most_q", t.most_width, d, t.bits);
       }
-      fputs(k > 0 ? "," : "", text.out);
+      fputs(k > 0 ? "," : "", out);
     }
-    emit_hole_take(h, name[part], &text);
   }
+  emit_hole_close(h);
   emit_template(e, file, h->hole);
 }
 

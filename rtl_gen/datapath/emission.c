@@ -210,24 +210,16 @@ static void declare_outputs(const datapath *d, FILE *out) {
 }
 
 void emission_holes(const datapath *d, emit_holes *h) {
-  static const char *const name[] = {"coordinates", "outputs", "coordinate_moves", "output_moves",
-                                     "units"};
-  emit_stream text[sizeof name / sizeof name[0]];
-  for (size_t i = 0; i < sizeof name / sizeof name[0]; i++) {
-    emit_stream_open(&text[i]);
-  }
-  coordinates_declare(&d->coordinates, text[0].out);
-  declare_outputs(d, text[1].out);
-  schedule_declare(&d->schedule, text[1].out);
-  coordinates_clock(&d->coordinates, text[2].out);
-  schedule_clock(&d->schedule, text[3].out);
-  const emission e = {d, &text[4]};
+  coordinates_declare(&d->coordinates, emit_hole_open(h, "coordinates"));
+  declare_outputs(d, emit_hole_open(h, "outputs"));
+  schedule_declare(&d->schedule, h->text.out);
+  coordinates_clock(&d->coordinates, emit_hole_open(h, "coordinate_moves"));
+  schedule_clock(&d->schedule, emit_hole_open(h, "output_moves"));
+  emit_hole_open(h, "units");
   for (int kind = 0; kind < d->graph.kinds; kind++) {
-    print_units(&e, &d->graph.kind[kind]);
+    print_units(&(emission){d, &h->text}, &d->graph.kind[kind]);
   }
-  for (size_t i = 0; i < sizeof name / sizeof name[0]; i++) {
-    emit_hole_take(h, name[i], &text[i]);
-  }
+  emit_hole_close(h);
 }
 
 void emission_bus(const datapath *d, FILE *out, const char *name, const graph_value value[],

@@ -83,10 +83,6 @@ graph_value graph_add(graph *g, int kind, const int vertex[], const graph_value 
   return number;
 }
 
-graph_value graph_operand(const graph *g, graph_value v, int index) {
-  return g->node[abs(v)].operand[index];
-}
-
 const graph_kind *graph_kind_of(const graph *g, graph_value v) {
   return &g->kind[g->node[abs(v)].kind];
 }

@@ -94,9 +94,6 @@ graph_value graph_add(graph *g, int kind, const int vertex[], const graph_value 
 /* "a1" ... "b3", "x", "y", "z". */
 const char *graph_vertex_name(int vertex);
 
-/* The operand of an operation. */
-graph_value graph_operand(const graph *g, graph_value v, int index);
-
 const graph_kind *graph_kind_of(const graph *g, graph_value v);
 
 /* Width and sign of a value's declaration. */

@@ -147,7 +147,7 @@ bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
                      count == 0 ? "no such template" : "a template of several folders; say which");
 }
 
-void emit_hole_take(emit_holes *h, const char *name, emit_stream *text) {
+static void take(emit_holes *h, const char *name, emit_stream *text) {
   int i = 0;
   while (i < h->count && strcmp(h->hole[i].name, name) != 0) {
     i++;
@@ -165,6 +165,20 @@ void emit_hole_take(emit_holes *h, const char *name, emit_stream *text) {
   h->hole[i] = (emit_hole){name, all};
 }
 
+FILE *emit_hole_open(emit_holes *h, const char *name) {
+  emit_hole_close(h);
+  h->open = name;
+  emit_stream_open(&h->text);
+  return h->text.out;
+}
+
+void emit_hole_close(emit_holes *h) {
+  if (h->open != NULL) {
+    take(h, h->open, &h->text);
+    h->open = NULL;
+  }
+}
+
 void emit_hole_set(emit_holes *h, const char *name, const char *format, ...) {
   emit_stream text;
   emit_stream_open(&text);
@@ -172,7 +186,7 @@ void emit_hole_set(emit_holes *h, const char *name, const char *format, ...) {
   va_start(args, format);
   vfprintf(text.out, format, args);
   va_end(args);
-  emit_hole_take(h, name, &text);
+  take(h, name, &text);
 }
 
 void emit_hole_numbers(emit_holes *h, const emit_number *row) {
@@ -186,5 +200,5 @@ void emit_holes_free(emit_holes *h) {
     free((char *)h->hole[i].text);
   }
   free(h->hole);
-  *h = (emit_holes){NULL, 0};
+  *h = (emit_holes){0};
 }

@@ -72,6 +72,8 @@ bool emit_template(emitter *e, const char *name, const emit_hole *holes);
 typedef struct {
   emit_hole *hole;
   int count;
+  const char *open; /* the name that `text` is written for, or NULL */
+  emit_stream text;
 } emit_holes;
 void emit_hole_set(emit_holes *h, const char *name, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -81,8 +83,10 @@ typedef struct {
   int64_t number;
 } emit_number;
 void emit_hole_numbers(emit_holes *h, const emit_number *row);
-/* What was written to the stream, which this closes, but for the last newline. */
-void emit_hole_take(emit_holes *h, const char *name, emit_stream *text);
+/* A text to write, without its last newline: closed by emit_hole_close, or when the next is opened.
+ */
+FILE *emit_hole_open(emit_holes *h, const char *name);
+void emit_hole_close(emit_holes *h);
 void emit_holes_free(emit_holes *h);
 
 /* The same with the template's text itself. */

@@ -54,7 +54,7 @@ void gen_engine(emitter *e, int entries) {
       "sepax_enumerator", "sepax_comparator", "sepax_comparators", "sepax_priority",
       "sepax_fetch",      "sepax_cores",      "sepax_results",     "sepax_engine_logic",
       "engine/sepax_top"};
-  emit_holes h = {NULL, 0};
+  emit_holes h = {0};
   set_sizes(&h, e->design, entries);
   set_registers(&h, &e->design->config);
   gen_bounds(e);

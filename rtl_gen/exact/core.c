@@ -35,22 +35,20 @@ static void set_start(emit_holes *h, const char *name, const exact_plan *p, grap
 /* The buses of a module that reads ports of the same names in this cycle. */
 static void set_buses(emit_holes *h, const char *name, const exact_plan *p, const exact_bus *bus,
                       int cycle) {
-  emit_stream text;
-  emit_stream_open(&text);
+  FILE *out = emit_hole_open(h, name);
   for (; bus->port != NULL; bus++) {
-    emission_bus(&p->datapath, text.out, gen_format("all_%s", bus->port).text, bus->value, cycle);
+    emission_bus(&p->datapath, out, gen_format("all_%s", bus->port).text, bus->value, cycle);
   }
-  emit_hole_take(h, name, &text);
+  emit_hole_close(h);
 }
 
 static void set_inputs(emit_holes *h, const exact_plan *p) {
-  emit_stream text;
-  emit_stream_open(&text);
+  FILE *out = emit_hole_open(h, "inputs");
   for (int n = 0; n < 18; n++) {
-    fprintf(text.out, "  input  wire signed [%d:0] in_%s_%c, // taken at the end of an II window\n",
+    fprintf(out, "  input  wire signed [%d:0] in_%s_%c, // taken at the end of an II window\n",
             p->design->core_word - 1, graph_vertex_name(n / 3), "xyz"[n % 3]);
   }
-  emit_hole_take(h, "inputs", &text);
+  emit_hole_close(h);
 }
 
 void gen_exact_core(emitter *e, const exact_plan *p, emit_holes *h) {

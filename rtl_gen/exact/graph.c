@@ -301,7 +301,7 @@ static void make_projection(exact_plan *p) {
     }
     int b = v.k - 3;
     int third = exact_a(v.j + 1); /* of which the z sum is z_k - z_third */
-    graph_value z = graph_operand(g, e->h[v.i][v.j][v.k], 1);
+    graph_value z = g->node[e->h[v.i][v.j][v.k]].operand[1];
     bus[G_A].value[3 * v.i + b] = s;
     bus[X].value[3 * v.i + b] =
         graph_add(g, in_x, GRAPH_OF(v.i, v.k), GRAPH_NONE, e->t[0][v.i][v.k]);

@@ -63,7 +63,7 @@ bool gen_exact(emitter *e, int *latency) {
   }
   if (exact_plan_make(plan, e->design, &e->error)) {
     const sepax_config *c = &e->design->config;
-    emit_holes h = {NULL, 0};
+    emit_holes h = {0};
     gen_exact_units(e, plan, &h);
     gen_exact_core(e, plan, &h);
     set_words(&h, plan);
