@@ -37,8 +37,8 @@ void aabb_holes(emit_holes *h, const sepax_design *design) {
                                        {NULL, 0}});
   emit_hole_set(h, "stage", extents ? "_q" : "");
   emit_hole_set(h, "larger", a_is_larger ? "a" : "b");
-  emit_hole_set(h, "margin_about", design->limits > 0 ? " by more than %lld LSB" : "",
-                (long long)margin);
+  const gen_line about = gen_format(" by more than %lld LSB", (long long)margin);
+  emit_hole_set(h, "margin_about", "%s", design->limits > 0 ? about.text : "");
   emit_hole_set(h, "aabb_decided",
                 design->limits > 0 ? "with AABBs at a distance above %lld LSB are free"
                                    : "with disjoint AABBs are separated",

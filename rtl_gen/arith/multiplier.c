@@ -55,8 +55,9 @@ static const struct {
 
 /* "sum_2_0" and the like: adders of one kind, level and stage, the k-th of their columns. */
 static gen_line adder_name(const arith_adder *a, const char *what) {
-  const gen_line stage = gen_format(a->stage > 0 ? "_r%d" : "", a->stage);
-  return gen_format("%s%s%s_%d_%d", adders[a->kind].name, what, stage.text, a->level, a->copy);
+  const gen_line group = a->stage > 0 ? gen_format("_r%d_%d_%d", a->stage, a->level, a->copy)
+                                      : gen_format("_%d_%d", a->level, a->copy);
+  return gen_format("%s%s%s", adders[a->kind].name, what, group.text);
 }
 
 /* The vector and index in which a bit stands behind `stage` pipeline registers; index -1: it is a

@@ -116,7 +116,8 @@ static void gen_exceeds(emitter *e, const exact_plan *p, emit_holes *h, const ch
   emit_hole_set(h, "value", of_3d ? "v" : "g");
   emit_hole_numbers(
       h, (emit_number[]){{"zero", of_3d}, {"x_w", v_w}, {"l_w", l_w}, {"n", n}, {NULL, 0}});
-  emit_hole_set(h, "pad", n > v_w + 2 ? "%d'd0, " : "", n - v_w - 2);
+  const gen_line pad = gen_format("%d'd0, ", n - v_w - 2);
+  emit_hole_set(h, "pad", "%s", n > v_w + 2 ? pad.text : "");
   emit_template(e, "sepax_exceeds", h->hole);
 }
 

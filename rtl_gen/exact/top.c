@@ -52,7 +52,8 @@ static void set_control(emit_holes *h, const exact_plan *p) {
                                        {NULL, 0}});
   emit_hole_set(h, "window_ends", shared ? "last_slot" : "1'b1");
   emit_hole_set(h, "at_last_slot", shared ? "last_slot && " : "");
-  emit_hole_set(h, "at_verdict_slot", shared ? " && slot_q[%d]" : "", p->verdict_cycle % c->ii);
+  const gen_line slot = gen_format(" && slot_q[%d]", p->verdict_cycle % c->ii);
+  emit_hole_set(h, "at_verdict_slot", "%s", shared ? slot.text : "");
   emit_hole_set(h, "unless_again", p->single ? "" : " && !again");
 }
 

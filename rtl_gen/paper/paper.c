@@ -19,7 +19,7 @@ static const char *set_psa(emit_holes *h, const char *module) {
 bool paper_emit(emitter *e, const char *const *module) {
   const sepax_design *d = e->design;
   const sepax_config *c = &d->config;
-  emit_holes h = {NULL, 0};
+  emit_holes h = {0};
   gen_line exact[SEPAX_F_COUNT];
   for (int i = 0; i < d->formats; i++) {
     exact[i] = gen_format("%s_exact", d->format[i].name);
