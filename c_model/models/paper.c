@@ -85,7 +85,7 @@ static wide_vec edge_of(const model *m, const sepax_tri *tri, int i) {
   return edge;
 }
 
-/* Bits by which all three wide_vec can move left and still fit `bits`. */
+/* Bits by which all three components can move left and still fit `bits`. */
 static int common_headroom(const wide c[3], int bits) {
   int headroom = bits - 1;
   for (int k = 0; k < 3; k++) {

@@ -116,7 +116,7 @@ static void make_sliver(draft *d) {
   move(&d->t[1], nearly(d));
 }
 
-/* B, which is not behind the plane of wide_vec n (not zero), 1 LSB farther off. */
+/* B, which is not behind the plane of normal n (not zero), 1 LSB farther off. */
 static void move_off(draft *d, wide_vec n) {
   point by = off_plane(d, n);
   move(&d->t[1], dot(n, by) > 0 ? by : times(by, -1));

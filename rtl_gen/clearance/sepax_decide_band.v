@@ -29,7 +29,7 @@ module sepax_decide_band #(
                    AXIS_NORMAL_A = 4'd@axis_normal_a@, AXIS_NORMAL_B = 4'd@axis_normal_b@,
                    AXIS_PLANE = 4'd@axis_plane@, AXIS_AABB = 4'd@axis_aabb@;
 
-  // For each clearance: 0 ... 8 e_i x f_j, 9 N_A, 10 N_B, 11 edges, 12 boxes.
+  // For each clearance: 0 ... 8 e_i x f_j, 9 N_A, 10 N_B, 11 edges, 12 AABBs.
   wire [13*LIMITS-1:0] proved;
   wire [12:0] by;
   wire [15*F-1:0] f = {f_d, f_w, f_s};

@@ -9,8 +9,8 @@ typedef struct {
   emit_stream *text; /* all units so far */
 } emission;
 
-static const schedule_stream *stream_of(const datapath *d, const graph_kind *k, int unit) {
-  return &d->schedule.stream[k->stream[unit]];
+static const schedule_producer *producer_of(const datapath *d, const graph_kind *k, int unit) {
+  return &d->schedule.producer[k->producer[unit]];
 }
 
 /* ---------------------------------------------------------------------- operands */
@@ -84,7 +84,7 @@ static gen_line operand_of(const emission *e, const graph_kind *k, int unit, int
     }
   }
   char *selected = emit_stream_close(&cases);
-  const gen_line name = gen_format("%s_op%d", stream_of(e->d, k, unit)->name, index + 1);
+  const gen_line name = gen_format("%s_op%d", producer_of(e->d, k, unit)->name, index + 1);
   emit_net(e->text->out, graph_is_signed(&e->d->graph, operand) ? "wire signed" : "wire",
            graph_width(&e->d->graph, operand), name.text);
   fprintf(e->text->out, "  assign %s =%s\n      %s;\n", name.text, selected, source[best].text);
@@ -120,7 +120,7 @@ static int more_outputs(const emission *e, const graph_kind *of, int unit, FILE 
   for (const graph_kind *k = g->kind; k < g->kind + g->kinds; k++) {
     if (k->row.module == NULL && k->row.expression == NULL && k->count[unit] > 0 &&
         graph_kind_of(g, g->node[k->operation[0]].beside) == of) {
-      fprintf(out, ",\n    .%s(%s)", k->row.output, stream_of(e->d, k, unit)->name);
+      fprintf(out, ",\n    .%s(%s)", k->row.output, producer_of(e->d, k, unit)->name);
       count++;
     }
   }
@@ -129,7 +129,7 @@ static int more_outputs(const emission *e, const graph_kind *of, int unit, FILE 
 
 /* A comment: the operations of a unit that has several. */
 static void describe(const emission *e, const graph_kind *k, int unit) {
-  const schedule_stream *s = stream_of(e->d, k, unit);
+  const schedule_producer *s = producer_of(e->d, k, unit);
   FILE *out = e->text->out;
   int left = k->count[unit];
   fputc('\n', out);
@@ -149,7 +149,7 @@ static void describe(const emission *e, const graph_kind *k, int unit) {
 }
 
 static void print_instance(const emission *e, const graph_kind *k, int unit) {
-  const char *name = stream_of(e->d, k, unit)->name;
+  const char *name = producer_of(e->d, k, unit)->name;
   bool without = cancel(e, k, unit);
   emit_stream ports;
   emit_stream_open(&ports);
@@ -175,7 +175,7 @@ static void print_instance(const emission *e, const graph_kind *k, int unit) {
 /* The row's expression of the operand. */
 static void print_expression(const emission *e, const graph_kind *k, int unit) {
   const gen_line operand = operand_of(e, k, unit, 0);
-  fprintf(e->text->out, "  assign %s = ", stream_of(e->d, k, unit)->name);
+  fprintf(e->text->out, "  assign %s = ", producer_of(e->d, k, unit)->name);
   for (const char *c = k->row.expression; *c != '\0'; c++) {
     fprintf(e->text->out, "%.*s", *c == '@' ? EMIT_NAME : 1, *c == '@' ? operand.text : c);
   }
@@ -203,7 +203,7 @@ static void declare_outputs(const datapath *d, FILE *out) {
     for (int unit = 0; unit < k->units; unit++) {
       if (k->count[unit] > 0) {
         emit_net(out, k->row.is_signed ? "wire signed" : "wire", k->row.width,
-                 stream_of(d, k, unit)->name);
+                 producer_of(d, k, unit)->name);
       }
     }
   }

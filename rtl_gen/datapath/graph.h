@@ -55,8 +55,8 @@ typedef struct {
   int at[GRAPH_UNITS][SEPAX_II_MAX]; /* the node in each slot of each unit; 0: none */
   /* Schedule: */
   bool started;
-  int start[GRAPH_UNITS];  /* cycle of slot 0 */
-  int stream[GRAPH_UNITS]; /* of the output */
+  int start[GRAPH_UNITS];    /* cycle of slot 0 */
+  int producer[GRAPH_UNITS]; /* of the output */
 } graph_kind;
 
 typedef struct {

@@ -7,20 +7,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-int schedule_add(schedule *s, const schedule_stream *stream) {
-  if (s->streams == SCHEDULE_STREAMS) {
-    abort(); /* more streams than SCHEDULE_STREAMS */
+int schedule_add(schedule *s, const schedule_producer *producer) {
+  if (s->producers == SCHEDULE_PRODUCERS) {
+    abort(); /* more producers than SCHEDULE_PRODUCERS */
   }
-  s->stream[s->streams] = *stream;
-  return s->streams++;
+  s->producer[s->producers] = *producer;
+  return s->producers++;
 }
 
 int schedule_defined(const schedule *s, schedule_value v) {
-  return s->stream[v.stream].first + v.slot;
+  return s->producer[v.producer].first + v.slot;
 }
 
 void schedule_need(schedule *s, schedule_value v, int cycle) {
-  int *oldest = &s->stream[v.stream].age[v.slot];
+  int *oldest = &s->producer[v.producer].age[v.slot];
   int age = cycle - schedule_defined(s, v);
   if (age < 0) {
     abort(); /* read before it is defined */
@@ -29,14 +29,14 @@ void schedule_need(schedule *s, schedule_value v, int cycle) {
 }
 
 /* Holding registers of a value beyond the delay line. */
-static int holds(const schedule *s, const schedule_stream *t, int slot, int line) {
+static int holds(const schedule *s, const schedule_producer *t, int slot, int line) {
   int beyond = t->age[slot] - line;
   return beyond > 0 ? (beyond + s->ii - 1) / s->ii : 0;
 }
 
 void schedule_store(schedule *s) {
-  for (int i = 0; i < s->streams; i++) {
-    schedule_stream *t = &s->stream[i];
+  for (int i = 0; i < s->producers; i++) {
+    schedule_producer *t = &s->producer[i];
     int longest = 0;
     for (int k = 0; k < s->ii; k++) {
       longest = t->age[k] > longest ? t->age[k] : longest;
@@ -56,7 +56,7 @@ void schedule_store(schedule *s) {
 }
 
 /* Register n behind the output (0): of the delay line, then the holding registers of a slot. */
-static gen_line register_name(const schedule_stream *t, int slot, int n) {
+static gen_line register_name(const schedule_producer *t, int slot, int n) {
   int copy = n - t->line;
   if (n == 0) {
     return gen_format("%s", t->name);
@@ -68,14 +68,14 @@ static gen_line register_name(const schedule_stream *t, int slot, int n) {
 }
 
 gen_line schedule_source(const schedule *s, schedule_value v, int cycle) {
-  const schedule_stream *t = &s->stream[v.stream];
+  const schedule_producer *t = &s->producer[v.producer];
   int place = cycle - schedule_defined(s, v);
   int beyond = place - t->line;
   return register_name(t, v.slot, beyond > 0 ? t->line + (beyond + s->ii - 1) / s->ii : place);
 }
 
 void schedule_declare(const schedule *s, FILE *out) {
-  for (const schedule_stream *t = s->stream; t < s->stream + s->streams; t++) {
+  for (const schedule_producer *t = s->producer; t < s->producer + s->producers; t++) {
     const char *kind = t->is_signed ? "reg signed" : "reg";
     for (int n = 1; n <= t->line; n++) {
       emit_net(out, kind, t->width, register_name(t, 0, n).text);
@@ -88,12 +88,12 @@ void schedule_declare(const schedule *s, FILE *out) {
   }
 }
 
-static void move(FILE *out, const schedule_stream *t, int slot, int n) {
+static void move(FILE *out, const schedule_producer *t, int slot, int n) {
   fprintf(out, "%s <= %s;\n", register_name(t, slot, n).text, register_name(t, slot, n - 1).text);
 }
 
 void schedule_clock(const schedule *s, FILE *out) {
-  for (const schedule_stream *t = s->stream; t < s->stream + s->streams; t++) {
+  for (const schedule_producer *t = s->producer; t < s->producer + s->producers; t++) {
     for (int n = 1; n <= t->line; n++) {
       fputs("    ", out);
       move(out, t, 0, n);
@@ -101,7 +101,7 @@ void schedule_clock(const schedule *s, FILE *out) {
   }
   for (int phase = 0; phase < s->ii; phase++) {
     bool open = false;
-    for (const schedule_stream *t = s->stream; t < s->stream + s->streams; t++) {
+    for (const schedule_producer *t = s->producer; t < s->producer + s->producers; t++) {
       for (int k = 0; k < s->ii; k++) {
         bool now = (t->first + k + t->line) % s->ii == phase;
         for (int n = t->line + 1; now && n <= t->line + holds(s, t, k, t->line); n++) {

@@ -2,7 +2,7 @@
  * units that read them, when a unit serves II operations in turn.
  *
  * Time is counted in cycles from the one in which a pair stands in the first registers.
- * Every II cycles a new pair follows, so a unit's slot is its cycle modulo II. A stream
+ * Every II cycles a new pair follows, so a unit's slot is its cycle modulo II. A producer
  * is the output register of one unit: the value of slot k is defined there in cycle
  * first + k. A value with a later last use stays in a delay line (a shift register behind the
  * output: _q, _q2 ...) or in holding registers (loaded once an II window: _hold, _hold2 ...);
@@ -14,10 +14,10 @@
 #include "emit/emit.h"
 #include "graph.h"
 
-enum { SCHEDULE_STREAMS = 400 };
+enum { SCHEDULE_PRODUCERS = 400 };
 
 typedef struct {
-  int stream, slot;
+  int producer, slot;
 } schedule_value;
 
 typedef struct {
@@ -29,16 +29,16 @@ typedef struct {
   char label[SEPAX_II_MAX][GRAPH_LABEL]; /* what each slot brings: a1b2 */
   int age[SEPAX_II_MAX];                 /* at the last use: cycles behind the definition */
   int line;                              /* registers of the delay line */
-} schedule_stream;
+} schedule_producer;
 
 typedef struct {
   int ii;
-  schedule_stream stream[SCHEDULE_STREAMS];
-  int streams;
+  schedule_producer producer[SCHEDULE_PRODUCERS];
+  int producers;
 } schedule;
 
-/* A new stream; returns its number. */
-int schedule_add(schedule *s, const schedule_stream *stream);
+/* A new producer; returns its number. */
+int schedule_add(schedule *s, const schedule_producer *producer);
 
 /* The definition cycle of a value: it stands in its unit's output. */
 int schedule_defined(const schedule *s, schedule_value v);

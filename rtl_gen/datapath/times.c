@@ -10,7 +10,7 @@ static const graph_node *node_of(const datapath *d, graph_value v) {
 
 static schedule_value value_of(const datapath *d, graph_value v) {
   const graph_node *n = node_of(d, v);
-  return (schedule_value){d->graph.kind[n->kind].stream[n->unit], n->slot};
+  return (schedule_value){d->graph.kind[n->kind].producer[n->unit], n->slot};
 }
 
 int times_defined(const datapath *d, graph_value v) {
@@ -47,21 +47,21 @@ void times_start(datapath *d, int kind, int cycle) {
   for (int unit = 0; unit < k->units && !k->started; unit++) {
     if (k->count[unit] > 0) {
       k->start[unit] = cycle < 0 ? earliest_of(d, k, unit) : cycle;
-      schedule_stream stream = {.width = k->row.width,
+      schedule_producer made = {.width = k->row.width,
                                 .is_signed = k->row.is_signed,
                                 .first = k->start[unit] + k->latency};
-      memcpy(stream.symbol, k->symbol, sizeof stream.symbol);
+      memcpy(made.symbol, k->symbol, sizeof made.symbol);
       for (int slot = 0; slot < d->schedule.ii; slot++) {
         const char *label = d->graph.node[k->at[unit][slot]].label;
-        memcpy(stream.label[slot], label, sizeof stream.label[slot]);
+        memcpy(made.label[slot], label, sizeof made.label[slot]);
         if (k->at[unit][slot] != 0) {
-          snprintf(stream.name, sizeof stream.name, "%s_%s", k->symbol, label);
+          snprintf(made.name, sizeof made.name, "%s_%s", k->symbol, label);
         }
       }
       if (k->count[unit] > 1) {
-        snprintf(stream.name, sizeof stream.name, "%s_%d", k->symbol, unit);
+        snprintf(made.name, sizeof made.name, "%s_%d", k->symbol, unit);
       }
-      k->stream[unit] = schedule_add(&d->schedule, &stream);
+      k->producer[unit] = schedule_add(&d->schedule, &made);
     }
   }
   k->started = true;

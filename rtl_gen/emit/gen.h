@@ -12,7 +12,7 @@ bool gen_exact(emitter *e, int *latency);
 bool gen_conference(emitter *e);
 
 /* Write the design's files into a folder: one .v a module, sepax.f (the list of
- * them, top last), and, if the emitter has a design, sepax_params.h and sepax.json
+ * them, top last), and, if the emitter has a design, sepax_params.h, sepax_params.vh and sepax.json
  * (configuration, formats, latency, ports) for test benches. Each file is written aside and
  * renamed; the folder is made if missing, and removed again if the run fails. Files of a design
  * that was there before go: those named sepax_... that begin with a generated file's banner. */

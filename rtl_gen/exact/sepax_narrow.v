@@ -2,8 +2,8 @@
 // window 0 then, in window k after k more; its verdict goes to the reorder buffer, which has an
 // entry for each pair.
 //@ if passes
-// A pair that is flat in the projection on x and y goes round once more, as seen in u and z; flat
-// again, it is on a line, where the AABBs decide.
+// A pair that is flat in the projection on x and y goes round once more in that on u and z, where u
+// is x, or y where all six x are equal; flat again, it is on a line, where the AABBs decide.
 //@ end
 module sepax_narrow (
   input  wire            clk,      // clock

@@ -296,7 +296,7 @@ module sepax_tb;
     $finish;
   end
 
-  // Without a pair, or where the boxes have decided, nothing but zeros enters the core.
+  // Without a pair, or where the AABB test has decided, nothing but zeros enters the core.
   initial not_isolated = 1'b0;
 `ifdef SEPAX_ISOLATION
 `ifdef SEPAX_BOXES
