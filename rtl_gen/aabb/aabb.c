@@ -1,5 +1,5 @@
-/* aabb.c - the AABB test before architecture exact: sepax_aabb_axis on each axis, and all that
- * other files have to know of it. */
+/* aabb.c - the AABB test before architecture exact, sepax_aabb_test, and all that other files have
+ * to know of it. */
 #include "aabb.h"
 
 #include "datapath/delay.h"
@@ -25,11 +25,11 @@ void aabb_holes(emit_holes *h, const sepax_design *design) {
   int64_t modulus = INT64_C(1) << design->core_word;
   emit_hole_numbers(h, (emit_number[]){{"aabb_test", design->aabb_test},
                                        {"extents", extents},
-                                       {"aabb_alone", design->aabb_test && !extents},
                                        {"extent_a", c->extent_a},
                                        {"extent_b", c->extent_b},
                                        {"aabb_axis", SEPAX_AXIS_AABB},
                                        {"limit_axis", SEPAX_AXIS_EXTENT},
+                                       {"test_latency", extents ? 2 : 1},
                                        {"note", extents ? 2 : design->aabb_test},
                                        {"origin", (smaller + margin + modulus / 2) & (modulus - 1)},
                                        {"margin", margin},
@@ -50,6 +50,7 @@ void aabb_holes(emit_holes *h, const sepax_design *design) {
   emit_hole_set(h, "unless_decided", design->aabb_test ? " && !decided_q[JUDGED-1]" : "");
   emit_hole_set(h, "decided", extents ? "(in_disjoint || in_exceeds)" : "in_disjoint");
   emit_hole_set(h, "note_in", extents ? "{in_disjoint, in_exceeds}" : "in_disjoint");
+  emit_hole_set(h, "exceeded", extents ? "note[0]" : "1'b0");
   emit_hole_set(h, "exceeds_about", extents ? ", in_exceeds" : "");
 }
 
@@ -68,6 +69,6 @@ int gen_aabb_test(emitter *e, const emit_holes *h) {
   }
   gen_bounds(e);
   gen_disjoint(e);
-  emit_template(e, "sepax_aabb_axis", h->hole);
+  emit_template(e, "sepax_aabb_test", h->hole);
   return e->design->config.extent_a > 0 ? 2 : 1;
 }

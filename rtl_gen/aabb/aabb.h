@@ -15,7 +15,7 @@ void aabb_holes(emit_holes *h, const sepax_design *design);
 /* ns behind a register until a pair is in the core; 0 if there is a register between. */
 double aabb_delay(const sepax_design *design);
 
-/* sepax_aabb_axis, if the design has an AABB test before the core. Returns the cycles from a pair
+/* sepax_aabb_test, if the design has an AABB test before the core. Returns the cycles from a pair
  * taken by sepax_top to the narrow phase that it is offered to. */
 int gen_aabb_test(emitter *e, const emit_holes *h);
 

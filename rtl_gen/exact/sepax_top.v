@@ -1,12 +1,14 @@
 // Exact collision detection of two triangles: the verdict is the mathematical one for every
 // input. valid/ready on both sides; a pair every @every@, verdicts in order.
-//@ if extents
-// Pairs @aabb_decided@ (axis @aabb_axis@); of the others those with an
-// AABB longer than @extent_a@ (A) or @extent_b@ (B) LSB are called collisions, undecided, and
-// flagged (out_of_range, axis @limit_axis@); for the rest @core_word@ bits of @word@ are enough.
+//@ if aabb_test
+// Pairs @aabb_decided@ (axis @aabb_axis@).
+// They enter the core as zeros, which it passes on without a transition.
 //@ end
-// Pairs @aabb_decided@ at once (axis @aabb_axis@). These enter the //@ aabb_alone
-// core as zeros, which it passes on without a transition. //@ aabb_alone
+//@ if extents
+// Of the others those with an AABB longer than @extent_a@ (A) or @extent_b@ (B) LSB are called
+// collisions, undecided, and flagged (out_of_range, axis @limit_axis@); for the rest
+// @core_word@ bits of @word@ are enough.
+//@ end
 //@ if limits
 // With a clearance: free means that the distance of the real triangles, of which each coordinate is
 // within 1/2, is above that; else the band says what is not proved.
@@ -73,91 +75,35 @@ module sepax_top (
   //@ end
 
   //@ if aabb_test
-  localparam N = @core_word@; // bits of a coordinate in the core
-  reg valid_q;
-  reg valid_q2; //@ extents
-  wire [2:0] axis_disjoint;
-  wire [2:0] axis_exceeds; //@ extents
-  wire narrow_ready, narrow_collision, narrow_coplanar;
+  wire narrow_valid, narrow_ready, narrow_collision, narrow_coplanar, disjoint;
+  wire exceeds; //@ extents
+  wire [18*@core_word@-1:0] narrow_pair;
   wire [3:0] narrow_axis;
   wire [1:0] narrow_band; //@ limits
   wire [@note@-1:0] note;
   wire decided = |note;
-  wire disjoint = |axis_disjoint;
-  genvar k;
-  //@ if extents
-  wire [18*N-1:0] near; // from the local origin
-  wire enable_2 = !valid_q2 || narrow_ready;
-  wire enable_1 = !valid_q || enable_2;
-  wire narrow_valid = valid_q2;
+  wire exceeded = @exceeded@; // an AABB exceeds its extent
 
-  assign pair_ready = enable_1;
-
-  always @(posedge clk) begin
-    if (rst) begin
-      valid_q <= 1'b0;
-      valid_q2 <= 1'b0;
-    end else begin
-      if (enable_1) begin
-        valid_q <= pair_valid;
-      end
-      if (enable_2) begin
-        valid_q2 <= valid_q;
-      end
-    end
-  end
-  //@ else
-  reg [18*W-1:0] pair_q;
-  wire [18*N-1:0] near = pair_q;
-  wire narrow_valid = valid_q;
-
-  assign pair_ready = !valid_q || narrow_ready;
-
-  always @(posedge clk) begin
-    if (rst) begin
-      valid_q <= 1'b0;
-    end else if (pair_ready) begin
-      valid_q <= pair_valid;
-    end
-    if (pair_valid && pair_ready) begin
-      pair_q <= pair;
-    end
-  end
-  //@ end
-
-  generate
-    for (k = 0; k < 3; k = k + 1) begin : axis
-      sepax_aabb_axis test (
-        .clk(clk), .enable_1(enable_1), .enable_2(enable_2), //@ extents
-        .points(pair[k*6*W +: 6*W]), .near(near[k*6*N +: 6*N]), //@ extents
-        .exceeds(axis_exceeds[k]), //@ extents
-        .points(pair_q[k*6*W +: 6*W]), //@ !extents
-        .disjoint(axis_disjoint[k])
-      );
-    end
-  endgenerate
-
-  wire idle = !narrow_valid || disjoint; // what the AABB test decides enters as zeros
+  sepax_aabb_test aabb_test (
+    .clk(clk), .rst(rst), .in_valid(pair_valid), .in_ready(pair_ready), .in_pair(pair),
+    .out_valid(narrow_valid), .out_ready(narrow_ready), .out_pair(narrow_pair),
+    .out_exceeds(exceeds), //@ extents
+    .out_disjoint(disjoint)
+  );
   sepax_narrow narrow (
     .clk(clk), .rst(rst), .in_valid(narrow_valid), .in_ready(narrow_ready),
-    .in_pair(near & {(18*N){!idle}}), .in_disjoint(disjoint),
-    .in_exceeds(!disjoint && (|axis_exceeds)), //@ extents
+    .in_pair(narrow_pair), .in_disjoint(disjoint),
+    .in_exceeds(exceeds), //@ extents
     .out_valid(out_valid), .out_ready(out_ready), .out_collision(narrow_collision),
     .out_band(narrow_band), //@ limits
     .out_coplanar(narrow_coplanar), .out_note(note), .out_axis(narrow_axis)
   );
 
   assign out_coplanar = narrow_coplanar && !decided;
-  //@ if extents
-  assign out_of_range = out_valid && note[0];
-  assign out_collision = out_of_range || (narrow_collision && !decided);
-  assign out_axis = decided ? ({2'b11, note[0], note[1]} & {4{out_valid}}) : narrow_axis;
-  assign out_band = decided ? {out_of_range, 1'b0} : narrow_band; //@ limits
-  //@ else
-  assign out_collision = narrow_collision && !decided;
-  assign out_axis = decided ? (4'd@aabb_axis@ & {4{out_valid}}) : narrow_axis;
-  assign out_band = decided ? 2'd0 : narrow_band; //@ limits
-  //@ end
+  assign out_of_range = out_valid && exceeded; //@ extents
+  assign out_collision = (out_valid && exceeded) || (narrow_collision && !decided);
+  assign out_axis = decided ? ({2'b11, exceeded, !exceeded} & {4{out_valid}}) : narrow_axis;
+  assign out_band = decided ? {out_valid && exceeded, 1'b0} : narrow_band; //@ limits
   //@ else
   sepax_narrow narrow (
     .clk(clk), .rst(rst), .in_valid(pair_valid), .in_ready(pair_ready), .in_pair(pair),
