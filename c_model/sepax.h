@@ -266,6 +266,50 @@ bool sepax_ply_write(const sepax_scene *scene, const sepax_pairs *pairs, const c
 /* The pair of triangle i of A and triangle j of B. */
 sepax_pair sepax_scene_pair(const sepax_scene *scene, size_t i, size_t j);
 
+/* ------------------------------------------------------------------ bodies */
+
+/* Where a body is: its point v is at rotation v + translation. The entries of the rotation, by
+ * rows, are taken as the exact numbers that they are. */
+typedef struct {
+  double rotation[3][3];
+  double translation[3];
+} sepax_pose;
+
+/* True iff the pose is finite and its matrix is a rotation within 1e-6: no entry of R R^T differs
+ * by more from the identity, and the determinant is positive. */
+bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error);
+
+/* The verdict of sepax_exact on triangle a in pose_a and b in pose_b (NULL: as it is), v[k] vertex
+ * k: all doubles are taken as the exact numbers that they are, nothing is rounded. They are finite.
+ * Some microseconds. */
+sepax_verdict sepax_exact_posed(const double a[3][3], const sepax_pose *pose_a,
+                                const double b[3][3], const sepax_pose *pose_b);
+
+/* A mesh and its tree, as it stands in its file. It never changes; threads may share it. */
+typedef struct sepax_body sepax_body;
+
+/* Copies what it needs of the mesh. Fails on a mesh without facets, with NaN or infinity, with more
+ * than 2^31 - 1 facets, and without memory. */
+bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, sepax_error *error);
+void sepax_body_free(sepax_body *body);
+size_t sepax_body_triangles(const sepax_body *body);
+
+/* What is asked of two bodies; all zero: all colliding pairs. */
+typedef struct {
+  size_t most;   /* end after so many pairs; 0: no limit */
+  bool only_any; /* no pairs are kept: the count is 0 or 1 */
+  sepax_path path;
+} sepax_query;
+
+/* The pairs of triangles (number in A, number in B) of two bodies in their poses (NULL: as they
+ * stand) that collide; touching counts. Exact for the doubles given: each pair is decided on the
+ * posed coordinates as rational numbers. The order of the pairs depends on nothing but the bodies,
+ * the poses and the query. Poses must be valid. Fails without memory; free with
+ * sepax_pairs_free. */
+bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                          const sepax_pose *pose_b, const sepax_query *query, sepax_pairs *found,
+                          sepax_error *error);
+
 #ifdef __cplusplus
 }
 #endif

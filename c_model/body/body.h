@@ -1,0 +1,31 @@
+/* body.h - a body's tree (private). */
+#ifndef SEPAX_BODY_H
+#define SEPAX_BODY_H
+
+#include "sepax.h"
+
+/* Three vertices: v[vertex][axis]. */
+typedef double facet_points[3][3];
+
+enum { BODY_WIDE = 8 };
+#define BODY_TRIANGLE UINT32_C(0x80000000)
+
+/* Boxes of up to eight children as centre and half sides, in units of the body's scale from its
+ * centre, rounded outwards. A lane without a child has half sides that nothing meets. */
+typedef struct {
+  float centre[3][BODY_WIDE], half[3][BODY_WIDE];
+  uint32_t child[BODY_WIDE]; /* a node, or BODY_TRIANGLE + place of a triangle */
+  uint32_t children;
+} body_node;
+
+struct sepax_body {
+  size_t count;
+  double centre[3];
+  double scale;           /* a power of two; centre +- scale holds all triangles */
+  facet_points *triangle; /* in the tree's order */
+  uint32_t *number;       /* in the mesh */
+  body_node *node;        /* node[0] is the root */
+  size_t nodes;
+};
+
+#endif
