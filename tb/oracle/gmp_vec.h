@@ -49,18 +49,26 @@ typedef union {
   mpz_t all[3 * 14 + 5];
 } work;
 
-static inline void work_init(work *w, const sepax_tri *a, const sepax_tri *b) {
+static inline void work_new(work *w) {
   for (size_t i = 0; i < sizeof w->all / sizeof *w->all; i++) {
     mpz_init(w->all[i]);
   }
-  for (int i = 0; i < 6; i++) {
-    vec_set(&w->p[i], i < 3 ? &a->v[i] : &b->v[i - 3]);
-  }
+}
+
+static inline void work_normals(work *w) {
   for (int i = 0; i < 2; i++) {
     vec_sub(&w->u, &w->p[3 * i + 1], &w->p[3 * i]);
     vec_sub(&w->v, &w->p[3 * i + 2], &w->p[3 * i]);
     vec_cross(&w->n[i], &w->u, &w->v);
   }
+}
+
+static inline void work_init(work *w, const sepax_tri *a, const sepax_tri *b) {
+  work_new(w);
+  for (int i = 0; i < 6; i++) {
+    vec_set(&w->p[i], i < 3 ? &a->v[i] : &b->v[i - 3]);
+  }
+  work_normals(w);
 }
 
 static inline void work_clear(work *w) {

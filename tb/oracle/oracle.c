@@ -98,16 +98,59 @@ static bool segment_meets_triangle(work *w, const vec *p, const vec *q, const tr
   return point_in_triangle(w, &w->x, w->square, t);
 }
 
+static bool edges_meet(work *w) {
+  bool meet = false;
+  for (size_t i = 0; i < 2; i++) {
+    const triangle t = {&w->p[3 * i], &w->n[i], vec_pivot(&w->n[i])};
+    const vec *v = &w->p[3 * (1 - i)];
+    for (size_t k = 0; k < 3; k++)
+      meet = meet || segment_meets_triangle(w, &v[k], &v[(k + 1) % 3], &t);
+  }
+  return meet;
+}
+
 bool oracle_collide(const sepax_tri *a, const sepax_tri *b) {
   work w;
   work_init(&w, a, b);
-  bool meet = false;
-  for (size_t i = 0; i < 2; i++) {
-    const triangle t = {&w.p[3 * i], &w.n[i], vec_pivot(&w.n[i])};
-    const vec *v = &w.p[3 * (1 - i)];
-    for (size_t k = 0; k < 3; k++)
-      meet = meet || segment_meets_triangle(&w, &v[k], &v[(k + 1) % 3], &t);
+  bool meet = edges_meet(&w);
+  work_clear(&w);
+  return meet;
+}
+
+/* Coordinate `axis` of the posed vertex. */
+static void pose_coordinate(mpq_t r, const double v[3], const sepax_pose *pose, int axis) {
+  mpq_t p, q;
+  mpq_inits(p, q, NULL);
+  mpq_set_d(r, pose != NULL ? pose->translation[axis] : v[axis]);
+  for (int k = 0; k < 3 && pose != NULL; k++) {
+    mpq_set_d(p, pose->rotation[axis][k]);
+    mpq_set_d(q, v[k]);
+    mpq_mul(p, p, q);
+    mpq_add(r, r, p);
   }
+  mpq_clears(p, q, NULL);
+}
+
+bool oracle_collide_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                          const sepax_pose *pose_b) {
+  work w;
+  mpq_t x[18];
+  mpz_t scale; /* the largest denominator; all are powers of two */
+  work_new(&w);
+  mpz_init_set_ui(scale, 1);
+  for (int i = 0; i < 18; i++) {
+    mpq_init(x[i]);
+    pose_coordinate(x[i], i < 9 ? a[i / 3] : b[i / 3 - 3], i < 9 ? pose_a : pose_b, i % 3);
+    mpz_lcm(scale, scale, mpq_denref(x[i]));
+  }
+  for (int i = 0; i < 18; i++) {
+    mpz_mul(w.p[i / 3].c[i % 3], mpq_numref(x[i]), scale);
+    mpz_divexact(w.p[i / 3].c[i % 3], w.p[i / 3].c[i % 3], mpq_denref(x[i]));
+    mpq_clear(x[i]);
+  }
+  mpz_clear(scale);
+  work_normals(&w);
+  bool meet = edges_meet(&w);
   work_clear(&w);
   return meet;
 }

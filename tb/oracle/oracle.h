@@ -17,6 +17,10 @@ extern "C" {
  * meets the other: edge and plane are intersected, the point is located. */
 bool oracle_collide(const sepax_tri *a, const sepax_tri *b);
 
+/* The same of triangles of doubles in poses (NULL: as they are), each double the number it is. */
+bool oracle_collide_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                          const sepax_pose *pose_b);
+
 /* True iff one plane holds all six vertices. */
 bool oracle_coplanar(const sepax_tri *a, const sepax_tri *b);
 

@@ -1,0 +1,190 @@
+/* bodies.c - posed triangles and bodies against the oracle on the same doubles. */
+#include "harness.h"
+#include "oracle/oracle.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef double points[3][3];
+
+static double random_size(void) { return ldexp(random_unit(), random_below(40) - 20); }
+
+/* The rotation of quaternion w, x, y, z. */
+static sepax_pose turned(double w, double x, double y, double z) {
+  double n = 2 / (w * w + x * x + y * y + z * z);
+  return (sepax_pose){{{1 - n * (y * y + z * z), n * (x * y - w * z), n * (x * z + w * y)},
+                       {n * (x * y + w * z), 1 - n * (x * x + z * z), n * (y * z - w * x)},
+                       {n * (x * z - w * y), n * (y * z + w * x), 1 - n * (x * x + y * y)}},
+                      {0, 0, 0}};
+}
+
+/* Kinds: any rotation, a quarter turn with entries 0, 1 and -1, none. */
+static sepax_pose random_pose(double away) {
+  static const sepax_pose quarter = {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {0, 0, 0}};
+  static const sepax_pose none = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
+  int kind = random_below(3);
+  sepax_pose p = kind == 0   ? turned(random_unit(), random_unit(), random_unit(), random_unit())
+                 : kind == 1 ? quarter
+                             : none;
+  for (int i = 0; i < 3; i++) {
+    p.translation[i] = away * (kind == 0 ? random_unit() : random_below(5) - 2);
+  }
+  return p;
+}
+
+static void assert_oracle(const points a, const sepax_pose *pa, const points b,
+                          const sepax_pose *pb) {
+  bool expected = oracle_collide_posed(a, pa, b, pb);
+  sepax_verdict v = sepax_exact_posed(a, pa, b, pb);
+  if (v.collision != expected || (v.axis == SEPAX_AXIS_NONE) != expected) {
+    fail_msg("A_0 = %a %a %a, B_0 = %a %a %a: %d expected", a[0][0], a[0][1], a[0][2], b[0][0],
+             b[0][1], b[0][2], expected);
+  }
+}
+
+CASE(rotations_are_valid) {
+  for (int n = 0; n < 1000; n++) {
+    sepax_pose p = random_pose(1);
+    assert_works(sepax_pose_valid(&p, &fault));
+  }
+}
+
+CASE(invalid_poses) {
+  sepax_pose p = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
+  p.rotation[0][0] = 1 + 2e-6;
+  assert_fault(sepax_pose_valid(&p, &fault), "rotation");
+  p.rotation[0][0] = -1;
+  assert_fault(sepax_pose_valid(&p, &fault), "reflection");
+  p.rotation[0][0] = NAN;
+  assert_fault(sepax_pose_valid(&p, &fault), "finite");
+  p.rotation[0][0] = 1;
+  p.translation[2] = INFINITY;
+  assert_fault(sepax_pose_valid(&p, &fault), "finite");
+}
+
+/* Families of hard pairs as doubles, one body of them moved there and back, so that it stands
+ * nearly where it stood, or exactly. */
+CASE(families_in_poses) {
+  sepax_random random = {3};
+  for (size_t n = 0; n < 20000; n++) {
+    sepax_pair pair = mixed_pair(n, 4 + random_below(29), &random);
+    double scale = ldexp(1, random_below(60) - 30) * (random_below(2) == 0 ? 1 : 0.1);
+    points t[2];
+    for (int k = 0; k < 18; k++) {
+      const sepax_vec *v = &(k < 9 ? &pair.a : &pair.b)->v[k / 3 % 3];
+      t[k / 9][k / 3 % 3][k % 3] = scale * (k % 3 == 0 ? v->x : k % 3 == 1 ? v->y : v->z);
+    }
+    sepax_pose p = random_pose(scale);
+    sepax_pose same = p;
+    assert_oracle(t[0], NULL, t[1], NULL);
+    assert_oracle(t[0], &p, t[1], &same);
+    assert_oracle(t[0], &p, t[1], n % 2 == 0 ? NULL : &same);
+  }
+}
+
+/* Coordinates of very different sizes, down to the smallest that there are. */
+CASE(wide_exponents) {
+  for (int n = 0; n < 2000; n++) {
+    points t[2];
+    for (int k = 0; k < 18; k++) {
+      int exponent = n % 3 == 0 ? random_below(2000) - 1074 : -1074 + random_below(60);
+      double few = random_below(5) - 2;
+      t[k / 9][k / 3 % 3][k % 3] = n % 2 == 0 ? ldexp(few, exponent) : random_size() * few;
+    }
+    sepax_pose p = random_pose(random_size());
+    assert_oracle(t[0], NULL, t[1], NULL);
+    assert_oracle(t[0], NULL, t[1], &p);
+  }
+}
+
+/* ------------------------------------------------------------------------ bodies */
+
+/* Triangles of some size strewn in a cube; every tenth has no area. */
+static sepax_mesh strewn(size_t count, double size, double step) {
+  sepax_mesh mesh = {calloc(count, sizeof(sepax_facet)), count};
+  assert_non_null(mesh.facet);
+  for (size_t n = 0; n < count; n++) {
+    for (int k = 0; k < 9; k++) {
+      double *x = &mesh.facet[n].v[k / 3][k % 3];
+      *x = k < 3 ? random_unit() : mesh.facet[n].v[0][k % 3] + size * random_unit();
+      *x = step > 0 ? step * round(*x / step) : *x;
+    }
+    if (n % 10 == 0) {
+      memcpy(mesh.facet[n].v[2], mesh.facet[n].v[1], sizeof mesh.facet[n].v[1]);
+    }
+  }
+  return mesh;
+}
+
+static size_t assert_all_pairs(const sepax_mesh m[2], sepax_body *body[2], const sepax_pose *pa,
+                               const sepax_pose *pb, sepax_path path_taken) {
+  bool *hit = calloc(m[0].count * m[1].count, 1);
+  sepax_query query = {.path = path_taken};
+  sepax_pairs found;
+  size_t expected = 0;
+  assert_non_null(hit);
+  assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
+  for (size_t n = 0; n < found.count; n++) {
+    bool *one = &hit[found.pair[n][0] * m[1].count + found.pair[n][1]];
+    assert_false(*one);
+    *one = true;
+  }
+  for (size_t i = 0; i < m[0].count; i++) {
+    for (size_t j = 0; j < m[1].count; j++) {
+      bool collide = sepax_exact_posed(m[0].facet[i].v, pa, m[1].facet[j].v, pb).collision;
+      assert_int_equal(hit[i * m[1].count + j], collide);
+      expected += collide;
+    }
+  }
+  assert_int_equal(found.count, expected);
+  for (size_t most = 1; most <= 3; most++) {
+    query.most = most;
+    sepax_pairs_free(&found);
+    assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
+    assert_int_equal(found.count, expected < most ? expected : most);
+  }
+  query = (sepax_query){.only_any = true, .path = path_taken};
+  sepax_pairs_free(&found);
+  assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
+  assert_int_equal(found.count, expected > 0);
+  assert_null(found.pair);
+  free(hit);
+  return expected;
+}
+
+CASE(all_pairs_of_bodies) {
+  size_t collisions = 0;
+  for (int n = 0; n < 40; n++) {
+    double step = n % 2 == 0 ? 0.125 : 0;
+    sepax_mesh m[2] = {strewn(1 + (size_t)random_below(150), 0.6, step),
+                       strewn(1 + (size_t)random_below(150), 0.3, step)};
+    sepax_body *body[2];
+    for (int k = 0; k < 2; k++) {
+      assert_works(sepax_body_new(&body[k], &m[k], &fault));
+      assert_int_equal(sepax_body_triangles(body[k]), m[k].count);
+    }
+    sepax_pose pa = random_pose(0.25);
+    sepax_pose pb = random_pose(0.25);
+    collisions += assert_all_pairs(m, body, NULL, &pb, SEPAX_PATH_BEST);
+    collisions += assert_all_pairs(m, body, &pa, &pb, SEPAX_PATH_BEST);
+    collisions += assert_all_pairs(m, body, &pa, NULL, SEPAX_PATH_PORTABLE);
+    for (int k = 0; k < 2; k++) {
+      sepax_body_free(body[k]);
+      sepax_mesh_free(&m[k]);
+    }
+  }
+  assert_true(collisions > 1000);
+}
+
+CASE(bodies_refused) {
+  sepax_body *body;
+  sepax_mesh none = {NULL, 0};
+  assert_fault(sepax_body_new(&body, &none, &fault), "triangles");
+  sepax_mesh mesh = strewn(5, 1, 0);
+  mesh.facet[3].v[1][2] = NAN;
+  assert_fault(sepax_body_new(&body, &mesh, &fault), "facet 3");
+  mesh.facet[3].v[1][2] = 1e305;
+  assert_fault(sepax_body_new(&body, &mesh, &fault), "facet 3");
+  sepax_mesh_free(&mesh);
+}
