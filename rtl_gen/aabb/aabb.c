@@ -5,6 +5,8 @@
 #include "datapath/delay.h"
 #include "emit/emit.h"
 
+#include <math.h>
+
 static void gen_once(emitter *e, const char *name) {
   if (emit_find(e, name) == NULL) {
     const gen_line word = gen_format("%d", e->design->config.word);
@@ -56,11 +58,16 @@ void aabb_holes(emit_holes *h, const sepax_design *design) {
 
 double aabb_delay(const sepax_design *design) {
   int word = design->config.word;
-  if (!design->aabb_test || design->config.extent_a > 0) {
+  if (!design->aabb_test) {
     return 0;
   }
+  double bounds = delay_adder(word) + delay_mux(3);
+  if (design->config.extent_a > 0) {
+    double length = delay_adder(word + 1) + delay_test(word + 1);
+    return fmax(fmax(bounds, length), delay_used->aabb);
+  }
   double compare = delay_adder(word) + (design->limits > 0 ? delay_adder(word + 1) : 0);
-  return delay_adder(word) + delay_mux(3) + compare + delay_used->aabb;
+  return bounds + compare + delay_used->aabb;
 }
 
 int gen_aabb_test(emitter *e, const emit_holes *h) {

@@ -63,18 +63,22 @@ CASE(invalid_poses) {
   assert_fault(sepax_pose_valid(&p, &fault), "finite");
 }
 
-/* Families of hard pairs as doubles, one body of them moved there and back, so that it stands
- * nearly where it stood, or exactly. */
+/* A hard pair of some word length as doubles. */
+static void draw_pair(points t[2], size_t n, double scale, sepax_random *random) {
+  sepax_pair pair = mixed_pair(n, 4 + random_below(29), random);
+  for (int k = 0; k < 18; k++) {
+    const sepax_vec *v = &(k < 9 ? &pair.a : &pair.b)->v[k / 3 % 3];
+    t[k / 9][k / 3 % 3][k % 3] = scale * (k % 3 == 0 ? v->x : k % 3 == 1 ? v->y : v->z);
+  }
+}
+
+/* Both in one pose: touching pairs, rotated, are decided by their last bits. */
 CASE(families_in_poses) {
   sepax_random random = {3};
   for (size_t n = 0; n < 20000; n++) {
-    sepax_pair pair = mixed_pair(n, 4 + random_below(29), &random);
     double scale = ldexp(1, random_below(60) - 30) * (random_below(2) == 0 ? 1 : 0.1);
     points t[2];
-    for (int k = 0; k < 18; k++) {
-      const sepax_vec *v = &(k < 9 ? &pair.a : &pair.b)->v[k / 3 % 3];
-      t[k / 9][k / 3 % 3][k % 3] = scale * (k % 3 == 0 ? v->x : k % 3 == 1 ? v->y : v->z);
-    }
+    draw_pair(t, n, scale, &random);
     sepax_pose p = random_pose(scale);
     sepax_pose same = p;
     assert_oracle(t[0], NULL, t[1], NULL);
@@ -175,6 +179,29 @@ CASE(all_pairs_of_bodies) {
     }
   }
   assert_true(collisions > 1000);
+}
+
+/* Bodies of one triangle each, both in one pose: what touches is in doubt for the doubles. */
+CASE(touching_bodies) {
+  sepax_random random = {5};
+  for (size_t n = 0; n < 20000; n++) {
+    sepax_facet facet[2] = {{{{0}}, {0}}, {{{0}}, {0}}};
+    points t[2];
+    sepax_body *body[2];
+    sepax_pairs found;
+    draw_pair(t, n, 0.1, &random);
+    for (int k = 0; k < 2; k++) {
+      memcpy(facet[k].v, t[k], sizeof t[k]);
+      assert_works(sepax_body_new(&body[k], &(sepax_mesh){&facet[k], 1}, &fault));
+    }
+    sepax_pose p = random_pose(1);
+    const sepax_pose *pb = n % 2 == 0 ? &p : NULL;
+    assert_works(sepax_bodies_collide(body[0], &p, body[1], pb, NULL, &found, &fault));
+    assert_int_equal(found.count, sepax_exact_posed(t[0], &p, t[1], pb).collision);
+    sepax_pairs_free(&found);
+    sepax_body_free(body[0]);
+    sepax_body_free(body[1]);
+  }
 }
 
 CASE(bodies_refused) {
