@@ -12,7 +12,7 @@ void gen_disjoint(emitter *e);
 /* What the templates of architecture exact say of the AABB test, with one and without. */
 void aabb_holes(emit_holes *h, const sepax_design *design);
 
-/* ns behind a register until a pair is in the core; 0 if there is a register between. */
+/* ns of the longest stage of the AABB test behind its register; 0 without one. */
 double aabb_delay(const sepax_design *design);
 
 /* sepax_aabb_test, if the design has an AABB test before the core. Returns the cycles from a pair
