@@ -82,7 +82,7 @@ static uint64_t check_trees(int word, uint64_t count, int clearance) {
   sepax_config config = sepax_config_default();
   config.word = word;
   config.clearance = clearance;
-  const sepax_design design = design_of(config);
+  const sepax_design design = design_from(config);
   size_t families = family_count();
   uint64_t wrong = 0;
   size_t drawn = 0;

@@ -19,7 +19,7 @@ static sepax_design clear_design(int clearance, int warning) {
   sepax_config config = sepax_config_default();
   config.clearance = clearance;
   config.warning = warning;
-  return design_of(config);
+  return design_from(config);
 }
 
 /* Mostly about the limit itself, and up to where no pair is in doubt. */

@@ -19,7 +19,7 @@ static inline void __attribute__((noreturn)) bench_fail(const sepax_error *error
   exit(2);
 }
 
-static inline sepax_design design_of(sepax_config config) {
+static inline sepax_design design_from(sepax_config config) {
   sepax_design design;
   sepax_error error = {""};
   if (!sepax_design_init(&design, &config, &error)) {

@@ -96,7 +96,7 @@ int main(void) {
   config.arch = SEPAX_ARCH_PAPER;
   work w = {.pair = allocate(PAIRS * sizeof(sepax_pair)),
             .batch = columns_of(PAIRS),
-            .paper = design_of(config)};
+            .paper = design_from(config)};
   result usual[METHODS] = {{0, 0}};
   result least[METHODS] = {{0, 0}};
   size_t slowest[METHODS] = {0};
