@@ -1,6 +1,7 @@
 /* temporary.c - a signal's handler reads the paths, so each stands in an atomic pointer. */
 #include "temporary.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -23,6 +24,25 @@ int temporary_add(const char *path) {
   return -1;
 }
 
+static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
+enum { ENDS = sizeof ends / sizeof ends[0] };
+
+FILE *temporary_create(const char *path, int *ticket) {
+  sigset_t block;
+  sigset_t before;
+  sigemptyset(&block);
+  for (int i = 0; i < ENDS; i++) {
+    sigaddset(&block, ends[i]);
+  }
+  pthread_sigmask(SIG_BLOCK, &block, &before);
+  FILE *out = fopen(path, "wbx");
+  int reason = errno;
+  *ticket = out != NULL ? temporary_add(path) : -1;
+  pthread_sigmask(SIG_SETMASK, &before, NULL);
+  errno = reason;
+  return out;
+}
+
 void temporary_drop(int ticket) {
   if (ticket >= 0) {
     free(atomic_exchange(&under_way[ticket], NULL));
@@ -40,14 +60,13 @@ static void remove_and_end(int number) {
 }
 
 void temporary_remove_on_signals(void) {
-  static const int number[] = {SIGINT, SIGTERM, SIGHUP};
-  for (size_t i = 0; i < sizeof number / sizeof number[0]; i++) {
+  for (int i = 0; i < ENDS; i++) {
     struct sigaction was;
     struct sigaction action = {.sa_handler = remove_and_end};
     sigemptyset(&action.sa_mask);
     action.sa_flags = (int)SA_RESETHAND;
-    if (sigaction(number[i], NULL, &was) == 0 && was.sa_handler != SIG_IGN) {
-      sigaction(number[i], &action, NULL);
+    if (sigaction(ends[i], NULL, &was) == 0 && was.sa_handler != SIG_IGN) {
+      sigaction(ends[i], &action, NULL);
     }
   }
 }

@@ -2,9 +2,14 @@
 #ifndef SEPAX_TEMPORARY_H
 #define SEPAX_TEMPORARY_H
 
+#include <stdio.h>
+
 /* Remember a file that is not to outlive the program; the ticket goes to temporary_drop. -1: it
  * is not remembered, as too many are. */
 int temporary_add(const char *path);
+
+/* Create a new file and remember it, with no signal between. NULL: errno tells why. */
+FILE *temporary_create(const char *path, int *ticket);
 
 /* The file is renamed or removed. */
 void temporary_drop(int ticket);

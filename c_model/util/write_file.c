@@ -5,7 +5,6 @@
 #include "temporary.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -13,19 +12,12 @@
 
 /* Create a new file beside `path`, with the permissions of any new file; its name
  * is left in aside[size]. */
-static FILE *open_aside(char *aside, size_t size, const char *path) {
-  int file = -1;
-  for (int i = 0; file < 0 && i < 1000; i++) {
+static FILE *open_aside(char *aside, size_t size, const char *path, int *ticket) {
+  FILE *out = NULL;
+  errno = EEXIST;
+  for (int i = 0; out == NULL && errno == EEXIST && i < 1000; i++) {
     snprintf(aside, size, "%s.tmp.%ld.%d", path, (long)getpid(), i);
-    file = open(aside, O_WRONLY | O_CREAT | O_EXCL, 0666);
-    if (file < 0 && errno != EEXIST) {
-      return NULL;
-    }
-  }
-  FILE *out = file < 0 ? NULL : fdopen(file, "wb");
-  if (file >= 0 && out == NULL) {
-    close(file);
-    unlink(aside);
+    out = temporary_create(aside, ticket);
   }
   return out;
 }
@@ -54,8 +46,8 @@ bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *con
   }
   size_t size = strlen(path) + 64;
   char *aside = malloc(size);
-  FILE *out = aside == NULL ? NULL : open_aside(aside, size, path);
-  int ticket = out == NULL ? -1 : temporary_add(aside);
+  int ticket = -1;
+  FILE *out = aside == NULL ? NULL : open_aside(aside, size, path, &ticket);
   bool ok = out != NULL && finish(out, write(out, context), aside, path);
   int reason = errno;
   temporary_drop(ticket);

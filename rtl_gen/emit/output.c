@@ -75,12 +75,11 @@ static bool write_aside(output_file *file, sepax_error *error) {
   if (stat(file->path, &status) == 0 && !S_ISREG(status.st_mode)) {
     return sepax_fail(error, "%.200s: not a regular file; remove it", file->path);
   }
-  FILE *out = fopen(file->aside, "wx");
+  FILE *out = temporary_create(file->aside, &file->ticket);
   if (out == NULL) {
     return sepax_fail(error, "%.200s: %s; give a folder that can be written to", file->aside,
                       strerror(errno));
   }
-  file->ticket = temporary_add(file->aside);
   file->written = true;
   bool whole = fputs(file->text.text, out) >= 0;
   if (fclose(out) != 0 || !whole) {
