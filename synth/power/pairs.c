@@ -47,10 +47,10 @@ static void find_ports(ports *p, const analysis *m) {
 
 /* Word k of a pair on the inputs; of paper the one of `turn` three. */
 static int32_t word_of(const sepax_pair *pair, bool exact, int k, int turn) {
-  const sepax_vec *v[6] = {&pair->a.v[0], &pair->a.v[1], &pair->a.v[2],
-                           &pair->b.v[0], &pair->b.v[1], &pair->b.v[2]};
   if (exact || k < 6) {
-    return vec_component(v[exact ? k / 3 : k / 3 * 3 + turn], k % 3);
+    int vertex = exact ? k / 3 : k / 3 * 3 + turn;
+    const sepax_tri *tri = vertex < 3 ? &pair->a : &pair->b;
+    return vec_component(&tri->v[vertex % 3], k % 3);
   }
   return vec_component(k == 6 ? &pair->na : &pair->nb, turn);
 }
