@@ -1,0 +1,126 @@
+/* placement.c - two bodies in their poses: the motions between their coordinates. */
+#include "placement.h"
+
+#include <math.h>
+#include <string.h>
+
+static const int next[3] = {1, 2, 0};
+
+static const sepax_pose unmoved = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
+
+static void transpose_adjugate(const double m[3][3], double r[3][3]) {
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) {
+      int i1 = next[i];
+      int i2 = next[i1];
+      int j1 = next[j];
+      int j2 = next[j1];
+      r[j][i] = m[i1][j1] * m[i2][j2] - m[i1][j2] * m[i2][j1];
+    }
+  }
+}
+
+/* The inverse of a matrix that is nearly a rotation. */
+static void invert(const double m[3][3], double r[3][3]) {
+  transpose_adjugate(m, r);
+  double determinant = m[0][0] * r[0][0] + m[0][1] * r[1][0] + m[0][2] * r[2][0];
+  for (int k = 0; k < 9; k++) {
+    r[k / 3][k % 3] /= determinant;
+  }
+}
+
+static void multiply(const double p[3][3], const double q[3][3], double r[3][3]) {
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) {
+      r[i][j] = p[i][0] * q[0][j] + p[i][1] * q[1][j] + p[i][2] * q[2][j];
+    }
+  }
+}
+
+/* From B's tree to A's, with linear part and offset in file units.
+ *
+ * In units of A's scale all numbers of a test are sums of up to 7 terms that are below
+ * S = (1 + ratio)(2 + far + 4 ratio), each rounded to 24 bits at most 8 times: below 2^-18 S in
+ * all. The doubles before round by less than 2^-44 of the largest offset and centre. */
+static void find_motion(motion *m, const sepax_body *a, const sepax_body *b,
+                        const double linear[3][3], const double offset[3]) {
+  double ratio = b->scale / a->scale;
+  double far = 0;
+  for (int i = 0; i < 3; i++) {
+    double shift = offset[i] - a->centre[i];
+    for (int k = 0; k < 3; k++) {
+      shift += linear[i][k] * b->centre[k];
+      m->axis[k][i] = (float)(linear[i][k] * ratio);
+      m->size[k][i] = fabsf(m->axis[k][i]);
+    }
+    shift /= a->scale;
+    m->shift[i] = (float)shift;
+    far = fmax(far, fabs(shift));
+  }
+  for (int j = 0; j < 3; j++) {
+    for (int k = 0; k < 3; k++) {
+      m->gram[j][k] = fabsf(m->axis[j][0] * m->axis[k][0] + m->axis[j][1] * m->axis[k][1] +
+                            m->axis[j][2] * m->axis[k][2]);
+    }
+  }
+  double lost = 0; /* by rounding of the doubles above, in units of A's scale */
+  for (int i = 0; i < 3; i++) {
+    lost = fmax(lost, fabs(offset[i]) + fabs(a->centre[i]) + 4 * fabs(b->centre[i]));
+  }
+  m->slack = (float)(0x1p-18 * (1 + ratio) * (2 + far + 4 * ratio) +
+                     0x1p-44 * (1 + ratio) * lost / a->scale);
+}
+
+static double largest(const sepax_body *b) {
+  double most = 0;
+  for (int i = 0; i < 3; i++) {
+    most = fmax(most, fabs(b->centre[i]));
+  }
+  return most + b->scale;
+}
+
+void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                  const sepax_pose *pose_b) {
+  *p = (placement){.pose = {pose_a, pose_b}};
+  const sepax_pose *pa = pose_a != NULL ? pose_a : &unmoved;
+  const sepax_pose *pb = pose_b != NULL ? pose_b : &unmoved;
+  double inverse[3][3];
+  double back[3][3];
+  double offset[3];
+  invert(pa->rotation, inverse);
+  if (pose_a == NULL) {
+    memcpy(inverse, unmoved.rotation, sizeof inverse);
+  }
+  multiply(inverse, pb->rotation, p->linear);
+  double away = 0;
+  for (int i = 0; i < 3; i++) {
+    p->offset[i] = 0;
+    for (int k = 0; k < 3; k++) {
+      p->offset[i] += inverse[i][k] * (pb->translation[k] - pa->translation[k]);
+      away = fmax(away, fabs(pb->translation[k]) + fabs(pa->translation[k]));
+    }
+  }
+  /* Up to 32 roundings of terms that are at most 4 times the largest number. */
+  p->error = 0x1p-53 * 128 * (largest(b) + away);
+  if (pose_a == NULL && pose_b == NULL) {
+    p->error = 0;
+  }
+  invert(p->linear, back);
+  for (int i = 0; i < 3; i++) {
+    offset[i] = 0;
+    for (int k = 0; k < 3; k++) {
+      offset[i] -= back[i][k] * p->offset[k];
+    }
+  }
+  find_motion(&p->to[0], a, b, p->linear, p->offset);
+  find_motion(&p->to[1], b, a, back, offset);
+}
+
+void place_triangle_b(const placement *p, const double b[3][3], double placed[3][3]) {
+  for (int k = 0; k < 3; k++) {
+    for (int i = 0; i < 3; i++) {
+      placed[k][i] = p->linear[i][0] * b[k][0] + p->linear[i][1] * b[k][1] +
+                     p->linear[i][2] * b[k][2] + p->offset[i];
+    }
+  }
+}

@@ -1,0 +1,33 @@
+/* placement.h - two bodies in their poses (private). */
+#ifndef SEPAX_PLACEMENT_H
+#define SEPAX_PLACEMENT_H
+
+#include "body.h"
+
+/* From the coordinates of one tree to those of the other: v -> sum of axis[k] v_k + shift. */
+typedef struct {
+  float axis[3][3], size[3][3]; /* size: |axis| */
+  float gram[3][3];             /* |axis[k] . axis[j]| */
+  float shift[3];
+  float slack;
+} motion;
+
+typedef struct {
+  float centre[3], half[3];
+} box;
+
+typedef struct {
+  const sepax_pose *pose[2]; /* NULL: as the body stands in its file */
+  motion to[2];              /* to[0]: B's boxes into A's coordinates; to[1]: A's into B's */
+  double linear[3][3];       /* B's triangles into A's file coordinates */
+  double offset[3];
+  double error; /* of a coordinate of B then, at most; 0 where no pose is given */
+} placement;
+
+void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                  const sepax_pose *pose_b);
+
+/* The vertices of a triangle of B in A's file coordinates, each wrong by `error` at most. */
+void place_triangle_b(const placement *p, const double b[3][3], double placed[3][3]);
+
+#endif
