@@ -87,6 +87,7 @@ typedef enum {
 
 typedef struct {
   bool collision;
+  bool strict;     /* sepax_exact, sepax_exact_posed: a collision, and more than touching */
   bool coplanar;   /* by the architecture's own test; false if it has none */
   int axis;        /* sepax_axis: the first that separates in the order 10, 11, 1, 2, ... 9 */
   int mul_project; /* multiplications in projections, as the paper counts them */
@@ -96,10 +97,13 @@ typedef struct {
 
 /* The exact verdict from 34 products, the golden model of architecture exact: for every W up to 32,
  * for coplanar and degenerate triangles, too, without rounding and without a tolerance. coplanar is
- * true iff one plane holds all six vertices. A pair is separated iff an axis is named, and this
- * axis separates it. Axes 1 ... 9 are tried only where e_i crosses or touches B's plane and f_j A's
- * plane; an axis that was not tried may separate, too. About 0.1 us for coordinates of up to 20
- * bits. */
+ * true iff one plane holds all six vertices. strict is true iff both triangles have an area, they
+ * are not coplanar, and their interiors (without the edges) share a point: they pass through each
+ * other, and solids that they bound overlap. Coplanar triangles never collide strictly, nor do
+ * those whose common points are all on edges of one of them. A pair is separated iff an axis is
+ * named, and this axis separates it. Axes 1 ... 9 are tried only where e_i crosses or touches B's
+ * plane and f_j A's plane; an axis that was not tried may separate, too. About 0.1 us for
+ * coordinates of up to 20 bits. */
 sepax_verdict sepax_exact(const sepax_tri *a, const sepax_tri *b);
 
 /* Two more models, true iff the triangles collide. They agree with sepax_exact on every pair.
@@ -298,13 +302,16 @@ size_t sepax_body_triangles(const sepax_body *body);
 typedef struct {
   size_t most;   /* end after so many pairs; 0: no limit */
   bool only_any; /* no pairs are kept: the count is 0 or 1 */
+  bool strict;   /* only pairs that collide strictly (sepax_exact): touching does not count */
   sepax_path path;
 } sepax_query;
 
 /* The pairs of triangles (number in A, number in B) of two bodies in their poses (NULL: as they
  * stand) that collide; touching counts. Exact for the doubles given: each pair is decided on the
- * posed coordinates as rational numbers. The order of the pairs depends on nothing but the bodies,
- * the poses and the query. Poses must be valid. Fails without memory; free with
+ * posed coordinates as rational numbers. A pair that collides strictly proves that solids overlap.
+ * Solids that touch, face on face, edge on face, have none; nor have some that overlap, but nowhere
+ * cross, such as a solid and itself in one pose. The order of the pairs depends on nothing but the
+ * bodies, the poses and the query. Poses must be valid. Fails without memory; free with
  * sepax_pairs_free. */
 bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                           const sepax_pose *pose_b, const sepax_query *query, sepax_pairs *found,

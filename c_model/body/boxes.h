@@ -85,7 +85,11 @@ INLINE R NAME(load)(NAME(coordinate_posed) c[3], const double *from) {
  *
  * With u = 2^-53 and m the largest coordinate from A_0, a difference is wrong by d + u m at most, a
  * trapezoid term, which is up to 4 m^2, by 8 m d + 12 u m^2, orient2d by 24 m d + 60 u m^2, a prism
- * volume by 216 m^2 d + 864 u m^3, and orient3d, four of these, by 864 m^2 d + 5,184 u m^3. */
+ * volume by 216 m^2 d + 864 u m^3, and orient3d, four of these, by 864 m^2 d + 5,184 u m^3.
+ *
+ * A certain collision is strict: an edge passes from one side of the other triangle's plane to the
+ * other, through the inside of that triangle, so that the points of its own triangle near there are
+ * in the inside of both. */
 TARGET static uint32_t NAME(judge)(const double *from, double error, uint32_t *uncertain) {
   NAME(coordinate_posed) c[3];
   NAME(orient2d_posed) g;

@@ -232,16 +232,12 @@ static bool disjoint_aabbs(const points *p) {
   return false;
 }
 
-static sepax_verdict judged(bool coplanar, int axis) {
-  return (sepax_verdict){.collision = axis == SEPAX_AXIS_NONE, .coplanar = coplanar, .axis = axis};
-}
-
 static sepax_verdict verdict_any(const points *p) {
   trapezoids t;
   find_trapezoids(&t, p->c[0], p->c[1]);
   orient3d_signs v = find_orient3d(&t, p->c[2]);
   if (!all_zero_3d(&v)) {
-    return judged(false, axis_in_space(&v));
+    return judged_in_space(&v);
   }
   for (int pass = 0; pass < 3; pass++) {
     if (pass > 0) {
@@ -249,10 +245,10 @@ static sepax_verdict verdict_any(const points *p) {
     }
     orient2d_signs s = find_orient2d_signs(&t);
     if (!all_zero_2d(&s)) {
-      return judged(true, edge_separates(&s) ? SEPAX_AXIS_PLANE : SEPAX_AXIS_NONE);
+      return judged_in_plane(edge_separates(&s));
     }
   }
-  return judged(true, disjoint_aabbs(p) ? SEPAX_AXIS_PLANE : SEPAX_AXIS_NONE);
+  return judged_in_plane(disjoint_aabbs(p));
 }
 
 sepax_verdict sepax_exact_posed(const double a[3][3], const sepax_pose *pa, const double b[3][3],

@@ -107,9 +107,9 @@ static void judge(search *s, const uint32_t *list, int count, uint32_t j,
       s->judged++;
       if ((uncertain >> n & 1) != 0) {
         s->exact++;
-        hit = sepax_exact_posed(s->body[0]->triangle[i], s->at.pose[0], s->body[1]->triangle[j],
-                                s->at.pose[1])
-                  .collision;
+        sepax_verdict v = sepax_exact_posed(s->body[0]->triangle[i], s->at.pose[0],
+                                            s->body[1]->triangle[j], s->at.pose[1]);
+        hit = s->query->strict ? v.strict : v.collision;
       }
       if (hit) {
         record(s, i, j);

@@ -20,10 +20,6 @@ static bool aabbs_disjoint(const sepax_tri *a, const sepax_tri *b) {
   return aabb_disjoint(&p, &q, 0);
 }
 
-static sepax_verdict judged(bool coplanar, int axis) {
-  return (sepax_verdict){.collision = axis == SEPAX_AXIS_NONE, .coplanar = coplanar, .axis = axis};
-}
-
 /* Unrolled, the sums take half the time. */
 #define UNROLL _Pragma("GCC unroll 3")
 

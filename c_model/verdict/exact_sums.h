@@ -112,13 +112,13 @@ static sepax_verdict NAME(verdict)(const sepax_tri *a, const sepax_tri *b) {
   NAME(load)(c, a, b);
   orient3d_signs v = NAME(orient3d_signs)(c);
   if (!all_zero_3d(&v)) {
-    return judged(false, axis_in_space(&v));
+    return judged_in_space(&v);
   }
   for (int pass = 0; pass < 3; pass++) {
     orient2d_signs s = NAME(orient2d_signs)(&c[pass], &c[next[pass]]);
     if (!all_zero_2d(&s)) {
-      return judged(true, edge_separates(&s) ? SEPAX_AXIS_PLANE : SEPAX_AXIS_NONE);
+      return judged_in_plane(edge_separates(&s));
     }
   }
-  return judged(true, aabbs_disjoint(a, b) ? SEPAX_AXIS_PLANE : SEPAX_AXIS_NONE);
+  return judged_in_plane(aabbs_disjoint(a, b));
 }

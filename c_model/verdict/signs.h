@@ -44,6 +44,38 @@ static inline bool edges_separate(const orient3d_signs *v, int i, int j) {
          d * v->w[next[i]] >= 0;
 }
 
+static inline bool both_sides(const int sign[3]) {
+  bool above = sign[0] > 0 || sign[1] > 0 || sign[2] > 0;
+  return above && (sign[0] < 0 || sign[1] < 0 || sign[2] < 0);
+}
+
+/* edges_separate, but that the edges may meet. Of triangles on both sides of each other's planes,
+ * so that no edge is in the other's plane. */
+static inline bool edges_separate_weakly(const orient3d_signs *v, int i, int j) {
+  const int from_b = v->s[j];
+  const int to_b = v->s[next[j]];
+  const int from_a = v->w[i];
+  const int to_a = v->w[next[i]];
+  return (from_a <= 0 && to_a >= 0 && from_b <= 0 && to_b >= 0 && v->d[i][j] >= 0) ||
+         (from_a >= 0 && to_a <= 0 && from_b >= 0 && to_b <= 0 && v->d[i][j] <= 0);
+}
+
+/* The triangles have an area, are not in one plane, and their interiors share a point. Each then
+ * has vertices on both sides of the other's plane and meets the line of both planes in a segment.
+ * The segments share more than an end unless an edge of A and one of B, at facing ends, separate
+ * them or meet. */
+static inline bool strict_in_space(const orient3d_signs *v) {
+  if (!both_sides(v->s) || !both_sides(v->w)) {
+    return false;
+  }
+  for (int k = 0; k < 9; k++) {
+    if (edges_separate_weakly(v, k / 3, k % 3)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 static inline int axis_in_space(const orient3d_signs *v) {
   if (one_side(v->s)) {
     return SEPAX_AXIS_NORMAL_A;
@@ -59,6 +91,20 @@ static inline int axis_in_space(const orient3d_signs *v) {
     }
   }
   return SEPAX_AXIS_NONE;
+}
+
+/* The verdict where not all orient3d are zero. */
+static inline sepax_verdict judged_in_space(const orient3d_signs *v) {
+  int axis = axis_in_space(v);
+  bool collision = axis == SEPAX_AXIS_NONE;
+  return (sepax_verdict){
+      .collision = collision, .strict = collision && strict_in_space(v), .axis = axis};
+}
+
+static inline sepax_verdict judged_in_plane(bool separated) {
+  return (sepax_verdict){.collision = !separated,
+                         .coplanar = true,
+                         .axis = separated ? SEPAX_AXIS_PLANE : SEPAX_AXIS_NONE};
 }
 
 /* The other triangle is strictly on one side of some edge, and the third vertex of the edge's own
