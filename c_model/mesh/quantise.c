@@ -1,8 +1,9 @@
 /* quantise.c - from file units to the integer grid.
  *
- * A coordinate is compared with the borders between grid points by the sign of an
- * exact sum, so that q = round((x - offset) / resolution) holds for the numbers as
- * given: no rounding of a difference or a quotient decides. */
+ * q = round((x - offset) / resolution) holds for the numbers as given: no rounding of a difference
+ * or a quotient decides. Doubles decide where their error is too small to reach a border between
+ * grid points; elsewhere the coordinate is compared with the borders by the sign of an exact sum.
+ */
 #include "util/error.h"
 
 #include <float.h>
@@ -52,6 +53,9 @@ typedef struct {
 
 /* Is the distance at least half_steps / 2 steps of the grid? */
 static bool reaches(distance d, double half_steps, double resolution) {
+  if (d.low == 0) {
+    return fma(half_steps, resolution, -2 * d.high) <= 0;
+  }
   double product = half_steps * resolution;
   double rest = fma(half_steps, resolution, -product);
   return sign_of_sum((double[4]){2 * d.low, 2 * d.high, -rest, -product}) >= 0;
@@ -72,8 +76,8 @@ static double rounded_steps(distance d, double resolution) {
   return steps;
 }
 
-/* False if x does not fit the grid. */
-static bool quantise_coordinate(int32_t *q, double x, const sepax_grid *grid, int axis) {
+/* False if x does not fit the grid; by exact sums. */
+static bool quantise_exactly(int32_t *q, double x, const sepax_grid *grid, int axis) {
   if (!(fabs(x) <= magnitude_max)) {
     return false;
   }
@@ -172,8 +176,8 @@ static bool all_fit(const bounds *all, const sepax_grid *grid, double resolution
   bool ok = resolution > 0;
   for (int axis = 0; ok && axis < 3; axis++) {
     int32_t q;
-    ok = quantise_coordinate(&q, all->low[axis], &trial, axis) &&
-         quantise_coordinate(&q, all->high[axis], &trial, axis);
+    ok = quantise_exactly(&q, all->low[axis], &trial, axis) &&
+         quantise_exactly(&q, all->high[axis], &trial, axis);
   }
   return ok;
 }
@@ -212,14 +216,64 @@ bool sepax_grid_fit(sepax_grid *grid, const sepax_mesh *const meshes[], size_t c
 
 /* ---------------------------------------------------------------- quantise */
 
-static bool quantise_facet(sepax_tri *tri, const sepax_facet *facet, size_t number,
-                           const sepax_grid *grid, sepax_error *error) {
+/* Coordinates two at once; the ninth of a facet comes twice. */
+typedef double reals __attribute__((vector_size(16)));
+typedef int64_t lanes __attribute__((vector_size(16)));
+typedef int32_t words __attribute__((vector_size(8)));
+
+#define UNROLL _Pragma("GCC unroll 5")
+
+typedef struct {
+  const sepax_grid *grid;
+  reals offset[5], per_step, low, high; /* per_step: 1 / resolution; low, high: of the word */
+} fast_grid;
+
+/* Where steps are so long that a coordinate above magnitude_max could be some steps from the
+ * offset, all is in doubt. */
+static fast_grid fast_grid_of(const sepax_grid *grid) {
+  const double *o = grid->offset;
+  double per_step = grid->resolution <= 0x1p900 ? 1 / grid->resolution : NAN;
+  return (fast_grid){grid,
+                     {{o[0], o[1]}, {o[2], o[0]}, {o[1], o[2]}, {o[0], o[1]}, {o[2], o[2]}},
+                     (reals){0} + per_step,
+                     (reals){0} + (double)sepax_word_min(grid->word),
+                     (reals){0} + (double)sepax_word_max(grid->word)};
+}
+
+/* The coordinates of a facet by doubles. False where one is in doubt or does not fit.
+ *
+ * The difference, 1 / resolution and their product are wrong by 2^-53 each, in proportion, all
+ * three by less than 2^-51: of up to 2^31 + 1 steps by less than 2^-19. (A product that underflows
+ * is wrong by far less than that.) So a product that is nearer than 1/2 - 2^-18 to a whole number
+ * rounds to it. Adding 3 * 2^51 rounds to the nearest whole number, as the step of doubles is 1
+ * there, and leaves it in the lowest bits. An infinite or undefined product is near to nothing. */
+static inline bool quantise_fast(sepax_tri *tri, const sepax_facet *facet, const fast_grid *fast) {
+  const double shift = 0x3p51;
+  const double *v = facet->v[0];
+  const reals x[5] = {{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}, {v[6], v[7]}, {v[8], v[8]}};
+  words q[5];
+  lanes certain = {-1, -1};
+  UNROLL for (int k = 0; k < 5; k++) {
+    reals steps = (x[k] - fast->offset[k]) * fast->per_step;
+    reals sum = steps + shift;
+    reals whole = sum - shift;
+    reals rest = (reals)((lanes)(steps - whole) & INT64_MAX);
+    certain &= (rest < 0.5 - 0x1p-18) & (whole >= fast->low) & (whole <= fast->high);
+    q[k] = __builtin_convertvector((lanes)sum, words);
+  }
+  *tri = (sepax_tri){
+      {{q[0][0], q[0][1], q[1][0]}, {q[1][1], q[2][0], q[2][1]}, {q[3][0], q[3][1], q[4][0]}}};
+  return (certain[0] & certain[1]) != 0;
+}
+
+static bool quantise_facet_exactly(sepax_tri *tri, const sepax_facet *facet, size_t number,
+                                   const sepax_grid *grid, sepax_error *error) {
   for (int i = 0; i < 9; i++) {
     int axis = i % 3;
     double x = facet->v[i / 3][axis];
     sepax_vec *v = &tri->v[i / 3];
     int32_t *component[3] = {&v->x, &v->y, &v->z};
-    if (!quantise_coordinate(component[axis], x, grid, axis)) {
+    if (!quantise_exactly(component[axis], x, grid, axis)) {
       return sepax_fail(error,
                         "facet %zu, vertex %d: %c = %.9g does not fit %d bits of %.9g "
                         "from %.9g; raise resolution or word, or move the offset",
@@ -228,6 +282,12 @@ static bool quantise_facet(sepax_tri *tri, const sepax_facet *facet, size_t numb
     }
   }
   return true;
+}
+
+static inline bool quantise_facet(sepax_tri *tri, const sepax_facet *facet, size_t number,
+                                  const fast_grid *fast, sepax_error *error) {
+  return quantise_fast(tri, facet, fast) ||
+         quantise_facet_exactly(tri, facet, number, fast->grid, error);
 }
 
 static bool check_normal(const double normal[3], size_t number, sepax_error *error) {
@@ -263,16 +323,17 @@ bool sepax_quantise(const sepax_mesh *mesh, const sepax_grid *grid, sepax_tri *t
   if (!check_grid(grid, error)) {
     return false;
   }
+  const fast_grid fast = fast_grid_of(grid);
+  sepax_tri checked;
   for (size_t i = 0; i < mesh->count; i++) {
-    sepax_tri checked;
     const sepax_facet *facet = &mesh->facet[i];
-    if (!quantise_facet(&checked, facet, i + 1, grid, error) ||
+    if (!quantise_facet(&checked, facet, i + 1, &fast, error) ||
         (normal != NULL && !check_normal(facet->normal, i + 1, error))) {
       return false;
     }
   }
   for (size_t i = 0; i < mesh->count; i++) {
-    quantise_facet(&tri[i], &mesh->facet[i], i + 1, grid, error);
+    quantise_facet(&tri[i], &mesh->facet[i], i + 1, &fast, error);
     if (normal != NULL) {
       normal[i] = quantise_normal(mesh->facet[i].normal, grid->word);
     }
