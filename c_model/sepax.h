@@ -293,7 +293,7 @@ sepax_verdict sepax_exact_posed(const double a[3][3], const sepax_pose *pose_a,
 typedef struct sepax_body sepax_body;
 
 /* Copies what it needs of the mesh. Fails on a mesh without facets, with NaN or infinity, with more
- * than 2^31 - 1 facets, and without memory. */
+ * than 2^31 - 2 facets, and without memory. */
 bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, sepax_error *error);
 void sepax_body_free(sepax_body *body);
 size_t sepax_body_triangles(const sepax_body *body);

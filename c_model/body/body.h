@@ -9,6 +9,7 @@ typedef double facet_points[3][3];
 
 enum { BODY_WIDE = 8 };
 #define BODY_TRIANGLE UINT32_C(0x80000000)
+#define BODY_NONE UINT32_C(0xffffffff)
 
 /* Boxes of up to eight children as centre and half sides, in units of the body's scale from its
  * centre, rounded outwards. A lane without a child has half sides that nothing meets. */
@@ -18,6 +19,14 @@ typedef struct {
   uint32_t children;
 } body_node;
 
+/* The same children in boxes of any direction, which are tighter: child k is within
+ * centre + sum of u_i axis[i], |u_i| <= half[i]. A lane without a child has BODY_NONE. */
+typedef struct {
+  float centre[3][BODY_WIDE], half[3][BODY_WIDE];
+  float axis[3][3][BODY_WIDE]; /* axis[i][coordinate] */
+  uint32_t child[BODY_WIDE];
+} body_boxes;
+
 struct sepax_body {
   size_t count;
   double centre[3];
@@ -26,6 +35,10 @@ struct sepax_body {
   uint32_t *number;       /* in the mesh */
   body_node *node;        /* node[0] is the root */
   size_t nodes;
+  body_boxes *boxes; /* of each node; behind them the root's own box */
 };
+
+/* Fill `boxes`; false without memory. */
+bool body_fit(sepax_body *body);
 
 #endif

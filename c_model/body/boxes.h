@@ -3,6 +3,7 @@
  *
  * NAME(x), TARGET   a name of its own, the attribute of its functions
  * FLOATS, LANES     boxes, pairs of triangles at once
+ * MADD(p, q, r), ALL(x)  p q + r, which may be rounded once; the number in all lanes
  * BITS(v), REAL_BITS(v)  sign bits of int32_t, of uint64_t lanes */
 
 typedef float NAME(floats) __attribute__((vector_size(4 * FLOATS)));
@@ -18,29 +19,104 @@ typedef uint64_t NAME(lanes) __attribute__((vector_size(8 * LANES)));
 
 #define LOAD(v, from) memcpy(&(v), from, sizeof(v))
 #define SIZE(v) ((F)((M)(v)&INT32_MAX))
+#define DOT(p, q) MADD((p)[0], (q)[0], MADD((p)[1], (q)[1], (p)[2] * (q)[2]))
 
-/* Bit k: the posed box may meet child k. */
-TARGET static uint32_t NAME(overlaps)(const body_node *node, const posed_box *p) {
-  uint32_t bits = 0;
-  for (int n = 0; n < BODY_WIDE; n += FLOATS) {
-    F t[3];
-    F half[3];
-    M disjoint = {0};
-    UNROLL for (int i = 0; i < 3; i++) {
-      LOAD(t[i], node->centre[i] + n);
-      LOAD(half[i], node->half[i] + n);
-      t[i] -= p->centre[i];
-      disjoint |= SIZE(t[i]) > half[i] + p->reach[i];
-    }
-    UNROLL for (int k = 0; k < 3; k++) {
-      const float *axis = p->axis[k];
-      F along = t[0] * axis[0] + t[1] * axis[1] + t[2] * axis[2] - p->along[k];
-      F reach = half[0] * fabsf(axis[0]) + half[1] * fabsf(axis[1]) + half[2] * fabsf(axis[2]);
-      disjoint |= SIZE(along) > reach + p->own[k];
-    }
-    bits |= BITS(disjoint) << n;
+/* One box in the other body's coordinates. */
+INLINE void NAME(turn_box)(posed_box *p, const motion *m, const body_boxes *from, int lane) {
+  double at[3];
+  for (int i = 0; i < 3; i++) {
+    at[i] = m->scaled[0][i] * (double)from->centre[0][lane] +
+            m->scaled[1][i] * (double)from->centre[1][lane] +
+            m->scaled[2][i] * (double)from->centre[2][lane] + m->shifted[i];
+    p->centre[i] = (float)at[i];
+    p->rest[i] = (float)(at[i] - (double)p->centre[i]);
+    p->half[i] = m->ratio * from->half[i][lane] + m->lost;
   }
-  return ~bits & ((1U << node->children) - 1);
+  for (int k = 0; k < 3; k++) {
+    for (int i = 0; i < 3; i++) {
+      p->axis[k][i] = m->turn[0][i] * from->axis[k][0][lane] +
+                      m->turn[1][i] * from->axis[k][1][lane] +
+                      m->turn[2][i] * from->axis[k][2][lane];
+    }
+  }
+}
+
+/* The eight children of a node and one posed box: offset of the centres, and the cosines between
+ * axes i of the children and k of the box, on the axes of the children. */
+typedef struct {
+  F along[3], half[3], cosine[3][3], size[3][3];
+} NAME(facing);
+
+INLINE M NAME(face_axes_separate)(NAME(facing) * f, const body_boxes *node, int n,
+                                  const posed_box *p) {
+  F t[3];
+  M disjoint = {0};
+  UNROLL for (int i = 0; i < 3; i++) {
+    LOAD(t[i], node->centre[i] + n);
+    t[i] = p->centre[i] - t[i] + p->rest[i];
+  }
+  UNROLL for (int i = 0; i < 3; i++) {
+    F axis[3];
+    UNROLL for (int j = 0; j < 3; j++) { LOAD(axis[j], node->axis[i][j] + n); }
+    LOAD(f->half[i], node->half[i] + n);
+    f->along[i] = DOT(axis, t);
+    F reach = f->half[i];
+    UNROLL for (int k = 0; k < 3; k++) {
+      f->cosine[i][k] = MADD(axis[0], ALL(p->axis[k][0]),
+                             MADD(axis[1], ALL(p->axis[k][1]), axis[2] * p->axis[k][2]));
+      f->size[i][k] = SIZE(f->cosine[i][k]);
+      reach = MADD(f->size[i][k], ALL(p->half[k]), reach);
+    }
+    disjoint |= SIZE(f->along[i]) > reach;
+  }
+  UNROLL for (int k = 0; k < 3; k++) {
+    F at = f->along[0] * f->cosine[0][k];
+    F reach = MADD(f->half[0], f->size[0][k], ALL(p->half[k]));
+    UNROLL for (int i = 1; i < 3; i++) {
+      at = MADD(f->along[i], f->cosine[i][k], at);
+      reach = MADD(f->half[i], f->size[i][k], reach);
+    }
+    disjoint |= SIZE(at) > reach;
+  }
+  return disjoint;
+}
+
+INLINE M NAME(edge_axes_separate)(const NAME(facing) * f, const posed_box *p) {
+  F slack =
+      (f->half[0] + f->half[1] + f->half[2] + (p->half[0] + p->half[1] + p->half[2])) * BOX_SLACK;
+  M disjoint = {0};
+  UNROLL for (int i = 0; i < 3; i++) {
+    int i1 = next[i];
+    int i2 = next[i1];
+    UNROLL for (int k = 0; k < 3; k++) {
+      int k1 = next[k];
+      int k2 = next[k1];
+      F at = MADD(f->along[i2], f->cosine[i1][k], -f->along[i1] * f->cosine[i2][k]);
+      F reach = MADD(f->half[i1], f->size[i2][k], slack);
+      reach = MADD(f->half[i2], f->size[i1][k], reach);
+      reach = MADD(f->size[i][k2], ALL(p->half[k1]), reach);
+      reach = MADD(f->size[i][k1], ALL(p->half[k2]), reach);
+      disjoint |= SIZE(at) > reach;
+    }
+  }
+  return disjoint;
+}
+
+/* Bit k: child k of the node may meet the box `lane` of the other body. */
+TARGET static uint32_t NAME(overlaps)(const body_boxes *node, const motion *m,
+                                      const body_boxes *from, int lane) {
+  posed_box p;
+  uint32_t bits = 0;
+  NAME(turn_box)(&p, m, from, lane);
+  for (int n = 0; n < BODY_WIDE; n += FLOATS) {
+    NAME(facing) f;
+    M disjoint = NAME(face_axes_separate)(&f, node, n, &p);
+    if (BITS(disjoint) != (1U << FLOATS) - 1) {
+      disjoint |= NAME(edge_axes_separate)(&f, &p);
+      bits |= (~BITS(disjoint) & ((1U << FLOATS) - 1)) << n;
+    }
+  }
+  return bits;
 }
 
 /* ------------------------------------------------------- pairs of triangles */
@@ -61,15 +137,21 @@ INLINE V NAME(pierces)(R from, R to, R p, R q, R r) {
   return ((V)from ^ (V)to) & ~(((V)p ^ (V)q) | ((V)q ^ (V)r));
 }
 
-/* A_0 becomes the origin; the largest coordinate then. */
-INLINE R NAME(load)(NAME(coordinate_posed) c[3], const double *from) {
+/* B's vertices are posed, then A_0 becomes the origin; the largest coordinate then. */
+INLINE R NAME(load)(NAME(coordinate_posed) c[3], const double *from, const placement *at) {
   R most = {0};
-  UNROLL for (int i = 0; i < 3; i++) {
-    R origin;
-    LOAD(origin, from + 6 * i * LANES);
-    UNROLL for (int k = 0; k < 3; k++) {
+  UNROLL for (int k = 0; k < 3; k++) {
+    R b[3];
+    UNROLL for (int i = 0; i < 3; i++) { LOAD(b[i], from + (6 * i + 3 + k) * LANES); }
+    UNROLL for (int i = 0; i < 3; i++) {
+      const double *row = at->linear[i];
       LOAD(c[i].a[k], from + (6 * i + k) * LANES);
-      LOAD(c[i].b[k], from + (6 * i + 3 + k) * LANES);
+      c[i].b[k] = b[0] * row[0] + b[1] * row[1] + b[2] * row[2] + at->offset[i];
+    }
+  }
+  UNROLL for (int i = 0; i < 3; i++) {
+    R origin = c[i].a[0];
+    UNROLL for (int k = 0; k < 3; k++) {
       c[i].a[k] -= origin;
       c[i].b[k] -= origin;
       most = NAME(greater)(most, NAME(magnitude)(c[i].a[k]));
@@ -80,8 +162,8 @@ INLINE R NAME(load)(NAME(coordinate_posed) c[3], const double *from) {
 }
 
 /* Bits of the pairs that collide, and of those that are uncertain. from[(6 i + k) LANES + n] is
- * coordinate i of vertex k of pair n, vertices 0 ... 2 A's, 3 ... 5 B's; each of B's is wrong by up
- * to d = `error`.
+ * coordinate i of vertex k of pair n, vertices 0 ... 2 A's, 3 ... 5 B's; each of B's is posed here
+ * and wrong by up to d = at->error then.
  *
  * With u = 2^-53 and m the largest coordinate from A_0, a difference is wrong by d + u m at most, a
  * trapezoid term, which is up to 4 m^2, by 8 m d + 12 u m^2, orient2d by 24 m d + 60 u m^2, a prism
@@ -90,11 +172,11 @@ INLINE R NAME(load)(NAME(coordinate_posed) c[3], const double *from) {
  * A certain collision is strict: an edge passes from one side of the other triangle's plane to the
  * other, through the inside of that triangle, so that the points of its own triangle near there are
  * in the inside of both. */
-TARGET static uint32_t NAME(judge)(const double *from, double error, uint32_t *uncertain) {
+TARGET static uint32_t NAME(judge)(const double *from, const placement *at, uint32_t *uncertain) {
   NAME(coordinate_posed) c[3];
   NAME(orient2d_posed) g;
   NAME(orient3d_posed) v;
-  R most = NAME(load)(c, from);
+  R most = NAME(load)(c, from, at);
   NAME(find_orient2d_posed)(&g, &c[0], &c[1]);
   NAME(find_orient3d_posed)(&v, &g, &c[2]);
   R least = NAME(magnitude)(v.s[0]);
@@ -107,7 +189,7 @@ TARGET static uint32_t NAME(judge)(const double *from, double error, uint32_t *u
     least = NAME(lesser)(least, NAME(magnitude)(v.w[i]));
     UNROLL for (int j = 0; j < 3; j++) { least = NAME(lesser)(least, NAME(magnitude)(v.d[i][j])); }
   }
-  R limit = most * most * (1024 * error + 8192 * 0x1p-53 * most);
+  R limit = most * most * (1024 * at->error + 8192 * 0x1p-53 * most);
   *uncertain = ~REAL_BITS((V)(least > limit)) & ((1U << LANES) - 1);
   return REAL_BITS(hit);
 }
@@ -122,6 +204,9 @@ TARGET static uint32_t NAME(judge)(const double *from, double error, uint32_t *u
 #undef TARGET
 #undef LOAD
 #undef SIZE
+#undef DOT
+#undef MADD
+#undef ALL
 #undef BITS
 #undef REAL_BITS
 #undef FLOATS

@@ -51,9 +51,12 @@ static void find_motion(motion *m, const sepax_body *a, const sepax_body *b,
     for (int k = 0; k < 3; k++) {
       shift += linear[i][k] * b->centre[k];
       m->axis[k][i] = (float)(linear[i][k] * ratio);
+      m->scaled[k][i] = linear[i][k] * ratio;
+      m->turn[k][i] = (float)linear[i][k];
       m->size[k][i] = fabsf(m->axis[k][i]);
     }
     shift /= a->scale;
+    m->shifted[i] = shift;
     m->shift[i] = (float)shift;
     far = fmax(far, fabs(shift));
   }
@@ -69,6 +72,8 @@ static void find_motion(motion *m, const sepax_body *a, const sepax_body *b,
   }
   m->slack = (float)(0x1p-18 * (1 + ratio) * (2 + far + 4 * ratio) +
                      0x1p-44 * (1 + ratio) * lost / a->scale);
+  m->ratio = (float)ratio;
+  m->lost = (float)(0x1p-44 * ((1 + ratio) * (2 + far) + lost / a->scale));
 }
 
 static double largest(const sepax_body *b) {

@@ -10,6 +10,10 @@ typedef struct {
   float gram[3][3];             /* |axis[k] . axis[j]| */
   float shift[3];
   float slack;
+  /* The same: scaled[k] and turn[k] are what axis k becomes, in units of the other body and of
+   * length 1; lengths grow by `ratio`; `lost` is what rounding of the doubles may have moved. */
+  double scaled[3][3], shifted[3];
+  float turn[3][3], ratio, lost;
 } motion;
 
 typedef struct {

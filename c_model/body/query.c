@@ -1,10 +1,18 @@
 /* query.c - which triangles of two bodies in their poses collide.
  *
  * Both trees are descended together. A box of one body, turned into the other's coordinates, is
- * tested against the eight children of a node there: along the three axes of the node's boxes and
- * the three of the posed box. Every number of this test is rounded; `slack` covers it. Pairs of
- * triangles whose boxes may meet are posed in doubles and judged several at once; where a sign is
- * not certain, sepax_exact_posed decides on the exact coordinates. */
+ * tested against the eight children of a node there, on the three axes of each child, the three of
+ * the box, and their nine cross products. Pairs of triangles whose boxes may meet are posed in
+ * doubles and judged several at once; where a sign is not certain, sepax_exact_posed decides on the
+ * exact coordinates.
+ *
+ * Rounding of the test. With u = 2^-24 and H the sum of the six half sides, boxes that meet have
+ * centres within H of each other. Then the offset on an axis is wrong by 9 u H, a cosine by 13 u,
+ * a sum of half sides by 4 u H. A pose is a rotation within 1e-6 (sepax_pose_valid), one relative
+ * to the other, and its inverse, within 6e-6 < 101 u, by which cosines of axes of one box differ
+ * from 0 and 1. All that is below 2^-17 H on the axes of the boxes, where half sides have 2^-15 of
+ * each box's own more than they need (fit.c), and below 2^-16 H on the cross products, to which
+ * BOX_SLACK H is added. What is not a number separates nothing. */
 #include "placement.h"
 #include "util/error.h"
 #include "util/list.h"
@@ -20,12 +28,11 @@
 #endif
 
 #define UNROLL _Pragma("GCC unroll 3")
+#define BOX_SLACK 0x1p-15F
 
-/* A box, or a triangle, in the other's coordinates: half its extents along x, y, z and along three
- * axes of its own, of any length. `along` is where its middle is on them, from the centre. */
+/* A box in the other body's coordinates; its centre is centre + rest. */
 typedef struct {
-  float centre[3], reach[3];
-  float axis[3][3], along[3], own[3];
+  float centre[3], rest[3], half[3], axis[3][3];
 } posed_box;
 
 /* ------------------------------------------------------------ instruction sets */
@@ -34,6 +41,8 @@ typedef struct {
 #define TARGET
 #define FLOATS 4
 #define LANES 2
+#define MADD(p, q, r) ((p) * (q) + (r))
+#define ALL(x) (x)
 #define BITS(v) \
   ((uint32_t)(((v)[0] < 0) | ((v)[1] < 0) << 1 | ((v)[2] < 0) << 2 | ((v)[3] < 0) << 3))
 #define REAL_BITS(v) ((uint32_t)((v)[0] >> 63 | (v)[1] >> 63 << 1))
@@ -41,9 +50,11 @@ typedef struct {
 
 #if defined __x86_64__
 #define NAME(x) x##_avx2
-#define TARGET __attribute__((target("avx2")))
+#define TARGET __attribute__((target("avx2,fma")))
 #define FLOATS 8
 #define LANES 4
+#define MADD(p, q, r) ((__typeof__(r))_mm256_fmadd_ps((__m256)(p), (__m256)(q), (__m256)(r)))
+#define ALL(x) _mm256_set1_ps(x)
 #define BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
 #define REAL_BITS(v) ((uint32_t)_mm256_movemask_pd((__m256d)(v)))
 #include "boxes.h"
@@ -51,15 +62,13 @@ typedef struct {
 
 /* ------------------------------------------------------------------- the search */
 
-enum { STACK = 512 }; /* 64 levels of either tree, up to 7 children waiting on each */
+/* Each of 64 levels of both trees leaves up to seven pairs. */
+enum { STACK = 1024, BATCH = 64 };
 
-/* The children in `left` of an opened node, against one box of the other body. */
+/* Where the boxes of a pair are: BODY_WIDE * node + lane. */
 typedef struct {
-  const body_node *node;
-  uint32_t left, other; /* other: the child of the other body */
-  int open;             /* the body of the node */
-  box others;
-} opened;
+  uint32_t at[2];
+} box_pair;
 
 typedef struct {
   const sepax_body *body[2];
@@ -69,6 +78,8 @@ typedef struct {
   sepax_pairs *found;
   size_t capacity, hits;
   bool no_memory, ended;
+  uint32_t waiting[BATCH][2]; /* pairs of triangles */
+  int count, batch;           /* batch: so many are judged at once */
   size_t visits, judged, exact;
 } search;
 
@@ -83,210 +94,110 @@ static void record(search *s, uint32_t i, uint32_t j) {
   s->ended = s->no_memory || (s->query->most > 0 && s->hits == s->query->most);
 }
 
-/* A's triangles against one of B, posed. */
-static void judge(search *s, const uint32_t *list, int count, uint32_t j,
-                  const double posed[3][3]) {
+/* The pairs of triangles that wait. */
+static void judge(search *s) {
   const int lanes = s->avx2 ? 4 : 2;
   double c[72];
-  for (int first = 0; first < count && !s->ended; first += lanes) {
+  for (int first = 0; first < s->count && !s->ended; first += lanes) {
+    int used = s->count - first < lanes ? s->count - first : lanes;
     for (int n = 0; n < lanes; n++) {
-      const double(*a)[3] = s->body[0]->triangle[list[first + n < count ? first + n : first]];
+      const uint32_t *pair = s->waiting[n < used ? first + n : first];
+      const double(*a)[3] = s->body[0]->triangle[pair[0]];
+      const double(*b)[3] = s->body[1]->triangle[pair[1]];
       for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
           c[(6 * i + k) * lanes + n] = a[k][i];
-          c[(6 * i + 3 + k) * lanes + n] = posed[k][i];
+          c[(6 * i + 3 + k) * lanes + n] = b[k][i];
         }
       }
     }
     uint32_t uncertain;
-    uint32_t hits = s->avx2 ? judge_avx2(c, s->at.error, &uncertain)
-                            : judge_portable(c, s->at.error, &uncertain);
-    for (int n = 0; n < lanes && first + n < count && !s->ended; n++) {
-      uint32_t i = list[first + n];
+    uint32_t hits =
+        s->avx2 ? judge_avx2(c, &s->at, &uncertain) : judge_portable(c, &s->at, &uncertain);
+    for (int n = 0; n < used && !s->ended; n++) {
+      const uint32_t *pair = s->waiting[first + n];
       bool hit = (hits >> n & 1) != 0;
       s->judged++;
       if ((uncertain >> n & 1) != 0) {
         s->exact++;
-        sepax_verdict v = sepax_exact_posed(s->body[0]->triangle[i], s->at.pose[0],
-                                            s->body[1]->triangle[j], s->at.pose[1]);
+        sepax_verdict v = sepax_exact_posed(s->body[0]->triangle[pair[0]], s->at.pose[0],
+                                            s->body[1]->triangle[pair[1]], s->at.pose[1]);
         hit = s->query->strict ? v.strict : v.collision;
       }
       if (hit) {
-        record(s, i, j);
+        record(s, pair[0], pair[1]);
       }
     }
   }
+  s->count = 0;
 }
 
-static void pose_box(const motion *m, const box *b, posed_box *p) {
-  for (int i = 0; i < 3; i++) {
-    p->centre[i] = m->shift[i];
-    p->reach[i] = m->slack;
-    p->own[i] = m->slack;
-    p->along[i] = 0;
-  }
-  memcpy(p->axis, m->axis, sizeof p->axis);
-  for (int k = 0; k < 3; k++) {
-    for (int i = 0; i < 3; i++) {
-      p->centre[i] += m->axis[k][i] * b->centre[k];
-      p->reach[i] += m->size[k][i] * b->half[k];
-      p->own[i] += m->gram[i][k] * b->half[k];
-    }
-  }
+static uint32_t child_at(const sepax_body *b, uint32_t at) {
+  return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
 }
 
-/* Around a posed triangle: its axes are its normal, its longest edge, and what is normal to both.
- */
-static void pose_triangle(const search *s, const double posed[3][3], posed_box *p) {
-  const sepax_body *a = s->body[0];
-  float v[3][3];
-  float slack = s->at.to[0].slack;
-  for (int i = 0; i < 3; i++) {
-    for (int k = 0; k < 3; k++) {
-      v[k][i] = (float)((posed[k][i] - a->centre[i]) / a->scale);
-    }
-    float low = fminf(fminf(v[0][i], v[1][i]), v[2][i]);
-    float high = fmaxf(fmaxf(v[0][i], v[1][i]), v[2][i]);
-    p->centre[i] = 0.5F * (low + high);
-    p->reach[i] = 0.5F * (high - low) + slack;
+static float size_at(const sepax_body *b, uint32_t at) {
+  const body_boxes *boxes = &b->boxes[at / BODY_WIDE];
+  uint32_t lane = at % BODY_WIDE;
+  return boxes->half[0][lane] + boxes->half[1][lane] + boxes->half[2][lane];
+}
+
+/* The box at `at` of a body against the children of a node of the other body, `open`. */
+static uint32_t overlaps(const search *s, int open, uint32_t node, uint32_t at) {
+  const body_boxes *boxes = &s->body[open]->boxes[node];
+  const body_boxes *from = &s->body[!open]->boxes[at / BODY_WIDE];
+  int lane = (int)(at % BODY_WIDE);
+  return s->avx2 ? overlaps_avx2(boxes, &s->at.to[open], from, lane)
+                 : overlaps_portable(boxes, &s->at.to[open], from, lane);
+}
+
+/* Which body's node to open: the larger, as far as it has one. */
+static int opened(const search *s, const box_pair *p, const uint32_t child[2]) {
+  if (((child[0] | child[1]) & BODY_TRIANGLE) != 0) {
+    return (child[0] & BODY_TRIANGLE) != 0;
   }
-  float e[3][3];
-  int longest = 0;
-  float most = -1;
-  for (int k = 0; k < 3; k++) {
-    float length = 0;
-    for (int i = 0; i < 3; i++) {
-      e[k][i] = v[next[k]][i] - v[k][i];
-      length += e[k][i] * e[k][i];
-    }
-    longest = length > most ? k : longest;
-    most = length > most ? length : most;
-  }
-  const float *d = e[longest];
-  const float *f = e[next[longest]];
-  float scale = 1 / sqrtf(most + 1e-30F);
-  float n[3];
-  float size = 0;
-  for (int i = 0; i < 3; i++) {
-    n[i] = d[next[i]] * f[next[next[i]]] - d[next[next[i]]] * f[next[i]];
-    size += n[i] * n[i];
-  }
-  float unit = 1 / sqrtf(size + 1e-30F);
-  for (int i = 0; i < 3; i++) {
-    p->axis[0][i] = n[i] * unit;
-    p->axis[1][i] = d[i] * scale;
-  }
-  for (int i = 0; i < 3; i++) {
-    p->axis[2][i] = p->axis[0][next[i]] * p->axis[1][next[next[i]]] -
-                    p->axis[0][next[next[i]]] * p->axis[1][next[i]];
-  }
-  for (int k = 0; k < 3; k++) {
-    float low = 0;
-    float high = 0;
-    for (int j = 0; j < 3; j++) {
-      float at = 0;
-      for (int i = 0; i < 3; i++) {
-        at += p->axis[k][i] * (v[j][i] - p->centre[i]);
+  return size_at(s->body[1], p->at[1]) * s->at.to[0].ratio > size_at(s->body[0], p->at[0]);
+}
+
+static void visit(search *s, const box_pair *p, box_pair *stack, int *depth) {
+  uint32_t child[2] = {child_at(s->body[0], p->at[0]), child_at(s->body[1], p->at[1])};
+  int open = opened(s, p, child);
+  uint32_t node = child[open];
+  const body_boxes *boxes = &s->body[open]->boxes[node];
+  bool other_is_triangle = (child[!open] & BODY_TRIANGLE) != 0;
+  s->visits++;
+  for (uint32_t mask = overlaps(s, open, node, p->at[!open]); mask != 0;) {
+    uint32_t lane = 31 - (uint32_t)__builtin_clz(mask);
+    uint32_t below = boxes->child[lane];
+    mask ^= 1U << lane;
+    if (other_is_triangle && (below & BODY_TRIANGLE) != 0) {
+      if (below != BODY_NONE) {
+        s->waiting[s->count][open] = below - BODY_TRIANGLE;
+        s->waiting[s->count++][!open] = child[!open] - BODY_TRIANGLE;
       }
-      low = j == 0 || at < low ? at : low;
-      high = j == 0 || at > high ? at : high;
-    }
-    p->along[k] = 0.5F * (low + high);
-    p->own[k] = 0.5F * (high - low) + 2 * slack;
-  }
-}
-
-static uint32_t overlaps(const search *s, const body_node *node, const posed_box *p) {
-  return s->avx2 ? overlaps_avx2(node, p) : overlaps_portable(node, p);
-}
-
-static float size_of(const box *b) { return b->half[0] + b->half[1] + b->half[2]; }
-
-/* All triangles of A below a node against one of B. */
-static void judge_below(search *s, uint32_t root, uint32_t j) {
-  double posed[3][3];
-  posed_box p;
-  uint32_t list[64];
-  uint32_t stack[STACK] = {root};
-  int count = 0;
-  int depth = 1;
-  place_triangle_b(&s->at, s->body[1]->triangle[j], posed);
-  pose_triangle(s, posed, &p);
-  while (depth > 0 && !s->ended) {
-    const body_node *node = &s->body[0]->node[stack[--depth]];
-    s->visits++;
-    for (uint32_t mask = overlaps(s, node, &p); mask != 0; mask &= mask - 1) {
-      uint32_t child = node->child[__builtin_ctz(mask)];
-      if ((child & BODY_TRIANGLE) != 0) {
-        list[count++] = child - BODY_TRIANGLE;
-      } else {
-        stack[depth++] = child;
-      }
-    }
-    if (count > 64 - BODY_WIDE || depth == 0) {
-      judge(s, list, count, j, posed);
-      count = 0;
+    } else if (below != BODY_NONE) {
+      stack[*depth].at[open] = BODY_WIDE * node + lane;
+      stack[(*depth)++].at[!open] = p->at[!open];
     }
   }
 }
 
 static void descend(search *s) {
-  opened *stack = malloc(STACK * sizeof *stack);
-  if (stack == NULL) {
-    s->no_memory = true;
-    return;
+  box_pair stack[STACK];
+  int depth = 1;
+  for (int k = 0; k < 2; k++) {
+    stack[0].at[k] = BODY_WIDE * (uint32_t)s->body[k]->nodes;
   }
-  float ratio = (float)(s->body[1]->scale / s->body[0]->scale);
-  const box all = {{0}, {1, 1, 1}};
-  posed_box posed;
-  int depth = 0;
-  stack[0] = (opened){s->body[0]->node, 0, 0, 0, all};
-  pose_box(&s->at.to[0], &all, &posed);
-  stack[0].left = overlaps(s, stack[0].node, &posed);
-  while (depth >= 0 && !s->ended) {
-    opened *at = &stack[depth];
-    if (at->left == 0) {
-      depth--;
-      continue;
+  while (depth > 0 && !s->ended) {
+    box_pair p = stack[--depth];
+    visit(s, &p, stack, &depth);
+    if (s->count >= s->batch || s->count > BATCH - BODY_WIDE) {
+      judge(s);
     }
-    int lane = __builtin_ctz(at->left);
-    at->left &= at->left - 1;
-    box own;
-    for (int i = 0; i < 3; i++) {
-      own.centre[i] = at->node->centre[i][lane];
-      own.half[i] = at->node->half[i][lane];
-    }
-    uint32_t child[2];
-    const box *boxes[2];
-    child[at->open] = at->node->child[lane];
-    child[!at->open] = at->other;
-    boxes[at->open] = &own;
-    boxes[!at->open] = &at->others;
-    if ((child[1] & BODY_TRIANGLE) != 0) {
-      uint32_t j = child[1] - BODY_TRIANGLE;
-      if ((child[0] & BODY_TRIANGLE) == 0) {
-        judge_below(s, child[0], j);
-      } else {
-        double vertices[3][3];
-        uint32_t i = child[0] - BODY_TRIANGLE;
-        place_triangle_b(&s->at, s->body[1]->triangle[j], vertices);
-        judge(s, &i, 1, j, vertices);
-      }
-      continue;
-    }
-    bool bottom = (child[0] & BODY_TRIANGLE) != 0 ||
-                  (s->body[0]->node[child[0]].child[0] & BODY_TRIANGLE) != 0;
-    int open = bottom || size_of(boxes[1]) * ratio > size_of(boxes[0]);
-    opened *to = &stack[++depth];
-    to->open = open;
-    to->node = &s->body[open]->node[child[open]];
-    to->other = child[!open];
-    to->others = *boxes[!open];
-    pose_box(&s->at.to[open], &to->others, &posed);
-    to->left = overlaps(s, to->node, &posed);
-    s->visits++;
   }
-  free(stack);
+  if (!s->ended) {
+    judge(s);
+  }
 }
 
 bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
@@ -297,9 +208,11 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
   s.query = query != NULL ? query : &usual;
   *found = (sepax_pairs){0};
 #if defined __x86_64__
-  s.avx2 = s.query->path != SEPAX_PATH_PORTABLE && __builtin_cpu_supports("avx2");
+  s.avx2 = s.query->path != SEPAX_PATH_PORTABLE && __builtin_cpu_supports("avx2") &&
+           __builtin_cpu_supports("fma");
 #endif
   place_bodies(&s.at, a, pose_a, b, pose_b);
+  s.batch = s.query->only_any || s.query->most > 0 ? 4 : BATCH;
   descend(&s);
   if (s.query->only_any) {
     found->count = s.hits;

@@ -308,7 +308,7 @@ static bool build(builder *b, sepax_error *error) {
     }
     range whole = {0, count, bounds_of(b->entry, 0, count)};
     uint32_t root;
-    ok = build_node(b, &whole, 0, &root);
+    ok = build_node(b, &whole, 0, &root) && body_fit(body);
   }
   free(b->entry);
   return ok || sepax_fail(error, "no memory for a body of %zu triangles", count);
@@ -316,8 +316,8 @@ static bool build(builder *b, sepax_error *error) {
 
 bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, sepax_error *error) {
   *body = NULL;
-  if (mesh->count == 0 || mesh->count > INT32_MAX) {
-    return sepax_fail(error, "a body has 1 ... 2^31 - 1 triangles, not %zu", mesh->count);
+  if (mesh->count == 0 || mesh->count >= INT32_MAX) {
+    return sepax_fail(error, "a body has 1 ... 2^31 - 2 triangles, not %zu", mesh->count);
   }
   sepax_body *made = calloc(1, sizeof *made);
   builder b = {.body = made, .mesh = mesh};
@@ -337,6 +337,7 @@ void sepax_body_free(sepax_body *body) {
     free(body->triangle);
     free(body->number);
     free(body->node);
+    free(body->boxes);
     free(body);
   }
 }

@@ -1,0 +1,307 @@
+/* fit.c - the oriented boxes of a tree.
+ *
+ * A box of one triangle stands on its plane and its longest edge. A box of more stands on the
+ * principal axes of their surface, or on x, y, z, where that encloses less. */
+#include "body.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const int next[3] = {1, 2, 0};
+
+#define FAR 1e30F /* where nothing is */
+
+typedef double axes[3][3]; /* [axis][coordinate], right angles, length 1 */
+
+static const axes upright = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+/* ------------------------------------------------------------------------ vectors */
+
+static double dot(const double p[3], const double q[3]) {
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
+
+static void cross(const double p[3], const double q[3], double r[3]) {
+  for (int i = 0; i < 3; i++) {
+    r[i] = p[next[i]] * q[next[next[i]]] - p[next[next[i]]] * q[next[i]];
+  }
+}
+
+/* False where the vector is too short to have a direction. */
+static bool normalise(double v[3]) {
+  double length = sqrt(dot(v, v));
+  if (!(length > 1e-100)) {
+    return false;
+  }
+  for (int i = 0; i < 3; i++) {
+    v[i] /= length;
+  }
+  return true;
+}
+
+/* --------------------------------------------------------------------- directions */
+
+/* A triangle in units of the body. */
+static void local_triangle(const sepax_body *b, uint32_t place, double v[3][3]) {
+  for (int k = 0; k < 9; k++) {
+    v[k / 3][k % 3] = (b->triangle[place][k / 3][k % 3] - b->centre[k % 3]) / b->scale;
+  }
+}
+
+/* Any two axes at right angles to the first. */
+static void complete(axes a) {
+  int least = 0;
+  for (int i = 1; i < 3; i++) {
+    least = fabs(a[0][i]) < fabs(a[0][least]) ? i : least;
+  }
+  cross(upright[least], a[0], a[1]);
+  normalise(a[1]);
+  cross(a[0], a[1], a[2]);
+}
+
+static void axes_of_triangle(const double v[3][3], axes a) {
+  double edge[3][3];
+  double most = -1;
+  int longest = 0;
+  for (int k = 0; k < 3; k++) {
+    for (int i = 0; i < 3; i++) {
+      edge[k][i] = v[next[k]][i] - v[k][i];
+    }
+    double length = dot(edge[k], edge[k]);
+    longest = length > most ? k : longest;
+    most = length > most ? length : most;
+  }
+  memcpy(a[0], edge[longest], sizeof a[0]);
+  if (!normalise(a[0])) {
+    memcpy(a, upright, sizeof upright);
+    return;
+  }
+  cross(a[0], edge[next[longest]], a[2]);
+  if (!normalise(a[2])) {
+    complete(a);
+    return;
+  }
+  /* Once more: the edge of a sliver leaves its normal inexact. */
+  cross(a[2], a[0], a[1]);
+  normalise(a[1]);
+  cross(a[0], a[1], a[2]);
+}
+
+/* Sums over the surface of triangles: its area, and of the area times x_i, times x_i x_j. */
+typedef struct {
+  double area, first[3], second[3][3];
+} moments;
+
+static void add_triangle(moments *m, const double v[3][3]) {
+  double e[3];
+  double f[3];
+  double normal[3];
+  double centre[3];
+  for (int i = 0; i < 3; i++) {
+    e[i] = v[1][i] - v[0][i];
+    f[i] = v[2][i] - v[0][i];
+    centre[i] = v[0][i] + v[1][i] + v[2][i];
+  }
+  cross(e, f, normal);
+  double area = sqrt(dot(normal, normal));
+  m->area += area;
+  for (int i = 0; i < 3; i++) {
+    m->first[i] += area * centre[i] / 3;
+    for (int j = i; j < 3; j++) {
+      double vertices = v[0][i] * v[0][j] + v[1][i] * v[1][j] + v[2][i] * v[2][j];
+      m->second[i][j] += area * (vertices + centre[i] * centre[j]) / 12;
+    }
+  }
+}
+
+static void add_moments(moments *to, const moments *m) {
+  to->area += m->area;
+  for (int i = 0; i < 3; i++) {
+    to->first[i] += m->first[i];
+    for (int j = i; j < 3; j++) {
+      to->second[i][j] += m->second[i][j];
+    }
+  }
+}
+
+/* One turn of Jacobi's method for eigenvectors: s[p][q] becomes 0. */
+static void turn(axes s, axes a, int p, int q) {
+  if (fabs(s[p][q]) <= 1e-12 * (fabs(s[p][p]) + fabs(s[q][q]))) {
+    return;
+  }
+  double half = (s[q][q] - s[p][p]) / (2 * s[p][q]);
+  double t = (half < 0 ? -1 : 1) / (fabs(half) + sqrt(half * half + 1));
+  double c = 1 / sqrt(t * t + 1);
+  double sine = t * c;
+  for (int k = 0; k < 3; k++) {
+    double kp = s[k][p];
+    double kq = s[k][q];
+    s[k][p] = c * kp - sine * kq;
+    s[k][q] = sine * kp + c * kq;
+  }
+  for (int k = 0; k < 3; k++) {
+    double pk = s[p][k];
+    double qk = s[q][k];
+    s[p][k] = c * pk - sine * qk;
+    s[q][k] = sine * pk + c * qk;
+    pk = a[p][k];
+    qk = a[q][k];
+    a[p][k] = c * pk - sine * qk;
+    a[q][k] = sine * pk + c * qk;
+  }
+}
+
+static void principal_axes(const moments *m, axes a) {
+  axes s;
+  memcpy(a, upright, sizeof upright);
+  if (!(m->area > 1e-100)) {
+    return;
+  }
+  for (int i = 0; i < 3; i++) {
+    for (int j = i; j < 3; j++) {
+      s[i][j] = s[j][i] = (m->second[i][j] - m->first[i] * m->first[j] / m->area) / m->area;
+    }
+  }
+  for (int n = 0; n < 6; n++) {
+    turn(s, a, 0, 1);
+    turn(s, a, 1, 2);
+    turn(s, a, 2, 0);
+  }
+  normalise(a[0]);
+  cross(a[0], a[1], a[2]);
+  if (!normalise(a[2])) {
+    memcpy(a, upright, sizeof upright);
+    return;
+  }
+  cross(a[2], a[0], a[1]);
+}
+
+/* -------------------------------------------------------------------------- boxes */
+
+typedef struct {
+  float axis[3][3], centre[3], half[3];
+} oriented;
+
+/* The box on axes a around the triangles from ... to - 1 of the tree's order.
+ *
+ * The axes are rounded to single precision, so that they have length 1 and are at right angles
+ * within 2^-22; half[i] then need be larger than |axis_i . (x - centre)| by 2^-20 of all three.
+ * Every number of a search's test is rounded by less than 2^-17 of them (query.c), and MORE covers
+ * both. LEAST covers numbers that are too small for single precision. */
+static void enclose(const sepax_body *b, uint32_t from, uint32_t to, const axes a, oriented *r) {
+  const double MORE = 0x1p-15;
+  const double LEAST = 0x1p-60;
+  double low[3] = {INFINITY, INFINITY, INFINITY};
+  double high[3] = {-INFINITY, -INFINITY, -INFINITY};
+  double axis[3][3];
+  for (int k = 0; k < 9; k++) {
+    r->axis[k / 3][k % 3] = (float)a[k / 3][k % 3];
+    axis[k / 3][k % 3] = (double)r->axis[k / 3][k % 3];
+  }
+  for (uint32_t n = from; n < to; n++) {
+    double v[3][3];
+    local_triangle(b, n, v);
+    for (int k = 0; k < 3; k++) {
+      for (int i = 0; i < 3; i++) {
+        double at = dot(axis[i], v[k]);
+        low[i] = at < low[i] ? at : low[i];
+        high[i] = at > high[i] ? at : high[i];
+      }
+    }
+  }
+  double centre[3];
+  double half[3];
+  for (int i = 0; i < 3; i++) {
+    r->centre[i] = (float)((axis[0][i] * (low[0] + high[0]) + axis[1][i] * (low[1] + high[1]) +
+                            axis[2][i] * (low[2] + high[2])) /
+                           2);
+    centre[i] = (double)r->centre[i];
+  }
+  for (int i = 0; i < 3; i++) {
+    double at = dot(axis[i], centre);
+    half[i] = fmax(high[i] - at, at - low[i]);
+  }
+  double more = MORE * (half[0] + half[1] + half[2]) + LEAST;
+  for (int i = 0; i < 3; i++) {
+    r->half[i] = nextafterf((float)(half[i] + more), INFINITY);
+  }
+}
+
+static float area(const oriented *r) {
+  return r->half[0] * r->half[1] + r->half[1] * r->half[2] + r->half[2] * r->half[0];
+}
+
+static void store(body_boxes *to, int lane, const oriented *r, uint32_t child) {
+  for (int i = 0; i < 3; i++) {
+    to->centre[i][lane] = r->centre[i];
+    to->half[i][lane] = r->half[i];
+    for (int j = 0; j < 3; j++) {
+      to->axis[i][j][lane] = r->axis[i][j];
+    }
+  }
+  to->child[lane] = child;
+}
+
+static void fit(const sepax_body *b, uint32_t from, uint32_t to, const moments *m, oriented *r) {
+  axes a;
+  if (to - from == 1) {
+    double v[3][3];
+    local_triangle(b, from, v);
+    axes_of_triangle(v, a);
+    enclose(b, from, to, a, r);
+    return;
+  }
+  oriented straight;
+  enclose(b, from, to, upright, &straight);
+  principal_axes(m, a);
+  enclose(b, from, to, a, r);
+  if (area(&straight) < area(r)) {
+    *r = straight;
+  }
+}
+
+/* The boxes of a node's children; returns how many triangles are below, and their moments. The
+ * triangles below a node follow each other in the tree's order, from `from` on. */
+static uint32_t fit_node(sepax_body *b, uint32_t number, uint32_t from, moments *all) {
+  const body_node *node = &b->node[number];
+  body_boxes *boxes = &b->boxes[number];
+  uint32_t to = from;
+  *all = (moments){0};
+  for (int lane = 0; lane < BODY_WIDE; lane++) {
+    oriented r = {{{0}}, {FAR, FAR, FAR}, {0}};
+    if (lane >= (int)node->children) {
+      store(boxes, lane, &r, BODY_NONE);
+      continue;
+    }
+    uint32_t child = node->child[lane];
+    uint32_t begin = to;
+    moments m = {0};
+    if ((child & BODY_TRIANGLE) != 0) {
+      double v[3][3];
+      local_triangle(b, begin, v);
+      add_triangle(&m, v);
+      to++;
+    } else {
+      to += fit_node(b, child, begin, &m);
+    }
+    fit(b, begin, to, &m, &r);
+    store(boxes, lane, &r, child);
+    add_moments(all, &m);
+  }
+  return to - from;
+}
+
+bool body_fit(sepax_body *b) {
+  b->boxes = aligned_alloc(64, (b->nodes + 1) * sizeof *b->boxes);
+  if (b->boxes == NULL) {
+    return false;
+  }
+  moments all;
+  uint32_t count = fit_node(b, 0, 0, &all);
+  oriented r;
+  fit(b, 0, count, &all, &r);
+  memset(&b->boxes[b->nodes], 0, sizeof *b->boxes);
+  store(&b->boxes[b->nodes], 0, &r, 0);
+  return true;
+}
