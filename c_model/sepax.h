@@ -250,10 +250,6 @@ bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax
                       bool file_normals, sepax_error *error);
 void sepax_scene_free(sepax_scene *scene);
 
-/* The least whole number of LSB that is not below a length >= 0 in file units; exact. False where
- * this number is above 2^31 - 1. */
-bool sepax_grid_lsb(const sepax_grid *grid, double length, int *lsb);
-
 /* Two closed meshes of which no triangles collide: within[0] iff a connected part of A is wholly
  * inside the solid B, within[1] iff one of B is inside A. Exact. A vertex is inside if a ray from
  * it meets the other mesh an odd number of times, or if the mesh winds round it (bodies that
@@ -261,10 +257,10 @@ bool sepax_grid_lsb(const sepax_grid *grid, double length, int *lsb);
  * an edge does not belong to an even number of triangles. */
 bool sepax_solid(const sepax_scene *scene, bool within[2], sepax_error *error);
 
-/* Both meshes of a scene as one PLY file (binary), as they were quantised, in file units. Triangles
- * that are in `pairs` are red (A) and orange (B), the others pale. Written under a temporary name,
- * then renamed to path; fails where the file cannot be written. */
-bool sepax_ply_write(const sepax_scene *scene, const sepax_pairs *pairs, const char *path,
+/* Both meshes as one PLY file (binary, coordinates as doubles). Triangles that are in `pairs` are
+ * red (A) and orange (B), the others pale. Written under a temporary name, then renamed to path;
+ * fails where the file cannot be written. */
+bool sepax_ply_write(const sepax_mesh mesh[2], const sepax_pairs *pairs, const char *path,
                      sepax_error *error);
 
 /* The pair of triangle i of A and triangle j of B. */
@@ -282,6 +278,18 @@ typedef struct {
 /* True iff the pose is finite and its matrix is a rotation within 1e-6: no entry of R R^T differs
  * by more from the identity, and the determinant is positive. */
 bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error);
+
+typedef struct {
+  sepax_pose *pose;
+  size_t count;
+} sepax_poses;
+
+/* Read poses from a text file: 12 decimal numbers a line, the rotation by rows, then the
+ * translation in file units; '#' begins a comment, a line may be empty. Each number is rounded to
+ * the nearest double, in every locale. Fails, naming the line, on another count of numbers, on a
+ * number that is none or not finite, on a pose that is not valid, and on a file without poses. */
+bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error);
+void sepax_poses_free(sepax_poses *poses);
 
 /* The verdict of sepax_exact on triangle a in pose_a and b in pose_b (NULL: as it is), v[k] vertex
  * k: all doubles are taken as the exact numbers that they are, nothing is rounded. They are finite.
@@ -316,40 +324,6 @@ typedef struct {
 bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                           const sepax_pose *pose_b, const sepax_query *query, sepax_pairs *found,
                           sepax_error *error);
-
-/* ------------------------------------------------------------------ solids */
-
-/* The surface of a body. Vertices are one where their coordinates are equal (-0 is 0); an edge
- * joins two that differ. A part is what hangs together by vertices. Triangles without area are
- * triangles like others. Fill it with sepax_shell_find; the body must stay as long as it. It never
- * changes; threads may share it. */
-typedef struct {
-  const sepax_body *body;
-  bool closed;     /* every edge belongs to an even number of triangles: the body is a solid */
-  bool consistent; /* every edge is run as often one way as the other, but for one triangle where
-                      their number is odd: no triangle is turned round */
-  size_t facet;    /* where one is false: a triangle by its number in the mesh, and an edge of it */
-  double edge[2][3]; /* that is not so; where both are false, an edge that is open */
-  double (*part)[3]; /* a vertex of each connected part */
-  size_t parts;
-} sepax_shell;
-
-/* About 0.1 us a triangle. Fails without memory, and on more than 715,827,882 triangles; free with
- * sepax_shell_free. */
-bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error);
-void sepax_shell_free(sepax_shell *shell);
-
-/* Two bodies in their poses (NULL: as they stand) of which no triangles collide: within[0] iff a
- * part of A is wholly inside the solid B, within[1] iff one of B is inside A. Inside of what is not
- * closed is not asked: within[0] is false where B is open, within[1] where A is. Exact for the
- * doubles given; poses must be valid. Some microseconds for each part inside the other's box.
- *
- * A point is inside a solid iff a ray from it meets the surface an odd number of times. The way
- * that triangles wind does not matter. Closed parts of one body may nest or overlap: a part in a
- * part is a cavity, a part in the cavity is material again, and what two parts have in common is
- * outside. */
-void sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
-                         const sepax_pose *pose_b, bool within[2]);
 
 #ifdef __cplusplus
 }

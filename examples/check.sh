@@ -1,6 +1,6 @@
 #!/bin/sh
 # check.sh - does a cutter touch the workpiece on its way down? `sepax check` answers with its
-# exit status: 0 free, 1 collision, 2 error.
+# exit status: 0 free, 1 collision, else no verdict.
 #   examples/check.sh    from the project's folder, after `make`; SEPAX=program
 # Exit status 2: a step failed, so that nothing is known of that position.
 set -eu
@@ -11,7 +11,7 @@ trap 'rm -rf "$scratch"' EXIT
 for z in 10 0 -10 -20 -24 -28; do
   "$sepax" mesh ball-end --triangles=400 --at=10,0,$z -o "$scratch/cutter.stl" > "$scratch/log"
   status=0
-  "$sepax" check --resolution=0.002 "$scratch/cutter.stl" "$scratch/workpiece.stl" \
+  "$sepax" check "$scratch/cutter.stl" "$scratch/workpiece.stl" \
     > "$scratch/verdict" || status=$?
   case $status in
     0) echo "tip at z = $z mm: free" ;;

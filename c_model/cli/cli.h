@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-enum { EXIT_FREE = 0, EXIT_COLLISION = 1, EXIT_ERROR = 2 };
+enum { EXIT_FREE, EXIT_COLLISION, EXIT_ERROR, EXIT_WARNING, EXIT_UNDECIDED };
 
 /* Print "NAME: text" on stderr and return EXIT_ERROR. */
 int cli_fail(const char *name, const sepax_error *error);
@@ -27,7 +27,8 @@ const char *cli_options_title(unsigned archs);
 extern const struct argp cli_grid_argp;
 
 typedef struct {
-  sepax_grid grid; /* resolution 0: fit both meshes into the word */
+  sepax_grid grid;        /* resolution 0: fit both meshes into the word */
+  const char *resolution; /* as it is written, or NULL */
   bool file_normals, offset_given;
 } cli_grid;
 
@@ -45,9 +46,21 @@ typedef struct {
   int power;
 } cli_unit;
 
-/* A decimal number, and a unit behind it if there is one, rounded once: the end of it, or NULL if
- * there is no finite number. "1..2" is 1 with ".." behind it. */
+/* A decimal number as it is written: its digits without zeros before them, times 10^power. */
+enum { CLI_DIGITS = 38 };
+typedef struct {
+  char digits[CLI_DIGITS + 1]; /* "" is 0 */
+  int power;
+  bool negative;
+} cli_decimal;
+
+/* A decimal number, and a unit behind it if there is one: the end of it, or NULL if there is no
+ * number, or one of more than CLI_DIGITS digits. "1..2" is 1 with ".." behind it. */
+const char *cli_scan_decimal(const char *text, const cli_unit *units, cli_decimal *decimal);
+/* The same, rounded once; NULL also beyond the doubles. */
 const char *cli_scan(const char *text, const cli_unit *units, double *value);
+/* nm, um, mm, m, and no unit. */
+extern const cli_unit cli_lengths[];
 /* The same of a length in file units, or with nm, um, mm, m where a file unit is 1 mm. */
 const char *cli_scan_length(const char *text, double *value);
 /* Such a length and nothing else; argp_error otherwise. */

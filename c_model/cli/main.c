@@ -12,7 +12,7 @@ static const struct {
 } commands[] = {
     {"gen", cli_gen, "generate the Verilog of a design"},
     {"size", cli_size, "what a scene needs, and the design for it"},
-    {"check", cli_check, "which triangles of two STL files collide"},
+    {"check", cli_check, "do two bodies collide, and which of their triangles?"},
     {"judge", cli_judge, "verdicts for pairs given as text"},
     {"accuracy", cli_accuracy, "how often a design is wrong, on which pairs, by how much"},
     {"vectors", cli_vectors, "test vectors of hard cases as text"},
@@ -28,8 +28,10 @@ static void usage(FILE *out) {
   for (int i = 0; i < COMMANDS; i++) {
     fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].about);
   }
-  fprintf(out, "\n'sepax COMMAND --help' lists the options of a command; --version prints the "
-               "version.\nExit status: 0 done (check: free), 1 check: collision, 2 error.\n");
+  fprintf(out,
+          "\n'sepax COMMAND --help' lists the options of a command; --version prints the "
+          "version.\nExit status: 0 done (check: free), 2 error; check: 1 collision, 3 warning, "
+          "4 undecided.\n");
 }
 
 int main(int argc, char **argv) {

@@ -129,6 +129,7 @@ static error_t parse_grid(int key, char *text, struct argp_state *state) {
   switch (key) {
   case 'r':
     g->grid.resolution = cli_length(state, "resolution", text);
+    g->resolution = text;
     if (g->grid.resolution <= 0) {
       argp_error(state, "resolution: %s is not above 0", text);
     }
@@ -188,34 +189,63 @@ static size_t number_length(const char *text) {
   return whole + fraction > 0 ? n : 0;
 }
 
-const char *cli_scan(const char *text, const cli_unit *units, double *value) {
-  char number[80];
+static bool digits_of(const char *text, size_t length, cli_decimal *decimal) {
+  size_t used = 0;
+  bool fraction = false;
+  for (size_t i = 0; i < length; i++) {
+    fraction = fraction || text[i] == '.';
+    if (text[i] >= '0' && text[i] <= '9' && (used > 0 || text[i] != '0')) {
+      if (used == CLI_DIGITS) {
+        return false;
+      }
+      decimal->digits[used++] = text[i];
+    }
+    decimal->power -= fraction && text[i] != '.';
+  }
+  decimal->digits[used] = '\0';
+  decimal->negative = text[0] == '-';
+  return true;
+}
+
+const char *cli_scan_decimal(const char *text, const cli_unit *units, cli_decimal *decimal) {
   size_t length = number_length(text);
-  if (length == 0 || length > sizeof number / 2) {
+  *decimal = (cli_decimal){.power = 0};
+  if (length == 0 || !digits_of(text, length, decimal)) {
     return NULL;
   }
   const char *end = text + length;
-  long power = 0;
-  if (*end == 'e' || *end == 'E') {
-    size_t digits = number_length(end + 1);
+  if ((*end == 'e' || *end == 'E') && number_length(end + 1) > 0) {
     char *after;
-    power = strtol(end + 1, &after, 10);
-    power = power > 9999 ? 9999 : power < -9999 ? -9999 : power;
-    end = digits > 0 ? after : end;
+    long power = strtol(end + 1, &after, 10);
+    decimal->power += (int)(power > 9999 ? 9999 : power < -9999 ? -9999 : power);
+    end = after;
   }
   const cli_unit *unit = units;
   while (unit->name != NULL && strncmp(end, unit->name, strlen(unit->name)) != 0) {
     unit++;
   }
-  end += unit->name != NULL ? strlen(unit->name) : 0;
-  snprintf(number, sizeof number, "%.*se%ld", (int)length, text, power + unit->power);
-  *value = strtod(number, NULL);
-  return isfinite(*value) ? end : NULL;
+  decimal->power += unit->power;
+  return end + (unit->name != NULL ? strlen(unit->name) : 0);
 }
 
+const char *cli_scan(const char *text, const cli_unit *units, double *value) {
+  cli_decimal decimal;
+  char number[CLI_DIGITS + 24];
+  const char *end = cli_scan_decimal(text, units, &decimal);
+  if (end == NULL) {
+    return NULL;
+  }
+  snprintf(number, sizeof number, "%s0%se%d", decimal.negative ? "-" : "", decimal.digits,
+           decimal.power);
+  *value = strtod(number, NULL);
+  bool lost = *value == 0 && decimal.digits[0] != '\0';
+  return isfinite(*value) && !lost ? end : NULL;
+}
+
+const cli_unit cli_lengths[] = {{"nm", -6}, {"um", -3}, {"mm", 0}, {"m", 3}, {NULL, 0}};
+
 const char *cli_scan_length(const char *text, double *value) {
-  static const cli_unit units[] = {{"nm", -6}, {"um", -3}, {"mm", 0}, {"m", 3}, {NULL, 0}};
-  return cli_scan(text, units, value);
+  return cli_scan(text, cli_lengths, value);
 }
 
 double cli_length(const struct argp_state *state, const char *option, const char *text) {

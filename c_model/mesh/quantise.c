@@ -96,21 +96,6 @@ static bool quantise_exactly(int32_t *q, double x, const sepax_grid *grid, int a
   return true;
 }
 
-bool sepax_grid_lsb(const sepax_grid *grid, double length, int *lsb) {
-  double steps = ceil(length / grid->resolution);
-  if (!(steps <= INT32_MAX)) {
-    return false;
-  }
-  while (steps > 0 && fma(steps - 1, grid->resolution, -length) >= 0) {
-    steps--;
-  }
-  while (fma(steps, grid->resolution, -length) < 0) {
-    steps++;
-  }
-  *lsb = steps <= INT32_MAX ? (int)steps : 0;
-  return steps <= INT32_MAX;
-}
-
 static bool check_word(int word, sepax_error *error) {
   if (word < SEPAX_WORD_MIN || word > SEPAX_WORD_MAX) {
     return sepax_fail(error, "word: %d is not in %d ... %d", word, SEPAX_WORD_MIN, SEPAX_WORD_MAX);

@@ -149,17 +149,3 @@ CASE(test_symmetry) {
     assert_int_equal(sepax_clearance(&design, &other, &turned).band, band);
   }
 }
-
-/* A length becomes the least whole number of LSB that is not below it. */
-CASE(test_lengths) {
-  sepax_grid grid = {.resolution = 0.002, .word = 18};
-  const struct {
-    double length;
-    int lsb;
-  } row[] = {{0, 0}, {0.002, 1}, {nextafter(0.002, 1), 2}, {0.0101, 6}, {1e-300, 1}};
-  int lsb = -1;
-  for (size_t i = 0; i < LENGTH(row); i++) {
-    assert_true(sepax_grid_lsb(&grid, row[i].length, &lsb) && lsb == row[i].lsb);
-  }
-  assert_false(sepax_grid_lsb(&grid, 1e9, &lsb));
-}

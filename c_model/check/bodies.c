@@ -1,0 +1,157 @@
+/* bodies.c - do two bodies collide as their files have them, in which poses? */
+#include "check/parts.h"
+#include "util/error.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+static int compare_pairs(const void *p, const void *q) {
+  const size_t *a = p;
+  const size_t *b = q;
+  int first = (a[0] > b[0]) - (a[0] < b[0]);
+  return first != 0 ? first : (a[1] > b[1]) - (a[1] < b[1]);
+}
+
+static void put_in_order(sepax_pairs *pairs) {
+  if (pairs->pair != NULL) {
+    qsort(pairs->pair, pairs->count, sizeof *pairs->pair, compare_pairs);
+  }
+}
+
+/* What B does in a pose (NULL: as it stands). */
+static bool decide(const check_question *q, sepax_body *const body[2], const sepax_pose *pose,
+                   check_answer *answer, sepax_error *error) {
+  sepax_query query = {.most = q->first ? 1 : 0, .only_any = check_any_is_enough(q)};
+  if (!sepax_bodies_collide(body[0], NULL, body[1], pose, &query, &answer->colliding, error)) {
+    return false;
+  }
+  answer->verdict = answer->colliding.count > 0 ? CHECK_COLLISION : CHECK_FREE;
+  put_in_order(&answer->colliding);
+  return true;
+}
+
+/* ----------------------------------------------------------------- many poses */
+
+typedef struct {
+  const check_question *q;
+  sepax_body *body[2];
+  sepax_poses poses;
+  check_answer *answer;
+  atomic_size_t next;
+  atomic_bool stop;
+} work;
+
+typedef struct {
+  work *all;
+  sepax_error error;
+  bool failed;
+  pthread_t thread;
+  bool started;
+} worker;
+
+static void work_on(worker *w, cli_progress *progress) {
+  work *all = w->all;
+  size_t n;
+  while (!atomic_load(&all->stop) && (n = atomic_fetch_add(&all->next, 1)) < all->poses.count) {
+    check_answer *answer = &all->answer[n];
+    if (!decide(all->q, all->body, &all->poses.pose[n], answer, &w->error)) {
+      w->failed = true;
+      atomic_store(&all->stop, true);
+    }
+    if (!all->q->first && all->q->pairs_path == NULL) {
+      free(answer->colliding.pair);
+      answer->colliding.pair = NULL;
+    }
+    if (progress != NULL) {
+      cli_progress_show(progress, n);
+    }
+  }
+}
+
+static void *work_beside(void *argument) {
+  work_on(argument, NULL);
+  return NULL;
+}
+
+static size_t threads_of(const check_question *q, size_t tasks) {
+  long here = sysconf(_SC_NPROCESSORS_ONLN);
+  size_t threads = q->threads > 0 ? (size_t)q->threads : here > 0 ? (size_t)here : 1;
+  return threads < tasks ? threads : tasks;
+}
+
+/* A thread that cannot be had leaves its poses to the others. */
+static bool decide_all(work *all, cli_progress *progress, sepax_error *error) {
+  size_t threads = threads_of(all->q, all->poses.count);
+  worker *workers = calloc(threads, sizeof *workers);
+  if (workers == NULL) {
+    return sepax_fail(error, "no memory for %zu threads; give --threads=1", threads);
+  }
+  for (size_t k = 0; k < threads; k++) {
+    worker *w = &workers[k];
+    w->all = all;
+    w->started = k > 0 && pthread_create(&w->thread, NULL, work_beside, w) == 0;
+  }
+  work_on(&workers[0], progress);
+  bool ok = true;
+  for (size_t k = 0; k < threads; k++) {
+    if (workers[k].started) {
+      pthread_join(workers[k].thread, NULL);
+    }
+    if (workers[k].failed) {
+      *error = workers[k].error;
+      ok = false;
+    }
+  }
+  free(workers);
+  return ok;
+}
+
+/* --------------------------------------------------------------------- the job */
+
+static bool build_body(const check_question *q, int i, check_report *report, sepax_body **body,
+                       sepax_error *error) {
+  sepax_mesh *mesh = &report->mesh[i];
+  report->triangles[i] = mesh->count;
+  if (!sepax_body_new(body, mesh, error)) {
+    sepax_error inner = *error;
+    return sepax_fail(error, "%.240s: %.240s", q->path[i], inner.text);
+  }
+  if (q->ply_path == NULL) {
+    sepax_mesh_free(mesh);
+  }
+  return true;
+}
+
+static bool decide_one(work *all, sepax_error *error) {
+  return decide(all->q, all->body, NULL, all->answer, error);
+}
+
+bool check_bodies(const check_question *q, check_report *report, sepax_error *error) {
+  work all = {.q = q};
+  sepax_mesh *mesh = report->mesh;
+  if ((q->poses_path != NULL && !sepax_poses_read(&all.poses, q->poses_path, error)) ||
+      !sepax_stl_read(&mesh[0], q->path[0], error) ||
+      !sepax_stl_read(&mesh[1], q->path[1], error)) {
+    sepax_poses_free(&all.poses);
+    return false;
+  }
+  size_t answers = q->poses_path != NULL ? all.poses.count : 1;
+  report->answer = calloc(answers, sizeof *report->answer);
+  report->answers = report->answer != NULL ? answers : 0;
+  all.answer = report->answer;
+  atomic_init(&all.next, 0);
+  atomic_init(&all.stop, false);
+  cli_progress progress = cli_progress_begin("poses", answers);
+  bool ok =
+      (all.answer != NULL || sepax_fail(error, "no memory for verdicts in %zu poses", answers)) &&
+      build_body(q, 0, report, &all.body[0], error) &&
+      build_body(q, 1, report, &all.body[1], error) &&
+      (q->poses_path != NULL ? decide_all(&all, &progress, error) : decide_one(&all, error));
+  report->seconds = cli_progress_end(&progress);
+  sepax_poses_free(&all.poses);
+  sepax_body_free(all.body[0]);
+  sepax_body_free(all.body[1]);
+  return ok;
+}

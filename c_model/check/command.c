@@ -1,0 +1,284 @@
+/* command.c - sepax check: do two bodies collide, as their files have them or on a grid? */
+#include "check/parts.h"
+#include "cli/report.h"
+#include "util/error.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* Options that stand in an argp of their own, and the first of them that was given. */
+typedef struct {
+  const struct argp *of;
+  void *input;
+  const char **given;
+} grid_options;
+
+typedef struct {
+  check_question question;
+  int paths;
+  const char *given; /* the first option that is for the grid only */
+  grid_options config, grid;
+} command;
+
+enum {
+  KEY_GRID = 0x380,
+  KEY_THREADS,
+  KEY_FIRST,
+  KEY_PAIRS,
+  KEY_PLY,
+  KEY_CLEARANCE,
+  KEY_WARNING,
+  KEY_POSES
+};
+
+static const struct argp_option options[] = {
+    {"clearance", KEY_CLEARANCE, "LENGTH", 0,
+     "pairs collide unless they are farther from each other than this: file units, or with nm, um, "
+     "mm or m behind it where these are mm",
+     0},
+    {"warning", KEY_WARNING, "LENGTH", 0,
+     "a second, larger clearance: warn of pairs unless they are farther from each other than this",
+     0},
+    {"poses", KEY_POSES, "FILE", 0,
+     "a verdict for each pose of B: 12 numbers a line, a rotation by rows, then a translation in "
+     "file units; # begins a comment",
+     0},
+    {"first", KEY_FIRST, NULL, 0, "stop at the first pair that collides (of each pose)", 0},
+    {"json", 'j', NULL, 0, "print JSON instead of text", 0},
+    {"quiet", 'q', NULL, 0, "print nothing: the exit status tells", 0},
+    {"pairs", KEY_PAIRS, "FILE", 0, "write the colliding pairs as CSV, not to standard output", 0},
+    {"ply", KEY_PLY, "FILE", 0, "write both meshes as PLY, colliding triangles in colour", 0},
+    {"threads", KEY_THREADS, "N", 0,
+     "threads of --poses and of --grid with --arch=exact (one for each processor)", 0},
+    {"grid", KEY_GRID, NULL, 0,
+     "what hardware would say: round the meshes to integers and ask a design; all options below "
+     "are for it",
+     0},
+    {0}};
+
+/* ------------------------------------------------------------ options of the grid */
+
+static const char *name_of(const struct argp_option *option, int key) {
+  for (; option->name != NULL || option->doc != NULL; option++) {
+    if (option->key == key) {
+      return option->name;
+    }
+  }
+  return "";
+}
+
+static error_t parse_grid_option(int key, char *text, struct argp_state *state) {
+  grid_options *g = state->input;
+  state->input = g->input;
+  error_t error = g->of->parser(key, text, state);
+  state->input = g;
+  if (error == 0 && key > ARGP_KEY_ARG && key < ARGP_KEY_END && *g->given == NULL) {
+    *g->given = name_of(g->of->options, key);
+  }
+  return error;
+}
+
+/* The options of a design without those that are lengths here. */
+static const struct argp_option *design_options(void) {
+  static struct argp_option shown[80];
+  enum { MOST = sizeof shown / sizeof shown[0] - 1 };
+  int used = 0;
+  for (const struct argp_option *o = cli_config_argp.options;
+       (o->name != NULL || o->doc != NULL) && used < MOST; o++) {
+    bool length =
+        o->name != NULL && (strcmp(o->name, "clearance") == 0 || strcmp(o->name, "warning") == 0);
+    if (!length) {
+      shown[used++] = *o;
+    }
+  }
+  return shown;
+}
+
+/* ------------------------------------------------------------------------ parsing */
+
+static check_limit limit(struct argp_state *state, const char *name, const char *text) {
+  check_limit l = {text, cli_length(state, name, text)};
+  if (l.length < 0) {
+    argp_error(state, "%s: %s is below 0", name, text);
+  }
+  return l;
+}
+
+static void end_of_options(command *c, struct argp_state *state) {
+  if (c->paths != 2) {
+    argp_error(state, "give two STL files");
+  }
+  if (c->given != NULL && !c->question.on_grid) {
+    argp_error(state, "%s: is for the grid; give --grid, too, or leave it out", c->given);
+  }
+}
+
+static error_t parse_argument(command *c, char *text, struct argp_state *state) {
+  if (c->paths == 2) {
+    argp_error(state, "unexpected argument '%s': give two STL files", text);
+  }
+  c->question.path[c->paths++] = text;
+  return 0;
+}
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  command *c = state->input;
+  check_question *q = &c->question;
+  switch (key) {
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &c->config;
+    state->child_inputs[1] = &c->grid;
+    return 0;
+  case 'j':
+    q->json = true;
+    return 0;
+  case 'q':
+    q->quiet = true;
+    return 0;
+  case KEY_GRID:
+    q->on_grid = true;
+    return 0;
+  case KEY_FIRST:
+    q->first = true;
+    return 0;
+  case KEY_CLEARANCE:
+    q->clearance = limit(state, "clearance", text);
+    return 0;
+  case KEY_WARNING:
+    q->warning = limit(state, "warning", text);
+    return 0;
+  case KEY_POSES:
+    q->poses_path = text;
+    return 0;
+  case KEY_PAIRS:
+    q->pairs_path = text;
+    return 0;
+  case KEY_PLY:
+    q->ply_path = text;
+    return 0;
+  case KEY_THREADS:
+    q->threads = (int)cli_count(state, "threads", text, 1024);
+    return 0;
+  case ARGP_KEY_ARG:
+    return parse_argument(c, text, state);
+  case ARGP_KEY_END:
+    end_of_options(c, state);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+/* ------------------------------------------------------- checks that need no mesh */
+
+static bool same_file(const char *p, const char *q) {
+  struct stat a;
+  struct stat b;
+  return strcmp(p, q) == 0 ||
+         (stat(p, &a) == 0 && stat(q, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino);
+}
+
+/* What is written must not be what is read, nor one file be written twice. */
+static bool outputs_distinct(const check_question *q, sepax_error *error) {
+  const char *const outputs[] = {q->pairs_path, q->ply_path};
+  const char *const inputs[] = {q->path[0], q->path[1], q->poses_path};
+  for (int i = 0; i < 6; i++) {
+    const char *output = outputs[i % 2];
+    const char *input = inputs[i / 2];
+    if (output != NULL && input != NULL && same_file(output, input)) {
+      return sepax_fail(error, "%.300s: is read; name another file to write", output);
+    }
+  }
+  if (q->pairs_path != NULL && q->ply_path != NULL && same_file(q->pairs_path, q->ply_path)) {
+    return sepax_fail(error, "%.300s: --pairs and --ply name one file; name two", q->ply_path);
+  }
+  return true;
+}
+
+static bool options_agree(const check_question *q, sepax_error *error) {
+  if (q->quiet && q->json) {
+    return sepax_fail(error, "quiet: there is nothing to print as JSON; leave one of them out");
+  }
+  if (q->poses_path != NULL && q->on_grid) {
+    return sepax_fail(error, "poses: on a grid no body can be turned exactly; leave out --grid, or "
+                             "--poses");
+  }
+  if (q->poses_path != NULL && q->ply_path != NULL) {
+    return sepax_fail(error, "ply: a picture is of one pose; leave out --poses, or --ply");
+  }
+  if (q->warning.text != NULL && q->clearance.text == NULL) {
+    return sepax_fail(error,
+                      "warning: there is no clearance to warn before; give --clearance, too");
+  }
+  if (q->warning.text != NULL && q->warning.length <= q->clearance.length) {
+    return sepax_fail(error, "warning: %s is not above the clearance of %s", q->warning.text,
+                      q->clearance.text);
+  }
+  if (q->clearance.text != NULL && !q->on_grid) {
+    return sepax_fail(error, "clearance: is for the grid; give --grid, too");
+  }
+  return true;
+}
+
+static bool grid_options_agree(const check_question *q, sepax_error *error) {
+  const sepax_config *config = &q->config;
+  sepax_design design;
+  if (q->grid.file_normals && config->arch != SEPAX_ARCH_PAPER &&
+      config->arch != SEPAX_ARCH_CONFERENCE) {
+    return sepax_fail(error, "normals: architecture %s reads none; give --arch=paper, too",
+                      sepax_arch_name(config->arch));
+  }
+  if (!sepax_design_init(&design, config, error) || q->clearance.text == NULL) {
+    return q->clearance.text == NULL && error->text[0] == '\0';
+  }
+  if (config->arch != SEPAX_ARCH_EXACT) {
+    return sepax_fail(error,
+                      "clearance: architecture %s has none; leave it out, or give --arch=exact",
+                      sepax_arch_name(config->arch));
+  }
+  if (config->extent_a != 0 || config->extent_b != 0) {
+    return sepax_fail(error, "clearance: not with extents here; leave one of them out");
+  }
+  if (q->first) {
+    return sepax_fail(error, "first: all bands are counted with a clearance on the grid; leave "
+                             "one of them out");
+  }
+  return true;
+}
+
+int cli_check(int argc, char **argv) {
+  const struct argp design = {.options = design_options(), .parser = parse_grid_option};
+  const struct argp rounding = {.options = cli_grid_argp.options, .parser = parse_grid_option};
+  const struct argp_child children[] = {{&design, 0, NULL, 0}, {&rounding, 0, NULL, 0}, {0}};
+  const struct argp argp = {
+      options,
+      parse,
+      "A.stl B.stl",
+      "Do two bodies collide, and which of their triangles? Decided exactly for the coordinates of "
+      "the files; a body inside a closed one collides, too. Indices count facets and poses from "
+      "0.\v"
+      "Exit status: 0 free, 1 collision, 2 error, 3 warning, 4 undecided.",
+      children,
+      NULL,
+      NULL};
+  command c = {.question = {.config = sepax_config_default()}};
+  check_question *q = &c.question;
+  c.config = (grid_options){&cli_config_argp, &q->config, &c.given};
+  c.grid = (grid_options){&cli_grid_argp, &q->grid, &c.given};
+  argp_parse(&argp, argc, argv, 0, NULL, &c);
+  q->grid.grid.word = q->config.word;
+  static const int status[] = {EXIT_FREE, EXIT_WARNING, EXIT_UNDECIDED, EXIT_COLLISION};
+  sepax_error error = {""};
+  check_report report = {.answers = 0};
+  bool ok = (!q->json || report_names_printable(q->path, &error)) && outputs_distinct(q, &error) &&
+            options_agree(q, &error) && (!q->on_grid || grid_options_agree(q, &error)) &&
+            (q->on_grid ? check_on_grid : check_bodies)(q, &report, &error) &&
+            check_write_files(q, &report, &error);
+  int result = ok ? status[check_worst(&report)] : cli_fail(argv[0], &error);
+  if (ok && !q->quiet) {
+    (q->json ? check_print_json : check_print_text)(q, &report);
+  }
+  check_report_free(&report);
+  return result;
+}

@@ -1,0 +1,248 @@
+/* output.c - what sepax check prints and writes. */
+#include "check/parts.h"
+#include "cli/report.h"
+#include "util/write_file.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const names[] = {"FREE", "WARNING", "UNDECIDED", "COLLISION"};
+static const char *const names_in_json[] = {"free", "warning", "undecided", "collision"};
+
+bool check_any_is_enough(const check_question *q) {
+  return q->quiet && q->pairs_path == NULL && q->ply_path == NULL;
+}
+
+check_verdict check_worst(const check_report *report) {
+  check_verdict worst = CHECK_FREE;
+  for (size_t n = 0; n < report->answers; n++) {
+    worst = report->answer[n].verdict > worst ? report->answer[n].verdict : worst;
+  }
+  return worst;
+}
+
+void check_report_free(check_report *report) {
+  for (size_t n = 0; n < report->answers; n++) {
+    sepax_pairs_free(&report->answer[n].colliding);
+    sepax_pairs_free(&report->answer[n].undecided);
+    sepax_pairs_free(&report->answer[n].warned);
+  }
+  free(report->answer);
+  sepax_mesh_free(&report->mesh[0]);
+  sepax_mesh_free(&report->mesh[1]);
+}
+
+/* ----------------------------------------------------------------------- text */
+
+/* A length as it was written, the unit a word of its own. */
+static void print_length(const char *text) {
+  size_t number = strlen(text);
+  while (number > 0 && isalpha((unsigned char)text[number - 1])) {
+    number--;
+  }
+  printf("%.*s%s%s", (int)number, text, text[number] != '\0' ? " " : "", text + number);
+}
+
+/* What the verdict rests on. */
+static void print_basis(const check_question *q, const check_report *report) {
+  if (!q->on_grid) {
+    fputs("(exact, as the files have them)", stdout);
+    return;
+  }
+  printf("(%s, on the grid of ", sepax_arch_name(q->config.arch));
+  print_length(q->grid.resolution != NULL ? q->grid.resolution
+                                          : report_exactly(report->grid.resolution).text);
+  putchar(')');
+}
+
+static void print_limit(const check_question *q, const check_report *report,
+                        const check_limit *limit, int lsb) {
+  fputs(" (up to ", stdout);
+  if (q->on_grid) {
+    printf("%d LSB = %.9g)", lsb, lsb * report->grid.resolution);
+  } else {
+    print_length(limit->text);
+    putchar(')');
+  }
+}
+
+static void print_bands(const check_question *q, const check_report *report, size_t pairs) {
+  const check_answer *a = report->answer;
+  printf("bands  %zu free, ", pairs - a->colliding.count - a->warned.count);
+  if (q->warning.text != NULL) {
+    printf("%zu warning", a->warned.count);
+    print_limit(q, report, &q->warning, report->warning_lsb);
+    fputs(", ", stdout);
+  }
+  printf("%zu collision", a->colliding.count);
+  print_limit(q, report, &q->clearance, report->clearance_lsb);
+  putchar('\n');
+}
+
+static void print_pairs(const sepax_pairs *pairs, const char *what) {
+  for (size_t k = 0; k < pairs->count && pairs->pair != NULL; k++) {
+    printf("A[%zu] B[%zu]%s\n", pairs->pair[k][0], pairs->pair[k][1], what);
+  }
+}
+
+static void print_verdict(const check_question *q, const check_report *report) {
+  const check_answer *a = report->answer;
+  size_t pairs = report->triangles[0] * report->triangles[1];
+  if (q->pairs_path == NULL) {
+    print_pairs(&a->colliding, "");
+    print_pairs(&a->undecided, " undecided");
+  }
+  if (q->clearance.text != NULL) {
+    print_bands(q, report, pairs);
+  }
+  printf("%s  %s%zu of %zu pairs collide", names[a->verdict],
+         q->first && a->colliding.count > 0 ? "at least " : "", a->colliding.count, pairs);
+  if (a->undecided.count > 0) {
+    printf(", %zu are undecided", a->undecided.count);
+  }
+}
+
+static void print_poses(const check_question *q, const check_report *report) {
+  check_verdict worst = check_worst(report);
+  size_t such = 0;
+  for (size_t n = 0; n < report->answers; n++) {
+    const check_answer *a = &report->answer[n];
+    such += a->verdict == worst;
+    printf("%6zu  %-9s  ", n, names[a->verdict]);
+    if (q->first && a->colliding.count > 0) {
+      printf("A[%zu] B[%zu]\n", a->colliding.pair[0][0], a->colliding.pair[0][1]);
+    } else {
+      printf("%zu\n", a->colliding.count);
+    }
+  }
+  printf("%s  in %zu of %zu poses", names[worst], such, report->answers);
+}
+
+void check_print_text(const check_question *q, const check_report *report) {
+  enum { WIDTH = 7 };
+  report_print_file('A', WIDTH, q->path[0], report->triangles[0]);
+  report_print_file('B', WIDTH, q->path[1], report->triangles[1]);
+  if (q->on_grid) {
+    report_print_grid(WIDTH, &report->grid);
+  }
+  (q->poses_path != NULL ? print_poses : print_verdict)(q, report);
+  putchar(' ');
+  print_basis(q, report);
+  printf(", %.3f s\n", report->seconds);
+}
+
+/* ----------------------------------------------------------------------- JSON */
+
+static json_t *pairs_as_json(const sepax_pairs *pairs) {
+  json_t *list = json_array();
+  for (size_t k = 0; k < pairs->count; k++) {
+    json_array_append_new(
+        list, json_pack("[I, I]", (json_int_t)pairs->pair[k][0], (json_int_t)pairs->pair[k][1]));
+  }
+  return list;
+}
+
+static void set_within(json_t *to, const char *name, check_inside within) {
+  json_object_set_new(
+      to, name, within == CHECK_NOT_ASKED ? json_null() : json_boolean(within == CHECK_INSIDE));
+}
+
+static void set_count(json_t *to, const char *name, size_t count) {
+  json_object_set_new(to, name, json_integer((json_int_t)count));
+}
+
+static json_t *answer_as_json(const check_question *q, const check_report *report,
+                              const check_answer *a) {
+  json_t *json = json_object();
+  json_object_set_new(json, "verdict", json_string(names_in_json[a->verdict]));
+  set_count(json, "collisions", a->colliding.count);
+  if (!q->on_grid) {
+    set_within(json, "a_inside_b", a->within[0]);
+    set_within(json, "b_inside_a", a->within[1]);
+  }
+  if (q->clearance.text != NULL) {
+    size_t pairs = report->triangles[0] * report->triangles[1];
+    set_count(json, "free", pairs - a->colliding.count - a->warned.count);
+    set_count(json, "warnings", a->warned.count);
+  }
+  if (a->colliding.pair != NULL || q->poses_path == NULL) {
+    json_object_set_new(json, "colliding", pairs_as_json(&a->colliding));
+  }
+  if (q->warning.text != NULL && q->poses_path == NULL) {
+    json_object_set_new(json, "warned", pairs_as_json(&a->warned));
+  }
+  if (q->on_grid) {
+    json_object_set_new(json, "undecided", pairs_as_json(&a->undecided));
+  }
+  return json;
+}
+
+static void set_limit(json_t *report, const char *name, const check_limit *limit) {
+  if (limit->text != NULL) {
+    json_object_set_new(report, name, json_real(limit->length));
+  }
+}
+
+void check_print_json(const check_question *q, const check_report *r) {
+  json_t *json = report_scene(q->path, r->triangles, &r->grid);
+  json_object_set_new(json, "basis", json_string(q->on_grid ? "grid" : "files"));
+  if (q->on_grid) {
+    json_object_set_new(json, "arch", json_string(sepax_arch_name(q->config.arch)));
+  } else {
+    json_object_del(json, "grid");
+  }
+  set_limit(json, "clearance", &q->clearance);
+  set_limit(json, "warning", &q->warning);
+  if (q->on_grid && q->clearance.text != NULL) {
+    json_object_set_new(json, "clearance_lsb", json_integer(r->clearance_lsb));
+  }
+  if (q->on_grid && q->warning.text != NULL) {
+    json_object_set_new(json, "warning_lsb", json_integer(r->warning_lsb));
+  }
+  set_count(json, "pairs", r->triangles[0] * r->triangles[1]);
+  json_object_set_new(json, "seconds", json_real(r->seconds));
+  if (q->poses_path == NULL) {
+    json_t *answer = answer_as_json(q, r, r->answer);
+    json_object_update(json, answer);
+    json_decref(answer);
+  } else {
+    json_t *poses = json_array();
+    for (size_t n = 0; n < r->answers; n++) {
+      json_t *pose = answer_as_json(q, r, &r->answer[n]);
+      set_count(pose, "pose", n);
+      json_array_append_new(poses, pose);
+    }
+    json_object_set_new(json, "verdict", json_string(names_in_json[check_worst(r)]));
+    json_object_set_new(json, "poses", poses);
+  }
+  report_print_json(json);
+}
+
+/* ---------------------------------------------------------------------- files */
+
+typedef struct {
+  const check_question *q;
+  const check_report *report;
+} table;
+
+static bool write_csv(FILE *out, const void *context) {
+  const table *t = context;
+  bool posed = t->q->poses_path != NULL;
+  bool ok = fputs(posed ? "pose,a,b\n" : "a,b\n", out) != EOF;
+  for (size_t n = 0; n < t->report->answers && ok; n++) {
+    const sepax_pairs *pairs = &t->report->answer[n].colliding;
+    for (size_t k = 0; k < pairs->count && ok; k++) {
+      ok = (!posed || fprintf(out, "%zu,", n) > 0) &&
+           fprintf(out, "%zu,%zu\n", pairs->pair[k][0], pairs->pair[k][1]) > 0;
+    }
+  }
+  return ok;
+}
+
+bool check_write_files(const check_question *q, const check_report *report, sepax_error *error) {
+  const table t = {q, report};
+  return (q->pairs_path == NULL || sepax_write_file(q->pairs_path, write_csv, &t, error)) &&
+         (q->ply_path == NULL ||
+          sepax_ply_write(report->mesh, &report->answer->colliding, q->ply_path, error));
+}

@@ -1,0 +1,59 @@
+/* parts.h - what the parts of sepax check share: command.c reads what is asked, bodies.c answers
+ * for the bodies as the files have them, grid.c for a design on its grid, output.c prints. */
+#ifndef SEPAX_CHECK_PARTS_H
+#define SEPAX_CHECK_PARTS_H
+
+#include "cli/cli.h"
+
+/* In the order of precedence: the greatest of all pairs and of all poses holds. */
+typedef enum { CHECK_FREE, CHECK_WARNING, CHECK_UNDECIDED, CHECK_COLLISION } check_verdict;
+
+/* A limit of --clearance or --warning. */
+typedef struct {
+  const char *text; /* as it is written; NULL: none */
+  double length;    /* file units */
+} check_limit;
+
+typedef struct {
+  const char *path[2];
+  const char *poses_path, *pairs_path, *ply_path; /* or NULL */
+  check_limit clearance, warning;
+  bool on_grid, first, json, quiet;
+  int threads;
+  sepax_config config; /* of the grid's design, without clearances */
+  cli_grid grid;
+} check_question;
+
+typedef enum { CHECK_NOT_ASKED, CHECK_OUTSIDE, CHECK_INSIDE } check_inside;
+
+/* Of one pose. Lists that nobody prints are counted only: their `pair` is then NULL. */
+typedef struct {
+  check_verdict verdict;
+  sepax_pairs colliding, undecided, warned;
+  check_inside within[2]; /* is a part of A inside B, of B inside A? */
+} check_answer;
+
+typedef struct {
+  size_t triangles[2];
+  sepax_mesh mesh[2]; /* what --ply shows */
+  sepax_grid grid;    /* on a grid: what was taken; the clearances in LSB */
+  int clearance_lsb, warning_lsb;
+  check_answer *answer; /* one, or one for each pose */
+  size_t answers;
+  double seconds;
+} check_report;
+
+/* False leaves a report that can be freed. */
+bool check_bodies(const check_question *q, check_report *report, sepax_error *error);
+bool check_on_grid(const check_question *q, check_report *report, sepax_error *error);
+void check_report_free(check_report *report);
+
+/* Nobody sees which pairs there are, nor how many. */
+bool check_any_is_enough(const check_question *q);
+check_verdict check_worst(const check_report *report);
+
+void check_print_text(const check_question *q, const check_report *report);
+void check_print_json(const check_question *q, const check_report *report);
+bool check_write_files(const check_question *q, const check_report *report, sepax_error *error);
+
+#endif
