@@ -6,33 +6,10 @@
  * to sepax_exact; longer ones go through the same formulas (verdict/exact.c) in integers of any
  * size. */
 #include "body/big.h"
+#include "body/number.h"
 #include "verdict/signs.h"
 
 #include <limits.h>
-#include <math.h>
-#include <string.h>
-
-/* size * 2^exponent, size odd, or 0. */
-typedef struct {
-  int sign, exponent;
-  uint64_t size;
-} number;
-
-static number number_of(double x) {
-  uint64_t bits;
-  memcpy(&bits, &x, sizeof bits);
-  uint64_t size = bits & ((UINT64_C(1) << 52) - 1);
-  int biased = (int)(bits >> 52 & 2047);
-  if (biased > 0) {
-    size |= UINT64_C(1) << 52;
-  }
-  if (size == 0) {
-    return (number){0, 0, 0};
-  }
-  int trailing = __builtin_ctzll(size);
-  return (number){bits >> 63 != 0 ? -1 : 1, (biased > 0 ? biased : 1) - 1075 + trailing,
-                  size >> trailing};
-}
 
 /* A posed coordinate: up to four products. */
 typedef struct {

@@ -3,7 +3,7 @@
 PROGRAM  = $(wildcard c_model/cli/*.c c_model/check/*.c)
 LIB_SRC  = $(filter-out $(PROGRAM),$(wildcard c_model/*/*.c))
 CLI_SRC  = $(PROGRAM) $(wildcard rtl_gen/*/*.c)
-UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c))
+UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))
 
 $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)
@@ -65,4 +65,4 @@ $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson
 $(BUILD)/unit/%: $(BUILD)/obj/tb/unit/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) $(GEN_OBJ) $(LIB)
 	$(link)
 
--include $(wildcard $(BUILD)/obj/*/*/*.d $(BUILD)/obj/*/*.d)
+-include $(wildcard $(BUILD)/obj/*/*/*/*.d $(BUILD)/obj/*/*/*.d $(BUILD)/obj/*/*.d)

@@ -1,0 +1,188 @@
+/* within.c - is a part of one body wholly inside the other?
+ *
+ * Bodies of which no triangles collide: a part is inside if one vertex of it is, and that is inside
+ * a closed body if a ray from it meets an odd number of triangles. The ray runs along an axis of
+ * that body to the nearest side of its box. Doubles decide where they are certain, else ray.c. */
+#include "placement.h"
+#include "ray.h"
+
+#include <float.h>
+#include <math.h>
+
+enum { STACK = 512 }; /* 64 levels, up to 7 children waiting on each */
+
+typedef struct {
+  const sepax_body *body; /* whose triangles the ray meets */
+  double from[3];         /* in its file coordinates, each wrong by `error` at most */
+  double error;
+  float at[3], slack; /* in its tree's */
+  int axis, way;
+  const double *vertex;      /* as it stands in its own file, */
+  const sepax_pose *pose[2]; /* its pose, the body's */
+  bool known;                /* `exact` is found */
+  exact_point exact;
+} ray;
+
+/* Is the triangle met, for certain or not?
+ *
+ * With u = 2^-53, e = `error` and all coordinates from the ray's origin up to m across the ray and
+ * up to n along it: a difference is wrong by e + u m or e + u n. An area, two products of these,
+ * is wrong by 5 m e + 10 u m^2 at most; the volume, three areas times a coordinate along the ray,
+ * by 15 m n e + 6 m^2 e + 52 u m^2 n. What underflow loses is below 2^-1000, or m is so large that
+ * the limits are infinite. */
+static bool meets(const ray *r, const double t[3][3], bool *certain) {
+  int x = (r->axis + 1) % 3;
+  int y = (r->axis + 2) % 3;
+  double v[3][3];
+  double m = 0;
+  double n = 0;
+  bool aside = false;
+  for (int i = 0; i < 3; i++) {
+    bool above = true;
+    bool below = true;
+    for (int k = 0; k < 3; k++) {
+      v[k][i] = t[k][i] - r->from[i];
+      double *most = i == r->axis ? &n : &m;
+      *most = fmax(*most, fabs(v[k][i]));
+      above = above && v[k][i] > 2 * r->error;
+      below = below && v[k][i] <= -2 * r->error;
+    }
+    aside = aside || (i == r->axis ? (r->way > 0 ? below : above) : above || below);
+  }
+  *certain = aside;
+  if (aside) {
+    return false;
+  }
+  double tiny = 0x1p-1000;
+  double limit = m * (8 * r->error + 16 * 0x1p-53 * m) + tiny;
+  double area[3];
+  double volume = 0;
+  int ways = 0;
+  for (int k = 0; k < 3; k++) {
+    const double *p = v[(k + 1) % 3];
+    const double *q = v[(k + 2) % 3];
+    area[k] = p[x] * q[y] - p[y] * q[x];
+    if (!(fabs(area[k]) > limit)) {
+      return false;
+    }
+    ways += area[k] > 0 ? 1 : -1;
+    volume += area[k] * v[k][r->axis];
+  }
+  *certain = true;
+  if (ways != 3 && ways != -3) {
+    return false;
+  }
+  *certain = fabs(volume) > m * (m + n) * (16 * r->error + 64 * 0x1p-53 * n) + tiny;
+  return volume * ways * r->way > 0;
+}
+
+static bool meets_exactly(ray *r, const double t[3][3]) {
+  if (!r->known) {
+    find_exact_point(&r->exact, r->vertex, r->pose[0], r->pose[1]);
+    r->known = true;
+  }
+  return exact_ray_meets(&r->exact, r->axis, r->way, t);
+}
+
+/* The children that the ray may meet. */
+static uint32_t children_met(const ray *r, const body_node *node) {
+  int x = (r->axis + 1) % 3;
+  int y = (r->axis + 2) % 3;
+  uint32_t bits = 0;
+  for (int n = 0; n < BODY_WIDE; n++) {
+    bool disjoint = (fabsf(node->centre[x][n] - r->at[x]) > node->half[x][n] + r->slack) |
+                    (fabsf(node->centre[y][n] - r->at[y]) > node->half[y][n] + r->slack) |
+                    ((float)r->way * (node->centre[r->axis][n] - r->at[r->axis]) <
+                     -node->half[r->axis][n] - r->slack);
+    bits |= (uint32_t)disjoint << n;
+  }
+  return ~bits & ((1U << node->children) - 1);
+}
+
+static bool odd_crossings(ray *r) {
+  uint32_t stack[STACK] = {0};
+  int depth = 1;
+  bool odd = false;
+  while (depth > 0) {
+    const body_node *node = &r->body->node[stack[--depth]];
+    for (uint32_t mask = children_met(r, node); mask != 0; mask &= mask - 1) {
+      uint32_t child = node->child[__builtin_ctz(mask)];
+      if ((child & BODY_TRIANGLE) == 0) {
+        stack[depth++] = child;
+        continue;
+      }
+      const double(*t)[3] = r->body->triangle[child - BODY_TRIANGLE];
+      bool certain;
+      bool met = meets(r, t, &certain);
+      odd ^= certain ? met : meets_exactly(r, t);
+    }
+  }
+  return odd;
+}
+
+/* The nearest side of the body's box. False where the point is outside of the box.
+ *
+ * The point in the tree's units is at most 1 + slack then, and rounded to 24 bits a few times in
+ * children_met. */
+static bool aim(ray *r) {
+  const sepax_body *b = r->body;
+  double slack = r->error / b->scale + 0x1p-20;
+  double nearest = INFINITY;
+  r->slack = (float)(slack * (1 + 0x1p-20));
+  r->axis = 0;
+  r->way = 1;
+  for (int i = 0; i < 3; i++) {
+    double at = (r->from[i] - b->centre[i]) / b->scale;
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (uint32_t n = 0; n < b->node[0].children; n++) {
+      double centre = b->node[0].centre[i][n];
+      double half = b->node[0].half[i][n];
+      low = fmin(low, centre - half);
+      high = fmax(high, centre + half);
+    }
+    if (at < low - slack || at > high + slack) {
+      return false;
+    }
+    r->at[i] = (float)at;
+    for (int way = -1; way <= 1; way += 2) {
+      double distance = way > 0 ? high - at : at - low;
+      if (distance < nearest) {
+        nearest = distance;
+        r->axis = i;
+        r->way = way;
+      }
+    }
+  }
+  return true;
+}
+
+static bool some_part_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
+                             const sepax_pose *pose_b) {
+  placement at;
+  ray r = {.body = b->body, .pose = {pose_a, pose_b}};
+  place_bodies(&at, b->body, pose_b, a->body, pose_a);
+  for (size_t k = 0; k < a->parts; k++) {
+    r.vertex = a->part[k];
+    r.known = false;
+    r.error = at.error;
+    for (int i = 0; i < 3; i++) {
+      r.from[i] = at.linear[i][0] * r.vertex[0] + at.linear[i][1] * r.vertex[1] +
+                  at.linear[i][2] * r.vertex[2] + at.offset[i];
+      if (!isfinite(r.from[i])) { /* nothing is certain then */
+        r.from[i] = 0;
+        r.error = INFINITY;
+      }
+    }
+    if (aim(&r) && odd_crossings(&r)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
+                         const sepax_pose *pose_b, bool within[2]) {
+  within[0] = b->closed && some_part_within(a, pose_a, b, pose_b);
+  within[1] = a->closed && some_part_within(b, pose_b, a, pose_a);
+}
