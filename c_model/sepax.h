@@ -176,6 +176,7 @@ typedef struct {
 typedef struct {
   size_t (*pair)[2];
   size_t count;
+  bool ended; /* by a limit of the query: there may be more pairs */
 } sepax_pairs;
 
 /* All colliding pairs of triangles of A and B, exact, in the order of i, then of j. Trees of AABBs
@@ -308,9 +309,13 @@ size_t sepax_body_triangles(const sepax_body *body);
 
 /* What is asked of two bodies; all zero: all colliding pairs. */
 typedef struct {
-  size_t most;   /* end after so many pairs; 0: no limit */
-  bool only_any; /* no pairs are kept: the count is 0 or 1 */
-  bool strict;   /* only pairs that collide strictly (sepax_exact): touching does not count */
+  size_t most;    /* end after so many pairs; 0: no limit */
+  bool only_any;  /* no pairs are kept: the count is 0 or 1 */
+  bool strict;    /* only pairs that collide strictly (sepax_exact): touching does not count */
+  double seconds; /* end after so much time; 0: no limit */
+  /* Called with each pair, in place of keeping it; false ends the search. NULL: not called. */
+  bool (*each)(void *context, size_t a, size_t b);
+  void *context;
   sepax_path path;
 } sepax_query;
 
@@ -319,8 +324,9 @@ typedef struct {
  * posed coordinates as rational numbers. A pair that collides strictly proves that solids overlap.
  * Solids that touch, face on face, edge on face, have none; nor have some that overlap, but nowhere
  * cross, such as a solid and itself in one pose. The order of the pairs depends on nothing but the
- * bodies, the poses and the query. Poses must be valid. Fails without memory; free with
- * sepax_pairs_free. */
+ * bodies, the poses and the query. Poses must be valid. A search that a limit ended has found what
+ * is certain, but more may collide; no pair found then leaves the bodies undecided. Fails without
+ * memory; free with sepax_pairs_free. */
 bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                           const sepax_pose *pose_b, const sepax_query *query, sepax_pairs *found,
                           sepax_error *error);

@@ -22,6 +22,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #if defined __x86_64__
 #include <immintrin.h>
@@ -78,20 +79,29 @@ typedef struct {
   sepax_pairs *found;
   size_t capacity, hits;
   bool no_memory, ended;
+  double end;                 /* of the time; 0: none */
   uint32_t waiting[BATCH][2]; /* pairs of triangles */
   int count, batch;           /* batch: so many are judged at once */
   size_t visits, judged, exact;
 } search;
 
 static void record(search *s, uint32_t i, uint32_t j) {
+  const sepax_query *q = s->query;
+  size_t a = s->body[0]->number[i];
+  size_t b = s->body[1]->number[j];
   s->hits++;
-  if (s->query->only_any) {
-    s->ended = true;
-    return;
+  if (q->each != NULL) {
+    s->ended = !q->each(q->context, a, b);
+  } else if (!q->only_any) {
+    s->no_memory = !list_add_pair(s->found, &s->capacity, a, b);
   }
-  s->no_memory =
-      !list_add_pair(s->found, &s->capacity, s->body[0]->number[i], s->body[1]->number[j]);
-  s->ended = s->no_memory || (s->query->most > 0 && s->hits == s->query->most);
+  s->ended = s->ended || s->no_memory || q->only_any || (q->most > 0 && s->hits == q->most);
+}
+
+static double seconds_now(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 /* The pairs of triangles that wait. */
@@ -189,6 +199,10 @@ static void descend(search *s) {
     stack[0].at[k] = BODY_WIDE * (uint32_t)s->body[k]->nodes;
   }
   while (depth > 0 && !s->ended) {
+    if (s->end > 0 && s->visits % 64 == 0 && seconds_now() >= s->end) {
+      s->ended = true;
+      return;
+    }
     box_pair p = stack[--depth];
     visit(s, &p, stack, &depth);
     if (s->count >= s->batch || s->count > BATCH - BODY_WIDE) {
@@ -213,10 +227,10 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
 #endif
   place_bodies(&s.at, a, pose_a, b, pose_b);
   s.batch = s.query->only_any || s.query->most > 0 ? 4 : BATCH;
+  s.end = s.query->seconds > 0 ? seconds_now() + s.query->seconds : 0;
   descend(&s);
-  if (s.query->only_any) {
-    found->count = s.hits;
-  }
+  found->count = s.hits;
+  found->ended = s.ended;
   if (s.no_memory) {
     sepax_pairs_free(found);
     return sepax_fail(error, "no memory for the colliding pairs");

@@ -204,6 +204,91 @@ CASE(touching_bodies) {
   }
 }
 
+typedef struct {
+  size_t calls, most;
+} counter;
+
+static bool count_pair(void *context, size_t a, size_t b) {
+  counter *c = context;
+  assert_true(a < 300 && b < 300);
+  return ++c->calls < c->most;
+}
+
+static sepax_pairs search_of(sepax_body *const body[2], sepax_query query) {
+  sepax_pairs found;
+  assert_works(sepax_bodies_collide(body[0], NULL, body[1], NULL, &query, &found, &fault));
+  return found;
+}
+
+CASE(limits_of_a_search) {
+  sepax_mesh m[2] = {strewn(300, 0.5, 0), strewn(300, 0.5, 0)};
+  sepax_body *body[2];
+  for (int k = 0; k < 2; k++) {
+    assert_works(sepax_body_new(&body[k], &m[k], &fault));
+  }
+  sepax_pairs all = search_of(body, (sepax_query){0});
+  assert_true(all.count > 100);
+  assert_false(all.ended);
+  sepax_pairs some = search_of(body, (sepax_query){.most = 7});
+  assert_int_equal(some.count, 7);
+  assert_true(some.ended);
+  assert_memory_equal(some.pair, all.pair, 7 * sizeof *all.pair);
+  counter c = {0, SIZE_MAX};
+  sepax_pairs told = search_of(body, (sepax_query){.each = count_pair, .context = &c});
+  assert_int_equal(c.calls, all.count);
+  assert_false(told.ended);
+  assert_null(told.pair);
+  c = (counter){0, 5};
+  told = search_of(body, (sepax_query){.each = count_pair, .context = &c});
+  assert_int_equal(c.calls, 5);
+  assert_true(told.ended);
+  sepax_pairs hurried = search_of(body, (sepax_query){.seconds = 1e-12});
+  assert_int_equal(hurried.count, 0);
+  assert_true(hurried.ended);
+  sepax_pairs patient = search_of(body, (sepax_query){.seconds = 1e6});
+  assert_int_equal(patient.count, all.count);
+  sepax_pairs_free(&all);
+  sepax_pairs_free(&some);
+  sepax_pairs_free(&patient);
+  for (int k = 0; k < 2; k++) {
+    sepax_body_free(body[k]);
+    sepax_mesh_free(&m[k]);
+  }
+}
+
+/* Sizes, places and distances so different that single precision overflows, or sees nothing. */
+CASE(bodies_of_any_size) {
+  for (int n = 0; n < 300; n++) {
+    sepax_mesh m[2];
+    sepax_body *body[2];
+    double away[3];
+    int middle = random_below(1500) - 750;
+    for (int i = 0; i < 3; i++) {
+      away[i] = n % 3 == 0 ? 0 : ldexp(random_unit(), random_below(60) - 10);
+    }
+    for (int k = 0; k < 2; k++) {
+      double size = ldexp(1, middle + (k == 1 && n % 2 == 0 ? random_below(400) - 200 : 0));
+      m[k] = strewn(12, 1, 0);
+      for (size_t i = 0; i < m[k].count * 9; i++) {
+        double *x = &m[k].facet[i / 9].v[i % 9 / 3][i % 3];
+        *x = size * *x + ldexp(away[i % 3], middle);
+      }
+      assert_works(sepax_body_new(&body[k], &m[k], &fault));
+    }
+    sepax_pose pose = random_pose(n % 5 == 0 ? ldexp(1, middle + random_below(80) - 40) : 0);
+    for (int i = 0; i < 9; i++) {
+      pose.rotation[i / 3][i % 3] += n % 7 == 0 ? 2e-7 * random_unit() : 0;
+    }
+    assert_works(sepax_pose_valid(&pose, &fault));
+    assert_all_pairs(m, body, NULL, n % 4 == 0 ? NULL : &pose, SEPAX_PATH_BEST);
+    assert_all_pairs(m, body, &pose, &pose, SEPAX_PATH_PORTABLE);
+    for (int k = 0; k < 2; k++) {
+      sepax_body_free(body[k]);
+      sepax_mesh_free(&m[k]);
+    }
+  }
+}
+
 CASE(bodies_refused) {
   sepax_body *body;
   sepax_mesh none = {NULL, 0};
