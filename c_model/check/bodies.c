@@ -20,15 +20,37 @@ static void put_in_order(sepax_pairs *pairs) {
   }
 }
 
-/* What B does in a pose (NULL: as it stands). */
-static bool decide(const check_question *q, sepax_body *const body[2], const sepax_pose *pose,
+typedef struct {
+  sepax_body *body[2];
+  sepax_shell shell[2];
+} solids;
+
+static void ask_within(const solids *s, const sepax_pose *pose, check_answer *answer) {
+  bool within[2];
+  sepax_bodies_within(&s->shell[0], NULL, &s->shell[1], pose, within);
+  for (int i = 0; i < 2; i++) {
+    if (s->shell[1 - i].closed) {
+      answer->within[i] = within[i] ? CHECK_INSIDE : CHECK_OUTSIDE;
+    }
+  }
+  if (within[0] || within[1]) {
+    answer->verdict = CHECK_COLLISION;
+  }
+}
+
+/* With B in a pose (NULL: as it stands). */
+static bool decide(const check_question *q, const solids *s, const sepax_pose *pose,
                    check_answer *answer, sepax_error *error) {
   sepax_query query = {.most = q->first ? 1 : 0, .only_any = check_any_is_enough(q)};
-  if (!sepax_bodies_collide(body[0], NULL, body[1], pose, &query, &answer->colliding, error)) {
+  if (!sepax_bodies_collide(s->body[0], NULL, s->body[1], pose, &query, &answer->colliding,
+                            error)) {
     return false;
   }
-  answer->verdict = answer->colliding.count > 0 ? CHECK_COLLISION : CHECK_FREE;
   put_in_order(&answer->colliding);
+  answer->verdict = answer->colliding.count > 0 ? CHECK_COLLISION : CHECK_FREE;
+  if (answer->verdict != CHECK_COLLISION) {
+    ask_within(s, pose, answer);
+  }
   return true;
 }
 
@@ -36,7 +58,7 @@ static bool decide(const check_question *q, sepax_body *const body[2], const sep
 
 typedef struct {
   const check_question *q;
-  sepax_body *body[2];
+  solids solids;
   sepax_poses poses;
   check_answer *answer;
   atomic_size_t next;
@@ -56,7 +78,7 @@ static void work_on(worker *w, cli_progress *progress) {
   size_t n;
   while (!atomic_load(&all->stop) && (n = atomic_fetch_add(&all->next, 1)) < all->poses.count) {
     check_answer *answer = &all->answer[n];
-    if (!decide(all->q, all->body, &all->poses.pose[n], answer, &w->error)) {
+    if (!decide(all->q, &all->solids, &all->poses.pose[n], answer, &w->error)) {
       w->failed = true;
       atomic_store(&all->stop, true);
     }
@@ -110,14 +132,16 @@ static bool decide_all(work *all, cli_progress *progress, sepax_error *error) {
 
 /* --------------------------------------------------------------------- the job */
 
-static bool build_body(const check_question *q, int i, check_report *report, sepax_body **body,
-                       sepax_error *error) {
+static bool build_solid(const check_question *q, int i, check_report *report, solids *s,
+                        sepax_error *error) {
   sepax_mesh *mesh = &report->mesh[i];
+  sepax_shell *shell = &s->shell[i];
   report->triangles[i] = mesh->count;
-  if (!sepax_body_new(body, mesh, error)) {
+  if (!sepax_body_new(&s->body[i], mesh, error) || !sepax_shell_find(shell, s->body[i], error)) {
     sepax_error inner = *error;
     return sepax_fail(error, "%.240s: %.240s", q->path[i], inner.text);
   }
+  report->surface[i] = (check_surface){shell->closed, shell->consistent, shell->facet};
   if (q->ply_path == NULL) {
     sepax_mesh_free(mesh);
   }
@@ -125,7 +149,7 @@ static bool build_body(const check_question *q, int i, check_report *report, sep
 }
 
 static bool decide_one(work *all, sepax_error *error) {
-  return decide(all->q, all->body, NULL, all->answer, error);
+  return decide(all->q, &all->solids, NULL, all->answer, error);
 }
 
 bool check_bodies(const check_question *q, check_report *report, sepax_error *error) {
@@ -146,12 +170,14 @@ bool check_bodies(const check_question *q, check_report *report, sepax_error *er
   cli_progress progress = cli_progress_begin("poses", answers);
   bool ok =
       (all.answer != NULL || sepax_fail(error, "no memory for verdicts in %zu poses", answers)) &&
-      build_body(q, 0, report, &all.body[0], error) &&
-      build_body(q, 1, report, &all.body[1], error) &&
+      build_solid(q, 0, report, &all.solids, error) &&
+      build_solid(q, 1, report, &all.solids, error) &&
       (q->poses_path != NULL ? decide_all(&all, &progress, error) : decide_one(&all, error));
   report->seconds = cli_progress_end(&progress);
   sepax_poses_free(&all.poses);
-  sepax_body_free(all.body[0]);
-  sepax_body_free(all.body[1]);
+  for (int i = 0; i < 2; i++) {
+    sepax_shell_free(&all.solids.shell[i]);
+    sepax_body_free(all.solids.body[i]);
+  }
   return ok;
 }

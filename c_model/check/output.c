@@ -35,6 +35,35 @@ void check_report_free(check_report *report) {
 
 /* ----------------------------------------------------------------------- text */
 
+static void print_surface(const check_report *report, int i) {
+  const check_surface *s = &report->surface[i];
+  if (!s->closed) {
+    printf("%c is open at facet %zu: whether %c is inside it is not asked\n", "AB"[i], s -> facet,
+           "BA"[i]);
+  } else if (!s->consistent) {
+    printf("%c winds inconsistently: an edge of facet %zu runs the same way in another one; no "
+           "verdict depends on that\n",
+           "AB"[i], s -> facet);
+  }
+}
+
+/* What is known of parts inside the other body, behind the number of pairs. */
+static void print_within(const check_answer *a) {
+  for (int i = 0; i < 2; i++) {
+    if (a->within[i] == CHECK_INSIDE) {
+      printf(", but %c, or a part of it, is inside %c", "AB"[i], "BA"[i]);
+    }
+  }
+  if (a->within[0] == CHECK_OUTSIDE && a->within[1] == CHECK_OUTSIDE) {
+    fputs(", neither is inside the other", stdout);
+  } else if (a->within[0] == CHECK_OUTSIDE || a->within[1] == CHECK_OUTSIDE) {
+    int i = a->within[1] == CHECK_OUTSIDE;
+    if (a->within[1 - i] == CHECK_NOT_ASKED) {
+      printf(", %c is not inside %c", "AB"[i], "BA"[i]);
+    }
+  }
+}
+
 /* A length as it was written, the unit a word of its own. */
 static void print_length(const char *text) {
   size_t number = strlen(text);
@@ -101,6 +130,7 @@ static void print_verdict(const check_question *q, const check_report *report) {
   if (a->undecided.count > 0) {
     printf(", %zu are undecided", a->undecided.count);
   }
+  print_within(a);
 }
 
 static void print_poses(const check_question *q, const check_report *report) {
@@ -113,7 +143,8 @@ static void print_poses(const check_question *q, const check_report *report) {
     if (q->first && a->colliding.count > 0) {
       printf("A[%zu] B[%zu]\n", a->colliding.pair[0][0], a->colliding.pair[0][1]);
     } else {
-      printf("%zu\n", a->colliding.count);
+      printf("%zu%s%s\n", a->colliding.count, a->within[0] == CHECK_INSIDE ? "  A in B" : "",
+             a->within[1] == CHECK_INSIDE ? "  B in A" : "");
     }
   }
   printf("%s  in %zu of %zu poses", names[worst], such, report->answers);
@@ -125,6 +156,9 @@ void check_print_text(const check_question *q, const check_report *report) {
   report_print_file('B', WIDTH, q->path[1], report->triangles[1]);
   if (q->on_grid) {
     report_print_grid(WIDTH, &report->grid);
+  } else {
+    print_surface(report, 0);
+    print_surface(report, 1);
   }
   (q->poses_path != NULL ? print_poses : print_verdict)(q, report);
   putchar(' ');
@@ -155,6 +189,9 @@ static void set_count(json_t *to, const char *name, size_t count) {
 static json_t *answer_as_json(const check_question *q, const check_report *report,
                               const check_answer *a) {
   json_t *json = json_object();
+  if (q->poses_path != NULL) {
+    set_count(json, "pose", (size_t)(a - report->answer));
+  }
   json_object_set_new(json, "verdict", json_string(names_in_json[a->verdict]));
   set_count(json, "collisions", a->colliding.count);
   if (!q->on_grid) {
@@ -178,6 +215,14 @@ static json_t *answer_as_json(const check_question *q, const check_report *repor
   return json;
 }
 
+static void set_surface(json_t *body, const check_surface *s) {
+  json_object_set_new(body, "closed", json_boolean(s->closed));
+  json_object_set_new(body, "consistent", json_boolean(s->consistent));
+  if (!s->closed || !s->consistent) {
+    set_count(body, "facet", s->facet);
+  }
+}
+
 static void set_limit(json_t *report, const char *name, const check_limit *limit) {
   if (limit->text != NULL) {
     json_object_set_new(report, name, json_real(limit->length));
@@ -191,6 +236,8 @@ void check_print_json(const check_question *q, const check_report *r) {
     json_object_set_new(json, "arch", json_string(sepax_arch_name(q->config.arch)));
   } else {
     json_object_del(json, "grid");
+    set_surface(json_object_get(json, "a"), &r->surface[0]);
+    set_surface(json_object_get(json, "b"), &r->surface[1]);
   }
   set_limit(json, "clearance", &q->clearance);
   set_limit(json, "warning", &q->warning);
@@ -209,9 +256,7 @@ void check_print_json(const check_question *q, const check_report *r) {
   } else {
     json_t *poses = json_array();
     for (size_t n = 0; n < r->answers; n++) {
-      json_t *pose = answer_as_json(q, r, &r->answer[n]);
-      set_count(pose, "pose", n);
-      json_array_append_new(poses, pose);
+      json_array_append_new(poses, answer_as_json(q, r, &r->answer[n]));
     }
     json_object_set_new(json, "verdict", json_string(names_in_json[check_worst(r)]));
     json_object_set_new(json, "poses", poses);

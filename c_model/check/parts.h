@@ -33,8 +33,15 @@ typedef struct {
   check_inside within[2]; /* is a part of A inside B, of B inside A? */
 } check_answer;
 
+/* Of a body as its file has it. */
+typedef struct {
+  bool closed, consistent; /* as of sepax_shell */
+  size_t facet;            /* where one is not so */
+} check_surface;
+
 typedef struct {
   size_t triangles[2];
+  check_surface surface[2];
   sepax_mesh mesh[2]; /* what --ply shows */
   sepax_grid grid;    /* on a grid: what was taken; the clearances in LSB */
   int clearance_lsb, warning_lsb;
