@@ -2,15 +2,15 @@
  *
  * A value is sign * limb[0 ... limbs-1] * 2^0, limb[0] the lowest, the highest not 0; zero has no
  * limbs and sign 0. A result may be one of its operands in sums, never in products. Limbs beyond
- * `limbs` hold nothing. Posed coordinates of doubles on a common exponent have up to 3,200 bits
- * (body.h), an orient3d of them three times as many. */
+ * `limbs` hold nothing. Posed coordinates of doubles on a common exponent have up to 3,160 bits
+ * (body.h), an orient3d of them three times as many, the square of one six times. */
 #ifndef SEPAX_BIG_H
 #define SEPAX_BIG_H
 
 #include <assert.h>
 #include <stdint.h>
 
-enum { BIG_LIMBS = 160 };
+enum { BIG_LIMBS = 304 };
 
 typedef struct {
   int sign, limbs;

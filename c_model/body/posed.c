@@ -5,8 +5,8 @@
  * changes no sign of an orient3d, and A_0 becomes the origin. Coordinates that then fit 32 bits go
  * to sepax_exact; longer ones go through the same formulas (verdict/exact.c) in integers of any
  * size. */
-#include "body/big.h"
 #include "body/number.h"
+#include "distance/posed.h"
 #include "verdict/signs.h"
 
 #include <limits.h>
@@ -51,13 +51,8 @@ static void sum_terms(big *r, const coordinate_terms *c, int lowest) {
   }
 }
 
-/* Vertices 0 ... 2 are A's, 3 ... 5 B's. */
-typedef struct {
-  big c[3][6];
-} points;
-
-static void find_points(points *p, const double a[3][3], const sepax_pose *pa, const double b[3][3],
-                        const sepax_pose *pb) {
+int find_posed_points(posed_points *p, const double a[3][3], const sepax_pose *pa,
+                      const double b[3][3], const sepax_pose *pb) {
   coordinate_terms terms[6][3];
   int lowest = INT_MAX;
   for (int v = 0; v < 6; v++) {
@@ -71,11 +66,12 @@ static void find_points(points *p, const double a[3][3], const sepax_pose *pa, c
       big_subtract(&p->c[axis][v], &p->c[axis][v], &p->c[axis][0]);
     }
   }
+  return lowest < INT_MAX ? lowest : 0;
 }
 
 /* ------------------------------------------------------------- 32 bits are enough */
 
-static bool fits_32_bits(const points *p) {
+static bool fits_32_bits(const posed_points *p) {
   for (int axis = 0; axis < 3; axis++) {
     for (int v = 0; v < 6; v++) {
       const big *x = &p->c[axis][v];
@@ -89,7 +85,7 @@ static bool fits_32_bits(const points *p) {
 
 static int32_t small(const big *x) { return x->limbs == 0 ? 0 : x->sign * (int32_t)x->limb[0]; }
 
-static sepax_verdict verdict_32(const points *p) {
+static sepax_verdict verdict_32(const posed_points *p) {
   sepax_tri tri[2];
   for (int v = 0; v < 6; v++) {
     tri[v / 3].v[v % 3] = (sepax_vec){small(&p->c[0][v]), small(&p->c[1][v]), small(&p->c[2][v])};
@@ -191,7 +187,7 @@ static int compare(const big *p, const big *q) {
 }
 
 /* Some coordinate keeps all of A's vertices below all of B's, or above. */
-static bool disjoint_aabbs(const points *p) {
+static bool disjoint_aabbs(const posed_points *p) {
   for (int axis = 0; axis < 3; axis++) {
     bool below = true;
     bool above = true;
@@ -209,7 +205,7 @@ static bool disjoint_aabbs(const points *p) {
   return false;
 }
 
-static sepax_verdict verdict_any(const points *p) {
+static sepax_verdict verdict_any(const posed_points *p) {
   trapezoids t;
   find_trapezoids(&t, p->c[0], p->c[1]);
   orient3d_signs v = find_orient3d(&t, p->c[2]);
@@ -230,7 +226,7 @@ static sepax_verdict verdict_any(const points *p) {
 
 sepax_verdict sepax_exact_posed(const double a[3][3], const sepax_pose *pa, const double b[3][3],
                                 const sepax_pose *pb) {
-  points p;
-  find_points(&p, a, pa, b, pb);
+  posed_points p;
+  find_posed_points(&p, a, pa, b, pb);
   return fits_32_bits(&p) ? verdict_32(&p) : verdict_any(&p);
 }

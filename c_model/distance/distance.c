@@ -1,0 +1,454 @@
+/* distance.c - the distance of two posed triangles.
+ *
+ * Doubles find candidates for the nearest features. Numbers of twice the precision then enclose the
+ * distance: two points of the triangles are at that distance at least, and so is the gap of the
+ * projections on any direction w at most. If both agree to 2^-55 the distance is known, whatever
+ * the features were; else integers of any size find it (features.c). */
+#include "distance.h"
+
+#include <string.h>
+
+typedef struct {
+  twofold c[3];
+} vector;
+
+/* The vertices in units of 2^exponent, from A_0, which is at `origin` in these units; 1/2 <= the
+ * largest coordinate < 1, or all are 0. `lost`: how far two vertices can be nearer to each other or
+ * farther than said.
+ *
+ * In units of 2^(their exponent), coordinates and translations are below 1, and those of a pose
+ * are sums of four terms that are below 4.01 together: three sums, each wrong by 3 u^2 of it, 37
+ * u^2. The difference of two, below 8.02, is wrong by 98 u^2 < 2^-99, the vector by less than
+ * 2^-98, a distance by 2^-97. Of unmoved vertices both terms are doubles and the difference is
+ * exact. */
+typedef struct {
+  vector v[6];
+  vector origin;
+  int exponent;
+  double lost;
+} twofold_points;
+
+/* ---------------------------------------------------------------------- vectors */
+
+static vector vector_minus(const vector *p, const vector *q) {
+  vector r;
+  for (int i = 0; i < 3; i++) {
+    r.c[i] = twofold_subtract(p->c[i], q->c[i]);
+  }
+  return r;
+}
+
+static twofold dot(const vector *p, const vector *q) {
+  twofold r = twofold_multiply(p->c[0], q->c[0]);
+  for (int i = 1; i < 3; i++) {
+    r = twofold_add(r, twofold_multiply(p->c[i], q->c[i]));
+  }
+  return r;
+}
+
+static vector cross(const vector *p, const vector *q) {
+  vector r;
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    r.c[i] =
+        twofold_subtract(twofold_multiply(p->c[j], q->c[k]), twofold_multiply(p->c[k], q->c[j]));
+  }
+  return r;
+}
+
+/* p + t u */
+static vector along(const vector *p, twofold t, const vector *u) {
+  vector r;
+  for (int i = 0; i < 3; i++) {
+    r.c[i] = twofold_add(p->c[i], twofold_multiply(t, u->c[i]));
+  }
+  return r;
+}
+
+static double largest(const vector *p, double most) {
+  for (int i = 0; i < 3; i++) {
+    most = fmax(most, fabs(p->c[i].high));
+  }
+  return most;
+}
+
+/* frexp's exponent of x > 0, or 0. */
+static int exponent_of(double x) {
+  int exponent = 0;
+  frexp(x, &exponent);
+  return exponent;
+}
+
+/* ---------------------------------------------------------------------- vertices */
+
+static double largest_number(const double v[3][3], const sepax_pose *pose) {
+  double most = 0;
+  for (int k = 0; k < 9; k++) {
+    most = fmax(most, fabs(v[k / 3][k % 3]));
+    most = pose != NULL ? fmax(most, fabs(pose->translation[k / 3])) : most;
+  }
+  return most;
+}
+
+static vector posed_vertex(const double v[3], const sepax_pose *pose, int exponent) {
+  vector r;
+  double scaled[3];
+  for (int i = 0; i < 3; i++) {
+    scaled[i] = ldexp(v[i], -exponent);
+  }
+  for (int i = 0; i < 3; i++) {
+    if (pose == NULL) {
+      r.c[i] = twofold_of(scaled[i]);
+      continue;
+    }
+    r.c[i] = twofold_of(ldexp(pose->translation[i], -exponent));
+    for (int k = 0; k < 3; k++) {
+      r.c[i] = twofold_add(r.c[i], product_of(pose->rotation[i][k], scaled[k]));
+    }
+  }
+  return r;
+}
+
+static void find_twofold_points(twofold_points *p, const double a[3][3], const sepax_pose *pa,
+                                const double b[3][3], const sepax_pose *pb) {
+  int coarse = exponent_of(fmax(largest_number(a, pa), largest_number(b, pb)));
+  double most = 0;
+  for (int k = 0; k < 6; k++) {
+    p->v[k] = posed_vertex(k < 3 ? a[k] : b[k - 3], k < 3 ? pa : pb, coarse);
+  }
+  p->origin = p->v[0];
+  for (int k = 0; k < 6; k++) {
+    p->v[k] = vector_minus(&p->v[k], &p->origin);
+    most = largest(&p->v[k], most);
+  }
+  int fine = exponent_of(most);
+  for (int k = 0; k < 7; k++) {
+    vector *v = k < 6 ? &p->v[k] : &p->origin;
+    for (int i = 0; i < 3; i++) {
+      v->c[i] = twofold_scaled(v->c[i], -fine);
+    }
+  }
+  p->exponent = coarse + fine;
+  p->lost = pa == NULL && pb == NULL ? 0 : 0x1p-97;
+  p->lost = ldexp(p->lost + 0x1p-1050, -fine);
+}
+
+/* -------------------------------------------------------------- likely features */
+
+typedef struct {
+  double p[2][3][3];
+  feature_list list;
+  double square[FEATURES]; /* of the distance */
+} candidates;
+
+static void minus(const double p[3], const double q[3], double r[3]) {
+  for (int i = 0; i < 3; i++) {
+    r[i] = p[i] - q[i];
+  }
+}
+
+static double inner(const double p[3], const double q[3]) {
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
+
+static void outer(const double p[3], const double q[3], double r[3]) {
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    r[i] = p[j] * q[k] - p[k] * q[j];
+  }
+}
+
+/* In the order of their distances, each once. */
+static void offer(candidates *c, int a, int b, double square) {
+  feature_list *l = &c->list;
+  int at = l->count;
+  for (int n = 0; n < l->count; n++) {
+    if (l->a[n] == a && l->b[n] == b) {
+      return;
+    }
+  }
+  for (; at > 0 && square < c->square[at - 1]; at--) {
+    l->a[at] = l->a[at - 1];
+    l->b[at] = l->b[at - 1];
+    c->square[at] = c->square[at - 1];
+  }
+  l->a[at] = (uint8_t)a;
+  l->b[at] = (uint8_t)b;
+  c->square[at] = square;
+  l->count++;
+}
+
+static double within_unit(double t) { return t > 0 ? (t < 1 ? t : 1) : 0; }
+
+static int edge_feature(double t, int from, int to) {
+  return (t < 1 ? 1 << from : 0) | (t > 0 ? 1 << to : 0);
+}
+
+/* Points p + s u and q + t v of two edges, s and t within 0 ... 1. */
+static void offer_edges(candidates *c, int i, int j) {
+  int i_end = (i + 1) % 3;
+  int j_end = (j + 1) % 3;
+  double u[3];
+  double v[3];
+  double d[3];
+  minus(c->p[0][i_end], c->p[0][i], u);
+  minus(c->p[1][j_end], c->p[1][j], v);
+  minus(c->p[1][j], c->p[0][i], d);
+  double uu = inner(u, u);
+  double vv = inner(v, v);
+  double uv = inner(u, v);
+  double du = inner(d, u);
+  double dv = inner(d, v);
+  double area = uu * vv - uv * uv;
+  double s = area > 0x1p-50 * uu * vv ? within_unit((du * vv - uv * dv) / area) : 0;
+  double t = vv > 0 ? within_unit((s * uv - dv) / vv) : 0;
+  s = uu > 0 ? within_unit((t * uv + du) / uu) : 0;
+  for (int k = 0; k < 3; k++) {
+    d[k] += t * v[k] - s * u[k];
+  }
+  offer(c, edge_feature(s, i, i_end), edge_feature(t, j, j_end), inner(d, d));
+}
+
+/* Vertices x of one triangle above the face of the other, and edges that pierce it. */
+static void offer_face(candidates *c, const double x[3][3], const double f[3][3], bool of_b) {
+  double e[3][3];
+  double n[3];
+  double height[3];
+  for (int k = 0; k < 3; k++) {
+    minus(f[(k + 1) % 3], f[k], e[k]);
+  }
+  outer(e[0], e[1], n);
+  double square = inner(n, n);
+  if (!(square > 0)) {
+    return;
+  }
+  for (int k = 0; k < 3; k++) {
+    bool inside = true;
+    for (int j = 0; j < 3; j++) {
+      double d[3];
+      double side[3];
+      minus(x[k], f[j], d);
+      height[k] = j == 0 ? inner(d, n) : height[k];
+      outer(e[j], d, side);
+      inside = inside && inner(side, n) >= 0;
+    }
+    if (inside) {
+      offer(c, of_b ? 7 : 1 << k, of_b ? 1 << k : 7, height[k] * height[k] / square);
+    }
+  }
+  for (int k = 0; k < 3; k++) {
+    int l = (k + 1) % 3;
+    if (height[k] * height[l] < 0) {
+      bool inside = true;
+      for (int j = 0; j < 3; j++) {
+        double d[3];
+        double side[3];
+        for (int i = 0; i < 3; i++) {
+          d[i] = (x[k][i] - f[j][i]) * height[l] - (x[l][i] - f[j][i]) * height[k];
+        }
+        outer(e[j], d, side);
+        inside = inside && inner(side, n) * (height[l] - height[k]) >= 0;
+      }
+      if (inside) {
+        int edge = 1 << k | 1 << l;
+        offer(c, of_b ? 7 : edge, of_b ? edge : 7, 0);
+      }
+    }
+  }
+}
+
+static void find_candidates(const twofold_points *p, candidates *c) {
+  c->list.count = 0;
+  for (int k = 0; k < 18; k++) {
+    c->p[k / 9][k / 3 % 3][k % 3] = p->v[k / 3].c[k % 3].high;
+  }
+  for (int k = 0; k < 9; k++) {
+    offer_edges(c, k / 3, k % 3);
+  }
+  offer_face(c, c->p[0], c->p[1], false);
+  offer_face(c, c->p[1], c->p[0], true);
+}
+
+/* -------------------------------------------------------------------- enclosure */
+
+/* The distance is in least ... most, in units of 2^exponent. */
+typedef struct {
+  twofold least, most;
+  vector nearest[2];
+} enclosure;
+
+static twofold limited(twofold t, twofold most) {
+  return !(t.high > 0) ? twofold_of(0) : twofold_less(most, t) ? most : t;
+}
+
+static twofold quotient(twofold p, twofold q) {
+  return q.high > 0 ? twofold_divide(p, q) : twofold_of(0);
+}
+
+/* Weights of the vertices where the hulls of the features are nearest, and what is normal to both.
+ * x: a vertex or an edge; y has as many vertices, or more. */
+static vector nearest_of(const twofold_points *p, const int x[2], int count_x, const int y[3],
+                         int count_y, twofold weight[6]) {
+  const twofold one = {1, 0};
+  const vector *at = p->v;
+  vector d = vector_minus(&at[y[0]], &at[x[0]]);
+  weight[x[0]] = weight[y[0]] = one;
+  if (count_y == 1) {
+    return d;
+  }
+  vector v = vector_minus(&at[y[1]], &at[y[0]]);
+  if (count_x == 2) {
+    vector u = vector_minus(&at[x[1]], &at[x[0]]);
+    vector c = cross(&u, &v);
+    vector dv = cross(&d, &v);
+    vector du = cross(&d, &u);
+    twofold square = dot(&c, &c);
+    weight[x[1]] = limited(quotient(dot(&dv, &c), square), one);
+    weight[x[0]] = twofold_subtract(one, weight[x[1]]);
+    weight[y[1]] = limited(quotient(dot(&du, &c), square), one);
+    weight[y[0]] = twofold_subtract(one, weight[y[1]]);
+    return c;
+  }
+  if (count_y == 2) {
+    twofold t = quotient(twofold_minus(dot(&d, &v)), dot(&v, &v));
+    weight[y[1]] = limited(t, one);
+    weight[y[0]] = twofold_subtract(one, weight[y[1]]);
+    return along(&d, t, &v);
+  }
+  vector w = vector_minus(&at[y[2]], &at[y[0]]);
+  vector n = cross(&v, &w);
+  vector dw = cross(&w, &d);
+  vector vd = cross(&d, &v);
+  twofold square = dot(&n, &n);
+  weight[y[1]] = limited(quotient(dot(&dw, &n), square), one);
+  weight[y[0]] = twofold_subtract(one, weight[y[1]]);
+  weight[y[2]] = limited(quotient(dot(&vd, &n), square), weight[y[0]]);
+  weight[y[0]] = twofold_subtract(weight[y[0]], weight[y[2]]);
+  return n;
+}
+
+static void weighted_points(const twofold_points *p, const twofold weight[6], vector r[2]) {
+  for (int k = 0; k < 6; k++) {
+    const vector none = {{{0, 0}, {0, 0}, {0, 0}}};
+    r[k / 3] = along(k % 3 == 0 ? &none : &r[k / 3], weight[k], &p->v[k]);
+  }
+}
+
+/* The gap of the projections on w, over the length of w; 0 or less if there is none. */
+static twofold gap_along(const twofold_points *p, const vector *w) {
+  vector unit;
+  twofold low[2];
+  twofold high[2];
+  int exponent = exponent_of(largest(w, 0));
+  for (int i = 0; i < 3; i++) {
+    unit.c[i] = twofold_scaled(w->c[i], -exponent);
+  }
+  for (int k = 0; k < 6; k++) {
+    twofold t = dot(&unit, &p->v[k]);
+    low[k / 3] = k % 3 == 0 || twofold_less(t, low[k / 3]) ? t : low[k / 3];
+    high[k / 3] = k % 3 == 0 || twofold_less(high[k / 3], t) ? t : high[k / 3];
+  }
+  twofold gap = twofold_subtract(low[1], high[0]);
+  twofold back = twofold_subtract(low[0], high[1]);
+  return quotient(twofold_less(gap, back) ? back : gap, twofold_root(dot(&unit, &unit)));
+}
+
+/* Enclose the distance by what a pair of features gives. Weights are 0 at least, and their sum is 1
+ * but for 6 u^2, so that the points are those of the triangles but for 2^-99; these are wrong by 60
+ * u^2, as coordinates, and `most` by less than 2^-97. Projections, on a w of length 1/2 at least,
+ * are wrong by 45 u^2, and `least`, a difference of two over that length, by less than 2^-97, too.
+ * What underflows is far less. */
+static void enclose(const twofold_points *p, int a, int b, enclosure *e) {
+  int v[2][3];
+  int count[2] = {0, 0};
+  twofold weight[6] = {{0, 0}};
+  for (int k = 0; k < 3; k++) {
+    if ((a >> k & 1) != 0) {
+      v[0][count[0]++] = k;
+    }
+    if ((b >> k & 1) != 0) {
+      v[1][count[1]++] = 3 + k;
+    }
+  }
+  int first = count[0] > count[1];
+  vector w = nearest_of(p, v[first], count[first], v[!first], count[!first], weight);
+  const twofold error = {0x1p-96 + p->lost, 0};
+  e->least = twofold_subtract(gap_along(p, &w), error);
+  weighted_points(p, weight, e->nearest);
+  w = vector_minus(&e->nearest[1], &e->nearest[0]);
+  e->most = twofold_add(twofold_root(dot(&w, &w)), error);
+}
+
+/* ------------------------------------------------------------------------ results */
+
+/* True iff some candidate is proved to be nearest. */
+static bool is_enclosed(const twofold_points *p, const candidates *c, enclosure *e) {
+  for (int n = 0; n < c->list.count && n < 4 && c->square[n] <= c->square[0] * (1 + 0x1p-20); n++) {
+    enclose(p, c->list.a[n], c->list.b[n], e);
+    double width = twofold_subtract(e->most, e->least).high;
+    if (width <= 0x1p-55 * e->least.high) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* A distance above 0, no smaller than the smallest double. */
+static double rounded(twofold distance, int exponent) {
+  double r = ldexp(distance.high, exponent);
+  return r > 0 ? r : 0x1p-1074;
+}
+
+static void round_points(const twofold_points *p, const vector from[2], double nearest[2][3]) {
+  for (int k = 0; k < 6 && nearest != NULL; k++) {
+    twofold x = twofold_add(p->origin.c[k % 3], from[k / 3].c[k % 3]);
+    nearest[k / 3][k % 3] = ldexp(x.high, p->exponent);
+  }
+}
+
+double sepax_distance_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                            const sepax_pose *pose_b, double nearest[2][3]) {
+  twofold_points p;
+  candidates c;
+  enclosure e;
+  find_twofold_points(&p, a, pose_a, b, pose_b);
+  find_candidates(&p, &c);
+  if (is_enclosed(&p, &c, &e)) {
+    round_points(&p, e.nearest, nearest);
+    twofold sum = twofold_add(e.least, e.most);
+    return rounded(sum, p.exponent - 1);
+  }
+  posed_points points;
+  exact_nearest found;
+  int fine;
+  int exponent = find_posed_points(&points, a, pose_a, b, pose_b);
+  find_exact_nearest(&points, &c.list, &found);
+  weighted_points(&p, found.weight, e.nearest);
+  round_points(&p, e.nearest, nearest);
+  twofold distance = exact_distance(&found, &fine);
+  return found.over.sign == 0 ? 0 : rounded(distance, exponent + fine);
+}
+
+bool distance_within_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                           const sepax_pose *pose_b, double limit) {
+  twofold_points p;
+  candidates c;
+  enclosure e;
+  find_twofold_points(&p, a, pose_a, b, pose_b);
+  find_candidates(&p, &c);
+  enclose(&p, c.list.a[0], c.list.b[0], &e);
+  double scaled = ldexp(limit, -p.exponent);
+  if (e.most.high < scaled * (1 - 0x1p-50)) {
+    return true;
+  }
+  if (e.least.high > scaled * (1 + 0x1p-50) + 0x1p-1000) {
+    return false;
+  }
+  posed_points points;
+  exact_nearest found;
+  int exponent = find_posed_points(&points, a, pose_a, b, pose_b);
+  find_exact_nearest(&points, &c.list, &found);
+  return exact_within(&found, exponent, limit);
+}
