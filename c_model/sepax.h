@@ -364,8 +364,8 @@ typedef struct {
   size_t parts;
 } sepax_shell;
 
-/* About 0.1 us a triangle. Fails without memory, and on more than 715,827,882 triangles; free with
- * sepax_shell_free. */
+/* Some tenths of a microsecond a triangle. Fails without memory, and on more than 715,827,882
+ * triangles; free with sepax_shell_free. */
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error);
 void sepax_shell_free(sepax_shell *shell);
 

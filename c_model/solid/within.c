@@ -3,7 +3,7 @@
  * Bodies of which no triangles collide: a part is inside if one vertex of it is, and that is inside
  * a closed body if a ray from it meets an odd number of triangles. The ray runs along an axis of
  * that body to the nearest side of its box. Doubles decide where they are certain, else ray.c. */
-#include "placement.h"
+#include "body/placement.h"
 #include "ray.h"
 
 #include <float.h>

@@ -7,7 +7,7 @@
  * Doubles have exponents from -1074 to 1023. adj(R_B) x has up to 5,400 bits, a cross product of
  * two edges 4,200, and the product of both, the longest number here, fits a big. */
 #include "ray.h"
-#include "number.h"
+#include "body/number.h"
 
 static const int next[3] = {1, 2, 0};
 

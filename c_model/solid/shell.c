@@ -3,7 +3,7 @@
  * Corners of equal coordinates get one number, by a hash table, in the order of the tree, so that
  * neighbours have numbers near each other. Each edge is then listed at the lower of its two
  * numbers, by counting, and these short lists are sorted. */
-#include "body.h"
+#include "body/body.h"
 #include "util/error.h"
 
 #include <stdlib.h>
@@ -49,8 +49,8 @@ static void enter(slot *slots, size_t mask, uint64_t hash, uint32_t number) {
   slots[at] = (slot){(uint32_t)(hash >> 32), number};
 }
 
-/* Room for another vertex; half of the slots at least stay free. */
-static bool make_room(surface *s) {
+/* Memory for another vertex; half of the slots at least stay free. */
+static bool reserve_vertex(surface *s) {
   if (s->vertices < s->capacity) {
     return true;
   }
@@ -97,7 +97,7 @@ static bool number_vertices(surface *s, const sepax_body *body) {
       for (int i = 0; i < 3; i++) {
         v[i] = body->triangle[n][k][i] + 0.0; /* -0 becomes 0 */
       }
-      if (!make_room(s)) {
+      if (!reserve_vertex(s)) {
         return false;
       }
       s->corner[n][k] = number_vertex(s, v);
