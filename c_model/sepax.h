@@ -122,6 +122,17 @@ bool sepax_float64(const sepax_tri *a, const sepax_tri *b);
 bool sepax_interval32(const sepax_tri *a, const sepax_tri *b);
 bool sepax_interval64(const sepax_tri *a, const sepax_tri *b);
 
+/* The test of Guigue and Devillers (2003) in the same precisions: up to eight signs of orient3d, in
+ * a common plane of orient2d. It divides nothing and is right where no sign is rounded away: in
+ * double precision always for W <= 16. It is not defined for triangles without area. */
+bool sepax_guigue32(const sepax_tri *a, const sepax_tri *b);
+bool sepax_guigue64(const sepax_tri *a, const sepax_tri *b);
+
+/* The verdict of sepax_exact for every pair: the same test in double precision with a bound on the
+ * rounding of each sign, and sepax_exact where a sign is in doubt or a triangle has no area.
+ * *settled (NULL: not asked) is true iff doubles were enough. */
+bool sepax_filtered(const sepax_tri *a, const sepax_tri *b, bool *settled);
+
 /* How far a pair is from the other verdict, in LSB. For a collision it is the depth, the length of
  * the shortest translation that leaves mere contact (0 for contact, and for all coplanar pairs);
  * for separated triangles it is minus their distance. Rounded: the relative error is about 1e-9,

@@ -27,6 +27,9 @@ typedef enum {
   SEPAX_ARCH_FLOAT64,    /* software baseline in IEEE double precision */
   SEPAX_ARCH_INTERVAL32, /* the interval test of Moeller, the usual one, single precision */
   SEPAX_ARCH_INTERVAL64, /* the same in double precision */
+  SEPAX_ARCH_GUIGUE32,   /* the test of Guigue and Devillers by orientations, single precision */
+  SEPAX_ARCH_GUIGUE64,   /* the same in double precision */
+  SEPAX_ARCH_FILTERED,   /* the same with a bound on each sign, exact where one is in doubt */
   SEPAX_ARCH_COUNT
 } sepax_arch;
 

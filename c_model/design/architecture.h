@@ -21,6 +21,6 @@ extern const architecture architecture_exact, architecture_paper, architecture_c
 
 /* Models that are no function of the public headers. */
 judge_function judge_exact, judge_reference, judge_float32, judge_float64, judge_interval32,
-    judge_interval64;
+    judge_interval64, judge_guigue32, judge_guigue64, judge_filtered;
 
 #endif

@@ -11,6 +11,9 @@ static const architecture float32 = {.name = "float32", .judge = judge_float32};
 static const architecture float64 = {.name = "float64", .judge = judge_float64};
 static const architecture interval32 = {.name = "interval32", .judge = judge_interval32};
 static const architecture interval64 = {.name = "interval64", .judge = judge_interval64};
+static const architecture guigue32 = {.name = "guigue32", .judge = judge_guigue32};
+static const architecture guigue64 = {.name = "guigue64", .judge = judge_guigue64};
+static const architecture filtered = {.name = "filtered", .judge = judge_filtered};
 
 const architecture *const architectures[SEPAX_ARCH_COUNT] = {
     [SEPAX_ARCH_EXACT] = &architecture_exact,
@@ -21,6 +24,9 @@ const architecture *const architectures[SEPAX_ARCH_COUNT] = {
     [SEPAX_ARCH_FLOAT64] = &float64,
     [SEPAX_ARCH_INTERVAL32] = &interval32,
     [SEPAX_ARCH_INTERVAL64] = &interval64,
+    [SEPAX_ARCH_GUIGUE32] = &guigue32,
+    [SEPAX_ARCH_GUIGUE64] = &guigue64,
+    [SEPAX_ARCH_FILTERED] = &filtered,
 };
 
 const char *sepax_arch_name(sepax_arch arch) { return architectures[arch]->name; }

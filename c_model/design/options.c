@@ -33,7 +33,7 @@ static const design_option table[] = {
     {"arch", 0, OPTION_ARCH, FIELD(arch), SEPAX_ARCH_EXACT, 0, SEPAX_ARCH_COUNT - 1, NULL,
      ALL, ALL, true, NULL, "%s", "NAME",
      "exact (default), paper or conference; without hardware: reference, float32, float64, "
-     "interval32, interval64"},
+     "interval32, interval64, guigue32, guigue64, filtered"},
     {"word", 'w', OPTION_NUMBER, FIELD(word), 18, SEPAX_WORD_MIN, SEPAX_WORD_MAX, NULL,
      ALL, ALL, true, NULL, "-w%s", "BITS",
      "word length W of a coordinate, 4 ... 32 (18)"},

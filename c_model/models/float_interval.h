@@ -50,29 +50,25 @@ static REAL NAME(orient2d)(NAME(vec) p, NAME(vec) q, NAME(vec) r, int axis) {
          (NAME(along)(q, v) - NAME(along)(p, v)) * (NAME(along)(r, u) - NAME(along)(p, u));
 }
 
-static bool NAME(inside)(NAME(vec) p, const NAME(vec) t[3], int axis) {
-  REAL side[3];
-  for (int i = 0; i < 3; i++) {
-    side[i] = NAME(orient2d)(t[i], t[(i + 1) % 3], p, axis);
-  }
-  return (side[0] >= 0 && side[1] >= 0 && side[2] >= 0) ||
-         (side[0] <= 0 && side[1] <= 0 && side[2] <= 0);
-}
-
+/* Triangles with an area in one plane, projected along an axis: they are separated iff some edge
+ * has the other triangle beyond it, its own third vertex not. */
 static bool NAME(in_plane)(const NAME(vec) p[6], int axis) {
-  for (int i = 0; i < 3; i++) {
-    for (int j = 3; j < 6; j++) {
-      NAME(vec) a = p[i];
-      NAME(vec) b = p[(i + 1) % 3];
-      NAME(vec) c = p[j];
-      NAME(vec) d = p[3 + (j + 1) % 3];
-      if (NAME(orient2d)(a, b, c, axis) * NAME(orient2d)(a, b, d, axis) <= 0 &&
-          NAME(orient2d)(c, d, a, axis) * NAME(orient2d)(c, d, b, axis) <= 0) {
-        return true;
-      }
+  for (int i = 0; i < 6; i++) {
+    int own = i - i % 3;
+    const NAME(vec) *q = &p[3 - own];
+    NAME(vec) from = p[i];
+    NAME(vec) to = p[own + (i + 1) % 3];
+    REAL inner = NAME(orient2d)(from, to, p[own + (i + 2) % 3], axis);
+    bool beyond = true;
+    for (int k = 0; k < 3; k++) {
+      REAL side = NAME(orient2d)(from, to, q[k], axis);
+      beyond = beyond && ((inner > 0 && side < 0) || (inner < 0 && side > 0));
+    }
+    if (beyond) {
+      return false;
     }
   }
-  return NAME(inside)(p[0], p + 3, axis) || NAME(inside)(p[3], p, axis);
+  return true;
 }
 
 /* The sides of three points of the plane through the other three; true: all on one. */
@@ -90,10 +86,7 @@ static bool NAME(intervals_overlap)(const sepax_tri *a, const sepax_tri *b) {
   NAME(vec) p[6];
   NAME(vec) normal[2];
   REAL side[2][3];
-  for (int i = 0; i < 6; i++) {
-    sepax_vec v = i < 3 ? a->v[i] : b->v[i - 3];
-    p[i] = (NAME(vec)){(REAL)v.x, (REAL)v.y, (REAL)v.z};
-  }
+  NAME(load)(p, a, b);
   if (NAME(sides)(p, p + 3, &normal[1], side[0]) || NAME(sides)(p + 3, p, &normal[0], side[1])) {
     return false;
   }

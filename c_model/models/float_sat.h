@@ -5,6 +5,13 @@ typedef struct {
   REAL x, y, z;
 } NAME(vec);
 
+static void NAME(load)(NAME(vec) p[6], const sepax_tri *a, const sepax_tri *b) {
+  for (int i = 0; i < 6; i++) {
+    sepax_vec v = i < 3 ? a->v[i] : b->v[i - 3];
+    p[i] = (NAME(vec)){(REAL)v.x, (REAL)v.y, (REAL)v.z};
+  }
+}
+
 static NAME(vec) NAME(subtract)(NAME(vec) p, NAME(vec) q) {
   return (NAME(vec)){p.x - q.x, p.y - q.y, p.z - q.z};
 }
@@ -42,10 +49,7 @@ static bool NAME(separates)(NAME(vec) axis, const NAME(vec) p[6]) {
 static bool NAME(collide)(const sepax_tri *a, const sepax_tri *b) {
   NAME(vec) p[6];
   NAME(vec) edge[6];
-  for (int i = 0; i < 6; i++) {
-    sepax_vec v = i < 3 ? a->v[i] : b->v[i - 3];
-    p[i] = (NAME(vec)){(REAL)v.x, (REAL)v.y, (REAL)v.z};
-  }
+  NAME(load)(p, a, b);
   for (int i = 0; i < 6; i++) {
     edge[i] = NAME(subtract)(p[i % 3 == 2 ? i - 2 : i + 1], p[i]);
   }

@@ -41,6 +41,13 @@ SOFTWARE(float32)
 SOFTWARE(float64)
 SOFTWARE(interval32)
 SOFTWARE(interval64)
+SOFTWARE(guigue32)
+SOFTWARE(guigue64)
+
+sepax_verdict judge_filtered(const sepax_design *design, const sepax_pair *pair) {
+  (void)design;
+  return (sepax_verdict){.collision = sepax_filtered(&pair->a, &pair->b, NULL)};
+}
 
 sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair) {
   return architectures[design->config.arch]->judge(design, pair);
