@@ -152,7 +152,7 @@ report: $(SEPAX) $(BUILD)/liberty
 	  $(EXPERIMENT)/report $(if $(QUICK),-q) $(BUILD)/report
 
 accuracy: $(SEPAX) $(BUILD)/bench
-	@$(EXPERIMENT)/accuracy $(if $(QUICK),-q) $(BUILD)/accuracy
+	@$(EXPERIMENT)/accuracy $(if $(QUICK),-q) $(BUILD)/accuracy $(MESHES)
 
 clearance: $(BUILD)/clearance-test
 	@$(EXPERIMENT)/clearance $< $(if $(call given,COUNT),$(COUNT),10000000) $(BUILD)/clearance

@@ -334,7 +334,7 @@ static void count_near(tally t[GROUPS], const accuracy_options *o, const sepax_d
   near->count = 0;
 }
 
-/* The pairs of triangles of two meshes whose AABBs are not more than 1 LSB apart. */
+/* The pairs of triangles of two meshes whose AABBs overlap or have a gap of 1 LSB. */
 static void study_meshes(const accuracy_options *o, const sepax_design *design,
                          const row_style *style, const sepax_scene *scene) {
   static block near;
@@ -390,7 +390,7 @@ int cli_accuracy(int argc, char **argv) {
       parse,
       "[A.stl B.stl]",
       "Count the wrong verdicts of a design on seeded hard pairs, or on the pairs of triangles of "
-      "two meshes whose AABBs are not more than 1 LSB apart: collisions that it misses and "
+      "two meshes whose AABBs overlap or have a gap of 1 LSB: collisions that it misses and "
       "how deep the deepest is, false alarms and how wide the widest gap is, in LSB; and "
       "verdicts that change with the order of vertices or of triangles, a translation, a symmetry "
       "or a scale.",

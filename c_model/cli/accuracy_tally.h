@@ -11,7 +11,7 @@ enum { VARIANTS = 5 };
 
 static const char *const variant_name[VARIANTS] = {"order", "exchange", "move", "axes", "scale"};
 
-/* Pairs are counted apart: both triangles have an area, or one has none. */
+/* Proper: both triangles have an area. Degenerate: one has none. */
 typedef enum { ANY, PROPER, DEGENERATE, GROUPS } group;
 
 static const char *const group_name[GROUPS] = {"any", "proper", "degenerate"};
@@ -134,11 +134,11 @@ static inline void print_row(const row_style *s, const char *family, group of, c
   putchar('\n');
 }
 
-/* The row of all pairs; `apart` (always in CSV): and of those in each group that has any. */
+/* The row of all pairs; `grouped` (always in CSV): and of those in each group that has any. */
 static inline void print_rows(const row_style *s, const char *family, const tally t[GROUPS],
-                              bool apart) {
+                              bool grouped) {
   for (group of = ANY; of < GROUPS; of++) {
-    if (of == ANY || ((s->csv || apart) && t[of].pairs + t[of].varied > 0)) {
+    if (of == ANY || ((s->csv || grouped) && t[of].pairs + t[of].varied > 0)) {
       print_row(s, family, of, &t[of]);
     }
   }

@@ -1,9 +1,9 @@
 /* verdicts.c - pairs a second of the software verdicts on one core, side by side on the same
  * pairs of W = 18: first the families uniform and local in turn, 48 % of which collide,
- * then each family, of which the slowest is told. Best of five rounds. */
+ * then each family, of which the slowest is told. Best of ROUNDS rounds, the argument (5). */
 #include "columns.h"
 
-enum { PAIRS = 1 << 15, ROUNDS = 5 };
+enum { PAIRS = 1 << 15 };
 
 typedef struct {
   sepax_pair *pair;
@@ -31,6 +31,9 @@ SINGLY(float64, sepax_float64(&p->a, &p->b))
 SINGLY(float32, sepax_float32(&p->a, &p->b))
 SINGLY(interval64, sepax_interval64(&p->a, &p->b))
 SINGLY(interval32, sepax_interval32(&p->a, &p->b))
+SINGLY(guigue64, sepax_guigue64(&p->a, &p->b))
+SINGLY(guigue32, sepax_guigue32(&p->a, &p->b))
+SINGLY(filtered, sepax_filtered(&p->a, &p->b, NULL))
 SINGLY(paper, sepax_paper(&w->paper, p).collision)
 
 static size_t by_path(const work *w, sepax_path path) {
@@ -58,6 +61,9 @@ static const struct {
                {"float32", float32, SEPAX_PATH_BEST},
                {"interval64", interval64, SEPAX_PATH_BEST},
                {"interval32", interval32, SEPAX_PATH_BEST},
+               {"guigue64", guigue64, SEPAX_PATH_BEST},
+               {"guigue32", guigue32, SEPAX_PATH_BEST},
+               {"filtered", filtered, SEPAX_PATH_BEST},
                {"reference", reference, SEPAX_PATH_BEST},
                {"sat54", sat54, SEPAX_PATH_BEST},
                {"paper", paper, SEPAX_PATH_BEST}};
@@ -77,8 +83,8 @@ static void draw(work *w, int family) {
   }
 }
 
-static void measure(const work *w, result results[METHODS]) {
-  for (int round = 0; round < ROUNDS; round++) {
+static void measure(const work *w, int rounds, result results[METHODS]) {
+  for (int round = 0; round < rounds; round++) {
     for (int i = 0; i < METHODS; i++) {
       if (!sepax_path_runs(methods[i].path)) {
         continue;
@@ -91,7 +97,8 @@ static void measure(const work *w, result results[METHODS]) {
   }
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+  int rounds = argc > 1 ? atoi(argv[1]) : 5;
   sepax_config config = sepax_config_default();
   config.arch = SEPAX_ARCH_PAPER;
   work w = {.pair = allocate(PAIRS * sizeof(sepax_pair)),
@@ -101,11 +108,11 @@ int main(void) {
   result least[METHODS] = {{0, 0}};
   size_t slowest[METHODS] = {0};
   draw(&w, -1);
-  measure(&w, usual);
+  measure(&w, rounds, usual);
   for (int family = 0; sepax_family_name((size_t)family) != NULL; family++) {
     result here[METHODS] = {{0, 0}};
     draw(&w, family);
-    measure(&w, here);
+    measure(&w, rounds, here);
     for (int i = 0; i < METHODS; i++) {
       if (family == 0 || here[i].rate < least[i].rate) {
         least[i] = here[i];

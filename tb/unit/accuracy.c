@@ -1,5 +1,5 @@
-/* accuracy.c - what the accuracy laboratory measures with: depths, solids, the
- * interval test. */
+/* accuracy.c - what the accuracy laboratory measures with: depths, solids, the software baselines;
+ * and where a baseline or architecture paper begins to err. */
 #include "oracle/geometry.h"
 #include "oracle/pair_tools.h"
 #include "harness.h"
@@ -169,6 +169,94 @@ CASE(overlapping_bodies_are_solid) {
     assert_false(inside[1]);
   }
   free(box);
+}
+
+/* The filter is never wrong, up to W = 16 it settles every proper pair, and it settles some of
+ * longer words in every family. */
+CASE(filtered_is_exact) {
+  static const int words[] = {4, 16, 18, 20, 24, 27, 32};
+  for (size_t w = 0; w < LENGTH(words); w++) {
+    for (size_t family = 0; family < family_count(); family++) {
+      sepax_random random = seeded(family, words[w]);
+      int count = 0;
+      for (int n = 0; n < 3000; n++) {
+        sepax_pair pair = sepax_family_pair(family, words[w], &random);
+        bool settled;
+        bool verdict = sepax_filtered(&pair.a, &pair.b, &settled);
+        assert_int_equal(verdict, sepax_exact(&pair.a, &pair.b).collision);
+        assert_true(settled || words[w] > 16 || !both_have_area(&pair, words[w]));
+        count += settled;
+      }
+      assert_true(count > 300);
+    }
+  }
+}
+
+/* Signs of doubles are right up to W = 16; longer words lose contacts. */
+CASE(orientations_in_doubles) {
+  int missed[2] = {0, 0};
+  for (int word = 16; word <= 24; word += 8) {
+    for (size_t family = 0; family < family_count(); family++) {
+      sepax_random random = seeded(family, word);
+      for (int n = 0; n < 3000; n++) {
+        sepax_pair pair = sepax_family_pair(family, word, &random);
+        bool exact = sepax_exact(&pair.a, &pair.b).collision;
+        if (both_have_area(&pair, word) && sepax_guigue64(&pair.a, &pair.b) != exact) {
+          missed[word / 24] += exact;
+          assert_int_equal(word, 24);
+        }
+      }
+    }
+  }
+  assert_true(missed[0] == 0 && missed[1] > 500);
+}
+
+/* What SAT in doubles misses at W = 16 are pairs in a plane, whose axes N x e have four factors:
+ * products of three are exact. At W = 20 these round, too. */
+CASE(sat_in_doubles) {
+  int missed[2][2] = {{0, 0}, {0, 0}};
+  for (int word = 16; word <= 20; word += 4) {
+    for (size_t family = 0; family < family_count(); family++) {
+      sepax_random random = seeded(family, word);
+      for (int n = 0; n < 6000; n++) {
+        sepax_pair pair = sepax_family_pair(family, word, &random);
+        sepax_verdict exact = sepax_exact(&pair.a, &pair.b);
+        missed[word / 20][exact.coplanar] += exact.collision && !sepax_float64(&pair.a, &pair.b);
+      }
+    }
+  }
+  assert_true(missed[0][0] == 0 && missed[0][1] > 0);
+  assert_true(missed[1][0] > 0 && missed[1][1] > 0);
+}
+
+/* Where architecture paper keeps 36 bits behind W = 18, one is lost: three odd products on the axis
+ * (1, -1, -1) are floored, and a pair that overlaps is called separated. */
+CASE(a_bit_short) {
+  sepax_pair pair = {
+      .a = {{{-68269, -28501, -95858}, {-68269, -28500, -95859}, {-68270, -28500, -95858}}},
+      .b = {{{-68269, -28499, -95859}, {-68271, -28501, -95858}, {-68270, -28501, -95857}}}};
+  pair.na = sepax_unit_normal(&pair.a, 18);
+  pair.nb = sepax_unit_normal(&pair.b, 18);
+  assert_true(sepax_exact(&pair.a, &pair.b).collision);
+  assert_true(fabs(sepax_depth(&pair.a, &pair.b) - 1 / sqrt(17)) < 1e-9);
+  for (int guard = 36; guard <= 37; guard++) {
+    sepax_config config = sepax_config_default();
+    config.arch = SEPAX_ARCH_PAPER;
+    config.guard = guard;
+    sepax_design design;
+    assert_works(sepax_design_init(&design, &config, &fault));
+    assert_int_equal(sepax_judge(&design, &pair).collision, guard == 37);
+  }
+}
+
+/* Disjoint edges on one line are no collision in a common plane. */
+CASE(edges_on_a_line) {
+  sepax_tri a = {{{0, 0, 5}, {10, 0, 5}, {0, 10, 5}}};
+  sepax_tri b = {{{20, 0, 5}, {30, 0, 5}, {30, 10, 5}}};
+  assert_false(sepax_interval64(&a, &b) || sepax_interval32(&a, &b));
+  assert_false(sepax_guigue64(&a, &b) || sepax_guigue32(&a, &b));
+  b.v[0].x = 10;
+  assert_true(sepax_interval64(&a, &b) && sepax_guigue64(&a, &b));
 }
 
 /* Proper triangles of short words are judged right, but for mere contact: quotients round. */
