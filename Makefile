@@ -53,7 +53,7 @@ ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 
 .PHONY: all job help build setup test reference clean area timing multivt power area-sweep \
-        calibrate scene report accuracy clearance bench hard engine-sweep
+        calibrate scene report accuracy clearance bench bench-bodies hard engine-sweep
 
 all:
 	@scripts/setup
@@ -161,6 +161,12 @@ bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch
 	@$(EXPERIMENT)/bench $(BUILD)/software $(if $(call given,COUNT),$(COUNT))
 	@echo "== verilated core with its golden model, all families:"
 	@$(MAKE) PAIRS=families cosim
+
+# Real meshes where they are at hand.
+MESH_DIR ?= $(wildcard ../shared/meshes)
+bench-bodies: $(BUILD)/bench_bodies
+	@MESH_DIR="$(MESH_DIR)" $(EXPERIMENT)/bodies $(BUILD)/bodies \
+	  $(if $(call given,COUNT),$(COUNT),1000) $(MESHES)
 
 hard: $(SEPAX)
 	@$(EXPERIMENT)/hard $(if $(call given,COUNT),$(COUNT))

@@ -65,4 +65,18 @@ $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson
 $(BUILD)/unit/%: $(BUILD)/obj/tb/unit/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) $(GEN_OBJ) $(LIB)
 	$(link)
 
+# Bodies that move beside the libraries that are here.
+header   = $(shell echo '\#include <$(1)>' | $(CXX) -x c++ -E - > /dev/null 2>&1 && echo $(2))
+BODIES_O = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard tb/benchmark/*.cpp)) \
+           $(call object,tb/oracle/oracle.c)
+$(BUILD)/obj/tb/benchmark/%.o: tb/benchmark/%.cpp
+	@mkdir -p $(@D)
+	@echo "  CXX     $<"
+	@$(CXX) -std=c++17 -O3 -DNDEBUG -Wall -Wextra -Werror -Ic_model -Itb \
+	  $$(pkg-config --cflags-only-I fcl 2> /dev/null | sed 's/-I/-isystem /g') -MMD -MP -c $< -o $@
+$(BUILD)/bench_bodies: $(BODIES_O) $(LIB)
+	@echo "  LINK    $@"
+	@$(CXX) $^ $(call header,fcl/fcl.h,-lfcl -lccd) $(call header,embree3/rtcore.h,-lembree3) \
+	  $(call header,mpfr.h,-lmpfr) -lgmp -lm -pthread -o $@
+
 -include $(wildcard $(BUILD)/obj/*/*/*/*.d $(BUILD)/obj/*/*/*.d $(BUILD)/obj/*/*.d)

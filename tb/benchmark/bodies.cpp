@@ -1,0 +1,237 @@
+// bodies.cpp - two bodies that move: libsepax beside the libraries that are here, in one run on
+// one core.
+//   bench_bodies [-n POSES] [-m FOLDER_OF_STL] [-o FILE.json] [SCENE ...]
+// Every answer that differs from another library's goes to the oracle in rational numbers. Exit
+// status 1: one of libsepax's is wrong.
+#include "peer.h"
+#include "bodies_report.h"
+
+#include "oracle/oracle.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <sched.h>
+#include <unistd.h>
+
+double Peer::distance(size_t) const { return 0; }
+
+void stop(const std::string &why) {
+  fprintf(stderr, "bench_bodies: %s\n", why.c_str());
+  exit(2);
+}
+
+namespace {
+
+struct Library {
+  const char *name;
+  Maker make;
+};
+
+const Library libraries[PEERS] = {
+    {"sepax", make_sepax}, {"FCL", make_fcl}, {"CGAL", make_cgal}, {"Embree", make_embree}};
+
+double cpu_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+bool truth(const Scene &scene, const std::array<size_t, 2> &pair, const sepax_pose &pose) {
+  return oracle_collide_posed(scene.mesh[0].facet[pair[0]].v, nullptr,
+                              scene.mesh[1].facet[pair[1]].v, &pose);
+}
+
+/* Pairs that one list has and the other lacks. */
+Pairs difference(Pairs &from, Pairs &other) {
+  Pairs only;
+  std::set_difference(from.begin(), from.end(), other.begin(), other.end(),
+                      std::back_inserter(only));
+  return only;
+}
+
+void compare_all(const Scene &scene, const sepax_pose &pose, Pairs &own, Pairs &others,
+                 Figures *figures) {
+  std::sort(others.begin(), others.end());
+  const Pairs claims[2] = {difference(own, others), difference(others, own)};
+  for (int k = 0; k < 2; k++) {
+    for (const auto &pair : claims[k]) {
+      /* A claim that is true makes the other wrong. */
+      const bool wrong_other = truth(scene, pair, pose) == (k == 0);
+      (wrong_other ? figures[1] : figures[0]).wrong++;
+    }
+  }
+}
+
+void compare_first(const Scene &scene, const sepax_pose &pose, const Pairs &own,
+                   const Pairs &others, Figures *figures) {
+  if (own.empty() != others.empty()) {
+    const bool collide = truth(scene, own.empty() ? others[0] : own[0], pose);
+    (collide == own.empty() ? figures[0] : figures[1]).wrong++;
+  }
+}
+
+/* libsepax and each other library against it; figures[0] is its own. */
+void compare(const Scene &scene, const Poses &poses, Query query, Peer *const peer[PEERS],
+             Figures figures[PEERS]) {
+  for (size_t n = 0; n < poses.size(); n++) {
+    Pairs own = peer[0]->pairs(n);
+    std::sort(own.begin(), own.end());
+    figures[0].pairs += own.size();
+    if (query == FIRST && !own.empty() && !truth(scene, own[0], poses[n])) {
+      figures[0].wrong++;
+    }
+    for (int k = 1; k < PEERS; k++) {
+      if (peer[k] == nullptr || !peer[k]->can(query)) {
+        continue;
+      }
+      Figures two[2] = {};
+      Pairs others = peer[k]->pairs(n);
+      if (query == ALL) {
+        compare_all(scene, poses[n], own, others, two);
+      } else {
+        compare_first(scene, poses[n], own, others, two);
+      }
+      figures[0].wrong += two[0].wrong;
+      figures[k].wrong += two[1].wrong;
+      figures[k].pairs += others.size();
+    }
+  }
+}
+
+/* All libraries in turn on a few poses at a time. */
+void measure(const Scene &scene, const Poses &poses, Peer *const peer[PEERS], Row &row) {
+  const size_t some = scene.mesh[0].count + scene.mesh[1].count < 50000 ? 100 : 10;
+  for (size_t from = 0; from < poses.size(); from += some) {
+    const Poses part(poses.begin() + long(from),
+                     poses.begin() + long(std::min(from + some, poses.size())));
+    for (int query = FIRST; query <= ALL; query++) {
+      for (int k = 0; k < PEERS; k++) {
+        if (peer[k] == nullptr) {
+          continue;
+        }
+        if (from == 0) { /* memory that is touched for the first time */
+          peer[k]->ask(Query(query), {part[0]});
+        }
+        const double start = cpu_seconds();
+        peer[k]->ask(Query(query), part);
+        row.figures[query][k].seconds += cpu_seconds() - start;
+        row.figures[query][k].poses += part.size();
+      }
+      compare(scene, part, Query(query), peer, row.figures[query]);
+    }
+  }
+}
+
+/* Building and one search for all pairs. */
+void measure_once(const Scene &scene, const sepax_pose &pose, Row &row) {
+  const size_t rounds = scene.mesh[0].count + scene.mesh[1].count < 50000 ? 5 : 1;
+  std::unique_ptr<Peer> peer[PEERS];
+  Peer *all[PEERS] = {};
+  for (int k = 0; k < PEERS; k++) {
+    double best = 0;
+    for (size_t round = 0; round < rounds; round++) {
+      const double start = cpu_seconds();
+      peer[k] = libraries[k].make(scene.mesh[0], scene.mesh[1]);
+      if (peer[k] == nullptr) {
+        break;
+      }
+      peer[k]->ask(ALL, {pose});
+      const double took = cpu_seconds() - start;
+      best = round == 0 ? took : std::min(best, took);
+    }
+    row.figures[ALL][k].seconds = best;
+    row.figures[ALL][k].poses = peer[k] != nullptr;
+    all[k] = peer[k].get();
+  }
+  compare(scene, {pose}, ALL, all, row.figures[ALL]);
+}
+
+Row row_of(const Scene &scene, const char *kind) {
+  Row row;
+  row.scene = scene.name;
+  row.kind = kind;
+  row.triangles[0] = scene.mesh[0].count;
+  row.triangles[1] = scene.mesh[1].count;
+  return row;
+}
+
+void run(const Scene &scene, Report &report) {
+  for (int dense = 0; dense < 2 && scene.poses.size() >= KINDS; dense++) {
+    Row row = row_of(scene, dense != 0 ? "one-shot, dense" : "one-shot, sparse");
+    measure_once(scene, scene.poses[dense != 0 ? 4 : 2], row);
+    report.add(row);
+  }
+  std::unique_ptr<Peer> peer[PEERS];
+  Peer *all[PEERS];
+  for (int k = 0; k < PEERS; k++) {
+    peer[k] = libraries[k].make(scene.mesh[0], scene.mesh[1]);
+    all[k] = peer[k].get();
+  }
+  for (int kind = 0; kind < KINDS; kind++) {
+    Poses some;
+    for (size_t n = size_t(kind); n < scene.poses.size(); n += KINDS) {
+      some.push_back(scene.poses[n]);
+    }
+    Row row = row_of(scene, kind_names[kind]);
+    measure(scene, some, all, row);
+    report.add(row);
+  }
+  if (!scene.contact.empty()) {
+    Row row = row_of(scene, "contact");
+    measure(scene, scene.contact, all, row);
+    report.add(row);
+  }
+}
+
+void stay_on_one_core() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  CPU_SET(sched_getcpu(), &set);
+  sched_setaffinity(0, sizeof set, &set);
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  size_t poses = 1000;
+  const char *folder = nullptr;
+  const char *json = nullptr;
+  for (int option; (option = getopt(argc, argv, "n:m:o:")) != -1;) {
+    switch (option) {
+    case 'n':
+      poses = strtoul(optarg, nullptr, 10);
+      break;
+    case 'm':
+      folder = optarg;
+      break;
+    case 'o':
+      json = optarg;
+      break;
+    default:
+      return 2;
+    }
+  }
+  std::vector<std::string> names(argv + optind, argv + argc);
+  names = names.empty() ? scene_names() : names;
+  stay_on_one_core();
+  const char *called[PEERS];
+  for (int k = 0; k < PEERS; k++) {
+    called[k] = libraries[k].name;
+  }
+  Report report(called);
+  for (const std::string &name : names) {
+    const std::unique_ptr<Scene> scene = make_scene(name, poses, folder);
+    if (scene == nullptr) {
+      printf("%s: skipped, its meshes are not here\n", name.c_str());
+      continue;
+    }
+    run(*scene, report);
+    report.print_scene(name);
+  }
+  report.print_bars();
+  if (json != nullptr) {
+    report.write_json(json);
+  }
+  return report.wrong() > 0 ? 1 : 0;
+}

@@ -1,0 +1,54 @@
+/* peer.h - what libraries are asked about two bodies, one way for all of them. */
+#ifndef BENCHMARK_PEER_H
+#define BENCHMARK_PEER_H
+
+#include "sepax.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+enum Query { FIRST, ALL, DISTANCE, QUERIES };
+
+using Pairs = std::vector<std::array<size_t, 2>>;
+using Poses = std::vector<sepax_pose>;
+
+/* Two bodies of one library, its trees built. */
+class Peer {
+public:
+  virtual ~Peer() = default;
+  virtual bool can(Query query) const { return query != DISTANCE; }
+  /* A as it stands against B in each pose; the answers stay until the next question. */
+  virtual void ask(Query query, const Poses &poses) = 0;
+  /* What ask(FIRST), ask(ALL) found in pose n. */
+  virtual Pairs pairs(size_t n) const = 0;
+  /* Of ask(DISTANCE); 0 or less for a collision. */
+  virtual double distance(size_t n) const;
+};
+
+/* nullptr: the library's headers are not here. */
+using Maker = std::unique_ptr<Peer> (*)(const sepax_mesh &a, const sepax_mesh &b);
+std::unique_ptr<Peer> make_sepax(const sepax_mesh &a, const sepax_mesh &b);
+std::unique_ptr<Peer> make_fcl(const sepax_mesh &a, const sepax_mesh &b);
+std::unique_ptr<Peer> make_cgal(const sepax_mesh &a, const sepax_mesh &b);
+std::unique_ptr<Peer> make_embree(const sepax_mesh &a, const sepax_mesh &b);
+
+/* Two meshes, and B's poses: kinds in turn from far away to deep inside. */
+struct Scene {
+  std::string name;
+  sepax_mesh mesh[2] = {{nullptr, 0}, {nullptr, 0}};
+  Poses poses, contact; /* contact: the poses of a bar of its own, or none */
+  ~Scene();
+};
+
+constexpr int KINDS = 5;
+extern const char *const kind_names[KINDS];
+
+std::vector<std::string> scene_names();
+/* folder: where ktoolcav.stl and ktoolcor.stl are. nullptr: a mesh is not there. */
+std::unique_ptr<Scene> make_scene(const std::string &name, size_t poses, const char *folder);
+
+[[noreturn]] void stop(const std::string &why);
+
+#endif

@@ -1,0 +1,88 @@
+// peer_fcl.cpp - FCL: hierarchies of oriented boxes (OBB) for collisions, of boxes and
+// rectangle swept spheres (OBBRSS) for distances.
+#include "peer.h"
+
+#if __has_include(<fcl/fcl.h>)
+#include <fcl/fcl.h>
+
+namespace {
+
+template <typename Volume> std::unique_ptr<fcl::BVHModel<Volume>> model_of(const sepax_mesh &mesh) {
+  auto model = std::make_unique<fcl::BVHModel<Volume>>();
+  model->beginModel(static_cast<int>(mesh.count), static_cast<int>(3 * mesh.count));
+  for (size_t n = 0; n < mesh.count; n++) {
+    const auto &v = mesh.facet[n].v;
+    model->addTriangle({v[0][0], v[0][1], v[0][2]}, {v[1][0], v[1][1], v[1][2]},
+                       {v[2][0], v[2][1], v[2][2]});
+  }
+  model->endModel();
+  return model;
+}
+
+fcl::Transform3d transform_of(const sepax_pose &pose) {
+  fcl::Transform3d t = fcl::Transform3d::Identity();
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      t.linear()(i, k) = pose.rotation[i][k];
+    }
+    t.translation()[i] = pose.translation[i];
+  }
+  return t;
+}
+
+class Fcl : public Peer {
+public:
+  Fcl(const sepax_mesh &a, const sepax_mesh &b)
+      : boxes{model_of<fcl::OBBd>(a), model_of<fcl::OBBd>(b)}, mesh{a, b} {}
+
+  bool can(Query) const override { return true; }
+
+  void ask(Query query, const Poses &poses) override {
+    const fcl::Transform3d still = fcl::Transform3d::Identity();
+    found.clear();
+    found.resize(poses.size());
+    away.resize(poses.size());
+    if (query == DISTANCE && !swept[0]) {
+      swept[0] = model_of<fcl::OBBRSSd>(mesh[0]);
+      swept[1] = model_of<fcl::OBBRSSd>(mesh[1]);
+    }
+    for (size_t n = 0; n < poses.size(); n++) {
+      const fcl::Transform3d moved = transform_of(poses[n]);
+      if (query == DISTANCE) {
+        fcl::DistanceResultd result;
+        fcl::DistanceRequestd request(true);
+        away[n] = fcl::distance(swept[0].get(), still, swept[1].get(), moved, request, result);
+      } else {
+        fcl::CollisionRequestd request(query == FIRST ? 1 : SIZE_MAX, false);
+        fcl::collide(boxes[0].get(), still, boxes[1].get(), moved, request, found[n]);
+      }
+    }
+  }
+
+  Pairs pairs(size_t n) const override {
+    Pairs list;
+    for (size_t k = 0; k < found[n].numContacts(); k++) {
+      const fcl::Contactd &contact = found[n].getContact(k);
+      list.push_back({static_cast<size_t>(contact.b1), static_cast<size_t>(contact.b2)});
+    }
+    return list;
+  }
+
+  double distance(size_t n) const override { return away[n]; }
+
+private:
+  std::unique_ptr<fcl::BVHModel<fcl::OBBd>> boxes[2];
+  std::unique_ptr<fcl::BVHModel<fcl::OBBRSSd>> swept[2];
+  const sepax_mesh mesh[2];
+  std::vector<fcl::CollisionResultd> found;
+  std::vector<double> away;
+};
+
+} // namespace
+
+std::unique_ptr<Peer> make_fcl(const sepax_mesh &a, const sepax_mesh &b) {
+  return std::make_unique<Fcl>(a, b);
+}
+#else
+std::unique_ptr<Peer> make_fcl(const sepax_mesh &, const sepax_mesh &) { return nullptr; }
+#endif
