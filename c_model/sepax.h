@@ -352,11 +352,32 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
                           const sepax_pose *pose_b, const sepax_query *query, sepax_pairs *found,
                           sepax_error *error);
 
-/* The pairs whose distance is at most `distance`, which is within 0 ... 2^1000, compared exactly
- * with the double; with 0 those that collide. Everything else as for sepax_bodies_collide. */
+/* The pairs whose distance is at most `distance`, which is within 0 ... 2^1000, or less where the
+ * query is strict, compared exactly with the double; with 0 those that collide. Everything else as
+ * for sepax_bodies_collide. */
 bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                        const sepax_pose *pose_b, double distance, const sepax_query *query,
                        sepax_pairs *found, sepax_error *error);
+
+/* How a distance is asked for; all zero: whatever it is. */
+typedef struct {
+  double limit; /* a distance above it is not looked for, which is faster; 0: no limit */
+  sepax_path path;
+} sepax_distance_request;
+
+typedef struct {
+  double min_distance;         /* infinite where it is above the limit; the rest is 0 then */
+  double nearest_points[2][3]; /* of A, of B */
+  size_t pair[2];              /* triangles that these points are on: number in A, number in B */
+} sepax_distance_result;
+
+/* The distance of the surfaces of two bodies in their poses (NULL: as they stand), the least of
+ * sepax_distance_posed over all pairs of triangles, exact and rounded as there; and a pair that has
+ * it. `request` may be NULL. Poses must be valid. Fails without memory, or on a limit that is no
+ * number or negative. */
+bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                           const sepax_pose *pose_b, const sepax_distance_request *request,
+                           sepax_distance_result *result, sepax_error *error);
 
 /* ------------------------------------------------------------------ solids */
 

@@ -431,8 +431,8 @@ double sepax_distance_posed(const double a[3][3], const sepax_pose *pose_a, cons
   return found.over.sign == 0 ? 0 : rounded(distance, exponent + fine);
 }
 
-bool distance_within_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                           const sepax_pose *pose_b, double limit) {
+int distance_compare(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                     const sepax_pose *pose_b, double limit) {
   twofold_points p;
   candidates c;
   enclosure e;
@@ -441,14 +441,14 @@ bool distance_within_posed(const double a[3][3], const sepax_pose *pose_a, const
   enclose(&p, c.list.a[0], c.list.b[0], &e);
   double scaled = ldexp(limit, -p.exponent);
   if (e.most.high < scaled * (1 - 0x1p-50)) {
-    return true;
+    return -1;
   }
   if (e.least.high > scaled * (1 + 0x1p-50) + 0x1p-1000) {
-    return false;
+    return 1;
   }
   posed_points points;
   exact_nearest found;
   int exponent = find_posed_points(&points, a, pose_a, b, pose_b);
   find_exact_nearest(&points, &c.list, &found);
-  return exact_within(&found, exponent, limit);
+  return exact_compare(&found, exponent, limit);
 }

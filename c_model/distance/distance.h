@@ -31,12 +31,12 @@ void find_exact_nearest(const posed_points *p, const feature_list *likely, exact
 /* value * 2^*exponent is the distance, right to 2^-90 of itself. */
 twofold exact_distance(const exact_nearest *n, int *exponent);
 
-/* True iff the distance times 2^exponent is at most `limit` >= 0; exact. */
-bool exact_within(const exact_nearest *n, int exponent, double limit);
+/* The sign of the distance times 2^exponent less `limit` >= 0; exact. */
+int exact_compare(const exact_nearest *n, int exponent, double limit);
 
-/* True iff the distance of the triangles is at most `limit` >= 0; exact. Coordinates as for
+/* The sign of the distance of the triangles less `limit` >= 0; exact. Coordinates as for
  * sepax_distance_posed. */
-bool distance_within_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                           const sepax_pose *pose_b, double limit);
+int distance_compare(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                     const sepax_pose *pose_b, double limit);
 
 #endif

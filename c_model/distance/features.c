@@ -328,11 +328,11 @@ static void shift_up(big *r, int shift) {
   r->sign = product.sign;
 }
 
-bool exact_within(const exact_nearest *n, int exponent, double limit) {
+int exact_compare(const exact_nearest *n, int exponent, double limit) {
   int exponent_limit;
   double size = frexp(limit, &exponent_limit);
   if (n->over.sign == 0 || limit == 0) {
-    return n->over.sign == 0;
+    return (n->over.sign != 0) - (limit > 0);
   }
   big square;
   big most;
@@ -348,5 +348,5 @@ bool exact_within(const exact_nearest *n, int exponent, double limit) {
   }
   int up = 2 * (exponent_limit - 53 - exponent);
   shift_up(up > 0 ? &most : &least, up > 0 ? up : -up);
-  return big_compare_sizes(&least, &most) <= 0;
+  return big_compare_sizes(&least, &most);
 }

@@ -1,0 +1,43 @@
+/* search.h - the pairs of triangles of two posed bodies that may be within a limit, nearest boxes
+ * first (private). */
+#ifndef SEPAX_SEARCH_H
+#define SEPAX_SEARCH_H
+
+#include "body/placement.h"
+
+/* A body's triangles into the common coordinates of a search, in its unit. */
+typedef struct {
+  double rotation[3][3], translation[3];
+  double unit;  /* of the body's coordinates, before the rotation */
+  double error; /* of a placed vertex, as a length */
+} world_pose;
+
+enum { SEARCH_BATCH = 16 };
+
+typedef struct search search;
+struct search {
+  const sepax_body *body[2];
+  /* Called with places i of A and j of B whose distance is within least ... most, where least is
+   * at most the limit; the limit may be lowered then. */
+  void (*take)(search *s, uint32_t i, uint32_t j, double least, double most);
+  void *context;
+  double limit;   /* farther pairs need not be found; in file units */
+  int batch;      /* so many pairs are looked at together */
+  bool ended;     /* set to end the search */
+  double seconds; /* end after so much time; 0: no limit */
+  bool portable;  /* without AVX2 */
+  /* of the search */
+  placement at;
+  world_pose pose[2];
+  double unit; /* of numbers of pairs, a power of two */
+  struct {
+    uint32_t at[2];
+    double least;
+  } waiting[SEARCH_BATCH];
+  int count;
+};
+
+/* Calls `take` for all pairs within the limit, and for others. */
+void search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b);
+
+#endif
