@@ -382,7 +382,7 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
 /* ------------------------------------------------------------------ solids */
 
 /* The surface of a body. Vertices are one where their coordinates are equal (-0 is 0); an edge
- * joins two that differ. A part is what hangs together by vertices. Triangles without area are
+ * joins two that differ. A part is what hangs together by edges. Triangles without area are
  * triangles like others. Fill it with sepax_shell_find; the body must stay as long as it. It never
  * changes; threads may share it. */
 typedef struct {
@@ -392,8 +392,9 @@ typedef struct {
                       their number is odd: no triangle is turned round */
   size_t facet;    /* where one is false: a triangle by its number in the mesh, and an edge of it */
   double edge[2][3]; /* that is not so; where both are false, an edge that is open */
-  double (*part)[3]; /* a vertex of each connected part */
   size_t parts;
+  size_t pieces; /* of a closed body: parts that touch or overlap each other are one piece */
+  struct sepax_parts *own;
 } sepax_shell;
 
 /* Some tenths of a microsecond a triangle. Fails without memory, and on more than 715,827,882
@@ -406,10 +407,11 @@ void sepax_shell_free(sepax_shell *shell);
  * closed is not asked: within[0] is false where B is open, within[1] where A is. Exact for the
  * doubles given; poses must be valid. Some microseconds for each part inside the other's box.
  *
- * A point is inside a solid iff a ray from it meets the surface an odd number of times. The way
- * that triangles wind does not matter. Closed parts of one body may nest or overlap: a part in a
- * part is a cavity, a part in the cavity is material again, and what two parts have in common is
- * outside. */
+ * A point is inside a part iff a ray from it meets the part an odd number of times, inside a piece
+ * iff it is inside one of its parts, and inside the solid iff it is inside an odd number of pieces.
+ * So a piece inside a piece is a cavity, what is inside that is material again, and parts that
+ * overlap are material where any of them is. The way that triangles wind does not matter. What a
+ * part that crosses itself encloses twice counts as outside. */
 void sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
                          const sepax_pose *pose_b, bool within[2]);
 

@@ -1,9 +1,10 @@
-/* shell.c - is a body closed, do its triangles wind alike, what hangs together.
+/* shell.c - is a body closed, do its triangles wind alike, what hangs together by edges.
  *
  * Corners of equal coordinates get one number, by a hash table, in the order of the tree, so that
  * neighbours have numbers near each other. Each edge is then listed at the lower of its two
  * numbers, by counting, and these short lists are sorted. */
 #include "body/body.h"
+#include "parts.h"
 #include "util/error.h"
 
 #include <stdlib.h>
@@ -23,9 +24,9 @@ typedef struct {
   size_t vertices, capacity;
   slot *slot;
   size_t mask;      /* slots - 1 */
-  uint32_t *parent; /* a vertex of the same part; of one vertex of each part, itself */
   uint32_t *begin;  /* of a vertex's list */
-  uint32_t *edge;   /* 2 other vertex + 1 where the edge runs to the lower number */
+  uint64_t *edge;   /* 2 other vertex + 1 where the edge runs to the lower number; triangle */
+  uint32_t *parent; /* a triangle of the same part; of the first of a part, itself */
 } surface;
 
 /* ---------------------------------------------------------------------- vertices */
@@ -106,44 +107,6 @@ static bool number_vertices(surface *s, const sepax_body *body) {
   return true;
 }
 
-/* ------------------------------------------------------------------------- parts */
-
-static uint32_t root(uint32_t *parent, uint32_t v) {
-  while (parent[v] != v) {
-    parent[v] = parent[parent[v]];
-    v = parent[v];
-  }
-  return v;
-}
-
-/* One vertex of each part; the lowest number. */
-static bool find_parts(const surface *s, sepax_shell *shell) {
-  for (size_t n = 0; n < s->vertices; n++) {
-    s->parent[n] = (uint32_t)n;
-  }
-  for (size_t n = 0; n < s->count; n++) {
-    for (int k = 1; k < 3; k++) {
-      uint32_t p = root(s->parent, s->corner[n][0]);
-      uint32_t q = root(s->parent, s->corner[n][k]);
-      s->parent[p > q ? p : q] = p > q ? q : p;
-    }
-  }
-  for (size_t n = 0; n < s->vertices; n++) {
-    shell->parts += s->parent[n] == n;
-  }
-  shell->part = malloc(shell->parts * sizeof *shell->part);
-  if (shell->part == NULL) {
-    return false;
-  }
-  size_t parts = 0;
-  for (size_t n = 0; n < s->vertices; n++) {
-    if (s->parent[n] == n) {
-      memcpy(shell->part[parts++], s->vertex[n], sizeof *shell->part);
-    }
-  }
-  return true;
-}
-
 /* ------------------------------------------------------------------------- edges */
 
 /* Each edge that has a length at its lower vertex. */
@@ -169,25 +132,26 @@ static void list_edges(const surface *s) {
       uint32_t to = s->corner[n][(k + 1) % 3];
       if (from != to) {
         bool down = from > to;
-        s->edge[--s->begin[down ? to : from]] = 2 * (down ? from : to) + down;
+        uint64_t other = down ? from : to;
+        s->edge[--s->begin[down ? to : from]] = (2 * other + down) << 32 | n;
       }
     }
   }
 }
 
 static int compare(const void *p, const void *q) {
-  uint32_t a = *(const uint32_t *)p;
-  uint32_t b = *(const uint32_t *)q;
+  uint64_t a = *(const uint64_t *)p;
+  uint64_t b = *(const uint64_t *)q;
   return (a > b) - (a < b);
 }
 
-static void sort(uint32_t *e, size_t count) {
+static void sort(uint64_t *e, size_t count) {
   if (count > 24) {
     qsort(e, count, sizeof *e, compare);
     return;
   }
   for (size_t n = 1; n < count; n++) {
-    uint32_t one = e[n];
+    uint64_t one = e[n];
     size_t at = n;
     for (; at > 0 && e[at - 1] > one; at--) {
       e[at] = e[at - 1];
@@ -196,39 +160,40 @@ static void sort(uint32_t *e, size_t count) {
   }
 }
 
-/* A triangle that has this edge. */
-static void name_edge(const surface *s, const sepax_body *body, uint32_t p, uint32_t q,
-                      sepax_shell *shell) {
-  memcpy(shell->edge[0], s->vertex[p], sizeof *s->vertex);
-  memcpy(shell->edge[1], s->vertex[q], sizeof *s->vertex);
-  for (size_t n = 0; n < s->count; n++) {
-    const uint32_t *c = s->corner[n];
-    if ((c[0] == p || c[1] == p || c[2] == p) && (c[0] == q || c[1] == q || c[2] == q)) {
-      shell->facet = body->number[n];
-      return;
-    }
+/* The triangles at one edge, whose vertices are p and edge[...] >> 33. */
+static void judge_edge(const surface *s, const uint64_t *edge, size_t count, uint32_t p,
+                       sepax_shell *shell) {
+  int64_t turn = 0;
+  for (size_t n = 0; n < count; n++) {
+    turn += (edge[n] >> 32 & 1) != 0 ? 1 : -1;
+    join(s->parent, (uint32_t)edge[0], (uint32_t)edge[n]);
   }
+  bool odd = count % 2 != 0;
+  bool uneven = turn > 1 || turn < -1;
+  if ((odd && shell->closed) || (uneven && shell->closed && shell->consistent)) {
+    memcpy(shell->edge[0], s->vertex[p], sizeof *s->vertex);
+    memcpy(shell->edge[1], s->vertex[edge[0] >> 33], sizeof *s->vertex);
+    shell->facet = shell->body->number[(uint32_t)edge[0]];
+  }
+  shell->closed = shell->closed && !odd;
+  shell->consistent = shell->consistent && !uneven;
 }
 
-static void judge_edges(const surface *s, const sepax_body *body, sepax_shell *shell) {
+static void judge_edges(const surface *s, sepax_shell *shell) {
+  for (size_t n = 0; n < s->count; n++) {
+    s->parent[n] = (uint32_t)n;
+  }
   for (uint32_t p = 0; p < s->vertices; p++) {
-    uint32_t *e = s->edge + s->begin[p];
+    uint64_t *e = s->edge + s->begin[p];
     size_t count = s->begin[p + 1] - s->begin[p];
     sort(e, count);
-    for (size_t n = 0; n < count;) {
-      uint32_t q = e[n] / 2;
-      size_t first = n;
-      int64_t turn = 0;
-      for (; n < count && e[n] / 2 == q; n++) {
-        turn += e[n] % 2 != 0 ? 1 : -1;
+    for (size_t first = 0; first < count;) {
+      size_t end = first + 1;
+      while (end < count && e[end] >> 33 == e[first] >> 33) {
+        end++;
       }
-      bool odd = (n - first) % 2 != 0;
-      bool uneven = turn > 1 || turn < -1;
-      if ((odd && shell->closed) || (uneven && shell->closed && shell->consistent)) {
-        name_edge(s, body, p, q, shell);
-      }
-      shell->closed = shell->closed && !odd;
-      shell->consistent = shell->consistent && !uneven;
+      judge_edge(s, e + first, end - first, p, shell);
+      first = end;
     }
   }
 }
@@ -247,15 +212,15 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
   if (s->corner == NULL || s->vertex == NULL || s->slot == NULL || !number_vertices(s, body)) {
     return false;
   }
-  s->parent = malloc(s->vertices * sizeof *s->parent);
+  s->parent = malloc(s->count * sizeof *s->parent);
   s->begin = malloc((s->vertices + 1) * sizeof *s->begin);
   s->edge = malloc(3 * s->count * sizeof *s->edge);
-  if (s->parent == NULL || s->begin == NULL || s->edge == NULL || !find_parts(s, shell)) {
+  if (s->parent == NULL || s->begin == NULL || s->edge == NULL) {
     return false;
   }
   list_edges(s);
-  judge_edges(s, body, shell);
-  return true;
+  judge_edges(s, shell);
+  return find_parts(shell, s->parent);
 }
 
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error) {
@@ -280,6 +245,6 @@ bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *e
 }
 
 void sepax_shell_free(sepax_shell *shell) {
-  free(shell->part);
+  free_parts(shell->own);
   *shell = (sepax_shell){0};
 }

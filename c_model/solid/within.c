@@ -4,11 +4,13 @@
  * a closed body if a ray from it meets an odd number of triangles. The ray runs along an axis of
  * that body to the nearest side of its box. Doubles decide where they are certain, else ray.c. */
 #include "body/placement.h"
+#include "parts.h"
 #include "ray.h"
 
 #include <float.h>
 #include <math.h>
 
+#define ALL UINT32_MAX
 enum { STACK = 512 }; /* 64 levels, up to 7 children waiting on each */
 
 typedef struct {
@@ -17,6 +19,8 @@ typedef struct {
   double error;
   float at[3], slack; /* in its tree's */
   int axis, way;
+  const uint32_t *part_of;
+  uint32_t part;             /* the only one whose triangles count, or ALL */
   const double *vertex;      /* as it stands in its own file, */
   const sepax_pose *pose[2]; /* its pose, the body's */
   bool known;                /* `exact` is found */
@@ -111,7 +115,11 @@ static bool odd_crossings(ray *r) {
         stack[depth++] = child;
         continue;
       }
-      const double(*t)[3] = r->body->triangle[child - BODY_TRIANGLE];
+      uint32_t number = child - BODY_TRIANGLE;
+      if (r->part != ALL && r->part_of[number] != r->part) {
+        continue;
+      }
+      const double(*t)[3] = r->body->triangle[number];
       bool certain;
       bool met = meets(r, t, &certain);
       odd ^= certain ? met : meets_exactly(r, t);
@@ -157,13 +165,42 @@ static bool aim(ray *r) {
   return true;
 }
 
+static bool may_be_in(const ray *r, const solid_part *part) {
+  for (int i = 0; i < 3; i++) {
+    if (r->from[i] + 2 * r->error < part->low[i] || r->from[i] - 2 * r->error > part->high[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool inside(ray *r, const sepax_shell *shell) {
+  const solid_part *part = shell->own->part;
+  bool odd = false;
+  r->part = ALL;
+  if (shell->pieces == shell->parts) {
+    return odd_crossings(r);
+  }
+  r->part_of = shell->own->of;
+  for (uint32_t k = 0; k < shell->parts;) {
+    bool in_piece = false;
+    uint32_t piece = part[k].piece;
+    for (; k < shell->parts && part[k].piece == piece; k++) {
+      r->part = k;
+      in_piece = in_piece || (may_be_in(r, &part[k]) && odd_crossings(r));
+    }
+    odd ^= in_piece;
+  }
+  return odd;
+}
+
 static bool some_part_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
                              const sepax_pose *pose_b) {
   placement at;
   ray r = {.body = b->body, .pose = {pose_a, pose_b}};
   place_bodies(&at, b->body, pose_b, a->body, pose_a);
   for (size_t k = 0; k < a->parts; k++) {
-    r.vertex = a->part[k];
+    r.vertex = a->own->part[k].vertex;
     r.known = false;
     r.error = at.error;
     for (int i = 0; i < 3; i++) {
@@ -174,7 +211,7 @@ static bool some_part_within(const sepax_shell *a, const sepax_pose *pose_a, con
         r.error = INFINITY;
       }
     }
-    if (aim(&r) && odd_crossings(&r)) {
+    if (aim(&r) && inside(&r, b)) {
       return true;
     }
   }

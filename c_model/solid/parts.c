@@ -1,0 +1,94 @@
+/* parts.c - the parts of a body by number, those of one piece in a row. */
+#include "parts.h"
+#include "body/body.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* of[n]: the part of triangle n, numbered in the order of their first triangles. */
+static uint32_t number_parts(uint32_t *of, uint32_t *parent, size_t count) {
+  uint32_t parts = 0;
+  for (uint32_t n = 0; n < count; n++) {
+    uint32_t first = set_of(parent, n);
+    of[n] = first == n ? parts++ : of[first];
+  }
+  return parts;
+}
+
+/* place[k]: part k in the order of the pieces. `begin` is scratch. The number of pieces. */
+static size_t order_parts(uint32_t *place, uint32_t *begin, uint32_t *piece, uint32_t parts) {
+  size_t pieces = 0;
+  memset(begin, 0, parts * sizeof *begin);
+  for (uint32_t k = 0; k < parts; k++) {
+    begin[set_of(piece, k)]++;
+  }
+  uint32_t sum = 0;
+  for (uint32_t k = 0; k < parts; k++) {
+    uint32_t size = begin[k];
+    begin[k] = sum;
+    sum += size;
+    pieces += size > 0;
+  }
+  for (uint32_t k = 0; k < parts; k++) {
+    place[k] = begin[set_of(piece, k)]++;
+  }
+  return pieces;
+}
+
+static void describe(struct sepax_parts *own, const sepax_body *body, size_t parts) {
+  for (size_t k = 0; k < parts; k++) {
+    for (int i = 0; i < 3; i++) {
+      own->part[k].low[i] = INFINITY;
+      own->part[k].high[i] = -INFINITY;
+    }
+  }
+  for (size_t n = 0; n < body->count; n++) {
+    solid_part *part = &own->part[own->of[n]];
+    memcpy(part->vertex, body->triangle[n][0], sizeof part->vertex);
+    for (int k = 0; k < 9; k++) {
+      double x = body->triangle[n][k / 3][k % 3];
+      part->low[k % 3] = fmin(part->low[k % 3], x);
+      part->high[k % 3] = fmax(part->high[k % 3], x);
+    }
+  }
+}
+
+bool find_parts(sepax_shell *shell, uint32_t *parent) {
+  const sepax_body *body = shell->body;
+  struct sepax_parts *own = calloc(1, sizeof *own);
+  shell->own = own;
+  if (own == NULL || (own->of = malloc(body->count * sizeof *own->of)) == NULL) {
+    return false;
+  }
+  uint32_t parts = number_parts(own->of, parent, body->count);
+  uint32_t *piece = malloc(3 * (size_t)parts * sizeof *piece);
+  own->part = malloc(parts * sizeof *own->part);
+  bool ok = piece != NULL && own->part != NULL;
+  if (ok) {
+    uint32_t *place = piece + parts;
+    for (uint32_t k = 0; k < parts; k++) {
+      piece[k] = k;
+    }
+    ok = !shell->closed || parts == 1 || join_pieces(body, own->of, piece, parts);
+    shell->parts = parts;
+    shell->pieces = order_parts(place, place + parts, piece, parts);
+    for (uint32_t k = 0; k < parts; k++) {
+      own->part[place[k]].piece = set_of(piece, k);
+    }
+    for (size_t n = 0; n < body->count; n++) {
+      own->of[n] = place[own->of[n]];
+    }
+    describe(own, body, parts);
+  }
+  free(piece);
+  return ok;
+}
+
+void free_parts(struct sepax_parts *own) {
+  if (own != NULL) {
+    free(own->part);
+    free(own->of);
+    free(own);
+  }
+}
