@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 static int compare_pairs(const void *p, const void *q) {
@@ -15,7 +16,7 @@ static int compare_pairs(const void *p, const void *q) {
 }
 
 static void put_in_order(sepax_pairs *pairs) {
-  if (pairs->pair != NULL) {
+  if (pairs->count > 1) {
     qsort(pairs->pair, pairs->count, sizeof *pairs->pair, compare_pairs);
   }
 }
@@ -38,18 +39,53 @@ static void ask_within(const solids *s, const sepax_pose *pose, check_answer *an
   }
 }
 
+/* The pairs that are not farther from each other than a limit; without one, those that collide. */
+static bool find(const check_question *q, const solids *s, const sepax_pose *pose,
+                 const check_limit *limit, sepax_pairs *found, sepax_error *error) {
+  const sepax_query query = {.most = q->first ? 1 : 0, .only_any = check_any_is_enough(q)};
+  bool ok = limit->length > 0
+                ? sepax_bodies_near(s->body[0], NULL, s->body[1], pose, limit->length, &query,
+                                    found, error)
+                : sepax_bodies_collide(s->body[0], NULL, s->body[1], pose, &query, found, error);
+  put_in_order(found);
+  return ok;
+}
+
+/* All those that are near without those that collide; both in order. */
+static void take_out(sepax_pairs *all, const sepax_pairs *colliding) {
+  size_t left = 0;
+  for (size_t k = 0, taken = 0; k < all->count; k++) {
+    if (taken < colliding->count && compare_pairs(all->pair[k], colliding->pair[taken]) == 0) {
+      taken++;
+    } else {
+      memmove(all->pair[left++], all->pair[k], sizeof *all->pair);
+    }
+  }
+  all->count = left;
+}
+
 /* With B in a pose (NULL: as it stands). */
 static bool decide(const check_question *q, const solids *s, const sepax_pose *pose,
                    check_answer *answer, sepax_error *error) {
-  sepax_query query = {.most = q->first ? 1 : 0, .only_any = check_any_is_enough(q)};
-  if (!sepax_bodies_collide(s->body[0], NULL, s->body[1], pose, &query, &answer->colliding,
-                            error)) {
+  if (!find(q, s, pose, &q->clearance, &answer->colliding, error)) {
     return false;
   }
-  put_in_order(&answer->colliding);
   answer->verdict = answer->colliding.count > 0 ? CHECK_COLLISION : CHECK_FREE;
   if (answer->verdict != CHECK_COLLISION) {
     ask_within(s, pose, answer);
+  }
+  bool one = q->first || check_any_is_enough(q);
+  if (q->warning.text == NULL || (one && answer->verdict == CHECK_COLLISION)) {
+    return true;
+  }
+  if (!find(q, s, pose, &q->warning, &answer->warned, error)) {
+    return false;
+  }
+  if (!one) {
+    take_out(&answer->warned, &answer->colliding);
+  }
+  if (answer->verdict == CHECK_FREE && answer->warned.count > 0) {
+    answer->verdict = CHECK_WARNING;
   }
   return true;
 }
@@ -73,6 +109,17 @@ typedef struct {
   bool started;
 } worker;
 
+/* Of many poses the counts are kept, and the lists that somebody sees. */
+static void forget(const check_question *q, check_answer *answer) {
+  sepax_pairs *lists[] = {&answer->colliding, &answer->warned};
+  for (int i = 0; i < 2; i++) {
+    if (!q->first && (i == 1 || q->pairs_path == NULL)) {
+      free(lists[i]->pair);
+      lists[i]->pair = NULL;
+    }
+  }
+}
+
 static void work_on(worker *w, cli_progress *progress) {
   work *all = w->all;
   size_t n;
@@ -80,12 +127,11 @@ static void work_on(worker *w, cli_progress *progress) {
     check_answer *answer = &all->answer[n];
     if (!decide(all->q, &all->solids, &all->poses.pose[n], answer, &w->error)) {
       w->failed = true;
+    }
+    if (w->failed || (check_any_is_enough(all->q) && answer->verdict == CHECK_COLLISION)) {
       atomic_store(&all->stop, true);
     }
-    if (!all->q->first && all->q->pairs_path == NULL) {
-      free(answer->colliding.pair);
-      answer->colliding.pair = NULL;
-    }
+    forget(all->q, answer);
     if (progress != NULL) {
       cli_progress_show(progress, n);
     }

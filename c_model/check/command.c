@@ -102,6 +102,9 @@ static check_limit limit(struct argp_state *state, const char *name, const char 
   if (l.length < 0) {
     argp_error(state, "%s: %s is below 0", name, text);
   }
+  if (l.length > 0x1p1000) {
+    argp_error(state, "%s: %s is above 2^1000; scale the bodies", name, text);
+  }
   return l;
 }
 
@@ -214,9 +217,6 @@ static bool options_agree(const check_question *q, sepax_error *error) {
   if (q->warning.text != NULL && q->warning.length <= q->clearance.length) {
     return sepax_fail(error, "warning: %s is not above the clearance of %s", q->warning.text,
                       q->clearance.text);
-  }
-  if (q->clearance.text != NULL && !q->on_grid) {
-    return sepax_fail(error, "clearance: is for the grid; give --grid, too");
   }
   return true;
 }

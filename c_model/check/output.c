@@ -96,15 +96,27 @@ static void print_limit(const check_question *q, const check_report *report,
   }
 }
 
-static void print_bands(const check_question *q, const check_report *report, size_t pairs) {
+/* With the pairs in each of them where all were looked for. */
+static void print_bands(const check_question *q, const check_report *report) {
   const check_answer *a = report->answer;
-  printf("bands  %zu free, ", pairs - a->colliding.count - a->warned.count);
+  bool counted = q->poses_path == NULL && !q->first;
+  fputs("bands  ", stdout);
+  if (counted) {
+    size_t pairs = report->triangles[0] * report->triangles[1];
+    printf("%zu free, ", pairs - a->colliding.count - a->warned.count);
+  }
   if (q->warning.text != NULL) {
-    printf("%zu warning", a->warned.count);
+    if (counted) {
+      printf("%zu ", a->warned.count);
+    }
+    fputs("warning", stdout);
     print_limit(q, report, &q->warning, report->warning_lsb);
     fputs(", ", stdout);
   }
-  printf("%zu collision", a->colliding.count);
+  if (counted) {
+    printf("%zu ", a->colliding.count);
+  }
+  fputs("collision", stdout);
   print_limit(q, report, &q->clearance, report->clearance_lsb);
   putchar('\n');
 }
@@ -123,29 +135,48 @@ static void print_verdict(const check_question *q, const check_report *report) {
     print_pairs(&a->undecided, " undecided");
   }
   if (q->clearance.text != NULL) {
-    print_bands(q, report, pairs);
+    print_bands(q, report);
   }
   printf("%s  %s%zu of %zu pairs collide", names[a->verdict],
          q->first && a->colliding.count > 0 ? "at least " : "", a->colliding.count, pairs);
   if (a->undecided.count > 0) {
     printf(", %zu are undecided", a->undecided.count);
   }
+  if (a->verdict == CHECK_WARNING) {
+    printf(", %s%zu are warned of", q->first ? "at least " : "", a->warned.count);
+  }
   print_within(a);
+}
+
+static void print_pose(const check_question *q, const check_report *report, size_t n) {
+  const check_answer *a = &report->answer[n];
+  printf("%6zu  %-9s  ", n, names[a->verdict]);
+  const sepax_pairs *shown = a->colliding.count > 0 ? &a->colliding : &a->warned;
+  if (q->first && shown->count > 0) {
+    printf("A[%zu] B[%zu]", shown->pair[0][0], shown->pair[0][1]);
+  } else {
+    printf("%zu", a->colliding.count);
+  }
+  if (!q->first && q->warning.text != NULL) {
+    printf("  %zu warned of", a->warned.count);
+  }
+  for (int i = 0; i < 2; i++) {
+    if (a->within[i] == CHECK_INSIDE) {
+      printf("  %c in %c", "AB"[i], "BA"[i]);
+    }
+  }
+  putchar('\n');
 }
 
 static void print_poses(const check_question *q, const check_report *report) {
   check_verdict worst = check_worst(report);
   size_t such = 0;
+  if (q->clearance.text != NULL) {
+    print_bands(q, report);
+  }
   for (size_t n = 0; n < report->answers; n++) {
-    const check_answer *a = &report->answer[n];
-    such += a->verdict == worst;
-    printf("%6zu  %-9s  ", n, names[a->verdict]);
-    if (q->first && a->colliding.count > 0) {
-      printf("A[%zu] B[%zu]\n", a->colliding.pair[0][0], a->colliding.pair[0][1]);
-    } else {
-      printf("%zu%s%s\n", a->colliding.count, a->within[0] == CHECK_INSIDE ? "  A in B" : "",
-             a->within[1] == CHECK_INSIDE ? "  B in A" : "");
-    }
+    such += report->answer[n].verdict == worst;
+    print_pose(q, report, n);
   }
   printf("%s  in %zu of %zu poses", names[worst], such, report->answers);
 }
@@ -198,15 +229,17 @@ static json_t *answer_as_json(const check_question *q, const check_report *repor
     set_within(json, "a_inside_b", a->within[0]);
     set_within(json, "b_inside_a", a->within[1]);
   }
-  if (q->clearance.text != NULL) {
+  if (q->clearance.text != NULL && !q->first) {
     size_t pairs = report->triangles[0] * report->triangles[1];
     set_count(json, "free", pairs - a->colliding.count - a->warned.count);
+  }
+  if (q->clearance.text != NULL) {
     set_count(json, "warnings", a->warned.count);
   }
   if (a->colliding.pair != NULL || q->poses_path == NULL) {
     json_object_set_new(json, "colliding", pairs_as_json(&a->colliding));
   }
-  if (q->warning.text != NULL && q->poses_path == NULL) {
+  if (q->warning.text != NULL && (a->warned.pair != NULL || q->poses_path == NULL)) {
     json_object_set_new(json, "warned", pairs_as_json(&a->warned));
   }
   if (q->on_grid) {

@@ -20,3 +20,4 @@ sanitize:
 sanitized: $(SEPAX) $(UNIT)
 	@for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
 	@SEPAX=$(SEPAX) tb/system/cli
+	@SEPAX=$(SEPAX) tb/system/check
