@@ -174,7 +174,7 @@ void sepax_exact_one_to_many(sepax_path path, const sepax_tri *a, const sepax_co
 /* How two meshes are searched; all zero is a good choice. */
 typedef struct {
   int threads;      /* 0: one for each processor */
-  bool brute_force; /* every pair is tested, without a tree */
+  bool brute_force; /* every pair is tested */
   bool first;       /* end at a pair that collides, always at the same one */
   sepax_path path;
   /* Called now and then from the calling thread, at the end with done == total if nothing ends the
@@ -190,9 +190,9 @@ typedef struct {
   bool ended; /* by a limit of the query: there may be more pairs */
 } sepax_pairs;
 
-/* All colliding pairs of triangles of A and B, exact, in the order of i, then of j. Trees of AABBs
- * over leaves of 64 triangles exclude most pairs; sepax_exact_one_to_many judges the pairs in
- * leaves. `how` may be NULL. Fails without memory, or when progress ended it; free with
+/* All colliding pairs of triangles of A and B, exact, in the order of i, then of j. Lists of AABBs,
+ * halved again and again, exclude most pairs; sepax_exact_pairs judges what is left. `how` may be
+ * NULL. Fails on 2^32 triangles, without memory, or when progress ended it; free with
  * sepax_pairs_free. */
 bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
                            const sepax_search *how, sepax_pairs *found, sepax_error *error);

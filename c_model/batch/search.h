@@ -1,0 +1,51 @@
+/* search.h - a search for pairs of triangles of two meshes, and the threads at it (private). */
+#ifndef SEPAX_SEARCH_H
+#define SEPAX_SEARCH_H
+
+#include "sepax_design.h"
+
+#include <stdatomic.h>
+
+/* Pairs that are judged together. */
+enum { BATCH = 64 };
+
+typedef struct tasks tasks;
+
+typedef struct {
+  const sepax_search *how;
+  const sepax_design *design; /* with clearances, or NULL for collisions */
+  const sepax_tri *tri[2];    /* of A, of B */
+  size_t count[2];
+  int64_t margin;  /* between AABBs of a pair that is judged */
+  uint64_t total;  /* what progress is told */
+  tasks *tasks;    /* halves.c */
+  int32_t *column; /* of B, for brute force; its parts and the next task */
+  sepax_columns columns;
+  size_t parts;
+  atomic_size_t next;
+  atomic_bool stop;
+  bool ended; /* by progress */
+} search;
+
+typedef struct {
+  search *all;
+  bool reports; /* to progress: the calling thread */
+  sepax_pairs found;
+  size_t capacity;
+  size_t waiting; /* candidates */
+  size_t candidate[BATCH][2];
+  bool no_memory;
+} worker;
+
+/* A pair that is to be judged, now or when a batch is full. */
+void search_add_candidate(worker *w, size_t i, size_t j);
+void search_judge_candidates(worker *w);
+
+void search_report(worker *w, uint64_t done);
+
+/* halves.c: the lists and tasks of a search without brute force. False without memory. */
+bool halves_begin(search *s, size_t *most_threads);
+void halves_work(worker *w);
+void halves_end(search *s);
+
+#endif

@@ -1,0 +1,55 @@
+/* box.h - boxes of floats, four lanes at once (private). Lane 3 is not of the box. */
+#ifndef SEPAX_BOX_H
+#define SEPAX_BOX_H
+
+#include <float.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#if defined __SSE2__
+#include <emmintrin.h>
+#endif
+
+typedef float corner __attribute__((vector_size(16)));
+typedef int32_t corner_bits __attribute__((vector_size(16)));
+
+typedef struct {
+  corner low, high;
+} box4;
+
+#if defined __SSE2__
+static inline corner corner_least(corner p, corner q) { return _mm_min_ps(p, q); }
+static inline corner corner_most(corner p, corner q) { return _mm_max_ps(p, q); }
+static inline int corner_signs(corner_bits v) { return _mm_movemask_ps((__m128)v); }
+#else
+static inline corner corner_chosen(corner_bits which, corner p, corner q) {
+  return (corner)(((corner_bits)p & which) | ((corner_bits)q & ~which));
+}
+static inline corner corner_least(corner p, corner q) { return corner_chosen(p < q, p, q); }
+static inline corner corner_most(corner p, corner q) { return corner_chosen(p > q, p, q); }
+static inline int corner_signs(corner_bits v) {
+  return (v[0] < 0) | (v[1] < 0) << 1 | (v[2] < 0) << 2 | (v[3] < 0) << 3;
+}
+#endif
+
+/* The box of nothing. */
+static inline box4 box4_of_none(void) {
+  return (box4){{FLT_MAX, FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX, -FLT_MAX}};
+}
+
+static inline void box4_enclose(box4 *b, const box4 *other) {
+  b->low = corner_least(b->low, other->low);
+  b->high = corner_most(b->high, other->high);
+}
+
+static inline bool box4_disjoint(const box4 *a, const box4 *b) {
+  return (corner_signs((a->low > b->high) | (b->low > a->high)) & 7) != 0;
+}
+
+static inline int box4_longest_axis(const box4 *b) {
+  corner size = b->high - b->low;
+  int axis = size[1] > size[0] ? 1 : 0;
+  return size[2] > size[axis] ? 2 : axis;
+}
+
+#endif
