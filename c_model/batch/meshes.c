@@ -201,7 +201,7 @@ static bool gather(const search *s, const worker *workers, size_t threads, sepax
     free(pair);
     return false;
   }
-  *all = (sepax_pairs){pair, total};
+  *all = (sepax_pairs){.pair = pair, .count = total};
   return true;
 }
 
