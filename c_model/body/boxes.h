@@ -23,21 +23,23 @@ typedef uint64_t NAME(lanes) __attribute__((vector_size(8 * LANES)));
 
 /* One box in the other body's coordinates. */
 INLINE void NAME(turn_box)(posed_box *p, const motion *m, const body_boxes *from, int lane) {
-  double at[3];
-  for (int i = 0; i < 3; i++) {
-    at[i] = m->scaled[0][i] * (double)from->centre[0][lane] +
-            m->scaled[1][i] * (double)from->centre[1][lane] +
-            m->scaled[2][i] * (double)from->centre[2][lane] + m->shifted[i];
-    p->centre[i] = (float)at[i];
-    p->rest[i] = (float)(at[i] - (double)p->centre[i]);
-    p->half[i] = m->ratio * from->half[i][lane] + m->lost;
+  four_reals column[4];
+  four_floats turn[3];
+  UNROLL for (int k = 0; k < 3; k++) {
+    LOAD(column[k], m->scaled[k]);
+    LOAD(turn[k], m->turn[k]);
   }
-  for (int k = 0; k < 3; k++) {
-    for (int i = 0; i < 3; i++) {
-      p->axis[k][i] = m->turn[0][i] * from->axis[k][0][lane] +
-                      m->turn[1][i] * from->axis[k][1][lane] +
-                      m->turn[2][i] * from->axis[k][2][lane];
-    }
+  LOAD(column[3], m->shifted);
+  four_reals at = column[0] * (double)from->centre[0][lane] +
+                  (column[1] * (double)from->centre[1][lane] + column[3]) +
+                  column[2] * (double)from->centre[2][lane];
+  p->centre = __builtin_convertvector(at, four_floats);
+  p->rest =
+      __builtin_convertvector(at - __builtin_convertvector(p->centre, four_reals), four_floats);
+  UNROLL for (int k = 0; k < 3; k++) {
+    p->half[k] = m->ratio * from->half[k][lane] + m->lost;
+    p->axis[k] = turn[0] * from->axis[k][0][lane] + turn[1] * from->axis[k][1][lane] +
+                 turn[2] * from->axis[k][2][lane];
   }
 }
 

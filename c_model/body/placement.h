@@ -12,8 +12,8 @@ typedef struct {
   float slack;
   /* The same: scaled[k] and turn[k] are what axis k becomes, in units of the other body and of
    * length 1; lengths grow by `ratio`; `lost` is what rounding of the doubles may have moved. */
-  double scaled[3][3], shifted[3];
-  float turn[3][3], ratio, lost;
+  double scaled[3][4], shifted[4]; /* the last of four is 0 */
+  float turn[3][4], ratio, lost;
 } motion;
 
 typedef struct {

@@ -31,9 +31,13 @@
 #define UNROLL _Pragma("GCC unroll 3")
 #define BOX_SLACK 0x1p-15F
 
-/* A box in the other body's coordinates; its centre is centre + rest. */
+typedef float four_floats __attribute__((vector_size(16)));
+typedef double four_reals __attribute__((vector_size(32)));
+
+/* A box in the other body's coordinates; its centre is centre + rest. The last of four is 0. */
 typedef struct {
-  float centre[3], rest[3], half[3], axis[3][3];
+  four_floats centre, rest, axis[3];
+  float half[3];
 } posed_box;
 
 /* ------------------------------------------------------------ instruction sets */
