@@ -12,19 +12,20 @@ typedef struct {
   twofold c[3];
 } vector;
 
-/* The vertices in units of 2^exponent, from A_0, which is at `origin` in these units; 1/2 <= the
- * largest coordinate < 1, or all are 0. `lost`: how far two vertices can be nearer to each other or
- * farther than said.
+/* The vertices in units of 2^exponent, from A_0, which is at `origin`; 1/2 <= the largest
+ * coordinate < 1, or all are 0. `lost`: how far two vertices can be nearer to each other or farther
+ * than said.
  *
- * In units of 2^(their exponent), coordinates and translations are below 1, and those of a pose
+ * In units of 2^coarse, coordinates and translations are below 1, and those of a pose
  * are sums of four terms that are below 4.01 together: three sums, each wrong by 3 u^2 of it, 37
  * u^2. The difference of two, below 8.02, is wrong by 98 u^2 < 2^-99, the vector by less than
  * 2^-98, a distance by 2^-97. Of unmoved vertices both terms are doubles and the difference is
- * exact. */
+ * exact. What underflows is below 2^-1050. */
 typedef struct {
   vector v[6];
-  vector origin;
   int exponent;
+  vector origin; /* in units of 2^coarse */
+  int coarse;
   double lost;
 } twofold_points;
 
@@ -123,12 +124,11 @@ static void find_twofold_points(twofold_points *p, const double a[3][3], const s
     most = largest(&p->v[k], most);
   }
   int fine = exponent_of(most);
-  for (int k = 0; k < 7; k++) {
-    vector *v = k < 6 ? &p->v[k] : &p->origin;
-    for (int i = 0; i < 3; i++) {
-      v->c[i] = twofold_scaled(v->c[i], -fine);
-    }
+  for (int k = 0; k < 18; k++) {
+    twofold *x = &p->v[k / 3].c[k % 3];
+    *x = twofold_scaled(*x, -fine);
   }
+  p->coarse = coarse;
   p->exponent = coarse + fine;
   p->lost = pa == NULL && pb == NULL ? 0 : 0x1p-97;
   p->lost = ldexp(p->lost + 0x1p-1050, -fine);
@@ -403,8 +403,8 @@ static double rounded(twofold distance, int exponent) {
 
 static void round_points(const twofold_points *p, const vector from[2], double nearest[2][3]) {
   for (int k = 0; k < 6 && nearest != NULL; k++) {
-    twofold x = twofold_add(p->origin.c[k % 3], from[k / 3].c[k % 3]);
-    nearest[k / 3][k % 3] = ldexp(x.high, p->exponent);
+    twofold way = twofold_scaled(from[k / 3].c[k % 3], p->exponent - p->coarse);
+    nearest[k / 3][k % 3] = ldexp(twofold_add(p->origin.c[k % 3], way).high, p->coarse);
   }
 }
 

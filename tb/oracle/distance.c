@@ -201,6 +201,16 @@ bool distance_within_exact(const sepax_tri *a, const sepax_tri *b, int64_t limit
   return near;
 }
 
+bool distance_within_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                           const sepax_pose *pose_b, double limit) {
+  work w;
+  work_init_posed(&w, a, pose_a, b, pose_b, limit);
+  mpz_mul(w.limit, w.limit, w.limit);
+  bool near = any_near(&w) || oracle_collide_posed(a, pose_a, b, pose_b);
+  work_clear(&w);
+  return near;
+}
+
 bool distance_within(const sepax_tri *a, const sepax_tri *b, int64_t limit, size_t *quick) {
   if (proved_farther(a, b, limit)) {
     if (quick != NULL) {

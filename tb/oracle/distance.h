@@ -15,6 +15,10 @@ bool distance_within(const sepax_tri *a, const sepax_tri *b, int64_t limit, size
 /* The same by rational arithmetic alone. */
 bool distance_within_exact(const sepax_tri *a, const sepax_tri *b, int64_t limit);
 
+/* The same of triangles of doubles in poses (NULL: as they are), each double the number it is. */
+bool distance_within_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                           const sepax_pose *pose_b, double limit);
+
 /* The distance in doubles, of triangles that do not meet, and the vector from the nearest point
  * of A to that of B. */
 double distance_rounded(const sepax_tri *a, const sepax_tri *b, double way[3]);

@@ -71,6 +71,11 @@ static inline void work_init(work *w, const sepax_tri *a, const sepax_tri *b) {
   work_normals(w);
 }
 
+/* Vertices of doubles in poses (NULL: as they are) and the limit, times a power of two that makes
+ * them integers (oracle.c). */
+void work_init_posed(work *w, const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                     const sepax_pose *pose_b, double limit);
+
 static inline void work_clear(work *w) {
   for (size_t i = 0; i < sizeof w->all / sizeof *w->all; i++) {
     mpz_clear(w->all[i]);

@@ -131,25 +131,36 @@ static void pose_coordinate(mpq_t r, const double v[3], const sepax_pose *pose, 
   mpq_clears(p, q, NULL);
 }
 
-bool oracle_collide_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                          const sepax_pose *pose_b) {
-  work w;
-  mpq_t x[18];
+void work_init_posed(work *w, const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                     const sepax_pose *pose_b, double limit) {
+  enum { LIMIT = 18 };
+  mpq_t x[LIMIT + 1];
   mpz_t scale; /* the largest denominator; all are powers of two */
-  work_new(&w);
+  work_new(w);
   mpz_init_set_ui(scale, 1);
-  for (int i = 0; i < 18; i++) {
+  for (int i = 0; i <= LIMIT; i++) {
     mpq_init(x[i]);
-    pose_coordinate(x[i], i < 9 ? a[i / 3] : b[i / 3 - 3], i < 9 ? pose_a : pose_b, i % 3);
+    if (i == LIMIT) {
+      mpq_set_d(x[i], limit);
+    } else {
+      pose_coordinate(x[i], i < 9 ? a[i / 3] : b[i / 3 - 3], i < 9 ? pose_a : pose_b, i % 3);
+    }
     mpz_lcm(scale, scale, mpq_denref(x[i]));
   }
-  for (int i = 0; i < 18; i++) {
-    mpz_mul(w.p[i / 3].c[i % 3], mpq_numref(x[i]), scale);
-    mpz_divexact(w.p[i / 3].c[i % 3], w.p[i / 3].c[i % 3], mpq_denref(x[i]));
+  for (int i = 0; i <= LIMIT; i++) {
+    mpz_ptr r = i == LIMIT ? w->limit : w->p[i / 3].c[i % 3];
+    mpz_mul(r, mpq_numref(x[i]), scale);
+    mpz_divexact(r, r, mpq_denref(x[i]));
     mpq_clear(x[i]);
   }
   mpz_clear(scale);
-  work_normals(&w);
+  work_normals(w);
+}
+
+bool oracle_collide_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                          const sepax_pose *pose_b) {
+  work w;
+  work_init_posed(&w, a, pose_a, b, pose_b, 0);
   bool meet = edges_meet(&w);
   work_clear(&w);
   return meet;
