@@ -1,12 +1,13 @@
 # labels.awk - names beside the points of a log-log plot of 720 x 440, none over another or over a
-# point: rows "x y name" become gnuplot's `set label` lines.
+# point: rows "x y name" become gnuplot's `set label` lines. A name that is not next to its point has
+# a line to it.
 #   -v range=LEFT:RIGHT of x; -v low, high of y as powers of ten; y = 0 is drawn at 1e-7
 function log10(v) { return log(v) / log(10) }
 function meets(i, x0, x1, y0, y1) {
   return x0 < box_x1[i] && box_x0[i] < x1 && y0 < box_y1[i] && box_y0[i] < y1
 }
 function is_free(x0, x1, y0, y1, i) {
-  if (x0 < 0 || x1 > 600 || y0 < 8 || y1 > 320) return 0
+  if (x0 < 0 || x1 > 600 || y0 < 0 || y1 > 320) return 0
   for (i = 1; i <= boxes; i++) if (meets(i, x0, x1, y0, y1)) return 0
   return 1
 }
@@ -42,5 +43,9 @@ END {
     take(x0, x0 + width, y0, y0 + 14)
     printf "set label \"%s\" at %g,%g %s offset screen %g,%g\n", name[n], x[n], y[n], at[3], \
       at[1] / 720, at[2] / 440
+    if (at[2] >= 28 || at[2] <= -28)
+      printf "set arrow from %g,%g to %g,%g nohead lc rgb \"gray50\" back\n", x[n], y[n], \
+        x[n] * 10 ^ (at[1] / 600 * (right - left)), \
+        y[n] * 10 ^ (at[2] * 0.75 / 320 * (high - low))
   }
 }

@@ -229,23 +229,35 @@ CASE(sat_in_doubles) {
   assert_true(missed[1][0] > 0 && missed[1][1] > 0);
 }
 
-/* Where architecture paper keeps 36 bits behind W = 18, one is lost: three odd products on the axis
- * (1, -1, -1) are floored, and a pair that overlaps is called separated. */
+/* Where architecture paper keeps 36 bits behind W = 18, the last bit of each product with an axis
+ * is lost. Up to three odd products make up to two units of overlap, on an axis of three odd
+ * components 2 / sqrt(3) LSB at most. */
 CASE(a_bit_short) {
-  sepax_pair pair = {
-      .a = {{{-68269, -28501, -95858}, {-68269, -28500, -95859}, {-68270, -28500, -95858}}},
-      .b = {{{-68269, -28499, -95859}, {-68271, -28501, -95858}, {-68270, -28501, -95857}}}};
-  pair.na = sepax_unit_normal(&pair.a, 18);
-  pair.nb = sepax_unit_normal(&pair.b, 18);
-  assert_true(sepax_exact(&pair.a, &pair.b).collision);
-  assert_true(fabs(sepax_depth(&pair.a, &pair.b) - 1 / sqrt(17)) < 1e-9);
-  for (int guard = 36; guard <= 37; guard++) {
-    sepax_config config = sepax_config_default();
-    config.arch = SEPAX_ARCH_PAPER;
-    config.guard = guard;
-    sepax_design design;
-    assert_works(sepax_design_init(&design, &config, &fault));
-    assert_int_equal(sepax_judge(&design, &pair).collision, guard == 37);
+  static const struct {
+    sepax_tri a, b;
+    double square; /* of the depth, inverted */
+  } pairs[] = {
+      {{{{-68269, -28501, -95858}, {-68269, -28500, -95859}, {-68270, -28500, -95858}}},
+       {{{-68269, -28499, -95859}, {-68271, -28501, -95858}, {-68270, -28501, -95857}}},
+       17},
+      {{{{-51, -41, 13}, {-51, -39, 13}, {-50, -39, 16}}},
+       {{{-52, -38, 14}, {-50, -41, 12}, {-50, -40, 13}}},
+       77.0 / 8},
+  };
+  for (size_t n = 0; n < LENGTH(pairs); n++) {
+    sepax_pair pair = {.a = pairs[n].a, .b = pairs[n].b};
+    pair.na = sepax_unit_normal(&pair.a, 18);
+    pair.nb = sepax_unit_normal(&pair.b, 18);
+    assert_true(sepax_exact(&pair.a, &pair.b).collision);
+    assert_true(fabs(sepax_depth(&pair.a, &pair.b) - 1 / sqrt(pairs[n].square)) < 1e-9);
+    for (int guard = 36; guard <= 37; guard++) {
+      sepax_config config = sepax_config_default();
+      config.arch = SEPAX_ARCH_PAPER;
+      config.guard = guard;
+      sepax_design design;
+      assert_works(sepax_design_init(&design, &config, &fault));
+      assert_int_equal(sepax_judge(&design, &pair).collision, guard == 37);
+    }
   }
 }
 
