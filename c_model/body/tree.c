@@ -1,5 +1,6 @@
 /* tree.c - a body's tree of AABBs, eight children a node, split by the surface area heuristic. */
 #include "body.h"
+#include "util/box.h"
 #include "util/error.h"
 
 #include <float.h>
@@ -7,214 +8,220 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Nodes below level EVEN are split into halves, so that no tree has more than 64 levels. */
-enum { BINS = 16, EVEN = 48 };
+/* Nodes below level EVEN are split into halves, so that no tree has more than 64 levels. Ranges of
+ * up to SHORT triangles have half as many bins. */
+enum { BINS = 16, SHORT = 64, EVEN = 48 };
 
+/* The AABB of a triangle, in units of the body's scale from its centre; its number in lane 3. */
 typedef struct {
-  float low[3], high[3];
-} box;
-
-typedef struct {
-  box bounds;
+  float low[3];
   uint32_t triangle;
+  float high[3];
+  uint32_t unused;
 } entry;
+
+/* Entries that follow each other, whose places in the tree's order are then begin ... end - 1. */
+typedef struct {
+  uint32_t begin, end;
+  box4 bounds;
+} range;
 
 typedef struct {
   sepax_body *body;
   const sepax_mesh *mesh;
   entry *entry;
   size_t capacity; /* of nodes */
-  size_t placed;   /* triangles in the tree's order */
 } builder;
 
-typedef struct {
-  size_t begin, end;
-  box bounds;
-} range;
-
-/* -------------------------------------------------------------------------- boxes */
-
-static box empty_box(void) {
-  return (box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+static box4 box_of(const entry *from) {
+  box4 b;
+  memcpy(&b, from, sizeof b);
+  return b;
 }
 
-static void enclose(box *b, const box *other) {
-  for (int i = 0; i < 3; i++) {
-    b->low[i] = other->low[i] < b->low[i] ? other->low[i] : b->low[i];
-    b->high[i] = other->high[i] > b->high[i] ? other->high[i] : b->high[i];
+static uint32_t count_of(const range *r) { return r->end - r->begin; }
+
+static float area(const box4 *b) {
+  corner size = b->high - b->low;
+  return size[0] * (size[1] + size[2]) + size[1] * size[2];
+}
+
+static corner magnitude(corner v) { return (corner)((corner_bits)v & INT32_MAX); }
+
+/* In single precision a coordinate is wrong by 2^-24, and the difference of it and what covers that
+ * likewise: 2^-22 are more. The difference from the centre rounds by less than 2^-52 of the scale,
+ * which 2^-50 covers. */
+static void set_entry(entry *e, const sepax_body *b, const double v[3][3], uint32_t number) {
+  const double per_unit = 1 / b->scale;
+  corner p[3];
+  for (int k = 0; k < 3; k++) {
+    p[k] = (corner){(float)((v[k][0] - b->centre[0]) * per_unit),
+                    (float)((v[k][1] - b->centre[1]) * per_unit),
+                    (float)((v[k][2] - b->centre[2]) * per_unit), 0};
   }
+  box4 r = {corner_least(corner_least(p[0], p[1]), p[2]),
+            corner_most(corner_most(p[0], p[1]), p[2])};
+  r.low -= magnitude(r.low) * 0x1p-22F + 0x1p-50F;
+  r.high += magnitude(r.high) * 0x1p-22F + 0x1p-50F;
+  memcpy(e, &r, sizeof r);
+  e->triangle = number;
 }
 
-static float area(const box *b) {
-  float x = b->high[0] - b->low[0];
-  float y = b->high[1] - b->low[1];
-  float z = b->high[2] - b->low[2];
-  return x < 0 ? 0 : x * y + y * z + z * x;
-}
-
-static float middle(const box *b, int axis) { return b->low[axis] + b->high[axis]; }
-
-static float down(double x) {
-  float f = (float)x;
-  return (double)f > x ? nextafterf(f, -INFINITY) : f;
-}
-
-static float up(double x) {
-  float f = (float)x;
-  return (double)f < x ? nextafterf(f, INFINITY) : f;
-}
-
-/* In units of the scale from the centre. The difference rounds by less than 2^-52 of the scale,
- * which `margin` covers. */
-static box box_of(const sepax_body *b, const double v[3][3]) {
-  const double margin = 0x1p-50;
-  box r;
-  for (int i = 0; i < 3; i++) {
-    double low = fmin(fmin(v[0][i], v[1][i]), v[2][i]);
-    double high = fmax(fmax(v[0][i], v[1][i]), v[2][i]);
-    r.low[i] = down((low - b->centre[i]) / b->scale - margin);
-    r.high[i] = up((high - b->centre[i]) / b->scale + margin);
-  }
-  return r;
-}
-
-/* -------------------------------------------------------------------------- splits */
-
-typedef struct {
-  box bounds;
-  size_t count;
-} bin;
-
-/* The cheapest of the splits along one axis: area times count on both sides. */
-static float best_split(const bin bins[BINS], int *at) {
-  float right[BINS];
-  box bounds = empty_box();
-  size_t count = 0;
-  for (int k = BINS - 1; k > 0; k--) {
-    enclose(&bounds, &bins[k].bounds);
-    count += bins[k].count;
-    right[k] = count > 0 ? area(&bounds) * (float)count : -1;
-  }
-  float best = FLT_MAX;
-  bounds = empty_box();
-  count = 0;
-  for (int k = 1; k < BINS; k++) {
-    enclose(&bounds, &bins[k - 1].bounds);
-    count += bins[k - 1].count;
-    float cost = area(&bounds) * (float)count + right[k];
-    if (count > 0 && right[k] >= 0 && cost < best) {
-      best = cost;
-      *at = k;
-    }
-  }
-  return best;
-}
-
-static int bin_of(float position, float low, float per_bin) {
-  int k = (int)((position - low) * per_bin);
-  return k < BINS ? k : BINS - 1;
-}
-
-/* Sort entries below the split to the front; where the second part begins. */
-static size_t partition(entry *e, const range *r, int axis, float low, float per_bin, int at) {
-  size_t i = r->begin;
-  size_t j = r->end;
-  while (i < j) {
-    if (bin_of(middle(&e[i].bounds, axis), low, per_bin) < at) {
-      i++;
-    } else {
-      entry keep = e[i];
-      e[i] = e[--j];
-      e[j] = keep;
-    }
-  }
-  return i;
-}
-
-static box bounds_of(const entry *e, size_t begin, size_t end) {
-  box all = empty_box();
-  for (size_t n = begin; n < end; n++) {
-    enclose(&all, &e[n].bounds);
+static box4 bounds_of(const entry *e, uint32_t begin, uint32_t end) {
+  box4 all = box4_of_none();
+  for (uint32_t n = begin; n < end; n++) {
+    box4 b = box_of(&e[n]);
+    box4_enclose(&all, &b);
   }
   return all;
 }
 
-/* Divide a range into two; into halves where `even`, or where no centre differs. */
-static void split(builder *b, const range *r, bool even, range *first, range *second) {
-  entry *e = b->entry;
-  float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX};
-  float high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
-  for (size_t n = r->begin; n < r->end; n++) {
-    for (int i = 0; i < 3; i++) {
-      float m = middle(&e[n].bounds, i);
-      low[i] = m < low[i] ? m : low[i];
-      high[i] = m > high[i] ? m : high[i];
-    }
+/* -------------------------------------------------------------------------- splits */
+
+/* Where the middles of a range's boxes are, twice: bin (position - low) * per_bin of an axis. */
+typedef struct {
+  corner low, per_bin;
+  int count;
+} bin_scale;
+
+typedef struct {
+  box4 bounds[3][BINS];
+  uint32_t count[3][BINS];
+} bins;
+
+/* Entries in bins below `at` of an axis; axis < 0: none is better than another. */
+typedef struct {
+  float cost;
+  int axis, at;
+  box4 first, second;
+} cut;
+
+static bin_scale scale_bins(const entry *e, const range *r) {
+  box4 middles = box4_of_none();
+  for (uint32_t n = r->begin; n < r->end; n++) {
+    box4 b = box_of(&e[n]);
+    corner middle = b.low + b.high;
+    middles.low = corner_least(middles.low, middle);
+    middles.high = corner_most(middles.high, middle);
   }
-  float per_bin[3];
-  bin bins[3][BINS];
+  bin_scale s = {.low = middles.low, .count = count_of(r) > SHORT ? BINS : BINS / 2};
   for (int i = 0; i < 3; i++) {
-    per_bin[i] = high[i] > low[i] ? BINS / (high[i] - low[i]) : 0;
-    for (int k = 0; k < BINS; k++) {
-      bins[i][k] = (bin){empty_box(), 0};
+    float side = middles.high[i] - middles.low[i];
+    s.per_bin[i] = side > 0 ? 0.9999F * (float)s.count / side : 0;
+  }
+  return s;
+}
+
+static corner_bits bins_of(const box4 *b, const bin_scale *s) {
+  return __builtin_convertvector((b->low + b->high - s->low) * s->per_bin, corner_bits);
+}
+
+static void fill_bins(bins *to, const entry *e, const range *r, const bin_scale *s) {
+  for (int k = 0; k < s->count; k++) {
+    for (int axis = 0; axis < 3; axis++) {
+      to->bounds[axis][k] = box4_of_none();
+      to->count[axis][k] = 0;
     }
   }
-  for (size_t n = r->begin; n < r->end; n++) {
-    for (int i = 0; i < 3; i++) {
-      bin *to = &bins[i][bin_of(middle(&e[n].bounds, i), low[i], per_bin[i])];
-      enclose(&to->bounds, &e[n].bounds);
-      to->count++;
+  for (uint32_t n = r->begin; n < r->end; n++) {
+    box4 b = box_of(&e[n]);
+    corner_bits k = bins_of(&b, s);
+    for (int axis = 0; axis < 3; axis++) {
+      box4_enclose(&to->bounds[axis][k[axis]], &b);
+      to->count[axis][k[axis]]++;
     }
   }
-  float best = FLT_MAX;
-  int axis = -1;
-  int at = 0;
-  for (int i = 0; i < 3 && !even; i++) {
-    int k = 0;
-    float cost = best_split(bins[i], &k);
-    if (cost < best) {
-      best = cost;
-      axis = i;
-      at = k;
+}
+
+/* The cheapest of the cuts along one axis, by area times count on both sides, if better. */
+static void find_cut(const bins *in, const bin_scale *s, int axis, cut *best) {
+  box4 after[BINS];
+  float cost_after[BINS];
+  box4 all = box4_of_none();
+  uint32_t count = 0;
+  for (int k = s->count - 1; k > 0; k--) {
+    box4_enclose(&all, &in->bounds[axis][k]);
+    count += in->count[axis][k];
+    after[k] = all;
+    cost_after[k] = count > 0 ? area(&all) * (float)count : FLT_MAX;
+  }
+  all = box4_of_none();
+  count = 0;
+  for (int k = 1; k < s->count; k++) {
+    box4_enclose(&all, &in->bounds[axis][k - 1]);
+    count += in->count[axis][k - 1];
+    float cost = count > 0 ? area(&all) * (float)count + cost_after[k] : FLT_MAX;
+    if (cost < best->cost) {
+      *best = (cut){cost, axis, k, all, after[k]};
     }
   }
-  size_t half = axis < 0 ? r->begin + (r->end - r->begin) / 2
-                         : partition(e, r, axis, low[axis], per_bin[axis], at);
-  *first = (range){r->begin, half, bounds_of(e, r->begin, half)};
-  *second = (range){half, r->end, bounds_of(e, half, r->end)};
+}
+
+/* Entries below the cut come to the front; where the others begin. */
+static uint32_t partition(entry *e, const range *r, const bin_scale *s, const cut *c) {
+  uint32_t first = r->begin;
+  for (uint32_t n = r->begin; n < r->end; n++) {
+    entry keep = e[n];
+    box4 b = box_of(&keep);
+    e[n] = e[first];
+    e[first] = keep;
+    first += bins_of(&b, s)[c->axis] < c->at;
+  }
+  return first;
+}
+
+/* Divide a range into two; into halves where `even`, or where no middle differs. */
+static void split(const builder *b, const range *r, bool even, range part[2]) {
+  cut best = {.cost = FLT_MAX, .axis = -1};
+  if (!even) {
+    bins filled;
+    bin_scale s = scale_bins(b->entry, r);
+    fill_bins(&filled, b->entry, r, &s);
+    for (int axis = 0; axis < 3; axis++) {
+      find_cut(&filled, &s, axis, &best);
+    }
+    if (best.axis >= 0) {
+      uint32_t at = partition(b->entry, r, &s, &best);
+      part[0] = (range){r->begin, at, best.first};
+      part[1] = (range){at, r->end, best.second};
+      return;
+    }
+  }
+  uint32_t half = r->begin + count_of(r) / 2;
+  part[0] = (range){r->begin, half, bounds_of(b->entry, r->begin, half)};
+  part[1] = (range){half, r->end, bounds_of(b->entry, half, r->end)};
 }
 
 /* --------------------------------------------------------------------------- nodes */
 
-static void set_lane(body_node *node, int lane, const box *b, uint32_t child) {
+/* The half sides are rounded by 2^-24, which 2^-22 cover. */
+static void set_lane(body_node *node, int lane, const box4 *b, uint32_t child) {
+  corner centre = 0.5F * (b->low + b->high);
+  corner half = corner_most(b->high - centre, centre - b->low) * (1 + 0x1p-22F);
   for (int i = 0; i < 3; i++) {
-    float centre = 0.5F * (b->low[i] + b->high[i]);
-    node->centre[i][lane] = centre;
-    node->half[i][lane] = up(fmax((double)b->high[i] - centre, (double)centre - b->low[i]));
+    node->centre[i][lane] = centre[i];
+    node->half[i][lane] = half[i];
   }
   node->child[lane] = child;
 }
 
-static uint32_t place_triangle(builder *b, const entry *e) {
-  size_t place = b->placed++;
-  memcpy(b->body->triangle[place], b->mesh->facet[e->triangle].v, sizeof(facet_points));
-  b->body->number[place] = e->triangle;
-  return BODY_TRIANGLE + (uint32_t)place;
-}
-
-/* Divide a range into up to eight: always the one of the largest area, until all of a short range
- * are single. */
-static int divide(builder *b, const range *whole, bool even, range part[BODY_WIDE]) {
+/* Divide a range into up to eight, in order: always the one of the largest area that is longer than
+ * a node. A range that fits a node is divided into single triangles. */
+static int divide(const builder *b, const range *whole, bool even, range part[BODY_WIDE]) {
   int parts = 1;
   part[0] = *whole;
+  if (count_of(whole) <= BODY_WIDE) {
+    for (uint32_t n = whole->begin; n < whole->end; n++) {
+      part[n - whole->begin] = (range){n, n + 1, box_of(&b->entry[n])};
+    }
+    return (int)count_of(whole);
+  }
   while (parts < BODY_WIDE) {
     int largest = -1;
     float most = -1;
-    bool bottom = whole->end - whole->begin <= BODY_WIDE;
     for (int k = 0; k < parts; k++) {
-      size_t count = part[k].end - part[k].begin;
       float size = area(&part[k].bounds);
-      if (count > (bottom ? 1U : (size_t)BODY_WIDE) && size > most) {
+      if (count_of(&part[k]) > BODY_WIDE && size > most) {
         most = size;
         largest = k;
       }
@@ -223,7 +230,9 @@ static int divide(builder *b, const range *whole, bool even, range part[BODY_WID
       break;
     }
     range r = part[largest];
-    split(b, &r, even, &part[largest], &part[parts++]);
+    memmove(part + largest + 2, part + largest + 1, (size_t)(parts - largest - 1) * sizeof *part);
+    split(b, &r, even, part + largest);
+    parts++;
   }
   return parts;
 }
@@ -242,7 +251,8 @@ static bool build_node(builder *b, const range *whole, int level, uint32_t *numb
   size_t own = body->nodes++;
   body_node *node = &body->node[own];
   range part[BODY_WIDE];
-  node->children = (uint32_t)divide(b, whole, level > EVEN, part);
+  int parts = divide(b, whole, level > EVEN, part);
+  node->children = (uint32_t)parts;
   for (int lane = 0; lane < BODY_WIDE; lane++) {
     node->child[lane] = 0;
     for (int i = 0; i < 3; i++) {
@@ -250,13 +260,10 @@ static bool build_node(builder *b, const range *whole, int level, uint32_t *numb
       node->half[i][lane] = -FLT_MAX / 4;
     }
   }
-  int parts = (int)node->children;
   for (int lane = 0; lane < parts; lane++) {
     const range *r = &part[lane];
-    uint32_t child = 0;
-    if (r->end - r->begin == 1) {
-      child = place_triangle(b, &b->entry[r->begin]);
-    } else if (!build_node(b, r, level + 1, &child)) {
+    uint32_t child = BODY_TRIANGLE + r->begin;
+    if (count_of(r) > 1 && !build_node(b, r, level + 1, &child)) {
       return false;
     }
     set_lane(&body->node[own], lane, &r->bounds, child);
@@ -276,8 +283,8 @@ static bool measure(sepax_body *body, const sepax_mesh *mesh, sepax_error *error
       if (!(fabs(x) <= 0x1p1000)) {
         return sepax_fail(error, "facet %zu: the coordinate %g is not within 2^1000", n, x);
       }
-      low[k % 3] = fmin(low[k % 3], x);
-      high[k % 3] = fmax(high[k % 3], x);
+      low[k % 3] = x < low[k % 3] ? x : low[k % 3];
+      high[k % 3] = x > high[k % 3] ? x : high[k % 3];
     }
   }
   double most = 0;
@@ -289,6 +296,14 @@ static bool measure(sepax_body *body, const sepax_mesh *mesh, sepax_error *error
   frexp(most, &exponent);
   body->scale = most > 0 ? ldexp(1, exponent < -1000 ? -1000 : exponent) : 1;
   return true;
+}
+
+static void place_triangles(const builder *b) {
+  for (size_t n = 0; n < b->body->count; n++) {
+    uint32_t number = b->entry[n].triangle;
+    memcpy(b->body->triangle[n], b->mesh->facet[number].v, sizeof(facet_points));
+    b->body->number[n] = number;
+  }
 }
 
 static bool build(builder *b, sepax_error *error) {
@@ -304,11 +319,13 @@ static bool build(builder *b, sepax_error *error) {
       body->triangle != NULL && body->number != NULL && body->node != NULL && b->entry != NULL;
   if (ok) {
     for (size_t n = 0; n < count; n++) {
-      b->entry[n] = (entry){box_of(body, b->mesh->facet[n].v), (uint32_t)n};
+      set_entry(&b->entry[n], body, b->mesh->facet[n].v, (uint32_t)n);
     }
-    range whole = {0, count, bounds_of(b->entry, 0, count)};
+    range whole = {0, (uint32_t)count, bounds_of(b->entry, 0, (uint32_t)count)};
     uint32_t root;
-    ok = build_node(b, &whole, 0, &root) && body_fit(body);
+    ok = build_node(b, &whole, 0, &root);
+    place_triangles(b);
+    ok = ok && body_fit(body);
   }
   free(b->entry);
   return ok || sepax_fail(error, "no memory for a body of %zu triangles", count);
