@@ -42,13 +42,6 @@ static bool normalise(double v[3]) {
 
 /* --------------------------------------------------------------------- directions */
 
-/* A triangle in units of the body. */
-static void local_triangle(const sepax_body *b, uint32_t place, double v[3][3]) {
-  for (int k = 0; k < 9; k++) {
-    v[k / 3][k % 3] = (b->triangle[place][k / 3][k % 3] - b->centre[k % 3]) / b->scale;
-  }
-}
-
 /* Any two axes at right angles to the first. */
 static void complete(axes a) {
   int least = 0;
@@ -183,49 +176,68 @@ typedef struct {
   float axis[3][3], centre[3], half[3];
 } oriented;
 
-/* The box on axes a around the triangles from ... to - 1 of the tree's order.
+static void set_axes(oriented *r, const axes a) {
+  for (int k = 0; k < 9; k++) {
+    r->axis[k / 3][k % 3] = (float)a[k / 3][k % 3];
+  }
+}
+
+/* Round half sides.
  *
  * The axes are rounded to single precision, so that they have length 1 and are at right angles
  * within 2^-22; half[i] then need be larger than |axis_i . (x - centre)| by 2^-20 of all three.
  * Every number of a search's test is rounded by less than 2^-17 of them (query.c), and MORE covers
  * both. LEAST covers numbers that are too small for single precision. */
-static void enclose(const sepax_body *b, uint32_t from, uint32_t to, const axes a, oriented *r) {
+static void set_half(oriented *r, const double half[3]) {
   const double MORE = 0x1p-15;
   const double LEAST = 0x1p-60;
+  double more = MORE * (half[0] + half[1] + half[2]) + LEAST;
+  for (int i = 0; i < 3; i++) {
+    r->half[i] = nextafterf((float)(half[i] + more), INFINITY);
+  }
+}
+
+/* The box on axes a around triangles in units of the body. */
+static void enclose(const facet_points *v, uint32_t count, const axes a, oriented *r) {
   double low[3] = {INFINITY, INFINITY, INFINITY};
   double high[3] = {-INFINITY, -INFINITY, -INFINITY};
   double axis[3][3];
+  set_axes(r, a);
   for (int k = 0; k < 9; k++) {
-    r->axis[k / 3][k % 3] = (float)a[k / 3][k % 3];
     axis[k / 3][k % 3] = (double)r->axis[k / 3][k % 3];
   }
-  for (uint32_t n = from; n < to; n++) {
-    double v[3][3];
-    local_triangle(b, n, v);
+  for (uint32_t n = 0; n < count; n++) {
     for (int k = 0; k < 3; k++) {
       for (int i = 0; i < 3; i++) {
-        double at = dot(axis[i], v[k]);
+        double at = dot(axis[i], v[n][k]);
         low[i] = at < low[i] ? at : low[i];
         high[i] = at > high[i] ? at : high[i];
       }
     }
   }
-  double centre[3];
   double half[3];
   for (int i = 0; i < 3; i++) {
     r->centre[i] = (float)((axis[0][i] * (low[0] + high[0]) + axis[1][i] * (low[1] + high[1]) +
                             axis[2][i] * (low[2] + high[2])) /
                            2);
-    centre[i] = (double)r->centre[i];
   }
+  const double centre[3] = {(double)r->centre[0], (double)r->centre[1], (double)r->centre[2]};
   for (int i = 0; i < 3; i++) {
     double at = dot(axis[i], centre);
     half[i] = fmax(high[i] - at, at - low[i]);
   }
-  double more = MORE * (half[0] + half[1] + half[2]) + LEAST;
+  set_half(r, half);
+}
+
+/* The AABB of a child as a box. */
+static void take_aabb(const body_node *node, int lane, oriented *r) {
+  double half[3];
+  set_axes(r, upright);
   for (int i = 0; i < 3; i++) {
-    r->half[i] = nextafterf((float)(half[i] + more), INFINITY);
+    r->centre[i] = node->centre[i][lane];
+    half[i] = (double)node->half[i][lane];
   }
+  set_half(r, half);
 }
 
 static float area(const oriented *r) {
@@ -243,30 +255,28 @@ static void store(body_boxes *to, int lane, const oriented *r, uint32_t child) {
   to->child[lane] = child;
 }
 
-static void fit(const sepax_body *b, uint32_t from, uint32_t to, const moments *m, oriented *r) {
+/* Around one triangle, or more with their moments, of which r is the AABB. */
+static void fit(const facet_points *v, uint32_t count, const moments *m, oriented *r) {
   axes a;
-  if (to - from == 1) {
-    double v[3][3];
-    local_triangle(b, from, v);
-    axes_of_triangle(v, a);
-    enclose(b, from, to, a, r);
+  if (count == 1) {
+    axes_of_triangle(v[0], a);
+    enclose(v, count, a, r);
     return;
   }
-  oriented straight;
-  enclose(b, from, to, upright, &straight);
+  oriented principal;
   principal_axes(m, a);
-  enclose(b, from, to, a, r);
-  if (area(&straight) < area(r)) {
-    *r = straight;
+  enclose(v, count, a, &principal);
+  if (area(&principal) < area(r)) {
+    *r = principal;
   }
 }
 
-/* The boxes of a node's children; returns how many triangles are below, and their moments. The
- * triangles below a node follow each other in the tree's order, from `from` on. */
-static uint32_t fit_node(sepax_body *b, uint32_t number, uint32_t from, moments *all) {
+/* The boxes of a node's children, from the triangles below it, which follow each other in the
+ * tree's order; returns how many there are, and their moments. */
+static uint32_t fit_node(sepax_body *b, uint32_t number, const facet_points *v, moments *all) {
   const body_node *node = &b->node[number];
   body_boxes *boxes = &b->boxes[number];
-  uint32_t to = from;
+  uint32_t done = 0;
   *all = (moments){0};
   for (int lane = 0; lane < BODY_WIDE; lane++) {
     oriented r = {{{0}}, {FAR, FAR, FAR}, {0}};
@@ -275,33 +285,47 @@ static uint32_t fit_node(sepax_body *b, uint32_t number, uint32_t from, moments 
       continue;
     }
     uint32_t child = node->child[lane];
-    uint32_t begin = to;
+    uint32_t count = 1;
     moments m = {0};
     if ((child & BODY_TRIANGLE) != 0) {
-      double v[3][3];
-      local_triangle(b, begin, v);
-      add_triangle(&m, v);
-      to++;
+      add_triangle(&m, v[done]);
     } else {
-      to += fit_node(b, child, begin, &m);
+      count = fit_node(b, child, v + done, &m);
     }
-    fit(b, begin, to, &m, &r);
+    take_aabb(node, lane, &r);
+    fit(v + done, count, &m, &r);
     store(boxes, lane, &r, child);
     add_moments(all, &m);
+    done += count;
   }
-  return to - from;
+  return done;
+}
+
+/* The triangles in units of the body. */
+static facet_points *local_triangles(const sepax_body *b) {
+  facet_points *v = malloc(b->count * sizeof *v);
+  double unit = 1 / b->scale;
+  for (size_t n = 0; n < b->count && v != NULL; n++) {
+    for (int k = 0; k < 9; k++) {
+      v[n][k / 3][k % 3] = (b->triangle[n][k / 3][k % 3] - b->centre[k % 3]) * unit;
+    }
+  }
+  return v;
 }
 
 bool body_fit(sepax_body *b) {
+  facet_points *v = local_triangles(b);
   b->boxes = aligned_alloc(64, (b->nodes + 1) * sizeof *b->boxes);
-  if (b->boxes == NULL) {
+  if (b->boxes == NULL || v == NULL) {
+    free(v);
     return false;
   }
   moments all;
-  uint32_t count = fit_node(b, 0, 0, &all);
-  oriented r;
-  fit(b, 0, count, &all, &r);
+  oriented r = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, {2, 2, 2}};
+  fit_node(b, 0, v, &all);
+  fit(v, (uint32_t)b->count, &all, &r);
   memset(&b->boxes[b->nodes], 0, sizeof *b->boxes);
   store(&b->boxes[b->nodes], 0, &r, 0);
+  free(v);
   return true;
 }
