@@ -198,18 +198,14 @@ static bool some_part_within(const sepax_shell *a, const sepax_pose *pose_a, con
                              const sepax_pose *pose_b) {
   placement at;
   ray r = {.body = b->body, .pose = {pose_a, pose_b}};
-  place_bodies(&at, b->body, pose_b, a->body, pose_a);
+  place_bodies(&at, b->body, pose_b, a->body, pose_a); /* a sum that overflows is far outside */
+  r.error = at.error;
   for (size_t k = 0; k < a->parts; k++) {
     r.vertex = a->own->part[k].vertex;
     r.known = false;
-    r.error = at.error;
     for (int i = 0; i < 3; i++) {
       r.from[i] = at.linear[i][0] * r.vertex[0] + at.linear[i][1] * r.vertex[1] +
                   at.linear[i][2] * r.vertex[2] + at.offset[i];
-      if (!isfinite(r.from[i])) { /* nothing is certain then */
-        r.from[i] = 0;
-        r.error = INFINITY;
-      }
     }
     if (aim(&r) && inside(&r, b)) {
       return true;

@@ -166,6 +166,58 @@ bool oracle_collide_posed(const double a[3][3], const sepax_pose *pose_a, const 
   return meet;
 }
 
+/* The segment in which triangle v meets the plane of t, by coordinate `axis` of its ends. False
+ * where v is not on both sides of the plane. */
+static bool segment_in_plane(work *w, const vec v[3], const triangle *t, size_t axis,
+                             mpq_t end[2]) {
+  bool above = false;
+  bool below = false;
+  size_t ends = 0;
+  mpq_t x;
+  mpq_init(x);
+  for (size_t k = 0; k < 3; k++) {
+    const vec *p = &v[k];
+    const vec *q = &v[(k + 1) % 3];
+    plane_distance(w, w->distance, p, t);
+    plane_distance(w, w->t, q, t);
+    above = above || mpz_sgn(w->distance) > 0;
+    below = below || mpz_sgn(w->distance) < 0;
+    if (mpz_sgn(w->distance) * mpz_sgn(w->t) > 0 || mpz_cmp(w->distance, w->t) == 0)
+      continue;
+    mpz_mul(mpq_numref(x), w->distance, q->c[axis]);
+    mpz_submul(mpq_numref(x), w->t, p->c[axis]);
+    mpz_sub(mpq_denref(x), w->distance, w->t);
+    mpq_canonicalize(x);
+    if (ends == 0 || mpq_cmp(x, end[0]) < 0)
+      mpq_set(end[0], x);
+    if (ends == 0 || mpq_cmp(x, end[1]) > 0)
+      mpq_set(end[1], x);
+    ends++;
+  }
+  mpq_clear(x);
+  return above && below;
+}
+
+bool oracle_strict_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                         const sepax_pose *pose_b) {
+  work w;
+  mpq_t end[2][2];
+  work_init_posed(&w, a, pose_a, b, pose_b, 0);
+  vec_cross(&w.c, &w.n[0], &w.n[1]);
+  size_t axis = vec_pivot(&w.c);
+  bool strict = axis < 3;
+  for (size_t i = 0; i < 2; i++) {
+    const triangle other = {&w.p[3 - 3 * i], &w.n[1 - i], 0};
+    mpq_inits(end[i][0], end[i][1], NULL);
+    strict = strict && segment_in_plane(&w, &w.p[3 * i], &other, axis, end[i]);
+  }
+  strict = strict && mpq_cmp(end[0][0], end[1][1]) < 0 && mpq_cmp(end[1][0], end[0][1]) < 0;
+  for (size_t i = 0; i < 2; i++)
+    mpq_clears(end[i][0], end[i][1], NULL);
+  work_clear(&w);
+  return strict;
+}
+
 bool oracle_coplanar(const sepax_tri *a, const sepax_tri *b) {
   work w;
   work_init(&w, a, b);

@@ -21,6 +21,11 @@ bool oracle_collide(const sepax_tri *a, const sepax_tri *b);
 bool oracle_collide_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
                           const sepax_pose *pose_b);
 
+/* True iff the planes of both triangles meet in a line and the insides of both (without their
+ * edges) share a point of it: the segments in which the triangles meet it overlap. */
+bool oracle_strict_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                         const sepax_pose *pose_b);
+
 /* True iff one plane holds all six vertices. */
 bool oracle_coplanar(const sepax_tri *a, const sepax_tri *b);
 

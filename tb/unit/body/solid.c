@@ -1,0 +1,488 @@
+/* solid.c - closed bodies as solids against rational numbers and rays of random direction. */
+#include "solid_meshes.h"
+#include "solid_oracle.h"
+
+/* Nested closed parts, each given to one of the meshes; the numbers stay short, so that rays along
+ * axes meet vertices and edges. */
+static void add_nest(sepax_mesh m[2], const double c[3], double r, int depth) {
+  for (; depth > 0; depth--) {
+    sepax_mesh *to = &m[random_below(2)];
+    int kind = random_below(5);
+    if (kind < 2) {
+      add_box(to, c, r, 1 + random_below(2));
+      r /= kind == 0 ? 2 : 8;
+    } else if (kind == 2) {
+      add_octahedron(to, c, r);
+      r /= 4;
+    } else {
+      add_torus(to, c, r / 2, r / 4);
+      if (kind == 3) {
+        r /= 8; /* in its hole */
+      } else {
+        double inside[3] = {c[0] - r / 2, c[1], c[2]};
+        add_nest(m, inside, r / 32, depth - 1);
+        return;
+      }
+    }
+  }
+}
+
+static void draw_meshes(sepax_mesh m[2]) {
+  do {
+    sepax_mesh_free(&m[0]);
+    sepax_mesh_free(&m[1]);
+    for (int nests = 1 + random_below(2); nests > 0; nests--) {
+      const double c[3] = {3 * nests, random_below(2), random_below(2)};
+      add_nest(m, c, 1, 2 + random_below(4));
+    }
+  } while (m[0].count == 0 || m[1].count == 0);
+  for (int k = 0; k < 2; k++) {
+    for (int times = random_below(3); times > 0; times--) {
+      split_edge(&m[k]);
+    }
+  }
+}
+
+/* ------------------------------------------------------------------------- poses */
+
+static sepax_pose random_pose(double away) {
+  double q[4];
+  double n = 0;
+  for (int i = 0; i < 4; i++) {
+    q[i] = random_unit();
+    n += q[i] * q[i];
+  }
+  n = 2 / n;
+  double w = q[0];
+  double x = q[1];
+  double y = q[2];
+  double z = q[3];
+  return (sepax_pose){{{1 - n * (y * y + z * z), n * (x * y - w * z), n * (x * z + w * y)},
+                       {n * (x * y + w * z), 1 - n * (x * x + z * z), n * (y * z - w * x)},
+                       {n * (x * z - w * y), n * (y * z + w * x), 1 - n * (x * x + y * y)}},
+                      {away * random_unit(), away * random_unit(), away * random_unit()}};
+}
+
+static void move(double v[3], const sepax_pose *p) {
+  double moved[3];
+  for (int i = 0; i < 3; i++) {
+    moved[i] = p->rotation[i][0] * v[0] + p->rotation[i][1] * v[1] + p->rotation[i][2] * v[2] +
+               p->translation[i];
+  }
+  memcpy(v, moved, sizeof moved);
+}
+
+/* Into its file, with rounding. */
+static void move_mesh(sepax_mesh *m, const sepax_pose *p) {
+  for (size_t k = 0; k < 3 * m->count; k++) {
+    move(m->facet[k / 3].v[k % 3], p);
+  }
+}
+
+static bool collide(sepax_body *body[2], const sepax_pose *pa, const sepax_pose *pb) {
+  sepax_query query = {.only_any = true};
+  sepax_pairs found;
+  assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
+  return found.count > 0;
+}
+
+/* ------------------------------------------------------------------------- cases */
+
+typedef struct {
+  size_t free, within[2], colliding;
+} tally;
+
+static void assert_shell(const sepax_shell *shell, const oracle_shell *o, const sepax_mesh *m) {
+  assert_int_equal(shell->closed, o->closed);
+  assert_int_equal(shell->consistent, o->consistent);
+  assert_int_equal(shell->parts, o->parts);
+  assert_int_equal(shell->pieces, o->pieces);
+  if (!shell->closed || !shell->consistent) {
+    int count = 0;
+    int turns = 0;
+    bool named = false;
+    for (size_t k = 0; k < 3 * m->count; k++) {
+      const double(*u)[3] = m->facet[k / 3].v;
+      int way = same_edge(shell->edge[0], shell->edge[1], u[k % 3], u[(k + 1) % 3]);
+      count += way != 0;
+      turns += way;
+      named = named || (way != 0 && k / 3 == shell->facet);
+    }
+    assert_true(named);
+    assert_true(shell->closed ? abs(turns) > 1 : count % 2 != 0);
+  }
+}
+
+static void assert_within(const sepax_mesh m[2], const sepax_pose *pa, const sepax_pose *pb,
+                          tally *seen) {
+  sepax_body *body[2];
+  sepax_shell shell[2];
+  oracle_shell expected[2];
+  for (int k = 0; k < 2; k++) {
+    assert_works(sepax_body_new(&body[k], &m[k], &fault));
+    assert_works(sepax_shell_find(&shell[k], body[k], &fault));
+    find_oracle_shell(&expected[k], &m[k]);
+    assert_shell(&shell[k], &expected[k], &m[k]);
+  }
+  if (collide(body, pa, pb)) {
+    seen->colliding++;
+  } else {
+    bool within[2];
+    sepax_bodies_within(&shell[0], pa, &shell[1], pb, within);
+    space s;
+    place(&s, m, (const sepax_pose *const[]){pa, pb});
+    for (int i = 0; i < 2; i++) {
+      assert_int_equal(within[i], expected[!i].closed && oracle_within(&s, i, &expected[!i]));
+    }
+    leave(&s);
+    seen->within[0] += within[0];
+    seen->within[1] += within[1];
+    seen->free += !within[0] && !within[1];
+  }
+  for (int k = 0; k < 2; k++) {
+    sepax_shell_free(&shell[k]);
+    sepax_body_free(body[k]);
+    free_oracle_shell(&expected[k]);
+  }
+}
+
+CASE(nested) {
+  tally seen = {0};
+  sepax_mesh m[2] = {{0}};
+  for (int n = 0; n < 40; n++) {
+    draw_meshes(m);
+    if (n % 3 == 0) { /* any triangle may be turned round */
+      for (size_t k = 0; k < m[0].count; k++) {
+        if (random_below(2) == 0) {
+          turn_round(&m[0].facet[k]);
+        }
+      }
+    }
+    double size = n % 2 == 0 ? 1 : 0.1;
+    for (int k = 0; k < 2; k++) {
+      for (size_t i = 0; i < 9 * m[k].count; i++) {
+        m[k].facet[i / 9].v[i / 3 % 3][i % 3] *= size;
+      }
+    }
+    sepax_pose p = random_pose(100);
+    sepax_pose q = p;
+    assert_within(m, NULL, NULL, &seen);
+    assert_within(m, &p, &q, &seen);
+    for (int i = 0; i < 3; i++) {
+      q.translation[i] += size * 0.01 * random_unit();
+    }
+    assert_within(m, &p, &q, &seen);
+    sepax_pose away = random_pose(0.01);
+    assert_within(m, n % 2 == 0 ? NULL : &p, n % 2 == 0 ? &away : NULL, &seen);
+  }
+  sepax_mesh_free(&m[0]);
+  sepax_mesh_free(&m[1]);
+  print_message("%zu free, %zu %zu within, %zu colliding\n", seen.free, seen.within[0],
+                seen.within[1], seen.colliding);
+  assert_true(seen.free > 20 && seen.within[0] > 20 && seen.within[1] > 20);
+}
+
+/* Boxes that overlap at random, some inside out, on a lattice, so that they touch in faces and
+ * edges, too; a small body somewhere. */
+CASE(overlapping) {
+  tally seen = {0};
+  for (int n = 0; n < 120; n++) {
+    sepax_mesh m[2] = {{0}};
+    for (int boxes = 1 + random_below(4); boxes > 0; boxes--) {
+      double low[3];
+      double high[3];
+      for (int i = 0; i < 3; i++) {
+        low[i] = random_below(3);
+        high[i] = low[i] + 2 + random_below(3);
+      }
+      add_block(&m[1], low, high, random_below(3) == 0);
+    }
+    for (int tools = 1 + random_below(2); tools > 0; tools--) {
+      const double c[3] = {random_below(5) + 0.5, random_below(5) + 0.5, random_below(5) + 0.5};
+      add_octahedron(&m[0], c, 0.25);
+    }
+    if (n % 8 == 0) {
+      m[1].count--; /* open */
+    }
+    sepax_pose p = random_pose(10);
+    sepax_pose q = p;
+    if (n % 3 == 0) { /* what touched may touch, overlap or be free now */
+      move_mesh(&m[0], &p);
+      move_mesh(&m[1], &p);
+    }
+    assert_within(m, NULL, NULL, &seen);
+    assert_within(m, &p, &q, &seen);
+    sepax_mesh_free(&m[0]);
+    sepax_mesh_free(&m[1]);
+  }
+  print_message("%zu free, %zu %zu within, %zu colliding\n", seen.free, seen.within[0],
+                seen.within[1], seen.colliding);
+  assert_true(seen.free > 50 && seen.within[0] > 50);
+}
+
+/* A small octahedron and what is asked of it, in a mesh that is then freed. */
+static void assert_small(sepax_mesh *stock, double x, double y, double z, bool closed,
+                         bool consistent, bool expected) {
+  const double c[3] = {x, y, z};
+  sepax_mesh small = {0};
+  sepax_body *body[2];
+  sepax_shell shell[2];
+  bool within[2] = {true, true};
+  add_octahedron(&small, c, 0.125);
+  assert_works(sepax_body_new(&body[0], &small, &fault));
+  assert_works(sepax_body_new(&body[1], stock, &fault));
+  for (int k = 0; k < 2; k++) {
+    assert_works(sepax_shell_find(&shell[k], body[k], &fault));
+  }
+  assert_int_equal(shell[1].closed, closed);
+  assert_int_equal(shell[1].consistent, consistent);
+  sepax_bodies_within(&shell[0], NULL, &shell[1], NULL, within);
+  assert_int_equal(within[0], expected);
+  assert_false(within[1]);
+  for (int k = 0; k < 2; k++) {
+    sepax_shell_free(&shell[k]);
+    sepax_body_free(body[k]);
+  }
+  sepax_mesh_free(&small);
+}
+
+static const double corner[4][3] = {{0, 0, 0}, {2, 2, 2}, {1, -1, 0}, {3, 1, 2}};
+
+CASE(one_of_two_inside_out) {
+  for (int which = 0; which < 4; which++) {
+    sepax_mesh m = {0};
+    add_block(&m, corner[0], corner[1], (which & 1) != 0);
+    add_block(&m, corner[2], corner[3], (which & 2) != 0);
+    assert_small(&m, 1.5, 0.5, 1, true, true, true);  /* in both */
+    assert_small(&m, 0.5, 1.5, 1, true, true, true);  /* in one */
+    assert_small(&m, 2.5, 1.5, 1, true, true, false); /* beside */
+    sepax_mesh_free(&m);
+  }
+}
+
+CASE(two_triangles_turned) {
+  sepax_mesh m = {0};
+  add_block(&m, corner[0], corner[1], false);
+  for (int n = 0; n < 12; n++) {
+    int k = random_below(12);
+    turn_round(&m.facet[n]);
+    turn_round(&m.facet[k]);
+    assert_small(&m, 0.5, 0.75, -1, true, n == k, false);
+    assert_small(&m, 0.5, 0.75, 3, true, n == k, false);
+    assert_small(&m, 0.5, 0.75, 0.5, true, n == k, true);
+    turn_round(&m.facet[n]);
+    turn_round(&m.facet[k]);
+  }
+  sepax_mesh_free(&m);
+}
+
+CASE(cavity) {
+  const double in[2][3] = {{0.5, 0.5, 0.5}, {1.5, 1.5, 1.5}};
+  sepax_mesh m = {0};
+  add_block(&m, corner[0], corner[1], false);
+  add_block(&m, in[0], in[1], false);
+  assert_small(&m, 1, 1, 1, true, true, false);
+  assert_small(&m, 0.25, 0.25, 0.25, true, true, true);
+  m.count--; /* what is open has no inside */
+  assert_small(&m, 0.25, 0.25, 0.25, false, true, false);
+  sepax_mesh_free(&m);
+}
+
+/* Two blocks that overlap, a cavity in the first. */
+CASE(cavity_in_a_piece) {
+  const double first[2][3] = {{0, 0, 0}, {4, 4, 4}};
+  const double second[2][3] = {{3, 1, 1}, {6, 5, 3}};
+  const double hole[2][3] = {{1, 1, 1}, {2, 2, 2}};
+  sepax_mesh m = {0};
+  add_block(&m, first[0], first[1], false);
+  add_block(&m, hole[0], hole[1], false);
+  add_block(&m, second[0], second[1], true);
+  assert_small(&m, 1.5, 1.5, 1.5, true, true, false);
+  assert_small(&m, 3.5, 2, 2, true, true, true);
+  assert_small(&m, 5, 4.5, 2, true, true, true);
+  assert_small(&m, 2.5, 2.5, 2.5, true, true, true);
+  sepax_mesh_free(&m);
+}
+
+/* A part that touches another, in one point, is one piece with it. */
+CASE(touching_parts) {
+  const double c[3] = {0.75, 1.25, 1.5};
+  sepax_mesh m = {0};
+  add_block(&m, corner[0], corner[1], false);
+  add_octahedron(&m, c, 0.5);
+  assert_small(&m, 0.75, 1.25, 1.5, true, true, true);
+  sepax_mesh_free(&m);
+  const double lower[3] = {0.75, 1.25, 1.25};
+  add_block(&m, corner[0], corner[1], false);
+  add_octahedron(&m, lower, 0.5);
+  assert_small(&m, 0.75, 1.25, 1.25, true, true, false);
+  sepax_mesh_free(&m);
+}
+
+/* A vertex in the middle of an edge, exactly: in doubles, on either side of its triangles. */
+CASE(vertex_on_an_edge) {
+  const double far[3] = {9, 9, 9};
+  tally seen = {0};
+  for (int n = 0; n < 200; n++) {
+    sepax_mesh m[2] = {{0}};
+    double p[4][3];
+    double t[3][3];
+    for (int i = 0; i < 3; i++) {
+      for (int k = 0; k < 4; k++) {
+        p[k][i] = (float)random_unit(); /* so that the middle is a double */
+      }
+      t[0][i] = p[0][i] / 2 + p[1][i] / 2;
+      t[1][i] = t[0][i] + (t[0][i] - p[2][i] / 2 - p[3][i] / 2) + 0.1 * random_unit();
+      t[2][i] = t[0][i] + (t[0][i] - p[2][i] / 2 - p[3][i] / 2) + 0.1 * random_unit();
+    }
+    for (int k = 0; k < 4; k++) {
+      add_triangle(&m[1], p[k], p[(k + 1) % 4], p[(k + 2) % 4]);
+    }
+    add_triangle(&m[1], t[0], t[1], t[2]);
+    add_triangle(&m[1], t[0], t[2], t[1]);
+    add_octahedron(&m[0], far, 1);
+    assert_within(m, NULL, NULL, &seen);
+    sepax_mesh_free(&m[0]);
+    sepax_mesh_free(&m[1]);
+  }
+}
+
+/* Two triangles that run along their common edge the same way, whichever. */
+CASE(inconsistent_and_open) {
+  const double p[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  for (int way = 0; way < 2; way++) {
+    sepax_mesh m = {0};
+    add_triangle(&m, p[way], p[!way], p[2]);
+    add_triangle(&m, p[way], p[!way], p[3]);
+    assert_small(&m, 5, 5, 5, false, false, false);
+    turn_round(&m.facet[1]);
+    assert_small(&m, 5, 5, 5, false, true, false);
+    sepax_mesh_free(&m);
+  }
+}
+
+/* An open tool in a closed stock is inside; the stock in the tool is not asked. */
+CASE(open_tool) {
+  sepax_mesh tool = {0};
+  sepax_mesh stock = {0};
+  sepax_body *body[2];
+  sepax_shell shell[2];
+  bool within[2];
+  const double c[3] = {1, 1, 1};
+  add_octahedron(&tool, c, 0.25);
+  tool.count--;
+  add_block(&stock, corner[0], corner[1], false);
+  assert_works(sepax_body_new(&body[0], &tool, &fault));
+  assert_works(sepax_body_new(&body[1], &stock, &fault));
+  for (int k = 0; k < 2; k++) {
+    assert_works(sepax_shell_find(&shell[k], body[k], &fault));
+  }
+  assert_false(shell[0].closed);
+  sepax_bodies_within(&shell[0], NULL, &shell[1], NULL, within);
+  assert_true(within[0] && !within[1]);
+  sepax_bodies_within(&shell[1], NULL, &shell[0], NULL, within);
+  assert_true(!within[0] && within[1]);
+  for (int k = 0; k < 2; k++) {
+    sepax_shell_free(&shell[k]);
+    sepax_body_free(body[k]);
+  }
+  sepax_mesh_free(&tool);
+  sepax_mesh_free(&stock);
+}
+
+/* A cone of many triangles round one vertex, its rim with zeros of both signs. */
+CASE(many_at_a_vertex) {
+  sepax_mesh m = {0};
+  const double top[3] = {0, 0, 1};
+  const double bottom[3] = {-0.0, 0, -1};
+  for (int n = 0; n < 100; n++) {
+    double zero = n % 2 == 0 ? 0.0 : -0.0;
+    const double p[3] = {cos(PI * n / 50), sin(PI * n / 50), zero};
+    const double q[3] = {cos(PI * ((n + 1) % 100) / 50), sin(PI * ((n + 1) % 100) / 50), zero};
+    add_triangle(&m, top, p, q);
+    add_triangle(&m, bottom, q, p);
+  }
+  assert_small(&m, 0.25, 0, 0, true, true, true);
+  assert_small(&m, 0.75, 0, 0.75, true, true, false);
+  m.facet[17].v[1][2] = 1e-300;
+  assert_small(&m, 0.75, 0, 0.75, false, true, false);
+  sepax_mesh_free(&m);
+}
+
+/* The smallest and the largest bodies, far from the origin and in poses with any numbers. */
+CASE(extremes) {
+  static const int exponents[] = {-1070, -700, -330, 0, 340, 700, 990};
+  tally seen = {0};
+  for (size_t n = 0; n < 4 * LENGTH(exponents); n++) {
+    double size = ldexp(1, exponents[n / 4]);
+    double low[3];
+    double high[3];
+    double c[3];
+    sepax_mesh m[2] = {{0}};
+    for (int i = 0; i < 3; i++) {
+      c[i] = size * (1 + random_below(5));
+      low[i] = 0;
+      high[i] = 6 * size;
+    }
+    add_block(&m[1], low, high, false);
+    add_octahedron(&m[0], c, n % 2 == 0 ? size : size / 2);
+    sepax_pose far = random_pose(0x1.fp1023);
+    sepax_pose same = far;
+    sepax_pose p = {{{1, -0x1p-1000, 0x1p-1074}, {0x1p-1000, 1, 0}, {0, 0, 1}},
+                    {size * random_unit(), size * random_unit(), size * random_unit()}};
+    assert_within(m, NULL, NULL, &seen);
+    assert_within(m, NULL, &p, &seen);
+    assert_within(m, &p, NULL, &seen);
+    assert_within(m, &far, &same, &seen);
+    assert_within(m, &far, NULL, &seen);
+    sepax_mesh_free(&m[0]);
+    sepax_mesh_free(&m[1]);
+  }
+  assert_true(seen.within[0] > 20 && seen.free > 5);
+}
+
+/* Points as near to a face, an edge or a vertex of a tilted solid as doubles can be; then in poses
+ * of their own, far off, in which they are as near. */
+CASE(near_the_surface) {
+  tally seen = {0};
+  const double c[3] = {0.1, 0.2, 0.3};
+  for (int n = 0; n < 400; n++) {
+    sepax_mesh m[2] = {{0}};
+    sepax_pose tilt = random_pose(1);
+    if (n % 2 == 0) {
+      add_box(&m[1], c, 1, 1);
+    } else {
+      add_octahedron(&m[1], c, 1);
+    }
+    if (n % 3 != 0) {
+      move_mesh(&m[1], &tilt);
+    }
+    const double(*t)[3] = m[1].facet[random_below((int)m[1].count)].v;
+    double share = n % 5 == 0 ? 0 : 0.5 + random_unit() / 2;
+    double rest = n % 7 == 0 ? 0 : 0.5 + random_unit() / 2;
+    double p[3];
+    for (int i = 0; i < 3; i++) {
+      p[i] = share * t[0][i] + (1 - share) * (rest * t[1][i] + (1 - rest) * t[2][i]);
+    }
+    add_triangle(&m[0], p, p, p);
+    assert_within(m, NULL, NULL, &seen);
+    sepax_pose pose = random_pose(100);
+    sepax_pose back;
+    for (int i = 0; i < 3; i++) {
+      back.translation[i] = 0;
+      for (int k = 0; k < 3; k++) {
+        back.rotation[i][k] = pose.rotation[k][i];
+        back.translation[i] -= pose.rotation[k][i] * pose.translation[k];
+      }
+    }
+    for (int k = 0; k < 3; k++) {
+      move(m[0].facet[0].v[k], &back);
+    }
+    memcpy(m[0].facet[0].v[1], m[0].facet[0].v[0], sizeof p);
+    memcpy(m[0].facet[0].v[2], m[0].facet[0].v[0], sizeof p);
+    assert_within(m, &pose, NULL, &seen);
+    sepax_mesh_free(&m[0]);
+    sepax_mesh_free(&m[1]);
+  }
+  assert_true(seen.within[0] > 200 && seen.free > 200);
+}

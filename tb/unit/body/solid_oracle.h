@@ -1,0 +1,267 @@
+/* solid_oracle.h - what is inside what, in whole numbers of any size (GMP), by rays of random
+ * direction against every triangle; and what a shell must be, every edge against every other. */
+#ifndef SOLID_ORACLE_H
+#define SOLID_ORACLE_H
+
+#include "harness.h"
+#include "oracle/oracle.h"
+
+#include <gmp.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef double points[3][3];
+
+typedef mpz_t whole_point[3];
+
+/* The vertices of both meshes in space, times one power of two that makes them whole: vertex k of
+ * triangle n of mesh i is v[i][3 n + k]. */
+typedef struct {
+  whole_point *v[2];
+  size_t count[2];
+} space;
+
+static void find_posed(mpq_t r, const double v[3], const sepax_pose *pose, int axis) {
+  mpq_t p;
+  mpq_t q;
+  mpq_inits(p, q, NULL);
+  mpq_set_d(r, pose == NULL ? v[axis] : pose->translation[axis]);
+  for (int k = 0; k < 3 && pose != NULL; k++) {
+    mpq_set_d(p, pose->rotation[axis][k]);
+    mpq_set_d(q, v[k]);
+    mpq_mul(p, p, q);
+    mpq_add(r, r, p);
+  }
+  mpq_clears(p, q, NULL);
+}
+
+static void place(space *s, const sepax_mesh m[2], const sepax_pose *const pose[2]) {
+  const mp_bitcnt_t places = 4400; /* of which none is lost: a product of two doubles has fewer */
+  mpq_t x;
+  mpq_init(x);
+  for (int i = 0; i < 2; i++) {
+    s->count[i] = m[i].count;
+    s->v[i] = calloc(3 * m[i].count, sizeof *s->v[i]);
+    assert_non_null(s->v[i]);
+    for (size_t n = 0; n < 9 * m[i].count; n++) {
+      find_posed(x, m[i].facet[n / 9].v[n / 3 % 3], pose[i], (int)(n % 3));
+      mpz_init(s->v[i][n / 3][n % 3]);
+      mpq_mul_2exp(x, x, places);
+      assert_int_equal(mpz_cmp_ui(mpq_denref(x), 1), 0);
+      mpz_set(s->v[i][n / 3][n % 3], mpq_numref(x));
+    }
+  }
+  mpq_clear(x);
+  mp_bitcnt_t zeros = places;
+  for (int pass = 0; pass < 2; pass++) {
+    for (size_t n = 0; n < 9 * (m[0].count + m[1].count); n++) {
+      size_t i = n >= 9 * m[0].count;
+      size_t at = n - 9 * i * m[0].count;
+      mpz_t *c = &s->v[i][at / 3][at % 3];
+      if (pass == 0 && mpz_sgn(*c) != 0 && mpz_scan1(*c, 0) < zeros) {
+        zeros = mpz_scan1(*c, 0);
+      } else if (pass == 1) {
+        mpz_tdiv_q_2exp(*c, *c, zeros);
+      }
+    }
+  }
+}
+
+static void leave(space *s) {
+  for (int i = 0; i < 2; i++) {
+    for (size_t n = 0; n < 3 * s->count[i]; n++) {
+      mpz_clears(s->v[i][n][0], s->v[i][n][1], s->v[i][n][2], NULL);
+    }
+    free(s->v[i]);
+  }
+}
+
+static void subtract(whole_point r, whole_point p, whole_point q) {
+  for (int i = 0; i < 3; i++) {
+    mpz_sub(r[i], p[i], q[i]);
+  }
+}
+
+/* r is neither p nor q. */
+static void cross(whole_point r, whole_point p, whole_point q) {
+  for (int i = 0; i < 3; i++) {
+    mpz_mul(r[i], p[(i + 1) % 3], q[(i + 2) % 3]);
+    mpz_submul(r[i], p[(i + 2) % 3], q[(i + 1) % 3]);
+  }
+}
+
+/* The sign of the product of two vectors. */
+static int along(whole_point p, whole_point q) {
+  mpz_t sum;
+  mpz_init(sum);
+  for (int i = 0; i < 3; i++) {
+    mpz_addmul(sum, p[i], q[i]);
+  }
+  int sign = mpz_sgn(sum);
+  mpz_clear(sum);
+  return sign;
+}
+
+/* Does the ray from p meet the triangle? -1: it meets an edge, or is in its plane. */
+static int ray_meets(whole_point p, whole_point way, whole_point t[3]) {
+  whole_point r[6]; /* the vertices from p, two vectors, the normal */
+  int side[3];
+  for (int k = 0; k < 18; k++) {
+    mpz_init(r[k / 3][k % 3]);
+  }
+  subtract(r[3], t[1], t[0]);
+  subtract(r[4], t[2], t[0]);
+  cross(r[5], r[3], r[4]);
+  bool no_area = mpz_sgn(r[5][0]) == 0 && mpz_sgn(r[5][1]) == 0 && mpz_sgn(r[5][2]) == 0;
+  for (int k = 0; k < 3; k++) {
+    subtract(r[k], t[k], p);
+  }
+  int facing = along(way, r[5]);
+  int height = along(r[0], r[5]);
+  for (int k = 0; k < 3; k++) {
+    cross(r[3], r[k], r[(k + 1) % 3]);
+    side[k] = along(way, r[3]);
+  }
+  for (int k = 0; k < 18; k++) {
+    mpz_clear(r[k / 3][k % 3]);
+  }
+  if (no_area || side[0] * side[1] < 0 || side[1] * side[2] < 0 || side[2] * side[0] < 0) {
+    return 0;
+  }
+  if (side[0] == 0 || side[1] == 0 || side[2] == 0 || facing == 0 || height == 0) {
+    return -1;
+  }
+  return height == facing;
+}
+
+/* Along directions at random until one meets no edge. */
+static bool oracle_inside_part(whole_point p, whole_point *t, const size_t *part, size_t which,
+                               size_t count) {
+  whole_point way;
+  int met = -1;
+  bool odd = false;
+  mpz_inits(way[0], way[1], way[2], NULL);
+  while (met < 0) {
+    odd = false;
+    met = 0;
+    for (int i = 0; i < 3; i++) {
+      mpz_set_si(way[i], random_below(1 << 20) - (1 << 19));
+    }
+    for (size_t n = 0; n < count && met >= 0; n++) {
+      met = part[n] == which ? ray_meets(p, way, &t[3 * n]) : 0;
+      odd ^= met > 0;
+    }
+  }
+  mpz_clears(way[0], way[1], way[2], NULL);
+  return odd;
+}
+
+static bool same_point(const double p[3], const double q[3]) {
+  return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+}
+
+/* 1: q runs from -> to, -1: to -> from, 0: another edge. */
+static int same_edge(const double p[3], const double q[3], const double r[3], const double s[3]) {
+  return same_point(p, q)                       ? 0
+         : same_point(p, r) && same_point(q, s) ? 1
+         : same_point(p, s) && same_point(q, r) ? -1
+                                                : 0;
+}
+
+/* What the shell of a mesh must be, every edge against every other. part, piece: the lowest
+ * triangle of the same. */
+typedef struct {
+  bool closed, consistent;
+  size_t *part, *piece, parts, pieces;
+} oracle_shell;
+
+static void merge(size_t *set, size_t count, size_t p, size_t q) {
+  size_t low = set[p] < set[q] ? set[p] : set[q];
+  size_t high = set[p] < set[q] ? set[q] : set[p];
+  for (size_t n = 0; n < count; n++) {
+    set[n] = set[n] == high ? low : set[n];
+  }
+}
+
+static bool boxes_disjoint(const points p, const points q) {
+  for (int i = 0; i < 3; i++) {
+    if (fmax(fmax(p[0][i], p[1][i]), p[2][i]) < fmin(fmin(q[0][i], q[1][i]), q[2][i])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static void find_oracle_shell(oracle_shell *o, const sepax_mesh *m) {
+  *o = (oracle_shell){
+      true, true, calloc(m->count, sizeof(size_t)), calloc(m->count, sizeof(size_t)), 0, 0};
+  for (size_t n = 0; n < m->count; n++) {
+    o->part[n] = n;
+  }
+  for (size_t n = 0; n < 3 * m->count; n++) {
+    const double(*t)[3] = m->facet[n / 3].v;
+    const double *p = t[n % 3];
+    const double *q = t[(n + 1) % 3];
+    int count = 0;
+    int turns = 0;
+    for (size_t k = 0; k < 3 * m->count; k++) {
+      const double(*u)[3] = m->facet[k / 3].v;
+      int way = same_edge(p, q, u[k % 3], u[(k + 1) % 3]);
+      count += way != 0;
+      turns += way;
+      if (way != 0) {
+        merge(o->part, m->count, n / 3, k / 3);
+      }
+    }
+    o->closed = o->closed && count % 2 == 0;
+    o->consistent = o->consistent && abs(turns) <= 1;
+  }
+  memcpy(o->piece, o->part, m->count * sizeof *o->part);
+  for (size_t n = 0; n < m->count && o->closed; n++) {
+    for (size_t k = 0; k < m->count; k++) {
+      const double(*t)[3] = m->facet[n].v;
+      const double(*u)[3] = m->facet[k].v;
+      if (o->piece[n] != o->piece[k] && !boxes_disjoint(t, u) && !boxes_disjoint(u, t) &&
+          oracle_collide_posed(t, NULL, u, NULL)) {
+        merge(o->piece, m->count, n, k);
+      }
+    }
+  }
+  for (size_t n = 0; n < m->count; n++) {
+    o->parts += o->part[n] == n;
+    o->pieces += o->piece[n] == n;
+  }
+}
+
+static void free_oracle_shell(oracle_shell *o) {
+  free(o->part);
+  free(o->piece);
+}
+
+/* Inside an odd number of pieces: inside some part of each. */
+static bool oracle_inside(whole_point p, whole_point *t, const oracle_shell *o, size_t count) {
+  bool odd = false;
+  for (size_t piece = 0; piece < count; piece++) {
+    bool in_piece = false;
+    for (size_t part = piece; part < count && !in_piece; part++) {
+      if (o->piece[part] == piece && o->part[part] == part) {
+        in_piece = oracle_inside_part(p, t, o->part, part, count);
+      }
+    }
+    odd ^= in_piece;
+  }
+  return odd;
+}
+
+/* Is a vertex of mesh i, whichever, inside the other? Of bodies that do not collide, that is a
+ * part. */
+static bool oracle_within(space *s, int i, const oracle_shell *other) {
+  bool within = false;
+  for (size_t n = 0; n < 3 * s->count[i] && !within; n += 1 + (size_t)random_below(23)) {
+    within = oracle_inside(s->v[i][n], s->v[!i], other, s->count[!i]);
+  }
+  return within;
+}
+
+#endif
