@@ -194,6 +194,18 @@ static bool build_solid(const check_question *q, int i, check_report *report, so
   return true;
 }
 
+static bool build_solids(const check_question *q, check_report *report, solids *s,
+                         sepax_error *error) {
+  cli_progress progress = cli_progress_begin("trees", 2);
+  bool ok = true;
+  for (int i = 0; i < 2 && ok; i++) {
+    cli_progress_show(&progress, (uint64_t)i);
+    ok = build_solid(q, i, report, s, error);
+  }
+  cli_progress_end(&progress);
+  return ok;
+}
+
 static bool decide_one(work *all, sepax_error *error) {
   return decide(all->q, &all->solids, NULL, all->answer, error);
 }
@@ -216,8 +228,7 @@ bool check_bodies(const check_question *q, check_report *report, sepax_error *er
   cli_progress progress = cli_progress_begin("poses", answers);
   bool ok =
       (all.answer != NULL || sepax_fail(error, "no memory for verdicts in %zu poses", answers)) &&
-      build_solid(q, 0, report, &all.solids, error) &&
-      build_solid(q, 1, report, &all.solids, error) &&
+      build_solids(q, report, &all.solids, error) &&
       (q->poses_path != NULL ? decide_all(&all, &progress, error) : decide_one(&all, error));
   report->seconds = cli_progress_end(&progress);
   sepax_poses_free(&all.poses);

@@ -52,8 +52,8 @@ static const struct argp_option options[] = {
     {"threads", KEY_THREADS, "N", 0,
      "threads of --poses and of --grid with --arch=exact (one for each processor)", 0},
     {"grid", KEY_GRID, NULL, 0,
-     "what hardware would say: round the meshes to integers and ask a design; all options below "
-     "are for it",
+     "what hardware would say: round the meshes to integers and ask a design; there are more "
+     "options for it",
      0},
     {0}};
 
@@ -84,6 +84,7 @@ static const struct argp_option *design_options(void) {
   static struct argp_option shown[80];
   enum { MOST = sizeof shown / sizeof shown[0] - 1 };
   int used = 0;
+  shown[used++] = (struct argp_option){.doc = "Only with --grid:", .group = 1};
   for (const struct argp_option *o = cli_config_argp.options;
        (o->name != NULL || o->doc != NULL) && used < MOST; o++) {
     bool length =
