@@ -4,6 +4,7 @@
 #include "util/error.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { KEPT = 64 };
 
@@ -12,24 +13,31 @@ typedef struct {
   double least;
 } candidate;
 
-/* Pairs that may be the nearest; the nearest of those that were measured. */
+/* Pairs that may be the nearest; the nearest of those that were measured, and the direction on
+ * which it is at that distance. */
 typedef struct {
   candidate kept[KEPT];
   int count;
-  bool measured;
   sepax_distance_result *best;
+  twofold_vector way;
 } nearest_pairs;
 
 static void measure(search *s, nearest_pairs *n, const candidate *c) {
   sepax_distance_result *best = n->best;
+  const double(*a)[3] = s->body[0]->triangle[c->at[0]];
+  const double(*b)[3] = s->body[1]->triangle[c->at[1]];
+  const sepax_pose *const *pose = s->at.pose;
+  if (isfinite(best->min_distance) &&
+      distance_at_least(a, pose[0], b, pose[1], &n->way, best->min_distance)) {
+    return;
+  }
   double nearest[2][3];
-  double distance = sepax_distance_posed(s->body[0]->triangle[c->at[0]], s->at.pose[0],
-                                         s->body[1]->triangle[c->at[1]], s->at.pose[1], nearest);
+  twofold_vector way;
+  double distance = distance_and_way(a, pose[0], b, pose[1], nearest, &way);
   if (distance < best->min_distance) {
+    n->way = way;
     best->min_distance = distance;
-    for (int k = 0; k < 6; k++) {
-      best->nearest_points[k / 3][k % 3] = nearest[k / 3][k % 3];
-    }
+    memcpy(best->nearest_points, nearest, sizeof nearest);
     for (int k = 0; k < 2; k++) {
       best->pair[k] = s->body[k]->number[c->at[k]];
     }

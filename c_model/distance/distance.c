@@ -8,13 +8,11 @@
 
 #include <string.h>
 
-typedef struct {
-  twofold c[3];
-} vector;
+typedef twofold_vector vector;
 
-/* The vertices in units of 2^exponent, from A_0, which is at `origin`; 1/2 <= the largest
- * coordinate < 1, or all are 0. `lost`: how far two vertices can be nearer to each other or farther
- * than said.
+/* The vertices in units of 2^exponent, from A_0, which is at `origin`; the largest coordinate is
+ * below 1, and at least 1/2 unless it is very small. `lost`: how far two vertices can be nearer to
+ * each other or farther than said.
  *
  * In units of 2^coarse, coordinates and translations are below 1, and those of a pose
  * are sums of four terms that are below 4.01 together: three sums, each wrong by 3 u^2 of it, 37
@@ -74,11 +72,11 @@ static double largest(const vector *p, double most) {
   return most;
 }
 
-/* frexp's exponent of x > 0, or 0. */
+/* frexp's exponent of x > 0, or 0; 2^-exponent is finite. */
 static int exponent_of(double x) {
   int exponent = 0;
   frexp(x, &exponent);
-  return exponent;
+  return exponent > -1000 ? exponent : -1000;
 }
 
 /* ---------------------------------------------------------------------- vertices */
@@ -92,20 +90,17 @@ static double largest_number(const double v[3][3], const sepax_pose *pose) {
   return most;
 }
 
-static vector posed_vertex(const double v[3], const sepax_pose *pose, int exponent) {
+/* Times `unit`, a power of two. */
+static vector posed_vertex(const double v[3], const sepax_pose *pose, double unit) {
   vector r;
-  double scaled[3];
-  for (int i = 0; i < 3; i++) {
-    scaled[i] = ldexp(v[i], -exponent);
-  }
   for (int i = 0; i < 3; i++) {
     if (pose == NULL) {
-      r.c[i] = twofold_of(scaled[i]);
+      r.c[i] = twofold_of(v[i] * unit);
       continue;
     }
-    r.c[i] = twofold_of(ldexp(pose->translation[i], -exponent));
+    r.c[i] = twofold_of(pose->translation[i] * unit);
     for (int k = 0; k < 3; k++) {
-      r.c[i] = twofold_add(r.c[i], product_of(pose->rotation[i][k], scaled[k]));
+      r.c[i] = twofold_add(r.c[i], product_of(pose->rotation[i][k], v[k] * unit));
     }
   }
   return r;
@@ -113,10 +108,11 @@ static vector posed_vertex(const double v[3], const sepax_pose *pose, int expone
 
 static void find_twofold_points(twofold_points *p, const double a[3][3], const sepax_pose *pa,
                                 const double b[3][3], const sepax_pose *pb) {
-  int coarse = exponent_of(fmax(largest_number(a, pa), largest_number(b, pb)));
+  p->coarse = exponent_of(fmax(largest_number(a, pa), largest_number(b, pb)));
+  double unit = ldexp(1, -p->coarse);
   double most = 0;
   for (int k = 0; k < 6; k++) {
-    p->v[k] = posed_vertex(k < 3 ? a[k] : b[k - 3], k < 3 ? pa : pb, coarse);
+    p->v[k] = k < 3 ? posed_vertex(a[k], pa, unit) : posed_vertex(b[k - 3], pb, unit);
   }
   p->origin = p->v[0];
   for (int k = 0; k < 6; k++) {
@@ -124,14 +120,13 @@ static void find_twofold_points(twofold_points *p, const double a[3][3], const s
     most = largest(&p->v[k], most);
   }
   int fine = exponent_of(most);
+  unit = ldexp(1, -fine);
   for (int k = 0; k < 18; k++) {
     twofold *x = &p->v[k / 3].c[k % 3];
-    *x = twofold_scaled(*x, -fine);
+    *x = (twofold){x->high * unit, x->low * unit};
   }
-  p->coarse = coarse;
-  p->exponent = coarse + fine;
-  p->lost = pa == NULL && pb == NULL ? 0 : 0x1p-97;
-  p->lost = ldexp(p->lost + 0x1p-1050, -fine);
+  p->exponent = p->coarse + fine;
+  p->lost = ((pa == NULL && pb == NULL ? 0 : 0x1p-97) + 0x1p-1050) * unit;
 }
 
 /* -------------------------------------------------------------- likely features */
@@ -277,6 +272,7 @@ static void find_candidates(const twofold_points *p, candidates *c) {
 typedef struct {
   twofold least, most;
   vector nearest[2];
+  vector way; /* the gap on it is `least` but for rounding */
 } enclosure;
 
 static twofold limited(twofold t, twofold most) {
@@ -341,9 +337,9 @@ static twofold gap_along(const twofold_points *p, const vector *w) {
   vector unit;
   twofold low[2];
   twofold high[2];
-  int exponent = exponent_of(largest(w, 0));
+  double scale = ldexp(1, -exponent_of(largest(w, 0)));
   for (int i = 0; i < 3; i++) {
-    unit.c[i] = twofold_scaled(w->c[i], -exponent);
+    unit.c[i] = (twofold){w->c[i].high * scale, w->c[i].low * scale};
   }
   for (int k = 0; k < 6; k++) {
     twofold t = dot(&unit, &p->v[k]);
@@ -355,11 +351,13 @@ static twofold gap_along(const twofold_points *p, const vector *w) {
   return quotient(twofold_less(gap, back) ? back : gap, twofold_root(dot(&unit, &unit)));
 }
 
-/* Enclose the distance by what a pair of features gives. Weights are 0 at least, and their sum is 1
- * but for 6 u^2, so that the points are those of the triangles but for 2^-99; these are wrong by 60
- * u^2, as coordinates, and `most` by less than 2^-97. Projections, on a w of length 1/2 at least,
- * are wrong by 45 u^2, and `least`, a difference of two over that length, by less than 2^-97, too.
- * What underflows is far less. */
+/* Of the bounds. Weights are 0 at least, and their sum is 1 but for 6 u^2, so that the points are
+ * those of the triangles but for 2^-99; these are wrong by 60 u^2, as coordinates, and `most` by
+ * less than 2^-97. Projections, on a w of length 1/2 at least, are wrong by 45 u^2, and `least`, a
+ * difference of two over that length, by less than 2^-97, too. What underflows is far less. */
+static twofold error_of(const twofold_points *p) { return twofold_of(0x1p-96 + p->lost); }
+
+/* Enclose the distance by what a pair of features gives. */
 static void enclose(const twofold_points *p, int a, int b, enclosure *e) {
   int v[2][3];
   int count[2] = {0, 0};
@@ -373,12 +371,11 @@ static void enclose(const twofold_points *p, int a, int b, enclosure *e) {
     }
   }
   int first = count[0] > count[1];
-  vector w = nearest_of(p, v[first], count[first], v[!first], count[!first], weight);
-  const twofold error = {0x1p-96 + p->lost, 0};
-  e->least = twofold_subtract(gap_along(p, &w), error);
+  e->way = nearest_of(p, v[first], count[first], v[!first], count[!first], weight);
+  e->least = twofold_subtract(gap_along(p, &e->way), error_of(p));
   weighted_points(p, weight, e->nearest);
-  w = vector_minus(&e->nearest[1], &e->nearest[0]);
-  e->most = twofold_add(twofold_root(dot(&w, &w)), error);
+  vector w = vector_minus(&e->nearest[1], &e->nearest[0]);
+  e->most = twofold_add(twofold_root(dot(&w, &w)), error_of(p));
 }
 
 /* ------------------------------------------------------------------------ results */
@@ -408,8 +405,8 @@ static void round_points(const twofold_points *p, const vector from[2], double n
   }
 }
 
-double sepax_distance_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                            const sepax_pose *pose_b, double nearest[2][3]) {
+double distance_and_way(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                        const sepax_pose *pose_b, double nearest[2][3], twofold_vector *way) {
   twofold_points p;
   candidates c;
   enclosure e;
@@ -417,6 +414,7 @@ double sepax_distance_posed(const double a[3][3], const sepax_pose *pose_a, cons
   find_candidates(&p, &c);
   if (is_enclosed(&p, &c, &e)) {
     round_points(&p, e.nearest, nearest);
+    *way = e.way;
     twofold sum = twofold_add(e.least, e.most);
     return rounded(sum, p.exponent - 1);
   }
@@ -428,7 +426,23 @@ double sepax_distance_posed(const double a[3][3], const sepax_pose *pose_a, cons
   weighted_points(&p, found.weight, e.nearest);
   round_points(&p, e.nearest, nearest);
   twofold distance = exact_distance(&found, &fine);
+  *way = (twofold_vector){{{0, 0}, {0, 0}, {0, 0}}};
   return found.over.sign == 0 ? 0 : rounded(distance, exponent + fine);
+}
+
+double sepax_distance_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                            const sepax_pose *pose_b, double nearest[2][3]) {
+  twofold_vector way;
+  return distance_and_way(a, pose_a, b, pose_b, nearest, &way);
+}
+
+bool distance_at_least(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                       const sepax_pose *pose_b, const twofold_vector *way, double distance) {
+  twofold_points p;
+  find_twofold_points(&p, a, pose_a, b, pose_b);
+  twofold least = twofold_subtract(gap_along(&p, way), error_of(&p));
+  twofold enough = product_of(ldexp(distance, -p.exponent), 1 - 0x1p-53);
+  return least.high > 0 && !twofold_less(least, enough);
 }
 
 int distance_compare(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],

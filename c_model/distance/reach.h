@@ -2,7 +2,8 @@
  * once per instruction set).
  *
  * NAME(x), TARGET   a name of its own, the attribute of its functions
- * FLOATS, LANES     boxes, pairs of triangles at once */
+ * FLOATS, LANES     boxes, pairs of triangles at once
+ * BITS(v)           sign bits of int32_t lanes */
 
 typedef float NAME(floats) __attribute__((vector_size(4 * FLOATS)));
 typedef int32_t NAME(masks) __attribute__((vector_size(4 * FLOATS)));
@@ -22,47 +23,86 @@ typedef int64_t NAME(lanes) __attribute__((vector_size(8 * LANES)));
 /* Where positive; what is not a number is 0. */
 INLINE F NAME(positive)(F v) { return (F)((M)v & (v > 0)); }
 
-/* square[k]: not above the square of the distance of child k of a node from the posed box, in units
- * of the node's body; the gaps on axes at right angles to each other are the sides of a box between
- * them. Rounding: search.c. */
-TARGET static void NAME(bound)(const body_boxes *node, const posed_box *p,
-                               float square[BODY_WIDE]) {
+INLINE F NAME(most_of)(F p, F q) {
+  M second = q > p;
+  return (F)(((M)q & second) | ((M)p & ~second));
+}
+
+/* One box in the other body's coordinates. */
+INLINE void NAME(turn_box)(posed_box *p, const motion *m, const body_boxes *from, uint32_t lane) {
+  for (int i = 0; i < 3; i++) {
+    double at = m->scaled[0][i] * (double)from->centre[0][lane] +
+                m->scaled[1][i] * (double)from->centre[1][lane] +
+                m->scaled[2][i] * (double)from->centre[2][lane] + m->shifted[i];
+    p->centre[i] = (float)at;
+    p->rest[i] = (float)(at - (double)p->centre[i]);
+    p->half[i] = m->ratio * from->half[i][lane] + m->lost;
+  }
+  for (int k = 0; k < 3; k++) {
+    for (int i = 0; i < 3; i++) {
+      p->axis[k][i] = m->turn[0][i] * from->axis[k][0][lane] +
+                      m->turn[1][i] * from->axis[k][1][lane] +
+                      m->turn[2][i] * from->axis[k][2][lane];
+    }
+  }
+}
+
+/* square[k]: not above the square of the distance of child k of a node from a box of the other
+ * body, in units of the node's body. The gaps on axes at right angles to each other are the sides
+ * of a box between them; the way between the bodies is one more axis, of length 1 or 0. Bit k: the
+ * square is at most with->most. Rounding: search.c. */
+TARGET static uint32_t NAME(bound)(const body_boxes *node, const facing *with,
+                                   const body_boxes *from, uint32_t lane, float square[BODY_WIDE]) {
+  const float *way = with->way;
+  posed_box p;
+  uint32_t bits = 0;
+  NAME(turn_box)(&p, with->motion, from, lane);
+  float own_reach = 0;
+  UNROLL for (int k = 0; k < 3; k++) {
+    const float *axis = p.axis[k];
+    own_reach += fabsf(axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]) * p.half[k];
+  }
   for (int n = 0; n < BODY_WIDE; n += FLOATS) {
     F t[3];
-    F along[3];
-    F half[3];
     F at[3] = {{0}, {0}, {0}};
     F reach[3];
     F least[2] = {{0}, {0}};
+    F along_way = {0};
+    F way_reach = (F){0} + own_reach;
     UNROLL for (int i = 0; i < 3; i++) {
       LOAD(t[i], node->centre[i] + n);
-      t[i] = p->centre[i] - t[i] + p->rest[i];
-      reach[i] = (F){0} + p->half[i];
+      t[i] = p.centre[i] - t[i] + p.rest[i];
+      reach[i] = (F){0} + p.half[i];
+      along_way += t[i] * way[i];
     }
-    F slack = (SIZE(t[0]) + SIZE(t[1]) + SIZE(t[2])) * BOUND_SLACK;
+    F slack = (SIZE(t[0]) + SIZE(t[1]) + SIZE(t[2])) * with->slack;
     UNROLL for (int i = 0; i < 3; i++) {
       F axis[3];
+      F half;
       UNROLL for (int j = 0; j < 3; j++) { LOAD(axis[j], node->axis[i][j] + n); }
-      LOAD(half[i], node->half[i] + n);
-      along[i] = axis[0] * t[0] + axis[1] * t[1] + axis[2] * t[2];
-      F own = half[i];
+      LOAD(half, node->half[i] + n);
+      F along = axis[0] * t[0] + axis[1] * t[1] + axis[2] * t[2];
+      F own = half;
+      way_reach += SIZE(axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]) * half;
       UNROLL for (int k = 0; k < 3; k++) {
-        F cosine = axis[0] * p->axis[k][0] + axis[1] * p->axis[k][1] + axis[2] * p->axis[k][2];
-        own += SIZE(cosine) * p->half[k];
-        reach[k] += SIZE(cosine) * half[i];
-        at[k] += along[i] * cosine;
+        F cosine = axis[0] * p.axis[k][0] + axis[1] * p.axis[k][1] + axis[2] * p.axis[k][2];
+        own += SIZE(cosine) * p.half[k];
+        reach[k] += SIZE(cosine) * half;
+        at[k] += along * cosine;
       }
-      F gap = NAME(positive)(SIZE(along[i]) - own - slack);
+      F gap = NAME(positive)(SIZE(along) - own - slack);
       least[0] += gap * gap;
     }
     UNROLL for (int k = 0; k < 3; k++) {
       F gap = NAME(positive)(SIZE(at[k]) - reach[k] - slack);
       least[1] += gap * gap;
     }
-    M second = least[1] > least[0];
-    F both = (F)(((M)least[1] & second) | ((M)least[0] & ~second));
-    STORE(square + n, both);
+    F gap = NAME(positive)(SIZE(along_way) - way_reach - slack);
+    F all = NAME(most_of)(NAME(most_of)(least[0], least[1]), gap * gap);
+    STORE(square + n, all);
+    bits |= (~BITS(all > with->most) & ((1U << FLOATS) - 1)) << n;
   }
+  return bits;
 }
 
 /* ------------------------------------------------------------- pairs of triangles */
@@ -191,9 +231,9 @@ INLINE R NAME(from_origin)(NAME(triangle) * t, const W *origin, R most) {
   return most;
 }
 
-/* Pairs of triangles: an enclosure of their distance. from: A's vertices, then B's. */
-TARGET static void NAME(enclose)(const double *from, const world_pose pose[2], double *least,
-                                 double *most) {
+/* Pairs of triangles: an enclosure of their distance, and the way between their nearest points.
+ * from: A's vertices, then B's. */
+TARGET static void NAME(enclose)(const double *from, const world_pose pose[2], pair_enclosure *e) {
   NAME(triangle) t[2];
   NAME(nearest) n = {(R){0} + INFINITY, {{{0}, {0}, {0}}}};
   R gap;
@@ -211,8 +251,11 @@ TARGET static void NAME(enclose)(const double *from, const world_pose pose[2], d
   gap = NAME(gap_along)(&n.way, &t[0], &t[1]);
   for (int k = 0; k < LANES; k++) {
     double error = PAIR_ERROR * size[k] + pose[0].error + pose[1].error;
-    least[k] = gap[k] / sqrt(n.square[k] + 0x1p-1000) - error;
-    most[k] = sqrt(n.square[k]) + error;
+    e[k].least = gap[k] / sqrt(n.square[k] + 0x1p-1000) - error;
+    e[k].most = sqrt(n.square[k]) + error;
+    for (int i = 0; i < 3; i++) {
+      e[k].way[i] = n.way.c[i][k];
+    }
   }
 }
 
@@ -228,4 +271,5 @@ TARGET static void NAME(enclose)(const double *from, const world_pose pose[2], d
 #undef LOAD
 #undef STORE
 #undef SIZE
+#undef BITS
 #undef FLOATS

@@ -7,14 +7,17 @@
  * two points of them are at their distance at least, and the gap on a direction is at most that.
  *
  * Rounding of boxes. With u = 2^-24, H the sum of the six half sides and T the offset of the
- * centres, |x| + |y| + |z|, an offset on an axis is wrong by 9 u T, a cosine by 13 u, a sum of half
- * sides by 4 u H. A pose is a rotation within 1e-6 (sepax_pose_valid), one relative to the other,
- * and its inverse, within 6e-6 < 101 u, by which cosines of axes of one box differ from 0 and 1,
- * and distances in the coordinates of a body from those of the world. An offset on an axis of the
- * other box, a sum of three products, is wrong by 40 u T more, and a gap by less than 2^-17 H +
- * 2^-16 T; half sides have 2^-15 of each box's own more than they need (body/fit.c). That gaps are
- * not at right angles, and the root of their squares, less than 2^-16 T, makes 2^-17 T more. Each
- * gap is shortened by 2^-15 T. */
+ * centres, |x| + |y| + |z|, an offset on an axis is wrong by 9 u T, a cosine by 13 u, an offset on
+ * an axis of the other box, a sum of three products, by 40 u T, and that axes of single precision
+ * are not quite at right angles makes 8 u T: less than 2^-18 T. Sums of half sides are wrong by
+ * less than 2^-17 H, as are, in valid poses, the cosines of axes of one box; half sides have 2^-15
+ * of each box's own more than they need (body/fit.c).
+ *
+ * Poses are not quite rotations. Where no entry of R R^T differs from the identity by more than d,
+ * R makes lengths longer or shorter by 2 d at most, one relative to the other by 4 d. A gap on an
+ * axis of the other box is wrong by 4 d T, the root of the squares of three by 4 d T, a distance in
+ * the coordinates of a body by 2 d T: 16 d T is more than all. Each gap is shortened by T times
+ * `slack`, 2^-18 + 16 d. */
 #include "search.h"
 
 #include <float.h>
@@ -27,7 +30,7 @@
 #endif
 
 #define UNROLL _Pragma("GCC unroll 6")
-#define BOUND_SLACK 0x1p-15F
+#define BOUND_SLACK 0x1p-18
 
 /* Of coordinates from A_0, with u = 2^-53 and m the largest: a vertex is wrong by u m, an edge by 3
  * u m, a point of an edge or face by 16 u m, as coordinates; a way by 48 u m, as a vector. On a
@@ -42,17 +45,33 @@ typedef struct {
   float centre[3], rest[3], half[3], axis[3][3];
 } posed_box;
 
+/* What is the same for all boxes of a body: the way between the bodies, and the largest square of a
+ * distance that counts, in the body's units. */
+typedef struct {
+  const motion *motion;
+  const float *way;
+  float slack, most;
+} facing;
+
+/* The distance of a pair of triangles is within least ... most. */
+typedef struct {
+  double least, most, way[3];
+} pair_enclosure;
+
 #define NAME(x) x##_portable
 #define TARGET
 #define FLOATS 4
 #define LANES 2
+#define BITS(v) \
+  ((uint32_t)(((v)[0] < 0) | ((v)[1] < 0) << 1 | ((v)[2] < 0) << 2 | ((v)[3] < 0) << 3))
 #include "reach.h"
 
 #if defined __x86_64__
 #define NAME(x) x##_avx2
-#define TARGET __attribute__((target("avx2")))
+#define TARGET __attribute__((target("avx2,fma")))
 #define FLOATS 8
 #define LANES 4
+#define BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
 #include "reach.h"
 #endif
 
@@ -85,11 +104,46 @@ static void find_world_pose(world_pose *w, const sepax_pose *pose, double unit) 
 
 /* -------------------------------------------------------------- pairs of triangles */
 
-static void enclose_waiting(search *s) {
+/* The way between two bodies, in the coordinates of both, is an axis for boxes. */
+static void set_way(search *s, const double way[3]) {
+  double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+  double scale = length > 0x1p-400 && length < 0x1p400 ? 1 / length : 0;
+  for (int body = 0; body < 2; body++) {
+    for (int i = 0; i < 3; i++) {
+      double x = 0;
+      for (int j = 0; j < 3; j++) {
+        x += s->pose[body].rotation[j][i] * way[j] * scale;
+      }
+      s->way[body][i] = (float)x;
+    }
+  }
+}
+
+static void drop_waiting(search *s) {
+  int count = 0;
+  for (int n = 0; n < s->count; n++) {
+    if (s->waiting[n].least <= s->most) {
+      s->waiting[count++] = s->waiting[n];
+    }
+  }
+  s->count = count;
+}
+
+static void enclose(const search *s, const double *from, pair_enclosure *e) {
+#if defined __x86_64__
+  if (!s->portable) {
+    enclose_avx2(from, s->pose, e);
+    return;
+  }
+#endif
+  enclose_portable(from, s->pose, e);
+}
+
+static void take_waiting(search *s) {
   const int lanes = s->portable ? 2 : 4;
   double from[18 * 4];
-  double least[4];
-  double most[4];
+  pair_enclosure e[4];
+  drop_waiting(s);
   for (int first = 0; first < s->count && !s->ended; first += lanes) {
     int used = s->count - first < lanes ? s->count - first : lanes;
     for (int n = 0; n < lanes; n++) {
@@ -101,18 +155,15 @@ static void enclose_waiting(search *s) {
         }
       }
     }
-    if (s->portable) {
-      enclose_portable(from, s->pose, least, most);
-    }
-#if defined __x86_64__
-    if (!s->portable) {
-      enclose_avx2(from, s->pose, least, most);
-    }
-#endif
+    enclose(s, from, e);
     for (int n = 0; n < used && !s->ended; n++) {
-      if (!(least[n] > s->limit * s->unit)) {
+      double limit = s->limit;
+      if (!(e[n].least > limit * s->unit)) {
         const uint32_t *pair = s->waiting[first + n].at;
-        s->take(s, pair[0], pair[1], least[n] / s->unit, most[n] / s->unit);
+        s->take(s, pair[0], pair[1], e[n].least / s->unit, e[n].most / s->unit);
+      }
+      if (s->limit < limit) {
+        set_way(s, e[n].way);
       }
     }
   }
@@ -124,12 +175,6 @@ static void enclose_waiting(search *s) {
 /* Each of 64 levels of both trees leaves up to seven pairs. */
 enum { STACK = 1024 };
 
-/* Where the boxes of a pair are, BODY_WIDE * node + lane; their distance at least. */
-typedef struct {
-  uint32_t at[2];
-  double least;
-} box_pair;
-
 static uint32_t child_at(const sepax_body *b, uint32_t at) {
   return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
 }
@@ -140,22 +185,6 @@ static float size_at(const sepax_body *b, uint32_t at) {
   return boxes->half[0][lane] + boxes->half[1][lane] + boxes->half[2][lane];
 }
 
-static void turn_box(posed_box *p, const motion *m, const body_boxes *from, uint32_t lane) {
-  for (int i = 0; i < 3; i++) {
-    double at = m->scaled[0][i] * (double)from->centre[0][lane] +
-                m->scaled[1][i] * (double)from->centre[1][lane] +
-                m->scaled[2][i] * (double)from->centre[2][lane] + m->shifted[i];
-    p->centre[i] = (float)at;
-    p->rest[i] = (float)(at - (double)p->centre[i]);
-    p->half[i] = m->ratio * from->half[i][lane] + m->lost;
-    for (int k = 0; k < 3; k++) {
-      p->axis[k][i] = m->turn[0][i] * from->axis[k][0][lane] +
-                      m->turn[1][i] * from->axis[k][1][lane] +
-                      m->turn[2][i] * from->axis[k][2][lane];
-    }
-  }
-}
-
 /* Which body's node to open: the larger, as far as it has one. */
 static int opened(const search *s, const box_pair *p, const uint32_t child[2]) {
   if (((child[0] | child[1]) & BODY_TRIANGLE) != 0) {
@@ -164,38 +193,37 @@ static int opened(const search *s, const box_pair *p, const uint32_t child[2]) {
   return size_at(s->body[1], p->at[1]) * s->at.to[0].ratio > size_at(s->body[0], p->at[0]);
 }
 
+static uint32_t bound(const search *s, int open, uint32_t node, uint32_t other,
+                      float square[BODY_WIDE]) {
+  const body_boxes *boxes = &s->body[open]->boxes[node];
+  const body_boxes *from = &s->body[!open]->boxes[other / BODY_WIDE];
+  const facing f = {&s->at.to[open], s->way[open], s->slack, s->most_of[open]};
+#if defined __x86_64__
+  if (!s->portable) {
+    return bound_avx2(boxes, &f, from, other % BODY_WIDE, square);
+  }
+#endif
+  return bound_portable(boxes, &f, from, other % BODY_WIDE, square);
+}
+
 /* Children of the opened node that may be near enough, the farthest first. */
 static int near_children(const search *s, int open, uint32_t node, uint32_t other,
                          box_pair near[BODY_WIDE]) {
-  const sepax_body *body = s->body[open];
   float square[BODY_WIDE];
-  posed_box posed;
   int count = 0;
-  turn_box(&posed, &s->at.to[open], &s->body[!open]->boxes[other / BODY_WIDE], other % BODY_WIDE);
-  if (s->portable) {
-    bound_portable(&body->boxes[node], &posed, square);
-  }
-#if defined __x86_64__
-  if (!s->portable) {
-    bound_avx2(&body->boxes[node], &posed, square);
-  }
-#endif
-  double limit = s->limit / body->scale;
-  double most = limit * limit * (1 + 0x1p-20) + FLT_MIN;
-  for (uint32_t lane = 0; lane < BODY_WIDE; lane++) {
-    if (body->boxes[node].child[lane] == BODY_NONE || (double)square[lane] > most) {
+  for (uint32_t mask = bound(s, open, node, other, square); mask != 0; mask &= mask - 1) {
+    uint32_t lane = (uint32_t)__builtin_ctz(mask);
+    double least = (double)square[lane] * s->square_of_unit[open];
+    if (s->body[open]->boxes[node].child[lane] == BODY_NONE) {
       continue;
     }
     int at = count++;
-    for (; at > 0 && near[at - 1].least < (double)square[lane]; at--) {
+    for (; at > 0 && near[at - 1].least < least; at--) {
       near[at] = near[at - 1];
     }
-    near[at].least = (double)square[lane];
+    near[at].least = least;
     near[at].at[open] = BODY_WIDE * node + lane;
     near[at].at[!open] = other;
-  }
-  for (int n = 0; n < count; n++) {
-    near[n].least = sqrt(near[n].least) * (1 - 0x1p-20) * body->scale;
   }
   return count;
 }
@@ -208,9 +236,10 @@ static void visit(search *s, const box_pair *p, box_pair *stack, int *depth) {
   for (int n = 0; n < count; n++) {
     uint32_t below = child_at(s->body[open], near[n].at[open]);
     if ((child[!open] & below & BODY_TRIANGLE) != 0) {
-      s->waiting[s->count].at[open] = below - BODY_TRIANGLE;
-      s->waiting[s->count].at[!open] = child[!open] - BODY_TRIANGLE;
-      s->waiting[s->count++].least = near[n].least;
+      box_pair *to = &s->waiting[s->count++];
+      to->at[open] = below - BODY_TRIANGLE;
+      to->at[!open] = child[!open] - BODY_TRIANGLE;
+      to->least = near[n].least;
     } else {
       stack[(*depth)++] = near[n];
     }
@@ -223,11 +252,19 @@ static double seconds_now(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-void search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b) {
-  box_pair stack[STACK];
-  int depth = 1;
-  size_t visits = 0;
-  double end = s->seconds > 0 ? seconds_now() + s->seconds : 0;
+/* How much an entry of R R^T may differ from the identity. */
+static double skew_of(const world_pose *p) {
+  double most = 0;
+  for (int k = 0; k < 9; k++) {
+    const double *r = p->rotation[k / 3];
+    const double *q = p->rotation[k % 3];
+    double product = r[0] * q[0] + r[1] * q[1] + r[2] * q[2];
+    most = fmax(most, fabs(product - (k / 3 == k % 3)));
+  }
+  return most + 0x1p-50;
+}
+
+static void prepare(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b) {
   int exponent;
   frexp(fmax(largest(s->body[0], pose_a), largest(s->body[1], pose_b)), &exponent);
   s->unit = ldexp(1, -exponent);
@@ -235,27 +272,67 @@ void search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b)
   find_world_pose(&s->pose[1], pose_b, s->unit);
   place_bodies(&s->at, s->body[0], pose_a, s->body[1], pose_b);
 #if defined __x86_64__
-  s->portable = s->portable || !__builtin_cpu_supports("avx2");
+  s->portable = s->portable || !__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma");
 #else
   s->portable = true;
 #endif
+  s->slack = (float)(BOUND_SLACK + 16 * fmax(skew_of(&s->pose[0]), skew_of(&s->pose[1])));
+  s->scale = fmax(s->body[0]->scale, s->body[1]->scale);
+  for (int body = 0; body < 2; body++) {
+    double unit = s->body[body]->scale / s->scale;
+    s->square_of_unit[body] = unit * unit * (1 - 0x1p-20);
+  }
+  double way[3];
+  for (int i = 0; i < 3; i++) {
+    way[i] = 0;
+    for (int body = 0; body < 2; body++) {
+      const world_pose *p = &s->pose[body];
+      double at = p->translation[i];
+      for (int j = 0; j < 3; j++) {
+        at += p->rotation[i][j] * s->body[body]->centre[j] * s->unit;
+      }
+      way[i] += body == 0 ? -at : at;
+    }
+  }
+  set_way(s, way);
+}
+
+/* The square of the limit, as those of boxes are counted. */
+static void find_most(search *s) {
+  double limit = s->limit / s->scale;
+  s->most = limit * limit * (1 + 0x1p-20) + 0x1p-1000;
+  for (int body = 0; body < 2; body++) {
+    limit = s->limit / s->body[body]->scale;
+    s->most_of[body] = (float)(limit * limit * (1 + 0x1p-20) + FLT_MIN);
+  }
+}
+
+void search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b) {
+  box_pair stack[STACK];
+  int depth = 1;
+  size_t visits = 0;
+  double end = s->seconds > 0 ? seconds_now() + s->seconds : 0;
+  prepare(s, pose_a, pose_b);
   stack[0].least = 0;
   for (int k = 0; k < 2; k++) {
     stack[0].at[k] = BODY_WIDE * (uint32_t)s->body[k]->nodes;
   }
+  find_most(s);
   while (depth > 0 && !s->ended) {
     box_pair p = stack[--depth];
-    if (p.least <= s->limit) {
+    if (p.least <= s->most) {
       visit(s, &p, stack, &depth);
     }
-    if (s->count >= s->batch || s->count > SEARCH_BATCH - BODY_WIDE) {
-      enclose_waiting(s);
+    if (s->count >= s->batch || s->count > SEARCH_BATCH - BODY_WIDE ||
+        (s->count > 0 && isinf(s->limit))) {
+      take_waiting(s);
+      find_most(s);
     }
     if (end > 0 && visits++ % 64 == 0 && seconds_now() >= end) {
       s->ended = true;
     }
   }
   if (!s->ended) {
-    enclose_waiting(s);
+    take_waiting(s);
   }
 }

@@ -14,6 +14,13 @@ typedef struct {
 
 enum { SEARCH_BATCH = 16 };
 
+/* Where the boxes of a pair are, BODY_WIDE * node + lane, or the places of triangles; the square of
+ * their distance at least, in units of the larger body's scale. */
+typedef struct {
+  uint32_t at[2];
+  double least;
+} box_pair;
+
 typedef struct search search;
 struct search {
   const sepax_body *body[2];
@@ -29,11 +36,14 @@ struct search {
   /* of the search */
   placement at;
   world_pose pose[2];
-  double unit; /* of numbers of pairs, a power of two */
-  struct {
-    uint32_t at[2];
-    double least;
-  } waiting[SEARCH_BATCH];
+  double unit;              /* of numbers of pairs of triangles, a power of two */
+  double scale;             /* the larger of the bodies' */
+  double square_of_unit[2]; /* of the bodies' scales, in terms of it */
+  double most;              /* the square of the limit, likewise */
+  float most_of[2];         /* and in units of each body's scale */
+  float slack;              /* of gaps between boxes */
+  float way[2][3];          /* between the bodies, in the coordinates of each */
+  box_pair waiting[SEARCH_BATCH];
   int count;
 };
 

@@ -15,6 +15,10 @@ typedef struct {
   double high, low;
 } twofold;
 
+typedef struct {
+  twofold c[3];
+} twofold_vector;
+
 static inline twofold twofold_of(double x) { return (twofold){x, 0}; }
 
 /* |a| >= |b|, or a = 0; exact. */

@@ -321,13 +321,13 @@ static void assert_near(const scene *s, double distance, const sepax_query *quer
     size_t i = n / count[1];
     size_t j = n % count[1];
     double d = distance_of_pair(s, i, j);
-    bool is_near = d < distance;
+    bool is_within = d < distance;
     if (d >= stepped(distance, -1) && d <= stepped(distance, 1) && d > 0) {
-      is_near = distance_within_posed(s->mesh[0].facet[i].v, s->pose[0], s->mesh[1].facet[j].v,
-                                      s->pose[1], distance);
-      is_near = is_near && !(query->strict && d == distance);
+      is_within = distance_within_posed(s->mesh[0].facet[i].v, s->pose[0], s->mesh[1].facet[j].v,
+                                        s->pose[1], distance);
+      is_within = is_within && !(query->strict && d == distance);
     }
-    assert_int_equal(near[n], is_near || (distance == 0 && d == 0));
+    assert_int_equal(near[n], is_within || (distance == 0 && d == 0));
     expected += near[n];
   }
   for (size_t most = 1; most <= 2; most++) {
