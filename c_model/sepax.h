@@ -176,6 +176,7 @@ typedef struct {
   int threads;      /* 0: one for each processor */
   bool brute_force; /* every pair is tested */
   bool first;       /* end at a pair that collides, always at the same one */
+  bool tight;       /* sepax_near_pairs: by sepax_clearance_tight, not as the hardware judges */
   sepax_path path;
   /* Called now and then from the calling thread, at the end with done == total if nothing ends the
    * search before. False ends the search. NULL: not called. */

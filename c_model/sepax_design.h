@@ -183,6 +183,13 @@ sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
  * false alarms. Coordinates of W bits; about 1 us. */
 sepax_verdict sepax_clearance(const sepax_design *design, const sepax_tri *a, const sepax_tri *b);
 
+/* The same on the same axes, but by their true lengths: all that these axes can prove. The
+ * hardware bounds each length from above, by up to 22 %, so sepax_clearance never calls more pairs
+ * free; at a clearance of a few LSB hardly fewer, at 1000 LSB far fewer. In software only: no
+ * design has it. */
+sepax_verdict sepax_clearance_tight(const sepax_design *design, const sepax_tri *a,
+                                    const sepax_tri *b);
+
 /* Algorithm 1 on the formats of `design` (arch paper). mul_project is 36 when a
  * normal separates, else 36 + 18 per axis tried: 54 ... 144 for coplanar pairs
  * and 54 ... 198 otherwise (the paper prints 188: it takes 9 x 18 for 152). */
@@ -194,9 +201,9 @@ sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair);
  * The verdict is that of sepax_paper but where a normal separates a pair called coplanar. */
 sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pair);
 
-/* As sepax_colliding_pairs, but for the pairs that sepax_clearance does not call free. `design` has
- * clearances (limits > 0), and AABBs within its margin[1] count as overlapping. `first` ends the
- * search at such a pair. */
+/* As sepax_colliding_pairs, but for the pairs that sepax_clearance, or with how->tight
+ * sepax_clearance_tight, does not call free. `design` has clearances (limits > 0), and AABBs within
+ * its margin[1] count as overlapping. `first` ends the search at such a pair. */
 bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
                       const sepax_tri *b, size_t count_b, const sepax_search *how,
                       sepax_pairs *found, sepax_error *error);
@@ -211,8 +218,8 @@ typedef struct {
   uint64_t collisions;   /* among found */
   size_t first;          /* index in found of the first collision; found.count without one */
   uint64_t out_of_range; /* among found, undecided: an extent is exceeded, or B is out of W bits */
-  uint64_t cycles;       /* predicted, to about 1 % and 20 + 4 II cycles; less
-                            well where several cores meet pairs of two passes */
+  uint64_t cycles;       /* predicted, to about 1 % and 20 + 4 II cycles; a pair of two passes may
+                            take up to II more, as it holds up the verdicts behind it */
 } sepax_engine_run;
 
 /* The golden model of the object engine, a design with lanes: all triangles of A against those of
@@ -262,6 +269,15 @@ typedef struct {
   uint64_t seed;
 } sepax_space;
 
+/* What one pose gives a design to do. */
+typedef struct {
+  uint64_t candidates; /* pairs of triangles with overlapping AABBs */
+  uint32_t (*pass)[2]; /* the numbers of their triangles of A and of B; a pair that is flat as seen
+                          along z goes through a core twice, and is here twice */
+  size_t passes;       /* in `pass` */
+  uint64_t twice;      /* of all pairs, those that go through a core twice without an AABB test */
+} sepax_job;
+
 /* What follows for every pose. extent[i] bounds each side of the AABB of each triangle of A, of B,
  * in LSB, in every pose and for every rounding of the moved body to the grid. If nothing moves and
  * no workspace was given, it is the longest side itself. */
@@ -272,14 +288,16 @@ typedef struct {
   int64_t extent[2];
   int core_word;  /* bits of a coordinate behind the AABB test, at most grid.word */
   uint64_t given; /* pairs of triangles with overlapping AABBs in the pose of the files, counted */
-  uint64_t worst; /* the most that were counted in that and in `poses` sampled poses */
+  uint64_t worst; /* the most that were counted in that and in `poses` sampled poses; no bound */
   int poses;
+  sepax_job *job; /* of the pose of the files and of each sampled one: 1 + poses */
 } sepax_size;
 
-/* Fails on no triangles, an empty range, a workspace that does not hold all poses, more than
- * 32 bits, and without memory. docs/size.md. */
+/* Fails on no triangles, 2^32 or more, an empty range, a workspace that does not hold all poses,
+ * more than 32 bits, and without memory. Free *size with sepax_size_free. docs/size.md. */
 bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b,
                       const sepax_space *space, sepax_error *error);
+void sepax_size_free(sepax_size *size);
 
 /* Gates (GE) of architecture exact at 2 ns, by a formula fitted to mapped designs (Nangate45
  * typical); *error is the largest error of the formula if this design is like those. An object
@@ -292,14 +310,17 @@ typedef struct {
   sepax_config config; /* with lanes: an object engine; without: the core alone, given every pair */
   double gates, gates_error; /* sepax_gates */
   bool fitted;               /* the formula was fitted to designs like this one */
-  uint64_t cycles; /* for all pairs, at most; an engine's without loading, a core's without second
-                      passes */
+  uint64_t cycles; /* for all pairs in the pose that takes the most of those of `size`: where poses
+                      were sampled no bound. As predicted by the golden model (sepax_engine, to
+                      about 1 %), without loading and the latency of a core */
   double seconds;
 } sepax_sized_design;
 
-/* The design of the fewest gates that judges all pairs of `size` within `seconds` at a period of
- * clock_ps, if the AABB test leaves `worst` pairs. It has lanes_least ... lanes_most lanes (0 ...
- * SEPAX_LANES_MAX; 0 is the core alone). Fails if none is fast enough, and names the fastest. */
+/* The design of the fewest gates (sepax_gates) that judges all pairs of `size` within `seconds` in
+ * each of its poses, at a period of clock_ps: of all with lanes_least ... lanes_most lanes (0 ...
+ * SEPAX_LANES_MAX; 0 is the core alone), any number of cores behind them, any II that gates are
+ * known for, and with or without extents. Fails if none is fast enough, and names the time of the
+ * fastest; and without memory. */
 bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size, double seconds,
                        int clock_ps, int lanes_least, int lanes_most, sepax_error *error);
 

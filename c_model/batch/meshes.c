@@ -40,6 +40,12 @@ static void gather_candidates(const worker *w, int32_t c[2][3][3][BATCH], sepax_
   }
 }
 
+static bool is_free(const search *s, const sepax_tri *a, const sepax_tri *b) {
+  sepax_verdict v =
+      s->how->tight ? sepax_clearance_tight(s->design, a, b) : sepax_clearance(s->design, a, b);
+  return v.band == SEPAX_BAND_FREE;
+}
+
 void search_judge_candidates(worker *w) {
   const search *s = w->all;
   size_t count = w->waiting;
@@ -56,7 +62,7 @@ void search_judge_candidates(worker *w) {
     for (size_t n = 0; n < count; n++) {
       const sepax_tri *a = &s->tri[0][w->candidate[n][0]];
       const sepax_tri *b = &s->tri[1][w->candidate[n][1]];
-      hits |= (uint64_t)(sepax_clearance(s->design, a, b).band != SEPAX_BAND_FREE) << n;
+      hits |= (uint64_t)!is_free(s, a, b) << n;
     }
   }
   w->waiting = 0;

@@ -3,6 +3,8 @@
  *   clearance sweep COUNT SEED    COUNT pairs near a limit; exit status 1 if one is missed
  *   clearance curve COUNT SEED    CSV: share of pairs not free over the real distance, COUNT
  *                                 pairs a kind and distance, CLEARANCE 5
+ *   clearance large COUNT SEED    CSV: share of pairs called free over their distance, by the rule
+ *                                 of the hardware and by the tight one, CLEARANCE 1 ... 1000
  *   clearance pairs COUNT WORD    pairs near limits of 0 ... 20, rounded, for the test benches */
 #include "columns.h"
 #include "oracle/clear_rules.h"
@@ -140,6 +142,37 @@ static int curve(size_t count, uint64_t seed) {
   return 0;
 }
 
+/* Pairs of kind "local" at distances of 1 ... 6 D, more densely where the rules part. */
+static int large(size_t count, uint64_t seed) {
+  static const int clearances[] = {1, 10, 100, 1000};
+  static const double ratios[] = {1,   1.01, 1.02, 1.04, 1.06, 1.08, 1.1, 1.15, 1.2, 1.25,
+                                  1.3, 1.4,  1.5,  1.7,  2,    2.5,  3,   4,    5,   6};
+  enum { RATIOS = sizeof ratios / sizeof ratios[0], LOCAL = 9 };
+  sepax_random random = {seed};
+  puts("clearance,ratio,pairs,hardware,tight");
+  for (size_t i = 0; i < sizeof clearances / sizeof clearances[0]; i++) {
+    const sepax_design design = clear_design(clearances[i], 0);
+    for (int step = 0; step + 1 < RATIOS && ratios[step] * clearances[i] < 2000; step++) {
+      size_t found[3] = {0, 0, 0}; /* pairs, free by either rule */
+      for (size_t n = 0; n < 4 * count && found[0] < count; n++) {
+        double away = uniform(&random, ratios[step], ratios[step + 1]) * clearances[i];
+        real_pair p = real_pair_make(LOCAL, away, &random);
+        double way[3];
+        double ratio = ldexp(distance_rounded(&p.a, &p.b, way), -p.fraction) / clearances[i];
+        if (ratio < ratios[step] || ratio >= ratios[step + 1]) {
+          continue;
+        }
+        found[0]++;
+        found[1] += !sepax_clearance(&design, &p.rounded_a, &p.rounded_b).collision;
+        found[2] += !sepax_clearance_tight(&design, &p.rounded_a, &p.rounded_b).collision;
+      }
+      printf("%d,%.4f,%zu,%.5f,%.5f\n", clearances[i], (ratios[step] + ratios[step + 1]) / 2,
+             found[0], (double)found[1] / (double)found[0], (double)found[2] / (double)found[0]);
+    }
+  }
+  return 0;
+}
+
 static int print_pairs(size_t count, uint64_t word) {
   if (word < SEPAX_WORD_MIN || word > SEPAX_WORD_MAX) {
     fprintf(stderr, "clearance: word: give %d ... %d\n", SEPAX_WORD_MIN, SEPAX_WORD_MAX);
@@ -168,12 +201,12 @@ int main(int argc, char **argv) {
   static const struct {
     const char *name;
     int (*run)(size_t count, uint64_t seed);
-  } verbs[] = {{"sweep", sweep}, {"curve", curve}, {"pairs", print_pairs}};
-  for (size_t i = 0; i < 3 && count > 0 && *end == '\0'; i++) {
+  } verbs[] = {{"sweep", sweep}, {"curve", curve}, {"large", large}, {"pairs", print_pairs}};
+  for (size_t i = 0; i < sizeof verbs / sizeof verbs[0] && count > 0 && *end == '\0'; i++) {
     if (strcmp(argv[1], verbs[i].name) == 0) {
       return verbs[i].run(count, seed);
     }
   }
-  fprintf(stderr, "usage: clearance sweep|curve COUNT SEED, clearance pairs COUNT WORD\n");
+  fprintf(stderr, "usage: clearance sweep|curve|large COUNT SEED, clearance pairs COUNT WORD\n");
   return 2;
 }

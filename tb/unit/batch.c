@@ -175,9 +175,12 @@ static bands assert_all_pairs(const sepax_design *design, const sepax_tri *a, si
   size_t k = 0;
   for (size_t i = 0; i < count_a; i++) {
     for (size_t j = 0; j < count_b; j++) {
-      sepax_band band = design != NULL ? sepax_clearance(design, &a[i], &b[j]).band
-                        : sepax_exact(&a[i], &b[j]).collision ? SEPAX_BAND_COLLISION
-                                                              : SEPAX_BAND_FREE;
+      bool tight = how != NULL && how->tight;
+      sepax_band band =
+          design != NULL
+              ? (tight ? sepax_clearance_tight : sepax_clearance)(design, &a[i], &b[j]).band
+          : sepax_exact(&a[i], &b[j]).collision ? SEPAX_BAND_COLLISION
+                                                : SEPAX_BAND_FREE;
       count.of[band]++;
       if (band != SEPAX_BAND_FREE) {
         assert_true(k < found.count && found.pair[k][0] == i && found.pair[k][1] == j);
@@ -218,6 +221,9 @@ CASE(near_pairs_are_found) {
   sepax_tri *b = soup(COUNT, 10, 90, &random);
   bands count = assert_all_pairs(&design, a, COUNT, b, COUNT, NULL);
   assert_true(count.of[SEPAX_BAND_WARNING] > 50 && count.of[SEPAX_BAND_COLLISION] > 50);
+  const sepax_search how = {.tight = true};
+  bands tight = assert_all_pairs(&design, a, COUNT, b, COUNT, &how);
+  assert_true(tight.of[SEPAX_BAND_FREE] > count.of[SEPAX_BAND_FREE]);
   free(a);
   free(b);
 }

@@ -2,11 +2,14 @@
  * limits; `make clearance` does so 10,000,000 times. */
 #include "oracle/clear_rules.h"
 #include "oracle/distance.h"
+#include "oracle/geometry.h"
 #include "oracle/oracle.h"
+#include "oracle/pair_tools.h"
 #include "oracle/real_pairs.h"
 #include "harness.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #ifdef EXACT_PAIRS /* make sanitize */
 #define REAL_PAIRS 20000
@@ -14,6 +17,7 @@
 #define REAL_PAIRS 200000
 #endif
 #define FAULT_PAIRS 40000
+#define TIGHT_PAIRS (REAL_PAIRS / 4)
 
 static real_pair pair_near(size_t n, int limit, sepax_random *random) {
   double reach = n % 3 == 0 ? 0.02 : n % 3 == 1 ? 1 : 3;
@@ -64,6 +68,29 @@ CASE(test_wrong_rules_miss) {
   assert_true(missed_by(RULE_LENGTH) > 10);
 }
 
+/* A wide triangle with normal c, and the same one shifted. */
+static sepax_pair face_and_shifted(const int32_t c[3], int32_t size, const int64_t way[3]) {
+  int i = c[0] != 0 ? 0 : 1; /* c[i] is not 0 */
+  int32_t along[2][3] = {{0, 0, 0}, {0, 0, 0}};
+  for (int k = 0; k < 2; k++) {
+    int j = (i + 1 + k) % 3;
+    int32_t scale = size / (1 + abs(c[i]) + abs(c[j]));
+    along[k][i] = -c[j] * scale;
+    along[k][j] = c[i] * scale;
+  }
+  sepax_pair pair = {.a = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
+  for (int axis = 0; axis < 3; axis++) {
+    *coordinate(&pair.a.v[0], axis) = -along[0][axis] - along[1][axis];
+    *coordinate(&pair.a.v[1], axis) = 2 * along[0][axis] - along[1][axis];
+    *coordinate(&pair.a.v[2], axis) = 2 * along[1][axis] - along[0][axis];
+    for (int k = 0; k < 3; k++) {
+      int64_t at = *coordinate(&pair.a.v[k], axis) + way[axis];
+      *coordinate(&pair.b.v[k], axis) = at > INT32_MAX || at < INT32_MIN ? INT32_MAX : (int32_t)at;
+    }
+  }
+  return pair;
+}
+
 /* Beyond sqrt(3) (D + 2) every pair is free, docs/clearance.md. */
 CASE(test_far_is_free) {
   sepax_random random = {3};
@@ -80,6 +107,104 @@ CASE(test_far_is_free) {
     }
   }
   assert_true(beyond > FAULT_PAIRS / 4);
+}
+
+/* The tight rule: no miss either, whatever the clearance; free what sepax_clearance calls free, and
+ * what the axes prove by their lengths, as an own computation in doubles finds. */
+CASE(test_tight) {
+  static const int limits[] = {0, 1, 10, 100, 1000};
+  sepax_random random = {11};
+  size_t within = 0;
+  size_t more = 0;
+  size_t same = 0;
+  for (size_t n = 0; n < TIGHT_PAIRS; n++) {
+    int limit = limits[n / REAL_KINDS % LENGTH(limits)];
+    sepax_design design = design_of("--clearance=%d", limit);
+    double share = n % 3 == 0 ? 0.001 : n % 3 == 1 ? 0.05 : 0.5;
+    double reach = share * (limit + 2);
+    real_pair p = real_pair_make((int)(n % REAL_KINDS),
+                                 fmax(0, limit + uniform(&random, -0.2 * reach, reach)), &random);
+    bool tight = sepax_clearance_tight(&design, &p.rounded_a, &p.rounded_b).band == SEPAX_BAND_FREE;
+    bool usual = sepax_clearance(&design, &p.rounded_a, &p.rounded_b).band == SEPAX_BAND_FREE;
+    bool is_within = distance_within(&p.a, &p.b, (int64_t)limit << p.fraction, NULL);
+    assert_false(is_within && tight);
+    assert_true(tight || !usual);
+    within += is_within;
+    more += tight && !usual;
+    bool just = clear_by(RULE_EUCLID, &p.rounded_a, &p.rounded_b, limit * (1 + 1e-9) + 1e-9);
+    bool almost = clear_by(RULE_EUCLID, &p.rounded_a, &p.rounded_b, limit * (1 - 1e-9) - 1e-9);
+    if (just == almost) {
+      same++;
+      assert_int_equal(tight, just);
+    }
+  }
+  assert_true(within > TIGHT_PAIRS / 10 && more > TIGHT_PAIRS / 20 && same > TIGHT_PAIRS / 2);
+}
+
+/* Parallel faces whose normal has a whole length: at a gap of |c|_1 + D |c|_2 not free, above it
+ * free; to the largest numbers of 32 bits. */
+CASE(test_tight_limit) {
+  static const int32_t normals[][4] = {{3, 4, 0, 5},  {0, -4, 3, 5},  {1, 2, 2, 3},
+                                       {-2, 3, 6, 7}, {6, -6, 7, 11}, {1, 0, 0, 1}};
+  size_t found = 0;
+  for (int n = 0; n < 3000; n++) {
+    const int32_t *c = normals[n % (int)LENGTH(normals)];
+    int word = 8 + n % 25;
+    int clearance = random_below(sepax_word_max(word) / 2);
+    sepax_design design = design_of("--word=%d --clearance=%d", word, clearance);
+    int64_t wanted = labs(c[0]) + labs(c[1]) + labs(c[2]) + (int64_t)clearance * c[3];
+    /* Shifted along c nearly as far, then by single steps. */
+    int64_t square = (int64_t)c[3] * c[3];
+    int64_t way[3];
+    for (int i = 0; i < 3; i++) {
+      way[i] = wanted / square * c[i];
+    }
+    int64_t rest = wanted - wanted / square * square;
+    for (int k = 0; k < 3 && rest > 0; k++) {
+      for (int step = -40; step <= 40 && rest > 0; step++) {
+        for (int other = -40; other <= 40 && rest > 0; other++) {
+          if ((int64_t)step * c[k] + (int64_t)other * c[(k + 1) % 3] == rest) {
+            way[k] += step;
+            way[(k + 1) % 3] += other;
+            rest = 0;
+          }
+        }
+      }
+    }
+    int32_t size = sepax_word_max(word) / 16;
+    sepax_pair pair = face_and_shifted(c, size, way);
+    if (rest > 0 || size < 100 || !sepax_pair_fits(&pair, word)) {
+      continue;
+    }
+    found++;
+    assert_int_equal(sepax_clearance_tight(&design, &pair.a, &pair.b).band, SEPAX_BAND_COLLISION);
+    int k = abs(c[0]) == 1 ? 0 : abs(c[1]) > 0 ? 1 : 2;
+    way[k] += c[k] > 0 ? 1 : -1;
+    pair = face_and_shifted(c, size, way);
+    assert_int_equal(sepax_clearance_tight(&design, &pair.a, &pair.b).band, SEPAX_BAND_FREE);
+  }
+  assert_true(found > 1000);
+}
+
+/* Corners of the space of 32 bits, where the squares take more than 192 bits. */
+CASE(test_tight_corners) {
+  size_t count[2] = {0, 0};
+  for (int n = 0; n < 20000; n++) {
+    sepax_pair pair = {.a = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
+    for (int i = 0; i < COORDINATES; i++) {
+      bool far = random_below(8) != 0;
+      int32_t most = INT32_MAX - random_below(3);
+      *field(&pair, i) = far ? (random_below(2) == 0 ? most : -most) : random_below(INT32_MAX);
+    }
+    int32_t clearance = INT32_MAX - random_below(INT32_MAX);
+    sepax_design design = design_of("--word=32 --clearance=%d", clearance);
+    bool tight = sepax_clearance_tight(&design, &pair.a, &pair.b).band == SEPAX_BAND_FREE;
+    bool just = clear_by(RULE_EUCLID, &pair.a, &pair.b, clearance * (1 + 1e-9));
+    bool almost = clear_by(RULE_EUCLID, &pair.a, &pair.b, clearance * (1 - 1e-9));
+    count[tight]++;
+    assert_true(just != almost || tight == just);
+  }
+  assert_true(count[0] > 1000 && count[1] > 1000);
 }
 
 /* The two halves of the oracle agree, and the rational one with known answers. */
