@@ -273,18 +273,22 @@ static void print_candidates(const size_options *o, const sepax_size *s) {
   }
 }
 
-static void print_design(const sepax_sized_design *m) {
+static void print_design(const sepax_size *s, const sepax_sized_design *m) {
   printf("design     exact, II = %d, ", m->config.ii);
   if (m->config.lanes > 0) {
-    printf("%d comparator lanes, memories of %.0f kbit\n", m->config.lanes,
-           (double)memory_bits(m) / 1000);
+    printf("%d comparator lanes, %d core%s, memories of %.0f kbit\n", m->config.lanes,
+           m->config.cores, m->config.cores > 1 ? "s" : "", (double)memory_bits(m) / 1000);
   } else {
     printf("no comparator lanes\n");
   }
   printf("gates      %.1fK +- %.1fK GE (formula for Nangate45 at 2 ns%s)\n", m->gates / 1000,
          m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to designs like this one");
-  printf("time       %.4g ms for all pairs (%llu cycles of %g ns)\n", 1e3 * m->seconds,
+  printf("time       %.4g ms for all pairs (%llu cycles of %g ns)", 1e3 * m->seconds,
          (unsigned long long)m->cycles, m->config.clock_ps / 1000.0);
+  if (s->poses > 0) {
+    printf(", worst of the file's and %d sampled poses, not a bound", s->poses);
+  }
+  putchar('\n');
 }
 
 static void print_text(const size_options *o, const sepax_size *s, const sepax_sized_design *m) {
@@ -297,7 +301,7 @@ static void print_text(const size_options *o, const sepax_size *s, const sepax_s
   printf("extents    L_A = %lld, L_B = %lld LSB: %d bits behind the AABB test\n",
          (long long)s->extent[0], (long long)s->extent[1], s->core_word);
   print_candidates(o, s);
-  print_design(m);
+  print_design(s, m);
   printf("sepax gen %s -o %s\n", sepax_config_text(&m->config, text, sizeof text),
          o->generate ? o->folder : "DIR");
 }
@@ -315,12 +319,13 @@ static void print_json(const size_options *o, const sepax_size *s, const sepax_s
   json_t *candidates = json_pack("{s:I, s:I, s:I, s:i, s:I}", "pairs", (json_int_t)pairs_of(s),
                                  "as_given", (json_int_t)s->given, "worst", (json_int_t)s->worst,
                                  "sampled_poses", s->poses, "seed", (json_int_t)o->space.seed);
-  json_t *design = json_pack("{s:s, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:s}", "arch",
-                             sepax_arch_name(m->config.arch), "ii", m->config.ii, "extents",
-                             m->config.extent_a > 0, "lanes", m->config.lanes, "memory_bits",
+  json_t *design = json_pack("{s:s, s:i, s:b, s:i, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:b, s:s}",
+                             "arch", sepax_arch_name(m->config.arch), "ii", m->config.ii, "extents",
+                             m->config.extent_a > 0, "lanes", m->config.lanes, "cores",
+                             m->config.lanes > 0 ? m->config.cores : 1, "memory_bits",
                              (json_int_t)memory_bits(m), "ge", m->gates, "ge_error", m->gates_error,
                              "ge_fitted", m->fitted, "cycles", (json_int_t)m->cycles, "seconds",
-                             m->seconds, "command", command);
+                             m->seconds, "is_bound", s->poses == 0, "command", command);
   json_object_update(report, needs);
   json_decref(needs);
   json_object_set_new(report, "candidates", candidates);
@@ -365,15 +370,17 @@ int cli_size(int argc, char **argv) {
                     .clock = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};
-  sepax_size size;
+  sepax_size size = {.job = NULL};
   sepax_sized_design design;
   if ((o.json && !report_names_printable(o.path, &error)) ||
       !sepax_config_check(&o.clock, &error) || !read_and_size(&o, &size, &error) ||
       !sepax_size_design(&design, &size, o.seconds, o.clock.clock_ps, o.lanes_least, o.lanes_most,
                          &error) ||
       (o.generate && !generate(&o, &design, &error))) {
+    sepax_size_free(&size);
     return cli_fail(argv[0], &error);
   }
   (o.json ? print_json : print_text)(&o, &size, &design);
+  sepax_size_free(&size);
   return 0;
 }

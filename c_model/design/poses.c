@@ -1,9 +1,8 @@
 /* poses.c - what two meshes need in each of their poses: word length, extents, and how many
  * candidates the AABB test leaves. docs/size.md. */
 #include "design/interval.h"
-#include "sepax_design.h"
+#include "design/jobs.h"
 #include "sepax_vectors.h"
-#include "util/aabb.h"
 #include "util/error.h"
 
 #include <math.h>
@@ -109,8 +108,7 @@ static int64_t extent_moved(const sepax_mesh *mesh, sepax_rotation rotation, dou
 /* --------------------------------------------------------------------- the AABBs */
 
 typedef struct {
-  sepax_tri *tri[2];
-  aabb *bounds[2]; /* of the triangles */
+  job_bodies on_grid;
   sepax_mesh moved[2];
 } bodies;
 
@@ -123,52 +121,13 @@ static int64_t longest_side_of(const aabb *bounds, size_t count) {
   return longest;
 }
 
-static int by_low_x(const void *p, const void *q) {
-  int64_t a = ((const aabb *)p)->low[0];
-  int64_t b = ((const aabb *)q)->low[0];
-  return (a > b) - (a < b);
-}
-
-/* The first of the sorted AABBs that begins at x or later. */
-static size_t first_from(const aabb *bounds, size_t count, int64_t x) {
-  size_t low = 0;
-  while (count > 0) {
-    size_t half = count / 2;
-    bool before = bounds[low + half].low[0] < x;
-    low = before ? low + half + 1 : low;
-    count = before ? count - half - 1 : half;
-  }
-  return low;
-}
-
-/* Pairs whose AABBs overlap; those of B are sorted on the way. */
-static uint64_t count_candidates(bodies *r) {
-  const size_t count_b = r->moved[1].count;
-  aabb *b = r->bounds[1];
-  int64_t longest = 0;
-  for (size_t n = 0; n < count_b; n++) {
-    int64_t side = b[n].high[0] - b[n].low[0];
-    longest = side > longest ? side : longest;
-  }
-  qsort(b, count_b, sizeof *b, by_low_x);
-  uint64_t candidates = 0;
-  for (size_t i = 0; i < r->moved[0].count; i++) {
-    const aabb p = r->bounds[0][i];
-    for (size_t j = first_from(b, count_b, p.low[0] - longest);
-         j < count_b && b[j].low[0] <= p.high[0]; j++) {
-      candidates += !aabb_disjoint(&p, &b[j], 0);
-    }
-  }
-  return candidates;
-}
-
 static bool quantise_body(bodies *r, int i, const sepax_mesh *mesh, const sepax_grid *grid,
                           sepax_error *error) {
-  if (!sepax_quantise(mesh, grid, r->tri[i], NULL, error)) {
+  if (!sepax_quantise(mesh, grid, r->on_grid.tri[i], NULL, error)) {
     return false;
   }
   for (size_t n = 0; n < mesh->count; n++) {
-    r->bounds[i][n] = aabb_of(&r->tri[i][n]);
+    r->on_grid.bounds[i][n] = aabb_of(&r->on_grid.tri[i][n]);
   }
   return true;
 }
@@ -177,19 +136,21 @@ static bool allocate(bodies *r, const sepax_mesh *const mesh[2]) {
   bool ok = true;
   for (int i = 0; i < 2; i++) {
     size_t count = mesh[i]->count;
-    r->tri[i] = calloc(count, sizeof *r->tri[i]);
-    r->bounds[i] = calloc(count, sizeof *r->bounds[i]);
+    r->on_grid.tri[i] = calloc(count, sizeof *r->on_grid.tri[i]);
+    r->on_grid.bounds[i] = calloc(count, sizeof *r->on_grid.bounds[i]);
     r->moved[i].facet = calloc(count, sizeof *r->moved[i].facet);
     r->moved[i].count = count;
-    ok = ok && r->tri[i] != NULL && r->bounds[i] != NULL && r->moved[i].facet != NULL;
+    r->on_grid.count[i] = count;
+    ok = ok && r->on_grid.tri[i] != NULL && r->on_grid.bounds[i] != NULL &&
+         r->moved[i].facet != NULL;
   }
   return ok;
 }
 
 static void release(bodies *r) {
   for (int i = 0; i < 2; i++) {
-    free(r->tri[i]);
-    free(r->bounds[i]);
+    free(r->on_grid.tri[i]);
+    free(r->on_grid.bounds[i]);
     free(r->moved[i].facet);
   }
 }
@@ -276,6 +237,15 @@ static void move_body(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_mot
   }
 }
 
+/* The job of the pose in which the bodies are now. */
+static bool add_job(sepax_size *size, const bodies *r, sepax_error *error) {
+  if (!job_find(&size->job[size->poses + 1], &r->on_grid, error)) {
+    return false;
+  }
+  size->poses++;
+  return true;
+}
+
 /* The most candidates in sampled poses. The first half of the poses is anywhere, the second half
  * closes in on the worst pose so far. */
 static bool sample_poses(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2],
@@ -294,13 +264,14 @@ static bool sample_poses(sepax_size *size, bodies *r, const sepax_mesh *const me
         }
       }
     }
-    uint64_t left = count_candidates(r);
-    if (left > size->worst) {
-      size->worst = left;
+    if (!add_job(size, r, error)) {
+      return false;
+    }
+    if (size->job[n + 1].candidates > size->worst) {
+      size->worst = size->job[n + 1].candidates;
       worst = p;
     }
   }
-  size->poses = space->poses;
   return true;
 }
 
@@ -369,6 +340,12 @@ static bool check_space(const sepax_mesh *const mesh[2], const sepax_space *spac
   if (mesh[0]->count == 0 || mesh[1]->count == 0) {
     return sepax_fail(error, "mesh: no triangles; give two meshes that have some");
   }
+  for (int i = 0; i < 2; i++) {
+    if (mesh[i]->count > UINT32_MAX) {
+      return sepax_fail(error, "mesh: %zu triangles are too many; give up to %u", mesh[i]->count,
+                        UINT32_MAX);
+    }
+  }
   if (!(space->resolution > 0 && isfinite(space->resolution))) {
     return sepax_fail(error, "resolution: %g is not a length above 0", space->resolution);
   }
@@ -403,13 +380,21 @@ static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2]
     size->extent[i] =
         moving || space->workspace != SEPAX_WORKSPACE_NONE
             ? extent_moved(mesh[i], space->motion[i].rotation, reach, space->resolution)
-            : longest_side_of(r->bounds[i], mesh[i]->count);
+            : longest_side_of(r->on_grid.bounds[i], mesh[i]->count);
   }
   int bits = bits_behind_aabb_test(size->extent[0], size->extent[1], 0);
   size->core_word = bits < size->grid.word ? bits : size->grid.word;
-  size->given = count_candidates(r);
+  size->poses = -1;
+  size->job = calloc(1 + (size_t)space->poses, sizeof *size->job);
+  if (size->job == NULL) {
+    return sepax_fail(error, "no memory for %d poses; sample fewer", space->poses);
+  }
+  if (!add_job(size, r, error)) {
+    return false;
+  }
+  size->given = size->job[0].candidates;
   size->worst = size->given;
-  return !moving || space->poses == 0 || sample_poses(size, r, mesh, space, error);
+  return !moving || sample_poses(size, r, mesh, space, error);
 }
 
 bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b,
@@ -428,13 +413,23 @@ bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b
     found.low[axis] = hull.low[axis];
     found.high[axis] = hull.high[axis];
   }
-  bodies r = {.tri = {NULL, NULL}};
+  bodies r = {.moved = {{NULL, 0}, {NULL, 0}}};
   bool ok = allocate(&r, mesh)
                 ? measure(&found, &r, mesh, space, &all, error)
                 : sepax_fail(error, "no memory for %zu and %zu triangles", a->count, b->count);
   release(&r);
   if (ok) {
     *size = found;
+  } else {
+    sepax_size_free(&found);
   }
   return ok;
+}
+
+void sepax_size_free(sepax_size *size) {
+  for (int n = 0; n <= size->poses && size->job != NULL; n++) {
+    free(size->job[n].pass);
+  }
+  free(size->job);
+  size->job = NULL;
 }

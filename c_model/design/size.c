@@ -1,9 +1,9 @@
 /* size.c - gates of a design before it is mapped, and the design of the fewest gates that judges a
  * scene in time. docs/size.md. */
-#include "sepax_design.h"
+#include "design/jobs.h"
 #include "util/error.h"
 
-#include <math.h>
+#include <stdlib.h>
 
 /* ----------------------------------------------------------------------- gates */
 
@@ -66,40 +66,7 @@ double sepax_gates(const sepax_design *design, double *error) {
   return core * c->cores + around;
 }
 
-/* ------------------------------------------------------------------------ time */
-
-static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
-
-/* The steps of the pair enumerator (docs/engine.md) for one memory of A and one of B. */
-static uint64_t enumeration_cycles(uint64_t a, uint64_t b, uint64_t lanes) {
-  enum { BEHIND_LAST_STEP = 6 };
-  return (a + lanes - 1) / lanes * larger(b, lanes) + (a - 1) % lanes + BEHIND_LAST_STEP;
-}
-
-static uint64_t lane_cycles(uint64_t count_a, uint64_t count_b, uint64_t lanes) {
-  uint64_t cycles = 0;
-  for (uint64_t a = 0; a < count_a; a += SEPAX_MEMORY_MAX) {
-    uint64_t here = count_a - a < SEPAX_MEMORY_MAX ? count_a - a : SEPAX_MEMORY_MAX;
-    uint64_t rest = count_b % SEPAX_MEMORY_MAX;
-    cycles += count_b / SEPAX_MEMORY_MAX * enumeration_cycles(here, SEPAX_MEMORY_MAX, lanes);
-    cycles += rest > 0 ? enumeration_cycles(here, rest, lanes) : 0;
-  }
-  return cycles;
-}
-
-/* In every cycle the pair enumerator takes a step or the core is busy, so that a run takes no
- * longer than both in turn. A pair that is flat as seen along z goes through the core twice. */
-static uint64_t design_cycles(const sepax_size *size, const sepax_design *d) {
-  uint64_t a = size->count[0];
-  uint64_t b = size->count[1];
-  uint64_t ii = (uint64_t)d->config.ii;
-  if (d->config.lanes == 0) {
-    return a * b * ii;
-  }
-  return lane_cycles(a, b, (uint64_t)d->config.lanes) + (2 * size->worst + 1) * ii;
-}
-
-/* ---------------------------------------------------------------------- design */
+/* ----------------------------------------------------------------------- designs */
 
 static int memory_for(size_t count) {
   int memory = SEPAX_MEMORY_MIN;
@@ -109,56 +76,148 @@ static int memory_for(size_t count) {
   return memory;
 }
 
-static bool fill_design(sepax_sized_design *m, const sepax_size *size, int ii, int lanes,
-                        bool extents, int clock_ps, sepax_error *error) {
+typedef struct {
+  sepax_sized_design *design; /* every one that there is */
+  size_t count;
+  uint64_t *steps; /* job_cycles */
+} choice;
+
+static bool add_design(choice *all, const sepax_size *size, const sepax_config *config,
+                       sepax_error *error) {
   sepax_design design;
-  *m = (sepax_sized_design){.config = sepax_config_default()};
-  m->config.word = size->grid.word;
-  m->config.ii = ii;
-  m->config.clock_ps = clock_ps;
-  m->config.extent_a = extents ? (int)size->extent[0] : 0;
-  m->config.extent_b = extents ? (int)size->extent[1] : 0;
-  if (lanes > 0) {
-    m->config.lanes = lanes;
-    m->config.memory_a = memory_for(size->count[0]);
-    m->config.memory_b = memory_for(size->count[1]);
-  }
-  if (!sepax_design_init(&design, &m->config, error)) {
+  if (!sepax_design_init(&design, config, error)) {
     return false;
   }
+  uint64_t passes = 0;
+  for (int n = 0; n <= size->poses; n++) {
+    passes = size->job[n].passes > passes ? size->job[n].passes : passes;
+  }
+  sepax_sized_design *m = &all->design[all->count++];
+  *m = (sepax_sized_design){.config = *config};
   m->gates = sepax_gates(&design, &m->gates_error);
-  m->fitted =
-      clock_ps == 2000 && design.core_word >= fitted_least && design.core_word <= fitted_most;
-  m->cycles = design_cycles(size, &design);
-  m->seconds = (double)m->cycles * clock_ps * 1e-12;
+  m->fitted = config->clock_ps == 2000 && design.core_word >= fitted_least &&
+              design.core_word <= fitted_most;
+  m->cycles = job_least_cycles(passes, size->count, config);
   return true;
+}
+
+/* With a lower bound of their cycles. */
+static bool add_designs(choice *all, const sepax_size *size, int clock_ps, int lanes,
+                        sepax_error *error) {
+  sepax_config config = sepax_config_default();
+  config.word = size->grid.word;
+  config.clock_ps = clock_ps;
+  config.lanes = lanes;
+  if (lanes > 0) {
+    config.memory_a = memory_for(size->count[0]);
+    config.memory_b = memory_for(size->count[1]);
+  }
+  for (int extents = 0; extents <= (size->core_word < size->grid.word); extents++) {
+    config.extent_a = extents > 0 ? (int)size->extent[0] : 0;
+    config.extent_b = extents > 0 ? (int)size->extent[1] : 0;
+    for (int n = 0; n < INTERVALS; n++) {
+      config.ii = intervals[n];
+      for (config.cores = 1; config.cores <= (lanes > 0 ? SEPAX_CORES_MAX : 1); config.cores++) {
+        if (!add_design(all, size, &config, error)) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+/* The cycles of the pose that takes the most; of one that takes more than `limit`, where there is
+ * one. *pose is the one to try first, and becomes that which took the most. */
+static uint64_t cycles_in_poses(const choice *all, const sepax_size *size,
+                                const sepax_config *config, uint64_t limit, int *pose) {
+  uint64_t most = 0;
+  int begin = *pose;
+  for (int n = 0; n <= size->poses && most <= limit; n++) {
+    int at = (begin + n) % (size->poses + 1);
+    uint64_t cycles = job_cycles(&size->job[at], size->count, config, all->steps);
+    *pose = cycles > most ? at : *pose;
+    most = cycles > most ? cycles : most;
+  }
+  return most;
+}
+
+static int by_gates(const void *p, const void *q) {
+  const sepax_sized_design *a = p;
+  const sepax_sized_design *b = q;
+  return a->gates != b->gates ? (a->gates > b->gates) - (a->gates < b->gates)
+                              : (a->cycles > b->cycles) - (a->cycles < b->cycles);
+}
+
+/* Of those with one bound the dearer first: it is likely to be faster. */
+static int by_cycles(const void *p, const void *q) {
+  const sepax_sized_design *a = p;
+  const sepax_sized_design *b = q;
+  return a->cycles != b->cycles ? (a->cycles > b->cycles) - (a->cycles < b->cycles)
+                                : by_gates(q, p);
+}
+
+/* The first of all, by gates, that takes no more than `limit` cycles in any pose. */
+static bool find_cheapest(choice *all, const sepax_size *size, uint64_t limit,
+                          sepax_sized_design *best) {
+  int pose = 0;
+  qsort(all->design, all->count, sizeof *all->design, by_gates);
+  for (size_t n = 0; n < all->count; n++) {
+    *best = all->design[n];
+    if (best->cycles <= limit) {
+      best->cycles = cycles_in_poses(all, size, &best->config, limit, &pose);
+      if (best->cycles <= limit) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+static uint64_t fewest_cycles(choice *all, const sepax_size *size) {
+  int pose = 0;
+  uint64_t fewest = UINT64_MAX;
+  qsort(all->design, all->count, sizeof *all->design, by_cycles);
+  for (size_t n = 0; n < all->count && all->design[n].cycles < fewest; n++) {
+    uint64_t cycles = cycles_in_poses(all, size, &all->design[n].config, fewest, &pose);
+    fewest = cycles < fewest ? cycles : fewest;
+  }
+  return fewest;
+}
+
+static bool choose(choice *all, const sepax_size *size, double seconds, double period,
+                   int lanes_most, sepax_sized_design *best, sepax_error *error) {
+  double limit = seconds / period * (1 + 1e-9);
+  if (find_cheapest(all, size, limit < 0x1p63 ? (uint64_t)limit : UINT64_MAX, best)) {
+    best->seconds = (double)best->cycles * period;
+    return true;
+  }
+  return sepax_fail(error,
+                    "time: %.4g ms are not enough: at %g ns the fastest design of up to %d lanes "
+                    "takes %.4g ms; allow that, or coarsen the meshes",
+                    1e3 * seconds, 1e9 * period, lanes_most,
+                    1e3 * period * (double)fewest_cycles(all, size));
 }
 
 bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size, double seconds,
                        int clock_ps, int lanes_least, int lanes_most, sepax_error *error) {
-  sepax_sized_design best = {.seconds = INFINITY};
-  bool found = false;
-  int kinds = size->core_word < size->grid.word ? 2 : 1;
-  for (int n = 0; n < kinds * INTERVALS; n++) {
-    for (int lanes = lanes_least; lanes <= lanes_most; lanes++) {
-      sepax_sized_design m;
-      if (!fill_design(&m, size, intervals[n % INTERVALS], lanes, n >= INTERVALS, clock_ps,
-                       error)) {
-        return false;
-      }
-      bool in_time = m.seconds <= seconds * (1 + 1e-9);
-      if (in_time ? !found || m.gates < best.gates : !found && m.seconds < best.seconds) {
-        best = m;
-      }
-      found = found || in_time;
-    }
+  size_t passes = 0;
+  for (int n = 0; n <= size->poses; n++) {
+    passes = size->job[n].passes > passes ? size->job[n].passes : passes;
   }
-  if (!found) {
-    return sepax_fail(error,
-                      "time: %.4g ms are not enough: at %g ns the fastest design of up to %d lanes "
-                      "takes %.4g ms; allow that, or coarsen the meshes",
-                      1e3 * seconds, clock_ps / 1000.0, lanes_most, 1e3 * best.seconds);
+  size_t most = (size_t)(lanes_most - lanes_least + 1) * 2 * INTERVALS * SEPAX_CORES_MAX;
+  choice all = {malloc(most * sizeof *all.design), 0, malloc((passes + 1) * sizeof *all.steps)};
+  bool ok = (all.design != NULL && all.steps != NULL) ||
+            sepax_fail(error, "no memory for %zu designs and %zu candidates", most, passes);
+  for (int lanes = lanes_least; lanes <= lanes_most && ok; lanes++) {
+    ok = add_designs(&all, size, clock_ps, lanes, error);
   }
-  *sized = best;
-  return true;
+  sepax_sized_design best;
+  ok = ok && choose(&all, size, seconds, clock_ps * 1e-12, lanes_most, &best, error);
+  if (ok) {
+    *sized = best;
+  }
+  free(all.design);
+  free(all.steps);
+  return ok;
 }

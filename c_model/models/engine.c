@@ -1,10 +1,9 @@
 /* engine.c - golden model of the object engine: which pairs it finds, in which order, and
  * about when (docs/engine.md). */
-#include "sepax_design.h"
+#include "models/engine_time.h"
 #include "util/aabb.h"
 #include "util/error.h"
 #include "util/list.h"
-#include "util/wide.h"
 
 /* The lowest bits of a coordinate: itself, if it fits. */
 static int32_t wrapped(int64_t c, int word) {
@@ -22,83 +21,6 @@ static sepax_tri moved(const sepax_tri *t, const int32_t move[3], int word) {
                          wrapped((int64_t)t->v[k].z + move[2], word)};
   }
   return m;
-}
-
-/* What is between the comparator lanes and the cores as time goes by: a FIFO of candidate masks, of
- * each of which the number of its passes is kept, the mask that the priority encoder empties, and
- * the pairs that were fetched. */
-enum { ENTRIES = 16, KEPT_FREE = 6, FETCHED = 2 };
-typedef struct {
-  uint64_t passes[ENTRIES];
-  int first, count;
-  uint64_t picked; /* passes left of the mask at the priority encoder */
-  int fetched;
-  uint64_t now, last_taken;
-  uint64_t ii, cores;
-  uint64_t free_at[8]; /* each core */
-} timing;
-
-static void tick(timing *t) {
-  t->now++;
-  uint64_t *free_at = &t->free_at[0];
-  for (uint64_t k = 1; k < t->cores; k++) {
-    free_at = t->free_at[k] < *free_at ? &t->free_at[k] : free_at;
-  }
-  if (t->fetched > 0 && t->now >= *free_at) {
-    *free_at = t->now + t->ii;
-    t->last_taken = t->now;
-    t->fetched--;
-  }
-  if (t->picked > 0 && t->fetched < FETCHED) {
-    t->picked--;
-    t->fetched++;
-  }
-  if (t->picked == 0 && t->count > 0) {
-    t->picked = t->passes[t->first];
-    t->first = (t->first + 1) % ENTRIES;
-    t->count--;
-  }
-}
-
-static void step(timing *t, uint64_t passes) {
-  while (t->count > ENTRIES - KEPT_FREE) {
-    tick(t);
-  }
-  if (passes > 0) {
-    t->passes[(t->first + t->count++) % ENTRIES] = passes;
-  }
-  tick(t);
-}
-
-/* The cycle of the last verdict or, without one, of the last step's end. */
-static uint64_t finish(timing *t, int latency) {
-  /* Registers from a step to the FIFO; from there to a core, and behind it. */
-  enum { TO_FIFO = 5, AROUND_CORE = 6 };
-  uint64_t enumerated = t->now + TO_FIFO;
-  while (t->count > 0 || t->picked > 0 || t->fetched > 0) {
-    tick(t);
-  }
-  uint64_t answered = t->last_taken + AROUND_CORE + (uint64_t)latency;
-  return t->last_taken > 0 && answered > enumerated ? answered : enumerated;
-}
-
-/* A pair whose six vertices are on one line as seen along z goes through the core twice. */
-static bool takes_two_passes(const sepax_pair *pair) {
-  wide dx = 0;
-  wide dy = 0;
-  for (int i = 1; i < 6; i++) {
-    const sepax_vec *v = i < 3 ? &pair->a.v[i] : &pair->b.v[i - 3];
-    wide x = (wide)v->x - pair->a.v[0].x;
-    wide y = (wide)v->y - pair->a.v[0].y;
-    if (dx * y != dy * x) {
-      return false;
-    }
-    if (dx == 0 && dy == 0) {
-      dx = x;
-      dy = y;
-    }
-  }
-  return true;
 }
 
 typedef struct {
@@ -121,7 +43,8 @@ static bool judge(enumeration *e, size_t i, size_t j) {
   bool moved_out = !aabb_fits(&e->bounds_b[j], c->word);
   bool undecided = moved_out || v.axis == SEPAX_AXIS_EXTENT;
   bool collision = moved_out || v.collision;
-  bool twice = !c->flag && e->design->limits == 0 && !decided_before && takes_two_passes(&pair);
+  bool twice = !c->flag && e->design->limits == 0 && !decided_before &&
+               engine_takes_two_passes(&pair.a, &pair.b);
   run->candidates++;
   run->passes += twice ? 2 : 1;
   bool warning = !collision && e->design->limits > 0 && v.band == SEPAX_BAND_WARNING;
@@ -162,17 +85,21 @@ static bool judge_all(enumeration *e, size_t count_a, size_t count_b) {
   size_t length = count_b > lanes ? count_b : lanes;
   size_t rounds = (count_a + lanes - 1) / lanes;
   size_t last = (count_a - 1) % lanes;
-  timing t = {.cores = (uint64_t)c->cores, .ii = (uint64_t)c->ii};
+  engine_time t = engine_time_begin(c);
   for (size_t round = 0; round <= rounds; round++) {
     for (size_t j = 0; j < length && (round < rounds || j < last); j++) {
       uint64_t before = e->run->passes;
       if (j < count_b && !judge_step(e, round, j, count_a)) {
         return false;
       }
-      step(&t, e->run->passes - before);
+      if (e->run->passes > before) {
+        engine_step(&t, e->run->passes - before);
+      } else {
+        engine_idle(&t, 1);
+      }
     }
   }
-  e->run->cycles = finish(&t, e->design->latency);
+  e->run->cycles = engine_finish(&t, e->design->latency);
   return true;
 }
 

@@ -1,0 +1,139 @@
+/* engine_time.h - when the object engine is done: from the comparator lanes to the cores as time
+ * goes by (private, docs/engine.md). */
+#ifndef SEPAX_ENGINE_TIME_H
+#define SEPAX_ENGINE_TIME_H
+
+#include "sepax_design.h"
+#include "util/wide.h"
+
+/* What is between the lanes and the cores: a FIFO of candidate masks, of each of which the number
+ * of its passes is kept, the mask that the priority encoder empties, and the pairs that were
+ * fetched. */
+enum { ENGINE_ENTRIES = 16, ENGINE_KEPT_FREE = 6, ENGINE_FETCHED = 2 };
+typedef struct {
+  uint64_t passes[ENGINE_ENTRIES];
+  int first, count;
+  uint64_t picked; /* passes left of the mask at the priority encoder */
+  int fetched;
+  uint64_t now, last_taken;
+  uint64_t ii, cores;
+  uint64_t free_at[SEPAX_CORES_MAX];
+} engine_time;
+
+static inline engine_time engine_time_begin(const sepax_config *config) {
+  return (engine_time){.ii = (uint64_t)config->ii, .cores = (uint64_t)config->cores};
+}
+
+static inline uint64_t *engine_first_free(engine_time *t) {
+  uint64_t *free_at = &t->free_at[0];
+  for (uint64_t k = 1; k < t->cores; k++) {
+    free_at = t->free_at[k] < *free_at ? &t->free_at[k] : free_at;
+  }
+  return free_at;
+}
+
+static inline void engine_tick(engine_time *t) {
+  t->now++;
+  uint64_t *free_at = engine_first_free(t);
+  if (t->fetched > 0 && t->now >= *free_at) {
+    *free_at = t->now + t->ii;
+    t->last_taken = t->now;
+    t->fetched--;
+  }
+  if (t->picked > 0 && t->fetched < ENGINE_FETCHED) {
+    t->picked--;
+    t->fetched++;
+  }
+  if (t->picked == 0 && t->count > 0) {
+    t->picked = t->passes[t->first];
+    t->first = (t->first + 1) % ENGINE_ENTRIES;
+    t->count--;
+  }
+}
+
+/* Up to `most` cycles at once in which nothing moves, as all wait for a core. */
+static inline uint64_t engine_wait(engine_time *t, uint64_t most) {
+  bool waits = t->fetched == ENGINE_FETCHED ? t->picked > 0 || t->count == 0
+                                            : t->fetched > 0 && t->picked == 0 && t->count == 0;
+  uint64_t free_at = waits ? *engine_first_free(t) : 0;
+  uint64_t cycles = free_at > t->now + 1 ? free_at - t->now - 1 : 0;
+  cycles = cycles < most ? cycles : most;
+  t->now += cycles;
+  return cycles;
+}
+
+/* Cycles until the pair enumerator may go on. */
+static inline void engine_stall(engine_time *t) {
+  while (t->count > ENGINE_ENTRIES - ENGINE_KEPT_FREE) {
+    engine_wait(t, UINT64_MAX);
+    engine_tick(t);
+  }
+}
+
+/* A step of the pair enumerator that finds candidates of so many passes, 1 or more. */
+static inline void engine_step(engine_time *t, uint64_t passes) {
+  engine_stall(t);
+  t->passes[(t->first + t->count++) % ENGINE_ENTRIES] = passes;
+  engine_tick(t);
+}
+
+/* Steps that find no candidate. */
+static inline void engine_idle(engine_time *t, uint64_t steps) {
+  while (steps > 0) {
+    engine_stall(t);
+    if (t->count == 0 && t->picked == 0 && t->fetched == 0) {
+      t->now += steps;
+      return;
+    }
+    steps -= engine_wait(t, steps - 1) + 1;
+    engine_tick(t);
+  }
+}
+
+/* The cycle of the last verdict or, without one, of the last step's end. */
+static inline uint64_t engine_finish(engine_time *t, int latency) {
+  /* Registers from a step to the FIFO; from there to a core, and behind it. */
+  enum { TO_FIFO = 5, AROUND_CORE = 6 };
+  uint64_t enumerated = t->now + TO_FIFO;
+  while (t->count > 0 || t->picked > 0 || t->fetched > 0) {
+    engine_wait(t, UINT64_MAX);
+    engine_tick(t);
+  }
+  uint64_t answered = t->last_taken + AROUND_CORE + (uint64_t)latency;
+  return t->last_taken > 0 && answered > enumerated ? answered : enumerated;
+}
+
+/* Steps for so many triangles of A and of B (docs/engine.md). */
+static inline uint64_t engine_steps(uint64_t count_a, uint64_t count_b, uint64_t lanes) {
+  uint64_t length = count_b > lanes ? count_b : lanes;
+  return (count_a + lanes - 1) / lanes * length + (count_a - 1) % lanes;
+}
+
+/* The step in which triangle i of A meets triangle j of B: lane k takes its triangle in step k of a
+ * round and keeps it up to step k - 1 of the next round. */
+static inline uint64_t engine_step_of(uint64_t i, uint64_t j, uint64_t count_b, uint64_t lanes) {
+  uint64_t length = count_b > lanes ? count_b : lanes;
+  return (i / lanes + (j < i % lanes)) * length + j;
+}
+
+/* True iff a pair goes through the core twice where no AABB test decides it: its six vertices are
+ * on one line as seen along z. */
+static inline bool engine_takes_two_passes(const sepax_tri *a, const sepax_tri *b) {
+  wide dx = 0;
+  wide dy = 0;
+  for (int i = 1; i < 6; i++) {
+    const sepax_vec *v = i < 3 ? &a->v[i] : &b->v[i - 3];
+    wide x = (wide)v->x - a->v[0].x;
+    wide y = (wide)v->y - a->v[0].y;
+    if (dx * y != dy * x) {
+      return false;
+    }
+    if (dx == 0 && dy == 0) {
+      dx = x;
+      dy = y;
+    }
+  }
+  return true;
+}
+
+#endif
