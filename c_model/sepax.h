@@ -323,8 +323,9 @@ double sepax_distance_posed(const double a[3][3], const sepax_pose *pose_a, cons
 /* A mesh and its tree, as it stands in its file. It never changes; threads may share it. */
 typedef struct sepax_body sepax_body;
 
-/* Copies what it needs of the mesh. Fails on a mesh without facets, with NaN or infinity, with more
- * than 2^31 - 2 facets, and without memory. */
+/* Copies what it needs of the mesh; some 250 bytes a facet. Large meshes are built by a thread for
+ * each processor; the result does not depend on that. Fails on a mesh without facets, with NaN or
+ * infinity, with more than 2^31 - 2 facets, and without memory. */
 bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, sepax_error *error);
 void sepax_body_free(sepax_body *body);
 size_t sepax_body_triangles(const sepax_body *body);

@@ -4,11 +4,10 @@
 #include "util/aabb.h"
 #include "util/error.h"
 #include "util/list.h"
+#include "util/threads.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { BLOCK = 64, PART = 64 * 64, DIGIT = 10 };
 
@@ -221,7 +220,8 @@ void search_report(worker *w, uint64_t done) {
   }
 }
 
-static void work(worker *w) {
+static void work(void *workers, size_t part) {
+  worker *w = (worker *)workers + part;
   if (w->all->how->brute_force) {
     brute_force_work(w);
   } else {
@@ -229,52 +229,33 @@ static void work(worker *w) {
   }
 }
 
-static void *work_beside(void *argument) {
-  work(argument);
-  return NULL;
-}
-
 static size_t threads_of(const sepax_search *how, size_t most) {
-  long here = sysconf(_SC_NPROCESSORS_ONLN);
-  if (how->first) {
-    return 1;
-  }
-  size_t threads = how->threads > 0 ? (size_t)how->threads : here > 0 ? (size_t)here : 1;
+  size_t threads = how->first ? 1 : how->threads > 0 ? (size_t)how->threads : threads_here();
   return threads < most ? threads : most;
 }
 
-/* A thread that cannot be had leaves its work to the others. */
 static bool run(search *s, size_t threads, sepax_pairs *found) {
   worker *workers = calloc(threads, sizeof *workers);
-  pthread_t *beside = calloc(threads, sizeof *beside);
-  bool *started = calloc(threads, sizeof *started);
-  bool ok = workers != NULL && beside != NULL && started != NULL;
-  for (size_t k = 0; k < threads && ok; k++) {
+  if (workers == NULL) {
+    return false;
+  }
+  for (size_t k = 0; k < threads; k++) {
     workers[k].all = s;
     workers[k].reports = k == 0;
-    started[k] = k > 0 && pthread_create(&beside[k], NULL, work_beside, &workers[k]) == 0;
   }
-  if (ok) {
-    work(&workers[0]);
-  }
-  for (size_t k = 0; k < threads && ok; k++) {
-    if (started[k]) {
-      pthread_join(beside[k], NULL);
-    }
-  }
-  for (size_t k = 0; k < threads && ok; k++) {
-    ok = !workers[k].no_memory;
+  threads_run(threads, threads, work, workers);
+  bool ok = true;
+  for (size_t k = 0; k < threads; k++) {
+    ok = ok && !workers[k].no_memory;
   }
   if (ok) {
     search_report(&workers[0], s->total);
   }
   ok = ok && !s->ended && gather(s, workers, threads, found);
-  for (size_t k = 0; k < threads && workers != NULL; k++) {
+  for (size_t k = 0; k < threads; k++) {
     free(workers[k].found.pair);
   }
   free(workers);
-  free(beside);
-  free(started);
   return ok;
 }
 

@@ -38,7 +38,10 @@ struct sepax_body {
   body_boxes *boxes; /* of each node; behind them the root's own box */
 };
 
+/* As sepax_body_new. The body does not depend on the number of threads. */
+bool body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads, sepax_error *error);
+
 /* Fill `boxes`; false without memory. */
-bool body_fit(sepax_body *body);
+bool body_fit(sepax_body *body, size_t threads);
 
 #endif

@@ -3,12 +3,15 @@
  * A box of one triangle stands on its plane and its longest edge. A box of more stands on the
  * principal axes of their surface, or on x, y, z, where that encloses less. */
 #include "body.h"
+#include "util/threads.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const int next[3] = {1, 2, 0};
+
+enum { PART = 64 }; /* nodes that a thread takes at once */
 
 #define FAR 1e30F /* where nothing is */
 
@@ -255,7 +258,7 @@ static void store(body_boxes *to, int lane, const oriented *r, uint32_t child) {
   to->child[lane] = child;
 }
 
-/* Around one triangle, or more with their moments, of which r is the AABB. */
+/* Around one triangle, or more with their moments m, of which r is the AABB. */
 static void fit(const facet_points *v, uint32_t count, const moments *m, oriented *r) {
   axes a;
   if (count == 1) {
@@ -271,13 +274,39 @@ static void fit(const facet_points *v, uint32_t count, const moments *m, oriente
   }
 }
 
-/* The boxes of a node's children, from the triangles below it, which follow each other in the
- * tree's order; returns how many there are, and their moments. */
-static uint32_t fit_node(sepax_body *b, uint32_t number, const facet_points *v, moments *all) {
-  const body_node *node = &b->node[number];
-  body_boxes *boxes = &b->boxes[number];
-  uint32_t done = 0;
-  *all = (moments){0};
+/* The triangles below a node: first ... first + count - 1 of the tree's order. */
+typedef struct {
+  uint32_t first, count;
+  moments all;
+} below;
+
+typedef struct {
+  sepax_body *body;
+  facet_points *v; /* triangles in units of the body */
+  below *below;    /* each node */
+} fitting;
+
+static void find_below(const fitting *f, uint32_t number, uint32_t first) {
+  const body_node *node = &f->body->node[number];
+  below *own = &f->below[number];
+  *own = (below){.first = first};
+  for (uint32_t lane = 0; lane < node->children; lane++) {
+    uint32_t child = node->child[lane];
+    if ((child & BODY_TRIANGLE) != 0) {
+      add_triangle(&own->all, f->v[first + own->count++]);
+    } else {
+      find_below(f, child, first + own->count);
+      own->count += f->below[child].count;
+      add_moments(&own->all, &f->below[child].all);
+    }
+  }
+}
+
+/* The boxes of a node's children. */
+static void fit_children(const fitting *f, size_t number) {
+  const body_node *node = &f->body->node[number];
+  body_boxes *boxes = &f->body->boxes[number];
+  uint32_t at = f->below[number].first;
   for (int lane = 0; lane < BODY_WIDE; lane++) {
     oriented r = {{{0}}, {FAR, FAR, FAR}, {0}};
     if (lane >= (int)node->children) {
@@ -285,20 +314,20 @@ static uint32_t fit_node(sepax_body *b, uint32_t number, const facet_points *v, 
       continue;
     }
     uint32_t child = node->child[lane];
-    uint32_t count = 1;
-    moments m = {0};
-    if ((child & BODY_TRIANGLE) != 0) {
-      add_triangle(&m, v[done]);
-    } else {
-      count = fit_node(b, child, v + done, &m);
-    }
+    bool single = (child & BODY_TRIANGLE) != 0;
+    uint32_t count = single ? 1 : f->below[child].count;
     take_aabb(node, lane, &r);
-    fit(v + done, count, &m, &r);
+    fit(f->v + at, count, single ? NULL : &f->below[child].all, &r);
     store(boxes, lane, &r, child);
-    add_moments(all, &m);
-    done += count;
+    at += count;
   }
-  return done;
+}
+
+static void fit_part(void *context, size_t part) {
+  const fitting *f = context;
+  for (size_t n = part * PART; n < (part + 1) * PART && n < f->body->nodes; n++) {
+    fit_children(f, n);
+  }
 }
 
 /* The triangles in units of the body. */
@@ -313,19 +342,19 @@ static facet_points *local_triangles(const sepax_body *b) {
   return v;
 }
 
-bool body_fit(sepax_body *b) {
-  facet_points *v = local_triangles(b);
+bool body_fit(sepax_body *b, size_t threads) {
+  fitting f = {b, local_triangles(b), malloc(b->nodes * sizeof *f.below)};
   b->boxes = aligned_alloc(64, (b->nodes + 1) * sizeof *b->boxes);
-  if (b->boxes == NULL || v == NULL) {
-    free(v);
-    return false;
+  bool ok = b->boxes != NULL && f.v != NULL && f.below != NULL;
+  if (ok) {
+    find_below(&f, 0, 0);
+    threads_run(threads, (b->nodes + PART - 1) / PART, fit_part, &f);
+    oriented r = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, {2, 2, 2}};
+    fit(f.v, (uint32_t)b->count, &f.below[0].all, &r);
+    memset(&b->boxes[b->nodes], 0, sizeof *b->boxes);
+    store(&b->boxes[b->nodes], 0, &r, 0);
   }
-  moments all;
-  oriented r = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, {2, 2, 2}};
-  fit_node(b, 0, v, &all);
-  fit(v, (uint32_t)b->count, &all, &r);
-  memset(&b->boxes[b->nodes], 0, sizeof *b->boxes);
-  store(&b->boxes[b->nodes], 0, &r, 0);
-  free(v);
-  return true;
+  free(f.v);
+  free(f.below);
+  return ok;
 }

@@ -1,7 +1,12 @@
-/* tree.c - a body's tree of AABBs, eight children a node, split by the surface area heuristic. */
+/* tree.c - a body's tree of AABBs, eight children a node, split by the surface area heuristic.
+ *
+ * Ranges of triangles are divided down to PART of them; the trees below are parts that threads
+ * take. Parts depend on the mesh alone, and so does the tree. */
 #include "body.h"
 #include "util/box.h"
 #include "util/error.h"
+#include "util/list.h"
+#include "util/threads.h"
 
 #include <float.h>
 #include <math.h>
@@ -10,7 +15,7 @@
 
 /* Nodes below level EVEN are split into halves, so that no tree has more than 64 levels. Ranges of
  * up to SHORT triangles have half as many bins. */
-enum { BINS = 16, SHORT = 64, EVEN = 48 };
+enum { BINS = 16, SHORT = 64, EVEN = 48, PART = 2048 };
 
 /* The AABB of a triangle, in units of the body's scale from its centre; its number in lane 3. */
 typedef struct {
@@ -26,11 +31,24 @@ typedef struct {
   box4 bounds;
 } range;
 
+/* Nodes of the tree below a range; the number of a part's root is BODY_PART + part until all are
+ * joined. */
+typedef struct {
+  body_node *node;
+  size_t nodes, capacity;
+  range whole;
+  int level;
+  bool no_memory;
+} subtree;
+
+#define BODY_PART UINT32_C(0x40000000)
+
 typedef struct {
   sepax_body *body;
   const sepax_mesh *mesh;
   entry *entry;
-  size_t capacity; /* of nodes */
+  subtree top, *part;
+  size_t parts, capacity; /* of parts */
 } builder;
 
 static box4 box_of(const entry *from) {
@@ -237,22 +255,18 @@ static int divide(const builder *b, const range *whole, bool even, range part[BO
   return parts;
 }
 
-static bool build_node(builder *b, const range *whole, int level, uint32_t *number) {
-  sepax_body *body = b->body;
-  if (body->nodes == b->capacity) {
-    size_t more = 2 * b->capacity;
-    body_node *grown = realloc(body->node, more * sizeof *grown);
+static bool add_node(subtree *t) {
+  if (t->nodes == t->capacity) {
+    size_t more = t->capacity == 0 ? count_of(&t->whole) / 4 + 8 : 2 * t->capacity;
+    body_node *grown = realloc(t->node, more * sizeof *grown);
     if (grown == NULL) {
+      t->no_memory = true;
       return false;
     }
-    body->node = grown;
-    b->capacity = more;
+    t->node = grown;
+    t->capacity = more;
   }
-  size_t own = body->nodes++;
-  body_node *node = &body->node[own];
-  range part[BODY_WIDE];
-  int parts = divide(b, whole, level > EVEN, part);
-  node->children = (uint32_t)parts;
+  body_node *node = &t->node[t->nodes++];
   for (int lane = 0; lane < BODY_WIDE; lane++) {
     node->child[lane] = 0;
     for (int i = 0; i < 3; i++) {
@@ -260,16 +274,86 @@ static bool build_node(builder *b, const range *whole, int level, uint32_t *numb
       node->half[i][lane] = -FLT_MAX / 4;
     }
   }
+  return true;
+}
+
+static bool add_part(builder *b, const range *whole, int level, uint32_t *number) {
+  subtree *grown = list_grow(b->part, &b->capacity, b->parts, sizeof *grown);
+  if (grown == NULL) {
+    b->top.no_memory = true;
+    return false;
+  }
+  b->part = grown;
+  *number = BODY_PART + (uint32_t)b->parts;
+  b->part[b->parts++] = (subtree){.whole = *whole, .level = level};
+  return true;
+}
+
+/* The tree below a range, or down to its parts where t is the top. */
+static bool build_node(builder *b, subtree *t, const range *whole, int level, uint32_t *number) {
+  if (t == &b->top && count_of(&t->whole) > PART && count_of(whole) <= PART) {
+    return add_part(b, whole, level, number);
+  }
+  size_t own = t->nodes;
+  if (!add_node(t)) {
+    return false;
+  }
+  range part[BODY_WIDE];
+  int parts = divide(b, whole, level > EVEN, part);
+  t->node[own].children = (uint32_t)parts;
   for (int lane = 0; lane < parts; lane++) {
     const range *r = &part[lane];
     uint32_t child = BODY_TRIANGLE + r->begin;
-    if (count_of(r) > 1 && !build_node(b, r, level + 1, &child)) {
+    if (count_of(r) > 1 && !build_node(b, t, r, level + 1, &child)) {
       return false;
     }
-    set_lane(&body->node[own], lane, &r->bounds, child);
+    set_lane(&t->node[own], lane, &r->bounds, child);
   }
   *number = (uint32_t)own;
   return true;
+}
+
+static void build_part(void *context, size_t part) {
+  builder *b = context;
+  subtree *t = &b->part[part];
+  uint32_t root;
+  build_node(b, t, &t->whole, t->level, &root);
+}
+
+/* Nodes in the numbers of the whole tree, in which those of a subtree begin at `first`. */
+static void join(body_node *to, const subtree *t, uint32_t first, const uint32_t *first_of_part) {
+  for (size_t n = 0; n < t->nodes; n++) {
+    to[n] = t->node[n];
+    for (uint32_t lane = 0; lane < to[n].children; lane++) {
+      uint32_t child = to[n].child[lane];
+      if ((child & BODY_TRIANGLE) == 0) {
+        to[n].child[lane] =
+            (child & BODY_PART) != 0 ? first_of_part[child - BODY_PART] : child + first;
+      }
+    }
+  }
+}
+
+static bool join_all(builder *b) {
+  sepax_body *body = b->body;
+  uint32_t *first = malloc((b->parts + 1) * sizeof *first);
+  body->nodes = b->top.nodes;
+  bool ok = first != NULL && !b->top.no_memory;
+  for (size_t k = 0; k < b->parts && ok; k++) {
+    first[k] = (uint32_t)body->nodes;
+    body->nodes += b->part[k].nodes;
+    ok = !b->part[k].no_memory;
+  }
+  body->node = ok ? malloc(body->nodes * sizeof *body->node) : NULL;
+  ok = body->node != NULL;
+  if (ok) {
+    join(body->node, &b->top, 0, first);
+  }
+  for (size_t k = 0; k < b->parts && ok; k++) {
+    join(body->node + first[k], &b->part[k], first[k], first);
+  }
+  free(first);
+  return ok;
 }
 
 /* ----------------------------------------------------------------------- the body */
@@ -306,47 +390,60 @@ static void place_triangles(const builder *b) {
   }
 }
 
-static bool build(builder *b, sepax_error *error) {
+static bool build(builder *b, size_t threads) {
   sepax_body *body = b->body;
   size_t count = b->mesh->count;
-  b->capacity = count / 4 + 8;
   body->count = count;
   body->triangle = malloc(count * sizeof *body->triangle);
   body->number = malloc(count * sizeof *body->number);
-  body->node = malloc(b->capacity * sizeof *body->node);
   b->entry = malloc(count * sizeof *b->entry);
-  bool ok =
-      body->triangle != NULL && body->number != NULL && body->node != NULL && b->entry != NULL;
+  bool ok = body->triangle != NULL && body->number != NULL && b->entry != NULL;
   if (ok) {
     for (size_t n = 0; n < count; n++) {
       set_entry(&b->entry[n], body, b->mesh->facet[n].v, (uint32_t)n);
     }
-    range whole = {0, (uint32_t)count, bounds_of(b->entry, 0, (uint32_t)count)};
     uint32_t root;
-    ok = build_node(b, &whole, 0, &root);
+    b->top.whole = (range){0, (uint32_t)count, bounds_of(b->entry, 0, (uint32_t)count)};
+    ok = build_node(b, &b->top, &b->top.whole, 0, &root);
+  }
+  if (ok) {
+    threads_run(threads, b->parts, build_part, b);
+    ok = join_all(b);
     place_triangles(b);
-    ok = ok && body_fit(body);
   }
   free(b->entry);
-  return ok || sepax_fail(error, "no memory for a body of %zu triangles", count);
+  for (size_t k = 0; k < b->parts; k++) {
+    free(b->part[k].node);
+  }
+  free(b->part);
+  free(b->top.node);
+  return ok && body_fit(body, threads);
 }
 
-bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, sepax_error *error) {
+bool body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads, sepax_error *error) {
   *body = NULL;
   if (mesh->count == 0 || mesh->count >= INT32_MAX) {
     return sepax_fail(error, "a body has 1 ... 2^31 - 2 triangles, not %zu", mesh->count);
   }
   sepax_body *made = calloc(1, sizeof *made);
   builder b = {.body = made, .mesh = mesh};
-  if (made == NULL) {
-    return sepax_fail(error, "no memory for a body");
-  }
-  if (!measure(made, mesh, error) || !build(&b, error)) {
+  bool ok = made != NULL;
+  if (ok && !measure(made, mesh, error)) {
     sepax_body_free(made);
     return false;
   }
+  if (!ok || !build(&b, threads)) {
+    sepax_body_free(made);
+    return sepax_fail(error, "no memory for a body of %zu triangles", mesh->count);
+  }
   *body = made;
   return true;
+}
+
+bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, sepax_error *error) {
+  size_t most = 1 + mesh->count / PART;
+  size_t threads = most > 1 ? threads_here() : 1;
+  return body_new(body, mesh, threads < most ? threads : most, error);
 }
 
 void sepax_body_free(sepax_body *body) {

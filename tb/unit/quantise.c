@@ -78,6 +78,7 @@ CASE(test_extremes) {
   refuse_value(1e308, grid, "does not fit");
   refuse_value(-INFINITY, grid, "does not fit");
   refuse_value(NAN, grid, "does not fit");
+  refuse_value(0x1p1001, (sepax_grid){0x1p999, {0, 0, 0}, 18}, "does not fit");
 }
 
 CASE(test_bad_grids) {
