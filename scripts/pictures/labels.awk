@@ -1,6 +1,6 @@
 # labels.awk - names beside the points of a log-log plot of 720 x 440, none over another or over a
-# point: rows "x y name" become gnuplot's `set label` lines. A name that is not next to its point has
-# a line to it.
+# point: rows "x y name" become gnuplot's `set label` lines. A name that is not next to its point
+# has a line to it.
 #   -v range=LEFT:RIGHT of x; -v low, high of y as powers of ten; y = 0 is drawn at 1e-7
 function log10(v) { return log(v) / log(10) }
 function meets(i, x0, x1, y0, y1) {
