@@ -53,7 +53,7 @@ ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 
 .PHONY: all job help build setup test reference clean area timing multivt power area-sweep \
-        calibrate scene report accuracy clearance bench bench-bodies hard engine-sweep
+        calibrate scene report accuracy clearance bench bench-bodies campaign hard engine-sweep
 
 all:
 	@scripts/setup
@@ -161,6 +161,9 @@ bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch
 	@$(EXPERIMENT)/bench $(BUILD)/software $(if $(call given,COUNT),$(COUNT))
 	@echo "== verilated core with its golden model, all families:"
 	@$(MAKE) PAIRS=families cosim
+
+campaign: $(BUILD)/campaign
+	@$(EXPERIMENT)/campaign $< $(if $(call given,COUNT),$(COUNT),10000000) $(SEED)
 
 # Real meshes where they are at hand.
 MESH_DIR ?= $(wildcard ../shared/meshes)

@@ -54,11 +54,12 @@ $(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)
+$(BUILD)/campaign: $(call object,tb/benchmark/campaign.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
 $(SEPAX) $(BUILD)/liberty $(BUILD)/power: LIBS = -ljansson
-$(BUILD)/clearance-test: LIBS = -lgmp
-$(SEPAX) $(addprefix $(BUILD)/,bench_batch clearance-test liberty power) $(BUILD)/bench:
+$(BUILD)/clearance-test $(BUILD)/campaign: LIBS = -lgmp
+$(SEPAX) $(addprefix $(BUILD)/,bench_batch campaign clearance-test liberty power) $(BUILD)/bench:
 	$(link)
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson

@@ -1,6 +1,9 @@
 #include "oracle.h"
 #include "gmp_vec.h"
 
+#include <limits.h>
+#include <math.h>
+
 typedef struct {
   const vec *v, *normal;
   size_t drop; /* normal.c[drop] is not zero; 3 if the triangle has no area */
@@ -117,43 +120,60 @@ bool oracle_collide(const sepax_tri *a, const sepax_tri *b) {
   return meet;
 }
 
-/* Coordinate `axis` of the posed vertex. */
-static void pose_coordinate(mpq_t r, const double v[3], const sepax_pose *pose, int axis) {
-  mpq_t p, q;
-  mpq_inits(p, q, NULL);
-  mpq_set_d(r, pose != NULL ? pose->translation[axis] : v[axis]);
-  for (int k = 0; k < 3 && pose != NULL; k++) {
-    mpq_set_d(p, pose->rotation[axis][k]);
-    mpq_set_d(q, v[k]);
-    mpq_mul(p, p, q);
-    mpq_add(r, r, p);
+/* factor[0] * factor[1] * 2^exponent; a factor of 0 and any exponent for zero. */
+typedef struct {
+  int64_t factor[2];
+  int exponent;
+} term;
+
+static term term_of(double p, double q) {
+  const double x[2] = {p, q};
+  term t = {{0, 0}, 0};
+  for (int i = 0; i < 2; i++) {
+    int exponent;
+    t.factor[i] = (int64_t)ldexp(frexp(x[i], &exponent), 53);
+    if (t.factor[i] != 0) {
+      int zeros = __builtin_ctzll((unsigned long long)t.factor[i]);
+      t.factor[i] /= (int64_t)1 << zeros;
+      t.exponent += exponent - 53 + zeros;
+    }
   }
-  mpq_clears(p, q, NULL);
+  return t;
+}
+
+/* Coordinate `axis` of a posed vertex: four terms. */
+static void find_terms(term t[4], const double v[3], const sepax_pose *pose, int axis) {
+  for (int k = 0; k < 3; k++) {
+    t[k] = pose != NULL ? term_of(pose->rotation[axis][k], v[k]) : term_of(k == axis, v[k]);
+  }
+  t[3] = term_of(pose != NULL ? pose->translation[axis] : 0, 1);
 }
 
 void work_init_posed(work *w, const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
                      const sepax_pose *pose_b, double limit) {
   enum { LIMIT = 18 };
-  mpq_t x[LIMIT + 1];
-  mpz_t scale; /* the largest denominator; all are powers of two */
+  term t[LIMIT + 1][4] = {{{{0, 0}, 0}}};
+  int lowest = INT_MAX; /* exponent; times two to minus this all numbers are integers */
+  for (int i = 0; i < LIMIT; i++) {
+    find_terms(t[i], i < 9 ? a[i / 3] : b[i / 3 - 3], i < 9 ? pose_a : pose_b, i % 3);
+  }
+  t[LIMIT][0] = term_of(limit, 1);
+  for (int i = 0; i < 4 * (LIMIT + 1); i++) {
+    const term *one = &t[i / 4][i % 4];
+    bool zero = one->factor[0] == 0 || one->factor[1] == 0;
+    lowest = !zero && one->exponent < lowest ? one->exponent : lowest;
+  }
   work_new(w);
-  mpz_init_set_ui(scale, 1);
-  for (int i = 0; i <= LIMIT; i++) {
-    mpq_init(x[i]);
-    if (i == LIMIT) {
-      mpq_set_d(x[i], limit);
-    } else {
-      pose_coordinate(x[i], i < 9 ? a[i / 3] : b[i / 3 - 3], i < 9 ? pose_a : pose_b, i % 3);
+  for (int i = 0; i < 4 * (LIMIT + 1); i++) {
+    const term *one = &t[i / 4][i % 4];
+    mpz_ptr r = i / 4 == LIMIT ? w->limit : w->p[i / 12].c[i / 4 % 3];
+    if (one->factor[0] != 0 && one->factor[1] != 0) {
+      mpz_set_si(w->s, one->factor[0]);
+      mpz_mul_si(w->s, w->s, one->factor[1]);
+      mpz_mul_2exp(w->s, w->s, (mp_bitcnt_t)(one->exponent - lowest));
+      mpz_add(r, r, w->s);
     }
-    mpz_lcm(scale, scale, mpq_denref(x[i]));
   }
-  for (int i = 0; i <= LIMIT; i++) {
-    mpz_ptr r = i == LIMIT ? w->limit : w->p[i / 3].c[i % 3];
-    mpz_mul(r, mpq_numref(x[i]), scale);
-    mpz_divexact(r, r, mpq_denref(x[i]));
-    mpq_clear(x[i]);
-  }
-  mpz_clear(scale);
   work_normals(w);
 }
 
