@@ -263,13 +263,6 @@ bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax
                       bool file_normals, sepax_error *error);
 void sepax_scene_free(sepax_scene *scene);
 
-/* Two closed meshes of which no triangles collide: within[0] iff a connected part of A is wholly
- * inside the solid B, within[1] iff one of B is inside A. Exact. A vertex is inside if a ray from
- * it meets the other mesh an odd number of times, or if the mesh winds round it (bodies that
- * overlap), by the orientation of the triangles. Fails on a mesh that is not closed, that is, where
- * an edge does not belong to an even number of triangles. */
-bool sepax_solid(const sepax_scene *scene, bool within[2], sepax_error *error);
-
 /* Both meshes as one PLY file (binary, coordinates as doubles). Triangles that are in `pairs` are
  * red (A) and orange (B), the others pale. Written under a temporary name, then renamed to path;
  * fails where the file cannot be written. */
@@ -409,11 +402,12 @@ void sepax_shell_free(sepax_shell *shell);
  * closed is not asked: within[0] is false where B is open, within[1] where A is. Exact for the
  * doubles given; poses must be valid. Some microseconds for each part inside the other's box.
  *
- * A point is inside a part iff a ray from it meets the part an odd number of times, inside a piece
- * iff it is inside one of its parts, and inside the solid iff it is inside an odd number of pieces.
- * So a piece inside a piece is a cavity, what is inside that is material again, and parts that
- * overlap are material where any of them is. The way that triangles wind does not matter. What a
- * part that crosses itself encloses twice counts as outside. */
+ * A point is inside a part iff a ray from it meets the part an odd number of times; or, if the
+ * part's own triangles are consistent, if it winds round the point, as where a part crosses itself
+ * or is there twice. A point is inside a piece iff it is inside one of its parts, and inside the
+ * solid iff it is inside an odd number of pieces. So a piece inside a piece is a cavity, what is in
+ * that is material again, and parts that overlap are material where any of them is. A part may be
+ * inside out, and triangles may be turned round: neither changes an inside by parity. */
 void sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
                          const sepax_pose *pose_b, bool within[2]);
 

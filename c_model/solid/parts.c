@@ -36,8 +36,10 @@ static size_t order_parts(uint32_t *place, uint32_t *begin, uint32_t *piece, uin
   return pieces;
 }
 
-static void describe(struct sepax_parts *own, const sepax_body *body, size_t parts) {
+static void describe(struct sepax_parts *own, const sepax_body *body, size_t parts,
+                     const bool *turned) {
   for (size_t k = 0; k < parts; k++) {
+    own->part[k].consistent = true;
     for (int i = 0; i < 3; i++) {
       own->part[k].low[i] = INFINITY;
       own->part[k].high[i] = -INFINITY;
@@ -45,6 +47,7 @@ static void describe(struct sepax_parts *own, const sepax_body *body, size_t par
   }
   for (size_t n = 0; n < body->count; n++) {
     solid_part *part = &own->part[own->of[n]];
+    part->consistent = part->consistent && !turned[n];
     memcpy(part->vertex, body->triangle[n][0], sizeof part->vertex);
     for (int k = 0; k < 9; k++) {
       double x = body->triangle[n][k / 3][k % 3];
@@ -54,7 +57,7 @@ static void describe(struct sepax_parts *own, const sepax_body *body, size_t par
   }
 }
 
-bool find_parts(sepax_shell *shell, uint32_t *parent) {
+bool find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned) {
   const sepax_body *body = shell->body;
   struct sepax_parts *own = calloc(1, sizeof *own);
   shell->own = own;
@@ -79,7 +82,7 @@ bool find_parts(sepax_shell *shell, uint32_t *parent) {
     for (size_t n = 0; n < body->count; n++) {
       own->of[n] = place[own->of[n]];
     }
-    describe(own, body, parts);
+    describe(own, body, parts, turned);
   }
   free(piece);
   return ok;

@@ -7,7 +7,8 @@
 typedef struct {
   double vertex[3];       /* one of it */
   double low[3], high[3]; /* its box */
-  uint32_t piece;         /* of parts that have points in common */
+  bool consistent;
+  uint32_t piece; /* of parts that have points in common */
 } solid_part;
 
 struct sepax_parts {
@@ -30,9 +31,9 @@ static inline void join(uint32_t *parent, uint32_t n, uint32_t m) {
   parent[n > m ? n : m] = n > m ? m : n;
 }
 
-/* Fill parts, pieces and `own` of a shell; parent: sets of triangles that are parts. False without
- * memory. */
-bool find_parts(sepax_shell *shell, uint32_t *parent);
+/* Fill parts, pieces and `own` of a shell; parent: sets of triangles that are parts; turned: at an
+ * edge that is not consistent, one of its triangles. False without memory. */
+bool find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned);
 void free_parts(struct sepax_parts *parts);
 
 /* Join the parts, as sets of numbers, that have a point in common. False without memory. */

@@ -170,7 +170,7 @@ static bool passes(const seen *s, int k, int axis) {
   return up ? side.size.sign > 0 : side.size.sign < 0;
 }
 
-bool exact_ray_meets(const exact_point *p, int axis, int way, const double t[3][3]) {
+int exact_ray_meets(const exact_point *p, int axis, int way, const double t[3][3]) {
   seen s;
   look(&s, p, t);
   bool within = false;
@@ -178,7 +178,7 @@ bool exact_ray_meets(const exact_point *p, int axis, int way, const double t[3][
     within ^= passes(&s, k, axis);
   }
   if (!within) {
-    return false;
+    return 0;
   }
   scaled normal[3];
   scaled height;
@@ -191,5 +191,6 @@ bool exact_ray_meets(const exact_point *p, int axis, int way, const double t[3][
   for (int i = 0; i < 3; i++) {
     add_product(&height, &normal[i], &s.from[0][i], 1);
   }
-  return height.size.sign * normal[axis].size.sign * way > 0;
+  int facing = normal[axis].size.sign;
+  return height.size.sign * facing * way > 0 ? facing : 0;
 }

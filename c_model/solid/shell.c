@@ -26,6 +26,7 @@ typedef struct {
   size_t mask;      /* slots - 1 */
   uint32_t *begin;  /* of a vertex's list */
   uint64_t *edge;   /* 2 other vertex + 1 where the edge runs to the lower number; triangle */
+  bool *turned;     /* a triangle at an edge that is not consistent */
   uint32_t *parent; /* a triangle of the same part; of the first of a part, itself */
 } surface;
 
@@ -175,6 +176,7 @@ static void judge_edge(const surface *s, const uint64_t *edge, size_t count, uin
     memcpy(shell->edge[1], s->vertex[edge[0] >> 33], sizeof *s->vertex);
     shell->facet = shell->body->number[(uint32_t)edge[0]];
   }
+  s->turned[(uint32_t)edge[0]] |= uneven;
   shell->closed = shell->closed && !odd;
   shell->consistent = shell->consistent && !uneven;
 }
@@ -213,14 +215,15 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
     return false;
   }
   s->parent = malloc(s->count * sizeof *s->parent);
+  s->turned = calloc(s->count, sizeof *s->turned);
   s->begin = malloc((s->vertices + 1) * sizeof *s->begin);
   s->edge = malloc(3 * s->count * sizeof *s->edge);
-  if (s->parent == NULL || s->begin == NULL || s->edge == NULL) {
+  if (s->parent == NULL || s->turned == NULL || s->begin == NULL || s->edge == NULL) {
     return false;
   }
   list_edges(s);
   judge_edges(s, shell);
-  return find_parts(shell, s->parent);
+  return find_parts(shell, s->parent, s->turned);
 }
 
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error) {
@@ -235,6 +238,7 @@ bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *e
   free(s.vertex);
   free(s.slot);
   free(s.parent);
+  free(s.turned);
   free(s.begin);
   free(s.edge);
   if (!ok) {

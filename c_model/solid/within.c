@@ -1,7 +1,7 @@
 /* within.c - is a part of one body wholly inside the other?
  *
  * Bodies of which no triangles collide: a part is inside if one vertex of it is, and that is inside
- * a closed body if a ray from it meets an odd number of triangles. The ray runs along an axis of
+ * a closed part if a ray from it meets an odd number of triangles. The ray runs along an axis of
  * that body to the nearest side of its box. Doubles decide where they are certain, else ray.c. */
 #include "body/placement.h"
 #include "parts.h"
@@ -10,7 +10,6 @@
 #include <float.h>
 #include <math.h>
 
-#define ALL UINT32_MAX
 enum { STACK = 512 }; /* 64 levels, up to 7 children waiting on each */
 
 typedef struct {
@@ -20,21 +19,21 @@ typedef struct {
   float at[3], slack; /* in its tree's */
   int axis, way;
   const uint32_t *part_of;
-  uint32_t part;             /* the only one whose triangles count, or ALL */
+  uint32_t part;             /* the only one whose triangles count */
   const double *vertex;      /* as it stands in its own file, */
   const sepax_pose *pose[2]; /* its pose, the body's */
   bool known;                /* `exact` is found */
   exact_point exact;
 } ray;
 
-/* Is the triangle met, for certain or not?
+/* As exact_ray_meets, for certain or not.
  *
  * With u = 2^-53, e = `error` and all coordinates from the ray's origin up to m across the ray and
  * up to n along it: a difference is wrong by e + u m or e + u n. An area, two products of these,
  * is wrong by 5 m e + 10 u m^2 at most; the volume, three areas times a coordinate along the ray,
  * by 15 m n e + 6 m^2 e + 52 u m^2 n. What underflow loses is below 2^-1000, or m is so large that
  * the limits are infinite. */
-static bool meets(const ray *r, const double t[3][3], bool *certain) {
+static int meets(const ray *r, const double t[3][3], bool *certain) {
   int x = (r->axis + 1) % 3;
   int y = (r->axis + 2) % 3;
   double v[3][3];
@@ -55,7 +54,7 @@ static bool meets(const ray *r, const double t[3][3], bool *certain) {
   }
   *certain = aside;
   if (aside) {
-    return false;
+    return 0;
   }
   double tiny = 0x1p-1000;
   double limit = m * (8 * r->error + 16 * 0x1p-53 * m) + tiny;
@@ -67,20 +66,21 @@ static bool meets(const ray *r, const double t[3][3], bool *certain) {
     const double *q = v[(k + 2) % 3];
     area[k] = p[x] * q[y] - p[y] * q[x];
     if (!(fabs(area[k]) > limit)) {
-      return false;
+      return 0;
     }
     ways += area[k] > 0 ? 1 : -1;
     volume += area[k] * v[k][r->axis];
   }
   *certain = true;
   if (ways != 3 && ways != -3) {
-    return false;
+    return 0;
   }
   *certain = fabs(volume) > m * (m + n) * (16 * r->error + 64 * 0x1p-53 * n) + tiny;
-  return volume * ways * r->way > 0;
+  int facing = ways / 3;
+  return (volume > 0) == (facing * r->way > 0) ? facing : 0;
 }
 
-static bool meets_exactly(ray *r, const double t[3][3]) {
+static int meets_exactly(ray *r, const double t[3][3]) {
   if (!r->known) {
     find_exact_point(&r->exact, r->vertex, r->pose[0], r->pose[1]);
     r->known = true;
@@ -103,10 +103,12 @@ static uint32_t children_met(const ray *r, const body_node *node) {
   return ~bits & ((1U << node->children) - 1);
 }
 
-static bool odd_crossings(ray *r) {
+/* The ray meets the part an odd number of times, or the part winds round its origin. */
+static bool inside_part(ray *r, const solid_part *part) {
   uint32_t stack[STACK] = {0};
   int depth = 1;
   bool odd = false;
+  int64_t turns = 0;
   while (depth > 0) {
     const body_node *node = &r->body->node[stack[--depth]];
     for (uint32_t mask = children_met(r, node); mask != 0; mask &= mask - 1) {
@@ -116,16 +118,18 @@ static bool odd_crossings(ray *r) {
         continue;
       }
       uint32_t number = child - BODY_TRIANGLE;
-      if (r->part != ALL && r->part_of[number] != r->part) {
+      if (r->part_of[number] != r->part) {
         continue;
       }
       const double(*t)[3] = r->body->triangle[number];
       bool certain;
-      bool met = meets(r, t, &certain);
-      odd ^= certain ? met : meets_exactly(r, t);
+      int met = meets(r, t, &certain);
+      met = certain ? met : meets_exactly(r, t);
+      odd ^= met != 0;
+      turns += met;
     }
   }
-  return odd;
+  return odd || (part->consistent && turns != 0);
 }
 
 /* The nearest side of the body's box. False where the point is outside of the box.
@@ -177,17 +181,13 @@ static bool may_be_in(const ray *r, const solid_part *part) {
 static bool inside(ray *r, const sepax_shell *shell) {
   const solid_part *part = shell->own->part;
   bool odd = false;
-  r->part = ALL;
-  if (shell->pieces == shell->parts) {
-    return odd_crossings(r);
-  }
   r->part_of = shell->own->of;
   for (uint32_t k = 0; k < shell->parts;) {
     bool in_piece = false;
     uint32_t piece = part[k].piece;
     for (; k < shell->parts && part[k].piece == piece; k++) {
       r->part = k;
-      in_piece = in_piece || (may_be_in(r, &part[k]) && odd_crossings(r));
+      in_piece = in_piece || (may_be_in(r, &part[k]) && inside_part(r, &part[k]));
     }
     odd ^= in_piece;
   }

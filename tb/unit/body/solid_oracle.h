@@ -103,7 +103,10 @@ static int along(whole_point p, whole_point q) {
   return sign;
 }
 
-/* Does the ray from p meet the triangle? -1: it meets an edge, or is in its plane. */
+/* 0: the ray from p does not meet the triangle, 1, -1: on which side; UNCLEAR: it meets an edge, or
+ * is in its plane. */
+enum { UNCLEAR = 9 };
+
 static int ray_meets(whole_point p, whole_point way, whole_point t[3]) {
   whole_point r[6]; /* the vertices from p, two vectors, the normal */
   int side[3];
@@ -130,31 +133,34 @@ static int ray_meets(whole_point p, whole_point way, whole_point t[3]) {
     return 0;
   }
   if (side[0] == 0 || side[1] == 0 || side[2] == 0 || facing == 0 || height == 0) {
-    return -1;
+    return UNCLEAR;
   }
-  return height == facing;
+  return height == facing ? facing : 0;
 }
 
 /* Along directions at random until one meets no edge. */
 static bool oracle_inside_part(whole_point p, whole_point *t, const size_t *part, size_t which,
-                               size_t count) {
+                               size_t count, bool consistent) {
   whole_point way;
-  int met = -1;
+  int met = UNCLEAR;
   bool odd = false;
+  int turns = 0;
   mpz_inits(way[0], way[1], way[2], NULL);
-  while (met < 0) {
+  while (met == UNCLEAR) {
     odd = false;
+    turns = 0;
     met = 0;
     for (int i = 0; i < 3; i++) {
       mpz_set_si(way[i], random_below(1 << 20) - (1 << 19));
     }
-    for (size_t n = 0; n < count && met >= 0; n++) {
+    for (size_t n = 0; n < count && met != UNCLEAR; n++) {
       met = part[n] == which ? ray_meets(p, way, &t[3 * n]) : 0;
-      odd ^= met > 0;
+      odd ^= met != 0;
+      turns += met;
     }
   }
   mpz_clears(way[0], way[1], way[2], NULL);
-  return odd;
+  return odd || (consistent && turns != 0);
 }
 
 static bool same_point(const double p[3], const double q[3]) {
@@ -174,6 +180,7 @@ static int same_edge(const double p[3], const double q[3], const double r[3], co
 typedef struct {
   bool closed, consistent;
   size_t *part, *piece, parts, pieces;
+  bool *turned; /* at a part's lowest triangle: the part is not consistent */
 } oracle_shell;
 
 static void merge(size_t *set, size_t count, size_t p, size_t q) {
@@ -194,8 +201,13 @@ static bool boxes_disjoint(const points p, const points q) {
 }
 
 static void find_oracle_shell(oracle_shell *o, const sepax_mesh *m) {
-  *o = (oracle_shell){
-      true, true, calloc(m->count, sizeof(size_t)), calloc(m->count, sizeof(size_t)), 0, 0};
+  *o = (oracle_shell){true,
+                      true,
+                      calloc(m->count, sizeof(size_t)),
+                      calloc(m->count, sizeof(size_t)),
+                      0,
+                      0,
+                      calloc(m->count, 1)};
   for (size_t n = 0; n < m->count; n++) {
     o->part[n] = n;
   }
@@ -216,6 +228,10 @@ static void find_oracle_shell(oracle_shell *o, const sepax_mesh *m) {
     }
     o->closed = o->closed && count % 2 == 0;
     o->consistent = o->consistent && abs(turns) <= 1;
+    o->turned[n / 3] = o->turned[n / 3] || abs(turns) > 1;
+  }
+  for (size_t n = 0; n < m->count; n++) {
+    o->turned[o->part[n]] = o->turned[o->part[n]] || o->turned[n];
   }
   memcpy(o->piece, o->part, m->count * sizeof *o->part);
   for (size_t n = 0; n < m->count && o->closed; n++) {
@@ -237,6 +253,7 @@ static void find_oracle_shell(oracle_shell *o, const sepax_mesh *m) {
 static void free_oracle_shell(oracle_shell *o) {
   free(o->part);
   free(o->piece);
+  free(o->turned);
 }
 
 /* Inside an odd number of pieces: inside some part of each. */
@@ -246,7 +263,7 @@ static bool oracle_inside(whole_point p, whole_point *t, const oracle_shell *o, 
     bool in_piece = false;
     for (size_t part = piece; part < count && !in_piece; part++) {
       if (o->piece[part] == piece && o->part[part] == part) {
-        in_piece = oracle_inside_part(p, t, o->part, part, count);
+        in_piece = oracle_inside_part(p, t, o->part, part, count, !o->turned[part]);
       }
     }
     odd ^= in_piece;
