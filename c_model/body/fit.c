@@ -3,6 +3,7 @@
  * A box of one triangle stands on its plane and its longest edge. A box of more stands on the
  * principal axes of their surface, or on x, y, z, where that encloses less. */
 #include "body.h"
+#include "util/box.h"
 #include "util/threads.h"
 
 #include <math.h>
@@ -37,8 +38,9 @@ static bool normalise(double v[3]) {
   if (!(length > 1e-100)) {
     return false;
   }
+  double scale = 1 / length;
   for (int i = 0; i < 3; i++) {
-    v[i] /= length;
+    v[i] *= scale;
   }
   return true;
 }
@@ -123,7 +125,7 @@ static void add_moments(moments *to, const moments *m) {
 
 /* One turn of Jacobi's method for eigenvectors: s[p][q] becomes 0. */
 static void turn(axes s, axes a, int p, int q) {
-  if (fabs(s[p][q]) <= 1e-12 * (fabs(s[p][p]) + fabs(s[q][q]))) {
+  if (fabs(s[p][q]) <= 1e-6 * (fabs(s[p][p]) + fabs(s[q][q]))) {
     return;
   }
   double half = (s[q][q] - s[p][p]) / (2 * s[p][q]);
@@ -196,28 +198,39 @@ static void set_half(oriented *r, const double half[3]) {
   const double LEAST = 0x1p-60;
   double more = MORE * (half[0] + half[1] + half[2]) + LEAST;
   for (int i = 0; i < 3; i++) {
-    r->half[i] = nextafterf((float)(half[i] + more), INFINITY);
+    r->half[i] = (float)((half[i] + more) * (1 + 0x1p-23));
   }
 }
 
 /* The box on axes a around triangles in units of the body. */
 static void enclose(const facet_points *v, uint32_t count, const axes a, oriented *r) {
-  double low[3] = {INFINITY, INFINITY, INFINITY};
-  double high[3] = {-INFINITY, -INFINITY, -INFINITY};
   double axis[3][3];
+  real_pair first[3]; /* axes 0 and 1, by coordinate */
+  real_pair last[3];  /* axis 2 and its opposite */
   set_axes(r, a);
-  for (int k = 0; k < 9; k++) {
-    axis[k / 3][k % 3] = (double)r->axis[k / 3][k % 3];
-  }
-  for (uint32_t n = 0; n < count; n++) {
+  for (int i = 0; i < 3; i++) {
     for (int k = 0; k < 3; k++) {
-      for (int i = 0; i < 3; i++) {
-        double at = dot(axis[i], v[n][k]);
-        low[i] = at < low[i] ? at : low[i];
-        high[i] = at > high[i] ? at : high[i];
-      }
+      axis[i][k] = (double)r->axis[i][k];
     }
   }
+  for (int k = 0; k < 3; k++) {
+    first[k] = (real_pair){axis[0][k], axis[1][k]};
+    last[k] = (real_pair){axis[2][k], -axis[2][k]};
+  }
+  real_pair least = {INFINITY, INFINITY};
+  real_pair most = {-INFINITY, -INFINITY};
+  real_pair ends = {-INFINITY, -INFINITY};
+  for (uint32_t n = 0; n < count; n++) {
+    for (int k = 0; k < 3; k++) {
+      const double *x = v[n][k];
+      real_pair at = first[0] * x[0] + first[1] * x[1] + first[2] * x[2];
+      least = real_pair_least(least, at);
+      most = real_pair_most(most, at);
+      ends = real_pair_most(ends, last[0] * x[0] + last[1] * x[1] + last[2] * x[2]);
+    }
+  }
+  const double low[3] = {least[0], least[1], -ends[1]};
+  const double high[3] = {most[0], most[1], ends[0]};
   double half[3];
   for (int i = 0; i < 3; i++) {
     r->centre[i] = (float)((axis[0][i] * (low[0] + high[0]) + axis[1][i] * (low[1] + high[1]) +

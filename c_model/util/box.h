@@ -1,4 +1,5 @@
-/* box.h - boxes of floats, four lanes at once (private). Lane 3 is not of the box. */
+/* box.h - boxes of floats, four lanes at once, of which lane 3 is not of the box; and least and
+ * most of two doubles at once (private). */
 #ifndef SEPAX_BOX_H
 #define SEPAX_BOX_H
 
@@ -13,6 +14,9 @@
 typedef float corner __attribute__((vector_size(16)));
 typedef int32_t corner_bits __attribute__((vector_size(16)));
 
+typedef double real_pair __attribute__((vector_size(16)));
+typedef int64_t real_pair_bits __attribute__((vector_size(16)));
+
 typedef struct {
   corner low, high;
 } box4;
@@ -21,6 +25,8 @@ typedef struct {
 static inline corner corner_least(corner p, corner q) { return _mm_min_ps(p, q); }
 static inline corner corner_most(corner p, corner q) { return _mm_max_ps(p, q); }
 static inline int corner_signs(corner_bits v) { return _mm_movemask_ps((__m128)v); }
+static inline real_pair real_pair_least(real_pair p, real_pair q) { return _mm_min_pd(p, q); }
+static inline real_pair real_pair_most(real_pair p, real_pair q) { return _mm_max_pd(p, q); }
 #else
 static inline corner corner_chosen(corner_bits which, corner p, corner q) {
   return (corner)(((corner_bits)p & which) | ((corner_bits)q & ~which));
@@ -29,6 +35,15 @@ static inline corner corner_least(corner p, corner q) { return corner_chosen(p <
 static inline corner corner_most(corner p, corner q) { return corner_chosen(p > q, p, q); }
 static inline int corner_signs(corner_bits v) {
   return (v[0] < 0) | (v[1] < 0) << 1 | (v[2] < 0) << 2 | (v[3] < 0) << 3;
+}
+static inline real_pair real_pair_chosen(real_pair_bits which, real_pair p, real_pair q) {
+  return (real_pair)(((real_pair_bits)p & which) | ((real_pair_bits)q & ~which));
+}
+static inline real_pair real_pair_least(real_pair p, real_pair q) {
+  return real_pair_chosen(p < q, p, q);
+}
+static inline real_pair real_pair_most(real_pair p, real_pair q) {
+  return real_pair_chosen(p > q, p, q);
 }
 #endif
 
