@@ -193,7 +193,7 @@ static void run_meshes(const char *const path[2], double resolution, bool paced)
   sepax_scene scene;
   const sepax_grid grid = {resolution, {0, 0, 0}, SEPAX_WORD};
   stop_on(!sepax_scene_load(&scene, path, &grid, false, &error), error.text);
-  whole w = {{NULL, 0}, NULL};
+  whole w = {.there = NULL};
   bool ok = design.limits > 0
                 ? sepax_near_pairs(&design, scene.tri[0], scene.count[0], scene.tri[1],
                                    scene.count[1], NULL, &w.golden, &error)
