@@ -75,8 +75,17 @@ CASE(by_solid_angle) {
   size_t seen[2] = {0};
   for (size_t s = 0; s < LENGTH(shape); s++) {
     sepax_mesh mesh = sample(shape[s], TRIANGLES);
+    sepax_mesh turned = {calloc(TRIANGLES, sizeof(sepax_facet)), TRIANGLES};
     solid whole;
+    solid whatever; /* the same with triangles turned round */
+    assert_non_null(turned.facet);
+    memcpy(turned.facet, mesh.facet, TRIANGLES * sizeof *mesh.facet);
+    for (int k = 0; k < TRIANGLES; k += 1 + random_below(3)) {
+      turn_round(&turned.facet[k]);
+    }
     make(&whole, &mesh);
+    make(&whatever, &turned);
+    assert_true(whole.shell.consistent && !whatever.shell.consistent);
     for (int n = 0; n < 1000; n++) {
       double p[3];
       double angle = 0;
@@ -99,12 +108,16 @@ CASE(by_solid_angle) {
         assert_false(within[1]);
         assert_int_equal(within[0], fabs(angle) > 2 * PI);
         seen[within[0]]++;
+        sepax_bodies_within(&whatever.shell, NULL, &small.shell, NULL, within);
+        assert_int_equal(within[1], fabs(angle) > 2 * PI);
       }
       drop(&small);
       sepax_mesh_free(&m);
     }
     drop(&whole);
+    drop(&whatever);
     sepax_mesh_free(&mesh);
+    sepax_mesh_free(&turned);
   }
   assert_true(seen[0] > 500 && seen[1] > 300);
 }
