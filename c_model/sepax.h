@@ -354,22 +354,25 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
                        const sepax_pose *pose_b, double distance, const sepax_query *query,
                        sepax_pairs *found, sepax_error *error);
 
-/* How a distance is asked for; all zero: whatever it is. */
-typedef struct {
-  double limit; /* a distance above it is not looked for, which is faster; 0: no limit */
-  sepax_path path;
-} sepax_distance_request;
-
 typedef struct {
   double min_distance;         /* infinite where it is above the limit; the rest is 0 then */
   double nearest_points[2][3]; /* of A, of B */
   size_t pair[2];              /* triangles that these points are on: number in A, number in B */
+  uint32_t box[2];             /* of theirs in the bodies, for `last`; 0 where they collide */
 } sepax_distance_result;
+
+/* How a distance is asked for; all zero: whatever it is. */
+typedef struct {
+  double limit; /* a distance above it is not looked for, which is faster; 0: no limit */
+  const sepax_distance_result *last; /* of the same bodies, in poses like these: where to begin,
+                                        which is faster; NULL: none */
+  sepax_path path;
+} sepax_distance_request;
 
 /* The distance of the surfaces of two bodies in their poses (NULL: as they stand), the least of
  * sepax_distance_posed over all pairs of triangles, exact and rounded as there; and a pair that has
- * it. `request` may be NULL. Poses must be valid. Fails without memory, or on a limit that is no
- * number or negative. */
+ * it. `request` may be NULL. Poses must be valid. Fails without memory, on a limit that is no
+ * number or negative, and on a `last` that is not of these bodies' triangles. */
 bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                            const sepax_pose *pose_b, const sepax_distance_request *request,
                            sepax_distance_result *result, sepax_error *error);

@@ -13,8 +13,8 @@ typedef struct {
   double least;
 } candidate;
 
-/* Pairs that may be the nearest; the nearest of those that were measured, and the direction on
- * which it is at that distance. */
+/* Pairs that may be the nearest, by their boxes; the nearest of those that were measured, and the
+ * direction on which it is at that distance. */
 typedef struct {
   candidate kept[KEPT];
   int count;
@@ -22,27 +22,30 @@ typedef struct {
   twofold_vector way;
 } nearest_pairs;
 
-static void measure(search *s, nearest_pairs *n, const candidate *c) {
+/* Triangles by their places; true iff they are nearer than those before. */
+static bool measure(search *s, nearest_pairs *n, const uint32_t place[2]) {
   sepax_distance_result *best = n->best;
-  const double(*a)[3] = s->body[0]->triangle[c->at[0]];
-  const double(*b)[3] = s->body[1]->triangle[c->at[1]];
+  const double(*a)[3] = s->body[0]->triangle[place[0]];
+  const double(*b)[3] = s->body[1]->triangle[place[1]];
   const sepax_pose *const *pose = s->at.pose;
   if (isfinite(best->min_distance) &&
       distance_at_least(a, pose[0], b, pose[1], &n->way, best->min_distance)) {
-    return;
+    return false;
   }
   double nearest[2][3];
   twofold_vector way;
   double distance = distance_and_way(a, pose[0], b, pose[1], nearest, &way);
-  if (distance < best->min_distance) {
-    n->way = way;
-    best->min_distance = distance;
-    memcpy(best->nearest_points, nearest, sizeof nearest);
-    for (int k = 0; k < 2; k++) {
-      best->pair[k] = s->body[k]->number[c->at[k]];
-    }
-    s->limit = fmin(s->limit, distance);
+  if (distance >= best->min_distance) {
+    return false;
   }
+  n->way = way;
+  best->min_distance = distance;
+  memcpy(best->nearest_points, nearest, sizeof nearest);
+  for (int k = 0; k < 2; k++) {
+    best->pair[k] = s->body[k]->number[place[k]];
+  }
+  s->limit = fmin(s->limit, distance);
+  return true;
 }
 
 /* Measure what may still be the nearest, the likeliest first. */
@@ -54,13 +57,14 @@ static void measure_kept(search *s, nearest_pairs *n) {
     }
     candidate c = n->kept[first];
     n->kept[first] = n->kept[--n->count];
-    if (c.least <= s->limit) {
-      measure(s, n, &c);
+    const uint32_t place[2] = {place_at(s->body[0], c.at[0]), place_at(s->body[1], c.at[1])};
+    if (c.least <= s->limit && measure(s, n, place)) {
+      memcpy(n->best->box, c.at, sizeof c.at);
     }
   }
 }
 
-static void keep(search *s, uint32_t i, uint32_t j, double least, double most) {
+static void keep(search *s, const uint32_t at[2], double least, double most) {
   nearest_pairs *n = s->context;
   s->limit = fmin(s->limit, most);
   if (n->count == KEPT) {
@@ -75,7 +79,7 @@ static void keep(search *s, uint32_t i, uint32_t j, double least, double most) {
       measure_kept(s, n);
     }
   }
-  n->kept[n->count++] = (candidate){{i, j}, least};
+  n->kept[n->count++] = (candidate){{at[0], at[1]}, least};
 }
 
 static uint32_t place_of(const sepax_body *b, size_t number) {
@@ -86,35 +90,51 @@ static uint32_t place_of(const sepax_body *b, size_t number) {
   return place;
 }
 
+static bool is_triangle(const sepax_body *b, uint32_t at) {
+  return at < BODY_WIDE * b->nodes && place_at(b, at) < b->count;
+}
+
+/* Where to begin. */
+static bool begin(search *s, const sepax_distance_request *r, sepax_error *error) {
+  const sepax_distance_result *last = r->last;
+  if (!(r->limit >= 0)) {
+    return sepax_fail(error, "the limit %g of a distance is below 0", r->limit);
+  }
+  s->limit = r->limit > 0 ? r->limit : INFINITY;
+  s->portable = r->path == SEPAX_PATH_PORTABLE;
+  if (last != NULL && last->min_distance > 0 && isfinite(last->min_distance)) {
+    if (!is_triangle(s->body[0], last->box[0]) || !is_triangle(s->body[1], last->box[1])) {
+      return sepax_fail(error, "the last distance is not one of these bodies");
+    }
+    s->waiting[s->count++] = (box_pair){{last->box[0], last->box[1]}, 0};
+  }
+  return true;
+}
+
 bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                            const sepax_pose *pose_b, const sepax_distance_request *request,
                            sepax_distance_result *result, sepax_error *error) {
   static const sepax_distance_request usual = {0};
   const sepax_distance_request *r = request != NULL ? request : &usual;
-  const double most = r->limit > 0 ? r->limit : INFINITY;
   const sepax_query any = {.most = 1, .path = r->path};
+  sepax_distance_result best = {.min_distance = INFINITY};
+  nearest_pairs n = {.best = &best};
+  search s = {.body = {a, b}, .take = keep, .context = &n, .batch = 4};
   sepax_pairs hit;
-  *result = (sepax_distance_result){.min_distance = INFINITY};
-  if (!(r->limit >= 0)) {
-    return sepax_fail(error, "the limit %g of a distance is below 0", r->limit);
-  }
-  if (!sepax_bodies_collide(a, pose_a, b, pose_b, &any, &hit, error)) {
+  if (!begin(&s, r, error) || !sepax_bodies_collide(a, pose_a, b, pose_b, &any, &hit, error)) {
     return false;
   }
-  nearest_pairs n = {.best = result};
-  search s = {.body = {a, b}, .take = keep, .context = &n, .limit = most, .batch = 4};
-  s.portable = r->path == SEPAX_PATH_PORTABLE;
   if (hit.count > 0) {
-    n.kept[n.count++] = (candidate){{place_of(a, hit.pair[0][0]), place_of(b, hit.pair[0][1])}, 0};
+    const uint32_t place[2] = {place_of(a, hit.pair[0][0]), place_of(b, hit.pair[0][1])};
     s.at.pose[0] = pose_a;
     s.at.pose[1] = pose_b;
+    measure(&s, &n, place);
   } else {
     search_pairs(&s, pose_a, pose_b);
+    measure_kept(&s, &n);
   }
   sepax_pairs_free(&hit);
-  measure_kept(&s, &n);
-  if (result->min_distance > most) {
-    *result = (sepax_distance_result){.min_distance = INFINITY};
-  }
+  bool above = r->limit > 0 && best.min_distance > r->limit;
+  *result = above ? (sepax_distance_result){.min_distance = INFINITY} : best;
   return true;
 }

@@ -12,7 +12,9 @@ typedef struct {
   bool no_memory;
 } near_pairs;
 
-static void record(search *s, uint32_t i, uint32_t j, double least, double most) {
+static void record(search *s, const uint32_t at[2], double least, double most) {
+  const uint32_t i = place_at(s->body[0], at[0]);
+  const uint32_t j = place_at(s->body[1], at[1]);
   near_pairs *n = s->context;
   const sepax_query *q = n->query;
   (void)least;

@@ -104,6 +104,12 @@ static void find_world_pose(world_pose *w, const sepax_pose *pose, double unit) 
 
 /* -------------------------------------------------------------- pairs of triangles */
 
+static uint32_t child_at(const sepax_body *b, uint32_t at) {
+  return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
+}
+
+uint32_t place_at(const sepax_body *b, uint32_t at) { return child_at(b, at) - BODY_TRIANGLE; }
+
 /* The way between two bodies, in the coordinates of both, is an axis for boxes. */
 static void set_way(search *s, const double way[3]) {
   double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
@@ -147,9 +153,9 @@ static void take_waiting(search *s) {
   for (int first = 0; first < s->count && !s->ended; first += lanes) {
     int used = s->count - first < lanes ? s->count - first : lanes;
     for (int n = 0; n < lanes; n++) {
-      const uint32_t *pair = s->waiting[n < used ? first + n : first].at;
+      const box_pair *pair = &s->waiting[n < used ? first + n : first];
       for (int body = 0; body < 2; body++) {
-        const double(*v)[3] = s->body[body]->triangle[pair[body]];
+        const double(*v)[3] = s->body[body]->triangle[place_at(s->body[body], pair->at[body])];
         for (int k = 0; k < 9; k++) {
           from[(9 * body + k) * lanes + n] = v[k / 3][k % 3] * s->pose[body].unit;
         }
@@ -157,12 +163,12 @@ static void take_waiting(search *s) {
     }
     enclose(s, from, e);
     for (int n = 0; n < used && !s->ended; n++) {
-      double limit = s->limit;
-      if (!(e[n].least > limit * s->unit)) {
-        const uint32_t *pair = s->waiting[first + n].at;
-        s->take(s, pair[0], pair[1], e[n].least / s->unit, e[n].most / s->unit);
+      if (!(e[n].least > s->limit * s->unit)) {
+        s->take(s, s->waiting[first + n].at, e[n].least / s->unit, e[n].most / s->unit);
       }
-      if (s->limit < limit) {
+      if (e[n].most < s->shortest) {
+        s->shortest = e[n].most;
+        s->nearest = s->waiting[first + n];
         set_way(s, e[n].way);
       }
     }
@@ -173,11 +179,7 @@ static void take_waiting(search *s) {
 /* -------------------------------------------------------------------- the descent */
 
 /* Each of 64 levels of both trees leaves up to seven pairs. */
-enum { STACK = 1024 };
-
-static uint32_t child_at(const sepax_body *b, uint32_t at) {
-  return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
-}
+enum { STACK = 2048, SEEDS = 2 };
 
 static float size_at(const sepax_body *b, uint32_t at) {
   const body_boxes *boxes = &b->boxes[at / BODY_WIDE];
@@ -236,10 +238,7 @@ static void visit(search *s, const box_pair *p, box_pair *stack, int *depth) {
   for (int n = 0; n < count; n++) {
     uint32_t below = child_at(s->body[open], near[n].at[open]);
     if ((child[!open] & below & BODY_TRIANGLE) != 0) {
-      box_pair *to = &s->waiting[s->count++];
-      to->at[open] = below - BODY_TRIANGLE;
-      to->at[!open] = child[!open] - BODY_TRIANGLE;
-      to->least = near[n].least;
+      s->waiting[s->count++] = near[n];
     } else {
       stack[(*depth)++] = near[n];
     }
@@ -280,7 +279,7 @@ static void prepare(search *s, const sepax_pose *pose_a, const sepax_pose *pose_
   s->scale = fmax(s->body[0]->scale, s->body[1]->scale);
   for (int body = 0; body < 2; body++) {
     double unit = s->body[body]->scale / s->scale;
-    s->square_of_unit[body] = unit * unit * (1 - 0x1p-20);
+    s->square_of_unit[body] = unit * unit * (1 - 0x1p-22);
   }
   double way[3];
   for (int i = 0; i < 3; i++) {
@@ -295,15 +294,17 @@ static void prepare(search *s, const sepax_pose *pose_a, const sepax_pose *pose_
     }
   }
   set_way(s, way);
+  s->shortest = INFINITY;
 }
 
-/* The square of the limit, as those of boxes are counted. */
+/* The square of the limit, as those of boxes are counted. In single precision these, sums of three
+ * squares, round by 4 u; both sides give 2^-22. */
 static void find_most(search *s) {
   double limit = s->limit / s->scale;
-  s->most = limit * limit * (1 + 0x1p-20) + 0x1p-1000;
+  s->most = limit * limit * (1 + 0x1p-22) + 0x1p-1000;
   for (int body = 0; body < 2; body++) {
     limit = s->limit / s->body[body]->scale;
-    s->most_of[body] = (float)(limit * limit * (1 + 0x1p-20) + FLT_MIN);
+    s->most_of[body] = (float)(limit * limit * (1 + 0x1p-22) + FLT_MIN);
   }
 }
 
@@ -311,22 +312,34 @@ void search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b)
   box_pair stack[STACK];
   int depth = 1;
   size_t visits = 0;
+  int seeds = SEEDS;
+  const uint32_t root[2] = {BODY_WIDE * (uint32_t)s->body[0]->nodes,
+                            BODY_WIDE * (uint32_t)s->body[1]->nodes};
   double end = s->seconds > 0 ? seconds_now() + s->seconds : 0;
   prepare(s, pose_a, pose_b);
   stack[0].least = 0;
   for (int k = 0; k < 2; k++) {
-    stack[0].at[k] = BODY_WIDE * (uint32_t)s->body[k]->nodes;
+    stack[0].at[k] = root[k];
   }
   find_most(s);
   while (depth > 0 && !s->ended) {
+    double limit = s->limit;
+    if (s->count >= s->batch || s->count > SEARCH_BATCH - BODY_WIDE ||
+        (s->count > 0 && isinf(limit))) {
+      take_waiting(s);
+      find_most(s);
+    }
+    if (s->limit < limit && seeds-- > 0) {
+      for (int k = 0; k < 2; k++) {
+        stack[depth].least = 0;
+        stack[depth].at[k] = s->nearest.at[k];
+        stack[depth++].at[!k] = root[!k];
+      }
+      continue;
+    }
     box_pair p = stack[--depth];
     if (p.least <= s->most) {
       visit(s, &p, stack, &depth);
-    }
-    if (s->count >= s->batch || s->count > SEARCH_BATCH - BODY_WIDE ||
-        (s->count > 0 && isinf(s->limit))) {
-      take_waiting(s);
-      find_most(s);
     }
     if (end > 0 && visits++ % 64 == 0 && seconds_now() >= end) {
       s->ended = true;

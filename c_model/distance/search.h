@@ -26,7 +26,7 @@ struct search {
   const sepax_body *body[2];
   /* Called with places i of A and j of B whose distance is within least ... most, where least is
    * at most the limit; the limit may be lowered then. */
-  void (*take)(search *s, uint32_t i, uint32_t j, double least, double most);
+  void (*take)(search *s, const uint32_t at[2], double least, double most);
   void *context;
   double limit;   /* farther pairs need not be found; in file units */
   int batch;      /* so many pairs are looked at together */
@@ -36,16 +36,21 @@ struct search {
   /* of the search */
   placement at;
   world_pose pose[2];
-  double unit;              /* of numbers of pairs of triangles, a power of two */
-  double scale;             /* the larger of the bodies' */
-  double square_of_unit[2]; /* of the bodies' scales, in terms of it */
-  double most;              /* the square of the limit, likewise */
-  float most_of[2];         /* and in units of each body's scale */
-  float slack;              /* of gaps between boxes */
-  float way[2][3];          /* between the bodies, in the coordinates of each */
-  box_pair waiting[SEARCH_BATCH];
+  double unit;                    /* of numbers of pairs of triangles, a power of two */
+  double scale;                   /* the larger of the bodies' */
+  double square_of_unit[2];       /* of the bodies' scales, in terms of it */
+  double most;                    /* the square of the limit, likewise */
+  float most_of[2];               /* and in units of each body's scale */
+  float slack;                    /* of gaps between boxes */
+  float way[2][3];                /* between the bodies, in the coordinates of each */
+  box_pair nearest;               /* the triangles nearest to each other so far */
+  double shortest;                /* their distance at most */
+  box_pair waiting[SEARCH_BATCH]; /* triangles; up to 8 may be given to begin with */
   int count;
 };
+
+/* The place of the triangle in a box. */
+uint32_t place_at(const sepax_body *b, uint32_t at);
 
 /* Calls `take` for all pairs within the limit, and for others. */
 void search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b);

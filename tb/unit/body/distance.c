@@ -19,14 +19,15 @@ static sepax_pose turned(double w, double x, double y, double z) {
                       {0, 0, 0}};
 }
 
-/* A rotation, exact but for rounding or, of every third, within 1e-6 only. */
+/* A rotation, exact but for rounding or, of two in three, shorter or longer by 4.5e-7. */
 static sepax_pose random_pose(double away) {
   sepax_pose p = turned(random_unit(), random_unit(), random_unit(), random_unit());
   for (int i = 0; i < 3; i++) {
     p.translation[i] = away * random_unit();
   }
-  if (random_below(3) == 0) {
-    p.rotation[random_below(3)][random_below(3)] += 3e-7 * random_unit();
+  double length = 1 + 4.5e-7 * (random_below(3) - 1);
+  for (int k = 0; k < 9; k++) {
+    p.rotation[k / 3][k % 3] *= length;
   }
   return p;
 }
@@ -284,6 +285,23 @@ static sepax_distance_result find_distance(const scene *s, double limit, sepax_p
   return r;
 }
 
+/* The search begins with what is nearest here, or in other poses. */
+static void assert_last(const scene *s, const sepax_distance_result *expected) {
+  sepax_distance_result last = *expected;
+  sepax_distance_result r;
+  for (int n = 0; n < 3; n++) {
+    sepax_pose p = random_pose(3);
+    scene moved = *s;
+    moved.pose[1] = &p;
+    sepax_distance_request request = {.last = &last};
+    assert_works(sepax_bodies_distance(s->body[0], s->pose[0], s->body[1], s->pose[1], &request, &r,
+                                       &fault));
+    assert_true(r.min_distance >= stepped(expected->min_distance, -1));
+    assert_true(r.min_distance <= stepped(expected->min_distance, 1));
+    last = find_distance(&moved, 0, SEPAX_PATH_BEST);
+  }
+}
+
 /* The least distance of all pairs, one by one; and by the search, with limits. */
 static double assert_least(const scene *s, sepax_path path_taken) {
   double least = INFINITY;
@@ -300,6 +318,7 @@ static double assert_least(const scene *s, sepax_path path_taken) {
   if (least > 0) {
     assert_true(find_distance(s, stepped(least, 2), path_taken).min_distance <= stepped(least, 1));
     assert_true(isinf(find_distance(s, stepped(least, -2), path_taken).min_distance));
+    assert_last(s, &r);
   }
   return least;
 }
@@ -362,11 +381,14 @@ CASE(distances_of_bodies) {
   assert_true(separated > 20);
 }
 
-/* On a coarse grid many pairs are at the same distance, and some at 1/4 exactly. */
+/* On a coarse grid many pairs are at the same distance, or nearly so, and some at 1/4 exactly. */
 CASE(ties) {
   for (int n = 0; n < 16; n++) {
     const sepax_pose aside = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {2.25, 0, 0}};
     scene s = {.mesh = {strewn(60, 0.3, 0.25), strewn(60, 0.3, 0.25)}};
+    for (size_t k = 0; k < 540 && n >= 12; k++) {
+      s.mesh[0].facet[k / 9].v[k / 3 % 3][k % 3] += 1e-9 * random_unit();
+    }
     s.pose[1] = n % 2 == 0 ? &aside : NULL;
     make_bodies(&s);
     assert_least(&s, SEPAX_PATH_BEST);
@@ -376,12 +398,15 @@ CASE(ties) {
   }
 }
 
-/* Small bodies that are far from each other: the limit is the distance itself, and roundings of
- * boxes are larger than their sides. */
+/* Small bodies that are far from each other, or far from the origin: the limit is the distance
+ * itself, and roundings of boxes, or of vertices, are larger than their sides. */
 CASE(limits_of_far_bodies) {
   for (int n = 0; n < 10000; n++) {
     sepax_pose p[2] = {random_pose(1), random_pose(1)};
     double size = ldexp(1, -random_below(30));
+    for (int i = 0; i < 3 && n % 4 >= 2; i++) {
+      p[1].translation[i] = p[0].translation[i] + size * random_unit();
+    }
     scene s = {.mesh = {strewn(1, size, 0), strewn(1, size, 0)}, .pose = {&p[0], &p[1]}};
     for (int k = 0; k < 18; k++) {
       double *x = &s.mesh[k / 9].facet[0].v[k / 3 % 3][k % 3];
@@ -411,6 +436,12 @@ CASE(distances_refused) {
   assert_fault(sepax_bodies_distance(s.body[0], NULL, s.body[1], NULL,
                                      &(sepax_distance_request){.limit = NAN}, &r, &fault),
                "limit");
+  assert_fault(
+      sepax_bodies_distance(s.body[0], NULL, s.body[1], NULL,
+                            &(sepax_distance_request){
+                                .last = &(sepax_distance_result){.min_distance = 1, .box = {0, 9}}},
+                            &r, &fault),
+      "bodies");
   assert_fault(sepax_bodies_near(s.body[0], NULL, s.body[1], NULL, NAN, NULL, &found, &fault),
                "distance");
   free_scene(&s);
