@@ -18,13 +18,21 @@ public:
     sepax_body_free(body[1]);
   }
 
+  bool can(Query) const override { return true; }
+
   void ask(Query query, const Poses &poses) override {
     forget();
-    found.resize(poses.size());
+    found.resize(query == DISTANCE ? 0 : poses.size());
+    away.resize(query == DISTANCE ? poses.size() : 0);
     sepax_error error = {""};
+    for (size_t n = 0; n < away.size(); n++) {
+      if (!sepax_bodies_distance(body[0], nullptr, body[1], &poses[n], nullptr, &away[n], &error)) {
+        stop(error.text);
+      }
+    }
     sepax_query what = {};
     what.most = query == FIRST ? 1 : 0;
-    for (size_t n = 0; n < poses.size(); n++) {
+    for (size_t n = 0; n < found.size(); n++) {
       if (!sepax_bodies_collide(body[0], nullptr, body[1], &poses[n], &what, &found[n], &error)) {
         stop(error.text);
       }
@@ -39,6 +47,8 @@ public:
     return list;
   }
 
+  double distance(size_t n) const override { return away[n].min_distance; }
+
 private:
   void forget() {
     for (sepax_pairs &list : found) {
@@ -49,6 +59,7 @@ private:
 
   sepax_body *body[2] = {nullptr, nullptr};
   std::vector<sepax_pairs> found;
+  std::vector<sepax_distance_result> away;
 };
 
 } // namespace
