@@ -1,6 +1,6 @@
 # quality.mk - static analysis and sanitizers.
 
-.PHONY: static sanitize sanitized
+.PHONY: static sanitize sanitized raced
 C_SRC  = $(LIB_SRC) $(CLI_SRC) $(wildcard tb/*.c tb/*/*.c synth/*/*.c examples/engine/*.c)
 C_PATH = -Ic_model -Irtl_gen -Itb -Isynth -Iexamples/engine -I$(BUILD)/static
 
@@ -16,8 +16,13 @@ sanitize:
 	@$(MAKE) BUILD=$(BUILD)/sanitize \
 	  CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all \
 	          -DEXACT_PAIRS=50000" sanitized
+	@$(MAKE) BUILD=$(BUILD)/raced CFLAGS="-O0 -g1 -fsanitize=thread" GEN_OBJ= raced
 
 sanitized: $(SEPAX) $(UNIT)
 	@for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
 	@SEPAX=$(SEPAX) tb/system/cli
 	@SEPAX=$(SEPAX) tb/system/check
+
+# Threads that share bodies.
+raced: $(BUILD)/unit/body/threads
+	@TSAN_OPTIONS=halt_on_error=1 $<

@@ -1,5 +1,5 @@
-// peer_fcl.cpp - FCL: hierarchies of oriented boxes (OBB) for collisions, of boxes and
-// rectangle swept spheres (OBBRSS) for distances.
+// peer_fcl.cpp - FCL: hierarchies of oriented boxes (OBB) for collisions, of rectangle swept spheres
+// (RSS) for distances, the fastest of its kinds for each.
 #include "peer.h"
 
 #if __has_include(<fcl/fcl.h>)
@@ -43,8 +43,8 @@ public:
     found.resize(poses.size());
     away.resize(poses.size());
     if (query == DISTANCE && !swept[0]) {
-      swept[0] = model_of<fcl::OBBRSSd>(mesh[0]);
-      swept[1] = model_of<fcl::OBBRSSd>(mesh[1]);
+      swept[0] = model_of<fcl::RSSd>(mesh[0]);
+      swept[1] = model_of<fcl::RSSd>(mesh[1]);
     }
     for (size_t n = 0; n < poses.size(); n++) {
       const fcl::Transform3d moved = transform_of(poses[n]);
@@ -72,7 +72,7 @@ public:
 
 private:
   std::unique_ptr<fcl::BVHModel<fcl::OBBd>> boxes[2];
-  std::unique_ptr<fcl::BVHModel<fcl::OBBRSSd>> swept[2];
+  std::unique_ptr<fcl::BVHModel<fcl::RSSd>> swept[2];
   const sepax_mesh mesh[2];
   std::vector<fcl::CollisionResultd> found;
   std::vector<double> away;

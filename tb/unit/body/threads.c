@@ -1,0 +1,88 @@
+/* threads.c - threads that share two bodies find what one thread finds; `make sanitize` runs this
+ * with the thread sanitizer, too. */
+#include "harness.h"
+
+#include <math.h>
+#include <pthread.h>
+
+enum { THREADS = 4, POSES = 6 };
+
+typedef struct {
+  size_t pairs;
+  bool any;
+  double distance;
+} answer;
+
+typedef struct {
+  const sepax_body *a, *b;
+  sepax_pose pose[POSES];
+  answer found[POSES];
+  bool failed;
+} asker;
+
+static answer ask(const asker *who, const sepax_pose *pose, bool *failed) {
+  sepax_error error;
+  sepax_pairs all = {0};
+  sepax_pairs any = {0};
+  sepax_query only_any = {.only_any = true};
+  sepax_distance_result away;
+  *failed = !sepax_bodies_collide(who->a, NULL, who->b, pose, NULL, &all, &error) ||
+            !sepax_bodies_collide(who->a, pose, who->b, NULL, &only_any, &any, &error) ||
+            !sepax_bodies_distance(who->a, NULL, who->b, pose, NULL, &away, &error) || *failed;
+  answer found = {all.count, any.count > 0, *failed ? 0 : away.min_distance};
+  sepax_pairs_free(&all);
+  sepax_pairs_free(&any);
+  return found;
+}
+
+static void *run(void *context) {
+  asker *who = context;
+  for (int n = 0; n < POSES; n++) {
+    who->found[n] = ask(who, &who->pose[n], &who->failed);
+  }
+  return NULL;
+}
+
+static sepax_body *sample_body(const char *shape, size_t triangles) {
+  static const double at[3] = {0, 0, 0};
+  sepax_mesh mesh;
+  sepax_body *body;
+  assert_works(sepax_sample(&mesh, shape, triangles, at, 40, &fault));
+  assert_works(sepax_body_new(&body, &mesh, &fault));
+  sepax_mesh_free(&mesh);
+  return body;
+}
+
+CASE(threads_share_bodies) {
+  sepax_body *a = sample_body("sphere", 2000);
+  sepax_body *b = sample_body("box", 500);
+  static asker who[THREADS];
+  pthread_t thread[THREADS];
+  size_t hits = 0;
+  for (int t = 0; t < THREADS; t++) {
+    who[t] = (asker){.a = a, .b = b};
+    for (int n = 0; n < POSES; n++) {
+      double turn = random_unit();
+      who[t].pose[n] =
+          (sepax_pose){{{cos(turn), -sin(turn), 0}, {sin(turn), cos(turn), 0}, {0, 0, 1}},
+                       {30 * random_unit(), 30 * random_unit(), 30 * random_unit()}};
+    }
+  }
+  for (int t = 0; t < THREADS; t++) {
+    assert_int_equal(pthread_create(&thread[t], NULL, run, &who[t]), 0);
+  }
+  for (int t = 0; t < THREADS; t++) {
+    assert_int_equal(pthread_join(thread[t], NULL), 0);
+    assert_false(who[t].failed);
+    for (int n = 0; n < POSES; n++) {
+      answer alone = ask(&who[t], &who[t].pose[n], &who[t].failed);
+      assert_int_equal(who[t].found[n].pairs, alone.pairs);
+      assert_int_equal(who[t].found[n].any, alone.any);
+      assert_true(who[t].found[n].distance == alone.distance);
+      hits += alone.pairs;
+    }
+  }
+  assert_true(hits > 100);
+  sepax_body_free(a);
+  sepax_body_free(b);
+}
