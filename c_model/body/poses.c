@@ -95,7 +95,7 @@ static bool read_lines(sepax_poses *poses, FILE *in, const char *path, sepax_err
   errno = 0;
   for (size_t number = 1; ok && (length = getline(&line, &size, in)) >= 0; number++) {
     sepax_pose pose;
-    bool empty;
+    bool empty = false;
     sepax_error what = {""};
     if (!read_pose(&pose, &empty, line, (size_t)length, &what)) {
       ok = sepax_fail(error, "%.240s:%zu: %.200s", path, number, what.text);

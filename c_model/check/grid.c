@@ -36,8 +36,7 @@ static exact_length length_of_double(double value) {
 static void set_big(big *r, uint64_t times, const exact_length *p, int two, int five) {
   const big base = {1, 1, {5}};
   big factor = {times != 0, times != 0, {times}};
-  big size;
-  big_set_zero(&size);
+  big size = {0, 0, {0}};
   big_add_shifted(&size, 1, p->size, p->two - two);
   big_multiply(r, &size, &factor);
   for (int n = p->five; n > five; n--) {
