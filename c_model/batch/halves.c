@@ -15,16 +15,9 @@ enum {
   TASK = 256        /* items of both lists, at least */
 };
 
-/* The AABB of a triangle and its number in the mesh in lane 3. */
+/* AABBs of triangles with their numbers. */
 typedef struct {
-  float low[3];
-  uint32_t number;
-  float high[3];
-  uint32_t unused;
-} item;
-
-typedef struct {
-  item *item;
+  box4 *item;
   size_t count;
   box4 bounds;
 } list;
@@ -41,16 +34,10 @@ struct tasks {
   task *first;
   size_t active;
   uint64_t done;
-  item *items[2];
+  box4 *items[2];
 };
 
 static const uint64_t whole = UINT64_C(1) << 40;
-
-static box4 box_of(const item *from) {
-  box4 b;
-  memcpy(&b, from, sizeof b);
-  return b;
-}
 
 /* --------------------------------------------------------------------- lists */
 
@@ -87,10 +74,9 @@ static void fill_list(list *to, const sepax_tri *tri, size_t count, float margin
   for (size_t n = 0; n < count; n++) {
     box4 b = box_of_triangle(&tri[n], margin);
     if (!box4_disjoint(&b, reach)) {
-      item *at = &to->item[to->count++];
-      memcpy(at, &b, sizeof b);
-      at->number = (uint32_t)n;
       box4_enclose(&to->bounds, &b);
+      box4_set_number(&b, (uint32_t)n);
+      to->item[to->count++] = b;
     }
   }
 }
@@ -98,8 +84,7 @@ static void fill_list(list *to, const sepax_tri *tri, size_t count, float margin
 static void find_bounds(list *l) {
   l->bounds = box4_of_none();
   for (size_t n = 0; n < l->count; n++) {
-    box4 b = box_of(&l->item[n]);
-    box4_enclose(&l->bounds, &b);
+    box4_enclose(&l->bounds, &l->item[n]);
   }
 }
 
@@ -107,11 +92,10 @@ static void find_bounds(list *l) {
 static list clip(list l, const box4 *reach) {
   size_t kept = 0;
   for (size_t n = 0; n < l.count; n++) {
-    item keep = l.item[n];
-    box4 b = box_of(&keep);
+    box4 keep = l.item[n];
     l.item[n] = l.item[kept];
     l.item[kept] = keep;
-    kept += !box4_disjoint(&b, reach);
+    kept += !box4_disjoint(&keep, reach);
   }
   l.count = kept;
   find_bounds(&l);
@@ -124,7 +108,7 @@ static void halve(const list *l, list half[2]) {
   float middle = l->bounds.low[axis] + l->bounds.high[axis];
   size_t first = 0;
   for (size_t n = 0; n < l->count; n++) {
-    item keep = l->item[n];
+    box4 keep = l->item[n];
     l->item[n] = l->item[first];
     l->item[first] = keep;
     first += keep.low[axis] + keep.high[axis] < middle;
@@ -144,7 +128,7 @@ static void halve(const list *l, list half[2]) {
 static bool push(tasks *t, const list of[2], uint64_t share) {
   size_t items = of[0].count + of[1].count;
   task *made = malloc(sizeof *made);
-  item *space = malloc(items * sizeof *space);
+  box4 *space = malloc(items * sizeof *space);
   if (made == NULL || space == NULL) {
     free(made);
     free(space);
@@ -194,11 +178,11 @@ static task *take(search *s, bool was_active, uint64_t share, uint64_t *done) {
 
 static void test_all(worker *w, const list of[2]) {
   for (size_t m = 0; m < of[0].count; m++) {
-    box4 a = box_of(&of[0].item[m]);
+    const box4 *a = &of[0].item[m];
     for (size_t n = 0; n < of[1].count; n++) {
-      box4 b = box_of(&of[1].item[n]);
-      if (!box4_disjoint(&a, &b)) {
-        search_add_candidate(w, of[0].item[m].number, of[1].item[n].number);
+      const box4 *b = &of[1].item[n];
+      if (!box4_disjoint(a, b)) {
+        search_add_candidate(w, box4_number(a), box4_number(b));
       }
     }
   }
@@ -262,7 +246,7 @@ bool halves_begin(search *s, size_t *most_threads) {
   pthread_mutex_init(&t->lock, NULL);
   pthread_cond_init(&t->changed, NULL);
   float margin = (float)s->margin * (1 + 0x1p-20F);
-  list of[2];
+  list of[2] = {{.count = 0}, {.count = 0}};
   for (int k = 0; k < 2; k++) {
     t->items[k] = malloc(s->count[k] * sizeof *t->items[k]);
     of[k].item = t->items[k];

@@ -256,7 +256,7 @@ static void take_aabb(const body_node *node, int lane, oriented *r) {
   set_half(r, half);
 }
 
-static float area(const oriented *r) {
+static float area_of(const oriented *r) {
   return r->half[0] * r->half[1] + r->half[1] * r->half[2] + r->half[2] * r->half[0];
 }
 
@@ -271,18 +271,19 @@ static void store(body_boxes *to, int lane, const oriented *r, uint32_t child) {
   to->child[lane] = child;
 }
 
-/* Around one triangle, or more with their moments m, of which r is the AABB. */
+static void fit_triangle(const facet_points *v, oriented *r) {
+  axes a;
+  axes_of_triangle(v[0], a);
+  enclose(v, 1, a, r);
+}
+
+/* Around triangles with their moments, of which r is the AABB. */
 static void fit(const facet_points *v, uint32_t count, const moments *m, oriented *r) {
   axes a;
-  if (count == 1) {
-    axes_of_triangle(v[0], a);
-    enclose(v, count, a, r);
-    return;
-  }
   oriented principal;
   principal_axes(m, a);
   enclose(v, count, a, &principal);
-  if (area(&principal) < area(r)) {
+  if (area_of(&principal) < area_of(r)) {
     *r = principal;
   }
 }
@@ -327,12 +328,14 @@ static void fit_children(const fitting *f, size_t number) {
       continue;
     }
     uint32_t child = node->child[lane];
-    bool single = (child & BODY_TRIANGLE) != 0;
-    uint32_t count = single ? 1 : f->below[child].count;
-    take_aabb(node, lane, &r);
-    fit(f->v + at, count, single ? NULL : &f->below[child].all, &r);
+    if ((child & BODY_TRIANGLE) != 0) {
+      fit_triangle(f->v + at++, &r);
+    } else {
+      take_aabb(node, lane, &r);
+      fit(f->v + at, f->below[child].count, &f->below[child].all, &r);
+      at += f->below[child].count;
+    }
     store(boxes, lane, &r, child);
-    at += count;
   }
 }
 

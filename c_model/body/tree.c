@@ -17,15 +17,10 @@
  * up to SHORT triangles have half as many bins. */
 enum { BINS = 16, SHORT = 64, EVEN = 48, PART = 2048 };
 
-/* The AABB of a triangle, in units of the body's scale from its centre; its number in lane 3. */
-typedef struct {
-  float low[3];
-  uint32_t triangle;
-  float high[3];
-  uint32_t unused;
-} entry;
-
-/* Entries that follow each other, whose places in the tree's order are then begin ... end - 1. */
+/* Entries are the AABBs of triangles with their numbers, in units of the body's scale from its
+ * centre. Those of a range follow each other; their places in the tree's order are begin ... end
+ * - 1.
+ */
 typedef struct {
   uint32_t begin, end;
   box4 bounds;
@@ -46,16 +41,10 @@ typedef struct {
 typedef struct {
   sepax_body *body;
   const sepax_mesh *mesh;
-  entry *entry;
+  box4 *entry;
   subtree top, *part;
   size_t parts, capacity; /* of parts */
 } builder;
-
-static box4 box_of(const entry *from) {
-  box4 b;
-  memcpy(&b, from, sizeof b);
-  return b;
-}
 
 static uint32_t count_of(const range *r) { return r->end - r->begin; }
 
@@ -69,7 +58,7 @@ static corner magnitude(corner v) { return (corner)((corner_bits)v & INT32_MAX);
 /* In single precision a coordinate is wrong by 2^-24, and the difference of it and what covers that
  * likewise: 2^-22 are more. The difference from the centre rounds by less than 2^-52 of the scale,
  * which 2^-50 covers. */
-static void set_entry(entry *e, const sepax_body *b, const double v[3][3], uint32_t number) {
+static box4 entry_of(const sepax_body *b, const double v[3][3], uint32_t number) {
   const double per_unit = 1 / b->scale;
   corner p[3];
   for (int k = 0; k < 3; k++) {
@@ -81,15 +70,14 @@ static void set_entry(entry *e, const sepax_body *b, const double v[3][3], uint3
             corner_most(corner_most(p[0], p[1]), p[2])};
   r.low -= magnitude(r.low) * 0x1p-22F + 0x1p-50F;
   r.high += magnitude(r.high) * 0x1p-22F + 0x1p-50F;
-  memcpy(e, &r, sizeof r);
-  e->triangle = number;
+  box4_set_number(&r, number);
+  return r;
 }
 
-static box4 bounds_of(const entry *e, uint32_t begin, uint32_t end) {
+static box4 bounds_of(const box4 *e, uint32_t begin, uint32_t end) {
   box4 all = box4_of_none();
   for (uint32_t n = begin; n < end; n++) {
-    box4 b = box_of(&e[n]);
-    box4_enclose(&all, &b);
+    box4_enclose(&all, &e[n]);
   }
   return all;
 }
@@ -99,7 +87,7 @@ static box4 bounds_of(const entry *e, uint32_t begin, uint32_t end) {
 /* Where the middles of a range's boxes are, twice: bin (position - low) * per_bin of an axis. */
 typedef struct {
   corner low, per_bin;
-  int count;
+  bool is_short;
 } bin_scale;
 
 typedef struct {
@@ -114,18 +102,19 @@ typedef struct {
   box4 first, second;
 } cut;
 
-static bin_scale scale_bins(const entry *e, const range *r) {
+static int bin_count(const bin_scale *s) { return s->is_short ? BINS / 2 : BINS; }
+
+static bin_scale scale_bins(const box4 *e, const range *r) {
   box4 middles = box4_of_none();
   for (uint32_t n = r->begin; n < r->end; n++) {
-    box4 b = box_of(&e[n]);
-    corner middle = b.low + b.high;
+    corner middle = e[n].low + e[n].high;
     middles.low = corner_least(middles.low, middle);
     middles.high = corner_most(middles.high, middle);
   }
-  bin_scale s = {.low = middles.low, .count = count_of(r) > SHORT ? BINS : BINS / 2};
+  bin_scale s = {.low = middles.low, .is_short = count_of(r) <= SHORT};
   for (int i = 0; i < 3; i++) {
     float side = middles.high[i] - middles.low[i];
-    s.per_bin[i] = side > 0 ? 0.9999F * (float)s.count / side : 0;
+    s.per_bin[i] = side > 0 ? 0.9999F * (float)bin_count(&s) / side : 0;
   }
   return s;
 }
@@ -134,18 +123,17 @@ static corner_bits bins_of(const box4 *b, const bin_scale *s) {
   return __builtin_convertvector((b->low + b->high - s->low) * s->per_bin, corner_bits);
 }
 
-static void fill_bins(bins *to, const entry *e, const range *r, const bin_scale *s) {
-  for (int k = 0; k < s->count; k++) {
+static void fill_bins(bins *to, const box4 *e, const range *r, const bin_scale *s) {
+  for (int k = 0; k < bin_count(s); k++) {
     for (int axis = 0; axis < 3; axis++) {
       to->bounds[axis][k] = box4_of_none();
       to->count[axis][k] = 0;
     }
   }
   for (uint32_t n = r->begin; n < r->end; n++) {
-    box4 b = box_of(&e[n]);
-    corner_bits k = bins_of(&b, s);
+    corner_bits k = bins_of(&e[n], s);
     for (int axis = 0; axis < 3; axis++) {
-      box4_enclose(&to->bounds[axis][k[axis]], &b);
+      box4_enclose(&to->bounds[axis][k[axis]], &e[n]);
       to->count[axis][k[axis]]++;
     }
   }
@@ -154,10 +142,10 @@ static void fill_bins(bins *to, const entry *e, const range *r, const bin_scale 
 /* The cheapest of the cuts along one axis, by area times count on both sides, if better. */
 static void find_cut(const bins *in, const bin_scale *s, int axis, cut *best) {
   box4 after[BINS];
-  float cost_after[BINS];
+  float cost_after[BINS] = {0};
   box4 all = box4_of_none();
   uint32_t count = 0;
-  for (int k = s->count - 1; k > 0; k--) {
+  for (int k = bin_count(s) - 1; k > 0; k--) {
     box4_enclose(&all, &in->bounds[axis][k]);
     count += in->count[axis][k];
     after[k] = all;
@@ -165,7 +153,7 @@ static void find_cut(const bins *in, const bin_scale *s, int axis, cut *best) {
   }
   all = box4_of_none();
   count = 0;
-  for (int k = 1; k < s->count; k++) {
+  for (int k = 1; k < bin_count(s); k++) {
     box4_enclose(&all, &in->bounds[axis][k - 1]);
     count += in->count[axis][k - 1];
     float cost = count > 0 ? area(&all) * (float)count + cost_after[k] : FLT_MAX;
@@ -176,14 +164,13 @@ static void find_cut(const bins *in, const bin_scale *s, int axis, cut *best) {
 }
 
 /* Entries below the cut come to the front; where the others begin. */
-static uint32_t partition(entry *e, const range *r, const bin_scale *s, const cut *c) {
+static uint32_t partition(box4 *e, const range *r, const bin_scale *s, const cut *c) {
   uint32_t first = r->begin;
   for (uint32_t n = r->begin; n < r->end; n++) {
-    entry keep = e[n];
-    box4 b = box_of(&keep);
+    box4 keep = e[n];
     e[n] = e[first];
     e[first] = keep;
-    first += bins_of(&b, s)[c->axis] < c->at;
+    first += bins_of(&keep, s)[c->axis] < c->at;
   }
   return first;
 }
@@ -230,7 +217,7 @@ static int divide(const builder *b, const range *whole, bool even, range part[BO
   part[0] = *whole;
   if (count_of(whole) <= BODY_WIDE) {
     for (uint32_t n = whole->begin; n < whole->end; n++) {
-      part[n - whole->begin] = (range){n, n + 1, box_of(&b->entry[n])};
+      part[n - whole->begin] = (range){n, n + 1, b->entry[n]};
     }
     return (int)count_of(whole);
   }
@@ -384,7 +371,7 @@ static bool measure(sepax_body *body, const sepax_mesh *mesh, sepax_error *error
 
 static void place_triangles(const builder *b) {
   for (size_t n = 0; n < b->body->count; n++) {
-    uint32_t number = b->entry[n].triangle;
+    uint32_t number = box4_number(&b->entry[n]);
     memcpy(b->body->triangle[n], b->mesh->facet[number].v, sizeof(facet_points));
     b->body->number[n] = number;
   }
@@ -400,7 +387,7 @@ static bool build(builder *b, size_t threads) {
   bool ok = body->triangle != NULL && body->number != NULL && b->entry != NULL;
   if (ok) {
     for (size_t n = 0; n < count; n++) {
-      set_entry(&b->entry[n], body, b->mesh->facet[n].v, (uint32_t)n);
+      b->entry[n] = entry_of(body, b->mesh->facet[n].v, (uint32_t)n);
     }
     uint32_t root;
     b->top.whole = (range){0, (uint32_t)count, bounds_of(b->entry, 0, (uint32_t)count)};

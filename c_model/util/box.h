@@ -47,6 +47,14 @@ static inline real_pair real_pair_most(real_pair p, real_pair q) {
 }
 #endif
 
+/* A number that travels in lane 3. */
+static inline uint32_t box4_number(const box4 *b) { return (uint32_t)((corner_bits)b->low)[3]; }
+static inline void box4_set_number(box4 *b, uint32_t number) {
+  corner_bits low = (corner_bits)b->low;
+  low[3] = (int32_t)number;
+  b->low = (corner)low;
+}
+
 /* The box of nothing. */
 static inline box4 box4_of_none(void) {
   return (box4){{FLT_MAX, FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX, -FLT_MAX}};

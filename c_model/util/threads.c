@@ -28,11 +28,11 @@ void threads_run(size_t threads, size_t parts, void (*work)(void *context, size_
                  void *context) {
   pthread_t beside[MOST_THREADS];
   size_t started = 0;
-  size_t most = threads < MOST_THREADS ? threads : MOST_THREADS;
+  size_t most = threads < parts ? threads : parts;
+  size_t others = most > MOST_THREADS ? MOST_THREADS : most > 0 ? most - 1 : 0;
   job j = {.work = work, .context = context, .parts = parts};
   atomic_init(&j.next, 1);
-  while (started + 1 < most && started + 1 < parts &&
-         pthread_create(&beside[started], NULL, take_parts, &j) == 0) {
+  while (started < others && pthread_create(&beside[started], NULL, take_parts, &j) == 0) {
     started++;
   }
   if (parts > 0) {
