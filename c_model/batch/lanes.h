@@ -36,11 +36,6 @@ INLINE V NAME(prism)(V g, V z) {
   return PRODUCT(g, z) + (PRODUCT((g + (UINT64_C(1) << 31)) >> 32, z) << 32);
 }
 
-#define NUMBER V
-#define OF(x) NAME(x##_whole)
-#define TIMES(p, q) PRODUCT(p, q)
-#define PRISM(g, z) NAME(prism)(g, z)
-#include "sums.h"
 #endif
 
 #define NUMBER R
@@ -96,6 +91,11 @@ INLINE uint32_t NAME(judge_large)(const sepax_tri *one, const block *in, size_t 
 /* ------------------------------------------------- verdicts by whole numbers */
 
 #ifdef PRODUCT
+#define WHOLE_PRODUCT(p, q) PRODUCT(p, q)
+#define WHOLE_PRISM(g, z) NAME(prism)(g, z)
+#define BITS_OF(v) BITS(v)
+#include "whole.h"
+
 INLINE V NAME(all)(int32_t value) { return (V){0} + (uint64_t)value; }
 
 INLINE void NAME(load_whole)(NAME(coordinate_whole) c[3], const sepax_tri *one, const block *in,
@@ -108,122 +108,12 @@ INLINE void NAME(load_whole)(NAME(coordinate_whole) c[3], const sepax_tri *one, 
   }
 }
 
-/* The sign bits count: those of an orient3d, and those of its opposite. */
-typedef struct {
-  V low, high;
-} NAME(sign);
-
-typedef struct {
-  NAME(sign) s[3], w[3], d[3][3];
-} NAME(signs);
-
-/* Known modulo 2^64 and, roughly, from 2^62 upwards. */
-INLINE NAME(sign) NAME(sign_of)(V low, R rough) {
-  const uint64_t limit = UINT64_C(1085) << 52; /* the exponent of 2^62 */
-  V bits = (V)rough;
-  V below = -(((bits & (UINT64_C(0x7ff) << 52)) - limit) >> 63);
-  V v = (low & below) | (bits & ~below);
-  return (NAME(sign)){v, -v};
-}
-
-/* rough NULL: orient3d fit 64 bits. */
-INLINE void NAME(find_signs)(NAME(signs) * signs, const NAME(orient3d_whole) * v,
-                             const NAME(orient3d_real) * rough) {
-#define SIGN(m) signs->m = rough != NULL ? NAME(sign_of)(v->m, rough->m) : (NAME(sign)){v->m, -v->m}
-  UNROLL for (int i = 0; i < 3; i++) {
-    SIGN(s[i]);
-    SIGN(w[i]);
-    UNROLL for (int j = 0; j < 3; j++) { SIGN(d[i][j]); }
-  }
-#undef SIGN
-}
-
-/* An edge crosses or touches the other triangle: its ends are not on the same side of the plane,
- * and no two of the other edges pass it on different sides. */
-INLINE V NAME(edge_hits)(NAME(sign) from, NAME(sign) to, NAME(sign) p, NAME(sign) q, NAME(sign) r) {
-  V sides = (from.low ^ to.low) | (from.high ^ to.high);
-  return sides & ~((p.low | q.low | r.low) & (p.high | q.high | r.high));
-}
-
-/* In the projection on two coordinates, an edge has the other triangle strictly on the
- * side where its own third vertex is not. */
-INLINE V NAME(edge_separates)(const V side[3], V own) {
-  V low = side[0] & side[1] & side[2];
-  V high = -side[0] & -side[1] & -side[2];
-  return (low & ~own) | (high & ~-own);
-}
-
-INLINE V NAME(separate_in_plane)(const NAME(orient2d_whole) * g) {
-  V disjoint = {0};
-  UNROLL for (int i = 0; i < 3; i++) {
-    disjoint |= NAME(edge_separates)(g->a[i], g->own_a) | NAME(edge_separates)(g->b[i], g->own_b);
-  }
-  return disjoint;
-}
-
-/* Sign bits: some orient2d is not zero. */
-INLINE V NAME(has_orient2d)(const NAME(orient2d_whole) * g) {
-  V any = g->own_a | g->own_b;
-  UNROLL for (int i = 0; i < 3; i++) {
-    UNROLL for (int k = 0; k < 3; k++) { any |= g->a[i][k] | g->b[i][k]; }
-  }
-  return any | -any;
-}
-
-/* Lanes in which the six values are not all the same: all ones. */
-INLINE V NAME(varies)(const NAME(coordinate_whole) * c) {
-  V any = {0};
-  UNROLL for (int k = 0; k < 3; k++) { any |= (c->a[k] ^ c->a[0]) | (c->b[k] ^ c->a[0]); }
-  return -((any | -any) >> 63);
-}
-
-INLINE void NAME(choose)(NAME(coordinate_whole) * to, V which, const NAME(coordinate_whole) * p,
-                         const NAME(coordinate_whole) * q) {
-  UNROLL for (int k = 0; k < 3; k++) {
-    to->a[k] = (p->a[k] & which) | (q->a[k] & ~which);
-    to->b[k] = (p->b[k] & which) | (q->b[k] & ~which);
-  }
-}
-
-/* The bits of the coplanar pairs `flat` that are not separated in a projection that keeps
- * their plane: x and y, of which g are the orient2d, or z and y, or z and x where y does not
- * vary. An additional projection changes nothing. On a line the AABBs decide. */
-TARGET static __attribute__((noinline)) uint32_t
-NAME(judge_flat)(const NAME(coordinate_whole) c[3], const NAME(orient2d_whole) * g, uint32_t flat) {
-  V disjoint = NAME(separate_in_plane)(g);
-  if ((flat & ~BITS(NAME(has_orient2d)(g))) != 0) {
-    NAME(coordinate_whole) level;
-    NAME(orient2d_whole) upright;
-    NAME(choose)(&level, NAME(varies)(&c[1]), &c[1], &c[0]);
-    NAME(find_orient2d_whole)(&upright, &c[2], &level);
-    disjoint |= NAME(separate_in_plane)(&upright);
-  }
-  return flat & ~BITS(disjoint);
-}
-
 /* The bits of the pairs that collide, if their AABBs overlap. */
 INLINE uint32_t NAME(judge)(const sepax_tri *one, const block *in, size_t at,
                             const NAME(orient3d_real) * rough) {
   NAME(coordinate_whole) c[3];
-  NAME(orient2d_whole) g;
-  NAME(orient3d_whole) orient3d;
-  NAME(signs) v;
   NAME(load_whole)(c, one, in, at);
-  NAME(find_orient2d_whole)(&g, &c[0], &c[1]);
-  NAME(find_orient3d_whole)(&orient3d, &g, &c[2]);
-  NAME(find_signs)(&v, &orient3d, rough);
-  V hit = {0};
-  V solid = {0};
-  UNROLL for (int i = 0; i < 3; i++) {
-    int n = next[i];
-    hit |= NAME(edge_hits)(v.w[i], v.w[n], v.d[i][0], v.d[i][1], v.d[i][2]) |
-           NAME(edge_hits)(v.s[i], v.s[n], v.d[0][i], v.d[1][i], v.d[2][i]);
-    solid |= v.s[i].low | v.s[i].high | v.w[i].low | v.w[i].high;
-    UNROLL for (int j = 0; j < 3; j++) { solid |= v.d[i][j].low | v.d[i][j].high; }
-  }
-  uint32_t hits = BITS(hit);
-  uint32_t flat = BITS(~solid);
-  return flat == 0 ? hits : hits | NAME(judge_flat)(c, &g, flat);
+  return NAME(judge_whole)(c, &(NAME(rough)){NULL, NULL, rough});
 }
 
 TARGET static __attribute__((noinline)) uint32_t NAME(judge_long)(const sepax_tri *one,

@@ -124,10 +124,15 @@ TARGET static uint32_t NAME(overlaps)(const body_boxes *node, const motion *m,
 /* ------------------------------------------------------- pairs of triangles */
 
 #define NUMBER R
-#define OF(x) NAME(x##_posed)
+#define OF(x) NAME(x##_real)
 #define TIMES(p, q) ((p) * (q))
 #define PRISM(g, z) ((g) * (z))
 #include "batch/sums.h"
+
+#define WHOLE_PRODUCT(p, q) ((p) * (q))
+#define WHOLE_PRISM(g, z) ((g) * (z))
+#define BITS_OF(v) REAL_BITS(v)
+#include "batch/whole.h"
 
 INLINE R NAME(magnitude)(R p) { return (R)((V)p & INT64_MAX); }
 INLINE R NAME(chosen)(V which, R p, R q) { return (R)(((V)p & which) | ((V)q & ~which)); }
@@ -140,7 +145,7 @@ INLINE V NAME(pierces)(R from, R to, R p, R q, R r) {
 }
 
 /* B's vertices are posed, then A_0 becomes the origin; the largest coordinate then. */
-INLINE R NAME(load)(NAME(coordinate_posed) c[3], const double *from, const placement *at) {
+INLINE R NAME(load)(NAME(coordinate_real) c[3], const double *from, const placement *at) {
   R most = {0};
   UNROLL for (int k = 0; k < 3; k++) {
     R b[3];
@@ -175,12 +180,12 @@ INLINE R NAME(load)(NAME(coordinate_posed) c[3], const double *from, const place
  * other, through the inside of that triangle, so that the points of its own triangle near there are
  * in the inside of both. */
 TARGET static uint32_t NAME(judge)(const double *from, const placement *at, uint32_t *uncertain) {
-  NAME(coordinate_posed) c[3];
-  NAME(orient2d_posed) g;
-  NAME(orient3d_posed) v;
+  NAME(coordinate_real) c[3];
+  NAME(orient2d_real) g;
+  NAME(orient3d_real) v;
   R most = NAME(load)(c, from, at);
-  NAME(find_orient2d_posed)(&g, &c[0], &c[1]);
-  NAME(find_orient3d_posed)(&v, &g, &c[2]);
+  NAME(find_orient2d_real)(&g, &c[0], &c[1]);
+  NAME(find_orient3d_real)(&v, &g, &c[2]);
   R least = NAME(magnitude)(v.s[0]);
   V hit = {0};
   UNROLL for (int i = 0; i < 3; i++) {
@@ -194,6 +199,80 @@ TARGET static uint32_t NAME(judge)(const double *from, const placement *at, uint
   R limit = most * most * (1024 * at->error + 8192 * 0x1p-53 * most);
   *uncertain = ~REAL_BITS((V)(least > limit)) & ((1U << LANES) - 1);
   return REAL_BITS(hit);
+}
+
+/* -------------------------------------------------------- pairs on a grid */
+
+/* The whole number x / grid; the lanes of `off` become all ones where it is none, or too long. */
+INLINE R NAME(on_grid)(R x, R per_grid, V *off) {
+  const double SHIFT = 0x1.8p52; /* x + SHIFT is rounded to a whole number */
+  R n = x * per_grid;
+  *off |= (V)(n + SHIFT - SHIFT != n) | (V)(NAME(magnitude)(n) > 0x1p50);
+  return n;
+}
+
+/* What makes the largest coordinate, `most`, of each lane 2^32 ... 2^33. */
+INLINE R NAME(scale_of)(R most, V *off) {
+  V exponent = (V)most & (UINT64_C(0x7ff) << 52);
+  *off |= (V)(most < 0x1p-900) | (V)(most > 0x1p900);
+  return (R)((UINT64_C(2078) << 52) - exponent);
+}
+
+INLINE V NAME(aabbs_disjoint)(const NAME(coordinate_real) c[3]) {
+  V disjoint = {0};
+  UNROLL for (int i = 0; i < 3; i++) {
+    R low_a = NAME(lesser)(NAME(lesser)(c[i].a[0], c[i].a[1]), c[i].a[2]);
+    R low_b = NAME(lesser)(NAME(lesser)(c[i].b[0], c[i].b[1]), c[i].b[2]);
+    R high_a = NAME(greater)(NAME(greater)(c[i].a[0], c[i].a[1]), c[i].a[2]);
+    R high_b = NAME(greater)(NAME(greater)(c[i].b[0], c[i].b[1]), c[i].b[2]);
+    disjoint |= (V)(high_a < low_b) | (V)(high_b < low_a);
+  }
+  return disjoint;
+}
+
+/* Bits of the pairs that collide, and in `off` of those that are not decided, where the pose turns
+ * axes into axes (at->whole). A pair is decided if its coordinates are whole multiples of the grid,
+ * a power of two of which the largest coordinate from A_0, m, is less than 2^34 times. orient3d in
+ * doubles is wrong by less than 5,184 * 2^-53 (m / grid)^3 < 2^62, orient2d by less (see judge), so
+ * that both are known where they are added modulo 2^64, too. */
+TARGET static __attribute__((noinline)) uint32_t
+NAME(judge_on_grid)(const double *from, const placement *at, uint32_t *off_bits) {
+  NAME(coordinate_real) c[3];
+  NAME(coordinate_whole) whole[3];
+  NAME(orient2d_real) g;
+  NAME(orient3d_real) v;
+  V off = {0};
+  R scale = NAME(scale_of)(NAME(load)(c, from, at), &off);
+  UNROLL for (int k = 0; k < 3; k++) {
+    R b[3];
+    UNROLL for (int i = 0; i < 3; i++) {
+      LOAD(c[i].a[k], from + (6 * i + k) * LANES);
+      LOAD(b[i], from + (6 * i + 3 + k) * LANES);
+      c[i].a[k] = NAME(on_grid)(c[i].a[k], scale, &off);
+      b[i] = NAME(on_grid)(b[i], scale, &off);
+    }
+    UNROLL for (int i = 0; i < 3; i++) {
+      const double *row = at->linear[i];
+      R shift = NAME(on_grid)((R){0} + at->offset[i], scale, &off);
+      c[i].b[k] = b[0] * row[0] + b[1] * row[1] + b[2] * row[2] + shift;
+    }
+  }
+  UNROLL for (int i = 0; i < 3; i++) {
+    R origin = c[i].a[0];
+    UNROLL for (int k = 0; k < 3; k++) {
+      const double SHIFT = 0x1.8p52;
+      c[i].a[k] -= origin;
+      c[i].b[k] -= origin;
+      off |= (V)(NAME(magnitude)(c[i].a[k]) > 0x1p34) | (V)(NAME(magnitude)(c[i].b[k]) > 0x1p34);
+      whole[i].a[k] = (V)(c[i].a[k] + SHIFT) - (V)((R){0} + SHIFT);
+      whole[i].b[k] = (V)(c[i].b[k] + SHIFT) - (V)((R){0} + SHIFT);
+    }
+  }
+  NAME(find_orient2d_real)(&g, &c[0], &c[1]);
+  NAME(find_orient3d_real)(&v, &g, &c[2]);
+  *off_bits = REAL_BITS(off);
+  uint32_t hits = NAME(judge_whole)(whole, &(NAME(rough)){c, &g, &v});
+  return hits & ~REAL_BITS(NAME(aabbs_disjoint)(c));
 }
 
 #undef F

@@ -84,8 +84,25 @@ static double largest(const sepax_body *b) {
   return most + b->scale;
 }
 
+/* NULL and the pose of a body that stands as in its file: not moved. */
+static bool moves(const sepax_pose *pose) {
+  return pose != NULL && memcmp(pose, &unmoved, sizeof unmoved) != 0;
+}
+
+static bool turns_axes_into_axes(const double linear[3][3]) {
+  for (int k = 0; k < 9; k++) {
+    double size = fabs(linear[k / 3][k % 3]);
+    if (!(size <= 0) && !(size >= 1 && size <= 1)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                   const sepax_pose *pose_b) {
+  pose_a = moves(pose_a) ? pose_a : NULL;
+  pose_b = moves(pose_b) ? pose_b : NULL;
   *p = (placement){.pose = {pose_a, pose_b}};
   const sepax_pose *pa = pose_a != NULL ? pose_a : &unmoved;
   const sepax_pose *pb = pose_b != NULL ? pose_b : &unmoved;
@@ -110,6 +127,7 @@ void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, c
   if (pose_a == NULL && pose_b == NULL) {
     p->error = 0;
   }
+  p->whole = pose_a == NULL && turns_axes_into_axes(p->linear);
   invert(p->linear, back);
   for (int i = 0; i < 3; i++) {
     offset[i] = 0;

@@ -26,6 +26,7 @@ typedef struct {
   double linear[3][3];       /* B's triangles into A's file coordinates */
   double offset[3];
   double error; /* of a coordinate of B then, at most; 0 where no pose is given */
+  bool whole;   /* B's axes are turned into axes: `linear` is of 0, 1 and -1, and exact */
 } placement;
 
 void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,

@@ -128,6 +128,13 @@ static void judge(search *s) {
     uint32_t uncertain;
     uint32_t hits =
         s->avx2 ? judge_avx2(c, &s->at, &uncertain) : judge_portable(c, &s->at, &uncertain);
+    if (uncertain != 0 && s->at.whole && !s->query->strict) {
+      uint32_t off;
+      uint32_t more =
+          s->avx2 ? judge_on_grid_avx2(c, &s->at, &off) : judge_on_grid_portable(c, &s->at, &off);
+      hits = (hits & ~uncertain) | (more & uncertain);
+      uncertain &= off;
+    }
     for (int n = 0; n < used && !s->ended; n++) {
       const uint32_t *pair = s->waiting[first + n];
       bool hit = (hits >> n & 1) != 0;

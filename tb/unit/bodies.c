@@ -181,24 +181,32 @@ CASE(all_pairs_of_bodies) {
   assert_true(collisions > 1000);
 }
 
-/* Bodies of one triangle each, both in one pose: what touches is in doubt for the doubles. */
+static void assert_posed_bodies(const points t[2], sepax_body *const body[2], const sepax_pose *pa,
+                                const sepax_pose *pb, sepax_path path_taken) {
+  sepax_pairs found;
+  sepax_query query = {.path = path_taken};
+  assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
+  assert_int_equal(found.count, sepax_exact_posed(t[0], pa, t[1], pb).collision);
+  sepax_pairs_free(&found);
+}
+
+/* Bodies of one triangle each: what touches is in doubt for the doubles. */
 CASE(touching_bodies) {
   sepax_random random = {5};
   for (size_t n = 0; n < 20000; n++) {
     sepax_facet facet[2] = {{{{0}}, {0}}, {{{0}}, {0}}};
     points t[2];
     sepax_body *body[2];
-    sepax_pairs found;
-    draw_pair(t, n, 0.1, &random);
+    draw_pair(t, n, n % 3 == 0 ? 0.1 : 0.25, &random);
     for (int k = 0; k < 2; k++) {
       memcpy(facet[k].v, t[k], sizeof t[k]);
       assert_works(sepax_body_new(&body[k], &(sepax_mesh){&facet[k], 1}, &fault));
     }
     sepax_pose p = random_pose(1);
-    const sepax_pose *pb = n % 2 == 0 ? &p : NULL;
-    assert_works(sepax_bodies_collide(body[0], &p, body[1], pb, NULL, &found, &fault));
-    assert_int_equal(found.count, sepax_exact_posed(t[0], &p, t[1], pb).collision);
-    sepax_pairs_free(&found);
+    sepax_path path_taken = n % 4 == 0 ? SEPAX_PATH_PORTABLE : SEPAX_PATH_BEST;
+    assert_posed_bodies(t, body, &p, n % 2 == 0 ? &p : NULL, path_taken);
+    assert_posed_bodies(t, body, NULL, &p, path_taken);
+    assert_posed_bodies(t, body, NULL, NULL, path_taken);
     sepax_body_free(body[0]);
     sepax_body_free(body[1]);
   }
