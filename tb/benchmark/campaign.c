@@ -19,21 +19,22 @@
 enum { MOST = 12 }; /* triangles of a body: more than the children of a node of its tree */
 
 typedef enum {
-  DRAFT,   /* integers times a power of two */
-  TENTHS,  /* times 0.1, rounded */
-  TURNED,  /* turned, rounded */
-  ALIKE,   /* both in one pose */
-  BACK,    /* B turned back, rounded, in the pose that turns it */
-  APART,   /* both turned back, each in a pose of its own */
-  NUDGED,  /* as BACK, then B moved by 2^-20 ... 2^-56 of its size */
-  ULPS,    /* as TURNED, some coordinates a few ulps beside it */
-  UNEQUAL, /* coordinates of very different sizes */
-  UNIFORM, /* three points each in a cube */
+  DRAFT,     /* integers times a power of two */
+  TENTHS,    /* times 0.1, rounded */
+  TURNED,    /* turned, rounded */
+  ALIKE,     /* both in one pose */
+  BACK,      /* B turned back, rounded, in the pose that turns it */
+  TWO_POSES, /* both turned back, each in a pose of its own */
+  NUDGED,    /* as BACK, then B moved by 2^-20 ... 2^-56 of its size */
+  ULPS,      /* as TURNED, some coordinates a few ulps beside it */
+  UNEQUAL,   /* coordinates of very different sizes */
+  UNIFORM,   /* three points each in a cube */
   KINDS
 } kind;
 
-static const char *const kind_names[KINDS] = {"draft", "tenths", "turned", "alike",   "back",
-                                              "apart", "nudged", "ulps",   "unequal", "uniform"};
+static const char *const kind_names[KINDS] = {"draft",   "tenths",    "turned", "alike",
+                                              "back",    "two_poses", "nudged", "ulps",
+                                              "unequal", "uniform"};
 
 /* Two bodies of some triangles; given[k] is &pose[k] or NULL. */
 typedef struct {
@@ -130,10 +131,10 @@ static void draft_touch(double a[3][3], double b[3][3], double scale, sepax_rand
   static const double origin[3] = {0, 0, 0};
   bool swap = sepax_random_range(r, 0, 1) == 0;
   double(*t[2])[3] = {swap ? b : a, swap ? a : b};
-  sepax_pose frame = any_pose(ldexp(scale, (int)sepax_random_range(r, 0, 8)), r);
+  sepax_pose place = any_pose(ldexp(scale, (int)sepax_random_range(r, 0, 8)), r);
   double e[3][3];
   for (int k = 0; k < 9; k++) {
-    e[k / 3][k % 3] = scale * frame.rotation[k % 3][k / 3];
+    e[k / 3][k % 3] = scale * place.rotation[k % 3][k / 3];
   }
   if (sepax_random_range(r, 0, 1) == 0) {
     double size = ldexp(1, (int)sepax_random_range(r, 0, 8));
@@ -153,7 +154,7 @@ static void draft_touch(double a[3][3], double b[3][3], double scale, sepax_rand
     }
   }
   for (int k = 0; k < 6; k++) {
-    add(t[k / 3][k % 3], t[k / 3][k % 3], 1, frame.translation);
+    add(t[k / 3][k % 3], t[k / 3][k % 3], 1, place.translation);
   }
 }
 
@@ -227,8 +228,8 @@ static void draw(situation *s, kind what, size_t n, sepax_random *r) {
     turn_body(s, 0, &first, false);
     turn_body(s, 1, &first, false);
   }
-  if (what == APART || what == BACK || what == NUDGED) {
-    turn_body(s, 0, what == APART ? &s->pose[0] : &still, true);
+  if (what == TWO_POSES || what == BACK || what == NUDGED) {
+    turn_body(s, 0, what == TWO_POSES ? &s->pose[0] : &still, true);
     turn_body(s, 1, &s->pose[1], true);
   }
   round_all(s);
@@ -239,7 +240,8 @@ static void draw(situation *s, kind what, size_t n, sepax_random *r) {
     s->pose[1].translation[sepax_random_range(r, 0, 2)] +=
         ldexp(size * uniform(r, -1, 1), -(int)sepax_random_range(r, 20, 56));
   }
-  bool posed = what == ALIKE || what == APART || ((what == UNEQUAL || what == UNIFORM) && n % 2);
+  bool posed =
+      what == ALIKE || what == TWO_POSES || ((what == UNEQUAL || what == UNIFORM) && n % 2);
   s->given[0] = posed ? &s->pose[0] : NULL;
   s->given[1] = posed || what == BACK || what == NUDGED ? &s->pose[1] : NULL;
 }

@@ -1,6 +1,6 @@
 // peer_embree.cpp - Embree's rtcCollide: user geometry of triangles. It takes no pose: the
 // smaller body's triangles are posed and its tree is refitted in each pose in which the bodies'
-// boxes overlap. A pair of triangles that it reports is judged by Guigue's and Devillers's test in
+// AABBs overlap. A pair of triangles that it reports is judged by Guigue's and Devillers's test in
 // doubles. rtcCollide cannot be ended; no pair is judged after the first hit.
 #include "peer.h"
 

@@ -1,5 +1,5 @@
-// peer_fcl.cpp - FCL: hierarchies of oriented boxes (OBB) for collisions, of rectangle swept spheres
-// (RSS) for distances, the fastest of its kinds for each.
+// peer_fcl.cpp - FCL: hierarchies of oriented boxes (OBB) for collisions, of rectangle swept
+// spheres (RSS) for distances; its others are slower.
 #include "peer.h"
 
 #if __has_include(<fcl/fcl.h>)
