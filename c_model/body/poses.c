@@ -19,9 +19,10 @@ typedef struct {
 } quote;
 
 static quote quoted(const char *word, size_t length) {
+  enum { MOST = 24 };
   quote q;
-  size_t used = length < sizeof q.text - 4 ? length : sizeof q.text - 4;
-  snprintf(q.text, sizeof q.text, "%.*s%s", (int)used, word, length > used ? "..." : "");
+  bool cut = length > MOST;
+  snprintf(q.text, sizeof q.text, "%.*s%s", cut ? MOST : (int)length, word, cut ? "..." : "");
   for (char *c = q.text; *c != '\0'; c++) {
     *c = *c < ' ' || *c > '~' ? '?' : *c;
   }

@@ -212,15 +212,18 @@ static bool fill_mesh(const sepax_scene *scene, int i, sepax_mesh *mesh) {
 
 bool check_on_grid(const check_question *q, check_report *report, sepax_error *error) {
   sepax_scene scene;
-  sepax_design design;
+  sepax_design design = {0};
   if (!sepax_scene_load(&scene, q->path, &q->grid.grid, q->grid.file_normals, error)) {
     return false;
   }
   report->grid = scene.grid;
   report->answer = calloc(1, sizeof *report->answer);
-  report->answers = report->answer != NULL;
-  bool ok = report->answer != NULL || sepax_fail(error, "no memory for the verdict");
-  ok = ok && set_limits(q, report, &design, error) && find(q, &design, &scene, report, error);
+  if (report->answer == NULL) {
+    sepax_scene_free(&scene);
+    return sepax_fail(error, "no memory for the verdict");
+  }
+  report->answers = 1;
+  bool ok = set_limits(q, report, &design, error) && find(q, &design, &scene, report, error);
   for (int i = 0; i < 2; i++) {
     report->triangles[i] = scene.count[i];
     if (ok && q->ply_path != NULL && !fill_mesh(&scene, i, &report->mesh[i])) {

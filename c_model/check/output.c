@@ -201,7 +201,7 @@ void check_print_text(const check_question *q, const check_report *report) {
 
 static json_t *pairs_as_json(const sepax_pairs *pairs) {
   json_t *list = json_array();
-  for (size_t k = 0; k < pairs->count; k++) {
+  for (size_t k = 0; k < pairs->count && pairs->pair != NULL; k++) {
     json_array_append_new(
         list, json_pack("[I, I]", (json_int_t)pairs->pair[k][0], (json_int_t)pairs->pair[k][1]));
   }
