@@ -104,7 +104,7 @@ static inline void big_multiply(big *r, const big *p, const big *q) {
     return;
   }
   int limbs = p->limbs + q->limbs;
-  assert(limbs <= BIG_LIMBS);
+  assert(p->limbs > 0 && q->limbs > 0 && limbs <= BIG_LIMBS);
   for (int i = 0; i < p->limbs; i++) {
     r->limb[i] = 0;
   }

@@ -134,7 +134,9 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
     measure_kept(&s, &n);
   }
   sepax_pairs_free(&hit);
-  bool above = r->limit > 0 && best.min_distance > r->limit;
-  *result = above ? (sepax_distance_result){.min_distance = INFINITY} : best;
+  if (r->limit > 0 && best.min_distance > r->limit) {
+    best = (sepax_distance_result){.min_distance = INFINITY};
+  }
+  *result = best;
   return true;
 }

@@ -210,7 +210,7 @@ static void offer_edges(candidates *c, int i, int j) {
 static void offer_face(candidates *c, const double x[3][3], const double f[3][3], bool of_b) {
   double e[3][3];
   double n[3];
-  double height[3];
+  double height[3] = {0, 0, 0};
   for (int k = 0; k < 3; k++) {
     minus(f[(k + 1) % 3], f[k], e[k]);
   }
@@ -359,7 +359,7 @@ static twofold error_of(const twofold_points *p) { return twofold_of(0x1p-96 + p
 
 /* Enclose the distance by what a pair of features gives. */
 static void enclose(const twofold_points *p, int a, int b, enclosure *e) {
-  int v[2][3];
+  int v[2][3] = {{0}};
   int count[2] = {0, 0};
   twofold weight[6] = {{0, 0}};
   for (int k = 0; k < 3; k++) {
@@ -419,7 +419,7 @@ double distance_and_way(const double a[3][3], const sepax_pose *pose_a, const do
     return rounded(sum, p.exponent - 1);
   }
   posed_points points;
-  exact_nearest found;
+  exact_nearest found = {.linear = false};
   int fine;
   int exponent = find_posed_points(&points, a, pose_a, b, pose_b);
   find_exact_nearest(&points, &c.list, &found);
@@ -461,7 +461,7 @@ int distance_compare(const double a[3][3], const sepax_pose *pose_a, const doubl
     return 1;
   }
   posed_points points;
-  exact_nearest found;
+  exact_nearest found = {.linear = false};
   int exponent = find_posed_points(&points, a, pose_a, b, pose_b);
   find_exact_nearest(&points, &c.list, &found);
   return exact_compare(&found, exponent, limit);

@@ -319,10 +319,10 @@ twofold exact_distance(const exact_nearest *n, int *exponent) {
 
 /* r *= 2^shift */
 static void shift_up(big *r, int shift) {
-  big power;
+  big power = {.sign = 1, .limbs = shift / 64 + 1};
   big product;
-  big_set_zero(&power);
-  big_add_shifted(&power, 1, 1, shift);
+  assert(power.limbs <= BIG_LIMBS);
+  power.limb[shift / 64] = UINT64_C(1) << shift % 64;
   big_multiply(&product, r, &power);
   big_copy(r, &product);
   r->sign = product.sign;
@@ -334,12 +334,12 @@ int exact_compare(const exact_nearest *n, int exponent, double limit) {
   if (n->over.sign == 0 || limit == 0) {
     return (n->over.sign != 0) - (limit > 0);
   }
+  assert(n->over.limbs > 0);
   big square;
   big most;
   big least;
-  uint64_t whole = (uint64_t)ldexp(size, 53);
-  big_set_zero(&square);
-  big_add_shifted(&square, 1, (unsigned __int128)whole * whole, 0);
+  big whole = {.sign = 1, .limbs = 1, .limb = {(uint64_t)ldexp(size, 53)}};
+  big_multiply(&square, &whole, &whole);
   big_multiply(&most, &square, &n->under);
   big_copy(&least, &n->over);
   least.sign = 1;

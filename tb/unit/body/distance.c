@@ -325,7 +325,7 @@ static double assert_least(const scene *s, sepax_path path_taken) {
 
 static void assert_near(const scene *s, double distance, const sepax_query *query) {
   const size_t count[2] = {s->mesh[0].count, s->mesh[1].count};
-  bool *near = calloc(count[0] * count[1], 1);
+  bool *near = calloc(count[0] * count[1] + 1, 1);
   sepax_pairs found;
   size_t expected = 0;
   assert_non_null(near);
