@@ -212,6 +212,33 @@ CASE(touching_bodies) {
   }
 }
 
+/* Triangles on one line that touch, or have a gap that their boxes do not see. */
+CASE(bodies_on_a_line) {
+  for (int n = 0; n < 200; n++) {
+    points t[2];
+    sepax_body *body[2];
+    double along[3] = {random_below(7) - 3, random_below(7) - 3, random_below(7) - 3};
+    double gap = n % 2 == 0 ? 0 : 0x1p-24;
+    for (int k = 0; k < 2; k++) {
+      sepax_facet facet = {{{0}}, {0}};
+      int first = random_below(3);
+      for (int v = 0; v < 3; v++) {
+        double at = v == first ? 0 : random_below(16);
+        at = k == 0 ? -at : at + gap;
+        for (int i = 0; i < 3; i++) {
+          t[k][v][i] = facet.v[v][i] = at * along[i];
+        }
+      }
+      assert_works(sepax_body_new(&body[k], &(sepax_mesh){&facet, 1}, &fault));
+    }
+    bool point = fabs(along[0]) + fabs(along[1]) + fabs(along[2]) < 1;
+    assert_int_equal(sepax_exact_posed(t[0], NULL, t[1], NULL).collision, n % 2 == 0 || point);
+    assert_posed_bodies(t, body, NULL, NULL, n % 4 < 2 ? SEPAX_PATH_PORTABLE : SEPAX_PATH_BEST);
+    sepax_body_free(body[0]);
+    sepax_body_free(body[1]);
+  }
+}
+
 typedef struct {
   size_t calls, most;
 } counter;
