@@ -174,7 +174,8 @@ INLINE R NAME(load)(NAME(coordinate_real) c[3], const double *from, const placem
  *
  * With u = 2^-53 and m the largest coordinate from A_0, a difference is wrong by d + u m at most, a
  * trapezoid term, which is up to 4 m^2, by 8 m d + 12 u m^2, orient2d by 24 m d + 60 u m^2, a prism
- * volume by 216 m^2 d + 864 u m^3, and orient3d, four of these, by 864 m^2 d + 5,184 u m^3.
+ * volume by 216 m^2 d + 864 u m^3, and orient3d, four of these, by 864 m^2 d + 5,184 u m^3. An
+ * m so large that products overflow, or so small that they lose bits, leaves a pair uncertain.
  *
  * A certain collision is strict: an edge passes from one side of the other triangle's plane to the
  * other, through the inside of that triangle, so that the points of its own triangle near there are
@@ -197,7 +198,8 @@ TARGET static uint32_t NAME(judge)(const double *from, const placement *at, uint
     UNROLL for (int j = 0; j < 3; j++) { least = NAME(lesser)(least, NAME(magnitude)(v.d[i][j])); }
   }
   R limit = most * most * (1024 * at->error + 8192 * 0x1p-53 * most);
-  *uncertain = ~REAL_BITS((V)(least > limit)) & ((1U << LANES) - 1);
+  V certain = (V)(least > limit) & (V)(most > 0x1p-300) & (V)(most < 0x1p300);
+  *uncertain = ~REAL_BITS(certain) & ((1U << LANES) - 1);
   return REAL_BITS(hit);
 }
 
