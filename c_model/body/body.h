@@ -30,6 +30,7 @@ typedef struct {
 struct sepax_body {
   size_t count;
   double centre[3];
+  double radius;          /* of all vertices from the centre, at most */
   double scale;           /* a power of two; centre +- scale holds all triangles */
   facet_points *triangle; /* in the tree's order */
   uint32_t *number;       /* in the mesh */

@@ -147,3 +147,30 @@ void place_triangle_b(const placement *p, const double b[3][3], double placed[3]
     }
   }
 }
+
+/* Where the centre of a body is; adds to `size` what bounds its roundings. */
+static void pose_centre(const sepax_body *b, const sepax_pose *pose, double at[3], double *size) {
+  const sepax_pose *p = pose != NULL ? pose : &unmoved;
+  for (int i = 0; i < 3; i++) {
+    at[i] = p->translation[i];
+    *size += fabs(p->translation[i]) + 4 * fabs(b->centre[i]);
+    for (int k = 0; k < 3; k++) {
+      at[i] += p->rotation[i][k] * b->centre[k];
+    }
+  }
+}
+
+bool balls_disjoint(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                    const sepax_pose *pose_b) {
+  double at[2][3];
+  double size = 0;
+  double sum = 0;
+  pose_centre(a, pose_a, at[0], &size);
+  pose_centre(b, pose_b, at[1], &size);
+  for (int i = 0; i < 3; i++) {
+    double step = at[1][i] - at[0][i];
+    sum += step * step;
+  }
+  double reach = (a->radius + b->radius) * (1 + 0x1p-16) + 0x1p-48 * size;
+  return reach < 0x1p500 && sum > 0x1p-900 && sum < 0x1p1000 && sum > reach * reach;
+}

@@ -32,6 +32,10 @@ typedef struct {
 void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                   const sepax_pose *pose_b);
 
+/* True only if balls around the bodies have no common point. A pose stretches by 2^-16 at most. */
+bool balls_disjoint(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                    const sepax_pose *pose_b);
+
 /* The vertices of a triangle of B in A's file coordinates, each wrong by `error` at most. */
 void place_triangle_b(const placement *p, const double b[3][3], double placed[3][3]);
 

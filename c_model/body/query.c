@@ -236,6 +236,9 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
   s.avx2 = s.query->path != SEPAX_PATH_PORTABLE && __builtin_cpu_supports("avx2") &&
            __builtin_cpu_supports("fma");
 #endif
+  if (balls_disjoint(a, pose_a, b, pose_b)) {
+    return true;
+  }
   place_bodies(&s.at, a, pose_a, b, pose_b);
   s.batch = s.query->only_any || s.query->most > 0 ? 4 : BATCH;
   s.end = s.query->seconds > 0 ? seconds_now() + s.query->seconds : 0;

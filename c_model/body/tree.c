@@ -366,6 +366,12 @@ static bool measure(sepax_body *body, const sepax_mesh *mesh, sepax_error *error
   int exponent;
   frexp(most, &exponent);
   body->scale = most > 0 ? ldexp(1, exponent < -1000 ? -1000 : exponent) : 1;
+  double sum = 0; /* of squares, in units of the scale */
+  for (int i = 0; i < 3; i++) {
+    double half = fmax(high[i] - body->centre[i], body->centre[i] - low[i]) / body->scale;
+    sum += half * half;
+  }
+  body->radius = body->scale * sqrt(sum) * (1 + 0x1p-40);
   return true;
 }
 
