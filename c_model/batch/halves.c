@@ -57,22 +57,48 @@ static box4 box_of_triangle(const sepax_tri *t, float margin) {
   return b;
 }
 
-static box4 bounds_of_mesh(const sepax_tri *tri, size_t count, float margin) {
+/* Of a triangle of doubles in its pose, in A's coordinates times `unit`, by which they are
+ * within 1. Rounded to floats they are wrong by 2^-24 of themselves, or 2^-149. */
+static box4 box_of_posed(const search *s, int which, size_t n) {
+  const double(*v)[3] = s->mesh[which]->facet[n].v;
+  double placed[3][3];
+  float margin = (float)(s->posed.at.error * s->unit * (1 + 0x1p-20)) + 0x1p-140F;
+  if (which == 1) {
+    place_triangle_b(&s->posed.at, v, placed);
+    v = placed;
+  }
+  box4 b = box4_of_none();
+  for (int k = 0; k < 3; k++) {
+    corner at = {(float)(v[k][0] * s->unit), (float)(v[k][1] * s->unit), (float)(v[k][2] * s->unit),
+                 0};
+    b.low = corner_least(b.low, at);
+    b.high = corner_most(b.high, at);
+  }
+  b.low -= (corner)((corner_bits)b.low & INT32_MAX) * 0x1p-22F + margin;
+  b.high += (corner)((corner_bits)b.high & INT32_MAX) * 0x1p-22F + margin;
+  return b;
+}
+
+static box4 box_of(const search *s, int which, size_t n, float margin) {
+  return s->mesh[0] != NULL ? box_of_posed(s, which, n)
+                            : box_of_triangle(&s->tri[which][n], margin);
+}
+
+static box4 bounds_of_mesh(const search *s, int which) {
   box4 all = box4_of_none();
-  for (size_t n = 0; n < count; n++) {
-    box4 b = box_of_triangle(&tri[n], margin);
+  for (size_t n = 0; n < s->count[which]; n++) {
+    box4 b = box_of(s, which, n, 0);
     box4_enclose(&all, &b);
   }
   return all;
 }
 
 /* The triangles that meet `reach`. */
-static void fill_list(list *to, const sepax_tri *tri, size_t count, float margin,
-                      const box4 *reach) {
+static void fill_list(const search *s, int which, list *to, float margin, const box4 *reach) {
   to->count = 0;
   to->bounds = box4_of_none();
-  for (size_t n = 0; n < count; n++) {
-    box4 b = box_of_triangle(&tri[n], margin);
+  for (size_t n = 0; n < s->count[which]; n++) {
+    box4 b = box_of(s, which, n, margin);
     if (!box4_disjoint(&b, reach)) {
       box4_enclose(&to->bounds, &b);
       box4_set_number(&b, (uint32_t)n);
@@ -254,9 +280,9 @@ bool halves_begin(search *s, size_t *most_threads) {
       return false;
     }
   }
-  box4 reach = bounds_of_mesh(s->tri[1], s->count[1], 0);
-  fill_list(&of[0], s->tri[0], s->count[0], margin, &reach);
-  fill_list(&of[1], s->tri[1], s->count[1], 0, &of[0].bounds);
+  box4 reach = bounds_of_mesh(s, 1);
+  fill_list(s, 0, &of[0], margin, &reach);
+  fill_list(s, 1, &of[1], 0, &of[0].bounds);
   *most_threads = 1 + (of[0].count + of[1].count) / TASK;
   return of[0].count == 0 || of[1].count == 0 || push(t, of, whole);
 }

@@ -6,6 +6,7 @@
 #include "util/list.h"
 #include "util/threads.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -52,7 +53,9 @@ void search_judge_candidates(worker *w) {
   if (count == 0) {
     return;
   }
-  if (s->design == NULL) {
+  if (s->mesh[0] != NULL) {
+    hits = judge_posed_pairs(&s->posed, w->candidate, (int)count);
+  } else if (s->design == NULL) {
     int32_t c[2][3][3][BATCH];
     sepax_columns of[2];
     gather_candidates(w, c, of);
@@ -66,12 +69,12 @@ void search_judge_candidates(worker *w) {
   }
   w->waiting = 0;
   for (bool on = true; on && hits != 0; hits &= hits - 1) {
-    const size_t *pair = w->candidate[__builtin_ctzll(hits)];
+    const uint32_t *pair = w->candidate[__builtin_ctzll(hits)];
     on = record(w, pair[0], pair[1]);
   }
 }
 
-void search_add_candidate(worker *w, size_t i, size_t j) {
+void search_add_candidate(worker *w, uint32_t i, uint32_t j) {
   w->candidate[w->waiting][0] = i;
   w->candidate[w->waiting++][1] = j;
   if (w->waiting == BATCH) {
@@ -81,23 +84,24 @@ void search_add_candidate(worker *w, size_t i, size_t j) {
 
 /* ----------------------------------------------------------------- brute force */
 
-static bool brute_force_begin(search *s) {
+static bool fill_columns(search *s) {
   size_t count = s->count[1];
   int32_t *x = malloc(9 * count * sizeof *x);
   s->column = x;
-  if (x == NULL) {
-    return false;
-  }
-  for (int k = 0; k < 9; k++) {
+  for (int k = 0; k < 9 && x != NULL; k++) {
     s->columns.c[k / 3][k % 3] = x + (size_t)k * count;
     for (size_t n = 0; n < count; n++) {
       x[(size_t)k * count + n] = vec_component(&s->tri[1][n].v[k / 3], k % 3);
     }
   }
-  s->parts = (count + PART - 1) / PART;
+  return x != NULL;
+}
+
+static bool brute_force_begin(search *s) {
+  s->parts = (s->count[1] + PART - 1) / PART;
   s->total = (s->count[0] + BLOCK - 1) / BLOCK * s->parts;
   atomic_init(&s->next, 0);
-  return true;
+  return s->mesh[0] != NULL || fill_columns(s);
 }
 
 /* One triangle of A against `many` of B. */
@@ -118,6 +122,13 @@ static void judge_one(worker *w, size_t i, size_t from, size_t many) {
   }
 }
 
+static void judge_one_posed(worker *w, size_t i, size_t from, size_t many) {
+  for (size_t j = from; j < from + many; j++) {
+    search_add_candidate(w, (uint32_t)i, (uint32_t)j);
+  }
+  search_judge_candidates(w);
+}
+
 /* With clearances AABBs may be as far from each other as the margin. */
 static void judge_one_with_margin(worker *w, size_t i, size_t from, size_t many) {
   const search *s = w->all;
@@ -125,7 +136,7 @@ static void judge_one_with_margin(worker *w, size_t i, size_t from, size_t many)
   for (size_t j = from; j < from + many; j++) {
     aabb b = aabb_of(&s->tri[1][j]);
     if (!aabb_disjoint(&a, &b, s->margin)) {
-      search_add_candidate(w, i, j);
+      search_add_candidate(w, (uint32_t)i, (uint32_t)j);
     }
   }
   search_judge_candidates(w);
@@ -138,7 +149,9 @@ static void brute_force_task(worker *w, size_t task) {
   size_t from = task % s->parts * PART;
   size_t many = from + PART < s->count[1] ? PART : s->count[1] - from;
   for (size_t i = first; i < first + BLOCK && i < s->count[0] && !atomic_load(&w->all->stop); i++) {
-    if (s->design == NULL) {
+    if (s->mesh[0] != NULL) {
+      judge_one_posed(w, i, from, many);
+    } else if (s->design == NULL) {
       judge_one(w, i, from, many);
     } else {
       judge_one_with_margin(w, i, from, many);
@@ -259,45 +272,82 @@ static bool run(search *s, size_t threads, sepax_pairs *found) {
   return ok;
 }
 
-static bool find_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
-                       const sepax_tri *b, size_t count_b, const sepax_search *how,
-                       sepax_pairs *found, sepax_error *error) {
+static bool find_pairs(search *s, const sepax_search *how, sepax_pairs *found, sepax_error *error) {
   static const sepax_search usual = {0};
-  search s = {.how = how != NULL ? how : &usual,
-              .design = design,
-              .tri = {a, b},
-              .count = {count_a, count_b},
-              .margin = design != NULL ? design->margin[1] : 0};
+  s->how = how != NULL ? how : &usual;
   *found = (sepax_pairs){0};
-  if (count_a == 0 || count_b == 0) {
+  if (s->count[0] == 0 || s->count[1] == 0) {
     return true;
   }
-  if (count_a > UINT32_MAX || count_b > UINT32_MAX) {
-    return sepax_fail(error, "a search is among up to 2^32 - 1 triangles, not %zu and %zu", count_a,
-                      count_b);
+  if (s->count[0] > UINT32_MAX || s->count[1] > UINT32_MAX) {
+    return sepax_fail(error, "a search is among up to 2^32 - 1 triangles, not %zu and %zu",
+                      s->count[0], s->count[1]);
   }
-  atomic_init(&s.stop, false);
+  atomic_init(&s->stop, false);
   size_t most = SIZE_MAX;
-  bool ok = s.how->brute_force ? brute_force_begin(&s) : halves_begin(&s, &most);
-  ok = ok && run(&s, threads_of(s.how, most), found);
-  halves_end(&s);
-  free(s.column);
-  if (s.ended) {
+  bool ok = s->how->brute_force ? brute_force_begin(s) : halves_begin(s, &most);
+  ok = ok && run(s, threads_of(s->how, most), found);
+  halves_end(s);
+  free(s->column);
+  if (s->ended) {
     return sepax_fail(error, "the search was ended before its time");
   }
-  return ok || sepax_fail(error, "no memory for the search among %zu and %zu triangles", count_a,
-                          count_b);
+  return ok || sepax_fail(error, "no memory for the search among %zu and %zu triangles",
+                          s->count[0], s->count[1]);
 }
 
 bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
                            const sepax_search *how, sepax_pairs *found, sepax_error *error) {
-  return find_pairs(NULL, a, count_a, b, count_b, how, found, error);
+  search s = {.tri = {a, b}, .count = {count_a, count_b}};
+  return find_pairs(&s, how, found, error);
 }
 
 bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
                       const sepax_tri *b, size_t count_b, const sepax_search *how,
                       sepax_pairs *found, sepax_error *error) {
-  return find_pairs(design, a, count_a, b, count_b, how, found, error);
+  search s = {
+      .design = design, .tri = {a, b}, .count = {count_a, count_b}, .margin = design->margin[1]};
+  return find_pairs(&s, how, found, error);
+}
+
+/* The largest coordinate, or more than 2^1000. */
+static double largest_of(const sepax_mesh *m) {
+  double most = 0;
+  for (size_t n = 0; n < m->count; n++) {
+    for (int k = 0; k < 9; k++) {
+      double size = fabs(m->facet[n].v[k / 3][k % 3]);
+      most = size <= most ? most : size;
+      most = isnan(size) ? INFINITY : most;
+    }
+  }
+  return most;
+}
+
+bool sepax_meshes_collide(const sepax_mesh *a, const sepax_pose *pose_a, const sepax_mesh *b,
+                          const sepax_pose *pose_b, const sepax_search *how, sepax_pairs *found,
+                          sepax_error *error) {
+  double most[2] = {largest_of(a), largest_of(b)};
+  *found = (sepax_pairs){0};
+  if (!(most[0] <= 0x1p1000) || !(most[1] <= 0x1p1000)) {
+    return sepax_fail(error, "a mesh has a coordinate that is not within 2^1000");
+  }
+  if (a->count == 0 || b->count == 0) {
+    return true;
+  }
+  search s = {.mesh = {a, b}, .count = {a->count, b->count}};
+  s.posed = (posed_pairs){
+      .first = {a->facet[0].v[0], b->facet[0].v[0]},
+      .stride = {sizeof *a->facet / sizeof(double), sizeof *a->facet / sizeof(double)},
+      .fast = posed_pairs_fast(how != NULL ? how->path : SEPAX_PATH_BEST)};
+  place_poses(&s.posed.at, pose_a, pose_b, most[1]);
+  double size = most[0];
+  for (int i = 0; i < 3; i++) {
+    size = fmax(size, fabs(s.posed.at.offset[i]) + 4 * most[1]);
+  }
+  int exponent;
+  frexp(size, &exponent);
+  s.unit = size > 0 ? ldexp(1, exponent < -1000 ? 1000 : -exponent) : 1;
+  return find_pairs(&s, how, found, error);
 }
 
 void sepax_pairs_free(sepax_pairs *pairs) {

@@ -2,6 +2,7 @@
 #ifndef SEPAX_SEARCH_H
 #define SEPAX_SEARCH_H
 
+#include "body/judge.h"
 #include "sepax_design.h"
 
 #include <stdatomic.h>
@@ -14,7 +15,10 @@ typedef struct tasks tasks;
 typedef struct {
   const sepax_search *how;
   const sepax_design *design; /* with clearances, or NULL for collisions */
-  const sepax_tri *tri[2];    /* of A, of B */
+  const sepax_tri *tri[2];    /* of A, of B; on a grid */
+  const sepax_mesh *mesh[2];  /* or as they stand in their files, in poses */
+  posed_pairs posed;
+  double unit; /* of boxes: coordinates times this are within 1 */
   size_t count[2];
   int64_t margin;  /* between AABBs of a pair that is judged */
   uint64_t total;  /* what progress is told */
@@ -33,12 +37,12 @@ typedef struct {
   sepax_pairs found;
   size_t capacity;
   size_t waiting; /* candidates */
-  size_t candidate[BATCH][2];
+  uint32_t candidate[BATCH][2];
   bool no_memory;
 } worker;
 
 /* A pair that is to be judged, now or when a batch is full. */
-void search_add_candidate(worker *w, size_t i, size_t j);
+void search_add_candidate(worker *w, uint32_t i, uint32_t j);
 void search_judge_candidates(worker *w);
 
 void search_report(worker *w, uint64_t done);

@@ -37,42 +37,25 @@ static void multiply(const double p[3][3], const double q[3][3], double r[3][3])
   }
 }
 
-/* From B's tree to A's, with linear part and offset in file units.
- *
- * In units of A's scale all numbers of a test are sums of up to 7 terms that are below
- * S = (1 + ratio)(2 + far + 4 ratio), each rounded to 24 bits at most 8 times: below 2^-18 S in
- * all. The doubles before round by less than 2^-44 of the largest offset and centre. */
+/* From B's tree to A's, with linear part and offset in file units. The doubles round by less than
+ * 2^-44 of the largest offset and centre. */
 static void find_motion(motion *m, const sepax_body *a, const sepax_body *b,
                         const double linear[3][3], const double offset[3]) {
   double ratio = b->scale / a->scale;
   double far = 0;
+  double lost = 0;
+  *m = (motion){.ratio = (float)ratio};
   for (int i = 0; i < 3; i++) {
     double shift = offset[i] - a->centre[i];
     for (int k = 0; k < 3; k++) {
       shift += linear[i][k] * b->centre[k];
-      m->axis[k][i] = (float)(linear[i][k] * ratio);
       m->scaled[k][i] = linear[i][k] * ratio;
       m->turn[k][i] = (float)linear[i][k];
-      m->size[k][i] = fabsf(m->axis[k][i]);
     }
-    shift /= a->scale;
-    m->shifted[i] = shift;
-    m->shift[i] = (float)shift;
-    far = fmax(far, fabs(shift));
-  }
-  for (int j = 0; j < 3; j++) {
-    for (int k = 0; k < 3; k++) {
-      m->gram[j][k] = fabsf(m->axis[j][0] * m->axis[k][0] + m->axis[j][1] * m->axis[k][1] +
-                            m->axis[j][2] * m->axis[k][2]);
-    }
-  }
-  double lost = 0; /* by rounding of the doubles above, in units of A's scale */
-  for (int i = 0; i < 3; i++) {
+    m->shift[i] = shift / a->scale;
+    far = fmax(far, fabs(m->shift[i]));
     lost = fmax(lost, fabs(offset[i]) + fabs(a->centre[i]) + 4 * fabs(b->centre[i]));
   }
-  m->slack = (float)(0x1p-18 * (1 + ratio) * (2 + far + 4 * ratio) +
-                     0x1p-44 * (1 + ratio) * lost / a->scale);
-  m->ratio = (float)ratio;
   m->lost = (float)(0x1p-44 * ((1 + ratio) * (2 + far) + lost / a->scale));
 }
 
@@ -99,16 +82,13 @@ static bool turns_axes_into_axes(const double linear[3][3]) {
   return true;
 }
 
-void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
-                  const sepax_pose *pose_b) {
+void place_poses(placement *p, const sepax_pose *pose_a, const sepax_pose *pose_b, double most) {
   pose_a = moves(pose_a) ? pose_a : NULL;
   pose_b = moves(pose_b) ? pose_b : NULL;
   *p = (placement){.pose = {pose_a, pose_b}};
   const sepax_pose *pa = pose_a != NULL ? pose_a : &unmoved;
   const sepax_pose *pb = pose_b != NULL ? pose_b : &unmoved;
   double inverse[3][3];
-  double back[3][3];
-  double offset[3];
   invert(pa->rotation, inverse);
   if (pose_a == NULL) {
     memcpy(inverse, unmoved.rotation, sizeof inverse);
@@ -123,11 +103,18 @@ void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, c
     }
   }
   /* Up to 32 roundings of terms that are at most 4 times the largest number. */
-  p->error = 0x1p-53 * 128 * (largest(b) + away);
+  p->error = 0x1p-53 * 128 * (most + away);
   if (pose_a == NULL && pose_b == NULL) {
     p->error = 0;
   }
   p->whole = pose_a == NULL && turns_axes_into_axes(p->linear);
+}
+
+void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                  const sepax_pose *pose_b) {
+  double back[3][3];
+  double offset[3];
+  place_poses(p, pose_a, pose_b, largest(b));
   invert(p->linear, back);
   for (int i = 0; i < 3; i++) {
     offset[i] = 0;

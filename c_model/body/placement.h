@@ -4,21 +4,13 @@
 
 #include "body.h"
 
-/* From the coordinates of one tree to those of the other: v -> sum of axis[k] v_k + shift. */
+/* From the coordinates of one tree to those of the other: scaled[k] and turn[k] are what axis k
+ * becomes, in units of the other body and of length 1; lengths grow by `ratio`; `lost` is what
+ * rounding of the doubles may have moved. The last of four is 0. */
 typedef struct {
-  float axis[3][3], size[3][3]; /* size: |axis| */
-  float gram[3][3];             /* |axis[k] . axis[j]| */
-  float shift[3];
-  float slack;
-  /* The same: scaled[k] and turn[k] are what axis k becomes, in units of the other body and of
-   * length 1; lengths grow by `ratio`; `lost` is what rounding of the doubles may have moved. */
-  double scaled[3][4], shifted[4]; /* the last of four is 0 */
+  double scaled[3][4], shift[4];
   float turn[3][4], ratio, lost;
 } motion;
-
-typedef struct {
-  float centre[3], half[3];
-} box;
 
 typedef struct {
   const sepax_pose *pose[2]; /* NULL: as the body stands in its file */
@@ -28,6 +20,9 @@ typedef struct {
   double error; /* of a coordinate of B then, at most; 0 where no pose is given */
   bool whole;   /* B's axes are turned into axes: `linear` is of 0, 1 and -1, and exact */
 } placement;
+
+/* All but `to`, for coordinates of B of up to `most`. */
+void place_poses(placement *p, const sepax_pose *pose_a, const sepax_pose *pose_b, double most);
 
 void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                   const sepax_pose *pose_b);

@@ -13,7 +13,7 @@
  * from 0 and 1. All that is below 2^-17 H on the axes of the boxes, where half sides have 2^-15 of
  * each box's own more than they need (fit.c), and below 2^-16 H on the cross products, to which
  * BOX_SLACK H is added. What is not a number separates nothing. */
-#include "placement.h"
+#include "judge.h"
 #include "util/error.h"
 #include "util/list.h"
 #include "verdict/signs.h"
@@ -45,23 +45,19 @@ typedef struct {
 #define NAME(x) x##_portable
 #define TARGET
 #define FLOATS 4
-#define LANES 2
 #define MADD(p, q, r) ((p) * (q) + (r))
 #define ALL(x) (x)
 #define BITS(v) \
   ((uint32_t)(((v)[0] < 0) | ((v)[1] < 0) << 1 | ((v)[2] < 0) << 2 | ((v)[3] < 0) << 3))
-#define REAL_BITS(v) ((uint32_t)((v)[0] >> 63 | (v)[1] >> 63 << 1))
 #include "boxes.h"
 
 #if defined __x86_64__
 #define NAME(x) x##_avx2
 #define TARGET __attribute__((target("avx2,fma")))
 #define FLOATS 8
-#define LANES 4
 #define MADD(p, q, r) ((__typeof__(r))_mm256_fmadd_ps((__m256)(p), (__m256)(q), (__m256)(r)))
 #define ALL(x) _mm256_set1_ps(x)
 #define BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
-#define REAL_BITS(v) ((uint32_t)_mm256_movemask_pd((__m256d)(v)))
 #include "boxes.h"
 #endif
 
@@ -78,15 +74,14 @@ typedef struct {
 typedef struct {
   const sepax_body *body[2];
   const sepax_query *query;
-  bool avx2;
-  placement at;
+  posed_pairs pairs;
   sepax_pairs *found;
   size_t capacity, hits;
   bool no_memory, ended;
   double end;                 /* of the time; 0: none */
   uint32_t waiting[BATCH][2]; /* pairs of triangles */
   int count, batch;           /* batch: so many are judged at once */
-  size_t visits, judged, exact;
+  size_t visits, judged;
 } search;
 
 static void record(search *s, uint32_t i, uint32_t j) {
@@ -110,46 +105,12 @@ static double seconds_now(void) {
 
 /* The pairs of triangles that wait. */
 static void judge(search *s) {
-  const int lanes = s->avx2 ? 4 : 2;
-  double c[72];
-  for (int first = 0; first < s->count && !s->ended; first += lanes) {
-    int used = s->count - first < lanes ? s->count - first : lanes;
-    for (int n = 0; n < lanes; n++) {
-      const uint32_t *pair = s->waiting[n < used ? first + n : first];
-      const double(*a)[3] = s->body[0]->triangle[pair[0]];
-      const double(*b)[3] = s->body[1]->triangle[pair[1]];
-      for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-          c[(6 * i + k) * lanes + n] = a[k][i];
-          c[(6 * i + 3 + k) * lanes + n] = b[k][i];
-        }
-      }
-    }
-    uint32_t uncertain;
-    uint32_t hits =
-        s->avx2 ? judge_avx2(c, &s->at, &uncertain) : judge_portable(c, &s->at, &uncertain);
-    if (uncertain != 0 && s->at.whole && !s->query->strict) {
-      uint32_t off;
-      uint32_t more =
-          s->avx2 ? judge_on_grid_avx2(c, &s->at, &off) : judge_on_grid_portable(c, &s->at, &off);
-      hits = (hits & ~uncertain) | (more & uncertain);
-      uncertain &= off;
-    }
-    for (int n = 0; n < used && !s->ended; n++) {
-      const uint32_t *pair = s->waiting[first + n];
-      bool hit = (hits >> n & 1) != 0;
-      s->judged++;
-      if ((uncertain >> n & 1) != 0) {
-        s->exact++;
-        sepax_verdict v = sepax_exact_posed(s->body[0]->triangle[pair[0]], s->at.pose[0],
-                                            s->body[1]->triangle[pair[1]], s->at.pose[1]);
-        hit = s->query->strict ? v.strict : v.collision;
-      }
-      if (hit) {
-        record(s, pair[0], pair[1]);
-      }
-    }
+  uint64_t hits = judge_posed_pairs(&s->pairs, s->waiting, s->count);
+  for (; hits != 0 && !s->ended; hits &= hits - 1) {
+    const uint32_t *pair = s->waiting[__builtin_ctzll(hits)];
+    record(s, pair[0], pair[1]);
   }
+  s->judged += (size_t)s->count;
   s->count = 0;
 }
 
@@ -168,8 +129,8 @@ static uint32_t overlaps(const search *s, int open, uint32_t node, uint32_t at) 
   const body_boxes *boxes = &s->body[open]->boxes[node];
   const body_boxes *from = &s->body[!open]->boxes[at / BODY_WIDE];
   int lane = (int)(at % BODY_WIDE);
-  return s->avx2 ? overlaps_avx2(boxes, &s->at.to[open], from, lane)
-                 : overlaps_portable(boxes, &s->at.to[open], from, lane);
+  return s->pairs.fast ? overlaps_avx2(boxes, &s->pairs.at.to[open], from, lane)
+                       : overlaps_portable(boxes, &s->pairs.at.to[open], from, lane);
 }
 
 /* Which body's node to open: the larger, as far as it has one. */
@@ -177,7 +138,7 @@ static int opened(const search *s, const box_pair *p, const uint32_t child[2]) {
   if (((child[0] | child[1]) & BODY_TRIANGLE) != 0) {
     return (child[0] & BODY_TRIANGLE) != 0;
   }
-  return size_at(s->body[1], p->at[1]) * s->at.to[0].ratio > size_at(s->body[0], p->at[0]);
+  return size_at(s->body[1], p->at[1]) * s->pairs.at.to[0].ratio > size_at(s->body[0], p->at[0]);
 }
 
 static void visit(search *s, const box_pair *p, box_pair *stack, int *depth) {
@@ -232,14 +193,14 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
   search s = {.body = {a, b}, .found = found};
   s.query = query != NULL ? query : &usual;
   *found = (sepax_pairs){0};
-#if defined __x86_64__
-  s.avx2 = s.query->path != SEPAX_PATH_PORTABLE && __builtin_cpu_supports("avx2") &&
-           __builtin_cpu_supports("fma");
-#endif
   if (balls_disjoint(a, pose_a, b, pose_b)) {
     return true;
   }
-  place_bodies(&s.at, a, pose_a, b, pose_b);
+  s.pairs = (posed_pairs){.first = {a->triangle[0][0], b->triangle[0][0]},
+                          .stride = {9, 9},
+                          .strict = s.query->strict,
+                          .fast = posed_pairs_fast(s.query->path)};
+  place_bodies(&s.pairs.at, a, pose_a, b, pose_b);
   s.batch = s.query->only_any || s.query->most > 0 ? 4 : BATCH;
   s.end = s.query->seconds > 0 ? seconds_now() + s.query->seconds : 0;
   descend(&s);

@@ -33,7 +33,7 @@ INLINE void NAME(turn_box)(posed_box *p, const motion *m, const body_boxes *from
   for (int i = 0; i < 3; i++) {
     double at = m->scaled[0][i] * (double)from->centre[0][lane] +
                 m->scaled[1][i] * (double)from->centre[1][lane] +
-                m->scaled[2][i] * (double)from->centre[2][lane] + m->shifted[i];
+                m->scaled[2][i] * (double)from->centre[2][lane] + m->shift[i];
     p->centre[i] = (float)at;
     p->rest[i] = (float)(at - (double)p->centre[i]);
     p->half[i] = m->ratio * from->half[i][lane] + m->lost;

@@ -121,6 +121,26 @@ static sepax_mesh strewn(size_t count, double size, double step) {
   return mesh;
 }
 
+/* A search done once finds the pairs in `hit`, in order. */
+static void assert_found_once(const sepax_mesh m[2], const sepax_pose *pa, const sepax_pose *pb,
+                              sepax_path path_taken, const bool *hit) {
+  for (int kind = 0; kind < 3; kind++) {
+    sepax_search how = {.path = path_taken, .threads = 1 + kind % 2, .brute_force = kind == 2};
+    sepax_pairs found;
+    size_t n = 0;
+    assert_works(sepax_meshes_collide(&m[0], pa, &m[1], pb, &how, &found, &fault));
+    for (size_t k = 0; k < m[0].count * m[1].count; k++) {
+      if (hit[k]) {
+        assert_true(n < found.count);
+        assert_int_equal(found.pair[n][0] * m[1].count + found.pair[n][1], k);
+        n++;
+      }
+    }
+    assert_int_equal(found.count, n);
+    sepax_pairs_free(&found);
+  }
+}
+
 static size_t assert_all_pairs(const sepax_mesh m[2], sepax_body *body[2], const sepax_pose *pa,
                                const sepax_pose *pb, sepax_path path_taken) {
   bool *hit = calloc(m[0].count * m[1].count, 1);
@@ -153,6 +173,7 @@ static size_t assert_all_pairs(const sepax_mesh m[2], sepax_body *body[2], const
   assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
   assert_int_equal(found.count, expected > 0);
   assert_null(found.pair);
+  assert_found_once(m, pa, pb, path_taken, hit);
   free(hit);
   return expected;
 }
@@ -327,6 +348,7 @@ CASE(bodies_of_any_size) {
 
 CASE(bodies_refused) {
   sepax_body *body;
+  sepax_pairs found;
   sepax_mesh none = {NULL, 0};
   assert_fault(sepax_body_new(&body, &none, &fault), "triangles");
   sepax_mesh mesh = strewn(5, 1, 0);
@@ -334,5 +356,8 @@ CASE(bodies_refused) {
   assert_fault(sepax_body_new(&body, &mesh, &fault), "facet 3");
   mesh.facet[3].v[1][2] = 1e305;
   assert_fault(sepax_body_new(&body, &mesh, &fault), "facet 3");
+  assert_fault(sepax_meshes_collide(&mesh, NULL, &mesh, NULL, NULL, &found, &fault), "2^1000");
+  assert_works(sepax_meshes_collide(&none, NULL, &none, NULL, NULL, &found, &fault));
+  assert_int_equal(found.count, 0);
   sepax_mesh_free(&mesh);
 }
