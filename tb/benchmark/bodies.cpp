@@ -152,7 +152,8 @@ void measure_once(const Scene &scene, const sepax_pose &pose, Row &row) {
     double best = 0;
     for (size_t round = 0; round < rounds; round++) {
       const double start = cpu_seconds();
-      peer[k] = libraries[k].make(scene.mesh[0], scene.mesh[1]);
+      const Maker make = k == 0 ? make_sepax_once : libraries[k].make;
+      peer[k] = make(scene.mesh[0], scene.mesh[1]);
       if (peer[k] == nullptr) {
         break;
       }

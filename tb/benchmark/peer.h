@@ -30,6 +30,8 @@ public:
 /* nullptr: the library's headers are not here. */
 using Maker = std::unique_ptr<Peer> (*)(const sepax_mesh &a, const sepax_mesh &b);
 std::unique_ptr<Peer> make_sepax(const sepax_mesh &a, const sepax_mesh &b);
+/* All pairs without a tree; the meshes stay. */
+std::unique_ptr<Peer> make_sepax_once(const sepax_mesh &a, const sepax_mesh &b);
 std::unique_ptr<Peer> make_fcl(const sepax_mesh &a, const sepax_mesh &b);
 std::unique_ptr<Peer> make_cgal(const sepax_mesh &a, const sepax_mesh &b);
 std::unique_ptr<Peer> make_embree(const sepax_mesh &a, const sepax_mesh &b);

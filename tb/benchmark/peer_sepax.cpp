@@ -3,6 +3,14 @@
 
 namespace {
 
+Pairs listed(const sepax_pairs &found) {
+  Pairs list;
+  for (size_t k = 0; k < found.count; k++) {
+    list.push_back({found.pair[k][0], found.pair[k][1]});
+  }
+  return list;
+}
+
 class Sepax : public Peer {
 public:
   Sepax(const sepax_mesh &a, const sepax_mesh &b) {
@@ -39,13 +47,7 @@ public:
     }
   }
 
-  Pairs pairs(size_t n) const override {
-    Pairs list;
-    for (size_t k = 0; k < found[n].count; k++) {
-      list.push_back({found[n].pair[k][0], found[n].pair[k][1]});
-    }
-    return list;
-  }
+  Pairs pairs(size_t n) const override { return listed(found[n]); }
 
   double distance(size_t n) const override { return away[n].min_distance; }
 
@@ -62,8 +64,39 @@ private:
   std::vector<sepax_distance_result> away;
 };
 
+/* Meshes that are asked once. */
+class SepaxOnce : public Peer {
+public:
+  SepaxOnce(const sepax_mesh &a, const sepax_mesh &b) : mesh{&a, &b} {}
+  SepaxOnce(const SepaxOnce &) = delete;
+  ~SepaxOnce() override { sepax_pairs_free(&found); }
+
+  bool can(Query query) const override { return query == ALL; }
+
+  void ask(Query, const Poses &poses) override {
+    sepax_error error = {""};
+    sepax_search how = {};
+    how.threads = 1;
+    sepax_pairs_free(&found);
+    if (!sepax_meshes_collide(mesh[0], nullptr, mesh[1], &poses.at(0), &how, &found, &error)) {
+      stop(error.text);
+    }
+  }
+
+  Pairs pairs(size_t) const override { return listed(found); }
+  double distance(size_t) const override { return 0; }
+
+private:
+  const sepax_mesh *mesh[2];
+  sepax_pairs found = {};
+};
+
 } // namespace
 
 std::unique_ptr<Peer> make_sepax(const sepax_mesh &a, const sepax_mesh &b) {
   return std::make_unique<Sepax>(a, b);
+}
+
+std::unique_ptr<Peer> make_sepax_once(const sepax_mesh &a, const sepax_mesh &b) {
+  return std::make_unique<SepaxOnce>(a, b);
 }
