@@ -60,8 +60,10 @@ INLINE M NAME(face_axes_separate)(NAME(facing) * f, const body_boxes *node, int 
     f->along[i] = DOT(axis, t);
     F reach = f->half[i];
     UNROLL for (int k = 0; k < 3; k++) {
-      f->cosine[i][k] = MADD(axis[0], ALL(p->axis[k][0]),
-                             MADD(axis[1], ALL(p->axis[k][1]), axis[2] * p->axis[k][2]));
+      F cosine = axis[2] * p->axis[k][2];
+      cosine = MADD(axis[1], ALL(p->axis[k][1]), cosine);
+      cosine = MADD(axis[0], ALL(p->axis[k][0]), cosine);
+      f->cosine[i][k] = cosine;
       f->size[i][k] = SIZE(f->cosine[i][k]);
       reach = MADD(f->size[i][k], ALL(p->half[k]), reach);
     }

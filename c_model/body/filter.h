@@ -74,10 +74,11 @@ INLINE R NAME(load)(NAME(coordinate_real) c[3], const double *from, const placem
  * and where one triangle is on one side of the other's plane by three that are. The others do not
  * matter then, such as those of edges that are parallel.
  *
- * A certain collision is strict: an edge passes from one side of the other triangle's plane to the
- * other, through the inside of that triangle, so that the points of its own triangle near there are
- * in the inside of both. */
-TARGET static uint32_t NAME(judge)(const double *from, const placement *at, uint32_t *uncertain) {
+ * A collision with all signs certain is strict: an edge passes from one side of the other
+ * triangle's plane to the other, through the inside of that triangle, and its own triangle has an
+ * area, so that points of it near there are in the inside of both. */
+TARGET static uint32_t NAME(judge)(const double *from, const placement *at, bool strict,
+                                   uint32_t *uncertain) {
   NAME(coordinate_real) c[3];
   NAME(orient2d_real) g;
   NAME(orient3d_real) v;
@@ -107,7 +108,8 @@ TARGET static uint32_t NAME(judge)(const double *from, const placement *at, uint
     all &= by_a;
   }
   V free = (all_s & NAME(one_side)(v.s)) | (all_w & NAME(one_side)(v.w));
-  *uncertain = ~BITS((all | hit | free) & in_range) & ((1U << LANES) - 1);
+  V certain = all | free | (hit & (strict ? all : ~all));
+  *uncertain = ~BITS(certain & in_range) & ((1U << LANES) - 1);
   return BITS(hit);
 }
 
@@ -163,7 +165,8 @@ NAME(judge_on_grid)(const double *from, const placement *at, uint32_t *off_bits)
     }
     UNROLL for (int i = 0; i < 3; i++) {
       const double *row = at->linear[i];
-      R shift = NAME(on_grid)((R){0} + at->offset[i], scale, &off);
+      R shift = {0};
+      shift = NAME(on_grid)(shift + at->offset[i], scale, &off);
       c[i].b[k] = b[0] * row[0] + b[1] * row[1] + b[2] * row[2] + shift;
     }
   }

@@ -65,7 +65,7 @@ static uint32_t judge_group(const posed_pairs *p, const double *c, uint32_t *unc
   uint32_t more = 0;
 #if defined __x86_64__
   if (p->fast) {
-    hits = judge_avx2(c, &p->at, uncertain);
+    hits = judge_avx2(c, &p->at, p->strict, uncertain);
     if (*uncertain == 0 || !p->at.whole || p->strict) {
       return hits;
     }
@@ -73,7 +73,7 @@ static uint32_t judge_group(const posed_pairs *p, const double *c, uint32_t *unc
   } else
 #endif
   {
-    hits = judge_portable(c, &p->at, uncertain);
+    hits = judge_portable(c, &p->at, p->strict, uncertain);
     if (*uncertain == 0 || !p->at.whole || p->strict) {
       return hits;
     }

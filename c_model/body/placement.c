@@ -67,15 +67,24 @@ static double largest(const sepax_body *b) {
   return most + b->scale;
 }
 
+static bool is(double x, int whole) { return x >= whole && x <= whole; }
+
 /* NULL and the pose of a body that stands as in its file: not moved. */
 static bool moves(const sepax_pose *pose) {
-  return pose != NULL && memcmp(pose, &unmoved, sizeof unmoved) != 0;
+  bool same = pose != NULL;
+  for (int i = 0; i < 3 && same; i++) {
+    same = is(pose->translation[i], 0);
+    for (int k = 0; k < 3; k++) {
+      same = same && is(pose->rotation[i][k], i == k);
+    }
+  }
+  return pose != NULL && !same;
 }
 
 static bool turns_axes_into_axes(const double linear[3][3]) {
   for (int k = 0; k < 9; k++) {
     double size = fabs(linear[k / 3][k % 3]);
-    if (!(size <= 0) && !(size >= 1 && size <= 1)) {
+    if (!is(size, 0) && !is(size, 1)) {
       return false;
     }
   }

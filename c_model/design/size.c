@@ -112,7 +112,8 @@ static bool add_designs(choice *all, const sepax_size *size, int clock_ps, int l
     config.memory_a = memory_for(size->count[0]);
     config.memory_b = memory_for(size->count[1]);
   }
-  for (int extents = 0; extents <= (size->core_word < size->grid.word); extents++) {
+  const int kinds = size->core_word < size->grid.word ? 2 : 1; /* extents only where they help */
+  for (int extents = 0; extents < kinds; extents++) {
     config.extent_a = extents > 0 ? (int)size->extent[0] : 0;
     config.extent_b = extents > 0 ? (int)size->extent[1] : 0;
     for (int n = 0; n < INTERVALS; n++) {
@@ -207,8 +208,12 @@ bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size, double
   }
   size_t most = (size_t)(lanes_most - lanes_least + 1) * 2 * INTERVALS * SEPAX_CORES_MAX;
   choice all = {malloc(most * sizeof *all.design), 0, malloc((passes + 1) * sizeof *all.steps)};
-  bool ok = (all.design != NULL && all.steps != NULL) ||
-            sepax_fail(error, "no memory for %zu designs and %zu candidates", most, passes);
+  if (all.design == NULL || all.steps == NULL) {
+    free(all.design);
+    free(all.steps);
+    return sepax_fail(error, "no memory for %zu designs and %zu candidates", most, passes);
+  }
+  bool ok = true;
   for (int lanes = lanes_least; lanes <= lanes_most && ok; lanes++) {
     ok = add_designs(&all, size, clock_ps, lanes, error);
   }

@@ -3,6 +3,7 @@
 #include "body/body.h"
 
 #include <math.h>
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,6 +66,7 @@ bool find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned) {
     return false;
   }
   uint32_t parts = number_parts(own->of, parent, body->count);
+  assert(parts > 0);
   uint32_t *piece = malloc(3 * (size_t)parts * sizeof *piece);
   own->part = malloc(parts * sizeof *own->part);
   bool ok = piece != NULL && own->part != NULL;

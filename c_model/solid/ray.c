@@ -53,7 +53,7 @@ static void add(scaled *r, const scaled *p, const scaled *q, int sign) {
     r->size.sign = only_p ? r->size.sign : q_sign;
     return;
   }
-  scaled moved;
+  scaled moved = {0};
   bool p_higher = p->exponent > q->exponent;
   const scaled *high = p_higher ? p : q;
   const scaled *low = p_higher ? q : p;
@@ -71,7 +71,7 @@ static void multiply(scaled *r, const scaled *p, const scaled *q) {
 
 /* r += sign p q. */
 static void add_product(scaled *r, const scaled *p, const scaled *q, int sign) {
-  scaled product;
+  scaled product = {0};
   multiply(&product, p, q);
   add(r, r, &product, sign);
 }
@@ -87,8 +87,8 @@ static void subtract_products(scaled *r, const scaled *p, const scaled *q, const
 
 static void find_posed(scaled x[3], const double v[3], const sepax_pose *own,
                        const sepax_pose *other) {
-  scaled p;
-  scaled q;
+  scaled p = {0};
+  scaled q = {0};
   for (int i = 0; i < 3; i++) {
     set(&x[i], own != NULL ? own->translation[i] : v[i]);
     for (int k = 0; k < 3 && own != NULL; k++) {
@@ -110,9 +110,9 @@ void find_exact_point(exact_point *p, const double v[3], const sepax_pose *own,
     set(&p->over, 1);
     return;
   }
-  scaled x[3];
-  scaled r[3][3];
-  scaled cofactor;
+  scaled x[3] = {0};
+  scaled r[3][3] = {0};
+  scaled cofactor = {0};
   find_posed(x, v, own, other);
   for (int k = 0; k < 9; k++) {
     set(&r[k / 3][k % 3], other->rotation[k / 3][k % 3]);
@@ -142,7 +142,7 @@ typedef struct {
 } seen;
 
 static void look(seen *s, const exact_point *p, const double t[3][3]) {
-  scaled v[3][3];
+  scaled v[3][3] = {0};
   for (int k = 0; k < 3; k++) {
     for (int i = 0; i < 3; i++) {
       set(&v[k][i], t[k][i]);
@@ -165,13 +165,13 @@ static bool passes(const seen *s, int k, int axis) {
   if (up == (s->from[k][y].size.sign > 0)) {
     return false;
   }
-  scaled side;
+  scaled side = {0};
   subtract_products(&side, &s->edge[k][y], &s->from[k][x], &s->edge[k][x], &s->from[k][y]);
   return up ? side.size.sign > 0 : side.size.sign < 0;
 }
 
 int exact_ray_meets(const exact_point *p, int axis, int way, const double t[3][3]) {
-  seen s;
+  seen s = {0};
   look(&s, p, t);
   bool within = false;
   for (int k = 0; k < 3; k++) {

@@ -76,13 +76,20 @@ static bool reserve_vertex(surface *s) {
   return true;
 }
 
+static bool same_point(const double p[3], const double q[3]) {
+  bool differ = false;
+  for (int i = 0; i < 3; i++) {
+    differ = differ || p[i] < q[i] || p[i] > q[i];
+  }
+  return !differ;
+}
+
 /* The number of the vertex with these coordinates, which may be new. */
 static uint32_t number_vertex(surface *s, const double v[3]) {
   uint64_t hash = hash_of(v);
   for (size_t at = (size_t)hash & s->mask; s->slot[at].number != 0; at = (at + 1) & s->mask) {
     uint32_t number = s->slot[at].number - 1;
-    if (s->slot[at].tag == (uint32_t)(hash >> 32) &&
-        memcmp(s->vertex[number], v, sizeof *s->vertex) == 0) {
+    if (s->slot[at].tag == (uint32_t)(hash >> 32) && same_point(s->vertex[number], v)) {
       return number;
     }
   }

@@ -1,7 +1,8 @@
 # quality.mk - static analysis and sanitizers.
 
 .PHONY: static sanitize sanitized raced
-C_SRC  = $(LIB_SRC) $(CLI_SRC) $(wildcard tb/*.c tb/*/*.c synth/*/*.c examples/engine/*.c)
+C_SRC  = $(LIB_SRC) $(CLI_SRC) \
+         $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c examples/engine/*.c)
 C_PATH = -Ic_model -Irtl_gen -Itb -Isynth -Iexamples/engine -I$(BUILD)/static
 
 # Programs of the engine read headers that come with its Verilog.

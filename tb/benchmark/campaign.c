@@ -11,6 +11,7 @@
 #include "oracle/oracle.h"
 #include "oracle/real_pairs.h"
 
+#include <assert.h>
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
@@ -105,6 +106,7 @@ static void draft(situation *s, size_t n, double scale, sepax_random *r) {
   while (sepax_family_name(families) != NULL) {
     families++;
   }
+  assert(families > 0);
   for (size_t i = 0; i < s->count; i++) {
     sepax_pair pair = sepax_family_triangles((n + i) % families, word, r);
     for (int k = 0; k < 6; k++) {

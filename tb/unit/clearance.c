@@ -71,18 +71,18 @@ CASE(test_wrong_rules_miss) {
 /* A wide triangle with normal c, and the same one shifted. */
 static sepax_pair face_and_shifted(const int32_t c[3], int32_t size, const int64_t way[3]) {
   int i = c[0] != 0 ? 0 : 1; /* c[i] is not 0 */
-  int32_t along[2][3] = {{0, 0, 0}, {0, 0, 0}};
+  int32_t span[2][3] = {{0, 0, 0}, {0, 0, 0}};
   for (int k = 0; k < 2; k++) {
     int j = (i + 1 + k) % 3;
     int32_t scale = size / (1 + abs(c[i]) + abs(c[j]));
-    along[k][i] = -c[j] * scale;
-    along[k][j] = c[i] * scale;
+    span[k][i] = -c[j] * scale;
+    span[k][j] = c[i] * scale;
   }
   sepax_pair pair = {.a = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
   for (int axis = 0; axis < 3; axis++) {
-    *coordinate(&pair.a.v[0], axis) = -along[0][axis] - along[1][axis];
-    *coordinate(&pair.a.v[1], axis) = 2 * along[0][axis] - along[1][axis];
-    *coordinate(&pair.a.v[2], axis) = 2 * along[1][axis] - along[0][axis];
+    *coordinate(&pair.a.v[0], axis) = -span[0][axis] - span[1][axis];
+    *coordinate(&pair.a.v[1], axis) = 2 * span[0][axis] - span[1][axis];
+    *coordinate(&pair.a.v[2], axis) = 2 * span[1][axis] - span[0][axis];
     for (int k = 0; k < 3; k++) {
       int64_t at = *coordinate(&pair.a.v[k], axis) + way[axis];
       *coordinate(&pair.b.v[k], axis) = at > INT32_MAX || at < INT32_MIN ? INT32_MAX : (int32_t)at;

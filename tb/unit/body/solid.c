@@ -74,7 +74,7 @@ static void move(double v[3], const sepax_pose *p) {
 
 /* Into its file, with rounding. */
 static void move_mesh(sepax_mesh *m, const sepax_pose *p) {
-  for (size_t k = 0; k < 3 * m->count; k++) {
+  for (size_t k = 0; m->facet != NULL && k < 3 * m->count; k++) {
     move(m->facet[k / 3].v[k % 3], p);
   }
 }

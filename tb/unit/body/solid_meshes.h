@@ -36,10 +36,10 @@ static inline void add_cells(sepax_mesh *m, const double low[3], const double hi
   for (int k = 0; k < 6 * cells * cells; k++) {
     int axis = k % 3;
     int side = k / 3 % 2;
-    int at[2] = {k / 6 % cells, k / 6 / cells};
+    const int at[2] = {k / 6 % cells, k / 6 / cells};
     double v[4][3];
     for (int n = 0; n < 4; n++) {
-      int u[2] = {at[0] + (n == 1 || n == 2), at[1] + (n >= 2)};
+      const int u[2] = {at[0] + (n == 1 || n == 2), at[1] + (n >= 2)};
       v[n][axis] = side != 0 ? high[axis] : low[axis];
       for (int w = 0; w < 2; w++) {
         int i = (axis + 1 + w) % 3;

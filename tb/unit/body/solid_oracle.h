@@ -42,7 +42,7 @@ static void place(space *s, const sepax_mesh m[2], const sepax_pose *const pose[
   mpq_init(x);
   for (int i = 0; i < 2; i++) {
     s->count[i] = m[i].count;
-    s->v[i] = calloc(3 * m[i].count, sizeof *s->v[i]);
+    s->v[i] = calloc(3 * m[i].count + 1, sizeof *s->v[i]);
     assert_non_null(s->v[i]);
     for (size_t n = 0; n < 9 * m[i].count; n++) {
       find_posed(x, m[i].facet[n / 9].v[n / 3 % 3], pose[i], (int)(n % 3));

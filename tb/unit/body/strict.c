@@ -94,7 +94,7 @@ CASE(small_grid) {
   size_t seen[2] = {0};
   for (size_t n = 0; n < 100000; n++) {
     points t[2];
-    sepax_pair pair;
+    sepax_pair pair = {{{{0}}}, {{{0}}}, {0}, {0}};
     int side = 2 + (int)(n % 4);
     for (int k = 0; k < 6; k++) {
       sepax_vec *v = &(k < 3 ? &pair.a : &pair.b)->v[k % 3];
@@ -120,7 +120,8 @@ static sepax_body *cube(double x, double y, double z, double side) {
       memset(&facet[n], 0, sizeof facet[n]);
       for (int i = 0; i < 3; i++) {
         const int *at = corner[(i + 2 * (k % 2)) % 4];
-        facet[n].v[i][axis] = side * (k / 2);
+        int high = k / 2;
+        facet[n].v[i][axis] = side * high;
         facet[n].v[i][(axis + 1) % 3] = side * at[0];
         facet[n].v[i][(axis + 2) % 3] = side * at[1];
         facet[n].v[i][0] += x;
