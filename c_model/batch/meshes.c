@@ -338,7 +338,7 @@ bool sepax_meshes_collide(const sepax_mesh *a, const sepax_pose *pose_a, const s
   s.posed = (posed_pairs){
       .first = {a->facet[0].v[0], b->facet[0].v[0]},
       .stride = {sizeof *a->facet / sizeof(double), sizeof *a->facet / sizeof(double)},
-      .fast = posed_pairs_fast(how != NULL ? how->path : SEPAX_PATH_BEST)};
+      .lanes = posed_pairs_lanes(how != NULL ? how->path : SEPAX_PATH_BEST)};
   place_poses(&s.posed.at, pose_a, pose_b, most[1]);
   double size = most[0];
   for (int i = 0; i < 3; i++) {

@@ -23,20 +23,33 @@
 #define LANES 4
 #define BITS(v) ((uint32_t)_mm256_movemask_pd((__m256d)(v)))
 #include "filter.h"
+
+#define NAME(x) x##_avx512
+#define TARGET __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma")))
+#define LANES 8
+#define BITS(v) ((uint32_t)_mm512_movepi64_mask((__m512i)(v)))
+#include "filter.h"
 #endif
 
-enum { MOST_LANES = 4 };
+enum { MOST_LANES = 8 };
 
 typedef const double const_vertex[3];
 
-bool posed_pairs_fast(sepax_path path) {
+int posed_pairs_lanes(sepax_path path) {
 #if defined __x86_64__
-  return path != SEPAX_PATH_PORTABLE && __builtin_cpu_supports("avx2") &&
-         __builtin_cpu_supports("fma");
+  bool fast = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  bool wide = fast && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+              __builtin_cpu_supports("avx512vl");
+  if (path == SEPAX_PATH_BEST || path == SEPAX_PATH_AVX512) {
+    return wide ? 8 : fast ? 4 : 2;
+  }
+  if (path == SEPAX_PATH_AVX2) {
+    return fast ? 4 : 2;
+  }
 #else
   (void)path;
-  return false;
 #endif
+  return 2;
 }
 
 static const_vertex *triangle(const posed_pairs *p, int body, uint32_t number) {
@@ -59,40 +72,52 @@ static void gather(const posed_pairs *p, const uint32_t (*pair)[2], int used, in
   }
 }
 
-static uint32_t judge_group(const posed_pairs *p, const double *c, uint32_t *uncertain) {
-  uint32_t off = 0;
-  uint32_t hits;
-  uint32_t more = 0;
+typedef uint32_t filter(const double *from, const placement *at, bool strict, uint32_t *uncertain);
+typedef uint32_t grid_judge(const double *from, const placement *at, uint32_t *off);
+
+/* Where a group before was in doubt, whole numbers are tried first. */
+static uint32_t judge_group(const posed_pairs *p, const double *c, bool *in_doubt,
+                            uint32_t *uncertain) {
+  filter *by_doubles = judge_portable;
+  grid_judge *on_grid = judge_on_grid_portable;
 #if defined __x86_64__
-  if (p->fast) {
-    hits = judge_avx2(c, &p->at, p->strict, uncertain);
-    if (*uncertain == 0 || !p->at.whole || p->strict) {
-      return hits;
-    }
-    more = judge_on_grid_avx2(c, &p->at, &off);
-  } else
-#endif
-  {
-    hits = judge_portable(c, &p->at, p->strict, uncertain);
-    if (*uncertain == 0 || !p->at.whole || p->strict) {
-      return hits;
-    }
-    more = judge_on_grid_portable(c, &p->at, &off);
+  if (p->lanes > 2) {
+    by_doubles = p->lanes == 8 ? judge_avx512 : judge_avx2;
+    on_grid = p->lanes == 8 ? judge_on_grid_avx512 : judge_on_grid_avx2;
   }
-  hits = (hits & ~*uncertain) | (more & *uncertain);
-  *uncertain &= off;
+#endif
+  bool has_grid = p->at.whole && !p->strict;
+  uint32_t off = 0;
+  uint32_t more = 0;
+  if (has_grid && *in_doubt) {
+    more = on_grid(c, &p->at, &off);
+    if (off == 0) {
+      *uncertain = 0;
+      return more;
+    }
+  }
+  uint32_t hits = by_doubles(c, &p->at, p->strict, uncertain);
+  if (has_grid && !*in_doubt && *uncertain != 0) {
+    more = on_grid(c, &p->at, &off);
+    *in_doubt = true;
+  }
+  if (has_grid) {
+    hits = (hits & ~*uncertain) | (more & *uncertain);
+    *uncertain &= off;
+  }
   return hits;
 }
 
 uint64_t judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count) {
-  const int lanes = p->fast ? 4 : 2;
+  const int lanes = p->lanes;
   double c[18 * MOST_LANES];
   uint64_t hits = 0;
+  bool in_doubt = false;
   for (int first = 0; first < count; first += lanes) {
     int used = count - first < lanes ? count - first : lanes;
     uint32_t uncertain;
     gather(p, pair + first, used, lanes, c);
-    uint32_t group = judge_group(p, c, &uncertain);
+    uint32_t group = judge_group(p, c, &in_doubt, &uncertain);
     uint32_t mine = (1U << used) - 1;
     for (uint32_t rest = uncertain & mine; rest != 0; rest &= rest - 1) {
       int n = __builtin_ctz(rest);

@@ -9,12 +9,13 @@ typedef struct {
   const double *first[2];
   size_t stride[2];
   bool strict; /* only pairs that collide strictly */
-  bool fast;   /* posed_pairs_fast */
+  int lanes;   /* posed_pairs_lanes */
   placement at;
 } posed_pairs;
 
-/* A path of this processor that is faster than the portable one, if the caller wants it. */
-bool posed_pairs_fast(sepax_path path);
+/* Pairs at once on a path, or on the best that this processor runs instead: 2, 4 with AVX2, 8 with
+ * AVX-512. */
+int posed_pairs_lanes(sepax_path path);
 
 /* Bit n: pair[n], of a triangle of A and one of B, collides. Up to 64 pairs. */
 uint64_t judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count);

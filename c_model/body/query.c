@@ -129,8 +129,8 @@ static uint32_t overlaps(const search *s, int open, uint32_t node, uint32_t at) 
   const body_boxes *boxes = &s->body[open]->boxes[node];
   const body_boxes *from = &s->body[!open]->boxes[at / BODY_WIDE];
   int lane = (int)(at % BODY_WIDE);
-  return s->pairs.fast ? overlaps_avx2(boxes, &s->pairs.at.to[open], from, lane)
-                       : overlaps_portable(boxes, &s->pairs.at.to[open], from, lane);
+  return s->pairs.lanes > 2 ? overlaps_avx2(boxes, &s->pairs.at.to[open], from, lane)
+                            : overlaps_portable(boxes, &s->pairs.at.to[open], from, lane);
 }
 
 /* Which body's node to open: the larger, as far as it has one. */
@@ -199,7 +199,7 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
   s.pairs = (posed_pairs){.first = {a->triangle[0][0], b->triangle[0][0]},
                           .stride = {9, 9},
                           .strict = s.query->strict,
-                          .fast = posed_pairs_fast(s.query->path)};
+                          .lanes = posed_pairs_lanes(s.query->path)};
   place_bodies(&s.pairs.at, a, pose_a, b, pose_b);
   s.batch = s.query->only_any || s.query->most > 0 ? 4 : BATCH;
   s.end = s.query->seconds > 0 ? seconds_now() + s.query->seconds : 0;
