@@ -1,6 +1,6 @@
 /* search.h - a search for pairs of triangles of two meshes, and the threads at it (private). */
-#ifndef SEPAX_SEARCH_H
-#define SEPAX_SEARCH_H
+#ifndef SEPAX_BATCH_SEARCH_H
+#define SEPAX_BATCH_SEARCH_H
 
 #include "body/judge.h"
 #include "sepax_design.h"

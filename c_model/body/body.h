@@ -42,6 +42,11 @@ struct sepax_body {
 /* As sepax_body_new. The body does not depend on the number of threads. */
 bool body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads, sepax_error *error);
 
+/* What is in a box, numbered BODY_WIDE * node + lane. */
+static inline uint32_t child_at(const sepax_body *b, uint32_t at) {
+  return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
+}
+
 /* Fill `boxes`; false without memory. */
 bool body_fit(sepax_body *body, size_t threads);
 

@@ -17,28 +17,6 @@ typedef int32_t NAME(masks) __attribute__((vector_size(4 * FLOATS)));
 #define SIZE(v) ((F)((M)(v)&INT32_MAX))
 #define DOT(p, q) MADD((p)[0], (q)[0], MADD((p)[1], (q)[1], (p)[2] * (q)[2]))
 
-/* One box in the other body's coordinates. */
-INLINE void NAME(turn_box)(posed_box *p, const motion *m, const body_boxes *from, int lane) {
-  four_reals column[4];
-  four_floats turn[3];
-  UNROLL for (int k = 0; k < 3; k++) {
-    LOAD(column[k], m->scaled[k]);
-    LOAD(turn[k], m->turn[k]);
-  }
-  LOAD(column[3], m->shift);
-  four_reals at = column[0] * (double)from->centre[0][lane] +
-                  (column[1] * (double)from->centre[1][lane] + column[3]) +
-                  column[2] * (double)from->centre[2][lane];
-  p->centre = __builtin_convertvector(at, four_floats);
-  p->rest =
-      __builtin_convertvector(at - __builtin_convertvector(p->centre, four_reals), four_floats);
-  UNROLL for (int k = 0; k < 3; k++) {
-    p->half[k] = m->ratio * from->half[k][lane] + m->lost;
-    p->axis[k] = turn[0] * from->axis[k][0][lane] + turn[1] * from->axis[k][1][lane] +
-                 turn[2] * from->axis[k][2][lane];
-  }
-}
-
 /* The eight children of a node and one posed box: offset of the centres, and the cosines between
  * axes i of the children and k of the box, on the axes of the children. */
 typedef struct {
@@ -104,10 +82,10 @@ INLINE M NAME(edge_axes_separate)(const NAME(facing) * f, const posed_box *p) {
 
 /* Bit k: child k of the node may meet the box `lane` of the other body. */
 TARGET static uint32_t NAME(overlaps)(const body_boxes *node, const motion *m,
-                                      const body_boxes *from, int lane) {
+                                      const body_boxes *from, uint32_t lane) {
   posed_box p;
   uint32_t bits = 0;
-  NAME(turn_box)(&p, m, from, lane);
+  turn_box(&p, m, from, lane);
   for (int n = 0; n < BODY_WIDE; n += FLOATS) {
     NAME(facing) f;
     M disjoint = NAME(face_axes_separate)(&f, node, n, &p);

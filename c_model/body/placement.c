@@ -59,7 +59,7 @@ static void find_motion(motion *m, const sepax_body *a, const sepax_body *b,
   m->lost = (float)(0x1p-44 * ((1 + ratio) * (2 + far) + lost / a->scale));
 }
 
-static double largest(const sepax_body *b) {
+double largest_coordinate(const sepax_body *b) {
   double most = 0;
   for (int i = 0; i < 3; i++) {
     most = fmax(most, fabs(b->centre[i]));
@@ -123,7 +123,7 @@ void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, c
                   const sepax_pose *pose_b) {
   double back[3][3];
   double offset[3];
-  place_poses(p, pose_a, pose_b, largest(b));
+  place_poses(p, pose_a, pose_b, largest_coordinate(b));
   invert(p->linear, back);
   for (int i = 0; i < 3; i++) {
     offset[i] = 0;

@@ -14,6 +14,7 @@
  * each box's own more than they need (fit.c), and below 2^-16 H on the cross products, to which
  * BOX_SLACK H is added. What is not a number separates nothing. */
 #include "judge.h"
+#include "turned.h"
 #include "util/error.h"
 #include "util/list.h"
 #include "verdict/signs.h"
@@ -30,15 +31,6 @@
 
 #define UNROLL _Pragma("GCC unroll 3")
 #define BOX_SLACK 0x1p-15F
-
-typedef float four_floats __attribute__((vector_size(16)));
-typedef double four_reals __attribute__((vector_size(32)));
-
-/* A box in the other body's coordinates; its centre is centre + rest. The last of four is 0. */
-typedef struct {
-  four_floats centre, rest, axis[3];
-  float half[3];
-} posed_box;
 
 /* ------------------------------------------------------------ instruction sets */
 
@@ -114,10 +106,6 @@ static void judge(search *s) {
   s->count = 0;
 }
 
-static uint32_t child_at(const sepax_body *b, uint32_t at) {
-  return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
-}
-
 static float size_at(const sepax_body *b, uint32_t at) {
   const body_boxes *boxes = &b->boxes[at / BODY_WIDE];
   uint32_t lane = at % BODY_WIDE;
@@ -128,7 +116,7 @@ static float size_at(const sepax_body *b, uint32_t at) {
 static uint32_t overlaps(const search *s, int open, uint32_t node, uint32_t at) {
   const body_boxes *boxes = &s->body[open]->boxes[node];
   const body_boxes *from = &s->body[!open]->boxes[at / BODY_WIDE];
-  int lane = (int)(at % BODY_WIDE);
+  uint32_t lane = at % BODY_WIDE;
   return s->pairs.lanes > 2 ? overlaps_avx2(boxes, &s->pairs.at.to[open], from, lane)
                             : overlaps_portable(boxes, &s->pairs.at.to[open], from, lane);
 }

@@ -1,12 +1,11 @@
 /* bodies.c - do two bodies collide as their files have them, in which poses? */
 #include "check/parts.h"
 #include "util/error.h"
+#include "util/threads.h"
 
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static int compare_pairs(const void *p, const void *q) {
   const size_t *a = p;
@@ -105,8 +104,7 @@ typedef struct {
   work *all;
   sepax_error error;
   bool failed;
-  pthread_t thread;
-  bool started;
+  cli_progress *progress; /* of the first, or NULL */
 } worker;
 
 /* Of many poses the counts are kept, and the lists that somebody sees. */
@@ -120,7 +118,8 @@ static void forget(const check_question *q, check_answer *answer) {
   }
 }
 
-static void work_on(worker *w, cli_progress *progress) {
+static void work_on(void *workers, size_t part) {
+  worker *w = (worker *)workers + part;
   work *all = w->all;
   size_t n;
   while (!atomic_load(&all->stop) && (n = atomic_fetch_add(&all->next, 1)) < all->poses.count) {
@@ -132,41 +131,26 @@ static void work_on(worker *w, cli_progress *progress) {
       atomic_store(&all->stop, true);
     }
     forget(all->q, answer);
-    if (progress != NULL) {
-      cli_progress_show(progress, n);
+    if (w->progress != NULL) {
+      cli_progress_show(w->progress, n);
     }
   }
 }
 
-static void *work_beside(void *argument) {
-  work_on(argument, NULL);
-  return NULL;
-}
-
-static size_t threads_of(const check_question *q, size_t tasks) {
-  long here = sysconf(_SC_NPROCESSORS_ONLN);
-  size_t threads = q->threads > 0 ? (size_t)q->threads : here > 0 ? (size_t)here : 1;
-  return threads < tasks ? threads : tasks;
-}
-
-/* A thread that cannot be had leaves its poses to the others. */
 static bool decide_all(work *all, cli_progress *progress, sepax_error *error) {
-  size_t threads = threads_of(all->q, all->poses.count);
+  size_t wanted = all->q->threads > 0 ? (size_t)all->q->threads : threads_here();
+  size_t threads = wanted < all->poses.count ? wanted : all->poses.count;
   worker *workers = calloc(threads, sizeof *workers);
   if (workers == NULL) {
     return sepax_fail(error, "no memory for %zu threads; give --threads=1", threads);
   }
   for (size_t k = 0; k < threads; k++) {
-    worker *w = &workers[k];
-    w->all = all;
-    w->started = k > 0 && pthread_create(&w->thread, NULL, work_beside, w) == 0;
+    workers[k].all = all;
   }
-  work_on(&workers[0], progress);
+  workers[0].progress = progress;
+  threads_run(threads, threads, work_on, workers);
   bool ok = true;
   for (size_t k = 0; k < threads; k++) {
-    if (workers[k].started) {
-      pthread_join(workers[k].thread, NULL);
-    }
     if (workers[k].failed) {
       *error = workers[k].error;
       ok = false;

@@ -28,25 +28,6 @@ INLINE F NAME(most_of)(F p, F q) {
   return (F)(((M)q & second) | ((M)p & ~second));
 }
 
-/* One box in the other body's coordinates. */
-INLINE void NAME(turn_box)(posed_box *p, const motion *m, const body_boxes *from, uint32_t lane) {
-  for (int i = 0; i < 3; i++) {
-    double at = m->scaled[0][i] * (double)from->centre[0][lane] +
-                m->scaled[1][i] * (double)from->centre[1][lane] +
-                m->scaled[2][i] * (double)from->centre[2][lane] + m->shift[i];
-    p->centre[i] = (float)at;
-    p->rest[i] = (float)(at - (double)p->centre[i]);
-    p->half[i] = m->ratio * from->half[i][lane] + m->lost;
-  }
-  for (int k = 0; k < 3; k++) {
-    for (int i = 0; i < 3; i++) {
-      p->axis[k][i] = m->turn[0][i] * from->axis[k][0][lane] +
-                      m->turn[1][i] * from->axis[k][1][lane] +
-                      m->turn[2][i] * from->axis[k][2][lane];
-    }
-  }
-}
-
 /* square[k]: not above the square of the distance of child k of a node from a box of the other
  * body, in units of the node's body. The gaps on axes at right angles to each other are the sides
  * of a box between them; the way between the bodies is one more axis, of length 1 or 0. Bit k: the
@@ -56,10 +37,10 @@ TARGET static uint32_t NAME(bound)(const body_boxes *node, const facing *with,
   const float *way = with->way;
   posed_box p;
   uint32_t bits = 0;
-  NAME(turn_box)(&p, with->motion, from, lane);
+  turn_box(&p, with->motion, from, lane);
   float own_reach = 0;
   UNROLL for (int k = 0; k < 3; k++) {
-    const float *axis = p.axis[k];
+    four_floats axis = p.axis[k];
     own_reach += fabsf(axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]) * p.half[k];
   }
   for (int n = 0; n < BODY_WIDE; n += FLOATS) {

@@ -19,6 +19,7 @@
  * the coordinates of a body by 2 d T: 16 d T is more than all. Each gap is shortened by T times
  * `slack`, 2^-18 + 16 d. */
 #include "search.h"
+#include "body/turned.h"
 
 #include <float.h>
 #include <math.h>
@@ -39,11 +40,6 @@
 #define PAIR_ERROR 0x1p-47
 
 static const int next[3] = {1, 2, 0};
-
-/* A box in the other body's coordinates; its centre is centre + rest. */
-typedef struct {
-  float centre[3], rest[3], half[3], axis[3][3];
-} posed_box;
 
 /* What is the same for all boxes of a body: the way between the bodies, and the largest square of a
  * distance that counts, in the body's units. */
@@ -78,11 +74,7 @@ typedef struct {
 /* -------------------------------------------------------------------------- poses */
 
 static double largest(const sepax_body *b, const sepax_pose *pose) {
-  double most = 0;
-  for (int i = 0; i < 3; i++) {
-    most = fmax(most, fabs(b->centre[i]));
-  }
-  most += b->scale;
+  double most = largest_coordinate(b);
   for (int i = 0; i < 3 && pose != NULL; i++) {
     most = fmax(most, fabs(pose->translation[i]));
   }
@@ -103,10 +95,6 @@ static void find_world_pose(world_pose *w, const sepax_pose *pose, double unit) 
 }
 
 /* -------------------------------------------------------------- pairs of triangles */
-
-static uint32_t child_at(const sepax_body *b, uint32_t at) {
-  return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
-}
 
 uint32_t place_at(const sepax_body *b, uint32_t at) { return child_at(b, at) - BODY_TRIANGLE; }
 

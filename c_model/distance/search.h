@@ -1,7 +1,7 @@
 /* search.h - the pairs of triangles of two posed bodies that may be within a limit, nearest boxes
  * first (private). */
-#ifndef SEPAX_SEARCH_H
-#define SEPAX_SEARCH_H
+#ifndef SEPAX_DISTANCE_SEARCH_H
+#define SEPAX_DISTANCE_SEARCH_H
 
 #include "body/placement.h"
 

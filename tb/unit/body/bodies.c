@@ -1,6 +1,7 @@
 /* bodies.c - posed triangles and bodies against the oracle on the same doubles. */
 #include "harness.h"
 #include "oracle/oracle.h"
+#include "unit/body/draws.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,15 +10,6 @@
 typedef double points[3][3];
 
 static double random_size(void) { return ldexp(random_unit(), random_below(40) - 20); }
-
-/* The rotation of quaternion w, x, y, z. */
-static sepax_pose turned(double w, double x, double y, double z) {
-  double n = 2 / (w * w + x * x + y * y + z * z);
-  return (sepax_pose){{{1 - n * (y * y + z * z), n * (x * y - w * z), n * (x * z + w * y)},
-                       {n * (x * y + w * z), 1 - n * (x * x + z * z), n * (y * z - w * x)},
-                       {n * (x * z - w * y), n * (y * z + w * x), 1 - n * (x * x + y * y)}},
-                      {0, 0, 0}};
-}
 
 /* Kinds: any rotation, a quarter turn with entries 0, 1 and -1, none. */
 static sepax_pose random_pose(double away) {
@@ -103,23 +95,6 @@ CASE(wide_exponents) {
 }
 
 /* ------------------------------------------------------------------------ bodies */
-
-/* Triangles of some size strewn in a cube; every tenth has no area. */
-static sepax_mesh strewn(size_t count, double size, double step) {
-  sepax_mesh mesh = {calloc(count, sizeof(sepax_facet)), count};
-  assert_non_null(mesh.facet);
-  for (size_t n = 0; n < count; n++) {
-    for (int k = 0; k < 9; k++) {
-      double *x = &mesh.facet[n].v[k / 3][k % 3];
-      *x = k < 3 ? random_unit() : mesh.facet[n].v[0][k % 3] + size * random_unit();
-      *x = step > 0 ? step * round(*x / step) : *x;
-    }
-    if (n % 10 == 0) {
-      memcpy(mesh.facet[n].v[2], mesh.facet[n].v[1], sizeof mesh.facet[n].v[1]);
-    }
-  }
-  return mesh;
-}
 
 /* A search done once finds the pairs in `hit`, in order. */
 static void assert_found_once(const sepax_mesh m[2], const sepax_pose *pa, const sepax_pose *pb,

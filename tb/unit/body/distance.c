@@ -3,6 +3,7 @@
 #include "harness.h"
 #include "oracle/distance.h"
 #include "oracle/oracle.h"
+#include "unit/body/draws.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,21 +11,9 @@
 
 typedef double points[3][3];
 
-/* The rotation of quaternion w, x, y, z. */
-static sepax_pose turned(double w, double x, double y, double z) {
-  double n = 2 / (w * w + x * x + y * y + z * z);
-  return (sepax_pose){{{1 - n * (y * y + z * z), n * (x * y - w * z), n * (x * z + w * y)},
-                       {n * (x * y + w * z), 1 - n * (x * x + z * z), n * (y * z - w * x)},
-                       {n * (x * z - w * y), n * (y * z + w * x), 1 - n * (x * x + y * y)}},
-                      {0, 0, 0}};
-}
-
 /* A rotation, exact but for rounding or, of two in three, shorter or longer by 4.5e-7. */
 static sepax_pose random_pose(double away) {
-  sepax_pose p = turned(random_unit(), random_unit(), random_unit(), random_unit());
-  for (int i = 0; i < 3; i++) {
-    p.translation[i] = away * random_unit();
-  }
+  sepax_pose p = turned_and_moved(away);
   double length = 1 + 4.5e-7 * (random_below(3) - 1);
   for (int k = 0; k < 9; k++) {
     p.rotation[k / 3][k % 3] *= length;
@@ -235,23 +224,6 @@ CASE(less_than_a_double) {
 }
 
 /* ------------------------------------------------------------------------ bodies */
-
-/* Triangles of some size strewn in a cube; every tenth has no area. */
-static sepax_mesh strewn(size_t count, double size, double step) {
-  sepax_mesh mesh = {calloc(count, sizeof(sepax_facet)), count};
-  assert_non_null(mesh.facet);
-  for (size_t n = 0; n < count; n++) {
-    for (int k = 0; k < 9; k++) {
-      double *x = &mesh.facet[n].v[k / 3][k % 3];
-      *x = k < 3 ? random_unit() : mesh.facet[n].v[0][k % 3] + size * random_unit();
-      *x = step > 0 ? step * round(*x / step) : *x;
-    }
-    if (n % 10 == 0) {
-      memcpy(mesh.facet[n].v[2], mesh.facet[n].v[1], sizeof mesh.facet[n].v[1]);
-    }
-  }
-  return mesh;
-}
 
 typedef struct {
   sepax_mesh mesh[2];

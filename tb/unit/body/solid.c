@@ -1,6 +1,7 @@
 /* solid.c - closed bodies as solids against rational numbers and rays of random direction. */
 #include "solid_meshes.h"
 #include "solid_oracle.h"
+#include "unit/body/draws.h"
 
 /* Nested closed parts, each given to one of the meshes; the numbers stay short, so that rays along
  * axes meet vertices and edges. */
@@ -44,24 +45,6 @@ static void draw_meshes(sepax_mesh m[2]) {
 }
 
 /* ------------------------------------------------------------------------- poses */
-
-static sepax_pose random_pose(double away) {
-  double q[4];
-  double n = 0;
-  for (int i = 0; i < 4; i++) {
-    q[i] = random_unit();
-    n += q[i] * q[i];
-  }
-  n = 2 / n;
-  double w = q[0];
-  double x = q[1];
-  double y = q[2];
-  double z = q[3];
-  return (sepax_pose){{{1 - n * (y * y + z * z), n * (x * y - w * z), n * (x * z + w * y)},
-                       {n * (x * y + w * z), 1 - n * (x * x + z * z), n * (y * z - w * x)},
-                       {n * (x * z - w * y), n * (y * z + w * x), 1 - n * (x * x + y * y)}},
-                      {away * random_unit(), away * random_unit(), away * random_unit()}};
-}
 
 static void move(double v[3], const sepax_pose *p) {
   double moved[3];
@@ -164,7 +147,7 @@ CASE(nested) {
         m[k].facet[i / 9].v[i / 3 % 3][i % 3] *= size;
       }
     }
-    sepax_pose p = random_pose(100);
+    sepax_pose p = turned_and_moved(100);
     sepax_pose q = p;
     assert_within(m, NULL, NULL, &seen);
     assert_within(m, &p, &q, &seen);
@@ -172,7 +155,7 @@ CASE(nested) {
       q.translation[i] += size * 0.01 * random_unit();
     }
     assert_within(m, &p, &q, &seen);
-    sepax_pose away = random_pose(0.01);
+    sepax_pose away = turned_and_moved(0.01);
     assert_within(m, n % 2 == 0 ? NULL : &p, n % 2 == 0 ? &away : NULL, &seen);
   }
   sepax_mesh_free(&m[0]);
@@ -204,7 +187,7 @@ CASE(overlapping) {
     if (n % 8 == 0) {
       m[1].count--; /* open */
     }
-    sepax_pose p = random_pose(10);
+    sepax_pose p = turned_and_moved(10);
     sepax_pose q = p;
     if (n % 3 == 0) { /* what touched may touch, overlap or be free now */
       move_mesh(&m[0], &p);
@@ -426,7 +409,7 @@ CASE(extremes) {
     }
     add_block(&m[1], low, high, false);
     add_octahedron(&m[0], c, n % 2 == 0 ? size : size / 2);
-    sepax_pose far = random_pose(0x1.fp1023);
+    sepax_pose far = turned_and_moved(0x1.fp1023);
     sepax_pose same = far;
     sepax_pose p = {{{1, -0x1p-1000, 0x1p-1074}, {0x1p-1000, 1, 0}, {0, 0, 1}},
                     {size * random_unit(), size * random_unit(), size * random_unit()}};
@@ -448,7 +431,7 @@ CASE(near_the_surface) {
   const double c[3] = {0.1, 0.2, 0.3};
   for (int n = 0; n < 400; n++) {
     sepax_mesh m[2] = {{0}};
-    sepax_pose tilt = random_pose(1);
+    sepax_pose tilt = turned_and_moved(1);
     if (n % 2 == 0) {
       add_box(&m[1], c, 1, 1);
     } else {
@@ -466,7 +449,7 @@ CASE(near_the_surface) {
     }
     add_triangle(&m[0], p, p, p);
     assert_within(m, NULL, NULL, &seen);
-    sepax_pose pose = random_pose(100);
+    sepax_pose pose = turned_and_moved(100);
     sepax_pose back;
     for (int i = 0; i < 3; i++) {
       back.translation[i] = 0;

@@ -1,30 +1,13 @@
 /* strict.c - which triangles, and which bodies, pass through each other, and which only touch. */
 #include "harness.h"
 #include "oracle/oracle.h"
+#include "unit/body/draws.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 typedef double points[3][3];
-
-static sepax_pose random_pose(void) {
-  double q[4];
-  double n = 0;
-  for (int i = 0; i < 4; i++) {
-    q[i] = random_unit();
-    n += q[i] * q[i];
-  }
-  n = 2 / n;
-  double w = q[0];
-  double x = q[1];
-  double y = q[2];
-  double z = q[3];
-  return (sepax_pose){{{1 - n * (y * y + z * z), n * (x * y - w * z), n * (x * z + w * y)},
-                       {n * (x * y + w * z), 1 - n * (x * x + z * z), n * (y * z - w * x)},
-                       {n * (x * z - w * y), n * (y * z + w * x), 1 - n * (x * x + y * y)}},
-                      {random_unit(), random_unit(), random_unit()}};
-}
 
 static void to_doubles(const sepax_tri *t, double scale, points v) {
   for (int k = 0; k < 3; k++) {
@@ -82,7 +65,7 @@ CASE(families) {
                      oracle_strict_posed(t[0], NULL, t[1], NULL));
     to_doubles(&pair.a, 0.1, t[0]);
     to_doubles(&pair.b, 0.1, t[1]);
-    sepax_pose p = random_pose();
+    sepax_pose p = turned_and_moved(1);
     sepax_pose same = p;
     assert_strict(t, &p, &same, n % 8 == 0, seen);
   }
@@ -137,7 +120,7 @@ static sepax_body *cube(double x, double y, double z, double side) {
 /* Two cubes in one pose: pairs that collide, and those that collide strictly. */
 static void assert_cubes(sepax_body *other, bool touch, bool strict) {
   sepax_body *one = cube(0, 0, 0, 1);
-  sepax_pose p = random_pose();
+  sepax_pose p = turned_and_moved(1);
   for (int k = 0; k < 4; k++) {
     sepax_query query = {.strict = k % 2 != 0};
     const sepax_pose *pose = k < 2 ? NULL : &p;
