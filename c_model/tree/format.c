@@ -1,0 +1,105 @@
+/* format.c - nodes and records of leaves, to and from bytes. docs/tree.md. */
+#include "tree/format.h"
+
+static uint32_t crc_entry(uint32_t byte) {
+  for (int k = 0; k < 8; k++) {
+    byte = byte >> 1 ^ (UINT32_C(0xEDB88320) & (0 - (byte & 1)));
+  }
+  return byte;
+}
+
+uint32_t tree_crc(uint32_t crc, const uint8_t *bytes, size_t count) {
+  uint32_t table[256];
+  for (uint32_t k = 0; k < 256; k++) {
+    table[k] = crc_entry(k);
+  }
+  crc = ~crc;
+  for (size_t n = 0; n < count; n++) {
+    crc = crc >> 8 ^ table[(crc ^ bytes[n]) & 255];
+  }
+  return ~crc;
+}
+
+/* The lowest bits of x as a two's complement number. */
+static int32_t from_bits(uint64_t x, int bits) {
+  uint64_t sign = UINT64_C(1) << (bits - 1);
+  return (int32_t)((int64_t)((x & (2 * sign - 1)) ^ sign) - (int64_t)sign);
+}
+
+tree_node tree_unpack(const uint8_t bytes[TREE_NODE_BYTES], int word) {
+  tree_node n;
+  uint32_t packed = tree_get32(bytes + 12);
+  for (int i = 0; i < 3; i++) {
+    n.origin[i] = from_bits(tree_get32(bytes + 4 * i), word);
+    n.exponent[i] = (int)(packed >> (4 * i) & 15);
+  }
+  n.children = 1 + (int)(packed >> 12 & 15);
+  n.level = (int)(packed >> 16 & 15);
+  n.beats = 1 + (int)(packed >> 20 & 15);
+  n.first = tree_get32(bytes + 16);
+  n.record = tree_get32(bytes + 20);
+  for (int j = 0; j < TREE_FAN_OUT; j++) {
+    const uint8_t *child = bytes + 32 + 6 * j;
+    for (int i = 0; i < 3; i++) {
+      n.low[j][i] = (int8_t)child[i];
+      n.high[j][i] = (int8_t)child[3 + i];
+    }
+  }
+  return n;
+}
+
+void tree_pack(uint8_t bytes[TREE_NODE_BYTES], const tree_node *n, const uint8_t *record) {
+  bool leaf = n->level == 0;
+  uint32_t packed = (uint32_t)(n->children - 1) << 12 | (uint32_t)n->level << 16 |
+                    (leaf ? (uint32_t)(n->beats - 1) << 20 : 0);
+  for (int i = 0; i < 3; i++) {
+    packed |= (uint32_t)n->exponent[i] << (4 * i);
+    tree_put32(bytes + 4 * i, (uint32_t)n->origin[i]);
+  }
+  tree_put32(bytes + 12, packed);
+  tree_put32(bytes + 16, n->first);
+  tree_put32(bytes + 20, leaf ? n->record : 0);
+  tree_put32(bytes + 24, 0);
+  tree_put32(bytes + 28, 0);
+  for (int j = 0; j < TREE_FAN_OUT; j++) {
+    uint8_t *child = bytes + 32 + 6 * j;
+    for (int i = 0; i < 3; i++) {
+      child[i] = j < n->children ? (uint8_t)n->low[j][i] : 0;
+      child[3 + i] = j < n->children ? (uint8_t)n->high[j][i] : 0;
+    }
+  }
+  tree_put32(bytes + 24, tree_node_crc(bytes, record));
+}
+
+uint32_t tree_node_crc(const uint8_t bytes[TREE_NODE_BYTES], const uint8_t *record) {
+  uint32_t packed = tree_get32(bytes + 12);
+  uint32_t crc = tree_crc(0, bytes, 24);
+  crc = tree_crc(crc, bytes + 28, TREE_NODE_BYTES - 28);
+  bool leaf = (packed >> 16 & 15) == 0;
+  return leaf ? tree_crc(crc, record, TREE_BEAT * (1 + (packed >> 20 & 15))) : crc;
+}
+
+bool tree_node_sound(const tree_image *tree, const tree_node *n, uint32_t number) {
+  if (n->level > 0) {
+    return n->first > number && (uint64_t)n->first + (uint64_t)n->children <= tree->nodes;
+  }
+  enum { BEATS = TREE_PAGE / TREE_BEAT };
+  return (uint64_t)n->first + (uint64_t)n->children <= tree->triangles && n->beats >= 3 &&
+         n->record % BEATS + (uint32_t)n->beats <= BEATS &&
+         (uint64_t)n->record + (uint64_t)n->beats <= tree->beats;
+}
+
+bool tree_triangle(int32_t v[3][3], const uint8_t *record, int beats, int number, int word) {
+  unsigned packed = record[2 * number] | (unsigned)record[2 * number + 1] << 8;
+  for (int k = 0; k < 3; k++) {
+    int vertex = (int)(packed >> (5 * k) & 31);
+    if (vertex >= 2 * beats - 4) {
+      return false;
+    }
+    uint64_t p = tree_get64(record + 32 + 8 * vertex);
+    for (int i = 0; i < 3; i++) {
+      v[k][i] = from_bits(p >> (21 * i), word);
+    }
+  }
+  return true;
+}

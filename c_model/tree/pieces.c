@@ -1,0 +1,109 @@
+/* pieces.c - what the modules of the tree engine compute. docs/tree.md has the formulas, widths and
+ * the proof that no collision is missed. */
+#include "tree/walk.h"
+
+#include "util/aabb.h"
+
+/* floor(x / 2^by), or x 2^-by where by < 0. */
+static int64_t floor_shift(int64_t x, int by) {
+  return by >= 0 ? x >> by : x * (INT64_C(1) << -by);
+}
+
+static int64_t clamp(int64_t x, int64_t low, int64_t high) {
+  return x < low ? low : x > high ? high : x;
+}
+
+static int64_t turned_sum(const tree_frame *f, const int32_t p[3], int i) {
+  int64_t sum = f->shift[i];
+  for (int k = 0; k < 3; k++) {
+    sum += (int64_t)f->matrix[i][k] * p[k];
+  }
+  return sum;
+}
+
+tree_setting tree_set_up(const tree_frame *f, const tree_node *s, const tree_node *t) {
+  const int64_t far = INT64_C(1) << 20;
+  tree_setting r;
+  int e_max = s->exponent[0];
+  e_max = s->exponent[1] > e_max ? s->exponent[1] : e_max;
+  e_max = s->exponent[2] > e_max ? s->exponent[2] : e_max;
+  for (int i = 0; i < 3; i++) {
+    int g = t->exponent[i] > e_max ? t->exponent[i] : e_max;
+    for (int k = 0; k < 3; k++) {
+      int by = 10 + g - s->exponent[k];
+      r.n[i][k] = (int32_t)((f->matrix[i][k] + (INT64_C(1) << (by - 1))) >> by);
+    }
+    int64_t x = turned_sum(f, s->origin, i) - t->origin[i] * (INT64_C(1) << 20);
+    int64_t d = floor_shift(x, 10 + g);
+    int64_t slack = 192 + ((f->sigma[i] + (INT64_C(1) << g) - 1) >> g);
+    r.low[i] = (int32_t)clamp(d - slack, -far, far - 1);
+    r.high[i] = (int32_t)clamp(d + 1 + slack, -far, far - 1);
+    r.shift[i] = 10 + t->exponent[i] - g;
+  }
+  return r;
+}
+
+tree_cells tree_turn_box(const tree_setting *g, const int8_t low[3], const int8_t high[3]) {
+  tree_cells r;
+  for (int i = 0; i < 3; i++) {
+    int64_t lo = g->low[i];
+    int64_t hi = g->high[i];
+    for (int k = 0; k < 3; k++) {
+      bool up = g->n[i][k] >= 0;
+      lo += g->n[i][k] * (up ? low[k] : high[k] + 1);
+      hi += g->n[i][k] * (up ? high[k] + 1 : low[k]);
+    }
+    r.low[i] = (int)clamp(floor_shift(lo, g->shift[i]), -129, 128);
+    r.high[i] = (int)clamp(floor_shift(hi, g->shift[i]), -129, 128);
+  }
+  return r;
+}
+
+uint16_t tree_hits(const tree_cells *box, const tree_node *t) {
+  unsigned hits = 0;
+  for (int j = 0; j < t->children; j++) {
+    bool hit = true;
+    for (int i = 0; i < 3; i++) {
+      hit = hit && box->low[i] <= t->high[j][i] && box->high[i] >= t->low[j][i];
+    }
+    hits |= (unsigned)hit << j;
+  }
+  return (uint16_t)hits;
+}
+
+void tree_turn_vertex(int32_t v[3], const tree_frame *f, const int32_t p[3]) {
+  for (int i = 0; i < 3; i++) {
+    v[i] = (int32_t)(turned_sum(f, p, i) >> 20);
+  }
+}
+
+static sepax_tri tri_of(const int32_t v[3][3]) {
+  sepax_tri t;
+  for (int k = 0; k < 3; k++) {
+    t.v[k] = (sepax_vec){v[k][0], v[k][1], v[k][2]};
+  }
+  return t;
+}
+
+tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int32_t margin, int word) {
+  sepax_tri tri[2] = {tri_of(a), tri_of(b)};
+  aabb of_a = aabb_of(&tri[0]);
+  aabb of_b = aabb_of(&tri[1]);
+  tree_pair r = {.near = !aabb_disjoint(&of_a, &of_b, margin)};
+  r.out_of_range = r.near && !aabb_fits(&of_b, word);
+  aabb_enclose(&of_a, &of_b);
+  int64_t side[3];
+  for (int i = 0; i < 3; i++) {
+    side[i] = of_a.high[i] - of_a.low[i];
+  }
+  r.turn = side[2] <= side[0] && side[2] <= side[1] ? 0 : side[0] <= side[1] ? 1 : 2;
+  return r;
+}
+
+sepax_tri tree_turned_axes(const int32_t v[3][3], int turn) {
+  sepax_tri t;
+  for (int k = 0; k < 3; k++) {
+    t.v[k] = (sepax_vec){v[k][turn], v[k][(turn + 1) % 3], v[k][(turn + 2) % 3]};
+  }
+  return t;
+}
