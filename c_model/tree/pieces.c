@@ -13,15 +13,15 @@ static int64_t clamp(int64_t x, int64_t low, int64_t high) {
   return x < low ? low : x > high ? high : x;
 }
 
-static int64_t turned_sum(const tree_frame *f, const int32_t p[3], int i) {
-  int64_t sum = f->shift[i];
+static int64_t turned_sum(const tree_side *side, const int32_t p[3], int i) {
+  int64_t sum = side->shift[i];
   for (int k = 0; k < 3; k++) {
-    sum += (int64_t)f->matrix[i][k] * p[k];
+    sum += (int64_t)side->matrix[i][k] * p[k];
   }
   return sum;
 }
 
-tree_setting tree_set_up(const tree_frame *f, const tree_node *s, const tree_node *t) {
+tree_setting tree_set_up(const tree_side *side, const tree_node *s, const tree_node *t) {
   const int64_t far = INT64_C(1) << 20;
   tree_setting r;
   int e_max = s->exponent[0];
@@ -31,11 +31,11 @@ tree_setting tree_set_up(const tree_frame *f, const tree_node *s, const tree_nod
     int g = t->exponent[i] > e_max ? t->exponent[i] : e_max;
     for (int k = 0; k < 3; k++) {
       int by = 10 + g - s->exponent[k];
-      r.n[i][k] = (int32_t)((f->matrix[i][k] + (INT64_C(1) << (by - 1))) >> by);
+      r.n[i][k] = (int32_t)((side->matrix[i][k] + (INT64_C(1) << (by - 1))) >> by);
     }
-    int64_t x = turned_sum(f, s->origin, i) - t->origin[i] * (INT64_C(1) << 20);
+    int64_t x = turned_sum(side, s->origin, i) - t->origin[i] * (INT64_C(1) << 20);
     int64_t d = floor_shift(x, 10 + g);
-    int64_t slack = 192 + ((f->sigma[i] + (INT64_C(1) << g) - 1) >> g);
+    int64_t slack = 192 + ((side->sigma[i] + (INT64_C(1) << g) - 1) >> g);
     r.low[i] = (int32_t)clamp(d - slack, -far, far - 1);
     r.high[i] = (int32_t)clamp(d + 1 + slack, -far, far - 1);
     r.shift[i] = 10 + t->exponent[i] - g;
@@ -71,9 +71,9 @@ uint16_t tree_hits(const tree_cells *box, const tree_node *t) {
   return (uint16_t)hits;
 }
 
-void tree_turn_vertex(int32_t v[3], const tree_frame *f, const int32_t p[3]) {
+void tree_turn_vertex(int32_t v[3], const tree_side *side, const int32_t p[3]) {
   for (int i = 0; i < 3; i++) {
-    v[i] = (int32_t)(turned_sum(f, p, i) >> 20);
+    v[i] = (int32_t)(turned_sum(side, p, i) >> 20);
   }
 }
 

@@ -10,11 +10,11 @@ typedef struct {
   int32_t matrix[3][3]; /* 2^-20; -2^20 ... 2^20 */
   int64_t shift[3];     /* 2^-20 LSB, 44 bits */
   uint32_t sigma[3];    /* 2^-10 LSB, 24 bits */
-} tree_frame;
+} tree_side;
 
 /* Side 0: B to A (M, t, sigma_A). Side 1: A to B (K, u, sigma_B). */
 typedef struct {
-  tree_frame side[2];
+  tree_side side[2];
 } tree_pose;
 
 /* What turns boxes of S into the cells of T. */
@@ -36,13 +36,13 @@ typedef struct {
   int turn;          /* what the core gets: 0: (x, y, z), 1: (y, z, x), 2: (z, x, y) */
 } tree_pair;
 
-tree_setting tree_set_up(const tree_frame *frame, const tree_node *s, const tree_node *t);
+tree_setting tree_set_up(const tree_side *side, const tree_node *s, const tree_node *t);
 tree_cells tree_turn_box(const tree_setting *setting, const int8_t low[3], const int8_t high[3]);
 
 /* Bit j: child j of T is hit. */
 uint16_t tree_hits(const tree_cells *box, const tree_node *t);
 
-void tree_turn_vertex(int32_t v[3], const tree_frame *frame, const int32_t p[3]);
+void tree_turn_vertex(int32_t v[3], const tree_side *side, const int32_t p[3]);
 
 /* a: vertices of A; b: turned vertices of B; margin 0 ... 2^(W-1). */
 tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int32_t margin, int word);
