@@ -1,5 +1,5 @@
-/* boxes.h - one box in a pose against the eight boxes of a node (private; query.c includes it once
- * per instruction set).
+/* boxes.h - boxes in a pose, each against the eight boxes of a node (private; query.c includes it
+ * once per instruction set).
  *
  * NAME(x), TARGET   a name of its own, the attribute of its functions
  * FLOATS            boxes at once
@@ -80,21 +80,28 @@ INLINE M NAME(edge_axes_separate)(const NAME(facing) * f, const posed_box *p) {
   return disjoint;
 }
 
-/* Bit k: child k of the node may meet the box `lane` of the other body. */
-TARGET static uint32_t NAME(overlaps)(const body_boxes *node, const motion *m,
-                                      const body_boxes *from, uint32_t lane) {
-  posed_box p;
+/* Bit k: child k of the node may meet the box. */
+INLINE uint32_t NAME(overlaps)(const body_boxes *node, const posed_box *p) {
   uint32_t bits = 0;
-  turn_box(&p, m, from, lane);
   for (int n = 0; n < BODY_WIDE; n += FLOATS) {
     NAME(facing) f;
-    M disjoint = NAME(face_axes_separate)(&f, node, n, &p);
+    M disjoint = NAME(face_axes_separate)(&f, node, n, p);
     if (BITS(disjoint) != (1U << FLOATS) - 1) {
-      disjoint |= NAME(edge_axes_separate)(&f, &p);
+      disjoint |= NAME(edge_axes_separate)(&f, p);
       bits |= (~BITS(disjoint) & ((1U << FLOATS) - 1)) << n;
     }
   }
   return bits;
+}
+
+TARGET static void NAME(test_boxes)(box_test *t, int count) {
+  posed_box p[AT_ONCE];
+  for (int n = 0; n < count; n++) {
+    turn_box(&p[n], t[n].move, t[n].from, t[n].lane);
+  }
+  for (int n = 0; n < count; n++) {
+    t[n].overlaps = NAME(overlaps)(t[n].node, &p[n]);
+  }
 }
 
 #undef F

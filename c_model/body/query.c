@@ -32,6 +32,16 @@
 #define UNROLL _Pragma("GCC unroll 3")
 #define BOX_SLACK 0x1p-15F
 
+enum { AT_ONCE = 8, BATCH = 64 };
+
+/* The children of a node against a box of the other body, which `move` turns. */
+typedef struct {
+  const body_boxes *node, *from;
+  const motion *move;
+  uint32_t lane;     /* of the box in `from` */
+  uint32_t overlaps; /* bit k: child k may meet it */
+} box_test;
+
 /* ------------------------------------------------------------ instruction sets */
 
 #define NAME(x) x##_portable
@@ -55,8 +65,9 @@
 
 /* ------------------------------------------------------------------- the search */
 
-/* Each of 64 levels of both trees leaves up to seven pairs. */
-enum { STACK = 1024, BATCH = 64 };
+/* AT_ONCE pairs leave up to 8 each, on each of 64 levels of both trees: the stack is sorted by
+ * level, so that pairs of a level are taken only with all that are below it. */
+enum { STACK = 2 * 64 * BODY_WIDE * AT_ONCE };
 
 /* Where the boxes of a pair are: BODY_WIDE * node + lane. */
 typedef struct {
@@ -70,9 +81,10 @@ typedef struct {
   sepax_pairs *found;
   size_t capacity, hits;
   bool no_memory, ended;
-  double end;                 /* of the time; 0: none */
-  uint32_t waiting[BATCH][2]; /* pairs of triangles */
-  int count, batch;           /* batch: so many are judged at once */
+  double end;                                       /* of the time; 0: none */
+  uint32_t waiting[BATCH + BODY_WIDE * AT_ONCE][2]; /* pairs of triangles */
+  int count, batch;                                 /* batch: so many are judged at once */
+  int at_once;                                      /* so many boxes are tested at once */
   size_t visits, judged;
 } search;
 
@@ -95,30 +107,23 @@ static double seconds_now(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* The pairs of triangles that wait. */
+/* Up to BATCH pairs of triangles that wait. */
 static void judge(search *s) {
-  uint64_t hits = judge_posed_pairs(&s->pairs, s->waiting, s->count);
+  int count = s->count < BATCH ? s->count : BATCH;
+  s->count -= count;
+  s->judged += (size_t)count;
+  const uint32_t(*waiting)[2] = (const uint32_t(*)[2])s->waiting + s->count;
+  uint64_t hits = judge_posed_pairs(&s->pairs, waiting, count);
   for (; hits != 0 && !s->ended; hits &= hits - 1) {
-    const uint32_t *pair = s->waiting[__builtin_ctzll(hits)];
+    const uint32_t *pair = waiting[__builtin_ctzll(hits)];
     record(s, pair[0], pair[1]);
   }
-  s->judged += (size_t)s->count;
-  s->count = 0;
 }
 
 static float size_at(const sepax_body *b, uint32_t at) {
   const body_boxes *boxes = &b->boxes[at / BODY_WIDE];
   uint32_t lane = at % BODY_WIDE;
   return boxes->half[0][lane] + boxes->half[1][lane] + boxes->half[2][lane];
-}
-
-/* The box at `at` of a body against the children of a node of the other body, `open`. */
-static uint32_t overlaps(const search *s, int open, uint32_t node, uint32_t at) {
-  const body_boxes *boxes = &s->body[open]->boxes[node];
-  const body_boxes *from = &s->body[!open]->boxes[at / BODY_WIDE];
-  uint32_t lane = at % BODY_WIDE;
-  return s->pairs.lanes > 2 ? overlaps_avx2(boxes, &s->pairs.at.to[open], from, lane)
-                            : overlaps_portable(boxes, &s->pairs.at.to[open], from, lane);
 }
 
 /* Which body's node to open: the larger, as far as it has one. */
@@ -129,47 +134,91 @@ static int opened(const search *s, const box_pair *p, const uint32_t child[2]) {
   return size_at(s->body[1], p->at[1]) * s->pairs.at.to[0].ratio > size_at(s->body[0], p->at[0]);
 }
 
-static void visit(search *s, const box_pair *p, box_pair *stack, int *depth) {
+/* A pair of boxes of which one is opened. */
+typedef struct {
+  int open;
+  uint32_t node, other, child; /* node: which is open; the other box, and what is in it */
+} opening;
+
+static void prefetch_triangle(const search *s, int body, uint32_t number) {
+  const char *at = (const char *)s->body[body]->triangle[number];
+  __builtin_prefetch(at);
+  __builtin_prefetch(at + sizeof(facet_points) - 1);
+}
+
+static void open_pair(const search *s, const box_pair *p, opening *o, box_test *t) {
   uint32_t child[2] = {child_at(s->body[0], p->at[0]), child_at(s->body[1], p->at[1])};
   int open = opened(s, p, child);
-  uint32_t node = child[open];
-  const body_boxes *boxes = &s->body[open]->boxes[node];
-  bool other_is_triangle = (child[!open] & BODY_TRIANGLE) != 0;
-  s->visits++;
-  for (uint32_t mask = overlaps(s, open, node, p->at[!open]); mask != 0;) {
-    uint32_t lane = 31 - (uint32_t)__builtin_clz(mask);
-    uint32_t below = boxes->child[lane];
-    mask ^= 1U << lane;
+  *o = (opening){open, child[open], p->at[!open], child[!open]};
+  t->node = &s->body[open]->boxes[child[open]];
+  t->from = &s->body[!open]->boxes[o->other / BODY_WIDE];
+  t->move = &s->pairs.at.to[open];
+  t->lane = o->other % BODY_WIDE;
+  for (size_t line = 0; line < sizeof *t->node; line += 64) {
+    __builtin_prefetch((const char *)t->node + line);
+  }
+}
+
+/* What may meet goes to the stack, or to the pairs of triangles that wait. */
+static void take_children(search *s, const opening *o, const box_test *t, box_pair *stack,
+                          int *depth) {
+  bool other_is_triangle = (o->child & BODY_TRIANGLE) != 0;
+  int open = o->open;
+  for (uint32_t mask = t->overlaps; mask != 0; mask &= mask - 1) {
+    uint32_t lane = (uint32_t)__builtin_ctz(mask);
+    uint32_t below = t->node->child[lane];
     if (other_is_triangle && (below & BODY_TRIANGLE) != 0) {
-      if (below != BODY_NONE) {
-        s->waiting[s->count][open] = below - BODY_TRIANGLE;
-        s->waiting[s->count++][!open] = child[!open] - BODY_TRIANGLE;
-      }
-    } else if (below != BODY_NONE) {
-      stack[*depth].at[open] = BODY_WIDE * node + lane;
-      stack[(*depth)++].at[!open] = p->at[!open];
+      s->waiting[s->count][open] = below - BODY_TRIANGLE;
+      s->waiting[s->count++][!open] = o->child - BODY_TRIANGLE;
+      prefetch_triangle(s, open, below - BODY_TRIANGLE);
+    } else {
+      stack[*depth].at[open] = BODY_WIDE * o->node + lane;
+      stack[(*depth)++].at[!open] = o->other;
     }
+  }
+}
+
+/* The top of the stack. */
+static void visit(search *s, box_pair *stack, int *depth) {
+  box_test test[AT_ONCE];
+  opening open[AT_ONCE];
+  int count = *depth < s->at_once ? *depth : s->at_once;
+  *depth -= count;
+  for (int n = 0; n < count; n++) {
+    open_pair(s, &stack[*depth + n], &open[n], &test[n]);
+  }
+  if (s->pairs.lanes > 2) {
+    test_boxes_avx2(test, count);
+  } else {
+    test_boxes_portable(test, count);
+  }
+  s->visits += (size_t)count;
+  for (int n = 0; n < count; n++) {
+    take_children(s, &open[n], &test[n], stack, depth);
   }
 }
 
 static void descend(search *s) {
   box_pair stack[STACK];
   int depth = 1;
+  size_t clock = 0;
   for (int k = 0; k < 2; k++) {
     stack[0].at[k] = BODY_WIDE * (uint32_t)s->body[k]->nodes;
   }
   while (depth > 0 && !s->ended) {
-    if (s->end > 0 && s->visits % 64 == 0 && seconds_now() >= s->end) {
-      s->ended = true;
-      return;
+    if (s->end > 0 && s->visits >= clock) {
+      if (seconds_now() >= s->end) {
+        s->ended = true;
+        return;
+      }
+      clock = s->visits + 64;
     }
-    box_pair p = stack[--depth];
-    visit(s, &p, stack, &depth);
-    if (s->count >= s->batch || s->count > BATCH - BODY_WIDE) {
+    visit(s, stack, &depth);
+    while (s->count >= s->batch && !s->ended) {
       judge(s);
     }
   }
-  if (!s->ended) {
+  while (s->count > 0 && !s->ended) {
     judge(s);
   }
 }
@@ -189,7 +238,9 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
                           .strict = s.query->strict,
                           .lanes = posed_pairs_lanes(s.query->path)};
   place_bodies(&s.pairs.at, a, pose_a, b, pose_b);
-  s.batch = s.query->only_any || s.query->most > 0 ? 4 : BATCH;
+  bool few = s.query->only_any || s.query->most > 0;
+  s.batch = few ? 4 : BATCH;
+  s.at_once = few ? 1 : AT_ONCE;
   s.end = s.query->seconds > 0 ? seconds_now() + s.query->seconds : 0;
   descend(&s);
   found->count = s.hits;
