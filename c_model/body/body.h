@@ -20,8 +20,7 @@ typedef struct {
 } body_node;
 
 /* The same children in boxes of any direction, which are tighter: child k is within
- * centre + sum of u_i axis[i], |u_i| <= half[i]. A lane without a child has
- * BODY_NONE and half sides of -1, which meet nothing. */
+ * centre + sum of u_i axis[i], |u_i| <= half[i]. A lane without a child has BODY_NONE. */
 typedef struct {
   float centre[3][BODY_WIDE], half[3][BODY_WIDE];
   float axis[3][3][BODY_WIDE]; /* axis[i][coordinate] */

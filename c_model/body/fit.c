@@ -322,7 +322,7 @@ static void fit_children(const fitting *f, size_t number) {
   body_boxes *boxes = &f->body->boxes[number];
   uint32_t at = f->below[number].first;
   for (int lane = 0; lane < BODY_WIDE; lane++) {
-    oriented r = {{{0}}, {FAR, FAR, FAR}, {-1, -1, -1}};
+    oriented r = {{{0}}, {FAR, FAR, FAR}, {0}};
     if (lane >= (int)node->children) {
       store(boxes, lane, &r, BODY_NONE);
       continue;

@@ -44,22 +44,48 @@ typedef struct {
 
 /* ------------------------------------------------------------ instruction sets */
 
+#define FLOATS 4
+#define NODES 1
 #define NAME(x) x##_portable
 #define TARGET
-#define FLOATS 4
 #define MADD(p, q, r) ((p) * (q) + (r))
-#define ALL(x) (x)
+#define LOAD(v, node, member, n) memcpy(&(v), (node)[0]->member + (n), sizeof(v))
+#define OF(p, member) ((p)[0]->member - (F){0})
+#define MASK M
+#define SEPARATE(mask, p, q) ((mask) |= SIZE(p) > (q))
 #define BITS(v) \
   ((uint32_t)(((v)[0] < 0) | ((v)[1] < 0) << 1 | ((v)[2] < 0) << 2 | ((v)[3] < 0) << 3))
 #include "boxes.h"
 
 #if defined __x86_64__
+#define FLOATS 8
+#define NODES 1
 #define NAME(x) x##_avx2
 #define TARGET __attribute__((target("avx2,fma")))
-#define FLOATS 8
-#define MADD(p, q, r) ((__typeof__(r))_mm256_fmadd_ps((__m256)(p), (__m256)(q), (__m256)(r)))
-#define ALL(x) _mm256_set1_ps(x)
+#define MADD(p, q, r) ((F)_mm256_fmadd_ps((__m256)(p), (__m256)(q), (__m256)(r)))
+#define LOAD(v, node, member, n) memcpy(&(v), (node)[0]->member + (n), sizeof(v))
+#define OF(p, member) ((F)_mm256_set1_ps((p)[0]->member))
+#define MASK M
+#define SEPARATE(mask, p, q) ((mask) |= SIZE(p) > (q))
 #define BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
+#include "boxes.h"
+
+#define FLOATS 16
+#define NODES 2
+#define NAME(x) x##_avx512
+#define TARGET __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma")))
+#define MADD(p, q, r) ((F)_mm512_fmadd_ps((__m512)(p), (__m512)(q), (__m512)(r)))
+#define LOAD(v, node, member, n)                                                           \
+  ((v) = (F)_mm512_insertf32x8(_mm512_castps256_ps512(_mm256_loadu_ps((node)[0]->member)), \
+                               _mm256_loadu_ps((node)[1]->member), 1),                     \
+   (void)(n))
+#define OF(p, member)                                                    \
+  ((F)_mm512_mask_broadcastss_ps(_mm512_set1_ps((p)[0]->member), 0xff00, \
+                                 _mm_set_ss((p)[1]->member)))
+#define MASK __mmask16
+#define SEPARATE(mask, p, q) \
+  ((mask) |= _mm512_cmp_ps_mask((__m512)SIZE(p), (__m512)(q), _CMP_GT_OQ))
+#define BITS(v) ((uint32_t)(v))
 #include "boxes.h"
 #endif
 
@@ -68,6 +94,8 @@ typedef struct {
 /* AT_ONCE pairs leave up to 8 each, on each of 64 levels of both trees: the stack is sorted by
  * level, so that pairs of a level are taken only with all that are below it. */
 enum { STACK = 2 * 64 * BODY_WIDE * AT_ONCE };
+
+typedef void box_tester(box_test *tests, int count);
 
 /* Where the boxes of a pair are: BODY_WIDE * node + lane. */
 typedef struct {
@@ -84,7 +112,8 @@ typedef struct {
   double end;                                       /* of the time; 0: none */
   uint32_t waiting[BATCH + BODY_WIDE * AT_ONCE][2]; /* pairs of triangles */
   int count, batch;                                 /* batch: so many are judged at once */
-  int at_once;                                      /* so many boxes are tested at once */
+  box_tester *test_boxes;
+  int at_once; /* so many boxes are tested at once */
   size_t visits, judged;
 } search;
 
@@ -167,6 +196,9 @@ static void take_children(search *s, const opening *o, const box_test *t, box_pa
   for (uint32_t mask = t->overlaps; mask != 0; mask &= mask - 1) {
     uint32_t lane = (uint32_t)__builtin_ctz(mask);
     uint32_t below = t->node->child[lane];
+    if (below == BODY_NONE) {
+      continue;
+    }
     if (other_is_triangle && (below & BODY_TRIANGLE) != 0) {
       s->waiting[s->count][open] = below - BODY_TRIANGLE;
       s->waiting[s->count++][!open] = o->child - BODY_TRIANGLE;
@@ -187,11 +219,7 @@ static void visit(search *s, box_pair *stack, int *depth) {
   for (int n = 0; n < count; n++) {
     open_pair(s, &stack[*depth + n], &open[n], &test[n]);
   }
-  if (s->pairs.lanes > 2) {
-    test_boxes_avx2(test, count);
-  } else {
-    test_boxes_portable(test, count);
-  }
+  s->test_boxes(test, count);
   s->visits += (size_t)count;
   for (int n = 0; n < count; n++) {
     take_children(s, &open[n], &test[n], stack, depth);
@@ -223,6 +251,16 @@ static void descend(search *s) {
   }
 }
 
+static box_tester *tester(int lanes) {
+#if defined __x86_64__
+  if (lanes > 2) {
+    return lanes == 8 ? test_boxes_avx512 : test_boxes_avx2;
+  }
+#endif
+  (void)lanes;
+  return test_boxes_portable;
+}
+
 bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                           const sepax_pose *pose_b, const sepax_query *query, sepax_pairs *found,
                           sepax_error *error) {
@@ -240,7 +278,8 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
   place_bodies(&s.pairs.at, a, pose_a, b, pose_b);
   bool few = s.query->only_any || s.query->most > 0;
   s.batch = few ? 4 : BATCH;
-  s.at_once = few ? 1 : AT_ONCE;
+  s.at_once = few ? 2 : AT_ONCE;
+  s.test_boxes = tester(s.pairs.lanes);
   s.end = s.query->seconds > 0 ? seconds_now() + s.query->seconds : 0;
   descend(&s);
   found->count = s.hits;

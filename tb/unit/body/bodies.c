@@ -253,6 +253,14 @@ static sepax_pairs search_of(sepax_body *const body[2], sepax_query query) {
   return found;
 }
 
+static bool is_among(const sepax_pairs *pairs, const size_t pair[2]) {
+  size_t k = 0;
+  while (k < pairs->count && memcmp(pairs->pair[k], pair, sizeof pairs->pair[k]) != 0) {
+    k++;
+  }
+  return k < pairs->count;
+}
+
 CASE(limits_of_a_search) {
   sepax_mesh m[2] = {strewn(300, 0.5, 0), strewn(300, 0.5, 0)};
   sepax_body *body[2];
@@ -265,7 +273,9 @@ CASE(limits_of_a_search) {
   sepax_pairs some = search_of(body, (sepax_query){.most = 7});
   assert_int_equal(some.count, 7);
   assert_true(some.ended);
-  assert_memory_equal(some.pair, all.pair, 7 * sizeof *all.pair);
+  for (size_t k = 0; k < some.count; k++) {
+    assert_true(is_among(&all, some.pair[k]));
+  }
   counter c = {0, SIZE_MAX};
   sepax_pairs told = search_of(body, (sepax_query){.each = count_pair, .context = &c});
   assert_int_equal(c.calls, all.count);
