@@ -100,7 +100,7 @@ INLINE uint32_t NAME(overlaps)(const body_boxes *const node[NODES],
   return bits;
 }
 
-TARGET static void NAME(test_boxes)(box_test *t, int count) {
+TARGET static void NAME(compare_boxes)(box_task *t, int count) {
   posed_box p[AT_ONCE];
   for (int n = 0; n < count; n++) {
     turn_box(&p[n], t[n].move, t[n].from, t[n].lane);

@@ -40,7 +40,7 @@ typedef struct {
   const motion *move;
   uint32_t lane;     /* of the box in `from` */
   uint32_t overlaps; /* bit k: child k may meet it */
-} box_test;
+} box_task;
 
 /* ------------------------------------------------------------ instruction sets */
 
@@ -95,7 +95,7 @@ typedef struct {
  * level, so that pairs of a level are taken only with all that are below it. */
 enum { STACK = 2 * 64 * BODY_WIDE * AT_ONCE };
 
-typedef void box_tester(box_test *tests, int count);
+typedef void box_comparer(box_task *tasks, int count);
 
 /* Where the boxes of a pair are: BODY_WIDE * node + lane. */
 typedef struct {
@@ -112,8 +112,8 @@ typedef struct {
   double end;                                       /* of the time; 0: none */
   uint32_t waiting[BATCH + BODY_WIDE * AT_ONCE][2]; /* pairs of triangles */
   int count, batch;                                 /* batch: so many are judged at once */
-  box_tester *test_boxes;
-  int at_once; /* so many boxes are tested at once */
+  box_comparer *compare_boxes;
+  int at_once; /* so many are compared at once */
   size_t visits, judged;
 } search;
 
@@ -175,7 +175,7 @@ static void prefetch_triangle(const search *s, int body, uint32_t number) {
   __builtin_prefetch(at + sizeof(facet_points) - 1);
 }
 
-static void open_pair(const search *s, const box_pair *p, opening *o, box_test *t) {
+static void open_pair(const search *s, const box_pair *p, opening *o, box_task *t) {
   uint32_t child[2] = {child_at(s->body[0], p->at[0]), child_at(s->body[1], p->at[1])};
   int open = opened(s, p, child);
   *o = (opening){open, child[open], p->at[!open], child[!open]};
@@ -189,7 +189,7 @@ static void open_pair(const search *s, const box_pair *p, opening *o, box_test *
 }
 
 /* What may meet goes to the stack, or to the pairs of triangles that wait. */
-static void take_children(search *s, const opening *o, const box_test *t, box_pair *stack,
+static void take_children(search *s, const opening *o, const box_task *t, box_pair *stack,
                           int *depth) {
   bool other_is_triangle = (o->child & BODY_TRIANGLE) != 0;
   int open = o->open;
@@ -212,17 +212,17 @@ static void take_children(search *s, const opening *o, const box_test *t, box_pa
 
 /* The top of the stack. */
 static void visit(search *s, box_pair *stack, int *depth) {
-  box_test test[AT_ONCE];
+  box_task task[AT_ONCE];
   opening open[AT_ONCE];
   int count = *depth < s->at_once ? *depth : s->at_once;
   *depth -= count;
   for (int n = 0; n < count; n++) {
-    open_pair(s, &stack[*depth + n], &open[n], &test[n]);
+    open_pair(s, &stack[*depth + n], &open[n], &task[n]);
   }
-  s->test_boxes(test, count);
+  s->compare_boxes(task, count);
   s->visits += (size_t)count;
   for (int n = 0; n < count; n++) {
-    take_children(s, &open[n], &test[n], stack, depth);
+    take_children(s, &open[n], &task[n], stack, depth);
   }
 }
 
@@ -251,14 +251,14 @@ static void descend(search *s) {
   }
 }
 
-static box_tester *tester(int lanes) {
+static box_comparer *comparer(int lanes) {
 #if defined __x86_64__
   if (lanes > 2) {
-    return lanes == 8 ? test_boxes_avx512 : test_boxes_avx2;
+    return lanes == 8 ? compare_boxes_avx512 : compare_boxes_avx2;
   }
 #endif
   (void)lanes;
-  return test_boxes_portable;
+  return compare_boxes_portable;
 }
 
 bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
@@ -279,7 +279,7 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
   bool few = s.query->only_any || s.query->most > 0;
   s.batch = few ? 4 : BATCH;
   s.at_once = few ? 2 : AT_ONCE;
-  s.test_boxes = tester(s.pairs.lanes);
+  s.compare_boxes = comparer(s.pairs.lanes);
   s.end = s.query->seconds > 0 ? seconds_now() + s.query->seconds : 0;
   descend(&s);
   found->count = s.hits;
