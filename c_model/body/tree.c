@@ -3,7 +3,7 @@
  * Ranges of triangles are divided down to PART of them; the trees below are parts that threads
  * take. Parts depend on the mesh alone, and so does the tree. */
 #include "body.h"
-#include "util/box.h"
+#include "util/bins.h"
 #include "util/error.h"
 #include "util/list.h"
 #include "util/threads.h"
@@ -13,18 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Nodes below level EVEN are split into halves, so that no tree has more than 64 levels. Ranges of
- * up to SHORT triangles have half as many bins. */
-enum { BINS = 16, SHORT = 64, EVEN = 48, PART = 2048 };
-
-/* Entries are the AABBs of triangles with their numbers, in units of the body's scale from its
- * centre. Those of a range follow each other; their places in the tree's order are begin ... end
- * - 1.
- */
-typedef struct {
-  uint32_t begin, end;
-  box4 bounds;
-} range;
+/* Nodes below level EVEN are split into halves, so that no tree has more than 64 levels. */
+enum { EVEN = 48, PART = 2048 };
 
 /* Nodes of the tree below a range; the number of a part's root is BODY_PART + part until all are
  * joined. */
@@ -45,13 +35,6 @@ typedef struct {
   subtree top, *part;
   size_t parts, capacity; /* of parts */
 } builder;
-
-static uint32_t count_of(const range *r) { return r->end - r->begin; }
-
-static float area(const box4 *b) {
-  corner size = b->high - b->low;
-  return size[0] * (size[1] + size[2]) + size[1] * size[2];
-}
 
 static corner magnitude(corner v) { return (corner)((corner_bits)v & INT32_MAX); }
 
@@ -74,106 +57,7 @@ static box4 entry_of(const sepax_body *b, const double v[3][3], uint32_t number)
   return r;
 }
 
-static box4 bounds_of(const box4 *e, uint32_t begin, uint32_t end) {
-  box4 all = box4_of_none();
-  for (uint32_t n = begin; n < end; n++) {
-    box4_enclose(&all, &e[n]);
-  }
-  return all;
-}
-
 /* -------------------------------------------------------------------------- splits */
-
-/* Where the middles of a range's boxes are, twice: bin (position - low) * per_bin of an axis. */
-typedef struct {
-  corner low, per_bin;
-  bool is_short;
-} bin_scale;
-
-typedef struct {
-  box4 bounds[3][BINS];
-  uint32_t count[3][BINS];
-} bins;
-
-/* Entries in bins below `at` of an axis; axis < 0: none is better than another. */
-typedef struct {
-  float cost;
-  int axis, at;
-  box4 first, second;
-} cut;
-
-static int bin_count(const bin_scale *s) { return s->is_short ? BINS / 2 : BINS; }
-
-static bin_scale scale_bins(const box4 *e, const range *r) {
-  box4 middles = box4_of_none();
-  for (uint32_t n = r->begin; n < r->end; n++) {
-    corner middle = e[n].low + e[n].high;
-    middles.low = corner_least(middles.low, middle);
-    middles.high = corner_most(middles.high, middle);
-  }
-  bin_scale s = {.low = middles.low, .is_short = count_of(r) <= SHORT};
-  for (int i = 0; i < 3; i++) {
-    float side = middles.high[i] - middles.low[i];
-    s.per_bin[i] = side > 0 ? 0.9999F * (float)bin_count(&s) / side : 0;
-  }
-  return s;
-}
-
-static corner_bits bins_of(const box4 *b, const bin_scale *s) {
-  return __builtin_convertvector((b->low + b->high - s->low) * s->per_bin, corner_bits);
-}
-
-static void fill_bins(bins *to, const box4 *e, const range *r, const bin_scale *s) {
-  for (int k = 0; k < bin_count(s); k++) {
-    for (int axis = 0; axis < 3; axis++) {
-      to->bounds[axis][k] = box4_of_none();
-      to->count[axis][k] = 0;
-    }
-  }
-  for (uint32_t n = r->begin; n < r->end; n++) {
-    corner_bits k = bins_of(&e[n], s);
-    for (int axis = 0; axis < 3; axis++) {
-      box4_enclose(&to->bounds[axis][k[axis]], &e[n]);
-      to->count[axis][k[axis]]++;
-    }
-  }
-}
-
-/* The cheapest of the cuts along one axis, by area times count on both sides, if better. */
-static void find_cut(const bins *in, const bin_scale *s, int axis, cut *best) {
-  box4 after[BINS];
-  float cost_after[BINS] = {0};
-  box4 all = box4_of_none();
-  uint32_t count = 0;
-  for (int k = bin_count(s) - 1; k > 0; k--) {
-    box4_enclose(&all, &in->bounds[axis][k]);
-    count += in->count[axis][k];
-    after[k] = all;
-    cost_after[k] = count > 0 ? area(&all) * (float)count : FLT_MAX;
-  }
-  all = box4_of_none();
-  count = 0;
-  for (int k = 1; k < bin_count(s); k++) {
-    box4_enclose(&all, &in->bounds[axis][k - 1]);
-    count += in->count[axis][k - 1];
-    float cost = count > 0 ? area(&all) * (float)count + cost_after[k] : FLT_MAX;
-    if (cost < best->cost) {
-      *best = (cut){cost, axis, k, all, after[k]};
-    }
-  }
-}
-
-/* Entries below the cut come to the front; where the others begin. */
-static uint32_t partition(box4 *e, const range *r, const bin_scale *s, const cut *c) {
-  uint32_t first = r->begin;
-  for (uint32_t n = r->begin; n < r->end; n++) {
-    box4 keep = e[n];
-    e[n] = e[first];
-    e[first] = keep;
-    first += bins_of(&keep, s)[c->axis] < c->at;
-  }
-  return first;
-}
 
 /* Divide a range into two; into halves where `even`, or where no middle differs. */
 static void split(const builder *b, const range *r, bool even, range part[2]) {

@@ -12,9 +12,6 @@ enum {
   TREE_RECORD_BYTES = 256,
   TREE_BEAT = 16, /* bytes; the unit of records */
   TREE_PAGE = 4096,
-  TREE_POSE_BYTES = 144,
-  TREE_BODY_BYTES = 32,
-  TREE_WORD_MAX = 21,
   TREE_EXPONENT_MAX = 15,
   TREE_LEVEL_MAX = 15
 };

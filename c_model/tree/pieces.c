@@ -13,7 +13,7 @@ static int64_t clamp(int64_t x, int64_t low, int64_t high) {
   return x < low ? low : x > high ? high : x;
 }
 
-static int64_t turned_sum(const tree_side *side, const int32_t p[3], int i) {
+static int64_t turned_sum(const sepax_tree_side *side, const int32_t p[3], int i) {
   int64_t sum = side->shift[i];
   for (int k = 0; k < 3; k++) {
     sum += (int64_t)side->matrix[i][k] * p[k];
@@ -21,7 +21,7 @@ static int64_t turned_sum(const tree_side *side, const int32_t p[3], int i) {
   return sum;
 }
 
-tree_setting tree_set_up(const tree_side *side, const tree_node *s, const tree_node *t) {
+tree_setting tree_set_up(const sepax_tree_side *side, const tree_node *s, const tree_node *t) {
   const int64_t far = INT64_C(1) << 20;
   tree_setting r;
   int e_max = s->exponent[0];
@@ -71,7 +71,7 @@ uint16_t tree_hits(const tree_cells *box, const tree_node *t) {
   return (uint16_t)hits;
 }
 
-void tree_turn_vertex(int32_t v[3], const tree_side *side, const int32_t p[3]) {
+void tree_turn_vertex(int32_t v[3], const sepax_tree_side *side, const int32_t p[3]) {
   for (int i = 0; i < 3; i++) {
     v[i] = (int32_t)(turned_sum(side, p, i) >> 20);
   }
@@ -85,7 +85,7 @@ static sepax_tri tri_of(const int32_t v[3][3]) {
   return t;
 }
 
-tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int32_t margin, int word) {
+tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t margin, int word) {
   sepax_tri tri[2] = {tri_of(a), tri_of(b)};
   aabb of_a = aabb_of(&tri[0]);
   aabb of_b = aabb_of(&tri[1]);

@@ -3,19 +3,8 @@
 #ifndef SEPAX_TREE_WALK_H
 #define SEPAX_TREE_WALK_H
 
+#include "sepax_tree.h"
 #include "tree/format.h"
-
-/* One side of a pose. */
-typedef struct {
-  int32_t matrix[3][3]; /* 2^-20; -2^20 ... 2^20 */
-  int64_t shift[3];     /* 2^-20 LSB, 44 bits */
-  uint32_t sigma[3];    /* 2^-10 LSB, 24 bits */
-} tree_side;
-
-/* Side 0: B to A (M, t, sigma_A). Side 1: A to B (K, u, sigma_B). */
-typedef struct {
-  tree_side side[2];
-} tree_pose;
 
 /* What turns boxes of S into the cells of T. */
 typedef struct {
@@ -36,22 +25,22 @@ typedef struct {
   int turn;          /* what the core gets: 0: (x, y, z), 1: (y, z, x), 2: (z, x, y) */
 } tree_pair;
 
-tree_setting tree_set_up(const tree_side *side, const tree_node *s, const tree_node *t);
+tree_setting tree_set_up(const sepax_tree_side *side, const tree_node *s, const tree_node *t);
 tree_cells tree_turn_box(const tree_setting *setting, const int8_t low[3], const int8_t high[3]);
 
 /* Bit j: child j of T is hit. */
 uint16_t tree_hits(const tree_cells *box, const tree_node *t);
 
-void tree_turn_vertex(int32_t v[3], const tree_side *side, const int32_t p[3]);
+void tree_turn_vertex(int32_t v[3], const sepax_tree_side *side, const int32_t p[3]);
 
 /* a: vertices of A; b: turned vertices of B; margin 0 ... 2^(W-1). */
-tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int32_t margin, int word);
+tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t margin, int word);
 
 /* As the core gets it. */
 sepax_tri tree_turned_axes(const int32_t v[3][3], int turn);
 
-/* Bytes to pose and back; reading fails if a number is out of its range. */
-bool tree_pose_unpack(tree_pose *pose, const uint8_t bytes[TREE_POSE_BYTES], sepax_error *error);
-void tree_pose_pack(uint8_t bytes[TREE_POSE_BYTES], const tree_pose *pose);
+/* sepax_images_walk of what has been looked at: nodes are in the images. */
+bool tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
+                      const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error);
 
 #endif

@@ -1,0 +1,92 @@
+/* choose.c - which nodes of the binary tree become nodes of fan-out 16: the optimal collapse
+ * (Wald, Benthin, Boulos 2008; Ylitie, Karras, Laine 2017). */
+#include "tree/build.h"
+
+#include <stdlib.h>
+
+/* The least sum of areas of the nodes below a node that is held in up to k + 1 slots. */
+typedef float costs[TREE_FAN_OUT];
+
+/* Split k slots between two children, best; slots of the first, and the cost. */
+static float share(const costs first, const costs second, int k, uint8_t *slots) {
+  float least = FLT_MAX;
+  for (int i = 1; i < k; i++) {
+    float cost = first[i - 1] + second[k - i - 1];
+    if (cost < least) {
+      least = cost;
+      *slots = (uint8_t)i;
+    }
+  }
+  return least;
+}
+
+/* slots[n][k]: of k slots the first child of n gets so many, 0: n is itself in one slot;
+ * slots[n][1] does not occur. slots[n][0] is for n itself as a node, whose children are in 16. */
+static void choose(const tree_binary *b, costs *cost, uint32_t n) {
+  uint8_t *slots = b->slots[n];
+  const tree_twin *node = &b->node[n];
+  if (node->child == 0) {
+    for (int k = 1; k <= TREE_FAN_OUT; k++) {
+      slots[k] = 0;
+      cost[n][k - 1] = 0;
+    }
+    return;
+  }
+  const float *first = cost[node->child];
+  const float *second = cost[node->child + 1];
+  float own = area(&node->of.bounds) + share(first, second, TREE_FAN_OUT, &slots[0]);
+  float least = own;
+  cost[n][0] = own;
+  slots[1] = 0;
+  uint8_t best = 0;
+  for (int k = 2; k <= TREE_FAN_OUT; k++) {
+    uint8_t split = 0;
+    float c = share(first, second, k, &split);
+    if (c < least) {
+      least = c;
+      best = split;
+    }
+    slots[k] = best;
+    cost[n][k - 1] = least;
+  }
+}
+
+/* Four levels of halves are a node, whatever their areas. */
+static void choose_evenly(const tree_binary *b, uint32_t n) {
+  bool leaf = b->node[n].child == 0;
+  for (int k = 1; k <= TREE_FAN_OUT; k++) {
+    b->slots[n][k] = leaf ? 0 : (uint8_t)(k / 2);
+  }
+  b->slots[n][0] = TREE_FAN_OUT / 2;
+}
+
+bool tree_choose(tree_binary *b, bool even) {
+  costs *cost = malloc(b->nodes * sizeof *cost);
+  b->slots = malloc(b->nodes * sizeof *b->slots);
+  bool ok = cost != NULL && b->slots != NULL;
+  for (size_t n = b->nodes; ok && n-- > 0;) {
+    if (even) {
+      choose_evenly(b, (uint32_t)n);
+    } else {
+      choose(b, cost, (uint32_t)n);
+    }
+  }
+  free(cost);
+  return ok;
+}
+
+static int gather(const tree_binary *b, uint32_t n, int slots, uint32_t *child) {
+  int first = b->slots[n][slots];
+  if (first == 0) {
+    *child = n;
+    return 1;
+  }
+  int count = gather(b, b->node[n].child, first, child);
+  return count + gather(b, b->node[n].child + 1, slots - first, child + count);
+}
+
+int tree_children(const tree_binary *b, uint32_t n, uint32_t child[TREE_FAN_OUT]) {
+  int first = b->slots[n][0];
+  int count = gather(b, b->node[n].child, first, child);
+  return count + gather(b, b->node[n].child + 1, TREE_FAN_OUT - first, child + count);
+}

@@ -1,0 +1,29 @@
+/* tree.h - a tree as the library holds it (private). */
+#ifndef SEPAX_TREE_TREE_H
+#define SEPAX_TREE_TREE_H
+
+#include "sepax_tree.h"
+#include "tree/format.h"
+
+struct sepax_tree {
+  sepax_grid grid;
+  uint8_t *image;
+  size_t bytes; /* of the image */
+  uint32_t nodes, triangles;
+  uint32_t *number; /* of each triangle in the mesh */
+};
+
+static inline tree_image tree_image_of(const sepax_tree *t) {
+  return (tree_image){t->image, t->nodes, t->triangles, (uint32_t)(t->bytes / TREE_BEAT)};
+}
+
+/* Where the records of leaves begin. */
+static inline size_t tree_records_at(size_t nodes) {
+  return (nodes * TREE_NODE_BYTES + TREE_PAGE - 1) / TREE_PAGE * TREE_PAGE;
+}
+
+/* All that docs/tree.md says of an image, whatever its bytes are: CRCs, zeros, levels, that each
+ * node and triangle is the child of exactly one node, and that each box holds what is below it. */
+bool tree_check(const sepax_tree *tree, sepax_error *error);
+
+#endif

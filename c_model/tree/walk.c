@@ -1,0 +1,259 @@
+/* walk.c - the walk down two trees: which pairs the tree engine tests, in which order, and what it
+ * counts. docs/tree.md, Order. */
+#include "tree/tree.h"
+#include "tree/walk.h"
+
+#include "models/engine_time.h"
+#include "util/error.h"
+
+#include <stdlib.h>
+
+typedef struct {
+  uint32_t s, t;
+  uint16_t mask;
+  uint8_t side;
+} entry;
+
+typedef struct {
+  tree_image tree[2]; /* A, B */
+  const sepax_tree_pose *pose;
+  const sepax_tree_walk *how;
+  sepax_tree_run *run;
+  size_t line_most, stack_most, height;
+  entry *line, *stack; /* the line is a ring */
+  size_t oldest, in_line, in_stack;
+} walk;
+
+static bool damaged(walk *w) {
+  w->run->damaged = true;
+  return false;
+}
+
+/* False if it is damaged. */
+static bool read_node(walk *w, tree_node *node, int body, uint32_t number) {
+  const tree_image *tree = &w->tree[body];
+  if (number >= tree->nodes) {
+    return damaged(w);
+  }
+  *node = tree_unpack(tree->image + (size_t)TREE_NODE_BYTES * number, w->how->design->config.word);
+  return tree_node_sound(tree, node, number) || damaged(w);
+}
+
+static bool push(walk *w, entry e) {
+  if (w->in_stack == w->stack_most) {
+    return damaged(w);
+  }
+  w->stack[w->in_stack++] = e;
+  w->run->deepest = w->in_stack > w->run->deepest ? w->in_stack : w->run->deepest;
+  return true;
+}
+
+/* -------------------------------------------------------------------- pairs */
+
+static void judge(walk *w, sepax_tree_pair *p, const tree_pair *tested, const int32_t a[3][3],
+                  const int32_t b[3][3]) {
+  sepax_pair pair = {.a = tree_turned_axes(a, tested->turn),
+                     .b = tree_turned_axes(b, tested->turn)};
+  p->out_of_range = tested->out_of_range;
+  p->collision = true;
+  p->band = SEPAX_BAND_COLLISION;
+  w->run->passes++;
+  if (!tested->out_of_range) {
+    sepax_verdict v = sepax_judge(w->how->design, &pair);
+    p->collision = v.collision;
+    p->coplanar = v.coplanar;
+    p->band = v.band;
+    w->run->passes += w->how->design->limits == 0 && engine_takes_two_passes(&pair.a, &pair.b);
+  }
+}
+
+static bool count_near(walk *w, const sepax_tree_pair *p) {
+  sepax_tree_run *run = w->run;
+  run->near++;
+  run->out_of_range += p->out_of_range;
+  run->warnings += w->how->design->limits > 0 && !p->collision && p->band == SEPAX_BAND_WARNING;
+  if (p->collision && run->collisions++ == 0) {
+    run->found = *p;
+  }
+  run->ended = (w->how->first && p->collision) ||
+               (w->how->each != NULL && !w->how->each(w->how->context, p));
+  return !run->ended;
+}
+
+static bool serve_row(walk *w, const uint32_t leaf[2], const tree_node *node_a,
+                      const tree_node *node_b, int b, uint16_t mask) {
+  int word = w->how->design->config.word;
+  const uint8_t *record_a = w->tree[0].image + (size_t)TREE_BEAT * node_a->record;
+  const uint8_t *record_b = w->tree[1].image + (size_t)TREE_BEAT * node_b->record;
+  int32_t own[3][3];
+  int32_t turned[3][3];
+  w->run->rows++;
+  if (!tree_triangle(own, record_b, node_b->beats, b, word)) {
+    return damaged(w);
+  }
+  for (int k = 0; k < 3; k++) {
+    tree_turn_vertex(turned[k], &w->pose->side[0], own[k]);
+  }
+  for (int a = 0; a < TREE_FAN_OUT; a++) {
+    if ((mask >> a & 1) == 0) {
+      continue;
+    }
+    w->run->pairs++;
+    int32_t v[3][3];
+    if (!tree_triangle(v, record_a, node_a->beats, a, word)) {
+      return damaged(w);
+    }
+    tree_pair tested = tree_test_pair(v, turned, w->how->design->margin[1], word);
+    if (tested.near) {
+      sepax_tree_pair p = {.triangle = {node_a->first + (uint32_t)a, node_b->first + (uint32_t)b},
+                           .leaf = {leaf[0], leaf[1]},
+                           .child = {a, b}};
+      judge(w, &p, &tested, v, turned);
+      if (!count_near(w, &p)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/* ------------------------------------------------------------------ entries */
+
+static bool finish_rows(walk *w, const entry *e, const tree_node *s, const tree_node *t,
+                        const uint16_t hit[TREE_FAN_OUT], const uint16_t column[TREE_FAN_OUT]) {
+  const uint16_t *mask = e->side == 0 ? hit : column;
+  const tree_node *a = e->side == 0 ? t : s;
+  const tree_node *b = e->side == 0 ? s : t;
+  const uint32_t leaf[2] = {e->side == 0 ? e->t : e->s, e->side == 0 ? e->s : e->t};
+  for (int k = 0; k < TREE_FAN_OUT; k++) {
+    if (mask[k] != 0 && !serve_row(w, leaf, a, b, k, mask[k])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool finish(walk *w, const entry *e) {
+  tree_node s;
+  tree_node t;
+  if (!read_node(w, &s, e->side == 0 ? 1 : 0, e->s) || !read_node(w, &t, e->side, e->t)) {
+    return false;
+  }
+  tree_setting setting = tree_set_up(&w->pose->side[e->side], &s, &t);
+  uint16_t hit[TREE_FAN_OUT] = {0};
+  uint16_t column[TREE_FAN_OUT] = {0};
+  for (int i = 0; i < TREE_FAN_OUT; i++) {
+    if ((e->mask >> i & 1) != 0) {
+      tree_cells box = tree_turn_box(&setting, s.low[i], s.high[i]);
+      hit[i] = tree_hits(&box, &t);
+      w->run->steps++;
+    }
+    for (int j = 0; j < TREE_FAN_OUT; j++) {
+      column[j] = (uint16_t)(column[j] | (hit[i] >> j & 1) << i);
+    }
+  }
+  w->run->entries++;
+  if (s.level == 0 && t.level == 0) {
+    return finish_rows(w, e, &s, &t, hit, column);
+  }
+  for (uint32_t k = 0; k < TREE_FAN_OUT; k++) {
+    uint16_t mask = s.level > 0 ? hit[k] : column[k];
+    entry next = s.level > 0 ? (entry){e->t, s.first + k, mask, !e->side}
+                             : (entry){e->s, t.first + k, mask, e->side};
+    if (mask != 0 && !push(w, next)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static void fill_line(walk *w) {
+  while (
+      w->in_stack > 0 && w->in_line < w->line_most &&
+      (w->in_line == 0 || w->in_stack + 16 * (w->in_line + 1) + 15 * w->height <= w->stack_most)) {
+    w->line[(w->oldest + w->in_line++) % w->line_most] = w->stack[--w->in_stack];
+  }
+}
+
+static bool serve_first(walk *w, const sepax_tree_pair *p) {
+  tree_node a;
+  tree_node b;
+  return read_node(w, &a, 0, p->leaf[0]) && read_node(w, &b, 1, p->leaf[1]) &&
+         ((a.level == 0 && b.level == 0) || damaged(w)) &&
+         serve_row(w, p->leaf, &a, &b, p->child[1], (uint16_t)(1 << p->child[0]));
+}
+
+static void walk_all(walk *w, const tree_node *root_b) {
+  if (w->how->row != NULL && !serve_first(w, w->how->row)) {
+    return;
+  }
+  w->line[0] = (entry){0, 0, (uint16_t)((1U << root_b->children) - 1), 0};
+  w->in_line = 1;
+  while (w->in_line > 0) {
+    entry e = w->line[w->oldest];
+    if (!finish(w, &e)) {
+      return;
+    }
+    w->oldest = (w->oldest + 1) % w->line_most;
+    w->in_line--;
+    fill_line(w);
+  }
+}
+
+bool tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
+                      const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error) {
+  walk w = {.tree = {tree[0], tree[1]},
+            .pose = pose,
+            .how = how,
+            .run = run,
+            .line_most = how->line > 0 ? how->line : SEPAX_TREE_LINE,
+            .stack_most = how->stack > 0 ? how->stack : SEPAX_TREE_STACK};
+  *run = (sepax_tree_run){0};
+  tree_node root[2];
+  if (!read_node(&w, &root[0], 0, 0) || !read_node(&w, &root[1], 1, 0)) {
+    return true;
+  }
+  w.height = (size_t)(root[0].level + root[1].level);
+  if (w.stack_most < 15 * w.height + 16) {
+    return sepax_fail(error, "trees of %d and %d levels need a stack of %zu entries, not %zu",
+                      root[0].level, root[1].level, 15 * w.height + 16, w.stack_most);
+  }
+  w.line = malloc((w.line_most + w.stack_most) * sizeof *w.line);
+  if (w.line == NULL) {
+    return sepax_fail(error, "no memory for a stack of %zu entries", w.stack_most);
+  }
+  w.stack = w.line + w.line_most;
+  walk_all(&w, &root[1]);
+  free(w.line);
+  return true;
+}
+
+static tree_image image_of(const uint8_t *image, const uint8_t *record) {
+  return (tree_image){image, tree_get32(record + 8), tree_get32(record + 12),
+                      tree_get32(record + 16)};
+}
+
+bool sepax_images_walk(const uint8_t *const image[2],
+                       const uint8_t record[2][SEPAX_TREE_BODY_BYTES], const sepax_tree_pose *pose,
+                       const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error) {
+  const tree_image tree[2] = {image_of(image[0], record[0]), image_of(image[1], record[1])};
+  for (int i = 0; i < 2; i++) {
+    if (tree[i].nodes == 0 ||
+        (uint64_t)tree[i].nodes * (TREE_NODE_BYTES / TREE_BEAT) > tree[i].beats) {
+      return sepax_fail(error, "body %c: %u nodes are not in an image of %u bytes", "AB"[i],
+                        tree[i].nodes, TREE_BEAT * tree[i].beats);
+    }
+  }
+  return tree_images_walk(tree, pose, how, run, error);
+}
+
+bool sepax_trees_walk(const sepax_tree *a, const sepax_tree *b, const sepax_tree_pose *pose,
+                      const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error) {
+  const tree_image tree[2] = {tree_image_of(a), tree_image_of(b)};
+  int word = a->grid.word > b->grid.word ? a->grid.word : b->grid.word;
+  if (word > how->design->config.word) {
+    return sepax_fail(error, "a tree of %d bits is beyond the %d bits of the design", word,
+                      how->design->config.word);
+  }
+  return tree_images_walk(tree, pose, how, run, error);
+}
