@@ -48,7 +48,7 @@ MAKEFLAGS += --no-print-directory
 ifneq ($(DESIGN_NAME),)
 include $(addprefix scripts/make/,flags.mk mesh.mk cosim.mk synth.mk)
 else
-include $(addprefix scripts/make/,flags.mk mesh.mk build.mk design.mk)
+include $(addprefix scripts/make/,flags.mk mesh.mk build.mk tree.mk design.mk)
 ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 

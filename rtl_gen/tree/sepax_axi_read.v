@@ -3,14 +3,15 @@
 // cycle after they came and cannot be stopped; only a burst whose tag has its highest bit set
 // waits, before its first beat, while `pause` is 1.
 module sepax_axi_read #(
-  parameter TAG = 8, // bits of a tag
-  parameter OPEN = 4 // log2 of the open bursts, 2 or more
+  parameter ADDRESS = 40, // bits of a byte address
+  parameter TAG = 8,      // bits of a tag
+  parameter OPEN = 4      // log2 of the open bursts, 2 or more
 ) (
   input  wire           clk,        // clock
   input  wire           rst,        // synchronous reset, active high
   input  wire           in_valid,   // a burst is wanted
   output wire           in_ready,   // it is taken
-  input  wire [31:0]    in_address, // of its first beat, in units of 16 bytes
+  input  wire [ADDRESS-5:0] in_address, // of its first beat, in units of 16 bytes
   input  wire [3:0]     in_beats,   // its beats less 1; it does not cross 4 KB
   input  wire [TAG-1:0] in_tag,     // comes back with its data
   input  wire           pause,      // see above
@@ -18,17 +19,17 @@ module sepax_axi_read #(
   output reg  [127:0]   out_data,   // its data
   output reg  [3:0]     out_beat,   // its number in the burst
   output reg            out_last,   // it is the burst's last
-  output reg            out_error,  // SLVERR, DECERR, or RLAST at the wrong beat
+  output reg            out_error,  // not OKAY, or RLAST at the wrong beat
   output reg  [TAG-1:0] out_tag,    // the burst's tag
   output wire           idle,       // no burst is open
   output reg            arvalid,    // AXI4: an address
   input  wire           arready,    // it is taken
-  output reg  [35:0]    araddr,     // byte address, a multiple of 16
+  output reg  [ADDRESS-1:0] araddr,     // byte address, a multiple of 16
   output reg  [7:0]     arlen,      // beats less 1
   input  wire           rvalid,     // AXI4: a beat
   output wire           rready,     // it is taken
   input  wire [127:0]   rdata,      // its data
-  input  wire [1:0]     rresp,      // 2, 3: error
+  input  wire [1:0]     rresp,      // not 0: error
   input  wire           rlast       // the last of the burst
 );
   wire           take = in_valid && in_ready;
@@ -69,7 +70,7 @@ module sepax_axi_read #(
       out_data <= rdata;
       out_beat <= beat_q;
       out_last <= last;
-      out_error <= rresp[1] || (rlast != last);
+      out_error <= (|rresp) || (rlast != last);
       out_tag <= tag;
     end
   end

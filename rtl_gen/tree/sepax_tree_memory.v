@@ -4,11 +4,11 @@
 // until the pair is released; pairs are released in order.
 module sepax_tree_memory #(
   parameter W = 18,          // bits of a coordinate, 4 ... 21
-  parameter ADDRESS = 40,    // bits of a byte address, 36 ... 64
+  parameter ADDRESS = 40,    // bits of a byte address, 37 ... 64
   parameter NODE_INFO = 32,  // bits that go with a pair of nodes
   parameter LEAF_INFO = 64,  // bits that go with a pair of leaves
   parameter NODE_SETS = 4,   // log2 of the sets of 4 nodes a body
-  parameter LEAF_SETS = 1,   // log2 of the sets of 4 leaves a body
+  parameter LEAF_SETS = 1,   // log2 of the sets of 4 leaves a body, less than NODE_SETS
   parameter NODE_WINDOW = 5, // log2 of the pairs of nodes that are in and not released
   parameter LEAF_WINDOW = 3, // log2 of the pairs of leaves that are in and not released
   parameter OPEN = 4         // log2 of the open bursts
@@ -71,7 +71,77 @@ module sepax_tree_memory #(
   input  wire                  rvalid,          // a beat
   output wire                  rready,          // it is taken
   input  wire [127:0]          rdata,           // its data
-  input  wire [1:0]            rresp,           // 2, 3: error
+  input  wire [1:0]            rresp,           // not 0: error
   input  wire                  rlast            // the last of its burst
 );
+  localparam TAG = NODE_SETS + 4; // of a burst: {of a leaf, of B, slot}
+  wire                 node_idle, leaf_idle, read_idle;
+  wire                 node_miss, leaf_miss, read_ready;
+  wire [ADDRESS-5:0]   node_address, leaf_address;
+  wire [3:0]           leaf_beats;
+  wire [NODE_SETS+2:0] node_tag;
+  wire [LEAF_SETS+2:0] leaf_tag;
+  wire                 fill, fill_last, fill_error;
+  wire [127:0]         fill_data;
+  wire [3:0]           fill_beat;
+  wire [TAG-1:0]       fill_tag;
+  wire                 of_leaf = fill_tag[TAG-1];
+  wire [119:0]         numbers;   // a beat as numbers of vertices
+  wire [3*W-1:0]       even, odd; // as two vertices
+  wire                 busy;      // the triangles of a record are made
+
+  assign idle = node_idle && leaf_idle && read_idle && !busy;
+
+  genvar k;
+  generate
+    for (k = 0; k < 8; k = k + 1) begin : triangle
+      assign numbers[15*k +: 15] = fill_data[16*k +: 15];
+    end
+    for (k = 0; k < 3; k = k + 1) begin : axis
+      assign even[W*k +: W] = fill_data[21*k +: W];
+      assign odd[W*k +: W] = fill_data[64+21*k +: W];
+    end
+  endgenerate
+
+  sepax_node_cache #(
+    .ADDRESS(ADDRESS), .INFO(NODE_INFO), .SETS(NODE_SETS), .WINDOW(NODE_WINDOW)
+  ) nodes (
+    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop), .idle(node_idle),
+    .base_a(base_a), .base_b(base_b), .in_valid(node_in_valid), .in_ready(node_in_ready),
+    .in_a(node_in_a), .in_b(node_in_b), .in_info(node_in_info), .out_valid(node_out_valid),
+    .out_ready(node_out_ready), .out_a(node_out_a), .out_b(node_out_b), .out_info(node_out_info),
+    .out_error(node_out_error), .done(node_release), .read_a(node_read_a), .slot_a(node_slot_a),
+    .node_a(node_a), .read_b(node_read_b), .slot_b(node_slot_b), .node_b(node_b),
+    .miss_valid(node_miss), .miss_ready(read_ready && !leaf_miss), .miss_address(node_address),
+    .miss_tag(node_tag), .fill(fill && !of_leaf), .fill_data(fill_data),
+    .fill_beat(fill_beat[2:0]), .fill_last(fill_last), .fill_error(fill_error),
+    .fill_tag(fill_tag[NODE_SETS+2:0])
+  );
+  sepax_leaf_buffers #(
+    .W(W), .ADDRESS(ADDRESS), .INFO(LEAF_INFO), .SETS(LEAF_SETS), .WINDOW(LEAF_WINDOW)
+  ) leaves (
+    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop), .idle(leaf_idle),
+    .base_a(base_a), .base_b(base_b), .in_valid(leaf_in_valid), .in_ready(leaf_in_ready),
+    .in_a(leaf_in_a), .in_beats_a(leaf_in_beats_a), .in_b(leaf_in_b),
+    .in_beats_b(leaf_in_beats_b), .in_info(leaf_in_info), .out_valid(leaf_out_valid),
+    .out_ready(leaf_out_ready), .out_a(leaf_out_a), .out_b(leaf_out_b), .out_info(leaf_out_info),
+    .out_error(leaf_out_error), .done(leaf_release), .read_a(triangle_read_a),
+    .slot_a(triangle_slot_a), .triangle_a(triangle_a), .read_b(triangle_read_b),
+    .slot_b(triangle_slot_b), .triangle_b(triangle_b), .miss_valid(leaf_miss),
+    .miss_ready(read_ready), .miss_address(leaf_address), .miss_beats(leaf_beats),
+    .miss_tag(leaf_tag), .fill(fill && of_leaf), .fill_numbers(numbers), .fill_even(even),
+    .fill_odd(odd), .fill_beat(fill_beat), .fill_last(fill_last), .fill_error(fill_error),
+    .fill_tag(fill_tag[LEAF_SETS+2:0]), .busy(busy)
+  );
+  // Leaves go first: the core waits for them.
+  sepax_axi_read #(.ADDRESS(ADDRESS), .TAG(TAG), .OPEN(OPEN)) read (
+    .clk(clk), .rst(rst), .in_valid(leaf_miss || node_miss), .in_ready(read_ready),
+    .in_address(leaf_miss ? leaf_address : node_address),
+    .in_beats(leaf_miss ? leaf_beats : 4'd7),
+    .in_tag(leaf_miss ? {1'b1, {(NODE_SETS-LEAF_SETS){1'b0}}, leaf_tag} : {1'b0, node_tag}),
+    .pause(busy), .out_valid(fill), .out_data(fill_data), .out_beat(fill_beat),
+    .out_last(fill_last), .out_error(fill_error), .out_tag(fill_tag), .idle(read_idle),
+    .arvalid(arvalid), .arready(arready), .araddr(araddr), .arlen(arlen), .rvalid(rvalid),
+    .rready(rready), .rdata(rdata), .rresp(rresp), .rlast(rlast)
+  );
 endmodule

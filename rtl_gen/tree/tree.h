@@ -1,0 +1,10 @@
+/* tree.h - the tree engine's modules (docs/tree.md). */
+#ifndef SEPAX_TREE_H
+#define SEPAX_TREE_H
+
+#include "emit/emit.h"
+
+/* sepax_tree_memory and what it is made of; sepax_ram must be there. */
+void gen_tree_memory(emitter *e);
+
+#endif

@@ -1,0 +1,24 @@
+/* emit.c - the Verilog of the tree engine's memory side, for its test benches: emit FOLDER. */
+#include "emit/gen.h"
+#include "emit/template.h"
+#include "tree/tree.h"
+
+#include <stdio.h>
+
+int main(int argc, char **argv) {
+  emitter e;
+  if (argc != 2) {
+    fprintf(stderr, "emit: give a folder\n");
+    return 2;
+  }
+  emit_init(&e, NULL, "tb/tree/emit");
+  emit_template(&e, "sepax_ram", NULL);
+  gen_tree_memory(&e);
+  sepax_error error = e.error;
+  bool ok = error.text[0] == '\0' && gen_write(&e, argv[1], &error);
+  emit_free(&e);
+  if (!ok) {
+    fprintf(stderr, "emit: %s\n", error.text);
+  }
+  return ok ? 0 : 1;
+}
