@@ -1,6 +1,6 @@
-/* tree.h - the tree engine's modules (docs/tree.md). */
-#ifndef SEPAX_TREE_H
-#define SEPAX_TREE_H
+/* gen_tree.h - the tree engine's modules (docs/tree.md). */
+#ifndef SEPAX_GEN_TREE_H
+#define SEPAX_GEN_TREE_H
 
 #include "emit/emit.h"
 
