@@ -1,5 +1,5 @@
 /* memory.c - the tree engine's way to external memory. */
-#include "gen_tree.h"
+#include "modules.h"
 #include "emit/template.h"
 
 void gen_tree_memory(emitter *e) {

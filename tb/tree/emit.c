@@ -1,7 +1,7 @@
 /* emit.c - the Verilog of the tree engine's memory side, for its test benches: emit FOLDER. */
 #include "emit/gen.h"
 #include "emit/template.h"
-#include "tree/gen_tree.h"
+#include "tree/modules.h"
 
 #include <stdio.h>
 

@@ -1,6 +1,6 @@
-/* gen_tree.h - the tree engine's modules (docs/tree.md). */
-#ifndef SEPAX_GEN_TREE_H
-#define SEPAX_GEN_TREE_H
+/* modules.h - the tree engine's modules (docs/tree.md). */
+#ifndef SEPAX_TREE_MODULES_H
+#define SEPAX_TREE_MODULES_H
 
 #include "emit/emit.h"
 
