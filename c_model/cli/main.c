@@ -17,6 +17,7 @@ static const struct {
     {"accuracy", cli_accuracy, "how often a design is wrong, on which pairs, by how much"},
     {"vectors", cli_vectors, "test vectors of hard cases as text"},
     {"mesh", cli_mesh, "write a sample object as STL"},
+    {"tree", cli_tree, "a body as a tree for the tree engine"},
     {"name", cli_name, "the name of a design, and the list of options"},
     {"multiplier", cli_multiplier, "generate the Verilog of one multiplier"},
 };

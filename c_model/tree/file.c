@@ -1,0 +1,160 @@
+/* file.c - trees in files. docs/tree.md, The file. */
+#include "tree/tree.h"
+#include "util/error.h"
+#include "util/write_file.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { VERSION = 1, HEADER = TREE_PAGE, HEADER_CRC = 68 };
+static const char magic[8] = {'s', 'e', 'p', 'a', 'x', 'S', 'X', 'T'};
+
+static void put_double(uint8_t *to, double x) {
+  uint64_t bits;
+  memcpy(&bits, &x, sizeof bits);
+  tree_put64(to, bits);
+}
+
+static double get_double(const uint8_t *from) {
+  uint64_t bits = tree_get64(from);
+  double x;
+  memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
+static void pack_table(uint8_t *to, const sepax_tree *tree) {
+  for (size_t n = 0; n < tree->triangles; n++) {
+    tree_put32(to + 4 * n, tree->number[n]);
+  }
+}
+
+static void pack_header(uint8_t *to, const sepax_tree *t, uint32_t table_crc) {
+  memset(to, 0, HEADER);
+  memcpy(to, magic, sizeof magic);
+  tree_put32(to + 8, VERSION);
+  tree_put32(to + 12, (uint32_t)t->grid.word);
+  put_double(to + 16, t->grid.resolution);
+  for (int i = 0; i < 3; i++) {
+    put_double(to + 24 + 8 * i, t->grid.offset[i]);
+  }
+  tree_put32(to + 48, t->nodes);
+  tree_put32(to + 52, t->triangles);
+  tree_put64(to + 56, t->bytes);
+  tree_put32(to + 64, table_crc);
+  tree_put32(to + HEADER_CRC, tree_crc(0, to, HEADER_CRC));
+}
+
+static bool write_tree(FILE *out, const void *context) {
+  const sepax_tree *t = context;
+  size_t table_bytes = 4 * (size_t)t->triangles;
+  uint8_t *table = malloc(table_bytes);
+  if (table == NULL) {
+    return false;
+  }
+  pack_table(table, t);
+  uint8_t header[HEADER];
+  pack_header(header, t, tree_crc(0, table, table_bytes));
+  bool ok = fwrite(header, HEADER, 1, out) == 1 && fwrite(t->image, t->bytes, 1, out) == 1 &&
+            fwrite(table, table_bytes, 1, out) == 1;
+  free(table);
+  return ok;
+}
+
+bool sepax_tree_write(const sepax_tree *tree, const char *path, sepax_error *error) {
+  return sepax_write_file(path, write_tree, tree, error);
+}
+
+/* ------------------------------------------------------------------- reading */
+
+static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *table_crc,
+                          sepax_error *error) {
+  if (memcmp(from, magic, sizeof magic) != 0) {
+    return sepax_fail(error, "no tree; make one of an STL file with 'sepax tree'");
+  }
+  if (tree_get32(from + 8) != VERSION) {
+    return sepax_fail(error, "version %u of the format, not %d; make it again with 'sepax tree'",
+                      tree_get32(from + 8), VERSION);
+  }
+  bool zeros = true;
+  for (int n = HEADER_CRC + 4; n < HEADER; n++) {
+    zeros = zeros && from[n] == 0;
+  }
+  if (!zeros || tree_get32(from + HEADER_CRC) != tree_crc(0, from, HEADER_CRC)) {
+    return sepax_fail(error, "the header's CRC is wrong; the file is damaged, make it again");
+  }
+  uint32_t word = tree_get32(from + 12);
+  t->grid.resolution = get_double(from + 16);
+  bool ok = word >= SEPAX_WORD_MIN && word <= SEPAX_TREE_WORD_MAX && t->grid.resolution > 0 &&
+            isfinite(t->grid.resolution);
+  t->grid.word = ok ? (int)word : 0;
+  for (int i = 0; i < 3; i++) {
+    t->grid.offset[i] = get_double(from + 24 + 8 * i);
+    ok = ok && isfinite(t->grid.offset[i]);
+  }
+  t->nodes = tree_get32(from + 48);
+  t->triangles = tree_get32(from + 52);
+  uint64_t bytes = tree_get64(from + 56);
+  *table_crc = tree_get32(from + 64);
+  ok = ok && t->nodes > 0 && t->nodes <= TREE_NODES_MAX && t->triangles > 0 &&
+       bytes % TREE_BEAT == 0 && bytes >= tree_records_at(t->nodes) &&
+       bytes / TREE_BEAT <= UINT32_MAX;
+  t->bytes = (size_t)bytes;
+  return ok || sepax_fail(error, "the header is that of no tree; make it again");
+}
+
+/* What is behind the header. Memory is taken only for bytes that are in the file. */
+static bool read_rest(sepax_tree *t, FILE *in, uint32_t table_crc, sepax_error *error) {
+  size_t table_bytes = 4 * (size_t)t->triangles;
+  long end = fseek(in, 0, SEEK_END) == 0 ? ftell(in) : -1;
+  if (end < 0 || (uint64_t)end != HEADER + (uint64_t)t->bytes + table_bytes ||
+      fseek(in, HEADER, SEEK_SET) != 0) {
+    return sepax_fail(error, "%ld bytes, not %llu; the file is cut or has more, make it again", end,
+                      (unsigned long long)(HEADER + (uint64_t)t->bytes + table_bytes));
+  }
+  uint8_t *table = malloc(table_bytes);
+  t->image = malloc(t->bytes);
+  t->number = malloc(t->triangles * sizeof *t->number);
+  bool ok = table != NULL && t->image != NULL && t->number != NULL;
+  if (!ok) {
+    sepax_fail(error, "no memory for a tree of %u triangles", t->triangles);
+  } else if (fread(t->image, t->bytes, 1, in) != 1 || fread(table, table_bytes, 1, in) != 1) {
+    ok = sepax_fail(error, "not read: %s", strerror(errno));
+  } else if (tree_crc(0, table, table_bytes) != table_crc) {
+    ok = sepax_fail(error, "the table's CRC is wrong; the file is damaged, make it again");
+  }
+  for (size_t n = 0; ok && n < t->triangles; n++) {
+    t->number[n] = tree_get32(table + 4 * n);
+  }
+  free(table);
+  return ok;
+}
+
+static bool read_tree(sepax_tree *t, FILE *in, sepax_error *error) {
+  uint8_t header[HEADER];
+  uint32_t table_crc = 0;
+  if (fread(header, HEADER, 1, in) != 1) {
+    return sepax_fail(error, "too short for a tree; make one with 'sepax tree'");
+  }
+  return unpack_header(t, header, &table_crc, error) && read_rest(t, in, table_crc, error) &&
+         tree_check(t, error);
+}
+
+bool sepax_tree_read(sepax_tree **tree, const char *path, sepax_error *error) {
+  *tree = NULL;
+  FILE *in = fopen(path, "rb");
+  if (in == NULL) {
+    return sepax_fail(error, "%.300s: not read: %s", path, strerror(errno));
+  }
+  sepax_error inner = {""};
+  sepax_tree *made = calloc(1, sizeof *made);
+  bool ok = made != NULL ? read_tree(made, in, &inner) : sepax_fail(&inner, "no memory");
+  fclose(in);
+  if (!ok) {
+    sepax_tree_free(made);
+    return sepax_fail(error, "%.200s: %.300s", path, inner.text);
+  }
+  *tree = made;
+  return true;
+}
