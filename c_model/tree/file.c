@@ -30,7 +30,7 @@ static void pack_table(uint8_t *to, const sepax_tree *tree) {
   }
 }
 
-static void pack_header(uint8_t *to, const sepax_tree *t, uint32_t table_crc) {
+static void pack_header(uint8_t *to, const sepax_tree *t, uint32_t crc) {
   memset(to, 0, HEADER);
   memcpy(to, magic, sizeof magic);
   tree_put32(to + 8, VERSION);
@@ -42,7 +42,7 @@ static void pack_header(uint8_t *to, const sepax_tree *t, uint32_t table_crc) {
   tree_put32(to + 48, t->nodes);
   tree_put32(to + 52, t->triangles);
   tree_put64(to + 56, t->bytes);
-  tree_put32(to + 64, table_crc);
+  tree_put32(to + 64, crc);
   tree_put32(to + HEADER_CRC, tree_crc(0, to, HEADER_CRC));
 }
 
@@ -55,7 +55,7 @@ static bool write_tree(FILE *out, const void *context) {
   }
   pack_table(table, t);
   uint8_t header[HEADER];
-  pack_header(header, t, tree_crc(0, table, table_bytes));
+  pack_header(header, t, tree_crc(tree_crc(0, t->image, t->bytes), table, table_bytes));
   bool ok = fwrite(header, HEADER, 1, out) == 1 && fwrite(t->image, t->bytes, 1, out) == 1 &&
             fwrite(table, table_bytes, 1, out) == 1;
   free(table);
@@ -68,8 +68,7 @@ bool sepax_tree_write(const sepax_tree *tree, const char *path, sepax_error *err
 
 /* ------------------------------------------------------------------- reading */
 
-static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *table_crc,
-                          sepax_error *error) {
+static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sepax_error *error) {
   if (memcmp(from, magic, sizeof magic) != 0) {
     return sepax_fail(error, "no tree; make one of an STL file with 'sepax tree'");
   }
@@ -96,7 +95,7 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *table_cr
   t->nodes = tree_get32(from + 48);
   t->triangles = tree_get32(from + 52);
   uint64_t bytes = tree_get64(from + 56);
-  *table_crc = tree_get32(from + 64);
+  *crc = tree_get32(from + 64);
   ok = ok && t->nodes > 0 && t->nodes <= TREE_NODES_MAX && t->triangles > 0 &&
        bytes % TREE_BEAT == 0 && bytes >= tree_records_at(t->nodes) &&
        bytes / TREE_BEAT <= UINT32_MAX;
@@ -105,7 +104,7 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *table_cr
 }
 
 /* What is behind the header. Memory is taken only for bytes that are in the file. */
-static bool read_rest(sepax_tree *t, FILE *in, uint32_t table_crc, sepax_error *error) {
+static bool read_behind(sepax_tree *t, FILE *in, uint32_t crc, sepax_error *error) {
   size_t table_bytes = 4 * (size_t)t->triangles;
   long end = fseek(in, 0, SEEK_END) == 0 ? ftell(in) : -1;
   if (end < 0 || (uint64_t)end != HEADER + (uint64_t)t->bytes + table_bytes ||
@@ -121,8 +120,8 @@ static bool read_rest(sepax_tree *t, FILE *in, uint32_t table_crc, sepax_error *
     sepax_fail(error, "no memory for a tree of %u triangles", t->triangles);
   } else if (fread(t->image, t->bytes, 1, in) != 1 || fread(table, table_bytes, 1, in) != 1) {
     ok = sepax_fail(error, "not read: %s", strerror(errno));
-  } else if (tree_crc(0, table, table_bytes) != table_crc) {
-    ok = sepax_fail(error, "the table's CRC is wrong; the file is damaged, make it again");
+  } else if (tree_crc(tree_crc(0, t->image, t->bytes), table, table_bytes) != crc) {
+    ok = sepax_fail(error, "the CRC is wrong; the file is damaged, make it again");
   }
   for (size_t n = 0; ok && n < t->triangles; n++) {
     t->number[n] = tree_get32(table + 4 * n);
@@ -133,11 +132,11 @@ static bool read_rest(sepax_tree *t, FILE *in, uint32_t table_crc, sepax_error *
 
 static bool read_tree(sepax_tree *t, FILE *in, sepax_error *error) {
   uint8_t header[HEADER];
-  uint32_t table_crc = 0;
+  uint32_t crc = 0;
   if (fread(header, HEADER, 1, in) != 1) {
     return sepax_fail(error, "too short for a tree; make one with 'sepax tree'");
   }
-  return unpack_header(t, header, &table_crc, error) && read_rest(t, in, table_crc, error) &&
+  return unpack_header(t, header, &crc, error) && read_behind(t, in, crc, error) &&
          tree_check(t, error);
 }
 

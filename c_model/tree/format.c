@@ -1,21 +1,16 @@
 /* format.c - nodes and records of leaves, to and from bytes. docs/tree.md. */
 #include "tree/format.h"
 
-static uint32_t crc_entry(uint32_t byte) {
-  for (int k = 0; k < 8; k++) {
-    byte = byte >> 1 ^ (UINT32_C(0xEDB88320) & (0 - (byte & 1)));
-  }
-  return byte;
-}
-
 uint32_t tree_crc(uint32_t crc, const uint8_t *bytes, size_t count) {
-  uint32_t table[256];
-  for (uint32_t k = 0; k < 256; k++) {
-    table[k] = crc_entry(k);
-  }
+  static const uint32_t of_four_bits[16] = {0x00000000, 0x1db71064, 0x3b6e20c8, 0x26d930ac,
+                                            0x76dc4190, 0x6b6b51f4, 0x4db26158, 0x5005713c,
+                                            0xedb88320, 0xf00f9344, 0xd6d6a3e8, 0xcb61b38c,
+                                            0x9b64c2b0, 0x86d3d2d4, 0xa00ae278, 0xbdbdf21c};
   crc = ~crc;
   for (size_t n = 0; n < count; n++) {
-    crc = crc >> 8 ^ table[(crc ^ bytes[n]) & 255];
+    crc ^= bytes[n];
+    crc = crc >> 4 ^ of_four_bits[crc & 15];
+    crc = crc >> 4 ^ of_four_bits[crc & 15];
   }
   return ~crc;
 }
