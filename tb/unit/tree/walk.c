@@ -1,0 +1,172 @@
+/* walk.c - the walk finds the pairs that brute force finds for the same rounded vertices, all of
+ * them, once. TREE_COLLISIONS: as many collisions as are to be compared. */
+#include "unit/tree/scenes.h"
+
+/* Which pairs of triangles, by their numbers in the mesh, collide. */
+typedef struct {
+  size_t (*pair)[2];
+  size_t count, capacity;
+} pair_list;
+
+typedef struct {
+  const triangles *a, *b;
+  const sepax_tree *tree_a, *tree_b;
+  const sepax_design *design;
+  sepax_tree_pose pose;
+  pair_list found;
+  size_t out_of_range;
+} search;
+
+static void add_pair(pair_list *l, size_t i, size_t j) {
+  if (l->count == l->capacity) {
+    l->capacity = 2 * l->capacity + 1000;
+    l->pair = realloc(l->pair, l->capacity * sizeof *l->pair);
+    assert_non_null(l->pair);
+  }
+  l->pair[l->count][0] = i;
+  l->pair[l->count++][1] = j;
+}
+
+static int by_numbers(const void *p, const void *q) {
+  const size_t *a = p;
+  const size_t *b = q;
+  return a[0] != b[0] ? (a[0] > b[0]) - (a[0] < b[0]) : (a[1] > b[1]) - (a[1] < b[1]);
+}
+
+typedef struct {
+  int64_t low[3], high[3];
+} bounds;
+
+static bounds bounds_of(const sepax_tri *t) {
+  bounds b;
+  for (int i = 0; i < 3; i++) {
+    sepax_tri copy = *t;
+    int64_t c[3] = {*coordinate(&copy.v[0], i), *coordinate(&copy.v[1], i),
+                    *coordinate(&copy.v[2], i)};
+    b.low[i] = c[0];
+    b.high[i] = c[0];
+    for (int k = 1; k < 3; k++) {
+      b.low[i] = c[k] < b.low[i] ? c[k] : b.low[i];
+      b.high[i] = c[k] > b.high[i] ? c[k] : b.high[i];
+    }
+  }
+  return b;
+}
+
+static bool are_near(const bounds *a, const bounds *b, int64_t margin) {
+  return b->low[0] - a->high[0] <= margin && a->low[0] - b->high[0] <= margin &&
+         b->low[1] - a->high[1] <= margin && a->low[1] - b->high[1] <= margin &&
+         b->low[2] - a->high[2] <= margin && a->low[2] - b->high[2] <= margin;
+}
+
+/* Triangle j of B in A's coordinates; false if it is beyond the word. */
+static bool turn(const search *s, size_t j, sepax_tri *t) {
+  int word = s->design->config.word;
+  bool fits = true;
+  for (int k = 0; k < 3; k++) {
+    int64_t v[3];
+    turn_exactly(v, &s->pose.side[0], &s->b->tri[j].v[k]);
+    for (int i = 0; i < 3; i++) {
+      fits = fits && v[i] >= sepax_word_min(word) && v[i] <= sepax_word_max(word);
+      *coordinate(&t->v[k], i) = (int32_t)v[i];
+    }
+  }
+  return fits;
+}
+
+static bool is_found(const search *s, size_t i, const sepax_tri *t) {
+  return s->design->limits > 0
+             ? sepax_clearance(s->design, &s->a->tri[i], t).band != SEPAX_BAND_FREE
+             : sepax_exact(&s->a->tri[i], t).collision;
+}
+
+/* A near pair out of range is called a collision; it is compared only if it is one. */
+static bool keep(void *context, const sepax_tree_pair *p) {
+  search *s = context;
+  size_t i = sepax_tree_number(s->tree_a, p->triangle[0]);
+  size_t j = sepax_tree_number(s->tree_b, p->triangle[1]);
+  sepax_tri t;
+  assert_int_equal(p->out_of_range, !turn(s, j, &t));
+  s->out_of_range += p->out_of_range;
+  bool found = p->collision || p->band != SEPAX_BAND_FREE;
+  if (p->out_of_range ? is_found(s, i, &t) : found) {
+    add_pair(&s->found, i, j);
+  }
+  return true;
+}
+
+static pair_list by_brute_force(const search *s) {
+  pair_list wanted = {0};
+  bounds *of_a = malloc(s->a->count * sizeof *of_a);
+  assert_non_null(of_a);
+  for (size_t i = 0; i < s->a->count; i++) {
+    of_a[i] = bounds_of(&s->a->tri[i]);
+  }
+  for (size_t j = 0; j < s->b->count; j++) {
+    sepax_tri t;
+    turn(s, j, &t);
+    bounds of_b = bounds_of(&t);
+    for (size_t i = 0; i < s->a->count; i++) {
+      if (are_near(&of_a[i], &of_b, s->design->margin[1]) && is_found(s, i, &t)) {
+        add_pair(&wanted, i, j);
+      }
+    }
+  }
+  free(of_a);
+  return wanted;
+}
+
+static void assert_same(pair_list *found, pair_list *wanted) {
+  assert_int_equal(found->count, wanted->count);
+  if (found->count > 0) {
+    qsort(found->pair, found->count, sizeof *found->pair, by_numbers);
+    qsort(wanted->pair, wanted->count, sizeof *wanted->pair, by_numbers);
+    assert_memory_equal(found->pair, wanted->pair, found->count * sizeof *found->pair);
+  }
+  free(found->pair);
+  free(wanted->pair);
+}
+
+/* How many pairs are found. */
+static size_t compare(search *s, const sepax_pose *pose) {
+  assert_works(sepax_tree_pose_make(&s->pose, s->tree_a, NULL, s->tree_b, pose,
+                                    s->design->margin[1], &fault));
+  s->found = (pair_list){0};
+  s->out_of_range = 0;
+  const sepax_tree_walk how = {.design = s->design, .each = keep, .context = s};
+  sepax_tree_run run;
+  assert_works(sepax_trees_walk(s->tree_a, s->tree_b, &s->pose, &how, &run, &fault));
+  assert_false(run.damaged || run.ended);
+  assert_int_equal(run.out_of_range, s->out_of_range);
+  assert_true(run.near >= run.collisions && run.pairs >= run.near && run.pairs >= run.rows);
+  pair_list wanted = by_brute_force(s);
+  size_t count = wanted.count;
+  assert_same(&s->found, &wanted);
+  return count;
+}
+
+CASE(random_bodies) {
+  static const char *const designs[] = {"", "--clearance=4", "--clearance=50 --warning=299"};
+  size_t wanted = count_of_run("TREE_COLLISIONS", 50000);
+  size_t collisions = 0;
+  for (size_t n = 0; collisions < wanted; n++) {
+    int word = n % 5 == 4 ? 12 + random_below(10) : 18;
+    sepax_design design = design_of("--word=%d %s", word, designs[n % 3]);
+    double most = sepax_word_max(word);
+    double reach = most * (n % 2 == 0 ? 0.4 : 0.02);
+    double size = reach * (n % 7 == 0 ? 1 : 0.1);
+    triangles a = drawn(1 + (size_t)random_below(400), (int)(n % 5), reach, size, word);
+    triangles b = drawn(1 + (size_t)random_below(400), (int)(n / 5 % 5), reach, size, word);
+    sepax_tree *tree_a = tree_of(&a, word);
+    sepax_tree *tree_b = tree_of(&b, word);
+    for (int k = 0; k < 10; k++) {
+      sepax_pose pose = posed(k % 5, reach * 0.4);
+      search s = {.a = &a, .b = &b, .tree_a = tree_a, .tree_b = tree_b, .design = &design};
+      collisions += compare(&s, &pose);
+    }
+    sepax_tree_free(tree_a);
+    sepax_tree_free(tree_b);
+    free(a.tri);
+    free(b.tri);
+  }
+}
