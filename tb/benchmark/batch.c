@@ -1,8 +1,8 @@
 /* batch.c - the batch and the search among meshes at length.
  *   batch check COUNT        COUNT pairs of all families at W = 8, 18, 24, 32 each: every
- *                                  path, and the trees of meshes, against verdicts one by one
- *   batch scale              time per pair over the number of pairs and of triangles
- *   batch meshes A.stl B.stl the tree, brute force, and threads, on two meshes */
+ *                                  path, and meshes halved and by brute force, against verdicts one
+ * by one batch scale              time per pair over the number of pairs and of triangles batch
+ * meshes A.stl B.stl halving, brute force, and threads, on two meshes */
 #include "columns.h"
 
 #include <inttypes.h>
@@ -72,9 +72,9 @@ static uint64_t count_wrong(const sepax_pairs *found, const sepax_tri *a, size_t
   return wrong + (found->count - k);
 }
 
-/* Meshes of 1 ... MOST triangles of all families, down the trees and by brute force: `count` pairs
+/* Meshes of 1 ... MOST triangles of all families, halved and by brute force: `count` pairs
  * of triangles at least. With a clearance the pairs that are not free, else those that collide. */
-static uint64_t check_trees(int word, uint64_t count, int clearance) {
+static uint64_t check_halving(int word, uint64_t count, int clearance) {
   enum { MOST = 300 };
   static sepax_tri a[MOST], b[MOST];
   sepax_random random = {(uint64_t)word};
@@ -115,10 +115,10 @@ static uint64_t check_trees(int word, uint64_t count, int clearance) {
   return wrong;
 }
 
-/* A tree costs a second verdict of every pair, with a clearance about 20 times as long a one. */
+/* Halving costs a second verdict of every pair, with a clearance about 20 times as long a one. */
 static int check(uint64_t count) {
   static const int words[] = {8, 18, 24, 32};
-  enum { SHARE_TREES = 10, SHARE_NEAR = 200 };
+  enum { SHARE_HALVING = 10, SHARE_NEAR = 200 };
   uint64_t wrong = 0;
   for (size_t w = 0; w < sizeof words / sizeof words[0]; w++) {
     int word = words[w];
@@ -132,11 +132,11 @@ static int check(uint64_t count) {
       }
       wrong += t.wrong[p];
     }
-    uint64_t trees = check_trees(word, count / SHARE_TREES + 1, -1);
-    uint64_t near = check_trees(word, count / SHARE_NEAR + 1, 1 << (word - 4));
-    printf(" trees %" PRIu64 " wrong, trees with a clearance %" PRIu64 " wrong\n", trees, near);
+    uint64_t halved = check_halving(word, count / SHARE_HALVING + 1, -1);
+    uint64_t near = check_halving(word, count / SHARE_NEAR + 1, 1 << (word - 4));
+    printf(" halving %" PRIu64 " wrong, with a clearance %" PRIu64 " wrong\n", halved, near);
     fflush(stdout);
-    wrong += trees + near;
+    wrong += halved + near;
   }
   return wrong == 0 ? 0 : 1;
 }
@@ -207,8 +207,8 @@ static void scale_meshes(void) {
       do {
         best_of(&took, search(&scene, 1, brute != 0, &collisions));
       } while (seconds_now() < end);
-      printf("%s,%zu,%.0f,%.6g,%.4g\n", brute != 0 ? "brute force" : "tree", triangles, pairs, took,
-             1e9 * took / pairs);
+      printf("%s,%zu,%.0f,%.6g,%.4g\n", brute != 0 ? "brute force" : "halving", triangles, pairs,
+             took, 1e9 * took / pairs);
       fflush(stdout);
     }
     sepax_scene_free(&scene);
@@ -236,8 +236,8 @@ static int meshes(const char *const path[2]) {
   for (int way = 0; way < 4; way++) {
     double pairs = (double)scene.count[0] * (double)scene.count[1];
     printf("%-12s %d thread%s %10.3f ms %10.3g pairs/s %8zu collisions",
-           way < 2 ? "tree" : "brute force", 1 + way % 2, way % 2 == 1 ? "s" : " ", 1e3 * best[way],
-           pairs / best[way], collisions[way]);
+           way < 2 ? "halving" : "brute force", 1 + way % 2, way % 2 == 1 ? "s" : " ",
+           1e3 * best[way], pairs / best[way], collisions[way]);
     if (way % 2 == 1) {
       printf(", %.2f times one thread", best[way - 1] / best[way]);
     }
