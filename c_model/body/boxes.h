@@ -7,7 +7,8 @@
  * MADD(p, q, r)     p q + r, which may be rounded once
  * LOAD(v, node, member, n)   from member[n] of the nodes on
  * OF(p, member)     the member of the boxes in a pose, in the lanes of their nodes
- * MASK, SEPARATE(mask, p, q), BITS(mask)   bits of lanes, of which those where |p| > q are set */
+ * MASK, SEPARATE(mask, p, q), BITS(mask)   bits of lanes, of which those where |p| > q are set
+ * SIGNS(v)          sign bits of int32_t lanes */
 
 typedef float NAME(floats) __attribute__((vector_size(4 * FLOATS)));
 typedef int32_t NAME(masks) __attribute__((vector_size(4 * FLOATS)));
@@ -84,17 +85,24 @@ INLINE MASK NAME(edge_axes_separate)(const NAME(facing) * f) {
   return disjoint;
 }
 
-/* Bit 8 m + k: child k of node m may meet its box. */
-INLINE uint32_t NAME(overlaps)(const body_boxes *const node[NODES],
-                               const posed_box *const p[NODES]) {
-  uint32_t bits = 0;
+/* Children that may meet the boxes, and that are triangles: bit 8 m + k of child k of node m. */
+typedef struct {
+  uint32_t overlaps, triangles;
+} NAME(children);
+
+INLINE NAME(children)
+    NAME(compare)(const body_boxes *const node[NODES], const posed_box *const p[NODES]) {
+  NAME(children) bits = {0, 0};
   const uint32_t all = (1U << FLOATS) - 1;
   for (int n = 0; n < NODES * BODY_WIDE; n += FLOATS) {
     NAME(facing) f;
+    F child;
+    LOAD(child, node, child, n);
     MASK disjoint = NAME(face_axes_separate)(&f, node, n, p);
+    bits.triangles |= SIGNS((M)child) << n;
     if (BITS(disjoint) != all) {
       disjoint |= NAME(edge_axes_separate)(&f);
-      bits |= (~BITS(disjoint) & all) << n;
+      bits.overlaps |= (~(BITS(disjoint) | SIGNS((M)child == -1)) & all) << n;
     }
   }
   return bits;
@@ -109,9 +117,12 @@ TARGET static void NAME(compare_boxes)(box_task *t, int count) {
     int last = n + NODES <= count ? n + NODES - 1 : n;
     const body_boxes *node[] = {t[n].node, t[last].node};
     const posed_box *own[] = {&p[n], &p[last]};
-    uint32_t bits = NAME(overlaps)(node, own);
-    t[last].overlaps = bits >> (NODES - 1) * BODY_WIDE;
-    t[n].overlaps = bits & ((1U << BODY_WIDE) - 1);
+    NAME(children) bits = NAME(compare)(node, own);
+    const int high = (NODES - 1) * BODY_WIDE;
+    t[last].boxes = (bits.overlaps & ~bits.triangles) >> high;
+    t[last].triangles = (bits.overlaps & bits.triangles) >> high;
+    t[n].boxes = bits.overlaps & ~bits.triangles & 0xff;
+    t[n].triangles = bits.overlaps & bits.triangles & 0xff;
   }
 }
 
@@ -128,5 +139,6 @@ TARGET static void NAME(compare_boxes)(box_task *t, int count) {
 #undef MASK
 #undef SEPARATE
 #undef BITS
+#undef SIGNS
 #undef FLOATS
 #undef NODES

@@ -38,8 +38,8 @@ enum { AT_ONCE = 8, BATCH = 64 };
 typedef struct {
   const body_boxes *node, *from;
   const motion *move;
-  uint32_t lane;     /* of the box in `from` */
-  uint32_t overlaps; /* bit k: child k may meet it */
+  uint32_t lane;             /* of the box in `from` */
+  uint32_t boxes, triangles; /* bit k: child k, a box or a triangle, may meet it */
 } box_task;
 
 /* ------------------------------------------------------------ instruction sets */
@@ -55,6 +55,7 @@ typedef struct {
 #define SEPARATE(mask, p, q) ((mask) |= SIZE(p) > (q))
 #define BITS(v) \
   ((uint32_t)(((v)[0] < 0) | ((v)[1] < 0) << 1 | ((v)[2] < 0) << 2 | ((v)[3] < 0) << 3))
+#define SIGNS(v) BITS(v)
 #include "boxes.h"
 
 #if defined __x86_64__
@@ -68,6 +69,7 @@ typedef struct {
 #define MASK M
 #define SEPARATE(mask, p, q) ((mask) |= SIZE(p) > (q))
 #define BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
+#define SIGNS(v) BITS(v)
 #include "boxes.h"
 
 #define FLOATS 16
@@ -75,9 +77,10 @@ typedef struct {
 #define NAME(x) x##_avx512
 #define TARGET __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma")))
 #define MADD(p, q, r) ((F)_mm512_fmadd_ps((__m512)(p), (__m512)(q), (__m512)(r)))
-#define LOAD(v, node, member, n)                                                           \
-  ((v) = (F)_mm512_insertf32x8(_mm512_castps256_ps512(_mm256_loadu_ps((node)[0]->member)), \
-                               _mm256_loadu_ps((node)[1]->member), 1),                     \
+#define LOAD(v, node, member, n)                                                  \
+  ((v) = (F)_mm512_insertf32x8(                                                   \
+       _mm512_castps256_ps512(_mm256_loadu_ps((const float *)(node)[0]->member)), \
+       _mm256_loadu_ps((const float *)(node)[1]->member), 1),                     \
    (void)(n))
 #define OF(p, member)                                                    \
   ((F)_mm512_mask_broadcastss_ps(_mm512_set1_ps((p)[0]->member), 0xff00, \
@@ -86,6 +89,7 @@ typedef struct {
 #define SEPARATE(mask, p, q) \
   ((mask) |= _mm512_cmp_ps_mask((__m512)SIZE(p), (__m512)(q), _CMP_GT_OQ))
 #define BITS(v) ((uint32_t)(v))
+#define SIGNS(v) ((uint32_t)_mm512_movepi32_mask((__m512i)(v)))
 #include "boxes.h"
 #endif
 
@@ -191,22 +195,21 @@ static void open_pair(const search *s, const box_pair *p, opening *o, box_task *
 /* What may meet goes to the stack, or to the pairs of triangles that wait. */
 static void take_children(search *s, const opening *o, const box_task *t, box_pair *stack,
                           int *depth) {
-  bool other_is_triangle = (o->child & BODY_TRIANGLE) != 0;
-  int open = o->open;
-  for (uint32_t mask = t->overlaps; mask != 0; mask &= mask - 1) {
-    uint32_t lane = (uint32_t)__builtin_ctz(mask);
-    uint32_t below = t->node->child[lane];
-    if (below == BODY_NONE) {
-      continue;
-    }
-    if (other_is_triangle && (below & BODY_TRIANGLE) != 0) {
-      s->waiting[s->count][open] = below - BODY_TRIANGLE;
+  const int open = o->open;
+  uint32_t boxes = t->boxes;
+  if ((o->child & BODY_TRIANGLE) == 0) {
+    boxes |= t->triangles;
+  } else {
+    for (uint32_t mask = t->triangles; mask != 0; mask &= mask - 1) {
+      uint32_t number = t->node->child[__builtin_ctz(mask)] - BODY_TRIANGLE;
+      s->waiting[s->count][open] = number;
       s->waiting[s->count++][!open] = o->child - BODY_TRIANGLE;
-      prefetch_triangle(s, open, below - BODY_TRIANGLE);
-    } else {
-      stack[*depth].at[open] = BODY_WIDE * o->node + lane;
-      stack[(*depth)++].at[!open] = o->other;
+      prefetch_triangle(s, open, number);
     }
+  }
+  for (; boxes != 0; boxes &= boxes - 1) {
+    stack[*depth].at[open] = BODY_WIDE * o->node + (uint32_t)__builtin_ctz(boxes);
+    stack[(*depth)++].at[!open] = o->other;
   }
 }
 
