@@ -1,5 +1,5 @@
 // Nodes of bodies A and B: 128 bytes each, 2^SETS sets of 4 a body; each body has a memory of its
-// own, 128 bytes wide.
+// own, 128 bytes wide. The first 32 bytes of a node and the others are read apart.
 module sepax_node_cache #(
   parameter ADDRESS = 40, // bits of a byte address
   parameter INFO = 32,    // bits that go with a pair
@@ -26,10 +26,14 @@ module sepax_node_cache #(
   output wire [INFO-1:0]     out_info,    // what went with it
   output wire                out_error,   // one of the nodes is not here
   input  wire                done,        // the oldest pair is released
-  input  wire                read_a,      // read a node of A
+  input  wire                head_a,      // read a node of A, bytes 0 ... 31
+  input  wire [SETS+1:0]     head_slot_a, // its slot
+  input  wire                read_a,      // read a node of A, bytes 32 ... 127
   input  wire [SETS+1:0]     slot_a,      // its slot
   output wire [1023:0]       node_a,      // from the next cycle on
-  input  wire                read_b,      // read a node of B
+  input  wire                head_b,      // read a node of B, bytes 0 ... 31
+  input  wire [SETS+1:0]     head_slot_b, // its slot
+  input  wire                read_b,      // read a node of B, bytes 32 ... 127
   input  wire [SETS+1:0]     slot_b,      // its slot
   output wire [1023:0]       node_b,      // from the next cycle on
   output wire                miss_valid,  // a burst of 8 beats is wanted
@@ -68,12 +72,14 @@ module sepax_node_cache #(
       wire write = fill && (fill_beat == k[2:0]);
       sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_a (
         .clk(clk), .write(write && !is_b), .write_address(fill_tag[SETS+1:0]),
-        .write_data(fill_data), .read(read_a), .read_address(slot_a),
+        .write_data(fill_data), .read(k < 2 ? head_a : read_a),
+        .read_address(k < 2 ? head_slot_a : slot_a),
         .read_data(node_a[128*k +: 128])
       );
       sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_b (
         .clk(clk), .write(write && is_b), .write_address(fill_tag[SETS+1:0]),
-        .write_data(fill_data), .read(read_b), .read_address(slot_b),
+        .write_data(fill_data), .read(k < 2 ? head_b : read_b),
+        .read_address(k < 2 ? head_slot_b : slot_b),
         .read_data(node_b[128*k +: 128])
       );
     end

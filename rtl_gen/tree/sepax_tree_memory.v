@@ -34,13 +34,17 @@ module sepax_tree_memory #(
   output wire [NODE_INFO-1:0]  node_out_info,   // what went with it
   output wire                  node_out_error,  // SLVERR or DECERR: one of the nodes is not here
   input  wire                  node_release,    // the oldest pair that was taken is done with
-  // nodes: one stands from the cycle after its read on until the next read of the same body
-  input  wire                  node_read_a,     // read a node of A
+  // nodes: each part stands from the cycle after its read on until the next of the same body
+  input  wire                  head_read_a,     // read a node of A, bytes 0 ... 31
+  input  wire [NODE_SETS+1:0]  head_slot_a,     // its slot
+  input  wire                  node_read_a,     // read a node of A, bytes 32 ... 127
   input  wire [NODE_SETS+1:0]  node_slot_a,     // its slot
-  output wire [1023:0]         node_a,          // its 128 bytes, byte 0 lowest
-  input  wire                  node_read_b,     // read a node of B
+  output wire [1023:0]         node_a,          // both parts, byte 0 lowest
+  input  wire                  head_read_b,     // read a node of B, bytes 0 ... 31
+  input  wire [NODE_SETS+1:0]  head_slot_b,     // its slot
+  input  wire                  node_read_b,     // read a node of B, bytes 32 ... 127
   input  wire [NODE_SETS+1:0]  node_slot_b,     // its slot
-  output wire [1023:0]         node_b,          // its 128 bytes
+  output wire [1023:0]         node_b,          // both parts
   // pairs of leaves in, out; release
   input  wire                  leaf_in_valid,   // a pair of leaves is wanted
   output wire                  leaf_in_ready,   // it is taken
@@ -110,8 +114,10 @@ module sepax_tree_memory #(
     .base_a(base_a), .base_b(base_b), .in_valid(node_in_valid), .in_ready(node_in_ready),
     .in_a(node_in_a), .in_b(node_in_b), .in_info(node_in_info), .out_valid(node_out_valid),
     .out_ready(node_out_ready), .out_a(node_out_a), .out_b(node_out_b), .out_info(node_out_info),
-    .out_error(node_out_error), .done(node_release), .read_a(node_read_a), .slot_a(node_slot_a),
-    .node_a(node_a), .read_b(node_read_b), .slot_b(node_slot_b), .node_b(node_b),
+    .out_error(node_out_error), .done(node_release), .head_a(head_read_a),
+    .head_slot_a(head_slot_a), .read_a(node_read_a), .slot_a(node_slot_a), .node_a(node_a),
+    .head_b(head_read_b), .head_slot_b(head_slot_b), .read_b(node_read_b), .slot_b(node_slot_b),
+    .node_b(node_b),
     .miss_valid(node_miss), .miss_ready(read_ready && !leaf_miss), .miss_address(node_address),
     .miss_tag(node_tag), .fill(fill && !of_leaf), .fill_data(fill_data),
     .fill_beat(fill_beat[2:0]), .fill_last(fill_last), .fill_error(fill_error),
