@@ -1,5 +1,5 @@
 // Nodes of bodies A and B: 128 bytes each, 2^SETS sets of 4 a body; each body has a memory of its
-// own, 128 bytes wide. The first 32 bytes of a node and the others are read apart.
+// own, 128 bytes wide. The first 32 bytes of a node are read on their own.
 module sepax_node_cache #(
   parameter ADDRESS = 40, // bits of a byte address
   parameter INFO = 32,    // bits that go with a pair
