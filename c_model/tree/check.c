@@ -49,7 +49,7 @@ static bool record_zeros(const tree_node *n, const uint8_t *record) {
 /* What is not used is 0. */
 static bool zeros(const checker *c, const tree_node *n, const uint8_t *bytes) {
   size_t children = (size_t)n->children;
-  if (bytes[15] != 0 || !all_zero(bytes + 28, 4) ||
+  if (bytes[15] != 0 || bytes[31] != 0 ||
       !all_zero(bytes + 32 + 6 * children, 6 * (TREE_FAN_OUT - children))) {
     return false;
   }
@@ -62,7 +62,8 @@ static bool zeros(const checker *c, const tree_node *n, const uint8_t *bytes) {
 /* Does the cell range of a child hold a box? */
 static bool holds(const tree_node *n, int child, const aabb *b) {
   for (int i = 0; i < 3; i++) {
-    if (n->low[child][i] > n->high[child][i] ||
+    if (n->low[child][i] > n->high[child][i] || n->low[child][i] < -1 - n->own[i] ||
+        n->high[child][i] > n->own[i] ||
         b->low[i] - n->origin[i] < n->low[child][i] * (INT64_C(1) << n->exponent[i]) ||
         b->high[i] - n->origin[i] >= (n->high[child][i] + 1) * (INT64_C(1) << n->exponent[i])) {
       return false;

@@ -26,6 +26,7 @@ tree_node tree_unpack(const uint8_t bytes[TREE_NODE_BYTES], int word) {
   uint32_t packed = tree_get32(bytes + 12);
   for (int i = 0; i < 3; i++) {
     n.origin[i] = from_bits(tree_get32(bytes + 4 * i), word);
+    n.own[i] = (int8_t)bytes[28 + i];
     n.exponent[i] = (int)(packed >> (4 * i) & 15);
   }
   n.children = 1 + (int)(packed >> 12 & 15);
@@ -55,7 +56,10 @@ void tree_pack(uint8_t bytes[TREE_NODE_BYTES], const tree_node *n, const uint8_t
   tree_put32(bytes + 16, n->first);
   tree_put32(bytes + 20, leaf ? n->record : 0);
   tree_put32(bytes + 24, 0);
-  tree_put32(bytes + 28, 0);
+  for (int i = 0; i < 3; i++) {
+    bytes[28 + i] = (uint8_t)n->own[i];
+  }
+  bytes[31] = 0;
   for (int j = 0; j < TREE_FAN_OUT; j++) {
     uint8_t *child = bytes + 32 + 6 * j;
     for (int i = 0; i < 3; i++) {

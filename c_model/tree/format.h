@@ -24,6 +24,7 @@ typedef struct {
   int children;    /* 1 ... 16 */
   int level;       /* 0: a leaf */
   int beats;       /* of a leaf's record, 1 ... 16 */
+  int8_t own[3];   /* h: all below is in cells -1 - h ... h */
   uint32_t first;  /* child; of a leaf triangle */
   uint32_t record; /* where a leaf's record begins in the image, in beats */
   int8_t low[TREE_FAN_OUT][3], high[TREE_FAN_OUT][3]; /* cells of the children */

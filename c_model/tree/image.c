@@ -36,6 +36,9 @@ static void set_child(tree_node *n, int child, const box4 *b) {
   for (int i = 0; i < 3; i++) {
     n->low[child][i] = (int8_t)floor_shift((int32_t)b->low[i] - n->origin[i], n->exponent[i]);
     n->high[child][i] = (int8_t)floor_shift((int32_t)b->high[i] - n->origin[i], n->exponent[i]);
+    int below = -1 - n->low[child][i];
+    int most = n->high[child][i] > below ? n->high[child][i] : below;
+    n->own[i] = most > n->own[i] ? (int8_t)most : n->own[i];
   }
 }
 

@@ -8,11 +8,20 @@
 
 #include <stdlib.h>
 
+/* mask 0: the own box of S. */
 typedef struct {
   uint32_t s, t;
   uint16_t mask;
   uint8_t side;
 } entry;
+
+static uint16_t half(uint16_t mask) {
+  int ones = 0;
+  for (int k = 0; k < TREE_FAN_OUT; k++) {
+    ones += mask >> k & 1;
+  }
+  return ones > TREE_FAN_OUT / 2 ? 0 : mask;
+}
 
 typedef struct {
   tree_image tree[2]; /* A, B */
@@ -133,11 +142,27 @@ static bool finish_rows(walk *w, const entry *e, const tree_node *s, const tree_
   return true;
 }
 
+static bool finish_own(walk *w, const entry *e, const tree_node *s, const tree_node *t) {
+  tree_setting setting = tree_set_up(&w->pose->side[e->side], s, t);
+  int8_t low[3];
+  for (int i = 0; i < 3; i++) {
+    low[i] = (int8_t)(-1 - s->own[i]);
+  }
+  tree_cells box = tree_turn_box(&setting, low, s->own);
+  uint16_t hit = tree_hits(&box, t);
+  w->run->entries++;
+  w->run->steps++;
+  return hit == 0 || push(w, (entry){e->t, e->s, hit, !e->side});
+}
+
 static bool finish(walk *w, const entry *e) {
   tree_node s;
   tree_node t;
   if (!read_node(w, &s, e->side == 0 ? 1 : 0, e->s) || !read_node(w, &t, e->side, e->t)) {
     return false;
+  }
+  if (e->mask == 0) {
+    return finish_own(w, e, &s, &t);
   }
   tree_setting setting = tree_set_up(&w->pose->side[e->side], &s, &t);
   uint16_t hit[TREE_FAN_OUT] = {0};
@@ -158,8 +183,8 @@ static bool finish(walk *w, const entry *e) {
   }
   for (uint32_t k = 0; k < TREE_FAN_OUT; k++) {
     uint16_t mask = s.level > 0 ? hit[k] : column[k];
-    entry next = s.level > 0 ? (entry){e->t, s.first + k, mask, !e->side}
-                             : (entry){e->s, t.first + k, mask, e->side};
+    entry next = s.level > 0 ? (entry){e->t, s.first + k, half(mask), !e->side}
+                             : (entry){e->s, t.first + k, half(mask), e->side};
     if (mask != 0 && !push(w, next)) {
       return false;
     }
@@ -187,7 +212,7 @@ static void walk_all(walk *w, const tree_node *root_b) {
   if (w->how->row != NULL && !serve_first(w, w->how->row)) {
     return;
   }
-  w->line[0] = (entry){0, 0, (uint16_t)((1U << root_b->children) - 1), 0};
+  w->line[0] = (entry){0, 0, half((uint16_t)((1U << root_b->children) - 1)), 0};
   w->in_line = 1;
   while (w->in_line > 0) {
     entry e = w->line[w->oldest];
