@@ -1,20 +1,19 @@
-// Blocks of two bodies, A and B, in pairs, one of each. A pair goes in, both blocks are looked up,
-// and those that are not here are asked for. Pairs come out in order as soon as all blocks that
-// were asked for up to then have come; blocks come in the order in which they were asked for, body
-// by body. The blocks of a pair stay until it is released, in order.
+// Blocks of two bodies, A and B, in pairs, one of each. Both blocks of a pair are looked up, and
+// those that are not here are asked for. Pairs come out in order as soon as all blocks have come
+// that were asked for up to then; blocks come in the order in which they were asked for, body by
+// body. The blocks of a pair stay until it is released, in order.
 module sepax_cache #(
   parameter ADDRESS = 33, // bits of a block's address
   parameter INFO = 32,    // bits that go with a pair
   parameter SETS = 4,     // log2 of the sets of 4 ways a body
-  parameter WINDOW = 5    // log2 of the pairs that are in and not released, 2 or more
+  parameter WINDOW = 5    // log2 of the pairs that are in and not released
 ) (
   input  wire               clk,          // clock
   input  wire               rst,          // synchronous reset, active high
   input  wire               start,        // drop all pairs; no block is on its way
   input  wire               cold,         // with start: forget all blocks
   input  wire               drop,         // drop all pairs
-  output wire               idle,         // no pair is looked up, no block is asked for
-  input  wire               in_valid,     // a pair is wanted
+  input  wire               in_valid,     // a pair is wanted; it stands until in_ready or drop
   output wire               in_ready,     // it is taken
   input  wire [ADDRESS-1:0] in_a,         // address of A's block
   input  wire [ADDRESS-1:0] in_b,         // address of B's block
@@ -38,85 +37,72 @@ module sepax_cache #(
   localparam NUMBER = WINDOW + 3; // bits of a pair's number
   localparam COUNT = WINDOW + 2;  // bits of a count of blocks of a body
   localparam [NUMBER-1:0] ONE = 1;
-  reg                valid_q;          // a pair is looked up
-  reg  [ADDRESS-1:0] a_q, b_q;
-  reg  [INFO-1:0]    info_q;
-  reg  [NUMBER-1:0]  number_q;         // of the pair that is looked up
-  reg  [NUMBER-1:0]  used_q;           // pairs before it that are not released
-  reg  [COUNT-1:0]   asked_a_q, asked_b_q; // blocks
-  reg  [COUNT-1:0]   filled_a_q, filled_b_q;
-  reg                error_a_q, error_b_q; // a block came with an error
-  reg  [COUNT-1:0]   good_a_q, good_b_q; // and so many before it without
-  wire [COUNT-1:0]   asked_a, asked_b, wait_a, wait_b;
-  wire               found_a, found_b, missed_a, missed_b;
-  wire               miss_valid_a, miss_valid_b;
-  wire [ADDRESS-1:0] miss_address_a, miss_address_b;
-  wire [SETS+1:0]    slot_a, slot_b, miss_slot_a, miss_slot_b;
-  wire               free, waiting;
-  wire               clear = rst || start || drop;
-  wire               next = valid_q && found_a && found_b && free;
-  wire               take = in_valid && in_ready;
-  wire               forget = start && (cold || error_a_q || error_b_q);
+  reg  [NUMBER-1:0] number_q;               // of the pair that is looked up
+  reg  [NUMBER-1:0] used_q;                 // pairs before it that are not released
+  reg  [COUNT-1:0]  asked_a_q, asked_b_q;   // blocks
+  reg  [COUNT-1:0]  filled_a_q, filled_b_q; // blocks
+  reg               error_a_q, error_b_q;   // a block came with an error
+  reg  [COUNT-1:0]  good_a_q, good_b_q;     // and so many before it without
+  wire [COUNT-1:0]  asked_a, asked_b, wait_a, wait_b;
+  wire              found_a, found_b, miss_a, miss_b, waiting;
+  wire [SETS+1:0]   slot_a, slot_b;
+  wire              clear = rst || start || drop;
+  wire              forget = start && (cold || error_a_q || error_b_q);
+  wire              take = out_valid && out_ready;
 
   // A pair waits for all blocks of its bodies that were asked for up to then.
-  wire [COUNT-1:0]   over_a = filled_a_q - wait_a;
-  wire [COUNT-1:0]   over_b = filled_b_q - wait_b;
-  wire [COUNT-1:0]   lack_a = good_a_q - wait_a;
-  wire [COUNT-1:0]   lack_b = good_b_q - wait_b;
-  wire               is_error = (error_a_q && lack_a[COUNT-1]) || (error_b_q && lack_b[COUNT-1]);
-  wire               is_here = !over_a[COUNT-1] && !over_b[COUNT-1];
+  wire [COUNT-1:0]  over_a = filled_a_q - wait_a;
+  wire [COUNT-1:0]  over_b = filled_b_q - wait_b;
+  wire [COUNT-1:0]  lack_a = good_a_q - wait_a;
+  wire [COUNT-1:0]  lack_b = good_b_q - wait_b;
+  wire              is_here = !over_a[COUNT-1] && !over_b[COUNT-1];
+  wire              is_error = (error_a_q && lack_a[COUNT-1]) || (error_b_q && lack_b[COUNT-1]);
 
-  assign idle = !valid_q && !miss_valid;
-  assign in_ready = (!valid_q || next) && !used_q[WINDOW] && !(valid_q && (&used_q[WINDOW-1:0]));
-  assign asked_a = asked_a_q + {{(COUNT-1){1'b0}}, missed_a};
-  assign asked_b = asked_b_q + {{(COUNT-1){1'b0}}, missed_b};
-  assign miss_valid = miss_valid_a || miss_valid_b;
-  assign miss_is_b = !miss_valid_a;
-  assign miss_address = miss_valid_a ? miss_address_a : miss_address_b;
-  assign miss_slot = miss_valid_a ? miss_slot_a : miss_slot_b;
+  assign in_ready = found_a && found_b && !used_q[WINDOW];
+  assign asked_a = asked_a_q + {{(COUNT-1){1'b0}}, miss_a && miss_ready};
+  assign asked_b = asked_b_q + {{(COUNT-1){1'b0}}, miss_b && miss_ready && !miss_a};
+  assign miss_valid = miss_a || miss_b;
+  assign miss_is_b = !miss_a;
+  assign miss_address = miss_a ? in_a : in_b;
+  assign miss_slot = miss_a ? slot_a : slot_b;
 
   sepax_tags #(.ADDRESS(ADDRESS), .SETS(SETS), .NUMBER(NUMBER)) tags_a (
-    .clk(clk), .rst(rst), .forget(forget), .drop(clear), .valid(valid_q), .address(a_q),
-    .number(number_q), .used(used_q), .found(found_a), .slot(slot_a), .missed(missed_a),
-    .next(next), .miss_valid(miss_valid_a), .miss_ready(miss_ready),
-    .miss_address(miss_address_a), .miss_slot(miss_slot_a)
+    .clk(clk), .rst(rst), .forget(forget), .drop(clear), .valid(in_valid), .address(in_a),
+    .number(number_q), .used(used_q), .found(found_a), .slot(slot_a), .next(in_ready),
+    .miss_valid(miss_a), .miss_ready(miss_ready)
   );
   sepax_tags #(.ADDRESS(ADDRESS), .SETS(SETS), .NUMBER(NUMBER)) tags_b (
-    .clk(clk), .rst(rst), .forget(forget), .drop(clear), .valid(valid_q), .address(b_q),
-    .number(number_q), .used(used_q), .found(found_b), .slot(slot_b), .missed(missed_b),
-    .next(next), .miss_valid(miss_valid_b), .miss_ready(miss_ready && !miss_valid_a),
-    .miss_address(miss_address_b), .miss_slot(miss_slot_b)
+    .clk(clk), .rst(rst), .forget(forget), .drop(clear), .valid(in_valid), .address(in_b),
+    .number(number_q), .used(used_q), .found(found_b), .slot(slot_b), .next(in_ready),
+    .miss_valid(miss_b), .miss_ready(miss_ready && !miss_a)
   );
   sepax_ram_fifo #(.WIDTH(INFO+2*SETS+4+2*COUNT), .ADDRESS(WINDOW)) pairs (
-    .clk(clk), .clear(clear), .push(next), .in({info_q, slot_a, slot_b, asked_a, asked_b}),
-    .free(free), .valid(waiting), .pop(out_valid && out_ready),
-    .out({out_info, out_a, out_b, wait_a, wait_b})
+    .clk(clk), .clear(clear), .push(in_ready), .in({in_info, slot_a, slot_b, asked_a, asked_b}),
+    .valid(waiting), .pop(take), .out({out_info, out_a, out_b, wait_a, wait_b})
   );
 
   always @(posedge clk) begin
     if (rst) begin
+      number_q <= {NUMBER{1'b0}};
       asked_a_q <= {COUNT{1'b0}};
       asked_b_q <= {COUNT{1'b0}};
       filled_a_q <= {COUNT{1'b0}};
       filled_b_q <= {COUNT{1'b0}};
-      number_q <= {NUMBER{1'b0}};
     end else begin
+      if (in_ready) begin
+        number_q <= number_q + ONE;
+      end
       asked_a_q <= asked_a;
       asked_b_q <= asked_b;
       filled_a_q <= filled_a_q + {{(COUNT-1){1'b0}}, filled && !filled_is_b};
       filled_b_q <= filled_b_q + {{(COUNT-1){1'b0}}, filled && filled_is_b};
-      if (next) begin
-        number_q <= number_q + ONE;
-      end
     end
     if (clear) begin
-      valid_q <= 1'b0;
       out_valid <= 1'b0;
       used_q <= {NUMBER{1'b0}};
     end else begin
-      valid_q <= take || (valid_q && !next);
-      out_valid <= waiting && (is_here || is_error) && !(out_valid && out_ready);
-      used_q <= used_q + {{(NUMBER-1){1'b0}}, next} - {{(NUMBER-1){1'b0}}, done};
+      out_valid <= waiting && (is_here || is_error) && !take;
+      used_q <= used_q + {{(NUMBER-1){1'b0}}, in_ready} - {{(NUMBER-1){1'b0}}, done};
     end
     out_error <= is_error;
     if (rst || start) begin
@@ -130,11 +116,6 @@ module sepax_cache #(
     end
     if (!error_b_q) begin
       good_b_q <= filled_b_q;
-    end
-    if (take) begin
-      a_q <= in_a;
-      b_q <= in_b;
-      info_q <= in_info;
     end
   end
 endmodule

@@ -12,10 +12,9 @@ module sepax_leaf_buffers #(
   input  wire                start,        // drop all pairs; no leaf is on its way
   input  wire                cold,         // with start: forget all leaves
   input  wire                drop,         // drop all pairs
-  output wire                idle,         // no pair is looked up, no leaf is asked for
   input  wire [ADDRESS-13:0] base_a,       // A's image / 4096
   input  wire [ADDRESS-13:0] base_b,       // B's
-  input  wire                in_valid,     // a pair is wanted
+  input  wire                in_valid,     // a pair is wanted; stands until in_ready or drop
   output wire                in_ready,     // it is taken
   input  wire [31:0]         in_a,         // A's record: where in the image, / 16
   input  wire [3:0]          in_beats_a,   // its beats less 1
@@ -48,7 +47,8 @@ module sepax_leaf_buffers #(
   input  wire                fill_last,    // the last of its burst
   input  wire                fill_error,   // with an error
   input  wire [SETS+2:0]     fill_tag,     // that of the burst
-  output wire                busy          // no new burst can come
+  output wire                busy,         // no new burst can come
+  output wire                idle          // no triangle is made
 );
   localparam BLOCK = ADDRESS; // bits of a leaf: {beats, where}
   wire [ADDRESS-5:0] place_a = {base_a, 8'd0} + {{(ADDRESS-36){1'b0}}, in_a};
@@ -60,7 +60,7 @@ module sepax_leaf_buffers #(
   wire               is_b = tag[SETS+2];
 
   sepax_cache #(.ADDRESS(BLOCK), .INFO(INFO), .SETS(SETS), .WINDOW(WINDOW)) cache (
-    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop), .idle(idle),
+    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop),
     .in_valid(in_valid), .in_ready(in_ready), .in_a({in_beats_a, place_a}),
     .in_b({in_beats_b, place_b}), .in_info(in_info), .out_valid(out_valid),
     .out_ready(out_ready), .out_a(out_a), .out_b(out_b), .out_info(out_info),
@@ -71,8 +71,8 @@ module sepax_leaf_buffers #(
   sepax_leaf_fill #(.W(W), .TAG(SETS+3)) records (
     .clk(clk), .rst(rst), .fill(fill), .fill_numbers(fill_numbers), .fill_even(fill_even),
     .fill_odd(fill_odd), .fill_beat(fill_beat), .fill_last(fill_last), .fill_error(fill_error),
-    .fill_tag(fill_tag), .busy(busy), .write(write), .triangle(triangle), .index(index),
-    .tag(tag), .done(filled), .error(error)
+    .fill_tag(fill_tag), .busy(busy), .idle(idle), .write(write),
+    .triangle(triangle), .index(index), .tag(tag), .done(filled), .error(error)
   );
   sepax_ram #(.WIDTH(9*W+1), .ADDRESS(SETS+6)) triangles_a (
     .clk(clk), .write(write && !is_b), .write_address({tag[SETS+1:0], index}),

@@ -1,60 +1,85 @@
 // From the beats of a leaf's record to its triangles: vertices in place of their numbers. The
-// first two beats have the numbers of 16 triangles, each other beat has two vertices. Vertices go
-// to a memory of three copies; a triangle is made in each cycle, as soon as its vertices are
-// there. A record that numbers its vertices in the order of the triangles is done 2 cycles after
-// its last beat, others take up to 16 more.
+// first two beats have the numbers of 16 triangles, each other beat has two vertices, which go to
+// a memory of three copies. A triangle is made in each cycle as soon as its vertices have come. If
+// they are numbered in the order of the triangles, the last is made 1 cycle after the last beat or
+// 18 after the third; if not, up to 16 later. Two records can be here.
 module sepax_leaf_fill #(
-  parameter W = 18,  // bits of a coordinate, 4 ... 21
-  parameter TAG = 4  // bits of a tag
+  parameter W = 18, // bits of a coordinate, 4 ... 21
+  parameter TAG = 4 // bits of a tag
 ) (
-  input  wire           clk,        // clock
-  input  wire           rst,        // synchronous reset, active high
-  input  wire           fill,       // a beat has come
+  input  wire           clk,          // clock
+  input  wire           rst,          // synchronous reset, active high
+  input  wire           fill,         // a beat has come
   input  wire [119:0]   fill_numbers, // its data as numbers of vertices, 15 bits a triangle
-  input  wire [3*W-1:0] fill_even,  // its data as a vertex, {z, y, x}
-  input  wire [3*W-1:0] fill_odd,   // its data as the next vertex
-  input  wire [3:0]     fill_beat,  // its number
-  input  wire           fill_last,  // the last of its record
-  input  wire           fill_error, // with an error
-  input  wire [TAG-1:0] fill_tag,   // of the record
-  output wire           busy,       // the first beat of the next record is not taken
-  output reg            write,      // a triangle
-  output wire [9*W:0]   triangle,   // {damaged, z, y, x of vertex 2, of 1, of 0}
-  output reg  [3:0]     index,      // its number in the record
-  output reg  [TAG-1:0] tag,        // of the record
-  output reg            done,       // with its last triangle: the record is done
-  output reg            error       // a beat came with an error
+  input  wire [3*W-1:0] fill_even,    // its data as a vertex, {z, y, x}
+  input  wire [3*W-1:0] fill_odd,     // its data as the next vertex
+  input  wire [3:0]     fill_beat,    // its number
+  input  wire           fill_last,    // the last of its record
+  input  wire           fill_error,   // with an error
+  input  wire [TAG-1:0] fill_tag,     // of the record
+  output wire           busy,         // no other record may begin to come
+  output wire           idle,         // no record is here
+  output reg            write,        // a triangle
+  output wire [9*W:0]   triangle,     // {damaged, z, y, x of vertex 2, of 1, of 0}
+  output reg  [3:0]     index,        // its number in the record
+  output reg  [TAG-1:0] tag,          // of the record
+  output reg            done,         // with the last triangle
+  output reg            error         // with done: a beat came with an error
 );
-  reg          busy_q;
-  reg          ended_q;    // the last beat has come
-  reg  [239:0] numbers_q;  // three numbers a triangle, 5 bits each; the next triangle's lowest
-  reg  [3:0]   index_q;    // the next triangle
-  reg  [3:0]   beats_q;    // beats of vertices that have come
-  reg          damaged_q;
-  wire         first = fill && (fill_beat == 4'd0);
-  wire         vertices = fill && (|fill_beat[3:1]);
-  wire [3:0]   row = fill_beat - 4'd2;
-  wire [2:0]   here;       // the vertices of the next triangle have come
-  wire         make = busy_q && ((&here) || ended_q);
-  wire         last = make && (&index_q);
+  // Records modulo 4: that began to come, that are made up to the last number, that are made. The
+  // lowest bit is the record's place.
+  reg  [1:0]     come_q, read_q, made_q;
+  reg  [3:0]     beats_q [0:1];  // beats of vertices that have come
+  reg  [1:0]     ended_q;        // the last beat has come
+  reg  [1:0]     error_q;        // a beat came with an error
+  reg  [TAG-1:0] tag_q [0:1];
+  reg            words_q;        // the memory's output has the numbers of the next triangle
+  reg  [3:0]     next_q;         // its number
+  reg            valid_q;        // a triangle is made as soon as its vertices have come
+  reg  [3:0]     index_q;        // its number
+  reg  [14:0]    numbers_q;      // its vertices
+  reg            damaged_q;
+  wire [119:0]   words;
+  wire [14:0]    word [0:7];
+  wire [2:0]     there;          // its vertices have come
+  wire           first = fill && (fill_beat == 4'd0);
+  wire           vertices = fill && (|fill_beat[3:1]);
+  wire           place = first ? come_q[0] : !come_q[0];
+  wire [1:0]     here = come_q - made_q;
+  wire           ended = ended_q[made_q[0]];
+  wire           make = valid_q && (((&there) && !(&index_q)) || ended);
+  wire           last = make && (&index_q);
+  wire           move = words_q && (make || !valid_q);
+  wire           start = !words_q && (read_q != come_q) &&
+                         ((|beats_q[read_q[0]]) || ended_q[read_q[0]]);
 
-  assign busy = busy_q || fill;
+  assign busy = here[1] || (here[0] && first);
+  assign idle = !(|here) && !fill && !write;
   assign triangle[9*W] = damaged_q;
+
+  sepax_ram #(.WIDTH(120), .ADDRESS(2)) numbers (
+    .clk(clk), .write(fill && !(|fill_beat[3:1])), .write_address({place, fill_beat[0]}),
+    .write_data(fill_numbers), .read(start || (move && (next_q == 4'd7))),
+    .read_address({read_q[0], !start}), .read_data(words)
+  );
 
   genvar k;
   generate
+    for (k = 0; k < 8; k = k + 1) begin : half
+      assign word[k] = words[15*k +: 15];
+    end
     for (k = 0; k < 3; k = k + 1) begin : vertex
       wire [4:0]     number = numbers_q[5*k +: 5];
       wire [3*W-1:0] even, odd;
       reg            odd_q;
-      assign here[k] = number[4:1] < beats_q;
-      sepax_ram #(.WIDTH(3*W), .ADDRESS(4)) evens (
-        .clk(clk), .write(vertices), .write_address(row), .write_data(fill_even), .read(make),
-        .read_address(number[4:1]), .read_data(even)
+      assign there[k] = number[4:1] < beats_q[made_q[0]];
+      sepax_ram #(.WIDTH(3*W), .ADDRESS(5)) evens (
+        .clk(clk), .write(vertices), .write_address({place, fill_beat}), .write_data(fill_even),
+        .read(make), .read_address({made_q[0], number[4:1] + 4'd2}), .read_data(even)
       );
-      sepax_ram #(.WIDTH(3*W), .ADDRESS(4)) odds (
-        .clk(clk), .write(vertices), .write_address(row), .write_data(fill_odd), .read(make),
-        .read_address(number[4:1]), .read_data(odd)
+      sepax_ram #(.WIDTH(3*W), .ADDRESS(5)) odds (
+        .clk(clk), .write(vertices), .write_address({place, fill_beat}), .write_data(fill_odd),
+        .read(make), .read_address({made_q[0], number[4:1] + 4'd2}), .read_data(odd)
       );
       assign triangle[3*W*k +: 3*W] = odd_q ? odd : even;
       always @(posedge clk) begin
@@ -67,38 +92,39 @@ module sepax_leaf_fill #(
 
   always @(posedge clk) begin
     if (rst) begin
-      {busy_q, write, done} <= 3'd0;
+      come_q <= 2'd0;
+      read_q <= 2'd0;
+      made_q <= 2'd0;
+      {words_q, valid_q, write, done} <= 4'd0;
     end else begin
-      busy_q <= first || (busy_q && !last);
+      come_q <= come_q + {1'b0, first};
+      read_q <= read_q + {1'b0, move && (&next_q)};
+      made_q <= made_q + {1'b0, last};
+      words_q <= start || (words_q && !(move && (&next_q)));
+      valid_q <= move || (valid_q && !make);
       write <= make;
       done <= last;
     end
-    if (first) begin
-      tag <= fill_tag;
-      index_q <= 4'd0;
-      beats_q <= 4'd0;
-    end else begin
-      if (make) begin
-        index_q <= index_q + 4'd1;
-      end
-      if (vertices) begin
-        beats_q <= fill_beat - 4'd1;
-      end
-    end
     if (fill) begin
-      ended_q <= fill_last;
-      error <= fill_error || (error && !first);
+      ended_q[place] <= fill_last;
+      error_q[place] <= fill_error || (error_q[place] && !first);
+      beats_q[place] <= (|fill_beat) ? fill_beat - 4'd1 : 4'd0;
+      tag_q[place] <= fill_tag;
+    end
+    if (start) begin
+      next_q <= 4'd0;
+    end else if (move) begin
+      next_q <= next_q + 4'd1;
+    end
+    if (move) begin
+      numbers_q <= word[next_q[2:0]];
+      index_q <= next_q;
     end
     if (make) begin
       index <= index_q;
-      damaged_q <= !(&here);
-    end
-    if (first) begin
-      numbers_q[119:0] <= fill_numbers;
-    end else if (fill && (fill_beat == 4'd1)) begin
-      numbers_q[239:120] <= fill_numbers;
-    end else if (make) begin
-      numbers_q <= {15'd0, numbers_q[239:15]};
+      tag <= tag_q[made_q[0]];
+      error <= error_q[made_q[0]];
+      damaged_q <= !(&there);
     end
   end
 endmodule

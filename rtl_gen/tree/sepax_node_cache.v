@@ -11,10 +11,9 @@ module sepax_node_cache #(
   input  wire                start,       // drop all pairs; no node is on its way
   input  wire                cold,        // with start: forget all nodes
   input  wire                drop,        // drop all pairs
-  output wire                idle,        // no pair is looked up, no node is asked for
   input  wire [ADDRESS-13:0] base_a,      // A's image / 4096
   input  wire [ADDRESS-13:0] base_b,      // B's
-  input  wire                in_valid,    // a pair is wanted
+  input  wire                in_valid,    // a pair is wanted; stands until in_ready or drop
   output wire                in_ready,    // it is taken
   input  wire [22:0]         in_a,        // number of A's node
   input  wire [22:0]         in_b,        // number of B's node
@@ -57,7 +56,7 @@ module sepax_node_cache #(
   assign miss_address = {block, 3'd0};
 
   sepax_cache #(.ADDRESS(BLOCK), .INFO(INFO), .SETS(SETS), .WINDOW(WINDOW)) cache (
-    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop), .idle(idle),
+    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop),
     .in_valid(in_valid), .in_ready(in_ready), .in_a(block_a), .in_b(block_b), .in_info(in_info),
     .out_valid(out_valid), .out_ready(out_ready), .out_a(out_a), .out_b(out_b),
     .out_info(out_info), .out_error(out_error), .done(done), .miss_valid(miss_valid),

@@ -1,55 +1,39 @@
-// FIFO whose words are in a memory, its oldest one in a register. A word is at `out` from the
-// cycle after its push on if the FIFO was empty, else three cycles or more after it.
+// FIFO whose words are in a memory. A word is at `out` from the second cycle after its push on, or
+// from the cycle after the word before it was taken.
 module sepax_ram_fifo #(
   parameter WIDTH = 8,  // bits of a word
-  parameter ADDRESS = 4 // log2 of the words, 2 or more
+  parameter ADDRESS = 4 // log2 of the words, 1 or more
 ) (
   input  wire             clk,   // clock
   input  wire             clear, // drop all words
-  input  wire             push,  // append a word; only if free
+  input  wire             push,  // append a word; only if there are less than 2^ADDRESS
   input  wire [WIDTH-1:0] in,    // the word
-  output wire             free,  // a word can be pushed
   output reg              valid, // there is a word at out
   input  wire             pop,   // take it; only if there is one
-  output reg  [WIDTH-1:0] out    // the oldest word
+  output wire [WIDTH-1:0] out    // the oldest word: the memory's output
 );
   localparam [ADDRESS:0] ONE = 1;
-  reg  [ADDRESS:0]   count_q;        // words in all
-  reg  [ADDRESS-1:0] head_q, tail_q; // in the memory
-  reg                read_q;         // the memory's output is a word
-  wire [WIDTH-1:0]   read_data;
-  wire               empty = (head_q == tail_q);
-  wire               move = !valid || pop;
-  wire               bypass = push && empty && !read_q && move;
-  wire               write = push && !bypass;
-  wire               read = !empty && (move || !read_q);
-
-  assign free = !count_q[ADDRESS];
+  reg  [ADDRESS:0] head_q, tail_q; // words that were read, that were pushed
+  wire             read = (head_q != tail_q) && (!valid || pop);
 
   sepax_ram #(.WIDTH(WIDTH), .ADDRESS(ADDRESS)) words (
-    .clk(clk), .write(write), .write_address(tail_q), .write_data(in), .read(read),
-    .read_address(head_q), .read_data(read_data)
+    .clk(clk), .write(push), .write_address(tail_q[ADDRESS-1:0]), .write_data(in), .read(read),
+    .read_address(head_q[ADDRESS-1:0]), .read_data(out)
   );
 
   always @(posedge clk) begin
     if (clear) begin
-      count_q <= {(ADDRESS+1){1'b0}};
-      head_q <= {ADDRESS{1'b0}};
-      tail_q <= {ADDRESS{1'b0}};
-      {read_q, valid} <= 2'd0;
+      head_q <= {(ADDRESS+1){1'b0}};
+      tail_q <= {(ADDRESS+1){1'b0}};
+      valid <= 1'b0;
     end else begin
-      count_q <= count_q + {{ADDRESS{1'b0}}, push} - {{ADDRESS{1'b0}}, pop};
-      if (write) begin
-        tail_q <= tail_q + ONE[ADDRESS-1:0];
-      end
       if (read) begin
-        head_q <= head_q + ONE[ADDRESS-1:0];
+        head_q <= head_q + ONE;
       end
-      read_q <= read || (read_q && !move);
-      valid <= !move || read_q || bypass;
-    end
-    if (move) begin
-      out <= read_q ? read_data : in;
+      if (push) begin
+        tail_q <= tail_q + ONE;
+      end
+      valid <= read || (valid && !pop);
     end
   end
 endmodule

@@ -18,11 +18,11 @@ module sepax_tree_memory #(
   input  wire                  start,           // a run begins; only while idle, no pair going in
   input  wire                  cold,            // with start: forget what the caches have
   input  wire                  drop,            // the run ends: drop all pairs
-  output wire                  idle,            // nothing is looked up, no burst is open
+  output wire                  idle,            // no burst is open
   input  wire [ADDRESS-13:0]   base_a,          // A's image / 4096; stands in a run
   input  wire [ADDRESS-13:0]   base_b,          // B's
   // pairs of nodes in, out; release
-  input  wire                  node_in_valid,   // a pair of nodes is wanted
+  input  wire                  node_in_valid,   // a pair is wanted; stands until taken or dropped
   output wire                  node_in_ready,   // it is taken
   input  wire [22:0]           node_in_a,       // number of A's node
   input  wire [22:0]           node_in_b,       // number of B's node
@@ -46,7 +46,7 @@ module sepax_tree_memory #(
   input  wire [NODE_SETS+1:0]  node_slot_b,     // its slot
   output wire [1023:0]         node_b,          // both parts
   // pairs of leaves in, out; release
-  input  wire                  leaf_in_valid,   // a pair of leaves is wanted
+  input  wire                  leaf_in_valid,   // a pair is wanted; stands until taken or dropped
   output wire                  leaf_in_ready,   // it is taken
   input  wire [31:0]           leaf_in_a,       // A's record: where in the image, / 16
   input  wire [3:0]            leaf_in_beats_a, // its beats less 1, 2 ... 15; not across 4096 bytes
@@ -79,7 +79,7 @@ module sepax_tree_memory #(
   input  wire                  rlast            // the last of its burst
 );
   localparam TAG = NODE_SETS + 4; // of a burst: {of a leaf, of B, slot}
-  wire                 node_idle, leaf_idle, read_idle;
+  wire                 leaf_idle, read_idle;
   wire                 node_miss, leaf_miss, read_ready;
   wire [ADDRESS-5:0]   node_address, leaf_address;
   wire [3:0]           leaf_beats;
@@ -92,9 +92,9 @@ module sepax_tree_memory #(
   wire                 of_leaf = fill_tag[TAG-1];
   wire [119:0]         numbers;   // a beat as numbers of vertices
   wire [3*W-1:0]       even, odd; // as two vertices
-  wire                 busy;      // the triangles of a record are made
+  wire                 busy;      // no other record may come
 
-  assign idle = node_idle && leaf_idle && read_idle && !busy;
+  assign idle = leaf_idle && read_idle;
 
   genvar k;
   generate
@@ -110,7 +110,7 @@ module sepax_tree_memory #(
   sepax_node_cache #(
     .ADDRESS(ADDRESS), .INFO(NODE_INFO), .SETS(NODE_SETS), .WINDOW(NODE_WINDOW)
   ) nodes (
-    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop), .idle(node_idle),
+    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop),
     .base_a(base_a), .base_b(base_b), .in_valid(node_in_valid), .in_ready(node_in_ready),
     .in_a(node_in_a), .in_b(node_in_b), .in_info(node_in_info), .out_valid(node_out_valid),
     .out_ready(node_out_ready), .out_a(node_out_a), .out_b(node_out_b), .out_info(node_out_info),
@@ -126,7 +126,7 @@ module sepax_tree_memory #(
   sepax_leaf_buffers #(
     .W(W), .ADDRESS(ADDRESS), .INFO(LEAF_INFO), .SETS(LEAF_SETS), .WINDOW(LEAF_WINDOW)
   ) leaves (
-    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop), .idle(leaf_idle),
+    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop),
     .base_a(base_a), .base_b(base_b), .in_valid(leaf_in_valid), .in_ready(leaf_in_ready),
     .in_a(leaf_in_a), .in_beats_a(leaf_in_beats_a), .in_b(leaf_in_b),
     .in_beats_b(leaf_in_beats_b), .in_info(leaf_in_info), .out_valid(leaf_out_valid),
@@ -137,7 +137,7 @@ module sepax_tree_memory #(
     .miss_ready(read_ready), .miss_address(leaf_address), .miss_beats(leaf_beats),
     .miss_tag(leaf_tag), .fill(fill && of_leaf), .fill_numbers(numbers), .fill_even(even),
     .fill_odd(odd), .fill_beat(fill_beat), .fill_last(fill_last), .fill_error(fill_error),
-    .fill_tag(fill_tag[LEAF_SETS+2:0]), .busy(busy)
+    .fill_tag(fill_tag[LEAF_SETS+2:0]), .busy(busy), .idle(leaf_idle)
   );
   // Leaves go first: the core waits for them.
   sepax_axi_read #(.ADDRESS(ADDRESS), .TAG(TAG), .OPEN(OPEN)) read (

@@ -1,0 +1,129 @@
+/* memory.c - see memory.h. */
+#include "memory.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { PAGE = 4096, BURST_MAX = 16, OPEN = 16 };
+
+uint64_t memory_draw(uint64_t *state) {
+  uint64_t z = *state += 0x9e3779b97f4a7c15;
+  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+  z = (z ^ z >> 27) * 0x94d049bb133111eb;
+  return z ^ z >> 31;
+}
+
+/* True at rates that change from stretch to stretch; always without stress. */
+static bool goes_on(memory *m) {
+  static const uint64_t eighths[] = {1, 2, 4, 7, 8, 8, 8};
+  if (m->options.stress == 0) {
+    return true;
+  }
+  if (memory_draw(&m->state) % 256 == 0) {
+    m->rate = memory_draw(&m->state) % (sizeof eighths / sizeof eighths[0]);
+  }
+  return memory_draw(&m->state) % 8 < eighths[m->rate];
+}
+
+static void breach(memory *m, const char *what, uint64_t address) {
+  m->counts.breaches++;
+  fprintf(stderr, "memory: cycle %llu, address %llx: %s\n", (unsigned long long)m->cycle,
+          (unsigned long long)address, what);
+}
+
+void memory_open(memory *m, const memory_options *options) {
+  memset(m, 0, sizeof *m);
+  m->options = *options;
+  m->state = options->stress;
+}
+
+void memory_reset(memory *m) {
+  m->head = m->tail = m->beat = 0;
+  m->counts.open = 0;
+  m->was_blocked = false;
+  m->slave.rvalid = false;
+}
+
+static void answer(memory *m) {
+  const memory_options *o = &m->options;
+  memory_slave *s = &m->slave;
+  uint64_t address = m->open[m->head].address + (uint64_t)MEMORY_BEAT * m->beat;
+  s->rvalid = true;
+  s->rlast = m->beat + 1 == m->open[m->head].beats;
+  s->rresp = 0;
+  if (address < o->base || address - o->base + MEMORY_BEAT > o->size) {
+    s->rresp = 3;
+  } else if ((address >= o->error_from && address < o->error_to) ||
+             (o->error_odds > 0 && memory_draw(&m->state) % o->error_odds == 0)) {
+    s->rresp = 2;
+  }
+  for (int k = 0; k < 4; k++) { /* what comes with an error is not to be used */
+    s->rdata[k] = (uint32_t)memory_draw(&m->state);
+  }
+  if (s->rresp == 0) {
+    const uint8_t *from = o->bytes + (address - o->base);
+    for (int k = 0; k < 4; k++) {
+      s->rdata[k] = (uint32_t)from[4 * k] | (uint32_t)from[4 * k + 1] << 8 |
+                    (uint32_t)from[4 * k + 2] << 16 | (uint32_t)from[4 * k + 3] << 24;
+    }
+  }
+}
+
+const memory_slave *memory_drive(memory *m) {
+  m->slave.arready = m->counts.open < MEMORY_OPEN_MAX && goes_on(m);
+  if (!m->slave.rvalid && m->head != m->tail && m->cycle >= m->open[m->head].due && goes_on(m)) {
+    answer(m);
+  }
+  return &m->slave;
+}
+
+static void take_address(memory *m, const memory_master *master) {
+  const memory_options *o = &m->options;
+  unsigned beats = master->arlen + 1;
+  if (beats > BURST_MAX) {
+    breach(m, "a burst of more than 16 beats", master->araddr);
+  }
+  if (master->araddr % MEMORY_BEAT != 0) {
+    breach(m, "a burst that is not aligned", master->araddr);
+  }
+  if (master->araddr / PAGE != (master->araddr + MEMORY_BEAT * (uint64_t)beats - 1) / PAGE) {
+    breach(m, "a burst across 4 KB", master->araddr);
+  }
+  if (m->counts.open >= (o->open_max > 0 ? o->open_max : OPEN)) {
+    breach(m, "too many bursts are open", master->araddr);
+  }
+  uint64_t late = o->stress == 0 || goes_on(m) ? 0 : memory_draw(&m->state) % 64;
+  m->open[m->tail].address = master->araddr;
+  m->open[m->tail].beats = beats;
+  m->open[m->tail].due = m->cycle + (uint64_t)o->latency + late;
+  m->tail = (m->tail + 1) % MEMORY_OPEN_MAX;
+  m->counts.bursts++;
+  m->counts.open++;
+  if (m->counts.open > m->counts.open_most) {
+    m->counts.open_most = m->counts.open;
+  }
+}
+
+void memory_clock(memory *m, const memory_master *master) {
+  if (m->was_blocked && (!master->arvalid || master->araddr != m->before.araddr ||
+                         master->arlen != m->before.arlen)) {
+    breach(m, "an address moves before it is taken", m->before.araddr);
+  }
+  m->was_blocked = master->arvalid && !m->slave.arready;
+  m->before = *master;
+  if (m->slave.rvalid && master->rready) {
+    m->counts.beats++;
+    m->counts.errors += m->slave.rresp != 0;
+    m->slave.rvalid = false;
+    m->beat++;
+    if (m->slave.rlast) {
+      m->beat = 0;
+      m->head = (m->head + 1) % MEMORY_OPEN_MAX;
+      m->counts.open--;
+    }
+  }
+  if (master->arvalid && m->slave.arready) {
+    take_address(m, master);
+  }
+  m->cycle++;
+}
