@@ -139,7 +139,7 @@ static bool draw_side_1(drawn_boxes *d, int64_t held[3], const int8_t low[3],
   return true;
 }
 
-CASE(boxes_hold_what_they_held) {
+CASE(boxes_hold_their_vertices) {
   static const int32_t margins[] = {0, 0, 5, 300};
   size_t wanted = count_of_run("TREE_BOXES", 1000000);
   size_t inside = 0;
