@@ -64,6 +64,7 @@ typedef struct {
                              triangles are farther from each other than `clearance`
                              (docs/clearance.md) */
   int lanes;              /* exact: comparator lanes of an object engine, 1 ... 64; 0: none */
+  bool tree;              /* exact: a tree engine */
   int cores;              /* of the engine, 1 ... 8 */
   int memory_a, memory_b; /* triangles of A, of B that it holds: 2^7 ... 2^15 */
 } sepax_config;

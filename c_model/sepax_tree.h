@@ -133,6 +133,83 @@ bool sepax_images_walk(const uint8_t *const image[2],
                        const uint8_t record[2][SEPAX_TREE_BODY_BYTES], const sepax_tree_pose *pose,
                        const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error);
 
+/* -------------------------------------------------------------------- jobs */
+
+#define SEPAX_TREE_JOB_BYTES 128
+#define SEPAX_TREE_POSE_STRIDE 256 /* bytes from a pose of a queue to the next */
+
+/* Modes of a job: docs/tree.md, Jobs. */
+enum {
+  SEPAX_TREE_FIRST = 1, /* a pose ends at its first collision */
+  SEPAX_TREE_QUIET = 2, /* pairs are counted, not sent */
+  SEPAX_TREE_ROW = 4,   /* the job's first row is valid */
+  SEPAX_TREE_AGAIN = 8, /* what collided first is the first row of the poses behind */
+  SEPAX_TREE_COLD = 16, /* caches are empty at each pose, else at the job's first */
+  SEPAX_TREE_WARM = 32, /* not at the job's first: its bodies are those of the job before */
+  SEPAX_TREE_LEAVE = 64 /* the first pose that collides ends the job */
+};
+
+/* Two bodies and a queue of poses. */
+typedef struct {
+  uint8_t body[2][SEPAX_TREE_BODY_BYTES]; /* sepax_tree_body */
+  uint64_t poses;                         /* address of the queue, a multiple of 256 */
+  uint32_t count;                         /* of poses, 1 or more */
+  uint32_t modes;                         /* SEPAX_TREE_FIRST ... */
+  uint32_t budget;                        /* cycles after which a pose is stopped; 0: none */
+  uint32_t leaf[2];                       /* the first row */
+  int child[2];
+} sepax_tree_job;
+
+void sepax_tree_job_pack(const sepax_tree_job *job, uint8_t bytes[SEPAX_TREE_JOB_BYTES]);
+/* False if the engine refuses it. */
+bool sepax_tree_job_unpack(sepax_tree_job *job, const uint8_t bytes[SEPAX_TREE_JOB_BYTES]);
+
+/* Why a pose ended, and what was found: bits of its status. */
+enum {
+  SEPAX_TREE_HIT = 1,          /* a pair collides */
+  SEPAX_TREE_OUT_OF_RANGE = 2, /* among those that do some are undecided */
+  SEPAX_TREE_STOPPED = 4,      /* BUDGET or STOP: undecided, unless HIT */
+  SEPAX_TREE_DAMAGED = 8,      /* a node, a leaf or the stack: no verdict */
+  SEPAX_TREE_BUS = 16,         /* memory answered with an error: no verdict */
+  SEPAX_TREE_REFUSED = 32,     /* a number of the job or the pose is out of its range */
+  SEPAX_TREE_NO_VERDICT = 8 + 16 + 32
+};
+
+/* A memory as the engine sees it: bytes at the addresses from `address` on. */
+typedef struct {
+  const uint8_t *byte;
+  uint64_t address, size;
+} sepax_tree_memory;
+
+/* The golden model of job control: a list of jobs, pose by pose. */
+typedef struct {
+  const sepax_design *design;
+  const sepax_tree_memory *memory;
+  uint64_t list; /* address of the jobs, a multiple of 128 */
+  uint32_t jobs;
+  /* Called with each near pair that is not free, in order; NULL: not called. */
+  void (*each)(void *context, const sepax_tree_pair *pair);
+  void *context;
+  /* Where it is; all zero before the first pose. */
+  uint32_t job, pose;
+  bool has_row;
+  sepax_tree_pair row; /* the first row of the next pose */
+  sepax_tree_job current;
+} sepax_tree_batch;
+
+typedef struct {
+  uint32_t job, pose;
+  unsigned status; /* SEPAX_TREE_HIT ...; never STOPPED */
+  unsigned modes;
+  sepax_tree_run run; /* not defined without a verdict */
+} sepax_tree_result;
+
+/* The next pose; *more is false, and nothing is written, if there is none. A batch ends behind its
+ * last pose and behind one without a verdict. A body that is not in the memory is an error of the
+ * bus here, whether or not the walk comes to what is missing. Fails without memory. */
+bool sepax_tree_next(sepax_tree_batch *batch, sepax_tree_result *result, bool *more,
+                     sepax_error *error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -53,15 +53,36 @@ static bool check_extents(const sepax_config *config, sepax_error *error) {
                     core_word(config));
 }
 
-static bool check(const sepax_config *config, sepax_error *error) {
-  if (!check_clearance(config, error) || !check_extents(config, error)) {
-    return false;
+static bool check_tree(const sepax_config *config, sepax_error *error) {
+  enum { WORD_MAX = 21, MARGIN_MAX = 8191 };
+  if (!config->tree) {
+    return true;
   }
-  if (config->early_out && (config->extent_a != 0 || config->lanes != 0)) {
-    return sepax_fail(error, "early-out: %s test AABBs before the core anyway; leave it out",
+  if (config->word > WORD_MAX) {
+    return sepax_fail(error, "word: a tree engine takes 4 ... %d bits, not %d", WORD_MAX,
+                      config->word);
+  }
+  if (config->lanes != 0 || config->extent_a != 0) {
+    return sepax_fail(error, "tree: a tree engine has no %s; leave one of both out",
                       config->lanes != 0 ? "comparator lanes" : "extents");
   }
-  if (config->registered_ready && config->lanes != 0) {
+  return config->clearance < 0 || outer_margin(config) <= MARGIN_MAX ||
+         sepax_fail(error, "tree: a clearance of %d LSB is out of range; give 0 ... %d",
+                    (int)outer_margin(config) - 1, MARGIN_MAX - 1);
+}
+
+static bool check(const sepax_config *config, sepax_error *error) {
+  if (!check_tree(config, error) || !check_clearance(config, error) ||
+      !check_extents(config, error)) {
+    return false;
+  }
+  if (config->early_out && (config->extent_a != 0 || config->lanes != 0 || config->tree)) {
+    return sepax_fail(error, "early-out: %s test AABBs before the core anyway; leave it out",
+                      config->lanes != 0 ? "comparator lanes"
+                      : config->tree     ? "tree engines"
+                                         : "extents");
+  }
+  if (config->registered_ready && (config->lanes != 0 || config->tree)) {
     return sepax_fail(error, "registered-ready: the engine's ready outputs are so anyway; leave "
                              "it out");
   }

@@ -71,8 +71,11 @@ static const design_option table[] = {
     {"lanes", 0, OPTION_NUMBER, FIELD(lanes), 0, 1, SEPAX_LANES_MAX, NULL,
      EXACT, 0, false, NULL, "-k%s", "K",
      "an object engine with K comparator lanes, 1 ... 64, around the core (none: the core alone)"},
+    {"tree", 0, OPTION_SWITCH, FIELD(tree), 0, 0, 1, switch_names,
+     EXACT, 0, false, NULL, "-tree", "on|off",
+     "a tree engine around the core: bodies as trees in external memory, poses (off)"},
     {"cores", 0, OPTION_NUMBER, FIELD(cores), 1, 1, SEPAX_CORES_MAX, NULL,
-     EXACT, 0, true, "lanes", "x%s", "N",
+     EXACT, 0, true, "lanes|tree", "x%s", "N",
      "cores of the engine, 1 ... 8 (1)"},
     {"memory-a", 0, OPTION_NUMBER, FIELD(memory_a), 512, SEPAX_MEMORY_MIN, SEPAX_MEMORY_MAX, NULL,
      EXACT, 0, true, "lanes", "-ma%s", "TRIANGLES",
@@ -209,8 +212,9 @@ static bool parse_choice(int *value, const design_option *option, const char *te
                          sepax_error *error) {
   char choices[128] = "";
   const char *name;
+  bool by_number = option->kind == OPTION_SWITCH && text[0] != '\0' && text[1] == '\0';
   for (int i = 0; (name = choice_at(option, i)) != NULL; i++) {
-    if (strcmp(name, text) == 0) {
+    if (strcmp(name, text) == 0 || (by_number && text[0] == '0' + i)) {
       *value = i;
       return true;
     }
@@ -327,9 +331,18 @@ bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *err
 
 /* ----------------------------------------------------------------------- text */
 
-/* What is needed is there: no option, or one that was given. */
+/* What is needed is there: nothing, or one of the options was given. */
 static bool is_founded(const design_option *option, const sepax_config *config) {
-  return option->needs == NULL || is_changed(find(option->needs), config);
+  const char *needs = option->needs;
+  bool founded = needs == NULL;
+  while (needs != NULL) {
+    option_text one;
+    snprintf(one.text, sizeof one.text, "%.*s", (int)strcspn(needs, "|"), needs);
+    founded = founded || is_changed(find(one.text), config);
+    needs = strchr(needs, '|');
+    needs = needs != NULL ? needs + 1 : NULL;
+  }
+  return founded;
 }
 
 bool sepax_config_setting(const sepax_config *config, size_t i, sepax_setting *setting) {
@@ -424,8 +437,11 @@ bool design_options_check(const sepax_config *config, sepax_error *error) {
       return false;
     }
     if (is_changed(option, config) && !is_founded(option, config)) {
-      return sepax_fail(error, "%s: nothing without --%s; give --%s, too", option->name,
-                        option->needs, option->needs);
+      int one = (int)strcspn(option->needs, "|");
+      const char *other = option->needs[one] != '\0' ? option->needs + one + 1 : NULL;
+      return sepax_fail(error, "%s: nothing without --%.*s%s%s; give --%.*s, too", option->name,
+                        one, option->needs, other != NULL ? " or --" : "",
+                        other != NULL ? other : "", one, option->needs);
     }
   }
   return true;

@@ -8,7 +8,7 @@ typedef enum {
   OPTION_NUMBER,    /* a whole number */
   OPTION_PERIOD,    /* nanoseconds, at most three decimals; the field holds picoseconds */
   OPTION_CHOICE,    /* one of `choices`; the field holds its index */
-  OPTION_SWITCH,    /* the same of two; without a value it is the second */
+  OPTION_SWITCH,    /* the same of two, or 0, 1; without a value it is the second */
   OPTION_PRECISION, /* full, word, guard=G; the field holds G, -1 for full */
   OPTION_ARCH       /* the name of an architecture */
 } option_kind;
@@ -24,7 +24,8 @@ typedef struct {
   unsigned archs;             /* bits 1 << sepax_arch: those that read it */
   unsigned named;             /* those whose designs always have it in their name */
   bool shown;                 /* sepax_config_text prints it even where it is the default */
-  const char *needs;          /* NULL, or the option without which it means nothing */
+  const char *needs;          /* NULL, or the option without which it means nothing, or
+                                 two, "lanes|tree", one of which is enough */
   const char *tag;            /* what it adds to the name of a design, "-a%s" */
   const char *argument;       /* of --help */
   const char *help;

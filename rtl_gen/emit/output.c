@@ -62,9 +62,10 @@ static void render(const emitter *e, output *o) {
   }
   describe_c(d, add_file(o, "sepax_params", "h"));
   describe_verilog(d, add_file(o, "sepax_params", "vh"));
-  if (d->config.lanes > 0) {
-    engine_header(add_file(o, "sepax_registers", "h"));
-    engine_page(add_file(o, "sepax_registers", "md"));
+  const engine_registers *registers = engine_registers_of(&d->config);
+  if (registers != NULL) {
+    engine_header(registers, add_file(o, "sepax_registers", "h"));
+    engine_page(registers, add_file(o, "sepax_registers", "md"));
   }
   describe_json(e, add_file(o, "sepax", "json"));
 }

@@ -5,19 +5,16 @@
 /* Rounded up. */
 static int log2_of(int number) { return 31 - __builtin_clz(2 * (unsigned)number - 1); }
 
-static void set_sizes(emit_holes *h, const sepax_design *design, int entries) {
+static void set_sizes(emit_holes *h, const sepax_design *design) {
   const sepax_config *c = &design->config;
   int index_a = log2_of(c->memory_a);
   int index_b = log2_of(c->memory_b);
   bool a_is_smaller = index_a < index_b;
-  emit_hole_set(h, "word", "%d", c->word);
   emit_hole_set(h, "moved", "%d", c->word + 2);
   emit_hole_set(h, "narrow", "%d", c->word < 32);
   emit_hole_set(h, "move_is_word", "%d", c->word + 1 >= 32);
   emit_hole_set(h, "data", c->word + 1 > 32 ? "{data_q[31], data_q}" : "data_q[%d:0]", c->word);
   emit_hole_set(h, "margin", "%lld", (long long)(design->limits > 0 ? design->margin[1] : 0));
-  emit_hole_set(h, "limits", "%d", design->limits);
-  emit_hole_set(h, "extents", "%d", c->extent_a > 0);
   emit_hole_set(h, "lanes", "%d", c->lanes);
   emit_hole_set(h, "fill", "%d", c->lanes + 8);
   emit_hole_set(h, "lane_bits", "%d", log2_of(c->lanes));
@@ -29,23 +26,35 @@ static void set_sizes(emit_holes *h, const sepax_design *design, int entries) {
   emit_hole_set(h, "index", "%d", a_is_smaller ? index_b : index_a);
   emit_hole_set(h, "smaller", "%d", a_is_smaller ? index_a : index_b < index_a ? index_b : 0);
   emit_hole_set(h, "not_smaller", a_is_smaller ? "to_b" : "!to_b");
-  emit_hole_set(h, "cores", "%d", c->cores);
-  emit_hole_set(h, "several", "%d", c->cores > 1);
   emit_hole_set(h, "plural", c->cores > 1 ? "s" : "");
   emit_hole_set(h, "each_cycle", "%d", c->ii == 1 || c->cores > 1);
-  emit_hole_set(h, "info", "%d", index_a + index_b + 1);
+}
+
+void engine_cores(emit_holes *h, const sepax_design *design, int entries, int info) {
+  const sepax_config *c = &design->config;
+  emit_hole_set(h, "word", "%d", c->word);
+  emit_hole_set(h, "limits", "%d", design->limits);
+  emit_hole_set(h, "extents", "%d", c->extent_a > 0);
+  emit_hole_set(h, "cores", "%d", c->cores);
+  emit_hole_set(h, "several", "%d", c->cores > 1);
+  emit_hole_set(h, "info", "%d", info);
   emit_hole_set(h, "flight_log2", "%d", log2_of(entries * c->cores + 1));
+}
+
+int engine_version(void) {
+  int version[3] = {0, 0, 0};
+  (void)sscanf(SEPAX_VERSION, "%d.%d.%d", &version[0], &version[1],
+               &version[2]); // NOLINT(cert-err34-c)
+  return (version[0] << 16) + (version[1] << 8) + version[2];
 }
 
 /* What can be read of the design itself: its constant registers. */
 static void set_registers(emit_holes *h, const sepax_config *c) {
-  int version[3] = {0, 0, 0};
-  (void)sscanf(SEPAX_VERSION, "%d.%d.%d", &version[0], &version[1],
-               &version[2]); // NOLINT(cert-err34-c)
-  const int constants[] = {ENGINE_IDENTITY, (version[0] << 16) + (version[1] << 8) + version[2],
+  const int constants[] = {(int)engine_of_lanes.identity, engine_version(),
                            c->word + (c->lanes << 8) + (c->cores << 16) + (c->ii << 24),
                            log2_of(c->memory_a) + (log2_of(c->memory_b) << 8)};
-  engine_decode(h, constants);
+  engine_decode(&engine_of_lanes, h, constants);
+  emit_hole_set(h, "tree", "0");
 }
 
 void gen_engine(emitter *e, int entries) {
@@ -55,7 +64,9 @@ void gen_engine(emitter *e, int entries) {
       "sepax_fetch",      "sepax_cores",      "sepax_results",     "sepax_engine_logic",
       "engine/sepax_top"};
   emit_holes h = {0};
-  set_sizes(&h, e->design, entries);
+  const sepax_config *c = &e->design->config;
+  set_sizes(&h, e->design);
+  engine_cores(&h, e->design, entries, log2_of(c->memory_a) + log2_of(c->memory_b) + 1);
   set_registers(&h, &e->design->config);
   gen_bounds(e);
   gen_disjoint(e);

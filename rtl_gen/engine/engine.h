@@ -6,15 +6,48 @@
 #include "emit/template.h"
 #include "sepax_design.h"
 
-enum { ENGINE_IDENTITY = 0x53505841 };
+/* A memory-mapped register, 32 bits, at the next address; behind it its fields, if it is not one
+ * number. */
+typedef struct {
+  const char *name;
+  enum {
+    ENGINE_CONSTANT,
+    ENGINE_READ,
+    ENGINE_WRITE,
+    ENGINE_READ_WRITE,
+    ENGINE_CLEAR,
+    ENGINE_FIELD
+  } kind;
+  const char *shown; /* what is read, in sepax_registers.v: an input, if it can only be read */
+  int low, bits;     /* of a field */
+  const char *about;
+} engine_register;
+
+/* The register map of an engine, once: for the RTL, for C, for people. */
+typedef struct {
+  unsigned identity;
+  const engine_register *row;
+  size_t rows;
+  const char *about; /* of its page */
+} engine_registers;
+
+extern const engine_registers engine_of_lanes, engine_of_trees;
+/* That of the design; NULL: it is no engine. */
+const engine_registers *engine_registers_of(const sepax_config *config);
 
 /* Holes of sepax_registers.v: inputs that are read as they are, addresses of what can be written,
- * the cases in which a register is read; `constants` are those of ID, GENERATOR, DESIGN, MEMORY. */
-void engine_decode(emit_holes *h, const int constants[4]);
+ * the cases in which a register is read; `constants` are those of the rows of that kind. */
+void engine_decode(const engine_registers *map, emit_holes *h, const int *constants);
 
 /* The register map for drivers: a C header, a page. */
-void engine_header(FILE *out);
-void engine_page(FILE *out);
+void engine_header(const engine_registers *map, FILE *out);
+void engine_page(const engine_registers *map, FILE *out);
+
+/* Of the generator, as GENERATOR has it: {MAJOR, MINOR, PATCH}. */
+int engine_version(void);
+
+/* Holes of sepax_cores, of which each core holds `entries` pairs; `info` bits go with a pair. */
+void engine_cores(emit_holes *h, const sepax_design *design, int entries, int info);
 
 /* Every module of the engine behind those of the core; `entries` is how many pairs a core
  * holds. */

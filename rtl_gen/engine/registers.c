@@ -5,89 +5,90 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A memory-mapped register, 32 bits, at the next address; behind it its fields, if it is not one
- * number. `shown` is what is read, in sepax_registers.v: an input, if it can only be read. */
-static const struct {
-  const char *name;
-  enum { CONSTANT, READ, WRITE, READ_WRITE, CLEAR, FIELD } kind;
-  const char *shown;
-  int low, bits; /* of a field */
-  const char *about;
-} table[] = {
-    {"ID", CONSTANT, "", 0, 32, "0x53505841, \"SPXA\""},
-    {"GENERATOR", CONSTANT, "", 0, 32, "its version"},
-    {"MAJOR", FIELD, "", 16, 8, ""},
-    {"MINOR", FIELD, "", 8, 8, ""},
-    {"PATCH", FIELD, "", 0, 8, ""},
-    {"DESIGN", CONSTANT, "", 0, 32, "what was generated"},
-    {"WORD", FIELD, "", 0, 6, "bits of a coordinate"},
-    {"LANES", FIELD, "", 8, 7, "comparator lanes"},
-    {"CORES", FIELD, "", 16, 4, "exact cores"},
-    {"II", FIELD, "", 24, 5, "cycles a pair of each core"},
-    {"MEMORY", CONSTANT, "", 0, 32, "triangles that the memories hold"},
-    {"LOG2_A", FIELD, "", 0, 4, "2^LOG2_A of A"},
-    {"LOG2_B", FIELD, "", 8, 4, "2^LOG2_B of B"},
-    {"COMMAND", WRITE, "", 0, 32, "one bit, written as 1"},
-    {"START", FIELD, "", 0, 1, "begin a run; refused while busy or loading, or without objects"},
-    {"STOP", FIELD, "", 1, 1, "end the run as soon as the core is empty"},
-    {"MODE", READ_WRITE, "{30'd0, quiet, first}", 0, 32,
+static const engine_register table[] = {
+    {"ID", ENGINE_CONSTANT, "", 0, 32, "0x53505841, \"SPXA\""},
+    {"GENERATOR", ENGINE_CONSTANT, "", 0, 32, "its version"},
+    {"MAJOR", ENGINE_FIELD, "", 16, 8, ""},
+    {"MINOR", ENGINE_FIELD, "", 8, 8, ""},
+    {"PATCH", ENGINE_FIELD, "", 0, 8, ""},
+    {"DESIGN", ENGINE_CONSTANT, "", 0, 32, "what was generated"},
+    {"WORD", ENGINE_FIELD, "", 0, 6, "bits of a coordinate"},
+    {"LANES", ENGINE_FIELD, "", 8, 7, "comparator lanes"},
+    {"CORES", ENGINE_FIELD, "", 16, 4, "exact cores"},
+    {"II", ENGINE_FIELD, "", 24, 5, "cycles a pair of each core"},
+    {"MEMORY", ENGINE_CONSTANT, "", 0, 32, "triangles that the memories hold"},
+    {"LOG2_A", ENGINE_FIELD, "", 0, 4, "2^LOG2_A of A"},
+    {"LOG2_B", ENGINE_FIELD, "", 8, 4, "2^LOG2_B of B"},
+    {"COMMAND", ENGINE_WRITE, "", 0, 32, "one bit, written as 1"},
+    {"START", ENGINE_FIELD, "", 0, 1,
+     "begin a run; refused while busy or loading, or without objects"},
+    {"STOP", ENGINE_FIELD, "", 1, 1, "end the run as soon as the core is empty"},
+    {"MODE", ENGINE_READ_WRITE, "{30'd0, quiet, first}", 0, 32,
      "of the next run; not writable while busy"},
-    {"FIRST", FIELD, "", 0, 1, "end at the first collision"},
-    {"QUIET", FIELD, "", 1, 1, "count only: nothing on the result stream"},
-    {"STATUS", READ, "status", 0, 32, "of the run and of both objects"},
-    {"BUSY", FIELD, "", 0, 1, "a run is going on"},
-    {"HIT", FIELD, "", 1, 1, "the run has found a collision"},
-    {"OUT_OF_RANGE", FIELD, "", 2, 1, "some of them are undecided, and flagged"},
-    {"STOPPED", FIELD, "", 3, 1, "the run ended before all pairs were tested"},
-    {"LOADED_A", FIELD, "", 4, 1, "object A is whole"},
-    {"LOADED_B", FIELD, "", 5, 1, "object B is whole"},
-    {"LOADING", FIELD, "", 6, 1, "an object has begun to come"},
-    {"WORD", FIELD, "", 8, 1, "last object: a coordinate does not fit W bits"},
-    {"PARTIAL", FIELD, "", 9, 1, "last object: it ended within a triangle"},
-    {"FULL", FIELD, "", 10, 1, "last object: more triangles than the memory holds"},
-    {"ENABLE", READ_WRITE, "{29'd0, enable_q}", 0, 32, "which of PENDING raise the interrupt"},
-    {"DONE", FIELD, "", 0, 1, ""},
-    {"HIT", FIELD, "", 1, 1, ""},
-    {"LOADED", FIELD, "", 2, 1, ""},
-    {"PENDING", CLEAR, "{29'd0, pending_q}", 0, 32, "write 1 to clear"},
-    {"DONE", FIELD, "", 0, 1, "a run has ended"},
-    {"HIT", FIELD, "", 1, 1, "a run has found its first collision"},
-    {"LOADED", FIELD, "", 2, 1, "an object has come, whole or not"},
-    {"COUNT_A", READ, "count_a", 0, 32, "triangles of A, 0 unless it is whole"},
-    {"COUNT_B", READ, "count_b", 0, 32, "triangles of B, 0 unless it is whole"},
-    {"MOVE_X", READ_WRITE, "shown_move[0 +: 32]", 0, 32,
+    {"FIRST", ENGINE_FIELD, "", 0, 1, "end at the first collision"},
+    {"QUIET", ENGINE_FIELD, "", 1, 1, "count only: nothing on the result stream"},
+    {"STATUS", ENGINE_READ, "status", 0, 32, "of the run and of both objects"},
+    {"BUSY", ENGINE_FIELD, "", 0, 1, "a run is going on"},
+    {"HIT", ENGINE_FIELD, "", 1, 1, "the run has found a collision"},
+    {"OUT_OF_RANGE", ENGINE_FIELD, "", 2, 1, "some of them are undecided, and flagged"},
+    {"STOPPED", ENGINE_FIELD, "", 3, 1, "the run ended before all pairs were tested"},
+    {"LOADED_A", ENGINE_FIELD, "", 4, 1, "object A is whole"},
+    {"LOADED_B", ENGINE_FIELD, "", 5, 1, "object B is whole"},
+    {"LOADING", ENGINE_FIELD, "", 6, 1, "an object has begun to come"},
+    {"WORD", ENGINE_FIELD, "", 8, 1, "last object: a coordinate does not fit W bits"},
+    {"PARTIAL", ENGINE_FIELD, "", 9, 1, "last object: it ended within a triangle"},
+    {"FULL", ENGINE_FIELD, "", 10, 1, "last object: more triangles than the memory holds"},
+    {"ENABLE", ENGINE_READ_WRITE, "{29'd0, enable_q}", 0, 32,
+     "which of PENDING raise the interrupt"},
+    {"DONE", ENGINE_FIELD, "", 0, 1, ""},
+    {"HIT", ENGINE_FIELD, "", 1, 1, ""},
+    {"LOADED", ENGINE_FIELD, "", 2, 1, ""},
+    {"PENDING", ENGINE_CLEAR, "{29'd0, pending_q}", 0, 32, "write 1 to clear"},
+    {"DONE", ENGINE_FIELD, "", 0, 1, "a run has ended"},
+    {"HIT", ENGINE_FIELD, "", 1, 1, "a run has found its first collision"},
+    {"LOADED", ENGINE_FIELD, "", 2, 1, "an object has come, whole or not"},
+    {"COUNT_A", ENGINE_READ, "count_a", 0, 32, "triangles of A, 0 unless it is whole"},
+    {"COUNT_B", ENGINE_READ, "count_b", 0, 32, "triangles of B, 0 unless it is whole"},
+    {"MOVE_X", ENGINE_READ_WRITE, "shown_move[0 +: 32]", 0, 32,
      "added to each x of B, signed, W + 1 bits; not writable while busy"},
-    {"MOVE_Y", READ_WRITE, "shown_move[32 +: 32]", 0, 32, "likewise"},
-    {"MOVE_Z", READ_WRITE, "shown_move[64 +: 32]", 0, 32, "likewise"},
-    {"PAIRS", READ, "pairs", 0, 32, "pairs through the comparator lanes in this run"},
-    {"CANDIDATES", READ, "candidates", 0, 32, "pairs that went on to the cores"},
-    {"COLLISIONS", READ, "collisions", 0, 32, "pairs that collide"},
-    {"OUT_OF_RANGE", READ, "out_of_range", 0, 32,
+    {"MOVE_Y", ENGINE_READ_WRITE, "shown_move[32 +: 32]", 0, 32, "likewise"},
+    {"MOVE_Z", ENGINE_READ_WRITE, "shown_move[64 +: 32]", 0, 32, "likewise"},
+    {"PAIRS", ENGINE_READ, "pairs", 0, 32, "pairs through the comparator lanes in this run"},
+    {"CANDIDATES", ENGINE_READ, "candidates", 0, 32, "pairs that went on to the cores"},
+    {"COLLISIONS", ENGINE_READ, "collisions", 0, 32, "pairs that collide"},
+    {"OUT_OF_RANGE", ENGINE_READ, "out_of_range", 0, 32,
      "of these, undecided: beyond an extent, or moved out of W bits"},
-    {"WARNINGS", READ, "warnings", 0, 32, "pairs of the band between clearance and warning"},
-    {"CYCLES", READ, "cycles", 0, 32, "clock cycles of the run; stays at its largest value"},
-    {"FIRST_A", READ, "first_a", 0, 32, "first collision: number of A's triangle"},
-    {"FIRST_B", READ, "first_b", 0, 32, "first collision: number of B's triangle"},
+    {"WARNINGS", ENGINE_READ, "warnings", 0, 32, "pairs of the band between clearance and warning"},
+    {"CYCLES", ENGINE_READ, "cycles", 0, 32, "clock cycles of the run; stays at its largest value"},
+    {"FIRST_A", ENGINE_READ, "first_a", 0, 32, "first collision: number of A's triangle"},
+    {"FIRST_B", ENGINE_READ, "first_b", 0, 32, "first collision: number of B's triangle"},
 };
 
-enum { ROWS = sizeof table / sizeof table[0] };
+const engine_registers engine_of_lanes = {
+    0x53505841, table, sizeof table / sizeof table[0],
+    "Counts are those of the last run, undefined before the\nfirst; FIRST_A and FIRST_B those of "
+    "the last run with a collision."};
 
-void engine_header(FILE *out) {
+const engine_registers *engine_registers_of(const sepax_config *config) {
+  return config->tree ? &engine_of_trees : config->lanes > 0 ? &engine_of_lanes : NULL;
+}
+
+void engine_header(const engine_registers *map, FILE *out) {
   fprintf(out,
           "/* Registers of sepax_engine, 32 bits each. Generated by sepax %s; do not edit. */\n"
           "#ifndef SEPAX_REGISTERS_H\n#define SEPAX_REGISTERS_H\n\n#define SEPAX_IDENTITY 0x%xu\n",
-          SEPAX_VERSION, (unsigned)ENGINE_IDENTITY);
+          SEPAX_VERSION, map->identity);
   unsigned address = 0;
   const char *of = "";
-  for (int i = 0; i < ROWS; i++) {
-    const char *name = table[i].name;
-    int low = table[i].low;
-    unsigned mask = (unsigned)((UINT64_C(1) << table[i].bits) - 1) << low;
-    if (table[i].kind != FIELD) {
-      fprintf(out, "\n#define SEPAX_%s 0x%02xu /* %s */\n", name, address, table[i].about);
+  for (const engine_register *r = map->row; r < map->row + map->rows; r++) {
+    const char *name = r->name;
+    int low = r->low;
+    unsigned mask = (unsigned)((UINT64_C(1) << r->bits) - 1) << low;
+    if (r->kind != ENGINE_FIELD) {
+      fprintf(out, "\n#define SEPAX_%s 0x%02xu /* %s */\n", name, address, r->about);
       of = name;
       address += 4;
-    } else if (table[i].bits == 1) {
+    } else if (r->bits == 1) {
       fprintf(out, "#define SEPAX_%s_%s 0x%xu\n", of, name, mask);
     } else {
       fprintf(out, "#define SEPAX_%s_%s(value) (((value) & 0x%xu) >> %d)\n", of, name, mask, low);
@@ -96,34 +97,32 @@ void engine_header(FILE *out) {
   fprintf(out, "\n#endif\n");
 }
 
-void engine_page(FILE *out) {
+void engine_page(const engine_registers *map, FILE *out) {
   static const char *const access[] = {"read", "read", "write", "read, write",
                                        "read, write 1 to clear"};
-  fprintf(
-      out,
-      "# Registers of sepax_engine\n\nGenerated by sepax %s; do not edit. 32 bits each; other "
-      "addresses, writes to what is read only and\npartial strobes are answered with SLVERR. "
-      "Counts are those of the last run, undefined before the\nfirst; FIRST_A and FIRST_B those "
-      "of the last run with a collision. AWPROT and ARPROT are not there:\nall accesses are "
-      "alike.\n\n| address | name | access | bits | |\n| --- | --- | --- | --- | --- |\n",
-      SEPAX_VERSION);
+  fprintf(out,
+          "# Registers of sepax_engine\n\nGenerated by sepax %s; do not edit. 32 bits each; other "
+          "addresses, writes to what is read only and\npartial strobes are answered with SLVERR. "
+          "%s AWPROT and ARPROT are not there:\nall accesses are "
+          "alike.\n\n| address | name | access | bits | |\n| --- | --- | --- | --- | --- |\n",
+          SEPAX_VERSION, map->about);
   unsigned address = 0;
-  for (int i = 0; i < ROWS; i++) {
-    const char *name = table[i].name;
-    int low = table[i].low;
-    if (table[i].kind != FIELD) {
-      fprintf(out, "| 0x%02x | `%s` | %s | | ", address, name, access[table[i].kind]);
+  for (const engine_register *r = map->row; r < map->row + map->rows; r++) {
+    const char *name = r->name;
+    int low = r->low;
+    if (r->kind != ENGINE_FIELD) {
+      fprintf(out, "| 0x%02x | `%s` | %s | | ", address, name, access[r->kind]);
       address += 4;
-    } else if (table[i].bits == 1) {
+    } else if (r->bits == 1) {
       fprintf(out, "| | `%s` | | %d | ", name, low);
     } else {
-      fprintf(out, "| | `%s` | | %d:%d | ", name, low + table[i].bits - 1, low);
+      fprintf(out, "| | `%s` | | %d:%d | ", name, low + r->bits - 1, low);
     }
-    fprintf(out, "%s |\n", table[i].about);
+    fprintf(out, "%s |\n", r->about);
   }
 }
 
-void engine_decode(emit_holes *h, const int constants[4]) {
+void engine_decode(const engine_registers *map, emit_holes *h, const int *constants) {
   static const char *const hole[] = {"numbers", "addresses", "readable"};
   char *text[3];
   size_t size[3];
@@ -132,21 +131,21 @@ void engine_decode(emit_holes *h, const int constants[4]) {
     out[k] = open_memstream(&text[k], &size[k]);
   }
   unsigned address = 0;
-  for (int i = 0; i < ROWS; i++) {
-    const char *name = table[i].name;
-    const char *shown = table[i].shown;
-    if (table[i].kind == READ) {
+  for (const engine_register *r = map->row; r < map->row + map->rows; r++) {
+    const char *name = r->name;
+    const char *shown = r->shown;
+    if (r->kind == ENGINE_READ) {
       int pad = 13 - (int)strlen(shown);
-      fprintf(out[0], "\n  input  wire [31:0] %s,%*s// %s", shown, pad, "", table[i].about);
-    } else if (table[i].kind == CONSTANT) {
+      fprintf(out[0], "\n  input  wire [31:0] %s,%*s// %s", shown, pad, "", r->about);
+    } else if (r->kind == ENGINE_CONSTANT) {
       fprintf(out[2], "\n      7'd%u: shown = 32'h%08x; // %s", address, *constants++, name);
-    } else if (table[i].kind != FIELD) {
+    } else if (r->kind != ENGINE_FIELD) {
       fprintf(out[1], "\n  localparam [6:0] %s = 7'd%u;", name, address);
     }
     if (shown[0] != '\0') {
       fprintf(out[2], "\n      7'd%u: shown = %s; // %s", address, shown, name);
     }
-    address += table[i].kind == FIELD ? 0 : 4;
+    address += r->kind == ENGINE_FIELD ? 0 : 4;
   }
   for (int k = 0; k < 3; k++) {
     fclose(out[k]);

@@ -22,19 +22,25 @@ module sepax_registers (
   output reg  [1:0]  rresp,        // 0: OKAY, 2: SLVERR
   output wire        irq,          // interrupt, level
   output reg         start,        // a run begins
-  output wire        starting,     // a run begins, or a write that asks for it is here
   output reg         stop,         // the run is to end
+  //@ if tree
+  output reg  [32:0] list,         // address of the first job / 128
+  output reg  [31:0] jobs,         // how many
+  //@ else
+  output wire        starting,     // a run begins, or a write that asks for it is here
   output reg         first,        // mode: end at the first collision
   output reg         quiet,        // mode: no result stream
   output reg  [3*(@word@+1)-1:0] move, // added to B: {z, y, x}, signed
+  //@ end
 @numbers@
   input  wire        done,         // a run ends in this cycle
   input  wire        hit,          // it finds its first collision in this cycle
-  input  wire        loaded        // the last vertex of an object has come
+  input  wire        ended         // a pose has ended //@ tree
+  input  wire        loaded        // the last vertex of an object has come //@ !tree
 );
   // Addresses of what can be written.
 @addresses@
-  localparam M = @word@ + 1; // bits of a move
+  localparam M = @word@ + 1; // bits of a move //@ !tree
   reg         address_full_q, data_full_q, read_full_q; // a request has come
   reg  [6:0]  address_q, read_address_q;
   reg  [31:0] data_q;
@@ -42,19 +48,21 @@ module sepax_registers (
   reg  [2:0]  enable_q, pending_q;
   reg         accepted, known;
   reg  [31:0] shown;
-  wire [95:0] shown_move; // {z, y, x}
-  wire        fits;       // a move of data_q
+  wire [95:0] shown_move; // {z, y, x} //@ !tree
+  wire        fits;       // a move of data_q //@ !tree
   wire        write = address_full_q && data_full_q && (!bvalid || bready);
   wire        read = read_full_q && (!rvalid || rready);
   wire        accept = write && whole_q && accepted;
   wire        idle = !status[0] && !start;
-  wire        can_start = idle && status[4] && status[5] && !status[6];
+  wire        can_start = idle && (|jobs); //@ tree
+  wire        can_start = idle && status[4] && status[5] && !status[6]; //@ !tree
 
   assign awready = !address_full_q;
   assign wready = !data_full_q;
   assign arready = !read_full_q;
-  assign starting = start || (address_full_q && data_full_q && (address_q == COMMAND) && data_q[0]);
   assign irq = |(pending_q & enable_q);
+  //@ if !tree
+  assign starting = start || (address_full_q && data_full_q && (address_q == COMMAND) && data_q[0]);
   //@ if move_is_word
   assign fits = 1'b1;
   assign shown_move = {move[2*M +: 32], move[M +: 32], move[0 +: 32]};
@@ -67,13 +75,20 @@ module sepax_registers (
     end
   endgenerate
   //@ end
+  //@ end
 
   always @(*) begin
     case (address_q)
       COMMAND: accepted = ((data_q == 32'd1) && can_start) || (data_q == 32'd2);
-      MODE: accepted = idle && !(|data_q[31:2]);
       ENABLE, PENDING: accepted = !(|data_q[31:3]);
+      //@ if tree
+      LIST_LOW: accepted = idle && !(|data_q[6:0]);
+      LIST_HIGH: accepted = idle && !(|data_q[31:8]);
+      JOBS: accepted = idle;
+      //@ else
+      MODE: accepted = idle && !(|data_q[31:2]);
       MOVE_X, MOVE_Y, MOVE_Z: accepted = idle && fits;
+      //@ end
       default: accepted = 1'b0;
     endcase
   end
@@ -92,9 +107,14 @@ module sepax_registers (
   always @(posedge clk) begin
     if (rst) begin
       {address_full_q, data_full_q, read_full_q, bvalid, rvalid} <= 5'd0;
-      {start, stop, first, quiet} <= 4'd0;
       {enable_q, pending_q} <= 6'd0;
+      //@ if tree
+      {start, stop} <= 2'd0;
+      {list, jobs} <= 65'd0;
+      //@ else
+      {start, stop, first, quiet} <= 4'd0;
       move <= {(3*M){1'b0}};
+      //@ end
     end else begin
       address_full_q <= address_full_q ? !write : awvalid;
       data_full_q <= data_full_q ? !write : wvalid;
@@ -105,16 +125,23 @@ module sepax_registers (
       stop <= accept && (address_q == COMMAND) && data_q[1];
       if (accept) begin
         case (address_q)
-          MODE: {quiet, first} <= data_q[1:0];
           ENABLE: enable_q <= data_q[2:0];
+          //@ if tree
+          LIST_LOW: list[24:0] <= data_q[31:7];
+          LIST_HIGH: list[32:25] <= data_q[7:0];
+          JOBS: jobs <= data_q;
+          //@ else
+          MODE: {quiet, first} <= data_q[1:0];
           MOVE_X: move[0*M +: M] <= @data@;
           MOVE_Y: move[1*M +: M] <= @data@;
           MOVE_Z: move[2*M +: M] <= @data@;
+          //@ end
           default: ;
         endcase
       end
       pending_q <= (pending_q & ~(data_q[2:0] & {3{accept && (address_q == PENDING)}})) |
-                   {loaded, hit, done};
+                   {ended, hit, done}; //@ tree
+                   {loaded, hit, done}; //@ !tree
     end
     if (awvalid && awready) begin
       address_q <= awaddr;

@@ -3,6 +3,7 @@
 #include "aabb/aabb.h"
 #include "engine/engine.h"
 #include "exact.h"
+#include "util/error.h"
 
 #include <stdlib.h>
 
@@ -58,6 +59,9 @@ static void set_control(emit_holes *h, const exact_plan *p) {
 }
 
 bool gen_exact(emitter *e, int *latency) {
+  if (e->design->config.tree) {
+    return sepax_fail(&e->error, "tree: this engine is not generated yet");
+  }
   exact_plan *plan = malloc(sizeof *plan);
   if (plan == NULL) {
     abort();

@@ -3,6 +3,7 @@
 
 #include "Vsepax_engine.h"
 #include "cosim/verilated_top.h"
+#include "sepax_params.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -28,13 +29,15 @@ public:
   Bus(uint64_t seed, const char *wave) : top(wave, seed), stress(seed != 0), state(seed) {
     top->s_axi_awvalid = top->s_axi_wvalid = top->s_axi_bready = 0;
     top->s_axi_arvalid = top->s_axi_rready = 0;
-    top->s_axis_tvalid = top->m_axis_tready = 0;
+    top->m_axis_tready = 0;
     reset();
   }
 
   void reset() {
     top->rst = 1;
-    top->s_axi_awvalid = top->s_axi_wvalid = top->s_axi_arvalid = top->s_axis_tvalid = 0;
+    top->s_axi_awvalid = top->s_axi_wvalid = top->s_axi_arvalid = 0;
+    want_aw = want_w = want_ar = false;
+    reset_objects();
     half_cycles();
     half_cycles();
     top->rst = 0;
@@ -52,7 +55,7 @@ public:
     choose(top->s_axi_awvalid, want_aw);
     choose(top->s_axi_wvalid, want_w);
     choose(top->s_axi_arvalid, want_ar);
-    choose(top->s_axis_tvalid, want_t);
+    drive_objects();
     top->s_axi_bready = gap();
     top->s_axi_rready = gap();
     top->m_axis_tready = !blocked && gap();
@@ -60,7 +63,7 @@ public:
     bool aw = top->s_axi_awvalid && top->s_axi_awready;
     bool w = top->s_axi_wvalid && top->s_axi_wready;
     bool ar = top->s_axi_arvalid && top->s_axi_arready;
-    bool t = top->s_axis_tvalid && top->s_axis_tready;
+    unsigned t = transfers_of_objects();
     bool b = follow(watch_b, top->s_axi_bvalid, top->s_axi_bready, top->s_axi_bresp);
     bool r = follow(watch_r, top->s_axi_rvalid, top->s_axi_rready,
                     top->s_axi_rdata | (uint64_t)top->s_axi_rresp << 32);
@@ -84,9 +87,9 @@ public:
     settle(top->s_axi_awvalid, want_aw, aw);
     settle(top->s_axi_wvalid, want_w, w);
     settle(top->s_axi_arvalid, want_ar, ar);
-    settle(top->s_axis_tvalid, want_t, t);
+    settle_objects();
     beats += (uint64_t)aw + w + ar + t + b + r + m;
-    waited = aw || w || ar || t || b || r || m ? 0 : waited + 1;
+    waited = aw || w || ar || t > 0 || b || r || m ? 0 : waited + 1;
   }
 
   bool write(uint32_t address, uint32_t value, unsigned strobes) {
@@ -107,6 +110,14 @@ public:
     return ok;
   }
 
+#ifdef SEPAX_TREE
+  // Trees are in memory.
+  void attach(const memory_options *options) {
+    memory_open(&external, options);
+    drive_objects();
+  }
+  const memory *attached() const { return &external; }
+#else
   bool send(const int32_t vertex[3], bool last, bool to_b) {
     for (int i = 0; i < 3; i++) {
       top->s_axis_tdata[i] = (uint32_t)vertex[i];
@@ -116,6 +127,7 @@ public:
     want_t = true;
     return until([&] { return !want_t; });
   }
+#endif
 
   bool receive(uint64_t *result, bool *last) {
     if (!until([&] { return !results.empty(); })) {
@@ -131,6 +143,39 @@ public:
   uint64_t beats = 0, cycles = 0, breaches = 0;
 
 private:
+#ifdef SEPAX_TREE
+  void reset_objects() {
+    memory_reset(&external);
+    drive_objects();
+  }
+  void drive_objects() {
+    const memory_slave *slave = memory_drive(&external);
+    top->m_axi_arready = slave->arready;
+    top->m_axi_rvalid = slave->rvalid;
+    top->m_axi_rlast = slave->rlast;
+    top->m_axi_rresp = (uint8_t)slave->rresp;
+    for (int k = 0; k < 4; k++) {
+      top->m_axi_rdata[k] = slave->rdata[k];
+    }
+  }
+  unsigned transfers_of_objects() {
+    const memory_master master = {top->m_axi_arvalid != 0, top->m_axi_rready != 0,
+                                  top->m_axi_araddr, top->m_axi_arlen};
+    unsigned transfers = (unsigned)(top->m_axi_arvalid && top->m_axi_arready) +
+                         (unsigned)(top->m_axi_rvalid && top->m_axi_rready);
+    memory_clock(&external, &master);
+    return transfers;
+  }
+  void settle_objects() {}
+  memory external{};
+#else
+  void reset_objects() { want_t = top->s_axis_tvalid = false; }
+  void drive_objects() { choose(top->s_axis_tvalid, want_t); }
+  unsigned transfers_of_objects() { return taken_t = top->s_axis_tvalid && top->s_axis_tready; }
+  void settle_objects() { settle(top->s_axis_tvalid, want_t, taken_t); }
+  bool want_t = false, taken_t = false;
+#endif
+
   template <typename Condition> bool until(Condition met) {
     waited = 0;
     while (!met()) {
@@ -194,7 +239,7 @@ private:
   VerilatedTop<Vsepax_engine> top;
   bool stress;
   uint64_t state, rate = 4, waited = 0;
-  bool want_aw = false, want_w = false, want_ar = false, want_t = false;
+  bool want_aw = false, want_w = false, want_ar = false;
   uint64_t responses = 0, answers = 0;
   uint32_t response = 0, answer = 0, answer_response = 0;
   Watch watch_b{"a response to a write moves before it is taken"};
@@ -215,9 +260,14 @@ bool bus_write(void *, uint32_t address, uint32_t value) { return bus->write(add
 bool bus_write_part(uint32_t address, uint32_t value, unsigned strobes) {
   return bus->write(address, value, strobes);
 }
+#ifdef SEPAX_TREE
+void bus_memory(const memory_options *options) { bus->attach(options); }
+const memory *bus_attached(void) { return bus->attached(); }
+#else
 bool bus_send(void *, const int32_t vertex[3], bool last, bool to_b) {
   return bus->send(vertex, last, to_b);
 }
+#endif
 bool bus_receive(void *, uint64_t *result, bool *last) { return bus->receive(result, last); }
 void bus_block_results(bool block) { bus->blocked = block; }
 void bus_idle(uint64_t cycles) {

@@ -8,6 +8,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "tree/memory.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -23,6 +25,9 @@ void bus_reset(void);
 bool bus_read(void *context, uint32_t address, uint32_t *value);
 bool bus_write(void *context, uint32_t address, uint32_t value);
 bool bus_send(void *context, const int32_t vertex[3], bool last, bool to_b);
+/* Of a tree engine instead of bus_send: the memory that it reads. */
+void bus_memory(const memory_options *options);
+const memory *bus_attached(void);
 bool bus_receive(void *context, uint64_t *result, bool *last);
 
 /* A write with other byte strobes. */

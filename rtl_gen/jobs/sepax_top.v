@@ -1,0 +1,179 @@
+// Which triangles of body A collide with which of body B, for a list of jobs: pairs of bodies as
+// trees in memory, each with a queue of poses (docs/tree.md). AXI4-Lite starts a batch and reads
+// what it has come to; the AXI4 port reads memory; collisions and the ends of poses leave over
+// AXI4-Stream. @cores@ exact core@plural@ of II = @ii@ judge@verb@ near pairs.
+module sepax_engine (
+  input  wire         clk,           // clock of everything
+  input  wire         rst,           // synchronous reset of control and buses, active high
+  input  wire         s_axi_awvalid, // AXI4-Lite, registers: address to write
+  output wire         s_axi_awready, // taken in this cycle
+  input  wire [6:0]   s_axi_awaddr,  // sepax_registers.md
+  input  wire         s_axi_wvalid,  // data to write
+  output wire         s_axi_wready,  // taken in this cycle
+  input  wire [31:0]  s_axi_wdata,   // data
+  input  wire [3:0]   s_axi_wstrb,   // byte strobes, all 1
+  output wire         s_axi_bvalid,  // response to a write
+  input  wire         s_axi_bready,  // taken in this cycle
+  output wire [1:0]   s_axi_bresp,   // 0: OKAY, 2: SLVERR
+  input  wire         s_axi_arvalid, // address to read
+  output wire         s_axi_arready, // taken in this cycle
+  input  wire [6:0]   s_axi_araddr,  // sepax_registers.md
+  output wire         s_axi_rvalid,  // data that were read
+  input  wire         s_axi_rready,  // taken in this cycle
+  output wire [31:0]  s_axi_rdata,   // data
+  output wire [1:0]   s_axi_rresp,   // 0: OKAY, 2: SLVERR
+  output wire         m_axi_arvalid, // AXI4, memory, read only: ARSIZE 4, ARBURST INCR, one ID
+  input  wire         m_axi_arready, // taken in this cycle
+  output wire [39:0]  m_axi_araddr,  // byte address, a multiple of 16
+  output wire [7:0]   m_axi_arlen,   // beats less 1, 0 ... 15; never across 4 KB
+  input  wire         m_axi_rvalid,  // a beat
+  output wire         m_axi_rready,  // taken in this cycle
+  input  wire [127:0] m_axi_rdata,   // data
+  input  wire [1:0]   m_axi_rresp,   // not 0: error
+  input  wire         m_axi_rlast,   // last of its burst
+  output wire         m_axis_tvalid, // AXI4-Stream, results: a pair, or the end of a pose
+  input  wire         m_axis_tready, // taken in this cycle
+  output wire [63:0]  m_axis_tdata,  // docs/tree.md, Results
+  output wire         m_axis_tlast,  // end of a pose
+  output wire         irq            // interrupt, level: PENDING and ENABLE
+);
+  localparam W = @word@;       // bits of a coordinate
+  localparam ADDRESS = 40; // of a byte address
+
+  // Registers; the batch.
+  wire start, stop, busy, done, send, send_busy, hit;
+  wire [32:0] list;
+  wire [31:0] jobs, job, pose, poses_done, hits, hit_job, hit_pose, batch_cycles;
+  wire [5:0]  status, all_status;
+
+  sepax_registers registers (
+    .clk(clk), .rst(rst), .awvalid(s_axi_awvalid), .awready(s_axi_awready), .awaddr(s_axi_awaddr),
+    .wvalid(s_axi_wvalid), .wready(s_axi_wready), .wdata(s_axi_wdata), .wstrb(s_axi_wstrb),
+    .bvalid(s_axi_bvalid), .bready(s_axi_bready), .bresp(s_axi_bresp), .arvalid(s_axi_arvalid),
+    .arready(s_axi_arready), .araddr(s_axi_araddr), .rvalid(s_axi_rvalid), .rready(s_axi_rready),
+    .rdata(s_axi_rdata), .rresp(s_axi_rresp), .irq(irq), .start(start), .stop(stop), .list(list),
+    .jobs(jobs), .status({25'd0, all_status, busy}), .job(job), .pose(pose), .poses(poses_done),
+    .hits(hits), .hit_job(hit_job), .hit_pose(hit_pose), .cycles(batch_cycles), .done(done),
+    .hit(hit), .ended(send)
+  );
+
+  sepax_tree_counts counts (
+    .clk(clk), .rst(rst), .start(start), .busy(busy), .ended(send), .status(status), .job(job),
+    .pose(pose), .all(all_status), .poses(poses_done), .hits(hits), .hit_job(hit_job),
+    .hit_pose(hit_pose), .cycles(batch_cycles)
+  );
+
+  // Job and pose.
+  wire ask, fetch_busy, fetch_error, read, clear, load_job, load_pose, bad_job, bad_pose;
+  wire run_idle, run_start, run_stop, run_cold, run_done, any, stopped, damaged, run_error, row;
+  wire [ADDRESS-1:0]  ask_address;
+  wire [3:0]          ask_beats, read_beat, beat;
+  wire [127:0]        read_data;
+  wire [ADDRESS-13:0] base_a, base_b;
+  wire [23:0]         nodes_a, nodes_b;
+  wire [31:0]         triangles_a, beats_a, beats_b, count, budget;
+  wire [24:0]         triangles_b;
+  wire [ADDRESS-9:0]  poses;
+  wire [6:0]          modes;
+  wire [26:0]         job_row_a, job_row_b, row_a, row_b, first_row_a, first_row_b;
+  wire [197:0]        matrix_m, matrix_k;
+  wire [131:0]        shift_t, shift_u;
+  wire [71:0]         sigma_a, sigma_b;
+  wire [31:0]         entries, steps, rows, pairs, near, collisions, out_of_range, warnings;
+  wire [31:0]         cycles, first_a;
+  wire [23:0]         first_b;
+
+  sepax_tree_jobs #(.ADDRESS(ADDRESS)) control (
+    .clk(clk), .rst(rst), .start(start), .stop(stop), .list(list), .jobs(jobs), .busy(busy),
+    .done(done), .job(job), .pose(pose), .ask(ask), .ask_address(ask_address),
+    .ask_beats(ask_beats), .fetch_busy(fetch_busy), .fetch_error(fetch_error), .read(read),
+    .read_beat(read_beat), .clear(clear), .load_job(load_job), .load_pose(load_pose), .beat(beat),
+    .bad_job(bad_job), .bad_pose(bad_pose), .poses(poses), .count(count),
+    .modes({modes[6:2], modes[0]}),
+    .job_row_a(job_row_a), .job_row_b(job_row_b), .run_idle(run_idle), .run_start(run_start),
+    .run_stop(run_stop), .run_cold(run_cold), .row(row), .row_a(row_a), .row_b(row_b),
+    .run_done(run_done), .any(any), .undecided(|out_of_range), .stopped(stopped),
+    .damaged(damaged), .run_error(run_error), .first_row_a(first_row_a),
+    .first_row_b(first_row_b), .send(send), .status(status), .send_busy(send_busy)
+  );
+
+  sepax_tree_job #(.ADDRESS(ADDRESS)) of_job (
+    .clk(clk), .clear(clear), .load(load_job), .beat(beat), .data(read_data), .bad(bad_job),
+    .base_a(base_a), .nodes_a(nodes_a), .triangles_a(triangles_a), .beats_a(beats_a),
+    .base_b(base_b), .nodes_b(nodes_b), .triangles_b(triangles_b), .beats_b(beats_b),
+    .poses(poses), .count(count), .modes(modes), .budget(budget), .row_a(job_row_a),
+    .row_b(job_row_b)
+  );
+
+  sepax_tree_pose of_pose (
+    .clk(clk), .clear(clear), .load(load_pose), .beat(beat), .data(read_data), .bad(bad_pose),
+    .matrix_m(matrix_m), .matrix_k(matrix_k), .shift_t(shift_t), .shift_u(shift_u),
+    .sigma_a(sigma_a), .sigma_b(sigma_b)
+  );
+
+  // The engine and the cores.
+  wire engine_arvalid, engine_arready, engine_rvalid, engine_rready;
+  wire [ADDRESS-1:0] engine_araddr;
+  wire [7:0]         engine_arlen;
+  wire pair_valid, pair_ready, pair_outside, in_flight, verdict_valid, verdict_ready;
+  wire verdict_outside, collision, coplanar, warning, result_valid, result_ready;
+  wire result_coplanar, result_outside, result_warning;
+  wire [9*W-1:0] pair_a, pair_b;
+  wire [31:0]    result_a;
+  wire [23:0]    result_b;
+
+  sepax_tree_engine #(
+    .W(W), .MARGIN(@margin@), .ADDRESS(ADDRESS)
+  ) engine (
+    .clk(clk), .rst(rst), .start(run_start), .stop(run_stop), .cold(run_cold), .idle(run_idle),
+    .done(run_done), .hit(hit), .first(modes[0]), .quiet(modes[1]),
+    .budget((|budget) ? budget : 32'hffffffff), .base_a(base_a), .nodes_a(nodes_a),
+    .triangles_a(triangles_a), .beats_a(beats_a), .base_b(base_b), .nodes_b(nodes_b),
+    .triangles_b(triangles_b), .beats_b(beats_b), .matrix_m(matrix_m), .matrix_k(matrix_k),
+    .shift_t(shift_t), .shift_u(shift_u), .sigma_a(sigma_a), .sigma_b(sigma_b), .row(row),
+    .row_leaf_a(row_a[22:0]), .row_leaf_b(row_b[22:0]), .row_a(row_a[26:23]),
+    .row_b(row_b[26:23]), .pair_valid(pair_valid), .pair_ready(pair_ready), .pair_a(pair_a),
+    .pair_b(pair_b), .pair_outside(pair_outside), .verdict_valid(verdict_valid),
+    .verdict_ready(verdict_ready), .collision(collision), .coplanar(coplanar), .warning(warning),
+    .verdict_outside(verdict_outside), .in_flight(in_flight), .result_valid(result_valid),
+    .result_ready(result_ready), .result_a(result_a), .result_b(result_b),
+    .result_coplanar(result_coplanar), .result_outside(result_outside),
+    .result_warning(result_warning), .any(any), .stopped(stopped), .damaged(damaged),
+    .error(run_error), .entries(entries), .steps(steps), .rows(rows), .pairs(pairs), .near(near),
+    .collisions(collisions), .out_of_range(out_of_range), .warnings(warnings), .cycles(cycles),
+    .first_a(first_a), .first_b(first_b), .first_leaf_a(first_row_a[22:0]),
+    .first_leaf_b(first_row_b[22:0]), .first_row_a(first_row_a[26:23]),
+    .first_row_b(first_row_b[26:23]), .arvalid(engine_arvalid), .arready(engine_arready),
+    .araddr(engine_araddr), .arlen(engine_arlen), .rvalid(engine_rvalid), .rready(engine_rready),
+    .rdata(m_axi_rdata), .rresp(m_axi_rresp), .rlast(m_axi_rlast)
+  );
+
+  assign warning = 1'b0; //@ !limits
+  sepax_cores cores (
+    .clk(clk), .rst(rst), .pair_valid(pair_valid), .pair_ready(pair_ready), .pair_a(pair_a),
+    .pair_b(pair_b), .pair_info(pair_outside), .in_flight(in_flight),
+    .warning(warning), //@ limits
+    .collision(collision), .coplanar(coplanar), .verdict_valid(verdict_valid),
+    .verdict_ready(verdict_ready), .verdict_info(verdict_outside)
+  );
+
+  sepax_tree_fetch #(.ADDRESS(ADDRESS)) fetch (
+    .clk(clk), .rst(rst), .ask(ask), .ask_address(ask_address), .ask_beats(ask_beats),
+    .busy(fetch_busy), .error(fetch_error), .read(read), .read_beat(read_beat),
+    .read_data(read_data), .engine_arvalid(engine_arvalid), .engine_arready(engine_arready),
+    .engine_araddr(engine_araddr), .engine_arlen(engine_arlen), .engine_rvalid(engine_rvalid),
+    .engine_rready(engine_rready), .arvalid(m_axi_arvalid), .arready(m_axi_arready),
+    .araddr(m_axi_araddr), .arlen(m_axi_arlen), .rvalid(m_axi_rvalid), .rready(m_axi_rready),
+    .rdata(m_axi_rdata), .rresp(m_axi_rresp), .rlast(m_axi_rlast)
+  );
+
+  sepax_tree_results results (
+    .clk(clk), .rst(rst), .valid(result_valid), .ready(result_ready), .a(result_a), .b(result_b),
+    .coplanar(result_coplanar), .outside(result_outside), .warning(result_warning), .send(send),
+    .status(status), .busy(send_busy), .job(job), .pose(pose), .steps(steps), .cycles(cycles),
+    .near(near), .collisions(collisions), .warnings(warnings), .out_of_range(out_of_range),
+    .pairs(pairs), .rows(rows), .entries(entries), .first_a(first_a), .first_b(first_b),
+    .first_row_a(first_row_a), .first_row_b(first_row_b), .tvalid(m_axis_tvalid),
+    .tready(m_axis_tready), .tdata(m_axis_tdata), .tlast(m_axis_tlast)
+  );
+endmodule

@@ -1,0 +1,60 @@
+// The job that is worked on: it comes in beats (docs/tree.md, Job) and stands until the next one
+// comes.
+module sepax_tree_job #(
+  parameter ADDRESS = 40 // bits of a byte address, 37 ... 63
+) (
+  input  wire                clk,         // clock
+  input  wire                clear,       // another job begins
+  input  wire                load,        // a beat of it is here
+  input  wire [3:0]          beat,        // its number, 0 ... 5
+  input  wire [127:0]        data,        // its 16 bytes, byte 0 lowest
+  output reg                 bad,         // a number was not in its range
+  output reg  [ADDRESS-13:0] base_a,      // A's image / 4096
+  output reg  [23:0]         nodes_a,     // A's nodes
+  output reg  [31:0]         triangles_a, // A's triangles
+  output reg  [31:0]         beats_a,     // size of A's image / 16
+  output reg  [ADDRESS-13:0] base_b,      // B's image / 4096
+  output reg  [23:0]         nodes_b,     // B's nodes
+  output reg  [24:0]         triangles_b, // B's triangles
+  output reg  [31:0]         beats_b,     // size of B's image / 16
+  output reg  [ADDRESS-9:0]  poses,       // address of the first pose / 256
+  output reg  [31:0]         count,       // of poses
+  output reg  [6:0]          modes,       // {LEAVE, WARM, COLD, AGAIN, ROW, QUIET, FIRST}
+  output reg  [31:0]         budget,      // cycles of a pose; 0: none
+  output reg  [26:0]         row_a,       // first row: {a, leaf A}
+  output reg  [26:0]         row_b        // {b, leaf B}
+);
+  wire [63:0] address = data[63:0];
+  wire [31:0] number = data[95:64];
+  wire [31:0] last = data[127:96];
+  wire        beyond = |address[63:ADDRESS];
+  wire        bad_nodes = !(|number) || (|number[31:24]) || (number[23] && (|number[22:0]));
+  reg  [26:0] node_beats; // of the body whose size comes
+  reg         wrong;
+
+  always @(*) begin
+    node_beats = beat[1] ? {nodes_b, 3'd0} : {nodes_a, 3'd0};
+    case (beat)
+      4'd0: wrong = beyond || (|address[11:0]) || bad_nodes || !(|last);
+      4'd2: wrong = beyond || (|address[11:0]) || bad_nodes || !(|last) || (|last[31:25]) ||
+                    (last[24] && (|last[23:0]));
+      4'd1, 4'd3: wrong = {5'd0, node_beats} > data[31:0];
+      4'd4: wrong = beyond || (|address[7:0]) || !(|number) || (|last[31:7]);
+      default: wrong = 1'b0;
+    endcase
+  end
+
+  always @(posedge clk) begin
+    bad <= !clear && (bad || (load && wrong));
+    if (load) begin
+      case (beat)
+        4'd0: {triangles_a, nodes_a, base_a} <= {last, number[23:0], address[ADDRESS-1:12]};
+        4'd1: beats_a <= data[31:0];
+        4'd2: {triangles_b, nodes_b, base_b} <= {last[24:0], number[23:0], address[ADDRESS-1:12]};
+        4'd3: beats_b <= data[31:0];
+        4'd4: {modes, count, poses} <= {last[6:0], number, address[ADDRESS-1:8]};
+        default: {row_b, row_a, budget} <= {last[26:0], number[26:0], data[31:0]};
+      endcase
+    end
+  end
+endmodule

@@ -1,0 +1,67 @@
+// The pose in which a run finds the bodies: it comes in beats (docs/tree.md, Pose) and stands until
+// the next one comes.
+module sepax_tree_pose (
+  input  wire         clk,      // clock
+  input  wire         clear,    // another pose begins
+  input  wire         load,     // a beat of it is here
+  input  wire [3:0]   beat,     // its number, 0 ... 8
+  input  wire [127:0] data,     // its 16 bytes, byte 0 lowest
+  output reg          bad,      // a number was not in its range
+  output reg  [197:0] matrix_m, // M: entry (i, j) at 22 (3 i + j), signed, 2^-20
+  output reg  [197:0] matrix_k, // K
+  output reg  [131:0] shift_t,  // {z, y, x}, signed, 44 bits each, 2^-20 LSB
+  output reg  [131:0] shift_u,  // likewise
+  output reg  [71:0]  sigma_a,  // {z, y, x}, 24 bits each, 2^-10 LSB
+  output reg  [71:0]  sigma_b   // likewise
+);
+  reg  [3:0]  wide_matrix, wide_sigma; // words of the beat that are not in the range of these
+  reg  [1:0]  wide_shift;
+  reg         wrong;
+  integer     k;
+
+  always @(*) begin
+    for (k = 0; k < 4; k = k + 1) begin
+      wide_matrix[k] = data[32*k+31] ? !(&data[32*k+20 +: 11]) :
+                       (|data[32*k+21 +: 10]) || (data[32*k+20] && (|data[32*k +: 20]));
+      wide_sigma[k] = |data[32*k+24 +: 8];
+    end
+    for (k = 0; k < 2; k = k + 1) begin
+      wide_shift[k] = (|data[64*k+43 +: 21]) && !(&data[64*k+43 +: 21]);
+    end
+    case (beat)
+      4'd0, 4'd1, 4'd2: wrong = |wide_shift;
+      4'd3, 4'd4, 4'd5, 4'd6: wrong = |wide_matrix;
+      4'd7: wrong = (|wide_matrix[1:0]) || (|wide_sigma[3:2]);
+      default: wrong = |wide_sigma;
+    endcase
+  end
+
+  always @(posedge clk) begin
+    bad <= !clear && (bad || (load && wrong));
+    if (load) begin
+      case (beat)
+        4'd0: shift_t[87:0] <= {data[107:64], data[43:0]};
+        4'd1: begin
+          shift_t[131:88] <= data[43:0];
+          shift_u[43:0] <= data[107:64];
+        end
+        4'd2: shift_u[131:44] <= {data[107:64], data[43:0]};
+        4'd3: matrix_m[87:0] <= {data[117:96], data[85:64], data[53:32], data[21:0]};
+        4'd4: matrix_m[175:88] <= {data[117:96], data[85:64], data[53:32], data[21:0]};
+        4'd5: begin
+          matrix_m[197:176] <= data[21:0];
+          matrix_k[65:0] <= {data[117:96], data[85:64], data[53:32]};
+        end
+        4'd6: matrix_k[153:66] <= {data[117:96], data[85:64], data[53:32], data[21:0]};
+        4'd7: begin
+          matrix_k[197:154] <= {data[53:32], data[21:0]};
+          sigma_a[47:0] <= {data[119:96], data[87:64]};
+        end
+        default: begin
+          sigma_a[71:48] <= data[23:0];
+          sigma_b <= {data[119:96], data[87:64], data[55:32]};
+        end
+      endcase
+    end
+  end
+endmodule

@@ -1,0 +1,75 @@
+// Sends the pairs of a run and its end by AXI4-Stream, 64 bits (docs/tree.md, Results).
+module sepax_tree_results (
+  input  wire        clk,          // clock
+  input  wire        rst,          // synchronous reset, active high
+  input  wire        valid,        // a pair of the run
+  output wire        ready,        // it is taken
+  input  wire [31:0] a,            // number of A's triangle
+  input  wire [23:0] b,            // of B's
+  input  wire        coplanar,     // they are in one plane
+  input  wire        outside,      // out of range
+  input  wire        warning,      // in the band of warnings
+  input  wire        send,         // the run has ended: send its end
+  input  wire [5:0]  status,       // with send: {REFUSED, BUS, DAMAGED, STOPPED, OUT_OF_RANGE, HIT}
+  output wire        busy,         // its end has not gone; what follows stands meanwhile
+  input  wire [31:0] job,          // number of the job
+  input  wire [31:0] pose,         // number of the pose
+  input  wire [31:0] steps,        // counters
+  input  wire [31:0] cycles,       // clock cycles
+  input  wire [31:0] near,         // near pairs
+  input  wire [31:0] collisions,   // of these, pairs that collide
+  input  wire [31:0] warnings,     // of these, in the band of warnings
+  input  wire [31:0] out_of_range, // of the collisions, undecided
+  input  wire [31:0] pairs,        // pairs that were tested
+  input  wire [31:0] rows,         // rows
+  input  wire [31:0] entries,      // entries
+  input  wire [31:0] first_a,      // FIRST: A's triangle
+  input  wire [23:0] first_b,      // B's triangle
+  input  wire [26:0] first_row_a,  // {a, leaf A}
+  input  wire [26:0] first_row_b,  // {b, leaf B}
+  output reg         tvalid,       // a transfer
+  input  wire        tready,       // it is taken
+  output reg  [63:0] tdata,        // its data
+  output reg         tlast         // the last of a pose
+);
+  reg         ending_q;
+  reg  [5:0]  status_q;
+  reg  [2:0]  number_q; // of the transfer of the end that comes next
+  reg  [63:0] shown;
+  wire        free = !tvalid || tready;
+
+  assign ready = free;
+  assign busy = ending_q || tvalid;
+
+  always @(*) begin
+    case (number_q)
+      3'd0: shown = {1'b1, 25'd0, status_q, steps};
+      3'd1: shown = {pose, job};
+      3'd2: shown = {near, cycles};
+      3'd3: shown = {warnings, collisions};
+      3'd4: shown = {pairs, out_of_range};
+      3'd5: shown = {entries, rows};
+      3'd6: shown = {8'd0, first_b, first_a};
+      default: shown = {5'd0, first_row_b, 5'd0, first_row_a};
+    endcase
+  end
+
+  always @(posedge clk) begin
+    if (rst) begin
+      {ending_q, tvalid, number_q} <= 5'd0;
+    end else begin
+      ending_q <= send || (ending_q && !(free && (&number_q)));
+      if (free) begin
+        tvalid <= valid || ending_q;
+        number_q <= ending_q ? number_q + 3'd1 : 3'd0;
+      end
+    end
+    if (send) begin
+      status_q <= status;
+    end
+    if (free) begin
+      tlast <= ending_q && (&number_q);
+      tdata <= ending_q ? shown : {5'd0, warning, outside, coplanar, b, a};
+    end
+  end
+endmodule
