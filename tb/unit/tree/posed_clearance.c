@@ -1,5 +1,5 @@
-/* tree_clearance.c - what the walk calls free is free for the real bodies in the real pose: against
- * exact distances. TREE_NEAR: how many near pairs. */
+/* posed_clearance.c - what the walk calls free is free for the real bodies in the real pose:
+ * against exact distances. TREE_NEAR: how many near pairs. */
 #include "oracle/distance.h"
 #include "oracle/real_pairs.h"
 #include "unit/tree/scenes.h"

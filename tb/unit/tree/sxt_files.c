@@ -1,4 +1,4 @@
-/* tree_file.c - trees as the format says, files that give them back, and damaged ones that do not:
+/* sxt_files.c - trees as the format says, files that give them back, and damaged ones that do not:
  * SEPAX_COUNT: how many damaged trees are walked. */
 #include "tree/build.h"
 #include "tree/tree.h"
