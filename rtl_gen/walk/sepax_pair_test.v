@@ -1,0 +1,46 @@
+// Is a pair near? low_b - high_a <= MARGIN and low_a - high_b <= MARGIN on each axis. Which side of
+// the AABB of both is the thinnest? Latency 1 to `near`, 1 more to `turn`.
+module sepax_pair_test #(
+  parameter W = 18,    // bits of a coordinate, 4 ... 21
+  parameter MARGIN = 0 // largest gap of a near pair, 0 ... 2^(W-1)
+) (
+  input  wire            clk,   // clock
+  input  wire [6*W-1:0]  box_a, // {high, low} of A, z highest
+  input  wire [6*W+11:0] box_b, // of B, W + 2 bits each
+  output reg             near,  // they are
+  output wire [1:0]      turn   // one-hot: the core gets (y, z, x); (z, x, y); 0: (x, y, z)
+);
+  localparam V = W + 2;
+  localparam [V:0] GAP = MARGIN;
+  wire [2:0]     apart;
+  reg  [3*W-1:0] side_q;
+  wire [W-1:0]   side_x = side_q[0*W +: W], side_y = side_q[1*W +: W], side_z = side_q[2*W +: W];
+  wire           is_z = (side_z <= side_x) && (side_z <= side_y);
+
+  assign turn[0] = !is_z && (side_x <= side_y);
+  assign turn[1] = !is_z && !(side_x <= side_y);
+
+  genvar k;
+  generate
+    for (k = 0; k < 3; k = k + 1) begin : axis
+      wire signed [V-1:0] low_a = {{2{box_a[W*k+W-1]}}, box_a[W*k +: W]};
+      wire signed [V-1:0] high_a = {{2{box_a[3*W+W*k+W-1]}}, box_a[3*W+W*k +: W]};
+      wire signed [V-1:0] low_b = box_b[V*k +: V];
+      wire signed [V-1:0] high_b = box_b[3*V+V*k +: V];
+      wire signed [V:0]   lower_b = {low_b[V-1], low_b} - GAP;
+      wire signed [V:0]   higher_b = {high_b[V-1], high_b} + GAP;
+      wire [W-1:0]        low = (low_b < low_a) ? low_b[W-1:0] : low_a[W-1:0];
+      wire [W-1:0]        high = (high_b > high_a) ? high_b[W-1:0] : high_a[W-1:0];
+      assign apart[k] = (lower_b > $signed({high_a[V-1], high_a})) ||
+                        ($signed({low_a[V-1], low_a}) > higher_b);
+      // Right where B is within W bits.
+      always @(posedge clk) begin
+        side_q[W*k +: W] <= high - low;
+      end
+    end
+  endgenerate
+
+  always @(posedge clk) begin
+    near <= !(|apart);
+  end
+endmodule

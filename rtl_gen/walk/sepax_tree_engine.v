@@ -1,0 +1,261 @@
+// Which triangles of two bodies collide in one pose of B (docs/tree.md, Engine): two trees in
+// external memory, read by AXI4, are walked at once; near pairs go to exact cores beside this
+// module, verdicts come back. All inputs of a run but start and stop stand from start to done.
+module sepax_tree_engine #(
+  parameter W = 18,        // bits of a coordinate, 4 ... 21
+  parameter MARGIN = 0,    // largest gap of a near pair, 0 ... 2^(W-1)
+  parameter FULL = 0,      // 1: a box is turned in each cycle; 0: in two
+  parameter FLIGHT = 5,    // log2 of the pairs that may be in the cores
+  parameter ADDRESS = 40,  // bits of a byte address, 37 ... 64
+  parameter STACK = 10,    // log2 of the entries of the stack, 9 or more
+  parameter LINE = 5,      // log2 of the entries of the line, 2 or more
+  parameter NODE_SETS = 4, // log2 of the sets of 4 nodes a body
+  parameter LEAF_SETS = 1  // log2 of the sets of 4 leaves a body
+) (
+  input  wire               clk,             // clock
+  input  wire               rst,             // synchronous reset, active high; AXI's, too
+  // a run
+  input  wire               start,           // a run begins; only while idle
+  input  wire               stop,            // it is to end
+  input  wire               cold,            // with start: the caches forget what they have
+  output wire               idle,            // a run may begin
+  output wire               done,            // a pulse: the run has ended
+  output wire               hit,             // a pulse: its first collision
+  input  wire               first,           // it is to end at its first collision
+  input  wire               quiet,           // no results are sent
+  input  wire [31:0]        budget,          // it is to end after so many cycles, 1 or more
+  // bodies
+  input  wire [ADDRESS-13:0] base_a,         // address of A's image / 4096
+  input  wire [23:0]        nodes_a,         // its nodes
+  input  wire [31:0]        triangles_a,     // its triangles
+  input  wire [31:0]        beats_a,         // its beats
+  input  wire [ADDRESS-13:0] base_b,         // address of B's image / 4096
+  input  wire [23:0]        nodes_b,         // its nodes
+  input  wire [24:0]        triangles_b,     // its triangles
+  input  wire [31:0]        beats_b,         // its beats
+  // pose
+  input  wire [197:0]       matrix_m,        // M, entry (i, j) at 22 (3 i + j)
+  input  wire [197:0]       matrix_k,        // K
+  input  wire [131:0]       shift_t,         // t, {z, y, x}
+  input  wire [131:0]       shift_u,         // u
+  input  wire [71:0]        sigma_a,         // sigma_A, {z, y, x}
+  input  wire [71:0]        sigma_b,         // sigma_B
+  // a first row
+  input  wire               row,             // one is given
+  input  wire [22:0]        row_leaf_a,      // its leaf of A
+  input  wire [22:0]        row_leaf_b,      // its leaf of B
+  input  wire [3:0]         row_a,           // its child a
+  input  wire [3:0]         row_b,           // its child b
+  // to the cores, and back
+  output wire               pair_valid,      // a near pair
+  input  wire               pair_ready,      // it is taken
+  output wire [9*W-1:0]     pair_a,          // {z, y, x of vertex 2, of 1, of 0}, z the thinnest
+  output wire [9*W-1:0]     pair_b,          // the same
+  output wire               pair_outside,    // out of range
+  input  wire               in_flight,       // pairs are in the cores
+  input  wire               verdict_valid,   // a verdict, in the order of the pairs
+  output wire               verdict_ready,   // it is taken
+  input  wire               collision,       // the triangles collide
+  input  wire               coplanar,        // they are in one plane
+  input  wire               warning,         // in the band of warnings
+  input  wire               verdict_outside, // pair_outside of the pair
+  // results
+  output wire               result_valid,    // a result
+  input  wire               result_ready,    // it is taken
+  output wire [31:0]        result_a,        // number of A's triangle
+  output wire [23:0]        result_b,        // of B's
+  output wire               result_coplanar, // they are in one plane
+  output wire               result_outside,  // out of range
+  output wire               result_warning,  // no collision but a warning
+  // status and counters
+  output wire               any,             // a collision was found
+  output wire               stopped,         // the run was ended
+  output wire               damaged,         // a node or triangle is damaged
+  output wire               error,           // the memory answered with an error
+  output wire [31:0]        entries,         // entries finished
+  output wire [31:0]        steps,           // boxes turned
+  output wire [31:0]        rows,            // rows
+  output wire [31:0]        pairs,           // pairs tested
+  output wire [31:0]        near,            // verdicts
+  output wire [31:0]        collisions,      // of these collisions, or out of range
+  output wire [31:0]        out_of_range,    // of these out of range
+  output wire [31:0]        warnings,        // verdicts in the band of warnings
+  output wire [31:0]        cycles,          // from start to done
+  output wire [31:0]        first_a,         // first collision: A's triangle
+  output wire [23:0]        first_b,         // B's
+  output wire [22:0]        first_leaf_a,    // its leaf
+  output wire [22:0]        first_leaf_b,    // B's
+  output wire [3:0]         first_row_a,     // the child a
+  output wire [3:0]         first_row_b,     // the child b
+  // AXI4, 128 bits, read only: ARSIZE 4, ARBURST INCR, one ID
+  output wire               arvalid,         // an address
+  input  wire               arready,         // it is taken
+  output wire [ADDRESS-1:0] araddr,          // byte address, a multiple of 16
+  output wire [7:0]         arlen,           // beats less 1, 0 ... 15
+  input  wire               rvalid,          // a beat
+  output wire               rready,          // it is taken
+  input  wire [127:0]       rdata,           // its data
+  input  wire [1:0]         rresp,           // not 0: error
+  input  wire               rlast            // the last of its burst
+);
+  localparam SLOT = NODE_SETS + 2;      // bits of a slot of a node
+  localparam LEAF_SLOT = LEAF_SETS + 2; // of a leaf
+  localparam INFO = 102;                // bits that go with a pair of leaves
+  wire                 drop, memory_idle;
+  wire                 clear = rst || drop;
+  wire [395:0]         matrix = {matrix_k, matrix_m};
+
+  // --------------------------------------------------------------------- walk
+  wire                 walk_over, walk_damaged, walk_error;
+  wire                 node_in_valid, node_in_ready, node_out_valid, node_out_ready;
+  wire                 node_out_error, node_release, head_read;
+  wire [63:0]          node_in, node_out;
+  wire [SLOT-1:0]      node_out_a, node_out_b;
+  wire [1023:0]        node_a, node_b;
+  wire                 in_valid, in_ready, in_side;
+  wire [15:0]          in_mask;
+  wire [SLOT-1:0]      in_a, in_b;
+  wire                 out_valid, out_ready, out_last, unused_side, out_columns, out_leaves;
+  wire [3:0]           out_index;
+  wire [15:0]          out_mask;
+  wire [SLOT-1:0]      unused_a, unused_b;
+  wire                 leaf_in_valid, leaf_in_ready;
+  wire [31:0]          leaf_in_a, leaf_in_b;
+  wire [3:0]           leaf_in_beats_a, leaf_in_beats_b;
+  wire [INFO-1:0]      leaf_in_info;
+  wire                 row_valid, row_ready, row_last;
+  wire [3:0]           row_child;
+  wire [15:0]          row_mask;
+  wire                 entry_counted, row_counted, pair_counted;
+  wire [4:0]           steps_counted;
+
+  sepax_tree_walk #(.STACK(STACK), .LINE(LINE), .SLOT(SLOT)) walk (
+    .clk(clk), .start(start), .clear(clear), .over(walk_over), .damaged(walk_damaged),
+    .error(walk_error), .nodes_a(nodes_a), .triangles_a(triangles_a), .beats_a(beats_a),
+    .nodes_b(nodes_b), .triangles_b(triangles_b), .beats_b(beats_b), .row(row),
+    .row_leaf_a(row_leaf_a), .row_leaf_b(row_leaf_b), .row_a(row_a), .row_b(row_b),
+    .node_in_valid(node_in_valid), .node_in_ready(node_in_ready), .node_in(node_in),
+    .node_out_valid(node_out_valid), .node_out_ready(node_out_ready), .node_out(node_out),
+    .node_out_a(node_out_a), .node_out_b(node_out_b), .node_out_error(node_out_error),
+    .node_release(node_release), .head_read(head_read), .head_a(node_a[255:0]),
+    .head_b(node_b[255:0]), .in_valid(in_valid), .in_ready(in_ready), .in_side(in_side),
+    .in_mask(in_mask), .in_a(in_a), .in_b(in_b), .out_valid(out_valid), .out_ready(out_ready),
+    .out_last(out_last), .out_columns(out_columns), .out_leaves(out_leaves),
+    .out_index(out_index), .out_mask(out_mask), .leaf_in_valid(leaf_in_valid),
+    .leaf_in_ready(leaf_in_ready), .leaf_in_a(leaf_in_a), .leaf_in_beats_a(leaf_in_beats_a),
+    .leaf_in_b(leaf_in_b), .leaf_in_beats_b(leaf_in_beats_b), .leaf_in_info(leaf_in_info),
+    .row_valid(row_valid), .row_ready(row_ready), .row_last(row_last), .row_child(row_child),
+    .row_mask(row_mask), .entry_counted(entry_counted), .steps_counted(steps_counted),
+    .row_counted(row_counted)
+  );
+
+  // ------------------------------------------- compare; the turner, also of the pairs
+  wire                 boxes_read_a, boxes_read_b;
+  wire [SLOT-1:0]      boxes_slot_a, boxes_slot_b;
+  wire                 setup_turn, setup_side, rows_turn, rows_damaged;
+  wire [3*W-1:0]       setup_point, setup_origin, rows_point;
+  wire [134:0]         turned;
+  reg  [2:0]           setup_q, rows_q, damaged_q; // what is turned is of set-up, of rows
+
+  sepax_tree_compare #(.W(W), .FULL(FULL), .SLOT(SLOT)) compare (
+    .clk(clk), .rst(rst), .drop(drop), .matrix(matrix), .sigma({sigma_b, sigma_a}),
+    .in_valid(in_valid), .in_ready(in_ready), .in_side(in_side), .in_mask(in_mask), .in_a(in_a),
+    .in_b(in_b), .head_a(node_a[255:0]), .head_b(node_b[255:0]), .boxes_read_a(boxes_read_a),
+    .boxes_read_b(boxes_read_b), .boxes_slot_a(boxes_slot_a), .boxes_slot_b(boxes_slot_b),
+    .boxes_a(node_a[1023:256]), .boxes_b(node_b[1023:256]), .turn_valid(setup_turn),
+    .turn_ready(1'b1), .turn_side(setup_side), .turn_point(setup_point),
+    .turn_origin(setup_origin), .turned_valid(setup_q[2]), .turned(turned),
+    .out_valid(out_valid), .out_ready(out_ready), .out_last(out_last), .out_side(unused_side),
+    .out_columns(out_columns), .out_leaves(out_leaves), .out_index(out_index),
+    .out_mask(out_mask), .out_a(unused_a), .out_b(unused_b)
+  );
+  sepax_turn_vertex #(.W(W)) turner (
+    .clk(clk), .matrix(matrix), .shift({shift_u, shift_t}), .side(setup_turn && setup_side),
+    .point(setup_turn ? setup_point : rows_point),
+    .origin(setup_origin & {(3*W){setup_turn}}), .sum(turned)
+  );
+
+  always @(posedge clk) begin
+    if (clear) begin
+      {setup_q, rows_q} <= 6'd0;
+    end else begin
+      setup_q <= {setup_q[1:0], setup_turn};
+      rows_q <= {rows_q[1:0], rows_turn && !setup_turn};
+    end
+    damaged_q <= {damaged_q[1:0], rows_damaged};
+  end
+
+  // -------------------------------------------------------------------- pairs
+  wire                 leaf_out_valid, leaf_out_ready, leaf_out_error, leaf_release;
+  wire [LEAF_SLOT-1:0] leaf_out_a, leaf_out_b;
+  wire [INFO-1:0]      leaf_out_info;
+  wire                 triangle_read_a, triangle_read_b;
+  wire [LEAF_SLOT+3:0] triangle_slot_a, triangle_slot_b;
+  wire [9*W:0]         triangle_a, triangle_b;
+  wire                 pairs_damaged, pairs_error, pairs_busy;
+  wire                 near_valid, launch_free;
+  wire [INFO+7:0]      launched_info;
+
+  assign pair_valid = near_valid && launch_free;
+
+  sepax_tree_pairs #(.W(W), .MARGIN(MARGIN), .SLOT(LEAF_SLOT), .ROWS(6), .INFO(INFO)) machine (
+    .clk(clk), .clear(clear), .damaged(pairs_damaged), .error(pairs_error), .busy(pairs_busy),
+    .row_valid(row_valid), .row_ready(row_ready), .row_last(row_last), .row_child(row_child),
+    .row_mask(row_mask), .leaf_out_valid(leaf_out_valid), .leaf_out_ready(leaf_out_ready),
+    .leaf_out_a(leaf_out_a), .leaf_out_b(leaf_out_b), .leaf_out_info(leaf_out_info),
+    .leaf_out_error(leaf_out_error), .leaf_release(leaf_release),
+    .triangle_read_a(triangle_read_a), .triangle_slot_a(triangle_slot_a),
+    .triangle_a(triangle_a), .triangle_read_b(triangle_read_b),
+    .triangle_slot_b(triangle_slot_b), .triangle_b(triangle_b), .turn_valid(rows_turn),
+    .turn_ready(!setup_turn), .turn_point(rows_point), .turn_damaged(rows_damaged),
+    .turned_valid(rows_q[2]), .turned(turned), .turned_damaged(damaged_q[2]),
+    .pair_valid(near_valid), .pair_ready(pair_ready && launch_free), .pair_a(pair_a),
+    .pair_b(pair_b), .pair_outside(pair_outside), .pair_info(launched_info),
+    .pair_counted(pair_counted)
+  );
+  sepax_tree_results #(.FLIGHT(FLIGHT)) results (
+    .clk(clk), .rst(rst), .start(start), .stop(stop), .first(first), .quiet(quiet),
+    .budget(budget), .idle(idle), .drop(drop), .done(done), .hit(hit), .walk_over(walk_over),
+    .walk_damaged(walk_damaged), .walk_error(walk_error), .pairs_busy(pairs_busy),
+    .pairs_damaged(pairs_damaged), .pairs_error(pairs_error), .memory_idle(memory_idle),
+    .entry_counted(entry_counted), .steps_counted(steps_counted), .row_counted(row_counted),
+    .pair_counted(pair_counted), .launched(pair_valid && pair_ready),
+    .launch_free(launch_free), .launched_info(launched_info), .in_flight(in_flight),
+    .verdict_valid(verdict_valid), .verdict_ready(verdict_ready), .collision(collision),
+    .coplanar(coplanar), .warning(warning), .outside(verdict_outside),
+    .result_valid(result_valid), .result_ready(result_ready), .result_a(result_a),
+    .result_b(result_b), .result_coplanar(result_coplanar), .result_outside(result_outside),
+    .result_warning(result_warning), .any(any), .stopped(stopped), .damaged(damaged),
+    .error(error), .entries(entries), .steps(steps), .rows(rows), .pairs(pairs), .near(near),
+    .collisions(collisions), .out_of_range(out_of_range), .warnings(warnings), .cycles(cycles),
+    .first_a(first_a), .first_b(first_b), .first_leaf_a(first_leaf_a),
+    .first_leaf_b(first_leaf_b), .first_row_a(first_row_a), .first_row_b(first_row_b)
+  );
+
+  // ------------------------------------------------------------------- memory
+  sepax_tree_memory #(
+    .W(W), .ADDRESS(ADDRESS), .NODE_INFO(64), .LEAF_INFO(INFO), .NODE_SETS(NODE_SETS),
+    .LEAF_SETS(LEAF_SETS), .NODE_WINDOW(LINE), .LEAF_WINDOW(3), .OPEN(4)
+  ) memory (
+    .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop), .idle(memory_idle),
+    .base_a(base_a), .base_b(base_b), .node_in_valid(node_in_valid),
+    .node_in_ready(node_in_ready), .node_in_a(node_in[45:23]), .node_in_b(node_in[22:0]),
+    .node_in_info(node_in), .node_out_valid(node_out_valid), .node_out_ready(node_out_ready),
+    .node_out_a(node_out_a), .node_out_b(node_out_b), .node_out_info(node_out),
+    .node_out_error(node_out_error), .node_release(node_release), .head_read_a(head_read),
+    .head_slot_a(node_out_a), .node_read_a(boxes_read_a), .node_slot_a(boxes_slot_a),
+    .node_a(node_a), .head_read_b(head_read), .head_slot_b(node_out_b),
+    .node_read_b(boxes_read_b), .node_slot_b(boxes_slot_b), .node_b(node_b),
+    .leaf_in_valid(leaf_in_valid), .leaf_in_ready(leaf_in_ready), .leaf_in_a(leaf_in_a),
+    .leaf_in_beats_a(leaf_in_beats_a), .leaf_in_b(leaf_in_b),
+    .leaf_in_beats_b(leaf_in_beats_b), .leaf_in_info(leaf_in_info),
+    .leaf_out_valid(leaf_out_valid), .leaf_out_ready(leaf_out_ready), .leaf_out_a(leaf_out_a),
+    .leaf_out_b(leaf_out_b), .leaf_out_info(leaf_out_info), .leaf_out_error(leaf_out_error),
+    .leaf_release(leaf_release), .triangle_read_a(triangle_read_a),
+    .triangle_slot_a(triangle_slot_a), .triangle_a(triangle_a),
+    .triangle_read_b(triangle_read_b), .triangle_slot_b(triangle_slot_b),
+    .triangle_b(triangle_b), .arvalid(arvalid), .arready(arready), .araddr(araddr),
+    .arlen(arlen), .rvalid(rvalid), .rready(rready), .rdata(rdata), .rresp(rresp),
+    .rlast(rlast)
+  );
+endmodule

@@ -1,0 +1,227 @@
+// Pairs of triangles of rows (docs/tree.md, Pair): B's triangle is turned, each of A's in the mask
+// is tested against it, one a cycle, from 0 to 15; near pairs go to the cores through a queue of
+// 16, z the thinnest side.
+module sepax_tree_pairs #(
+  parameter W = 18,     // bits of a coordinate, 4 ... 21
+  parameter MARGIN = 0, // largest gap of a near pair
+  parameter SLOT = 3,   // bits of a slot of the leaf buffers
+  parameter ROWS = 6,   // log2 of the rows that wait
+  parameter INFO = 102  // bits that go with a pair of leaves
+) (
+  input  wire             clk,             // clock
+  input  wire             clear,           // drop everything
+  output reg              damaged,         // a triangle is: no pair from it on
+  output wire             error,           // leaves came with an error: no pair of them
+  output wire             busy,            // rows or pairs are under way
+  // rows in
+  input  wire             row_valid,       // a row, or with mask 0 the end of those of the leaves
+  output wire             row_ready,       // it is taken
+  input  wire             row_last,        // the end
+  input  wire [3:0]       row_child,       // b
+  input  wire [15:0]      row_mask,        // of A's triangles
+  // leaves
+  input  wire             leaf_out_valid,  // the oldest pair of leaves is here, or an error
+  output wire             leaf_out_ready,  // it is taken
+  input  wire [SLOT-1:0]  leaf_out_a,      // slot of A's leaf
+  input  wire [SLOT-1:0]  leaf_out_b,      // slot of B's leaf
+  input  wire [INFO-1:0]  leaf_out_info,   // what goes with it
+  input  wire             leaf_out_error,  // one of the leaves is not here
+  output wire             leaf_release,    // the oldest pair is done with
+  output wire             triangle_read_a, // read a triangle of A
+  output wire [SLOT+3:0]  triangle_slot_a, // {slot of its leaf, its number there}
+  input  wire [9*W:0]     triangle_a,      // {damaged, its vertices}, from the next cycle on
+  output wire             triangle_read_b, // read a triangle of B
+  output wire [SLOT+3:0]  triangle_slot_b, // {slot of its leaf, its number there}
+  input  wire [9*W:0]     triangle_b,      // {damaged, its vertices}
+  // vertices to be turned, and turned
+  output wire             turn_valid,      // a vertex
+  input  wire             turn_ready,      // it is taken
+  output wire [3*W-1:0]   turn_point,      // {z, y, x}
+  output wire             turn_damaged,    // its triangle is damaged
+  input  wire             turned_valid,    // one is turned
+  input  wire [134:0]     turned,          // sums
+  input  wire             turned_damaged,  // its triangle is damaged
+  // near pairs
+  output wire             pair_valid,      // a near pair
+  input  wire             pair_ready,      // it is taken
+  output wire [9*W-1:0]   pair_a,          // {z, y, x of vertex 2, of 1, of 0}
+  output wire [9*W-1:0]   pair_b,          // the same
+  output wire             pair_outside,    // a coordinate of B is beyond W bits
+  output wire [INFO+7:0]  pair_info,       // {of the leaves, b, a}
+  output wire             pair_counted     // a pair is tested
+);
+  localparam WORD = 18 * W + INFO + 9; // of the queue
+  localparam [ROWS:0] ROW = 1;
+
+  // --------------------------------------------------------------------- rows
+  reg  [ROWS:0]     rows_q;       // rows that wait
+  wire              row_free, more, take_row, more_last, rows_busy;
+  wire [3:0]        more_child;
+  wire [15:0]       more_mask;
+  wire              next_valid, next, next_last;
+  wire [3:0]        next_child;
+  wire [15:0]       next_mask;
+  wire [SLOT-1:0]   next_slot;
+  wire              box_read, vertices_read, info_read;
+  wire [6*W+13:0]   box;
+  wire [9*W-1:0]    vertices;
+  wire [INFO-1:0]   info;
+  wire              push_row = row_valid && row_ready;
+  wire              pop_row = more && take_row;
+
+  assign row_ready = row_free;
+
+  sepax_ram_fifo #(.WIDTH(21), .ADDRESS(ROWS)) row_queue (
+    .clk(clk), .clear(clear), .push(push_row), .in({row_last, row_child, row_mask}),
+    .free(row_free), .valid(more), .pop(pop_row), .out({more_last, more_child, more_mask})
+  );
+  sepax_tree_rows #(.W(W), .SLOT(SLOT), .INFO(INFO)) rows (
+    .clk(clk), .clear(clear), .error(error), .busy(rows_busy), .in_valid(more),
+    .in_ready(take_row), .in_last(more_last), .in_child(more_child), .in_mask(more_mask),
+    .leaf_out_valid(leaf_out_valid), .leaf_out_ready(leaf_out_ready), .leaf_out_a(leaf_out_a),
+    .leaf_out_b(leaf_out_b), .leaf_out_info(leaf_out_info), .leaf_out_error(leaf_out_error),
+    .triangle_read_b(triangle_read_b), .triangle_slot_b(triangle_slot_b),
+    .triangle_b(triangle_b), .turn_valid(turn_valid), .turn_ready(turn_ready),
+    .turn_point(turn_point), .turn_damaged(turn_damaged), .turned_valid(turned_valid),
+    .turned(turned), .turned_damaged(turned_damaged), .out_valid(next_valid), .out_ready(next),
+    .out_last(next_last), .out_child(next_child), .out_mask(next_mask), .out_slot(next_slot),
+    .box_read(box_read), .box(box), .vertices_read(vertices_read), .vertices(vertices),
+    .info_read(info_read), .info(info)
+  );
+
+  // ------------------------------------------------------- a pair of a row a cycle
+  reg  [15:0]       mask_q;       // pairs of the row that are left
+  reg  [3:0]        child_q;
+  reg  [SLOT-1:0]   slot_q;
+  reg               last_q, first_q, leaf_q; // last of its leaves; first pair of the row, of them
+  reg  [4:0]        room_q;       // places of the queue that pairs may still take
+  wire [15:0]       lowest = mask_q & (~mask_q + 16'd1);
+  wire [15:0]       others = mask_q & ~lowest;
+  wire              issue = (|mask_q) && (|room_q) && !damaged;
+  wire              row_done = issue && !(|others);
+  wire [3:0]        a = {
+    |(lowest & 16'hff00), |(lowest & 16'hf0f0), |(lowest & 16'hcccc), |(lowest & 16'haaaa)
+  };
+
+  assign next = next_valid && (row_done || !(|mask_q)) && !damaged;
+  assign triangle_read_a = issue;
+  assign triangle_slot_a = {slot_q, a};
+  assign box_read = issue && first_q;
+  assign leaf_release = (row_done && last_q) || (next && !(|next_mask));
+  assign pair_counted = issue;
+
+  // ---------------------------- its vertices; AABB of A; test; thinnest side and queue
+  reg               valid_q, valid_q2, valid_q3;
+  reg  [3:0]        a_q, a_q2, child_q1, child_q2;
+  reg               first_q1, leaf_q1, damaged_q2;
+  reg  [9*W-1:0]    triangle_q2;
+  reg  [6*W-1:0]    box_a_q2;
+  reg  [6*W+13:0]   box_q2;
+  wire [6*W-1:0]    box_a;
+  wire              near, commit;
+  wire [1:0]        turn, turn_out;
+  wire              spoilt = valid_q2 && (damaged_q2 || box_q2[6*W+13]);
+
+  assign vertices_read = valid_q && first_q1;
+  assign info_read = valid_q && leaf_q1;
+  assign commit = valid_q3 && near;
+
+  genvar k;
+  generate
+    for (k = 0; k < 3; k = k + 1) begin : axis
+      sepax_bounds #(.W(W)) bounds_a (
+        .x_1(triangle_a[W*k +: W]), .x_2(triangle_a[W*(k+3) +: W]),
+        .x_3(triangle_a[W*(k+6) +: W]), .low(box_a[W*k +: W]), .high(box_a[W*(k+3) +: W])
+      );
+    end
+  endgenerate
+  sepax_pair_test #(.W(W), .MARGIN(MARGIN)) test (
+    .clk(clk), .box_a(box_a_q2), .box_b(box_q2[6*W+11:0]), .near(near), .turn(turn)
+  );
+
+  // -------------------------------------------------------------------- queue
+  reg  [3:0]        tail_q, head_q;
+  reg  [4:0]        count_q;      // pairs in the memory
+  reg               out_q;        // what it read last is a pair
+  wire [3:0]        tail = tail_q + {3'd0, commit};
+  wire              take = pair_valid && pair_ready;
+  wire              read = (|count_q) && (!out_q || take);
+  wire [9*W-1:0]    out_a, out_b;
+
+  assign pair_valid = out_q;
+  assign busy = ((|rows_q) && !error && !damaged) || (rows_busy && !damaged) || (|mask_q) ||
+                valid_q || valid_q2 || valid_q3 || (|count_q) || out_q;
+
+  // A pair is written before it is known whether it is near; its place counts from then on.
+  sepax_ram #(.WIDTH(WORD), .ADDRESS(4)) queue (
+    .clk(clk), .write(valid_q2), .write_address(tail),
+    .write_data({info, child_q2, a_q2, box_q2[6*W+12], vertices, triangle_q2}), .read(read),
+    .read_address(head_q), .read_data({pair_info, pair_outside, out_b, out_a})
+  );
+  sepax_ram #(.WIDTH(2), .ADDRESS(4)) turns (
+    .clk(clk), .write(commit), .write_address(tail_q), .write_data(turn), .read(read),
+    .read_address(head_q), .read_data(turn_out)
+  );
+  generate
+    for (k = 0; k < 9; k = k + 1) begin : coordinate
+      localparam ONE = (k % 3 == 2) ? k - 2 : k + 1;
+      localparam TWO = (k % 3 == 0) ? k + 2 : k - 1;
+      assign pair_a[W*k +: W] = turn_out[0] ? out_a[W*ONE +: W] :
+                                turn_out[1] ? out_a[W*TWO +: W] : out_a[W*k +: W];
+      assign pair_b[W*k +: W] = turn_out[0] ? out_b[W*ONE +: W] :
+                                turn_out[1] ? out_b[W*TWO +: W] : out_b[W*k +: W];
+    end
+  endgenerate
+
+  always @(posedge clk) begin
+    if (clear) begin
+      rows_q <= {(ROWS+1){1'b0}};
+      mask_q <= 16'd0;
+      leaf_q <= 1'b1;
+      {valid_q, valid_q2, valid_q3, damaged, out_q} <= 5'd0;
+      room_q <= 5'd16;
+      {tail_q, head_q} <= 8'd0;
+      count_q <= 5'd0;
+    end else begin
+      rows_q <= rows_q + (push_row ? ROW : {(ROWS+1){1'b0}}) -
+                (pop_row ? ROW : {(ROWS+1){1'b0}});
+      if (spoilt || damaged) begin
+        mask_q <= 16'd0;
+      end else if (next) begin
+        mask_q <= next_mask;
+      end else if (issue) begin
+        mask_q <= others;
+      end
+      if (issue) begin
+        leaf_q <= 1'b0;
+      end
+      if (leaf_release) begin
+        leaf_q <= 1'b1;
+      end
+      damaged <= damaged || spoilt;
+      valid_q <= issue && !spoilt;
+      valid_q2 <= valid_q && !spoilt && !damaged;
+      valid_q3 <= valid_q2 && !spoilt && !damaged;
+      room_q <= room_q - {4'd0, issue} + {4'd0, valid_q3 && !near} + {4'd0, read};
+      count_q <= count_q + {4'd0, commit} - {4'd0, read};
+      tail_q <= tail;
+      head_q <= head_q + {3'd0, read};
+      out_q <= read || (out_q && !pair_ready);
+    end
+    if (next) begin
+      child_q <= next_child;
+      slot_q <= next_slot;
+      last_q <= next_last;
+    end
+    first_q <= next || (first_q && !issue);
+    {first_q1, leaf_q1} <= {first_q, leaf_q};
+    {a_q, child_q1} <= {a, child_q};
+    {a_q2, child_q2} <= {a_q, child_q1};
+    triangle_q2 <= triangle_a[9*W-1:0];
+    damaged_q2 <= triangle_a[9*W];
+    box_a_q2 <= box_a;
+    if (vertices_read) begin
+      box_q2 <= box;
+    end
+  end
+endmodule

@@ -1,0 +1,145 @@
+// A run of the tree engine: counts verdicts, sends pairs that collide or, with a clearance, are in
+// the band of warnings, and ends the run: when all pairs are judged, or at a fault, or when it is
+// stopped.
+module sepax_tree_results #(
+  parameter FLIGHT = 5 // log2 of the pairs that may be in the cores
+) (
+  input  wire         clk,             // clock
+  input  wire         rst,             // synchronous reset, active high
+  input  wire         start,           // a run begins
+  input  wire         stop,            // it is to end
+  input  wire         first,           // it is to end at its first collision
+  input  wire         quiet,           // nothing is sent
+  input  wire [31:0]  budget,          // it is to end after so many cycles
+  output wire         idle,            // a run may begin
+  output reg          drop,            // a run ends: drop all that is under way
+  output reg          done,            // it has ended
+  output wire         hit,             // its first collision is here
+  // what feeds the cores
+  input  wire         walk_over,       // the walk has ended
+  input  wire         walk_damaged,    // at a damaged node
+  input  wire         walk_error,      // at an error of the memory
+  input  wire         pairs_busy,      // pairs are made
+  input  wire         pairs_damaged,   // a triangle is damaged
+  input  wire         pairs_error,     // error of the memory
+  input  wire         memory_idle,     // no burst is open
+  input  wire         entry_counted,   // counts
+  input  wire [4:0]   steps_counted,   // of each counter
+  input  wire         row_counted,     // how much
+  input  wire         pair_counted,    // it grows in a cycle
+  // near pairs as they go to the cores
+  input  wire         launched,        // a pair goes
+  output wire         launch_free,     // it may
+  input  wire [109:0] launched_info,   // {leaf B, leaf A, first triangle of B, of A, b, a}
+  // verdicts
+  input  wire         in_flight,       // pairs are in the cores
+  input  wire         verdict_valid,   // a verdict
+  output wire         verdict_ready,   // it is taken
+  input  wire         collision,       // the triangles collide
+  input  wire         coplanar,        // they are in one plane
+  input  wire         warning,         // in the band of warnings
+  input  wire         outside,         // out of range
+  // results
+  output reg          result_valid,    // a result
+  input  wire         result_ready,    // it is taken
+  output reg  [31:0]  result_a,        // number of A's triangle
+  output reg  [23:0]  result_b,        // of B's
+  output reg          result_coplanar, // they are in one plane
+  output reg          result_outside,  // out of range
+  output reg          result_warning,  // no collision but a warning
+  // status and counters
+  output reg          any,             // a collision was found
+  output reg          stopped,         // the run was ended
+  output reg          damaged,         // a node or triangle is damaged
+  output reg          error,           // the memory answered with an error
+  output reg  [31:0]  entries,         // entries finished
+  output reg  [31:0]  steps,           // boxes turned
+  output reg  [31:0]  rows,            // rows
+  output reg  [31:0]  pairs,           // pairs tested
+  output reg  [31:0]  near,            // verdicts
+  output reg  [31:0]  collisions,      // of these collisions, or out of range
+  output reg  [31:0]  out_of_range,    // of these out of range
+  output reg  [31:0]  warnings,        // verdicts in the band of warnings
+  output reg  [31:0]  cycles,          // from start to done
+  output reg  [31:0]  first_a,         // first collision: A's triangle
+  output reg  [23:0]  first_b,         // B's
+  output reg  [22:0]  first_leaf_a,    // its leaf
+  output reg  [22:0]  first_leaf_b,    // B's
+  output reg  [3:0]   first_row_a,     // the child a
+  output reg  [3:0]   first_row_b      // the child b
+);
+  reg          busy_q;     // a run is going on
+  reg          ending_q;   // it only waits for what is under way
+  reg  [1:0]   dropped_q;  // what was dropped is gone
+  wire         known;
+  wire [22:0]  leaf_a, leaf_b;
+  wire [31:0]  base_a;
+  wire [23:0]  base_b;
+  wire [3:0]   row_a, row_b;
+  wire [31:0]  a = base_a + {28'd0, row_a};
+  wire [23:0]  b = base_b + {20'd0, row_b};
+  wire         free = !result_valid || result_ready;
+  wire         counted = verdict_valid && verdict_ready && !ending_q;
+  wire         found = counted && (collision || outside);
+  wire         warned = counted && warning && !collision && !outside;
+  wire         running = busy_q && !ending_q;
+  wire         halt = running && (stop || (first && hit) || (cycles == budget));
+  wire         drained = !pairs_busy && !in_flight && !launched && free;
+  wire         fault = pairs_damaged || pairs_error;
+  wire         finish = running && drained && (walk_over || fault);
+  wire         leave = ending_q && !drop && (&dropped_q) && memory_idle && !in_flight && free;
+
+  assign idle = !busy_q;
+  assign hit = found && !any;
+  assign verdict_ready = ending_q || (known && free);
+
+  sepax_ram_fifo #(.WIDTH(110), .ADDRESS(FLIGHT)) records (
+    .clk(clk), .clear(rst || start), .push(launched), .in(launched_info), .free(launch_free),
+    .valid(known), .pop(known && verdict_valid && verdict_ready),
+    .out({leaf_b, leaf_a, base_b, base_a, row_b, row_a})
+  );
+
+  always @(posedge clk) begin
+    if (rst) begin
+      {busy_q, ending_q, drop, done, result_valid} <= 5'd0;
+      {any, stopped, damaged, error} <= 4'd0;
+    end else begin
+      busy_q <= start || (busy_q && !leave);
+      ending_q <= halt || finish || (ending_q && !leave);
+      drop <= halt || finish;
+      done <= leave;
+      if (free) begin
+        result_valid <= (found || warned) && !quiet;
+      end
+      any <= !start && (any || found);
+      stopped <= !start && (stopped || halt);
+      damaged <= !start && (damaged || (finish && !halt && (walk_damaged || pairs_damaged)));
+      error <= !start && (error || (finish && !halt && (walk_error || pairs_error)));
+    end
+    dropped_q <= {dropped_q[0], ending_q && !drop};
+    if (free) begin
+      result_a <= a;
+      result_b <= b;
+      {result_coplanar, result_outside, result_warning} <= {coplanar && !outside, outside, warned};
+    end
+    if (hit) begin
+      first_a <= a;
+      first_b <= b;
+      {first_leaf_b, first_leaf_a, first_row_b, first_row_a} <= {leaf_b, leaf_a, row_b, row_a};
+    end
+    if (start) begin
+      {entries, steps, rows, pairs, near, collisions, out_of_range, warnings} <= 256'd0;
+      cycles <= 32'd1;
+    end else begin
+      entries <= entries + {31'd0, entry_counted};
+      steps <= steps + {27'd0, steps_counted};
+      rows <= rows + {31'd0, row_counted};
+      pairs <= pairs + {31'd0, pair_counted};
+      near <= near + {31'd0, counted};
+      collisions <= collisions + {31'd0, found};
+      out_of_range <= out_of_range + {31'd0, found && outside};
+      warnings <= warnings + {31'd0, warned};
+      cycles <= cycles + {31'd0, busy_q && !(&cycles)};
+    end
+  end
+endmodule

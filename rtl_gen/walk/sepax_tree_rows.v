@@ -1,0 +1,142 @@
+// Rows (b, mask) of pairs of leaves, in their order: B's triangle b is read, its three vertices are
+// turned, one a cycle. Its AABB and its vertices come to a place of a ring of 8, from which they
+// are used and freed in order.
+module sepax_tree_rows #(
+  parameter W = 18,   // bits of a coordinate, 4 ... 21
+  parameter SLOT = 3, // bits of a slot of the leaf buffers
+  parameter INFO = 102 // bits that go with a pair of leaves
+) (
+  input  wire             clk,             // clock
+  input  wire             clear,           // drop everything
+  output reg              error,           // a pair of leaves came with an error: no more rows
+  output wire             busy,            // a row is under way
+  // rows in
+  input  wire             in_valid,        // a row, or with mask 0 the end of those of the leaves
+  output wire             in_ready,        // it is taken
+  input  wire             in_last,         // the end
+  input  wire [3:0]       in_child,        // b
+  input  wire [15:0]      in_mask,         // of A's triangles
+  // leaves
+  input  wire             leaf_out_valid,  // the oldest pair of leaves is here, or an error
+  output wire             leaf_out_ready,  // it is taken
+  input  wire [SLOT-1:0]  leaf_out_a,      // slot of A's leaf
+  input  wire [SLOT-1:0]  leaf_out_b,      // slot of B's leaf
+  input  wire [INFO-1:0]  leaf_out_info,   // what goes with it
+  input  wire             leaf_out_error,  // one of the leaves is not here
+  output wire             triangle_read_b, // read a triangle of B
+  output wire [SLOT+3:0]  triangle_slot_b, // {slot of its leaf, its number there}
+  input  wire [9*W:0]     triangle_b,      // {damaged, its vertices}
+  // vertices to be turned, and turned
+  output wire             turn_valid,      // a vertex
+  input  wire             turn_ready,      // it is taken
+  output wire [3*W-1:0]   turn_point,      // {z, y, x}
+  output wire             turn_damaged,    // its triangle is damaged
+  input  wire             turned_valid,    // one is turned
+  input  wire [134:0]     turned,          // sums
+  input  wire             turned_damaged,  // its triangle is damaged
+  // rows out
+  output wire             out_valid,       // a row; its AABB is in the ring
+  input  wire             out_ready,       // it is taken
+  output wire             out_last,        // as in_last
+  output wire [3:0]       out_child,       // as in_child
+  output wire [15:0]      out_mask,        // as in_mask
+  output wire [SLOT-1:0]  out_slot,        // slot of A's leaf
+  // the ring, and what goes with leaves; each stands from the cycle after its read on
+  input  wire             box_read,        // read the next AABB
+  output wire [6*W+13:0]  box,             // {damaged, outside, high, low}
+  input  wire             vertices_read,   // read the next vertices, free their place
+  output wire [9*W-1:0]   vertices,        // cut to W bits
+  input  wire             info_read,       // read what goes with the next pair of leaves
+  output wire [INFO-1:0]  info             // the same
+);
+  reg                 leaf_q;               // there is a pair of leaves
+  reg  [SLOT-1:0]     slot_a_q, slot_b_q;
+  reg  [2:0]          read_q;               // one-hot: the vertex of triangle_b that comes next
+  reg  [3:0]          used_q;               // places of the ring
+  reg  [3:0]          here_q;               // rows that are in the ring and not out
+  reg  [2:0]          turned_q, box_q, vertices_q, info_in_q, info_q; // next places
+  wire                free, done;
+  wire                real_row = |in_mask;
+  wire                turn_done = read_q[2] && turn_ready;
+  wire                can_read = (!(|read_q) || turn_done) && !used_q[3];
+  wire                take = in_valid && in_ready;
+  wire                row_here, out_real;
+  wire [1:0]          index;
+  wire [3*W-1:0]      vertex;
+  wire [6*W+13:0]     turned_box;
+
+  assign in_ready = leaf_q && free && (can_read || !real_row);
+  assign busy = leaf_q || row_here || (|used_q);
+  assign leaf_out_ready = !error && (!leaf_q || (take && in_last));
+  assign triangle_read_b = take && real_row;
+  assign triangle_slot_b = {slot_b_q, in_child};
+  assign turn_valid = |read_q;
+  assign turn_damaged = triangle_b[9*W];
+  assign turn_point = (triangle_b[0 +: 3*W] & {(3*W){read_q[0]}}) |
+                      (triangle_b[3*W +: 3*W] & {(3*W){read_q[1]}}) |
+                      (triangle_b[6*W +: 3*W] & {(3*W){read_q[2]}});
+  assign out_real = |out_mask;
+  assign out_valid = row_here && (!out_real || (|here_q));
+
+  sepax_ram_fifo #(.WIDTH(SLOT+21), .ADDRESS(3)) rows (
+    .clk(clk), .clear(clear), .push(take), .in({slot_a_q, in_last, in_child, in_mask}),
+    .free(free), .valid(row_here), .pop(out_valid && out_ready),
+    .out({out_slot, out_last, out_child, out_mask})
+  );
+  sepax_turned_box #(.W(W)) turned_triangle (
+    .clk(clk), .clear(clear), .valid(turned_valid), .damaged(turned_damaged), .sum(turned),
+    .index(index), .vertex(vertex), .done(done), .box(turned_box)
+  );
+  sepax_ram #(.WIDTH(6*W+14), .ADDRESS(3)) boxes (
+    .clk(clk), .write(done), .write_address(turned_q), .write_data(turned_box),
+    .read(box_read), .read_address(box_q), .read_data(box)
+  );
+  genvar k;
+  generate
+    for (k = 0; k < 3; k = k + 1) begin : ring
+      reg [2:0] place_q;
+      sepax_ram #(.WIDTH(3*W), .ADDRESS(3)) points (
+        .clk(clk), .write(turned_valid && (index == k[1:0])), .write_address(place_q),
+        .write_data(vertex), .read(vertices_read), .read_address(vertices_q),
+        .read_data(vertices[3*W*k +: 3*W])
+      );
+      always @(posedge clk) begin
+        if (clear) begin
+          place_q <= 3'd0;
+        end else if (turned_valid && (index == k[1:0])) begin
+          place_q <= place_q + 3'd1;
+        end
+      end
+    end
+  endgenerate
+  sepax_ram #(.WIDTH(INFO), .ADDRESS(3)) infos (
+    .clk(clk), .write(leaf_out_valid && leaf_out_ready), .write_address(info_in_q),
+    .write_data(leaf_out_info), .read(info_read), .read_address(info_q), .read_data(info)
+  );
+
+  always @(posedge clk) begin
+    if (clear) begin
+      {leaf_q, error} <= 2'd0;
+      read_q <= 3'd0;
+      {used_q, here_q} <= 8'd0;
+      {turned_q, box_q, vertices_q, info_in_q, info_q} <= 15'd0;
+    end else begin
+      leaf_q <= leaf_out_ready ? leaf_out_valid && !leaf_out_error : leaf_q;
+      error <= error || (leaf_out_valid && leaf_out_ready && leaf_out_error);
+      if (turn_ready || !turn_valid) begin
+        read_q <= {read_q[1:0], triangle_read_b};
+      end
+      used_q <= used_q + {3'd0, triangle_read_b} - {3'd0, vertices_read};
+      here_q <= here_q + {3'd0, done} - {3'd0, out_valid && out_ready && out_real};
+      turned_q <= turned_q + {2'd0, done};
+      box_q <= box_q + {2'd0, box_read};
+      vertices_q <= vertices_q + {2'd0, vertices_read};
+      info_in_q <= info_in_q + {2'd0, leaf_out_valid && leaf_out_ready};
+      info_q <= info_q + {2'd0, info_read};
+    end
+    if (leaf_out_ready) begin
+      slot_a_q <= leaf_out_a;
+      slot_b_q <= leaf_out_b;
+    end
+  end
+endmodule

@@ -1,0 +1,259 @@
+// The walk down two trees (docs/tree.md, Order): a stack of entries, a line of those whose nodes
+// have been asked for. The oldest entry of the line is tested by sepax_tree_compare; of its items
+// new entries are made, or rows. Entries are popped only when one is finished.
+//   entry = {direct, side, mask, number of A's node, of B's}; direct: the first row, its mask is a, b
+module sepax_tree_walk #(
+  parameter STACK = 10, // log2 of the entries of the stack, 9 or more
+  parameter LINE = 5,   // log2 of the entries of the line, 2 or more
+  parameter SLOT = 6    // bits of a slot of the node cache
+) (
+  input  wire         clk,            // clock
+  input  wire         start,          // a run begins
+  input  wire         clear,          // drop everything: reset, or a run ends
+  output wire         over,           // the walk has ended, by itself or by a fault
+  output reg          damaged,        // by a damaged node, or a stack that is full
+  output reg          error,          // by an error of the memory
+  // bodies
+  input  wire [23:0]  nodes_a,        // nodes of A
+  input  wire [31:0]  triangles_a,    // triangles of A
+  input  wire [31:0]  beats_a,        // beats of A's image
+  input  wire [23:0]  nodes_b,        // nodes of B
+  input  wire [24:0]  triangles_b,    // triangles of B
+  input  wire [31:0]  beats_b,        // beats of B's image
+  input  wire         row,            // a first row is given
+  input  wire [22:0]  row_leaf_a,     // its leaf of A
+  input  wire [22:0]  row_leaf_b,     // its leaf of B
+  input  wire [3:0]   row_a,          // its child a
+  input  wire [3:0]   row_b,          // its child b
+  // nodes
+  output wire         node_in_valid,  // a pair of nodes is wanted
+  input  wire         node_in_ready,  // it is taken
+  output wire [63:0]  node_in,        // the entry
+  input  wire         node_out_valid, // the oldest pair is here, or an error
+  output wire         node_out_ready, // it is taken
+  input  wire [63:0]  node_out,       // the entry
+  input  wire [SLOT-1:0] node_out_a,  // slot of A's node
+  input  wire [SLOT-1:0] node_out_b,  // slot of B's node
+  input  wire         node_out_error, // a node is not here
+  output wire         node_release,   // the oldest pair that was taken is done with
+  output wire         head_read,      // read the heads of nodes node_out_a, node_out_b
+  input  wire [255:0] head_a,         // A's head, from the next cycle on
+  input  wire [255:0] head_b,         // B's
+  // compare
+  output wire         in_valid,       // an entry is to be compared; its heads are read
+  input  wire         in_ready,       // it is taken
+  output wire         in_side,        // whose boxes are turned
+  output wire [15:0]  in_mask,        // which; 0: the node's own
+  output wire [SLOT-1:0] in_a,        // slot of A's node
+  output wire [SLOT-1:0] in_b,        // slot of B's node
+  input  wire         out_valid,      // an item
+  output wire         out_ready,      // it is taken
+  input  wire         out_last,       // the last of its entry
+  input  wire         out_columns,    // S is a leaf and T is not
+  input  wire         out_leaves,     // both are leaves
+  input  wire [3:0]   out_index,      // a child of S; with columns, or leaves on side 1, of T
+  input  wire [15:0]  out_mask,       // of the other node's children, those that are hit
+  // rows
+  output wire         leaf_in_valid,  // a pair of leaves is wanted
+  input  wire         leaf_in_ready,  // it is taken
+  output wire [31:0]  leaf_in_a,      // A's record
+  output wire [3:0]   leaf_in_beats_a, // its beats less 1
+  output wire [31:0]  leaf_in_b,      // B's record
+  output wire [3:0]   leaf_in_beats_b, // its beats less 1
+  output wire [101:0] leaf_in_info,   // {leaf B, leaf A, first triangle of B, of A}
+  output wire         row_valid,      // a row, or with mask 0 the end of those of a pair of leaves
+  input  wire         row_ready,      // it is taken
+  output wire         row_last,       // the end
+  output wire [3:0]   row_child,      // b
+  output wire [15:0]  row_mask,       // of A's triangles
+  // counts
+  output wire         entry_counted,  // an entry is finished
+  output reg  [4:0]   steps_counted,  // boxes that are turned
+  output wire         row_counted     // a row
+);
+  localparam LOAD = STACK + 2; // bits of stack + 16 line + 15 HEIGHT
+  localparam INFO = 189;
+  localparam [LINE:0] ONE = 1;
+  localparam [LOAD-1:0] MOST = (1 << STACK) - 16; // from which on nothing is popped
+  localparam [2:0] IDLE = 3'd0, PROBE = 3'd1, ROOT = 3'd2, FIRST = 3'd3, WALK = 3'd4, OVER = 3'd5;
+
+  function [4:0] ones(input [15:0] mask);
+    integer k;
+    begin
+      ones = 5'd0;
+      for (k = 0; k < 16; k = k + 1) begin
+        ones = ones + {4'd0, mask[k]};
+      end
+    end
+  endfunction
+
+  // An own box comes first where a box hits more than 8 children.
+  function [15:0] half(input [15:0] mask);
+    half = mask & {16{ones(mask) <= 5'd8}};
+  endfunction
+
+  reg  [2:0]      state_q;
+  reg  [LINE:0]   line_q;      // entries of the line
+  reg  [LOAD-1:0] load_q;
+  reg             filling_q;   // an entry was finished; entries are popped
+  reg             current_q;   // there is an entry whose items are served
+  reg             opened_q;    // its leaves are asked for
+  reg             wanted_q;    // they are still to be taken
+  wire            walking = (state_q == WALK);
+
+  // ------------------------------------------------------------- stack, line
+  wire         push, pop, empty, full, unused_free;
+  wire [63:0]  pushed, top;
+  wire         can_pop = !empty && !line_q[LINE] && (!(|line_q) || (load_q <= MOST));
+  wire         finish;      // an entry is finished
+
+  assign pop = walking && filling_q && can_pop;
+
+  sepax_tree_stack #(.WIDTH(64), .ADDRESS(STACK)) stack (
+    .clk(clk), .clear(clear || start), .push(push), .in(pushed), .pop(pop), .top(top),
+    .empty(empty), .full(full)
+  );
+  // The probe of both roots, then entries as they are popped.
+  sepax_ram_fifo #(.WIDTH(64), .ADDRESS(LINE)) line (
+    .clk(clk), .clear(clear), .push(start || pop), .in(start ? 64'd0 : top),
+    .free(unused_free), .valid(node_in_valid), .pop(node_in_valid && node_in_ready), .out(node_in)
+  );
+
+  // ------------------------------------------------ heads, checked while S is set up
+  reg  [2:0]   step_q; // one-hot: cycles with heads
+  reg  [1:0]   head_q, tail_q; // of the entries that are compared
+  reg  [2:0]   stored_q; // how many
+  wire         bad_a, bad_b;
+  wire         direct = node_out[63] || (state_q == PROBE);
+  wire         begins = node_out_valid && !(|step_q) && !stored_q[2];
+  wire         store = step_q[2] || (begins && node_out_error);
+  wire         fetch = (|stored_q) && (!current_q || finish);
+  wire         is_error, is_bad, is_direct, is_own, side, leaf_a, leaf_b;
+  wire [7:0]   child; // of the first row
+  wire [22:0]  node_a, node_b;
+  wire [31:0]  first_a;
+  wire [23:0]  first_b;
+
+  assign head_read = begins && !node_out_error && (direct || in_ready);
+  assign in_valid = begins && !node_out_error && !direct;
+  assign {in_side, in_mask} = node_out[62:46];
+  assign {in_a, in_b} = {node_out_a, node_out_b};
+  assign node_out_ready = store;
+
+  sepax_node_check check_a (
+    .clk(clk), .step(step_q[1:0]), .head(head_a), .number(node_out[45:23]), .nodes(nodes_a),
+    .triangles(triangles_a), .beats(beats_a), .bad(bad_a)
+  );
+  sepax_node_check check_b (
+    .clk(clk), .step(step_q[1:0]), .head(head_b), .number(node_out[22:0]), .nodes(nodes_b),
+    .triangles({7'd0, triangles_b}), .beats(beats_b), .bad(bad_b)
+  );
+  sepax_ram #(.WIDTH(INFO), .ADDRESS(2)) compared (
+    .clk(clk), .write(store), .write_address(tail_q),
+    .write_data({
+      node_out_error, bad_a || bad_b, direct, !(|node_out[61:46]), node_out[62],
+      !(|head_a[115:112]), !(|head_b[115:112]), node_out[53:46], node_out[45:0], head_a[159:128],
+      head_b[151:128], head_a[191:160], head_a[119:116], head_b[191:160], head_b[119:116]
+    }),
+    .read(fetch), .read_address(head_q),
+    .read_data({
+      is_error, is_bad, is_direct, is_own, side, leaf_a, leaf_b, child, node_a, node_b, first_a,
+      first_b, leaf_in_a, leaf_in_beats_a, leaf_in_b, leaf_in_beats_b
+    })
+  );
+
+  // ------------------------------------------------------ items of the oldest entry
+  wire         faulty = current_q && (is_error || is_bad);
+  wire         served = current_q && !faulty && !(filling_q && can_pop);
+  wire         first_row = served && walking && is_direct;
+  wire         item = served && walking && !is_direct && out_valid;
+  wire         hit = |out_mask;
+  wire         is_push = item && hit && (is_own || !out_leaves);
+  wire         is_row = item && out_leaves && !is_own;
+  wire         has_rows = first_row || (is_row && hit);
+  wire         last = first_row || out_last;
+  // The leaves are asked for with the first row; with the last, they have been taken.
+  wire         leaves_due = leaf_in_valid && !leaf_in_ready;
+  wire         no_leaves = first_row && !(leaf_a && leaf_b);
+  wire         no_nodes = ({1'b0, row_leaf_a} >= nodes_a) || ({1'b0, row_leaf_b} >= nodes_b);
+  wire         of_b = out_columns ? side : !side; // whose child is the next node
+  wire [22:0]  next_a = first_a[22:0] + {19'd0, out_index};
+  wire [22:0]  next_b = first_b[22:0] + {19'd0, out_index};
+  wire [15:0]  first_mask = half(~(16'hfffe << head_b[111:108])); // of the root of B
+  wire         rows_ready = row_ready && !(last && leaves_due);
+
+  assign leaf_in_valid = (has_rows && !no_leaves && !opened_q) || wanted_q;
+  assign leaf_in_info = {node_b, node_a, first_b, first_a};
+  assign row_valid = (has_rows || (is_row && last && opened_q)) && !no_leaves &&
+                     !(last && leaves_due);
+  assign row_last = last;
+  assign row_child = first_row ? child[3:0] : out_index;
+  assign row_mask = first_row ? 16'd1 << child[7:4] : out_mask;
+  assign out_ready = item && (is_row ? (!(has_rows || opened_q) || rows_ready) : 1'b1);
+  assign finish = served && (state_q == PROBE || (item && out_ready && last) ||
+                             (first_row && !no_leaves && rows_ready));
+  assign node_release = finish;
+  assign push = (is_push && !full) || (state_q == ROOT) || (state_q == FIRST);
+  assign pushed = (state_q == ROOT) ? {2'd0, first_mask, 46'd0} :
+    (state_q == FIRST) ? {2'd2, 8'd0, row_a, row_b, row_leaf_a, row_leaf_b} :
+    is_own ? {1'b0, !side, out_mask, node_a, node_b} :
+    {1'b0, side ^ !out_columns, half(out_mask), of_b ? node_a : next_a, of_b ? next_b : node_b};
+  assign over = (state_q == OVER);
+  assign entry_counted = finish && walking && !is_direct;
+  assign row_counted = has_rows && !no_leaves && row_valid && row_ready;
+
+  always @(posedge clk) begin
+    if (clear) begin
+      state_q <= IDLE;
+    end else begin
+      case (state_q)
+        IDLE: state_q <= start ? PROBE : IDLE;
+        PROBE: state_q <= faulty ? OVER : finish ? ROOT : PROBE;
+        ROOT: state_q <= row ? FIRST : WALK;
+        FIRST: state_q <= no_nodes ? OVER : WALK;
+        WALK: begin
+          if (faulty || no_leaves || (is_push && full) ||
+              (filling_q && empty && !(|line_q))) begin
+            state_q <= OVER;
+          end
+        end
+        default: state_q <= OVER;
+      endcase
+    end
+    if (clear) begin
+      line_q <= {(LINE+1){1'b0}};
+      step_q <= 3'd0;
+      {head_q, tail_q, stored_q} <= 7'd0;
+      {filling_q, current_q, opened_q, wanted_q} <= 4'd0;
+    end else begin
+      if (walking) begin
+        line_q <= line_q + {{LINE{1'b0}}, pop} - {{LINE{1'b0}}, finish};
+      end
+      step_q <= {step_q[1:0], head_read};
+      tail_q <= tail_q + {1'b0, store};
+      head_q <= head_q + {1'b0, fetch};
+      stored_q <= stored_q + {2'd0, store} - {2'd0, fetch};
+      filling_q <= finish || ((state_q == ROOT) && !row) || (state_q == FIRST) ||
+                   (filling_q && can_pop);
+      current_q <= fetch || (current_q && !finish);
+      opened_q <= !finish && (opened_q || (has_rows && !no_leaves));
+      wanted_q <= leaves_due;
+    end
+    if (start) begin
+      {damaged, error} <= 2'd0;
+    end else if (state_q != OVER) begin
+      damaged <= (faulty && !is_error) || no_leaves || (is_push && full) ||
+                 ((state_q == FIRST) && no_nodes);
+      error <= faulty && is_error;
+    end
+    if (state_q == PROBE) begin
+      load_q <= {{(LOAD-9){1'b0}}, {1'b0, head_a[115:112]} + {1'b0, head_b[115:112]}, 4'd0} -
+                {{(LOAD-5){1'b0}}, {1'b0, head_a[115:112]} + {1'b0, head_b[115:112]}};
+    end else begin
+      load_q <= load_q + {{(LOAD-1){1'b0}}, push} - {{(LOAD-1){1'b0}}, pop} +
+                {{(LOAD-5){1'b0}}, pop, 4'd0} -
+                {{(LOAD-5){1'b0}}, finish && walking, 4'd0};
+    end
+    steps_counted <= ((|in_mask) ? ones(in_mask) : 5'd1) & {5{in_valid && in_ready}};
+  end
+endmodule
