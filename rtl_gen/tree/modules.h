@@ -7,4 +7,8 @@
 /* sepax_tree_memory and what it is made of; sepax_ram must be there. */
 void gen_tree_memory(emitter *e);
 
+/* sepax_tree_walk, sepax_tree_pairs, sepax_tree_run and what they are made of; sepax_ram and
+ * sepax_ram_fifo must be there. */
+void gen_tree_walk(emitter *e);
+
 #endif

@@ -137,8 +137,9 @@ module sepax_tree_engine #(
     .node_in_valid(node_in_valid), .node_in_ready(node_in_ready), .node_in(node_in),
     .node_out_valid(node_out_valid), .node_out_ready(node_out_ready), .node_out(node_out),
     .node_out_a(node_out_a), .node_out_b(node_out_b), .node_out_error(node_out_error),
-    .node_release(node_release), .head_read(head_read), .head_a(node_a[255:0]),
-    .head_b(node_b[255:0]), .in_valid(in_valid), .in_ready(in_ready), .in_side(in_side),
+    .node_release(node_release), .head_read(head_read),
+    .head_a({node_a[191:128], node_a[119:108]}), .head_b({node_b[191:128], node_b[119:108]}),
+    .in_valid(in_valid), .in_ready(in_ready), .in_side(in_side),
     .in_mask(in_mask), .in_a(in_a), .in_b(in_b), .out_valid(out_valid), .out_ready(out_ready),
     .out_last(out_last), .out_columns(out_columns), .out_leaves(out_leaves),
     .out_index(out_index), .out_mask(out_mask), .leaf_in_valid(leaf_in_valid),
@@ -208,12 +209,13 @@ module sepax_tree_engine #(
     .triangle_a(triangle_a), .triangle_read_b(triangle_read_b),
     .triangle_slot_b(triangle_slot_b), .triangle_b(triangle_b), .turn_valid(rows_turn),
     .turn_ready(!setup_turn), .turn_point(rows_point), .turn_damaged(rows_damaged),
-    .turned_valid(rows_q[2]), .turned(turned), .turned_damaged(damaged_q[2]),
+    .turned_valid(rows_q[2]),
+    .turned({turned[134:110], turned[89:65], turned[44:20]}), .turned_damaged(damaged_q[2]),
     .pair_valid(near_valid), .pair_ready(pair_ready && launch_free), .pair_a(pair_a),
     .pair_b(pair_b), .pair_outside(pair_outside), .pair_info(launched_info),
     .pair_counted(pair_counted)
   );
-  sepax_tree_results #(.FLIGHT(FLIGHT)) results (
+  sepax_tree_run #(.FLIGHT(FLIGHT)) run (
     .clk(clk), .rst(rst), .start(start), .stop(stop), .first(first), .quiet(quiet),
     .budget(budget), .idle(idle), .drop(drop), .done(done), .hit(hit), .walk_over(walk_over),
     .walk_damaged(walk_damaged), .walk_error(walk_error), .pairs_busy(pairs_busy),

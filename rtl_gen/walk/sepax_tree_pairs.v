@@ -39,7 +39,7 @@ module sepax_tree_pairs #(
   output wire [3*W-1:0]   turn_point,      // {z, y, x}
   output wire             turn_damaged,    // its triangle is damaged
   input  wire             turned_valid,    // one is turned
-  input  wire [134:0]     turned,          // sums
+  input  wire [74:0]      turned,          // {z, y, x}, 25 bits each, signed
   input  wire             turned_damaged,  // its triangle is damaged
   // near pairs
   output wire             pair_valid,      // a near pair
@@ -55,7 +55,7 @@ module sepax_tree_pairs #(
 
   // --------------------------------------------------------------------- rows
   reg  [ROWS:0]     rows_q;       // rows that wait
-  wire              row_free, more, take_row, more_last, rows_busy;
+  wire              more, take_row, more_last, rows_busy;
   wire [3:0]        more_child;
   wire [15:0]       more_mask;
   wire              next_valid, next, next_last;
@@ -69,11 +69,11 @@ module sepax_tree_pairs #(
   wire              push_row = row_valid && row_ready;
   wire              pop_row = more && take_row;
 
-  assign row_ready = row_free;
+  assign row_ready = !rows_q[ROWS];
 
   sepax_ram_fifo #(.WIDTH(21), .ADDRESS(ROWS)) row_queue (
     .clk(clk), .clear(clear), .push(push_row), .in({row_last, row_child, row_mask}),
-    .free(row_free), .valid(more), .pop(pop_row), .out({more_last, more_child, more_mask})
+    .valid(more), .pop(pop_row), .out({more_last, more_child, more_mask})
   );
   sepax_tree_rows #(.W(W), .SLOT(SLOT), .INFO(INFO)) rows (
     .clk(clk), .clear(clear), .error(error), .busy(rows_busy), .in_valid(more),

@@ -32,7 +32,7 @@ module sepax_tree_rows #(
   output wire [3*W-1:0]   turn_point,      // {z, y, x}
   output wire             turn_damaged,    // its triangle is damaged
   input  wire             turned_valid,    // one is turned
-  input  wire [134:0]     turned,          // sums
+  input  wire [74:0]      turned,          // {z, y, x}, 25 bits each, signed
   input  wire             turned_damaged,  // its triangle is damaged
   // rows out
   output wire             out_valid,       // a row; its AABB is in the ring
@@ -53,9 +53,10 @@ module sepax_tree_rows #(
   reg  [SLOT-1:0]     slot_a_q, slot_b_q;
   reg  [2:0]          read_q;               // one-hot: the vertex of triangle_b that comes next
   reg  [3:0]          used_q;               // places of the ring
+  reg  [3:0]          waiting_q;            // rows that are not out
   reg  [3:0]          here_q;               // rows that are in the ring and not out
   reg  [2:0]          turned_q, box_q, vertices_q, info_in_q, info_q; // next places
-  wire                free, done;
+  wire                done;
   wire                real_row = |in_mask;
   wire                turn_done = read_q[2] && turn_ready;
   wire                can_read = (!(|read_q) || turn_done) && !used_q[3];
@@ -65,8 +66,8 @@ module sepax_tree_rows #(
   wire [3*W-1:0]      vertex;
   wire [6*W+13:0]     turned_box;
 
-  assign in_ready = leaf_q && free && (can_read || !real_row);
-  assign busy = leaf_q || row_here || (|used_q);
+  assign in_ready = leaf_q && !waiting_q[3] && (can_read || !real_row);
+  assign busy = leaf_q || (|waiting_q) || (|used_q);
   assign leaf_out_ready = !error && (!leaf_q || (take && in_last));
   assign triangle_read_b = take && real_row;
   assign triangle_slot_b = {slot_b_q, in_child};
@@ -80,11 +81,11 @@ module sepax_tree_rows #(
 
   sepax_ram_fifo #(.WIDTH(SLOT+21), .ADDRESS(3)) rows (
     .clk(clk), .clear(clear), .push(take), .in({slot_a_q, in_last, in_child, in_mask}),
-    .free(free), .valid(row_here), .pop(out_valid && out_ready),
+    .valid(row_here), .pop(out_valid && out_ready),
     .out({out_slot, out_last, out_child, out_mask})
   );
   sepax_turned_box #(.W(W)) turned_triangle (
-    .clk(clk), .clear(clear), .valid(turned_valid), .damaged(turned_damaged), .sum(turned),
+    .clk(clk), .clear(clear), .valid(turned_valid), .damaged(turned_damaged), .turned(turned),
     .index(index), .vertex(vertex), .done(done), .box(turned_box)
   );
   sepax_ram #(.WIDTH(6*W+14), .ADDRESS(3)) boxes (
@@ -118,7 +119,7 @@ module sepax_tree_rows #(
     if (clear) begin
       {leaf_q, error} <= 2'd0;
       read_q <= 3'd0;
-      {used_q, here_q} <= 8'd0;
+      {used_q, waiting_q, here_q} <= 12'd0;
       {turned_q, box_q, vertices_q, info_in_q, info_q} <= 15'd0;
     end else begin
       leaf_q <= leaf_out_ready ? leaf_out_valid && !leaf_out_error : leaf_q;
@@ -127,6 +128,7 @@ module sepax_tree_rows #(
         read_q <= {read_q[1:0], triangle_read_b};
       end
       used_q <= used_q + {3'd0, triangle_read_b} - {3'd0, vertices_read};
+      waiting_q <= waiting_q + {3'd0, take} - {3'd0, out_valid && out_ready};
       here_q <= here_q + {3'd0, done} - {3'd0, out_valid && out_ready && out_real};
       turned_q <= turned_q + {2'd0, done};
       box_q <= box_q + {2'd0, box_read};

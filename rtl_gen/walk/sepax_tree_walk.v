@@ -1,7 +1,8 @@
 // The walk down two trees (docs/tree.md, Order): a stack of entries, a line of those whose nodes
 // have been asked for. The oldest entry of the line is tested by sepax_tree_compare; of its items
 // new entries are made, or rows. Entries are popped only when one is finished.
-//   entry = {direct, side, mask, number of A's node, of B's}; direct: the first row, its mask is a, b
+//   entry = {direct, side, mask, number of A's node, of B's}
+// direct: the first row; its mask is {a, b}.
 module sepax_tree_walk #(
   parameter STACK = 10, // log2 of the entries of the stack, 9 or more
   parameter LINE = 5,   // log2 of the entries of the line, 2 or more
@@ -37,8 +38,8 @@ module sepax_tree_walk #(
   input  wire         node_out_error, // a node is not here
   output wire         node_release,   // the oldest pair that was taken is done with
   output wire         head_read,      // read the heads of nodes node_out_a, node_out_b
-  input  wire [255:0] head_a,         // A's head, from the next cycle on
-  input  wire [255:0] head_b,         // B's
+  input  wire [75:0]  head_a,         // {record, first, beats - 1, level, children - 1} of A's
+  input  wire [75:0]  head_b,         // of B's; both from the next cycle on
   // compare
   output wire         in_valid,       // an entry is to be compared; its heads are read
   input  wire         in_ready,       // it is taken
@@ -73,7 +74,6 @@ module sepax_tree_walk #(
 );
   localparam LOAD = STACK + 2; // bits of stack + 16 line + 15 HEIGHT
   localparam INFO = 189;
-  localparam [LINE:0] ONE = 1;
   localparam [LOAD-1:0] MOST = (1 << STACK) - 16; // from which on nothing is popped
   localparam [2:0] IDLE = 3'd0, PROBE = 3'd1, ROOT = 3'd2, FIRST = 3'd3, WALK = 3'd4, OVER = 3'd5;
 
@@ -102,7 +102,7 @@ module sepax_tree_walk #(
   wire            walking = (state_q == WALK);
 
   // ------------------------------------------------------------- stack, line
-  wire         push, pop, empty, full, unused_free;
+  wire         push, pop, empty, full;
   wire [63:0]  pushed, top;
   wire         can_pop = !empty && !line_q[LINE] && (!(|line_q) || (load_q <= MOST));
   wire         finish;      // an entry is finished
@@ -116,7 +116,7 @@ module sepax_tree_walk #(
   // The probe of both roots, then entries as they are popped.
   sepax_ram_fifo #(.WIDTH(64), .ADDRESS(LINE)) line (
     .clk(clk), .clear(clear), .push(start || pop), .in(start ? 64'd0 : top),
-    .free(unused_free), .valid(node_in_valid), .pop(node_in_valid && node_in_ready), .out(node_in)
+    .valid(node_in_valid), .pop(node_in_valid && node_in_ready), .out(node_in)
   );
 
   // ------------------------------------------------ heads, checked while S is set up
@@ -141,19 +141,23 @@ module sepax_tree_walk #(
   assign node_out_ready = store;
 
   sepax_node_check check_a (
-    .clk(clk), .step(step_q[1:0]), .head(head_a), .number(node_out[45:23]), .nodes(nodes_a),
-    .triangles(triangles_a), .beats(beats_a), .bad(bad_a)
+    .clk(clk), .step(step_q[1:0]), .children(head_a[3:0]), .level(head_a[7:4]),
+    .last_beat(head_a[11:8]), .first(head_a[43:12]), .record(head_a[75:44]),
+    .number(node_out[45:23]), .nodes(nodes_a), .triangles(triangles_a), .beats(beats_a),
+    .bad(bad_a)
   );
   sepax_node_check check_b (
-    .clk(clk), .step(step_q[1:0]), .head(head_b), .number(node_out[22:0]), .nodes(nodes_b),
-    .triangles({7'd0, triangles_b}), .beats(beats_b), .bad(bad_b)
+    .clk(clk), .step(step_q[1:0]), .children(head_b[3:0]), .level(head_b[7:4]),
+    .last_beat(head_b[11:8]), .first(head_b[43:12]), .record(head_b[75:44]),
+    .number(node_out[22:0]), .nodes(nodes_b), .triangles({7'd0, triangles_b}), .beats(beats_b),
+    .bad(bad_b)
   );
   sepax_ram #(.WIDTH(INFO), .ADDRESS(2)) compared (
     .clk(clk), .write(store), .write_address(tail_q),
     .write_data({
       node_out_error, bad_a || bad_b, direct, !(|node_out[61:46]), node_out[62],
-      !(|head_a[115:112]), !(|head_b[115:112]), node_out[53:46], node_out[45:0], head_a[159:128],
-      head_b[151:128], head_a[191:160], head_a[119:116], head_b[191:160], head_b[119:116]
+      !(|head_a[7:4]), !(|head_b[7:4]), node_out[53:46], node_out[45:0], head_a[43:12],
+      head_b[35:12], head_a[75:44], head_a[11:8], head_b[75:44], head_b[11:8]
     }),
     .read(fetch), .read_address(head_q),
     .read_data({
@@ -179,7 +183,7 @@ module sepax_tree_walk #(
   wire         of_b = out_columns ? side : !side; // whose child is the next node
   wire [22:0]  next_a = first_a[22:0] + {19'd0, out_index};
   wire [22:0]  next_b = first_b[22:0] + {19'd0, out_index};
-  wire [15:0]  first_mask = half(~(16'hfffe << head_b[111:108])); // of the root of B
+  wire [15:0]  first_mask = half(~(16'hfffe << head_b[3:0])); // of the root of B
   wire         rows_ready = row_ready && !(last && leaves_due);
 
   assign leaf_in_valid = (has_rows && !no_leaves && !opened_q) || wanted_q;
@@ -247,8 +251,8 @@ module sepax_tree_walk #(
       error <= faulty && is_error;
     end
     if (state_q == PROBE) begin
-      load_q <= {{(LOAD-9){1'b0}}, {1'b0, head_a[115:112]} + {1'b0, head_b[115:112]}, 4'd0} -
-                {{(LOAD-5){1'b0}}, {1'b0, head_a[115:112]} + {1'b0, head_b[115:112]}};
+      load_q <= {{(LOAD-9){1'b0}}, {1'b0, head_a[7:4]} + {1'b0, head_b[7:4]}, 4'd0} -
+                {{(LOAD-5){1'b0}}, {1'b0, head_a[7:4]} + {1'b0, head_b[7:4]}};
     end else begin
       load_q <= load_q + {{(LOAD-1){1'b0}}, push} - {{(LOAD-1){1'b0}}, pop} +
                 {{(LOAD-5){1'b0}}, pop, 4'd0} -

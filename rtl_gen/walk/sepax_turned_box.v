@@ -7,7 +7,7 @@ module sepax_turned_box #(
   input  wire             clear,   // drop everything
   input  wire             valid,   // a turned vertex
   input  wire             damaged, // its triangle is
-  input  wire [134:0]     sum,     // {z, y, x}, 45 bits each, 20 of them behind the point
+  input  wire [74:0]      turned,  // {z, y, x}, 25 bits each, signed
   output wire [1:0]       index,   // its number, 0 ... 2
   output wire [3*W-1:0]   vertex,  // cut to W bits
   output reg              done,    // a triangle is done
@@ -27,7 +27,7 @@ module sepax_turned_box #(
   genvar k;
   generate
     for (k = 0; k < 3; k = k + 1) begin : axis
-      wire [24:0] v = sum[45*k+20 +: 25];
+      wire [24:0] v = turned[25*k +: 25];
       wire        beyond = (|(v[24:V-1] ^ {(26-V){v[24]}}));
       wire signed [V-1:0] x = point_q[V*k +: V];
       wire signed [V-1:0] low = low_q[V*k +: V];

@@ -1,4 +1,4 @@
-/* emit.c - the Verilog of the tree engine's memory side, for its test benches: emit FOLDER. */
+/* emit.c - the Verilog of the tree engine's modules, for its test benches: emit FOLDER. */
 #include "emit/gen.h"
 #include "emit/template.h"
 #include "tree/modules.h"
@@ -14,6 +14,8 @@ int main(int argc, char **argv) {
   emit_init(&e, NULL, "tb/tree/emit");
   emit_template(&e, "sepax_ram", NULL);
   gen_tree_memory(&e);
+  emit_template(&e, "sepax_bounds", (emit_hole[]){{"word", "18"}, {NULL, NULL}});
+  gen_tree_walk(&e);
   sepax_error error = e.error;
   bool ok = error.text[0] == '\0' && gen_write(&e, argv[1], &error);
   emit_free(&e);

@@ -1,7 +1,7 @@
 // A run of the tree engine: counts verdicts, sends pairs that collide or, with a clearance, are in
 // the band of warnings, and ends the run: when all pairs are judged, or at a fault, or when it is
 // stopped.
-module sepax_tree_results #(
+module sepax_tree_run #(
   parameter FLIGHT = 5 // log2 of the pairs that may be in the cores
 ) (
   input  wire         clk,             // clock
@@ -68,9 +68,11 @@ module sepax_tree_results #(
   output reg  [3:0]   first_row_a,     // the child a
   output reg  [3:0]   first_row_b      // the child b
 );
+  localparam [FLIGHT:0] ONE = 1;
   reg          busy_q;     // a run is going on
   reg          ending_q;   // it only waits for what is under way
   reg  [1:0]   dropped_q;  // what was dropped is gone
+  reg  [FLIGHT:0] known_q; // pairs whose verdicts are to come
   wire         known;
   wire [22:0]  leaf_a, leaf_b;
   wire [31:0]  base_a;
@@ -78,6 +80,7 @@ module sepax_tree_results #(
   wire [3:0]   row_a, row_b;
   wire [31:0]  a = base_a + {28'd0, row_a};
   wire [23:0]  b = base_b + {20'd0, row_b};
+  wire         judged = known && verdict_valid && verdict_ready;
   wire         free = !result_valid || result_ready;
   wire         counted = verdict_valid && verdict_ready && !ending_q;
   wire         found = counted && (collision || outside);
@@ -91,12 +94,12 @@ module sepax_tree_results #(
 
   assign idle = !busy_q;
   assign hit = found && !any;
+  assign launch_free = !known_q[FLIGHT];
   assign verdict_ready = ending_q || (known && free);
 
   sepax_ram_fifo #(.WIDTH(110), .ADDRESS(FLIGHT)) records (
-    .clk(clk), .clear(rst || start), .push(launched), .in(launched_info), .free(launch_free),
-    .valid(known), .pop(known && verdict_valid && verdict_ready),
-    .out({leaf_b, leaf_a, base_b, base_a, row_b, row_a})
+    .clk(clk), .clear(rst || start), .push(launched), .in(launched_info), .valid(known),
+    .pop(judged), .out({leaf_b, leaf_a, base_b, base_a, row_b, row_a})
   );
 
   always @(posedge clk) begin
@@ -115,6 +118,12 @@ module sepax_tree_results #(
       stopped <= !start && (stopped || halt);
       damaged <= !start && (damaged || (finish && !halt && (walk_damaged || pairs_damaged)));
       error <= !start && (error || (finish && !halt && (walk_error || pairs_error)));
+    end
+    if (rst || start) begin
+      known_q <= {(FLIGHT+1){1'b0}};
+    end else begin
+      known_q <= known_q + (launched ? ONE : {(FLIGHT+1){1'b0}}) -
+                 (judged ? ONE : {(FLIGHT+1){1'b0}});
     end
     dropped_q <= {dropped_q[0], ending_q && !drop};
     if (free) begin

@@ -1,0 +1,58 @@
+// The tree engine and its cores for test benches, without registers and jobs.
+module sepax_tree_bench #(
+  parameter W = 18, parameter MARGIN = 0, parameter FULL = 0, parameter STACK = 10,
+  parameter LINE = 5, parameter NODE_SETS = 4, parameter LEAF_SETS = 1
+) (
+  input wire clk, rst, start, stop, cold, first, quiet, row,
+  input wire [31:0] budget, triangles_a, beats_a, triangles_b, beats_b, nodes_a, nodes_b,
+  input wire [31:0] base_a, base_b, row_leaf_a, row_leaf_b, row_a, row_b,
+  input wire [197:0] matrix_m, matrix_k,
+  input wire [131:0] shift_t, shift_u,
+  input wire [71:0] sigma_a, sigma_b,
+  output wire idle, done, hit, any, stopped, damaged, error,
+  output wire result_valid, result_coplanar, result_outside, result_warning,
+  input wire result_ready,
+  output wire [31:0] result_a, result_b, entries, steps, rows, pairs, near_pairs, collisions,
+  output wire [31:0] out_of_range, warnings, cycles, first_a, first_b, first_leaf_a,
+  output wire [31:0] first_leaf_b, first_row_a, first_row_b,
+  output wire arvalid, rready,
+  input wire arready, rvalid, rlast,
+  output wire [39:0] araddr,
+  output wire [7:0] arlen,
+  input wire [127:0] rdata,
+  input wire [1:0] rresp
+);
+  wire pair_valid, pair_ready, pair_outside, in_flight, verdict_valid, verdict_ready;
+  wire collision, coplanar, warning, verdict_outside;
+  wire [9*W-1:0] pair_a, pair_b;
+
+  assign result_b[31:24] = 8'd0;
+  assign first_b[31:24] = 8'd0;
+  assign first_leaf_a[31:23] = 9'd0;
+  assign first_leaf_b[31:23] = 9'd0;
+  assign first_row_a[31:4] = 28'd0;
+  assign first_row_b[31:4] = 28'd0;
+
+  sepax_tree_engine #(
+    .W(W), .MARGIN(MARGIN), .FULL(FULL), .STACK(STACK), .LINE(LINE), .NODE_SETS(NODE_SETS),
+    .LEAF_SETS(LEAF_SETS)
+  ) engine (
+    .base_a(base_a[27:0]), .base_b(base_b[27:0]), .nodes_a(nodes_a[23:0]),
+    .nodes_b(nodes_b[23:0]), .triangles_b(triangles_b[24:0]), .row_leaf_a(row_leaf_a[22:0]),
+    .row_leaf_b(row_leaf_b[22:0]), .row_a(row_a[3:0]), .row_b(row_b[3:0]),
+    .result_b(result_b[23:0]), .near(near_pairs), .first_b(first_b[23:0]),
+    .first_leaf_a(first_leaf_a[22:0]), .first_leaf_b(first_leaf_b[22:0]),
+    .first_row_a(first_row_a[3:0]), .first_row_b(first_row_b[3:0]), .*
+  );
+`ifdef SEPAX_LIMITS
+`else
+  assign warning = 1'b0;
+`endif
+  sepax_cores cores (
+    .pair_info(pair_outside), .verdict_info(verdict_outside),
+`ifdef SEPAX_LIMITS
+    .warning(warning),
+`endif
+    .*
+  );
+endmodule

@@ -1,0 +1,551 @@
+// walks.cpp - the verilated tree engine against its golden model: random bodies and poses, or two
+// STL files in the pose of their files. Pairs, their order, flags and counters are compared.
+#include "Vsepax_tree_bench.h"
+#include "cosim/verilated_top.h"
+#include "tree/memory.h"
+
+#include "sepax.h"
+#include "sepax_tree.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace {
+
+const uint64_t BASE = 0x8912345000; // of the memory
+
+struct Options {
+  unsigned runs = 100;
+  uint64_t seed = 1, stress = 0, damage = 0, stops = 0;
+  int latency = 100, size = 60, verbose = 0;
+  unsigned line = 32, stack = 1024;
+  double resolution = 0;
+  const char *design = "", *wave = nullptr;
+  std::vector<const char *> meshes;
+} options;
+
+uint64_t state;
+uint64_t draw() { return memory_draw(&state); }
+int below(int count) { return (int)(draw() % (uint64_t)count); }
+double unit() { return (double)(int64_t)draw() * 0x1p-63; }
+
+[[noreturn]] void fail(const char *what) {
+  std::fprintf(stderr, "walks: %s\n", what);
+  std::exit(2);
+}
+
+// What a run is asked to do, besides pose and bodies.
+struct Ask {
+  bool first = false, quiet = false, cold = true, row = false;
+  uint32_t budget = UINT32_MAX;
+  uint64_t stop = UINT64_MAX;
+  sepax_tree_pair pair{};
+};
+
+struct Result {
+  uint32_t a, b;
+  bool coplanar, outside, warning;
+  bool operator==(const Result &o) const {
+    return a == o.a && b == o.b && coplanar == o.coplanar && outside == o.outside &&
+           warning == o.warning;
+  }
+};
+
+// Two bodies in one memory.
+struct Scene {
+  sepax_tree *tree[2] = {nullptr, nullptr};
+  std::vector<uint8_t> bytes; // of the memory: both images
+  size_t at[2];
+  uint8_t record[2][SEPAX_TREE_BODY_BYTES];
+
+  ~Scene() {
+    sepax_tree_free(tree[0]);
+    sepax_tree_free(tree[1]);
+  }
+  void place() {
+    bytes.clear();
+    for (int i = 0; i < 2; i++) {
+      size_t size;
+      const uint8_t *from = sepax_tree_image(tree[i], &size);
+      at[i] = bytes.size();
+      sepax_tree_body(tree[i], BASE + at[i], record[i]);
+      bytes.insert(bytes.end(), from, from + size);
+      bytes.resize((bytes.size() + 4095) / 4096 * 4096);
+    }
+  }
+};
+
+uint32_t get32(const uint8_t *from) {
+  return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 |
+         (uint32_t)from[3] << 24;
+}
+
+class Engine {
+public:
+  Engine() : top(options.wave, options.seed) {
+    top->start = top->stop = top->rvalid = 0;
+    reset();
+  }
+
+  void reset() {
+    memory_options o = {};
+    o.latency = options.latency;
+    o.stress = options.stress != 0 ? draw() | 1 : 0;
+    memory_open(&ram, &o);
+    top->rst = 1;
+    for (int k = 0; k < 3; k++) {
+      top.settle();
+      top.rise();
+    }
+    top->rst = 0;
+  }
+
+  // False if it hangs. stop: the cycle in which it is stopped.
+  bool run(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask) {
+    give(scene, pose, ask);
+    ram.options.base = BASE;
+    ram.options.bytes = scene.bytes.data();
+    ram.options.size = scene.bytes.size();
+    results.clear();
+    top->start = 1;
+    for (uint64_t cycle = 0; cycle < 20000000; cycle++) {
+      top->stop = cycle == ask.stop;
+      top->result_ready = options.stress == 0 || below(4) != 0;
+      if (tick()) {
+        return true;
+      }
+      top->start = 0;
+    }
+    return false;
+  }
+
+  VerilatedTop<Vsepax_tree_bench> top;
+  std::vector<Result> results;
+  memory ram;
+
+private:
+  template <typename Words> static void put(Words &words, int at, uint64_t value, int bits) {
+    for (int k = 0; k < bits; k++, at++) {
+      uint32_t bit = UINT32_C(1) << (at % 32);
+      words[at / 32] = (value >> k & 1) != 0 ? words[at / 32] | bit : words[at / 32] & ~bit;
+    }
+  }
+
+  void give(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask) {
+    top->base_a = (uint32_t)((BASE + scene.at[0]) / 4096);
+    top->base_b = (uint32_t)((BASE + scene.at[1]) / 4096);
+    top->nodes_a = get32(scene.record[0] + 8);
+    top->nodes_b = get32(scene.record[1] + 8);
+    top->triangles_a = get32(scene.record[0] + 12);
+    top->triangles_b = get32(scene.record[1] + 12);
+    top->beats_a = get32(scene.record[0] + 16);
+    top->beats_b = get32(scene.record[1] + 16);
+    for (int k = 0; k < 9; k++) {
+      put(top->matrix_m, 22 * k, (uint64_t)(int64_t)pose.side[0].matrix[k / 3][k % 3], 22);
+      put(top->matrix_k, 22 * k, (uint64_t)(int64_t)pose.side[1].matrix[k / 3][k % 3], 22);
+    }
+    for (int k = 0; k < 3; k++) {
+      put(top->shift_t, 44 * k, (uint64_t)pose.side[0].shift[k], 44);
+      put(top->shift_u, 44 * k, (uint64_t)pose.side[1].shift[k], 44);
+      put(top->sigma_a, 24 * k, pose.side[0].sigma[k], 24);
+      put(top->sigma_b, 24 * k, pose.side[1].sigma[k], 24);
+    }
+    top->first = ask.first;
+    top->quiet = ask.quiet;
+    top->cold = ask.cold;
+    top->budget = ask.budget;
+    top->row = ask.row;
+    top->row_leaf_a = ask.pair.leaf[0];
+    top->row_leaf_b = ask.pair.leaf[1];
+    top->row_a = (uint32_t)ask.pair.child[0];
+    top->row_b = (uint32_t)ask.pair.child[1];
+  }
+
+  // One clock cycle; true if the run ended in it.
+  bool tick() {
+    const memory_slave *slave = memory_drive(&ram);
+    top->arready = slave->arready;
+    top->rvalid = slave->rvalid;
+    top->rlast = slave->rlast;
+    top->rresp = (uint8_t)slave->rresp;
+    for (int k = 0; k < 4; k++) {
+      top->rdata[k] = slave->rdata[k];
+    }
+    top.settle();
+    const memory_master master = {top->arvalid != 0, top->rready != 0, top->araddr, top->arlen};
+    memory_clock(&ram, &master);
+    if (top->result_valid && top->result_ready) {
+      results.push_back({top->result_a, top->result_b, top->result_coplanar != 0,
+                         top->result_outside != 0, top->result_warning != 0});
+    }
+    bool ended = top->done;
+    top.rise();
+    return ended;
+  }
+};
+
+// ------------------------------------------------------------------ golden model
+
+struct Golden {
+  sepax_tree_run run;
+  std::vector<sepax_tree_pair> near;
+};
+
+bool keep(void *context, const sepax_tree_pair *pair) {
+  static_cast<Golden *>(context)->near.push_back(*pair);
+  return true;
+}
+
+Golden walk(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask,
+            const sepax_design &design) {
+  Golden golden;
+  sepax_tree_walk how = {};
+  how.design = &design;
+  how.line = options.line;
+  how.stack = options.stack;
+  how.first = ask.first;
+  how.row = ask.row ? &ask.pair : nullptr;
+  how.each = keep;
+  how.context = &golden;
+  const uint8_t *image[2] = {&scene.bytes[scene.at[0]], &scene.bytes[scene.at[1]]};
+  sepax_error error;
+  if (!sepax_images_walk(image, scene.record, &pose, &how, &golden.run, &error)) {
+    fail(error.text);
+  }
+  if (golden.run.ended) { // the last was not told
+    golden.near.push_back(golden.run.found);
+  }
+  return golden;
+}
+
+std::vector<Result> results_of(const Golden &golden) {
+  std::vector<Result> results;
+  for (const sepax_tree_pair &p : golden.near) {
+    bool warning = !p.collision && p.band == SEPAX_BAND_WARNING;
+    if (p.collision || warning) {
+      results.push_back(
+          {p.triangle[0], p.triangle[1], p.coplanar && !p.out_of_range, p.out_of_range, warning});
+    }
+  }
+  return results;
+}
+
+// ------------------------------------------------------------------- comparison
+
+std::vector<std::string> faults;
+void expect(const char *what, uint64_t is, uint64_t should) {
+  if (is != should) {
+    faults.push_back(std::string(what) + " " + std::to_string(is) + ", not " +
+                     std::to_string(should));
+  }
+}
+
+void compare_first(Engine &e, const Golden &golden, size_t collisions) {
+  const sepax_tree_pair &f = golden.run.found;
+  expect("ANY", e.top->any, collisions > 0);
+  if (collisions > 0) {
+    expect("FIRST, A", e.top->first_a, f.triangle[0]);
+    expect("FIRST, B", e.top->first_b, f.triangle[1]);
+    expect("FIRST, leaf A", e.top->first_leaf_a, f.leaf[0]);
+    expect("FIRST, leaf B", e.top->first_leaf_b, f.leaf[1]);
+    expect("FIRST, a", e.top->first_row_a, (uint64_t)f.child[0]);
+    expect("FIRST, b", e.top->first_row_b, (uint64_t)f.child[1]);
+  }
+}
+
+// Of a run that was stopped: what it found is where the golden order begins.
+void compare_part(Engine &e, const Golden &golden, const Ask &ask) {
+  size_t near = e.top->near_pairs;
+  size_t collisions = 0, warnings = 0;
+  for (size_t k = 0; k < near && k < golden.near.size(); k++) {
+    collisions += golden.near[k].collision;
+    warnings += !golden.near[k].collision && golden.near[k].band == SEPAX_BAND_WARNING;
+  }
+  expect("NEAR of a part", near <= golden.near.size(), 1);
+  expect("COLLISIONS of a part", e.top->collisions, collisions);
+  expect("results of a part", e.results.size(), ask.quiet ? 0 : collisions + warnings);
+  compare_first(e, golden, collisions);
+}
+
+void compare(Engine &e, const Golden &golden, const Ask &ask) {
+  const sepax_tree_run &run = golden.run;
+  std::vector<Result> should = results_of(golden);
+  if (ask.quiet) {
+    should.clear();
+  }
+  for (size_t k = 0; k < e.results.size() && k < should.size(); k++) {
+    if (!(e.results[k] == should[k])) {
+      expect("result", k, SIZE_MAX);
+      break;
+    }
+  }
+  expect("ERROR", e.top->error, 0);
+  if (e.top->stopped && (ask.budget < UINT32_MAX || ask.stop < UINT64_MAX)) {
+    expect("DAMAGED", e.top->damaged, 0);
+    compare_part(e, golden, ask);
+    return;
+  }
+  expect("DAMAGED", e.top->damaged, run.damaged);
+  expect("STOPPED", e.top->stopped, run.ended);
+  expect("NEAR", e.top->near_pairs, run.near);
+  expect("COLLISIONS", e.top->collisions, run.collisions);
+  expect("OUT_OF_RANGE", e.top->out_of_range, run.out_of_range);
+  expect("WARNINGS", e.top->warnings, run.warnings);
+  expect("results", e.results.size(), should.size());
+  compare_first(e, golden, run.collisions);
+  if (!run.ended && !run.damaged) {
+    expect("ENTRIES", e.top->entries, run.entries);
+    expect("STEPS", e.top->steps, run.steps);
+    expect("ROWS", e.top->rows, run.rows);
+    expect("PAIRS", e.top->pairs, run.pairs);
+  }
+}
+
+// ------------------------------------------------------------------------ scenes
+
+sepax_vec near_to(const double at[3], double size, int word) {
+  sepax_vec v;
+  int32_t *coordinate[3] = {&v.x, &v.y, &v.z};
+  double most = std::ldexp(1, word - 1) - 1;
+  for (int i = 0; i < 3; i++) {
+    double x = at[i] + size * unit();
+    *coordinate[i] = (int32_t)std::round(x < -most ? -most : x > most ? most : x);
+  }
+  return v;
+}
+
+// Triangles strewn in a ball or a slab, large or small, some without an area.
+sepax_tree *strewn(size_t count, int word) {
+  std::vector<sepax_tri> tri(count);
+  double reach = std::ldexp(1, word - 1) * (below(4) == 0 ? 0.9 : 0.3);
+  double size = reach / (1 + below(40));
+  bool flat = below(3) == 0;
+  for (sepax_tri &t : tri) {
+    double at[3] = {reach * unit(), reach * unit(), flat ? 0 : reach * unit()};
+    for (sepax_vec &v : t.v) {
+      v = near_to(at, below(20) == 0 ? 0 : size, word);
+    }
+  }
+  sepax_tree *tree;
+  sepax_grid grid = {};
+  grid.resolution = 1;
+  grid.word = word;
+  sepax_error error;
+  if (!sepax_tree_new(&tree, tri.data(), count, &grid, &error)) {
+    fail(error.text);
+  }
+  return tree;
+}
+
+sepax_pose random_pose(double away) {
+  double q[4], n = 0;
+  int kind = below(4); // any; of quarters; none
+  for (double &x : q) {
+    x = kind == 0 ? unit() : kind == 1 ? below(3) - 1 : 0;
+    n += x * x;
+  }
+  if (n < 1e-6) {
+    q[0] = n = 1;
+    q[1] = q[2] = q[3] = 0;
+  }
+  double w = q[0], x = q[1], y = q[2], z = q[3], f = 2 / n;
+  sepax_pose p = {{{1 - f * (y * y + z * z), f * (x * y - w * z), f * (x * z + w * y)},
+                   {f * (x * y + w * z), 1 - f * (x * x + z * z), f * (y * z - w * x)},
+                   {f * (x * z - w * y), f * (y * z + w * x), 1 - f * (x * x + y * y)}},
+                  {0, 0, 0}};
+  for (double &t : p.translation) {
+    t = kind == 1 ? std::round(away * unit()) : away * unit();
+  }
+  return p;
+}
+
+sepax_tree_pose pose_of(const Scene &scene, const sepax_pose *b, const sepax_design &design) {
+  sepax_tree_pose pose;
+  sepax_error error;
+  int64_t margin = design.limits > 0 ? design.margin[design.limits - 1] : 0;
+  if (!sepax_tree_pose_make(&pose, scene.tree[0], nullptr, scene.tree[1], b, margin, &error)) {
+    fail(error.text);
+  }
+  return pose;
+}
+
+// ------------------------------------------------------------------------- runs
+
+struct Totals {
+  uint64_t runs = 0, mismatches = 0, near = 0, collisions = 0, damaged = 0, stopped = 0;
+} totals;
+
+// False after a fault.
+bool judge(Engine &e, const Scene &scene, const sepax_tree_pose &pose, const Ask &ask,
+           const sepax_design &design) {
+  Golden golden = walk(scene, pose, ask, design);
+  faults.clear();
+  if (!e.run(scene, pose, ask)) {
+    faults.push_back("hangs");
+    e.reset();
+  } else {
+    compare(e, golden, ask);
+  }
+  expect("breaches of AXI", e.ram.counts.breaches, 0);
+  totals.runs++;
+  totals.mismatches += !faults.empty();
+  totals.near += e.top->near_pairs;
+  totals.collisions += e.top->collisions;
+  totals.damaged += e.top->damaged;
+  totals.stopped += e.top->stopped;
+  if (options.verbose > 0 || (!faults.empty() && totals.mismatches < 10)) {
+    const sepax_tree_run &r = golden.run;
+    std::printf("run %llu: %u cycles, entries %llu, steps %llu, rows %llu, pairs %llu, near %llu, "
+                "collisions %llu, deepest %llu%s%s%s%s\n",
+                (unsigned long long)totals.runs, e.top->cycles, (unsigned long long)r.entries,
+                (unsigned long long)r.steps, (unsigned long long)r.rows,
+                (unsigned long long)r.pairs, (unsigned long long)r.near,
+                (unsigned long long)r.collisions, (unsigned long long)r.deepest,
+                ask.first ? ", FIRST" : "", ask.quiet ? ", QUIET" : "", ask.row ? ", ROW" : "",
+                r.damaged ? ", damaged" : "");
+    for (const std::string &fault : faults) {
+      std::printf("  %s\n", fault.c_str());
+    }
+  }
+  return faults.empty();
+}
+
+void harm(Scene &scene) {
+  for (int count = 1 + below(8); count > 0; count--) {
+    scene.bytes[draw() % scene.bytes.size()] = (uint8_t)draw();
+  }
+}
+
+void random_runs(Engine &e, const sepax_design &design) {
+  int word = design.config.word;
+  while (totals.runs < options.runs) {
+    Scene scene;
+    for (sepax_tree *&tree : scene.tree) {
+      tree = strewn((size_t)(1 + below(1 + below(options.size * options.size))), word);
+    }
+    scene.place();
+    if (options.damage > 0 && draw() % options.damage == 0) {
+      harm(scene);
+    }
+    sepax_tree_pair last = {};
+    bool known = false;
+    for (int poses = 1 + below(4); poses > 0 && totals.runs < options.runs; poses--) {
+      sepax_pose b = random_pose(std::ldexp(0.7, word - 1));
+      sepax_tree_pose pose = pose_of(scene, &b, design);
+      Ask ask;
+      ask.first = below(4) == 0;
+      ask.quiet = below(8) == 0;
+      ask.cold = totals.runs == 0 || below(2) == 0 || poses > 0;
+      ask.row = below(4) == 0 && (known || options.damage > 0);
+      ask.pair = last;
+      ask.budget = options.stops > 0 && draw() % options.stops == 0 ? (uint32_t)(1 + below(3000))
+                                                                    : UINT32_MAX;
+      ask.stop =
+          options.stops > 0 && draw() % options.stops == 0 ? (uint64_t)below(3000) : UINT64_MAX;
+      judge(e, scene, pose, ask, design);
+      if (e.top->any) {
+        known = true;
+        last.leaf[0] = e.top->first_leaf_a;
+        last.leaf[1] = e.top->first_leaf_b;
+        last.child[0] = (int)e.top->first_row_a;
+        last.child[1] = (int)e.top->first_row_b;
+      }
+    }
+  }
+}
+
+void mesh_run(Engine &e, const sepax_design &design) {
+  sepax_mesh mesh[2];
+  sepax_error error;
+  Scene scene;
+  for (int i = 0; i < 2; i++) {
+    if (!sepax_stl_read(&mesh[i], options.meshes[(size_t)i], &error)) {
+      fail(error.text);
+    }
+  }
+  const sepax_mesh *const both[2] = {&mesh[0], &mesh[1]};
+  sepax_grid grid = {};
+  grid.resolution = options.resolution;
+  grid.word = design.config.word;
+  bool ok = grid.resolution > 0 || sepax_grid_fit(&grid, both, 2, grid.word, &error);
+  for (int i = 0; i < 2 && ok; i++) {
+    std::vector<sepax_tri> tri(mesh[i].count);
+    ok = sepax_quantise(&mesh[i], &grid, tri.data(), nullptr, &error) &&
+         sepax_tree_new(&scene.tree[i], tri.data(), tri.size(), &grid, &error);
+    sepax_mesh_free(&mesh[i]);
+  }
+  if (!ok) {
+    fail(error.text);
+  }
+  scene.place();
+  options.verbose = 1;
+  Ask ask;
+  judge(e, scene, pose_of(scene, nullptr, design), ask, design);
+}
+
+bool number(const char *argument, const char *name, uint64_t *value) {
+  size_t length = std::strlen(name);
+  if (std::strncmp(argument, name, length) != 0) {
+    return false;
+  }
+  *value = std::strtoull(argument + length, nullptr, 0);
+  return true;
+}
+
+void read_options(int count, char **argument) {
+  for (int k = 1; k < count; k++) {
+    uint64_t value = 0;
+    const char *a = argument[k];
+    if (number(a, "--runs=", &value)) {
+      options.runs = (unsigned)value;
+    } else if (number(a, "--seed=", &options.seed) || number(a, "--stress=", &options.stress) ||
+               number(a, "--damage=", &options.damage) || number(a, "--stops=", &options.stops)) {
+    } else if (number(a, "--latency=", &value)) {
+      options.latency = (int)value;
+    } else if (number(a, "--size=", &value)) {
+      options.size = (int)value;
+    } else if (number(a, "--line=", &value)) {
+      options.line = (unsigned)value;
+    } else if (number(a, "--stack=", &value)) {
+      options.stack = (unsigned)value;
+    } else if (std::strcmp(a, "-v") == 0) {
+      options.verbose = 1;
+    } else if (std::strncmp(a, "--wave=", 7) == 0) {
+      options.wave = a + 7;
+    } else if (a[0] != '-') {
+      options.meshes.push_back(a);
+    } else {
+      fail("bad option");
+    }
+  }
+}
+
+} // namespace
+
+int main(int count, char **argument) {
+  read_options(count, argument);
+  state = options.seed;
+  sepax_config config = sepax_config_default();
+  config.word = 18;
+  sepax_design design;
+  sepax_error error;
+  if (!sepax_design_init(&design, &config, &error)) {
+    fail(error.text);
+  }
+  Engine engine;
+  if (options.meshes.size() == 2) {
+    mesh_run(engine, design);
+  } else {
+    random_runs(engine, design);
+  }
+  std::printf("%llu runs, %llu mismatches, %llu near pairs, %llu collisions, %llu damaged, "
+              "%llu stopped\n",
+              (unsigned long long)totals.runs, (unsigned long long)totals.mismatches,
+              (unsigned long long)totals.near, (unsigned long long)totals.collisions,
+              (unsigned long long)totals.damaged, (unsigned long long)totals.stopped);
+  return totals.mismatches > 0;
+}
