@@ -1,4 +1,4 @@
-/* joint.c - the tree engine: walk and pair machine, joined with memory and compare path. */
+/* joint.c - the tree engine: the walk, the pairs of its rows, its runs. */
 #include "aabb/aabb.h"
 #include "emit/template.h"
 #include "tree/modules.h"

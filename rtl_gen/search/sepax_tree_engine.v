@@ -199,7 +199,7 @@ module sepax_tree_engine #(
 
   assign pair_valid = near_valid && launch_free;
 
-  sepax_tree_pairs #(.W(W), .MARGIN(MARGIN), .SLOT(LEAF_SLOT), .ROWS(6), .INFO(INFO)) machine (
+  sepax_tree_pairs #(.W(W), .MARGIN(MARGIN), .SLOT(LEAF_SLOT), .ROWS(6), .INFO(INFO)) near_pairs (
     .clk(clk), .clear(clear), .damaged(pairs_damaged), .error(pairs_error), .busy(pairs_busy),
     .row_valid(row_valid), .row_ready(row_ready), .row_last(row_last), .row_child(row_child),
     .row_mask(row_mask), .leaf_out_valid(leaf_out_valid), .leaf_out_ready(leaf_out_ready),

@@ -12,7 +12,7 @@ module sepax_pair_test #(
 );
   localparam V = W + 2;
   localparam [V:0] GAP = MARGIN;
-  wire [2:0]     apart;
+  wire [2:0]     separate;
   reg  [3*W-1:0] side_q;
   wire [W-1:0]   side_x = side_q[0*W +: W], side_y = side_q[1*W +: W], side_z = side_q[2*W +: W];
   wire           is_z = (side_z <= side_x) && (side_z <= side_y);
@@ -31,7 +31,7 @@ module sepax_pair_test #(
       wire signed [V:0]   higher_b = {high_b[V-1], high_b} + GAP;
       wire [W-1:0]        low = (low_b < low_a) ? low_b[W-1:0] : low_a[W-1:0];
       wire [W-1:0]        high = (high_b > high_a) ? high_b[W-1:0] : high_a[W-1:0];
-      assign apart[k] = (lower_b > $signed({high_a[V-1], high_a})) ||
+      assign separate[k] = (lower_b > $signed({high_a[V-1], high_a})) ||
                         ($signed({low_a[V-1], low_a}) > higher_b);
       // Right where B is within W bits.
       always @(posedge clk) begin
@@ -41,6 +41,6 @@ module sepax_pair_test #(
   endgenerate
 
   always @(posedge clk) begin
-    near <= !(|apart);
+    near <= !(|separate);
   end
 endmodule

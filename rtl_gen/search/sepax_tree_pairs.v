@@ -94,10 +94,10 @@ module sepax_tree_pairs #(
   reg  [3:0]        child_q;
   reg  [SLOT-1:0]   slot_q;
   reg               last_q, first_q, leaf_q; // last of its leaves; first pair of the row, of them
-  reg  [4:0]        room_q;       // places of the queue that pairs may still take
+  reg  [4:0]        free_q;       // places of the queue that pairs may still take
   wire [15:0]       lowest = mask_q & (~mask_q + 16'd1);
   wire [15:0]       others = mask_q & ~lowest;
-  wire              issue = (|mask_q) && (|room_q) && !damaged;
+  wire              issue = (|mask_q) && (|free_q) && !damaged;
   wire              row_done = issue && !(|others);
   wire [3:0]        a = {
     |(lowest & 16'hff00), |(lowest & 16'hf0f0), |(lowest & 16'hcccc), |(lowest & 16'haaaa)
@@ -179,7 +179,7 @@ module sepax_tree_pairs #(
       mask_q <= 16'd0;
       leaf_q <= 1'b1;
       {valid_q, valid_q2, valid_q3, damaged, out_q} <= 5'd0;
-      room_q <= 5'd16;
+      free_q <= 5'd16;
       {tail_q, head_q} <= 8'd0;
       count_q <= 5'd0;
     end else begin
@@ -202,7 +202,7 @@ module sepax_tree_pairs #(
       valid_q <= issue && !spoilt;
       valid_q2 <= valid_q && !spoilt && !damaged;
       valid_q3 <= valid_q2 && !spoilt && !damaged;
-      room_q <= room_q - {4'd0, issue} + {4'd0, valid_q3 && !near} + {4'd0, read};
+      free_q <= free_q - {4'd0, issue} + {4'd0, valid_q3 && !near} + {4'd0, read};
       count_q <= count_q + {4'd0, commit} - {4'd0, read};
       tail_q <= tail;
       head_q <= head_q + {3'd0, read};

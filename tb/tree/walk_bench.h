@@ -1,0 +1,169 @@
+// walk_bench.h - the verilated tree engine with its cores on a memory.
+#ifndef SEPAX_WALK_BENCH_H
+#define SEPAX_WALK_BENCH_H
+
+#include "Vsepax_walk_bench.h"
+#include "cosim/verilated_top.h"
+#include "tree/memory.h"
+
+#include "sepax_tree.h"
+
+#include <vector>
+
+const uint64_t BASE = 0x8912345000; // of the memory
+
+// What a run is asked to do, besides pose and bodies.
+struct Ask {
+  bool first = false, quiet = false, cold = true, row = false;
+  uint32_t budget = UINT32_MAX;
+  uint64_t stop = UINT64_MAX;
+  sepax_tree_pair pair{};
+};
+
+struct Result {
+  uint32_t a, b;
+  bool coplanar, outside, warning;
+  bool operator==(const Result &o) const {
+    return a == o.a && b == o.b && coplanar == o.coplanar && outside == o.outside &&
+           warning == o.warning;
+  }
+};
+
+// Two bodies in one memory.
+struct Scene {
+  sepax_tree *tree[2] = {nullptr, nullptr};
+  std::vector<uint8_t> bytes; // of the memory: both images
+  size_t at[2];
+  uint8_t record[2][SEPAX_TREE_BODY_BYTES];
+
+  ~Scene() {
+    sepax_tree_free(tree[0]);
+    sepax_tree_free(tree[1]);
+  }
+  void place() {
+    bytes.clear();
+    for (int i = 0; i < 2; i++) {
+      size_t size;
+      const uint8_t *from = sepax_tree_image(tree[i], &size);
+      at[i] = bytes.size();
+      sepax_tree_body(tree[i], BASE + at[i], record[i]);
+      bytes.insert(bytes.end(), from, from + size);
+      bytes.resize((bytes.size() + 4095) / 4096 * 4096);
+    }
+  }
+};
+
+inline uint32_t get32(const uint8_t *from) {
+  return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 |
+         (uint32_t)from[3] << 24;
+}
+
+class Engine {
+public:
+  Engine(const char *wave, uint64_t seed, uint64_t seed_of_stress, int cycles)
+      : top(wave, seed), stress(seed_of_stress), latency(cycles) {
+    top->start = top->stop = top->rvalid = 0;
+    reset();
+  }
+
+  void reset() {
+    memory_options o = {};
+    o.latency = latency;
+    o.stress = stress;
+    memory_open(&ram, &o);
+    top->rst = 1;
+    for (int k = 0; k < 3; k++) {
+      top.settle();
+      top.rise();
+    }
+    top->rst = 0;
+  }
+
+  // False if it hangs. stop: the cycle in which it is stopped.
+  bool run(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask) {
+    give(scene, pose, ask);
+    ram.options.base = BASE;
+    ram.options.bytes = scene.bytes.data();
+    ram.options.size = scene.bytes.size();
+    results.clear();
+    top->start = 1;
+    for (uint64_t cycle = 0; cycle < 20000000; cycle++) {
+      top->stop = cycle == ask.stop;
+      top->result_ready = stress == 0 || memory_draw(&stress) % 4 != 0;
+      if (tick()) {
+        return true;
+      }
+      top->start = 0;
+    }
+    return false;
+  }
+
+  VerilatedTop<Vsepax_tree_bench> top;
+  std::vector<Result> results;
+  memory ram;
+
+private:
+  uint64_t stress; // a seed, or 0: none
+  int latency;
+
+  template <typename Words> static void put(Words &words, int at, uint64_t value, int bits) {
+    for (int k = 0; k < bits; k++, at++) {
+      uint32_t bit = UINT32_C(1) << (at % 32);
+      words[at / 32] = (value >> k & 1) != 0 ? words[at / 32] | bit : words[at / 32] & ~bit;
+    }
+  }
+
+  void give(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask) {
+    top->base_a = (uint32_t)((BASE + scene.at[0]) / 4096);
+    top->base_b = (uint32_t)((BASE + scene.at[1]) / 4096);
+    top->nodes_a = get32(scene.record[0] + 8);
+    top->nodes_b = get32(scene.record[1] + 8);
+    top->triangles_a = get32(scene.record[0] + 12);
+    top->triangles_b = get32(scene.record[1] + 12);
+    top->beats_a = get32(scene.record[0] + 16);
+    top->beats_b = get32(scene.record[1] + 16);
+    for (int k = 0; k < 9; k++) {
+      put(top->matrix_m, 22 * k, (uint64_t)(int64_t)pose.side[0].matrix[k / 3][k % 3], 22);
+      put(top->matrix_k, 22 * k, (uint64_t)(int64_t)pose.side[1].matrix[k / 3][k % 3], 22);
+    }
+    for (int k = 0; k < 3; k++) {
+      put(top->shift_t, 44 * k, (uint64_t)pose.side[0].shift[k], 44);
+      put(top->shift_u, 44 * k, (uint64_t)pose.side[1].shift[k], 44);
+      put(top->sigma_a, 24 * k, pose.side[0].sigma[k], 24);
+      put(top->sigma_b, 24 * k, pose.side[1].sigma[k], 24);
+    }
+    top->first = ask.first;
+    top->quiet = ask.quiet;
+    top->cold = ask.cold;
+    top->budget = ask.budget;
+    top->row = ask.row;
+    top->row_leaf_a = ask.pair.leaf[0];
+    top->row_leaf_b = ask.pair.leaf[1];
+    top->row_a = (uint32_t)ask.pair.child[0];
+    top->row_b = (uint32_t)ask.pair.child[1];
+  }
+
+  // One clock cycle; true if the run ended in it.
+  bool tick() {
+    const memory_slave *slave = memory_drive(&ram);
+    top->arready = slave->arready;
+    top->rvalid = slave->rvalid;
+    top->rlast = slave->rlast;
+    top->rresp = (uint8_t)slave->rresp;
+    for (int k = 0; k < 4; k++) {
+      top->rdata[k] = slave->rdata[k];
+    }
+    top.settle();
+    const memory_master master = {top->arvalid != 0, top->rready != 0, top->araddr, top->arlen};
+    memory_clock(&ram, &master);
+    if (top->result_valid && top->result_ready) {
+      results.push_back({top->result_a, top->result_b, top->result_coplanar != 0,
+                         top->result_outside != 0, top->result_warning != 0});
+    }
+    bool ended = top->done;
+    top.rise();
+    return ended;
+  }
+};
+
+#endif
