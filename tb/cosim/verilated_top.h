@@ -44,6 +44,9 @@ public:
   Module *operator->() { return module.get(); }
   Module &operator*() { return *module; }
 
+  // What begins with + is for the design.
+  void arguments(int argc, char **argv) { context.commandArgs(argc, argv); }
+
   // The first half of a clock cycle: the inputs act on the outputs.
   void settle() {
     module->eval();
