@@ -33,7 +33,7 @@ static void draw_pose(drawn_boxes *d, double reach) {
     for (int j = 0; j < 3; j++) {
       sum -= (wide)d->pose.side[1].matrix[i][j] * (d->pose.side[0].shift[j] - (1 << 19));
     }
-    d->pose.side[1].shift[i] = (int64_t)(sum >> 20) + random_below(2);
+    d->pose.side[1].shift[i] = (int64_t)(sum >> 20) + random_below(1 << 22) - (1 << 21);
   }
 }
 
