@@ -14,8 +14,9 @@ extern "C" {
 #define SEPAX_TREE_NODE_BYTES 128
 #define SEPAX_TREE_BODY_BYTES 32
 #define SEPAX_TREE_POSE_BYTES 144
-#define SEPAX_TREE_LINE 32    /* entries in flight */
-#define SEPAX_TREE_STACK 1024 /* entries that wait */
+#define SEPAX_TREE_LINE 32     /* entries in flight */
+#define SEPAX_TREE_STACK 1024  /* entries that wait */
+#define SEPAX_TREE_LATENCY 100 /* cycles of a memory */
 
 /* ------------------------------------------------------------------- trees */
 
@@ -105,6 +106,7 @@ typedef struct {
 typedef struct {
   const sepax_design *design; /* its word, clearances and verdicts; architecture exact */
   unsigned line, stack;       /* 0: SEPAX_TREE_LINE, SEPAX_TREE_STACK */
+  int latency;                /* of the memory, for `cycles`; 0: SEPAX_TREE_LATENCY */
   bool first;                 /* end at the first collision */
   const sepax_tree_pair *row; /* a pair that is served before all others; NULL: none */
   /* Called with each near pair, in order; false ends the walk. NULL: not called. */
@@ -117,6 +119,7 @@ typedef struct {
   uint64_t out_of_range, warnings;                        /* among `near` */
   uint64_t passes;       /* of near pairs through the core: two for one that is flat along z */
   sepax_tree_pair found; /* FIRST, where collisions > 0 */
+  uint64_t cycles;       /* predicted, with cold caches */
   uint64_t deepest;      /* the most entries in the stack */
   bool damaged;          /* a node, or the stack: the walk ended there, no verdict */
   bool ended;            /* by `first` or `each` */

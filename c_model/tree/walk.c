@@ -1,5 +1,6 @@
 /* walk.c - the walk down two trees: which pairs the tree engine tests, in which order, and what it
  * counts. docs/tree.md, Order. */
+#include "tree/time.h"
 #include "tree/tree.h"
 #include "tree/walk.h"
 
@@ -13,6 +14,7 @@ typedef struct {
   uint32_t s, t;
   uint16_t mask;
   uint8_t side;
+  uint64_t there; /* the cycle when its nodes are */
 } entry;
 
 static uint16_t half(uint16_t mask) {
@@ -31,6 +33,8 @@ typedef struct {
   size_t line_most, stack_most, height;
   entry *line, *stack; /* the line is a ring */
   size_t oldest, in_line, in_stack;
+  tree_time time;
+  uint64_t now; /* the cycle when the entry is finished */
 } walk;
 
 static bool damaged(walk *w) {
@@ -97,6 +101,8 @@ static bool serve_row(walk *w, const uint32_t leaf[2], const tree_node *node_a,
   int32_t own[3][3];
   int32_t turned[3][3];
   w->run->rows++;
+  uint64_t pairs = w->run->pairs;
+  uint64_t passes = w->run->passes;
   if (!tree_triangle(own, record_b, node_b->beats, b, word)) {
     return damaged(w);
   }
@@ -119,11 +125,14 @@ static bool serve_row(walk *w, const uint32_t leaf[2], const tree_node *node_a,
                            .child = {a, b}};
       judge(w, &p, &tested, v, turned);
       if (!count_near(w, &p)) {
-        return false;
+        break;
       }
     }
   }
-  return true;
+  const int beats[2] = {node_a->beats, node_b->beats};
+  tree_time_row(&w->time, w->now, leaf, beats, (unsigned)(w->run->pairs - pairs),
+                (unsigned)(w->run->passes - passes));
+  return !w->run->ended;
 }
 
 /* ------------------------------------------------------------------ entries */
@@ -152,7 +161,8 @@ static bool finish_own(walk *w, const entry *e, const tree_node *s, const tree_n
   uint16_t hit = tree_hits(&box, t);
   w->run->entries++;
   w->run->steps++;
-  return hit == 0 || push(w, (entry){e->t, e->s, hit, !e->side});
+  w->now = tree_time_finish(&w->time, e->there, 1);
+  return hit == 0 || push(w, (entry){e->t, e->s, hit, !e->side, 0});
 }
 
 static bool finish(walk *w, const entry *e) {
@@ -167,6 +177,7 @@ static bool finish(walk *w, const entry *e) {
   tree_setting setting = tree_set_up(&w->pose->side[e->side], &s, &t);
   uint16_t hit[TREE_FAN_OUT] = {0};
   uint16_t column[TREE_FAN_OUT] = {0};
+  uint64_t steps = w->run->steps;
   for (int i = 0; i < TREE_FAN_OUT; i++) {
     if ((e->mask >> i & 1) != 0) {
       tree_cells box = tree_turn_box(&setting, s.low[i], s.high[i]);
@@ -178,13 +189,14 @@ static bool finish(walk *w, const entry *e) {
     }
   }
   w->run->entries++;
+  w->now = tree_time_finish(&w->time, e->there, (unsigned)(w->run->steps - steps));
   if (s.level == 0 && t.level == 0) {
     return finish_rows(w, e, &s, &t, hit, column);
   }
   for (uint32_t k = 0; k < TREE_FAN_OUT; k++) {
     uint16_t mask = s.level > 0 ? hit[k] : column[k];
-    entry next = s.level > 0 ? (entry){e->t, s.first + k, half(mask), !e->side}
-                             : (entry){e->s, t.first + k, half(mask), e->side};
+    entry next = s.level > 0 ? (entry){e->t, s.first + k, half(mask), !e->side, 0}
+                             : (entry){e->s, t.first + k, half(mask), e->side, 0};
     if (mask != 0 && !push(w, next)) {
       return false;
     }
@@ -192,11 +204,17 @@ static bool finish(walk *w, const entry *e) {
   return true;
 }
 
+static void move(walk *w, entry e) {
+  const uint32_t node[2] = {e.side == 0 ? e.t : e.s, e.side == 0 ? e.s : e.t};
+  e.there = tree_time_move(&w->time, w->now, node);
+  w->line[(w->oldest + w->in_line++) % w->line_most] = e;
+}
+
 static void fill_line(walk *w) {
   while (
       w->in_stack > 0 && w->in_line < w->line_most &&
       (w->in_line == 0 || w->in_stack + 16 * (w->in_line + 1) + 15 * w->height <= w->stack_most)) {
-    w->line[(w->oldest + w->in_line++) % w->line_most] = w->stack[--w->in_stack];
+    move(w, w->stack[--w->in_stack]);
   }
 }
 
@@ -212,8 +230,7 @@ static void walk_all(walk *w, const tree_node *root_b) {
   if (w->how->row != NULL && !serve_first(w, w->how->row)) {
     return;
   }
-  w->line[0] = (entry){0, 0, half((uint16_t)((1U << root_b->children) - 1)), 0};
-  w->in_line = 1;
+  move(w, (entry){0, 0, half((uint16_t)((1U << root_b->children) - 1)), 0, 0});
   while (w->in_line > 0) {
     entry e = w->line[w->oldest];
     if (!finish(w, &e)) {
@@ -248,7 +265,10 @@ bool tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
     return sepax_fail(error, "no memory for a stack of %zu entries", w.stack_most);
   }
   w.stack = w.line + w.line_most;
+  tree_time_begin(&w.time, &how->design->config,
+                  how->latency > 0 ? how->latency : SEPAX_TREE_LATENCY);
   walk_all(&w, &root[1]);
+  run->cycles = tree_time_end(&w.time, how->design);
   free(w.line);
   return true;
 }

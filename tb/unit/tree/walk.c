@@ -138,6 +138,8 @@ static size_t compare(search *s, const sepax_pose *pose) {
   assert_works(sepax_trees_walk(s->tree_a, s->tree_b, &s->pose, &how, &run, &fault));
   assert_false(run.damaged || run.ended);
   assert_int_equal(run.out_of_range, s->out_of_range);
+  assert_true(run.cycles >= run.near * (uint64_t)s->design->config.ii &&
+              run.cycles >= 3 * run.rows);
   assert_true(run.near >= run.collisions && run.pairs >= run.near && run.pairs >= run.rows);
   pair_list wanted = by_brute_force(s);
   size_t count = wanted.count;
