@@ -1,5 +1,5 @@
 /* time.h - about when the tree engine does what the walk does (private): caches, bus, compare path,
- * pair machine and cores, each in order. docs/tree.md, Time. */
+ * pair test and cores, each in order. docs/tree.md, Time. */
 #ifndef SEPAX_TREE_TIME_H
 #define SEPAX_TREE_TIME_H
 
@@ -10,7 +10,7 @@ enum {
   TIME_LEAF_SETS = 2,
   TIME_WAYS = 4,
   TIME_ROWS = 64, /* in the row queue */
-  TIME_PAIRS = 16 /* between pair machine and cores */
+  TIME_PAIRS = 16 /* between pair test and cores */
 };
 
 /* What a place of a cache holds, since when it is there, and when it was used last. */
@@ -24,7 +24,7 @@ typedef struct {
   uint64_t asked;   /* the last address */
   uint64_t bus;     /* until when it is taken */
   uint64_t compare; /* until when the compare path is taken */
-  uint64_t pairs;   /* likewise the pair machine */
+  uint64_t pairs;   /* likewise the pair test */
   uint64_t verdict; /* the last pair was taken by a core */
   uint64_t free_at[SEPAX_CORES_MAX];
   uint64_t begun[TIME_ROWS]; /* rows by their number modulo TIME_ROWS */
