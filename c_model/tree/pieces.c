@@ -46,8 +46,8 @@ tree_setting tree_set_up(const sepax_tree_side *side, const tree_node *s, const 
 tree_cells tree_turn_box(const tree_setting *g, const int8_t low[3], const int8_t high[3]) {
   tree_cells r;
   for (int i = 0; i < 3; i++) {
-    int64_t lo = g->low[i];
-    int64_t hi = g->high[i];
+    int32_t lo = g->low[i];
+    int32_t hi = g->high[i];
     for (int k = 0; k < 3; k++) {
       bool up = g->n[i][k] >= 0;
       lo += g->n[i][k] * (up ? low[k] : high[k] + 1);
@@ -77,20 +77,25 @@ void tree_turn_vertex(int32_t v[3], const sepax_tree_side *side, const int32_t p
   }
 }
 
-static sepax_tri tri_of(const int32_t v[3][3]) {
-  sepax_tri t;
-  for (int k = 0; k < 3; k++) {
-    t.v[k] = (sepax_vec){v[k][0], v[k][1], v[k][2]};
+static aabb bounds_of(const int32_t v[3][3]) {
+  aabb b;
+  for (int i = 0; i < 3; i++) {
+    int32_t low = v[0][i] < v[1][i] ? v[0][i] : v[1][i];
+    int32_t high = v[0][i] < v[1][i] ? v[1][i] : v[0][i];
+    b.low[i] = low < v[2][i] ? low : v[2][i];
+    b.high[i] = high > v[2][i] ? high : v[2][i];
   }
-  return t;
+  return b;
 }
 
 tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t margin, int word) {
-  sepax_tri tri[2] = {tri_of(a), tri_of(b)};
-  aabb of_a = aabb_of(&tri[0]);
-  aabb of_b = aabb_of(&tri[1]);
+  aabb of_a = bounds_of(a);
+  aabb of_b = bounds_of(b);
   tree_pair r = {.near = !aabb_disjoint(&of_a, &of_b, margin)};
-  r.out_of_range = r.near && !aabb_fits(&of_b, word);
+  if (!r.near) {
+    return r;
+  }
+  r.out_of_range = !aabb_fits(&of_b, word);
   aabb_enclose(&of_a, &of_b);
   int64_t side[3];
   for (int i = 0; i < 3; i++) {

@@ -1,5 +1,6 @@
 /* walk.c - the walk down two trees: which pairs the tree engine tests, in which order, and what it
  * counts. docs/tree.md, Order. */
+#include "tree/lanes.h"
 #include "tree/time.h"
 #include "tree/tree.h"
 #include "tree/walk.h"
@@ -8,6 +9,7 @@
 #include "util/error.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* mask 0: the own box of S. */
 typedef struct {
@@ -165,6 +167,16 @@ static bool finish_own(walk *w, const entry *e, const tree_node *s, const tree_n
   return hit == 0 || push(w, (entry){e->t, e->s, hit, !e->side, 0});
 }
 
+/* Bit i of column[j] is bit j of hit[i]. */
+static void turn_masks(const uint16_t hit[TREE_FAN_OUT], uint16_t column[TREE_FAN_OUT]) {
+  memset(column, 0, TREE_FAN_OUT * sizeof *column);
+  for (int i = 0; i < TREE_FAN_OUT; i++) {
+    for (int j = 0; hit[i] >> j != 0; j++) {
+      column[j] = (uint16_t)(column[j] | (hit[i] >> j & 1) << i);
+    }
+  }
+}
+
 static bool finish(walk *w, const entry *e) {
   tree_node s;
   tree_node t;
@@ -176,17 +188,18 @@ static bool finish(walk *w, const entry *e) {
   }
   tree_setting setting = tree_set_up(&w->pose->side[e->side], &s, &t);
   uint16_t hit[TREE_FAN_OUT] = {0};
-  uint16_t column[TREE_FAN_OUT] = {0};
+  uint16_t column[TREE_FAN_OUT];
+  const tree_lanes lanes = tree_lanes_of(&t);
   uint64_t steps = w->run->steps;
   for (int i = 0; i < TREE_FAN_OUT; i++) {
     if ((e->mask >> i & 1) != 0) {
       tree_cells box = tree_turn_box(&setting, s.low[i], s.high[i]);
-      hit[i] = tree_hits(&box, &t);
+      hit[i] = tree_lanes_hits(&lanes, &box);
       w->run->steps++;
     }
-    for (int j = 0; j < TREE_FAN_OUT; j++) {
-      column[j] = (uint16_t)(column[j] | (hit[i] >> j & 1) << i);
-    }
+  }
+  if (s.level == 0) {
+    turn_masks(hit, column);
   }
   w->run->entries++;
   w->now = tree_time_finish(&w->time, e->there, (unsigned)(w->run->steps - steps));

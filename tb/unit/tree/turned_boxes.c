@@ -2,7 +2,7 @@
  * integers. TREE_BOXES: how many boxes. */
 #include "unit/tree/scenes.h"
 
-#include "tree/walk.h"
+#include "tree/lanes.h"
 
 typedef struct {
   tree_node s, t;
@@ -243,5 +243,21 @@ CASE(widths) {
     for (int i = 0; i < 3; i++) {
       assert_true(box.low[i] >= -129 && box.low[i] <= box.high[i] && box.high[i] <= 128);
     }
+  }
+}
+
+CASE(sixteen_boxes_at_once) {
+  for (int n = 0; n < 100000; n++) {
+    tree_node t = {.children = 1 + random_below(16)};
+    for (int j = 0; j < TREE_FAN_OUT; j++) {
+      draw_cell_box(t.low[j], t.high[j]);
+    }
+    tree_cells box;
+    for (int i = 0; i < 3; i++) {
+      box.low[i] = random_below(3) == 0 ? -129 + random_below(3) : random_below(258) - 129;
+      box.high[i] = random_below(3) == 0 ? 128 - random_below(3) : random_below(258) - 129;
+    }
+    const tree_lanes lanes = tree_lanes_of(&t);
+    assert_int_equal(tree_lanes_hits(&lanes, &box), tree_hits(&box, &t));
   }
 }
