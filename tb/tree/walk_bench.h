@@ -2,7 +2,7 @@
 #ifndef SEPAX_WALK_BENCH_H
 #define SEPAX_WALK_BENCH_H
 
-#include "Vsepax_walk_bench.h"
+#include "Vsepax_tree_bench.h"
 #include "cosim/verilated_top.h"
 #include "tree/memory.h"
 
