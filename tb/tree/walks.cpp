@@ -244,14 +244,14 @@ bool judge(Engine &e, const Scene &scene, const sepax_tree_pose &pose, const Ask
   totals.stopped += e.top->stopped;
   if (options.verbose > 0 || (!faults.empty() && totals.mismatches < 10)) {
     const sepax_tree_run &r = golden.run;
-    std::printf("run %llu: %u cycles, entries %llu, steps %llu, rows %llu, pairs %llu, near %llu, "
-                "collisions %llu, deepest %llu%s%s%s%s\n",
-                (unsigned long long)totals.runs, e.top->cycles, (unsigned long long)r.entries,
-                (unsigned long long)r.steps, (unsigned long long)r.rows,
-                (unsigned long long)r.pairs, (unsigned long long)r.near,
-                (unsigned long long)r.collisions, (unsigned long long)r.deepest,
-                ask.first ? ", FIRST" : "", ask.quiet ? ", QUIET" : "", ask.row ? ", ROW" : "",
-                r.damaged ? ", damaged" : "");
+    std::printf(
+        "run %llu: %u cycles, %llu beats, entries %llu, steps %llu, rows %llu, pairs %llu, near %llu, "
+        "collisions %llu, deepest %llu%s%s%s%s\n",
+        (unsigned long long)totals.runs, e.top->cycles, (unsigned long long)e.ram.counts.beats,
+        (unsigned long long)r.entries, (unsigned long long)r.steps, (unsigned long long)r.rows,
+        (unsigned long long)r.pairs, (unsigned long long)r.near, (unsigned long long)r.collisions,
+        (unsigned long long)r.deepest, ask.first ? ", FIRST" : "", ask.quiet ? ", QUIET" : "",
+        ask.row ? ", ROW" : "", r.damaged ? ", damaged" : "");
     for (const std::string &fault : faults) {
       std::printf("  %s\n", fault.c_str());
     }
