@@ -77,10 +77,10 @@ typedef struct {
 #define NAME(x) x##_avx512
 #define TARGET __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma")))
 #define MADD(p, q, r) ((F)_mm512_fmadd_ps((__m512)(p), (__m512)(q), (__m512)(r)))
-#define LOAD(v, node, member, n)                                                  \
-  ((v) = (F)_mm512_insertf32x8(                                                   \
-       _mm512_castps256_ps512(_mm256_loadu_ps((const float *)(node)[0]->member)), \
-       _mm256_loadu_ps((const float *)(node)[1]->member), 1),                     \
+#define LOAD(v, node, member, n)                                                 \
+  ((v) = (F)_mm512_insertf32x8(                                                  \
+       _mm512_castps256_ps512(_mm256_loadu_ps((const void *)(node)[0]->member)), \
+       _mm256_loadu_ps((const void *)(node)[1]->member), 1),                     \
    (void)(n))
 #define OF(p, member)                                                    \
   ((F)_mm512_mask_broadcastss_ps(_mm512_set1_ps((p)[0]->member), 0xff00, \

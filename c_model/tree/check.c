@@ -119,7 +119,7 @@ static bool check_node(checker *c, uint32_t number, int level_above, aabb *bound
   *bounds = aabb_of_none();
   int highest = -1;
   for (int k = 0; k < n.children; k++) {
-    aabb of_child;
+    aabb of_child = aabb_of_none();
     if (n.level > 0) {
       uint32_t child = n.first + (uint32_t)k;
       if (!check_node(c, child, n.level, &of_child)) {

@@ -55,7 +55,7 @@ static void choose(const tree_binary *b, costs *cost, uint32_t n) {
 static void choose_evenly(const tree_binary *b, uint32_t n) {
   bool leaf = b->node[n].child == 0;
   for (int k = 1; k <= TREE_FAN_OUT; k++) {
-    b->slots[n][k] = leaf ? 0 : (uint8_t)(k / 2);
+    b->slots[n][k] = (uint8_t)(leaf ? 0 : k / 2);
   }
   b->slots[n][0] = TREE_FAN_OUT / 2;
 }

@@ -81,6 +81,7 @@ static void sort(box4 *e, uint32_t begin, uint32_t end, int axis) {
 /* The place of a range's best cut by bins, moved to a multiple of 16 from its beginning. */
 static uint32_t cut_by_bins(box4 *e, const range *r) {
   bins filled;
+  memset(&filled, 0, sizeof filled);
   bin_scale s = scale_bins(e, r);
   cut best = {.cost = FLT_MAX, .axis = -1};
   fill_bins(&filled, e, r, &s);
@@ -109,6 +110,7 @@ static uint32_t cut_sorted(box4 *e, const range *r) {
   float least = FLT_MAX;
   uint32_t at = 16;
   box4 best[SORTED];
+  memcpy(best, e + r->begin, count * sizeof *best);
   for (int axis = 0; axis < 3; axis++) {
     sort(e, r->begin, r->end, axis);
     bool better = false;

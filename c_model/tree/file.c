@@ -100,19 +100,23 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sep
        bytes % TREE_BEAT == 0 && bytes >= tree_records_at(t->nodes) &&
        bytes / TREE_BEAT <= UINT32_MAX;
   t->bytes = (size_t)bytes;
-  return ok || sepax_fail(error, "the header is that of no tree; make it again");
+  if (!ok) {
+    sepax_fail(error, "the header is that of no tree; make it again");
+  }
+  return ok;
 }
 
 /* What is behind the header. Memory is taken only for bytes that are in the file. */
 static bool read_behind(sepax_tree *t, FILE *in, uint32_t crc, sepax_error *error) {
   size_t table_bytes = 4 * (size_t)t->triangles;
+  uint64_t all_bytes = HEADER + (uint64_t)t->bytes + table_bytes;
   long end = fseek(in, 0, SEEK_END) == 0 ? ftell(in) : -1;
-  if (end < 0 || (uint64_t)end != HEADER + (uint64_t)t->bytes + table_bytes ||
+  if (t->triangles == 0 || end < 0 || (uint64_t)end != all_bytes ||
       fseek(in, HEADER, SEEK_SET) != 0) {
     return sepax_fail(error, "%ld bytes, not %llu; the file is cut or has more, make it again", end,
-                      (unsigned long long)(HEADER + (uint64_t)t->bytes + table_bytes));
+                      (unsigned long long)all_bytes);
   }
-  uint8_t *table = malloc(table_bytes);
+  uint8_t *table = calloc(t->triangles, 4);
   t->image = malloc(t->bytes);
   t->number = malloc(t->triangles * sizeof *t->number);
   bool ok = table != NULL && t->image != NULL && t->number != NULL;
@@ -131,7 +135,7 @@ static bool read_behind(sepax_tree *t, FILE *in, uint32_t crc, sepax_error *erro
 }
 
 static bool read_tree(sepax_tree *t, FILE *in, sepax_error *error) {
-  uint8_t header[HEADER];
+  uint8_t header[HEADER] = {0};
   uint32_t crc = 0;
   if (fread(header, HEADER, 1, in) != 1) {
     return sepax_fail(error, "too short for a tree; make one with 'sepax tree'");

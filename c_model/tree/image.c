@@ -137,7 +137,9 @@ static bool write_all(sepax_tree *tree, const tree_binary *b, const extent *size
   tree->triangles = w.triangles;
   tree->bytes = w.at;
   uint8_t *less = realloc(tree->image, tree->bytes);
-  tree->image = less != NULL ? less : tree->image;
+  if (less != NULL) {
+    tree->image = less;
+  }
   return true;
 }
 

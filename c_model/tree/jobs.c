@@ -89,11 +89,10 @@ static bool walk_pose(sepax_tree_batch *b, sepax_tree_result *result, sepax_erro
   }
   sepax_tree_pose pose;
   sepax_error unread;
-  if (bytes == NULL) {
-    result->status = SEPAX_TREE_BUS;
-  } else if (!sepax_tree_pose_unpack(&pose, bytes, &unread)) {
+  bool refused = bytes != NULL && !sepax_tree_pose_unpack(&pose, bytes, &unread);
+  if (refused) {
     result->status = SEPAX_TREE_REFUSED;
-  } else if (image[0] == NULL || image[1] == NULL) {
+  } else if (bytes == NULL || image[0] == NULL || image[1] == NULL) {
     result->status = SEPAX_TREE_BUS;
   }
   if (result->status != 0) {

@@ -246,7 +246,7 @@ static bool in_range(const sepax_tree_side *side, sepax_error *error) {
 
 bool sepax_tree_pose_unpack(sepax_tree_pose *pose, const uint8_t bytes[SEPAX_TREE_POSE_BYTES],
                             sepax_error *error) {
-  sepax_tree_pose p;
+  sepax_tree_pose p = {0};
   for (int n = 0; n < 2; n++) {
     sepax_tree_side *side = &p.side[n];
     for (int k = 0; k < 9; k++) {

@@ -268,7 +268,7 @@ bool tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
   if (!read_node(&w, &root[0], 0, 0) || !read_node(&w, &root[1], 1, 0)) {
     return true;
   }
-  w.height = (size_t)(root[0].level + root[1].level);
+  w.height = (size_t)root[0].level + (size_t)root[1].level;
   if (w.stack_most < 15 * w.height + 16) {
     return sepax_fail(error, "trees of %d and %d levels need a stack of %zu entries, not %zu",
                       root[0].level, root[1].level, 15 * w.height + 16, w.stack_most);

@@ -87,11 +87,12 @@ static inline void fill_bins(bins *to, const box4 *e, const range *r, const bin_
 
 /* The cheapest of the cuts along one axis, by area times count on both sides, if better. */
 static inline void find_cut(const bins *in, const bin_scale *s, int axis, cut *best) {
+  const int most = bin_count(s);
   box4 after[BINS];
   float cost_after[BINS] = {0};
   box4 all = box4_of_none();
   uint32_t count = 0;
-  for (int k = bin_count(s) - 1; k > 0; k--) {
+  for (int k = most - 1; k > 0; k--) {
     box4_enclose(&all, &in->bounds[axis][k]);
     count += in->count[axis][k];
     after[k] = all;
@@ -99,7 +100,7 @@ static inline void find_cut(const bins *in, const bin_scale *s, int axis, cut *b
   }
   all = box4_of_none();
   count = 0;
-  for (int k = 1; k < bin_count(s); k++) {
+  for (int k = 1; k < most; k++) {
     box4_enclose(&all, &in->bounds[axis][k - 1]);
     count += in->count[axis][k - 1];
     float cost = count > 0 ? area(&all) * (float)count + cost_after[k] : FLT_MAX;

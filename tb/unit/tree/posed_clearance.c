@@ -43,12 +43,12 @@ static bool draw_pair(posed_pair *r, int kind, double distance, bool away, sepax
     }
     apply_inverse(local, &r->pose, b);
     for (int j = 0; j < 3; j++) {
-      double along = 0;
+      double ahead = 0;
       for (int i = 0; i < 3; i++) {
-        along += r->pose.rotation[i][j] * way[i];
+        ahead += r->pose.rotation[i][j] * way[i];
       }
-      double whole = round(local[j] + (away ? copysign(0.49, along) : 0));
-      r->b[k][j] = away ? whole - copysign(0x1.fffp-2, along) : rint(local[j] * 0x1p20) * 0x1p-20;
+      double whole = round(local[j] + (away ? copysign(0.49, ahead) : 0));
+      r->b[k][j] = away ? whole - copysign(0x1.fffp-2, ahead) : rint(local[j] * 0x1p20) * 0x1p-20;
       whole = away ? whole : round(r->b[k][j]);
       if (fabs(whole) > 131000 || fabs(r->a[k][j]) > 131000) {
         return false;

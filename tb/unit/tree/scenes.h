@@ -33,7 +33,7 @@ static inline triangles drawn(size_t count, int kind, double reach, double size,
   assert_non_null(t.tri);
   size_t across = (size_t)ceil(sqrt((double)count / 2));
   for (size_t n = 0; n < count; n++) {
-    double at[3] = {reach * random_unit(), reach * random_unit(), reach * random_unit()};
+    const double at[3] = {reach * random_unit(), reach * random_unit(), reach * random_unit()};
     for (int k = 0; k < 9; k++) {
       int axis = k % 3;
       double x = at[axis] + (k < 3 && kind != 3 ? 0 : size * random_unit());
@@ -44,8 +44,9 @@ static inline triangles drawn(size_t count, int kind, double reach, double size,
     }
     for (int k = 0; k < 3 && kind == 4; k++) {
       size_t square = n / 2;
+      size_t row = square / across;
       double u = (double)(square % across + (size_t)(k == 1 || (n % 2 == 1 && k > 0)));
-      double v = (double)(square / across + (size_t)(k == 2 || (n % 2 == 1 && k == 0)));
+      double v = (double)(row + (size_t)(k == 2 || (n % 2 == 1 && k == 0)));
       double a = 2 * PI * u / (double)across;
       double b = PI * v / (double)across;
       double r = reach * (0.8 + 0.1 * sin(5 * a) * sin(b) + 0.1 * cos(7 * b));

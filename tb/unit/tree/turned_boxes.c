@@ -212,8 +212,8 @@ CASE(worst_roundings) {
 CASE(widths) {
   for (int n = 0; n < 200000; n++) {
     sepax_tree_side side;
-    tree_node s;
-    tree_node t;
+    tree_node s = {0};
+    tree_node t = {0};
     for (int i = 0; i < 3; i++) {
       for (int k = 0; k < 3; k++) {
         side.matrix[i][k] = (random_below(3) - 1) * (1 << 20) + random_below(3) - 1;

@@ -118,7 +118,7 @@ static pair_list by_brute_force(const search *s) {
 
 static void assert_same(pair_list *found, pair_list *wanted) {
   assert_int_equal(found->count, wanted->count);
-  if (found->count > 0) {
+  if (found->pair != NULL && wanted->pair != NULL) {
     qsort(found->pair, found->count, sizeof *found->pair, by_numbers);
     qsort(wanted->pair, wanted->count, sizeof *wanted->pair, by_numbers);
     assert_memory_equal(found->pair, wanted->pair, found->count * sizeof *found->pair);
