@@ -202,7 +202,7 @@ static size_t compare_meshes(const sepax_mesh mesh[2], const sepax_grid *grid, s
 
 CASE(sample_bodies) {
   static const char *const designs[] = {"", "--clearance=4", "--clearance=299"};
-  size_t wanted = count_of_run("TREE_COLLISIONS", 1000);
+  size_t wanted = count_of_run("TREE_COLLISIONS", 50000) / 50;
   const double at[3] = {0, 0, 0};
   const double tip[3] = {34, 0, -15};
   const sepax_grid grid = {.resolution = 0.002, .word = 18};
@@ -228,7 +228,7 @@ CASE(real_bodies) {
   const sepax_mesh *const both[2] = {&mesh[0], &mesh[1]};
   sepax_grid grid;
   assert_works(sepax_grid_fit(&grid, both, 2, 18, &fault));
-  compare_meshes(mesh, &grid, count_of_run("TREE_COLLISIONS", 20000), "", 1e-3);
+  compare_meshes(mesh, &grid, count_of_run("TREE_COLLISIONS", 50000) / 5 * 2, "", 1e-3);
   sepax_mesh_free(&mesh[0]);
   sepax_mesh_free(&mesh[1]);
 }
