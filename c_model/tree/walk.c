@@ -1,6 +1,5 @@
 /* walk.c - the walk down two trees: which pairs the tree engine tests, in which order, and what it
  * counts. docs/tree.md, Order. */
-#include "tree/lanes.h"
 #include "tree/time.h"
 #include "tree/tree.h"
 #include "tree/walk.h"

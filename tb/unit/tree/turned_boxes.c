@@ -2,7 +2,7 @@
  * integers. TREE_BOXES: how many boxes. */
 #include "unit/tree/scenes.h"
 
-#include "tree/lanes.h"
+#include "tree/walk.h"
 
 typedef struct {
   tree_node s, t;
