@@ -17,14 +17,15 @@ module sepax_tree_bench #(
   output wire [31:0] first_leaf_b, first_row_a, first_row_b,
   output wire arvalid, rready,
   input wire arready, rvalid, rlast,
+  output wire pair_valid, pair_ready, pair_outside,
+  output wire [9*W-1:0] pair_a, pair_b,
   output wire [39:0] araddr,
   output wire [7:0] arlen,
   input wire [127:0] rdata,
   input wire [1:0] rresp
 );
-  wire pair_valid, pair_ready, pair_outside, in_flight, verdict_valid, verdict_ready;
+  wire in_flight, verdict_valid, verdict_ready;
   wire collision, coplanar, warning, verdict_outside;
-  wire [9*W-1:0] pair_a, pair_b;
 
   assign result_b[31:24] = 8'd0;
   assign first_b[31:24] = 8'd0;

@@ -6,6 +6,7 @@
 #include "cosim/verilated_top.h"
 #include "tree/memory.h"
 
+#include "sepax_params.h"
 #include "sepax_tree.h"
 
 #include <vector>
@@ -60,8 +61,8 @@ inline uint32_t get32(const uint8_t *from) {
 
 class Engine {
 public:
-  Engine(const char *wave, uint64_t seed, uint64_t seed_of_stress, int cycles)
-      : top(wave, seed), stress(seed_of_stress), latency(cycles) {
+  Engine(const char *wave, uint64_t seed, uint64_t seed_of_stress, int cycles, uint64_t error_odds)
+      : top(wave, seed), stress(seed_of_stress), latency(cycles), errors(error_odds) {
     top->start = top->stop = top->rvalid = 0;
     reset();
   }
@@ -70,8 +71,10 @@ public:
     memory_options o = {};
     o.latency = latency;
     o.stress = stress;
+    o.error_odds = errors;
     memory_open(&ram, &o);
     top->rst = 1;
+    top->rvalid = 0;
     for (int k = 0; k < 3; k++) {
       top.settle();
       top.rise();
@@ -79,38 +82,93 @@ public:
     top->rst = 0;
   }
 
-  // False if it hangs. stop: the cycle in which it is stopped.
-  bool run(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask) {
+  void begin(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask) {
     give(scene, pose, ask);
     ram.options.base = BASE;
     ram.options.bytes = scene.bytes.data();
     ram.options.size = scene.bytes.size();
+    ram.counts.errors = 0;
     results.clear();
+    thick = 0;
     top->start = 1;
+  }
+
+  // False if it hangs. stop: the cycle in which it is stopped.
+  bool run(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask) {
+    begin(scene, pose, ask);
     for (uint64_t cycle = 0; cycle < 20000000; cycle++) {
       top->stop = cycle == ask.stop;
       top->result_ready = stress == 0 || memory_draw(&stress) % 4 != 0;
       if (tick()) {
         return true;
       }
-      top->start = 0;
     }
     return false;
+  }
+
+  // One clock cycle; true if the run ended in it.
+  bool tick() {
+    const memory_slave *slave = memory_drive(&ram);
+    top->arready = slave->arready;
+    top->rvalid = slave->rvalid;
+    top->rlast = slave->rlast;
+    top->rresp = (uint8_t)slave->rresp;
+    for (int k = 0; k < 4; k++) {
+      top->rdata[k] = slave->rdata[k];
+    }
+    top.settle();
+    const memory_master master = {top->arvalid != 0, top->rready != 0, top->araddr, top->arlen};
+    memory_clock(&ram, &master);
+    if (top->result_valid && top->result_ready) {
+      results.push_back({top->result_a, top->result_b, top->result_coplanar != 0,
+                         top->result_outside != 0, top->result_warning != 0});
+    }
+    thick += top->pair_valid && top->pair_ready && !top->pair_outside && !is_thin();
+    bool ended = top->done;
+    top.rise();
+    top->start = 0;
+    return ended;
   }
 
   VerilatedTop<Vsepax_tree_bench> top;
   std::vector<Result> results;
   memory ram;
+  uint64_t thick; // pairs that are not thinnest along z
 
 private:
   uint64_t stress; // a seed, or 0: none
   int latency;
+  uint64_t errors; // one beat in so many
 
   template <typename Words> static void put(Words &words, int at, uint64_t value, int bits) {
     for (int k = 0; k < bits; k++, at++) {
       uint32_t bit = UINT32_C(1) << (at % 32);
       words[at / 32] = (value >> k & 1) != 0 ? words[at / 32] | bit : words[at / 32] & ~bit;
     }
+  }
+
+  template <typename Words> static int64_t get(const Words &words, int at, int bits) {
+    uint64_t value = 0;
+    for (int k = 0; k < bits; k++, at++) {
+      value |= (uint64_t)(words[at / 32] >> (at % 32) & 1) << k;
+    }
+    return (int64_t)(value << (64 - bits)) >> (64 - bits);
+  }
+
+  // Of the pair that goes to the cores.
+  bool is_thin() {
+    int64_t side[3];
+    for (int i = 0; i < 3; i++) {
+      int64_t low = INT64_MAX, high = INT64_MIN;
+      for (int k = 0; k < 6; k++) {
+        int at = SEPAX_WORD * (3 * (k % 3) + i);
+        int64_t x = k < 3 ? get(top->pair_a, at, SEPAX_WORD) : get(top->pair_b, at, SEPAX_WORD);
+        low = x < low ? x : low;
+        high = x > high ? x : high;
+      }
+      side[i] = high - low;
+    }
+    return side[2] <= side[0] && side[2] <= side[1];
   }
 
   void give(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask) {
@@ -141,28 +199,6 @@ private:
     top->row_leaf_b = ask.pair.leaf[1];
     top->row_a = (uint32_t)ask.pair.child[0];
     top->row_b = (uint32_t)ask.pair.child[1];
-  }
-
-  // One clock cycle; true if the run ended in it.
-  bool tick() {
-    const memory_slave *slave = memory_drive(&ram);
-    top->arready = slave->arready;
-    top->rvalid = slave->rvalid;
-    top->rlast = slave->rlast;
-    top->rresp = (uint8_t)slave->rresp;
-    for (int k = 0; k < 4; k++) {
-      top->rdata[k] = slave->rdata[k];
-    }
-    top.settle();
-    const memory_master master = {top->arvalid != 0, top->rready != 0, top->araddr, top->arlen};
-    memory_clock(&ram, &master);
-    if (top->result_valid && top->result_ready) {
-      results.push_back({top->result_a, top->result_b, top->result_coplanar != 0,
-                         top->result_outside != 0, top->result_warning != 0});
-    }
-    bool ended = top->done;
-    top.rise();
-    return ended;
   }
 };
 
