@@ -78,7 +78,11 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 }
 
 static arith_form form_of(const multiplier_options *o) {
-  return (arith_form){(int)o->a, (int)o->b, (int)o->product, (int)o->digits, (int)o->less, 0};
+  return (arith_form){.a_w = (int)o->a,
+                      .b_w = (int)o->b,
+                      .p_w = (int)o->product,
+                      .digits = (int)o->digits,
+                      .less = (int)o->less};
 }
 
 static bool check(const multiplier_options *o, sepax_error *error) {

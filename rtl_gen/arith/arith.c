@@ -62,19 +62,44 @@ bool arith_row_whole(const arith_plan *p, int row) {
   return arith_row_bits(p, row) == whole_row(p, row);
 }
 
-/* Rows and their corrections: each row's highest bit, inverted, stands for -2^n + it. */
-static void plan_rows(arith_plan *p, column *columns, bool one[ARITH_WIDTH], double time) {
-  int weight[ARITH_WIDTH] = {0};
+/* Rows of one product; each row's highest bit, inverted, stands for -2^n + it. */
+static void plan_rows(arith_plan *p, column *columns, int weight[ARITH_WIDTH], int term,
+                      double time) {
   for (int row = 0; row < p->rows; row++) {
     int bits = arith_row_bits(p, row);
+    int from = term * p->rows + row;
     for (int i = 0; i < bits; i++) {
-      put(&columns[2 * row + i], add_bit(p, ARITH_ROW, row, i, (arith_moment){0, time}));
+      put(&columns[2 * row + i], add_bit(p, ARITH_ROW, from, i, (arith_moment){0, time}));
     }
     if (arith_row_whole(p, row)) {
       weight[2 * row + bits - 1]++;
     }
-    put(&columns[2 * row], add_bit(p, ARITH_NEGATIVE, row, row,
+    put(&columns[2 * row], add_bit(p, ARITH_NEGATIVE, from, from,
                                    (arith_moment){0, time - delay_used->early_correction}));
+  }
+}
+
+/* What is subtracted is inverted, and 1 more. Its highest bit is as that of a row, unless it is the
+ * sum's. */
+static void plan_addend(arith_plan *p, column *columns, int weight[ARITH_WIDTH], int number) {
+  const arith_addend *a = &p->addend[number];
+  for (int i = 0; i < a->width && a->place + i < p->p_w; i++) {
+    put(&columns[a->place + i], add_bit(p, ARITH_ADDEND, number, i, (arith_moment){0, 0}));
+  }
+  if (a->width > 0) {
+    weight[a->place + a->width - 1] += a->place + a->width < p->p_w;
+    weight[a->place] -= a->minus;
+  }
+}
+
+/* What is added, and the sum of all corrections as bits that are 1. */
+static void plan_columns(arith_plan *p, column *columns, bool one[ARITH_WIDTH], double time) {
+  int weight[ARITH_WIDTH] = {0};
+  for (int term = 0; term < p->terms || term == 0; term++) {
+    plan_rows(p, columns, weight, term, time);
+  }
+  for (int k = 0; k < ARITH_ADDENDS; k++) {
+    plan_addend(p, columns, weight, k);
   }
   int borrow = 0;
   for (int c = 0; c < p->p_w; c++) {
@@ -184,6 +209,8 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
   p->plain = form->digits == 0;
   p->less = form->less;
   p->sum_w = form->b_w + p->plain;
+  p->terms = form->terms;
+  memcpy(p->addend, form->addend, sizeof p->addend);
   double used = form->used + (p->plain ? delay_adder(p->sum_w) : 0);
   int p_w = p->p_w;
   column *columns = calloc(ARITH_WIDTH, sizeof *columns);
@@ -191,7 +218,7 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
     abort();
   }
   bool one[ARITH_WIDTH] = {false};
-  plan_rows(p, columns, one, used + delay_row(p->a_w));
+  plan_columns(p, columns, one, used + delay_row(p->a_w));
   arith_moment last = {0, 0};
   for (int c = 0; c < p_w; c++) {
     if (one[c] && columns[c].count >= 2) {
@@ -256,8 +283,8 @@ void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
 
 bool arith_same(const arith_plan *plan, const arith_plan *other) {
   return plan->a_w == other->a_w && plan->b_w == other->b_w && plan->p_w == other->p_w &&
-         plan->rows == other->rows && plan->plain == other->plain && plan->less == other->less &&
-         plan->latency == other->latency;
+         plan->terms == other->terms && plan->rows == other->rows && plan->plain == other->plain &&
+         plan->less == other->less && plan->latency == other->latency;
 }
 
 double arith_shortest(const arith_form *form) {

@@ -1,4 +1,5 @@
-/* arith.h - arithmetic of architecture exact: multipliers, pipelined by the delay model. */
+/* arith.h - arithmetic of architecture exact: multipliers and sums of products, pipelined by the
+ * delay model. */
 #ifndef SEPAX_ARITH_H
 #define SEPAX_ARITH_H
 
@@ -16,7 +17,14 @@
  * than the period allows, it is made behind a pipeline register. */
 enum { ARITH_BITS = 12288, ARITH_ADDERS = 3072, ARITH_WIDTH = 128, ARITH_STAGES = 8 };
 
-typedef enum { ARITH_ROW, ARITH_NEGATIVE, ARITH_SUM, ARITH_CARRY, ARITH_ONE } arith_source;
+typedef enum {
+  ARITH_ROW,
+  ARITH_NEGATIVE,
+  ARITH_ADDEND,
+  ARITH_SUM,
+  ARITH_CARRY,
+  ARITH_ONE
+} arith_source;
 
 /* Pipeline registers passed, and ns since the last of them. */
 typedef struct {
@@ -26,7 +34,7 @@ typedef struct {
 
 typedef struct {
   arith_source source;
-  int from, index; /* the row or adder; where in its vector, -1: it has none */
+  int from, index; /* the row, addend or adder; where in its vector, -1: it has none */
   arith_moment made;
   int last;                /* the stage in which it is last used */
   int place[ARITH_STAGES]; /* in each pipeline register that it passes */
@@ -49,11 +57,20 @@ typedef struct {
   int order;    /* which of its kind, level, stage and copy: they stand side by side */
 } arith_adder;
 
+/* What is added to products: `width` bits, signed, times 2^place; or subtracted. */
+enum { ARITH_ADDENDS = 2 };
+typedef struct {
+  int width, place; /* 0: none */
+  bool minus;
+} arith_addend;
+
 typedef struct {
   int a_w, b_w, p_w; /* bits of a, b, the product */
   int digits;        /* of b, for a (b - BIAS); the highest must be in -2 ... 2. 0: a b */
   int less;          /* what a digit counts less: 1, 2 */
   double used;       /* ns spent before b is there */
+  int terms;         /* 0: a product. Else a sum of so many products a (b - BIAS) and addends */
+  arith_addend addend[ARITH_ADDENDS];
 } arith_form;
 
 typedef struct {
@@ -61,7 +78,9 @@ typedef struct {
   bool plain; /* a b; else a (b - BIAS) */
   int less;
   int sum_w; /* bits that are cut into digits: b, or b + BIAS */
-  int rows, levels, latency;
+  int terms; /* of a sum of products; 0: a product */
+  arith_addend addend[ARITH_ADDENDS];
+  int rows, levels, latency;  /* rows of a product */
   int registers;              /* bits in all pipeline registers */
   int crossing[ARITH_STAGES]; /* in each */
   arith_bit bit[ARITH_BITS];
@@ -91,14 +110,16 @@ bool arith_row_whole(const arith_plan *plan, int row);
  * sepax_top_digit, and sepax_digit_2, of digits that count two less, if asked for. */
 void gen_multiplier_parts(emitter *e, bool two_less);
 
-/* Its module: sepax_mul_AxB; of biased ones sepax_mul_AxB_biased, or sepax_mul_AxB_biased_2 where
- * digits count two less. */
+/* Its module: sepax_mul_AxB; of a sum of N products, sepax_productsN_AxB; of biased ones
+ * sepax_mul_AxB_biased, or sepax_mul_AxB_biased_2 where digits count two less. */
 gen_line arith_name(const arith_plan *plan);
 
 /* BIAS, decimal. */
 gen_line arith_bias(const arith_plan *plan);
 
-/* Emit the multiplier as a module: ports a, b, p, and clk if its latency is above 0. */
+/* Emit the multiplier as a module: ports a, b, p, and clk if its latency is above 0. Of a sum of
+ * products a and b hold all factors, the first lowest; ports c, d are the addends that there are.
+ */
 void gen_multiplier(emitter *e, const arith_plan *plan);
 
 #endif

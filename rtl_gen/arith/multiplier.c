@@ -1,4 +1,5 @@
-/* multiplier.c - a planned multiplier as a module of rows (sepax_digit) and adders (sepax_fa). */
+/* multiplier.c - a planned multiplier, or sum of products, as a module of rows (sepax_digit) and
+ * adders (sepax_fa). */
 #include "arith.h"
 #include "emit/template.h"
 
@@ -21,6 +22,9 @@ void gen_multiplier_parts(emitter *e, bool two_less) {
 }
 
 gen_line arith_name(const arith_plan *plan) {
+  if (plan->terms > 0) {
+    return gen_format("sepax_products%d_%dx%d", plan->terms, plan->a_w, plan->b_w);
+  }
   const char *kind = plan->plain ? "" : plan->less == 2 ? "_biased_2" : "_biased";
   return gen_format("sepax_mul_%dx%d%s", plan->a_w, plan->b_w, kind);
 }
@@ -70,6 +74,7 @@ static gen_line bit_name(const arith_plan *p, int bit, int stage, int *index) {
          : b->source == ARITH_ONE      ? gen_format("1'b1")
          : b->source == ARITH_ROW      ? gen_format("row_%d", b->from)
          : b->source == ARITH_NEGATIVE ? gen_format("negative")
+         : b->source == ARITH_ADDEND   ? gen_format("addend_%d", b->from)
          : b->source == ARITH_SUM      ? adder_name(&p->adder[b->from], "sum")
                                        : adder_name(&p->adder[b->from], "carry");
 }
@@ -130,27 +135,71 @@ static void print_terms(FILE *out, const arith_plan *p, const char *op,
 
 /* --------------------------------------------------------------------------- structure */
 
+/* Bits msb ... lsb of a factor: of the only one, or of the one of that term. */
+static gen_line factor_bits(const arith_plan *p, char factor, int term, int msb, int lsb) {
+  int below = term * (factor == 'a' ? p->a_w : p->b_w);
+  return factor == 'a' && p->terms == 0
+             ? gen_format("a")
+             : gen_format("%s[%d:%d]",
+                          factor == 'b' && p->plain ? "sum" : gen_format("%c", factor).text,
+                          below + msb, below + lsb);
+}
+
+/* The highest digit, three bits. */
+static gen_line top_digit(const arith_plan *p, int term) {
+  int msb = p->sum_w - 1;
+  int lsb = 2 * (p->rows - 1);
+  const gen_line high = factor_bits(p, 'b', term, msb, lsb);
+  if (msb - lsb == 2) {
+    return high;
+  }
+  const char *name = p->plain ? "sum" : "b";
+  return gen_format("{{%d{%s[%d]}}, %s}", 2 - msb + lsb, name, term * p->b_w + msb, high.text);
+}
+
+static void print_row(FILE *out, const arith_plan *p, int term, int row) {
+  int bits = arith_row_bits(p, row);
+  int number = term * p->rows + row;
+  bool top = row == p->rows - 1;
+  const gen_line digit = !top            ? factor_bits(p, 'b', term, 2 * row + 1, 2 * row)
+                         : p->terms == 0 ? gen_format("top")
+                                         : top_digit(p, term);
+  fprintf(out, "  %s #(.A_W(%d), .ROW_W(%d)) digit_%d (\n",
+          top            ? "sepax_top_digit"
+          : p->less == 2 ? "sepax_digit_2"
+                         : "sepax_digit",
+          p->a_w, bits, number);
+  fprintf(out, "    .a(%s),\n    .b(%s),\n    .row(plain_%d),\n    .negative(negative[%d])\n  );\n",
+          factor_bits(p, 'a', term, p->a_w - 1, 0).text, digit.text, number, number);
+  if (arith_row_whole(p, row)) {
+    fprintf(out, "  assign row_%d = {~plain_%d[%d], plain_%d[%d:0]};\n", number, number, bits - 1,
+            number, bits - 2);
+  } else {
+    fprintf(out, "  assign row_%d = plain_%d;\n", number, number);
+  }
+}
+
 static void print_digits(FILE *out, const arith_plan *p) {
-  const char *low = p->less == 2 ? "sepax_digit_2" : "sepax_digit";
-  for (int row = 0; row < p->rows; row++) {
-    int msb = arith_row_bits(p, row) - 1;
+  int terms = p->terms > 0 ? p->terms : 1;
+  for (int row = 0; row < terms * p->rows; row++) {
+    int msb = arith_row_bits(p, row % p->rows) - 1;
     fprintf(out, "  wire [%d:0] plain_%d;\n  wire [%d:0] row_%d;\n", msb, row, msb, row);
   }
-  for (int row = 0; row < p->rows; row++) {
-    int bits = arith_row_bits(p, row);
-    bool top = row == p->rows - 1;
-    const gen_line digit =
-        gen_format(top ? "top" : "%s[%d:%d]", p->plain ? "sum" : "b", 2 * row + 1, 2 * row);
-    fprintf(out, "  %s #(.A_W(%d), .ROW_W(%d)) digit_%d (\n", top ? "sepax_top_digit" : low, p->a_w,
-            bits, row);
-    fprintf(out,
-            "    .a(a),\n    .b(%s),\n    .row(plain_%d),\n    .negative(negative[%d])\n  );\n",
-            digit.text, row, row);
-    if (arith_row_whole(p, row)) {
-      fprintf(out, "  assign row_%d = {~plain_%d[%d], plain_%d[%d:0]};\n", row, row, bits - 1, row,
-              bits - 2);
-    } else {
-      fprintf(out, "  assign row_%d = plain_%d;\n", row, row);
+  for (int row = 0; row < terms * p->rows; row++) {
+    print_row(out, p, row / p->rows, row % p->rows);
+  }
+}
+
+/* What is subtracted is inverted; so is the highest bit of what is narrower than the sum. */
+static void print_addends(FILE *out, const arith_plan *p) {
+  for (int k = 0; k < ARITH_ADDENDS; k++) {
+    const arith_addend *a = &p->addend[k];
+    int msb = a->width - 1;
+    bool whole = a->place + a->width >= p->p_w;
+    if (a->width > 0) {
+      fprintf(out, "  wire [%d:0] addend_%d;\n  assign addend_%d = {%s%c[%d], %s%c[%d:0]};\n", msb,
+              k, k, a->minus == whole ? "~" : "", 'c' + k, msb, a->minus ? "~" : "", 'c' + k,
+              msb - 1);
     }
   }
 }
@@ -242,14 +291,13 @@ static void print_adders(FILE *out, const arith_plan *p) {
 /* -------------------------------------------------------------------------- the module */
 
 static void set_holes(emit_holes *h, const arith_plan *p) {
-  const char *b = p->plain ? "sum" : "b";
-  int top = p->sum_w - 2 * (p->rows - 1);
+  int terms = p->terms > 0 ? p->terms : 1;
   int full = 0;
   for (int i = 0; i < p->adders; i++) {
     full += p->adder[i].kind == ARITH_FULL || p->adder[i].kind == ARITH_TOP_FULL;
   }
-  emit_hole_numbers(h, (emit_number[]){{"a_msb", p->a_w - 1},
-                                       {"b_msb", p->b_w - 1},
+  emit_hole_numbers(h, (emit_number[]){{"a_msb", terms * p->a_w - 1},
+                                       {"b_msb", terms * p->b_w - 1},
                                        {"p_msb", p->p_w - 1},
                                        {"sum_msb", p->sum_w - 1},
                                        {"p_w", p->p_w},
@@ -257,23 +305,60 @@ static void set_holes(emit_holes *h, const arith_plan *p) {
                                        {"pad_a", p->p_w - p->a_w},
                                        {"pad_b", p->p_w - p->b_w},
                                        {"plain", p->plain},
+                                       {"terms", p->terms},
                                        {"latency", p->latency},
                                        {"rows", p->rows},
-                                       {"top_row", p->rows - 1},
+                                       {"top_row", terms * p->rows - 1},
+                                       {"top_digit", p->rows - 1},
                                        {"less", p->less},
                                        {"full", full},
                                        {"half", p->adders - full},
+                                       {"c_msb", p->addend[0].width - 1},
+                                       {"d_msb", p->addend[1].width - 1},
+                                       {"c", p->addend[0].width},
+                                       {"d", p->addend[1].width},
                                        {NULL, 0}});
   emit_hole_set(h, "name", "%s", arith_name(p).text);
   emit_hole_set(h, "bias", "%s", arith_bias(p).text);
   emit_hole_set(h, "biased", p->plain ? "" : " + BIAS");
   emit_hole_set(h, "recoded", p->plain ? "b + BIAS" : "b");
-  const gen_line high = gen_format("%s[%d:%d]", b, p->sum_w - 1, p->sum_w - top);
-  if (top == 3) {
-    emit_hole_set(h, "top", "%s", high.text);
-  } else {
-    emit_hole_set(h, "top", "{{%d{%s[%d]}}, %s}", 3 - top, b, p->sum_w - 1, high.text);
+  emit_hole_set(h, "top", "%s", top_digit(p, 0).text);
+}
+
+/* The formula of a sum of products, for its banner and its behavioural view. */
+static void set_formula(emit_holes *h, const arith_plan *p) {
+  FILE *out = emit_hole_open(h, "formula");
+  fprintf(out, "sum over k of a_k (b_k - BIAS)");
+  for (int k = 0; k < ARITH_ADDENDS; k++) {
+    const arith_addend *a = &p->addend[k];
+    if (a->width > 0) {
+      fprintf(out, " %c %c", a->minus ? '-' : '+', 'c' + k);
+      fputs(a->place > 0 ? gen_format(" 2^%d", a->place).text : "", out);
+    }
   }
+  out = emit_hole_open(h, "sum");
+  for (int k = 0; k < p->terms; k++) {
+    fprintf(out, "  wire [%d:0] product_of_%d =\n", p->p_w - 1, k);
+    fprintf(out, "    {{%d{a[%d]}}, %s} *\n", p->p_w - p->a_w, (k + 1) * p->a_w - 1,
+            factor_bits(p, 'a', k, p->a_w - 1, 0).text);
+    fprintf(out, "    ({{%d{b[%d]}}, %s} - BIAS);\n", p->p_w - p->b_w, (k + 1) * p->b_w - 1,
+            factor_bits(p, 'b', k, p->b_w - 1, 0).text);
+  }
+  fprintf(out, "  wire [%d:0] whole =\n    ", p->p_w - 1);
+  for (int k = 0; k < p->terms; k++) {
+    fprintf(out, "%sproduct_of_%d", k > 0 ? " + " : "", k);
+  }
+  for (int k = 0; k < ARITH_ADDENDS; k++) {
+    const arith_addend *a = &p->addend[k];
+    int above = p->p_w - a->place - a->width;
+    if (a->width > 0) {
+      fprintf(out, "\n    %c {", a->minus ? '-' : '+');
+      fputs(above > 0 ? gen_format("{%d{%c[%d]}}, ", above, 'c' + k, a->width - 1).text : "", out);
+      fprintf(out, "%c", 'c' + k);
+      fputs(a->place > 0 ? gen_format(", %d'd0}", a->place).text : "}", out);
+    }
+  }
+  fputs(";", out);
 }
 
 void gen_multiplier(emitter *e, const arith_plan *plan) {
@@ -288,10 +373,14 @@ void gen_multiplier(emitter *e, const arith_plan *plan) {
     fprintf(out, "\n    product_%d <= product_%d;", i, i - 1);
   }
   print_digits(emit_hole_open(&h, "digits"), plan);
+  print_addends(emit_hole_open(&h, "addends"), plan);
   print_adders(emit_hole_open(&h, "adders"), plan);
   out = emit_hole_open(&h, "final");
   print_terms(out, plan, "+", plan->final, 2, plan->p_w, plan->latency);
+  if (plan->terms > 0) {
+    set_formula(&h, plan);
+  }
   emit_hole_close(&h);
-  emit_template(e, "sepax_multiplier", h.hole);
+  emit_template(e, plan->terms > 0 ? "sepax_products" : "sepax_multiplier", h.hole);
   emit_holes_free(&h);
 }

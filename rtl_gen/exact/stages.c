@@ -19,7 +19,11 @@ static double coordinate_operands(const exact_plan *p) {
  * else fewer bits of them. Without, its rows are late behind fan-outs. */
 static void place_in_trapezoid(exact_stages *s, const sepax_format *f, double sums, double period) {
   int span = f[SEPAX_X_SPAN].width;
-  arith_form form = {span, span, f[SEPAX_X_ORIENT2D].width, f[SEPAX_X_SPAN].digits, 1, 0};
+  arith_form form = {.a_w = span,
+                     .b_w = span,
+                     .p_w = f[SEPAX_X_ORIENT2D].width,
+                     .digits = f[SEPAX_X_SPAN].digits,
+                     .less = 1};
   arith_plan_make(&s->trapezoid, &form, period);
   int latency = 1 + s->trapezoid.latency;
   int registers = 2 * span + s->trapezoid.registers;
@@ -39,8 +43,13 @@ static void place_in_prisms(exact_stages *s, const sepax_format *f, double perio
   const sepax_format *own_zsum = &f[SEPAX_X_OWN_Z_SUM];
   int orient2d = f[SEPAX_X_ORIENT2D].width;
   int orient3d = f[SEPAX_X_ORIENT3D].width;
-  arith_form form = {orient2d, zsum->width, orient3d, zsum->digits, 1, 0};
-  arith_form own_form = {orient2d, own_zsum->width, orient3d, own_zsum->digits, 1, 0};
+  arith_form form = {
+      .a_w = orient2d, .b_w = zsum->width, .p_w = orient3d, .digits = zsum->digits, .less = 1};
+  arith_form own_form = {.a_w = orient2d,
+                         .b_w = own_zsum->width,
+                         .p_w = orient3d,
+                         .digits = own_zsum->digits,
+                         .less = 1};
   arith_plan_make(&s->prism, &form, period);
   arith_plan_make(&s->own_prism, &own_form, period);
   form.less = 2;

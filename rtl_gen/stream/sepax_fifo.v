@@ -15,7 +15,7 @@ module sepax_fifo #(
   output wire [WIDTH-1:0] out    // the oldest word
 );
   localparam [ADDRESS:0] ONE = 1;
-  localparam [ADDRESS:0] FULLEST = (1 << ADDRESS) - MARGIN;
+  localparam FULLEST = (1 << ADDRESS) - MARGIN;
   reg  [WIDTH-1:0]   word_q [0:(1<<ADDRESS)-1];
   reg  [ADDRESS-1:0] head_q, tail_q;
   reg  [ADDRESS:0]   count_q;
@@ -32,7 +32,7 @@ module sepax_fifo #(
       free <= 1'b1;
     end else begin
       count_q <= next_count;
-      free <= next_count <= FULLEST;
+      free <= next_count <= FULLEST[ADDRESS:0];
       if (push) begin
         tail_q <= tail_q + ONE[ADDRESS-1:0];
       end

@@ -11,4 +11,12 @@ void gen_tree_memory(emitter *e);
  * sepax_ram_fifo must be there. */
 void gen_tree_walk(emitter *e);
 
+/* sepax_turn_vertex for coordinates of `word` bits, 4 ... 21, and what it is made of; the parts of
+ * multipliers must be there (arith/arith.h). */
+void gen_turn_vertex(emitter *e, int word);
+
+/* sepax_tree_compare and what it is made of; sepax_fifo and the parts of multipliers must be there.
+ */
+void gen_tree_compare(emitter *e);
+
 #endif

@@ -1,23 +1,38 @@
-/* emit.c - the Verilog of the tree engine's modules, for its test benches: emit FOLDER, or of the
- * memory side alone: emit FOLDER memory. */
+/* emit.c - the Verilog of the tree engine's modules, for its test benches: emit FOLDER [PART [W]],
+ * PART memory, compare or walk; without it all, W 18. */
+#include "arith/arith.h"
 #include "emit/gen.h"
 #include "emit/template.h"
 #include "tree/modules.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 int main(int argc, char **argv) {
   emitter e;
-  bool memory = argc == 3 && strcmp(argv[2], "memory") == 0;
-  if (argc != 2 && !memory) {
-    fprintf(stderr, "emit: give a folder\n");
+  const char *part = argc > 2 ? argv[2] : "all";
+  int word = argc > 3 ? atoi(argv[3]) : 18;
+  bool all = strcmp(part, "all") == 0;
+  bool walk = all || strcmp(part, "walk") == 0;
+  bool memory = walk || strcmp(part, "memory") == 0;
+  bool compare = all || strcmp(part, "compare") == 0;
+  if (argc < 2 || !(memory || compare) || word < 4 || word > 21) {
+    fprintf(stderr, "emit: give a folder, and maybe memory, compare or walk, and 4 ... 21\n");
     return 2;
   }
   emit_init(&e, NULL, "tb/tree/emit");
-  emit_template(&e, "sepax_ram", NULL);
-  gen_tree_memory(&e);
-  if (!memory) {
+  if (memory) {
+    emit_template(&e, "sepax_ram", NULL);
+    gen_tree_memory(&e);
+  }
+  if (compare) {
+    emit_template(&e, "sepax_fifo", NULL);
+    gen_multiplier_parts(&e, false);
+    gen_turn_vertex(&e, word);
+    gen_tree_compare(&e);
+  }
+  if (walk) {
     emit_template(&e, "sepax_bounds", (emit_hole[]){{"word", "18"}, {NULL, NULL}});
     gen_tree_walk(&e);
   }

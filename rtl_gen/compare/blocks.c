@@ -1,0 +1,62 @@
+/* blocks.c - the tree engine's test of entries: set-up, turned boxes, lanes, hits; and the turner
+ * of vertices. */
+#include "arith/arith.h"
+#include "emit/template.h"
+#include "tree/modules.h"
+
+#include <stdlib.h>
+
+/* Emit a sum of products for a period of 2 ns and call its name `dot`, its BIAS `bias`. The modules
+ * count on its latency. */
+static bool gen_dot(emitter *e, const arith_form *form, int latency, emit_holes *h) {
+  arith_plan *plan = malloc(sizeof *plan);
+  if (plan == NULL) {
+    abort();
+  }
+  arith_plan_make(plan, form, 2);
+  if (plan->latency != latency) {
+    abort();
+  }
+  gen_multiplier(e, plan);
+  emit_hole_set(h, "dot", "%s", arith_name(plan).text);
+  emit_hole_set(h, "bias", "%s", arith_bias(plan).text);
+  free(plan);
+  return e->error.text[0] == '\0';
+}
+
+void gen_turn_vertex(emitter *e, int word) {
+  const arith_form form = {.a_w = 22,
+                           .b_w = word + 1,
+                           .p_w = 45,
+                           .digits = (word + 1) / 2,
+                           .less = 1,
+                           .used = 0.2,
+                           .terms = 3,
+                           .addend = {{44, 0, false}, {word, 20, true}}};
+  emit_holes h = {0};
+  emit_hole_numbers(&h, (emit_number[]){{"w", word}, {"b_w", form.b_w}, {NULL, 0}});
+  if (gen_dot(e, &form, 1, &h)) {
+    emit_template(e, "sepax_turn_vertex", h.hole);
+  }
+  emit_holes_free(&h);
+}
+
+void gen_tree_compare(emitter *e) {
+  static const arith_form form = {.a_w = 12,
+                                  .b_w = 9,
+                                  .p_w = 22,
+                                  .digits = 4,
+                                  .less = 1,
+                                  .used = 0.2,
+                                  .terms = 3,
+                                  .addend = {{21, 0, false}}};
+  static const char *const modules[] = {"sepax_tree_setup", "sepax_turn_box", "sepax_lanes",
+                                        "sepax_hits", "sepax_tree_compare"};
+  emit_holes h = {0};
+  if (gen_dot(e, &form, 0, &h)) {
+    for (size_t i = 0; i < sizeof modules / sizeof modules[0]; i++) {
+      emit_template(e, modules[i], h.hole);
+    }
+  }
+  emit_holes_free(&h);
+}

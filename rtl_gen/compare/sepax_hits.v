@@ -1,0 +1,64 @@
+// The hits of an entry as items: rows as they come, or, of an entry with columns, its columns when
+// all rows are here. Items whose mask is 0 are left out, but not the last of an entry.
+// Latency 0 of a row, 1 of a column.
+module sepax_hits (
+  input  wire        clk,       // clock
+  input  wire        clear,     // drop all rows
+  input  wire        in_valid,  // a row
+  output wire        in_ready,  // it is taken
+  input  wire        in_last,   // the last of its entry
+  input  wire [3:0]  in_index,  // its number i, ascending
+  input  wire [15:0] in_row,    // bit j: box i hits child j
+  input  wire        columns,   // of the entry whose items come: columns are wanted
+  output wire        out_valid, // an item
+  input  wire        out_ready, // it is taken
+  output wire        out_last,  // the last of its entry
+  output wire [3:0]  out_index, // its number
+  output wire [15:0] out_mask   // row or column
+);
+  reg         full_q;           // all rows of an entry with columns are here
+  reg  [15:0] hit_q;            // bit j: column j is not 0 and was not taken
+  reg  [15:0] here_q;           // bit i: row i is here; others are 0
+  reg  [15:0] row_q [0:15];     // the rows
+  wire [15:0] first = hit_q & (~hit_q + 16'd1);
+  wire [15:0] others = hit_q & ~first;
+  wire [15:0] column;
+  wire        taken = out_valid && out_ready;
+
+  assign in_ready = columns ? !full_q : out_ready;
+  assign out_valid = columns ? full_q : in_valid;
+  assign out_last = columns ? (others == 16'd0) : in_last;
+  assign out_index = columns ? {|first[15:8], |{first[15:12], first[7:4]},
+                                |{first[15:14], first[11:10], first[7:6], first[3:2]},
+                                |{first[15], first[13], first[11], first[9], first[7], first[5],
+                                  first[3], first[1]}} : in_index;
+  assign out_mask = columns ? column : in_row;
+
+  genvar i;
+  generate
+    for (i = 0; i < 16; i = i + 1) begin : row
+      assign column[i] = here_q[i] && (|(row_q[i] & first));
+      always @(posedge clk) begin
+        if (in_valid && !full_q && (in_index == i[3:0])) begin
+          row_q[i] <= in_row;
+        end
+      end
+    end
+  endgenerate
+
+  always @(posedge clk) begin
+    if (clear) begin
+      full_q <= 1'b0;
+      hit_q <= 16'd0;
+      here_q <= 16'd0;
+    end else if (columns && !full_q && in_valid) begin
+      full_q <= in_last;
+      hit_q <= hit_q | in_row;
+      here_q <= here_q | (16'd1 << in_index);
+    end else if (columns && taken) begin
+      full_q <= !out_last;
+      hit_q <= others;
+      here_q <= here_q & {16{!out_last}};
+    end
+  end
+endmodule

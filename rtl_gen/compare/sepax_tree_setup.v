@@ -1,0 +1,89 @@
+// What turns boxes of node S into the cells of node T (docs/tree.md, Set-up). e_max is the highest
+// exponent of S, g_i = max(e_max, e_Ti):
+//   n_ik = floor(M_ik / 2^(10 + g_i - e_Sk) + 1/2), D_i = floor(X_i / 2^(10 + g_i)),
+//   s_i = 192 + ceil(sigma_i / 2^g_i), low_i = sat(D_i - s_i), high_i = sat(D_i + 1 + s_i),
+//   shift_i = g_i - e_Ti.
+// An entry comes in, its X comes some cycles later, and `load` makes it the entry that is at the
+// outputs, from the next cycle on.
+module sepax_tree_setup (
+  input  wire         clk,       // clock
+  input  wire [233:0] matrix,    // M_ik / 2^9 of a side at 13 (9 side + 3 i + k), signed
+  input  wire [143:0] sigma,     // sigma_i of a side at 24 (3 side + i)
+  input  wire         begin_in,  // an entry
+  input  wire         side,      // its side
+  input  wire [11:0]  s_exponents, // {z, y, x} of S, 0 ... 15
+  input  wire [11:0]  t_exponents, // of T
+  input  wire         x_valid,   // its X has come
+  input  wire [104:0] x,         // X / 2^10, {2, 1, 0}, 35 bits each, signed
+  input  wire         load,      // in the cycle after x_valid or later
+  output reg  [107:0] n,         // entry (i, k) at 12 (3 i + k), -1024 ... 1024
+  output reg  [62:0]  low,       // {2, 1, 0}, 21 bits each, signed
+  output reg  [62:0]  high,      // the same
+  output reg  [11:0]  shift      // {2, 1, 0}, 0 ... 15
+);
+  function [3:0] larger(input [3:0] a, input [3:0] b);
+    larger = (a > b) ? a : b;
+  endfunction
+
+  // 36 bits to 21, signed; beyond them the nearest.
+  function [20:0] saturated(input [35:0] value);
+    saturated = ((|value[35:20]) == (&value[35:20])) ? value[20:0] : {value[35], {20{!value[35]}}};
+  endfunction
+
+  reg         side_q;
+  reg  [11:0] s_exponents_q, scales_q, shifts_q; // scales: g
+  reg  [104:0] x_q;
+  wire [3:0]  highest =
+    larger(larger(s_exponents[3:0], s_exponents[7:4]), s_exponents[11:8]);
+  wire [71:0]  margin = side_q ? sigma[143:72] : sigma[71:0];
+
+  genvar i, k;
+  generate
+    for (i = 0; i < 3; i = i + 1) begin : axis
+      wire [3:0] scale = larger(highest, t_exponents[4*i +: 4]);
+      wire [3:0] g = scales_q[4*i +: 4];
+      wire signed [34:0] d = $signed(x_q[35*i +: 35]) >>> g;
+      wire [38:0] wide = {margin[24*i +: 24], 15'd0} >> g;
+      wire [24:0] less = {1'b0, wide[38:15]} + 25'd192; // s, but for the ceiling
+      wire        more = |wide[14:0];
+      wire [35:0] d_wide = {d[34], d};
+      wire [35:0] s_wide = {11'd0, less};
+      wire [35:0] least = d_wide + ~s_wide + {35'd0, !more};
+      wire [35:0] most = d_wide + s_wide + {34'd0, more, !more};
+
+      for (k = 0; k < 3; k = k + 1) begin : column
+        localparam AT = 3 * i + k;
+        wire [3:0] by = g - s_exponents_q[4*k +: 4];
+        wire signed [12:0] m = side_q ? matrix[13*AT+117 +: 13] : matrix[13*AT +: 13];
+        wire [12:0] halves = m >>> by;
+        always @(posedge clk) begin
+          if (load) begin
+            n[12*AT +: 12] <= halves[12:1] + {11'd0, halves[0]};
+          end
+        end
+      end
+
+      always @(posedge clk) begin
+        if (begin_in) begin
+          scales_q[4*i +: 4] <= scale;
+          shifts_q[4*i +: 4] <= scale - t_exponents[4*i +: 4];
+        end
+        if (x_valid) begin
+          x_q[35*i +: 35] <= x[35*i +: 35];
+        end
+        if (load) begin
+          low[21*i +: 21] <= saturated(least);
+          high[21*i +: 21] <= saturated(most);
+          shift[4*i +: 4] <= shifts_q[4*i +: 4];
+        end
+      end
+    end
+  endgenerate
+
+  always @(posedge clk) begin
+    if (begin_in) begin
+      side_q <= side;
+      s_exponents_q <= s_exponents;
+    end
+  end
+endmodule
