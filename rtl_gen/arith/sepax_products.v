@@ -1,5 +1,6 @@
 // Sum of products: p = @formula@ modulo 2^@p_w@, for the
-// @terms@ factors a_k and b_k of a and b, BIAS = @bias@, floor(b_k / 4^@top_digit@) in -2 ... 2.
+// @terms@ factors a_k and b_k of a and b, BIAS = @bias@, floor(b_k / 4^@top_digit@) in
+// -2 ... 2.
 // Whoever wants a_k b_k adds BIAS to b_k beforehand.
 // Latency @latency@. Structure: @rows@ rows a product, selected by the radix-4 digits of b, each but
 // the highest less 1; @full@ full and @half@ half adders in columns, the earliest bits first; one

@@ -6,10 +6,7 @@
 // W and FULL are macros, the module's parameters.
 #include "Vcompare_top.h"
 #include "cosim/verilated_top.h"
-#include "sepax_vectors.h"
-extern "C" {
-#include "tree/walk.h"
-}
+#include "tree/entries.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -18,8 +15,6 @@ extern "C" {
 #include <vector>
 
 namespace {
-
-const int SLOTS = 64;
 
 template <typename Port> int64_t field(const Port &port, int at, int bits) {
   uint64_t value = 0;
@@ -45,9 +40,9 @@ struct Item {
   }
 };
 
-class Bench {
+class Checker : private Entries {
 public:
-  explicit Bench(uint64_t seed) : top(nullptr, seed), random{seed} {}
+  explicit Checker(uint64_t seed) : Entries(seed), top(nullptr, seed) {}
 
   void run(uint64_t entries) {
     reset();
@@ -63,9 +58,6 @@ public:
   } counts = {};
 
 private:
-  uint64_t draw(uint64_t below) { return sepax_random_next(&random) % below; }
-  int64_t bits(int n) { return (int64_t)(sepax_random_next(&random) << (64 - n)) >> (64 - n); }
-
   void wrong(const char *what, int64_t got, int64_t wanted) {
     counts.wrong++;
     printf("compare: cycle %llu: %s: %lld, not %lld\n", (unsigned long long)counts.cycles, what,
@@ -77,82 +69,8 @@ private:
     }
   }
 
-  // ------------------------------------------------------------------ poses
-
-  int32_t entry_of(int how) {
-    const int32_t one = 1 << 20;
-    switch (how) {
-    case 0:
-      return (int32_t)(draw(2 * one + 1)) - one;
-    case 1: // quarter turns, mirrors, what is no rotation
-      return (int32_t)(draw(3) - 1) * one;
-    case 2:
-      return (int32_t)bits(1 + (int)draw(20));
-    default: // near what N is rounded at
-      return (int32_t)((bits(12) << draw(10)) + bits(2)) % (one + 1);
-    }
-  }
-
-  // A rotation that is none: one row after the other from small turns of the axes.
-  void rotate(sepax_tree_side side[2]) {
-    double m[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (int turn = 0; turn < 3; turn++) {
-      static const double pairs[][2] = {{0.6, 0.8}, {0, 1}, {1, 0}, {0.28, 0.96}, {0.7071, 0.7071}};
-      const double *cs = pairs[draw(5)];
-      int a = (int)draw(3);
-      int b = (a + 1) % 3;
-      for (auto &row : m) {
-        double x = cs[0] * row[a] - cs[1] * row[b];
-        row[b] = cs[1] * row[a] + cs[0] * row[b];
-        row[a] = x;
-      }
-    }
-    for (int i = 0; i < 3; i++) {
-      for (int k = 0; k < 3; k++) {
-        side[0].matrix[i][k] = (int32_t)(m[i][k] * (1 << 20));
-        side[1].matrix[i][k] = (int32_t)(m[k][i] * (1 << 20));
-      }
-    }
-  }
-
-  static int64_t product(const sepax_tree_side *s, const int32_t p[3], int i) {
-    int64_t sum = 0;
-    for (int k = 0; k < 3; k++) {
-      sum += (int64_t)s->matrix[i][k] * p[k];
-    }
-    return sum;
-  }
-
-  static int64_t in_range(int64_t t) {
-    const int64_t most = ((int64_t)1 << 43) - 1;
-    return t > most ? most : t < -most - 1 ? -most - 1 : t;
-  }
-
-  void new_pose() {
-    int how = (int)draw(6);
-    for (auto &side : pose.side) {
-      for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-          side.matrix[i][k] = entry_of(how < 4 ? how : 0);
-        }
-        side.shift[i] = draw(4) == 0 ? bits(44) : bits(20 + W);
-        side.sigma[i] = (uint32_t)(draw(4) == 0 ? (uint64_t)bits(24) & 0xffffff : draw(4096));
-        if (draw(16) == 0) {
-          side.sigma[i] = draw(2) == 0 ? 0 : 0xffffff;
-        }
-      }
-    }
-    if (how >= 4) {
-      rotate(pose.side);
-      const sepax_tree_side *s = pose.side;
-      for (int i = 0; i < 3; i++) {
-        int64_t u = 0;
-        for (int k = 0; k < 3; k++) {
-          u -= (s[1].matrix[i][k] * (__int128)s[0].shift[k]) >> 20;
-        }
-        pose.side[1].shift[i] = in_range(u);
-      }
-    }
+  void new_world() {
+    renew();
     for (int side = 0; side < 2; side++) {
       for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
@@ -160,58 +78,6 @@ private:
         }
         put(top->shift, 44 * (3 * side + i), 44, pose.side[side].shift[i]);
         put(top->sigma, 24 * (3 * side + i), 24, pose.side[side].sigma[i]);
-      }
-    }
-  }
-
-  // ------------------------------------------------------------------ nodes
-
-  tree_node new_node() {
-    tree_node n = {};
-    int spread = (int)draw(3) == 0 ? 16 : 1 + (int)draw(4);
-    int least = (int)draw(16);
-    bool extremes = draw(8) == 0;
-    n.children = 1 + (int)draw(16);
-    n.level = draw(2) == 0 ? 0 : 1 + (int)draw(15);
-    for (int i = 0; i < 3; i++) {
-      n.origin[i] = (int32_t)bits(draw(4) == 0 ? W : W - 2);
-      int e = least + (int)draw((uint64_t)spread);
-      n.exponent[i] = e > 15 ? 15 : e;
-      n.own[i] = (int8_t)(draw(64) == 0 ? bits(8) : (int64_t)draw(128));
-      for (int j = 0; j < 16; j++) {
-        int64_t a = extremes ? (draw(2) == 0 ? -128 : 127) : bits(8);
-        int64_t b = extremes ? (draw(2) == 0 ? -128 : 127) : a + (int64_t)draw(30);
-        n.low[j][i] = (int8_t)a;
-        n.high[j][i] = (int8_t)(b > 127 ? 127 : b);
-      }
-    }
-    return n;
-  }
-
-  // So that what is turned meets: the origin of t is where that of s comes to, or near it.
-  void bring_near(tree_node *t, const tree_node *s, const sepax_tree_side *side) {
-    for (int i = 0; i < 3; i++) {
-      int64_t v = (product(side, s->origin, i) + side->shift[i]) >> 20;
-      v += bits(1 + (int)draw(7)) * ((int64_t)1 << t->exponent[i]);
-      const int64_t most = (1 << (W - 1)) - 1;
-      t->origin[i] = (int32_t)(v > most ? most : v < -most - 1 ? -most - 1 : v);
-    }
-  }
-
-  void new_world() {
-    new_pose();
-    for (int k = 0; k < SLOTS; k++) {
-      node[0][k] = new_node();
-      node[1][k] = new_node();
-      near_side[k] = draw(2) != 0;
-      near_side[k] ? bring_near(&node[1][k], &node[0][k], &pose.side[1])
-                   : bring_near(&node[0][k], &node[1][k], &pose.side[0]);
-      for (int body = 0; body < 2; body++) {
-        tree_pack(bytes[body][k], &node[body][k], bytes[body][k]);
-        for (int i = 0; i < 3; i++) { // the bits above W do not count
-          bytes[body][k][4 * i + 3] ^= (uint8_t)draw(256);
-        }
-        node[body][k] = tree_unpack(bytes[body][k], W);
       }
     }
     rate_in = draw(3) == 0 ? 16 : 1 + (unsigned)draw(15);
@@ -506,12 +372,7 @@ private:
   }
 
   VerilatedTop<Vcompare_top> top;
-  sepax_random random;
-  sepax_tree_pose pose;
-  tree_node node[2][SLOTS];
-  uint8_t bytes[2][SLOTS][TREE_NODE_BYTES] = {};
   unsigned rate_in = 16, rate_out = 16, rate_other = 0;
-  bool near_side[SLOTS];
   bool one_side = false, small = false;
   std::deque<tree_setting> settings;
   std::deque<int> shifts;
@@ -525,9 +386,9 @@ private:
 int main(int argc, char **argv) {
   uint64_t entries = argc > 1 ? strtoull(argv[1], nullptr, 10) : 100000;
   uint64_t seed = argc > 2 ? strtoull(argv[2], nullptr, 10) : 1;
-  static Bench bench(seed);
-  bench.run(entries);
-  const auto &c = bench.counts;
+  static Checker checker(seed);
+  checker.run(entries);
+  const auto &c = checker.counts;
   printf(
       "compare W=%d FULL=%d: %llu entries (%llu columns), %llu boxes, %llu items (%llu with hits), "
       "%llu vertices, %llu drops, %llu cycles; %llu wrong\n",

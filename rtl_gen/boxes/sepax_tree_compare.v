@@ -131,7 +131,7 @@ module sepax_tree_compare #(
   wire [383:0]   bounds [0:FULL];
   wire [16*FULL+15:0] end_hits;
   wire [15:0]    present;
-  wire           step = (FULL != 0) || turn_upper_q; // the box that is turned makes room
+  wire           step = (FULL != 0) || turn_upper_q; // the box that is turned goes on
   wire           read_t = cell_q && cell_first_q;
   wire           free, row_valid, row_ready, row_last;
   wire [3:0]     row_index;
