@@ -130,9 +130,7 @@ private:
   void one_run(bool cold) {
     if (cold) { // what the caches have must not be used
       world.change_nodes();
-      uint64_t from = draw(world.bytes.size()), odds = draw(4);
-      slave.options.error_from = slave.options.base + from;
-      slave.options.error_to = slave.options.error_from + (odds == 0 ? 300 : 0);
+      world.draw_errors(&slave.options);
     }
     rate = 1 + draw(16);
     top->start = 1;

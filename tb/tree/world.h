@@ -53,6 +53,16 @@ public:
     }
   }
 
+  // Errors in a stretch of memory, in the last beat of a record, or none.
+  void draw_errors(memory_options *o) {
+    const Body &b = body[draw(2)];
+    const Record &r = b.records[draw(LEAVES)];
+    uint64_t kind = draw(4);
+    o->error_from = kind == 0 ? base + draw(bytes.size())
+                              : b.base + MEMORY_BEAT * uint64_t(r.place + r.beats - 1);
+    o->error_to = o->error_from + (kind == 0 ? 300 : kind == 1 ? MEMORY_BEAT : 0);
+  }
+
   // A byte of body i's image.
   const uint8_t *at(int i, uint64_t offset) const {
     return bytes.data() + (body[i].base - base) + offset;
