@@ -3,8 +3,8 @@
 `default_nettype none
 
 // AXI4: an address stands until it is taken; bursts do not cross 4 KB if requests do not; not more
-// than 2^OPEN are open; a beat is taken in the cycle in which it comes, but for the first of a burst
-// that is to wait; beats have the tags and numbers of their requests, in order.
+// than 2^OPEN are open; a beat is taken in the cycle in which it comes, but for the first of a
+// burst that is to wait; beats have the tags and numbers of their requests, in order.
 module read_properties (
     input wire clk, rst, in_valid, pause, arready, rvalid, rlast,
     input wire [8:0] in_address,
