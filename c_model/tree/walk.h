@@ -89,7 +89,8 @@ static inline uint16_t tree_lanes_mask(tree_lane v) {
 /* Cells -129 and 128 are beyond int8: a low end of 128 and a high end of -129 hit nothing, other
  * ends are like -128 and 127. */
 static inline uint16_t tree_lanes_hits(const tree_lanes *t, const tree_cells *box) {
-  tree_lane all = (tree_lane){0} == 0;
+  tree_lane all = {0};
+  all = ~all;
   for (int i = 0; i < 3; i++) {
     if (box->low[i] > INT8_MAX || box->high[i] < INT8_MIN) {
       return 0;
