@@ -340,9 +340,9 @@ typedef struct {
  * posed coordinates as rational numbers. A pair that collides strictly proves that solids overlap.
  * Solids that touch, face on face, edge on face, have none; nor have some that overlap, but nowhere
  * cross, such as a solid and itself in one pose. The order of the pairs depends on nothing but the
- * bodies, the poses and the query. Poses must be valid. A search that a limit ended has found what
- * is certain, but more may collide; no pair found then leaves the bodies undecided. Fails without
- * memory; free with sepax_pairs_free. */
+ * bodies, the poses and the query. A search that a limit ended has found what
+ * is certain, but more may collide; no pair found then leaves the bodies undecided. Fails on poses
+ * that are not valid, on a time that is no number or negative, and without memory; free with sepax_pairs_free. */
 bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                           const sepax_pose *pose_b, const sepax_query *query, sepax_pairs *found,
                           sepax_error *error);
@@ -359,6 +359,7 @@ typedef struct {
   double nearest_points[2][3]; /* of A, of B */
   size_t pair[2];              /* triangles that these points are on: number in A, number in B */
   uint32_t box[2];             /* of theirs in the bodies, for `last`; 0 where they collide */
+  bool ended; /* by the time limit: the distance is not above min_distance, but may be less */
 } sepax_distance_result;
 
 /* How a distance is asked for; all zero: whatever it is. */
@@ -366,13 +367,15 @@ typedef struct {
   double limit; /* a distance above it is not looked for, which is faster; 0: no limit */
   const sepax_distance_result *last; /* of the same bodies, in poses like these: where to begin,
                                         which is faster; NULL: none */
+  double seconds; /* end after so much time; 0: no limit. Bodies that are a million times their
+                     size apart take long: their triangles are all as far as each other */
   sepax_path path;
 } sepax_distance_request;
 
 /* The distance of the surfaces of two bodies in their poses (NULL: as they stand), the least of
  * sepax_distance_posed over all pairs of triangles, exact and rounded as there; and a pair that has
- * it. `request` may be NULL. Poses must be valid. Fails without memory, on a limit that is no
- * number or negative, and on a `last` that is not of these bodies' triangles. */
+ * it. `request` may be NULL. Fails on poses that are not valid, without memory, on limits that are
+ * no numbers or negative, and on a `last` that is not of these bodies' triangles. */
 bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                            const sepax_pose *pose_b, const sepax_distance_request *request,
                            sepax_distance_result *result, sepax_error *error);
@@ -400,10 +403,14 @@ typedef struct {
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error);
 void sepax_shell_free(sepax_shell *shell);
 
-/* Two bodies in their poses (NULL: as they stand) of which no triangles collide: within[0] iff a
- * part of A is wholly inside the solid B, within[1] iff one of B is inside A. Inside of what is not
- * closed is not asked: within[0] is false where B is open, within[1] where A is. Exact for the
- * doubles given; poses must be valid. Some microseconds for each part inside the other's box.
+typedef enum { SEPAX_OUTSIDE, SEPAX_INSIDE, SEPAX_INSIDE_UNKNOWN } sepax_inside;
+
+/* Two bodies in their poses (NULL: as they stand) of which no triangles collide: within[0] is
+ * SEPAX_INSIDE iff a part of A is wholly inside the solid B, within[1] iff one of B is inside A;
+ * else SEPAX_OUTSIDE. What is open has no inside that is defined: where B is, within[0] is
+ * SEPAX_INSIDE_UNKNOWN if a part of A may be inside B's box, likewise within[1]. Exact for the
+ * doubles given. Some microseconds for each part inside the other's box. Fails on a pose that is
+ * not valid.
  *
  * A point is inside a part iff a ray from it meets the part an odd number of times; or, if the
  * part's own triangles are consistent, if it winds round the point, as where a part crosses itself
@@ -411,8 +418,8 @@ void sepax_shell_free(sepax_shell *shell);
  * solid iff it is inside an odd number of pieces. So a piece inside a piece is a cavity, what is in
  * that is material again, and parts that overlap are material where any of them is. A part may be
  * inside out, and triangles may be turned round: neither changes an inside by parity. */
-void sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
-                         const sepax_pose *pose_b, bool within[2]);
+bool sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
+                         const sepax_pose *pose_b, sepax_inside within[2], sepax_error *error);
 
 /* All colliding pairs of two meshes in their poses, exact as sepax_bodies_collide finds them, in
  * the order of i, then of j, without a tree: faster than sepax_body_new where a pair of meshes is

@@ -328,6 +328,9 @@ bool sepax_meshes_collide(const sepax_mesh *a, const sepax_pose *pose_a, const s
                           sepax_error *error) {
   double most[2] = {largest_of(a), largest_of(b)};
   *found = (sepax_pairs){0};
+  if (!poses_valid(pose_a, pose_b, error)) {
+    return false;
+  }
   if (!(most[0] <= 0x1p1000) || !(most[1] <= 0x1p1000)) {
     return sepax_fail(error, "a mesh has a coordinate that is not within 2^1000");
   }

@@ -21,6 +21,9 @@ typedef struct {
   bool whole;   /* B's axes are turned into axes: `linear` is of 0, 1 and -1, and exact */
 } placement;
 
+/* NULL is valid. */
+bool poses_valid(const sepax_pose *pose_a, const sepax_pose *pose_b, sepax_error *error);
+
 /* Of all vertices, at most. */
 double largest_coordinate(const sepax_body *b);
 

@@ -1,5 +1,5 @@
 /* pose.c - which poses are valid. */
-#include "sepax.h"
+#include "placement.h"
 #include "util/error.h"
 
 #include <math.h>
@@ -26,4 +26,9 @@ bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error) {
                        r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
   return determinant > 0 ||
          sepax_fail(error, "the matrix is a reflection, no rotation; mirror the mesh instead");
+}
+
+bool poses_valid(const sepax_pose *pose_a, const sepax_pose *pose_b, sepax_error *error) {
+  return (pose_a == NULL || sepax_pose_valid(pose_a, error)) &&
+         (pose_b == NULL || sepax_pose_valid(pose_b, error));
 }

@@ -271,6 +271,13 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
   search s = {.body = {a, b}, .found = found};
   s.query = query != NULL ? query : &usual;
   *found = (sepax_pairs){0};
+  if (!poses_valid(pose_a, pose_b, error)) {
+    return false;
+  }
+  if (!(s.query->seconds >= 0)) {
+    return sepax_fail(error, "a search has a limit of %g seconds; give 0 for none, or more",
+                      s.query->seconds);
+  }
   if (balls_disjoint(a, pose_a, b, pose_b)) {
     return true;
   }

@@ -25,17 +25,23 @@ typedef struct {
   sepax_shell shell[2];
 } solids;
 
-static void ask_within(const solids *s, const sepax_pose *pose, check_answer *answer) {
-  bool within[2];
-  sepax_bodies_within(&s->shell[0], NULL, &s->shell[1], pose, within);
+static bool ask_within(const solids *s, const sepax_pose *pose, check_answer *answer,
+                       sepax_error *error) {
+  static const check_inside known[] = {[SEPAX_OUTSIDE] = CHECK_OUTSIDE,
+                                       [SEPAX_INSIDE] = CHECK_INSIDE,
+                                       [SEPAX_INSIDE_UNKNOWN] = CHECK_UNKNOWN};
+  sepax_inside within[2];
+  if (!sepax_bodies_within(&s->shell[0], NULL, &s->shell[1], pose, within, error)) {
+    return false;
+  }
   for (int i = 0; i < 2; i++) {
-    if (s->shell[1 - i].closed) {
-      answer->within[i] = within[i] ? CHECK_INSIDE : CHECK_OUTSIDE;
-    }
+    check_verdict verdict = within[i] == SEPAX_INSIDE           ? CHECK_COLLISION
+                            : within[i] == SEPAX_INSIDE_UNKNOWN ? CHECK_UNDECIDED
+                                                                : CHECK_FREE;
+    answer->within[i] = known[within[i]];
+    answer->verdict = verdict > answer->verdict ? verdict : answer->verdict;
   }
-  if (within[0] || within[1]) {
-    answer->verdict = CHECK_COLLISION;
-  }
+  return true;
 }
 
 /* The pairs that are not farther from each other than a limit; without one, those that collide. */
@@ -70,8 +76,8 @@ static bool decide(const check_question *q, const solids *s, const sepax_pose *p
     return false;
   }
   answer->verdict = answer->colliding.count > 0 ? CHECK_COLLISION : CHECK_FREE;
-  if (answer->verdict != CHECK_COLLISION) {
-    ask_within(s, pose, answer);
+  if (answer->verdict != CHECK_COLLISION && !q->surfaces && !ask_within(s, pose, answer, error)) {
+    return false;
   }
   bool one = q->first || check_any_is_enough(q);
   if (q->warning.text == NULL || (one && answer->verdict == CHECK_COLLISION)) {

@@ -29,7 +29,8 @@ enum {
   KEY_PLY,
   KEY_CLEARANCE,
   KEY_WARNING,
-  KEY_POSES
+  KEY_POSES,
+  KEY_SURFACES
 };
 
 static const struct argp_option options[] = {
@@ -45,6 +46,8 @@ static const struct argp_option options[] = {
      "file units; # begins a comment",
      0},
     {"first", KEY_FIRST, NULL, 0, "stop at the first pair that collides (of each pose)", 0},
+    {"surfaces", KEY_SURFACES, NULL, 0,
+     "the files are surfaces, open or not: do not ask whether one is inside the other", 0},
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
     {"quiet", 'q', NULL, 0, "print nothing: the exit status tells", 0},
     {"pairs", KEY_PAIRS, "FILE", 0, "write the colliding pairs as CSV, not to standard output", 0},
@@ -146,6 +149,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_FIRST:
     q->first = true;
     return 0;
+  case KEY_SURFACES:
+    q->surfaces = true;
+    return 0;
   case KEY_CLEARANCE:
     q->clearance = limit(state, "clearance", text);
     return 0;
@@ -203,6 +209,9 @@ static bool outputs_distinct(const check_question *q, sepax_error *error) {
 static bool options_agree(const check_question *q, sepax_error *error) {
   if (q->quiet && q->json) {
     return sepax_fail(error, "quiet: there is nothing to print as JSON; leave one of them out");
+  }
+  if (q->surfaces && q->on_grid) {
+    return sepax_fail(error, "surfaces: a grid's design knows no inside; leave it out");
   }
   if (q->poses_path != NULL && q->on_grid) {
     return sepax_fail(error, "poses: on a grid no body can be turned exactly; leave out --grid, or "

@@ -35,11 +35,11 @@ void check_report_free(check_report *report) {
 
 /* ----------------------------------------------------------------------- text */
 
-static void print_surface(const check_report *report, int i) {
+static void print_surface(const check_question *q, const check_report *report, int i) {
   const check_surface *s = &report->surface[i];
   if (!s->closed) {
-    printf("%c is open at facet %zu: whether %c is inside it is not asked\n", "AB"[i], s -> facet,
-           "BA"[i]);
+    printf("%c is open: an edge of facet %zu belongs to an odd number of facets; %s\n", "AB"[i],
+           s -> facet, q -> surfaces ? "its inside is not asked" : "its inside is not defined");
   } else if (!s->consistent) {
     printf("%c winds inconsistently: an edge of facet %zu runs the same way in another one; no "
            "verdict depends on that\n",
@@ -49,17 +49,20 @@ static void print_surface(const check_report *report, int i) {
 
 /* What is known of parts inside the other body, behind the number of pairs. */
 static void print_within(const check_answer *a) {
-  for (int i = 0; i < 2; i++) {
-    if (a->within[i] == CHECK_INSIDE) {
-      printf(", but %c, or a part of it, is inside %c", "AB"[i], "BA"[i]);
-    }
-  }
   if (a->within[0] == CHECK_OUTSIDE && a->within[1] == CHECK_OUTSIDE) {
     fputs(", neither is inside the other", stdout);
-  } else if (a->within[0] == CHECK_OUTSIDE || a->within[1] == CHECK_OUTSIDE) {
-    int i = a->within[1] == CHECK_OUTSIDE;
-    if (a->within[1 - i] == CHECK_NOT_ASKED) {
-      printf(", %c is not inside %c", "AB"[i], "BA"[i]);
+    return;
+  }
+  bool inside = a->within[0] == CHECK_INSIDE || a->within[1] == CHECK_INSIDE;
+  for (int i = 0; i < 2; i++) {
+    char which = "AB"[i];
+    char other = "BA"[i];
+    if (a->within[i] == CHECK_INSIDE) {
+      printf(", but %c, or a part of it, is inside %c", which, other);
+    } else if (a->within[i] == CHECK_UNKNOWN && !inside) {
+      printf(", but %c, or a part of it, may be inside %c", which, other);
+    } else if (a->within[i] == CHECK_OUTSIDE && !inside) {
+      printf(", %c is not inside %c", which, other);
     }
   }
 }
@@ -161,8 +164,8 @@ static void print_pose(const check_question *q, const check_report *report, size
     printf("  %zu warned of", a->warned.count);
   }
   for (int i = 0; i < 2; i++) {
-    if (a->within[i] == CHECK_INSIDE) {
-      printf("  %c in %c", "AB"[i], "BA"[i]);
+    if (a->within[i] >= CHECK_INSIDE) {
+      printf("  %c %sin %c", "AB"[i], a -> within[i] == CHECK_UNKNOWN ? "perhaps " : "", "BA"[i]);
     }
   }
   putchar('\n');
@@ -188,8 +191,8 @@ void check_print_text(const check_question *q, const check_report *report) {
   if (q->on_grid) {
     report_print_grid(WIDTH, &report->grid);
   } else {
-    print_surface(report, 0);
-    print_surface(report, 1);
+    print_surface(q, report, 0);
+    print_surface(q, report, 1);
   }
   (q->poses_path != NULL ? print_poses : print_verdict)(q, report);
   putchar(' ');
@@ -209,8 +212,8 @@ static json_t *pairs_as_json(const sepax_pairs *pairs) {
 }
 
 static void set_within(json_t *to, const char *name, check_inside within) {
-  json_object_set_new(
-      to, name, within == CHECK_NOT_ASKED ? json_null() : json_boolean(within == CHECK_INSIDE));
+  bool known = within == CHECK_OUTSIDE || within == CHECK_INSIDE;
+  json_object_set_new(to, name, known ? json_boolean(within == CHECK_INSIDE) : json_null());
 }
 
 static void set_count(json_t *to, const char *name, size_t count) {

@@ -18,13 +18,13 @@ typedef struct {
   const char *path[2];
   const char *poses_path, *pairs_path, *ply_path; /* or NULL */
   check_limit clearance, warning;
-  bool on_grid, first, json, quiet;
+  bool on_grid, first, json, quiet, surfaces;
   int threads;
   sepax_config config; /* of the grid's design, without clearances */
   cli_grid grid;
 } check_question;
 
-typedef enum { CHECK_NOT_ASKED, CHECK_OUTSIDE, CHECK_INSIDE } check_inside;
+typedef enum { CHECK_NOT_ASKED, CHECK_OUTSIDE, CHECK_INSIDE, CHECK_UNKNOWN } check_inside;
 
 /* Of one pose. Lists that nobody prints are counted only: their `pair` is then NULL. */
 typedef struct {

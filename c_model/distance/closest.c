@@ -100,6 +100,10 @@ static bool begin(search *s, const sepax_distance_request *r, sepax_error *error
   if (!(r->limit >= 0)) {
     return sepax_fail(error, "the limit %g of a distance is below 0", r->limit);
   }
+  if (!(r->seconds >= 0)) {
+    return sepax_fail(error, "a search has a limit of %g seconds; give 0 for none, or more",
+                      r->seconds);
+  }
   s->limit = r->limit > 0 ? r->limit : INFINITY;
   s->portable = r->path == SEPAX_PATH_PORTABLE;
   if (last != NULL && last->min_distance > 0 && isfinite(last->min_distance)) {
@@ -116,7 +120,7 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
                            sepax_distance_result *result, sepax_error *error) {
   static const sepax_distance_request usual = {0};
   const sepax_distance_request *r = request != NULL ? request : &usual;
-  const sepax_query any = {.most = 1, .path = r->path};
+  const sepax_query any = {.most = 1, .seconds = r->seconds, .path = r->path};
   sepax_distance_result best = {.min_distance = INFINITY};
   nearest_pairs n = {.best = &best};
   search s = {.body = {a, b}, .take = keep, .context = &n, .batch = 4};
@@ -124,18 +128,22 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
   if (!begin(&s, r, error) || !sepax_bodies_collide(a, pose_a, b, pose_b, &any, &hit, error)) {
     return false;
   }
-  if (hit.count > 0) {
+  if (hit.count == 0 && hit.ended) {
+    best.ended = true;
+  } else if (hit.count > 0) {
     const uint32_t place[2] = {place_of(a, hit.pair[0][0]), place_of(b, hit.pair[0][1])};
     s.at.pose[0] = pose_a;
     s.at.pose[1] = pose_b;
     measure(&s, &n, place);
   } else {
+    s.seconds = r->seconds;
     search_pairs(&s, pose_a, pose_b);
     measure_kept(&s, &n);
+    best.ended = s.ended;
   }
   sepax_pairs_free(&hit);
   if (r->limit > 0 && best.min_distance > r->limit) {
-    best = (sepax_distance_result){.min_distance = INFINITY};
+    best = (sepax_distance_result){.min_distance = INFINITY, .ended = best.ended};
   }
   *result = best;
   return true;

@@ -45,6 +45,13 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
   if (!(distance >= 0 && distance <= 0x1p1000)) {
     return sepax_fail(error, "the distance %g is not within 0 ... 2^1000", distance);
   }
+  if (!poses_valid(pose_a, pose_b, error)) {
+    return false;
+  }
+  if (!(q->seconds >= 0)) {
+    return sepax_fail(error, "a search has a limit of %g seconds; give 0 for none, or more",
+                      q->seconds);
+  }
   if (distance == 0) {
     return sepax_bodies_collide(a, pose_a, b, pose_b, query, found, error);
   }

@@ -194,28 +194,49 @@ static bool inside(ray *r, const sepax_shell *shell) {
   return odd;
 }
 
-static bool some_part_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
-                             const sepax_pose *pose_b) {
+/* May all of the part be inside the other body's box, in which its vertex is? A pose stretches by
+ * 2^-16 at most. */
+static bool may_fit(const solid_part *part, const sepax_body *body) {
+  double most = 0;
+  for (int i = 0; i < 3; i++) {
+    most = fmax(most, part->high[i] - part->low[i]);
+  }
+  return !(most > 4 * body->scale); /* the box is within +- scale: sqrt(12) scale across */
+}
+
+static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
+                                const sepax_shell *b, const sepax_pose *pose_b) {
   placement at;
   ray r = {.body = b->body, .pose = {pose_a, pose_b}};
   place_bodies(&at, b->body, pose_b, a->body, pose_a); /* a sum that overflows is far outside */
   r.error = at.error;
   for (size_t k = 0; k < a->parts; k++) {
-    r.vertex = a->own->part[k].vertex;
+    const solid_part *part = &a->own->part[k];
+    r.vertex = part->vertex;
     r.known = false;
     for (int i = 0; i < 3; i++) {
       r.from[i] = at.linear[i][0] * r.vertex[0] + at.linear[i][1] * r.vertex[1] +
                   at.linear[i][2] * r.vertex[2] + at.offset[i];
     }
-    if (aim(&r) && inside(&r, b)) {
-      return true;
+    if (!aim(&r)) {
+      continue;
+    }
+    if (!b->closed && may_fit(part, b->body)) {
+      return SEPAX_INSIDE_UNKNOWN;
+    }
+    if (b->closed && inside(&r, b)) {
+      return SEPAX_INSIDE;
     }
   }
-  return false;
+  return SEPAX_OUTSIDE;
 }
 
-void sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
-                         const sepax_pose *pose_b, bool within[2]) {
-  within[0] = b->closed && some_part_within(a, pose_a, b, pose_b);
-  within[1] = a->closed && some_part_within(b, pose_b, a, pose_a);
+bool sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
+                         const sepax_pose *pose_b, sepax_inside within[2], sepax_error *error) {
+  if (!poses_valid(pose_a, pose_b, error)) {
+    return false;
+  }
+  within[0] = find_inside(a, pose_a, b, pose_b);
+  within[1] = find_inside(b, pose_b, a, pose_a);
+  return true;
 }

@@ -332,6 +332,71 @@ CASE(bodies_of_any_size) {
   }
 }
 
+/* A pose may stretch by a millionth: the corner of B is A's then. */
+CASE(stretched_into_contact) {
+  const double k = 1.0000004;
+  sepax_mesh m[2] = {strewn(1, 1, 0), strewn(1, 1, 0)};
+  sepax_body *body[2];
+  const double a[3][3] = {{k, k, k}, {3, 3, 3}, {3, k, k}};
+  const double b[3][3] = {{-1, -1, -1}, {1, 1, 1}, {-1, 1, 1}};
+  const sepax_pose pose = {{{k, 0, 0}, {0, k, 0}, {0, 0, k}}, {0, 0, 0}};
+  sepax_pairs found;
+  memcpy(m[0].facet[0].v, a, sizeof a);
+  memcpy(m[1].facet[0].v, b, sizeof b);
+  for (int n = 0; n < 2; n++) {
+    assert_works(sepax_body_new(&body[n], &m[n], &fault));
+  }
+  assert_works(sepax_bodies_collide(body[0], NULL, body[1], &pose, NULL, &found, &fault));
+  assert_int_equal(found.count, 1);
+  sepax_pairs_free(&found);
+  for (int n = 0; n < 2; n++) {
+    sepax_body_free(body[n]);
+    sepax_mesh_free(&m[n]);
+  }
+}
+
+/* All that take poses and limits refuse what is none. */
+static void assert_question_refused(const sepax_mesh *mesh, const sepax_body *body,
+                                    const sepax_pose *pose, double seconds, const char *part) {
+  const sepax_query query = {.seconds = seconds};
+  const sepax_distance_request request = {.seconds = seconds};
+  sepax_distance_result distance;
+  sepax_pairs found;
+  for (int k = 0; k < 2; k++) {
+    const sepax_pose *a = k == 0 ? pose : NULL;
+    const sepax_pose *b = k == 0 ? NULL : pose;
+    assert_fault(sepax_bodies_collide(body, a, body, b, &query, &found, &fault), part);
+    assert_null(found.pair);
+    assert_fault(sepax_bodies_near(body, a, body, b, 1, &query, &found, &fault), part);
+    assert_fault(sepax_bodies_distance(body, a, body, b, &request, &distance, &fault), part);
+    if (pose != NULL) {
+      sepax_shell shell;
+      sepax_inside within[2];
+      assert_works(sepax_shell_find(&shell, body, &fault));
+      assert_fault(sepax_meshes_collide(mesh, a, mesh, b, NULL, &found, &fault), part);
+      assert_fault(sepax_bodies_within(&shell, a, &shell, b, within, &fault), part);
+      sepax_shell_free(&shell);
+    }
+  }
+}
+
+CASE(questions_refused) {
+  const sepax_pose still = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
+  sepax_mesh mesh = strewn(5, 1, 0);
+  sepax_body *body;
+  assert_works(sepax_body_new(&body, &mesh, &fault));
+  sepax_pose pose = still;
+  pose.translation[1] = NAN;
+  assert_question_refused(&mesh, body, &pose, 0, "finite");
+  pose = still;
+  pose.rotation[0][0] = 1e308;
+  assert_question_refused(&mesh, body, &pose, 0, "rotation");
+  assert_question_refused(&mesh, body, NULL, -1, "seconds");
+  assert_question_refused(&mesh, body, NULL, NAN, "seconds");
+  sepax_body_free(body);
+  sepax_mesh_free(&mesh);
+}
+
 CASE(bodies_refused) {
   sepax_body *body;
   sepax_pairs found;

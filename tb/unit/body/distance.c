@@ -410,6 +410,27 @@ CASE(limits_of_far_bodies) {
   }
 }
 
+CASE(limits_of_time) {
+  scene s = {.mesh = {strewn(300, 0.1, 0), strewn(300, 0.1, 0)}};
+  const sepax_pose away = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {9, 0, 0}};
+  sepax_distance_result r;
+  sepax_pairs found;
+  make_bodies(&s);
+  for (int hurried = 0; hurried < 2; hurried++) {
+    double seconds = hurried != 0 ? 1e-12 : 1e6;
+    assert_works(sepax_bodies_near(s.body[0], NULL, s.body[1], &away, 9,
+                                   &(sepax_query){.seconds = seconds}, &found, &fault));
+    assert_int_equal(found.ended, hurried);
+    assert_true(hurried != 0 || found.count > 100);
+    sepax_pairs_free(&found);
+    assert_works(sepax_bodies_distance(s.body[0], NULL, s.body[1], &away,
+                                       &(sepax_distance_request){.seconds = seconds}, &r, &fault));
+    assert_int_equal(r.ended, hurried);
+    assert_true(r.min_distance > (hurried != 0 ? 0 : 5));
+  }
+  free_scene(&s);
+}
+
 CASE(distances_refused) {
   scene s = {.mesh = {strewn(2, 1, 0), strewn(2, 1, 0)}};
   sepax_distance_result r;

@@ -103,12 +103,13 @@ CASE(by_solid_angle) {
       assert_works(
           sepax_bodies_collide(small.body, NULL, whole.body, NULL, &query, &found, &fault));
       if (found.count == 0) {
-        bool within[2];
-        sepax_bodies_within(&small.shell, NULL, &whole.shell, NULL, within);
-        assert_false(within[1]);
+        sepax_inside within[2];
+        assert_works(sepax_bodies_within(&small.shell, NULL, &whole.shell, NULL, within, &fault));
+        assert_int_equal(within[1], SEPAX_OUTSIDE);
         assert_int_equal(within[0], fabs(angle) > 2 * PI);
         seen[within[0]]++;
-        sepax_bodies_within(&whatever.shell, NULL, &small.shell, NULL, within);
+        assert_works(
+            sepax_bodies_within(&whatever.shell, NULL, &small.shell, NULL, within, &fault));
         assert_int_equal(within[1], fabs(angle) > 2 * PI);
       }
       drop(&small);
@@ -142,11 +143,12 @@ CASE(twice) {
     sepax_mesh small = tiny(p);
     solid both;
     solid one;
-    bool within[2];
+    sepax_inside within[2];
     make(&both, &m);
     make(&one, &small);
-    sepax_bodies_within(&one.shell, NULL, &both.shell, NULL, within);
-    assert_true(within[0] && !within[1]);
+    assert_works(sepax_bodies_within(&one.shell, NULL, &both.shell, NULL, within, &fault));
+    assert_int_equal(within[0], SEPAX_INSIDE);
+    assert_int_equal(within[1], SEPAX_OUTSIDE);
     drop(&both);
     drop(&one);
     sepax_mesh_free(&m);
