@@ -173,6 +173,125 @@ CASE(random_bodies) {
   }
 }
 
+/* ------------------------------------------------------- ends, first rows, stack */
+
+typedef struct {
+  sepax_tree_pair pair[10000];
+  size_t count;
+} near_pairs;
+
+static bool keep_near(void *context, const sepax_tree_pair *p) {
+  near_pairs *l = context;
+  assert_true(l->count < LENGTH(l->pair));
+  l->pair[l->count++] = *p;
+  return true;
+}
+
+static bool is_same(const sepax_tree_pair *p, const sepax_tree_pair *q) {
+  return p->triangle[0] == q->triangle[0] && p->triangle[1] == q->triangle[1] &&
+         p->leaf[0] == q->leaf[0] && p->leaf[1] == q->leaf[1] && p->child[0] == q->child[0] &&
+         p->child[1] == q->child[1];
+}
+
+typedef struct {
+  triangles t[2];
+  sepax_tree *tree[2];
+  sepax_tree_pose pose;
+} scene;
+
+static void draw_scene(scene *s, size_t count, int kind) {
+  for (int i = 0; i < 2; i++) {
+    s->t[i] = drawn(count, kind, 30000, 3000, 18);
+    s->tree[i] = tree_of(&s->t[i], 18);
+  }
+  sepax_pose pose = posed(random_below(5), 20000);
+  assert_works(sepax_tree_pose_make(&s->pose, s->tree[0], NULL, s->tree[1], &pose, 0, &fault));
+}
+
+static void free_scene(scene *s) {
+  for (int i = 0; i < 2; i++) {
+    sepax_tree_free(s->tree[i]);
+    free(s->t[i].tri);
+  }
+}
+
+static sepax_tree_run walked(const scene *s, const sepax_tree_walk *how) {
+  sepax_tree_run run;
+  assert_works(sepax_trees_walk(s->tree[0], s->tree[1], &s->pose, how, &run, &fault));
+  assert_false(run.damaged);
+  return run;
+}
+
+/* `first` ends at the first collision of the order; where its pair is the first row, it is told
+ * at once, and without `first` all others follow. */
+CASE(first_collisions) {
+  static near_pairs all;
+  sepax_design design = design_of("--word=18");
+  size_t hits = 0;
+  for (int n = 0; n < 60; n++) {
+    scene s;
+    draw_scene(&s, 1 + (size_t)random_below(300), n % 5);
+    all.count = 0;
+    const sepax_tree_walk whole = {.design = &design, .each = keep_near, .context = &all};
+    sepax_tree_run run = walked(&s, &whole);
+    size_t at = 0;
+    while (at < all.count && !all.pair[at].collision) {
+      at++;
+    }
+    const sepax_tree_walk first = {.design = &design, .first = true};
+    sepax_tree_run ended = walked(&s, &first);
+    assert_int_equal(run.near, all.count);
+    assert_int_equal(ended.ended, at < all.count);
+    assert_int_equal(ended.near, at < all.count ? at + 1 : at);
+    if (at < all.count) {
+      hits++;
+      assert_true(is_same(&ended.found, &all.pair[at]) && is_same(&run.found, &all.pair[at]));
+      const sepax_tree_pair *last = &all.pair[all.count - 1];
+      const sepax_tree_walk known = {.design = &design, .first = true, .row = last};
+      const sepax_tree_walk more = {.design = &design, .row = last};
+      ended = walked(&s, &known);
+      assert_int_equal(ended.near, last->collision ? 1 : at + 2);
+      assert_true(!last->collision || (is_same(&ended.found, last) && ended.entries == 0));
+      sepax_tree_run again = walked(&s, &more);
+      assert_int_equal(again.near, run.near + 1);
+      assert_int_equal(again.rows, run.rows + 1);
+      assert_int_equal(again.entries, run.entries);
+    }
+    free_scene(&s);
+  }
+  assert_true(hits > 20);
+}
+
+/* The least stack and any line: no overflow, the same pairs. */
+CASE(small_stacks) {
+  static const unsigned lines[] = {1, 2, 32, 200};
+  sepax_design design = design_of("--word=18");
+  for (int n = 0; n < 40; n++) {
+    scene s;
+    draw_scene(&s, 100 + (size_t)random_below(2000), n % 2 == 0 ? 1 : 4);
+    unsigned height = 0;
+    for (int i = 0; i < 2; i++) {
+      size_t bytes;
+      height += sepax_tree_image(s.tree[i], &bytes)[14] & 15U;
+    }
+    const sepax_tree_walk usual = {.design = &design};
+    sepax_tree_run wanted = walked(&s, &usual);
+    for (size_t k = 0; k < LENGTH(lines); k++) {
+      const sepax_tree_walk how = {.design = &design, .line = lines[k], .stack = 15 * height + 16};
+      sepax_tree_run run = walked(&s, &how);
+      assert_true(run.deepest <= how.stack);
+      assert_int_equal(run.near, wanted.near);
+      assert_int_equal(run.steps, wanted.steps);
+      assert_int_equal(run.collisions, wanted.collisions);
+    }
+    const sepax_tree_walk less = {.design = &design, .stack = 15 * height + 15};
+    sepax_tree_run run;
+    assert_fault(sepax_trees_walk(s.tree[0], s.tree[1], &s.pose, &less, &run, &fault),
+                 "a stack of");
+    free_scene(&s);
+  }
+}
+
 /* ------------------------------------------------------------------- meshes */
 
 /* Two meshes on one grid, B in poses near that of the file. */
