@@ -199,12 +199,17 @@ typedef struct {
   sepax_tree_pose pose;
 } scene;
 
+/* Kind 5: all triangles are the same, so that all meets all. */
 static void draw_scene(scene *s, size_t count, int kind) {
   for (int i = 0; i < 2; i++) {
-    s->t[i] = drawn(count, kind, 30000, 3000, 18);
+    s->t[i] = drawn(count, kind % 5, 30000, 3000, 18);
+    for (size_t n = 1; n < count && kind == 5; n++) {
+      s->t[i].tri[n] = s->t[0].tri[0];
+    }
+    s->t[i].tri[0] = kind == 5 ? s->t[0].tri[0] : s->t[i].tri[0];
     s->tree[i] = tree_of(&s->t[i], 18);
   }
-  sepax_pose pose = posed(random_below(5), 20000);
+  sepax_pose pose = posed(random_below(5), kind == 5 ? 0 : 20000);
   assert_works(sepax_tree_pose_make(&s->pose, s->tree[0], NULL, s->tree[1], &pose, 0, &fault));
 }
 
@@ -268,7 +273,10 @@ CASE(small_stacks) {
   sepax_design design = design_of("--word=18");
   for (int n = 0; n < 40; n++) {
     scene s;
-    draw_scene(&s, 100 + (size_t)random_below(2000), n % 2 == 0 ? 1 : 4);
+    draw_scene(&s, n == 0 ? 300 : 100 + (size_t)random_below(2000),
+               n == 0       ? 5
+               : n % 2 == 0 ? 1
+                            : 4);
     unsigned height = 0;
     for (int i = 0; i < 2; i++) {
       size_t bytes;
