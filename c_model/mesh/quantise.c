@@ -2,7 +2,7 @@
  *
  * q = round((x - offset) / resolution) holds for the numbers as given: no rounding of a difference
  * or a quotient decides. Doubles decide where their error is too small to reach a border between
- * grid points; elsewhere the coordinate is compared with the borders by the sign of an exact sum.
+ * grid points; elsewhere the coordinate is compared with the border by the sign of an exact sum.
  */
 #include "util/error.h"
 
@@ -19,46 +19,30 @@ static const double steps_max = 0x1p33;
 
 static const char axis_name[] = "xyz";
 
-/* a + b = sum + *rest exactly (Knuth). */
-static double two_sum(double a, double b, double *rest) {
-  double sum = a + b;
-  double b_part = sum - a;
-  *rest = (a - (sum - b_part)) + (b - b_part);
-  return sum;
-}
-
-/* The sign of an exact sum: the terms are added to an expansion whose components do
- * not overlap and grow in magnitude (Shewchuk, grow-expansion). */
-static int sign_of_sum(const double term[4]) {
-  double part[4];
-  for (int n = 0; n < 4; n++) {
-    double sum = term[n];
-    for (int i = 0; i < n; i++) {
-      sum = two_sum(sum, part[i], &part[i]);
-    }
-    part[n] = sum;
-  }
-  for (int i = 3; i >= 0; i--) {
-    if (part[i] != 0) {
-      return part[i] > 0 ? 1 : -1;
-    }
-  }
-  return 0;
-}
-
-/* x - offset = high + low exactly. */
+/* high + low exactly. */
 typedef struct {
   double high, low;
 } distance;
 
-/* Is the distance at least half_steps / 2 steps of the grid? */
-static bool reaches(distance d, double half_steps, double resolution) {
-  if (d.low == 0) {
-    return fma(half_steps, resolution, -2 * d.high) <= 0;
-  }
-  double product = half_steps * resolution;
-  double rest = fma(half_steps, resolution, -product);
-  return sign_of_sum((double[4]){2 * d.low, 2 * d.high, -rest, -product}) >= 0;
+/* x - offset (Knuth): exact where nothing overflows, as below magnitude_max; sums of doubles never
+ * underflow. */
+static inline distance distance_of(double x, double offset) {
+  double high = x - offset;
+  double x_part = high + offset;
+  return (distance){high, (x - x_part) - ((high - x_part) + offset)};
+}
+
+/* A double of the sign of 2 d - half_steps * resolution. half_steps is whole, |d| and
+ * |half_steps * resolution| are below 2^35 steps.
+ *
+ * Let T be 2 high - half_steps * resolution, and u the least of ulp(2 high) and ulp(resolution), at
+ * least 2^-1074. T is a whole multiple of u. If |T| <= 2^53 u, T is a double, so fma is exact; and
+ * the sum of two doubles has the sign of their exact sum. Else |T| > 2^53 u, so fma is as large, of
+ * T's sign, and the last term is less than either: it is at most ulp(2 high) / 2, that is u / 2 if
+ * u is ulp(2 high); if u is ulp(resolution), it is at most 2^-53 * 2^36 steps, but 2^53 u more than
+ * one step. */
+static inline double beyond(distance d, double half_steps, double resolution) {
+  return fma(-half_steps, resolution, 2 * d.high) + 2 * d.low;
 }
 
 /* A distance >= 0 in steps, rounded half up; at most steps_max. */
@@ -67,22 +51,21 @@ static double rounded_steps(distance d, double resolution) {
   if (!(steps < steps_max)) {
     return steps_max;
   }
-  while (!reaches(d, 2 * steps - 1, resolution)) {
+  while (beyond(d, 2 * steps - 1, resolution) < 0) {
     steps--;
   }
-  while (reaches(d, 2 * steps + 1, resolution)) {
+  while (beyond(d, 2 * steps + 1, resolution) >= 0) {
     steps++;
   }
   return steps;
 }
 
-/* False if x does not fit the grid; by exact sums. */
+/* False if x does not fit the grid. */
 static bool quantise_exactly(int32_t *q, double x, const sepax_grid *grid, int axis) {
   if (!(fabs(x) <= magnitude_max)) {
     return false;
   }
-  distance d;
-  d.high = two_sum(x, -grid->offset[axis], &d.low);
+  distance d = distance_of(x, grid->offset[axis]);
   bool negative = d.high < 0;
   if (negative) {
     d = (distance){-d.high, -d.low};
@@ -116,31 +99,70 @@ static bool check_grid(const sepax_grid *grid, sepax_error *error) {
   return check_word(grid->word, error);
 }
 
-/* --------------------------------------------------------------------- fit */
+/* ------------------------------------------------------------------ bounds */
 
 typedef struct {
   double low[3], high[3];
+  double rest[3]; /* 0; NaN after a coordinate that is NaN or infinite */
 } bounds;
 
-static bool extend(bounds *all, const sepax_mesh *mesh, size_t number, sepax_error *error) {
-  for (size_t i = 0; i < 9 * mesh->count; i++) {
+static const bounds no_bounds = {
+    {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, {0, 0, 0}};
+
+static bounds extended(bounds all, const sepax_mesh *mesh) {
+  for (size_t i = 0; i < mesh->count; i++) {
+    _Pragma("GCC unroll 9") for (int k = 0; k < 9; k++) {
+      int axis = k % 3;
+      double x = mesh->facet[i].v[k / 3][axis];
+      all.low[axis] = x < all.low[axis] ? x : all.low[axis];
+      all.high[axis] = x > all.high[axis] ? x : all.high[axis];
+      all.rest[axis] += x - x;
+    }
+  }
+  return all;
+}
+
+static bool are_numbers(const bounds *all) {
+  return all->rest[0] == 0 && all->rest[1] == 0 && all->rest[2] == 0;
+}
+
+static bool all_fit(const bounds *all, const sepax_grid *grid, double resolution) {
+  sepax_grid trial = *grid;
+  trial.resolution = resolution;
+  bool ok = resolution > 0 && are_numbers(all);
+  for (int axis = 0; ok && axis < 3; axis++) {
+    int32_t q;
+    ok = quantise_exactly(&q, all->low[axis], &trial, axis) &&
+         quantise_exactly(&q, all->high[axis], &trial, axis);
+  }
+  return ok;
+}
+
+/* --------------------------------------------------------------------- fit */
+
+static bool check_range(const bounds *all, const sepax_mesh *mesh, size_t number,
+                        sepax_error *error) {
+  bool ok = are_numbers(all);
+  for (int axis = 0; axis < 3; axis++) {
+    ok = ok && all->low[axis] >= -magnitude_max && all->high[axis] <= magnitude_max;
+  }
+  for (size_t i = 0; !ok && i < 9 * mesh->count; i++) {
     int axis = (int)(i % 3);
     double x = mesh->facet[i / 9].v[i / 3 % 3][axis];
     if (!(fabs(x) <= magnitude_max)) {
-      return sepax_fail(error, "mesh %zu, facet %zu: %c = %g is too large; %s", number, i / 9 + 1,
+      return sepax_fail(error, "mesh %zu, facet %zu: %c = %g is too large; %s", number, i / 9,
                         axis_name[axis], x, "scale the mesh down");
     }
-    all->low[axis] = fmin(all->low[axis], x);
-    all->high[axis] = fmax(all->high[axis], x);
   }
   return true;
 }
 
 static bool find_bounds(bounds *all, const sepax_mesh *const meshes[], size_t count,
                         sepax_error *error) {
-  *all = (bounds){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+  *all = no_bounds;
   for (size_t i = 0; i < count; i++) {
-    if (!extend(all, meshes[i], i + 1, error)) {
+    *all = extended(*all, meshes[i]);
+    if (!check_range(all, meshes[i], i, error)) {
       return false;
     }
   }
@@ -153,18 +175,6 @@ static bool find_bounds(bounds *all, const sepax_mesh *const meshes[], size_t co
                       all->low[0] > all->high[0] ? "empty" : "a single point");
   }
   return true;
-}
-
-static bool all_fit(const bounds *all, const sepax_grid *grid, double resolution) {
-  sepax_grid trial = *grid;
-  trial.resolution = resolution;
-  bool ok = resolution > 0;
-  for (int axis = 0; ok && axis < 3; axis++) {
-    int32_t q;
-    ok = quantise_exactly(&q, all->low[axis], &trial, axis) &&
-         quantise_exactly(&q, all->high[axis], &trial, axis);
-  }
-  return ok;
 }
 
 /* The word ends half a step inside of 2^(W-1) above and half a step outside below.
@@ -210,69 +220,86 @@ typedef int32_t words __attribute__((vector_size(8)));
 
 typedef struct {
   const sepax_grid *grid;
-  reals offset[5], per_step, low, high; /* per_step: 1 / resolution; low, high: of the word */
+  reals offset[5], per_step; /* per_step: 1 / resolution */
 } fast_grid;
 
-/* Where steps are so long that a coordinate above magnitude_max could be some steps from the
- * offset, all is in doubt. */
+/* Of steps so long or short that per_step would be inexact, all is in doubt. */
 static fast_grid fast_grid_of(const sepax_grid *grid) {
   const double *o = grid->offset;
-  double per_step = grid->resolution <= 0x1p900 ? 1 / grid->resolution : NAN;
+  bool plain = grid->resolution >= 0x1p-1000 && grid->resolution <= 0x1p1000;
   return (fast_grid){grid,
                      {{o[0], o[1]}, {o[2], o[0]}, {o[1], o[2]}, {o[0], o[1]}, {o[2], o[2]}},
-                     (reals){0} + per_step,
-                     (reals){0} + (double)sepax_word_min(grid->word),
-                     (reals){0} + (double)sepax_word_max(grid->word)};
+                     (reals){0} + (plain ? 1 / grid->resolution : NAN)};
 }
 
-/* The coordinates of a facet by doubles. False where one is in doubt or does not fit.
+/* Adding it rounds to the nearest whole number, as the step of doubles is 1 there, and leaves that
+ * number in the lowest bits. */
+static const double whole_shift = 0x3p51;
+
+/* A coordinate in doubt is within 2^-17 steps of a border: below + 1/2. On it, it is rounded away
+ * from zero. */
+static int32_t settle(double x, int axis, const fast_grid *fast) {
+  const sepax_grid *grid = fast->grid;
+  double per_step = fast->per_step[0];
+  int32_t q = 0;
+  if (isnan(per_step)) {
+    quantise_exactly(&q, x, grid, axis);
+    return q;
+  }
+  distance d = distance_of(x, grid->offset[axis]);
+  double below = (d.high * per_step - 0.5 + whole_shift) - whole_shift;
+  double over = beyond(d, 2 * below + 1, grid->resolution);
+  bool up = (over > 0) | ((over == 0) & (below >= 0));
+  return (int32_t)((int64_t)below + up);
+}
+
+static inline int32_t *component(sepax_tri *tri, int i) {
+  sepax_vec *v = &tri->v[i / 3];
+  return i % 3 == 0 ? &v->x : i % 3 == 1 ? &v->y : &v->z;
+}
+
+/* A facet whose coordinates fit the grid.
  *
  * The difference, 1 / resolution and their product are wrong by 2^-53 each, in proportion, all
  * three by less than 2^-51: of up to 2^31 + 1 steps by less than 2^-19. (A product that underflows
  * is wrong by far less than that.) So a product that is nearer than 1/2 - 2^-18 to a whole number
- * rounds to it. Adding 3 * 2^51 rounds to the nearest whole number, as the step of doubles is 1
- * there, and leaves it in the lowest bits. An infinite or undefined product is near to nothing. */
-static inline bool quantise_fast(sepax_tri *tri, const sepax_facet *facet, const fast_grid *fast) {
-  const double shift = 0x3p51;
+ * rounds to it; any other, and what is undefined, is in doubt. */
+static inline void quantise_facet(sepax_tri *tri, const sepax_facet *facet, const fast_grid *fast) {
   const double *v = facet->v[0];
   const reals x[5] = {{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}, {v[6], v[7]}, {v[8], v[8]}};
   words q[5];
-  lanes certain = {-1, -1};
+  lanes certain = {0, 0}; /* bit i: coordinate i */
   UNROLL for (int k = 0; k < 5; k++) {
     reals steps = (x[k] - fast->offset[k]) * fast->per_step;
-    reals sum = steps + shift;
-    reals whole = sum - shift;
-    reals rest = (reals)((lanes)(steps - whole) & INT64_MAX);
-    certain &= (rest < 0.5 - 0x1p-18) & (whole >= fast->low) & (whole <= fast->high);
+    reals sum = steps + whole_shift;
+    reals rest = (reals)((lanes)(steps - (sum - whole_shift)) & INT64_MAX);
+    certain |= (rest < 0.5 - 0x1p-18) & (lanes){1 << 2 * k, 2 << 2 * k};
     q[k] = __builtin_convertvector((lanes)sum, words);
   }
   *tri = (sepax_tri){
       {{q[0][0], q[0][1], q[1][0]}, {q[1][1], q[2][0], q[2][1]}, {q[3][0], q[3][1], q[4][0]}}};
-  return (certain[0] & certain[1]) != 0;
+  unsigned doubt = (unsigned)~(certain[0] | certain[1]) & 0x1ff;
+  for (; doubt != 0; doubt &= doubt - 1) {
+    int i = __builtin_ctz(doubt);
+    *component(tri, i) = settle(v[i], i % 3, fast);
+  }
 }
 
-static bool quantise_facet_exactly(sepax_tri *tri, const sepax_facet *facet, size_t number,
-                                   const sepax_grid *grid, sepax_error *error) {
+static bool check_coordinates(const sepax_facet *facet, size_t number, const sepax_grid *grid,
+                              sepax_error *error) {
   for (int i = 0; i < 9; i++) {
     int axis = i % 3;
     double x = facet->v[i / 3][axis];
-    sepax_vec *v = &tri->v[i / 3];
-    int32_t *component[3] = {&v->x, &v->y, &v->z};
-    if (!quantise_exactly(component[axis], x, grid, axis)) {
+    int32_t q;
+    if (!quantise_exactly(&q, x, grid, axis)) {
       return sepax_fail(error,
                         "facet %zu, vertex %d: %c = %.9g does not fit %d bits of %.9g "
                         "from %.9g; raise resolution or word, or move the offset",
-                        number, i / 3 + 1, axis_name[axis], x, grid->word, grid->resolution,
+                        number, i / 3, axis_name[axis], x, grid->word, grid->resolution,
                         grid->offset[axis]);
     }
   }
   return true;
-}
-
-static inline bool quantise_facet(sepax_tri *tri, const sepax_facet *facet, size_t number,
-                                  const fast_grid *fast, sepax_error *error) {
-  return quantise_fast(tri, facet, fast) ||
-         quantise_facet_exactly(tri, facet, number, fast->grid, error);
 }
 
 static bool check_normal(const double normal[3], size_t number, sepax_error *error) {
@@ -302,23 +329,25 @@ static sepax_vec quantise_normal(const double normal[3], int word) {
                      (int32_t)round(n[2] * unit / length)};
 }
 
-/* The first pass only checks, for results that stay untouched on failure. */
+/* All is checked before a result is written. What is rounded grows with what is not: a mesh fits
+ * if its bounds do. */
 bool sepax_quantise(const sepax_mesh *mesh, const sepax_grid *grid, sepax_tri *tri,
                     sepax_vec *normal, sepax_error *error) {
   if (!check_grid(grid, error)) {
     return false;
   }
-  const fast_grid fast = fast_grid_of(grid);
-  sepax_tri checked;
-  for (size_t i = 0; i < mesh->count; i++) {
+  const bounds all = extended(no_bounds, mesh);
+  bool fits = mesh->count == 0 || all_fit(&all, grid, grid->resolution);
+  for (size_t i = 0; i < mesh->count && !(fits && normal == NULL); i++) {
     const sepax_facet *facet = &mesh->facet[i];
-    if (!quantise_facet(&checked, facet, i + 1, &fast, error) ||
-        (normal != NULL && !check_normal(facet->normal, i + 1, error))) {
+    if ((!fits && !check_coordinates(facet, i, grid, error)) ||
+        (normal != NULL && !check_normal(facet->normal, i, error))) {
       return false;
     }
   }
+  const fast_grid fast = fast_grid_of(grid);
   for (size_t i = 0; i < mesh->count; i++) {
-    quantise_facet(&tri[i], &mesh->facet[i], i + 1, &fast, error);
+    quantise_facet(&tri[i], &mesh->facet[i], &fast);
     if (normal != NULL) {
       normal[i] = quantise_normal(mesh->facet[i].normal, grid->word);
     }

@@ -291,7 +291,7 @@ static bool read_binary(sepax_mesh *mesh, const content *file, const char *path,
     for (int i = 0; i < FACET_NUMBERS; i++) {
       binary32 value = {.word = load32(bytes + 4 * i)};
       if (!isfinite(value.number)) {
-        return fail(error, path, "facet %zu: %s is %s; %s", mesh->count + 1, number_name(i),
+        return fail(error, path, "facet %zu: %s is %s; %s", mesh->count, number_name(i),
                     flaw(value.number), cure);
       }
       *facet_number(&mesh->facet[mesh->count], i) = value.number;
@@ -405,19 +405,19 @@ static bool fits_file(const sepax_mesh *mesh, const char *path, bool ascii, sepa
     for (int i = 0; i < FACET_NUMBERS; i++) {
       double number = *facet_number(&mesh->facet[k], i);
       if (!isfinite(number)) {
-        return fail(error, path, "not written: facet %zu: %s is %s; mend the mesh", k + 1,
+        return fail(error, path, "not written: facet %zu: %s is %s; mend the mesh", k,
                     number_name(i), flaw(number));
       }
       if (!ascii && fabs(number) >= binary32_end) {
         return fail(error, path, "not written: facet %zu: %s %g does not fit binary32; write text",
-                    k + 1, number_name(i), number);
+                    k, number_name(i), number);
       }
     }
     if (!ascii && flattened(&mesh->facet[k])) {
       return fail(error, path,
                   "not written: facet %zu has no area in binary32; write text or move "
                   "nearer to the origin",
-                  k + 1);
+                  k);
     }
   }
   return true;

@@ -166,7 +166,7 @@ static bool check_fits(const sepax_tri *tri, size_t count, const sepax_grid *gri
   for (size_t n = 0; n < count; n++) {
     aabb b = aabb_of(&tri[n]);
     if (!aabb_fits(&b, grid->word)) {
-      return sepax_fail(error, "facet %zu does not fit %d bits; raise word or resolution", n + 1,
+      return sepax_fail(error, "facet %zu does not fit %d bits; raise word or resolution", n,
                         grid->word);
     }
   }

@@ -74,7 +74,7 @@ CASE(test_extremes) {
     refuse_value(-half - 0.5, grid, "does not fit");
   }
   sepax_grid grid = {0.002, {0, 0, 0}, 18};
-  refuse_value(300, grid, "facet 1, vertex 1: x = 300 does not fit 18 bits of 0.002 from 0; raise");
+  refuse_value(300, grid, "facet 0, vertex 0: x = 300 does not fit 18 bits of 0.002 from 0; raise");
   refuse_value(1e308, grid, "does not fit");
   refuse_value(-INFINITY, grid, "does not fit");
   refuse_value(NAN, grid, "does not fit");
@@ -113,13 +113,39 @@ static void slow_quantise(mpz_t q, double x, double offset, double resolution) {
   mpq_clears(value, other, NULL);
 }
 
+typedef struct {
+  int values, fitting, below; /* below: rounded to the border's lower side */
+} rounded;
+
+/* x at grid point q + 1/2, or near it. */
+static void compare_with_rationals(rounded *r, double x, double q, double step, double offset,
+                                   int word) {
+  mpz_t expected;
+  mpz_init(expected);
+  slow_quantise(expected, x, offset, step);
+  r->values++;
+  r->below += mpz_cmp_d(expected, q) == 0;
+  if (mpz_cmp_si(expected, sepax_word_min(word)) >= 0 &&
+      mpz_cmp_si(expected, sepax_word_max(word)) <= 0) {
+    assert_quantised(x, step, offset, word, (int32_t)mpz_get_si(expected));
+    r->fitting++;
+  } else {
+    refuse_value(x, (sepax_grid){step, {offset, offset, offset}, word}, "does not fit");
+  }
+  mpz_clear(expected);
+}
+
+static void assert_balanced(const rounded *r) {
+  print_message("%d values against rationals, %d fit, %d below a border\n", r->values, r->fitting,
+                r->below);
+  assert_true(r->fitting > r->values / 2 && r->fitting < r->values);
+  assert_true(r->below > r->values / 4 && r->below < r->values * 3 / 4);
+}
+
 /* Most values lie within a few units in the last place of a border. */
 CASE(test_against_rationals) {
   const double resolutions[] = {0.002, 0.1, 1.0 / 3, 1e-3, 7e-7, 1, 0.0254, 1e30, 0x1p-1070, PI};
-  int fitting = 0;
-  int below = 0;
-  mpz_t expected;
-  mpz_init(expected);
+  rounded r = {0};
   for (int i = 0; i < RANDOM_VALUES; i++) {
     double step = resolutions[random_below((int)LENGTH(resolutions))];
     int word = 4 + random_below(29);
@@ -127,21 +153,51 @@ CASE(test_against_rationals) {
     double q = floor(random_unit() * ldexp(1.0001, word - 1));
     double x = stepped((q + 0.5) * step + offset, random_below(5) - 2);
     x = random_below(8) == 0 ? x + random_unit() * step : x;
-    slow_quantise(expected, x, offset, step);
-    below += mpz_cmp_d(expected, q) == 0;
-    if (mpz_cmp_si(expected, sepax_word_min(word)) >= 0 &&
-        mpz_cmp_si(expected, sepax_word_max(word)) <= 0) {
-      assert_quantised(x, step, offset, word, (int32_t)mpz_get_si(expected));
-      fitting++;
-    } else {
-      refuse_value(x, (sepax_grid){step, {offset, offset, offset}, word}, "does not fit");
-    }
+    compare_with_rationals(&r, x, q, step, offset, word);
   }
-  mpz_clear(expected);
-  print_message("%d values against rationals, %d fit, %d below a border\n", RANDOM_VALUES, fitting,
-                below);
-  assert_true(fitting > RANDOM_VALUES / 2 && fitting < RANDOM_VALUES);
-  assert_true(below > RANDOM_VALUES / 4 && below < RANDOM_VALUES * 3 / 4);
+  assert_balanced(&r);
+}
+
+/* The same near the ends of the doubles, with offsets from far below a step to far above. */
+CASE(test_extreme_grids) {
+  const int exponents[] = {-1073, -1050, -1022, -1000, -999, 0, 900, 950};
+  rounded r = {0};
+  for (int i = 0; i < RANDOM_VALUES / 4; i++) {
+    double step = ldexp(1 + fabs(random_unit()), exponents[random_below((int)LENGTH(exponents))]);
+    int word = 4 + random_below(29);
+    double offset = ldexp(random_unit() * step, random_below(90) - 70);
+    offset = random_below(4) == 0 ? step * random_below(9) : offset;
+    double q = floor(random_unit() * ldexp(1.0001, word - 1));
+    double x = stepped((q + 0.5) * step + offset, random_below(5) - 2);
+    compare_with_rationals(&r, x, q, step, offset, word);
+  }
+  assert_balanced(&r);
+}
+
+/* The nine coordinates of each facet of a mesh, settled or not, go where they belong. */
+CASE(test_places) {
+  enum { FACETS = 1000 };
+  const sepax_grid grid = {0.25, {0.125, -3, 17}, 18};
+  static sepax_facet facet[FACETS];
+  static sepax_tri tri[FACETS];
+  for (int i = 0; i < 9 * FACETS; i++) {
+    facet[i / 9].v[i / 3 % 3][i % 3] = (random_below(20000) - 10000) * 0.0625;
+  }
+  const sepax_mesh mesh = {facet, FACETS};
+  assert_true(sepax_quantise(&mesh, &grid, tri, NULL, &fault));
+  for (int i = 0; i < 9 * FACETS; i++) {
+    double steps = (facet[i / 9].v[i / 3 % 3][i % 3] - grid.offset[i % 3]) / grid.resolution;
+    const sepax_vec *v = &tri[i / 9].v[i / 3 % 3];
+    const int32_t q[3] = {v->x, v->y, v->z};
+    assert_true(q[i % 3] == round(steps)); /* all exact */
+  }
+  for (int i = 0; i < 9; i++) {
+    double *x = &facet[FACETS - 2].v[i / 3][i % 3];
+    double good = *x;
+    *x = NAN;
+    assert_fault(sepax_quantise(&mesh, &grid, tri, NULL, &fault), "facet 998, vertex ");
+    *x = good;
+  }
 }
 
 CASE(test_normals) {
@@ -174,7 +230,7 @@ CASE(test_normals) {
   sepax_tri tri;
   sepax_vec normal;
   assert_fault(sepax_quantise(&mesh, &grid, &tri, &normal, &fault),
-               "facet 1: the normal has y = nan");
+               "facet 0: the normal has y = nan");
 }
 
 CASE(test_untouched) {
@@ -184,7 +240,7 @@ CASE(test_untouched) {
   sepax_vec normal[2] = {{7, 7, 7}};
   const sepax_grid grid = {1, {0, 0, 0}, 4};
   assert_fault(sepax_quantise(&mesh, &grid, tri, normal, &fault),
-               "facet 2, vertex 1: x = 100 does not fit 4 bits");
+               "facet 1, vertex 0: x = 100 does not fit 4 bits");
   assert_true(tri[0].v[0].x == 7 && normal[0].x == 7);
 }
 
@@ -248,8 +304,8 @@ CASE(test_fit_errors) {
              {{&empty, &empty}, 2, 18, "empty"},
              {{&empty, &point}, 2, 18, "a single point"},
              {{&line, NULL}, 1, 3, "word: 3 is not in 4 ... 32"},
-             {{&line, &large}, 2, 18, "mesh 2, facet 1: y = -1e"},
-             {{&flawed, NULL}, 1, 18, "mesh 1, facet 1: y = nan"}};
+             {{&line, &large}, 2, 18, "mesh 1, facet 0: y = -1e"},
+             {{&flawed, NULL}, 1, 18, "mesh 0, facet 0: y = nan"}};
   for (size_t i = 0; i < LENGTH(row); i++) {
     sepax_grid grid = {.word = 77};
     assert_fault(sepax_grid_fit(&grid, row[i].mesh, row[i].count, row[i].word, &fault),

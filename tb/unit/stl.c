@@ -192,7 +192,7 @@ CASE(test_binary_forms) {
   unsigned char bytes[500];
   for (size_t i = 0; i < LENGTH(titles); i++) {
     size_t size = make_binary(bytes, titles[i], 3);
-    bytes[84 + 50 + 12 + 3] = 0xbf; /* facet 2, vertex 1, x: -1 */
+    bytes[84 + 50 + 12 + 3] = 0xbf; /* facet 1, vertex 0, x: -1 */
     bytes[84 + 50 + 48] = 0xff;     /* attributes */
     put_bytes(bytes, size);
     sepax_mesh mesh = read_mesh();
@@ -221,10 +221,10 @@ CASE(test_binary_errors) {
   size = make_binary(bytes, "x", 3);
   bytes[84 + 100 + 44 + 3] = 0x7f;
   bytes[84 + 100 + 44 + 2] = 0x80;
-  refuse_bytes(bytes, size, "facet 3: coordinate is infinite; export");
+  refuse_bytes(bytes, size, "facet 2: coordinate is infinite; export");
   bytes[84 + 50 + 3] = 0xff;
   bytes[84 + 50 + 2] = 0xc0;
-  refuse_bytes(bytes, size, "facet 2: normal is NaN; export");
+  refuse_bytes(bytes, size, "facet 1: normal is NaN; export");
 }
 
 CASE(test_unreadable) {
@@ -371,13 +371,13 @@ CASE(test_write_values) {
   sepax_mesh_free(&back);
   remove(path);
   *x = -0x1.ffffffp127;
-  refuse_to_write(&mesh, false, "facet 3: coordinate -3.40282e+38 does not fit");
+  refuse_to_write(&mesh, false, "facet 2: coordinate -3.40282e+38 does not fit");
   *x = NAN;
-  refuse_to_write(&mesh, false, "facet 3: coordinate is NaN");
-  refuse_to_write(&mesh, true, "facet 3: coordinate is NaN");
+  refuse_to_write(&mesh, false, "facet 2: coordinate is NaN");
+  refuse_to_write(&mesh, true, "facet 2: coordinate is NaN");
   *x = 0;
   mesh.facet[0].normal[1] = -INFINITY;
-  refuse_to_write(&mesh, true, "facet 1: normal is infinite");
+  refuse_to_write(&mesh, true, "facet 0: normal is infinite");
   sepax_mesh_free(&mesh);
   refuse_to_write(&mesh, true, "no facets");
 }

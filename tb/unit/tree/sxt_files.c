@@ -111,7 +111,7 @@ CASE(what_is_no_tree) {
   sepax_tree *tree;
   sepax_tri t = {{{0, 0, 0}, {200, 0, 0}, {0, 3, 0}}};
   sepax_grid grid = {.resolution = 1, .word = 8};
-  assert_fault(sepax_tree_new(&tree, &t, 1, &grid, &fault), "facet 1 does not fit 8 bits");
+  assert_fault(sepax_tree_new(&tree, &t, 1, &grid, &fault), "facet 0 does not fit 8 bits");
   grid.word = 22;
   assert_fault(sepax_tree_new(&tree, &t, 1, &grid, &fault), "word: 22 is not in 4 ... 21");
   grid.word = 18;
