@@ -342,7 +342,8 @@ typedef struct {
  * cross, such as a solid and itself in one pose. The order of the pairs depends on nothing but the
  * bodies, the poses and the query. A search that a limit ended has found what
  * is certain, but more may collide; no pair found then leaves the bodies undecided. Fails on poses
- * that are not valid, on a time that is no number or negative, and without memory; free with sepax_pairs_free. */
+ * that are not valid, on a time that is no number or negative, and without memory; free with
+ * sepax_pairs_free. */
 bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                           const sepax_pose *pose_b, const sepax_query *query, sepax_pairs *found,
                           sepax_error *error);
@@ -367,8 +368,8 @@ typedef struct {
   double limit; /* a distance above it is not looked for, which is faster; 0: no limit */
   const sepax_distance_result *last; /* of the same bodies, in poses like these: where to begin,
                                         which is faster; NULL: none */
-  double seconds; /* end after so much time; 0: no limit. Bodies that are a million times their
-                     size apart take long: their triangles are all as far as each other */
+  double seconds; /* end after so much time; 0: no limit. Where the way is a million times
+                     the bodies' size, all triangles are as far as each other: it takes long */
   sepax_path path;
 } sepax_distance_request;
 

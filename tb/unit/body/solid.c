@@ -96,46 +96,6 @@ static void assert_shell(const sepax_shell *shell, const oracle_shell *o, const 
   }
 }
 
-/* How many vertices of m are inside the box of an open mesh: whether a part of m is inside of that
- * is unknown where all are, and known where none is. */
-static void assert_may_be_within(sepax_inside within, const sepax_mesh *m, const sepax_pose *pose,
-                                 const sepax_mesh *open, const sepax_pose *pose_open) {
-  const sepax_pose still = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
-  double low[3] = {INFINITY, INFINITY, INFINITY};
-  double high[3] = {-INFINITY, -INFINITY, -INFINITY};
-  size_t in = 0;
-  pose = pose != NULL ? pose : &still;
-  pose_open = pose_open != NULL ? pose_open : &still;
-  for (size_t n = 0; n < 9 * open->count; n++) {
-    double x = open->facet[n / 9].v[n / 3 % 3][n % 3];
-    low[n % 3] = fmin(low[n % 3], x);
-    high[n % 3] = fmax(high[n % 3], x);
-  }
-  for (size_t n = 0; n < 3 * m->count; n++) {
-    const double *v = m->facet[n / 3].v[n % 3];
-    double away[3];
-    bool is_in = true;
-    for (int i = 0; i < 3; i++) {
-      away[i] = pose->translation[i] - pose_open->translation[i];
-      for (int k = 0; k < 3; k++) {
-        away[i] += pose->rotation[i][k] * v[k];
-      }
-    }
-    for (int i = 0; i < 3; i++) {
-      double x = 0;
-      for (int k = 0; k < 3; k++) {
-        x += pose_open->rotation[k][i] * away[k];
-      }
-      is_in = is_in && x > low[i] && x < high[i];
-    }
-    in += is_in;
-  }
-  assert_true(within != SEPAX_INSIDE);
-  if (in == 3 * m->count || in == 0) {
-    assert_int_equal(within, in > 0 ? SEPAX_INSIDE_UNKNOWN : SEPAX_OUTSIDE);
-  }
-}
-
 static void assert_within(const sepax_mesh m[2], const sepax_pose *pa, const sepax_pose *pb,
                           tally *seen) {
   sepax_body *body[2];
