@@ -159,7 +159,8 @@ typedef struct {
   int limits;             /* clearances asked for, 0 ... 2 */
   int64_t margin[2];      /* of AABBs: with a gap above margin[0] = 1 + clearance a pair is not in
                              band COLLISION, above margin[1] = 1 + the outermost clearance it is
-                             in band FREE; 0 without clearances */
+                             in band FREE; of a tree engine larger by what docs/tree.md adds;
+                             0 without clearances */
 } sepax_design;
 
 /* Check the configuration and derive formats, limit and latency. */

@@ -1,12 +1,19 @@
 /* exact.c - architecture exact: its checks and the formats of its numbers (docs/exact.md). */
 #include "design/architecture.h"
 #include "design/interval.h"
+#include "sepax_tree.h"
 #include "util/error.h"
 
-/* The gap of AABBs beyond which a pair is free, the outermost clearance granted. */
+/* The gap of AABBs beyond which a pair is outside of a clearance. The vertices of B that a
+ * tree engine turns are farther from the real ones. */
+static int64_t margin_of(const sepax_config *config, int clearance) {
+  return 1 + (int64_t)clearance +
+         (config->tree && clearance >= 0 ? sepax_tree_clearance_added(config->word) : 0);
+}
+
+/* Of the outermost clearance. */
 static int64_t outer_margin(const sepax_config *config) {
-  int outer = config->warning > 0 ? config->warning : config->clearance;
-  return (int64_t)outer + 1;
+  return margin_of(config, config->warning > 0 ? config->warning : config->clearance);
 }
 
 static int core_word(const sepax_config *config) {
@@ -151,7 +158,7 @@ static void derive(sepax_design *design) {
   design->aabb_test = config->early_out || config->extent_a > 0;
   design->core_word = core_word(config);
   design->limits = config->clearance < 0 ? 0 : config->warning > 0 ? 2 : 1;
-  design->margin[0] = (int64_t)config->clearance + 1;
+  design->margin[0] = margin_of(config, config->clearance);
   design->margin[1] = outer_margin(config);
   derive_formats(design);
 }
