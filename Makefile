@@ -53,7 +53,8 @@ ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 
 .PHONY: all job help build setup test reference clean area timing multivt power area-sweep \
-        calibrate scene report accuracy clearance bench bench-bodies campaign hard engine-sweep
+        calibrate scene report accuracy clearance bench bench-bodies campaign hard engine-sweep \
+        tree-sweep
 
 all:
 	@scripts/setup
@@ -176,6 +177,10 @@ hard: $(SEPAX)
 
 engine-sweep: $(SEPAX) $(BUILD)/liberty
 	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" $(EXPERIMENT)/engine-sweep $(BUILD)/engine-sweep
+
+tree-sweep: $(SEPAX)
+	@$(EXPERIMENT)/tree-sweep $(if $(call given,COUNT),-c $(COUNT)) $(if $(SIZES),-n "$(SIZES)") \
+	  $(BUILD)/tree-sweep
 
 endif
 endif

@@ -89,8 +89,8 @@ static bool count_near(walk *w, const sepax_tree_pair *p) {
   if (p->collision && run->collisions++ == 0) {
     run->found = *p;
   }
-  run->ended = (w->how->first && p->collision) ||
-               (w->how->each != NULL && !w->how->each(w->how->context, p));
+  bool enough = w->how->each != NULL && !w->how->each(w->how->context, p);
+  run->ended = enough || (w->how->first && p->collision);
   return !run->ended;
 }
 

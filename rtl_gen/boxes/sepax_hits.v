@@ -19,7 +19,7 @@ module sepax_hits (
   reg         full_q;           // all rows of an entry with columns are here
   reg  [15:0] hit_q;            // bit j: column j is not 0 and was not taken
   reg  [15:0] here_q;           // bit i: row i is here; others are 0
-  reg  [15:0] row_q [0:15];     // the rows
+  reg  [255:0] row_q;           // the rows
   wire [15:0] first = hit_q & (~hit_q + 16'd1);
   wire [15:0] others = hit_q & ~first;
   wire [15:0] column;
@@ -37,10 +37,10 @@ module sepax_hits (
   genvar i;
   generate
     for (i = 0; i < 16; i = i + 1) begin : row
-      assign column[i] = here_q[i] && (|(row_q[i] & first));
+      assign column[i] = here_q[i] && (|(row_q[16*i +: 16] & first));
       always @(posedge clk) begin
         if (in_valid && !full_q && (in_index == i[3:0])) begin
-          row_q[i] <= in_row;
+          row_q[16*i +: 16] <= in_row;
         end
       end
     end

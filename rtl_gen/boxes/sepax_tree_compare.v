@@ -131,7 +131,7 @@ module sepax_tree_compare #(
   wire [383:0]   bounds [0:FULL];
   wire [16*FULL+15:0] end_hits;
   wire [15:0]    present;
-  wire           step = (FULL != 0) || turn_upper_q; // the box that is turned goes on
+  wire           step = (FULL != 0) ? 1'b1 : turn_upper_q; // the box that is turned goes on
   wire           read_t = cell_q && cell_first_q;
   wire           free, row_valid, row_ready, row_last;
   wire [3:0]     row_index;
@@ -188,7 +188,7 @@ module sepax_tree_compare #(
       end
     end
     for (k = 0; k <= FULL; k = k + 1) begin : box_end
-      wire upper = (FULL != 0) ? (k == 1) : turn_upper_q;
+      wire upper = (FULL != 0) ? k[0] : turn_upper_q;
       sepax_turn_box turn (
         .clk(clk), .upper(upper), .lows(lows_q), .highs(highs_q), .n(n),
         .start(upper ? high : low), .shift(cell_shift_q), .cells(cells[24*k +: 24]),
@@ -198,7 +198,7 @@ module sepax_tree_compare #(
         wire [23:0] above = t_side_q ? boxes_b[48*j+24 +: 24] : boxes_a[48*j+24 +: 24];
         wire [23:0] below = t_side_q ? boxes_b[48*j +: 24] : boxes_a[48*j +: 24];
         assign bounds[k][24*j +: 24] =
-          ((FULL != 0) ? (k == 1) : lane_upper_q) ? ~below : above;
+          ((FULL != 0) ? k[0] : lane_upper_q) ? ~below : above;
       end
       sepax_lanes lanes (
         .cells(cells[24*k +: 24]), .beyond(beyond[k]), .bounds(bounds[k]),
@@ -257,7 +257,7 @@ module sepax_tree_compare #(
       turn_q <= take || (turn_q && !step);
       cell_q <= turn_q;
       lane_q <= cell_q;
-      row_q <= lane_q && ((FULL != 0) || lane_upper_q);
+      row_q <= lane_q && ((FULL != 0) ? 1'b1 : lane_upper_q);
     end
     if (taken_in) begin
       ring_q[in_q] <= {in_side, in_b, in_a};

@@ -3,7 +3,7 @@
 #include "aabb/aabb.h"
 #include "engine/engine.h"
 #include "exact.h"
-#include "util/error.h"
+#include "host/outside.h"
 
 #include <stdlib.h>
 
@@ -59,9 +59,6 @@ static void set_control(emit_holes *h, const exact_plan *p) {
 }
 
 bool gen_exact(emitter *e, int *latency) {
-  if (e->design->config.tree) {
-    return sepax_fail(&e->error, "tree: this engine is not generated yet");
-  }
   exact_plan *plan = malloc(sizeof *plan);
   if (plan == NULL) {
     abort();
@@ -87,6 +84,8 @@ bool gen_exact(emitter *e, int *latency) {
     emit_holes_free(&h);
     if (c->lanes > 0) {
       gen_engine(e, (1 << entries_log2(plan)) + added);
+    } else if (c->tree) {
+      gen_tree(e, (1 << entries_log2(plan)) + added);
     }
   }
   free(plan);

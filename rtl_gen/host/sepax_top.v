@@ -41,7 +41,7 @@ module sepax_engine (
   localparam ADDRESS = 40; // of a byte address
 
   // Registers; the batch.
-  wire start, stop, busy, done, send, send_busy, hit;
+  wire start, stop, busy, done, send, send_busy, last, hit;
   wire [32:0] list;
   wire [31:0] jobs, job, pose, poses_done, hits, hit_job, hit_pose, batch_cycles;
   wire [5:0]  status, all_status;
@@ -94,7 +94,8 @@ module sepax_engine (
     .run_stop(run_stop), .run_cold(run_cold), .row(row), .row_a(row_a), .row_b(row_b),
     .run_done(run_done), .any(any), .undecided(|out_of_range), .stopped(stopped),
     .damaged(damaged), .run_error(run_error), .first_row_a(first_row_a),
-    .first_row_b(first_row_b), .send(send), .status(status), .send_busy(send_busy)
+    .first_row_b(first_row_b), .send(send), .status(status), .last(last),
+    .send_busy(send_busy)
   );
 
   sepax_tree_job #(.ADDRESS(ADDRESS)) of_job (
@@ -123,7 +124,7 @@ module sepax_engine (
   wire [23:0]    result_b;
 
   sepax_tree_engine #(
-    .W(W), .MARGIN(@margin@), .ADDRESS(ADDRESS)
+    .W(W), .MARGIN(@margin@), .FULL(@full@), .FLIGHT(@flight_log2@), .ADDRESS(ADDRESS)
   ) engine (
     .clk(clk), .rst(rst), .start(run_start), .stop(run_stop), .cold(run_cold), .idle(run_idle),
     .done(run_done), .hit(hit), .first(modes[0]), .quiet(modes[1]),
@@ -170,10 +171,11 @@ module sepax_engine (
   sepax_tree_results results (
     .clk(clk), .rst(rst), .valid(result_valid), .ready(result_ready), .a(result_a), .b(result_b),
     .coplanar(result_coplanar), .outside(result_outside), .warning(result_warning), .send(send),
-    .status(status), .busy(send_busy), .job(job), .pose(pose), .steps(steps), .cycles(cycles),
-    .near(near), .collisions(collisions), .warnings(warnings), .out_of_range(out_of_range),
-    .pairs(pairs), .rows(rows), .entries(entries), .first_a(first_a), .first_b(first_b),
-    .first_row_a(first_row_a), .first_row_b(first_row_b), .tvalid(m_axis_tvalid),
+    .status({last, status}), .busy(send_busy), .job(job), .pose(pose), .steps(steps),
+    .cycles(cycles), .near(near), .collisions(collisions), .warnings(warnings),
+    .out_of_range(out_of_range), .pairs(pairs), .rows(rows), .entries(entries),
+    .first_a(first_a), .first_b(first_b), .first_row_a(first_row_a), .first_row_b(first_row_b),
+    .tvalid(m_axis_tvalid),
     .tready(m_axis_tready), .tdata(m_axis_tdata), .tlast(m_axis_tlast)
   );
 endmodule

@@ -52,6 +52,7 @@ module sepax_tree_jobs #(
   // end of a run
   output wire               send,        // send its end
   output wire [5:0]         status,      // {REFUSED, BUS, DAMAGED, STOPPED, OUT_OF_RANGE, HIT}
+  output wire               last,        // the batch ends with this pose
   input  wire               send_busy    // an end has not gone
 );
   localparam [3:0] IDLE = 4'd0;  // no batch
@@ -96,6 +97,7 @@ module sepax_tree_jobs #(
   assign run_stop = stop_q && (state_q == RUN);
   assign run_cold = modes[3] || (first_pose_q && !modes[4]);
   assign send = ends || (state_q == FAIL);
+  assign last = (state_q == FAIL) || !good || stop_q || (leaves && !more_jobs);
   assign status = (state_q == FAIL) ? {refused_q, bus_q, 4'd0} :
                   {1'b0, run_error, damaged && !run_error, good && stopped && !(any && modes[0]),
                    good && any && undecided, good && any};
@@ -114,7 +116,7 @@ module sepax_tree_jobs #(
         START: state_q <= begins ? RUN : START;
         RUN: begin
           if (run_done) begin
-            state_q <= (!good || stop_q || (leaves && !more_jobs)) ? END :
+            state_q <= last ? END :
                        (ahead_q && (ahead_job_q == leaves)) ? WAIT : ASK;
           end
         end

@@ -10,7 +10,7 @@ module sepax_tree_results (
   input  wire        outside,      // out of range
   input  wire        warning,      // in the band of warnings
   input  wire        send,         // the run has ended: send its end
-  input  wire [5:0]  status,       // with send: {REFUSED, BUS, DAMAGED, STOPPED, OUT_OF_RANGE, HIT}
+  input  wire [6:0]  status,       // with send: {LAST, REFUSED, ... HIT}
   output wire        busy,         // its end has not gone; what follows stands meanwhile
   input  wire [31:0] job,          // number of the job
   input  wire [31:0] pose,         // number of the pose
@@ -33,7 +33,7 @@ module sepax_tree_results (
   output reg         tlast         // the last of a pose
 );
   reg         ending_q;
-  reg  [5:0]  status_q;
+  reg  [6:0]  status_q;
   reg  [2:0]  number_q; // of the transfer of the end that comes next
   reg  [63:0] shown;
   wire        free = !tvalid || tready;
@@ -43,7 +43,7 @@ module sepax_tree_results (
 
   always @(*) begin
     case (number_q)
-      3'd0: shown = {1'b1, 25'd0, status_q, steps};
+      3'd0: shown = {1'b1, 24'd0, status_q, steps};
       3'd1: shown = {pose, job};
       3'd2: shown = {near, cycles};
       3'd3: shown = {warnings, collisions};

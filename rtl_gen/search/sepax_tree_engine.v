@@ -2,7 +2,7 @@
 // external memory, read by AXI4, are walked at once; near pairs go to exact cores beside this
 // module, verdicts come back. All inputs of a run but start and stop stand from start to done.
 module sepax_tree_engine #(
-  parameter W = 18,        // bits of a coordinate, 4 ... 21
+  parameter W = @word@,        // bits of a coordinate, 4 ... 21
   parameter MARGIN = 0,    // largest gap of a near pair, 0 ... 2^(W-1)
   parameter FULL = 0,      // 1: a box is turned in each cycle; 0: in two
   parameter FLIGHT = 5,    // log2 of the pairs that may be in the cores

@@ -11,7 +11,7 @@ ifneq ($(and $(filter-out exact,$(ARCH)),$(call given,VIEW)),)
 $(error VIEW: architecture $(ARCH) has one view only; leave it out)
 endif
 
-.PHONY: core options rtl lint cosim exhaustive wave icarus engine example
+.PHONY: core options rtl lint cosim exhaustive wave icarus engine example tree-engine
 
 core:
 	@echo $(CORE)
@@ -90,6 +90,8 @@ ENGINE     = $(CORE)/engine
 ENGINE_OBJ = $(CORE)/obj-c
 ENGINE_C   = $(addprefix $(ENGINE_OBJ)/,bench.o refusals.o sepax_driver.o)
 ENGINE_OPT ?= -O3
+BUS_FLAGS   = -MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" \
+              -CFLAGS "-I$(abspath tb) -I$(abspath c_model) -I../rtl"
 
 vpath %.c tb/engine examples/engine
 $(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/engine/*.h examples/engine/*.h)
@@ -98,8 +100,7 @@ $(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/engine/*.h examples/engine/*.h)
 
 $(ENGINE): $(ENGINE_C) tb/engine/bus.cpp tb/engine/bus.h $(LIB) $(RTL)
 	@echo "  VERILATE $(DESIGN_NAME), the engine"
-	@$(call verilate,sepax_engine,-MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" -CFLAGS \
-	  "-I$(abspath tb) -I$(abspath c_model)",$(abspath tb/engine/bus.cpp $(ENGINE_C) $(LIB)))
+	@$(call verilate,sepax_engine,$(BUS_FLAGS),$(abspath tb/engine/bus.cpp $(ENGINE_C) $(LIB)))
 
 ifeq ($(filter-out 0,$(LANES)),)
 engine example:
@@ -114,6 +115,34 @@ example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
 	  $(CORE)/obj-engine/bus.o $(CORE)/obj-engine/Vsepax_engine__ALL.a \
 	  $(wildcard $(CORE)/obj-engine/verilated*.o) $(LIB) -lm -pthread
 	@$(CORE)/collide "$(MESH_A)" "$(MESH_B)" $(filter-out fit,$(RESOLUTION)) || [ $$? -eq 1 ]
+endif
+
+# The tree engine: MESH_A against MESH_B in the poses of a file, or seeded bodies and jobs.
+TREE_ENGINE = $(CORE)/tree-engine
+TREE_SRC    = $(wildcard tb/batch/*.c) tb/tree/memory.c examples/tree/sepax_tree_driver.c
+TREE_C      = $(patsubst %.c,$(ENGINE_OBJ)/%.o,$(notdir $(TREE_SRC)))
+TREE_DEPS   = $(RTL) $(wildcard tb/tree/*.h tb/batch/*.h tb/engine/*.h examples/tree/*.h)
+TREE_CC     = $(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/tree -I$(CORE)/rtl
+LATENCY    ?= 100
+ROUNDS     ?= 20
+MODES      ?= 16
+
+$(TREE_ENGINE): tb/engine/bus.cpp $(LIB) $(TREE_DEPS) $(TREE_SRC)
+	@echo "  VERILATE $(DESIGN_NAME), the tree engine"
+	@mkdir -p $(ENGINE_OBJ)
+	@$(foreach c,$(TREE_SRC),$(TREE_CC) -c $(c) -o $(ENGINE_OBJ)/$(notdir $(c:.c=.o)) &&) true
+	@$(call verilate,sepax_engine,$(if $(WAVE_FILE),--trace-fst) $(BUS_FLAGS),$(abspath \
+	  tb/engine/bus.cpp $(TREE_C) $(LIB)))
+
+ifeq ($(filter on,$(TREE)),)
+tree-engine:
+	@echo "tree-engine: no tree engine; give TREE=1" >&2; exit 2
+else
+tree-engine: $(TREE_ENGINE) $(if $(POSES),$(SAMPLES))
+	@$(TREE_ENGINE) $(STRESSED) $(if $(WAVE_FILE),--wave=$(WAVE_FILE)) $(if $(POSES),\
+	  --latency=$(LATENCY) --modes=$(MODES) $(if $(BUDGET),--budget=$(BUDGET)) $(if \
+	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) "$(MESH_A)" "$(MESH_B)" \
+	  "$(POSES)",--rounds=$(ROUNDS))
 endif
 
 # ------------------------------------------------------------------------- Icarus

@@ -2,7 +2,8 @@
 # like WORD=12, refuses what does not go together, and prints its name and its options; make
 # runs again with them.
 
-DESIGN_VERBS = core options rtl lint cosim exhaustive wave icarus engine example netlist gates \
+DESIGN_VERBS = core options rtl lint cosim exhaustive wave icarus engine example tree-engine \
+               netlist gates \
                mapped area-file timed timing-file assigned powered power-file \
                workloads
 OF_DESIGN   := $(filter $(DESIGN_VERBS) $(BUILD)/core/%,$(MAKECMDGOALS))
@@ -12,6 +13,11 @@ ifneq ($(DESIGN),)
 OF_DESIGN := $(or $(MAKECMDGOALS),all)
 endif
 LATER = $(if $(filter-out $(DESIGN_VERBS) $(BUILD)/core/%,$(OF_DESIGN)),DESIGN_NAME=)
+
+# The tree engine is that of a design with one.
+ifneq ($(filter tree-engine,$(OF_DESIGN)),)
+export TREE ?= on
+endif
 
 .PHONY: $(OF_DESIGN)
 $(firstword $(OF_DESIGN) $(DESIGN_VERBS)): $(SEPAX) $(LIB) $(OPTIONS_OBJ) \

@@ -1,17 +1,23 @@
 # quality.mk - static analysis and sanitizers.
 
 .PHONY: static sanitize sanitized raced
-C_SRC  = $(LIB_SRC) $(CLI_SRC) \
-         $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c examples/engine/*.c)
-C_PATH = -Ic_model -Irtl_gen -Itb -Isynth -Iexamples/engine -I$(BUILD)/static
+OF_TREE = $(wildcard tb/batch/*.c examples/tree/*.c)
+C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
+          $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c examples/engine/*.c))
+C_PATH  = -Ic_model -Irtl_gen -Itb -Isynth
+PATH_OF = $(C_PATH) -Iexamples/$(1) -I$(BUILD)/static/$(1)
+analyse = $(CPPCHECK) --quiet --error-exitcode=1 \
+          --enable=warning,style,performance,portability --inline-suppr \
+          --suppress=missingIncludeSystem --std=c11 $(call PATH_OF,$(1)) $(2) && \
+          printf '%s\n' $(2) | xargs -P 2 -I {} $(CLANG_TIDY) --quiet --warnings-as-errors="*" {} \
+          -- -std=c11 -D_POSIX_C_SOURCE=200809L $(call PATH_OF,$(1))
 
-# Programs of the engine read headers that come with its Verilog.
+# Programs of an engine read headers that come with its Verilog.
 static: $(SEPAX)
-	@$(GEN) --lanes=4 -o $(BUILD)/static > /dev/null
-	@$(CPPCHECK) --quiet --error-exitcode=1 --enable=warning,style,performance,portability \
-	  --inline-suppr --suppress=missingIncludeSystem --std=c11 $(C_PATH) $(C_SRC)
-	@printf '%s\n' $(C_SRC) | xargs -P 2 -I {} $(CLANG_TIDY) --quiet \
-	  --warnings-as-errors="*" {} -- -std=c11 -D_POSIX_C_SOURCE=200809L $(C_PATH)
+	@$(GEN) --lanes=4 -o $(BUILD)/static/engine > /dev/null
+	@$(GEN) --tree -o $(BUILD)/static/tree > /dev/null
+	@$(call analyse,engine,$(C_SRC))
+	@$(call analyse,tree,$(OF_TREE))
 
 sanitize:
 	@$(MAKE) BUILD=$(BUILD)/sanitize \

@@ -35,7 +35,8 @@ def evert($all; $extra; $memory):
           | .free += $port.value.width
           | .made.cells[$cell.key].connections[$port.key] = $bits
           | .made.cells[$cell.key].port_directions[$port.key] = $port.value.direction
-          | .ports[prefixed($cell.key; $port.key)] = {direction: $port.value.direction, bits: $bits})
+          | .ports[prefixed($cell.key; $port.key)] =
+              {direction: $port.value.direction, bits: $bits})
       end)
   | .ports as $ports
   | {made: (.made | with_ports($ports)),

@@ -1,4 +1,4 @@
-/* jobs.c - lists of jobs in the golden model: which poses are walked, with which first row, and
+/* job_lists.c - lists of jobs in the golden model: which poses are walked, with which first row, and
  * what is refused. */
 #include "unit/tree/scenes.h"
 

@@ -1,0 +1,36 @@
+/* outside.c - sepax_engine of a tree design: registers and jobs around the tree engine. */
+#include "engine/engine.h"
+#include "tree/modules.h"
+
+void gen_tree(emitter *e, int entries) {
+  static const char *const around[] = {"sepax_registers",    "sepax_tree_counts", "sepax_tree_job",
+                                       "sepax_tree_pose",    "sepax_tree_fetch",  "sepax_tree_jobs",
+                                       "sepax_tree_results", "sepax_cores",       "host/sepax_top"};
+  const sepax_design *design = e->design;
+  const sepax_config *c = &design->config;
+  const int constants[] = {(int)engine_of_trees.identity, engine_version(),
+                           c->word + (c->cores << 16) + (c->ii << 24), (int)design->margin[1]};
+  emit_holes h = {0};
+  engine_cores(&h, design, entries, 1);
+  engine_decode(&engine_of_trees, &h, constants);
+  emit_hole_numbers(&h, (emit_number[]){{"tree", 1},
+                                        {"move_is_word", 0},
+                                        {"ii", c->ii},
+                                        {"full", c->ii == 1 || c->cores > 1},
+                                        {"margin", design->limits > 0 ? design->margin[1] : 0},
+                                        {NULL, 0}});
+  emit_hole_set(&h, "data", "data_q");
+  emit_hole_set(&h, "plural", c->cores > 1 ? "s" : "");
+  emit_hole_set(&h, "verb", c->cores > 1 ? "" : "s");
+  emit_template(e, "sepax_ram", NULL);
+  emit_template(e, "sepax_fifo", NULL);
+  gen_tree_memory(e);
+  gen_tree_compare(e);
+  gen_turn_vertex(e, c->word);
+  gen_tree_walk(e);
+  emit_template(e, "sepax_tree_engine", h.hole);
+  for (size_t i = 0; i < sizeof around / sizeof around[0]; i++) {
+    emit_template(e, around[i], h.hole);
+  }
+  emit_holes_free(&h);
+}

@@ -1,0 +1,429 @@
+/* bench.c - checks the verilated tree engine against its golden model.
+ *   tree-engine [--stress=SEED] [--latency=N] [--resolution=LENGTH] [--modes=N] [--budget=N]
+ *               [--wave=FILE] A B POSES
+ *   tree-engine [--stress=SEED] [--rounds=N] [--wave=FILE]
+ * The first: the bodies A and B, STL or files of `sepax tree`, in the poses of a file, 12 numbers a
+ * line; a line a pose: cycles, near pairs, collisions. Modes are those of a job (docs/tree.md; 16:
+ * cold caches at each pose). The second: N rounds of seeded bodies, poses and modes; then damage.
+ * Exit status 1: something was wrong. */
+#include "bench.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+sepax_design design;
+sepax_device device;
+unsigned long long wrong;
+
+void expect(const char *what, unsigned long long got, unsigned long long wanted) {
+  if (got != wanted && wrong++ < 20) {
+    fprintf(stderr, "tree-engine: %s: %llu, expected %llu\n", what, got, wanted);
+  }
+}
+
+_Noreturn void stop(const char *text) {
+  fprintf(stderr, "tree-engine: %s\n", text);
+  exit(2);
+}
+
+void stop_on(bool failed, const char *text) {
+  if (failed) {
+    stop(text);
+  }
+}
+
+/* ------------------------------------------------------------------ memory */
+
+static struct {
+  uint8_t *byte;
+  size_t used, room;
+} external;
+
+size_t bench_room(size_t bytes, size_t unit) {
+  size_t at = (external.used + unit - 1) / unit * unit;
+  external.used = at + bytes;
+  if (external.used > external.room) {
+    external.room = 2 * external.used;
+    external.byte = realloc(external.byte, external.room);
+    stop_on(external.byte == NULL, "out of memory");
+  }
+  memset(external.byte + at, 0, bytes);
+  return at;
+}
+
+uint8_t *bench_at(size_t offset) { return external.byte + offset; }
+void bench_clear(void) { external.used = 0; }
+uint64_t bench_address(size_t offset) { return BENCH_BASE + offset; }
+
+void bench_tree(const sepax_tree *tree, uint8_t record[SEPAX_TREE_BODY_BYTES]) {
+  size_t bytes;
+  const uint8_t *image = sepax_tree_image(tree, &bytes);
+  size_t at = bench_room(bytes, 4096);
+  memcpy(bench_at(at), image, bytes);
+  sepax_tree_body(tree, bench_address(at), record);
+}
+
+void bench_attach(memory_options options) {
+  external.used = bench_room(0, 4096);
+  options.bytes = external.byte;
+  options.base = BENCH_BASE;
+  options.size = external.used;
+  options.open_max = 17; /* the engine's, and the next pose */
+  bus_memory(&options);
+}
+
+/* ------------------------------------------------------------------ a batch */
+
+/* The pairs of a pose by the golden model, and how far the engine is in them. */
+typedef struct {
+  sepax_contact *pair;
+  size_t count, room, seen;
+  bool unknown; /* the golden model has not looked for them */
+  unsigned long long wrong;
+} contacts;
+
+static void keep(void *context, const sepax_tree_pair *pair) {
+  contacts *c = context;
+  if (c->count == c->room) {
+    c->room = 2 * c->room + 64;
+    c->pair = realloc(c->pair, c->room * sizeof *c->pair);
+    stop_on(c->pair == NULL, "out of memory");
+  }
+  c->pair[c->count++] = (sepax_contact){.a = pair->triangle[0],
+                                        .b = pair->triangle[1],
+                                        .coplanar = pair->coplanar,
+                                        .out_of_range = pair->out_of_range,
+                                        .warning = !pair->collision};
+}
+
+static void see(void *context, const sepax_contact *got) {
+  contacts *c = context;
+  const sepax_contact *wanted = c->seen < c->count ? &c->pair[c->seen] : NULL;
+  c->seen++;
+  if (c->unknown) {
+    return;
+  }
+  if (wanted == NULL || got->a != wanted->a || got->b != wanted->b ||
+      got->coplanar != wanted->coplanar || got->out_of_range != wanted->out_of_range ||
+      got->warning != wanted->warning) {
+    if (c->wrong++ < 3) {
+      fprintf(stderr, "tree-engine: pair %zu of %zu is %u %u, flags %d%d%d, expected %u %u\n",
+              c->seen, c->count, got->a, got->b, got->coplanar, got->out_of_range, got->warning,
+              wanted != NULL ? wanted->a : 0, wanted != NULL ? wanted->b : 0);
+    }
+  }
+}
+
+static void count(contacts *c, const char *what, uint64_t got, uint64_t wanted) {
+  if (got != wanted && c->wrong++ < 3) {
+    fprintf(stderr, "tree-engine: %s: %llu, expected %llu\n", what, (unsigned long long)got,
+            (unsigned long long)wanted);
+  }
+}
+
+/* A pose with a verdict. */
+static void compare_counts(contacts *c, const sepax_tree_result *golden, const sepax_outcome *o) {
+  const sepax_tree_run *run = &golden->run;
+  bool stopped = (o->status & SEPAX_TREE_STOPPED) != 0;
+  bool first = (golden->modes & SEPAX_TREE_FIRST) != 0 && run->collisions > 0;
+  count(c, "status", o->status | (stopped ? golden->status : 0),
+        golden->status | (stopped ? SEPAX_TREE_STOPPED : 0));
+  if (!stopped) {
+    count(c, "near pairs", o->near, run->near);
+    count(c, "collisions", o->collisions, run->collisions);
+    count(c, "warnings", o->warnings, run->warnings);
+    count(c, "out of range", o->out_of_range, run->out_of_range);
+  }
+  if (!stopped && !first) {
+    count(c, "entries", o->entries, run->entries);
+    count(c, "steps", o->steps, run->steps);
+    count(c, "rows", o->rows, run->rows);
+    count(c, "pairs", o->pairs, run->pairs);
+  }
+  if ((o->status & SEPAX_TREE_HIT) != 0) {
+    for (int i = 0; i < 2; i++) {
+      count(c, "FIRST", o->first[i], run->found.triangle[i]);
+      count(c, "row of FIRST", o->row[i], run->found.leaf[i] | (uint32_t)run->found.child[i] << 23);
+    }
+  }
+  bool quiet = (golden->modes & SEPAX_TREE_QUIET) != 0;
+  if (!stopped || quiet) {
+    count(c, "pairs that came", c->seen, quiet ? 0 : c->count);
+  }
+}
+
+static void compare(const bench_batch *b, contacts *c, const sepax_tree_result *golden,
+                    const sepax_outcome *o) {
+  count(c, "job", o->job, golden->job);
+  count(c, "pose", o->pose, golden->pose);
+  if ((o->status & SEPAX_TREE_BUS) != 0 && b->errors) {
+    return;
+  }
+  if (c->unknown && (golden->status & SEPAX_TREE_BUS) != 0) {
+    return;
+  }
+  if (((golden->status | o->status) & SEPAX_TREE_NO_VERDICT) != 0) {
+    bool stopped = (o->status & SEPAX_TREE_STOPPED) != 0; /* before it came to the damage */
+    count(c, "status", o->status, stopped ? o->status : golden->status);
+    return;
+  }
+  compare_counts(c, golden, o);
+}
+
+/* Where the engine was stopped before it found what the golden model found, the model goes on as
+ * the engine does. */
+static void follow(sepax_tree_batch *golden, const sepax_tree_batch *before,
+                   const sepax_tree_result *result, const sepax_outcome *o) {
+  bool missed = (o->status & SEPAX_TREE_HIT) == 0 && (result->status & SEPAX_TREE_HIT) != 0;
+  if ((o->status & SEPAX_TREE_STOPPED) != 0 && missed) {
+    bool begins = result->pose == 0;
+    bool last = result->pose + 1 == golden->current.count;
+    golden->has_row = begins ? (golden->current.modes & SEPAX_TREE_ROW) != 0 : before->has_row;
+    golden->row = before->row;
+    if (begins) {
+      golden->row =
+          (sepax_tree_pair){.leaf = {golden->current.leaf[0], golden->current.leaf[1]},
+                            .child = {golden->current.child[0], golden->current.child[1]}};
+    }
+    golden->job = last ? result->job + 1 : result->job;
+    golden->pose = last ? 0 : result->pose + 1;
+  }
+}
+
+static void tally(bench_batch *b, const contacts *c, const sepax_outcome *o) {
+  b->poses++;
+  b->cycles += o->cycles;
+  b->worst = o->cycles > b->worst ? o->cycles : b->worst;
+  b->mismatches += c->wrong > 0;
+  b->near += o->near;
+  b->warnings += o->warnings;
+  b->hits += o->status & SEPAX_TREE_HIT;
+  b->out_of_range += o->out_of_range;
+  b->stopped += (o->status & SEPAX_TREE_STOPPED) != 0;
+  b->damaged += (o->status & SEPAX_TREE_DAMAGED) != 0;
+  b->bus += (o->status & SEPAX_TREE_BUS) != 0;
+  b->refused += (o->status & SEPAX_TREE_REFUSED) != 0;
+  wrong += c->wrong;
+  if (b->print) {
+    printf("%u %u %u%s\n", o->cycles, o->near, o->collisions,
+           (o->status & SEPAX_TREE_STOPPED) != 0 ? " stopped, undecided" : "");
+  }
+}
+
+/* Take a pose that the golden model has, and compare. False: the batch is lost. */
+static bool take(bench_batch *b, contacts *c, const sepax_tree_result *result, sepax_outcome *o) {
+  c->seen = 0;
+  c->wrong = 0;
+  /* Where a root is damaged, the engine may have come to the first row before. */
+  bool has_row = (result->modes & SEPAX_TREE_ROW) != 0;
+  c->unknown = b->any && ((result->status & SEPAX_TREE_BUS) != 0 ||
+                          ((result->status & SEPAX_TREE_DAMAGED) != 0 && has_row));
+  sepax_device_status status = sepax_device_take(&device, see, c, o);
+  if (status != SEPAX_DEVICE_OK && status != SEPAX_DEVICE_NO_VERDICT) {
+    fprintf(stderr, "tree-engine: %s\n", sepax_device_text(status));
+    wrong++;
+    return false;
+  }
+  compare(b, c, result, o);
+  tally(b, c, o);
+  return true;
+}
+
+void bench_run(bench_batch *b) {
+  const sepax_tree_memory seen = {external.byte, BENCH_BASE, external.used};
+  contacts c = {.pair = NULL};
+  sepax_tree_batch golden = {.design = &design,
+                             .memory = &seen,
+                             .list = bench_address(b->list),
+                             .jobs = b->jobs,
+                             .each = keep,
+                             .context = &c};
+  sepax_error error = {""};
+  expect("start", sepax_device_start(&device, golden.list, golden.jobs), SEPAX_DEVICE_OK);
+  bool more = true;
+  for (int n = 0; more; n++) {
+    sepax_tree_result result = {.job = 0};
+    sepax_outcome o = {.status = 0};
+    sepax_tree_batch before = golden;
+    c.count = 0;
+    stop_on(!sepax_tree_next(&golden, &result, &more, &error), error.text);
+    if (more && n == b->stop_at) {
+      expect("STOP", sepax_device_stop(&device), SEPAX_DEVICE_OK);
+    }
+    if (!more || !take(b, &c, &result, &o)) {
+      break;
+    }
+    bool ended = (o.status & SEPAX_TREE_NO_VERDICT) != 0 ||
+                 (result.status & SEPAX_TREE_NO_VERDICT) != 0;
+    follow(&golden, &before, &result, &o);
+    if (b->stop_at < 0 || n < b->stop_at) {
+      expect("LAST", o.last, ended || golden.job == golden.jobs);
+    }
+    more = !o.last;
+  }
+  free(c.pair);
+  bool busy = true;
+  for (int reads = 0; busy && reads < 1000; reads++) {
+    expect("busy", sepax_device_busy(&device, &busy), SEPAX_DEVICE_OK);
+  }
+  expect("the batch ends", busy, 0);
+}
+
+/* ------------------------------------------------------------------ meshes */
+
+static bool is_tree(const char *path) {
+  size_t length = strlen(path);
+  return length > 4 && strcmp(path + length - 4, ".sxt") == 0;
+}
+
+static sepax_tree *build(const sepax_grid *grid, const sepax_mesh *mesh) {
+  sepax_error error = {""};
+  sepax_tree *tree = NULL;
+  sepax_tri *tri = malloc(mesh->count * sizeof *tri);
+  if (tri == NULL) {
+    stop("out of memory");
+  }
+  stop_on(!sepax_quantise(mesh, grid, tri, NULL, &error) ||
+              !sepax_tree_new(&tree, tri, mesh->count, grid, &error),
+          error.text);
+  free(tri);
+  return tree;
+}
+
+/* Both bodies; STL files on one grid, that of the other body's tree if that is one. */
+static void load_both(sepax_tree *tree[2], const char *const path[2], double resolution) {
+  sepax_error error = {""};
+  sepax_mesh mesh[2] = {{0}, {0}};
+  const sepax_mesh *read[2];
+  size_t meshes = 0;
+  sepax_grid grid = {resolution, {0, 0, 0}, SEPAX_WORD};
+  for (int i = 0; i < 2; i++) {
+    if (is_tree(path[i])) {
+      stop_on(!sepax_tree_read(&tree[i], path[i], &error), error.text);
+      grid = sepax_tree_grid(tree[i]);
+    } else {
+      stop_on(!sepax_stl_read(&mesh[i], path[i], &error), error.text);
+      read[meshes++] = &mesh[i];
+    }
+  }
+  stop_on(grid.resolution <= 0 && !sepax_grid_fit(&grid, read, meshes, SEPAX_WORD, &error),
+          error.text);
+  for (int i = 0; i < 2; i++) {
+    if (!is_tree(path[i])) {
+      tree[i] = build(&grid, &mesh[i]);
+      sepax_mesh_free(&mesh[i]);
+    }
+  }
+}
+
+static void run_meshes(const char *const path[3], double resolution, unsigned modes,
+                       unsigned budget, const memory_options *options) {
+  sepax_error error = {""};
+  sepax_tree *tree[2] = {NULL, NULL};
+  sepax_poses poses;
+  load_both(tree, path, resolution);
+  stop_on(!sepax_poses_read(&poses, path[2], &error), error.text);
+  sepax_tree_job job = {.count = (uint32_t)poses.count, .modes = modes, .budget = budget};
+  bench_tree(tree[0], job.body[0]);
+  bench_tree(tree[1], job.body[1]);
+  size_t at = bench_room(SEPAX_TREE_POSE_STRIDE * poses.count, SEPAX_TREE_POSE_STRIDE);
+  for (size_t n = 0; n < poses.count; n++) {
+    sepax_tree_pose pose;
+    stop_on(!sepax_tree_pose_make(&pose, tree[0], NULL, tree[1], &poses.pose[n], design.margin[1],
+                                  &error),
+            error.text);
+    sepax_tree_pose_pack(&pose, bench_at(at + SEPAX_TREE_POSE_STRIDE * n));
+  }
+  job.poses = bench_address(at);
+  bench_batch batch = {.jobs = 1, .print = true, .stop_at = -1};
+  batch.list = bench_room(SEPAX_TREE_JOB_BYTES, SEPAX_TREE_JOB_BYTES);
+  sepax_tree_job_pack(&job, bench_at(batch.list));
+  bench_attach(*options);
+  uint64_t begin = bus_cycles();
+  bench_run(&batch);
+  const memory *m = bus_attached();
+  printf("%llu cycles in all, %llu bytes read, %llu near pairs, %llu poses collide, %llu out of "
+         "range\n",
+         (unsigned long long)(bus_cycles() - begin),
+         (unsigned long long)(MEMORY_BEAT * m->counts.beats), (unsigned long long)batch.near,
+         (unsigned long long)batch.hits, (unsigned long long)batch.out_of_range);
+  printf("%llu poses, %llu mismatches, mean %.0f cycles, worst %llu\n",
+         (unsigned long long)batch.poses, (unsigned long long)batch.mismatches,
+         (double)batch.cycles / (double)(batch.poses > 0 ? batch.poses : 1),
+         (unsigned long long)batch.worst);
+  expect("poses", batch.poses, poses.count);
+  sepax_poses_free(&poses);
+  sepax_tree_free(tree[0]);
+  sepax_tree_free(tree[1]);
+}
+
+/* ------------------------------------------------------------------ command */
+
+typedef struct {
+  const char *path[3], *wave;
+  unsigned long long stress, rounds, latency, modes, budget;
+  double resolution;
+  int paths;
+} command;
+
+static bool number_after(const char *text, const char *name, unsigned long long *value) {
+  size_t length = strlen(name);
+  if (strncmp(text, name, length) != 0) {
+    return false;
+  }
+  char *end;
+  *value = strtoull(text + length, &end, 10);
+  stop_on(end == text + length || *end != '\0', "an option is no whole number");
+  return true;
+}
+
+static void parse(command *c, const char *text) {
+  if (number_after(text, "--stress=", &c->stress) || number_after(text, "--rounds=", &c->rounds) ||
+      number_after(text, "--latency=", &c->latency) || number_after(text, "--modes=", &c->modes) ||
+      number_after(text, "--budget=", &c->budget)) {
+    return;
+  }
+  if (strncmp(text, "--resolution=", 13) == 0) {
+    char *end;
+    c->resolution = strtod(text + 13, &end);
+    stop_on(*end != '\0' || !(c->resolution > 0), "--resolution is a length above 0");
+  } else if (strncmp(text, "--wave=", 7) == 0) {
+    c->wave = text + 7;
+  } else {
+    stop_on(text[0] == '-' || c->paths == 3,
+            "usage: tree-engine [--stress=SEED] [--latency=N] [--resolution=LENGTH] [--modes=N] "
+            "[--budget=N] A B POSES, or [--stress=SEED] [--rounds=N]");
+    c->path[c->paths++] = text;
+  }
+}
+
+int main(int argc, char **argv) {
+  command c = {.rounds = 20, .latency = 100, .modes = SEPAX_TREE_COLD};
+  for (int i = 1; i < argc; i++) {
+    parse(&c, argv[i]);
+  }
+  stop_on(c.paths % 3 != 0, "give two bodies and a file of poses, or nothing");
+  stop_on(c.latency == 0 || c.latency > 100000, "--latency is 1 ... 100000 cycles");
+  stop_on(c.budget > UINT32_MAX || c.modes > 127, "--budget or --modes is out of range");
+  sepax_error error = {""};
+  sepax_config config = sepax_config_default();
+  stop_on(!sepax_config_parse(&config, SEPAX_OPTIONS, &error) ||
+              !sepax_design_init(&design, &config, &error),
+          error.text);
+  bus_open(c.stress, c.wave);
+  const sepax_device_bus bus = {NULL, bus_read, bus_write, bus_receive};
+  expect("open", sepax_device_open(&device, &bus), SEPAX_DEVICE_OK);
+  expect("word", (unsigned long long)device.word, SEPAX_WORD);
+  expect("margin", (unsigned long long)device.margin, (unsigned long long)design.margin[1]);
+  if (c.paths == 3) {
+    const memory_options options = {.latency = (int)c.latency, .stress = c.stress};
+    run_meshes(c.path, c.resolution, (unsigned)c.modes, (unsigned)c.budget, &options);
+  } else {
+    bench_rounds(c.rounds, c.stress, c.stress > 0);
+  }
+  wrong += bus_breaches() + bus_attached()->counts.breaches;
+  bus_close();
+  bench_clear();
+  free(external.byte);
+  return wrong != 0;
+}

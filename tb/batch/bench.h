@@ -1,0 +1,51 @@
+/* bench.h - what the parts of the tree engine's test bench share. */
+#ifndef SEPAX_BATCH_BENCH_H
+#define SEPAX_BATCH_BENCH_H
+
+#include "engine/bus.h"
+#include "sepax_params.h"
+#include "sepax_registers.h"
+#include "sepax_tree.h"
+#include "sepax_tree_driver.h"
+
+#define BENCH_BASE UINT64_C(0x1234560000) /* address of the memory */
+
+extern sepax_design design;
+extern sepax_device device;
+extern unsigned long long wrong;
+
+/* Count and print what is not as it must be. */
+void expect(const char *what, unsigned long long got, unsigned long long wanted);
+_Noreturn void stop(const char *text);
+void stop_on(bool failed, const char *text);
+
+/* Room in the engine's memory, a multiple of `unit` bytes from its base on: its offset. Before the
+ * first call and with bench_clear it is empty. */
+size_t bench_room(size_t bytes, size_t unit);
+uint8_t *bench_at(size_t offset);
+void bench_clear(void);
+uint64_t bench_address(size_t offset);
+
+/* Put a tree there; its body record. */
+void bench_tree(const sepax_tree *tree, uint8_t record[SEPAX_TREE_BODY_BYTES]);
+
+/* Attach what was put there, with a latency and so on; bytes, base and size are filled in. */
+void bench_attach(memory_options options);
+
+/* A batch, compared pose by pose with the golden model. */
+typedef struct {
+  size_t list; /* offset of the jobs */
+  uint32_t jobs;
+  bool errors; /* memory answers with errors: the batch may end with one */
+  bool any;    /* jobs are any bytes: what the golden model calls an error of the bus may be one */
+  bool print;  /* a line a pose */
+  int stop_at; /* pose from the beginning at which STOP is written; -1: never */
+  uint64_t cycles, worst, poses, mismatches, near, hits, out_of_range, stopped, warnings; /* out */
+  uint64_t damaged, bus, refused;
+} bench_batch;
+void bench_run(bench_batch *batch);
+
+/* Seeded bodies, poses, modes; then damage, errors, resets, refusals. */
+void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed);
+
+#endif

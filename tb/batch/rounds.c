@@ -1,0 +1,420 @@
+/* rounds.c - seeded bodies, poses and modes of jobs for the tree engine's bench; bytes that are
+ * damaged, memory that answers with errors, resets, refusals. */
+#include "bench.h"
+#include "sepax_vectors.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static sepax_random rng;
+static int64_t range(int64_t lo, int64_t hi) { return sepax_random_range(&rng, lo, hi); }
+static double unit(void) { return (double)range(-1000000, 1000000) * 1e-6; }
+
+enum { POSES_MOST = 6, JOBS_MOST = 4, TRIANGLES_MOST = 700 };
+
+/* ------------------------------------------------------------------ bodies */
+
+static size_t families(void) {
+  size_t count = 0;
+  while (sepax_family_name(count) != NULL) {
+    count++;
+  }
+  return count;
+}
+
+/* A strip of small triangles about the middle, as meshes have them. */
+static void some_surface(sepax_tri *tri, size_t count) {
+  int64_t most = sepax_word_max(SEPAX_WORD);
+  int64_t step = 1 + range(0, most / 16);
+  sepax_vec v[3];
+  for (int k = 0; k < 3; k++) {
+    v[k] = (sepax_vec){(int32_t)range(-step, step), (int32_t)range(-step, step),
+                       (int32_t)range(-step, step)};
+  }
+  for (size_t n = 0; n < count; n++) {
+    for (int i = 0; i < 3; i++) {
+      tri[n].v[i] = v[i];
+    }
+    int32_t *c[3] = {&v[n % 3].x, &v[n % 3].y, &v[n % 3].z};
+    for (int i = 0; i < 3; i++) {
+      int64_t next = *c[i] + range(-step, step);
+      *c[i] = (int32_t)(next < -most ? -most : next > most ? most : next);
+    }
+  }
+}
+
+static void some_triangles(sepax_tri *tri, size_t count, bool of_b) {
+  size_t all = families();
+  size_t family = (size_t)range(0, 2 * (int64_t)all);
+  if (family > all) {
+    some_surface(tri, count);
+    return;
+  }
+  for (size_t n = 0; n < count; n++) {
+    size_t f = family < all ? family : (size_t)range(0, (int64_t)all - 1);
+    sepax_pair pair = sepax_family_triangles(f, SEPAX_WORD, &rng);
+    tri[n] = of_b ? pair.b : pair.a;
+  }
+}
+
+static sepax_tree *some_tree(bool of_b) {
+  static const int64_t most[] = {1, 16, 40, 300, TRIANGLES_MOST};
+  sepax_tri *tri = malloc(TRIANGLES_MOST * sizeof *tri);
+  if (tri == NULL) {
+    stop("out of memory");
+  }
+  size_t count = (size_t)range(1, most[range(0, 4)]);
+  some_triangles(tri, count, of_b);
+  const sepax_grid grid = {1, {0, 0, 0}, SEPAX_WORD};
+  sepax_tree *tree = NULL;
+  sepax_error error = {""};
+  stop_on(!sepax_tree_new(&tree, tri, count, &grid, &error), error.text);
+  free(tri);
+  return tree;
+}
+
+/* ------------------------------------------------------------------- poses */
+
+static void turn(double r[3][3], double w, double x, double y, double z) {
+  double n = 2 / (w * w + x * x + y * y + z * z);
+  const double m[3][3] = {{1 - n * (y * y + z * z), n * (x * y - w * z), n * (x * z + w * y)},
+                          {n * (x * y + w * z), 1 - n * (x * x + z * z), n * (y * z - w * x)},
+                          {n * (x * z - w * y), n * (y * z + w * x), 1 - n * (x * x + y * y)}};
+  memcpy(r, m, sizeof m);
+}
+
+/* As it stands, a quarter turn, a turn by 3-4-5, a little, anyhow; mostly where it collides. */
+static sepax_pose some_pose(void) {
+  sepax_pose pose;
+  double far = sepax_word_max(SEPAX_WORD);
+  double axis[3] = {0, 0, 0};
+  axis[range(0, 2)] = 1;
+  switch (range(0, 4)) {
+  case 0:
+    turn(pose.rotation, 1, 0, 0, 0);
+    break;
+  case 1:
+    turn(pose.rotation, 1, axis[0], axis[1], axis[2]);
+    break;
+  case 2:
+    turn(pose.rotation, 2, axis[0], axis[1], axis[2]);
+    break;
+  case 3:
+    turn(pose.rotation, 1, 0.01 * unit(), 0.01 * unit(), 0.01 * unit());
+    break;
+  default:
+    turn(pose.rotation, unit() + 1e-3, unit(), unit(), unit());
+  }
+  static const double part[] = {0, 1e-4, 0.02, 0.3, 1.5};
+  double most = far * part[range(0, 4)];
+  bool whole = range(0, 1) != 0;
+  for (int i = 0; i < 3; i++) {
+    double t = most * unit();
+    pose.translation[i] = whole ? rint(t) : t;
+  }
+  return pose;
+}
+
+/* The driver's pose against that of the library: side 0 is the same, sigma_B the least. */
+static void check_driver(const uint8_t bytes[SEPAX_TREE_POSE_BYTES]) {
+  sepax_tree_pose pose;
+  sepax_tree_pose same;
+  uint8_t closed[SEPAX_TREE_POSE_BYTES];
+  sepax_error error = {""};
+  uint8_t packed[SEPAX_TREE_POSE_BYTES];
+  int margin = (int)design.margin[1];
+  stop_on(!sepax_tree_pose_unpack(&pose, bytes, &error), error.text);
+  int64_t shift[3];
+  for (int i = 0; i < 3; i++) {
+    shift[i] = pose.side[0].shift[i] - (1 << 19);
+  }
+  expect("the driver makes the pose",
+         sepax_device_pose(packed, (const int32_t(*)[3])pose.side[0].matrix, shift, SEPAX_WORD,
+                           margin),
+         1);
+  expect("its side of B",
+         memcmp(packed, bytes, 24) == 0 && memcmp(packed + 48, bytes + 48, 36) == 0, 1);
+  stop_on(!sepax_tree_pose_unpack(&same, packed, &error) ||
+              !sepax_tree_pose_close(&same, SEPAX_WORD, margin, &error),
+          error.text);
+  sepax_tree_pose_pack(&same, closed);
+  expect("its sigma", memcmp(packed, closed, sizeof packed) == 0, 1);
+}
+
+/* ------------------------------------------------------------------- rounds */
+
+typedef struct {
+  sepax_tree *tree[2];
+  size_t job[JOBS_MOST], pose[JOBS_MOST], poses[JOBS_MOST]; /* where they are */
+  size_t body[2], bytes[2];
+  bench_batch batch;
+} scene;
+
+static unsigned some_modes(bool same_bodies) {
+  unsigned modes = (unsigned)range(0, 127);
+  modes &= range(0, 1) != 0 ? ~0U : ~(unsigned)(SEPAX_TREE_FIRST | SEPAX_TREE_LEAVE);
+  modes &= range(0, 2) != 0 ? ~(unsigned)SEPAX_TREE_QUIET : ~0U;
+  return same_bodies ? modes : modes & ~(unsigned)SEPAX_TREE_WARM;
+}
+
+static uint32_t some_leaf(const sepax_tree *tree) {
+  uint32_t nodes = (uint32_t)sepax_tree_nodes(tree);
+  size_t bytes;
+  const uint8_t *image = sepax_tree_image(tree, &bytes);
+  uint32_t n = (uint32_t)range(0, nodes - 1);
+  while ((image[SEPAX_TREE_NODE_BYTES * n + 14] & 15) != 0) { /* the level */
+    n = (n + 1) % nodes;
+  }
+  return n;
+}
+
+static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
+  sepax_error error = {""};
+  sepax_tree_job job = *last;
+  job.count = (uint32_t)range(1, POSES_MOST);
+  job.modes = some_modes(n > 0);
+  job.budget = range(0, 5) == 0 ? (uint32_t)range(1, 3000) : 0;
+  for (int i = 0; i < 2; i++) {
+    job.leaf[i] = some_leaf(s->tree[i]);
+    job.child[i] = 0;
+  }
+  s->poses[n] = job.count;
+  s->pose[n] = bench_room(SEPAX_TREE_POSE_STRIDE * job.count, SEPAX_TREE_POSE_STRIDE);
+  sepax_pose pose = some_pose();
+  for (size_t k = 0; k < job.count; k++) {
+    sepax_tree_pose fixed;
+    uint8_t *bytes = bench_at(s->pose[n] + SEPAX_TREE_POSE_STRIDE * k);
+    if (range(0, 1) != 0) {
+      pose = some_pose();
+    }
+    stop_on(!sepax_tree_pose_make(&fixed, s->tree[0], NULL, s->tree[1], &pose, design.margin[1],
+                                  &error),
+            error.text);
+    sepax_tree_pose_pack(&fixed, bytes);
+    check_driver(bytes);
+    if (range(0, 3) == 0) {
+      int64_t shift[3];
+      for (int i = 0; i < 3; i++) {
+        shift[i] = fixed.side[0].shift[i] - (1 << 19);
+      }
+      sepax_device_pose(bytes, (const int32_t(*)[3])fixed.side[0].matrix, shift, SEPAX_WORD,
+                        (int)design.margin[1]);
+    }
+  }
+  job.poses = bench_address(s->pose[n]);
+  sepax_tree_job_pack(&job, bench_at(s->job[n]));
+}
+
+/* Bodies and jobs in memory. */
+static void some_scene(scene *s) {
+  *s = (scene){.batch = {.jobs = (uint32_t)range(1, JOBS_MOST), .stop_at = -1}};
+  bench_clear();
+  bench_room((size_t)range(0, 3) * 4096, 4096);
+  sepax_tree_job job = {.count = 0};
+  for (int i = 0; i < 2; i++) {
+    s->tree[i] = some_tree(i == 1);
+    bench_tree(s->tree[i], job.body[i]);
+    sepax_tree_image(s->tree[i], &s->bytes[i]);
+    uint64_t address = 0;
+    for (int k = 7; k >= 0; k--) {
+      address = address << 8 | job.body[i][k];
+    }
+    s->body[i] = (size_t)(address - BENCH_BASE);
+  }
+  s->batch.list = bench_room(SEPAX_TREE_JOB_BYTES * s->batch.jobs, SEPAX_TREE_JOB_BYTES);
+  for (uint32_t n = 0; n < s->batch.jobs; n++) {
+    s->job[n] = s->batch.list + SEPAX_TREE_JOB_BYTES * n;
+    some_job(s, n, &job);
+  }
+}
+
+static void free_scene(scene *s) {
+  sepax_tree_free(s->tree[0]);
+  sepax_tree_free(s->tree[1]);
+}
+
+static memory_options some_memory(bool stressed, uint64_t seed) {
+  static const int latency[] = {1, 2, 20, 100, 200};
+  return (memory_options){.latency = latency[range(0, 4)],
+                          .stress =
+                              stressed && range(0, 3) > 0 ? seed + (uint64_t)range(1, 99) : 0};
+}
+
+static void add(bench_batch *sum, const bench_batch *one) {
+  sum->poses += one->poses;
+  sum->near += one->near;
+  sum->hits += one->hits;
+  sum->warnings += one->warnings;
+  sum->out_of_range += one->out_of_range;
+  sum->stopped += one->stopped;
+  sum->damaged += one->damaged;
+  sum->bus += one->bus;
+  sum->refused += one->refused;
+  sum->cycles += one->cycles;
+}
+
+static void round_of(bench_batch *sum, bool stressed, uint64_t seed) {
+  scene s;
+  some_scene(&s);
+  bench_attach(some_memory(stressed, seed));
+  if (range(0, 7) == 0) {
+    s.batch.stop_at = (int)range(0, 5);
+  }
+  bench_run(&s.batch);
+  add(sum, &s.batch);
+  free_scene(&s);
+}
+
+/* ------------------------------------------------------------------- damage */
+
+/* Some bytes of trees, jobs or poses become any others. */
+static void damage(const scene *s) {
+  int64_t count = range(1, 6);
+  while (count-- > 0) {
+    int64_t where = range(0, 9);
+    size_t at;
+    if (where < 6) {
+      int i = (int)(where & 1);
+      size_t nodes = SEPAX_TREE_NODE_BYTES * sepax_tree_nodes(s->tree[i]);
+      size_t most = where < 4 ? nodes : s->bytes[i];
+      at = s->body[i] + (size_t)range(0, (int64_t)most - 1);
+      if (where < 2) { /* where numbers are */
+        at = at / SEPAX_TREE_NODE_BYTES * SEPAX_TREE_NODE_BYTES + (size_t)range(12, 23);
+      }
+    } else if (where < 8) {
+      at = s->job[0] + (size_t)range(0, SEPAX_TREE_JOB_BYTES - 1);
+    } else {
+      at = s->pose[0] + (size_t)range(0, SEPAX_TREE_POSE_BYTES - 1);
+    }
+    *bench_at(at) = (uint8_t)(range(0, 1) != 0 ? range(0, 255) : *bench_at(at) ^ 1 << range(0, 7));
+  }
+}
+
+static void damaged_round(bench_batch *sum, bool stressed, uint64_t seed) {
+  scene s;
+  some_scene(&s);
+  damage(&s);
+  memory_options options = some_memory(stressed, seed);
+  if (range(0, 3) == 0) {
+    options.error_odds = (uint64_t)range(20, 2000);
+    s.batch.errors = true;
+  }
+  bench_attach(options);
+  s.batch.any = true;
+  s.batch.jobs = 1;
+  uint8_t *job = bench_at(s.job[0]);
+  job[72] = 1; /* one pose: behind an error that only the model sees it would go on alone */
+  job[73] = job[74] = job[75] = 0;
+  bench_run(&s.batch);
+  add(sum, &s.batch);
+  free_scene(&s);
+}
+
+/* A reset at any time of a batch; what comes behind it is right. */
+static void reset_round(uint64_t seed) {
+  scene s;
+  some_scene(&s);
+  bench_attach(some_memory(true, seed));
+  expect("start", sepax_device_start(&device, bench_address(s.batch.list), s.batch.jobs),
+         SEPAX_DEVICE_OK);
+  bus_idle((uint64_t)range(0, 2000));
+  bus_reset();
+  free_scene(&s);
+}
+
+/* ------------------------------------------------------------------ refusals */
+
+static void refusals(void) {
+  bus_reset();
+  uint32_t value = 0;
+  expect("an address beyond", bus_read(NULL, 0x7c, &value), 0);
+  expect("START without jobs", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
+  expect("ID is read only", bus_write(NULL, SEPAX_ID, 0), 0);
+  expect("a list at 64", bus_write(NULL, SEPAX_LIST_LOW, 64), 0);
+  expect("a list beyond 40 bits", bus_write(NULL, SEPAX_LIST_HIGH, 256), 0);
+  expect("partial strobes", bus_write_part(SEPAX_JOBS, 1, 7), 0);
+  expect("STATUS after a reset", bus_read(NULL, SEPAX_STATUS, &value) && value == 0, 1);
+}
+
+static bool pending(uint32_t bit) {
+  uint32_t value = 0;
+  return bus_read(NULL, SEPAX_PENDING, &value) && (value & bit) != 0;
+}
+
+/* Interrupts; registers of a batch; nobody takes results; nothing is written while it is busy. */
+static void controls(void) {
+  scene s;
+  do {
+    some_scene(&s);
+    free_scene(&s);
+    s.batch.jobs = 1;
+    bench_at(s.job[0])[76] = 0;
+    memset(bench_at(s.job[0]) + 80, 0, 4);
+    bench_attach((memory_options){.latency = 20});
+    bench_run(&s.batch);
+  } while (s.batch.hits == 0);
+  uint32_t value = 0;
+  expect("POSES", bus_read(NULL, SEPAX_POSES, &value) && value == s.batch.poses, 1);
+  expect("HITS", bus_read(NULL, SEPAX_HITS, &value) && value == s.batch.hits, 1);
+  expect("HIT_JOB", bus_read(NULL, SEPAX_HIT_JOB, &value) && value == 0, 1);
+  expect("STATUS", bus_read(NULL, SEPAX_STATUS, &value) && (value & SEPAX_STATUS_HIT) != 0, 1);
+  expect("DONE is pending", pending(SEPAX_PENDING_DONE), 1);
+  expect("HIT is pending", pending(SEPAX_PENDING_HIT), 1);
+  expect("POSE is pending", pending(SEPAX_PENDING_POSE), 1);
+  expect("no interrupt that is not enabled", bus_interrupt(), 0);
+  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_POSE), 1);
+  bus_idle(4);
+  expect("an interrupt", bus_interrupt(), 1);
+  expect("PENDING", bus_write(NULL, SEPAX_PENDING, 7), 1);
+  bus_idle(4);
+  expect("no interrupt that was cleared", bus_interrupt(), 0);
+  bus_block_results(true);
+  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
+  bus_idle(3000);
+  expect("BUSY while nobody takes results",
+         bus_read(NULL, SEPAX_STATUS, &value) && (value & SEPAX_STATUS_BUSY) != 0, 1);
+  expect("JOBS while busy", bus_write(NULL, SEPAX_JOBS, 2), 0);
+  expect("START while busy", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
+  expect("STOP", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_STOP), 1);
+  bus_block_results(false);
+  sepax_outcome outcome = {.last = false};
+  sepax_device_status status = SEPAX_DEVICE_OK;
+  do {
+    status = sepax_device_take(&device, NULL, NULL, &outcome);
+    expect("a pose that ends", status, SEPAX_DEVICE_OK);
+  } while (!outcome.last && status == SEPAX_DEVICE_OK);
+}
+
+/* ------------------------------------------------------------------------- */
+
+static void tell(const char *what, const bench_batch *sum) {
+  printf("%s: %llu poses, %llu collide, %llu near pairs, %llu warnings, %llu out of range, %llu "
+         "stopped, %llu damaged, %llu errors, %llu refused, %llu cycles\n",
+         what, (unsigned long long)sum->poses, (unsigned long long)sum->hits,
+         (unsigned long long)sum->near, (unsigned long long)sum->warnings,
+         (unsigned long long)sum->out_of_range, (unsigned long long)sum->stopped,
+         (unsigned long long)sum->damaged, (unsigned long long)sum->bus,
+         (unsigned long long)sum->refused, (unsigned long long)sum->cycles);
+}
+
+void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed) {
+  rng.state = 1 + seed;
+  bench_batch sound = {.list = 0};
+  bench_batch broken = {.list = 0};
+  for (unsigned long long n = 0; n < rounds && wrong == 0; n++) {
+    round_of(&sound, stressed, seed + n);
+    damaged_round(&broken, stressed, seed + n);
+    if (n % 4 == 0) {
+      reset_round(seed + n);
+    }
+  }
+  if (rounds > 0 && wrong == 0) {
+    refusals();
+    controls();
+  }
+  tell("sound", &sound);
+  tell("damaged", &broken);
+  printf("%llu rounds, %llu transfers, %llu cycles, %llu wrong\n", rounds,
+         (unsigned long long)bus_beats(), (unsigned long long)bus_cycles(), wrong);
+}
