@@ -179,7 +179,7 @@ engine-sweep: $(SEPAX) $(BUILD)/liberty
 	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" $(EXPERIMENT)/engine-sweep $(BUILD)/engine-sweep
 
 tree-sweep: $(SEPAX)
-	@$(EXPERIMENT)/tree-sweep $(if $(call given,COUNT),-c $(COUNT)) $(if $(SIZES),-n "$(SIZES)") \
+	@scripts/tree/sweep $(if $(call given,COUNT),-c $(COUNT)) $(if $(SIZES),-n "$(SIZES)") \
 	  $(BUILD)/tree-sweep
 
 endif

@@ -36,15 +36,15 @@ void stop_on(bool failed, const char *text) {
 
 static struct {
   uint8_t *byte;
-  size_t used, room;
+  size_t used, space;
 } external;
 
-size_t bench_room(size_t bytes, size_t unit) {
+size_t bench_space(size_t bytes, size_t unit) {
   size_t at = (external.used + unit - 1) / unit * unit;
   external.used = at + bytes;
-  if (external.used > external.room) {
-    external.room = 2 * external.used;
-    external.byte = realloc(external.byte, external.room);
+  if (external.used > external.space) {
+    external.space = 2 * external.used;
+    external.byte = realloc(external.byte, external.space);
     stop_on(external.byte == NULL, "out of memory");
   }
   memset(external.byte + at, 0, bytes);
@@ -58,13 +58,13 @@ uint64_t bench_address(size_t offset) { return BENCH_BASE + offset; }
 void bench_tree(const sepax_tree *tree, uint8_t record[SEPAX_TREE_BODY_BYTES]) {
   size_t bytes;
   const uint8_t *image = sepax_tree_image(tree, &bytes);
-  size_t at = bench_room(bytes, 4096);
+  size_t at = bench_space(bytes, 4096);
   memcpy(bench_at(at), image, bytes);
   sepax_tree_body(tree, bench_address(at), record);
 }
 
 void bench_attach(memory_options options) {
-  external.used = bench_room(0, 4096);
+  external.used = bench_space(0, 4096);
   options.bytes = external.byte;
   options.base = BENCH_BASE;
   options.size = external.used;
@@ -77,16 +77,16 @@ void bench_attach(memory_options options) {
 /* The pairs of a pose by the golden model, and how far the engine is in them. */
 typedef struct {
   sepax_contact *pair;
-  size_t count, room, seen;
+  size_t count, space, seen;
   bool unknown; /* the golden model has not looked for them */
   unsigned long long wrong;
 } contacts;
 
 static void keep(void *context, const sepax_tree_pair *pair) {
   contacts *c = context;
-  if (c->count == c->room) {
-    c->room = 2 * c->room + 64;
-    c->pair = realloc(c->pair, c->room * sizeof *c->pair);
+  if (c->count == c->space) {
+    c->space = 2 * c->space + 64;
+    c->pair = realloc(c->pair, c->space * sizeof *c->pair);
     stop_on(c->pair == NULL, "out of memory");
   }
   c->pair[c->count++] = (sepax_contact){.a = pair->triangle[0],
@@ -253,8 +253,8 @@ void bench_run(bench_batch *b) {
     if (!more || !take(b, &c, &result, &o)) {
       break;
     }
-    bool ended = (o.status & SEPAX_TREE_NO_VERDICT) != 0 ||
-                 (result.status & SEPAX_TREE_NO_VERDICT) != 0;
+    bool ended =
+        (o.status & SEPAX_TREE_NO_VERDICT) != 0 || (result.status & SEPAX_TREE_NO_VERDICT) != 0;
     follow(&golden, &before, &result, &o);
     if (b->stop_at < 0 || n < b->stop_at) {
       expect("LAST", o.last, ended || golden.job == golden.jobs);
@@ -326,7 +326,7 @@ static void run_meshes(const char *const path[3], double resolution, unsigned mo
   sepax_tree_job job = {.count = (uint32_t)poses.count, .modes = modes, .budget = budget};
   bench_tree(tree[0], job.body[0]);
   bench_tree(tree[1], job.body[1]);
-  size_t at = bench_room(SEPAX_TREE_POSE_STRIDE * poses.count, SEPAX_TREE_POSE_STRIDE);
+  size_t at = bench_space(SEPAX_TREE_POSE_STRIDE * poses.count, SEPAX_TREE_POSE_STRIDE);
   for (size_t n = 0; n < poses.count; n++) {
     sepax_tree_pose pose;
     stop_on(!sepax_tree_pose_make(&pose, tree[0], NULL, tree[1], &poses.pose[n], design.margin[1],
@@ -336,7 +336,7 @@ static void run_meshes(const char *const path[3], double resolution, unsigned mo
   }
   job.poses = bench_address(at);
   bench_batch batch = {.jobs = 1, .print = true, .stop_at = -1};
-  batch.list = bench_room(SEPAX_TREE_JOB_BYTES, SEPAX_TREE_JOB_BYTES);
+  batch.list = bench_space(SEPAX_TREE_JOB_BYTES, SEPAX_TREE_JOB_BYTES);
   sepax_tree_job_pack(&job, bench_at(batch.list));
   bench_attach(*options);
   uint64_t begin = bus_cycles();

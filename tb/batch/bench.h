@@ -19,9 +19,9 @@ void expect(const char *what, unsigned long long got, unsigned long long wanted)
 _Noreturn void stop(const char *text);
 void stop_on(bool failed, const char *text);
 
-/* Room in the engine's memory, a multiple of `unit` bytes from its base on: its offset. Before the
+/* Space in the engine's memory, a multiple of `unit` bytes from its base on: its offset. Before the
  * first call and with bench_clear it is empty. */
-size_t bench_room(size_t bytes, size_t unit);
+size_t bench_space(size_t bytes, size_t unit);
 uint8_t *bench_at(size_t offset);
 void bench_clear(void);
 uint64_t bench_address(size_t offset);

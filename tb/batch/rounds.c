@@ -1,5 +1,5 @@
-/* rounds.c - seeded bodies, poses and modes of jobs for the tree engine's bench; bytes that are
- * damaged, memory that answers with errors, resets, refusals. */
+/* rounds.c - seeded bodies, poses and modes of jobs for the tree engine's test bench; bytes that
+ * are damaged, memory that answers with errors, resets, refusals. */
 #include "bench.h"
 #include "sepax_vectors.h"
 
@@ -23,7 +23,7 @@ static size_t families(void) {
   return count;
 }
 
-/* A strip of small triangles about the middle, as meshes have them. */
+/* A band of small triangles about the middle, as meshes have them. */
 static void some_surface(sepax_tri *tri, size_t count) {
   int64_t most = sepax_word_max(SEPAX_WORD);
   int64_t step = 1 + range(0, most / 16);
@@ -180,7 +180,7 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
     job.child[i] = 0;
   }
   s->poses[n] = job.count;
-  s->pose[n] = bench_room(SEPAX_TREE_POSE_STRIDE * job.count, SEPAX_TREE_POSE_STRIDE);
+  s->pose[n] = bench_space(SEPAX_TREE_POSE_STRIDE * job.count, SEPAX_TREE_POSE_STRIDE);
   sepax_pose pose = some_pose();
   for (size_t k = 0; k < job.count; k++) {
     sepax_tree_pose fixed;
@@ -210,7 +210,7 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
 static void some_scene(scene *s) {
   *s = (scene){.batch = {.jobs = (uint32_t)range(1, JOBS_MOST), .stop_at = -1}};
   bench_clear();
-  bench_room((size_t)range(0, 3) * 4096, 4096);
+  bench_space((size_t)range(0, 3) * 4096, 4096);
   sepax_tree_job job = {.count = 0};
   for (int i = 0; i < 2; i++) {
     s->tree[i] = some_tree(i == 1);
@@ -222,7 +222,7 @@ static void some_scene(scene *s) {
     }
     s->body[i] = (size_t)(address - BENCH_BASE);
   }
-  s->batch.list = bench_room(SEPAX_TREE_JOB_BYTES * s->batch.jobs, SEPAX_TREE_JOB_BYTES);
+  s->batch.list = bench_space(SEPAX_TREE_JOB_BYTES * s->batch.jobs, SEPAX_TREE_JOB_BYTES);
   for (uint32_t n = 0; n < s->batch.jobs; n++) {
     s->job[n] = s->batch.list + SEPAX_TREE_JOB_BYTES * n;
     some_job(s, n, &job);

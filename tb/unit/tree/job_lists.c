@@ -1,10 +1,10 @@
-/* job_lists.c - lists of jobs in the golden model: which poses are walked, with which first row, and
- * what is refused. */
+/* job_lists.c - lists of jobs in the golden model: which poses are walked, with which first row,
+ * and what is refused. */
 #include "unit/tree/scenes.h"
 
 #include <string.h>
 
-enum { POSES = 5, JOBS = 2, ROOM = 1 << 17 };
+enum { POSES = 5, JOBS = 2, BYTES = 1 << 17 };
 
 static const uint64_t base = UINT64_C(0x7000000);
 
@@ -12,7 +12,7 @@ typedef struct {
   triangles t[2];
   sepax_tree *tree[2];
   sepax_design design;
-  uint8_t byte[ROOM];
+  uint8_t byte[BYTES];
   sepax_tree_memory memory;
   sepax_tree_job job; /* of all poses */
   sepax_tree_pose pose[POSES];
@@ -48,7 +48,7 @@ static scene *new_scene(void) {
   }
   s->job.poses = base + at;
   s->job.count = POSES;
-  s->memory = (sepax_tree_memory){s->byte, base, ROOM};
+  s->memory = (sepax_tree_memory){s->byte, base, BYTES};
   return s;
 }
 
@@ -189,7 +189,7 @@ CASE(what_is_not_in_the_memory_is_an_error_of_the_bus) {
   (void)batch_of(s, JOBS, 0);
   s->memory.size = s->list;
   ends(s, SEPAX_TREE_BUS, 0);
-  s->memory.size = ROOM;
+  s->memory.size = BYTES;
   s->byte[s->list + 67] = 0x17; /* the poses are beyond */
   ends(s, SEPAX_TREE_BUS, 0);
   (void)batch_of(s, JOBS, 0);
