@@ -20,14 +20,6 @@
 
 namespace {
 
-// A pair of nodes or of leaves on its way.
-struct Pair {
-  unsigned number[2]; // of the node, or of the record
-  uint64_t info;
-  unsigned slot[2];
-  bool was_read[2];
-};
-
 class Traffic {
 public:
   Traffic(uint64_t seed, int argc, char **argv) : top(nullptr, seed), world(seed) {
@@ -130,7 +122,13 @@ private:
   void one_run(bool cold) {
     if (cold) { // what the caches have must not be used
       world.change_nodes();
-      world.draw_errors(&slave.options);
+      int i;
+      unsigned n;
+      if (world.draw_errors(&slave.options, &i, &n)) { // that record soon
+        leaves.failed = true;
+        leaves.number[i] = n;
+        leaves.number[1 - i] = (unsigned)draw(LEAVES);
+      }
     }
     rate = 1 + draw(16);
     top->start = 1;

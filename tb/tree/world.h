@@ -21,6 +21,14 @@ struct Body {
   std::vector<Record> records;
 };
 
+// A pair of nodes or of leaves on its way.
+struct Pair {
+  unsigned number[2]; // of the node, or of the record
+  uint64_t info;
+  unsigned slot[2];
+  bool was_read[2];
+};
+
 class World {
 public:
   explicit World(uint64_t seed) : state(seed) {}
@@ -53,14 +61,19 @@ public:
     }
   }
 
-  // Errors in a stretch of memory, in the last beat of a record, or none.
-  void draw_errors(memory_options *o) {
-    const Body &b = body[draw(2)];
-    const Record &r = b.records[draw(LEAVES)];
+  // Errors in a stretch of memory; or in the last beat of record n of body i, which is returned,
+  // mostly a long one; or none.
+  bool draw_errors(memory_options *o, int *i, unsigned *n) {
     uint64_t kind = draw(4);
+    *i = (int)draw(2);
+    for (int k = 0; k == 0 || (k < 8 && body[*i].records[*n].beats < 14); k++) {
+      *n = (unsigned)draw(LEAVES);
+    }
+    const Record &r = body[*i].records[*n];
     o->error_from = kind == 0 ? base + draw(bytes.size())
-                              : b.base + MEMORY_BEAT * uint64_t(r.place + r.beats - 1);
+                              : body[*i].base + MEMORY_BEAT * uint64_t(r.place + r.beats - 1);
     o->error_to = o->error_from + (kind == 0 ? 300 : kind == 1 ? MEMORY_BEAT : 0);
+    return kind == 1;
   }
 
   // A byte of body i's image.
