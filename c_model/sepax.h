@@ -1,14 +1,17 @@
 /* sepax.h - libsepax: golden models of triangle/triangle collision detection by
  * the separating axis theorem (SAT), and the data they work on.
  *
- * Conventions of every function below
- *   - Coordinates are integers of W bits, two's complement; 1 LSB is the length
- *     one step stands for (2 um in the paper). W is 4 ... 32.
+ * Conventions
+ *   - Coordinates of sepax_vec, sepax_tri, sepax_pair and sepax_columns are integers of W bits,
+ *     two's complement; 1 LSB is the length one step stands for (2 um in the paper). W is
+ *     4 ... 32. Those of meshes, bodies and poses are doubles in file units.
  *   - A collision is at least one common point of the two closed triangles;
  *     touching counts. The verdict is true for a collision.
  *   - A function that can fail returns false and leaves one line in *error
  *     which names the file or the value and the cure; its results are then
  *     untouched or freed. Nothing is clamped, wrapped or dropped.
+ *   - Facets, triangles, vertices and meshes count from 0, in messages, too; lines of a file
+ *     count from 1.
  *   - No function keeps state; all are safe to call from several threads.
  *
  * Sources: "the paper" is the ASIC for machine tool automation that docs/paper.md
@@ -241,7 +244,7 @@ bool sepax_grid_fit(sepax_grid *grid, const sepax_mesh *const meshes[], size_t c
 
 /* Quantise a mesh: tri[mesh->count] receives the triangles, each coordinate
  * rounded to nearest, half away from zero, exactly for the doubles given (0.009 on
- * a grid of 0.002 is 4: the double nearest 0.009 is less); normal[mesh->count], if
+ * a grid of 0.002 is 4: the double nearest 0.009 is less); 2 to 6 ns each; normal[mesh->count], if
  * not NULL, the file's normals scaled to unit length in Q1.(W-1), or zero where the
  * file has none. Fails on a coordinate that does not fit W bits, naming facet,
  * coordinate and the cure, on NaN or infinity and on a grid that is none. */
@@ -317,8 +320,9 @@ double sepax_distance_posed(const double a[3][3], const sepax_pose *pose_a, cons
 typedef struct sepax_body sepax_body;
 
 /* Copies what it needs of the mesh; some 250 bytes a facet. Large meshes are built by a thread for
- * each processor; the result does not depend on that. Fails on a mesh without facets, with NaN or
- * infinity, with more than 2^31 - 2 facets, and without memory. */
+ * each processor; the result does not depend on that. Fails on a mesh without facets, on a
+ * coordinate that is not within 2^1000, such as NaN or infinity (naming its facet), on more than
+ * 2^31 - 2 facets, and without memory. */
 bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, sepax_error *error);
 void sepax_body_free(sepax_body *body);
 size_t sepax_body_triangles(const sepax_body *body);
@@ -376,7 +380,8 @@ typedef struct {
 /* The distance of the surfaces of two bodies in their poses (NULL: as they stand), the least of
  * sepax_distance_posed over all pairs of triangles, exact and rounded as there; and a pair that has
  * it. `request` may be NULL. Fails on poses that are not valid, without memory, on limits that are
- * no numbers or negative, and on a `last` that is not of these bodies' triangles. */
+ * no numbers or negative, and on a `last` whose min_distance is no distance or whose pair or box
+ * these bodies lack. A `last` of other bodies that passes costs time, but changes no result. */
 bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                            const sepax_pose *pose_b, const sepax_distance_request *request,
                            sepax_distance_result *result, sepax_error *error);

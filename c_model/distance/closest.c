@@ -90,15 +90,30 @@ static uint32_t place_of(const sepax_body *b, size_t number) {
   return place;
 }
 
-static bool is_triangle(const sepax_body *b, uint32_t at) {
-  return at < BODY_WIDE * b->nodes && place_at(b, at) < b->count;
+static bool is_triangle(const sepax_body *b, uint32_t at, size_t number) {
+  return at < BODY_WIDE * b->nodes && place_at(b, at) < b->count &&
+         b->number[place_at(b, at)] == number;
+}
+
+/* Not so at a collision, nor where the distance is above a limit. */
+static bool names_boxes(const sepax_distance_result *last) {
+  return last->min_distance > 0 && isfinite(last->min_distance);
+}
+
+static bool is_distance(const search *s, const sepax_distance_result *last) {
+  bool ok = last->min_distance >= 0;
+  for (int i = 0; ok && i < 2; i++) {
+    ok = last->pair[i] < s->body[i]->count &&
+         (!names_boxes(last) || is_triangle(s->body[i], last->box[i], last->pair[i]));
+  }
+  return ok;
 }
 
 /* Where to begin. */
 static bool begin(search *s, const sepax_distance_request *r, sepax_error *error) {
   const sepax_distance_result *last = r->last;
   if (!(r->limit >= 0)) {
-    return sepax_fail(error, "the limit %g of a distance is below 0", r->limit);
+    return sepax_fail(error, "a distance has a limit of %g; give 0 for none, or more", r->limit);
   }
   if (!(r->seconds >= 0)) {
     return sepax_fail(error, "a search has a limit of %g seconds; give 0 for none, or more",
@@ -106,10 +121,11 @@ static bool begin(search *s, const sepax_distance_request *r, sepax_error *error
   }
   s->limit = r->limit > 0 ? r->limit : INFINITY;
   s->portable = r->path == SEPAX_PATH_PORTABLE;
-  if (last != NULL && last->min_distance > 0 && isfinite(last->min_distance)) {
-    if (!is_triangle(s->body[0], last->box[0]) || !is_triangle(s->body[1], last->box[1])) {
-      return sepax_fail(error, "the last distance is not one of these bodies");
-    }
+  if (last != NULL && !is_distance(s, last)) {
+    return sepax_fail(error, "the last distance is not one of these bodies; give a result of "
+                             "sepax_bodies_distance on them, or NULL");
+  }
+  if (last != NULL && names_boxes(last)) {
     s->waiting[s->count++] = (box_pair){{last->box[0], last->box[1]}, 0};
   }
   return true;

@@ -161,7 +161,8 @@ static bool check_fits(const sepax_tri *tri, size_t count, const sepax_grid *gri
                       SEPAX_WORD_MIN, SEPAX_TREE_WORD_MAX);
   }
   if (count == 0 || count > UINT32_MAX) {
-    return sepax_fail(error, "a tree has 1 ... 2^32 - 1 triangles, not %zu", count);
+    return sepax_fail(error, "a tree has 1 ... 2^32 - 1 triangles, not %zu; %s", count,
+                      count == 0 ? "give a mesh with facets" : "split the mesh");
   }
   for (size_t n = 0; n < count; n++) {
     aabb b = aabb_of(&tri[n]);

@@ -438,16 +438,21 @@ CASE(distances_refused) {
   make_bodies(&s);
   assert_fault(sepax_bodies_distance(s.body[0], NULL, s.body[1], NULL,
                                      &(sepax_distance_request){.limit = -1}, &r, &fault),
-               "limit -1");
+               "limit of -1");
   assert_fault(sepax_bodies_distance(s.body[0], NULL, s.body[1], NULL,
                                      &(sepax_distance_request){.limit = NAN}, &r, &fault),
                "limit");
-  assert_fault(
-      sepax_bodies_distance(s.body[0], NULL, s.body[1], NULL,
-                            &(sepax_distance_request){
-                                .last = &(sepax_distance_result){.min_distance = 1, .box = {0, 9}}},
-                            &r, &fault),
-      "bodies");
+  const sepax_distance_result bad[] = {{.min_distance = 1, .box = {0, 9}},
+                                       {.min_distance = 1, .pair = {0, 1}},
+                                       {.min_distance = 0, .pair = {2, 0}},
+                                       {.min_distance = INFINITY, .pair = {0, SIZE_MAX}},
+                                       {.min_distance = NAN},
+                                       {.min_distance = -1}};
+  for (size_t i = 0; i < LENGTH(bad); i++) {
+    const sepax_distance_request request = {.last = &bad[i]};
+    assert_fault(sepax_bodies_distance(s.body[0], NULL, s.body[1], NULL, &request, &r, &fault),
+                 "not one of these bodies");
+  }
   assert_fault(sepax_bodies_near(s.body[0], NULL, s.body[1], NULL, NAN, NULL, &found, &fault),
                "distance");
   free_scene(&s);
