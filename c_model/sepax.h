@@ -294,7 +294,8 @@ typedef struct {
 } sepax_poses;
 
 /* Read poses from a text file: 12 decimal numbers a line, the rotation by rows, then the
- * translation in file units; '#' begins a comment, a line may be empty. Each number is rounded to
+ * translation in file units; '#' begins a comment, a line may be empty, UTF-8's byte order mark is
+ * skipped. Each number is rounded to
  * the nearest double, in every locale. Fails, naming the line, on another count of numbers, on a
  * number that is none or not finite, on a pose that is not valid, and on a file without poses. */
 bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error);

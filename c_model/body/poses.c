@@ -88,6 +88,7 @@ static bool append(sepax_poses *poses, size_t *capacity, const sepax_pose *pose)
 }
 
 static bool read_lines(sepax_poses *poses, FILE *in, const char *path, sepax_error *error) {
+  static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, as editors put it in front of a file */
   char *line = NULL;
   size_t size = 0;
   size_t capacity = 0;
@@ -98,7 +99,8 @@ static bool read_lines(sepax_poses *poses, FILE *in, const char *path, sepax_err
     sepax_pose pose;
     bool empty = false;
     sepax_error what = {""};
-    if (!read_pose(&pose, &empty, line, (size_t)length, &what)) {
+    size_t skip = number == 1 && strncmp(line, mark, strlen(mark)) == 0 ? strlen(mark) : 0;
+    if (!read_pose(&pose, &empty, line + skip, (size_t)length - skip, &what)) {
       ok = sepax_fail(error, "%.240s:%zu: %.200s", path, number, what.text);
     } else if (!empty && !append(poses, &capacity, &pose)) {
       ok = sepax_fail(error, "%.240s:%zu: no memory for so many poses; split the file", path,

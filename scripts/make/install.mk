@@ -27,3 +27,6 @@ install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
 uninstall:
 	@rm -f $(addprefix $(ROOT)/,bin/sepax $(HEADERS:c_model/%=include/%) lib/libsepax.a \
 	  lib/libsepax.so lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))
+	@case "$(ROOT)" in /usr | /usr/local) ;; *) \
+	  for folder in lib/pkgconfig lib include bin $(dir $(MAN)) share/man share .; do \
+	    rmdir "$(ROOT)/$$folder" 2> /dev/null || true; done ;; esac

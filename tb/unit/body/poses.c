@@ -41,6 +41,11 @@ CASE(test_layout) {
   assert_memory_equal(poses.pose[1].translation, moved, sizeof moved);
   sepax_poses_free(&poses);
   assert_null(poses.pose);
+  poses = read_text("\xef\xbb\xbf"
+                    "0 -1 0 1 0 0 0 0 1 7 8 9\n"); /* a byte order mark */
+  assert_int_equal(poses.count, 1);
+  assert_memory_equal(&poses.pose[0], &turned, sizeof turned);
+  sepax_poses_free(&poses);
 }
 
 CASE(test_many) {
@@ -171,6 +176,9 @@ CASE(test_refused) {
       {"1 0 0 0 1 0 0 0 1 1e309 0 0\n", ":1: 1e309 is too large"},
       {"1 0 0 0 1 0 0 0 1 0x1p0 0 0\n", "'0x1p0' is no number"},
       {"1 0 0 0 1 0 0 0 1 1,5 0 0\n", "'1,5' is no number"},
+      {"\n\xef\xbb\xbf"
+       "1 0 0 0 1 0 0 0 1 0 0 0\n",
+       ":2: '???1' is no number"},
       {"1 0 0 0 1 0 0 0 1 1d0 0 0\n", "'1d0' is no number"},
       {"1 0 0 0 1 0 0 0 1 - 0 0\n", "'-' is no number"},
       {"1 0 0 0 1 0 0 0 1 0 0 0\n2 0 0 0 1 0 0 0 1 0 0 0\n", ":2: the matrix is no rotation"},
