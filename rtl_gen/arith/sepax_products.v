@@ -2,9 +2,9 @@
 // @terms@ factors a_k and b_k of a and b, BIAS = @bias@, floor(b_k / 4^@top_digit@) in
 // -2 ... 2.
 // Whoever wants a_k b_k adds BIAS to b_k beforehand.
-// Latency @latency@. Structure: @rows@ rows a product, selected by the radix-4 digits of b, each but
-// the highest less 1; @full@ full and @half@ half adders in columns, the earliest bits first; one
-// addition. Where SEPAX_BEHAVIOURAL is defined, plain products of the same latency.
+// Latency @latency@. Structure: @rows@ rows a product, selected by the radix-4 digits of b, each
+// but the highest less 1; @full@ full and @half@ half adders in columns, the earliest bits first;
+// one addition. Where SEPAX_BEHAVIOURAL is defined, plain products of the same latency.
 module @name@ (
   input  wire               clk, // clock //@ latency
   input  wire [@a_msb@:0] a, // first factors, signed, the first lowest

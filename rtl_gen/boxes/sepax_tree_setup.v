@@ -15,7 +15,7 @@ module sepax_tree_setup (
   input  wire [11:0]  t_exponents, // of T
   input  wire         x_valid,   // its X has come
   input  wire [104:0] x,         // X / 2^10, {2, 1, 0}, 35 bits each, signed
-  input  wire         load,      // in the cycle after x_valid or later
+  input  wire         load,      // in the cycle after x_valid or later, 3 after begin_in or later
   output reg  [107:0] n,         // entry (i, k) at 12 (3 i + k), -1024 ... 1024
   output reg  [62:0]  low,       // {2, 1, 0}, 21 bits each, signed
   output reg  [62:0]  high,      // the same
@@ -25,9 +25,11 @@ module sepax_tree_setup (
     larger = (a > b) ? a : b;
   endfunction
 
-  // 36 bits to 21, signed; beyond them the nearest.
-  function [20:0] saturated(input [35:0] value);
-    saturated = ((|value[35:20]) == (&value[35:20])) ? value[20:0] : {value[35], {20{!value[35]}}};
+  // To 21 bits, signed: the nearest. Beyond says that the value is not known, but for its sign.
+  function [20:0] saturated(input [26:0] value, input beyond, input negative);
+    saturated = beyond ? {negative, {20{!negative}}}
+              : ((|value[26:20]) == (&value[26:20])) ? value[20:0]
+              : {value[26], {20{!value[26]}}};
   endfunction
 
   reg         side_q;
@@ -44,12 +46,13 @@ module sepax_tree_setup (
       wire [3:0] g = scales_q[4*i +: 4];
       wire signed [34:0] d = $signed(x_q[35*i +: 35]) >>> g;
       wire [38:0] wide = {margin[24*i +: 24], 15'd0} >> g;
-      wire [24:0] less = {1'b0, wide[38:15]} + 25'd192; // s, but for the ceiling
-      wire        more = |wide[14:0];
-      wire [35:0] d_wide = {d[34], d};
-      wire [35:0] s_wide = {11'd0, less};
-      wire [35:0] least = d_wide + ~s_wide + {35'd0, !more};
-      wire [35:0] most = d_wide + s_wide + {34'd0, more, !more};
+      wire [25:0] s = {1'b0, wide[38:15], |wide[14:0]} + 26'd385; // twice, and 1 more
+      reg  [24:0] s_q;
+      wire        unused_half = s[0];
+      // s is below 2^25: a D of more than 26 bits stays beyond 21 bits.
+      wire        beyond = (|d[34:25]) != (&d[34:25]);
+      wire [26:0] least = {d[25], d[25:0]} - {2'd0, s_q};
+      wire [26:0] most = {d[25], d[25:0]} - ~{2'd0, s_q};
 
       for (k = 0; k < 3; k = k + 1) begin : column
         localparam AT = 3 * i + k;
@@ -68,12 +71,13 @@ module sepax_tree_setup (
           scales_q[4*i +: 4] <= scale;
           shifts_q[4*i +: 4] <= scale - t_exponents[4*i +: 4];
         end
+        s_q <= s[25:1];
         if (x_valid) begin
           x_q[35*i +: 35] <= x[35*i +: 35];
         end
         if (load) begin
-          low[21*i +: 21] <= saturated(least);
-          high[21*i +: 21] <= saturated(most);
+          low[21*i +: 21] <= saturated(least, beyond, d[34]);
+          high[21*i +: 21] <= saturated(most, beyond, d[34]);
           shift[4*i +: 4] <= shifts_q[4*i +: 4];
         end
       end

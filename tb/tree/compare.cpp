@@ -1,7 +1,7 @@
 // compare.cpp - sepax_tree_compare and its blocks against the golden model: random nodes, poses and
 // entries, and what lies at the ends of their ranges; gaps at all ports, drops in between.
 //
-//     compare ENTRIES SEED
+//     compare ENTRIES SEED [+FAULT]
 //
 // W and FULL are macros, the module's parameters.
 #include "Vcompare_top.h"
@@ -42,7 +42,9 @@ struct Item {
 
 class Checker : private Entries {
 public:
-  explicit Checker(uint64_t seed) : Entries(seed), top(nullptr, seed) {}
+  Checker(uint64_t seed, int argc, char **argv) : Entries(seed), top(nullptr, seed) {
+    top.arguments(argc, argv);
+  }
 
   void run(uint64_t entries) {
     reset();
@@ -246,8 +248,8 @@ private:
     int32_t p[3];
   };
 
-  void offer_other() {
-    top->other = draw(16) < rate_other;
+  void offer_other(uint64_t left) {
+    top->other = (left > 0 || !items.empty()) && draw(16) < rate_other;
     if (top->other) {
       Vertex v;
       uint64_t packed[2] = {0, 0};
@@ -308,7 +310,7 @@ private:
         offer();
       }
       top->out_ready = draw(16) < rate_out;
-      offer_other();
+      offer_other(left);
       top.settle();
       bool in = top->in_valid && top->in_ready;
       int a = top->in_a, b = top->in_b;
@@ -386,7 +388,7 @@ private:
 int main(int argc, char **argv) {
   uint64_t entries = argc > 1 ? strtoull(argv[1], nullptr, 10) : 100000;
   uint64_t seed = argc > 2 ? strtoull(argv[2], nullptr, 10) : 1;
-  static Checker checker(seed);
+  static Checker checker(seed, argc, argv);
   checker.run(entries);
   const auto &c = checker.counts;
   printf(
