@@ -74,8 +74,8 @@ static bool check_tree(const sepax_config *config, sepax_error *error) {
                       config->lanes != 0 ? "comparator lanes" : "extents");
   }
   return config->clearance < 0 || outer_margin(config) <= MARGIN_MAX ||
-         sepax_fail(error, "tree: a clearance of %d LSB is out of range; give 0 ... %d",
-                    (int)outer_margin(config) - 1, MARGIN_MAX - 1);
+         sepax_fail(error, "tree: clearances need a margin of %lld LSB; %d is the most",
+                    (long long)outer_margin(config), MARGIN_MAX);
 }
 
 static bool check(const sepax_config *config, sepax_error *error) {

@@ -31,8 +31,8 @@ module sepax_registers (
   output reg  [1:0]  rresp,        // 0: OKAY, 2: SLVERR
   output wire        irq,          // interrupt, level
   output reg         start,        // a run begins
-  output wire        starting,     // a run begins, or a write that asks for it is here
   output reg         stop,         // the run is to end
+  output wire        starting,     // a run begins, or a write that asks for it is here
   output reg         first,        // mode: end at the first collision
   output reg         quiet,        // mode: no result stream
   output reg  [3*(18+1)-1:0] move, // added to B: {z, y, x}, signed
@@ -78,8 +78,8 @@ module sepax_registers (
   assign awready = !address_full_q;
   assign wready = !data_full_q;
   assign arready = !read_full_q;
-  assign starting = start || (address_full_q && data_full_q && (address_q == COMMAND) && data_q[0]);
   assign irq = |(pending_q & enable_q);
+  assign starting = start || (address_full_q && data_full_q && (address_q == COMMAND) && data_q[0]);
   assign fits = !(|data_q[31:M-1]) || (&data_q[31:M-1]);
   genvar k;
   generate
@@ -91,8 +91,8 @@ module sepax_registers (
   always @(*) begin
     case (address_q)
       COMMAND: accepted = ((data_q == 32'd1) && can_start) || (data_q == 32'd2);
-      MODE: accepted = idle && !(|data_q[31:2]);
       ENABLE, PENDING: accepted = !(|data_q[31:3]);
+      MODE: accepted = idle && !(|data_q[31:2]);
       MOVE_X, MOVE_Y, MOVE_Z: accepted = idle && fits;
       default: accepted = 1'b0;
     endcase
@@ -132,8 +132,8 @@ module sepax_registers (
   always @(posedge clk) begin
     if (rst) begin
       {address_full_q, data_full_q, read_full_q, bvalid, rvalid} <= 5'd0;
-      {start, stop, first, quiet} <= 4'd0;
       {enable_q, pending_q} <= 6'd0;
+      {start, stop, first, quiet} <= 4'd0;
       move <= {(3*M){1'b0}};
     end else begin
       address_full_q <= address_full_q ? !write : awvalid;
@@ -145,8 +145,8 @@ module sepax_registers (
       stop <= accept && (address_q == COMMAND) && data_q[1];
       if (accept) begin
         case (address_q)
-          MODE: {quiet, first} <= data_q[1:0];
           ENABLE: enable_q <= data_q[2:0];
+          MODE: {quiet, first} <= data_q[1:0];
           MOVE_X: move[0*M +: M] <= data_q[18:0];
           MOVE_Y: move[1*M +: M] <= data_q[18:0];
           MOVE_Z: move[2*M +: M] <= data_q[18:0];
