@@ -28,5 +28,5 @@ uninstall:
 	@rm -f $(addprefix $(ROOT)/,bin/sepax $(HEADERS:c_model/%=include/%) lib/libsepax.a \
 	  lib/libsepax.so lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))
 	@case "$(ROOT)" in /usr | /usr/local) ;; *) \
-	  for folder in lib/pkgconfig lib include bin $(dir $(MAN)) share/man share .; do \
-	    rmdir "$(ROOT)/$$folder" 2> /dev/null || true; done ;; esac
+	  for folder in $(addprefix $(ROOT)/,lib/pkgconfig lib include bin $(dir $(MAN)) share/man share) \
+	    $(ROOT); do rmdir "$$folder" 2> /dev/null || true; done ;; esac
