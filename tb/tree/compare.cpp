@@ -1,7 +1,9 @@
 // compare.cpp - sepax_tree_compare and its blocks against the golden model: random nodes, poses and
 // entries, and what lies at the ends of their ranges; gaps at all ports, drops in between.
 //
-//     compare ENTRIES SEED [+FAULT]
+//     compare ENTRIES SEED [+FAULT] [TRACE]
+//
+// TRACE gets all inputs and outputs of each cycle, for compare_tb.v.
 //
 // W and FULL are macros, the module's parameters.
 #include "Vcompare_top.h"
@@ -58,6 +60,8 @@ public:
     uint64_t entries, boxes, items, hits, columns, vertices, settings, cells, drops, cycles, wrong;
     uint64_t quick_cycles, quick_steps; // where nothing is in the way
   } counts = {};
+
+  FILE *trace = nullptr;
 
 private:
   void wrong(const char *what, int64_t got, int64_t wanted) {
@@ -139,8 +143,36 @@ private:
 
   // ------------------------------------------------------------------ cycles
 
+  template <typename Port> void write(const Port &port) {
+    for (int k = (int)(sizeof port / 4) - 1; k >= 0; k--) {
+      fprintf(trace, "%08x", port[k]);
+    }
+    fputc(' ', trace);
+  }
+
+  void record() {
+    if (trace == nullptr) {
+      return;
+    }
+    fprintf(trace, "%x %x %x %x %x %x %x %x %x ", top->rst, top->drop, top->in_valid, top->in_side,
+            top->in_mask, top->in_a, top->in_b, top->out_ready, top->other);
+    fprintf(trace, "%llx ", (unsigned long long)point[0]);
+    write(top->matrix);
+    write(top->shift);
+    write(top->sigma);
+    write(top->head_a);
+    write(top->head_b);
+    write(top->boxes_a);
+    write(top->boxes_b);
+    fprintf(trace, "%x %x %x %x %x %x ", top->in_ready, top->boxes_read_a, top->boxes_slot_a,
+            top->boxes_read_b, top->boxes_slot_b, top->out_valid);
+    fprintf(trace, "%x %x %x %x %x %x %x %x\n", top->out_last, top->out_side, top->out_columns,
+            top->out_leaves, top->out_index, top->out_mask, top->out_a, top->out_b);
+  }
+
   void tick() {
     top.settle();
+    record();
     top.rise();
     counts.cycles++;
   }
@@ -260,6 +292,7 @@ private:
         }
       }
       set_point(top->other_point, packed);
+      point[0] = packed[0];
       others.push_back(v);
     }
   }
@@ -283,6 +316,7 @@ private:
 
   void tick_and_check() {
     top.settle();
+    record();
     bool read_a = top->boxes_read_a, read_b = top->boxes_read_b;
     int slot_a = top->boxes_slot_a, slot_b = top->boxes_slot_b;
     top.rise();
@@ -374,6 +408,7 @@ private:
   }
 
   VerilatedTop<Vcompare_top> top;
+  uint64_t point[1] = {0};
   unsigned rate_in = 16, rate_out = 16, rate_other = 0;
   bool one_side = false, small = false;
   std::deque<tree_setting> settings;
@@ -389,7 +424,13 @@ int main(int argc, char **argv) {
   uint64_t entries = argc > 1 ? strtoull(argv[1], nullptr, 10) : 100000;
   uint64_t seed = argc > 2 ? strtoull(argv[2], nullptr, 10) : 1;
   static Checker checker(seed, argc, argv);
+  if (argc > 3 && argv[3][0] != '+') {
+    checker.trace = fopen(argv[3], "w");
+  }
   checker.run(entries);
+  if (checker.trace != nullptr && fclose(checker.trace) != 0) {
+    return 2;
+  }
   const auto &c = checker.counts;
   printf(
       "compare W=%d FULL=%d: %llu entries (%llu columns), %llu boxes, %llu items (%llu with hits), "
