@@ -1,4 +1,5 @@
-// compare_tb - compare_top, W = 18, half rate, in Icarus: inputs and outputs of a trace (compare.cpp).
+// compare_tb - compare_top, W = 18, FULL = 0, in Icarus: inputs and outputs of a trace
+// (compare.cpp).
 `timescale 1ns / 1ps
 module compare_tb;
   reg clk = 0, rst, drop, in_valid, in_side, out_ready, other;
@@ -59,7 +60,8 @@ module compare_tb;
                             (e_valid && item !== wanted_item) ||
                             (e_read_b && slot_b !== e_slot_b))) begin
           faults = faults + 1;
-          $display("cycle %0d: %b %h, not %b %h", cycles, control, item, wanted_control, wanted_item);
+          $display("cycle %0d: %b %h, not %b %h", cycles, control, item, wanted_control,
+                   wanted_item);
         end
         cycles = cycles + 1;
         items = items + ((e_valid && out_ready) ? 1 : 0);
