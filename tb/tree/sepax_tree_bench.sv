@@ -1,8 +1,10 @@
-// The tree engine and its cores for test benches, without registers and jobs.
+// The tree engine and its cores for test benches, without registers and jobs. Faults that a test
+// plants in the modules read `fault`.
 module sepax_tree_bench #(
   parameter W = 18, parameter MARGIN = 0, parameter FULL = 0, parameter STACK = 10,
   parameter LINE = 5, parameter NODE_SETS = 4, parameter LEAF_SETS = 1
 ) (
+  input wire [31:0] fault,
   input wire clk, rst, start, stop, cold, first, quiet, row,
   input wire [31:0] budget, triangles_a, beats_a, triangles_b, beats_b, nodes_a, nodes_b,
   input wire [31:0] base_a, base_b, row_leaf_a, row_leaf_b, row_a, row_b,

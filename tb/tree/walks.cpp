@@ -16,7 +16,7 @@ namespace {
 
 struct Options {
   unsigned runs = 100;
-  uint64_t seed = 1, stress = 0, damage = 0, stops = 0, errors = 0, resets = 0;
+  uint64_t seed = 1, stress = 0, damage = 0, stops = 0, errors = 0, resets = 0, fault = 0;
   int latency = 100, size = 60, verbose = 0;
   unsigned line = 32, stack = 1024;
   double resolution = 0;
@@ -253,8 +253,8 @@ bool judge(Engine &e, const Scene &scene, const sepax_tree_pose &pose, const Ask
   if (options.verbose > 0 || (!faults.empty() && totals.mismatches < 10)) {
     const sepax_tree_run &r = golden.run;
     std::printf(
-        "run %llu: %u cycles, %llu beats, entries %llu, steps %llu, rows %llu, pairs %llu, near %llu, "
-        "collisions %llu, deepest %llu%s%s%s%s\n",
+        "run %llu: %u cycles, %llu beats, entries %llu, steps %llu, rows %llu, pairs %llu, "
+        "near %llu, collisions %llu, deepest %llu%s%s%s%s\n",
         (unsigned long long)totals.runs, e.top->cycles, (unsigned long long)e.ram.counts.beats,
         (unsigned long long)r.entries, (unsigned long long)r.steps, (unsigned long long)r.rows,
         (unsigned long long)r.pairs, (unsigned long long)r.near, (unsigned long long)r.collisions,
@@ -267,9 +267,16 @@ bool judge(Engine &e, const Scene &scene, const sepax_tree_pose &pose, const Ask
   return faults.empty();
 }
 
+// Any bytes, and bytes that say where things are.
 void harm(Scene &scene) {
   for (int count = 1 + below(8); count > 0; count--) {
-    scene.bytes[draw() % scene.bytes.size()] = (uint8_t)draw();
+    size_t at = draw() % scene.bytes.size();
+    int body = below(2);
+    if (below(2) == 0) {
+      at = scene.at[body] + 12 + (size_t)below(12) +
+           SEPAX_TREE_NODE_BYTES * (draw() % get32(scene.record[body] + 8));
+    }
+    scene.bytes[at] = (uint8_t)draw();
   }
 }
 
@@ -364,7 +371,8 @@ void read_options(int count, char **argument) {
       options.runs = (unsigned)value;
     } else if (number(a, "--seed=", &options.seed) || number(a, "--stress=", &options.stress) ||
                number(a, "--damage=", &options.damage) || number(a, "--stops=", &options.stops) ||
-               number(a, "--errors=", &options.errors) || number(a, "--resets=", &options.resets)) {
+               number(a, "--errors=", &options.errors) || number(a, "--fault=", &options.fault) ||
+               number(a, "--resets=", &options.resets)) {
     } else if (number(a, "--latency=", &value)) {
       options.latency = (int)value;
     } else if (number(a, "--size=", &value)) {
@@ -398,6 +406,7 @@ int main(int count, char **argument) {
     fail(error.text);
   }
   Engine engine(options.wave, options.seed, options.stress, options.latency, options.errors);
+  engine.top->fault = (uint32_t)options.fault;
   if (options.meshes.size() == 2) {
     mesh_run(engine, design);
   } else {
