@@ -30,6 +30,11 @@ struct Result {
   }
 };
 
+inline uint32_t get32(const uint8_t *from) {
+  return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 |
+         (uint32_t)from[3] << 24;
+}
+
 // Two bodies in one memory.
 struct Scene {
   sepax_tree *tree[2] = {nullptr, nullptr};
@@ -41,6 +46,7 @@ struct Scene {
     sepax_tree_free(tree[0]);
     sepax_tree_free(tree[1]);
   }
+  uint32_t nodes(int body) const { return get32(record[body] + 8); }
   void place() {
     bytes.clear();
     for (int i = 0; i < 2; i++) {
@@ -53,11 +59,6 @@ struct Scene {
     }
   }
 };
-
-inline uint32_t get32(const uint8_t *from) {
-  return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 |
-         (uint32_t)from[3] << 24;
-}
 
 class Engine {
 public:

@@ -136,6 +136,7 @@ void compare(Engine &e, const Golden &golden, const Ask &ask) {
     compare_part(e, golden, ask);
     return;
   }
+  expect("cycles within BUDGET", !e.top->stopped && e.top->cycles > ask.budget, 0);
   if (e.top->stopped && (ask.budget < UINT32_MAX || ask.stop < UINT64_MAX)) {
     expect("DAMAGED", e.top->damaged, 0);
     compare_part(e, golden, ask);
@@ -159,12 +160,13 @@ void compare(Engine &e, const Golden &golden, const Ask &ask) {
 
 // ------------------------------------------------------------------------ scenes
 
-sepax_vec near_to(const double at[3], double size, int word) {
+sepax_vec near_to(const double at[3], double size, double step, int word) {
   sepax_vec v;
   int32_t *coordinate[3] = {&v.x, &v.y, &v.z};
   double most = std::ldexp(1, word - 1) - 1;
   for (int i = 0; i < 3; i++) {
     double x = at[i] + size * unit();
+    x = step > 0 ? step * std::round(x / step) : x;
     *coordinate[i] = (int32_t)std::round(x < -most ? -most : x > most ? most : x);
   }
   return v;
@@ -175,11 +177,12 @@ sepax_tree *strewn(size_t count, int word) {
   std::vector<sepax_tri> tri(count);
   double reach = std::ldexp(1, word - 1) * (below(4) == 0 ? 0.9 : 0.3);
   double size = reach / (1 + below(40));
+  double step = below(3) == 0 ? std::ldexp(1, word - 6) : 0;
   bool flat = below(3) == 0;
   for (sepax_tri &t : tri) {
     double at[3] = {reach * unit(), reach * unit(), flat ? 0 : reach * unit()};
     for (sepax_vec &v : t.v) {
-      v = near_to(at, below(20) == 0 ? 0 : size, word);
+      v = near_to(at, below(20) == 0 ? 0 : size, step, word);
     }
   }
   sepax_tree *tree;
@@ -267,42 +270,61 @@ bool judge(Engine &e, const Scene &scene, const sepax_tree_pose &pose, const Ask
   return faults.empty();
 }
 
-// Any bytes, and bytes that say where things are.
+// Any bytes, bytes that say where things are, and the beats of records.
 void harm(Scene &scene) {
   for (int count = 1 + below(8); count > 0; count--) {
-    size_t at = draw() % scene.bytes.size();
     int body = below(2);
-    if (below(2) == 0) {
-      at = scene.at[body] + 12 + (size_t)below(12) +
-           SEPAX_TREE_NODE_BYTES * (draw() % get32(scene.record[body] + 8));
+    size_t node = scene.at[body] + SEPAX_TREE_NODE_BYTES * (draw() % scene.nodes(body));
+    switch (below(3)) {
+    case 0:
+      scene.bytes[draw() % scene.bytes.size()] = (uint8_t)draw();
+      break;
+    case 1:
+      scene.bytes[node + 12 + (size_t)below(12)] = (uint8_t)draw();
+      break;
+    default:
+      scene.bytes[node + 14] = (uint8_t)((scene.bytes[node + 14] & 15) | below(4) << 4);
     }
-    scene.bytes[at] = (uint8_t)draw();
   }
+}
+
+// A pair of any two leaves.
+sepax_tree_pair any_row(const Scene &scene) {
+  sepax_tree_pair pair = {};
+  for (int body = 0; body < 2; body++) {
+    const uint8_t *head;
+    do {
+      pair.leaf[body] = (uint32_t)(draw() % scene.nodes(body));
+      head = &scene.bytes[scene.at[body] + SEPAX_TREE_NODE_BYTES * pair.leaf[body]];
+    } while ((head[14] & 15) != 0);
+    pair.child[body] = below(1 + (head[13] >> 4));
+  }
+  return pair;
 }
 
 void random_runs(Engine &e, const sepax_design &design) {
   int word = design.config.word;
-  while (totals.runs < options.runs) {
+  while (totals.runs < options.runs && (options.fault == 0 || totals.mismatches == 0)) {
     Scene scene;
     for (sepax_tree *&tree : scene.tree) {
       tree = strewn((size_t)(1 + below(1 + below(options.size * options.size))), word);
     }
     scene.place();
-    if (happens(options.damage)) {
-      harm(scene);
-    }
     sepax_tree_pair last = {};
     bool known = false, is_new = true;
+    bool harmed = happens(options.damage);
     for (int poses = 1 + below(4); poses > 0 && totals.runs < options.runs; poses--) {
       sepax_pose b = random_pose(std::ldexp(0.7, word - 1));
+      if (below(6) == 0) { // by what W + 2 bits do not tell
+        b.translation[below(3)] += std::ldexp(below(2) == 0 ? 1 : -1, word + 2);
+      }
       sepax_tree_pose pose = pose_of(scene, &b, design);
       Ask ask;
       ask.first = below(4) == 0;
       ask.quiet = below(8) == 0;
       ask.cold = is_new || below(2) == 0;
-      is_new = false;
-      ask.row = below(4) == 0 && (known || options.damage > 0);
-      ask.pair = last;
+      ask.row = below(3) == 0;
+      ask.pair = known && below(2) == 0 ? last : any_row(scene);
       ask.budget = happens(options.stops) ? (uint32_t)(1 + below(3000)) : UINT32_MAX;
       ask.stop = happens(options.stops) ? (uint64_t)below(3000) : UINT64_MAX;
       if (happens(options.resets)) {
@@ -313,6 +335,10 @@ void random_runs(Engine &e, const sepax_design &design) {
         e.reset();
         ask.cold = true;
       }
+      if (harmed && is_new) {
+        harm(scene);
+      }
+      is_new = false;
       judge(e, scene, pose, ask, design);
       if (e.top->any) {
         known = true;
