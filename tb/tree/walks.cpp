@@ -63,9 +63,6 @@ Golden walk(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask,
   if (!sepax_images_walk(image, scene.record, &pose, &how, &golden.run, &error)) {
     fail(error.text);
   }
-  if (golden.run.ended) { // the last was not told
-    golden.near.push_back(golden.run.found);
-  }
   return golden;
 }
 
