@@ -11,7 +11,7 @@ static sepax_random rng;
 static int64_t range(int64_t lo, int64_t hi) { return sepax_random_range(&rng, lo, hi); }
 static double unit(void) { return (double)range(-1000000, 1000000) * 1e-6; }
 
-enum { POSES_MOST = 6, JOBS_MOST = 4, TRIANGLES_MOST = 700 };
+enum { POSES_MOST = 6, JOBS_MOST = 4, TRIANGLES_MOST = 300 };
 
 /* ------------------------------------------------------------------ bodies */
 
@@ -59,7 +59,7 @@ static void some_triangles(sepax_tri *tri, size_t count, bool of_b) {
 }
 
 static sepax_tree *some_tree(bool of_b) {
-  static const int64_t most[] = {1, 16, 40, 300, TRIANGLES_MOST};
+  static const int64_t most[] = {1, 16, 40, 100, TRIANGLES_MOST};
   sepax_tri *tri = malloc(TRIANGLES_MOST * sizeof *tri);
   if (tri == NULL) {
     stop("out of memory");
