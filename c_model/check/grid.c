@@ -178,7 +178,7 @@ static bool search(const check_question *q, const sepax_design *design, const se
                 sepax_fail(error, "no memory for the pairs found"));
 }
 
-/* Exact verdicts down a tree of AABBs; verdicts of other designs pair by pair. */
+/* Exact verdicts of lists that are halved; verdicts of other designs pair by pair. */
 static bool find(const check_question *q, const sepax_design *design, const sepax_scene *scene,
                  check_report *report, sepax_error *error) {
   const sepax_config *config = &q->config;

@@ -43,7 +43,8 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
   const sepax_query *q = query != NULL ? query : &usual;
   *found = (sepax_pairs){0};
   if (!(distance >= 0 && distance <= 0x1p1000)) {
-    return sepax_fail(error, "the distance %g is not within 0 ... 2^1000", distance);
+    return sepax_fail(error, "the distance %g is not within 0 ... 2^1000; give one that is",
+                      distance);
   }
   if (!poses_valid(pose_a, pose_b, error)) {
     return false;
