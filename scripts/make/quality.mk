@@ -14,6 +14,7 @@ analyse = $(CPPCHECK) --quiet --error-exitcode=1 \
 
 # Programs of an engine read headers that come with its Verilog.
 static: $(SEPAX)
+	@mkdir -p $(BUILD)/static
 	@$(GEN) --lanes=4 -o $(BUILD)/static/engine > /dev/null
 	@$(GEN) --tree -o $(BUILD)/static/tree > /dev/null
 	@$(call analyse,engine,$(C_SRC))
