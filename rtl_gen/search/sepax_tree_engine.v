@@ -157,6 +157,14 @@ module sepax_tree_engine #(
   wire [3*W-1:0]       setup_point, setup_origin, rows_point;
   wire [134:0]         turned;
   reg  [2:0]           setup_q, rows_q, damaged_q; // what is turned is of set-up, of rows
+  reg                  item_q;  // an item waits for the walk
+  reg  [22:0]          items_q; // {last, columns, leaves, index, mask}
+  wire                 item_valid;
+  wire                 item_ready = !item_q || out_ready;
+  wire [22:0]          item;
+
+  assign out_valid = item_q;
+  assign {out_last, out_columns, out_leaves, out_index, out_mask} = items_q;
 
   sepax_tree_compare #(.W(W), .FULL(FULL), .SLOT(SLOT)) compare (
     .clk(clk), .rst(rst), .drop(drop), .matrix(matrix), .sigma({sigma_b, sigma_a}),
@@ -166,9 +174,9 @@ module sepax_tree_engine #(
     .boxes_a(node_a[1023:256]), .boxes_b(node_b[1023:256]), .turn_valid(setup_turn),
     .turn_ready(1'b1), .turn_side(setup_side), .turn_point(setup_point),
     .turn_origin(setup_origin), .turned_valid(setup_q[2]), .turned(turned),
-    .out_valid(out_valid), .out_ready(out_ready), .out_last(out_last), .out_side(unused_side),
-    .out_columns(out_columns), .out_leaves(out_leaves), .out_index(out_index),
-    .out_mask(out_mask), .out_a(unused_a), .out_b(unused_b)
+    .out_valid(item_valid), .out_ready(item_ready), .out_last(item[22]),
+    .out_side(unused_side), .out_columns(item[21]), .out_leaves(item[20]),
+    .out_index(item[19:16]), .out_mask(item[15:0]), .out_a(unused_a), .out_b(unused_b)
   );
   sepax_turn_vertex #(.W(W)) turner (
     .clk(clk), .matrix(matrix), .shift({shift_u, shift_t}), .side(setup_turn && setup_side),
@@ -178,10 +186,14 @@ module sepax_tree_engine #(
 
   always @(posedge clk) begin
     if (clear) begin
-      {setup_q, rows_q} <= 6'd0;
+      {setup_q, rows_q, item_q} <= 7'd0;
     end else begin
+      item_q <= item_valid || !item_ready;
       setup_q <= {setup_q[1:0], setup_turn};
       rows_q <= {rows_q[1:0], rows_turn && !setup_turn};
+    end
+    if (item_ready) begin
+      items_q <= item;
     end
     damaged_q <= {damaged_q[1:0], rows_damaged};
   end

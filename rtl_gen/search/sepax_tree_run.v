@@ -72,6 +72,8 @@ module sepax_tree_run #(
   reg          busy_q;     // a run is going on
   reg          ending_q;   // it only waits for what is under way
   reg  [1:0]   dropped_q;  // what was dropped is gone
+  reg          entry_q, row_q, pair_q; // counts
+  reg  [4:0]   steps_q;
   reg  [FLIGHT:0] known_q; // pairs whose verdicts are to come
   wire         known;
   wire [22:0]  leaf_a, leaf_b;
@@ -126,6 +128,7 @@ module sepax_tree_run #(
                  (judged ? ONE : {(FLIGHT+1){1'b0}});
     end
     dropped_q <= {dropped_q[0], ending_q && !drop};
+    {entry_q, row_q, pair_q, steps_q} <= {entry_counted, row_counted, pair_counted, steps_counted};
     if (free) begin
       result_a <= a;
       result_b <= b;
@@ -140,10 +143,10 @@ module sepax_tree_run #(
       {entries, steps, rows, pairs, near, collisions, out_of_range, warnings} <= 256'd0;
       cycles <= 32'd1;
     end else begin
-      entries <= entries + {31'd0, entry_counted};
-      steps <= steps + {27'd0, steps_counted};
-      rows <= rows + {31'd0, row_counted};
-      pairs <= pairs + {31'd0, pair_counted};
+      entries <= entries + {31'd0, entry_q};
+      steps <= steps + {27'd0, steps_q};
+      rows <= rows + {31'd0, row_q};
+      pairs <= pairs + {31'd0, pair_q};
       near <= near + {31'd0, counted};
       collisions <= collisions + {31'd0, found};
       out_of_range <= out_of_range + {31'd0, found && outside};
