@@ -97,7 +97,7 @@ public:
   // False if it hangs. stop: the cycle in which it is stopped.
   bool run(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask) {
     begin(scene, pose, ask);
-    for (uint64_t cycle = 0; cycle < 20000000; cycle++) {
+    for (uint64_t cycle = 0; cycle < 2000000; cycle++) {
       top->stop = cycle == ask.stop;
       top->result_ready = stress == 0 || memory_draw(&stress) % 4 != 0;
       if (tick()) {
