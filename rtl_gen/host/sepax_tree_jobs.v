@@ -35,7 +35,7 @@ module sepax_tree_jobs #(
   input  wire [26:0]        job_row_b,   // {b, leaf B}
   // runs of the engine
   input  wire               run_idle,    // a run may begin
-  output wire               run_start,   // it begins
+  output reg                run_start,   // it begins
   output wire               run_stop,    // it is to end
   output wire               run_cold,    // with run_start: the caches forget what they have
   output reg                row,         // a first row is given
@@ -93,7 +93,6 @@ module sepax_tree_jobs #(
   assign ask_beats = ask_job ? JOB_LAST : POSE_LAST;
   assign read = (state_q == LOAD);
   assign clear = (state_q == WAIT);
-  assign run_start = begins;
   assign run_stop = stop_q && (state_q == RUN);
   assign run_cold = modes[3] || (first_pose_q && !modes[4]);
   assign send = ends || (state_q == FAIL);
@@ -105,7 +104,7 @@ module sepax_tree_jobs #(
   always @(posedge clk) begin
     if (rst) begin
       state_q <= IDLE;
-      {load_job, load_pose, stop_q} <= 3'd0;
+      {run_start, load_job, load_pose, stop_q} <= 4'd0;
     end else begin
       case (state_q)
         IDLE: state_q <= start ? ASK : IDLE;
@@ -123,6 +122,7 @@ module sepax_tree_jobs #(
         FAIL: state_q <= END;
         default: state_q <= done ? IDLE : END;
       endcase
+      run_start <= begins;
       load_job <= read && of_job_q && !(|loaded_q);
       load_pose <= read && !of_job_q && !(|loaded_q);
       stop_q <= busy && (stop_q || stop);

@@ -73,7 +73,8 @@ module sepax_tree_walk #(
   output wire         row_counted     // a row
 );
   localparam LOAD = STACK + 2; // bits of stack + 16 line + 15 HEIGHT
-  localparam INFO = 189;
+  localparam INFO = 220; // bits that wait with an entry, in a memory
+  localparam FLAGS = 7;  // and in registers, as they decide at once
   localparam [LOAD-1:0] MOST = (1 << STACK) - 16; // from which on nothing is popped
   localparam [2:0] IDLE = 3'd0, PROBE = 3'd1, ROOT = 3'd2, FIRST = 3'd3, WALK = 3'd4, OVER = 3'd5;
 
@@ -133,6 +134,9 @@ module sepax_tree_walk #(
   wire [22:0]  node_a, node_b;
   wire [31:0]  first_a;
   wire [23:0]  first_b;
+  wire [18:0]  after_a, after_b; // bits 22 ... 4 of first_a, of first_b, plus 1
+  reg  [4*FLAGS-1:0] flags_q;    // of entries that are compared
+  reg  [FLAGS-1:0]   flag_q;     // of the oldest
 
   assign head_read = begins && !node_out_error && (direct || in_ready);
   assign in_valid = begins && !node_out_error && !direct;
@@ -155,16 +159,16 @@ module sepax_tree_walk #(
   sepax_ram #(.WIDTH(INFO), .ADDRESS(2)) compared (
     .clk(clk), .write(store), .write_address(tail_q),
     .write_data({
-      node_out_error, bad_a || bad_b, direct, !(|node_out[61:46]), node_out[62],
-      !(|head_a[7:4]), !(|head_b[7:4]), node_out[53:46], node_out[45:0], head_a[43:12],
-      head_b[35:12], head_a[75:44], head_a[11:8], head_b[75:44], head_b[11:8]
+      head_a[34:16] + 19'd1, head_b[34:16] + 19'd1, node_out[53:46], node_out[45:0],
+      head_a[43:12], head_b[35:12], head_a[75:44], head_a[11:8], head_b[75:44], head_b[11:8]
     }),
     .read(fetch), .read_address(head_q),
     .read_data({
-      is_error, is_bad, is_direct, is_own, side, leaf_a, leaf_b, child, node_a, node_b, first_a,
-      first_b, leaf_in_a, leaf_in_beats_a, leaf_in_b, leaf_in_beats_b
+      after_a, after_b, child, node_a, node_b, first_a, first_b, leaf_in_a, leaf_in_beats_a,
+      leaf_in_b, leaf_in_beats_b
     })
   );
+  assign {is_error, is_bad, is_direct, is_own, side, leaf_a, leaf_b} = flag_q;
 
   // ------------------------------------------------------ items of the oldest entry
   wire         faulty = current_q && (is_error || is_bad);
@@ -181,8 +185,10 @@ module sepax_tree_walk #(
   wire         no_leaves = first_row && !(leaf_a && leaf_b);
   wire         no_nodes = ({1'b0, row_leaf_a} >= nodes_a) || ({1'b0, row_leaf_b} >= nodes_b);
   wire         of_b = out_columns ? side : !side; // whose child is the next node
-  wire [22:0]  next_a = first_a[22:0] + {19'd0, out_index};
-  wire [22:0]  next_b = first_b[22:0] + {19'd0, out_index};
+  wire [4:0]   low_a = {1'b0, first_a[3:0]} + {1'b0, out_index};
+  wire [4:0]   low_b = {1'b0, first_b[3:0]} + {1'b0, out_index};
+  wire [22:0]  next_a = {low_a[4] ? after_a : first_a[22:4], low_a[3:0]};
+  wire [22:0]  next_b = {low_b[4] ? after_b : first_b[22:4], low_b[3:0]};
   wire [15:0]  first_mask = half(~(16'hfffe << head_b[3:0])); // of the root of B
   wire         rows_ready = row_ready && !(last && leaves_due);
 
@@ -257,6 +263,15 @@ module sepax_tree_walk #(
       load_q <= load_q + {{(LOAD-1){1'b0}}, push} - {{(LOAD-1){1'b0}}, pop} +
                 {{(LOAD-5){1'b0}}, pop, 4'd0} -
                 {{(LOAD-5){1'b0}}, finish && walking, 4'd0};
+    end
+    if (store) begin
+      flags_q[5'd7 * {3'd0, tail_q} +: FLAGS] <= {
+        node_out_error, bad_a || bad_b, direct, !(|node_out[61:46]), node_out[62],
+        !(|head_a[7:4]), !(|head_b[7:4])
+      };
+    end
+    if (fetch) begin
+      flag_q <= flags_q[5'd7 * {3'd0, head_q} +: FLAGS];
     end
     steps_counted <= ((|in_mask) ? ones(in_mask) : 5'd1) & {5{in_valid && in_ready}};
   end

@@ -32,9 +32,9 @@ module sepax_tags #(
   reg  [3:0]      pinned_q;     // ways that are pinned
   reg  [1:0]      rotate_q;     // the way that is looked at first
   reg  [1:0]      way_q;        // the way that was found
+  reg  [TAG-1:0]  tag_q;        // of the request
   wire [3:0]      hit, pinned;
   wire [SETS-1:0] set = address[SETS-1:0] ^ address[2*SETS-1:SETS];
-  wire [TAG-1:0]  tag = address[ADDRESS-1:SETS];
   wire            read = (state_q == READ) && valid && !forget_q;
   wire            is_hit = |hit_q;
   wire            decide = (state_q == DECIDE);
@@ -59,10 +59,10 @@ module sepax_tags #(
       sepax_ram #(.WIDTH(WORD), .ADDRESS(SETS)) tags (
         .clk(clk), .write(forget_q || (enter && (way == w[1:0]))),
         .write_address(forget_q ? forget_set_q : set),
-        .write_data(forget_q ? {WORD{1'b0}} : {1'b1, tag, number}), .read(read),
+        .write_data(forget_q ? {WORD{1'b0}} : {1'b1, tag_q, number}), .read(read),
         .read_address(set), .read_data(word)
       );
-      assign hit[w] = word[WORD-1] && (word[WORD-2:NUMBER] == tag);
+      assign hit[w] = word[WORD-1] && (word[WORD-2:NUMBER] == tag_q);
       assign pinned[w] = word[WORD-1] && (|ago) && (ago <= used);
     end
   endgenerate
@@ -90,6 +90,9 @@ module sepax_tags #(
         DECIDE: state_q <= enter ? (next ? READ : FOUND) : miss_valid ? DECIDE : COMPARE;
         default: state_q <= next ? READ : FOUND;
       endcase
+    end
+    if (read) begin
+      tag_q <= address[ADDRESS-1:SETS];
     end
     if (state_q == COMPARE) begin
       hit_q <= hit;

@@ -1,5 +1,7 @@
 # What synth/area/map found in a netlist of synth/netlist.jq, with the names of its modules ($names,
-# of synth/area/names.jq), the library ($cells), the design ($design) and its timing ($timing).
+# of synth/area/names.jq), the library ($cells), the design ($design) and its timing ($timing); and
+# the bits of the memories, $memory, that were moved out of it ($inside: null, or yosys' JSON
+# before that).
 
 include "netlist";
 
@@ -11,6 +13,15 @@ def instances($top):
       else [$modules | to_entries[] | select(.value[$m]) | .value[$m] * times(.key)] | add // 0
       end;
     with_entries(.value = times(.key));
+
+def binary: reduce (explode[] - 48) as $bit (0; 2 * . + $bit);
+def memory_bits($modules):
+  . as $m
+  | if sub("^\\$paramod(\\$[0-9a-f]+)?\\\\"; "") | split("\\")[0] == $memory then
+      $modules[$m].parameter_default_values | (.WIDTH | binary) * pow(2; .ADDRESS | binary)
+    else
+      [$modules[$m].cells[].type | select($modules[.]) | memory_bits($modules)] | add // 0
+    end;
 
 $cells[0].cells as $library_cell
 | ($library_cell | map_values({area: (.area // 0),
@@ -55,6 +66,8 @@ $cells[0].cells as $library_cell
         area: ([$rows[].area] | add | rounded(1000)),
         ge: ([$rows[].ge_total] | add | rounded(1000)),
         ff: ([$rows[] | .ff * .instances] | add),
+        memory_bits: (if $inside[0] then $inside[0].modules as $all | $top | memory_bits($all)
+                      else null end),
         modules: ($rows | map(del(.area)) | sort_by(-.ge_total, .name))
       }
     }

@@ -31,7 +31,8 @@ def same_choices($a; $b): ($a.options | ltrimstr("--arch=paper"))
       + "\($it.ge / .ge | over) (table 4: 1961K : 1212K = 1.62)"),
   (.designs[] | .ge as $all
     | "\n\(.arch), W = \(.word), II = \(.ii), \(.precision)"
-      + (if .arch != "exact" then ", multipliers \(.multipliers)" else "" end) + ":",
+      + (if .arch != "exact" then ", multipliers \(.multipliers)" else "" end)
+      + (if .memory_bits then ", and memories of \(.memory_bits) bits" else "" end) + ":",
     (["module", "instances", "GE each", "GE in all", "share", "FF each"],
      (.modules[] | [.name, .instances, (.ge | round), (.ge_total | round),
        (.ge_total | share($all)), .ff]) | @tsv))

@@ -4,9 +4,14 @@
 # that begin with a word of its own, for synth/timing/sta.
 
 constrain $period $clock
-# Registers whose input is a constant, through full adders with constant inputs, say, have no path.
+# Outputs that are constants, and registers whose input is one, through full adders with constant
+# inputs, say, have no path.
 foreach pin [all_registers -data_pins] {
   if {[::sta::pin_sim_logic_value $pin] in {0 1}} { puts "constant [get_full_name $pin]" }
+}
+foreach port [all_outputs] {
+  set pin [::sta::get_port_pin_arg "port" $port warn]
+  if {[::sta::pin_sim_logic_value $pin] in {0 1}} { puts "constant [get_name $port]" }
 }
 puts "check_setup"
 check_setup -verbose
