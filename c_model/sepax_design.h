@@ -269,6 +269,9 @@ typedef struct {
   sepax_motion motion[2]; /* of A, of B */
   int poses;              /* to sample where a body moves */
   uint64_t seed;
+  const sepax_poses *path; /* the poses of B, all there are; A stands, `motion` is not read. NULL:
+                              none */
+  uint64_t pairs_most;     /* of a path with more pairs of triangles no jobs are found; 0: of any */
 } sepax_space;
 
 /* What one pose gives a design to do. */
@@ -289,42 +292,64 @@ typedef struct {
   size_t count[2];
   int64_t extent[2];
   int core_word;  /* bits of a coordinate behind the AABB test, at most grid.word */
-  uint64_t given; /* pairs of triangles with overlapping AABBs in the pose of the files, counted */
-  uint64_t worst; /* the most that were counted in that and in `poses` sampled poses; no bound */
-  int poses;
-  sepax_job *job; /* of the pose of the files and of each sampled one: 1 + poses */
+  uint64_t given; /* pairs of triangles with overlapping AABBs in the pose of the files, or the
+                     first of the path, counted */
+  uint64_t worst; /* the most that were counted in any pose; where poses are sampled, no bound */
+  int poses;      /* that were sampled */
+  sepax_job *job; /* of the pose of the files and of each sampled one, or of each of the path */
+  size_t jobs;
+  size_t path;              /* poses of the path, 0 without one */
+  struct size_trees *trees; /* of a path: what a tree engine reads; NULL: none, as W is above 21 */
 } sepax_size;
 
 /* Fails on no triangles, 2^32 or more, an empty range, a workspace that does not hold all poses,
- * more than 32 bits, and without memory. Free *size with sepax_size_free. docs/size.md. */
+ * more than 32 bits, a path that a tree engine cannot be given (sepax_tree_pose_make), and without
+ * memory. Free *size with sepax_size_free. docs/size.md. */
 bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b,
                       const sepax_space *space, sepax_error *error);
 void sepax_size_free(sepax_size *size);
 
 /* Gates (GE) of architecture exact at 2 ns, by a formula fitted to mapped designs (Nangate45
- * typical); *error is the largest error of the formula if this design is like those. An object
- * engine is counted without its memories. The design is one that sepax_design_init made.
- * docs/size.md. */
+ * typical); *error is the largest error of the formula if this design is like those. An engine is
+ * counted without its memories. The design is one that sepax_design_init made. docs/size.md. */
 double sepax_gates(const sepax_design *design, double *error);
+
+/* Bits of the memories of an engine, 0 of a core alone. */
+uint64_t sepax_memory_bits(const sepax_config *config);
+
+/* Which designs are looked at. */
+typedef struct {
+  double seconds; /* that a pose may take */
+  int clock_ps;
+  int lanes_least, lanes_most; /* 0 ... SEPAX_LANES_MAX; 0 is the core alone; least > most: none */
+  bool tree;                   /* tree engines, too, if the size is that of a path */
+  bool first;                  /* they end a pose at its first collision */
+  int latency;                 /* of their memory, cycles; 0: SEPAX_TREE_LATENCY */
+} sepax_size_request;
 
 /* A design for all pairs of a scene. */
 typedef struct {
-  sepax_config config; /* with lanes: an object engine; without: the core alone, given every pair */
+  sepax_config config; /* with lanes: an object engine; with tree: a tree engine; else the core
+                          alone, given every pair */
   double gates, gates_error; /* sepax_gates */
   bool fitted;               /* the formula was fitted to designs like this one */
-  uint64_t cycles; /* for all pairs in the pose that takes the most of those of `size`: where poses
-                      were sampled no bound. As predicted by the golden model (sepax_engine, to
-                      about 1 %), without loading and the latency of a core */
+  uint64_t cycles; /* in the pose that takes the most of those of `size`: where poses were sampled
+                      no bound. As predicted by the golden models (sepax_engine, to about 1 %; of a
+                      tree engine sepax_tree_run.cycles, with cold caches), without the latency of a
+                      core. On a path an object engine loads the objects anew, 3 cycles a triangle
+                      (docs/engine.md, Motion); else loading is left out */
+  double mean;     /* cycles a pose */
+  size_t worst;    /* number of the pose that takes `cycles` */
   double seconds;
 } sepax_sized_design;
 
-/* The design of the fewest gates (sepax_gates) that judges all pairs of `size` within `seconds` in
- * each of its poses, at a period of clock_ps: of all with lanes_least ... lanes_most lanes (0 ...
- * SEPAX_LANES_MAX; 0 is the core alone), any number of cores behind them, any II that gates are
- * known for, and with or without extents. Fails if none is fast enough, and names the time of the
- * fastest; and without memory. */
-bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size, double seconds,
-                       int clock_ps, int lanes_least, int lanes_most, sepax_error *error);
+/* The design of the fewest gates (sepax_gates) that judges all pairs of `size` within the time in
+ * each of its poses: of all that the request names, any number of cores, any II that gates are
+ * known for, and, but for tree engines, with or without extents. Fails without memory, and if none
+ * is fast enough: then the error names the time of the fastest, or one that none is below, and
+ * cycles and seconds of *sized are that, else 0. */
+bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size,
+                       const sepax_size_request *request, sepax_error *error);
 
 #ifdef __cplusplus
 }

@@ -287,3 +287,13 @@ uint64_t job_least_cycles(uint64_t passes, const size_t count[2], const sepax_co
   uint64_t busy = each > idle ? (each - idle) * ii : 0;
   return steps > busy ? steps : busy;
 }
+
+/* A's memory is filled with one part after the other, B's with all of its parts for each; what
+ * fits stays there. */
+uint64_t job_loading(const size_t count[2], const sepax_config *config) {
+  part_sizes size[2];
+  sizes_of(size, count, config);
+  uint64_t of_a = parts(&size[0]) > 1 ? size[0].count : 0;
+  uint64_t of_b = parts(&size[1]) > 1 ? parts(&size[0]) * size[1].count : size[1].count;
+  return 3 * (of_a + of_b);
+}

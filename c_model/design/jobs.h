@@ -2,7 +2,7 @@
 #ifndef SEPAX_JOBS_H
 #define SEPAX_JOBS_H
 
-#include "sepax_design.h"
+#include "sepax_tree.h"
 #include "util/aabb.h"
 
 /* Two quantised bodies, with the AABBs of their triangles. */
@@ -23,5 +23,28 @@ uint64_t job_cycles(const sepax_job *job, const size_t count[2], const sepax_con
 
 /* No job of `passes` passes of candidates takes fewer cycles. */
 uint64_t job_least_cycles(uint64_t passes, const size_t count[2], const sepax_config *config);
+
+/* Cycles in which the vertices of a turned B come, and A's where they did not stay: with lanes. */
+uint64_t job_loading(const size_t count[2], const sepax_config *config);
+
+/* --------------------------------------------------------------------- on a path */
+
+/* The bodies of a path as a tree engine gets them. */
+struct size_trees {
+  sepax_tree *tree[2];
+  sepax_tree_pose *pose;
+  size_t poses;
+  int word; /* of both, 4 ... 21 */
+};
+
+/* Of quantised bodies, each on a grid of its own, which differ in offset and word. Fails as
+ * sepax_tree_new and sepax_tree_pose_make do. */
+bool size_trees_new(struct size_trees **trees, const job_bodies *bodies, const sepax_grid grid[2],
+                    const sepax_poses *path, sepax_error *error);
+void size_trees_free(struct size_trees *trees);
+
+/* A tree engine of this configuration in a pose. */
+bool size_trees_walk(const struct size_trees *trees, const sepax_config *config, size_t pose,
+                     const sepax_size_request *request, sepax_tree_run *run, sepax_error *error);
 
 #endif

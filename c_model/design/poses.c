@@ -2,15 +2,13 @@
  * candidates the AABB test leaves. docs/size.md. */
 #include "design/interval.h"
 #include "design/jobs.h"
-#include "sepax_vectors.h"
+#include "design/motion.h"
 #include "util/error.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 static const char axis_name[] = "xyz";
-static const double full_angle = 6.283185307179586;
-
 /* Rounding when a body is moved in double precision stays well below this share. */
 static const double slack = 0x1p-40;
 
@@ -31,24 +29,11 @@ static void extend(range *r, int axis, double low, double high) {
   r->high[axis] = fmax(r->high[axis], high);
 }
 
-static bool moves(const sepax_motion *m) {
-  bool shifted = false;
-  for (int axis = 0; axis < 3; axis++) {
-    shifted = shifted || m->low[axis] != 0 || m->high[axis] != 0;
-  }
-  return shifted || m->rotation != SEPAX_ROTATION_NONE;
-}
-
-/* True iff the rotation does not change this coordinate. */
-static bool kept(sepax_rotation rotation, int axis) {
-  return rotation == SEPAX_ROTATION_NONE || (int)rotation - SEPAX_ROTATION_X == axis;
-}
-
 /* The length of d without the component that the rotation does not change. */
 static double length_rotated(const double d[3], sepax_rotation rotation) {
   double square = 0;
   for (int axis = 0; axis < 3; axis++) {
-    square += kept(rotation, axis) ? 0 : d[axis] * d[axis];
+    square += motion_keeps(rotation, axis) ? 0 : d[axis] * d[axis];
   }
   return sqrt(square);
 }
@@ -64,21 +49,68 @@ static void extend_by_vertex(range *hull, const double v[3], const sepax_motion 
   for (int axis = 0; axis < 3; axis++) {
     double c = m->centre[axis];
     double r = radius + slack * (radius + fabs(c));
-    bool still = kept(m->rotation, axis);
+    bool still = motion_keeps(m->rotation, axis);
     double low = still ? v[axis] : fmin(c - r, v[axis]);
     double high = still ? v[axis] : fmax(c + r, v[axis]);
     extend(hull, axis, low + fmin(m->low[axis], 0), high + fmax(m->high[axis], 0));
   }
 }
 
-static range hull_of(const sepax_mesh *const mesh[2], const sepax_motion motion[2]) {
-  range hull = nowhere();
-  for (int i = 0; i < 2; i++) {
-    for (size_t n = 0; n < 3 * mesh[i]->count; n++) {
-      extend_by_vertex(&hull, mesh[i]->facet[n / 3].v[n % 3], &motion[i]);
+static void extend_by_body(range *hull, const sepax_mesh *mesh, const sepax_motion *motion) {
+  for (size_t n = 0; n < 3 * mesh->count; n++) {
+    extend_by_vertex(hull, mesh->facet[n / 3].v[n % 3], motion);
+  }
+}
+
+static double placed(const sepax_pose *p, const double v[3], int axis) {
+  const double *m = p->rotation[axis];
+  return m[0] * v[0] + m[1] * v[1] + m[2] * v[2] + p->translation[axis];
+}
+
+static void extend_by_path(range *hull, const sepax_mesh *mesh, const sepax_poses *path) {
+  double reach = 0;
+  for (size_t k = 0; k < path->count; k++) {
+    for (size_t n = 0; n < 3 * mesh->count; n++) {
+      const double *v = mesh->facet[n / 3].v[n % 3];
+      for (int axis = 0; axis < 3; axis++) {
+        double x = placed(&path->pose[k], v, axis);
+        extend(hull, axis, x, x);
+        reach = fmax(reach, fabs(v[axis]) + fabs(path->pose[k].translation[axis]));
+      }
     }
   }
+  for (int axis = 0; axis < 3; axis++) {
+    extend(hull, axis, hull->low[axis] - slack * reach, hull->high[axis] + slack * reach);
+  }
+}
+
+static range hull_of(const sepax_mesh *const mesh[2], const sepax_space *space) {
+  static const sepax_motion still = {.rotation = SEPAX_ROTATION_NONE};
+  range hull = nowhere();
+  if (space->path != NULL) {
+    extend_by_path(&hull, mesh[1], space->path);
+    extend_by_body(&hull, mesh[0], &still);
+    return hull;
+  }
+  for (int i = 0; i < 2; i++) {
+    extend_by_body(&hull, mesh[i], &space->motion[i]);
+  }
   return hull;
+}
+
+/* How a body turns. */
+static sepax_rotation rotation_of(const sepax_space *space, int body) {
+  if (space->path == NULL) {
+    return space->motion[body].rotation;
+  }
+  for (size_t k = 0; k < space->path->count && body == 1; k++) {
+    for (int n = 0; n < 9; n++) {
+      if (space->path->pose[k].rotation[n / 3][n % 3] != (n % 4 == 0)) {
+        return SEPAX_ROTATION_ANY;
+      }
+    }
+  }
+  return SEPAX_ROTATION_NONE;
 }
 
 /* The longest side that the AABB of a facet has in any pose, file units. */
@@ -88,7 +120,7 @@ static double longest_side(const sepax_facet *f, sepax_rotation rotation) {
     double edge[3];
     for (int axis = 0; axis < 3; axis++) {
       edge[axis] = f->v[(k + 1) % 3][axis] - f->v[k][axis];
-      side = kept(rotation, axis) ? fmax(side, fabs(edge[axis])) : side;
+      side = motion_keeps(rotation, axis) ? fmax(side, fabs(edge[axis])) : side;
     }
     side = fmax(side, length_rotated(edge, rotation));
   }
@@ -157,92 +189,29 @@ static void release(bodies *r) {
 
 /* ------------------------------------------------------------------ sampled poses */
 
-/* Numbers of 0 ... 1 of each body: three for its shift, three for its rotation. */
-typedef struct {
-  double u[2][6];
-} pose;
-
-static double unit(sepax_random *random) {
-  return (double)(sepax_random_next(random) >> 11) * 0x1p-53;
-}
-
-/* The pose of the files, or the nearest to it in the ranges. */
-static pose pose_of_files(const sepax_motion motion[2]) {
-  static const double no_rotation[3] = {0, 0.25, 0};
-  pose p;
-  for (int k = 0; k < 12; k++) {
-    int axis = k % 6;
-    double low = motion[k / 6].low[axis % 3];
-    double way = motion[k / 6].high[axis % 3] - low;
-    double u = way > 0 ? fmin(fmax(-low / way, 0), 1) : 0;
-    p.u[k / 6][axis] = axis < 3 ? u : no_rotation[axis - 3];
-  }
-  return p;
-}
-
-/* Any pose, or one within a share of the ranges around another pose. */
-static pose draw_pose(const pose *centre, double share, sepax_random *random) {
-  pose p;
-  for (int k = 0; k < 12; k++) {
-    double u = unit(random);
-    if (centre != NULL) {
-      double moved = centre->u[k / 6][k % 6] + share * (u - 0.5);
-      u = k % 6 < 3 ? fmin(fmax(moved, 0), 1) : moved - floor(moved);
-    }
-    p.u[k / 6][k % 6] = u;
-  }
-  return p;
-}
-
-/* A rotation about one axis, or any rotation (Shoemake: uniform). */
-static void rotation_matrix(double m[3][3], sepax_rotation rotation, const double u[3]) {
-  double q[4] = {1, 0, 0, 0};
-  if (rotation == SEPAX_ROTATION_ANY) {
-    double p = sqrt(1 - u[0]);
-    double r = sqrt(u[0]);
-    q[0] = p * sin(full_angle * u[1]);
-    q[1] = p * cos(full_angle * u[1]);
-    q[2] = r * sin(full_angle * u[2]);
-    q[3] = r * cos(full_angle * u[2]);
-  } else if (rotation != SEPAX_ROTATION_NONE) {
-    q[0] = cos(full_angle / 2 * u[0]);
-    q[1 + (int)rotation - SEPAX_ROTATION_X] = sin(full_angle / 2 * u[0]);
-  }
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    m[i][i] = 1 - 2 * (q[1 + j] * q[1 + j] + q[1 + k] * q[1 + k]);
-    m[i][j] = 2 * (q[1 + i] * q[1 + j] - q[0] * q[1 + k]);
-    m[i][k] = 2 * (q[1 + i] * q[1 + k] + q[0] * q[1 + j]);
-  }
-}
-
-static void move_body(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_motion *motion,
-                      const double u[6]) {
-  double m[3][3];
-  rotation_matrix(m, motion->rotation, &u[3]);
-  for (size_t n = 0; n < 3 * mesh->count; n++) {
-    const double *v = mesh->facet[n / 3].v[n % 3];
-    for (int i = 0; i < 3; i++) {
-      double x = v[i];
-      if (!kept(motion->rotation, i)) {
-        x = motion->centre[i];
-        for (int k = 0; k < 3; k++) {
-          x += m[i][k] * (v[k] - motion->centre[k]);
-        }
-      }
-      double shift = motion->low[i] + u[i] * (motion->high[i] - motion->low[i]);
-      moved->facet[n / 3].v[n % 3][i] = x + shift;
-    }
-  }
-}
-
 /* The job of the pose in which the bodies are now. */
 static bool add_job(sepax_size *size, const bodies *r, sepax_error *error) {
-  if (!job_find(&size->job[size->poses + 1], &r->on_grid, error)) {
+  if (!job_find(&size->job[size->jobs], &r->on_grid, error)) {
     return false;
   }
-  size->poses++;
+  uint64_t candidates = size->job[size->jobs++].candidates;
+  size->worst = candidates > size->worst ? candidates : size->worst;
+  return true;
+}
+
+static bool find_path_jobs(sepax_size *size, bodies *r, const sepax_mesh *mesh,
+                           const sepax_poses *path, sepax_error *error) {
+  for (size_t k = 0; k < path->count; k++) {
+    for (size_t n = 0; n < 3 * mesh->count; n++) {
+      for (int axis = 0; axis < 3; axis++) {
+        r->moved[1].facet[n / 3].v[n % 3][axis] =
+            placed(&path->pose[k], mesh->facet[n / 3].v[n % 3], axis);
+      }
+    }
+    if (!quantise_body(r, 1, &r->moved[1], &size->grid, error) || !add_job(size, r, error)) {
+      return false;
+    }
+  }
   return true;
 }
 
@@ -251,26 +220,25 @@ static bool add_job(sepax_size *size, const bodies *r, sepax_error *error) {
 static bool sample_poses(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2],
                          const sepax_space *space, sepax_error *error) {
   sepax_random random = {space->seed};
-  pose worst = pose_of_files(space->motion);
+  motion_pose worst = motion_pose_of_files(space->motion);
   for (int n = 0; n < space->poses; n++) {
     bool anywhere = 2 * n < space->poses || size->worst == 0;
     double share = 0.5 * exp2(8 - 16.0 * n / space->poses);
-    pose p = draw_pose(anywhere ? NULL : &worst, share, &random);
+    motion_pose p = motion_draw(anywhere ? NULL : &worst, share, &random);
     for (int i = 0; i < 2; i++) {
-      if (moves(&space->motion[i])) {
-        move_body(&r->moved[i], mesh[i], &space->motion[i], p.u[i]);
+      if (motion_moves(&space->motion[i])) {
+        motion_apply(&r->moved[i], mesh[i], &space->motion[i], p.u[i]);
         if (!quantise_body(r, i, &r->moved[i], &size->grid, error)) {
           return false;
         }
       }
     }
+    uint64_t most = size->worst;
     if (!add_job(size, r, error)) {
       return false;
     }
-    if (size->job[n + 1].candidates > size->worst) {
-      size->worst = size->job[n + 1].candidates;
-      worst = p;
-    }
+    size->poses++;
+    worst = size->worst > most ? p : worst;
   }
   return true;
 }
@@ -346,6 +314,9 @@ static bool check_space(const sepax_mesh *const mesh[2], const sepax_space *spac
                         UINT32_MAX);
     }
   }
+  if (space->path != NULL && space->path->count == 0) {
+    return sepax_fail(error, "poses: there are none; give a path of some");
+  }
   if (!(space->resolution > 0 && isfinite(space->resolution))) {
     return sepax_fail(error, "resolution: %g is not a length above 0", space->resolution);
   }
@@ -365,36 +336,58 @@ static bool check_space(const sepax_mesh *const mesh[2], const sepax_space *spac
   return true;
 }
 
+/* B's tree is in coordinates about B's own middle. */
+static bool find_trees(sepax_size *size, const bodies *r, const sepax_mesh *mesh,
+                       const sepax_space *space, sepax_error *error) {
+  static const sepax_motion still = {.rotation = SEPAX_ROTATION_NONE};
+  const sepax_space own = {.resolution = space->resolution};
+  sepax_grid grid[2] = {size->grid};
+  range of_b = nowhere();
+  extend_by_body(&of_b, mesh, &still);
+  if (!find_grid(&grid[1], &of_b, &own, error)) {
+    return false;
+  }
+  if (grid[0].word > SEPAX_TREE_WORD_MAX || grid[1].word > SEPAX_TREE_WORD_MAX) {
+    return true;
+  }
+  return sepax_quantise(mesh, &grid[1], r->on_grid.tri[1], NULL, error) &&
+         size_trees_new(&size->trees, &r->on_grid, grid, space->path, error);
+}
+
 static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2],
                     const sepax_space *space, const range *all, sepax_error *error) {
   double reach = 0;
   for (int axis = 0; axis < 3; axis++) {
     reach = fmax(reach, fmax(fabs(all->low[axis]), fabs(all->high[axis])));
   }
-  bool moving = moves(&space->motion[0]) || moves(&space->motion[1]);
+  const sepax_poses *path = space->path;
+  size->path = path != NULL ? path->count : 0;
+  bool moving = path != NULL || motion_moves(&space->motion[0]) || motion_moves(&space->motion[1]);
   for (int i = 0; i < 2; i++) {
-    if (!quantise_body(r, i, mesh[i], &size->grid, error)) {
+    if ((i == 0 || path == NULL) && !quantise_body(r, i, mesh[i], &size->grid, error)) {
       return false;
     }
     size->count[i] = mesh[i]->count;
-    size->extent[i] =
-        moving || space->workspace != SEPAX_WORKSPACE_NONE
-            ? extent_moved(mesh[i], space->motion[i].rotation, reach, space->resolution)
-            : longest_side_of(r->on_grid.bounds[i], mesh[i]->count);
+    size->extent[i] = moving || space->workspace != SEPAX_WORKSPACE_NONE
+                          ? extent_moved(mesh[i], rotation_of(space, i), reach, space->resolution)
+                          : longest_side_of(r->on_grid.bounds[i], mesh[i]->count);
   }
   int bits = bits_behind_aabb_test(size->extent[0], size->extent[1], 0);
   size->core_word = bits < size->grid.word ? bits : size->grid.word;
-  size->poses = -1;
-  size->job = calloc(1 + (size_t)space->poses, sizeof *size->job);
+  size_t most = path != NULL ? path->count : 1 + (size_t)space->poses;
+  size->job = calloc(most, sizeof *size->job);
   if (size->job == NULL) {
-    return sepax_fail(error, "no memory for %d poses; sample fewer", space->poses);
+    return sepax_fail(error, "no memory for %zu poses; give fewer", most);
   }
-  if (!add_job(size, r, error)) {
+  uint64_t pairs = (uint64_t)size->count[0] * size->count[1];
+  bool left_out = path != NULL && space->pairs_most > 0 && pairs > space->pairs_most;
+  if (!left_out &&
+      !(path != NULL ? find_path_jobs(size, r, mesh[1], path, error) : add_job(size, r, error))) {
     return false;
   }
   size->given = size->job[0].candidates;
-  size->worst = size->given;
-  return !moving || sample_poses(size, r, mesh, space, error);
+  return path != NULL ? find_trees(size, r, mesh[1], space, error)
+                      : !moving || sample_poses(size, r, mesh, space, error);
 }
 
 bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b,
@@ -405,7 +398,7 @@ bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b
   if (!check_space(mesh, space, error)) {
     return false;
   }
-  range hull = hull_of(mesh, space->motion);
+  range hull = hull_of(mesh, space);
   if (!find_space(&all, &hull, space, error) || !find_grid(&found.grid, &all, space, error)) {
     return false;
   }
@@ -427,9 +420,12 @@ bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b
 }
 
 void sepax_size_free(sepax_size *size) {
-  for (int n = 0; n <= size->poses && size->job != NULL; n++) {
+  for (size_t n = 0; n < size->jobs; n++) {
     free(size->job[n].pass);
   }
   free(size->job);
+  size_trees_free(size->trees);
   size->job = NULL;
+  size->jobs = 0;
+  size->trees = NULL;
 }

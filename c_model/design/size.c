@@ -1,72 +1,44 @@
-/* size.c - gates of a design before it is mapped, and the design of the fewest gates that judges a
- * scene in time. docs/size.md. */
+/* size.c - the design of the fewest gates that judges a scene in time. docs/size.md. */
+#include "design/gates.h"
 #include "design/jobs.h"
 #include "util/error.h"
 
 #include <stdlib.h>
 
-/* ----------------------------------------------------------------------- gates */
-
-enum { TERMS = 7 };
-
-/* GE of what each term counts: docs/results/area-nangate45.csv (Nangate45 typical, 2 ns as timed by
- * synth/area/map) as scripts/experiments/fit-area fits it, with the largest relative error on its
- * designs. */
-static const double ge_per_term[TERMS] = {4.6195, 8.7755, 1134.1, 35.031, 637.73, 1631.2, 635.7};
-static const int fitted_least = 8; /* bits of a coordinate */
-static const int fitted_most = 24;
-static const double largest_error = 0.0831;
-
-/* The same of what an object engine has around its core (docs/results/area-engine.csv,
- * scripts/experiments/fit-area -l): GE for each lane and bit of W, for each bit of W, and constant.
- * The fit has two word lengths, which give no error; 5 % is assumed. */
-static const double ge_per_lane_bit = 92.735;
-static const double ge_per_engine_bit = 405.8;
-static const double ge_of_engine = 12714;
-static const double engine_error = 0.05;
-
 /* Intervals of the designs that were mapped. */
 static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
 enum { INTERVALS = sizeof intervals / sizeof intervals[0] };
 
-static int units(int operations, int ii) { return (operations + ii - 1) / ii; }
+/* What a tree engine does in a pose, whatever its II and cores; the cycles of the fastest. */
+typedef struct {
+  uint64_t passes, least;
+} tree_work;
 
-/* What a core of w bits behind the AABB test is made of (docs/exact.md#formats): the bits of its
- * multipliers, a x b; the bits of the results of its sums; registers of any schedule; registers
- * that hold values within an II window (no more beyond 9 cycles); multiplexers of operands, where 3
- * does not divide II; control; the AABB test. */
-static void count_terms(double term[TERMS], const sepax_design *d) {
-  int ii = d->config.ii;
-  int w = d->core_word;
-  int trapezoids = units(15, ii);
-  int prisms = units(18, ii) + 1;
-  term[0] = trapezoids * (w + 1) * (w + 1) + prisms * (2 * w + 1) * (w + 3);
-  term[1] = (trapezoids + units(20, ii)) * (2 * w + 1) + (prisms + units(15, ii)) * (3 * w + 2);
-  term[2] = w;
-  term[3] = w * (ii < 9 ? ii : 9);
-  term[4] = ii > 1 && ii % 3 != 0 ? w : 0;
-  term[5] = 1;
-  term[6] = d->aabb_test ? d->config.word : 0;
+typedef struct {
+  const sepax_size *size;
+  const sepax_size_request *request;
+  sepax_sized_design *design; /* every one that there is, with a lower bound of its cycles */
+  size_t count;
+  uint64_t *steps; /* job_cycles */
+  tree_work *work; /* of each pose; NULL: no tree engine */
+} choice;
+
+static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
+
+static bool add_design(choice *all, const sepax_config *config, uint64_t least,
+                       sepax_error *error) {
+  sepax_design design;
+  if (!sepax_design_init(&design, config, error)) {
+    return false;
+  }
+  sepax_sized_design *m = &all->design[all->count++];
+  *m = (sepax_sized_design){.config = *config, .cycles = least};
+  m->gates = sepax_gates(&design, &m->gates_error);
+  m->fitted = gates_fitted(&design);
+  return true;
 }
 
-double sepax_gates(const sepax_design *design, double *error) {
-  double term[TERMS];
-  double core = 0;
-  count_terms(term, design);
-  for (int i = 0; i < TERMS; i++) {
-    core += ge_per_term[i] * term[i];
-  }
-  const sepax_config *c = &design->config;
-  if (c->lanes == 0) {
-    *error = core * largest_error;
-    return core;
-  }
-  double around = ge_of_engine + (ge_per_engine_bit + ge_per_lane_bit * c->lanes) * c->word;
-  *error = core * c->cores * largest_error + around * engine_error;
-  return core * c->cores + around;
-}
-
-/* ----------------------------------------------------------------------- designs */
+/* ------------------------------------------------------- the core alone, and lanes */
 
 static int memory_for(size_t count) {
   int memory = SEPAX_MEMORY_MIN;
@@ -76,50 +48,35 @@ static int memory_for(size_t count) {
   return memory;
 }
 
-typedef struct {
-  sepax_sized_design *design; /* every one that there is */
-  size_t count;
-  uint64_t *steps; /* job_cycles */
-} choice;
-
-static bool add_design(choice *all, const sepax_size *size, const sepax_config *config,
-                       sepax_error *error) {
-  sepax_design design;
-  if (!sepax_design_init(&design, config, error)) {
-    return false;
-  }
-  uint64_t passes = 0;
-  for (int n = 0; n <= size->poses; n++) {
-    passes = size->job[n].passes > passes ? size->job[n].passes : passes;
-  }
-  sepax_sized_design *m = &all->design[all->count++];
-  *m = (sepax_sized_design){.config = *config};
-  m->gates = sepax_gates(&design, &m->gates_error);
-  m->fitted = config->clock_ps == 2000 && design.core_word >= fitted_least &&
-              design.core_word <= fitted_most;
-  m->cycles = job_least_cycles(passes, size->count, config);
-  return true;
+/* On a path B is turned, so that its vertices are loaded anew. */
+static uint64_t loading(const sepax_size *size, const sepax_config *config) {
+  return size->path > 0 && config->lanes > 0 ? job_loading(size->count, config) : 0;
 }
 
-/* With a lower bound of their cycles. */
-static bool add_designs(choice *all, const sepax_size *size, int clock_ps, int lanes,
-                        sepax_error *error) {
+/* With and without extents, which may help. */
+static bool add_designs(choice *all, int lanes, sepax_error *error) {
+  const sepax_size *size = all->size;
   sepax_config config = sepax_config_default();
+  uint64_t passes = 0;
+  for (size_t n = 0; n < size->jobs; n++) {
+    passes = larger(passes, size->job[n].passes);
+  }
   config.word = size->grid.word;
-  config.clock_ps = clock_ps;
+  config.clock_ps = all->request->clock_ps;
   config.lanes = lanes;
   if (lanes > 0) {
     config.memory_a = memory_for(size->count[0]);
     config.memory_b = memory_for(size->count[1]);
   }
-  const int kinds = size->core_word < size->grid.word ? 2 : 1; /* extents only where they help */
+  const int kinds = size->core_word < size->grid.word ? 2 : 1;
   for (int extents = 0; extents < kinds; extents++) {
     config.extent_a = extents > 0 ? (int)size->extent[0] : 0;
     config.extent_b = extents > 0 ? (int)size->extent[1] : 0;
     for (int n = 0; n < INTERVALS; n++) {
       config.ii = intervals[n];
       for (config.cores = 1; config.cores <= (lanes > 0 ? SEPAX_CORES_MAX : 1); config.cores++) {
-        if (!add_design(all, size, &config, error)) {
+        uint64_t least = job_least_cycles(passes, size->count, &config) + loading(size, &config);
+        if (!add_design(all, &config, least, error)) {
           return false;
         }
       }
@@ -128,19 +85,95 @@ static bool add_designs(choice *all, const sepax_size *size, int clock_ps, int l
   return true;
 }
 
-/* The cycles of the pose that takes the most; of one that takes more than `limit`, where there is
- * one. *pose is the one to try first, and becomes that which took the most. */
-static uint64_t cycles_in_poses(const choice *all, const sepax_size *size,
-                                const sepax_config *config, uint64_t limit, int *pose) {
-  uint64_t most = 0;
-  int begin = *pose;
-  for (int n = 0; n <= size->poses && most <= limit; n++) {
-    int at = (begin + n) % (size->poses + 1);
-    uint64_t cycles = job_cycles(&size->job[at], size->count, config, all->steps);
-    *pose = cycles > most ? at : *pose;
-    most = cycles > most ? cycles : most;
+/* -------------------------------------------------------------------- tree engines */
+
+static sepax_config tree_engine(const choice *all, int ii, int cores) {
+  sepax_config config = sepax_config_default();
+  config.word = all->size->trees->word;
+  config.clock_ps = all->request->clock_ps;
+  config.tree = true;
+  config.ii = ii;
+  config.cores = cores;
+  return config;
+}
+
+/* In each pose; no other takes fewer cycles. */
+static bool find_work(choice *all, sepax_error *error) {
+  const sepax_config fastest = tree_engine(all, 1, SEPAX_CORES_MAX);
+  size_t poses = all->size->trees->poses;
+  all->work = malloc(poses * sizeof *all->work);
+  if (all->work == NULL) {
+    return sepax_fail(error, "no memory for %zu poses", poses);
   }
-  return most;
+  for (size_t n = 0; n < poses; n++) {
+    sepax_tree_run run;
+    if (!size_trees_walk(all->size->trees, &fastest, n, all->request, &run, error)) {
+      return false;
+    }
+    all->work[n] = (tree_work){run.passes, run.cycles};
+  }
+  return true;
+}
+
+static bool add_tree_engines(choice *all, sepax_error *error) {
+  for (size_t n = 0; n < INTERVALS * SEPAX_CORES_MAX; n++) {
+    int cores = 1 + (int)n % SEPAX_CORES_MAX;
+    sepax_config config = tree_engine(all, intervals[n / SEPAX_CORES_MAX], cores);
+    uint64_t least = 0;
+    for (size_t k = 0; k < all->size->trees->poses; k++) {
+      uint64_t busy = all->work[k].passes / (uint64_t)cores; /* the last takes no II */
+      busy = busy > 0 ? (busy - 1) * (uint64_t)config.ii : 0;
+      least = larger(least, larger(busy, all->work[k].least));
+    }
+    if (!add_design(all, &config, least, error)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ------------------------------------------------------------------------- choosing */
+
+/* Poses of a design; 0 where no jobs were looked for. */
+static size_t poses_of(const choice *all, const sepax_config *config) {
+  return config->tree ? all->size->trees->poses : all->size->jobs;
+}
+
+static bool cycles_in_pose(const choice *all, const sepax_config *config, size_t pose,
+                           uint64_t *cycles, sepax_error *error) {
+  const sepax_size *size = all->size;
+  if (!config->tree) {
+    *cycles = job_cycles(&size->job[pose], size->count, config, all->steps) + loading(size, config);
+    return true;
+  }
+  sepax_tree_run run;
+  if (!size_trees_walk(size->trees, config, pose, all->request, &run, error)) {
+    return false;
+  }
+  *cycles = run.cycles;
+  return true;
+}
+
+/* The cycles of the pose that takes the most; of one that takes more than `limit`, where there is
+ * one. m->worst is the pose to try first, and becomes that which took the most. */
+static bool try_poses(const choice *all, sepax_sized_design *m, uint64_t limit,
+                      sepax_error *error) {
+  size_t poses = poses_of(all, &m->config);
+  size_t begin = m->worst;
+  double sum = 0;
+  m->cycles = 0;
+  for (size_t n = 0; n < poses && m->cycles <= limit; n++) {
+    size_t at = (begin + n) % poses;
+    uint64_t cycles;
+    if (!cycles_in_pose(all, &m->config, at, &cycles, error)) {
+      return false;
+    }
+    m->worst = n == 0 || cycles > m->cycles ? at : m->worst;
+    m->cycles = larger(m->cycles, cycles);
+    sum += (double)cycles;
+  }
+  m->mean = sum / (double)poses;
+  return true;
 }
 
 static int by_gates(const void *p, const void *q) {
@@ -158,71 +191,114 @@ static int by_cycles(const void *p, const void *q) {
                                 : by_gates(q, p);
 }
 
-/* The first of all, by gates, that takes no more than `limit` cycles in any pose. */
-static bool find_cheapest(choice *all, const sepax_size *size, uint64_t limit,
-                          sepax_sized_design *best) {
-  int pose = 0;
+/* The first of all, by gates, that takes no more than `limit` cycles in any pose; best->config.word
+ * is 0 if there is none. Poses are tried in the order of what took the most before. */
+static bool find_cheapest(choice *all, uint64_t limit, sepax_sized_design *best,
+                          sepax_error *error) {
+  size_t pose[2] = {0, 0};
+  best->config.word = 0;
   qsort(all->design, all->count, sizeof *all->design, by_gates);
   for (size_t n = 0; n < all->count; n++) {
-    *best = all->design[n];
-    if (best->cycles <= limit) {
-      best->cycles = cycles_in_poses(all, size, &best->config, limit, &pose);
-      if (best->cycles <= limit) {
+    sepax_sized_design m = all->design[n];
+    if (m.cycles <= limit && poses_of(all, &m.config) > 0) {
+      m.worst = pose[m.config.tree];
+      if (!try_poses(all, &m, limit, error)) {
+        return false;
+      }
+      pose[m.config.tree] = m.worst;
+      if (m.cycles <= limit) {
+        *best = m;
         return true;
       }
     }
   }
-  return false;
+  return true;
 }
 
-static uint64_t fewest_cycles(choice *all, const sepax_size *size) {
-  int pose = 0;
-  uint64_t fewest = UINT64_MAX;
+/* Or the bound that no design is below, where no jobs were looked for. */
+static bool find_fewest(choice *all, uint64_t *fewest, sepax_error *error) {
+  size_t pose[2] = {0, 0};
+  *fewest = UINT64_MAX;
   qsort(all->design, all->count, sizeof *all->design, by_cycles);
-  for (size_t n = 0; n < all->count && all->design[n].cycles < fewest; n++) {
-    uint64_t cycles = cycles_in_poses(all, size, &all->design[n].config, fewest, &pose);
-    fewest = cycles < fewest ? cycles : fewest;
+  for (size_t n = 0; n < all->count && all->design[n].cycles < *fewest; n++) {
+    sepax_sized_design m = all->design[n];
+    m.worst = pose[m.config.tree];
+    if (poses_of(all, &m.config) > 0 && !try_poses(all, &m, *fewest, error)) {
+      return false;
+    }
+    pose[m.config.tree] = m.worst;
+    *fewest = m.cycles < *fewest ? m.cycles : *fewest;
   }
-  return fewest;
+  return true;
 }
 
-static bool choose(choice *all, const sepax_size *size, double seconds, double period,
-                   int lanes_most, sepax_sized_design *best, sepax_error *error) {
-  double limit = seconds / period * (1 + 1e-9);
-  if (find_cheapest(all, size, limit < 0x1p63 ? (uint64_t)limit : UINT64_MAX, best)) {
-    best->seconds = (double)best->cycles * period;
-    return true;
+static bool too_slow(choice *all, double period, sepax_sized_design *sized, sepax_error *error) {
+  const sepax_size_request *r = all->request;
+  uint64_t fewest;
+  char kinds[64] = "tree engine";
+  if (r->lanes_least <= r->lanes_most) {
+    snprintf(kinds, sizeof kinds, "design of up to %d lanes%s", r->lanes_most,
+             all->work != NULL ? " or a tree" : "");
   }
+  if (!find_fewest(all, &fewest, error)) {
+    return false;
+  }
+  *sized = (sepax_sized_design){.cycles = fewest, .seconds = (double)fewest * period};
   return sepax_fail(error,
-                    "time: %.4g ms are not enough: at %g ns the fastest design of up to %d lanes "
-                    "takes %.4g ms; allow that, or coarsen the meshes",
-                    1e3 * seconds, 1e9 * period, lanes_most,
-                    1e3 * period * (double)fewest_cycles(all, size));
+                    "time: %.4g ms are not enough: at %g ns the fastest %s takes %.4g ms; allow "
+                    "that, or coarsen the meshes",
+                    1e3 * r->seconds, 1e9 * period, kinds, 1e3 * sized->seconds);
 }
 
-bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size, double seconds,
-                       int clock_ps, int lanes_least, int lanes_most, sepax_error *error) {
-  size_t passes = 0;
-  for (int n = 0; n <= size->poses; n++) {
-    passes = size->job[n].passes > passes ? size->job[n].passes : passes;
-  }
-  size_t most = (size_t)(lanes_most - lanes_least + 1) * 2 * INTERVALS * SEPAX_CORES_MAX;
-  choice all = {malloc(most * sizeof *all.design), 0, malloc((passes + 1) * sizeof *all.steps)};
-  if (all.design == NULL || all.steps == NULL) {
-    free(all.design);
-    free(all.steps);
-    return sepax_fail(error, "no memory for %zu designs and %zu candidates", most, passes);
-  }
-  bool ok = true;
-  for (int lanes = lanes_least; lanes <= lanes_most && ok; lanes++) {
-    ok = add_designs(&all, size, clock_ps, lanes, error);
-  }
+static bool choose(choice *all, sepax_sized_design *sized, sepax_error *error) {
+  double period = all->request->clock_ps * 1e-12;
+  double limit = all->request->seconds / period * (1 + 1e-9);
   sepax_sized_design best;
-  ok = ok && choose(&all, size, seconds, clock_ps * 1e-12, lanes_most, &best, error);
-  if (ok) {
-    *sized = best;
+  if (!find_cheapest(all, limit < 0x1p63 ? (uint64_t)limit : UINT64_MAX, &best, error)) {
+    return false;
   }
+  if (best.config.word == 0) {
+    return too_slow(all, period, sized, error);
+  }
+  best.seconds = (double)best.cycles * period;
+  *sized = best;
+  return true;
+}
+
+static bool allocate(choice *all, sepax_error *error) {
+  const sepax_size_request *r = all->request;
+  size_t passes = 0;
+  for (size_t n = 0; n < all->size->jobs; n++) {
+    passes = all->size->job[n].passes > passes ? all->size->job[n].passes : passes;
+  }
+  size_t lanes = r->lanes_least <= r->lanes_most ? (size_t)(r->lanes_most - r->lanes_least + 1) : 0;
+  size_t most = (2 * lanes + 1) * INTERVALS * SEPAX_CORES_MAX;
+  all->design = malloc(most * sizeof *all->design);
+  all->steps = malloc((passes + 1) * sizeof *all->steps);
+  return (all->design != NULL && all->steps != NULL) ||
+         sepax_fail(error, "no memory for %zu designs and %zu candidates", most, passes);
+}
+
+bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size,
+                       const sepax_size_request *request, sepax_error *error) {
+  choice all = {.size = size, .request = request};
+  *sized = (sepax_sized_design){.cycles = 0};
+  bool ok = allocate(&all, error);
+  for (int lanes = request->lanes_least; lanes <= request->lanes_most && ok; lanes++) {
+    ok = add_designs(&all, lanes, error);
+  }
+  if (ok && request->tree && size->trees != NULL) {
+    ok = find_work(&all, error) && add_tree_engines(&all, error);
+  }
+  if (ok && all.count == 0) {
+    ok = sepax_fail(error,
+                    "word: a tree engine has up to %d bits, and is for a path of poses; "
+                    "coarsen the resolution, or give the poses",
+                    SEPAX_TREE_WORD_MAX);
+  }
+  ok = ok && choose(&all, sized, error);
   free(all.design);
   free(all.steps);
+  free(all.work);
   return ok;
 }

@@ -13,7 +13,7 @@ void tree_time_begin(tree_time *t, const sepax_config *config, int latency) {
   *t = (tree_time){.latency = (uint64_t)latency,
                    .ii = (uint64_t)config->ii,
                    .cores = (uint64_t)config->cores,
-                   .per_box = config->ii == 1 ? 1 : 2};
+                   .per_box = config->ii == 1 || config->cores > 1 ? 1 : 2};
 }
 
 /* When a block of so many beats is there; it takes the place that was used longest ago. */

@@ -1,6 +1,6 @@
 # build.mk - the program, the library, and the programs of tests and reports.
 
-PROGRAM  = $(wildcard c_model/cli/*.c c_model/check/*.c)
+PROGRAM  = $(wildcard c_model/cli/*.c c_model/check/*.c c_model/sizing/*.c)
 LIB_SRC  = $(filter-out $(PROGRAM),$(wildcard c_model/*/*.c))
 CLI_SRC  = $(PROGRAM) $(wildcard rtl_gen/*/*.c)
 UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))

@@ -169,6 +169,13 @@ static unsigned long long fewest_cycles(const designs *d, int least, int last) {
   return fewest;
 }
 
+static bool sized(sepax_sized_design *m, const sepax_size *size, double seconds, int least,
+                  int last) {
+  const sepax_size_request request = {
+      .seconds = seconds, .clock_ps = 2000, .lanes_least = least, .lanes_most = last};
+  return sepax_size_design(m, size, &request, &fault);
+}
+
 /* The cheapest design that is in time of all that there are, each with its cycles one by one. */
 CASE(test_cheapest) {
   static designs d; /* large */
@@ -187,7 +194,7 @@ CASE(test_cheapest) {
       const option *best = cheapest(&d, limit, least, last);
       double seconds = (double)limit * 2e-9;
       sepax_sized_design m;
-      bool ok = sepax_size_design(&m, &d.size, seconds, 2000, least, last, &fault);
+      bool ok = sized(&m, &d.size, seconds, least, last);
       assert_int_equal(ok, best != NULL);
       if (!ok || best == NULL) {
         char told[80];
@@ -254,19 +261,20 @@ CASE(test_jobs) {
                      .count = {400, 400},
                      .extent = {60000, 60000},
                      .core_word = 18,
-                     .job = &job};
+                     .job = &job,
+                     .jobs = 1};
   sepax_sized_design m;
-  assert_works(sepax_size_design(&m, &size, 0.96e-3, 2000, 0, 0, &fault));
+  assert_works(sized(&m, &size, 0.96e-3, 0, 0));
   assert_int_equal(m.config.ii, 3);
   assert_int_equal(m.cycles, 480000);
   assert_int_equal(m.config.extent_a, 0);
   job.twice = 1;
-  assert_fault(sepax_size_design(&m, &size, 160000 * 2e-9, 2000, 0, 0, &fault), "takes 0.32 ms");
-  assert_works(sepax_size_design(&m, &size, 0.96e-3, 2000, 0, 0, &fault));
+  assert_fault(sized(&m, &size, 160000 * 2e-9, 0, 0), "takes 0.32 ms");
+  assert_works(sized(&m, &size, 0.96e-3, 0, 0));
   assert_int_equal(m.config.ii, 2);
   size.count[0] = 40000;
   size.count[1] = 70000;
-  assert_works(sepax_size_design(&m, &size, 1, 2000, 10, 10, &fault));
+  assert_works(sized(&m, &size, 1, 10, 10));
   assert_int_equal(m.config.memory_a, 32768);
   assert_int_equal(m.config.memory_b, 32768);
   assert_int_equal(m.cycles, (3277 + 724) * UINT64_C(70000) + 3 * (7 + 5) + 3 * (1 + 5));

@@ -1,20 +1,10 @@
-/* size.c - sepax size: what a scene needs, and the design for it. */
-#include "cli.h"
+/* command.c - sepax size: what a scene needs, and the design for it. */
 #include "cli/report.h"
-#include "sepax_design.h"
+#include "sizing/parts.h"
 #include "util/error.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-typedef struct {
-  sepax_space space;
-  const char *path[2], *folder;
-  int paths, lanes_least, lanes_most;
-  double seconds;
-  sepax_config clock; /* its period only */
-  bool json, generate;
-} size_options;
 
 enum {
   KEY_OFFSET = 0x480,
@@ -24,6 +14,10 @@ enum {
   KEY_CENTRE,
   KEY_CENTRE_A,
   KEY_POSES,
+  KEY_SAMPLES,
+  KEY_FIRST,
+  KEY_LATENCY,
+  KEY_TREE,
   KEY_TIME,
   KEY_CLOCK,
   KEY_LANES,
@@ -49,14 +43,23 @@ static const struct argp_option options[] = {
     {"centre", KEY_CENTRE, "X,Y,Z", 0, "what B rotates about, file coordinates (0,0,0)", 0},
     {"motion-a", KEY_MOTION_A, "WHERE", 0, "the same of A", 0},
     {"centre-a", KEY_CENTRE_A, "X,Y,Z", 0, "the same of A", 0},
-    {"poses", KEY_POSES, "COUNT", 0,
+    {"samples", KEY_SAMPLES, "COUNT", 0,
      "poses of a moving body to sample for the candidates that the AABB test leaves (64)", 0},
     {"seed", 's', "SEED", 0, "seed of these poses (1)", 0},
+    {"poses", KEY_POSES, "FILE", 0,
+     "the path of B, instead of a motion: 12 numbers a line, a rotation by rows, then a "
+     "translation in file units; tree engines are looked at, too",
+     0},
     {NULL, 0, NULL, 0, "Design:", 2},
-    {"time", KEY_TIME, "TIME", 0, "for all pairs, with ns, us, ms or s behind it (0.96ms)", 0},
+    {"time", KEY_TIME, "TIME", 0, "for a pose, with ns, us, ms or s behind it (0.96ms)", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period, 0.5 ... 20 (2)", 0},
     {"lanes", KEY_LANES, "COUNT", 0,
      "comparator lanes, 0 ... 64; 0: a core alone (as many as the time takes)", 0},
+    {"tree", KEY_TREE, NULL, 0, "a tree engine; needs --poses", 0},
+    {"first", KEY_FIRST, NULL, 0,
+     "a tree engine ends a pose at its first collision (it finds all); needs --poses", 0},
+    {"latency", KEY_LATENCY, "CYCLES", 0,
+     "of a tree engine's memory, 1 ... 100000 (100); needs --poses", 0},
     {NULL, 0, NULL, 0, "Output:", 3},
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
     {"gen", KEY_GEN, NULL, 0, "generate the design, too, as sepax gen does; needs -o", 0},
@@ -158,7 +161,8 @@ static double parse_time(const struct argp_state *state, const char *text) {
 }
 
 static error_t parse_scene(int key, char *text, struct argp_state *state) {
-  sepax_space *space = &((size_options *)state->input)->space;
+  size_options *o = state->input;
+  sepax_space *space = &o->space;
   switch (key) {
   case 'r':
     space->resolution = cli_length(state, "resolution", text);
@@ -177,21 +181,30 @@ static error_t parse_scene(int key, char *text, struct argp_state *state) {
     }
     return 0;
   case KEY_MOTION:
+    o->moved = "motion";
     parse_motion(state, &space->motion[1], "motion", text);
     return 0;
   case KEY_MOTION_A:
+    o->moved = "motion-a";
     parse_motion(state, &space->motion[0], "motion-a", text);
     return 0;
   case KEY_CENTRE:
+    o->moved = "centre";
     cli_vector(state, "centre", text, space->motion[1].centre);
     return 0;
   case KEY_CENTRE_A:
+    o->moved = "centre-a";
     cli_vector(state, "centre-a", text, space->motion[0].centre);
     return 0;
   case KEY_POSES:
-    space->poses = (int)cli_count(state, "poses", text, 1000000);
+    o->path_file = text;
+    return 0;
+  case KEY_SAMPLES:
+    o->moved = "samples";
+    space->poses = (int)cli_count(state, "samples", text, 1000000);
     return 0;
   case 's':
+    o->moved = "seed";
     space->seed = cli_count(state, "seed", text, UINT64_MAX);
     return 0;
   default:
@@ -206,6 +219,15 @@ static void check_given(const size_options *o, const struct argp_state *state) {
   if (o->space.resolution == 0) {
     argp_error(state, "resolution: what is one LSB? give --resolution=2um, say");
   }
+  if (o->moved != NULL && o->path_file != NULL) {
+    argp_error(state, "%s: the poses are those of the file; leave it out, or --poses", o->moved);
+  }
+  if (o->posed != NULL && o->path_file == NULL) {
+    argp_error(state, "%s: is for the tree engine on a path; give --poses=FILE, too", o->posed);
+  }
+  if (o->request.tree && o->lanes_given) {
+    argp_error(state, "tree: a tree engine has no comparator lanes; leave one of both out");
+  }
   if (o->generate != (o->folder != NULL)) {
     argp_error(state, "--gen and -o DIR go together; give both");
   }
@@ -216,7 +238,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   sepax_error error;
   switch (key) {
   case KEY_TIME:
-    o->seconds = parse_time(state, text);
+    o->request.seconds = parse_time(state, text);
     return 0;
   case KEY_CLOCK:
     if (!sepax_config_set(&o->clock, "clock-ns", text, &error)) {
@@ -224,8 +246,24 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     }
     return 0;
   case KEY_LANES:
-    o->lanes_least = (int)cli_count(state, "lanes", text, SEPAX_LANES_MAX);
-    o->lanes_most = o->lanes_least;
+    o->request.lanes_least = (int)cli_count(state, "lanes", text, SEPAX_LANES_MAX);
+    o->request.lanes_most = o->request.lanes_least;
+    o->lanes_given = true;
+    return 0;
+  case KEY_TREE:
+    o->request.tree = true;
+    o->posed = "tree";
+    return 0;
+  case KEY_FIRST:
+    o->request.first = true;
+    o->posed = "first";
+    return 0;
+  case KEY_LATENCY:
+    o->request.latency = (int)cli_count(state, "latency", text, 100000);
+    o->posed = "latency";
+    if (o->request.latency == 0) {
+      argp_error(state, "latency: '%s' is not in 1 ... 100000", text);
+    }
     return 0;
   case 'j':
     o->json = true;
@@ -250,99 +288,64 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-/* ------------------------------------------------------------------------ output */
-
-static uint64_t pairs_of(const sepax_size *s) { return (uint64_t)s->count[0] * s->count[1]; }
-
-static uint64_t memory_bits(const sepax_sized_design *m) {
-  const sepax_config *c = &m->config; /* triangles and their AABBs */
-  return c->lanes == 0 ? 0
-                       : 15 * (uint64_t)c->word * ((uint64_t)c->memory_a + (uint64_t)c->memory_b);
-}
-
-enum { WIDTH = 11 };
-
-static void print_candidates(const size_options *o, const sepax_size *s) {
-  double pairs = (double)pairs_of(s);
-  printf("%-*s%llu of %.0f pairs have overlapping AABBs in the pose of the files: %.3g %%\n", WIDTH,
-         "AABBs", (unsigned long long)s->given, pairs, 100 * (double)s->given / pairs);
-  if (s->poses > 0) {
-    printf("%-*sthe most in that and in %d sampled poses (seed %llu): %llu, %.3g %%\n", WIDTH, "",
-           s->poses, (unsigned long long)o->space.seed, (unsigned long long)s->worst,
-           100 * (double)s->worst / pairs);
-  }
-}
-
-static void print_design(const sepax_size *s, const sepax_sized_design *m) {
-  printf("design     exact, II = %d, ", m->config.ii);
-  if (m->config.lanes > 0) {
-    printf("%d comparator lanes, %d core%s, memories of %.0f kbit\n", m->config.lanes,
-           m->config.cores, m->config.cores > 1 ? "s" : "", (double)memory_bits(m) / 1000);
-  } else {
-    printf("no comparator lanes\n");
-  }
-  printf("gates      %.1fK +- %.1fK GE (formula for Nangate45 at 2 ns%s)\n", m->gates / 1000,
-         m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to designs like this one");
-  printf("time       %.4g ms for all pairs (%llu cycles of %g ns)", 1e3 * m->seconds,
-         (unsigned long long)m->cycles, m->config.clock_ps / 1000.0);
-  if (s->poses > 0) {
-    printf(", worst of the file's and %d sampled poses, not a bound", s->poses);
-  }
-  putchar('\n');
-}
-
-static void print_text(const size_options *o, const sepax_size *s, const sepax_sized_design *m) {
-  char text[SEPAX_CONFIG_TEXT];
-  report_print_file('A', WIDTH, o->path[0], s->count[0]);
-  report_print_file('B', WIDTH, o->path[1], s->count[1]);
-  printf("poses      x %.9g ... %.9g, y %.9g ... %.9g, z %.9g ... %.9g\n", s->low[0], s->high[0],
-         s->low[1], s->high[1], s->low[2], s->high[2]);
-  report_print_grid(WIDTH, &s->grid);
-  printf("extents    L_A = %lld, L_B = %lld LSB: %d bits behind the AABB test\n",
-         (long long)s->extent[0], (long long)s->extent[1], s->core_word);
-  print_candidates(o, s);
-  print_design(s, m);
-  printf("sepax gen %s -o %s\n", sepax_config_text(&m->config, text, sizeof text),
-         o->generate ? o->folder : "DIR");
-}
-
-static void print_json(const size_options *o, const sepax_size *s, const sepax_sized_design *m) {
-  char text[SEPAX_CONFIG_TEXT];
-  char command[SEPAX_CONFIG_TEXT + 16];
-  snprintf(command, sizeof command, "sepax gen %s",
-           sepax_config_text(&m->config, text, sizeof text));
-  json_t *report = report_scene(o->path, s->count, &s->grid);
-  json_t *needs =
-      json_pack("{s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}", "poses", s->low[0], s->high[0],
-                s->low[1], s->high[1], s->low[2], s->high[2], "extents", (json_int_t)s->extent[0],
-                (json_int_t)s->extent[1], "core_word", s->core_word);
-  json_t *candidates = json_pack("{s:I, s:I, s:I, s:i, s:I}", "pairs", (json_int_t)pairs_of(s),
-                                 "as_given", (json_int_t)s->given, "worst", (json_int_t)s->worst,
-                                 "sampled_poses", s->poses, "seed", (json_int_t)o->space.seed);
-  json_t *design = json_pack("{s:s, s:i, s:b, s:i, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:b, s:s}",
-                             "arch", sepax_arch_name(m->config.arch), "ii", m->config.ii, "extents",
-                             m->config.extent_a > 0, "lanes", m->config.lanes, "cores",
-                             m->config.lanes > 0 ? m->config.cores : 1, "memory_bits",
-                             (json_int_t)memory_bits(m), "ge", m->gates, "ge_error", m->gates_error,
-                             "ge_fitted", m->fitted, "cycles", (json_int_t)m->cycles, "seconds",
-                             m->seconds, "is_bound", s->poses == 0, "command", command);
-  json_object_update(report, needs);
-  json_decref(needs);
-  json_object_set_new(report, "candidates", candidates);
-  json_object_set_new(report, "design", design);
-  report_print_json(report);
-}
-
 /* ------------------------------------------------------------------------- steps */
 
-static bool read_and_size(const size_options *o, sepax_size *size, sepax_error *error) {
+static bool read_and_size(const size_options *o, size_answer *answer, sepax_error *error) {
   sepax_mesh mesh[2] = {{NULL, 0}, {NULL, 0}};
-  bool ok = sepax_stl_read(&mesh[0], o->path[0], error) &&
+  sepax_poses path = {NULL, 0};
+  sepax_space space = o->space;
+  double cycles = o->request.seconds / (o->clock.clock_ps * 1e-12);
+  bool posed = o->path_file != NULL;
+  space.path = posed ? &path : NULL;
+  space.pairs_most = cycles < 1e15 ? 1 + (uint64_t)(cycles * SEPAX_LANES_MAX) : 0;
+  bool ok = (!posed || sepax_poses_read(&path, o->path_file, error)) &&
+            sepax_stl_read(&mesh[0], o->path[0], error) &&
             sepax_stl_read(&mesh[1], o->path[1], error) &&
-            sepax_size_scene(size, &mesh[0], &mesh[1], &o->space, error);
+            sepax_size_scene(&answer->size, &mesh[0], &mesh[1], &space, error);
   sepax_mesh_free(&mesh[0]);
   sepax_mesh_free(&mesh[1]);
+  sepax_poses_free(&path);
   return ok;
+}
+
+/* The best of each kind, and of all. */
+static bool choose(const size_options *o, size_answer *answer, sepax_error *error) {
+  sepax_error why = {""};
+  uint64_t fewest = UINT64_MAX;
+  for (int kind = 0; kind < SIZE_KINDS; kind++) {
+    size_kind *k = &answer->kind[kind];
+    sepax_size_request request = o->request;
+    bool tree = kind == SIZE_TREE;
+    if (kind == SIZE_CORE) {
+      request.lanes_most = 0;
+    } else if (kind == SIZE_LANES && request.lanes_least == 0) {
+      request.lanes_least = 1;
+    } else if (tree) {
+      request.lanes_least = 1;
+      request.lanes_most = 0;
+    }
+    request.tree = tree;
+    k->asked = tree ? answer->size.trees != NULL && !o->lanes_given
+                    : !o->request.tree && request.lanes_least <= request.lanes_most;
+    k->in_time = k->asked && sepax_size_design(&k->best, &answer->size, &request, error);
+    if (k->asked && !k->in_time && k->best.cycles == 0) {
+      return false;
+    }
+    if (k->asked && !k->in_time && k->best.cycles < fewest) {
+      fewest = k->best.cycles;
+      why = *error;
+    }
+    if (k->in_time && (answer->best == NULL || k->best.gates < answer->best->gates)) {
+      answer->best = &k->best;
+    }
+  }
+  if (answer->best == NULL && why.text[0] == '\0') {
+    return sepax_fail(error,
+                      "tree: %d bits of a coordinate are more than %d; coarsen the resolution",
+                      answer->size.grid.word, SEPAX_TREE_WORD_MAX);
+  }
+  *error = why;
+  return answer->best != NULL;
 }
 
 /* Through the text, as sepax gen would read it. */
@@ -360,27 +363,26 @@ int cli_size(int argc, char **argv) {
       parse,
       "A.stl B.stl",
       "What an exact design for two meshes needs in every pose, and the design of the fewest gates "
-      "that judges all pairs in time.",
+      "that judges all pairs in time: a core alone, behind comparator lanes or, on a path, behind "
+      "trees.",
       NULL,
       NULL,
       NULL};
-  size_options o = {.space = {.poses = 64, .seed = 1},
-                    .lanes_most = SEPAX_LANES_MAX,
-                    .seconds = 0.96e-3,
-                    .clock = sepax_config_default()};
+  size_options o = {
+      .space = {.poses = 64, .seed = 1},
+      .request = {.lanes_most = SEPAX_LANES_MAX, .seconds = 0.96e-3, .latency = SEPAX_TREE_LATENCY},
+      .clock = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
+  o.request.clock_ps = o.clock.clock_ps;
   sepax_error error = {""};
-  sepax_size size = {.job = NULL};
-  sepax_sized_design design;
-  if ((o.json && !report_names_printable(o.path, &error)) ||
-      !sepax_config_check(&o.clock, &error) || !read_and_size(&o, &size, &error) ||
-      !sepax_size_design(&design, &size, o.seconds, o.clock.clock_ps, o.lanes_least, o.lanes_most,
-                         &error) ||
-      (o.generate && !generate(&o, &design, &error))) {
-    sepax_size_free(&size);
+  size_answer answer = {.best = NULL};
+  if ((o.json && !size_names_printable(&o, &error)) || !sepax_config_check(&o.clock, &error) ||
+      !read_and_size(&o, &answer, &error) || !choose(&o, &answer, &error) ||
+      (o.generate && !generate(&o, answer.best, &error))) {
+    sepax_size_free(&answer.size);
     return cli_fail(argv[0], &error);
   }
-  (o.json ? print_json : print_text)(&o, &size, &design);
-  sepax_size_free(&size);
+  (o.json ? size_print_json : size_print_text)(&o, &answer);
+  sepax_size_free(&answer.size);
   return 0;
 }

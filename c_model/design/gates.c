@@ -1,0 +1,81 @@
+/* gates.c - gates of a design before it is mapped, and bits of its memories. docs/size.md. */
+#include "design/gates.h"
+
+enum { TERMS = 7 };
+
+/* GE of what each term counts: docs/results/area/nangate45.csv (Nangate45 typical, 2 ns as timed by
+ * synth/area/map) as scripts/experiments/fit-area fits it, with the largest relative error on its
+ * designs. */
+static const double ge_per_term[TERMS] = {4.6195, 8.7755, 1134.1, 35.031, 637.73, 1631.2, 635.7};
+enum { FITTED_LEAST = 8, FITTED_MOST = 24, FITTED_PS = 2000 }; /* bits of a coordinate; clock */
+static const double largest_error = 0.0831;
+
+/* The same of what an object engine has around its core (docs/results/area/engine.csv,
+ * scripts/experiments/fit-area -l): GE for each lane and bit of W, for each bit of W, and constant.
+ * The fit has two word lengths, which give no error; 5 % is assumed. */
+static const double ge_per_lane_bit = 92.735;
+static const double ge_per_engine_bit = 405.8;
+static const double ge_of_engine = 12714;
+static const double engine_error = 0.05;
+
+/* What a tree engine has around its cores (docs/results/area/tree.csv): GE constant, for each bit
+ * of W, and what turning a box in each cycle adds. */
+static const double ge_of_tree = 66716;
+static const double ge_per_tree_bit = 1785.7;
+static const double ge_of_full_rate = 6500;
+
+static int units(int operations, int ii) { return (operations + ii - 1) / ii; }
+
+/* What a core of w bits behind the AABB test is made of (docs/exact.md#formats): the bits of its
+ * multipliers, a x b; the bits of the results of its sums; registers of any schedule; registers
+ * that hold values within an II window (no more beyond 9 cycles); multiplexers of operands, where 3
+ * does not divide II; control; the AABB test. */
+static void count_terms(double term[TERMS], const sepax_design *d) {
+  int ii = d->config.ii;
+  int w = d->core_word;
+  int trapezoids = units(15, ii);
+  int prisms = units(18, ii) + 1;
+  term[0] = trapezoids * (w + 1) * (w + 1) + prisms * (2 * w + 1) * (w + 3);
+  term[1] = (trapezoids + units(20, ii)) * (2 * w + 1) + (prisms + units(15, ii)) * (3 * w + 2);
+  term[2] = w;
+  term[3] = w * (ii < 9 ? ii : 9);
+  term[4] = ii > 1 && ii % 3 != 0 ? w : 0;
+  term[5] = 1;
+  term[6] = d->aabb_test ? d->config.word : 0;
+}
+
+double sepax_gates(const sepax_design *design, double *error) {
+  double term[TERMS];
+  double core = 0;
+  count_terms(term, design);
+  for (int i = 0; i < TERMS; i++) {
+    core += ge_per_term[i] * term[i];
+  }
+  const sepax_config *c = &design->config;
+  if (c->lanes == 0 && !c->tree) {
+    *error = core * largest_error;
+    return core;
+  }
+  double around = ge_of_engine + (ge_per_engine_bit + ge_per_lane_bit * c->lanes) * c->word;
+  if (c->tree) {
+    bool full = c->ii == 1 || c->cores > 1;
+    around = ge_of_tree + ge_per_tree_bit * c->word + (full ? ge_of_full_rate : 0);
+  }
+  *error = core * c->cores * largest_error + around * engine_error;
+  return core * c->cores + around;
+}
+
+bool gates_fitted(const sepax_design *design) {
+  return design->config.clock_ps == FITTED_PS && design->core_word >= FITTED_LEAST &&
+         design->core_word <= FITTED_MOST;
+}
+
+/* Lanes: triangles and their AABBs. Trees: nodes and leaves; vertices, rows and pairs that are on
+ * their way; tags, lists, stack, which no W changes. */
+uint64_t sepax_memory_bits(const sepax_config *c) {
+  uint64_t word = (uint64_t)c->word;
+  if (c->tree) {
+    return 215236 + 3384 * word;
+  }
+  return c->lanes == 0 ? 0 : 15 * word * ((uint64_t)c->memory_a + (uint64_t)c->memory_b);
+}
