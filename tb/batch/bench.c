@@ -8,6 +8,7 @@
  * Exit status 1: something was wrong. */
 #include "bench.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -190,9 +191,13 @@ static void follow(sepax_tree_batch *golden, const sepax_tree_batch *before,
   }
 }
 
-static void tally(bench_batch *b, const contacts *c, const sepax_outcome *o) {
+static void tally(bench_batch *b, const contacts *c, const sepax_tree_result *golden,
+                  const sepax_outcome *o) {
+  double off = (double)golden->run.cycles / (double)(o->cycles > 0 ? o->cycles : 1) - 1;
   b->poses++;
   b->cycles += o->cycles;
+  b->predicted += golden->run.cycles;
+  b->off = fabs(off) > fabs(b->off) ? off : b->off;
   b->worst = o->cycles > b->worst ? o->cycles : b->worst;
   b->mismatches += c->wrong > 0;
   b->near += o->near;
@@ -225,7 +230,7 @@ static bool take(bench_batch *b, contacts *c, const sepax_tree_result *result, s
     return false;
   }
   compare(b, c, result, o);
-  tally(b, c, o);
+  tally(b, c, result, o);
   return true;
 }
 
@@ -347,6 +352,11 @@ static void run_meshes(const char *const path[3], double resolution, unsigned mo
          (unsigned long long)(bus_cycles() - begin),
          (unsigned long long)(MEMORY_BEAT * m->counts.beats), (unsigned long long)batch.near,
          (unsigned long long)batch.hits, (unsigned long long)batch.out_of_range);
+  bool usual = options->latency == SEPAX_TREE_LATENCY && options->stress == 0;
+  if (modes == SEPAX_TREE_COLD && budget == 0 && usual) {
+    printf("predicted: mean %.0f cycles, a pose by up to %+.1f %% off\n",
+           (double)batch.predicted / (double)poses.count, 100 * batch.off);
+  }
   printf("%llu poses, %llu mismatches, mean %.0f cycles, worst %llu\n",
          (unsigned long long)batch.poses, (unsigned long long)batch.mismatches,
          (double)batch.cycles / (double)(batch.poses > 0 ? batch.poses : 1),

@@ -218,8 +218,10 @@ CASE(test_loading) {
   static scene s;
   for (int n = 0; n < 300; n++) {
     sepax_config config = sepax_config_default();
-    s.mesh[0].count = (size_t)(1 + random_below(MOST_FACETS));
-    s.mesh[1].count = (size_t)(1 + random_below(MOST_FACETS));
+    for (int i = 0; i < 2; i++) {
+      int more = random_below(MOST_FACETS);
+      s.mesh[i].count = 1 + (size_t)more;
+    }
     const size_t count[2] = {s.mesh[0].count, s.mesh[1].count};
     config.lanes = 1;
     config.memory_a = 1 + random_below(MOST_FACETS);
