@@ -5,7 +5,7 @@
 
 /* Cycles: to look up a pair of nodes; of the least entry in the compare path; from the last box to
  * what is made of it; from a row to a pair; around cores. */
-enum { LOOK_UP = 3, LEAST = 8, BEHIND_BOXES = 24, TO_PAIR = 12, AROUND_CORE = 8 };
+enum { LOOK_UP = 3, LEAST = 5, BEHIND_BOXES = 24, TO_PAIR = 12, AROUND_CORE = 8 };
 
 static uint64_t later(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
@@ -16,28 +16,30 @@ void tree_time_begin(tree_time *t, const sepax_config *config, int latency) {
                    .per_box = config->ii == 1 || config->cores > 1 ? 1 : 2};
 }
 
-/* When a block of so many beats is there; it takes the place that was used longest ago. */
-static uint64_t look_up(tree_time *t, time_place set[TIME_WAYS], uint32_t number, uint64_t beats,
-                        uint64_t now) {
+/* The place of a block of so many beats, which is there from place->there on: where it is, or that
+ * which was used longest ago. */
+static time_place *look_up(tree_time *t, time_place set[TIME_WAYS], uint32_t number, uint64_t beats,
+                           uint64_t now) {
   time_place *place = &set[0];
   for (int k = 0; k < TIME_WAYS; k++) {
     if (set[k].number == number + 1) {
       set[k].used = ++t->uses;
-      return later(now, set[k].there);
+      return &set[k];
     }
     place = set[k].used < place->used ? &set[k] : place;
   }
-  t->asked = later(now, t->asked + 1);
+  t->asked = later(later(now, place->released), t->asked + 1);
   t->bus = later(t->bus, t->asked + t->latency) + beats;
-  *place = (time_place){number + 1, t->bus, ++t->uses};
-  return t->bus;
+  *place = (time_place){.number = number + 1, .there = t->bus, .used = ++t->uses};
+  return place;
 }
 
 uint64_t tree_time_move(tree_time *t, uint64_t now, const uint32_t node[2]) {
   uint64_t there = now + LOOK_UP;
   for (int body = 0; body < 2; body++) {
     time_place *set = t->node[body][node[body] % TIME_NODE_SETS];
-    there = later(there, look_up(t, set, node[body], TREE_NODE_BYTES / TREE_BEAT, now + LOOK_UP));
+    there = later(there,
+                  look_up(t, set, node[body], TREE_NODE_BYTES / TREE_BEAT, now + LOOK_UP)->there);
   }
   return there;
 }
@@ -48,30 +50,62 @@ uint64_t tree_time_finish(tree_time *t, uint64_t there, unsigned boxes) {
   return t->compare + BEHIND_BOXES;
 }
 
-static void take_pass(tree_time *t) {
+static void take_pass(tree_time *t, uint64_t tested) {
   uint64_t *free_at = &t->free_at[0];
   for (uint64_t k = 1; k < t->cores; k++) {
     free_at = t->free_at[k] < *free_at ? &t->free_at[k] : free_at;
   }
-  t->verdict = later(t->pairs + TO_PAIR, *free_at);
+  t->verdict = later(tested + TO_PAIR, *free_at);
   *free_at = t->verdict + t->ii;
 }
 
-void tree_time_row(tree_time *t, uint64_t now, const uint32_t leaf[2], const int beats[2],
-                   unsigned pairs, unsigned passes) {
+/* The pair of leaves before is released; another is wanted. */
+static void take_leaves(tree_time *t, const time_row *row) {
+  uint64_t *released = &t->released[t->pairs_of_leaves % TIME_LEAVES];
+  uint64_t now = later(row->now, *released);
+  t->compare = later(t->compare, *released);
+  t->leaves_there = now;
+  if (t->places[0] != NULL) {
+    t->released[(t->pairs_of_leaves + TIME_LEAVES - 1) % TIME_LEAVES] = t->pairs;
+    t->places[0]->released = t->places[1]->released = t->pairs;
+  }
+  for (int body = 0; body < 2; body++) {
+    time_place *set = t->leaf[body][row->leaf[body] % TIME_LEAF_SETS];
+    t->places[body] = look_up(t, set, row->leaf[body], (uint64_t)row->beats[body], now);
+    t->leaves_there = later(t->leaves_there, t->places[body]->there);
+    t->leaves[body] = row->leaf[body] + 1;
+  }
+  t->pairs_of_leaves++;
+}
+
+/* Vertices that the row before of the same leaves has not; one at least. */
+static uint64_t to_turn(uint32_t corners, uint32_t before) {
+  uint64_t fresh = 0;
+  for (int k = 0; k < 15; k += 5) {
+    bool found = false;
+    for (int j = 0; j < 15; j += 5) {
+      found = found || ((corners >> k ^ before >> j) & 31) == 0;
+    }
+    fresh += !found;
+  }
+  return fresh > 0 ? fresh : 1;
+}
+
+void tree_time_row(tree_time *t, const time_row *row) {
   uint64_t *begun = &t->begun[t->rows++ % TIME_ROWS];
   t->compare = later(t->compare, *begun);
-  uint64_t there = now;
-  for (int body = 0; body < 2; body++) {
-    time_place *set = t->leaf[body][leaf[body] % TIME_LEAF_SETS];
-    there = later(there, look_up(t, set, leaf[body], (uint64_t)beats[body], now));
-  }
   uint64_t least = 3;
-  t->pairs = later(t->pairs, there);
+  if (row->leaf[0] + 1 != t->leaves[0] || row->leaf[1] + 1 != t->leaves[1]) {
+    take_leaves(t, row);
+  } else {
+    least = to_turn(row->corners, t->corners);
+  }
+  t->corners = row->corners;
+  t->pairs = later(t->pairs, t->leaves_there);
   *begun = t->pairs;
-  t->pairs += pairs > least ? pairs : least;
-  for (unsigned n = 0; n < passes; n++) {
-    take_pass(t);
+  t->pairs += row->pairs > least ? row->pairs : least;
+  for (unsigned n = 0; n < row->passes; n++) {
+    take_pass(t, *begun + n);
   }
   uint64_t kept = TIME_PAIRS * t->ii;
   t->pairs = later(t->pairs, t->verdict > kept ? t->verdict - kept : 0);

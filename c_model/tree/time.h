@@ -9,14 +9,15 @@ enum {
   TIME_NODE_SETS = 16,
   TIME_LEAF_SETS = 2,
   TIME_WAYS = 4,
-  TIME_ROWS = 64, /* in the row queue */
-  TIME_PAIRS = 16 /* between pair test and cores */
+  TIME_ROWS = 64,  /* in the row queue */
+  TIME_LEAVES = 8, /* pairs of leaves that are in and not released */
+  TIME_PAIRS = 16  /* between pair test and cores */
 };
 
-/* What a place of a cache holds, since when it is there, and when it was used last. */
+/* What a place of a cache holds, since when it is there, when it was used last, and up to when. */
 typedef struct {
   uint32_t number; /* + 1; 0: nothing */
-  uint64_t there, used;
+  uint64_t there, used, released;
 } time_place;
 
 typedef struct {
@@ -29,6 +30,12 @@ typedef struct {
   uint64_t free_at[SEPAX_CORES_MAX];
   uint64_t begun[TIME_ROWS]; /* rows by their number modulo TIME_ROWS */
   uint64_t rows, uses;
+  uint32_t corners;               /* of the last row */
+  uint32_t leaves[2];             /* of the last row, + 1 */
+  time_place *places[2];          /* theirs */
+  uint64_t released[TIME_LEAVES]; /* pairs of leaves by their number modulo TIME_LEAVES */
+  uint64_t pairs_of_leaves;
+  uint64_t leaves_there; /* when those of the last row are */
   time_place node[2][TIME_NODE_SETS][TIME_WAYS];
   time_place leaf[2][TIME_LEAF_SETS][TIME_WAYS];
 } tree_time;
@@ -41,10 +48,17 @@ uint64_t tree_time_move(tree_time *t, uint64_t now, const uint32_t node[2]);
 /* An entry of which all is there is finished, so many boxes turned: when. */
 uint64_t tree_time_finish(tree_time *t, uint64_t there, unsigned boxes);
 
-/* A row found at a time, of leaves whose records have so many beats, with so many pairs, of which
- * some are near and make so many passes through the cores. */
-void tree_time_row(tree_time *t, uint64_t now, const uint32_t leaf[2], const int beats[2],
-                   unsigned pairs, unsigned passes);
+/* A row found at a time, of leaves whose records have so many beats: the numbers of the vertices of
+ * B's triangle, 5 bits each, how many pairs, and how many passes through the cores the near ones of
+ * them make. */
+typedef struct {
+  uint64_t now;
+  uint32_t leaf[2];
+  int beats[2];
+  uint32_t corners;
+  unsigned pairs, passes;
+} time_row;
+void tree_time_row(tree_time *t, const time_row *row);
 
 /* The cycle of the last verdict, or of the end without one. */
 uint64_t tree_time_end(const tree_time *t, const sepax_design *design);

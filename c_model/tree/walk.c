@@ -130,9 +130,13 @@ static bool serve_row(walk *w, const uint32_t leaf[2], const tree_node *node_a,
       }
     }
   }
-  const int beats[2] = {node_a->beats, node_b->beats};
-  tree_time_row(&w->time, w->now, leaf, beats, (unsigned)(w->run->pairs - pairs),
-                (unsigned)(w->run->passes - passes));
+  const time_row row = {.now = w->now,
+                        .leaf = {leaf[0], leaf[1]},
+                        .beats = {node_a->beats, node_b->beats},
+                        .corners = record_b[2 * b] | (uint32_t)record_b[2 * b + 1] << 8,
+                        .pairs = (unsigned)(w->run->pairs - pairs),
+                        .passes = (unsigned)(w->run->passes - passes)};
+  tree_time_row(&w->time, &row);
   return !w->run->ended;
 }
 

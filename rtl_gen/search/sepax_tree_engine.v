@@ -205,6 +205,9 @@ module sepax_tree_engine #(
   wire                 triangle_read_a, triangle_read_b;
   wire [LEAF_SLOT+3:0] triangle_slot_a, triangle_slot_b;
   wire [9*W:0]         triangle_a, triangle_b;
+  wire                 corners_read_b;
+  wire [LEAF_SLOT+3:0] corners_slot_b;
+  wire [14:0]          corners_b;
   wire                 pairs_damaged, pairs_error, pairs_busy;
   wire                 near_valid, launch_free;
   wire [INFO+7:0]      launched_info;
@@ -219,7 +222,9 @@ module sepax_tree_engine #(
     .leaf_out_error(leaf_out_error), .leaf_release(leaf_release),
     .triangle_read_a(triangle_read_a), .triangle_slot_a(triangle_slot_a),
     .triangle_a(triangle_a), .triangle_read_b(triangle_read_b),
-    .triangle_slot_b(triangle_slot_b), .triangle_b(triangle_b), .turn_valid(rows_turn),
+    .triangle_slot_b(triangle_slot_b), .triangle_b(triangle_b),
+    .corners_read_b(corners_read_b), .corners_slot_b(corners_slot_b), .corners_b(corners_b),
+    .turn_valid(rows_turn),
     .turn_ready(!setup_turn), .turn_point(rows_point), .turn_damaged(rows_damaged),
     .turned_valid(rows_q[2]),
     .turned({turned[134:110], turned[89:65], turned[44:20]}), .turned_damaged(damaged_q[2]),
@@ -268,8 +273,8 @@ module sepax_tree_engine #(
     .leaf_release(leaf_release), .triangle_read_a(triangle_read_a),
     .triangle_slot_a(triangle_slot_a), .triangle_a(triangle_a),
     .triangle_read_b(triangle_read_b), .triangle_slot_b(triangle_slot_b),
-    .triangle_b(triangle_b), .arvalid(arvalid), .arready(arready), .araddr(araddr),
-    .arlen(arlen), .rvalid(rvalid), .rready(rready), .rdata(rdata), .rresp(rresp),
-    .rlast(rlast)
+    .triangle_b(triangle_b), .corners_read_b(corners_read_b), .corners_slot_b(corners_slot_b),
+    .corners_b(corners_b), .arvalid(arvalid), .arready(arready), .araddr(araddr), .arlen(arlen),
+    .rvalid(rvalid), .rready(rready), .rdata(rdata), .rresp(rresp), .rlast(rlast)
   );
 endmodule

@@ -33,6 +33,9 @@ module sepax_tree_pairs #(
   output wire             triangle_read_b, // read a triangle of B
   output wire [SLOT+3:0]  triangle_slot_b, // {slot of its leaf, its number there}
   input  wire [9*W:0]     triangle_b,      // {damaged, its vertices}
+  output wire             corners_read_b,  // read the numbers of the vertices of one of B
+  output wire [SLOT+3:0]  corners_slot_b,  // {slot of its leaf, its number there}
+  input  wire [14:0]      corners_b,       // {of vertex 2, of 1, of 0}
   // vertices to be turned, and turned
   output wire             turn_valid,      // a vertex
   input  wire             turn_ready,      // it is taken
@@ -81,7 +84,8 @@ module sepax_tree_pairs #(
     .leaf_out_valid(leaf_out_valid), .leaf_out_ready(leaf_out_ready), .leaf_out_a(leaf_out_a),
     .leaf_out_b(leaf_out_b), .leaf_out_info(leaf_out_info), .leaf_out_error(leaf_out_error),
     .triangle_read_b(triangle_read_b), .triangle_slot_b(triangle_slot_b),
-    .triangle_b(triangle_b), .turn_valid(turn_valid), .turn_ready(turn_ready),
+    .triangle_b(triangle_b), .corners_read_b(corners_read_b), .corners_slot_b(corners_slot_b),
+    .corners_b(corners_b), .turn_valid(turn_valid), .turn_ready(turn_ready),
     .turn_point(turn_point), .turn_damaged(turn_damaged), .turned_valid(turned_valid),
     .turned(turned), .turned_damaged(turned_damaged), .out_valid(next_valid), .out_ready(next),
     .out_last(next_last), .out_child(next_child), .out_mask(next_mask), .out_slot(next_slot),

@@ -1,6 +1,6 @@
-// Rows (b, mask) of pairs of leaves, in their order: B's triangle b is read, its three vertices are
-// turned, one a cycle. Its AABB and its vertices come to a place of a ring of 8, from which they
-// are used and freed in order.
+// Rows (b, mask) of pairs of leaves, in their order: B's triangle b is read, its vertices are
+// turned, one a cycle, but for those that the row before of the same leaves has turned. Its AABB
+// and its vertices come to a place of a ring of 8, from which they are used and freed in order.
 module sepax_tree_rows #(
   parameter W = 18,   // bits of a coordinate, 4 ... 21
   parameter SLOT = 3, // bits of a slot of the leaf buffers
@@ -26,6 +26,9 @@ module sepax_tree_rows #(
   output wire             triangle_read_b, // read a triangle of B
   output wire [SLOT+3:0]  triangle_slot_b, // {slot of its leaf, its number there}
   input  wire [9*W:0]     triangle_b,      // {damaged, its vertices}
+  output wire             corners_read_b,  // read the numbers of its vertices
+  output wire [SLOT+3:0]  corners_slot_b,  // {slot of its leaf, its number there}
+  input  wire [14:0]      corners_b,       // {of vertex 2, of 1, of 0}
   // vertices to be turned, and turned
   output wire             turn_valid,      // a vertex
   input  wire             turn_ready,      // it is taken
@@ -49,33 +52,51 @@ module sepax_tree_rows #(
   input  wire             info_read,       // read what goes with the next pair of leaves
   output wire [INFO-1:0]  info             // the same
 );
+  localparam FLIGHT = 14; // bits that go with a vertex: {same, place, last, first}
   reg                 leaf_q;               // there is a pair of leaves
+  reg                 fresh_q;              // none of its rows was taken
   reg  [SLOT-1:0]     slot_a_q, slot_b_q;
-  reg  [2:0]          read_q;               // one-hot: the vertex of triangle_b that comes next
+  reg                 match_q;              // there is a row whose corners are here
+  reg                 first_q;              // the first of its leaves
+  reg  [SLOT+3:0]     triangle_q;           // its triangle
+  reg  [14:0]         corners_q;            // of the row before
+  reg  [2:0]          new_q;                // vertices of triangle_b that are to be turned
+  reg                 begin_q;              // none of them was
+  reg  [8:0]          same_q;               // bit 3 k + j: vertex k is j of the row before
+  reg  [FLIGHT-1:0]   flight_q [0:2];       // what goes with a vertex, as long as it is turned
   reg  [3:0]          used_q;               // places of the ring
   reg  [3:0]          waiting_q;            // rows that are not out
   reg  [3:0]          here_q;               // rows that are in the ring and not out
   reg  [2:0]          turned_q, box_q, vertices_q, info_in_q, info_q; // next places
   wire                done;
   wire                real_row = |in_mask;
-  wire                turn_done = read_q[2] && turn_ready;
-  wire                can_read = (!(|read_q) || turn_done) && !used_q[3];
+  wire [2:0]          pick = new_q & (~new_q + 3'd1);
+  wire [2:0]          others = new_q & ~pick;
+  wire                turn_done = turn_ready && !(|others);
+  wire                match = match_q && (!(|new_q) || turn_done) && !used_q[3];
   wire                take = in_valid && in_ready;
+  wire [8:0]          same;
+  wire [2:0]          fresh; // vertices that the row before has not
   wire                row_here, out_real;
-  wire [1:0]          index;
-  wire [3*W-1:0]      vertex;
+  wire [8:0]          flight_same;
+  wire [2:0]          flight_place;
+  wire                flight_last, flight_first;
+  wire [9*W-1:0]      points;
   wire [6*W+13:0]     turned_box;
 
-  assign in_ready = leaf_q && !waiting_q[3] && (can_read || !real_row);
+  assign in_ready = leaf_q && !waiting_q[3] && (!match_q || match || !real_row);
   assign busy = leaf_q || (|waiting_q) || (|used_q);
   assign leaf_out_ready = !error && (!leaf_q || (take && in_last));
-  assign triangle_read_b = take && real_row;
-  assign triangle_slot_b = {slot_b_q, in_child};
-  assign turn_valid = |read_q;
+  assign corners_read_b = take && real_row;
+  assign corners_slot_b = {slot_b_q, in_child};
+  assign triangle_read_b = match;
+  assign triangle_slot_b = triangle_q;
+  assign turn_valid = |new_q;
   assign turn_damaged = triangle_b[9*W];
-  assign turn_point = (triangle_b[0 +: 3*W] & {(3*W){read_q[0]}}) |
-                      (triangle_b[3*W +: 3*W] & {(3*W){read_q[1]}}) |
-                      (triangle_b[6*W +: 3*W] & {(3*W){read_q[2]}});
+  assign turn_point = (triangle_b[0 +: 3*W] & {(3*W){pick[0]}}) |
+                      (triangle_b[3*W +: 3*W] & {(3*W){pick[1]}}) |
+                      (triangle_b[6*W +: 3*W] & {(3*W){pick[2]}});
+  assign {flight_same, flight_place, flight_last, flight_first} = flight_q[2];
   assign out_real = |out_mask;
   assign out_valid = row_here && (!out_real || (|here_q));
 
@@ -85,29 +106,25 @@ module sepax_tree_rows #(
     .out({out_slot, out_last, out_child, out_mask})
   );
   sepax_turned_box #(.W(W)) turned_triangle (
-    .clk(clk), .clear(clear), .valid(turned_valid), .damaged(turned_damaged), .turned(turned),
-    .index(index), .vertex(vertex), .done(done), .box(turned_box)
+    .clk(clk), .clear(clear), .valid(turned_valid), .first(flight_first), .last(flight_last),
+    .place(flight_place), .same(flight_same), .damaged(turned_damaged), .turned(turned),
+    .done(done), .vertices(points), .box(turned_box)
   );
   sepax_ram #(.WIDTH(6*W+14), .ADDRESS(3)) boxes (
     .clk(clk), .write(done), .write_address(turned_q), .write_data(turned_box),
     .read(box_read), .read_address(box_q), .read_data(box)
   );
-  genvar k;
+  sepax_ram #(.WIDTH(9*W), .ADDRESS(3)) triangles (
+    .clk(clk), .write(done), .write_address(turned_q), .write_data(points),
+    .read(vertices_read), .read_address(vertices_q), .read_data(vertices)
+  );
+  genvar j, k;
   generate
-    for (k = 0; k < 3; k = k + 1) begin : ring
-      reg [2:0] place_q;
-      sepax_ram #(.WIDTH(3*W), .ADDRESS(3)) points (
-        .clk(clk), .write(turned_valid && (index == k[1:0])), .write_address(place_q),
-        .write_data(vertex), .read(vertices_read), .read_address(vertices_q),
-        .read_data(vertices[3*W*k +: 3*W])
-      );
-      always @(posedge clk) begin
-        if (clear) begin
-          place_q <= 3'd0;
-        end else if (turned_valid && (index == k[1:0])) begin
-          place_q <= place_q + 3'd1;
-        end
+    for (k = 0; k < 3; k = k + 1) begin : corner
+      for (j = 0; j < 3; j = j + 1) begin : of_row_before
+        assign same[3*k+j] = !first_q && (corners_b[5*k +: 5] == corners_q[5*j +: 5]);
       end
+      assign fresh[k] = !(|same[3*k +: 3]);
     end
   endgenerate
   sepax_ram #(.WIDTH(INFO), .ADDRESS(3)) infos (
@@ -117,15 +134,19 @@ module sepax_tree_rows #(
 
   always @(posedge clk) begin
     if (clear) begin
-      {leaf_q, error} <= 2'd0;
-      read_q <= 3'd0;
+      {leaf_q, match_q, error} <= 3'd0;
+      new_q <= 3'd0;
       {used_q, waiting_q, here_q} <= 12'd0;
       {turned_q, box_q, vertices_q, info_in_q, info_q} <= 15'd0;
     end else begin
       leaf_q <= leaf_out_ready ? leaf_out_valid && !leaf_out_error : leaf_q;
       error <= error || (leaf_out_valid && leaf_out_ready && leaf_out_error);
-      if (turn_ready || !turn_valid) begin
-        read_q <= {read_q[1:0], triangle_read_b};
+      match_q <= corners_read_b || (match_q && !match);
+      // At least one vertex is turned.
+      if (match) begin
+        new_q <= {fresh[2:1], fresh[0] || !(|fresh)};
+      end else if (turn_ready) begin
+        new_q <= others;
       end
       used_q <= used_q + {3'd0, triangle_read_b} - {3'd0, vertices_read};
       waiting_q <= waiting_q + {3'd0, take} - {3'd0, out_valid && out_ready};
@@ -140,5 +161,18 @@ module sepax_tree_rows #(
       slot_a_q <= leaf_out_a;
       slot_b_q <= leaf_out_b;
     end
+    fresh_q <= leaf_out_ready || (fresh_q && !corners_read_b);
+    if (corners_read_b) begin
+      triangle_q <= corners_slot_b;
+      first_q <= fresh_q;
+    end
+    if (match) begin
+      corners_q <= corners_b;
+      same_q <= same;
+    end
+    begin_q <= match || (begin_q && !turn_ready);
+    flight_q[0] <= {same_q, pick, !(|others), begin_q};
+    flight_q[1] <= flight_q[0];
+    flight_q[2] <= flight_q[1];
   end
 endmodule

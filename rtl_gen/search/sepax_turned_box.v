@@ -1,72 +1,64 @@
-// Turned triangles of B: their vertices, cut to W bits, go out one by one, the AABB follows with
-// the last of three. Coordinates beyond W + 2 bits are saturated in it. Latency 3.
+// Turned triangles of B, whose vertices come one by one; those that the triangle before has, too,
+// do not come. The AABB goes out with the vertices, cut to W bits, in the cycle after the last.
+// Coordinates beyond W + 2 bits are saturated in both.
 module sepax_turned_box #(
   parameter W = 18 // bits of a coordinate, 4 ... 21
 ) (
   input  wire             clk,     // clock
   input  wire             clear,   // drop everything
   input  wire             valid,   // a turned vertex
+  input  wire             first,   // the first of its triangle
+  input  wire             last,    // the last of its triangle
+  input  wire [2:0]       place,   // one-hot: which one it is
+  input  wire [8:0]       same,    // with the first: bit 3 k + j: vertex k is j of the one before
   input  wire             damaged, // its triangle is
   input  wire [74:0]      turned,  // {z, y, x}, 25 bits each, signed
-  output wire [1:0]       index,   // its number, 0 ... 2
-  output wire [3*W-1:0]   vertex,  // cut to W bits
   output reg              done,    // a triangle is done
+  output wire [9*W-1:0]   vertices, // {vertex 2, 1, 0}, {z, y, x} each, cut to W bits
   output wire [6*W+13:0]  box      // {damaged, outside W bits, high, low}, high z highest
 );
   localparam V = W + 2;
-  reg        [1:0]     index_q;            // of the next vertex
-  reg                  valid_q, first_q, last_q, damaged_q, outside_q;
-  reg                  all_damaged_q, any_outside_q;
-  reg        [3*V-1:0] point_q, low_q, high_q;
-  wire       [2:0]     outside;
-  wire       [3*V-1:0] point;
+  reg  [3*V-1:0] point_q [0:2];
+  reg  [2:0]     outside_q;
+  reg            damaged_q;
+  wire [2:0]     outside;
+  wire [3*V-1:0] point;
 
-  assign index = index_q;
-  assign box = {all_damaged_q, any_outside_q, high_q, low_q};
+  assign box[6*W+12] = |outside_q;
+  assign box[6*W+13] = damaged_q;
 
-  genvar k;
+  genvar i, k;
   generate
-    for (k = 0; k < 3; k = k + 1) begin : axis
-      wire [24:0] v = turned[25*k +: 25];
+    for (i = 0; i < 3; i = i + 1) begin : axis
+      wire [24:0] v = turned[25*i +: 25];
       wire        beyond = (|(v[24:V-1] ^ {(26-V){v[24]}}));
-      wire signed [V-1:0] x = point_q[V*k +: V];
-      wire signed [V-1:0] low = low_q[V*k +: V];
-      wire signed [V-1:0] high = high_q[V*k +: V];
-      assign vertex[W*k +: W] = v[W-1:0];
-      assign outside[k] = |(v[24:W-1] ^ {(26-W){v[24]}});
-      assign point[V*k +: V] = beyond ? {v[24], {(V-1){!v[24]}}} : v[V-1:0];
+      assign outside[i] = |(v[24:W-1] ^ {(26-W){v[24]}});
+      assign point[V*i +: V] = beyond ? {v[24], {(V-1){!v[24]}}} : v[V-1:0];
+      sepax_bounds #(.W(V)) bounds (
+        .x_1(point_q[0][V*i +: V]), .x_2(point_q[1][V*i +: V]), .x_3(point_q[2][V*i +: V]),
+        .low(box[V*i +: V]), .high(box[V*(i+3) +: V])
+      );
+    end
+    for (k = 0; k < 3; k = k + 1) begin : vertex
+      wire [2:0] from = first ? same[3*k +: 3] : 3'd1 << k;
+      for (i = 0; i < 3; i = i + 1) begin : axis
+        assign vertices[W*(3*k+i) +: W] = point_q[k][V*i +: W];
+      end
       always @(posedge clk) begin
-        if (first_q || (x < low)) begin
-          low_q[V*k +: V] <= x;
-        end
-        if (first_q || (x > high)) begin
-          high_q[V*k +: V] <= x;
+        if (valid) begin
+          point_q[k] <= place[k] ? point
+                      : (point_q[0] & {(3*V){from[0]}}) | (point_q[1] & {(3*V){from[1]}}) |
+                        (point_q[2] & {(3*V){from[2]}});
+          outside_q[k] <= place[k] ? (|outside) : |(outside_q & from);
         end
       end
     end
   endgenerate
 
   always @(posedge clk) begin
-    if (clear) begin
-      index_q <= 2'd0;
-      {valid_q, done} <= 2'd0;
-    end else begin
-      if (valid) begin
-        index_q <= index_q[1] ? 2'd0 : index_q + 2'd1;
-      end
-      valid_q <= valid;
-      done <= valid_q && last_q;
-    end
+    done <= !clear && valid && last;
     if (valid) begin
-      first_q <= !(|index_q);
-      last_q <= index_q[1];
       damaged_q <= damaged;
-      outside_q <= |outside;
-      point_q <= point;
-    end
-    if (valid_q) begin
-      all_damaged_q <= damaged_q;
-      any_outside_q <= outside_q || (any_outside_q && !first_q);
     end
   end
 endmodule

@@ -34,6 +34,9 @@ module sepax_leaf_buffers #(
   input  wire                read_b,       // read a triangle of B
   input  wire [SETS+5:0]     slot_b,       // {slot of its leaf, its number there}
   output wire [9*W:0]        triangle_b,   // from the next cycle on
+  input  wire                corners_read_b, // read the numbers of a triangle's vertices, of B
+  input  wire [SETS+5:0]     corners_slot_b, // {slot of its leaf, its number there}
+  output wire [14:0]         corners_b,    // from the next cycle on
   output wire                miss_valid,   // a burst is wanted
   input  wire                miss_ready,   // it is taken
   output wire [ADDRESS-5:0]  miss_address, // in units of 16 bytes
@@ -55,6 +58,7 @@ module sepax_leaf_buffers #(
   wire [ADDRESS-5:0] place_b = {base_b, 8'd0} + {{(ADDRESS-36){1'b0}}, in_b};
   wire               write, filled, error;
   wire [9*W:0]       triangle;
+  wire [14:0]        corners;
   wire [3:0]         index;
   wire [SETS+2:0]    tag;
   wire               is_b = tag[SETS+2];
@@ -72,7 +76,7 @@ module sepax_leaf_buffers #(
     .clk(clk), .rst(rst), .fill(fill), .fill_numbers(fill_numbers), .fill_even(fill_even),
     .fill_odd(fill_odd), .fill_beat(fill_beat), .fill_last(fill_last), .fill_error(fill_error),
     .fill_tag(fill_tag), .busy(busy), .idle(idle), .write(write),
-    .triangle(triangle), .index(index), .tag(tag), .done(filled), .error(error)
+    .triangle(triangle), .corners(corners), .index(index), .tag(tag), .done(filled), .error(error)
   );
   sepax_ram #(.WIDTH(9*W+1), .ADDRESS(SETS+6)) triangles_a (
     .clk(clk), .write(write && !is_b), .write_address({tag[SETS+1:0], index}),
@@ -81,5 +85,10 @@ module sepax_leaf_buffers #(
   sepax_ram #(.WIDTH(9*W+1), .ADDRESS(SETS+6)) triangles_b (
     .clk(clk), .write(write && is_b), .write_address({tag[SETS+1:0], index}),
     .write_data(triangle), .read(read_b), .read_address(slot_b), .read_data(triangle_b)
+  );
+  sepax_ram #(.WIDTH(15), .ADDRESS(SETS+6)) all_corners_b (
+    .clk(clk), .write(write && is_b), .write_address({tag[SETS+1:0], index}),
+    .write_data(corners), .read(corners_read_b), .read_address(corners_slot_b),
+    .read_data(corners_b)
   );
 endmodule

@@ -21,6 +21,7 @@ module sepax_leaf_fill #(
   output wire           idle,         // no record is here
   output reg            write,        // a triangle
   output wire [9*W:0]   triangle,     // {damaged, z, y, x of vertex 2, of 1, of 0}
+  output reg  [14:0]    corners,      // numbers of its vertices
   output reg  [3:0]     index,        // its number in the record
   output reg  [TAG-1:0] tag,          // of the record
   output reg            done,         // with the last triangle
@@ -121,6 +122,7 @@ module sepax_leaf_fill #(
       index_q <= next_q;
     end
     if (make) begin
+      corners <= numbers_q;
       index <= index_q;
       tag <= tag_q[made_q[0]];
       error <= error_q[made_q[0]];

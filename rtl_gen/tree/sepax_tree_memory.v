@@ -67,6 +67,9 @@ module sepax_tree_memory #(
   input  wire                  triangle_read_b, // read a triangle of B
   input  wire [LEAF_SETS+5:0]  triangle_slot_b, // {slot of its leaf, its number there}
   output wire [9*W:0]          triangle_b,      // {damaged, z, y, x of vertex 2, of 1, of 0}
+  input  wire                  corners_read_b,  // read the numbers of the vertices of one of B
+  input  wire [LEAF_SETS+5:0]  corners_slot_b,  // {slot of its leaf, its number there}
+  output wire [14:0]           corners_b,       // {of vertex 2, of 1, of 0} in the leaf
   // AXI4, 128 bits, read only: ARSIZE 4, ARBURST INCR, one ID
   output wire                  arvalid,         // an address
   input  wire                  arready,         // it is taken
@@ -133,7 +136,8 @@ module sepax_tree_memory #(
     .out_ready(leaf_out_ready), .out_a(leaf_out_a), .out_b(leaf_out_b), .out_info(leaf_out_info),
     .out_error(leaf_out_error), .done(leaf_release), .read_a(triangle_read_a),
     .slot_a(triangle_slot_a), .triangle_a(triangle_a), .read_b(triangle_read_b),
-    .slot_b(triangle_slot_b), .triangle_b(triangle_b), .miss_valid(leaf_miss),
+    .slot_b(triangle_slot_b), .triangle_b(triangle_b), .corners_read_b(corners_read_b),
+    .corners_slot_b(corners_slot_b), .corners_b(corners_b), .miss_valid(leaf_miss),
     .miss_ready(read_ready), .miss_address(leaf_address), .miss_beats(leaf_beats),
     .miss_tag(leaf_tag), .fill(fill && of_leaf), .fill_numbers(numbers), .fill_even(even),
     .fill_odd(odd), .fill_beat(fill_beat), .fill_last(fill_last), .fill_error(fill_error),

@@ -72,7 +72,7 @@ private:
     top->node_in_valid = top->leaf_in_valid = top->node_out_ready = top->leaf_out_ready = 0;
     top->node_release = top->leaf_release = top->node_read_a = top->node_read_b = 0;
     top->head_read_a = top->head_read_b = 0;
-    top->triangle_read_a = top->triangle_read_b = 0;
+    top->triangle_read_a = top->triangle_read_b = top->corners_read_b = 0;
   }
 
   void fault(const char *what, uint64_t got, uint64_t wanted) {
@@ -238,6 +238,9 @@ private:
   void check_triangle(const Pair &p, int i, unsigned index) {
     uint64_t wanted[9];
     bool damaged = !world.triangle(i, p.number[i], index, W, wanted);
+    if (i == 1 && top->corners_b != world.corners(i, p.number[i], index)) {
+      fault("corners", top->corners_b, world.corners(i, p.number[i], index));
+    }
     if (triangle_bits(i, 9 * W, 1) != damaged) {
       fault("damaged", !damaged, damaged);
     }
@@ -339,12 +342,12 @@ void Traffic::drive() {
   top->head_slot_a = node(2);
   top->head_slot_b = node(3);
   top->triangle_read_a = l[0] >= 0;
-  top->triangle_read_b = l[1] >= 0;
+  top->triangle_read_b = top->corners_read_b = l[1] >= 0;
   auto slot = [&](int i) {
     return (l[i] >= 0 ? leaves.out[(size_t)l[i]].slot[i] : 0) * 16 + leaves.index[i];
   };
   top->triangle_slot_a = slot(0);
-  top->triangle_slot_b = slot(1);
+  top->triangle_slot_b = top->corners_slot_b = slot(1);
 }
 
 // From the settled outputs over the edge of the clock.

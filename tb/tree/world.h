@@ -93,12 +93,18 @@ public:
     return false;
   }
 
+  // Numbers of the vertices of triangle `index` of a record.
+  unsigned corners(int i, unsigned record, unsigned index) const {
+    const uint8_t *from = at(i, MEMORY_BEAT * (uint64_t)body[i].records[record].place);
+    return (from[2 * index] | (unsigned)from[2 * index + 1] << 8) & 0x7fff;
+  }
+
   // Coordinates of triangle `index` of a record, W bits each; false if it is damaged.
   bool triangle(int i, unsigned record, unsigned index, unsigned word,
                 uint64_t coordinate[9]) const {
     const Record &r = body[i].records[record];
     const uint8_t *from = at(i, MEMORY_BEAT * (uint64_t)r.place);
-    unsigned numbers = from[2 * index] | (unsigned)from[2 * index + 1] << 8;
+    unsigned numbers = corners(i, record, index);
     for (unsigned k = 0; k < 9; k++) {
       unsigned number = numbers >> 5 * (k / 3) & 31;
       if (number >= 2 * r.beats - 4) {
