@@ -178,9 +178,9 @@ hard: $(SEPAX)
 engine-sweep: $(SEPAX) $(BUILD)/liberty
 	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" $(EXPERIMENT)/engine-sweep $(BUILD)/engine-sweep
 
-tree-sweep: $(SEPAX)
-	@scripts/tree/sweep $(if $(call given,COUNT),-c $(COUNT)) $(if $(SIZES),-n "$(SIZES)") \
-	  $(BUILD)/tree-sweep
+tree-sweep: $(SEPAX) $(BUILD)/refine $(BUILD)/bench_tree
+	@MESH_DIR="$(MESH_DIR)" scripts/tree/sweep $(if $(call given,COUNT),-c $(COUNT)) \
+	  $(if $(SWEEP),-s "$(SWEEP)") $(BUILD)/tree-sweep
 
 endif
 endif

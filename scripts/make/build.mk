@@ -55,11 +55,13 @@ $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/campaign: $(call object,tb/benchmark/campaign.c) $(ORACLE_OBJ) $(LIB)
+$(BUILD)/refine: $(call object,tb/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
 $(SEPAX) $(BUILD)/liberty $(BUILD)/power: LIBS = -ljansson
 $(BUILD)/clearance-test $(BUILD)/campaign: LIBS = -lgmp
-$(SEPAX) $(addprefix $(BUILD)/,bench_batch campaign clearance-test liberty power) $(BUILD)/bench:
+$(SEPAX) $(addprefix $(BUILD)/,bench_batch campaign clearance-test liberty power refine) \
+    $(BUILD)/bench:
 	$(link)
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson
@@ -70,7 +72,9 @@ $(BUILD)/unit/%: $(BUILD)/obj/tb/unit/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ
 header   = $(shell echo '\#include <$(1)>' | $(CXX) -x c++ -E - > /dev/null 2>&1 && echo $(2))
 BODIES_O = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard tb/benchmark/*.cpp)) \
            $(call object,tb/oracle/oracle.c)
-$(BUILD)/obj/tb/benchmark/%.o: tb/benchmark/%.cpp
+SWEEP_O  = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard tb/sweep/*.cpp) \
+           tb/benchmark/peer_fcl.cpp tb/benchmark/peer_sepax.cpp)
+$(BUILD)/obj/tb/%.o: tb/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX     $<"
 	@$(CXX) -std=c++17 -O3 -DNDEBUG -Wall -Wextra -Werror -Ic_model -Itb \
@@ -79,5 +83,8 @@ $(BUILD)/bench_bodies: $(BODIES_O) $(LIB)
 	@echo "  LINK    $@"
 	@$(CXX) $^ $(call header,fcl/fcl.h,-lfcl -lccd) $(call header,embree3/rtcore.h,-lembree3) \
 	  $(call header,mpfr.h,-lmpfr) -lgmp -lm -pthread -o $@
+$(BUILD)/bench_tree: $(SWEEP_O) $(LIB)
+	@echo "  LINK    $@"
+	@$(CXX) $^ $(call header,fcl/fcl.h,-lfcl -lccd) -lm -pthread -o $@
 
 -include $(wildcard $(BUILD)/obj/*/*/*/*.d $(BUILD)/obj/*/*/*.d $(BUILD)/obj/*/*.d)

@@ -201,6 +201,7 @@ static void tally(bench_batch *b, const contacts *c, const sepax_tree_result *go
   b->worst = o->cycles > b->worst ? o->cycles : b->worst;
   b->mismatches += c->wrong > 0;
   b->near += o->near;
+  b->second_passes += golden->run.passes - golden->run.near;
   b->warnings += o->warnings;
   b->hits += o->status & SEPAX_TREE_HIT;
   b->out_of_range += o->out_of_range;
@@ -348,10 +349,11 @@ static void run_meshes(const char *const path[3], double resolution, unsigned mo
   bench_run(&batch);
   const memory *m = bus_attached();
   printf("%llu cycles in all, %llu bytes read, %llu near pairs, %llu poses collide, %llu out of "
-         "range\n",
+         "range, %llu second passes\n",
          (unsigned long long)(bus_cycles() - begin),
          (unsigned long long)(MEMORY_BEAT * m->counts.beats), (unsigned long long)batch.near,
-         (unsigned long long)batch.hits, (unsigned long long)batch.out_of_range);
+         (unsigned long long)batch.hits, (unsigned long long)batch.out_of_range,
+         (unsigned long long)batch.second_passes);
   bool usual = options->latency == SEPAX_TREE_LATENCY && options->stress == 0;
   if (modes == SEPAX_TREE_COLD && budget == 0 && usual) {
     printf("predicted: mean %.0f cycles, a pose by up to %+.1f %% off\n",

@@ -15,8 +15,6 @@
 #include <sched.h>
 #include <unistd.h>
 
-double Peer::distance(size_t) const { return 0; }
-
 void stop(const std::string &why) {
   fprintf(stderr, "bench_bodies: %s\n", why.c_str());
   exit(2);

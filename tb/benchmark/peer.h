@@ -24,7 +24,7 @@ public:
   /* What ask(FIRST), ask(ALL) found in pose n. */
   virtual Pairs pairs(size_t n) const = 0;
   /* Of ask(DISTANCE); 0 or less for a collision. */
-  virtual double distance(size_t n) const;
+  virtual double distance(size_t) const { return 0; }
 };
 
 /* nullptr: the library's headers are not here. */
