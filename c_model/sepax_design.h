@@ -215,7 +215,8 @@ bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t cou
 /* What a run of the engine finds. */
 typedef struct {
   uint64_t pairs, candidates; /* tested; of these, with AABBs that overlap (or are in the margin) */
-  uint64_t passes;       /* of candidates through the cores; two for pairs flat as seen along z */
+  uint64_t passes;            /* of candidates through the cores; two for pairs flat as seen along
+                                 the thinnest side of A's AABB */
   sepax_pairs found;     /* collisions, and pairs in band WARNING, in the order of the engine */
   uint64_t collisions;   /* among found */
   size_t first;          /* index in found of the first collision; found.count without one */
@@ -278,9 +279,12 @@ typedef struct {
 typedef struct {
   uint64_t candidates; /* pairs of triangles with overlapping AABBs */
   uint32_t (*pass)[2]; /* the numbers of their triangles of A and of B; a pair that is flat as seen
-                          along z goes through a core twice, and is here twice */
+                          along the thinnest side of A's AABB goes through a core of an engine
+                          twice, and is here twice */
   size_t passes;       /* in `pass` */
-  uint64_t twice;      /* of all pairs, those that go through a core twice without an AABB test */
+  uint64_t twice; /* of all pairs, those that go through a core alone twice without an AABB test:
+                     flat as seen along z */
+  uint64_t twice_near; /* of these, the candidates */
 } sepax_job;
 
 /* What follows for every pose. extent[i] bounds each side of the AABB of each triangle of A, of B,

@@ -70,12 +70,14 @@ bool gates_fitted(const sepax_design *design) {
          design->core_word <= FITTED_MOST;
 }
 
-/* Lanes: triangles and their AABBs. Trees: nodes and leaves; vertices, rows and pairs that are on
- * their way; tags, lists, stack, which no W changes. */
+/* Lanes: triangles, their AABBs, the thinnest side of A's. Trees: nodes and leaves; vertices, rows
+ * and pairs that are on their way; tags, lists, stack, which no W changes. */
 uint64_t sepax_memory_bits(const sepax_config *c) {
   uint64_t word = (uint64_t)c->word;
   if (c->tree) {
     return 215236 + 3384 * word;
   }
-  return c->lanes == 0 ? 0 : 15 * word * ((uint64_t)c->memory_a + (uint64_t)c->memory_b);
+  uint64_t of_a = (uint64_t)c->memory_a;
+  uint64_t of_b = (uint64_t)c->memory_b;
+  return c->lanes == 0 ? 0 : 15 * word * (of_a + of_b) + 2 * of_a;
 }

@@ -34,7 +34,12 @@ static size_t first_from(const numbered *sorted, size_t count, int64_t x) {
 
 static bool add_passes(sepax_job *job, size_t *capacity, const job_bodies *r, uint32_t i,
                        uint32_t j) {
-  int passes = engine_takes_two_passes(&r->tri[0][i], &r->tri[1][j]) ? 2 : 1;
+  const sepax_tri *of_a = &r->tri[0][i];
+  const sepax_tri *of_b = &r->tri[1][j];
+  sepax_tri a = engine_thin_along_z(of_a, &r->bounds[0][i]);
+  sepax_tri b = engine_thin_along_z(of_b, &r->bounds[0][i]);
+  int passes = engine_takes_two_passes(&a, &b) ? 2 : 1;
+  job->twice_near += engine_takes_two_passes(of_a, of_b);
   job->candidates++;
   for (int n = 0; n < passes; n++) {
     if (job->passes == *capacity) {
@@ -264,7 +269,7 @@ static void sizes_of(part_sizes size[2], const size_t count[2], const sepax_conf
 uint64_t job_cycles(const sepax_job *job, const size_t count[2], const sepax_config *config,
                     uint64_t *steps) {
   if (config->lanes == 0) {
-    uint64_t twice = config->extent_a > 0 ? job->passes - job->candidates : job->twice;
+    uint64_t twice = config->extent_a > 0 ? job->twice_near : job->twice;
     return ((uint64_t)count[0] * count[1] + twice) * (uint64_t)config->ii;
   }
   part_sizes size[2];

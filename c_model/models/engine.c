@@ -43,8 +43,10 @@ static bool judge(enumeration *e, size_t i, size_t j) {
   bool moved_out = !aabb_fits(&e->bounds_b[j], c->word);
   bool undecided = moved_out || v.axis == SEPAX_AXIS_EXTENT;
   bool collision = moved_out || v.collision;
-  bool twice = !c->flag && e->design->limits == 0 && !decided_before &&
-               engine_takes_two_passes(&pair.a, &pair.b);
+  sepax_tri a = engine_thin_along_z(&pair.a, &e->bounds_a[i]);
+  sepax_tri b = engine_thin_along_z(&pair.b, &e->bounds_a[i]);
+  bool twice =
+      !c->flag && e->design->limits == 0 && !decided_before && engine_takes_two_passes(&a, &b);
   run->candidates++;
   run->passes += twice ? 2 : 1;
   bool warning = !collision && e->design->limits > 0 && v.band == SEPAX_BAND_WARNING;

@@ -4,6 +4,7 @@
 #define SEPAX_ENGINE_TIME_H
 
 #include "sepax_design.h"
+#include "util/aabb.h"
 #include "util/wide.h"
 
 /* What is between the lanes and the cores: a FIFO of candidate masks, of each of which the number
@@ -114,6 +115,18 @@ static inline uint64_t engine_steps(uint64_t count_a, uint64_t count_b, uint64_t
 static inline uint64_t engine_step_of(uint64_t i, uint64_t j, uint64_t count_b, uint64_t lanes) {
   uint64_t length = count_b > lanes ? count_b : lanes;
   return (i / lanes + (j < i % lanes)) * length + j;
+}
+
+/* With z and the thinnest side of an AABB in each other's place. */
+static inline sepax_tri engine_thin_along_z(const sepax_tri *t, const aabb *thin) {
+  int thinnest = aabb_thinnest(thin);
+  sepax_tri swapped;
+  for (int k = 0; k < 3; k++) {
+    const sepax_vec *v = &t->v[k];
+    swapped.v[k] = (sepax_vec){thinnest == 0 ? v->z : v->x, thinnest == 1 ? v->z : v->y,
+                               vec_component(v, thinnest)};
+  }
+  return swapped;
 }
 
 /* True iff a pair goes through the core twice where no AABB test decides it: its six vertices are

@@ -97,18 +97,14 @@ tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t m
   }
   r.out_of_range = !aabb_fits(&of_b, word);
   aabb_enclose(&of_a, &of_b);
-  int64_t side[3];
-  for (int i = 0; i < 3; i++) {
-    side[i] = of_a.high[i] - of_a.low[i];
-  }
-  r.turn = side[2] <= side[0] && side[2] <= side[1] ? 0 : side[0] <= side[1] ? 1 : 2;
+  r.thinnest = aabb_thinnest(&of_a);
   return r;
 }
 
-sepax_tri tree_turned_axes(const int32_t v[3][3], int turn) {
+sepax_tri tree_thin_along_z(const int32_t v[3][3], int thinnest) {
   sepax_tri t;
   for (int k = 0; k < 3; k++) {
-    t.v[k] = (sepax_vec){v[k][turn], v[k][(turn + 1) % 3], v[k][(turn + 2) % 3]};
+    t.v[k] = (sepax_vec){v[k][thinnest == 0 ? 2 : 0], v[k][thinnest == 1 ? 2 : 1], v[k][thinnest]};
   }
   return t;
 }

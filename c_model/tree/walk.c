@@ -66,8 +66,8 @@ static bool push(walk *w, entry e) {
 
 static void judge(walk *w, sepax_tree_pair *p, const tree_pair *tested, const int32_t a[3][3],
                   const int32_t b[3][3]) {
-  sepax_pair pair = {.a = tree_turned_axes(a, tested->turn),
-                     .b = tree_turned_axes(b, tested->turn)};
+  sepax_pair pair = {.a = tree_thin_along_z(a, tested->thinnest),
+                     .b = tree_thin_along_z(b, tested->thinnest)};
   p->out_of_range = tested->out_of_range;
   p->collision = true;
   p->band = SEPAX_BAND_COLLISION;

@@ -28,7 +28,7 @@ typedef struct {
 typedef struct {
   bool near;         /* the AABBs leave no gap above the margin */
   bool out_of_range; /* near, and a turned coordinate is beyond W bits */
-  int turn;          /* what the core gets: 0: (x, y, z), 1: (y, z, x), 2: (z, x, y) */
+  int thinnest;      /* an axis: its place and that of z are exchanged for the core */
 } tree_pair;
 
 tree_setting tree_set_up(const sepax_tree_side *side, const tree_node *s, const tree_node *t);
@@ -43,7 +43,7 @@ void tree_turn_vertex(int32_t v[3], const sepax_tree_side *side, const int32_t p
 tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t margin, int word);
 
 /* As the core gets it. */
-sepax_tri tree_turned_axes(const int32_t v[3][3], int turn);
+sepax_tri tree_thin_along_z(const int32_t v[3][3], int thinnest);
 
 /* sepax_images_walk of what has been looked at: nodes are in the images. */
 bool tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,

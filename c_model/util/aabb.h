@@ -70,6 +70,15 @@ static inline int64_t aabb_longest_side(const aabb *b) {
   return longest;
 }
 
+/* The axis of the thinnest side; of equal ones z, then x. */
+static inline int aabb_thinnest(const aabb *b) {
+  int64_t side[3];
+  for (int axis = 0; axis < 3; axis++) {
+    side[axis] = b->high[axis] - b->low[axis];
+  }
+  return side[2] <= side[0] && side[2] <= side[1] ? 2 : side[0] <= side[1] ? 0 : 1;
+}
+
 /* True iff all coordinates fit a word of W bits. */
 static inline bool aabb_fits(const aabb *b, int word) {
   for (int axis = 0; axis < 3; axis++) {

@@ -25,6 +25,8 @@ sepax_narrow.v
 sepax_top.v
 sepax_bounds.v
 sepax_disjoint.v
+sepax_thinnest.v
+sepax_swap_axes.v
 sepax_fifo.v
 sepax_ram.v
 sepax_registers.v

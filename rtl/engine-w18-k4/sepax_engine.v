@@ -50,7 +50,9 @@ module sepax_engine (
   localparam B = 9; // of B
   wire write_a, write_b, step, fetch;
   wire [9-1:0] write_address;
-  wire [9*W-1:0] write_triangle, read_triangle_a, read_triangle_b;
+  localparam T = 9 * W + 2;  // bits of a triangle of A: thinnest side, coordinates
+  wire [T-1:0] write_triangle, read_triangle_a;
+  wire [9*W-1:0] read_triangle_b;
   wire [6*W-1:0] write_aabb, read_aabb_a, read_aabb_b;
   wire [A-1:0]   aabb_address_a, fetch_a;
   wire [B-1:0]   aabb_address_b, fetch_b;
@@ -82,13 +84,14 @@ module sepax_engine (
     .clk(clk), .write(write_b), .write_address(write_address[B-1:0]), .write_data(write_aabb),
     .read(step), .read_address(aabb_address_b), .read_data(read_aabb_b)
   );
-  sepax_ram #(.WIDTH(9*W), .ADDRESS(A)) triangles_a (
+  sepax_ram #(.WIDTH(T), .ADDRESS(A)) triangles_a (
     .clk(clk), .write(write_a), .write_address(write_address[A-1:0]), .write_data(write_triangle),
     .read(fetch), .read_address(fetch_a), .read_data(read_triangle_a)
   );
   sepax_ram #(.WIDTH(9*W), .ADDRESS(B)) triangles_b (
-    .clk(clk), .write(write_b), .write_address(write_address[B-1:0]), .write_data(write_triangle),
-    .read(fetch), .read_address(fetch_b), .read_data(read_triangle_b)
+    .clk(clk), .write(write_b), .write_address(write_address[B-1:0]),
+    .write_data(write_triangle[9*W-1:0]), .read(fetch), .read_address(fetch_b),
+    .read_data(read_triangle_b)
   );
 endmodule
 

@@ -18,6 +18,11 @@ void gen_bounds(emitter *e) { gen_once(e, "sepax_bounds"); }
 
 void gen_disjoint(emitter *e) { gen_once(e, "sepax_disjoint"); }
 
+void gen_thinnest(emitter *e) {
+  gen_once(e, "sepax_thinnest");
+  gen_once(e, "sepax_swap_axes");
+}
+
 void aabb_holes(emit_holes *h, const sepax_design *design) {
   const sepax_config *c = &design->config;
   bool extents = c->extent_a > 0;

@@ -8,6 +8,9 @@
 void gen_bounds(emitter *e);
 /* sepax_disjoint: have two intervals no common point; once a design. */
 void gen_disjoint(emitter *e);
+/* sepax_thinnest: which side of an AABB is the thinnest; sepax_swap_axes: a triangle with that side
+ * as z; once a design. */
+void gen_thinnest(emitter *e);
 
 /* What the templates of architecture exact say of the AABB test, with one and without. */
 void aabb_holes(emit_holes *h, const sepax_design *design);

@@ -5,11 +5,17 @@
 /* Rounded up. */
 static int log2_of(int number) { return 31 - __builtin_clz(2 * (unsigned)number - 1); }
 
+/* Without second passes all axes are alike. */
+static bool swaps_axes(const sepax_design *design) {
+  return !design->config.flag && design->limits == 0;
+}
+
 static void set_sizes(emit_holes *h, const sepax_design *design) {
   const sepax_config *c = &design->config;
   int index_a = log2_of(c->memory_a);
   int index_b = log2_of(c->memory_b);
   bool a_is_smaller = index_a < index_b;
+  emit_hole_set(h, "swaps", "%d", swaps_axes(design));
   emit_hole_set(h, "moved", "%d", c->word + 2);
   emit_hole_set(h, "narrow", "%d", c->word < 32);
   emit_hole_set(h, "move_is_word", "%d", c->word + 1 >= 32);
@@ -70,6 +76,9 @@ void gen_engine(emitter *e, int entries) {
   set_registers(&h, &e->design->config);
   gen_bounds(e);
   gen_disjoint(e);
+  if (swaps_axes(e->design)) {
+    gen_thinnest(e);
+  }
   for (size_t i = 0; i < sizeof modules / sizeof modules[0]; i++) {
     emit_template(e, modules[i], h.hole);
   }

@@ -30,7 +30,8 @@ module sepax_engine_logic (
   output wire        m_axis_tlast,  // end of the run
   output wire        irq,           // interrupt, level: PENDING and ENABLE
   output wire [@index@-1:0]    write_address,   // number of a triangle to write
-  output wire [9*@word@-1:0] write_triangle,  // its coordinates
+  output wire [9*@word@+1:0] write_triangle,  // {thinnest side, coordinates} //@ swaps
+  output wire [9*@word@-1:0] write_triangle,  // its coordinates //@ !swaps
   output wire [6*@word@-1:0] write_aabb,      // its AABB
   output wire            write_a,         // write to both memories of A
   output wire            write_b,         // write to both memories of B
@@ -42,7 +43,8 @@ module sepax_engine_logic (
   input  wire [6*@word@-1:0] read_aabb_b,     // B's
   output wire [@index_a@-1:0]    fetch_a,         // number of A's triangle to read
   output wire [@index_b@-1:0]    fetch_b,         // of B's
-  input  wire [9*@word@-1:0] read_triangle_a, // A's triangle, in the next cycle
+  input  wire [9*@word@+1:0] read_triangle_a, // A's triangle, in the next cycle //@ swaps
+  input  wire [9*@word@-1:0] read_triangle_a, // A's triangle, in the next cycle //@ !swaps
   input  wire [9*@word@-1:0] read_triangle_b  // B's
 );
   localparam W = @word@;     // bits of a coordinate
@@ -79,7 +81,9 @@ module sepax_engine_logic (
   sepax_load load_objects (
     .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(s_axis_tvalid), .tready(s_axis_tready),
     .tdata(s_axis_tdata), .tlast(s_axis_tlast), .tdest(s_axis_tdest), .write_a(write_a),
-    .write_b(write_b), .address(write_address), .triangle(write_triangle), .aabb(write_aabb),
+    .write_b(write_b), .address(write_address), .triangle(write_triangle[9*W-1:0]),
+    .thinnest(write_triangle[9*W +: 2]), //@ swaps
+    .aabb(write_aabb),
     .count_a(count_a), .count_b(count_b), .loading(loading), .ended(ended), .bad_word(bad_word),
     .partial(partial), .bad_size(bad_size)
   );
@@ -127,7 +131,8 @@ module sepax_engine_logic (
 
   sepax_fetch fetch_pair (
     .clk(clk), .clear(clear), .valid(candidate), .a(fetch_a), .b(fetch_b), .read(fetch),
-    .read_a(read_triangle_a), .read_b(read_triangle_b), .move(move), .busy(fetch_busy),
+    .thinnest(read_triangle_a[9*W +: 2]), //@ swaps
+    .read_a(read_triangle_a[9*W-1:0]), .read_b(read_triangle_b), .move(move), .busy(fetch_busy),
     .out_valid(pair_valid), .out_ready(pair_ready), .out_a(pair_a), .out_b(pair_b),
     .out_outside(outside), .number_a(number_a), .number_b(number_b)
   );

@@ -1,5 +1,8 @@
 // The triangles of a pair from the memories, B's moved, and valid/ready to the cores. A pair of
 // which B does not fit the word any more is marked; its verdict does not count.
+//@ if swaps
+// The thinnest side of A becomes z of both: a pair in a plane across an axis takes one pass.
+//@ end
 module sepax_fetch (
   input  wire            clk,         // clock
   input  wire            clear,       // drop what is in flight
@@ -8,6 +11,7 @@ module sepax_fetch (
   input  wire [@index_b@-1:0]    b,           // number of B's triangle
   output wire            read,        // it is taken: read both memories
   input  wire [9*@word@-1:0] read_a,      // from A's, in the next cycle
+  input  wire [1:0]      thinnest,    // with it: which side of its AABB is the thinnest //@ swaps
   input  wire [9*@word@-1:0] read_b,      // from B's
   input  wire [3*(@word@+1)-1:0] move,    // added to B: {z, y, x}, signed
   output wire            busy,        // a pair is in flight
@@ -26,11 +30,20 @@ module sepax_fetch (
   reg  [@index_b@-1:0]   b_q;
   wire [9*V-1:0] moved;
   wire [9*W-1:0] moved_b;
+  wire [9*W-1:0] next_a, next_b;
   wire [8:0]     outside;
   wire           enable_2 = !out_valid || out_ready; //@ each_cycle
   // A core's in_ready comes late; a pair in every other cycle is enough. //@ !each_cycle
   wire           enable_2 = !out_valid; //@ !each_cycle
   wire           enable_1 = !valid_q || enable_2;
+
+  //@ if swaps
+  sepax_swap_axes #(.W(W)) axes_a (.thinnest(thinnest), .in(read_a), .out(next_a));
+  sepax_swap_axes #(.W(W)) axes_b (.thinnest(thinnest), .in(moved_b), .out(next_b));
+  //@ else
+  assign next_a = read_a;
+  assign next_b = moved_b;
+  //@ end
 
   assign read = valid && enable_1;
   assign busy = valid_q || out_valid;
@@ -62,8 +75,8 @@ module sepax_fetch (
     if (enable_2) begin
       number_a <= a_q;
       number_b <= b_q;
-      out_a <= read_a;
-      out_b <= moved_b;
+      out_a <= next_a;
+      out_b <= next_b;
       out_outside <= |outside;
     end
   end

@@ -9,11 +9,12 @@ module sepax_load (
   input  wire [95:0]     tdata,     // {z, y, x}, signed, 32 bits each
   input  wire            tlast,     // the last of the object
   input  wire            tdest,     // 0: of object A, 1: of B; that of its first vertex counts
-  output reg             write_a,   // write a triangle of A
-  output reg             write_b,   // write a triangle of B
+  output reg             write_a,   // write a triangle of A, two cycles after its last vertex
+  output reg             write_b,   // write a triangle of B, likewise
   output reg  [@index@-1:0]    address,   // its number
   output reg  [9*@word@-1:0] triangle,  // signed, @word@ bits each, x of the first vertex lowest
   output wire [6*@word@-1:0] aabb,      // its AABB, {high, low} of z, y, x
+  output wire [1:0]      thinnest,  // thinnest side of that: sepax_thinnest.v //@ swaps
   output reg  [@index_a@:0]      count_a,   // triangles of A
   output reg  [@index_b@:0]      count_b,   // triangles of B
   output reg             loading,   // an object has begun to come
@@ -29,6 +30,8 @@ module sepax_load (
   reg  [2:0]       phase_q;  // one-hot: the vertex of the triangle
   reg  [INDEX:0]   number_q; // of the triangle
   reg  [3*W-1:0]   vertex_1_q, vertex_2_q;
+  reg              came_a_q, came_b_q; // a triangle of A, of B is in `triangle`
+  reg  [3*W-1:0]   sides_q; // of its AABB //@ swaps
   wire [3*W-1:0]   vertex;
   wire [2:0]       fits;
   wire             bad_vertex = !(&fits);
@@ -53,20 +56,27 @@ module sepax_load (
         .x_1(triangle[k*W +: W]), .x_2(triangle[(3+k)*W +: W]), .x_3(triangle[(6+k)*W +: W]),
         .low(aabb[2*k*W +: W]), .high(aabb[(2*k+1)*W +: W])
       );
+      always @(posedge clk) begin //@ swaps
+        sides_q[k*W +: W] <= aabb[(2*k+1)*W +: W] - aabb[2*k*W +: W]; //@ swaps
+      end //@ swaps
     end
   endgenerate
 
+  sepax_thinnest #(.W(W)) thinnest_side (.sides(sides_q), .thinnest(thinnest)); //@ swaps
+
   always @(posedge clk) begin
     if (rst) begin
-      {loading, ended, write_a, write_b, bad_word, partial, bad_size} <= 7'd0;
+      {loading, ended, came_a_q, came_b_q, bad_word, partial, bad_size} <= 7'd0;
+      {write_a, write_b} <= 2'd0;
       phase_q <= 3'b001;
       number_q <= {(INDEX+1){1'b0}};
       count_a <= {(@index_a@+1){1'b0}};
       count_b <= {(@index_b@+1){1'b0}};
     end else begin
       ended <= take && tlast;
-      write_a <= take && phase_q[2] && free && !to_b;
-      write_b <= take && phase_q[2] && free && to_b;
+      came_a_q <= take && phase_q[2] && free && !to_b;
+      came_b_q <= take && phase_q[2] && free && to_b;
+      {write_a, write_b} <= {came_a_q, came_b_q};
       if (take) begin
         loading <= !tlast;
         phase_q <= tlast ? 3'b001 : {phase_q[1:0], phase_q[2]};

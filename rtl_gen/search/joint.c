@@ -8,6 +8,7 @@ void gen_tree_walk(emitter *e) {
                                         "sepax_turned_box", "sepax_pair_test",  "sepax_tree_rows",
                                         "sepax_tree_pairs", "sepax_tree_run"};
   gen_bounds(e);
+  gen_thinnest(e);
   for (size_t i = 0; i < sizeof modules / sizeof modules[0]; i++) {
     emit_template(e, modules[i], NULL);
   }

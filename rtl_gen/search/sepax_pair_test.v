@@ -1,5 +1,5 @@
 // Is a pair near? low_b - high_a <= MARGIN and low_a - high_b <= MARGIN on each axis. Which side of
-// the AABB of both is the thinnest? Latency 1 to `near`, 1 more to `turn`.
+// the AABB of both is the thinnest? Latency 1 to `near`, 1 more to `thinnest`.
 module sepax_pair_test #(
   parameter W = 18,    // bits of a coordinate, 4 ... 21
   parameter MARGIN = 0 // largest gap of a near pair, 0 ... 2^(W-1)
@@ -8,17 +8,14 @@ module sepax_pair_test #(
   input  wire [6*W-1:0]  box_a, // {high, low} of A, z highest
   input  wire [6*W+11:0] box_b, // of B, W + 2 bits each
   output reg             near,  // they are
-  output wire [1:0]      turn   // one-hot: the core gets (y, z, x); (z, x, y); 0: (x, y, z)
+  output wire [1:0]      thinnest // sepax_thinnest.v
 );
   localparam V = W + 2;
   localparam [V:0] GAP = MARGIN;
   wire [2:0]     separate;
   reg  [3*W-1:0] side_q;
-  wire [W-1:0]   side_x = side_q[0*W +: W], side_y = side_q[1*W +: W], side_z = side_q[2*W +: W];
-  wire           is_z = (side_z <= side_x) && (side_z <= side_y);
 
-  assign turn[0] = !is_z && (side_x <= side_y);
-  assign turn[1] = !is_z && !(side_x <= side_y);
+  sepax_thinnest #(.W(W)) thinnest_side (.sides(side_q), .thinnest(thinnest));
 
   genvar k;
   generate

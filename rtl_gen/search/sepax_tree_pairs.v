@@ -123,7 +123,7 @@ module sepax_tree_pairs #(
   reg  [6*W+13:0]   box_q2;
   wire [6*W-1:0]    box_a;
   wire              near, commit;
-  wire [1:0]        turn, turn_out;
+  wire [1:0]        thinnest, thinnest_out;
   wire              spoilt = valid_q2 && (damaged_q2 || box_q2[6*W+13]);
 
   assign vertices_read = valid_q && first_q1;
@@ -140,7 +140,8 @@ module sepax_tree_pairs #(
     end
   endgenerate
   sepax_pair_test #(.W(W), .MARGIN(MARGIN)) test (
-    .clk(clk), .box_a(box_a_q2), .box_b(box_q2[6*W+11:0]), .near(near), .turn(turn)
+    .clk(clk), .box_a(box_a_q2), .box_b(box_q2[6*W+11:0]), .near(near),
+    .thinnest(thinnest)
   );
 
   // -------------------------------------------------------------------- queue
@@ -162,20 +163,12 @@ module sepax_tree_pairs #(
     .write_data({info, child_q2, a_q2, box_q2[6*W+12], vertices, triangle_q2}), .read(read),
     .read_address(head_q), .read_data({pair_info, pair_outside, out_b, out_a})
   );
-  sepax_ram #(.WIDTH(2), .ADDRESS(4)) turns (
-    .clk(clk), .write(commit), .write_address(tail_q), .write_data(turn), .read(read),
-    .read_address(head_q), .read_data(turn_out)
+  sepax_ram #(.WIDTH(2), .ADDRESS(4)) sides (
+    .clk(clk), .write(commit), .write_address(tail_q), .write_data(thinnest), .read(read),
+    .read_address(head_q), .read_data(thinnest_out)
   );
-  generate
-    for (k = 0; k < 9; k = k + 1) begin : coordinate
-      localparam ONE = (k % 3 == 2) ? k - 2 : k + 1;
-      localparam TWO = (k % 3 == 0) ? k + 2 : k - 1;
-      assign pair_a[W*k +: W] = turn_out[0] ? out_a[W*ONE +: W] :
-                                turn_out[1] ? out_a[W*TWO +: W] : out_a[W*k +: W];
-      assign pair_b[W*k +: W] = turn_out[0] ? out_b[W*ONE +: W] :
-                                turn_out[1] ? out_b[W*TWO +: W] : out_b[W*k +: W];
-    end
-  endgenerate
+  sepax_swap_axes #(.W(W)) axes_a (.thinnest(thinnest_out), .in(out_a), .out(pair_a));
+  sepax_swap_axes #(.W(W)) axes_b (.thinnest(thinnest_out), .in(out_b), .out(pair_b));
 
   always @(posedge clk) begin
     if (clear) begin

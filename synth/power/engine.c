@@ -67,23 +67,22 @@ static const gates_port *find(const gates *g, const char *group, const char *nam
 static void find_memories(engine *e) {
   static const struct {
     const char *data, *write_data, *read_address, *write, *read;
-    int coordinates;
-  } of[MEMORIES] = {{"aabb_a", "aabb", "aabb_address_a", "write_a", "step", 6},
-                    {"aabb_b", "aabb", "aabb_address_b", "write_b", "step", 6},
-                    {"triangle_a", "triangle", "fetch_a", "write_a", "fetch", 9},
-                    {"triangle_b", "triangle", "fetch_b", "write_b", "fetch", 9}};
+  } of[MEMORIES] = {{"aabb_a", "aabb", "aabb_address_a", "write_a", "step"},
+                    {"aabb_b", "aabb", "aabb_address_b", "write_b", "step"},
+                    {"triangle_a", "triangle", "fetch_a", "write_a", "fetch"},
+                    {"triangle_b", "triangle", "fetch_b", "write_b", "fetch"}};
   const sepax_config *c = &e->design->config;
   for (int k = 0; k < MEMORIES; k++) {
     int words = k % 2 == 0 ? c->memory_a : c->memory_b;
-    int bits = of[k].coordinates * c->word;
+    const gates_port *read_data = find(e->g, "read_", of[k].data, 0);
     e->memory[k] = (memory){
         .write = gates_bit(e->g, of[k].write),
         .read = gates_bit(e->g, of[k].read),
         .write_address = gates_find(e->g, "write_address", 0),
         .read_address = gates_find(e->g, of[k].read_address, __builtin_ctz((unsigned)words)),
-        .write_data = find(e->g, "write_", of[k].write_data, bits),
-        .read_data = find(e->g, "read_", of[k].data, bits),
-        .word = text_alloc((size_t)words * (size_t)bits, sizeof(uint64_t))};
+        .write_data = find(e->g, "write_", of[k].write_data, 0),
+        .read_data = read_data,
+        .word = text_alloc((size_t)words * (size_t)read_data->bits, sizeof(uint64_t))};
   }
 }
 
@@ -112,7 +111,7 @@ static void clock_memory(gates *g, const memory *m) {
   }
   for (uint64_t left = *m->write; left != 0;) {
     uint64_t now = with_first(g, m, m->write_address->net, left, &word);
-    for (int k = 0; k < m->write_data->bits; k++) {
+    for (int k = 0; k < m->read_data->bits; k++) { /* of B's triangles fewer than are written */
       word[k] = (word[k] & ~now) | (g->value[m->write_data->net[k]] & now);
     }
     left &= ~now;

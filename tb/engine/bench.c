@@ -313,8 +313,8 @@ static void round_of(sepax_tri *a, sepax_tri *b, bool paced) {
   run_task(&t, paced);
 }
 
-/* Every AABB overlaps every other: triangles that all hold the middle of the space. */
-void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, bool paced) {
+/* Triangles that all hold the middle of the space. */
+static void draw_about_middle(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b) {
   int32_t far = sepax_word_max(SEPAX_WORD);
 #ifdef SEPAX_EXTENT_A
   far = (SEPAX_EXTENT_A < SEPAX_EXTENT_B ? SEPAX_EXTENT_A : SEPAX_EXTENT_B) / 2;
@@ -327,6 +327,11 @@ void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, bool pa
     t->v[2] = (sepax_vec){(int32_t)range(-far, far), (int32_t)range(-far, far),
                           (int32_t)range(-far, far)};
   }
+}
+
+/* Every AABB overlaps every other. */
+void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, bool paced) {
+  draw_about_middle(a, b, count_a, count_b);
   const task t = {a, b, count_a, count_b, {0, 0, 0}, false};
   sepax_counts counts = run_task(&t, paced);
   expect("candidates where all AABBs overlap", counts.candidates,
@@ -334,6 +339,31 @@ void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, bool pa
   printf("all AABBs overlap: %zu x %zu triangles, %llu collisions in %llu cycles, %.4f a pair\n",
          count_a, count_b, (unsigned long long)counts.collisions, (unsigned long long)counts.cycles,
          (double)counts.cycles / (double)(count_a * count_b));
+}
+
+/* Every AABB overlaps every other, and all triangles are in one plane across x, across y, across z:
+ * the time of a pass a pair. */
+static void one_plane(sepax_tri *a, sepax_tri *b, bool paced) {
+  enum { COUNT = 100 };
+  for (int axis = 0; axis < 3; axis++) {
+    task t = {a, b, COUNT, COUNT, {0, 0, 0}, false};
+    t.move[axis] = 1;
+    draw_about_middle(a, b, COUNT, COUNT);
+    for (int k = 0; k < 3 * COUNT; k++) {
+      sepax_vec *of_a = &a[k / 3].v[k % 3];
+      sepax_vec *of_b = &b[k / 3].v[k % 3];
+      *(axis == 0 ? &of_a->x : axis == 1 ? &of_a->y : &of_a->z) = 1;
+      *(axis == 0 ? &of_b->x : axis == 1 ? &of_b->y : &of_b->z) = 0;
+    }
+    sepax_counts counts = run_task(&t, paced);
+    unsigned long long passes = COUNT * COUNT * SEPAX_II / SEPAX_CORES;
+    unsigned long long steps = (COUNT + SEPAX_LANES - 1) / SEPAX_LANES * COUNT;
+    unsigned long long least = passes > steps ? passes : steps;
+    expect("candidates in one plane", counts.candidates, COUNT * COUNT);
+    if (paced && counts.cycles > least + least / 20 + 200) {
+      complain("cycles for pairs in a plane across an axis", counts.cycles, least);
+    }
+  }
 }
 
 static bool number_after(const char *text, const char *name, unsigned long long *value) {
@@ -357,6 +387,7 @@ static void self_test(unsigned long long rounds, unsigned long long beats, bool 
     made++;
   }
   overlap(a, b, 100, 100, paced);
+  one_plane(a, b, paced);
   refusals();
   controls(a, b);
   printf("%llu rounds, %llu transfers, %llu cycles, %llu wrong\n", made,

@@ -125,13 +125,16 @@ module load_properties (
       .clk(clk), .rst(rst), .busy(busy), .tvalid(tvalid), .tready(tready), .tdata(tdata),
       .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b), .count_a(count_a),
       .count_b(count_b));
-  // Ready does not wait for valid, and nothing is taken or changed during a run.
+  // Ready does not wait for valid, and nothing is taken or changed during a run; what came in the
+  // cycle before one is written in its first.
   reg begun = 1'b0;
+  reg was_busy = 1'b0; // two cycles ago
   always @(posedge clk) begin
     begun <= 1'b1;
+    was_busy <= begun && $past(busy && !rst);
     assert (tready == !busy);
     if (begun && $past(busy && !rst)) begin
-      assert (!write_a && !write_b);
+      assert (!was_busy || (!write_a && !write_b));
       assert (count_a == $past(count_a) && count_b == $past(count_b));
     end
     if (begun) assert (!(write_a && write_b));

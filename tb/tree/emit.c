@@ -33,7 +33,10 @@ int main(int argc, char **argv) {
     gen_tree_compare(&e);
   }
   if (walk) {
-    emit_template(&e, "sepax_bounds", (emit_hole[]){{"word", "18"}, {NULL, NULL}});
+    static const char *const of_boxes[] = {"sepax_bounds", "sepax_thinnest", "sepax_swap_axes"};
+    for (int k = 0; k < 3; k++) {
+      emit_template(&e, of_boxes[k], (emit_hole[]){{"word", "18"}, {NULL, NULL}});
+    }
     gen_tree_walk(&e);
   }
   sepax_error error = e.error;

@@ -29,19 +29,38 @@ typedef struct {
   size_t options, poses;
 } designs;
 
-/* All six vertices are on one line as seen along z. */
-static bool flat_along_z(const sepax_pair *pair) {
+/* All six vertices are on one line as seen along an axis. */
+static bool flat_along(int axis, const sepax_pair *pair) {
   bool flat = true;
   for (int n = 0; n < 216; n++) {
     sepax_vec v[3];
     for (int k = 0; k < 3; k++) {
       int i = k == 0 ? n % 6 : k == 1 ? n / 6 % 6 : n / 36;
       v[k] = i < 3 ? pair->a.v[i] : pair->b.v[i - 3];
-      v[k].z = 0;
+      *coordinate(&v[k], axis) = 0;
     }
-    flat = flat && cross(between(v[0], v[1]), between(v[0], v[2])).c[2] == 0;
+    flat = flat && cross(between(v[0], v[1]), between(v[0], v[2])).c[axis] == 0;
   }
   return flat;
+}
+
+/* z where sides are alike, then x. */
+static int thinnest_side(const sepax_tri *t) {
+  int thinnest = 2;
+  int64_t least = INT64_MAX;
+  for (int n = 0; n < 3; n++) {
+    int axis = (n + 2) % 3;
+    int64_t side = 0;
+    for (int k = 0; k < 9; k++) {
+      sepax_vec p = t->v[k % 3];
+      sepax_vec q = t->v[k / 3];
+      int64_t length = (int64_t)*coordinate(&p, axis) - *coordinate(&q, axis);
+      side = length > side ? length : side;
+    }
+    thinnest = side < least ? axis : thinnest;
+    least = side < least ? side : least;
+  }
+  return thinnest;
 }
 
 static void find_passes(designs *d, size_t pose) {
@@ -51,8 +70,9 @@ static void find_passes(designs *d, size_t pose) {
   for (size_t n = 0; n < d->size.count[0] * count_b; n++) {
     sepax_pair pair = {.a = d->tri[pose][0][n / count_b], .b = d->tri[pose][1][n % count_b]};
     bool overlap = aabbs_overlap(&pair, 32);
-    bool flat = flat_along_z(&pair);
-    d->passes[pose][n] = (unsigned char)(!overlap ? 0 : flat ? 2 : 1);
+    bool flat = flat_along(2, &pair);
+    bool flat_along_thinnest = flat_along(thinnest_side(&pair.a), &pair);
+    d->passes[pose][n] = (unsigned char)(!overlap ? 0 : flat_along_thinnest ? 2 : 1);
     d->twice[pose][0] += flat;
     d->twice[pose][1] += flat && overlap;
   }
