@@ -79,5 +79,6 @@ uint64_t sepax_memory_bits(const sepax_config *c) {
   }
   uint64_t of_a = (uint64_t)c->memory_a;
   uint64_t of_b = (uint64_t)c->memory_b;
-  return c->lanes == 0 ? 0 : 15 * word * (of_a + of_b) + 2 * of_a;
+  uint64_t side = !c->flag && c->clearance < 0 ? 2 : 0;
+  return c->lanes == 0 ? 0 : 15 * word * (of_a + of_b) + side * of_a;
 }
