@@ -56,8 +56,8 @@ module term_properties (
 endmodule
 
 // The sum of any three terms of which that is true: where the turned vertex, moved by sigma at
-// most, is in a cell of T's child, the child is hit. y: the least it can be, or of the upper end the
-// highest, X + sum of M_k q_k - 2^20 o_T in 2^-20 LSB.
+// most, is in a cell of T's child, the child is hit. y: the least that it can be, or of the upper
+// end the highest, X + sum of M_k q_k - 2^20 o_T in 2^-20 LSB.
 module sum_properties (
     input wire clk, upper, side,
     input wire [3*`E_W-1:0] s_e, t_e,
