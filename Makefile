@@ -54,7 +54,7 @@ include $(addprefix scripts/make/,install.mk quality.mk)
 
 .PHONY: all job help build setup test reference clean area timing multivt power area-sweep \
         calibrate scene report accuracy clearance bench bench-bodies campaign hard engine-sweep \
-        tree-sweep
+        tree-sweep tree-fuzz tree-scene tree-campaign
 
 all:
 	@scripts/setup
@@ -177,6 +177,19 @@ hard: $(SEPAX)
 
 engine-sweep: $(SEPAX) $(BUILD)/liberty
 	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" $(EXPERIMENT)/engine-sweep $(BUILD)/engine-sweep
+
+# Seven runs of eight without the host.
+tree-fuzz: COUNT_OF = $(if $(call given,COUNT),$(COUNT),1000000)
+tree-fuzz: $(SEPAX) $(LIB)
+	@DESIGN="--word=8 --ii=6" RUNS=10 FUZZ=$(COUNT_OF) tb/tree/walks
+	@$(MAKE) WORD=8 II=6 FUZZ=$$(($(COUNT_OF) / 8)) tree-engine
+
+tree-scene: $(SEPAX)
+	@$(MAKE) SCENE=$(if $(call given,COUNT),$(COUNT),10000) tree-engine
+
+CLAIMS = $(addprefix $(BUILD)/unit/tree/,walk turned_boxes posed_clearance)
+tree-campaign: $(SEPAX) $(CLAIMS)
+	@scripts/tree/campaign $(if $(SHARE),-s $(SHARE)) $(BUILD)/tree-campaign
 
 tree-sweep: $(SEPAX) $(BUILD)/refine $(BUILD)/bench_tree
 	@MESH_DIR="$(MESH_DIR)" scripts/tree/sweep $(if $(call given,COUNT),-c $(COUNT)) \

@@ -117,7 +117,8 @@ example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
 	@$(CORE)/collide "$(MESH_A)" "$(MESH_B)" $(filter-out fit,$(RESOLUTION)) || [ $$? -eq 1 ]
 endif
 
-# The tree engine: MESH_A against MESH_B in the poses of a file, or seeded bodies and jobs.
+# The tree engine: MESH_A against MESH_B in the poses of a file, or seeded bodies and jobs; FUZZ=n:
+# damaged ones; SCENE=n: six bodies in n poses.
 TREE_ENGINE = $(CORE)/tree-engine
 TREE_SRC    = $(wildcard tb/batch/*.c) tb/tree/memory.c examples/tree/sepax_tree_driver.c
 TREE_C      = $(patsubst %.c,$(ENGINE_OBJ)/%.o,$(notdir $(TREE_SRC)))
@@ -142,7 +143,7 @@ tree-engine: $(TREE_ENGINE) $(if $(POSES),$(SAMPLES))
 	@$(TREE_ENGINE) $(STRESSED) $(if $(WAVE_FILE),--wave=$(WAVE_FILE)) $(if $(POSES),\
 	  --latency=$(LATENCY) --modes=$(MODES) $(if $(BUDGET),--budget=$(BUDGET)) $(if \
 	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) "$(MESH_A)" "$(MESH_B)" \
-	  "$(POSES)",--rounds=$(ROUNDS))
+	  "$(POSES)",$(if $(FUZZ),--fuzz=$(FUZZ),$(if $(SCENE),--scene=$(SCENE),--rounds=$(ROUNDS))))
 endif
 
 # ------------------------------------------------------------------------- Icarus

@@ -51,4 +51,10 @@ void bench_run(bench_batch *batch);
 /* Seeded bodies, poses, modes; then damage, errors, resets, refusals. */
 void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed);
 
+/* Small bodies, of which, as of jobs and poses, any bytes are damaged. */
+void bench_fuzz(unsigned long long batches, uint64_t seed);
+
+/* Spindle, holder and tool against table, fixture and workpiece, in poses along a path. */
+void bench_scene(size_t poses);
+
 #endif

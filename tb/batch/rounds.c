@@ -12,6 +12,9 @@ static int64_t range(int64_t lo, int64_t hi) { return sepax_random_range(&rng, l
 static double unit(void) { return (double)range(-1000000, 1000000) * 1e-6; }
 
 enum { POSES_MOST = 6, JOBS_MOST = 4, TRIANGLES_MOST = 300 };
+static int64_t jobs_most = JOBS_MOST;
+static int64_t poses_most = POSES_MOST;
+static bool is_small; /* bodies of up to 40 triangles */
 
 /* ------------------------------------------------------------------ bodies */
 
@@ -64,7 +67,7 @@ static sepax_tree *some_tree(bool of_b) {
   if (tri == NULL) {
     stop("out of memory");
   }
-  size_t count = (size_t)range(1, most[range(0, 4)]);
+  size_t count = (size_t)range(1, most[range(0, is_small ? 2 : 4)]);
   some_triangles(tri, count, of_b);
   const sepax_grid grid = {1, {0, 0, 0}, SEPAX_WORD};
   sepax_tree *tree = NULL;
@@ -172,7 +175,7 @@ static uint32_t some_leaf(const sepax_tree *tree) {
 static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
   sepax_error error = {""};
   sepax_tree_job job = *last;
-  job.count = (uint32_t)range(1, POSES_MOST);
+  job.count = (uint32_t)range(1, poses_most);
   job.modes = some_modes(n > 0);
   job.budget = range(0, 5) == 0 ? (uint32_t)range(1, 3000) : 0;
   for (int i = 0; i < 2; i++) {
@@ -208,7 +211,7 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
 
 /* Bodies and jobs in memory. */
 static void some_scene(scene *s) {
-  *s = (scene){.batch = {.jobs = (uint32_t)range(1, JOBS_MOST), .stop_at = -1}};
+  *s = (scene){.batch = {.jobs = (uint32_t)range(1, jobs_most), .stop_at = -1}};
   bench_clear();
   bench_space((size_t)range(0, 3) * 4096, 4096);
   sepax_tree_job job = {.count = 0};
@@ -291,10 +294,32 @@ static void damage(const scene *s) {
   }
 }
 
+/* Numbers of a pose that have nothing to do with each other; mostly in their ranges. */
+static void any_pose(uint8_t *bytes) {
+  sepax_tree_pose pose;
+  int64_t small = range(0, 1) != 0 ? INT64_C(1) << 43 : INT64_C(1) << range(10, 42);
+  for (int side = 0; side < 2; side++) {
+    for (int k = 0; k < 9; k++) {
+      pose.side[side].matrix[k / 3][k % 3] = (int32_t)range(-(1 << 20), 1 << 20);
+    }
+    for (int k = 0; k < 3; k++) {
+      pose.side[side].shift[k] = range(-small, small - 1);
+      pose.side[side].sigma[k] = (uint32_t)range(0, (1 << range(1, 24)) - 1);
+    }
+  }
+  sepax_tree_pose_pack(&pose, bytes);
+  for (int k = 0; k < SEPAX_TREE_POSE_BYTES && range(0, 9) == 0; k++) {
+    bytes[k] = (uint8_t)range(0, 255);
+  }
+}
+
 static void damaged_round(bench_batch *sum, bool stressed, uint64_t seed) {
   scene s;
   some_scene(&s);
   damage(&s);
+  if (is_small && range(0, 2) == 0) {
+    any_pose(bench_at(s.pose[0]));
+  }
   memory_options options = some_memory(stressed, seed);
   if (range(0, 3) == 0) {
     options.error_odds = (uint64_t)range(20, 2000);
@@ -417,4 +442,18 @@ void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed) {
   tell("damaged", &broken);
   printf("%llu rounds, %llu transfers, %llu cycles, %llu wrong\n", rounds,
          (unsigned long long)bus_beats(), (unsigned long long)bus_cycles(), wrong);
+}
+
+void bench_fuzz(unsigned long long batches, uint64_t seed) {
+  rng.state = 1 + seed;
+  jobs_most = 1;
+  poses_most = 1;
+  is_small = true;
+  bench_batch sum = {.list = 0};
+  for (unsigned long long n = 0; n < batches && wrong == 0; n++) {
+    damaged_round(&sum, n % 2 == 1, seed + n);
+  }
+  tell("damaged", &sum);
+  printf("%llu batches, %llu cycles, %llu wrong\n", batches, (unsigned long long)bus_cycles(),
+         wrong);
 }

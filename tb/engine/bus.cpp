@@ -24,9 +24,15 @@ struct Result {
   bool last;
 };
 
+struct {
+  int count = 0;
+  char **word = nullptr;
+} arguments;
+
 class Bus {
 public:
   Bus(uint64_t seed, const char *wave) : top(wave, seed), stress(seed != 0), state(seed) {
+    top.arguments(arguments.count, arguments.word);
     top->s_axi_awvalid = top->s_axi_wvalid = top->s_axi_bready = 0;
     top->s_axi_arvalid = top->s_axi_rready = 0;
     top->m_axis_tready = 0;
@@ -140,6 +146,7 @@ public:
   }
 
   bool blocked = false, interrupt = false;
+  uint64_t limit = UINT64_MAX;
   uint64_t beats = 0, cycles = 0, breaches = 0;
 
 private:
@@ -178,9 +185,10 @@ private:
 
   template <typename Condition> bool until(Condition met) {
     waited = 0;
+    uint64_t begin = cycles;
     while (!met()) {
-      if (waited > 10000000) {
-        breach("no transfer for 10,000,000 cycles");
+      if (waited > 10000000 || cycles - begin > limit) {
+        breach("it hangs");
         return false;
       }
       tick();
@@ -252,6 +260,8 @@ std::unique_ptr<Bus> bus;
 
 } // namespace
 
+void bus_arguments(int argc, char **argv) { arguments = {argc, argv}; }
+void bus_limit(uint64_t cycles) { bus->limit = cycles; }
 void bus_open(uint64_t stress, const char *wave) { bus.reset(new Bus(stress, wave)); }
 void bus_close(void) { bus.reset(); }
 void bus_reset(void) { bus->reset(); }

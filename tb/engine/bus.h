@@ -17,11 +17,15 @@ extern "C" {
 /* Build the design and reset it. stress 0: no gaps; else a seed: every valid and ready of the
  * test bench comes at random. wave: a file for the waveform of a build with traces, or NULL. */
 void bus_open(uint64_t stress, const char *wave);
+/* Before bus_open: words of the command that begin with + are for the design. */
+void bus_arguments(int argc, char **argv);
 void bus_close(void);
 void bus_reset(void);
 
-/* The accesses; context is not read. They fail on SLVERR and after 10,000,000 cycles
- * without a transfer. bus_receive also takes results that came during other accesses. */
+/* The accesses; context is not read. They fail on SLVERR, after 10,000,000 cycles without a
+ * transfer, and after as many cycles of their own as bus_limit says, if it was called. bus_receive
+ * also takes results that came during other accesses. */
+void bus_limit(uint64_t cycles);
 bool bus_read(void *context, uint32_t address, uint32_t *value);
 bool bus_write(void *context, uint32_t address, uint32_t value);
 bool bus_send(void *context, const int32_t vertex[3], bool last, bool to_b);

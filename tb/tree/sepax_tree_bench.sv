@@ -2,7 +2,7 @@
 // plants in the modules read `fault`.
 module sepax_tree_bench #(
   parameter W = 18, parameter MARGIN = 0, parameter FULL = 0, parameter STACK = 10,
-  parameter LINE = 5, parameter NODE_SETS = 4, parameter LEAF_SETS = 1
+  parameter LINE = 5, parameter FLIGHT = 5, parameter NODE_SETS = 4, parameter LEAF_SETS = 1
 ) (
   input wire [31:0] fault,
   input wire clk, rst, start, stop, cold, first, quiet, row,
@@ -37,8 +37,8 @@ module sepax_tree_bench #(
   assign first_row_b[31:4] = 28'd0;
 
   sepax_tree_engine #(
-    .W(W), .MARGIN(MARGIN), .FULL(FULL), .STACK(STACK), .LINE(LINE), .NODE_SETS(NODE_SETS),
-    .LEAF_SETS(LEAF_SETS)
+    .W(W), .MARGIN(MARGIN), .FULL(FULL), .STACK(STACK), .LINE(LINE), .FLIGHT(FLIGHT),
+    .NODE_SETS(NODE_SETS), .LEAF_SETS(LEAF_SETS)
   ) engine (
     .base_a(base_a[27:0]), .base_b(base_b[27:0]), .nodes_a(nodes_a[23:0]),
     .nodes_b(nodes_b[23:0]), .triangles_b(triangles_b[24:0]), .row_leaf_a(row_leaf_a[22:0]),

@@ -203,4 +203,77 @@ private:
   }
 };
 
+// ---------------------------------------------------------------------- damage
+
+// Bytes of trees that are damaged; poses and first rows that are anything.
+class Damage {
+public:
+  explicit Damage(uint64_t *state) : seed(state) {}
+
+  uint64_t draw() { return memory_draw(seed); }
+  int below(int count) { return (int)(draw() % (uint64_t)count); }
+  int64_t bits(int count) { return (int64_t)(draw() << (64 - count)) >> (64 - count); }
+
+  // Any bytes, bytes that say where things are, and the beats of records.
+  void harm(Scene &scene) {
+    for (int count = 1 + below(1 + below(8)); count > 0; count--) {
+      int body = below(2);
+      size_t node = scene.at[body] + SEPAX_TREE_NODE_BYTES * (draw() % scene.nodes(body));
+      switch (below(4)) {
+      case 0:
+        scene.bytes[draw() % scene.bytes.size()] = (uint8_t)draw();
+        break;
+      case 1:
+        scene.bytes[node + 12 + (size_t)below(12)] = (uint8_t)draw();
+        break;
+      case 2:
+        scene.bytes[node + (size_t)below(SEPAX_TREE_NODE_BYTES)] ^= (uint8_t)(1 << below(8));
+        break;
+      default:
+        scene.bytes[node + 14] = (uint8_t)((scene.bytes[node + 14] & 15) | below(4) << 4);
+      }
+    }
+  }
+
+  // A pair of any two leaves, or where `all`, of any two numbers.
+  sepax_tree_pair any_row(const Scene &scene, bool all) {
+    sepax_tree_pair pair = {};
+    for (int body = 0; body < 2; body++) {
+      const uint8_t *head;
+      int tries = 0;
+      do {
+        pair.leaf[body] = (uint32_t)(draw() % scene.nodes(body));
+        head = &scene.bytes[scene.at[body] + SEPAX_TREE_NODE_BYTES * pair.leaf[body]];
+      } while ((head[14] & 15) != 0 && ++tries < 1000);
+      pair.child[body] = below(1 + (head[13] >> 4));
+      if (all && below(4) == 0) {
+        pair.leaf[body] = (uint32_t)(draw() >> (41 + below(20)));
+        pair.child[body] = below(16);
+      }
+    }
+    return pair;
+  }
+
+  // Numbers of a pose that are in their ranges, which is all that they have to do with each other.
+  sepax_tree_pose any_pose() {
+    sepax_tree_pose pose;
+    int small = below(2) == 0 ? 44 : 20 + below(24);
+    for (sepax_tree_side &side : pose.side) {
+      for (int k = 0; k < 9; k++) {
+        int64_t one = 1 << 20;
+        int64_t any = (int64_t)(draw() % (uint64_t)(2 * one + 1)) - one;
+        side.matrix[k / 3][k % 3] = (int32_t)(below(8) == 0 ? one * (below(3) - 1) : any);
+      }
+      for (int k = 0; k < 3; k++) {
+        side.shift[k] = bits(small);
+        side.sigma[k] = (uint32_t)(draw() >> (40 + below(24)));
+      }
+    }
+    return pose;
+  }
+
+private:
+  uint64_t *seed;
+};
+
 #endif

@@ -1,5 +1,8 @@
 // walks.cpp - the verilated tree engine against its golden model: random bodies and poses, or two
-// STL files in the pose of their files. Pairs, their order, flags and counters are compared.
+// STL files in the pose of their files. Pairs, their order, flags and counters are compared. --any:
+// before each run bytes of the trees are damaged, poses are mostly any numbers, and the memory is
+// quick or slow, with gaps and without. --dense: bodies of large triangles about one point.
+// --collisions=N: until there are so many.
 #include "tree/walk_bench.h"
 
 #include "sepax.h"
@@ -18,6 +21,8 @@ struct Options {
   unsigned runs = 100;
   uint64_t seed = 1, stress = 0, damage = 0, stops = 0, errors = 0, resets = 0, fault = 0;
   int latency = 100, size = 60, verbose = 0;
+  bool any = false, dense = false;
+  uint64_t collisions = 0;
   unsigned line = 32, stack = 1024;
   double resolution = 0;
   const char *design = "", *wave = nullptr;
@@ -28,6 +33,7 @@ uint64_t state;
 uint64_t draw() { return memory_draw(&state); }
 int below(int count) { return (int)(draw() % (uint64_t)count); }
 bool happens(uint64_t one_in) { return one_in > 0 && draw() % one_in == 0; }
+Damage damage(&state);
 double unit() { return (double)(int64_t)draw() * 0x1p-63; }
 
 [[noreturn]] void fail(const char *what) {
@@ -133,7 +139,8 @@ void compare(Engine &e, const Golden &golden, const Ask &ask) {
     compare_part(e, golden, ask);
     return;
   }
-  expect("cycles within BUDGET", !e.top->stopped && e.top->cycles > ask.budget, 0);
+  bool finished = !e.top->stopped && !e.top->damaged; // in time, but for what it then waits for
+  expect("cycles beyond BUDGET", finished && e.top->cycles > uint64_t(ask.budget) + 100, 0);
   if (e.top->stopped && (ask.budget < UINT32_MAX || ask.stop < UINT64_MAX)) {
     expect("DAMAGED", e.top->damaged, 0);
     compare_part(e, golden, ask);
@@ -173,11 +180,14 @@ sepax_vec near_to(const double at[3], double size, double step, int word) {
 sepax_tree *strewn(size_t count, int word) {
   std::vector<sepax_tri> tri(count);
   double reach = std::ldexp(1, word - 1) * (below(4) == 0 ? 0.9 : 0.3);
-  double size = reach / (1 + below(40));
+  double size = reach / (1 + below(options.dense ? 1 : options.any ? 8 : 40));
   double step = below(3) == 0 ? std::ldexp(1, word - 6) : 0;
   bool flat = below(3) == 0;
   for (sepax_tri &t : tri) {
     double at[3] = {reach * unit(), reach * unit(), flat ? 0 : reach * unit()};
+    if (options.dense) {
+      at[0] = at[1] = at[2] = 0;
+    }
     for (sepax_vec &v : t.v) {
       v = near_to(at, below(20) == 0 ? 0 : size, step, word);
     }
@@ -267,41 +277,45 @@ bool judge(Engine &e, const Scene &scene, const sepax_tree_pose &pose, const Ask
   return faults.empty();
 }
 
-// Any bytes, bytes that say where things are, and the beats of records.
-void harm(Scene &scene) {
-  for (int count = 1 + below(8); count > 0; count--) {
-    int body = below(2);
-    size_t node = scene.at[body] + SEPAX_TREE_NODE_BYTES * (draw() % scene.nodes(body));
-    switch (below(3)) {
-    case 0:
-      scene.bytes[draw() % scene.bytes.size()] = (uint8_t)draw();
-      break;
-    case 1:
-      scene.bytes[node + 12 + (size_t)below(12)] = (uint8_t)draw();
-      break;
-    default:
-      scene.bytes[node + 14] = (uint8_t)((scene.bytes[node + 14] & 15) | below(4) << 4);
-    }
-  }
+// How a run in which anything may be damaged goes.
+void draw_memory(Engine &e) {
+  static const int cycles[] = {1, 2, 3, 5, 10, 30};
+  e.ram.options.latency = cycles[below(6)];
+  e.ram.options.stress = below(3) == 0 ? 1 + draw() / 2 : 0;
+  e.ram.options.error_odds = below(20) == 0 ? (uint64_t)(1 + below(100)) : 0;
 }
 
-// A pair of any two leaves.
-sepax_tree_pair any_row(const Scene &scene) {
-  sepax_tree_pair pair = {};
-  for (int body = 0; body < 2; body++) {
-    const uint8_t *head;
-    do {
-      pair.leaf[body] = (uint32_t)(draw() % scene.nodes(body));
-      head = &scene.bytes[scene.at[body] + SEPAX_TREE_NODE_BYTES * pair.leaf[body]];
-    } while ((head[14] & 15) != 0);
-    pair.child[body] = below(1 + (head[13] >> 4));
+Ask draw_ask(const Scene &scene, bool is_new, const sepax_tree_pair *last) {
+  Ask ask;
+  ask.first = below(4) == 0;
+  ask.quiet = below(8) == 0;
+  ask.cold = is_new || below(2) == 0;
+  ask.row = below(3) == 0;
+  ask.pair = last != nullptr && below(2) == 0 ? *last : damage.any_row(scene, options.any);
+  ask.budget = happens(options.stops) ? (uint32_t)(1 + below(3000)) : UINT32_MAX;
+  ask.stop = happens(options.stops) ? (uint64_t)below(3000) : UINT64_MAX;
+  return ask;
+}
+
+sepax_tree_pose draw_pose(const Scene &scene, const sepax_design &design) {
+  sepax_pose b = random_pose(std::ldexp(options.dense ? 0.02
+                                        : options.any ? 0.2
+                                                      : 0.7,
+                                        design.config.word - 1));
+  if (below(6) == 0) { // by what W + 2 bits do not tell
+    b.translation[below(3)] += std::ldexp(below(2) == 0 ? 1 : -1, design.config.word + 2);
   }
-  return pair;
+  return options.any && below(3) == 0 ? damage.any_pose() : pose_of(scene, &b, design);
+}
+
+bool is_going_on() {
+  return options.collisions > 0 ? totals.collisions < options.collisions
+                                : totals.runs < options.runs;
 }
 
 void random_runs(Engine &e, const sepax_design &design) {
   int word = design.config.word;
-  while (totals.runs < options.runs && (options.fault == 0 || totals.mismatches == 0)) {
+  while (is_going_on() && (options.fault == 0 || totals.mismatches == 0)) {
     Scene scene;
     for (sepax_tree *&tree : scene.tree) {
       tree = strewn((size_t)(1 + below(1 + below(options.size * options.size))), word);
@@ -309,21 +323,14 @@ void random_runs(Engine &e, const sepax_design &design) {
     scene.place();
     sepax_tree_pair last = {};
     bool known = false, is_new = true;
-    bool harmed = happens(options.damage);
-    for (int poses = 1 + below(4); poses > 0 && totals.runs < options.runs; poses--) {
-      sepax_pose b = random_pose(std::ldexp(0.7, word - 1));
-      if (below(6) == 0) { // by what W + 2 bits do not tell
-        b.translation[below(3)] += std::ldexp(below(2) == 0 ? 1 : -1, word + 2);
+    bool harmed = options.any || happens(options.damage);
+    int poses = options.any ? 20 : 1 + below(4);
+    for (; poses > 0 && is_going_on(); poses--) {
+      sepax_tree_pose pose = draw_pose(scene, design);
+      Ask ask = draw_ask(scene, is_new, known ? &last : nullptr);
+      if (options.any) {
+        draw_memory(e);
       }
-      sepax_tree_pose pose = pose_of(scene, &b, design);
-      Ask ask;
-      ask.first = below(4) == 0;
-      ask.quiet = below(8) == 0;
-      ask.cold = is_new || below(2) == 0;
-      ask.row = below(3) == 0;
-      ask.pair = known && below(2) == 0 ? last : any_row(scene);
-      ask.budget = happens(options.stops) ? (uint32_t)(1 + below(3000)) : UINT32_MAX;
-      ask.stop = happens(options.stops) ? (uint64_t)below(3000) : UINT64_MAX;
       if (happens(options.resets)) {
         e.begin(scene, pose, ask);
         for (int cycles = below(2000); cycles > 0; cycles--) {
@@ -332,8 +339,10 @@ void random_runs(Engine &e, const sepax_design &design) {
         e.reset();
         ask.cold = true;
       }
-      if (harmed && is_new) {
-        harm(scene);
+      if (harmed && (is_new || options.any)) {
+        scene.place();
+        damage.harm(scene);
+        ask.cold = true;
       }
       is_new = false;
       judge(e, scene, pose, ask, design);
@@ -395,7 +404,8 @@ void read_options(int count, char **argument) {
     } else if (number(a, "--seed=", &options.seed) || number(a, "--stress=", &options.stress) ||
                number(a, "--damage=", &options.damage) || number(a, "--stops=", &options.stops) ||
                number(a, "--errors=", &options.errors) || number(a, "--fault=", &options.fault) ||
-               number(a, "--resets=", &options.resets)) {
+               number(a, "--resets=", &options.resets) ||
+               number(a, "--collisions=", &options.collisions)) {
     } else if (number(a, "--latency=", &value)) {
       options.latency = (int)value;
     } else if (number(a, "--size=", &value)) {
@@ -404,6 +414,10 @@ void read_options(int count, char **argument) {
       options.line = (unsigned)value;
     } else if (number(a, "--stack=", &value)) {
       options.stack = (unsigned)value;
+    } else if (std::strcmp(a, "--any") == 0) {
+      options.any = true;
+    } else if (std::strcmp(a, "--dense") == 0) {
+      options.dense = true;
     } else if (std::strcmp(a, "-v") == 0) {
       options.verbose = 1;
     } else if (std::strncmp(a, "--wave=", 7) == 0) {
