@@ -207,7 +207,10 @@ static void tally(bench_batch *b, const contacts *c, const sepax_tree_result *go
   b->near += o->near;
   b->second_passes += golden->run.passes - golden->run.near;
   b->warnings += o->warnings;
-  b->hits += o->status & SEPAX_TREE_HIT;
+  if ((o->status & SEPAX_TREE_HIT) != 0 && b->hits++ == 0) {
+    b->first_hit[0] = o->job;
+    b->first_hit[1] = o->pose;
+  }
   b->out_of_range += o->out_of_range;
   b->stopped += (o->status & SEPAX_TREE_STOPPED) != 0;
   b->damaged += (o->status & SEPAX_TREE_DAMAGED) != 0;
@@ -239,6 +242,18 @@ static bool take(bench_batch *b, contacts *c, const sepax_tree_result *result, s
   compare(b, c, result, o);
   tally(b, c, result, o);
   return true;
+}
+
+/* What the registers say of a batch. */
+static void check_registers(const bench_batch *b) {
+  uint32_t value = 0;
+  expect("POSES", bus_read(NULL, SEPAX_POSES, &value) ? value : UINT64_MAX, b->poses);
+  expect("HITS", bus_read(NULL, SEPAX_HITS, &value) ? value : UINT64_MAX, b->hits);
+  if (b->hits > 0) {
+    expect("HIT_JOB", bus_read(NULL, SEPAX_HIT_JOB, &value) ? value : UINT64_MAX, b->first_hit[0]);
+    expect("HIT_POSE", bus_read(NULL, SEPAX_HIT_POSE, &value) ? value : UINT64_MAX,
+           b->first_hit[1]);
+  }
 }
 
 void bench_run(bench_batch *b) {
@@ -279,6 +294,7 @@ void bench_run(bench_batch *b) {
     expect("busy", sepax_device_busy(&device, &busy), SEPAX_DEVICE_OK);
   }
   expect("the batch ends", busy, 0);
+  check_registers(b);
 }
 
 /* ------------------------------------------------------------------ meshes */
