@@ -83,7 +83,8 @@ void bench_attach(memory_options options) {
 typedef struct {
   sepax_contact *pair;
   size_t count, space, seen;
-  bool unknown; /* the golden model has not looked for them */
+  bool unknown;  /* the golden model has not looked for them */
+  bool may_stop; /* by BUDGET or STOP */
   unsigned long long wrong;
 } contacts;
 
@@ -161,6 +162,10 @@ static void compare(const bench_batch *b, contacts *c, const sepax_tree_result *
                     const sepax_outcome *o) {
   count(c, "job", o->job, golden->job);
   count(c, "pose", o->pose, golden->pose);
+  bool found_first = (golden->modes & SEPAX_TREE_FIRST) != 0 && (o->status & SEPAX_TREE_HIT) != 0;
+  if (!c->may_stop || found_first) {
+    count(c, "STOPPED", o->status & SEPAX_TREE_STOPPED, 0);
+  }
   if ((o->status & SEPAX_TREE_BUS) != 0 && b->errors) {
     return;
   }
@@ -274,6 +279,7 @@ void bench_run(bench_batch *b) {
     sepax_tree_batch before = golden;
     c.count = 0;
     stop_on(!sepax_tree_next(&golden, &result, &more, &error), error.text);
+    c.may_stop = golden.current.budget > 0 || (b->stop_at >= 0 && n >= b->stop_at);
     if (more && n == b->stop_at) {
       expect("STOP", sepax_device_stop(&device), SEPAX_DEVICE_OK);
     }

@@ -362,6 +362,40 @@ static void refusals(void) {
   expect("STATUS after a reset", bus_read(NULL, SEPAX_STATUS, &value) && value == 0, 1);
 }
 
+/* One number of a job or a pose after the other is out of its range. */
+static void ranges(void) {
+  static const struct {
+    bool of_pose;
+    size_t at;
+    uint8_t bits;
+  } out[] = {{false, 0, 1},    {false, 5, 1},  {false, 11, 1},  {false, 33, 8},   {false, 37, 2},
+             {false, 43, 1},   {false, 47, 2}, {false, 64, 1},  {false, 71, 128}, {false, 76, 128},
+             {false, 79, 128}, {true, 6, 64},  {true, 21, 8},   {true, 30, 64},   {true, 47, 8},
+             {true, 51, 64},   {true, 83, 2},  {true, 87, 64},  {true, 119, 1},   {true, 123, 1},
+             {true, 131, 128}, {true, 135, 1}, {true, 143, 128}};
+  scene s;
+  some_scene(&s);
+  bench_attach((memory_options){.latency = 5});
+  for (size_t k = 0; k < sizeof out / sizeof *out; k++) {
+    uint8_t *byte = bench_at((out[k].of_pose ? s.pose[0] : s.job[0]) + out[k].at);
+    bench_batch batch = {.list = s.batch.list, .jobs = 1, .stop_at = -1, .any = true};
+    *byte ^= out[k].bits;
+    bench_run(&batch);
+    expect(out[k].of_pose ? "a pose is refused" : "a job is refused", batch.refused, 1);
+    *byte ^= out[k].bits;
+  }
+  for (int of_pose = 0; of_pose < 2; of_pose++) { /* errors of the memory in each of their beats */
+    for (size_t beat = 0; beat < (of_pose != 0 ? 9U : 6U); beat++) {
+      bench_batch batch = {.list = s.batch.list, .jobs = 1, .stop_at = -1, .errors = true};
+      uint64_t at = bench_address((of_pose != 0 ? s.pose[0] : s.job[0]) + MEMORY_BEAT * beat);
+      bench_attach((memory_options){.latency = 5, .error_from = at, .error_to = at + 1});
+      bench_run(&batch);
+      expect("an error in a beat of a job or a pose", batch.bus, 1);
+    }
+  }
+  free_scene(&s);
+}
+
 static bool pending(uint32_t bit) {
   uint32_t value = 0;
   return bus_read(NULL, SEPAX_PENDING, &value) && (value & bit) != 0;
@@ -433,6 +467,7 @@ void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed) {
   }
   if (rounds > 0 && wrong == 0) {
     refusals();
+    ranges();
     controls();
   }
   tell("sound", &sound);
