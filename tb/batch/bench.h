@@ -45,7 +45,7 @@ typedef struct {
   uint64_t predicted;     /* out: cycles by the golden model, all caches cold */
   double off;             /* out: its largest relative error in a pose */
   uint64_t second_passes; /* out: of near pairs through a core, by the golden model */
-  uint32_t first_hit[2]; /* job and pose of the first pose that collides, where hits > 0 */
+  uint32_t first_hit[2];  /* job and pose of the first pose that collides, where hits > 0 */
 } bench_batch;
 void bench_run(bench_batch *batch);
 
