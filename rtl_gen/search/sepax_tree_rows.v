@@ -63,7 +63,7 @@ module sepax_tree_rows #(
   reg  [2:0]          new_q;                // vertices of triangle_b that are to be turned
   reg                 begin_q;              // none of them was
   reg  [8:0]          same_q;               // bit 3 k + j: vertex k is j of the row before
-  reg  [FLIGHT-1:0]   flight_q [0:2];       // what goes with a vertex, as long as it is turned
+  reg  [3*FLIGHT-1:0] flight_q;             // what goes with a vertex, as long as it is turned
   reg  [3:0]          used_q;               // places of the ring
   reg  [3:0]          waiting_q;            // rows that are not out
   reg  [3:0]          here_q;               // rows that are in the ring and not out
@@ -96,7 +96,7 @@ module sepax_tree_rows #(
   assign turn_point = (triangle_b[0 +: 3*W] & {(3*W){pick[0]}}) |
                       (triangle_b[3*W +: 3*W] & {(3*W){pick[1]}}) |
                       (triangle_b[6*W +: 3*W] & {(3*W){pick[2]}});
-  assign {flight_same, flight_place, flight_last, flight_first} = flight_q[2];
+  assign {flight_same, flight_place, flight_last, flight_first} = flight_q[3*FLIGHT-1:2*FLIGHT];
   assign out_real = |out_mask;
   assign out_valid = row_here && (!out_real || (|here_q));
 
@@ -171,8 +171,6 @@ module sepax_tree_rows #(
       same_q <= same;
     end
     begin_q <= match || (begin_q && !turn_ready);
-    flight_q[0] <= {same_q, pick, !(|others), begin_q};
-    flight_q[1] <= flight_q[0];
-    flight_q[2] <= flight_q[1];
+    flight_q <= {flight_q[2*FLIGHT-1:0], same_q, pick, !(|others), begin_q};
   end
 endmodule

@@ -18,7 +18,7 @@ module sepax_turned_box #(
   output wire [6*W+13:0]  box      // {damaged, outside W bits, high, low}, high z highest
 );
   localparam V = W + 2;
-  reg  [3*V-1:0] point_q [0:2];
+  reg  [9*V-1:0] point_q;
   reg  [2:0]     outside_q;
   reg            damaged_q;
   wire [2:0]     outside;
@@ -35,20 +35,21 @@ module sepax_turned_box #(
       assign outside[i] = |(v[24:W-1] ^ {(26-W){v[24]}});
       assign point[V*i +: V] = beyond ? {v[24], {(V-1){!v[24]}}} : v[V-1:0];
       sepax_bounds #(.W(V)) bounds (
-        .x_1(point_q[0][V*i +: V]), .x_2(point_q[1][V*i +: V]), .x_3(point_q[2][V*i +: V]),
+        .x_1(point_q[V*i +: V]), .x_2(point_q[V*(i+3) +: V]), .x_3(point_q[V*(i+6) +: V]),
         .low(box[V*i +: V]), .high(box[V*(i+3) +: V])
       );
     end
     for (k = 0; k < 3; k = k + 1) begin : vertex
       wire [2:0] from = first ? same[3*k +: 3] : 3'd1 << k;
       for (i = 0; i < 3; i = i + 1) begin : axis
-        assign vertices[W*(3*k+i) +: W] = point_q[k][V*i +: W];
+        assign vertices[W*(3*k+i) +: W] = point_q[V*(3*k+i) +: W];
       end
       always @(posedge clk) begin
         if (valid) begin
-          point_q[k] <= place[k] ? point
-                      : (point_q[0] & {(3*V){from[0]}}) | (point_q[1] & {(3*V){from[1]}}) |
-                        (point_q[2] & {(3*V){from[2]}});
+          point_q[3*V*k +: 3*V] <= place[k] ? point
+                                 : (point_q[0 +: 3*V] & {(3*V){from[0]}}) |
+                                   (point_q[3*V +: 3*V] & {(3*V){from[1]}}) |
+                                   (point_q[6*V +: 3*V] & {(3*V){from[2]}});
           outside_q[k] <= place[k] ? (|outside) : |(outside_q & from);
         end
       end
