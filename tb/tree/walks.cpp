@@ -303,7 +303,8 @@ sepax_tree_pose draw_pose(const Scene &scene, const sepax_design &design) {
                                                       : 0.7,
                                         design.config.word - 1));
   if (below(6) == 0) { // by what W + 2 bits do not tell
-    b.translation[below(3)] += std::ldexp(below(2) == 0 ? 1 : -1, design.config.word + 2);
+    int most = design.config.word < 20 ? design.config.word + 2 : 22; // poses are below 2^23
+    b.translation[below(3)] += std::ldexp(below(2) == 0 ? 1 : -1, most);
   }
   return options.any && below(3) == 0 ? damage.any_pose() : pose_of(scene, &b, design);
 }
