@@ -9,6 +9,7 @@
 #include "sepax_params.h"
 #include "sepax_tree.h"
 
+#include <type_traits>
 #include <vector>
 
 const uint64_t BASE = 0x8912345000; // of the memory
@@ -148,10 +149,19 @@ private:
     }
   }
 
+  // A port of up to 64 bits is a number, another an array of words.
+  template <typename Words> static bool bit(const Words &words, int at) {
+    if constexpr (std::is_integral_v<Words>) {
+      return words >> at & 1;
+    } else {
+      return words[at / 32] >> (at % 32) & 1;
+    }
+  }
+
   template <typename Words> static int64_t get(const Words &words, int at, int bits) {
     uint64_t value = 0;
     for (int k = 0; k < bits; k++, at++) {
-      value |= (uint64_t)(words[at / 32] >> (at % 32) & 1) << k;
+      value |= (uint64_t)bit(words, at) << k;
     }
     return (int64_t)(value << (64 - bits)) >> (64 - bits);
   }
