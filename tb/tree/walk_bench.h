@@ -5,11 +5,11 @@
 #include "Vsepax_tree_bench.h"
 #include "cosim/verilated_top.h"
 #include "tree/memory.h"
+#include "tree/ports.h"
 
 #include "sepax_params.h"
 #include "sepax_tree.h"
 
-#include <type_traits>
 #include <vector>
 
 const uint64_t BASE = 0x8912345000; // of the memory
@@ -149,20 +149,8 @@ private:
     }
   }
 
-  // A port of up to 64 bits is a number, another an array of words.
-  template <typename Words> static bool bit(const Words &words, int at) {
-    if constexpr (std::is_integral_v<Words>) {
-      return words >> at & 1;
-    } else {
-      return words[at / 32] >> (at % 32) & 1;
-    }
-  }
-
   template <typename Words> static int64_t get(const Words &words, int at, int bits) {
-    uint64_t value = 0;
-    for (int k = 0; k < bits; k++, at++) {
-      value |= (uint64_t)bit(words, at) << k;
-    }
+    uint64_t value = bits_of(words, (unsigned)at, (unsigned)bits);
     return (int64_t)(value << (64 - bits)) >> (64 - bits);
   }
 
