@@ -150,7 +150,7 @@ scene: $(SEPAX) $(BUILD)/liberty
 NANGATE45 = $(wildcard ../shared/pdk/nangate45_typ.lib.gz)
 report: $(SEPAX) $(BUILD)/liberty
 	@LIBERTY=$(if $(call given,LIBERTY),$(LIBERTY),$(firstword $(NANGATE45) $(LIBERTY))) \
-	  $(EXPERIMENT)/report $(if $(QUICK),-q) $(BUILD)/report
+	  $(EXPERIMENT)/report $(if $(QUICK),-q) $(if $(filter-out 0 off,$(TREE)),-t) $(BUILD)/report
 
 accuracy: $(SEPAX) $(BUILD)/bench
 	@$(EXPERIMENT)/accuracy $(if $(QUICK),-q) $(BUILD)/accuracy $(MESHES)

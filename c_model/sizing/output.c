@@ -78,7 +78,7 @@ static void print_time(const size_options *o, const size_answer *answer) {
            answer->size.path, m->worst, 1e-6 * period * m->mean, m->mean);
     if (m->config.tree) {
       printf(
-          "rests on   cycles that the golden model's walk of each pose predicts, the mean to some 4 %%:"
+          "rests on   cycles that the golden model's walk of each pose predicts, the mean to 4 %%:"
           "\n%-*smemory of %d cycles latency and 128 bits, caches cold at each pose\n",
           WIDTH, "", o->request.latency);
     } else if (m->config.lanes > 0) {

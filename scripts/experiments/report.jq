@@ -7,8 +7,10 @@ def number($text): $text | tonumber;
 def design:
   ($ARGS.named.area[0].design) as $d
   | ($ARGS.named.meshes
-     | [scan("([0-9]+) pairs, [0-9]+ (?:mismatches|candidates)")][0][0] | tonumber) as $pairs
-  | ([$ARGS.named.meshes | scan("II = [0-9]+: ([0-9]+) cycles = [0-9.]+ ms at")][0][0]
+     | [scan("([0-9]+) pairs, [0-9]+ (?:mismatches|candidates)")][0][0] // "160000"
+     | tonumber) as $pairs # of a tree engine: the sample objects
+  | ([$ARGS.named.meshes | scan("II = [0-9]+: ([0-9]+) cycles = [0-9.]+ ms at"),
+                           scan("poses, 0 mismatches, mean ([0-9]+) cycles")][0][0]
      // null) as $cycles
   | ($d.timing.period_ns // ([$d.options | capture("--clock-ns=(?<ns>[^ ]+)").ns | tonumber][0])
      // (if $d.arch == "conference" then 2.5 else 2 end)) as $period
@@ -19,6 +21,7 @@ def design:
      word: $d.word, ii: $d.ii, latency: $d.latency, period_ns: $period,
      timed: ($d.timing != null), met: ($d.timing.met // null), ge: $d.ge, ff: $d.ff,
      multipliers: $d.multipliers,
+     tree: ($d.options | test("--tree=on")), pose_nj: $ARGS.named.power[0].workloads[0].pose_nj,
      lanes: ([$d.options | capture("--lanes=(?<k>[0-9]+)").k | tonumber][0]),
      mesh_pairs: $pairs, mesh_cycles: (if $cycles then number($cycles) else null end),
      pairs_per_s: (1e9 / $period * (if $cycles then $pairs / number($cycles) else 1 / $d.ii end)),
@@ -50,14 +53,16 @@ def nj:
 def name:
   .variables as $v
   | if .arch == "exact"
-    then (if .lanes then "engine, \(.lanes) lanes, exact" else "**exact**" end) + ", II = \(.ii)"
+    then (if .lanes then "engine, \(.lanes) lanes, exact"
+          elif .tree then "tree engine, exact" else "**exact**" end) + ", II = \(.ii)"
       + (if $v | test("EARLY_OUT=boxes") then ", early out" else "" end)
     else "our `\(.arch)`, \($v | capture("PRECISION=(?<p>[a-z]+)").p)" end;
 def entry:
-  {name: name, latency: (if .lanes then "-" else .latency end),
+  {name: name, latency: (if .lanes or .tree then "-" else .latency end),
    clock: ("\(.period_ns) ns"
            + if .timed | not then ", not timed" elif .met then "" else ", missed" end),
-   ge: (.ge | k), cost: (if .lanes then "-" else .ge * .ii | k end), speed: (.pairs_per_s | speed),
+   ge: (.ge | k), cost: (if .lanes or .tree then "-" else .ge * .ii | k end),
+   speed: (.pairs_per_s | speed),
    separated: (.energy_pj.separated | nj), colliding: (.energy_pj.colliding | nj),
    missed: share(.errors.missed; .errors.collisions),
    alarms: share(.errors.false_alarms; .errors.pairs - .errors.collisions), made: .variables};
@@ -111,6 +116,9 @@ def page:
    | "<b>GE</b>: area of the cells; memories of the engine are not in it. <b>Pairs/s</b>: clock / "
      + "II; of the engine the \(.mesh_pairs // "-") pairs of the sample objects in "
      + "\(.mesh_cycles // "-") cycles. "),
+  (.rows | map(select(.tree))[0] | if . == null then empty else
+     "Of the <b>tree engine</b>: these pairs, in the mean of 64 poses in contact: \(.mesh_cycles) "
+     + "cycles, \(.pose_nj | round) nJ a pose. " end),
   "<b>nJ</b>: energy of a pair, of the mapped gates with pairs that are mostly separated or all "
   + "collide (docs/power.md); the paper does not tell its pairs. ",
   "<b>Missed</b>: share of the collisions, <b>false alarms</b>: of the separated pairs, among "

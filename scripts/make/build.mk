@@ -42,13 +42,18 @@ LIBERTY_OBJ = $(call object,$(wildcard synth/liberty/*.c))
 GEN_OBJ     = $(call object,$(wildcard rtl_gen/*/*.c)) $(TEMPLATE_OBJ)
 POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(filter-out %/main.o,$(LIBERTY_OBJ))
 
-# The engine's register map, as its drivers read it.
-REGISTERS = $(BUILD)/registers/sepax_registers.h
-$(REGISTERS): $(SEPAX)
-	@$(SEPAX) gen --lanes=1 -o $(@D) > /dev/null
+# The engines' register maps, as their drivers read them.
+REGISTERS    = $(BUILD)/registers
+ENGINE_lanes = --lanes=1
+ENGINE_tree  = --tree
+$(REGISTERS)/%/sepax_registers.h: $(SEPAX)
+	@mkdir -p $(REGISTERS)
+	@$(SEPAX) gen $(ENGINE_$*) -o $(@D) > /dev/null
 	@touch $@
-$(BUILD)/obj/synth/power/engine.o: $(REGISTERS)
-$(BUILD)/obj/synth/power/engine.o: SEPAX_CFLAGS += -I$(BUILD)/registers
+$(BUILD)/obj/synth/power/engine.o: $(REGISTERS)/lanes/sepax_registers.h
+$(BUILD)/obj/synth/power/engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/lanes
+$(BUILD)/obj/synth/power/tree.o: $(REGISTERS)/tree/sepax_registers.h
+$(BUILD)/obj/synth/power/tree.o: SEPAX_CFLAGS += -I$(REGISTERS)/tree
 
 $(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)

@@ -64,18 +64,27 @@ workloads: $(LOADS)/colliding.txt $(LOADS)/coplanar.txt
 # An engine makes its pairs itself.
 CYCLES    ?= 200
 POWER_MESH = $(MESH_A) $(MESH_B) $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION))
-ifeq ($(filter-out 0,$(LANES)),)
+ifeq ($(TREE),on)
+POSES_OF   = $(or $(POSES),$(BUILD)/poses/$(1).txt)
+POSED      = poses $(call POSES_OF,$(1)) $(if $(POSES),$(POWER_MESH),$(addprefix \
+             $(BUILD)/mesh/,workpiece.stl ball-end.stl) 0.002)
+LOAD_FILES = $(sort $(foreach load,gouge free,$(call POSES_OF,$(load)))) $(if \
+             $(POSES),,$(addprefix $(BUILD)/mesh/,workpiece.stl ball-end.stl))
+WORKLOADS  = $(if $(POSES),"poses=$(call POSED)","contact=$(call POSED,gouge)" \
+             "free=$(call POSED,free)") "idle=idle $(call POSED,free)"
+else ifeq ($(filter-out 0,$(LANES)),)
 LOAD_FILES = $(LOADS)/colliding.txt $(LOADS)/coplanar.txt
-WORKLOADS  = colliding=$(LOADS)/colliding.txt coplanar=$(LOADS)/coplanar.txt \
+WORKLOADS  = "separated=$(POWER_MESH)" colliding=$(LOADS)/colliding.txt \
+             coplanar=$(LOADS)/coplanar.txt \
              "idle=idle $(LOADS)/colliding.txt"
 else
-WORKLOADS  = "loading=loading $(POWER_MESH)" "idle=idle $(POWER_MESH)"
+WORKLOADS  = "separated=$(POWER_MESH)" "loading=loading $(POWER_MESH)" "idle=idle $(POWER_MESH)"
 endif
 
 powered: $(AREA)/area.json $(BUILD)/power $(LOAD_FILES) $(SAMPLES)
 	@echo "  POWER   $(DESIGN_NAME), $(LIBRARY)"
 	@POWER=$(BUILD)/power synth/power/run -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) \
-	  -o $(AREA)/power $(AREA) "separated=$(POWER_MESH)" $(WORKLOADS)
+	  -o $(AREA)/power $(AREA) $(WORKLOADS)
 power-file:
 	@echo $(AREA)/power/power.json
 

@@ -7,7 +7,7 @@
 
 typedef struct {
   const char *liberty, *netlist, *design, *pins, *by_cell;
-  const char *mesh[2];
+  const char *mesh[2], *poses;
   double period, global, fault, resolution;
   int cycles;
   bool idle, loading, as_sta;
@@ -24,6 +24,7 @@ typedef struct {
   int *loads;              /* pins that read it */
   double (*slope)[2];      /* of each net: rising, falling, ns */
   size_t pairs, undecided; /* of all given, those beyond the extents */
+  uint64_t poses;          /* of a tree engine */
   uint64_t taken, judged, wrong, collisions, coplanar; /* while it counts, but wrong: always */
 } analysis;
 
@@ -42,6 +43,10 @@ void power_pairs(analysis *m);
  * its results, ends and counters are compared with the golden model's. Exits if the meshes do not
  * fit. */
 void power_engine(analysis *m);
+
+/* A tree engine: walk the poses, or be idle after them; all that it sends is compared with the
+ * golden model's. Exits if there are no poses. */
+void power_tree(analysis *m);
 
 /* From the simulation's counts, or the request's global activity: transitions, loads, slopes. */
 void power_prepare(analysis *m);

@@ -9,6 +9,7 @@
  * PERIOD   of the clock in ns
  * A, B     all pairs of their triangles, quantised; each lane begins elsewhere. An object engine
  *          (--lanes) wants them: one whole run, its memories and buses played
+ * -m FILE  a tree engine: poses of B, which the lanes share; the meshes are its bodies
  * -c N     cycles counted, after those in which the pipeline fills (200)
  * -i       idle: after some pairs (an engine: after its run) nothing comes any more; then count
  * -b       an engine: count while its objects come, before the run
@@ -58,7 +59,7 @@ static double number(const char *const given[], char option, double other) {
 
 static request read_options(int argc, char **argv) {
   const char *given[128] = {NULL}; /* by the option's letter: its argument, or "" */
-  for (int option; (option = getopt(argc, argv, "bc:d:e:g:il:n:op:r:s:t:")) != -1;) {
+  for (int option; (option = getopt(argc, argv, "bc:d:e:g:il:m:n:op:r:s:t:")) != -1;) {
     if (option == '?') {
       exit(2);
     }
@@ -69,6 +70,7 @@ static request read_options(int argc, char **argv) {
                .design = given['d'],
                .pins = given['t'],
                .by_cell = given['e'],
+               .poses = given['m'],
                .period = number(given, 'p', 0),
                .global = number(given, 'g', -1),
                .fault = number(given, 's', 1),
@@ -100,16 +102,14 @@ int main(int argc, char **argv) {
     errx(2, "%s", error.text);
   }
   m.exact = config.arch == SEPAX_ARCH_EXACT;
-  m.engine = config.lanes > 0;
-  if (want.loading && (want.idle || !m.engine)) {
+  m.engine = config.lanes > 0 || config.tree;
+  if (want.loading && (want.idle || config.lanes == 0)) {
     errx(2, "-b is for an object engine (--lanes), and not with -i");
   }
   library_read(&m.lib, want.liberty);
   gates_read(&m.g, &m.lib, want.netlist);
-  if (want.global < 0 && m.engine) {
-    power_engine(&m);
-  } else if (want.global < 0) {
-    power_pairs(&m);
+  if (want.global < 0) {
+    (config.tree ? power_tree : config.lanes > 0 ? power_engine : power_pairs)(&m);
   }
   power_prepare(&m);
   power_report(&m);

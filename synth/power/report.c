@@ -105,6 +105,11 @@ void power_report(const analysis *m) {
                            json_pack("{s:f, s:s}", "run_nj", cycle_pj * 1e-3 * (double)g->cycles,
                                      "memories", "not counted"));
   }
+  if (m->poses > 0) {
+    double nj = cycle_pj * 1e-3 * lane_cycles / (double)m->poses;
+    json_object_update_new(report,
+                           json_pack("{s:I, s:f}", "poses", (json_int_t)m->poses, "pose_nj", nj));
+  }
   json_object_update_new(with_power(report, all),
                          json_pack("{s:o, s:f, s:o}", "registers",
                                    with_power(json_object(), registers), "clock_pins_pj",

@@ -9,17 +9,19 @@ def extents: if .options | contains("--extent")
 def early_out: if .options | contains("--early-out") then " [early out]" else "" end;
 def lanes: [option("lanes") as $lanes | option("cores") as $cores
   | " [\($lanes) lanes\(if $cores != "1" then ", \($cores) cores" else "" end)]"][0] // "";
-def name: .design | "\(.arch) W = \(.word), II = \(.ii)" + extents + early_out + lanes;
+def tree: if .options | contains("--tree=on") then " [tree engine]" else "" end;
+def name: .design | "\(.arch) W = \(.word), II = \(.ii)" + extents + early_out + lanes + tree;
 
 ([.designs[] | select(.design.arch == "paper")][0]) as $paper
 | ([$paper.workloads[]? | {key: .workload, value: .pair_pj}] | from_entries) as $of_paper
 | "\(.designs[0].library), OpenSTA-style sums by build/power, no glitches, no clock tree",
   (["design", "workload", "period", "leakage", "inside cells", "nets", "total", "registers",
-    "nJ / pair", "paper / it"],
+    "nJ / pair", "nJ / pose", "paper / it"],
    (.designs[] | . as $d | .workloads[]
     | [($d | name), .workload, "\(.period_ns) ns", (.leakage_w | mw), (.internal_w | mw),
        (.switching_w | mw), (.total_w | mw), (.registers.total_w | mw),
-       (if .pair_pj then .pair_pj / 1000 | energy else "-" end),
+       (if .pair_pj and .pose_nj == null then .pair_pj / 1000 | energy else "-" end),
+       (if .pose_nj then .pose_nj | rounded(10) else "-" end),
        (if .undecided_percent > 1 then "beyond extents"
         elif .pair_pj and $of_paper[.workload] then $of_paper[.workload] / .pair_pj | rounded(10)
         else "-" end)])
