@@ -91,7 +91,7 @@ static size_t space(engine *e, size_t bytes, size_t unit) {
   size_t at = (e->used + unit - 1) / unit * unit;
   e->used = at + bytes;
   if (e->used > e->space || e->byte == NULL) {
-    e->byte = realloc(e->byte, 2 * e->used);
+    e->byte = realloc(e->byte, 2 * e->used + 1);
     if (e->byte == NULL) {
       errx(2, "out of memory");
     }
