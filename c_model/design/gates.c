@@ -20,9 +20,9 @@ static const double engine_error = 0.05;
 
 /* What a tree engine has around its cores (docs/results/area/tree.csv): GE constant, for each bit
  * of W, and what turning a box in each cycle adds. */
-static const double ge_of_tree = 66716;
-static const double ge_per_tree_bit = 1785.7;
-static const double ge_of_full_rate = 6500;
+static const double ge_of_tree = 67644;
+static const double ge_per_tree_bit = 1804.9;
+static const double ge_of_full_rate = 6456.9;
 
 static int units(int operations, int ii) { return (operations + ii - 1) / ii; }
 
@@ -75,7 +75,7 @@ bool gates_fitted(const sepax_design *design) {
 uint64_t sepax_memory_bits(const sepax_config *c) {
   uint64_t word = (uint64_t)c->word;
   if (c->tree) {
-    return 215236 + 3384 * word;
+    return 215360 + 3384 * word;
   }
   uint64_t of_a = (uint64_t)c->memory_a;
   uint64_t of_b = (uint64_t)c->memory_b;
