@@ -4,10 +4,9 @@
 //   bench_tree NAME RESOLUTION A.stl B.stl POSES LOG
 // The first prints a line a body: triangles, microseconds and bytes a triangle.
 // LOG is what `make tree-engine` printed of the same bodies, resolution (0: what fits) and poses: a
-// line a pose begins with the engine's cycles, near pairs, collisions. Prints a line for the poses
-// that collide and one for those that do not: microseconds a pose of CPU time on one core, of the
-// engine at 500 MHz. Software is asked in turn, some poses at a time; the least of some rounds
-// counts.
+// line a pose begins with cycles, near pairs, collisions. Prints a line for the poses that collide
+// and one for those that do not: microseconds a pose of CPU time on one core. All are asked in
+// turn, some poses at a time; the least of some rounds counts.
 #include "fast_walk.h"
 
 #include "benchmark/peer.h"
@@ -27,7 +26,6 @@ void stop(const std::string &why) {
 
 namespace {
 
-constexpr double MHZ = 500;
 constexpr int ROUNDS = 5;
 constexpr size_t SOME = 50; /* poses at a time */
 
@@ -178,20 +176,18 @@ void measure(const Poses &poses, Peer *const peer[PEERS], double us[PEERS]) {
 }
 
 /* The poses that collide, or those that do not. */
-void report(const char *name, bool contact, const Poses &poses, double engine,
-            Peer *const peer[PEERS]) {
+void report(const char *name, bool contact, const Poses &poses, Peer *const peer[PEERS]) {
   if (poses.empty()) {
     return;
   }
   double us[PEERS] = {};
   measure(poses, peer, us);
-  const double count = double(poses.size());
-  printf("%s,%s,%zu,%.3f", name, contact ? "contact" : "free", poses.size(), engine / count);
+  printf("%s,%s,%zu", name, contact ? "contact" : "free", poses.size());
   for (int k = 0; k < PEERS; k++) {
     if (peer[k] == nullptr) {
-      printf(",-,-");
+      printf(",-");
     } else {
-      printf(",%.3f,%.2f", us[k] / count, us[k] / engine);
+      printf(",%.3f", us[k] / double(poses.size()));
     }
   }
   putchar('\n');
@@ -228,7 +224,6 @@ void report_poses(const char *name, const sepax_mesh mesh[2], double resolution,
   sepax_poses poses;
   stop_unless(sepax_poses_read(&poses, poses_path, &failure));
   Poses kind[2];
-  double engine[2] = {0, 0};
   std::ifstream log(log_path);
   std::string line;
   for (size_t n = 0; n < poses.count; n++) {
@@ -240,7 +235,6 @@ void report_poses(const char *name, const sepax_mesh mesh[2], double resolution,
       stop(std::string(log_path) + ": no line of three numbers for each pose");
     }
     kind[collisions > 0].push_back(poses.pose[n]);
-    engine[collisions > 0] += cycles / MHZ;
   }
   sepax_poses_free(&poses);
   const std::unique_ptr<Peer> bodies = make_sepax(mesh[0], mesh[1]);
@@ -252,7 +246,7 @@ void report_poses(const char *name, const sepax_mesh mesh[2], double resolution,
     compare_walks(walk, kind[1]);
   }
   for (int contact = 1; contact >= 0; contact--) {
-    report(name, contact != 0, kind[contact], engine[contact], peer);
+    report(name, contact != 0, kind[contact], peer);
   }
 }
 
