@@ -4,8 +4,9 @@
 #include "tree/format.h"
 
 /* Cycles: to look up a pair of nodes; of the least entry in the compare path; from the last box to
- * what is made of it; from a row to a pair; around cores. */
-enum { LOOK_UP = 3, LEAST = 5, BEHIND_BOXES = 24, TO_PAIR = 12, AROUND_CORE = 8 };
+ * what is made of it; from the last beat of a record to its triangles; from a row to a pair; around
+ * cores. */
+enum { LOOK_UP = 3, LEAST = 6, BEHIND_BOXES = 24, MADE = 16, TO_PAIR = 12, AROUND_CORE = 8 };
 
 static uint64_t later(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
@@ -72,7 +73,7 @@ static void take_leaves(tree_time *t, const time_row *row) {
   for (int body = 0; body < 2; body++) {
     time_place *set = t->leaf[body][row->leaf[body] % TIME_LEAF_SETS];
     t->places[body] = look_up(t, set, row->leaf[body], (uint64_t)row->beats[body], now);
-    t->leaves_there = later(t->leaves_there, t->places[body]->there);
+    t->leaves_there = later(t->leaves_there, t->places[body]->there + MADE);
     t->leaves[body] = row->leaf[body] + 1;
   }
   t->pairs_of_leaves++;
