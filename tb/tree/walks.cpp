@@ -176,20 +176,26 @@ sepax_vec near_to(const double at[3], double size, double step, int word) {
   return v;
 }
 
-// Triangles strewn in a ball or a slab, large or small, some without an area.
+// Triangles strewn in a ball or a slab, large or small, some without an area; or most of them with
+// two vertices of the one before, in any order.
 sepax_tree *strewn(size_t count, int word) {
   std::vector<sepax_tri> tri(count);
   double reach = std::ldexp(1, word - 1) * (below(4) == 0 ? 0.9 : 0.3);
   double size = reach / (1 + below(options.dense ? 1 : options.any ? 8 : 40));
   double step = below(3) == 0 ? std::ldexp(1, word - 6) : 0;
   bool flat = below(3) == 0;
-  for (sepax_tri &t : tri) {
-    double at[3] = {reach * unit(), reach * unit(), flat ? 0 : reach * unit()};
-    if (options.dense) {
-      at[0] = at[1] = at[2] = 0;
+  bool joined = below(2) == 0;
+  double at[3];
+  for (size_t n = 0; n < count; n++) {
+    bool joins = joined && n > 0 && below(4) > 0;
+    for (int i = 0; i < 3 && !joins; i++) {
+      at[i] = options.dense || (flat && i == 2) ? 0 : reach * unit();
     }
-    for (sepax_vec &v : t.v) {
+    for (sepax_vec &v : tri[n].v) {
       v = near_to(at, below(20) == 0 ? 0 : size, step, word);
+    }
+    for (int k = below(3), j = below(3), step_j = 1 + below(2), m = 0; joins && m < 2; m++) {
+      tri[n].v[(k + m) % 3] = tri[n - 1].v[(j + m * step_j) % 3];
     }
   }
   sepax_tree *tree;
