@@ -18,11 +18,10 @@ static const double ge_per_engine_bit = 405.8;
 static const double ge_of_engine = 12714;
 static const double engine_error = 0.05;
 
-/* What a tree engine has around its cores (docs/results/area/tree.csv): GE constant, for each bit
- * of W, and what turning a box in each cycle adds. */
-static const double ge_of_tree = 67644;
-static const double ge_per_tree_bit = 1804.9;
-static const double ge_of_full_rate = 6456.9;
+/* What a tree engine has around its cores (docs/results/area/tree.csv): GE constant and for each
+ * bit of W. */
+static const double ge_of_tree = 76559;
+static const double ge_per_tree_bit = 1779.5;
 
 static int units(int operations, int ii) { return (operations + ii - 1) / ii; }
 
@@ -58,8 +57,7 @@ double sepax_gates(const sepax_design *design, double *error) {
   }
   double around = ge_of_engine + (ge_per_engine_bit + ge_per_lane_bit * c->lanes) * c->word;
   if (c->tree) {
-    bool full = c->ii == 1 || c->cores > 1;
-    around = ge_of_tree + ge_per_tree_bit * c->word + (full ? ge_of_full_rate : 0);
+    around = ge_of_tree + ge_per_tree_bit * c->word;
   }
   *error = core * c->cores * largest_error + around * engine_error;
   return core * c->cores + around;
@@ -75,7 +73,7 @@ bool gates_fitted(const sepax_design *design) {
 uint64_t sepax_memory_bits(const sepax_config *c) {
   uint64_t word = (uint64_t)c->word;
   if (c->tree) {
-    return 215360 + 3384 * word;
+    return 219008 + 3288 * word;
   }
   uint64_t of_a = (uint64_t)c->memory_a;
   uint64_t of_b = (uint64_t)c->memory_b;

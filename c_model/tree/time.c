@@ -11,10 +11,8 @@ enum { LOOK_UP = 3, LEAST = 6, BEHIND_BOXES = 24, MADE = 16, TO_PAIR = 12, AROUN
 static uint64_t later(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
 void tree_time_begin(tree_time *t, const sepax_config *config, int latency) {
-  *t = (tree_time){.latency = (uint64_t)latency,
-                   .ii = (uint64_t)config->ii,
-                   .cores = (uint64_t)config->cores,
-                   .per_box = config->ii == 1 || config->cores > 1 ? 1 : 2};
+  *t = (tree_time){
+      .latency = (uint64_t)latency, .ii = (uint64_t)config->ii, .cores = (uint64_t)config->cores};
 }
 
 /* The place of a block of so many beats, which is there from place->there on: where it is, or that
@@ -46,8 +44,7 @@ uint64_t tree_time_move(tree_time *t, uint64_t now, const uint32_t node[2]) {
 }
 
 uint64_t tree_time_finish(tree_time *t, uint64_t there, unsigned boxes) {
-  uint64_t most = boxes * t->per_box;
-  t->compare = later(t->compare, there) + (most > LEAST ? most : LEAST);
+  t->compare = later(t->compare, there) + (boxes > LEAST ? boxes : LEAST);
   return t->compare + BEHIND_BOXES;
 }
 

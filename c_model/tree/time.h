@@ -21,7 +21,7 @@ typedef struct {
 } time_place;
 
 typedef struct {
-  uint64_t latency, ii, cores, per_box;
+  uint64_t latency, ii, cores;
   uint64_t asked;   /* the last address */
   uint64_t bus;     /* until when it is taken */
   uint64_t compare; /* until when the compare path is taken */

@@ -1,12 +1,10 @@
 // The entries of the walk, one after the other: which children of node S in the mask, or whether
 // S's own box, hit which children of node T (docs/tree.md, Compare). Up to 4 entries are here: one
 // whose heads are read, one that is set up, the others' boxes.
-// A box takes 2 - FULL cycles. First item 11 cycles after an entry that finds nothing before it,
-// 12 where FULL = 0.
+// A box takes a cycle. First item 11 cycles after an entry that finds nothing before it.
 module sepax_tree_compare #(
   parameter W = 18,   // bits of a coordinate
-  parameter SLOT = 6, // bits of a slot
-  parameter FULL = 0  // 1: a box a cycle; 0: one in two cycles
+  parameter SLOT = 6  // bits of a slot
 ) (
   input  wire            clk,          // clock
   input  wire            rst,          // synchronous reset, active high
@@ -113,32 +111,30 @@ module sepax_tree_compare #(
   wire [23:0]    box_low, box_high;
 
   // Steps behind: ends of boxes to be turned, in cells, compared, hits.
-  reg            turn_q, turn_last_q, turn_first_q, turn_upper_q, turn_side_q;
+  reg            turn_q, turn_last_q, turn_first_q, turn_side_q;
   reg  [3:0]     turn_index_q;
   reg  [26:0]    lows_q, highs_q;
-  reg            cell_q, cell_last_q, cell_first_q, cell_upper_q, cell_side_q;
+  reg            cell_q, cell_last_q, cell_first_q, cell_side_q;
   reg  [3:0]     cell_index_q;
   reg  [11:0]    cell_shift_q;
-  reg            lane_q, lane_last_q, lane_upper_q;
+  reg            lane_q, lane_last_q;
   reg  [3:0]     lane_index_q;
   reg            t_side_q; // of the entry in the lanes
   reg  [3:0]     children_q;
   reg            row_q, row_last_q;
   reg  [3:0]     row_index_q;
   reg  [15:0]    hits_q;
-  wire [FULL:0]  beyond;
-  wire [24*FULL+23:0] cells;
-  wire [383:0]   bounds [0:FULL];
-  wire [16*FULL+15:0] end_hits;
+  wire [1:0]     beyond; // of the lower end, of the upper
+  wire [47:0]    cells;
+  wire [31:0]    end_hits;
   wire [15:0]    present;
-  wire           step = (FULL != 0) ? 1'b1 : turn_upper_q; // the box that is turned goes on
   wire           read_t = cell_q && cell_first_q;
   wire           free, row_valid, row_ready, row_last;
   wire [3:0]     row_index;
   wire [15:0]    row;
 
   assign turn_valid = asked_q && (!busy_q || first);
-  assign hand = free && (!turn_q || step);
+  assign hand = free;
   // Nodes stand at the memories' outputs: where S is to come T may stand, as boxes before need it.
   assign load = (turned_valid || ready_q) && !loaded_q && (!some || (take && last)) &&
                 (next_own_q || !((some && (s_side_q != next_side_q)) ||
@@ -187,21 +183,20 @@ module sepax_tree_compare #(
         end
       end
     end
-    for (k = 0; k <= FULL; k = k + 1) begin : box_end
-      wire upper = (FULL != 0) ? k[0] : turn_upper_q;
+    for (k = 0; k < 2; k = k + 1) begin : box_end
+      wire [383:0] bounds;
       sepax_turn_box turn (
-        .clk(clk), .upper(upper), .lows(lows_q), .highs(highs_q), .n(n),
-        .start(upper ? high : low), .shift(cell_shift_q), .cells(cells[24*k +: 24]),
+        .clk(clk), .upper(k[0]), .lows(lows_q), .highs(highs_q), .n(n),
+        .start(k[0] ? high : low), .shift(cell_shift_q), .cells(cells[24*k +: 24]),
         .beyond(beyond[k])
       );
       for (j = 0; j < 16; j = j + 1) begin : lane
         wire [23:0] above = t_side_q ? boxes_b[48*j+24 +: 24] : boxes_a[48*j+24 +: 24];
         wire [23:0] below = t_side_q ? boxes_b[48*j +: 24] : boxes_a[48*j +: 24];
-        assign bounds[k][24*j +: 24] =
-          ((FULL != 0) ? k[0] : lane_upper_q) ? ~below : above;
+        assign bounds[24*j +: 24] = k[0] ? ~below : above;
       end
       sepax_lanes lanes (
-        .cells(cells[24*k +: 24]), .beyond(beyond[k]), .bounds(bounds[k]),
+        .cells(cells[24*k +: 24]), .beyond(beyond[k]), .bounds(bounds),
         .hits(end_hits[16*k +: 16])
       );
     end
@@ -211,7 +206,7 @@ module sepax_tree_compare #(
   endgenerate
 
   assign present[0] = 1'b1;
-  sepax_fifo #(.WIDTH(ROW), .ADDRESS(2 + FULL), .MARGIN(3 + 2 * FULL)) rows (
+  sepax_fifo #(.WIDTH(ROW), .ADDRESS(3), .MARGIN(5)) rows (
     .clk(clk), .clear(clear), .push(row_q && ((|hits_q) || row_last_q)),
     .in({row_last_q, row_index_q, hits_q}), .free(free), .valid(row_valid),
     .pop(row_valid && row_ready), .out({row_last, row_index, row})
@@ -254,10 +249,10 @@ module sepax_tree_compare #(
         todo_q <= todo_q & ~pick;
         own_todo_q <= 1'b0;
       end
-      turn_q <= take || (turn_q && !step);
+      turn_q <= take;
       cell_q <= turn_q;
       lane_q <= cell_q;
-      row_q <= lane_q && ((FULL != 0) ? 1'b1 : lane_upper_q);
+      row_q <= lane_q;
     end
     if (taken_in) begin
       ring_q[in_q] <= {in_side, in_b, in_a};
@@ -290,11 +285,9 @@ module sepax_tree_compare #(
                        |{pick[15], pick[13], pick[11], pick[9], pick[7], pick[5], pick[3],
                          pick[1]}};
     end
-    turn_upper_q <= turn_q && !turn_upper_q && (FULL == 0);
-    cell_first_q <= turn_first_q && !turn_upper_q;
+    cell_first_q <= turn_first_q;
     cell_last_q <= turn_last_q;
     cell_side_q <= turn_side_q;
-    cell_upper_q <= turn_upper_q;
     cell_index_q <= turn_index_q;
     cell_shift_q <= shift;
     if (read_t) begin
@@ -302,11 +295,9 @@ module sepax_tree_compare #(
       children_q <= children;
     end
     lane_last_q <= cell_last_q;
-    lane_upper_q <= cell_upper_q;
     lane_index_q <= cell_index_q;
     row_last_q <= lane_last_q;
     row_index_q <= lane_index_q;
-    hits_q <= present & end_hits[15:0] & ((FULL != 0) ? end_hits[16*FULL +: 16] :
-                                          hits_q | {16{!lane_upper_q}});
+    hits_q <= present & end_hits[15:0] & end_hits[31:16];
   end
 endmodule

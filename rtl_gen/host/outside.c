@@ -16,7 +16,6 @@ void gen_tree(emitter *e, int entries) {
   emit_hole_numbers(&h, (emit_number[]){{"tree", 1},
                                         {"move_is_word", 0},
                                         {"ii", c->ii},
-                                        {"full", c->ii == 1 || c->cores > 1},
                                         {"margin", design->limits > 0 ? design->margin[1] : 0},
                                         {NULL, 0}});
   emit_hole_set(&h, "data", "data_q");

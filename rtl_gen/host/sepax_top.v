@@ -124,7 +124,7 @@ module sepax_engine (
   wire [23:0]    result_b;
 
   sepax_tree_engine #(
-    .W(W), .MARGIN(@margin@), .FULL(@full@), .FLIGHT(@flight_log2@), .ADDRESS(ADDRESS)
+    .W(W), .MARGIN(@margin@), .FLIGHT(@flight_log2@), .ADDRESS(ADDRESS)
   ) engine (
     .clk(clk), .rst(rst), .start(run_start), .stop(run_stop), .cold(run_cold), .idle(run_idle),
     .done(run_done), .hit(hit), .first(modes[0]), .quiet(modes[1]),

@@ -4,7 +4,6 @@
 module sepax_tree_engine #(
   parameter W = @word@,        // bits of a coordinate, 4 ... 21
   parameter MARGIN = 0,    // largest gap of a near pair, 0 ... 2^(W-1)
-  parameter FULL = 0,      // 1: a box is turned in each cycle; 0: in two
   parameter FLIGHT = 5,    // log2 of the pairs that may be in the cores
   parameter ADDRESS = 40,  // bits of a byte address, 37 ... 64
   parameter STACK = 10,    // log2 of the entries of the stack, 9 or more
@@ -166,7 +165,7 @@ module sepax_tree_engine #(
   assign out_valid = item_q;
   assign {out_last, out_columns, out_leaves, out_index, out_mask} = items_q;
 
-  sepax_tree_compare #(.W(W), .FULL(FULL), .SLOT(SLOT)) compare (
+  sepax_tree_compare #(.W(W), .SLOT(SLOT)) compare (
     .clk(clk), .rst(rst), .drop(drop), .matrix(matrix), .sigma({sigma_b, sigma_a}),
     .in_valid(in_valid), .in_ready(in_ready), .in_side(in_side), .in_mask(in_mask), .in_a(in_a),
     .in_b(in_b), .head_a(node_a[255:0]), .head_b(node_b[255:0]), .boxes_read_a(boxes_read_a),

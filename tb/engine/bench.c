@@ -356,7 +356,7 @@ static void one_plane(sepax_tri *a, sepax_tri *b, bool paced) {
       *(axis == 0 ? &of_b->x : axis == 1 ? &of_b->y : &of_b->z) = 0;
     }
     sepax_counts counts = run_task(&t, paced);
-    unsigned long long passes = COUNT * COUNT * SEPAX_II / SEPAX_CORES;
+    unsigned long long passes = counts.candidates * SEPAX_II / SEPAX_CORES;
     unsigned long long steps = (COUNT + SEPAX_LANES - 1) / SEPAX_LANES * COUNT;
     unsigned long long least = passes > steps ? passes : steps;
     expect("candidates in one plane", counts.candidates, COUNT * COUNT);

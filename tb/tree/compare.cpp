@@ -5,7 +5,7 @@
 //
 // TRACE gets all inputs and outputs of each cycle, for compare_tb.v.
 //
-// W and FULL are macros, the module's parameters.
+// W is a macro, the module's parameter.
 #include "Vcompare_top.h"
 #include "cosim/verilated_top.h"
 #include "tree/entries.h"
@@ -218,26 +218,25 @@ private:
       counts.settings++;
     }
     if (top->cells_valid) {
-      for (int end = 0; end <= FULL; end++) {
-        check_end(FULL != 0 ? end == 1 : top->cells_upper, end);
-      }
+      check_end(false);
+      check_end(true);
     }
   }
 
   // Beyond the 8 bits of cells: 128 lower, -129 upper; -129 lower is -128, 128 upper is 127.
-  void check_end(bool upper, int number) {
+  void check_end(bool upper) {
     const tree_cells &box = boxes.front();
     uint64_t all = top->cells;
     bool beyond = false;
     for (int i = 0; i < 3; i++) {
       int wanted = upper ? -1 - box.high[i] : box.low[i];
-      int got = (int8_t)(all >> (24 * number + 8 * i));
+      int got = (int8_t)(all >> (24 * upper + 8 * i));
       beyond = beyond || wanted > 127;
       if (wanted <= 127) {
         same(upper ? "high cell" : "low cell", got, wanted < -128 ? -128 : wanted);
       }
     }
-    same("beyond", top->beyond >> number & 1, beyond);
+    same("beyond", top->beyond >> upper & 1, beyond);
     counts.cells++;
     if (upper) {
       boxes.pop_front();
@@ -432,13 +431,12 @@ int main(int argc, char **argv) {
     return 2;
   }
   const auto &c = checker.counts;
-  printf(
-      "compare W=%d FULL=%d: %llu entries (%llu columns), %llu boxes, %llu items (%llu with hits), "
-      "%llu vertices, %llu drops, %llu cycles; %llu wrong\n",
-      W, FULL, (unsigned long long)c.entries, (unsigned long long)c.columns,
-      (unsigned long long)c.boxes, (unsigned long long)c.items, (unsigned long long)c.hits,
-      (unsigned long long)c.vertices, (unsigned long long)c.drops, (unsigned long long)c.cycles,
-      (unsigned long long)c.wrong);
+  printf("compare W=%d: %llu entries (%llu columns), %llu boxes, %llu items (%llu with hits), "
+         "%llu vertices, %llu drops, %llu cycles; %llu wrong\n",
+         W, (unsigned long long)c.entries, (unsigned long long)c.columns,
+         (unsigned long long)c.boxes, (unsigned long long)c.items, (unsigned long long)c.hits,
+         (unsigned long long)c.vertices, (unsigned long long)c.drops, (unsigned long long)c.cycles,
+         (unsigned long long)c.wrong);
   printf("without gaps %.2f cycles a box\n", (double)c.quick_cycles / (double)c.quick_steps);
   return c.wrong > 0 || c.items == 0 || c.hits == 0 || c.vertices == 0 || c.drops == 0 ? 1 : 0;
 }

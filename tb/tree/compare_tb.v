@@ -1,4 +1,4 @@
-// compare_tb - compare_top, W = 18, FULL = 0, in Icarus: inputs and outputs of a trace
+// compare_tb - compare_top, W = 18, in Icarus: inputs and outputs of a trace
 // (compare.cpp).
 `timescale 1ns / 1ps
 module compare_tb;
@@ -24,7 +24,7 @@ module compare_tb;
   integer file, got, cycles = 0, items = 0, faults = 0;
   reg [1023:0] name;
 
-  compare_top #(.W(18), .FULL(0)) top (
+  compare_top #(.W(18)) top (
     .clk(clk), .rst(rst), .drop(drop), .matrix(matrix), .shift(shift[263:0]),
     .sigma(sigma[143:0]), .in_valid(in_valid), .in_ready(in_ready), .in_side(in_side),
     .in_mask(in_mask), .in_a(in_a), .in_b(in_b), .head_a(head_a), .head_b(head_b),
@@ -33,7 +33,7 @@ module compare_tb;
     .out_last(out_last), .out_side(out_side), .out_columns(out_columns), .out_leaves(out_leaves),
     .out_index(out_index), .out_mask(out_mask), .out_a(out_a), .out_b(out_b), .other(other),
     .other_point(other_point), .other_valid(), .sum(), .setting_valid(), .n(), .low(), .high(),
-    .cell_shift(), .cells_valid(), .cells_upper(), .cells(), .beyond()
+    .cell_shift(), .cells_valid(), .cells(), .beyond()
   );
 
   initial begin

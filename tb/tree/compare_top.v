@@ -2,8 +2,7 @@
 // blocks in between say. For test benches.
 `default_nettype none
 module compare_top #(
-  parameter W = 18,
-  parameter FULL = 0
+  parameter W = 18
 ) (
   input  wire           clk,
   input  wire           rst,
@@ -44,16 +43,15 @@ module compare_top #(
   output wire [62:0]    low,
   output wire [62:0]    high,
   output wire [11:0]    cell_shift,
-  output wire           cells_valid, // ends of a box: the lower, the upper, or both
-  output wire           cells_upper,
-  output wire [24*FULL+23:0] cells,
-  output wire [FULL:0]  beyond
+  output wire           cells_valid, // ends of a box: the lower, the upper
+  output wire [47:0]    cells,
+  output wire [1:0]     beyond
 );
   wire           turn_valid, turn_side;
   wire [3*W-1:0] turn_point, turn_origin;
   reg  [2:0]     turned_q, other_q;
 
-  sepax_tree_compare #(.W(W), .SLOT(6), .FULL(FULL)) compare (
+  sepax_tree_compare #(.W(W), .SLOT(6)) compare (
     .clk(clk), .rst(rst), .drop(drop), .matrix(matrix), .sigma(sigma), .in_valid(in_valid),
     .in_ready(in_ready), .in_side(in_side), .in_mask(in_mask), .in_a(in_a), .in_b(in_b),
     .head_a(head_a), .head_b(head_b), .boxes_read_a(boxes_read_a), .boxes_slot_a(boxes_slot_a),
@@ -76,13 +74,12 @@ module compare_top #(
   end
 
   assign other_valid = other_q[2];
-  assign setting_valid = compare.turn_q && compare.turn_first_q && !compare.turn_upper_q;
+  assign setting_valid = compare.turn_q && compare.turn_first_q;
   assign n = compare.n;
   assign low = compare.low;
   assign high = compare.high;
   assign cell_shift = compare.shift;
   assign cells_valid = compare.lane_q;
-  assign cells_upper = compare.lane_upper_q;
   assign cells = compare.cells;
   assign beyond = compare.beyond;
 endmodule

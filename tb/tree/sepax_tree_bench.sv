@@ -1,7 +1,7 @@
 // The tree engine and its cores for test benches, without registers and jobs. Faults that a test
 // plants in the modules read `fault`.
 module sepax_tree_bench #(
-  parameter W = 18, parameter MARGIN = 0, parameter FULL = 0, parameter STACK = 10,
+  parameter W = 18, parameter MARGIN = 0, parameter STACK = 10,
   parameter LINE = 5, parameter FLIGHT = 5, parameter NODE_SETS = 4, parameter LEAF_SETS = 1
 ) (
   input wire [31:0] fault,
@@ -37,7 +37,7 @@ module sepax_tree_bench #(
   assign first_row_b[31:4] = 28'd0;
 
   sepax_tree_engine #(
-    .W(W), .MARGIN(MARGIN), .FULL(FULL), .STACK(STACK), .LINE(LINE), .FLIGHT(FLIGHT),
+    .W(W), .MARGIN(MARGIN), .STACK(STACK), .LINE(LINE), .FLIGHT(FLIGHT),
     .NODE_SETS(NODE_SETS), .LEAF_SETS(LEAF_SETS)
   ) engine (
     .base_a(base_a[27:0]), .base_b(base_b[27:0]), .nodes_a(nodes_a[23:0]),
