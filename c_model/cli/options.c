@@ -115,7 +115,7 @@ enum { KEY_OFFSET = 0x200, KEY_NORMALS };
 static const struct argp_option grid_options[] = {
     {NULL, 0, NULL, 0, "Quantisation:", 4},
     {"resolution", 'r', "LENGTH", 0,
-     "file units per LSB, or with nm, um, mm or m behind it where these are mm (without it both "
+     "file units per LSB, or with nm, um, mm or m behind it where these are mm (without it the "
      "meshes are fitted into the word)",
      0},
     {"offset", KEY_OFFSET, "X,Y,Z", 0,

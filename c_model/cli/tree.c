@@ -8,10 +8,11 @@
 
 typedef struct {
   const char *path, *output;
+  uint64_t word; /* 0: not given */
   cli_grid grid;
 } tree_options;
 
-enum { KEY_WORD = 0x400 };
+enum { KEY_WORD = 0x400, WORD = 18 };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "the file to write; without it a file that is a tree is checked", 0},
@@ -28,8 +29,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     o->output = text;
     return 0;
   case KEY_WORD:
-    o->grid.grid.word = (int)cli_count(state, "word", text, SEPAX_TREE_WORD_MAX);
-    if (o->grid.grid.word < SEPAX_WORD_MIN) {
+    o->word = cli_count(state, "word", text, UINT32_MAX);
+    if (o->word < SEPAX_WORD_MIN || o->word > SEPAX_TREE_WORD_MAX) {
       argp_error(state, "word: %s is not in %d ... %d", text, SEPAX_WORD_MIN, SEPAX_TREE_WORD_MAX);
     }
     return 0;
@@ -43,6 +44,13 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     if (o->path == NULL) {
       argp_error(state, "give an STL file and -o FILE, or a tree");
     }
+    if (o->output == NULL && (o->word > 0 || o->grid.resolution != NULL)) {
+      argp_error(state, "word, resolution: with -o alone, where a tree is made");
+    }
+    if (o->grid.file_normals) {
+      argp_error(state, "normals: a tree has none; leave it out");
+    }
+    o->grid.grid.word = o->word > 0 ? (int)o->word : WORD;
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
@@ -93,7 +101,7 @@ int cli_tree(int argc, char **argv) {
       children,
       NULL,
       NULL};
-  tree_options o = {.grid = {.grid = {.word = 18}}};
+  tree_options o = {.path = NULL};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};
   sepax_tree *tree = NULL;

@@ -326,6 +326,10 @@ static bool fail_format(const content *file, const char *path, sepax_error *erro
   if (file->size == 0) {
     return fail(error, path, "the file is empty; %s", cure);
   }
+  if (file->size >= HEAD_BYTES && memcmp(file->bytes, "sepaxSXT", 8) == 0) {
+    return fail(error, path, "a tree of 'sepax tree', no STL file; %s",
+                "give the one that it was made of");
+  }
   if (file->size < HEAD_BYTES || has_text_head(file)) {
     return fail(error, path, "no STL file: neither 'solid' nor a binary header; %s",
                 "export the mesh as STL");

@@ -70,7 +70,7 @@ bool sepax_tree_write(const sepax_tree *tree, const char *path, sepax_error *err
 
 static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sepax_error *error) {
   if (memcmp(from, magic, sizeof magic) != 0) {
-    return sepax_fail(error, "no tree; make one of an STL file with 'sepax tree'");
+    return sepax_fail(error, "no tree; make one with 'sepax tree STL -o FILE'");
   }
   if (tree_get32(from + 8) != VERSION) {
     return sepax_fail(error, "version %u of the format, not %d; make it again with 'sepax tree'",
@@ -138,7 +138,7 @@ static bool read_tree(sepax_tree *t, FILE *in, sepax_error *error) {
   uint8_t header[HEADER] = {0};
   uint32_t crc = 0;
   if (fread(header, HEADER, 1, in) != 1) {
-    return sepax_fail(error, "too short for a tree; make one with 'sepax tree'");
+    return sepax_fail(error, "too short for a tree; make one with 'sepax tree STL -o FILE'");
   }
   return unpack_header(t, header, &crc, error) && read_behind(t, in, crc, error) &&
          tree_check(t, error);
