@@ -25,13 +25,21 @@ static uint64_t get(const uint8_t *from, int bytes) {
   return value;
 }
 
-bool sepax_device_body(uint8_t record[SEPAX_DEVICE_BODY], const uint8_t *file, uint64_t address) {
+static bool is_tree(const uint8_t *file) {
   static const char head[] = "sepaxSXT";
-  enum { HEAD = 8, VERSION = 1, IMAGE = 4096 };
+  enum { HEAD = 8, VERSION = 1 };
   for (int k = 0; k < HEAD; k++) {
     if (file[k] != (uint8_t)head[k]) {
       return false;
     }
+  }
+  return get(file + 8, 4) == VERSION;
+}
+
+bool sepax_device_body(uint8_t record[SEPAX_DEVICE_BODY], const uint8_t *file, uint64_t address) {
+  enum { IMAGE = 4096 };
+  if (!is_tree(file) || address % IMAGE != 0) {
+    return false;
   }
   put(record, address + IMAGE, 8);
   put(record + 8, get(file + 48, 4), 4);
@@ -39,7 +47,13 @@ bool sepax_device_body(uint8_t record[SEPAX_DEVICE_BODY], const uint8_t *file, u
   put(record + 16, get(file + 56, 8) / 16, 4);
   put(record + 20, 0, 8);
   put(record + 28, 0, 4);
-  return get(file + 8, 4) == VERSION && address % IMAGE == 0;
+  return true;
+}
+
+bool sepax_device_fits(const sepax_device *device, const uint8_t *a, const uint8_t *b) {
+  uint64_t most = (uint64_t)device->word;
+  return is_tree(a) && is_tree(b) && get(a + 12, 4) <= most && get(b + 12, 4) <= most &&
+         get(a + 16, 8) == get(b + 16, 8); /* a resolution is above 0: equal bits, equal numbers */
 }
 
 /* Floor of a / 2^20. */

@@ -4,7 +4,8 @@
  * those of docs/tree.md. The registers are those of sepax_registers.h, which sepax gen writes
  * beside the Verilog. The three accesses are yours. What the engine is to read must be written
  * before sepax_device_start and be visible to it (caches of the processor flushed), and stand until
- * the batch has ended. */
+ * the batch has ended. Results must be taken: the engine waits while nobody takes them. One call at
+ * a time; not from an interrupt while another runs. */
 #ifndef SEPAX_TREE_DRIVER_H
 #define SEPAX_TREE_DRIVER_H
 
@@ -34,36 +35,47 @@ typedef struct {
  * none, or not of this version. Only its head is looked at; `sepax tree FILE` checks all. */
 bool sepax_device_body(uint8_t record[SEPAX_DEVICE_BODY], const uint8_t *file, uint64_t address);
 
+/* Can the engine test the files a and b against each other? Only if both are trees of one
+ * resolution and of no more bits than it has. Ask once for each pair of bodies: the engine sees
+ * neither, and would read wrong coordinates without a word. */
+bool sepax_device_fits(const sepax_device *device, const uint8_t *a, const uint8_t *b);
+
 /* A pose: the rotation, rounded to 2^-20, and the shift of B in A's coordinates, in 2^-20 LSB of
- * the trees' resolution: v = matrix p + shift, both bodies' offsets counted in. A's boxes are
- * turned by the transposed matrix; by how much they must be larger is computed here, exactly, and
- * holds for any matrix. False: a number does not fit, or the matrix is too far from a rotation. */
+ * the trees' resolution: v = matrix p + shift, both bodies' offsets counted in. With B turned by R
+ * and moved by T that is shift = (R offset_b + T - offset_a) / resolution, in double precision; a
+ * clearance is proved for a shift that is wrong by less than 2^-17 LSB. `word` and `margin` are
+ * those of the sepax_device. A's boxes are turned by the transposed matrix; by how much they must
+ * be larger is computed here, exactly, and holds for any matrix. False: a number does not fit, or
+ * the matrix is too far from a rotation. */
 bool sepax_device_pose(uint8_t pose[SEPAX_DEVICE_POSE], const int32_t matrix[3][3],
                        const int64_t shift[3], int word, int margin);
 
 /* Modes of a job. */
 enum {
-  SEPAX_DEVICE_FIRST = 1,
-  SEPAX_DEVICE_QUIET = 2,
-  SEPAX_DEVICE_ROW = 4,
-  SEPAX_DEVICE_AGAIN = 8,
-  SEPAX_DEVICE_COLD = 16,
-  SEPAX_DEVICE_WARM = 32,
-  SEPAX_DEVICE_LEAVE = 64
+  SEPAX_DEVICE_FIRST = 1, /* a pose ends at its first collision */
+  SEPAX_DEVICE_QUIET = 2, /* pairs are counted, not sent */
+  SEPAX_DEVICE_ROW = 4,   /* `row` is valid */
+  SEPAX_DEVICE_AGAIN = 8, /* what collided first is tried first in the poses behind */
+  SEPAX_DEVICE_COLD = 16, /* caches are empty at each pose, else at the job's first */
+  SEPAX_DEVICE_WARM = 32, /* not at the job's first: its bodies are those of the job before */
+  SEPAX_DEVICE_LEAVE = 64 /* the first pose that collides ends the job */
 };
 
 /* Two bodies and a queue of poses, 256 bytes each from the multiple of 256 `poses` on. */
 typedef struct {
   uint8_t body[2][SEPAX_DEVICE_BODY];
   uint64_t poses;
-  uint32_t count, modes, budget;
+  uint32_t count, modes; /* of poses; SEPAX_DEVICE_FIRST ... */
+  uint32_t budget; /* cycles after which a pose is stopped, 0: none; it ends when the bursts that
+                      are open have come */
   uint32_t row[2]; /* as a sepax_outcome has it */
 } sepax_device_work;
 void sepax_device_job(uint8_t job[SEPAX_DEVICE_JOB], const sepax_device_work *work);
 
 /* ---------------------------------------------------------------- runs */
 
-/* A pair that collides, or is too near, by its numbers in the trees. */
+/* A pair that collides, or is too near, by its numbers in the trees. The table at the end of a file
+ * of `sepax tree` has the numbers in the STL file (docs/tree.md, The file). */
 typedef struct {
   uint32_t a, b;
   bool coplanar;
@@ -85,7 +97,8 @@ typedef struct {
 typedef enum {
   SEPAX_DEVICE_OK,
   SEPAX_DEVICE_NONE,       /* ID is not what it must be */
-  SEPAX_DEVICE_BUS,        /* an access failed or was answered with SLVERR */
+  SEPAX_DEVICE_BUS,        /* an access failed or was answered with SLVERR: a batch that begins
+                              while another runs, of no jobs, from no multiple of 128 */
   SEPAX_DEVICE_INCOMPLETE, /* the engine sent another number of pairs than it counted */
   SEPAX_DEVICE_NO_VERDICT  /* of the last pose that was taken: see its status */
 } sepax_device_status;
@@ -95,10 +108,10 @@ const char *sepax_device_text(sepax_device_status status);
 /* Is the engine there, and what is it like. */
 sepax_device_status sepax_device_open(sepax_device *device, const sepax_device_bus *bus);
 
-/* Begin a batch: `jobs` jobs from `list` on, a multiple of 128. */
+/* Begin a batch: `jobs` jobs from `list` on, a multiple of 128. Not while another runs. */
 sepax_device_status sepax_device_start(sepax_device *device, uint64_t list, uint32_t jobs);
 
-/* The batch is to end with the pose that is walked. */
+/* The batch is to end with the pose that is walked; its end is still to be taken. */
 sepax_device_status sepax_device_stop(sepax_device *device);
 
 /* Wait until a pose has ended. Each of its pairs is handed to `found` (NULL: to nobody) before. */
