@@ -78,8 +78,8 @@ static void print_time(const size_options *o, const size_answer *answer) {
            answer->size.path, m->worst, 1e-6 * period * m->mean, m->mean);
     if (m->config.tree) {
       printf(
-          "rests on   cycles that the golden model's walk of each pose predicts, the mean to 4 %%:"
-          "\n%-*smemory of %d cycles latency and 128 bits, caches cold at each pose\n",
+          "rests on   cycles that the golden model's walk of each pose predicts, the mean to 4 %%, "
+          "a pose to 13 %%:\n%-*smemory of %d cycles latency and 128 bits, caches cold at each pose\n",
           WIDTH, "", o->request.latency);
     } else if (m->config.lanes > 0) {
       printf("rests on   the golden model's cycles in each pose, and vertices that are loaded anew "
@@ -132,7 +132,7 @@ static json_t *design_json(const size_answer *answer, const sepax_sized_design *
                 c->lanes, "tree", c->tree, "cores", c->lanes > 0 || c->tree ? c->cores : 1,
                 "memory_bits", (json_int_t)sepax_memory_bits(c), "ge", m->gates, "ge_error",
                 m->gates_error, "ge_fitted", m->fitted, "cycles", (json_int_t)m->cycles, "seconds",
-                m->seconds, "is_bound", answer->size.poses == 0, "command", command);
+                m->seconds, "is_bound", answer->size.poses == 0 && !c->tree, "command", command);
   if (answer->size.path > 0) {
     json_object_set_new(design, "mean_cycles", json_real(m->mean));
     json_object_set_new(design, "worst_pose", json_integer((json_int_t)m->worst));
