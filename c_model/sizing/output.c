@@ -79,7 +79,8 @@ static void print_time(const size_options *o, const size_answer *answer) {
     if (m->config.tree) {
       printf(
           "rests on   cycles that the golden model's walk of each pose predicts, the mean to 4 %%, "
-          "a pose to 13 %%:\n%-*smemory of %d cycles latency and 128 bits, caches cold at each pose\n",
+          "a pose to 13 %%:\n%-*smemory of %d cycles latency and 128 bits, caches cold at each "
+          "pose\n",
           WIDTH, "", o->request.latency);
     } else if (m->config.lanes > 0) {
       printf("rests on   the golden model's cycles in each pose, and vertices that are loaded anew "
