@@ -77,11 +77,10 @@ static void print_time(const size_options *o, const size_answer *answer) {
     printf(" in the worst of %zu poses, number %zu; mean %.4g ms (%.0f cycles)\n",
            answer->size.path, m->worst, 1e-6 * period * m->mean, m->mean);
     if (m->config.tree) {
-      printf(
-          "rests on   cycles that the golden model's walk of each pose predicts, the mean to 4 %%, "
-          "a pose to 13 %%:\n%-*smemory of %d cycles latency and 128 bits, caches cold at each "
-          "pose\n",
-          WIDTH, "", o->request.latency);
+      printf("rests on   cycles that the golden model's walk of each pose predicts, in measured "
+             "scenes the\n%-*smean to 4 %%, a pose to 13 %%; memory of %d cycles latency and 128 "
+             "bits, caches cold\n%-*sat each pose\n",
+             WIDTH, "", o->request.latency, WIDTH, "");
     } else if (m->config.lanes > 0) {
       printf("rests on   the golden model's cycles in each pose, and vertices that are loaded anew "
              "for each,\n%-*s3 cycles a triangle\n",
