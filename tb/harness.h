@@ -24,6 +24,14 @@
 void add_case(const char *name, CMUnitTestFunction function);
 
 #define LENGTH(array) (sizeof(array) / sizeof *(array))
+
+/* How many random cases: of `make sanitize`, where each is slow, a fifth. */
+#ifdef EXACT_PAIRS
+#define FEWER(count) ((count) / 5)
+#else
+#define FEWER(count) (count)
+#endif
+
 #define PI 0x1.921fb54442d18p1
 
 extern sepax_error fault; /* of the call under test */

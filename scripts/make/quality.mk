@@ -10,7 +10,11 @@ analyse = $(CPPCHECK) --quiet --error-exitcode=1 \
           --enable=warning,style,performance,portability --inline-suppr \
           --suppress=missingIncludeSystem --std=c11 $(call PATH_OF,$(1)) $(2) && \
           printf '%s\n' $(2) | xargs -P 2 -I {} $(CLANG_TIDY) --quiet --warnings-as-errors="*" {} \
-          -- -std=c11 -D_POSIX_C_SOURCE=200809L $(call PATH_OF,$(1))
+          -- -std=c11 -D_POSIX_C_SOURCE=200809L $(call PATH_OF,$(1)) \
+          -Xclang -analyzer-config -Xclang max-nodes=$(NODES)
+
+# How far clang-tidy follows the paths of one function; its own default is 225000.
+NODES ?= 75000
 
 # Programs of an engine read headers that come with its Verilog.
 static: $(SEPAX)
@@ -22,12 +26,13 @@ static: $(SEPAX)
 
 sanitize:
 	@$(MAKE) BUILD=$(BUILD)/sanitize \
-	  CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all \
-	          -DEXACT_PAIRS=50000" sanitized
+	  CFLAGS="-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all \
+	          -DEXACT_PAIRS=20000" sanitized
 	@$(MAKE) BUILD=$(BUILD)/raced CFLAGS="-O0 -g1 -fsanitize=thread" GEN_OBJ= raced
 
 sanitized: $(SEPAX) $(UNIT)
-	@for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
+	@export SEPAX_COUNT=1000 TREE_COLLISIONS=5000; \
+	  for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
 	@SEPAX=$(SEPAX) tb/system/cli
 	@SEPAX=$(SEPAX) tb/system/check
 

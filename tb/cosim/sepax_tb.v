@@ -11,7 +11,8 @@
 // order of the pairs with the expected value and stand still while they wait. The latency must be
 // LATENCY: of a pair alone in the core where there is out_ready, else of every pair. X is a
 // mismatch; so are operands of a core that an AABB test isolates (SEPAX_ISOLATION). Ends with
-// $finish when all is well and with $stop (exit status 1 under vvp -N) if not.
+// $finish when all is well and with $stop (exit status 1 under vvp -N) if not, at the latest after
+// 20 mismatches, +most=N: N.
 
 `default_nettype none
 
@@ -75,7 +76,7 @@ module sepax_tb;
 
   reg [8*1024-1:0] path;
   integer file, fields, cycle, sent, judged, mismatches, waited, blocked, idle, took;
-  integer stall, isolated, seed, offering, offered, accepting, accepted, i, word;
+  integer stall, most, isolated, seed, offering, offered, accepting, accepted, i, word;
   integer number [0:27];
   reg [7:0] expected [0:QUEUE-1]; // band, collision, coplanar, axis
   reg alone [0:QUEUE-1];
@@ -88,7 +89,7 @@ module sepax_tb;
       mismatches = mismatches + 1;
       $display("icarus: pair %0d, cycle %0d: %0s (valid %b, collision %b, coplanar %b, axis %0d)",
                judged, cycle, what, out_valid, out_collision, out_coplanar, out_axis);
-      if (mismatches == 20) begin
+      if (mismatches == most) begin
         $stop;
       end
     end
@@ -263,6 +264,9 @@ module sepax_tb;
     was_blocked = 1'b0;
     seed = 1;
     stall = $value$plusargs("stall=%d", seed);
+    if (!$value$plusargs("most=%d", most)) begin
+      most = 20;
+    end
     isolated = $test$plusargs("isolated=1");
     if (!$value$plusargs("pairs=%s", path)) begin
       $display("icarus: give +pairs=FILE");

@@ -101,12 +101,12 @@ CASE(every_family_at_every_word) {
   for (sepax_path way = SEPAX_PATH_PORTABLE; way <= SEPAX_PATH_AVX512; way++) {
     print_message("%s: %s\n", sepax_path_name(way), sepax_path_runs(way) ? "runs" : "not here");
   }
-  begin(&s, MOST);
+  begin(&s, FEWER(MOST));
   for (size_t family = 0; family < family_count(); family++) {
     for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
       sepax_random random = seeded(family, word);
-      fill(&s, MOST, family, word, &random);
-      assert_all_ways(&s, MOST);
+      fill(&s, FEWER(MOST), family, word, &random);
+      assert_all_ways(&s, FEWER(MOST));
     }
   }
   end(&s);
@@ -131,7 +131,7 @@ CASE(words_mixed) {
   sepax_random random = {8};
   size_t corners = family_number("corners");
   begin(&s, MOST);
-  for (int round = 0; round < 200; round++) {
+  for (int round = 0; round < FEWER(200); round++) {
     fill(&s, MOST, corners, word[round % (int)LENGTH(word)], &random);
     for (int i = 0; i < 9; i++) {
       size_t n = (size_t)sepax_random_range(&random, 0, MOST - 1);
@@ -195,7 +195,7 @@ static bands assert_all_pairs(const sepax_design *design, const sepax_tri *a, si
 
 CASE(meshes_of_every_size) {
   static const size_t counts[][2] = {{0, 0},   {0, 5},   {5, 0},   {1, 1},     {1, 200},
-                                     {64, 64}, {65, 63}, {200, 1}, {129, 700}, {500, 4200}};
+                                     {64, 64}, {65, 63}, {200, 1}, {129, 700}, {500, FEWER(4200)}};
   static const int word[] = {5, 18, 24, 32};
   sepax_random random = {9};
   for (size_t c = 0; c < LENGTH(counts); c++) {

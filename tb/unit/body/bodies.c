@@ -67,7 +67,7 @@ static void draw_pair(points t[2], size_t n, double scale, sepax_random *random)
 /* Both in one pose: touching pairs, rotated, are decided by their last bits. */
 CASE(families_in_poses) {
   sepax_random random = {3};
-  for (size_t n = 0; n < 20000; n++) {
+  for (size_t n = 0; n < FEWER(20000); n++) {
     double scale = ldexp(1, random_below(60) - 30) * (random_below(2) == 0 ? 1 : 0.1);
     points t[2];
     draw_pair(t, n, scale, &random);
@@ -189,7 +189,7 @@ static void assert_posed_bodies(const points t[2], sepax_body *const body[2], co
 /* Bodies of one triangle each: what touches is in doubt for the doubles. */
 CASE(touching_bodies) {
   sepax_random random = {5};
-  for (size_t n = 0; n < 20000; n++) {
+  for (size_t n = 0; n < FEWER(20000); n++) {
     sepax_facet facet[2] = {{{{0}}, {0}}, {{{0}}, {0}}};
     points t[2];
     sepax_body *body[2];
