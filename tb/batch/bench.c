@@ -37,6 +37,13 @@ void stop_on(bool failed, const char *text) {
   }
 }
 
+/* The same, of something in a file. */
+static void stop_at(bool failed, const char *path, const char *text) {
+  char line[768];
+  snprintf(line, sizeof line, "%s: %s", path, text);
+  stop_on(failed, line);
+}
+
 /* ------------------------------------------------------------------ memory */
 
 static struct {
@@ -317,16 +324,16 @@ static bool is_tree(const char *path) {
   return length > 4 && strcmp(path + length - 4, ".sxt") == 0;
 }
 
-static sepax_tree *build(const sepax_grid *grid, const sepax_mesh *mesh) {
+static sepax_tree *build(const sepax_grid *grid, const sepax_mesh *mesh, const char *path) {
   sepax_error error = {""};
   sepax_tree *tree = NULL;
   sepax_tri *tri = malloc(mesh->count * sizeof *tri);
   if (tri == NULL) {
     stop("out of memory");
   }
-  stop_on(!sepax_quantise(mesh, grid, tri, NULL, &error) ||
+  stop_at(!sepax_quantise(mesh, grid, tri, NULL, &error) ||
               !sepax_tree_new(&tree, tri, mesh->count, grid, &error),
-          error.text);
+          path, error.text);
   free(tri);
   return tree;
 }
@@ -341,7 +348,12 @@ static void load_both(sepax_tree *tree[2], const char *const path[2], double res
   for (int i = 0; i < 2; i++) {
     if (is_tree(path[i])) {
       stop_on(!sepax_tree_read(&tree[i], path[i], &error), error.text);
-      grid = sepax_tree_grid(tree[i]);
+      sepax_grid own = sepax_tree_grid(tree[i]);
+      stop_at(own.word > SEPAX_WORD, path[i],
+              "a tree of more bits than the engine has; make it anew with the engine's --word");
+      stop_at(i == 1 && is_tree(path[0]) && own.resolution != grid.resolution, path[1],
+              "its resolution is not that of the other tree; make both with one");
+      grid = own;
     } else {
       stop_on(!sepax_stl_read(&mesh[i], path[i], &error), error.text);
       read[meshes++] = &mesh[i];
@@ -351,7 +363,7 @@ static void load_both(sepax_tree *tree[2], const char *const path[2], double res
           error.text);
   for (int i = 0; i < 2; i++) {
     if (!is_tree(path[i])) {
-      tree[i] = build(&grid, &mesh[i]);
+      tree[i] = build(&grid, &mesh[i], path[i]);
       sepax_mesh_free(&mesh[i]);
     }
   }
@@ -370,9 +382,12 @@ static void run_meshes(const char *const path[3], double resolution, unsigned mo
   size_t at = bench_space(SEPAX_TREE_POSE_STRIDE * poses.count, SEPAX_TREE_POSE_STRIDE);
   for (size_t n = 0; n < poses.count; n++) {
     sepax_tree_pose pose;
-    stop_on(!sepax_tree_pose_make(&pose, tree[0], NULL, tree[1], &poses.pose[n], design.margin[1],
-                                  &error),
-            error.text);
+    char line[640];
+    if (!sepax_tree_pose_make(&pose, tree[0], NULL, tree[1], &poses.pose[n], design.margin[1],
+                              &error)) {
+      snprintf(line, sizeof line, "pose %zu: %s", n + 1, error.text);
+      stop_at(true, path[2], line);
+    }
     sepax_tree_pose_pack(&pose, bench_at(at + SEPAX_TREE_POSE_STRIDE * n));
   }
   job.poses = bench_address(at);
@@ -420,7 +435,7 @@ static bool number_after(const char *text, const char *name, unsigned long long 
   }
   char *end;
   *value = strtoull(text + length, &end, 10);
-  stop_on(end == text + length || *end != '\0', "an option is no whole number");
+  stop_at(end == text + length || *end != '\0', text, "no whole number");
   return true;
 }
 
@@ -452,7 +467,8 @@ int main(int argc, char **argv) {
   }
   stop_on(c.paths % 3 != 0, "give two bodies and a file of poses, or nothing");
   stop_on(c.latency == 0 || c.latency > 100000, "--latency is 1 ... 100000 cycles");
-  stop_on(c.budget > UINT32_MAX || c.modes > 127, "--budget or --modes is out of range");
+  stop_on(c.budget > UINT32_MAX, "--budget is up to 4294967295 cycles");
+  stop_on(c.modes > 127, "--modes is 0 ... 127");
   sepax_error error = {""};
   sepax_config config = sepax_config_default();
   stop_on(!sepax_config_parse(&config, SEPAX_OPTIONS, &error) ||

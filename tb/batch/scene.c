@@ -108,8 +108,8 @@ void bench_scene(size_t poses) {
   bench_clear();
   batch_of(&batch, poses);
   printf("%d pairs of bodies, %zu poses, first collision of each; 500 MHz\n", STAND * MOVE, poses);
-  printf("%8s %14s %16s %10s %10s %10s %10s\n", "latency", "poses/second", "cycles/pose", "worst",
-         "collide", "near pairs", "mismatches");
+  printf("%8s %14s %16s %10s %10s %10s %10s\n", "latency", "poses/second", "cycles/pose",
+         "worst pair", "collide", "near pairs", "mismatches");
   for (size_t k = 0; k < sizeof latency / sizeof *latency; k++) {
     bench_batch one = batch;
     bench_attach((memory_options){.latency = latency[k]});
