@@ -13,9 +13,9 @@ static const double largest_error = 0.0831;
 /* The same of what an object engine has around its core (docs/results/area/engine.csv,
  * scripts/experiments/fit-area -l): GE for each lane and bit of W, for each bit of W, and constant.
  * The fit has two word lengths, which give no error; 5 % is assumed. */
-static const double ge_per_lane_bit = 92.735;
-static const double ge_per_engine_bit = 405.8;
-static const double ge_of_engine = 12714;
+static const double ge_per_lane_bit = 92;
+static const double ge_per_engine_bit = 549.12;
+static const double ge_of_engine = 12169;
 static const double engine_error = 0.05;
 
 /* What a tree engine has around its cores (docs/results/area/tree.csv): GE constant and for each
