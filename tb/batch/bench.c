@@ -382,9 +382,9 @@ static void run_meshes(const char *const path[3], double resolution, unsigned mo
   size_t at = bench_space(SEPAX_TREE_POSE_STRIDE * poses.count, SEPAX_TREE_POSE_STRIDE);
   for (size_t n = 0; n < poses.count; n++) {
     sepax_tree_pose pose;
-    char line[640];
     if (!sepax_tree_pose_make(&pose, tree[0], NULL, tree[1], &poses.pose[n], design.margin[1],
                               &error)) {
+      char line[640];
       snprintf(line, sizeof line, "pose %zu: %s", n + 1, error.text);
       stop_at(true, path[2], line);
     }
