@@ -43,6 +43,17 @@ typedef enum {
   SEPAX_INEQUALITY_PRINTED  /* (5) as printed: max A > min B */
 } sepax_inequality;
 
+/* What the Verilog is made for: cells of an ASIC, whose multipliers are made of gates, or a family
+ * of FPGAs: iCE40, ECP5, Xilinx 7, Xilinx UltraScale+, Gowin. */
+typedef enum {
+  SEPAX_TARGET_ASIC,
+  SEPAX_TARGET_ICE40,
+  SEPAX_TARGET_ECP5,
+  SEPAX_TARGET_XC7,
+  SEPAX_TARGET_XCUP,
+  SEPAX_TARGET_GOWIN
+} sepax_target;
+
 /* What model, generator and benches must agree on, and all they share. */
 typedef struct {
   sepax_arch arch;
@@ -54,6 +65,7 @@ typedef struct {
   sepax_inequality inequality;
   int epsilon;            /* LSB, 0 ... 2^(W-1) - 1; 0 asks for equality */
   bool flag;              /* exact: coplanar pairs are called collisions, undecided */
+  sepax_target target;    /* exact: what the Verilog is made for */
   int clock_ps;           /* exact: the period to pipeline for, 500 ... 20000 ps */
   int extent_a, extent_b; /* exact: the longest side of the AABB of a triangle of A, of B, in LSB,
                              that the core decides; 0, 0: any */
@@ -113,7 +125,7 @@ const char *sepax_arch_name(sepax_arch arch);
 typedef struct {
   const char *name;
   int exact, width, shift;
-  int digits; /* exact: how many radix-4 digits a multiplier cuts this factor into; else 0 */
+  int digits; /* exact, ASIC: how many radix-4 digits a multiplier cuts this factor into; else 0 */
 } sepax_format;
 
 typedef enum {
@@ -136,7 +148,7 @@ enum {
   SEPAX_X_SPAN,       /* sum or difference of two coordinates */
   SEPAX_X_ORIENT2D,   /* t_ij, g_ijk: twice an area */
   SEPAX_X_Z_SUM,      /* z sum of vertices of both triangles, plus BIAS = 1 + 4 + 16 ..., which the
-                         biased multiplier deducts */
+                         biased multiplier deducts; on FPGAs without */
   SEPAX_X_OWN_Z_SUM,  /* the same of B's own vertices */
   SEPAX_X_ORIENT3D,   /* h_ijk, s_k, w_i, d_ij: six times a volume */
   SEPAX_X_CROSS,      /* with a clearance: a component of e x f, N_A, N_B */

@@ -78,9 +78,15 @@ static bool check_tree(const sepax_config *config, sepax_error *error) {
                     (long long)outer_margin(config), MARGIN_MAX);
 }
 
+static bool check_target(const sepax_config *config, sepax_error *error) {
+  return config->target == SEPAX_TARGET_ASIC || (!config->tree && config->clearance < 0) ||
+         sepax_fail(error, "target: %s are made for an ASIC; leave one of both out",
+                    config->tree ? "tree engines" : "clearances");
+}
+
 static bool check(const sepax_config *config, sepax_error *error) {
-  if (!check_tree(config, error) || !check_clearance(config, error) ||
-      !check_extents(config, error)) {
+  if (!check_target(config, error) || !check_tree(config, error) ||
+      !check_clearance(config, error) || !check_extents(config, error)) {
     return false;
   }
   if (config->early_out && (config->extent_a != 0 || config->lanes != 0 || config->tree)) {
@@ -102,9 +108,13 @@ static void enter(sepax_design *design, int id, const char *name, interval terms
   design->formats = id + 1;
 }
 
-/* The same for the factor of a product that is recoded: the recoded multiplier computes
- * a (b - K), K = 1 + 4 + 16 ..., so K is added to the factor. */
+/* The same for the factor of a product that is recoded, where it is made of gates: the recoded
+ * multiplier computes a (b - K), K = 1 + 4 + 16 ..., so K is added to the factor. */
 static void enter_digits(sepax_design *design, int id, const char *name, interval value) {
+  if (design->config.target != SEPAX_TARGET_ASIC) {
+    enter(design, id, name, value, value);
+    return;
+  }
   int digits = (bits_of(value) + 1) / 2;
   wide bias = (((wide)1 << (2 * (digits - 1))) - 1) / 3;
   interval sum = {value.lo + bias, value.hi + bias};
@@ -145,7 +155,9 @@ static void derive_formats(sepax_design *d) {
   interval orient3d = {-2 * side * side * side, 2 * side * side * side};
   enter(d, SEPAX_X_COORDINATE, "coordinate", word, word);
   enter(d, SEPAX_X_SPAN, "span", span, span);
-  d->exact_format[SEPAX_X_SPAN].digits = (bits_of(span) + 1) / 2;
+  if (d->config.target == SEPAX_TARGET_ASIC) {
+    d->exact_format[SEPAX_X_SPAN].digits = (bits_of(span) + 1) / 2;
+  }
   enter(d, SEPAX_X_ORIENT2D, "orient2d", sum_of_three(product(span, span)), orient2d);
   enter_digits(d, SEPAX_X_Z_SUM, "z_sum", z_sum);
   enter_digits(d, SEPAX_X_OWN_Z_SUM, "own_z_sum", own_z_sum);

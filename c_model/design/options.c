@@ -25,6 +25,7 @@ static const char *const inequality_names[] = {"correct", "printed", NULL};
 static const char *const switch_names[] = {"off", "on", NULL};
 static const char *const early_names[] = {"none", "boxes", NULL};
 static const char *const coplanar_names[] = {"exact", "flag", NULL};
+static const char *const target_names[] = {"asic", "ice40", "ecp5", "xc7", "xcup", "gowin", NULL};
 
 #define FIELD(name) offsetof(sepax_config, name), sizeof(((sepax_config *)0)->name)
 
@@ -46,6 +47,10 @@ static const design_option table[] = {
     {"clock-ns", 0, OPTION_PERIOD, FIELD(clock_ps), 2000, 500, 20000, NULL,
      EXACT, 0, true, NULL, "-%sns", "PERIOD",
      "clock period to pipeline for, 0.5 ... 20 (2)"},
+    {"target", 0, OPTION_CHOICE, FIELD(target), 0, 0, SEPAX_TARGET_GOWIN, target_names,
+     EXACT, 0, false, NULL, "-%s", "FAMILY",
+     "what the Verilog is made for: asic (default), or FPGAs, whose multipliers it uses: ice40, "
+     "ecp5, xc7, xcup, gowin"},
     {"extent-a", 0, OPTION_NUMBER, FIELD(extent_a), 0, 1, INT32_MAX, NULL,
      EXACT, 0, false, "extent-b", "-a%s", "LSB",
      "the longest side of the AABB of a triangle of A that is decided: an AABB test goes before, "

@@ -62,17 +62,18 @@ void aabb_holes(emit_holes *h, const sepax_design *design) {
 }
 
 double aabb_delay(const sepax_design *design) {
+  const delay_model *m = delay_model_of(design->config.target);
   int word = design->config.word;
   if (!design->aabb_test) {
     return 0;
   }
-  double bounds = delay_adder(word) + delay_mux(3);
+  double bounds = delay_adder(m, word) + delay_mux(m, 3);
   if (design->config.extent_a > 0) {
-    double length = delay_adder(word + 1) + delay_test(word + 1);
-    return fmax(fmax(bounds, length), delay_used->aabb);
+    double length = delay_adder(m, word + 1) + delay_test(m, word + 1);
+    return fmax(fmax(bounds, length), m->aabb);
   }
-  double compare = delay_adder(word) + (design->limits > 0 ? delay_adder(word + 1) : 0);
-  return bounds + compare + delay_used->aabb;
+  double compare = delay_adder(m, word) + (design->limits > 0 ? delay_adder(m, word + 1) : 0);
+  return bounds + compare + m->aabb;
 }
 
 int gen_aabb_test(emitter *e, const emit_holes *h) {

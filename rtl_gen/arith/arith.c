@@ -75,7 +75,7 @@ static void plan_rows(arith_plan *p, column *columns, int weight[ARITH_WIDTH], i
       weight[2 * row + bits - 1]++;
     }
     put(&columns[2 * row], add_bit(p, ARITH_NEGATIVE, from, from,
-                                   (arith_moment){0, time - delay_used->early_correction}));
+                                   (arith_moment){0, time - p->delay->early_correction}));
   }
 }
 
@@ -119,14 +119,15 @@ static arith_moment settle(arith_moment m, double delay, double available) {
  * may be late. */
 static void settle_adder(const arith_plan *p, const int *input, int inputs, double available,
                          arith_moment *sum, arith_moment *carry) {
+  const delay_model *m = p->delay;
   arith_moment early = later(p->bit[input[0]].made, p->bit[input[1]].made);
-  double carry_delay = delay_used->carry;
-  *sum = settle(early, delay_used->sum, available);
+  double carry_delay = m->carry;
+  *sum = settle(early, m->sum, available);
   *carry = settle(early, carry_delay, available);
   bool carry_waits = carry->stage < sum->stage;
   if (inputs == 3) {
-    arith_moment late = settle(p->bit[input[2]].made, delay_used->late_sum, available);
-    double late_carry = late.time + carry_delay - delay_used->late_sum;
+    arith_moment late = settle(p->bit[input[2]].made, m->late_sum, available);
+    double late_carry = late.time + carry_delay - m->late_sum;
     if (late.stage > sum->stage) {
       carry_waits = carry->stage < late.stage;
       sum->stage = late.stage;
@@ -200,25 +201,30 @@ static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, d
   }
 }
 
+static const delay_model *model_of(const arith_form *form) {
+  return form->delay != NULL ? form->delay : delay_model_of(SEPAX_TARGET_ASIC);
+}
+
 /* Columns below this are early enough to ripple. */
 enum { RIPPLE = 8 };
 
 static void plan_in(arith_plan *p, const arith_form *form, double available) {
-  *p = (arith_plan){.a_w = form->a_w, .b_w = form->b_w, .p_w = form->p_w};
+  const delay_model *m = model_of(form);
+  *p = (arith_plan){.delay = m, .a_w = form->a_w, .b_w = form->b_w, .p_w = form->p_w};
   p->rows = form->digits > 0 ? form->digits : (form->b_w + 1) / 2;
   p->plain = form->digits == 0;
   p->less = form->less;
   p->sum_w = form->b_w + p->plain;
   p->terms = form->terms;
   memcpy(p->addend, form->addend, sizeof p->addend);
-  double used = form->used + (p->plain ? delay_adder(p->sum_w) : 0);
+  double used = form->used + (p->plain ? delay_adder(m, p->sum_w) : 0);
   int p_w = p->p_w;
   column *columns = calloc(ARITH_WIDTH, sizeof *columns);
   if (columns == NULL) {
     abort();
   }
   bool one[ARITH_WIDTH] = {false};
-  plan_columns(p, columns, one, used + delay_row(p->a_w));
+  plan_columns(p, columns, one, used + delay_row(m, p->a_w));
   arith_moment last = {0, 0};
   for (int c = 0; c < p_w; c++) {
     if (one[c] && columns[c].count >= 2) {
@@ -240,8 +246,8 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
     }
   }
   free(columns);
-  double skew = last.stage > 0 ? delay_used->skew_lost : 0;
-  p->latency = settle(last, delay_adder(p_w) + skew, available).stage;
+  double skew = last.stage > 0 ? m->skew_lost : 0;
+  p->latency = settle(last, delay_adder(m, p_w) + skew, available).stage;
   if (p->latency >= ARITH_STAGES) {
     abort(); /* more pipeline registers than ARITH_STAGES */
   }
@@ -263,7 +269,11 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
 /* With as many pipeline registers as the period needs, their places are those for the shortest
  * period that needs no more. */
 void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
-  double enough = period - delay_register();
+  if (model_of(form)->family) {
+    arith_product_make(p, form);
+    return;
+  }
+  double enough = period - delay_register(model_of(form));
   plan_in(p, form, enough);
   int latency = p->latency;
   double little = enough / 2;
@@ -284,14 +294,16 @@ void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
 bool arith_same(const arith_plan *plan, const arith_plan *other) {
   return plan->a_w == other->a_w && plan->b_w == other->b_w && plan->p_w == other->p_w &&
          plan->terms == other->terms && plan->rows == other->rows && plan->plain == other->plain &&
-         plan->less == other->less && plan->latency == other->latency;
+         plan->less == other->less && plan->latency == other->latency &&
+         plan->cut.held == other->cut.held;
 }
 
 double arith_shortest(const arith_form *form) {
-  double row = delay_row(form->a_w) + delay_used->sum;
+  const delay_model *m = model_of(form);
+  double row = delay_row(m, form->a_w) + m->sum;
   if (form->digits == 0) {
-    row += delay_adder(form->b_w + 1);
+    row += delay_adder(m, form->b_w + 1);
   }
-  double addition = delay_adder(form->p_w);
-  return delay_register() + (row > addition ? row : addition);
+  double addition = delay_adder(m, form->p_w);
+  return delay_register(m) + (row > addition ? row : addition);
 }

@@ -65,16 +65,28 @@ typedef struct {
 } arith_addend;
 
 typedef struct {
-  int a_w, b_w, p_w; /* bits of a, b, the product */
-  int digits;        /* of b, for a (b - BIAS); the highest must be in -2 ... 2. 0: a b */
-  int less;          /* what a digit counts less: 1, 2 */
-  double used;       /* ns spent before b is there */
-  int terms;         /* 0: a product. Else a sum of so many products a (b - BIAS) and addends */
+  const delay_model *delay; /* NULL: that of an ASIC's cells */
+  int a_w, b_w, p_w;        /* bits of a, b, the product */
+  int digits;               /* of b, for a (b - BIAS); the highest must be in -2 ... 2. 0: a b */
+  int less;                 /* what a digit counts less: 1, 2 */
+  double used;              /* ns spent before b is there */
+  bool held;                /* a and b come from registers that hold nothing else */
+  int terms; /* 0: a product. Else a sum of so many products a (b - BIAS) and addends */
   arith_addend addend[ARITH_ADDENDS];
 } arith_form;
 
+/* How the multipliers of an FPGA make a product: low bits of a and of b are left to logic; what is
+ * left of a is cut into parts of `part` bits, the last signed, each times what is left of b. */
 typedef struct {
+  int parts; /* 0: gates, or a family without multipliers */
+  int part, low_a, low_b;
+  bool held; /* no input registers */
+} arith_cut;
+
+typedef struct {
+  const delay_model *delay;
   int a_w, b_w, p_w;
+  arith_cut cut;
   bool plain; /* a b; else a (b - BIAS) */
   int less;
   int sum_w; /* bits that are cut into digits: b, or b + BIAS */
@@ -98,6 +110,10 @@ double arith_shortest(const arith_form *form);
  * the delay model (datapath/delay.h) allows. More bits, adders or columns than the plan holds end
  * the program; 80 x 80 bits, the most that a design asks for, fit. */
 void arith_plan_make(arith_plan *plan, const arith_form *form, double period);
+
+/* The same for an FPGA: gates are not planned. */
+void arith_product_make(arith_plan *plan, const arith_form *form);
+void gen_product(emitter *e, const arith_plan *plan);
 
 /* Would both plans make the same module? */
 bool arith_same(const arith_plan *plan, const arith_plan *other);

@@ -31,6 +31,9 @@ gen_line arith_name(const arith_plan *plan) {
 
 gen_line arith_bias(const arith_plan *plan) {
   unsigned __int128 bias = 0;
+  if (plan->delay->family) {
+    return gen_format("0");
+  }
   for (int i = 1; i < plan->rows; i++) {
     bias = 4 * bias + (unsigned)plan->less;
   }
@@ -362,6 +365,10 @@ static void set_formula(emit_holes *h, const arith_plan *p) {
 }
 
 void gen_multiplier(emitter *e, const arith_plan *plan) {
+  if (plan->delay->family) {
+    gen_product(e, plan);
+    return;
+  }
   emit_holes h = {0};
   set_holes(&h, plan);
   FILE *out = emit_hole_open(&h, "products");

@@ -29,32 +29,49 @@ static const delay_model nangate45 = {
     .enabled_flip_flop = 24,
 };
 
-const delay_model *const delay_used = &nangate45;
+/* Not fitted yet: a level of logic with its wires, from data sheets. */
+#define OF_LEVEL(level)                                                                   \
+  .family = true, .reg = (level), .row = {(level), 0},                                    \
+  .adder = {1.2 * (level), 0, 0.04 * (level)}, .test = {(level), 0.3 * (level)},          \
+  .mux = {(level), 0.4 * (level)}, .sum = (level), .late_sum = (level), .carry = (level), \
+  .slot = (level), .operands = {1.5 * (level), 0}, .fixed_slots = 0.5 * (level),          \
+  .shared_value = (level), .orient2d_sign = 1.5 * (level), .aabb = 2.5 * (level),         \
+  .product = 3.5 * (level), .flip_flop = 17, .enabled_flip_flop = 18
 
-double delay_register(void) { return delay_used->reg; }
+static const delay_model families[] = {
+    [SEPAX_TARGET_ICE40] = {.library = "iCE40", OF_LEVEL(1.3)},
+    [SEPAX_TARGET_ECP5] = {.library = "ECP5", .dsp = {18, 18}, OF_LEVEL(1.0)},
+    [SEPAX_TARGET_XC7] = {.library = "Xilinx 7", .dsp = {25, 18}, OF_LEVEL(0.8)},
+    [SEPAX_TARGET_XCUP] = {.library = "Xilinx UltraScale+", .dsp = {27, 18}, OF_LEVEL(0.5)},
+    [SEPAX_TARGET_GOWIN] = {.library = "Gowin", .dsp = {18, 18}, OF_LEVEL(1.1)},
+};
 
-double delay_row(int width) { return delay_used->row[0] + delay_used->row[1] * log2(width); }
-
-double delay_compressor(void) { return delay_used->sum; }
-
-double delay_adder(int width) {
-  const double *adder = delay_used->adder;
-  return adder[0] + adder[1] * log2(width) + adder[2] * width;
+const delay_model *delay_model_of(sepax_target target) {
+  return target == SEPAX_TARGET_ASIC ? &nangate45 : &families[target];
 }
 
-double delay_test(int width) { return delay_used->test[0] + delay_used->test[1] * log2(width); }
+double delay_register(const delay_model *m) { return m->reg; }
 
-double delay_mux(int inputs) {
-  return inputs > 1 ? delay_used->mux[0] + delay_used->mux[1] * log2(inputs) : 0;
+double delay_row(const delay_model *m, int width) { return m->row[0] + m->row[1] * log2(width); }
+
+double delay_compressor(const delay_model *m) { return m->sum; }
+
+double delay_adder(const delay_model *m, int width) {
+  return m->adder[0] + m->adder[1] * log2(width) + m->adder[2] * width;
 }
 
-double delay_operands(int word) {
+double delay_test(const delay_model *m, int width) { return m->test[0] + m->test[1] * log2(width); }
+
+double delay_mux(const delay_model *m, int inputs) {
+  return inputs > 1 ? m->mux[0] + m->mux[1] * log2(inputs) : 0;
+}
+
+double delay_operands(const delay_model *m, int word) {
   int fitted = word > 8 ? word : 8;
-  return delay_used->operands[0] + delay_used->operands[1] * log2(fitted / 8.0) + delay_mux(2);
+  return m->operands[0] + m->operands[1] * log2(fitted / 8.0) + delay_mux(m, 2);
 }
 
-double delay_sums_fan_out(int width) {
-  const double *sums = delay_used->sums;
-  double late = sums[0] + sums[1] * (width - sums[2]);
+double delay_sums_fan_out(const delay_model *m, int width) {
+  double late = m->sums[0] + m->sums[1] * (width - m->sums[2]);
   return late > 0 ? late : 0;
 }

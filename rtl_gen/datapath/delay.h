@@ -3,10 +3,16 @@
 #ifndef SEPAX_DELAY_H
 #define SEPAX_DELAY_H
 
-/* All fitted numbers of one cell library. A logarithm is to base 2 of the width in bits. */
+#include "sepax_design.h"
+
+/* All fitted numbers of one cell library, or of one family of FPGAs. A logarithm is to base 2 of
+ * the width in bits. */
 typedef struct {
   const char *library;
-  double reg; /* clock to output and setup together */
+  bool family; /* of FPGAs */
+  int dsp[2];  /* bits of the signed factors of its multiplier, the longer first; 0: the
+                  family has none */
+  double reg;  /* clock to output and setup together */
   /* a + b log2 width + c width: */
   double row[2];   /* a digit, its fan-out over a row of partial products, and selection */
   double adder[3]; /* carry-propagate addition, comparison */
@@ -25,20 +31,22 @@ typedef struct {
   double sums[3];       /* of a trapezoid's sums over its rows: a + b (width - c), at least 0 */
   double orient2d_sign; /* of a zero test of an orient2d, and what its sign steers */
   double aabb;          /* of the AABB test: bounds, comparison, isolation of the coordinates */
+  double product;       /* of an FPGA's multiplier */
   /* Thirds of a gate equivalent a bit: */
   int flip_flop, enabled_flip_flop;
 } delay_model;
 
-/* The library for which registers are placed. */
-extern const delay_model *const delay_used;
+/* That of a target. */
+const delay_model *delay_model_of(sepax_target target);
 
-double delay_register(void);
-double delay_row(int width);
-double delay_compressor(void); /* one 3:2 compressor on whole words */
-double delay_adder(int width);
-double delay_test(int width);
-double delay_mux(int inputs);
-double delay_operands(int word); /* of shared units, behind the fan-out of what selects them */
-double delay_sums_fan_out(int width);
+double delay_register(const delay_model *m);
+double delay_row(const delay_model *m, int width);
+double delay_compressor(const delay_model *m); /* one 3:2 compressor on whole words */
+double delay_adder(const delay_model *m, int width);
+double delay_test(const delay_model *m, int width);
+double delay_mux(const delay_model *m, int inputs);
+/* Of shared units, behind the fan-out of what selects them. */
+double delay_operands(const delay_model *m, int word);
+double delay_sums_fan_out(const delay_model *m, int width);
 
 #endif

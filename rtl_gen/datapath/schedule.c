@@ -34,7 +34,7 @@ static int holds(const schedule *s, const schedule_producer *t, int slot, int li
   return beyond > 0 ? (beyond + s->ii - 1) / s->ii : 0;
 }
 
-void schedule_store(schedule *s) {
+void schedule_store(schedule *s, const delay_model *m) {
   for (int i = 0; i < s->producers; i++) {
     schedule_producer *t = &s->producer[i];
     int longest = 0;
@@ -43,9 +43,9 @@ void schedule_store(schedule *s) {
     }
     int least = 0;
     for (int line = 0; line <= longest; line++) {
-      int cost = line * delay_used->flip_flop;
+      int cost = line * m->flip_flop;
       for (int k = 0; k < s->ii; k++) {
-        cost += holds(s, t, k, line) * delay_used->enabled_flip_flop;
+        cost += holds(s, t, k, line) * m->enabled_flip_flop;
       }
       if (line == 0 || cost < least) {
         least = cost;

@@ -11,6 +11,7 @@
 #ifndef SEPAX_SCHEDULE_H
 #define SEPAX_SCHEDULE_H
 
+#include "delay.h"
 #include "emit/emit.h"
 #include "graph.h"
 
@@ -47,7 +48,7 @@ int schedule_defined(const schedule *s, schedule_value v);
 void schedule_need(schedule *s, schedule_value v, int cycle);
 
 /* All needs are known: choose the storage. */
-void schedule_store(schedule *s);
+void schedule_store(schedule *s, const delay_model *m);
 
 /* The register in which v stands in this cycle. */
 gen_line schedule_source(const schedule *s, schedule_value v, int cycle);

@@ -82,6 +82,7 @@ static void set_judges(exact_plan *p) {
 bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error) {
   int ii = design->config.ii;
   *p = (exact_plan){.design = design,
+                    .delay = delay_model_of(design->config.target),
                     .limits = design->limits,
                     .single = design->config.flag || design->limits > 0,
                     .running = ii == 3};
@@ -100,7 +101,7 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
   binding_make(&p->datapath.graph, ii);
   start_units(p);
   set_judges(p);
-  schedule_store(&p->datapath.schedule);
+  schedule_store(&p->datapath.schedule, p->delay);
   p->datapath.coordinates.second_pass = !p->single;
   p->datapath.coordinates.again = p->plane_cycle;
   coordinates_store(&p->datapath.coordinates, p->datapath.graph.kind[p->graph.kind.zsum].start[0]);

@@ -52,6 +52,7 @@ typedef struct {
 
 typedef struct {
   const sepax_design *design;
+  const delay_model *delay;
   int limits;   /* of a clearance, 0 ... 2; with it orient3d comes whole, not as a sign */
   bool single;  /* no pair takes a second pass: the plane is not judged */
   bool running; /* orient3d of A's plane and B's z sum are summed term by term (II = 3) */

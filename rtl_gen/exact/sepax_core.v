@@ -36,14 +36,22 @@ module sepax_core (
   localparam O_W = @o_w@; // of B's z sum
   localparam V_W = @v_w@; // of a signed prism volume or an orient3d
 //@ if passes
+//@ if biased
   localparam DIGITS = @digits@; // radix-4 digits of a z sum
   localparam signed [Z_W-1:0] BIAS = // of z sums, as prisms deduct it
     {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
+//@ else
+  localparam signed [Z_W-1:0] BIAS = {Z_W{1'b0}}; // z sums have none
+//@ end
 //@ end
 //@ if running
+//@ if biased
   localparam OWN_DIGITS = @own_digits@; // of B's z sum
   localparam signed [O_W-1:0] OWN_BIAS =
     {{(O_W+2-2*OWN_DIGITS){1'b0}}, {(OWN_DIGITS-1){2'b01}}};
+//@ else
+  localparam signed [O_W-1:0] OWN_BIAS = {O_W{1'b0}};
+//@ end
 //@ end
 //@ if limits
   localparam LIMITS = @limits@; // clearances

@@ -12,24 +12,33 @@ static double coordinate_operands(const exact_plan *p) {
   if (ii == 1 || p->running) {
     return 0;
   }
-  return delay_operands(p->design->core_word) + (ii % 3 == 0 ? 0 : delay_used->fixed_slots);
+  return delay_operands(p->delay, p->design->core_word) + (ii % 3 == 0 ? 0 : p->delay->fixed_slots);
 }
 
 /* A trapezoid with registers behind its sums or without, whichever has fewer pipeline registers, or
  * else fewer bits of them. Without, its rows are late behind fan-outs. */
-static void place_in_trapezoid(exact_stages *s, const sepax_format *f, double sums, double period) {
+static void place_in_trapezoid(exact_plan *p, double sums, double period) {
+  exact_stages *s = &p->stages;
+  const sepax_format *f = p->design->exact_format;
   int span = f[SEPAX_X_SPAN].width;
-  arith_form form = {.a_w = span,
+  arith_form form = {.delay = p->delay,
+                     .a_w = span,
                      .b_w = span,
                      .p_w = f[SEPAX_X_ORIENT2D].width,
                      .digits = f[SEPAX_X_SPAN].digits,
                      .less = 1};
+  if (p->delay->family) { /* its registers are the multiplier's */
+    form.held = true;
+    s->trapezoid_sums = true;
+    arith_plan_make(&s->trapezoid, &form, period);
+    return;
+  }
   arith_plan_make(&s->trapezoid, &form, period);
   int latency = 1 + s->trapezoid.latency;
   int registers = 2 * span + s->trapezoid.registers;
-  form.used = sums + delay_sums_fan_out(span);
+  form.used = sums + delay_sums_fan_out(p->delay, span);
   arith_plan_make(&s->trapezoid, &form, period);
-  s->trapezoid_sums = sums + delay_row(span) > period - delay_register() ||
+  s->trapezoid_sums = sums + delay_row(p->delay, span) > period - delay_register(p->delay) ||
                       latency < s->trapezoid.latency ||
                       (latency == s->trapezoid.latency && registers < s->trapezoid.registers);
   if (s->trapezoid_sums) {
@@ -38,14 +47,21 @@ static void place_in_trapezoid(exact_stages *s, const sepax_format *f, double su
   }
 }
 
-static void place_in_prisms(exact_stages *s, const sepax_format *f, double period) {
+static void place_in_prisms(exact_plan *p, double period) {
+  exact_stages *s = &p->stages;
+  const sepax_format *f = p->design->exact_format;
   const sepax_format *zsum = &f[SEPAX_X_Z_SUM];
   const sepax_format *own_zsum = &f[SEPAX_X_OWN_Z_SUM];
   int orient2d = f[SEPAX_X_ORIENT2D].width;
   int orient3d = f[SEPAX_X_ORIENT3D].width;
-  arith_form form = {
-      .a_w = orient2d, .b_w = zsum->width, .p_w = orient3d, .digits = zsum->digits, .less = 1};
-  arith_form own_form = {.a_w = orient2d,
+  arith_form form = {.delay = p->delay,
+                     .a_w = orient2d,
+                     .b_w = zsum->width,
+                     .p_w = orient3d,
+                     .digits = zsum->digits,
+                     .less = 1};
+  arith_form own_form = {.delay = p->delay,
+                         .a_w = orient2d,
                          .b_w = own_zsum->width,
                          .p_w = orient3d,
                          .digits = own_zsum->digits,
@@ -69,8 +85,8 @@ static int levels_of(int terms) {
 static void place_in_limits(exact_plan *p, double available) {
   const sepax_format *f = p->design->exact_format;
   exact_stages *s = &p->stages;
-  double maximum = delay_adder(f[SEPAX_X_CROSS].width) + delay_mux(2);
-  double sum = delay_adder(f[SEPAX_X_LIMIT].width);
+  double maximum = delay_adder(p->delay, f[SEPAX_X_CROSS].width) + delay_mux(p->delay, 2);
+  double sum = delay_adder(p->delay, f[SEPAX_X_LIMIT].width);
   int terms = 0;
   int most = 0;
   for (int k = 0; k < p->limits; k++) {
@@ -81,8 +97,9 @@ static void place_in_limits(exact_plan *p, double available) {
     most = of_most > most ? of_most : most;
   }
   s->most = 2 * maximum > available;
-  s->total = levels_of(terms) * delay_compressor() + sum > available;
-  s->shortest = fmax(s->shortest, delay_register() + levels_of(most) * delay_compressor() + sum);
+  s->total = levels_of(terms) * delay_compressor(p->delay) + sum > available;
+  s->shortest = fmax(s->shortest,
+                     delay_register(p->delay) + levels_of(most) * delay_compressor(p->delay) + sum);
 }
 
 /* The longest stage that has no place for a register: sums of coordinates, of trapezoid terms, of
@@ -90,14 +107,17 @@ static void place_in_limits(exact_plan *p, double available) {
 static double shortest_stage(const exact_plan *p, double sums, double sum) {
   const sepax_design *d = p->design;
   const sepax_format *f = d->exact_format;
-  double operands = d->config.ii > 1 ? delay_operands(d->core_word) : delay_used->shared_value;
-  double orient2d = delay_compressor() + delay_adder(f[SEPAX_X_ORIENT2D].width);
-  double zsum = 2 * delay_compressor() + delay_adder(f[SEPAX_X_Z_SUM].width);
-  double row = delay_row(f[SEPAX_X_ORIENT2D].width) + delay_compressor();
-  double running = (p->running ? delay_used->slot + delay_mux(2) : 0) + sum;
+  double operands =
+      d->config.ii > 1 ? delay_operands(p->delay, d->core_word) : p->delay->shared_value;
+  double orient2d = delay_compressor(p->delay) + delay_adder(p->delay, f[SEPAX_X_ORIENT2D].width);
+  double zsum = 2 * delay_compressor(p->delay) + delay_adder(p->delay, f[SEPAX_X_Z_SUM].width);
+  double row = p->delay->family
+                   ? p->delay->product
+                   : delay_row(p->delay, f[SEPAX_X_ORIENT2D].width) + delay_compressor(p->delay);
+  double running = (p->running ? p->delay->slot + delay_mux(p->delay, 2) : 0) + sum;
   double longest = fmax(fmax(row, sums), fmax(operands + fmax(orient2d, zsum), running));
   longest = fmax(longest, aabb_delay(d));
-  return delay_register() + longest;
+  return delay_register(p->delay) + longest;
 }
 
 void exact_stages_make(exact_plan *p) {
@@ -105,23 +125,24 @@ void exact_stages_make(exact_plan *p) {
   exact_stages *s = &p->stages;
   bool shared_units = p->design->config.ii > 1;
   double period = p->design->config.clock_ps / 1000.0;
-  double available = period - delay_register();
+  double available = period - delay_register(p->delay);
   int orient3d = f[SEPAX_X_ORIENT3D].width;
   int own_zsum = f[SEPAX_X_OWN_Z_SUM].width;
-  double fan_out = delay_used->shared_value;
-  double sums = delay_adder(f[SEPAX_X_SPAN].width) + coordinate_operands(p);
-  double sum = fan_out + delay_adder(orient3d);
-  double whole =
-      (shared_units ? delay_used->slot + delay_mux(2) : 0) + 2 * delay_compressor() + sum;
-  place_in_trapezoid(s, f, sums, period);
-  place_in_prisms(s, f, period);
-  s->orient3d = whole > available ? 2 : whole + delay_test(orient3d) > available ? 1 : 0;
+  double fan_out = p->delay->shared_value;
+  double sums = delay_adder(p->delay, f[SEPAX_X_SPAN].width) + coordinate_operands(p);
+  double sum = fan_out + delay_adder(p->delay, orient3d);
+  double whole = (shared_units ? p->delay->slot + delay_mux(p->delay, 2) : 0) +
+                 2 * delay_compressor(p->delay) + sum;
+  place_in_trapezoid(p, sums, period);
+  place_in_prisms(p, period);
+  s->orient3d = whole > available ? 2 : whole + delay_test(p->delay, orient3d) > available ? 1 : 0;
   s->orient3d_latency = 1 + (p->limits > 0 ? s->orient3d / 2 : s->orient3d);
   s->zdiff_shared =
-      !shared_units && fan_out + 3 * delay_compressor() + 2 * delay_adder(own_zsum) <= available;
-  double six_terms = fan_out + 4 * delay_compressor() + delay_adder(own_zsum);
+      !p->delay->family && !shared_units &&
+      fan_out + 3 * delay_compressor(p->delay) + 2 * delay_adder(p->delay, own_zsum) <= available;
+  double six_terms = fan_out + 4 * delay_compressor(p->delay) + delay_adder(p->delay, own_zsum);
   s->own_zsum = !p->running && !s->zdiff_shared && six_terms > available;
-  s->sign = delay_test(f[SEPAX_X_ORIENT2D].width) + delay_used->orient2d_sign > available;
+  s->sign = delay_test(p->delay, f[SEPAX_X_ORIENT2D].width) + p->delay->orient2d_sign > available;
   s->shortest = shortest_stage(p, sums, sum);
   if (p->limits > 0) {
     place_in_limits(p, available);

@@ -15,6 +15,7 @@ static void set_shared(emit_holes *h, const exact_plan *p) {
                                        {"digits", f[SEPAX_X_Z_SUM].digits},
                                        {"own_digits", f[SEPAX_X_OWN_Z_SUM].digits},
                                        {"shared", s->zdiff_shared},
+                                       {"biased", !p->delay->family},
                                        {"running", p->running},
                                        {"six", !s->zdiff_shared && !p->running},
                                        {"sums", s->trapezoid_sums},
@@ -28,6 +29,8 @@ static void set_shared(emit_holes *h, const exact_plan *p) {
                                        {"axis_plane", SEPAX_AXIS_PLANE},
                                        {"axis_aabb", SEPAX_AXIS_AABB},
                                        {NULL, 0}});
+  emit_hole_set(h, "plus_bias", p->delay->family ? "" : " + BIAS");
+  emit_hole_set(h, "so_far", p->delay->family ? "0" : "BIAS");
 }
 
 /* What a module with a multiplier asks for. */
@@ -89,7 +92,9 @@ static void gen_orient3d(emitter *e, const exact_plan *p, emit_holes *h) {
 }
 
 static void gen_multipliers(emitter *e, const exact_stages *s) {
-  gen_multiplier_parts(e, s->zdiff_shared);
+  if (!s->trapezoid.delay->family) {
+    gen_multiplier_parts(e, s->zdiff_shared);
+  }
   gen_multiplier(e, &s->trapezoid);
   gen_multiplier(e, &s->prism);
   if (!arith_same(&s->own_prism, &s->prism)) { /* they are where W is odd */
@@ -104,7 +109,8 @@ void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h) {
   static const char *const sums[] = {"sepax_zdiff", "sepax_zsum", "sepax_own_zsum"};
   const exact_stages *s = &p->stages;
   gen_multipliers(e, s);
-  emit_template(e, "sepax_csa", NULL);
+  emit_template(e, "sepax_csa",
+                (emit_hole[]){{"chain", p->delay->family ? "1" : ""}, {NULL, NULL}});
   set_shared(h, p);
   gen_trapezoid(e, p, h, false);
   if (!p->single) {

@@ -1,5 +1,9 @@
+//@ if biased
 // z sum of B: the sum of B's z less the sum of A's, since the origin of z is the mean of A's z,
 // plus BIAS = 1 + 4 + 16 ..., which the recoded multiplier of the prism deducts.
+//@ else
+// z sum of B: the sum of B's z less the sum of A's, since the origin of z is the mean of A's z.
+//@ end
 // One vertex of each triangle a cycle: z = so_far + z_b - z_a. Latency 1. //@ running
 // Made of three z differences, which have brought a DIFF_BIAS of theirs each. Latency 1. //@ shared
 // Latency @latency@. //@ six
@@ -7,12 +11,14 @@ module sepax_own_zsum #(
   parameter Z_W = @z_w@, // bits of a z difference //@ shared
   parameter DIFF_DIGITS = @digits@, // radix-4 digits of a z difference //@ shared
   parameter W = @w@, // bits of a coordinate //@ !shared
+//@ if biased
   parameter DIGITS = @own_digits@, // radix-4 digits of the z sum //@ !running
+//@ end
   parameter O_W = @o_w@ // bits of the z sum
 ) (
   input  wire                  clk,    // clock
 //@ if running
-  input  wire signed [O_W-1:0] so_far, // BIAS, or the sum that has no third vertices yet
+  input  wire signed [O_W-1:0] so_far, // @so_far@, or the sum that has no third vertices yet
   input  wire signed [W-1:0]   z_a,    // coordinate
   input  wire signed [W-1:0]   z_b,    // coordinate
 //@ end
@@ -29,11 +35,13 @@ module sepax_own_zsum #(
   input  wire signed [W-1:0]   z_b2,   // coordinate
   input  wire signed [W-1:0]   z_b3,   // coordinate
 //@ end
-  output reg  signed [O_W-1:0] z       // z sum + BIAS
+  output reg  signed [O_W-1:0] z       // z sum@plus_bias@
 );
+//@ if biased
 //@ if !running
   // 1 for each digit but the highest.
   localparam [O_W-1:0] BIAS = {{(O_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
+//@ end
 //@ end
 //@ if shared
   localparam [O_W-1:0] DIFF_BIAS = {{(O_W+2-2*DIFF_DIGITS){1'b0}}, {(DIFF_DIGITS-1){2'b01}}};
@@ -82,6 +90,6 @@ module sepax_own_zsum #(
     carry_q <= carry; //@ registered
     z <= sum + carry; //@ running
     z <= sum + carry + (BIAS - (DIFF_BIAS + DIFF_BIAS + DIFF_BIAS)); //@ shared
-    z <= @sum@ + BIAS; //@ six
+    z <= @sum@@plus_bias@; //@ six
   end
 endmodule

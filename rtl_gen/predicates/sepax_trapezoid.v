@@ -1,7 +1,11 @@
 // The trapezoid term of an edge: twice the area between the edge and the x axis in a projection,
+//@ if biased
 //   t = (x_to - x_from) (y_from + y_to - BIAS) modulo 2^G_W, BIAS = 1 + 4 + 16 ... = @bias@.
 // y is offset by BIAS / 2, because the recoded multiplier computes a (b - BIAS). The offset cancels
 // in every closed sum. Latency @latency@.
+//@ else
+//   t = (x_to - x_from) (y_from + y_to) modulo 2^G_W. Latency @latency@.
+//@ end
 // Beside it the order of the edge's ends in x. //@ order
 module @name@ #(
   parameter W = @w@,     // bits of a coordinate

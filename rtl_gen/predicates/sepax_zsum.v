@@ -1,11 +1,19 @@
 // z sum of a vertex of A and an edge of B: the origin of z is the mean of A's z, so that all terms
 // cancel but z_p and z_q of that edge, z_r and z_s of A's other two vertices:
 //   z = z_p + z_q - z_r - z_s + 2 BIAS, as a sum of two z differences. Latency 1. //@ shared
-//   z = z_p + z_q - z_r - z_s + BIAS, BIAS = 1 + 4 + 16 ..., which the recoded //@ !shared
-// multiplier of the prism deducts. Latency 1. //@ !shared
+//@ if !shared
+//@ if biased
+//   z = z_p + z_q - z_r - z_s + BIAS, BIAS = 1 + 4 + 16 ..., which the recoded
+// multiplier of the prism deducts. Latency 1.
+//@ else
+//   z = z_p + z_q - z_r - z_s. Latency 1.
+//@ end
+//@ end
 module sepax_zsum #(
   parameter W = @w@, // bits of a coordinate //@ !shared
-  parameter DIGITS = @digits@, // radix-4 digits of a z sum //@ !shared
+//@ if !shared
+  parameter DIGITS = @digits@, // radix-4 digits of a z sum //@ biased
+//@ end
   parameter Z_W = @z_w@ // bits of a z sum
 ) (
   input  wire                  clk,    // clock
@@ -22,11 +30,13 @@ module sepax_zsum #(
   input  wire signed [W-1:0]   z_q,    // coordinate
   input  wire signed [W-1:0]   z_r,    // coordinate
   input  wire signed [W-1:0]   z_s,    // coordinate
-  output reg  signed [Z_W-1:0] z       // z sum + BIAS
+  output reg  signed [Z_W-1:0] z       // z sum@plus_bias@
 );
+//@ if biased
   // 1 for each digit but the highest.
   localparam [Z_W-1:0] BIAS = {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
 
+//@ end
   function [Z_W-1:0] wide(input [W-1:0] coordinate);
     wide = {{(Z_W-W){coordinate[W-1]}}, coordinate};
   endfunction
@@ -41,7 +51,7 @@ module sepax_zsum #(
   );
 
   always @(posedge clk) begin
-    z <= sum + carry + BIAS;
+    z <= sum + carry@plus_bias@;
   end
 //@ end
 endmodule
