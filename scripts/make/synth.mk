@@ -67,7 +67,8 @@ POWER_MESH = $(MESH_A) $(MESH_B) $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION
 ifeq ($(TREE),on)
 POSES_OF   = $(or $(POSES),$(BUILD)/poses/$(1).txt)
 POSED      = poses $(call POSES_OF,$(1)) $(if $(POSES),$(POWER_MESH),$(addprefix \
-             $(BUILD)/mesh/,workpiece.stl ball-end.stl) 0.002)
+             $(BUILD)/mesh/,workpiece.stl ball-end.stl) $(if $(call given,RESOLUTION),$(patsubst \
+             fit,0,$(RESOLUTION)),0.002))
 LOAD_FILES = $(sort $(foreach load,gouge free,$(call POSES_OF,$(load)))) $(if \
              $(POSES),,$(addprefix $(BUILD)/mesh/,workpiece.stl ball-end.stl))
 WORKLOADS  = $(if $(POSES),"poses=$(call POSED)","contact=$(call POSED,gouge)" \
