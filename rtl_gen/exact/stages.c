@@ -60,12 +60,9 @@ static void place_in_prisms(exact_plan *p, double period) {
                      .p_w = orient3d,
                      .digits = zsum->digits,
                      .less = 1};
-  arith_form own_form = {.delay = p->delay,
-                         .a_w = orient2d,
-                         .b_w = own_zsum->width,
-                         .p_w = orient3d,
-                         .digits = own_zsum->digits,
-                         .less = 1};
+  arith_form own_form = form;
+  own_form.b_w = own_zsum->width;
+  own_form.digits = own_zsum->digits;
   arith_plan_make(&s->prism, &form, period);
   arith_plan_make(&s->own_prism, &own_form, period);
   form.less = 2;
