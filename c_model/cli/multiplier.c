@@ -8,10 +8,12 @@
 typedef struct {
   uint64_t a, b, product, digits, less;
   double period;
+  sepax_config config; /* only its target */
+  const char *target;  /* as it was given */
   const char *folder;
 } multiplier_options;
 
-enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500, KEY_DIGITS, KEY_LESS };
+enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500, KEY_DIGITS, KEY_LESS, KEY_TARGET };
 
 static const struct argp_option options[] = {
     {"a", 'a', "BITS", 0, "bits of the first factor, 3 ... 80", 0},
@@ -24,6 +26,8 @@ static const struct argp_option options[] = {
      0},
     {"less", KEY_LESS, "1|2", 0, "with --digits: K = 2 (1 + 4 + ...) for 2 (1)", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for (no registers)", 0},
+    {"target", KEY_TARGET, "TARGET", 0,
+     "what the Verilog is made for: asic (default), ice40, ecp5, xc7, xcup, gowin", 0},
     {"output", 'o', "DIR", 0, "folder for the Verilog (made if missing)", 0},
     {0}};
 
@@ -58,6 +62,14 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_CLOCK:
     o->period = cli_number(state, "clock-ns", text);
     return 0;
+  case KEY_TARGET: {
+    sepax_error error = {""};
+    if (!sepax_config_set(&o->config, "target", text, &error)) {
+      argp_error(state, "%s", error.text);
+    }
+    o->target = text;
+    return 0;
+  }
   case 'o':
     o->folder = text;
     return 0;
@@ -78,7 +90,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 }
 
 static arith_form form_of(const multiplier_options *o) {
-  return (arith_form){.a_w = (int)o->a,
+  return (arith_form){.delay = delay_model_of(o->config.target),
+                      .a_w = (int)o->a,
                       .b_w = (int)o->b,
                       .p_w = (int)o->product,
                       .digits = (int)o->digits,
@@ -100,6 +113,11 @@ static bool check(const multiplier_options *o, sepax_error *error) {
   }
   if (o->less == 2 && o->digits == 0) {
     return sepax_fail(error, "less: only with --digits");
+  }
+  bool asic = o->config.target == SEPAX_TARGET_ASIC;
+  if (!asic && (o->digits != 0 || o->period != 0)) {
+    return sepax_fail(error, "%s: only for an ASIC; leave it or the target out",
+                      o->digits != 0 ? "digits" : "clock-ns");
   }
   if (o->period != 0 && !(o->period >= 0.5 && o->period <= 20)) {
     return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20", o->period);
@@ -123,6 +141,9 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   if (o->period > 0) {
     snprintf(command + used, sizeof command - (size_t)used, " --clock-ns=%g", o->period);
   }
+  if (o->target != NULL) {
+    snprintf(command + used, sizeof command - (size_t)used, " --target=%s", o->target);
+  }
   arith_plan *plan = malloc(sizeof *plan);
   if (plan == NULL) {
     abort();
@@ -131,7 +152,11 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   arith_plan_make(plan, &form, o->period > 0 ? o->period : 1e9);
   emitter e;
   emit_init(&e, NULL, command);
-  gen_multiplier_parts(&e, o->less == 2);
+  if (o->config.target == SEPAX_TARGET_ASIC) {
+    gen_multiplier_parts(&e, o->less == 2);
+  } else {
+    gen_dsp(&e, form.delay);
+  }
   gen_multiplier(&e, plan);
   bool ok = e.error.text[0] == '\0';
   if (!ok) {
@@ -153,11 +178,12 @@ int cli_multiplier(int argc, char **argv) {
       parse,
       NULL,
       "Generate the Verilog of one signed multiplier: rows by radix-4 digits -1 ... 2, full adders "
-      "by columns, one addition; the same that architecture exact is made of.",
+      "by columns, one addition; the same that architecture exact is made of. For an FPGA: parts "
+      "for its own multipliers.",
       NULL,
       NULL,
       NULL};
-  multiplier_options o = {.less = 1};
+  multiplier_options o = {.less = 1, .config = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};
   o.product = o.product == 0 ? o.a + o.b : o.product;

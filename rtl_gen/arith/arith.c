@@ -269,8 +269,17 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
 /* With as many pipeline registers as the period needs, their places are those for the shortest
  * period that needs no more. */
 void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
+  if (model_of(form)->family && form->terms > 0) {
+    *p = (arith_plan){.delay = form->delay,
+                      .a_w = form->a_w,
+                      .b_w = form->b_w,
+                      .p_w = form->p_w,
+                      .terms = form->terms};
+    memcpy(p->addend, form->addend, sizeof p->addend);
+    return;
+  }
   if (model_of(form)->family) {
-    arith_product_make(p, form);
+    arith_product_make(p, form, period);
     return;
   }
   double enough = period - delay_register(model_of(form));
@@ -294,8 +303,7 @@ void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
 bool arith_same(const arith_plan *plan, const arith_plan *other) {
   return plan->a_w == other->a_w && plan->b_w == other->b_w && plan->p_w == other->p_w &&
          plan->terms == other->terms && plan->rows == other->rows && plan->plain == other->plain &&
-         plan->less == other->less && plan->latency == other->latency &&
-         plan->cut.held == other->cut.held;
+         plan->less == other->less && plan->latency == other->latency;
 }
 
 double arith_shortest(const arith_form *form) {

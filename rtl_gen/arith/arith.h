@@ -70,7 +70,6 @@ typedef struct {
   int digits;               /* of b, for a (b - BIAS); the highest must be in -2 ... 2. 0: a b */
   int less;                 /* what a digit counts less: 1, 2 */
   double used;              /* ns spent before b is there */
-  bool held;                /* a and b come from registers that hold nothing else */
   int terms; /* 0: a product. Else a sum of so many products a (b - BIAS) and addends */
   arith_addend addend[ARITH_ADDENDS];
 } arith_form;
@@ -78,9 +77,9 @@ typedef struct {
 /* How the multipliers of an FPGA make a product: low bits of a and of b are left to logic; what is
  * left of a is cut into parts of `part` bits, the last signed, each times what is left of b. */
 typedef struct {
-  int parts; /* 0: gates, or a family without multipliers */
+  int parts; /* 0: gates */
   int part, low_a, low_b;
-  bool held; /* no input registers */
+  double settled; /* ns until what logic makes has */
 } arith_cut;
 
 typedef struct {
@@ -112,8 +111,11 @@ double arith_shortest(const arith_form *form);
 void arith_plan_make(arith_plan *plan, const arith_form *form, double period);
 
 /* The same for an FPGA: gates are not planned. */
-void arith_product_make(arith_plan *plan, const arith_form *form);
+void arith_product_make(arith_plan *plan, const arith_form *form, double period);
 void gen_product(emitter *e, const arith_plan *plan);
+
+/* The module that one multiplier of the FPGA makes. */
+void gen_dsp(emitter *e, const delay_model *m);
 
 /* Would both plans make the same module? */
 bool arith_same(const arith_plan *plan, const arith_plan *other);

@@ -331,7 +331,8 @@ static void set_holes(emit_holes *h, const arith_plan *p) {
 /* The formula of a sum of products, for its banner and its behavioural view. */
 static void set_formula(emit_holes *h, const arith_plan *p) {
   FILE *out = emit_hole_open(h, "formula");
-  fprintf(out, "sum over k of a_k (b_k - BIAS)");
+  bool family = p->delay->family;
+  fprintf(out, family ? "sum over k of a_k b_k" : "sum over k of a_k (b_k - BIAS)");
   for (int k = 0; k < ARITH_ADDENDS; k++) {
     const arith_addend *a = &p->addend[k];
     if (a->width > 0) {
@@ -341,11 +342,14 @@ static void set_formula(emit_holes *h, const arith_plan *p) {
   }
   out = emit_hole_open(h, "sum");
   for (int k = 0; k < p->terms; k++) {
-    fprintf(out, "  wire [%d:0] product_of_%d =\n", p->p_w - 1, k);
-    fprintf(out, "    {{%d{a[%d]}}, %s} *\n", p->p_w - p->a_w, (k + 1) * p->a_w - 1,
-            factor_bits(p, 'a', k, p->a_w - 1, 0).text);
-    fprintf(out, "    ({{%d{b[%d]}}, %s} - BIAS);\n", p->p_w - p->b_w, (k + 1) * p->b_w - 1,
-            factor_bits(p, 'b', k, p->b_w - 1, 0).text);
+    const gen_line left = gen_format("{{%d{a[%d]}}, %s}", p->p_w - p->a_w, (k + 1) * p->a_w - 1,
+                                     factor_bits(p, 'a', k, p->a_w - 1, 0).text);
+    const gen_line right = gen_format("{{%d{b[%d]}}, %s}", p->p_w - p->b_w, (k + 1) * p->b_w - 1,
+                                      factor_bits(p, 'b', k, p->b_w - 1, 0).text);
+    fprintf(out,
+            family ? "  wire signed [%d:0] product_of_%d =\n    $signed(%s) *\n    $signed(%s);\n"
+                   : "  wire [%d:0] product_of_%d =\n    %s *\n    (%s - BIAS);\n",
+            p->p_w - 1, k, left.text, right.text);
   }
   fprintf(out, "  wire [%d:0] whole =\n    ", p->p_w - 1);
   for (int k = 0; k < p->terms; k++) {
@@ -365,7 +369,7 @@ static void set_formula(emit_holes *h, const arith_plan *p) {
 }
 
 void gen_multiplier(emitter *e, const arith_plan *plan) {
-  if (plan->delay->family) {
+  if (plan->delay->family && plan->terms == 0) {
     gen_product(e, plan);
     return;
   }
@@ -379,15 +383,22 @@ void gen_multiplier(emitter *e, const arith_plan *plan) {
   for (int i = 2; i <= plan->latency; i++) {
     fprintf(out, "\n    product_%d <= product_%d;", i, i - 1);
   }
-  print_digits(emit_hole_open(&h, "digits"), plan);
-  print_addends(emit_hole_open(&h, "addends"), plan);
-  print_adders(emit_hole_open(&h, "adders"), plan);
-  out = emit_hole_open(&h, "final");
-  print_terms(out, plan, "+", plan->final, 2, plan->p_w, plan->latency);
+  if (!plan->delay->family) {
+    print_digits(emit_hole_open(&h, "digits"), plan);
+    print_addends(emit_hole_open(&h, "addends"), plan);
+    print_adders(emit_hole_open(&h, "adders"), plan);
+    out = emit_hole_open(&h, "final");
+    print_terms(out, plan, "+", plan->final, 2, plan->p_w, plan->latency);
+  }
   if (plan->terms > 0) {
     set_formula(&h, plan);
   }
   emit_hole_close(&h);
-  emit_template(e, plan->terms > 0 ? "sepax_products" : "sepax_multiplier", h.hole);
+  emit_hole_set(&h, "family", "%s", plan->delay->library);
+  emit_template(e,
+                plan->terms == 0      ? "sepax_multiplier"
+                : plan->delay->family ? "sepax_products_dsp"
+                                      : "sepax_products",
+                h.hole);
   emit_holes_free(&h);
 }

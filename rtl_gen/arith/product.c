@@ -1,10 +1,14 @@
-/* product.c - products of an FPGA: planned for the signed factors of its multipliers, as a module.
- */
+/* product.c - products of an FPGA: cut for the signed factors of its multipliers, as a module. */
 #include "arith.h"
 #include "emit/template.h"
 
+#include <math.h>
+
 /* Bits that logic may take of the factor that is cut, and of the other. */
 enum { LOW_A = 2, LOW_B = 3 };
+
+/* Is a multiplier a stage of logic, which takes any factor? */
+static bool is_logic(const arith_form *form) { return form->delay->dsp[0] > 32; }
 
 /* a on a port of `a` bits, b on one of `b`: false if b is too long for that. */
 static bool cut_for(const arith_form *form, int a, int b, int low_a, arith_cut *cut) {
@@ -13,26 +17,48 @@ static bool cut_for(const arith_form *form, int a, int b, int low_a, arith_cut *
   cut->low_b = form->b_w > b ? form->b_w - b : 0;
   cut->part = a - 1;
   cut->parts = 1 + (beyond > 0 ? (beyond + a - 2) / (a - 1) : 0);
+  if (is_logic(form) && cut->parts > 1) { /* even parts */
+    cut->part = (beyond + cut->parts - 2) / (cut->parts - 1);
+    if (form->a_w - (cut->parts - 1) * cut->part < 3) { /* a product longer than b needs 3 bits */
+      return cut_for(form, a - 1, b, low_a, cut);
+    }
+  }
   return cut->low_b <= LOW_B;
 }
 
 static int cost_of(const arith_cut *cut) { return 8 * cut->parts + cut->low_a + cut->low_b; }
 
-void arith_product_make(arith_plan *p, const arith_form *form) {
+/* Until what logic makes of the low bits has settled: their products and the sum of them. */
+static double settled(const arith_form *form, const arith_cut *cut) {
+  const delay_model *m = form->delay;
+  int terms = cut->low_a + cut->low_b;
+  double all = delay_register(m) + delay_mux(m, 2);
+  all += terms > 1 ? delay_adder(m, form->a_w + cut->low_b + 1) : 0;
+  return all + (terms > 2 ? ceil(log2(terms) - 1) * delay_compressor(m) : 0);
+}
+
+void arith_product_make(arith_plan *p, const arith_form *form, double period) {
   const int *port = form->delay->dsp;
+  bool logic = is_logic(form);
   *p = (arith_plan){
       .delay = form->delay, .a_w = form->a_w, .b_w = form->b_w, .p_w = form->p_w, .plain = true};
-  for (int turned = 0; turned < 2; turned++) {
-    for (int low = 0; low <= LOW_A; low++) {
+  for (int turned = 0; turned < 2 - logic; turned++) {
+    for (int low = 0; low <= (logic ? 0 : LOW_A); low++) {
       arith_cut cut;
-      if (port[0] > 0 && cut_for(form, port[!turned], port[turned], low, &cut) &&
-          (p->cut.parts == 0 || cost_of(&cut) < cost_of(&p->cut))) {
+      if (cut_for(form, port[!turned], port[turned], low, &cut) &&
+          (p->cut.parts == 0 ||
+           (settled(form, &cut) <= period && cost_of(&cut) < cost_of(&p->cut)))) {
         p->cut = cut;
+        p->cut.settled = settled(form, &cut);
       }
     }
   }
-  p->cut.held = form->held;
-  p->latency = (p->cut.parts > 0 ? p->cut.parts : 2) + !form->held;
+  if (p->cut.parts == 0) { /* both factors are too long: synthesis cuts them */
+    p->cut.parts = 1;
+    p->cut.settled = delay_register(form->delay) + form->delay->product +
+                     2 * delay_adder(form->delay, form->p_w);
+  }
+  p->latency = p->cut.parts + 1;
 }
 
 /* -------------------------------------------------------------------- the module */
@@ -47,7 +73,7 @@ static gen_line bits(const char *name, int msb, int lsb, int width) {
 }
 
 static int low_bits(const arith_plan *p) { return p->cut.low_a + p->cut.low_b; }
-static int last_part(const arith_plan *p) { return p->cut.parts > 0 ? p->cut.parts - 1 : 0; }
+static int last_part(const arith_plan *p) { return p->cut.parts - 1; }
 
 /* Bits of the sum of part k and of all before it, from the lowest of part k on. */
 static int rest(const arith_plan *p, int k) { return p->p_w - low_bits(p) - k * p->cut.part; }
@@ -61,24 +87,18 @@ static int factor_msb(const arith_plan *p, char factor, int k) {
   return (factor == 'a' ? p->a_w : p->b_w) - 1 - begin(p, factor, k);
 }
 
-/* A factor as part k reads it, in registers that begin with its bit begin(): "a", "a_q", "a_q2". */
-static gen_line factor_name(const arith_plan *p, char factor, int k) {
-  int registers = k + !p->cut.held;
-  return registers == 0   ? gen_format("%c", factor)
-         : registers == 1 ? gen_format("%c_q", factor)
-                          : gen_format("%c_q%d", factor, registers);
+/* A factor as it waits for part k, which has registers of its own: the port, then registers that
+ * begin with its bit begin(): "a", "a_q", "a_q2". */
+static gen_line factor_name(char factor, int k) {
+  return k == 0   ? gen_format("%c", factor)
+         : k == 1 ? gen_format("%c_q", factor)
+                  : gen_format("%c_q%d", factor, k);
 }
 
 static int product_width(const arith_plan *p, int k) {
   int whole = p->b_w - p->cut.low_b;
   whole += k < last_part(p) ? p->cut.part + 1 : p->a_w - p->cut.low_a - k * p->cut.part;
   return whole < rest(p, k) ? whole : rest(p, k);
-}
-
-/* A sum in the midst; the last has the rest. */
-static int sum_width(const arith_plan *p, int k) {
-  int width = product_width(p, k) + 1;
-  return k == last_part(p) || width > rest(p, k) ? rest(p, k) : width;
 }
 
 /* Of what logic makes of the low bits. */
@@ -89,48 +109,68 @@ static int low_width(const arith_plan *p) {
   return width < p->p_w ? width : p->p_w;
 }
 
+/* A sum in the midst: one bit more than its longer addend; the last has the rest. */
+static int sum_width(const arith_plan *p, int k) {
+  int before = k > 0             ? sum_width(p, k - 1) - p->cut.part
+               : low_bits(p) > 0 ? low_width(p) - low_bits(p)
+                                 : 0;
+  int width = 1 + (before > product_width(p, k) ? before : product_width(p, k));
+  return k == last_part(p) || width > rest(p, k) ? rest(p, k) : width;
+}
+
 static void print_registers(FILE *out, const arith_plan *p) {
-  for (int k = p->cut.held; k <= last_part(p); k++) {
+  for (int k = 1; k <= last_part(p); k++) {
     fprintf(out, "  reg signed [%d:0] %s;\n  reg signed [%d:0] %s;\n", factor_msb(p, 'a', k),
-            factor_name(p, 'a', k).text, factor_msb(p, 'b', k), factor_name(p, 'b', k).text);
+            factor_name('a', k).text, factor_msb(p, 'b', k), factor_name('b', k).text);
   }
 }
 
 static void clock_registers(FILE *out, const arith_plan *p) {
-  for (int k = p->cut.held; k <= last_part(p); k++) {
+  for (int k = 1; k <= last_part(p); k++) {
     for (int i = 0; i < 2; i++) {
       char factor = "ab"[i];
-      const gen_line before = k == 0 ? gen_format("%c", factor) : factor_name(p, factor, k - 1);
-      int msb = k == 0 ? factor_msb(p, factor, 0) : factor_msb(p, factor, k - 1);
-      int lsb = k == 0 ? 0 : begin(p, factor, k) - begin(p, factor, k - 1);
-      fprintf(out, "    %s <= %s;\n", factor_name(p, factor, k).text,
-              bits(before.text, msb, lsb, msb - lsb + 1).text);
+      int msb = factor_msb(p, factor, k - 1);
+      int lsb = begin(p, factor, k) - begin(p, factor, k - 1);
+      fprintf(out, "    %s <= %s;\n", factor_name(factor, k).text,
+              bits(factor_name(factor, k - 1).text, msb, lsb, msb - lsb + 1).text);
     }
   }
 }
 
-/* What logic makes of the low bits: each times the other factor. */
-static void print_low(FILE *out, const arith_plan *p) {
+/* What logic makes of the low bits: each times the other factor, of which it needs all bits, or, of
+ * the factor whose own bits are the last ones, only these. */
+static int low_factor_msb(const arith_plan *p, char factor) {
+  return factor == 'a' ? (p->cut.low_b > 0 ? p->a_w : p->cut.low_a) - 1
+                       : (p->cut.low_a > 0 ? p->b_w : p->cut.low_b) - 1;
+}
+
+/* Term n of it. */
+static gen_line low_term(const arith_plan *p, int n) {
   int width = low_width(p);
-  const gen_line a = factor_name(p, 'a', 0);
-  const gen_line b = factor_name(p, 'b', 0);
-  if (low_bits(p) == 0) {
+  bool of_b = n < p->cut.low_b;
+  int bit = of_b ? n : n - p->cut.low_b;
+  const gen_line factor = of_b ? bits("low_a", p->a_w - 1, 0, width - n)
+                               : bits("low_b", p->b_w - 1, p->cut.low_b, width - n);
+  return gen_format("({%d{low_%c[%d]}} & {%s%s})", width, of_b ? 'b' : 'a', bit, factor.text,
+                    n > 0 ? gen_format(", %d'd0", n).text : "");
+}
+
+/* Pairs of terms, then their sums. */
+static void print_low(FILE *out, const arith_plan *p) {
+  int terms = low_bits(p);
+  if (terms == 0) {
     return;
   }
-  fprintf(out, "  wire [%d:0] low =", width - 1);
-  const char *plus = "";
-  for (int i = 0; i < p->cut.low_b; i++, plus = " +") {
-    fprintf(out, "%s\n    ({%d{%s[%d]}} & {%s%s})", plus, width, b.text, i,
-            bits(a.text, p->a_w - 1, 0, width - i).text,
-            i > 0 ? gen_format(", %d'd0", i).text : "");
+  fprintf(out, "  reg signed [%d:0] low_a;\n  reg signed [%d:0] low_b;\n  wire [%d:0] low =",
+          low_factor_msb(p, 'a'), low_factor_msb(p, 'b'), low_width(p) - 1);
+  for (int n = 0; n < terms; n += 2) {
+    fprintf(out, terms > 2 && n + 1 < terms ? "%s\n    (%s" : "%s\n    %s", n > 0 ? " +" : "",
+            low_term(p, n).text);
+    if (n + 1 < terms) {
+      fprintf(out, terms > 2 ? " +\n     %s)" : " +\n    %s", low_term(p, n + 1).text);
+    }
   }
-  for (int i = 0; i < p->cut.low_a; i++, plus = " +") {
-    int shift = p->cut.low_b + i;
-    fprintf(out, "%s\n    ({%d{%s[%d]}} & {%s%s})", plus, width, a.text, i,
-            bits(b.text, p->b_w - 1, p->cut.low_b, width - shift).text,
-            shift > 0 ? gen_format(", %d'd0", shift).text : "");
-  }
-  fprintf(out, ";\n  reg signed [%d:0] low_q;\n", width - 1);
+  fprintf(out, ";\n  reg signed [%d:0] low_q;\n", low_width(p) - 1);
   for (int n = 2; n <= last_part(p) + 1; n++) {
     fprintf(out, "  reg [%d:0] low_q%d;\n", low_bits(p) - 1, n);
   }
@@ -138,7 +178,8 @@ static void print_low(FILE *out, const arith_plan *p) {
 
 static void clock_low(FILE *out, const arith_plan *p) {
   if (low_bits(p) > 0) {
-    fprintf(out, "    low_q <= low;\n");
+    fprintf(out, "    low_a <= a[%d:0];\n    low_b <= b[%d:0];\n    low_q <= low;\n",
+            low_factor_msb(p, 'a'), low_factor_msb(p, 'b'));
     for (int n = 2; n <= last_part(p) + 1; n++) {
       fprintf(out, n == 2 ? "    low_q%d <= low_q[%d:0];\n" : "    low_q%d <= low_q%d;\n", n,
               n == 2 ? low_bits(p) - 1 : n - 1);
@@ -146,20 +187,24 @@ static void clock_low(FILE *out, const arith_plan *p) {
   }
 }
 
+/* The factors of part k, as numbers with a sign. */
 static void print_part(FILE *out, const arith_plan *p, int k) {
   int width = product_width(p, k);
   int a_lsb = k == 0 ? p->cut.low_a : 0;
   int b_lsb = k == 0 ? p->cut.low_b : 0;
-  const gen_line a = factor_name(p, 'a', k);
-  const gen_line b = factor_name(p, 'b', k);
-  const gen_line part = k < last_part(p) ? gen_format("{%d'd0, %s[%d:%d]}", width - p->cut.part,
-                                                      a.text, a_lsb + p->cut.part - 1, a_lsb)
-                                         : bits(a.text, factor_msb(p, 'a', k), a_lsb, width);
+  int a_msb = factor_msb(p, 'a', k);
+  int b_msb = factor_msb(p, 'b', k);
+  const gen_line a = factor_name('a', k);
+  const gen_line part =
+      k < last_part(p) ? gen_format("{1'b0, %s[%d:%d]}", a.text, a_lsb + p->cut.part - 1, a_lsb)
+                       : bits(a.text, a_msb, a_lsb, a_msb - a_lsb + 1);
   fprintf(out,
-          "  wire signed [%d:0] left_%d = %s;\n  wire signed [%d:0] right_%d = %s;\n"
-          "  reg signed [%d:0] product_%d;\n",
-          width - 1, k, part.text, width - 1, k,
-          bits(b.text, factor_msb(p, 'b', k), b_lsb, width).text, width - 1, k);
+          "  wire [%d:0] product_%d;\n"
+          "  sepax_dsp #(.A_W(%d), .B_W(%d), .P_W(%d)) part_%d (\n"
+          "    .clk(clk), .a(%s), .b(%s), .p(product_%d)\n  );\n",
+          width - 1, k, k < last_part(p) ? p->cut.part + 1 : a_msb - a_lsb + 1, b_msb - b_lsb + 1,
+          width, k, part.text, bits(factor_name('b', k).text, b_msb, b_lsb, b_msb - b_lsb + 1).text,
+          k);
   int sum = sum_width(p, k);
   gen_line before = {""};
   if (k > 0) {
@@ -180,14 +225,11 @@ static void print_part(FILE *out, const arith_plan *p, int k) {
 }
 
 static void clock_part(FILE *out, const arith_plan *p, int k) {
-  fprintf(out, "    product_%d <= left_%d * right_%d;\n", k, k, k);
-  if (k < last_part(p)) {
-    fprintf(out, "    sum_%d_q <= sum_%d;\n", k, k);
-    for (int n = 2; n < last_part(p) - k + 1; n++) {
-      const gen_line before =
-          n == 2 ? gen_format("q[%d:0]", p->cut.part - 1) : gen_format("q%d", n - 1);
-      fprintf(out, "    sum_%d_q%d <= sum_%d_%s;\n", k, n, k, before.text);
-    }
+  fprintf(out, "    sum_%d_q <= sum_%d;\n", k, k);
+  for (int n = 2; n < last_part(p) - k + 1; n++) {
+    const gen_line before =
+        n == 2 ? gen_format("q[%d:0]", p->cut.part - 1) : gen_format("q%d", n - 1);
+    fprintf(out, "    sum_%d_q%d <= sum_%d_%s;\n", k, n, k, before.text);
   }
 }
 
@@ -197,7 +239,8 @@ static void print_result(FILE *out, const arith_plan *p) {
   fprintf(out, "{sum_%d", last);
   for (int k = last - 1; k >= 0; k--) {
     int n = last - k;
-    fprintf(out, n == 1 ? ", sum_%d_q[%d:0]" : ", sum_%d_q%d", k, n == 1 ? p->cut.part - 1 : n);
+    fprintf(out, n % 4 == 0 ? ",\n    " : ", ");
+    fprintf(out, n == 1 ? "sum_%d_q[%d:0]" : "sum_%d_q%d", k, n == 1 ? p->cut.part - 1 : n);
   }
   if (low_bits(p) > 0) {
     fprintf(out, last == 0 ? ", low_q[%d:0]" : ", low_q%d", last == 0 ? low_bits(p) - 1 : last + 1);
@@ -205,9 +248,18 @@ static void print_result(FILE *out, const arith_plan *p) {
   fputc('}', out);
 }
 
+void gen_dsp(emitter *e, const delay_model *m) {
+  emit_holes h = {0};
+  emit_hole_numbers(&h, (emit_number[]){{"port_a", m->dsp[0]},
+                                        {"port_b", m->dsp[1]},
+                                        {"ports", m->dsp[0] + m->dsp[1]},
+                                        {NULL, 0}});
+  emit_template(e, "sepax_dsp", h.hole);
+  emit_holes_free(&h);
+}
+
 void gen_product(emitter *e, const arith_plan *p) {
   emit_holes h = {0};
-  bool parts = p->cut.parts > 0;
   emit_hole_set(&h, "name", "%s", arith_name(p).text);
   emit_hole_set(&h, "family", "%s", p->delay->library);
   emit_hole_numbers(&h, (emit_number[]){{"a_msb", p->a_w - 1},
@@ -216,11 +268,11 @@ void gen_product(emitter *e, const arith_plan *p) {
                                         {"p_w", p->p_w},
                                         {"latency", p->latency},
                                         {"parts", p->cut.parts},
-                                        {"whole", !parts},
-                                        {"held", p->cut.held},
+                                        {"several", p->cut.parts > 1},
                                         {"port_a", p->delay->dsp[0]},
                                         {"port_b", p->delay->dsp[1]},
                                         {"low", low_bits(p)},
+                                        {"clocked", p->cut.parts > 1 || low_bits(p) > 0},
                                         {NULL, 0}});
   FILE *out = emit_hole_open(&h, "body");
   print_registers(out, p);
@@ -228,10 +280,10 @@ void gen_product(emitter *e, const arith_plan *p) {
   for (int k = 0; k <= last_part(p); k++) {
     print_part(out, p, k);
   }
-  out = emit_hole_open(&h, "clocked");
+  out = emit_hole_open(&h, "registers");
   clock_registers(out, p);
   clock_low(out, p);
-  for (int k = 0; k <= last_part(p); k++) {
+  for (int k = 0; k < last_part(p); k++) {
     clock_part(out, p, k);
   }
   print_result(emit_hole_open(&h, "result"), p);

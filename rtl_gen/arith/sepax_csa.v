@@ -1,9 +1,5 @@
-//@ if chain
-// Sum of three words, modulo 2^N, on carry chains. Combinational.
-//@ else
 // Carry-save adder (3:2 compressor) of words: a + b + c + carry_in = sum + carry modulo 2^N.
 // Combinational.
-//@ end
 module sepax_csa #(
   parameter N = 8 // bits of a word
 ) (
@@ -11,14 +7,6 @@ module sepax_csa #(
   input  wire [N-1:0] b,        // addend
   input  wire [N-1:0] c,        // addend
   input  wire         carry_in, // 1 more
-//@ if chain
-  output wire [N-1:0] sum,      // a + b + c + carry_in
-  output wire [N-1:0] carry     // 0
-);
-  assign sum = a + b + c + {{(N-1){1'b0}}, carry_in};
-  assign carry = {N{1'b0}};
-endmodule
-//@ else
   output wire [N-1:0] sum,      // of each column
   output wire [N-1:0] carry     // from the column below
 );
@@ -30,4 +18,3 @@ endmodule
     .a(a[N-2:0]), .b(b[N-2:0]), .c(c[N-2:0]), .sum(sum[N-2:0]), .carry(up)
   );
 endmodule
-//@ end

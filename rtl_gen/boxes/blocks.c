@@ -14,7 +14,9 @@ static bool gen_dot(emitter *e, const arith_form *form, int latency, emit_holes 
     abort();
   }
   arith_plan_make(plan, form, 2);
-  if (plan->latency != latency) {
+  if (plan->delay->family) {
+    plan->latency = latency;
+  } else if (plan->latency != latency) {
     abort();
   }
   gen_multiplier(e, plan);
@@ -24,8 +26,9 @@ static bool gen_dot(emitter *e, const arith_form *form, int latency, emit_holes 
   return e->error.text[0] == '\0';
 }
 
-void gen_turn_vertex(emitter *e, int word) {
-  const arith_form form = {.a_w = 22,
+void gen_turn_vertex(emitter *e, const delay_model *m, int word) {
+  const arith_form form = {.delay = m,
+                           .a_w = 22,
                            .b_w = word + 1,
                            .p_w = 45,
                            .digits = (word + 1) / 2,
@@ -41,15 +44,16 @@ void gen_turn_vertex(emitter *e, int word) {
   emit_holes_free(&h);
 }
 
-void gen_tree_compare(emitter *e) {
-  static const arith_form form = {.a_w = 12,
-                                  .b_w = 9,
-                                  .p_w = 22,
-                                  .digits = 4,
-                                  .less = 1,
-                                  .used = 0.2,
-                                  .terms = 3,
-                                  .addend = {{21, 0, false}}};
+void gen_tree_compare(emitter *e, const delay_model *m) {
+  const arith_form form = {.delay = m,
+                           .a_w = 12,
+                           .b_w = 9,
+                           .p_w = 22,
+                           .digits = 4,
+                           .less = 1,
+                           .used = 0.2,
+                           .terms = 3,
+                           .addend = {{21, 0, false}}};
   static const char *const modules[] = {"sepax_tree_setup", "sepax_turn_box", "sepax_lanes",
                                         "sepax_hits", "sepax_tree_compare"};
   emit_holes h = {0};

@@ -3,29 +3,29 @@
 #include "clearance.h"
 
 /* One row a kind: symbol, module, lesser module, operands, how many it subtracts, output, width,
- * signed, expression, comment. */
+ * signed, expression, comment, whether it commutes. */
 /* clang-format off */
 static const graph_row
   cross = {"c", "sepax_cross", NULL, {"p", "q"}, 1, "c", "C_W", true, NULL,
-    "Components of e x f."},
+    "Components of e x f.", false},
   limit = {"l", "sepax_limit", NULL, {"x", "y", "z"}, 0, "limit", "LIMITS*L_W", false, NULL,
-    "Limits on e x f, on N_B and N_A."},
+    "Limits on e x f, on N_B and N_A.", false},
   own_limit = {"lo", "sepax_own_limit", NULL, {"x", "y", "z"}, 0, "limit", "LIMITS*L_W", false,
-    NULL, NULL},
+    NULL, NULL, false},
   edge_limit[3] = {{"le", "sepax_edge_limit", NULL, {"x_from", "x_to", "y_from", "y_to",
-    "z_from", "z_to"}, 0, "limit_xy", "M_W", false, NULL, "Limits on edges."},
-    {"le", NULL, NULL, {NULL}, 0, "limit_yz", "M_W", false, NULL, NULL},
-    {"le", NULL, NULL, {NULL}, 0, "limit_zx", "M_W", false, NULL, NULL}},
+    "z_from", "z_to"}, 0, "limit_xy", "M_W", false, NULL, "Limits on edges.", false},
+    {"le", NULL, NULL, {NULL}, 0, "limit_yz", "M_W", false, NULL, NULL, false},
+    {"le", NULL, NULL, {NULL}, 0, "limit_zx", "M_W", false, NULL, NULL, false}},
   exceeds_edge = {"ge", "sepax_exceeds_edge", NULL, {"g", "limit"}, 0, "exceeds", "LIMITS+1",
-    false, NULL, "Does orient2d exceed the limit of the edge?"},
+    false, NULL, "Does orient2d exceed the limit of the edge?", false},
   edge_outside = {"e", "sepax_edge_outside", NULL, {"b_1", "b_2", "b_3", "own"}, 0, "outside",
-    "LIMITS", false, NULL, "Is the other triangle outside the clearance of the edge?"},
+    "LIMITS", false, NULL, "Is the other triangle outside the clearance of the edge?", false},
   aabb_outside = {"box", "sepax_aabb_outside", NULL, {"a_1", "a_2", "a_3", "b_1", "b_2", "b_3"},
-    0, "outside", "LIMITS", false, NULL, "Are the AABBs outside the clearance?"},
+    0, "outside", "LIMITS", false, NULL, "Are the AABBs outside the clearance?", false},
   exceeds = {"f", "sepax_exceeds", NULL, {"v", "limit"}, 0, "exceeds", "LIMITS+2", false, NULL,
-    "Does orient3d exceed the limit of the axis?"},
+    "Does orient3d exceed the limit of the axis?", false},
   slope = {"r", "sepax_slope", NULL, {"p", "q"}, 0, "slope", "2", false, NULL,
-    "How orient3d changes along an edge."};
+    "How orient3d changes along an edge.", false};
 /* clang-format on */
 
 /* Components of e_i x f_j, from orient2d of e_i and both ends of f_j. */
