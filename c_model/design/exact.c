@@ -78,15 +78,9 @@ static bool check_tree(const sepax_config *config, sepax_error *error) {
                     (long long)outer_margin(config), MARGIN_MAX);
 }
 
-static bool check_target(const sepax_config *config, sepax_error *error) {
-  return config->target == SEPAX_TARGET_ASIC || (!config->tree && config->clearance < 0) ||
-         sepax_fail(error, "target: %s are made for an ASIC; leave one of both out",
-                    config->tree ? "tree engines" : "clearances");
-}
-
 static bool check(const sepax_config *config, sepax_error *error) {
-  if (!check_target(config, error) || !check_tree(config, error) ||
-      !check_clearance(config, error) || !check_extents(config, error)) {
+  if (!check_tree(config, error) || !check_clearance(config, error) ||
+      !check_extents(config, error)) {
     return false;
   }
   if (config->early_out && (config->extent_a != 0 || config->lanes != 0 || config->tree)) {
@@ -95,9 +89,14 @@ static bool check(const sepax_config *config, sepax_error *error) {
                       : config->tree     ? "tree engines"
                                          : "extents");
   }
-  if (config->registered_ready && (config->lanes != 0 || config->tree)) {
-    return sepax_fail(error, "registered-ready: the engine's ready outputs are so anyway; leave "
-                             "it out");
+  bool engine = config->lanes != 0 || config->tree;
+  if (engine && config->stream != SEPAX_STREAM_NONE) {
+    return sepax_fail(error,
+                      "stream: engines have AXI4-Stream of their own; leave one of both out");
+  }
+  if (config->registered_ready && (engine || config->stream != SEPAX_STREAM_NONE)) {
+    return sepax_fail(error, "registered-ready: the %s ready outputs are so anyway; leave it out",
+                      engine ? "engine's" : "stream's");
   }
   return check_memory('a', config->memory_a, error) && check_memory('b', config->memory_b, error);
 }

@@ -12,12 +12,18 @@ void coordinates_need(coordinates *c, int axis, int v, int cycle) {
   *end = cycle >= *end ? cycle + 1 : *end;
 }
 
-/* Banks from cycle 0 on, a change in cycle `change`, until all reads are covered. */
-static void lay_out(coordinates_axis *a, int ii, int change) {
-  int end = 1;
+/* The cycle behind the last read. */
+static int last_end(const coordinates_axis *a) {
+  int end = 0;
   for (int v = 0; v < 6; v++) {
     end = a->end[v] > end ? a->end[v] : end;
   }
+  return end;
+}
+
+/* Banks from cycle 0 on, a change in cycle `change`, until all reads are covered. */
+static void lay_out(coordinates_axis *a, int ii, int change) {
+  int end = last_end(a);
   a->banks = 1;
   a->start[0] = 0;
   while (a->start[a->banks - 1] < change || a->start[a->banks - 1] + ii < end) {
@@ -30,6 +36,10 @@ static void lay_out(coordinates_axis *a, int ii, int change) {
 }
 
 void coordinates_store(coordinates *c, int z_change) {
+  int end[AXES]; /* of the units */
+  for (int axis = 0; axis < AXES; axis++) {
+    end[axis] = last_end(&c->axis[axis]);
+  }
   for (int v = 0; v < 6 && c->second_pass; v++) {
     coordinates_need(c, U, v, c->again);
     coordinates_need(c, Z, v, c->again);
@@ -41,6 +51,13 @@ void coordinates_store(coordinates *c, int z_change) {
   lay_out(&c->axis[Z], c->ii, z_change);
   if (c->axis[Z].banks > fewest) {
     lay_out(&c->axis[Z], c->ii, 0);
+  }
+  for (int axis = 0; axis < AXES; axis++) {
+    coordinates_axis *a = &c->axis[axis];
+    while (c->rotate && a->rotated < a->banks &&
+           (!c->still || a->rotated == 0 || a->start[a->rotated] < end[axis])) {
+      a->rotated++;
+    }
   }
 }
 
@@ -66,7 +83,7 @@ static gen_line register_name(int axis, int v, int bank) {
 }
 
 static gen_line source_in(const coordinates *c, int axis, int v, int bank, int cycle) {
-  int turned = c->rotate ? (cycle - c->axis[axis].start[bank]) % 3 : 0;
+  int turned = bank < c->axis[axis].rotated ? (cycle - c->axis[axis].start[bank]) % 3 : 0;
   return register_name(axis, v / 3 * 3 + (v % 3 - turned + 3) % 3, bank);
 }
 
@@ -130,7 +147,7 @@ void coordinates_clock(const coordinates *c, FILE *out) {
         fprintf(out, "    if (slot[%d]) begin\n", (c->axis[axis].start[bank] + c->ii - 1) % c->ii);
       }
       move(c, out, axis, bank, false);
-      if (c->rotate) {
+      if (bank < c->axis[axis].rotated) {
         fprintf(out, "    end else begin\n");
         move(c, out, axis, bank, true);
       }

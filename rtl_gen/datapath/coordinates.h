@@ -12,12 +12,14 @@ enum { COORDINATES_BANKS = 40 };
 typedef struct {
   int start[COORDINATES_BANKS]; /* first cycle of each bank; each holds for II cycles */
   int banks;
-  int end[6]; /* of a vertex: the cycle behind its last read; 0: it is never read */
+  int end[6];  /* of a vertex: the cycle behind its last read; 0: it is never read */
+  int rotated; /* banks that rotate, the first ones */
 } coordinates_axis;
 
 typedef struct {
   int ii;
   bool rotate;      /* 3 divides ii */
+  bool still;       /* banks that no unit reads do not rotate */
   bool second_pass; /* a pair may be taken once more, with u for x and z for y */
   int again;        /* the cycle in which it is */
   coordinates_axis axis[4];

@@ -29,21 +29,32 @@ static const delay_model nangate45 = {
     .enabled_flip_flop = 24,
 };
 
-/* Not fitted yet: a level of logic with its wires, from data sheets. */
-#define OF_LEVEL(level)                                                                   \
-  .family = true, .reg = (level), .row = {(level), 0},                                    \
-  .adder = {1.2 * (level), 0, 0.04 * (level)}, .test = {(level), 0.3 * (level)},          \
-  .mux = {(level), 0.4 * (level)}, .sum = (level), .late_sum = (level), .carry = (level), \
-  .slot = (level), .operands = {1.5 * (level), 0}, .fixed_slots = 0.5 * (level),          \
-  .shared_value = (level), .orient2d_sign = 1.5 * (level), .aabb = 2.5 * (level),         \
-  .product = 3.5 * (level), .flip_flop = 17, .enabled_flip_flop = 18
+/* Of a family: clock to output, a wire, a table, onto a carry chain, along it a bit, off it. A
+ * level of logic is what it takes and the wire behind it; a chain has no wire behind it, since its
+ * sum is taken by a register beside it. */
+#define OF_FAMILY(clk, wire, lut, on, bit, off)                                                  \
+  .family = true, .reg = (clk) + (wire), .adder = {(on) + (off), 0, (bit)},                      \
+  .test = {0, 0.5 * ((lut) + (wire))}, .mux = {0, (lut) + (wire)}, .sum = (wire) + (on) + (off), \
+  .slot = 0.8 * (wire), .operands = {0.8 * (wire), 0}, .fixed_slots = 0.5 * ((lut) + (wire)),    \
+  .shared_value = 0.4 * (wire), .orient2d_sign = (lut) + (wire), .aabb = 2 * ((lut) + (wire)),   \
+  .product = 2.5 * (lut) + 2 * (wire), .flip_flop = 17, .enabled_flip_flop = 18
 
 static const delay_model families[] = {
-    [SEPAX_TARGET_ICE40] = {.library = "iCE40", OF_LEVEL(1.3)},
-    [SEPAX_TARGET_ECP5] = {.library = "ECP5", .dsp = {18, 18}, OF_LEVEL(1.0)},
-    [SEPAX_TARGET_XC7] = {.library = "Xilinx 7", .dsp = {25, 18}, OF_LEVEL(0.8)},
-    [SEPAX_TARGET_XCUP] = {.library = "Xilinx UltraScale+", .dsp = {27, 18}, OF_LEVEL(0.5)},
-    [SEPAX_TARGET_GOWIN] = {.library = "Gowin", .dsp = {18, 18}, OF_LEVEL(1.1)},
+    [SEPAX_TARGET_ICE40] = {.library = "iCE40",
+                            .dsp = {80, 6},
+                            OF_FAMILY(0.54, 1.1, 0.45, 0.26, 0.126, 0.5)},
+    [SEPAX_TARGET_ECP5] = {.library = "ECP5",
+                           .dsp = {18, 18},
+                           OF_FAMILY(0.52, 1.0, 0.24, 0.45, 0.036, 0.44)},
+    [SEPAX_TARGET_XC7] = {.library = "Xilinx 7",
+                          .dsp = {25, 18},
+                          OF_FAMILY(0.46, 0.8, 0.12, 0.5, 0.03, 0.3)},
+    [SEPAX_TARGET_XCUP] = {.library = "Xilinx UltraScale+",
+                           .dsp = {27, 18},
+                           OF_FAMILY(0.08, 0.5, 0.1, 0.3, 0.01, 0.2)},
+    [SEPAX_TARGET_GOWIN] = {.library = "Gowin",
+                            .dsp = {18, 18},
+                            OF_FAMILY(0.46, 1.1, 0.5, 0.5, 0.06, 0.5)},
 };
 
 const delay_model *delay_model_of(sepax_target target) {

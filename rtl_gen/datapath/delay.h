@@ -10,8 +10,8 @@
 typedef struct {
   const char *library;
   bool family; /* of FPGAs */
-  int dsp[2];  /* bits of the signed factors of its multiplier, the longer first; 0: the
-                  family has none */
+  int dsp[2];  /* bits of the signed factors of its multiplier, the longer first; 80: of what
+                  one stage of its logic multiplies */
   double reg;  /* clock to output and setup together */
   /* a + b log2 width + c width: */
   double row[2];   /* a digit, its fan-out over a row of partial products, and selection */

@@ -127,6 +127,41 @@ static int more_outputs(const emission *e, const graph_kind *of, int unit, FILE 
   return count;
 }
 
+/* Do the slots read this operand from different places? */
+static bool is_selected(const emission *e, const graph_kind *k, int unit, int index) {
+  gen_line first = {""};
+  for (int slot = 0; slot < e->d->schedule.ii; slot++) {
+    if (k->at[unit][slot] != 0) {
+      graph_value operand = e->d->graph.node[k->at[unit][slot]].operand[index];
+      const gen_line source = times_source(e->d, operand, k->start[unit] + slot);
+      if (first.text[0] != '\0' && strcmp(first.text, source.text) != 0) {
+        return true;
+      }
+      first = source;
+    }
+  }
+  return false;
+}
+
+/* The operand for a port: its own, but for the first on a carry chain one that is not selected, if
+ * its sum has such a one. */
+static int operand_for(const emission *e, const graph_kind *k, int unit, int port) {
+  int first = 0;
+  if (!e->d->chains || !k->row.commutes) {
+    return port;
+  }
+  int added = -k->row.negative;
+  while (added + k->row.negative < GRAPH_OPERANDS &&
+         k->row.operand[added + k->row.negative] != NULL) {
+    added++;
+  }
+  while (first < added - 1 && is_selected(e, k, unit, first)) {
+    first++;
+  }
+  first = is_selected(e, k, unit, first) ? 0 : first;
+  return port == 0 ? first : port == first ? 0 : port;
+}
+
 /* A comment: the operations of a unit that has several. */
 static void describe(const emission *e, const graph_kind *k, int unit) {
   const schedule_producer *s = producer_of(e->d, k, unit);
@@ -158,7 +193,7 @@ static void print_instance(const emission *e, const graph_kind *k, int unit) {
   for (int i = 0; i < GRAPH_OPERANDS && k->row.operand[i] != NULL; i++) {
     const char *port = k->row.operand[i];
     if (!is_optional(port) || !without) {
-      const gen_line operand = operand_of(e, k, unit, i);
+      const gen_line operand = operand_of(e, k, unit, operand_for(e, k, unit, i));
       fprintf(ports.out, "\n    .%s(%s),", port + is_optional(port), operand.text);
     }
   }

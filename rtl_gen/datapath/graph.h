@@ -39,6 +39,7 @@ typedef struct {
   bool is_signed;
   const char *expression; /* Verilog, @ stands for the operand */
   const char *about;      /* comment above the units, or NULL */
+  bool commutes;          /* operands that it adds are in any order, and those that it subtracts */
 } graph_row;
 
 /* The kinds of a graph: a row and what differs between graphs. */

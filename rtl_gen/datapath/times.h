@@ -8,6 +8,8 @@
 
 typedef struct {
   graph graph;
+  bool chains; /* sums on carry chains: what is selected is not the first operand: the logic in
+                  front of a chain can select the others */
   schedule schedule;
   coordinates coordinates;
 } datapath;

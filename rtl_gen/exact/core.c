@@ -12,6 +12,7 @@ static void set_numbers(emit_holes *h, const exact_plan *p) {
                          {"passes", !p->single},
                          {"rotate", p->datapath.coordinates.rotate},
                          {"plane_cycle", p->plane_cycle},
+                         {"projection_cycle", exact_projection_cycle(p)},
                          {"verdict_cycle", p->verdict_cycle},
                          {"z_w", f[SEPAX_X_Z_SUM].width},
                          {"c_w", f[SEPAX_X_CROSS].width},
@@ -60,7 +61,7 @@ void gen_exact_core(emitter *e, const exact_plan *p, emit_holes *h) {
   emit_hole_set(h, "v_cycle", "%2d", p->verdict_cycle);
   set_inputs(h, p);
   emission_holes(&p->datapath, h);
-  set_buses(h, "plane", p, p->graph.projection, p->plane_cycle);
+  set_buses(h, "plane", p, p->graph.projection, exact_projection_cycle(p));
   set_buses(h, "verdict", p, p->graph.verdict, p->verdict_cycle);
   emit_template(e, "sepax_core", h->hole);
 }

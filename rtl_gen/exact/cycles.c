@@ -15,7 +15,9 @@ static void rotate_classes(exact_plan *p) {
 }
 
 /* Starts. orient2d start together, B's and A's own not before them; z sums when they are needed, as
- * z waits in its registers anyway; all else as soon as it can. */
+ * z waits in its registers anyway; all else as soon as it can. On an FPGA, where a multiplexer
+ * costs more than a register, z sums start at the beginning of an II window: each coordinate is
+ * then in one place. */
 static void start_units(exact_plan *p) {
   datapath *d = &p->datapath;
   const exact_kinds *k = &p->graph.kind;
@@ -31,9 +33,10 @@ static void start_units(exact_plan *p) {
   if (p->stages.zdiff_shared) {
     times_start(d, k->zdiff, start);
   }
-  times_start(d, k->zsum, start);
+  int z_start = p->delay->family ? start - start % p->design->config.ii : start;
+  times_start(d, k->zsum, z_start);
   if (!p->single) {
-    times_start(d, k->order_z, start + 1); /* of z sums in their registers */
+    times_start(d, k->order_z, z_start + 1); /* of z sums in their registers */
   }
   times_start(d, k->own_zsum, own - (p->running ? 2 : p->stages.own_zsum));
   for (int kind = 0; kind < d->graph.kinds; kind++) {
@@ -62,6 +65,8 @@ static void need_all(exact_plan *p, const exact_bus *bus, int cycle) {
   }
 }
 
+int exact_projection_cycle(const exact_plan *p) { return p->plane_cycle - p->delay->family; }
+
 /* The pair as if coplanar is judged in the last cycle of an II window, so that a second pass takes
  * the next one; the verdict when all is there. */
 static void set_judges(exact_plan *p) {
@@ -69,9 +74,10 @@ static void set_judges(exact_plan *p) {
   int windows = 0;
   times_need_operands(&p->datapath);
   if (!p->single) {
-    windows = (latest_defined(p, p->graph.projection) + p->stages.sign + ii) / ii;
+    int needed = p->stages.sign + p->delay->family;
+    windows = (latest_defined(p, p->graph.projection) + needed + ii) / ii;
     p->plane_cycle = windows * ii - 1;
-    need_all(p, p->graph.projection, p->plane_cycle);
+    need_all(p, p->graph.projection, exact_projection_cycle(p));
   }
   int defined = latest_defined(p, p->graph.verdict);
   p->verdict_cycle = defined > windows * ii ? defined : windows * ii;
@@ -86,6 +92,7 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
                     .limits = design->limits,
                     .single = design->config.flag || design->limits > 0,
                     .running = ii == 3};
+  p->own_running = p->running && p->delay->family;
   exact_stages_make(p);
   if (p->stages.shortest * 1000 > design->config.clock_ps) {
     return sepax_fail(error, "clock-ns: %g is too short for W = %d; give %.2f or more",
@@ -93,7 +100,9 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
                       p->stages.shortest + 0.005);
   }
   p->datapath.schedule.ii = ii;
-  p->datapath.coordinates = (coordinates){.ii = ii, .rotate = ii % 3 == 0};
+  p->datapath.chains = p->delay->family;
+  p->datapath.coordinates =
+      (coordinates){.ii = ii, .rotate = ii % 3 == 0, .still = p->delay->family};
   exact_graph_make(p);
   if (p->running) {
     rotate_classes(p);

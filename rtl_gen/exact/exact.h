@@ -15,7 +15,8 @@ typedef struct {
   bool trapezoid_sums;     /* between a trapezoid's sums and its product */
   int orient3d;            /* behind its sum; 2: behind its rows, too */
   int orient3d_latency;
-  bool own_zsum;     /* inside B's z sum */
+  bool fetch_2d, fetch_3d; /* in front of an orient2d, an orient3d, whose operands are selected */
+  bool own_zsum;           /* inside B's z sum */
   bool zdiff_shared; /* z sums are sums of z differences, which settle in the same cycle (II = 1) */
   bool sign;         /* behind the sign of an orient2d */
   bool most, total;  /* inside a limit: behind its first maximum, its products */
@@ -53,9 +54,10 @@ typedef struct {
 typedef struct {
   const sepax_design *design;
   const delay_model *delay;
-  int limits;   /* of a clearance, 0 ... 2; with it orient3d comes whole, not as a sign */
-  bool single;  /* no pair takes a second pass: the plane is not judged */
-  bool running; /* orient3d of A's plane and B's z sum are summed term by term (II = 3) */
+  int limits;       /* of a clearance, 0 ... 2; with it orient3d comes whole, not as a sign */
+  bool single;      /* no pair takes a second pass: the plane is not judged */
+  bool running;     /* orient3d of A's plane and B's z sum are summed term by term (II = 3) */
+  bool own_running; /* orient2d of A and of B, too */
   exact_stages stages;
   exact_graph graph;
   datapath datapath;
@@ -69,6 +71,9 @@ typedef struct {
 bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error);
 
 void exact_stages_make(exact_plan *p);
+
+/* The cycle in which signs are taken for the plane: on an FPGA one before it is judged. */
+int exact_projection_cycle(const exact_plan *p);
 
 /* The vertices A_i and B_j, indices modulo 3; the vertex that follows v in its triangle. */
 int exact_a(int i);

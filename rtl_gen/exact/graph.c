@@ -29,46 +29,50 @@ const exact_projection exact_projections[] = {
 #define SIGN_OF(width) "{!@[" width "-1] && (@ != {" width "{1'b0}}), @[" width "-1]}"
 
 /* One row a kind: symbol, module, lesser module, operands, how many it subtracts, output, width,
- * signed, expression, comment. */
+ * signed, expression, comment, whether it commutes. */
 /* clang-format off */
 static const graph_row
   trapezoid = {"t", "sepax_trapezoid_ab", "sepax_trapezoid", {"x_from", "x_to", "y_from",
-    "y_to"}, 0, "t", "G_W", true, NULL, "Trapezoid terms."},
+    "y_to"}, 0, "t", "G_W", true, NULL, "Trapezoid terms.", false},
   orient2d = {"g", "sepax_orient2d", NULL, {"p", "q", "r"}, 1, "g", "G_W", true, NULL,
-    "orient2d of vertices of both triangles."},
+    "orient2d of vertices of both triangles.", true},
   own_orient2d = {"go", "sepax_own_orient2d", NULL, {"p", "q", "r"}, 0, "g", "G_W", true, NULL,
-    "orient2d of B, of A."},
+    "orient2d of B, of A.", true},
+  own_orient2d_running = {"go", "sepax_own_orient2d", NULL, {"p", "q"}, 0, "sum", "G_W", true, NULL,
+    "orient2d of B, of A, term by term.", false},
   zsum = {"z", "sepax_zsum", "sepax_zdiff", {"z_p", "?z_q", "z_r", "?z_s"}, 2, "z", "Z_W", true,
-    NULL, "z sums."},
+    NULL, "z sums.", false},
   zdiff = {"z", "sepax_zdiff", NULL, {"z_p", "z_r"}, 1, "z", "Z_W", true, NULL,
-    "z differences, in the same cycle."},
+    "z differences, in the same cycle.", false},
   zsum_of_two = {"z", "sepax_zsum", NULL, {"diff_1", "diff_2"}, 0, "z", "Z_W", true, NULL,
-    "z sums of two differences."},
+    "z sums of two differences.", false},
   own_zsum = {"zo", "sepax_own_zsum", NULL, {"z_b1", "z_b2", "z_b3", "z_a1", "z_a2", "z_a3"}, 3,
-    "z", "O_W", true, NULL, NULL},
+    "z", "O_W", true, NULL, NULL, false},
   own_zsum_of_three = {"zo", "sepax_own_zsum", NULL, {"diff_1", "diff_2", "diff_3"}, 0, "z",
-    "O_W", true, NULL, NULL},
+    "O_W", true, NULL, NULL, false},
   own_zsum_running = {"zo", "sepax_own_zsum", NULL, {"so_far", "z_b", "z_a"}, 1, "z", "O_W",
-    true, NULL, NULL},
+    true, NULL, NULL, false},
   prism = {"h", "sepax_prism", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL,
-    "Signed prism volumes."},
-  prism_of_two = {"h", "sepax_prism_2", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL, NULL},
-  own_prism = {"ho", "sepax_own_prism", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL, NULL},
+    "Signed prism volumes.", false},
+  prism_of_two = {"h", "sepax_prism_2", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL, NULL, false},
+  own_prism = {"ho", "sepax_own_prism", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL, NULL, false},
   running_sum = {"v", "sepax_orient3d_a", NULL, {"p", "q"}, 0, "sum", "V_W", true, NULL,
-    "orient3d of A's plane and B's vertices, term by term."},
+    "orient3d of A's plane and B's vertices, term by term.", false},
   orient3d_a = {"s", "sepax_orient3d_a", NULL, {"p", "q", "r"}, 0, "sign", "2", false, NULL,
-    "orient3d."},
+    "orient3d.", true},
   orient3d_b = {"w", "sepax_orient3d_b", NULL, {"p", "q", "r", "s"}, 1, "sign", "2", false, NULL,
-    NULL},
+    NULL, true},
   orient3d_edges = {"d", "sepax_orient3d_edges", NULL, {"p", "q", "r", "s"}, 2, "sign", "2",
-    false, NULL, NULL},
-  order_x = {"ox", NULL, NULL, {NULL}, 0, "order", "2", false, NULL, NULL},
+    false, NULL, NULL, true},
+  order_x = {"ox", NULL, NULL, {NULL}, 0, "order", "2", false, NULL, NULL, false},
   order_z = {"oz", NULL, NULL, {"z"}, 0, NULL, "2", false, "{@ > BIAS, @ < BIAS}",
-    "Signs of z differences."},
+    "Signs of z differences.", false},
+  sign_z = {"oz", NULL, NULL, {"z"}, 0, NULL, "2", false, SIGN_OF("Z_W"),
+    "Signs of z differences.", false},
   sign = {"gs", NULL, NULL, {"g"}, 0, NULL, "2", false, SIGN_OF("G_W"),
-    "Signs {> 0, < 0} of orient2d."},
-  own_sign = {"gos", NULL, NULL, {"g"}, 0, NULL, "2", false, SIGN_OF("G_W"), NULL},
-  sum_sign = {"s", NULL, NULL, {"sum"}, 0, NULL, "2", false, SIGN_OF("V_W"), "Their signs."};
+    "Signs {> 0, < 0} of orient2d.", false},
+  own_sign = {"gos", NULL, NULL, {"g"}, 0, NULL, "2", false, SIGN_OF("G_W"), NULL, false},
+  sum_sign = {"s", NULL, NULL, {"sum"}, 0, NULL, "2", false, SIGN_OF("V_W"), "Their signs.", false};
 /* clang-format on */
 
 static int add_kind(exact_graph *e, const graph_row *row, int latency) {
@@ -107,6 +111,22 @@ static void make_orient2d(exact_graph *e, int p, int kind, exact_triangle v) {
   permute(e->g[p], v, exact_add(e, kind, v, GRAPH_IN(t[v.i][v.j], t[v.j][v.k], t[v.k][v.i]), 0));
 }
 
+/* Of A or of B; term by term in a unit of its own, where the sum runs. */
+static void make_own_orient2d(exact_plan *p, int projection, exact_triangle v) {
+  exact_graph *e = &p->graph;
+  int kind = e->kind.own_orient2d[projection];
+  if (!p->own_running) {
+    make_orient2d(e, projection, kind, v);
+    return;
+  }
+  const graph_value(*t)[6] = e->t[projection];
+  graph_value sum = graph_constant(e->graph, "{G_W{1'b0}}", "G_W");
+  sum = graph_add(e->graph, kind, GRAPH_OF(v.i, v.j), GRAPH_IN(sum, t[v.i][v.j]), 0);
+  sum = graph_add(e->graph, kind, GRAPH_OF(v.j, v.k), GRAPH_IN(sum, t[v.j][v.k]), 0);
+  sum = exact_add(e, kind, v, GRAPH_IN(sum, t[v.k][v.i]), 0);
+  permute(e->g[projection], v, sum);
+}
+
 /* h_ijk = g_ijk z_ijk, z_ijk = z_i + z_j + z_k - z_0 - z_1 - z_2 */
 static void make_prism(exact_graph *e, int kind, exact_triangle v, graph_value z) {
   graph_value g = e->g[0][v.i][v.j][v.k];
@@ -141,8 +161,10 @@ void exact_graph_projection(exact_plan *p, int projection) {
   e->kind.trapezoid[projection] =
       graph_kind_add(e->graph, &trapezoid, n->suffix,
                      1 + p->stages.trapezoid_sums + p->stages.trapezoid.latency, n->slots_t);
-  *orient2d_kind = graph_kind_add(e->graph, &orient2d, n->suffix, 1, n->slots_g);
-  *own_kind = graph_kind_add(e->graph, &own_orient2d, n->suffix, 1, n->slots_g);
+  int latency = 1 + p->stages.fetch_2d;
+  *orient2d_kind = graph_kind_add(e->graph, &orient2d, n->suffix, latency, n->slots_g);
+  *own_kind = graph_kind_add(e->graph, p->own_running ? &own_orient2d_running : &own_orient2d,
+                             n->suffix, p->own_running ? 1 : latency, n->slots_g);
   for (int v = 0; v < 6; v++) {
     make_trapezoid(e, projection, v, exact_next(v));
   }
@@ -152,9 +174,9 @@ void exact_graph_projection(exact_plan *p, int projection) {
   for (int k = 0; k < 18; k++) {
     make_orient2d(e, projection, *orient2d_kind, exact_triangle_of(k));
   }
-  make_orient2d(e, projection, *own_kind, own_b);
+  make_own_orient2d(p, projection, own_b);
   if (!p->single || p->limits > 0) {
-    make_orient2d(e, projection, *own_kind, own_a);
+    make_own_orient2d(p, projection, own_a);
   }
 }
 
@@ -281,7 +303,7 @@ static void make_projection(exact_plan *p) {
   exact_graph *e = &p->graph;
   graph *g = e->graph;
   int in_x = add_kind(e, &order_x, 1);
-  int in_z = e->kind.order_z = add_kind(e, &order_z, 0);
+  int in_z = e->kind.order_z = add_kind(e, p->delay->family ? &sign_z : &order_z, 0);
   int of_both = add_kind(e, &sign, 0);
   int of_one = add_kind(e, &own_sign, 0);
   enum { G_A, G_B, G_OWN, X, Z };

@@ -40,8 +40,6 @@ module sepax_core (
   localparam DIGITS = @digits@; // radix-4 digits of a z sum
   localparam signed [Z_W-1:0] BIAS = // of z sums, as prisms deduct it
     {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
-//@ else
-  localparam signed [Z_W-1:0] BIAS = {Z_W{1'b0}}; // z sums have none
 //@ end
 //@ end
 //@ if running
@@ -82,9 +80,10 @@ module sepax_core (
 @units@
 //@ if passes
 
-  // In cycle @plane_cycle@ of a pair:
+  // In cycle @projection_cycle@ of a pair:
 @plane@
   sepax_projection projection (
+    .clk(clk), //@ chain
     .flat(flat), .separated(separated), .disjoint_x(disjoint_x), .disjoint_z(disjoint_z),
     .g_a(all_g_a), .g_b(all_g_b), .g_own(all_g_own), .x_order(all_x_order), .z_order(all_z_order)
   );

@@ -27,13 +27,10 @@ static void place_in_trapezoid(exact_plan *p, double sums, double period) {
                      .p_w = f[SEPAX_X_ORIENT2D].width,
                      .digits = f[SEPAX_X_SPAN].digits,
                      .less = 1};
-  if (p->delay->family) { /* its registers are the multiplier's */
-    form.held = true;
-    s->trapezoid_sums = true;
-    arith_plan_make(&s->trapezoid, &form, period);
+  arith_plan_make(&s->trapezoid, &form, period);
+  if (p->delay->family) { /* registers are the multiplier's */
     return;
   }
-  arith_plan_make(&s->trapezoid, &form, period);
   int latency = 1 + s->trapezoid.latency;
   int registers = 2 * span + s->trapezoid.registers;
   form.used = sums + delay_sums_fan_out(p->delay, span);
@@ -99,20 +96,38 @@ static void place_in_limits(exact_plan *p, double available) {
                      delay_register(p->delay) + levels_of(most) * delay_compressor(p->delay) + sum);
 }
 
+/* On an FPGA: the low bits of factors that logic takes. */
+static double low_bits_settled(const exact_plan *p) {
+  const exact_stages *s = &p->stages;
+  return fmax(s->trapezoid.cut.settled, fmax(s->prism.cut.settled, s->own_prism.cut.settled));
+}
+
+/* On an FPGA: until an operand of a shared unit is selected. */
+static double selection(const exact_plan *p) {
+  int ii = p->design->config.ii;
+  return ii > 1 ? p->delay->slot + delay_mux(p->delay, ii > 3 ? ii : 2) : p->delay->shared_value;
+}
+
 /* The longest stage that has no place for a register: sums of coordinates, of trapezoid terms, of
  * prisms, and the AABB test in front. `sum`: the last addition of an orient3d. */
 static double shortest_stage(const exact_plan *p, double sums, double sum) {
   const sepax_design *d = p->design;
   const sepax_format *f = d->exact_format;
-  double operands =
-      d->config.ii > 1 ? delay_operands(p->delay, d->core_word) : p->delay->shared_value;
+  double operands = p->stages.fetch_2d ? 0
+                    : p->delay->family ? selection(p)
+                    : d->config.ii > 1 ? delay_operands(p->delay, d->core_word)
+                                       : p->delay->shared_value;
   double orient2d = delay_compressor(p->delay) + delay_adder(p->delay, f[SEPAX_X_ORIENT2D].width);
-  double zsum = 2 * delay_compressor(p->delay) + delay_adder(p->delay, f[SEPAX_X_Z_SUM].width);
+  /* On an FPGA two differences, and coordinates that their registers bring in turn. */
+  double zsum = (p->delay->family ? 1 : 2) * delay_compressor(p->delay) +
+                delay_adder(p->delay, f[SEPAX_X_Z_SUM].width);
+  double z_operands = p->delay->family ? coordinate_operands(p) : operands;
   double row = p->delay->family
-                   ? p->delay->product
+                   ? fmax(p->delay->product, low_bits_settled(p) - delay_register(p->delay))
                    : delay_row(p->delay, f[SEPAX_X_ORIENT2D].width) + delay_compressor(p->delay);
   double running = (p->running ? p->delay->slot + delay_mux(p->delay, 2) : 0) + sum;
-  double longest = fmax(fmax(row, sums), fmax(operands + fmax(orient2d, zsum), running));
+  double longest =
+      fmax(fmax(row, sums), fmax(fmax(operands + orient2d, z_operands + zsum), running));
   longest = fmax(longest, aabb_delay(d));
   return delay_register(p->delay) + longest;
 }
@@ -128,12 +143,15 @@ void exact_stages_make(exact_plan *p) {
   double fan_out = p->delay->shared_value;
   double sums = delay_adder(p->delay, f[SEPAX_X_SPAN].width) + coordinate_operands(p);
   double sum = fan_out + delay_adder(p->delay, orient3d);
-  double whole = (shared_units ? p->delay->slot + delay_mux(p->delay, 2) : 0) +
+  double orient2d = delay_compressor(p->delay) + delay_adder(p->delay, f[SEPAX_X_ORIENT2D].width);
+  s->fetch_2d = p->delay->family && shared_units && selection(p) + orient2d > available;
+  s->fetch_3d = p->delay->family && shared_units && selection(p) + sum > available;
+  double whole = (shared_units && !s->fetch_3d ? p->delay->slot + delay_mux(p->delay, 2) : 0) +
                  2 * delay_compressor(p->delay) + sum;
   place_in_trapezoid(p, sums, period);
   place_in_prisms(p, period);
   s->orient3d = whole > available ? 2 : whole + delay_test(p->delay, orient3d) > available ? 1 : 0;
-  s->orient3d_latency = 1 + (p->limits > 0 ? s->orient3d / 2 : s->orient3d);
+  s->orient3d_latency = 1 + s->fetch_3d + (p->limits > 0 ? s->orient3d / 2 : s->orient3d);
   s->zdiff_shared =
       !p->delay->family && !shared_units &&
       fan_out + 3 * delay_compressor(p->delay) + 2 * delay_adder(p->delay, own_zsum) <= available;

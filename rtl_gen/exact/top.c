@@ -4,6 +4,7 @@
 #include "engine/engine.h"
 #include "exact.h"
 #include "host/outside.h"
+#include "stream/stream.h"
 
 #include <stdlib.h>
 
@@ -19,6 +20,13 @@ static int entries_log2(const exact_plan *p) {
   return log2;
 }
 
+/* In an engine for an FPGA, too: the way from a flat pair to what waits for the core is too long.
+ */
+static bool registers_ready(const sepax_config *c) {
+  return c->registered_ready || c->stream != SEPAX_STREAM_NONE ||
+         (c->lanes > 0 && c->target != SEPAX_TARGET_ASIC);
+}
+
 /* What sepax_narrow and sepax_top ask for: the pair and its verdict. */
 static void set_words(emit_holes *h, const exact_plan *p) {
   const sepax_design *design = p->design;
@@ -31,7 +39,7 @@ static void set_words(emit_holes *h, const exact_plan *p) {
                                        {"limits", p->limits},
                                        {"flag", c->flag},
                                        {"passes", !p->single},
-                                       {"registered_ready", c->registered_ready},
+                                       {"registered_ready", registers_ready(c)},
                                        {NULL, 0}});
   emit_hole_set(h, "collision_about",
                 p->limits > 0 ? "not proved to be outside the clearance"
@@ -77,16 +85,18 @@ bool gen_exact(emitter *e, int *latency) {
     *latency = plan->latency + added;
     emit_hole_set(&h, "latency", "%d cycles", *latency);
     emit_hole_set(&h, "when_empty", c->ii > 1 ? ", when the core was empty" : "");
-    if (c->registered_ready) {
+    if (registers_ready(c)) {
       emit_template(e, "sepax_skid", NULL);
     }
     emit_template(e, "exact/sepax_top", h.hole);
-    emit_holes_free(&h);
     if (c->lanes > 0) {
-      gen_engine(e, (1 << entries_log2(plan)) + added);
+      gen_engine(e, (1 << entries_log2(plan)) + added + registers_ready(c));
     } else if (c->tree) {
       gen_tree(e, (1 << entries_log2(plan)) + added);
+    } else if (c->stream != 0) {
+      gen_stream(e, &h, (1 << entries_log2(plan)) + added + registers_ready(c));
     }
+    emit_holes_free(&h);
   }
   free(plan);
   return e->error.text[0] == '\0';

@@ -16,9 +16,12 @@ static void set_shared(emit_holes *h, const exact_plan *p) {
                                        {"own_digits", f[SEPAX_X_OWN_Z_SUM].digits},
                                        {"shared", s->zdiff_shared},
                                        {"biased", !p->delay->family},
+                                       {"chain", p->delay->family},
                                        {"running", p->running},
                                        {"six", !s->zdiff_shared && !p->running},
                                        {"sums", s->trapezoid_sums},
+                                       {"fetch_2d", s->fetch_2d},
+                                       {"fetch_3d", s->fetch_3d},
                                        {"whole", p->limits > 0},
                                        {"limits", p->limits},
                                        {"two_limits", p->limits > 1},
@@ -58,10 +61,43 @@ static void gen_prism(emitter *e, emit_holes *h, const char *name, const arith_p
   emit_template(e, "sepax_prism", h->hole);
 }
 
-static void gen_orient2d(emitter *e, emit_holes *h, bool own) {
+/* A sum of three terms, one a cycle. */
+static void gen_running_sum(emitter *e, const exact_plan *p, emit_holes *h, bool of_prisms) {
+  int of = of_prisms ? SEPAX_X_ORIENT3D : SEPAX_X_ORIENT2D;
+  emit_hole_set(h, "name", of_prisms ? "sepax_orient3d_a" : "sepax_own_orient2d");
+  emit_hole_set(h, "bits", of_prisms ? "V_W" : "G_W");
+  emit_hole_set(h, "bits_value", "%d", p->design->exact_format[of].width);
+  emit_hole_set(h, "terms",
+                of_prisms ? "the signed prism volumes of the faces of a tetrahedron over A"
+                          : "the trapezoid terms of the edges of A or of B");
+  emit_hole_set(h, "term", of_prisms ? "signed prism volume" : "trapezoid term");
+  emit_hole_set(h, "short_term", of_prisms ? "prism" : "term");
+  emit_hole_set(h, "whole_sum", of_prisms ? "orient3d" : "orient2d");
+  emit_template(e, "sepax_running_sum", h->hole);
+}
+
+/* A sum of operands, or of the registers that they are fetched to. */
+static gen_line of_operands(const char *sum, bool fetch) {
+  gen_line text = {""};
+  for (; *sum != '\0'; sum++) {
+    bool operand = *sum >= 'p' && *sum <= 's';
+    text =
+        gen_format("%s%c%s", gen_format("%s", text.text).text, *sum, operand && fetch ? "_q" : "");
+  }
+  return text;
+}
+
+static void gen_orient2d(emitter *e, const exact_plan *p, emit_holes *h, bool own) {
+  if (own && p->own_running) {
+    gen_running_sum(e, p, h, false);
+    return;
+  }
   emit_hole_set(h, "name", own ? "sepax_own_orient2d" : "sepax_orient2d");
   emit_hole_set(h, "plus_r", own ? "+" : "-");
   emit_hole_set(h, "own", "%d", own);
+  emit_hole_set(h, "clocks_2d", "%d", 1 + p->stages.fetch_2d);
+  emit_hole_set(h, "orient2d_sum", "%s",
+                of_operands(own ? "p + q + r" : "p + q - r", p->stages.fetch_2d).text);
   emit_template(e, "sepax_orient2d", h->hole);
 }
 
@@ -69,12 +105,15 @@ static void gen_orient3d(emitter *e, const exact_plan *p, emit_holes *h) {
   static const struct {
     const char *name, *points, *formula;
     bool four, minus_r;
-  } row[] = {
-      {"sepax_orient3d_a", "A and a vertex of B", "p + q + r (A's own prism is zero)", false,
-       false},
-      {"sepax_orient3d_b", "B and a vertex of A", "p + q + r - s, s the prism of B", true, false},
-      {"sepax_orient3d_edges", "an edge of A and an edge of B", "p + q - r - s", true, true}};
+    const char *sum, *second, *of_both; /* on carry chains */
+  } row[] = {{"sepax_orient3d_a", "A and a vertex of B", "p + q + r (A's own prism is zero)", false,
+              false, "p + q + r", "r", "first_q + second_q"},
+             {"sepax_orient3d_b", "B and a vertex of A", "p + q + r - s, s the prism of B", true,
+              false, "p + q + r - s", "r - s", "first_q + second_q"},
+             {"sepax_orient3d_edges", "an edge of A and an edge of B", "p + q - r - s", true, true,
+              "p + q - r - s", "r + s", "first_q - second_q"}};
   int registers = p->stages.orient3d;
+  bool chain = p->delay->family;
   emit_hole_set(h, "what", p->limits > 0 ? "orient3d" : "Sign of the orient3d");
   emit_hole_set(h, "sum", registers > 1 ? "sum_q + carry_q" : "sum + carry");
   emit_hole_numbers(h, (emit_number[]){{"latency", p->stages.orient3d_latency},
@@ -87,12 +126,26 @@ static void gen_orient3d(emitter *e, const exact_plan *p, emit_holes *h) {
     emit_hole_set(h, "formula", "%s", row[i].formula);
     emit_hole_set(h, "four", "%d", row[i].four);
     emit_hole_set(h, "minus_r", "%d", row[i].minus_r);
-    emit_template(e, i == 0 && p->running ? "sepax_running_sum" : "sepax_orient3d", h->hole);
+    if (chain) {
+      bool fetch = p->stages.fetch_3d;
+      emit_hole_set(h, "sum", "%s",
+                    registers > 1 ? row[i].of_both : of_operands(row[i].sum, fetch).text);
+      emit_hole_set(h, "first", "%s", of_operands("p + q", fetch).text);
+      emit_hole_set(h, "second", "%s", of_operands(row[i].second, fetch).text);
+      emit_hole_set(h, "fetch_four", "%d", fetch && row[i].four);
+    }
+    if (i == 0 && p->running) {
+      gen_running_sum(e, p, h, true);
+    } else {
+      emit_template(e, chain ? "sepax_orient3d_chain" : "sepax_orient3d", h->hole);
+    }
   }
 }
 
 static void gen_multipliers(emitter *e, const exact_stages *s) {
-  if (!s->trapezoid.delay->family) {
+  if (s->trapezoid.delay->family) {
+    gen_dsp(e, s->trapezoid.delay);
+  } else {
     gen_multiplier_parts(e, s->zdiff_shared);
   }
   gen_multiplier(e, &s->trapezoid);
@@ -109,17 +162,22 @@ void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h) {
   static const char *const sums[] = {"sepax_zdiff", "sepax_zsum", "sepax_own_zsum"};
   const exact_stages *s = &p->stages;
   gen_multipliers(e, s);
-  emit_template(e, "sepax_csa",
-                (emit_hole[]){{"chain", p->delay->family ? "1" : ""}, {NULL, NULL}});
   set_shared(h, p);
+  if (!p->delay->family) {
+    emit_template(e, "sepax_csa", h->hole);
+  }
   gen_trapezoid(e, p, h, false);
   if (!p->single) {
     gen_trapezoid(e, p, h, true);
   }
-  gen_orient2d(e, h, false);
-  gen_orient2d(e, h, true);
+  gen_orient2d(e, p, h, false);
+  gen_orient2d(e, p, h, true);
   emit_hole_set(h, "latency", "%d", 1 + s->own_zsum);
-  emit_hole_set(h, "sum", s->own_zsum ? "sum_q + carry_q" : "sum + carry");
+  emit_hole_set(h, "sum",
+                !p->delay->family ? s->own_zsum ? "sum_q + carry_q" : "sum + carry"
+                : s->own_zsum     ? "b_q - a_q"
+                                  : "wide(z_b1) + wide(z_b2) + wide(z_b3) -\n"
+                                    "      wide(z_a1) - wide(z_a2) - wide(z_a3)");
   emit_hole_set(h, "registered", "%d", s->own_zsum);
   for (size_t i = 0; i < sizeof sums / sizeof sums[0]; i++) {
     emit_template(e, sums[i], h->hole);

@@ -1,6 +1,6 @@
 // orient2d of three vertices of both triangles: twice the signed area in a projection, //@ !own
 // orient2d of the vertices of A or of B: twice its signed area in a projection, //@ own
-// from the trapezoid terms of the edges: g = p + q @plus_r@ r modulo 2^G_W. Latency 1.
+// from the trapezoid terms of the edges: g = p + q @plus_r@ r modulo 2^G_W. Latency @clocks_2d@.
 module @name@ #(
   parameter G_W = @g_w@ // bits of an orient2d
 ) (
@@ -10,6 +10,8 @@ module @name@ #(
   input  wire signed [G_W-1:0] r,   // trapezoid term
   output reg  signed [G_W-1:0] g    // twice the area
 );
+  reg signed [G_W-1:0] p_q, q_q, r_q; //@ fetch_2d
+//@ if !chain
   wire [G_W-1:0] sum, carry;
 
   sepax_csa #(.N(G_W)) three (
@@ -17,7 +19,14 @@ module @name@ #(
     .a(p), .b(q), .c(~r), .carry_in(1'b1), .sum(sum), .carry(carry) //@ !own
   );
 
+//@ end
   always @(posedge clk) begin
-    g <= sum + carry;
+    g <= sum + carry; //@ !chain
+//@ if fetch_2d
+    p_q <= p;
+    q_q <= q;
+    r_q <= r;
+//@ end
+    g <= @orient2d_sum@; //@ chain
   end
 endmodule

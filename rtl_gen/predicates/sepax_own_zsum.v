@@ -54,6 +54,7 @@ module sepax_own_zsum #(
     wide = {{(O_W-W){coordinate[W-1]}}, coordinate};
   endfunction
 //@ end
+//@ if biased
   wire [O_W-1:0] sum, carry;
 
 //@ if running
@@ -90,6 +91,16 @@ module sepax_own_zsum #(
     carry_q <= carry; //@ registered
     z <= sum + carry; //@ running
     z <= sum + carry + (BIAS - (DIFF_BIAS + DIFF_BIAS + DIFF_BIAS)); //@ shared
-    z <= @sum@@plus_bias@; //@ six
+    z <= @sum@ + BIAS; //@ six
   end
+//@ else
+  reg [O_W-1:0] b_q, a_q; //@ registered
+
+  always @(posedge clk) begin
+    z <= wide(z_b) + so_far - wide(z_a); //@ running
+    b_q <= wide(z_b1) + wide(z_b2) + wide(z_b3); //@ registered
+    a_q <= wide(z_a1) + wide(z_a2) + wide(z_a3); //@ registered
+    z <= @sum@; //@ six
+  end
+//@ end
 endmodule

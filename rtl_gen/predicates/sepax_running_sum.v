@@ -1,14 +1,15 @@
-// Running sum of the signed prism volumes of the faces of a tetrahedron over A:
-//   sum = p + q modulo 2^V_W. Latency 1.
-module sepax_orient3d_a #(
-  parameter V_W = @v_w@ // bits of an orient3d
+// Running sum of @terms@:
+//   sum = p + q modulo 2^@bits@. Latency 1.
+module @name@ #(
+  parameter @bits@ = @bits_value@ // bits of an @whole_sum@
 ) (
   input  wire                  clk, // clock
-  input  wire signed [V_W-1:0] p,   // sum so far, or 0
-  input  wire signed [V_W-1:0] q,   // signed prism volume
-  output reg  signed [V_W-1:0] sum  // sum; behind the third prism the orient3d
+  input  wire signed [@bits@-1:0] p,   // sum so far, or 0
+  input  wire signed [@bits@-1:0] q,   // @term@
+  output reg  signed [@bits@-1:0] sum  // sum; behind the third @short_term@ the @whole_sum@
 );
   always @(posedge clk) begin
-    sum <= p + q;
+    sum <= p + q; //@ !chain
+    sum <= q + p; //@ chain
   end
 endmodule

@@ -40,6 +40,7 @@ module sepax_zsum #(
   function [Z_W-1:0] wide(input [W-1:0] coordinate);
     wide = {{(Z_W-W){coordinate[W-1]}}, coordinate};
   endfunction
+//@ if biased
   wire [Z_W-1:0] three_sum, three_carry, sum, carry;
 
   sepax_csa #(.N(Z_W)) three (
@@ -50,8 +51,10 @@ module sepax_zsum #(
     .a(three_sum), .b(three_carry), .c(~wide(z_s)), .carry_in(1'b1), .sum(sum), .carry(carry)
   );
 
+//@ end
   always @(posedge clk) begin
-    z <= sum + carry@plus_bias@;
+    z <= sum + carry + BIAS; //@ biased
+    z <= (wide(z_p) - wide(z_r)) + (wide(z_q) - wide(z_s)); //@ !biased
   end
 //@ end
 endmodule

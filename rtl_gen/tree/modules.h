@@ -2,6 +2,7 @@
 #ifndef SEPAX_TREE_MODULES_H
 #define SEPAX_TREE_MODULES_H
 
+#include "datapath/delay.h"
 #include "emit/emit.h"
 
 /* sepax_tree_memory and what it is made of; sepax_ram must be there. */
@@ -13,10 +14,10 @@ void gen_tree_walk(emitter *e);
 
 /* sepax_turn_vertex for coordinates of `word` bits, 4 ... 21, and what it is made of; the parts of
  * multipliers must be there (arith/arith.h). */
-void gen_turn_vertex(emitter *e, int word);
+void gen_turn_vertex(emitter *e, const delay_model *m, int word);
 
 /* sepax_tree_compare and what it is made of; sepax_fifo and the parts of multipliers must be there.
  */
-void gen_tree_compare(emitter *e);
+void gen_tree_compare(emitter *e, const delay_model *m);
 
 #endif

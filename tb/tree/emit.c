@@ -23,14 +23,14 @@ int main(int argc, char **argv) {
   }
   emit_init(&e, NULL, "tb/tree/emit");
   if (memory) {
-    emit_template(&e, "sepax_ram", NULL);
+    emit_template(&e, "sepax_ram", (emit_hole[]){{"fpga", "0"}, {NULL}});
     gen_tree_memory(&e);
   }
   if (compare) {
-    emit_template(&e, "sepax_fifo", NULL);
+    emit_template(&e, "sepax_fifo", (emit_hole[]){{"fpga", "0"}, {NULL}});
     gen_multiplier_parts(&e, false);
-    gen_turn_vertex(&e, word);
-    gen_tree_compare(&e);
+    gen_turn_vertex(&e, delay_model_of(SEPAX_TARGET_ASIC), word);
+    gen_tree_compare(&e, delay_model_of(SEPAX_TARGET_ASIC));
   }
   if (walk) {
     static const char *const of_boxes[] = {"sepax_bounds", "sepax_thinnest", "sepax_swap_axes"};
