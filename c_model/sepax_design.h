@@ -54,6 +54,14 @@ typedef enum {
   SEPAX_TARGET_GOWIN
 } sepax_target;
 
+/* What a transfer of AXI4-Stream has. */
+typedef enum {
+  SEPAX_STREAM_NONE, /* no AXI4-Stream: the core alone */
+  SEPAX_STREAM_VERTEX,
+  SEPAX_STREAM_TRIANGLE,
+  SEPAX_STREAM_PAIR
+} sepax_stream;
+
 /* What model, generator and benches must agree on, and all they share. */
 typedef struct {
   sepax_arch arch;
@@ -75,6 +83,8 @@ typedef struct {
   int clearance, warning; /* exact: LSB; -1 and 0: none. The verdict is free only if the real
                              triangles are farther from each other than `clearance`
                              (docs/clearance.md) */
+  sepax_stream stream;    /* exact: AXI4-Stream around the core */
+  int tag;                /* bits of a tag that travels with a pair of the stream, 1 ... 64 */
   int lanes;              /* exact: comparator lanes of an object engine, 1 ... 64; 0: none */
   bool tree;              /* exact: a tree engine */
   int cores;              /* of the engine, 1 ... 8 */
@@ -118,6 +128,9 @@ char *sepax_config_name(const sepax_config *config, char *text, size_t size);
 bool sepax_config_check(const sepax_config *config, sepax_error *error);
 
 const char *sepax_arch_name(sepax_arch arch);
+
+/* Transfers of AXI4-Stream that are a pair: 6, 2 or 1; 0 without. */
+int sepax_stream_transfers(const sepax_config *config);
 
 /* The format of a number of the datapath. In paper and conference the exact value needs `exact`
  * bits (interval analysis); the lowest `shift` of them are dropped by flooring, `width` = exact -

@@ -25,6 +25,7 @@ static const char *const inequality_names[] = {"correct", "printed", NULL};
 static const char *const switch_names[] = {"off", "on", NULL};
 static const char *const early_names[] = {"none", "boxes", NULL};
 static const char *const coplanar_names[] = {"exact", "flag", NULL};
+static const char *const stream_names[] = {"none", "vertex", "triangle", "pair", NULL};
 static const char *const target_names[] = {"asic", "ice40", "ecp5", "xc7", "xcup", "gowin", NULL};
 
 #define FIELD(name) offsetof(sepax_config, name), sizeof(((sepax_config *)0)->name)
@@ -73,6 +74,13 @@ static const design_option table[] = {
     {"warning", 0, OPTION_NUMBER, FIELD(warning), 0, 1, INT32_MAX, NULL,
      EXACT, 0, false, "clearance", "-d%s", "LSB",
      "a second, larger clearance: a band between free and collision (none)"},
+    {"stream", 0, OPTION_CHOICE, FIELD(stream), SEPAX_STREAM_NONE, 0, SEPAX_STREAM_PAIR,
+     stream_names, EXACT, 0, false, NULL, "-%s", "WORDS",
+     "AXI4-Stream around the core: a vertex a transfer of 128 bits, a triangle of 512, or a pair "
+     "of 1024; verdicts of 32 bits, in order (none)"},
+    {"tag", 0, OPTION_NUMBER, FIELD(tag), 16, 1, 64, NULL,
+     EXACT, 0, true, "stream", "-t%s", "BITS",
+     "bits of the tag (TUSER) that goes with a pair to its verdict, 1 ... 64 (16)"},
     {"lanes", 0, OPTION_NUMBER, FIELD(lanes), 0, 1, SEPAX_LANES_MAX, NULL,
      EXACT, 0, false, NULL, "-k%s", "K",
      "an object engine with K comparator lanes, 1 ... 64, around the core (none: the core alone)"},

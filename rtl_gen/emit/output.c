@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { OTHER_FILES = 6, FOLDER_LENGTH = 3000 };
+enum { OTHER_FILES = 10, FOLDER_LENGTH = 3000 };
 
 typedef struct {
   char *name;
@@ -66,8 +66,14 @@ static void render(const emitter *e, output *o) {
   if (registers != NULL) {
     engine_header(registers, add_file(o, "sepax_registers", "h"));
     engine_page(registers, add_file(o, "sepax_registers", "md"));
+    engine_rdl(registers, add_file(o, "sepax_registers", "rdl"));
   }
   describe_json(e, add_file(o, "sepax", "json"));
+  describe_constraints(e, add_file(o, "sepax", "sdc"));
+  if (d->config.target == SEPAX_TARGET_XC7 || d->config.target == SEPAX_TARGET_XCUP) {
+    describe_constraints(e, add_file(o, "sepax", "xdc"));
+  }
+  describe_waves(e, add_file(o, "sepax", "gtkw"));
 }
 
 /* A folder where a file must go would stop the renaming half way. */
@@ -114,12 +120,13 @@ static bool is_generated(const char *path) {
 }
 
 /* Files of a design that was in the folder before and that the new one does not have: named
- * sepax_..., with the banner of generated files. All others stay. */
+ * sepax_... or sepax. ..., with the banner of generated files. All others stay. */
 static void remove_former(const output *o) {
   DIR *folder = opendir(o->folder);
   const struct dirent *entry = NULL;
   while (folder != NULL && (entry = readdir(folder)) != NULL) {
-    bool ours = strncmp(entry->d_name, "sepax_", 6) == 0;
+    bool ours =
+        strncmp(entry->d_name, "sepax_", 6) == 0 || strncmp(entry->d_name, "sepax.", 6) == 0;
     for (int i = 0; i < o->count && ours; i++) {
       ours = strcmp(entry->d_name, o->file[i].name) != 0;
     }

@@ -15,7 +15,17 @@ static void set_sizes(emit_holes *h, const sepax_design *design) {
   int index_a = log2_of(c->memory_a);
   int index_b = log2_of(c->memory_b);
   bool a_is_smaller = index_a < index_b;
+  bool fpga = c->target != SEPAX_TARGET_ASIC;
   emit_hole_set(h, "swaps", "%d", swaps_axes(design));
+  emit_hole_set(h, "fpga", "%d", fpga);
+  emit_hole_set(h, "staged", "%d", fpga && c->lanes > 1);
+  emit_hole_set(h, "in", fpga ? "_in_q" : "");
+  emit_hole_set(h, "after", fpga ? "_q" : "");
+  emit_hole_set(h, "counted", fpga ? "_q" : "");
+  emit_hole_set(h, "at", fpga ? "_in" : "");
+  emit_hole_set(h, "late", "%d", fpga ? 8 : 6);
+  emit_hole_set(h, "late_q", fpga ? "_q3" : "_q2");
+  emit_hole_set(h, "told", fpga ? "later" : "at once");
   emit_hole_set(h, "moved", "%d", c->word + 2);
   emit_hole_set(h, "narrow", "%d", c->word < 32);
   emit_hole_set(h, "move_is_word", "%d", c->word + 1 >= 32);
@@ -74,8 +84,10 @@ void gen_engine(emitter *e, int entries) {
   set_sizes(&h, e->design);
   engine_cores(&h, e->design, entries, log2_of(c->memory_a) + log2_of(c->memory_b) + 1);
   set_registers(&h, &e->design->config);
-  gen_bounds(e);
-  gen_disjoint(e);
+  if (c->target == SEPAX_TARGET_ASIC) {
+    gen_bounds(e);
+    gen_disjoint(e);
+  }
   if (swaps_axes(e->design)) {
     gen_thinnest(e);
   }

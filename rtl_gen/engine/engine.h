@@ -39,9 +39,10 @@ const engine_registers *engine_registers_of(const sepax_config *config);
  * the cases in which a register is read; `constants` are those of the rows of that kind. */
 void engine_decode(const engine_registers *map, emit_holes *h, const int *constants);
 
-/* The register map for drivers: a C header, a page. */
+/* The register map for others: a C header, a page, SystemRDL. */
 void engine_header(const engine_registers *map, FILE *out);
 void engine_page(const engine_registers *map, FILE *out);
+void engine_rdl(const engine_registers *map, FILE *out);
 
 /* Of the generator, as GENERATOR has it: {MAJOR, MINOR, PATCH}. */
 int engine_version(void);

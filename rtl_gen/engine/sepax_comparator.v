@@ -1,4 +1,4 @@
-// Comparator lane: holds the AABB of a triangle of A and tells at once whether that of a triangle
+// Comparator lane: holds the AABB of a triangle of A and tells @told@ whether that of a triangle
 // of B overlaps it. AABBs are packed {high, low} of z, y, x, x lowest.
 module sepax_comparator (
   input  wire            clk,    // clock
@@ -15,7 +15,9 @@ module sepax_comparator (
   localparam V = @moved@; // of one that was moved
   reg  [6*W-1:0] aabb_q;
   wire [6*V-1:0] wide_a;
-  wire [2:0]     disjoint;
+  wire [2:0]     disjoint; //@ !fpga
+  reg  [2:0]     above_q, below_q; // B's side //@ fpga
+  reg            both_q;     // there were two AABBs //@ fpga
 
   genvar k;
   generate
@@ -23,14 +25,26 @@ module sepax_comparator (
       assign wide_a[k*V +: V] = {{(V-W){aabb_q[k*W+W-1]}}, aabb_q[k*W +: W]};
     end
     for (k = 0; k < 3; k = k + 1) begin : axis
+      //@ if fpga
+      wire signed [V-1:0] low_a = wide_a[2*k*V +: V];
+      wire signed [V-1:0] high_a = wide_a[(2*k+1)*V +: V];
+      wire signed [V-1:0] low_b = aabb_b[2*k*V +: V];
+      wire signed [V-1:0] high_b = aabb_b[(2*k+1)*V +: V];
+      always @(posedge clk) begin
+        above_q[k] <= high_a < low_b;
+        below_q[k] <= high_b < low_a;
+      end
+      //@ else
       sepax_disjoint #(.W(V)) test (
         .low_a(wide_a[2*k*V +: V]), .high_a(wide_a[(2*k+1)*V +: V]),
         .low_b(aabb_b[2*k*V +: V]), .high_b(aabb_b[(2*k+1)*V +: V]), .disjoint(disjoint[k])
       );
+      //@ end
     end
   endgenerate
 
-  assign overlap = live && is_b && !(|disjoint);
+  assign overlap = live && is_b && !(|disjoint); //@ !fpga
+  assign overlap = both_q && !(|above_q) && !(|below_q); //@ fpga
 
   always @(posedge clk) begin
     if (clear) begin
@@ -41,5 +55,8 @@ module sepax_comparator (
     if (load) begin
       aabb_q <= aabb_a;
     end
+    //@ if fpga
+    both_q <= live && is_b && !clear;
+    //@ end
   end
 endmodule

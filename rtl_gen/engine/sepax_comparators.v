@@ -1,5 +1,8 @@
 // @lanes@ comparator lanes. AABBs come from the memories one cycle after the step that asked for
 // them; B's is moved in another; its candidate mask, bit k for lane k, leaves two cycles later.
+//@ if fpga
+// What comes from block RAM waits a cycle more in registers.
+//@ end
 module sepax_comparators (
   input  wire           clk,       // clock
   input  wire           clear,     // drop all that is in flight
@@ -26,22 +29,33 @@ module sepax_comparators (
   localparam B = @index_b@; // of B
   localparam [V-1:0] MARGIN = @margin@; // AABBs nearer than this overlap //@ margin
   reg              valid_q, valid_q2, valid_q3, is_b_q, load_q, is_a_q;
+  reg              valid_q4; //@ fpga
   reg  [B:0]       j_q;
   reg  [B-1:0]     j_q2;
+  reg  [B-1:0]     j_q3; //@ fpga
   reg  [A-1:0]     base_q, base_q2;
+  reg  [A-1:0]     base_q3; //@ fpga
   reg  [6*V-1:0]   aabb_q2;
   reg  [6:0]       live_q; // lanes that hold an AABB
   wire [6*V-1:0]   moved, moved_b;
+  //@ if fpga
+  // The step that these registers of the memories belong to.
+  reg              step_in_q, is_b_in_q, load_in_q, is_a_in_q;
+  reg  [B:0]       j_in_q;
+  reg  [A-1:0]     base_in_q;
+  reg  [6*W-1:0]   aabb_a_in_q, aabb_b_in_q;
+  //@ end
   wire [LANES-1:0] overlap, live, taken;
 
-  assign busy = valid_q || valid_q2 || valid_q3;
+  assign busy = valid_q || valid_q2 || valid_q3; //@ !fpga
+  assign busy = step_in_q || valid_q || valid_q2 || valid_q3 || valid_q4; //@ fpga
   assign push = |mask;
   assign tested = live_q & {7{valid_q2}};
 
   genvar k;
   generate
     for (k = 0; k < 6; k = k + 1) begin : side
-      assign moved[k*V +: V] = {{2{aabb_b[k*W+W-1]}}, aabb_b[k*W +: W]} +
+      assign moved[k*V +: V] = {{2{aabb_b@in@[k*W+W-1]}}, aabb_b@in@[k*W +: W]} +
                                {move[(k/2)*(W+1)+W], move[(k/2)*(W+1) +: W+1]};
       assign moved_b[k*V +: V] = moved[k*V +: V]; //@ !margin
       assign moved_b[k*V +: V] = moved[k*V +: V] + ((k % 2 == 1) ? MARGIN : -MARGIN); //@ margin
@@ -49,7 +63,7 @@ module sepax_comparators (
     for (k = 0; k < LANES; k = k + 1) begin : lane
       assign taken[k] = valid_q && load_q && (j_q == k[B:0]);
       sepax_comparator comparator (
-        .clk(clk), .clear(clear), .load(taken[k]), .is_a(is_a_q), .aabb_a(aabb_a),
+        .clk(clk), .clear(clear), .load(taken[k]), .is_a(is_a_q), .aabb_a(aabb_a@in@),
         .is_b(valid_q2), .aabb_b(aabb_q2), .live(live[k]), .overlap(overlap[k])
       );
     end
@@ -58,22 +72,32 @@ module sepax_comparators (
   always @(posedge clk) begin
     if (clear) begin
       {valid_q, valid_q2, valid_q3} <= 3'd0;
+      {step_in_q, valid_q4} <= 2'd0; //@ fpga
       mask <= {LANES{1'b0}};
       live_q <= 7'd0;
     end else begin
-      valid_q <= step;
+      valid_q <= step@in@;
+      {step_in_q, valid_q4} <= {step, valid_q3}; //@ fpga
       valid_q2 <= valid_q && is_b_q;
       valid_q3 <= valid_q2;
       mask <= overlap;
       live_q <= live_q + {6'd0, valid_q && load_q && is_a_q} - {6'd0, |(taken & live)};
     end
-    j_q <= j;
-    base_q <= base;
-    {is_b_q, load_q, is_a_q} <= {is_b, load, is_a};
+    j_q <= j@in@;
+    base_q <= base@in@;
+    {is_b_q, load_q, is_a_q} <= {is_b@in@, load@in@, is_a@in@};
+    //@ if fpga
+    j_in_q <= j;
+    base_in_q <= base;
+    {is_b_in_q, load_in_q, is_a_in_q} <= {is_b, load, is_a};
+    aabb_a_in_q <= aabb_a;
+    aabb_b_in_q <= aabb_b;
+    //@ end
     j_q2 <= j_q[B-1:0];
     base_q2 <= base_q;
-    mask_j <= j_q2;
-    mask_base <= base_q2;
+    mask_j <= j@late_q@;
+    mask_base <= base@late_q@;
+    {j_q3, base_q3} <= {j_q2, base_q2}; //@ fpga
     aabb_q2 <= moved_b;
   end
 endmodule

@@ -63,7 +63,14 @@ module sepax_engine_logic (
     21'd0, bad_size, partial, bad_word, 1'b0, loading, |count_b, |count_a, stopped,
     any && (|out_of_range), any, busy
   };
-  wire clear = rst || start || halt;
+  reg  halt_q; // no verdict counts any more when it begins //@ fpga
+  wire clear = rst || start || halt@after@;
+  //@ if fpga
+
+  always @(posedge clk) begin
+    halt_q <= halt && busy;
+  end
+  //@ end
 
   sepax_registers registers (
     .clk(clk), .rst(rst), .awvalid(s_axi_awvalid), .awready(s_axi_awready), .awaddr(s_axi_awaddr),
@@ -90,6 +97,7 @@ module sepax_engine_logic (
 
   // Broad phase.
   wire running, is_b, load, is_a, lanes_busy, push, free, more, pop, candidate;
+  wire encoding; //@ staged
   wire [LANES-1:0] mask, next_mask;
   wire [B:0]   step_j;
   wire [B-1:0] mask_j, next_j;
@@ -97,7 +105,7 @@ module sepax_engine_logic (
   wire [6:0]   tested;
 
   sepax_enumerator enumerator (
-    .clk(clk), .rst(rst), .start(start), .halt(halt), .free(free), .count_a(count_a),
+    .clk(clk), .rst(rst), .start(start), .halt(halt@after@), .free(free), .count_a(count_a),
     .count_b(count_b), .running(running), .step(step), .j(step_j), .is_b(is_b),
     .address_b(aabb_address_b), .round_base(round_base), .address_a(aabb_address_a), .load(load),
     .is_a(is_a)
@@ -109,14 +117,16 @@ module sepax_engine_logic (
     .push(push), .mask(mask), .mask_j(mask_j), .mask_base(mask_base), .tested(tested)
   );
 
-  // Six masks may come after the enumerator has seen the FIFO full.
-  sepax_fifo #(.WIDTH(LANES + A + B), .ADDRESS(4), .MARGIN(6)) candidates_fifo (
+  // Six masks may come after the enumerator has seen the FIFO full. //@ !fpga
+  // Eight masks may come after the enumerator has seen the FIFO full. //@ fpga
+  sepax_fifo #(.WIDTH(LANES + A + B), .ADDRESS(4), .MARGIN(@late@)) candidates_fifo (
     .clk(clk), .clear(clear), .push(push), .in({mask, mask_j, mask_base}), .free(free),
     .valid(more), .pop(pop), .out({next_mask, next_j, next_base})
   );
 
   sepax_priority priority_encoder (
     .clk(clk), .clear(clear), .more(more), .pop(pop), .next_mask(next_mask), .next_j(next_j),
+    .busy(encoding), //@ staged
     .next_base(next_base), .valid(candidate), .take(fetch), .a(fetch_a), .b(fetch_b)
   );
 
@@ -146,7 +156,11 @@ module sepax_engine_logic (
     .verdict_ready(verdict_ready), .verdict_info({verdict_outside, verdict_b, verdict_a})
   );
 
+  //@ if staged
+  assign drained = !running && !lanes_busy && !more && !encoding && !fetch_busy && !in_flight;
+  //@ else
   assign drained = !running && !lanes_busy && !more && !candidate && !fetch_busy && !in_flight;
+  //@ end
 
   sepax_results results (
     .clk(clk), .rst(rst), .start(start), .stop(stop), .first(first), .quiet(quiet),

@@ -1,5 +1,8 @@
 // The triangles of a pair from the memories, B's moved, and valid/ready to the cores. A pair of
 // which B does not fit the word any more is marked; its verdict does not count.
+//@ if fpga
+// What comes from block RAM waits a cycle more in registers.
+//@ end
 //@ if swaps
 // The thinnest side of A becomes z of both: a pair in a plane across an axis takes one pass.
 //@ end
@@ -35,23 +38,33 @@ module sepax_fetch (
   wire           enable_2 = !out_valid || out_ready; //@ each_cycle
   // A core's in_ready comes late; a pair in every other cycle is enough. //@ !each_cycle
   wire           enable_2 = !out_valid; //@ !each_cycle
-  wire           enable_1 = !valid_q || enable_2;
+  wire           enable_1 = !valid_q || enable_2; //@ !fpga
+  //@ if fpga
+  reg            valid_in_q;
+  reg  [@index_a@-1:0]   a_in_q;
+  reg  [@index_b@-1:0]   b_in_q;
+  reg  [9*W-1:0] read_a_in_q, read_b_in_q;
+  reg  [1:0]     thinnest_in_q; //@ swaps
+  wire           enable_in = !valid_in_q || enable_2;
+  wire           enable_1 = !valid_q || enable_in;
+  //@ end
 
   //@ if swaps
-  sepax_swap_axes #(.W(W)) axes_a (.thinnest(thinnest), .in(read_a), .out(next_a));
-  sepax_swap_axes #(.W(W)) axes_b (.thinnest(thinnest), .in(moved_b), .out(next_b));
+  sepax_swap_axes #(.W(W)) axes_a (.thinnest(thinnest@in@), .in(read_a@in@), .out(next_a));
+  sepax_swap_axes #(.W(W)) axes_b (.thinnest(thinnest@in@), .in(moved_b), .out(next_b));
   //@ else
-  assign next_a = read_a;
+  assign next_a = read_a@in@;
   assign next_b = moved_b;
   //@ end
 
   assign read = valid && enable_1;
-  assign busy = valid_q || out_valid;
+  assign busy = valid_q || out_valid; //@ !fpga
+  assign busy = valid_q || valid_in_q || out_valid; //@ fpga
 
   genvar k;
   generate
     for (k = 0; k < 9; k = k + 1) begin : coordinate
-      assign moved[k*V +: V] = {{2{read_b[k*W+W-1]}}, read_b[k*W +: W]} +
+      assign moved[k*V +: V] = {{2{read_b@in@[k*W+W-1]}}, read_b@in@[k*W +: W]} +
                                {move[(k%3)*(W+1)+W], move[(k%3)*(W+1) +: W+1]};
       assign moved_b[k*W +: W] = moved[k*V +: W];
       assign outside[k] = (moved[k*V+V-1] != moved[k*V+W-1]) ||
@@ -62,19 +75,32 @@ module sepax_fetch (
   always @(posedge clk) begin
     if (clear) begin
       {valid_q, out_valid} <= 2'd0;
+      valid_in_q <= 1'b0; //@ fpga
     end else begin
       if (enable_1) begin
         valid_q <= valid;
       end
-      out_valid <= enable_2 ? valid_q : !out_ready;
+      out_valid <= enable_2 ? valid@at@_q : !out_ready;
+      if (enable_in) begin //@ fpga
+        valid_in_q <= valid_q; //@ fpga
+      end //@ fpga
     end
     if (read) begin
       a_q <= a;
       b_q <= b;
     end
+    //@ if fpga
+    if (enable_in) begin
+      a_in_q <= a_q;
+      b_in_q <= b_q;
+      read_a_in_q <= read_a;
+      read_b_in_q <= read_b;
+      thinnest_in_q <= thinnest; //@ swaps
+    end
+    //@ end
     if (enable_2) begin
-      number_a <= a_q;
-      number_b <= b_q;
+      number_a <= a@at@_q;
+      number_b <= b@at@_q;
       out_a <= next_a;
       out_b <= next_b;
       out_outside <= |outside;

@@ -52,10 +52,29 @@ module sepax_load (
       assign vertex[k*W +: W] = tdata[32*k +: W];
       assign fits[k] = !(|tdata[32*k+W-1 +: 33-W]) || (&tdata[32*k+W-1 +: 33-W]); //@ narrow
       assign fits[k] = 1'b1; //@ !narrow
+      //@ if fpga
+      // The least and the greatest of two vertices, of three.
+      wire signed [W-1:0] x = vertex[k*W +: W];
+      wire signed [W-1:0] x_1 = vertex_1_q[k*W +: W];
+      reg  signed [W-1:0] low_2_q, high_2_q, low_q, high_q;
+      assign aabb[2*k*W +: W] = low_q;
+      assign aabb[(2*k+1)*W +: W] = high_q;
+      always @(posedge clk) begin
+        if (take && phase_q[1]) begin
+          low_2_q <= (x < x_1) ? x : x_1;
+          high_2_q <= (x < x_1) ? x_1 : x;
+        end
+        if (take && phase_q[2]) begin
+          low_q <= (x < low_2_q) ? x : low_2_q;
+          high_q <= (high_2_q < x) ? x : high_2_q;
+        end
+      end
+      //@ else
       sepax_bounds #(.W(W)) bounds (
         .x_1(triangle[k*W +: W]), .x_2(triangle[(3+k)*W +: W]), .x_3(triangle[(6+k)*W +: W]),
         .low(aabb[2*k*W +: W]), .high(aabb[(2*k+1)*W +: W])
       );
+      //@ end
       always @(posedge clk) begin //@ swaps
         sides_q[k*W +: W] <= aabb[(2*k+1)*W +: W] - aabb[2*k*W +: W]; //@ swaps
       end //@ swaps

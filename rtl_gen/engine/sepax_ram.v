@@ -12,6 +12,8 @@ module sepax_ram #(
   input  wire [ADDRESS-1:0] read_address,  // where
   output reg  [WIDTH-1:0]   read_data      // the word, from the next cycle on
 );
+  // No word is read while it is written. //@ fpga
+  (* no_rw_check *) //@ fpga
   reg [WIDTH-1:0] word_q [0:(1<<ADDRESS)-1];
 
   always @(posedge clk) begin

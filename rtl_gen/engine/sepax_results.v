@@ -49,7 +49,9 @@ module sepax_results (
   wire        found = counted && (collision || undecided);
   wire        warned = counted && warning && !collision && !undecided; //@ limits
   wire        warned = 1'b0; //@ !limits
-  wire        finish = busy && !ending_q && drained && free;
+  reg         found_q, undecided_q, warned_q; // to be counted //@ fpga
+  wire        finish = busy && !ending_q && drained && free; //@ !fpga
+  wire        finish = busy && !ending_q && drained && free && !found_q && !warned_q; //@ fpga
   wire [31:0] sent = collisions + warnings;
 
   assign ready = free;
@@ -75,6 +77,7 @@ module sepax_results (
                {5'd0, warned, undecided, coplanar && !undecided,
                 {(24-B){1'b0}}, b, {(32-A){1'b0}}, a};
     end
+    {found_q, undecided_q, warned_q} <= {found, undecided, warned} & {3{!rst}}; //@ fpga
     if (hit) begin
       first_a <= {{(32-A){1'b0}}, a};
       first_b <= {{(32-B){1'b0}}, b};
@@ -84,9 +87,9 @@ module sepax_results (
     end else begin
       pairs <= pairs + {25'd0, tested};
       candidates <= candidates + {31'd0, launched};
-      collisions <= collisions + {31'd0, found};
-      out_of_range <= out_of_range + {31'd0, found && undecided};
-      warnings <= warnings + {31'd0, warned};
+      collisions <= collisions + {31'd0, found@counted@};
+      out_of_range <= out_of_range + {31'd0, found@counted@ && undecided@counted@};
+      warnings <= warnings + {31'd0, warned@counted@};
       cycles <= cycles + {31'd0, busy && !(&cycles)};
     end
   end

@@ -21,11 +21,12 @@ void gen_tree(emitter *e, int entries) {
   emit_hole_set(&h, "data", "data_q");
   emit_hole_set(&h, "plural", c->cores > 1 ? "s" : "");
   emit_hole_set(&h, "verb", c->cores > 1 ? "" : "s");
-  emit_template(e, "sepax_ram", NULL);
-  emit_template(e, "sepax_fifo", NULL);
+  emit_template(e, "sepax_ram", (emit_hole[]){{"fpga", "0"}, {NULL}});
+  emit_template(e, "sepax_fifo", (emit_hole[]){{"fpga", "0"}, {NULL}});
   gen_tree_memory(e);
-  gen_tree_compare(e);
-  gen_turn_vertex(e, c->word);
+  const delay_model *m = delay_model_of(c->target);
+  gen_tree_compare(e, m);
+  gen_turn_vertex(e, m, c->word);
   gen_tree_walk(e);
   emit_template(e, "sepax_tree_engine", h.hole);
   for (size_t i = 0; i < sizeof around / sizeof around[0]; i++) {

@@ -3,42 +3,88 @@
 // what it has come to; the AXI4 port reads memory; collisions and the ends of poses leave over
 // AXI4-Stream. @cores@ exact core@plural@ of II = @ii@ judge@verb@ near pairs.
 module sepax_engine (
-  input  wire         clk,           // clock of everything
-  input  wire         rst,           // synchronous reset of control and buses, active high
+  (* X_INTERFACE_INFO = "xilinx.com:signal:clock:1.0 aclk CLK" *)
+  (* X_INTERFACE_PARAMETER = "ASSOCIATED_BUSIF s_axi:m_axi:m_axis, ASSOCIATED_RESET aresetn" *)
+  input  wire         aclk,          // clock of everything
+  (* X_INTERFACE_INFO = "xilinx.com:signal:reset:1.0 aresetn RST" *)
+  (* X_INTERFACE_PARAMETER = "POLARITY ACTIVE_LOW" *)
+  input  wire         aresetn,       // synchronous reset of control and buses, active low
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi AWVALID" *)
+  (* X_INTERFACE_PARAMETER = "PROTOCOL AXI4LITE" *)
   input  wire         s_axi_awvalid, // AXI4-Lite, registers: address to write
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi AWREADY" *)
   output wire         s_axi_awready, // taken in this cycle
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi AWADDR" *)
   input  wire [6:0]   s_axi_awaddr,  // sepax_registers.md
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi WVALID" *)
   input  wire         s_axi_wvalid,  // data to write
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi WREADY" *)
   output wire         s_axi_wready,  // taken in this cycle
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi WDATA" *)
   input  wire [31:0]  s_axi_wdata,   // data
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi WSTRB" *)
   input  wire [3:0]   s_axi_wstrb,   // byte strobes, all 1
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi BVALID" *)
   output wire         s_axi_bvalid,  // response to a write
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi BREADY" *)
   input  wire         s_axi_bready,  // taken in this cycle
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi BRESP" *)
   output wire [1:0]   s_axi_bresp,   // 0: OKAY, 2: SLVERR
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi ARVALID" *)
   input  wire         s_axi_arvalid, // address to read
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi ARREADY" *)
   output wire         s_axi_arready, // taken in this cycle
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi ARADDR" *)
   input  wire [6:0]   s_axi_araddr,  // sepax_registers.md
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi RVALID" *)
   output wire         s_axi_rvalid,  // data that were read
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi RREADY" *)
   input  wire         s_axi_rready,  // taken in this cycle
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi RDATA" *)
   output wire [31:0]  s_axi_rdata,   // data
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi RRESP" *)
   output wire [1:0]   s_axi_rresp,   // 0: OKAY, 2: SLVERR
-  output wire         m_axi_arvalid, // AXI4, memory, read only: ARSIZE 4, ARBURST INCR, one ID
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi ARVALID" *)
+  (* X_INTERFACE_PARAMETER = "PROTOCOL AXI4, READ_WRITE_MODE READ_ONLY" *)
+  output wire         m_axi_arvalid, // AXI4, memory, read only, one ID
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi ARREADY" *)
   input  wire         m_axi_arready, // taken in this cycle
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi ARADDR" *)
   output wire [39:0]  m_axi_araddr,  // byte address, a multiple of 16
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi ARLEN" *)
   output wire [7:0]   m_axi_arlen,   // beats less 1, 0 ... 15; never across 4 KB
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi ARSIZE" *)
+  output wire [2:0]   m_axi_arsize,  // 16 bytes a beat: 4
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi ARBURST" *)
+  output wire [1:0]   m_axi_arburst, // INCR: 1
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi RVALID" *)
   input  wire         m_axi_rvalid,  // a beat
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi RREADY" *)
   output wire         m_axi_rready,  // taken in this cycle
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi RDATA" *)
   input  wire [127:0] m_axi_rdata,   // data
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi RRESP" *)
   input  wire [1:0]   m_axi_rresp,   // not 0: error
+  (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi RLAST" *)
   input  wire         m_axi_rlast,   // last of its burst
+  (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TVALID" *)
   output wire         m_axis_tvalid, // AXI4-Stream, results: a pair, or the end of a pose
+  (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TREADY" *)
   input  wire         m_axis_tready, // taken in this cycle
+  (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TDATA" *)
   output wire [63:0]  m_axis_tdata,  // docs/tree.md, Results
+  (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TLAST" *)
   output wire         m_axis_tlast,  // end of a pose
+  (* X_INTERFACE_INFO = "xilinx.com:signal:interrupt:1.0 irq INTERRUPT" *)
+  (* X_INTERFACE_PARAMETER = "SENSITIVITY LEVEL_HIGH" *)
   output wire         irq            // interrupt, level: PENDING and ENABLE
 );
   localparam W = @word@;       // bits of a coordinate
   localparam ADDRESS = 40; // of a byte address
+  wire rst = !aresetn;
+
+  assign m_axi_arsize = 3'd4;
+  assign m_axi_arburst = 2'b01;
 
   // Registers; the batch.
   wire start, stop, busy, done, send, send_busy, last, hit;
@@ -47,7 +93,7 @@ module sepax_engine (
   wire [5:0]  status, all_status;
 
   sepax_registers registers (
-    .clk(clk), .rst(rst), .awvalid(s_axi_awvalid), .awready(s_axi_awready), .awaddr(s_axi_awaddr),
+    .clk(aclk), .rst(rst), .awvalid(s_axi_awvalid), .awready(s_axi_awready), .awaddr(s_axi_awaddr),
     .wvalid(s_axi_wvalid), .wready(s_axi_wready), .wdata(s_axi_wdata), .wstrb(s_axi_wstrb),
     .bvalid(s_axi_bvalid), .bready(s_axi_bready), .bresp(s_axi_bresp), .arvalid(s_axi_arvalid),
     .arready(s_axi_arready), .araddr(s_axi_araddr), .rvalid(s_axi_rvalid), .rready(s_axi_rready),
@@ -58,7 +104,7 @@ module sepax_engine (
   );
 
   sepax_tree_counts counts (
-    .clk(clk), .rst(rst), .start(start), .busy(busy), .ended(send), .status(status), .job(job),
+    .clk(aclk), .rst(rst), .start(start), .busy(busy), .ended(send), .status(status), .job(job),
     .pose(pose), .all(all_status), .poses(poses_done), .hits(hits), .hit_job(hit_job),
     .hit_pose(hit_pose), .cycles(batch_cycles)
   );
@@ -84,7 +130,7 @@ module sepax_engine (
   wire [23:0]         first_b;
 
   sepax_tree_jobs #(.ADDRESS(ADDRESS)) control (
-    .clk(clk), .rst(rst), .start(start), .stop(stop), .list(list), .jobs(jobs), .busy(busy),
+    .clk(aclk), .rst(rst), .start(start), .stop(stop), .list(list), .jobs(jobs), .busy(busy),
     .done(done), .job(job), .pose(pose), .ask(ask), .ask_address(ask_address),
     .ask_beats(ask_beats), .fetch_busy(fetch_busy), .fetch_error(fetch_error), .read(read),
     .read_beat(read_beat), .clear(clear), .load_job(load_job), .load_pose(load_pose), .beat(beat),
@@ -99,7 +145,7 @@ module sepax_engine (
   );
 
   sepax_tree_job #(.ADDRESS(ADDRESS)) of_job (
-    .clk(clk), .clear(clear), .load(load_job), .beat(beat), .data(read_data), .bad(bad_job),
+    .clk(aclk), .clear(clear), .load(load_job), .beat(beat), .data(read_data), .bad(bad_job),
     .base_a(base_a), .nodes_a(nodes_a), .triangles_a(triangles_a), .beats_a(beats_a),
     .base_b(base_b), .nodes_b(nodes_b), .triangles_b(triangles_b), .beats_b(beats_b),
     .poses(poses), .count(count), .modes(modes), .budget(budget), .row_a(job_row_a),
@@ -107,7 +153,7 @@ module sepax_engine (
   );
 
   sepax_tree_pose of_pose (
-    .clk(clk), .clear(clear), .load(load_pose), .beat(beat), .data(read_data), .bad(bad_pose),
+    .clk(aclk), .clear(clear), .load(load_pose), .beat(beat), .data(read_data), .bad(bad_pose),
     .matrix_m(matrix_m), .matrix_k(matrix_k), .shift_t(shift_t), .shift_u(shift_u),
     .sigma_a(sigma_a), .sigma_b(sigma_b)
   );
@@ -126,7 +172,7 @@ module sepax_engine (
   sepax_tree_engine #(
     .W(W), .MARGIN(@margin@), .FLIGHT(@flight_log2@), .ADDRESS(ADDRESS)
   ) engine (
-    .clk(clk), .rst(rst), .start(run_start), .stop(run_stop), .cold(run_cold), .idle(run_idle),
+    .clk(aclk), .rst(rst), .start(run_start), .stop(run_stop), .cold(run_cold), .idle(run_idle),
     .done(run_done), .hit(hit), .first(modes[0]), .quiet(modes[1]),
     .budget((|budget) ? budget : 32'hffffffff), .base_a(base_a), .nodes_a(nodes_a),
     .triangles_a(triangles_a), .beats_a(beats_a), .base_b(base_b), .nodes_b(nodes_b),
@@ -151,7 +197,7 @@ module sepax_engine (
 
   assign warning = 1'b0; //@ !limits
   sepax_cores cores (
-    .clk(clk), .rst(rst), .pair_valid(pair_valid), .pair_ready(pair_ready), .pair_a(pair_a),
+    .clk(aclk), .rst(rst), .pair_valid(pair_valid), .pair_ready(pair_ready), .pair_a(pair_a),
     .pair_b(pair_b), .pair_info(pair_outside), .in_flight(in_flight),
     .warning(warning), //@ limits
     .collision(collision), .coplanar(coplanar), .verdict_valid(verdict_valid),
@@ -159,7 +205,7 @@ module sepax_engine (
   );
 
   sepax_tree_fetch #(.ADDRESS(ADDRESS)) fetch (
-    .clk(clk), .rst(rst), .ask(ask), .ask_address(ask_address), .ask_beats(ask_beats),
+    .clk(aclk), .rst(rst), .ask(ask), .ask_address(ask_address), .ask_beats(ask_beats),
     .busy(fetch_busy), .error(fetch_error), .read(read), .read_beat(read_beat),
     .read_data(read_data), .engine_arvalid(engine_arvalid), .engine_arready(engine_arready),
     .engine_araddr(engine_araddr), .engine_arlen(engine_arlen), .engine_rvalid(engine_rvalid),
@@ -169,7 +215,7 @@ module sepax_engine (
   );
 
   sepax_tree_results results (
-    .clk(clk), .rst(rst), .valid(result_valid), .ready(result_ready), .a(result_a), .b(result_b),
+    .clk(aclk), .rst(rst), .valid(result_valid), .ready(result_ready), .a(result_a), .b(result_b),
     .coplanar(result_coplanar), .outside(result_outside), .warning(result_warning), .send(send),
     .status({last, status}), .busy(send_busy), .job(job), .pose(pose), .steps(steps),
     .cycles(cycles), .near(near), .collisions(collisions), .warnings(warnings),

@@ -32,7 +32,8 @@ module sepax_fifo #(
       free <= 1'b1;
     end else begin
       count_q <= next_count;
-      free <= next_count <= FULLEST[ADDRESS:0];
+      free <= next_count <= FULLEST[ADDRESS:0]; //@ !fpga
+      free <= count_q < FULLEST[ADDRESS:0]; // a cycle late, and so one word early //@ fpga
       if (push) begin
         tail_q <= tail_q + ONE[ADDRESS-1:0];
       end

@@ -1,6 +1,10 @@
-// cosim.cpp - drives a verilated sepax_top with pairs and checks each verdict against the golden
+// cosim.cpp - drives a verilated top with pairs and checks each verdict against the golden
 // model of the same configuration, and its cycle against the architecture's rule.
+#ifdef SEPAX_GATES
+#include "lanes.h"
+#else
 #include "driver.h"
+#endif
 
 #include <algorithm>
 
@@ -21,6 +25,7 @@ enum {
   KEY_WAVE,
   KEY_FAMILY,
   KEY_TERNARY,
+  KEY_SAMPLE,
   KEY_BITS,
   KEY_CORNERS,
   KEY_WITHIN,
@@ -30,7 +35,9 @@ enum {
 
 const argp_option options_table[] = {
     {"pairs", 'p', "FILE", 0, "judge the pairs of this file (- : standard input)", 0},
-    {"count", 'n', "PAIRS", 0, "judge so many pairs of the hard families or of ternary (100000)",
+    {"count", 'n', "PAIRS", 0,
+     "judge so many pairs of the hard families, of ternary or sample"
+     " (100000)",
      0},
     {"seed", 's', "SEED", 0, "seed of those pairs (1)", 0},
     {"family", KEY_FAMILY, "NAME", 0, "of one family only", 0},
@@ -42,6 +49,7 @@ const argp_option options_table[] = {
 #endif
     {"ternary", KEY_TERNARY, "FIRST", 0,
      "judge pairs from this on of the 3^18 with coordinates -1, 0, 1", 0},
+    {"sample", KEY_SAMPLE, nullptr, 0, "judge COUNT of those 3^18, spread over all", 0},
     {"bits", KEY_BITS, nullptr, 0, "judge the 2^18 pairs with coordinates 0, 1", 0},
     {"stress", KEY_STRESS, "SEED", 0,
      "gaps, blocked verdicts (where there is out_ready) and resets at random", 0},
@@ -50,7 +58,8 @@ const argp_option options_table[] = {
 
 void choose_source(Options *o, argp_state *state, int key, char *text) {
   if (o->source != 0 && (o->source != key || key != KEY_MESHES)) {
-    argp_error(state, "give pairs, meshes, a family, corners, ternary or bits, not several");
+    argp_error(state,
+               "give pairs, meshes, a family, corners, ternary, sample or bits, not several");
   }
   o->source = key;
   o->text = text;
@@ -82,6 +91,7 @@ error_t parse(int key, char *text, argp_state *state) {
   case KEY_CORNERS:
   case KEY_WITHIN:
   case KEY_BEYOND:
+  case KEY_SAMPLE:
   case KEY_BITS:
     choose_source(o, state, key, text);
     return 0;
@@ -108,6 +118,8 @@ Source open_source(const Options &o) {
     return file_source(o.text);
   case KEY_TERNARY:
     return ternary_source(o.first, std::min(o.count, TERNARY_PAIRS - o.first));
+  case KEY_SAMPLE:
+    return sample_source(std::min(o.count, TERNARY_PAIRS));
   case KEY_BITS:
     return bits_source();
   case KEY_CORNERS:
@@ -154,7 +166,7 @@ int report(const Driver &driver, uint64_t sent, double seconds) {
     std::fprintf(stderr, "cosim: no pairs were given; that is no test\n");
     return EXIT_ERROR;
   }
-  if (driver.judged + driver.dropped != sent) {
+  if (driver.judged + driver.dropped != sent + driver.damaged) {
     std::fprintf(stderr, "cosim: %llu pairs sent, %llu judged\n", (unsigned long long)sent,
                  (unsigned long long)driver.judged);
     return 1;

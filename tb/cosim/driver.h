@@ -1,4 +1,4 @@
-// driver.h - drives a verilated sepax_top with pairs and compares its verdicts, in the order of the
+// driver.h - drives a verilated top with pairs and compares its verdicts, in the order of the
 // pairs, with the golden model's.
 #ifndef SEPAX_DRIVER_H
 #define SEPAX_DRIVER_H
@@ -17,41 +17,29 @@ class Driver {
 public:
   Driver(const char *wave, uint64_t stress, const sepax_design &design)
       : design(design), stress(stress), random{stress}, top(wave, stress) {
-    top->rst = 1;
-    top->in_valid = 0;
+    set_reset(*top, true);
+    set_in_valid(*top, false);
     set_out_ready(*top, true);
     top.settle();
     top.rise();
     top.settle();
     top.rise();
-    top->rst = 0;
+    set_reset(*top, false);
     until_reset = next_reset();
   }
 
   bool too_many() const { return mismatches >= MISMATCHES_SHOWN || hung; }
 
-  // Offer the words of the pair until they are taken; false when the design hangs.
+  // Offer the words of the pair until they are taken; under stress a stream has, before some, the
+  // pair with a fault. False when the design hangs.
   bool send(uint64_t index, const sepax_pair &pair) {
-    Outstanding e{index, 0, false, sepax_judge(&design, &pair), pair};
-    for (int word = 0; word < INPUT_WORDS && !hung;) {
-      if (reset_by_chance()) {
-        word = 0;
+    while (STREAMED && stress != 0 && draw() % 16 == 0) {
+      damaged++;
+      if (!offer(index, pair, faulty())) {
+        return false;
       }
-      word += step(&pair, word);
     }
-    if (hung) {
-      return false;
-    }
-    e.cycle = cycle - (INPUT_WORDS - 1);
-    e.alone = idle >= SETTLE;
-    if (scoreboard.full()) {
-      hang("more pairs were taken than the design can hold");
-    }
-    scoreboard.push(e);
-    if (stress == 0) {
-      pace(e);
-    }
-    return true;
+    return offer(index, pair, travel());
   }
 
   void drain() {
@@ -66,12 +54,12 @@ public:
       std::fprintf(stderr, "cosim: time-out: %" PRIu64 " verdicts never came\n", scoreboard.size());
       mismatches += scoreboard.size();
     }
-    uint64_t allowed = streamed == 0 ? 0 : (streamed - 1) * SEPAX_II + SEPAX_LATENCY;
+    uint64_t allowed = streamed == 0 ? 0 : (streamed - 1) * PACE + SEPAX_LATENCY;
     if ((coplanar == 0 || !SECOND_PASS) && !hung && last_taken - first_taken > allowed) {
       std::fprintf(stderr,
                    "cosim: %" PRIu64 " cycles from the first to the last of %" PRIu64 " pairs; "
                    "II = %d allows %" PRIu64 "\n",
-                   (last_taken - first_taken), streamed, SEPAX_II, allowed);
+                   (last_taken - first_taken), streamed, (int)PACE, allowed);
       mismatches++;
     }
   }
@@ -91,6 +79,9 @@ public:
     std::printf("bands free, warning, collision: %" PRIu64 " %" PRIu64 " %" PRIu64 "\n", bands[0],
                 bands[1], bands[2]);
 #endif
+    if (damaged > 0) {
+      std::printf("%" PRIu64 " of them with a coordinate beyond the word, or cut short\n", damaged);
+    }
     std::printf("latency %d: %" PRIu64 " pairs that did not wait; ", SEPAX_LATENCY, latencies);
     if (stress != 0) {
       std::printf("random gaps%s, %" PRIu64 " resets, %" PRIu64 " pairs dropped by them\n",
@@ -108,6 +99,8 @@ public:
   }
 
   uint64_t mismatches = 0, judged = 0, dropped = 0;
+
+  uint64_t damaged = 0; // pairs with a fault
 
 private:
 #ifdef SEPAX_CONFERENCE
@@ -129,11 +122,13 @@ private:
 #else
   static constexpr bool SECOND_PASS = true;
 #endif
+  // Cycles between pairs of a full stream.
+  static constexpr uint64_t PACE = SEPAX_II > INPUT_WORDS ? SEPAX_II : INPUT_WORDS;
   // Without stress the first pairs go alone, until so many latencies were seen.
   static constexpr uint64_t ALONE_LATENCIES = 3, ALONE_PAIRS = 32;
-  // A pair is alone after so many idle cycles. Behind an AABB test a pair may be taken
-  // before the II window of the core, empty by then, ends.
-#ifdef SEPAX_BOXES
+  // A pair is alone after so many idle cycles. Behind an AABB test or a skid buffer a pair may be
+  // taken before the II window of the core, empty by then, ends.
+#if defined SEPAX_BOXES || defined SEPAX_STREAM
   static constexpr uint64_t SETTLE = 1 + 2 * SEPAX_II;
 #else
   static constexpr uint64_t SETTLE = 1;
@@ -141,12 +136,42 @@ private:
   // Cycles of waiting, out_ready high, with no transfer on either side.
   static constexpr uint64_t PATIENCE = 2000 + 64 * (SEPAX_LATENCY + SEPAX_II);
 
+  bool offer(uint64_t index, const sepax_pair &pair, const Travel &t) {
+    Outstanding e{index, 0, false, sepax_judge(&design, &pair), pair, t};
+    if (!t.whole()) {
+      e.verdict = {};
+      e.verdict.collision = true;
+      e.verdict.axis = SEPAX_AXIS_EXTENT;
+      e.verdict.band = design.limits > 0 ? SEPAX_BAND_COLLISION : SEPAX_BAND_FREE;
+    }
+    const int words = t.cut > 0 ? t.cut : INPUT_WORDS;
+    for (int word = 0; word < words && !hung;) {
+      if (reset_by_chance()) {
+        word = 0;
+      }
+      word += step(&e, word);
+    }
+    if (hung) {
+      return false;
+    }
+    e.cycle = cycle - (HANDSHAKE ? 0 : INPUT_WORDS - 1);
+    e.alone = idle >= SETTLE;
+    if (scoreboard.full()) {
+      hang("more pairs were taken than the design can hold");
+    }
+    scoreboard.push(e);
+    if (stress == 0) {
+      pace(e);
+    }
+    return true;
+  }
+
   // One clock cycle, under stress perhaps a gap, with anything on the data inputs, or a block;
   // true if the word is taken.
-  bool step(const sepax_pair *pair, int word) {
-    bool offer = (stress == 0 || next(&offering)) && pair != nullptr;
+  bool step(const Outstanding *e, int word) {
+    bool offer = (stress == 0 || next(&offering)) && e != nullptr;
     if (offer) {
-      drive(*top, *pair, word);
+      drive(*top, e->pair, word, e->travel);
     } else if (stress != 0) {
       drive_noise();
     }
@@ -154,7 +179,7 @@ private:
   }
 
   bool tick(bool offer, bool ready) {
-    top->in_valid = offer;
+    set_in_valid(*top, offer);
     set_out_ready(*top, ready);
     cycle++;
     top.settle();
@@ -164,7 +189,7 @@ private:
     bool was_empty = scoreboard.empty();
     idle = was_empty ? idle + 1 : 0;
     bool take = offer && in_ready(*top);
-    bool give = top->out_valid && ready;
+    bool give = shown(*top).valid && ready;
     look(ready);
     top.rise();
     if (!ready) {
@@ -206,7 +231,7 @@ private:
   }
 
   void judge(const Outstanding &e, const Verdict &now) {
-    const Verdict want = expected(e.verdict);
+    const Verdict want = expected(e.verdict, e.travel);
     judged++;
     collisions += e.verdict.collision;
     coplanar += e.verdict.coplanar;
@@ -217,7 +242,7 @@ private:
       complain(&e, "expected " + text(want) + "; got " + text(now));
     }
     // Never earlier; not later where nothing was in the way.
-    if (!e.verdict.coplanar || !SECOND_PASS) {
+    if ((!e.verdict.coplanar || !SECOND_PASS) && e.travel.whole()) {
       uint64_t took = cycle - e.cycle + 1;
       bool free = !HANDSHAKE || (e.alone && blocked < e.cycle);
       latencies += free;
@@ -296,12 +321,34 @@ private:
     return draw() % 8 < s->eighths;
   }
 
+  // A tag of many values, and now and then TLAST.
+  Travel travel() {
+    Travel t;
+#ifdef SEPAX_STREAM
+    t.tag = (draw() << 32 ^ draw()) & TAG_MASK;
+    t.last = draw() % 4 == 0;
+#endif
+    return t;
+  }
+
+  // The same, with a coordinate beyond the word or cut short, where there can be.
+  Travel faulty() {
+    Travel t = travel();
+    if (INPUT_WORDS > 1 && (SEPAX_WORD == 32 || draw() % 2 == 0)) {
+      t.cut = 1 + (int)(draw() % (uint64_t)(INPUT_WORDS - 1));
+      t.last = true;
+    } else if (SEPAX_WORD < 32) {
+      t.outside = 1 + (uint32_t)(draw() % 100000);
+    }
+    return t;
+  }
+
   void drive_noise() {
     sepax_pair noise;
     for (int k = 0; k < 24; k++) {
       coordinate(noise, k) = (int32_t)(uint32_t)draw();
     }
-    drive(*top, noise, 0);
+    drive(*top, noise, 0, travel());
   }
 
   // A few cycles or many thousand.
@@ -317,16 +364,16 @@ private:
       return false;
     }
     until_reset = next_reset();
-    top->rst = 1;
+    set_reset(*top, true);
     do {
       drive_noise();
-      top->in_valid = draw() % 2;
+      set_in_valid(*top, draw() % 2 != 0);
       set_out_ready(*top, draw() % 2 != 0);
       cycle++;
       top.settle();
       top.rise();
     } while (draw() % 3 == 0);
-    top->rst = 0;
+    set_reset(*top, false);
     resets++;
     dropped += scoreboard.size();
     scoreboard.clear();
@@ -338,12 +385,12 @@ private:
   void check_independence(bool offer, bool ready) {
     bool was_ready = in_ready(*top);
     Verdict before = shown(*top);
-    top->in_valid = !offer;
+    set_in_valid(*top, !offer);
     top->eval();
     if (in_ready(*top) != was_ready) {
       complain(nullptr, "in_ready depends on in_valid of the same cycle");
     }
-    top->in_valid = offer;
+    set_in_valid(*top, offer);
     set_out_ready(*top, !ready);
     top->eval();
     if (shown(*top) != before) {
@@ -356,7 +403,7 @@ private:
   const sepax_design &design;
   uint64_t stress;
   sepax_random random;
-  VerilatedTop<Vsepax_top> top;
+  VerilatedTop<Top> top;
   Scoreboard scoreboard;
   bool hung = false;
   Stretch offering{0, 0}, accepting{0, 0};

@@ -6,7 +6,9 @@
 #include "sepax_params.h"
 #include "sepax_vectors.h"
 
+#include <cstdio>
 #include <cstdlib>
+#include <cstdio>
 #include <cstring>
 #include <functional>
 
@@ -106,6 +108,14 @@ constexpr uint64_t TERNARY_PAIRS = 387420489; // 3^18
 // Pairs first ... first + count - 1 of those with coordinates -1, 0, 1.
 inline Source ternary_source(uint64_t first, uint64_t count) {
   return counted(count, [=](uint64_t n) { return pair_of_digits(first + n, {-1, 0, 1}); });
+}
+
+// So many of them, each once, spread over all: the step has no factor 3, and is the golden section.
+inline Source sample_source(uint64_t count) {
+  constexpr uint64_t STEP = 239439031;
+  return counted(count, [](uint64_t n) {
+    return pair_of_digits(n * STEP % TERNARY_PAIRS, {-1, 0, 1});
+  });
 }
 
 inline Source bits_source() {

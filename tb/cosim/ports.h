@@ -1,37 +1,71 @@
-// ports.h - the ports of a verilated sepax_top under the same names for every architecture. A pair
-// is one input word with valid/ready on both sides (exact), or three without waiting (paper,
-// conference).
+// ports.h - the ports of a verilated top under the same names for every architecture. A pair
+// is one input word with valid/ready on both sides (exact), some of AXI4-Stream (stream_ports.h),
+// or three without waiting (paper, conference).
 #ifndef SEPAX_PORTS_H
 #define SEPAX_PORTS_H
 
-#include "Vsepax_top.h"
 #include "pair_source.h"
+#include "sepax_params.h"
+
+// What goes with a pair of AXI4-Stream: its tag, TLAST; and what is wrong with the pair: a
+// coordinate beyond the word, `outside` says which and how; or TLAST comes behind its first `cut`
+// words. Other designs have nothing of it.
+struct Travel {
+  uint64_t tag = 0;
+  bool last = false;
+  uint32_t outside = 0;
+  int cut = 0;
+  bool whole() const { return outside == 0 && cut == 0; }
+};
 
 // What the outputs show.
 struct Verdict {
   bool valid, collision, coplanar, out_of_range;
   int axis, band;
+  bool partial = false; // of AXI4-Stream, as tag and last
+  uint64_t tag = 0;
+  bool last = false;
   bool operator!=(const Verdict &v) const {
     return valid != v.valid || collision != v.collision || coplanar != v.coplanar ||
-           out_of_range != v.out_of_range || axis != v.axis || band != v.band;
+           out_of_range != v.out_of_range || axis != v.axis || band != v.band ||
+           partial != v.partial || tag != v.tag || last != v.last;
   }
 };
 
+inline Verdict expected(const sepax_verdict &v, const Travel &t) {
+  Verdict want{
+      true,       v.collision, v.coplanar, v.axis == SEPAX_AXIS_EXTENT, SEPAX_EXACT ? v.axis : 0,
+      (int)v.band};
+  want.partial = t.cut > 0;
+  want.tag = t.tag;
+  want.last = t.last;
+  return want;
+}
+
+#ifdef SEPAX_STREAM
+#include "stream_ports.h"
+#else
+#include "Vsepax_top.h"
+using Top = Vsepax_top;
+
+inline void set_reset(Top &top, bool on) { top.rst = on; }
+inline void set_in_valid(Top &top, bool valid) { top.in_valid = valid; }
+constexpr bool STREAMED = false;
 #if SEPAX_EXACT
 constexpr bool HANDSHAKE = true;
 constexpr int INPUT_WORDS = 1;
-inline bool in_ready(const Vsepax_top &top) { return top.in_ready != 0; }
-inline void set_out_ready(Vsepax_top &top, bool ready) { top.out_ready = ready; }
-inline int shown_axis(const Vsepax_top &top) { return (int)top.out_axis; }
+inline bool in_ready(const Top &top) { return top.in_ready != 0; }
+inline void set_out_ready(Top &top, bool ready) { top.out_ready = ready; }
+inline int shown_axis(const Top &top) { return (int)top.out_axis; }
 #else
 constexpr bool HANDSHAKE = false;
 constexpr int INPUT_WORDS = 3;
-inline bool in_ready(const Vsepax_top &) { return true; }
-inline void set_out_ready(Vsepax_top &, bool) {}
-inline int shown_axis(const Vsepax_top &) { return 0; }
+inline bool in_ready(const Top &) { return true; }
+inline void set_out_ready(Top &, bool) {}
+inline int shown_axis(const Top &) { return 0; }
 #endif
 
-inline Verdict shown(const Vsepax_top &top) {
+inline Verdict shown(const Top &top) {
   Verdict v{
       top.out_valid != 0, top.out_collision != 0, top.out_coplanar != 0, false, shown_axis(top), 0};
 #ifdef SEPAX_EXTENT_A
@@ -43,13 +77,8 @@ inline Verdict shown(const Vsepax_top &top) {
   return v;
 }
 
-inline Verdict expected(const sepax_verdict &v) {
-  return {true,       v.collision, v.coplanar, v.axis == SEPAX_AXIS_EXTENT, HANDSHAKE ? v.axis : 0,
-          (int)v.band};
-}
-
 // Word `word` of the pair on the inputs.
-inline void drive(Vsepax_top &top, const sepax_pair &pair, int word) {
+inline void drive(Top &top, const sepax_pair &pair, int word, const Travel &) {
 #if SEPAX_EXACT
   decltype(&top.in_a1_x) const port[] = {
       &top.in_a1_x, &top.in_a1_y, &top.in_a1_z, &top.in_a2_x, &top.in_a2_y, &top.in_a2_z,
@@ -66,5 +95,7 @@ inline void drive(Vsepax_top &top, const sepax_pair &pair, int word) {
     i++;
   }
 }
+
+#endif
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef SEPAX_SCOREBOARD_H
 #define SEPAX_SCOREBOARD_H
 
+#include "ports.h"
 #include "sepax_design.h"
 #include "sepax_params.h"
 
@@ -10,6 +11,7 @@ struct Outstanding {
   bool alone;            // the core was empty
   sepax_verdict verdict;
   sepax_pair pair;
+  Travel travel;
 };
 
 class Scoreboard {

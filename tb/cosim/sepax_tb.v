@@ -1,7 +1,8 @@
-// sepax_tb.v - self-checking test bench of sepax_top for Icarus Verilog, of any architecture.
+// sepax_tb.v - self-checking test bench of sepax_top, of any architecture, for Icarus Verilog, and
+// for Verilator from version 5 on.
 //
 // +pairs=FILE  lines of 24 integers and what is expected (sepax judge --echo): collision and
-//              coplanar; of exact also axis, and band with a clearance
+//              coplanar; of exact also axis, and band with a clearance (pairs.txt)
 // +stall=SEED  in_valid and out_ready at random
 // +isolated=1  from the second pair on all are coplanar: check that the operands of axes 7 ... 9
 //              and what depends on them are isolated: they do not toggle (not for netlists); of
@@ -76,18 +77,18 @@ module sepax_tb;
 
   reg [8*1024-1:0] path;
   integer file, fields, cycle, sent, judged, mismatches, waited, blocked, idle, took;
-  integer stall, most, isolated, seed, offering, offered, accepting, accepted, i, word;
+  integer stall, most, isolated, seed, offering, offered, accepting, accepted, i, word, value;
   integer number [0:27];
   reg [7:0] expected [0:QUEUE-1]; // band, collision, coplanar, axis
   reg alone [0:QUEUE-1];
   integer taken_in [0:QUEUE-1];   // the cycle, as if a pair's words came without gaps
   reg taken, was_empty, was_blocked, not_isolated;
-  reg [7:0] shown, before;
+  reg [7:0] shown, shown_before;
 
   task mismatch(input [8*48-1:0] what);
     begin
       mismatches = mismatches + 1;
-      $display("icarus: pair %0d, cycle %0d: %0s (valid %b, collision %b, coplanar %b, axis %0d)",
+      $display("sepax_tb: pair %0d, cycle %0d: %0s (valid %b, collision %b, coplanar %b, axis %0d)",
                judged, cycle, what, out_valid, out_collision, out_coplanar, out_axis);
       if (mismatches == most) begin
         $stop;
@@ -122,7 +123,7 @@ module sepax_tb;
     begin
       shown = {out_band, out_collision, out_coplanar, out_axis};
       took = cycle - taken_in[judged % QUEUE] + 1;
-      if (was_blocked && (out_valid !== 1'b1 || shown !== before)) begin
+      if (was_blocked && (out_valid !== 1'b1 || shown !== shown_before)) begin
         mismatch("a verdict moves while it is blocked");
       end
       was_blocked = 1'b0;
@@ -143,7 +144,7 @@ module sepax_tb;
         judge_verdict(expected[judged % QUEUE]);
       end else begin
         was_blocked = 1'b1;
-        before = shown;
+        shown_before = shown;
       end
     end
   endtask
@@ -201,25 +202,30 @@ module sepax_tb;
     end
   endtask
 
+  // 0 ... below - 1, below <= 2^16, the same in each simulator.
   function integer draw(input integer below);
-    draw = $unsigned($random(seed)) % below;
+    begin
+      seed = 1664525 * seed + 1013904223;
+      draw = {16'd0, seed[31:16]} % below;
+    end
   endfunction
 
   // Word `word` of the pair, or anything when it is not offered.
   task drive;
     for (i = 0; i < 18; i = i + 1) begin
-      in[i] = !in_valid ? $random(seed)
-              : EXACT   ? number[i]
-              : i < 6   ? number[9 * (i / 3) + 3 * word + i % 3]
-                        : number[18 + 3 * (i % 2) + word];
+      value = !in_valid    ? draw(65536) ^ (draw(65536) << 16)
+              : EXACT != 0 ? number[i]
+              : i < 6      ? number[9 * (i / 3) + 3 * word + i % 3]
+                           : number[18 + 3 * (i % 2) + word];
+      in[i] = value[WORD-1:0];
     end
   endtask
 
   task send_pair;
     begin
-      for (word = 0; word < WORDS; word = word + taken) begin
+      for (word = 0; word < WORDS; word = word + (taken ? 1 : 0)) begin
         in_valid = 1'b1;
-        if (stall) begin
+        if (stall != 0) begin
           draw_stalls;
         end
         tick;
@@ -239,7 +245,7 @@ module sepax_tb;
   task empty_core;
     begin
       while (judged < sent) begin
-        if (stall) begin
+        if (stall != 0) begin
           draw_stalls;
         end
         in_valid = 1'b0;
@@ -253,7 +259,7 @@ module sepax_tb;
     begin
       fields = 0;
       for (i = 0; i < FIELDS; i = i + 1) begin
-        fields = fields + ($fscanf(file, "%d", number[i]) == 1);
+        fields = fields + ($fscanf(file, "%d", number[i]) == 1 ? 1 : 0);
       end
     end
   endtask
@@ -269,12 +275,11 @@ module sepax_tb;
     end
     isolated = $test$plusargs("isolated=1");
     if (!$value$plusargs("pairs=%s", path)) begin
-      $display("icarus: give +pairs=FILE");
-      $stop;
+      path = "pairs.txt";
     end
     file = $fopen(path, "r");
     if (file == 0) begin
-      $display("icarus: %0s: cannot be read", path);
+      $display("sepax_tb: %0s: cannot be read", path);
       $stop;
     end
     repeat (3) @(negedge clk);
@@ -293,7 +298,7 @@ module sepax_tb;
     empty_core;
     out_ready = 1'b1;
     repeat (4 * (LATENCY + II)) tick; // a verdict too many is seen here
-    $display("icarus: %0d pairs, %0d mismatches", judged, mismatches);
+    $display("sepax_tb: %0d pairs, %0d mismatches", judged, mismatches);
     if (sent == 0 || judged != sent || mismatches != 0) begin
       $stop;
     end

@@ -10,6 +10,14 @@
 #include <cstdint>
 #include <memory>
 
+// Its clock: aclk of a top with buses, clk of a core.
+template <typename Module> auto clock_of(Module &module, int) -> decltype((module.aclk)) {
+  return module.aclk;
+}
+template <typename Module> auto clock_of(Module &module, long) -> decltype((module.clk)) {
+  return module.clk;
+}
+
 template <typename Module> class VerilatedTop {
 public:
   // wave: the FST file to write, or nullptr.
@@ -27,7 +35,7 @@ public:
 #else
     (void)wave;
 #endif
-    module->clk = 0;
+    clock_of(*module, 0) = 0;
   }
   VerilatedTop(const VerilatedTop &) = delete;
   VerilatedTop &operator=(const VerilatedTop &) = delete;
@@ -55,10 +63,10 @@ public:
 
   // The second half, which begins with the rising edge.
   void rise() {
-    module->clk = 1;
+    clock_of(*module, 0) = 1;
     module->eval();
     dump();
-    module->clk = 0;
+    clock_of(*module, 0) = 0;
   }
 
 private:

@@ -40,13 +40,13 @@ public:
   }
 
   void reset() {
-    top->rst = 1;
+    top->aresetn = 0;
     top->s_axi_awvalid = top->s_axi_wvalid = top->s_axi_arvalid = 0;
     want_aw = want_w = want_ar = false;
     reset_objects();
     half_cycles();
     half_cycles();
-    top->rst = 0;
+    top->aresetn = 1;
     results.clear();
     for (Watch *w : {&watch_b, &watch_r, &watch_m}) {
       w->was_blocked = false;
@@ -128,6 +128,7 @@ public:
     for (int i = 0; i < 3; i++) {
       top->s_axis_tdata[i] = (uint32_t)vertex[i];
     }
+    top->s_axis_tdata[3] = (uint32_t)draw(); // unused
     top->s_axis_tlast = last;
     top->s_axis_tdest = to_b;
     want_t = true;

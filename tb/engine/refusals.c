@@ -133,7 +133,7 @@ void controls(sepax_tri *a, sepax_tri *b) {
   expect("one collision", value_of(SEPAX_COLLISIONS), 1);
   /* Its way, that of what was taken until then, and a latency for the phases of several cores. */
   expect("the first ends the run soon",
-         value_of(SEPAX_CYCLES) < 20u + 3u * SEPAX_LATENCY + 3u * SEPAX_II, 1);
+         value_of(SEPAX_CYCLES) < 30u + 3u * SEPAX_LATENCY + 3u * SEPAX_II, 1);
   expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_DONE), 1);
   expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
   bus_idle(2);

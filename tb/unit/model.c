@@ -98,6 +98,7 @@ CASE(test_names) {
       {"--arch=exact --extent-a=300 --extent-b=40 --clearance=0 --warning=7",
        "exact-w18-ii3-a300-b40-c0-d7"},
       {"--arch=exact --early-out=boxes", "exact-w18-ii3-boxes"},
+      {"--arch=exact --stream=pair --tag=40", "exact-w18-ii3-pair-t40"},
       {"--arch=exact --lanes=16 --cores=2 --memory-a=1024", "exact-w18-ii3-k16x2-ma1024"},
       {"--arch=paper", "paper-w18-full"},
       {"--arch=paper --word=12 --precision=guard=4 --block-float=on", "paper-w12-guard4-bf"},
