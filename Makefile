@@ -30,6 +30,11 @@ PREFIX ?= /usr/local
 SEPAX   = $(BUILD)/sepax
 LIB     = $(BUILD)/libsepax.a
 GEN     = $(SEPAX) gen
+
+# The clock that an FPGA's design is made for where none is given.
+ifneq ($(filter-out asic,$(TARGET)),)
+export CLOCK_NS ?= 10
+endif
 given   = $(filter command environment,$(firstword $(origin $(1))))
 
 ifeq ($(filter behavioural structural,$(VIEW)),)
@@ -46,15 +51,16 @@ MAKEFLAGS += --no-print-directory
 
 # One design: scripts/make/design.mk calls make with what `sepax name` prints of it.
 ifneq ($(DESIGN_NAME),)
-include $(addprefix scripts/make/,flags.mk mesh.mk cosim.mk synth.mk)
+include $(addprefix scripts/make/,flags.mk mesh.mk cosim.mk)
+include scripts/make/$(if $(filter-out asic,$(TARGET)),fpga,synth).mk
 else
 include $(addprefix scripts/make/,flags.mk mesh.mk build.mk tree.mk design.mk)
 ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 
-.PHONY: all job help build setup test reference clean area timing multivt power area-sweep \
-        calibrate scene report accuracy clearance bench bench-bodies campaign hard engine-sweep \
-        tree-sweep tree-fuzz tree-scene tree-campaign
+.PHONY: all job help build setup test cocotb reference clean area timing multivt power fpga \
+        area-sweep calibrate scene report accuracy clearance bench bench-bodies campaign hard \
+        engine-sweep tree-sweep tree-fuzz tree-scene tree-campaign netlist-sweep
 
 all:
 	@scripts/setup
@@ -74,6 +80,10 @@ setup:
 test:
 	@scripts/setup
 	@scripts/test
+
+cocotb: $(SEPAX)
+	@tb/packaging/cocotb
+	@$(if $(FAULTS),tb/packaging/faults)
 
 clean:
 	rm -rf $(BUILD)
@@ -131,6 +141,20 @@ multivt: $(SEPAX) $(BUILD)/liberty
 power: $(SEPAX) $(BUILD)/liberty $(BUILD)/power
 	@scripts/designs powered $(POWERS)
 	@synth/report/tables power -o $(BUILD)/power.json $$(scripts/designs power-file $(POWERS))
+
+# Cells and clocks on FPGAs: of the design where one is given, or else of these.
+FPGAS = $(if $(call given,TARGET)$(ONLY_EXACT),"", \
+        "TARGET=ecp5 II=3" "TARGET=ice40 WORD=8 II=9" "TARGET=xc7 II=3" "TARGET=xc7 II=1" \
+        "TARGET=xcup II=3" "TARGET=gowin II=3")
+fpga: $(SEPAX)
+	@scripts/designs -j 2 routed $(FPGAS)
+	@synth/report/tables fpga -o $(BUILD)/fpga.json $$(scripts/designs fpga-file $(FPGAS))
+
+# Mapped cells beside the golden model: three W, three II, every family; hours in full.
+netlist-sweep: $(SEPAX)
+	@synth/fpga/sweep $(if $(call given,COUNT),-c $(COUNT)) $(if $(call given,WORD),-w "$(WORD)") \
+	  $(if $(call given,II),-i "$(II)") $(if $(call given,TARGET),-t "$(TARGET)") \
+	  $(BUILD)/netlist-sweep
 
 # ------------------------------------------------------------------------- experiments
 

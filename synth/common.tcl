@@ -6,6 +6,12 @@ set_cmd_units -time ns
 read_verilog $netlist
 link_design $top
 
+# The clock's port, unless it is set: aclk of a top with buses, clk of a core.
+if {![info exists clock] || $clock eq ""} {
+  set clock clk
+  foreach port [all_inputs] { if {[get_name $port] eq "aclk"} { set clock aclk } }
+}
+
 # Inputs but the clock, those whose name matches `late` or only those.
 proc inputs {clock late} {
   lmap port [all_inputs] {

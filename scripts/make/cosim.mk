@@ -40,7 +40,8 @@ SEEDED    = --count=$(COUNT) --seed=$(SEED)
 STRESSED  = $(if $(STRESS),--stress=$(STRESS))
 PAIR_ARGS = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if \
             $(filter corners within beyond,$(PAIRS)),--$(PAIRS) $(SEEDED),$(if \
-            $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)")))
+            $(filter grid,$(PAIRS)),--sample --count=$(COUNT),$(if \
+            $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)"))))
 
 # ------------------------------------------------------------------------- Verilator
 
@@ -49,6 +50,7 @@ VIEW_MACRO = $(if $(filter behavioural,$(VIEW)),-DSEPAX_BEHAVIOURAL)
 OF_VIEW    = $(if $(filter behavioural,$(VIEW)),,-structural)
 COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
+COSIM_TOP  = $(if $(filter-out none,$(STREAM)),sepax_stream,sepax_top)
 COSIM_CPP  = $(abspath tb/cosim/cosim.cpp $(OPTIONS_OBJ) $(LIB))
 COSIM_DEPS = $(RTL) $(LIB) $(OPTIONS_OBJ) $(wildcard tb/cosim/*.cpp tb/cosim/*.h)
 
@@ -65,11 +67,11 @@ COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=$(COSIM_OPT) OPT_GLOBAL=-O2" \
 
 $(COSIM): $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME)$(OF_VIEW)"
-	@$(call verilate,sepax_top,$(COSIM_FLAGS),$(COSIM_CPP))
+	@$(call verilate,$(COSIM_TOP),$(COSIM_FLAGS),$(COSIM_CPP))
 
 $(WAVE): $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME)$(OF_VIEW) with waveforms"
-	@$(call verilate,sepax_top,$(COSIM_FLAGS) --trace-fst,$(COSIM_CPP))
+	@$(call verilate,$(COSIM_TOP),$(COSIM_FLAGS) --trace-fst,$(COSIM_CPP))
 
 cosim: $(COSIM) $(if $(PAIRS),,$(SAMPLES))
 	@$(COSIM) $(if $(PAIRS),$(PAIR_ARGS),$(MESH_ARGS)) $(STRESSED)
@@ -85,7 +87,7 @@ wave: $(if $(PAIR),$(WAVE))
 	@status=0; new=$(CORE)/new.$$$$.fst; trap 'rm -f $$new*' EXIT; \
 	  echo '$(PAIR)' | $(WAVE) --pairs=- --wave=$$new || status=$$?; \
 	  [ $$status -gt 1 ] || mv $$new $(CORE)/wave.fst; exit $$status
-	@echo "$(CORE)/wave.fst"
+	@echo "$(CORE)/wave.fst; gtkwave $(CORE)/wave.fst $(CORE)/rtl/sepax.gtkw"
 
 # The engine: a C program on its verilated buses; the example: the driver on the same buses.
 ENGINE     = $(CORE)/engine

@@ -15,7 +15,10 @@ endif
 GENERATED = $(filter generated,$(MULTIPLIERS))
 AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)
 
-.PHONY: mapped area-file timed timing-file assigned powered power-file netlist gates
+.PHONY: mapped area-file timed timing-file assigned powered power-file netlist gates routed
+
+routed:
+	@echo "fpga: TARGET=asic is none; give TARGET=ecp5, ice40, xc7, xcup or gowin" >&2; exit 2
 
 # Another library of the same name is another library.
 $(AREA)/liberty.sum: FORCE
@@ -107,7 +110,7 @@ $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
 	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --hierarchical --no-timing \
-	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module sepax_top \
+	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module $(COSIM_TOP) \
 	  -MAKEFLAGS "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O1" \
 	  -CFLAGS "-I$(abspath c_model) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \
 	  netlist.vlt cells.v netlist.v $(COSIM_CPP) > cosim.log 2>&1 || \

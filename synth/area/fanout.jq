@@ -8,7 +8,8 @@
 # Every net of a module that is read by more pins of cells gets a tree of buffers. The clock
 # stays as it is. abc buffers what is between its inputs and outputs, but not its inputs. A
 # register that is read by more than a third as many pins (a module counts for three) becomes the
-# one of twice the drive, where the library calls it X2 for X1, or _2 for _1.
+# one of twice the drive, where the library calls it X2 for X1, or _2 for _1. An inverter that only
+# modules read, as that of a reset, becomes the one of drive 8.
 
 $library[0].cells as $cell
 
@@ -27,6 +28,13 @@ $library[0].cells as $cell
 | ([$cell | to_entries[] | select(any(.value.state[]; .kind == "ff")).key]) as $registers
 | ([$registers[] | {key: ., value: (if test("X1$") then sub("X1$"; "X2") else sub("_1$"; "_2") end)}
     | select(.key != .value and (.value | IN($registers[])))] | from_entries) as $stronger
+
+| ([$cell | keys[]] | map({key: ., value: true}) | from_entries) as $there
+| ([$cell | to_entries[] | (.value.pins | to_entries) as $pins
+    | select(($pins | length) == 2 and any($pins[]; .value.direction == "output" and
+        (.value.function // "" | gsub("[ ()\"]"; "") | test("^(!\\w+|\\w+')$"))))
+    | {key, value: (.key | if test("X1$") then sub("X1$"; "X8") else sub("_1$"; "_8") end)}
+    | select(.key != .value and $there[.value])] | from_entries) as $strong_inverter
 
 # The buffers between a net and its readers: leaves first, the readers dealt out in order.
 | def tree($readers; $base):
@@ -47,7 +55,7 @@ $library[0].cells as $cell
        end);
 
   def buffered:
-    (.ports.clk.bits[0] // -1) as $clock
+    ((.ports.aclk // .ports.clk).bits[0] // -1) as $clock
     | ([.netnames[].bits[] | numbers] | max + 1) as $base
     # Rows of a cell's pin and a net, by net.
     | ([.cells | to_entries[] | .key as $name | .value.type as $type
@@ -58,7 +66,10 @@ $library[0].cells as $cell
     | ([$nets[] | select(([.[] | if .reads then 1 elif .reads == null then 3 else 0 end] | add)
                          > $limit / 3)
         | .[] | select(.reads == false and $stronger[.type])
-        | {key: .cell, value: $stronger[.type]}] | from_entries) as $types
+        | {key: .cell, value: $stronger[.type]}] | from_entries) as $faster
+    | ([$nets[] | select(length > 3 and all(.[]; .reads != true))
+        | .[] | select(.reads == false and $strong_inverter[.type])
+        | {key: .cell, value: $strong_inverter[.type]}] | from_entries + $faster) as $types
     | (reduce ($nets[] | map(select(.reads)) | select(length > $limit)) as $readers
         ({next: 0, moves: [], buffers: []}; tree($readers; $base))) as $new
     | ($new.moves | group_by(.cell) | map({key: .[0].cell,

@@ -1,6 +1,6 @@
 # synth/multivt/assign.tcl - multi-Vt: which cells of a flat netlist may be slow.
 #
-# swaps (fast cell, slow cell, their leakages), clock, period and activity are set by who sources
+# swaps (fast cell, slow cell, their leakages), period and activity are set by who sources
 # it, after synth/common.tcl. Prints lines that begin with a word of its own, for
 # synth/multivt/assign: the cells that become slow, among others.
 #
@@ -17,8 +17,10 @@ proc report {when} {
 
 constrain $period $clock
 set_power_activity -input -activity $activity -duty 0.5
-if {[llength [inputs $clock rst]] > 0} {
-  set_power_activity -input_ports rst -activity 0 -duty 0
+foreach {reset level} {rst 0 aresetn 1} {
+  if {[llength [inputs $clock $reset]] > 0} {
+    set_power_activity -input_ports $reset -activity 0 -duty $level
+  }
 }
 report before
 set possible [expr {[worst_slack] >= 0}]

@@ -104,15 +104,14 @@ void around_begin(around *a) {
   a->read_answer = around_channel(g, "s_axi_r", "data", 32, "resp");
   a->out = around_channel(g, "m_axis_t", "data", 64, NULL);
   a->out_last = gates_bit(g, "m_axis_tlast");
-  a->rst = gates_bit(g, "rst");
   gates_set_all(a->g, gates_find(g, "s_axi_wstrb", 4), 15);
   *a->write_answer.ready = *a->read_answer.ready = *a->out.ready = around_all;
-  *a->rst = around_all;
+  gates_reset(a->g, true);
   for (int k = 0; k < RESET; k++) {
     gates_settle(a->g);
     gates_rise(a->g, false);
   }
-  *a->rst = 0;
+  gates_reset(a->g, false);
   around_tick(a);
 }
 

@@ -26,7 +26,7 @@ typedef struct around {
   memory *memory;
   int memories;
   channel write_address, write_data, write_answer, read_address, read_answer, out;
-  uint64_t *rst, *out_last;
+  uint64_t *out_last;
   bool count;                      /* transitions */
   uint64_t wrong;                  /* answers that did not come, or were refusals */
   void (*offer)(struct around *a); /* before inputs settle: sets more of them; NULL: none */

@@ -4,16 +4,33 @@
 
 #include <string.h>
 
-const gates_port *gates_find(const gates *g, const char *name, int bits) {
+static const gates_port *port_of(const gates *g, const char *name) {
   for (int k = 0; k < g->ports; k++) {
     if (strcmp(g->port[k].name, name) == 0) {
-      if (bits != 0 && g->port[k].bits != bits) {
-        text_fail("has not the bits of the design's port", name);
-      }
       return &g->port[k];
     }
   }
-  text_fail("has no port", name);
+  return NULL;
+}
+
+const gates_port *gates_find(const gates *g, const char *name, int bits) {
+  const gates_port *port = port_of(g, name);
+  if (port == NULL) {
+    text_fail("has no port", name);
+  }
+  if (bits != 0 && port->bits != bits) {
+    text_fail("has not the bits of the design's port", name);
+  }
+  return port;
+}
+
+int gates_clock(const gates *g) {
+  return gates_find(g, port_of(g, "aclk") != NULL ? "aclk" : "clk", 1)->net[0];
+}
+
+void gates_reset(gates *g, bool on) {
+  bool low = port_of(g, "aresetn") != NULL;
+  *gates_bit(g, low ? "aresetn" : "rst") = on == low ? 0 : ~UINT64_C(0);
 }
 
 uint64_t *gates_bit(const gates *g, const char *name) {

@@ -35,7 +35,7 @@ typedef struct {
   gates_port *port;
   int ports;
   int nets;
-  int clock;         /* net of the port clk */
+  int clock;         /* its net */
   uint64_t *value;   /* of each net, one bit a lane; net 0 is 0, net 1 is 1 */
   uint64_t *before;  /* in the cycle before */
   uint64_t *toggles; /* of each net, over lanes and cycles counted */
@@ -51,6 +51,12 @@ void gates_read(gates *g, const library *lib, const char *path);
 /* The nets of a port of the top, which must have so many bits (0: any number); exits if it has not
  * or is not there. */
 const gates_port *gates_find(const gates *g, const char *name, int bits);
+
+/* The net of the clock: aclk of a top with buses, clk of a core. */
+int gates_clock(const gates *g);
+
+/* Drive the reset in all lanes: aresetn, active low, of a top with buses, rst of a core. */
+void gates_reset(gates *g, bool on);
 
 /* A port of one bit, in all lanes. */
 uint64_t *gates_bit(const gates *g, const char *name);

@@ -241,7 +241,7 @@ static void put_in_order(sorter *s, int c) {
       text_fail("nothing drives an input of", cell->name);
     }
     if (type->register_ && p == type->clock && net != s->g->clock) {
-      text_fail("another clock than clk, at", cell->name);
+      text_fail("another clock than the port, at", cell->name);
     }
     if (!type->register_ && s->driver[net] > 0) {
       put_in_order(s, s->driver[net] - 1);
@@ -295,7 +295,7 @@ void gates_read(gates *g, const library *lib, const char *path) {
       }
     }
   }
-  g->clock = gates_find(g, "clk", 1)->net[0];
+  g->clock = gates_clock(g);
   sort_cells(g);
   free(whole.net);
   free(b.same);

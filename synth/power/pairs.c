@@ -23,7 +23,7 @@ typedef struct {
 
 typedef struct {
   const int *in[18]; /* nets of the coordinates, or of the words of paper */
-  uint64_t *rst, *in_valid, *out_valid, *out_collision, *out_coplanar;
+  uint64_t *in_valid, *out_valid, *out_collision, *out_coplanar;
   uint64_t *in_ready, *out_ready; /* paper: always 1, and none */
 } ports;
 
@@ -36,7 +36,6 @@ static void find_ports(ports *p, const analysis *m) {
     snprintf(name, sizeof name, "in_%c%d_%c", k < 9 ? 'a' : 'b', k / 3 % 3 + 1, 'x' + k % 3);
     p->in[k] = gates_find(g, m->exact ? name : of_paper[k], m->design.config.word)->net;
   }
-  p->rst = gates_bit(g, "rst");
   p->in_valid = gates_bit(g, "in_valid");
   p->out_valid = gates_bit(g, "out_valid");
   p->out_collision = gates_bit(g, "out_collision");
@@ -106,7 +105,7 @@ static void run(analysis *m) {
   for (int cycle = -2; cycle < FILL + m->want->cycles; cycle++) {
     bool valid = cycle >= 0 && !(m->want->idle && cycle >= IDLE_AFTER);
     bool count = cycle >= FILL;
-    *p.rst = cycle < 0 ? ~UINT64_C(0) : 0;
+    gates_reset(g, cycle < 0);
     *p.in_valid = valid ? ~UINT64_C(0) : 0;
     for (unsigned l = 0; l < GATES_LANES && (valid || cycle == -2); l++) {
       offer(m, &p, &lanes[l], l);

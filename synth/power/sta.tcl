@@ -1,6 +1,6 @@
 # synth/power/sta.tcl - hands transitions to OpenSTA and asks its report_power.
 #
-# clock, period (ns) and pins (what build/power -t wrote) are set by who sources it, after
+# period (ns) and pins (what build/power -t wrote) are set by who sources it, after
 # synth/common.tcl. set_power_activity -pins of 2.0.17 calls a procedure that it does not have; what
 # it would call is called here. A pin that is not there is an error.
 

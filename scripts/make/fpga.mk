@@ -1,0 +1,50 @@
+# fpga.mk - the design DESIGN_NAME on the FPGAs of its TARGET: mapped, routed, its gates simulated.
+
+FPGA  = $(CORE)/fpga
+ROUTE = $(FPGA)/route$(DEVICE:%=-%)$(PACKAGE:%=-%)$(if $(SEEDS),-$(shell echo $(SEEDS) | tr ' ' _))
+
+.PHONY: routed fpga-file netlist gates mapped timed assigned powered
+
+mapped timed assigned powered:
+	@echo "$@: gates are of TARGET=asic; make fpga counts the cells of $(TARGET)" >&2; exit 2
+
+$(FPGA)/fpga.json: $(RTL) $(wildcard synth/fpga/* synth/common synth/netlist.jq)
+	@echo "  YOSYS   $(DESIGN_NAME)"
+	@synth/fpga/map $(if $(PART),-r $(PART)) -o $(FPGA) $(CORE)/rtl
+
+$(ROUTE)/fpga.json: $(FPGA)/fpga.json
+	@echo "  ROUTE   $(DESIGN_NAME)"
+	@synth/fpga/route $(if $(DEVICE),-d $(DEVICE)) $(if $(PACKAGE),-k $(PACKAGE)) \
+	  $(if $(SEEDS),-s "$(SEEDS)") -o $(ROUTE) $(FPGA)
+
+routed: $(ROUTE)/fpga.json
+fpga-file:
+	@echo $(ROUTE)/fpga.json
+
+# ----------------------------------------------------------------- the gates simulated
+
+# Each cell in the words of Yosys' model.
+$(FPGA)/gates.c: $(FPGA)/fpga.json
+	@echo "  GATES   $(DESIGN_NAME), mapped"
+	@synth/fpga/models -o $(FPGA) -n $(FPGA)/netlist.v $(TARGET)
+
+$(FPGA)/netlist.vvp: $(FPGA)/gates.c $(TEST_BENCH)
+	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s sepax_tb -o $@ $(FPGA)/gates.v $(TEST_BENCH)
+
+netlist: COUNT = 170
+netlist: $(FPGA)/netlist.vvp $(CORE)/icarus.pairs
+	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
+
+# The pairs of the Verilator test bench through 64 designs at once.
+GATES_OPT ?= -O1
+$(FPGA)/gates.o: $(FPGA)/gates.c
+	@$(CC) $(GATES_OPT) -c $< -o $@
+
+$(FPGA)/cosim.o: $(COSIM_DEPS)
+	@$(CXX) $(GATES_OPT) -std=c++17 -DSEPAX_GATES -Ic_model -I$(CORE)/rtl -c tb/cosim/cosim.cpp -o $@
+
+$(FPGA)/cosim: $(FPGA)/gates.o $(FPGA)/cosim.o
+	@$(CXX) -o $@ $^ $(OPTIONS_OBJ) $(LIB) -lm -pthread
+
+gates: $(FPGA)/cosim
+	@$(FPGA)/cosim $(if $(PAIRS),$(PAIR_ARGS),$(SEEDED)) $(STRESSED)
