@@ -1,0 +1,77 @@
+"""Are the registers in SystemRDL those of the C header and of the page?
+
+  registers.py FOLDER   of sepax gen; exit status 1 and a line for each difference
+"""
+import re
+import sys
+
+from systemrdl import RDLCompiler
+
+ACCESS = {
+    ("r", None): "read",
+    ("w", None): "write",
+    ("rw", None): "read, write",
+    ("rw", "woclr"): "read, write 1 to clear",
+}
+
+
+def of_rdl(path):
+    """{register: (address, access, {field: (lowest bit, bits)})}"""
+    compiler = RDLCompiler()
+    compiler.compile_file(path)
+    registers = {}
+    for register in compiler.elaborate().top.registers():
+        fields = {f.inst_name: (f.lsb, f.width) for f in register.fields()}
+        access = {
+            ACCESS[f.get_property("sw").name, getattr(f.get_property("onwrite"), "name", None)]
+            for f in register.fields()
+        }
+        if fields == {"VALUE": (0, 32)}:
+            fields = {}
+        registers[register.inst_name] = (register.absolute_address, access.pop(), fields)
+        assert not access
+    return registers
+
+
+def of_header(path):
+    """The same without access."""
+    registers, name = {}, ""
+    for line in open(path):
+        match = re.match(r"#define SEPAX_(\w+) 0x([0-9a-f]+)u? /\*", line)
+        if match:
+            name = match[1]
+            registers[name] = (int(match[2], 16), {})
+            continue
+        match = re.match(r"#define SEPAX_(\w+) 0x([0-9a-f]+)u?$", line)
+        if match and match[1].startswith(name + "_") and name:
+            mask = int(match[2], 16)
+            registers[name][1][match[1][len(name) + 1 :]] = (mask.bit_length() - 1, 1)
+        match = re.match(r"#define SEPAX_(\w+)\(value\) .*& 0x([0-9a-f]+)u?\) >> (\d+)\)$", line)
+        if match:
+            mask, low = int(match[2], 16), int(match[3])
+            registers[name][1][match[1][len(name) + 1 :]] = (low, mask.bit_length() - low)
+    return registers
+
+
+def of_page(path):
+    """{register: access}"""
+    row = re.compile(r"\| 0x\w+ \| `(\w+)` \| ([^|]+) \|")
+    return {m[1]: m[2] for m in map(row.match, open(path)) if m}
+
+
+def main(folder):
+    rdl = of_rdl(folder + "/sepax_registers.rdl")
+    header = of_header(folder + "/sepax_registers.h")
+    page = of_page(folder + "/sepax_registers.md")
+    wrong = 0
+    for name in sorted({*rdl, *header, *page}):
+        others = (*header.get(name, (None, None)), page.get(name))
+        address, access, fields = rdl.get(name, (None, None, None))
+        if (address, fields, access) != others:
+            print(f"{name}: SystemRDL {(address, fields, access)}, others {others}")
+            wrong += 1
+    print(f"{len(rdl)} registers, {wrong} wrong")
+    return int(wrong > 0 or not rdl)
+
+
+sys.exit(main(sys.argv[1]))
