@@ -8,11 +8,13 @@ ROUTE = $(FPGA)/route$(DEVICE:%=-%)$(PACKAGE:%=-%)$(if $(SEEDS),-$(shell echo $(
 mapped timed assigned powered:
 	@echo "$@: gates are of TARGET=asic; make fpga counts the cells of $(TARGET)" >&2; exit 2
 
-$(FPGA)/fpga.json: $(RTL) $(wildcard synth/fpga/* synth/common synth/netlist.jq)
+$(FPGA)/fpga.json: $(RTL) $(wildcard synth/fpga/map synth/fpga/count.jq synth/fpga/ports.jq \
+                     synth/fpga/families.json synth/fpga/cells/* \
+                     synth/fpga/vivado.tcl synth/common synth/netlist.jq)
 	@echo "  YOSYS   $(DESIGN_NAME)"
 	@synth/fpga/map $(if $(PART),-r $(PART)) -o $(FPGA) $(CORE)/rtl
 
-$(ROUTE)/fpga.json: $(FPGA)/fpga.json
+$(ROUTE)/fpga.json: $(FPGA)/fpga.json synth/fpga/route synth/fpga/routed.jq
 	@echo "  ROUTE   $(DESIGN_NAME)"
 	@synth/fpga/route $(if $(DEVICE),-d $(DEVICE)) $(if $(PACKAGE),-k $(PACKAGE)) \
 	  $(if $(SEEDS),-s "$(SEEDS)") -o $(ROUTE) $(FPGA)
@@ -24,7 +26,7 @@ fpga-file:
 # ----------------------------------------------------------------- the gates simulated
 
 # Each cell in the words of Yosys' model.
-$(FPGA)/gates.c: $(FPGA)/fpga.json
+$(FPGA)/gates.c: $(FPGA)/fpga.json synth/fpga/models synth/fpga/lanes.awk
 	@echo "  GATES   $(DESIGN_NAME), mapped"
 	@synth/fpga/models -o $(FPGA) -n $(FPGA)/netlist.v $(TARGET)
 
