@@ -29,7 +29,8 @@ $families[0][$target] as $family
         $target, family: $family.family, part: $family.part,
         arch: $d.arch, word: $d.word, ii: $d.ii,
         lanes: number_of("lanes"; null), cores: number_of("cores"; 1),
-        options: $d.options, latency: $d.latency, clock_ns: $period
+        options: $d.options, latency: $d.latency, clock_ns: $period,
+        asked_mhz: (1000 / $period | rounded(10))
       } + ($own | counted) + {
         cells: $own,
         pins: (if $around then $around | counted else null end),
