@@ -31,8 +31,8 @@ SEPAX   = $(BUILD)/sepax
 LIB     = $(BUILD)/libsepax.a
 GEN     = $(SEPAX) gen
 
-# The clock that an FPGA's design is made for where none is given.
-ifneq ($(filter-out asic,$(TARGET)),)
+# The clock that an FPGA's design is made for where none is given; only exact has a choice.
+ifneq ($(and $(filter-out asic,$(TARGET)),$(filter exact,$(or $(ARCH),exact))),)
 export CLOCK_NS ?= 10
 endif
 given   = $(filter command environment,$(firstword $(origin $(1))))

@@ -3,7 +3,9 @@
 FPGA  = $(CORE)/fpga
 ROUTE = $(FPGA)/route$(DEVICE:%=-%)$(PACKAGE:%=-%)$(if $(SEEDS),-$(shell echo $(SEEDS) | tr ' ' _))
 
-.PHONY: routed fpga-file netlist gates mapped timed assigned powered
+ROUTED = $(if $(DEVICE),-d $(DEVICE)) $(if $(PACKAGE),-k $(PACKAGE)) $(if $(SEEDS),-s "$(SEEDS)")
+
+.PHONY: routed routable fpga-file netlist gates mapped timed assigned powered
 
 mapped timed assigned powered:
 	@echo "$@: gates are of TARGET=asic; make fpga counts the cells of $(TARGET)" >&2; exit 2
@@ -16,10 +18,15 @@ $(FPGA)/fpga.json: $(RTL) $(wildcard synth/fpga/map synth/fpga/count.jq synth/fp
 
 $(ROUTE)/fpga.json: $(FPGA)/fpga.json synth/fpga/route synth/fpga/routed.jq
 	@echo "  ROUTE   $(DESIGN_NAME)"
-	@synth/fpga/route $(if $(DEVICE),-d $(DEVICE)) $(if $(PACKAGE),-k $(PACKAGE)) \
-	  $(if $(SEEDS),-s "$(SEEDS)") -o $(ROUTE) $(FPGA)
+	@synth/fpga/route $(ROUTED) -o $(ROUTE) $(FPGA)
 
+# What keeps a design from being routed is said before it is mapped.
 routed: $(ROUTE)/fpga.json
+routable:
+	@synth/fpga/route -c $(TARGET) $(ROUTED)
+ifneq ($(filter routed,$(MAKECMDGOALS)),)
+$(FPGA)/fpga.json: | routable
+endif
 fpga-file:
 	@echo $(ROUTE)/fpga.json
 

@@ -7,7 +7,7 @@ def engine: if .lanes then ", \(.lanes) lanes" + (.options
     | capture("--memory-a=(?<a>[0-9]+)").a | ", memories of \(.)") else "" end;
 def of_a_second: "\(. | rounded(10)) M";
 def clock: if .fmax_mhz then "\(.fmax_mhz) MHz" else "not routed" end;
-# What the delay model promised, and what place and route made of it.
+# The clock that the delay model placed registers for is met at 100 %.
 def kept: if .fmax_mhz then "\(.fmax_mhz / .asked_mhz * 100 | round) %" else "-" end;
 def used: .used | to_entries
   | map(select(.key | test("^(ICESTORM_(LC|RAM)|TRELLIS_(COMB|FF)|MULT18X18D|DP16KD)$"))
