@@ -1,0 +1,216 @@
+/* join.c - is it a mechanism? Its root, the order of its joints. */
+#include "sepax_mechanism.h"
+#include "util/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void sepax_mechanism_free(sepax_mechanism *m) {
+  for (size_t n = 0; n < m->links && m->link != NULL; n++) {
+    free(m->link[n].name);
+  }
+  for (size_t n = 0; n < m->joints && m->joint != NULL; n++) {
+    free(m->joint[n].name);
+  }
+  free(m->link);
+  free(m->joint);
+  free(m->order);
+  *m = (sepax_mechanism){0};
+}
+
+/* ------------------------------------------------------------------------ joints */
+
+static bool make_unit(double axis[3]) {
+  double most = fmax(fabs(axis[0]), fmax(fabs(axis[1]), fabs(axis[2])));
+  if (!isfinite(axis[0]) || !isfinite(axis[1]) || !isfinite(axis[2]) || most == 0) {
+    return false;
+  }
+  int power = 0;
+  frexp(most, &power);
+  double square = 0;
+  for (int i = 0; i < 3; i++) {
+    axis[i] = ldexp(axis[i], -power);
+    square += axis[i] * axis[i];
+  }
+  double length = sqrt(square);
+  for (int i = 0; i < 3; i++) {
+    axis[i] /= length;
+  }
+  return true;
+}
+
+/* R (3 I - R^T R) / 2, again and again: what is wrong is squared. One that is right stays. */
+static void make_orthonormal(double r[3][3]) {
+  for (int round = 0; round < 3; round++) {
+    double wrong[3][3];
+    double next[3][3];
+    for (int i = 0; i < 9; i++) {
+      int p = i / 3;
+      int q = i % 3;
+      wrong[p][q] = (p == q) - (r[0][p] * r[0][q] + r[1][p] * r[1][q] + r[2][p] * r[2][q]);
+    }
+    for (int i = 0; i < 9; i++) {
+      int p = i / 3;
+      int q = i % 3;
+      next[p][q] =
+          r[p][q] + (r[p][0] * wrong[0][q] + r[p][1] * wrong[1][q] + r[p][2] * wrong[2][q]) / 2;
+    }
+    memcpy(r, next, sizeof next);
+  }
+}
+
+static bool check_mimic(const sepax_mechanism *m, size_t n, sepax_error *error) {
+  const sepax_joint *joint = &m->joint[n];
+  if (joint->mimic == SEPAX_NO_JOINT) {
+    return true;
+  }
+  if (joint->mimic >= m->joints || joint->mimic == n) {
+    return sepax_fail(error, "joint %.60s: it follows itself, or no joint; name another one",
+                      joint->name);
+  }
+  if (!sepax_joint_driven(&m->joint[joint->mimic])) {
+    return sepax_fail(error,
+                      "joint %.60s: it follows %.60s, which is fixed or follows another; name the "
+                      "joint that leads",
+                      joint->name, m->joint[joint->mimic].name);
+  }
+  return (isfinite(joint->factor) && isfinite(joint->offset)) ||
+         sepax_fail(error, "joint %.60s: factor and offset by which it follows are not finite",
+                    joint->name);
+}
+
+static bool check_joint(sepax_mechanism *m, size_t n, sepax_error *error) {
+  sepax_joint *joint = &m->joint[n];
+  if (joint->parent >= m->links || joint->child >= m->links) {
+    return sepax_fail(error, "joint %.60s: its links are not there", joint->name);
+  }
+  sepax_link *child = &m->link[joint->child];
+  if (joint->parent == joint->child) {
+    return sepax_fail(error, "joint %.60s: link %.60s is its own parent; a cycle is no mechanism",
+                      joint->name, child->name);
+  }
+  if (child->joint != SEPAX_NO_JOINT) {
+    return sepax_fail(error,
+                      "link %.60s: two joints move it, %.60s and %.60s; leave one of them out",
+                      child->name, m->joint[child->joint].name, joint->name);
+  }
+  sepax_error inner = {""};
+  if (!sepax_pose_valid(&joint->origin, &inner)) {
+    return sepax_fail(error, "joint %.60s: origin: %.200s", joint->name, inner.text);
+  }
+  if (joint->kind != SEPAX_JOINT_FIXED && !make_unit(joint->axis)) {
+    return sepax_fail(error,
+                      "joint %.60s: the axis has no direction; give three numbers, one of "
+                      "them not 0",
+                      joint->name);
+  }
+  if (!(joint->lower <= joint->upper)) {
+    return sepax_fail(error, "joint %.60s: the lower limit, %.9g, is above the upper, %.9g",
+                      joint->name, joint->lower, joint->upper);
+  }
+  make_orthonormal(joint->origin.rotation);
+  child->joint = n;
+  return check_mimic(m, n, error);
+}
+
+/* -------------------------------------------------------------------------- tree */
+
+/* first[link]: a joint below it, next[joint]: another one below the same link. */
+typedef struct {
+  size_t *first, *next;
+} lists;
+
+/* The joints in order, breadth first; how many are below the root. */
+static size_t put_in_order(const sepax_mechanism *m, const lists *below) {
+  size_t count = 0;
+  size_t link = m->root;
+  for (size_t done = 0;; done++) {
+    for (size_t n = below->first[link]; n != SEPAX_NO_JOINT; n = below->next[n]) {
+      m->order[count++] = n;
+    }
+    if (done == count) {
+      return count;
+    }
+    link = m->joint[m->order[done]].child;
+  }
+}
+
+/* From a link that no root reaches: up until it is on the cycle. */
+static bool fail_cycle(const sepax_mechanism *m, size_t link, sepax_error *error) {
+  for (size_t n = 0; n < m->links; n++) {
+    link = m->joint[m->link[link].joint].parent;
+  }
+  const sepax_joint *joint = &m->joint[m->link[link].joint];
+  return sepax_fail(error, "links %.60s and %.60s are on a cycle; leave joint %.60s out",
+                    m->link[joint->parent].name, m->link[link].name, joint->name);
+}
+
+static bool find_root(sepax_mechanism *m, sepax_error *error) {
+  size_t roots = 0;
+  for (size_t n = 0; n < m->links; n++) {
+    if (m->link[n].joint == SEPAX_NO_JOINT && roots++ == 0) {
+      m->root = n;
+    } else if (m->link[n].joint == SEPAX_NO_JOINT) {
+      return sepax_fail(error, "links %.60s and %.60s: two roots; join one to the other",
+                        m->link[m->root].name, m->link[n].name);
+    }
+  }
+  return roots == 1 || fail_cycle(m, 0, error);
+}
+
+/* A link that the root does not reach; `mark` is overwritten. */
+static size_t link_astray(const sepax_mechanism *m, size_t count, size_t *mark) {
+  memset(mark, 0, m->links * sizeof *mark);
+  mark[m->root] = 1;
+  for (size_t n = 0; n < count; n++) {
+    mark[m->joint[m->order[n]].child] = 1;
+  }
+  size_t link = 0;
+  while (mark[link] != 0) {
+    link++;
+  }
+  return link;
+}
+
+static bool order_joints(sepax_mechanism *m, sepax_error *error) {
+  lists below = {malloc(m->links * sizeof *below.first),
+                 malloc((m->joints + 1) * sizeof *below.next)};
+  free(m->order);
+  m->order = malloc((m->joints + 1) * sizeof *m->order);
+  bool ok = below.first != NULL && below.next != NULL && m->order != NULL;
+  if (ok) {
+    for (size_t n = 0; n < m->links; n++) {
+      below.first[n] = SEPAX_NO_JOINT;
+    }
+    for (size_t n = m->joints; n-- > 0;) {
+      below.next[n] = below.first[m->joint[n].parent];
+      below.first[m->joint[n].parent] = n;
+    }
+    size_t count = put_in_order(m, &below);
+    ok = count == m->joints || fail_cycle(m, link_astray(m, count, below.first), error);
+  } else {
+    sepax_fail(error, "no memory for %zu joints", m->joints);
+  }
+  free(below.first);
+  free(below.next);
+  return ok;
+}
+
+bool sepax_mechanism_join(sepax_mechanism *m, sepax_error *error) {
+  if (m->links == 0) {
+    return sepax_fail(error, "no link; a mechanism has one at least");
+  }
+  if (m->joints > SEPAX_JOINTS_MOST) {
+    return sepax_fail(error, "%zu joints are more than %d", m->joints, SEPAX_JOINTS_MOST);
+  }
+  for (size_t n = 0; n < m->links; n++) {
+    m->link[n].joint = SEPAX_NO_JOINT;
+  }
+  for (size_t n = 0; n < m->joints; n++) {
+    if (!check_joint(m, n, error)) {
+      return false;
+    }
+  }
+  return find_root(m, error) && order_joints(m, error);
+}

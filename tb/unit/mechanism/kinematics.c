@@ -1,0 +1,343 @@
+/* kinematics.c - links in their poses against quaternions in long double, within the bound that
+ * sepax_mechanism.h gives; chains; what is no mechanism. */
+#include "harness.h"
+#include "sepax_mechanism.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINKS_MOST = 300 };
+
+static char *copied(const char *text) {
+  char *copy = malloc(strlen(text) + 1);
+  assert_non_null(copy);
+  return strcpy(copy, text);
+}
+
+/* Links l0 ... and joints j0 ..., all fixed: joint n is between link n and link n + 1. */
+static sepax_mechanism row_of(size_t joints) {
+  sepax_mechanism m = {.link = calloc(joints + 1, sizeof *m.link),
+                       .links = joints + 1,
+                       .joint = calloc(joints + 1, sizeof *m.joint),
+                       .joints = joints};
+  assert_non_null(m.link);
+  assert_non_null(m.joint);
+  for (size_t n = 0; n <= joints; n++) {
+    char name[32];
+    snprintf(name, sizeof name, "l%zu", n);
+    m.link[n].name = copied(name);
+    if (n < joints) {
+      name[0] = 'j';
+      m.joint[n] = (sepax_joint){.name = copied(name),
+                                 .parent = n,
+                                 .child = n + 1,
+                                 .origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}},
+                                 .axis = {0, 0, 1},
+                                 .lower = -INFINITY,
+                                 .upper = INFINITY,
+                                 .mimic = SEPAX_NO_JOINT,
+                                 .factor = 1};
+    }
+  }
+  return m;
+}
+
+/* ------------------------------------------------------------------------- oracle */
+
+typedef struct {
+  long double q[4], t[3]; /* w, x, y, z of a unit quaternion; the translation */
+} place;
+
+static void turn(const long double q[4], const long double v[3], long double to[3]) {
+  long double c[3];
+  for (int i = 0; i < 3; i++) { /* v + 2 u x (u x v + w v) */
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    c[i] = q[1 + j] * v[k] - q[1 + k] * v[j] + q[0] * v[i];
+  }
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    to[i] = v[i] + 2 * (q[1 + j] * c[k] - q[1 + k] * c[j]);
+  }
+}
+
+static place after(const place *outer, const place *inner) {
+  const long double *p = outer->q;
+  const long double *q = inner->q;
+  place r = {{p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3],
+              p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
+              p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1],
+              p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]},
+             {0, 0, 0}};
+  turn(p, inner->t, r.t);
+  for (int i = 0; i < 3; i++) {
+    r.t[i] += outer->t[i];
+  }
+  return r;
+}
+
+/* The quaternion of a matrix whose rotation is by less than half a turn. */
+static void quaternion_of(const double r[3][3], long double q[4]) {
+  long double trace = (long double)r[0][0] + r[1][1] + r[2][2];
+  q[0] = sqrtl(1 + trace) / 2;
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    q[1 + i] = ((long double)r[k][j] - r[j][k]) / (4 * q[0]);
+  }
+}
+
+static place place_of(const sepax_joint *joint, double value) {
+  place p = {{1, 0, 0, 0}, {0, 0, 0}};
+  quaternion_of(joint->origin.rotation, p.q);
+  for (int i = 0; i < 3; i++) {
+    p.t[i] = joint->origin.translation[i];
+  }
+  const double *a = joint->axis;
+  long double length =
+      sqrtl((long double)a[0] * a[0] + (long double)a[1] * a[1] + (long double)a[2] * a[2]);
+  bool slides = joint->kind == SEPAX_JOINT_PRISMATIC;
+  bool turns = joint->kind == SEPAX_JOINT_REVOLUTE || joint->kind == SEPAX_JOINT_CONTINUOUS;
+  place moved = {{turns ? cosl(value / 2.0L) : 1, 0, 0, 0}, {0, 0, 0}};
+  for (int i = 0; i < 3; i++) {
+    moved.q[1 + i] = turns ? sinl(value / 2.0L) * a[i] / length : 0;
+    moved.t[i] = slides ? value * a[i] / length : 0;
+  }
+  return after(&p, &moved);
+}
+
+/* Within the bound: every column of the rotation, and the translation. */
+static void assert_near(const sepax_pose *pose, const place *exact, double joints, double reach) {
+  long double off = 0;
+  for (int k = 0; k < 3; k++) {
+    long double unit[3] = {k == 0, k == 1, k == 2};
+    long double image[3];
+    long double square = 0;
+    turn(exact->q, unit, image);
+    for (int i = 0; i < 3; i++) {
+      square += (image[i] - pose->rotation[i][k]) * (image[i] - pose->rotation[i][k]);
+    }
+    off = fmaxl(off, sqrtl(square));
+  }
+  assert_true(off <= joints * 0x1p-46L);
+  long double square = 0;
+  for (int i = 0; i < 3; i++) {
+    long double d = exact->t[i] - pose->translation[i];
+    square += d * d;
+  }
+  assert_true(sqrtl(square) <= joints * reach * 0x1p-45L);
+}
+
+/* ------------------------------------------------------------------------- random */
+
+static void draw_joint(sepax_joint *joint, size_t links) {
+  static const sepax_joint_kind kinds[] = {SEPAX_JOINT_FIXED, SEPAX_JOINT_REVOLUTE,
+                                           SEPAX_JOINT_CONTINUOUS, SEPAX_JOINT_PRISMATIC};
+  joint->kind = kinds[random_below(4)];
+  joint->parent = (size_t)random_below((int)links);
+  double angle = random_unit();
+  joint->origin.rotation[0][0] = joint->origin.rotation[1][1] = cos(angle);
+  joint->origin.rotation[1][0] = sin(angle);
+  joint->origin.rotation[0][1] = -sin(angle);
+  double size = ldexp(1, random_below(40) - 20);
+  for (int i = 0; i < 3; i++) {
+    joint->origin.translation[i] = random_unit();
+    joint->axis[i] = size * random_unit();
+  }
+}
+
+static double length_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+/* A tree of joints of all kinds; each link's parent is any before it, or the one before it. */
+static void check_tree(size_t joints, bool row) {
+  sepax_mechanism m = row_of(joints);
+  double value[LINKS_MOST];
+  place exact[LINKS_MOST] = {{{1, 0, 0, 0}, {0, 0, 0}}};
+  double reach[LINKS_MOST] = {0};
+  double above[LINKS_MOST] = {0};
+  sepax_pose pose[LINKS_MOST];
+  for (size_t n = 0; n < joints; n++) {
+    draw_joint(&m.joint[n], n + 1);
+    m.joint[n].parent = row ? n : m.joint[n].parent;
+    value[n] = 7 * random_unit();
+    place step = place_of(&m.joint[n], value[n]);
+    size_t parent = m.joint[n].parent;
+    exact[n + 1] = after(&exact[parent], &step);
+    above[n + 1] = above[parent] + 1;
+    reach[n + 1] = reach[parent] + length_of(m.joint[n].origin.translation) +
+                   (m.joint[n].kind == SEPAX_JOINT_PRISMATIC ? fabs(value[n]) : 0);
+  }
+  assert_works(sepax_mechanism_join(&m, &fault));
+  assert_int_equal(m.root, 0);
+  sepax_mechanism_poses(&m, value, pose);
+  for (size_t n = 0; n <= joints; n++) {
+    assert_works(sepax_pose_valid(&pose[n], &fault));
+    assert_near(&pose[n], &exact[n], above[n], reach[n]);
+  }
+  for (int trial = 0; trial < 20; trial++) {
+    size_t a = (size_t)random_below((int)joints + 1);
+    size_t b = (size_t)random_below((int)joints + 1);
+    sepax_chain chain;
+    sepax_pose pair[2];
+    assert_works(sepax_chain_find(&chain, &m, a, b, &fault));
+    sepax_chain_poses(&chain, &m, value, pair);
+    place root = exact[chain.top];
+    for (int i = 0; i < 3; i++) { /* back from the top's coordinates: its conjugate */
+      root.q[1 + i] = -root.q[1 + i];
+    }
+    for (int side = 0; side < 2; side++) {
+      size_t link = side == 0 ? a : b;
+      long double way[3];
+      for (int i = 0; i < 3; i++) {
+        way[i] = exact[link].t[i] - exact[chain.top].t[i];
+      }
+      place turned = {{root.q[0], root.q[1], root.q[2], root.q[3]}, {0, 0, 0}};
+      place only = {{exact[link].q[0], exact[link].q[1], exact[link].q[2], exact[link].q[3]},
+                    {0, 0, 0}};
+      place seen = after(&turned, &only);
+      turn(root.q, way, seen.t);
+      assert_near(&pair[side], &seen, above[link] - above[chain.top] + 0x1p-6,
+                  reach[link] - reach[chain.top] + 0x1p-6);
+    }
+    sepax_chain_free(&chain);
+  }
+  sepax_mechanism_free(&m);
+}
+
+CASE(test_random_trees) {
+  for (int n = 0; n < FEWER(300); n++) {
+    check_tree(1 + (size_t)random_below(30), n % 2 == 0);
+  }
+}
+
+CASE(test_deep_chain) { check_tree(LINKS_MOST - 1, true); }
+
+/* Of as many joints as there may be, poses stay valid, and right angles stay exact. */
+CASE(test_longest_chain) {
+  sepax_mechanism m = row_of(SEPAX_JOINTS_MOST);
+  double *value = calloc(m.joints, sizeof *value);
+  sepax_pose *pose = calloc(m.links, sizeof *pose);
+  assert_non_null(value);
+  assert_non_null(pose);
+  for (size_t n = 0; n < m.joints; n++) {
+    m.joint[n].kind = SEPAX_JOINT_REVOLUTE;
+    m.joint[n].axis[n % 2] = 1;
+    value[n] = 0.1 + 1e-4 * (double)n;
+  }
+  assert_works(sepax_mechanism_join(&m, &fault));
+  sepax_mechanism_poses(&m, value, pose);
+  for (size_t n = 0; n < m.links; n++) {
+    assert_works(sepax_pose_valid(&pose[n], &fault));
+  }
+  free(value);
+  free(pose);
+  sepax_mechanism_free(&m);
+}
+
+/* Along the axes of coordinates whole numbers stay whole. */
+CASE(test_prismatic_is_exact) {
+  sepax_mechanism m = row_of(3);
+  for (int n = 0; n < 3; n++) {
+    m.joint[n].kind = SEPAX_JOINT_PRISMATIC;
+    m.joint[n].axis[2] = 0;
+    m.joint[n].axis[n] = -3;
+    m.joint[n].origin.translation[n] = 10;
+  }
+  assert_works(sepax_mechanism_join(&m, &fault));
+  static const double value[3] = {0.5, -7, 3};
+  sepax_pose pose[4];
+  sepax_mechanism_poses(&m, value, pose);
+  static const sepax_pose expected = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {9.5, 17, 7}};
+  for (int i = 0; i < 3; i++) {
+    assert_true(pose[3].translation[i] == expected.translation[i]);
+    for (int k = 0; k < 3; k++) {
+      assert_true(pose[3].rotation[i][k] == expected.rotation[i][k]);
+    }
+  }
+  sepax_mechanism_free(&m);
+}
+
+/* An origin that is valid, but wrong in the seventh digit: the chain stays valid. */
+CASE(test_origins_become_orthonormal) {
+  sepax_mechanism m = row_of(200);
+  for (size_t n = 0; n < m.joints; n++) {
+    for (int i = 0; i < 9; i++) {
+      m.joint[n].origin.rotation[i / 3][i % 3] *= 1 + 4e-7;
+    }
+  }
+  assert_works(sepax_mechanism_join(&m, &fault));
+  sepax_pose pose[201];
+  double value[200] = {0};
+  sepax_mechanism_poses(&m, value, pose);
+  assert_true(fabs(pose[200].rotation[0][0] - 1) < 1e-13);
+  sepax_mechanism_free(&m);
+}
+
+CASE(test_mimic) {
+  sepax_mechanism m = row_of(3);
+  for (int n = 0; n < 3; n++) {
+    m.joint[n].kind = SEPAX_JOINT_PRISMATIC;
+  }
+  m.joint[0].mimic = 2;
+  m.joint[0].factor = -2;
+  m.joint[0].offset = 0.25;
+  assert_works(sepax_mechanism_join(&m, &fault));
+  assert_false(sepax_joint_driven(&m.joint[0]));
+  assert_true(sepax_joint_driven(&m.joint[1]));
+  double value[3] = {99, 5, 3};
+  sepax_mechanism_follow(&m, value);
+  assert_true(value[0] == -5.75 && value[1] == 5 && value[2] == 3);
+  sepax_mechanism_free(&m);
+}
+
+/* ------------------------------------------------------------------ no mechanisms */
+
+static void refuse(sepax_mechanism *m, const char *part) {
+  assert_fault(sepax_mechanism_join(m, &fault), part);
+  sepax_mechanism_free(m);
+}
+
+CASE(test_no_mechanism) {
+  sepax_mechanism m = {0};
+  assert_fault(sepax_mechanism_join(&m, &fault), "no link");
+  m = row_of(3);
+  m.joint[1].child = 1;
+  refuse(&m, "link l1 is its own parent");
+  m = row_of(3);
+  m.joint[1].child = 3;
+  refuse(&m, "link l3: two joints move it, j1 and j2");
+  m = row_of(3);
+  m.joints = 2;
+  refuse(&m, "links l0 and l3: two roots");
+  m = row_of(3);
+  m.joint[2].child = 0;
+  m.joint[1].kind = SEPAX_JOINT_REVOLUTE;
+  m.links = 3;
+  refuse(&m, "are on a cycle");
+  m = row_of(4); /* beside the tree: l2, l3, l4 in a ring, l1 a root that moves nothing else */
+  m.joint[1].parent = 4;
+  refuse(&m, "are on a cycle; leave joint j");
+  m = row_of(1);
+  m.joint[0].kind = SEPAX_JOINT_REVOLUTE;
+  m.joint[0].axis[2] = 0;
+  refuse(&m, "joint j0: the axis has no direction");
+  m = row_of(1);
+  m.joint[0].kind = SEPAX_JOINT_PRISMATIC;
+  m.joint[0].axis[1] = NAN;
+  refuse(&m, "joint j0: the axis has no direction");
+  m = row_of(1);
+  m.joint[0].lower = 1;
+  m.joint[0].upper = -1;
+  refuse(&m, "joint j0: the lower limit, 1, is above the upper, -1");
+  m = row_of(1);
+  m.joint[0].origin.rotation[0][0] = 2;
+  refuse(&m, "joint j0: origin: the matrix is no rotation");
+  m = row_of(2);
+  m.joint[0].mimic = 0;
+  refuse(&m, "joint j0: it follows itself");
+  m = row_of(2);
+  m.joint[0].mimic = 1;
+  refuse(&m, "joint j0: it follows j1, which is fixed");
+}
