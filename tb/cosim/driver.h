@@ -334,8 +334,9 @@ private:
   // The same, with a coordinate beyond the word or cut short, where there can be.
   Travel faulty() {
     Travel t = travel();
-    if (INPUT_WORDS > 1 && (SEPAX_WORD == 32 || draw() % 2 == 0)) {
-      t.cut = 1 + (int)(draw() % (uint64_t)(INPUT_WORDS - 1));
+    constexpr int CUTS = INPUT_WORDS - 1;
+    if (CUTS > 0 && (SEPAX_WORD == 32 || draw() % 2 == 0)) {
+      t.cut = 1 + (int)(draw() % (uint64_t)(CUTS > 0 ? CUTS : 1));
       t.last = true;
     } else if (SEPAX_WORD < 32) {
       t.outside = 1 + (uint32_t)(draw() % 100000);
