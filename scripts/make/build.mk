@@ -1,6 +1,6 @@
 # build.mk - the program, the library, and the programs of tests and reports.
 
-PROGRAM  = $(wildcard c_model/cli/*.c c_model/check/*.c c_model/sizing/*.c)
+PROGRAM  = $(wildcard $(patsubst %,c_model/%/*.c,cli check sizing formats path))
 LIB_SRC  = $(filter-out $(PROGRAM),$(wildcard c_model/*/*.c))
 CLI_SRC  = $(PROGRAM) $(wildcard rtl_gen/*/*.c)
 UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))
@@ -30,6 +30,11 @@ $(BUILD)/obj/templates.c: scripts/embed $(TEMPLATES) $(wildcard rtl_gen/*)
 	@scripts/embed $(TEMPLATES) > $@
 $(TEMPLATE_OBJ): $(BUILD)/obj/templates.c
 	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
+
+# Scenes and meshes are read by libxml2 and assimp: by the program, not by the library.
+FORMAT_OBJ  = $(call object,$(wildcard c_model/formats/*.c))
+FORMAT_LIBS = -lxml2 -lassimp
+$(FORMAT_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 
 # Programs: objects, then libraries.
 define link
@@ -63,7 +68,8 @@ $(BUILD)/campaign: $(call object,tb/benchmark/campaign.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/refine: $(call object,tb/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
-$(SEPAX) $(BUILD)/liberty $(BUILD)/power: LIBS = -ljansson
+$(BUILD)/liberty $(BUILD)/power: LIBS = -ljansson
+$(SEPAX): LIBS = -ljansson $(FORMAT_LIBS)
 $(BUILD)/clearance-test $(BUILD)/campaign: LIBS = -lgmp
 $(SEPAX) $(addprefix $(BUILD)/,bench_batch campaign clearance-test liberty power refine) \
     $(BUILD)/bench:
@@ -71,6 +77,11 @@ $(SEPAX) $(addprefix $(BUILD)/,bench_batch campaign clearance-test liberty power
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson
 $(BUILD)/unit/%: $(BUILD)/obj/tb/unit/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) $(GEN_OBJ) $(LIB)
+	$(link)
+
+$(BUILD)/unit/formats/%: LIBS = -lcmocka -lgmp $(FORMAT_LIBS)
+$(BUILD)/unit/formats/%: $(BUILD)/obj/tb/unit/formats/%.o $(BUILD)/obj/tb/harness.o \
+                         $(ORACLE_OBJ) $(FORMAT_OBJ) $(LIB)
 	$(link)
 
 # Bodies that move beside the libraries that are here.

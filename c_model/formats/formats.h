@@ -1,0 +1,93 @@
+/* formats.h - scenes and paths in the formats that people have: URDF, SRDF, meshes, CSV. Every
+ * reader fails with one line that names the file, where it has one the line, and a cure. */
+#ifndef SEPAX_FORMATS_H
+#define SEPAX_FORMATS_H
+
+#include "sepax_mechanism.h"
+
+/* ------------------------------------------------------------------ text */
+
+/* Files that are no meshes: no longer than this. */
+#define FORMAT_XML_BYTES ((size_t)16 << 20)
+#define FORMAT_CSV_BYTES ((size_t)256 << 20)
+
+typedef struct {
+  char *bytes; /* by malloc, and a '\0' behind them */
+  size_t size;
+} format_text;
+
+/* The whole of a file, or of a pipe, that has `most` bytes at most. */
+bool format_text_read(format_text *text, const char *path, size_t most, sepax_error *error);
+
+/* The `length` characters are one finite decimal number. In the numbers of locale C. */
+bool format_number(const char *word, size_t length, double *number);
+
+/* ----------------------------------------------------------------- scenes */
+
+typedef enum { FORMAT_MESH, FORMAT_BOX, FORMAT_CYLINDER, FORMAT_SPHERE } format_kind;
+
+/* The geometry of a collision element, of which a link may have several. */
+typedef struct {
+  size_t link;
+  format_kind kind;
+  char *path;        /* of a mesh: its file */
+  double size[3];    /* sides; radius, length; radius; of a mesh: scale */
+  sepax_pose origin; /* in the link's coordinates */
+  long line;
+} format_shape;
+
+typedef struct {
+  sepax_mechanism mechanism; /* joined */
+  format_shape *shape;       /* in the order of the file */
+  size_t shapes;
+} format_robot;
+
+/* Where package://NAME/ is. */
+typedef struct {
+  const char *name, *folder;
+} format_package;
+
+enum { FORMAT_LINKS_MOST = 4096, FORMAT_SHAPES_MOST = 65536 };
+
+bool format_urdf_read(format_robot *robot, const char *path, const format_package *package,
+                      size_t packages, sepax_error *error);
+void format_robot_free(format_robot *robot);
+
+/* compared[a * links + b], all true before: set to false, both ways, what the file disables. */
+bool format_srdf_read(bool *compared, const sepax_mechanism *m, const char *path,
+                      sepax_error *error);
+
+/* ----------------------------------------------------------------- meshes */
+
+enum { FORMAT_FACETS_MOST = 20000000 };
+
+/* STL as sepax_stl_read has it; OBJ, PLY, 3MF, DAE by assimp, whose coordinates are binary32. */
+bool format_mesh_read(sepax_mesh *mesh, const char *path, sepax_error *error);
+
+/* The surface of a shape in the link's coordinates. Spheres and cylinders are polyhedra that hold
+ * them. */
+bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error *error);
+
+/* A polygon of `count` corners as triangles between them: (count - 2) times three numbers. False
+ * where no corner sees all the others. */
+bool format_polygon_divide(const double (*corner)[3], size_t count, size_t (*triangle)[3]);
+
+/* -------------------------------------------------------------------- path */
+
+typedef struct {
+  double *value; /* of line n: value[n * joints ...], of all joints, those that follow, too */
+  double *time;  /* or NULL */
+  size_t *line;  /* where line n is in its file, from 1 */
+  size_t lines, joints;
+} format_motion;
+
+typedef struct {
+  bool hold;          /* joints without a column stay at 0 */
+  bool ignore_limits; /* values may be beyond the limits of their joints */
+} format_motion_rules;
+
+bool format_motion_read(format_motion *motion, const sepax_mechanism *m,
+                        const format_motion_rules *rules, const char *path, sepax_error *error);
+void format_motion_free(format_motion *motion);
+
+#endif

@@ -1,0 +1,103 @@
+/* packages.c - where the meshes of a URDF are. */
+#include "formats/packages.h"
+#include "util/error.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { PATH_MOST = 4096 };
+
+static bool is_file(const char *path) {
+  struct stat s;
+  return stat(path, &s) == 0 && !S_ISDIR(s.st_mode);
+}
+
+static char *copy_of(const char *text) {
+  size_t size = strlen(text) + 1;
+  char *copy = malloc(size);
+  return copy != NULL ? memcpy(copy, text, size) : NULL;
+}
+
+/* FOLDER/FILE if there is one. */
+static bool is_in(char *path, int folder_length, const char *folder, const char *file) {
+  int used = snprintf(path, PATH_MOST, "%.*s/%s", folder_length, folder, file);
+  return used > 0 && used < PATH_MOST && is_file(path);
+}
+
+/* The path from the root, its .. and links as they are. */
+static bool make_absolute(const char *path, char whole[PATH_MOST]) {
+  char here[PATH_MOST] = "";
+  if (path[0] != '/' && getcwd(here, sizeof here) == NULL) {
+    return false;
+  }
+  return snprintf(whole, PATH_MOST, "%s%s%s", here, path[0] != '/' ? "/" : "", path) < PATH_MOST;
+}
+
+/* "NAME/rest" beside the URDF, and beside each folder above it; or rest in a folder NAME. */
+static bool search_package(char *path, const char *urdf, const char *name_and_path) {
+  char whole[PATH_MOST];
+  if (!make_absolute(urdf, whole)) {
+    return false;
+  }
+  size_t name = strcspn(name_and_path, "/");
+  const char *rest = name_and_path + name + (name_and_path[name] == '/');
+  bool found = false;
+  for (char *end = strrchr(whole, '/'); end != NULL && !found; end = strrchr(whole, '/')) {
+    *end = '\0';
+    const char *last = strrchr(whole, '/');
+    last = last != NULL ? last + 1 : whole;
+    bool is_package = strlen(last) == name && strncmp(last, name_and_path, name) == 0;
+    int length = (int)strlen(whole);
+    found = is_in(path, length, whole, name_and_path) ||
+            (is_package && is_in(path, length, whole, rest));
+  }
+  return found;
+}
+
+static bool find_in_package(const format_places *p, const char *name_and_path, char *path,
+                            sepax_error *error) {
+  size_t name = strcspn(name_and_path, "/");
+  for (size_t n = 0; n < p->packages; n++) {
+    const format_package *package = &p->package[n];
+    if (strlen(package->name) == name && strncmp(package->name, name_and_path, name) == 0) {
+      return is_in(path, (int)strlen(package->folder), package->folder,
+                   name_and_path + name + (name_and_path[name] == '/')) ||
+             sepax_fail(error, "no file %.120s in package folder %.80s", name_and_path,
+                        package->folder);
+    }
+  }
+  return search_package(path, p->urdf, name_and_path) ||
+         sepax_fail(error,
+                    "package://%.100s is neither beside the URDF nor above it; give "
+                    "--package=%.*s:FOLDER",
+                    name_and_path, (int)(name < 40 ? name : 40), name_and_path);
+}
+
+static bool find_here(const format_places *p, const char *name, char *path, sepax_error *error) {
+  static const char scheme[] = "file://";
+  bool is_url = strncmp(name, scheme, strlen(scheme)) == 0;
+  const char *file = is_url ? name + strlen(scheme) : name;
+  if (strstr(file, "://") != NULL) {
+    return sepax_fail(error, "%.120s is fetched from nowhere; give a file", name);
+  }
+  const char *slash = strrchr(p->urdf, '/');
+  bool found = file[0] == '/'  ? snprintf(path, PATH_MOST, "%s", file) < PATH_MOST && is_file(path)
+               : slash == NULL ? is_in(path, 1, ".", file)
+                               : is_in(path, (int)(slash - p->urdf), p->urdf, file);
+  return found || sepax_fail(error, "mesh %.160s: no such file; mend the name", name);
+}
+
+bool format_find_mesh(const format_places *places, const char *name, char **path,
+                      sepax_error *error) {
+  static const char scheme[] = "package://";
+  char found[PATH_MOST];
+  bool packaged = strncmp(name, scheme, strlen(scheme)) == 0;
+  if (!(packaged ? find_in_package(places, name + strlen(scheme), found, error)
+                 : find_here(places, name, found, error))) {
+    return false;
+  }
+  *path = copy_of(found);
+  return *path != NULL || sepax_fail(error, "no memory for a name");
+}

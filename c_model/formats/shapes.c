@@ -1,0 +1,212 @@
+/* shapes.c - collision geometry as triangles in its link's coordinates. */
+#include "formats/formats.h"
+#include "util/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 0x1.921fb54442d18p1;
+
+/* A polyhedron must not lie inside what it stands for because of rounding. */
+static const double outward = 1 + 0x1p-40;
+
+/* Sides of a cylinder; a sphere's are those of an octahedron, each divided into SPLIT^2. */
+enum { SIDES = 64, SPLIT = 24, SPHERE_FACETS = 8 * SPLIT * SPLIT };
+
+static bool make_facets(sepax_mesh *mesh, size_t count, sepax_error *error) {
+  mesh->facet = calloc(count, sizeof *mesh->facet);
+  mesh->count = mesh->facet != NULL ? count : 0;
+  return mesh->facet != NULL || sepax_fail(error, "no memory for %zu triangles", count);
+}
+
+static bool make_box(sepax_mesh *mesh, const double side[3], sepax_error *error) {
+  if (!make_facets(mesh, 12, error)) {
+    return false;
+  }
+  for (int face = 0; face < 6; face++) {
+    int axis = face / 2;
+    double sign = face % 2 == 0 ? -0.5 : 0.5;
+    for (int half = 0; half < 2; half++) {
+      static const int corner[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
+      sepax_facet *facet = &mesh->facet[2 * face + half];
+      for (int k = 0; k < 3; k++) {
+        int to = face % 2 == 0 ? 2 - k : k; /* counterclockwise from outside */
+        facet->v[to][axis] = sign * side[axis];
+        for (int i = 0; i < 2; i++) {
+          int other = (axis + 1 + i) % 3;
+          facet->v[to][other] = (corner[half][k][i] - 0.5) * side[other];
+        }
+      }
+    }
+  }
+  return true;
+}
+
+static void set_vertex(sepax_facet *facet, int k, double x, double y, double z) {
+  facet->v[k][0] = x;
+  facet->v[k][1] = y;
+  facet->v[k][2] = z;
+}
+
+/* A prism around the cylinder: corners are at radius / cos(pi / SIDES). */
+static bool make_cylinder(sepax_mesh *mesh, double radius, double length, sepax_error *error) {
+  if (!make_facets(mesh, (size_t)4 * SIDES, error)) {
+    return false;
+  }
+  double out = radius / cos(pi / SIDES) * outward;
+  double z = length / 2;
+  for (int n = 0; n < SIDES; n++) {
+    double a = 2 * pi * n / SIDES;
+    double b = 2 * pi * ((n + 1) % SIDES) / SIDES;
+    double p[2] = {out * cos(a), out * sin(a)};
+    double q[2] = {out * cos(b), out * sin(b)};
+    sepax_facet *facet = &mesh->facet[(size_t)4 * (size_t)n];
+    set_vertex(&facet[0], 0, 0, 0, -z);
+    set_vertex(&facet[0], 1, q[0], q[1], -z);
+    set_vertex(&facet[0], 2, p[0], p[1], -z);
+    set_vertex(&facet[1], 0, p[0], p[1], -z);
+    set_vertex(&facet[1], 1, q[0], q[1], -z);
+    set_vertex(&facet[1], 2, q[0], q[1], z);
+    set_vertex(&facet[2], 0, p[0], p[1], -z);
+    set_vertex(&facet[2], 1, q[0], q[1], z);
+    set_vertex(&facet[2], 2, p[0], p[1], z);
+    set_vertex(&facet[3], 0, 0, 0, z);
+    set_vertex(&facet[3], 1, p[0], p[1], z);
+    set_vertex(&facet[3], 2, q[0], q[1], z);
+  }
+  return true;
+}
+
+/* ------------------------------------------------------------------------- spheres */
+
+/* The point of the unit sphere over i, j, SPLIT - i - j of the octahedron's corners x, y, z. The
+ * angles on its edges are equal, so that triangles are nearly so. */
+static void sphere_point(int i, int j, double v[3]) {
+  const double quarter = pi / 2 / SPLIT;
+  const double part[3] = {sin(quarter * i), sin(quarter * j), sin(quarter * (SPLIT - i - j))};
+  double length = sqrt(part[0] * part[0] + part[1] * part[1] + part[2] * part[2]);
+  for (int k = 0; k < 3; k++) {
+    v[k] = part[k] / length;
+  }
+}
+
+static void add_octant(sepax_facet **next, int octant, const int ij[3][2]) {
+  double mirrored = 1;
+  double v[3][3];
+  for (int axis = 0; axis < 3; axis++) {
+    mirrored *= (octant >> axis & 1) != 0 ? -1 : 1;
+  }
+  for (int k = 0; k < 3; k++) {
+    sphere_point(ij[k][0], ij[k][1], v[k]);
+    for (int axis = 0; axis < 3; axis++) {
+      v[k][axis] *= (octant >> axis & 1) != 0 ? -1 : 1;
+    }
+  }
+  for (int k = 0; k < 3; k++) {
+    memcpy((*next)->v[mirrored > 0 ? k : 2 - k], v[k], sizeof v[k]);
+  }
+  ++*next;
+}
+
+/* How far the triangle's plane is from the origin. */
+static double height(const sepax_facet *facet) {
+  double p[3];
+  double q[3];
+  double above = 0;
+  double square = 0;
+  for (int i = 0; i < 3; i++) {
+    p[i] = facet->v[1][i] - facet->v[0][i];
+    q[i] = facet->v[2][i] - facet->v[0][i];
+  }
+  for (int i = 0; i < 3; i++) {
+    double normal = p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3];
+    above += normal * facet->v[0][i];
+    square += normal * normal;
+  }
+  return fabs(above) / sqrt(square);
+}
+
+static bool make_sphere(sepax_mesh *mesh, double radius, sepax_error *error) {
+  if (!make_facets(mesh, SPHERE_FACETS, error)) {
+    return false;
+  }
+  sepax_facet *next = mesh->facet;
+  for (int octant = 0; octant < 8; octant++) {
+    for (int i = 0; i < SPLIT; i++) {
+      for (int j = 0; i + j < SPLIT; j++) {
+        const int up[3][2] = {{i, j}, {i + 1, j}, {i, j + 1}};
+        const int down[3][2] = {{i + 1, j}, {i + 1, j + 1}, {i, j + 1}};
+        add_octant(&next, octant, up);
+        if (i + j + 1 < SPLIT) {
+          add_octant(&next, octant, down);
+        }
+      }
+    }
+  }
+  double least = 1;
+  for (size_t n = 0; n < mesh->count; n++) {
+    least = fmin(least, height(&mesh->facet[n]));
+  }
+  double scale = radius / least * outward;
+  for (size_t n = 0; n < 9 * mesh->count; n++) {
+    mesh->facet[n / 9].v[n % 9 / 3][n % 3] *= scale;
+  }
+  return true;
+}
+
+/* -------------------------------------------------------------------------- places */
+
+static void scale_mesh(sepax_mesh *mesh, const double scale[3]) {
+  for (size_t n = 0; n < 9 * mesh->count; n++) {
+    mesh->facet[n / 9].v[n % 9 / 3][n % 3] *= scale[n % 3];
+  }
+}
+
+static bool is_at_origin(const sepax_pose *pose) {
+  for (int i = 0; i < 9; i++) {
+    if (pose->rotation[i / 3][i % 3] != (i / 3 == i % 3)) {
+      return false;
+    }
+  }
+  return pose->translation[0] == 0 && pose->translation[1] == 0 && pose->translation[2] == 0;
+}
+
+/* Vertices that are equal stay so. */
+static void place_mesh(sepax_mesh *mesh, const sepax_pose *pose) {
+  for (size_t n = 0; n < 3 * mesh->count && !is_at_origin(pose); n++) {
+    double *v = mesh->facet[n / 3].v[n % 3];
+    double placed[3];
+    for (int i = 0; i < 3; i++) {
+      const double *row = pose->rotation[i];
+      placed[i] = row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + pose->translation[i];
+    }
+    memcpy(v, placed, sizeof placed);
+  }
+}
+
+bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error *error) {
+  bool ok = false;
+  *mesh = (sepax_mesh){0};
+  switch (shape->kind) {
+  case FORMAT_MESH:
+    ok = format_mesh_read(mesh, shape->path, error);
+    break;
+  case FORMAT_BOX:
+    ok = make_box(mesh, shape->size, error);
+    break;
+  case FORMAT_CYLINDER:
+    ok = make_cylinder(mesh, shape->size[0], shape->size[1], error);
+    break;
+  case FORMAT_SPHERE:
+    ok = make_sphere(mesh, shape->size[0], error);
+    break;
+  }
+  if (ok && shape->kind == FORMAT_MESH) {
+    scale_mesh(mesh, shape->size);
+  }
+  if (ok) {
+    place_mesh(mesh, &shape->origin);
+  }
+  return ok;
+}

@@ -1,0 +1,64 @@
+/* srdf.c - SRDF: pairs of links that are not compared. */
+#include "formats/xml.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool read_link(const xml_file *file, const xmlNode *node, const char *attribute,
+                      const sepax_mechanism *m, size_t *link, sepax_error *error) {
+  char *name = NULL;
+  if (!xml_name(file, node, attribute, &name, error)) {
+    return false;
+  }
+  *link = 0;
+  while (*link < m->links && strcmp(m->link[*link].name, name) != 0) {
+    ++*link;
+  }
+  bool ok = *link < m->links ||
+            xml_fail(file, node, error, "there is no link '%.60s'; mend the name", name);
+  free(name);
+  return ok;
+}
+
+static bool read_pairs(const xml_file *file, const char *element, bool value, bool *compared,
+                       const sepax_mechanism *m, sepax_error *error) {
+  for (const xmlNode *n = xml_child(file->root, element); n != NULL; n = xml_next(n, element)) {
+    size_t a;
+    size_t b;
+    if (!read_link(file, n, "link1", m, &a, error) || !read_link(file, n, "link2", m, &b, error)) {
+      return false;
+    }
+    compared[a * m->links + b] = value;
+    compared[b * m->links + a] = value;
+  }
+  return true;
+}
+
+static bool read_defaults(const xml_file *file, bool *compared, const sepax_mechanism *m,
+                          sepax_error *error) {
+  static const char element[] = "disable_default_collisions";
+  for (const xmlNode *n = xml_child(file->root, element); n != NULL; n = xml_next(n, element)) {
+    size_t link;
+    if (!read_link(file, n, "link", m, &link, error)) {
+      return false;
+    }
+    for (size_t k = 0; k < m->links; k++) {
+      compared[link * m->links + k] = false;
+      compared[k * m->links + link] = false;
+    }
+  }
+  return true;
+}
+
+bool format_srdf_read(bool *compared, const sepax_mechanism *m, const char *path,
+                      sepax_error *error) {
+  xml_file file;
+  if (!xml_open(&file, path, "robot", error)) {
+    return false;
+  }
+  bool ok = read_defaults(&file, compared, m, error) &&
+            read_pairs(&file, "enable_collisions", true, compared, m, error) &&
+            read_pairs(&file, "disable_collisions", false, compared, m, error);
+  xml_close(&file);
+  return ok;
+}

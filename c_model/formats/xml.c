@@ -1,0 +1,165 @@
+/* xml.c - XML files by libxml2, without any document type. */
+#include "formats/xml.h"
+#include "util/error.h"
+
+#include <libxml/parser.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char blanks[] = " \t\r\n";
+
+bool xml_fail(const xml_file *file, const xmlNode *node, sepax_error *error, const char *format,
+              ...) {
+  char detail[240];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(detail, sizeof detail, format, args);
+  va_end(args);
+  return sepax_fail(error, "%.240s:%ld: %s", file->path, xmlGetLineNo(node), detail);
+}
+
+/* ------------------------------------------------------------------------ parsing */
+
+/* A document type is where entities come from: the parser ends before it reads one. */
+static void refuse_type(void *context, const xmlChar *name, const xmlChar *external,
+                        const xmlChar *system) {
+  xmlParserCtxt *parser = context;
+  (void)name;
+  (void)external;
+  (void)system;
+  *(bool *)parser->_private = true;
+  xmlStopParser(parser);
+}
+
+static bool fail_parser(const xmlParserCtxt *parser, const char *path, bool has_type,
+                        sepax_error *error) {
+  if (has_type) {
+    return sepax_fail(error, "%.240s: it has a document type (<!DOCTYPE>); take it out", path);
+  }
+  const char *text = parser->lastError.message != NULL ? parser->lastError.message : "no XML";
+  return sepax_fail(error, "%.240s:%d: %.*s; mend the XML", path, parser->lastError.line,
+                    (int)strcspn(text, "\n"), text);
+}
+
+bool xml_open(xml_file *file, const char *path, const char *root, sepax_error *error) {
+  enum { OPTIONS = XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING };
+  *file = (xml_file){.path = path};
+  format_text text;
+  if (!format_text_read(&text, path, FORMAT_XML_BYTES, error)) {
+    return false;
+  }
+  xmlParserCtxt *parser = xmlNewParserCtxt();
+  bool has_type = false;
+  bool ok = false;
+  if (parser != NULL) {
+    parser->_private = &has_type;
+    parser->sax->internalSubset = refuse_type;
+    file->doc = xmlCtxtReadMemory(parser, text.bytes, (int)text.size, NULL, NULL, OPTIONS);
+    ok = (file->doc != NULL && !has_type) || fail_parser(parser, path, has_type, error);
+    xmlFreeParserCtxt(parser);
+  } else {
+    sepax_fail(error, "%.300s: no memory to read it", path);
+  }
+  free(text.bytes);
+  file->root = ok ? xmlDocGetRootElement(file->doc) : NULL;
+  if (ok && (file->root == NULL || !xml_is(file->root, root))) {
+    ok = sepax_fail(error, "%.300s: its root is no <%s>; give another file", path, root);
+  }
+  if (!ok) {
+    xml_close(file);
+  }
+  return ok;
+}
+
+void xml_close(xml_file *file) {
+  if (file->doc != NULL) {
+    xmlFreeDoc(file->doc);
+  }
+  *file = (xml_file){.path = file->path};
+}
+
+/* ----------------------------------------------------------------------- elements */
+
+bool xml_is(const xmlNode *node, const char *name) {
+  return node->type == XML_ELEMENT_NODE && strcmp((const char *)node->name, name) == 0;
+}
+
+static xmlNode *first_from(xmlNode *node, const char *name) {
+  while (node != NULL &&
+         !(node->type == XML_ELEMENT_NODE && (name == NULL || xml_is(node, name)))) {
+    node = node->next;
+  }
+  return node;
+}
+
+xmlNode *xml_child(const xmlNode *node, const char *name) {
+  return node != NULL ? first_from(node->children, name) : NULL;
+}
+
+xmlNode *xml_next(const xmlNode *node, const char *name) { return first_from(node->next, name); }
+
+bool xml_has(const xmlNode *node, const char *attribute) {
+  return xmlHasProp(node, (const xmlChar *)attribute) != NULL;
+}
+
+static bool is_printable(const char *text) {
+  for (const char *c = text; *c != '\0'; c++) {
+    if ((unsigned char)*c < ' ' || *c == 0x7f) {
+      return false;
+    }
+  }
+  return text[0] != '\0';
+}
+
+bool xml_name(const xml_file *file, const xmlNode *node, const char *attribute, char **name,
+              sepax_error *error) {
+  xmlChar *value = node != NULL ? xmlGetNoNsProp(node, (const xmlChar *)attribute) : NULL;
+  if (value == NULL) {
+    return xml_fail(file, node, error, "<%.40s> without %s=\"...\"; name it",
+                    node != NULL ? (const char *)node->name : "", attribute);
+  }
+  size_t size = strlen((const char *)value) + 1;
+  char *copy = malloc(size);
+  if (copy != NULL) {
+    memcpy(copy, value, size);
+  }
+  xmlFree(value);
+  if (copy == NULL) {
+    return xml_fail(file, node, error, "no memory for a name");
+  }
+  if (!is_printable(copy)) {
+    free(copy);
+    return xml_fail(file, node, error, "%s=\"...\" is empty, or not printable; give a name",
+                    attribute);
+  }
+  *name = copy;
+  return true;
+}
+
+static int scan_numbers(const char *text, double *number, int count) {
+  int found = 0;
+  for (const char *word = text + strspn(text, blanks); *word != '\0'; found++) {
+    size_t length = strcspn(word, blanks);
+    double beyond;
+    if (!format_number(word, length, found < count ? &number[found] : &beyond)) {
+      return -1;
+    }
+    word += length;
+    word += strspn(word, blanks);
+  }
+  return found;
+}
+
+bool xml_numbers(const xml_file *file, const xmlNode *node, const char *attribute, double *number,
+                 int count, sepax_error *error) {
+  xmlChar *value = xmlGetNoNsProp(node, (const xmlChar *)attribute);
+  if (value == NULL) {
+    return true;
+  }
+  int found = scan_numbers((const char *)value, number, count);
+  bool ok =
+      found == count || xml_fail(file, node, error, "%s=\"%.60s\": give %d finite number%s",
+                                 attribute, (const char *)value, count, count == 1 ? "" : "s");
+  xmlFree(value);
+  return ok;
+}

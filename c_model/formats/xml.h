@@ -1,0 +1,39 @@
+/* xml.h - XML files by libxml2, without any document type (private). */
+#ifndef SEPAX_XML_H
+#define SEPAX_XML_H
+
+#include "formats/formats.h"
+
+#include <libxml/tree.h>
+
+/* What messages name, and the root. */
+typedef struct {
+  const char *path;
+  xmlDoc *doc;
+  xmlNode *root;
+} xml_file;
+
+/* No document type is accepted, so no entity, and nothing is fetched. Fails also where the root is
+ * no <root>. Free with xml_close. */
+bool xml_open(xml_file *file, const char *path, const char *root, sepax_error *error);
+void xml_close(xml_file *file);
+
+/* "PATH:LINE: ..."; false. */
+bool xml_fail(const xml_file *file, const xmlNode *node, sepax_error *error, const char *format,
+              ...) __attribute__((format(printf, 4, 5)));
+
+/* The first element of this name below the node; the next one of this name. NULL: any name. */
+xmlNode *xml_child(const xmlNode *node, const char *name);
+xmlNode *xml_next(const xmlNode *node, const char *name);
+bool xml_is(const xmlNode *node, const char *name);
+
+/* A copy of the attribute, by malloc; printable and not empty. Fails where there is none. */
+bool xml_name(const xml_file *file, const xmlNode *node, const char *attribute, char **name,
+              sepax_error *error);
+
+/* The `count` numbers of the attribute; without it they stay. */
+bool xml_numbers(const xml_file *file, const xmlNode *node, const char *attribute, double *number,
+                 int count, sepax_error *error);
+bool xml_has(const xmlNode *node, const char *attribute);
+
+#endif

@@ -1,0 +1,135 @@
+/* motions.c - CSV of joints: units, lines, limits; what is refused with line and column. */
+#include "files.h"
+
+#include <math.h>
+
+static const format_motion_rules strict = {false, false};
+
+/* Joints x (prismatic, -0.5 ... 0.5), a (continuous), m, which is twice x, and f, fixed. */
+static format_robot mill(void) {
+  format_robot r;
+  assert_works(format_urdf_read(
+      &r,
+      put_file("r.urdf",
+               "<robot name='r'><link name='l0'/><link name='l1'/><link name='l2'/>"
+               "<link name='l3'/><link name='l4'/>"
+               "<joint name='x' type='prismatic'><parent link='l0'/><child link='l1'/>"
+               "<limit lower='-.5' upper='.5'/></joint>"
+               "<joint name='a' type='continuous'><parent link='l1'/><child link='l2'/></joint>"
+               "<joint name='m' type='prismatic'><parent link='l2'/><child link='l3'/>"
+               "<limit lower='-2' upper='.5'/><mimic joint='x' multiplier='2'/></joint>"
+               "<joint name='f' type='fixed'><parent link='l3'/><child link='l4'/></joint>"
+               "</robot>"),
+      NULL, 0, &fault));
+  return r;
+}
+
+static format_motion read_text(const char *text, const format_motion_rules *rules) {
+  format_robot r = mill();
+  format_motion motion;
+  assert_works(format_motion_read(&motion, &r.mechanism, rules, put_file("p.csv", text), &fault));
+  format_robot_free(&r);
+  return motion;
+}
+
+static void refuse_bytes(const char *text, size_t size, const char *part) {
+  format_robot r = mill();
+  format_motion motion;
+  assert_fault(
+      format_motion_read(&motion, &r.mechanism, &strict, put_bytes("p.csv", text, size), &fault),
+      part);
+  assert_message("p.csv");
+  assert_null(motion.value);
+  format_robot_free(&r);
+}
+
+static void refuse_text(const char *text, const char *part) {
+  refuse_bytes(text, strlen(text), part);
+}
+
+CASE(test_values) {
+  format_motion p = read_text("\xef\xbb\xbf"
+                              "a [deg] , time,x [mm]\r\n\r\n"
+                              "90,0,250\r\n -180 ,0.5, -1e1\r\n\n36e1,.5,+.5",
+                              &strict);
+  assert_int_equal(p.lines, 3);
+  assert_int_equal(p.joints, 4);
+  static const double value[3][3] = {
+      {0.25, 0x1.921fb54442d18p0, 0.5}, {-0.01, -0x1.921fb54442d18p1, -0.02}, {0.0005, 0, 0.001}};
+  static const double time[3] = {0, 0.5, 0.5};
+  static const size_t line[3] = {3, 4, 6};
+  for (int n = 0; n < 3; n++) {
+    for (int k = 0; k < (n < 2 ? 3 : 1); k++) {
+      assert_true(p.value[4 * n + k] == value[n][k]);
+    }
+    assert_true(p.value[4 * n + 3] == 0);
+    assert_true(p.time[n] == time[n]);
+    assert_int_equal(p.line[n], line[n]);
+  }
+  format_motion_free(&p);
+  p = read_text("x,a [rad]\n0.125,1\n", &strict);
+  assert_null(p.time);
+  assert_true(p.value[0] == 0.125 && p.value[1] == 1 && p.value[2] == 0.25);
+  format_motion_free(&p);
+  p = read_text("time [ms],x [um],a\n1500,1,2\n", &strict);
+  assert_true(p.time[0] == 1.5 && p.value[0] == 1e-6);
+  format_motion_free(&p);
+}
+
+CASE(test_rules) {
+  format_motion p = read_text("a\n1\n", &(format_motion_rules){.hold = true});
+  assert_true(p.value[0] == 0 && p.value[1] == 1);
+  format_motion_free(&p);
+  p = read_text("a,x\n1,7\n", &(format_motion_rules){.ignore_limits = true});
+  assert_true(p.value[0] == 7 && p.value[2] == 14);
+  format_motion_free(&p);
+}
+
+CASE(test_many_lines) {
+  enum { LINES = 5000 };
+  static char text[LINES * 16];
+  size_t used = (size_t)sprintf(text, "x,a\n");
+  for (int n = 0; n < LINES; n++) {
+    used += (size_t)sprintf(text + used, "%d,%d\n", 0, n);
+  }
+  format_motion p = read_text(text, &strict);
+  assert_int_equal(p.lines, LINES);
+  for (int n = 0; n < LINES; n++) {
+    assert_true(p.value[4 * n + 1] == n);
+    assert_int_equal(p.line[n], n + 2);
+  }
+  format_motion_free(&p);
+}
+
+CASE(test_refused) {
+  refuse_text("", "no line of values");
+  refuse_text("x,a\n", "no line of values");
+  refuse_text("\n\n  \n", "no line of values");
+  refuse_text("x,b\n0,0\n", "p.csv:1: column 'b': there is no joint of this name");
+  refuse_text("x;a\n0;0\n", "column 'x;a': there is no joint of this name; separate columns by");
+  refuse_text("\"x\",a\n0,0\n", "leave the quotes out");
+  refuse_text("x,a,\n0,0,\n", "column '': there is no joint");
+  refuse_text("x,a,x\n0,0,0\n", "two columns 'x'");
+  refuse_text("x,a,f\n0,0,0\n", "column 'f': this joint is fixed");
+  refuse_text("x,a,m\n0,0,0\n", "column 'm': this joint follows another one");
+  refuse_text("x [deg],a\n0,0\n", "column 'x': unit [deg] is none of: m, mm, um, nm");
+  refuse_text("x,a [mm]\n0,0\n", "column 'a': unit [mm] is none of: rad, deg");
+  refuse_text("x,a,time [h]\n0,0,0\n", "unit [h] is none of: s, ms, us");
+  refuse_text("time,x\n0,0\n", "p.csv:1: joint a has no column; add one, or give --hold");
+  refuse_text("x,a\n0\n", "p.csv:2: 1 columns, but the header has 2");
+  refuse_text("x,a\n0,0\n0,0,0\n", "p.csv:3: 3 columns, but the header has 2");
+  refuse_text("x,a\n0,0\n\n0,nan\n", "p.csv:4: column 2 (a): 'nan' is no finite number");
+  refuse_text("x,a\n0,inf\n", "'inf' is no finite number");
+  refuse_text("x,a\n0,0x1\n", "'0x1' is no finite number");
+  refuse_text("x,a\n0,1e999\n", "'1e999' is no finite number");
+  refuse_text("x,a\n0,\n", "'' is no finite number");
+  refuse_text("x,a\n0,1 2\n", "'1 2' is no finite number");
+  refuse_text("x,a [deg]\n0,1e308\n", "1e308 is too large");
+  refuse_text("x,a\n0,0\n0.6,0\n",
+              "p.csv:3: column 1, joint x: 0.6 m is above its limit of 0.5 m; mend it, or give "
+              "--ignore-limits");
+  refuse_text("x [mm],a\n-500.1,0\n", "joint x: -0.5001 m is below its limit of -0.5 m");
+  refuse_text("x,a\n0.3,0\n", "p.csv:2: joint m: 0.6 m is above its limit of 0.5 m");
+  refuse_text("time,x,a\n1,0,0\n0.5,0,0\n", "p.csv:3: time runs back, from 1 s to 0.5 s");
+  refuse_bytes("x,a\n0,\0\n", 8, "bytes of zero");
+}

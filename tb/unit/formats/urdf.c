@@ -1,0 +1,233 @@
+/* urdf.c - URDF and SRDF: what they say, and what is refused with its line. */
+#include "files.h"
+
+#include <math.h>
+
+#define HEAD "<robot name='r'>\n"
+#define TAIL "</robot>\n"
+#define TWO "<link name='a'/>\n<link name='b'/>\n"
+#define JOINT(type, rest) \
+  "<joint name='j' type='" type "'><parent link='a'/><child link='b'/>" rest "</joint>\n"
+
+static bool read_text(format_robot *robot, const char *text) {
+  return format_urdf_read(robot, put_file("r.urdf", text), NULL, 0, &fault);
+}
+
+static void refuse_text(const char *text, const char *part) {
+  format_robot robot;
+  assert_fault(read_text(&robot, text), part);
+  assert_message("r.urdf");
+  assert_null(robot.shape);
+  assert_null(robot.mechanism.link);
+}
+
+CASE(test_links_and_joints) {
+  format_robot r;
+  put_file("part.obj", "v 0 0 0\n");
+  assert_works(read_text(
+      &r, "<?xml version='1.0'?>\n<robot name='r' xmlns:xacro='x'>\n"
+          "<material name='m'/><transmission><joint name='j'/></transmission>\n"
+          "<joint name='j' type='prismatic'><parent link='a'/><child link='b'/>\n"
+          "<origin xyz='1 -2.5 3e-1' rpy='0 0 1.5707963267948966'/><axis xyz='0 0 -2'/>\n"
+          "<limit lower='-.5' upper='+2' effort='1'/></joint>\n"
+          "<joint name='k' type='continuous'><parent link='b'/><child link='c'/>\n"
+          "<mimic joint='j' multiplier='3' offset='-1'/></joint>\n"
+          "<link name='a'/><link name='b'><visual/><inertial/>\n"
+          "<collision><origin xyz='0 0 5'/><geometry><box size='1 2 3'/></geometry></collision>\n"
+          "<collision><geometry><cylinder radius='2' length='7'/></geometry></collision>\n"
+          "<collision><geometry><sphere radius='4'/></geometry></collision>\n"
+          "<collision><geometry><mesh filename='part.obj' scale='.001 .002 -.003'/></geometry>\n"
+          "</collision></link><link name='c'/></robot>\n"));
+  const sepax_mechanism *m = &r.mechanism;
+  assert_int_equal(m->links, 3);
+  assert_int_equal(m->joints, 2);
+  const sepax_joint *j = &m->joint[0];
+  assert_string_equal(j->name, "j");
+  assert_int_equal(j->kind, SEPAX_JOINT_PRISMATIC);
+  assert_string_equal(m->link[j->parent].name, "a");
+  assert_string_equal(m->link[j->child].name, "b");
+  assert_true(j->lower == -0.5 && j->upper == 2);
+  assert_true(j->axis[0] == 0 && j->axis[1] == 0 && j->axis[2] == -1);
+  static const double at[3] = {1, -2.5, 0.3};
+  assert_memory_equal(j->origin.translation, at, sizeof at);
+  assert_true(fabs(j->origin.rotation[1][0] - 1) < 1e-15);
+  assert_int_equal(m->joint[1].mimic, 0);
+  assert_true(m->joint[1].factor == 3 && m->joint[1].offset == -1);
+  assert_true(isinf(m->joint[1].upper) && m->joint[1].axis[0] == 1);
+  assert_int_equal(r.shapes, 4);
+  static const format_kind kinds[] = {FORMAT_BOX, FORMAT_CYLINDER, FORMAT_SPHERE, FORMAT_MESH};
+  static const double sizes[][3] = {{1, 2, 3}, {2, 7, 0}, {4, 0, 0}, {.001, .002, -.003}};
+  for (size_t n = 0; n < 4; n++) {
+    assert_int_equal(r.shape[n].kind, kinds[n]);
+    assert_int_equal(r.shape[n].link, 1);
+    assert_memory_equal(r.shape[n].size, sizes[n], sizeof sizes[n]);
+  }
+  assert_true(r.shape[0].origin.translation[2] == 5);
+  assert_non_null(strstr(r.shape[3].path, "/part.obj"));
+  format_robot_free(&r);
+}
+
+/* rpy against turns about x, then y, then z, by matrices. */
+CASE(test_rpy) {
+  for (int n = 0; n < 200; n++) {
+    char text[600];
+    double a[3] = {3 * random_unit(), 3 * random_unit(), 3 * random_unit()};
+    snprintf(text, sizeof text, HEAD TWO JOINT("fixed", "<origin rpy='%.17g %.17g %.17g'/>") TAIL,
+             a[0], a[1], a[2]);
+    format_robot r;
+    assert_works(read_text(&r, text));
+    for (int k = 0; k < 3; k++) {
+      double v[3] = {k == 0, k == 1, k == 2};
+      for (int axis = 0; axis < 3; axis++) {
+        int p = (axis + 1) % 3;
+        int q = (axis + 2) % 3;
+        double x = cos(a[axis]) * v[p] - sin(a[axis]) * v[q];
+        v[q] = sin(a[axis]) * v[p] + cos(a[axis]) * v[q];
+        v[p] = x;
+      }
+      for (int i = 0; i < 3; i++) {
+        assert_true(fabs(v[i] - r.mechanism.joint[0].origin.rotation[i][k]) < 1e-14);
+      }
+    }
+    format_robot_free(&r);
+  }
+}
+
+CASE(test_refused) {
+  refuse_text("", "mend the XML");
+  refuse_text("<robot name='r'>\n<link name='a'>\n", "r.urdf:3: ");
+  refuse_text("<sdf/>", "its root is no <robot>");
+  refuse_text(HEAD TAIL, "no link");
+  refuse_text(HEAD "<link/>\n" TAIL, "r.urdf:2: <link> without name=");
+  refuse_text(HEAD "<link name=''/>\n" TAIL, "empty, or not printable");
+  refuse_text(HEAD "<link name='a&#10;b'/>\n" TAIL, "not printable");
+  refuse_text(HEAD TWO "<link name='a'/>\n" TAIL, "r.urdf:4: two links of one name");
+  refuse_text(HEAD TWO TAIL, "links a and b: two roots");
+  refuse_text(HEAD TWO JOINT("floating", "") TAIL, "r.urdf:4: joint j: type 'floating' is none of");
+  refuse_text(HEAD TWO JOINT("planar", "") TAIL, "type 'planar' is none of");
+  refuse_text(HEAD TWO JOINT("revolute", "") TAIL, "joint j: revolute without <limit");
+  refuse_text(HEAD TWO JOINT("prismatic", "<limit lower='1' upper='0'/>") TAIL,
+              "the lower limit, 1, is above the upper, 0");
+  refuse_text(HEAD TWO JOINT("prismatic", "<limit lower='nan' upper='0'/>") TAIL,
+              "lower=\"nan\": give 1 finite number");
+  refuse_text(HEAD TWO JOINT("fixed", "<origin xyz='1 2'/>") TAIL, "xyz=\"1 2\": give 3 finite");
+  refuse_text(HEAD TWO JOINT("fixed", "<origin xyz='1 2 3 4'/>") TAIL, "give 3 finite numbers");
+  refuse_text(HEAD TWO JOINT("fixed", "<origin rpy='0x1 0 0'/>") TAIL, "give 3 finite numbers");
+  refuse_text(HEAD TWO JOINT("continuous", "<axis xyz='0 0 0'/>") TAIL, "no direction");
+  refuse_text(HEAD TWO JOINT("continuous", "<mimic joint='j'/>") TAIL, "it follows itself");
+  refuse_text(HEAD TWO JOINT("continuous", "<mimic joint='k'/>") TAIL, "there is no joint 'k'");
+  refuse_text(HEAD TWO "<joint name='j' type='fixed'><parent link='a'/></joint>" TAIL,
+              "without <child link");
+  refuse_text(HEAD TWO
+              "<joint name='j' type='fixed'><parent link='a'/><child link='c'/></joint>" TAIL,
+              "<child>: there is no link 'c'");
+  refuse_text(HEAD TWO JOINT("fixed", "") JOINT("fixed", "") TAIL, "two joints 'j'");
+  refuse_text(
+      HEAD TWO JOINT(
+          "fixed",
+          "") "<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint>" TAIL,
+      "are on a cycle");
+  refuse_text("<robot name='r' xmlns:xacro='x'>\n<xacro:macro/>\n</robot>", "run xacro");
+}
+
+static void refuse_geometry(const char *geometry, const char *part) {
+  char text[600];
+  snprintf(text, sizeof text, HEAD "<link name='a'><collision>\n%s</collision></link>" TAIL,
+           geometry);
+  refuse_text(text, part);
+  assert_message("r.urdf:");
+}
+
+CASE(test_geometry_refused) {
+  refuse_geometry("", "<collision> without geometry");
+  refuse_geometry("<geometry/>", "<collision> without geometry");
+  refuse_geometry("<geometry><capsule radius='1'/></geometry>", "<capsule> is no geometry");
+  refuse_geometry("<geometry><box size='1 2'/></geometry>", "give 3 finite numbers");
+  refuse_geometry("<geometry><box/></geometry>", "a length of 0 m");
+  refuse_geometry("<geometry><sphere radius='-1'/></geometry>", "a length of -1 m");
+  refuse_geometry("<geometry><cylinder radius='1'/></geometry>", "a length of 0 m");
+  refuse_geometry("<geometry><mesh/></geometry>", "<mesh> without filename");
+  refuse_geometry("<geometry><mesh filename='none.stl'/></geometry>", "none.stl: no such file");
+  refuse_geometry("<geometry><mesh filename='http://x/y.stl'/></geometry>", "fetched from nowhere");
+  refuse_geometry("<geometry><mesh filename='package://p/y.stl'/></geometry>",
+                  "give --package=p:FOLDER");
+  put_file("part.obj", "v 0 0 0\n");
+  refuse_geometry("<geometry><mesh filename='part.obj' scale='1 0 1'/></geometry>", "scale of 0");
+}
+
+/* Neither entities nor a document type: nothing is expanded, nothing is read. */
+CASE(test_document_types) {
+  static const char part[] = "it has a document type (<!DOCTYPE>); take it out";
+  refuse_text("<!DOCTYPE robot [<!ENTITY a 'aaaaaaaaaa'><!ENTITY b '&a;&a;&a;&a;&a;&a;&a;&a;'>\n"
+              "<!ENTITY c '&b;&b;&b;&b;&b;&b;&b;&b;'><!ENTITY d '&c;&c;&c;&c;&c;&c;&c;&c;'>]>\n"
+              "<robot name='&d;'><link name='&d;'/></robot>",
+              part);
+  refuse_text("<!DOCTYPE robot SYSTEM 'http://localhost/none.dtd'>\n<robot name='r'/>", part);
+  refuse_text("<!DOCTYPE robot>\n<robot name='r'><link name='a'/></robot>", part);
+  refuse_text("<robot name='&lol;'><link name='a'/></robot>", "mend the XML");
+}
+
+CASE(test_packages) {
+  format_robot r;
+  static const char text[] = HEAD "<link name='a'><collision><geometry>"
+                                  "<mesh filename='package://p/part.obj'/></geometry></collision>"
+                                  "</link>" TAIL;
+  put_file("part.obj", "v 0 0 0\n");
+  const format_package package[] = {{"other", "/"}, {"p", folder}};
+  const char *urdf = put_file("r.urdf", text);
+  assert_works(format_urdf_read(&r, urdf, package, 2, &fault));
+  assert_string_equal(r.shape[0].path, in_folder("part.obj"));
+  format_robot_free(&r);
+  const format_package elsewhere[] = {{"p", "/nowhere"}};
+  assert_fault(format_urdf_read(&r, urdf, elsewhere, 1, &fault), "in package folder /nowhere");
+  char own[600]; /* the scratch folder is the package */
+  snprintf(own, sizeof own,
+           HEAD "<link name='a'><collision><geometry><mesh filename='package://%s/part.obj'/>"
+                "</geometry></collision></link>" TAIL,
+           strrchr(folder, '/') + 1);
+  assert_works(read_text(&r, own));
+  format_robot_free(&r);
+}
+
+/* ---------------------------------------------------------------------------- SRDF */
+
+static format_robot three_links(void) {
+  format_robot r;
+  assert_works(read_text(&r, HEAD TWO "<link name='c'/>" JOINT(
+                                 "continuous", "") "<joint name='k' type='fixed'><parent link='b'/>"
+                                                   "<child link='c'/></joint>" TAIL));
+  return r;
+}
+
+static void expect_pairs(const format_robot *r, const char *text, const char *bits) {
+  bool compared[9];
+  memset(compared, true, sizeof compared);
+  assert_works(format_srdf_read(compared, &r->mechanism, put_file("r.srdf", text), &fault));
+  static const int pair[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+  for (int n = 0; n < 3; n++) {
+    assert_int_equal(compared[3 * pair[n][0] + pair[n][1]], bits[n] == '1');
+    assert_int_equal(compared[3 * pair[n][1] + pair[n][0]], bits[n] == '1');
+  }
+}
+
+CASE(test_srdf) {
+  format_robot r = three_links();
+  expect_pairs(&r, HEAD TAIL, "111");
+  expect_pairs(&r, HEAD "<disable_collisions link1='b' link2='a' reason='Adjacent'/>" TAIL, "011");
+  expect_pairs(&r,
+               HEAD "<disable_default_collisions link='a'/>"
+                    "<enable_collisions link1='a' link2='c'/>" TAIL,
+               "011");
+  bool compared[9];
+  assert_fault(
+      format_srdf_read(compared, &r.mechanism,
+                       put_file("r.srdf", HEAD "\n<disable_collisions link1='a' link2='x'/>" TAIL),
+                       &fault),
+      "r.srdf:3: there is no link 'x'");
+  assert_fault(format_srdf_read(compared, &r.mechanism,
+                                put_file("r.srdf", "<!DOCTYPE robot><robot/>"), &fault),
+               "document type");
+  assert_fault(format_srdf_read(compared, &r.mechanism, in_folder("none.srdf"), &fault),
+               "No such file");
+  format_robot_free(&r);
+}
