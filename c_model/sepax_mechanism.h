@@ -92,6 +92,14 @@ void sepax_chain_free(sepax_chain *chain);
 void sepax_chain_poses(const sepax_chain *chain, const sepax_mechanism *m, const double *value,
                        sepax_pose pose[2]);
 
+/* The joints go linearly from one set of values to another; at the middle they are midway, rounded.
+ * The result is a bound: in B's coordinates no point of a box of A's (least and greatest
+ * coordinates, in A's) is ever farther from where it is at the middle. Rounding is in it: that of
+ * the bound, of values between the ends, and of the poses that sepax_chain_poses gives at the
+ * middle. Values that follow are linear, too. docs/path.md. */
+double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
+                          const double *middle, const double *to, const double box[2][3]);
+
 /* inner, then outer: a point v is at outer(inner(v)). Rounded. */
 sepax_pose sepax_pose_compose(const sepax_pose *outer, const sepax_pose *inner);
 

@@ -1,0 +1,135 @@
+/* travel.c - how far bodies move while the joints go linearly from one set of values to another.
+ * docs/path.md#the-bound-on-motion derives the bound. */
+#include "mechanism/steps.h"
+
+#include <math.h>
+
+/* More than all rounding of what is multiplied and summed here. */
+static const double up = 1 + 0x1p-30;
+
+static double length_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+static void corner_of(const double box[2][3], int corner, double v[3]) {
+  for (int i = 0; i < 3; i++) {
+    v[i] = box[corner >> i & 1][i];
+  }
+}
+
+/* R v, or R^T v. */
+static void turn(const double r[3][3], bool back, const double v[3], double to[3]) {
+  for (int i = 0; i < 3; i++) {
+    to[i] = back ? r[0][i] * v[0] + r[1][i] * v[1] + r[2][i] * v[2]
+                 : r[i][0] * v[0] + r[i][1] * v[1] + r[i][2] * v[2];
+  }
+}
+
+/* The corners of a box of A in B's coordinates. */
+static void seen_from_b(const sepax_chain *chain, const sepax_mechanism *m, const double *value,
+                        const double box[2][3], double at[8][3]) {
+  sepax_pose pose[2];
+  sepax_chain_poses(chain, m, value, pose);
+  for (int n = 0; n < 8; n++) {
+    double v[3];
+    double in_top[3];
+    corner_of(box, n, v);
+    turn(pose[0].rotation, false, v, in_top);
+    for (int i = 0; i < 3; i++) {
+      in_top[i] += pose[0].translation[i] - pose[1].translation[i];
+    }
+    turn(pose[1].rotation, true, in_top, at[n]);
+  }
+}
+
+/* The greatest distance of a point of the box from an axis through the frame's origin: at a corner,
+ * since it is a convex function. */
+static double reach_of(const double axis[3], const sepax_pose *frame, const double box[2][3]) {
+  double most = 0;
+  double a[3];
+  turn(frame->rotation, false, axis, a);
+  for (int n = 0; n < 8; n++) {
+    double arm[3];
+    double cross[3];
+    corner_of(box, n, arm);
+    for (int i = 0; i < 3; i++) {
+      arm[i] -= frame->translation[i];
+    }
+    for (int i = 0; i < 3; i++) {
+      int j = (i + 1) % 3;
+      int k = (i + 2) % 3;
+      cross[i] = a[j] * arm[k] - a[k] * arm[j];
+    }
+    most = fmax(most, length_of(cross));
+  }
+  return most;
+}
+
+/* From the child's pose to the parent's, both in A's coordinates, or from the parent's to the
+ * child's. */
+static sepax_pose next_link(const sepax_pose *link, const sepax_joint *joint, double value,
+                            bool rising) {
+  sepax_pose step = step_of(joint, value);
+  if (rising) {
+    sepax_pose back;
+    double t[3];
+    turn(step.rotation, true, step.translation, t);
+    for (int i = 0; i < 3; i++) {
+      for (int j = 0; j < 3; j++) {
+        back.rotation[i][j] = step.rotation[j][i];
+      }
+      back.translation[i] = -t[i];
+    }
+    step = back;
+  }
+  return sepax_pose_compose(link, &step);
+}
+
+double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
+                          const double *middle, const double *to, const double box[2][3]) {
+  sepax_pose link = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
+  double scale = 2 * (length_of(box[0]) + length_of(box[1])); /* all lengths that are summed */
+  double moved = 0;     /* by the joints so far, those nearest to A, from the middle to an end */
+  double curvature = 0; /* of any point's way in B's coordinates, the whole of it taken as time */
+  double rounded = 0;   /* of the values between the ends */
+  for (size_t n = 0; n < chain->count; n++) {
+    const sepax_joint *joint = &m->joint[chain->joint[n]];
+    const double *value[3] = {from, middle, to};
+    double q[3];
+    for (int k = 0; k < 3; k++) {
+      q[k] = joint->kind == SEPAX_JOINT_FIXED ? 0 : value[k][chain->joint[n]];
+    }
+    bool rising = n < chain->up;
+    sepax_pose other = next_link(&link, joint, q[1], rising);
+    const sepax_pose *child = rising ? &link : &other;
+    scale += length_of(joint->origin.translation);
+    double slack = (double)(n + 1) * 0x1p-43 * scale;
+    double most = fmax(fabs(q[0]), fabs(q[2]));
+    double way = fabs(q[2] - q[0]);
+    if (joint->kind == SEPAX_JOINT_PRISMATIC) {
+      scale += most;
+      rounded += 0x1p-50 * most;
+      moved += way / 2 * up;
+    } else if (joint->kind != SEPAX_JOINT_FIXED) {
+      double arm = (reach_of(joint->axis, child, box) + slack + moved) * up;
+      rounded += 0x1p-50 * most * arm;
+      curvature += way * (way * arm + 4 * moved) * up;
+      moved += way / 2 * arm * up;
+    }
+    link = other;
+  }
+  double at[3][8][3];
+  double chord = 0;
+  seen_from_b(chain, m, middle, box, at[0]);
+  seen_from_b(chain, m, from, box, at[1]);
+  seen_from_b(chain, m, to, box, at[2]);
+  for (int end = 1; end < 3; end++) {
+    for (int n = 0; n < 8; n++) {
+      double way[3];
+      for (int i = 0; i < 3; i++) {
+        way[i] = at[end][n][i] - at[0][n][i];
+      }
+      chord = fmax(chord, length_of(way));
+    }
+  }
+  return fmin(chord + curvature / 32, moved) * up + 2 * rounded +
+         (double)(chain->count + 1) * 0x1p-42 * scale;
+}
