@@ -40,18 +40,18 @@ static void seen_from_b(const sepax_chain *chain, const sepax_mechanism *m, cons
   }
 }
 
-/* The greatest distance of a point of the box from an axis through the frame's origin: at a corner,
- * since it is a convex function. */
-static double reach_of(const double axis[3], const sepax_pose *frame, const double box[2][3]) {
+/* The greatest distance of a point of the box from an axis through the origin of a link: at a
+ * corner, since it is a convex function. */
+static double reach_of(const double axis[3], const sepax_pose *link, const double box[2][3]) {
   double most = 0;
   double a[3];
-  turn(frame->rotation, false, axis, a);
+  turn(link->rotation, false, axis, a);
   for (int n = 0; n < 8; n++) {
     double arm[3];
     double cross[3];
     corner_of(box, n, arm);
     for (int i = 0; i < 3; i++) {
-      arm[i] -= frame->translation[i];
+      arm[i] -= link->translation[i];
     }
     for (int i = 0; i < 3; i++) {
       int j = (i + 1) % 3;

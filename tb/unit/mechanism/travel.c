@@ -211,7 +211,7 @@ CASE(test_slide) {
 }
 
 /* Nothing moves: what is left is rounding. */
-CASE(test_rest) {
+CASE(test_stillness) {
   motion r = draw_motion(0);
   while (r.m.joints < 3 || r.a == r.b) {
     sepax_mechanism_free(&r.m);
