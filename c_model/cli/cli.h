@@ -92,6 +92,7 @@ int cli_judge(int argc, char **argv);
 int cli_mesh(int argc, char **argv);
 int cli_multiplier(int argc, char **argv);
 int cli_name(int argc, char **argv);
+int cli_path(int argc, char **argv);
 int cli_size(int argc, char **argv);
 int cli_tree(int argc, char **argv);
 int cli_vectors(int argc, char **argv);

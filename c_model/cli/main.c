@@ -13,6 +13,7 @@ static const struct {
     {"gen", cli_gen, "generate the Verilog of a design"},
     {"size", cli_size, "what a scene needs, and the design for it"},
     {"check", cli_check, "do two bodies collide, and which of their triangles?"},
+    {"path", cli_path, "which bodies of a mechanism collide on a path?"},
     {"judge", cli_judge, "verdicts for pairs given as text"},
     {"accuracy", cli_accuracy, "how often a design is wrong, on which pairs, by how much"},
     {"vectors", cli_vectors, "test vectors of hard cases as text"},
@@ -31,8 +32,8 @@ static void usage(FILE *out) {
   }
   fprintf(out,
           "\n'sepax COMMAND --help' lists the options of a command; --version prints the "
-          "version.\nExit status: 0 done (check: free), 2 error; check: 1 collision, 3 warning, "
-          "4 undecided.\n");
+          "version.\nExit status: 0 done (check, path: free), 2 error; check, path: 1 collision, "
+          "3 warning, 4 undecided.\n");
 }
 
 int main(int argc, char **argv) {

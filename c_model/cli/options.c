@@ -292,9 +292,13 @@ void cli_progress_show(cli_progress *p, uint64_t done) {
   clock_gettime(CLOCK_MONOTONIC, &now);
   if (seconds_between(&p->shown, &now) >= 0.25) {
     p->shown = now;
-    fprintf(stderr, "\r%s: %llu of %llu (%.0f %%)\033[K", p->what, (unsigned long long)done,
-            (unsigned long long)p->total,
-            p->total > 0 ? 100.0 * (double)done / (double)p->total : 100.0);
+    double part = p->total > 0 ? (double)done / (double)p->total : 1;
+    fprintf(stderr, "\r%s: %llu of %llu (%.0f %%)", p->what, (unsigned long long)done,
+            (unsigned long long)p->total, 100 * part);
+    if (part > 0) {
+      fprintf(stderr, ", %.0f s to go", seconds_between(&p->start, &now) * (1 / part - 1));
+    }
+    fputs("\033[K", stderr);
   }
 }
 

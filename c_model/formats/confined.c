@@ -31,9 +31,9 @@ static bool is_sane(const char *path, off_t *bytes, sepax_error *error) {
          sepax_fail(error, "%.300s: longer than 1 GiB; simplify the mesh", path);
 }
 
-/* Ten seconds and two for each MiB; 2 GiB and 100 bytes for each byte. A sanitizer maps more. */
+/* Five seconds and two for each MiB; 2 GiB and 100 bytes for each byte. A sanitizer maps more. */
 static void confine(off_t bytes) {
-  rlim_t seconds = 10 + 2 * (rlim_t)(bytes >> 20);
+  rlim_t seconds = 5 + 2 * (rlim_t)(bytes >> 20);
   struct rlimit time = {seconds, seconds + 1};
   setrlimit(RLIMIT_CPU, &time);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)

@@ -83,9 +83,9 @@ static bool find_here(const format_places *p, const char *name, char *path, sepa
     return sepax_fail(error, "%.120s is fetched from nowhere; give a file", name);
   }
   const char *slash = strrchr(p->urdf, '/');
-  bool found = file[0] == '/'  ? snprintf(path, PATH_MOST, "%s", file) < PATH_MOST && is_file(path)
-               : slash == NULL ? is_in(path, 1, ".", file)
-                               : is_in(path, (int)(slash - p->urdf), p->urdf, file);
+  bool whole = file[0] == '/' || slash == NULL;
+  bool found = whole ? snprintf(path, PATH_MOST, "%s", file) < PATH_MOST && is_file(path)
+                     : is_in(path, (int)(slash - p->urdf), p->urdf, file);
   return found || sepax_fail(error, "mesh %.160s: no such file; mend the name", name);
 }
 

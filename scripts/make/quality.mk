@@ -36,6 +36,7 @@ sanitized: $(SEPAX) $(UNIT)
 	  for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
 	@SEPAX=$(SEPAX) tb/system/cli
 	@SEPAX=$(SEPAX) tb/system/check
+	@SEPAX=$(SEPAX) tb/system/path
 
 # Threads that share bodies.
 raced: $(BUILD)/unit/body/threads

@@ -1,0 +1,212 @@
+/* command.c - sepax path: which bodies of a mechanism collide on a path? */
+#include "path/parts.h"
+#include "cli/report.h"
+#include "util/error.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum {
+  KEY_SRDF = 0x400,
+  KEY_PACKAGE,
+  KEY_CLEARANCE,
+  KEY_WARNING,
+  KEY_CSV,
+  KEY_WORST,
+  KEY_NO_DISTANCE,
+  KEY_SURFACES,
+  KEY_HOLD,
+  KEY_IGNORE_LIMITS,
+  KEY_THREADS
+};
+
+static const struct argp_option options[] = {
+    {"srdf", KEY_SRDF, "FILE", 0,
+     "compare the pairs of links that this SRDF does not disable; without it all but the two links "
+     "of a joint",
+     0},
+    {"package", KEY_PACKAGE, "NAME:FOLDER", 0, "where package://NAME/ is; may be given again", 0},
+    {"clearance", KEY_CLEARANCE, "LENGTH", 0,
+     "bodies collide unless they are farther from each other than this: with nm, um, mm or m "
+     "behind it, or metres",
+     0},
+    {"warning", KEY_WARNING, "LENGTH", 0,
+     "a second, larger clearance: warn of bodies unless they are farther from each other than this",
+     0},
+    {"csv", KEY_CSV, "FILE", 0, "write the lines and pairs that are not free as CSV", 0},
+    {"worst", KEY_WORST, "FILE", 0, "write all bodies in the worst pose as PLY", 0},
+    {"no-distance", KEY_NO_DISTANCE, NULL, 0, "verdicts only, no least clearance, which is faster",
+     0},
+    {"surfaces", KEY_SURFACES, NULL, 0, "do not ask whether one body is inside the other", 0},
+    {"hold", KEY_HOLD, NULL, 0, "joints without a column stay at 0", 0},
+    {"ignore-limits", KEY_IGNORE_LIMITS, NULL, 0, "values may be beyond the limits of their joints",
+     0},
+    {"json", 'j', NULL, 0, "print JSON instead of text", 0},
+    {"quiet", 'q', NULL, 0, "print nothing: the exit status tells", 0},
+    {"threads", KEY_THREADS, "N", 0, "threads (one for each processor)", 0},
+    {0}};
+
+/* A length without a unit is one of metres, as in URDF. */
+static const cli_unit lengths[] = {{"nm", -9}, {"um", -6}, {"mm", -3}, {"m", 0}, {NULL, 0}};
+
+static path_limit limit(struct argp_state *state, const char *name, const char *text) {
+  path_limit l = {text, 0};
+  const char *end = cli_scan(text, lengths, &l.length);
+  if (end == NULL || *end != '\0') {
+    argp_error(state, "%s: '%s' is not a length; give 0.1mm, or metres", name, text);
+  }
+  if (l.length < 0 || l.length > 1e9) {
+    argp_error(state, "%s: %s is not within 0 ... 1e9 m", name, text);
+  }
+  return l;
+}
+
+static void add_package(path_question *q, struct argp_state *state, char *text) {
+  char *colon = strchr(text, ':');
+  if (colon == NULL || colon == text || colon[1] == '\0' || q->packages == PATH_PACKAGES_MOST) {
+    argp_error(state, "package: '%s' is not NAME:FOLDER, or one too many", text);
+  } else {
+    *colon = '\0';
+    q->package[q->packages++] = (format_package){text, colon + 1};
+  }
+}
+
+static error_t parse_argument(path_question *q, char *text, struct argp_state *state) {
+  if (q->motion != NULL) {
+    argp_error(state, "unexpected argument '%s': give a URDF and a CSV file", text);
+  }
+  *(q->urdf == NULL ? &q->urdf : &q->motion) = text;
+  return 0;
+}
+
+/* Options that are on or off. */
+static bool *switch_of(path_question *q, int key) {
+  switch (key) {
+  case 'j':
+    return &q->json;
+  case 'q':
+    return &q->quiet;
+  case KEY_NO_DISTANCE:
+    return &q->no_distance;
+  case KEY_SURFACES:
+    return &q->surfaces;
+  case KEY_HOLD:
+    return &q->rules.hold;
+  case KEY_IGNORE_LIMITS:
+    return &q->rules.ignore_limits;
+  default:
+    return NULL;
+  }
+}
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  path_question *q = state->input;
+  bool *on = switch_of(q, key);
+  if (on != NULL) {
+    *on = true;
+    return 0;
+  }
+  switch (key) {
+  case KEY_SRDF:
+    q->srdf = text;
+    return 0;
+  case KEY_PACKAGE:
+    add_package(q, state, text);
+    return 0;
+  case KEY_CLEARANCE:
+    q->clearance = limit(state, "clearance", text);
+    return 0;
+  case KEY_WARNING:
+    q->warning = limit(state, "warning", text);
+    return 0;
+  case KEY_CSV:
+    q->csv = text;
+    return 0;
+  case KEY_WORST:
+    q->picture = text;
+    return 0;
+  case KEY_THREADS:
+    q->threads = (int)cli_count(state, "threads", text, 256);
+    return 0;
+  case ARGP_KEY_ARG:
+    return parse_argument(q, text, state);
+  case ARGP_KEY_END:
+    if (q->motion == NULL) {
+      argp_error(state, "give a URDF and a CSV file");
+    }
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static bool same_file(const char *p, const char *q) {
+  struct stat a;
+  struct stat b;
+  return strcmp(p, q) == 0 ||
+         (stat(p, &a) == 0 && stat(q, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino);
+}
+
+/* What is written must not be what is read, nor one file be written twice. */
+static bool outputs_distinct(const path_question *q, sepax_error *error) {
+  const char *const outputs[] = {q->csv, q->picture};
+  const char *const inputs[] = {q->urdf, q->motion, q->srdf};
+  for (int i = 0; i < 6; i++) {
+    const char *output = outputs[i % 2];
+    const char *input = inputs[i / 2];
+    if (output != NULL && input != NULL && same_file(output, input)) {
+      return sepax_fail(error, "%.300s: is read; name another file to write", output);
+    }
+  }
+  return q->csv == NULL || q->picture == NULL || !same_file(q->csv, q->picture) ||
+         sepax_fail(error, "%.300s: --csv and --worst name one file; name two", q->csv);
+}
+
+static bool options_agree(const path_question *q, sepax_error *error) {
+  if (q->quiet && q->json) {
+    return sepax_fail(error, "quiet: there is nothing to print as JSON; leave one of them out");
+  }
+  if (q->warning.text != NULL && q->clearance.text == NULL) {
+    return sepax_fail(error,
+                      "warning: there is no clearance to warn before; give --clearance, too");
+  }
+  if (q->warning.text != NULL && q->warning.length <= q->clearance.length) {
+    return sepax_fail(error, "warning: %.60s is not above the clearance of %.60s", q->warning.text,
+                      q->clearance.text);
+  }
+  const char *const names[2] = {q->urdf, q->motion};
+  const char *const more[2] = {q->srdf != NULL ? q->srdf : "", ""};
+  return !q->json || (report_names_printable(names, error) && report_names_printable(more, error));
+}
+
+int cli_path(int argc, char **argv) {
+  static const struct argp argp = {
+      options,
+      parse,
+      "ROBOT.urdf PATH.csv",
+      "Which bodies of a mechanism collide on a path, first in which line, and how near do the "
+      "others come? The bodies are the collision geometry of a URDF's links; the header of the CSV "
+      "names joints, a line has their values. Exact in the pose of each line; nothing is said of "
+      "what is between lines.\v"
+      "Exit status: 0 free, 1 collision, 2 error, 3 warning, 4 undecided.",
+      NULL,
+      NULL,
+      NULL};
+  static const int status[] = {EXIT_FREE, EXIT_WARNING, EXIT_UNDECIDED, EXIT_COLLISION};
+  static path_question q;
+  argp_parse(&argp, argc, argv, 0, NULL, &q);
+  q.no_distance = q.no_distance || (q.quiet && q.picture == NULL);
+  sepax_error error = {""};
+  path_scene scene = {.pairs = 0};
+  bool ok = options_agree(&q, &error) && outputs_distinct(&q, &error) &&
+            path_scene_load(&scene, &q, &error) && path_search(&scene, &q, &error) &&
+            (q.csv == NULL || path_write_csv(&scene, q.csv, &error)) &&
+            (q.picture == NULL || path_write_picture(&scene, q.picture, &error));
+  int result = ok ? status[path_worst(&scene)] : cli_fail(argv[0], &error);
+  if (ok && !q.quiet) {
+    (q.json ? path_print_json : path_print_text)(&scene, &q);
+  }
+  path_scene_free(&scene);
+  return result;
+}

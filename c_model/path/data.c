@@ -1,0 +1,143 @@
+/* data.c - what sepax path prints and writes for programs: JSON, CSV. */
+#include "cli/report.h"
+#include "path/parts.h"
+#include "util/write_file.h"
+
+#include <math.h>
+
+static const char *const names[PATH_VERDICTS] = {"free", "warning", "undecided", "collision"};
+
+static json_t *count_of(size_t count) { return json_integer((json_int_t)count); }
+
+/* {"line": 17, "time": 0.1}, or null */
+static json_t *line_of(const path_scene *scene, size_t line) {
+  if (line == PATH_NO_LINE) {
+    return json_null();
+  }
+  json_t *json = json_object();
+  json_object_set_new(json, "line", count_of(scene->motion.line[line]));
+  json_object_set_new(
+      json, "time", scene->motion.time != NULL ? json_real(scene->motion.time[line]) : json_null());
+  return json;
+}
+
+static json_t *points_of(const path_scene *scene, const path_pair *pair) {
+  double point[2][3];
+  if (pair->inside) {
+    return json_null();
+  }
+  path_points(scene, pair, point);
+  return json_pack("[[f, f, f], [f, f, f]]", point[0][0], point[0][1], point[0][2], point[1][0],
+                   point[1][1], point[1][2]);
+}
+
+static json_t *least_of(const path_scene *scene, const path_pair *pair) {
+  if (pair->least_line == PATH_NO_LINE) {
+    return json_null();
+  }
+  json_t *json = line_of(scene, pair->least_line);
+  json_object_set_new(json, "distance", json_real(pair->least));
+  json_object_set_new(json, "points", points_of(scene, pair));
+  return json;
+}
+
+static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
+  json_t *lines = json_object();
+  json_t *first = json_object();
+  json_t *json =
+      json_pack("{s:s, s:s, s:s}", "a", path_body_name(scene, pair->body[0]), "b",
+                path_body_name(scene, pair->body[1]), "verdict", names[path_verdict_of(pair)]);
+  for (int v = 0; v < PATH_VERDICTS; v++) {
+    json_object_set_new(lines, names[v], count_of(pair->lines[v]));
+    json_object_set_new(first, names[v], line_of(scene, pair->first[v]));
+  }
+  json_object_set_new(json, "lines", lines);
+  json_object_set_new(json, "first", first);
+  json_object_set_new(json, "least_clearance", least_of(scene, pair));
+  return json;
+}
+
+static json_t *body_of(const path_scene *scene, size_t n) {
+  const path_body *b = &scene->body[n];
+  return json_pack("{s:s, s:I, s:I, s:I}", "link", path_body_name(scene, n), "triangles",
+                   (json_int_t)b->triangles, "parts", (json_int_t)b->parts, "open_parts",
+                   (json_int_t)b->open);
+}
+
+void path_print_json(const path_scene *scene, const path_question *q) {
+  path_verdict worst = path_worst(scene);
+  json_t *json = json_object();
+  json_t *bodies = json_array();
+  json_t *pairs = json_array();
+  for (size_t n = 0; n < scene->bodies; n++) {
+    json_array_append_new(bodies, body_of(scene, n));
+  }
+  for (size_t n = 0; n < scene->pairs; n++) {
+    json_array_append_new(pairs, pair_of(scene, &scene->pair[n]));
+  }
+  json_object_set_new(json, "urdf", json_string(q->urdf));
+  json_object_set_new(json, "srdf", q->srdf != NULL ? json_string(q->srdf) : json_null());
+  json_object_set_new(json, "path", json_string(q->motion));
+  json_object_set_new(json, "unit", json_string("m"));
+  json_object_set_new(json, "verdict", json_string(names[worst]));
+  json_object_set_new(json, "first",
+                      worst == PATH_FREE ? json_null() : line_of(scene, path_worst_line(scene)));
+  json_object_set_new(json, "lines", count_of(scene->motion.lines));
+  if (q->clearance.text != NULL) {
+    json_object_set_new(json, "clearance", json_real(q->clearance.length));
+  }
+  if (q->warning.text != NULL) {
+    json_object_set_new(json, "warning", json_real(q->warning.length));
+  }
+  json_object_set_new(json, "bodies", bodies);
+  json_object_set_new(json, "pairs", pairs);
+  json_object_set_new(json, "pairs_of_one_joint", count_of(scene->joined));
+  json_object_set_new(json, "pairs_disabled", count_of(scene->disabled));
+  json_object_set_new(json, "seconds", json_real(scene->seconds));
+  report_print_json(json);
+}
+
+/* ----------------------------------------------------------------------------- CSV */
+
+/* In quotes where it has commas, quotes or blanks. */
+static bool write_name(FILE *out, const char *name) {
+  bool plain = true;
+  for (const char *c = name; *c != '\0'; c++) {
+    plain = plain && *c != ',' && *c != '"' && *c != ' ' && *c != ';';
+  }
+  if (plain) {
+    return fputs(name, out) != EOF;
+  }
+  bool ok = putc('"', out) != EOF;
+  for (const char *c = name; *c != '\0' && ok; c++) {
+    ok = (*c != '"' || putc('"', out) != EOF) && putc(*c, out) != EOF;
+  }
+  return ok && putc('"', out) != EOF;
+}
+
+static bool write_row(FILE *out, const path_scene *scene, const path_pair *pair, size_t line) {
+  const format_motion *motion = &scene->motion;
+  return fprintf(out, "%zu,", motion->line[line]) > 0 &&
+         (motion->time == NULL || fprintf(out, "%.17g,", motion->time[line]) > 0) &&
+         write_name(out, path_body_name(scene, pair->body[0])) && putc(',', out) != EOF &&
+         write_name(out, path_body_name(scene, pair->body[1])) &&
+         fprintf(out, ",%s\n", names[pair->verdict[line]]) > 0;
+}
+
+/* A row for each line and pair that is not free. */
+static bool write_rows(FILE *out, const void *context) {
+  const path_scene *scene = context;
+  bool ok = fputs(scene->motion.time != NULL ? "line,time,a,b,verdict\n" : "line,a,b,verdict\n",
+                  out) != EOF;
+  for (size_t line = 0; line < scene->motion.lines && ok; line++) {
+    for (size_t n = 0; n < scene->pairs && ok; n++) {
+      const path_pair *pair = &scene->pair[n];
+      ok = pair->verdict[line] == PATH_FREE || write_row(out, scene, pair, line);
+    }
+  }
+  return ok;
+}
+
+bool path_write_csv(const path_scene *scene, const char *path, sepax_error *error) {
+  return sepax_write_file(path, write_rows, scene, error);
+}

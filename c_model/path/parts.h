@@ -1,0 +1,103 @@
+/* parts.h - what the parts of sepax path share: command.c reads what is asked, scene.c makes bodies
+ * of the links and pairs of the bodies, search.c asks each pair in each line, text.c and data.c
+ * tell. */
+#ifndef SEPAX_PATH_PARTS_H
+#define SEPAX_PATH_PARTS_H
+
+#include "cli/cli.h"
+#include "formats/formats.h"
+
+/* In the order of precedence: the greatest of all pairs and all lines holds. */
+typedef enum {
+  PATH_FREE,
+  PATH_WARNING,
+  PATH_UNDECIDED,
+  PATH_COLLISION,
+  PATH_VERDICTS
+} path_verdict;
+
+/* A limit of --clearance or --warning. */
+typedef struct {
+  const char *text; /* as it is written; NULL: none */
+  double length;    /* metres */
+} path_limit;
+
+enum { PATH_PACKAGES_MOST = 64 };
+
+typedef struct {
+  const char *urdf, *motion;
+  const char *srdf, *csv, *picture; /* or NULL */
+  path_limit clearance, warning;
+  bool json, quiet, surfaces, no_distance;
+  int threads;
+  format_motion_rules rules;
+  format_package package[PATH_PACKAGES_MOST];
+  size_t packages;
+} path_question;
+
+/* One collision element of a body, a solid of its own. */
+typedef struct {
+  sepax_body *body;
+  sepax_shell shell;
+} path_part;
+
+typedef struct {
+  size_t link;
+  sepax_body *body; /* of all parts; that of the only one where there is one */
+  path_part *part;
+  size_t parts, open; /* how many parts are no solids */
+  sepax_mesh mesh;    /* of all parts; for the picture only */
+  size_t triangles;
+  double least[3], most[3]; /* its AABB in the link's coordinates */
+} path_body;
+
+#define PATH_NO_LINE SIZE_MAX
+
+/* Two bodies, and what is known of them. */
+typedef struct {
+  size_t body[2];
+  sepax_chain chain;
+  size_t lines[PATH_VERDICTS]; /* how many have this verdict */
+  size_t first[PATH_VERDICTS]; /* the first of them, or PATH_NO_LINE */
+  double least;                /* the least clearance, infinite where it is not asked */
+  size_t least_line;
+  double point[2][3];     /* that far from each other, in the coordinates of the chain's top */
+  bool inside;            /* one has the other, or a part of it, inside there: no points */
+  unsigned char *verdict; /* of each line, where they are written; or NULL */
+} path_pair;
+
+typedef struct {
+  format_robot robot;
+  format_motion motion;
+  path_body *body;
+  size_t bodies;
+  path_pair *pair;
+  size_t pairs;
+  size_t joined, disabled; /* pairs that are not compared: links of one joint; by the SRDF */
+  double seconds;
+} path_scene;
+
+/* False leaves a scene that can be freed. */
+bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error);
+void path_scene_free(path_scene *scene);
+
+bool path_search(path_scene *scene, const path_question *q, sepax_error *error);
+
+path_verdict path_verdict_of(const path_pair *pair); /* the worst of all lines */
+path_verdict path_worst(const path_scene *scene);
+extern const char *const path_names[PATH_VERDICTS];
+const char *path_body_name(const path_scene *scene, size_t body);
+
+/* The line of the worst pose: the first of the worst verdict; where all are free, that of the least
+ * clearance. */
+size_t path_worst_line(const path_scene *scene);
+
+/* Where two points of a pair are in the root's coordinates. */
+void path_points(const path_scene *scene, const path_pair *pair, double point[2][3]);
+
+void path_print_text(const path_scene *scene, const path_question *q);
+void path_print_json(const path_scene *scene, const path_question *q);
+bool path_write_csv(const path_scene *scene, const char *path, sepax_error *error);
+bool path_write_picture(const path_scene *scene, const char *path, sepax_error *error);
+
+#endif

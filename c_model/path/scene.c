@@ -1,0 +1,195 @@
+/* scene.c - links as bodies, and the pairs of them that are compared. */
+#include "path/parts.h"
+#include "util/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *path_body_name(const path_scene *scene, size_t body) {
+  return scene->robot.mechanism.link[scene->body[body].link].name;
+}
+
+static void free_body(path_body *b) {
+  for (size_t n = 0; n < b->parts; n++) {
+    sepax_shell_free(&b->part[n].shell);
+    if (b->part[n].body != b->body) {
+      sepax_body_free(b->part[n].body);
+    }
+  }
+  sepax_body_free(b->body);
+  free(b->part);
+  sepax_mesh_free(&b->mesh);
+}
+
+void path_scene_free(path_scene *scene) {
+  for (size_t n = 0; n < scene->bodies; n++) {
+    free_body(&scene->body[n]);
+  }
+  for (size_t n = 0; n < scene->pairs; n++) {
+    sepax_chain_free(&scene->pair[n].chain);
+    free(scene->pair[n].verdict);
+  }
+  free(scene->body);
+  free(scene->pair);
+  format_robot_free(&scene->robot);
+  format_motion_free(&scene->motion);
+}
+
+/* -------------------------------------------------------------------------- bodies */
+
+/* All facets of a part behind those of the parts before it. */
+static bool append(sepax_mesh *to, const sepax_mesh *mesh) {
+  sepax_facet *grown = realloc(to->facet, (to->count + mesh->count) * sizeof *grown);
+  if (grown == NULL) {
+    return false;
+  }
+  to->facet = grown;
+  memcpy(to->facet + to->count, mesh->facet, mesh->count * sizeof *grown);
+  to->count += mesh->count;
+  return true;
+}
+
+/* A part with a body of its own where the link has several. */
+static bool add_part(path_body *b, const format_shape *shape, bool only, sepax_error *error) {
+  sepax_mesh mesh = {NULL, 0};
+  path_part *part = &b->part[b->parts];
+  bool ok = format_shape_mesh(&mesh, shape, error) &&
+            (append(&b->mesh, &mesh) ||
+             sepax_fail(error, "no memory for %zu triangles", b->mesh.count + mesh.count));
+  if (ok && sepax_body_new(&part->body, &mesh, error)) {
+    b->parts++; /* which frees it from now on */
+    b->body = only ? part->body : NULL;
+    ok = sepax_shell_find(&part->shell, part->body, error);
+    b->open += ok && !part->shell.closed;
+  } else {
+    ok = false;
+  }
+  sepax_mesh_free(&mesh);
+  return ok;
+}
+
+static void find_box(path_body *b) {
+  for (int i = 0; i < 3; i++) {
+    b->least[i] = INFINITY;
+    b->most[i] = -INFINITY;
+  }
+  for (size_t n = 0; n < 3 * b->mesh.count; n++) {
+    for (int i = 0; i < 3; i++) {
+      double x = b->mesh.facet[n / 3].v[n % 3][i];
+      b->least[i] = fmin(b->least[i], x);
+      b->most[i] = fmax(b->most[i], x);
+    }
+  }
+}
+
+static bool make_body(path_body *b, const format_robot *robot, size_t first, size_t count,
+                      bool keep_mesh, sepax_error *error) {
+  b->link = robot->shape[first].link;
+  b->part = calloc(count, sizeof *b->part);
+  if (b->part == NULL) {
+    return sepax_fail(error, "no memory for %zu parts", count);
+  }
+  sepax_error inner = {""};
+  for (size_t n = first; n < first + count; n++) {
+    if (!add_part(b, &robot->shape[n], count == 1, &inner)) {
+      return sepax_fail(error, "link %.60s: %.400s", robot->mechanism.link[b->link].name,
+                        inner.text);
+    }
+  }
+  b->triangles = b->mesh.count;
+  find_box(b);
+  if (b->body == NULL && !sepax_body_new(&b->body, &b->mesh, error)) {
+    return false;
+  }
+  if (!keep_mesh) {
+    sepax_mesh_free(&b->mesh);
+  }
+  return true;
+}
+
+/* Shapes of one link stand together. */
+static bool make_bodies(path_scene *scene, bool keep_meshes, sepax_error *error) {
+  const format_robot *robot = &scene->robot;
+  scene->body = calloc(robot->shapes + 1, sizeof *scene->body);
+  if (scene->body == NULL) {
+    return sepax_fail(error, "no memory for bodies");
+  }
+  bool ok = true;
+  cli_progress progress = cli_progress_begin("bodies", robot->shapes);
+  for (size_t first = 0; first < robot->shapes && ok;) {
+    size_t count = 1;
+    while (first + count < robot->shapes &&
+           robot->shape[first + count].link == robot->shape[first].link) {
+      count++;
+    }
+    cli_progress_show(&progress, first);
+    ok = make_body(&scene->body[scene->bodies++], robot, first, count, keep_meshes, error);
+    first += count;
+  }
+  cli_progress_end(&progress);
+  return ok;
+}
+
+/* --------------------------------------------------------------------------- pairs */
+
+static bool joined(const sepax_mechanism *m, size_t a, size_t b) {
+  const size_t up[2] = {m->link[a].joint, m->link[b].joint};
+  return (up[0] != SEPAX_NO_JOINT && m->joint[up[0]].parent == b) ||
+         (up[1] != SEPAX_NO_JOINT && m->joint[up[1]].parent == a);
+}
+
+static bool add_pair(path_scene *scene, size_t a, size_t b, sepax_error *error) {
+  path_pair *pair = &scene->pair[scene->pairs];
+  *pair = (path_pair){.body = {a, b}, .least = INFINITY, .least_line = PATH_NO_LINE};
+  for (int v = 0; v < PATH_VERDICTS; v++) {
+    pair->first[v] = PATH_NO_LINE;
+  }
+  if (!sepax_chain_find(&pair->chain, &scene->robot.mechanism, scene->body[a].link,
+                        scene->body[b].link, error)) {
+    return false;
+  }
+  scene->pairs++;
+  return true;
+}
+
+/* What the SRDF does not disable; without one, all but the links of a joint. */
+static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error) {
+  const sepax_mechanism *m = &scene->robot.mechanism;
+  bool *compared = malloc(m->links * m->links);
+  size_t most = scene->bodies * (scene->bodies + 1) / 2;
+  scene->pair = calloc(most + 1, sizeof *scene->pair);
+  if (compared == NULL || scene->pair == NULL) {
+    free(compared);
+    return sepax_fail(error, "no memory for pairs of %zu bodies", scene->bodies);
+  }
+  memset(compared, true, m->links * m->links);
+  bool ok = srdf == NULL || format_srdf_read(compared, m, srdf, error);
+  for (size_t a = 0; a < scene->bodies && ok; a++) {
+    for (size_t b = a + 1; b < scene->bodies && ok; b++) {
+      size_t link[2] = {scene->body[a].link, scene->body[b].link};
+      bool off =
+          srdf != NULL ? !compared[link[0] * m->links + link[1]] : joined(m, link[0], link[1]);
+      *(srdf != NULL ? &scene->disabled : &scene->joined) += off;
+      ok = off || add_pair(scene, a, b, error);
+    }
+  }
+  free(compared);
+  return ok;
+}
+
+bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error) {
+  *scene = (path_scene){0};
+  if (!format_urdf_read(&scene->robot, q->urdf, q->package, q->packages, error) ||
+      !format_motion_read(&scene->motion, &scene->robot.mechanism, &q->rules, q->motion, error) ||
+      !make_bodies(scene, q->picture != NULL, error) || !choose_pairs(scene, q->srdf, error)) {
+    return false;
+  }
+  if (scene->pairs == 0) {
+    return sepax_fail(error,
+                      "%.240s: no two bodies to compare: %zu links have collision geometry, %zu "
+                      "pairs are left out",
+                      q->urdf, scene->bodies, scene->joined + scene->disabled);
+  }
+  return true;
+}

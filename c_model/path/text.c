@@ -1,0 +1,129 @@
+/* text.c - what sepax path prints for people. */
+#include "path/parts.h"
+
+#include <math.h>
+#include <string.h>
+
+const char *const path_names[PATH_VERDICTS] = {"FREE", "WARNING", "UNDECIDED", "COLLISION"};
+
+/* "line 17 (0.1 s)" */
+static void print_line(const path_scene *scene, size_t line) {
+  printf("line %zu", scene->motion.line[line]);
+  if (scene->motion.time != NULL) {
+    printf(" (%.9g s)", scene->motion.time[line]);
+  }
+}
+
+static void print_point(const double v[3]) {
+  printf("%.6g %.6g %.6g", 1e3 * v[0], 1e3 * v[1], 1e3 * v[2]);
+}
+
+static void print_least(const path_scene *scene, const path_pair *pair) {
+  if (pair->least_line == PATH_NO_LINE) {
+    return;
+  }
+  if (pair->least == 0) {
+    fputs(pair->inside ? "; one has the other, or a part of it, inside" : "", stdout);
+    return;
+  }
+  double point[2][3];
+  path_points(scene, pair, point);
+  printf("; least clearance %.6g mm in ", 1e3 * pair->least);
+  print_line(scene, pair->least_line);
+  fputs(", from ", stdout);
+  print_point(point[0]);
+  fputs(" to ", stdout);
+  print_point(point[1]);
+}
+
+static void print_pair(const path_scene *scene, const path_pair *pair, int width) {
+  path_verdict verdict = path_verdict_of(pair);
+  char names[2 * 64 + 4];
+  snprintf(names, sizeof names, "%.60s, %.60s", path_body_name(scene, pair->body[0]),
+           path_body_name(scene, pair->body[1]));
+  printf("%-9s  %-*s", path_names[verdict], width, names);
+  const char *before = "  ";
+  for (int v = PATH_COLLISION; v > PATH_FREE; v--) {
+    static const char *const what[] = {"", "a warning", "undecided", "collide"};
+    if (pair->lines[v] > 0) {
+      printf("%s%s in %zu lines, first in ", before, what[v], pair->lines[v]);
+      print_line(scene, pair->first[v]);
+      before = "; ";
+    }
+  }
+  fputs(verdict == PATH_FREE ? "  free in all lines" : "", stdout);
+  print_least(scene, pair);
+  putchar('\n');
+}
+
+static void print_bodies(const path_scene *scene) {
+  for (size_t n = 0; n < scene->bodies; n++) {
+    const path_body *b = &scene->body[n];
+    printf("body   %s, %zu triangles", path_body_name(scene, n), b->triangles);
+    if (b->parts > 1) {
+      printf(", %zu parts", b->parts);
+    }
+    if (b->open > 0) {
+      printf(", %zu of %zu parts open: the inside of these is not defined", b->open, b->parts);
+    }
+    putchar('\n');
+  }
+}
+
+static void print_compared(const path_scene *scene, const path_question *q) {
+  size_t off = scene->joined + scene->disabled;
+  printf("pairs  %zu of %zu are compared", scene->pairs, scene->pairs + off);
+  if (q->srdf != NULL) {
+    printf(", %zu are disabled by %s", scene->disabled, q->srdf);
+  } else {
+    printf("; %zu are not: links of one joint (--srdf=FILE says which)", scene->joined);
+  }
+  putchar('\n');
+}
+
+static void print_motion(const path_scene *scene, const path_question *q) {
+  const format_motion *motion = &scene->motion;
+  size_t last = motion->lines - 1;
+  printf("path   %s, %zu poses, in lines %zu ... %zu of the file", q->motion, motion->lines,
+         motion->line[0], motion->line[last]);
+  if (motion->time != NULL) {
+    printf(", %.9g ... %.9g s", motion->time[0], motion->time[last]);
+  }
+  putchar('\n');
+}
+
+static void print_limits(const path_question *q) {
+  if (q->clearance.text != NULL) {
+    printf("bands  collision up to %.9g mm", 1e3 * q->clearance.length);
+    if (q->warning.text != NULL) {
+      printf(", warning up to %.9g mm", 1e3 * q->warning.length);
+    }
+    putchar('\n');
+  }
+}
+
+void path_print_text(const path_scene *scene, const path_question *q) {
+  path_verdict worst = path_worst(scene);
+  int width = 0;
+  size_t such = 0;
+  for (size_t n = 0; n < scene->pairs; n++) {
+    const path_pair *pair = &scene->pair[n];
+    int length = (int)(strlen(path_body_name(scene, pair->body[0])) +
+                       strlen(path_body_name(scene, pair->body[1])) + 2);
+    width = length > width ? length : width;
+    such += path_verdict_of(pair) == worst;
+  }
+  print_bodies(scene);
+  print_compared(scene, q);
+  print_motion(scene, q);
+  print_limits(q);
+  for (size_t n = 0; n < scene->pairs; n++) {
+    print_pair(scene, &scene->pair[n], width < 40 ? width : 40);
+  }
+  printf("%s  %zu of %zu pairs", path_names[worst], such, scene->pairs);
+  if (worst != PATH_FREE) {
+    fputs(", first in ", stdout);
+    print_line(scene, path_worst_line(scene));
+  }
+  printf(" (in the lines of the path, not between them), %.3f s\n", scene->seconds);
+}
