@@ -37,20 +37,22 @@ module sepax_tree_results (
   reg  [2:0]  number_q; // of the transfer of the end that comes next
   reg  [63:0] shown;
   wire        free = !tvalid || tready;
+  wire        hit = status_q[0];
+  wire        ran = !(|status_q[5:4]); // neither BUS nor REFUSED: counters are those of the pose
 
   assign ready = free;
   assign busy = ending_q || tvalid;
 
   always @(*) begin
     case (number_q)
-      3'd0: shown = {1'b1, 24'd0, status_q, steps};
+      3'd0: shown = {1'b1, 24'd0, status_q, steps & {32{ran}}};
       3'd1: shown = {pose, job};
-      3'd2: shown = {near, cycles};
-      3'd3: shown = {warnings, collisions};
-      3'd4: shown = {pairs, out_of_range};
-      3'd5: shown = {entries, rows};
-      3'd6: shown = {8'd0, first_b, first_a};
-      default: shown = {5'd0, first_row_b, 5'd0, first_row_a};
+      3'd2: shown = {near, cycles} & {64{ran}};
+      3'd3: shown = {warnings, collisions} & {64{ran}};
+      3'd4: shown = {pairs, out_of_range} & {64{ran}};
+      3'd5: shown = {entries, rows} & {64{ran}};
+      3'd6: shown = {8'd0, first_b, first_a} & {64{hit}};
+      default: shown = {5'd0, first_row_b, 5'd0, first_row_a} & {64{hit}};
     endcase
   end
 

@@ -8,8 +8,7 @@
  * line; a line a pose: cycles, near pairs, collisions. Modes are those of a job (docs/tree.md; 16:
  * cold caches at each pose). The second: N rounds of seeded bodies, poses and modes; then damage.
  * The third: N batches of small bodies, of which any bytes are damaged. The fourth: six bodies in N
- * poses along a path (scene.c). Words that begin with + are for the design. Exit status 1:
- * something was wrong. */
+ * poses along a path (scene.c). Words with + are for the design. Exit status 1: a fault. */
 #include "bench.h"
 
 #include <math.h>
@@ -170,10 +169,13 @@ static void compare(const bench_batch *b, contacts *c, const sepax_tree_result *
                     const sepax_outcome *o) {
   count(c, "job", o->job, golden->job);
   count(c, "pose", o->pose, golden->pose);
+  bool hit = (o->status & SEPAX_TREE_HIT) != 0;
+  count(c, "no FIRST", hit ? 0 : o->first[0] | o->first[1] | o->row[0] | o->row[1], 0);
+  count(c, "no run", (o->status & (SEPAX_TREE_BUS | SEPAX_TREE_REFUSED)) != 0 ? o->cycles : 0, 0);
   if (c->stale) {
     return;
   }
-  bool found_first = (golden->modes & SEPAX_TREE_FIRST) != 0 && (o->status & SEPAX_TREE_HIT) != 0;
+  bool found_first = (golden->modes & SEPAX_TREE_FIRST) != 0 && hit;
   if (!c->may_stop || found_first) {
     count(c, "STOPPED", o->status & SEPAX_TREE_STOPPED, 0);
   }
