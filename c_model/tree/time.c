@@ -5,14 +5,18 @@
 
 /* Cycles: to look up a pair of nodes; of the least entry in the compare path; from the last box to
  * what is made of it; from the last beat of a record to its triangles; from a row to a pair; around
- * cores. */
-enum { LOOK_UP = 3, LEAST = 6, BEHIND_BOXES = 24, MADE = 16, TO_PAIR = 12, AROUND_CORE = 8 };
+ * cores; from one near pair to the next; behind a row. Of an ASIC; of an FPGA, which has more
+ * pipeline registers. */
+enum { LOOK_UP, LEAST, BEHIND_BOXES, MADE, TO_PAIR, AROUND_CORE, NEXT_PAIR, BEHIND_ROW, SPANS };
+static const uint64_t spans[2][SPANS] = {{3, 6, 24, 16, 12, 8, 0, 0}, {4, 9, 36, 17, 18, 9, 2, 1}};
 
 static uint64_t later(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
 void tree_time_begin(tree_time *t, const sepax_config *config, int latency) {
-  *t = (tree_time){
-      .latency = (uint64_t)latency, .ii = (uint64_t)config->ii, .cores = (uint64_t)config->cores};
+  *t = (tree_time){.span = spans[config->target != SEPAX_TARGET_ASIC],
+                   .latency = (uint64_t)latency,
+                   .ii = (uint64_t)config->ii,
+                   .cores = (uint64_t)config->cores};
 }
 
 /* The place of a block of so many beats, which is there from place->there on: where it is, or that
@@ -34,18 +38,19 @@ static time_place *look_up(tree_time *t, time_place set[TIME_WAYS], uint32_t num
 }
 
 uint64_t tree_time_move(tree_time *t, uint64_t now, const uint32_t node[2]) {
-  uint64_t there = now + LOOK_UP;
+  uint64_t there = now + t->span[LOOK_UP];
   for (int body = 0; body < 2; body++) {
     time_place *set = t->node[body][node[body] % TIME_NODE_SETS];
-    there = later(there,
-                  look_up(t, set, node[body], TREE_NODE_BYTES / TREE_BEAT, now + LOOK_UP)->there);
+    there = later(
+        there,
+        look_up(t, set, node[body], TREE_NODE_BYTES / TREE_BEAT, now + t->span[LOOK_UP])->there);
   }
   return there;
 }
 
 uint64_t tree_time_finish(tree_time *t, uint64_t there, unsigned boxes) {
-  t->compare = later(t->compare, there) + (boxes > LEAST ? boxes : LEAST);
-  return t->compare + BEHIND_BOXES;
+  t->compare = later(t->compare, there) + later(boxes, t->span[LEAST]);
+  return t->compare + t->span[BEHIND_BOXES];
 }
 
 static void take_pass(tree_time *t, uint64_t tested) {
@@ -53,7 +58,7 @@ static void take_pass(tree_time *t, uint64_t tested) {
   for (uint64_t k = 1; k < t->cores; k++) {
     free_at = t->free_at[k] < *free_at ? &t->free_at[k] : free_at;
   }
-  t->verdict = later(tested + TO_PAIR, *free_at);
+  t->verdict = later(later(tested + t->span[TO_PAIR], *free_at), t->verdict + t->span[NEXT_PAIR]);
   *free_at = t->verdict + t->ii;
 }
 
@@ -70,7 +75,7 @@ static void take_leaves(tree_time *t, const time_row *row) {
   for (int body = 0; body < 2; body++) {
     time_place *set = t->leaf[body][row->leaf[body] % TIME_LEAF_SETS];
     t->places[body] = look_up(t, set, row->leaf[body], (uint64_t)row->beats[body], now);
-    t->leaves_there = later(t->leaves_there, t->places[body]->there + MADE);
+    t->leaves_there = later(t->leaves_there, t->places[body]->there + t->span[MADE]);
     t->leaves[body] = row->leaf[body] + 1;
   }
   t->pairs_of_leaves++;
@@ -101,7 +106,7 @@ void tree_time_row(tree_time *t, const time_row *row) {
   t->corners = row->corners;
   t->pairs = later(t->pairs, t->leaves_there);
   *begun = t->pairs;
-  t->pairs += row->pairs > least ? row->pairs : least;
+  t->pairs += later(row->pairs, least) + t->span[BEHIND_ROW];
   for (unsigned n = 0; n < row->passes; n++) {
     take_pass(t, *begun + n);
   }
@@ -110,7 +115,7 @@ void tree_time_row(tree_time *t, const time_row *row) {
 }
 
 uint64_t tree_time_end(const tree_time *t, const sepax_design *design) {
-  uint64_t answered = t->verdict + AROUND_CORE + (uint64_t)design->latency;
-  uint64_t walked = later(t->compare + BEHIND_BOXES, t->pairs + TO_PAIR);
+  uint64_t answered = t->verdict + t->span[AROUND_CORE] + (uint64_t)design->latency;
+  uint64_t walked = later(t->compare + t->span[BEHIND_BOXES], t->pairs + t->span[TO_PAIR]);
   return t->verdict > 0 ? later(answered, walked) : walked;
 }

@@ -21,6 +21,7 @@ typedef struct {
 } time_place;
 
 typedef struct {
+  const uint64_t *span; /* of steps, by target */
   uint64_t latency, ii, cores;
   uint64_t asked;   /* the last address */
   uint64_t bus;     /* until when it is taken */

@@ -269,17 +269,11 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
 /* With as many pipeline registers as the period needs, their places are those for the shortest
  * period that needs no more. */
 void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
-  if (model_of(form)->family && form->terms > 0) {
-    *p = (arith_plan){.delay = form->delay,
-                      .a_w = form->a_w,
-                      .b_w = form->b_w,
-                      .p_w = form->p_w,
-                      .terms = form->terms};
-    memcpy(p->addend, form->addend, sizeof p->addend);
-    return;
-  }
   if (model_of(form)->family) {
     arith_product_make(p, form, period);
+    p->terms = form->terms;
+    p->latency += arith_two_sums(p);
+    memcpy(p->addend, form->addend, sizeof p->addend);
     return;
   }
   double enough = period - delay_register(model_of(form));

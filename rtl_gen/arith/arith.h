@@ -110,9 +110,13 @@ double arith_shortest(const arith_form *form);
  * the program; 80 x 80 bits, the most that a design asks for, fit. */
 void arith_plan_make(arith_plan *plan, const arith_form *form, double period);
 
-/* The same for an FPGA: gates are not planned. */
+/* The same for an FPGA: gates are not planned. A product alone, or one of those that are summed. */
 void arith_product_make(arith_plan *plan, const arith_form *form, double period);
 void gen_product(emitter *e, const arith_plan *plan);
+
+/* A sum of products on an FPGA; where a product is a sum of parts, theirs takes two stages. */
+void gen_products(emitter *e, const arith_plan *plan);
+bool arith_two_sums(const arith_plan *plan);
 
 /* The module that one multiplier of the FPGA makes. */
 void gen_dsp(emitter *e, const delay_model *m);

@@ -331,8 +331,7 @@ static void set_holes(emit_holes *h, const arith_plan *p) {
 /* The formula of a sum of products, for its banner and its behavioural view. */
 static void set_formula(emit_holes *h, const arith_plan *p) {
   FILE *out = emit_hole_open(h, "formula");
-  bool family = p->delay->family;
-  fprintf(out, family ? "sum over k of a_k b_k" : "sum over k of a_k (b_k - BIAS)");
+  fputs("sum over k of a_k (b_k - BIAS)", out);
   for (int k = 0; k < ARITH_ADDENDS; k++) {
     const arith_addend *a = &p->addend[k];
     if (a->width > 0) {
@@ -346,10 +345,8 @@ static void set_formula(emit_holes *h, const arith_plan *p) {
                                      factor_bits(p, 'a', k, p->a_w - 1, 0).text);
     const gen_line right = gen_format("{{%d{b[%d]}}, %s}", p->p_w - p->b_w, (k + 1) * p->b_w - 1,
                                       factor_bits(p, 'b', k, p->b_w - 1, 0).text);
-    fprintf(out,
-            family ? "  wire signed [%d:0] product_of_%d =\n    $signed(%s) *\n    $signed(%s);\n"
-                   : "  wire [%d:0] product_of_%d =\n    %s *\n    (%s - BIAS);\n",
-            p->p_w - 1, k, left.text, right.text);
+    fprintf(out, "  wire [%d:0] product_of_%d =\n    %s *\n    (%s - BIAS);\n", p->p_w - 1, k,
+            left.text, right.text);
   }
   fprintf(out, "  wire [%d:0] whole =\n    ", p->p_w - 1);
   for (int k = 0; k < p->terms; k++) {
@@ -369,8 +366,8 @@ static void set_formula(emit_holes *h, const arith_plan *p) {
 }
 
 void gen_multiplier(emitter *e, const arith_plan *plan) {
-  if (plan->delay->family && plan->terms == 0) {
-    gen_product(e, plan);
+  if (plan->delay->family) {
+    plan->terms == 0 ? gen_product(e, plan) : gen_products(e, plan);
     return;
   }
   emit_holes h = {0};
@@ -383,22 +380,15 @@ void gen_multiplier(emitter *e, const arith_plan *plan) {
   for (int i = 2; i <= plan->latency; i++) {
     fprintf(out, "\n    product_%d <= product_%d;", i, i - 1);
   }
-  if (!plan->delay->family) {
-    print_digits(emit_hole_open(&h, "digits"), plan);
-    print_addends(emit_hole_open(&h, "addends"), plan);
-    print_adders(emit_hole_open(&h, "adders"), plan);
-    out = emit_hole_open(&h, "final");
-    print_terms(out, plan, "+", plan->final, 2, plan->p_w, plan->latency);
-  }
+  print_digits(emit_hole_open(&h, "digits"), plan);
+  print_addends(emit_hole_open(&h, "addends"), plan);
+  print_adders(emit_hole_open(&h, "adders"), plan);
+  out = emit_hole_open(&h, "final");
+  print_terms(out, plan, "+", plan->final, 2, plan->p_w, plan->latency);
   if (plan->terms > 0) {
     set_formula(&h, plan);
   }
   emit_hole_close(&h);
-  emit_hole_set(&h, "family", "%s", plan->delay->library);
-  emit_template(e,
-                plan->terms == 0      ? "sepax_multiplier"
-                : plan->delay->family ? "sepax_products_dsp"
-                                      : "sepax_products",
-                h.hole);
+  emit_template(e, plan->terms == 0 ? "sepax_multiplier" : "sepax_products", h.hole);
   emit_holes_free(&h);
 }

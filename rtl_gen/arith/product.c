@@ -3,6 +3,7 @@
 #include "emit/template.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* Bits that logic may take of the factor that is cut, and of the other. */
 enum { LOW_A = 2, LOW_B = 3 };
@@ -290,4 +291,47 @@ void gen_product(emitter *e, const arith_plan *p) {
   emit_hole_close(&h);
   emit_template(e, "sepax_product", h.hole);
   emit_holes_free(&h);
+}
+
+bool arith_two_sums(const arith_plan *p) { return p->terms > 0 && p->cut.parts > 1; }
+
+void gen_products(emitter *e, const arith_plan *p) {
+  arith_plan *one = malloc(sizeof *one);
+  if (one == NULL) {
+    abort();
+  }
+  *one = *p;
+  one->terms = 0;
+  one->p_w = p->a_w + p->b_w;
+  one->latency = p->cut.parts + 1;
+  if (emit_find(e, arith_name(one).text) == NULL) {
+    gen_product(e, one);
+  }
+  const arith_addend *d = &p->addend[1];
+  emit_holes h = {0};
+  emit_hole_set(&h, "name", "%s", arith_name(p).text);
+  emit_hole_set(&h, "family", "%s", p->delay->library);
+  emit_hole_set(&h, "product", "%s", arith_name(one).text);
+  emit_hole_set(&h, "minus_d", "%s", d->width > 0 ? gen_format(" - d 2^%d", d->place).text : "");
+  emit_hole_numbers(&h, (emit_number[]){{"a_w", p->a_w},
+                                        {"b_w", p->b_w},
+                                        {"p_w", p->p_w},
+                                        {"one_w", one->p_w},
+                                        {"a_msb", p->terms * p->a_w - 1},
+                                        {"b_msb", p->terms * p->b_w - 1},
+                                        {"p_msb", p->p_w - 1},
+                                        {"c_msb", p->addend[0].width - 1},
+                                        {"d_msb", d->width - 1},
+                                        {"d", d->width},
+                                        {"c_above", p->p_w - p->addend[0].width},
+                                        {"d_above", p->p_w - d->width - d->place},
+                                        {"d_place", d->place},
+                                        {"terms", p->terms},
+                                        {"stages", one->latency},
+                                        {"latency", p->latency},
+                                        {"two_sums", arith_two_sums(p)},
+                                        {NULL, 0}});
+  emit_template(e, "sepax_products_dsp", h.hole);
+  emit_holes_free(&h);
+  free(one);
 }

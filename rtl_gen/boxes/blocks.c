@@ -7,18 +7,18 @@
 #include <stdlib.h>
 
 /* Emit a sum of products for a period of 2 ns and call its name `dot`, its BIAS `bias`. The modules
- * count on its latency. */
-static bool gen_dot(emitter *e, const arith_form *form, int latency, emit_holes *h) {
+ * count on its latency, which is that of an ASIC's; on an FPGA it is what its multipliers need.
+ * False if it is refused. */
+static bool gen_dot(emitter *e, const arith_form *form, int *latency, emit_holes *h) {
   arith_plan *plan = malloc(sizeof *plan);
   if (plan == NULL) {
     abort();
   }
   arith_plan_make(plan, form, 2);
-  if (plan->delay->family) {
-    plan->latency = latency;
-  } else if (plan->latency != latency) {
+  if (!plan->delay->family && plan->latency != *latency) {
     abort();
   }
+  *latency = plan->latency;
   gen_multiplier(e, plan);
   emit_hole_set(h, "dot", "%s", arith_name(plan).text);
   emit_hole_set(h, "bias", "%s", arith_bias(plan).text);
@@ -26,10 +26,10 @@ static bool gen_dot(emitter *e, const arith_form *form, int latency, emit_holes 
   return e->error.text[0] == '\0';
 }
 
-void gen_turn_vertex(emitter *e, const delay_model *m, int word) {
+int gen_turn_vertex(emitter *e, const delay_model *m, int word) {
   const arith_form form = {.delay = m,
                            .a_w = 22,
-                           .b_w = word + 1,
+                           .b_w = m->family ? word : word + 1,
                            .p_w = 45,
                            .digits = (word + 1) / 2,
                            .less = 1,
@@ -37,11 +37,17 @@ void gen_turn_vertex(emitter *e, const delay_model *m, int word) {
                            .terms = 3,
                            .addend = {{44, 0, false}, {word, 20, true}}};
   emit_holes h = {0};
-  emit_hole_numbers(&h, (emit_number[]){{"w", word}, {"b_w", form.b_w}, {NULL, 0}});
-  if (gen_dot(e, &form, 1, &h)) {
+  int latency = 1;
+  if (gen_dot(e, &form, &latency, &h)) {
+    emit_hole_numbers(&h, (emit_number[]){{"w", word},
+                                          {"b_w", form.b_w},
+                                          {"fpga", m->family},
+                                          {"latency", latency + 2},
+                                          {NULL, 0}});
     emit_template(e, "sepax_turn_vertex", h.hole);
   }
   emit_holes_free(&h);
+  return latency + 2;
 }
 
 void gen_tree_compare(emitter *e, const delay_model *m) {
@@ -57,7 +63,18 @@ void gen_tree_compare(emitter *e, const delay_model *m) {
   static const char *const modules[] = {"sepax_tree_setup", "sepax_turn_box", "sepax_lanes",
                                         "sepax_hits", "sepax_tree_compare"};
   emit_holes h = {0};
-  if (gen_dot(e, &form, 0, &h)) {
+  int latency = 0;
+  if (gen_dot(e, &form, &latency, &h)) {
+    emit_hole_set(&h, "load", m->family ? "turn_q && turn_first_q" : "first");
+    emit_hole_numbers(&h, (emit_number[]){{"fpga", m->family},
+                                          {"sums", latency + 1},
+                                          {"turn", latency + 2},
+                                          {"cells", latency + 3},
+                                          {"rows", latency + 8 > 12 ? 5 : 4},
+                                          {NULL, 0}});
+    if (m->family) {
+      emit_template(e, "sepax_several", NULL);
+    }
     for (size_t i = 0; i < sizeof modules / sizeof modules[0]; i++) {
       emit_template(e, modules[i], h.hole);
     }

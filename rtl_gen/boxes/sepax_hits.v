@@ -24,16 +24,22 @@ module sepax_hits (
   wire [15:0] others = hit_q & ~first;
   wire [15:0] column;
   wire        taken = out_valid && out_ready;
+  wire        many; // columns were not taken //@ fpga
 
   assign in_ready = columns ? !full_q : out_ready;
   assign out_valid = columns ? full_q : in_valid;
-  assign out_last = columns ? (others == 16'd0) : in_last;
+  assign out_last = columns ? (others == 16'd0) : in_last; //@ !fpga
+  assign out_last = columns ? !many : in_last; //@ fpga
   assign out_index = columns ? {|first[15:8], |{first[15:12], first[7:4]},
                                 |{first[15:14], first[11:10], first[7:6], first[3:2]},
                                 |{first[15], first[13], first[11], first[9], first[7], first[5],
                                   first[3], first[1]}} : in_index;
   assign out_mask = columns ? column : in_row;
 
+//@ if fpga
+  sepax_several left (.mask(hit_q), .many(many));
+
+//@ end
   genvar i;
   generate
     for (i = 0; i < 16; i = i + 1) begin : row

@@ -1,7 +1,9 @@
 // One end of a turned box against those of 16 boxes: lane j is hit iff cells_i <= bounds_ji for the
 // three axes i, and not beyond.
-// Combinational.
+// Combinational. //@ !fpga
+// Latency 1. //@ fpga
 module sepax_lanes (
+  input  wire         clk,    // clock //@ fpga
   input  wire [23:0]  cells,  // {2, 1, 0}, 8 bits each, signed
   input  wire         beyond, // above all bounds
   input  wire [383:0] bounds, // of lane j at 24 j: {2, 1, 0}, 8 bits each, signed
@@ -19,12 +21,32 @@ module sepax_lanes (
     end
   endfunction
 
+//@ if fpga
+  reg         beyond_q;
+  reg  [47:0] hit_q; // of lane j at 3 j, axis by axis
+//@ end
   genvar j;
+  genvar i; //@ fpga
   generate
     for (j = 0; j < 16; j = j + 1) begin : lane
+      //@ if fpga
+      for (i = 0; i < 3; i = i + 1) begin : axis
+        always @(posedge clk) begin
+          hit_q[3*j+i] <= not_above(cells[8*i +: 8], bounds[24*j+8*i +: 8]);
+        end
+      end
+      assign hits[j] = !beyond_q && (&hit_q[3*j +: 3]);
+      //@ else
       assign hits[j] = !beyond && not_above(cells[7:0], bounds[24*j +: 8]) &&
                        not_above(cells[15:8], bounds[24*j+8 +: 8]) &&
                        not_above(cells[23:16], bounds[24*j+16 +: 8]);
+      //@ end
     end
   endgenerate
+//@ if fpga
+
+  always @(posedge clk) begin
+    beyond_q <= beyond;
+  end
+//@ end
 endmodule

@@ -1,7 +1,11 @@
 // The entries of the walk, one after the other: which children of node S in the mask, or whether
 // S's own box, hit which children of node T (docs/tree.md, Compare). Up to 4 entries are here: one
 // whose heads are read, one that is set up, the others' boxes.
+//@ if fpga
+// A box takes a cycle.
+//@ else
 // A box takes a cycle. First item 11 cycles after an entry that finds nothing before it.
+//@ end
 module sepax_tree_compare #(
   parameter W = 18,   // bits of a coordinate
   parameter SLOT = 6  // bits of a slot
@@ -44,7 +48,7 @@ module sepax_tree_compare #(
   output wire [SLOT-1:0] out_b         // the entry's slots
 );
   localparam RING = 2 * SLOT + 1; // of an entry: side, slots
-  localparam [8:0] BIAS = 9'd@bias@;
+  localparam [8:0] BIAS = 9'd@bias@; //@ !fpga
   localparam ROW = 21; // of a row that waits: last, index, hits
 
   wire clear = rst || drop;
@@ -103,7 +107,9 @@ module sepax_tree_compare #(
   reg            s_side_q; // of this entry
   wire [15:0]    pick = todo_q & (~todo_q + 16'd1);
   wire           some = own_todo_q || (|todo_q);
-  wire           last = (todo_q & ~pick) == 16'd0;
+  wire           last = (todo_q & ~pick) == 16'd0; //@ !fpga
+  wire           many; // children wait //@ fpga
+  wire           last = !many; //@ fpga
   wire           hand; // a box can be taken
   wire           take = some && hand;
   wire           first = take && loaded_q;
@@ -124,6 +130,23 @@ module sepax_tree_compare #(
   reg            row_q, row_last_q;
   reg  [3:0]     row_index_q;
   reg  [15:0]    hits_q;
+  //@ if fpga
+  // One more register behind the node memories, two behind the lanes; @turn@ for the turned boxes.
+  localparam BEFORE = @turn@; // cycles from turn_q to cell_q
+  localparam BOX = 7;     // of a box: first, last, side, index
+  reg  [15:0]    pick_q;
+  reg            own_turn_q;
+  reg  [23:0]    own_mask_q;
+  reg            read_s_q, read_t_q;
+  reg  [767:0]   s_boxes_q, t_boxes_q;
+  reg  [BEFORE-2:0] turning_q;
+  reg  [BOX*(BEFORE-1)-1:0] turns_q;
+  reg  [12*(BEFORE-2)-1:0] shifts_q;
+  reg            cell_q2, cell_last_q2, lane_q2, lane_last_q2;
+  reg  [3:0]     cell_index_q2, lane_index_q2;
+  reg  [3:0]     children_q2;
+  reg  [15:0]    present_q;
+  //@ end
   wire [1:0]     beyond; // of the lower end, of the upper
   wire [47:0]    cells;
   wire [31:0]    end_hits;
@@ -133,23 +156,31 @@ module sepax_tree_compare #(
   wire [3:0]     row_index;
   wire [15:0]    row;
 
-  assign turn_valid = asked_q && (!busy_q || first);
+  assign turn_valid = asked_q && (!busy_q || first); //@ !fpga
+  assign turn_valid = asked_q && !busy_q; //@ fpga
   assign hand = free;
+  //@ if fpga
+  // A body's memory reads S or T in a cycle.
+  assign load = (turned_valid || ready_q) && !loaded_q && !some &&
+                (next_own_q || !(read_t && (cell_side_q != next_side_q)));
+  //@ else
   // Nodes stand at the memories' outputs: where S is to come T may stand, as boxes before need it.
   assign load = (turned_valid || ready_q) && !loaded_q && (!some || (take && last)) &&
                 (next_own_q || !((some && (s_side_q != next_side_q)) ||
                                  (turn_q && (turn_side_q != next_side_q)) ||
                                  (cell_q && (cell_side_q != next_side_q))));
+  //@ end
   assign read_s = load && !next_own_q;
   assign boxes_read_a = (read_s && next_side_q) || (read_t && !t_side);
   assign boxes_read_b = (read_s && !next_side_q) || (read_t && t_side);
   assign boxes_slot_a = (read_s && next_side_q) ? s_slot_a : t_slot_a;
   assign boxes_slot_b = (read_s && !next_side_q) ? s_slot_b : t_slot_b;
 
+  sepax_several left (.mask(todo_q), .many(many)); //@ fpga
   sepax_tree_setup setup (
     .clk(clk), .matrix(high_bits), .sigma(sigma), .begin_in(set_up), .side(side_q),
     .s_exponents(s_exponents_q), .t_exponents(t_exponents_q), .x_valid(turned_valid), .x(x),
-    .load(first), .n(n), .low(low), .high(high), .shift(shift)
+    .load(@load@), .n(n), .low(low), .high(high), .shift(shift)
   );
 
   genvar i, j, k;
@@ -163,6 +194,15 @@ module sepax_tree_compare #(
       assign x[35*i +: 35] = turned[45*i+10 +: 35];
     end
     for (i = 0; i < 24; i = i + 1) begin : box_bit
+      //@ if fpga
+      wire [15:0] low_s, high_s;
+      for (j = 0; j < 16; j = j + 1) begin : of_child
+        assign low_s[j] = s_boxes_q[48*j+i];
+        assign high_s[j] = s_boxes_q[48*j+24+i];
+      end
+      assign box_low[i] = (|(low_s & pick_q)) || (own_turn_q && !own_mask_q[i]);
+      assign box_high[i] = (|(high_s & pick_q)) || (own_turn_q && own_mask_q[i]);
+      //@ else
       wire [15:0] low_a, low_b, high_a, high_b;
       for (j = 0; j < 16; j = j + 1) begin : of_child
         assign low_a[j] = boxes_a[48*j+i];
@@ -174,13 +214,19 @@ module sepax_tree_compare #(
                           (own_todo_q && !next_mask_q[i]);
       assign box_high[i] = (s_side_q ? |(high_a & pick) : |(high_b & pick)) ||
                            (own_todo_q && next_mask_q[i]);
+      //@ end
     end
     for (k = 0; k < 3; k = k + 1) begin : bias_axis
       always @(posedge clk) begin
+        //@ if fpga
+        lows_q[9*k +: 9] <= {box_low[8*k+7], box_low[8*k +: 8]};
+        highs_q[9*k +: 9] <= {box_high[8*k+7], box_high[8*k +: 8]} + 9'd1;
+        //@ else
         if (take) begin
           lows_q[9*k +: 9] <= {box_low[8*k+7], box_low[8*k +: 8]} + BIAS;
           highs_q[9*k +: 9] <= {box_high[8*k+7], box_high[8*k +: 8]} + BIAS + 9'd1;
         end
+        //@ end
       end
     end
     for (k = 0; k < 2; k = k + 1) begin : box_end
@@ -191,22 +237,30 @@ module sepax_tree_compare #(
         .beyond(beyond[k])
       );
       for (j = 0; j < 16; j = j + 1) begin : lane
+        //@ if fpga
+        wire [23:0] above = t_boxes_q[48*j+24 +: 24];
+        wire [23:0] below = t_boxes_q[48*j +: 24];
+        //@ else
         wire [23:0] above = t_side_q ? boxes_b[48*j+24 +: 24] : boxes_a[48*j+24 +: 24];
         wire [23:0] below = t_side_q ? boxes_b[48*j +: 24] : boxes_a[48*j +: 24];
+        //@ end
         assign bounds[24*j +: 24] = k[0] ? ~below : above;
       end
       sepax_lanes lanes (
+        .clk(clk), //@ fpga
         .cells(cells[24*k +: 24]), .beyond(beyond[k]), .bounds(bounds),
         .hits(end_hits[16*k +: 16])
       );
     end
     for (j = 1; j < 16; j = j + 1) begin : child
-      assign present[j] = children_q >= j[3:0];
+      assign present[j] = children_q >= j[3:0]; //@ !fpga
+      assign present[j] = children_q2 >= j[3:0]; //@ fpga
     end
   endgenerate
 
   assign present[0] = 1'b1;
-  sepax_fifo #(.WIDTH(ROW), .ADDRESS(3), .MARGIN(5)) rows (
+  sepax_fifo #(.WIDTH(ROW), .ADDRESS(3), .MARGIN(5)) rows ( //@ !fpga
+  sepax_fifo #(.WIDTH(ROW), .ADDRESS(@rows@), .MARGIN(@turn@+6)) rows ( //@ fpga
     .clk(clk), .clear(clear), .push(row_q && ((|hits_q) || row_last_q)),
     .in({row_last_q, row_index_q, hits_q}), .free(free), .valid(row_valid),
     .pop(row_valid && row_ready), .out({row_last, row_index, row})
@@ -230,6 +284,8 @@ module sepax_tree_compare #(
       own_todo_q <= 1'b0;
       s_side_q <= 1'b0;
       {turn_q, cell_q, lane_q, row_q} <= 4'd0;
+      turning_q <= {(BEFORE-1){1'b0}}; //@ fpga
+      {cell_q2, lane_q2, read_s_q, read_t_q} <= 4'd0; //@ fpga
     end else begin
       in_q <= in_q + {1'b0, taken_in};
       stream_q <= stream_q + {1'b0, load};
@@ -250,9 +306,15 @@ module sepax_tree_compare #(
         own_todo_q <= 1'b0;
       end
       turn_q <= take;
+      //@ if fpga
+      {cell_q, turning_q} <= {turning_q, turn_q};
+      {row_q, lane_q2, lane_q, cell_q2} <= {lane_q2, lane_q, cell_q2, cell_q};
+      {read_s_q, read_t_q} <= {read_s, read_t};
+      //@ else
       cell_q <= turn_q;
       lane_q <= cell_q;
       row_q <= lane_q;
+      //@ end
     end
     if (taken_in) begin
       ring_q[in_q] <= {in_side, in_b, in_a};
@@ -285,19 +347,47 @@ module sepax_tree_compare #(
                        |{pick[15], pick[13], pick[11], pick[9], pick[7], pick[5], pick[3],
                          pick[1]}};
     end
+    //@ if fpga
+    if (take) begin
+      pick_q <= pick;
+      own_turn_q <= own_todo_q;
+      own_mask_q <= next_mask_q;
+    end
+    if (read_s_q) begin
+      s_boxes_q <= s_side_q ? boxes_a : boxes_b;
+    end
+    if (read_t_q) begin
+      t_boxes_q <= t_side_q ? boxes_b : boxes_a;
+    end
+    {cell_first_q, cell_last_q, cell_side_q, cell_index_q, turns_q} <= {
+      turns_q, turn_first_q, turn_last_q, turn_side_q, turn_index_q
+    };
+    {cell_shift_q, shifts_q} <= {shifts_q, shift};
+    {cell_last_q2, cell_index_q2} <= {cell_last_q, cell_index_q};
+    children_q2 <= children_q;
+    present_q <= present;
+    //@ else
     cell_first_q <= turn_first_q;
     cell_last_q <= turn_last_q;
     cell_side_q <= turn_side_q;
     cell_index_q <= turn_index_q;
     cell_shift_q <= shift;
+    //@ end
     if (read_t) begin
       t_side_q <= t_side;
       children_q <= children;
     end
+    //@ if fpga
+    {lane_last_q, lane_index_q} <= {cell_last_q2, cell_index_q2};
+    {lane_last_q2, lane_index_q2} <= {lane_last_q, lane_index_q};
+    {row_last_q, row_index_q} <= {lane_last_q2, lane_index_q2};
+    hits_q <= present_q & end_hits[15:0] & end_hits[31:16];
+    //@ else
     lane_last_q <= cell_last_q;
     lane_index_q <= cell_index_q;
     row_last_q <= lane_last_q;
     row_index_q <= lane_index_q;
     hits_q <= present & end_hits[15:0] & end_hits[31:16];
+    //@ end
   end
 endmodule

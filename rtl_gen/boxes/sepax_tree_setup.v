@@ -15,7 +15,11 @@ module sepax_tree_setup (
   input  wire [11:0]  t_exponents, // of T
   input  wire         x_valid,   // its X has come
   input  wire [104:0] x,         // X / 2^10, {2, 1, 0}, 35 bits each, signed
+//@ if fpga
+  input  wire         load,      // 2 cycles after x_valid or later, 5 after begin_in or later
+//@ else
   input  wire         load,      // in the cycle after x_valid or later, 3 after begin_in or later
+//@ end
   output reg  [107:0] n,         // entry (i, k) at 12 (3 i + k), -1024 ... 1024
   output reg  [62:0]  low,       // {2, 1, 0}, 21 bits each, signed
   output reg  [62:0]  high,      // the same
@@ -35,17 +39,31 @@ module sepax_tree_setup (
   reg         side_q;
   reg  [11:0] s_exponents_q, scales_q, shifts_q; // scales: g
   reg  [104:0] x_q;
+  //@ if fpga
+  reg  [11:0] t_exponents_q;
+  reg  [3:0]  highest_q;
+  wire [3:0]  highest =
+    larger(larger(s_exponents_q[3:0], s_exponents_q[7:4]), s_exponents_q[11:8]);
+  //@ else
   wire [3:0]  highest =
     larger(larger(s_exponents[3:0], s_exponents[7:4]), s_exponents[11:8]);
+  //@ end
   wire [71:0]  margin = side_q ? sigma[143:72] : sigma[71:0];
 
   genvar i, k;
   generate
     for (i = 0; i < 3; i = i + 1) begin : axis
-      wire [3:0] scale = larger(highest, t_exponents[4*i +: 4]);
+      wire [3:0] scale = larger(highest, t_exponents[4*i +: 4]); //@ !fpga
+      wire [3:0] scale = larger(highest_q, t_exponents_q[4*i +: 4]); //@ fpga
       wire [3:0] g = scales_q[4*i +: 4];
-      wire signed [34:0] d = $signed(x_q[35*i +: 35]) >>> g;
-      wire [38:0] wide = {margin[24*i +: 24], 15'd0} >> g;
+      wire signed [34:0] d = $signed(x_q[35*i +: 35]) >>> g; //@ !fpga
+      wire [38:0] wide = {margin[24*i +: 24], 15'd0} >> g; //@ !fpga
+      //@ if fpga
+      reg  signed [34:0] d_q;
+      reg  [38:0] wide_q;
+      wire signed [34:0] d = d_q;
+      wire [38:0] wide = wide_q;
+      //@ end
       wire [25:0] s = {1'b0, wide[38:15], |wide[14:0]} + 26'd385; // twice, and 1 more
       reg  [24:0] s_q;
       wire        unused_half = s[0];
@@ -56,10 +74,22 @@ module sepax_tree_setup (
 
       for (k = 0; k < 3; k = k + 1) begin : column
         localparam AT = 3 * i + k;
+        //@ if fpga
+        reg  [3:0] by_q;
+        reg signed [12:0] m_q;
+        reg  [12:0] halves_q;
+        wire [12:0] halves = halves_q;
+        //@ else
         wire [3:0] by = g - s_exponents_q[4*k +: 4];
         wire signed [12:0] m = side_q ? matrix[13*AT+117 +: 13] : matrix[13*AT +: 13];
         wire [12:0] halves = m >>> by;
+        //@ end
         always @(posedge clk) begin
+          //@ if fpga
+          by_q <= g - s_exponents_q[4*k +: 4];
+          m_q <= side_q ? matrix[13*AT+117 +: 13] : matrix[13*AT +: 13];
+          halves_q <= m_q >>> by_q;
+          //@ end
           if (load) begin
             n[12*AT +: 12] <= halves[12:1] + {11'd0, halves[0]};
           end
@@ -67,10 +97,17 @@ module sepax_tree_setup (
       end
 
       always @(posedge clk) begin
+        //@ if fpga
+        scales_q[4*i +: 4] <= scale;
+        shifts_q[4*i +: 4] <= g - t_exponents_q[4*i +: 4];
+        d_q <= $signed(x_q[35*i +: 35]) >>> g;
+        wide_q <= {margin[24*i +: 24], 15'd0} >> g;
+        //@ else
         if (begin_in) begin
           scales_q[4*i +: 4] <= scale;
           shifts_q[4*i +: 4] <= scale - t_exponents[4*i +: 4];
         end
+        //@ end
         s_q <= s[25:1];
         if (x_valid) begin
           x_q[35*i +: 35] <= x[35*i +: 35];
@@ -88,6 +125,8 @@ module sepax_tree_setup (
     if (begin_in) begin
       side_q <= side;
       s_exponents_q <= s_exponents;
+      t_exponents_q <= t_exponents; //@ fpga
     end
+    highest_q <= highest; //@ fpga
   end
 endmodule

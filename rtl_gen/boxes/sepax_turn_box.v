@@ -4,7 +4,8 @@
 //   cell_i = floor(sum_i 2^shift_i / 2^10), its complement -1 - cell_i where upper = 1.
 // A cell above 127 makes `beyond` 1, one below -128 is -128: neither changes a comparison with
 // cells of 8 bits. Both ends come biased by @bias@; the upper end is high + 1.
-// Latency 2; shift comes one cycle after the ends.
+// Latency 2; shift comes one cycle after the ends. //@ !fpga
+// Latency @cells@; shift comes @sums@ cycles after the ends. //@ fpga
 module sepax_turn_box (
   input  wire         clk,    // clock
   input  wire         upper,  // the upper end
@@ -16,7 +17,8 @@ module sepax_turn_box (
   output reg  [23:0]  cells,  // {2, 1, 0}, 8 bits each, signed
   output wire         beyond  // no cell is as high
 );
-  reg       upper_q;
+  reg       upper_q; //@ !fpga
+  wire      upper_q = upper; //@ fpga
   reg [2:0] beyond_q;
   assign beyond = |beyond_q;
 
@@ -30,6 +32,7 @@ module sepax_turn_box (
         assign ends[9*k +: 9] = (n[36*i+12*k+11] ^ upper) ? highs[9*k +: 9] : lows[9*k +: 9];
       end
       @dot@ products (
+        .clk(clk), //@ fpga
         .a(n[36*i +: 36]), .b(ends), .c(start[21*i +: 21]), .p(sum)
       );
 
@@ -39,22 +42,36 @@ module sepax_turn_box (
       wire [20:0] size = sum_q[20:0] ^ {21{sign}};
       wire [16:0] by_8 = by[3] ? {size[8:0], {8{sign}}} : size[16:0];
       wire [16:0] by_4 = by[2] ? {by_8[12:0], {4{sign}}} : by_8;
+      //@ if fpga
+      wire        far = (|size[20:17]) || (by[3] && (|size[16:9])) || (by[2] && (|by_8[16:13]));
+      reg  [16:0] by_4_q;
+      reg  [1:0]  by_q;
+      reg         sign_q, far_q;
+      wire [16:0] by_2 = by_q[1] ? {by_4_q[14:0], {2{sign_q}}} : by_4_q;
+      wire [16:0] by_1 = by_q[0] ? {by_2[15:0], sign_q} : by_2;
+      wire        over = far_q || (by_q[1] && (|by_4_q[16:15])) || (by_q[0] && by_2[16]);
+      wire        negative = sign_q ^ upper_q;
+      //@ else
       wire [16:0] by_2 = by[1] ? {by_4[14:0], {2{sign}}} : by_4;
       wire [16:0] by_1 = by[0] ? {by_2[15:0], sign} : by_2;
       wire        over = (|size[20:17]) || (by[3] && (|size[16:9])) || (by[2] && (|by_8[16:13])) ||
                          (by[1] && (|by_4[16:15])) || (by[0] && by_2[16]);
       wire        negative = sign ^ upper_q;
+      //@ end
       wire [9:0]  unused_fraction = by_1[9:0];
 
       always @(posedge clk) begin
         sum_q <= sum;
+        {by_4_q, by_q, sign_q, far_q} <= {by_4, by[1:0], sign, far}; //@ fpga
         cells[8*i +: 8] <= {negative, (by_1[16:10] ^ {7{negative}}) & {7{!over}}};
         beyond_q[i] <= over && !negative;
       end
     end
   endgenerate
+//@ if !fpga
 
   always @(posedge clk) begin
     upper_q <= upper;
   end
+//@ end
 endmodule

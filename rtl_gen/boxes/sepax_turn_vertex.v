@@ -1,7 +1,7 @@
 // A vertex in the coordinates of the other body: sum_i = M_i . point + t_i - 2^20 origin_i for the
 // three rows i, with the matrix and shift of a side; sum_i / 2^20, floored, is the vertex.
-// Each coordinate is biased first, once for the three products that it is in.
-// Latency 3, one vertex a cycle.
+// Each coordinate is biased first, once for the three products that it is in. //@ !fpga
+// Latency @latency@, one vertex a cycle.
 module sepax_turn_vertex #(
   parameter W = @w@ // bits of a coordinate, of which the sums of products are made
 ) (
@@ -13,8 +13,9 @@ module sepax_turn_vertex #(
   input  wire [3*W-1:0] origin, // {z, y, x}, signed
   output reg  [134:0]   sum     // {2, 1, 0}, 45 bits each, signed
 );
-  localparam B_W = @b_w@; // of a biased coordinate
-  localparam [B_W-1:0] BIAS = @b_w@'d@bias@;
+  localparam B_W = @b_w@; // of a biased coordinate //@ !fpga
+  localparam [B_W-1:0] BIAS = @b_w@'d@bias@; //@ !fpga
+  localparam B_W = W; //@ fpga
   reg  [3*B_W-1:0] biased_q;
   reg  [3*W-1:0]   origin_q;
   reg              side_q;
@@ -30,7 +31,8 @@ module sepax_turn_vertex #(
         .p(total[45*i +: 45])
       );
       always @(posedge clk) begin
-        biased_q[B_W*i +: B_W] <= {{(B_W-W){point[W*i+W-1]}}, point[W*i +: W]} + BIAS;
+        biased_q[B_W*i +: B_W] <= {{(B_W-W){point[W*i+W-1]}}, point[W*i +: W]} + BIAS; //@ !fpga
+        biased_q[W*i +: W] <= point[W*i +: W]; //@ fpga
       end
     end
   endgenerate

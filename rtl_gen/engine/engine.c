@@ -18,6 +18,7 @@ static void set_sizes(emit_holes *h, const sepax_design *design) {
   bool fpga = c->target != SEPAX_TARGET_ASIC;
   emit_hole_set(h, "swaps", "%d", swaps_axes(design));
   emit_hole_set(h, "fpga", "%d", fpga);
+  emit_hole_set(h, "distributed", "0");
   emit_hole_set(h, "staged", "%d", fpga && c->lanes > 1);
   emit_hole_set(h, "in", fpga ? "_in_q" : "");
   emit_hole_set(h, "after", fpga ? "_q" : "");

@@ -2,6 +2,7 @@
 // not reset. Latency 1.
 module sepax_ram #(
   parameter WIDTH = 8,  // bits of a word
+  parameter DISTRIBUTED = 0, // of tables, whose output is a register //@ distributed
   parameter ADDRESS = 7 // bits of an address
 ) (
   input  wire               clk,           // clock
@@ -14,6 +15,7 @@ module sepax_ram #(
 );
   // No word is read while it is written. //@ fpga
   (* no_rw_check *) //@ fpga
+//@ if !distributed
   reg [WIDTH-1:0] word_q [0:(1<<ADDRESS)-1];
 
   always @(posedge clk) begin
@@ -24,4 +26,33 @@ module sepax_ram #(
       read_data <= word_q[read_address];
     end
   end
+//@ else
+  generate
+    if (DISTRIBUTED != 0) begin : tables
+      // No word is read while it is written.
+      (* no_rw_check *)
+      (* ram_style = "distributed" *)
+      reg [WIDTH-1:0] word_q [0:(1<<ADDRESS)-1];
+      always @(posedge clk) begin
+        if (write) begin
+          word_q[write_address] <= write_data;
+        end
+        if (read) begin
+          read_data <= word_q[read_address];
+        end
+      end
+    end else begin : block
+      (* no_rw_check *)
+      reg [WIDTH-1:0] word_q [0:(1<<ADDRESS)-1];
+      always @(posedge clk) begin
+        if (write) begin
+          word_q[write_address] <= write_data;
+        end
+        if (read) begin
+          read_data <= word_q[read_address];
+        end
+      end
+    end
+  endgenerate
+//@ end
 endmodule

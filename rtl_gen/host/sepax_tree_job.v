@@ -31,6 +31,7 @@ module sepax_tree_job #(
   wire        bad_nodes = !(|number) || (|number[31:24]) || (number[23] && (|number[22:0]));
   reg  [26:0] node_beats; // of the body whose size comes
   reg         wrong;
+  reg         wrong_q; //@ fpga
 
   always @(*) begin
     node_beats = beat[1] ? {nodes_b, 3'd0} : {nodes_a, 3'd0};
@@ -45,7 +46,9 @@ module sepax_tree_job #(
   end
 
   always @(posedge clk) begin
-    bad <= !clear && (bad || (load && wrong));
+    bad <= !clear && (bad || (load && wrong)); //@ !fpga
+    bad <= !clear && (bad || wrong_q); //@ fpga
+    wrong_q <= load && wrong; //@ fpga
     if (load) begin
       case (beat)
         4'd0: {triangles_a, nodes_a, base_a} <= {last, number[23:0], address[ADDRESS-1:12]};

@@ -72,7 +72,9 @@ module sepax_tree_jobs #(
   reg                ahead_job_q;  // it is a job
   reg                first_job_q, first_pose_q; // the next one is the batch's, the job's first
   reg                bus_q, refused_q, stop_q;
-  reg  [1:0]         loaded_q;     // the last beat was read so many cycles ago
+  reg  [1:0]         loaded_q;     // the last beat was read so many cycles ago //@ !fpga
+  reg  [2:0]         loaded_q;     // the last beat was read so many cycles ago //@ fpga
+  reg                busy_q;       // a batch is worked on //@ fpga
   reg  [31:0]        jobs_left_q, poses_left_q; // behind the one that is worked on
   reg  [ADDRESS-8:0] job_q;        // address / 128 of the next job
   reg  [ADDRESS-9:0] pose_q;       // address / 256 of the next pose
@@ -86,7 +88,8 @@ module sepax_tree_jobs #(
   wire               leaves = !more_poses || (modes[5] && any);
   wire               ends = (state_q == RUN) && run_done;
 
-  assign busy = |state_q;
+  assign busy = |state_q; //@ !fpga
+  assign busy = busy_q; //@ fpga
   assign done = (state_q == END) && run_idle && !fetch_busy && !send_busy;
   assign ask = ask_now || (begins && (more_poses || more_jobs));
   assign ask_address = ask_job ? {job_q, 7'd0} : {pose_q, 8'd0};
@@ -105,12 +108,14 @@ module sepax_tree_jobs #(
     if (rst) begin
       state_q <= IDLE;
       {run_start, load_job, load_pose, stop_q} <= 4'd0;
+      busy_q <= 1'b0; //@ fpga
     end else begin
       case (state_q)
         IDLE: state_q <= start ? ASK : IDLE;
         ASK: state_q <= fetch_busy ? ASK : WAIT;
         WAIT: state_q <= fetch_busy ? WAIT : fetch_error ? JUDGE : LOAD;
-        LOAD: state_q <= loaded_q[1] ? JUDGE : LOAD;
+        LOAD: state_q <= loaded_q[1] ? JUDGE : LOAD; //@ !fpga
+        LOAD: state_q <= loaded_q[2] ? JUDGE : LOAD; //@ fpga
         JUDGE: state_q <= send_busy ? JUDGE : (bus_q || refused_q) ? FAIL : of_job_q ? ASK : START;
         START: state_q <= begins ? RUN : START;
         RUN: begin
@@ -122,6 +127,7 @@ module sepax_tree_jobs #(
         FAIL: state_q <= END;
         default: state_q <= done ? IDLE : END;
       endcase
+      busy_q <= busy_q ? !done : start; //@ fpga
       run_start <= begins;
       load_job <= read && of_job_q && !(|loaded_q);
       load_pose <= read && !of_job_q && !(|loaded_q);
@@ -130,10 +136,18 @@ module sepax_tree_jobs #(
     beat <= read_beat;
     if (state_q == WAIT) begin
       read_beat <= 4'd0;
-      loaded_q <= 2'd0;
+      loaded_q <= 2'd0; //@ !fpga
+      loaded_q <= 3'd0; //@ fpga
     end else if (read) begin
       read_beat <= read_beat + 4'd1;
+      loaded_q[2] <= loaded_q[1]; //@ fpga
+      //@ if fpga
+      loaded_q[1:0] <= {
+        loaded_q[0], loaded_q[0] || (read_beat == (of_job_q ? JOB_LAST : POSE_LAST))
+      };
+      //@ else
       loaded_q <= {loaded_q[0], loaded_q[0] || (read_beat == (of_job_q ? JOB_LAST : POSE_LAST))};
+      //@ end
     end
     if (state_q == WAIT) begin
       bus_q <= fetch_error;

@@ -17,6 +17,7 @@ module sepax_tree_pose (
   reg  [3:0]  wide_matrix, wide_sigma; // words of the beat that are not in the range of these
   reg  [1:0]  wide_shift;
   reg         wrong;
+  reg         wrong_q; //@ fpga
   integer     k;
 
   always @(*) begin
@@ -37,7 +38,9 @@ module sepax_tree_pose (
   end
 
   always @(posedge clk) begin
-    bad <= !clear && (bad || (load && wrong));
+    bad <= !clear && (bad || (load && wrong)); //@ !fpga
+    bad <= !clear && (bad || wrong_q); //@ fpga
+    wrong_q <= load && wrong; //@ fpga
     if (load) begin
       case (beat)
         4'd0: shift_t[87:0] <= {data[107:64], data[43:0]};

@@ -117,6 +117,7 @@ module sepax_tree_engine #(
   wire                 out_valid, out_ready, out_last, unused_side, out_columns, out_leaves;
   wire [3:0]           out_index;
   wire [15:0]          out_mask;
+  reg                  any_q, few_q; // it has any ones, at most 8 //@ fpga
   wire [SLOT-1:0]      unused_a, unused_b;
   wire                 leaf_in_valid, leaf_in_ready;
   wire [31:0]          leaf_in_a, leaf_in_b;
@@ -141,6 +142,7 @@ module sepax_tree_engine #(
     .in_valid(in_valid), .in_ready(in_ready), .in_side(in_side),
     .in_mask(in_mask), .in_a(in_a), .in_b(in_b), .out_valid(out_valid), .out_ready(out_ready),
     .out_last(out_last), .out_columns(out_columns), .out_leaves(out_leaves),
+    .out_any(any_q), .out_half(out_mask & {16{few_q}}), //@ fpga
     .out_index(out_index), .out_mask(out_mask), .leaf_in_valid(leaf_in_valid),
     .leaf_in_ready(leaf_in_ready), .leaf_in_a(leaf_in_a), .leaf_in_beats_a(leaf_in_beats_a),
     .leaf_in_b(leaf_in_b), .leaf_in_beats_b(leaf_in_beats_b), .leaf_in_info(leaf_in_info),
@@ -155,12 +157,24 @@ module sepax_tree_engine #(
   wire                 setup_turn, setup_side, rows_turn, rows_damaged;
   wire [3*W-1:0]       setup_point, setup_origin, rows_point;
   wire [134:0]         turned;
-  reg  [2:0]           setup_q, rows_q, damaged_q; // what is turned is of set-up, of rows
+  reg  [@turn_last@:0]           setup_q, rows_q, damaged_q; // what is turned is of set-up, of rows
   reg                  item_q;  // an item waits for the walk
   reg  [22:0]          items_q; // {last, columns, leaves, index, mask}
   wire                 item_valid;
+  //@ if fpga
+  wire                 item_ready, listed_valid;
+  reg                  listing_q; // an item goes to the list
+  reg  [22:0]          listing_in_q;
+  wire                 item_free = !item_q || out_ready;
+  wire [22:0]          item, listed;
+  wire [2:0]           ones [0:3]; // of four bits of its mask
+  wire [3:0]           ones_low = {1'b0, ones[0]} + {1'b0, ones[1]};
+  wire [3:0]           ones_high = {1'b0, ones[2]} + {1'b0, ones[3]};
+  wire [4:0]           all_ones = {1'b0, ones_low} + {1'b0, ones_high};
+  //@ else
   wire                 item_ready = !item_q || out_ready;
   wire [22:0]          item;
+  //@ end
 
   assign out_valid = item_q;
   assign {out_last, out_columns, out_leaves, out_index, out_mask} = items_q;
@@ -172,7 +186,7 @@ module sepax_tree_engine #(
     .boxes_read_b(boxes_read_b), .boxes_slot_a(boxes_slot_a), .boxes_slot_b(boxes_slot_b),
     .boxes_a(node_a[1023:256]), .boxes_b(node_b[1023:256]), .turn_valid(setup_turn),
     .turn_ready(1'b1), .turn_side(setup_side), .turn_point(setup_point),
-    .turn_origin(setup_origin), .turned_valid(setup_q[2]), .turned(turned),
+    .turn_origin(setup_origin), .turned_valid(setup_q[@turn_last@]), .turned(turned),
     .out_valid(item_valid), .out_ready(item_ready), .out_last(item[22]),
     .out_side(unused_side), .out_columns(item[21]), .out_leaves(item[20]),
     .out_index(item[19:16]), .out_mask(item[15:0]), .out_a(unused_a), .out_b(unused_b)
@@ -183,18 +197,43 @@ module sepax_tree_engine #(
     .origin(setup_origin & {(3*W){setup_turn}}), .sum(turned)
   );
 
+//@ if fpga
+  sepax_fifo #(.WIDTH(23), .ADDRESS(3), .MARGIN(2)) items (
+    .clk(clk), .clear(clear), .push(listing_q), .in(listing_in_q), .free(item_ready),
+    .valid(listed_valid), .pop(listed_valid && item_free), .out(listed)
+  );
+  genvar k;
+  generate
+    for (k = 0; k < 4; k = k + 1) begin : quarter
+      wire [3:0] some = listed[4*k +: 4];
+      wire       odd = ^some;
+      wire       pair = (some[3] && some[2]) || (some[3] && some[1]) || (some[3] && some[0]) ||
+                        (some[2] && some[1]) || (some[2] && some[0]) || (some[1] && some[0]);
+      assign ones[k] = {&some, pair && !(&some), odd};
+    end
+  endgenerate
+
+//@ end
   always @(posedge clk) begin
     if (clear) begin
-      {setup_q, rows_q, item_q} <= 7'd0;
+      setup_q <= @turn@'d0; //@ fpga
+      rows_q <= @turn@'d0; //@ fpga
+      {item_q, listing_q} <= 2'd0; //@ fpga
+      {setup_q, rows_q, item_q} <= 7'd0; //@ !fpga
     end else begin
-      item_q <= item_valid || !item_ready;
-      setup_q <= {setup_q[1:0], setup_turn};
-      rows_q <= {rows_q[1:0], rows_turn && !setup_turn};
+      item_q <= item_valid || !item_ready; //@ !fpga
+      item_q <= listed_valid || !item_free; //@ fpga
+      listing_q <= item_valid && item_ready; //@ fpga
+      setup_q <= {setup_q[@turn_before@:0], setup_turn};
+      rows_q <= {rows_q[@turn_before@:0], rows_turn && !setup_turn};
     end
-    if (item_ready) begin
-      items_q <= item;
+    listing_in_q <= item; //@ fpga
+    if (@free@) begin
+      items_q <= @item@;
+      few_q <= !all_ones[4] && !(all_ones[3] && (|all_ones[2:0])); //@ fpga
+      any_q <= |listed[15:0]; //@ fpga
     end
-    damaged_q <= {damaged_q[1:0], rows_damaged};
+    damaged_q <= {damaged_q[@turn_before@:0], rows_damaged};
   end
 
   // -------------------------------------------------------------------- pairs
@@ -225,8 +264,8 @@ module sepax_tree_engine #(
     .corners_read_b(corners_read_b), .corners_slot_b(corners_slot_b), .corners_b(corners_b),
     .turn_valid(rows_turn),
     .turn_ready(!setup_turn), .turn_point(rows_point), .turn_damaged(rows_damaged),
-    .turned_valid(rows_q[2]),
-    .turned({turned[134:110], turned[89:65], turned[44:20]}), .turned_damaged(damaged_q[2]),
+    .turned_valid(rows_q[@turn_last@]),
+    .turned({turned[134:110], turned[89:65], turned[44:20]}), .turned_damaged(damaged_q[@end@]),
     .pair_valid(near_valid), .pair_ready(pair_ready && launch_free), .pair_a(pair_a),
     .pair_b(pair_b), .pair_outside(pair_outside), .pair_info(launched_info),
     .pair_counted(pair_counted)

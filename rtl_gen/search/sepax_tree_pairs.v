@@ -101,20 +101,35 @@ module sepax_tree_pairs #(
   reg  [4:0]        free_q;       // places of the queue that pairs may still take
   wire [15:0]       lowest = mask_q & (~mask_q + 16'd1);
   wire [15:0]       others = mask_q & ~lowest;
+  wire              many;         // pairs of the row are left //@ fpga
   wire              issue = (|mask_q) && (|free_q) && !damaged;
-  wire              row_done = issue && !(|others);
+  wire              row_done = issue && !(|others); //@ !fpga
+  wire              row_done = issue && !many; //@ fpga
   wire [3:0]        a = {
     |(lowest & 16'hff00), |(lowest & 16'hf0f0), |(lowest & 16'hcccc), |(lowest & 16'haaaa)
   };
 
-  assign next = next_valid && (row_done || !(|mask_q)) && !damaged;
+  assign next = next_valid && (row_done || !(|mask_q)) && !damaged; //@ !fpga
+  assign next = next_valid && !(|mask_q) && !damaged; //@ fpga
+  sepax_several left (.mask(mask_q), .many(many)); //@ fpga
   assign triangle_read_a = issue;
   assign triangle_slot_a = {slot_q, a};
-  assign box_read = issue && first_q;
-  assign leaf_release = (row_done && last_q) || (next && !(|next_mask));
+  assign box_read = issue && first_q; //@ !fpga
+  assign leaf_release = (row_done && last_q) || (next && !(|next_mask)); //@ !fpga
+  //@ if fpga
+  reg               release_q;
+  wire              leaves_done = (row_done && last_q) || (next && !(|next_mask));
+  assign leaf_release = release_q;
+  //@ end
   assign pair_counted = issue;
 
   // ---------------------------- its vertices; AABB of A; test; thinnest side and queue
+  //@ if fpga
+  reg               read_q;       // the memory has read a triangle, which goes to a register
+  reg               read_first_q, read_leaf_q;
+  reg  [3:0]        read_a_q, read_child_q;
+  reg  [9*W:0]      triangle_q;
+  //@ end
   reg               valid_q, valid_q2, valid_q3;
   reg  [3:0]        a_q, a_q2, child_q1, child_q2;
   reg               first_q1, leaf_q1, damaged_q2;
@@ -126,6 +141,7 @@ module sepax_tree_pairs #(
   wire [1:0]        thinnest, thinnest_out;
   wire              spoilt = valid_q2 && (damaged_q2 || box_q2[6*W+13]);
 
+  assign box_read = read_q && read_first_q; //@ fpga
   assign vertices_read = valid_q && first_q1;
   assign info_read = valid_q && leaf_q1;
   assign commit = valid_q3 && near;
@@ -134,8 +150,8 @@ module sepax_tree_pairs #(
   generate
     for (k = 0; k < 3; k = k + 1) begin : axis
       sepax_bounds #(.W(W)) bounds_a (
-        .x_1(triangle_a[W*k +: W]), .x_2(triangle_a[W*(k+3) +: W]),
-        .x_3(triangle_a[W*(k+6) +: W]), .low(box_a[W*k +: W]), .high(box_a[W*(k+3) +: W])
+        .x_1(@of_a@[W*k +: W]), .x_2(@of_a@[W*(k+3) +: W]),
+        .x_3(@of_a@[W*(k+6) +: W]), .low(box_a[W*k +: W]), .high(box_a[W*(k+3) +: W])
       );
     end
   endgenerate
@@ -149,12 +165,14 @@ module sepax_tree_pairs #(
   reg  [4:0]        count_q;      // pairs in the memory
   reg               out_q;        // what it read last is a pair
   wire [3:0]        tail = tail_q + {3'd0, commit};
-  wire              take = pair_valid && pair_ready;
-  wire              read = (|count_q) && (!out_q || take);
+  wire              take = pair_valid && pair_ready; //@ !fpga
+  wire              read = (|count_q) && (!out_q || take); //@ !fpga
+  wire              read = (|count_q) && !out_q; //@ fpga
   wire [9*W-1:0]    out_a, out_b;
 
   assign pair_valid = out_q;
   assign busy = ((|rows_q) && !error && !damaged) || (rows_busy && !damaged) || (|mask_q) ||
+                read_q || //@ fpga
                 valid_q || valid_q2 || valid_q3 || (|count_q) || out_q;
 
   // A pair is written before it is known whether it is near; its place counts from then on.
@@ -176,6 +194,7 @@ module sepax_tree_pairs #(
       mask_q <= 16'd0;
       leaf_q <= 1'b1;
       {valid_q, valid_q2, valid_q3, damaged, out_q} <= 5'd0;
+      {read_q, release_q} <= 2'd0; //@ fpga
       free_q <= 5'd16;
       {tail_q, head_q} <= 8'd0;
       count_q <= 5'd0;
@@ -192,11 +211,14 @@ module sepax_tree_pairs #(
       if (issue) begin
         leaf_q <= 1'b0;
       end
-      if (leaf_release) begin
+      release_q <= leaves_done; //@ fpga
+      if (@leaves@) begin
         leaf_q <= 1'b1;
       end
       damaged <= damaged || spoilt;
-      valid_q <= issue && !spoilt;
+      valid_q <= issue && !spoilt; //@ !fpga
+      read_q <= issue && !spoilt; //@ fpga
+      valid_q <= read_q && !spoilt && !damaged; //@ fpga
       valid_q2 <= valid_q && !spoilt && !damaged;
       valid_q3 <= valid_q2 && !spoilt && !damaged;
       free_q <= free_q - {4'd0, issue} + {4'd0, valid_q3 && !near} + {4'd0, read};
@@ -211,11 +233,19 @@ module sepax_tree_pairs #(
       last_q <= next_last;
     end
     first_q <= next || (first_q && !issue);
+    //@ if fpga
+    {read_first_q, read_leaf_q} <= {first_q, leaf_q};
+    {read_a_q, read_child_q} <= {a, child_q};
+    {first_q1, leaf_q1} <= {read_first_q, read_leaf_q};
+    {a_q, child_q1} <= {read_a_q, read_child_q};
+    triangle_q <= triangle_a;
+    //@ else
     {first_q1, leaf_q1} <= {first_q, leaf_q};
     {a_q, child_q1} <= {a, child_q};
+    //@ end
     {a_q2, child_q2} <= {a_q, child_q1};
-    triangle_q2 <= triangle_a[9*W-1:0];
-    damaged_q2 <= triangle_a[9*W];
+    triangle_q2 <= @of_a@[9*W-1:0];
+    damaged_q2 <= @of_a@[9*W];
     box_a_q2 <= box_a;
     if (vertices_read) begin
       box_q2 <= box;

@@ -63,7 +63,7 @@ module sepax_tree_rows #(
   reg  [2:0]          new_q;                // vertices of triangle_b that are to be turned
   reg                 begin_q;              // none of them was
   reg  [8:0]          same_q;               // bit 3 k + j: vertex k is j of the row before
-  reg  [3*FLIGHT-1:0] flight_q;             // what goes with a vertex, as long as it is turned
+  reg  [@turn@*FLIGHT-1:0] flight_q;             // what goes with a vertex, as long as it is turned
   reg  [3:0]          used_q;               // places of the ring
   reg  [3:0]          waiting_q;            // rows that are not out
   reg  [3:0]          here_q;               // rows that are in the ring and not out
@@ -72,8 +72,18 @@ module sepax_tree_rows #(
   wire                real_row = |in_mask;
   wire [2:0]          pick = new_q & (~new_q + 3'd1);
   wire [2:0]          others = new_q & ~pick;
-  wire                turn_done = turn_ready && !(|others);
+  wire                turn_done = turn_ready && !(|others); //@ !fpga
+  //@ if fpga
+  // What the memory reads goes to a register, for which a triangle waits in read_q.
+  reg                 read_q;
+  reg  [2:0]          read_new_q;
+  reg  [8:0]          read_same_q;
+  reg  [9*W:0]        triangle_b_q;
+  wire                move = read_q && !(|new_q);
+  wire                match = match_q && (!read_q || move) && !used_q[3];
+  //@ else
   wire                match = match_q && (!(|new_q) || turn_done) && !used_q[3];
+  //@ end
   wire                take = in_valid && in_ready;
   wire [8:0]          same;
   wire [2:0]          fresh; // vertices that the row before has not
@@ -86,17 +96,18 @@ module sepax_tree_rows #(
 
   assign in_ready = leaf_q && !waiting_q[3] && (!match_q || match || !real_row);
   assign busy = leaf_q || (|waiting_q) || (|used_q);
-  assign leaf_out_ready = !error && (!leaf_q || (take && in_last));
+  assign leaf_out_ready = !error && (!leaf_q || (take && in_last)); //@ !fpga
+  assign leaf_out_ready = !error && !leaf_q; //@ fpga
   assign corners_read_b = take && real_row;
   assign corners_slot_b = {slot_b_q, in_child};
   assign triangle_read_b = match;
   assign triangle_slot_b = triangle_q;
   assign turn_valid = |new_q;
-  assign turn_damaged = triangle_b[9*W];
-  assign turn_point = (triangle_b[0 +: 3*W] & {(3*W){pick[0]}}) |
-                      (triangle_b[3*W +: 3*W] & {(3*W){pick[1]}}) |
-                      (triangle_b[6*W +: 3*W] & {(3*W){pick[2]}});
-  assign {flight_same, flight_place, flight_last, flight_first} = flight_q[3*FLIGHT-1:2*FLIGHT];
+  assign turn_damaged = @triangle@[9*W];
+  assign turn_point = (@triangle@[0 +: 3*W] & {(3*W){pick[0]}}) |
+                      (@triangle@[3*W +: 3*W] & {(3*W){pick[1]}}) |
+                      (@triangle@[6*W +: 3*W] & {(3*W){pick[2]}});
+  assign {flight_same, flight_place, flight_last, flight_first} = flight_q[@out@];
   assign out_real = |out_mask;
   assign out_valid = row_here && (!out_real || (|here_q));
 
@@ -135,16 +146,20 @@ module sepax_tree_rows #(
   always @(posedge clk) begin
     if (clear) begin
       {leaf_q, match_q, error} <= 3'd0;
+      read_q <= 1'b0; //@ fpga
       new_q <= 3'd0;
       {used_q, waiting_q, here_q} <= 12'd0;
       {turned_q, box_q, vertices_q, info_in_q, info_q} <= 15'd0;
     end else begin
-      leaf_q <= leaf_out_ready ? leaf_out_valid && !leaf_out_error : leaf_q;
+      leaf_q <= leaf_out_ready ? leaf_out_valid && !leaf_out_error : leaf_q; //@ !fpga
+      leaf_q <= leaf_q ? !(take && in_last) : !error && leaf_out_valid && !leaf_out_error; //@ fpga
       error <= error || (leaf_out_valid && leaf_out_ready && leaf_out_error);
       match_q <= corners_read_b || (match_q && !match);
       // At least one vertex is turned.
-      if (match) begin
-        new_q <= {fresh[2:1], fresh[0] || !(|fresh)};
+      read_q <= match || (read_q && !move); //@ fpga
+      if (@move@) begin
+        new_q <= {fresh[2:1], fresh[0] || !(|fresh)}; //@ !fpga
+        new_q <= read_new_q; //@ fpga
       end else if (turn_ready) begin
         new_q <= others;
       end
@@ -168,9 +183,17 @@ module sepax_tree_rows #(
     end
     if (match) begin
       corners_q <= corners_b;
-      same_q <= same;
+      same_q <= same; //@ !fpga
+      read_same_q <= same; //@ fpga
+      read_new_q <= {fresh[2:1], fresh[0] || !(|fresh)}; //@ fpga
     end
-    begin_q <= match || (begin_q && !turn_ready);
-    flight_q <= {flight_q[2*FLIGHT-1:0], same_q, pick, !(|others), begin_q};
+    //@ if fpga
+    if (move) begin
+      triangle_b_q <= triangle_b;
+      same_q <= read_same_q;
+    end
+    //@ end
+    begin_q <= @move@ || (begin_q && !turn_ready);
+    flight_q <= {flight_q[@turn_last@*FLIGHT-1:0], same_q, pick, !(|others), begin_q};
   end
 endmodule

@@ -54,6 +54,8 @@ module sepax_tree_walk #(
   input  wire         out_leaves,     // both are leaves
   input  wire [3:0]   out_index,      // a child of S; with columns, or leaves on side 1, of T
   input  wire [15:0]  out_mask,       // of the other node's children, those that are hit
+  input  wire         out_any,        // of these there are some //@ fpga
+  input  wire [15:0]  out_half,       // the same, or 0 for more than 8 //@ fpga
   // rows
   output wire         leaf_in_valid,  // a pair of leaves is wanted
   input  wire         leaf_in_ready,  // it is taken
@@ -108,7 +110,14 @@ module sepax_tree_walk #(
   wire         can_pop = !empty && !line_q[LINE] && (!(|line_q) || (load_q <= MOST));
   wire         finish;      // an entry is finished
 
-  assign pop = walking && filling_q && can_pop;
+  assign pop = walking && filling_q && can_pop; //@ !fpga
+  //@ if fpga
+  // Whether an entry can be popped is known a cycle after another was popped or finished.
+  reg             known_q, can_pop_q;
+  wire            filling = filling_q && !(known_q && !can_pop_q);
+
+  assign pop = walking && filling_q && known_q && can_pop_q;
+  //@ end
 
   sepax_tree_stack #(.WIDTH(64), .ADDRESS(STACK)) stack (
     .clk(clk), .clear(clear || start), .push(push), .in(pushed), .pop(pop), .top(top),
@@ -128,14 +137,16 @@ module sepax_tree_walk #(
   wire         direct = node_out[63] || (state_q == PROBE);
   wire         begins = node_out_valid && !(|step_q) && !stored_q[2];
   wire         store = step_q[2] || (begins && node_out_error);
-  wire         fetch = (|stored_q) && (!current_q || finish);
+  wire         fetch = (|stored_q) && (!current_q || finish); //@ !fpga
+  wire         fetch = (|stored_q) && !current_q; //@ fpga
   wire         is_error, is_bad, is_direct, is_own, side, leaf_a, leaf_b;
   wire [7:0]   child; // of the first row
   wire [22:0]  node_a, node_b;
   wire [31:0]  first_a;
   wire [23:0]  first_b;
   wire [18:0]  after_a, after_b; // bits 22 ... 4 of first_a, of first_b, plus 1
-  reg  [4*FLAGS-1:0] flags_q;    // of entries that are compared
+  reg  [4*FLAGS-1:0] flags_q;    // of entries that are compared //@ !fpga
+  reg  [FLAGS-1:0]   flags_q [0:3]; // of entries that are compared //@ fpga
   reg  [FLAGS-1:0]   flag_q;     // of the oldest
 
   assign head_read = begins && !node_out_error && (direct || in_ready);
@@ -172,10 +183,18 @@ module sepax_tree_walk #(
 
   // ------------------------------------------------------ items of the oldest entry
   wire         faulty = current_q && (is_error || is_bad);
-  wire         served = current_q && !faulty && !(filling_q && can_pop);
+  wire         served = current_q && !faulty && !(filling_q && can_pop); //@ !fpga
+  //@ if fpga
+  reg          probe_q, first_q, items_q; // what is served: the probe, a first row, items
+  wire         serves = current_q && !faulty && !filling && !finish;
+  wire         first_row = first_q;
+  wire         item = items_q && out_valid;
+  wire         hit = out_any;
+  //@ else
   wire         first_row = served && walking && is_direct;
   wire         item = served && walking && !is_direct && out_valid;
   wire         hit = |out_mask;
+  //@ end
   wire         is_push = item && hit && (is_own || !out_leaves);
   wire         is_row = item && out_leaves && !is_own;
   wire         has_rows = first_row || (is_row && hit);
@@ -189,25 +208,37 @@ module sepax_tree_walk #(
   wire [4:0]   low_b = {1'b0, first_b[3:0]} + {1'b0, out_index};
   wire [22:0]  next_a = {low_a[4] ? after_a : first_a[22:4], low_a[3:0]};
   wire [22:0]  next_b = {low_b[4] ? after_b : first_b[22:4], low_b[3:0]};
-  wire [15:0]  first_mask = half(~(16'hfffe << head_b[3:0])); // of the root of B
-  wire         rows_ready = row_ready && !(last && leaves_due);
+  wire [15:0]  first_mask = half(~(16'hfffe << head_b[3:0])); // of the root of B //@ !fpga
+  //@ if fpga
+  wire [15:0]  first_mask = ~(16'hfffe << head_b[3:0]) & {16{!head_b[3]}}; // of the root of B
+  reg          release_q;
+  reg  [15:0]  boxes_q;   // that are turned
+  reg          own_box_q; // it is the own one
+  //@ end
+  wire         rows_ready = row_ready && !(last && leaves_due); //@ !fpga
+  wire         rows_wait = last && !(opened_q && !wanted_q); //@ fpga
+  wire         rows_ready = row_ready && !rows_wait; //@ fpga
 
   assign leaf_in_valid = (has_rows && !no_leaves && !opened_q) || wanted_q;
   assign leaf_in_info = {node_b, node_a, first_b, first_a};
   assign row_valid = (has_rows || (is_row && last && opened_q)) && !no_leaves &&
-                     !(last && leaves_due);
+                     !(last && leaves_due); //@ !fpga
+                     !rows_wait; //@ fpga
   assign row_last = last;
   assign row_child = first_row ? child[3:0] : out_index;
   assign row_mask = first_row ? 16'd1 << child[7:4] : out_mask;
   assign out_ready = item && (is_row ? (!(has_rows || opened_q) || rows_ready) : 1'b1);
-  assign finish = served && (state_q == PROBE || (item && out_ready && last) ||
-                             (first_row && !no_leaves && rows_ready));
-  assign node_release = finish;
+  assign finish = served && (state_q == PROBE || (item && out_ready && last) || //@ !fpga
+                             (first_row && !no_leaves && rows_ready)); //@ !fpga
+  assign finish = probe_q || (item && out_ready && last) || //@ fpga
+                  (first_row && !no_leaves && rows_ready); //@ fpga
+  assign node_release = finish; //@ !fpga
+  assign node_release = release_q; //@ fpga
   assign push = (is_push && !full) || (state_q == ROOT) || (state_q == FIRST);
   assign pushed = (state_q == ROOT) ? {2'd0, first_mask, 46'd0} :
     (state_q == FIRST) ? {2'd2, 8'd0, row_a, row_b, row_leaf_a, row_leaf_b} :
     is_own ? {1'b0, !side, out_mask, node_a, node_b} :
-    {1'b0, side ^ !out_columns, half(out_mask), of_b ? node_a : next_a, of_b ? next_b : node_b};
+    {1'b0, side ^ !out_columns, @half@, of_b ? node_a : next_a, of_b ? next_b : node_b};
   assign over = (state_q == OVER);
   assign entry_counted = finish && walking && !is_direct;
   assign row_counted = has_rows && !no_leaves && row_valid && row_ready;
@@ -235,16 +266,27 @@ module sepax_tree_walk #(
       step_q <= 3'd0;
       {head_q, tail_q, stored_q} <= 7'd0;
       {filling_q, current_q, opened_q, wanted_q} <= 4'd0;
+      {known_q, can_pop_q, release_q, probe_q, first_q, items_q} <= 6'd0; //@ fpga
     end else begin
       if (walking) begin
+        //@ if fpga
+        line_q <= finish ? line_q - {{LINE{1'b0}}, 1'b1} : line_q + {{LINE{1'b0}}, pop};
+        //@ else
         line_q <= line_q + {{LINE{1'b0}}, pop} - {{LINE{1'b0}}, finish};
+        //@ end
       end
       step_q <= {step_q[1:0], head_read};
       tail_q <= tail_q + {1'b0, store};
       head_q <= head_q + {1'b0, fetch};
       stored_q <= stored_q + {2'd0, store} - {2'd0, fetch};
       filling_q <= finish || ((state_q == ROOT) && !row) || (state_q == FIRST) ||
-                   (filling_q && can_pop);
+                   @filling@;
+      //@ if fpga
+      probe_q <= serves && (state_q == PROBE);
+      first_q <= serves && walking && is_direct;
+      items_q <= serves && walking && !is_direct;
+      {known_q, can_pop_q, release_q} <= {walking && filling_q && !pop && !finish, can_pop, finish};
+      //@ end
       current_q <= fetch || (current_q && !finish);
       opened_q <= !finish && (opened_q || (has_rows && !no_leaves));
       wanted_q <= leaves_due;
@@ -259,11 +301,30 @@ module sepax_tree_walk #(
     if (state_q == PROBE) begin
       load_q <= {{(LOAD-9){1'b0}}, {1'b0, head_a[7:4]} + {1'b0, head_b[7:4]}, 4'd0} -
                 {{(LOAD-5){1'b0}}, {1'b0, head_a[7:4]} + {1'b0, head_b[7:4]}};
+    //@ if fpga
+    end else if (finish && walking) begin // never with pop
+      load_q <= load_q + {{(LOAD-4){1'b1}}, 3'd0, push};
+    end else begin
+      load_q <= load_q + {{(LOAD-4){1'b0}}, {3{pop}}, pop || push};
+    end
+    //@ else
     end else begin
       load_q <= load_q + {{(LOAD-1){1'b0}}, push} - {{(LOAD-1){1'b0}}, pop} +
                 {{(LOAD-5){1'b0}}, pop, 4'd0} -
                 {{(LOAD-5){1'b0}}, finish && walking, 4'd0};
     end
+    //@ end
+    //@ if fpga
+    if (store) begin
+      flags_q[tail_q] <= {
+        node_out_error, bad_a || bad_b, direct, !(|node_out[61:46]), node_out[62],
+        !(|head_a[7:4]), !(|head_b[7:4])
+      };
+    end
+    if (fetch) begin
+      flag_q <= flags_q[head_q];
+    end
+    //@ else
     if (store) begin
       flags_q[5'd7 * {3'd0, tail_q} +: FLAGS] <= {
         node_out_error, bad_a || bad_b, direct, !(|node_out[61:46]), node_out[62],
@@ -273,6 +334,12 @@ module sepax_tree_walk #(
     if (fetch) begin
       flag_q <= flags_q[5'd7 * {3'd0, head_q} +: FLAGS];
     end
-    steps_counted <= ((|in_mask) ? ones(in_mask) : 5'd1) & {5{in_valid && in_ready}};
+    //@ end
+    steps_counted <= ((|in_mask) ? ones(in_mask) : 5'd1) & {5{in_valid && in_ready}}; //@ !fpga
+    //@ if fpga
+    boxes_q <= in_mask & {16{in_valid && in_ready}};
+    own_box_q <= in_valid && in_ready && !(|in_mask);
+    steps_counted <= own_box_q ? 5'd1 : ones(boxes_q);
+    //@ end
   end
 endmodule

@@ -77,7 +77,7 @@ module sepax_cache #(
     .miss_valid(miss_b), .miss_ready(miss_ready && !miss_a)
   );
   sepax_ram_fifo #(.WIDTH(INFO+2*SETS+4+2*COUNT), .ADDRESS(WINDOW)) pairs (
-    .clk(clk), .clear(clear), .push(in_ready), .in({in_info, slot_a, slot_b, asked_a, asked_b}),
+    .clk(clk), .clear(clear), .push(in_ready), .in({in_info, slot_a, slot_b, @asked@}),
     .valid(waiting), .pop(take), .out({out_info, out_a, out_b, wait_a, wait_b})
   );
 

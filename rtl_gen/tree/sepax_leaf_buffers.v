@@ -86,7 +86,8 @@ module sepax_leaf_buffers #(
     .clk(clk), .write(write && is_b), .write_address({tag[SETS+1:0], index}),
     .write_data(triangle), .read(read_b), .read_address(slot_b), .read_data(triangle_b)
   );
-  sepax_ram #(.WIDTH(15), .ADDRESS(SETS+6)) all_corners_b (
+  sepax_ram #(.WIDTH(15), .ADDRESS(SETS+6), .DISTRIBUTED(1)) all_corners_b ( //@ fpga
+  sepax_ram #(.WIDTH(15), .ADDRESS(SETS+6)) all_corners_b ( //@ !fpga
     .clk(clk), .write(write && is_b), .write_address({tag[SETS+1:0], index}),
     .write_data(corners), .read(corners_read_b), .read_address(corners_slot_b),
     .read_data(corners_b)

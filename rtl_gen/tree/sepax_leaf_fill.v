@@ -43,12 +43,22 @@ module sepax_leaf_fill #(
   wire [119:0]   words;
   wire [14:0]    word [0:7];
   wire [2:0]     there;          // its vertices have come
-  wire           first = fill && (fill_beat == 4'd0);
+  wire           first = fill && (fill_beat == 4'd0); //@ !fpga
+  reg            begin_q;        // the beat that comes next is a record's first //@ fpga
+  wire           first = fill && begin_q; //@ fpga
   wire           vertices = fill && (|fill_beat[3:1]);
   wire           place = first ? come_q[0] : !come_q[0];
   wire [1:0]     here = come_q - made_q;
+  //@ if fpga
+  // Of the record whose triangles are made, a cycle late.
+  reg  [3:0]     beats_here_q;
+  reg            ended_here_q, late_q;
+  wire           ended = ended_here_q;
+  wire           make = valid_q && !late_q && (((&there) && !(&index_q)) || ended);
+  //@ else
   wire           ended = ended_q[made_q[0]];
   wire           make = valid_q && (((&there) && !(&index_q)) || ended);
+  //@ end
   wire           last = make && (&index_q);
   wire           move = words_q && (make || !valid_q);
   wire           start = !words_q && (read_q != come_q) &&
@@ -73,7 +83,8 @@ module sepax_leaf_fill #(
       wire [4:0]     number = numbers_q[5*k +: 5];
       wire [3*W-1:0] even, odd;
       reg            odd_q;
-      assign there[k] = number[4:1] < beats_q[made_q[0]];
+      assign there[k] = number[4:1] < beats_q[made_q[0]]; //@ !fpga
+      assign there[k] = number[4:1] < beats_here_q; //@ fpga
       sepax_ram #(.WIDTH(3*W), .ADDRESS(5)) evens (
         .clk(clk), .write(vertices), .write_address({place, fill_beat}), .write_data(fill_even),
         .read(make), .read_address({made_q[0], number[4:1] + 4'd2}), .read_data(even)
@@ -97,7 +108,9 @@ module sepax_leaf_fill #(
       read_q <= 2'd0;
       made_q <= 2'd0;
       {words_q, valid_q, write, done} <= 4'd0;
+      begin_q <= 1'b1; //@ fpga
     end else begin
+      begin_q <= fill ? fill_last : begin_q; //@ fpga
       come_q <= come_q + {1'b0, first};
       read_q <= read_q + {1'b0, move && (&next_q)};
       made_q <= made_q + {1'b0, last};
@@ -106,12 +119,25 @@ module sepax_leaf_fill #(
       write <= make;
       done <= last;
     end
+    //@ if fpga
+    if (fill && !place) begin
+      {ended_q[0], error_q[0]} <= {fill_last, fill_error || (error_q[0] && !first)};
+    end
+    if (fill && place) begin
+      {ended_q[1], error_q[1]} <= {fill_last, fill_error || (error_q[1] && !first)};
+    end
+    //@ end
     if (fill) begin
-      ended_q[place] <= fill_last;
-      error_q[place] <= fill_error || (error_q[place] && !first);
+      ended_q[place] <= fill_last; //@ !fpga
+      error_q[place] <= fill_error || (error_q[place] && !first); //@ !fpga
       beats_q[place] <= (|fill_beat) ? fill_beat - 4'd1 : 4'd0;
       tag_q[place] <= fill_tag;
     end
+    //@ if fpga
+    beats_here_q <= beats_q[made_q[0]];
+    ended_here_q <= ended_q[made_q[0]];
+    late_q <= last;
+    //@ end
     if (start) begin
       next_q <= 4'd0;
     end else if (move) begin

@@ -69,13 +69,15 @@ module sepax_node_cache #(
   generate
     for (k = 0; k < 8; k = k + 1) begin : beat
       wire write = fill && (fill_beat == k[2:0]);
-      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_a (
+      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2), .DISTRIBUTED(k < 2)) nodes_a ( //@ fpga
+      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_a ( //@ !fpga
         .clk(clk), .write(write && !is_b), .write_address(fill_tag[SETS+1:0]),
         .write_data(fill_data), .read(k < 2 ? head_a : read_a),
         .read_address(k < 2 ? head_slot_a : slot_a),
         .read_data(node_a[128*k +: 128])
       );
-      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_b (
+      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2), .DISTRIBUTED(k < 2)) nodes_b ( //@ fpga
+      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_b ( //@ !fpga
         .clk(clk), .write(write && is_b), .write_address(fill_tag[SETS+1:0]),
         .write_data(fill_data), .read(k < 2 ? head_b : read_b),
         .read_address(k < 2 ? head_slot_b : slot_b),

@@ -16,7 +16,8 @@ module sepax_ram_fifo #(
   reg  [ADDRESS:0] head_q, tail_q; // words that were read, that were pushed
   wire             read = (head_q != tail_q) && (!valid || pop);
 
-  sepax_ram #(.WIDTH(WIDTH), .ADDRESS(ADDRESS)) words (
+  sepax_ram #(.WIDTH(WIDTH), .ADDRESS(ADDRESS), .DISTRIBUTED(1)) words ( //@ fpga
+  sepax_ram #(.WIDTH(WIDTH), .ADDRESS(ADDRESS)) words ( //@ !fpga
     .clk(clk), .write(push), .write_address(tail_q[ADDRESS-1:0]), .write_data(in), .read(read),
     .read_address(head_q[ADDRESS-1:0]), .read_data(out)
   );

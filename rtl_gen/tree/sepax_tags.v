@@ -1,7 +1,7 @@
 // Which blocks of one body are in a cache of 2^SETS sets of 4 ways, and where. A request finds its
 // block, or takes a way of its set and asks for the block. The ways that the `used` requests before
 // this one found are pinned: they are not given to other blocks; while all four ways of a set are
-// pinned, the request waits. A request takes 3 cycles.
+// pinned, the request waits. A request takes @look_up@ cycles.
 module sepax_tags #(
   parameter ADDRESS = 33, // bits of a block's address
   parameter SETS = 4,     // log2 of the sets
@@ -47,9 +47,16 @@ module sepax_tags #(
   wire            take = miss_valid && miss_ready;
   wire            enter = (decide && is_hit) || take;
 
-  assign miss_valid = decide && !is_hit && !(&pinned_q) && !drop;
-  assign found = enter || (state_q == FOUND);
+  assign miss_valid = decide && !is_hit && !(&pinned_q) && !drop; //@ !fpga
+  //@ if fpga
+  reg             miss_q;
+  wire            asks = decide && !is_hit && !(&pinned_q);
+
+  assign miss_valid = miss_q;
+  //@ end
+  assign found = enter || (state_q == FOUND); //@ !fpga
   assign slot = {set, decide ? way : way_q};
+  assign found = (state_q == FOUND); //@ fpga
 
   genvar w;
   generate
@@ -83,11 +90,14 @@ module sepax_tags #(
     end
     if (rst || drop) begin
       state_q <= READ;
+      miss_q <= 1'b0; //@ fpga
     end else begin
+      miss_q <= asks && !take; //@ fpga
       case (state_q)
         READ: state_q <= read ? COMPARE : READ;
         COMPARE: state_q <= DECIDE;
-        DECIDE: state_q <= enter ? (next ? READ : FOUND) : miss_valid ? DECIDE : COMPARE;
+        DECIDE: state_q <= enter ? (next ? READ : FOUND) : miss_valid ? DECIDE : COMPARE; //@ !fpga
+        DECIDE: state_q <= enter ? FOUND : asks ? DECIDE : COMPARE; //@ fpga
         default: state_q <= next ? READ : FOUND;
       endcase
     end

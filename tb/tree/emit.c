@@ -23,8 +23,8 @@ int main(int argc, char **argv) {
   }
   emit_init(&e, NULL, "tb/tree/emit");
   if (memory) {
-    emit_template(&e, "sepax_ram", (emit_hole[]){{"fpga", "0"}, {NULL}});
-    gen_tree_memory(&e);
+    gen_tree_ram(&e, false);
+    gen_tree_memory(&e, false);
   }
   if (compare) {
     emit_template(&e, "sepax_fifo", (emit_hole[]){{"fpga", "0"}, {NULL}});
@@ -37,7 +37,7 @@ int main(int argc, char **argv) {
     for (int k = 0; k < 3; k++) {
       emit_template(&e, of_boxes[k], (emit_hole[]){{"word", "18"}, {NULL, NULL}});
     }
-    gen_tree_walk(&e);
+    gen_tree_walk(&e, false, 3);
   }
   sepax_error error = e.error;
   bool ok = error.text[0] == '\0' && gen_write(&e, argv[1], &error);
