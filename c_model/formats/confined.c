@@ -47,7 +47,8 @@ static void confine(off_t bytes) {
 
 static bool put_result(FILE *channel, const result *r, const sepax_mesh *mesh) {
   return fwrite(r, sizeof *r, 1, channel) == 1 &&
-         fwrite(mesh->facet, sizeof *mesh->facet, r->count, channel) == r->count &&
+         (r->count == 0 ||
+          fwrite(mesh->facet, sizeof *mesh->facet, r->count, channel) == r->count) &&
          fflush(channel) == 0;
 }
 

@@ -31,13 +31,14 @@ static void refuse_type(void *context, const xmlChar *name, const xmlChar *exter
   xmlStopParser(parser);
 }
 
-static bool fail_parser(const xmlParserCtxt *parser, const char *path, bool has_type,
+static bool fail_parser(xmlParserCtxt *parser, const char *path, bool has_type,
                         sepax_error *error) {
   if (has_type) {
     return sepax_fail(error, "%.240s: it has a document type (<!DOCTYPE>); take it out", path);
   }
-  const char *text = parser->lastError.message != NULL ? parser->lastError.message : "no XML";
-  return sepax_fail(error, "%.240s:%d: %.*s; mend the XML", path, parser->lastError.line,
+  const xmlError *last = xmlCtxtGetLastError(parser);
+  const char *text = last != NULL && last->message != NULL ? last->message : "no XML";
+  return sepax_fail(error, "%.240s:%d: %.*s; mend the XML", path, last != NULL ? last->line : 1,
                     (int)strcspn(text, "\n"), text);
 }
 

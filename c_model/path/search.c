@@ -14,7 +14,7 @@ typedef struct {
   cli_progress *progress;
   atomic_size_t done; /* lines of all pairs */
   atomic_bool stop;
-  atomic_flag failing;
+  atomic_flag failing, showing;
   sepax_error *error;
 } work;
 
@@ -48,7 +48,7 @@ static bool any_near(const asking *a, double length, bool *near, sepax_error *er
 
 /* Is the exact distance, of which `distance` is the nearest double but one, at most the limit? */
 static bool within_limit(const asking *a, double distance, double limit, bool *near,
-                    sepax_error *error) {
+                         sepax_error *error) {
   static const double doubt = 0x1p-50;
   *near = distance <= limit;
   if (limit == 0 || fabs(distance - limit) > doubt * limit) {
@@ -212,8 +212,9 @@ static bool ask_lines(work *all, path_pair *pair, sepax_error *error) {
       pair->verdict[line] = (unsigned char)verdict;
     }
     size_t done = atomic_fetch_add(&all->done, 1) + 1;
-    if (pair == scene->pair) { /* the calling thread's, at first */
+    if (!atomic_flag_test_and_set(&all->showing)) {
       cli_progress_show(all->progress, done);
+      atomic_flag_clear(&all->showing);
     }
     if (verdict == PATH_COLLISION && all->q->quiet && all->q->csv == NULL &&
         all->q->picture == NULL) {
@@ -237,8 +238,12 @@ static void work_on(void *context, size_t part) {
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error) {
   size_t lines = scene->motion.lines;
   cli_progress progress = cli_progress_begin("lines of all pairs", lines * scene->pairs);
-  work all = {
-      .scene = scene, .q = q, .progress = &progress, .failing = ATOMIC_FLAG_INIT, .error = error};
+  work all = {.scene = scene,
+              .q = q,
+              .progress = &progress,
+              .failing = ATOMIC_FLAG_INIT,
+              .showing = ATOMIC_FLAG_INIT,
+              .error = error};
   atomic_init(&all.done, 0);
   atomic_init(&all.stop, false);
   for (size_t n = 0; n < scene->pairs && q->csv != NULL; n++) {

@@ -187,12 +187,12 @@ CASE(test_no_mechanism) {
   m.joint[1].child = 3;
   refuse(&m, "link l3: two joints move it, j1 and j2");
   m = row_of(3);
-  m.joints = 2;
+  free(m.joint[--m.joints].name);
   refuse(&m, "links l0 and l3: two roots");
   m = row_of(3);
   m.joint[2].child = 0;
   m.joint[1].kind = SEPAX_JOINT_REVOLUTE;
-  m.links = 3;
+  free(m.link[--m.links].name);
   refuse(&m, "are on a cycle");
   m = row_of(4); /* beside the tree: l2, l3, l4 in a ring, l1 a root that moves nothing else */
   m.joint[1].parent = 4;
