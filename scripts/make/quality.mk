@@ -6,12 +6,12 @@ C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
           $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c examples/engine/*.c \
           examples/ulx3s/host/*.c examples/soc/host/*.c))
 C_PATH  = -Ic_model -Irtl_gen -Itb -Isynth
-PATH_OF = $(C_PATH) $(XML_CFLAGS) -Iexamples/$(1) -I$(BUILD)/static/$(1)
+PATH_OF = $(C_PATH) -Iexamples/$(1) -I$(BUILD)/static/$(1)
 analyse = $(CPPCHECK) --quiet --error-exitcode=1 \
           --enable=warning,style,performance,portability --inline-suppr \
           --suppress=missingIncludeSystem --std=c11 $(call PATH_OF,$(1)) $(2) && \
           printf '%s\n' $(2) | xargs -P 2 -I {} $(CLANG_TIDY) --quiet --warnings-as-errors="*" {} \
-          -- -std=c11 -D_POSIX_C_SOURCE=200809L $(call PATH_OF,$(1)) \
+          -- -std=c11 -D_POSIX_C_SOURCE=200809L $(call PATH_OF,$(1)) $(XML_CFLAGS) \
           -Xclang -analyzer-config -Xclang max-nodes=$(NODES)
 
 # How far clang-tidy follows the paths of one function; its own default is 225000.
