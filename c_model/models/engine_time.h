@@ -10,7 +10,7 @@
 /* What is between the lanes and the cores: a FIFO of candidate masks, of each of which the number
  * of its passes is kept, the mask that the priority encoder empties, and the pairs that were
  * fetched. */
-enum { ENGINE_ENTRIES = 16, ENGINE_KEPT_FREE = 6, ENGINE_FETCHED = 2 };
+enum { ENGINE_ENTRIES = 16, ENGINE_FETCHED = 2 };
 typedef struct {
   uint64_t passes[ENGINE_ENTRIES];
   int first, count;
@@ -18,11 +18,19 @@ typedef struct {
   int fetched;
   uint64_t now, last_taken;
   uint64_t ii, cores;
+  int fullest;      /* masks in the FIFO with which the pair enumerator goes on */
+  uint64_t to_fifo; /* registers from a step to the FIFO */
+  uint64_t to_end;  /* from there to a core, and behind it */
   uint64_t free_at[SEPAX_CORES_MAX];
 } engine_time;
 
 static inline engine_time engine_time_begin(const sepax_config *config) {
-  return (engine_time){.ii = (uint64_t)config->ii, .cores = (uint64_t)config->cores};
+  bool fpga = config->target != SEPAX_TARGET_ASIC;
+  return (engine_time){.ii = (uint64_t)config->ii,
+                       .cores = (uint64_t)config->cores,
+                       .fullest = ENGINE_ENTRIES - (fpga ? 8 : 6),
+                       .to_fifo = fpga ? 8 : 5,
+                       .to_end = fpga ? (config->lanes > 1 ? 13 : 10) : 6};
 }
 
 static inline uint64_t *engine_first_free(engine_time *t) {
@@ -65,7 +73,7 @@ static inline uint64_t engine_wait(engine_time *t, uint64_t most) {
 
 /* Cycles until the pair enumerator may go on. */
 static inline void engine_stall(engine_time *t) {
-  while (t->count > ENGINE_ENTRIES - ENGINE_KEPT_FREE) {
+  while (t->count > t->fullest) {
     engine_wait(t, UINT64_MAX);
     engine_tick(t);
   }
@@ -93,14 +101,12 @@ static inline void engine_idle(engine_time *t, uint64_t steps) {
 
 /* The cycle of the last verdict or, without one, of the last step's end. */
 static inline uint64_t engine_finish(engine_time *t, int latency) {
-  /* Registers from a step to the FIFO; from there to a core, and behind it. */
-  enum { TO_FIFO = 5, AROUND_CORE = 6 };
-  uint64_t enumerated = t->now + TO_FIFO;
+  uint64_t enumerated = t->now + t->to_fifo;
   while (t->count > 0 || t->picked > 0 || t->fetched > 0) {
     engine_wait(t, UINT64_MAX);
     engine_tick(t);
   }
-  uint64_t answered = t->last_taken + AROUND_CORE + (uint64_t)latency;
+  uint64_t answered = t->last_taken + t->to_end + (uint64_t)latency;
   return t->last_taken > 0 && answered > enumerated ? answered : enumerated;
 }
 

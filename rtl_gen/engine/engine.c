@@ -23,6 +23,13 @@ static void set_sizes(emit_holes *h, const sepax_design *design) {
   emit_hole_set(h, "in", fpga ? "_in_q" : "");
   emit_hole_set(h, "after", fpga ? "_q" : "");
   emit_hole_set(h, "counted", fpga ? "_q" : "");
+  emit_hole_set(h, "held", fpga ? "_q" : "");
+  emit_hole_set(h, "last", fpga ? "last_q" : "tlast");
+  emit_hole_set(h, "dest", fpga ? "to_b_q" : "tdest");
+  emit_hole_set(h, "written", fpga ? "three" : "two");
+  emit_hole_set(h, "ended", fpga ? "two cycles before" : "in the cycle before");
+  emit_hole_set(h, "undecided", fpga ? "outside_q" : "undecided");
+  emit_hole_set(h, "coplanar", fpga ? "coplanar_q" : "coplanar && !undecided");
   emit_hole_set(h, "at", fpga ? "_in" : "");
   emit_hole_set(h, "late", "%d", fpga ? 8 : 6);
   emit_hole_set(h, "late_q", fpga ? "_q3" : "_q2");

@@ -35,7 +35,8 @@ module sepax_engine_logic (
   output wire [6*@word@-1:0] write_aabb,      // its AABB
   output wire            write_a,         // write to both memories of A
   output wire            write_b,         // write to both memories of B
-  output wire            step,            // read both memories of AABBs
+  output wire            step,            // read both memories of AABBs //@ !fpga
+  output wire            running,         // read both memories of AABBs //@ fpga
   output wire            fetch,           // read both memories of triangles
   output wire [@index_a@-1:0]    aabb_address_a,  // of A's AABB to read
   output wire [@index_b@-1:0]    aabb_address_b,  // of B's
@@ -96,39 +97,73 @@ module sepax_engine_logic (
   );
 
   // Broad phase.
-  wire running, is_b, load, is_a, lanes_busy, push, free, more, pop, candidate;
-  wire encoding; //@ staged
+  wire running, is_b, load, is_a, lanes_busy, push, free, more, pop, candidate; //@ !fpga
+  wire step, is_b, load, is_a, lanes_busy, push, free, more, pop, candidate; //@ fpga
+  wire encoding, single, next_single; //@ staged
+  wire offered, asked; //@ fpga
   wire [LANES-1:0] mask, next_mask;
-  wire [B:0]   step_j;
+  wire [B:0]   step_j; //@ !fpga
   wire [B-1:0] mask_j, next_j;
+  wire [B-1:0] candidate_b; //@ fpga
+  wire [A-1:0] candidate_a; //@ fpga
   wire [A-1:0] round_base, mask_base, next_base;
   wire [6:0]   tested;
 
   sepax_enumerator enumerator (
     .clk(clk), .rst(rst), .start(start), .halt(halt@after@), .free(free), .count_a(count_a),
-    .count_b(count_b), .running(running), .step(step), .j(step_j), .is_b(is_b),
+    .count_b(count_b), .running(running), .step(step), .j(step_j), .is_b(is_b), //@ !fpga
+    .count_b(count_b), .running(running), .step(step), .is_b(is_b), //@ fpga
     .address_b(aabb_address_b), .round_base(round_base), .address_a(aabb_address_a), .load(load),
     .is_a(is_a)
   );
 
   sepax_comparators comparators (
+    //@ if fpga
+    .clk(clk), .clear(clear), .step(step), .j(aabb_address_b), .is_b(is_b), .base(round_base),
+    .load(load),
+    //@ else
     .clk(clk), .clear(clear), .step(step), .j(step_j), .is_b(is_b), .base(round_base), .load(load),
+    //@ end
     .is_a(is_a), .aabb_a(read_aabb_a), .aabb_b(read_aabb_b), .move(move), .busy(lanes_busy),
     .push(push), .mask(mask), .mask_j(mask_j), .mask_base(mask_base), .tested(tested)
   );
 
   // Six masks may come after the enumerator has seen the FIFO full. //@ !fpga
   // Eight masks may come after the enumerator has seen the FIFO full. //@ fpga
+  //@ if staged
+  localparam [LANES-1:0] ONE = 1;
+  assign single = !(|(mask & (mask - ONE)));
+
+  sepax_fifo #(.WIDTH(1 + LANES + A + B), .ADDRESS(4), .MARGIN(@late@)) candidates_fifo (
+    .clk(clk), .clear(clear), .push(push), .in({single, mask, mask_j, mask_base}), .free(free),
+    .valid(more), .pop(pop), .out({next_single, next_mask, next_j, next_base})
+  );
+  //@ else
   sepax_fifo #(.WIDTH(LANES + A + B), .ADDRESS(4), .MARGIN(@late@)) candidates_fifo (
     .clk(clk), .clear(clear), .push(push), .in({mask, mask_j, mask_base}), .free(free),
     .valid(more), .pop(pop), .out({next_mask, next_j, next_base})
   );
+  //@ end
 
   sepax_priority priority_encoder (
     .clk(clk), .clear(clear), .more(more), .pop(pop), .next_mask(next_mask), .next_j(next_j),
-    .busy(encoding), //@ staged
+    //@ if staged
+    .busy(encoding), .next_last(next_single),
+    //@ end
+    //@ if fpga
+    .next_base(next_base), .valid(candidate), .take(asked), .a(candidate_a), .b(candidate_b)
+  );
+
+  // No path leads from the cores to the candidates.
+  sepax_skid #(.WIDTH(A + B)) skid (
+    .clk(clk), .rst(clear), .in_valid(candidate), .in_ready(asked),
+    .in({candidate_a, candidate_b}), .out_valid(offered), .out_ready(fetch),
+    .out({fetch_a, fetch_b})
+  );
+  //@ else
     .next_base(next_base), .valid(candidate), .take(fetch), .a(fetch_a), .b(fetch_b)
   );
+  //@ end
 
   // Narrow phase.
   wire fetch_busy, pair_valid, pair_ready, outside, in_flight;
@@ -140,7 +175,8 @@ module sepax_engine_logic (
   wire [B-1:0]   number_b, verdict_b;
 
   sepax_fetch fetch_pair (
-    .clk(clk), .clear(clear), .valid(candidate), .a(fetch_a), .b(fetch_b), .read(fetch),
+    .clk(clk), .clear(clear), .valid(candidate), .a(fetch_a), .b(fetch_b), .read(fetch), //@ !fpga
+    .clk(clk), .clear(clear), .valid(offered), .a(fetch_a), .b(fetch_b), .read(fetch), //@ fpga
     .thinnest(read_triangle_a[9*W +: 2]), //@ swaps
     .read_a(read_triangle_a[9*W-1:0]), .read_b(read_triangle_b), .move(move), .busy(fetch_busy),
     .out_valid(pair_valid), .out_ready(pair_ready), .out_a(pair_a), .out_b(pair_b),
@@ -157,9 +193,14 @@ module sepax_engine_logic (
   );
 
   //@ if staged
-  assign drained = !running && !lanes_busy && !more && !encoding && !fetch_busy && !in_flight;
+  assign drained = !running && !lanes_busy && !more && !encoding && !offered && !fetch_busy &&
+                   !in_flight;
+  //@ else
+  //@ if fpga
+  assign drained = !running && !lanes_busy && !more && !offered && !fetch_busy && !in_flight;
   //@ else
   assign drained = !running && !lanes_busy && !more && !candidate && !fetch_busy && !in_flight;
+  //@ end
   //@ end
 
   sepax_results results (

@@ -12,7 +12,9 @@ module sepax_enumerator (
   input  wire [@index_b@:0]     count_b,    // triangles of B, 1 ...
   output reg            running,    // not at the end
   output wire           step,       // a step is made
+//@ if !fpga
   output reg  [@index_b@:0]     j,          // number of B's triangle, on to the number of lanes
+//@ end
   output wire           is_b,       // there is one
   output wire [@index_b@-1:0]   address_b,  // where it is
   output wire [@index_a@-1:0]   round_base, // @lanes@ g, lowest bits
@@ -26,14 +28,23 @@ module sepax_enumerator (
   localparam [B:0]   LANES_B = @lanes@;
   localparam [A+1:0] ONE = 1;
   localparam [B:0] ONE_B = 1;
-  reg  [A+1:0] base_q;     // LANES g
+  reg  [A+1:0] base_q;     // LANES g //@ !fpga
+  reg  [A-1:0] base_q;     // LANES g //@ fpga
   reg  [A+1:0] n_q;        // base + j; runs on by two rounds of lanes
   reg  [B:0]   last_j_q;   // end of a round
   reg  [A+1:0] last_n_q;   // would take the last of A's out of its lane
   reg          emptying_q; // the last round: no triangle of A is left
   wire [A+1:0] wide_a = {1'b0, count_a};
-  wire [A+1:0] next_base = base_q + LANES_A;
-  wire         finished = emptying_q && (n_q == last_n_q);
+  wire [A+1:0] next_base = base_q + LANES_A; //@ !fpga
+  wire         finished = emptying_q && (n_q == last_n_q); //@ !fpga
+  //@ if fpga
+  reg  [B:0]   j;          // number of B's triangle, on to the number of lanes
+  reg  [A+1:0] next_base;  // base_q + LANES
+  reg  [A+1:0] late_n_q;   // last_n_q - 1
+  reg  [B:0]   late_j_q;   // last_j_q - 1
+  reg          wraps_q;    // j is last_j
+  reg          finished;   // emptying, and n is last_n
+  //@ end
 
   assign address_a = n_q[A-1:0];
   assign address_b = j[B-1:0];
@@ -44,23 +55,42 @@ module sepax_enumerator (
   assign is_a = !emptying_q && (n_q < wide_a);
 
   always @(posedge clk) begin
+    //@ if fpga
+    // Objects stand still for some cycles before a run.
+    last_j_q <= ((count_b > LANES_B) ? count_b : LANES_B) - ONE_B;
+    late_j_q <= last_j_q - ONE_B;
+    //@ end
     running <= !(rst || halt) && (start || (running && !finished));
     if (start) begin
       j <= {(B+1){1'b0}};
       n_q <= {(A+2){1'b0}};
-      base_q <= {(A+2){1'b0}};
+      base_q <= {(A+2){1'b0}}; //@ !fpga
+      base_q <= {A{1'b0}}; //@ fpga
       emptying_q <= 1'b0;
-      last_j_q <= ((count_b > LANES_B) ? count_b : LANES_B) - ONE_B;
+      last_j_q <= ((count_b > LANES_B) ? count_b : LANES_B) - ONE_B; //@ !fpga
       last_n_q <= wide_a + LANES_A - ONE;
+      //@ if fpga
+      late_n_q <= wide_a + LANES_A - ONE - ONE;
+      next_base <= LANES_A;
+      finished <= 1'b0;
+      wraps_q <= last_j_q == {(B+1){1'b0}};
+      //@ end
     end else if (step) begin
-      if (j == last_j_q) begin
+      if (j == last_j_q) begin //@ !fpga
+      if (wraps_q) begin //@ fpga
         j <= {(B+1){1'b0}};
         n_q <= next_base;
-        base_q <= next_base;
+        base_q <= next_base; //@ !fpga
+        base_q <= next_base[A-1:0]; //@ fpga
         emptying_q <= !(next_base < wide_a);
+        next_base <= next_base + LANES_A; //@ fpga
+        finished <= !(next_base < wide_a) && (next_base == last_n_q); //@ fpga
+        wraps_q <= last_j_q == {(B+1){1'b0}}; //@ fpga
       end else begin
         j <= j + ONE_B;
         n_q <= n_q + ONE;
+        finished <= emptying_q && (n_q == late_n_q); //@ fpga
+        wraps_q <= j == late_j_q; //@ fpga
       end
     end
   end

@@ -12,7 +12,8 @@ module sepax_fetch (
   input  wire            valid,       // a pair is here
   input  wire [@index_a@-1:0]    a,           // number of A's triangle
   input  wire [@index_b@-1:0]    b,           // number of B's triangle
-  output wire            read,        // it is taken: read both memories
+  output wire            read,        // it is taken: read both memories //@ !fpga
+  output wire            read,        // read both memories; a pair that is here is taken //@ fpga
   input  wire [9*@word@-1:0] read_a,      // from A's, in the next cycle
   input  wire [1:0]      thinnest,    // with it: which side of its AABB is the thinnest //@ swaps
   input  wire [9*@word@-1:0] read_b,      // from B's
@@ -22,7 +23,8 @@ module sepax_fetch (
   input  wire            out_ready,   // it is taken
   output reg  [9*@word@-1:0] out_a,       // A
   output reg  [9*@word@-1:0] out_b,       // B
-  output reg             out_outside, // B does not fit
+  output reg             out_outside, // B does not fit //@ !fpga
+  output wire            out_outside, // B does not fit //@ fpga
   output reg  [@index_a@-1:0]    number_a,    // number of A's triangle
   output reg  [@index_b@-1:0]    number_b     // number of B's triangle
 );
@@ -39,14 +41,14 @@ module sepax_fetch (
   // A core's in_ready comes late; a pair in every other cycle is enough. //@ !each_cycle
   wire           enable_2 = !out_valid; //@ !each_cycle
   wire           enable_1 = !valid_q || enable_2; //@ !fpga
+  wire           enable_1 = enable_2; // all move, the memories, too //@ fpga
   //@ if fpga
   reg            valid_in_q;
   reg  [@index_a@-1:0]   a_in_q;
   reg  [@index_b@-1:0]   b_in_q;
   reg  [9*W-1:0] read_a_in_q, read_b_in_q;
   reg  [1:0]     thinnest_in_q; //@ swaps
-  wire           enable_in = !valid_in_q || enable_2;
-  wire           enable_1 = !valid_q || enable_in;
+  reg  [8:0]     outside_q;
   //@ end
 
   //@ if swaps
@@ -57,7 +59,9 @@ module sepax_fetch (
   assign next_b = moved_b;
   //@ end
 
-  assign read = valid && enable_1;
+  assign read = valid && enable_1; //@ !fpga
+  assign read = enable_1; //@ fpga
+  assign out_outside = |outside_q; //@ fpga
   assign busy = valid_q || out_valid; //@ !fpga
   assign busy = valid_q || valid_in_q || out_valid; //@ fpga
 
@@ -79,18 +83,16 @@ module sepax_fetch (
     end else begin
       if (enable_1) begin
         valid_q <= valid;
+        valid_in_q <= valid_q; //@ fpga
       end
       out_valid <= enable_2 ? valid@at@_q : !out_ready;
-      if (enable_in) begin //@ fpga
-        valid_in_q <= valid_q; //@ fpga
-      end //@ fpga
     end
     if (read) begin
       a_q <= a;
       b_q <= b;
     end
     //@ if fpga
-    if (enable_in) begin
+    if (read) begin
       a_in_q <= a_q;
       b_in_q <= b_q;
       read_a_in_q <= read_a;
@@ -103,7 +105,8 @@ module sepax_fetch (
       number_b <= b@at@_q;
       out_a <= next_a;
       out_b <= next_b;
-      out_outside <= |outside;
+      out_outside <= |outside; //@ !fpga
+      outside_q <= outside; //@ fpga
     end
   end
 endmodule

@@ -10,11 +10,13 @@ module sepax_priority (
   input  wire          more,      // a mask is here
   output wire          pop,       // it is taken
   input  wire [@lanes@-1:0] next_mask, // lanes, not 0
+  input  wire          next_last, // there is one lane in it //@ staged
   input  wire [@index_b@-1:0]  next_j,    // number of B's triangle
   input  wire [@index_a@-1:0]  next_base, // base of its round
   output wire          busy,      // a pair is in flight //@ staged
   output reg           valid,     // a pair is here
-  input  wire          take,      // it is taken
+  input  wire          take,      // it is taken //@ !staged
+  input  wire          take,      // it is taken; all stands still without //@ staged
   output wire [@index_a@-1:0]  a,         // number of A's triangle //@ !staged
   output wire [@index_b@-1:0]  b          // number of B's triangle //@ !staged
   output reg  [@index_a@-1:0]  a,         // number of A's triangle //@ staged
@@ -32,19 +34,17 @@ module sepax_priority (
   reg  [LANES-1:0] others_q; //@ staged
   wire [LANES-1:0] others = others_q; //@ staged
   wire [LANES-1:0] lowest = mask_q & ~others; //@ staged
-  wire             last = !(|others); // lane of the mask
+  wire             last = !(|others); // lane of the mask //@ !staged
 
   //@ if staged
   reg              live_q, live_q2, live_q3; // a mask is here, a lane, its number
   reg  [LANES-1:0] lowest_q2;
   reg  [B-1:0]     j_q2, j_q3;
   reg  [A-1:0]     base_q2, base_q3;
-  wire             enable_3 = !valid || take;
-  wire             enable_2 = !live_q3 || enable_3;
-  wire             enable_1 = !live_q2 || enable_2;
+  reg              load; // another mask, not another lane: none is here, or its last lane
 
   assign busy = live_q || live_q2 || live_q3 || valid;
-  assign pop = more && (!live_q || (enable_1 && last));
+  assign pop = more && take && load;
   //@ else
   assign b = j_q;
   assign pop = more && (!valid || (take && last));
@@ -74,39 +74,40 @@ module sepax_priority (
     //@ if staged
     if (clear) begin
       {live_q, live_q2, live_q3, valid} <= 4'd0;
+      load <= 1'b1;
     end else begin
-      live_q <= pop || (live_q && !(enable_1 && last));
-      live_q2 <= enable_1 ? live_q : live_q2;
-      live_q3 <= enable_2 ? live_q2 : live_q3;
-      valid <= enable_3 ? live_q3 : valid;
+      if (take) begin
+        {live_q, live_q2, live_q3, valid} <= {more || !load, live_q, live_q2, live_q3};
+        load <= load ? !more || next_last : !(|(others & (others - ONE)));
+      end
     end
     //@ else
     valid <= !clear && (pop || (valid && !(take && last)));
     //@ end
-    if (pop) begin
-      mask_q <= next_mask;
-      others_q <= next_mask & (next_mask - ONE); //@ staged
-      j_q <= next_j;
-      base_q <= next_base;
-    end else if (take) begin //@ !staged
-    end else if (enable_1) begin //@ staged
-      mask_q <= others;
-      others_q <= others & (others - ONE); //@ staged
-    end
     //@ if staged
-    if (enable_1) begin
+    if (take) begin
+      mask_q <= load ? next_mask : others;
+      others_q <= load ? next_mask & (next_mask - ONE) : others & (others - ONE);
+      if (load) begin
+        j_q <= next_j;
+        base_q <= next_base;
+      end
       lowest_q2 <= lowest;
       j_q2 <= j_q;
       base_q2 <= base_q;
-    end
-    if (enable_2) begin
       lane_q3 <= lane;
       j_q3 <= j_q2;
       base_q3 <= base_q2;
-    end
-    if (enable_3) begin
       a <= base_q3 + {{(A-LANE){1'b0}}, lane_q3} - (ROUND & {A{early}});
       b <= j_q3;
+    end
+    //@ else
+    if (pop) begin
+      mask_q <= next_mask;
+      j_q <= next_j;
+      base_q <= next_base;
+    end else if (take) begin
+      mask_q <= others;
     end
     //@ end
   end

@@ -27,7 +27,8 @@ module sepax_registers (
   output reg  [32:0] list,         // address of the first job / 128
   output reg  [31:0] jobs,         // how many
   //@ else
-  output wire        starting,     // a run begins, or a write that asks for it is here
+  output wire        starting,     // a run begins, or a write that asks for it is here //@ !fpga
+  output reg         starting,     // a run begins, or a write that asks for it is here //@ fpga
   output reg         first,        // mode: end at the first collision
   output reg         quiet,        // mode: no result stream
   output reg  [3*(@word@+1)-1:0] move, // added to B: {z, y, x}, signed
@@ -50,9 +51,18 @@ module sepax_registers (
   reg  [31:0] shown;
   wire [95:0] shown_move; // {z, y, x} //@ !tree
   wire        fits;       // a move of data_q //@ !tree
+  //@ if fpga
+  // What a request does is found in three cycles, in which a vertex that was taken arrives.
+  reg         full_q, full_q2, checked_q, accepted_q, asked_q, shown_q, known_q;
+  reg  [31:0] next_q; // to be read
+  wire        write = checked_q && (!bvalid || bready);
+  wire        read = shown_q && (!rvalid || rready);
+  wire        accept = write && accepted_q;
+  //@ else
   wire        write = address_full_q && data_full_q && (!bvalid || bready);
   wire        read = read_full_q && (!rvalid || rready);
   wire        accept = write && whole_q && accepted;
+  //@ end
   wire        idle = !status[0] && !start;
   wire        can_start = idle && (|jobs); //@ tree
   wire        can_start = idle && status[4] && status[5] && !status[6]; //@ !tree
@@ -62,7 +72,9 @@ module sepax_registers (
   assign arready = !read_full_q;
   assign irq = |(pending_q & enable_q);
   //@ if !tree
+  //@ if !fpga
   assign starting = start || (address_full_q && data_full_q && (address_q == COMMAND) && data_q[0]);
+  //@ end
   //@ if move_is_word
   assign fits = 1'b1;
   assign shown_move = {move[2*M +: 32], move[M +: 32], move[0 +: 32]};
@@ -108,6 +120,7 @@ module sepax_registers (
     if (rst) begin
       {address_full_q, data_full_q, read_full_q, bvalid, rvalid} <= 5'd0;
       {enable_q, pending_q} <= 6'd0;
+      {full_q, full_q2, checked_q, asked_q, shown_q, starting} <= 6'd0; //@ fpga
       //@ if tree
       {start, stop} <= 2'd0;
       {list, jobs} <= 65'd0;
@@ -118,6 +131,14 @@ module sepax_registers (
     end else begin
       address_full_q <= address_full_q ? !write : awvalid;
       data_full_q <= data_full_q ? !write : wvalid;
+      //@ if fpga
+      full_q <= address_full_q && data_full_q && !write;
+      full_q2 <= full_q && !write;
+      checked_q <= full_q2 && !write;
+      asked_q <= read_full_q && !read;
+      shown_q <= asked_q && !read;
+      starting <= start || (address_full_q && data_full_q && (address_q == COMMAND) && data_q[0]);
+      //@ end
       bvalid <= write || (bvalid && !bready);
       read_full_q <= read_full_q ? !read : arvalid;
       rvalid <= read || (rvalid && !rready);
@@ -150,6 +171,11 @@ module sepax_registers (
       data_q <= wdata;
       whole_q <= &wstrb;
     end
+    //@ if fpga
+    accepted_q <= whole_q && accepted;
+    next_q <= shown;
+    known_q <= known;
+    //@ end
     if (write) begin
       bresp <= {!accept, 1'b0};
     end
@@ -157,8 +183,10 @@ module sepax_registers (
       read_address_q <= araddr;
     end
     if (read) begin
-      rdata <= shown;
-      rresp <= {!known, 1'b0};
+      rdata <= shown; //@ !fpga
+      rresp <= {!known, 1'b0}; //@ !fpga
+      rdata <= next_q; //@ fpga
+      rresp <= {!known_q, 1'b0}; //@ fpga
     end
   end
 endmodule

@@ -26,7 +26,8 @@ module sepax_results (
   output reg          tlast,        // the end of the run
   output wire         halt,         // make no more pairs and drop those in flight
   output wire         done,         // the run ends in this cycle
-  output wire         hit,          // its first collision is here
+  output wire         hit,          // its first collision is here //@ !fpga
+  output wire         hit,          // its first collision was here //@ fpga
   output reg          busy,         // a run is going on
   output reg          stopped,      // it ends before all pairs are tested
   output reg          any,          // a collision was found
@@ -42,31 +43,53 @@ module sepax_results (
   localparam A = @index_a@; // bits of the number of a triangle of A
   localparam B = @index_b@; // of B
   reg         ending_q;
+  //@ if fpga
+  // A verdict waits in registers: what it is, and of which pair.
+  reg         valid_q, meets_q, outside_q, coplanar_q, drained_q, hit_q;
+  reg         near_q; //@ limits
+  reg [A-1:0] a_q;
+  reg [B-1:0] b_q;
+  //@ end
   wire        free = !tvalid || tready;
-  wire        counted = valid && free && !stopped;
+  wire        counted = valid@held@ && free && !stopped;
   wire        undecided = outside || exceeds; //@ extents
   wire        undecided = outside; //@ !extents
-  wire        found = counted && (collision || undecided);
+  wire        found = counted && (collision || undecided); //@ !fpga
+  wire        found = counted && meets_q; //@ fpga
+  //@ if fpga
+  wire        warned = counted && near_q; //@ limits
+  //@ else
   wire        warned = counted && warning && !collision && !undecided; //@ limits
+  //@ end
   wire        warned = 1'b0; //@ !limits
   reg         found_q, undecided_q, warned_q; // to be counted //@ fpga
   wire        finish = busy && !ending_q && drained && free; //@ !fpga
-  wire        finish = busy && !ending_q && drained && free && !found_q && !warned_q; //@ fpga
+  //@ if fpga
+  wire        finish = busy && !ending_q && drained_q && free && !valid_q && !found_q && !warned_q;
+  //@ end
   wire [31:0] sent = collisions + warnings;
 
-  assign ready = free;
-  assign hit = found && !any;
-  assign halt = stop || (first && hit);
+  assign ready = free; //@ !fpga
+  //@ if fpga
+  assign ready = free || !valid_q; //@ each_cycle
+  assign ready = !valid_q; // a verdict in every other cycle is enough //@ !each_cycle
+  //@ end
+  assign hit = found && !any; //@ !fpga
+  assign halt = stop || (first && hit); //@ !fpga
+  assign hit = hit_q; //@ fpga
+  assign halt = stop || (first && found && !any); //@ fpga
   assign done = (finish && quiet) || (ending_q && free);
 
   always @(posedge clk) begin
     if (rst) begin
       {busy, ending_q, stopped, any, tvalid} <= 5'd0;
+      valid_q <= 1'b0; //@ fpga
     end else begin
       busy <= start || (busy && !done);
       ending_q <= (finish && !quiet) || (ending_q && !free);
       stopped <= !start && (stopped || (busy && !ending_q && halt));
       any <= !start && (any || found);
+      valid_q <= ready ? valid : !free; //@ fpga
       if (free) begin
         tvalid <= (found || warned || finish) && !quiet;
       end
@@ -74,13 +97,29 @@ module sepax_results (
     if (free) begin
       tlast <= finish;
       tdata <= finish ? {1'b1, stopped, 30'd0, sent} :
-               {5'd0, warned, undecided, coplanar && !undecided,
-                {(24-B){1'b0}}, b, {(32-A){1'b0}}, a};
+               {5'd0, warned, @undecided@, @coplanar@,
+                {(24-B){1'b0}}, b@held@, {(32-A){1'b0}}, a@held@};
     end
-    {found_q, undecided_q, warned_q} <= {found, undecided, warned} & {3{!rst}}; //@ fpga
+    //@ if fpga
+    {found_q, undecided_q, warned_q} <= {found, outside_q, warned} & {3{!rst}};
+    drained_q <= drained && !start;
+    hit_q <= found && !any && !rst;
+    if (ready) begin
+      {meets_q, outside_q} <= {collision || undecided, undecided};
+      near_q <= warning && !collision && !undecided; //@ limits
+      coplanar_q <= coplanar && !undecided;
+      a_q <= a;
+      b_q <= b;
+    end
+    //@ end
     if (hit) begin
+      //@ if fpga
+      first_a <= tdata[31:0];
+      first_b <= {8'd0, tdata[55:32]};
+      //@ else
       first_a <= {{(32-A){1'b0}}, a};
       first_b <= {{(32-B){1'b0}}, b};
+      //@ end
     end
     if (start) begin
       {pairs, candidates, collisions, out_of_range, warnings, cycles} <= 192'd0;

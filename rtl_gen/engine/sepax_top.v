@@ -98,7 +98,8 @@ module sepax_engine (
     .m_axis_tvalid(m_axis_tvalid), .m_axis_tready(m_axis_tready), .m_axis_tdata(m_axis_tdata),
     .m_axis_tlast(m_axis_tlast), .irq(irq),
     .write_address(write_address), .write_triangle(write_triangle), .write_aabb(write_aabb),
-    .write_a(write_a), .write_b(write_b), .step(step), .fetch(fetch),
+    .write_a(write_a), .write_b(write_b), .step(step), .fetch(fetch), //@ !fpga
+    .write_a(write_a), .write_b(write_b), .running(step), .fetch(fetch), //@ fpga
     .aabb_address_a(aabb_address_a), .aabb_address_b(aabb_address_b),
     .read_aabb_a(read_aabb_a), .read_aabb_b(read_aabb_b), .fetch_a(fetch_a), .fetch_b(fetch_b),
     .read_triangle_a(read_triangle_a), .read_triangle_b(read_triangle_b)

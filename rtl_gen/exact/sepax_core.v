@@ -63,9 +63,17 @@ module sepax_core (
   // u is x, or y where all six x are equal: with z it makes the plane of a second pass. //@ passes
 @coordinates@
 //@ if passes
+//@ if x_equal_q
+  reg x_equal; // in the cycle before; rotation changes nothing
+  always @(posedge clk) begin
+    x_equal <= (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&
+               (x_b2 == x_a1) && (x_b3 == x_a1);
+  end
+//@ else
   wire x_equal;
   assign x_equal = (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&
                    (x_b2 == x_a1) && (x_b3 == x_a1);
+//@ end
 //@ end
 
   // Outputs of the units. _q, _q2 ... are their delay lines; _hold is a holding register.

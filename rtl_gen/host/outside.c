@@ -15,6 +15,7 @@ void gen_tree(emitter *e, int entries) {
   engine_cores(&h, design, entries, 1);
   engine_decode(&engine_of_trees, &h, constants);
   emit_hole_numbers(&h, (emit_number[]){{"tree", 1},
+                                        {"fpga", 0},
                                         {"move_is_word", 0},
                                         {"ii", c->ii},
                                         {"margin", design->limits > 0 ? design->margin[1] : 0},

@@ -10,7 +10,8 @@ module sepax_fifo #(
   input  wire             push,  // append a word; only with an entry free
   input  wire [WIDTH-1:0] in,    // the word
   output reg              free,  // MARGIN or more entries are free
-  output wire             valid, // there is a word
+  output wire             valid, // there is a word //@ !fpga
+  output reg              valid, // there is a word //@ fpga
   input  wire             pop,   // take it; only if there is one
   output wire [WIDTH-1:0] out    // the oldest word
 );
@@ -19,9 +20,11 @@ module sepax_fifo #(
   reg  [WIDTH-1:0]   word_q [0:(1<<ADDRESS)-1];
   reg  [ADDRESS-1:0] head_q, tail_q;
   reg  [ADDRESS:0]   count_q;
+  //@ if !fpga
   wire [ADDRESS:0]   next_count = count_q + {{ADDRESS{1'b0}}, push} - {{ADDRESS{1'b0}}, pop};
+  //@ end
 
-  assign valid = |count_q;
+  assign valid = |count_q; //@ !fpga
   assign out = word_q[head_q];
 
   always @(posedge clk) begin
@@ -30,10 +33,18 @@ module sepax_fifo #(
       tail_q <= {ADDRESS{1'b0}};
       count_q <= {(ADDRESS+1){1'b0}};
       free <= 1'b1;
+      valid <= 1'b0; //@ fpga
     end else begin
+      //@ if fpga
+      if (push != pop) begin
+        count_q <= count_q + {{ADDRESS{pop}}, 1'b1};
+      end
+      free <= count_q < FULLEST[ADDRESS:0]; // a cycle late, and so one word early
+      valid <= push || (|count_q[ADDRESS:1]) || (count_q[0] && !pop);
+      //@ else
       count_q <= next_count;
-      free <= next_count <= FULLEST[ADDRESS:0]; //@ !fpga
-      free <= count_q < FULLEST[ADDRESS:0]; // a cycle late, and so one word early //@ fpga
+      free <= next_count <= FULLEST[ADDRESS:0];
+      //@ end
       if (push) begin
         tail_q <= tail_q + ONE[ADDRESS-1:0];
       end
