@@ -107,6 +107,11 @@ void exact_graph_projection(exact_plan *p, int projection);
 graph_value exact_add(exact_graph *e, int kind, exact_triangle v, const graph_value operand[],
                       graph_value beside);
 
+/* Within the object engine on an FPGA, whose clock the core's control would hold up. */
+static inline bool exact_in_fpga_engine(const sepax_config *c) {
+  return c->target != SEPAX_TARGET_ASIC && c->lanes > 0;
+}
+
 /* Modules; what one of them sets in the list of holes, the next finds there or sets anew. */
 void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h);
 void gen_exact_core(emitter *e, const exact_plan *p, emit_holes *h);

@@ -61,8 +61,8 @@ module sepax_narrow (
       valid_q <= {(LAST+1){1'b0}};
     end else begin
       //@ if shared
-      if (!last_slot || enter || (|valid_q)) begin //@ !fpga
-      if (!last_slot || (in_valid && free) || (|valid_q)) begin //@ fpga
+      if (!last_slot || enter || (|valid_q)) begin //@ !fpga_engine
+      if (!last_slot || (in_valid && free) || (|valid_q)) begin //@ fpga_engine
         slot_q <= {slot_q[II-2:0], slot_q[II-1]};
       end
       //@ end

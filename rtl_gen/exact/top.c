@@ -54,7 +54,7 @@ static void set_control(emit_holes *h, const exact_plan *p) {
   bool shared = c->ii > 1;
   emit_hole_numbers(h, (emit_number[]){{"ii", c->ii},
                                        {"shared", shared},
-                                       {"fpga", c->target != SEPAX_TARGET_ASIC},
+                                       {"fpga_engine", exact_in_fpga_engine(c)},
                                        {"last_window", p->verdict_cycle / c->ii},
                                        {"judged", (p->plane_cycle + 1) / c->ii},
                                        {"tag", entries_log2(p)},
