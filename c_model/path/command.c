@@ -15,6 +15,9 @@ enum {
   KEY_CSV,
   KEY_WORST,
   KEY_NO_DISTANCE,
+  KEY_CERTIFY,
+  KEY_CERTIFICATE,
+  KEY_RESOLUTION,
   KEY_SURFACES,
   KEY_HOLD,
   KEY_IGNORE_LIMITS,
@@ -38,6 +41,12 @@ static const struct argp_option options[] = {
     {"worst", KEY_WORST, "FILE", 0, "write all bodies in the worst pose as PLY", 0},
     {"no-distance", KEY_NO_DISTANCE, NULL, 0, "verdicts only, no least clearance, which is faster",
      0},
+    {"certify", KEY_CERTIFY, NULL, 0,
+     "where all lines are free: are the ways between them free, too, if all joints go linearly?",
+     0},
+    {"certificate", KEY_CERTIFICATE, "FILE", 0, "write the proof of --certify for programs", 0},
+    {"resolution", KEY_RESOLUTION, "LENGTH", 0,
+     "how short the ways become that --certify divides (1um)", 0},
     {"surfaces", KEY_SURFACES, NULL, 0, "do not ask whether one body is inside the other", 0},
     {"hold", KEY_HOLD, NULL, 0, "joints without a column stay at 0", 0},
     {"ignore-limits", KEY_IGNORE_LIMITS, NULL, 0, "values may be beyond the limits of their joints",
@@ -89,6 +98,8 @@ static bool *switch_of(path_question *q, int key) {
     return &q->quiet;
   case KEY_NO_DISTANCE:
     return &q->no_distance;
+  case KEY_CERTIFY:
+    return &q->certify;
   case KEY_SURFACES:
     return &q->surfaces;
   case KEY_HOLD:
@@ -120,6 +131,12 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_WARNING:
     q->warning = limit(state, "warning", text);
     return 0;
+  case KEY_CERTIFICATE:
+    q->certificate = text;
+    return 0;
+  case KEY_RESOLUTION:
+    q->resolution = limit(state, "resolution", text);
+    return 0;
   case KEY_CSV:
     q->csv = text;
     return 0;
@@ -150,17 +167,23 @@ static bool same_file(const char *p, const char *q) {
 
 /* What is written must not be what is read, nor one file be written twice. */
 static bool outputs_distinct(const path_question *q, sepax_error *error) {
-  const char *const outputs[] = {q->csv, q->picture};
+  const char *const outputs[] = {q->csv, q->picture, q->certificate};
   const char *const inputs[] = {q->urdf, q->motion, q->srdf};
-  for (int i = 0; i < 6; i++) {
-    const char *output = outputs[i % 2];
-    const char *input = inputs[i / 2];
+  for (int i = 0; i < 9; i++) {
+    const char *output = outputs[i % 3];
+    const char *input = inputs[i / 3];
     if (output != NULL && input != NULL && same_file(output, input)) {
       return sepax_fail(error, "%.300s: is read; name another file to write", output);
     }
   }
-  return q->csv == NULL || q->picture == NULL || !same_file(q->csv, q->picture) ||
-         sepax_fail(error, "%.300s: --csv and --worst name one file; name two", q->csv);
+  for (int i = 0; i < 3; i++) {
+    const char *one = outputs[i];
+    const char *other = outputs[(i + 1) % 3];
+    if (one != NULL && other != NULL && same_file(one, other)) {
+      return sepax_fail(error, "%.300s: two options name this file; name two", one);
+    }
+  }
+  return true;
 }
 
 static bool options_agree(const path_question *q, sepax_error *error) {
@@ -175,6 +198,13 @@ static bool options_agree(const path_question *q, sepax_error *error) {
     return sepax_fail(error, "warning: %.60s is not above the clearance of %.60s", q->warning.text,
                       q->clearance.text);
   }
+  if (!q->certify && (q->certificate != NULL || q->resolution.text != NULL)) {
+    return sepax_fail(error, "%s: is of --certify; give that, too, or leave it out",
+                      q->certificate != NULL ? "certificate" : "resolution");
+  }
+  if (q->resolution.length <= 0) {
+    return sepax_fail(error, "resolution: %.60s is not above 0", q->resolution.text);
+  }
   const char *const names[2] = {q->urdf, q->motion};
   const char *const more[2] = {q->srdf != NULL ? q->srdf : "", ""};
   return !q->json || (report_names_printable(names, error) && report_names_printable(more, error));
@@ -187,22 +217,25 @@ int cli_path(int argc, char **argv) {
       "ROBOT.urdf PATH.csv",
       "Which bodies of a mechanism collide on a path, first in which line, and how near do the "
       "others come? The bodies are the collision geometry of a URDF's links; the header of the CSV "
-      "names joints, a line has their values. Exact in the pose of each line; nothing is said of "
-      "what is between lines.\v"
+      "names joints, a line has their values. Exact in the pose of each line; of what is between "
+      "lines only --certify tells.\v"
       "Exit status: 0 free, 1 collision, 2 error, 3 warning, 4 undecided.",
       NULL,
       NULL,
       NULL};
   static const int status[] = {EXIT_FREE, EXIT_WARNING, EXIT_UNDECIDED, EXIT_COLLISION};
-  static path_question q;
+  static path_question q = {.resolution = {NULL, 1e-6}};
   argp_parse(&argp, argc, argv, 0, NULL, &q);
   q.no_distance = q.no_distance || (q.quiet && q.picture == NULL);
   sepax_error error = {""};
   path_scene scene = {.pairs = 0};
   bool ok = options_agree(&q, &error) && outputs_distinct(&q, &error) &&
             path_scene_load(&scene, &q, &error) && path_search(&scene, &q, &error) &&
+            (!q.certify || path_worst(&scene) > PATH_WARNING || path_certify(&scene, &q, &error)) &&
             (q.csv == NULL || path_write_csv(&scene, q.csv, &error)) &&
-            (q.picture == NULL || path_write_picture(&scene, q.picture, &error));
+            (q.picture == NULL || path_write_picture(&scene, q.picture, &error)) &&
+            (q.certificate == NULL || !path_certified(&scene) ||
+             path_write_certificate(&scene, &q, &error));
   int result = ok ? status[path_worst(&scene)] : cli_fail(argv[0], &error);
   if (ok && !q.quiet) {
     (q.json ? path_print_json : path_print_text)(&scene, &q);

@@ -64,6 +64,33 @@ static json_t *body_of(const path_scene *scene, size_t n) {
                    (json_int_t)b->open);
 }
 
+/* What --certify found; null where it was not asked. */
+static json_t *between_of(const path_scene *scene) {
+  const path_pair *open = path_open(scene);
+  size_t intervals = 0;
+  if (!scene->between) {
+    return json_null();
+  }
+  for (size_t n = 0; n < scene->pairs; n++) {
+    intervals += scene->pair[n].proof.count;
+  }
+  json_t *json = json_pack("{s:b, s:I, s:f}", "certified", open == NULL, "intervals",
+                           (json_int_t)intervals, "seconds", scene->between_seconds);
+  if (open != NULL) {
+    size_t n = open->proof.open.segment;
+    double ends[2];
+    path_open_ends(open, ends);
+    json_object_set_new(
+        json, "first",
+        json_pack("{s:s, s:s, s:s, s:o, s:o, s:[f, f], s:f}", "a",
+                  path_body_name(scene, open->body[0]), "b", path_body_name(scene, open->body[1]),
+                  "verdict", names[open->proof.collision ? PATH_COLLISION : PATH_UNDECIDED], "from",
+                  line_of(scene, n), "to", line_of(scene, n + 1), "part", ends[0] - (double)n,
+                  ends[1] - (double)n, "distance", open->proof.distance));
+  }
+  return json;
+}
+
 void path_print_json(const path_scene *scene, const path_question *q) {
   path_verdict worst = path_worst(scene);
   json_t *json = json_object();
@@ -93,6 +120,7 @@ void path_print_json(const path_scene *scene, const path_question *q) {
   json_object_set_new(json, "pairs", pairs);
   json_object_set_new(json, "pairs_of_one_joint", count_of(scene->joined));
   json_object_set_new(json, "pairs_disabled", count_of(scene->disabled));
+  json_object_set_new(json, "between", between_of(scene));
   json_object_set_new(json, "seconds", json_real(scene->seconds));
   report_print_json(json);
 }

@@ -1,6 +1,6 @@
 /* parts.h - what the parts of sepax path share: command.c reads what is asked, scene.c makes bodies
- * of the links and pairs of the bodies, search.c asks each pair in each line, text.c and data.c
- * tell. */
+ * of the links and pairs of the bodies, search.c asks each pair in each line, certify.c what is
+ * between the lines, certificate.c writes that down, text.c and data.c tell. */
 #ifndef SEPAX_PATH_PARTS_H
 #define SEPAX_PATH_PARTS_H
 
@@ -26,9 +26,9 @@ enum { PATH_PACKAGES_MOST = 64 };
 
 typedef struct {
   const char *urdf, *motion;
-  const char *srdf, *csv, *picture; /* or NULL */
-  path_limit clearance, warning;
-  bool json, quiet, surfaces, no_distance;
+  const char *srdf, *csv, *picture, *certificate; /* or NULL */
+  path_limit clearance, warning, resolution;
+  bool json, quiet, surfaces, no_distance, certify;
   int threads;
   format_motion_rules rules;
   format_package package[PATH_PACKAGES_MOST];
@@ -53,6 +53,27 @@ typedef struct {
 
 #define PATH_NO_LINE SIZE_MAX
 
+/* From a line to the next: the part index / 2^level ... (index + 1) / 2^level of the way. */
+typedef struct {
+  size_t segment; /* the line, from 0 */
+  unsigned level;
+  uint64_t index;
+  double bound;   /* no point of a body moves farther from the middle, seen from the other */
+  bool by_axis;   /* their boxes are so far from each other along `axis`, */
+  double axis[3]; /* from the second body to the first, in the second's coordinates at the middle */
+} path_interval;
+
+/* What is certified of a pair: the intervals, in the order of time, to the end or to that which is
+ * open. */
+typedef struct {
+  path_interval *interval;
+  size_t count, capacity;
+  bool is_open;
+  path_interval open;
+  double distance; /* at the middle of that; */
+  bool collision;  /* it is no more than the clearance */
+} path_proof;
+
 /* Two bodies, and what is known of them. */
 typedef struct {
   size_t body[2];
@@ -64,6 +85,7 @@ typedef struct {
   double point[2][3];     /* that far from each other, in the coordinates of the chain's top */
   bool inside;            /* one has the other, or a part of it, inside there: no points */
   unsigned char *verdict; /* of each line, where they are written; or NULL */
+  path_proof proof;
 } path_pair;
 
 typedef struct {
@@ -74,7 +96,8 @@ typedef struct {
   path_pair *pair;
   size_t pairs;
   size_t joined, disabled; /* pairs that are not compared: links of one joint; by the SRDF */
-  double seconds;
+  bool between;            /* what is between the lines was asked */
+  double seconds, between_seconds;
 } path_scene;
 
 /* False leaves a scene that can be freed. */
@@ -83,13 +106,21 @@ void path_scene_free(path_scene *scene);
 
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error);
 
+/* Of pairs that do not collide in any line: do they between lines? */
+bool path_certify(path_scene *scene, const path_question *q, sepax_error *error);
+/* The first, in time, of what is not certified, or NULL; where it begins and ends, in lines. */
+const path_pair *path_open(const path_scene *scene);
+bool path_certified(const path_scene *scene); /* it was asked, and there is no such */
+void path_open_ends(const path_pair *open, double ends[2]);
+bool path_write_certificate(const path_scene *scene, const path_question *q, sepax_error *error);
+
 path_verdict path_verdict_of(const path_pair *pair); /* the worst of all lines */
-path_verdict path_worst(const path_scene *scene);
+path_verdict path_worst(const path_scene *scene);    /* of all pairs, and of what is open */
 extern const char *const path_names[PATH_VERDICTS];
 const char *path_body_name(const path_scene *scene, size_t body);
 
-/* The line of the worst pose: the first of the worst verdict; where all are free, that of the least
- * clearance. */
+/* The line of the worst pose: the first of the worst verdict, or before which that is; where all
+ * are free, that of the least clearance. */
 size_t path_worst_line(const path_scene *scene);
 
 /* Where two points of a pair are in the root's coordinates. */

@@ -29,6 +29,7 @@ void path_scene_free(path_scene *scene) {
   for (size_t n = 0; n < scene->pairs; n++) {
     sepax_chain_free(&scene->pair[n].chain);
     free(scene->pair[n].verdict);
+    free(scene->pair[n].proof.interval);
   }
   free(scene->body);
   free(scene->pair);

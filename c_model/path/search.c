@@ -275,6 +275,11 @@ path_verdict path_worst(const path_scene *scene) {
     path_verdict v = path_verdict_of(&scene->pair[n]);
     worst = v > worst ? v : worst;
   }
+  const path_pair *open = path_open(scene);
+  if (open != NULL) {
+    path_verdict v = open->proof.collision ? PATH_COLLISION : PATH_UNDECIDED;
+    worst = v > worst ? v : worst;
+  }
   return worst;
 }
 
@@ -282,6 +287,9 @@ size_t path_worst_line(const path_scene *scene) {
   path_verdict worst = path_worst(scene);
   size_t line = PATH_NO_LINE;
   double least = INFINITY;
+  if (path_open(scene) != NULL) {
+    return path_open(scene)->proof.open.segment;
+  }
   for (size_t n = 0; n < scene->pairs; n++) {
     const path_pair *pair = &scene->pair[n];
     if (worst != PATH_FREE && pair->first[worst] < line) {

@@ -102,6 +102,52 @@ static void print_limits(const path_question *q) {
   }
 }
 
+/* "between lines 17 and 18 (0.1 ... 0.2 s), 0.25 ... 0.2502 of the way" */
+static void print_open(const path_scene *scene, const path_pair *pair, int width) {
+  const path_proof *proof = &pair->proof;
+  const format_motion *motion = &scene->motion;
+  size_t n = proof->open.segment;
+  char names[2 * 64 + 4];
+  double ends[2];
+  snprintf(names, sizeof names, "%.60s, %.60s", path_body_name(scene, pair->body[0]),
+           path_body_name(scene, pair->body[1]));
+  path_open_ends(pair, ends);
+  printf("%-9s  %-*s  between lines %zu and %zu",
+         path_names[proof->collision ? PATH_COLLISION : PATH_UNDECIDED], width, names,
+         motion->line[n], motion->line[n + 1]);
+  if (motion->time != NULL) {
+    printf(" (%.9g ... %.9g s)", motion->time[n], motion->time[n + 1]);
+  }
+  printf(", %.9g ... %.9g of the way; %.6g mm in its middle\n", ends[0] - (double)n,
+         ends[1] - (double)n, 1e3 * proof->distance);
+}
+
+static void print_between(const path_scene *scene, const path_question *q, int width) {
+  size_t intervals = 0;
+  size_t by_axis = 0;
+  if (!scene->between) {
+    puts("between  not asked: there is no verdict of free in all lines");
+    return;
+  }
+  for (size_t n = 0; n < scene->pairs; n++) {
+    const path_proof *proof = &scene->pair[n].proof;
+    intervals += proof->count;
+    for (size_t k = 0; k < proof->count; k++) {
+      by_axis += proof->interval[k].by_axis;
+    }
+  }
+  const path_pair *open = path_open(scene);
+  if (open != NULL) {
+    print_open(scene, open, width);
+  }
+  printf("%s  %zu intervals, %zu of them by an axis", open == NULL ? "CERTIFIED" : "certified",
+         intervals, by_axis);
+  if (open != NULL) {
+    printf(", to there; the resolution is %.6g mm", 1e3 * q->resolution.length);
+  }
+  printf(", %.3f s\n", scene->between_seconds);
+}
+
 void path_print_text(const path_scene *scene, const path_question *q) {
   path_verdict worst = path_worst(scene);
   int width = 0;
@@ -120,10 +166,21 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   for (size_t n = 0; n < scene->pairs; n++) {
     print_pair(scene, &scene->pair[n], width < 40 ? width : 40);
   }
-  printf("%s  %zu of %zu pairs", path_names[worst], such, scene->pairs);
+  if (q->certify) {
+    print_between(scene, q, width < 40 ? width : 40);
+  }
+  bool in_lines = path_open(scene) == NULL;
+  printf("%s", path_names[worst]);
+  if (in_lines) {
+    printf("  %zu of %zu pairs", such, scene->pairs);
+  }
   if (worst != PATH_FREE) {
-    fputs(", first in ", stdout);
+    fputs(in_lines ? ", first in " : "  behind ", stdout);
     print_line(scene, path_worst_line(scene));
   }
-  printf(" (in the lines of the path, not between them), %.3f s\n", scene->seconds);
+  printf(" (%s), %.3f s\n",
+         path_certified(scene) ? "in the lines of the path and, to the clearance, between them"
+         : in_lines            ? "in the lines of the path, not between them"
+                               : "no line of the path tells",
+         scene->seconds + scene->between_seconds);
 }

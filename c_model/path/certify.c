@@ -1,0 +1,343 @@
+/* certify.c - between the lines of a path: bodies that are farther from each other than any point
+ * of theirs moves do not meet. docs/path.md#between-the-lines. */
+#include "path/parts.h"
+#include "util/error.h"
+#include "util/threads.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LEVELS_MOST = 52 };
+
+typedef struct {
+  path_scene *scene;
+  const path_question *q;
+  cli_progress *progress;
+  atomic_size_t done;   /* segments of all pairs */
+  atomic_size_t before; /* a segment that is not certified: none behind it is asked */
+  atomic_flag failing;
+  sepax_error *error;
+} work;
+
+/* A pair at hand, and a part of a segment of its way. */
+typedef struct {
+  work *all;
+  path_pair *pair;
+  const path_body *body[2];
+  sepax_chain back; /* from the second body to the first */
+  double *value[3]; /* of all joints: from, at the middle, to */
+  sepax_pose pose[2];
+  double extent; /* more than any coordinate of both */
+  sepax_distance_result last;
+  bool has_last;
+  path_interval at;
+  double distance; /* what was found there; infinite where it is enough */
+} asking;
+
+static void set_values(asking *a) {
+  const format_motion *motion = &a->all->scene->motion;
+  const double *from = &motion->value[a->at.segment * motion->joints];
+  const double *to = from + motion->joints;
+  for (int k = 0; k < 3; k++) {
+    double part = ldexp((double)(2 * a->at.index + (uint64_t)k), -(int)a->at.level - 1);
+    for (size_t n = 0; n < motion->joints; n++) {
+      a->value[k][n] = part == 1 ? to[n] : from[n] + (to[n] - from[n]) * part;
+    }
+  }
+}
+
+static double bound_of(const asking *a) {
+  const sepax_mechanism *m = &a->all->scene->robot.mechanism;
+  const sepax_chain *const chain[2] = {&a->pair->chain, &a->back};
+  double least = INFINITY;
+  for (int side = 0; side < 2; side++) {
+    double box[2][3];
+    memcpy(box[0], a->body[side]->least, sizeof box[0]);
+    memcpy(box[1], a->body[side]->most, sizeof box[1]);
+    least =
+        fmin(least, sepax_chain_travel(chain[side], m, a->value[0], a->value[1], a->value[2], box));
+  }
+  return least;
+}
+
+/* ----------------------------------------------------------------------------- boxes */
+
+typedef struct {
+  double side[2][3][3]; /* half a side of each box, as a vector in the second body's coordinates */
+  double between[3];    /* from the middle of the second to that of the first */
+} two_boxes;
+
+static two_boxes posed_boxes(const asking *a) {
+  two_boxes t;
+  double way[3];
+  for (int i = 0; i < 3; i++) {
+    way[i] = a->pose[0].translation[i] - a->pose[1].translation[i];
+    for (int k = 0; k < 3; k++) {
+      way[i] += a->pose[0].rotation[i][k] * (a->body[0]->least[k] / 2 + a->body[0]->most[k] / 2);
+    }
+  }
+  for (int i = 0; i < 3; i++) {
+    const double(*b)[3] = a->pose[1].rotation;
+    t.between[i] = b[0][i] * way[0] + b[1][i] * way[1] + b[2][i] * way[2] -
+                   (a->body[1]->least[i] / 2 + a->body[1]->most[i] / 2);
+    for (int k = 0; k < 3; k++) {
+      const double(*r)[3] = a->pose[0].rotation;
+      t.side[0][k][i] = (b[0][i] * r[0][k] + b[1][i] * r[1][k] + b[2][i] * r[2][k]) *
+                        (a->body[0]->most[k] / 2 - a->body[0]->least[k] / 2);
+      t.side[1][k][i] = i == k ? a->body[1]->most[k] / 2 - a->body[1]->least[k] / 2 : 0;
+    }
+  }
+  return t;
+}
+
+static double dot(const double u[3], const double v[3]) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+/* How far the boxes are from each other along the axis, which becomes a unit vector from the second
+ * to the first; less than 0 for none. */
+static double gap_along(const two_boxes *t, double axis[3]) {
+  double length = sqrt(dot(axis, axis));
+  if (!(length > 0x1p-500)) {
+    return -1;
+  }
+  double way = dot(t->between, axis);
+  double reach = 0;
+  for (int k = 0; k < 6; k++) {
+    reach += fabs(dot(t->side[k / 3][k % 3], axis));
+  }
+  for (int i = 0; i < 3; i++) {
+    axis[i] /= way < 0 ? -length : length;
+  }
+  return (fabs(way) - reach) / length;
+}
+
+/* True iff the boxes are farther from each other than `need`; then along a.at.axis. */
+static bool boxes_disjoint(asking *a, double need) {
+  two_boxes t = posed_boxes(a);
+  double most = -1;
+  for (int n = 0; n < 15; n++) {
+    double axis[3];
+    for (int i = 0; i < 3; i++) {
+      int j = (i + 1) % 3;
+      int k = (i + 2) % 3;
+      const double *u = t.side[0][n % 3];
+      const double *v = t.side[1][n / 3 % 3];
+      axis[i] = n < 9 ? u[j] * v[k] - u[k] * v[j] : t.side[(n - 9) / 3][n % 3][i];
+    }
+    double gap = gap_along(&t, axis);
+    if (gap > most) {
+      most = gap;
+      memcpy(a->at.axis, axis, sizeof axis);
+    }
+  }
+  return most > need + 0x1p-40 * (a->extent + sqrt(dot(t.between, t.between)));
+}
+
+/* -------------------------------------------------------------------------- intervals */
+
+/* Is the part of the segment certified? Else a.distance is that at the middle. */
+static bool ask(asking *a, bool *certified, sepax_error *error) {
+  double clearance = a->all->q->clearance.length;
+  set_values(a);
+  sepax_chain_poses(&a->pair->chain, &a->all->scene->robot.mechanism, a->value[1], a->pose);
+  a->at.bound = bound_of(a);
+  double need = (a->at.bound + clearance) * (1 + 0x1p-48);
+  a->distance = INFINITY;
+  a->at.by_axis = boxes_disjoint(a, need);
+  *certified = true;
+  if (a->at.by_axis) {
+    return true;
+  }
+  const sepax_distance_request request = {.limit = need, .last = a->has_last ? &a->last : NULL};
+  sepax_distance_result r;
+  if (!sepax_bodies_distance(a->body[0]->body, &a->pose[0], a->body[1]->body, &a->pose[1], &request,
+                             &r, error)) {
+    return false;
+  }
+  a->distance = r.min_distance;
+  *certified = isinf(r.min_distance);
+  if (!*certified && r.min_distance > 0) {
+    a->last = r;
+    a->has_last = true;
+  }
+  return true;
+}
+
+static bool keep(asking *a, sepax_error *error) {
+  path_proof *proof = &a->pair->proof;
+  if (proof->count == proof->capacity) {
+    size_t capacity = proof->capacity == 0 ? 1024 : 2 * proof->capacity;
+    path_interval *grown = realloc(proof->interval, capacity * sizeof *grown);
+    if (grown == NULL) {
+      return sepax_fail(error, "no memory for %zu intervals", capacity);
+    }
+    proof->interval = grown;
+    proof->capacity = capacity;
+  }
+  proof->interval[proof->count++] = a->at;
+  return true;
+}
+
+/* The next part of the segment, twice as long where it can be; false behind the last. */
+static bool advance(path_interval *at) {
+  at->index++;
+  if (at->level > 0 && at->index % 2 == 0) {
+    at->level--;
+    at->index /= 2;
+  }
+  return at->index < (uint64_t)1 << at->level;
+}
+
+/* Halve the part as often as its distance asks for, at least once; false where it is as short as
+ * the resolution. */
+static bool divide(asking *a) {
+  const path_question *q = a->all->q;
+  double left = fmax(a->distance - q->clearance.length, q->resolution.length);
+  int times = (int)floor(log2(a->at.bound / left));
+  times = times < 1 ? 1 : times > 8 ? 8 : times;
+  if (a->at.bound <= q->resolution.length || (int)a->at.level + times > LEVELS_MOST) {
+    return false;
+  }
+  a->at.level += (unsigned)times;
+  a->at.index <<= times;
+  return true;
+}
+
+/* False on an error; a segment that is not certified is kept in pair.proof. */
+static bool ask_segment(asking *a, sepax_error *error) {
+  for (bool more = true; more;) {
+    bool certified = false;
+    if (!ask(a, &certified, error)) {
+      return false;
+    }
+    if (certified) {
+      if (!keep(a, error)) {
+        return false;
+      }
+      more = advance(&a->at);
+    } else if (!divide(a)) {
+      path_proof *proof = &a->pair->proof;
+      proof->is_open = true;
+      proof->open = a->at;
+      proof->distance = a->distance;
+      proof->collision = a->distance <= a->all->q->clearance.length;
+      return true;
+    }
+  }
+  return true;
+}
+
+static bool stands_still(const asking *a, size_t segment) {
+  const format_motion *motion = &a->all->scene->motion;
+  const double *from = &motion->value[segment * motion->joints];
+  for (size_t n = 0; n < a->pair->chain.count; n++) {
+    size_t joint = a->pair->chain.joint[n];
+    if (from[joint] != from[joint + motion->joints]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool ask_segments(asking *a, sepax_error *error) {
+  const format_motion *motion = &a->all->scene->motion;
+  path_proof *proof = &a->pair->proof;
+  unsigned level = 0; /* that of the segment before, where the way is as near and as long */
+  for (size_t n = 0; n + 1 < motion->lines && n <= atomic_load(&a->all->before); n++) {
+    bool same = proof->count > 0 && stands_still(a, n - 1) && stands_still(a, n);
+    a->at.segment = n;
+    a->at.level = same || level == 0 ? 0 : level - 1;
+    a->at.index = 0;
+    if (same && proof->interval[proof->count - 1].level == 0) {
+      a->at = proof->interval[proof->count - 1];
+      a->at.segment = n;
+      if (!keep(a, error)) {
+        return false;
+      }
+    } else if (!ask_segment(a, error)) {
+      return false;
+    }
+    if (proof->is_open) {
+      size_t before = atomic_load(&a->all->before);
+      while (n < before && !atomic_compare_exchange_weak(&a->all->before, &before, n)) {}
+      return true;
+    }
+    level = proof->interval[proof->count - 1].level;
+    size_t done = atomic_fetch_add(&a->all->done, 1) + 1;
+    if (a->pair == a->all->scene->pair) { /* the calling thread's, at first */
+      cli_progress_show(a->all->progress, done);
+    }
+  }
+  return true;
+}
+
+static bool ask_pair(work *all, path_pair *pair, sepax_error *error) {
+  const path_scene *scene = all->scene;
+  const sepax_mechanism *m = &scene->robot.mechanism;
+  size_t joints = scene->motion.joints;
+  asking a = {
+      .all = all, .pair = pair, .body = {&scene->body[pair->body[0]], &scene->body[pair->body[1]]}};
+  double *values = malloc(3 * (joints + 1) * sizeof *values);
+  bool ok = values != NULL && sepax_chain_find(&a.back, m, a.body[1]->link, a.body[0]->link, error);
+  for (int k = 0; k < 3; k++) {
+    a.value[k] = values + (size_t)k * joints;
+    a.extent += fabs(a.body[0]->least[k]) + fabs(a.body[0]->most[k]) + fabs(a.body[1]->least[k]) +
+                fabs(a.body[1]->most[k]);
+  }
+  ok = values == NULL ? sepax_fail(error, "no memory for %zu joints", joints)
+                      : ok && ask_segments(&a, error);
+  sepax_chain_free(&a.back);
+  free(values);
+  return ok;
+}
+
+static void work_on(void *context, size_t part) {
+  work *all = context;
+  sepax_error error = {""};
+  if (!ask_pair(all, &all->scene->pair[part], &error)) {
+    if (!atomic_flag_test_and_set(&all->failing)) {
+      *all->error = error;
+    }
+    atomic_store(&all->before, 0);
+  }
+}
+
+bool path_certify(path_scene *scene, const path_question *q, sepax_error *error) {
+  size_t segments = scene->motion.lines - 1;
+  cli_progress progress = cli_progress_begin("segments of all pairs", segments * scene->pairs);
+  work all = {
+      .scene = scene, .q = q, .progress = &progress, .failing = ATOMIC_FLAG_INIT, .error = error};
+  atomic_init(&all.done, 0);
+  atomic_init(&all.before, SIZE_MAX);
+  error->text[0] = '\0';
+  threads_run(q->threads > 0 ? (size_t)q->threads : threads_here(), scene->pairs, work_on, &all);
+  scene->between = true;
+  scene->between_seconds = cli_progress_end(&progress);
+  return error->text[0] == '\0';
+}
+
+void path_open_ends(const path_pair *open, double ends[2]) {
+  const path_interval *at = &open->proof.open;
+  for (int k = 0; k < 2; k++) {
+    ends[k] = (double)at->segment + ldexp((double)(at->index + (uint64_t)k), -(int)at->level);
+  }
+}
+
+bool path_certified(const path_scene *scene) { return scene->between && path_open(scene) == NULL; }
+
+const path_pair *path_open(const path_scene *scene) {
+  const path_pair *first = NULL;
+  double earliest = INFINITY;
+  for (size_t n = 0; n < scene->pairs; n++) {
+    double ends[2];
+    path_open_ends(&scene->pair[n], ends);
+    if (scene->pair[n].proof.is_open && ends[0] < earliest) {
+      first = &scene->pair[n];
+      earliest = ends[0];
+    }
+  }
+  return first;
+}
