@@ -60,7 +60,8 @@ include $(addprefix scripts/make/,install.mk quality.mk)
 
 .PHONY: all job help build setup test cocotb reference clean area timing multivt power fpga \
         area-sweep calibrate scene report accuracy clearance bench bench-bodies campaign hard \
-        engine-sweep tree-sweep tree-fuzz tree-scene tree-campaign netlist-sweep
+        engine-sweep tree-sweep tree-fuzz tree-scene tree-campaign path-campaign \
+        netlist-sweep
 
 all:
 	@scripts/setup
@@ -214,6 +215,9 @@ tree-scene: $(SEPAX)
 CLAIMS = $(addprefix $(BUILD)/unit/tree/,walk turned_boxes posed_clearance)
 tree-campaign: $(SEPAX) $(CLAIMS)
 	@scripts/tree/campaign $(if $(SHARE),-s $(SHARE)) $(BUILD)/tree-campaign
+
+path-campaign: $(SEPAX) $(LIB)
+	@scripts/path/campaign $(BUILD)/path-campaign $(if $(call given,COUNT),$(COUNT),100) 10 $(SEED)
 
 tree-sweep: $(SEPAX) $(BUILD)/refine $(BUILD)/bench_tree
 	@MESH_DIR="$(MESH_DIR)" scripts/tree/sweep $(if $(call given,COUNT),-c $(COUNT)) \

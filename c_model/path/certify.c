@@ -34,6 +34,7 @@ typedef struct {
   bool has_last;
   path_interval at;
   double distance; /* what was found there; infinite where it is enough */
+  double collides; /* where in the segment a collision was found; infinite: nowhere */
 } asking;
 
 static void set_values(asking *a) {
@@ -181,6 +182,10 @@ static bool keep(asking *a, sepax_error *error) {
   return true;
 }
 
+static double middle_of(const path_interval *at) {
+  return ldexp((double)(2 * at->index + 1), -(int)at->level - 1);
+}
+
 /* The next part of the segment, twice as long where it can be; false behind the last. */
 static bool advance(path_interval *at) {
   at->index++;
@@ -208,6 +213,7 @@ static bool divide(asking *a) {
 
 /* False on an error; a segment that is not certified is kept in pair.proof. */
 static bool ask_segment(asking *a, sepax_error *error) {
+  a->collides = INFINITY;
   for (bool more = true; more;) {
     bool certified = false;
     if (!ask(a, &certified, error)) {
@@ -218,12 +224,17 @@ static bool ask_segment(asking *a, sepax_error *error) {
         return false;
       }
       more = advance(&a->at);
-    } else if (!divide(a)) {
+      continue;
+    }
+    if (a->distance <= a->all->q->clearance.length) {
+      a->collides = fmin(a->collides, middle_of(&a->at));
+    }
+    if (!divide(a)) {
       path_proof *proof = &a->pair->proof;
       proof->is_open = true;
       proof->open = a->at;
       proof->distance = a->distance;
-      proof->collision = a->distance <= a->all->q->clearance.length;
+      proof->collides = a->collides;
       return true;
     }
   }

@@ -80,13 +80,17 @@ static json_t *between_of(const path_scene *scene) {
     size_t n = open->proof.open.segment;
     double ends[2];
     path_open_ends(open, ends);
-    json_object_set_new(
-        json, "first",
-        json_pack("{s:s, s:s, s:s, s:o, s:o, s:[f, f], s:f}", "a",
-                  path_body_name(scene, open->body[0]), "b", path_body_name(scene, open->body[1]),
-                  "verdict", names[open->proof.collision ? PATH_COLLISION : PATH_UNDECIDED], "from",
-                  line_of(scene, n), "to", line_of(scene, n + 1), "part", ends[0] - (double)n,
-                  ends[1] - (double)n, "distance", open->proof.distance));
+    json_t *first =
+        json_pack("{s:s, s:s, s:o, s:o, s:[f, f], s:f}", "a", path_body_name(scene, open->body[0]),
+                  "b", path_body_name(scene, open->body[1]), "from", line_of(scene, n), "to",
+                  line_of(scene, n + 1), "part", ends[0] - (double)n, ends[1] - (double)n,
+                  "distance", open->proof.distance);
+    bool collides = isfinite(open->proof.collides);
+    json_object_set_new(first, "verdict",
+                        json_string(names[collides ? PATH_COLLISION : PATH_UNDECIDED]));
+    json_object_set_new(first, "collides",
+                        collides ? json_real(open->proof.collides) : json_null());
+    json_object_set_new(json, "first", first);
   }
   return json;
 }

@@ -70,8 +70,8 @@ typedef struct {
   size_t count, capacity;
   bool is_open;
   path_interval open;
-  double distance; /* at the middle of that; */
-  bool collision;  /* it is no more than the clearance */
+  double distance; /* at the middle of that */
+  double collides; /* where in its segment the pair was found to collide; infinite: nowhere */
 } path_proof;
 
 /* Two bodies, and what is known of them. */

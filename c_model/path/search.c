@@ -277,7 +277,7 @@ path_verdict path_worst(const path_scene *scene) {
   }
   const path_pair *open = path_open(scene);
   if (open != NULL) {
-    path_verdict v = open->proof.collision ? PATH_COLLISION : PATH_UNDECIDED;
+    path_verdict v = isfinite(open->proof.collides) ? PATH_COLLISION : PATH_UNDECIDED;
     worst = v > worst ? v : worst;
   }
   return worst;

@@ -102,7 +102,7 @@ static void print_limits(const path_question *q) {
   }
 }
 
-/* "between lines 17 and 18 (0.1 ... 0.2 s), 0.25 ... 0.2502 of the way" */
+/* "between lines 17 and 18 (0.1 ... 0.2 s), free to 0.25 of the way; collides at 0.5" */
 static void print_open(const path_scene *scene, const path_pair *pair, int width) {
   const path_proof *proof = &pair->proof;
   const format_motion *motion = &scene->motion;
@@ -112,14 +112,19 @@ static void print_open(const path_scene *scene, const path_pair *pair, int width
   snprintf(names, sizeof names, "%.60s, %.60s", path_body_name(scene, pair->body[0]),
            path_body_name(scene, pair->body[1]));
   path_open_ends(pair, ends);
+  bool collides = isfinite(proof->collides);
   printf("%-9s  %-*s  between lines %zu and %zu",
-         path_names[proof->collision ? PATH_COLLISION : PATH_UNDECIDED], width, names,
-         motion->line[n], motion->line[n + 1]);
+         path_names[collides ? PATH_COLLISION : PATH_UNDECIDED], width, names, motion->line[n],
+         motion->line[n + 1]);
   if (motion->time != NULL) {
     printf(" (%.9g ... %.9g s)", motion->time[n], motion->time[n + 1]);
   }
-  printf(", %.9g ... %.9g of the way; %.6g mm in its middle\n", ends[0] - (double)n,
-         ends[1] - (double)n, 1e3 * proof->distance);
+  printf(", free to %.9g of the way; ", ends[0] - (double)n);
+  if (collides) {
+    printf("collides at %.9g\n", proof->collides);
+  } else {
+    printf("open to %.9g, %.6g mm in its middle\n", ends[1] - (double)n, 1e3 * proof->distance);
+  }
 }
 
 static void print_between(const path_scene *scene, const path_question *q, int width) {

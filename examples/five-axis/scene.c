@@ -24,13 +24,13 @@ typedef struct {
 
 typedef struct {
   sepax_mesh mesh;
-  size_t room;
+  size_t capacity;
 } shape;
 
 static void triangle(shape *s, point a, point b, point c) {
-  if (s->mesh.count == s->room) {
-    s->room = s->room == 0 ? 1024 : 2 * s->room;
-    s->mesh.facet = realloc(s->mesh.facet, s->room * sizeof *s->mesh.facet);
+  if (s->mesh.count == s->capacity) {
+    s->capacity = s->capacity == 0 ? 1024 : 2 * s->capacity;
+    s->mesh.facet = realloc(s->mesh.facet, s->capacity * sizeof *s->mesh.facet);
     if (s->mesh.facet == NULL) {
       fprintf(stderr, "scene: no memory\n");
       exit(2);

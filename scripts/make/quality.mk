@@ -4,7 +4,8 @@
 OF_TREE = $(wildcard tb/batch/*.c examples/tree/*.c) synth/power/tree.c
 C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
           $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c examples/engine/*.c \
-          examples/ulx3s/host/*.c examples/soc/host/*.c))
+          examples/ulx3s/host/*.c examples/soc/host/*.c \
+          examples/five-axis/*.c))
 C_PATH  = -Ic_model -Irtl_gen -Itb -Isynth
 PATH_OF = $(C_PATH) -Iexamples/$(1) -I$(BUILD)/static/$(1)
 analyse = $(CPPCHECK) --quiet --error-exitcode=1 \
