@@ -59,8 +59,8 @@ ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 
 .PHONY: all job help build setup test cocotb reference clean area timing multivt power fpga \
-        area-sweep calibrate scene report accuracy clearance bench bench-bodies campaign hard \
-        engine-sweep tree-sweep tree-fuzz tree-scene tree-campaign path-campaign \
+        area-sweep calibrate scene report accuracy certificate clearance bench bench-bodies \
+        campaign hard engine-sweep tree-sweep tree-fuzz tree-scene tree-campaign path-campaign \
         netlist-sweep
 
 all:
@@ -187,6 +187,9 @@ bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch
 	@$(EXPERIMENT)/bench $(BUILD)/software $(if $(call given,COUNT),$(COUNT))
 	@echo "== verilated core with its golden model, all families:"
 	@$(MAKE) PAIRS=families cosim
+
+certificate: $(BUILD)/certificate-check
+	@$< $(addprefix -p ,$(PACKAGE)) $(CERTIFICATE)
 
 campaign: $(BUILD)/campaign
 	@$(EXPERIMENT)/campaign $< $(if $(call given,COUNT),$(COUNT),10000000) $(SEED)

@@ -1,0 +1,232 @@
+/* inside.c - parts of surfaces; rays. */
+#include "inside.h"
+
+#include "report.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+  vec at;
+  size_t place; /* 3 triangle + corner */
+} corner;
+
+typedef struct {
+  size_t low, high; /* vertices */
+  size_t triangle;
+  bool forward;
+} edge;
+
+static int compare_numbers(double a, double b) { return (a > b) - (a < b); }
+static int compare_sizes(size_t a, size_t b) { return (a > b) - (a < b); }
+
+static int compare_corners(const void *x, const void *y) {
+  const corner *a = x;
+  const corner *b = y;
+  int order = compare_numbers(a->at.x, b->at.x);
+  if (order == 0)
+    order = compare_numbers(a->at.y, b->at.y);
+  return order != 0 ? order : compare_numbers(a->at.z, b->at.z);
+}
+
+static int compare_edges(const void *x, const void *y) {
+  const edge *a = x;
+  const edge *b = y;
+  const int order = compare_sizes(a->low, b->low);
+  return order != 0 ? order : compare_sizes(a->high, b->high);
+}
+
+static size_t root_of(size_t *parent, size_t n) {
+  while (parent[n] != n)
+    n = parent[n] = parent[parent[n]];
+  return n;
+}
+
+/* Numbers of equal vertices are equal. */
+static size_t *welded(const triangle *t, size_t count) {
+  corner *all = memory(NULL, 3 * count, sizeof *all);
+  size_t *vertex = memory(NULL, 3 * count, sizeof *vertex);
+  for (size_t n = 0; n < 3 * count; n++)
+    all[n] = (corner){t[n / 3].at[n % 3], n};
+  qsort(all, 3 * count, sizeof *all, compare_corners);
+  size_t number = 0;
+  for (size_t n = 0; n < 3 * count; n++) {
+    if (n > 0 && compare_corners(&all[n - 1], &all[n]) != 0)
+      number++;
+    vertex[all[n].place] = number;
+  }
+  free(all);
+  return vertex;
+}
+
+/* One collision element: count triangles from `first`. */
+static void element_parts(shell *s, size_t element, size_t first, size_t count) {
+  const triangle *t = s->body->triangle + first;
+  size_t *vertex = welded(t, count);
+  edge *edges = memory(NULL, 3 * count, sizeof *edges);
+  size_t *parent = memory(NULL, count, sizeof *parent);
+  bool *odd = memory(NULL, count, sizeof *odd);
+  size_t used = 0;
+  for (size_t n = 0; n < count; n++) {
+    parent[n] = n;
+    odd[n] = false;
+    for (size_t k = 0; k < 3; k++) {
+      const size_t from = vertex[3 * n + k];
+      const size_t to = vertex[3 * n + (k + 1) % 3];
+      if (from == to)
+        continue; /* a side without length */
+      edges[used++] = (edge){from < to ? from : to, from < to ? to : from, n, from < to};
+    }
+  }
+  qsort(edges, used, sizeof *edges, compare_edges);
+  for (size_t n = 1; n < used; n++) {
+    if (compare_edges(&edges[n - 1], &edges[n]) == 0) {
+      parent[root_of(parent, edges[n].triangle)] = root_of(parent, edges[n - 1].triangle);
+    }
+  }
+  bool *twisted = memory(NULL, count, sizeof *twisted);
+  memset(twisted, 0, count * sizeof *twisted);
+  for (size_t n = 0; n < used;) {
+    size_t end = n;
+    long ways = 0;
+    for (; end < used && compare_edges(&edges[n], &edges[end]) == 0; end++) {
+      ways += edges[end].forward ? 1 : -1;
+    }
+    const size_t of = root_of(parent, edges[n].triangle);
+    if ((end - n) % 2 != 0)
+      odd[of] = true;
+    if (ways != 0)
+      twisted[of] = true;
+    n = end;
+  }
+  s->consistent[element] = true;
+  for (size_t n = 0; n < count; n++) {
+    const size_t of = root_of(parent, n);
+    s->closed[first + n] = !odd[of];
+    if (!odd[of] && twisted[of])
+      s->consistent[element] = false;
+    if (of != n)
+      continue;
+    GROW(s->sample, s->samples);
+    s->sample[s->samples++] = t[n].at[0];
+  }
+  free(twisted);
+  free(odd);
+  free(parent);
+  free(edges);
+  free(vertex);
+}
+
+static size_t element_end(const surface *s, size_t element) {
+  return element + 1 < s->elements ? s->element[element + 1] : s->count;
+}
+
+shell shell_of(const surface *s) {
+  shell made = {s, NULL, 0, memory(NULL, s->count, sizeof *made.closed),
+                memory(NULL, s->elements, sizeof *made.consistent)};
+  for (size_t n = 0; n < s->elements; n++) {
+    element_parts(&made, n, s->element[n], element_end(s, n) - s->element[n]);
+  }
+  return made;
+}
+
+typedef enum { RAY_MISSES, RAY_ENTERS, RAY_LEAVES, RAY_UNSURE } ray_meets;
+
+static int sign_of(long double value, long double rounding) {
+  return value > rounding ? 1 : value < -rounding ? -1 : 0;
+}
+
+/* The ray from the origin along d; doubt: above the rounding of three factors' product. */
+static ray_meets ray_meet(point a, point b, point c, point d, long double doubt) {
+  const point bc = point_cross(b, c);
+  const int of_a = sign_of(point_dot(d, bc), doubt);
+  const int of_b = sign_of(point_dot(d, point_cross(c, a)), doubt);
+  const int of_c = sign_of(point_dot(d, point_cross(a, b)), doubt);
+  const bool some_up = of_a > 0 || of_b > 0 || of_c > 0;
+  const bool some_down = of_a < 0 || of_b < 0 || of_c < 0;
+  if (some_up && some_down)
+    return RAY_MISSES;
+  if (of_a == 0 || of_b == 0 || of_c == 0) {
+    /* All of the triangle behind the origin: missed in any case. */
+    const long double slack = doubt;
+    if (point_dot(a, d) < -slack && point_dot(b, d) < -slack && point_dot(c, d) < -slack) {
+      return RAY_MISSES;
+    }
+    return RAY_UNSURE;
+  }
+  const int side = sign_of(point_dot(a, bc), doubt);
+  if (side == 0)
+    return RAY_UNSURE;
+  if (side != of_a)
+    return RAY_MISSES; /* behind */
+  return of_a > 0 ? RAY_LEAVES : RAY_ENTERS;
+}
+
+/* Inside the element of b? -1: the ray goes too near to an edge. */
+static int element_holds(const shell *b, size_t element, point p, point d) {
+  const surface *s = b->body;
+  const long double size = (long double)s->radius + point_length(p);
+  const long double doubt = 64 * 0x1p-63L * fmaxl(size * size * size, size * size);
+  long crossings = 0;
+  long winding = 0;
+  for (size_t n = s->element[element]; n < element_end(s, element); n++) {
+    if (!b->closed[n])
+      continue;
+    const vec *at = s->triangle[n].at;
+    switch (ray_meet(point_minus(point_of(at[0]), p), point_minus(point_of(at[1]), p),
+                     point_minus(point_of(at[2]), p), d, doubt)) {
+    case RAY_UNSURE:
+      return -1;
+    case RAY_MISSES:
+      break;
+    case RAY_ENTERS:
+      crossings++;
+      winding--;
+      break;
+    case RAY_LEAVES:
+      crossings++;
+      winding++;
+      break;
+    }
+  }
+  return b->consistent[element] ? winding != 0 : crossings % 2 != 0;
+}
+
+static bool within_box(const surface *s, point p) {
+  return p.x > s->low.x && p.x < s->high.x && p.y > s->low.y && p.y < s->high.y && p.z > s->low.z &&
+         p.z < s->high.z;
+}
+
+static bool holds(const shell *b, size_t element, point p) {
+  enum { RAYS = 100 };
+  uint32_t seed = 1;
+  for (int n = 0; n < RAYS; n++) {
+    long double d[3];
+    for (int k = 0; k < 3; k++) {
+      seed = seed * 1664525U + 1013904223U;
+      d[k] = (long double)seed / 0x1p31L - 1;
+    }
+    const point ray = {d[0], d[1], d[2]};
+    const long double length = point_length(ray);
+    if (length < 0.1L)
+      continue;
+    const int inside = element_holds(b, element, p, point_times(1 / length, ray));
+    if (inside >= 0)
+      return inside;
+  }
+  cannot("no ray tells whether one body is inside another");
+}
+
+bool shell_inside(const shell *a, const shell *b, pose at) {
+  for (size_t n = 0; n < a->samples; n++) {
+    const point p = pose_apply(at, point_of(a->sample[n]));
+    if (!within_box(b->body, p))
+      continue;
+    for (size_t element = 0; element < b->body->elements; element++) {
+      if (holds(b, element, p))
+        return true;
+    }
+  }
+  return false;
+}

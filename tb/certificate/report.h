@@ -1,0 +1,25 @@
+/* report.h - how the program ends, and memory, which it keeps until then. */
+#ifndef CERTIFICATE_REPORT_H
+#define CERTIFICATE_REPORT_H
+
+#include <stddef.h>
+
+/* One line, then exit status 1: something that the certificate says is wrong or not proved. */
+_Noreturn void reject(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* One line, then exit status 2: the certificate cannot be checked. */
+_Noreturn void cannot(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+void *memory(void *old, size_t count, size_t size);
+char *text_copy(const char *text, size_t length);
+
+/* The whole file, with a 0 behind it; *length without that. */
+char *file_read(const char *name, size_t *length);
+
+/* One more entry of an array that has count of them; it grows by doubling. */
+#define GROW(array, count)                                                                    \
+  (((count) & ((count)-1)) == 0                                                               \
+       ? ((array) = memory((array), (count) == 0 ? 1 : 2 * (size_t)(count), sizeof *(array))) \
+       : (array))
+
+#endif
