@@ -120,12 +120,13 @@ module sepax_registers (
     if (rst) begin
       {address_full_q, data_full_q, read_full_q, bvalid, rvalid} <= 5'd0;
       {enable_q, pending_q} <= 6'd0;
-      {full_q, full_q2, checked_q, asked_q, shown_q, starting} <= 6'd0; //@ fpga
+      {full_q, full_q2, checked_q, asked_q, shown_q} <= 5'd0; //@ fpga
       //@ if tree
       {start, stop} <= 2'd0;
       {list, jobs} <= 65'd0;
       //@ else
       {start, stop, first, quiet} <= 4'd0;
+      starting <= 1'b0; //@ fpga
       move <= {(3*M){1'b0}};
       //@ end
     end else begin
@@ -137,7 +138,9 @@ module sepax_registers (
       checked_q <= full_q2 && !write;
       asked_q <= read_full_q && !read;
       shown_q <= asked_q && !read;
+      //@ if !tree
       starting <= start || (address_full_q && data_full_q && (address_q == COMMAND) && data_q[0]);
+      //@ end
       //@ end
       bvalid <= write || (bvalid && !bready);
       read_full_q <= read_full_q ? !read : arvalid;

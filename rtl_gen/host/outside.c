@@ -15,7 +15,7 @@ void gen_tree(emitter *e, int entries) {
   engine_cores(&h, design, entries, 1);
   engine_decode(&engine_of_trees, &h, constants);
   emit_hole_numbers(&h, (emit_number[]){{"tree", 1},
-                                        {"fpga", 0},
+                                        {"fpga", m->family},
                                         {"move_is_word", 0},
                                         {"ii", c->ii},
                                         {"margin", design->limits > 0 ? design->margin[1] : 0},
@@ -31,8 +31,7 @@ void gen_tree(emitter *e, int entries) {
   gen_tree_compare(e, m);
   int turn = gen_turn_vertex(e, m, c->word);
   gen_tree_walk(e, m->family, turn);
-  emit_hole_numbers(&h, (emit_number[]){{"fpga", m->family},
-                                        {"turn", turn},
+  emit_hole_numbers(&h, (emit_number[]){{"turn", turn},
                                         {"turn_last", turn - 1},
                                         {"end", turn - 1},
                                         {"turn_before", turn - 2},
