@@ -106,7 +106,9 @@ module sepax_tree_compare #(
   reg            own_todo_q; // the own box waits
   reg            s_side_q; // of this entry
   wire [15:0]    pick = todo_q & (~todo_q + 16'd1);
-  wire           some = own_todo_q || (|todo_q);
+  wire           some = own_todo_q || (|todo_q); //@ !fpga
+  reg            some_q; // boxes wait //@ fpga
+  wire           some = some_q; //@ fpga
   wire           last = (todo_q & ~pick) == 16'd0; //@ !fpga
   wire           many; // children wait //@ fpga
   wire           last = !many; //@ fpga
@@ -282,6 +284,7 @@ module sepax_tree_compare #(
       {heads_q, asked_q, busy_q, ready_q, loaded_q} <= 5'd0;
       todo_q <= 16'd0;
       own_todo_q <= 1'b0;
+      some_q <= 1'b0; //@ fpga
       s_side_q <= 1'b0;
       {turn_q, cell_q, lane_q, row_q} <= 4'd0;
       turning_q <= {(BEFORE-1){1'b0}}; //@ fpga
@@ -307,6 +310,7 @@ module sepax_tree_compare #(
       end
       turn_q <= take;
       //@ if fpga
+      some_q <= load || (some_q && !(take && last));
       {cell_q, turning_q} <= {turning_q, turn_q};
       {row_q, lane_q2, lane_q, cell_q2} <= {lane_q2, lane_q, cell_q2, cell_q};
       {read_s_q, read_t_q} <= {read_s, read_t};

@@ -101,8 +101,10 @@ module sepax_tree_pairs #(
   reg  [4:0]        free_q;       // places of the queue that pairs may still take
   wire [15:0]       lowest = mask_q & (~mask_q + 16'd1);
   wire [15:0]       others = mask_q & ~lowest;
-  wire              many;         // pairs of the row are left //@ fpga
-  wire              issue = (|mask_q) && (|free_q) && !damaged;
+  wire              many;         // two or more //@ fpga
+  reg               some_q;       // pairs of the row are left //@ fpga
+  wire              issue = some_q && (|free_q) && !damaged; //@ fpga
+  wire              issue = (|mask_q) && (|free_q) && !damaged; //@ !fpga
   wire              row_done = issue && !(|others); //@ !fpga
   wire              row_done = issue && !many; //@ fpga
   wire [3:0]        a = {
@@ -110,7 +112,7 @@ module sepax_tree_pairs #(
   };
 
   assign next = next_valid && (row_done || !(|mask_q)) && !damaged; //@ !fpga
-  assign next = next_valid && !(|mask_q) && !damaged; //@ fpga
+  assign next = next_valid && !some_q && !damaged; //@ fpga
   sepax_several left (.mask(mask_q), .many(many)); //@ fpga
   assign triangle_read_a = issue;
   assign triangle_slot_a = {slot_q, a};
@@ -194,13 +196,14 @@ module sepax_tree_pairs #(
       mask_q <= 16'd0;
       leaf_q <= 1'b1;
       {valid_q, valid_q2, valid_q3, damaged, out_q} <= 5'd0;
-      {read_q, release_q} <= 2'd0; //@ fpga
+      {read_q, release_q, some_q} <= 3'd0; //@ fpga
       free_q <= 5'd16;
       {tail_q, head_q} <= 8'd0;
       count_q <= 5'd0;
     end else begin
       rows_q <= rows_q + (push_row ? ROW : {(ROWS+1){1'b0}}) -
                 (pop_row ? ROW : {(ROWS+1){1'b0}});
+      some_q <= !(spoilt || damaged) && (next ? (|next_mask) : some_q && !row_done); //@ fpga
       if (spoilt || damaged) begin
         mask_q <= 16'd0;
       end else if (next) begin

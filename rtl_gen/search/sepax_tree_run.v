@@ -69,6 +69,7 @@ module sepax_tree_run #(
   output reg  [3:0]   first_row_b      // the child b
 );
   localparam [FLIGHT:0] ONE = 1;
+  reg          near_q, found_q, undecided_q, warned_q; // to be counted //@ fpga
   reg          busy_q;     // a run is going on
   reg          ending_q;   // it only waits for what is under way
   reg  [1:0]   dropped_q;  // what was dropped is gone
@@ -131,6 +132,7 @@ module sepax_tree_run #(
       known_q <= known_q + (launched ? ONE : {(FLIGHT+1){1'b0}}) -
                  (judged ? ONE : {(FLIGHT+1){1'b0}});
     end
+    {near_q, found_q, undecided_q, warned_q} <= {counted, found, found && outside, warned}; //@ fpga
     dropped_q <= {dropped_q[0], ending_q && !drop};
     {entry_q, row_q, pair_q, steps_q} <= {entry_counted, row_counted, pair_counted, steps_counted};
     if (free) begin
@@ -151,10 +153,17 @@ module sepax_tree_run #(
       steps <= steps + {27'd0, steps_q};
       rows <= rows + {31'd0, row_q};
       pairs <= pairs + {31'd0, pair_q};
+      //@ if fpga
+      near <= near + {31'd0, near_q};
+      collisions <= collisions + {31'd0, found_q};
+      out_of_range <= out_of_range + {31'd0, undecided_q};
+      warnings <= warnings + {31'd0, warned_q};
+      //@ else
       near <= near + {31'd0, counted};
       collisions <= collisions + {31'd0, found};
       out_of_range <= out_of_range + {31'd0, found && outside};
       warnings <= warnings + {31'd0, warned};
+      //@ end
       cycles <= cycles + {31'd0, busy_q && !(&cycles)};
     end
   end

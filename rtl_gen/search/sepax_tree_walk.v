@@ -227,7 +227,11 @@ module sepax_tree_walk #(
   assign row_last = last;
   assign row_child = first_row ? child[3:0] : out_index;
   assign row_mask = first_row ? 16'd1 << child[7:4] : out_mask;
-  assign out_ready = item && (is_row ? (!(has_rows || opened_q) || rows_ready) : 1'b1);
+  assign out_ready = item && (is_row ? (!(has_rows || opened_q) || rows_ready) : 1'b1); //@ !fpga
+  //@ if fpga
+  wire         rows_here = row_ready && !(out_last && !(opened_q && !wanted_q)); // of an item
+  assign out_ready = item && (!out_leaves || is_own || !(hit || opened_q) || rows_here);
+  //@ end
   assign finish = served && (state_q == PROBE || (item && out_ready && last) || //@ !fpga
                              (first_row && !no_leaves && rows_ready)); //@ !fpga
   assign finish = probe_q || (item && out_ready && last) || //@ fpga

@@ -5,6 +5,7 @@
 void gen_tree_memory(emitter *e, bool fpga) {
   const emit_hole holes[] = {{"fpga", fpga ? "1" : "0"},
                              {"look_up", fpga ? "4" : "3"},
+                             {"words", fpga ? "16" : "8"},
                              {"asked", fpga ? "asked_a_q, asked_b_q" : "asked_a, asked_b"},
                              {NULL, NULL}};
   static const char *const modules[] = {

@@ -35,6 +35,7 @@ module sepax_axi_read #(
   reg  [ADDRESS-5:0] address_q;
   reg  [3:0]         beats_q;
   reg  [OPEN:0]      open_q; // bursts
+  reg                gone_q; // one has come whole //@ fpga
   reg  [3:0]         beat_q; // the number of the beat that comes next
   wire               take = in_valid && in_ready;
   wire               known;
@@ -60,13 +61,16 @@ module sepax_axi_read #(
       out_valid <= 1'b0;
       beat_q <= 4'd0;
       open_q <= {(OPEN+1){1'b0}};
+      gone_q <= 1'b0; //@ fpga
     end else begin
       arvalid <= take || (arvalid && !arready);
       out_valid <= beat;
       if (beat) begin
         beat_q <= last ? 4'd0 : beat_q + 4'd1;
       end
-      open_q <= open_q + {{OPEN{1'b0}}, take} - {{OPEN{1'b0}}, beat && last};
+      open_q <= open_q + {{OPEN{1'b0}}, take} - {{OPEN{1'b0}}, beat && last}; //@ !fpga
+      open_q <= open_q + {{OPEN{1'b0}}, take} - {{OPEN{1'b0}}, gone_q}; //@ fpga
+      gone_q <= beat && last; //@ fpga
     end
     if (take) begin
       address_q <= in_address;

@@ -40,8 +40,10 @@ module sepax_leaf_fill #(
   reg  [3:0]     index_q;        // its number
   reg  [14:0]    numbers_q;      // its vertices
   reg            damaged_q;
-  wire [119:0]   words;
-  wire [14:0]    word [0:7];
+  wire [119:0]   words; //@ !fpga
+  wire [14:0]    word [0:7]; //@ !fpga
+  wire [239:0]   words; //@ fpga
+  wire [14:0]    word [0:15]; //@ fpga
   wire [2:0]     there;          // its vertices have come
   wire           first = fill && (fill_beat == 4'd0); //@ !fpga
   reg            begin_q;        // the beat that comes next is a record's first //@ fpga
@@ -68,15 +70,26 @@ module sepax_leaf_fill #(
   assign idle = !(|here) && !fill && !write;
   assign triangle[9*W] = damaged_q;
 
+//@ if fpga
+  sepax_ram #(.WIDTH(120), .ADDRESS(1)) low_numbers (
+    .clk(clk), .write(fill && (fill_beat == 4'd0)), .write_address(place),
+    .write_data(fill_numbers), .read(start), .read_address(read_q[0]), .read_data(words[119:0])
+  );
+  sepax_ram #(.WIDTH(120), .ADDRESS(1)) high_numbers (
+    .clk(clk), .write(fill && (fill_beat == 4'd1)), .write_address(place),
+    .write_data(fill_numbers), .read(start), .read_address(read_q[0]), .read_data(words[239:120])
+  );
+//@ else
   sepax_ram #(.WIDTH(120), .ADDRESS(2)) numbers (
     .clk(clk), .write(fill && !(|fill_beat[3:1])), .write_address({place, fill_beat[0]}),
     .write_data(fill_numbers), .read(start || (move && (next_q == 4'd7))),
     .read_address({read_q[0], !start}), .read_data(words)
   );
+//@ end
 
   genvar k;
   generate
-    for (k = 0; k < 8; k = k + 1) begin : half
+    for (k = 0; k < @words@; k = k + 1) begin : half
       assign word[k] = words[15*k +: 15];
     end
     for (k = 0; k < 3; k = k + 1) begin : vertex
@@ -144,7 +157,8 @@ module sepax_leaf_fill #(
       next_q <= next_q + 4'd1;
     end
     if (move) begin
-      numbers_q <= word[next_q[2:0]];
+      numbers_q <= word[next_q[2:0]]; //@ !fpga
+      numbers_q <= word[next_q]; //@ fpga
       index_q <= next_q;
     end
     if (make) begin
