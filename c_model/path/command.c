@@ -14,6 +14,7 @@ enum {
   KEY_WARNING,
   KEY_CSV,
   KEY_WORST,
+  KEY_PAGE,
   KEY_NO_DISTANCE,
   KEY_CERTIFY,
   KEY_CERTIFICATE,
@@ -39,6 +40,8 @@ static const struct argp_option options[] = {
      0},
     {"csv", KEY_CSV, "FILE", 0, "write the lines and pairs that are not free as CSV", 0},
     {"worst", KEY_WORST, "FILE", 0, "write all bodies in the worst pose as PLY", 0},
+    {"page", KEY_PAGE, "FILE", 0,
+     "write an HTML page to look at all bodies and go through the path in a browser", 0},
     {"no-distance", KEY_NO_DISTANCE, NULL, 0, "verdicts only, no least clearance, which is faster",
      0},
     {"certify", KEY_CERTIFY, NULL, 0,
@@ -143,6 +146,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_WORST:
     q->picture = text;
     return 0;
+  case KEY_PAGE:
+    q->page = text;
+    return 0;
   case KEY_THREADS:
     q->threads = (int)cli_count(state, "threads", text, 256);
     return 0;
@@ -167,20 +173,19 @@ static bool same_file(const char *p, const char *q) {
 
 /* What is written must not be what is read, nor one file be written twice. */
 static bool outputs_distinct(const path_question *q, sepax_error *error) {
-  const char *const outputs[] = {q->csv, q->picture, q->certificate};
-  const char *const inputs[] = {q->urdf, q->motion, q->srdf};
-  for (int i = 0; i < 9; i++) {
-    const char *output = outputs[i % 3];
-    const char *input = inputs[i / 3];
-    if (output != NULL && input != NULL && same_file(output, input)) {
-      return sepax_fail(error, "%.300s: is read; name another file to write", output);
+  enum { INPUTS = 3, OUTPUTS = 4 };
+  const char *const outputs[OUTPUTS] = {q->csv, q->picture, q->certificate, q->page};
+  const char *const inputs[INPUTS] = {q->urdf, q->motion, q->srdf};
+  for (int i = 0; i < OUTPUTS; i++) {
+    for (int k = 0; k < INPUTS && outputs[i] != NULL; k++) {
+      if (inputs[k] != NULL && same_file(outputs[i], inputs[k])) {
+        return sepax_fail(error, "%.300s: is read; name another file to write", outputs[i]);
+      }
     }
-  }
-  for (int i = 0; i < 3; i++) {
-    const char *one = outputs[i];
-    const char *other = outputs[(i + 1) % 3];
-    if (one != NULL && other != NULL && same_file(one, other)) {
-      return sepax_fail(error, "%.300s: two options name this file; name two", one);
+    for (int k = 0; k < i && outputs[i] != NULL; k++) {
+      if (outputs[k] != NULL && same_file(outputs[i], outputs[k])) {
+        return sepax_fail(error, "%.300s: two options name this file; name two", outputs[i]);
+      }
     }
   }
   return true;
@@ -207,7 +212,8 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   }
   const char *const names[2] = {q->urdf, q->motion};
   const char *const more[2] = {q->srdf != NULL ? q->srdf : "", ""};
-  return !q->json || (report_names_printable(names, error) && report_names_printable(more, error));
+  return (!q->json && q->page == NULL) ||
+         (report_names_printable(names, error) && report_names_printable(more, error));
 }
 
 int cli_path(int argc, char **argv) {
@@ -226,16 +232,19 @@ int cli_path(int argc, char **argv) {
   static const int status[] = {EXIT_FREE, EXIT_WARNING, EXIT_UNDECIDED, EXIT_COLLISION};
   static path_question q = {.resolution = {NULL, 1e-6}};
   argp_parse(&argp, argc, argv, 0, NULL, &q);
-  q.no_distance = q.no_distance || (q.quiet && q.picture == NULL);
+  q.no_distance = q.no_distance || (q.quiet && q.picture == NULL && q.page == NULL);
   sepax_error error = {""};
   path_scene scene = {.pairs = 0};
   bool ok = options_agree(&q, &error) && outputs_distinct(&q, &error) &&
-            path_scene_load(&scene, &q, &error) && path_search(&scene, &q, &error) &&
+            path_scene_load(&scene, &q, &error) &&
+            (q.page == NULL || path_page_possible(&scene, &error)) &&
+            path_search(&scene, &q, &error) &&
             (!q.certify || path_worst(&scene) > PATH_WARNING || path_certify(&scene, &q, &error)) &&
             (q.csv == NULL || path_write_csv(&scene, q.csv, &error)) &&
             (q.picture == NULL || path_write_picture(&scene, q.picture, &error)) &&
             (q.certificate == NULL || !path_certified(&scene) ||
-             path_write_certificate(&scene, &q, &error));
+             path_write_certificate(&scene, &q, &error)) &&
+            (q.page == NULL || path_write_page(&scene, &q, &error));
   int result = ok ? status[path_worst(&scene)] : cli_fail(argv[0], &error);
   if (ok && !q.quiet) {
     (q.json ? path_print_json : path_print_text)(&scene, &q);

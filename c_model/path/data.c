@@ -95,7 +95,7 @@ static json_t *between_of(const path_scene *scene) {
   return json;
 }
 
-void path_print_json(const path_scene *scene, const path_question *q) {
+json_t *path_report(const path_scene *scene, const path_question *q) {
   path_verdict worst = path_worst(scene);
   json_t *json = json_object();
   json_t *bodies = json_array();
@@ -126,7 +126,11 @@ void path_print_json(const path_scene *scene, const path_question *q) {
   json_object_set_new(json, "pairs_disabled", count_of(scene->disabled));
   json_object_set_new(json, "between", between_of(scene));
   json_object_set_new(json, "seconds", json_real(scene->seconds));
-  report_print_json(json);
+  return json;
+}
+
+void path_print_json(const path_scene *scene, const path_question *q) {
+  report_print_json(path_report(scene, q));
 }
 
 /* ----------------------------------------------------------------------------- CSV */

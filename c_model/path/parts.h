@@ -1,6 +1,7 @@
 /* parts.h - what the parts of sepax path share: command.c reads what is asked, scene.c makes bodies
  * of the links and pairs of the bodies, search.c asks each pair in each line, certify.c what is
- * between the lines, certificate.c writes that down, text.c and data.c tell. */
+ * between the lines, certificate.c writes that down, text.c and data.c tell, picture.c and
+ * page.c show. */
 #ifndef SEPAX_PATH_PARTS_H
 #define SEPAX_PATH_PARTS_H
 
@@ -26,7 +27,7 @@ enum { PATH_PACKAGES_MOST = 64 };
 
 typedef struct {
   const char *urdf, *motion;
-  const char *srdf, *csv, *picture, *certificate; /* or NULL */
+  const char *srdf, *csv, *picture, *certificate, *page; /* or NULL */
   path_limit clearance, warning, resolution;
   bool json, quiet, surfaces, no_distance, certify;
   int threads;
@@ -46,7 +47,7 @@ typedef struct {
   sepax_body *body; /* of all parts; that of the only one where there is one */
   path_part *part;
   size_t parts, open; /* how many parts are no solids */
-  sepax_mesh mesh;    /* of all parts; for the picture only */
+  sepax_mesh mesh;    /* of all parts; for picture and page only */
   size_t triangles;
   double least[3], most[3]; /* its AABB in the link's coordinates */
 } path_body;
@@ -130,5 +131,13 @@ void path_print_text(const path_scene *scene, const path_question *q);
 void path_print_json(const path_scene *scene, const path_question *q);
 bool path_write_csv(const path_scene *scene, const char *path, sepax_error *error);
 bool path_write_picture(const path_scene *scene, const char *path, sepax_error *error);
+
+/* What path_print_json prints: jansson's json_t. */
+struct json_t *path_report(const path_scene *scene, const path_question *q);
+
+/* False where the page's programs are missing, or the scene is larger than a page. */
+bool path_page_possible(const path_scene *scene, sepax_error *error);
+bool path_write_page(const path_scene *scene, const path_question *q, sepax_error *error);
+extern const char path_page_html[]; /* page.html, by scripts/embed */
 
 #endif

@@ -217,7 +217,7 @@ static bool ask_lines(work *all, path_pair *pair, sepax_error *error) {
       atomic_flag_clear(&all->showing);
     }
     if (verdict == PATH_COLLISION && all->q->quiet && all->q->csv == NULL &&
-        all->q->picture == NULL) {
+        all->q->picture == NULL && all->q->page == NULL) {
       atomic_store(&all->stop, true);
     }
   }
@@ -246,7 +246,7 @@ bool path_search(path_scene *scene, const path_question *q, sepax_error *error) 
               .error = error};
   atomic_init(&all.done, 0);
   atomic_init(&all.stop, false);
-  for (size_t n = 0; n < scene->pairs && q->csv != NULL; n++) {
+  for (size_t n = 0; n < scene->pairs && (q->csv != NULL || q->page != NULL); n++) {
     scene->pair[n].verdict = calloc(lines, 1);
     if (scene->pair[n].verdict == NULL) {
       return sepax_fail(error, "no memory for verdicts of %zu lines", lines);

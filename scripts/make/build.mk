@@ -31,6 +31,14 @@ $(BUILD)/obj/templates.c: scripts/embed $(TEMPLATES) $(wildcard rtl_gen/*)
 $(TEMPLATE_OBJ): $(BUILD)/obj/templates.c
 	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
 
+# The page of sepax path as a C string.
+PAGE_OBJ = $(BUILD)/obj/page.o
+$(BUILD)/obj/page.c: scripts/embed c_model/path/page.html
+	@mkdir -p $(@D)
+	@scripts/embed -t path_page_html c_model/path/page.html > $@
+$(PAGE_OBJ): $(BUILD)/obj/page.c
+	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
+
 # Scenes and meshes are read by libxml2 and assimp: by the program, not by the library.
 FORMAT_OBJ  = $(call object,$(wildcard c_model/formats/*.c))
 FORMAT_LIBS = -lxml2 -lassimp
@@ -61,7 +69,7 @@ $(BUILD)/obj/synth/power/engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/lanes
 $(BUILD)/obj/synth/power/tree.o: $(REGISTERS)/tree/sepax_registers.h
 $(BUILD)/obj/synth/power/tree.o: SEPAX_CFLAGS += -I$(REGISTERS)/tree
 
-$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(LIB)
+$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)

@@ -38,6 +38,7 @@ sanitized: $(SEPAX) $(UNIT)
 	@SEPAX=$(SEPAX) tb/system/cli
 	@SEPAX=$(SEPAX) tb/system/check
 	@SEPAX=$(SEPAX) tb/system/path
+	@SEPAX=$(SEPAX) tb/page/data
 
 # Threads that share bodies.
 raced: $(BUILD)/unit/body/threads

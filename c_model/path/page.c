@@ -1,0 +1,336 @@
+/* page.c - a page on which one can look at all bodies and go through the path. page.html is the
+ * page itself; what it shows and three.js, which shows it, are put into it. */
+#include "cli/report.h"
+#include "path/parts.h"
+#include "util/error.h"
+#include "util/write_file.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Bytes of data in a page: browsers take no longer strings. */
+#define PAGE_MOST 400e6
+
+enum { PROGRAMS = 2 };
+
+static const char *const programs[PROGRAMS] = {"build/three.min.js",
+                                               "examples/js/controls/OrbitControls.js"};
+
+typedef struct {
+  const path_scene *scene;
+  const path_question *q;
+  format_text program[PROGRAMS];
+} page;
+
+/* -------------------------------------------------------------------------- three.js */
+
+static void free_programs(page *p) {
+  for (int i = 0; i < PROGRAMS; i++) {
+    free(p->program[i].bytes);
+  }
+}
+
+/* They stand between <script> and </script>. */
+static bool read_programs(page *p, sepax_error *error) {
+  enum { PATH_MOST = 4096 };
+  const char *given = getenv("SEPAX_THREE");
+  const char *folder = given != NULL && *given != '\0' ? given : "/usr/share/javascript/three";
+  for (int i = 0; i < PROGRAMS; i++) {
+    char path[PATH_MOST];
+    sepax_error inner = {""};
+    format_text *text = &p->program[i];
+    int length = snprintf(path, sizeof path, "%s/%s", folder, programs[i]);
+    if (length < 0 || length >= PATH_MOST ||
+        !format_text_read(text, path, FORMAT_XML_BYTES, &inner)) {
+      return sepax_fail(error,
+                        "page: three.js is not at %.200s; install libjs-three, or set SEPAX_THREE "
+                        "to the folder with %s",
+                        folder, programs[i]);
+    }
+    if (strlen(text->bytes) != text->size || strstr(text->bytes, "</script") != NULL ||
+        strstr(text->bytes, "<!--") != NULL) {
+      return sepax_fail(error, "page: %.300s: cannot stand in a page; install libjs-three", path);
+    }
+  }
+  return true;
+}
+
+bool path_page_possible(const path_scene *scene, sepax_error *error) {
+  size_t triangles = 0;
+  for (size_t n = 0; n < scene->bodies; n++) {
+    triangles += scene->body[n].triangles;
+  }
+  double bytes = 24 * (double)triangles + 64 * (double)scene->bodies * (double)scene->motion.lines;
+  if (bytes > PAGE_MOST) {
+    return sepax_fail(error,
+                      "page: %zu triangles and %zu poses of %zu bodies are more than a page holds; "
+                      "give a part of the path",
+                      triangles, scene->motion.lines, scene->bodies);
+  }
+  page p = {.scene = scene};
+  bool ok = read_programs(&p, error);
+  free_programs(&p);
+  return ok;
+}
+
+/* ---------------------------------------------------------------------------- base64 */
+
+typedef struct {
+  FILE *out;
+  uint32_t held;
+  int count; /* bytes in it */
+} base64;
+
+static void put_letters(const base64 *b, int count) {
+  static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (int i = 0; i < 4; i++) {
+    putc(i < count ? letters[b->held >> (18 - 6 * i) & 63] : '=', b->out);
+  }
+}
+
+/* Bytes of a little-endian word. */
+static void put_word(base64 *b, uint64_t word, int bytes) {
+  for (int i = 0; i < bytes; i++) {
+    b->held = b->held << 8 | (uint32_t)(word >> (8 * i) & 0xff);
+    if (++b->count == 3) {
+      put_letters(b, 4);
+      *b = (base64){b->out, 0, 0};
+    }
+  }
+}
+
+static void put_float(base64 *b, double x) {
+  float f = (float)fmin(fmax(x, -FLT_MAX), FLT_MAX);
+  uint32_t word;
+  memcpy(&word, &f, sizeof word);
+  put_word(b, word, sizeof word);
+}
+
+static base64 begin_base64(FILE *out) {
+  putc('"', out);
+  return (base64){out, 0, 0};
+}
+
+static void end_base64(base64 *b) {
+  if (b->count > 0) {
+    b->held <<= 8 * (3 - b->count);
+    put_letters(b, b->count + 1);
+  }
+  putc('"', b->out);
+}
+
+/* ---------------------------------------------------------------------------- meshes */
+
+/* The corners of a mesh as binary32, those that are one as one. */
+typedef struct {
+  uint32_t (*vertex)[3]; /* the floats' bits */
+  uint32_t *index;       /* of each corner */
+  uint32_t *place;       /* of vertices by their hash, from 1; 0: none */
+  size_t vertices, mask;
+} corners;
+
+static void find_vertex(corners *c, size_t corner, const double v[3]) {
+  uint32_t key[3];
+  uint64_t hash = 0;
+  for (int i = 0; i < 3; i++) {
+    float f = (float)fmin(fmax(v[i], -FLT_MAX), FLT_MAX) + 0.0F; /* -0 is 0 */
+    memcpy(&key[i], &f, sizeof key[i]);
+    hash = (hash ^ key[i]) * 0x9e3779b97f4a7c15U;
+    hash ^= hash >> 32;
+  }
+  size_t at = (size_t)hash & c->mask;
+  while (c->place[at] != 0 && memcmp(c->vertex[c->place[at] - 1], key, sizeof key) != 0) {
+    at = (at + 1) & c->mask;
+  }
+  if (c->place[at] == 0) {
+    memcpy(c->vertex[c->vertices], key, sizeof key);
+    c->place[at] = (uint32_t)++c->vertices;
+  }
+  c->index[corner] = c->place[at] - 1;
+}
+
+static bool write_mesh(FILE *out, const sepax_mesh *mesh) {
+  size_t count = 3 * mesh->count;
+  corners c = {.mask = 1};
+  while (c.mask < 2 * count) {
+    c.mask = 2 * c.mask + 1;
+  }
+  c.vertex = calloc(count, sizeof *c.vertex);
+  c.index = calloc(count, sizeof *c.index);
+  c.place = calloc(c.mask + 1, sizeof *c.place);
+  bool ok = c.vertex != NULL && c.index != NULL && c.place != NULL;
+  if (ok) {
+    for (size_t n = 0; n < count; n++) {
+      find_vertex(&c, n, mesh->facet[n / 3].v[n % 3]);
+    }
+    int bytes = c.vertices <= 0x10000 ? 2 : 4;
+    fputs("\"vertex\": ", out);
+    base64 b = begin_base64(out);
+    for (size_t n = 0; n < 3 * c.vertices; n++) {
+      put_word(&b, c.vertex[n / 3][n % 3], 4);
+    }
+    end_base64(&b);
+    fprintf(out, ", \"index_bytes\": %d, \"index\": ", bytes);
+    b = begin_base64(out);
+    for (size_t n = 0; n < count; n++) {
+      put_word(&b, c.index[n], bytes);
+    }
+    end_base64(&b);
+  }
+  free(c.vertex);
+  free(c.index);
+  free(c.place);
+  return ok;
+}
+
+/* ----------------------------------------------------------------------------- poses */
+
+static bool moves(const path_scene *scene, const sepax_chain *chain) {
+  const format_motion *motion = &scene->motion;
+  for (size_t line = 1; line < motion->lines; line++) {
+    for (size_t n = 0; n < chain->count; n++) {
+      size_t joint = chain->joint[n];
+      if (motion->value[line * motion->joints + joint] != motion->value[joint]) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/* Rows of rotation and translation of each line, in the root's coordinates; of the first line only
+ * where no line moves the body. */
+static bool write_poses(FILE *out, const path_scene *scene, size_t link) {
+  const sepax_mechanism *m = &scene->robot.mechanism;
+  const format_motion *motion = &scene->motion;
+  sepax_chain chain;
+  sepax_error error = {""};
+  if (!sepax_chain_find(&chain, m, m->root, link, &error)) {
+    return false;
+  }
+  size_t lines = moves(scene, &chain) ? motion->lines : 1;
+  fputs(", \"pose\": ", out);
+  base64 b = begin_base64(out);
+  for (size_t line = 0; line < lines; line++) {
+    sepax_pose pose[2];
+    sepax_chain_poses(&chain, m, &motion->value[line * motion->joints], pose);
+    for (int i = 0; i < 12; i++) {
+      put_float(&b, i % 4 < 3 ? pose[1].rotation[i / 4][i % 4] : pose[1].translation[i / 4]);
+    }
+  }
+  end_base64(&b);
+  sepax_chain_free(&chain);
+  return true;
+}
+
+/* ------------------------------------------------------------------------------ data */
+
+/* JSON between <script> and </script>: its strings have no "<" then. */
+static int put_escaped(const char *text, size_t length, void *context) {
+  FILE *out = context;
+  for (size_t n = 0; n < length; n++) {
+    if (text[n] == '<' || text[n] == '>' || text[n] == '&') {
+      fprintf(out, "\\u%04x", (unsigned)text[n]);
+    } else {
+      putc(text[n], out);
+    }
+  }
+  return 0;
+}
+
+static bool write_report(FILE *out, const page *p) {
+  json_t *report = path_report(p->scene, p->q);
+  bool ok = json_dump_callback(report, put_escaped, out, JSON_ENSURE_ASCII) == 0;
+  json_decref(report);
+  return ok;
+}
+
+/* [first, how many follow each other, ...] */
+static void write_lines(FILE *out, const format_motion *motion) {
+  fprintf(out, ",\n\"line\": [%zu", motion->line[0]);
+  size_t first = 0;
+  for (size_t n = 1; n < motion->lines; n++) {
+    if (motion->line[n] != motion->line[n - 1] + 1) {
+      fprintf(out, ", %zu, %zu", n - first, motion->line[n]);
+      first = n;
+    }
+  }
+  fprintf(out, ", %zu]", motion->lines - first);
+}
+
+/* [verdict, of how many lines, ...] */
+static void write_verdicts(FILE *out, const path_pair *pair, size_t lines) {
+  fprintf(out, "[%d", pair->verdict[0]);
+  size_t first = 0;
+  for (size_t n = 1; n < lines; n++) {
+    if (pair->verdict[n] != pair->verdict[n - 1]) {
+      fprintf(out, ", %zu, %d", n - first, pair->verdict[n]);
+      first = n;
+    }
+  }
+  fprintf(out, ", %zu]", lines - first);
+}
+
+static void write_times(FILE *out, const format_motion *motion) {
+  base64 b = begin_base64(out);
+  for (size_t n = 0; n < motion->lines && motion->time != NULL; n++) {
+    uint64_t word;
+    memcpy(&word, &motion->time[n], sizeof word);
+    put_word(&b, word, sizeof word);
+  }
+  end_base64(&b);
+}
+
+static bool write_data(FILE *out, const page *p) {
+  const path_scene *scene = p->scene;
+  fputs("{\"report\": ", out);
+  bool ok = write_report(out, p);
+  fprintf(out, ",\n\"worst\": %zu", path_worst_line(scene));
+  write_lines(out, &scene->motion);
+  fputs(",\n\"time\": ", out);
+  write_times(out, &scene->motion);
+  fputs(",\n\"verdict\": [", out);
+  for (size_t n = 0; n < scene->pairs; n++) {
+    fputs(n == 0 ? "\n" : ",\n", out);
+    write_verdicts(out, &scene->pair[n], scene->motion.lines);
+  }
+  fputs("],\n\"body\": [", out);
+  for (size_t n = 0; n < scene->bodies && ok; n++) {
+    fputs(n == 0 ? "\n{" : ",\n{", out);
+    ok = write_mesh(out, &scene->body[n].mesh) && write_poses(out, scene, scene->body[n].link);
+    putc('}', out);
+  }
+  fputs("]}", out);
+  return ok;
+}
+
+static bool write_program(FILE *out, const format_text *text) {
+  return fwrite(text->bytes, 1, text->size, out) == text->size;
+}
+
+/* page.html with each hole filled in. */
+static bool write_all(FILE *out, const void *context) {
+  static const char *const holes[] = {"@three@", "@controls@", "@data@"};
+  const page *p = context;
+  const char *at = path_page_html;
+  bool ok = true;
+  for (int i = 0; i <= PROGRAMS && ok; i++) {
+    const char *hole = strstr(at, holes[i]);
+    if (hole == NULL) {
+      return false;
+    }
+    ok = fwrite(at, 1, (size_t)(hole - at), out) == (size_t)(hole - at) &&
+         (i < PROGRAMS ? write_program(out, &p->program[i]) : write_data(out, p));
+    at = hole + strlen(holes[i]);
+  }
+  return ok && fputs(at, out) != EOF && ferror(out) == 0;
+}
+
+bool path_write_page(const path_scene *scene, const path_question *q, sepax_error *error) {
+  page p = {.scene = scene, .q = q};
+  bool ok = read_programs(&p, error) && sepax_write_file(q->page, write_all, &p, error);
+  free_programs(&p);
+  return ok;
+}
