@@ -50,7 +50,7 @@ define link
 @echo "  LINK    $@"
 @$(CC) $(CFLAGS) $(LDFLAGS) $^ $(LIBS) $(LDLIBS) -lm -pthread -o $@
 endef
-CHECKER_OBJ = $(call object,$(wildcard tb/certificate/*.c tb/certificate/*/*.c))
+CHECKER_OBJ = $(call object,$(wildcard tb/certificate/*.c tb/certificate/input/*.c))
 ORACLE_OBJ  = $(call object,$(wildcard tb/oracle/*.c))
 LIBERTY_OBJ = $(call object,$(wildcard synth/liberty/*.c))
 GEN_OBJ     = $(call object,$(wildcard rtl_gen/*/*.c)) $(TEMPLATE_OBJ)
@@ -77,6 +77,7 @@ $(BUILD)/campaign: $(call object,tb/benchmark/campaign.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/refine: $(call object,tb/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/certificate-check: $(CHECKER_OBJ)
+$(BUILD)/certificate-grazes: $(call object,tb/certificate/random/grazes.c)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
 $(BUILD)/liberty $(BUILD)/power: LIBS = -ljansson
 $(SEPAX): LIBS = -ljansson $(FORMAT_LIBS)
@@ -84,7 +85,7 @@ $(BUILD)/certificate-check: LIBS = -ljansson -lxml2
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 $(BUILD)/clearance-test $(BUILD)/campaign: LIBS = -lgmp
 $(SEPAX) $(addprefix $(BUILD)/,bench_batch campaign clearance-test liberty power refine) \
-    $(BUILD)/certificate-check $(BUILD)/bench:
+    $(BUILD)/certificate-check $(BUILD)/certificate-grazes $(BUILD)/bench:
 	$(link)
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson
