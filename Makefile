@@ -219,8 +219,9 @@ CLAIMS = $(addprefix $(BUILD)/unit/tree/,walk turned_boxes posed_clearance)
 tree-campaign: $(SEPAX) $(CLAIMS)
 	@scripts/tree/campaign $(if $(SHARE),-s $(SHARE)) $(BUILD)/tree-campaign
 
-path-campaign: $(SEPAX) $(LIB)
-	@scripts/path/campaign $(BUILD)/path-campaign $(if $(call given,COUNT),$(COUNT),100) 10 $(SEED)
+path-campaign: $(SEPAX) $(LIB) $(BUILD)/certificate-check
+	@scripts/path/campaign $(BUILD)/path-campaign $(if $(call given,COUNT),$(COUNT),100) \
+	  $(or $(GRAZES),10) $(SEED)
 
 tree-sweep: $(SEPAX) $(BUILD)/refine $(BUILD)/bench_tree
 	@MESH_DIR="$(MESH_DIR)" scripts/tree/sweep $(if $(call given,COUNT),-c $(COUNT)) \
