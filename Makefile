@@ -189,7 +189,7 @@ bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch
 	@$(MAKE) PAIRS=families cosim
 
 certificate: $(BUILD)/certificate-check
-	@$< $(addprefix -p ,$(PACKAGE)) $(CERTIFICATE)
+	@cd $(or $(FOLDER),.) && $(abspath $<) $(addprefix -p ,$(PACKAGE)) $(abspath $(CERTIFICATE))
 
 campaign: $(BUILD)/campaign
 	@$(EXPERIMENT)/campaign $< $(if $(call given,COUNT),$(COUNT),10000000) $(SEED)
