@@ -5,7 +5,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 /* Options that stand in an argp of their own, and the first of them that was given. */
 typedef struct {
@@ -182,13 +181,6 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 /* ------------------------------------------------------- checks that need no mesh */
 
-static bool same_file(const char *p, const char *q) {
-  struct stat a;
-  struct stat b;
-  return strcmp(p, q) == 0 ||
-         (stat(p, &a) == 0 && stat(q, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino);
-}
-
 /* What is written must not be what is read, nor one file be written twice. */
 static bool outputs_distinct(const check_question *q, sepax_error *error) {
   const char *const outputs[] = {q->pairs_path, q->ply_path};
@@ -196,11 +188,11 @@ static bool outputs_distinct(const check_question *q, sepax_error *error) {
   for (int i = 0; i < 6; i++) {
     const char *output = outputs[i % 2];
     const char *input = inputs[i / 2];
-    if (output != NULL && input != NULL && same_file(output, input)) {
+    if (output != NULL && input != NULL && cli_same_file(output, input)) {
       return sepax_fail(error, "%.300s: is read; name another file to write", output);
     }
   }
-  if (q->pairs_path != NULL && q->ply_path != NULL && same_file(q->pairs_path, q->ply_path)) {
+  if (q->pairs_path != NULL && q->ply_path != NULL && cli_same_file(q->pairs_path, q->ply_path)) {
     return sepax_fail(error, "%.300s: --pairs and --ply name one file; name two", q->ply_path);
   }
   return true;

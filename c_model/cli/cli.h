@@ -66,6 +66,9 @@ const char *cli_scan_length(const char *text, double *value);
 /* Such a length and nothing else; argp_error otherwise. */
 double cli_length(const struct argp_state *state, const char *option, const char *text);
 
+/* Two paths of one file, which may be there or not. */
+bool cli_same_file(const char *p, const char *q);
+
 /* The Verilog of the design into a folder, and its latency (c_model/cli/gen.c). */
 bool cli_generate(sepax_design *design, const char *folder, sepax_error *error);
 

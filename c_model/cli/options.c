@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 int cli_fail(const char *name, const sepax_error *error) {
   fprintf(stderr, "%s: %s\n", name, error->text);
@@ -327,4 +328,11 @@ bool cli_families(const char *name, size_t *first, size_t *last, sepax_error *er
   }
   return found ||
          sepax_fail(error, "family: '%.60s' is unknown; 'sepax vectors --list' lists them", name);
+}
+
+bool cli_same_file(const char *p, const char *q) {
+  struct stat a;
+  struct stat b;
+  return strcmp(p, q) == 0 ||
+         (stat(p, &a) == 0 && stat(q, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino);
 }

@@ -5,7 +5,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 enum {
   KEY_SRDF = 0x400,
@@ -164,13 +163,6 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-static bool same_file(const char *p, const char *q) {
-  struct stat a;
-  struct stat b;
-  return strcmp(p, q) == 0 ||
-         (stat(p, &a) == 0 && stat(q, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino);
-}
-
 /* What is written must not be what is read, nor one file be written twice. */
 static bool outputs_distinct(const path_question *q, sepax_error *error) {
   enum { INPUTS = 3, OUTPUTS = 4 };
@@ -178,12 +170,12 @@ static bool outputs_distinct(const path_question *q, sepax_error *error) {
   const char *const inputs[INPUTS] = {q->urdf, q->motion, q->srdf};
   for (int i = 0; i < OUTPUTS; i++) {
     for (int k = 0; k < INPUTS && outputs[i] != NULL; k++) {
-      if (inputs[k] != NULL && same_file(outputs[i], inputs[k])) {
+      if (inputs[k] != NULL && cli_same_file(outputs[i], inputs[k])) {
         return sepax_fail(error, "%.300s: is read; name another file to write", outputs[i]);
       }
     }
     for (int k = 0; k < i && outputs[i] != NULL; k++) {
-      if (outputs[k] != NULL && same_file(outputs[i], outputs[k])) {
+      if (outputs[k] != NULL && cli_same_file(outputs[i], outputs[k])) {
         return sepax_fail(error, "%.300s: two options name this file; name two", outputs[i]);
       }
     }
