@@ -36,7 +36,7 @@ static void confine(off_t bytes) {
   rlim_t seconds = 5 + 2 * (rlim_t)(bytes >> 20);
   struct rlimit time = {seconds, seconds + 1};
   setrlimit(RLIMIT_CPU, &time);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(UNLIMITED)
   rlim_t space = ((rlim_t)2 << 30) + 100 * (rlim_t)bytes;
   struct rlimit memory = {space, space};
   setrlimit(RLIMIT_AS, &memory);

@@ -50,7 +50,7 @@
  *
  * The call, before the first instance:
  *
- *     emit_template(e, "sepax_fifo", (emit_hole[]){{"width", text.text}, {"level", "1"}, {NULL}});
+ *     emit_template(e, "sepax_fifo", (emit_hole[]){{"width", text.text}, {NULL, NULL}});
  *
  * `name` is the file's name without ".v", with its folder before it ("paper/sepax_top") where files
  * of several folders have it; the module's is what the text says. */

@@ -6,18 +6,20 @@
 #include "emit/template.h"
 #include "sepax_design.h"
 
+typedef enum {
+  ENGINE_CONSTANT,
+  ENGINE_READ,
+  ENGINE_WRITE,
+  ENGINE_READ_WRITE,
+  ENGINE_CLEAR,
+  ENGINE_FIELD
+} engine_kind;
+
 /* A memory-mapped register, 32 bits, at the next address; behind it its fields, if it is not one
  * number. */
 typedef struct {
   const char *name;
-  enum {
-    ENGINE_CONSTANT,
-    ENGINE_READ,
-    ENGINE_WRITE,
-    ENGINE_READ_WRITE,
-    ENGINE_CLEAR,
-    ENGINE_FIELD
-  } kind;
+  engine_kind kind;
   const char *shown; /* what is read, in sepax_registers.v: an input, if it can only be read */
   int low, bits;     /* of a field */
   const char *about;

@@ -134,7 +134,7 @@ static void print_string(const char *text, FILE *out) {
 }
 
 /* A field of a register of `kind`; NULL: the register is one number. */
-static void print_rdl_field(int kind, const engine_register *field, FILE *out) {
+static void print_rdl_field(engine_kind kind, const engine_register *field, FILE *out) {
   static const char *const access[] = {[ENGINE_CONSTANT] = "sw = r; hw = w;",
                                        [ENGINE_READ] = "sw = r; hw = w;",
                                        [ENGINE_WRITE] = "sw = w; hw = r; singlepulse; reset = 0;",

@@ -26,7 +26,7 @@ void gen_tree(emitter *e, int entries) {
   emit_hole_set(&h, "plural", c->cores > 1 ? "s" : "");
   emit_hole_set(&h, "verb", c->cores > 1 ? "" : "s");
   gen_tree_ram(e, m->family);
-  emit_template(e, "sepax_fifo", (emit_hole[]){{"fpga", m->family ? "1" : "0"}, {NULL}});
+  emit_template(e, "sepax_fifo", (emit_hole[]){{"fpga", m->family ? "1" : "0"}, {NULL, NULL}});
   gen_tree_memory(e, m->family);
   gen_tree_compare(e, m);
   int turn = gen_turn_vertex(e, m, c->word);

@@ -30,7 +30,7 @@ void gen_stream(emitter *e, emit_holes *h, int pairs) {
   emit_hole_set(h, "words", "%s", of[c->stream].words);
   emit_hole_set(h, "word_about", "%s", of[c->stream].about);
   emit_hole_set(h, "layout", "%s", of[c->stream].layout);
-  emit_template(e, "sepax_fifo", (emit_hole[]){{"fpga", "0"}, {NULL}});
+  emit_template(e, "sepax_fifo", (emit_hole[]){{"fpga", "0"}, {NULL, NULL}});
   emit_template(e, "sepax_gather", h->hole);
   emit_template(e, "stream/sepax_top", h->hole);
 }

@@ -97,6 +97,14 @@ $(BUILD)/unit/formats/%: $(BUILD)/obj/tb/unit/formats/%.o $(BUILD)/obj/tb/harnes
                          $(ORACLE_OBJ) $(FORMAT_OBJ) $(LIB)
 	$(link)
 
+# Fuzz targets: by themselves on given inputs; with libFuzzer, which has a main of its own, where
+# FUZZER is -fsanitize=fuzzer.
+FUZZ     = $(patsubst tb/fuzz/target/%.c,$(BUILD)/fuzz/%,$(wildcard tb/fuzz/target/*.c))
+FUZZ_OBJ = $(call object,$(if $(FUZZER),,tb/fuzz/replay.c) tb/fuzz/fuzz.c)
+$(FUZZ): LIBS = -ljansson $(FORMAT_LIBS) $(FUZZER)
+$(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(OPTIONS_OBJ) $(LIB)
+	$(link)
+
 # Bodies that move beside the libraries that are here.
 hash    := \#
 header   = $(shell echo '$(hash)include <$(1)>' | $(CXX) -x c++ -E - > /dev/null 2>&1 && echo $(2))

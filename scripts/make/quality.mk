@@ -1,6 +1,6 @@
 # quality.mk - static analysis and sanitizers.
 
-.PHONY: static sanitize sanitized raced
+.PHONY: static sanitize sanitized raced fuzz fuzzers
 OF_TREE = $(wildcard tb/batch/*.c examples/tree/*.c) synth/power/tree.c
 C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
           $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c examples/engine/*.c \
@@ -32,9 +32,10 @@ sanitize:
 	          -DEXACT_PAIRS=20000" sanitized
 	@$(MAKE) BUILD=$(BUILD)/raced CFLAGS="-O0 -g1 -fsanitize=thread" GEN_OBJ= raced
 
-sanitized: $(SEPAX) $(UNIT)
+sanitized: $(SEPAX) $(UNIT) $(FUZZ)
 	@export SEPAX_COUNT=1000 TREE_COLLISIONS=5000; \
 	  for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
+	@tb/fuzz/inputs $(FUZZ)
 	@SEPAX=$(SEPAX) tb/system/cli
 	@SEPAX=$(SEPAX) tb/system/check
 	@SEPAX=$(SEPAX) tb/system/path
@@ -43,3 +44,13 @@ sanitized: $(SEPAX) $(UNIT)
 # Threads that share bodies.
 raced: $(BUILD)/unit/body/threads
 	@TSAN_OPTIONS=halt_on_error=1 $<
+
+# Fuzz targets with libFuzzer and the sanitizers of clang.
+CLANG ?= clang
+fuzz:
+	@tb/fuzz/run -k "$(CLANG)"
+	@$(MAKE) BUILD=$(BUILD)/fuzz CC="$(CLANG)" FUZZER=-fsanitize=fuzzer \
+	  CFLAGS="-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -DUNLIMITED \
+	          -fsanitize=fuzzer-no-link" fuzzers
+	@tb/fuzz/run $(if $(call given,COUNT),-c $(COUNT)) -s $(SEED) $(BUILD)/fuzz $(TARGETS)
+fuzzers: $(FUZZ)

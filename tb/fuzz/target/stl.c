@@ -1,0 +1,48 @@
+/* stl.c - STL files, text and binary; what is read can be written and read again. */
+#include "fuzz/fuzz.h"
+
+#include <math.h>
+#include <string.h>
+
+static void require_finite(const sepax_mesh *mesh) {
+  REQUIRE(mesh->count > 0);
+  for (size_t n = 0; n < mesh->count; n++) {
+    for (int k = 0; k < 3; k++) {
+      REQUIRE(isfinite(mesh->facet[n].normal[k]));
+      for (int i = 0; i < 3; i++) {
+        REQUIRE(isfinite(mesh->facet[n].v[k][i]));
+      }
+    }
+  }
+}
+
+static void require_again(const sepax_mesh *mesh) {
+  sepax_mesh again;
+  sepax_error error = {""};
+  REQUIRE(sepax_stl_write(mesh, "again.stl", true, &error));
+  REQUIRE(sepax_stl_read(&again, "again.stl", &error));
+  REQUIRE(again.count == mesh->count);
+  for (size_t n = 0; n < mesh->count; n++) {
+    for (int k = 0; k < 3; k++) {
+      for (int i = 0; i < 3; i++) {
+        REQUIRE(again.facet[n].v[k][i] == mesh->facet[n].v[k][i]);
+      }
+    }
+  }
+  sepax_mesh_free(&again);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  sepax_mesh mesh;
+  sepax_error error = {""};
+  fuzz_file("input.stl", data, size);
+  bool ok = fuzz_answer(sepax_stl_read(&mesh, "input.stl", &error), &error);
+  if (ok) {
+    require_finite(&mesh);
+    if (size % 16 == 0) { /* slow */
+      require_again(&mesh);
+    }
+    sepax_mesh_free(&mesh);
+  }
+  return 0;
+}

@@ -1,0 +1,41 @@
+/* urdf.c - URDF files; the links of what is read have poses at any values. */
+#include "formats/formats.h"
+#include "fuzz/fuzz.h"
+
+#include <math.h>
+
+static void require_poses(const sepax_mechanism *m) {
+  double *value = calloc(m->joints + 1, sizeof *value);
+  sepax_pose *pose = calloc(m->links + 1, sizeof *pose);
+  REQUIRE(value != NULL && pose != NULL);
+  sepax_mechanism_follow(m, value);
+  sepax_mechanism_poses(m, value, pose);
+  for (size_t n = 0; n < m->links; n++) {
+    for (int i = 0; i < 9; i++) {
+      REQUIRE(fabs(pose[n].rotation[i / 3][i % 3]) < 1.0001);
+    }
+  }
+  free(value);
+  free(pose);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  format_robot robot;
+  sepax_error error = {""};
+  const format_package package = {"here", "."};
+  fuzz_file("input.urdf", data, size);
+  bool ok = fuzz_answer(format_urdf_read(&robot, "input.urdf", &package, 1, &error), &error);
+  if (ok) {
+    REQUIRE(robot.mechanism.links > 0);
+    require_poses(&robot.mechanism);
+    for (size_t n = 0; n < robot.shapes && n < 4; n++) {
+      sepax_mesh mesh;
+      if (robot.shape[n].kind != FORMAT_MESH && format_shape_mesh(&mesh, &robot.shape[n], &error)) {
+        REQUIRE(mesh.count >= 12);
+        sepax_mesh_free(&mesh);
+      }
+    }
+    format_robot_free(&robot);
+  }
+  return 0;
+}
