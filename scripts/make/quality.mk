@@ -1,6 +1,6 @@
 # quality.mk - static analysis and sanitizers.
 
-.PHONY: static sanitize sanitized raced fuzz fuzzers
+.PHONY: static sanitize c_tests raced coverage fuzz fuzzers
 OF_TREE = $(wildcard tb/batch/*.c examples/tree/*.c) synth/power/tree.c
 C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
           $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c examples/engine/*.c \
@@ -26,20 +26,28 @@ static: $(SEPAX)
 	@$(call analyse,engine,$(C_SRC))
 	@$(call analyse,tree,$(OF_TREE))
 
+# What runs the C code: unit tests, with fewer random cases, and tests of the commands.
+define run_c_tests
+@export SEPAX_COUNT=1000 TREE_COLLISIONS=5000; \
+  for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
+@tb/fuzz/inputs $(FUZZ)
+@for test in system/cli system/check system/path page/data; do \
+  SEPAX=$(SEPAX) tb/$$test || exit 1; done
+endef
+
 sanitize:
 	@$(MAKE) BUILD=$(BUILD)/sanitize \
 	  CFLAGS="-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all \
-	          -DEXACT_PAIRS=20000" sanitized
+	          -DEXACT_PAIRS=20000" c_tests
 	@$(MAKE) BUILD=$(BUILD)/raced CFLAGS="-O0 -g1 -fsanitize=thread" GEN_OBJ= raced
+c_tests: $(SEPAX) $(UNIT) $(FUZZ)
+	$(run_c_tests)
 
-sanitized: $(SEPAX) $(UNIT) $(FUZZ)
-	@export SEPAX_COUNT=1000 TREE_COLLISIONS=5000; \
-	  for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
-	@tb/fuzz/inputs $(FUZZ)
-	@SEPAX=$(SEPAX) tb/system/cli
-	@SEPAX=$(SEPAX) tb/system/check
-	@SEPAX=$(SEPAX) tb/system/path
-	@SEPAX=$(SEPAX) tb/page/data
+# Lines and branches that these tests run, by gcov.
+coverage:
+	@rm -rf $(BUILD)/coverage
+	@$(MAKE) BUILD=$(BUILD)/coverage CFLAGS="-O0 -g1 --coverage -DEXACT_PAIRS=20000" c_tests
+	@scripts/coverage $(BUILD)/coverage $(BUILD)/verify
 
 # Threads that share bodies.
 raced: $(BUILD)/unit/body/threads
