@@ -330,9 +330,32 @@ bool cli_families(const char *name, size_t *first, size_t *last, sepax_error *er
          sepax_fail(error, "family: '%.60s' is unknown; 'sepax vectors --list' lists them", name);
 }
 
+/* Where the file is or would be: its folder's length in the path, 0 for the current one. */
+static size_t folder_of(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash != NULL ? (size_t)(slash - path) + 1 : 0;
+}
+
+/* Two names in one folder; no file need be there. */
+static bool same_place(const char *p, const char *q) {
+  struct stat folder[2];
+  const char *const path[2] = {p, q};
+  for (int i = 0; i < 2; i++) {
+    size_t length = folder_of(path[i]);
+    char *name = length > 0 ? strndup(path[i], length) : strdup(".");
+    bool found = name != NULL && stat(name, &folder[i]) == 0;
+    free(name);
+    if (!found) {
+      return false;
+    }
+  }
+  return folder[0].st_dev == folder[1].st_dev && folder[0].st_ino == folder[1].st_ino &&
+         strcmp(p + folder_of(p), q + folder_of(q)) == 0;
+}
+
 bool cli_same_file(const char *p, const char *q) {
   struct stat a;
   struct stat b;
-  return strcmp(p, q) == 0 ||
+  return strcmp(p, q) == 0 || same_place(p, q) ||
          (stat(p, &a) == 0 && stat(q, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino);
 }

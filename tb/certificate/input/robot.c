@@ -258,8 +258,14 @@ robot robot_read(const char *urdf, const char *srdf, const packages *folders) {
     return r;
   }
   const context of = {srdf, folders};
+  static const char *const unread[] = {"disable_default_collisions", "enable_collisions"};
   const char *name = "disable_collisions";
-  for (xmlNode *n = child(document(srdf), name); n != NULL; n = from(n->next, name)) {
+  xmlNode *pairs = document(srdf);
+  for (int n = 0; n < 2; n++) {
+    if (child(pairs, unread[n]) != NULL)
+      cannot("%s: %s: only disable_collisions is read", srdf, unread[n]);
+  }
+  for (xmlNode *n = child(pairs, name); n != NULL; n = from(n->next, name)) {
     exclude(&r, robot_link_named(&r, attribute(&of, n, "link1")),
             robot_link_named(&r, attribute(&of, n, "link2")));
   }
