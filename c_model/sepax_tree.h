@@ -213,6 +213,59 @@ typedef struct {
 bool sepax_tree_next(sepax_tree_batch *batch, sepax_tree_result *result, bool *more,
                      sepax_error *error);
 
+/* -------------------------------------------------------- lists in files */
+
+/* A list of jobs with the bodies, names and poses that it needs, as the bytes of its file, which an
+ * engine's memory can be filled with: docs/tree.md, The list in a file. Addresses are counted from
+ * the first byte. All jobs have as many poses; pose n of each is that of line n of a path. */
+typedef struct {
+  uint8_t *byte;
+  size_t bytes;
+  uint64_t list; /* address of the jobs */
+  uint32_t jobs, poses, bodies;
+  int word, clearance, warning; /* of a design for it: sepax_config; clearance 0 or more */
+} sepax_job_list;
+
+/* Two bodies, by their numbers, and poses[] of them. */
+typedef struct {
+  size_t body[2];
+  const sepax_tree_pose *pose;
+} sepax_job_pair;
+
+typedef struct {
+  const sepax_tree *const *tree; /* of each body: of one resolution, of `word` bits at most */
+  const char *const *name;
+  size_t bodies;
+  const sepax_job_pair *pair; /* a job each */
+  size_t pairs;
+  const uint32_t *line; /* of each pose: its line in the file of the path */
+  size_t poses;
+  uint32_t modes; /* of all jobs */
+  int word, clearance, warning;
+} sepax_job_scene;
+
+/* Fails on no bodies, pairs or poses, on what is more than 2 GiB, and without memory. */
+bool sepax_job_list_make(sepax_job_list *list, const sepax_job_scene *scene, sepax_error *error);
+void sepax_job_list_free(sepax_job_list *list);
+
+/* Write the file under a temporary name that is then renamed to path; read it back. Reading fails
+ * on anything else than a whole list: it checks versions, CRCs, each tree as sepax_tree_read does,
+ * jobs and poses as the engine does. */
+bool sepax_job_list_write(const sepax_job_list *list, const char *path, sepax_error *error);
+bool sepax_job_list_read(sepax_job_list *list, const char *path, sepax_error *error);
+
+/* True iff the file begins as a list does. */
+bool sepax_job_list_is(const char *path);
+
+const char *sepax_job_list_name(const sepax_job_list *list, uint32_t body);
+uint32_t sepax_job_list_triangles(const sepax_job_list *list, uint32_t body);
+double sepax_job_list_resolution(const sepax_job_list *list);
+uint32_t sepax_job_list_body(const sepax_job_list *list, uint32_t job, int side); /* A, B: 0, 1 */
+uint32_t sepax_job_list_line(const sepax_job_list *list, uint32_t pose);
+
+/* The options of a design for it, all others as they are. */
+void sepax_job_list_config(const sepax_job_list *list, sepax_config *config);
+
 #ifdef __cplusplus
 }
 #endif

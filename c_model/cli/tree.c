@@ -1,5 +1,6 @@
-/* tree.c - sepax tree: a body as a tree for the tree engine. */
+/* tree.c - sepax tree: a body as a tree for the tree engine; what such files have. */
 #include "cli.h"
+#include "cli/jobs.h"
 #include "sepax_tree.h"
 #include "util/error.h"
 
@@ -10,13 +11,15 @@ typedef struct {
   const char *path, *output;
   uint64_t word; /* 0: not given */
   cli_grid grid;
+  bool walk;
 } tree_options;
 
-enum { KEY_WORD = 0x400, WORD = 18 };
+enum { KEY_WORD = 0x400, KEY_WALK, WORD = 18 };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0, "the file to write; without it a file that is a tree is checked", 0},
+    {"output", 'o', "FILE", 0, "the file to write; without it a tree or a list of jobs is checked", 0},
     {"word", KEY_WORD, "W", 0, "bits of a coordinate, 4 ... 21 (18)", 0},
+    {"walk", KEY_WALK, NULL, 0, "of a list of jobs: what the golden model answers in each pose", 0},
     {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
@@ -34,6 +37,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
       argp_error(state, "word: %s is not in %d ... %d", text, SEPAX_WORD_MIN, SEPAX_TREE_WORD_MAX);
     }
     return 0;
+  case KEY_WALK:
+    o->walk = true;
+    return 0;
   case ARGP_KEY_ARG:
     if (o->path != NULL) {
       argp_error(state, "unexpected argument '%s': give one file", text);
@@ -42,7 +48,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (o->path == NULL) {
-      argp_error(state, "give an STL file and -o FILE, or a tree");
+      argp_error(state, "give an STL file and -o FILE, or a tree, or a list of jobs");
     }
     if (o->output == NULL && (o->word > 0 || o->grid.resolution != NULL)) {
       argp_error(state, "word, resolution: with -o alone, where a tree is made");
@@ -97,13 +103,22 @@ int cli_tree(int argc, char **argv) {
       parse,
       "STL",
       "Write the triangles of an STL file as a tree in the memory format of the tree engine "
-      "(docs/tree.md). Two trees are for each other if their resolutions are equal.",
+      "(docs/tree.md). Two trees are for each other if their resolutions are equal. Of a list of "
+      "jobs, as sepax path --jobs writes it, tell what is in it.",
       children,
       NULL,
       NULL};
   tree_options o = {.path = NULL};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {""};
+  if (o.output == NULL && sepax_job_list_is(o.path)) {
+    return cli_tell_jobs(o.path, o.walk, &error) ? 0 : cli_fail(argv[0], &error);
+  }
+  if (o.walk) {
+    sepax_fail(&error, "walk: %.300s is no list of jobs; make one with 'sepax path --jobs=FILE'",
+               o.path);
+    return cli_fail(argv[0], &error);
+  }
   sepax_tree *tree = NULL;
   bool ok = o.output != NULL
                 ? make_tree(&tree, &o, &error) && sepax_tree_write(tree, o.output, &error)

@@ -1,6 +1,6 @@
 /* command.c - sepax path: which bodies of a mechanism collide on a path? */
-#include "path/parts.h"
 #include "cli/report.h"
+#include "path/engine.h"
 #include "util/error.h"
 
 #include <stdlib.h>
@@ -14,6 +14,9 @@ enum {
   KEY_CSV,
   KEY_WORST,
   KEY_PAGE,
+  KEY_JOBS,
+  KEY_WORD,
+  KEY_LSB,
   KEY_NO_DISTANCE,
   KEY_CERTIFY,
   KEY_CERTIFICATE,
@@ -41,6 +44,9 @@ static const struct argp_option options[] = {
     {"worst", KEY_WORST, "FILE", 0, "write all bodies in the worst pose as PLY", 0},
     {"page", KEY_PAGE, "FILE", 0,
      "write an HTML page to look at all bodies and go through the path in a browser", 0},
+    {"jobs", KEY_JOBS, "FILE", 0, "write the pairs in all lines as jobs of the tree engine", 0},
+    {"word", KEY_WORD, "W", 0, "bits of a coordinate of --jobs, 6 ... 21 (18)", 0},
+    {"lsb", KEY_LSB, "LENGTH", 0, "length per LSB of --jobs (the finest that the word holds)", 0},
     {"no-distance", KEY_NO_DISTANCE, NULL, 0, "verdicts only, no least clearance, which is faster",
      0},
     {"certify", KEY_CERTIFY, NULL, 0,
@@ -148,6 +154,21 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_PAGE:
     q->page = text;
     return 0;
+  case KEY_JOBS:
+    q->jobs = text;
+    return 0;
+  case KEY_WORD:
+    q->word = (int)cli_count(state, "word", text, SEPAX_TREE_WORD_MAX);
+    if (q->word < PATH_WORD_MIN) {
+      argp_error(state, "word: %s is not in %d ... %d", text, PATH_WORD_MIN, SEPAX_TREE_WORD_MAX);
+    }
+    return 0;
+  case KEY_LSB:
+    q->lsb = limit(state, "lsb", text);
+    if (q->lsb.length <= 0) {
+      argp_error(state, "lsb: %s is not above 0", text);
+    }
+    return 0;
   case KEY_THREADS:
     q->threads = (int)cli_count(state, "threads", text, 256);
     return 0;
@@ -163,10 +184,12 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
+enum { WORD = 18 };
+
 /* What is written must not be what is read, nor one file be written twice. */
 static bool outputs_distinct(const path_question *q, sepax_error *error) {
-  enum { INPUTS = 3, OUTPUTS = 4 };
-  const char *const outputs[OUTPUTS] = {q->csv, q->picture, q->certificate, q->page};
+  enum { INPUTS = 3, OUTPUTS = 5 };
+  const char *const outputs[OUTPUTS] = {q->csv, q->picture, q->certificate, q->page, q->jobs};
   const char *const inputs[INPUTS] = {q->urdf, q->motion, q->srdf};
   for (int i = 0; i < OUTPUTS; i++) {
     for (int k = 0; k < INPUTS && outputs[i] != NULL; k++) {
@@ -199,11 +222,15 @@ static bool options_agree(const path_question *q, sepax_error *error) {
     return sepax_fail(error, "%s: is of --certify; give that, too, or leave it out",
                       q->certificate != NULL ? "certificate" : "resolution");
   }
+  if (q->jobs == NULL && (q->word != 0 || q->lsb.text != NULL)) {
+    return sepax_fail(error, "%s: is of --jobs; give that, too, or leave it out",
+                      q->word != 0 ? "word" : "lsb");
+  }
   if (q->resolution.length <= 0) {
     return sepax_fail(error, "resolution: %.60s is not above 0", q->resolution.text);
   }
   const char *const names[2] = {q->urdf, q->motion};
-  const char *const more[2] = {q->srdf != NULL ? q->srdf : "", ""};
+  const char *const more[2] = {q->srdf != NULL ? q->srdf : "", q->jobs != NULL ? q->jobs : ""};
   return (!q->json && q->page == NULL) ||
          (report_names_printable(names, error) && report_names_printable(more, error));
 }
@@ -224,12 +251,14 @@ int cli_path(int argc, char **argv) {
   static const int status[] = {EXIT_FREE, EXIT_WARNING, EXIT_UNDECIDED, EXIT_COLLISION};
   static path_question q = {.resolution = {NULL, 1e-6}};
   argp_parse(&argp, argc, argv, 0, NULL, &q);
-  q.no_distance = q.no_distance || (q.quiet && q.picture == NULL && q.page == NULL);
   sepax_error error = {""};
   path_scene scene = {.pairs = 0};
+  q.word = q.jobs != NULL && q.word == 0 ? WORD : q.word;
+  q.no_distance = q.no_distance || (q.quiet && q.picture == NULL && q.page == NULL);
   bool ok = options_agree(&q, &error) && outputs_distinct(&q, &error) &&
             path_scene_load(&scene, &q, &error) &&
             (q.page == NULL || path_page_possible(&scene, &error)) &&
+            (q.jobs == NULL || path_write_jobs(&scene, &q, &error)) &&
             path_search(&scene, &q, &error) &&
             (!q.certify || path_worst(&scene) > PATH_WARNING || path_certify(&scene, &q, &error)) &&
             (q.csv == NULL || path_write_csv(&scene, q.csv, &error)) &&

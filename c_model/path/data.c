@@ -95,6 +95,20 @@ static json_t *between_of(const path_scene *scene) {
   return json;
 }
 
+/* What --jobs wrote. */
+static json_t *jobs_of(const path_scene *scene, const path_question *q) {
+  const path_jobs *jobs = &scene->jobs;
+  char text[SEPAX_CONFIG_TEXT];
+  char command[SEPAX_CONFIG_TEXT + 16];
+  snprintf(command, sizeof command, "sepax gen %s",
+           sepax_config_text(&jobs->config, text, sizeof text));
+  return json_pack("{s:s, s:I, s:I, s:I, s:I, s:i, s:f, s:i, s:i, s:s}", "file", q->jobs, "jobs",
+                   (json_int_t)scene->pairs, "poses", (json_int_t)scene->motion.lines, "bodies",
+                   (json_int_t)jobs->bodies, "bytes", (json_int_t)jobs->bytes, "word",
+                   jobs->config.word, "lsb", jobs->resolution, "clearance_lsb",
+                   jobs->config.clearance, "warning_lsb", jobs->config.warning, "command", command);
+}
+
 json_t *path_report(const path_scene *scene, const path_question *q) {
   path_verdict worst = path_worst(scene);
   json_t *json = json_object();
@@ -125,6 +139,9 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   json_object_set_new(json, "pairs_of_one_joint", count_of(scene->joined));
   json_object_set_new(json, "pairs_disabled", count_of(scene->disabled));
   json_object_set_new(json, "between", between_of(scene));
+  if (q->jobs != NULL) {
+    json_object_set_new(json, "jobs", jobs_of(scene, q));
+  }
   json_object_set_new(json, "seconds", json_real(scene->seconds));
   return json;
 }

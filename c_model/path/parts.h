@@ -1,7 +1,7 @@
 /* parts.h - what the parts of sepax path share: command.c reads what is asked, scene.c makes bodies
  * of the links and pairs of the bodies, search.c asks each pair in each line, certify.c what is
- * between the lines, certificate.c writes that down, text.c and data.c tell, picture.c and
- * page.c show. */
+ * between the lines, certificate.c writes that down, engine.c makes jobs of it, text.c and data.c
+ * tell, picture.c and page.c show. */
 #ifndef SEPAX_PATH_PARTS_H
 #define SEPAX_PATH_PARTS_H
 
@@ -23,12 +23,14 @@ typedef struct {
   double length;    /* metres */
 } path_limit;
 
-enum { PATH_PACKAGES_MOST = 64 };
+enum { PATH_PACKAGES_MOST = 64, PATH_WORD_MIN = 6 };
 
 typedef struct {
   const char *urdf, *motion;
-  const char *srdf, *csv, *picture, *certificate, *page; /* or NULL */
+  const char *srdf, *csv, *picture, *certificate, *page, *jobs; /* or NULL */
   path_limit clearance, warning, resolution;
+  path_limit lsb; /* of the trees of `jobs`; 0: the finest */
+  int word;       /* of these; 0: not given */
   bool json, quiet, surfaces, no_distance, certify;
   int threads;
   format_motion_rules rules;
@@ -89,6 +91,13 @@ typedef struct {
   path_proof proof;
 } path_pair;
 
+/* What path_write_jobs wrote. */
+typedef struct {
+  size_t bodies, bytes;
+  double resolution;
+  sepax_config config; /* of a design for it */
+} path_jobs;
+
 typedef struct {
   format_robot robot;
   format_motion motion;
@@ -97,6 +106,7 @@ typedef struct {
   path_pair *pair;
   size_t pairs;
   size_t joined, disabled; /* pairs that are not compared: links of one joint; by the SRDF */
+  path_jobs jobs;
   bool between;            /* what is between the lines was asked */
   double seconds, between_seconds;
 } path_scene;
@@ -131,6 +141,7 @@ void path_print_text(const path_scene *scene, const path_question *q);
 void path_print_json(const path_scene *scene, const path_question *q);
 bool path_write_csv(const path_scene *scene, const char *path, sepax_error *error);
 bool path_write_picture(const path_scene *scene, const char *path, sepax_error *error);
+bool path_write_jobs(path_scene *scene, const path_question *q, sepax_error *error);
 
 /* What path_print_json prints: jansson's json_t. */
 struct json_t *path_report(const path_scene *scene, const path_question *q);

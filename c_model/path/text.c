@@ -153,6 +153,18 @@ static void print_between(const path_scene *scene, const path_question *q, int w
   printf(", %.3f s\n", scene->between_seconds);
 }
 
+static void print_jobs(const path_scene *scene, const path_question *q) {
+  const path_jobs *jobs = &scene->jobs;
+  char text[SEPAX_CONFIG_TEXT];
+  printf("jobs   %s, %zu jobs of %zu poses, %zu trees, %zu bytes; LSB %.9g um, clearance %d LSB",
+         q->jobs, scene->pairs, scene->motion.lines, jobs->bodies, jobs->bytes,
+         1e6 * jobs->resolution, jobs->config.clearance);
+  if (jobs->config.warning > 0) {
+    printf(", warning %d LSB", jobs->config.warning);
+  }
+  printf("\nsepax gen %s -o DIR\n", sepax_config_text(&jobs->config, text, sizeof text));
+}
+
 void path_print_text(const path_scene *scene, const path_question *q) {
   path_verdict worst = path_worst(scene);
   int width = 0;
@@ -168,6 +180,9 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   print_compared(scene, q);
   print_motion(scene, q);
   print_limits(q);
+  if (q->jobs != NULL) {
+    print_jobs(scene, q);
+  }
   for (size_t n = 0; n < scene->pairs; n++) {
     print_pair(scene, &scene->pair[n], width < 40 ? width : 40);
   }

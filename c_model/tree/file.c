@@ -46,8 +46,11 @@ static void pack_header(uint8_t *to, const sepax_tree *t, uint32_t crc) {
   tree_put32(to + HEADER_CRC, tree_crc(0, to, HEADER_CRC));
 }
 
-static bool write_tree(FILE *out, const void *context) {
-  const sepax_tree *t = context;
+uint64_t tree_file_bytes(const sepax_tree *t) {
+  return HEADER + (uint64_t)t->bytes + 4 * (uint64_t)t->triangles;
+}
+
+bool tree_file_write(FILE *out, const sepax_tree *t) {
   size_t table_bytes = 4 * (size_t)t->triangles;
   uint8_t *table = malloc(table_bytes);
   if (table == NULL) {
@@ -61,6 +64,8 @@ static bool write_tree(FILE *out, const void *context) {
   free(table);
   return ok;
 }
+
+static bool write_tree(FILE *out, const void *context) { return tree_file_write(out, context); }
 
 bool sepax_tree_write(const sepax_tree *tree, const char *path, sepax_error *error) {
   return sepax_write_file(path, write_tree, tree, error);
@@ -109,7 +114,7 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sep
 /* What is behind the header. Memory is taken only for bytes that are in the file. */
 static bool read_behind(sepax_tree *t, FILE *in, uint32_t crc, sepax_error *error) {
   size_t table_bytes = 4 * (size_t)t->triangles;
-  uint64_t all_bytes = HEADER + (uint64_t)t->bytes + table_bytes;
+  uint64_t all_bytes = tree_file_bytes(t);
   long end = fseek(in, 0, SEEK_END) == 0 ? ftell(in) : -1;
   if (t->triangles == 0 || end < 0 || (uint64_t)end != all_bytes ||
       fseek(in, HEADER, SEEK_SET) != 0) {
@@ -144,6 +149,16 @@ static bool read_tree(sepax_tree *t, FILE *in, sepax_error *error) {
          tree_check(t, error);
 }
 
+bool tree_file_read(sepax_tree **tree, FILE *in, sepax_error *error) {
+  sepax_tree *made = calloc(1, sizeof *made);
+  bool ok = made != NULL ? read_tree(made, in, error) : sepax_fail(error, "no memory");
+  if (!ok) {
+    sepax_tree_free(made);
+  }
+  *tree = ok ? made : NULL;
+  return ok;
+}
+
 bool sepax_tree_read(sepax_tree **tree, const char *path, sepax_error *error) {
   *tree = NULL;
   FILE *in = fopen(path, "rb");
@@ -151,13 +166,7 @@ bool sepax_tree_read(sepax_tree **tree, const char *path, sepax_error *error) {
     return sepax_fail(error, "%.300s: not read: %s", path, strerror(errno));
   }
   sepax_error inner = {""};
-  sepax_tree *made = calloc(1, sizeof *made);
-  bool ok = made != NULL ? read_tree(made, in, &inner) : sepax_fail(&inner, "no memory");
+  bool ok = tree_file_read(tree, in, &inner);
   fclose(in);
-  if (!ok) {
-    sepax_tree_free(made);
-    return sepax_fail(error, "%.200s: %.300s", path, inner.text);
-  }
-  *tree = made;
-  return true;
+  return ok || sepax_fail(error, "%.200s: %.300s", path, inner.text);
 }

@@ -25,8 +25,8 @@ static uint64_t get(const uint8_t *from, int bytes) {
   return value;
 }
 
-static bool is_tree(const uint8_t *file) {
-  static const char head[] = "sepaxSXT";
+/* Does it begin with these 8 characters, and version 1? */
+static bool begins(const uint8_t *file, const char *head) {
   enum { HEAD = 8, VERSION = 1 };
   for (int k = 0; k < HEAD; k++) {
     if (file[k] != (uint8_t)head[k]) {
@@ -35,6 +35,8 @@ static bool is_tree(const uint8_t *file) {
   }
   return get(file + 8, 4) == VERSION;
 }
+
+static bool is_tree(const uint8_t *file) { return begins(file, "sepaxSXT"); }
 
 bool sepax_device_body(uint8_t record[SEPAX_DEVICE_BODY], const uint8_t *file, uint64_t address) {
   enum { IMAGE = 4096 };
@@ -128,6 +130,37 @@ void sepax_device_job(uint8_t job[SEPAX_DEVICE_JOB], const sepax_device_work *wo
   put(job + 80, work->budget, 4);
   put(job + 88, work->row[0], 4);
   put(job + 92, work->row[1], 4);
+}
+
+/* ---------------------------------------------------------------- lists */
+
+/* By how much AABBs are larger in a design for the list. */
+static int margin_of(const uint8_t *file) {
+  int word = (int)get(file + 12, 4);
+  int clearance = (int)get(file + 16, 4);
+  int warning = (int)get(file + 20, 4);
+  return 1 + (warning > clearance ? warning : clearance) + (word <= 18 ? 2 : word <= 20 ? 3 : 5);
+}
+
+bool sepax_device_place(const sepax_device *device, sepax_device_list *list, uint8_t *file,
+                        uint64_t address) {
+  enum { PAGE = 4096, PLACED = 80 };
+  if (!begins(file, "sepaxSXJ") || address % PAGE != 0 ||
+      get(file + 12, 4) != (uint64_t)device->word || margin_of(file) != device->margin) {
+    return false;
+  }
+  const uint64_t way = address - get(file + PLACED, 8);
+  const uint64_t at = get(file + 56, 8);
+  *list = (sepax_device_list){
+      .list = address + at, .jobs = (uint32_t)get(file + 28, 4), .poses = (uint32_t)get(file + 32, 4)};
+  for (uint32_t n = 0; n < list->jobs; n++) {
+    uint8_t *job = file + at + (uint64_t)SEPAX_DEVICE_JOB * n;
+    for (int k = 0; k < 2 * SEPAX_DEVICE_BODY + 1; k += SEPAX_DEVICE_BODY) { /* A, B, poses */
+      put(job + k, get(job + k, 8) + way, 8);
+    }
+  }
+  put(file + PLACED, address, 8);
+  return true;
 }
 
 /* ---------------------------------------------------------------- runs */

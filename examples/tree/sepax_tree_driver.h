@@ -72,6 +72,20 @@ typedef struct {
 } sepax_device_work;
 void sepax_device_job(uint8_t job[SEPAX_DEVICE_JOB], const sepax_device_work *work);
 
+/* ---------------------------------------------------------------- lists */
+
+/* The jobs of a list in a file, for sepax_device_start. */
+typedef struct {
+  uint64_t list;
+  uint32_t jobs, poses; /* of each job */
+} sepax_device_list;
+
+/* A list of `sepax path --jobs` whose bytes are at `address`, a multiple of 4096, and at `file` for
+ * the processor: its jobs are told where it is. False: it is none, or for a design of another word
+ * or other clearances. Only its head is looked at; `sepax tree FILE` checks all. */
+bool sepax_device_place(const sepax_device *device, sepax_device_list *list, uint8_t *file,
+                        uint64_t address);
+
 /* ---------------------------------------------------------------- runs */
 
 /* A pair that collides, or is too near, by its numbers in the trees. The table at the end of a file

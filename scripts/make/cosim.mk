@@ -122,7 +122,7 @@ example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
 endif
 
 # The tree engine: MESH_A against MESH_B in the poses of a file, or seeded bodies and jobs; FUZZ=n:
-# damaged ones; SCENE=n: six bodies in n poses.
+# damaged ones; SCENE=n: six bodies in n poses; JOBS: a list of sepax path --jobs.
 TREE_ENGINE = $(CORE)/tree-engine
 TREE_SRC    = $(wildcard tb/batch/*.c) tb/tree/memory.c examples/tree/sepax_tree_driver.c
 TREE_C      = $(patsubst %.c,$(ENGINE_OBJ)/%.o,$(notdir $(TREE_SRC)))
@@ -144,10 +144,11 @@ tree-engine:
 	@echo "tree-engine: no tree engine; give TREE=1" >&2; exit 2
 else
 tree-engine: $(TREE_ENGINE) $(if $(POSES),$(SAMPLES))
-	@$(TREE_ENGINE) $(STRESSED) $(if $(WAVE_FILE),--wave=$(WAVE_FILE)) $(if $(POSES),\
+	@$(TREE_ENGINE) $(STRESSED) $(if $(WAVE_FILE),--wave=$(WAVE_FILE)) $(if $(JOBS),\
+	  --latency=$(LATENCY) --jobs="$(JOBS)",$(if $(POSES),\
 	  --latency=$(LATENCY) --modes=$(MODES) $(if $(BUDGET),--budget=$(BUDGET)) $(if \
 	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) "$(MESH_A)" "$(MESH_B)" \
-	  "$(POSES)",$(if $(FUZZ),--fuzz=$(FUZZ),$(if $(SCENE),--scene=$(SCENE),--rounds=$(ROUNDS))))
+	  "$(POSES)",$(if $(FUZZ),--fuzz=$(FUZZ),$(if $(SCENE),--scene=$(SCENE),--rounds=$(ROUNDS)))))
 endif
 
 # ------------------------------------------------------------------------- Icarus

@@ -19,11 +19,17 @@ ifneq ($(filter tree-engine,$(OF_DESIGN)),)
 export TREE ?= on
 endif
 
+# That of a list of jobs has its word and clearances.
+LISTED = $(if $(and $(filter tree-engine,$(OF_DESIGN)),$(JOBS)), \
+  listed=$$($(SEPAX) tree "$(JOBS)") && \
+  { listed=$$(echo "$$listed" | grep -oE -e '--(word|clearance|warning)=[0-9]+') || \
+    { echo "tree-engine: $(JOBS): no list of jobs" >&2; exit 2; }; } &&)
+
 .PHONY: $(OF_DESIGN)
 $(firstword $(OF_DESIGN) $(DESIGN_VERBS)): $(SEPAX) $(LIB) $(OPTIONS_OBJ) \
     $(if $(filter powered,$(OF_DESIGN)),$(BUILD)/power) \
     $(if $(filter mapped timed assigned powered netlist gates,$(OF_DESIGN)),$(BUILD)/liberty)
-	@design=$$($(SEPAX) name --make --environment $(DESIGN)) && \
+	@listed=; $(LISTED) design=$$($(SEPAX) name --make --environment $(DESIGN) $$listed) && \
 	  eval "$(MAKE) DESIGN= $$design $(LATER) $(OF_DESIGN)"
 $(wordlist 2,99,$(OF_DESIGN)): $(firstword $(OF_DESIGN))
 	@:

@@ -4,11 +4,13 @@
  *   tree-engine [--stress=SEED] [--rounds=N] [--wave=FILE]
  *   tree-engine --fuzz=N
  *   tree-engine --scene=N
+ *   tree-engine [--stress=SEED] [--latency=N] --jobs=FILE
  * The first: the bodies A and B, STL or files of `sepax tree`, in the poses of a file, 12 numbers a
  * line; a line a pose: cycles, near pairs, collisions. Modes are those of a job (docs/tree.md; 16:
  * cold caches at each pose). The second: N rounds of seeded bodies, poses and modes; then damage.
  * The third: N batches of small bodies, of which any bytes are damaged. The fourth: six bodies in N
- * poses along a path (scene.c). Words with + are for the design. Exit status 1: a fault. */
+ * poses along a path (scene.c). The fifth: a list of sepax path --jobs (list.c). Words with + are
+ * for the design. Exit status 1: a fault. */
 #include "bench.h"
 
 #include <math.h>
@@ -235,6 +237,9 @@ static void tally(bench_batch *b, const contacts *c, const sepax_tree_result *go
   b->bus += (o->status & SEPAX_TREE_BUS) != 0;
   b->refused += (o->status & SEPAX_TREE_REFUSED) != 0;
   wrong += c->wrong;
+  if (b->told != NULL) {
+    b->told(b->context, o, c->wrong == 0);
+  }
   if (b->print) {
     printf("%u %u %u%s\n", o->cycles, o->near, o->collisions,
            (o->status & SEPAX_TREE_STOPPED) != 0 ? " stopped, undecided" : "");
@@ -424,7 +429,7 @@ static void run_meshes(const char *const path[3], double resolution, unsigned mo
 /* ------------------------------------------------------------------ command */
 
 typedef struct {
-  const char *path[3], *wave;
+  const char *path[3], *wave, *jobs;
   unsigned long long stress, rounds, latency, modes, budget, fuzz, scene;
   double resolution;
   int paths;
@@ -454,10 +459,12 @@ static void parse(command *c, const char *text) {
     stop_on(*end != '\0' || !(c->resolution > 0), "--resolution is a length above 0");
   } else if (strncmp(text, "--wave=", 7) == 0) {
     c->wave = text + 7;
+  } else if (strncmp(text, "--jobs=", 7) == 0) {
+    c->jobs = text + 7;
   } else {
     stop_on(text[0] == '-' || c->paths == 3,
             "usage: tree-engine [--stress=SEED] [--latency=N] [--resolution=LENGTH] [--modes=N] "
-            "[--budget=N] A B POSES, or [--stress=SEED] [--rounds=N], --fuzz=N, --scene=N");
+            "[--budget=N] A B POSES, or [--stress=SEED] [--rounds=N], --fuzz=N, --scene=N, --jobs=FILE");
     c->path[c->paths++] = text;
   }
 }
@@ -482,8 +489,10 @@ int main(int argc, char **argv) {
   expect("open", sepax_device_open(&device, &bus), SEPAX_DEVICE_OK);
   expect("word", (unsigned long long)device.word, SEPAX_WORD);
   expect("margin", (unsigned long long)device.margin, (unsigned long long)design.margin[1]);
-  if (c.paths == 3) {
-    const memory_options options = {.latency = (int)c.latency, .stress = c.stress};
+  const memory_options options = {.latency = (int)c.latency, .stress = c.stress};
+  if (c.jobs != NULL) {
+    bench_list(c.jobs, &options);
+  } else if (c.paths == 3) {
     run_meshes(c.path, c.resolution, (unsigned)c.modes, (unsigned)c.budget, &options);
   } else if (c.scene > 0) {
     bench_scene((size_t)c.scene);

@@ -39,6 +39,9 @@ typedef struct {
   bool errors; /* memory answers with errors: the batch may end with one */
   bool any;    /* jobs are any bytes: what the golden model calls an error of the bus may be one */
   bool print;  /* a line a pose */
+  /* Called with each pose that was compared: was it right? NULL: not called. */
+  void (*told)(void *context, const sepax_outcome *outcome, bool right);
+  void *context;
   int stop_at; /* pose from the beginning at which STOP is written; -1: never */
   uint64_t cycles, worst, poses, mismatches, near, hits, out_of_range, stopped, warnings; /* out */
   uint64_t damaged, bus, refused;
@@ -54,6 +57,9 @@ void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed);
 
 /* Small bodies, of which, as of jobs and poses, any bytes are damaged. */
 void bench_fuzz(unsigned long long batches, uint64_t seed);
+
+/* A list of jobs in a file. */
+void bench_list(const char *path, const memory_options *options);
 
 /* Spindle, holder and tool against table, fixture and workpiece, in poses along a path. */
 void bench_scene(size_t poses);

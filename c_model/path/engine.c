@@ -1,0 +1,257 @@
+/* engine.c - the bodies and lines as a tree engine gets them: trees, poses in fixed point, a list of
+ * jobs. docs/path/engine.md. */
+#include "path/engine.h"
+#include "util/error.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What a turned vertex of a near pair may be beyond A's half size, B's longest edge and the outer
+ * clearance: by rounding, 4 LSB; the margin of such a design is larger by 7 at most. */
+static const double spare = 11;
+static const double margin_most = 8191;
+
+/* ------------------------------------------------------------------- word and LSB */
+
+static double half_size(const path_body *b) {
+  double half = 0;
+  for (int i = 0; i < 3; i++) {
+    half = fmax(half, (b->most[i] - b->least[i]) / 2);
+  }
+  return half * (1 + 8 * DBL_EPSILON);
+}
+
+static double longest_edge(const sepax_mesh *mesh) {
+  double longest = 0;
+  for (size_t n = 0; n < 3 * mesh->count; n++) {
+    const double *p = mesh->facet[n / 3].v[n % 3];
+    const double *q = mesh->facet[n / 3].v[(n + 1) % 3];
+    longest = fmax(longest, hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]));
+  }
+  return longest * (1 + 8 * DBL_EPSILON);
+}
+
+static double outer_of(const path_question *q) {
+  return fmax(q->clearance.length, q->warning.length);
+}
+
+/* What must fit into one half of the word, and of which pair. */
+static double find_reach(const path_scene *scene, const path_question *q, const path_pair **of) {
+  double most = 0;
+  for (size_t n = 0; n < scene->pairs; n++) {
+    const path_body *a = &scene->body[scene->pair[n].body[0]];
+    const path_body *b = &scene->body[scene->pair[n].body[1]];
+    double reach = fmax(half_size(a) + longest_edge(&b->mesh) + outer_of(q), half_size(b));
+    if (reach > most) {
+      most = reach;
+      *of = &scene->pair[n];
+    }
+  }
+  return most;
+}
+
+/* Steps from the middle of a word to its end that a body may take. */
+static double steps_of(int word) { return (double)sepax_word_max(word) - spare; }
+
+/* Rounded up to three digits. */
+static double round_up(double x) {
+  double unit = pow(10, floor(log10(x)) - 2);
+  return ceil(x / unit) * unit;
+}
+
+static bool choose_grid(path_engine *e, const path_scene *scene, const path_question *q,
+                        sepax_error *error) {
+  const path_pair *of = NULL;
+  double reach = find_reach(scene, q, &of);
+  e->word = q->word;
+  e->resolution = q->lsb.length;
+  if (e->word != 0 && e->resolution == 0) {
+    e->resolution = round_up(fmax(reach / steps_of(e->word), outer_of(q) / (margin_most - spare)));
+  }
+  int least = PATH_WORD_MIN;
+  while (least <= SEPAX_TREE_WORD_MAX && steps_of(least) * e->resolution < reach) {
+    least++;
+  }
+  e->word = e->word != 0 ? e->word : least;
+  if (least <= e->word && least <= SEPAX_TREE_WORD_MAX) {
+    return true;
+  }
+  int most = e->word <= SEPAX_TREE_WORD_MAX ? e->word : SEPAX_TREE_WORD_MAX;
+  return sepax_fail(error,
+                    "word: %.60s and %.60s need more than %d bits of %.60s; give %.3gum or more%s",
+                    path_body_name(scene, of->body[0]), path_body_name(scene, of->body[1]), most,
+                    q->lsb.text, 1e6 * round_up(reach / steps_of(most)),
+                    most < SEPAX_TREE_WORD_MAX ? ", or a longer word" : "");
+}
+
+/* The least number of LSB that is not below the length. */
+static int steps_up(double length, double resolution) {
+  double steps = fmin(ceil(length / resolution), 0x1p20);
+  while (steps > 0 && fma(steps - 1, resolution, -length) >= 0) {
+    steps--;
+  }
+  while (fma(steps, resolution, -length) < 0 && steps < 0x1p20) {
+    steps++;
+  }
+  return (int)steps;
+}
+
+/* The design that the list is for; II and cores are any. */
+static bool choose_bands(path_engine *e, const path_question *q, sepax_design *design,
+                         sepax_error *error) {
+  e->clearance = steps_up(q->clearance.length, e->resolution);
+  if (q->warning.text != NULL) {
+    e->warning = steps_up(q->warning.length, e->resolution);
+    e->warning = e->warning > e->clearance ? e->warning : e->clearance + 1;
+  }
+  sepax_config config = sepax_config_default();
+  config.tree = true;
+  config.word = e->word;
+  config.clearance = e->clearance;
+  config.warning = e->warning;
+  sepax_error inner = {""};
+  return sepax_design_init(design, &config, &inner) ||
+         sepax_fail(error, "an LSB of %.3g um: %.400s", 1e6 * e->resolution, inner.text);
+}
+
+/* --------------------------------------------------------------- trees and poses */
+
+static bool add_tree(path_engine *e, const path_scene *scene, size_t body, sepax_error *error) {
+  const path_body *b = &scene->body[body];
+  sepax_grid grid = {.resolution = e->resolution, .word = e->word};
+  for (int i = 0; i < 3; i++) {
+    grid.offset[i] = b->least[i] / 2 + b->most[i] / 2;
+  }
+  sepax_error inner = {""};
+  sepax_tri *tri = malloc(b->mesh.count * sizeof *tri);
+  bool ok = tri != NULL || sepax_fail(&inner, "no memory for %zu triangles", b->mesh.count);
+  ok = ok && sepax_quantise(&b->mesh, &grid, tri, NULL, &inner) &&
+       sepax_tree_new(&e->tree[body], tri, b->mesh.count, &grid, &inner);
+  free(tri);
+  return ok || sepax_fail(error, "link %.60s: %.400s", path_body_name(scene, body), inner.text);
+}
+
+static bool add_poses(path_engine *e, const path_scene *scene, const path_question *q, size_t n,
+                      int64_t margin, sepax_error *error) {
+  const format_motion *motion = &scene->motion;
+  const path_pair *pair = &scene->pair[n];
+  const sepax_tree *const tree[2] = {e->tree[pair->body[0]], e->tree[pair->body[1]]};
+  e->pose[n] = malloc(motion->lines * sizeof *e->pose[n]);
+  if (e->pose[n] == NULL) {
+    return sepax_fail(error, "no memory for %zu poses", motion->lines);
+  }
+  for (size_t line = 0; line < motion->lines; line++) {
+    sepax_pose pose[2];
+    sepax_error inner = {""};
+    sepax_chain_poses(&pair->chain, &scene->robot.mechanism, &motion->value[line * motion->joints],
+                      pose);
+    if (!sepax_tree_pose_make(&e->pose[n][line], tree[0], &pose[0], tree[1], &pose[1], margin,
+                              &inner)) {
+      return sepax_fail(error, "%.120s:%zu: %.60s, %.60s: an LSB of %.3g um: %.200s", q->motion,
+                        motion->line[line], path_body_name(scene, pair->body[0]),
+                        path_body_name(scene, pair->body[1]), 1e6 * e->resolution, inner.text);
+    }
+  }
+  return true;
+}
+
+void path_engine_free(path_engine *e) {
+  for (size_t n = 0; e->tree != NULL && n < e->bodies; n++) {
+    sepax_tree_free(e->tree[n]);
+  }
+  for (size_t n = 0; e->pose != NULL && n < e->pairs; n++) {
+    free(e->pose[n]);
+  }
+  free(e->tree);
+  free(e->pose);
+  *e = (path_engine){.tree = NULL};
+}
+
+bool path_engine_make(path_engine *e, const path_scene *scene, const path_question *q,
+                      sepax_error *error) {
+  sepax_design design;
+  *e = (path_engine){.bodies = scene->bodies, .pairs = scene->pairs};
+  if (!choose_grid(e, scene, q, error) || !choose_bands(e, q, &design, error)) {
+    return false;
+  }
+  e->tree = calloc(e->bodies, sizeof(sepax_tree *));
+  e->pose = calloc(e->pairs, sizeof *e->pose);
+  bool ok = (e->tree != NULL && e->pose != NULL) || sepax_fail(error, "no memory for trees");
+  for (size_t n = 0; n < e->pairs && ok; n++) {
+    for (int side = 0; side < 2 && ok; side++) {
+      size_t body = scene->pair[n].body[side];
+      ok = e->tree[body] != NULL || add_tree(e, scene, body, error);
+    }
+    ok = ok && add_poses(e, scene, q, n, design.margin[1], error);
+  }
+  if (!ok) {
+    path_engine_free(e);
+  }
+  return ok;
+}
+
+/* --------------------------------------------------------------------------- list */
+
+/* The bodies that are in a pair, and the list of their jobs. */
+static bool make_list(sepax_job_list *list, const path_engine *e, const path_scene *scene,
+                      sepax_error *error) {
+  const format_motion *motion = &scene->motion;
+  const sepax_tree **tree = calloc(e->bodies, sizeof *tree);
+  const char **name = calloc(e->bodies, sizeof *name);
+  size_t *number = calloc(e->bodies, sizeof *number);
+  sepax_job_pair *pair = calloc(e->pairs, sizeof *pair);
+  uint32_t *line = calloc(motion->lines, sizeof *line);
+  sepax_job_scene jobs = {.tree = tree,
+                          .name = name,
+                          .pair = pair,
+                          .pairs = e->pairs,
+                          .line = line,
+                          .poses = motion->lines,
+                          .modes = SEPAX_TREE_FIRST | SEPAX_TREE_AGAIN,
+                          .word = e->word,
+                          .clearance = e->clearance,
+                          .warning = e->warning};
+  bool ok = tree != NULL && name != NULL && number != NULL && pair != NULL && line != NULL;
+  for (size_t n = 0; n < e->bodies && ok; n++) {
+    if (e->tree[n] != NULL) {
+      number[n] = jobs.bodies;
+      name[jobs.bodies] = path_body_name(scene, n);
+      tree[jobs.bodies++] = e->tree[n];
+    }
+  }
+  for (size_t n = 0; n < e->pairs && ok; n++) {
+    const size_t *body = scene->pair[n].body;
+    pair[n] = (sepax_job_pair){{number[body[0]], number[body[1]]}, e->pose[n]};
+  }
+  for (size_t n = 0; n < motion->lines && ok; n++) {
+    line[n] = (uint32_t)motion->line[n];
+  }
+  ok = ok ? sepax_job_list_make(list, &jobs, error) : sepax_fail(error, "no memory for jobs");
+  free(tree);
+  free(name);
+  free(number);
+  free(pair);
+  free(line);
+  return ok;
+}
+
+bool path_write_jobs(path_scene *scene, const path_question *q, sepax_error *error) {
+  path_engine engine;
+  sepax_job_list list;
+  sepax_error inner = {""};
+  if (!path_engine_make(&engine, scene, q, &inner)) {
+    return sepax_fail(error, "jobs: %.500s", inner.text);
+  }
+  bool ok =
+      make_list(&list, &engine, scene, error) && sepax_job_list_write(&list, q->jobs, error);
+  if (ok) {
+    scene->jobs = (path_jobs){.bodies = list.bodies, .bytes = list.bytes,
+                              .resolution = engine.resolution, .config = sepax_config_default()};
+    sepax_job_list_config(&list, &scene->jobs.config);
+  }
+  sepax_job_list_free(&list);
+  path_engine_free(&engine);
+  return ok;
+}
