@@ -17,7 +17,8 @@ typedef struct {
 enum { KEY_WORD = 0x400, KEY_WALK, WORD = 18 };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0, "the file to write; without it a tree or a list of jobs is checked", 0},
+    {"output", 'o', "FILE", 0, "the file to write; without it a tree or a list of jobs is checked",
+     0},
     {"word", KEY_WORD, "W", 0, "bits of a coordinate, 4 ... 21 (18)", 0},
     {"walk", KEY_WALK, NULL, 0, "of a list of jobs: what the golden model answers in each pose", 0},
     {0}};

@@ -91,9 +91,8 @@ static void put_jobs(uint8_t *byte, const sepax_job_scene *s, const places *at) 
   }
   for (size_t n = 0; n < s->pairs; n++) {
     const sepax_job_pair *pair = &s->pair[n];
-    sepax_tree_job job = {.poses = at->poses + queue_bytes(s) * n,
-                          .count = (uint32_t)s->poses,
-                          .modes = s->modes};
+    sepax_tree_job job = {
+        .poses = at->poses + queue_bytes(s) * n, .count = (uint32_t)s->poses, .modes = s->modes};
     for (int side = 0; side < 2; side++) {
       const uint8_t *row = byte + at->table + ROW * pair->body[side];
       sepax_tree_body(s->tree[pair->body[side]], tree_get64(row) + HEADER, job.body[side]);
@@ -168,8 +167,8 @@ bool sepax_job_list_write(const sepax_job_list *list, const char *path, sepax_er
 bool sepax_job_list_is(const char *path) {
   char head[sizeof magic];
   FILE *in = fopen(path, "rb");
-  bool is = in != NULL && fread(head, sizeof head, 1, in) == 1 &&
-            memcmp(head, magic, sizeof magic) == 0;
+  bool is =
+      in != NULL && fread(head, sizeof head, 1, in) == 1 && memcmp(head, magic, sizeof magic) == 0;
   if (in != NULL) {
     fclose(in);
   }
@@ -195,8 +194,7 @@ static bool read_bytes(sepax_job_list *list, FILE *in, sepax_error *error) {
   }
   uint64_t bytes = tree_get64(head + AT_BYTES);
   long end = fseek(in, 0, SEEK_END) == 0 ? ftell(in) : -1;
-  if (end < HEADER || (uint64_t)end != bytes || bytes > BYTES_MOST ||
-      fseek(in, 0, SEEK_SET) != 0) {
+  if (end < HEADER || (uint64_t)end != bytes || bytes > BYTES_MOST || fseek(in, 0, SEEK_SET) != 0) {
     return sepax_fail(error, "%ld bytes, not %llu; the file is cut or has more, make it again", end,
                       (unsigned long long)bytes);
   }
@@ -276,8 +274,8 @@ static bool check_job(const sepax_job_list *list, const uint8_t *records, uint32
             within(list, job.poses, job.count, SEPAX_TREE_POSE_STRIDE, SEPAX_TREE_POSE_STRIDE);
   for (int side = 0; side < 2 && ok; side++) {
     uint32_t body = sepax_job_list_body(list, n, side);
-    ok = body < list->bodies && memcmp(job.body[side], records + SEPAX_TREE_BODY_BYTES * body,
-                                       SEPAX_TREE_BODY_BYTES) == 0;
+    ok = body < list->bodies &&
+         memcmp(job.body[side], records + SEPAX_TREE_BODY_BYTES * body, SEPAX_TREE_BODY_BYTES) == 0;
   }
   for (uint32_t k = 0; k < job.count && ok; k++) {
     sepax_tree_pose pose;

@@ -1,5 +1,5 @@
-/* engine.c - the bodies and lines as a tree engine gets them: trees, poses in fixed point, a list of
- * jobs. docs/path/engine.md. */
+/* engine.c - the bodies and lines as a tree engine gets them: trees, poses in fixed point, a list
+ * of jobs. docs/path/engine.md. */
 #include "path/engine.h"
 #include "util/error.h"
 
@@ -40,6 +40,7 @@ static double outer_of(const path_question *q) {
 /* What must fit into one half of the word, and of which pair. */
 static double find_reach(const path_scene *scene, const path_question *q, const path_pair **of) {
   double most = 0;
+  *of = &scene->pair[0];
   for (size_t n = 0; n < scene->pairs; n++) {
     const path_body *a = &scene->body[scene->pair[n].body[0]];
     const path_body *b = &scene->body[scene->pair[n].body[1]];
@@ -63,7 +64,7 @@ static double round_up(double x) {
 
 static bool choose_grid(path_engine *e, const path_scene *scene, const path_question *q,
                         sepax_error *error) {
-  const path_pair *of = NULL;
+  const path_pair *of;
   double reach = find_reach(scene, q, &of);
   e->word = q->word;
   e->resolution = q->lsb.length;
@@ -213,7 +214,8 @@ static bool make_list(sepax_job_list *list, const path_engine *e, const path_sce
                           .word = e->word,
                           .clearance = e->clearance,
                           .warning = e->warning};
-  bool ok = tree != NULL && name != NULL && number != NULL && pair != NULL && line != NULL;
+  bool ok = e->tree != NULL && tree != NULL && name != NULL && number != NULL && pair != NULL &&
+            line != NULL;
   for (size_t n = 0; n < e->bodies && ok; n++) {
     if (e->tree[n] != NULL) {
       number[n] = jobs.bodies;
@@ -244,11 +246,12 @@ bool path_write_jobs(path_scene *scene, const path_question *q, sepax_error *err
   if (!path_engine_make(&engine, scene, q, &inner)) {
     return sepax_fail(error, "jobs: %.500s", inner.text);
   }
-  bool ok =
-      make_list(&list, &engine, scene, error) && sepax_job_list_write(&list, q->jobs, error);
+  bool ok = make_list(&list, &engine, scene, error) && sepax_job_list_write(&list, q->jobs, error);
   if (ok) {
-    scene->jobs = (path_jobs){.bodies = list.bodies, .bytes = list.bytes,
-                              .resolution = engine.resolution, .config = sepax_config_default()};
+    scene->jobs = (path_jobs){.bodies = list.bodies,
+                              .bytes = list.bytes,
+                              .resolution = engine.resolution,
+                              .config = sepax_config_default()};
     sepax_job_list_config(&list, &scene->jobs.config);
   }
   sepax_job_list_free(&list);

@@ -1,5 +1,5 @@
-/* engine.h - the bodies and lines of a path as a tree engine gets them: of sepax path --jobs, and of
- * sepax size. */
+/* engine.h - the bodies and lines of a path as a tree engine gets them: of sepax path --jobs, and
+ * of sepax size. */
 #ifndef SEPAX_PATH_ENGINE_H
 #define SEPAX_PATH_ENGINE_H
 
@@ -15,9 +15,9 @@ typedef struct {
   size_t pairs;
 } path_engine;
 
-/* Of a scene that has kept its meshes. q->lsb, q->word: as given; without an LSB the finest, without
- * a word the least that holds every vertex of a near pair. The clearances are those of q, at least
- * that of touching, rounded up. */
+/* Of a scene that has kept its meshes. q->lsb, q->word: as given; without an LSB the finest,
+ * without a word the least that holds every vertex of a near pair. The clearances are those of q,
+ * at least that of touching, rounded up. */
 bool path_engine_make(path_engine *engine, const path_scene *scene, const path_question *q,
                       sepax_error *error);
 void path_engine_free(path_engine *engine);

@@ -107,7 +107,7 @@ typedef struct {
   size_t pairs;
   size_t joined, disabled; /* pairs that are not compared: links of one joint; by the SRDF */
   path_jobs jobs;
-  bool between;            /* what is between the lines was asked */
+  bool between; /* what is between the lines was asked */
   double seconds, between_seconds;
 } path_scene;
 

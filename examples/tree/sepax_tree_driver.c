@@ -151,8 +151,9 @@ bool sepax_device_place(const sepax_device *device, sepax_device_list *list, uin
   }
   const uint64_t way = address - get(file + PLACED, 8);
   const uint64_t at = get(file + 56, 8);
-  *list = (sepax_device_list){
-      .list = address + at, .jobs = (uint32_t)get(file + 28, 4), .poses = (uint32_t)get(file + 32, 4)};
+  *list = (sepax_device_list){.list = address + at,
+                              .jobs = (uint32_t)get(file + 28, 4),
+                              .poses = (uint32_t)get(file + 32, 4)};
   for (uint32_t n = 0; n < list->jobs; n++) {
     uint8_t *job = file + at + (uint64_t)SEPAX_DEVICE_JOB * n;
     for (int k = 0; k < 2 * SEPAX_DEVICE_BODY + 1; k += SEPAX_DEVICE_BODY) { /* A, B, poses */

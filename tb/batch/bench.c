@@ -38,8 +38,7 @@ void stop_on(bool failed, const char *text) {
   }
 }
 
-/* The same, of something in a file. */
-static void stop_at(bool failed, const char *path, const char *text) {
+void stop_at(bool failed, const char *path, const char *text) {
   char line[768];
   snprintf(line, sizeof line, "%s: %s", path, text);
   stop_on(failed, line);
@@ -324,108 +323,6 @@ void bench_run(bench_batch *b) {
   check_registers(b);
 }
 
-/* ------------------------------------------------------------------ meshes */
-
-static bool is_tree(const char *path) {
-  size_t length = strlen(path);
-  return length > 4 && strcmp(path + length - 4, ".sxt") == 0;
-}
-
-static sepax_tree *build(const sepax_grid *grid, const sepax_mesh *mesh, const char *path) {
-  sepax_error error = {""};
-  sepax_tree *tree = NULL;
-  sepax_tri *tri = malloc(mesh->count * sizeof *tri);
-  if (tri == NULL) {
-    stop("out of memory");
-  }
-  stop_at(!sepax_quantise(mesh, grid, tri, NULL, &error) ||
-              !sepax_tree_new(&tree, tri, mesh->count, grid, &error),
-          path, error.text);
-  free(tri);
-  return tree;
-}
-
-/* Both bodies; STL files on one grid, that of the other body's tree if that is one. */
-static void load_both(sepax_tree *tree[2], const char *const path[2], double resolution) {
-  sepax_error error = {""};
-  sepax_mesh mesh[2] = {{0}, {0}};
-  const sepax_mesh *read[2];
-  size_t meshes = 0;
-  sepax_grid grid = {resolution, {0, 0, 0}, SEPAX_WORD};
-  for (int i = 0; i < 2; i++) {
-    if (is_tree(path[i])) {
-      stop_on(!sepax_tree_read(&tree[i], path[i], &error), error.text);
-      sepax_grid own = sepax_tree_grid(tree[i]);
-      stop_at(own.word > SEPAX_WORD, path[i],
-              "a tree of more bits than the engine has; make it anew with the engine's --word");
-      stop_at(i == 1 && is_tree(path[0]) && own.resolution != grid.resolution, path[1],
-              "its resolution is not that of the other tree; make both with one");
-      grid = own;
-    } else {
-      stop_on(!sepax_stl_read(&mesh[i], path[i], &error), error.text);
-      read[meshes++] = &mesh[i];
-    }
-  }
-  stop_on(grid.resolution <= 0 && !sepax_grid_fit(&grid, read, meshes, SEPAX_WORD, &error),
-          error.text);
-  for (int i = 0; i < 2; i++) {
-    if (!is_tree(path[i])) {
-      tree[i] = build(&grid, &mesh[i], path[i]);
-      sepax_mesh_free(&mesh[i]);
-    }
-  }
-}
-
-static void run_meshes(const char *const path[3], double resolution, unsigned modes,
-                       unsigned budget, const memory_options *options) {
-  sepax_error error = {""};
-  sepax_tree *tree[2] = {NULL, NULL};
-  sepax_poses poses;
-  load_both(tree, path, resolution);
-  stop_on(!sepax_poses_read(&poses, path[2], &error), error.text);
-  sepax_tree_job job = {.count = (uint32_t)poses.count, .modes = modes, .budget = budget};
-  bench_tree(tree[0], job.body[0]);
-  bench_tree(tree[1], job.body[1]);
-  size_t at = bench_space(SEPAX_TREE_POSE_STRIDE * poses.count, SEPAX_TREE_POSE_STRIDE);
-  for (size_t n = 0; n < poses.count; n++) {
-    sepax_tree_pose pose;
-    if (!sepax_tree_pose_make(&pose, tree[0], NULL, tree[1], &poses.pose[n], design.margin[1],
-                              &error)) {
-      char line[640];
-      snprintf(line, sizeof line, "pose %zu: %s", n + 1, error.text);
-      stop_at(true, path[2], line);
-    }
-    sepax_tree_pose_pack(&pose, bench_at(at + SEPAX_TREE_POSE_STRIDE * n));
-  }
-  job.poses = bench_address(at);
-  bench_batch batch = {.jobs = 1, .print = true, .stop_at = -1};
-  batch.list = bench_space(SEPAX_TREE_JOB_BYTES, SEPAX_TREE_JOB_BYTES);
-  sepax_tree_job_pack(&job, bench_at(batch.list));
-  bench_attach(*options);
-  uint64_t begin = bus_cycles();
-  bench_run(&batch);
-  const memory *m = bus_attached();
-  printf("%llu cycles in all, %llu bytes read, %llu near pairs, %llu poses collide, %llu out of "
-         "range, %llu second passes\n",
-         (unsigned long long)(bus_cycles() - begin),
-         (unsigned long long)(MEMORY_BEAT * m->counts.beats), (unsigned long long)batch.near,
-         (unsigned long long)batch.hits, (unsigned long long)batch.out_of_range,
-         (unsigned long long)batch.second_passes);
-  bool usual = options->latency == SEPAX_TREE_LATENCY && options->stress == 0;
-  if (modes == SEPAX_TREE_COLD && budget == 0 && usual) {
-    printf("predicted: mean %.0f cycles, a pose by up to %+.1f %% off\n",
-           (double)batch.predicted / (double)poses.count, 100 * batch.off);
-  }
-  printf("%llu poses, %llu mismatches, mean %.0f cycles, worst %llu\n",
-         (unsigned long long)batch.poses, (unsigned long long)batch.mismatches,
-         (double)batch.cycles / (double)(batch.poses > 0 ? batch.poses : 1),
-         (unsigned long long)batch.worst);
-  expect("poses", batch.poses, poses.count);
-  sepax_poses_free(&poses);
-  sepax_tree_free(tree[0]);
-  sepax_tree_free(tree[1]);
-}
-
 /* ------------------------------------------------------------------ command */
 
 typedef struct {
@@ -464,7 +361,8 @@ static void parse(command *c, const char *text) {
   } else {
     stop_on(text[0] == '-' || c->paths == 3,
             "usage: tree-engine [--stress=SEED] [--latency=N] [--resolution=LENGTH] [--modes=N] "
-            "[--budget=N] A B POSES, or [--stress=SEED] [--rounds=N], --fuzz=N, --scene=N, --jobs=FILE");
+            "[--budget=N] A B POSES, or [--stress=SEED] [--rounds=N], --fuzz=N, --scene=N, "
+            "--jobs=FILE");
     c->path[c->paths++] = text;
   }
 }
@@ -493,7 +391,7 @@ int main(int argc, char **argv) {
   if (c.jobs != NULL) {
     bench_list(c.jobs, &options);
   } else if (c.paths == 3) {
-    run_meshes(c.path, c.resolution, (unsigned)c.modes, (unsigned)c.budget, &options);
+    bench_meshes(c.path, c.resolution, (unsigned)c.modes, (unsigned)c.budget, &options);
   } else if (c.scene > 0) {
     bench_scene((size_t)c.scene);
   } else if (c.fuzz > 0) {

@@ -18,6 +18,7 @@ extern unsigned long long wrong;
 void expect(const char *what, unsigned long long got, unsigned long long wanted);
 _Noreturn void stop(const char *text);
 void stop_on(bool failed, const char *text);
+void stop_at(bool failed, const char *path, const char *text); /* of something in a file */
 
 /* Space in the engine's memory, a multiple of `unit` bytes from its base on: its offset. Before the
  * first call and with bench_clear it is empty. */
@@ -57,6 +58,10 @@ void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed);
 
 /* Small bodies, of which, as of jobs and poses, any bytes are damaged. */
 void bench_fuzz(unsigned long long batches, uint64_t seed);
+
+/* Two bodies in the poses of a file; resolution 0: the finest. */
+void bench_meshes(const char *const path[3], double resolution, unsigned modes, unsigned budget,
+                  const memory_options *options);
 
 /* A list of jobs in a file. */
 void bench_list(const char *path, const memory_options *options);

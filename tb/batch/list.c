@@ -54,8 +54,8 @@ static void print_table(const tally *t) {
     snprintf(first, sizeof first, "%u", a->first);
     printf("%-*s %9llu %9llu %9llu %11s %11llu %11.0f %10llu\n", width, name,
            (unsigned long long)a->poses, (unsigned long long)a->collide,
-           (unsigned long long)a->warn, a->collide > 0 ? first : "-",
-           (unsigned long long)a->worst, (double)a->cycles / (a->poses > 0 ? (double)a->poses : 1),
+           (unsigned long long)a->warn, a->collide > 0 ? first : "-", (unsigned long long)a->worst,
+           (double)a->cycles / (a->poses > 0 ? (double)a->poses : 1),
            (unsigned long long)a->mismatches);
   }
 }
