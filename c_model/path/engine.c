@@ -177,9 +177,13 @@ bool path_engine_make(path_engine *e, const path_scene *scene, const path_questi
   if (!choose_grid(e, scene, q, error) || !choose_bands(e, q, &design, error)) {
     return false;
   }
-  e->tree = calloc(e->bodies, sizeof(sepax_tree *));
-  e->pose = calloc(e->pairs, sizeof *e->pose);
-  bool ok = (e->tree != NULL && e->pose != NULL) || sepax_fail(error, "no memory for trees");
+  e->tree = calloc(e->bodies + 1, sizeof(sepax_tree *));
+  e->pose = calloc(e->pairs + 1, sizeof *e->pose);
+  if (e->tree == NULL || e->pose == NULL) {
+    path_engine_free(e);
+    return sepax_fail(error, "no memory for trees");
+  }
+  bool ok = true;
   for (size_t n = 0; n < e->pairs && ok; n++) {
     for (int side = 0; side < 2 && ok; side++) {
       size_t body = scene->pair[n].body[side];
@@ -199,11 +203,11 @@ bool path_engine_make(path_engine *e, const path_scene *scene, const path_questi
 static bool make_list(sepax_job_list *list, const path_engine *e, const path_scene *scene,
                       sepax_error *error) {
   const format_motion *motion = &scene->motion;
-  const sepax_tree **tree = calloc(e->bodies, sizeof *tree);
-  const char **name = calloc(e->bodies, sizeof *name);
-  size_t *number = calloc(e->bodies, sizeof *number);
-  sepax_job_pair *pair = calloc(e->pairs, sizeof *pair);
-  uint32_t *line = calloc(motion->lines, sizeof *line);
+  const sepax_tree **tree = calloc(e->bodies + 1, sizeof *tree);
+  const char **name = calloc(e->bodies + 1, sizeof *name);
+  size_t *number = calloc(e->bodies + 1, sizeof *number);
+  sepax_job_pair *pair = calloc(e->pairs + 1, sizeof *pair);
+  uint32_t *line = calloc(motion->lines + 1, sizeof *line);
   sepax_job_scene jobs = {.tree = tree,
                           .name = name,
                           .pair = pair,

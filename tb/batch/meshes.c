@@ -12,7 +12,7 @@ static bool is_tree(const char *path) {
 static sepax_tree *build(const sepax_grid *grid, const sepax_mesh *mesh, const char *path) {
   sepax_error error = {""};
   sepax_tree *tree = NULL;
-  sepax_tri *tri = malloc(mesh->count * sizeof *tri);
+  sepax_tri *tri = malloc((mesh->count + 1) * sizeof *tri);
   if (tri == NULL) {
     stop("out of memory");
   }
