@@ -298,6 +298,8 @@ typedef struct {
   const sepax_poses *path; /* the poses of B, all there are; A stands, `motion` is not read. NULL:
                               none */
   uint64_t pairs_most;     /* of a path with more pairs of triangles no jobs are found; 0: of any */
+  bool limited;            /* designs have these clearances, LSB, as sepax_config has them */
+  int clearance, warning;
 } sepax_space;
 
 /* What one pose gives a design to do. */
@@ -329,6 +331,8 @@ typedef struct {
   size_t jobs;
   size_t path;              /* poses of the path, 0 without one */
   struct size_trees *trees; /* of a path: what a tree engine reads; NULL: none, as W is above 21 */
+  bool limited;             /* as the space has them */
+  int clearance, warning;
 } sepax_size;
 
 /* Fails on no triangles, 2^32 or more, an empty range, a workspace that does not hold all poses,
@@ -379,6 +383,17 @@ typedef struct {
  * cycles and seconds of *sized are that, else 0. */
 bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size,
                        const sepax_size_request *request, sepax_error *error);
+
+/* The same of several pairs of bodies, one size each, on one path: a pose is that of all pairs, one
+ * after the other, and as many cycles as these take; with a tree engine 40 more each, and as often
+ * and once more the latency of the memory, for what is between the jobs of a list. Sizes have
+ * poses, clearances and resolution alike; jobs or trees that one has not none has. */
+bool sepax_size_pairs(sepax_sized_design *sized, const sepax_size *size, size_t pairs,
+                      const sepax_size_request *request, sepax_error *error);
+
+/* The cycles that pair `pair` of these takes in a pose of a design, alone. */
+bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
+                       size_t pose, const sepax_size_request *request, sepax_error *error);
 
 #ifdef __cplusplus
 }

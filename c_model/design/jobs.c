@@ -38,8 +38,8 @@ static bool add_passes(sepax_job *job, size_t *capacity, const job_bodies *r, ui
   const sepax_tri *of_b = &r->tri[1][j];
   sepax_tri a = engine_thin_along_z(of_a, &r->bounds[0][i]);
   sepax_tri b = engine_thin_along_z(of_b, &r->bounds[0][i]);
-  int passes = engine_takes_two_passes(&a, &b) ? 2 : 1;
-  job->twice_near += engine_takes_two_passes(of_a, of_b);
+  int passes = !r->limited && engine_takes_two_passes(&a, &b) ? 2 : 1;
+  job->twice_near += !r->limited && engine_takes_two_passes(of_a, of_b);
   job->candidates++;
   for (int n = 0; n < passes; n++) {
     if (job->passes == *capacity) {
@@ -67,9 +67,9 @@ static bool find_candidates(sepax_job *job, const job_bodies *r, numbered *b) {
   qsort(b, r->count[1], sizeof *b, by_low_x);
   for (size_t i = 0; i < r->count[0]; i++) {
     const aabb p = r->bounds[0][i];
-    for (size_t n = first_from(b, r->count[1], p.low[0] - longest);
-         n < r->count[1] && b[n].box.low[0] <= p.high[0]; n++) {
-      if (!aabb_disjoint(&p, &b[n].box, 0) &&
+    for (size_t n = first_from(b, r->count[1], p.low[0] - r->margin - longest);
+         n < r->count[1] && b[n].box.low[0] <= p.high[0] + r->margin; n++) {
+      if (!aabb_disjoint(&p, &b[n].box, r->margin) &&
           !add_passes(job, &capacity, r, (uint32_t)i, b[n].number)) {
         return false;
       }
@@ -179,8 +179,8 @@ static bool find_upright(sepax_job *job, const job_bodies *r) {
 bool job_find(sepax_job *job, const job_bodies *bodies, sepax_error *error) {
   sepax_job found = {0};
   numbered *sorted = malloc(bodies->count[1] * sizeof *sorted);
-  bool ok =
-      sorted != NULL && find_candidates(&found, bodies, sorted) && find_upright(&found, bodies);
+  bool ok = sorted != NULL && find_candidates(&found, bodies, sorted) &&
+            (bodies->limited || find_upright(&found, bodies));
   free(sorted);
   if (!ok) {
     free(found.pass);

@@ -10,6 +10,8 @@ typedef struct {
   sepax_tri *tri[2];
   aabb *bounds[2];
   size_t count[2]; /* below 2^32 */
+  bool limited;    /* the core has a clearance: */
+  int64_t margin;  /* by which AABBs are larger; no pair takes two passes */
 } job_bodies;
 
 /* The job of these bodies. Fails without memory. */
@@ -34,14 +36,18 @@ struct size_trees {
   sepax_tree *tree[2];
   sepax_tree_pose *pose;
   size_t poses;
-  int word; /* of both, 4 ... 21 */
+  int word;    /* of both, 4 ... 21 */
+  bool shared; /* trees and poses are another's */
 };
 
-/* Of quantised bodies, each on a grid of its own, which differ in offset and word. Fails as
- * sepax_tree_new and sepax_tree_pose_make do. */
+/* Of quantised bodies, each on a grid of its own, which differ in offset and word, for designs with
+ * the clearances of `space`. Fails as sepax_tree_new and sepax_tree_pose_make do. */
 bool size_trees_new(struct size_trees **trees, const job_bodies *bodies, const sepax_grid grid[2],
-                    const sepax_poses *path, sepax_error *error);
+                    const sepax_space *space, sepax_error *error);
 void size_trees_free(struct size_trees *trees);
+
+/* The clearances into a configuration. */
+void size_limit(sepax_config *config, bool limited, int clearance, int warning);
 
 /* A tree engine of this configuration in a pose. */
 bool size_trees_walk(const struct size_trees *trees, const sepax_config *config, size_t pose,

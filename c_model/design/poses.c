@@ -351,7 +351,7 @@ static bool find_trees(sepax_size *size, const bodies *r, const sepax_mesh *mesh
     return true;
   }
   return sepax_quantise(mesh, &grid[1], r->on_grid.tri[1], NULL, error) &&
-         size_trees_new(&size->trees, &r->on_grid, grid, space->path, error);
+         size_trees_new(&size->trees, &r->on_grid, grid, space, error);
 }
 
 static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2],
@@ -372,7 +372,7 @@ static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2]
                           ? extent_moved(mesh[i], rotation_of(space, i), reach, space->resolution)
                           : longest_side_of(r->on_grid.bounds[i], mesh[i]->count);
   }
-  int bits = bits_behind_aabb_test(size->extent[0], size->extent[1], 0);
+  int bits = bits_behind_aabb_test(size->extent[0], size->extent[1], r->on_grid.margin);
   size->core_word = bits < size->grid.word ? bits : size->grid.word;
   size_t most = path != NULL ? path->count : 1 + (size_t)space->poses;
   size->job = calloc(most, sizeof *size->job);
@@ -407,6 +407,12 @@ bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b
     found.high[axis] = hull.high[axis];
   }
   bodies r = {.moved = {{NULL, 0}, {NULL, 0}}};
+  found.limited = r.on_grid.limited = space->limited;
+  found.clearance = space->clearance;
+  found.warning = space->warning;
+  r.on_grid.margin = !space->limited                     ? 0
+                     : space->warning > space->clearance ? 1 + (int64_t)space->warning
+                                                         : 1 + (int64_t)space->clearance;
   bool ok = allocate(&r, mesh)
                 ? measure(&found, &r, mesh, space, &all, error)
                 : sepax_fail(error, "no memory for %zu and %zu triangles", a->count, b->count);

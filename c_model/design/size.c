@@ -9,13 +9,22 @@
 static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
 enum { INTERVALS = sizeof intervals / sizeof intervals[0] };
 
+/* Cycles of a tree engine between a job and the next, but for the latency of its memory. */
+enum { BETWEEN = 40 };
+
 /* What a tree engine does in a pose, whatever its II and cores; the cycles of the fastest. */
 typedef struct {
   uint64_t passes, least;
 } tree_work;
 
 typedef struct {
-  const sepax_size *size;
+  const sepax_size *size; /* of each pair */
+  size_t pairs;
+  uint64_t between; /* cycles between the runs of a tree engine in a pose */
+  int word;         /* of designs without a tree: the longest of all pairs */
+  int tree_word;
+  int64_t extent[2];
+  size_t largest[2]; /* triangles of a body */
   const sepax_size_request *request;
   sepax_sized_design *design; /* every one that there is, with a lower bound of its cycles */
   size_t count;
@@ -53,30 +62,48 @@ static uint64_t loading(const sepax_size *size, const sepax_config *config) {
   return size->path > 0 && config->lanes > 0 ? job_loading(size->count, config) : 0;
 }
 
-/* With and without extents, which may help. */
-static bool add_designs(choice *all, int lanes, sepax_error *error) {
-  const sepax_size *size = all->size;
-  sepax_config config = sepax_config_default();
+static uint64_t most_passes(const sepax_size *size) {
   uint64_t passes = 0;
   for (size_t n = 0; n < size->jobs; n++) {
     passes = larger(passes, size->job[n].passes);
   }
-  config.word = size->grid.word;
+  return passes;
+}
+
+/* No pose takes fewer of all pairs, where that in which one pair has the most passes is looked at.
+ */
+static uint64_t least_cycles(const choice *all, const sepax_config *config) {
+  uint64_t sum = 0;
+  uint64_t most = 0;
+  for (size_t n = 0; n < all->pairs; n++) {
+    const sepax_size *size = &all->size[n];
+    uint64_t least = job_least_cycles(0, size->count, config);
+    uint64_t passes = most_passes(size);
+    sum += least + loading(size, config);
+    most = larger(most, job_least_cycles(passes, size->count, config) - least);
+  }
+  return sum + most;
+}
+
+/* With and without extents, which may help. */
+static bool add_designs(choice *all, int lanes, sepax_error *error) {
+  sepax_config config = sepax_config_default();
+  config.word = all->word;
   config.clock_ps = all->request->clock_ps;
   config.lanes = lanes;
+  size_limit(&config, all->size->limited, all->size->clearance, all->size->warning);
   if (lanes > 0) {
-    config.memory_a = memory_for(size->count[0]);
-    config.memory_b = memory_for(size->count[1]);
+    config.memory_a = memory_for(all->largest[0]);
+    config.memory_b = memory_for(all->largest[1]);
   }
-  const int kinds = size->core_word < size->grid.word ? 2 : 1;
+  const int kinds = all->pairs == 1 && all->size->core_word < all->word ? 2 : 1;
   for (int extents = 0; extents < kinds; extents++) {
-    config.extent_a = extents > 0 ? (int)size->extent[0] : 0;
-    config.extent_b = extents > 0 ? (int)size->extent[1] : 0;
+    config.extent_a = extents > 0 ? (int)all->extent[0] : 0;
+    config.extent_b = extents > 0 ? (int)all->extent[1] : 0;
     for (int n = 0; n < INTERVALS; n++) {
       config.ii = intervals[n];
       for (config.cores = 1; config.cores <= (lanes > 0 ? SEPAX_CORES_MAX : 1); config.cores++) {
-        uint64_t least = job_least_cycles(passes, size->count, &config) + loading(size, &config);
-        if (!add_design(all, &config, least, error)) {
+        if (!add_design(all, &config, least_cycles(all, &config), error)) {
           return false;
         }
       }
@@ -89,11 +116,12 @@ static bool add_designs(choice *all, int lanes, sepax_error *error) {
 
 static sepax_config tree_engine(const choice *all, int ii, int cores) {
   sepax_config config = sepax_config_default();
-  config.word = all->size->trees->word;
+  config.word = all->tree_word;
   config.clock_ps = all->request->clock_ps;
   config.tree = true;
   config.ii = ii;
   config.cores = cores;
+  size_limit(&config, all->size->limited, all->size->clearance, all->size->warning);
   return config;
 }
 
@@ -101,16 +129,20 @@ static sepax_config tree_engine(const choice *all, int ii, int cores) {
 static bool find_work(choice *all, sepax_error *error) {
   const sepax_config fastest = tree_engine(all, 1, SEPAX_CORES_MAX);
   size_t poses = all->size->trees->poses;
-  all->work = malloc(poses * sizeof *all->work);
+  all->work = calloc(poses, sizeof *all->work);
   if (all->work == NULL) {
     return sepax_fail(error, "no memory for %zu poses", poses);
   }
   for (size_t n = 0; n < poses; n++) {
-    sepax_tree_run run;
-    if (!size_trees_walk(all->size->trees, &fastest, n, all->request, &run, error)) {
-      return false;
+    all->work[n].least = all->between;
+    for (size_t k = 0; k < all->pairs; k++) {
+      sepax_tree_run run;
+      if (!size_trees_walk(all->size[k].trees, &fastest, n, all->request, &run, error)) {
+        return false;
+      }
+      all->work[n].passes += run.passes;
+      all->work[n].least += run.cycles;
     }
-    all->work[n] = (tree_work){run.passes, run.cycles};
   }
   return true;
 }
@@ -121,8 +153,8 @@ static bool add_tree_engines(choice *all, sepax_error *error) {
     sepax_config config = tree_engine(all, intervals[n / SEPAX_CORES_MAX], cores);
     uint64_t least = 0;
     for (size_t k = 0; k < all->size->trees->poses; k++) {
-      uint64_t busy = all->work[k].passes / (uint64_t)cores; /* the last takes no II */
-      busy = busy > 0 ? (busy - 1) * (uint64_t)config.ii : 0;
+      uint64_t busy = all->work[k].passes / (uint64_t)cores; /* the last of a pair takes no II */
+      busy = busy > all->pairs ? (busy - all->pairs) * (uint64_t)config.ii : 0;
       least = larger(least, larger(busy, all->work[k].least));
     }
     if (!add_design(all, &config, least, error)) {
@@ -139,18 +171,42 @@ static size_t poses_of(const choice *all, const sepax_config *config) {
   return config->tree ? all->size->trees->poses : all->size->jobs;
 }
 
-static bool cycles_in_pose(const choice *all, const sepax_config *config, size_t pose,
-                           uint64_t *cycles, sepax_error *error) {
-  const sepax_size *size = all->size;
+static bool cycles_of(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
+                      size_t pose, const sepax_size_request *request, uint64_t *steps,
+                      sepax_error *error) {
   if (!config->tree) {
-    *cycles = job_cycles(&size->job[pose], size->count, config, all->steps) + loading(size, config);
+    *cycles = job_cycles(&size->job[pose], size->count, config, steps) + loading(size, config);
     return true;
   }
   sepax_tree_run run;
-  if (!size_trees_walk(size->trees, config, pose, all->request, &run, error)) {
+  if (!size_trees_walk(size->trees, config, pose, request, &run, error)) {
     return false;
   }
   *cycles = run.cycles;
+  return true;
+}
+
+bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
+                       size_t pose, const sepax_size_request *request, sepax_error *error) {
+  size_t passes = config->tree ? 0 : size->job[pose].passes;
+  uint64_t *steps = malloc((passes + 1) * sizeof *steps);
+  bool ok = steps != NULL ? cycles_of(cycles, size, config, pose, request, steps, error)
+                          : sepax_fail(error, "no memory for %zu candidates", passes);
+  free(steps);
+  return ok;
+}
+
+/* Of all pairs; it stops above the limit. */
+static bool cycles_in_pose(const choice *all, const sepax_config *config, size_t pose,
+                           uint64_t limit, uint64_t *cycles, sepax_error *error) {
+  *cycles = config->tree ? all->between : 0;
+  for (size_t n = 0; n < all->pairs && *cycles <= limit; n++) {
+    uint64_t one;
+    if (!cycles_of(&one, &all->size[n], config, pose, all->request, all->steps, error)) {
+      return false;
+    }
+    *cycles += one;
+  }
   return true;
 }
 
@@ -165,7 +221,7 @@ static bool try_poses(const choice *all, sepax_sized_design *m, uint64_t limit,
   for (size_t n = 0; n < poses && m->cycles <= limit; n++) {
     size_t at = (begin + n) % poses;
     uint64_t cycles;
-    if (!cycles_in_pose(all, &m->config, at, &cycles, error)) {
+    if (!cycles_in_pose(all, &m->config, at, limit, &cycles, error)) {
       return false;
     }
     m->worst = n == 0 || cycles > m->cycles ? at : m->worst;
@@ -268,8 +324,16 @@ static bool choose(choice *all, sepax_sized_design *sized, sepax_error *error) {
 static bool allocate(choice *all, sepax_error *error) {
   const sepax_size_request *r = all->request;
   size_t passes = 0;
-  for (size_t n = 0; n < all->size->jobs; n++) {
-    passes = all->size->job[n].passes > passes ? all->size->job[n].passes : passes;
+  for (size_t n = 0; n < all->pairs; n++) {
+    const sepax_size *size = &all->size[n];
+    passes = (size_t)larger(passes, most_passes(size));
+    int of_trees = size->trees != NULL ? size->trees->word : 0;
+    all->word = size->grid.word > all->word ? size->grid.word : all->word;
+    all->tree_word = of_trees > all->tree_word ? of_trees : all->tree_word;
+    for (int i = 0; i < 2; i++) {
+      all->extent[i] = size->extent[i] > all->extent[i] ? size->extent[i] : all->extent[i];
+      all->largest[i] = size->count[i] > all->largest[i] ? size->count[i] : all->largest[i];
+    }
   }
   size_t lanes = r->lanes_least <= r->lanes_most ? (size_t)(r->lanes_most - r->lanes_least + 1) : 0;
   size_t most = (2 * lanes + 1) * INTERVALS * SEPAX_CORES_MAX;
@@ -279,26 +343,41 @@ static bool allocate(choice *all, sepax_error *error) {
          sepax_fail(error, "no memory for %zu designs and %zu candidates", most, passes);
 }
 
-bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size,
-                       const sepax_size_request *request, sepax_error *error) {
-  choice all = {.size = size, .request = request};
+static bool size_all(choice *all, sepax_sized_design *sized, sepax_error *error) {
+  const sepax_size_request *request = all->request;
   *sized = (sepax_sized_design){.cycles = 0};
-  bool ok = allocate(&all, error);
+  bool ok = allocate(all, error);
   for (int lanes = request->lanes_least; lanes <= request->lanes_most && ok; lanes++) {
-    ok = add_designs(&all, lanes, error);
+    ok = add_designs(all, lanes, error);
   }
-  if (ok && request->tree && size->trees != NULL) {
-    ok = find_work(&all, error) && add_tree_engines(&all, error);
+  if (ok && request->tree && all->size->trees != NULL) {
+    ok = find_work(all, error) && add_tree_engines(all, error);
   }
-  if (ok && all.count == 0) {
+  if (ok && all->count == 0) {
     ok = sepax_fail(error,
                     "word: a tree engine has up to %d bits, and is for a path of poses; "
                     "coarsen the resolution, or give the poses",
                     SEPAX_TREE_WORD_MAX);
   }
-  ok = ok && choose(&all, sized, error);
-  free(all.design);
-  free(all.steps);
-  free(all.work);
+  ok = ok && choose(all, sized, error);
+  free(all->design);
+  free(all->steps);
+  free(all->work);
   return ok;
+}
+
+bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size,
+                       const sepax_size_request *request, sepax_error *error) {
+  choice all = {.size = size, .pairs = 1, .request = request};
+  return size_all(&all, sized, error);
+}
+
+bool sepax_size_pairs(sepax_sized_design *sized, const sepax_size *size, size_t pairs,
+                      const sepax_size_request *request, sepax_error *error) {
+  uint64_t latency = (uint64_t)(request->latency > 0 ? request->latency : SEPAX_TREE_LATENCY);
+  choice all = {.size = size,
+                .pairs = pairs,
+                .between = BETWEEN * pairs + latency * (pairs + 1),
+                .request = request};
+  return size_all(&all, sized, error);
 }

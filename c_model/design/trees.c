@@ -6,8 +6,11 @@
 #include <stdlib.h>
 
 bool size_trees_new(struct size_trees **trees, const job_bodies *bodies, const sepax_grid grid[2],
-                    const sepax_poses *path, sepax_error *error) {
+                    const sepax_space *space, sepax_error *error) {
+  const sepax_poses *path = space->path;
   struct size_trees *t = calloc(1, sizeof *t);
+  sepax_config config = sepax_config_default();
+  sepax_design design;
   if (t == NULL) {
     return sepax_fail(error, "no memory for two trees");
   }
@@ -15,11 +18,16 @@ bool size_trees_new(struct size_trees **trees, const job_bodies *bodies, const s
   t->word = grid[0].word > grid[1].word ? grid[0].word : grid[1].word;
   t->pose = calloc(path->count, sizeof *t->pose);
   bool ok = t->pose != NULL || sepax_fail(error, "no memory for %zu poses", path->count);
+  config.tree = true;
+  config.word = t->word;
+  size_limit(&config, space->limited, space->clearance, space->warning);
+  ok = ok && sepax_design_init(&design, &config, error);
   for (int i = 0; i < 2 && ok; i++) {
     ok = sepax_tree_new(&t->tree[i], bodies->tri[i], bodies->count[i], &grid[i], error);
   }
   for (size_t k = 0; k < path->count && ok; k++) {
-    ok = sepax_tree_pose_make(&t->pose[k], t->tree[0], NULL, t->tree[1], &path->pose[k], 0, error);
+    ok = sepax_tree_pose_make(&t->pose[k], t->tree[0], NULL, t->tree[1], &path->pose[k],
+                              design.margin[1], error);
   }
   if (ok) {
     *trees = t;
@@ -30,11 +38,18 @@ bool size_trees_new(struct size_trees **trees, const job_bodies *bodies, const s
 }
 
 void size_trees_free(struct size_trees *trees) {
-  if (trees != NULL) {
+  if (trees != NULL && !trees->shared) {
     sepax_tree_free(trees->tree[0]);
     sepax_tree_free(trees->tree[1]);
     free(trees->pose);
-    free(trees);
+  }
+  free(trees);
+}
+
+void size_limit(sepax_config *config, bool limited, int clearance, int warning) {
+  if (limited) {
+    config->clearance = clearance;
+    config->warning = warning;
   }
 }
 

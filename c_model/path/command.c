@@ -7,11 +7,7 @@
 #include <string.h>
 
 enum {
-  KEY_SRDF = 0x400,
-  KEY_PACKAGE,
-  KEY_CLEARANCE,
-  KEY_WARNING,
-  KEY_CSV,
+  KEY_CSV = 0x400,
   KEY_WORST,
   KEY_PAGE,
   KEY_JOBS,
@@ -22,24 +18,10 @@ enum {
   KEY_CERTIFICATE,
   KEY_RESOLUTION,
   KEY_SURFACES,
-  KEY_HOLD,
-  KEY_IGNORE_LIMITS,
   KEY_THREADS
 };
 
 static const struct argp_option options[] = {
-    {"srdf", KEY_SRDF, "FILE", 0,
-     "compare the pairs of links that this SRDF does not disable; without it all but the two links "
-     "of a joint",
-     0},
-    {"package", KEY_PACKAGE, "NAME:FOLDER", 0, "where package://NAME/ is; may be given again", 0},
-    {"clearance", KEY_CLEARANCE, "LENGTH", 0,
-     "bodies collide unless they are farther from each other than this: with nm, um, mm or m "
-     "behind it, or metres",
-     0},
-    {"warning", KEY_WARNING, "LENGTH", 0,
-     "a second, larger clearance: warn of bodies unless they are farther from each other than this",
-     0},
     {"csv", KEY_CSV, "FILE", 0, "write the lines and pairs that are not free as CSV", 0},
     {"worst", KEY_WORST, "FILE", 0, "write all bodies in the worst pose as PLY", 0},
     {"page", KEY_PAGE, "FILE", 0,
@@ -56,38 +38,10 @@ static const struct argp_option options[] = {
     {"resolution", KEY_RESOLUTION, "LENGTH", 0,
      "how short the ways become that --certify divides (1um)", 0},
     {"surfaces", KEY_SURFACES, NULL, 0, "do not ask whether one body is inside the other", 0},
-    {"hold", KEY_HOLD, NULL, 0, "joints without a column stay at 0", 0},
-    {"ignore-limits", KEY_IGNORE_LIMITS, NULL, 0, "values may be beyond the limits of their joints",
-     0},
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
     {"quiet", 'q', NULL, 0, "print nothing: the exit status tells", 0},
     {"threads", KEY_THREADS, "N", 0, "threads (one for each processor)", 0},
     {0}};
-
-/* A length without a unit is one of metres, as in URDF. */
-static const cli_unit lengths[] = {{"nm", -9}, {"um", -6}, {"mm", -3}, {"m", 0}, {NULL, 0}};
-
-static path_limit limit(struct argp_state *state, const char *name, const char *text) {
-  path_limit l = {text, 0};
-  const char *end = cli_scan(text, lengths, &l.length);
-  if (end == NULL || *end != '\0') {
-    argp_error(state, "%s: '%s' is not a length; give 0.1mm, or metres", name, text);
-  }
-  if (l.length < 0 || l.length > 1e9) {
-    argp_error(state, "%s: %s is not within 0 ... 1e9 m", name, text);
-  }
-  return l;
-}
-
-static void add_package(path_question *q, struct argp_state *state, char *text) {
-  char *colon = strchr(text, ':');
-  if (colon == NULL || colon == text || colon[1] == '\0' || q->packages == PATH_PACKAGES_MOST) {
-    argp_error(state, "package: '%s' is not NAME:FOLDER, or one too many", text);
-  } else {
-    *colon = '\0';
-    q->package[q->packages++] = (format_package){text, colon + 1};
-  }
-}
 
 static error_t parse_argument(path_question *q, char *text, struct argp_state *state) {
   if (q->motion != NULL) {
@@ -110,10 +64,6 @@ static bool *switch_of(path_question *q, int key) {
     return &q->certify;
   case KEY_SURFACES:
     return &q->surfaces;
-  case KEY_HOLD:
-    return &q->rules.hold;
-  case KEY_IGNORE_LIMITS:
-    return &q->rules.ignore_limits;
   default:
     return NULL;
   }
@@ -127,23 +77,14 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   }
   switch (key) {
-  case KEY_SRDF:
-    q->srdf = text;
-    return 0;
-  case KEY_PACKAGE:
-    add_package(q, state, text);
-    return 0;
-  case KEY_CLEARANCE:
-    q->clearance = limit(state, "clearance", text);
-    return 0;
-  case KEY_WARNING:
-    q->warning = limit(state, "warning", text);
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = q;
     return 0;
   case KEY_CERTIFICATE:
     q->certificate = text;
     return 0;
   case KEY_RESOLUTION:
-    q->resolution = limit(state, "resolution", text);
+    q->resolution = path_length(state, "resolution", text);
     return 0;
   case KEY_CSV:
     q->csv = text;
@@ -164,7 +105,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     }
     return 0;
   case KEY_LSB:
-    q->lsb = limit(state, "lsb", text);
+    q->lsb = path_length(state, "lsb", text);
     if (q->lsb.length <= 0) {
       argp_error(state, "lsb: %s is not above 0", text);
     }
@@ -210,13 +151,8 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   if (q->quiet && q->json) {
     return sepax_fail(error, "quiet: there is nothing to print as JSON; leave one of them out");
   }
-  if (q->warning.text != NULL && q->clearance.text == NULL) {
-    return sepax_fail(error,
-                      "warning: there is no clearance to warn before; give --clearance, too");
-  }
-  if (q->warning.text != NULL && q->warning.length <= q->clearance.length) {
-    return sepax_fail(error, "warning: %.60s is not above the clearance of %.60s", q->warning.text,
-                      q->clearance.text);
+  if (!path_bands_agree(q, error)) {
+    return false;
   }
   if (!q->certify && (q->certificate != NULL || q->resolution.text != NULL)) {
     return sepax_fail(error, "%s: is of --certify; give that, too, or leave it out",
@@ -236,6 +172,7 @@ static bool options_agree(const path_question *q, sepax_error *error) {
 }
 
 int cli_path(int argc, char **argv) {
+  static const struct argp_child children[] = {{&path_scene_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
       options,
       parse,
@@ -245,7 +182,7 @@ int cli_path(int argc, char **argv) {
       "names joints, a line has their values. Exact in the pose of each line; of what is between "
       "lines only --certify tells.\v"
       "Exit status: 0 free, 1 collision, 2 error, 3 warning, 4 undecided.",
-      NULL,
+      children,
       NULL,
       NULL};
   static const int status[] = {EXIT_FREE, EXIT_WARNING, EXIT_UNDECIDED, EXIT_COLLISION};
@@ -253,6 +190,7 @@ int cli_path(int argc, char **argv) {
   argp_parse(&argp, argc, argv, 0, NULL, &q);
   sepax_error error = {""};
   path_scene scene = {.pairs = 0};
+  q.keep = q.picture != NULL || q.page != NULL || q.jobs != NULL;
   q.word = q.jobs != NULL && q.word == 0 ? WORD : q.word;
   q.no_distance = q.no_distance || (q.quiet && q.picture == NULL && q.page == NULL);
   bool ok = options_agree(&q, &error) && outputs_distinct(&q, &error) &&

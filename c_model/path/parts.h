@@ -1,7 +1,7 @@
-/* parts.h - what the parts of sepax path share: command.c reads what is asked, scene.c makes bodies
- * of the links and pairs of the bodies, search.c asks each pair in each line, certify.c what is
- * between the lines, certificate.c writes that down, engine.c makes jobs of it, text.c and data.c
- * tell, picture.c and page.c show. */
+/* parts.h - what the parts of sepax path share: command.c and options.c read what is asked, scene.c
+ * makes bodies of the links and pairs of the bodies, search.c asks each pair in each line,
+ * certify.c what is between the lines, certificate.c writes that down, engine.c makes jobs of it,
+ * text.c and data.c tell, picture.c and page.c show. */
 #ifndef SEPAX_PATH_PARTS_H
 #define SEPAX_PATH_PARTS_H
 
@@ -32,6 +32,7 @@ typedef struct {
   path_limit lsb; /* of the trees of `jobs`; 0: the finest */
   int word;       /* of these; 0: not given */
   bool json, quiet, surfaces, no_distance, certify;
+  bool keep; /* the bodies' meshes */
   int threads;
   format_motion_rules rules;
   format_package package[PATH_PACKAGES_MOST];
@@ -110,6 +111,12 @@ typedef struct {
   bool between; /* what is between the lines was asked */
   double seconds, between_seconds;
 } path_scene;
+
+/* An argp child, whose input is a path_question: SRDF, packages, bands, rules of the path. */
+extern const struct argp path_scene_argp;
+bool path_bands_agree(const path_question *q, sepax_error *error);
+/* A length, in metres or with a unit; argp_error otherwise. */
+path_limit path_length(const struct argp_state *state, const char *name, const char *text);
 
 /* False leaves a scene that can be freed. */
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error);

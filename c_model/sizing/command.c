@@ -50,7 +50,7 @@ static const struct argp_option options[] = {
      "the path of B, instead of a motion: 12 numbers a line, a rotation by rows, then a "
      "translation in file units; tree engines are looked at, too",
      0},
-    {NULL, 0, NULL, 0, "Design:", 2},
+    {NULL, 0, NULL, 0, "Design:", 3},
     {"time", KEY_TIME, "TIME", 0, "for a pose, with ns, us, ms or s behind it (0.96ms)", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period, 0.5 ... 20 (2)", 0},
     {"lanes", KEY_LANES, "COUNT", 0,
@@ -60,7 +60,7 @@ static const struct argp_option options[] = {
      "a tree engine ends a pose at its first collision (it finds all); needs --poses", 0},
     {"latency", KEY_LATENCY, "CYCLES", 0,
      "of a tree engine's memory, 1 ... 100000 (100); needs --poses", 0},
-    {NULL, 0, NULL, 0, "Output:", 3},
+    {NULL, 0, NULL, 0, "Output:", 4},
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
     {"gen", KEY_GEN, NULL, 0, "generate the design, too, as sepax gen does; needs -o", 0},
     {"output", 'o', "DIR", 0, "folder for its Verilog (made if missing)", 0},
@@ -165,6 +165,7 @@ static error_t parse_scene(int key, char *text, struct argp_state *state) {
   sepax_space *space = &o->space;
   switch (key) {
   case 'r':
+    o->resolution = text;
     space->resolution = cli_length(state, "resolution", text);
     if (space->resolution <= 0) {
       argp_error(state, "resolution: %s is not above 0", text);
@@ -173,12 +174,14 @@ static error_t parse_scene(int key, char *text, struct argp_state *state) {
   case KEY_OFFSET:
     cli_vector(state, "offset", text, space->offset);
     space->offset_given = true;
+    o->placed = "offset";
     return 0;
   case KEY_WORKSPACE:
     if (!scan_workspace(space, text)) {
       argp_error(state, "workspace: '%s' is not LENGTHxLENGTHxLENGTH, nor LOW..HIGH three times",
                  text);
     }
+    o->placed = "workspace";
     return 0;
   case KEY_MOTION:
     o->moved = "motion";
@@ -212,10 +215,43 @@ static error_t parse_scene(int key, char *text, struct argp_state *state) {
   }
 }
 
-static void check_given(const size_options *o, const struct argp_state *state) {
-  if (o->paths != 2) {
-    argp_error(state, "give two STL files");
+static bool ends_in(const char *name, const char *end) {
+  size_t length = strlen(name);
+  return length > strlen(end) && strcmp(name + length - strlen(end), end) == 0;
+}
+
+/* What is of two meshes alone, or of a mechanism. */
+static void check_scene(size_options *o, const struct argp_state *state) {
+  const path_question *q = &o->scene;
+  o->is_scene = ends_in(o->path[0], ".urdf") || ends_in(o->path[1], ".csv");
+  if (!o->is_scene) {
+    if (q->srdf != NULL || q->packages > 0 || q->clearance.text != NULL ||
+        q->warning.text != NULL || q->rules.hold || q->rules.ignore_limits) {
+      argp_error(state,
+                 "srdf, package, clearance, warning, hold, ignore-limits: are for a URDF and "
+                 "a CSV file; leave them out");
+    }
+    return;
   }
+  const char *other = o->path_file != NULL ? "poses" : o->moved != NULL ? o->moved : o->placed;
+  if (other != NULL) {
+    argp_error(state, "%s: is for two meshes; the CSV says where bodies are", other);
+  }
+  o->posed = NULL;
+  o->request.first = true; /* as the jobs of a list */
+  o->scene.urdf = o->path[0];
+  o->scene.motion = o->path[1];
+  o->scene.keep = true;
+  if (o->resolution != NULL) {
+    o->scene.lsb = path_length(state, "resolution", o->resolution);
+  }
+}
+
+static void check_given(size_options *o, const struct argp_state *state) {
+  if (o->paths != 2) {
+    argp_error(state, "give two STL files, or a URDF and a CSV file");
+  }
+  check_scene(o, state);
   if (o->space.resolution == 0) {
     argp_error(state, "resolution: what is one LSB? give --resolution=2um, say");
   }
@@ -237,6 +273,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   size_options *o = state->input;
   sepax_error error;
   switch (key) {
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &o->scene;
+    return 0;
   case KEY_TIME:
     o->request.seconds = parse_time(state, text);
     return 0;
@@ -276,7 +315,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case ARGP_KEY_ARG:
     if (o->paths == 2) {
-      argp_error(state, "unexpected argument '%s': give two STL files", text);
+      argp_error(state, "unexpected argument '%s': give two files", text);
     }
     o->path[o->paths++] = text;
     return 0;
@@ -296,16 +335,38 @@ static bool read_and_size(const size_options *o, size_answer *answer, sepax_erro
   sepax_space space = o->space;
   double cycles = o->request.seconds / (o->clock.clock_ps * 1e-12);
   bool posed = o->path_file != NULL;
+  if (o->is_scene) {
+    return size_scene_read(answer, o, error);
+  }
+  answer->size = calloc(1, sizeof *answer->size);
+  if (answer->size == NULL) {
+    return sepax_fail(error, "no memory for a scene");
+  }
+  answer->pairs = 1;
   space.path = posed ? &path : NULL;
   space.pairs_most = cycles < 1e15 ? 1 + (uint64_t)(cycles * SEPAX_LANES_MAX) : 0;
   bool ok = (!posed || sepax_poses_read(&path, o->path_file, error)) &&
             sepax_stl_read(&mesh[0], o->path[0], error) &&
             sepax_stl_read(&mesh[1], o->path[1], error) &&
-            sepax_size_scene(&answer->size, &mesh[0], &mesh[1], &space, error);
+            sepax_size_scene(answer->size, &mesh[0], &mesh[1], &space, error);
   sepax_mesh_free(&mesh[0]);
   sepax_mesh_free(&mesh[1]);
   sepax_poses_free(&path);
   return ok;
+}
+
+static bool design_of(sepax_sized_design *best, const size_options *o, const size_answer *answer,
+                      const sepax_size_request *request, sepax_error *error) {
+  return o->is_scene ? sepax_size_pairs(best, answer->size, answer->pairs, request, error)
+                     : sepax_size_design(best, answer->size, request, error);
+}
+
+static void release(size_answer *answer) {
+  for (size_t n = 0; n < answer->pairs; n++) {
+    sepax_size_free(&answer->size[n]);
+  }
+  free(answer->size);
+  size_scene_free(answer);
 }
 
 /* The best of each kind, and of all. */
@@ -325,9 +386,9 @@ static bool choose(const size_options *o, size_answer *answer, sepax_error *erro
       request.lanes_most = 0;
     }
     request.tree = tree;
-    k->asked = tree ? answer->size.trees != NULL && !o->lanes_given
+    k->asked = tree ? answer->size->trees != NULL && !o->lanes_given
                     : !o->request.tree && request.lanes_least <= request.lanes_most;
-    k->in_time = k->asked && sepax_size_design(&k->best, &answer->size, &request, error);
+    k->in_time = k->asked && design_of(&k->best, o, answer, &request, error);
     if (k->asked && !k->in_time && k->best.cycles == 0) {
       return false;
     }
@@ -342,7 +403,7 @@ static bool choose(const size_options *o, size_answer *answer, sepax_error *erro
   if (answer->best == NULL && why.text[0] == '\0') {
     return sepax_fail(error,
                       "tree: %d bits of a coordinate are more than %d; coarsen the resolution",
-                      answer->size.grid.word, SEPAX_TREE_WORD_MAX);
+                      answer->size->grid.word, SEPAX_TREE_WORD_MAX);
   }
   *error = why;
   return answer->best != NULL;
@@ -358,31 +419,34 @@ static bool generate(const size_options *o, const sepax_sized_design *m, sepax_e
 }
 
 int cli_size(int argc, char **argv) {
+  static const struct argp_child children[] = {{&path_scene_argp, 0, "Scene of a mechanism:", 2},
+                                               {0}};
   static const struct argp argp = {
       options,
       parse,
-      "A.stl B.stl",
+      "A.stl B.stl\nROBOT.urdf PATH.csv",
       "What an exact design for two meshes needs in every pose, and the design of the fewest gates "
       "that judges all pairs in time: a core alone, behind comparator lanes or, on a path, behind "
-      "trees.",
-      NULL,
+      "trees. Of a mechanism on a path: for all pairs of bodies that are compared, in each line.",
+      children,
       NULL,
       NULL};
-  size_options o = {
-      .space = {.poses = 64, .seed = 1},
-      .request = {.lanes_most = SEPAX_LANES_MAX, .seconds = 0.96e-3, .latency = SEPAX_TREE_LATENCY},
-      .clock = sepax_config_default()};
+  static size_options o = {.space = {.poses = 64, .seed = 1},
+                           .request = {.lanes_most = SEPAX_LANES_MAX,
+                                       .seconds = 0.96e-3,
+                                       .latency = SEPAX_TREE_LATENCY}};
+  o.clock = sepax_config_default();
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   o.request.clock_ps = o.clock.clock_ps;
   sepax_error error = {""};
   size_answer answer = {.best = NULL};
-  if ((o.json && !size_names_printable(&o, &error)) || !sepax_config_check(&o.clock, &error) ||
-      !read_and_size(&o, &answer, &error) || !choose(&o, &answer, &error) ||
-      (o.generate && !generate(&o, answer.best, &error))) {
-    sepax_size_free(&answer.size);
-    return cli_fail(argv[0], &error);
+  bool ok = (!o.json || size_names_printable(&o, &error)) && sepax_config_check(&o.clock, &error) &&
+            read_and_size(&o, &answer, &error) && choose(&o, &answer, &error) &&
+            (!o.is_scene || size_scene_tell(&answer, &o, &error)) &&
+            (!o.generate || generate(&o, answer.best, &error));
+  if (ok) {
+    (o.json ? size_print_json : size_print_text)(&o, &answer);
   }
-  (o.json ? size_print_json : size_print_text)(&o, &answer);
-  sepax_size_free(&answer.size);
-  return 0;
+  release(&answer);
+  return ok ? 0 : cli_fail(argv[0], &error);
 }

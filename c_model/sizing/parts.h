@@ -1,16 +1,18 @@
 /* parts.h - what the parts of sepax size share: command.c reads what is asked and finds the answer,
- * output.c prints it. */
+ * scene.c measures a mechanism on a path, output.c prints all that. */
 #ifndef SEPAX_SIZING_PARTS_H
 #define SEPAX_SIZING_PARTS_H
 
-#include "cli/cli.h"
-#include "sepax_tree.h"
+#include "path/engine.h"
 
 typedef struct {
   sepax_space space;
   const char *path[2], *folder;
-  const char *path_file;     /* of poses, or NULL */
-  const char *moved, *posed; /* an option that is for a motion, for a path; or NULL */
+  path_question scene; /* of a mechanism; path[] are its URDF and CSV */
+  bool is_scene;
+  const char *resolution;             /* as it is written */
+  const char *path_file;              /* of poses, or NULL */
+  const char *moved, *posed, *placed; /* an option for a motion, for a path, for a workspace */
   int paths;
   sepax_size_request request;
   bool lanes_given;
@@ -26,11 +28,28 @@ typedef struct {
   sepax_sized_design best; /* not in time: its cycles and seconds are those that none is below */
 } size_kind;
 
+/* A pair of a mechanism with the best design. */
 typedef struct {
-  sepax_size size;
+  uint64_t worst; /* cycles */
+  size_t line;    /* of these */
+  double mean;
+} size_pair;
+
+typedef struct {
+  sepax_size *size; /* of each pair; of two meshes it is one */
+  size_t pairs;
+  path_scene scene; /* of a mechanism, as are: */
+  path_engine engine;
+  size_pair *each;
   size_kind kind[SIZE_KINDS];
   const sepax_sized_design *best; /* of all kinds */
 } size_answer;
+
+/* What the pairs of a mechanism need in each line. False leaves what can be freed. */
+bool size_scene_read(size_answer *answer, const size_options *o, sepax_error *error);
+/* What each takes with the best design. */
+bool size_scene_tell(size_answer *answer, const size_options *o, sepax_error *error);
+void size_scene_free(size_answer *answer);
 
 void size_print_text(const size_options *o, const size_answer *answer);
 void size_print_json(const size_options *o, const size_answer *answer);

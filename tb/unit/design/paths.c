@@ -194,6 +194,97 @@ CASE(test_cheapest_on_a_path) {
   assert_true(trees > 5 && lanes > 20);
 }
 
+/* ------------------------------------------------------------------- several pairs */
+
+enum { PAIRS = 3 };
+
+/* In each pose, the sum of all; `between` of a tree engine. */
+static uint64_t cycles_of_all(const scene s[PAIRS], const sepax_design *design,
+                              const sepax_size_request *request, uint64_t *steps) {
+  uint64_t most = 0;
+  for (size_t n = 0; n < s[0].path.count; n++) {
+    uint64_t sum = design->config.tree ? 40 * PAIRS + (PAIRS + 1) * (uint64_t)request->latency : 0;
+    for (int k = 0; k < PAIRS; k++) {
+      const struct size_trees *t = s[k].size.trees;
+      sepax_tree_run run = {.cycles = 0};
+      if (design->config.tree) {
+        const sepax_tree_walk how = {.design = design, .latency = request->latency};
+        assert_works(sepax_trees_walk(t->tree[0], t->tree[1], &t->pose[n], &how, &run, &fault));
+      } else {
+        run.cycles = job_cycles(&s[k].size.job[n], s[k].size.count, &design->config, steps);
+        run.cycles += design->config.lanes > 0 ? vertices_sent(&s[k], &design->config) : 0;
+      }
+      uint64_t cycles;
+      assert_works(sepax_size_cycles(&cycles, &s[k].size, &design->config, n, request, &fault));
+      assert_int_equal(cycles, run.cycles);
+      sum += run.cycles;
+    }
+    most = sum > most ? sum : most;
+  }
+  return most;
+}
+
+/* The cheapest for all pairs of a scene, of all that there are, and one cycle less. */
+CASE(test_cheapest_of_pairs) {
+  static scene s[PAIRS];
+  static uint64_t steps[2 * MOST_FACETS * MOST_FACETS];
+  size_t kinds[2] = {0, 0};
+  for (int n = 0; n < 4; n++) {
+    sepax_size size[PAIRS];
+    int word[2] = {0, 0};
+    int shortest = 0;
+    for (int k = 0; k < PAIRS; k++) {
+      do {
+        draw_scene(&s[k], n % 3 == 0 ? 12 : MOST_FACETS);
+      } while (s[k].path.count != s[0].path.count);
+      int of_trees = s[k].size.trees->word;
+      word[0] = s[k].size.grid.word > word[0] ? s[k].size.grid.word : word[0];
+      word[1] = of_trees > word[1] ? of_trees : word[1];
+      shortest = of_trees < s[shortest].size.trees->word ? k : shortest;
+    }
+    for (int k = 0; k < PAIRS; k++) {
+      size[k] = s[(k + shortest) % PAIRS].size;
+    }
+    for (int tree = 0; tree < 2; tree++) {
+      sepax_size_request request = {.clock_ps = 2000, .tree = tree != 0, .latency = 50 + n};
+      request.lanes_most = tree != 0 ? -1 : 3;
+      uint64_t limit = 0;
+      double least = INFINITY;
+      for (int turn = 0; turn < 2; turn++) { /* any design's cycles; then the cheapest within */
+        for (size_t i = 0; i < LENGTH(intervals) * SEPAX_CORES_MAX * 4; i++) {
+          int ii = intervals[i / 4 / SEPAX_CORES_MAX];
+          int cores = 1 + (int)(i / 4) % SEPAX_CORES_MAX;
+          int lanes = tree != 0 ? 0 : (int)i % 4;
+          sepax_design d =
+              design_of("--word=%d --ii=%d --lanes=%d --cores=%d --tree=%s", word[tree], ii, lanes,
+                        tree + lanes > 0 ? cores : 1, tree != 0 ? "on" : "off");
+          uint64_t cycles = cycles_of_all(s, &d, &request, steps);
+          double unread;
+          if (turn == 0 && (limit == 0 || random_below(40) == 0)) {
+            limit = cycles;
+          } else if (turn == 1 && cycles <= limit) {
+            least = fmin(least, sepax_gates(&d, &unread));
+          }
+        }
+      }
+      sepax_sized_design m;
+      request.seconds = (double)limit * 2e-9;
+      assert_works(sepax_size_pairs(&m, size, PAIRS, &request, &fault));
+      assert_true(fabs(m.gates - least) <= 1e-9 * least);
+      assert_true(m.cycles <= limit && m.mean <= (double)m.cycles);
+      assert_int_equal(m.config.tree, tree);
+      sepax_design found;
+      assert_works(sepax_design_init(&found, &m.config, &fault));
+      assert_int_equal(m.cycles, cycles_of_all(s, &found, &request, steps));
+      kinds[tree]++;
+    }
+  }
+  assert_true(kinds[0] == 4 && kinds[1] == 4);
+  for (int k = 0; k < PAIRS; k++) {
+    sepax_size_free(&s[k].size);
+  }
+}
+
 /* Where nothing is rounded, near pairs of a tree engine are the candidates of one with lanes. */
 CASE(test_same_near_pairs) {
   static scene s;
@@ -211,6 +302,44 @@ CASE(test_same_near_pairs) {
   }
   sepax_size_free(&s.size);
   assert_true(near > 10000);
+}
+
+/* The same with a clearance, to which a tree engine adds 2 LSB; no pair takes two passes. */
+CASE(test_same_near_pairs_with_a_clearance) {
+  static scene s;
+  uint64_t near[2] = {0, 0};
+  for (int n = 0; n < 30; n++) {
+    sepax_size limited[2];
+    draw_scene(&s, MOST_FACETS);
+    for (int k = 0; k < 2; k++) {
+      const sepax_space space = {.resolution = 1,
+                                 .offset_given = true,
+                                 .path = &s.path,
+                                 .limited = true,
+                                 .clearance = 3,
+                                 .warning = n % 2 == 0 ? 0 : 9 - 2 * k};
+      sepax_space one = space;
+      one.clearance = n % 2 == 0 ? 9 - 2 * k : 3;
+      assert_works(sepax_size_scene(&limited[k], &s.mesh[0], &s.mesh[1], &one, &fault));
+    }
+    for (size_t k = 0; k < s.path.count; k++) {
+      const sepax_size_request request = {.latency = 100};
+      sepax_design design =
+          design_of("--word=%d --ii=3 --tree=on --clearance=%d --warning=%d",
+                    limited[1].trees->word, limited[1].clearance, limited[1].warning);
+      sepax_tree_run run;
+      assert_works(size_trees_walk(limited[1].trees, &design.config, k, &request, &run, &fault));
+      assert_int_equal(run.near, limited[0].job[k].candidates);
+      assert_int_equal(limited[0].job[k].passes, limited[0].job[k].candidates);
+      assert_int_equal(limited[0].job[k].twice + limited[0].job[k].twice_near, 0);
+      near[0] += run.near;
+      near[1] += s.size.job[k].candidates;
+    }
+    sepax_size_free(&limited[0]);
+    sepax_size_free(&limited[1]);
+  }
+  sepax_size_free(&s.size);
+  assert_true(near[0] > near[1] + 1000 && near[1] > 1000);
 }
 
 /* Bodies that are larger than the memories. */
