@@ -23,6 +23,7 @@ typedef struct {
   uint64_t between; /* cycles between the runs of a tree engine in a pose */
   int word;         /* of designs without a tree: the longest of all pairs */
   int tree_word;
+  size_t tree_poses;
   int64_t extent[2];
   size_t largest[2]; /* triangles of a body */
   const sepax_size_request *request;
@@ -128,8 +129,8 @@ static sepax_config tree_engine(const choice *all, int ii, int cores) {
 /* In each pose; no other takes fewer cycles. */
 static bool find_work(choice *all, sepax_error *error) {
   const sepax_config fastest = tree_engine(all, 1, SEPAX_CORES_MAX);
-  size_t poses = all->size->trees->poses;
-  all->work = calloc(poses, sizeof *all->work);
+  size_t poses = all->tree_poses;
+  all->work = calloc(poses + 1, sizeof *all->work);
   if (all->work == NULL) {
     return sepax_fail(error, "no memory for %zu poses", poses);
   }
@@ -152,7 +153,7 @@ static bool add_tree_engines(choice *all, sepax_error *error) {
     int cores = 1 + (int)n % SEPAX_CORES_MAX;
     sepax_config config = tree_engine(all, intervals[n / SEPAX_CORES_MAX], cores);
     uint64_t least = 0;
-    for (size_t k = 0; k < all->size->trees->poses; k++) {
+    for (size_t k = 0; k < all->tree_poses; k++) {
       uint64_t busy = all->work[k].passes / (uint64_t)cores; /* the last of a pair takes no II */
       busy = busy > all->pairs ? (busy - all->pairs) * (uint64_t)config.ii : 0;
       least = larger(least, larger(busy, all->work[k].least));
@@ -168,7 +169,7 @@ static bool add_tree_engines(choice *all, sepax_error *error) {
 
 /* Poses of a design; 0 where no jobs were looked for. */
 static size_t poses_of(const choice *all, const sepax_config *config) {
-  return config->tree ? all->size->trees->poses : all->size->jobs;
+  return config->tree ? all->tree_poses : all->size->jobs;
 }
 
 static bool cycles_of(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
@@ -328,6 +329,7 @@ static bool allocate(choice *all, sepax_error *error) {
     const sepax_size *size = &all->size[n];
     passes = (size_t)larger(passes, most_passes(size));
     int of_trees = size->trees != NULL ? size->trees->word : 0;
+    all->tree_poses = size->trees != NULL ? size->trees->poses : 0;
     all->word = size->grid.word > all->word ? size->grid.word : all->word;
     all->tree_word = of_trees > all->tree_word ? of_trees : all->tree_word;
     for (int i = 0; i < 2; i++) {

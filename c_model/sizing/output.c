@@ -72,7 +72,7 @@ static void print_design(const size_answer *answer) {
          m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to designs like this one");
 }
 
-static void print_rest(const size_options *o) {
+static void print_basis(const size_options *o) {
   printf("rests on   cycles that the golden model's walk of each pose predicts, in measured "
          "scenes the\n%-*smean to 4 %%, a pose to 13 %%; memory of %d cycles latency and 128 "
          "bits, caches cold\n%-*sat each pose\n",
@@ -89,7 +89,7 @@ static void print_time(const size_options *o, const size_answer *answer) {
     printf(" in the worst of %zu poses, number %zu; mean %.4g ms (%.0f cycles)\n",
            answer->size->path, m->worst, 1e-6 * period * m->mean, m->mean);
     if (m->config.tree) {
-      print_rest(o);
+      print_basis(o);
     } else if (m->config.lanes > 0) {
       printf("rests on   the golden model's cycles in each pose, and vertices that are loaded anew "
              "for each,\n%-*s3 cycles a triangle\n",
@@ -143,7 +143,7 @@ static void print_lines(const size_options *o, const size_answer *answer) {
          (unsigned long long)m->cycles, period, scene->motion.lines, WIDTH, "",
          worst_of(answer, m->worst), 1e-6 * period * m->mean, m->mean, 1e3 * o->request.seconds);
   if (m->config.tree) {
-    print_rest(o);
+    print_basis(o);
   }
 }
 
