@@ -23,6 +23,13 @@ static const double engine_error = 0.05;
 static const double ge_of_tree = 76559;
 static const double ge_per_tree_bit = 1779.5;
 
+/* What one clearance or two add to a core (docs/results/area/clearance.csv,
+ * scripts/experiments/fit-area -d), with the largest relative error on these designs. */
+enum { CLEARANCE_TERMS = 6 };
+static const double ge_per_clearance_term[CLEARANCE_TERMS] = {4.265,  7230.6, 263.85,
+                                                              1305.6, 1050.1, 424.29};
+static const double clearance_error = 0.0885;
+
 static int units(int operations, int ii) { return (operations + ii - 1) / ii; }
 
 /* What a core of w bits behind the AABB test is made of (docs/exact.md#formats): the bits of its
@@ -43,23 +50,62 @@ static void count_terms(double term[TERMS], const sepax_design *d) {
   term[6] = d->aabb_test ? d->config.word : 0;
 }
 
+/* Signed digits of a number, none beside another. */
+static int digits(int n) {
+  int count = 0;
+  for (; n > 0; n /= 2) {
+    if (n % 2 != 0) {
+      count++;
+      n += n % 4 == 3;
+    }
+  }
+  return count;
+}
+
+/* What sepax_limit adds: multiples of D and D + 2. */
+static int sums_of_limit(int clearance) { return digits(clearance) + digits(clearance + 2); }
+
+/* Multipliers of trapezoids in two more projections; what is needed in each cycle: limits, and what
+ * compares with them; what waits; multiplexers; a second limit; sums of limits. */
+static double gates_of_clearances(const sepax_design *d) {
+  const sepax_config *c = &d->config;
+  int w = d->core_word;
+  double each = (double)w / c->ii;
+  bool two = d->limits > 1;
+  const double term[CLEARANCE_TERMS] = {
+      (units(45, c->ii) - units(15, c->ii)) * (w + 1) * (w + 1),
+      each,
+      w * (c->ii < 9 ? c->ii : 9),
+      c->ii > 1 && c->ii % 3 != 0 ? w : 0,
+      two ? each : 0,
+      each * (sums_of_limit(c->clearance) + (two ? sums_of_limit(c->warning) : 0))};
+  double sum = 0;
+  for (int i = 0; i < CLEARANCE_TERMS && d->limits > 0; i++) {
+    sum += ge_per_clearance_term[i] * term[i];
+  }
+  return sum;
+}
+
 double sepax_gates(const sepax_design *design, double *error) {
   double term[TERMS];
-  double core = 0;
+  double plain = 0;
   count_terms(term, design);
   for (int i = 0; i < TERMS; i++) {
-    core += ge_per_term[i] * term[i];
+    plain += ge_per_term[i] * term[i];
   }
   const sepax_config *c = &design->config;
+  double clearances = gates_of_clearances(design);
+  double core = plain + clearances;
+  double core_error = plain * largest_error + clearances * clearance_error;
   if (c->lanes == 0 && !c->tree) {
-    *error = core * largest_error;
+    *error = core_error;
     return core;
   }
   double around = ge_of_engine + (ge_per_engine_bit + ge_per_lane_bit * c->lanes) * c->word;
   if (c->tree) {
     around = ge_of_tree + ge_per_tree_bit * c->word;
   }
-  *error = core * c->cores * largest_error + around * engine_error;
+  *error = core_error * c->cores + around * engine_error;
   return core * c->cores + around;
 }
 
