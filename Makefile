@@ -69,7 +69,8 @@ all:
 
 help:
 	@cat scripts/make/help.txt
-	@$(MAKE) -s $(SEPAX) > /dev/null && $(SEPAX) name --list
+	@if [ -x $(SEPAX) ]; then $(MAKE) -s $(SEPAX) > /dev/null && $(SEPAX) name --list; \
+	  else echo "Design: its options are listed here after make build"; fi
 
 build:
 	@scripts/setup build

@@ -10,15 +10,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static const off_t bytes_most = (off_t)1 << 30;
-
 /* What the process leaves in its file, in front of the facets. */
 typedef struct {
   size_t count; /* 0: it failed, and why is in the error */
   sepax_error error;
 } result;
 
-static bool is_sane(const char *path, off_t *bytes, sepax_error *error) {
+bool confined_size(const char *path, size_t *bytes, sepax_error *error) {
   struct stat s;
   if (stat(path, &s) != 0) {
     return sepax_fail(error, "%.300s: %s; give a readable file", path, strerror(errno));
@@ -26,13 +24,13 @@ static bool is_sane(const char *path, off_t *bytes, sepax_error *error) {
   if (!S_ISREG(s.st_mode) || s.st_size == 0) {
     return sepax_fail(error, "%.300s: no file, or empty; give a mesh", path);
   }
-  *bytes = s.st_size;
-  return s.st_size <= bytes_most ||
+  *bytes = (size_t)s.st_size;
+  return *bytes <= CONFINED_BYTES_MOST ||
          sepax_fail(error, "%.300s: longer than 1 GiB; simplify the mesh", path);
 }
 
 /* Five seconds and two for each MiB; 2 GiB and 100 bytes for each byte. A sanitizer maps more. */
-static void confine(off_t bytes) {
+static void confine(size_t bytes) {
   rlim_t seconds = 5 + 2 * (rlim_t)(bytes >> 20);
   struct rlimit time = {seconds, seconds + 1};
   setrlimit(RLIMIT_CPU, &time);
@@ -74,9 +72,9 @@ static bool take_result(FILE *channel, const char *path, sepax_mesh *mesh, sepax
 bool confined_read(sepax_mesh *mesh, const char *path,
                    bool (*read)(sepax_mesh *mesh, const char *path, sepax_error *error),
                    sepax_error *error) {
-  off_t bytes = 0;
+  size_t bytes = 0;
   *mesh = (sepax_mesh){0};
-  if (!is_sane(path, &bytes, error)) {
+  if (!confined_size(path, &bytes, error)) {
     return false;
   }
   FILE *channel = tmpfile();

@@ -37,6 +37,7 @@ typedef struct {
 } format_shape;
 
 typedef struct {
+  char *name;                /* or NULL */
   sepax_mechanism mechanism; /* joined */
   format_shape *shape;       /* in the order of the file */
   size_t shapes;
@@ -53,8 +54,9 @@ bool format_urdf_read(format_robot *robot, const char *path, const format_packag
                       size_t packages, sepax_error *error);
 void format_robot_free(format_robot *robot);
 
-/* compared[a * links + b], all true before: set to false, both ways, what the file disables. */
-bool format_srdf_read(bool *compared, const sepax_mechanism *m, const char *path,
+/* compared[a * links + b], all true before: set to false, both ways, what the file disables. `of`,
+ * unless NULL, gets the name of its robot, by malloc, or NULL. */
+bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const char *path,
                       sepax_error *error);
 
 /* ----------------------------------------------------------------- meshes */

@@ -2,6 +2,7 @@
 #include "formats/confined.h"
 #include "formats/ply.h"
 #include "formats/formats.h"
+#include "formats/xml.h"
 #include "util/error.h"
 #include "util/list.h"
 
@@ -225,7 +226,8 @@ static const struct aiScene *import(const char *path, sepax_error *error) {
   aiReleasePropertyStore(how);
   if (scene == NULL || scene->mRootNode == NULL ||
       (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
-    const char *why = scene == NULL ? aiGetErrorString() : "it is incomplete";
+    const char *why = scene == NULL ? aiGetErrorString()
+                                    : "it is incomplete, or too large for its reader's memory";
     sepax_fail(error, "%.240s: %.180s; export it again", path, why);
     aiReleaseImport(scene);
     return NULL;
@@ -235,7 +237,8 @@ static const struct aiScene *import(const char *path, sepax_error *error) {
 
 static bool read_other(sepax_mesh *mesh, const char *path, sepax_error *error) {
   *mesh = (sepax_mesh){0};
-  if (ends_in(path, ".ply") && !ply_is_whole(path, error)) {
+  if ((ends_in(path, ".ply") && !ply_is_whole(path, error)) ||
+      (ends_in(path, ".dae") && !xml_dae_right(path, error))) {
     return false;
   }
   const struct aiScene *scene = import(path, error);
@@ -252,11 +255,39 @@ static bool read_other(sepax_mesh *mesh, const char *path, sepax_error *error) {
   return ok;
 }
 
+/* What the head of a binary STL announces, if it is as long as that; of another file 0. */
+static size_t facets_announced(const char *path, size_t bytes) {
+  enum { HEAD = 84, FACET = 50 };
+  unsigned char head[HEAD];
+  FILE *in = fopen(path, "rb");
+  size_t count = 0;
+  if (in != NULL && fread(head, 1, HEAD, in) == HEAD) {
+    count = head[80] | (size_t)head[81] << 8 | (size_t)head[82] << 16 | (size_t)head[83] << 24;
+  }
+  if (in != NULL) {
+    fclose(in);
+  }
+  return bytes == HEAD + FACET * count ? count : 0;
+}
+
+/* Bounded before anything is read. A text of this length has fewer facets. */
+static bool read_stl(sepax_mesh *mesh, const char *path, sepax_error *error) {
+  size_t bytes = 0;
+  if (!confined_size(path, &bytes, error)) {
+    return false;
+  }
+  size_t facets = facets_announced(path, bytes);
+  return facets <= FORMAT_FACETS_MOST
+             ? sepax_stl_read(mesh, path, error)
+             : sepax_fail(error, "%.300s: %zu triangles, more than %d; simplify the mesh", path,
+                          facets, FORMAT_FACETS_MOST);
+}
+
 bool format_mesh_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
   static const char *const others[] = {".obj", ".ply", ".3mf", ".dae"};
   *mesh = (sepax_mesh){0};
   if (ends_in(path, ".stl") || ends_in(path, ".stlb")) {
-    return sepax_stl_read(mesh, path, error);
+    return read_stl(mesh, path, error);
   }
   for (int i = 0; i < 4; i++) {
     if (ends_in(path, others[i])) {

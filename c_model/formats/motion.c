@@ -26,6 +26,7 @@ static const unit times[] = {{"s", 1, 1}, {"ms", 1, 1e3}, {"us", 1, 1e6}, {NULL,
 typedef struct {
   int joint; /* or TIME */
   const unit *unit;
+  bool bare; /* no unit is written */
 } column;
 
 /* A piece of the text. */
@@ -98,9 +99,9 @@ static int shown(piece p) { return p.length < 60 ? (int)p.length : 60; }
 
 /* -------------------------------------------------------------------------- header */
 
-/* "NAME [UNIT]": the unit, or an empty piece. */
+/* "NAME [UNIT]": the unit; at NULL: none is written. */
 static piece take_unit(piece *name) {
-  piece u = {name->at, 0};
+  piece u = {NULL, 0};
   size_t open = name->length;
   if (name->length > 2 && name->at[name->length - 1] == ']') {
     while (open > 1 && name->at[open - 1] != '[') {
@@ -118,7 +119,8 @@ static bool find_unit(const reader *r, column *c, piece name, piece u, sepax_err
   bool slides = c->joint != TIME && r->m->joint[c->joint].kind == SEPAX_JOINT_PRISMATIC;
   const unit *known = c->joint == TIME ? times : slides ? lengths : angles;
   const unit *found = known;
-  while (u.length > 0 && found->name != NULL && !is(u, found->name)) {
+  c->bare = u.at == NULL;
+  while (!c->bare && found->name != NULL && !is(u, found->name)) {
     found++;
   }
   c->unit = found;
@@ -129,6 +131,28 @@ static bool find_unit(const reader *r, column *c, piece name, piece u, sepax_err
                                                       : "rad, deg");
 }
 
+static bool has_any(piece p, const char *characters) {
+  for (size_t n = 0; n < p.length; n++) {
+    if (strchr(characters, p.at[n]) != NULL) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static bool fail_name(const reader *r, piece name, sepax_error *error) {
+  double number;
+  if (name.length == 0) {
+    return fail(r, error, "column %zu has no name; give one, or leave the comma out",
+                r->columns + 1);
+  }
+  return fail(r, error, "column '%.*s': there is no joint of this name; %s", shown(name), name.at,
+              name.at[0] == '"'                              ? "leave the quotes out"
+              : has_any(name, "; \t")                        ? "separate columns by commas"
+              : format_number(name.at, name.length, &number) ? "the first line must name joints"
+                                                             : "mend the name, or leave it out");
+}
+
 static bool find_joint(const reader *r, piece name, column *c, sepax_error *error) {
   const sepax_mechanism *m = r->m;
   size_t n = 0;
@@ -136,11 +160,7 @@ static bool find_joint(const reader *r, piece name, column *c, sepax_error *erro
     n++;
   }
   if (n == m->joints) {
-    const char *cure = memchr(name.at, ';', name.length) != NULL ? "separate columns by commas"
-                       : name.length > 0 && name.at[0] == '"'    ? "leave the quotes out"
-                                                                 : "mend the name, or leave it out";
-    return fail(r, error, "column '%.*s': there is no joint of this name; %s", shown(name), name.at,
-                cure);
+    return fail_name(r, name, error);
   }
   if (!sepax_joint_driven(&m->joint[n])) {
     return fail(r, error, "column '%.*s': this joint %s; leave the column out", shown(name),
@@ -213,19 +233,27 @@ static const char *unit_of(const sepax_joint *joint) {
   return joint->kind == SEPAX_JOINT_PRISMATIC ? "m" : "rad";
 }
 
-static bool within_limits(const reader *r, size_t n, size_t at, double value, sepax_error *error) {
+/* `at` is the joint's column, in whose unit it is told, or NULL. */
+static bool within_limits(const reader *r, size_t n, const column *at, double value,
+                          sepax_error *error) {
   const sepax_joint *joint = &r->m->joint[n];
   if (r->rules->ignore_limits || (value >= joint->lower && value <= joint->upper)) {
     return true;
   }
-  char where[32];
-  snprintf(where, sizeof where, "column %zu, ", at);
+  char where[32] = "";
+  if (at != NULL) {
+    snprintf(where, sizeof where, "column %zu, ", (size_t)(at - r->column) + 1);
+  }
   bool above = value > joint->upper;
+  double scale = at != NULL ? at->unit->by / at->unit->times : 1;
+  const char *name = at != NULL ? at->unit->name : unit_of(joint);
+  bool degrees = at != NULL && at->bare && joint->kind != SEPAX_JOINT_PRISMATIC;
   return fail(r, error,
-              "%sjoint %.60s: %.9g %s is %s its limit of %.9g %s; mend it, or give "
+              "%sjoint %.60s: %.9g %s is %s its limit of %.9g %s; mend it, %sor give "
               "--ignore-limits",
-              at > 0 ? where : "", joint->name, value, unit_of(joint), above ? "above" : "below",
-              above ? joint->upper : joint->lower, unit_of(joint));
+              where, joint->name, value * scale, name, above ? "above" : "below",
+              (above ? joint->upper : joint->lower) * scale, name,
+              degrees ? "name its unit, [deg], " : "");
 }
 
 static bool read_value(const reader *r, size_t k, piece cell, double *value, sepax_error *error) {
@@ -263,7 +291,7 @@ static double *add_line(reader *r) {
 static bool check_line(const reader *r, const double *value, sepax_error *error) {
   for (size_t k = 0; k < r->columns; k++) {
     int n = r->column[k].joint;
-    if (n != TIME && !within_limits(r, (size_t)n, k + 1, value[n], error)) {
+    if (n != TIME && !within_limits(r, (size_t)n, &r->column[k], value[n], error)) {
       return false;
     }
   }
@@ -271,7 +299,7 @@ static bool check_line(const reader *r, const double *value, sepax_error *error)
     if (r->m->joint[n].kind != SEPAX_JOINT_FIXED && !isfinite(value[n])) {
       return fail(r, error, "joint %.60s: its value is too large; mend it", r->m->joint[n].name);
     }
-    if (r->m->joint[n].kind != SEPAX_JOINT_FIXED && !within_limits(r, n, 0, value[n], error)) {
+    if (r->m->joint[n].kind != SEPAX_JOINT_FIXED && !within_limits(r, n, NULL, value[n], error)) {
       return false;
     }
   }
@@ -298,7 +326,8 @@ static bool read_line(reader *r, piece line, sepax_error *error) {
     cells++;
   }
   if (cells != r->columns) {
-    return fail(r, error, "%zu columns, but the header has %zu; mend the line", cells, r->columns);
+    return fail(r, error, "%zu columns, but the header has %zu; mend the line%s", cells, r->columns,
+                cells > r->columns ? " (decimals have a point)" : "");
   }
   if (to->lines > 1 && to->time[to->lines - 1] < to->time[to->lines - 2]) {
     return fail(r, error, "time runs back, from %.9g s to %.9g s; mend it", to->time[to->lines - 2],

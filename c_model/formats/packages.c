@@ -14,6 +14,11 @@ static bool is_file(const char *path) {
   return stat(path, &s) == 0 && !S_ISDIR(s.st_mode);
 }
 
+static bool is_folder(const char *path) {
+  struct stat s;
+  return stat(path, &s) == 0 && S_ISDIR(s.st_mode);
+}
+
 static char *copy_of(const char *text) {
   size_t size = strlen(text) + 1;
   char *copy = malloc(size);
@@ -35,9 +40,12 @@ static bool make_absolute(const char *path, char whole[PATH_MOST]) {
   return snprintf(whole, PATH_MOST, "%s%s%s", here, path[0] != '/' ? "/" : "", path) < PATH_MOST;
 }
 
-/* "NAME/rest" beside the URDF, and beside each folder above it; or rest in a folder NAME. */
-static bool search_package(char *path, const char *urdf, const char *name_and_path) {
+/* "NAME/rest" beside the URDF, and beside each folder above it; or rest in a folder NAME. `folder`
+ * gets the first folder of this name, or stays empty. */
+static bool search_package(char *path, const char *urdf, const char *name_and_path,
+                           char folder[PATH_MOST]) {
   char whole[PATH_MOST];
+  char beside[PATH_MOST];
   if (!make_absolute(urdf, whole)) {
     return false;
   }
@@ -52,6 +60,11 @@ static bool search_package(char *path, const char *urdf, const char *name_and_pa
     int length = (int)strlen(whole);
     found = is_in(path, length, whole, name_and_path) ||
             (is_package && is_in(path, length, whole, rest));
+    if (folder[0] == '\0' && (is_package || (snprintf(beside, PATH_MOST, "%s/%.*s", whole,
+                                                      (int)name, name_and_path) < PATH_MOST &&
+                                             is_folder(beside)))) {
+      strcpy(folder, is_package ? whole : beside);
+    }
   }
   return found;
 }
@@ -68,8 +81,16 @@ static bool find_in_package(const format_places *p, const char *name_and_path, c
                         package->folder);
     }
   }
-  return search_package(path, p->urdf, name_and_path) ||
-         sepax_fail(error,
+  char folder[PATH_MOST] = "";
+  if (search_package(path, p->urdf, name_and_path, folder)) {
+    return true;
+  }
+  if (folder[0] != '\0') {
+    return sepax_fail(error,
+                      "no file %.120s in package folder %.80s; mend the name, or give --package",
+                      name_and_path, folder);
+  }
+  return sepax_fail(error,
                     "package://%.100s is neither beside the URDF nor above it; give "
                     "--package=%.*s:FOLDER",
                     name_and_path, (int)(name < 40 ? name : 40), name_and_path);

@@ -185,6 +185,60 @@ static void place_mesh(sepax_mesh *mesh, const sepax_pose *pose) {
   }
 }
 
+static bool is_point(const sepax_facet *facet) {
+  for (int n = 3; n < 9; n++) {
+    double x = facet->v[n / 3][n % 3];
+    if (x < facet->v[0][n % 3] || x > facet->v[0][n % 3]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static int compare_points(const void *p, const void *q) {
+  const double *a = p;
+  const double *b = q;
+  for (int i = 0; i < 3; i++) {
+    if (a[i] < b[i] || a[i] > b[i]) {
+      return a[i] < b[i] ? -1 : 1;
+    }
+  }
+  return 0;
+}
+
+/* Of triangles that are one point, one: searches would compare each with each. */
+static bool merge_points(sepax_mesh *mesh, sepax_error *error) {
+  size_t points = 0;
+  for (size_t n = 0; n < mesh->count; n++) {
+    points += is_point(&mesh->facet[n]);
+  }
+  double(*at)[3] = points > 1 ? malloc(points * sizeof *at) : NULL;
+  if (at == NULL) {
+    return points <= 1 || sepax_fail(error, "no memory for %zu triangles", points);
+  }
+  size_t kept = 0;
+  size_t found = 0;
+  for (size_t n = 0; n < mesh->count; n++) {
+    if (is_point(&mesh->facet[n])) {
+      memcpy(at[found++], mesh->facet[n].v[0], sizeof *at);
+    } else {
+      mesh->facet[kept++] = mesh->facet[n];
+    }
+  }
+  qsort(at, points, sizeof *at, compare_points);
+  for (size_t n = 0; n < points; n++) {
+    if (n == 0 || compare_points(at[n - 1], at[n]) != 0) {
+      for (int k = 0; k < 3; k++) {
+        memcpy(mesh->facet[kept].v[k], at[n], sizeof *at);
+      }
+      kept++;
+    }
+  }
+  mesh->count = kept;
+  free(at);
+  return true;
+}
+
 bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error *error) {
   bool ok = false;
   *mesh = (sepax_mesh){0};
@@ -207,6 +261,10 @@ bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error 
   }
   if (ok) {
     place_mesh(mesh, &shape->origin);
+    ok = merge_points(mesh, error);
+  }
+  if (!ok) {
+    sepax_mesh_free(mesh);
   }
   return ok;
 }

@@ -50,15 +50,45 @@ static bool read_defaults(const xml_file *file, bool *compared, const sepax_mech
   return true;
 }
 
-bool format_srdf_read(bool *compared, const sepax_mechanism *m, const char *path,
+/* A misspelt element would leave its pair compared, and a URDF all of them. What else a file may
+ * have, as groups, names no links in this way. */
+static bool elements_known(const xml_file *file, sepax_error *error) {
+  static const char *const known[] = {"disable_collisions", "enable_collisions",
+                                      "disable_default_collisions", "link_sphere_approximation"};
+  for (const xmlNode *n = xml_child(file->root, NULL); n != NULL; n = xml_next(n, NULL)) {
+    if (xml_is(n, "link") || xml_is(n, "joint")) {
+      return xml_fail(file, n, error, "<%s> is of a URDF; give an SRDF", (const char *)n->name);
+    }
+    bool right = !xml_has(n, "link1") && !xml_has(n, "link2") && !xml_has(n, "link");
+    for (int k = 0; k < 4; k++) {
+      right = right || xml_is(n, known[k]);
+    }
+    if (!right) {
+      return xml_fail(file, n, error, "<%.60s> is no element of SRDF; mend its name",
+                      (const char *)n->name);
+    }
+  }
+  return true;
+}
+
+bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const char *path,
                       sepax_error *error) {
   xml_file file;
+  if (of != NULL) {
+    *of = NULL;
+  }
   if (!xml_open(&file, path, "robot", error)) {
     return false;
   }
-  bool ok = read_defaults(&file, compared, m, error) &&
+  bool named = of != NULL && xml_has(file.root, "name");
+  bool ok = (!named || xml_name(&file, file.root, "name", of, error)) &&
+            elements_known(&file, error) && read_defaults(&file, compared, m, error) &&
             read_pairs(&file, "enable_collisions", true, compared, m, error) &&
             read_pairs(&file, "disable_collisions", false, compared, m, error);
   xml_close(&file);
+  if (!ok && of != NULL) {
+    free(*of);
+    *of = NULL;
+  }
   return ok;
 }

@@ -1,6 +1,7 @@
 /* urdf.c - URDF: links with collision geometry, and the joints between them. */
 #include "formats/packages.h"
 #include "formats/xml.h"
+#include "mechanism/steps.h"
 #include "util/list.h"
 #include "util/plain_numbers.h"
 
@@ -22,6 +23,7 @@ void format_robot_free(format_robot *robot) {
     free(robot->shape[n].path);
   }
   free(robot->shape);
+  free(robot->name);
   sepax_mechanism_free(&robot->mechanism);
   *robot = (format_robot){0};
 }
@@ -30,9 +32,12 @@ void format_robot_free(format_robot *robot) {
 
 /* <origin xyz rpy>: about x by r, then y by p, then z by y, axes that stay. */
 static bool read_origin(const reader *r, const xmlNode *of, sepax_pose *pose, sepax_error *error) {
-  const xmlNode *origin = xml_child(of, "origin");
+  xmlNode *origin = NULL;
   double a[3] = {0, 0, 0};
   *pose = at_origin;
+  if (!xml_single(&r->file, of, "origin", &origin, error)) {
+    return false;
+  }
   if (origin == NULL) {
     return true;
   }
@@ -89,7 +94,17 @@ static bool read_mesh(const reader *r, const xmlNode *node, format_shape *shape,
 
 static bool read_geometry(const reader *r, const xmlNode *node, format_shape *shape,
                           sepax_error *error) {
-  const xmlNode *what = xml_child(xml_child(node, "geometry"), NULL);
+  xmlNode *geometry = NULL;
+  if (!xml_single(&r->file, node, "geometry", &geometry, error)) {
+    return false;
+  }
+  const xmlNode *what = xml_child(geometry, NULL);
+  const xmlNode *second = what != NULL ? xml_next(what, NULL) : NULL;
+  if (second != NULL) {
+    return xml_fail(&r->file, second, error,
+                    "<%.40s> beside <%.40s> in one <geometry>; give each a <collision> of its own",
+                    (const char *)second->name, (const char *)what->name);
+  }
   if (what == NULL) {
     return xml_fail(&r->file, node, error,
                     "<collision> without geometry; give mesh, box, cylinder "
@@ -202,8 +217,11 @@ static bool read_kind(const reader *r, const xmlNode *node, sepax_joint *joint,
 static bool read_end(const reader *r, const xmlNode *node, const char *which, size_t *link,
                      sepax_error *error) {
   const sepax_mechanism *m = &r->robot->mechanism;
-  const xmlNode *end = xml_child(node, which);
+  xmlNode *end = NULL;
   char *name = NULL;
+  if (!xml_single(&r->file, node, which, &end, error)) {
+    return false;
+  }
   if (end == NULL) {
     return xml_fail(&r->file, node, error, "<joint> without <%s link=\"...\"/>; give one", which);
   }
@@ -220,9 +238,12 @@ static bool read_end(const reader *r, const xmlNode *node, const char *which, si
 
 static bool read_limits(const reader *r, const xmlNode *node, sepax_joint *joint,
                         sepax_error *error) {
-  const xmlNode *limit = xml_child(node, "limit");
+  xmlNode *limit = NULL;
   joint->lower = -INFINITY;
   joint->upper = INFINITY;
+  if (!xml_single(&r->file, node, "limit", &limit, error)) {
+    return false;
+  }
   if (joint->kind != SEPAX_JOINT_REVOLUTE && joint->kind != SEPAX_JOINT_PRISMATIC) {
     return true;
   }
@@ -253,10 +274,11 @@ static bool read_joint(reader *r, const xmlNode *node, sepax_error *error) {
   bool unique = find_joint(m, joint.name) == m->joints;
   m->joint[m->joints++] = joint; /* which frees the name from now on */
   sepax_joint *j = &m->joint[m->joints - 1];
-  const xmlNode *axis = xml_child(node, "axis");
+  xmlNode *axis = NULL;
   return (unique || xml_fail(&r->file, node, error, "two joints '%.60s'; rename one", j->name)) &&
          read_kind(r, node, j, error) && read_end(r, node, "parent", &j->parent, error) &&
          read_end(r, node, "child", &j->child, error) && read_origin(r, node, &j->origin, error) &&
+         xml_single(&r->file, node, "axis", &axis, error) &&
          (axis == NULL || xml_numbers(&r->file, axis, "xyz", j->axis, 3, error)) &&
          read_limits(r, node, j, error);
 }
@@ -264,8 +286,11 @@ static bool read_joint(reader *r, const xmlNode *node, sepax_error *error) {
 static bool read_mimic(const reader *r, const xmlNode *node, sepax_joint *joint,
                        sepax_error *error) {
   const sepax_mechanism *m = &r->robot->mechanism;
-  const xmlNode *mimic = xml_child(node, "mimic");
+  xmlNode *mimic = NULL;
   char *name = NULL;
+  if (!xml_single(&r->file, node, "mimic", &mimic, error)) {
+    return false;
+  }
   if (mimic == NULL || joint->kind == SEPAX_JOINT_FIXED) {
     return true;
   }
@@ -286,6 +311,9 @@ static bool read_mimic(const reader *r, const xmlNode *node, sepax_joint *joint,
 
 static bool read_robot(reader *r, sepax_error *error) {
   const xmlNode *root = r->file.root;
+  if (xml_has(root, "name") && !xml_name(&r->file, root, "name", &r->robot->name, error)) {
+    return false;
+  }
   for (const xmlNode *n = xml_child(root, NULL); n != NULL; n = xml_next(n, NULL)) {
     if (n->ns != NULL && n->ns->prefix != NULL &&
         strcmp((const char *)n->ns->prefix, "xacro") == 0) {
@@ -308,8 +336,15 @@ static bool read_robot(reader *r, sepax_error *error) {
     }
   }
   sepax_error inner = {""};
-  return sepax_mechanism_join(&r->robot->mechanism, &inner) ||
-         xml_fail(&r->file, root, error, "%.230s", inner.text);
+  size_t wrong = SEPAX_NO_JOINT;
+  if (mechanism_join(&r->robot->mechanism, &wrong, &inner)) {
+    return true;
+  }
+  const xmlNode *at = wrong != SEPAX_NO_JOINT ? xml_child(root, "joint") : root;
+  for (size_t n = 0; n < wrong && wrong != SEPAX_NO_JOINT; n++) {
+    at = xml_next(at, "joint");
+  }
+  return xml_fail(&r->file, at, error, "%.230s", inner.text);
 }
 
 bool format_urdf_read(format_robot *robot, const char *path, const format_package *package,

@@ -38,6 +38,9 @@ static bool fail_parser(xmlParserCtxt *parser, const char *path, bool has_type,
   }
   const xmlError *last = xmlCtxtGetLastError(parser);
   const char *text = last != NULL && last->message != NULL ? last->message : "no XML";
+  if (strncmp(text, "Excessive depth", strlen("Excessive depth")) == 0) {
+    return sepax_fail(error, "%.240s:%d: deeper than 256 elements; flatten it", path, last->line);
+  }
   return sepax_fail(error, "%.240s:%d: %.*s; mend the XML", path, last != NULL ? last->line : 1,
                     (int)strcspn(text, "\n"), text);
 }
@@ -98,6 +101,15 @@ xmlNode *xml_child(const xmlNode *node, const char *name) {
 }
 
 xmlNode *xml_next(const xmlNode *node, const char *name) { return first_from(node->next, name); }
+
+bool xml_single(const xml_file *file, const xmlNode *node, const char *name, xmlNode **single,
+                sepax_error *error) {
+  *single = xml_child(node, name);
+  const xmlNode *second = *single != NULL ? xml_next(*single, name) : NULL;
+  return second == NULL ||
+         xml_fail(file, second, error, "a second <%.40s> in one <%.40s>; leave one of them out",
+                  (const char *)second->name, (const char *)node->name);
+}
 
 bool xml_has(const xmlNode *node, const char *attribute) {
   return xmlHasProp(node, (const xmlChar *)attribute) != NULL;

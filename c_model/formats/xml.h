@@ -27,6 +27,10 @@ xmlNode *xml_child(const xmlNode *node, const char *name);
 xmlNode *xml_next(const xmlNode *node, const char *name);
 bool xml_is(const xmlNode *node, const char *name);
 
+/* The only element of this name below the node, NULL without one; fails where there are two. */
+bool xml_single(const xml_file *file, const xmlNode *node, const char *name, xmlNode **single,
+                sepax_error *error);
+
 /* A copy of the attribute, by malloc; printable and not empty. Fails where there is none. */
 bool xml_name(const xml_file *file, const xmlNode *node, const char *attribute, char **name,
               sepax_error *error);
@@ -35,5 +39,8 @@ bool xml_name(const xml_file *file, const xmlNode *node, const char *attribute, 
 bool xml_numbers(const xml_file *file, const xmlNode *node, const char *attribute, double *number,
                  int count, sepax_error *error);
 bool xml_has(const xmlNode *node, const char *attribute);
+
+/* A DAE, of any length, without document type, whose unit is some length. For a confined reader. */
+bool xml_dae_right(const char *path, sepax_error *error);
 
 #endif

@@ -1,5 +1,5 @@
 /* join.c - is it a mechanism? Its root, the order of its joints. */
-#include "sepax_mechanism.h"
+#include "mechanism/steps.h"
 #include "util/error.h"
 
 #include <math.h>
@@ -137,16 +137,17 @@ static size_t put_in_order(const sepax_mechanism *m, const lists *below) {
 }
 
 /* From a link that no root reaches: up until it is on the cycle. */
-static bool fail_cycle(const sepax_mechanism *m, size_t link, sepax_error *error) {
+static bool fail_cycle(const sepax_mechanism *m, size_t link, size_t *wrong, sepax_error *error) {
   for (size_t n = 0; n < m->links; n++) {
     link = m->joint[m->link[link].joint].parent;
   }
-  const sepax_joint *joint = &m->joint[m->link[link].joint];
+  *wrong = m->link[link].joint;
+  const sepax_joint *joint = &m->joint[*wrong];
   return sepax_fail(error, "links %.60s and %.60s are on a cycle; leave joint %.60s out",
                     m->link[joint->parent].name, m->link[link].name, joint->name);
 }
 
-static bool find_root(sepax_mechanism *m, sepax_error *error) {
+static bool find_root(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
   size_t roots = 0;
   for (size_t n = 0; n < m->links; n++) {
     if (m->link[n].joint == SEPAX_NO_JOINT && roots++ == 0) {
@@ -156,7 +157,7 @@ static bool find_root(sepax_mechanism *m, sepax_error *error) {
                         m->link[m->root].name, m->link[n].name);
     }
   }
-  return roots == 1 || fail_cycle(m, 0, error);
+  return roots == 1 || fail_cycle(m, 0, wrong, error);
 }
 
 /* A link that the root does not reach; `mark` is overwritten. */
@@ -173,7 +174,7 @@ static size_t link_astray(const sepax_mechanism *m, size_t count, size_t *mark) 
   return link;
 }
 
-static bool order_joints(sepax_mechanism *m, sepax_error *error) {
+static bool order_joints(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
   lists below = {malloc(m->links * sizeof *below.first),
                  malloc((m->joints + 1) * sizeof *below.next)};
   free(m->order);
@@ -188,7 +189,7 @@ static bool order_joints(sepax_mechanism *m, sepax_error *error) {
       below.first[m->joint[n].parent] = n;
     }
     size_t count = put_in_order(m, &below);
-    ok = count == m->joints || fail_cycle(m, link_astray(m, count, below.first), error);
+    ok = count == m->joints || fail_cycle(m, link_astray(m, count, below.first), wrong, error);
   } else {
     sepax_fail(error, "no memory for %zu joints", m->joints);
   }
@@ -197,7 +198,7 @@ static bool order_joints(sepax_mechanism *m, sepax_error *error) {
   return ok;
 }
 
-bool sepax_mechanism_join(sepax_mechanism *m, sepax_error *error) {
+bool mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
   if (m->links == 0) {
     return sepax_fail(error, "no link; a mechanism has one at least");
   }
@@ -209,8 +210,14 @@ bool sepax_mechanism_join(sepax_mechanism *m, sepax_error *error) {
   }
   for (size_t n = 0; n < m->joints; n++) {
     if (!check_joint(m, n, error)) {
+      *wrong = n;
       return false;
     }
   }
-  return find_root(m, error) && order_joints(m, error);
+  return find_root(m, wrong, error) && order_joints(m, wrong, error);
+}
+
+bool sepax_mechanism_join(sepax_mechanism *m, sepax_error *error) {
+  size_t wrong;
+  return mechanism_join(m, &wrong, error);
 }

@@ -1,4 +1,4 @@
-/* steps.h - one joint of a mechanism (private). */
+/* steps.h - the joints of a mechanism (private). */
 #ifndef SEPAX_STEPS_H
 #define SEPAX_STEPS_H
 
@@ -6,5 +6,8 @@
 
 /* The child's pose in the parent's coordinates. */
 sepax_pose step_of(const sepax_joint *joint, double value);
+
+/* sepax_mechanism_join; where one joint is at fault, `wrong` gets its number. */
+bool mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error);
 
 #endif

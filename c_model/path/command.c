@@ -2,6 +2,7 @@
 #include "cli/report.h"
 #include "path/engine.h"
 #include "util/error.h"
+#include "util/write_file.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -127,12 +128,24 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 enum { WORD = 18 };
 
-/* What is written must not be what is read, nor one file be written twice. */
-static bool outputs_distinct(const path_question *q, sepax_error *error) {
-  enum { INPUTS = 3, OUTPUTS = 5 };
+enum { OUTPUTS = 5 };
+
+static const char *output_of(const path_question *q, int n) {
   const char *const outputs[OUTPUTS] = {q->csv, q->picture, q->certificate, q->page, q->jobs};
+  return outputs[n];
+}
+
+/* What is written must not be what is read, nor one file be written twice; all of it can be begun
+ * before any is. */
+static bool outputs_distinct(const path_question *q, sepax_error *error) {
+  enum { INPUTS = 3 };
   const char *const inputs[INPUTS] = {q->urdf, q->motion, q->srdf};
+  const char *outputs[OUTPUTS];
   for (int i = 0; i < OUTPUTS; i++) {
+    outputs[i] = output_of(q, i);
+    if (outputs[i] != NULL && strcmp(outputs[i], "-") == 0) {
+      return sepax_fail(error, "-: is no file to write, nor stdout; name one");
+    }
     for (int k = 0; k < INPUTS && outputs[i] != NULL; k++) {
       if (inputs[k] != NULL && cli_same_file(outputs[i], inputs[k])) {
         return sepax_fail(error, "%.300s: is read; name another file to write", outputs[i]);
@@ -141,6 +154,24 @@ static bool outputs_distinct(const path_question *q, sepax_error *error) {
     for (int k = 0; k < i && outputs[i] != NULL; k++) {
       if (outputs[k] != NULL && cli_same_file(outputs[i], outputs[k])) {
         return sepax_fail(error, "%.300s: two options name this file; name two", outputs[i]);
+      }
+    }
+  }
+  bool ok = true;
+  for (int i = 0; i < OUTPUTS && ok; i++) {
+    ok = outputs[i] == NULL || write_file_possible(outputs[i], error);
+  }
+  return ok;
+}
+
+static bool meshes_spared(const path_scene *scene, const path_question *q, sepax_error *error) {
+  for (int i = 0; i < OUTPUTS; i++) {
+    const char *output = output_of(q, i);
+    for (size_t n = 0; n < scene->robot.shapes && output != NULL; n++) {
+      const char *mesh = scene->robot.shape[n].path;
+      if (mesh != NULL && cli_same_file(output, mesh)) {
+        return sepax_fail(error, "%.300s: is a mesh that is read; name another file to write",
+                          output);
       }
     }
   }
@@ -194,7 +225,7 @@ int cli_path(int argc, char **argv) {
   q.word = q.jobs != NULL && q.word == 0 ? WORD : q.word;
   q.no_distance = q.no_distance || (q.quiet && q.picture == NULL && q.page == NULL);
   bool ok = options_agree(&q, &error) && outputs_distinct(&q, &error) &&
-            path_scene_load(&scene, &q, &error) &&
+            path_scene_load(&scene, &q, &error) && meshes_spared(&scene, &q, &error) &&
             (q.page == NULL || path_page_possible(&scene, &error)) &&
             (q.jobs == NULL || path_write_jobs(&scene, &q, &error)) &&
             path_search(&scene, &q, &error) &&

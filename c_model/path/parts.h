@@ -106,6 +106,7 @@ typedef struct {
   size_t bodies;
   path_pair *pair;
   size_t pairs;
+  char *srdf_robot; /* whom the SRDF is for, where that is another name than the URDF's; or NULL */
   size_t joined, disabled; /* pairs that are not compared: links of one joint; by the SRDF */
   path_jobs jobs;
   bool between; /* what is between the lines was asked */

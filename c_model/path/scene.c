@@ -33,6 +33,7 @@ void path_scene_free(path_scene *scene) {
   }
   free(scene->body);
   free(scene->pair);
+  free(scene->srdf_robot);
   format_robot_free(&scene->robot);
   format_motion_free(&scene->motion);
 }
@@ -165,7 +166,12 @@ static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error
     return sepax_fail(error, "no memory for pairs of %zu bodies", scene->bodies);
   }
   memset(compared, true, m->links * m->links);
-  bool ok = srdf == NULL || format_srdf_read(compared, m, srdf, error);
+  bool ok = srdf == NULL || format_srdf_read(compared, m, &scene->srdf_robot, srdf, error);
+  const char *name = scene->robot.name;
+  if (scene->srdf_robot != NULL && name != NULL && strcmp(scene->srdf_robot, name) == 0) {
+    free(scene->srdf_robot);
+    scene->srdf_robot = NULL;
+  }
   for (size_t a = 0; a < scene->bodies && ok; a++) {
     for (size_t b = a + 1; b < scene->bodies && ok; b++) {
       size_t link[2] = {scene->body[a].link, scene->body[b].link};

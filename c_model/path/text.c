@@ -70,11 +70,37 @@ static void print_bodies(const path_scene *scene) {
   }
 }
 
+/* Misspelt elements, or meshes for the eye alone, would else go unseen. */
+static void print_empty(const path_scene *scene) {
+  enum { NAMES_MOST = 12 };
+  const sepax_mechanism *m = &scene->robot.mechanism;
+  size_t body = 0;
+  size_t empty = 0;
+  for (size_t n = 0; n < m->links; n++) {
+    while (body < scene->bodies && scene->body[body].link < n) {
+      body++;
+    }
+    if (body == scene->bodies || scene->body[body].link != n) {
+      if (empty++ < NAMES_MOST) {
+        printf("%s%s", empty == 1 ? "empty  no collision geometry: " : ", ", m->link[n].name);
+      }
+    }
+  }
+  if (empty > NAMES_MOST) {
+    printf(" and %zu more links", empty - NAMES_MOST);
+  }
+  fputs(empty > 0 ? "\n" : "", stdout);
+}
+
 static void print_compared(const path_scene *scene, const path_question *q) {
   size_t off = scene->joined + scene->disabled;
   printf("pairs  %zu of %zu are compared", scene->pairs, scene->pairs + off);
   if (q->srdf != NULL) {
     printf(", %zu are disabled by %s", scene->disabled, q->srdf);
+    if (scene->srdf_robot != NULL) {
+      printf(", which is for a robot '%.60s'; the URDF's is '%.60s'", scene->srdf_robot,
+             scene->robot.name != NULL ? scene->robot.name : "");
+    }
   } else {
     printf("; %zu are not: links of one joint (--srdf=FILE says which)", scene->joined);
   }
@@ -177,6 +203,7 @@ void path_print_text(const path_scene *scene, const path_question *q) {
     such += path_verdict_of(pair) == worst;
   }
   print_bodies(scene);
+  print_empty(scene);
   print_compared(scene, q);
   print_motion(scene, q);
   print_limits(q);

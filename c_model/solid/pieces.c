@@ -16,7 +16,7 @@ typedef struct {
   const uint32_t *part_of;
   uint32_t *piece;
   size_t pieces;
-  uint32_t *below; /* the part of all triangles below a node, or MIXED */
+  uint32_t *below; /* a part of the piece of all triangles below a node, or MIXED */
 } search;
 
 static bool is_triangle(uint32_t child) { return (child & BODY_TRIANGLE) != 0; }
@@ -25,16 +25,26 @@ static uint32_t part_below(const search *s, uint32_t child) {
   return is_triangle(child) ? s->part_of[child - BODY_TRIANGLE] : s->below[child];
 }
 
-static uint32_t fill_below(search *s, uint32_t at) {
+/* From the children: parts of one piece are as good as one part. */
+static void find_below(search *s, uint32_t at) {
   const body_node *node = &s->body->node[at];
   uint32_t all = MIXED;
   for (uint32_t lane = 0; lane < node->children; lane++) {
-    uint32_t child = node->child[lane];
-    uint32_t part = is_triangle(child) ? part_below(s, child) : fill_below(s, child);
+    uint32_t part = part_below(s, node->child[lane]);
+    part = part != MIXED ? set_of(s->piece, part) : MIXED;
     all = lane == 0 || part == all ? part : MIXED;
   }
   s->below[at] = all;
-  return all;
+}
+
+static void fill_below(search *s, uint32_t at) {
+  const body_node *node = &s->body->node[at];
+  for (uint32_t lane = 0; lane < node->children; lane++) {
+    if (!is_triangle(node->child[lane])) {
+      fill_below(s, node->child[lane]);
+    }
+  }
+  find_below(s, at);
 }
 
 static bool one_piece(const search *s, uint32_t p, uint32_t q) {
@@ -114,19 +124,26 @@ static void cross(search *s, uint32_t p, const box *box_p, uint32_t q, const box
   }
 }
 
-/* Triangles below a node against each other. */
+/* Triangles below a node against each other. Its children first: what is one piece below them then
+ * counts as one, so that many triangles in one place do not meet each other one by one. */
 static void cross_below(search *s, uint32_t at) {
   const body_node *node = &s->body->node[at];
-  for (uint32_t i = 0; i < node->children && s->below[at] == MIXED; i++) {
+  if (s->below[at] != MIXED) {
+    return;
+  }
+  for (uint32_t i = 0; i < node->children; i++) {
+    if (!is_triangle(node->child[i])) {
+      cross_below(s, node->child[i]);
+    }
+  }
+  for (uint32_t i = 0; i < node->children; i++) {
     box own = lane_box(node, i);
     for (uint32_t j = i + 1; j < node->children; j++) {
       box other = lane_box(node, j);
       cross(s, node->child[i], &own, node->child[j], &other);
     }
-    if (!is_triangle(node->child[i])) {
-      cross_below(s, node->child[i]);
-    }
   }
+  find_below(s, at);
 }
 
 bool join_pieces(const sepax_body *body, const uint32_t *part_of, uint32_t *piece, size_t parts) {

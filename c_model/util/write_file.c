@@ -38,11 +38,40 @@ static bool finish(FILE *out, bool ok, const char *aside, const char *path) {
   return ok;
 }
 
+static bool fail_writing(const char *path, sepax_error *error) {
+  return sepax_fail(error, "%.300s: not written: %s; check the folder and its free space", path,
+                    strerror(errno));
+}
+
+/* What stands in its place is a file, or nothing. */
+static bool is_free(const char *path, sepax_error *error) {
+  struct stat status;
+  return stat(path, &status) != 0 || S_ISREG(status.st_mode) ||
+         sepax_fail(error, "%.300s: not written: exists and is no file; name another", path);
+}
+
+bool write_file_possible(const char *path, sepax_error *error) {
+  if (!is_free(path, error)) {
+    return false;
+  }
+  size_t size = strlen(path) + 64;
+  char *aside = malloc(size);
+  int ticket = -1;
+  FILE *out = aside == NULL ? NULL : open_aside(aside, size, path, &ticket);
+  bool ok = out != NULL || fail_writing(path, error);
+  if (out != NULL) {
+    fclose(out);
+    unlink(aside);
+  }
+  temporary_drop(ticket);
+  free(aside);
+  return ok;
+}
+
 bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *context),
                       const void *context, sepax_error *error) {
-  struct stat status;
-  if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
-    return sepax_fail(error, "%.300s: not written: exists and is no file; name another", path);
+  if (!is_free(path, error)) {
+    return false;
   }
   size_t size = strlen(path) + 64;
   char *aside = malloc(size);
@@ -53,8 +82,7 @@ bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *con
   temporary_drop(ticket);
   errno = reason;
   if (!ok) {
-    sepax_fail(error, "%.300s: not written: %s; check the folder and its free space", path,
-               strerror(errno));
+    fail_writing(path, error);
   }
   free(aside);
   return ok;

@@ -11,7 +11,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   REQUIRE(robot.mechanism.links == 4);
   memset(compared, 1, sizeof compared);
   fuzz_file("input.srdf", data, size);
-  bool ok = fuzz_answer(format_srdf_read(compared, &robot.mechanism, "input.srdf", &error), &error);
+  bool ok =
+      fuzz_answer(format_srdf_read(compared, &robot.mechanism, NULL, "input.srdf", &error), &error);
   for (int n = 0; ok && n < 16; n++) {
     REQUIRE(compared[n] == compared[n % 4 * 4 + n / 4]);
   }

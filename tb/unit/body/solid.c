@@ -3,6 +3,8 @@
 #include "solid_oracle.h"
 #include "unit/body/draws.h"
 
+#include <time.h>
+
 /* Nested closed parts, each given to one of the meshes; the numbers stay short, so that rays along
  * axes meet vertices and edges. */
 static void add_nest(sepax_mesh m[2], const double c[3], double r, int depth) {
@@ -474,4 +476,24 @@ CASE(near_the_surface) {
     sepax_mesh_free(&m[1]);
   }
   assert_true(seen.within[0] > 200 && seen.free > 200);
+}
+
+/* Triangles that are one point, each a part of its own, are one piece, and soon. */
+CASE(many_points) {
+  const double c[3] = {1, 2, 3};
+  sepax_mesh m = {0};
+  for (int n = 0; n < 400000; n++) {
+    add_triangle(&m, c, c, c);
+  }
+  sepax_body *body = NULL;
+  sepax_shell shell;
+  assert_works(sepax_body_new(&body, &m, &fault));
+  clock_t start = clock();
+  assert_works(sepax_shell_find(&shell, body, &fault));
+  assert_true(clock() - start < 3 * CLOCKS_PER_SEC);
+  assert_int_equal(shell.parts, 400000);
+  assert_int_equal(shell.pieces, 1);
+  sepax_shell_free(&shell);
+  sepax_body_free(body);
+  sepax_mesh_free(&m);
 }

@@ -47,6 +47,26 @@ static void refuse_text(const char *text, const char *part) {
   refuse_bytes(text, strlen(text), part);
 }
 
+/* Values beyond limits are told in the unit of their column. */
+CASE(test_limits) {
+  format_robot r;
+  assert_works(format_urdf_read(
+      &r,
+      put_file("r.urdf", "<robot name='r'><link name='l0'/><link name='l1'/>"
+                         "<joint name='t' type='revolute'><parent link='l0'/><child link='l1'/>"
+                         "<limit lower='-1' upper='1.570796'/></joint></robot>"),
+      NULL, 0, &fault));
+  format_motion p;
+  const char *turned = put_file("p.csv", "t [deg]\n90\n");
+  assert_fault(
+      format_motion_read(&p, &r.mechanism, &strict, turned, &fault),
+      "p.csv:2: column 1, joint t: 90 deg is above its limit of 89.9999813 deg; mend it, or "
+      "give --ignore-limits");
+  assert_fault(format_motion_read(&p, &r.mechanism, &strict, put_file("p.csv", "t\n90\n"), &fault),
+               "90 rad is above its limit of 1.570796 rad; mend it, name its unit, [deg], or give");
+  format_robot_free(&r);
+}
+
 CASE(test_values) {
   format_motion p = read_text("\xef\xbb\xbf"
                               "a [deg] , time,x [mm]\r\n\r\n"
@@ -108,7 +128,12 @@ CASE(test_refused) {
   refuse_text("x,b\n0,0\n", "p.csv:1: column 'b': there is no joint of this name");
   refuse_text("x;a\n0;0\n", "column 'x;a': there is no joint of this name; separate columns by");
   refuse_text("\"x\",a\n0,0\n", "leave the quotes out");
-  refuse_text("x,a,\n0,0,\n", "column '': there is no joint");
+  refuse_text("x,a,\n0,0,\n", "column 3 has no name; give one, or leave the comma out");
+  refuse_text("x\ta\n0\t0\n", "there is no joint of this name; separate columns by commas");
+  refuse_text("x a\n0 0\n", "there is no joint of this name; separate columns by commas");
+  refuse_text("0,0\n0,0\n", "column '0': there is no joint of this name; the first line must name");
+  refuse_text("x [],a\n0,0\n", "column 'x': unit [] is none of: m, mm, um, nm");
+  refuse_text("x [ ],a\n0,0\n", "column 'x': unit [] is none of");
   refuse_text("x,a,x\n0,0,0\n", "two columns 'x'");
   refuse_text("x,a,f\n0,0,0\n", "column 'f': this joint is fixed");
   refuse_text("x,a,m\n0,0,0\n", "column 'm': this joint follows another one");
@@ -117,7 +142,9 @@ CASE(test_refused) {
   refuse_text("x,a,time [h]\n0,0,0\n", "unit [h] is none of: s, ms, us");
   refuse_text("time,x\n0,0\n", "p.csv:1: joint a has no column; add one, or give --hold");
   refuse_text("x,a\n0\n", "p.csv:2: 1 columns, but the header has 2");
-  refuse_text("x,a\n0,0\n0,0,0\n", "p.csv:3: 3 columns, but the header has 2");
+  refuse_text("x,a\n0,0\n0,0,0\n", "p.csv:3: 3 columns, but the header has 2; mend the line");
+  refuse_text("x,a\n0,5,0,5\n",
+              "p.csv:2: 4 columns, but the header has 2; mend the line (decimals");
   refuse_text("x,a\n0,0\n\n0,nan\n", "p.csv:4: column 2 (a): 'nan' is no finite number");
   refuse_text("x,a\n0,inf\n", "'inf' is no finite number");
   refuse_text("x,a\n0,0x1\n", "'0x1' is no finite number");
@@ -128,7 +155,7 @@ CASE(test_refused) {
   refuse_text("x,a\n0,0\n0.6,0\n",
               "p.csv:3: column 1, joint x: 0.6 m is above its limit of 0.5 m; mend it, or give "
               "--ignore-limits");
-  refuse_text("x [mm],a\n-500.1,0\n", "joint x: -0.5001 m is below its limit of -0.5 m");
+  refuse_text("x [mm],a\n-500.1,0\n", "joint x: -500.1 mm is below its limit of -500 mm");
   refuse_text("x,a\n0.3,0\n", "p.csv:2: joint m: 0.6 m is above its limit of 0.5 m");
   refuse_text("time,x,a\n1,0,0\n0.5,0,0\n", "p.csv:3: time runs back, from 1 s to 0.5 s");
   refuse_bytes("x,a\n0,\0\n", 8, "bytes of zero");

@@ -2,6 +2,8 @@
 #include "files.h"
 
 #include <math.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 static const sepax_pose at_origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
 
@@ -178,7 +180,61 @@ CASE(test_meshes_refused) {
   refuse_mesh("p.ply", PLY("4", "99999999999", CORNERS), "no head of a PLY file");
   refuse_mesh("p.3mf", "PK\x03\x04 no archive", "p.3mf: ");
   refuse_mesh("p.dae", "<COLLADA>", "p.dae: ");
+  static const char *const units[] = {"0", "-1", "nan", "1e-40", "inf", "x", ""};
+  for (size_t n = 0; n < sizeof units / sizeof units[0]; n++) {
+    char text[2000];
+    snprintf(text, sizeof text, DAE("Z_UP", "%s", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"), units[n]);
+    refuse_mesh("p.dae", text, "p.dae:1: <unit meter=");
+  }
+  refuse_mesh("p.dae", DAE("<unit meter='2'/>Z_UP", "1", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"),
+              "a second <unit>, of 2 m after one of 1 m");
+  refuse_mesh("p.dae", "<!DOCTYPE x [<!ENTITY a 'aa'><!ENTITY b '&a;&a;'>]><COLLADA>&b;</COLLADA>",
+              "it has a document type (<!DOCTYPE>); take it out");
   refuse_mesh("p.stl", "solid x\nfacet", "p.stl: ");
+}
+
+/* Limits hold before anything is read. */
+CASE(test_long_meshes) {
+  sepax_mesh mesh;
+  const char *at = put_file("p.stl", "solid x\n");
+  assert_int_equal(truncate(at, ((off_t)1 << 30) + 1), 0);
+  assert_fault(format_mesh_read(&mesh, at, &fault), "p.stl: longer than 1 GiB");
+  unsigned char head[84] = {0};
+  for (int n = 0; n < 4; n++) {
+    head[80 + n] = (unsigned char)((FORMAT_FACETS_MOST + 1) >> 8 * n & 0xff);
+  }
+  at = put_bytes("p.stl", (const char *)head, sizeof head);
+  assert_int_equal(truncate(at, 84 + 50 * ((off_t)FORMAT_FACETS_MOST + 1)), 0);
+  assert_fault(format_mesh_read(&mesh, at, &fault),
+               "p.stl: 20000001 triangles, more than 20000000");
+  at = in_folder("pipe.stl");
+  assert_int_equal(mkfifo(at, 0600), 0);
+  assert_fault(format_mesh_read(&mesh, at, &fault), "pipe.stl: no file, or empty");
+}
+
+/* Many triangles in one place: one stays of those that are points, and all the others. */
+CASE(test_points) {
+  enum { COUNT = 200000 };
+  static char text[84 + 50 * COUNT];
+  static const float triangle[3][9] = {
+      {0, 0, 0, 1, 0, 0, 0, 1, 0}, {2, 2, 2, 2, 2, 2, 2, 2, 2}, {0, -0.0F, 0, 0, 0, 0, 0, 0, 0}};
+  uint32_t count = COUNT;
+  memset(text, 0, sizeof text);
+  memcpy(text + 80, &count, sizeof count);
+  for (size_t n = 0; n < COUNT; n++) {
+    memcpy(text + 84 + 50 * n + 12, triangle[n == 7 || n == 9 ? 0 : n % 2 + 1], sizeof *triangle);
+  }
+  const format_shape shape = {.kind = FORMAT_MESH,
+                              .path = strdup(put_bytes("p.stl", text, sizeof text)),
+                              .size = {1, 1, 1},
+                              .origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}}};
+  sepax_mesh mesh;
+  assert_works(format_shape_mesh(&mesh, &shape, &fault));
+  assert_int_equal(mesh.count, 4);
+  assert_true(mesh.facet[0].v[1][0] == 1 && mesh.facet[1].v[1][0] == 1);
+  assert_true(mesh.facet[2].v[2][0] == 0 && mesh.facet[3].v[2][0] == 2);
+  sepax_mesh_free(&mesh);
+  free(shape.path);
 }
 
 /* ------------------------------------------------------------------------ polygons */

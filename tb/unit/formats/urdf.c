@@ -2,6 +2,7 @@
 #include "files.h"
 
 #include <math.h>
+#include <sys/stat.h>
 
 #define HEAD "<robot name='r'>\n"
 #define TAIL "</robot>\n"
@@ -107,7 +108,7 @@ CASE(test_refused) {
   refuse_text(HEAD TWO JOINT("planar", "") TAIL, "type 'planar' is none of");
   refuse_text(HEAD TWO JOINT("revolute", "") TAIL, "joint j: revolute without <limit");
   refuse_text(HEAD TWO JOINT("prismatic", "<limit lower='1' upper='0'/>") TAIL,
-              "the lower limit, 1, is above the upper, 0");
+              "r.urdf:4: joint j: the lower limit, 1, is above the upper, 0");
   refuse_text(HEAD TWO JOINT("prismatic", "<limit lower='nan' upper='0'/>") TAIL,
               "lower=\"nan\": give 1 finite number");
   refuse_text(HEAD TWO JOINT("fixed", "<origin xyz='1 2'/>") TAIL, "xyz=\"1 2\": give 3 finite");
@@ -126,8 +127,31 @@ CASE(test_refused) {
       HEAD TWO JOINT(
           "fixed",
           "") "<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint>" TAIL,
-      "are on a cycle");
+      "r.urdf:5: links b and a are on a cycle; leave joint k out");
   refuse_text("<robot name='r' xmlns:xacro='x'>\n<xacro:macro/>\n</robot>", "run xacro");
+}
+
+/* Of elements that may stand once, a second is not what one sees in the file. */
+CASE(test_second_elements) {
+  static const char *const joints[][2] = {
+      {"<origin/>\n<origin xyz='9 0 0'/>", "origin"},
+      {"<axis xyz='1 0 0'/>\n<axis xyz='0 1 0'/>", "axis"},
+      {"<limit/>\n<limit upper='1'/>", "limit"},
+      {"<mimic joint='k'/>\n<mimic joint='k' offset='1'/>", "mimic"},
+      {"\n<parent link='b'/>", "parent"},
+      {"\n<child link='a'/>", "child"},
+  };
+  for (size_t n = 0; n < sizeof joints / sizeof joints[0]; n++) {
+    char text[600];
+    char part[100];
+    snprintf(text, sizeof text,
+             HEAD TWO JOINT("prismatic", "%s%s") "<joint name='k' type='continuous'>"
+                                                 "<parent link='b'/><child link='c'/></joint>"
+                                                 "<link name='c'/>" TAIL,
+             joints[n][0], strstr(joints[n][0], "limit") != NULL ? "" : "<limit upper='9'/>");
+    snprintf(part, sizeof part, "r.urdf:5: a second <%s> in one <joint>", joints[n][1]);
+    refuse_text(text, part);
+  }
 }
 
 static void refuse_geometry(const char *geometry, const char *part) {
@@ -151,6 +175,13 @@ CASE(test_geometry_refused) {
   refuse_geometry("<geometry><mesh filename='http://x/y.stl'/></geometry>", "fetched from nowhere");
   refuse_geometry("<geometry><mesh filename='package://p/y.stl'/></geometry>",
                   "give --package=p:FOLDER");
+  refuse_geometry("<geometry><box size='1 1 1'/>\n<sphere radius='9'/></geometry>",
+                  "r.urdf:4: <sphere> beside <box> in one <geometry>");
+  refuse_geometry("<geometry><box size='1 1 1'/></geometry>\n<geometry><sphere radius='9'/>"
+                  "</geometry>",
+                  "r.urdf:4: a second <geometry> in one <collision>");
+  refuse_geometry("<origin/>\n<origin xyz='9 0 0'/><geometry><box size='1 1 1'/></geometry>",
+                  "r.urdf:4: a second <origin> in one <collision>");
   put_file("part.obj", "v 0 0 0\n");
   refuse_geometry("<geometry><mesh filename='part.obj' scale='1 0 1'/></geometry>", "scale of 0");
 }
@@ -165,10 +196,16 @@ CASE(test_document_types) {
   refuse_text("<!DOCTYPE robot SYSTEM 'http://localhost/none.dtd'>\n<robot name='r'/>", part);
   refuse_text("<!DOCTYPE robot>\n<robot name='r'><link name='a'/></robot>", part);
   refuse_text("<robot name='&lol;'><link name='a'/></robot>", "mend the XML");
+  static char deep[3 * 300 + 20] = "<robot>";
+  for (int n = 0; n < 300; n++) {
+    strcat(deep, "<a>");
+  }
+  refuse_text(deep, "r.urdf:1: deeper than 256 elements");
 }
 
 CASE(test_packages) {
   format_robot r;
+  char own[600]; /* the scratch folder is the package */
   static const char text[] = HEAD "<link name='a'><collision><geometry>"
                                   "<mesh filename='package://p/part.obj'/></geometry></collision>"
                                   "</link>" TAIL;
@@ -180,13 +217,20 @@ CASE(test_packages) {
   format_robot_free(&r);
   const format_package elsewhere[] = {{"p", "/nowhere"}};
   assert_fault(format_urdf_read(&r, urdf, elsewhere, 1, &fault), "in package folder /nowhere");
-  char own[600]; /* the scratch folder is the package */
   snprintf(own, sizeof own,
            HEAD "<link name='a'><collision><geometry><mesh filename='package://%s/part.obj'/>"
                 "</geometry></collision></link>" TAIL,
            strrchr(folder, '/') + 1);
   assert_works(read_text(&r, own));
   format_robot_free(&r);
+  snprintf(own, sizeof own, "%s/pp", folder);
+  assert_int_equal(mkdir(own, 0700), 0);
+  snprintf(own, sizeof own,
+           HEAD "<link name='a'><collision><geometry>"
+                "<mesh filename='package://pp/typo.obj'/></geometry></collision>"
+                "</link>" TAIL);
+  assert_fault(read_text(&r, own), "no file pp/typo.obj in package folder ");
+  assert_message("/pp; mend the name");
 }
 
 /* ---------------------------------------------------------------------------- SRDF */
@@ -202,7 +246,7 @@ static format_robot three_links(void) {
 static void expect_pairs(const format_robot *r, const char *text, const char *bits) {
   bool compared[9];
   memset(compared, true, sizeof compared);
-  assert_works(format_srdf_read(compared, &r->mechanism, put_file("r.srdf", text), &fault));
+  assert_works(format_srdf_read(compared, &r->mechanism, NULL, put_file("r.srdf", text), &fault));
   static const int pair[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   for (int n = 0; n < 3; n++) {
     assert_int_equal(compared[3 * pair[n][0] + pair[n][1]], bits[n] == '1');
@@ -218,16 +262,39 @@ CASE(test_srdf) {
                HEAD "<disable_default_collisions link='a'/>"
                     "<enable_collisions link1='a' link2='c'/>" TAIL,
                "011");
+  expect_pairs(&r,
+               HEAD "<group name='g'/><link_sphere_approximation link='a'/><group_tcps/>"
+                    "<virtual_joint name='v' child_link='a'/>" TAIL,
+               "111");
+  static const char *const wrong[][2] = {
+      {"\n<disable_collision link1='a' link2='b'/>", "r.srdf:3: <disable_collision> is no element"},
+      {"\n<disable_default_collision link='a'/>", "r.srdf:3: <disable_default_collision> is no"},
+      {"\n<link name='a'/>", "r.srdf:3: <link> is of a URDF; give an SRDF"},
+      {"\n<joint name='a'/>", "r.srdf:3: <joint> is of a URDF"},
+  };
   bool compared[9];
+  char *of = NULL;
+  for (size_t n = 0; n < sizeof wrong / sizeof wrong[0]; n++) {
+    char srdf[200];
+    snprintf(srdf, sizeof srdf, HEAD "%s" TAIL, wrong[n][0]);
+    assert_fault(format_srdf_read(compared, &r.mechanism, &of, put_file("r.srdf", srdf), &fault),
+                 wrong[n][1]);
+    assert_null(of);
+  }
+  assert_works(format_srdf_read(compared, &r.mechanism, &of,
+                                put_file("r.srdf", "<robot name='other'/>"), &fault));
+  assert_string_equal(of, "other");
+  assert_string_equal(r.name, "r");
+  free(of);
   assert_fault(
-      format_srdf_read(compared, &r.mechanism,
+      format_srdf_read(compared, &r.mechanism, NULL,
                        put_file("r.srdf", HEAD "\n<disable_collisions link1='a' link2='x'/>" TAIL),
                        &fault),
       "r.srdf:3: there is no link 'x'");
-  assert_fault(format_srdf_read(compared, &r.mechanism,
+  assert_fault(format_srdf_read(compared, &r.mechanism, NULL,
                                 put_file("r.srdf", "<!DOCTYPE robot><robot/>"), &fault),
                "document type");
-  assert_fault(format_srdf_read(compared, &r.mechanism, in_folder("none.srdf"), &fault),
+  assert_fault(format_srdf_read(compared, &r.mechanism, NULL, in_folder("none.srdf"), &fault),
                "No such file");
   format_robot_free(&r);
 }
