@@ -44,17 +44,18 @@ module registers_properties (
     input wire [3:0] wstrb,
     input wire [31:0] wdata, status, number
 );
-  wire awready, wready, bvalid, arready, rvalid, start;
+  wire awready, wready, bvalid, arready, rvalid, irq, start;
   wire [1:0] bresp, rresp;
   wire [31:0] rdata;
   sepax_registers dut (
       .clk(clk), .rst(rst), .awvalid(awvalid), .awready(awready), .awaddr(awaddr), .wvalid(wvalid),
       .wready(wready), .wdata(wdata), .wstrb(wstrb), .bvalid(bvalid), .bready(bready),
       .bresp(bresp), .arvalid(arvalid), .arready(arready), .araddr(araddr), .rvalid(rvalid),
-      .rready(rready), .rdata(rdata), .rresp(rresp), .start(start), .status(status), .done(done),
-      .hit(hit), .loaded(loaded), .count_a(number), .count_b(number), .pairs(number),
-      .candidates(number), .collisions(number), .out_of_range(number), .warnings(number),
-      .cycles(number), .first_a(number), .first_b(number));
+      .rready(rready), .rdata(rdata), .rresp(rresp), .irq(irq), .start(start),
+      .status(status), .done(done), .hit(hit), .loaded(loaded), .count_a(number),
+      .count_b(number), .pairs(number), .candidates(number), .collisions(number),
+      .out_of_range(number), .warnings(number), .cycles(number), .first_a(number),
+      .first_b(number));
 `ifdef STANDS
   stands #(.WIDTH(2)) b (.clk(clk), .rst(rst), .valid(bvalid), .ready(bready), .data(bresp));
   stands #(.WIDTH(34)) r (
@@ -80,6 +81,25 @@ module registers_properties (
     could <= !status[0] && status[4] && status[5] && !status[6];
 `endif
     if (begun && start) assert (could);
+  end
+
+  // ENABLE and PENDING, as writes with the response OKAY make them: what sets a bit in the cycle in
+  // which it is cleared wins, and the interrupt is that of both.
+  localparam [6:0] ENABLE = 7'd28, PENDING = 7'd32;
+  reg [6:0] written;
+  reg [2:0] word, enable, pending, set;
+  reg       stood = 1'b0; // the response was there before
+  wire wrote = bvalid && !stood && bresp == 2'd0;
+  wire [2:0] now_enabled = wrote && written == ENABLE ? word : enable;
+  wire [2:0] now_pending = (wrote && written == PENDING ? pending & ~word : pending) | set;
+  always @(posedge clk) begin
+    if (awvalid && awready) written <= awaddr;
+    if (wvalid && wready) word <= wdata[2:0];
+    stood <= bvalid && !bready;
+    set <= rst ? 3'd0 : {loaded, hit, done};
+    enable <= rst ? 3'd0 : now_enabled;
+    pending <= rst ? 3'd0 : now_pending;
+    if (begun && !$past(rst)) assert (irq == |(now_pending & now_enabled));
   end
 `endif
 endmodule
@@ -158,35 +178,91 @@ module load_properties (
   end
 endmodule
 
-// A run finds both objects whole, and they stay so: a vertex does not slip in as it begins.
-module start_properties (
-    input wire clk, rst, awvalid, wvalid, bready, over, tvalid, tlast, tdest,
+// Every vertex that is taken counts, also one right behind TLAST: the triangles that are written,
+// their numbers, and the counts are those of the vertices, taken by a model.
+module object_properties (
+    input wire clk, rst, busy, tvalid, tlast, tdest,
+    input wire [95:0] tdata
+);
+  localparam W = `WORD;
+`ifdef FPGA
+  localparam LATE = 3; // cycles from a last vertex to its triangle
+`else
+  localparam LATE = 2;
+`endif
+  wire tready, write_a, write_b, loading;
+  wire [8:0] address;
+  wire [9*W-1:0] triangle;
+  wire [9:0] count_a, count_b;
+  sepax_load dut (
+      .clk(clk), .rst(rst), .busy(busy), .tvalid(tvalid), .tready(tready), .tdata(tdata),
+      .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b), .address(address),
+      .triangle(triangle), .count_a(count_a), .count_b(count_b), .loading(loading));
+
+  // The model: the corner that comes, triangles before it in this object, all of it in range.
+  localparam T = 9 * W + 11; // a triangle that is written: into {b, a}, its number, its corners
+  reg [1:0] corner;
+  reg [8:0] before;
+  reg       fit, of_b;
+  reg [6*W-1:0] corners;       // the two before
+  reg [9:0] want_a, want_b;    // the counts
+  reg [LATE*20-1:0] counts;    // a cycle ago (lowest), two ago ...
+  reg [LATE*T-1:0]  triangles; // in this cycle (lowest), a cycle ago ...
+  wire take = tvalid && tready;
+  wire first = corner == 2'd0 && before == 4'd0;
+  wire third = corner == 2'd2;
+  wire b = first ? tdest : of_b;
+  wire [2:0] fits;
+  wire [3*W-1:0] vertex;
+  wire all_fit = (&fits) && (first || fit);
+  genvar n;
+  generate
+    for (n = 0; n < 3; n = n + 1) begin : axis
+      assign vertex[n*W +: W] = tdata[32*n +: W];
+      assign fits[n] = $signed(tdata[32*n +: 32]) == $signed(vertex[n*W +: W]);
+    end
+  endgenerate
+  wire [19:0] wanted = {counts, want_b, want_a} >> 20 * (LATE - 2);
+  reg begun = 1'b0;
+  always @(posedge clk) begin
+    begun <= 1'b1;
+    assume (begun || rst);
+    if (take) begin
+      corner <= tlast || third ? 2'd0 : corner + 2'd1;
+      before <= tlast ? 9'd0 : before + {8'd0, third};
+      {fit, of_b} <= {all_fit, b};
+      corners <= {vertex, corners[3*W +: 3*W]};
+      if (b) want_b <= tlast && third && all_fit ? before + 10'd1 : 10'd0;
+      else want_a <= tlast && third && all_fit ? before + 10'd1 : 10'd0;
+    end
+    counts <= {counts, want_b, want_a};
+    triangles <= {triangles, {b, !b} & {2{take && third}}, before, vertex, corners};
+    if (rst) begin
+      {corner, before, want_a, want_b, counts, triangles} <= 0;
+    end
+    if (begun && !$past(rst)) begin
+      assert ({count_b, count_a} == wanted);
+      assert ({write_b, write_a} == triangles[LATE*T-1 -: 2]);
+      if (write_a || write_b) assert ({address, triangle} == triangles[LATE*T-3 -: T-2]);
+    end
+  end
+endmodule
+
+`ifdef INSIDE
+// A run finds both objects whole, and they stay so: a vertex does not slip in as it begins. The
+// assertion is inside of the engine's own wiring; what is behind that may do anything: see axi.
+module engine_properties (
+    input wire clk, rst, awvalid, wvalid, bready, tvalid, tlast, tdest, tready,
     input wire [6:0] awaddr,
     input wire [31:0] wdata,
     input wire [95:0] tdata
 );
-  wire start, starting, loading, ended;
-  wire [9:0] count_a, count_b;
-  wire [31:0] status = {25'd0, loading, |count_b, |count_a, 3'd0, busy};
-  reg busy = 1'b0;
-  reg begun = 1'b0;
-  sepax_registers registers (
-      .clk(clk), .rst(rst), .awvalid(awvalid), .awaddr(awaddr), .wvalid(wvalid), .wdata(wdata),
-      .wstrb(4'hf), .bready(bready), .arvalid(1'b0), .araddr(7'd0), .rready(1'b0), .start(start),
-      .starting(starting), .status(status), .done(1'b0), .hit(1'b0), .loaded(ended),
-      .count_a(32'd0), .count_b(32'd0), .pairs(32'd0), .candidates(32'd0), .collisions(32'd0),
-      .out_of_range(32'd0), .warnings(32'd0), .cycles(32'd0), .first_a(32'd0), .first_b(32'd0));
-  sepax_load load (
-      .clk(clk), .rst(rst), .busy(busy || starting), .tvalid(tvalid), .tdata(tdata), .tlast(tlast),
-      .tdest(tdest), .count_a(count_a), .count_b(count_b), .loading(loading), .ended(ended));
-  always @(posedge clk) begin
-    begun <= 1'b1;
-    assume (begun || rst);
-    busy <= !rst && (start || (busy && !over));
-    if (begun && !rst && (start || busy)) begin
-      assert (!loading && count_a != 10'd0 && count_b != 10'd0);
-    end
-  end
+  sepax_engine_logic dut (
+      .clk(clk), .rst(rst), .s_axi_awvalid(awvalid), .s_axi_awaddr(awaddr), .s_axi_wvalid(wvalid),
+      .s_axi_wdata(wdata), .s_axi_wstrb(4'hf), .s_axi_bready(bready), .s_axi_arvalid(1'b0),
+      .s_axi_araddr(7'd0), .s_axi_rready(1'b0), .s_axis_tvalid(tvalid), .s_axis_tdata(tdata),
+      .s_axis_tlast(tlast), .s_axis_tdest(tdest), .m_axis_tready(tready));
 endmodule
+`endif
 
 `default_nettype wire
