@@ -61,7 +61,7 @@ include $(addprefix scripts/make/,install.mk quality.mk)
 .PHONY: all job help build setup test cocotb reference clean area timing multivt power fpga \
         area-sweep calibrate scene report accuracy certificate clearance bench bench-bodies \
         campaign hard engine-sweep tree-sweep tree-fuzz tree-scene tree-campaign path-campaign \
-        netlist-sweep
+        netlist-sweep mutation
 
 all:
 	@scripts/setup
@@ -157,6 +157,14 @@ netlist-sweep: $(SEPAX)
 	@synth/fpga/sweep $(if $(call given,COUNT),-c $(COUNT)) $(if $(call given,WORD),-w "$(WORD)") \
 	  $(if $(call given,II),-i "$(II)") $(if $(call given,TARGET),-t "$(TARGET)") \
 	  $(BUILD)/netlist-sweep
+
+# Single faults in the netlist: of the design where one is given, or else of these.
+MUTATIONS = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
+            "WORD=8 II=1" "WORD=8 II=3" "WORD=8 II=1 EARLY_OUT=boxes" \
+            "WORD=8 II=1 CLEARANCE=2 WARNING=9" "ARCH=paper WORD=8" \
+            "WORD=8 II=6 LANES=4 MEMORY_A=128 MEMORY_B=128")
+mutation: $(SEPAX)
+	@scripts/designs mutated $(MUTATIONS)
 
 # ------------------------------------------------------------------------- experiments
 

@@ -11,7 +11,7 @@ ifneq ($(and $(filter-out exact,$(ARCH)),$(call given,VIEW)),)
 $(error VIEW: architecture $(ARCH) has one view only; leave it out)
 endif
 
-.PHONY: core options rtl lint cosim exhaustive wave icarus engine example tree-engine
+.PHONY: core options rtl lint cosim exhaustive wave icarus engine example tree-engine mutated
 
 core:
 	@echo $(CORE)
@@ -150,6 +150,12 @@ tree-engine: $(TREE_ENGINE) $(if $(POSES),$(SAMPLES))
 	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) "$(MESH_A)" "$(MESH_B)" \
 	  "$(POSES)",$(if $(FUZZ),--fuzz=$(FUZZ),$(if $(SCENE),--scene=$(SCENE),--rounds=$(ROUNDS)))))
 endif
+
+# ------------------------------------------------------------------------- mutants
+
+mutated: $(SEPAX) $(LIB)
+	@tb/mutation/measure -c $(if $(call given,COUNT),$(COUNT),2000) -s $(SEED) \
+	  $(BUILD)/mutation/$(notdir $(CORE)) $(OPTIONS)
 
 # ------------------------------------------------------------------------- Icarus
 

@@ -5,7 +5,7 @@
 DESIGN_VERBS = core options rtl lint cosim exhaustive wave icarus engine example tree-engine \
                netlist gates \
                mapped area-file timed timing-file assigned powered power-file \
-               workloads routed fpga-file
+               workloads routed fpga-file mutated
 OF_DESIGN   := $(filter $(DESIGN_VERBS) $(BUILD)/core/%,$(MAKECMDGOALS))
 
 # With DESIGN every verb is of that design alone.

@@ -262,6 +262,7 @@ private:
   void complain(const Outstanding *e, const std::string &what) {
     mismatches++;
     if (mismatches > MISMATCHES_SHOWN) {
+      hung = true; // it may go on for ever
       return;
     }
     std::string pair;

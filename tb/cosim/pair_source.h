@@ -6,6 +6,7 @@
 #include "sepax_params.h"
 #include "sepax_vectors.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstdio>
@@ -130,6 +131,53 @@ inline Source corner_source(uint64_t count, uint64_t seed) {
     const int32_t max = sepax_word_max(SEPAX_WORD);
     return pair_of_digits((uint64_t)sepax_random_range(&random, 0, CHOICES - 1),
                           {min, min + 1, -1, 0, 1, max - 1, max});
+  });
+}
+
+// Numbers of which those of A are above those of B, but for the least of A, which is by `depth`
+// below the greatest of B, or with a negative depth is not.
+inline void draw_depths(sepax_random *random, int64_t low, int64_t high, int64_t number[6]) {
+  const int64_t depth = sepax_random_range(random, -2, 1) < 0
+                            ? sepax_random_range(random, -2, 2)
+                            : sepax_random_range(random, -1, (high - low) / 2 - 1);
+  const int64_t least = sepax_random_range(random, low + 1, high - 1 - (depth > 0 ? depth : 0));
+  const int64_t greatest = std::max(least + depth, low);
+  for (int k = 0; k < 3; k++) {
+    number[k] = sepax_random_range(random, std::max(least, greatest) + 1, high);
+    number[3 + k] = sepax_random_range(random, low, std::max(std::min(least, greatest) - 1, low));
+  }
+  number[sepax_random_range(random, 0, 2)] = least;
+  number[3 + sepax_random_range(random, 0, 2)] = greatest;
+}
+
+// Pairs in a plane along z, or on a line, that overlap with one vertex each, or touch, or do not:
+// where AABBs decide, one order of two coordinates does.
+inline Source overlap_source(uint64_t count, uint64_t seed) {
+  return counted(count, [random = sepax_random{seed}](uint64_t) mutable {
+    const int64_t high = sepax_word_max(SEPAX_WORD), low = sepax_word_min(SEPAX_WORD);
+    int64_t direction[3], along[6], above[6];
+    for (int64_t &component : direction) {
+      component = sepax_random_range(&random, -1, 1);
+    }
+    const bool line = sepax_random_range(&random, 0, 2) == 0;
+    draw_depths(&random, low + 1, high, above);
+    for (int64_t &place : along) {
+      place = sepax_random_range(&random, -high / 2, high / 2);
+    }
+    const bool swapped = sepax_random_range(&random, 0, 1) != 0;
+    sepax_pair pair{};
+    for (int k = 0; k < 6; k++) {
+      const int of = 3 * (swapped ? (k + 3) % 6 : k); // its x
+      const int64_t place = line ? above[k] : along[k];
+      coordinate(pair, of) = (int32_t)(direction[0] * place);
+      coordinate(pair, of + 1) = (int32_t)(direction[1] * place);
+      coordinate(pair, of + 2) = (int32_t)(line ? direction[2] * place : above[k]);
+    }
+    if (!SEPAX_EXACT) {
+      pair.na = sepax_unit_normal(&pair.a, SEPAX_WORD);
+      pair.nb = sepax_unit_normal(&pair.b, SEPAX_WORD);
+    }
+    return pair;
   });
 }
 
