@@ -198,6 +198,8 @@ bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch
 	@$(MAKE) PAIRS=families cosim
 
 certificate: $(BUILD)/certificate-check
+	$(if $(CERTIFICATE),,@echo "make certificate: give CERTIFICATE=FILE and, where the files that \
+	  it names are seen from another folder, FOLDER=" >&2; exit 2)
 	@cd $(or $(FOLDER),.) && $(abspath $<) $(addprefix -p ,$(PACKAGE)) $(abspath $(CERTIFICATE))
 
 campaign: $(BUILD)/campaign

@@ -1,6 +1,7 @@
 /* report.c - how the program ends, and memory. */
 #include "report.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,7 +48,7 @@ char *text_copy(const char *text, size_t length) {
 char *file_read(const char *name, size_t *length) {
   FILE *in = fopen(name, "rb");
   if (in == NULL)
-    cannot("%s: cannot be read", name);
+    cannot("%s: cannot be read: %s", name, strerror(errno));
   size_t size = 1 << 16;
   char *text = memory(NULL, size, 1);
   *length = 0;
@@ -58,7 +59,7 @@ char *file_read(const char *name, size_t *length) {
       text = memory(text, size *= 2, 1);
   }
   if (ferror(in))
-    cannot("%s: cannot be read", name);
+    cannot("%s: cannot be read: %s", name, strerror(errno));
   fclose(in);
   text[*length] = 0;
   return text;

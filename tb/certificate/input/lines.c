@@ -3,6 +3,7 @@
 
 #include "certificate/report.h"
 
+#include <errno.h>
 #include <jansson.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -13,7 +14,7 @@ static json_t *next_value(certificate *c) {
   const ssize_t length = getline(&c->line, &c->size, c->in);
   if (length < 0) {
     if (ferror(c->in))
-      cannot("%s: cannot be read", c->file);
+      cannot("%s: cannot be read: %s", c->file, strerror(errno));
     return NULL;
   }
   c->number++;
@@ -50,7 +51,7 @@ static void read_pairs(certificate *c, const json_t *all) {
 certificate certificate_open(const char *file, packages *folders) {
   certificate c = {.file = file, .in = fopen(file, "r")};
   if (c.in == NULL)
-    cannot("%s: cannot be read", file);
+    cannot("%s: cannot be read: %s", file, strerror(errno));
   json_t *head = next_value(&c); /* its texts stay in use */
   if (head == NULL)
     cannot("%s: is empty", file);

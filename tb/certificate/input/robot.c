@@ -27,6 +27,14 @@ static xmlNode *child(xmlNode *node, const char *name) {
   return node == NULL ? NULL : from(node->children, name);
 }
 
+/* The element of that name, of which there is one, or none (NULL). */
+static xmlNode *single(const context *c, xmlNode *node, const char *name) {
+  xmlNode *first = child(node, name);
+  if (first != NULL && from(first->next, name) != NULL)
+    cannot("%s:%ld: two %s in one %s", c->file, xmlGetLineNo(node), name, (const char *)node->name);
+  return first;
+}
+
 static char *attribute(const context *c, xmlNode *node, const char *name) {
   char *text = node == NULL ? NULL : (char *)xmlGetProp(node, (const xmlChar *)name);
   if (text == NULL)
@@ -65,8 +73,8 @@ static long double number(const context *c, xmlNode *node, const char *name) {
 static pose origin(const context *c, xmlNode *node) {
   long double xyz[3] = {0, 0, 0};
   long double rpy[3] = {0, 0, 0};
-  numbers(c, child(node, "origin"), "xyz", 3, xyz);
-  numbers(c, child(node, "origin"), "rpy", 3, rpy);
+  numbers(c, single(c, node, "origin"), "xyz", 3, xyz);
+  numbers(c, single(c, node, "origin"), "rpy", 3, rpy);
   const quaternion roll = quaternion_about((point){1, 0, 0}, rpy[0]);
   const quaternion pitch = quaternion_about((point){0, 1, 0}, rpy[1]);
   const quaternion yaw = quaternion_about((point){0, 0, 1}, rpy[2]);
@@ -109,9 +117,18 @@ static char *mesh_file(const context *c, const char *name) {
   return joined(c->file, slash == NULL ? 0 : (size_t)(slash - c->file), name);
 }
 
+static long double length_of(const context *c, xmlNode *node, const char *name) {
+  const long double value = number(c, node, name);
+  if (!(value > 0))
+    cannot("%s:%ld: %s of %Lg", c->file, xmlGetLineNo(node), name, value);
+  return value;
+}
+
 static void collision(const context *c, xmlNode *node, surface *body) {
   const pose at = origin(c, node);
-  xmlNode *geometry = child(node, "geometry");
+  xmlNode *geometry = single(c, node, "geometry");
+  if (geometry == NULL || xmlChildElementCount(geometry) != 1)
+    cannot("%s:%ld: not one geometry", c->file, xmlGetLineNo(node));
   xmlNode *mesh = child(geometry, "mesh");
   xmlNode *box = child(geometry, "box");
   xmlNode *cylinder = child(geometry, "cylinder");
@@ -120,6 +137,8 @@ static void collision(const context *c, xmlNode *node, surface *body) {
   if (mesh != NULL) {
     long double scale[3] = {1, 1, 1};
     numbers(c, mesh, "scale", 3, scale);
+    if (scale[0] == 0 || scale[1] == 0 || scale[2] == 0)
+      cannot("%s:%ld: a scale of 0", c->file, xmlGetLineNo(mesh));
     char *name = attribute(c, mesh, "filename");
     char *file = mesh_file(c, name);
     surface_stl(body, file, (point){scale[0], scale[1], scale[2]}, at);
@@ -128,13 +147,13 @@ static void collision(const context *c, xmlNode *node, surface *body) {
   } else if (box != NULL) {
     long double size[3] = {NAN, NAN, NAN};
     numbers(c, box, "size", 3, size);
-    if (!(size[0] >= 0 && size[1] >= 0 && size[2] >= 0))
-      cannot("%s: a box's size", c->file);
+    if (!(size[0] > 0 && size[1] > 0 && size[2] > 0))
+      cannot("%s:%ld: a box's size", c->file, xmlGetLineNo(box));
     surface_box(body, (point){size[0], size[1], size[2]}, at);
   } else if (cylinder != NULL) {
-    surface_cylinder(body, number(c, cylinder, "radius"), number(c, cylinder, "length"), at);
+    surface_cylinder(body, length_of(c, cylinder, "radius"), length_of(c, cylinder, "length"), at);
   } else if (sphere != NULL) {
-    surface_sphere(body, number(c, sphere, "radius"), at);
+    surface_sphere(body, length_of(c, sphere, "radius"), at);
   } else {
     cannot("%s: geometry other than mesh, box, cylinder, sphere", c->file);
   }
@@ -166,12 +185,13 @@ static void read_joint(const context *c, xmlNode *node, robot *r) {
   } else if (strcmp(kind, "fixed") != 0) {
     cannot("%s: joint %s: type %s", c->file, new.name, kind);
   }
-  new.parent = robot_link_named(r, attribute(c, child(node, "parent"), "link"));
-  new.child = robot_link_named(r, attribute(c, child(node, "child"), "link"));
+  new.parent = robot_link_named(r, attribute(c, single(c, node, "parent"), "link"));
+  new.child = robot_link_named(r, attribute(c, single(c, node, "child"), "link"));
   if (new.parent < 0 || new.child < 0)
     cannot("%s: joint %s: no such link", c->file, new.name);
   long double xyz[3] = {1, 0, 0};
-  numbers(c, child(node, "axis"), "xyz", 3, xyz);
+  numbers(c, single(c, node, "axis"), "xyz", 3, xyz);
+  single(c, node, "limit"); /* not read */
   const point axis = {xyz[0], xyz[1], xyz[2]};
   const long double length = point_length(axis);
   if (new.kind != JOINT_FIXED) {
@@ -179,7 +199,7 @@ static void read_joint(const context *c, xmlNode *node, robot *r) {
       cannot("%s: joint %s: axis", c->file, new.name);
     new.axis = point_times(1 / length, axis);
   }
-  xmlNode *mimic = child(node, "mimic");
+  xmlNode *mimic = single(c, node, "mimic");
   if (mimic != NULL && new.kind != JOINT_FIXED) {
     new.mimics = attribute(c, mimic, "joint");
     numbers(c, mimic, "multiplier", 1, &new.factor);
@@ -193,12 +213,25 @@ static void read_joint(const context *c, xmlNode *node, robot *r) {
   r->joint[r->joints++] = new;
 }
 
+/* What libxml2 would print where it cannot open a document type. */
+static void be_silent(void *unused, const char *format, ...) {
+  (void)unused;
+  (void)format;
+}
+
 static xmlNode *document(const char *file) {
   size_t length = 0;
   free(file_read(file, &length)); /* says that it is not there */
+  xmlSetGenericErrorFunc(NULL, be_silent);
   xmlDoc *doc = xmlReadFile(file, NULL, XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
-  if (doc == NULL)
-    cannot("%s: is no XML", file);
+  const xmlError *wrong = xmlGetLastError();
+  if (doc == NULL) {
+    const char *why = wrong != NULL && wrong->message != NULL ? wrong->message : "";
+    cannot("%s:%d: is no XML: %.*s", file, wrong != NULL ? wrong->line : 1, (int)strcspn(why, "\n"),
+           why);
+  }
+  if (doc->intSubset != NULL || doc->extSubset != NULL)
+    cannot("%s: has a document type", file);
   xmlNode *root = xmlDocGetRootElement(doc);
   if (root == NULL || !is(root, "robot"))
     cannot("%s: has no robot", file);
@@ -206,6 +239,12 @@ static xmlNode *document(const char *file) {
 }
 
 static void check_trees(const context *c, robot *r) {
+  const char *root = NULL;
+  for (int n = 0; n < r->links; n++) {
+    if (r->link[n].joint < 0 && root != NULL)
+      cannot("%s: two roots, %s and %s", c->file, root, r->link[n].name);
+    root = r->link[n].joint < 0 ? r->link[n].name : root;
+  }
   for (int n = 0; n < r->links; n++) {
     int steps = 0;
     for (int at = n; r->link[at].joint >= 0; at = r->joint[r->link[at].joint].parent) {
