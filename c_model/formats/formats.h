@@ -50,6 +50,10 @@ typedef struct {
 
 enum { FORMAT_LINKS_MOST = 4096, FORMAT_SHAPES_MOST = 65536 };
 
+/* Metres, or radians, of an origin or a joint's value: sums and differences of these are far from
+ * what a double ends with. */
+#define FORMAT_VALUE_MOST 1e12
+
 bool format_urdf_read(format_robot *robot, const char *path, const format_package *package,
                       size_t packages, sepax_error *error);
 void format_robot_free(format_robot *robot);

@@ -226,8 +226,10 @@ static const struct aiScene *import(const char *path, sepax_error *error) {
   aiReleasePropertyStore(how);
   if (scene == NULL || scene->mRootNode == NULL ||
       (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
-    const char *why = scene == NULL ? aiGetErrorString()
-                                    : "it is incomplete, or too large for its reader's memory";
+    const char *why = scene == NULL ? aiGetErrorString() : "it is incomplete";
+    if (strstr(why, "bad_alloc") != NULL) {
+      why = "it is too large for the memory that a file of this length gets";
+    }
     sepax_fail(error, "%.240s: %.180s; export it again", path, why);
     aiReleaseImport(scene);
     return NULL;

@@ -264,8 +264,9 @@ static bool read_value(const reader *r, size_t k, piece cell, double *value, sep
                 c->joint == TIME ? "time" : r->m->joint[c->joint].name, shown(cell), cell.at);
   }
   *value = number * c->unit->times / c->unit->by;
-  return isfinite(*value) ||
-         fail(r, error, "column %zu: %.*s is too large; mend it", k + 1, shown(cell), cell.at);
+  return fabs(*value) <= FORMAT_VALUE_MOST ||
+         fail(r, error, "column %zu: %.*s is too large, %g m, rad or s being the most; mend it",
+              k + 1, shown(cell), cell.at, FORMAT_VALUE_MOST);
 }
 
 /* Space for one more line, its joints at 0. */
@@ -296,7 +297,7 @@ static bool check_line(const reader *r, const double *value, sepax_error *error)
     }
   }
   for (size_t n = 0; n < r->m->joints; n++) {
-    if (r->m->joint[n].kind != SEPAX_JOINT_FIXED && !isfinite(value[n])) {
+    if (r->m->joint[n].kind != SEPAX_JOINT_FIXED && !(fabs(value[n]) <= FORMAT_VALUE_MOST)) {
       return fail(r, error, "joint %.60s: its value is too large; mend it", r->m->joint[n].name);
     }
     if (r->m->joint[n].kind != SEPAX_JOINT_FIXED && !within_limits(r, n, NULL, value[n], error)) {

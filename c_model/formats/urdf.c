@@ -45,6 +45,12 @@ static bool read_origin(const reader *r, const xmlNode *of, sepax_pose *pose, se
       !xml_numbers(&r->file, origin, "rpy", a, 3, error)) {
     return false;
   }
+  for (int i = 0; i < 3; i++) {
+    if (fabs(pose->translation[i]) > FORMAT_VALUE_MOST || fabs(a[i]) > FORMAT_VALUE_MOST) {
+      return xml_fail(&r->file, origin, error, "<origin>: a number beyond %g; mend it",
+                      FORMAT_VALUE_MOST);
+    }
+  }
   if (a[0] == 0 && a[1] == 0 && a[2] == 0) {
     return true;
   }

@@ -46,7 +46,8 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
   for (int v = PATH_COLLISION; v > PATH_FREE; v--) {
     static const char *const what[] = {"", "a warning", "undecided", "collide"};
     if (pair->lines[v] > 0) {
-      printf("%s%s in %zu lines, first in ", before, what[v], pair->lines[v]);
+      printf("%s%s in %zu line%s, first in ", before, what[v], pair->lines[v],
+             pair->lines[v] == 1 ? "" : "s");
       print_line(scene, pair->first[v]);
       before = "; ";
     }
@@ -110,8 +111,8 @@ static void print_compared(const path_scene *scene, const path_question *q) {
 static void print_motion(const path_scene *scene, const path_question *q) {
   const format_motion *motion = &scene->motion;
   size_t last = motion->lines - 1;
-  printf("path   %s, %zu poses, in lines %zu ... %zu of the file", q->motion, motion->lines,
-         motion->line[0], motion->line[last]);
+  printf("path   %s, %zu pose%s, in lines %zu ... %zu of the file", q->motion, motion->lines,
+         motion->lines == 1 ? "" : "s", motion->line[0], motion->line[last]);
   if (motion->time != NULL) {
     printf(", %.9g ... %.9g s", motion->time[0], motion->time[last]);
   }

@@ -224,13 +224,12 @@ static xmlNode *document(const char *file) {
   free(file_read(file, &length)); /* says that it is not there */
   xmlSetGenericErrorFunc(NULL, be_silent);
   xmlDoc *doc = xmlReadFile(file, NULL, XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
-  const xmlError *wrong = xmlGetLastError();
-  if (doc == NULL) {
-    const char *why = wrong != NULL && wrong->message != NULL ? wrong->message : "";
+  const xmlError *wrong = doc == NULL ? xmlGetLastError() : NULL;
+  const char *why = wrong != NULL && wrong->message != NULL ? wrong->message : "";
+  if (doc == NULL)
     cannot("%s:%d: is no XML: %.*s", file, wrong != NULL ? wrong->line : 1, (int)strcspn(why, "\n"),
            why);
-  }
-  if (doc->intSubset != NULL || doc->extSubset != NULL)
+  if (doc != NULL && (doc->intSubset != NULL || doc->extSubset != NULL))
     cannot("%s: has a document type", file);
   xmlNode *root = xmlDocGetRootElement(doc);
   if (root == NULL || !is(root, "robot"))

@@ -151,7 +151,8 @@ CASE(test_refused) {
   refuse_text("x,a\n0,1e999\n", "'1e999' is no finite number");
   refuse_text("x,a\n0,\n", "'' is no finite number");
   refuse_text("x,a\n0,1 2\n", "'1 2' is no finite number");
-  refuse_text("x,a [deg]\n0,1e308\n", "1e308 is too large");
+  refuse_text("x,a [deg]\n0,1e308\n", "p.csv:2: column 2: 1e308 is too large");
+  refuse_text("x,a\n0,0\n0,-1.1e12\n", "p.csv:3: column 2: -1.1e12 is too large");
   refuse_text("x,a\n0,0\n0.6,0\n",
               "p.csv:3: column 1, joint x: 0.6 m is above its limit of 0.5 m; mend it, or give "
               "--ignore-limits");

@@ -111,6 +111,8 @@ CASE(test_refused) {
               "r.urdf:4: joint j: the lower limit, 1, is above the upper, 0");
   refuse_text(HEAD TWO JOINT("prismatic", "<limit lower='nan' upper='0'/>") TAIL,
               "lower=\"nan\": give 1 finite number");
+  refuse_text(HEAD TWO JOINT("fixed", "<origin xyz='0 0 1e308'/>") TAIL, "a number beyond 1e+12");
+  refuse_text(HEAD TWO JOINT("fixed", "<origin rpy='0 0 -2e12'/>") TAIL, "r.urdf:4: <origin>: a");
   refuse_text(HEAD TWO JOINT("fixed", "<origin xyz='1 2'/>") TAIL, "xyz=\"1 2\": give 3 finite");
   refuse_text(HEAD TWO JOINT("fixed", "<origin xyz='1 2 3 4'/>") TAIL, "give 3 finite numbers");
   refuse_text(HEAD TWO JOINT("fixed", "<origin rpy='0x1 0 0'/>") TAIL, "give 3 finite numbers");
