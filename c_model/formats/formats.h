@@ -30,7 +30,8 @@ typedef enum { FORMAT_MESH, FORMAT_BOX, FORMAT_CYLINDER, FORMAT_SPHERE } format_
 typedef struct {
   size_t link;
   format_kind kind;
-  char *path;        /* of a mesh: its file */
+  char *path;        /* of a mesh: its file, */
+  char *name;        /* which the URDF calls so */
   double size[3];    /* sides; radius, length; radius; of a mesh: scale */
   sepax_pose origin; /* in the link's coordinates */
   long line;
@@ -68,6 +69,7 @@ bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const
 enum { FORMAT_FACETS_MOST = 20000000 };
 
 /* STL as sepax_stl_read has it; OBJ, PLY, 3MF, DAE by assimp, whose coordinates are binary32. */
+bool format_mesh_is_stl(const char *path); /* by its name */
 bool format_mesh_read(sepax_mesh *mesh, const char *path, sepax_error *error);
 
 /* The surface of a shape in the link's coordinates. Spheres and cylinders are polyhedra that hold

@@ -285,10 +285,14 @@ static bool read_stl(sepax_mesh *mesh, const char *path, sepax_error *error) {
                           facets, FORMAT_FACETS_MOST);
 }
 
+bool format_mesh_is_stl(const char *path) {
+  return ends_in(path, ".stl") || ends_in(path, ".stlb");
+}
+
 bool format_mesh_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
   static const char *const others[] = {".obj", ".ply", ".3mf", ".dae"};
   *mesh = (sepax_mesh){0};
-  if (ends_in(path, ".stl") || ends_in(path, ".stlb")) {
+  if (format_mesh_is_stl(path)) {
     return read_stl(mesh, path, error);
   }
   for (int i = 0; i < 4; i++) {

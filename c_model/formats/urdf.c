@@ -21,6 +21,7 @@ typedef struct {
 void format_robot_free(format_robot *robot) {
   for (size_t n = 0; n < robot->shapes; n++) {
     free(robot->shape[n].path);
+    free(robot->shape[n].name);
   }
   free(robot->shape);
   free(robot->name);
@@ -80,21 +81,19 @@ static bool above_zero(const reader *r, const xmlNode *node, const double *size,
 
 static bool read_mesh(const reader *r, const xmlNode *node, format_shape *shape,
                       sepax_error *error) {
-  char *name = NULL;
   shape->kind = FORMAT_MESH;
   for (int i = 0; i < 3; i++) {
     shape->size[i] = 1;
   }
   if (!xml_numbers(&r->file, node, "scale", shape->size, 3, error) ||
-      !xml_name(&r->file, node, "filename", &name, error)) {
+      !xml_name(&r->file, node, "filename", &shape->name, error)) {
     return false;
   }
   sepax_error inner = {""};
   bool ok = shape->size[0] * shape->size[1] * shape->size[2] != 0 ||
             xml_fail(&r->file, node, error, "a scale of 0 leaves no body; give another one");
-  ok = ok && (format_find_mesh(r->places, name, &shape->path, &inner) ||
+  ok = ok && (format_find_mesh(r->places, shape->name, &shape->path, &inner) ||
               xml_fail(&r->file, node, error, "%.230s", inner.text));
-  free(name);
   return ok;
 }
 

@@ -1,12 +1,17 @@
-/* certificate.c - what was certified, for programs that check it: docs/certificate.md. */
+/* certificate.c - what was certified, for programs that check it: docs/path/certificate.md. */
 #include "path/parts.h"
+#include "util/error.h"
 #include "util/write_file.h"
 
 #include <jansson.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 typedef struct {
   const path_scene *scene;
   const path_question *q;
+  json_t *packages;
 } certificate;
 
 /* A value on a line of its own. */
@@ -16,20 +21,50 @@ static bool write_line(FILE *out, json_t *json) {
   return ok;
 }
 
-static json_t *head_of(const certificate *c) {
-  const path_question *q = c->q;
+/* Those that are given, and those that were found, of the meshes' files without what the URDF has
+ * behind the package's name. NULL where one name is of two folders. */
+static json_t *packages_of(const path_scene *scene, const path_question *q, sepax_error *error) {
+  static const char scheme[] = "package://";
   json_t *packages = json_object();
-  json_t *pairs = json_array();
   for (size_t n = 0; n < q->packages; n++) {
     json_object_set_new(packages, q->package[n].name, json_string(q->package[n].folder));
   }
+  for (size_t n = 0; n < scene->robot.shapes; n++) {
+    const format_shape *shape = &scene->robot.shape[n];
+    if (shape->name == NULL || strncmp(shape->name, scheme, strlen(scheme)) != 0) {
+      continue;
+    }
+    const char *name = shape->name + strlen(scheme);
+    size_t length = strcspn(name, "/");
+    size_t folder = strlen(shape->path) - strlen(name + length);
+    json_t *key = json_stringn(name, length);
+    const json_t *known = json_object_get(packages, json_string_value(key));
+    bool same = known == NULL || (json_string_length(known) == folder &&
+                                  strncmp(json_string_value(known), shape->path, folder) == 0);
+    if (known == NULL) {
+      json_object_set_new(packages, json_string_value(key), json_stringn(shape->path, folder));
+    }
+    json_decref(key);
+    if (!same) {
+      json_decref(packages);
+      sepax_fail(error, "certificate: package %.*s is in two folders; give --package=%.*s:FOLDER",
+                 (int)(length < 60 ? length : 60), name, (int)(length < 60 ? length : 60), name);
+      return NULL;
+    }
+  }
+  return packages;
+}
+
+static json_t *head_of(const certificate *c) {
+  const path_question *q = c->q;
+  json_t *pairs = json_array();
   for (size_t n = 0; n < c->scene->pairs; n++) {
     const path_pair *pair = &c->scene->pair[n];
     json_array_append_new(pairs, json_pack("[s, s]", path_body_name(c->scene, pair->body[0]),
                                            path_body_name(c->scene, pair->body[1])));
   }
-  return json_pack("{s:s, s:i, s:s, s:s?, s:s, s:o, s:f, s:o}", "certificate", "sepax", "version",
-                   1, "urdf", q->urdf, "srdf", q->srdf, "path", q->motion, "packages", packages,
+  return json_pack("{s:s, s:i, s:s, s:s?, s:s, s:O, s:f, s:o}", "certificate", "sepax", "version",
+                   1, "urdf", q->urdf, "srdf", q->srdf, "path", q->motion, "packages", c->packages,
                    "clearance", q->clearance.length, "pairs", pairs);
 }
 
@@ -55,7 +90,36 @@ static bool write_all(FILE *out, const void *context) {
   return ok && write_line(out, json_pack("{s:I}", "intervals", (json_int_t)count));
 }
 
-bool path_write_certificate(const path_scene *scene, const path_question *q, sepax_error *error) {
-  const certificate c = {scene, q};
-  return sepax_write_file(q->certificate, write_all, &c, error);
+static bool is_certificate(const char *path) {
+  static const char begin[] = "{\"certificate\":";
+  char text[sizeof begin] = "";
+  struct stat s;
+  FILE *in = stat(path, &s) == 0 && S_ISREG(s.st_mode) ? fopen(path, "r") : NULL;
+  bool is = in != NULL && fgets(text, sizeof text, in) != NULL && strcmp(text, begin) == 0;
+  if (in != NULL) {
+    fclose(in);
+  }
+  return is;
+}
+
+bool path_write_certificate(path_scene *scene, const path_question *q, sepax_error *error) {
+  if (!path_certified(scene)) {
+    scene->removed = is_certificate(q->certificate) && unlink(q->certificate) == 0;
+    return !is_certificate(q->certificate) ||
+           sepax_fail(error, "%.300s: of an earlier run; cannot be removed", q->certificate);
+  }
+  const certificate c = {scene, q, packages_of(scene, q, error)};
+  bool ok = c.packages != NULL && sepax_write_file(q->certificate, write_all, &c, error);
+  json_decref(c.packages);
+  return ok;
+}
+
+const char *path_uncheckable(const path_scene *scene) {
+  for (size_t n = 0; n < scene->robot.shapes; n++) {
+    const format_shape *shape = &scene->robot.shape[n];
+    if (shape->kind == FORMAT_MESH && !format_mesh_is_stl(shape->path)) {
+      return shape->path;
+    }
+  }
+  return NULL;
 }

@@ -1,5 +1,5 @@
 /* certify.c - between the lines of a path: bodies that are farther from each other than any point
- * of theirs moves do not meet. docs/path.md#between-the-lines. */
+ * of theirs moves do not meet. docs/path/README.md#between-the-lines. */
 #include "path/parts.h"
 #include "util/error.h"
 #include "util/threads.h"
@@ -9,17 +9,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LEVELS_MOST = 52 };
+/* Most parts of the ways of a pair that are asked: until one is open, PATH_INTERVALS or as many as
+ * are given, and this for each segment; behind it in its segment; and in all segments behind that,
+ * and this for each of them. */
+enum { LEVELS_MOST = 52, A_SEGMENT = 64, BEHIND = 4096, ALL_BEHIND = 1 << 18, EACH_BEHIND = 16 };
 
 typedef struct {
   path_scene *scene;
   const path_question *q;
   cli_progress *progress;
-  atomic_size_t done;   /* segments of all pairs */
-  atomic_size_t before; /* a segment that is not certified: none behind it is asked */
+  atomic_size_t done; /* segments of all pairs */
+  atomic_bool stop;
   atomic_flag failing;
   sepax_error *error;
 } work;
+
+typedef struct {
+  unsigned level;
+  uint64_t index;
+} way_part;
 
 /* A pair at hand, and a part of a segment of its way. */
 typedef struct {
@@ -34,8 +42,12 @@ typedef struct {
   bool has_last;
   path_interval at;
   double distance; /* what was found there; infinite where it is enough */
-  double collides; /* where in the segment a collision was found; infinite: nowhere */
+  size_t left;     /* how many parts may be asked until one is open */
+  size_t behind;   /* and in all segments behind that */
+  way_part *queue; /* of QUEUE */
 } asking;
+
+enum { QUEUE = 2 * BEHIND + 2 * LEVELS_MOST + 2 };
 
 static void set_values(asking *a) {
   const format_motion *motion = &a->all->scene->motion;
@@ -211,14 +223,28 @@ static bool divide(asking *a) {
   return true;
 }
 
+/* Do the bodies collide at the middle? For certain: the distance is rounded. */
+static bool collides(const asking *a) {
+  return a->distance <= a->all->q->clearance.length * (1 - 0x1p-50);
+}
+
+static void keep_collision(asking *a, double part_of_way) {
+  path_proof *proof = &a->pair->proof;
+  proof->collides = true;
+  proof->segment = a->at.segment;
+  proof->part = part_of_way;
+}
+
 /* False on an error; a segment that is not certified is kept in pair.proof. */
-static bool ask_segment(asking *a, sepax_error *error) {
-  a->collides = INFINITY;
+static bool certify_segment(asking *a, sepax_error *error) {
+  path_proof *proof = &a->pair->proof;
+  double first = INFINITY;
   for (bool more = true; more;) {
     bool certified = false;
     if (!ask(a, &certified, error)) {
       return false;
     }
+    a->left -= a->left > 0;
     if (certified) {
       if (!keep(a, error)) {
         return false;
@@ -226,19 +252,71 @@ static bool ask_segment(asking *a, sepax_error *error) {
       more = advance(&a->at);
       continue;
     }
-    if (a->distance <= a->all->q->clearance.length) {
-      a->collides = fmin(a->collides, middle_of(&a->at));
+    if (collides(a)) {
+      first = fmin(first, middle_of(&a->at));
     }
-    if (!divide(a)) {
-      path_proof *proof = &a->pair->proof;
+    proof->ended = a->left == 0;
+    if (proof->ended || !divide(a)) {
       proof->is_open = true;
       proof->open = a->at;
       proof->distance = a->distance;
-      proof->collides = a->collides;
+      if (isfinite(first)) {
+        keep_collision(a, first);
+      }
       return true;
     }
   }
   return true;
+}
+
+/* Is there a pose in parts of a segment in which the bodies collide? The longest parts are asked
+ * first, and no more than `most`. */
+static bool search(asking *a, size_t parts, size_t most, size_t *asked, sepax_error *error) {
+  for (size_t n = 0; n < parts && n < most; n++) {
+    bool certified = false;
+    a->at.level = a->queue[n].level;
+    a->at.index = a->queue[n].index;
+    if (!ask(a, &certified, error)) {
+      return false;
+    }
+    ++*asked;
+    if (!certified && collides(a)) {
+      keep_collision(a, middle_of(&a->at));
+      return true;
+    }
+    if (!certified && a->at.bound > a->all->q->resolution.length && a->at.level < LEVELS_MOST) {
+      for (unsigned half = 0; half < 2 && parts < QUEUE; half++) {
+        a->queue[parts++] = (way_part){a->at.level + 1, 2 * a->at.index + half};
+      }
+    }
+  }
+  return true;
+}
+
+/* Behind what is open in its segment. */
+static bool search_behind(asking *a, sepax_error *error) {
+  size_t parts = 0;
+  size_t asked = 0;
+  while (advance(&a->at)) {
+    a->queue[parts++] = (way_part){a->at.level, a->at.index};
+  }
+  for (size_t n = 0; n < parts / 2; n++) {
+    way_part other = a->queue[n];
+    a->queue[n] = a->queue[parts - 1 - n];
+    a->queue[parts - 1 - n] = other;
+  }
+  return search(a, parts, BEHIND, &asked, error);
+}
+
+/* In a segment behind that, `segments` before the end: it may take its share of what is left. */
+static bool search_segment(asking *a, size_t segments, sepax_error *error) {
+  size_t share = a->behind / segments;
+  size_t most = share < EACH_BEHIND ? EACH_BEHIND : share > BEHIND ? BEHIND : share;
+  size_t asked = 0;
+  a->queue[0] = (way_part){0, 0};
+  bool ok = search(a, 1, most, &asked, error);
+  a->behind -= asked < a->behind ? asked : a->behind;
+  return ok;
 }
 
 static bool stands_still(const asking *a, size_t segment) {
@@ -253,34 +331,46 @@ static bool stands_still(const asking *a, size_t segment) {
   return true;
 }
 
-static bool ask_segments(asking *a, sepax_error *error) {
-  const format_motion *motion = &a->all->scene->motion;
+/* `level`: that of the segment before, where the way is as near and as long. */
+static bool certify_next(asking *a, unsigned level, sepax_error *error) {
   path_proof *proof = &a->pair->proof;
-  unsigned level = 0; /* that of the segment before, where the way is as near and as long */
-  for (size_t n = 0; n + 1 < motion->lines && n <= atomic_load(&a->all->before); n++) {
-    bool same = proof->count > 0 && stands_still(a, n - 1) && stands_still(a, n);
+  size_t n = a->at.segment;
+  bool same = proof->count > 0 && stands_still(a, n - 1) && stands_still(a, n);
+  a->at.level = same || level == 0 ? 0 : level - 1;
+  a->at.index = 0;
+  if (same && proof->interval[proof->count - 1].level == 0) {
+    a->at = proof->interval[proof->count - 1];
     a->at.segment = n;
-    a->at.level = same || level == 0 ? 0 : level - 1;
-    a->at.index = 0;
-    if (same && proof->interval[proof->count - 1].level == 0) {
-      a->at = proof->interval[proof->count - 1];
-      a->at.segment = n;
-      if (!keep(a, error)) {
+    return keep(a, error);
+  }
+  return certify_segment(a, error) &&
+         (!proof->is_open || proof->collides || search_behind(a, error));
+}
+
+/* To the end, or to a pose in which the bodies collide. A pair that is undecided in a line is not
+ * certified. */
+static bool ask_segments(asking *a, sepax_error *error) {
+  work *all = a->all;
+  path_proof *proof = &a->pair->proof;
+  size_t segments = all->scene->motion.lines - 1;
+  bool undecided = a->pair->lines[PATH_UNDECIDED] > 0;
+  for (size_t n = 0; n < segments && !proof->collides && !atomic_load(&all->stop); n++) {
+    a->at.segment = n;
+    if (proof->is_open || undecided) {
+      if (!stands_still(a, n) && !search_segment(a, segments - n, error)) {
         return false;
       }
-    } else if (!ask_segment(a, error)) {
+    } else if (!certify_next(a, n > 0 ? proof->interval[proof->count - 1].level : 0, error)) {
       return false;
     }
-    if (proof->is_open) {
-      size_t before = atomic_load(&a->all->before);
-      while (n < before && !atomic_compare_exchange_weak(&a->all->before, &before, n)) {}
-      return true;
+    size_t done = atomic_fetch_add(&all->done, 1) + 1;
+    if (a->pair == all->scene->pair) { /* the calling thread's, at first */
+      cli_progress_show(all->progress, done);
     }
-    level = proof->interval[proof->count - 1].level;
-    size_t done = atomic_fetch_add(&a->all->done, 1) + 1;
-    if (a->pair == a->all->scene->pair) { /* the calling thread's, at first */
-      cli_progress_show(a->all->progress, done);
-    }
+  }
+  proof->certified = !undecided && !proof->is_open;
+  if (proof->collides && path_status_only(all->q)) {
+    atomic_store(&all->stop, true);
   }
   return true;
 }
@@ -289,30 +379,37 @@ static bool ask_pair(work *all, path_pair *pair, sepax_error *error) {
   const path_scene *scene = all->scene;
   const sepax_mechanism *m = &scene->robot.mechanism;
   size_t joints = scene->motion.joints;
-  asking a = {
-      .all = all, .pair = pair, .body = {&scene->body[pair->body[0]], &scene->body[pair->body[1]]}};
+  asking a = {.all = all,
+              .pair = pair,
+              .body = {&scene->body[pair->body[0]], &scene->body[pair->body[1]]},
+              .left = all->q->intervals + A_SEGMENT * (scene->motion.lines - 1),
+              .behind = ALL_BEHIND};
   double *values = malloc(3 * (joints + 1) * sizeof *values);
-  bool ok = values != NULL && sepax_chain_find(&a.back, m, a.body[1]->link, a.body[0]->link, error);
+  a.queue = malloc(QUEUE * sizeof *a.queue);
+  bool ok = values != NULL && a.queue != NULL &&
+            sepax_chain_find(&a.back, m, a.body[1]->link, a.body[0]->link, error);
   for (int k = 0; k < 3; k++) {
     a.value[k] = values + (size_t)k * joints;
     a.extent += fabs(a.body[0]->least[k]) + fabs(a.body[0]->most[k]) + fabs(a.body[1]->least[k]) +
                 fabs(a.body[1]->most[k]);
   }
-  ok = values == NULL ? sepax_fail(error, "no memory for %zu joints", joints)
-                      : ok && ask_segments(&a, error);
+  ok = values == NULL || a.queue == NULL ? sepax_fail(error, "no memory for %zu joints", joints)
+                                         : ok && ask_segments(&a, error);
   sepax_chain_free(&a.back);
   free(values);
+  free(a.queue);
   return ok;
 }
 
 static void work_on(void *context, size_t part) {
   work *all = context;
+  path_pair *pair = &all->scene->pair[part];
   sepax_error error = {""};
-  if (!ask_pair(all, &all->scene->pair[part], &error)) {
+  if (pair->lines[PATH_COLLISION] == 0 && !ask_pair(all, pair, &error)) {
     if (!atomic_flag_test_and_set(&all->failing)) {
       *all->error = error;
     }
-    atomic_store(&all->before, 0);
+    atomic_store(&all->stop, true);
   }
 }
 
@@ -322,33 +419,10 @@ bool path_certify(path_scene *scene, const path_question *q, sepax_error *error)
   work all = {
       .scene = scene, .q = q, .progress = &progress, .failing = ATOMIC_FLAG_INIT, .error = error};
   atomic_init(&all.done, 0);
-  atomic_init(&all.before, SIZE_MAX);
+  atomic_init(&all.stop, path_status_only(q) && path_worst(scene) == PATH_COLLISION);
   error->text[0] = '\0';
   threads_run(q->threads > 0 ? (size_t)q->threads : threads_here(), scene->pairs, work_on, &all);
   scene->between = true;
   scene->between_seconds = cli_progress_end(&progress);
   return error->text[0] == '\0';
-}
-
-void path_open_ends(const path_pair *open, double ends[2]) {
-  const path_interval *at = &open->proof.open;
-  for (int k = 0; k < 2; k++) {
-    ends[k] = (double)at->segment + ldexp((double)(at->index + (uint64_t)k), -(int)at->level);
-  }
-}
-
-bool path_certified(const path_scene *scene) { return scene->between && path_open(scene) == NULL; }
-
-const path_pair *path_open(const path_scene *scene) {
-  const path_pair *first = NULL;
-  double earliest = INFINITY;
-  for (size_t n = 0; n < scene->pairs; n++) {
-    double ends[2];
-    path_open_ends(&scene->pair[n], ends);
-    if (scene->pair[n].proof.is_open && ends[0] < earliest) {
-      first = &scene->pair[n];
-      earliest = ends[0];
-    }
-  }
-  return first;
 }

@@ -6,6 +6,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 enum {
   KEY_CSV = 0x400,
@@ -18,9 +19,12 @@ enum {
   KEY_CERTIFY,
   KEY_CERTIFICATE,
   KEY_RESOLUTION,
+  KEY_INTERVALS,
   KEY_SURFACES,
   KEY_THREADS
 };
+
+enum { INTERVALS_MOST = 1000000000 };
 
 static const struct argp_option options[] = {
     {"csv", KEY_CSV, "FILE", 0, "write the lines and pairs that are not free as CSV", 0},
@@ -33,11 +37,14 @@ static const struct argp_option options[] = {
     {"no-distance", KEY_NO_DISTANCE, NULL, 0, "verdicts only, no least clearance, which is faster",
      0},
     {"certify", KEY_CERTIFY, NULL, 0,
-     "where all lines are free: are the ways between them free, too, if all joints go linearly?",
+     "are the ways between the lines free, too, if all joints go linearly? Of each pair that does "
+     "not collide in a line",
      0},
     {"certificate", KEY_CERTIFICATE, "FILE", 0, "write the proof of --certify for programs", 0},
     {"resolution", KEY_RESOLUTION, "LENGTH", 0,
      "how short the ways become that --certify divides (1um)", 0},
+    {"intervals", KEY_INTERVALS, "N", 0,
+     "into how many --certify divides the way of a pair, besides 64 for each line (262144)", 0},
     {"surfaces", KEY_SURFACES, NULL, 0, "do not ask whether one body is inside the other", 0},
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
     {"quiet", 'q', NULL, 0, "print nothing: the exit status tells", 0},
@@ -87,6 +94,12 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_RESOLUTION:
     q->resolution = path_length(state, "resolution", text);
     return 0;
+  case KEY_INTERVALS:
+    q->intervals = (size_t)cli_count(state, "intervals", text, INTERVALS_MOST);
+    if (q->intervals == 0) {
+      argp_error(state, "intervals: 0 is not in 1 ... %d", INTERVALS_MOST);
+    }
+    return 0;
   case KEY_CSV:
     q->csv = text;
     return 0;
@@ -126,7 +139,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-enum { WORD = 18 };
+enum { WORD = 18, INTERVALS = 1 << 18 };
 
 enum { OUTPUTS = 5 };
 
@@ -185,9 +198,21 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   if (!path_bands_agree(q, error)) {
     return false;
   }
-  if (!q->certify && (q->certificate != NULL || q->resolution.text != NULL)) {
+  if (!q->certify && (q->certificate != NULL || q->resolution.text != NULL || q->intervals != 0)) {
     return sepax_fail(error, "%s: is of --certify; give that, too, or leave it out",
-                      q->certificate != NULL ? "certificate" : "resolution");
+                      q->certificate != NULL       ? "certificate"
+                      : q->resolution.text != NULL ? "resolution"
+                                                   : "intervals");
+  }
+  const char *const read[] = {q->urdf, q->motion, q->srdf};
+  for (int n = 0; n < 3 && q->certificate != NULL; n++) {
+    struct stat s;
+    if (read[n] != NULL && stat(read[n], &s) == 0 && !S_ISREG(s.st_mode)) {
+      return sepax_fail(error,
+                        "certificate: %.240s is no file that can be read again to check it; give "
+                        "a file",
+                        read[n]);
+    }
   }
   if (q->jobs == NULL && (q->word != 0 || q->lsb.text != NULL)) {
     return sepax_fail(error, "%s: is of --jobs; give that, too, or leave it out",
@@ -223,18 +248,17 @@ int cli_path(int argc, char **argv) {
   path_scene scene = {.pairs = 0};
   q.keep = q.picture != NULL || q.page != NULL || q.jobs != NULL;
   q.word = q.jobs != NULL && q.word == 0 ? WORD : q.word;
+  bool ok = options_agree(&q, &error) && outputs_distinct(&q, &error);
+  q.intervals = q.intervals == 0 ? INTERVALS : q.intervals;
   q.no_distance = q.no_distance || (q.quiet && q.picture == NULL && q.page == NULL);
-  bool ok = options_agree(&q, &error) && outputs_distinct(&q, &error) &&
-            path_scene_load(&scene, &q, &error) && meshes_spared(&scene, &q, &error) &&
-            (q.page == NULL || path_page_possible(&scene, &error)) &&
-            (q.jobs == NULL || path_write_jobs(&scene, &q, &error)) &&
-            path_search(&scene, &q, &error) &&
-            (!q.certify || path_worst(&scene) > PATH_WARNING || path_certify(&scene, &q, &error)) &&
-            (q.csv == NULL || path_write_csv(&scene, q.csv, &error)) &&
-            (q.picture == NULL || path_write_picture(&scene, q.picture, &error)) &&
-            (q.certificate == NULL || !path_certified(&scene) ||
-             path_write_certificate(&scene, &q, &error)) &&
-            (q.page == NULL || path_write_page(&scene, &q, &error));
+  ok = ok && path_scene_load(&scene, &q, &error) && meshes_spared(&scene, &q, &error) &&
+       (q.page == NULL || path_page_possible(&scene, &error)) &&
+       (q.jobs == NULL || path_write_jobs(&scene, &q, &error)) && path_search(&scene, &q, &error) &&
+       (!q.certify || path_certify(&scene, &q, &error)) &&
+       (q.csv == NULL || path_write_csv(&scene, q.csv, &error)) &&
+       (q.picture == NULL || path_write_picture(&scene, q.picture, &error)) &&
+       (q.certificate == NULL || path_write_certificate(&scene, &q, &error)) &&
+       (q.page == NULL || path_write_page(&scene, &q, &error));
   int result = ok ? status[path_worst(&scene)] : cli_fail(argv[0], &error);
   if (ok && !q.quiet) {
     (q.json ? path_print_json : path_print_text)(&scene, &q);

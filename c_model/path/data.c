@@ -41,6 +41,48 @@ static json_t *least_of(const path_scene *scene, const path_pair *pair) {
   return json;
 }
 
+/* {"x": 0.1, ...}: of the joints that have a column, or would. */
+static json_t *values_of(const path_scene *scene, path_moment at) {
+  const sepax_mechanism *m = &scene->robot.mechanism;
+  json_t *json = json_object();
+  for (size_t n = 0; n < m->joints; n++) {
+    if (sepax_joint_driven(&m->joint[n])) {
+      json_object_set_new(json, m->joint[n].name, json_real(path_value(&scene->motion, at, n)));
+    }
+  }
+  return json;
+}
+
+static json_t *segment_of(const path_scene *scene, size_t segment) {
+  return json_pack("{s:o, s:o}", "from", line_of(scene, segment), "to",
+                   line_of(scene, segment + 1));
+}
+
+/* What --certify found of a pair; null where it was not asked. */
+static json_t *way_of(const path_scene *scene, const path_pair *pair) {
+  const path_proof *proof = &pair->proof;
+  if (!scene->between || path_in_lines(pair) == PATH_COLLISION) {
+    return json_null();
+  }
+  json_t *open = json_null();
+  json_t *collision = json_null();
+  if (proof->is_open) {
+    double ends[2];
+    path_open_ends(pair, ends);
+    open = segment_of(scene, proof->open.segment);
+    json_object_set_new(open, "part", json_pack("[f, f]", ends[0], ends[1]));
+    json_object_set_new(open, "distance", json_real(proof->distance));
+    json_object_set_new(open, "ended", json_boolean(proof->ended));
+  }
+  if (proof->collides) {
+    collision = segment_of(scene, proof->segment);
+    json_object_set_new(collision, "part", json_real(proof->part));
+    json_object_set_new(collision, "values", values_of(scene, path_between_moment(pair)));
+  }
+  return json_pack("{s:b, s:I, s:o, s:o}", "certified", proof->certified, "intervals",
+                   (json_int_t)proof->count, "open", open, "collision", collision);
+}
+
 static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   json_t *lines = json_object();
   json_t *first = json_object();
@@ -54,6 +96,7 @@ static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   json_object_set_new(json, "lines", lines);
   json_object_set_new(json, "first", first);
   json_object_set_new(json, "least_clearance", least_of(scene, pair));
+  json_object_set_new(json, "between", way_of(scene, pair));
   return json;
 }
 
@@ -64,9 +107,8 @@ static json_t *body_of(const path_scene *scene, size_t n) {
                    (json_int_t)b->open);
 }
 
-/* What --certify found; null where it was not asked. */
+/* What --certify found of all; null where it was not asked. */
 static json_t *between_of(const path_scene *scene) {
-  const path_pair *open = path_open(scene);
   size_t intervals = 0;
   if (!scene->between) {
     return json_null();
@@ -74,24 +116,20 @@ static json_t *between_of(const path_scene *scene) {
   for (size_t n = 0; n < scene->pairs; n++) {
     intervals += scene->pair[n].proof.count;
   }
-  json_t *json = json_pack("{s:b, s:I, s:f}", "certified", open == NULL, "intervals",
-                           (json_int_t)intervals, "seconds", scene->between_seconds);
-  if (open != NULL) {
-    size_t n = open->proof.open.segment;
-    double ends[2];
-    path_open_ends(open, ends);
-    json_t *first =
-        json_pack("{s:s, s:s, s:o, s:o, s:[f, f], s:f}", "a", path_body_name(scene, open->body[0]),
-                  "b", path_body_name(scene, open->body[1]), "from", line_of(scene, n), "to",
-                  line_of(scene, n + 1), "part", ends[0] - (double)n, ends[1] - (double)n,
-                  "distance", open->proof.distance);
-    bool collides = isfinite(open->proof.collides);
-    json_object_set_new(first, "verdict",
-                        json_string(names[collides ? PATH_COLLISION : PATH_UNDECIDED]));
-    json_object_set_new(first, "collides",
-                        collides ? json_real(open->proof.collides) : json_null());
-    json_object_set_new(json, "first", first);
+  return json_pack("{s:b, s:I, s:I, s:f}", "certified", path_certified(scene), "pairs",
+                   (json_int_t)path_certified_pairs(scene), "intervals", (json_int_t)intervals,
+                   "seconds", scene->between_seconds);
+}
+
+/* The first of the worst verdict: a line, or a pose behind it. */
+static json_t *first_of(const path_scene *scene) {
+  path_moment at = path_worst_moment(scene);
+  if (path_worst(scene) == PATH_FREE) {
+    return json_null();
   }
+  json_t *json = line_of(scene, at.line);
+  json_object_set_new(json, "part", json_real(at.part));
+  json_object_set_new(json, "values", values_of(scene, at));
   return json;
 }
 
@@ -125,8 +163,7 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   json_object_set_new(json, "path", json_string(q->motion));
   json_object_set_new(json, "unit", json_string("m"));
   json_object_set_new(json, "verdict", json_string(names[worst]));
-  json_object_set_new(json, "first",
-                      worst == PATH_FREE ? json_null() : line_of(scene, path_worst_line(scene)));
+  json_object_set_new(json, "first", first_of(scene));
   json_object_set_new(json, "lines", count_of(scene->motion.lines));
   if (q->clearance.text != NULL) {
     json_object_set_new(json, "clearance", json_real(q->clearance.length));
@@ -139,6 +176,12 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   json_object_set_new(json, "pairs_of_one_joint", count_of(scene->joined));
   json_object_set_new(json, "pairs_disabled", count_of(scene->disabled));
   json_object_set_new(json, "between", between_of(scene));
+  if (q->certificate != NULL) {
+    json_object_set_new(json, "certificate",
+                        json_pack("{s:s, s:b, s:b}", "file", q->certificate, "written",
+                                  path_certified(scene), "checkable",
+                                  path_uncheckable(scene) == NULL));
+  }
   if (q->jobs != NULL) {
     json_object_set_new(json, "jobs", jobs_of(scene, q));
   }
@@ -168,29 +211,45 @@ static bool write_name(FILE *out, const char *name) {
   return ok && putc('"', out) != EOF;
 }
 
-static bool write_row(FILE *out, const path_scene *scene, const path_pair *pair, size_t line) {
-  const format_motion *motion = &scene->motion;
-  return fprintf(out, "%zu,", motion->line[line]) > 0 &&
-         (motion->time == NULL || fprintf(out, "%.17g,", motion->time[line]) > 0) &&
-         write_name(out, path_body_name(scene, pair->body[0])) && putc(',', out) != EOF &&
-         write_name(out, path_body_name(scene, pair->body[1])) &&
-         fprintf(out, ",%s\n", names[pair->verdict[line]]) > 0;
+typedef struct {
+  const path_scene *scene;
+  bool parts; /* a column for them */
+} rows;
+
+static bool write_row(FILE *out, const rows *r, const path_pair *pair, path_moment at,
+                      path_verdict verdict) {
+  const format_motion *motion = &r->scene->motion;
+  return fprintf(out, "%zu,", motion->line[at.line]) > 0 &&
+         (motion->time == NULL || fprintf(out, "%.17g,", path_time(motion, at)) > 0) &&
+         write_name(out, path_body_name(r->scene, pair->body[0])) && putc(',', out) != EOF &&
+         write_name(out, path_body_name(r->scene, pair->body[1])) &&
+         fprintf(out, ",%s", names[verdict]) > 0 &&
+         (!r->parts || fprintf(out, ",%.17g", at.part) > 0) && putc('\n', out) != EOF;
 }
 
-/* A row for each line and pair that is not free. */
+/* A row for each line and pair that is not free, and for what is not free behind a line. */
 static bool write_rows(FILE *out, const void *context) {
-  const path_scene *scene = context;
-  bool ok = fputs(scene->motion.time != NULL ? "line,time,a,b,verdict\n" : "line,a,b,verdict\n",
-                  out) != EOF;
+  const rows *r = context;
+  const path_scene *scene = r->scene;
+  bool ok = fprintf(out, "line,%sa,b,verdict%s\n", scene->motion.time != NULL ? "time," : "",
+                    r->parts ? ",part" : "") > 0;
   for (size_t line = 0; line < scene->motion.lines && ok; line++) {
     for (size_t n = 0; n < scene->pairs && ok; n++) {
       const path_pair *pair = &scene->pair[n];
-      ok = pair->verdict[line] == PATH_FREE || write_row(out, scene, pair, line);
+      ok = pair->verdict[line] == PATH_FREE ||
+           write_row(out, r, pair, (path_moment){line, 0}, pair->verdict[line]);
+    }
+    for (size_t n = 0; n < scene->pairs && ok; n++) {
+      const path_pair *pair = &scene->pair[n];
+      path_moment at = path_between_moment(pair);
+      path_verdict verdict = path_between_lines(pair);
+      ok = verdict == PATH_FREE || at.line != line || write_row(out, r, pair, at, verdict);
     }
   }
   return ok;
 }
 
 bool path_write_csv(const path_scene *scene, const char *path, sepax_error *error) {
-  return sepax_write_file(path, write_rows, scene, error);
+  const rows r = {scene, scene->between};
+  return sepax_write_file(path, write_rows, &r, error);
 }

@@ -22,6 +22,8 @@ typedef struct {
   const path_scene *scene;
   const path_question *q;
   format_text program[PROGRAMS];
+  path_moment *step; /* the lines, and what is not free between them, in the order of time */
+  size_t steps;
 } page;
 
 /* -------------------------------------------------------------------------- three.js */
@@ -200,29 +202,76 @@ static bool moves(const path_scene *scene, const sepax_chain *chain) {
   return false;
 }
 
-/* Rows of rotation and translation of each line, in the root's coordinates; of the first line only
+/* Rows of rotation and translation of each step, in the root's coordinates; of the first only
  * where no line moves the body. */
-static bool write_poses(FILE *out, const path_scene *scene, size_t link) {
+static bool write_poses(FILE *out, const page *p, size_t link) {
+  const path_scene *scene = p->scene;
   const sepax_mechanism *m = &scene->robot.mechanism;
-  const format_motion *motion = &scene->motion;
+  double *value = malloc((m->joints + 1) * sizeof *value);
   sepax_chain chain;
   sepax_error error = {""};
-  if (!sepax_chain_find(&chain, m, m->root, link, &error)) {
+  if (value == NULL || !sepax_chain_find(&chain, m, m->root, link, &error)) {
+    free(value);
     return false;
   }
-  size_t lines = moves(scene, &chain) ? motion->lines : 1;
+  size_t steps = moves(scene, &chain) ? p->steps : 1;
   fputs(", \"pose\": ", out);
   base64 b = begin_base64(out);
-  for (size_t line = 0; line < lines; line++) {
+  for (size_t n = 0; n < steps; n++) {
     sepax_pose pose[2];
-    sepax_chain_poses(&chain, m, &motion->value[line * motion->joints], pose);
+    path_values(&scene->motion, p->step[n], value);
+    sepax_chain_poses(&chain, m, value, pose);
     for (int i = 0; i < 12; i++) {
       put_float(&b, i % 4 < 3 ? pose[1].rotation[i / 4][i % 4] : pose[1].translation[i / 4]);
     }
   }
   end_base64(&b);
   sepax_chain_free(&chain);
+  free(value);
   return true;
+}
+
+/* ---------------------------------------------------------------------------- steps */
+
+static int by_time(const void *a, const void *b) {
+  const path_moment *p = a;
+  const path_moment *q = b;
+  return p->line != q->line ? (p->line > q->line) - (p->line < q->line)
+                            : (p->part > q->part) - (p->part < q->part);
+}
+
+static bool find_steps(page *p, sepax_error *error) {
+  const path_scene *scene = p->scene;
+  size_t most = scene->motion.lines + scene->pairs;
+  p->step = malloc(most * sizeof *p->step);
+  if (p->step == NULL) {
+    return sepax_fail(error, "no memory for %zu poses", most);
+  }
+  for (size_t n = 0; n < scene->motion.lines; n++) {
+    p->step[p->steps++] = (path_moment){n, 0};
+  }
+  for (size_t n = 0; n < scene->pairs; n++) {
+    if (path_between_lines(&scene->pair[n]) != PATH_FREE) {
+      p->step[p->steps++] = path_between_moment(&scene->pair[n]);
+    }
+  }
+  qsort(p->step, p->steps, sizeof *p->step, by_time);
+  size_t kept = 1;
+  for (size_t n = 1; n < p->steps; n++) {
+    if (by_time(&p->step[n], &p->step[kept - 1]) != 0) {
+      p->step[kept++] = p->step[n];
+    }
+  }
+  p->steps = kept;
+  return true;
+}
+
+/* Between the lines of the pairs that are not free there; the others are not asked. */
+static int verdict_at(const path_pair *pair, path_moment at) {
+  path_moment between = path_between_moment(pair);
+  return at.part == 0                  ? pair->verdict[at.line]
+         : by_time(&at, &between) == 0 ? (int)path_between_lines(pair)
+                                       : PATH_FREE;
 }
 
 /* ------------------------------------------------------------------------------ data */
@@ -248,36 +297,58 @@ static bool write_report(FILE *out, const page *p) {
 }
 
 /* [first, how many follow each other, ...] */
-static void write_lines(FILE *out, const format_motion *motion) {
-  fprintf(out, ",\n\"line\": [%zu", motion->line[0]);
+static void write_lines(FILE *out, const page *p) {
+  const size_t *line = p->scene->motion.line;
+  fprintf(out, ",\n\"line\": [%zu", line[0]);
   size_t first = 0;
-  for (size_t n = 1; n < motion->lines; n++) {
-    if (motion->line[n] != motion->line[n - 1] + 1) {
-      fprintf(out, ", %zu, %zu", n - first, motion->line[n]);
+  for (size_t n = 1; n < p->steps; n++) {
+    if (line[p->step[n].line] != line[p->step[n - 1].line] + 1) {
+      fprintf(out, ", %zu, %zu", n - first, line[p->step[n].line]);
       first = n;
     }
   }
-  fprintf(out, ", %zu]", motion->lines - first);
+  fprintf(out, ", %zu]", p->steps - first);
 }
 
-/* [verdict, of how many lines, ...] */
-static void write_verdicts(FILE *out, const path_pair *pair, size_t lines) {
-  fprintf(out, "[%d", pair->verdict[0]);
+/* [step, how far it is behind its line, ...], and the worst step */
+static void write_parts(FILE *out, const page *p) {
+  path_moment worst = path_worst_moment(p->scene);
+  size_t at = 0;
+  const char *before = "";
+  fputs(",\n\"part\": [", out);
+  for (size_t n = 0; n < p->steps; n++) {
+    if (p->step[n].part > 0) {
+      fprintf(out, "%s%zu, %.17g", before, n, p->step[n].part);
+      before = ", ";
+    }
+    at = by_time(&p->step[n], &worst) == 0 ? n : at;
+  }
+  fprintf(out, "],\n\"worst\": %zu", at);
+}
+
+/* [verdict, of how many steps, ...] */
+static void write_verdicts(FILE *out, const page *p, const path_pair *pair) {
+  int last = verdict_at(pair, p->step[0]);
   size_t first = 0;
-  for (size_t n = 1; n < lines; n++) {
-    if (pair->verdict[n] != pair->verdict[n - 1]) {
-      fprintf(out, ", %zu, %d", n - first, pair->verdict[n]);
+  fprintf(out, "[%d", last);
+  for (size_t n = 1; n < p->steps; n++) {
+    int verdict = verdict_at(pair, p->step[n]);
+    if (verdict != last) {
+      fprintf(out, ", %zu, %d", n - first, verdict);
       first = n;
+      last = verdict;
     }
   }
-  fprintf(out, ", %zu]", lines - first);
+  fprintf(out, ", %zu]", p->steps - first);
 }
 
-static void write_times(FILE *out, const format_motion *motion) {
+static void write_times(FILE *out, const page *p) {
+  const format_motion *motion = &p->scene->motion;
   base64 b = begin_base64(out);
-  for (size_t n = 0; n < motion->lines && motion->time != NULL; n++) {
+  for (size_t n = 0; n < p->steps && motion->time != NULL; n++) {
+    double time = path_time(motion, p->step[n]);
     uint64_t word;
-    memcpy(&word, &motion->time[n], sizeof word);
+    memcpy(&word, &time, sizeof word);
     put_word(&b, word, sizeof word);
   }
   end_base64(&b);
@@ -287,19 +358,19 @@ static bool write_data(FILE *out, const page *p) {
   const path_scene *scene = p->scene;
   fputs("{\"report\": ", out);
   bool ok = write_report(out, p);
-  fprintf(out, ",\n\"worst\": %zu", path_worst_line(scene));
-  write_lines(out, &scene->motion);
+  write_parts(out, p);
+  write_lines(out, p);
   fputs(",\n\"time\": ", out);
-  write_times(out, &scene->motion);
+  write_times(out, p);
   fputs(",\n\"verdict\": [", out);
   for (size_t n = 0; n < scene->pairs; n++) {
     fputs(n == 0 ? "\n" : ",\n", out);
-    write_verdicts(out, &scene->pair[n], scene->motion.lines);
+    write_verdicts(out, p, &scene->pair[n]);
   }
   fputs("],\n\"body\": [", out);
   for (size_t n = 0; n < scene->bodies && ok; n++) {
     fputs(n == 0 ? "\n{" : ",\n{", out);
-    ok = write_mesh(out, &scene->body[n].mesh) && write_poses(out, scene, scene->body[n].link);
+    ok = write_mesh(out, &scene->body[n].mesh) && write_poses(out, p, scene->body[n].link);
     putc('}', out);
   }
   fputs("]}", out);
@@ -330,7 +401,9 @@ static bool write_all(FILE *out, const void *context) {
 
 bool path_write_page(const path_scene *scene, const path_question *q, sepax_error *error) {
   page p = {.scene = scene, .q = q};
-  bool ok = read_programs(&p, error) && sepax_write_file(q->page, write_all, &p, error);
+  bool ok = read_programs(&p, error) && find_steps(&p, error) &&
+            sepax_write_file(q->page, write_all, &p, error);
   free_programs(&p);
+  free(p.step);
   return ok;
 }

@@ -1,7 +1,7 @@
 /* parts.h - what the parts of sepax path share: command.c and options.c read what is asked, scene.c
  * makes bodies of the links and pairs of the bodies, search.c asks each pair in each line,
- * certify.c what is between the lines, certificate.c writes that down, engine.c makes jobs of it,
- * text.c and data.c tell, picture.c and page.c show. */
+ * certify.c what is between the lines, results.c puts that together, certificate.c writes it down,
+ * engine.c makes jobs of it, text.c and data.c tell, picture.c and page.c show. */
 #ifndef SEPAX_PATH_PARTS_H
 #define SEPAX_PATH_PARTS_H
 
@@ -33,6 +33,7 @@ typedef struct {
   int word;       /* of these; 0: not given */
   bool json, quiet, surfaces, no_distance, certify;
   bool keep; /* the bodies' meshes */
+  size_t intervals;
   int threads;
   format_motion_rules rules;
   format_package package[PATH_PACKAGES_MOST];
@@ -67,16 +68,26 @@ typedef struct {
   double axis[3]; /* from the second body to the first, in the second's coordinates at the middle */
 } path_interval;
 
-/* What is certified of a pair: the intervals, in the order of time, to the end or to that which is
- * open. */
+/* What is known of a pair between the lines: the intervals that are certified, in the order of
+ * time, to the end or to that which is open. */
 typedef struct {
   path_interval *interval;
   size_t count, capacity;
+  bool certified; /* the whole path, lines and all */
   bool is_open;
   path_interval open;
   double distance; /* at the middle of that */
-  double collides; /* where in its segment the pair was found to collide; infinite: nowhere */
+  bool ended;      /* it is open as no more intervals were to be taken */
+  bool collides;   /* in a pose that was found there or behind it: */
+  size_t segment;
+  double part; /* of the way */
 } path_proof;
+
+/* In a line, from 0, or, where `part` is not 0, so far on the way to the next. */
+typedef struct {
+  size_t line;
+  double part;
+} path_moment;
 
 /* Two bodies, and what is known of them. */
 typedef struct {
@@ -110,6 +121,7 @@ typedef struct {
   size_t joined, disabled; /* pairs that are not compared: links of one joint; by the SRDF */
   path_jobs jobs;
   bool between; /* what is between the lines was asked */
+  bool removed; /* a certificate of an earlier run */
   double seconds, between_seconds;
 } path_scene;
 
@@ -125,22 +137,36 @@ void path_scene_free(path_scene *scene);
 
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error);
 
+/* Nothing is printed or written: the first collision ends the search. */
+bool path_status_only(const path_question *q);
+
 /* Of pairs that do not collide in any line: do they between lines? */
 bool path_certify(path_scene *scene, const path_question *q, sepax_error *error);
-/* The first, in time, of what is not certified, or NULL; where it begins and ends, in lines. */
-const path_pair *path_open(const path_scene *scene);
-bool path_certified(const path_scene *scene); /* it was asked, and there is no such */
-void path_open_ends(const path_pair *open, double ends[2]);
-bool path_write_certificate(const path_scene *scene, const path_question *q, sepax_error *error);
 
-path_verdict path_verdict_of(const path_pair *pair); /* the worst of all lines */
-path_verdict path_worst(const path_scene *scene);    /* of all pairs, and of what is open */
+path_verdict path_in_lines(const path_pair *pair); /* the worst of all lines */
+path_verdict path_between_lines(const path_pair *pair);
+path_verdict path_verdict_of(const path_pair *pair); /* of both */
+path_verdict path_worst(const path_scene *scene);    /* of all pairs */
+size_t path_certified_pairs(const path_scene *scene);
+bool path_certified(const path_scene *scene); /* all of them */
+
+void path_open_ends(const path_pair *pair, double ends[2]); /* parts of the way of its segment */
+/* Of what is not free between lines: the pose that collides, or the middle of what is open. */
+path_moment path_between_moment(const path_pair *pair);
+path_moment path_first(const path_pair *pair, path_verdict verdict);
+/* The first of the worst verdict; where all are free, the line of the least clearance. */
+path_moment path_worst_moment(const path_scene *scene);
+double path_value(const format_motion *motion, path_moment at, size_t joint);
+double path_time(const format_motion *motion, path_moment at);
+void path_values(const format_motion *motion, path_moment at, double *value);
+
+/* The certificate where all pairs are certified; otherwise the file of an earlier run goes. */
+bool path_write_certificate(path_scene *scene, const path_question *q, sepax_error *error);
+/* A mesh that programs which check certificates do not read, or NULL. */
+const char *path_uncheckable(const path_scene *scene);
+
 extern const char *const path_names[PATH_VERDICTS];
 const char *path_body_name(const path_scene *scene, size_t body);
-
-/* The line of the worst pose: the first of the worst verdict, or before which that is; where all
- * are free, that of the least clearance. */
-size_t path_worst_line(const path_scene *scene);
 
 /* Where two points of a pair are in the root's coordinates. */
 void path_points(const path_scene *scene, const path_pair *pair, double point[2][3]);

@@ -9,8 +9,8 @@
 typedef struct {
   const path_scene *scene;
   const sepax_pose *pose; /* of each link */
-  const path_verdict *of; /* of each body, in this line */
-  size_t line;
+  const path_verdict *of; /* of each body, there */
+  path_moment at;
 } picture;
 
 /* Bytes of a little-endian file. */
@@ -45,9 +45,10 @@ static bool put_colour(FILE *out, size_t body, path_verdict verdict) {
 static bool write_head(FILE *out, const picture *p) {
   const path_scene *scene = p->scene;
   size_t faces = 0;
-  bool ok =
-      fprintf(out, "ply\nformat binary_little_endian 1.0\ncomment sepax path: line %zu, metres\n",
-              scene->motion.line[p->line]) > 0;
+  bool ok = fprintf(out, "ply\nformat binary_little_endian 1.0\ncomment sepax path: line %zu",
+                    scene->motion.line[p->at.line]) > 0 &&
+            (p->at.part == 0 || fprintf(out, " and %.9g of the way to the next", p->at.part) > 0) &&
+            fputs(", metres\n", out) != EOF;
   for (size_t n = 0; n < scene->bodies && ok; n++) {
     size_t count = scene->body[n].mesh.count;
     ok = fprintf(out, "comment body %zu: %s, faces %zu ... %zu, %s\n", n, path_body_name(scene, n),
@@ -85,26 +86,30 @@ static bool write_all(FILE *out, const void *context) {
 
 bool path_write_picture(const path_scene *scene, const char *path, sepax_error *error) {
   const sepax_mechanism *m = &scene->robot.mechanism;
-  size_t line = path_worst_line(scene);
+  path_moment at = path_worst_moment(scene);
   path_verdict worst = path_worst(scene);
   sepax_pose *pose = calloc(m->links, sizeof *pose);
   path_verdict *of = calloc(scene->bodies, sizeof *of);
+  double *value = malloc((m->joints + 1) * sizeof *value);
   bool ok = false;
-  if (pose != NULL && of != NULL) {
-    sepax_mechanism_poses(m, &scene->motion.value[line * scene->motion.joints], pose);
+  if (pose != NULL && of != NULL && value != NULL) {
+    path_values(&scene->motion, at, value);
+    sepax_mechanism_poses(m, value, pose);
     for (size_t n = 0; n < scene->pairs; n++) {
       const path_pair *pair = &scene->pair[n];
-      if (pair->first[worst] == line) {
+      path_moment first = path_first(pair, worst);
+      if (first.line == at.line && first.part == at.part) {
         of[pair->body[0]] = worst;
         of[pair->body[1]] = worst;
       }
     }
-    const picture p = {scene, pose, of, line};
+    const picture p = {scene, pose, of, at};
     ok = sepax_write_file(path, write_all, &p, error);
   } else {
     sepax_fail(error, "no memory for the picture");
   }
   free(pose);
   free(of);
+  free(value);
   return ok;
 }

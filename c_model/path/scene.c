@@ -189,8 +189,7 @@ bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *err
   *scene = (path_scene){0};
   if (!format_urdf_read(&scene->robot, q->urdf, q->package, q->packages, error) ||
       !format_motion_read(&scene->motion, &scene->robot.mechanism, &q->rules, q->motion, error) ||
-      !make_bodies(scene, q->keep, error) ||
-      !choose_pairs(scene, q->srdf, error)) {
+      !make_bodies(scene, q->keep, error) || !choose_pairs(scene, q->srdf, error)) {
     return false;
   }
   if (scene->pairs == 0) {

@@ -216,8 +216,7 @@ static bool ask_lines(work *all, path_pair *pair, sepax_error *error) {
       cli_progress_show(all->progress, done);
       atomic_flag_clear(&all->showing);
     }
-    if (verdict == PATH_COLLISION && all->q->quiet && all->q->csv == NULL &&
-        all->q->picture == NULL && all->q->page == NULL) {
+    if (verdict == PATH_COLLISION && path_status_only(all->q)) {
       atomic_store(&all->stop, true);
     }
   }
@@ -233,6 +232,10 @@ static void work_on(void *context, size_t part) {
     }
     atomic_store(&all->stop, true);
   }
+}
+
+bool path_status_only(const path_question *q) {
+  return q->quiet && q->csv == NULL && q->picture == NULL && q->page == NULL;
 }
 
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error) {
@@ -257,68 +260,4 @@ bool path_search(path_scene *scene, const path_question *q, sepax_error *error) 
   threads_run(threads, scene->pairs, work_on, &all);
   scene->seconds = cli_progress_end(&progress);
   return error->text[0] == '\0';
-}
-
-/* -------------------------------------------------------------------------- results */
-
-path_verdict path_verdict_of(const path_pair *pair) {
-  path_verdict worst = PATH_FREE;
-  for (int v = 0; v < PATH_VERDICTS; v++) {
-    worst = pair->lines[v] > 0 ? (path_verdict)v : worst;
-  }
-  return worst;
-}
-
-path_verdict path_worst(const path_scene *scene) {
-  path_verdict worst = PATH_FREE;
-  for (size_t n = 0; n < scene->pairs; n++) {
-    path_verdict v = path_verdict_of(&scene->pair[n]);
-    worst = v > worst ? v : worst;
-  }
-  const path_pair *open = path_open(scene);
-  if (open != NULL) {
-    path_verdict v = isfinite(open->proof.collides) ? PATH_COLLISION : PATH_UNDECIDED;
-    worst = v > worst ? v : worst;
-  }
-  return worst;
-}
-
-size_t path_worst_line(const path_scene *scene) {
-  path_verdict worst = path_worst(scene);
-  size_t line = PATH_NO_LINE;
-  double least = INFINITY;
-  if (path_open(scene) != NULL) {
-    return path_open(scene)->proof.open.segment;
-  }
-  for (size_t n = 0; n < scene->pairs; n++) {
-    const path_pair *pair = &scene->pair[n];
-    if (worst != PATH_FREE && pair->first[worst] < line) {
-      line = pair->first[worst];
-    } else if (worst == PATH_FREE && pair->least < least) {
-      least = pair->least;
-      line = pair->least_line;
-    }
-  }
-  return line == PATH_NO_LINE ? 0 : line;
-}
-
-void path_points(const path_scene *scene, const path_pair *pair, double point[2][3]) {
-  const sepax_mechanism *m = &scene->robot.mechanism;
-  const double *value = &scene->motion.value[pair->least_line * scene->motion.joints];
-  sepax_chain chain;
-  sepax_pose top[2];
-  sepax_error error = {""};
-  memcpy(point, pair->point, sizeof pair->point);
-  if (!sepax_chain_find(&chain, m, m->root, pair->chain.top, &error)) {
-    return;
-  }
-  sepax_chain_poses(&chain, m, value, top);
-  for (int side = 0; side < 2; side++) {
-    for (int i = 0; i < 3; i++) {
-      const double *row = top[1].rotation[i];
-      const double *v = pair->point[side];
-      point[side][i] = row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + top[1].translation[i];
-    }
-  }
-  sepax_chain_free(&chain);
 }

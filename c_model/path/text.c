@@ -14,6 +14,11 @@ static void print_line(const path_scene *scene, size_t line) {
   }
 }
 
+/* "1 line", "2 lines" */
+static void print_count(size_t count, const char *what) {
+  printf("%zu %s%s", count, what, count == 1 ? "" : "s");
+}
+
 static void print_point(const double v[3]) {
   printf("%.6g %.6g %.6g", 1e3 * v[0], 1e3 * v[1], 1e3 * v[2]);
 }
@@ -36,23 +41,77 @@ static void print_least(const path_scene *scene, const path_pair *pair) {
   print_point(point[1]);
 }
 
+/* "between lines 17 and 18 (0.1 ... 0.2 s)" */
+static void print_segment(const path_scene *scene, size_t segment) {
+  const format_motion *motion = &scene->motion;
+  printf("between lines %zu and %zu", motion->line[segment], motion->line[segment + 1]);
+  if (motion->time != NULL) {
+    printf(" (%.9g ... %.9g s)", motion->time[segment], motion->time[segment + 1]);
+  }
+}
+
+/* The values there of the joints that have a part in it. */
+static void print_values(const path_scene *scene, const path_pair *pair, path_moment at) {
+  const char *before = ": ";
+  for (size_t n = 0; n < pair->chain.count; n++) {
+    const sepax_joint *joint = &scene->robot.mechanism.joint[pair->chain.joint[n]];
+    if (joint->kind != SEPAX_JOINT_FIXED) {
+      printf("%s%s %.9g %s", before, joint->name,
+             path_value(&scene->motion, at, pair->chain.joint[n]),
+             joint->kind == SEPAX_JOINT_PRISMATIC ? "m" : "rad");
+      before = ", ";
+    }
+  }
+}
+
+/* "; collides between lines 17 and 18 at 0.5 of the way: x 0.1 m, free to 0.25", or what is open */
+static void print_way(const path_scene *scene, const path_pair *pair) {
+  const path_proof *proof = &pair->proof;
+  double ends[2];
+  path_open_ends(pair, ends);
+  if (proof->collides) {
+    fputs("; collides ", stdout);
+    print_segment(scene, proof->segment);
+    printf(" at %.9g of the way", proof->part);
+    print_values(scene, pair, path_between_moment(pair));
+  }
+  if (!proof->is_open) {
+    return;
+  }
+  fputs(proof->collides ? "; certified " : "; ", stdout);
+  if (!proof->collides || proof->open.segment != proof->segment) {
+    print_segment(scene, proof->open.segment);
+    fputs(proof->collides ? " " : ", free ", stdout);
+  }
+  printf("to %.9g of the way", ends[0]);
+  if (!proof->collides) {
+    printf(", open to %.9g, %.6g mm in its middle", ends[1], 1e3 * proof->distance);
+    fputs(proof->ended ? "; not divided further (--intervals)" : "", stdout);
+  }
+}
+
 static void print_pair(const path_scene *scene, const path_pair *pair, int width) {
-  path_verdict verdict = path_verdict_of(pair);
   char names[2 * 64 + 4];
   snprintf(names, sizeof names, "%.60s, %.60s", path_body_name(scene, pair->body[0]),
            path_body_name(scene, pair->body[1]));
-  printf("%-9s  %-*s", path_names[verdict], width, names);
+  printf("%-9s  %-*s", path_names[path_verdict_of(pair)], width, names);
   const char *before = "  ";
   for (int v = PATH_COLLISION; v > PATH_FREE; v--) {
     static const char *const what[] = {"", "a warning", "undecided", "collide"};
     if (pair->lines[v] > 0) {
-      printf("%s%s in %zu line%s, first in ", before, what[v], pair->lines[v],
-             pair->lines[v] == 1 ? "" : "s");
+      printf("%s%s in ", before, what[v]);
+      print_count(pair->lines[v], "line");
+      fputs(", first in ", stdout);
       print_line(scene, pair->first[v]);
       before = "; ";
     }
   }
-  fputs(verdict == PATH_FREE ? "  free in all lines" : "", stdout);
+  fputs(path_in_lines(pair) == PATH_FREE ? "  free in all lines" : "", stdout);
+  fputs(pair->proof.certified
+            ? path_in_lines(pair) == PATH_FREE ? " and between them" : "; no collision between them"
+            : "",
+        stdout);
+  print_way(scene, pair);
   print_least(scene, pair);
   putchar('\n');
 }
@@ -60,7 +119,8 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
 static void print_bodies(const path_scene *scene) {
   for (size_t n = 0; n < scene->bodies; n++) {
     const path_body *b = &scene->body[n];
-    printf("body   %s, %zu triangles", path_body_name(scene, n), b->triangles);
+    printf("body   %s, ", path_body_name(scene, n));
+    print_count(b->triangles, "triangle");
     if (b->parts > 1) {
       printf(", %zu parts", b->parts);
     }
@@ -111,9 +171,16 @@ static void print_compared(const path_scene *scene, const path_question *q) {
 static void print_motion(const path_scene *scene, const path_question *q) {
   const format_motion *motion = &scene->motion;
   size_t last = motion->lines - 1;
-  printf("path   %s, %zu pose%s, in lines %zu ... %zu of the file", q->motion, motion->lines,
-         motion->lines == 1 ? "" : "s", motion->line[0], motion->line[last]);
-  if (motion->time != NULL) {
+  printf("path   %s, ", q->motion);
+  print_count(motion->lines, "pose");
+  if (last == 0) {
+    printf(", in line %zu of the file", motion->line[0]);
+  } else {
+    printf(", in lines %zu ... %zu of the file", motion->line[0], motion->line[last]);
+  }
+  if (motion->time != NULL && last == 0) {
+    printf(", %.9g s", motion->time[0]);
+  } else if (motion->time != NULL) {
     printf(", %.9g ... %.9g s", motion->time[0], motion->time[last]);
   }
   putchar('\n');
@@ -129,38 +196,9 @@ static void print_limits(const path_question *q) {
   }
 }
 
-/* "between lines 17 and 18 (0.1 ... 0.2 s), free to 0.25 of the way; collides at 0.5" */
-static void print_open(const path_scene *scene, const path_pair *pair, int width) {
-  const path_proof *proof = &pair->proof;
-  const format_motion *motion = &scene->motion;
-  size_t n = proof->open.segment;
-  char names[2 * 64 + 4];
-  double ends[2];
-  snprintf(names, sizeof names, "%.60s, %.60s", path_body_name(scene, pair->body[0]),
-           path_body_name(scene, pair->body[1]));
-  path_open_ends(pair, ends);
-  bool collides = isfinite(proof->collides);
-  printf("%-9s  %-*s  between lines %zu and %zu",
-         path_names[collides ? PATH_COLLISION : PATH_UNDECIDED], width, names, motion->line[n],
-         motion->line[n + 1]);
-  if (motion->time != NULL) {
-    printf(" (%.9g ... %.9g s)", motion->time[n], motion->time[n + 1]);
-  }
-  printf(", free to %.9g of the way; ", ends[0] - (double)n);
-  if (collides) {
-    printf("collides at %.9g\n", proof->collides);
-  } else {
-    printf("open to %.9g, %.6g mm in its middle\n", ends[1] - (double)n, 1e3 * proof->distance);
-  }
-}
-
-static void print_between(const path_scene *scene, const path_question *q, int width) {
+static void print_between(const path_scene *scene, const path_question *q) {
   size_t intervals = 0;
   size_t by_axis = 0;
-  if (!scene->between) {
-    puts("between  not asked: there is no verdict of free in all lines");
-    return;
-  }
   for (size_t n = 0; n < scene->pairs; n++) {
     const path_proof *proof = &scene->pair[n].proof;
     intervals += proof->count;
@@ -168,16 +206,30 @@ static void print_between(const path_scene *scene, const path_question *q, int w
       by_axis += proof->interval[k].by_axis;
     }
   }
-  const path_pair *open = path_open(scene);
-  if (open != NULL) {
-    print_open(scene, open, width);
+  bool all = path_certified(scene);
+  if (all) {
+    fputs("CERTIFIED  ", stdout);
+  } else {
+    printf("certified  %zu of %zu pairs; ", path_certified_pairs(scene), scene->pairs);
   }
-  printf("%s  %zu intervals, %zu of them by an axis", open == NULL ? "CERTIFIED" : "certified",
-         intervals, by_axis);
-  if (open != NULL) {
-    printf(", to there; the resolution is %.6g mm", 1e3 * q->resolution.length);
+  print_count(intervals, "interval");
+  printf(", %zu of them by an axis", by_axis);
+  if (!all) {
+    printf("; the resolution is %.6g mm", 1e3 * q->resolution.length);
   }
   printf(", %.3f s\n", scene->between_seconds);
+}
+
+static void print_certificate(const path_scene *scene, const path_question *q) {
+  const char *other = path_uncheckable(scene);
+  printf("certificate  %s: ", q->certificate);
+  if (!path_certified(scene)) {
+    printf("not written%s\n", scene->removed ? "; that of an earlier run is removed" : "");
+  } else if (other != NULL) {
+    printf("written; certificate-check cannot check it: %s is no STL file\n", other);
+  } else {
+    puts("written");
+  }
 }
 
 static void print_jobs(const path_scene *scene, const path_question *q) {
@@ -215,20 +267,26 @@ void path_print_text(const path_scene *scene, const path_question *q) {
     print_pair(scene, &scene->pair[n], width < 40 ? width : 40);
   }
   if (q->certify) {
-    print_between(scene, q, width < 40 ? width : 40);
+    print_between(scene, q);
   }
-  bool in_lines = path_open(scene) == NULL;
-  printf("%s", path_names[worst]);
-  if (in_lines) {
-    printf("  %zu of %zu pairs", such, scene->pairs);
+  if (q->certificate != NULL) {
+    print_certificate(scene, q);
   }
+  path_moment first = path_worst_moment(scene);
+  printf("%s  %zu of ", path_names[worst], such);
+  print_count(scene->pairs, "pair");
   if (worst != PATH_FREE) {
-    fputs(in_lines ? ", first in " : "  behind ", stdout);
-    print_line(scene, path_worst_line(scene));
+    fputs(", first ", stdout);
+    if (first.part > 0) {
+      print_segment(scene, first.line);
+    } else {
+      fputs("in ", stdout);
+      print_line(scene, first.line);
+    }
   }
   printf(" (%s), %.3f s\n",
          path_certified(scene) ? "in the lines of the path and, to the clearance, between them"
-         : in_lines            ? "in the lines of the path, not between them"
-                               : "no line of the path tells",
+         : q->certify          ? "in the lines of the path and between them"
+                               : "in the lines of the path, not between them",
          scene->seconds + scene->between_seconds);
 }
