@@ -76,6 +76,11 @@ bool format_mesh_read(sepax_mesh *mesh, const char *path, sepax_error *error);
  * them. */
 bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error *error);
 
+/* Of triangles with the same corners the first stays, in order: the same points, but no longer the
+ * same solid. A search would compare each of them with each of another body. False without memory;
+ * then all stay. */
+bool format_distinct(sepax_mesh *mesh);
+
 /* A polygon of `count` corners as triangles between them: (count - 2) times three numbers. False
  * where no corner sees all the others. */
 bool format_polygon_divide(const double (*corner)[3], size_t count, size_t (*triangle)[3]);

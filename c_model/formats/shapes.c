@@ -185,58 +185,72 @@ static void place_mesh(sepax_mesh *mesh, const sepax_pose *pose) {
   }
 }
 
-static bool is_point(const sepax_facet *facet) {
-  for (int n = 3; n < 9; n++) {
-    double x = facet->v[n / 3][n % 3];
-    if (x < facet->v[0][n % 3] || x > facet->v[0][n % 3]) {
-      return false;
-    }
-  }
-  return true;
-}
+/* ---------------------------------------------------------------------- repetition */
 
-static int compare_points(const void *p, const void *q) {
-  const double *a = p;
-  const double *b = q;
+static int compare_vertices(const double p[3], const double q[3]) {
   for (int i = 0; i < 3; i++) {
-    if (a[i] < b[i] || a[i] > b[i]) {
-      return a[i] < b[i] ? -1 : 1;
+    if (p[i] < q[i] || p[i] > q[i]) {
+      return p[i] < q[i] ? -1 : 1;
     }
   }
   return 0;
 }
 
-/* Of triangles that are one point, one: searches would compare each with each. */
-static bool merge_points(sepax_mesh *mesh, sepax_error *error) {
-  size_t points = 0;
-  for (size_t n = 0; n < mesh->count; n++) {
-    points += is_point(&mesh->facet[n]);
+/* The corners of a triangle, the least first; -0 becomes 0. */
+static void sort_corners(const sepax_facet *facet, double v[3][3]) {
+  for (int k = 0; k < 3; k++) {
+    double corner[3];
+    int at = k;
+    for (int i = 0; i < 3; i++) {
+      corner[i] = facet->v[k][i] + 0.0;
+    }
+    for (; at > 0 && compare_vertices(v[at - 1], corner) > 0; at--) {
+      memcpy(v[at], v[at - 1], sizeof corner);
+    }
+    memcpy(v[at], corner, sizeof corner);
   }
-  double(*at)[3] = points > 1 ? malloc(points * sizeof *at) : NULL;
-  if (at == NULL) {
-    return points <= 1 || sepax_fail(error, "no memory for %zu triangles", points);
+}
+
+static uint64_t hash_of(const double v[3][3]) {
+  uint64_t word[9];
+  uint64_t h = 0;
+  memcpy(word, v, sizeof word);
+  for (int i = 0; i < 9; i++) {
+    h = (h ^ word[i]) * UINT64_C(0x9e3779b97f4a7c15);
+    h ^= h >> 32;
   }
+  return h;
+}
+
+bool format_distinct(sepax_mesh *mesh) {
+  size_t slots = 16;
+  while (slots < 2 * mesh->count) {
+    slots *= 2;
+  }
+  uint32_t *slot = calloc(slots, sizeof *slot); /* the number of a triangle that stays, plus one */
   size_t kept = 0;
-  size_t found = 0;
-  for (size_t n = 0; n < mesh->count; n++) {
-    if (is_point(&mesh->facet[n])) {
-      memcpy(at[found++], mesh->facet[n].v[0], sizeof *at);
-    } else {
-      mesh->facet[kept++] = mesh->facet[n];
-    }
-  }
-  qsort(at, points, sizeof *at, compare_points);
-  for (size_t n = 0; n < points; n++) {
-    if (n == 0 || compare_points(at[n - 1], at[n]) != 0) {
+  for (size_t n = 0; slot != NULL && n < mesh->count; n++) {
+    double v[3][3];
+    double other[3][3];
+    bool is_new = true;
+    sort_corners(&mesh->facet[n], v);
+    size_t at = (size_t)hash_of((const double(*)[3])v) & (slots - 1);
+    for (; slot[at] != 0 && is_new; at = (at + 1) & (slots - 1)) {
+      sort_corners(&mesh->facet[slot[at] - 1], other);
+      is_new = false;
       for (int k = 0; k < 3; k++) {
-        memcpy(mesh->facet[kept].v[k], at[n], sizeof *at);
+        is_new = is_new || compare_vertices(v[k], other[k]) != 0;
       }
-      kept++;
+    }
+    if (is_new) {
+      mesh->facet[kept++] = mesh->facet[n];
+      slot[at] = (uint32_t)kept;
     }
   }
-  mesh->count = kept;
-  free(at);
-  return true;
+  bool ok = slot != NULL;
+  mesh->count = ok ? kept : mesh->count;
+  free(slot);
+  return ok;
 }
 
 bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error *error) {
@@ -261,10 +275,6 @@ bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error 
   }
   if (ok) {
     place_mesh(mesh, &shape->origin);
-    ok = merge_points(mesh, error);
-  }
-  if (!ok) {
-    sepax_mesh_free(mesh);
   }
   return ok;
 }

@@ -48,7 +48,8 @@ typedef struct {
 
 typedef struct {
   size_t link;
-  sepax_body *body; /* of all parts; that of the only one where there is one */
+  sepax_body
+      *body; /* of all parts, without triangles that are there twice; or that of the only one */
   path_part *part;
   size_t parts, open; /* how many parts are no solids */
   sepax_mesh mesh;    /* of all parts; for picture and page only */

@@ -101,6 +101,12 @@ static bool make_body(path_body *b, const format_robot *robot, size_t first, siz
   }
   b->triangles = b->mesh.count;
   find_box(b);
+  if (!format_distinct(&b->mesh)) {
+    return sepax_fail(error, "no memory for %zu triangles", b->triangles);
+  }
+  if (b->mesh.count < b->triangles) {
+    b->body = NULL; /* its parts, which are whole, say what is inside */
+  }
   if (b->body == NULL && !sepax_body_new(&b->body, &b->mesh, error)) {
     return false;
   }

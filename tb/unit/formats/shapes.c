@@ -212,29 +212,32 @@ CASE(test_long_meshes) {
   assert_fault(format_mesh_read(&mesh, at, &fault), "pipe.stl: no file, or empty");
 }
 
-/* Many triangles in one place: one stays of those that are points, and all the others. */
-CASE(test_points) {
-  enum { COUNT = 200000 };
-  static char text[84 + 50 * COUNT];
-  static const float triangle[3][9] = {
-      {0, 0, 0, 1, 0, 0, 0, 1, 0}, {2, 2, 2, 2, 2, 2, 2, 2, 2}, {0, -0.0F, 0, 0, 0, 0, 0, 0, 0}};
-  uint32_t count = COUNT;
-  memset(text, 0, sizeof text);
-  memcpy(text + 80, &count, sizeof count);
+/* Many triangles in one place: one of each three corners stays, in whatever order they are. */
+CASE(test_distinct) {
+  enum { COUNT = 300000 };
+  static const double triangle[6][3][3] = {
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},       {{2, 2, 2}, {2, 2, 2}, {2, 2, 2}},
+      {{0, 1, 0}, {-0.0, 0, 0}, {1, 0, -0.0}}, {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}},
+      {{1, 0, 0}, {0, 0, 0}, {1, 0, 0}},       {{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  sepax_mesh mesh = {calloc(COUNT, sizeof *mesh.facet), COUNT};
+  assert_non_null(mesh.facet);
   for (size_t n = 0; n < COUNT; n++) {
-    memcpy(text + 84 + 50 * n + 12, triangle[n == 7 || n == 9 ? 0 : n % 2 + 1], sizeof *triangle);
+    memcpy(mesh.facet[n].v, triangle[n % 6], sizeof *triangle);
   }
-  const format_shape shape = {.kind = FORMAT_MESH,
-                              .path = strdup(put_bytes("p.stl", text, sizeof text)),
-                              .size = {1, 1, 1},
-                              .origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}}};
-  sepax_mesh mesh;
-  assert_works(format_shape_mesh(&mesh, &shape, &fault));
-  assert_int_equal(mesh.count, 4);
-  assert_true(mesh.facet[0].v[1][0] == 1 && mesh.facet[1].v[1][0] == 1);
-  assert_true(mesh.facet[2].v[2][0] == 0 && mesh.facet[3].v[2][0] == 2);
+  mesh.facet[COUNT - 1].v[2][2] = 3;
+  assert_true(format_distinct(&mesh));
+  static const int order[] = {0, 1, 3, 4, 5};
+  assert_int_equal(mesh.count, 5);
+  for (size_t n = 0; n < 4; n++) {
+    assert_memory_equal(mesh.facet[n].v, triangle[order[n]], sizeof *triangle);
+  }
+  assert_true(mesh.facet[4].v[2][2] == 3);
+  for (size_t n = 0; n < 5; n++) {
+    mesh.facet[n].v[0][0] += (double)n;
+  }
+  assert_true(format_distinct(&mesh));
+  assert_int_equal(mesh.count, 5);
   sepax_mesh_free(&mesh);
-  free(shape.path);
 }
 
 /* ------------------------------------------------------------------------ polygons */
