@@ -68,9 +68,9 @@ void gen_tree_compare(emitter *e, const delay_model *m) {
     emit_hole_set(&h, "load", m->family ? "turn_q && turn_first_q" : "first");
     emit_hole_numbers(&h, (emit_number[]){{"fpga", m->family},
                                           {"sums", latency + 1},
-                                          {"turn", latency + 2},
+                                          {"turn", latency + 5},
                                           {"cells", latency + 3},
-                                          {"rows", latency + 8 > 12 ? 5 : 4},
+                                          {"rows", latency + 11 > 14 ? 5 : 4},
                                           {NULL, 0}});
     if (m->family) {
       emit_template(e, "sepax_several", NULL);

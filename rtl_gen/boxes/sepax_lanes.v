@@ -9,6 +9,7 @@ module sepax_lanes (
   input  wire [383:0] bounds, // of lane j at 24 j: {2, 1, 0}, 8 bits each, signed
   output wire [15:0]  hits    // bit j: lane j
 );
+//@ if !fpga
   // a <= b, signed, by a carry that runs up.
   function not_above(input [7:0] a, input [7:0] b);
     integer n;
@@ -21,7 +22,7 @@ module sepax_lanes (
     end
   endfunction
 
-//@ if fpga
+//@ else
   reg         beyond_q;
   reg  [47:0] hit_q; // of lane j at 3 j, axis by axis
 //@ end
@@ -32,7 +33,7 @@ module sepax_lanes (
       //@ if fpga
       for (i = 0; i < 3; i = i + 1) begin : axis
         always @(posedge clk) begin
-          hit_q[3*j+i] <= not_above(cells[8*i +: 8], bounds[24*j+8*i +: 8]);
+          hit_q[3*j+i] <= $signed(cells[8*i +: 8]) <= $signed(bounds[24*j+8*i +: 8]);
         end
       end
       assign hits[j] = !beyond_q && (&hit_q[3*j +: 3]);

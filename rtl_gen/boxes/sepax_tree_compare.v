@@ -23,12 +23,22 @@ module sepax_tree_compare #(
   input  wire [SLOT-1:0] in_b,         // slot of B's node
   input  wire [255:0]    head_a,       // bytes 0 ... 31 of A's node, in the next cycle
   input  wire [255:0]    head_b,       // of B's
+  //@ if fpga
+  output wire            box_read,     // read a child's box
+  output wire [SLOT:0]   box_slot,     // {of B, slot} of its node
+  output wire [3:0]      box_index,    // its number
+  input  wire [47:0]     box,          // {high z, y, x, low z, y, x}, 3 cycles later
+  output wire            boxes_read,   // read bytes 32 ... 127 of a node
+  output wire [SLOT:0]   boxes_slot,   // {of B, slot}
+  input  wire [767:0]    boxes,        // they stand from the second cycle after it on
+  //@ else
   output wire            boxes_read_a, // read bytes 32 ... 127 of a node of A
   output wire [SLOT-1:0] boxes_slot_a, // its slot
   input  wire [767:0]    boxes_a,      // they stand from the next cycle on
   output wire            boxes_read_b, // the same of B
   output wire [SLOT-1:0] boxes_slot_b, // its slot
   input  wire [767:0]    boxes_b,      // they stand from the next cycle on
+  //@ end
   output wire            turn_valid,   // a vertex is to be turned
   input  wire            turn_ready,   // it is taken
   output wire            turn_side,    // with M and t or with K and u
@@ -104,8 +114,9 @@ module sepax_tree_compare #(
   // Boxes of S.
   reg  [15:0]    todo_q;   // children that wait
   reg            own_todo_q; // the own box waits
-  reg            s_side_q; // of this entry
-  wire [15:0]    pick = todo_q & (~todo_q + 16'd1);
+  reg            s_side_q; // of this entry //@ !fpga
+  wire [15:0]    pick = todo_q & (~todo_q + 16'd1); //@ !fpga
+  wire [15:0]    pick; //@ fpga
   wire           some = own_todo_q || (|todo_q); //@ !fpga
   reg            some_q; // boxes wait //@ fpga
   wire           some = some_q; //@ fpga
@@ -115,35 +126,40 @@ module sepax_tree_compare #(
   wire           hand; // a box can be taken
   wire           take = some && hand;
   wire           first = take && loaded_q;
-  wire           load, read_s;
+  wire           load, read_s; //@ !fpga
+  wire           load; //@ fpga
   wire [23:0]    box_low, box_high;
 
   // Steps behind: ends of boxes to be turned, in cells, compared, hits.
-  reg            turn_q, turn_last_q, turn_first_q, turn_side_q;
-  reg  [3:0]     turn_index_q;
+  reg            turn_q, turn_last_q, turn_first_q, turn_side_q; //@ !fpga
+  reg            turn_q, turn_last_q, turn_first_q; //@ fpga
+  reg  [3:0]     turn_index_q; //@ !fpga
   reg  [26:0]    lows_q, highs_q;
-  reg            cell_q, cell_last_q, cell_first_q, cell_side_q;
+  reg            cell_q, cell_last_q, cell_first_q, cell_side_q; //@ !fpga
+  reg            cell_q, cell_last_q, cell_first_q; //@ fpga
   reg  [3:0]     cell_index_q;
   reg  [11:0]    cell_shift_q;
   reg            lane_q, lane_last_q;
   reg  [3:0]     lane_index_q;
-  reg            t_side_q; // of the entry in the lanes
+  reg            t_side_q; // of the entry in the lanes //@ !fpga
   reg  [3:0]     children_q;
   reg            row_q, row_last_q;
   reg  [3:0]     row_index_q;
   reg  [15:0]    hits_q;
   //@ if fpga
-  // One more register behind the node memories, two behind the lanes; @turn@ for the turned boxes.
+  // A box comes 3 cycles after it was asked for, in turn_q; two registers are behind the lanes.
   localparam BEFORE = @turn@; // cycles from turn_q to cell_q
-  localparam BOX = 7;     // of a box: first, last, side, index
-  reg  [15:0]    pick_q;
-  reg            own_turn_q;
+  localparam BOX = 6;     // of a box: first, last, index
+  reg  [SLOT:0]  s_slot_q, t_slot_q; // of the entry that streams, of the next in the lanes
+  reg  [15:0]    pick_q;     // one-hot: the box that is asked for
+  reg  [3:0]     own_turn_q; // the own box comes in place of one that was asked for
   reg  [23:0]    own_mask_q;
-  reg            read_s_q, read_t_q;
-  reg  [767:0]   s_boxes_q, t_boxes_q;
+  reg  [107:0]   n_q;        // set-up of the boxes that come
+  reg  [62:0]    low_q, high_q;
+  reg  [11:0]    shift_q;
   reg  [BEFORE-2:0] turning_q;
   reg  [BOX*(BEFORE-1)-1:0] turns_q;
-  reg  [12*(BEFORE-2)-1:0] shifts_q;
+  reg  [12*(BEFORE-5)-1:0] shifts_q;
   reg            cell_q2, cell_last_q2, lane_q2, lane_last_q2;
   reg  [3:0]     cell_index_q2, lane_index_q2;
   reg  [3:0]     children_q2;
@@ -155,6 +171,7 @@ module sepax_tree_compare #(
   wire [15:0]    present;
   wire           read_t = cell_q && cell_first_q;
   wire           free, row_valid, row_ready, row_last;
+  wire           row_waits; //@ fpga
   wire [3:0]     row_index;
   wire [15:0]    row;
 
@@ -162,9 +179,7 @@ module sepax_tree_compare #(
   assign turn_valid = asked_q && !busy_q; //@ fpga
   assign hand = free;
   //@ if fpga
-  // A body's memory reads S or T in a cycle.
-  assign load = (turned_valid || ready_q) && !loaded_q && !some &&
-                (next_own_q || !(read_t && (cell_side_q != next_side_q)));
+  assign load = (turned_valid || ready_q) && !loaded_q && !some;
   //@ else
   // Nodes stand at the memories' outputs: where S is to come T may stand, as boxes before need it.
   assign load = (turned_valid || ready_q) && !loaded_q && (!some || (take && last)) &&
@@ -172,13 +187,23 @@ module sepax_tree_compare #(
                                  (turn_q && (turn_side_q != next_side_q)) ||
                                  (cell_q && (cell_side_q != next_side_q))));
   //@ end
+  //@ if fpga
+  assign box_read = turn_q;
+  assign box_slot = s_slot_q;
+  assign box_index = {
+    |(pick_q & 16'hff00), |(pick_q & 16'hf0f0), |(pick_q & 16'hcccc), |(pick_q & 16'haaaa)
+  };
+  assign boxes_read = read_t;
+  assign boxes_slot = t_slot_q;
+  //@ else
   assign read_s = load && !next_own_q;
   assign boxes_read_a = (read_s && next_side_q) || (read_t && !t_side);
   assign boxes_read_b = (read_s && !next_side_q) || (read_t && t_side);
   assign boxes_slot_a = (read_s && next_side_q) ? s_slot_a : t_slot_a;
   assign boxes_slot_b = (read_s && !next_side_q) ? s_slot_b : t_slot_b;
+  //@ end
 
-  sepax_several left (.mask(todo_q), .many(many)); //@ fpga
+  sepax_several left (.mask(todo_q), .many(many), .lowest(pick)); //@ fpga
   sepax_tree_setup setup (
     .clk(clk), .matrix(high_bits), .sigma(sigma), .begin_in(set_up), .side(side_q),
     .s_exponents(s_exponents_q), .t_exponents(t_exponents_q), .x_valid(turned_valid), .x(x),
@@ -197,13 +222,8 @@ module sepax_tree_compare #(
     end
     for (i = 0; i < 24; i = i + 1) begin : box_bit
       //@ if fpga
-      wire [15:0] low_s, high_s;
-      for (j = 0; j < 16; j = j + 1) begin : of_child
-        assign low_s[j] = s_boxes_q[48*j+i];
-        assign high_s[j] = s_boxes_q[48*j+24+i];
-      end
-      assign box_low[i] = (|(low_s & pick_q)) || (own_turn_q && !own_mask_q[i]);
-      assign box_high[i] = (|(high_s & pick_q)) || (own_turn_q && own_mask_q[i]);
+      assign box_low[i] = own_turn_q[3] ? !own_mask_q[i] : box[i];
+      assign box_high[i] = own_turn_q[3] ? own_mask_q[i] : box[24+i];
       //@ else
       wire [15:0] low_a, low_b, high_a, high_b;
       for (j = 0; j < 16; j = j + 1) begin : of_child
@@ -234,14 +254,16 @@ module sepax_tree_compare #(
     for (k = 0; k < 2; k = k + 1) begin : box_end
       wire [383:0] bounds;
       sepax_turn_box turn (
-        .clk(clk), .upper(k[0]), .lows(lows_q), .highs(highs_q), .n(n),
-        .start(k[0] ? high : low), .shift(cell_shift_q), .cells(cells[24*k +: 24]),
+        .clk(clk), .upper(k[0]), .lows(lows_q), .highs(highs_q), .n(n), //@ !fpga
+        .start(k[0] ? high : low), .shift(cell_shift_q), .cells(cells[24*k +: 24]), //@ !fpga
+        .clk(clk), .upper(k[0]), .lows(lows_q), .highs(highs_q), .n(n_q), //@ fpga
+        .start(k[0] ? high_q : low_q), .shift(cell_shift_q), .cells(cells[24*k +: 24]), //@ fpga
         .beyond(beyond[k])
       );
       for (j = 0; j < 16; j = j + 1) begin : lane
         //@ if fpga
-        wire [23:0] above = t_boxes_q[48*j+24 +: 24];
-        wire [23:0] below = t_boxes_q[48*j +: 24];
+        wire [23:0] above = boxes[48*j+24 +: 24];
+        wire [23:0] below = boxes[48*j +: 24];
         //@ else
         wire [23:0] above = t_side_q ? boxes_b[48*j+24 +: 24] : boxes_a[48*j+24 +: 24];
         wire [23:0] below = t_side_q ? boxes_b[48*j +: 24] : boxes_a[48*j +: 24];
@@ -264,7 +286,8 @@ module sepax_tree_compare #(
   sepax_fifo #(.WIDTH(ROW), .ADDRESS(3), .MARGIN(5)) rows ( //@ !fpga
   sepax_fifo #(.WIDTH(ROW), .ADDRESS(@rows@), .MARGIN(@turn@+6)) rows ( //@ fpga
     .clk(clk), .clear(clear), .push(row_q && ((|hits_q) || row_last_q)),
-    .in({row_last_q, row_index_q, hits_q}), .free(free), .valid(row_valid),
+    .in({row_last_q, row_index_q, hits_q}), .free(free), .valid(row_valid), //@ !fpga
+    .in({row_last_q, row_index_q, hits_q}), .free(free), .valid(row_waits), //@ fpga
     .pop(row_valid && row_ready), .out({row_last, row_index, row})
   );
   sepax_hits hits (
@@ -275,7 +298,16 @@ module sepax_tree_compare #(
 
   assign {out_side, out_b, out_a} = ring_q[out_q];
   wire [3:0] unused_children;
+  //@ if fpga
+  // What an entry is, is known a cycle after the last item of the one before was taken.
+  reg        kind_q, columns_q, leaves_q;
+  wire       next_columns, next_leaves;
+  assign row_valid = row_waits && kind_q;
+  assign {out_columns, out_leaves} = {columns_q, leaves_q};
+  assign {next_columns, next_leaves, unused_children} = head_q[out_q];
+  //@ else
   assign {out_columns, out_leaves, unused_children} = head_q[out_q];
+  //@ end
 
   always @(posedge clk) begin
     if (clear) begin
@@ -285,10 +317,10 @@ module sepax_tree_compare #(
       todo_q <= 16'd0;
       own_todo_q <= 1'b0;
       some_q <= 1'b0; //@ fpga
-      s_side_q <= 1'b0;
+      s_side_q <= 1'b0; //@ !fpga
       {turn_q, cell_q, lane_q, row_q} <= 4'd0;
       turning_q <= {(BEFORE-1){1'b0}}; //@ fpga
-      {cell_q2, lane_q2, read_s_q, read_t_q} <= 4'd0; //@ fpga
+      {cell_q2, lane_q2} <= 2'd0; //@ fpga
     end else begin
       in_q <= in_q + {1'b0, taken_in};
       stream_q <= stream_q + {1'b0, load};
@@ -303,7 +335,7 @@ module sepax_tree_compare #(
       if (load) begin
         todo_q <= next_mask_q[15:0] & {16{!next_own_q}};
         own_todo_q <= next_own_q;
-        s_side_q <= next_side_q;
+        s_side_q <= next_side_q; //@ !fpga
       end else if (take) begin
         todo_q <= todo_q & ~pick;
         own_todo_q <= 1'b0;
@@ -313,7 +345,6 @@ module sepax_tree_compare #(
       some_q <= load || (some_q && !(take && last));
       {cell_q, turning_q} <= {turning_q, turn_q};
       {row_q, lane_q2, lane_q, cell_q2} <= {lane_q2, lane_q, cell_q2, cell_q};
-      {read_s_q, read_t_q} <= {read_s, read_t};
       //@ else
       cell_q <= turn_q;
       lane_q <= cell_q;
@@ -345,28 +376,33 @@ module sepax_tree_compare #(
     if (take) begin
       turn_first_q <= loaded_q;
       turn_last_q <= last;
-      turn_side_q <= s_side_q;
+      turn_side_q <= s_side_q; //@ !fpga
+      pick_q <= pick; //@ fpga
+      //@ if !fpga
       turn_index_q <= {|pick[15:8], |{pick[15:12], pick[7:4]},
                        |{pick[15:14], pick[11:10], pick[7:6], pick[3:2]},
                        |{pick[15], pick[13], pick[11], pick[9], pick[7], pick[5], pick[3],
                          pick[1]}};
+      //@ end
     end
     //@ if fpga
+    kind_q <= !taken_out;
+    {columns_q, leaves_q} <= {next_columns, next_leaves};
+    own_turn_q <= {own_turn_q[2:0], own_todo_q};
     if (take) begin
-      pick_q <= pick;
-      own_turn_q <= own_todo_q;
       own_mask_q <= next_mask_q;
     end
-    if (read_s_q) begin
-      s_boxes_q <= s_side_q ? boxes_a : boxes_b;
+    if (load) begin
+      s_slot_q <= next_side_q ? {1'b0, s_slot_a} : {1'b1, s_slot_b};
     end
-    if (read_t_q) begin
-      t_boxes_q <= t_side_q ? boxes_b : boxes_a;
-    end
-    {cell_first_q, cell_last_q, cell_side_q, cell_index_q, turns_q} <= {
-      turns_q, turn_first_q, turn_last_q, turn_side_q, turn_index_q
+    t_slot_q <= t_side ? {1'b1, t_slot_b} : {1'b0, t_slot_a};
+    {cell_first_q, cell_last_q, cell_index_q, turns_q} <= {
+      turns_q, turn_first_q, turn_last_q, box_index
     };
-    {cell_shift_q, shifts_q} <= {shifts_q, shift};
+    if (turning_q[2] && turns_q[3*BOX-1]) begin
+      {n_q, low_q, high_q, shift_q} <= {n, low, high, shift};
+    end
+    {cell_shift_q, shifts_q} <= {shifts_q, shift_q};
     {cell_last_q2, cell_index_q2} <= {cell_last_q, cell_index_q};
     children_q2 <= children_q;
     present_q <= present;
@@ -378,7 +414,7 @@ module sepax_tree_compare #(
     cell_shift_q <= shift;
     //@ end
     if (read_t) begin
-      t_side_q <= t_side;
+      t_side_q <= t_side; //@ !fpga
       children_q <= children;
     end
     //@ if fpga

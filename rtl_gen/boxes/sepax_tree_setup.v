@@ -21,8 +21,10 @@ module sepax_tree_setup (
   input  wire         load,      // in the cycle after x_valid or later, 3 after begin_in or later
 //@ end
   output reg  [107:0] n,         // entry (i, k) at 12 (3 i + k), -1024 ... 1024
-  output reg  [62:0]  low,       // {2, 1, 0}, 21 bits each, signed
-  output reg  [62:0]  high,      // the same
+  output reg  [62:0]  low,       // {2, 1, 0}, 21 bits each, signed //@ !fpga
+  output reg  [62:0]  high,      // the same //@ !fpga
+  output wire [62:0]  low,       // {2, 1, 0}, 21 bits each, signed //@ fpga
+  output wire [62:0]  high,      // the same //@ fpga
   output reg  [11:0]  shift      // {2, 1, 0}, 0 ... 15
 );
   function [3:0] larger(input [3:0] a, input [3:0] b);
@@ -71,6 +73,12 @@ module sepax_tree_setup (
       wire        beyond = (|d[34:25]) != (&d[34:25]);
       wire [26:0] least = {d[25], d[25:0]} - {2'd0, s_q};
       wire [26:0] most = {d[25], d[25:0]} - ~{2'd0, s_q};
+      //@ if fpga
+      reg  [26:0] least_q, most_q;
+      reg         beyond_q, negative_q;
+      assign low[21*i +: 21] = saturated(least_q, beyond_q, negative_q);
+      assign high[21*i +: 21] = saturated(most_q, beyond_q, negative_q);
+      //@ end
 
       for (k = 0; k < 3; k = k + 1) begin : column
         localparam AT = 3 * i + k;
@@ -113,8 +121,12 @@ module sepax_tree_setup (
           x_q[35*i +: 35] <= x[35*i +: 35];
         end
         if (load) begin
+          //@ if fpga
+          {least_q, most_q, beyond_q, negative_q} <= {least, most, beyond, d[34]};
+          //@ else
           low[21*i +: 21] <= saturated(least, beyond, d[34]);
           high[21*i +: 21] <= saturated(most, beyond, d[34]);
+          //@ end
           shift[4*i +: 4] <= shifts_q[4*i +: 4];
         end
       end

@@ -47,14 +47,17 @@ module sepax_registers (
   reg  [31:0] data_q;
   reg         whole_q; // all byte strobes were 1
   reg  [2:0]  enable_q, pending_q;
-  reg         accepted, known;
-  reg  [31:0] shown;
+  reg         accepted, known; //@ !fpga
+  reg         accepted; //@ fpga
+  reg  [31:0] shown; //@ !fpga
   wire [95:0] shown_move; // {z, y, x} //@ !tree
   wire        fits;       // a move of data_q //@ !tree
   //@ if fpga
   // What a request does is found in three cycles, in which a vertex that was taken arrives.
   reg         full_q, full_q2, checked_q, accepted_q, asked_q, shown_q, known_q;
   reg  [31:0] next_q; // to be read
+  reg  [131:0] some_q; // of each quarter of the addresses
+  reg         asked_q2; // what is read is found in four //@ !tree
   wire        write = checked_q && (!bvalid || bready);
   wire        read = shown_q && (!rvalid || rready);
   wire        accept = write && accepted_q;
@@ -105,6 +108,25 @@ module sepax_registers (
     endcase
   end
 
+  //@ if fpga
+  // What is read at an address, and whether anything is there.
+  function [32:0] reading(input [6:0] at);
+    reg [31:0] shown;
+    reg        known;
+    begin
+      known = 1'b1;
+      case (at)
+@readable@
+        default: begin
+          shown = 32'd0;
+          known = 1'b0;
+        end
+      endcase
+      reading = {known, shown};
+    end
+  endfunction
+
+  //@ else
   always @(*) begin
     known = 1'b1;
     case (read_address_q)
@@ -116,11 +138,15 @@ module sepax_registers (
     endcase
   end
 
+  //@ end
   always @(posedge clk) begin
     if (rst) begin
       {address_full_q, data_full_q, read_full_q, bvalid, rvalid} <= 5'd0;
       {enable_q, pending_q} <= 6'd0;
       {full_q, full_q2, checked_q, asked_q, shown_q} <= 5'd0; //@ fpga
+      //@ if !tree
+      asked_q2 <= 1'b0; //@ fpga
+      //@ end
       //@ if tree
       {start, stop} <= 2'd0;
       {list, jobs} <= 65'd0;
@@ -137,7 +163,9 @@ module sepax_registers (
       full_q2 <= full_q && !write;
       checked_q <= full_q2 && !write;
       asked_q <= read_full_q && !read;
-      shown_q <= asked_q && !read;
+      shown_q <= asked_q && !read; //@ tree
+      asked_q2 <= asked_q && !read; //@ !tree
+      shown_q <= asked_q2 && !read; //@ !tree
       //@ if !tree
       starting <= start || (address_full_q && data_full_q && (address_q == COMMAND) && data_q[0]);
       //@ end
@@ -176,8 +204,11 @@ module sepax_registers (
     end
     //@ if fpga
     accepted_q <= whole_q && accepted;
-    next_q <= shown;
-    known_q <= known;
+    some_q <= {
+      reading({2'd3, read_address_q[4:0]}), reading({2'd2, read_address_q[4:0]}),
+      reading({2'd1, read_address_q[4:0]}), reading({2'd0, read_address_q[4:0]})
+    };
+    {known_q, next_q} <= some_q[8'd33 * {6'd0, read_address_q[6:5]} +: 33];
     //@ end
     if (write) begin
       bresp <= {!accept, 1'b0};

@@ -21,6 +21,7 @@ void gen_tree(emitter *e, int entries) {
                                         {"margin", design->limits > 0 ? design->margin[1] : 0},
                                         {NULL, 0}});
   emit_hole_set(&h, "data", "data_q");
+  emit_hole_set(&h, "shown", m->family ? "shown_q" : "shown");
   emit_hole_set(&h, "free", m->family ? "item_free" : "item_ready");
   emit_hole_set(&h, "item", m->family ? "listed" : "item");
   emit_hole_set(&h, "plural", c->cores > 1 ? "s" : "");

@@ -174,7 +174,8 @@ module sepax_engine (
   ) engine (
     .clk(aclk), .rst(rst), .start(run_start), .stop(run_stop), .cold(run_cold), .idle(run_idle),
     .done(run_done), .hit(hit), .first(modes[0]), .quiet(modes[1]),
-    .budget((|budget) ? budget : 32'hffffffff), .base_a(base_a), .nodes_a(nodes_a),
+    .budget((|budget) ? budget : 32'hffffffff), .base_a(base_a), .nodes_a(nodes_a), //@ !fpga
+    .budget(budget), .base_a(base_a), .nodes_a(nodes_a), //@ fpga
     .triangles_a(triangles_a), .beats_a(beats_a), .base_b(base_b), .nodes_b(nodes_b),
     .triangles_b(triangles_b), .beats_b(beats_b), .matrix_m(matrix_m), .matrix_k(matrix_k),
     .shift_t(shift_t), .shift_u(shift_u), .sigma_a(sigma_a), .sigma_b(sigma_b), .row(row),

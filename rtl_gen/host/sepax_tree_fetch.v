@@ -10,7 +10,8 @@ module sepax_tree_fetch #(
   input  wire               ask,            // ask for a burst; only while not busy
   input  wire [ADDRESS-1:0] ask_address,    // where, a multiple of 128
   input  wire [3:0]         ask_beats,      // its beats less 1; it does not cross 4 KB
-  output wire               busy,           // it has not come whole
+  output wire               busy,           // it has not come whole //@ !fpga
+  output reg                busy,           // it has not come whole, until a cycle later //@ fpga
   output reg                error,          // some of it is not what memory has
   input  wire               read,           // read a beat of what has come
   input  wire [3:0]         read_beat,      // which
@@ -37,7 +38,7 @@ module sepax_tree_fetch #(
   wire               take = coming_q && rvalid;
   wire               last = (beat_q == last_q);
 
-  assign busy = asked_q || coming_q;
+  assign busy = asked_q || coming_q; //@ !fpga
   assign arvalid = asked_q || engine_arvalid;
   assign araddr = asked_q ? address_q : engine_araddr;
   assign arlen = asked_q ? {4'd0, last_q} : engine_arlen;
@@ -53,7 +54,9 @@ module sepax_tree_fetch #(
   always @(posedge clk) begin
     if (rst) begin
       {asked_q, coming_q} <= 2'd0;
+      busy <= 1'b0; //@ fpga
     end else begin
+      busy <= ask || asked_q || coming_q; //@ fpga
       asked_q <= ask || (asked_q && !arready);
       coming_q <= ask || (coming_q && !(take && last));
     end

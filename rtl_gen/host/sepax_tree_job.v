@@ -20,7 +20,8 @@ module sepax_tree_job #(
   output reg  [ADDRESS-9:0]  poses,       // address of the first pose / 256
   output reg  [31:0]         count,       // of poses
   output reg  [6:0]          modes,       // {LEAVE, WARM, COLD, AGAIN, ROW, QUIET, FIRST}
-  output reg  [31:0]         budget,      // cycles of a pose; 0: none
+  output reg  [31:0]         budget,      // cycles of a pose; 0: none //@ !fpga
+  output reg  [31:0]         budget,      // cycles of a pose, the most there are for none //@ fpga
   output reg  [26:0]         row_a,       // first row: {a, leaf A}
   output reg  [26:0]         row_b        // {b, leaf B}
 );
@@ -31,10 +32,24 @@ module sepax_tree_job #(
   wire        bad_nodes = !(|number) || (|number[31:24]) || (number[23] && (|number[22:0]));
   reg  [26:0] node_beats; // of the body whose size comes
   reg         wrong;
-  reg         wrong_q; //@ fpga
+  //@ if fpga
+  reg  [31:0] budget_q;
+  reg         far_q, wrong_nodes_q, none_q, many_q, above_q, wrong_poses_q;
+  reg         load_q, wrong_q;
+  reg  [3:0]  beat_q;
+  //@ end
 
   always @(*) begin
     node_beats = beat[1] ? {nodes_b, 3'd0} : {nodes_a, 3'd0};
+    //@ if fpga
+    case (beat_q)
+      4'd0: wrong = far_q || wrong_nodes_q || none_q;
+      4'd2: wrong = far_q || wrong_nodes_q || none_q || many_q;
+      4'd1, 4'd3: wrong = above_q;
+      4'd4: wrong = far_q || wrong_poses_q;
+      default: wrong = 1'b0;
+    endcase
+    //@ else
     case (beat)
       4'd0: wrong = beyond || (|address[11:0]) || bad_nodes || !(|last);
       4'd2: wrong = beyond || (|address[11:0]) || bad_nodes || !(|last) || (|last[31:25]) ||
@@ -43,12 +58,22 @@ module sepax_tree_job #(
       4'd4: wrong = beyond || (|address[7:0]) || !(|number) || (|last[31:7]);
       default: wrong = 1'b0;
     endcase
+    //@ end
   end
 
   always @(posedge clk) begin
     bad <= !clear && (bad || (load && wrong)); //@ !fpga
     bad <= !clear && (bad || wrong_q); //@ fpga
-    wrong_q <= load && wrong; //@ fpga
+    //@ if fpga
+    budget <= (|budget_q) ? budget_q : 32'hffffffff;
+    far_q <= beyond || (|address[7:0]);
+    wrong_nodes_q <= (|address[11:8]) || bad_nodes;
+    none_q <= !(|last);
+    many_q <= (|last[31:25]) || (last[24] && (|last[23:0]));
+    above_q <= {5'd0, node_beats} > data[31:0];
+    wrong_poses_q <= !(|number) || (|last[31:7]);
+    {load_q, beat_q, wrong_q} <= {load, beat, load_q && wrong};
+    //@ end
     if (load) begin
       case (beat)
         4'd0: {triangles_a, nodes_a, base_a} <= {last, number[23:0], address[ADDRESS-1:12]};
@@ -56,7 +81,8 @@ module sepax_tree_job #(
         4'd2: {triangles_b, nodes_b, base_b} <= {last[24:0], number[23:0], address[ADDRESS-1:12]};
         4'd3: beats_b <= data[31:0];
         4'd4: {modes, count, poses} <= {last[6:0], number, address[ADDRESS-1:8]};
-        default: {row_b, row_a, budget} <= {last[26:0], number[26:0], data[31:0]};
+        default: {row_b, row_a, budget} <= {last[26:0], number[26:0], data[31:0]}; //@ !fpga
+        default: {row_b, row_a, budget_q} <= {last[26:0], number[26:0], data[31:0]}; //@ fpga
       endcase
     end
   end

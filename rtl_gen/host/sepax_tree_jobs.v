@@ -73,16 +73,25 @@ module sepax_tree_jobs #(
   reg                first_job_q, first_pose_q; // the next one is the batch's, the job's first
   reg                bus_q, refused_q, stop_q;
   reg  [1:0]         loaded_q;     // the last beat was read so many cycles ago //@ !fpga
-  reg  [2:0]         loaded_q;     // the last beat was read so many cycles ago //@ fpga
+  reg  [3:0]         loaded_q;     // the last beat was read so many cycles ago //@ fpga
   reg                busy_q;       // a batch is worked on //@ fpga
   reg  [31:0]        jobs_left_q, poses_left_q; // behind the one that is worked on
   reg  [ADDRESS-8:0] job_q;        // address / 128 of the next job
   reg  [ADDRESS-9:0] pose_q;       // address / 256 of the next pose
+  //@ if fpga
+  reg                more_jobs, more_poses; // a cycle late
+  reg                judged_q;     // a job or a pose was judged, which counts a cycle late
+  reg                asks_q;       // in ASK what is asked for is right
+  reg  [1:0]         ready_q;      // in START it is
+  wire               begins = ready_q[1] && run_idle && !fetch_busy;
+  //@ else
   wire               more_jobs = |jobs_left_q;
   wire               more_poses = |poses_left_q;
   wire               begins = (state_q == START) && run_idle && !fetch_busy;
+  //@ end
   wire               judged = (state_q == JUDGE) && !send_busy;
-  wire               ask_now = (state_q == ASK) && !fetch_busy;
+  wire               ask_now = (state_q == ASK) && !fetch_busy; //@ !fpga
+  wire               ask_now = asks_q && !fetch_busy; //@ fpga
   wire               ask_job = ask_now ? of_job_q : !more_poses;
   wire               good = !damaged && !run_error;
   wire               leaves = !more_poses || (modes[5] && any);
@@ -108,14 +117,15 @@ module sepax_tree_jobs #(
     if (rst) begin
       state_q <= IDLE;
       {run_start, load_job, load_pose, stop_q} <= 4'd0;
-      busy_q <= 1'b0; //@ fpga
+      {busy_q, judged_q, asks_q, ready_q} <= 5'd0; //@ fpga
     end else begin
       case (state_q)
         IDLE: state_q <= start ? ASK : IDLE;
-        ASK: state_q <= fetch_busy ? ASK : WAIT;
+        ASK: state_q <= fetch_busy ? ASK : WAIT; //@ !fpga
+        ASK: state_q <= ask_now ? WAIT : ASK; //@ fpga
         WAIT: state_q <= fetch_busy ? WAIT : fetch_error ? JUDGE : LOAD;
         LOAD: state_q <= loaded_q[1] ? JUDGE : LOAD; //@ !fpga
-        LOAD: state_q <= loaded_q[2] ? JUDGE : LOAD; //@ fpga
+        LOAD: state_q <= loaded_q[3] ? JUDGE : LOAD; //@ fpga
         JUDGE: state_q <= send_busy ? JUDGE : (bus_q || refused_q) ? FAIL : of_job_q ? ASK : START;
         START: state_q <= begins ? RUN : START;
         RUN: begin
@@ -128,6 +138,11 @@ module sepax_tree_jobs #(
         default: state_q <= done ? IDLE : END;
       endcase
       busy_q <= busy_q ? !done : start; //@ fpga
+      //@ if fpga
+      judged_q <= judged;
+      asks_q <= (state_q == ASK) && !ask_now;
+      ready_q <= {ready_q[0], state_q == START} & {2{!begins}};
+      //@ end
       run_start <= begins;
       load_job <= read && of_job_q && !(|loaded_q);
       load_pose <= read && !of_job_q && !(|loaded_q);
@@ -137,10 +152,10 @@ module sepax_tree_jobs #(
     if (state_q == WAIT) begin
       read_beat <= 4'd0;
       loaded_q <= 2'd0; //@ !fpga
-      loaded_q <= 3'd0; //@ fpga
+      loaded_q <= 4'd0; //@ fpga
     end else if (read) begin
       read_beat <= read_beat + 4'd1;
-      loaded_q[2] <= loaded_q[1]; //@ fpga
+      loaded_q[3:2] <= loaded_q[2:1]; //@ fpga
       //@ if fpga
       loaded_q[1:0] <= {
         loaded_q[0], loaded_q[0] || (read_beat == (of_job_q ? JOB_LAST : POSE_LAST))
@@ -153,11 +168,13 @@ module sepax_tree_jobs #(
       bus_q <= fetch_error;
     end
     refused_q <= !bus_q && (of_job_q ? bad_job : bad_pose);
+    {more_jobs, more_poses} <= {|jobs_left_q, |poses_left_q}; //@ fpga
     if (start) begin
       {of_job_q, first_job_q} <= 2'b11;
       jobs_left_q <= jobs;
       job_q <= list;
-    end else if (judged) begin
+    end else if (judged) begin //@ !fpga
+    end else if (judged_q) begin //@ fpga
       of_job_q <= 1'b0;
       if (of_job_q) begin
         job <= first_job_q ? 32'd0 : job + 32'd1;

@@ -17,7 +17,12 @@ module sepax_tree_pose (
   reg  [3:0]  wide_matrix, wide_sigma; // words of the beat that are not in the range of these
   reg  [1:0]  wide_shift;
   reg         wrong;
-  reg         wrong_q; //@ fpga
+  //@ if fpga
+  reg  [3:0]  wide_matrix_q, wide_sigma_q;
+  reg  [1:0]  wide_shift_q;
+  reg         load_q, wrong_q;
+  reg  [3:0]  beat_q;
+  //@ end
   integer     k;
 
   always @(*) begin
@@ -29,18 +34,30 @@ module sepax_tree_pose (
     for (k = 0; k < 2; k = k + 1) begin
       wide_shift[k] = (|data[64*k+43 +: 21]) && !(&data[64*k+43 +: 21]);
     end
+    //@ if fpga
+    case (beat_q)
+      4'd0, 4'd1, 4'd2: wrong = |wide_shift_q;
+      4'd3, 4'd4, 4'd5, 4'd6: wrong = |wide_matrix_q;
+      4'd7: wrong = (|wide_matrix_q[1:0]) || (|wide_sigma_q[3:2]);
+      default: wrong = |wide_sigma_q;
+    endcase
+    //@ else
     case (beat)
       4'd0, 4'd1, 4'd2: wrong = |wide_shift;
       4'd3, 4'd4, 4'd5, 4'd6: wrong = |wide_matrix;
       4'd7: wrong = (|wide_matrix[1:0]) || (|wide_sigma[3:2]);
       default: wrong = |wide_sigma;
     endcase
+    //@ end
   end
 
   always @(posedge clk) begin
     bad <= !clear && (bad || (load && wrong)); //@ !fpga
     bad <= !clear && (bad || wrong_q); //@ fpga
-    wrong_q <= load && wrong; //@ fpga
+    //@ if fpga
+    {wide_matrix_q, wide_sigma_q, wide_shift_q} <= {wide_matrix, wide_sigma, wide_shift};
+    {load_q, beat_q, wrong_q} <= {load, beat, load_q && wrong};
+    //@ end
     if (load) begin
       case (beat)
         4'd0: shift_t[87:0] <= {data[107:64], data[43:0]};

@@ -11,7 +11,8 @@ module sepax_tree_results (
   input  wire        warning,      // in the band of warnings
   input  wire        send,         // the run has ended: send its end
   input  wire [6:0]  status,       // with send: {LAST, REFUSED, ... HIT}
-  output wire        busy,         // its end has not gone; what follows stands meanwhile
+  output wire        busy,         // its end has not gone; what follows stands meanwhile //@ !fpga
+  output reg         busy,         // its end has not gone; what follows stands meanwhile //@ fpga
   input  wire [31:0] job,          // number of the job
   input  wire [31:0] pose,         // number of the pose
   input  wire [31:0] steps,        // counters
@@ -36,12 +37,17 @@ module sepax_tree_results (
   reg  [6:0]  status_q;
   reg  [2:0]  number_q; // of the transfer of the end that comes next
   reg  [63:0] shown;
+  //@ if fpga
+  reg  [63:0] shown_q;
+  reg         here_q;   // it is that transfer
+  wire        sends = ending_q && here_q;
+  //@ end
   wire        free = !tvalid || tready;
   wire        hit = status_q[0];
   wire        ran = !(|status_q[5:4]); // neither BUS nor REFUSED: counters are those of the pose
 
   assign ready = free;
-  assign busy = ending_q || tvalid;
+  assign busy = ending_q || tvalid; //@ !fpga
 
   always @(*) begin
     case (number_q)
@@ -59,19 +65,31 @@ module sepax_tree_results (
   always @(posedge clk) begin
     if (rst) begin
       {ending_q, tvalid, number_q} <= 5'd0;
+      {busy, here_q} <= 2'd0; //@ fpga
     end else begin
+      busy <= send || ending_q || tvalid; //@ fpga
+      //@ if fpga
+      here_q <= ending_q && !(here_q && free);
+      ending_q <= send || (ending_q && !(sends && free && (&number_q)));
+      if (free) begin
+        tvalid <= valid || sends;
+        number_q <= ending_q ? number_q + {2'd0, here_q} : 3'd0;
+      end
+      //@ else
       ending_q <= send || (ending_q && !(free && (&number_q)));
       if (free) begin
         tvalid <= valid || ending_q;
         number_q <= ending_q ? number_q + 3'd1 : 3'd0;
       end
+      //@ end
     end
+    shown_q <= shown; //@ fpga
     if (send) begin
       status_q <= status;
     end
     if (free) begin
       tlast <= ending_q && (&number_q);
-      tdata <= ending_q ? shown : {5'd0, warning, outside, coplanar, b, a};
+      tdata <= ending_q ? @shown@ : {5'd0, warning, outside, coplanar, b, a};
     end
   end
 endmodule

@@ -18,7 +18,7 @@ void gen_tree_walk(emitter *e, bool fpga, int turn) {
   emit_hole_set(&h, "out", "%d*FLIGHT-1:%d*FLIGHT", turn, turn - 1);
   emit_hole_set(&h, "half", fpga ? "out_half" : "half(out_mask)");
   emit_hole_set(&h, "filling", fpga ? "filling" : "(filling_q && can_pop)");
-  emit_hole_set(&h, "leaves", fpga ? "leaves_done" : "leaf_release");
+  emit_hole_set(&h, "leaves", fpga ? "release_q" : "leaf_release");
   emit_hole_set(&h, "move", fpga ? "move" : "match");
   gen_bounds(e);
   gen_thinnest(e);

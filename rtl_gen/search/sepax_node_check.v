@@ -22,7 +22,9 @@ module sepax_node_check (
   wire [31:0] limit = step[0] ? (leaf ? triangles : {8'd0, nodes}) :
                                 (leaf ? beats : {9'd0, number});
   wire [31:0] used = (step[0] || !leaf) ? first : record;
-  wire [3:0]  more_than = step[1] ? children : last_beat;
+  wire [3:0]  more_than = step[1] ? children : last_beat; //@ !fpga
+  reg  [3:0]  more_than; //@ fpga
+  wire        unused_step = step[1]; //@ fpga
   reg  [32:0] left_q;  // limit - used
   reg         bad_q;
   wire        enough = !left_q[32] && ((|left_q[31:5]) || (left_q[4:0] > {1'b0, more_than}));
@@ -31,6 +33,7 @@ module sepax_node_check (
   assign bad = bad_q || (leaf ? !enough : !left_q[32]);
 
   always @(posedge clk) begin
+    more_than <= step[0] ? children : last_beat; //@ fpga
     left_q <= {1'b0, limit} - {1'b0, used};
     bad_q <= step[0] ? fault : (bad_q || !enough);
   end

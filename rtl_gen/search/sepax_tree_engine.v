@@ -110,7 +110,8 @@ module sepax_tree_engine #(
   wire                 node_out_error, node_release, head_read;
   wire [63:0]          node_in, node_out;
   wire [SLOT-1:0]      node_out_a, node_out_b;
-  wire [1023:0]        node_a, node_b;
+  wire [1023:0]        node_a, node_b; //@ !fpga
+  wire [255:0]         node_a, node_b; //@ fpga
   wire                 in_valid, in_ready, in_side;
   wire [15:0]          in_mask;
   wire [SLOT-1:0]      in_a, in_b;
@@ -152,8 +153,16 @@ module sepax_tree_engine #(
   );
 
   // ------------------------------------------- compare; the turner, also of the pairs
+  //@ if fpga
+  wire                 box_read, boxes_read;
+  wire [SLOT:0]        box_slot, boxes_slot;
+  wire [3:0]           box_index;
+  wire [47:0]          box;
+  wire [767:0]         boxes;
+  //@ else
   wire                 boxes_read_a, boxes_read_b;
   wire [SLOT-1:0]      boxes_slot_a, boxes_slot_b;
+  //@ end
   wire                 setup_turn, setup_side, rows_turn, rows_damaged;
   wire [3*W-1:0]       setup_point, setup_origin, rows_point;
   wire [134:0]         turned;
@@ -167,7 +176,8 @@ module sepax_tree_engine #(
   reg  [22:0]          listing_in_q;
   wire                 item_free = !item_q || out_ready;
   wire [22:0]          item, listed;
-  wire [2:0]           ones [0:3]; // of four bits of its mask
+  wire                 any_listed, few_listed;
+  wire [2:0]           ones [0:3]; // of four bits of the mask that goes to the list
   wire [3:0]           ones_low = {1'b0, ones[0]} + {1'b0, ones[1]};
   wire [3:0]           ones_high = {1'b0, ones[2]} + {1'b0, ones[3]};
   wire [4:0]           all_ones = {1'b0, ones_low} + {1'b0, ones_high};
@@ -182,9 +192,15 @@ module sepax_tree_engine #(
   sepax_tree_compare #(.W(W), .SLOT(SLOT)) compare (
     .clk(clk), .rst(rst), .drop(drop), .matrix(matrix), .sigma({sigma_b, sigma_a}),
     .in_valid(in_valid), .in_ready(in_ready), .in_side(in_side), .in_mask(in_mask), .in_a(in_a),
+    //@ if fpga
+    .in_b(in_b), .head_a(node_a), .head_b(node_b), .box_read(box_read), .box_slot(box_slot),
+    .box_index(box_index), .box(box), .boxes_read(boxes_read), .boxes_slot(boxes_slot),
+    .boxes(boxes), .turn_valid(setup_turn),
+    //@ else
     .in_b(in_b), .head_a(node_a[255:0]), .head_b(node_b[255:0]), .boxes_read_a(boxes_read_a),
     .boxes_read_b(boxes_read_b), .boxes_slot_a(boxes_slot_a), .boxes_slot_b(boxes_slot_b),
     .boxes_a(node_a[1023:256]), .boxes_b(node_b[1023:256]), .turn_valid(setup_turn),
+    //@ end
     .turn_ready(1'b1), .turn_side(setup_side), .turn_point(setup_point),
     .turn_origin(setup_origin), .turned_valid(setup_q[@turn_last@]), .turned(turned),
     .out_valid(item_valid), .out_ready(item_ready), .out_last(item[22]),
@@ -198,14 +214,16 @@ module sepax_tree_engine #(
   );
 
 //@ if fpga
-  sepax_fifo #(.WIDTH(23), .ADDRESS(3), .MARGIN(2)) items (
-    .clk(clk), .clear(clear), .push(listing_q), .in(listing_in_q), .free(item_ready),
-    .valid(listed_valid), .pop(listed_valid && item_free), .out(listed)
+  sepax_fifo #(.WIDTH(25), .ADDRESS(3), .MARGIN(2)) items (
+    .clk(clk), .clear(clear), .push(listing_q), .in({
+      |listing_in_q[15:0], !all_ones[4] && !(all_ones[3] && (|all_ones[2:0])), listing_in_q
+    }), .free(item_ready), .valid(listed_valid), .pop(listed_valid && item_free),
+    .out({any_listed, few_listed, listed})
   );
   genvar k;
   generate
     for (k = 0; k < 4; k = k + 1) begin : quarter
-      wire [3:0] some = listed[4*k +: 4];
+      wire [3:0] some = listing_in_q[4*k +: 4];
       wire       odd = ^some;
       wire       pair = (some[3] && some[2]) || (some[3] && some[1]) || (some[3] && some[0]) ||
                         (some[2] && some[1]) || (some[2] && some[0]) || (some[1] && some[0]);
@@ -230,8 +248,7 @@ module sepax_tree_engine #(
     listing_in_q <= item; //@ fpga
     if (@free@) begin
       items_q <= @item@;
-      few_q <= !all_ones[4] && !(all_ones[3] && (|all_ones[2:0])); //@ fpga
-      any_q <= |listed[15:0]; //@ fpga
+      {any_q, few_q} <= {any_listed, few_listed}; //@ fpga
     end
     damaged_q <= {damaged_q[@turn_before@:0], rows_damaged};
   end
@@ -300,9 +317,15 @@ module sepax_tree_engine #(
     .node_in_info(node_in), .node_out_valid(node_out_valid), .node_out_ready(node_out_ready),
     .node_out_a(node_out_a), .node_out_b(node_out_b), .node_out_info(node_out),
     .node_out_error(node_out_error), .node_release(node_release), .head_read_a(head_read),
+    //@ if fpga
+    .head_slot_a(node_out_a), .node_a(node_a), .head_read_b(head_read), .head_slot_b(node_out_b),
+    .node_b(node_b), .box_read(box_read), .box_slot(box_slot), .box_index(box_index), .box(box),
+    .boxes_read(boxes_read), .boxes_slot(boxes_slot), .boxes(boxes),
+    //@ else
     .head_slot_a(node_out_a), .node_read_a(boxes_read_a), .node_slot_a(boxes_slot_a),
     .node_a(node_a), .head_read_b(head_read), .head_slot_b(node_out_b),
     .node_read_b(boxes_read_b), .node_slot_b(boxes_slot_b), .node_b(node_b),
+    //@ end
     .leaf_in_valid(leaf_in_valid), .leaf_in_ready(leaf_in_ready), .leaf_in_a(leaf_in_a),
     .leaf_in_beats_a(leaf_in_beats_a), .leaf_in_b(leaf_in_b),
     .leaf_in_beats_b(leaf_in_beats_b), .leaf_in_info(leaf_in_info),

@@ -99,7 +99,8 @@ module sepax_tree_pairs #(
   reg  [SLOT-1:0]   slot_q;
   reg               last_q, first_q, leaf_q; // last of its leaves; first pair of the row, of them
   reg  [4:0]        free_q;       // places of the queue that pairs may still take
-  wire [15:0]       lowest = mask_q & (~mask_q + 16'd1);
+  wire [15:0]       lowest = mask_q & (~mask_q + 16'd1); //@ !fpga
+  wire [15:0]       lowest; //@ fpga
   wire [15:0]       others = mask_q & ~lowest;
   wire              many;         // two or more //@ fpga
   reg               some_q;       // pairs of the row are left //@ fpga
@@ -107,15 +108,33 @@ module sepax_tree_pairs #(
   wire              issue = (|mask_q) && (|free_q) && !damaged; //@ !fpga
   wire              row_done = issue && !(|others); //@ !fpga
   wire              row_done = issue && !many; //@ fpga
+  //@ if fpga
+  reg               ask_q;        // a pair goes to the memory
+  reg  [15:0]       ask_lowest_q; // one-hot: its triangle of A
+  reg  [SLOT-1:0]   ask_slot_q;
+  reg  [3:0]        ask_child_q;
+  reg               ask_first_q, ask_leaf_q;
+  reg  [1:0]        freed_q;      // places of the queue that are free again
+  wire [3:0]        a = {
+    |(ask_lowest_q & 16'hff00), |(ask_lowest_q & 16'hf0f0), |(ask_lowest_q & 16'hcccc),
+    |(ask_lowest_q & 16'haaaa)
+  };
+  //@ else
   wire [3:0]        a = {
     |(lowest & 16'hff00), |(lowest & 16'hf0f0), |(lowest & 16'hcccc), |(lowest & 16'haaaa)
   };
+  //@ end
 
   assign next = next_valid && (row_done || !(|mask_q)) && !damaged; //@ !fpga
   assign next = next_valid && !some_q && !damaged; //@ fpga
-  sepax_several left (.mask(mask_q), .many(many)); //@ fpga
+  sepax_several left (.mask(mask_q), .many(many), .lowest(lowest)); //@ fpga
+  //@ if fpga
+  assign triangle_read_a = ask_q;
+  assign triangle_slot_a = {ask_slot_q, a};
+  //@ else
   assign triangle_read_a = issue;
   assign triangle_slot_a = {slot_q, a};
+  //@ end
   assign box_read = issue && first_q; //@ !fpga
   assign leaf_release = (row_done && last_q) || (next && !(|next_mask)); //@ !fpga
   //@ if fpga
@@ -174,7 +193,7 @@ module sepax_tree_pairs #(
 
   assign pair_valid = out_q;
   assign busy = ((|rows_q) && !error && !damaged) || (rows_busy && !damaged) || (|mask_q) ||
-                read_q || //@ fpga
+                ask_q || read_q || //@ fpga
                 valid_q || valid_q2 || valid_q3 || (|count_q) || out_q;
 
   // A pair is written before it is known whether it is near; its place counts from then on.
@@ -196,7 +215,8 @@ module sepax_tree_pairs #(
       mask_q <= 16'd0;
       leaf_q <= 1'b1;
       {valid_q, valid_q2, valid_q3, damaged, out_q} <= 5'd0;
-      {read_q, release_q, some_q} <= 3'd0; //@ fpga
+      {ask_q, read_q, release_q, some_q} <= 4'd0; //@ fpga
+      freed_q <= 2'd0; //@ fpga
       free_q <= 5'd16;
       {tail_q, head_q} <= 8'd0;
       count_q <= 5'd0;
@@ -220,12 +240,21 @@ module sepax_tree_pairs #(
       end
       damaged <= damaged || spoilt;
       valid_q <= issue && !spoilt; //@ !fpga
-      read_q <= issue && !spoilt; //@ fpga
+      ask_q <= issue && !spoilt; //@ fpga
+      read_q <= ask_q && !spoilt && !damaged; //@ fpga
       valid_q <= read_q && !spoilt && !damaged; //@ fpga
       valid_q2 <= valid_q && !spoilt && !damaged;
       valid_q3 <= valid_q2 && !spoilt && !damaged;
+      //@ if fpga
+      freed_q <= {1'b0, valid_q3 && !near} + {1'b0, read};
+      free_q <= free_q - {4'd0, issue} + {3'd0, freed_q};
+      if (commit != read) begin
+        count_q <= count_q + {{4{read}}, 1'b1};
+      end
+      //@ else
       free_q <= free_q - {4'd0, issue} + {4'd0, valid_q3 && !near} + {4'd0, read};
       count_q <= count_q + {4'd0, commit} - {4'd0, read};
+      //@ end
       tail_q <= tail;
       head_q <= head_q + {3'd0, read};
       out_q <= read || (out_q && !pair_ready);
@@ -237,8 +266,10 @@ module sepax_tree_pairs #(
     end
     first_q <= next || (first_q && !issue);
     //@ if fpga
-    {read_first_q, read_leaf_q} <= {first_q, leaf_q};
-    {read_a_q, read_child_q} <= {a, child_q};
+    {ask_lowest_q, ask_slot_q, ask_child_q} <= {lowest, slot_q, child_q};
+    {ask_first_q, ask_leaf_q} <= {first_q, leaf_q};
+    {read_first_q, read_leaf_q} <= {ask_first_q, ask_leaf_q};
+    {read_a_q, read_child_q} <= {a, ask_child_q};
     {first_q1, leaf_q1} <= {read_first_q, read_leaf_q};
     {a_q, child_q1} <= {read_a_q, read_child_q};
     triangle_q <= triangle_a;

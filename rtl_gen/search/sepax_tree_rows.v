@@ -80,7 +80,7 @@ module sepax_tree_rows #(
   reg  [8:0]          read_same_q;
   reg  [9*W:0]        triangle_b_q;
   wire                move = read_q && !(|new_q);
-  wire                match = match_q && (!read_q || move) && !used_q[3];
+  wire                match = match_q && !read_q && !used_q[3];
   //@ else
   wire                match = match_q && (!(|new_q) || turn_done) && !used_q[3];
   //@ end
@@ -94,7 +94,8 @@ module sepax_tree_rows #(
   wire [9*W-1:0]      points;
   wire [6*W+13:0]     turned_box;
 
-  assign in_ready = leaf_q && !waiting_q[3] && (!match_q || match || !real_row);
+  assign in_ready = leaf_q && !waiting_q[3] && (!match_q || match || !real_row); //@ !fpga
+  assign in_ready = leaf_q && !waiting_q[3] && (!match_q || !real_row); //@ fpga
   assign busy = leaf_q || (|waiting_q) || (|used_q);
   assign leaf_out_ready = !error && (!leaf_q || (take && in_last)); //@ !fpga
   assign leaf_out_ready = !error && !leaf_q; //@ fpga
@@ -108,14 +109,22 @@ module sepax_tree_rows #(
                       (@triangle@[3*W +: 3*W] & {(3*W){pick[1]}}) |
                       (@triangle@[6*W +: 3*W] & {(3*W){pick[2]}});
   assign {flight_same, flight_place, flight_last, flight_first} = flight_q[@out@];
-  assign out_real = |out_mask;
+  assign out_real = |out_mask; //@ !fpga
   assign out_valid = row_here && (!out_real || (|here_q));
 
+  //@ if fpga
+  sepax_ram_fifo #(.WIDTH(SLOT+22), .ADDRESS(3)) rows (
+    .clk(clk), .clear(clear), .push(take), .in({real_row, slot_a_q, in_last, in_child, in_mask}),
+    .valid(row_here), .pop(out_valid && out_ready),
+    .out({out_real, out_slot, out_last, out_child, out_mask})
+  );
+  //@ else
   sepax_ram_fifo #(.WIDTH(SLOT+21), .ADDRESS(3)) rows (
     .clk(clk), .clear(clear), .push(take), .in({slot_a_q, in_last, in_child, in_mask}),
     .valid(row_here), .pop(out_valid && out_ready),
     .out({out_slot, out_last, out_child, out_mask})
   );
+  //@ end
   sepax_turned_box #(.W(W)) turned_triangle (
     .clk(clk), .clear(clear), .valid(turned_valid), .first(flight_first), .last(flight_last),
     .place(flight_place), .same(flight_same), .damaged(turned_damaged), .turned(turned),

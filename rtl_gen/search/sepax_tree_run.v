@@ -14,7 +14,8 @@ module sepax_tree_run #(
   output wire         idle,            // a run may begin
   output reg          drop,            // a run ends: drop all that is under way
   output reg          done,            // it has ended
-  output wire         hit,             // its first collision is here
+  output wire         hit,             // its first collision is here //@ !fpga
+  output reg          hit,             // its first collision was here in the cycle before //@ fpga
   // what feeds the cores
   input  wire         walk_over,       // the walk has ended
   input  wire         walk_damaged,    // at a damaged node
@@ -69,7 +70,14 @@ module sepax_tree_run #(
   output reg  [3:0]   first_row_b      // the child b
 );
   localparam [FLIGHT:0] ONE = 1;
-  reg          near_q, found_q, undecided_q, warned_q; // to be counted //@ fpga
+  //@ if fpga
+  reg          near_q, found_q, undecided_q, warned_q; // to be counted
+  reg          full_q;     // a verdict waits
+  reg          collision_q, coplanar_q, warning_q, outside_q;
+  reg          pairs_busy_q; // pairs were made
+  reg          due_q;      // cycles are the budget
+  reg  [31:0]  before_q;   // budget - 1
+  //@ end
   reg          busy_q;     // a run is going on
   reg          ending_q;   // it only waits for what is under way
   reg  [1:0]   dropped_q;  // what was dropped is gone
@@ -83,23 +91,40 @@ module sepax_tree_run #(
   wire [3:0]   row_a, row_b;
   wire [31:0]  a = base_a + {28'd0, row_a};
   wire [23:0]  b = base_b + {20'd0, row_b};
-  wire         judged = known && verdict_valid && verdict_ready;
+  wire         judged = known && verdict_valid && verdict_ready; //@ !fpga
   wire         free = !result_valid || result_ready; //@ !fpga
   wire         free = !result_valid; // whoever takes results is far away //@ fpga
+  //@ if fpga
+  wire         counts = full_q && (ending_q || (known && free)); // the verdict goes
+  wire         judged = known && counts;
+  wire         counted = counts && !ending_q;
+  wire         found = counted && (collision_q || outside_q);
+  wire         warned = counted && warning_q && !collision_q && !outside_q;
+  wire         running = busy_q && !ending_q;
+  wire         halt = running && (stop || (first && hit) || due_q);
+  wire         drained = !pairs_busy_q && !in_flight && !full_q && !launched && free;
+  //@ else
   wire         counted = verdict_valid && verdict_ready && !ending_q;
   wire         found = counted && (collision || outside);
   wire         warned = counted && warning && !collision && !outside;
   wire         running = busy_q && !ending_q;
   wire         halt = running && (stop || (first && hit) || (cycles == budget));
   wire         drained = !pairs_busy && !in_flight && !launched && free;
+  //@ end
   wire         fault = pairs_damaged || pairs_error;
   wire         finish = running && drained && (walk_over || fault);
+  //@ if fpga
+  wire         leave = ending_q && !drop && (&dropped_q) && memory_idle && !in_flight && !full_q &&
+                       free;
+  //@ else
   wire         leave = ending_q && !drop && (&dropped_q) && memory_idle && !in_flight && free;
+  //@ end
 
   assign idle = !busy_q;
-  assign hit = found && !any;
+  assign hit = found && !any; //@ !fpga
   assign launch_free = !known_q[FLIGHT];
-  assign verdict_ready = ending_q || (known && free);
+  assign verdict_ready = ending_q || (known && free); //@ !fpga
+  assign verdict_ready = !full_q; //@ fpga
 
   sepax_ram_fifo #(.WIDTH(110), .ADDRESS(FLIGHT)) records (
     .clk(clk), .clear(rst || start), .push(launched), .in(launched_info), .valid(known),
@@ -109,8 +134,10 @@ module sepax_tree_run #(
   always @(posedge clk) begin
     if (rst) begin
       {busy_q, ending_q, drop, done, result_valid} <= 5'd0;
+      full_q <= 1'b0; //@ fpga
       {any, stopped, damaged, error} <= 4'd0;
     end else begin
+      full_q <= full_q ? !counts : verdict_valid; //@ fpga
       busy_q <= start || (busy_q && !leave);
       ending_q <= halt || finish || (ending_q && !leave);
       drop <= halt || finish;
@@ -132,15 +159,30 @@ module sepax_tree_run #(
       known_q <= known_q + (launched ? ONE : {(FLIGHT+1){1'b0}}) -
                  (judged ? ONE : {(FLIGHT+1){1'b0}});
     end
-    {near_q, found_q, undecided_q, warned_q} <= {counted, found, found && outside, warned}; //@ fpga
+    //@ if fpga
+    {near_q, found_q, undecided_q, warned_q} <= {counted, found, found && outside_q, warned};
+    if (verdict_ready) begin
+      {collision_q, coplanar_q, warning_q, outside_q} <= {collision, coplanar, warning, outside};
+    end
+    pairs_busy_q <= pairs_busy;
+    hit <= found && !any;
+    before_q <= budget - 32'd1;
+    due_q <= start ? budget == 32'd1 : cycles == before_q;
+    //@ end
     dropped_q <= {dropped_q[0], ending_q && !drop};
     {entry_q, row_q, pair_q, steps_q} <= {entry_counted, row_counted, pair_counted, steps_counted};
     if (free) begin
       result_a <= a;
       result_b <= b;
+      //@ if fpga
+      result_coplanar <= coplanar_q && !outside_q;
+      {result_outside, result_warning} <= {outside_q, warned};
+      //@ else
       {result_coplanar, result_outside, result_warning} <= {coplanar && !outside, outside, warned};
+      //@ end
     end
-    if (hit) begin
+    if (!any) begin // what was taken last //@ fpga
+    if (hit) begin //@ !fpga
       first_a <= a;
       first_b <= b;
       {first_leaf_b, first_leaf_a, first_row_b, first_row_a} <= {leaf_b, leaf_a, row_b, row_a};

@@ -112,8 +112,9 @@ module sepax_tree_walk #(
 
   assign pop = walking && filling_q && can_pop; //@ !fpga
   //@ if fpga
-  // Whether an entry can be popped is known a cycle after another was popped or finished.
-  reg             known_q, can_pop_q;
+  // Whether an entry can be popped is known a cycle after another was popped, two after one was
+  // finished, which counts a cycle late.
+  reg             known_q, can_pop_q, finish_q, push_q;
   wire            filling = filling_q && !(known_q && !can_pop_q);
 
   assign pop = walking && filling_q && known_q && can_pop_q;
@@ -200,7 +201,7 @@ module sepax_tree_walk #(
   wire         has_rows = first_row || (is_row && hit);
   wire         last = first_row || out_last;
   // The leaves are asked for with the first row; with the last, they have been taken.
-  wire         leaves_due = leaf_in_valid && !leaf_in_ready;
+  wire         leaves_due = leaf_in_valid && !leaf_in_ready; //@ !fpga
   wire         no_leaves = first_row && !(leaf_a && leaf_b);
   wire         no_nodes = ({1'b0, row_leaf_a} >= nodes_a) || ({1'b0, row_leaf_b} >= nodes_b);
   wire         of_b = out_columns ? side : !side; // whose child is the next node
@@ -216,10 +217,11 @@ module sepax_tree_walk #(
   reg          own_box_q; // it is the own one
   //@ end
   wire         rows_ready = row_ready && !(last && leaves_due); //@ !fpga
-  wire         rows_wait = last && !(opened_q && !wanted_q); //@ fpga
-  wire         rows_ready = row_ready && !rows_wait; //@ fpga
+  wire         leaves_gone = opened_q && !wanted_q; // they have been taken //@ fpga
+  wire         rows_wait = last && !leaves_gone; //@ fpga
 
-  assign leaf_in_valid = (has_rows && !no_leaves && !opened_q) || wanted_q;
+  assign leaf_in_valid = (has_rows && !no_leaves && !opened_q) || wanted_q; //@ !fpga
+  assign leaf_in_valid = wanted_q; //@ fpga
   assign leaf_in_info = {node_b, node_a, first_b, first_a};
   assign row_valid = (has_rows || (is_row && last && opened_q)) && !no_leaves &&
                      !(last && leaves_due); //@ !fpga
@@ -229,13 +231,17 @@ module sepax_tree_walk #(
   assign row_mask = first_row ? 16'd1 << child[7:4] : out_mask;
   assign out_ready = item && (is_row ? (!(has_rows || opened_q) || rows_ready) : 1'b1); //@ !fpga
   //@ if fpga
-  wire         rows_here = row_ready && !(out_last && !(opened_q && !wanted_q)); // of an item
+  wire         rows_here = row_ready && !(out_last && !leaves_gone); // of an item
   assign out_ready = item && (!out_leaves || is_own || !(hit || opened_q) || rows_here);
   //@ end
   assign finish = served && (state_q == PROBE || (item && out_ready && last) || //@ !fpga
                              (first_row && !no_leaves && rows_ready)); //@ !fpga
-  assign finish = probe_q || (item && out_ready && last) || //@ fpga
-                  (first_row && !no_leaves && rows_ready); //@ fpga
+  //@ if fpga
+  // The last item is a push, or a row for which the leaves have been taken, or neither.
+  assign finish = probe_q || (first_q && leaf_a && leaf_b && row_ready && leaves_gone) ||
+                  (item && out_last && (!out_leaves || is_own || !(hit || opened_q) ||
+                                        (row_ready && leaves_gone)));
+  //@ end
   assign node_release = finish; //@ !fpga
   assign node_release = release_q; //@ fpga
   assign push = (is_push && !full) || (state_q == ROOT) || (state_q == FIRST);
@@ -271,10 +277,11 @@ module sepax_tree_walk #(
       {head_q, tail_q, stored_q} <= 7'd0;
       {filling_q, current_q, opened_q, wanted_q} <= 4'd0;
       {known_q, can_pop_q, release_q, probe_q, first_q, items_q} <= 6'd0; //@ fpga
+      {finish_q, push_q} <= 2'd0; //@ fpga
     end else begin
       if (walking) begin
         //@ if fpga
-        line_q <= finish ? line_q - {{LINE{1'b0}}, 1'b1} : line_q + {{LINE{1'b0}}, pop};
+        line_q <= finish_q ? line_q - {{LINE{1'b0}}, 1'b1} : line_q + {{LINE{1'b0}}, pop};
         //@ else
         line_q <= line_q + {{LINE{1'b0}}, pop} - {{LINE{1'b0}}, finish};
         //@ end
@@ -289,11 +296,13 @@ module sepax_tree_walk #(
       probe_q <= serves && (state_q == PROBE);
       first_q <= serves && walking && is_direct;
       items_q <= serves && walking && !is_direct;
-      {known_q, can_pop_q, release_q} <= {walking && filling_q && !pop && !finish, can_pop, finish};
+      known_q <= walking && filling_q && !pop && !finish && !finish_q;
+      {can_pop_q, release_q, finish_q, push_q} <= {can_pop, finish, finish && walking, push};
       //@ end
       current_q <= fetch || (current_q && !finish);
       opened_q <= !finish && (opened_q || (has_rows && !no_leaves));
-      wanted_q <= leaves_due;
+      wanted_q <= leaves_due; //@ !fpga
+      wanted_q <= wanted_q ? !leaf_in_ready : has_rows && !no_leaves && !opened_q; //@ fpga
     end
     if (start) begin
       {damaged, error} <= 2'd0;
@@ -306,10 +315,10 @@ module sepax_tree_walk #(
       load_q <= {{(LOAD-9){1'b0}}, {1'b0, head_a[7:4]} + {1'b0, head_b[7:4]}, 4'd0} -
                 {{(LOAD-5){1'b0}}, {1'b0, head_a[7:4]} + {1'b0, head_b[7:4]}};
     //@ if fpga
-    end else if (finish && walking) begin // never with pop
-      load_q <= load_q + {{(LOAD-4){1'b1}}, 3'd0, push};
+    end else if (finish_q) begin // of the cycle before; never with pop
+      load_q <= load_q + {{(LOAD-4){1'b1}}, 3'd0, push_q};
     end else begin
-      load_q <= load_q + {{(LOAD-4){1'b0}}, {3{pop}}, pop || push};
+      load_q <= load_q + {{(LOAD-4){1'b0}}, {3{pop}}, pop || push_q};
     end
     //@ else
     end else begin

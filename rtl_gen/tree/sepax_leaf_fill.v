@@ -1,8 +1,13 @@
 // From the beats of a leaf's record to its triangles: vertices in place of their numbers. The
 // first two beats have the numbers of 16 triangles, each other beat has two vertices, which go to
 // a memory of three copies. A triangle is made in each cycle as soon as its vertices have come. If
+//@ if fpga
+// they are numbered in the order of the triangles, the last is made 3 cycles after the last beat or
+// 20 after the third; if not, up to 16 later. Two records can be here.
+//@ else
 // they are numbered in the order of the triangles, the last is made 1 cycle after the last beat or
 // 18 after the third; if not, up to 16 later. Two records can be here.
+//@ end
 module sepax_leaf_fill #(
   parameter W = 18, // bits of a coordinate, 4 ... 21
   parameter TAG = 4 // bits of a tag
@@ -36,6 +41,11 @@ module sepax_leaf_fill #(
   reg  [TAG-1:0] tag_q [0:1];
   reg            words_q;        // the memory's output has the numbers of the next triangle
   reg  [3:0]     next_q;         // its number
+  //@ if fpga
+  reg            asked_q;        // there is a triangle that is made behind the next
+  reg  [3:0]     asked_index_q;  // its number
+  reg  [14:0]    asked_numbers_q; // its vertices
+  //@ end
   reg            valid_q;        // a triangle is made as soon as its vertices have come
   reg  [3:0]     index_q;        // its number
   reg  [14:0]    numbers_q;      // its vertices
@@ -44,7 +54,8 @@ module sepax_leaf_fill #(
   wire [14:0]    word [0:7]; //@ !fpga
   wire [239:0]   words; //@ fpga
   wire [14:0]    word [0:15]; //@ fpga
-  wire [2:0]     there;          // its vertices have come
+  wire [2:0]     there;          // its vertices have come //@ !fpga
+  reg  [2:0]     there;          // its vertices have come //@ fpga
   wire           first = fill && (fill_beat == 4'd0); //@ !fpga
   reg            begin_q;        // the beat that comes next is a record's first //@ fpga
   wire           first = fill && begin_q; //@ fpga
@@ -52,21 +63,26 @@ module sepax_leaf_fill #(
   wire           place = first ? come_q[0] : !come_q[0];
   wire [1:0]     here = come_q - made_q;
   //@ if fpga
-  // Of the record whose triangles are made, a cycle late.
+  // Of the record whose triangles are made, a cycle late; what follows of it, one more.
   reg  [3:0]     beats_here_q;
-  reg            ended_here_q, late_q;
-  wire           ended = ended_here_q;
-  wire           make = valid_q && !late_q && (((&there) && !(&index_q)) || ended);
+  reg            ended_here_q, ended_q2, late_q, late_q2;
+  wire           ended = ended_q2;
+  reg            all_q;          // of the triangle all vertices have come, and it is not the last
+  wire           make = valid_q && !late_q && !late_q2 && (all_q || ended);
+  wire           follow = asked_q && (make || !valid_q);
   //@ else
   wire           ended = ended_q[made_q[0]];
   wire           make = valid_q && (((&there) && !(&index_q)) || ended);
   //@ end
+  wire [2:0]     there_now;      // as they are seen in this cycle //@ fpga
   wire           last = make && (&index_q);
-  wire           move = words_q && (make || !valid_q);
+  wire           move = words_q && (make || !valid_q); //@ !fpga
+  wire           move = words_q && (follow || !asked_q); //@ fpga
   wire           start = !words_q && (read_q != come_q) &&
                          ((|beats_q[read_q[0]]) || ended_q[read_q[0]]);
 
-  assign busy = here[1] || (here[0] && first);
+  assign busy = here[1] || (here[0] && first); //@ !fpga
+  assign busy = here[1]; // a record has three beats or more //@ fpga
   assign idle = !(|here) && !fill && !write;
   assign triangle[9*W] = damaged_q;
 
@@ -97,7 +113,11 @@ module sepax_leaf_fill #(
       wire [3*W-1:0] even, odd;
       reg            odd_q;
       assign there[k] = number[4:1] < beats_q[made_q[0]]; //@ !fpga
-      assign there[k] = number[4:1] < beats_here_q; //@ fpga
+      //@ if fpga
+      wire           there_next = asked_numbers_q[5*k+1 +: 4] < beats_here_q;
+      wire           there_here = number[4:1] < beats_here_q;
+      assign there_now[k] = follow ? there_next : there_here;
+      //@ end
       sepax_ram #(.WIDTH(3*W), .ADDRESS(5)) evens (
         .clk(clk), .write(vertices), .write_address({place, fill_beat}), .write_data(fill_even),
         .read(make), .read_address({made_q[0], number[4:1] + 4'd2}), .read_data(even)
@@ -121,14 +141,16 @@ module sepax_leaf_fill #(
       read_q <= 2'd0;
       made_q <= 2'd0;
       {words_q, valid_q, write, done} <= 4'd0;
-      begin_q <= 1'b1; //@ fpga
+      {begin_q, asked_q} <= 2'd2; //@ fpga
     end else begin
       begin_q <= fill ? fill_last : begin_q; //@ fpga
       come_q <= come_q + {1'b0, first};
       read_q <= read_q + {1'b0, move && (&next_q)};
       made_q <= made_q + {1'b0, last};
       words_q <= start || (words_q && !(move && (&next_q)));
-      valid_q <= move || (valid_q && !make);
+      valid_q <= move || (valid_q && !make); //@ !fpga
+      asked_q <= move || (asked_q && !follow); //@ fpga
+      valid_q <= follow || (valid_q && !make); //@ fpga
       write <= make;
       done <= last;
     end
@@ -149,18 +171,31 @@ module sepax_leaf_fill #(
     //@ if fpga
     beats_here_q <= beats_q[made_q[0]];
     ended_here_q <= ended_q[made_q[0]];
-    late_q <= last;
+    ended_q2 <= ended_here_q;
+    there <= there_now;
+    all_q <= (&there_now) && !(follow ? &asked_index_q : &index_q);
+    {late_q2, late_q} <= {late_q, last};
     //@ end
     if (start) begin
       next_q <= 4'd0;
     end else if (move) begin
       next_q <= next_q + 4'd1;
     end
+    //@ if fpga
     if (move) begin
-      numbers_q <= word[next_q[2:0]]; //@ !fpga
-      numbers_q <= word[next_q]; //@ fpga
+      asked_numbers_q <= word[next_q];
+      asked_index_q <= next_q;
+    end
+    if (follow) begin
+      numbers_q <= asked_numbers_q;
+      index_q <= asked_index_q;
+    end
+    //@ else
+    if (move) begin
+      numbers_q <= word[next_q[2:0]];
       index_q <= next_q;
     end
+    //@ end
     if (make) begin
       corners <= numbers_q;
       index <= index_q;

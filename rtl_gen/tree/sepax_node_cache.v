@@ -1,5 +1,11 @@
+//@ if fpga
+// Nodes of bodies A and B: 128 bytes each, 2^SETS sets of 4 a body. Their heads, the first 32
+// bytes, are in a memory for each body. Their boxes are twice in memories of both bodies: all 16
+// of a node side by side, and in units of 16 bits, three a box.
+//@ else
 // Nodes of bodies A and B: 128 bytes each, 2^SETS sets of 4 a body; each body has a memory of its
 // own, 128 bytes wide. The first 32 bytes of a node are read on their own.
+//@ end
 module sepax_node_cache #(
   parameter ADDRESS = 40, // bits of a byte address
   parameter INFO = 32,    // bits that go with a pair
@@ -27,14 +33,29 @@ module sepax_node_cache #(
   input  wire                done,        // the oldest pair is released
   input  wire                head_a,      // read a node of A, bytes 0 ... 31
   input  wire [SETS+1:0]     head_slot_a, // its slot
+  //@ if fpga
+  output wire [255:0]        node_a,      // from the next cycle on
+  //@ else
   input  wire                read_a,      // read a node of A, bytes 32 ... 127
   input  wire [SETS+1:0]     slot_a,      // its slot
   output wire [1023:0]       node_a,      // from the next cycle on
+  //@ end
   input  wire                head_b,      // read a node of B, bytes 0 ... 31
   input  wire [SETS+1:0]     head_slot_b, // its slot
+  //@ if fpga
+  output wire [255:0]        node_b,      // from the next cycle on
+  input  wire                box_read,    // read a child's box
+  input  wire [SETS+2:0]     box_slot,    // {of B, slot} of the node
+  input  wire [3:0]          box_index,   // the child
+  output reg  [47:0]         box,         // 3 cycles later, for one
+  input  wire                boxes_read,  // read all boxes of a node
+  input  wire [SETS+2:0]     boxes_slot,  // {of B, slot}
+  output reg  [767:0]        boxes,       // from the second cycle on
+  //@ else
   input  wire                read_b,      // read a node of B, bytes 32 ... 127
   input  wire [SETS+1:0]     slot_b,      // its slot
   output wire [1023:0]       node_b,      // from the next cycle on
+  //@ end
   output wire                miss_valid,  // a burst of 8 beats is wanted
   input  wire                miss_ready,  // it is taken
   output wire [ADDRESS-5:0]  miss_address, // in units of 16 bytes
@@ -65,19 +86,89 @@ module sepax_node_cache #(
     .filled_error(fill_error || error_q)
   );
 
+//@ if fpga
+  // A box is read long after its beat has come: it is written a cycle later than heads are.
+  reg              fill_q;
+  reg  [2:0]       beat_q;
+  reg  [SETS+2:0]  tag_q;
+  reg  [127:0]     data_q;
+  reg  [7:0]       first_q, first_q2; // one-hot: the unit that a box begins with, modulo 8
+  wire [127:0]     units;             // of a box and of its neighbours
+  reg  [127:0]     units_q;
+  wire [767:0]     all;
+
+  genvar i, j, k;
+  generate
+    for (k = 0; k < 2; k = k + 1) begin : head
+      wire write = fill && (fill_beat == k[2:0]);
+      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2), .DISTRIBUTED(1)) nodes_a (
+        .clk(clk), .write(write && !is_b), .write_address(fill_tag[SETS+1:0]),
+        .write_data(fill_data), .read(head_a), .read_address(head_slot_a),
+        .read_data(node_a[128*k +: 128])
+      );
+      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2), .DISTRIBUTED(1)) nodes_b (
+        .clk(clk), .write(write && is_b), .write_address(fill_tag[SETS+1:0]),
+        .write_data(fill_data), .read(head_b), .read_address(head_slot_b),
+        .read_data(node_b[128*k +: 128])
+      );
+    end
+    for (k = 0; k < 6; k = k + 1) begin : beat
+      localparam [2:0] BEAT = k + 2;
+      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+3)) of_nodes (
+        .clk(clk), .write(fill_q && (beat_q == BEAT)), .write_address(tag_q),
+        .write_data(data_q), .read(boxes_read), .read_address(boxes_slot),
+        .read_data(all[128*k +: 128])
+      );
+    end
+    // Box j is units 3 j ... 3 j + 2 behind the head; unit u is number u mod 8 of beat 2 + u / 8.
+    for (k = 0; k < 8; k = k + 1) begin : unit
+      wire [2:0] beat_of [0:15]; // that of the unit of this number, of a box
+      for (j = 0; j < 16; j = j + 1) begin : of_child
+        localparam [31:0] AT = (3 * j + 23 - k) / 8;
+        assign beat_of[j] = AT[2:0];
+      end
+      sepax_ram #(.WIDTH(16), .ADDRESS(SETS+6)) of_beats (
+        .clk(clk), .write(fill_q), .write_address({tag_q, beat_q}),
+        .write_data(data_q[16*k +: 16]), .read(box_read),
+        .read_address({box_slot, beat_of[box_index]}), .read_data(units[16*k +: 16])
+      );
+      localparam [31:0] CHILD = (3 * k) % 8; // modulo 8, whose box begins with this unit
+      always @(posedge clk) begin
+        first_q[k] <= box_index[2:0] == CHILD[2:0];
+      end
+    end
+    for (i = 0; i < 48; i = i + 1) begin : box_bit
+      wire [7:0] here;
+      for (k = 0; k < 8; k = k + 1) begin : of_unit
+        assign here[k] = units_q[16*k+i%16] && first_q2[(k+8-i/16)%8];
+      end
+      always @(posedge clk) begin
+        box[i] <= |here;
+      end
+    end
+  endgenerate
+
+  always @(posedge clk) begin
+    fill_q <= fill && !rst;
+    beat_q <= fill_beat;
+    tag_q <= fill_tag;
+    data_q <= fill_data;
+    first_q2 <= first_q;
+    units_q <= units;
+    boxes <= all;
+  end
+//@ else
   genvar k;
   generate
     for (k = 0; k < 8; k = k + 1) begin : beat
       wire write = fill && (fill_beat == k[2:0]);
-      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2), .DISTRIBUTED(k < 2)) nodes_a ( //@ fpga
-      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_a ( //@ !fpga
+      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_a (
         .clk(clk), .write(write && !is_b), .write_address(fill_tag[SETS+1:0]),
         .write_data(fill_data), .read(k < 2 ? head_a : read_a),
         .read_address(k < 2 ? head_slot_a : slot_a),
         .read_data(node_a[128*k +: 128])
       );
-      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2), .DISTRIBUTED(k < 2)) nodes_b ( //@ fpga
-      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_b ( //@ !fpga
+      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_b (
         .clk(clk), .write(write && is_b), .write_address(fill_tag[SETS+1:0]),
         .write_data(fill_data), .read(k < 2 ? head_b : read_b),
         .read_address(k < 2 ? head_slot_b : slot_b),
@@ -85,6 +176,7 @@ module sepax_node_cache #(
       );
     end
   endgenerate
+//@ end
 
   always @(posedge clk) begin
     if (rst) begin

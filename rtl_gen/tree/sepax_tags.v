@@ -55,7 +55,8 @@ module sepax_tags #(
   assign miss_valid = miss_q;
   //@ end
   assign found = enter || (state_q == FOUND); //@ !fpga
-  assign slot = {set, decide ? way : way_q};
+  assign slot = {set, decide ? way : way_q}; //@ !fpga
+  assign slot = {set, way_q}; //@ fpga
   assign found = (state_q == FOUND); //@ fpga
 
   genvar w;
@@ -64,7 +65,8 @@ module sepax_tags #(
       wire [WORD-1:0]   word;
       wire [NUMBER-1:0] ago = number - word[NUMBER-1:0]; // 1 ... used: pinned
       sepax_ram #(.WIDTH(WORD), .ADDRESS(SETS)) tags (
-        .clk(clk), .write(forget_q || (enter && (way == w[1:0]))),
+        .clk(clk), .write(forget_q || (enter && (way == w[1:0]))), //@ !fpga
+        .clk(clk), .write(forget_q || (decide && hit_q[w]) || (take && (way_q == w[1:0]))), //@ fpga
         .write_address(forget_q ? forget_set_q : set),
         .write_data(forget_q ? {WORD{1'b0}} : {1'b1, tag_q, number}), .read(read),
         .read_address(set), .read_data(word)

@@ -37,14 +37,29 @@ module sepax_tree_memory #(
   // nodes: each part stands from the cycle after its read on until the next of the same body
   input  wire                  head_read_a,     // read a node of A, bytes 0 ... 31
   input  wire [NODE_SETS+1:0]  head_slot_a,     // its slot
+  //@ if fpga
+  output wire [255:0]          node_a,          // byte 0 lowest
+  //@ else
   input  wire                  node_read_a,     // read a node of A, bytes 32 ... 127
   input  wire [NODE_SETS+1:0]  node_slot_a,     // its slot
   output wire [1023:0]         node_a,          // both parts, byte 0 lowest
+  //@ end
   input  wire                  head_read_b,     // read a node of B, bytes 0 ... 31
   input  wire [NODE_SETS+1:0]  head_slot_b,     // its slot
+  //@ if fpga
+  output wire [255:0]          node_b,          // byte 0 lowest
+  input  wire                  box_read,        // read the box of a node's child
+  input  wire [NODE_SETS+2:0]  box_slot,        // {of B, slot} of the node
+  input  wire [3:0]            box_index,       // the child
+  output wire [47:0]           box,             // {high z, y, x, low z, y, x}, 3 cycles later
+  input  wire                  boxes_read,      // read all boxes of a node, bytes 32 ... 127
+  input  wire [NODE_SETS+2:0]  boxes_slot,      // {of B, slot}
+  output wire [767:0]          boxes,           // from the second cycle after it
+  //@ else
   input  wire                  node_read_b,     // read a node of B, bytes 32 ... 127
   input  wire [NODE_SETS+1:0]  node_slot_b,     // its slot
   output wire [1023:0]         node_b,          // both parts
+  //@ end
   // pairs of leaves in, out; release
   input  wire                  leaf_in_valid,   // a pair is wanted; stands until taken or dropped
   output wire                  leaf_in_ready,   // it is taken
@@ -88,16 +103,55 @@ module sepax_tree_memory #(
   wire [3:0]           leaf_beats;
   wire [NODE_SETS+2:0] node_tag;
   wire [LEAF_SETS+2:0] leaf_tag;
+  //@ if fpga
+  reg                  fill, fill_last, fill_error;
+  reg  [127:0]         fill_data;
+  reg  [3:0]           fill_beat;
+  reg  [TAG-1:0]       fill_tag;
+  //@ else
   wire                 fill, fill_last, fill_error;
   wire [127:0]         fill_data;
   wire [3:0]           fill_beat;
   wire [TAG-1:0]       fill_tag;
+  //@ end
   wire                 of_leaf = fill_tag[TAG-1];
   wire [119:0]         numbers;   // a beat as numbers of vertices
   wire [3*W-1:0]       even, odd; // as two vertices
   wire                 busy;      // no other record may come
 
-  assign idle = leaf_idle && read_idle;
+  assign idle = leaf_idle && read_idle; //@ !fpga
+  //@ if fpga
+  // Registers in front of the read master, and one behind it.
+  reg                  node_asked_q, leaf_asked_q; // bursts wait
+  reg  [ADDRESS-5:0]   node_address_q, leaf_address_q;
+  reg  [3:0]           leaf_beats_q;
+  reg  [NODE_SETS+2:0] node_tag_q;
+  reg  [LEAF_SETS+2:0] leaf_tag_q;
+  wire                 read_fill, read_last, read_error;
+  wire [127:0]         read_data;
+  wire [3:0]           read_beat;
+  wire [TAG-1:0]       read_tag;
+
+  assign idle = leaf_idle && read_idle && !node_asked_q && !leaf_asked_q && !fill;
+  always @(posedge clk) begin
+    if (rst) begin
+      {node_asked_q, leaf_asked_q, fill} <= 3'd0;
+    end else begin
+      node_asked_q <= node_asked_q ? !read_ready || leaf_asked_q : node_miss;
+      leaf_asked_q <= leaf_asked_q ? !read_ready : leaf_miss;
+      fill <= read_fill;
+    end
+    if (!node_asked_q) begin
+      {node_address_q, node_tag_q} <= {node_address, node_tag};
+    end
+    if (!leaf_asked_q) begin
+      {leaf_address_q, leaf_beats_q, leaf_tag_q} <= {leaf_address, leaf_beats, leaf_tag};
+    end
+    {fill_last, fill_error, fill_data, fill_beat, fill_tag} <= {
+      read_last, read_error, read_data, read_beat, read_tag
+    };
+  end
+  //@ end
 
   genvar k;
   generate
@@ -118,10 +172,20 @@ module sepax_tree_memory #(
     .in_a(node_in_a), .in_b(node_in_b), .in_info(node_in_info), .out_valid(node_out_valid),
     .out_ready(node_out_ready), .out_a(node_out_a), .out_b(node_out_b), .out_info(node_out_info),
     .out_error(node_out_error), .done(node_release), .head_a(head_read_a),
+    //@ if fpga
+    .head_slot_a(head_slot_a), .node_a(node_a), .head_b(head_read_b), .head_slot_b(head_slot_b),
+    .node_b(node_b), .box_read(box_read), .box_slot(box_slot), .box_index(box_index), .box(box),
+    .boxes_read(boxes_read), .boxes_slot(boxes_slot), .boxes(boxes),
+    //@ else
     .head_slot_a(head_slot_a), .read_a(node_read_a), .slot_a(node_slot_a), .node_a(node_a),
     .head_b(head_read_b), .head_slot_b(head_slot_b), .read_b(node_read_b), .slot_b(node_slot_b),
     .node_b(node_b),
+    //@ end
+    //@ if fpga
+    .miss_valid(node_miss), .miss_ready(!node_asked_q), .miss_address(node_address),
+    //@ else
     .miss_valid(node_miss), .miss_ready(read_ready && !leaf_miss), .miss_address(node_address),
+    //@ end
     .miss_tag(node_tag), .fill(fill && !of_leaf), .fill_data(fill_data),
     .fill_beat(fill_beat[2:0]), .fill_last(fill_last), .fill_error(fill_error),
     .fill_tag(fill_tag[NODE_SETS+2:0])
@@ -138,19 +202,31 @@ module sepax_tree_memory #(
     .slot_a(triangle_slot_a), .triangle_a(triangle_a), .read_b(triangle_read_b),
     .slot_b(triangle_slot_b), .triangle_b(triangle_b), .corners_read_b(corners_read_b),
     .corners_slot_b(corners_slot_b), .corners_b(corners_b), .miss_valid(leaf_miss),
-    .miss_ready(read_ready), .miss_address(leaf_address), .miss_beats(leaf_beats),
+    .miss_ready(read_ready), .miss_address(leaf_address), .miss_beats(leaf_beats), //@ !fpga
+    .miss_ready(!leaf_asked_q), .miss_address(leaf_address), .miss_beats(leaf_beats), //@ fpga
     .miss_tag(leaf_tag), .fill(fill && of_leaf), .fill_numbers(numbers), .fill_even(even),
     .fill_odd(odd), .fill_beat(fill_beat), .fill_last(fill_last), .fill_error(fill_error),
     .fill_tag(fill_tag[LEAF_SETS+2:0]), .busy(busy), .idle(leaf_idle)
   );
   // Leaves go first: the core waits for them.
   sepax_axi_read #(.ADDRESS(ADDRESS), .TAG(TAG), .OPEN(OPEN)) read (
+    //@ if fpga
+    .clk(clk), .rst(rst), .in_valid(leaf_asked_q || node_asked_q), .in_ready(read_ready),
+    .in_address(leaf_asked_q ? leaf_address_q : node_address_q),
+    .in_beats(leaf_asked_q ? leaf_beats_q : 4'd7),
+    .in_tag(leaf_asked_q ? {1'b1, {(NODE_SETS-LEAF_SETS){1'b0}}, leaf_tag_q}
+                         : {1'b0, node_tag_q}),
+    .pause(busy), .out_valid(read_fill),
+    .out_data(read_data), .out_beat(read_beat), .out_last(read_last), .out_error(read_error),
+    .out_tag(read_tag), .idle(read_idle),
+    //@ else
     .clk(clk), .rst(rst), .in_valid(leaf_miss || node_miss), .in_ready(read_ready),
     .in_address(leaf_miss ? leaf_address : node_address),
     .in_beats(leaf_miss ? leaf_beats : 4'd7),
     .in_tag(leaf_miss ? {1'b1, {(NODE_SETS-LEAF_SETS){1'b0}}, leaf_tag} : {1'b0, node_tag}),
     .pause(busy), .out_valid(fill), .out_data(fill_data), .out_beat(fill_beat),
     .out_last(fill_last), .out_error(fill_error), .out_tag(fill_tag), .idle(read_idle),
+    //@ end
     .arvalid(arvalid), .arready(arready), .araddr(araddr), .arlen(arlen), .rvalid(rvalid),
     .rready(rready), .rdata(rdata), .rresp(rresp), .rlast(rlast)
   );
