@@ -1,9 +1,11 @@
 # fpga.mk - the design DESIGN_NAME on the FPGAs of its TARGET: mapped, routed, its gates simulated.
 
 FPGA  = $(CORE)/fpga
-ROUTE = $(FPGA)/route$(DEVICE:%=-%)$(PACKAGE:%=-%)$(if $(SEEDS),-$(shell echo $(SEEDS) | tr ' ' _))
+ROUTE = $(FPGA)/route$(DEVICE:%=-%)$(PACKAGE:%=-%)$(PLACER:%=-%)$(if \
+        $(SEEDS),-$(shell echo $(SEEDS) | tr ' ' _))
 
-ROUTED = $(if $(DEVICE),-d $(DEVICE)) $(if $(PACKAGE),-k $(PACKAGE)) $(if $(SEEDS),-s "$(SEEDS)")
+ROUTED = $(if $(DEVICE),-d $(DEVICE)) $(if $(PACKAGE),-k $(PACKAGE)) \
+         $(if $(PLACER),-p $(PLACER)) $(if $(SEEDS),-s "$(SEEDS)")
 
 .PHONY: routed routable fpga-file netlist gates mapped timed assigned powered
 
@@ -11,7 +13,7 @@ mapped timed assigned powered:
 	@echo "$@: gates are of TARGET=asic; make fpga counts the cells of $(TARGET)" >&2; exit 2
 
 $(FPGA)/fpga.json: $(RTL) $(wildcard synth/fpga/map synth/fpga/count.jq synth/fpga/ports.jq \
-                     synth/fpga/families.json synth/fpga/cells/* \
+                     synth/fpga/outreg.jq synth/fpga/families.json synth/fpga/cells/* \
                      synth/fpga/vivado.tcl synth/common synth/netlist.jq)
 	@echo "  YOSYS   $(DESIGN_NAME)"
 	@synth/fpga/map $(if $(PART),-r $(PART)) -o $(FPGA) $(CORE)/rtl
