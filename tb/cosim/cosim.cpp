@@ -28,6 +28,7 @@ enum {
   KEY_SAMPLE,
   KEY_BITS,
   KEY_OVERLAPS,
+  KEY_POWERS,
   KEY_CORNERS,
   KEY_WITHIN,
   KEY_BEYOND,
@@ -46,6 +47,8 @@ const argp_option options_table[] = {
      "instead of those families, coordinates at the ends and the middle of the range", 0},
     {"overlaps", KEY_OVERLAPS, nullptr, 0,
      "instead of those families, pairs in a plane or on a line that overlap by one vertex each", 0},
+    {"powers", KEY_POWERS, nullptr, 0,
+     "instead of those families, coordinates that are 0 or powers of two", 0},
 #ifdef SEPAX_EXTENT_A
     {"within", KEY_WITHIN, nullptr, 0, "those families within the extents of the design", 0},
     {"beyond", KEY_BEYOND, nullptr, 0, "the same, one triangle of each pair beyond them", 0},
@@ -97,6 +100,7 @@ error_t parse(int key, char *text, argp_state *state) {
   case KEY_SAMPLE:
   case KEY_BITS:
   case KEY_OVERLAPS:
+  case KEY_POWERS:
     choose_source(o, state, key, text);
     return 0;
   case ARGP_KEY_ARG:
@@ -130,6 +134,8 @@ Source open_source(const Options &o) {
     return corner_source(o.count, o.seed);
   case KEY_OVERLAPS:
     return overlap_source(o.count, o.seed);
+  case KEY_POWERS:
+    return power_source(o.count, o.seed);
 #ifdef SEPAX_EXTENT_A
   case KEY_WITHIN:
     return family_source(o.count, o.seed, "all", draw_extents<false>);

@@ -90,6 +90,15 @@ template <typename Pair> auto &coordinate(Pair &pair, int k) {
   return k % 3 == 0 ? v.x : k % 3 == 1 ? v.y : v.z;
 }
 
+// exact has no normals.
+inline sepax_pair pair_with_normals(sepax_pair pair) {
+  if (!SEPAX_EXACT) {
+    pair.na = sepax_unit_normal(&pair.a, SEPAX_WORD);
+    pair.nb = sepax_unit_normal(&pair.b, SEPAX_WORD);
+  }
+  return pair;
+}
+
 // Coordinate k of the pair is value[digit of base^k in n].
 template <unsigned base> sepax_pair pair_of_digits(uint64_t n, const int32_t (&value)[base]) {
   sepax_pair pair{};
@@ -97,11 +106,7 @@ template <unsigned base> sepax_pair pair_of_digits(uint64_t n, const int32_t (&v
     coordinate(pair, k) = value[n % base];
     n /= base;
   }
-  if (!SEPAX_EXACT) { // that architecture has no normals
-    pair.na = sepax_unit_normal(&pair.a, SEPAX_WORD);
-    pair.nb = sepax_unit_normal(&pair.b, SEPAX_WORD);
-  }
-  return pair;
+  return pair_with_normals(pair);
 }
 
 constexpr uint64_t TERNARY_PAIRS = 387420489; // 3^18
@@ -173,11 +178,27 @@ inline Source overlap_source(uint64_t count, uint64_t seed) {
       coordinate(pair, of + 1) = (int32_t)(direction[1] * place);
       coordinate(pair, of + 2) = (int32_t)(line ? direction[2] * place : above[k]);
     }
-    if (!SEPAX_EXACT) {
-      pair.na = sepax_unit_normal(&pair.a, SEPAX_WORD);
-      pair.nb = sepax_unit_normal(&pair.b, SEPAX_WORD);
+    return pair_with_normals(pair);
+  });
+}
+
+// Each coordinate is 0 or a power of two, of either sign: orient2d and orient3d often are one, too,
+// and so have a single bit that tells them from 0. Every other pair is in a plane.
+inline Source power_source(uint64_t count, uint64_t seed) {
+  return counted(count, [random = sepax_random{seed}](uint64_t n) mutable {
+    sepax_pair pair{};
+    const int64_t copied = sepax_random_range(&random, 0, 2); // z is x, y or 0
+    const int64_t least = sepax_random_range(&random, 0, SEPAX_WORD - 1);
+    for (int k = 0; k < 18; k++) {
+      const int64_t exponent = sepax_random_range(&random, least - 2, SEPAX_WORD - 1);
+      const int64_t power = exponent < least ? 0 : -(INT64_C(1) << exponent);
+      const bool positive = exponent < SEPAX_WORD - 1 && sepax_random_range(&random, 0, 1) != 0;
+      coordinate(pair, k) = (int32_t)(positive ? -power : power);
+      if (n % 2 != 0 && k % 3 == 2) {
+        coordinate(pair, k) = copied == 2 ? 0 : coordinate(pair, k - 2 + (int)copied);
+      }
     }
-    return pair;
+    return pair_with_normals(pair);
   });
 }
 
