@@ -148,6 +148,8 @@ static bool read_collision(reader *r, const xmlNode *node, size_t link, sepax_er
   }
   robot->shape = grown;
   if (!read_origin(r, node, &shape.origin, error) || !read_geometry(r, node, &shape, error)) {
+    free(shape.name);
+    free(shape.path);
     return false;
   }
   robot->shape[robot->shapes++] = shape;
