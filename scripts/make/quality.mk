@@ -62,3 +62,9 @@ fuzz:
 	          -fsanitize=fuzzer-no-link" fuzzers
 	@tb/fuzz/run $(if $(call given,COUNT),-c $(COUNT)) -s $(SEED) $(BUILD)/fuzz $(TARGETS)
 fuzzers: $(FUZZ)
+
+# Which share of small faults in the C code the unit tests see.
+.PHONY: mutation-c
+mutation-c:
+	@tb/mutants/run $(if $(call given,COUNT),-c $(COUNT)) -s $(SEED) $(BUILD)/mutants \
+	  $(or $(PLACES),c_model/verdict c_model/batch)

@@ -1,0 +1,72 @@
+# sites.awk - where a C file can be changed: a line for each mutant with the line, the column, how
+# many characters are replaced, what is there and what comes there instead, separated by tabs.
+#
+# The layout is that of clang-format: a binary operator has blanks around it. Comments, strings,
+# preprocessor lines and declarations of pointers stay.
+
+BEGIN {
+  FS = "\t"
+  count = split("<= < >= > == != && || << >> += -= ++ -- &= |= < > + - * / % & | ^", from, " ")
+  split("< <= > >= != == || && >> << -= += -- ++ |= &= <= >= - + + * * | & |", to, " ")
+}
+
+function site(column, length_, what, instead) {
+  printf "%d\t%d\t%d\t%s\t%s\n", FNR, column, length_, what, instead
+}
+
+# The line with blanks in place of comments, strings and characters.
+function code_of(line,    out, i, c, quote) {
+  out = ""
+  for (i = 1; i <= length(line); i++) {
+    c = substr(line, i, 1)
+    if (comment) {
+      if (substr(line, i, 2) == "*/") { comment = 0; out = out "  "; i++ } else out = out " "
+    } else if (quote != "") {
+      if (c == "\\") { out = out "  "; i++ } else { out = out " "; if (c == quote) quote = "" }
+    } else if (substr(line, i, 2) == "/*") { comment = 1; out = out "  "; i++ }
+    else if (c == "\"" || c == "'") { quote = c; out = out " " }
+    else out = out c
+  }
+  return out
+}
+
+{
+  directive = continued || $0 ~ /^ *#/
+  continued = directive && $0 ~ /\\$/
+  code = code_of($0)
+  if (directive || code ~ /^ *(typedef|extern|_Static_assert)/) next
+
+  for (i = 1; i <= length(code); i++) {
+    c = substr(code, i, 1)
+    if (c ~ /[0-9]/ && substr(code, i - 1, 1) !~ /[A-Za-z0-9_.]/) {
+      match(substr(code, i), /^[0-9A-Za-z_.]+/)
+      number = substr(code, i, RLENGTH)
+      if (number ~ /^[0-9]+$/) site(i, RLENGTH, number, number + 1)
+      i += RLENGTH - 1
+      continue
+    }
+    if (c == "!" && substr(code, i + 1, 1) ~ /[A-Za-z_(]/) { site(i, 1, "!", ""); continue }
+    if (match(substr(code, i), /^(true|false)/) && substr(code, i - 1, 1) !~ /[A-Za-z0-9_]/ &&
+        substr(code, i + RLENGTH, 1) !~ /[A-Za-z0-9_]/) {
+      word = substr(code, i, RLENGTH)
+      site(i, RLENGTH, word, word == "true" ? "false" : "true")
+      i += RLENGTH - 1
+      continue
+    }
+    for (k = 1; k <= count; k++) {
+      long = length(from[k])
+      if (substr(code, i, long) != from[k]) continue
+      around = substr(code, i - 1, 1) == " " && substr(code, i + long, 1) ~ /^ ?$/
+      if (around || from[k] == "++" || from[k] == "--") site(i, long, from[k], to[k])
+      i += long - 1
+      break
+    }
+  }
+  # A statement that is an assignment or a call.
+  if (code ~ /^ +[a-z_][A-Za-z0-9_.>\[\]*()& -]*( [-+*\/|&^]?= .*|\(.*\));$/ &&
+      code !~ /^ +(return|const|static|int|bool|double|float|size_t|char|long|unsigned|struct) / &&
+      code !~ /^ +(enum |u?int[0-9]+_t |[a-z_]+ \*?[a-z_]+ =)/) {
+    match(code, /[^ ]/)
+    site(RSTART, length(code) - RSTART + 1, "statement", ";")
+  }
+}
