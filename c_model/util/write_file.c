@@ -50,7 +50,9 @@ static bool is_free(const char *path, sepax_error *error) {
          sepax_fail(error, "%.300s: not written: exists and is no file; name another", path);
 }
 
-bool write_file_possible(const char *path, sepax_error *error) {
+/* Without `write` the file aside is made and removed. */
+static bool write_aside(const char *path, bool (*write)(FILE *out, const void *context),
+                        const void *context, sepax_error *error) {
   if (!is_free(path, error)) {
     return false;
   }
@@ -58,26 +60,13 @@ bool write_file_possible(const char *path, sepax_error *error) {
   char *aside = malloc(size);
   int ticket = -1;
   FILE *out = aside == NULL ? NULL : open_aside(aside, size, path, &ticket);
-  bool ok = out != NULL || fail_writing(path, error);
-  if (out != NULL) {
+  bool ok = out != NULL;
+  if (ok && write == NULL) {
     fclose(out);
     unlink(aside);
+  } else if (ok) {
+    ok = finish(out, write(out, context), aside, path);
   }
-  temporary_drop(ticket);
-  free(aside);
-  return ok;
-}
-
-bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *context),
-                      const void *context, sepax_error *error) {
-  if (!is_free(path, error)) {
-    return false;
-  }
-  size_t size = strlen(path) + 64;
-  char *aside = malloc(size);
-  int ticket = -1;
-  FILE *out = aside == NULL ? NULL : open_aside(aside, size, path, &ticket);
-  bool ok = out != NULL && finish(out, write(out, context), aside, path);
   int reason = errno;
   temporary_drop(ticket);
   errno = reason;
@@ -86,4 +75,13 @@ bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *con
   }
   free(aside);
   return ok;
+}
+
+bool write_file_possible(const char *path, sepax_error *error) {
+  return write_aside(path, NULL, NULL, error);
+}
+
+bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *context),
+                      const void *context, sepax_error *error) {
+  return write_aside(path, write, context, error);
 }
