@@ -119,9 +119,10 @@ module sepax_tree_memory #(
   wire [3*W-1:0]       even, odd; // as two vertices
   wire                 busy;      // no other record may come
 
-  assign idle = leaf_idle && read_idle; //@ !fpga
+  assign idle = leaf_idle && read_idle;
   //@ if fpga
-  // Registers in front of the read master, and one behind it.
+  // Registers in front of the read master, and one behind it. A request that waits for more than a
+  // cycle finds a burst open, so that `idle` holds for it.
   reg                  node_asked_q, leaf_asked_q; // bursts wait
   reg  [ADDRESS-5:0]   node_address_q, leaf_address_q;
   reg  [3:0]           leaf_beats_q;
@@ -132,7 +133,6 @@ module sepax_tree_memory #(
   wire [3:0]           read_beat;
   wire [TAG-1:0]       read_tag;
 
-  assign idle = leaf_idle && read_idle && !node_asked_q && !leaf_asked_q && !fill;
   always @(posedge clk) begin
     if (rst) begin
       {node_asked_q, leaf_asked_q, fill} <= 3'd0;

@@ -11,7 +11,7 @@ module sepax_tree_bench #(
   input wire [197:0] matrix_m, matrix_k,
   input wire [131:0] shift_t, shift_u,
   input wire [71:0] sigma_a, sigma_b,
-  output wire idle, done, hit, any, stopped, damaged, error,
+  output wire idle, done, hit, any, stopped, damaged, error, memory_idle,
   output wire result_valid, result_coplanar, result_outside, result_warning,
   input wire result_ready,
   output wire [31:0] result_a, result_b, entries, steps, rows, pairs, near_pairs, collisions,
@@ -29,6 +29,7 @@ module sepax_tree_bench #(
   wire in_flight, verdict_valid, verdict_ready;
   wire collision, coplanar, warning, verdict_outside;
 
+  assign memory_idle = engine.memory_idle;
   assign result_b[31:24] = 8'd0;
   assign first_b[31:24] = 8'd0;
   assign first_leaf_a[31:23] = 9'd0;

@@ -92,6 +92,7 @@ public:
     ram.counts.errors = 0;
     results.clear();
     thick = 0;
+    stopped_at = 0;
     top->start = 1;
   }
 
@@ -127,6 +128,10 @@ public:
     }
     thick += top->pair_valid && top->pair_ready && !top->pair_outside && !is_thin();
     bool ended = top->done;
+    idle_at_end = ended && top->memory_idle;
+    if (!top->start && top->stopped && stopped_at == 0) {
+      stopped_at = top->cycles;
+    }
     top.rise();
     top->start = 0;
     return ended;
@@ -136,6 +141,8 @@ public:
   std::vector<Result> results;
   memory ram;
   uint64_t thick; // pairs that are not thinnest along z
+  bool idle_at_end;    // no burst, no record is under way when the run has ended
+  uint64_t stopped_at; // cycles when it was first seen to be stopped; 0: it was not
 
 private:
   uint64_t stress; // a seed, or 0: none

@@ -141,6 +141,11 @@ void compare(Engine &e, const Golden &golden, const Ask &ask) {
   }
   bool finished = !e.top->stopped && !e.top->damaged; // in time, but for what it then waits for
   expect("cycles beyond BUDGET", finished && e.top->cycles > uint64_t(ask.budget) + 100, 0);
+  expect("the memory side idle", e.idle_at_end, 1);
+  uint64_t last = uint64_t(ask.budget) + 1; // STOPPED is a register
+  bool other = ask.stop < UINT64_MAX || (ask.first && e.top->any);
+  expect("CYCLES as BUDGET ends it", e.top->stopped && !other && e.stopped_at != last, 0);
+  expect("STOPPED behind BUDGET", e.top->stopped && e.stopped_at > last, 0);
   if (e.top->stopped && (ask.budget < UINT32_MAX || ask.stop < UINT64_MAX)) {
     expect("DAMAGED", e.top->damaged, 0);
     compare_part(e, golden, ask);
