@@ -106,6 +106,7 @@ static void describe_numbers(const sepax_design *d, bool verilog, FILE *out) {
       {"FLAG", c->flag, true, C_ONLY},
       {"CONFERENCE", 1, c->arch == SEPAX_ARCH_CONFERENCE, MACRO},
       {"BOXES", 1, d->aabb_test, MACRO},
+      {"SKID", 1, c->registered_ready, MACRO},
       {"EXTENT_A", c->extent_a, extents, C_ONLY},
       {"EXTENT_B", c->extent_b, extents, C_ONLY},
       {"LANES", c->lanes, engine, C_ONLY},

@@ -33,6 +33,10 @@ public:
   // Offer the words of the pair until they are taken; under stress a stream has, before some, the
   // pair with a fault. False when the design hangs.
   bool send(uint64_t index, const sepax_pair &pair) {
+    if (index == 0 && HANDSHAKE && stress != 0) {
+      first = pair;
+      capacity = fill();
+    }
     while (STREAMED && stress != 0 && draw() % 16 == 0) {
       damaged++;
       if (!offer(index, pair, faulty())) {
@@ -46,6 +50,9 @@ public:
     while (!scoreboard.empty() && !hung) {
       reset_by_chance();
       step(nullptr, 0);
+    }
+    if (HANDSHAKE && stress != 0 && !hung && fill() != capacity) {
+      complain(nullptr, "not as many pairs are taken, verdicts blocked, as after the first reset");
     }
     for (int i = 0; i < 4 * (SEPAX_LATENCY + SEPAX_II) && !hung; i++) {
       tick(false, true); // a verdict too many is seen here
@@ -128,13 +135,43 @@ private:
   static constexpr uint64_t ALONE_LATENCIES = 3, ALONE_PAIRS = 32;
   // A pair is alone after so many idle cycles. Behind an AABB test or a skid buffer a pair may be
   // taken before the II window of the core, empty by then, ends.
-#if defined SEPAX_BOXES || defined SEPAX_STREAM
+#if defined SEPAX_BOXES || defined SEPAX_STREAM || defined SEPAX_SKID
   static constexpr uint64_t SETTLE = 1 + 2 * SEPAX_II;
 #else
   static constexpr uint64_t SETTLE = 1;
 #endif
+  // Empty for more cycles, a design takes a pair at once.
+  static constexpr uint64_t RESTED = 1 + 2 * SEPAX_II;
   // Cycles of waiting, out_ready high, with no transfer on either side.
   static constexpr uint64_t PATIENCE = 2000 + 64 * (SEPAX_LATENCY + SEPAX_II);
+
+  // How many times the first pair is taken while every verdict is blocked; then all leave.
+  uint64_t fill() {
+    const Outstanding e{0, cycle, false, sepax_judge(&design, &first), first, Travel()};
+    uint64_t taken = 0, more = 0;
+    int word = 0;
+    for (uint64_t refused = 0; (refused < PATIENCE || word > 0) && !hung;) {
+      const bool blocks = refused < PATIENCE; // or the last pair becomes whole
+      drive(*top, first, word, e.travel);
+      if (!tick(true, !blocks)) {
+        refused++;
+        continue;
+      }
+      refused = blocks ? 0 : refused;
+      word = (word + 1) % INPUT_WORDS;
+      if (word == 0 && scoreboard.full()) {
+        hang("more pairs were taken than the design can hold");
+      } else if (word == 0) {
+        scoreboard.push(e);
+        (blocks ? taken : more)++;
+      }
+    }
+    while (!scoreboard.empty() && !hung) {
+      tick(false, true);
+    }
+    judged -= hung ? 0 : taken + more;
+    return taken;
+  }
 
   bool offer(uint64_t index, const sepax_pair &pair, const Travel &t) {
     Outstanding e{index, 0, false, sepax_judge(&design, &pair), pair, t};
@@ -188,6 +225,9 @@ private:
     }
     bool was_empty = scoreboard.empty();
     idle = was_empty ? idle + 1 : 0;
+    if (HANDSHAKE && idle > RESTED && !in_ready(*top)) {
+      complain(nullptr, "it is empty, and not ready for a pair");
+    }
     bool take = offer && in_ready(*top);
     bool give = shown(*top).valid && ready;
     look(ready);
@@ -376,6 +416,7 @@ private:
       top.rise();
     } while (draw() % 3 == 0);
     set_reset(*top, false);
+    idle = 0;
     resets++;
     dropped += scoreboard.size();
     scoreboard.clear();
@@ -408,6 +449,8 @@ private:
   VerilatedTop<Top> top;
   Scoreboard scoreboard;
   bool hung = false;
+  sepax_pair first{};    // pair of a run under stress
+  uint64_t capacity = 0; // pairs that are taken while verdicts are blocked
   Stretch offering{0, 0}, accepting{0, 0};
   Verdict blocked_verdict{}; // shown and blocked in the cycle before
   uint64_t idle = 0;         // cycles for which it has been empty, this one, too

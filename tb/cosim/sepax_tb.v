@@ -67,6 +67,8 @@ module sepax_tb;
 `ifdef SEPAX_BOXES
   // A pair may be taken before the II window of the core, empty by then, ends.
   localparam SETTLE = 2 * II;
+`elsif SEPAX_SKID
+  localparam SETTLE = 2 * II;
 `else
   localparam SETTLE = 0;
 `endif

@@ -386,10 +386,14 @@ static void self_test(unsigned long long rounds, unsigned long long beats, bool 
     round_of(a, b, paced);
     made++;
   }
-  overlap(a, b, 100, 100, paced);
-  one_plane(a, b, paced);
-  refusals();
-  controls(a, b);
+  if (wrong == 0) {
+    overlap(a, b, 100, 100, paced);
+    one_plane(a, b, paced);
+  }
+  if (wrong == 0) {
+    refusals();
+    controls(a, b);
+  }
   printf("%llu rounds, %llu transfers, %llu cycles, %llu wrong\n", made,
          (unsigned long long)bus_beats(), (unsigned long long)bus_cycles(), wrong);
   free(a);

@@ -10,6 +10,10 @@
 #include <deque>
 #include <memory>
 
+#ifndef PATIENCE
+#define PATIENCE 10000000 // cycles without a transfer while one is waited for
+#endif
+
 namespace {
 
 // One direction of a channel that the engine drives: valid and data stand until ready.
@@ -188,7 +192,7 @@ private:
     waited = 0;
     uint64_t begin = cycles;
     while (!met()) {
-      if (waited > 10000000 || cycles - begin > limit) {
+      if (waited > PATIENCE || cycles - begin > limit) {
         breach("it hangs");
         return false;
       }
