@@ -74,6 +74,7 @@ $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/campaign: $(call object,tb/benchmark/campaign.c) $(ORACLE_OBJ) $(LIB)
+$(BUILD)/hard-pairs: $(call object,tb/benchmark/hard.c) $(LIB)
 $(BUILD)/refine: $(call object,tb/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/certificate-check: $(CHECKER_OBJ)
@@ -85,7 +86,7 @@ $(BUILD)/certificate-check: LIBS = -ljansson -lxml2
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 $(BUILD)/clearance-test $(BUILD)/campaign: LIBS = -lgmp
 $(SEPAX) $(addprefix $(BUILD)/,bench_batch campaign clearance-test liberty power refine) \
-    $(BUILD)/certificate-check $(BUILD)/certificate-grazes $(BUILD)/bench:
+    $(addprefix $(BUILD)/,certificate-check certificate-grazes hard-pairs) $(BUILD)/bench:
 	$(link)
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson

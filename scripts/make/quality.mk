@@ -1,6 +1,6 @@
 # quality.mk - static analysis and sanitizers.
 
-.PHONY: static sanitize c_tests raced coverage fuzz fuzzers
+.PHONY: static sanitize c_tests raced coverage fuzz fuzz-targets fuzzers
 OF_TREE = $(wildcard tb/batch/*.c examples/tree/*.c) synth/power/tree.c
 C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
           $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c examples/engine/*.c \
@@ -55,13 +55,24 @@ raced: $(BUILD)/unit/body/threads
 
 # Fuzz targets with libFuzzer and the sanitizers of clang.
 CLANG ?= clang
-fuzz:
+fuzz: fuzz-targets
+	@tb/fuzz/run $(if $(call given,COUNT),-c $(COUNT)) -s $(SEED) $(BUILD)/fuzz $(TARGETS)
+fuzz-targets:
 	@tb/fuzz/run -k "$(CLANG)"
 	@$(MAKE) BUILD=$(BUILD)/fuzz CC="$(CLANG)" FUZZER=-fsanitize=fuzzer \
 	  CFLAGS="-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -DUNLIMITED \
 	          -fsanitize=fuzzer-no-link" fuzzers
-	@tb/fuzz/run $(if $(call given,COUNT),-c $(COUNT)) -s $(SEED) $(BUILD)/fuzz $(TARGETS)
 fuzzers: $(FUZZ)
+
+# One page of what stands of all that; nothing is run.
+.PHONY: verify
+verify:
+	@scripts/verify $(BUILD)
+
+# Campaigns on a Slurm cluster of four nodes on this computer; COUNT jobs.
+.PHONY: slurm-trial
+slurm-trial: $(BUILD)/hard-pairs
+	@tb/campaign/slurm $(BUILD)/slurm $(if $(call given,COUNT),$(COUNT))
 
 # Which share of small faults in the C code the unit tests see.
 .PHONY: mutation-c
