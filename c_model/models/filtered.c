@@ -90,10 +90,10 @@ bool sepax_filtered(const sepax_tri *a, const sepax_tri *b, bool *settled) {
   judged_points p;
   p.doubt = false;
   for (int i = 0; i < 6; i++) {
-    sepax_vec v = i < 3 ? a->v[i] : b->v[i - 3];
-    p.v[i][0] = v.x;
-    p.v[i][1] = v.y;
-    p.v[i][2] = v.z;
+    const sepax_vec *v = i < 3 ? &a->v[i] : &b->v[i - 3];
+    p.v[i][0] = v->x;
+    p.v[i][1] = v->y;
+    p.v[i][2] = v->z;
   }
   bool collision = guigue_collide(&p, orient3d, coplanar);
   if (settled != NULL) {

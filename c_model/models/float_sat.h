@@ -7,8 +7,8 @@ typedef struct {
 
 static void NAME(load)(NAME(vec) p[6], const sepax_tri *a, const sepax_tri *b) {
   for (int i = 0; i < 6; i++) {
-    sepax_vec v = i < 3 ? a->v[i] : b->v[i - 3];
-    p[i] = (NAME(vec)){(REAL)v.x, (REAL)v.y, (REAL)v.z};
+    const sepax_vec *v = i < 3 ? &a->v[i] : &b->v[i - 3];
+    p[i] = (NAME(vec)){(REAL)v->x, (REAL)v->y, (REAL)v->z};
   }
 }
 
