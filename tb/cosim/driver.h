@@ -35,7 +35,8 @@ public:
   bool send(uint64_t index, const sepax_pair &pair) {
     if (index == 0 && HANDSHAKE && stress != 0) {
       first = pair;
-      capacity = fill();
+      capacity = fill(false);
+      check_capacity();
     }
     while (STREAMED && stress != 0 && draw() % 16 == 0) {
       damaged++;
@@ -51,7 +52,7 @@ public:
       reset_by_chance();
       step(nullptr, 0);
     }
-    if (HANDSHAKE && stress != 0 && !hung && fill() != capacity) {
+    if (HANDSHAKE && stress != 0 && !hung && fill(true) != capacity) {
       complain(nullptr, "not as many pairs are taken, verdicts blocked, as after the first reset");
     }
     for (int i = 0; i < 4 * (SEPAX_LATENCY + SEPAX_II) && !hung; i++) {
@@ -142,11 +143,24 @@ private:
 #endif
   // Empty for more cycles, a design takes a pair at once.
   static constexpr uint64_t RESTED = 1 + 2 * SEPAX_II;
+#if defined SEPAX_BOXES
+  static constexpr uint64_t BOXES = 1;
+#else
+  static constexpr uint64_t BOXES = 0;
+#endif
+#if defined SEPAX_SKID || defined SEPAX_STREAM
+  static constexpr uint64_t SKID = 1;
+#else
+  static constexpr uint64_t SKID = 0;
+#endif
+  static constexpr uint64_t STAGES = BOXES + SKID;
+  static constexpr int LEAVES = 1 + (int)SKID; // cycles from a verdict that leaves to a pair
   // Cycles of waiting, out_ready high, with no transfer on either side.
   static constexpr uint64_t PATIENCE = 2000 + 64 * (SEPAX_LATENCY + SEPAX_II);
 
-  // How many times the first pair is taken while every verdict is blocked; then all leave.
-  uint64_t fill() {
+  // How many times the first pair is taken while every verdict is blocked; then all leave. Slowly:
+  // a pair is offered when the one before has gone as far as it can.
+  uint64_t fill(bool slowly) {
     const Outstanding e{0, cycle, false, sepax_judge(&design, &first), first, Travel()};
     uint64_t taken = 0, more = 0;
     int word = 0;
@@ -164,6 +178,21 @@ private:
       } else if (word == 0) {
         scoreboard.push(e);
         (blocks ? taken : more)++;
+        for (int i = 0; slowly && blocks && i < 2 * (SEPAX_LATENCY + SEPAX_II); i++) {
+          tick(false, false);
+        }
+      }
+    }
+    if (INPUT_WORDS == 1 && !hung) { // in place of a verdict that leaves a pair is taken
+      bool took = tick(true, true);
+      for (int i = 0; i < LEAVES && !took; i++) {
+        took = tick(true, true);
+      }
+      if (took) {
+        scoreboard.push(e);
+        more++;
+      } else {
+        complain(nullptr, "a verdict has left, and no pair is taken");
       }
     }
     while (!scoreboard.empty() && !hung) {
@@ -171,6 +200,14 @@ private:
     }
     judged -= hung ? 0 : taken + more;
     return taken;
+  }
+
+  // The entries of the reorder buffer are a power of two; each stage before it holds a pair more.
+  void check_capacity() {
+    const uint64_t entries = capacity < STAGES ? 0 : capacity - STAGES;
+    if (!STREAMED && (entries == 0 || (entries & (entries - 1)) != 0)) {
+      complain(nullptr, std::to_string(capacity) + " pairs are taken, verdicts blocked");
+    }
   }
 
   bool offer(uint64_t index, const sepax_pair &pair, const Travel &t) {

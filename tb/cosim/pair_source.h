@@ -144,7 +144,7 @@ inline Source corner_source(uint64_t count, uint64_t seed) {
 inline void draw_depths(sepax_random *random, int64_t low, int64_t high, int64_t number[6]) {
   const int64_t depth = sepax_random_range(random, -2, 1) < 0
                             ? sepax_random_range(random, -2, 2)
-                            : sepax_random_range(random, -1, (high - low) / 2 - 1);
+                            : sepax_random_range(random, -1, high - low - 2);
   const int64_t least = sepax_random_range(random, low + 1, high - 1 - (depth > 0 ? depth : 0));
   const int64_t greatest = std::max(least + depth, low);
   for (int k = 0; k < 3; k++) {
