@@ -181,7 +181,9 @@ typedef struct {
   float axis[3][3], centre[3], half[3];
 } oriented;
 
-static void set_axes(oriented *r, const axes a) {
+/* A function of its own, as what reads the axes back needs them rounded: inlined, gcc 12 with -O3
+ * takes the doubles. */
+static __attribute__((noinline)) void set_axes(oriented *r, const axes a) {
   for (int k = 0; k < 9; k++) {
     r->axis[k / 3][k % 3] = (float)a[k / 3][k % 3];
   }
