@@ -62,7 +62,9 @@ verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { $(VERILATOR) --cc 
            --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
            { tail -20 ../$(@F).log >&2; exit 1; }; }
 COSIM_OPT  ?= -O3
-COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=$(COSIM_OPT) OPT_GLOBAL=-O2" \
+# What is not optimised compiles fastest as one file, for each has the header of all signals.
+ONE_FILE    = $(if $(filter -O0,$(COSIM_OPT)),--output-split 100000000)
+COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=$(COSIM_OPT) OPT_GLOBAL=-O2" $(ONE_FILE) \
               -CFLAGS "-I$(abspath c_model) -I../rtl"
 
 $(COSIM): $(COSIM_DEPS)
