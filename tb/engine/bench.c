@@ -411,7 +411,8 @@ int main(int argc, char **argv) {
   for (int i = 1; i < argc; i++) {
     char *end = argv[i];
     if (number_after(argv[i], "--stress=", &stress) ||
-        number_after(argv[i], "--rounds=", &rounds) || number_after(argv[i], "--beats=", &beats)) {
+        number_after(argv[i], "--rounds=", &rounds) || number_after(argv[i], "--beats=", &beats) ||
+        argv[i][0] == '+') {
       continue;
     }
     if (strncmp(argv[i], "--resolution=", 13) == 0) {
@@ -434,6 +435,7 @@ int main(int argc, char **argv) {
           error.text);
   design.latency = SEPAX_LATENCY;
   rng.state = 1 + stress;
+  bus_arguments(argc, argv);
   bus_open(stress, wave);
   const sepax_bus bus = {NULL, bus_read, bus_write, bus_send, bus_receive};
   check(sepax_device_open(&device, &bus), "open");
