@@ -61,10 +61,10 @@ verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { $(VERILATOR) --cc 
            --top-module $(1) -f sepax.f $(VIEW_MACRO) $(2) $(3) \
            --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
            { tail -20 ../$(@F).log >&2; exit 1; }; }
+# For a short run one file compiles fastest: each has the header of all signals.
+one_file    = $(if $(filter -O0 -O1,$(1)),--output-split 100000000 --output-split-cfuncs 20000)
 COSIM_OPT  ?= -O3
-# What is not optimised compiles fastest as one file, for each has the header of all signals.
-ONE_FILE    = $(if $(filter -O0,$(COSIM_OPT)),--output-split 100000000)
-COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=$(COSIM_OPT) OPT_GLOBAL=-O2" $(ONE_FILE) \
+COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=$(COSIM_OPT) OPT_GLOBAL=-O2" $(call one_file,$(COSIM_OPT)) \
               -CFLAGS "-I$(abspath c_model) -I../rtl"
 
 $(COSIM): $(COSIM_DEPS)
@@ -96,7 +96,7 @@ ENGINE     = $(CORE)/engine
 ENGINE_OBJ = $(CORE)/obj-c
 ENGINE_C   = $(addprefix $(ENGINE_OBJ)/,bench.o refusals.o sepax_driver.o)
 ENGINE_OPT ?= -O3
-BUS_FLAGS   = -MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" \
+BUS_FLAGS   = -MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" $(call one_file,$(ENGINE_OPT)) \
               -CFLAGS "-I$(abspath tb) -I$(abspath c_model) -I../rtl"
 
 vpath %.c tb/engine examples/engine
