@@ -1,11 +1,12 @@
 # fpga.mk - the design DESIGN_NAME on the FPGAs of its TARGET: mapped, routed, its gates simulated.
 
 FPGA  = $(CORE)/fpga
-ROUTE = $(FPGA)/route$(DEVICE:%=-%)$(PACKAGE:%=-%)$(PLACER:%=-%)$(if \
+ROUTE = $(FPGA)/route$(DEVICE:%=-%)$(PACKAGE:%=-%)$(PLACER:%=-%)$(PLACEMENTS:%=-%x)$(if \
         $(SEEDS),-$(shell echo $(SEEDS) | tr ' ' _))
 
 ROUTED = $(if $(DEVICE),-d $(DEVICE)) $(if $(PACKAGE),-k $(PACKAGE)) \
-         $(if $(PLACER),-p $(PLACER)) $(if $(SEEDS),-s "$(SEEDS)")
+         $(if $(PLACER),-p $(PLACER)) $(if $(PLACEMENTS),-n $(PLACEMENTS)) \
+         $(if $(SEEDS),-s "$(SEEDS)")
 
 .PHONY: routed routable fpga-file netlist gates mapped timed assigned powered
 
@@ -18,7 +19,7 @@ $(FPGA)/fpga.json: $(RTL) $(wildcard synth/fpga/map synth/fpga/count.jq synth/fp
 	@echo "  YOSYS   $(DESIGN_NAME)"
 	@synth/fpga/map $(if $(PART),-r $(PART)) -o $(FPGA) $(CORE)/rtl
 
-$(ROUTE)/fpga.json: $(FPGA)/fpga.json synth/fpga/route synth/fpga/routed.jq
+$(ROUTE)/fpga.json: $(FPGA)/fpga.json synth/fpga/route synth/fpga/routed.jq $(wildcard synth/fpga/dsps/*)
 	@echo "  ROUTE   $(DESIGN_NAME)"
 	@synth/fpga/route $(ROUTED) -o $(ROUTE) $(FPGA)
 
