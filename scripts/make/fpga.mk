@@ -19,7 +19,8 @@ $(FPGA)/fpga.json: $(RTL) $(wildcard synth/fpga/map synth/fpga/count.jq synth/fp
 	@echo "  YOSYS   $(DESIGN_NAME)"
 	@synth/fpga/map $(if $(PART),-r $(PART)) -o $(FPGA) $(CORE)/rtl
 
-$(ROUTE)/fpga.json: $(FPGA)/fpga.json synth/fpga/route synth/fpga/routed.jq $(wildcard synth/fpga/dsps/*)
+$(ROUTE)/fpga.json: $(FPGA)/fpga.json $(wildcard synth/fpga/route synth/fpga/routed.jq \
+                     synth/fpga/dsps/*)
 	@echo "  ROUTE   $(DESIGN_NAME)"
 	@synth/fpga/route $(ROUTED) -o $(ROUTE) $(FPGA)
 

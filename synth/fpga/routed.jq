@@ -17,7 +17,8 @@ def total(f): map(select(f).delay) | add // 0 | rounded(1000);
 | .design.tools.nextpnr = $nextpnr
 | .design |= . + {
     part: ($part | sub("%s"; $device | ascii_upcase | sub("^(?<size>[0-9]+)K$"; "\(.size)F"))),
-    $device, $package, placer: (if $placer == "" then null else $placer end), $placements, seed: $best,
+    $device, $package, placer: (if $placer == "" then null else $placer end), $placements,
+    seed: $best,
     seeds: [$reports[] | {seed, mhz: mhz}],
     used: ($report.utilization | map_values(select(.used > 0))),
     fmax_mhz: ($report | mhz),
