@@ -74,6 +74,11 @@ verify:
 slurm-trial: $(BUILD)/hard-pairs
 	@tb/campaign/slurm $(BUILD)/slurm $(if $(call given,COUNT),$(COUNT))
 
+# All proofs, with every planted fault; a row each in build/verify/proofs.json.
+.PHONY: proofs
+proofs: $(SEPAX)
+	@tb/proofs/run
+
 # Which share of small faults in the C code the unit tests see.
 .PHONY: mutation-c
 mutation-c:

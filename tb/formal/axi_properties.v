@@ -1,5 +1,5 @@
-// axi_properties.v - what AXI asks of the engine on the channels that it drives, for
-// yosys-smtbmc: every input is free in every cycle, also in reset, from any state.
+// axi_properties.v - what AXI asks of the engine on the channels that it drives, for ABC: every
+// input is free in every cycle after a reset, also later resets.
 `default_nettype none
 
 // A channel: once valid, it stays, data and all, until it is taken; only reset ends that.
@@ -12,6 +12,7 @@ module stands #(
   reg begun = 1'b0;
   always @(posedge clk) begin
     begun <= 1'b1;
+    assume (begun || rst);
     if (begun && $past(valid && !ready && !rst)) begin
       assert (valid);
       assert (data == $past(data));
@@ -168,6 +169,7 @@ module load_properties (
 `endif
   always @(posedge clk) begin
     begun <= 1'b1;
+    assume (begun || rst);
     was_busy <= begun && $past(shut && !rst);
     assert (tready == !busy);
     if (begun && $past(shut && !rst)) begin
@@ -202,14 +204,15 @@ module object_properties (
   // The model: the corner that comes, triangles before it in this object, all of it in range.
   localparam T = 9 * W + 11; // a triangle that is written: into {b, a}, its number, its corners
   reg [1:0] corner;
-  reg [8:0] before;
+  reg [9:0] before;            // not above 512: no more are kept
   reg       fit, of_b;
   reg [6*W-1:0] corners;       // the two before
   reg [9:0] want_a, want_b;    // the counts
   reg [LATE*20-1:0] counts;    // a cycle ago (lowest), two ago ...
   reg [LATE*T-1:0]  triangles; // in this cycle (lowest), a cycle ago ...
   wire take = tvalid && tready;
-  wire first = corner == 2'd0 && before == 4'd0;
+  wire first = corner == 2'd0 && before == 10'd0;
+  wire free = !before[9];
   wire third = corner == 2'd2;
   wire b = first ? tdest : of_b;
   wire [2:0] fits;
@@ -229,14 +232,14 @@ module object_properties (
     assume (begun || rst);
     if (take) begin
       corner <= tlast || third ? 2'd0 : corner + 2'd1;
-      before <= tlast ? 9'd0 : before + {8'd0, third};
+      before <= tlast ? 10'd0 : before + {9'd0, third && free};
       {fit, of_b} <= {all_fit, b};
       corners <= {vertex, corners[3*W +: 3*W]};
-      if (b) want_b <= tlast && third && all_fit ? before + 10'd1 : 10'd0;
-      else want_a <= tlast && third && all_fit ? before + 10'd1 : 10'd0;
+      if (b) want_b <= tlast && third && all_fit && free ? before + 10'd1 : 10'd0;
+      else want_a <= tlast && third && all_fit && free ? before + 10'd1 : 10'd0;
     end
     counts <= {counts, want_b, want_a};
-    triangles <= {triangles, {b, !b} & {2{take && third}}, before, vertex, corners};
+    triangles <= {triangles, {b, !b} & {2{take && third && free}}, before[8:0], vertex, corners};
     if (rst) begin
       {corner, before, want_a, want_b, counts, triangles} <= 0;
     end
