@@ -97,7 +97,7 @@ ENGINE_OBJ = $(CORE)/obj-c
 ENGINE_C   = $(addprefix $(ENGINE_OBJ)/,bench.o refusals.o sepax_driver.o)
 ENGINE_OPT ?= -O3
 BUS_FLAGS   = -MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" $(call one_file,$(ENGINE_OPT)) \
-              -CFLAGS "-I$(abspath tb) -I$(abspath c_model) -I../rtl"
+              -CFLAGS "-I$(abspath tb) -I$(abspath c_model) -I../rtl $(BUS_CFLAGS)"
 
 vpath %.c tb/engine examples/engine
 $(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/engine/*.h examples/engine/*.h)
