@@ -58,7 +58,7 @@ include $(addprefix scripts/make/,flags.mk mesh.mk build.mk tree.mk design.mk)
 ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 
-.PHONY: all job help build setup test cocotb reference clean area timing multivt power fpga \
+.PHONY: all job help build setup test quick cocotb reference clean area timing multivt power fpga \
         area-sweep calibrate scene report accuracy certificate clearance bench bench-bodies \
         campaign hard engine-sweep tree-sweep tree-fuzz tree-scene tree-campaign path-campaign \
         netlist-sweep mutation
@@ -82,6 +82,9 @@ setup:
 test:
 	@scripts/setup
 	@scripts/test
+
+quick:
+	@scripts/test -q
 
 cocotb: $(SEPAX)
 	@tb/packaging/cocotb
