@@ -61,7 +61,7 @@ include $(addprefix scripts/make/,install.mk quality.mk)
 .PHONY: all job help build setup test quick cocotb reference clean area timing multivt power fpga \
         area-sweep calibrate scene report accuracy certificate clearance bench bench-bodies \
         campaign hard engine-sweep tree-sweep tree-fuzz tree-scene tree-campaign path-campaign \
-        netlist-sweep mutation
+        netlist-sweep mutation mutations
 
 all:
 	@scripts/setup
@@ -168,6 +168,8 @@ MUTATIONS = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
             "WORD=8 II=6 LANES=4 MEMORY_A=128 MEMORY_B=128")
 mutation: $(SEPAX)
 	@scripts/designs mutated $(MUTATIONS)
+mutations:
+	@printf '%s\n' $(MUTATIONS)
 
 # ------------------------------------------------------------------------- experiments
 
