@@ -8,6 +8,7 @@
 #include "sepax_design.h"
 #include "verilated_top.h"
 
+#include <algorithm>
 #include <cinttypes>
 #include <string>
 
@@ -106,9 +107,7 @@ public:
                 1e-9 * (double)last_verdict_cycle * ps, 1e-3 * ps);
   }
 
-  uint64_t mismatches = 0, judged = 0, dropped = 0;
-
-  uint64_t damaged = 0; // pairs with a fault
+  uint64_t mismatches = 0, judged = 0, dropped = 0, damaged = 0; // pairs with a fault
 
 private:
 #ifdef SEPAX_CONFERENCE
@@ -143,7 +142,9 @@ private:
 #endif
   // Empty for more cycles, a design takes a pair at once.
   static constexpr uint64_t RESTED = 1 + 2 * SEPAX_II;
-#if defined SEPAX_BOXES
+#if defined SEPAX_EXTENT_A
+  static constexpr uint64_t BOXES = 2;
+#elif defined SEPAX_BOXES
   static constexpr uint64_t BOXES = 1;
 #else
   static constexpr uint64_t BOXES = 0;
@@ -153,7 +154,6 @@ private:
 #else
   static constexpr uint64_t SKID = 0;
 #endif
-  static constexpr uint64_t STAGES = BOXES + SKID;
   static constexpr int LEAVES = 1 + (int)SKID; // cycles from a verdict that leaves to a pair
   // Cycles of waiting, out_ready high, with no transfer on either side.
   static constexpr uint64_t PATIENCE = 2000 + 64 * (SEPAX_LATENCY + SEPAX_II);
@@ -204,7 +204,7 @@ private:
 
   // The entries of the reorder buffer are a power of two; each stage before it holds a pair more.
   void check_capacity() {
-    const uint64_t entries = capacity < STAGES ? 0 : capacity - STAGES;
+    const uint64_t entries = capacity - std::min(capacity, BOXES + SKID);
     if (!STREAMED && (entries == 0 || (entries & (entries - 1)) != 0)) {
       complain(nullptr, std::to_string(capacity) + " pairs are taken, verdicts blocked");
     }
