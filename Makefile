@@ -21,12 +21,11 @@ CLANG_TIDY ?= clang-tidy
 LIBERTY    ?= /usr/share/qflow/tech/osu018/osu018_stdcells.lib
 export CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY
 
-# Most of what Verilator has compiled is the same for every design.
-export OBJCACHE   ?= $(shell command -v ccache)
-export CCACHE_DIR ?= $(abspath $(BUILD))/ccache
-
 BUILD  ?= build
 PREFIX ?= /usr/local
+
+# In front of the C++ compiler of verilated designs.
+export OBJCACHE ?= $(abspath scripts/make/compile) $(abspath $(BUILD))/compiled
 SEPAX   = $(BUILD)/sepax
 LIB     = $(BUILD)/libsepax.a
 GEN     = $(SEPAX) gen
@@ -44,7 +43,8 @@ ifneq ($(words $(BUILD) $(abspath .)),2)
 $(error BUILD and the project's own path must be without blanks)
 endif
 
-MAKEFLAGS += --no-print-directory
+# Rules of make's own are none of ours: to try them for each header took most of its time.
+MAKEFLAGS += --no-print-directory -r
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = all
 .PHONY: FORCE
