@@ -52,7 +52,7 @@ COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
 COSIM_TOP  = $(if $(filter-out none,$(STREAM)),sepax_stream,sepax_top)
 COSIM_CPP  = $(abspath tb/cosim/cosim.cpp $(OPTIONS_OBJ) $(LIB))
-COSIM_DEPS = $(RTL) $(LIB) $(OPTIONS_OBJ) $(wildcard tb/cosim/*.cpp tb/cosim/*.h)
+COSIM_DEPS = $(RTL) $(LIB) $(OPTIONS_OBJ) $(wildcard tb/cosim/*.cpp tb/cosim/*.h tb/cosim/*.vlt)
 
 # verilate TOP FLAGS FILES: Verilator 5.006 miscompiles trees of single bits (its issue 4059) but
 # for -fno-const-bit-op-tree.
@@ -65,7 +65,8 @@ verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { $(VERILATOR) --cc 
 one_file    = $(if $(filter -O0 -O1,$(1)),--output-split 100000000 --output-split-cfuncs 20000)
 COSIM_OPT  ?= -O3
 COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=$(COSIM_OPT) OPT_GLOBAL=-O2" $(call one_file,$(COSIM_OPT)) \
-              -CFLAGS "-I$(abspath c_model) -I../rtl"
+              -CFLAGS "-I$(abspath c_model) -I../rtl -DSEPAX_ISOLATION" \
+              $(abspath tb/cosim/isolation.vlt)
 
 $(COSIM): $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME)$(OF_VIEW)"

@@ -285,6 +285,9 @@ private:
   void look(bool ready) {
     const Verdict now = shown(*top);
     const Outstanding *e = oldest();
+    if (!isolated(*top)) {
+      complain(e, "operands enter the core without a pair that it has to decide");
+    }
     if (blocked_verdict.valid && now != blocked_verdict) {
       complain(e, "a verdict moves while it is blocked");
     }

@@ -7,6 +7,8 @@
 #include "pair_source.h"
 #include "sepax_params.h"
 
+#include <algorithm>
+
 // What goes with a pair of AXI4-Stream: its tag, TLAST; and what is wrong with the pair: a
 // coordinate beyond the word, `outside` says which and how; or TLAST comes behind its first `cut`
 // words. Other designs have nothing of it.
@@ -46,6 +48,9 @@ inline Verdict expected(const sepax_verdict &v, const Travel &t) {
 #include "stream_ports.h"
 #else
 #include "Vsepax_top.h"
+#if defined SEPAX_ISOLATION && defined SEPAX_BOXES
+#include "Vsepax_top___024root.h" // isolation.vlt
+#endif
 using Top = Vsepax_top;
 
 inline void set_reset(Top &top, bool on) { top.rst = on; }
@@ -96,6 +101,22 @@ inline void drive(Top &top, const sepax_pair &pair, int word, const Travel &) {
   }
 }
 
+#endif
+
+#if defined SEPAX_ISOLATION && defined SEPAX_BOXES && !defined SEPAX_STREAM
+inline bool any_bit(uint64_t bits) { return bits != 0; }
+template <std::size_t WORDS> bool any_bit(const VlWide<WORDS> &bits) {
+  return std::any_of(bits.data(), bits.data() + WORDS, [](uint32_t word) { return word != 0; });
+}
+
+// Without a pair, or where the AABB test has decided, nothing but zeros enters the core.
+inline bool isolated(const Top &top) {
+  const auto &in = *top.rootp;
+  return (in.sepax_top__DOT__narrow_valid && !in.sepax_top__DOT__disjoint) ||
+         !any_bit(in.sepax_top__DOT__narrow_pair);
+}
+#else
+inline bool isolated(const Top &) { return true; }
 #endif
 
 #endif
