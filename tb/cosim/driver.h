@@ -333,12 +333,6 @@ private:
     }
   }
 
-  static std::string text(const Verdict &v) {
-    return std::string(v.collision ? "collision" : "separated") + (v.coplanar ? ", coplanar" : "") +
-           (v.out_of_range ? ", out of range" : "") + ", axis " + std::to_string(v.axis) +
-           ", band " + std::to_string(v.band);
-  }
-
   void complain(const Outstanding *e, const std::string &what) {
     mismatches++;
     if (mismatches > MISMATCHES_SHOWN) {

@@ -8,6 +8,7 @@
 #include "sepax_params.h"
 
 #include <algorithm>
+#include <string>
 
 // What goes with a pair of AXI4-Stream: its tag, TLAST; and what is wrong with the pair: a
 // coordinate beyond the word, `outside` says which and how; or TLAST comes behind its first `cut`
@@ -33,6 +34,12 @@ struct Verdict {
            partial != v.partial || tag != v.tag || last != v.last;
   }
 };
+
+inline std::string text(const Verdict &v) {
+  return std::string(v.collision ? "collision" : "separated") + (v.coplanar ? ", coplanar" : "") +
+         (v.out_of_range ? ", out of range" : "") + ", axis " + std::to_string(v.axis) + ", band " +
+         std::to_string(v.band);
+}
 
 inline Verdict expected(const sepax_verdict &v, const Travel &t) {
   Verdict want{
