@@ -25,12 +25,14 @@ void add_case(const char *name, CMUnitTestFunction function);
 
 #define LENGTH(array) (sizeof(array) / sizeof *(array))
 
-/* How many random cases: of `make sanitize`, where each is slow, a fifth. */
+/* How many random cases: of `make sanitize`, where each is slow, a fifth; and the step through a
+ * list of cases. */
 #ifdef EXACT_PAIRS
 #define FEWER(count) ((count) / 5)
 #else
 #define FEWER(count) (count)
 #endif
+#define STEP (5 / FEWER(5))
 
 #define PI 0x1.921fb54442d18p1
 

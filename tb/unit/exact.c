@@ -10,7 +10,6 @@
 #define EXACT_PAIRS 1000000
 #endif
 #define SYMMETRY_PAIRS 4000
-#define PLANES (EXACT_PAIRS < 1000000 ? 1 : 3) /* make sanitize: one */
 #define MISMATCHES_SHOWN 20
 #define AXES 13
 
@@ -86,6 +85,8 @@ static void compare(tally *t, const sepax_tri *a, const sepax_tri *b) {
 static void assert_counts(const tally *t, size_t free_oblique, size_t free_coplanar,
                           size_t hit_oblique, size_t hit_coplanar) {
   assert_int_equal(t->wrong, 0);
+  if (STEP > 1)
+    return;
   assert_int_equal(t->count[0][0], free_oblique);
   assert_int_equal(t->count[0][1], free_coplanar);
   assert_int_equal(t->count[1][0], hit_oblique);
@@ -204,12 +205,12 @@ CASE(test_known) {
 /* Place `digit` of a corpus, of its variant. */
 typedef sepax_vec place(int32_t digit, int variant);
 
-/* Every pair of vertices at `places` places. */
+/* Every pair of triangles with vertices at `places` places. */
 static tally all_pairs(uint32_t places, place *at, int variant) {
   tally t = {0};
   uint32_t codes = places * places * places;
   codes *= codes;
-  for (uint32_t code = 0; code < codes; code++) {
+  for (uint32_t code = 0; code < codes; code += STEP) {
     sepax_tri tri[2];
     uint32_t rest = code;
     for (size_t k = 0; k < 6; k++) {
@@ -246,7 +247,7 @@ CASE(test_cube) {
 }
 
 CASE(test_plane) {
-  for (int plane = 0; plane < PLANES; plane++) {
+  for (int plane = 0; plane < 3; plane++) {
     tally t = all_pairs(9, in_plane, plane);
     assert_counts(&t, 0, 91320, 0, 440121);
   }

@@ -166,7 +166,7 @@ CASE(test_ranges) {
     sepax_pair extreme = {broad, broad, {low, low, low}, {low, low, low}};
     for (size_t s = 0; s < LENGTH(settings); s++) {
       sepax_design design = design_of("--arch=paper --word=%d --precision=%s", word, settings[s]);
-      for (size_t n = 0; n < 4000; n++) {
+      for (size_t n = 0; n < FEWER(4000); n++) {
         sepax_pair pair = mixed_pair(n, word, &random);
         sepax_judge(&design, &pair);
       }
@@ -186,7 +186,7 @@ CASE(test_full_never_misses) {
       sepax_random random = {(uint64_t)words[w]};
       int collisions = 0;
       int right = 0;
-      for (size_t n = 0; n < 34000; n++) {
+      for (size_t n = 0; n < FEWER(34000); n++) {
         sepax_pair pair = mixed_pair(n, words[w], &random);
         bool truth = sepax_reference(&pair.a, &pair.b);
         bool verdict = sepax_judge(&design, &pair).collision;
@@ -194,8 +194,8 @@ CASE(test_full_never_misses) {
         collisions += truth;
         right += verdict == truth;
       }
-      assert_true(collisions > 10000 && collisions < 30000);
-      assert_true(right > 25000);
+      assert_true(collisions > FEWER(10000) && collisions < FEWER(30000));
+      assert_true(right > FEWER(25000));
     }
   }
 }
@@ -311,7 +311,7 @@ CASE(test_short_edges) {
   int separated = 0;
   int alarms_word = 0;
   int alarms_block = 0;
-  for (size_t n = 0; n < 50000; n++) {
+  for (size_t n = 0; n < FEWER(50000); n++) {
     sepax_pair pair = sepax_family_pair(0, 8, &random); /* extents of at most 256 LSB */
     pair = pair_of(&pair.a, &pair.b, 18);
     sepax_verdict truth = sepax_judge(&full, &pair);
@@ -323,7 +323,7 @@ CASE(test_short_edges) {
   }
   print_message("short edges: %d separated, false alarms %d, with block-float %d\n", separated,
                 alarms_word, alarms_block);
-  assert_true(separated > 5000);
+  assert_true(separated > FEWER(5000));
   assert_true(2 * alarms_word > separated);
   assert_true(alarms_block < alarms_word);
 }
@@ -338,7 +338,7 @@ CASE(test_unit_normal) {
     assert_true(equal(sepax_unit_normal(&known[i].tri, 18), known[i].normal));
   }
   sepax_random random = {9};
-  for (int i = 0; i < 100000; i++) {
+  for (int i = 0; i < FEWER(100000); i++) {
     int word = 4 + i % 29;
     sepax_pair pair = sepax_family_pair(0, word, &random);
     sepax_vec n = sepax_unit_normal(&pair.a, word);

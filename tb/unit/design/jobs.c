@@ -201,7 +201,7 @@ CASE(test_cheapest) {
   static designs d; /* large */
   size_t found = 0;
   size_t several_cores = 0;
-  for (int n = 0; n < 24; n++) {
+  for (int n = 0; n < FEWER(24); n++) {
     draw_designs(&d, n);
     for (int k = 0; k < 12; k++) {
       int least = random_below(2) * random_below(SEPAX_LANES_MAX + 1);
@@ -232,7 +232,7 @@ CASE(test_cheapest) {
     }
   }
   sepax_size_free(&d.size);
-  assert_true(found > 100 && several_cores > 0);
+  assert_true(found > FEWER(100) && several_cores > 0);
 }
 
 /* Objects that are larger than their memories go through them in parts; and the golden model, which

@@ -156,7 +156,7 @@ CASE(test_cheapest_on_a_path) {
   static uint64_t steps[2 * MOST_FACETS * MOST_FACETS];
   size_t trees = 0;
   size_t lanes = 0;
-  for (int n = 0; n < 24; n++) {
+  for (int n = 0; n < FEWER(24); n++) {
     draw_scene(&s, n % 3 == 0 ? 12 : MOST_FACETS);
     list_options(&s, steps);
     for (int k = 0; k < 12; k++) {
@@ -191,7 +191,7 @@ CASE(test_cheapest_on_a_path) {
     }
   }
   sepax_size_free(&s.size);
-  assert_true(trees > 5 && lanes > 20);
+  assert_true(trees > FEWER(5) && lanes > FEWER(20));
 }
 
 /* ------------------------------------------------------------------- several pairs */
@@ -289,7 +289,7 @@ CASE(test_cheapest_of_pairs) {
 CASE(test_same_near_pairs) {
   static scene s;
   uint64_t near = 0;
-  for (int n = 0; n < 60; n++) {
+  for (int n = 0; n < FEWER(60); n++) {
     draw_scene(&s, MOST_FACETS);
     for (size_t k = 0; k < s.path.count; k++) {
       const sepax_size_request request = {.latency = 100};
@@ -301,14 +301,14 @@ CASE(test_same_near_pairs) {
     }
   }
   sepax_size_free(&s.size);
-  assert_true(near > 10000);
+  assert_true(near > FEWER(10000));
 }
 
 /* The same with a clearance, to which a tree engine adds 2 LSB; no pair takes two passes. */
 CASE(test_same_near_pairs_with_a_clearance) {
   static scene s;
   uint64_t near[2] = {0, 0};
-  for (int n = 0; n < 30; n++) {
+  for (int n = 0; n < FEWER(30); n++) {
     sepax_size limited[2];
     draw_scene(&s, MOST_FACETS);
     for (int k = 0; k < 2; k++) {
@@ -339,7 +339,7 @@ CASE(test_same_near_pairs_with_a_clearance) {
     sepax_size_free(&limited[1]);
   }
   sepax_size_free(&s.size);
-  assert_true(near[0] > near[1] + 1000 && near[1] > 1000);
+  assert_true(near[0] > near[1] + FEWER(1000) && near[1] > FEWER(1000));
 }
 
 /* Bodies that are larger than the memories. */
