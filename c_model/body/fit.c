@@ -181,11 +181,17 @@ typedef struct {
   float axis[3][3], centre[3], half[3];
 } oriented;
 
-/* A function of its own, as what reads the axes back needs them rounded: inlined, gcc 12 with -O3
- * takes the doubles. */
+/* Functions of their own, as what reads the axes and the centre back needs them rounded: inlined,
+ * gcc 12 with -O3 takes the doubles. */
 static __attribute__((noinline)) void set_axes(oriented *r, const axes a) {
   for (int k = 0; k < 9; k++) {
     r->axis[k / 3][k % 3] = (float)a[k / 3][k % 3];
+  }
+}
+
+static __attribute__((noinline)) void set_centre(oriented *r, const double centre[3]) {
+  for (int i = 0; i < 3; i++) {
+    r->centre[i] = (float)centre[i];
   }
 }
 
@@ -234,12 +240,16 @@ static void enclose(const facet_points *v, uint32_t count, const axes a, oriente
   const double low[3] = {least[0], least[1], -ends[1]};
   const double high[3] = {most[0], most[1], ends[0]};
   double half[3];
+  double centre[3];
   for (int i = 0; i < 3; i++) {
-    r->centre[i] = (float)((axis[0][i] * (low[0] + high[0]) + axis[1][i] * (low[1] + high[1]) +
-                            axis[2][i] * (low[2] + high[2])) /
-                           2);
+    centre[i] = (axis[0][i] * (low[0] + high[0]) + axis[1][i] * (low[1] + high[1]) +
+                 axis[2][i] * (low[2] + high[2])) /
+                2;
   }
-  const double centre[3] = {(double)r->centre[0], (double)r->centre[1], (double)r->centre[2]};
+  set_centre(r, centre);
+  for (int i = 0; i < 3; i++) {
+    centre[i] = (double)r->centre[i];
+  }
   for (int i = 0; i < 3; i++) {
     double at = dot(axis[i], centre);
     half[i] = fmax(high[i] - at, at - low[i]);
