@@ -1,5 +1,6 @@
 /* accuracy.c - what the accuracy laboratory measures with: depths, solids, the software baselines;
  * and where a baseline or architecture paper begins to err. */
+#include "oracle/distance.h"
 #include "oracle/geometry.h"
 #include "oracle/pair_tools.h"
 #include "harness.h"
@@ -59,6 +60,44 @@ CASE(depths_by_moving) {
       }
       assert_true(nearest >= depth - 1e-9);
       assert_true(depth > REACH - 2 || !collision || nearest <= depth + 1.75);
+    }
+  }
+}
+
+/* From the origin to the nearest facet of the hull of the nine differences of vertices. */
+static double depth_of_hull(const sepax_tri *a, const sepax_tri *b) {
+  wide_vec p[9];
+  double least = INFINITY;
+  for (int k = 0; k < 9; k++) {
+    p[k] = between(a->v[k / 3], b->v[k % 3]);
+  }
+  for (int three = 0; three < 729; three++) {
+    const wide_vec *o = &p[three % 9];
+    wide_vec n = cross(wide_minus(p[three / 9 % 9], *o), wide_minus(p[three / 81], *o));
+    int sides[2] = {0, 0};
+    for (int k = 0; k < 9; k++) {
+      wide at = dot(n, wide_minus(p[k], *o));
+      sides[0] += at > 0;
+      sides[1] += at < 0;
+    }
+    double length = sqrt((double)dot(n, n));
+    if (length > 0 && (sides[0] == 0 || sides[1] == 0)) {
+      least = fmin(least, fabs((double)dot(n, *o)) / length);
+    }
+  }
+  return isinf(least) ? 0 : least;
+}
+
+CASE(depths_by_other_ways) {
+  for (size_t family = 0; family < family_count(); family++) {
+    sepax_random random = seeded(family, 16);
+    for (int n = 0; n < 60; n++) {
+      sepax_pair pair = sepax_family_pair(family, 4 + n % 13, &random);
+      double way[3];
+      double depth = sepax_exact(&pair.a, &pair.b).collision
+                         ? depth_of_hull(&pair.a, &pair.b)
+                         : -distance_rounded(&pair.a, &pair.b, way);
+      assert_float_equal(sepax_depth(&pair.a, &pair.b), depth, 1e-6);
     }
   }
 }

@@ -328,6 +328,44 @@ CASE(test_short_edges) {
   assert_true(alarms_block < alarms_word);
 }
 
+/* What stands before the model of architecture exact, and behind it. */
+CASE(test_judged) {
+  static const sepax_tri small = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  static const sepax_tri large = {{{0, 0, 0}, {0, 2, 1}, {2, 0, 1}}};
+  static const sepax_tri above = {{{0, 0, 2}, {1, 0, 2}, {0, 1, 1}}};
+  static const sepax_tri other = {{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}}; /* AABBs touch */
+  static const struct {
+    const char *options;
+    const sepax_tri *b;
+    sepax_verdict v;
+  } known[] = {
+      {"--word=8", &other, {.coplanar = true, .axis = SEPAX_AXIS_PLANE}},
+      {"--word=8 --coplanar=flag", &other, {.collision = true, .coplanar = true}},
+      {"--word=8 --coplanar=flag", &above, {.axis = SEPAX_AXIS_NORMAL_A}},
+      {"--word=8 --early-out=boxes", &large, {.collision = true}},
+      {"--word=8 --early-out=boxes", &above, {.axis = SEPAX_AXIS_AABB}},
+      {"--word=8 --extent-a=1 --extent-b=1", &small, {.collision = true, .coplanar = true}},
+      {"--word=8 --extent-a=1 --extent-b=1", &other, {.coplanar = true, .axis = SEPAX_AXIS_PLANE}},
+      {"--word=8 --extent-a=1 --extent-b=1",
+       &large,
+       {.collision = true, .axis = SEPAX_AXIS_EXTENT, .band = SEPAX_BAND_FREE}},
+      {"--word=8 --clearance=5 --extent-a=1 --extent-b=1",
+       &large,
+       {.collision = true, .axis = SEPAX_AXIS_EXTENT, .band = SEPAX_BAND_COLLISION}},
+      {"--word=8 --clearance=5", &above, {.collision = true, .band = SEPAX_BAND_COLLISION}},
+  };
+  for (size_t i = 0; i < LENGTH(known); i++) {
+    sepax_design design = design_of("%s", known[i].options);
+    sepax_pair pair = {.a = small, .b = *known[i].b};
+    sepax_verdict v = sepax_judge(&design, &pair);
+    print_message("%s: %d %d %d %d\n", known[i].options, v.collision, v.coplanar, v.axis, v.band);
+    assert_int_equal(v.collision, known[i].v.collision);
+    assert_int_equal(v.coplanar, known[i].v.coplanar);
+    assert_int_equal(v.axis, known[i].v.axis);
+    assert_int_equal(v.band, known[i].v.band);
+  }
+}
+
 CASE(test_unit_normal) {
   static const struct {
     sepax_tri tri;
