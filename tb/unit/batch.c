@@ -194,8 +194,9 @@ static bands assert_all_pairs(const sepax_design *design, const sepax_tri *a, si
 }
 
 CASE(meshes_of_every_size) {
-  static const size_t counts[][2] = {{0, 0},   {0, 5},   {5, 0},   {1, 1},     {1, 200},
-                                     {64, 64}, {65, 63}, {200, 1}, {129, 700}, {500, FEWER(4200)}};
+  static const size_t counts[][2] = {{0, 0},    {0, 5},    {5, 0},     {1, 1},
+                                     {1, 200},  {64, 64},  {65, 63},   {200, 1},
+                                     {2, 2100}, {2100, 2}, {129, 700}, {500, FEWER(4200)}};
   static const int word[] = {5, 18, 24, 32};
   sepax_random random = {9};
   for (size_t c = 0; c < LENGTH(counts); c++) {
@@ -269,8 +270,42 @@ CASE(progress_is_told_and_ends) {
   assert_works(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &fault));
   assert_true(w.calls > 5 && w.last == w.total);
   sepax_pairs_free(&found);
-  w = (watch){.ends = 3};
-  assert_fault(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &fault), "ended");
-  assert_int_equal(w.calls, 3);
+  for (int way = 0; way < 2; way++) {
+    how.brute_force = way == 1;
+    w = (watch){.ends = 3};
+    assert_fault(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &fault), "ended");
+    assert_int_equal(w.calls, 3);
+    assert_true(found.count == 0 && found.pair == NULL);
+  }
+  /* Tasks of 64 triangles of A with 4,096 of B: the numbers of those that are done, then all. */
+  w = (watch){.ends = UINT64_MAX};
+  assert_works(sepax_colliding_pairs(a, 129, a, 1000, &how, &found, &fault));
+  assert_true(w.calls == 4 && w.last == 3 && w.total == 3);
+  sepax_pairs_free(&found);
+  assert_true(found.count == 0 && found.pair == NULL);
   free(a);
+}
+
+/* A search for the first pair ends with it. */
+CASE(first_pair_alone) {
+  sepax_random random = {12};
+  sepax_tri *a = soup(1000, 18, 5000, &random);
+  for (int way = 0; way < 2; way++) {
+    sepax_search how = {.threads = 3, .first = true, .brute_force = way == 1};
+    sepax_pairs found;
+    assert_works(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &fault));
+    assert_int_equal(found.count, 1);
+    const size_t *pair = found.pair[0];
+    assert_true(sepax_exact(&a[pair[0]], &a[pair[1]]).collision);
+    sepax_pairs_free(&found);
+  }
+  free(a);
+}
+
+CASE(too_many_are_refused) {
+  static const sepax_tri one = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  const size_t many = (size_t)UINT32_MAX + 1;
+  sepax_pairs found;
+  assert_fault(sepax_colliding_pairs(&one, many, &one, 1, NULL, &found, &fault), "2^32 - 1");
+  assert_fault(sepax_colliding_pairs(&one, 1, &one, many, NULL, &found, &fault), "2^32 - 1");
 }

@@ -108,6 +108,8 @@ static void assert_mixed(const tally *t, size_t pairs) {
 
 #define MIN INT32_MIN
 #define MAX INT32_MAX
+#define LOW (-(1 << 19)) /* of 20 bits; HIGH is not */
+#define HIGH ((3 << 19) - 1)
 #define THIRD (-715827883) /* (MAX + MIN + MIN) / 3, without remainder */
 #define FLAT                            \
   {                                     \
@@ -170,6 +172,8 @@ static const struct {
     {"point behind segment", TRI(0, 0, 0, 3, 6, 9, 0, 0, 0), POINT(4, 8, 12), false, true},
     {"equal points", POINT(1, 2, 3), POINT(1, 2, 3), true, true},
     {"two points", POINT(1, 2, 3), POINT(1, 2, 4), false, true},
+    {"2^21 LSB wide, a volume above 2^63", TRI(LOW, LOW, LOW, HIGH, HIGH, LOW, HIGH, LOW, HIGH),
+     TRI(LOW, HIGH, HIGH, -LOW, -LOW, -LOW, -LOW, 1 - LOW, -LOW), false, false},
     {"extreme, vertex in face", TRI(MAX, MIN, MIN, MIN, MAX, MIN, MIN, MIN, MAX),
      TRI(THIRD, THIRD, THIRD, MAX, MAX, MAX, MAX, MAX, 0), true, false},
     {"extreme, vertex above face", TRI(MAX, MIN, MIN, MIN, MAX, MIN, MIN, MIN, MAX),
