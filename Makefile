@@ -164,7 +164,7 @@ netlist-sweep: $(SEPAX)
 # Single faults in the netlist: of the design where one is given, or else of these.
 MUTATIONS = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
             "WORD=8 II=1" "WORD=6 II=3" "WORD=6 II=1 EARLY_OUT=boxes" \
-            "WORD=8 II=1 CLEARANCE=2 WARNING=9" "ARCH=paper WORD=8" \
+            "WORD=4 II=3 CLEARANCE=1 WARNING=3" "ARCH=paper WORD=4" \
             "WORD=8 II=6 LANES=4 MEMORY_A=128 MEMORY_B=128")
 mutation: $(SEPAX)
 	@scripts/designs mutated $(MUTATIONS)
