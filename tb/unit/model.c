@@ -330,7 +330,7 @@ CASE(test_short_edges) {
 
 /* What stands before the model of architecture exact, and behind it. */
 CASE(test_judged) {
-  static const sepax_tri small = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  static const sepax_tri low = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
   static const sepax_tri large = {{{0, 0, 0}, {0, 2, 1}, {2, 0, 1}}};
   static const sepax_tri above = {{{0, 0, 2}, {1, 0, 2}, {0, 1, 1}}};
   static const sepax_tri other = {{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}}; /* AABBs touch */
@@ -344,7 +344,7 @@ CASE(test_judged) {
       {"--word=8 --coplanar=flag", &above, {.axis = SEPAX_AXIS_NORMAL_A}},
       {"--word=8 --early-out=boxes", &large, {.collision = true}},
       {"--word=8 --early-out=boxes", &above, {.axis = SEPAX_AXIS_AABB}},
-      {"--word=8 --extent-a=1 --extent-b=1", &small, {.collision = true, .coplanar = true}},
+      {"--word=8 --extent-a=1 --extent-b=1", &low, {.collision = true, .coplanar = true}},
       {"--word=8 --extent-a=1 --extent-b=1", &other, {.coplanar = true, .axis = SEPAX_AXIS_PLANE}},
       {"--word=8 --extent-a=1 --extent-b=1",
        &large,
@@ -356,7 +356,7 @@ CASE(test_judged) {
   };
   for (size_t i = 0; i < LENGTH(known); i++) {
     sepax_design design = design_of("%s", known[i].options);
-    sepax_pair pair = {.a = small, .b = *known[i].b};
+    sepax_pair pair = {.a = low, .b = *known[i].b};
     sepax_verdict v = sepax_judge(&design, &pair);
     print_message("%s: %d %d %d %d\n", known[i].options, v.collision, v.coplanar, v.axis, v.band);
     assert_int_equal(v.collision, known[i].v.collision);
