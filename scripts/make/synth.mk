@@ -13,7 +13,8 @@ endif
 
 # A period that was given, and multipliers, have a folder of their own.
 GENERATED = $(filter generated,$(MULTIPLIERS))
-AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)
+GATED     = $(if $(filter-out 0,$(GATING)),gated)
+AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)$(GATED:%=-%)
 
 .PHONY: mapped area-file timed timing-file assigned powered power-file netlist gates routed
 
@@ -31,7 +32,7 @@ $(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(BUILD)/liberty \
     $(wildcard synth/area/* synth/common* synth/netlist.jq)
 	@echo "  YOSYS   $(DESIGN_NAME), $(LIBRARY)"
 	@synth/area/map -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) \
-	  $(if $(GENERATED),-m $(SEPAX)) -o $(AREA) $(CORE)/rtl
+	  $(if $(GENERATED),-m $(SEPAX)) $(if $(GATED),-g) -o $(AREA) $(CORE)/rtl
 
 mapped: $(AREA)/area.json
 area-file:

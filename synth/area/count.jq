@@ -25,7 +25,8 @@ def memory_bits($modules):
 
 $cells[0].cells as $library_cell
 | ($library_cell | map_values({area: (.area // 0),
-    ff: ([.state[] | select(.kind | startswith("ff"))] | length)})) as $cell
+    ff: ([.state[] | select(.kind | startswith("ff"))] | length),
+    opens: ([.pins[] | select(.clock_gate | IN("enable", "test"))] | length)})) as $cell
 | $library_cell[$nand2].area as $nand2_area
 | count as $modules
 | readable($names) as $name
@@ -39,6 +40,8 @@ $cells[0].cells as $library_cell
         ge: ($area / $nand2_area | rounded(1000)),
         ge_total: ($area * $instances[$m] / $nand2_area | rounded(1000)),
         ff: ([$own[] | .value * $cell[.key].ff] | add // 0),
+        clock_gates: ([$own[] | select($cell[.key].opens > 0).value] | add // 0),
+        opens: ([$own[] | .value * $cell[.key].opens] | add // 0),
         area: ($area * $instances[$m])
       }
   ] as $rows
@@ -66,9 +69,11 @@ $cells[0].cells as $library_cell
         area: ([$rows[].area] | add | rounded(1000)),
         ge: ([$rows[].ge_total] | add | rounded(1000)),
         ff: ([$rows[] | .ff * .instances] | add),
+        clock_gates: ([$rows[] | .clock_gates * .instances] | add),
+        clock_gate_inputs: ([$rows[] | .opens * .instances] | add),
         memory_bits: (if $inside[0] then $inside[0].modules as $all | $top | memory_bits($all)
                       else null end),
-        modules: ($rows | map(del(.area)) | sort_by(-.ge_total, .name))
+        modules: ($rows | map(del(.area, .opens)) | sort_by(-.ge_total, .name))
       }
     }
   }

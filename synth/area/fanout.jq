@@ -5,8 +5,8 @@
 # limit  a net may drive so many pins of cells
 # drive  which buffer of the library, from the smallest
 #
-# Every net of a module that is read by more pins of cells gets a tree of buffers. The clock
-# stays as it is. abc buffers what is between its inputs and outputs, but not its inputs. A
+# Every net of a module that is read by more pins of cells gets a tree of buffers. Clocks
+# stay as they are. abc buffers what is between its inputs and outputs, but not its inputs. A
 # register that is read by more than a third as many pins (a module counts for three) becomes the
 # one of twice the drive, where the library calls it X2 for X1, or _2 for _1. An inverter that only
 # modules read, as that of a reset, becomes the one of drive 8.
@@ -61,8 +61,9 @@ $library[0].cells as $cell
     | ([.cells | to_entries[] | .key as $name | .value.type as $type
         | $cell[$type] as $of | .value.connections | to_entries[]
         | (if $of then $of.pins[.key].direction != "output" else null end) as $reads
-        | {cell: $name, $type, pin: .key, net: (.value[] | numbers), $reads}]
-       | group_by(.net) | map(select(.[0].net != $clock))) as $nets
+        | {cell: $name, $type, pin: .key, net: (.value[] | numbers), $reads,
+           gated: ($of and $of.pins[.key].clock_gate == "out")}]
+       | group_by(.net) | map(select(.[0].net != $clock and all(.[]; .gated | not)))) as $nets
     | ([$nets[] | select(([.[] | if .reads then 1 elif .reads == null then 3 else 0 end] | add)
                          > $limit / 3)
         | .[] | select(.reads == false and $stronger[.type])

@@ -49,6 +49,7 @@ typedef struct {
   int inputs;     /* at most LIB_INPUTS with the state, or no pin has a function */
   bool register_; /* one bit on the rising edge of pin `clock` */
   int clock;
+  bool gate;      /* clock gate; its output's function is whether the next edge passes */
   uint64_t next;  /* truth table of the next state */
   double leakage; /* W */
 } lib_cell;

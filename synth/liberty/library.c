@@ -96,6 +96,29 @@ static void read_pins(lib_cell *cell, const node *root, const node *const of[], 
   }
 }
 
+/* A clock gate: the output is 1 where the clock's edge passes it. */
+static bool read_gate(lib_cell *cell, const node *n, const node *const of[]) {
+  int out = -1;
+  uint64_t opens = 0;
+  for (int k = 0; k < cell->pins; k++) {
+    const char *is = tree_clock_gate(n, of[k]);
+    if (is != NULL && strcmp(is, "out") == 0) {
+      out = k;
+    } else if (is != NULL && strcmp(is, "clock") == 0) {
+      cell->clock = k;
+      cell->gate = true;
+    } else if (is != NULL) {
+      opens |= cell->pin[k].rows;
+    }
+  }
+  cell->gate = cell->gate && out >= 0 && opens != 0;
+  if (cell->gate) {
+    cell->pin[out].rows = opens;
+    cell->pin[out].known = true;
+  }
+  return cell->gate;
+}
+
 static void read_cell(lib_cell *cell, const library *lib, const node *root, const node *n,
                       double watt) {
   char *state[2] = {NULL, NULL};
@@ -104,8 +127,10 @@ static void read_cell(lib_cell *cell, const library *lib, const node *root, cons
   cell->name = n->args;
   cell->leakage = tree_number(n, "cell_leakage_power", 0) * watt;
   read_pin_names(cell, lib, n, pin);
-  if (tree_child(n, "latch") == NULL && tree_child(n, "statetable") == NULL &&
-      cell->inputs + (ff != NULL) <= LIB_INPUTS && (ff == NULL || read_register(cell, ff, state))) {
+  bool gate = cell->inputs <= LIB_INPUTS && read_gate(cell, n, pin);
+  if (gate || (tree_child(n, "latch") == NULL && tree_child(n, "statetable") == NULL &&
+               cell->inputs + (ff != NULL) <= LIB_INPUTS &&
+               (ff == NULL || read_register(cell, ff, state)))) {
     read_pins(cell, root, pin, state);
   }
 }

@@ -5,8 +5,9 @@
  *
  * The JSON: library, leakage_unit_w, capacitance_unit_f, and cells by name: area, footprint,
  * leakage, state (ff, latch, ... with their functions; none: combinational), and pins by name:
- * direction, capacitance, function, three_state. What the file does not say is null. Exit status
- * 2: it could not be done. */
+ * direction, capacitance, function, three_state, clock_gate (clock, enable, test or out: what the
+ * pin is to a clock gate whose latch opens while the clock is low). What the file does not say is
+ * null. Exit status 2: it could not be done. */
 #include "derive.h"
 #include "tree.h"
 
@@ -36,16 +37,20 @@ static json_t *state_of(const node *n) {
   return state;
 }
 
+static json_t *pin_of(const node *cell, const node *n) {
+  const char *gate = tree_clock_gate(cell, n);
+  return json_pack("{s:o, s:o, s:o, s:o, s:o}", "direction", text_of(n, "direction"), "capacitance",
+                   number_of(n, "capacitance"), "function", text_of(n, "function"), "three_state",
+                   text_of(n, "three_state"), "clock_gate",
+                   gate == NULL ? json_null() : json_string(gate));
+}
+
 static json_t *cell_of(const node *cell) {
   static const char *const kinds[] = {"ff", "ff_bank", "latch", "latch_bank", "statetable"};
   json_t *pins = json_object();
   json_t *states = json_array();
   for (const node *n = tree_child(cell, "pin"); n != NULL; n = tree_next(n)) {
-    json_object_set_new(pins, n->args,
-                        json_pack("{s:o, s:o, s:o, s:o}", "direction", text_of(n, "direction"),
-                                  "capacitance", number_of(n, "capacitance"), "function",
-                                  text_of(n, "function"), "three_state",
-                                  text_of(n, "three_state")));
+    json_object_set_new(pins, n->args, pin_of(cell, n));
   }
   for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
     for (const node *n = tree_child(cell, kinds[k]); n != NULL; n = tree_next(n)) {

@@ -116,6 +116,24 @@ double tree_number(const node *n, const char *name, double other) {
   return value == NULL ? other : strtod(value, NULL);
 }
 
+const char *tree_clock_gate(const node *cell, const node *pin) {
+  static const char *const roles[][2] = {{"clock_gate_clock_pin", "clock"},
+                                         {"clock_gate_enable_pin", "enable"},
+                                         {"clock_gate_test_pin", "test"},
+                                         {"clock_gate_out_pin", "out"}};
+  const char *kind = tree_value(cell, "clock_gating_integrated_cell");
+  if (kind == NULL || strncmp(kind, "latch_posedge", strlen("latch_posedge")) != 0) {
+    return NULL;
+  }
+  for (size_t k = 0; k < sizeof roles / sizeof roles[0]; k++) {
+    const char *value = tree_value(pin, roles[k][0]);
+    if (value != NULL && strcmp(value, "true") == 0) {
+      return roles[k][1];
+    }
+  }
+  return NULL;
+}
+
 double tree_unit(const char *text, double other) {
   static const char prefix[] = "munpf";
   if (text == NULL) {

@@ -12,6 +12,15 @@ static void find_activities(analysis *m) {
     m->act[k] = global ? m->want->global : m->want->fault * (double)g->toggles[k] / all;
     m->one[k] = global ? 0.5 : (double)g->ones[k] / all;
   }
+  for (int c = 0; c < g->cells; c++) { /* up and down in each cycle that a clock gate passes */
+    const gates_cell *cell = &g->cell[c];
+    for (int k = 0; cell->type->gate && k < cell->type->pins; k++) {
+      if (cell->type->pin[k].output && cell->net[k] >= 0) {
+        m->act[cell->net[k]] = 2 * m->one[cell->net[k]];
+        m->one[cell->net[k]] /= 2;
+      }
+    }
+  }
   m->act[0] = m->act[1] = m->one[0] = 0;
   m->one[1] = 1;
   m->act[g->clock] = 2;

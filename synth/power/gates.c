@@ -102,6 +102,9 @@ void gates_rise(gates *g, bool count) {
   }
   memcpy(g->before, g->value, (size_t)g->nets * sizeof *g->before);
   for (int c = 0; c < g->cells && g->cell[c].type->register_; c++) {
-    g->cell[c].state = evaluate(g, &g->cell[c], g->cell[c].type->next);
+    gates_cell *cell = &g->cell[c];
+    int clock = cell->net[cell->type->clock];
+    uint64_t edge = clock == g->clock ? ~UINT64_C(0) : g->value[clock];
+    cell->state = (evaluate(g, cell, cell->type->next) & edge) | (cell->state & ~edge);
   }
 }

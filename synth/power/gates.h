@@ -36,7 +36,8 @@ typedef struct {
   int ports;
   int nets;
   int clock;         /* its net */
-  uint64_t *value;   /* of each net, one bit a lane; net 0 is 0, net 1 is 1 */
+  uint64_t *value;   /* of each net, one bit a lane; net 0 is 0, net 1 is 1; of a gated clock:
+                        whether the next edge passes */
   uint64_t *before;  /* in the cycle before */
   uint64_t *toggles; /* of each net, over lanes and cycles counted */
   uint64_t *ones;

@@ -221,6 +221,15 @@ typedef struct {
   int cells;
 } sorter;
 
+/* The clock is the port, that of a register also what a clock gate makes of it. */
+static void check_clock(const sorter *s, const gates_cell *cell) {
+  int net = cell->net[cell->type->clock];
+  int by = net < 0 ? FROM_OUTSIDE : s->driver[net];
+  if (net != s->g->clock && !(cell->type->register_ && by > 0 && s->g->cell[by - 1].type->gate)) {
+    text_fail("another clock than the port, at", cell->name);
+  }
+}
+
 /* Behind the combinational cells that drive it; all its inputs are driven. */
 static void put_in_order(sorter *s, int c) {
   const gates_cell *cell = &s->g->cell[c];
@@ -240,8 +249,8 @@ static void put_in_order(sorter *s, int c) {
     if (net < 0 || s->driver[net] == UNDRIVEN) {
       text_fail("nothing drives an input of", cell->name);
     }
-    if (type->register_ && p == type->clock && net != s->g->clock) {
-      text_fail("another clock than the port, at", cell->name);
+    if ((type->register_ || type->gate) && p == type->clock) {
+      check_clock(s, cell);
     }
     if (!type->register_ && s->driver[net] > 0) {
       put_in_order(s, s->driver[net] - 1);
