@@ -80,6 +80,7 @@ typedef struct {
   bool early_out;         /* exact: an AABB test goes before the core, whose operands are then zero
                              for pairs that the test decides; with extents there is one anyway */
   bool registered_ready;  /* exact: a skid buffer before the core; in_ready is a register */
+  bool clock_gating;      /* exact: registers move only with a pair */
   int clearance, warning; /* exact: LSB; -1 and 0: none. The verdict is free only if the real
                              triangles are farther from each other than `clearance`
                              (docs/clearance.md) */

@@ -98,6 +98,9 @@ static bool check(const sepax_config *config, sepax_error *error) {
     return sepax_fail(error, "registered-ready: the %s ready outputs are so anyway; leave it out",
                       engine ? "engine's" : "stream's");
   }
+  if (config->clock_gating && config->target != SEPAX_TARGET_ASIC) {
+    return sepax_fail(error, "clock-gating: an FPGA has no clock gates; leave it out");
+  }
   return check_memory('a', config->memory_a, error) && check_memory('b', config->memory_b, error);
 }
 

@@ -67,6 +67,10 @@ static const design_option table[] = {
     {"registered-ready", 0, OPTION_SWITCH, FIELD(registered_ready), 0, 0, 1, switch_names,
      EXACT, 0, false, NULL, "-rr", "on|off",
      "a skid buffer before the core: in_ready is a register, which no input reaches (off)"},
+    {"clock-gating", 0, OPTION_SWITCH, FIELD(clock_gating), 0, 0, 1, switch_names,
+     EXACT, 0, false, NULL, "-cg", "on|off",
+     "registers of the core have enables, which a pair brings along: without one they stand still, "
+     "and synthesis can gate their clocks (off)"},
     {"clearance", 0, OPTION_NUMBER, FIELD(clearance), -1, 0, INT32_MAX, NULL,
      EXACT, 0, false, NULL, "-c%s", "LSB",
      "call a pair free only if the real triangles are farther from each other than this, whatever "

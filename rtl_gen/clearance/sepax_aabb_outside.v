@@ -4,6 +4,7 @@ module sepax_aabb_outside #(
   parameter LIMITS = @limits@ // clearances
 ) (
   input  wire                clk,    // clock
+  input  wire                advance, // registers move //@ gated
   input  wire signed [W-1:0] a_1,    // coordinate
   input  wire signed [W-1:0] a_2,    // coordinate
   input  wire signed [W-1:0] a_3,    // coordinate
@@ -23,7 +24,8 @@ module sepax_aabb_outside #(
   sepax_bounds #(.W(W)) bounds_a (.x_1(a_1), .x_2(a_2), .x_3(a_3), .low(low_a), .high(high_a));
   sepax_bounds #(.W(W)) bounds_b (.x_1(b_1), .x_2(b_2), .x_3(b_3), .low(low_b), .high(high_b));
 
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     low_a_q <= low_a;
     high_a_q <= high_a;
     low_b_q <= low_b;

@@ -7,6 +7,7 @@ module sepax_edge_limit #(
   parameter LIMITS = @limits@  // clearances
 ) (
   input  wire                clk,      // clock
+  input  wire                advance, // registers move //@ gated
   input  wire signed [W-1:0] x_from,   // coordinate
   input  wire signed [W-1:0] x_to,     // coordinate
   input  wire signed [W-1:0] y_from,   // coordinate
@@ -21,7 +22,8 @@ module sepax_edge_limit #(
   reg [3*W-1:0] size_q; // |Z|, |Y|, |X|
   reg [3*M_W-1:0] limit;
 
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     size_q <= {(z_to < z_from) ? z_from - z_to : z_to - z_from,
                (y_to < y_from) ? y_from - y_to : y_to - y_from,
                (x_to < x_from) ? x_from - x_to : x_to - x_from};
@@ -37,7 +39,8 @@ module sepax_edge_limit #(
       reg [M_W-1:0] of_sum_q, of_most_q; //@ parts
       integer k; //@ parts
 
-      always @(posedge clk) begin
+      always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
         sum_q <= {1'b0, size_1} + {1'b0, size_2};
         most_q <= (size_1 > size_2) ? size_1 : size_2; //@ most
 //@ if parts

@@ -5,6 +5,7 @@ module sepax_edge_outside #(
   parameter LIMITS = @limits@ // clearances
 ) (
   input  wire                  clk,    // clock
+  input  wire                  advance, // registers move //@ gated
   input  wire [LIMITS:0]       b_1,    // sepax_exceeds_edge of the edge and vertex 1 of the other
   input  wire [LIMITS:0]       b_2,    // vertex 2
   input  wire [LIMITS:0]       b_3,    // vertex 3
@@ -14,7 +15,8 @@ module sepax_edge_outside #(
   wire one_side = (b_1[LIMITS] == b_2[LIMITS]) && (b_1[LIMITS] == b_3[LIMITS]) &&
                   ((own == {G_W{1'b0}}) || (own[G_W-1] != b_1[LIMITS]));
 
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     outside <= {LIMITS{one_side}} & b_1[LIMITS-1:0] & b_2[LIMITS-1:0] & b_3[LIMITS-1:0];
   end
 endmodule

@@ -8,6 +8,7 @@ module @name@ #(
   parameter LIMITS = @limits@ // clearances
 ) (
   input  wire                  clk,     // clock
+  input  wire                  advance, // registers move //@ gated
   input  wire signed [V_W-1:0] @value@,       // value
   input  wire [LIMITS*L_W-1:0] limit,   // for each clearance, the inner in the lower half
   output reg  [LIMITS+1:0]     exceeds  // {it is 0, is below 0, exceeds each limit} //@ zero
@@ -16,7 +17,8 @@ module @name@ #(
   wire [N-1:0] size = {@pad@@value@ ^ {V_W{@value@[V_W-1]}}, {2{@value@[V_W-1]}}};
   integer k;
 
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     exceeds[LIMITS+1] <= @value@ == {V_W{1'b0}}; //@ zero
     exceeds[LIMITS] <= @value@[V_W-1];
     for (k = 0; k < LIMITS; k = k + 1) begin

@@ -6,6 +6,7 @@ module @name@ #(
   parameter LIMITS = @limits@  // clearances
 ) (
   input  wire                  clk,  // clock
+  input  wire                  advance, // registers move //@ gated
   input  wire signed [C_W-1:0] x,    // component
   input  wire signed [C_W-1:0] y,    // component
   input  wire signed [C_W-1:0] z,    // component
@@ -22,7 +23,8 @@ module @name@ #(
   reg [LIMITS*L_W-1:0] of_sum_q, of_most_q; //@ parts
   integer k; //@ parts
 
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     size_x_q <= x[C_W-1] ? -x : x;
     size_y_q <= y[C_W-1] ? -y : y;
     size_z_q <= z[C_W-1] ? -z : z;

@@ -126,11 +126,10 @@ static void load(const coordinates *c, FILE *out, int axis, int v, int bank) {
 }
 
 /* All registers of a bank take their coordinates over, or rotate. */
-static void move(const coordinates *c, FILE *out, int axis, int bank, bool rotate) {
+static void move(const coordinates *c, FILE *out, int axis, int bank, bool rotate, int depth) {
   for (int v = 0; v < 6; v++) {
     if (is_there(c, axis, v, bank)) {
-      const char *indent = c->ii > 1 ? "      " : "    ";
-      fprintf(out, "%s%s <= ", indent, register_name(axis, v, bank).text);
+      fprintf(out, "%*s%s <= ", depth, "", register_name(axis, v, bank).text);
       if (rotate) {
         fprintf(out, "%s;\n", register_name(axis, v / 3 * 3 + (v + 1) % 3, bank).text);
       } else {
@@ -140,18 +139,28 @@ static void move(const coordinates *c, FILE *out, int axis, int bank, bool rotat
   }
 }
 
-void coordinates_clock(const coordinates *c, FILE *out) {
+void coordinates_clock(const coordinates *c, advance *a, FILE *out) {
   for (int axis = 0; axis < AXES; axis++) {
     for (int bank = axis == U; bank < c->axis[axis].banks; bank++) {
+      int start = c->axis[axis].start[bank];
+      int depth = 4;
+      if (a->gated) {
+        fprintf(out, "    if (%s) begin\n", advance_name(a, start).text);
+        depth += 2;
+      }
       if (c->ii > 1) {
-        fprintf(out, "    if (slot[%d]) begin\n", (c->axis[axis].start[bank] + c->ii - 1) % c->ii);
+        const gen_line slot = gen_format("slot[%d]", (start + c->ii - 1) % c->ii);
+        fprintf(out, "%*sif (%s) begin\n", depth, "", a->gated && bank == 0 ? "last" : slot.text);
+        depth += 2;
       }
-      move(c, out, axis, bank, false);
+      move(c, out, axis, bank, false, depth);
       if (bank < c->axis[axis].rotated) {
-        fprintf(out, "    end else begin\n");
-        move(c, out, axis, bank, true);
+        fprintf(out, "%*send else begin\n", depth - 2, "");
+        move(c, out, axis, bank, true, depth);
       }
-      fputs(c->ii > 1 ? "    end\n" : "", out);
+      for (depth -= 2; depth >= 4; depth -= 2) {
+        fprintf(out, "%*send\n", depth, "");
+      }
     }
   }
 }

@@ -4,6 +4,7 @@
 #ifndef SEPAX_COORDINATES_H
 #define SEPAX_COORDINATES_H
 
+#include "advance.h"
 #include "emit/emit.h"
 
 enum { COORDINATES_BANKS = 40 };
@@ -35,8 +36,8 @@ void coordinates_store(coordinates *c, int z_change);
 /* The register in which vertex v stands in this cycle. */
 gen_line coordinates_source(const coordinates *c, int axis, int v, int cycle);
 
-/* Declarations, then the clocked assignments. */
+/* Declarations, then the clocked assignments, with their enables. */
 void coordinates_declare(const coordinates *c, FILE *out);
-void coordinates_clock(const coordinates *c, FILE *out);
+void coordinates_clock(const coordinates *c, advance *a, FILE *out);
 
 #endif

@@ -6,6 +6,7 @@
 
 typedef struct {
   const datapath *d;
+  advance *advance;
   emit_stream *text; /* all units so far */
 } emission;
 
@@ -190,6 +191,10 @@ static void print_instance(const emission *e, const graph_kind *k, int unit) {
   emit_stream_open(&ports);
   describe(e, k, unit);
   fputs(k->latency > 0 ? "\n    .clk(clk)," : "", ports.out);
+  for (int stage = 1; e->advance->gated && stage <= k->latency; stage++) {
+    fprintf(ports.out, "%s%s%s", stage == 1 ? "\n    .advance(" : " || ",
+            advance_name(e->advance, k->start[unit] + stage).text, stage == k->latency ? ")," : "");
+  }
   for (int i = 0; i < GRAPH_OPERANDS && k->row.operand[i] != NULL; i++) {
     const char *port = k->row.operand[i];
     if (!is_optional(port) || !without) {
@@ -244,15 +249,15 @@ static void declare_outputs(const datapath *d, FILE *out) {
   }
 }
 
-void emission_holes(const datapath *d, emit_holes *h) {
+void emission_holes(datapath *d, emit_holes *h) {
   coordinates_declare(&d->coordinates, emit_hole_open(h, "coordinates"));
   declare_outputs(d, emit_hole_open(h, "outputs"));
   schedule_declare(&d->schedule, h->text.out);
-  coordinates_clock(&d->coordinates, emit_hole_open(h, "coordinate_moves"));
-  schedule_clock(&d->schedule, emit_hole_open(h, "output_moves"));
+  coordinates_clock(&d->coordinates, &d->advance, emit_hole_open(h, "coordinate_moves"));
+  schedule_clock(&d->schedule, &d->advance, emit_hole_open(h, "output_moves"));
   emit_hole_open(h, "units");
   for (int kind = 0; kind < d->graph.kinds; kind++) {
-    print_units(&(emission){d, &h->text}, &d->graph.kind[kind]);
+    print_units(&(emission){d, &d->advance, &h->text}, &d->graph.kind[kind]);
   }
   emit_hole_close(h);
 }

@@ -8,7 +8,7 @@
 
 /* Holes of the module that the datapath is: `coordinates` and `outputs` (declarations of registers
  * and wires), `coordinate_moves` and `output_moves` (clocked assignments), `units` (instances). */
-void emission_holes(const datapath *d, emit_holes *h);
+void emission_holes(datapath *d, emit_holes *h);
 
 /* Wire `name`: values as they stand in this cycle, the first in the lowest bits; `value` ends with
  * 0. */

@@ -88,32 +88,60 @@ void schedule_declare(const schedule *s, FILE *out) {
   }
 }
 
-static void move(FILE *out, const schedule_producer *t, int slot, int n) {
-  fprintf(out, "%s <= %s;\n", register_name(t, slot, n).text, register_name(t, slot, n - 1).text);
+static void move(FILE *out, const char *indent, const schedule_producer *t, int slot, int n) {
+  fprintf(out, "%s%s <= %s;\n", indent, register_name(t, slot, n).text,
+          register_name(t, slot, n - 1).text);
 }
 
-void schedule_clock(const schedule *s, FILE *out) {
+/* Delay lines; with enables those of this cycle. */
+static void move_lines(const schedule *s, advance *a, int cycle, FILE *out) {
+  bool open = false;
   for (const schedule_producer *t = s->producer; t < s->producer + s->producers; t++) {
     for (int n = 1; n <= t->line; n++) {
-      fputs("    ", out);
-      move(out, t, 0, n);
+      if (a->gated && t->first + n != cycle) {
+        continue;
+      }
+      if (a->gated && !open) {
+        fprintf(out, "    if (%s) begin\n", advance_name(a, cycle).text);
+        open = true;
+      }
+      move(out, a->gated ? "      " : "    ", t, 0, n);
     }
   }
-  for (int phase = 0; phase < s->ii; phase++) {
-    bool open = false;
-    for (const schedule_producer *t = s->producer; t < s->producer + s->producers; t++) {
-      for (int k = 0; k < s->ii; k++) {
-        bool now = (t->first + k + t->line) % s->ii == phase;
-        for (int n = t->line + 1; now && n <= t->line + holds(s, t, k, t->line); n++) {
-          if (!open) {
-            fprintf(out, "    if (slot[%d]) begin\n", phase);
-            open = true;
-          }
-          fputs("      ", out);
-          move(out, t, k, n);
+  fputs(open ? "    end\n" : "", out);
+}
+
+/* Holding registers that are loaded in this phase of the II window; with enables those of this
+ * cycle. */
+static void move_holds(const schedule *s, advance *a, int phase, int cycle, FILE *out) {
+  bool open = false;
+  for (const schedule_producer *t = s->producer; t < s->producer + s->producers; t++) {
+    for (int k = 0; k < s->ii; k++) {
+      int loaded = t->first + k + t->line;
+      for (int n = t->line + 1; loaded % s->ii == phase && n <= t->line + holds(s, t, k, t->line);
+           n++) {
+        if (a->gated && loaded + (n - t->line - 1) * s->ii + 1 != cycle) {
+          continue;
         }
+        if (!open) {
+          fprintf(out, a->gated ? "    if (slot[%d] && %s) begin\n" : "    if (slot[%d]) begin\n",
+                  phase, a->gated ? advance_name(a, cycle).text : "");
+          open = true;
+        }
+        move(out, "      ", t, k, n);
       }
     }
-    fputs(open ? "    end\n" : "", out);
+  }
+  fputs(open ? "    end\n" : "", out);
+}
+
+void schedule_clock(const schedule *s, advance *a, FILE *out) {
+  for (int cycle = 0; cycle < (a->gated ? ADVANCE_CYCLES : 1); cycle++) {
+    move_lines(s, a, cycle, out);
+  }
+  for (int phase = 0; phase < s->ii; phase++) {
+    for (int cycle = 0; cycle < (a->gated ? ADVANCE_CYCLES : 1); cycle++) {
+      move_holds(s, a, phase, cycle, out);
+    }
   }
 }

@@ -11,6 +11,7 @@
 #ifndef SEPAX_SCHEDULE_H
 #define SEPAX_SCHEDULE_H
 
+#include "advance.h"
 #include "delay.h"
 #include "emit/emit.h"
 #include "graph.h"
@@ -53,9 +54,9 @@ void schedule_store(schedule *s, const delay_model *m);
 /* The register in which v stands in this cycle. */
 gen_line schedule_source(const schedule *s, schedule_value v, int cycle);
 
-/* Registers behind the outputs: declarations, then their clocked assignments. slot[k] is
- * high in cycle k modulo II. */
+/* Registers behind the outputs: declarations, then their clocked assignments, with their enables.
+ * slot[k] is high in cycle k modulo II. */
 void schedule_declare(const schedule *s, FILE *out);
-void schedule_clock(const schedule *s, FILE *out);
+void schedule_clock(const schedule *s, advance *a, FILE *out);
 
 #endif

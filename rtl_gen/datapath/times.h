@@ -2,6 +2,7 @@
 #ifndef SEPAX_TIMES_H
 #define SEPAX_TIMES_H
 
+#include "advance.h"
 #include "coordinates.h"
 #include "graph.h"
 #include "schedule.h"
@@ -12,6 +13,7 @@ typedef struct {
                   front of a chain can select the others */
   schedule schedule;
   coordinates coordinates;
+  advance advance;
 } datapath;
 
 /* The definition cycle of an operation's value; its kind has started. */

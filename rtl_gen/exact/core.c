@@ -44,6 +44,32 @@ static void set_buses(emit_holes *h, const char *name, const exact_plan *p, cons
   emit_hole_close(h);
 }
 
+/* Enables that the core reads, as its ports and as the control connects them: advance_0 from what
+ * comes, the others from live_q. */
+static void set_advances(emit_holes *h, const exact_plan *p) {
+  const advance *a = &p->datapath.advance;
+  int last = 1;
+  FILE *out = emit_hole_open(h, "advances");
+  for (int cycle = 0; cycle < ADVANCE_CYCLES; cycle++) {
+    if (a->used[cycle]) {
+      fprintf(out, "  input  wire       advance_%d, // registers of cycle %d move\n", cycle, cycle);
+      last = cycle > last ? cycle : last;
+    }
+  }
+  out = emit_hole_open(h, "advance_ports");
+  for (int cycle = 0; cycle < ADVANCE_CYCLES; cycle++) {
+    if (a->used[cycle]) {
+      const gen_line live = gen_format("live_q[%d]", cycle - 1);
+      fprintf(out, "    .advance_%d(%s),\n", cycle, cycle == 0 ? "load" : live.text);
+    }
+  }
+  emit_hole_close(h);
+  emit_hole_set(h, "slot_rests", a->gated ? "; 0 without a pair" : "");
+  emit_hole_set(h, "live_msb", "%d", last - 1);
+  emit_hole_set(h, "live_zero", "%d'd0", last);
+  emit_hole_set(h, "live_next", last > 1 ? "{live_q[%d:0], first}" : "first", last - 2);
+}
+
 static void set_inputs(emit_holes *h, const exact_plan *p) {
   FILE *out = emit_hole_open(h, "inputs");
   for (int n = 0; n < 18; n++) {
@@ -53,7 +79,7 @@ static void set_inputs(emit_holes *h, const exact_plan *p) {
   emit_hole_close(h);
 }
 
-void gen_exact_core(emitter *e, const exact_plan *p, emit_holes *h) {
+void gen_exact_core(emitter *e, exact_plan *p, emit_holes *h) {
   set_numbers(h, p);
   set_start(h, "t_cycle", p, p->graph.t[0][0][1]);
   set_start(h, "g_cycle", p, p->graph.g[0][0][1][3]);
@@ -62,6 +88,7 @@ void gen_exact_core(emitter *e, const exact_plan *p, emit_holes *h) {
   emit_hole_set(h, "v_cycle", "%2d", p->verdict_cycle);
   set_inputs(h, p);
   emission_holes(&p->datapath, h);
+  set_advances(h, p);
   set_buses(h, "plane", p, p->graph.projection, exact_projection_cycle(p));
   set_buses(h, "verdict", p, p->graph.verdict, p->verdict_cycle);
   emit_template(e, "sepax_core", h->hole);

@@ -101,6 +101,7 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
   }
   p->datapath.schedule.ii = ii;
   p->datapath.chains = p->delay->family;
+  p->datapath.advance.gated = design->config.clock_gating;
   p->datapath.coordinates =
       (coordinates){.ii = ii, .rotate = ii % 3 == 0, .still = p->delay->family};
   exact_graph_make(p);

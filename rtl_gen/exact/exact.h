@@ -114,6 +114,6 @@ static inline bool exact_in_fpga_engine(const sepax_config *c) {
 
 /* Modules; what one of them sets in the list of holes, the next finds there or sets anew. */
 void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h);
-void gen_exact_core(emitter *e, const exact_plan *p, emit_holes *h);
+void gen_exact_core(emitter *e, exact_plan *p, emit_holes *h);
 
 #endif

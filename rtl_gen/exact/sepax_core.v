@@ -9,7 +9,11 @@
 // Cycle 0 is the first in which a pair stands in the first registers.
 module sepax_core (
   input  wire       clk,        // clock
-  input  wire [@last_slot@:0] slot,       // bit k: cycle k of the II window, one-hot //@ slots
+//@ if slots
+  input  wire [@last_slot@:0] slot,       // bit k: cycle k of the II window, one-hot@slot_rests@
+  input  wire       last,       // the II window ends //@ gated
+//@ end
+@advances@ //@ gated
 @inputs@
 //@ if passes
   input  wire       again,      // take the pair once more, u for x and z for y

@@ -53,6 +53,21 @@ module sepax_narrow (
   wire enter = take || again; //@ passes
   wire enter = take; //@ !passes
 
+  //@ if gated
+  // Bit t: a pair that the core works for is in its cycle t, or was in one of the II - 1 before.
+  reg  [@live_msb@:0]     live_q;
+  wire comes = (in_valid@unless_disjoint@)@or_again@; // with in_ready or again, it enters
+  //@ if shared
+  reg  [II-1:0] core_slot_q; // slot_q while the core works for a pair, else 0
+  wire [II-1:0] slot_next = (!last_slot || enter || (|valid_q)) ? {slot_q[II-2:0], slot_q[II-1]}
+                                                                : slot_q;
+  wire load = last_slot ? comes : live_q[0]; // first registers load, or rotate
+  wire first = last_slot ? (comes && enter) : live_q[0];
+  //@ else
+  wire load = comes;
+  wire first = comes && enter;
+  //@ end
+  //@ end
   assign in_ready = @at_last_slot@free@unless_again@;
 
   always @(posedge clk) begin
@@ -61,10 +76,14 @@ module sepax_narrow (
       valid_q <= {(LAST+1){1'b0}};
     end else begin
       //@ if shared
+//@ if gated
+      slot_q <= slot_next;
+//@ else
       if (!last_slot || enter || (|valid_q)) begin //@ !fpga_engine
       if (!last_slot || (in_valid && free) || (|valid_q)) begin //@ fpga_engine
         slot_q <= {slot_q[II-2:0], slot_q[II-1]};
       end
+//@ end
       //@ end
       if (@window_ends@) begin
         valid_q[0] <= enter;
@@ -97,9 +116,28 @@ module sepax_narrow (
     end
   end
 
+//@ if gated
+  always @(posedge clk) begin
+    if (rst) begin
+      live_q <= @live_zero@;
+      core_slot_q <= {II{1'b0}}; //@ shared
+    end else begin
+      live_q <= @live_next@;
+      core_slot_q <= (first || (|live_q)) ? slot_next : {II{1'b0}}; //@ shared
+    end
+  end
+
+//@ end
   sepax_core core (
     .clk(clk),
-    .slot(slot_q), //@ shared
+@advance_ports@ //@ gated
+//@ if shared
+    .slot(slot_q), //@ !gated
+//@ if gated
+    .slot(core_slot_q),
+    .last(last_slot),
+//@ end
+//@ end
     .in_a1_x(in_pair[0*N +: N]), .in_a1_y(in_pair[6*N +: N]), .in_a1_z(in_pair[12*N +: N]),
     .in_a2_x(in_pair[1*N +: N]), .in_a2_y(in_pair[7*N +: N]), .in_a2_z(in_pair[13*N +: N]),
     .in_a3_x(in_pair[2*N +: N]), .in_a3_y(in_pair[8*N +: N]), .in_a3_z(in_pair[14*N +: N]),

@@ -24,6 +24,7 @@ static void set_shared(emit_holes *h, const exact_plan *p) {
                                        {"fetch_3d", s->fetch_3d},
                                        {"whole", p->limits > 0},
                                        {"limits", p->limits},
+                                       {"gated", p->datapath.advance.gated},
                                        {"two_limits", p->limits > 1},
                                        {"axis_none", SEPAX_AXIS_NONE},
                                        {"axis_edges", SEPAX_AXIS_EDGES},

@@ -5,6 +5,7 @@ module @name@ #(
   parameter G_W = @g_w@ // bits of an orient2d
 ) (
   input  wire                  clk, // clock
+  input  wire                  advance, // registers move //@ gated
   input  wire signed [G_W-1:0] p,   // trapezoid term
   input  wire signed [G_W-1:0] q,   // trapezoid term
   input  wire signed [G_W-1:0] r,   // trapezoid term
@@ -20,7 +21,8 @@ module @name@ #(
   );
 
 //@ end
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     g <= sum + carry; //@ !chain
 //@ if fetch_2d
     p_q <= p;

@@ -5,6 +5,7 @@ module @name@ #(
   parameter V_W = @v_w@ // bits of an orient3d
 ) (
   input  wire                  clk,    // clock
+  input  wire                  advance, // registers move //@ gated
   input  wire signed [V_W-1:0] p,      // signed prism volume
   input  wire signed [V_W-1:0] q,      // signed prism volume
   input  wire signed [V_W-1:0] r,      // signed prism volume
@@ -33,7 +34,8 @@ module @name@ #(
   wire [V_W-1:0] volume = @sum@; //@ !registered
 //@ end
 
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     sum_q <= sum; //@ rows
     carry_q <= carry; //@ rows
     volume <= @sum@; //@ registered

@@ -17,6 +17,7 @@ module sepax_own_zsum #(
   parameter O_W = @o_w@ // bits of the z sum
 ) (
   input  wire                  clk,    // clock
+  input  wire                  advance, // registers move //@ gated
 //@ if running
   input  wire signed [O_W-1:0] so_far, // @so_far@, or the sum that has no third vertices yet
   input  wire signed [W-1:0]   z_a,    // coordinate
@@ -86,7 +87,8 @@ module sepax_own_zsum #(
 //@ end
 
   reg [O_W-1:0] sum_q, carry_q; //@ registered
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     sum_q <= sum; //@ registered
     carry_q <= carry; //@ registered
     z <= sum + carry; //@ running
@@ -96,7 +98,8 @@ module sepax_own_zsum #(
 //@ else
   reg [O_W-1:0] b_q, a_q; //@ registered
 
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     z <= wide(z_b) + so_far - wide(z_a); //@ running
     b_q <= wide(z_b1) + wide(z_b2) + wide(z_b3); //@ registered
     a_q <= wide(z_a1) + wide(z_a2) + wide(z_a3); //@ registered

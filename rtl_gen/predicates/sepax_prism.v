@@ -13,6 +13,7 @@ module @name@ #(
   parameter V_W = @v_w@  // bits of an orient3d
 ) (
   input  wire                  clk, // clock
+  input  wire                  advance, // registers move //@ gated
   input  wire signed [G_W-1:0] g,   // orient2d
   input  wire signed [Z_W-1:0] z,   // z sum@plus_bias@
   output reg  signed [V_W-1:0] h    // signed prism volume
@@ -24,7 +25,8 @@ module @name@ #(
     .a(g), .b(z), .p(product)
   );
 
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     h <= product;
   end
 endmodule

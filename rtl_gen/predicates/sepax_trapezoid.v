@@ -13,6 +13,7 @@ module @name@ #(
   parameter G_W = @g_w@  // bits of t
 ) (
   input  wire                  clk,    // clock
+  input  wire                  advance, // registers move //@ gated
   input  wire signed [W-1:0]   x_from, // coordinate
   input  wire signed [W-1:0]   x_to,   // coordinate
   input  wire signed [W-1:0]   y_from, // coordinate
@@ -31,7 +32,8 @@ module @name@ #(
     .a(run), .b(height), .p(product) //@ !sums
   );
 
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     run_q <= run; //@ sums
     height_q <= height; //@ sums
     t <= product;

@@ -13,7 +13,10 @@ module sepax_zdiff #(
   parameter DIGITS = @digits@ // radix-4 digits of a z sum //@ biased
   parameter Z_W = @z_w@       // bits of a z sum //@ !biased
 ) (
-  input  wire                  clk, // clock //@ !shared
+//@ if !shared
+  input  wire                  clk, // clock
+  input  wire                  advance, // registers move //@ gated
+//@ end
   input  wire signed [W-1:0]   z_p, // coordinate
   input  wire signed [W-1:0]   z_r, // coordinate
   output wire signed [Z_W-1:0] z    // difference@plus_bias@ //@ shared
@@ -30,7 +33,8 @@ module sepax_zdiff #(
 //@ if shared
   assign z = wide_p - wide_r@plus_bias@;
 //@ else
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     z <= wide_p - wide_r@plus_bias@;
   end
 //@ end

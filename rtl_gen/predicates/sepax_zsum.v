@@ -17,12 +17,14 @@ module sepax_zsum #(
   parameter Z_W = @z_w@ // bits of a z sum
 ) (
   input  wire                  clk,    // clock
+  input  wire                  advance, // registers move //@ gated
 //@ if shared
   input  wire signed [Z_W-1:0] diff_1, // z difference + BIAS
   input  wire signed [Z_W-1:0] diff_2, // z difference + BIAS
   output reg  signed [Z_W-1:0] z       // z sum + 2 BIAS
 );
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     z <= diff_1 + diff_2;
   end
 //@ else
@@ -52,7 +54,8 @@ module sepax_zsum #(
   );
 
 //@ end
-  always @(posedge clk) begin
+  always @(posedge clk) begin //@ !gated
+  always @(posedge clk) if (advance) begin //@ gated
     z <= sum + carry + BIAS; //@ biased
     z <= (wide(z_p) - wide(z_r)) + (wide(z_q) - wide(z_s)); //@ !biased
   end
