@@ -24,8 +24,8 @@ const node *tree_next(const node *n);
 const char *tree_value(const node *n, const char *name);
 double tree_number(const node *n, const char *name, double other);
 
-/* What a pin is to its cell, a clock gate whose latch opens while the clock is low: "clock", "enable",
- * "test" or "out"; else NULL. */
+/* What a pin is to its cell, a clock gate whose latch opens while the clock is low: "clock",
+ * "enable", "test" or "out"; else NULL. */
 const char *tree_clock_gate(const node *cell, const node *pin);
 
 /* A unit in SI, "1nW" or "1,pf"; `other` where the text is NULL. */
