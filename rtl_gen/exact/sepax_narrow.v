@@ -56,7 +56,9 @@ module sepax_narrow (
   //@ if gated
   // Bit t: a pair that the core works for is in its cycle t, or was in one of the II - 1 before.
   reg  [@live_msb@:0]     live_q;
-  wire comes = (in_valid@unless_disjoint@)@or_again@; // with in_ready or again, it enters
+  // With in_ready or again it enters.
+  wire comes = (in_valid && !@decided@)@or_again@; //@ aabb_test
+  wire comes = in_valid@or_again@; //@ !aabb_test
   //@ if shared
   reg  [II-1:0] core_slot_q; // slot_q while the core works for a pair, else 0
   wire [II-1:0] slot_next = (!last_slot || enter || (|valid_q)) ? {slot_q[II-2:0], slot_q[II-1]}

@@ -64,10 +64,6 @@ static void set_control(emit_holes *h, const exact_plan *p) {
   emit_hole_set(h, "at_last_slot", shared ? "last_slot && " : "");
   const gen_line slot = gen_format(" && slot_q[%d]", p->verdict_cycle % c->ii);
   emit_hole_set(h, "at_verdict_slot", "%s", shared ? slot.text : "");
-  emit_hole_set(h, "unless_disjoint",
-                c->extent_a > 0          ? " && !in_disjoint && !in_exceeds"
-                : p->design->aabb_test ? " && !in_disjoint"
-                                         : "");
   emit_hole_set(h, "or_again", p->single ? "" : " || again");
   emit_hole_set(h, "unless_again", p->single ? "" : " && !again");
 }
