@@ -39,8 +39,8 @@ SAMPLES   = $(filter $(BUILD)/mesh/%,$(MESH_A) $(MESH_B))
 SEEDED    = --count=$(COUNT) --seed=$(SEED)
 STRESSED  = $(if $(STRESS),--stress=$(STRESS))
 PAIR_ARGS = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if \
-            $(filter corners within beyond overlaps powers,$(PAIRS)),--$(PAIRS) $(SEEDED),$(if \
-            $(filter grid,$(PAIRS)),--sample --count=$(COUNT),$(if \
+            $(filter corners within beyond overlaps powers axes,$(PAIRS)),--$(PAIRS) \
+            $(SEEDED),$(if $(filter grid,$(PAIRS)),--sample --count=$(COUNT),$(if \
             $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)"))))
 
 # ------------------------------------------------------------------------- Verilator

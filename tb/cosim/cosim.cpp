@@ -6,6 +6,9 @@
 #include "driver.h"
 #endif
 
+#if !SEPAX_EXACT
+#include "axis_source.h"
+#endif
 #include <algorithm>
 
 namespace {
@@ -30,6 +33,7 @@ enum {
   KEY_OVERLAPS,
   KEY_POWERS,
   KEY_CORNERS,
+  KEY_AXES,
   KEY_WITHIN,
   KEY_BEYOND,
   KEY_MESHES
@@ -49,6 +53,9 @@ const argp_option options_table[] = {
      "instead of those families, pairs in a plane or on a line that overlap by one vertex each", 0},
     {"powers", KEY_POWERS, nullptr, 0,
      "instead of those families, coordinates that are 0 or powers of two", 0},
+#if !SEPAX_EXACT
+    {"axes", KEY_AXES, nullptr, 0, "instead of those families, pairs that one axis decides", 0},
+#endif
 #ifdef SEPAX_EXTENT_A
     {"within", KEY_WITHIN, nullptr, 0, "those families within the extents of the design", 0},
     {"beyond", KEY_BEYOND, nullptr, 0, "the same, one triangle of each pair beyond them", 0},
@@ -95,6 +102,7 @@ error_t parse(int key, char *text, argp_state *state) {
   case 'p':
   case KEY_FAMILY:
   case KEY_CORNERS:
+  case KEY_AXES:
   case KEY_WITHIN:
   case KEY_BEYOND:
   case KEY_SAMPLE:
@@ -136,6 +144,10 @@ Source open_source(const Options &o) {
     return overlap_source(o.count, o.seed);
   case KEY_POWERS:
     return power_source(o.count, o.seed);
+#if !SEPAX_EXACT
+  case KEY_AXES:
+    return axis_source(o.count, o.seed);
+#endif
 #ifdef SEPAX_EXTENT_A
   case KEY_WITHIN:
     return family_source(o.count, o.seed, "all", draw_extents<false>);

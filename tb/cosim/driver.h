@@ -17,7 +17,7 @@ constexpr uint64_t MISMATCHES_SHOWN = 20;
 class Driver {
 public:
   Driver(const char *wave, uint64_t stress, const sepax_design &design)
-      : design(design), stress(stress), random{stress}, top(wave, stress) {
+      : design(design), stress(stress), random{stress}, top(wave, stress), isolation(design) {
     set_reset(*top, true);
     set_in_valid(*top, false);
     set_out_ready(*top, true);
@@ -230,6 +230,7 @@ private:
     }
     e.cycle = cycle - (HANDSHAKE ? 0 : INPUT_WORDS - 1);
     e.alone = idle >= SETTLE;
+    isolation.enter(e.verdict);
     if (scoreboard.full()) {
       hang("more pairs were taken than the design can hold");
     }
@@ -285,8 +286,8 @@ private:
   void look(bool ready) {
     const Verdict now = shown(*top);
     const Outstanding *e = oldest();
-    if (!isolated(*top)) {
-      complain(e, "operands enter the core without a pair that it has to decide");
+    if (!isolation.kept(*top)) {
+      complain(e, "operands move without a pair that needs them");
     }
     if (blocked_verdict.valid && now != blocked_verdict) {
       complain(e, "a verdict moves while it is blocked");
@@ -451,6 +452,7 @@ private:
     } while (draw() % 3 == 0);
     set_reset(*top, false);
     idle = 0;
+    isolation.forget();
     resets++;
     dropped += scoreboard.size();
     scoreboard.clear();
@@ -481,6 +483,7 @@ private:
   uint64_t stress;
   sepax_random random;
   VerilatedTop<Top> top;
+  Isolation isolation;
   Scoreboard scoreboard;
   bool hung = false;
   sepax_pair first{};    // pair of a run under stress

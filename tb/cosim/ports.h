@@ -8,7 +8,9 @@
 #include "sepax_params.h"
 
 #include <algorithm>
+#include <cstring>
 #include <string>
+#include <vector>
 
 // What goes with a pair of AXI4-Stream: its tag, TLAST; and what is wrong with the pair: a
 // coordinate beyond the word, `outside` says which and how; or TLAST comes behind its first `cut`
@@ -55,7 +57,7 @@ inline Verdict expected(const sepax_verdict &v, const Travel &t) {
 #include "stream_ports.h"
 #else
 #include "Vsepax_top.h"
-#if defined SEPAX_ISOLATION && defined SEPAX_BOXES
+#if defined SEPAX_ISOLATION && (defined SEPAX_BOXES || !SEPAX_EXACT && !defined SEPAX_CONFERENCE)
 #include "Vsepax_top___024root.h" // isolation.vlt
 #endif
 using Top = Vsepax_top;
@@ -110,6 +112,7 @@ inline void drive(Top &top, const sepax_pair &pair, int word, const Travel &) {
 
 #endif
 
+// Looks once a cycle at operands of what has nothing to do.
 #if defined SEPAX_ISOLATION && defined SEPAX_BOXES && !defined SEPAX_STREAM
 inline bool any_bit(uint64_t bits) { return bits != 0; }
 template <std::size_t WORDS> bool any_bit(const VlWide<WORDS> &bits) {
@@ -117,13 +120,80 @@ template <std::size_t WORDS> bool any_bit(const VlWide<WORDS> &bits) {
 }
 
 // Without a pair, or where the AABB test has decided, nothing but zeros enters the core.
-inline bool isolated(const Top &top) {
-  const auto &in = *top.rootp;
-  return (in.sepax_top__DOT__narrow_valid && !in.sepax_top__DOT__disjoint) ||
-         !any_bit(in.sepax_top__DOT__narrow_pair);
-}
+class Isolation {
+public:
+  explicit Isolation(const sepax_design &) {}
+  void enter(const sepax_verdict &) {}
+  void forget() {}
+  bool kept(const Top &top) {
+    const auto &in = *top.rootp;
+    return (in.sepax_top__DOT__narrow_valid && !in.sepax_top__DOT__disjoint) ||
+           !any_bit(in.sepax_top__DOT__narrow_pair);
+  }
+};
+#elif defined SEPAX_ISOLATION && !SEPAX_EXACT && !defined SEPAX_CONFERENCE
+// Coplanar pairs leave operands, axes and vertices of axes 7 ... 9 as they are.
+class Isolation {
+public:
+  explicit Isolation(const sepax_design &design) {
+    const auto bits = [&](int id) { return design.format[id].exact - design.format[id].shift; };
+    operands = 6 * bits(SEPAX_F_EDGE);
+    axes = 18 * bits(SEPAX_F_AXIS);
+  }
+  // The last word of a pair was in this cycle.
+  void enter(const sepax_verdict &v) { cycles |= v.coplanar ? 0 : UINT64_C(1) << INPUT_WORDS; }
+  // A reset.
+  void forget() {
+    cycles = 0;
+    before.clear();
+  }
+  bool kept(const Top &top) {
+    const auto &now = *top.rootp;
+    const std::vector<unsigned char> was = before;
+    before.clear();
+    add(operands_of(now, 0), operands);
+    const auto middle = (std::ptrdiff_t)before.size();
+    add(now.sepax_top__DOT__axis, axes);
+    add(now.sepax_top__DOT__a_10, 0);
+    add(now.sepax_top__DOT__b_10, 0);
+    const bool loads = (cycles >> 7 & 1) != 0, moves = (cycles >> 9 & 1) != 0;
+    cycles <<= 1;
+    return was.empty() ||
+           ((loads || std::equal(was.begin(), was.begin() + middle, before.begin())) &&
+            (moves || std::equal(was.begin() + middle, was.end(), before.begin() + middle)));
+  }
+
+private:
+  int operands, axes;  // their first bits
+  uint64_t cycles = 0; // bit c: a pair that is not coplanar was in its cycle c in the cycle before
+  std::vector<unsigned char> before;
+
+  // The operands; in a flat netlist they have another name.
+  template <typename Root>
+  static auto operands_of(const Root &root, int) -> decltype((root.sepax_top__DOT__psa__DOT__p_q)) {
+    return root.sepax_top__DOT__psa__DOT__p_q;
+  }
+  template <typename Root>
+  static auto operands_of(const Root &root, long) -> decltype((root.sepax_top__DOT__psa_p_q)) {
+    return root.sepax_top__DOT__psa_p_q;
+  }
+
+  // The bits of a signal from this one on; Verilator has the lowest in the first byte.
+  template <typename Signal> void add(const Signal &signal, int first) {
+    unsigned char bytes[sizeof signal];
+    std::memcpy(bytes, &signal, sizeof signal);
+    bytes[first / 8] &= (unsigned char)(0xff << first % 8);
+    before.insert(before.end(), bytes + first / 8, bytes + sizeof signal);
+  }
+};
 #else
-inline bool isolated(const Top &) { return true; }
+class Isolation {
+public:
+  explicit Isolation(const sepax_design &) {}
+  void enter(const sepax_verdict &) {}
+  void forget() {}
+  bool kept(const Top &) { return true; }
+};
 #endif
 
 #endif
