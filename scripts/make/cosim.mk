@@ -62,11 +62,12 @@ verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { $(VERILATOR) --cc 
            --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
            { tail -20 ../$(@F).log >&2; exit 1; }; }
 # For a short run one file compiles fastest: each has the header of all signals.
-one_file    = $(if $(filter -O0 -O1,$(1)),--output-split 100000000 --output-split-cfuncs 20000)
+one_file    = $(if $(filter -O0 -O1 -Og,$(1)),--output-split 100000000 --output-split-cfuncs 20000)
 COSIM_OPT  ?= -O3
 COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=$(COSIM_OPT) OPT_GLOBAL=-O2" $(call one_file,$(COSIM_OPT)) \
               -CFLAGS "-I$(abspath c_model) -I../rtl -DSEPAX_ISOLATION" \
-              $(abspath tb/cosim/isolation.vlt)
+              $(abspath tb/cosim/modules.vlt) $(if $(OF_VIEW),-fno-gate)
+# -fno-gate: the function of a kind of multiplier has no signal in it from where one of them stands.
 
 $(COSIM): $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME)$(OF_VIEW)"

@@ -58,7 +58,7 @@ inline Verdict expected(const sepax_verdict &v, const Travel &t) {
 #else
 #include "Vsepax_top.h"
 #if defined SEPAX_ISOLATION && (defined SEPAX_BOXES || !SEPAX_EXACT && !defined SEPAX_CONFERENCE)
-#include "Vsepax_top___024root.h" // isolation.vlt
+#include "Vsepax_top___024root.h" // modules.vlt
 #endif
 using Top = Vsepax_top;
 
