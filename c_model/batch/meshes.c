@@ -16,7 +16,7 @@ enum { BLOCK = 64, PART = 64 * 64, DIGIT = 10 };
 
 /* False where the search ends with this pair. */
 static bool record(worker *w, size_t i, size_t j) {
-  w->no_memory = !list_add_pair(&w->found, &w->capacity, i, j);
+  w->no_memory |= !list_add_pair(&w->found, &w->capacity, i, j);
   bool ends = w->no_memory || w->all->how->first;
   if (ends) {
     atomic_store(&w->all->stop, true);

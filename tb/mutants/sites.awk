@@ -2,10 +2,13 @@
 # many characters are replaced, what is there and what comes there instead, separated by tabs.
 #
 # The layout is that of clang-format: a binary operator has blanks around it. Comments, strings,
-# preprocessor lines and declarations of pointers stay.
+# preprocessor lines and declarations of pointers stay; so does a number that, one greater, only
+# makes memory longer: in the length of an array that is declared, and in what an allocation asks
+# for, but behind a "/" or "-".
 
 BEGIN {
   FS = "\t"
+  type = "[A-Za-z_][A-Za-z0-9_]*([(][a-z_0-9]+[)])?"
   count = split("<= < >= > == != && || << >> += -= ++ -- &= |= < > + - * / % & | ^", from, " ")
   split("< <= > >= != == || && >> << -= += -- ++ |= &= <= >= - + + * * | & |", to, " ")
 }
@@ -36,12 +39,22 @@ function code_of(line,    out, i, c, quote) {
   code = code_of($0)
   if (directive || code ~ /^ *(typedef|extern|_Static_assert)/) next
 
+  # Up to which column the line declares; from which it allocates.
+  declared = 0
+  if (code ~ "^ *((static|const|struct|enum) )*" type "( const)? [*(]*[a-z_]" &&
+      code !~ /^[ }]*(if|else|for|while|do|switch|case|goto|return) /) {
+    declared = match(code "=", /[={]/)
+  }
+  allocated = match(code, /[a-z]alloc\(/) ? RSTART : length(code) + 1
   for (i = 1; i <= length(code); i++) {
     c = substr(code, i, 1)
     if (c ~ /[0-9]/ && substr(code, i - 1, 1) !~ /[A-Za-z0-9_.]/) {
       match(substr(code, i), /^[0-9A-Za-z_.]+/)
       number = substr(code, i, RLENGTH)
-      if (number ~ /^[0-9]+$/) site(i, RLENGTH, number, number + 1)
+      before = substr(code, 1, i - 1)
+      inside = before ~ /\[[^]]*$/
+      longer = inside ? i < declared && before !~ /\)\[/ : i > allocated && before !~ /[-\/] $/
+      if (number ~ /^[0-9]+$/ && !longer) site(i, length(number), number, number + 1)
       i += RLENGTH - 1
       continue
     }

@@ -1,0 +1,108 @@
+/* scarcity.c - readers without memory: each allocation refused in turn. Those of libxml2 are among
+ * them, which keeps its last error. */
+#include "files.h"
+#include "unit/memory/scarce.h"
+
+#define JOINT(name, type, from, to, more)                                                       \
+  "<joint name='" name "' type='" type "'><parent link='" from "'/><child link='" to "'/>" more \
+  "</joint>\n"
+
+static bool work_robot(void *context) {
+  format_robot r;
+  static const format_package package = {"p", "/tmp"};
+  if (!format_urdf_read(&r, context, &package, 1, &fault)) {
+    return false;
+  }
+  bool *compared = calloc(r.mechanism.links * r.mechanism.links, sizeof *compared);
+  sepax_chain chain;
+  char *of = NULL;
+  bool works = compared != NULL &&
+               format_srdf_read(compared, &r.mechanism, &of, in_folder("r.srdf"), &fault);
+  if (works && sepax_chain_find(&chain, &r.mechanism, 1, 3, &fault)) {
+    assert_int_equal(chain.count, 3);
+    sepax_chain_free(&chain);
+  } else {
+    snprintf(fault.text, sizeof fault.text, "no memory");
+    works = false;
+  }
+  for (size_t n = 0; works && n < r.shapes; n++) {
+    sepax_mesh mesh = {NULL, 0};
+    works = format_shape_mesh(&mesh, &r.shape[n], &fault);
+    sepax_mesh_free(&mesh);
+  }
+  free(of);
+  free(compared);
+  format_robot_free(&r);
+  return works;
+}
+
+CASE(test_robots) {
+  put_file("r.srdf", "<robot name='r'><disable_collisions link1='a' link2='b'/></robot>\n");
+  char *name = strdup(
+      put_file("r.urdf", "<robot name='r'><link name='a'/><link name='b'><collision><geometry>"
+                         "<box size='1 2 3'/></geometry></collision></link>\n"
+                         "<link name='c'><collision><geometry><sphere radius='1'/></geometry>"
+                         "</collision></link><link name='d'><collision><geometry>"
+                         "<cylinder radius='1' length='2'/></geometry></collision></link>\n" //
+               JOINT("j", "prismatic", "a", "b", "<limit lower='-1' upper='1'/>")            //
+               JOINT("k", "continuous", "a", "c", "<mimic joint='j'/>")                      //
+               JOINT("l", "fixed", "c", "d", "") "</robot>\n"));
+  memory.keeps = true;
+  assert_true(assert_scarce(work_robot, name) > 50);
+  memory.keeps = false;
+  free(name);
+}
+
+typedef struct {
+  format_robot robot;
+  const char *path;
+} motions;
+
+static bool work_motion(void *context) {
+  motions *s = context;
+  format_motion motion;
+  const format_motion_rules rules = {.hold = true};
+  if (!format_motion_read(&motion, &s->robot.mechanism, &rules, s->path, &fault)) {
+    return false;
+  }
+  assert_int_equal(motion.lines, 300);
+  assert_true(motion.value[299 * motion.joints] == 0.5);
+  format_motion_free(&motion);
+  return true;
+}
+
+CASE(test_paths) {
+  motions s;
+  put_file("r.urdf", "<robot name='r'><link name='a'/><link name='b'/><link name='c'/>\n" //
+           JOINT("j", "prismatic", "a", "b", "<limit lower='-1' upper='1'/>")             //
+           JOINT("k", "continuous", "b", "c", "") "</robot>\n");
+  assert_works(format_urdf_read(&s.robot, in_folder("r.urdf"), NULL, 0, &fault));
+  char text[300 * 24 + 16] = "time,j\n";
+  for (int n = 0; n < 300; n++) {
+    snprintf(text + strlen(text), 24, "%d,0.5\n", n);
+  }
+  s.path = put_file("p.csv", text);
+  assert_true(assert_scarce(work_motion, &s) > 3);
+  format_robot_free(&s.robot);
+}
+
+static bool work_mesh(void *context) {
+  sepax_mesh mesh;
+  if (!format_mesh_read(&mesh, context, &fault)) {
+    return false;
+  }
+  assert_int_equal(mesh.count, 2);
+  format_distinct(&mesh);
+  sepax_mesh_free(&mesh);
+  return true;
+}
+
+/* Other formats have a process of their own. */
+CASE(test_meshes) {
+  char *name = strdup(put_file(
+      "m.stl", "solid m\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+               "vertex 0 1 0\nendloop\nendfacet\nfacet normal 0 0 1\nouter loop\n"
+               "vertex 0 0 1\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid m\n"));
+  assert_true(assert_scarce(work_mesh, name) > 2);
+  free(name);
+}
