@@ -145,7 +145,7 @@ CASE(test_text_errors) {
       {"hello", "no STL file"},
       {"<html>This is a page of text, and so long that it might have the head of a "
        "binary file in it.</html>",
-       "no STL file"},
+       "neither 'solid' nor a binary header"},
       {"solid\nendsolid\n", "no facets"},
       {"solidify\n", "line 1: 'solidify' where solid is expected"},
       {"solid a\n", "line 2: the text ends before facet or endsolid: truncated"},

@@ -1,5 +1,6 @@
 /* size.c - what a scene needs, against poses and counts made by other means; gates
  * against mapped designs; pairs within extents. */
+#include "design/motion.h"
 #include "oracle/geometry.h"
 #include "oracle/oracle.h"
 #include "oracle/pair_tools.h"
@@ -187,6 +188,69 @@ CASE(test_resting) {
     assert_true(fits(size.low, size.high, size.grid, size.grid.word));
     assert_false(fits(size.low, size.high, size.grid, size.grid.word - 1));
     sepax_size_free(&size);
+  }
+}
+
+/* Lengths have no unit: all of them times a power of two, and the size is the same. */
+static void scale(scene *s, double by) {
+  for (int i = 0; i < 2; i++) {
+    for (int n = 0; n < 9 * FACETS; n++) {
+      s->facet[i][n / 9].v[n / 3 % 3][n % 3] *= by;
+    }
+    for (int axis = 0; axis < 3; axis++) {
+      s->space.motion[i].low[axis] *= by;
+      s->space.motion[i].high[axis] *= by;
+      s->space.motion[i].centre[axis] *= by;
+    }
+  }
+  s->space.resolution *= by;
+}
+
+CASE(test_no_unit) {
+  static scene s;
+  for (int n = 0; n < SCENES / 2; n++) {
+    draw_scene(&s);
+    draw_motion(&s.space.motion[n % 2], (sepax_rotation)(n % 5));
+    sepax_size first = sized(&s);
+    scale(&s, n % 2 == 0 ? 0x1p-40 : 0x1p40);
+    sepax_size size = sized(&s);
+    assert_memory_equal(size.extent, first.extent, sizeof size.extent);
+    assert_true(size.grid.word == first.grid.word && size.core_word == first.core_word);
+    assert_true(size.given == first.given && size.worst == first.worst);
+    assert_int_equal(size.jobs, first.jobs);
+    for (size_t k = 0; k < size.jobs; k++) {
+      assert_true(size.job[k].candidates == first.job[k].candidates);
+      assert_true(size.job[k].twice == first.job[k].twice);
+    }
+    sepax_size_free(&first);
+    sepax_size_free(&size);
+    assert_true(size.job == NULL && size.jobs == 0 && size.trees == NULL);
+  }
+}
+
+/* The pose of the files is among those that a body may be in, if no shift is needed. */
+CASE(test_pose_of_files) {
+  static scene s;
+  static sepax_facet facet[FACETS];
+  for (int n = 0; n < SCENES; n++) {
+    draw_scene(&s);
+    sepax_motion *m = s.space.motion;
+    for (int i = 0; i < 2; i++) {
+      draw_motion(&m[i], (sepax_rotation)((n + i) % 5));
+      for (int axis = 0; axis < 3; axis++) {
+        m[i].low[axis] = -fabs(m[i].low[axis]);
+        m[i].high[axis] = fabs(m[i].high[axis]);
+      }
+    }
+    motion_pose p = motion_pose_of_files(m);
+    for (int i = 0; i < 2; i++) {
+      sepax_mesh moved = {facet, FACETS};
+      motion_apply(&moved, &s.mesh[i], &m[i], p.u[i]);
+      for (int k = 0; k < 9 * FACETS; k++) {
+        assert_true(fabs(facet[k / 9].v[k / 3 % 3][k % 3] - s.facet[i][k / 9].v[k / 3 % 3][k % 3]) <
+                    1e-12 * 100);
+      }
+    }
   }
 }
 

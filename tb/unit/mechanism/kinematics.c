@@ -172,6 +172,27 @@ CASE(test_mimic) {
 
 /* ------------------------------------------------------------------ no mechanisms */
 
+/* The root is any link, the last, too. */
+CASE(test_root_is_last) {
+  sepax_mechanism m = row_of(3);
+  for (size_t n = 0; n < 3; n++) {
+    m.joint[n].parent = n + 1;
+    m.joint[n].child = n;
+  }
+  assert_works(sepax_mechanism_join(&m, &fault));
+  assert_int_equal(m.root, 3);
+  assert_int_equal(m.link[3].joint, SEPAX_NO_JOINT);
+  for (size_t n = 0; n < 3; n++) {
+    assert_int_equal(m.link[n].joint, n);
+    assert_int_equal(m.order[n], 2 - n);
+  }
+  sepax_chain chain;
+  assert_works(sepax_chain_find(&chain, &m, 0, 3, &fault));
+  assert_true(chain.count == 3 && chain.up == 3 && chain.top == 3);
+  sepax_chain_free(&chain);
+  sepax_mechanism_free(&m);
+}
+
 static void refuse(sepax_mechanism *m, const char *part) {
   assert_fault(sepax_mechanism_join(m, &fault), part);
   sepax_mechanism_free(m);

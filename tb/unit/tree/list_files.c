@@ -180,6 +180,11 @@ CASE(files_that_are_damaged) {
     refused(&s->list, at < 8 ? "no list of jobs" : at < 12 ? "version" : "CRC is wrong");
     s->list.byte[at] ^= 0x10;
   }
+  write_bytes(&s->list, s->list.bytes);
+  assert_true(sepax_job_list_is(path));
+  s->list.byte[7] ^= 1;
+  write_bytes(&s->list, s->list.bytes);
+  assert_false(sepax_job_list_is(path));
   assert_false(sepax_job_list_is("no/such.sxj"));
   free_scene(s);
 }

@@ -201,6 +201,12 @@ CASE(damage_under_right_crcs) {
   }
   assert_true(told > 1000);
   assert_works(tree_check(tree, &fault));
+  for (int way = 0; way < 2; way++) { /* more than are there, of the same image */
+    uint32_t *counted = way == 0 ? &tree->nodes : &tree->triangles;
+    ++*counted;
+    assert_fault(tree_check(tree, &fault), way == 0 ? "nodes, 300 triangles" : "of ");
+    --*counted;
+  }
   tree->number[0] = tree->number[1];
   assert_fault(tree_check(tree, &fault), "twice");
   sepax_tree_free(tree);
