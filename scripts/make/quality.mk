@@ -31,7 +31,8 @@ define run_c_tests
 @export SEPAX_COUNT=1000 TREE_COLLISIONS=5000; \
   for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
 @tb/fuzz/inputs $(FUZZ)
-@for test in system/cli system/check system/path path/between sizing/mechanism page/data; do \
+@for test in system/cli printed/check system/check system/path path/between sizing/mechanism \
+    page/data; do \
   SEPAX=$(SEPAX) tb/$$test || exit 1; done
 endef
 

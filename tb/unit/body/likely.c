@@ -8,7 +8,7 @@
 
 enum { PAIRS = 3000 };
 
-/* Of each kind: apart; near each other; parallel; needles; far from the origin. */
+/* Of each kind: free; near each other; parallel; needles; far from the origin. */
 static void draw(int kind, double v[2][3][3]) {
   for (int k = 0; k < 18; k++) {
     double x = random_unit();
@@ -22,7 +22,7 @@ static void draw(int kind, double v[2][3][3]) {
 CASE(doubles_find_what_is_nearest) {
   for (int kind = 0; kind < 5; kind++) {
     int found = 0;
-    int apart = 0;
+    int free_pairs = 0;
     for (int n = 0; n < PAIRS; n++) {
       double v[2][3][3];
       double nearest[2][3];
@@ -32,10 +32,10 @@ CASE(doubles_find_what_is_nearest) {
       draw(kind, v);
       if (distance_and_way((const double(*)[3])v[0], pa, (const double(*)[3])v[1], NULL, nearest,
                            &way) > 0) {
-        apart++;
+        free_pairs++;
         found += way.c[0].high != 0 || way.c[1].high != 0 || way.c[2].high != 0;
       }
     }
-    assert_true(found == apart && apart > PAIRS / 2);
+    assert_true(found == free_pairs && free_pairs > PAIRS / 2);
   }
 }
