@@ -177,6 +177,31 @@ CASE(all_pairs_of_bodies) {
   assert_true(collisions > 1000);
 }
 
+/* Poses that turn or move nothing, or along one axis alone. */
+CASE(poses_that_move_little) {
+  sepax_mesh m[2] = {strewn(24, 0.9, 0.125), strewn(24, 0.6, 0.125)};
+  sepax_body *body[2];
+  for (int k = 0; k < 2; k++) {
+    assert_works(sepax_body_new(&body[k], &m[k], &fault));
+  }
+  for (int n = 0; n < 14; n++) {
+    sepax_pose pose = turned(1, n == 7 ? 1 : 0, n == 8 ? 1 : 0, n == 9 ? 1 : 0);
+    if (n < 6) {
+      pose.translation[n % 3] = n < 3 ? 0.25 : -0.5;
+    } else if (n >= 10) {
+      pose = turned(1, 0, n == 10 ? 1e-9 : 0, n == 11 ? 1e-9 : 0);
+      pose.rotation[2][2] = n == 12 ? 1 - 1e-7 : pose.rotation[2][2];
+      pose.rotation[0][2] = n == 13 ? 1e-7 : pose.rotation[0][2];
+    }
+    assert_all_pairs(m, body, NULL, &pose, SEPAX_PATH_BEST);
+    assert_all_pairs(m, body, &pose, NULL, SEPAX_PATH_BEST);
+  }
+  for (int k = 0; k < 2; k++) {
+    sepax_body_free(body[k]);
+    sepax_mesh_free(&m[k]);
+  }
+}
+
 static void assert_posed_bodies(const points t[2], sepax_body *const body[2], const sepax_pose *pa,
                                 const sepax_pose *pb, sepax_path path_taken) {
   sepax_pairs found;
