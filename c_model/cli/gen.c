@@ -84,7 +84,7 @@ int cli_gen(int argc, char **argv) {
       parse,
       NULL,
       "Generate the Verilog of a design: one module a file, sepax.f (their list), "
-      "sepax_params.h, sepax_params.vh and sepax.json for benches, sepax.sdc and for Xilinx "
+      "sepax_params.h, sepax_params.vh and sepax.json for test benches, sepax.sdc and for Xilinx "
       "sepax.xdc (the clock), sepax.gtkw (ports for GTKWave); of an engine its registers.",
       children,
       NULL,

@@ -101,7 +101,7 @@ int cli_vectors(int argc, char **argv) {
       options,
       parse,
       NULL,
-      "Print pairs of triangles, one a line, that sepax judge and the benches read. Same "
+      "Print pairs of triangles, one a line, that sepax judge and the test benches read. Same "
       "seed, same pairs.",
       NULL,
       NULL,
