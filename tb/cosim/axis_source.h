@@ -1,5 +1,5 @@
-// axis_source.h - pairs of `paper` and `conference` that one axis decides: it alone separates, by
-// little, or none does and it almost would.
+// axis_source.h - pairs that one axis decides. Of `paper` and `conference`: it alone separates, by
+// little, or none does and it almost would. With a clearance: the gap on it is about a limit.
 #ifndef SEPAX_AXIS_SOURCE_H
 #define SEPAX_AXIS_SOURCE_H
 
@@ -168,10 +168,79 @@ inline sepax_pair draw(sepax_random *random) {
   return pair;
 }
 
+#ifdef SEPAX_BANDS
+// Coordinates at the ends of the range, or anywhere in a part of it.
+inline sepax_pair draw_long(sepax_random *random) {
+  const int64_t low = sepax_word_min(SEPAX_WORD), high = sepax_word_max(SEPAX_WORD);
+  const bool ends = sepax_random_range(random, 0, 1) == 0;
+  const int bits = (int)sepax_random_range(random, 1, SEPAX_WORD - 1);
+  sepax_pair pair{};
+  for (int k = 0; k < 6; k++) {
+    (k < 3 ? pair.a.v[k] : pair.b.v[k - 3]) = draw_vector(random, bits);
+  }
+  for (int k = 0; k < 18 && ends; k++) {
+    const int64_t from = sepax_random_range(random, 0, 2);
+    coordinate(pair, k) =
+        (int32_t)(sepax_random_range(random, 0, 1) == 0 ? low + from : high - from);
+  }
+  return pair;
+}
+
+// The axis of the verdict at these limits, if it is normal to two edges.
+inline int proof(const sepax_design &design, const sepax_pair &pair) {
+  const int axis = sepax_judge(&design, &pair).axis;
+  return axis == SEPAX_AXIS_NORMAL_A   ? 9
+         : axis == SEPAX_AXIS_NORMAL_B ? 10
+         : axis < SEPAX_AXIS_NORMAL_A  ? axis - SEPAX_AXIS_EDGES
+                                       : -1;
+}
+
+// Does an axis decide on which the gap is at a limit? It proves so here, or at limits less by one.
+inline bool limits(const sepax_design &design, const sepax_design &nearer, const sepax_pair &pair) {
+  for (int n = 0; n < 11; n++) {
+    const sepax_tri &tri = n == 10 ? pair.b : pair.a;
+    const Vector normal = n < 9 ? nth(pair, false, n) : cross(edge(tri, 0), edge(tri, 1));
+    const double gap = gap_on(pair, normal).gap;
+    const double x = std::abs(normal[0]), y = std::abs(normal[1]), z = std::abs(normal[2]);
+    for (const int clearance : {design.config.clearance, design.config.warning}) {
+      const double limit = (2 + clearance) * (x + y + z) + clearance * std::max({x, y, z});
+      if (gap > 0 && std::abs(2 * gap - limit) <= 2 &&
+          (proof(design, pair) == n || proof(nearer, pair) == n)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+#endif
+
 } // namespace axis
 
+#ifdef SEPAX_BANDS
+// Every other at a limit; of the rest any gap on such an axis decides.
+inline Source axis_source(uint64_t count, uint64_t seed, const sepax_design &design) {
+  sepax_config less = design.config;
+  less.clearance -= less.clearance > 0;
+  less.warning -= less.warning > less.clearance + 1;
+  sepax_design nearer;
+  sepax_error error{};
+  if (!sepax_design_init(&nearer, &less, &error)) {
+    fail(error);
+  }
+  return counted(count, [=, random = sepax_random{seed}](uint64_t n) mutable {
+    constexpr int TRIES = 500;
+    sepax_pair pair = axis::draw_long(&random);
+    for (int k = 0; k < TRIES && !(n % 2 == 1 ? axis::proof(design, pair) >= 0
+                                              : axis::limits(design, nearer, pair));
+         k++) {
+      pair = axis::draw_long(&random);
+    }
+    return pair;
+  });
+}
+#else
 // Each axis in turn, and one in four where one vertex decides that the pair is not coplanar.
-inline Source axis_source(uint64_t count, uint64_t seed) {
+inline Source axis_source(uint64_t count, uint64_t seed, const sepax_design &) {
   return counted(count, [random = sepax_random{seed}](uint64_t n) mutable {
     constexpr int TRIES = 400, AXES = 11;
     if (n % 4 == 3) {
@@ -184,5 +253,7 @@ inline Source axis_source(uint64_t count, uint64_t seed) {
     return pair;
   });
 }
+
+#endif
 
 #endif

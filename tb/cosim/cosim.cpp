@@ -6,7 +6,7 @@
 #include "driver.h"
 #endif
 
-#if !SEPAX_EXACT
+#if !SEPAX_EXACT || defined SEPAX_BANDS
 #include "axis_source.h"
 #endif
 #include <algorithm>
@@ -53,7 +53,7 @@ const argp_option options_table[] = {
      "instead of those families, pairs in a plane or on a line that overlap by one vertex each", 0},
     {"powers", KEY_POWERS, nullptr, 0,
      "instead of those families, coordinates that are 0 or powers of two", 0},
-#if !SEPAX_EXACT
+#if !SEPAX_EXACT || defined SEPAX_BANDS
     {"axes", KEY_AXES, nullptr, 0, "instead of those families, pairs that one axis decides", 0},
 #endif
 #ifdef SEPAX_EXTENT_A
@@ -128,7 +128,8 @@ error_t parse(int key, char *text, argp_state *state) {
   }
 }
 
-Source open_source(const Options &o) {
+Source open_source(const Options &o, const sepax_design &design) {
+  (void)design;
   switch (o.source) {
   case 'p':
     return file_source(o.text);
@@ -144,9 +145,9 @@ Source open_source(const Options &o) {
     return overlap_source(o.count, o.seed);
   case KEY_POWERS:
     return power_source(o.count, o.seed);
-#if !SEPAX_EXACT
+#if !SEPAX_EXACT || defined SEPAX_BANDS
   case KEY_AXES:
-    return axis_source(o.count, o.seed);
+    return axis_source(o.count, o.seed, design);
 #endif
 #ifdef SEPAX_EXTENT_A
   case KEY_WITHIN:
@@ -222,7 +223,7 @@ int main(int argc, char **argv) {
       !sepax_design_init(&design, &config, &error)) {
     fail(error);
   }
-  Source source = open_source(options);
+  Source source = open_source(options, design);
   Driver driver(options.wave, options.stress, design);
   double seconds = 0;
   uint64_t sent = send_all(&driver, source, &seconds);

@@ -1,10 +1,10 @@
 /* bench.c - checks the verilated sepax_engine against its golden model.
  *   engine [--stress=SEED] [--resolution=LENGTH] [--wave=FILE] A.stl B.stl
- *   engine [--stress=SEED] [--rounds=N] [--beats=N] [--wave=FILE]
+ *   engine [--stress=SEED] [--rounds=N] [--beats=N] [--size=N] [--wave=FILE]
  * The first: the meshes, part by part if the memories are smaller. The second: N rounds of
  * seeded objects of all families and sizes, moves, first hits and stops, and more rounds until N
- * transfers were made; objects of which all AABBs overlap; then what is refused, and interrupts.
- * Exit status 1: something was wrong. */
+ * transfers were made; objects of N (100) triangles of which all AABBs overlap; then what is
+ * refused, and interrupts. Exit status 1: something was wrong. */
 #include "bench.h"
 #include "sepax_vectors.h"
 
@@ -343,13 +343,12 @@ void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, bool pa
 
 /* Every AABB overlaps every other, and all triangles are in one plane across x, across y, across z:
  * the time of a pass a pair. */
-static void one_plane(sepax_tri *a, sepax_tri *b, bool paced) {
-  enum { COUNT = 100 };
+static void one_plane(sepax_tri *a, sepax_tri *b, size_t count, bool paced) {
   for (int axis = 0; axis < 3; axis++) {
-    task t = {a, b, COUNT, COUNT, {0, 0, 0}, false};
+    task t = {a, b, count, count, {0, 0, 0}, false};
     t.move[axis] = 1;
-    draw_about_middle(a, b, COUNT, COUNT);
-    for (int k = 0; k < 3 * COUNT; k++) {
+    draw_about_middle(a, b, count, count);
+    for (size_t k = 0; k < 3 * count; k++) {
       sepax_vec *of_a = &a[k / 3].v[k % 3];
       sepax_vec *of_b = &b[k / 3].v[k % 3];
       *(axis == 0 ? &of_a->x : axis == 1 ? &of_a->y : &of_a->z) = 1;
@@ -357,9 +356,9 @@ static void one_plane(sepax_tri *a, sepax_tri *b, bool paced) {
     }
     sepax_counts counts = run_task(&t, paced);
     unsigned long long passes = counts.candidates * SEPAX_II / SEPAX_CORES;
-    unsigned long long steps = (COUNT + SEPAX_LANES - 1) / SEPAX_LANES * COUNT;
+    unsigned long long steps = (count + SEPAX_LANES - 1) / SEPAX_LANES * count;
     unsigned long long least = passes > steps ? passes : steps;
-    expect("candidates in one plane", counts.candidates, COUNT * COUNT);
+    expect("candidates in one plane", counts.candidates, count * count);
     if (paced && counts.cycles > least + least / 20 + 200) {
       complain("cycles for pairs in a plane across an axis", counts.cycles, least);
     }
@@ -373,11 +372,13 @@ static bool number_after(const char *text, const char *name, unsigned long long 
   }
   char *end;
   *value = strtoull(text + length, &end, 10);
-  stop_on(end == text + length || *end != '\0', "--stress, --rounds and --beats are whole numbers");
+  stop_on(end == text + length || *end != '\0',
+          "--stress, --rounds, --beats, --size are whole numbers");
   return true;
 }
 
-static void self_test(unsigned long long rounds, unsigned long long beats, bool paced) {
+static void self_test(unsigned long long rounds, unsigned long long beats, size_t size,
+                      bool paced) {
   sepax_tri *a = malloc(device.capacity[0] * sizeof *a);
   sepax_tri *b = malloc(device.capacity[1] * sizeof *b);
   stop_on(a == NULL || b == NULL, "out of memory");
@@ -387,8 +388,8 @@ static void self_test(unsigned long long rounds, unsigned long long beats, bool 
     made++;
   }
   if (wrong == 0) {
-    overlap(a, b, 100, 100, paced);
-    one_plane(a, b, paced);
+    overlap(a, b, size, size, paced);
+    one_plane(a, b, size, paced);
   }
   if (wrong == 0) {
     refusals();
@@ -406,13 +407,14 @@ int main(int argc, char **argv) {
   unsigned long long stress = 0;
   unsigned long long rounds = 20;
   unsigned long long beats = 0;
+  unsigned long long size = 100;
   double resolution = 0;
   int paths = 0;
   for (int i = 1; i < argc; i++) {
     char *end = argv[i];
     if (number_after(argv[i], "--stress=", &stress) ||
         number_after(argv[i], "--rounds=", &rounds) || number_after(argv[i], "--beats=", &beats) ||
-        argv[i][0] == '+') {
+        number_after(argv[i], "--size=", &size) || argv[i][0] == '+') {
       continue;
     }
     if (strncmp(argv[i], "--resolution=", 13) == 0) {
@@ -423,10 +425,11 @@ int main(int argc, char **argv) {
     } else {
       stop_on(argv[i][0] == '-' || paths == 2,
               "usage: engine [--stress=SEED] [--resolution=LENGTH] A.stl B.stl, "
-              "or [--stress=SEED] [--rounds=N] [--beats=N]");
+              "or [--stress=SEED] [--rounds=N] [--beats=N] [--size=N]");
       path[paths++] = argv[i];
     }
   }
+  stop_on(size == 0 || size > 100, "--size is 1 ... 100");
   stop_on(paths == 1, "give two meshes, or none");
   sepax_error error = {""};
   sepax_config config = sepax_config_default();
@@ -445,7 +448,7 @@ int main(int argc, char **argv) {
   if (paths == 2) {
     run_meshes(path, resolution, stress == 0);
   } else {
-    self_test(rounds, beats, stress == 0);
+    self_test(rounds, beats, size, stress == 0);
   }
   wrong += bus_breaches();
   bus_close();
