@@ -53,6 +53,7 @@ endef
 CHECKER_OBJ = $(call object,$(wildcard tb/certificate/*.c tb/certificate/input/*.c))
 ORACLE_OBJ  = $(call object,$(wildcard tb/oracle/*.c))
 LIBERTY_OBJ = $(call object,$(wildcard synth/liberty/*.c))
+LAYOUT_OBJ  = $(call object,$(wildcard synth/layout/*.c synth/layout/*/*.c) synth/liberty/text.c)
 GEN_OBJ     = $(call object,$(wildcard rtl_gen/*/*.c)) $(TEMPLATE_OBJ)
 POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(filter-out %/main.o,$(LIBERTY_OBJ))
 
@@ -80,12 +81,13 @@ $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/certificate-check: $(CHECKER_OBJ)
 $(BUILD)/certificate-grazes: $(call object,tb/certificate/random/grazes.c)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
-$(BUILD)/liberty $(BUILD)/power: LIBS = -ljansson
+$(BUILD)/layout: $(LAYOUT_OBJ)
+$(BUILD)/liberty $(BUILD)/power $(BUILD)/layout: LIBS = -ljansson
 $(SEPAX): LIBS = -ljansson $(FORMAT_LIBS)
 $(BUILD)/certificate-check: LIBS = -ljansson -lxml2
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 $(BUILD)/clearance-test $(BUILD)/campaign: LIBS = -lgmp
-$(SEPAX) $(addprefix $(BUILD)/,bench_batch campaign clearance-test liberty power refine) \
+$(SEPAX) $(addprefix $(BUILD)/,bench_batch campaign clearance-test layout liberty power refine) \
     $(addprefix $(BUILD)/,certificate-check certificate-grazes hard-pairs) $(BUILD)/bench:
 	$(link)
 

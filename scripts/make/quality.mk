@@ -3,7 +3,8 @@
 .PHONY: static sanitize c_tests raced coverage fuzz fuzz-targets fuzzers
 OF_TREE = $(wildcard tb/batch/*.c examples/tree/*.c) synth/power/tree.c
 C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
-          $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c examples/engine/*.c \
+          $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c synth/*/*/*.c \
+          examples/engine/*.c \
           examples/ulx3s/host/*.c examples/soc/host/*.c \
           examples/five-axis/*.c))
 C_PATH  = -Ic_model -Irtl_gen -Itb -Isynth
