@@ -59,7 +59,7 @@ ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 
 .PHONY: all job help build setup test quick cocotb reference clean area timing multivt power fpga \
-        area-sweep calibrate scene report accuracy certificate clearance bench bench-bodies \
+        layout area-sweep calibrate scene report accuracy certificate clearance bench bench-bodies \
         campaign hard engine-sweep tree-sweep tree-fuzz tree-scene tree-campaign path-campaign \
         netlist-sweep mutation mutations
 
@@ -138,6 +138,12 @@ area: $(SEPAX) $(BUILD)/liberty
 timing: $(SEPAX) $(BUILD)/liberty
 	@scripts/designs timed $(TIMINGS)
 	@synth/report/tables timing -o $(BUILD)/timing.json $$(scripts/designs timing-file $(TIMINGS))
+
+# Placed and routed: of the design, or without one of the smallest; BLOCKS are modules of it.
+LAYOUTS = $(if $(call given,ARCH)$(ONLY_EXACT),"","WORD=4 II=18")
+layout: $(SEPAX) $(BUILD)/liberty $(BUILD)/layout
+	@scripts/designs laid $(LAYOUTS)
+	@synth/report/tables layout -o $(BUILD)/layout.json $$(scripts/designs layout-file $(LAYOUTS))
 
 LIBERTY_FAST ?= $(LIBERTY)
 multivt: $(SEPAX) $(BUILD)/liberty

@@ -5,7 +5,7 @@ LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
 # OpenSTA wants a netlist that is sized for a clock: the generator's, in Nangate45; other libraries
 # are slower, osu018 about four times.
 CLOCK_NS ?= $(patsubst CLOCK_NS=%,%,$(filter CLOCK_NS=%,$(shell $(SEPAX) name --make)))
-ifneq ($(filter timed timing-file assigned,$(MAKECMDGOALS)),)
+ifneq ($(filter timed timing-file laid layout-file assigned,$(MAKECMDGOALS)),)
 SIZED_FOR = $(if $(filter nangate45%,$(LIBRARY)),$(if $(filter paper,$(ARCH)),$(CLOCK_NS)),$(shell \
             LC_ALL=C awk 'BEGIN { print 4 * "$(CLOCK_NS)" }'))
 PERIOD   := $(or $(PERIOD),$(SIZED_FOR))
@@ -43,6 +43,18 @@ timed: $(AREA)/area.json
 	@synth/timing/sta -l $(LIBERTY) $(if $(CORNERS),-c "$(CORNERS)") -o $(AREA)/timing $(AREA)
 timing-file:
 	@echo $(AREA)/timing/timing.json
+
+# Wires: LEF of the technology and of its cells, GDS of its cells; blocks are modules, or the top.
+LEF    ?= $(wildcard $(LIBERTY:.lib=.lef))
+BLOCKS ?= $(shell sed -n '$$s/[.]v$$//p' $(CORE)/rtl/sepax.f)
+laid: $(AREA)/area.json
+	@[ -n "$(LEF)" ] || { echo "layout: give LEF=\"FILE ...\" of $(LIBRARY)" >&2; exit 2; }
+	@for block in $(BLOCKS); do \
+	  echo "  LAYOUT  $(DESIGN_NAME), $$block, $(LIBRARY)"; \
+	  synth/layout/run -l $(LIBERTY) -f "$(LEF)" $(if $(GDS),-g $(GDS)) $(if $(USE),-u $(USE)) \
+	    -m $$block -o $(AREA)/layout/$$block $(AREA) || exit; done
+layout-file:
+	@for block in $(BLOCKS); do echo $(AREA)/layout/$$block/layout.json; done
 
 assigned: $(AREA)/area.json
 	@synth/multivt/assign -f $(LIBERTY) $(if $(LIBERTY_LOW_LEAKAGE),-s $(LIBERTY_LOW_LEAKAGE)) \

@@ -1,0 +1,43 @@
+# synth/layout/sta.tcl - what OpenSTA says of a netlist that is laid out. clock (its port, or
+# nothing), period (ns) and spef (or nothing: the library's default wires, an ideal clock) are set
+# by who sources it, after synth/common.tcl. Prints lines of a word and a number in ns.
+#
+# With wires the clock comes by its tree. Inputs then arrive with its latest register, outputs are
+# due with its earliest at the next edge, as if the same tree went on around the design.
+
+proc worst {args} {
+  set path [lindex [find_timing_paths {*}$args] 0]
+  return [expr {$path eq "" ? "" : [get_property $path slack]}]
+}
+
+if {![llength [get_ports -quiet $clock]]} {
+  create_clock -name clk -period $period
+  set_input_delay 0 -clock clk [all_inputs]
+  set_output_delay 0 -clock clk [all_outputs]
+} else {
+  constrain $period $clock
+}
+if {$spef ne ""} { read_spef $spef }
+if {$spef ne "" && [llength [get_ports -quiet $clock]]} {
+  set_propagated_clock [get_clocks clk]
+  set file [file rootname $spef].skew
+  report_clock_skew -setup > $file
+  set skew [open $file]
+  set edges [lmap line [split [read $skew] "\n"] {
+    if {![regexp {^ +([0-9.]+)} $line all latency]} { continue }
+    set latency
+  }]
+  close $skew
+  if {[llength $edges] > 0} {
+    set latest [tcl::mathfunc::max {*}$edges]
+    set earliest [tcl::mathfunc::min {*}$edges]
+    puts "latency $latest"
+    set_input_delay $latest -clock clk [inputs $clock *]
+    set_output_delay [expr {-$earliest}] -clock clk [all_outputs]
+  }
+}
+puts "slack [worst -path_delay max]"
+set hold [worst -path_delay min -from [all_registers -clock_pins]]
+if {$hold ne ""} { puts "hold $hold" }
+puts "path"
+report_checks -path_delay max -digits 4 -format full_clock_expanded
