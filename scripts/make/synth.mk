@@ -124,7 +124,7 @@ $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
 	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --hierarchical --no-timing \
 	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module $(COSIM_TOP) \
-	  -MAKEFLAGS "OPT_FAST=-O1 OPT_SLOW=-O0 OPT_GLOBAL=-O2" \
+	  -MAKEFLAGS "OPT_FAST=-Og OPT_SLOW=-O0 OPT_GLOBAL=-O2" \
 	  -CFLAGS "-I$(abspath c_model) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \
 	  netlist.vlt cells.v netlist.v $(COSIM_CPP) > cosim.log 2>&1 || \
 	  { tail -20 cosim.log >&2; exit 1; }; }
