@@ -143,6 +143,11 @@ static sepax_counts run_task(const task *t, bool paced) {
     expect("pairs", counts.pairs, e.run.pairs);
     expect("candidates", counts.candidates, e.run.candidates);
     expect("out of range", counts.out_of_range, e.run.out_of_range);
+    uint32_t status = 0;
+    expect("STATUS can be read", bus_read(NULL, SEPAX_STATUS, &status), 1);
+    expect("STATUS", status & (SEPAX_STATUS_HIT | SEPAX_STATUS_OUT_OF_RANGE | SEPAX_STATUS_STOPPED),
+           (e.run.collisions > 0 ? SEPAX_STATUS_HIT : 0) |
+               (e.run.out_of_range > 0 ? SEPAX_STATUS_OUT_OF_RANGE : 0));
   }
   if (e.run.collisions > 0) {
     uint32_t a_number = 0;
@@ -365,6 +370,19 @@ static void one_plane(sepax_tri *a, sepax_tri *b, size_t count, bool paced) {
   }
 }
 
+/* 1, 2, 4 ... triangles of B leave the word, and one of A overlaps them all. */
+static void leave_the_word(sepax_tri *a, sepax_tri *b, bool paced) {
+  const int32_t high = sepax_word_max(SEPAX_WORD);
+  for (size_t count = 1; count <= device.capacity[1] && count <= 256; count *= 2) {
+    const task t = {a, b, 1, count, {1, 0, 0}, false};
+    for (size_t i = 0; i <= count; i++) {
+      sepax_tri *tri = i < count ? &b[i] : &a[0];
+      *tri = (sepax_tri){{{high, 0, 0}, {high - 1, 1, 0}, {high - 1, 0, 1}}};
+    }
+    expect("triangles that leave the word", run_task(&t, paced).out_of_range, count);
+  }
+}
+
 static bool number_after(const char *text, const char *name, unsigned long long *value) {
   size_t length = strlen(name);
   if (strncmp(text, name, length) != 0) {
@@ -390,6 +408,7 @@ static void self_test(unsigned long long rounds, unsigned long long beats, size_
   if (wrong == 0) {
     overlap(a, b, size, size, paced);
     one_plane(a, b, size, paced);
+    leave_the_word(a, b, paced);
   }
   if (wrong == 0) {
     refusals();

@@ -20,6 +20,54 @@ static void send_one(size_t beats, size_t which, int32_t value, bool to_b) {
 
 static void send_beats(size_t beats, bool to_b) { send_one(beats, 0, 1, to_b); }
 
+/* Each bit beyond those that a register has: 1, and 0 in a number below 0. */
+static void single_bits(void) {
+  static const uint32_t move[3] = {SEPAX_MOVE_X, SEPAX_MOVE_Y, SEPAX_MOVE_Z};
+  for (uint32_t k = 2; k < 32; k++) {
+    const uint32_t bit = UINT32_C(1) << k;
+    expect("a bit of MODE", bus_write(NULL, SEPAX_MODE, bit), 0);
+    expect("a bit of STOP", bus_write(NULL, SEPAX_COMMAND, bit | SEPAX_COMMAND_STOP), 0);
+    expect("a bit of START", bus_write(NULL, SEPAX_COMMAND, bit | SEPAX_COMMAND_START), 0);
+    if (k > 2) {
+      expect("a bit of ENABLE", bus_write(NULL, SEPAX_ENABLE, bit), 0);
+      expect("a bit of PENDING", bus_write(NULL, SEPAX_PENDING, bit), 0);
+    }
+    for (int i = 0; i < 3 && k >= SEPAX_WORD; i++) {
+      expect("a bit of a move", bus_write(NULL, move[i], bit), k == 31 && SEPAX_WORD == 31);
+      expect("a bit of a move back", bus_write(NULL, move[i], ~bit), SEPAX_WORD > 30);
+    }
+  }
+  for (unsigned strobes = 0; strobes < 15; strobes++) {
+    expect("a write of bytes", bus_write_part(SEPAX_ENABLE, 1, strobes), 0);
+  }
+  expect("nobody has set a bit", value_of(SEPAX_MODE) | value_of(SEPAX_ENABLE), 0);
+}
+
+/* Objects of 1, 2, 4 ... triangles, and coordinates of which one bit is beyond the word. */
+static void counts_and_words(void) {
+  static const struct {
+    uint32_t memory, number, loaded;
+  } object[2] = {{SEPAX_MEMORY_A, SEPAX_COUNT_A, SEPAX_STATUS_LOADED_A},
+                 {SEPAX_MEMORY_B, SEPAX_COUNT_B, SEPAX_STATUS_LOADED_B}};
+  for (int to_b = 0; to_b < 2; to_b++) {
+    for (uint32_t count = 1; count <= object[to_b].memory; count *= 2) {
+      send_beats(3 * (size_t)count, to_b);
+      expect("COUNT", value_of(object[to_b].number), count);
+      expect("an object is loaded", value_of(SEPAX_STATUS) & object[to_b].loaded,
+             object[to_b].loaded);
+    }
+  }
+  for (int k = SEPAX_WORD - 1; k < 31 && SEPAX_WORD < 32; k++) {
+    for (size_t which = 0; which < 3; which++) {
+      for (int back = 0; back < 2; back++) {
+        send_one(3, which, back ? ~(INT32_C(1) << k) : INT32_C(1) << k, false);
+        expect("a bit beyond the word", value_of(SEPAX_STATUS) & SEPAX_STATUS_WORD,
+               SEPAX_STATUS_WORD);
+      }
+    }
+  }
+}
+
 /* Settings: what they take, what they refuse, and that nobody changes another's. */
 static void settings(void) {
   static const uint32_t move[3] = {SEPAX_MOVE_X, SEPAX_MOVE_Y, SEPAX_MOVE_Z};
@@ -60,8 +108,10 @@ void refusals(void) {
     expect("which addresses can be read", bus_read(NULL, address, &value), known);
   }
   expect("a write to ID", bus_write(NULL, SEPAX_ID, 1), 0);
-  expect("a write of bytes", bus_write_part(SEPAX_ENABLE, 1, 7), 0);
+  single_bits();
   settings();
+  counts_and_words();
+  bus_reset();
   send_beats(3, false);
   expect("A is loaded", value_of(SEPAX_STATUS), SEPAX_STATUS_LOADED_A);
   expect("COUNT_A", value_of(SEPAX_COUNT_A), 1);
