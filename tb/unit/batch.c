@@ -145,7 +145,7 @@ CASE(words_mixed) {
 /* -------------------------------------------------------------------- meshes */
 
 static sepax_tri *soup(size_t count, int word, int64_t size, sepax_random *random) {
-  sepax_tri *t = calloc(count + 1, sizeof *t);
+  sepax_tri *t = calloc(count > 0 ? count : 1, sizeof *t);
   assert_non_null(t);
   for (size_t n = 0; n < count; n++) {
     for (int axis = 0; axis < 3; axis++) {
@@ -250,11 +250,13 @@ CASE(empty_leaves_are_left_out) {
 }
 
 typedef struct {
-  uint64_t calls, last, total, ends;
+  uint64_t calls, last, total, ends, between;
 } watch;
 
 static bool watched(void *context, uint64_t done, uint64_t total) {
   watch *w = context;
+  assert_true(done >= w->last && done <= total);
+  w->between += done > w->last && done < total;
   w->calls++;
   w->last = done;
   w->total = total;
@@ -268,7 +270,7 @@ CASE(progress_is_told_and_ends) {
   watch w = {.ends = UINT64_MAX};
   sepax_search how = {.threads = 1, .progress = watched, .context = &w};
   assert_works(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &fault));
-  assert_true(w.calls > 5 && w.last == w.total);
+  assert_true(w.calls > 5 && w.between > 3 && w.last == w.total);
   sepax_pairs_free(&found);
   for (int way = 0; way < 2; way++) {
     how.brute_force = way == 1;

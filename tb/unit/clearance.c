@@ -25,6 +25,18 @@ static real_pair pair_near(size_t n, int limit, sepax_random *random) {
                         random);
 }
 
+/* The axis that is named, 1 ... 11. */
+static wide_vec named_axis(int axis, const sepax_tri *a, const sepax_tri *b) {
+  const sepax_tri *of[2] = {axis == SEPAX_AXIS_NORMAL_B ? b : a,
+                            axis == SEPAX_AXIS_NORMAL_A ? a : b};
+  int from[2] = {0, 1};
+  if (axis < SEPAX_AXIS_NORMAL_A) {
+    from[0] = (axis - SEPAX_AXIS_EDGES) / 3;
+    from[1] = (axis - SEPAX_AXIS_EDGES) % 3;
+  }
+  return cross(edge(of[0], from[0]), edge(of[1], from[1]));
+}
+
 /* No pair within a limit is called free of it. */
 CASE(test_nothing_is_missed) {
   static const int limits[][2] = {{0, 1}, {0, 7}, {1, 3}, {2, 20}, {5, 6}, {40, 100}};
@@ -39,6 +51,9 @@ CASE(test_nothing_is_missed) {
     sepax_verdict v = sepax_clearance(&design, &p.rounded_a, &p.rounded_b);
     assert_int_equal(v.collision, v.band == SEPAX_BAND_COLLISION);
     assert_int_equal(v.axis == 0, v.collision);
+    assert_true(
+        v.axis == 0 || v.axis > SEPAX_AXIS_NORMAL_B ||
+        separates(named_axis(v.axis, &p.rounded_a, &p.rounded_b), &p.rounded_a, &p.rounded_b));
     for (int k = 0; k < 2; k++) {
       bool is_within = distance_within(&p.a, &p.b, (int64_t)limit[k] << p.fraction, &quick);
       bool called_free = v.band == SEPAX_BAND_FREE || (k == 0 && v.band == SEPAX_BAND_WARNING);

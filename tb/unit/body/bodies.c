@@ -230,6 +230,15 @@ CASE(touching_bodies) {
     assert_posed_bodies(t, body, &p, n % 2 == 0 ? &p : NULL, path_taken);
     assert_posed_bodies(t, body, NULL, &p, path_taken);
     assert_posed_bodies(t, body, NULL, NULL, path_taken);
+    if (n % 16 == 0) {
+      sepax_pairs found;
+      assert_works(sepax_meshes_collide(&(sepax_mesh){&facet[0], 1}, &p,
+                                        &(sepax_mesh){&facet[1], 1}, n % 32 == 0 ? &p : NULL, NULL,
+                                        &found, &fault));
+      assert_int_equal(found.count,
+                       sepax_exact_posed(t[0], &p, t[1], n % 32 == 0 ? &p : NULL).collision);
+      sepax_pairs_free(&found);
+    }
     sepax_body_free(body[0]);
     sepax_body_free(body[1]);
   }
@@ -420,6 +429,23 @@ CASE(questions_refused) {
   assert_question_refused(&mesh, body, NULL, NAN, "seconds");
   sepax_body_free(body);
   sepax_mesh_free(&mesh);
+}
+
+/* Of every coordinate. */
+CASE(meshes_refused) {
+  static const double wrong[] = {NAN, INFINITY, -0x1p1001};
+  for (int k = 0; k < 36; k++) {
+    sepax_facet facet[2][2] = {{{.v = {{0}}}}, {{.v = {{0}}}}};
+    const sepax_mesh m[2] = {{facet[0], 2}, {facet[1], 2}};
+    sepax_pairs found;
+    double *x = &facet[k / 18][k / 9 % 2].v[k / 3 % 3][k % 3];
+    *x = wrong[k % 4 % 3];
+    assert_fault(sepax_meshes_collide(&m[0], NULL, &m[1], NULL, NULL, &found, &fault), "2^1000");
+    *x = 0;
+    assert_works(sepax_meshes_collide(&m[0], NULL, &m[1], NULL, NULL, &found, &fault));
+    assert_int_equal(found.count, 4);
+    sepax_pairs_free(&found);
+  }
 }
 
 CASE(bodies_refused) {
