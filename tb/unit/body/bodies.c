@@ -184,10 +184,12 @@ CASE(poses_that_move_little) {
   for (int k = 0; k < 2; k++) {
     assert_works(sepax_body_new(&body[k], &m[k], &fault));
   }
-  for (int n = 0; n < 14; n++) {
+  for (int n = 0; n < 15; n++) {
     sepax_pose pose = turned(1, n == 7 ? 1 : 0, n == 8 ? 1 : 0, n == 9 ? 1 : 0);
     if (n < 6) {
       pose.translation[n % 3] = n < 3 ? 0.25 : -0.5;
+    } else if (n == 14) {
+      pose = (sepax_pose){{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {1, 1, 1}};
     } else if (n >= 10) {
       pose = turned(1, 0, n == 10 ? 1e-9 : 0, n == 11 ? 1e-9 : 0);
       pose.rotation[2][2] = n == 12 ? 1 - 1e-7 : pose.rotation[2][2];

@@ -112,7 +112,11 @@ CASE(a_triangle_has_the_box_on_its_longest_edge) {
     assert_works(sepax_body_new(&b, &mesh, &fault));
     for (int lane = 0; lane < 2; lane++) {
       uint32_t place = b->node[0].child[lane] - BODY_TRIANGLE;
-      if (b->number[place] == 1) {
+      if (b->number[place] == 0) { /* a point has a box, too */
+        for (int i = 0; i < 3; i++) {
+          assert_true((double)b->boxes[0].half[i][lane] >= 0x1p-60);
+        }
+      } else {
         double half[3] = {length / 2 / b->scale, height / 2 / b->scale, 0};
         double middle[3];
         double centre[3];
