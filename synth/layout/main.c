@@ -9,7 +9,7 @@
  * check                     faults of the rows of a DEF
  * bookshelf -d DIR          a DEF's cells and nets for the placer
  * verilog                   the netlist of a DEF
- * route -t TOP              wires on the second to the TOPth metal (6)
+ * route -t TOP -n ROUNDS    wires on the second to the TOPth metal (6), in at most so many rounds
  * wires -j SUMS             its wires as SPEF; sums in JSON
  * rules                     of each layer that is routed or cut: name, number in GDS, metal or cut,
  *                           width, distance, how far metal goes beyond a cut, from which width on
@@ -216,7 +216,7 @@ int main(int argc, char **argv) {
   } else if (strcmp(command, "bookshelf") == 0) {
     place_write(&d, wanted(&r, 'd'));
   } else if (strcmp(command, "route") == 0) {
-    int failed = route_nets(&d, (int)number(&r, 't', 6), (int)number(&r, 'n', 60));
+    int failed = route_nets(&d, (int)number(&r, 't', 6), (int)number(&r, 'n', 200));
     design_write_def(&d, stdout);
     return failed > 0;
   } else if (strcmp(command, "rules") == 0) {
