@@ -16,14 +16,14 @@
  *                           distances are longer; in micrometres
  * pins                      of each pin its net, layer, and a point in it
  *
- * A DEF goes to standard output. Exit status 1: a placement that is not legal; 2: it could not be
- * done. */
-#include "liberty/text.h"
+ * A DEF goes to standard output. Exit status 1: a placement that is not legal, nets that
+ * are not routed; 2: it could not be done. */
+#include "layout/files/words.h"
 #include "layout/place.h"
 #include "layout/route/grid.h"
 #include "layout/route/nets.h"
 #include "layout/wires.h"
-#include "layout/files/words.h"
+#include "liberty/text.h"
 
 #include <err.h>
 #include <getopt.h>

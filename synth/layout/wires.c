@@ -1,7 +1,7 @@
 /* wires.c - see wires.h. */
 #include "layout/wires.h"
-#include "liberty/text.h"
 #include "layout/files/words.h"
+#include "liberty/text.h"
 
 #include <err.h>
 #include <stdlib.h>
@@ -45,9 +45,8 @@ static void add_edge(graph *g, int a, int b, double ohm, double farad) {
   g->edge[g->edges++] = (edge){a, b, ohm, farad};
 }
 
-static void add_wire(graph *g, int a, int b, const lef_layer *l, double share) {
-  double length =
-      (double)(abs(g->node[a].x - g->node[b].x) + abs(g->node[a].y - g->node[b].y)) * share;
+static void add_wire(graph *g, int a, int b, const lef_layer *l) {
+  double length = (double)abs(g->node[a].x - g->node[b].x) + abs(g->node[a].y - g->node[b].y);
   double um = length / UNITS;
   add_edge(g, a, b, l->ohm_per_square * length / l->width, l->farad * um);
   g->sum->millimetres += um / 1000;
@@ -118,7 +117,7 @@ static void cut_wire(graph *g, const segment *s) {
   on_way = g->node;
   qsort(on, (size_t)count, sizeof *on, by_way);
   for (int k = 1; k < count; k++) {
-    add_wire(g, on[k - 1], on[k], &g->d->lib->layer[s->layer], 1);
+    add_wire(g, on[k - 1], on[k], &g->d->lib->layer[s->layer]);
   }
   free(on);
 }

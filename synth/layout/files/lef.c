@@ -161,6 +161,14 @@ static void read_pin(lef *l, words *w, lef_macro *macro) {
   macro->pin[macro->pins++] = it;
 }
 
+/* SIZE width BY height */
+static void read_size(words *w, int *width, int *height) {
+  *width = word_length(w);
+  word_want(w, "BY");
+  *height = word_length(w);
+  words_skip(w);
+}
+
 static void read_macro(lef *l, words *w) {
   lef_macro it = {.name = word(w)};
   while (!word_is(w, "END")) {
@@ -168,10 +176,7 @@ static void read_macro(lef *l, words *w) {
       it.core = strcasecmp(word(w), "CORE") == 0;
       words_skip(w);
     } else if (word_is(w, "SIZE")) {
-      it.width = word_length(w);
-      word_want(w, "BY");
-      it.height = word_length(w);
-      words_skip(w);
+      read_size(w, &it.width, &it.height);
     } else if (word_is(w, "PIN")) {
       read_pin(l, w, &it);
     } else if (word_is(w, "OBS")) {
@@ -197,10 +202,7 @@ static void read_site(lef *l, words *w) {
       core = strcasecmp(word(w), "CORE") == 0;
       words_skip(w);
     } else if (word_is(w, "SIZE")) {
-      width = word_length(w);
-      word_want(w, "BY");
-      height = word_length(w);
-      words_skip(w);
+      read_size(w, &width, &height);
     } else {
       words_skip(w);
     }

@@ -11,8 +11,8 @@ static void claim(router *r, const use *u, int by) {
   for (int k = 0; k < b->count; k++) {
     int i = at.i + b->ban[k].i, j = at.j + b->ban[k].j;
     if (i >= 0 && j >= 0 && i < g->columns && j < g->rows) {
-      uint8_t *it = &r->claims[b->ban[k].kind][grid_node(g, at.layer, i, j)];
-      *it = (uint8_t)(*it + by);
+      uint16_t *it = &r->claims[b->ban[k].kind][grid_node(g, at.layer, i, j)];
+      *it = (uint16_t)(*it + by);
     }
   }
 }

@@ -151,7 +151,7 @@ static void prepare(router *r, design *d, int top) {
   r->g = grid_make(d, top);
   size_t nodes = (size_t)r->g.layers * (size_t)r->g.columns * (size_t)r->g.rows;
   for (int k = 0; k < KINDS; k++) {
-    r->claims[k] = text_alloc(nodes, 1);
+    r->claims[k] = text_alloc(nodes, sizeof *r->claims[k]);
   }
   r->history = text_alloc(nodes, sizeof *r->history);
   r->cost = text_alloc(nodes, sizeof *r->cost);

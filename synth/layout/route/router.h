@@ -39,7 +39,7 @@ typedef struct {
   path *path;          /* of each net */
   access_list *access; /* of all nets' pins */
   int *first;          /* of each net: the first of its pins there */
-  uint8_t *claims[KINDS];
+  uint16_t *claims[KINDS];
   uint16_t *history; /* what a node costs more, since nets have met there */
   int price;         /* of a ban */
   /* of the search: what belongs to another has another stamp */
