@@ -42,7 +42,7 @@ CASE(depths_by_moving) {
   enum { REACH = 9 };
   for (size_t family = 0; family < family_count(); family++) {
     sepax_random random = seeded(family, 4);
-    for (int n = 0; n < 40; n++) {
+    for (int n = 0; n < FEWER(40); n++) {
       sepax_pair pair = sepax_family_pair(family, 4, &random);
       bool collision = sepax_exact(&pair.a, &pair.b).collision;
       double depth = fabs(sepax_depth(&pair.a, &pair.b));
@@ -110,7 +110,7 @@ CASE(filtered_is_exact) {
     for (size_t family = 0; family < family_count(); family++) {
       sepax_random random = seeded(family, words[w]);
       int count = 0;
-      for (int n = 0; n < 3000; n++) {
+      for (int n = 0; n < FEWER(3000); n++) {
         sepax_pair pair = sepax_family_pair(family, words[w], &random);
         bool settled;
         bool verdict = sepax_filtered(&pair.a, &pair.b, &settled);
@@ -118,7 +118,7 @@ CASE(filtered_is_exact) {
         assert_true(settled || words[w] > 16 || !both_have_area(&pair, words[w]));
         count += settled;
       }
-      assert_true(count > 300);
+      assert_true(count > FEWER(300));
     }
   }
 }
@@ -129,7 +129,7 @@ CASE(orientations_in_doubles) {
   for (int word = 16; word <= 24; word += 8) {
     for (size_t family = 0; family < family_count(); family++) {
       sepax_random random = seeded(family, word);
-      for (int n = 0; n < 3000; n++) {
+      for (int n = 0; n < FEWER(3000); n++) {
         sepax_pair pair = sepax_family_pair(family, word, &random);
         bool exact = sepax_exact(&pair.a, &pair.b).collision;
         if (both_have_area(&pair, word) && sepax_guigue64(&pair.a, &pair.b) != exact) {
@@ -139,7 +139,7 @@ CASE(orientations_in_doubles) {
       }
     }
   }
-  assert_true(missed[0] == 0 && missed[1] > 500);
+  assert_true(missed[0] == 0 && missed[1] > FEWER(500));
 }
 
 /* What SAT in doubles misses at W = 16 are pairs in a plane, whose axes N x e have four factors:
@@ -149,7 +149,7 @@ CASE(sat_in_doubles) {
   for (int word = 16; word <= 20; word += 4) {
     for (size_t family = 0; family < family_count(); family++) {
       sepax_random random = seeded(family, word);
-      for (int n = 0; n < 6000; n++) {
+      for (int n = 0; n < FEWER(6000); n++) {
         sepax_pair pair = sepax_family_pair(family, word, &random);
         sepax_verdict exact = sepax_exact(&pair.a, &pair.b);
         missed[word / 20][exact.coplanar] += exact.collision && !sepax_float64(&pair.a, &pair.b);
@@ -205,7 +205,7 @@ CASE(edges_on_a_line) {
 /* Proper triangles of short words are judged right, but for mere contact: quotients round. */
 CASE(interval_test_is_one) {
   sepax_random random = {3};
-  for (int n = 0; n < 200000; n++) {
+  for (int n = 0; n < FEWER(200000); n++) {
     sepax_pair pair = sepax_family_pair((size_t)(n % 2), 8, &random);
     if (both_have_area(&pair, 8)) {
       bool exact = sepax_exact(&pair.a, &pair.b).collision;

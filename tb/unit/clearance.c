@@ -16,7 +16,7 @@
 #else
 #define REAL_PAIRS 200000
 #endif
-#define FAULT_PAIRS 40000
+#define FAULT_PAIRS FEWER(40000)
 #define TIGHT_PAIRS (REAL_PAIRS / 4)
 
 static real_pair pair_near(size_t n, int limit, sepax_random *random) {
@@ -79,8 +79,8 @@ static size_t missed_by(clear_rule rule) {
 }
 
 CASE(test_wrong_rules_miss) {
-  assert_true(missed_by(RULE_NO_ROUNDING) > 100);
-  assert_true(missed_by(RULE_LENGTH) > 10);
+  assert_true(missed_by(RULE_NO_ROUNDING) > FEWER(100));
+  assert_true(missed_by(RULE_LENGTH) > FEWER(10));
 }
 
 /* A wide triangle with normal c, and the same one shifted. */
@@ -162,7 +162,7 @@ CASE(test_tight_limit) {
   static const int32_t normals[][4] = {{3, 4, 0, 5},  {0, -4, 3, 5},  {1, 2, 2, 3},
                                        {-2, 3, 6, 7}, {6, -6, 7, 11}, {1, 0, 0, 1}};
   size_t found = 0;
-  for (int n = 0; n < 3000; n++) {
+  for (int n = 0; n < FEWER(3000); n++) {
     const int32_t *c = normals[n % (int)LENGTH(normals)];
     int word = 8 + n % 25;
     int clearance = random_below(sepax_word_max(word) / 2);
@@ -198,13 +198,13 @@ CASE(test_tight_limit) {
     pair = face_and_shifted(c, size, way);
     assert_int_equal(sepax_clearance_tight(&design, &pair.a, &pair.b).band, SEPAX_BAND_FREE);
   }
-  assert_true(found > 1000);
+  assert_true(found > FEWER(1000));
 }
 
 /* Corners of the space of 32 bits, where the squares take more than 192 bits. */
 CASE(test_tight_corners) {
   size_t count[2] = {0, 0};
-  for (int n = 0; n < 20000; n++) {
+  for (int n = 0; n < FEWER(20000); n++) {
     sepax_pair pair = {.a = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
     for (int i = 0; i < COORDINATES; i++) {
       bool far = random_below(8) != 0;
@@ -219,7 +219,7 @@ CASE(test_tight_corners) {
     count[tight]++;
     assert_true(just != almost || tight == just);
   }
-  assert_true(count[0] > 1000 && count[1] > 1000);
+  assert_true(count[0] > FEWER(1000) && count[1] > FEWER(1000));
 }
 
 /* The two halves of the oracle agree, and the rational one with known answers. */
@@ -241,7 +241,7 @@ CASE(test_oracle) {
     assert_true(d == 0 || !distance_within(&a, b, d - 1, NULL));
   }
   sepax_random random = {1};
-  for (size_t n = 0; n < 20000; n++) {
+  for (size_t n = 0; n < FEWER(20000); n++) {
     real_pair p = pair_near(n, 2, &random);
     bool is_within = distance_within_exact(&p.a, &p.b, (int64_t)2 << p.fraction);
     assert_int_equal(distance_within(&p.a, &p.b, (int64_t)2 << p.fraction, NULL), is_within);
@@ -275,7 +275,7 @@ CASE(test_bands) {
 CASE(test_symmetry) {
   sepax_random random = {5};
   sepax_design design = design_of("--clearance=2 --warning=9");
-  for (size_t n = 0; n < 50000; n++) {
+  for (size_t n = 0; n < FEWER(50000); n++) {
     real_pair p = pair_near(n, 4, &random);
     sepax_band band = sepax_clearance(&design, &p.rounded_a, &p.rounded_b).band;
     sepax_tri turned;

@@ -48,7 +48,7 @@ CASE(test_full_precision) {
     int coplanar = 0;
     int collisions = 0;
     int alarms = 0;
-    for (size_t n = 0; n < 34000; n++) {
+    for (size_t n = 0; n < FEWER(34000); n++) {
       sepax_pair pair = mixed_pair(n, design.config.word, &random);
       sepax_verdict v = sepax_judge(&design, &pair);
       assert_int_equal(v.coplanar, called_coplanar(&pair, &design.config));
@@ -59,9 +59,9 @@ CASE(test_full_precision) {
       collisions += truth;
       alarms += v.collision && !truth;
     }
-    assert_in_range(coplanar, 1000, 20000);
-    assert_in_range(collisions, 10000, 30000);
-    assert_in_range(alarms, 1, 10000);
+    assert_in_range(coplanar, FEWER(1000), FEWER(20000));
+    assert_in_range(collisions, FEWER(10000), FEWER(30000));
+    assert_in_range(alarms, 1, FEWER(10000));
   }
 }
 
@@ -108,7 +108,7 @@ CASE(test_beside_paper) {
       bool proof =
           conference.config.guard < 0 && conference.config.inequality == SEPAX_INEQUALITY_CORRECT;
       sepax_random random = {(uint64_t)word};
-      for (size_t n = 0; n < 1700; n++) {
+      for (size_t n = 0; n < FEWER(1700); n++) {
         sepax_pair pair = mixed_pair(n, word, &random);
         bool differs = compare(&conference, &paper, &pair);
         differ[s] += differs;

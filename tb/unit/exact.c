@@ -9,7 +9,7 @@
 #ifndef EXACT_PAIRS
 #define EXACT_PAIRS 1000000
 #endif
-#define SYMMETRY_PAIRS 4000
+#define SYMMETRY_PAIRS FEWER(4000)
 #define MISMATCHES_SHOWN 20
 #define AXES 13
 

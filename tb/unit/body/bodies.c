@@ -155,7 +155,7 @@ static size_t assert_all_pairs(const sepax_mesh m[2], sepax_body *body[2], const
 
 CASE(all_pairs_of_bodies) {
   size_t collisions = 0;
-  for (int n = 0; n < 40; n++) {
+  for (int n = 0; n < FEWER(40); n++) {
     double step = n % 2 == 0 ? 0.125 : 0;
     sepax_mesh m[2] = {strewn(1 + (size_t)random_below(150), 0.6, step),
                        strewn(1 + (size_t)random_below(150), 0.3, step)};
@@ -174,7 +174,7 @@ CASE(all_pairs_of_bodies) {
       sepax_mesh_free(&m[k]);
     }
   }
-  assert_true(collisions > 1000);
+  assert_true(collisions > FEWER(1000));
 }
 
 /* Poses that turn or move nothing, or along one axis alone. */
@@ -337,7 +337,7 @@ CASE(limits_of_a_search) {
 
 /* Sizes, places and distances so different that single precision overflows, or sees nothing. */
 CASE(bodies_of_any_size) {
-  for (int n = 0; n < 300; n++) {
+  for (int n = 0; n < FEWER(300); n++) {
     sepax_mesh m[2];
     sepax_body *body[2];
     double away[3];

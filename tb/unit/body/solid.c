@@ -138,7 +138,7 @@ static void assert_within(const sepax_mesh m[2], const sepax_pose *pa, const sep
 CASE(nested) {
   tally seen = {0};
   sepax_mesh m[2] = {{0}};
-  for (int n = 0; n < 40; n++) {
+  for (int n = 0; n < FEWER(40); n++) {
     draw_meshes(m);
     if (n % 3 == 0) { /* any triangle may be turned round */
       for (size_t k = 0; k < m[0].count; k++) {
@@ -168,14 +168,14 @@ CASE(nested) {
   sepax_mesh_free(&m[1]);
   print_message("%zu free, %zu %zu within, %zu colliding\n", seen.free, seen.within[0],
                 seen.within[1], seen.colliding);
-  assert_true(seen.free > 20 && seen.within[0] > 20 && seen.within[1] > 20);
+  assert_true(seen.free > FEWER(20) && seen.within[0] > FEWER(20) && seen.within[1] > FEWER(20));
 }
 
 /* Boxes that overlap at random, some inside out, on a lattice, so that they touch in faces and
  * edges, too; a small body somewhere. */
 CASE(overlapping) {
   tally seen = {0};
-  for (int n = 0; n < 120; n++) {
+  for (int n = 0; n < FEWER(120); n++) {
     sepax_mesh m[2] = {{0}};
     for (int boxes = 1 + random_below(4); boxes > 0; boxes--) {
       double low[3];
@@ -206,7 +206,7 @@ CASE(overlapping) {
   }
   print_message("%zu free, %zu %zu within, %zu colliding\n", seen.free, seen.within[0],
                 seen.within[1], seen.colliding);
-  assert_true(seen.free > 50 && seen.within[0] > 50);
+  assert_true(seen.free > FEWER(50) && seen.within[0] > FEWER(50));
 }
 
 /* A small octahedron and what is asked of it, in a mesh that is then freed. */
@@ -312,7 +312,7 @@ CASE(touching_parts) {
 CASE(vertex_on_an_edge) {
   const double far[3] = {9, 9, 9};
   tally seen = {0};
-  for (int n = 0; n < 200; n++) {
+  for (int n = 0; n < FEWER(200); n++) {
     sepax_mesh m[2] = {{0}};
     double p[4][3];
     double t[3][3];
@@ -437,7 +437,7 @@ CASE(extremes) {
 CASE(near_the_surface) {
   tally seen = {0};
   const double c[3] = {0.1, 0.2, 0.3};
-  for (int n = 0; n < 400; n++) {
+  for (int n = 0; n < FEWER(400); n++) {
     sepax_mesh m[2] = {{0}};
     sepax_pose tilt = turned_and_moved(1);
     if (n % 2 == 0) {
@@ -475,7 +475,7 @@ CASE(near_the_surface) {
     sepax_mesh_free(&m[0]);
     sepax_mesh_free(&m[1]);
   }
-  assert_true(seen.within[0] > 200 && seen.free > 200);
+  assert_true(seen.within[0] > FEWER(200) && seen.free > FEWER(200));
 }
 
 /* Triangles that are one point, each a part of its own, are one piece, and soon. */

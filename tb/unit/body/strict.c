@@ -55,7 +55,7 @@ static void assert_strict(points t[2], const sepax_pose *pa, const sepax_pose *p
 CASE(families) {
   sepax_random random = {11};
   size_t seen[2] = {0};
-  for (size_t n = 0; n < 12000; n++) {
+  for (size_t n = 0; n < FEWER(12000); n++) {
     sepax_pair pair = mixed_pair(n, 4 + random_below(29), &random);
     points t[2];
     to_doubles(&pair.a, 1, t[0]);
@@ -69,13 +69,13 @@ CASE(families) {
     sepax_pose same = p;
     assert_strict(t, &p, &same, n % 8 == 0, seen);
   }
-  assert_true(seen[0] > 5000 && seen[1] > 3000);
+  assert_true(seen[0] > FEWER(5000) && seen[1] > FEWER(3000));
 }
 
 /* Few coordinates: most pairs touch in a vertex, an edge, a plane, or have no area. */
 CASE(small_grid) {
   size_t seen[2] = {0};
-  for (size_t n = 0; n < 100000; n++) {
+  for (size_t n = 0; n < FEWER(100000); n++) {
     points t[2];
     sepax_pair pair = {{{{0}}}, {{{0}}}, {0}, {0}};
     int side = 2 + (int)(n % 4);
@@ -89,7 +89,7 @@ CASE(small_grid) {
     assert_int_equal(sepax_exact(&pair.a, &pair.b).strict,
                      sepax_exact_posed(t[0], NULL, t[1], NULL).strict);
   }
-  assert_true(seen[0] > 10000 && seen[1] > 1000);
+  assert_true(seen[0] > FEWER(10000) && seen[1] > FEWER(1000));
 }
 
 /* The unit cube, moved. */

@@ -3,6 +3,7 @@
 #include "files.h"
 
 #include <signal.h>
+#include <sys/resource.h>
 
 static bool give_facet(sepax_mesh *mesh, const char *at, sepax_error *error) {
   (void)at;
@@ -22,10 +23,17 @@ static bool give_nothing(sepax_mesh *mesh, const char *at, sepax_error *error) {
   return false;
 }
 
+/* Where it is given five seconds, it runs for one, without an end. */
 static bool run_forever(sepax_mesh *mesh, const char *at, sepax_error *error) {
   volatile size_t turns = 0;
+  struct rlimit given;
   (void)at;
   (void)error;
+  if (getrlimit(RLIMIT_CPU, &given) != 0 || given.rlim_cur != 5) {
+    return true;
+  }
+  given.rlim_cur = 1;
+  setrlimit(RLIMIT_CPU, &given);
   while (mesh->count == 0) {
     turns = turns + 1;
   }

@@ -101,7 +101,7 @@ static size_t missed(size_t count, bool tree, size_t *within, size_t *called_fre
 }
 
 CASE(nothing_is_missed) {
-  size_t count = count_of_run("TREE_NEAR", 20000);
+  size_t count = count_of_run("TREE_NEAR", FEWER(20000));
   size_t within = 0;
   size_t called_free = 0;
   assert_int_equal(missed(count, true, &within, &called_free), 0);
@@ -113,7 +113,7 @@ CASE(nothing_is_missed) {
 CASE(less_misses) {
   size_t within = 0;
   size_t called_free = 0;
-  size_t wrong = missed(20000, false, &within, &called_free);
+  size_t wrong = missed(FEWER(20000), false, &within, &called_free);
   print_message("%zu missed of %zu called free\n", wrong, called_free);
   assert_true(wrong > 0);
 }
