@@ -3,7 +3,7 @@
 # runs again with them.
 
 DESIGN_VERBS = core options rtl lint cosim exhaustive wave icarus engine example tree-engine \
-               netlist gates \
+               netlist gates flow \
                mapped area-file timed timing-file laid layout-file assigned powered power-file \
                workloads routed fpga-file mutated
 OF_DESIGN   := $(filter $(DESIGN_VERBS) $(BUILD)/core/%,$(MAKECMDGOALS))
@@ -28,7 +28,8 @@ LISTED = $(if $(and $(filter tree-engine,$(OF_DESIGN)),$(JOBS)), \
 .PHONY: $(OF_DESIGN)
 $(firstword $(OF_DESIGN) $(DESIGN_VERBS)): $(SEPAX) $(LIB) $(OPTIONS_OBJ) \
     $(if $(filter powered,$(OF_DESIGN)),$(BUILD)/power) \
-    $(if $(filter mapped timed laid assigned powered netlist gates,$(OF_DESIGN)),$(BUILD)/liberty)
+    $(if $(filter mapped timed laid assigned powered netlist gates flow,$(OF_DESIGN)), \
+      $(BUILD)/liberty)
 	@listed=; $(LISTED) design=$$($(SEPAX) name --make --environment $(DESIGN) $$listed) && \
 	  eval "$(MAKE) DESIGN= $$design $(LATER) $(OF_DESIGN)"
 $(wordlist 2,99,$(OF_DESIGN)): $(firstword $(OF_DESIGN))

@@ -5,18 +5,29 @@ LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
 # OpenSTA wants a netlist that is sized for a clock: the generator's, in Nangate45; other libraries
 # are slower, osu018 about four times.
 CLOCK_NS ?= $(patsubst CLOCK_NS=%,%,$(filter CLOCK_NS=%,$(shell $(SEPAX) name --make)))
-ifneq ($(filter timed timing-file laid layout-file assigned,$(MAKECMDGOALS)),)
+ifneq ($(filter timed timing-file laid layout-file assigned flow,$(MAKECMDGOALS)),)
 SIZED_FOR = $(if $(filter nangate45%,$(LIBRARY)),$(if $(filter paper,$(ARCH)),$(CLOCK_NS)),$(shell \
             LC_ALL=C awk 'BEGIN { print 4 * "$(CLOCK_NS)" }'))
 PERIOD   := $(or $(PERIOD),$(SIZED_FOR))
+# With an uncertainty of the clock, in percent, cells are sized for what it leaves of the period.
+ifneq ($(filter flow,$(MAKECMDGOALS)),)
+UNCERTAINTY ?= 10
 endif
+ifneq ($(UNCERTAINTY),)
+FULL     := $(or $(PERIOD),$(CLOCK_NS))
+override PERIOD := $(shell echo "$(FULL) $(UNCERTAINTY)" | LC_ALL=C awk \
+  '$$2 ~ /^[0-9]+([.][0-9]+)?$$/ && $$2 < 100 { print $$1 * (1 - $$2 / 100) }')
+$(if $(PERIOD),,$(error UNCERTAINTY=$(UNCERTAINTY): not a percentage))
+endif
+endif
+AT_FULL   = $(if $(UNCERTAINTY),-p $(FULL))
 
 # A period that was given, and multipliers, have a folder of their own.
 GENERATED = $(filter generated,$(MULTIPLIERS))
 GATED     = $(if $(filter-out 0,$(GATING)),gated)
 AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)$(GATED:%=-%)
 
-.PHONY: mapped area-file timed timing-file assigned powered power-file netlist gates routed
+.PHONY: mapped area-file timed timing-file assigned powered power-file netlist gates flow routed
 
 routed:
 	@echo "fpga: TARGET=asic is none; give TARGET=ecp5, ice40, xc7, xcup or gowin" >&2; exit 2
@@ -40,7 +51,8 @@ area-file:
 
 timed: $(AREA)/area.json
 	@echo "  STA     $(DESIGN_NAME), $(LIBRARY)"
-	@synth/timing/sta -l $(LIBERTY) $(if $(CORNERS),-c "$(CORNERS)") -o $(AREA)/timing $(AREA)
+	@synth/timing/sta -l $(LIBERTY) $(AT_FULL) $(if $(CORNERS),-c "$(CORNERS)") \
+	  -o $(AREA)/timing $(AREA)
 timing-file:
 	@echo $(AREA)/timing/timing.json
 
@@ -52,9 +64,16 @@ laid: $(AREA)/area.json
 	@for block in $(BLOCKS); do \
 	  echo "  LAYOUT  $(DESIGN_NAME), $$block, $(LIBRARY)"; \
 	  synth/layout/run -l $(LIBERTY) -f "$(LEF)" $(if $(GDS),-g $(GDS)) $(if $(USE),-u $(USE)) \
-	    -m $$block -o $(AREA)/layout/$$block $(AREA) || exit; done
+	    $(AT_FULL) -m $$block -o $(AREA)/layout/$$block $(AREA) || exit; done
 layout-file:
 	@for block in $(BLOCKS); do echo $(AREA)/layout/$$block/layout.json; done
+
+# For OpenROAD-flow-scripts and LibreLane.
+flow: $(AREA)/area.json
+	@echo "  FLOW    $(DESIGN_NAME), $(LIBRARY)"
+	@synth/flow/write -l $(LIBERTY) -u $(UNCERTAINTY) $(AT_FULL) $(if $(USE),-s $$(echo \
+	  $(USE) | awk '{ print 100 * $$1 }')) -o $(AREA)/flow $(AREA)
+	@echo "$(AREA)/flow"
 
 assigned: $(AREA)/area.json
 	@synth/multivt/assign -f $(LIBERTY) $(if $(LIBERTY_LOW_LEAKAGE),-s $(LIBERTY_LOW_LEAKAGE)) \
@@ -118,15 +137,17 @@ netlist: COUNT = 170
 netlist: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
 	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
 
-# Under the Verilator test bench, module by module.
+# Under the Verilator test bench, module by module; all at once where clock gates make clocks, of
+# which a module verilated by itself takes wrong edges.
+BY_MODULE = $(if $(GATED),--output-split 20000,--output-split 1000000 --hierarchical netlist.vlt)
 $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
-	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --hierarchical --no-timing \
-	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --output-split 1000000 --top-module $(COSIM_TOP) \
+	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --no-timing \
+	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --top-module $(COSIM_TOP) \
 	  -MAKEFLAGS "OPT_FAST=-Og OPT_SLOW=-O0 OPT_GLOBAL=-O2" \
 	  -CFLAGS "-I$(abspath c_model) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \
-	  netlist.vlt cells.v netlist.v $(COSIM_CPP) > cosim.log 2>&1 || \
+	  $(BY_MODULE) cells.v netlist.v $(COSIM_CPP) > cosim.log 2>&1 || \
 	  { tail -20 cosim.log >&2; exit 1; }; }
 
 gates: $(AREA)/cosim
