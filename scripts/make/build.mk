@@ -104,6 +104,12 @@ $(BUILD)/unit/formats/%: $(BUILD)/obj/tb/unit/formats/%.o $(BUILD)/obj/tb/harnes
                          $(ORACLE_OBJ) $(FORMAT_OBJ) $(LIB)
 	$(link)
 
+$(BUILD)/unit/synth/%: LIBS = -lcmocka -lgmp
+$(BUILD)/unit/synth/%: $(BUILD)/obj/tb/unit/synth/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
+                       $(call object,synth/power/gates.c synth/power/glitches.c \
+                         synth/liberty/text.c) $(LIB)
+	$(link)
+
 # Fuzz targets: by themselves on given inputs; with libFuzzer, which has a main of its own, where
 # FUZZER is -fsanitize=fuzzer.
 FUZZ     = $(patsubst tb/fuzz/target/%.c,$(BUILD)/fuzz/%,$(wildcard tb/fuzz/target/*.c))

@@ -31,13 +31,13 @@ typedef struct {
   lib_table energy[2]; /* rising, falling `pin` */
 } lib_power;
 
-/* Slope of output `to` after a transition of `from`. */
+/* Delay, and slope of output `to`, after a transition of `from`. */
 typedef struct {
   int to, from;
   bool on_rise,
       on_fall; /* unateness: `to` goes as `from`, against it; of a clock its rising edge only */
   bool clocked;
-  lib_table slope[2];
+  lib_table slope[2], delay[2]; /* rising, falling `to` */
 } lib_arc;
 
 typedef struct {

@@ -78,6 +78,8 @@ static void read_arcs(lib_cell *cell, const node *root, const node *p, int pin) 
                      .on_fall = sense == NULL || strcmp(sense, "positive_unate") != 0};
     table_read(&arc->slope[0], root, tree_child(n, "rise_transition"));
     table_read(&arc->slope[1], root, tree_child(n, "fall_transition"));
+    table_read(&arc->delay[0], root, tree_child(n, "cell_rise"));
+    table_read(&arc->delay[1], root, tree_child(n, "cell_fall"));
   }
 }
 

@@ -10,7 +10,7 @@ typedef struct {
   const char *mesh[2], *poses;
   double period, global, fault, resolution;
   int cycles;
-  bool idle, loading, as_sta;
+  bool idle, loading, as_sta, glitches;
 } request;
 
 typedef struct {
@@ -20,6 +20,7 @@ typedef struct {
   library lib;
   gates g;
   double *act, *one;       /* of each net: transitions a cycle, share of ones */
+  double *settled;         /* act without glitches */
   double *load;            /* of each net, F */
   int *loads;              /* pins that read it */
   double (*slope)[2];      /* of each net: rising, falling, ns */
@@ -48,8 +49,11 @@ void power_engine(analysis *m);
  * golden model's. Exits if there are no poses. */
 void power_tree(analysis *m);
 
-/* From the simulation's counts, or the request's global activity: transitions, loads, slopes. */
+/* Before the simulation: loads and slopes of nets; with glitches, delays of cells. */
 void power_prepare(analysis *m);
+
+/* From the simulation's counts, or the request's global activity: transitions. */
+void power_count(analysis *m);
 
 /* What a cell draws. */
 watts power_of(const analysis *m, const gates_cell *cell);

@@ -1,15 +1,16 @@
 /* energy.c - transitions of nets become leakage, internal and switching power, by the library. */
 #include "analysis.h"
+#include "glitches.h"
 #include "liberty/text.h"
 
-static void find_activities(analysis *m) {
+static double *find_activities(analysis *m, const uint64_t toggles[]) {
   gates *g = &m->g;
   m->act = text_alloc((size_t)g->nets, sizeof *m->act);
   m->one = text_alloc((size_t)g->nets, sizeof *m->one);
   for (int k = 0; k < g->nets; k++) {
     bool global = m->want->global >= 0;
     double all = (double)g->cycles * GATES_LANES;
-    m->act[k] = global ? m->want->global : m->want->fault * (double)g->toggles[k] / all;
+    m->act[k] = global ? m->want->global : m->want->fault * (double)toggles[k] / all;
     m->one[k] = global ? 0.5 : (double)g->ones[k] / all;
   }
   for (int c = 0; c < g->cells; c++) { /* up and down in each cycle that a clock gate passes */
@@ -25,6 +26,14 @@ static void find_activities(analysis *m) {
   m->one[1] = 1;
   m->act[g->clock] = 2;
   m->one[g->clock] = 0.5;
+  return m->act;
+}
+
+void power_count(analysis *m) {
+  m->settled = find_activities(m, m->g.toggles);
+  if (m->g.changes != NULL) {
+    find_activities(m, m->g.changes);
+  }
 }
 
 static void find_loads(analysis *m) {
@@ -72,12 +81,43 @@ static void find_slopes(analysis *m, const gates_cell *cell) {
   }
 }
 
+/* From each pin to each output: the mean of what rises and falls, by the greatest of its arcs. */
+static cell_delays find_delays(const analysis *m, const gates_cell *cell) {
+  int pins = cell->type->pins;
+  cell_delays delay = text_alloc((size_t)(pins * pins), sizeof *delay);
+  for (int k = 0; k < cell->type->arcs; k++) {
+    const lib_arc *arc = &cell->type->arc[k];
+    if (arc->from < 0 || cell->net[arc->to] < 0) {
+      continue;
+    }
+    double load = m->load[cell->net[arc->to]] / m->lib.farad;
+    double sum = 0;
+    for (int edge = 0; edge < 2; edge++) {
+      int from = arc->on_rise ? edge : 1 - edge; /* the input's edge */
+      double in = arc->clocked ? 0 : m->slope[cell->net[arc->from]][from];
+      sum += lib_look_up(&arc->delay[edge], in, load);
+    }
+    double ps = 1000 * sum / 2;
+    uint16_t *to = &delay[arc->from * pins + arc->to];
+    if (ps > *to) {
+      *to = ps < UINT16_MAX ? (uint16_t)(ps + 0.5) : UINT16_MAX;
+    }
+  }
+  return delay;
+}
+
 void power_prepare(analysis *m) {
-  find_activities(m);
   find_loads(m);
   m->slope = text_alloc((size_t)m->g.nets, sizeof *m->slope);
   for (int c = 0; c < m->g.cells; c++) {
     find_slopes(m, &m->g.cell[c]);
+  }
+  if (m->want->glitches) {
+    cell_delays *delay = text_alloc((size_t)m->g.cells, sizeof *delay);
+    for (int c = 0; c < m->g.cells; c++) {
+      delay[c] = find_delays(m, &m->g.cell[c]);
+    }
+    glitches_begin(&m->g, delay);
   }
 }
 

@@ -1,5 +1,5 @@
 /* gates.c - simulates a mapped netlist, 64 lanes at once. */
-#include "gates.h"
+#include "glitches.h"
 #include "liberty/text.h"
 
 #include <string.h>
@@ -60,9 +60,8 @@ uint64_t gates_get(const gates *g, const int net[], int bits, unsigned lane) {
 
 /* -------------------------------------------------------------------- simulation */
 
-/* A truth table of a cell, halved by each input: rows in which it is 0 and 1 become one. */
-static uint64_t evaluate(const gates *g, const gates_cell *cell, uint64_t table) {
-  const lib_cell *type = cell->type;
+/* The table is halved by each input: rows in which it is 0 and 1 become one. */
+uint64_t gates_evaluate(const lib_cell *type, uint64_t table, const uint64_t in[], uint64_t state) {
   uint64_t row[1 << LIB_INPUTS] = {0};
   int rows = 1 << (type->inputs + type->register_);
   for (int r = 0; r < rows; r++) {
@@ -72,13 +71,21 @@ static uint64_t evaluate(const gates *g, const gates_cell *cell, uint64_t table)
     if (k < type->pins && type->pin[k].output) {
       continue;
     }
-    uint64_t in = k < type->pins ? g->value[cell->net[k]] : cell->state;
+    uint64_t by = k < type->pins ? in[k] : state;
     rows /= 2;
     for (int r = 0; r < rows; r++) {
-      row[r] = (row[2 * r] & ~in) | (row[2 * r + 1] & in);
+      row[r] = (row[2 * r] & ~by) | (row[2 * r + 1] & by);
     }
   }
   return row[0];
+}
+
+static uint64_t evaluate(const gates *g, const gates_cell *cell, uint64_t table) {
+  uint64_t in[LIB_PINS];
+  for (int k = 0; k < cell->type->pins; k++) {
+    in[k] = cell->type->pin[k].output ? 0 : g->value[cell->net[k]];
+  }
+  return gates_evaluate(cell->type, table, in, cell->state);
 }
 
 void gates_settle(gates *g) {
@@ -98,6 +105,9 @@ void gates_rise(gates *g, bool count) {
     for (int k = 0; k < g->nets; k++) {
       g->toggles[k] += (uint64_t)__builtin_popcountll(g->value[k] ^ g->before[k]);
       g->ones[k] += (uint64_t)__builtin_popcountll(g->value[k]);
+    }
+    if (g->glitches != NULL) {
+      glitches_count(g);
     }
   }
   memcpy(g->before, g->value, (size_t)g->nets * sizeof *g->before);

@@ -41,7 +41,10 @@ typedef struct {
   uint64_t *before;  /* in the cycle before */
   uint64_t *toggles; /* of each net, over lanes and cycles counted */
   uint64_t *ones;
-  uint64_t cycles; /* counted */
+  uint64_t cycles;           /* counted */
+  struct glitches *glitches; /* of glitches.h, or NULL */
+  uint64_t *changes;         /* with them: as toggles, and all that come between two edges */
+  int latest;                /* ps after the edge, of all changes */
 } gates;
 
 /* Read the netlist.json of synth/area/map; exits with status 2 and a message on anything that
@@ -66,6 +69,9 @@ uint64_t *gates_bit(const gates *g, const char *name);
 void gates_set(gates *g, const int net[], int bits, unsigned lane, uint64_t value);
 void gates_set_all(gates *g, const gates_port *port, uint64_t value);
 uint64_t gates_get(const gates *g, const int net[], int bits, unsigned lane);
+
+/* A truth table of a cell, with these values of its pins and its state. */
+uint64_t gates_evaluate(const lib_cell *type, uint64_t table, const uint64_t in[], uint64_t state);
 
 /* Let the inputs, set in value[], and the registers act on everything else. */
 void gates_settle(gates *g);

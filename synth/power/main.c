@@ -16,6 +16,7 @@
  * -g A     no simulation: A transitions a cycle on every net, half the time 1
  * -s F     plant a fault: transitions counted times F
  * -o       energy inside cells as OpenSTA 2.0.17 counts it, to compare with -g
+ * -x       count glitches, too: cells have delays (glitches.h)
  * -t FILE  transitions a cycle and share of ones, by pin, for OpenSTA (synth/power/sta.tcl)
  * -e FILE  power by cell: path, type; internal, switching, leakage in W
  *
@@ -24,7 +25,7 @@
  * A transition of a net takes C V^2 / 2 of its pins and of the library's default wire load. The
  * energy inside a cell is that of the library's tables at the input's slope and the output's load,
  * rising and falling in equal parts; an input's by the probability of each `when`, an output's from
- * the tables of all its inputs, weighted by how often they move. Without delays there are no
+ * the tables of all its inputs, weighted by how often they move. Without delays (-x) there are no
  * glitches. The clock has no slope and two transitions a cycle; what drives it and the inputs is
  * not counted. */
 #include "analysis.h"
@@ -59,7 +60,7 @@ static double number(const char *const given[], char option, double other) {
 
 static request read_options(int argc, char **argv) {
   const char *given[128] = {NULL}; /* by the option's letter: its argument, or "" */
-  for (int option; (option = getopt(argc, argv, "bc:d:e:g:il:m:n:op:r:s:t:")) != -1;) {
+  for (int option; (option = getopt(argc, argv, "bc:d:e:g:il:m:n:op:r:s:t:x")) != -1;) {
     if (option == '?') {
       exit(2);
     }
@@ -78,7 +79,8 @@ static request read_options(int argc, char **argv) {
                .cycles = (int)number(given, 'c', 200),
                .idle = given['i'] != NULL,
                .loading = given['b'] != NULL,
-               .as_sta = given['o'] != NULL};
+               .as_sta = given['o'] != NULL,
+               .glitches = given['x'] != NULL};
   if (r.liberty == NULL || r.netlist == NULL || r.design == NULL || r.period <= 0 || r.cycles < 1 ||
       (optind != argc && optind + 2 != argc)) {
     errx(2, "give -l LIBERTY -n NETLIST -d DESIGN -p PERIOD, and pairs on standard input");
@@ -108,10 +110,11 @@ int main(int argc, char **argv) {
   }
   library_read(&m.lib, want.liberty);
   gates_read(&m.g, &m.lib, want.netlist);
+  power_prepare(&m);
   if (want.global < 0) {
     (config.tree ? power_tree : config.lanes > 0 ? power_engine : power_pairs)(&m);
   }
-  power_prepare(&m);
+  power_count(&m);
   power_report(&m);
   if (m.wrong > 0) {
     errx(1, "%llu %s are not the golden model's", (unsigned long long)m.wrong,

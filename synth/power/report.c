@@ -65,6 +65,17 @@ static json_t *with_power(json_t *object, watts w) {
   return object;
 }
 
+/* The same without what comes and goes between two edges. */
+static double settled_sum(const analysis *m) {
+  analysis quiet = *m;
+  quiet.act = m->settled;
+  double sum = 0;
+  for (int c = 0; c < m->g.cells; c++) {
+    sum += sum_of(power_of(&quiet, &m->g.cell[c]));
+  }
+  return sum;
+}
+
 void power_report(const analysis *m) {
   const gates *g = &m->g;
   write_file(m->want->pins, write_pins, m);
@@ -104,6 +115,12 @@ void power_report(const analysis *m) {
     json_object_update_new(report,
                            json_pack("{s:f, s:s}", "run_nj", cycle_pj * 1e-3 * (double)g->cycles,
                                      "memories", "not counted"));
+  }
+  if (m->want->glitches) {
+    double without = settled_sum(m);
+    json_object_update_new(report,
+                           json_pack("{s:f, s:f, s:f}", "settled_w", without, "glitch_factor",
+                                     sum_of(all) / without, "latest_ns", 1e-3 * m->g.latest));
   }
   if (m->poses > 0) {
     double nj = cycle_pj * 1e-3 * lane_cycles / (double)m->poses;

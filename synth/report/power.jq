@@ -14,9 +14,11 @@ def name: .design | "\(.arch) W = \(.word), II = \(.ii)" + extents + early_out +
 
 ([.designs[] | select(.design.arch == "paper")][0]) as $paper
 | ([$paper.workloads[]? | {key: .workload, value: .pair_pj}] | from_entries) as $of_paper
-| "\(.designs[0].library), OpenSTA-style sums by build/power, no glitches, no clock tree",
+| "\(.designs[0].library), OpenSTA-style sums by build/power, \(
+    if any(.designs[].workloads[]; .glitch_factor) then "with" else "no" end
+    ) glitches, no clock tree",
   (["design", "workload", "period", "leakage", "inside cells", "nets", "total", "registers",
-    "nJ / pair", "nJ / pose", "paper / it"],
+    "nJ / pair", "nJ / pose", "paper / it", "glitches"],
    (.designs[] | . as $d | .workloads[]
     | [($d | name), .workload, "\(.period_ns) ns", (.leakage_w | mw), (.internal_w | mw),
        (.switching_w | mw), (.total_w | mw), (.registers.total_w | mw),
@@ -24,7 +26,8 @@ def name: .design | "\(.arch) W = \(.word), II = \(.ii)" + extents + early_out +
        (if .pose_nj then .pose_nj | rounded(10) else "-" end),
        (if .undecided_percent > 1 then "beyond extents"
         elif .pair_pj and $of_paper[.workload] then $of_paper[.workload] / .pair_pj | rounded(10)
-        else "-" end)])
+        else "-" end),
+       (if .glitch_factor then "x \(.glitch_factor | rounded(100))" else "-" end)])
    | @tsv),
   "pJ a cycle by module",
   (.designs[] | . as $d | .workloads | map(.workload) as $loads
