@@ -64,7 +64,8 @@ laid: $(AREA)/area.json
 	@for block in $(BLOCKS); do \
 	  echo "  LAYOUT  $(DESIGN_NAME), $$block, $(LIBRARY)"; \
 	  synth/layout/run -l $(LIBERTY) -f "$(LEF)" $(if $(GDS),-g $(GDS)) $(if $(USE),-u $(USE)) \
-	    $(if $(SEEDS),-r "$(SEEDS)") $(AT_FULL) -m $$block -o $(AREA)/layout/$$block $(AREA) || exit; done
+	    $(if $(SEEDS),-r "$(SEEDS)") $(AT_FULL) -m $$block -o $(AREA)/layout/$$block $(AREA) || \
+	    exit; done
 layout-file:
 	@for block in $(BLOCKS); do echo $(AREA)/layout/$$block/layout.json; done
 
@@ -119,8 +120,8 @@ endif
 
 powered: $(AREA)/area.json $(BUILD)/power $(LOAD_FILES) $(SAMPLES)
 	@echo "  POWER   $(DESIGN_NAME), $(LIBRARY)"
-	@POWER=$(BUILD)/power synth/power/run -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) $(if $(GLITCHES),-x) \
-	  -o $(AREA)/power $(AREA) $(WORKLOADS)
+	@POWER=$(BUILD)/power synth/power/run -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) \
+	  $(if $(GLITCHES),-x $(GLITCHES)) -o $(AREA)/power $(AREA) $(WORKLOADS)
 power-file:
 	@echo $(AREA)/power/power.json
 

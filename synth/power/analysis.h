@@ -10,7 +10,8 @@ typedef struct {
   const char *mesh[2], *poses;
   double period, global, fault, resolution;
   int cycles;
-  bool idle, loading, as_sta, glitches;
+  bool idle, loading, as_sta;
+  double glitches; /* 0: none; share of a delay that a pulse lasts which passes */
 } request;
 
 typedef struct {

@@ -81,7 +81,7 @@ static void find_slopes(analysis *m, const gates_cell *cell) {
   }
 }
 
-/* From each pin to each output: the mean of what rises and falls, by the greatest of its arcs. */
+/* From each pin to each output: the mean of both edges, by the slowest of its arcs. */
 static cell_delays find_delays(const analysis *m, const gates_cell *cell) {
   int pins = cell->type->pins;
   cell_delays delay = text_alloc((size_t)(pins * pins), sizeof *delay);
@@ -112,12 +112,12 @@ void power_prepare(analysis *m) {
   for (int c = 0; c < m->g.cells; c++) {
     find_slopes(m, &m->g.cell[c]);
   }
-  if (m->want->glitches) {
+  if (m->want->glitches > 0) {
     cell_delays *delay = text_alloc((size_t)m->g.cells, sizeof *delay);
     for (int c = 0; c < m->g.cells; c++) {
       delay[c] = find_delays(m, &m->g.cell[c]);
     }
-    glitches_begin(&m->g, delay);
+    glitches_begin(&m->g, delay, m->want->glitches);
   }
 }
 

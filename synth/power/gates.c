@@ -1,5 +1,5 @@
 /* gates.c - simulates a mapped netlist, 64 lanes at once. */
-#include "glitches.h"
+#include "gates.h"
 #include "liberty/text.h"
 
 #include <string.h>
@@ -106,8 +106,8 @@ void gates_rise(gates *g, bool count) {
       g->toggles[k] += (uint64_t)__builtin_popcountll(g->value[k] ^ g->before[k]);
       g->ones[k] += (uint64_t)__builtin_popcountll(g->value[k]);
     }
-    if (g->glitches != NULL) {
-      glitches_count(g);
+    if (g->count_all != NULL) {
+      g->count_all(g);
     }
   }
   memcpy(g->before, g->value, (size_t)g->nets * sizeof *g->before);

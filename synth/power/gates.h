@@ -27,7 +27,7 @@ typedef struct {
   int *net; /* of each bit, the lowest first */
 } gates_port;
 
-typedef struct {
+typedef struct gates {
   gates_instance *instance;
   int instances;
   gates_cell *cell; /* registers, then combinational cells, each behind those that drive it */
@@ -41,10 +41,11 @@ typedef struct {
   uint64_t *before;  /* in the cycle before */
   uint64_t *toggles; /* of each net, over lanes and cycles counted */
   uint64_t *ones;
-  uint64_t cycles;           /* counted */
-  struct glitches *glitches; /* of glitches.h, or NULL */
-  uint64_t *changes;         /* with them: as toggles, and all that come between two edges */
-  int latest;                /* ps after the edge, of all changes */
+  uint64_t cycles;                    /* counted */
+  struct glitches *glitches;          /* of glitches.h, or NULL */
+  void (*count_all)(struct gates *g); /* with them: before each edge that is counted */
+  uint64_t *changes; /* with them: as toggles, and all that come between two edges */
+  int latest;        /* ps after the edge, of all changes */
 } gates;
 
 /* Read the netlist.json of synth/area/map; exits with status 2 and a message on anything that

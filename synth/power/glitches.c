@@ -12,25 +12,28 @@ typedef struct {
 /* Of a net, in order of time. */
 typedef struct {
   change *at;
-  int count, room;
+  int count, capacity;
 } wave;
 
 struct glitches {
   cell_delays *delay;
   wave *wave; /* of each net */
+  double share;
 };
 
-void glitches_begin(gates *g, cell_delays *delay) {
+void glitches_begin(gates *g, cell_delays *delay, double share) {
   g->changes = text_alloc((size_t)g->nets, sizeof *g->changes);
   g->glitches = text_alloc(1, sizeof *g->glitches);
+  g->count_all = glitches_count;
   g->glitches->delay = delay;
+  g->glitches->share = share;
   g->glitches->wave = text_alloc((size_t)g->nets, sizeof *g->glitches->wave);
 }
 
 static void append(wave *w, int time, uint64_t value) {
-  if (w->count == w->room) {
-    w->room = 2 * w->room + 4;
-    change *more = text_alloc((size_t)w->room, sizeof *more);
+  if (w->count == w->capacity) {
+    w->capacity = 2 * w->capacity + 4;
+    change *more = text_alloc((size_t)w->capacity, sizeof *more);
     for (int k = 0; k < w->count; k++) {
       more[k] = w->at[k];
     }
@@ -84,7 +87,7 @@ static void find_wave(gates *g, int c, int to) {
       int then = in[k]->at[next[k]].time + delay[k];
       if (time < 0 || then < time) {
         time = then;
-        shortest = delay[k];
+        shortest = (int)(g->glitches->share * delay[k]);
       }
     }
     if (time < 0) {

@@ -12,8 +12,9 @@
 /* Of each cell, by [input * pins + output], in ps; as many as its pins, squared. */
 typedef uint16_t *cell_delays;
 
-/* Counts from here on what gates_rise counts, too. The delays belong to the counter. */
-void glitches_begin(gates *g, cell_delays *delay);
+/* Counts from here on what gates_rise counts, too. A pulse passes from this share of a delay on (1,
+ * as above). The delays belong to the counter. */
+void glitches_begin(gates *g, cell_delays *delay, double share);
 
 /* In g->changes: all changes of a cycle, of which g->before is the begin and g->value the end.
  * Exits where a net does not end as it has settled. */

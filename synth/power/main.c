@@ -16,7 +16,8 @@
  * -g A     no simulation: A transitions a cycle on every net, half the time 1
  * -s F     plant a fault: transitions counted times F
  * -o       energy inside cells as OpenSTA 2.0.17 counts it, to compare with -g
- * -x       count glitches, too: cells have delays (glitches.h)
+ * -x SHARE count glitches, too: cells have delays (glitches.h), and pulses pass that last this
+ *          share of them: 1; more or less shows what the share is worth
  * -t FILE  transitions a cycle and share of ones, by pin, for OpenSTA (synth/power/sta.tcl)
  * -e FILE  power by cell: path, type; internal, switching, leakage in W
  *
@@ -60,7 +61,7 @@ static double number(const char *const given[], char option, double other) {
 
 static request read_options(int argc, char **argv) {
   const char *given[128] = {NULL}; /* by the option's letter: its argument, or "" */
-  for (int option; (option = getopt(argc, argv, "bc:d:e:g:il:m:n:op:r:s:t:x")) != -1;) {
+  for (int option; (option = getopt(argc, argv, "bc:d:e:g:il:m:n:op:r:s:t:x:")) != -1;) {
     if (option == '?') {
       exit(2);
     }
@@ -79,8 +80,8 @@ static request read_options(int argc, char **argv) {
                .cycles = (int)number(given, 'c', 200),
                .idle = given['i'] != NULL,
                .loading = given['b'] != NULL,
-               .as_sta = given['o'] != NULL,
-               .glitches = given['x'] != NULL};
+               .glitches = number(given, 'x', 0),
+               .as_sta = given['o'] != NULL};
   if (r.liberty == NULL || r.netlist == NULL || r.design == NULL || r.period <= 0 || r.cycles < 1 ||
       (optind != argc && optind + 2 != argc)) {
     errx(2, "give -l LIBERTY -n NETLIST -d DESIGN -p PERIOD, and pairs on standard input");

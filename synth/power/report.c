@@ -116,7 +116,7 @@ void power_report(const analysis *m) {
                            json_pack("{s:f, s:s}", "run_nj", cycle_pj * 1e-3 * (double)g->cycles,
                                      "memories", "not counted"));
   }
-  if (m->want->glitches) {
+  if (m->want->glitches > 0) {
     double without = settled_sum(m);
     json_object_update_new(report,
                            json_pack("{s:f, s:f, s:f}", "settled_w", without, "glitch_factor",

@@ -15,6 +15,7 @@ static gates circuit;
 static uint64_t value[NETS], before[NETS];
 static int input_nets[INPUTS];
 static cell_delays delays[GATES];
+static double share = 1;
 
 /* Pins 0 and 1 are inputs, pin 2 is the output. */
 static const lib_cell *type_of(int table) {
@@ -39,7 +40,7 @@ static void begin_circuit(void) {
   memset(value, 0, sizeof value);
   memset(before, 0, sizeof before);
   value[1] = before[1] = ~UINT64_C(0);
-  glitches_begin(&circuit, delays);
+  glitches_begin(&circuit, delays, share);
 }
 
 /* Returns its output's net. */
@@ -90,6 +91,10 @@ CASE(pulses_by_hand) {
   assert_int_equal(pulse(30, 60, 10, 1), 0); /* from 40 to 60, ended by what takes 60 */
   assert_int_equal(pulse(30, 40, 10, 1), 0); /* both at 40: none */
   assert_int_equal(pulse(0, 5, 5, ~UINT64_C(0)), 0);
+  share = 0.5;
+  assert_int_equal(pulse(30, 60, 60, 1), 2);
+  assert_int_equal(pulse(30, 62, 62, 1), 0);
+  share = 1;
 }
 
 /* One lane: an event is a new value of a net; a gate has one at most that is still to come, which a
