@@ -29,7 +29,7 @@ rtl: $(RTL)
 	@echo "$(CORE)/rtl: $$(wc -l < $(RTL)) modules"
 
 lint: $(RTL)
-	@cd $(CORE)/rtl && $(abspath scripts/lint)
+	@cd $(CORE)/rtl && $(abspath scripts/lint) $(LINT_TOOLS)
 
 # ------------------------------------------------------------------------- data
 
