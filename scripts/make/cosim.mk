@@ -96,7 +96,8 @@ wave: $(if $(PAIR),$(WAVE))
 # The engine: a C program on its verilated buses; the example: the driver on the same buses.
 ENGINE     = $(CORE)/engine
 ENGINE_OBJ = $(CORE)/obj-c
-ENGINE_C   = $(addprefix $(ENGINE_OBJ)/,bench.o refusals.o sepax_driver.o)
+ENGINE_C   = $(addprefix $(ENGINE_OBJ)/,bench.o crowd.o cycles.o objects.o refusals.o \
+             sepax_driver.o)
 ENGINE_OPT ?= -O3
 BUS_FLAGS   = -MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" $(call one_file,$(ENGINE_OPT)) \
               -CFLAGS "-I$(abspath tb) -I$(abspath c_model) -I../rtl $(BUS_CFLAGS)"
@@ -128,7 +129,8 @@ endif
 # The tree engine: MESH_A against MESH_B in the poses of a file, or seeded bodies and jobs; FUZZ=n:
 # damaged ones; SCENE=n: six bodies in n poses; JOBS: a list of sepax path --jobs.
 TREE_ENGINE = $(CORE)/tree-engine
-TREE_SRC    = $(wildcard tb/batch/*.c) tb/tree/memory.c examples/tree/sepax_tree_driver.c
+TREE_SRC    = $(wildcard tb/batch/*.c) tb/engine/crowd.c tb/tree/memory.c \
+              examples/tree/sepax_tree_driver.c
 TREE_C      = $(patsubst %.c,$(ENGINE_OBJ)/%.o,$(notdir $(TREE_SRC)))
 TREE_DEPS   = $(RTL) $(wildcard tb/tree/*.h tb/batch/*.h tb/engine/*.h examples/tree/*.h)
 TREE_CC     = $(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/tree -I$(CORE)/rtl

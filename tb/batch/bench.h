@@ -3,6 +3,7 @@
 #define SEPAX_BATCH_BENCH_H
 
 #include "engine/bus.h"
+#include "engine/crowd.h"
 #include "sepax_params.h"
 #include "sepax_registers.h"
 #include "sepax_tree.h"

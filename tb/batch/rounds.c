@@ -351,6 +351,13 @@ static void reset_round(uint64_t seed) {
 /* ------------------------------------------------------------------ refusals */
 
 static void refusals(void) {
+  static const crowd_register known[] = {{SEPAX_ENABLE, 7, false, false},
+                                         {SEPAX_PENDING, 7, false, true},
+                                         {SEPAX_LIST_LOW, ~UINT32_C(127), false, false},
+                                         {SEPAX_LIST_HIGH, 255, false, false},
+                                         {SEPAX_JOBS, UINT32_MAX, false, false}};
+  bus_reset();
+  crowd(known, sizeof known / sizeof known[0], 1);
   bus_reset();
   uint32_t value = 0;
   expect("an address beyond", bus_read(NULL, 0x7c, &value), 0);

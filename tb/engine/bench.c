@@ -1,10 +1,11 @@
 /* bench.c - checks the verilated sepax_engine against its golden model.
  *   engine [--stress=SEED] [--resolution=LENGTH] [--wave=FILE] A.stl B.stl
- *   engine [--stress=SEED] [--rounds=N] [--beats=N] [--size=N] [--wave=FILE]
+ *   engine [--stress=SEED] [--rounds=N] [--beats=N] [--size=N] [--blocked=N] [--wave=FILE]
  * The first: the meshes, part by part if the memories are smaller. The second: N rounds of
  * seeded objects of all families and sizes, moves, first hits and stops, and more rounds until N
  * transfers were made; objects of N (100) triangles of which all AABBs overlap; then what is
- * refused, and interrupts. Exit status 1: something was wrong. */
+ * refused, interrupts, and a run of which nobody takes results for N (5000) cycles. Exit status 1:
+ * something was wrong. */
 #include "bench.h"
 #include "sepax_vectors.h"
 
@@ -14,13 +15,6 @@
 sepax_device device;
 static sepax_design design;
 static unsigned long long wrong;
-
-typedef struct {
-  const sepax_tri *a, *b;
-  size_t count_a, count_b;
-  int32_t move[3];
-  bool first;
-} task;
 
 static void complain(const char *what, unsigned long long got, unsigned long long wanted) {
   if (wrong++ < 20) {
@@ -112,18 +106,24 @@ static bool see(void *context, const sepax_hit *hit) {
   return true;
 }
 
-/* Pairs of two passes may take II cycles more each, as the verdicts behind them wait. */
-static void near_enough(uint64_t cycles, const sepax_engine_run *run) {
+/* Pairs of two passes may take II cycles more each, as the verdicts behind them wait; on an FPGA
+ * two II, where such a pair is in seven windows, and the reorder buffer has four entries. */
+static void compare_cycles(uint64_t cycles, const sepax_engine_run *run, const task *t) {
   uint64_t slack = 20 + 4 * SEPAX_II + run->cycles / 100;
-  uint64_t more = SEPAX_II * (run->passes - run->candidates);
+  bool fpga = design.config.target != SEPAX_TARGET_ASIC;
+  uint64_t more = (fpga ? 2U : 1U) * SEPAX_II * (run->passes - run->candidates);
   if (cycles > run->cycles + slack + more || cycles + slack < run->cycles) {
     complain("cycles (to 1 %, 20 and 4 II)", cycles, run->cycles);
   }
+  if (!fpga && SEPAX_CORES == 1) {
+    uint64_t least = cycles_of_run(t->a, t->count_a, t->b, t->count_b, t->move, design.margin[1]);
+    if (more == 0 ? cycles != least : cycles < least) {
+      complain("cycles", cycles, least);
+    }
+  }
 }
 
-/* Load and run a task and compare; `paced`: nothing held the results up, so that the cycles
- * are compared, too. */
-static sepax_counts run_task(const task *t, bool paced) {
+sepax_counts run_task(const task *t, bool paced) {
   sepax_error error = {""};
   expected e = {.task = t};
   sepax_counts counts = {0};
@@ -131,8 +131,12 @@ static sepax_counts run_task(const task *t, bool paced) {
           error.text);
   int32_t(*a)[9] = columns(t->a, t->count_a);
   int32_t(*b)[9] = columns(t->b, t->count_b);
-  check(sepax_device_load(&device, false, a, t->count_a), "load A");
-  check(sepax_device_load(&device, true, b, t->count_b), "load B");
+  static bool b_first;
+  b_first = !b_first;
+  for (int n = 0; n < 2; n++) {
+    bool of_b = b_first == (n == 0);
+    check(sepax_device_load(&device, of_b, of_b ? b : a, of_b ? t->count_b : t->count_a), "load");
+  }
   check(sepax_device_move(&device, t->move), "move");
   check(sepax_device_run(&device, t->first, see, &e, &counts), "run");
   bool early = t->first && e.run.collisions > 0;
@@ -158,7 +162,7 @@ static sepax_counts run_task(const task *t, bool paced) {
     expect("FIRST_B", b_number, e.run.found.pair[e.run.first][1]);
   }
   if (paced && !early) {
-    near_enough(counts.cycles, &e.run);
+    compare_cycles(counts.cycles, &e.run, t);
   }
   free(a);
   free(b);
@@ -249,7 +253,7 @@ static void run_meshes(const char *const path[2], double resolution, bool paced)
 
 static sepax_random rng;
 
-static int64_t range(int64_t lo, int64_t hi) { return sepax_random_range(&rng, lo, hi); }
+int64_t range(int64_t lo, int64_t hi) { return sepax_random_range(&rng, lo, hi); }
 
 static size_t families(void) {
   size_t count = 0;
@@ -318,69 +322,14 @@ static void round_of(sepax_tri *a, sepax_tri *b, bool paced) {
   run_task(&t, paced);
 }
 
-/* Triangles that all hold the middle of the space. */
-static void draw_about_middle(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b) {
-  int32_t far = sepax_word_max(SEPAX_WORD);
-#ifdef SEPAX_EXTENT_A
-  far = (SEPAX_EXTENT_A < SEPAX_EXTENT_B ? SEPAX_EXTENT_A : SEPAX_EXTENT_B) / 2;
-#endif
-  for (size_t i = 0; i < count_a + count_b; i++) {
-    sepax_tri *t = i < count_a ? &a[i] : &b[i - count_a];
-    t->v[0] =
-        (sepax_vec){(int32_t)-range(0, far), (int32_t)-range(0, far), (int32_t)-range(0, far)};
-    t->v[1] = (sepax_vec){(int32_t)range(0, far), (int32_t)range(0, far), (int32_t)range(0, far)};
-    t->v[2] = (sepax_vec){(int32_t)range(-far, far), (int32_t)range(-far, far),
-                          (int32_t)range(-far, far)};
+/* A result, of which all bits that have no meaning are 0. */
+static bool receive(void *context, uint64_t *result, bool *last) {
+  bool ok = bus_receive(context, result, last);
+  if (ok) {
+    expect("bits of a result without a meaning", *last ? *result << 2 >> 34 : *result >> 59, 0);
+    expect("the highest bit of a result", *result >> 63, *last);
   }
-}
-
-/* Every AABB overlaps every other. */
-void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, bool paced) {
-  draw_about_middle(a, b, count_a, count_b);
-  const task t = {a, b, count_a, count_b, {0, 0, 0}, false};
-  sepax_counts counts = run_task(&t, paced);
-  expect("candidates where all AABBs overlap", counts.candidates,
-         (unsigned long long)count_a * count_b);
-  printf("all AABBs overlap: %zu x %zu triangles, %llu collisions in %llu cycles, %.4f a pair\n",
-         count_a, count_b, (unsigned long long)counts.collisions, (unsigned long long)counts.cycles,
-         (double)counts.cycles / (double)(count_a * count_b));
-}
-
-/* Every AABB overlaps every other, and all triangles are in one plane across x, across y, across z:
- * the time of a pass a pair. */
-static void one_plane(sepax_tri *a, sepax_tri *b, size_t count, bool paced) {
-  for (int axis = 0; axis < 3; axis++) {
-    task t = {a, b, count, count, {0, 0, 0}, false};
-    t.move[axis] = 1;
-    draw_about_middle(a, b, count, count);
-    for (size_t k = 0; k < 3 * count; k++) {
-      sepax_vec *of_a = &a[k / 3].v[k % 3];
-      sepax_vec *of_b = &b[k / 3].v[k % 3];
-      *(axis == 0 ? &of_a->x : axis == 1 ? &of_a->y : &of_a->z) = 1;
-      *(axis == 0 ? &of_b->x : axis == 1 ? &of_b->y : &of_b->z) = 0;
-    }
-    sepax_counts counts = run_task(&t, paced);
-    unsigned long long passes = counts.candidates * SEPAX_II / SEPAX_CORES;
-    unsigned long long steps = (count + SEPAX_LANES - 1) / SEPAX_LANES * count;
-    unsigned long long least = passes > steps ? passes : steps;
-    expect("candidates in one plane", counts.candidates, count * count);
-    if (paced && counts.cycles > least + least / 20 + 200) {
-      complain("cycles for pairs in a plane across an axis", counts.cycles, least);
-    }
-  }
-}
-
-/* 1, 2, 4 ... triangles of B leave the word, and one of A overlaps them all. */
-static void leave_the_word(sepax_tri *a, sepax_tri *b, bool paced) {
-  const int32_t high = sepax_word_max(SEPAX_WORD);
-  for (size_t count = 1; count <= device.capacity[1] && count <= 256; count *= 2) {
-    const task t = {a, b, 1, count, {1, 0, 0}, false};
-    for (size_t i = 0; i <= count; i++) {
-      sepax_tri *tri = i < count ? &b[i] : &a[0];
-      *tri = (sepax_tri){{{high, 0, 0}, {high - 1, 1, 0}, {high - 1, 0, 1}}};
-    }
-    expect("triangles that leave the word", run_task(&t, paced).out_of_range, count);
-  }
+  return ok;
 }
 
 static bool number_after(const char *text, const char *name, unsigned long long *value) {
@@ -391,12 +340,12 @@ static bool number_after(const char *text, const char *name, unsigned long long 
   char *end;
   *value = strtoull(text + length, &end, 10);
   stop_on(end == text + length || *end != '\0',
-          "--stress, --rounds, --beats, --size are whole numbers");
+          "--stress, --rounds, --beats, --size, --blocked are whole numbers");
   return true;
 }
 
 static void self_test(unsigned long long rounds, unsigned long long beats, size_t size,
-                      bool paced) {
+                      unsigned long long blocked, bool paced) {
   sepax_tri *a = malloc(device.capacity[0] * sizeof *a);
   sepax_tri *b = malloc(device.capacity[1] * sizeof *b);
   stop_on(a == NULL || b == NULL, "out of memory");
@@ -407,12 +356,11 @@ static void self_test(unsigned long long rounds, unsigned long long beats, size_
   }
   if (wrong == 0) {
     overlap(a, b, size, size, paced);
-    one_plane(a, b, size, paced);
-    leave_the_word(a, b, paced);
+    objects(a, b, size, paced);
   }
   if (wrong == 0) {
     refusals();
-    controls(a, b);
+    controls(a, b, blocked, paced);
   }
   printf("%llu rounds, %llu transfers, %llu cycles, %llu wrong\n", made,
          (unsigned long long)bus_beats(), (unsigned long long)bus_cycles(), wrong);
@@ -427,13 +375,15 @@ int main(int argc, char **argv) {
   unsigned long long rounds = 20;
   unsigned long long beats = 0;
   unsigned long long size = 100;
+  unsigned long long blocked = 5000;
   double resolution = 0;
   int paths = 0;
   for (int i = 1; i < argc; i++) {
     char *end = argv[i];
     if (number_after(argv[i], "--stress=", &stress) ||
         number_after(argv[i], "--rounds=", &rounds) || number_after(argv[i], "--beats=", &beats) ||
-        number_after(argv[i], "--size=", &size) || argv[i][0] == '+') {
+        number_after(argv[i], "--size=", &size) || number_after(argv[i], "--blocked=", &blocked) ||
+        argv[i][0] == '+') {
       continue;
     }
     if (strncmp(argv[i], "--resolution=", 13) == 0) {
@@ -444,11 +394,11 @@ int main(int argc, char **argv) {
     } else {
       stop_on(argv[i][0] == '-' || paths == 2,
               "usage: engine [--stress=SEED] [--resolution=LENGTH] A.stl B.stl, "
-              "or [--stress=SEED] [--rounds=N] [--beats=N] [--size=N]");
+              "or [--stress=SEED] [--rounds=N] [--beats=N] [--size=N] [--blocked=N]");
       path[paths++] = argv[i];
     }
   }
-  stop_on(size == 0 || size > 100, "--size is 1 ... 100");
+  stop_on(size == 0 || size > 128, "--size is 1 ... 128");
   stop_on(paths == 1, "give two meshes, or none");
   sepax_error error = {""};
   sepax_config config = sepax_config_default();
@@ -459,7 +409,7 @@ int main(int argc, char **argv) {
   rng.state = 1 + stress;
   bus_arguments(argc, argv);
   bus_open(stress, wave);
-  const sepax_bus bus = {NULL, bus_read, bus_write, bus_send, bus_receive};
+  const sepax_bus bus = {NULL, bus_read, bus_write, bus_send, receive};
   check(sepax_device_open(&device, &bus), "open");
   expect("lanes", (unsigned long long)device.lanes, SEPAX_LANES);
   expect("capacity for A", device.capacity[0], SEPAX_MEMORY_A);
@@ -467,7 +417,7 @@ int main(int argc, char **argv) {
   if (paths == 2) {
     run_meshes(path, resolution, stress == 0);
   } else {
-    self_test(rounds, beats, size, stress == 0);
+    self_test(rounds, beats, size, blocked, stress == 0);
   }
   wrong += bus_breaches();
   bus_close();

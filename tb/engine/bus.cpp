@@ -35,7 +35,8 @@ struct {
 
 class Bus {
 public:
-  Bus(uint64_t seed, const char *wave) : top(wave, seed), stress(seed != 0), state(seed) {
+  Bus(uint64_t seed, const char *wave)
+      : patient(seed % 4 == 1), top(wave, seed), stress(seed != 0), state(seed) {
     top.arguments(arguments.count, arguments.word);
     top->s_axi_awvalid = top->s_axi_wvalid = top->s_axi_bready = 0;
     top->s_axi_arvalid = top->s_axi_rready = 0;
@@ -65,10 +66,16 @@ public:
     choose(top->s_axi_awvalid, want_aw);
     choose(top->s_axi_wvalid, want_w);
     choose(top->s_axi_arvalid, want_ar);
+    // What comes without valid is anything.
+    uint64_t any = draw();
+    top->s_axi_awaddr = (uint8_t)((top->s_axi_awvalid ? write_address : any) & 0x7f);
+    top->s_axi_wdata = top->s_axi_wvalid ? write_data : (uint32_t)(any >> 7);
+    top->s_axi_wstrb = (uint8_t)((top->s_axi_wvalid ? write_strobes : any >> 39) & 15);
+    top->s_axi_araddr = (uint8_t)((top->s_axi_arvalid ? read_address : any >> 43) & 0x7f);
     drive_objects();
-    top->s_axi_bready = gap();
-    top->s_axi_rready = gap();
-    top->m_axis_tready = !blocked && gap();
+    top->s_axi_bready = gap() && (!patient || top->s_axi_bvalid);
+    top->s_axi_rready = gap() && (!patient || top->s_axi_rvalid);
+    top->m_axis_tready = !blocked && gap() && (!patient || top->m_axis_tvalid);
     top->eval();
     bool aw = top->s_axi_awvalid && top->s_axi_awready;
     bool w = top->s_axi_wvalid && top->s_axi_wready;
@@ -81,6 +88,7 @@ public:
                     top->m_axis_tdata ^ (uint64_t)top->m_axis_tlast << 61);
     if (b) {
       responses++;
+      responded = cycles;
       response = top->s_axi_bresp;
     }
     if (r) {
@@ -91,9 +99,9 @@ public:
     if (m) {
       results.push_back({top->m_axis_tdata, top->m_axis_tlast != 0});
     }
-    bool irq = top->irq;
+    rose = top->irq && !interrupt ? cycles : rose;
+    interrupt = top->irq;
     half_cycles();
-    interrupt = irq;
     settle(top->s_axi_awvalid, want_aw, aw);
     settle(top->s_axi_wvalid, want_w, w);
     settle(top->s_axi_arvalid, want_ar, ar);
@@ -104,20 +112,63 @@ public:
 
   bool write(uint32_t address, uint32_t value, unsigned strobes) {
     uint64_t before = responses;
-    top->s_axi_awaddr = (uint8_t)(address & 0x7f);
-    top->s_axi_wdata = value;
-    top->s_axi_wstrb = (uint8_t)strobes;
+    write_address = address;
+    write_data = value;
+    write_strobes = strobes;
     want_aw = want_w = true;
     return until([&] { return responses != before; }) && response == 0;
   }
 
   bool read(uint32_t address, uint32_t *value) {
     uint64_t before = answers;
-    top->s_axi_araddr = (uint8_t)(address & 0x7f);
+    read_address = address;
     want_ar = true;
     bool ok = until([&] { return answers != before; }) && answer_response == 0;
     *value = answer;
     return ok;
+  }
+
+  // Every channel goes on by itself, with gaps.
+  void crowd(bus_access *list, size_t count, bool patiently) {
+    const bool before[] = {stress, patient};
+    size_t at[] = {0, 0, 0, 0, 0}; // the next of a channel: AW, W, B, AR, R
+    uint64_t counted[] = {responses, answers};
+    auto more = [&](int channel) {
+      size_t &n = at[channel];
+      while (n < count && (list[n].strobes != 0) != (channel < 3)) {
+        n++;
+      }
+      return n < count;
+    };
+    stress = true;
+    patient = patiently;
+    until([&] {
+      if (responses != counted[0] && more(2)) {
+        list[at[2]++].ok = response == 0;
+      }
+      if (answers != counted[1] && more(4)) {
+        list[at[4]].value = answer;
+        list[at[4]++].ok = answer_response == 0;
+      }
+      counted[0] = responses;
+      counted[1] = answers;
+      if (!want_aw && more(0)) {
+        write_address = list[at[0]++].address;
+        want_aw = true;
+      }
+      if (!want_w && more(1)) {
+        write_data = list[at[1]].value;
+        write_strobes = list[at[1]++].strobes;
+        want_w = true;
+      }
+      if (!want_ar && more(3)) {
+        read_address = list[at[3]++].address;
+        want_ar = true;
+      }
+      return !more(2) && !more(4);
+    });
+    stress = before[0];
+    patient = before[1];
   }
 
 #ifdef SEPAX_TREE
@@ -129,14 +180,21 @@ public:
   const memory *attached() const { return &external; }
 #else
   bool send(const int32_t vertex[3], bool last, bool to_b) {
+    offer(vertex, last, to_b, 1);
+    return sent();
+  }
+
+  void offer(const int32_t vertex[3], bool last, bool to_b, uint64_t after) {
     for (int i = 0; i < 3; i++) {
-      top->s_axis_tdata[i] = (uint32_t)vertex[i];
+      offered[i] = (uint32_t)vertex[i];
     }
-    top->s_axis_tdata[3] = (uint32_t)draw(); // unused
-    top->s_axis_tlast = last;
-    top->s_axis_tdest = to_b;
-    want_t = true;
-    return until([&] { return !want_t; });
+    last_offered = last;
+    offered_to_b = to_b;
+    until_t = after;
+  }
+
+  bool sent() {
+    return until([&] { return until_t == 0 && !want_t; });
   }
 #endif
 
@@ -151,6 +209,8 @@ public:
   }
 
   bool blocked = false, interrupt = false;
+  bool patient;                               // ready comes after valid alone
+  uint64_t rose = 0, responded = 0, came = 0; // cycles of an interrupt, a response, a vertex
   uint64_t limit = UINT64_MAX;
   uint64_t beats = 0, cycles = 0, breaches = 0;
 
@@ -181,11 +241,31 @@ private:
   void settle_objects() {}
   memory external{};
 #else
-  void reset_objects() { want_t = top->s_axis_tvalid = false; }
-  void drive_objects() { choose(top->s_axis_tvalid, want_t); }
-  unsigned transfers_of_objects() { return taken_t = top->s_axis_tvalid && top->s_axis_tready; }
+  void reset_objects() {
+    want_t = top->s_axis_tvalid = false;
+    until_t = 0;
+  }
+  void drive_objects() {
+    want_t = want_t || until_t == 1;
+    until_t -= until_t > 0;
+    choose(top->s_axis_tvalid, want_t);
+    uint64_t any = draw();
+    for (int i = 0; i < 4; i++) { // the highest word is unused
+      top->s_axis_tdata[i] = top->s_axis_tvalid && i < 3 ? offered[i] : (uint32_t)(any >> 8 * i);
+    }
+    top->s_axis_tlast = top->s_axis_tvalid ? last_offered : any >> 62 & 1;
+    top->s_axis_tdest = top->s_axis_tvalid ? offered_to_b : any >> 63;
+  }
+  unsigned transfers_of_objects() {
+    taken_t = top->s_axis_tvalid && top->s_axis_tready;
+    came = taken_t ? cycles : came;
+    return taken_t;
+  }
   void settle_objects() { settle(top->s_axis_tvalid, want_t, taken_t); }
   bool want_t = false, taken_t = false;
+  uint64_t until_t = 0; // cycles until a vertex is offered
+  uint32_t offered[3] = {0, 0, 0};
+  bool last_offered = false, offered_to_b = false;
 #endif
 
   template <typename Condition> bool until(Condition met) {
@@ -228,6 +308,9 @@ private:
   void breach(const char *what) {
     breaches++;
     std::fprintf(stderr, "engine: cycle %llu: %s\n", (unsigned long long)cycles, what);
+#ifdef HASTY // a mutant: one is enough
+    std::exit(1);
+#endif
   }
 
   // 1 at rates that change from stretch to stretch; always without stress.
@@ -253,6 +336,7 @@ private:
   bool stress;
   uint64_t state, rate = 4, waited = 0;
   bool want_aw = false, want_w = false, want_ar = false;
+  uint32_t write_address = 0, write_data = 0, write_strobes = 0, read_address = 0;
   uint64_t responses = 0, answers = 0;
   uint32_t response = 0, answer = 0, answer_response = 0;
   Watch watch_b{"a response to a write moves before it is taken"};
@@ -282,7 +366,12 @@ const memory *bus_attached(void) { return bus->attached(); }
 bool bus_send(void *, const int32_t vertex[3], bool last, bool to_b) {
   return bus->send(vertex, last, to_b);
 }
+void bus_offer(const int32_t vertex[3], bool last, bool to_b, uint64_t after) {
+  bus->offer(vertex, last, to_b, after);
+}
+bool bus_sent(void) { return bus->sent(); }
 #endif
+void bus_crowd(bus_access *list, size_t count, bool patient) { bus->crowd(list, count, patient); }
 bool bus_receive(void *, uint64_t *result, bool *last) { return bus->receive(result, last); }
 void bus_block_results(bool block) { bus->blocked = block; }
 void bus_idle(uint64_t cycles) {
@@ -291,6 +380,9 @@ void bus_idle(uint64_t cycles) {
   }
 }
 bool bus_interrupt(void) { return bus->interrupt; }
+uint64_t bus_rose(void) { return bus->rose; }
+uint64_t bus_responded(void) { return bus->responded; }
+uint64_t bus_came(void) { return bus->came; }
 uint64_t bus_beats(void) { return bus->beats; }
 uint64_t bus_cycles(void) { return bus->cycles; }
 uint64_t bus_breaches(void) { return bus->breaches; }

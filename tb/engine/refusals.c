@@ -98,8 +98,20 @@ static void settings(void) {
   expect("nothing was stopped", value_of(SEPAX_STATUS), 0);
 }
 
+/* Many accesses at once. */
+static void many_accesses(void) {
+  const uint32_t move = SEPAX_WORD < 31 ? (UINT32_C(2) << SEPAX_WORD) - 1 : UINT32_MAX;
+  const crowd_register known[] = {
+      {SEPAX_MODE, 3, false, false},     {SEPAX_ENABLE, 7, false, false},
+      {SEPAX_PENDING, 7, false, true},   {SEPAX_MOVE_X, move, true, false},
+      {SEPAX_MOVE_Y, move, true, false}, {SEPAX_MOVE_Z, move, true, false}};
+  bus_reset();
+  crowd(known, sizeof known / sizeof known[0], 1);
+}
+
 void refusals(void) {
   uint32_t value = 0;
+  many_accesses();
   bus_reset();
   expect("nothing is loaded after reset", value_of(SEPAX_STATUS), 0);
   expect("START without objects", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
@@ -134,6 +146,11 @@ void refusals(void) {
   send_beats(3 * (size_t)SEPAX_MEMORY_A + 3, false);
   expect("more than A's memory holds",
          value_of(SEPAX_STATUS) & (SEPAX_STATUS_LOADED_A | SEPAX_STATUS_FULL), SEPAX_STATUS_FULL);
+  send_beats(3 * (size_t)SEPAX_MEMORY_A + 5, false);
+  expect("more, and not whole",
+         value_of(SEPAX_STATUS) &
+             (SEPAX_STATUS_LOADED_A | SEPAX_STATUS_FULL | SEPAX_STATUS_PARTIAL),
+         SEPAX_STATUS_FULL | SEPAX_STATUS_PARTIAL);
   send_beats(3, false);
   expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
   send_beats(3 * (size_t)SEPAX_MEMORY_B + 3, true);
@@ -153,45 +170,98 @@ void refusals(void) {
   expect("tdest of the first vertex counts", value_of(SEPAX_COUNT_A), 1);
 }
 
-/* Interrupts, quiet runs, STOP, and results that nobody takes. */
-void controls(sepax_tri *a, sepax_tri *b) {
+/* A run is over. */
+static void wait_for_end(void) {
+  for (int reads = 0; reads < 100000 && (value_of(SEPAX_STATUS) & SEPAX_STATUS_BUSY) != 0;) {
+    reads++;
+  }
+  expect("a run ends", value_of(SEPAX_STATUS) & SEPAX_STATUS_BUSY, 0);
+}
+
+static void start(void) { expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1); }
+
+/* A vertex is offered in each of the cycles about START: it comes before, and START is refused, or
+ * behind the run. */
+static void vertex_beside_start(bool paced) {
+  const int32_t vertex[3] = {1, 1, 1};
+  int before = 0;
+  for (uint64_t after = 1; after < 12; after++) {
+    bus_offer(vertex, false, false, after);
+    if (bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START)) {
+      for (uint32_t status = SEPAX_STATUS_BUSY; (status & SEPAX_STATUS_BUSY) != 0;) {
+        status = value_of(SEPAX_STATUS);
+        expect("no vertex is taken in a run",
+               (status & SEPAX_STATUS_BUSY) != 0 && (status & SEPAX_STATUS_LOADING) != 0, 0);
+      }
+      expect("all pairs of a run beside which a vertex waits", value_of(SEPAX_COLLISIONS),
+             SEPAX_MEMORY_B);
+    } else {
+      before++;
+    }
+    expect("a vertex beside START", bus_sent(), 1);
+    expect("its object is under way", value_of(SEPAX_STATUS) & SEPAX_STATUS_LOADING,
+           SEPAX_STATUS_LOADING);
+    send_beats(2, false);
+    expect("it is whole", value_of(SEPAX_COUNT_A), 1);
+  }
+  expect("some come before START", !paced || (before > 0 && before < 11), 1);
+}
+
+/* PENDING is cleared in each of the cycles about an event: it stands until it is cleared behind
+ * that, and the interrupt comes as ever. */
+static void clear_beside(uint32_t bit, bool of_a_vertex) {
+  const int32_t vertex[3] = {1, 1, 1};
+  uint64_t delay = 0;
+  int stands = 0;
+  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, bit), 1);
+  for (uint64_t after = 0; after < 40; after++) {
+    uint64_t wait = 0;
+    expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
+    bus_idle(10);
+    if (of_a_vertex) {
+      expect("a vertex", bus_send(NULL, vertex, false, false), 1);
+      expect("a vertex", bus_send(NULL, vertex, false, false), 1);
+      bus_offer(vertex, true, false, after + 1);
+      wait = 10;
+    } else {
+      start();
+      wait = delay > 20 ? delay - 20 + after : 0;
+    }
+    uint64_t begun = bus_responded();
+    bus_idle(wait);
+    expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
+    uint64_t cleared = bus_responded();
+    expect("a vertex", bus_sent(), 1);
+    wait_for_end();
+    bus_idle(4);
+    begun = of_a_vertex ? bus_came() : begun;
+    if (delay == 0) {
+      delay = bus_rose() - begun;
+    }
+    expect("the interrupt comes so many cycles behind its cause", bus_rose() - begun, delay);
+    expect("PENDING beside a write to it", value_of(SEPAX_PENDING) & bit,
+           bus_rose() >= cleared ? bit : 0);
+    stands += bus_rose() >= cleared;
+  }
+  expect("some are cleared, some stand", stands > 1 && stands < 39, 1);
+}
+
+/* A run of which nobody takes results for a while, then STOP. `around`: cycles from START to the
+ * interrupt that are not of the run. */
+static void nobody_takes(uint64_t blocked, uint64_t around, bool paced) {
   static const uint32_t move[3] = {SEPAX_MOVE_X, SEPAX_MOVE_Y, SEPAX_MOVE_Z};
-  expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
-  expect("no interrupt", bus_interrupt(), 0);
-  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_DONE), 1);
-  expect("MODE", bus_write(NULL, SEPAX_MODE, SEPAX_MODE_QUIET), 1);
-  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
-  bus_idle(20000 + 100 * (uint64_t)SEPAX_MEMORY_B * SEPAX_II);
-  expect("an interrupt", bus_interrupt(), 1);
-  expect("PENDING", value_of(SEPAX_PENDING), SEPAX_PENDING_DONE | SEPAX_PENDING_HIT);
-  expect("all pairs collide", value_of(SEPAX_COLLISIONS), SEPAX_MEMORY_B);
-  expect("STATUS says so", value_of(SEPAX_STATUS),
-         SEPAX_STATUS_LOADED_A | SEPAX_STATUS_LOADED_B | SEPAX_STATUS_HIT);
-  uint32_t cycles = value_of(SEPAX_CYCLES);
-  bus_idle(100);
-  expect("CYCLES stands after the run", value_of(SEPAX_CYCLES), cycles);
-  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_HIT), 1);
-  bus_idle(2);
-  expect("an interrupt by the hit", bus_interrupt(), 1);
-  expect("PENDING.HIT clears", bus_write(NULL, SEPAX_PENDING, SEPAX_PENDING_HIT), 1);
-  bus_idle(2);
-  expect("that interrupt is gone", bus_interrupt(), 0);
-  expect("PENDING", value_of(SEPAX_PENDING), SEPAX_PENDING_DONE);
-  expect("MODE", bus_write(NULL, SEPAX_MODE, SEPAX_MODE_QUIET | SEPAX_MODE_FIRST), 1);
-  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
-  bus_idle(20000 + 100 * (uint64_t)SEPAX_MEMORY_B * SEPAX_II);
-  expect("one collision", value_of(SEPAX_COLLISIONS), 1);
-  /* Its way, that of what was taken until then, and a latency for the phases of several cores. */
-  expect("the first ends the run soon",
-         value_of(SEPAX_CYCLES) < 30u + 3u * SEPAX_LATENCY + 3u * SEPAX_II, 1);
-  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_DONE), 1);
-  expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
-  bus_idle(2);
-  expect("the interrupt is gone", bus_interrupt(), 0);
-  expect("MODE", bus_write(NULL, SEPAX_MODE, 0), 1);
   bus_block_results(true);
-  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
-  bus_idle(20000);
+  start();
+  uint64_t started = bus_responded();
+  uint32_t first = value_of(SEPAX_CYCLES);
+  uint64_t since = bus_cycles();
+  for (uint64_t left = blocked; left > 0;) {
+    uint64_t some = left < 5000 ? left : 5000;
+    bus_idle(some);
+    left -= some;
+    uint64_t counted = value_of(SEPAX_CYCLES) - first;
+    expect("CYCLES meanwhile", paced ? counted : 0, paced ? bus_cycles() - since : 0);
+  }
   uint32_t busy = value_of(SEPAX_STATUS);
   expect("a run waits for its results to be taken", busy & SEPAX_STATUS_BUSY, SEPAX_STATUS_BUSY);
   expect("START while busy", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
@@ -210,6 +280,60 @@ void controls(sepax_tri *a, sepax_tri *b) {
   expect("and how many came", (uint32_t)result, results - 1);
   expect("STATUS", value_of(SEPAX_STATUS) & (SEPAX_STATUS_BUSY | SEPAX_STATUS_STOPPED),
          SEPAX_STATUS_STOPPED);
+  expect("CYCLES of a long run", paced ? value_of(SEPAX_CYCLES) : 0,
+         paced ? bus_rose() - started - around : 0);
+}
+
+/* Interrupts, quiet runs, STOP, and results that nobody takes. */
+void controls(sepax_tri *a, sepax_tri *b, uint64_t blocked, bool paced) {
+  expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
+  expect("no interrupt", bus_interrupt(), 0);
+  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_DONE), 1);
+  expect("MODE", bus_write(NULL, SEPAX_MODE, SEPAX_MODE_QUIET), 1);
+  start();
+  uint64_t started = bus_responded();
+  wait_for_end();
+  bus_idle(2);
+  expect("an interrupt", bus_interrupt(), 1);
+  expect("PENDING", value_of(SEPAX_PENDING), SEPAX_PENDING_DONE | SEPAX_PENDING_HIT);
+  expect("all pairs collide", value_of(SEPAX_COLLISIONS), SEPAX_MEMORY_B);
+  expect("STATUS says so", value_of(SEPAX_STATUS),
+         SEPAX_STATUS_LOADED_A | SEPAX_STATUS_LOADED_B | SEPAX_STATUS_HIT);
+  uint32_t cycles = value_of(SEPAX_CYCLES);
+  uint64_t around = bus_rose() - started - cycles;
+  bus_idle(100);
+  expect("CYCLES stands after the run", value_of(SEPAX_CYCLES), cycles);
+  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_HIT), 1);
+  bus_idle(2);
+  expect("an interrupt by the hit", bus_interrupt(), 1);
+  expect("PENDING.HIT clears", bus_write(NULL, SEPAX_PENDING, SEPAX_PENDING_HIT), 1);
+  bus_idle(2);
+  expect("that interrupt is gone", bus_interrupt(), 0);
+  expect("PENDING", value_of(SEPAX_PENDING), SEPAX_PENDING_DONE);
+  expect("MODE", bus_write(NULL, SEPAX_MODE, SEPAX_MODE_QUIET | SEPAX_MODE_FIRST), 1);
+  start();
+  wait_for_end();
+  expect("one collision", value_of(SEPAX_COLLISIONS), 1);
+  /* Its way, that of what was taken until then, and a latency for the phases of several cores. */
+  expect("the first ends the run soon",
+         value_of(SEPAX_CYCLES) < 30u + 3u * SEPAX_LATENCY + 3u * SEPAX_II, 1);
+  expect("MODE", bus_write(NULL, SEPAX_MODE, SEPAX_MODE_QUIET), 1);
+  for (uint32_t k = 1; k < 32; k++) {
+    uint32_t command = SEPAX_COMMAND_START | UINT32_C(1) << k;
+    expect("START and another bit", bus_write(NULL, SEPAX_COMMAND, command), 0);
+  }
+  vertex_beside_start(paced);
+  if (paced) {
+    clear_beside(SEPAX_PENDING_DONE, false);
+    clear_beside(SEPAX_PENDING_HIT, false);
+    clear_beside(SEPAX_PENDING_LOADED, true);
+  }
+  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_DONE), 1);
+  expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
+  bus_idle(2);
+  expect("the interrupt is gone", bus_interrupt(), 0);
+  expect("MODE", bus_write(NULL, SEPAX_MODE, 0), 1);
+  nobody_takes(blocked, around, paced);
   bus_reset();
   overlap(a, b, 3, 5, false);
 }
