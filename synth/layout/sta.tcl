@@ -1,6 +1,7 @@
 # synth/layout/sta.tcl - what OpenSTA says of a netlist that is laid out. clock (its port, or
-# nothing), period (ns) and spef (or nothing: the library's default wires, an ideal clock) are set
-# by who sources it, after synth/common.tcl. Prints lines of a word and a number in ns.
+# nothing), period (ns), spef (or nothing: the library's default wires, an ideal clock) and late
+# (how many paths with little slack to tell, or nothing) are set by who sources it, after
+# synth/common.tcl. Prints lines of a word and a number in ns, and paths.
 #
 # With wires the clock comes by its tree. Inputs then arrive with its latest register, outputs are
 # due with its earliest at the next edge, as if the same tree went on around the design.
@@ -41,3 +42,7 @@ set hold [worst -path_delay min -from [all_registers -clock_pins]]
 if {$hold ne ""} { puts "hold $hold" }
 puts "path"
 report_checks -path_delay max -digits 4 -format full_clock_expanded
+if {$late ne ""} {
+  report_checks -path_delay max -digits 4 -format full_clock_expanded \
+    -slack_max [expr {0.03 * $period}] -group_count $late -unique_paths_to_endpoint
+}
