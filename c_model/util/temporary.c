@@ -56,7 +56,8 @@ static void remove_and_end(int number) {
       unlink(path);
     }
   }
-  raise(number); /* SA_RESETHAND: its default now */
+  signal(number, SIG_DFL); /* not by SA_RESETHAND: a second one would end a handler that begins */
+  raise(number);
 }
 
 void temporary_remove_on_signals(void) {
@@ -64,7 +65,9 @@ void temporary_remove_on_signals(void) {
     struct sigaction was;
     struct sigaction action = {.sa_handler = remove_and_end};
     sigemptyset(&action.sa_mask);
-    action.sa_flags = (int)SA_RESETHAND;
+    for (int k = 0; k < ENDS; k++) {
+      sigaddset(&action.sa_mask, ends[k]);
+    }
     if (sigaction(ends[i], NULL, &was) == 0 && was.sa_handler != SIG_IGN) {
       sigaction(ends[i], &action, NULL);
     }

@@ -3,6 +3,8 @@
 #include "glitches.h"
 #include "liberty/text.h"
 
+#include <math.h>
+
 static double *find_activities(analysis *m, const uint64_t toggles[]) {
   gates *g = &m->g;
   m->act = text_alloc((size_t)g->nets, sizeof *m->act);
@@ -83,8 +85,8 @@ static void find_slopes(analysis *m, const gates_cell *cell) {
 
 /* From each pin to each output: the mean of both edges, by the slowest of its arcs. */
 static cell_delays find_delays(const analysis *m, const gates_cell *cell) {
-  int pins = cell->type->pins;
-  cell_delays delay = text_alloc((size_t)(pins * pins), sizeof *delay);
+  size_t pins = (size_t)cell->type->pins;
+  cell_delays delay = text_alloc(pins * pins, sizeof *delay);
   for (int k = 0; k < cell->type->arcs; k++) {
     const lib_arc *arc = &cell->type->arc[k];
     if (arc->from < 0 || cell->net[arc->to] < 0) {
@@ -98,9 +100,9 @@ static cell_delays find_delays(const analysis *m, const gates_cell *cell) {
       sum += lib_look_up(&arc->delay[edge], in, load);
     }
     double ps = 1000 * sum / 2;
-    uint16_t *to = &delay[arc->from * pins + arc->to];
+    uint16_t *to = &delay[(size_t)arc->from * pins + (size_t)arc->to];
     if (ps > *to) {
-      *to = ps < UINT16_MAX ? (uint16_t)(ps + 0.5) : UINT16_MAX;
+      *to = ps < UINT16_MAX ? (uint16_t)lround(ps) : UINT16_MAX;
     }
   }
   return delay;

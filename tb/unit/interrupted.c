@@ -54,6 +54,40 @@ CASE(test_signals) {
   assert_int_equal(access(path, F_OK), 0);
 }
 
+/* A second signal, as `timeout` and an impatient user send it, comes when the first is on its way:
+ * on another processor than the program's, at any time in what the first does. */
+CASE(test_two_signals) {
+  for (int round = 0; round < FEWER(4000); round++) {
+    int ready[2];
+    unlink(path);
+    assert_int_equal(pipe(ready), 0);
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+      signal(SIGINT, SIG_DFL);
+      temporary_remove_on_signals();
+      int ticket;
+      FILE *out = temporary_create(path, &ticket);
+      if (out == NULL || write(ready[1], "", 1) != 1) {
+        _exit(1);
+      }
+      for (volatile int busy = 0;; busy++) {}
+    }
+    char byte;
+    close(ready[1]);
+    assert_int_equal(read(ready[0], &byte, 1), 1);
+    close(ready[0]);
+    for (volatile int wait = 0; wait < round % 1000; wait++) {}
+    assert_int_equal(kill(child, SIGINT), 0);
+    kill(child, SIGINT);
+    int status = 0;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFSIGNALED(status));
+    assert_int_equal(WTERMSIG(status), SIGINT);
+    assert_int_equal(access(path, F_OK), -1);
+  }
+}
+
 /* More files than tickets are still written. */
 CASE(test_tickets) {
   int ticket[300];
