@@ -49,6 +49,7 @@ void stop_at(bool failed, const char *path, const char *text) {
 static struct {
   uint8_t *byte;
   size_t used, space;
+  uint32_t *bursts; /* that began at each beat of it */
 } external;
 
 size_t bench_space(size_t bytes, size_t unit) {
@@ -81,6 +82,9 @@ void bench_attach(memory_options options) {
   options.base = BENCH_BASE;
   options.size = external.used;
   options.open_max = 17; /* the engine's, and the next pose */
+  external.bursts = realloc(external.bursts, external.used / MEMORY_BEAT * sizeof(uint32_t));
+  stop_on(external.bursts == NULL, "out of memory");
+  options.bursts = external.bursts;
   bus_memory(&options);
 }
 
@@ -291,6 +295,10 @@ void bench_run(bench_batch *b) {
                              .each = keep,
                              .context = &c};
   sepax_error error = {""};
+  bench_reads reads = {.bursts = external.bursts};
+  uint64_t bursts = bus_attached()->counts.bursts;
+  uint64_t stopped = b->stopped;
+  memset(external.bursts, 0, external.used / MEMORY_BEAT * sizeof(uint32_t));
   expect("start", sepax_device_start(&device, golden.list, golden.jobs), SEPAX_DEVICE_OK);
   bool more = true;
   for (int n = 0; more; n++) {
@@ -303,6 +311,8 @@ void bench_run(bench_batch *b) {
     if (more && n == b->stop_at) {
       expect("STOP", sepax_device_stop(&device), SEPAX_DEVICE_OK);
     }
+    reads.colds += (result.modes & SEPAX_TREE_COLD) != 0 ||
+                   (result.pose == 0 && (result.modes & SEPAX_TREE_WARM) == 0);
     if (!more || !take(b, &c, &result, &o)) {
       break;
     }
@@ -316,11 +326,15 @@ void bench_run(bench_batch *b) {
   }
   free(c.pair);
   bool busy = true;
-  for (int reads = 0; busy && reads < 1000; reads++) {
+  for (int n = 0; busy && n < 1000; n++) {
     expect("busy", sepax_device_busy(&device, &busy), SEPAX_DEVICE_OK);
   }
   expect("the batch ends", busy, 0);
   check_registers(b);
+  if (!b->any && !b->errors) {
+    reads.whole = b->stopped == stopped;
+    reads_check(&reads, golden.list, golden.jobs, bus_attached()->counts.bursts - bursts);
+  }
 }
 
 /* ------------------------------------------------------------------ command */
@@ -403,5 +417,6 @@ int main(int argc, char **argv) {
   bus_close();
   bench_clear();
   free(external.byte);
+  free(external.bursts);
   return wrong != 0;
 }

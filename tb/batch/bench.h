@@ -54,6 +54,18 @@ typedef struct {
 } bench_batch;
 void bench_run(bench_batch *batch);
 
+/* Which blocks of its memory a batch has read. */
+typedef struct {
+  const uint32_t *bursts; /* that began at each beat of the memory, from BENCH_BASE on */
+  uint64_t colds;         /* poses before which the caches forgot what they had */
+  bool whole;             /* none was stopped */
+} bench_reads;
+
+/* Of a batch of sound jobs about one pair of bodies, of so many bursts in all: no job or pose is
+ * read twice; no node and no record twice after a cold start, of bodies of up to 16 nodes and 4
+ * leaves; nothing else is read. */
+void reads_check(const bench_reads *of, uint64_t list, uint32_t jobs, uint64_t bursts);
+
 /* Seeded bodies, poses, modes; then damage, errors, resets, refusals. */
 void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed);
 

@@ -1,6 +1,6 @@
 /* rounds.c - seeded bodies, poses and modes of jobs for the tree engine's test bench; bytes that
- * are damaged, memory that answers with errors, resets, refusals. */
-#include "bench.h"
+ * are damaged, memory that answers with errors, resets. */
+#include "rounds.h"
 #include "sepax_vectors.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@ static sepax_random rng;
 static int64_t range(int64_t lo, int64_t hi) { return sepax_random_range(&rng, lo, hi); }
 static double unit(void) { return (double)range(-1000000, 1000000) * 1e-6; }
 
-enum { POSES_MOST = 6, JOBS_MOST = 4, TRIANGLES_MOST = 300 };
+enum { POSES_MOST = 6, TRIANGLES_MOST = 300 };
 static int64_t jobs_most = JOBS_MOST;
 static int64_t poses_most = POSES_MOST;
 static bool is_small; /* bodies of up to 40 triangles */
@@ -147,13 +147,6 @@ static void check_driver(const uint8_t bytes[SEPAX_TREE_POSE_BYTES]) {
 
 /* ------------------------------------------------------------------- rounds */
 
-typedef struct {
-  sepax_tree *tree[2];
-  size_t job[JOBS_MOST], pose[JOBS_MOST], poses[JOBS_MOST]; /* where they are */
-  size_t body[2], bytes[2];
-  bench_batch batch;
-} scene;
-
 static unsigned some_modes(bool same_bodies) {
   unsigned modes = (unsigned)range(0, 127);
   modes &= range(0, 1) != 0 ? ~0U : ~(unsigned)(SEPAX_TREE_FIRST | SEPAX_TREE_LEAVE);
@@ -210,7 +203,7 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
 }
 
 /* Bodies and jobs in memory. */
-static void some_scene(scene *s) {
+void some_scene(scene *s) {
   *s = (scene){.batch = {.jobs = (uint32_t)range(1, jobs_most), .stop_at = -1}};
   bench_clear();
   bench_space((size_t)range(0, 3) * 4096, 4096);
@@ -232,7 +225,7 @@ static void some_scene(scene *s) {
   }
 }
 
-static void free_scene(scene *s) {
+void free_scene(scene *s) {
   sepax_tree_free(s->tree[0]);
   sepax_tree_free(s->tree[1]);
 }
@@ -348,107 +341,6 @@ static void reset_round(uint64_t seed) {
   free_scene(&s);
 }
 
-/* ------------------------------------------------------------------ refusals */
-
-static void refusals(void) {
-  static const crowd_register known[] = {{SEPAX_ENABLE, 7, false, false},
-                                         {SEPAX_PENDING, 7, false, true},
-                                         {SEPAX_LIST_LOW, ~UINT32_C(127), false, false},
-                                         {SEPAX_LIST_HIGH, 255, false, false},
-                                         {SEPAX_JOBS, UINT32_MAX, false, false}};
-  bus_reset();
-  crowd(known, sizeof known / sizeof known[0], 1);
-  bus_reset();
-  uint32_t value = 0;
-  expect("an address beyond", bus_read(NULL, 0x7c, &value), 0);
-  expect("START without jobs", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
-  expect("ID is read only", bus_write(NULL, SEPAX_ID, 0), 0);
-  expect("a list at 64", bus_write(NULL, SEPAX_LIST_LOW, 64), 0);
-  expect("a list beyond 40 bits", bus_write(NULL, SEPAX_LIST_HIGH, 256), 0);
-  expect("partial strobes", bus_write_part(SEPAX_JOBS, 1, 7), 0);
-  expect("STATUS after a reset", bus_read(NULL, SEPAX_STATUS, &value) && value == 0, 1);
-}
-
-/* One number of a job or a pose after the other is out of its range. */
-static void ranges(void) {
-  static const struct {
-    bool of_pose;
-    size_t at;
-    uint8_t bits;
-  } out[] = {{false, 0, 1},    {false, 5, 1},  {false, 11, 1},  {false, 33, 8},   {false, 37, 2},
-             {false, 43, 1},   {false, 47, 2}, {false, 64, 1},  {false, 71, 128}, {false, 76, 128},
-             {false, 79, 128}, {true, 6, 64},  {true, 21, 8},   {true, 30, 64},   {true, 47, 8},
-             {true, 51, 64},   {true, 83, 2},  {true, 87, 64},  {true, 119, 1},   {true, 123, 1},
-             {true, 131, 128}, {true, 135, 1}, {true, 143, 128}};
-  scene s;
-  some_scene(&s);
-  bench_attach((memory_options){.latency = 5});
-  for (size_t k = 0; k < sizeof out / sizeof *out; k++) {
-    uint8_t *byte = bench_at((out[k].of_pose ? s.pose[0] : s.job[0]) + out[k].at);
-    bench_batch batch = {.list = s.batch.list, .jobs = 1, .stop_at = -1, .any = true};
-    *byte ^= out[k].bits;
-    bench_run(&batch);
-    expect(out[k].of_pose ? "a pose is refused" : "a job is refused", batch.refused, 1);
-    *byte ^= out[k].bits;
-  }
-  for (int of_pose = 0; of_pose < 2; of_pose++) { /* errors of the memory in each of their beats */
-    for (size_t beat = 0; beat < (of_pose != 0 ? 9U : 6U); beat++) {
-      bench_batch batch = {.list = s.batch.list, .jobs = 1, .stop_at = -1, .errors = true};
-      uint64_t at = bench_address((of_pose != 0 ? s.pose[0] : s.job[0]) + MEMORY_BEAT * beat);
-      bench_attach((memory_options){.latency = 5, .error_from = at, .error_to = at + 1});
-      bench_run(&batch);
-      expect("an error in a beat of a job or a pose", batch.bus, 1);
-    }
-  }
-  free_scene(&s);
-}
-
-static bool pending(uint32_t bit) {
-  uint32_t value = 0;
-  return bus_read(NULL, SEPAX_PENDING, &value) && (value & bit) != 0;
-}
-
-/* Interrupts; registers of a batch; nobody takes results; nothing is written while it is busy. */
-static void controls(void) {
-  scene s;
-  do {
-    some_scene(&s);
-    free_scene(&s);
-    s.batch.jobs = 1;
-    bench_at(s.job[0])[76] = 0;
-    memset(bench_at(s.job[0]) + 80, 0, 4);
-    bench_attach((memory_options){.latency = 20});
-    bench_run(&s.batch);
-  } while (s.batch.hits == 0);
-  uint32_t value = 0;
-  expect("STATUS", bus_read(NULL, SEPAX_STATUS, &value) && (value & SEPAX_STATUS_HIT) != 0, 1);
-  expect("DONE is pending", pending(SEPAX_PENDING_DONE), 1);
-  expect("HIT is pending", pending(SEPAX_PENDING_HIT), 1);
-  expect("POSE is pending", pending(SEPAX_PENDING_POSE), 1);
-  expect("no interrupt that is not enabled", bus_interrupt(), 0);
-  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_POSE), 1);
-  bus_idle(4);
-  expect("an interrupt", bus_interrupt(), 1);
-  expect("PENDING", bus_write(NULL, SEPAX_PENDING, 7), 1);
-  bus_idle(4);
-  expect("no interrupt that was cleared", bus_interrupt(), 0);
-  bus_block_results(true);
-  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
-  bus_idle(3000);
-  expect("BUSY while nobody takes results",
-         bus_read(NULL, SEPAX_STATUS, &value) && (value & SEPAX_STATUS_BUSY) != 0, 1);
-  expect("JOBS while busy", bus_write(NULL, SEPAX_JOBS, 2), 0);
-  expect("START while busy", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
-  expect("STOP", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_STOP), 1);
-  bus_block_results(false);
-  sepax_outcome outcome = {.last = false};
-  sepax_device_status status = SEPAX_DEVICE_OK;
-  do {
-    status = sepax_device_take(&device, NULL, NULL, &outcome);
-    expect("a pose that ends", status, SEPAX_DEVICE_OK);
-  } while (!outcome.last && status == SEPAX_DEVICE_OK);
-}
-
 /* ------------------------------------------------------------------------- */
 
 static void tell(const char *what, const bench_batch *sum) {
@@ -474,8 +366,6 @@ void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed) {
   }
   if (rounds > 0 && wrong == 0) {
     refusals();
-    ranges();
-    controls();
   }
   tell("sound", &sound);
   tell("damaged", &broken);

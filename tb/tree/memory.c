@@ -98,6 +98,9 @@ static void take_address(memory *m, const memory_master *master) {
   m->open[m->tail].due = m->cycle + (uint64_t)o->latency + late;
   m->tail = (m->tail + 1) % MEMORY_OPEN_MAX;
   m->counts.bursts++;
+  if (o->bursts != NULL && master->araddr >= o->base && master->araddr - o->base < o->size) {
+    o->bursts[(master->araddr - o->base) / MEMORY_BEAT]++;
+  }
   m->counts.open++;
   if (m->counts.open > m->counts.open_most) {
     m->counts.open_most = m->counts.open;

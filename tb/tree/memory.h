@@ -23,6 +23,7 @@ typedef struct {
   /* Beats in [error_from, error_to) are answered with SLVERR. */
   uint64_t error_from, error_to;
   uint64_t error_odds; /* and one beat in so many, at random; 0: none */
+  uint32_t *bursts;    /* a number a beat of `bytes`: bursts that began there; NULL: not counted */
 } memory_options;
 
 /* What the master drives in a cycle. */
