@@ -186,7 +186,8 @@ area-sweep: $(SEPAX) $(BUILD)/liberty
 	@PERIOD=$(PERIOD) $(EXPERIMENT)/area-sweep $(OVER) $(BUILD)/area-sweep
 
 calibrate: $(SEPAX) $(BUILD)/liberty
-	@$(EXPERIMENT)/calibrate $(OVER) $(if $(CLOCKS),-c "$(CLOCKS)") $(BUILD)/calibrate
+	@$(EXPERIMENT)/calibrate $(OVER) $(if $(CLOCKS),-c "$(CLOCKS)") \
+	  $(if $(RANDOM),-r $(RANDOM) -n $(SEED)) $(BUILD)/calibrate
 
 scene: $(SEPAX) $(BUILD)/liberty
 	@PERIOD=$(PERIOD) $(EXPERIMENT)/scene $(BUILD)/scene

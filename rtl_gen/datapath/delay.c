@@ -5,7 +5,7 @@
 
 /* Fitted to logic that Yosys 0.23 maps to the typical corner and OpenSTA times: arithmetic alone;
  * operands to W = 8 and 18 at II = 3, fixed_slots to W = 12 at II = 2 and 6, sums to W = 18 and 20,
- * aabb to W = 18. */
+ * aabb to W = 18, engine to W = 5 with 8 lanes. */
 static const delay_model nangate45 = {
     .library = "nangate45_typ",
     .reg = 0.20,
@@ -25,6 +25,7 @@ static const delay_model nangate45 = {
     .sums = {0.125, 0.022, 19},
     .orient2d_sign = 1.0,
     .aabb = 0.71,
+    .engine = 1.1,
     .flip_flop = 17,
     .enabled_flip_flop = 24,
 };

@@ -31,6 +31,7 @@ typedef struct {
   double sums[3];       /* of a trapezoid's sums over its rows: a + b (width - c), at least 0 */
   double orient2d_sign; /* of a zero test of an orient2d, and what its sign steers */
   double aabb;          /* of the AABB test: bounds, comparison, isolation of the coordinates */
+  double engine;        /* of the object engine: a queue read, what is counted and compared of it */
   double product;       /* of an FPGA's multiplier */
   /* Thirds of a gate equivalent a bit: */
   int flip_flop, enabled_flip_flop;

@@ -16,6 +16,7 @@ typedef struct {
   int orient3d;            /* behind its sum; 2: behind its rows, too */
   int orient3d_latency;
   bool fetch_2d, fetch_3d; /* in front of an orient2d, an orient3d, whose operands are selected */
+  bool slot_copies;        /* of what selects operands of orient2d and of z sums */
   bool own_zsum;           /* inside B's z sum */
   bool zdiff_shared; /* z sums are sums of z differences, which settle in the same cycle (II = 1) */
   bool sign;         /* behind the sign of an orient2d */

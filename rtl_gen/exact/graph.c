@@ -162,9 +162,10 @@ void exact_graph_projection(exact_plan *p, int projection) {
       graph_kind_add(e->graph, &trapezoid, n->suffix,
                      1 + p->stages.trapezoid_sums + p->stages.trapezoid.latency, n->slots_t);
   int latency = 1 + p->stages.fetch_2d;
-  *orient2d_kind = graph_kind_add(e->graph, &orient2d, n->suffix, latency, n->slots_g);
+  const char *slots_g = projection == 0 && p->stages.slot_copies ? "g" : n->slots_g;
+  *orient2d_kind = graph_kind_add(e->graph, &orient2d, n->suffix, latency, slots_g);
   *own_kind = graph_kind_add(e->graph, p->own_running ? &own_orient2d_running : &own_orient2d,
-                             n->suffix, p->own_running ? 1 : latency, n->slots_g);
+                             n->suffix, p->own_running ? 1 : latency, slots_g);
   for (int v = 0; v < 6; v++) {
     make_trapezoid(e, projection, v, exact_next(v));
   }
@@ -211,7 +212,8 @@ static void make_prisms(exact_plan *p) {
   if (s->zdiff_shared) {
     e->kind.zdiff = add_kind(e, &zdiff, 0);
   }
-  e->kind.zsum = add_kind(e, s->zdiff_shared ? &zsum_of_two : &zsum, 1);
+  e->kind.zsum = graph_kind_add(e->graph, s->zdiff_shared ? &zsum_of_two : &zsum, "", 1,
+                                s->slot_copies ? "z" : NULL);
   for (int n = 0; n < 18; n++) {
     z[n] = make_zsum(p, exact_triangle_of(n));
   }

@@ -108,6 +108,18 @@ static double selection(const exact_plan *p) {
   return ii > 1 ? p->delay->slot + delay_mux(p->delay, ii > 3 ? ii : 2) : p->delay->shared_value;
 }
 
+/* In gates: until an operand of an orient2d or a z sum is selected. Rotating registers and classes
+ * leave two to select from at II = 3; else there are more, of up to II slots. Where coordinates do
+ * not rotate, a slot bit selects more of them, the more the fewer slots there are; copies of it for
+ * these units select no more than one at II = 3. */
+static double selected_operands(const exact_plan *p, bool copies) {
+  enum { MOST = 6 };
+  int ii = p->design->config.ii;
+  int inputs = ii <= 3 ? 2 : ii < MOST ? ii : MOST;
+  return delay_operands(p->delay, p->design->core_word) + delay_mux(p->delay, inputs) -
+         delay_mux(p->delay, 2) + (copies || ii % 3 == 0 ? 0 : p->delay->fixed_slots * 2 / ii);
+}
+
 /* The longest stage that has no place for a register: sums of coordinates, of trapezoid terms, of
  * prisms, and the AABB test in front. `sum`: the last addition of an orient3d. */
 static double shortest_stage(const exact_plan *p, double sums, double sum) {
@@ -115,7 +127,7 @@ static double shortest_stage(const exact_plan *p, double sums, double sum) {
   const sepax_format *f = d->exact_format;
   double operands = p->stages.fetch_2d ? 0
                     : p->delay->family ? selection(p)
-                    : d->config.ii > 1 ? delay_operands(p->delay, d->core_word)
+                    : d->config.ii > 1 ? selected_operands(p, p->stages.slot_copies)
                                        : p->delay->shared_value;
   double orient2d = delay_compressor(p->delay) + delay_adder(p->delay, f[SEPAX_X_ORIENT2D].width);
   /* On an FPGA two differences, and coordinates that their registers bring in turn. */
@@ -129,6 +141,9 @@ static double shortest_stage(const exact_plan *p, double sums, double sum) {
   double longest =
       fmax(fmax(row, sums), fmax(fmax(operands + orient2d, z_operands + zsum), running));
   longest = fmax(longest, aabb_delay(d));
+  if (d->config.lanes > 0) {
+    longest = fmax(longest, p->delay->engine + delay_adder(p->delay, d->config.word));
+  }
   return delay_register(p->delay) + longest;
 }
 
@@ -158,6 +173,9 @@ void exact_stages_make(exact_plan *p) {
   double six_terms = fan_out + 4 * delay_compressor(p->delay) + delay_adder(p->delay, own_zsum);
   s->own_zsum = !p->running && !s->zdiff_shared && six_terms > available;
   s->sign = delay_test(p->delay, f[SEPAX_X_ORIENT2D].width) + p->delay->orient2d_sign > available;
+  double zsum = 2 * delay_compressor(p->delay) + delay_adder(p->delay, f[SEPAX_X_Z_SUM].width);
+  s->slot_copies = !p->delay->family && shared_units &&
+                   selected_operands(p, false) + fmax(orient2d, zsum) > available;
   s->shortest = shortest_stage(p, sums, sum);
   if (p->limits > 0) {
     place_in_limits(p, available);

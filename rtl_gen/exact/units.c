@@ -183,6 +183,9 @@ void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h) {
   for (size_t i = 0; i < sizeof sums / sizeof sums[0]; i++) {
     emit_template(e, sums[i], h->hole);
   }
+  if (s->slot_copies && p->limits == 0) { /* with a clearance it is there anyway */
+    emit_template(e, "sepax_slot_copy", h->hole);
+  }
   gen_prism(e, h, "sepax_prism", &s->prism);
   if (s->zdiff_shared) {
     gen_prism(e, h, "sepax_prism_2", &s->prism_of_two);
