@@ -62,6 +62,9 @@ typedef enum {
   SEPAX_STREAM_PAIR
 } sepax_stream;
 
+/* Of the cells that the clock period is for. */
+typedef enum { SEPAX_CORNER_TYPICAL, SEPAX_CORNER_SLOW } sepax_corner;
+
 /* What model, generator and benches must agree on, and all they share. */
 typedef struct {
   sepax_arch arch;
@@ -75,6 +78,7 @@ typedef struct {
   bool flag;              /* exact: coplanar pairs are called collisions, undecided */
   sepax_target target;    /* exact: what the Verilog is made for */
   int clock_ps;           /* exact: the period to pipeline for, 500 ... 20000 ps */
+  sepax_corner corner;    /* exact: at which corner of the cells */
   int extent_a, extent_b; /* exact: the longest side of the AABB of a triangle of A, of B, in LSB,
                              that the core decides; 0, 0: any */
   bool early_out;         /* exact: an AABB test goes before the core, whose operands are then zero

@@ -98,6 +98,9 @@ static bool check(const sepax_config *config, sepax_error *error) {
     return sepax_fail(error, "registered-ready: the %s ready outputs are so anyway; leave it out",
                       engine ? "engine's" : "stream's");
   }
+  if (config->corner == SEPAX_CORNER_SLOW && config->target != SEPAX_TARGET_ASIC) {
+    return sepax_fail(error, "corner: the delays of an FPGA are of one corner; leave it out");
+  }
   if (config->clock_gating && config->target != SEPAX_TARGET_ASIC) {
     return sepax_fail(error, "clock-gating: an FPGA has no clock gates; leave it out");
   }

@@ -28,6 +28,8 @@ static const char *const coplanar_names[] = {"exact", "flag", NULL};
 static const char *const stream_names[] = {"none", "vertex", "triangle", "pair", NULL};
 static const char *const target_names[] = {"asic", "ice40", "ecp5", "xc7", "xcup", "gowin", NULL};
 
+static const char *const corner_names[] = {"typical", "slow", NULL};
+
 #define FIELD(name) offsetof(sepax_config, name), sizeof(((sepax_config *)0)->name)
 
 /* clang-format off */
@@ -48,6 +50,9 @@ static const design_option table[] = {
     {"clock-ns", 0, OPTION_PERIOD, FIELD(clock_ps), 2000, 500, 20000, NULL,
      EXACT, 0, true, NULL, "-%sns", "PERIOD",
      "clock period to pipeline for, 0.5 ... 20 (2)"},
+    {"corner", 0, OPTION_CHOICE, FIELD(corner), 0, 0, SEPAX_CORNER_SLOW, corner_names,
+     EXACT, 0, false, NULL, "-%s", "NAME",
+     "of the cells that the clock period is for: typical (default), or slow"},
     {"target", 0, OPTION_CHOICE, FIELD(target), 0, 0, SEPAX_TARGET_GOWIN, target_names,
      EXACT, 0, false, NULL, "-%s", "FAMILY",
      "what the Verilog is made for: asic (default), or FPGAs, whose multipliers it uses: ice40, "

@@ -5,7 +5,8 @@
 
 /* Fitted to logic that Yosys 0.23 maps to the typical corner and OpenSTA times: arithmetic alone;
  * operands to W = 8 and 18 at II = 3, fixed_slots to W = 12 at II = 2 and 6, sums to W = 18 and 20,
- * aabb to W = 18, engine to W = 5 with 8 lanes. */
+ * aabb to W = 18, slow is a little above the most of OpenSTA's ratios of least periods
+ * (docs/timing.md), engine to W = 5 with 8 lanes. */
 static const delay_model nangate45 = {
     .library = "nangate45_typ",
     .reg = 0.20,
@@ -26,6 +27,7 @@ static const delay_model nangate45 = {
     .orient2d_sign = 1.0,
     .aabb = 0.71,
     .engine = 1.1,
+    .slow = 3.75,
     .flip_flop = 17,
     .enabled_flip_flop = 24,
 };
@@ -60,6 +62,10 @@ static const delay_model families[] = {
 
 const delay_model *delay_model_of(sepax_target target) {
   return target == SEPAX_TARGET_ASIC ? &nangate45 : &families[target];
+}
+
+double delay_corner(const sepax_config *config) {
+  return config->corner == SEPAX_CORNER_SLOW ? delay_model_of(config->target)->slow : 1;
 }
 
 double delay_register(const delay_model *m) { return m->reg; }

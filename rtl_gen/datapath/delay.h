@@ -33,12 +33,16 @@ typedef struct {
   double aabb;          /* of the AABB test: bounds, comparison, isolation of the coordinates */
   double engine;        /* of the object engine: a queue read, what is counted and compared of it */
   double product;       /* of an FPGA's multiplier */
+  double slow;          /* how many times slower the cells of the slow corner are */
   /* Thirds of a gate equivalent a bit: */
   int flip_flop, enabled_flip_flop;
 } delay_model;
 
 /* That of a target. */
 const delay_model *delay_model_of(sepax_target target);
+
+/* How many times slower than in the model cells are at the corner of a configuration. */
+double delay_corner(const sepax_config *config);
 
 double delay_register(const delay_model *m);
 double delay_row(const delay_model *m, int width);

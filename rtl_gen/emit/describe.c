@@ -2,6 +2,7 @@
  * design; constraints and a list of waves for other tools. */
 #include "describe.h"
 #include "check.h"
+#include "datapath/delay.h"
 
 #include <jansson.h>
 #include <stdlib.h>
@@ -80,6 +81,9 @@ void describe_json(const emitter *e, FILE *out) {
                 optional(!exact, (json_int_t)d->coplanar_limit), "formats", describe_formats(d),
                 "modules", modules, "ports", describe_ports(e->module[e->modules - 1]));
   json_object_update(all, rest);
+  if (d->config.corner == SEPAX_CORNER_SLOW) {
+    json_object_set_new(all, "slower", json_real(delay_corner(&d->config)));
+  }
   json_decref(rest);
   json_dumpf(all, out, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
   fputc('\n', out);

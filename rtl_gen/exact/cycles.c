@@ -94,10 +94,10 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
                     .running = ii == 3};
   p->own_running = p->running && p->delay->family;
   exact_stages_make(p);
-  if (p->stages.shortest * 1000 > design->config.clock_ps) {
+  double shortest = p->stages.shortest * delay_corner(&design->config);
+  if (shortest * 1000 > design->config.clock_ps) {
     return sepax_fail(error, "clock-ns: %g is too short for W = %d; give %.2f or more",
-                      design->config.clock_ps / 1000.0, design->core_word,
-                      p->stages.shortest + 0.005);
+                      design->config.clock_ps / 1000.0, design->core_word, shortest + 0.005);
   }
   p->datapath.schedule.ii = ii;
   p->datapath.chains = p->delay->family;
