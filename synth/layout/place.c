@@ -15,29 +15,73 @@ static int rounded_up(double x, int step) { return (int)ceil(x / step - 1e-9) * 
 
 /* ---------------------------------------------------------------------- the die */
 
-static int to_track(int offset, int step, double at) {
-  return offset + (int)round((at - offset) / step) * step;
+/* Places along one axis: multiples of a step from an offset, two steps off both ends at least. */
+typedef struct {
+  int offset, step, first, last;
+} tracks;
+
+static tracks tracks_along(int offset, int step, int length) {
+  return (tracks){offset, step, (int)round((2.0 * step - offset) / step),
+                  (int)round((length - 2.0 * step - offset) / step)};
 }
 
-/* Along the sides from the lower left corner, up first; on the third and fourth metal. */
-static void place_port(const design *d, const grid *g, port *p, double at) {
-  double w = d->width, h = d->height;
-  bool left = at < h, top = !left && at < h + w, right = !left && !top && at < 2 * h + w;
-  bool side = left || right;
-  double x = left ? 0 : top ? at - h : right ? w : 2 * (h + w) - at;
-  double y = left ? at : top ? h : right ? 2 * h + w - at : 0;
-  int k = 1;
-  while (k < g->layers - 1 && g->layer[k].vertical == side) {
-    k++;
+static int nearest(const tracks *t, double at) {
+  int n = (int)round((at - t->offset) / t->step);
+  return n < t->first ? t->first : n > t->last ? t->last : n;
+}
+
+/* Numbers that do not fall become numbers that rise, 0 ... most, moved as little as need be. */
+static bool spread(int *number, int count, int most) {
+  for (int k = 1; k < count; k++) {
+    number[k] = number[k] > number[k - 1] ? number[k] : number[k - 1] + 1;
   }
-  int stride_x = g->layer[k].vertical ? g->layer[k].stride : 1;
-  int stride_y = g->layer[k].vertical ? 1 : g->layer[k].stride;
-  int step_x = g->step_x * stride_x, step_y = g->step_y * stride_y;
-  int cx = to_track(g->offset_x, step_x, fmin(fmax(x, 2 * step_x), w - 2 * step_x));
-  int cy = to_track(g->offset_y, step_y, fmin(fmax(y, 2 * step_y), h - 2 * step_y));
-  int half = d->lib->layer[g->layer[k].metal].width / 2;
-  p->shape = (lef_rect){g->layer[k].metal, cx - half, cy - half, cx + half, cy + half};
-  p->placed = true;
+  for (int k = count - 1, free = most; k >= 0 && number[k] > free; k--, free--) {
+    number[k] = free;
+  }
+  return count == 0 || number[0] >= 0;
+}
+
+/* Along the sides from the lower left corner, up first; on the third and fourth metal, each port on
+ * a track of its own. */
+static void place_ports(design *d, const grid *g) {
+  int lengths[] = {d->height, d->width, d->height, d->width};
+  double step = 2.0 * (d->width + d->height) / d->ports;
+  int *number = text_alloc((size_t)d->ports, sizeof *number);
+  double start = 0;
+  for (int side = 0, k = 0; side < 4; start += lengths[side++]) {
+    bool upright = side % 2 == 0, back = side >= 2;
+    int layer = 1;
+    while (layer < g->layers - 1 && g->layer[layer].vertical == upright) {
+      layer++;
+    }
+    int stride_x = upright ? 1 : g->layer[layer].stride;
+    int stride_y = upright ? g->layer[layer].stride : 1;
+    tracks x = tracks_along(g->offset_x, g->step_x * stride_x, d->width);
+    tracks y = tracks_along(g->offset_y, g->step_y * stride_y, d->height);
+    tracks *along = upright ? &y : &x, *across = upright ? &x : &y;
+    int most = along->last - along->first, count = 0;
+    for (; k + count < d->ports && (side == 3 || (k + count + 0.5) * step < start + lengths[side]);
+         count++) {
+      double at = (k + count + 0.5) * step - start;
+      int n = nearest(along, back ? lengths[side] - at : at);
+      number[count] = back ? along->last - n : n - along->first;
+    }
+    if (!spread(number, count, most)) {
+      errx(2, "%d ports do not fit on a side of %d tracks; give less USE", count, most + 1);
+    }
+    int far = side == 1 || side == 2 ? across->last : across->first;
+    int half = d->lib->layer[g->layer[layer].metal].width / 2;
+    for (int last = k + count, n = 0; k < last; k++, n++) {
+      int spot[] = {across->offset + far * across->step,
+                    along->offset +
+                        (back ? along->last - number[n] : along->first + number[n]) * along->step};
+      int cx = spot[!upright], cy = spot[upright];
+      d->port[k].shape =
+          (lef_rect){g->layer[layer].metal, cx - half, cy - half, cx + half, cy + half};
+      d->port[k].placed = true;
+    }
+  }
+  free(number);
 }
 
 void place_floor(design *d, double use) {
@@ -64,10 +108,7 @@ void place_floor(design *d, double use) {
     d->row[d->rows++] = (row){margin_x, margin_y + k * height, sites, k % 2 == 0 ? AS_N : AS_FS};
   }
   grid g = grid_make(d, 6);
-  double step = 2.0 * (d->width + d->height) / d->ports;
-  for (int k = 0; k < d->ports; k++) {
-    place_port(d, &g, &d->port[k], (k + 0.5) * step);
-  }
+  place_ports(d, &g);
 }
 
 /* ---------------------------------------------------------------------- Bookshelf */
