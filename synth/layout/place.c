@@ -44,7 +44,7 @@ static bool spread(int *number, int count, int most) {
 /* Along the sides from the lower left corner, up first; on the third and fourth metal, each port on
  * a track of its own. */
 static void place_ports(design *d, const grid *g) {
-  int lengths[] = {d->height, d->width, d->height, d->width};
+  const int lengths[] = {d->height, d->width, d->height, d->width};
   double step = 2.0 * (d->width + d->height) / d->ports;
   int *number = text_alloc((size_t)d->ports, sizeof *number);
   double start = 0;
@@ -72,9 +72,10 @@ static void place_ports(design *d, const grid *g) {
     int far = side == 1 || side == 2 ? across->last : across->first;
     int half = d->lib->layer[g->layer[layer].metal].width / 2;
     for (int last = k + count, n = 0; k < last; k++, n++) {
-      int spot[] = {across->offset + far * across->step,
-                    along->offset +
-                        (back ? along->last - number[n] : along->first + number[n]) * along->step};
+      const int spot[] = {across->offset + far * across->step,
+                          along->offset +
+                              (back ? along->last - number[n] : along->first + number[n]) *
+                                  along->step};
       int cx = spot[!upright], cy = spot[upright];
       d->port[k].shape =
           (lef_rect){g->layer[layer].metal, cx - half, cy - half, cx + half, cy + half};
