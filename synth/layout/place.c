@@ -30,7 +30,7 @@ static int nearest(const tracks *t, double at) {
   return n < t->first ? t->first : n > t->last ? t->last : n;
 }
 
-/* Numbers that do not fall become numbers that rise, 0 ... most, moved as little as need be. */
+/* Numbers in order become different ones, 0 ... most, in that order, moved as little as need be. */
 static bool spread(int *number, int count, int most) {
   for (int k = 1; k < count; k++) {
     number[k] = number[k] > number[k - 1] ? number[k] : number[k - 1] + 1;
