@@ -222,6 +222,7 @@ static void tally(bench_batch *b, const contacts *c, const sepax_tree_result *go
                   const sepax_outcome *o) {
   double off = (double)golden->run.cycles / (double)(o->cycles > 0 ? o->cycles : 1) - 1;
   b->poses++;
+  b->status |= o->status;
   b->cycles += o->cycles;
   b->predicted += golden->run.cycles;
   b->off = fabs(off) > fabs(b->off) ? off : b->off;
@@ -273,9 +274,12 @@ static bool take(bench_batch *b, contacts *c, const sepax_tree_result *result, s
   return true;
 }
 
-/* What the registers say of a batch. */
-static void check_registers(const bench_batch *b) {
+/* What the registers say of a batch that took so many cycles at most. */
+static void check_registers(const bench_batch *b, uint64_t most) {
   uint32_t value = 0;
+  expect("STATUS", bus_read(NULL, SEPAX_STATUS, &value) ? value : UINT64_MAX, b->status << 1);
+  expect("CYCLES", bus_read(NULL, SEPAX_CYCLES, &value), 1);
+  expect("as many cycles as its poses took, or more", value >= b->cycles && value <= most, 1);
   expect("POSES", bus_read(NULL, SEPAX_POSES, &value) ? value : UINT64_MAX, b->poses);
   expect("HITS", bus_read(NULL, SEPAX_HITS, &value) ? value : UINT64_MAX, b->hits);
   if (b->hits > 0) {
@@ -298,6 +302,7 @@ void bench_run(bench_batch *b) {
   bench_reads reads = {.bursts = external.bursts};
   uint64_t bursts = bus_attached()->counts.bursts;
   uint64_t stopped = b->stopped;
+  uint64_t begun = bus_cycles();
   memset(external.bursts, 0, external.used / MEMORY_BEAT * sizeof(uint32_t));
   expect("start", sepax_device_start(&device, golden.list, golden.jobs), SEPAX_DEVICE_OK);
   bool more = true;
@@ -330,7 +335,7 @@ void bench_run(bench_batch *b) {
     expect("busy", sepax_device_busy(&device, &busy), SEPAX_DEVICE_OK);
   }
   expect("the batch ends", busy, 0);
-  check_registers(b);
+  check_registers(b, bus_cycles() - begun);
   if (!b->any && !b->errors) {
     reads.whole = b->stopped == stopped;
     reads_check(&reads, golden.list, golden.jobs, bus_attached()->counts.bursts - bursts);
