@@ -109,15 +109,15 @@ static double selection(const exact_plan *p) {
 }
 
 /* In gates: until an operand of an orient2d or a z sum is selected. Rotating registers and classes
- * leave two to select from at II = 3; else there are more, of up to II slots. Where coordinates do
- * not rotate, a slot bit selects more of them, the more the fewer slots there are; copies of it for
- * these units select no more than one at II = 3. */
+ * leave two to select from at II = 3; else there are more, of up to II slots, and a slot bit
+ * selects more operands, the more the fewer slots there are; copies of it for these units select no
+ * more than one at II = 3. */
 static double selected_operands(const exact_plan *p, bool copies) {
   enum { MOST = 6 };
   int ii = p->design->config.ii;
   int inputs = ii <= 3 ? 2 : ii < MOST ? ii : MOST;
   return delay_operands(p->delay, p->design->core_word) + delay_mux(p->delay, inputs) -
-         delay_mux(p->delay, 2) + (copies || ii % 3 == 0 ? 0 : p->delay->fixed_slots * 2 / ii);
+         delay_mux(p->delay, 2) + (copies || ii == 3 ? 0 : p->delay->fixed_slots * 2 / ii);
 }
 
 /* The longest stage that has no place for a register: sums of coordinates, of trapezoid terms, of
