@@ -59,6 +59,8 @@ def designs:
   "- All of ours have the same multipliers. `make area` finds gates and clock, `make cosim` and",
   "  `make engine` speed and verdicts, with the variables of the last column.";
 
+def error($share): if $share then " ± \($share * 100 | digits(if . < 0.1 then 2 else 1 end)) %"
+  else "" end;
 def ratio($paper; $pj): if $pj then " (\($paper / $pj | digits(1)))" else "" end;
 def energy:
   ((.rows | map(select(.arch == "paper" and (.variables | test("=full"))))[0].energy_pj) // {})
@@ -67,9 +69,10 @@ def energy:
   "nJ of the mapped gates, in brackets `paper` at full precision over it; W = 18, \(library).",
   "[How it is measured](../power.md).", "",
   (["design", "GE", "separated", "colliding", "coplanar"] | line, "|\(map(" --- |") | join(""))"),
-  (.rows[] | .energy_pj as $own
+  (.rows[] | .energy_pj as $own | .energy_error as $error
     | [name, (.ge | k), (["separated", "colliding", "coplanar"][]
-        | ($own[.] | nj) + (if $paper[.] then ratio($paper[.]; $own[.]) else "" end))] | line),
+        | ($own[.] | nj) + error($error[.])
+          + (if $paper[.] then ratio($paper[.]; $own[.]) else "" end))] | line),
   "", "The paper states 81.14 mW at 500 MHz and II = 3, that is 0.49 nJ a pair; it does not tell",
   "the pairs.";
 

@@ -3,6 +3,8 @@
 # or "page", from report.json.
 
 def number($text): $text | tonumber;
+def of_pairs(value): [$ARGS.named.power[0].workloads[] | select(.pair_pj)
+  | {key: .workload, value: value}] | from_entries;
 
 def design:
   ($ARGS.named.area[0].design) as $d
@@ -27,8 +29,7 @@ def design:
      pairs_per_s: (1e9 / $period * (if $cycles then $pairs / number($cycles) else 1 / $d.ii end)),
      simulated: [$ARGS.named.meshes, $ARGS.named.families
                  | scan("[^\n]*(?:mismatches|wrong)[^\n]*")],
-     energy_pj: ([$ARGS.named.power[0].workloads[] | select(.pair_pj)
-                  | {key: .workload, value: .pair_pj}] | from_entries),
+     energy_pj: of_pairs(.pair_pj), energy_error: of_pairs(.error),
      errors: $errors};
 
 # The published designs as the paper's table 4 (and section 6) has them; 81.14 mW at 500 MHz and

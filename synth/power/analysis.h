@@ -22,11 +22,13 @@ typedef struct {
   gates g;
   double *act, *one;       /* of each net: transitions a cycle, share of ones */
   double *settled;         /* act without glitches */
+  double error;            /* of the power, of a pair's energy where pairs come: gates_error */
   double *load;            /* of each net, F */
   int *loads;              /* pins that read it */
   double (*slope)[2];      /* of each net: rising, falling, ns */
   size_t pairs, undecided; /* of all given, those beyond the extents */
   uint64_t poses;          /* of a tree engine */
+  gates_count taken_by;    /* pairs of each group */
   uint64_t taken, judged, wrong, collisions, coplanar; /* while it counts, but wrong: always */
 } analysis;
 
@@ -58,6 +60,9 @@ void power_count(analysis *m);
 
 /* What a cell draws. */
 watts power_of(const analysis *m, const gates_cell *cell);
+
+/* All cells together (W). */
+double power_sum(const analysis *m);
 
 /* The files of pins and of cells that the request names, and JSON on standard output. */
 void power_report(const analysis *m);

@@ -5,36 +5,66 @@
 
 #include <math.h>
 
-static double *find_activities(analysis *m, const uint64_t toggles[]) {
-  gates *g = &m->g;
-  m->act = text_alloc((size_t)g->nets, sizeof *m->act);
-  m->one = text_alloc((size_t)g->nets, sizeof *m->one);
+enum { ALL = -1 };
+
+static double of_lanes(const gates_count count, int group) {
+  double sum = 0;
+  for (int k = 0; k < GATES_GROUPS; k++) {
+    sum += group == ALL || group == k ? (double)count[k] : 0;
+  }
+  return sum / (group == ALL ? GATES_LANES : GATES_LANES / GATES_GROUPS);
+}
+
+/* Of a group of lanes or of all: act, and m->one. */
+static void find_activities(const analysis *m, const gates_count count[], int group, double act[]) {
+  const gates *g = &m->g;
   for (int k = 0; k < g->nets; k++) {
     bool global = m->want->global >= 0;
-    double all = (double)g->cycles * GATES_LANES;
-    m->act[k] = global ? m->want->global : m->want->fault * (double)toggles[k] / all;
-    m->one[k] = global ? 0.5 : (double)g->ones[k] / all;
+    double all = (double)g->cycles;
+    act[k] = global ? m->want->global : m->want->fault * of_lanes(count[k], group) / all;
+    m->one[k] = global ? 0.5 : of_lanes(g->ones[k], group) / all;
   }
   for (int c = 0; c < g->cells; c++) { /* up and down in each cycle that a clock gate passes */
     const gates_cell *cell = &g->cell[c];
     for (int k = 0; cell->type->gate && k < cell->type->pins; k++) {
       if (cell->type->pin[k].output && cell->net[k] >= 0) {
-        m->act[cell->net[k]] = 2 * m->one[cell->net[k]];
+        act[cell->net[k]] = 2 * m->one[cell->net[k]];
         m->one[cell->net[k]] /= 2;
       }
     }
   }
-  m->act[0] = m->act[1] = m->one[0] = 0;
+  act[0] = act[1] = m->one[0] = 0;
   m->one[1] = 1;
-  m->act[g->clock] = 2;
+  act[g->clock] = 2;
   m->one[g->clock] = 0.5;
-  return m->act;
+}
+
+/* Of the groups' power, or energy a pair. */
+static double find_error(const analysis *m, const gates_count count[]) {
+  double of_group[GATES_GROUPS];
+  for (int k = 0; k < GATES_GROUPS; k++) {
+    find_activities(m, count, k, m->act);
+    of_group[k] = power_sum(m);
+    if (m->taken_by[k] > 0) {
+      of_group[k] /= (double)m->taken_by[k];
+    }
+  }
+  return gates_error(of_group);
 }
 
 void power_count(analysis *m) {
-  m->settled = find_activities(m, m->g.toggles);
+  const gates_count *all =
+      (const gates_count *)(m->g.changes != NULL ? m->g.changes : m->g.toggles);
+  m->act = text_alloc((size_t)m->g.nets, sizeof *m->act);
+  m->one = text_alloc((size_t)m->g.nets, sizeof *m->one);
+  if (m->want->global < 0) {
+    m->error = find_error(m, all);
+  }
+  find_activities(m, all, ALL, m->act);
+  m->settled = m->act;
   if (m->g.changes != NULL) {
-    find_activities(m, m->g.changes);
+    m->settled = text_alloc((size_t)m->g.nets, sizeof *m->settled);
+    find_activities(m, (const gates_count *)m->g.toggles, ALL, m->settled);
   }
 }
 
@@ -198,4 +228,13 @@ watts power_of(const analysis *m, const gates_cell *cell) {
     }
   }
   return w;
+}
+
+double power_sum(const analysis *m) {
+  double sum = 0;
+  for (int c = 0; c < m->g.cells; c++) {
+    watts w = power_of(m, &m->g.cell[c]);
+    sum += w.leakage + w.internal + w.switching;
+  }
+  return sum;
 }

@@ -2,6 +2,7 @@
 #include "gates.h"
 #include "liberty/text.h"
 
+#include <math.h>
 #include <string.h>
 
 static const gates_port *port_of(const gates *g, const char *name) {
@@ -58,6 +59,33 @@ uint64_t gates_get(const gates *g, const int net[], int bits, unsigned lane) {
   return value;
 }
 
+/* ---------------------------------------------------------------------- counting */
+
+void gates_tally(gates_count count, uint64_t lanes) {
+  if (lanes == 0) {
+    return;
+  }
+  lanes -= lanes >> 1 & 0x5555555555555555; /* of each two bits how many are 1, four, eight */
+  lanes = (lanes & 0x3333333333333333) + (lanes >> 2 & 0x3333333333333333);
+  lanes = (lanes + (lanes >> 4)) & 0x0f0f0f0f0f0f0f0f;
+  for (int k = 0; k < GATES_GROUPS; k++) {
+    count[k] += lanes >> (8 * k) & 0xff;
+  }
+}
+
+double gates_error(const double of_group[GATES_GROUPS]) {
+  double sum = 0;
+  double squares = 0;
+  for (int k = 0; k < GATES_GROUPS; k++) {
+    sum += of_group[k];
+  }
+  double mean = sum / GATES_GROUPS;
+  for (int k = 0; k < GATES_GROUPS; k++) {
+    squares += (of_group[k] - mean) * (of_group[k] - mean);
+  }
+  return mean > 0 ? sqrt(squares / (GATES_GROUPS - 1) / GATES_GROUPS) / mean : 0;
+}
+
 /* -------------------------------------------------------------------- simulation */
 
 /* The table is halved by each input: rows in which it is 0 and 1 become one. */
@@ -103,8 +131,8 @@ void gates_rise(gates *g, bool count) {
   if (count) {
     g->cycles++;
     for (int k = 0; k < g->nets; k++) {
-      g->toggles[k] += (uint64_t)__builtin_popcountll(g->value[k] ^ g->before[k]);
-      g->ones[k] += (uint64_t)__builtin_popcountll(g->value[k]);
+      gates_tally(g->toggles[k], g->value[k] ^ g->before[k]);
+      gates_tally(g->ones[k], g->value[k]);
     }
     if (g->count_all != NULL) {
       g->count_all(g);

@@ -4,7 +4,11 @@
 
 #include "liberty/cells.h"
 
-enum { GATES_LANES = 64 };
+enum { GATES_LANES = 64, GATES_GROUPS = 8 };
+
+/* Of something: how often, in each group of eight lanes that stand side by side. Lanes simulate
+ * pairs of their own, so groups are samples of their own. */
+typedef uint64_t gates_count[GATES_GROUPS];
 
 /* One instance of a module: its path from the top, which ends with "/" (the top's is empty). */
 typedef struct {
@@ -35,17 +39,17 @@ typedef struct gates {
   gates_port *port;
   int ports;
   int nets;
-  int clock;         /* its net */
-  uint64_t *value;   /* of each net, one bit a lane; net 0 is 0, net 1 is 1; of a gated clock:
-                        whether the next edge passes */
-  uint64_t *before;  /* in the cycle before */
-  uint64_t *toggles; /* of each net, over lanes and cycles counted */
-  uint64_t *ones;
+  int clock;            /* its net */
+  uint64_t *value;      /* of each net, one bit a lane; net 0 is 0, net 1 is 1; of a gated clock:
+                           whether the next edge passes */
+  uint64_t *before;     /* in the cycle before */
+  gates_count *toggles; /* of each net, over cycles counted */
+  gates_count *ones;
   uint64_t cycles;                    /* counted */
   struct glitches *glitches;          /* of glitches.h, or NULL */
   void (*count_all)(struct gates *g); /* with them: before each edge that is counted */
-  uint64_t *changes; /* with them: as toggles, and all that come between two edges */
-  int latest;        /* ps after the edge, of all changes */
+  gates_count *changes; /* with them: as toggles, and all that come between two edges */
+  int latest;           /* ps after the edge, of all changes */
 } gates;
 
 /* Read the netlist.json of synth/area/map; exits with status 2 and a message on anything that
@@ -73,6 +77,12 @@ uint64_t gates_get(const gates *g, const int net[], int bits, unsigned lane);
 
 /* A truth table of a cell, with these values of its pins and its state. */
 uint64_t gates_evaluate(const lib_cell *type, uint64_t table, const uint64_t in[], uint64_t state);
+
+/* Count the lanes whose bit is 1. */
+void gates_tally(gates_count count, uint64_t lanes);
+
+/* The mean's standard error, over the mean, of what has been measured in each group. */
+double gates_error(const double of_group[GATES_GROUPS]);
 
 /* Let the inputs, set in value[], and the registers act on everything else. */
 void gates_settle(gates *g);

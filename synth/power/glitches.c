@@ -137,7 +137,7 @@ void glitches_count(gates *g) {
     const wave *w = &g->glitches->wave[k];
     uint64_t last = g->before[k];
     for (int n = 0; n < w->count; n++) {
-      g->changes[k] += (uint64_t)__builtin_popcountll(w->at[n].value ^ last);
+      gates_tally(g->changes[k], w->at[n].value ^ last);
       last = w->at[n].value;
     }
     if (w->count > 0 && w->at[w->count - 1].time > g->latest) {

@@ -308,9 +308,11 @@ void gates_read(gates *g, const library *lib, const char *path) {
   sort_cells(g);
   free(whole.net);
   free(b.same);
-  uint64_t **const of_nets[] = {&g->value, &g->before, &g->toggles, &g->ones};
+  uint64_t **const of_nets[] = {&g->value, &g->before};
   for (size_t k = 0; k < sizeof of_nets / sizeof of_nets[0]; k++) {
     *of_nets[k] = text_alloc((size_t)g->nets, sizeof **of_nets[k]);
   }
+  g->toggles = text_alloc((size_t)g->nets, sizeof *g->toggles);
+  g->ones = text_alloc((size_t)g->nets, sizeof *g->ones);
   g->value[1] = ~UINT64_C(0);
 }

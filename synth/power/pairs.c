@@ -62,7 +62,7 @@ static void offer(analysis *m, const ports *p, const lane *of, unsigned l) {
 }
 
 /* The pair on the inputs, or a word of it, has been taken. */
-static void take(analysis *m, lane *of, bool count) {
+static void take(analysis *m, lane *of, int group, bool count) {
   if (!m->exact && ++of->word < INPUT_WORDS) {
     return;
   }
@@ -73,6 +73,7 @@ static void take(analysis *m, lane *of, bool count) {
   of->outstanding[of->stop++ % OUTSTANDING] = expected[of->next];
   of->next = of->next + 1 == of->end ? of->first : of->next + 1;
   m->taken += count;
+  m->taken_by[group] += count;
 }
 
 static void judge(analysis *m, lane *of, unsigned char verdict, bool count) {
@@ -117,7 +118,7 @@ static void run(analysis *m) {
         judge(m, &lanes[l], (unsigned char)verdict, count);
       }
       if (valid && (*p.in_ready >> l & 1) != 0) {
-        take(m, &lanes[l], count);
+        take(m, &lanes[l], (int)l * GATES_GROUPS / GATES_LANES, count);
       }
     }
     gates_rise(g, count);

@@ -69,11 +69,7 @@ static json_t *with_power(json_t *object, watts w) {
 static double settled_sum(const analysis *m) {
   analysis quiet = *m;
   quiet.act = m->settled;
-  double sum = 0;
-  for (int c = 0; c < m->g.cells; c++) {
-    sum += sum_of(power_of(&quiet, &m->g.cell[c]));
-  }
-  return sum;
+  return power_sum(&quiet);
 }
 
 void power_report(const analysis *m) {
@@ -111,6 +107,9 @@ void power_report(const analysis *m) {
       m->pairs > 0 ? 100.0 * (double)m->undecided / (double)m->pairs : 0.0, "cells", g->cells,
       "cycle_pj", cycle_pj, "pair_pj",
       m->taken > 0 ? json_real(cycle_pj * lane_cycles / (double)m->taken) : json_null());
+  if (m->want->global < 0) {
+    json_object_set_new(report, "error", json_real(m->error));
+  }
   if (m->engine) {
     json_object_update_new(report,
                            json_pack("{s:f, s:s}", "run_nj", cycle_pj * 1e-3 * (double)g->cycles,

@@ -3,6 +3,7 @@
 include "netlist";
 
 def energy: if . < 0.05 then rounded(100000) else rounded(1000) end;
+def percent: . * 100 | rounded(100) | "\(.) %";
 def mw: "\(. * 1000 | rounded(1000)) mW";
 def extents: if .options | contains("--extent")
   then " [extents \([option("extent-a"), option("extent-b")] | join(", "))]" else "" end;
@@ -18,12 +19,13 @@ def name: .design | "\(.arch) W = \(.word), II = \(.ii)" + extents + early_out +
     if any(.designs[].workloads[]; .glitch_factor) then "with" else "no" end
     ) glitches, no clock tree",
   (["design", "workload", "period", "leakage", "inside cells", "nets", "total", "registers",
-    "nJ / pair", "nJ / pose", "paper / it", "glitches"],
+    "nJ / pair", "nJ / pose", "error", "paper / it", "glitches"],
    (.designs[] | . as $d | .workloads[]
     | [($d | name), .workload, "\(.period_ns) ns", (.leakage_w | mw), (.internal_w | mw),
        (.switching_w | mw), (.total_w | mw), (.registers.total_w | mw),
        (if .pair_pj and .pose_nj == null then .pair_pj / 1000 | energy else "-" end),
        (if .pose_nj then .pose_nj | rounded(10) else "-" end),
+       (if .error then .error | percent else "-" end),
        (if .undecided_percent > 1 then "beyond extents"
         elif .pair_pj and $of_paper[.workload] then $of_paper[.workload] / .pair_pj | rounded(10)
         else "-" end),

@@ -58,6 +58,14 @@ static int add_gate(int table, int a, int b, int delay_a, int delay_b) {
   return out;
 }
 
+static uint64_t changes_of(int net) {
+  uint64_t sum = 0;
+  for (int k = 0; k < GATES_GROUPS; k++) {
+    sum += circuit.changes[net][k];
+  }
+  return sum;
+}
+
 /* From one set of inputs to another. */
 static void count_changes(const uint64_t from[], const uint64_t to[]) {
   for (int k = 0; k < INPUTS; k++) {
@@ -80,9 +88,9 @@ static uint64_t pulse(int late, int delay_a, int delay_b, uint64_t lanes) {
   int not = add_gate(NAND, 2, 1, late, late);
   int out = add_gate(XOR, 2, not, delay_a, delay_b);
   count_changes((uint64_t[INPUTS]){0}, (uint64_t[INPUTS]){lanes});
-  assert_int_equal(circuit.changes[2], __builtin_popcountll(lanes));
-  assert_int_equal(circuit.changes[not ], __builtin_popcountll(lanes));
-  return circuit.changes[out];
+  assert_int_equal(changes_of(2), __builtin_popcountll(lanes));
+  assert_int_equal(changes_of(not ), __builtin_popcountll(lanes));
+  return changes_of(out);
 }
 
 CASE(pulses_by_hand) {
@@ -178,7 +186,7 @@ CASE(random_gates) {
       }
     }
     for (int k = 0; k < NETS; k++) {
-      assert_int_equal(circuit.changes[k], expected[k]);
+      assert_int_equal(changes_of(k), expected[k]);
       glitches += expected[k] - (uint64_t)__builtin_popcountll(value[k] ^ before[k]);
     }
   }
