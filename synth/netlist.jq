@@ -30,6 +30,19 @@ def module_at($path): .modules as $m | reduce $path[] as $name (top; $m[.].cells
 # Types of cells that are no module of the netlist.
 def foreign: .modules as $m | [$m[].cells[].type] | unique - ($m | keys);
 
+# ------------------------------------------------------------------ for cells of a library
+
+# A function as Liberty writes it, without what tells nothing.
+def plain: . // "" | gsub("[ ()\"]"; "");
+
+# Of cells, as build/liberty tells them, the inverters: {TYPE: {in, out, area}}.
+def inverters: with_entries(
+  (.value.pins | to_entries | map({key: (.value.direction // ""), value: .key})
+   | from_entries) as $pin
+  | select((.value.pins | length) == 2 and $pin.output
+      and (.value.pins[$pin.output].function | plain | IN("!" + $pin.input, $pin.input + "'")))
+  | .value |= {in: $pin.input, out: $pin.output, area});
+
 # ------------------------------------------------------------------ for numbers and designs
 
 # Rounded to so many parts of one.

@@ -130,7 +130,8 @@ power-file:
 $(AREA)/netlist.vvp: $(AREA)/area.json $(TEST_BENCH)
 	@echo "  ICARUS  $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
-	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s sepax_tb -o $@ $(AREA)/netlist.v $(AREA)/cells.v \
+	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s sepax_tb -o $@ $$(grep -q 'input test_enable;' \
+	  $(AREA)/netlist.v && echo -DSEPAX_TEST_ENABLE) $(AREA)/netlist.v $(AREA)/cells.v \
 	  $(TEST_BENCH)
 
 # A gate-level pair takes a second at W = 18: ten of each family are many.

@@ -2,6 +2,8 @@
 # of synth/area/names.jq), the library ($cells), the design ($design) and its timing ($timing); and
 # the bits of the memories, $memory, that were moved out of it ($inside: null, or yosys' JSON
 # before that).
+#
+# opens: inputs of clock gates that open them; of one made of a latch and an AND, an input of each.
 
 include "netlist";
 
@@ -26,7 +28,9 @@ def memory_bits($modules):
 $cells[0].cells as $library_cell
 | ($library_cell | map_values({area: (.area // 0),
     ff: ([.state[] | select(.kind | startswith("ff"))] | length),
-    opens: ([.pins[] | select(.clock_gate | IN("enable", "test"))] | length)})) as $cell
+    latches: ([.state[] | select(.kind == "latch")] | length),
+    opens: ([.pins[] | select(.clock_gate | IN("enable", "test"))] | length)}
+    | if .latches > 0 then .opens = 2 else . end)) as $cell
 | $library_cell[$nand2].area as $nand2_area
 | count as $modules
 | readable($names) as $name
@@ -41,6 +45,7 @@ $cells[0].cells as $library_cell
         ge_total: ($area * $instances[$m] / $nand2_area | rounded(1000)),
         ff: ([$own[] | .value * $cell[.key].ff] | add // 0),
         clock_gates: ([$own[] | select($cell[.key].opens > 0).value] | add // 0),
+        latches: ([$own[] | .value * $cell[.key].latches] | add // 0),
         opens: ([$own[] | .value * $cell[.key].opens] | add // 0),
         area: ($area * $instances[$m])
       }
@@ -71,9 +76,10 @@ $cells[0].cells as $library_cell
         ff: ([$rows[] | .ff * .instances] | add),
         clock_gates: ([$rows[] | .clock_gates * .instances] | add),
         clock_gate_inputs: ([$rows[] | .opens * .instances] | add),
+        latches: ([$rows[] | .latches * .instances] | add),
         memory_bits: (if $inside[0] then $inside[0].modules as $all | $top | memory_bits($all)
                       else null end),
-        modules: ($rows | map(del(.area, .opens)) | sort_by(-.ge_total, .name))
+        modules: ($rows | map(del(.area, .opens, .latches)) | sort_by(-.ge_total, .name))
       }
     }
   }

@@ -12,16 +12,12 @@
 #
 # A net's key is "MODULE NET".
 
+include "netlist";
+
 $library[0].cells as $cell
-| def plain: . // "" | gsub("[ ()\"]"; "");
 
 # {TYPE: {in, out}}, and the smallest.
-($cell | with_entries(
-   (.value.pins | to_entries | map({key: (.value.direction // ""), value: .key})
-    | from_entries) as $pin
-   | select((.value.pins | length) == 2 and $pin.output
-       and (.value.pins[$pin.output].function | plain | IN("!" + $pin.input, $pin.input + "'")))
-   | .value |= {in: $pin.input, out: $pin.output, area})) as $inverter
+| ($cell | inverters) as $inverter
 | ($inverter | to_entries | min_by(.value.area).key) as $smallest
 
 # Flip-flops with two outputs: {TYPE: {data, other: {PIN: PIN}}}.

@@ -7,8 +7,8 @@
 # due with its earliest at the next edge, as if the same tree went on around the design.
 
 proc worst {args} {
-  set path [lindex [find_timing_paths {*}$args] 0]
-  return [expr {$path eq "" ? "" : [get_property $path slack]}]
+  set paths [find_timing_paths {*}$args]
+  return [expr {[llength $paths] == 0 ? "" : [least_slack $paths]}]
 }
 
 if {![llength [get_ports -quiet $clock]]} {

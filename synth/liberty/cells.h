@@ -48,6 +48,8 @@ typedef struct {
   lib_arc *arc;
   int inputs;     /* at most LIB_INPUTS with the state, or no pin has a function */
   bool register_; /* one bit on the rising edge of pin `clock` */
+  bool latch;     /* while pin `clock` is high, or low, its outputs are those of `next` */
+  bool open_low;
   int clock;
   bool gate;      /* clock gate; its output's function is whether the next edge passes */
   uint64_t next;  /* truth table of the next state */

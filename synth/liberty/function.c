@@ -57,7 +57,7 @@ static uint64_t parse_name(parser *s) {
   }
   for (int k = 0; k < 2; k++) {
     if (s->state[k] != NULL && strcmp(name, s->state[k]) == 0) {
-      uint64_t column = function_column(s->cell->inputs);
+      uint64_t column = s->cell->latch ? s->cell->next : function_column(s->cell->inputs);
       return k == 0 ? column : ~column;
     }
   }

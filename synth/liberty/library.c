@@ -47,6 +47,31 @@ static bool read_register(lib_cell *cell, const node *ff, char *state[2]) {
   return cell->register_;
 }
 
+/* A latch, open, as the simulation of a cycle finds it at its end. */
+static bool read_latch(lib_cell *cell, const node *latch, char *state[2]) {
+  char *comma = strchr(latch->args, ',');
+  const char *data = tree_value(latch, "data_in");
+  const char *enable = tree_value(latch, "enable");
+  if (comma == NULL || data == NULL || enable == NULL || tree_child(latch, "clear") != NULL ||
+      tree_child(latch, "preset") != NULL) {
+    return false;
+  }
+  state[0] = tree_trimmed(latch->args, comma);
+  state[1] = tree_trimmed(comma + 1, comma + strlen(comma));
+  char *const none[2] = {NULL, NULL};
+  cell->next = function_rows(cell, data, none);
+  uint64_t open = function_rows(cell, enable, none);
+  for (int k = 0; k < cell->pins; k++) {
+    bool low = open == ~cell->pin[k].rows;
+    if (!cell->pin[k].output && (low || open == cell->pin[k].rows)) {
+      cell->clock = k;
+      cell->open_low = low;
+      cell->latch = true;
+    }
+  }
+  return cell->latch;
+}
+
 static void read_powers(lib_cell *cell, const node *root, const node *p, int pin, char *state[2]) {
   for (const node *n = tree_child(p, "internal_power"); n != NULL; n = tree_next(n)) {
     const char *related = tree_value(n, "related_pin");
@@ -126,12 +151,13 @@ static void read_cell(lib_cell *cell, const library *lib, const node *root, cons
   char *state[2] = {NULL, NULL};
   const node *pin[LIB_PINS] = {NULL};
   const node *ff = tree_child(n, "ff");
+  const node *latch = tree_child(n, "latch");
   cell->name = n->args;
   cell->leakage = tree_number(n, "cell_leakage_power", 0) * watt;
   read_pin_names(cell, lib, n, pin);
   bool gate = cell->inputs <= LIB_INPUTS && read_gate(cell, n, pin);
-  if (gate || (tree_child(n, "latch") == NULL && tree_child(n, "statetable") == NULL &&
-               cell->inputs + (ff != NULL) <= LIB_INPUTS &&
+  if (gate || (tree_child(n, "statetable") == NULL && cell->inputs + (ff != NULL) <= LIB_INPUTS &&
+               (latch == NULL || read_latch(cell, latch, state)) &&
                (ff == NULL || read_register(cell, ff, state)))) {
     read_pins(cell, root, pin, state);
   }

@@ -26,10 +26,12 @@ static void find_activities(const analysis *m, const gates_count count[], int gr
   }
   for (int c = 0; c < g->cells; c++) { /* up and down in each cycle that a clock gate passes */
     const gates_cell *cell = &g->cell[c];
-    for (int k = 0; cell->type->gate && k < cell->type->pins; k++) {
-      if (cell->type->pin[k].output && cell->net[k] >= 0) {
-        act[cell->net[k]] = 2 * m->one[cell->net[k]];
-        m->one[cell->net[k]] /= 2;
+    for (int k = 0; cell->phase != 0 && k < cell->type->pins; k++) {
+      int net = cell->net[k];
+      if (cell->type->pin[k].output && net >= 0) {
+        double passes = cell->phase > 0 ? m->one[net] : 1 - m->one[net];
+        act[net] = 2 * passes;
+        m->one[net] = cell->phase > 0 ? passes / 2 : 1 - passes / 2;
       }
     }
   }

@@ -21,6 +21,7 @@ typedef struct {
   int instance;
   int net[LIB_PINS]; /* of each pin; -1: none */
   uint64_t state;    /* of a register, one bit a lane */
+  int phase;         /* of its outputs: 1: with the clock, as a clock gate's; -1: against it; 0 */
 } gates_cell;
 
 /* A port of the top. */
@@ -40,8 +41,8 @@ typedef struct gates {
   int ports;
   int nets;
   int clock;            /* its net */
-  uint64_t *value;      /* of each net, one bit a lane; net 0 is 0, net 1 is 1; of a gated clock:
-                           whether the next edge passes */
+  uint64_t *value;      /* of each net, one bit a lane; net 0 is 0, net 1 is 1; the clock's is 1, so
+                           that a gated clock's is whether the next edge passes */
   uint64_t *before;     /* in the cycle before */
   gates_count *toggles; /* of each net, over cycles counted */
   gates_count *ones;

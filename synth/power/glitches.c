@@ -126,9 +126,9 @@ void glitches_count(gates *g) {
       if (!type->pin[p].output || cell->net[p] < 0) {
         continue;
       }
-      if (type->register_) {
+      if (type->register_ || type->latch) {
         step(g, cell->net[p], g->glitches->delay[c][type->clock * type->pins + p]);
-      } else if (!type->gate) {
+      } else if (cell->phase == 0) {
         find_wave(g, c, p);
       }
     }

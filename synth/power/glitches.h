@@ -1,9 +1,10 @@
 /* glitches.h - what nets do between two edges of the clock, where cells have delays.
  *
  * From the values before the edge to those after it each net has a list of changes, in 64 lanes.
- * Registers change by their delay after the edge, the top's inputs at the edge. A combinational
- * cell sees each input later by the delay from there to the output; a pulse that is shorter than
- * the delay of what ends it does not come out (as in Verilog with SDF). */
+ * Registers change by their delay after the edge, the top's inputs at the edge; so do latches,
+ * which clock gates alone read. A combinational cell sees each input later by the delay from there
+ * to the output; a pulse that is shorter than the delay of what ends it does not come out (as in
+ * Verilog with SDF). */
 #ifndef SEPAX_GLITCHES_H
 #define SEPAX_GLITCHES_H
 

@@ -221,18 +221,75 @@ typedef struct {
   int cells;
 } sorter;
 
-/* The clock is the port, that of a register also what a clock gate makes of it. */
-static void check_clock(const sorter *s, const gates_cell *cell) {
-  int net = cell->net[cell->type->clock];
-  int by = net < 0 ? FROM_OUTSIDE : s->driver[net];
-  if (net != s->g->clock && !(cell->type->register_ && by > 0 && s->g->cell[by - 1].type->gate)) {
-    text_fail("another clock than the port, at", cell->name);
+/* What drives the net, or NULL: a cell is. */
+static const gates_cell *driver_of(const sorter *s, int net) {
+  return net < 0 || s->driver[net] <= 0 ? NULL : &s->g->cell[s->driver[net] - 1];
+}
+
+/* 1: with the clock, -1: against it, 0: neither. */
+static int net_phase(const sorter *s, int net) {
+  const gates_cell *by = driver_of(s, net);
+  return net == s->g->clock ? 1 : by == NULL ? 0 : by->phase;
+}
+
+/* A clock gate made of a latch and an AND: 0 while the clock is low, else what latches say. */
+static bool is_latch_gate(const sorter *s, const gates_cell *cell) {
+  const lib_cell *type = cell->type;
+  int clocks = 0;
+  int out = 0;
+  uint64_t low = ~UINT64_C(0);
+  for (int p = 0; p < type->pins; p++) {
+    const gates_cell *by = driver_of(s, cell->net[p]);
+    if (type->pin[p].output) {
+      out = p;
+    } else if (cell->net[p] == s->g->clock) {
+      clocks++;
+      low = ~type->pin[p].rows;
+    } else if (by == NULL || !by->type->latch) {
+      return false;
+    }
+  }
+  return clocks == 1 && type->inputs > 1 && (type->pin[out].rows & low) == 0;
+}
+
+/* Of a cell's outputs, by those of its drivers. Of cells with several inputs a clock gate alone
+ * makes a clock. */
+static int phase_of(const sorter *s, const gates_cell *cell) {
+  const lib_cell *type = cell->type;
+  if (type->gate || is_latch_gate(s, cell)) {
+    return 1;
+  }
+  if (type->register_ || type->latch || type->inputs != 1 || type->pins != 2) {
+    return 0;
+  }
+  int in = type->pin[0].output ? 1 : 0;
+  bool inverts = (type->pin[1 - in].rows & 1) != 0;
+  return (inverts ? -1 : 1) * net_phase(s, cell->net[in]);
+}
+
+/* The clock is the port; that of a register also what a clock gate makes of it, that of a latch
+ * what opens it while the port is low. Nothing else reads a clock. */
+static void check_clock(const sorter *s, const gates_cell *cell, int p) {
+  const lib_cell *type = cell->type;
+  int net = cell->net[p];
+  int phase = net_phase(s, net);
+  const gates_cell *by = driver_of(s, net);
+  bool clocked = p == type->clock && (type->register_ || type->latch || type->gate);
+  bool right = !clocked          ? phase == 0 || cell->phase != 0
+               : type->latch     ? phase == (type->open_low ? 1 : -1)
+               : type->register_ ? phase == 1 && (by == NULL || by->type->inputs > 1)
+                                 : net == s->g->clock;
+  if (!right) {
+    text_fail(type->latch && phase != 0 ? "a latch that is open while the clock is high:"
+              : clocked                 ? "another clock than the port, at"
+                                        : "the clock is an input of",
+              cell->name);
   }
 }
 
-/* Behind the combinational cells that drive it; all its inputs are driven. */
+/* Behind the combinational cells and latches that drive it; all its inputs are driven. */
 static void put_in_order(sorter *s, int c) {
-  const gates_cell *cell = &s->g->cell[c];
+  gates_cell *cell = &s->g->cell[c];
   const lib_cell *type = cell->type;
   if (s->progress[c] == UNDER_WAY) {
     text_fail("has a loop without", "registers");
@@ -249,18 +306,16 @@ static void put_in_order(sorter *s, int c) {
     if (net < 0 || s->driver[net] == UNDRIVEN) {
       text_fail("nothing drives an input of", cell->name);
     }
-    if ((type->register_ || type->gate) && p == type->clock) {
-      check_clock(s, cell);
-    }
     if (!type->register_ && s->driver[net] > 0) {
       put_in_order(s, s->driver[net] - 1);
     }
   }
+  cell->phase = phase_of(s, cell);
   s->progress[c] = DONE;
   s->cell[s->cells++] = *cell;
 }
 
-/* Registers, then combinational cells. */
+/* Registers, then combinational cells and latches. */
 static void sort_cells(gates *g) {
   sorter s = {.g = g,
               .driver = find_drivers(g),
@@ -270,6 +325,13 @@ static void sort_cells(gates *g) {
     for (int c = 0; c < g->cells; c++) {
       if (g->cell[c].type->register_ == (pass == 0)) {
         put_in_order(&s, c);
+      }
+    }
+  }
+  for (int c = 0; c < g->cells; c++) {
+    for (int p = 0; p < g->cell[c].type->pins; p++) {
+      if (!g->cell[c].type->pin[p].output) {
+        check_clock(&s, &g->cell[c], p);
       }
     }
   }
@@ -314,5 +376,5 @@ void gates_read(gates *g, const library *lib, const char *path) {
   }
   g->toggles = text_alloc((size_t)g->nets, sizeof *g->toggles);
   g->ones = text_alloc((size_t)g->nets, sizeof *g->ones);
-  g->value[1] = ~UINT64_C(0);
+  g->value[1] = g->value[g->clock] = ~UINT64_C(0);
 }

@@ -58,6 +58,9 @@ module sepax_tb;
     .out_valid(out_valid), .out_collision(out_collision), .out_coplanar(out_coplanar)
   );
 `endif
+`ifdef SEPAX_TEST_ENABLE // a port of the netlist: no scan
+  assign dut.test_enable = 1'b0;
+`endif
 `ifdef SEPAX_BANDS
   localparam FIELDS = 28;
 `else
