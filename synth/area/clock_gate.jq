@@ -1,5 +1,5 @@
-# synth/area/clock_gate.jq - how synth/area/gate gates a clock with the cells of a library, as build/liberty
-# tells them; nothing, where it has no cells for that.
+# synth/area/clock_gate.jq - how synth/area/gate gates a clock with the cells of a library, as
+# build/liberty tells them; nothing, where it has no cells for that.
 #
 #   jq -L synth -r -f synth/area/clock_gate.jq CELLS.json
 #
@@ -26,14 +26,16 @@ def latch:
    | (.value | by_direction("output")
       | map(select((.value.function | plain) == ($state.names | split(",")[0] | plain)))) as $out
    | select(($out | length) > 0 and .value.pins[$clock] and .value.pins[$data])
-   | {low: ($enable != $clock), area: .value.area, words: "\(.key) \($clock) \($data) \($out[0].key)"}]
+   | {low: ($enable != $clock), area: .value.area,
+      words: "\(.key) \($clock) \($data) \($out[0].key)"}]
   | min_by([(.low | not), .area]) // empty;
 
 def and_cell:
   [.[] | (.value | by_direction("input") | map(.key)) as $in
    | (.value | by_direction("output")) as $out
    | select(($in | length) == 2 and ($out | length) == 1 and .value.area > 0)
-   | select($out[0].value.function | plain | gsub("[&*]"; "") | IN($in[0] + $in[1], $in[1] + $in[0]))
+   | select($out[0].value.function | plain | gsub("[&*]"; "")
+       | IN($in[0] + $in[1], $in[1] + $in[0]))
    | {area: .value.area, words: "\(.key) \($in | join(" ")) \($out[0].key)"}]
   | max_by(.area) // empty;
 
