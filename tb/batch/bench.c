@@ -19,6 +19,7 @@
 
 sepax_design design;
 sepax_device device;
+uint64_t bench_base = UINT64_C(0x1234560000);
 unsigned long long wrong;
 
 void expect(const char *what, unsigned long long got, unsigned long long wanted) {
@@ -49,12 +50,17 @@ void stop_at(bool failed, const char *path, const char *text) {
 static struct {
   uint8_t *byte;
   size_t used, space;
+  bool is_reserved;
   uint32_t *bursts; /* that began at each beat of it */
 } external;
 
 size_t bench_space(size_t bytes, size_t unit) {
   size_t at = (external.used + unit - 1) / unit * unit;
   external.used = at + bytes;
+  if (external.is_reserved) {
+    stop_on(external.used > external.space, "too little is reserved");
+    return at;
+  }
   if (external.used > external.space) {
     external.space = 2 * external.used;
     external.byte = realloc(external.byte, external.space);
@@ -65,8 +71,25 @@ size_t bench_space(size_t bytes, size_t unit) {
 }
 
 uint8_t *bench_at(size_t offset) { return external.byte + offset; }
-void bench_clear(void) { external.used = 0; }
-uint64_t bench_address(size_t offset) { return BENCH_BASE + offset; }
+void bench_clear(void) {
+  external.used = 0;
+  if (external.is_reserved) {
+    free(external.byte);
+    external.byte = NULL;
+    external.space = 0;
+    external.is_reserved = false;
+  }
+}
+
+void bench_reserve(size_t bytes) {
+  bench_clear();
+  free(external.byte);
+  external.byte = calloc(1, bytes); /* pages that nobody writes are none */
+  stop_on(external.byte == NULL, "out of memory");
+  external.space = bytes;
+  external.is_reserved = true;
+}
+uint64_t bench_address(size_t offset) { return bench_base + offset; }
 
 void bench_tree(const sepax_tree *tree, uint8_t record[SEPAX_TREE_BODY_BYTES]) {
   size_t bytes;
@@ -79,12 +102,14 @@ void bench_tree(const sepax_tree *tree, uint8_t record[SEPAX_TREE_BODY_BYTES]) {
 void bench_attach(memory_options options) {
   external.used = bench_space(0, 4096);
   options.bytes = external.byte;
-  options.base = BENCH_BASE;
+  options.base = bench_base;
   options.size = external.used;
   options.open_max = 17; /* the engine's, and the next pose */
-  external.bursts = realloc(external.bursts, external.used / MEMORY_BEAT * sizeof(uint32_t));
-  stop_on(external.bursts == NULL, "out of memory");
-  options.bursts = external.bursts;
+  if (!external.is_reserved) {
+    external.bursts = realloc(external.bursts, external.used / MEMORY_BEAT * sizeof(uint32_t));
+    stop_on(external.bursts == NULL, "out of memory");
+    options.bursts = external.bursts;
+  }
   bus_memory(&options);
 }
 
@@ -290,7 +315,7 @@ static void check_registers(const bench_batch *b, uint64_t most) {
 }
 
 void bench_run(bench_batch *b) {
-  const sepax_tree_memory seen = {external.byte, BENCH_BASE, external.used};
+  const sepax_tree_memory seen = {external.byte, bench_base, external.used};
   contacts c = {.pair = NULL};
   sepax_tree_batch golden = {.design = &design,
                              .memory = &seen,
@@ -303,7 +328,9 @@ void bench_run(bench_batch *b) {
   uint64_t bursts = bus_attached()->counts.bursts;
   uint64_t stopped = b->stopped;
   uint64_t begun = bus_cycles();
-  memset(external.bursts, 0, external.used / MEMORY_BEAT * sizeof(uint32_t));
+  if (!external.is_reserved) {
+    memset(external.bursts, 0, external.used / MEMORY_BEAT * sizeof(uint32_t));
+  }
   expect("start", sepax_device_start(&device, golden.list, golden.jobs), SEPAX_DEVICE_OK);
   bool more = true;
   for (int n = 0; more; n++) {
@@ -336,7 +363,7 @@ void bench_run(bench_batch *b) {
   }
   expect("the batch ends", busy, 0);
   check_registers(b, bus_cycles() - begun);
-  if (!b->any && !b->errors) {
+  if (!b->any && !b->errors && !external.is_reserved) {
     reads.whole = b->stopped == stopped;
     reads_check(&reads, golden.list, golden.jobs, bus_attached()->counts.bursts - bursts);
   }

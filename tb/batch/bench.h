@@ -9,7 +9,7 @@
 #include "sepax_tree.h"
 #include "sepax_tree_driver.h"
 
-#define BENCH_BASE UINT64_C(0x1234560000) /* address of the memory */
+extern uint64_t bench_base; /* address of the memory, a multiple of 4096 */
 
 extern sepax_design design;
 extern sepax_device device;
@@ -26,6 +26,9 @@ void stop_at(bool failed, const char *path, const char *text); /* of something i
 size_t bench_space(size_t bytes, size_t unit);
 uint8_t *bench_at(size_t offset);
 void bench_clear(void);
+/* Space for so many bytes, of which few are used: it takes memory only for these. Until
+ * bench_clear, and nothing counts which blocks are read. */
+void bench_reserve(size_t bytes);
 uint64_t bench_address(size_t offset);
 
 /* Put a tree there; its body record. */
@@ -57,7 +60,7 @@ void bench_run(bench_batch *batch);
 
 /* Which blocks of its memory a batch has read. */
 typedef struct {
-  const uint32_t *bursts; /* that began at each beat of the memory, from BENCH_BASE on */
+  const uint32_t *bursts; /* that began at each beat of the memory, from bench_base on */
   uint64_t colds;         /* poses before which the caches forgot what they had */
   bool whole;             /* none was stopped */
 } bench_reads;

@@ -73,7 +73,7 @@ void bench_list(const char *path, const memory_options *options) {
   bench_attach(*options);
   tally t = {&list, calloc(list.jobs, sizeof *t.each)};
   stop_on(t.each == NULL, "out of memory");
-  bench_batch batch = {.list = (size_t)(placed.list - BENCH_BASE),
+  bench_batch batch = {.list = (size_t)(placed.list - bench_base),
                        .jobs = placed.jobs,
                        .stop_at = -1,
                        .told = take,

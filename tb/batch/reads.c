@@ -16,7 +16,7 @@ typedef struct {
 } sum;
 
 static uint32_t at(const sum *s, uint64_t address) {
-  return s->of->bursts[(address - BENCH_BASE) / MEMORY_BEAT];
+  return s->of->bursts[(address - bench_base) / MEMORY_BEAT];
 }
 
 static void no_more(sum *s, const char *what, uint64_t address, uint64_t most) {
@@ -32,7 +32,7 @@ static void of_body(sum *s, const uint8_t record[SEPAX_TREE_BODY_BYTES]) {
   uint64_t base = tree_get64(record);
   uint32_t nodes = tree_get32(record + 8);
   uint32_t leaves = 0;
-  const uint8_t *image = bench_at((size_t)(base - BENCH_BASE));
+  const uint8_t *image = bench_at((size_t)(base - bench_base));
   for (uint32_t n = 0; n < nodes; n++) {
     tree_node node = tree_unpack(image + (size_t)TREE_NODE_BYTES * n, SEPAX_WORD);
     leaves += node.level == 0;
@@ -53,7 +53,7 @@ static void of_body(sum *s, const uint8_t record[SEPAX_TREE_BODY_BYTES]) {
 
 void reads_check(const bench_reads *of, uint64_t list, uint32_t jobs, uint64_t bursts) {
   sum s = {of, of->colds, 0};
-  const uint8_t *bytes = bench_at((size_t)(list - BENCH_BASE));
+  const uint8_t *bytes = bench_at((size_t)(list - bench_base));
   for (uint32_t n = 0; n < jobs; n++) {
     const uint8_t *job = bytes + (size_t)SEPAX_TREE_JOB_BYTES * n;
     if (memcmp(job, bytes, 2 * SEPAX_TREE_BODY_BYTES) != 0) {

@@ -1,7 +1,6 @@
 /* rounds.c - seeded bodies, poses and modes of jobs for the tree engine's test bench; bytes that
  * are damaged, memory that answers with errors, resets. */
 #include "rounds.h"
-#include "sepax_vectors.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,6 +11,7 @@ static int64_t range(int64_t lo, int64_t hi) { return sepax_random_range(&rng, l
 static double unit(void) { return (double)range(-1000000, 1000000) * 1e-6; }
 
 enum { POSES_MOST = 6, TRIANGLES_MOST = 300 };
+#define FAR_BYTES (INT64_C(5) << 29)
 static int64_t jobs_most = JOBS_MOST;
 static int64_t poses_most = POSES_MOST;
 static bool is_small; /* bodies of up to 40 triangles */
@@ -154,7 +154,7 @@ static unsigned some_modes(bool same_bodies) {
   return same_bodies ? modes : modes & ~(unsigned)SEPAX_TREE_WARM;
 }
 
-static uint32_t some_leaf(const sepax_tree *tree) {
+static uint32_t some_leaf(const sepax_tree *tree, uint32_t shift) {
   uint32_t nodes = (uint32_t)sepax_tree_nodes(tree);
   size_t bytes;
   const uint8_t *image = sepax_tree_image(tree, &bytes);
@@ -162,7 +162,7 @@ static uint32_t some_leaf(const sepax_tree *tree) {
   while ((image[SEPAX_TREE_NODE_BYTES * n + 14] & 15) != 0) { /* the level */
     n = (n + 1) % nodes;
   }
-  return n;
+  return n > 0 ? n + shift : n;
 }
 
 static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
@@ -172,7 +172,7 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
   job.modes = some_modes(n > 0);
   job.budget = range(0, 5) == 0 ? (uint32_t)range(1, 3000) : 0;
   for (int i = 0; i < 2; i++) {
-    job.leaf[i] = some_leaf(s->tree[i]);
+    job.leaf[i] = some_leaf(s->tree[i], s->shift[i]);
     job.child[i] = 0;
   }
   s->poses[n] = job.count;
@@ -203,20 +203,28 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
 }
 
 /* Bodies and jobs in memory. */
-void some_scene(scene *s) {
+static void draw_scene(scene *s, bool is_far) {
+  bench_base = 4096 * (uint64_t)range(1, (INT64_C(1) << 28) - (FAR_BYTES >> 12) - 1);
   *s = (scene){.batch = {.jobs = (uint32_t)range(1, jobs_most), .stop_at = -1}};
   bench_clear();
+  if (is_far) {
+    bench_reserve(FAR_BYTES);
+  }
   bench_space((size_t)range(0, 3) * 4096, 4096);
   sepax_tree_job job = {.count = 0};
   for (int i = 0; i < 2; i++) {
     s->tree[i] = some_tree(i == 1);
-    bench_tree(s->tree[i], job.body[i]);
+    if (is_far) {
+      s->shift[i] = far_tree(s->tree[i], i == 1, &rng, job.body[i]);
+    } else {
+      bench_tree(s->tree[i], job.body[i]);
+    }
     sepax_tree_image(s->tree[i], &s->bytes[i]);
     uint64_t address = 0;
     for (int k = 7; k >= 0; k--) {
       address = address << 8 | job.body[i][k];
     }
-    s->body[i] = (size_t)(address - BENCH_BASE);
+    s->body[i] = (size_t)(address - bench_base);
   }
   s->batch.list = bench_space(SEPAX_TREE_JOB_BYTES * s->batch.jobs, SEPAX_TREE_JOB_BYTES);
   for (uint32_t n = 0; n < s->batch.jobs; n++) {
@@ -224,6 +232,8 @@ void some_scene(scene *s) {
     some_job(s, n, &job);
   }
 }
+
+void some_scene(scene *s) { draw_scene(s, false); }
 
 void free_scene(scene *s) {
   sepax_tree_free(s->tree[0]);
@@ -250,9 +260,9 @@ static void add(bench_batch *sum, const bench_batch *one) {
   sum->cycles += one->cycles;
 }
 
-static void round_of(bench_batch *sum, bool stressed, uint64_t seed) {
+static void round_of(bench_batch *sum, bool stressed, uint64_t seed, bool is_far) {
   scene s;
-  some_scene(&s);
+  draw_scene(&s, is_far);
   bench_attach(some_memory(stressed, seed));
   if (range(0, 7) == 0) {
     s.batch.stop_at = (int)range(0, 5);
@@ -358,7 +368,7 @@ void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed) {
   bench_batch sound = {.list = 0};
   bench_batch broken = {.list = 0};
   for (unsigned long long n = 0; n < rounds && wrong == 0; n++) {
-    round_of(&sound, stressed, seed + n);
+    round_of(&sound, stressed, seed + n, n % 3 == 1);
     damaged_round(&broken, stressed, seed + n);
     if (n % 4 == 0) {
       reset_round(seed + n);

@@ -3,6 +3,7 @@
 #define SEPAX_BATCH_ROUNDS_H
 
 #include "bench.h"
+#include "sepax_vectors.h"
 
 enum { JOBS_MOST = 4 };
 
@@ -10,6 +11,7 @@ typedef struct {
   sepax_tree *tree[2];
   size_t job[JOBS_MOST], pose[JOBS_MOST], poses[JOBS_MOST]; /* where they are */
   size_t body[2], bytes[2];
+  uint32_t shift[2]; /* of the numbers of nodes, but for the roots */
   bench_batch batch;
 } scene;
 
@@ -18,5 +20,10 @@ void free_scene(scene *s);
 
 /* What the engine refuses, its settings and interrupts. */
 void refusals(void);
+
+/* Put a body there of which all but the root is far behind in the image, and whose triangles have
+ * great numbers, as in bodies of millions: its record; returns the shift. */
+uint32_t far_tree(const sepax_tree *tree, bool of_b, sepax_random *rng,
+                  uint8_t record[SEPAX_TREE_BODY_BYTES]);
 
 #endif

@@ -246,11 +246,17 @@ private:
   void check_vertex() {
     if (top->other_valid) {
       int32_t v[3];
-      tree_turn_vertex(v, &pose.side[0], others.front().p);
-      others.pop_front();
-      for (int i = 0; i < 3; i++) {
+      const int32_t *p = others.front().p;
+      const sepax_tree_side &side = pose.side[others.front().side];
+      tree_turn_vertex(v, &side, p);
+      for (int i = 0; i < 3; i++) { // and what is below the point, of which set-up reads some
+        const int32_t *m = side.matrix[i];
+        int64_t sum = (int64_t)m[0] * p[0] + (int64_t)m[1] * p[1] + (int64_t)m[2] * p[2];
+        sum += side.shift[i];
         same("vertex", field(top->sum, 45 * i + 20, 25), v[i]);
+        same("its fraction", field(top->sum, 45 * i, 20) & 0xfffff, sum & 0xfffff);
       }
+      others.pop_front();
       counts.vertices++;
     }
   }
@@ -276,6 +282,7 @@ private:
   }
 
   struct Vertex {
+    bool side;
     int32_t p[3];
   };
 
@@ -283,6 +290,8 @@ private:
     top->other = (left > 0 || !items.empty()) && draw(16) < rate_other;
     if (top->other) {
       Vertex v;
+      v.side = draw(2) != 0;
+      top->other |= v.side << 1;
       uint64_t packed[2] = {0, 0};
       for (int i = 0; i < 3; i++) {
         v.p[i] = (int32_t)bits(draw(4) == 0 ? 1 : W);
@@ -296,6 +305,7 @@ private:
     }
   }
   static void set_point(SData &port, const uint64_t *p) { port = (SData)p[0]; }
+  static void set_point(IData &port, const uint64_t *p) { port = (IData)p[0]; }
   static void set_point(QData &port, const uint64_t *p) { port = p[0]; }
   template <typename Port> static void set_point(Port &port, const uint64_t *p) {
     port[0] = (uint32_t)p[0];

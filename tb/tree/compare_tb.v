@@ -2,7 +2,8 @@
 // (compare.cpp).
 `timescale 1ns / 1ps
 module compare_tb;
-  reg clk = 0, rst, drop, in_valid, in_side, out_ready, other;
+  reg clk = 0, rst, drop, in_valid, in_side, out_ready;
+  reg [1:0] other;
   reg [15:0] in_mask;
   reg [5:0] in_a, in_b;
   reg [53:0] other_point;

@@ -34,7 +34,7 @@ module compare_top #(
   output wire [15:0]    out_mask,
   output wire [5:0]     out_a,
   output wire [5:0]     out_b,
-  input  wire           other,       // a vertex of side 0 that is turned in between
+  input  wire [1:0]     other,       // {side, a vertex is turned in between}
   input  wire [3*W-1:0] other_point,
   output wire           other_valid,
   output wire [134:0]   sum,
@@ -56,21 +56,22 @@ module compare_top #(
     .in_ready(in_ready), .in_side(in_side), .in_mask(in_mask), .in_a(in_a), .in_b(in_b),
     .head_a(head_a), .head_b(head_b), .boxes_read_a(boxes_read_a), .boxes_slot_a(boxes_slot_a),
     .boxes_a(boxes_a), .boxes_read_b(boxes_read_b), .boxes_slot_b(boxes_slot_b),
-    .boxes_b(boxes_b), .turn_valid(turn_valid), .turn_ready(!other), .turn_side(turn_side),
+    .boxes_b(boxes_b), .turn_valid(turn_valid), .turn_ready(!other[0]), .turn_side(turn_side),
     .turn_point(turn_point), .turn_origin(turn_origin), .turned_valid(turned_q[2]), .turned(sum),
     .out_valid(out_valid), .out_ready(out_ready), .out_last(out_last), .out_side(out_side),
     .out_columns(out_columns), .out_leaves(out_leaves), .out_index(out_index),
     .out_mask(out_mask), .out_a(out_a), .out_b(out_b)
   );
   sepax_turn_vertex #(.W(W)) turner (
-    .clk(clk), .matrix(matrix), .shift(shift), .side(!other && turn_side),
-    .point(other ? other_point : turn_point), .origin(other ? {(3*W){1'b0}} : turn_origin),
+    .clk(clk), .matrix(matrix), .shift(shift), .side(other[0] ? other[1] : turn_side),
+    .point(other[0] ? other_point : turn_point),
+    .origin(other[0] ? {(3*W){1'b0}} : turn_origin),
     .sum(sum)
   );
 
   always @(posedge clk) begin
-    turned_q <= (rst || drop) ? 3'd0 : {turned_q[1:0], turn_valid && !other};
-    other_q <= rst ? 3'd0 : {other_q[1:0], other};
+    turned_q <= (rst || drop) ? 3'd0 : {turned_q[1:0], turn_valid && !other[0]};
+    other_q <= rst ? 3'd0 : {other_q[1:0], other[0]};
   end
 
   assign other_valid = other_q[2];

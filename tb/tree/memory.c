@@ -51,7 +51,8 @@ static void answer(memory *m) {
   s->rvalid = true;
   s->rlast = m->beat + 1 == m->open[m->head].beats;
   s->rresp = 0;
-  if (address < o->base || address - o->base + MEMORY_BEAT > o->size) {
+  uint64_t offset = address - o->base;
+  if (address < o->base || (offset + MEMORY_BEAT > o->size && !o->repeated)) {
     s->rresp = 3;
   } else if ((address >= o->error_from && address < o->error_to) ||
              (o->error_odds > 0 && memory_draw(&m->state) % o->error_odds == 0)) {
@@ -61,7 +62,7 @@ static void answer(memory *m) {
     s->rdata[k] = (uint32_t)memory_draw(&m->state);
   }
   if (s->rresp == 0) {
-    const uint8_t *from = o->bytes + (address - o->base);
+    const uint8_t *from = o->bytes + (o->repeated ? offset & (o->size - 1) : offset);
     for (int k = 0; k < 4; k++) {
       s->rdata[k] = (uint32_t)from[4 * k] | (uint32_t)from[4 * k + 1] << 8 |
                     (uint32_t)from[4 * k + 2] << 16 | (uint32_t)from[4 * k + 3] << 24;

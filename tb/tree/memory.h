@@ -17,6 +17,7 @@ enum { MEMORY_BEAT = 16, MEMORY_OPEN_MAX = 64 };
 typedef struct {
   const uint8_t *bytes; /* contents; a read beside them is answered with DECERR */
   uint64_t base, size;  /* address of bytes[0], a multiple of 16; how many bytes */
+  bool repeated;        /* above base they come again and again; size is a power of two */
   int latency;          /* cycles from an address to its first beat, 1 or more */
   int open_max;         /* bursts that the master may have open; 0: 16 */
   uint64_t stress;      /* 0: none; else a seed: addresses wait, beats come late and with gaps */

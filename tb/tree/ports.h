@@ -19,4 +19,31 @@ uint64_t bits_of(const VlWide<WORDS> &port, unsigned from, unsigned count) {
   return bits_of(value, from % 32, count);
 }
 
+// Bits that only `seed` tells, into a port of so many bits; and whether a port has them.
+inline void spread(uint64_t seed, unsigned bits, uint32_t &port) {
+  port = (uint32_t)(seed & (~uint32_t(0) >> (32 - bits)));
+}
+inline void spread(uint64_t seed, unsigned bits, QData &port) {
+  port = seed & (~uint64_t(0) >> (64 - bits));
+}
+template <std::size_t WORDS> void spread(uint64_t seed, unsigned bits, VlWide<WORDS> &port) {
+  for (unsigned k = 0; k < WORDS; k++) {
+    uint64_t word = seed * (2 * k + 1);
+    spread(word >> 32, k + 1 < WORDS ? 32 : bits - 32 * k, port[k]);
+  }
+}
+inline bool has_spread(uint64_t seed, unsigned bits, uint64_t port) {
+  return port == (seed & (~uint64_t(0) >> (64 - bits)));
+}
+template <std::size_t WORDS>
+bool has_spread(uint64_t seed, unsigned bits, const VlWide<WORDS> &port) {
+  VlWide<WORDS> wanted;
+  spread(seed, bits, wanted);
+  bool same = true;
+  for (unsigned k = 0; k < WORDS; k++) {
+    same = same && port[k] == wanted[k];
+  }
+  return same;
+}
+
 #endif

@@ -4,7 +4,7 @@
 //
 //     traffic ROUNDS SEED [+FAULT]
 //
-// W, NODE_SETS, LEAF_SETS, OPEN are macros, the module's parameters.
+// W, NODE_SETS, LEAF_SETS, OPEN, maybe others are macros, the module's parameters.
 #include "Vsepax_tree_memory.h"
 #include "cosim/verilated_top.h"
 #include "tree/ports.h"
@@ -44,27 +44,13 @@ public:
   }
 
   void speed();
+  void come_round();
 
   uint64_t node_pairs = 0, leaf_pairs = 0, reads = 0, bursts = 0, errors = 0, drops = 0, resets = 0,
            stops = 0, wrong = 0, cycles = 0;
   int most = 0; // bursts that were open
 
 private:
-  // One kind of pairs: its ports, and what is on its way.
-  struct Kind {
-    bool of_leaves;
-    std::deque<Pair> in, out; // not taken, taken
-    Pair next;                // offered
-    bool offered = false;
-    bool failed = false; // the pair of that number came with an error: it comes again
-    unsigned number[2] = {0, 0};
-    unsigned left = 0; // pairs that are still to go in
-    unsigned hot = 1, spread = 1;
-    // What is read in this cycle, index in `out`: of A and B, and heads of nodes.
-    int read_of[4] = {-1, -1, -1, -1};
-    unsigned index[2] = {0, 0};
-  };
-
   uint64_t draw(uint64_t below) { return world.draw(below); }
   bool now_and_then() { return !stress || draw(16) < rate; }
 
@@ -86,7 +72,8 @@ private:
     world.renew(round % 2 != 0, in_order);
     memory_options o = {};
     o.base = world.base;
-    o.size = world.bytes.size();
+    o.size = SIZE;
+    o.repeated = true;
     o.bytes = world.bytes.data();
     o.latency = 1 + (int)draw(stress ? 60 : 10);
     o.stress = stress ? 1 + draw(~uint64_t(0)) : 0;
@@ -116,19 +103,14 @@ private:
       k->out.clear();
       k->offered = false;
       k->left = 0;
+      std::fill(k->stands, k->stands + 4, false);
     }
   }
 
   void one_run(bool cold) {
     if (cold) { // what the caches have must not be used
       world.change_nodes();
-      int i;
-      unsigned n;
-      if (world.draw_errors(&slave.options, &i, &n)) { // that record soon
-        leaves.failed = true;
-        leaves.number[i] = n;
-        leaves.number[1 - i] = (unsigned)draw(LEAVES);
-      }
+      world.draw_errors(slave.options, nodes, leaves);
     }
     rate = 1 + draw(16);
     top->start = 1;
@@ -183,21 +165,7 @@ private:
     if (k.offered || k.left == 0 || !now_and_then()) {
       return;
     }
-    unsigned all = k.of_leaves ? LEAVES : NODES;
-    unsigned mask = (1u << 2 * (k.of_leaves ? LEAF_SETS : NODE_SETS)) - 1;
-    for (int i = 0; i < 2; i++) {
-      unsigned n = (unsigned)draw(k.hot);
-      if (k.spread == 0 && draw(2) == 0) {
-        n = k.next.number[i]; // again
-      } else if (k.spread == 1) {
-        n = (k.next.number[i] + (i == 0)) % all; // side by side
-      } else if (k.spread == 2) {
-        n = (n & ~mask) % all; // in few sets
-      }
-      k.next.number[i] = k.failed ? k.number[i] : n;
-    }
-    k.next.info = draw(~uint64_t(0)) >> (k.of_leaves ? 0 : 32);
-    k.failed = false;
+    world.draw_next(k);
     k.offered = true;
     k.left--;
   }
@@ -221,7 +189,7 @@ private:
 
   // The head of a node of body i, bytes 0 ... 31, or the others.
   void check_nodes(const Pair &p, int i, bool head) {
-    const uint8_t *from = world.at(i, p.number[i] * NODE_BYTES);
+    const uint8_t *from = world.at(i, p.number[i] * (uint64_t)NODE_BYTES);
     for (unsigned n = head ? 0 : HEAD_BYTES; n < (head ? HEAD_BYTES : NODE_BYTES); n += 4) {
       uint64_t got = i == 0 ? bits_of(top->node_a, 8 * n, 32) : bits_of(top->node_b, 8 * n, 32);
       uint64_t wanted =
@@ -237,9 +205,9 @@ private:
   }
   void check_triangle(const Pair &p, int i, unsigned index) {
     uint64_t wanted[9];
-    bool damaged = !world.triangle(i, p.number[i], index, W, wanted);
-    if (i == 1 && top->corners_b != world.corners(i, p.number[i], index)) {
-      fault("corners", top->corners_b, world.corners(i, p.number[i], index));
+    bool damaged = !world.triangle(i, p, index, W, wanted);
+    if (i == 1 && top->corners_b != world.corners(i, p, index)) {
+      fault("corners", top->corners_b, world.corners(i, p, index));
     }
     if (triangle_bits(i, 9 * W, 1) != damaged) {
       fault("damaged", !damaged, damaged);
@@ -253,40 +221,46 @@ private:
     }
   }
 
-  // What was read in the cycle before.
+  // What was read in the cycle before, or stands since an earlier one.
   void check_reads(Kind &k, const Pair *const read[4]) {
     for (int i = 0; i < 4; i++) {
-      if (read[i] == nullptr) {
-        continue;
+      if (read[i] != nullptr) {
+        reads++;
+        k.stands[i] = true;
+        k.stood[i] = *read[i];
+        k.stood_index[i] = k.index[i % 2];
       }
-      reads++;
-      if (k.of_leaves) {
-        check_triangle(*read[i], i, k.index[i]);
-      } else {
-        check_nodes(*read[i], i % 2, i >= 2);
+      if (k.stands[i] && k.of_leaves) {
+        check_triangle(k.stood[i], i, k.stood_index[i]);
+      } else if (k.stands[i]) {
+        check_nodes(k.stood[i], i % 2, i >= 2);
       }
     }
   }
 
   // A pair that is taken; true if it came with an error.
-  bool take(Kind &k, uint64_t info, unsigned a, unsigned b, bool error) {
+  template <class Port>
+  bool take(Kind &k, const Port &info, unsigned bits, unsigned a, unsigned b, bool error) {
     if (k.in.empty()) {
       fault("a pair too many", 1, 0);
       return false;
     }
     Pair p = k.in.front();
     k.in.pop_front();
-    if (info != p.info) {
-      fault("info of a pair", info, p.info);
+    if (!has_spread(p.info, bits, info)) {
+      fault("info of a pair", bits_of(info, 0, 32), p.info & ~uint32_t(0));
     }
-    bool bad = world.is_bad(0, k.of_leaves, p.number[0], slave.options) ||
-               world.is_bad(1, k.of_leaves, p.number[1], slave.options);
+    bool bad = false;
+    for (int i = 0; i < 2; i++) {
+      bad |= world.is_bad(i, k.of_leaves, p, slave.options);
+    }
     if (error != bad) {
       fault("error of a pair", error, bad);
     }
     if (error) {
       k.failed = true;
       std::copy(p.number, p.number + 2, k.number);
+      std::copy(p.far, p.far + 2, k.far);
     }
     p.slot[0] = a;
     p.slot[1] = b;
@@ -318,15 +292,14 @@ void Traffic::drive() {
   top->node_in_valid = nodes.offered;
   top->node_in_a = nodes.next.number[0];
   top->node_in_b = nodes.next.number[1];
-  top->node_in_info = (uint32_t)nodes.next.info;
+  spread(nodes.next.info, NODE_INFO, top->node_in_info);
   top->leaf_in_valid = leaves.offered;
-  const Record &a = world.body[0].records[leaves.next.number[0] % LEAVES];
-  const Record &b = world.body[1].records[leaves.next.number[1] % LEAVES];
+  const Record a = world.record(leaves.next, 0), b = world.record(leaves.next, 1);
   top->leaf_in_a = a.place;
   top->leaf_in_b = b.place;
   top->leaf_in_beats_a = (uint8_t)(a.beats - 1);
   top->leaf_in_beats_b = (uint8_t)(b.beats - 1);
-  top->leaf_in_info = leaves.next.info;
+  spread(leaves.next.info, LEAF_INFO, top->leaf_in_info);
   top->node_out_ready = now_and_then();
   top->leaf_out_ready = now_and_then();
   top->node_release = choose_release(nodes);
@@ -390,13 +363,13 @@ bool Traffic::step() {
                  top->leaf_out_valid && top->leaf_out_ready};
   bool release[2] = {top->node_release != 0, top->leaf_release != 0};
   if (out[0]) {
-    failed |=
-        take(nodes, top->node_out_info, top->node_out_a, top->node_out_b, top->node_out_error);
+    failed |= take(nodes, top->node_out_info, NODE_INFO, top->node_out_a, top->node_out_b,
+                   top->node_out_error);
     node_pairs++;
   }
   if (out[1]) {
-    failed |=
-        take(leaves, top->leaf_out_info, top->leaf_out_a, top->leaf_out_b, top->leaf_out_error);
+    failed |= take(leaves, top->leaf_out_info, LEAF_INFO, top->leaf_out_a, top->leaf_out_b,
+                   top->leaf_out_error);
     leaf_pairs++;
   }
   for (int n = 0; n < 2; n++) {
@@ -420,7 +393,9 @@ bool Traffic::step() {
   return failed;
 }
 
-// Cycles of so many pairs of given numbers, taken and released as they come.
+// Cycles of so many pairs of given numbers, taken and released as they come. Of leaves FAR and more
+// are another page.
+constexpr unsigned FAR = 1u << 23;
 uint64_t Traffic::stream(bool of_leaves, unsigned count,
                          const std::function<unsigned(unsigned, int)> &number) {
   Kind &k = of_leaves ? leaves : nodes;
@@ -433,7 +408,8 @@ uint64_t Traffic::stream(bool of_leaves, unsigned count,
     }
     silence();
     for (int i = 0; i < 2; i++) {
-      k.next.number[i] = number(in, i);
+      k.next.number[i] = number(in, i) % FAR;
+      k.next.far[i] = of_leaves ? number(in, i) / FAR * 256 : 0;
     }
     k.offered = in < count;
     k.left = 0;
@@ -479,6 +455,30 @@ void Traffic::speed() {
   }
 }
 
+// Blocks of one set, each asked for when the numbers of pairs have come round since the one before:
+// none is pinned.
+void Traffic::come_round() {
+  new_world(0, true);
+  slave.options.error_to = slave.options.error_from = 0;
+  reset();
+  auto set = [&](unsigned n) {
+    uint64_t place = world.body[1].base / MEMORY_BEAT + world.body[1].records[n].place;
+    return (place ^ place >> LEAF_SETS) % (1 << LEAF_SETS);
+  };
+  unsigned other = 1;
+  for (; set(other) == set(0); other++) {
+  }
+  for (bool of_leaves : {false, true}) {
+    unsigned all = 8u << (of_leaves ? LEAF_WINDOW : NODE_WINDOW);
+    unsigned step = of_leaves ? FAR : 1u << 2 * NODE_SETS;
+    uint64_t before = slave.counts.bursts;
+    stream(of_leaves, 8 * all, [&](unsigned n, int i) {
+      return i == 0 || n % all > 0 ? (of_leaves ? other : 1) : n / all % 5 * step;
+    });
+    std::cout << slave.counts.bursts - before << " bursts of blocks of a set\n";
+  }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -493,6 +493,7 @@ int main(int argc, char **argv) {
             << " bad beats, " << t.stops << " runs ended by an error, " << t.drops << " dropped, "
             << t.resets << " resets, " << t.cycles << " cycles, " << t.wrong << " wrong\n";
   if (t.wrong == 0) {
+    t.come_round();
     t.speed();
   }
   return t.wrong != 0 || t.reads == 0;

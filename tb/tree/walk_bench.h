@@ -100,6 +100,7 @@ public:
   bool run(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask) {
     begin(scene, pose, ask);
     for (uint64_t cycle = 0; cycle < 2000000; cycle++) {
+      cycles++;
       top->stop = cycle == ask.stop;
       top->result_ready = stress == 0 || memory_draw(&stress) % 4 != 0;
       if (tick()) {
@@ -140,8 +141,9 @@ public:
   VerilatedTop<Vsepax_tree_bench> top;
   std::vector<Result> results;
   memory ram;
-  uint64_t thick; // pairs that are not thinnest along z
+  uint64_t thick;      // pairs that are not thinnest along z
   bool idle_at_end;    // no burst, no record is under way when the run has ended
+  uint64_t cycles = 0; // of all runs
   uint64_t stopped_at; // cycles when it was first seen to be stopped; 0: it was not
 
 private:

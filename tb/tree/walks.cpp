@@ -462,9 +462,10 @@ int main(int count, char **argument) {
     random_runs(engine, design);
   }
   std::printf("%llu runs, %llu mismatches, %llu near pairs, %llu collisions, %llu damaged, "
-              "%llu stopped\n",
+              "%llu stopped, %llu cycles\n",
               (unsigned long long)totals.runs, (unsigned long long)totals.mismatches,
               (unsigned long long)totals.near, (unsigned long long)totals.collisions,
-              (unsigned long long)totals.damaged, (unsigned long long)totals.stopped);
+              (unsigned long long)totals.damaged, (unsigned long long)totals.stopped,
+              (unsigned long long)engine.cycles);
   return totals.mismatches > 0;
 }
