@@ -11,7 +11,7 @@ static int64_t range(int64_t lo, int64_t hi) { return sepax_random_range(&rng, l
 static double unit(void) { return (double)range(-1000000, 1000000) * 1e-6; }
 
 enum { POSES_MOST = 6, TRIANGLES_MOST = 300 };
-#define FAR_BYTES (INT64_C(5) << 29)
+#define SCATTERED_BYTES (INT64_C(5) << 29)
 static int64_t jobs_most = JOBS_MOST;
 static int64_t poses_most = POSES_MOST;
 static bool is_small; /* bodies of up to 40 triangles */
@@ -203,19 +203,19 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
 }
 
 /* Bodies and jobs in memory. */
-static void draw_scene(scene *s, bool is_far) {
-  bench_base = 4096 * (uint64_t)range(1, (INT64_C(1) << 28) - (FAR_BYTES >> 12) - 1);
+static void draw_scene(scene *s, bool is_scattered) {
+  bench_base = 4096 * (uint64_t)range(1, (INT64_C(1) << 28) - (SCATTERED_BYTES >> 12) - 1);
   *s = (scene){.batch = {.jobs = (uint32_t)range(1, jobs_most), .stop_at = -1}};
   bench_clear();
-  if (is_far) {
-    bench_reserve(FAR_BYTES);
+  if (is_scattered) {
+    bench_reserve(SCATTERED_BYTES);
   }
   bench_space((size_t)range(0, 3) * 4096, 4096);
   sepax_tree_job job = {.count = 0};
   for (int i = 0; i < 2; i++) {
     s->tree[i] = some_tree(i == 1);
-    if (is_far) {
-      s->shift[i] = far_tree(s->tree[i], i == 1, &rng, job.body[i]);
+    if (is_scattered) {
+      s->shift[i] = scattered_tree(s->tree[i], i == 1, &rng, job.body[i]);
     } else {
       bench_tree(s->tree[i], job.body[i]);
     }
@@ -260,9 +260,9 @@ static void add(bench_batch *sum, const bench_batch *one) {
   sum->cycles += one->cycles;
 }
 
-static void round_of(bench_batch *sum, bool stressed, uint64_t seed, bool is_far) {
+static void round_of(bench_batch *sum, bool stressed, uint64_t seed, bool is_scattered) {
   scene s;
-  draw_scene(&s, is_far);
+  draw_scene(&s, is_scattered);
   bench_attach(some_memory(stressed, seed));
   if (range(0, 7) == 0) {
     s.batch.stop_at = (int)range(0, 5);

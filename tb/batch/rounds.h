@@ -23,7 +23,7 @@ void refusals(void);
 
 /* Put a body there of which all but the root is far behind in the image, and whose triangles have
  * great numbers, as in bodies of millions: its record; returns the shift. */
-uint32_t far_tree(const sepax_tree *tree, bool of_b, sepax_random *rng,
-                  uint8_t record[SEPAX_TREE_BODY_BYTES]);
+uint32_t scattered_tree(const sepax_tree *tree, bool of_b, sepax_random *rng,
+                        uint8_t record[SEPAX_TREE_BODY_BYTES]);
 
 #endif

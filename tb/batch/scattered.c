@@ -1,4 +1,4 @@
-/* far.c - bodies that are spread over the addresses of one of millions of triangles. */
+/* scattered.c - bodies that are spread over the addresses of one of millions of triangles. */
 #include "rounds.h"
 #include "tree/format.h"
 
@@ -8,8 +8,8 @@ enum { PAGE = 4096, NODES_A_PAGE = PAGE / TREE_NODE_BYTES, TRIANGLES = 12, BEATS
 
 static void add(uint8_t *at, uint32_t more) { tree_put32(at, tree_get32(at) + more); }
 
-uint32_t far_tree(const sepax_tree *tree, bool of_b, sepax_random *rng,
-                  uint8_t record[SEPAX_TREE_BODY_BYTES]) {
+uint32_t scattered_tree(const sepax_tree *tree, bool of_b, sepax_random *rng,
+                        uint8_t record[SEPAX_TREE_BODY_BYTES]) {
   size_t bytes;
   const uint8_t *image = sepax_tree_image(tree, &bytes);
   uint32_t nodes = (uint32_t)sepax_tree_nodes(tree);
