@@ -61,7 +61,7 @@ static void some_triangles(sepax_tri *tri, size_t count, bool of_b) {
   }
 }
 
-static sepax_tree *some_tree(bool of_b) {
+static sepax_tree *some_tree(bool of_b, sepax_vec *vertex) {
   static const int64_t most[] = {1, 16, 40, 100, TRIANGLES_MOST};
   sepax_tri *tri = malloc(TRIANGLES_MOST * sizeof *tri);
   if (tri == NULL) {
@@ -73,6 +73,7 @@ static sepax_tree *some_tree(bool of_b) {
   sepax_tree *tree = NULL;
   sepax_error error = {""};
   stop_on(!sepax_tree_new(&tree, tri, count, &grid, &error), error.text);
+  *vertex = tri[range(0, (int64_t)count - 1)].v[range(0, 2)];
   free(tri);
   return tree;
 }
@@ -165,6 +166,13 @@ static uint32_t some_leaf(const sepax_tree *tree, uint32_t shift) {
   return n > 0 ? n + shift : n;
 }
 
+/* What brings coordinate i of a turned vertex right below a whole number, where each bit counts. */
+static int64_t little_below(const sepax_tree_side *side, int i, sepax_vec p) {
+  const int32_t *m = side->matrix[i];
+  int64_t sum = (int64_t)m[0] * p.x + (int64_t)m[1] * p.y + (int64_t)m[2] * p.z + side->shift[i];
+  return (1 << 20) - (1 << range(0, 12)) - (sum & ((1 << 20) - 1));
+}
+
 static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
   sepax_error error = {""};
   sepax_tree_job job = *last;
@@ -193,6 +201,9 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
       int64_t shift[3];
       for (int i = 0; i < 3; i++) {
         shift[i] = fixed.side[0].shift[i] - (1 << 19);
+        if (range(0, 1) != 0) {
+          shift[i] += little_below(&fixed.side[0], i, s->vertex);
+        }
       }
       sepax_device_pose(bytes, (const int32_t(*)[3])fixed.side[0].matrix, shift, SEPAX_WORD,
                         (int)design.margin[1]);
@@ -213,7 +224,7 @@ static void draw_scene(scene *s, bool is_scattered) {
   bench_space((size_t)range(0, 3) * 4096, 4096);
   sepax_tree_job job = {.count = 0};
   for (int i = 0; i < 2; i++) {
-    s->tree[i] = some_tree(i == 1);
+    s->tree[i] = some_tree(i == 1, &s->vertex);
     if (is_scattered) {
       s->shift[i] = scattered_tree(s->tree[i], i == 1, &rng, job.body[i]);
     } else {

@@ -75,6 +75,9 @@ public:
           side.matrix[i][k] = entry_of(how < 4 ? how : 0);
         }
         side.shift[i] = draw(24) == 0 ? bits(44) : bits(18 + W);
+        if (draw(8) == 0) { // a single bit, and what is right below it
+          side.shift[i] = ((int64_t)1 << draw(43)) - (int64_t)draw(2);
+        }
         side.sigma[i] = (uint32_t)(draw(4) == 0 ? (uint64_t)bits(24) & 0xffffff : draw(4096));
         if (draw(16) == 0) {
           side.sigma[i] = draw(2) == 0 ? 0 : 0xffffff;
