@@ -166,11 +166,31 @@ static uint32_t some_leaf(const sepax_tree *tree, uint32_t shift) {
   return n > 0 ? n + shift : n;
 }
 
-/* What brings coordinate i of a turned vertex right below a whole number, where each bit counts. */
-static int64_t little_below(const sepax_tree_side *side, int i, sepax_vec p) {
-  const int32_t *m = side->matrix[i];
-  int64_t sum = (int64_t)m[0] * p.x + (int64_t)m[1] * p.y + (int64_t)m[2] * p.z + side->shift[i];
-  return (1 << 20) - (1 << range(0, 12)) - (sum & ((1 << 20) - 1));
+static int64_t turned(const int32_t m[3], sepax_vec p) {
+  return (int64_t)m[0] * p.x + (int64_t)m[1] * p.y + (int64_t)m[2] * p.z;
+}
+
+/* The same turn, or what is none, with entries of -1, 0 and 1, that brings a vertex near the
+ * middle, others far from it; mostly right below whole numbers, where each bit counts. */
+static void other_pose(uint8_t *bytes, sepax_tree_side side, sepax_vec vertex) {
+  bool is_turn = range(0, 2) != 0;
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3 && !is_turn; k++) {
+      side.matrix[i][k] = (int32_t)range(-1, 1) * (1 << 20);
+    }
+    int64_t sum = turned(side.matrix[i], vertex);
+    side.shift[i] = is_turn ? side.shift[i] : range(-8, 8) * (1 << 20) + (1 << 19) - sum;
+    if (range(0, 1) != 0) {
+      int64_t fraction = (sum + side.shift[i]) & ((1 << 20) - 1);
+      side.shift[i] += (1 << 20) - (1 << range(0, 12)) - fraction;
+    }
+    side.shift[i] -= 1 << 19;
+  }
+  uint8_t packed[SEPAX_TREE_POSE_BYTES];
+  if (sepax_device_pose(packed, (const int32_t(*)[3])side.matrix, side.shift, SEPAX_WORD,
+                        (int)design.margin[1])) {
+    memcpy(bytes, packed, sizeof packed);
+  }
 }
 
 static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
@@ -198,15 +218,7 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
     sepax_tree_pose_pack(&fixed, bytes);
     check_driver(bytes);
     if (range(0, 3) == 0) {
-      int64_t shift[3];
-      for (int i = 0; i < 3; i++) {
-        shift[i] = fixed.side[0].shift[i] - (1 << 19);
-        if (range(0, 1) != 0) {
-          shift[i] += little_below(&fixed.side[0], i, s->vertex);
-        }
-      }
-      sepax_device_pose(bytes, (const int32_t(*)[3])fixed.side[0].matrix, shift, SEPAX_WORD,
-                        (int)design.margin[1]);
+      other_pose(bytes, fixed.side[0], s->vertex);
     }
   }
   job.poses = bench_address(s->pose[n]);
