@@ -218,7 +218,7 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
     sepax_tree_pose_pack(&fixed, bytes);
     check_driver(bytes);
     if (range(0, 3) == 0) {
-      other_pose(bytes, fixed.side[0], s->vertex);
+      other_pose(bytes, fixed.side[0], s->vertex[1]);
     }
   }
   job.poses = bench_address(s->pose[n]);
@@ -236,7 +236,7 @@ static void draw_scene(scene *s, bool is_scattered) {
   bench_space((size_t)range(0, 3) * 4096, 4096);
   sepax_tree_job job = {.count = 0};
   for (int i = 0; i < 2; i++) {
-    s->tree[i] = some_tree(i == 1, &s->vertex);
+    s->tree[i] = some_tree(i == 1, &s->vertex[i]);
     if (is_scattered) {
       s->shift[i] = scattered_tree(s->tree[i], i == 1, &rng, job.body[i]);
     } else {
@@ -320,16 +320,22 @@ static void damage(const scene *s) {
   }
 }
 
-/* Numbers of a pose that have nothing to do with each other; mostly in their ranges. */
-static void any_pose(uint8_t *bytes) {
+/* Numbers of a pose that have nothing to do with each other, mostly in their ranges; in half of
+ * them a vertex of each body comes near one of the other. */
+static void any_pose(const scene *s, uint8_t *bytes) {
   sepax_tree_pose pose;
+  bool is_close = range(0, 1) != 0;
   int64_t small = range(0, 1) != 0 ? INT64_C(1) << 43 : INT64_C(1) << range(10, 42);
   for (int side = 0; side < 2; side++) {
     for (int k = 0; k < 9; k++) {
       pose.side[side].matrix[k / 3][k % 3] = (int32_t)range(-(1 << 20), 1 << 20);
     }
     for (int k = 0; k < 3; k++) {
-      pose.side[side].shift[k] = range(-small, small - 1);
+      const sepax_vec to = s->vertex[side];
+      const int64_t at = (k == 0 ? to.x : k == 1 ? to.y : to.z) * (INT64_C(1) << 20);
+      const int64_t close =
+          range(-(1 << 22), 1 << 22) + at - turned(pose.side[side].matrix[k], s->vertex[1 - side]);
+      pose.side[side].shift[k] = is_close ? close : range(-small, small - 1);
       pose.side[side].sigma[k] = (uint32_t)range(0, (1 << range(1, 24)) - 1);
     }
   }
@@ -342,9 +348,12 @@ static void any_pose(uint8_t *bytes) {
 static void damaged_round(bench_batch *sum, bool stressed, uint64_t seed) {
   scene s;
   some_scene(&s);
-  damage(&s);
-  if (is_small && range(0, 2) == 0) {
-    any_pose(bench_at(s.pose[0]));
+  bool is_posed = is_small && range(0, 2) == 0;
+  if (!is_posed || range(0, 1) != 0) {
+    damage(&s);
+  }
+  if (is_posed) {
+    any_pose(&s, bench_at(s.pose[0]));
   }
   memory_options options = some_memory(stressed, seed);
   if (range(0, 3) == 0) {

@@ -11,8 +11,8 @@ typedef struct {
   sepax_tree *tree[2];
   size_t job[JOBS_MOST], pose[JOBS_MOST], poses[JOBS_MOST]; /* where they are */
   size_t body[2], bytes[2];
-  sepax_vec vertex;  /* of B */
-  uint32_t shift[2]; /* of the numbers of nodes, but for the roots */
+  sepax_vec vertex[2]; /* one of each body */
+  uint32_t shift[2];   /* of the numbers of nodes, but for the roots */
   bench_batch batch;
 } scene;
 

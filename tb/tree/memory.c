@@ -71,7 +71,8 @@ static void answer(memory *m) {
 }
 
 const memory_slave *memory_drive(memory *m) {
-  m->slave.arready = m->counts.open < MEMORY_OPEN_MAX && goes_on(m);
+  bool blocked = m->options.stress != 0 && (m->cycle / 64 + m->options.stress) % 8 == 0;
+  m->slave.arready = m->counts.open < MEMORY_OPEN_MAX && goes_on(m) && !blocked;
   if (!m->slave.rvalid && m->head != m->tail && m->cycle >= m->open[m->head].due && goes_on(m)) {
     answer(m);
   }

@@ -20,7 +20,8 @@ typedef struct {
   bool repeated;        /* above base they come again and again; size is a power of two */
   int latency;          /* cycles from an address to its first beat, 1 or more */
   int open_max;         /* bursts that the master may have open; 0: 16 */
-  uint64_t stress;      /* 0: none; else a seed: addresses wait, beats come late and with gaps */
+  uint64_t stress;      /* 0: none; else a seed: addresses wait, up to 64 cycles in which none is
+                         * taken, beats come late and with gaps */
   /* Beats in [error_from, error_to) are answered with SLVERR. */
   uint64_t error_from, error_to;
   uint64_t error_odds; /* and one beat in so many, at random; 0: none */
