@@ -152,9 +152,12 @@ static void bits_of_jobs(subject *s) {
   for (size_t body = 0; body < 2; body++) {
     uint8_t *record = s->job + SEPAX_TREE_BODY_BYTES * body;
     for (int k = 0; k < 23; k++) { /* nodes that end just behind the image */
-      tree_put32(record + NODES, UINT32_C(1) << k);
-      tree_put32(record + BEATS, (UINT32_C(8) << k) - 1);
-      try_it(s, "an image that is too short");
+      for (uint32_t one = 0; one < 2; one++) {
+        uint32_t nodes = UINT32_C(1) << k | one;
+        tree_put32(record + NODES, nodes);
+        tree_put32(record + BEATS, 8 * nodes - 1);
+        try_it(s, "an image that is too short");
+      }
     }
     tree_put32(record + BEATS, UINT32_MAX);
     tree_put32(record + NODES, TREE_NODES_MAX);

@@ -1,6 +1,7 @@
 /* rounds.c - seeded bodies, poses and modes of jobs for the tree engine's test bench; bytes that
  * are damaged, memory that answers with errors, resets. */
 #include "rounds.h"
+#include "tree/format.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -297,9 +298,15 @@ static void round_of(bench_batch *sum, bool stressed, uint64_t seed, bool is_sca
 
 /* ------------------------------------------------------------------- damage */
 
-/* Some bytes of trees, jobs or poses become any others. */
+/* Some bytes of trees, jobs or poses become any others; the first row may be of any node. */
 static void damage(const scene *s) {
   int64_t count = range(1, 6);
+  if (range(0, 7) == 0) {
+    int i = (int)range(0, 1);
+    uint32_t node = (uint32_t)range(0, (int64_t)sepax_tree_nodes(s->tree[i]) - 1);
+    tree_put32(bench_at(s->job[0] + 88 + 4 * (size_t)i), node);
+    count = range(0, 1);
+  }
   while (count-- > 0) {
     int64_t where = range(0, 9);
     size_t at;
