@@ -171,7 +171,7 @@ netlist-sweep: $(SEPAX)
 MUTATIONS = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
             "WORD=8 II=1" "WORD=6 II=3" "WORD=6 II=1 EARLY_OUT=boxes" \
             "WORD=4 II=3 CLEARANCE=1 WARNING=3" "ARCH=paper WORD=4" \
-            "WORD=8 II=6 LANES=4 MEMORY_A=128 MEMORY_B=128" "WORD=6 II=6 TREE=1")
+            "WORD=4 II=3 LANES=4 MEMORY_A=128 MEMORY_B=128" "WORD=6 II=6 TREE=1")
 mutation: $(SEPAX)
 	@scripts/designs mutated $(MUTATIONS)
 mutations:

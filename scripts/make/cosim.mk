@@ -132,7 +132,9 @@ TREE_ENGINE = $(CORE)/tree-engine
 TREE_SRC    = $(wildcard tb/batch/*.c) tb/engine/crowd.c tb/tree/memory.c \
               examples/tree/sepax_tree_driver.c
 TREE_C      = $(patsubst %.c,$(ENGINE_OBJ)/%.o,$(notdir $(TREE_SRC)))
-TREE_DEPS   = $(RTL) $(wildcard tb/tree/*.h tb/batch/*.h tb/engine/*.h examples/tree/*.h)
+POSE_CHECK  = tb/batch/sepax_pose_check.sv
+TREE_DEPS   = $(RTL) $(POSE_CHECK) $(wildcard $(addsuffix /*.h,tb/tree tb/batch tb/engine \
+              examples/tree))
 TREE_CC     = $(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/tree -I$(CORE)/rtl
 LATENCY    ?= 100
 ROUNDS     ?= 20
@@ -143,7 +145,7 @@ $(TREE_ENGINE): tb/engine/bus.cpp $(LIB) $(TREE_DEPS) $(TREE_SRC)
 	@mkdir -p $(ENGINE_OBJ)
 	@$(foreach c,$(TREE_SRC),$(TREE_CC) -c $(c) -o $(ENGINE_OBJ)/$(notdir $(c:.c=.o)) &&) true
 	@$(call verilate,sepax_engine,$(if $(WAVE_FILE),--trace-fst) $(BUS_FLAGS),$(abspath \
-	  tb/engine/bus.cpp $(TREE_C) $(LIB)))
+	  $(POSE_CHECK) tb/engine/bus.cpp $(TREE_C) $(LIB)))
 
 ifeq ($(filter on,$(TREE)),)
 tree-engine:

@@ -242,12 +242,12 @@ public:
     }
   }
 
-  // A pair of any two leaves, or where `all`, of any two numbers.
+  // A pair of any two leaves, or where `all`, of any nodes or numbers.
   sepax_tree_pair any_row(const Scene &scene, bool all) {
     sepax_tree_pair pair = {};
     for (int body = 0; body < 2; body++) {
       const uint8_t *head;
-      int tries = 0;
+      int tries = all && below(4) == 0 ? 1000 : 0; // with a node that is no leaf
       do {
         pair.leaf[body] = (uint32_t)(draw() % scene.nodes(body));
         head = &scene.bytes[scene.at[body] + SEPAX_TREE_NODE_BYTES * pair.leaf[body]];
@@ -265,11 +265,14 @@ public:
   sepax_tree_pose any_pose() {
     sepax_tree_pose pose;
     int small = below(2) == 0 ? 44 : 20 + below(24);
+    bool far = below(4) == 0; // vertices as far as can be
     for (sepax_tree_side &side : pose.side) {
       for (int k = 0; k < 9; k++) {
         int64_t one = 1 << 20;
         int64_t any = (int64_t)(draw() % (uint64_t)(2 * one + 1)) - one;
-        side.matrix[k / 3][k % 3] = (int32_t)(below(8) == 0 ? one * (below(3) - 1) : any);
+        side.matrix[k / 3][k % 3] = (int32_t)(far            ? one * (2 * below(2) - 1)
+                                           : below(8) == 0 ? one * (below(3) - 1)
+                                                           : any);
       }
       for (int k = 0; k < 3; k++) {
         side.shift[k] = bits(small);

@@ -302,7 +302,8 @@ Ask draw_ask(const Scene &scene, bool is_new, const sepax_tree_pair *last) {
   ask.quiet = below(8) == 0;
   ask.cold = is_new || below(2) == 0;
   ask.row = below(3) == 0;
-  ask.pair = last != nullptr && below(2) == 0 ? *last : damage.any_row(scene, options.any);
+  bool any = options.any || below(2) == 0;
+  ask.pair = last != nullptr && below(2) == 0 ? *last : damage.any_row(scene, any);
   ask.budget = happens(options.stops) ? (uint32_t)(1 + below(3000)) : UINT32_MAX;
   ask.stop = happens(options.stops) ? (uint64_t)below(3000) : UINT64_MAX;
   return ask;
@@ -336,7 +337,7 @@ void random_runs(Engine &e, const sepax_design &design) {
     sepax_tree_pair last = {};
     bool known = false, is_new = true;
     bool harmed = options.any || happens(options.damage);
-    int poses = options.any ? 20 : 1 + below(4);
+    int poses = options.any ? 20 : 1 + below(8);
     for (; poses > 0 && is_going_on(); poses--) {
       sepax_tree_pose pose = draw_pose(scene, design);
       Ask ask = draw_ask(scene, is_new, known ? &last : nullptr);
