@@ -1,7 +1,7 @@
 // The numbers of a pose stand at the tree engine, as they came from the memory, when a run begins
 // and when it ends (docs/tree.md, the record of a pose).
 module sepax_pose_check (
-  input wire clk, load, start, done,
+  input wire clk, resetn, load, start, done,
   input wire [3:0] beat,
   input wire [127:0] data,
   input wire [197:0] matrix_m, matrix_k,
@@ -28,12 +28,12 @@ module sepax_pose_check (
 
   always @(posedge clk) begin
     if (load) record[128*beat +: 128] <= data;
-    if ((start || done) && !same) $fatal(1, "a number of the pose is another one");
+    if (resetn && (start || done) && !same) $fatal(1, "a number of the pose is another one");
   end
 endmodule
 
 bind sepax_engine sepax_pose_check pose_check (
-  .clk(aclk), .load(load_pose), .start(run_start), .done(run_done), .beat(beat), .data(read_data),
-  .matrix_m(matrix_m), .matrix_k(matrix_k), .shift_t(shift_t), .shift_u(shift_u),
-  .sigma_a(sigma_a), .sigma_b(sigma_b)
+  .clk(aclk), .resetn(aresetn), .load(load_pose), .start(run_start), .done(run_done),
+  .beat(beat), .data(read_data), .matrix_m(matrix_m), .matrix_k(matrix_k), .shift_t(shift_t),
+  .shift_u(shift_u), .sigma_a(sigma_a), .sigma_b(sigma_b)
 );
