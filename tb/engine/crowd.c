@@ -29,6 +29,24 @@ static uint32_t some_value(uint32_t bits) {
   }
 }
 
+static bool is_known(const crowd_register *known, size_t count, uint32_t address) {
+  for (size_t n = 0; n < count; n++) {
+    if (known[n].address == address) {
+      return true;
+    }
+  }
+  return address == SEPAX_COMMAND;
+}
+
+/* Small numbers, which a register would take, to addresses that are none or can only be read. */
+static void write_elsewhere(const crowd_register *known, size_t count) {
+  for (uint32_t at = 0; at < ADDRESSES; at++) {
+    for (uint32_t value = 0; value < 8 && !is_known(known, count, at); value++) {
+      expect("a write to what cannot be written", bus_write(NULL, at, value), 0);
+    }
+  }
+}
+
 void crowd(const crowd_register *known, size_t count, uint64_t seed) {
   bool there[ADDRESSES];
   uint32_t value[ADDRESSES];
@@ -36,6 +54,7 @@ void crowd(const crowd_register *known, size_t count, uint64_t seed) {
   for (uint32_t at = 0; at < ADDRESSES; at++) {
     there[at] = bus_read(NULL, at, &value[at]);
   }
+  write_elsewhere(known, count);
   for (int round = 0; round < 2 * ROUNDS; round++) {
     bus_access list[ACCESSES];
     bool ok[ACCESSES];

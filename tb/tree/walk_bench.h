@@ -264,8 +264,8 @@ public:
   // Numbers of a pose that are in their ranges, which is all that they have to do with each other.
   sepax_tree_pose any_pose() {
     sepax_tree_pose pose;
-    int small = below(2) == 0 ? 44 : 20 + below(24);
-    bool far = below(4) == 0; // vertices as far as can be
+    bool far = below(4) == 0; // vertices as far as can be, on both sides
+    int small = far ? 25 + below(4) : below(2) == 0 ? 44 : 20 + below(24);
     for (sepax_tree_side &side : pose.side) {
       for (int k = 0; k < 9; k++) {
         int64_t one = 1 << 20;

@@ -1,8 +1,9 @@
 // walks.cpp - the verilated tree engine against its golden model: random bodies and poses, or two
 // STL files in the pose of their files. Pairs, their order, flags and counters are compared. --any:
-// before each run bytes of the trees are damaged, poses are mostly any numbers, and the memory is
-// quick or slow, with gaps and without. --dense: bodies of large triangles about one point.
-// --collisions=N: until there are so many.
+// before most runs bytes of the trees are damaged, poses are mostly any numbers, and the memory is
+// quick or slow, with gaps and without. --dense: bodies of large triangles about one point. --rows:
+// every second run has a first row, often of nodes that are no leaves, and finds the caches as they
+// are. --collisions=N: until there are so many.
 #include "tree/walk_bench.h"
 
 #include "sepax.h"
@@ -21,7 +22,7 @@ struct Options {
   unsigned runs = 100;
   uint64_t seed = 1, stress = 0, damage = 0, stops = 0, errors = 0, resets = 0, fault = 0;
   int latency = 100, size = 60, verbose = 0;
-  bool any = false, dense = false;
+  bool any = false, dense = false, rows = false;
   uint64_t collisions = 0;
   unsigned line = 32, stack = 1024;
   double resolution = 0;
@@ -300,10 +301,13 @@ Ask draw_ask(const Scene &scene, bool is_new, const sepax_tree_pair *last) {
   Ask ask;
   ask.first = below(4) == 0;
   ask.quiet = below(8) == 0;
-  ask.cold = is_new || below(2) == 0;
-  ask.row = below(3) == 0;
+  ask.cold = is_new || (!options.rows && below(2) == 0);
+  ask.row = below(options.rows ? 2 : 3) == 0;
   bool any = options.any || below(2) == 0;
   ask.pair = last != nullptr && below(2) == 0 ? *last : damage.any_row(scene, any);
+  if (any && below(2) == 0) { // with a root: behind a hit, leaves of the other are in the cache
+    ask.pair.leaf[below(2)] = 0;
+  }
   ask.budget = happens(options.stops) ? (uint32_t)(1 + below(3000)) : UINT32_MAX;
   ask.stop = happens(options.stops) ? (uint64_t)below(3000) : UINT64_MAX;
   return ask;
@@ -337,7 +341,7 @@ void random_runs(Engine &e, const sepax_design &design) {
     sepax_tree_pair last = {};
     bool known = false, is_new = true;
     bool harmed = options.any || happens(options.damage);
-    int poses = options.any ? 20 : 1 + below(8);
+    int poses = options.any || options.rows ? 20 : 1 + below(8);
     for (; poses > 0 && is_going_on(); poses--) {
       sepax_tree_pose pose = draw_pose(scene, design);
       Ask ask = draw_ask(scene, is_new, known ? &last : nullptr);
@@ -352,7 +356,7 @@ void random_runs(Engine &e, const sepax_design &design) {
         e.reset();
         ask.cold = true;
       }
-      if (harmed && (is_new || options.any)) {
+      if (harmed && (is_new || (options.any && below(4) > 0))) {
         scene.place();
         damage.harm(scene);
         ask.cold = true;
@@ -431,6 +435,8 @@ void read_options(int count, char **argument) {
       options.any = true;
     } else if (std::strcmp(a, "--dense") == 0) {
       options.dense = true;
+    } else if (std::strcmp(a, "--rows") == 0) {
+      options.rows = true;
     } else if (std::strcmp(a, "-v") == 0) {
       options.verbose = 1;
     } else if (std::strncmp(a, "--wave=", 7) == 0) {
