@@ -14,7 +14,8 @@ typedef struct {
 } crowd_register;
 
 /* After a reset: small numbers to each other address, which are refused; then writes to them and
- * elsewhere, and reads, all under way at once, with gaps. What is read then is what was written. Settings are not what they were before. */
+ * elsewhere, and reads, all under way at once, with gaps. What is read then is what was written.
+ * Settings are not what they were before. */
 void crowd(const crowd_register *known, size_t count, uint64_t seed);
 
 /* Of the bench: count and print what is not as it must be. */

@@ -161,6 +161,31 @@ static void stay_away(sepax_tri *a, sepax_tri *b, bool paced) {
   }
 }
 
+/* One triangle of A and one of B meet, in each place whose number is a power of 2, or one less: the
+ * numbers of the first collision. */
+static void one_pair(sepax_tri *a, sepax_tri *b, bool paced) {
+  static const sepax_tri there = {{{-3, -1, -1}, {-1, 1, 0}, {-2, 0, 1}}};
+  const int32_t high = sepax_word_max(SEPAX_WORD);
+  const int32_t low = sepax_word_min(SEPAX_WORD);
+  const sepax_tri away[2] = {{{{low, 0, 0}, {low + 1, 1, 0}, {low + 1, 0, 1}}},
+                             {{{high, 0, 0}, {high - 1, 1, 0}, {high - 1, 0, 1}}}};
+  sepax_tri *object[2] = {a, b};
+  for (int which = 0; which < 2; which++) {
+    for (size_t power = 1; power <= device.capacity[which]; power *= 2) {
+      for (size_t at = power - 1; at <= power && at < device.capacity[which]; at++) {
+        size_t count[2] = {1, 1};
+        count[which] = at + 1;
+        for (size_t k = 0; k <= at; k++) {
+          object[which][k] = away[which];
+        }
+        a[count[0] - 1] = b[count[1] - 1] = there;
+        const task t = {a, b, count[0], count[1], {0, 0, 0}, false};
+        expect("one pair that collides", run_task(&t, paced).collisions, 1);
+      }
+    }
+  }
+}
+
 /* 1, 2, 4 ... triangles of B leave the word, and one of A overlaps them all; then all do. */
 static void leave_the_word(sepax_tri *a, sepax_tri *b, size_t size, bool paced) {
   const int32_t high = sepax_word_max(SEPAX_WORD);
@@ -188,5 +213,6 @@ void objects(sepax_tri *a, sepax_tri *b, size_t size, bool paced) {
   slanted_planes(a, b, some, paced);
   bursts(a, b, paced);
   stay_away(a, b, paced);
+  one_pair(a, b, paced);
   leave_the_word(a, b, size, paced);
 }
