@@ -146,6 +146,9 @@ void refusals(void) {
   send_beats(3 * (size_t)SEPAX_MEMORY_A + 3, false);
   expect("more than A's memory holds",
          value_of(SEPAX_STATUS) & (SEPAX_STATUS_LOADED_A | SEPAX_STATUS_FULL), SEPAX_STATUS_FULL);
+  send_beats(3 * (size_t)SEPAX_MEMORY_A + 1, false);
+  expect("a vertex more, which is no triangle",
+         value_of(SEPAX_STATUS) & (SEPAX_STATUS_FULL | SEPAX_STATUS_PARTIAL), SEPAX_STATUS_PARTIAL);
   send_beats(3 * (size_t)SEPAX_MEMORY_A + 5, false);
   expect("more, and not whole",
          value_of(SEPAX_STATUS) &
@@ -205,6 +208,23 @@ static void vertex_beside_start(bool paced) {
     expect("it is whole", value_of(SEPAX_COUNT_A), 1);
   }
   expect("some come before START", !paced || (before > 0 && before < 11), 1);
+}
+
+/* A vertex is offered in each of the cycles about a write that is no START: it does not wait. */
+static void vertex_beside_write(bool paced) {
+  static const uint32_t write[2][2] = {{SEPAX_ENABLE, 1}, {SEPAX_COMMAND, SEPAX_COMMAND_STOP}};
+  const int32_t vertex[3] = {1, 1, 1};
+  for (int n = 0; n < 2; n++) {
+    for (uint64_t after = 1; after < 12; after++) {
+      uint64_t begun = bus_cycles();
+      bus_offer(vertex, false, false, after);
+      expect("a write beside a vertex", bus_write(NULL, write[n][0], write[n][1]), 1);
+      expect("a vertex beside a write", bus_sent(), 1);
+      expect("it comes when it is offered", paced ? bus_came() + 1 - begun : after, after);
+      send_beats(2, false);
+    }
+  }
+  expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, 0), 1);
 }
 
 /* PENDING is cleared in each of the cycles about an event: it stands until it is cleared behind
@@ -323,6 +343,7 @@ void controls(sepax_tri *a, sepax_tri *b, uint64_t blocked, bool paced) {
     expect("START and another bit", bus_write(NULL, SEPAX_COMMAND, command), 0);
   }
   vertex_beside_start(paced);
+  vertex_beside_write(paced);
   if (paced) {
     clear_beside(SEPAX_PENDING_DONE, false);
     clear_beside(SEPAX_PENDING_HIT, false);
