@@ -150,7 +150,7 @@ module load_properties (
     input wire [95:0] tdata
 );
   wire tready, write_a, write_b;
-  wire [9:0] count_a, count_b;
+  wire [`INDEX:0] count_a, count_b;
   sepax_load dut (
       .clk(clk), .rst(rst), .busy(busy), .tvalid(tvalid), .tready(tready), .tdata(tdata),
       .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b), .count_a(count_a),
@@ -187,32 +187,33 @@ module object_properties (
     input wire [95:0] tdata
 );
   localparam W = `WORD;
+  localparam N = `INDEX; // bits of a triangle's number; a count has one more
 `ifdef FPGA
   localparam LATE = 3; // cycles from a last vertex to its triangle
 `else
   localparam LATE = 2;
 `endif
   wire tready, write_a, write_b, loading;
-  wire [8:0] address;
+  wire [N-1:0] address;
   wire [9*W-1:0] triangle;
-  wire [9:0] count_a, count_b;
+  wire [N:0] count_a, count_b;
   sepax_load dut (
       .clk(clk), .rst(rst), .busy(busy), .tvalid(tvalid), .tready(tready), .tdata(tdata),
       .tlast(tlast), .tdest(tdest), .write_a(write_a), .write_b(write_b), .address(address),
       .triangle(triangle), .count_a(count_a), .count_b(count_b), .loading(loading));
 
   // The model: the corner that comes, triangles before it in this object, all of it in range.
-  localparam T = 9 * W + 11; // a triangle that is written: into {b, a}, its number, its corners
+  localparam T = 9 * W + N + 2; // a triangle that is written: into {b, a}, its number, its corners
   reg [1:0] corner;
-  reg [9:0] before;            // not above 512: no more are kept
+  reg [N:0] before;            // not above 2^N: no more are kept
   reg       fit, of_b;
   reg [6*W-1:0] corners;       // the two before
-  reg [9:0] want_a, want_b;    // the counts
-  reg [LATE*20-1:0] counts;    // a cycle ago (lowest), two ago ...
+  reg [N:0] want_a, want_b;    // the counts
+  reg [LATE*(2*N+2)-1:0] counts; // a cycle ago (lowest), two ago ...
   reg [LATE*T-1:0]  triangles; // in this cycle (lowest), a cycle ago ...
   wire take = tvalid && tready;
-  wire first = corner == 2'd0 && before == 10'd0;
-  wire free = !before[9];
+  wire first = corner == 2'd0 && before == 0;
+  wire free = !before[N];
   wire third = corner == 2'd2;
   wire b = first ? tdest : of_b;
   wire [2:0] fits;
@@ -225,21 +226,21 @@ module object_properties (
       assign fits[n] = $signed(tdata[32*n +: 32]) == $signed(vertex[n*W +: W]);
     end
   endgenerate
-  wire [19:0] wanted = {counts, want_b, want_a} >> 20 * (LATE - 2);
+  wire [2*N+1:0] wanted = {counts, want_b, want_a} >> (2 * N + 2) * (LATE - 2);
   reg begun = 1'b0;
   always @(posedge clk) begin
     begun <= 1'b1;
     assume (begun || rst);
     if (take) begin
       corner <= tlast || third ? 2'd0 : corner + 2'd1;
-      before <= tlast ? 10'd0 : before + {9'd0, third && free};
+      before <= tlast ? 0 : before + (third && free);
       {fit, of_b} <= {all_fit, b};
       corners <= {vertex, corners[3*W +: 3*W]};
-      if (b) want_b <= tlast && third && all_fit && free ? before + 10'd1 : 10'd0;
-      else want_a <= tlast && third && all_fit && free ? before + 10'd1 : 10'd0;
+      if (b) want_b <= tlast && third && all_fit && free ? before + 1 : 0;
+      else want_a <= tlast && third && all_fit && free ? before + 1 : 0;
     end
     counts <= {counts, want_b, want_a};
-    triangles <= {triangles, {b, !b} & {2{take && third && free}}, before[8:0], vertex, corners};
+    triangles <= {triangles, {b, !b} & {2{take && third && free}}, before[N-1:0], vertex, corners};
     if (rst) begin
       {corner, before, want_a, want_b, counts, triangles} <= 0;
     end
