@@ -46,6 +46,7 @@ module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
   // Nobody holds the walk up.
   (* hierconn *) wire \dut.head_read , \dut.fetch , \dut.row_counted , \dut.no_leaves ;
   (* hierconn *) wire \dut.is_direct , \dut.faulty , \dut.out_ready , \dut.leaf_in_valid ;
+  (* hierconn *) wire \dut.in_valid ;
   wire free = node_in_ready && in_ready && leaf_in_ready && row_ready && !clear &&
               (away == 16'd0 || node_out_valid) && (!\dut.current_q || out_valid);
   // What can happen only so often in a run, if the stack is bounded.
@@ -80,6 +81,8 @@ module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
       assume (count + 16'd15 * popped_level <= PLACES && popped_level <= height);
     end
     if (begun) begin
+      // What came with an error is neither read nor compared.
+      if (node_out_valid && node_out_error) assert (!\dut.head_read && !\dut.in_valid );
       assert (step == 3'd0 || step == 3'd1 || step == 3'd2 || step == 3'd4);
       assert (step == 3'd0 || away != 16'd0);
       assert (stored <= 3'd4 && !(step != 3'd0 && stored == 3'd4));
