@@ -82,6 +82,9 @@ public:
         if (draw(16) == 0) {
           side.sigma[i] = draw(2) == 0 ? 0 : 0xffffff;
         }
+        if (draw(8) == 0) { // a single bit, which a shift may leave of it
+          side.sigma[i] = (uint32_t)1 << draw(24);
+        }
       }
     }
     if (how >= 4) {

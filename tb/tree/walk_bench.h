@@ -221,8 +221,15 @@ public:
   int below(int count) { return (int)(draw() % (uint64_t)count); }
   int64_t bits(int count) { return (int64_t)(draw() << (64 - count)) >> (64 - count); }
 
-  // Any bytes, bytes that say where things are, and the beats of records.
-  void harm(Scene &scene) {
+  // Any bytes, bytes that say where things are, and the beats of records; or where `high`, bits
+  // alone that are too high in what says where things are.
+  void harm(Scene &scene, bool high) {
+    if (high) {
+      int body = below(2);
+      size_t node = scene.at[body] + SEPAX_TREE_NODE_BYTES * (draw() % scene.nodes(body));
+      scene.bytes[node + 19 + 4 * (size_t)below(2)] ^= (uint8_t)(1 << below(8));
+      return;
+    }
     for (int count = 1 + below(1 + below(8)); count > 0; count--) {
       int body = below(2);
       size_t node = scene.at[body] + SEPAX_TREE_NODE_BYTES * (draw() % scene.nodes(body));

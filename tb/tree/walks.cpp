@@ -3,7 +3,8 @@
 // before most runs bytes of the trees are damaged, poses are mostly any numbers, and the memory is
 // quick or slow, with gaps and without. --dense: bodies of large triangles about one point. --rows:
 // every second run has a first row, often of nodes that are no leaves, and finds the caches as they
-// are. --collisions=N: until there are so many.
+// are. --collisions=N: until there are so many. --high: what is damaged are high bits of where
+// things are.
 #include "tree/walk_bench.h"
 
 #include "sepax.h"
@@ -22,7 +23,7 @@ struct Options {
   unsigned runs = 100;
   uint64_t seed = 1, stress = 0, damage = 0, stops = 0, errors = 0, resets = 0, fault = 0;
   int latency = 100, size = 60, verbose = 0;
-  bool any = false, dense = false, rows = false;
+  bool any = false, dense = false, rows = false, high = false;
   uint64_t collisions = 0;
   unsigned line = 32, stack = 1024;
   double resolution = 0;
@@ -358,7 +359,7 @@ void random_runs(Engine &e, const sepax_design &design) {
       }
       if (harmed && (is_new || (options.any && below(4) > 0))) {
         scene.place();
-        damage.harm(scene);
+        damage.harm(scene, options.high);
         ask.cold = true;
       }
       is_new = false;
@@ -437,6 +438,8 @@ void read_options(int count, char **argument) {
       options.dense = true;
     } else if (std::strcmp(a, "--rows") == 0) {
       options.rows = true;
+    } else if (std::strcmp(a, "--high") == 0) {
+      options.high = true;
     } else if (std::strcmp(a, "-v") == 0) {
       options.verbose = 1;
     } else if (std::strncmp(a, "--wave=", 7) == 0) {
