@@ -20,7 +20,7 @@ CASE(every_family_at_every_word) {
   for (size_t family = 0; family < family_count(); family++) {
     for (int word = SEPAX_WORD_MIN; word <= SEPAX_WORD_MAX; word++) {
       sepax_random random = seeded(family, word);
-      for (int round = 0; round < 30; round++) {
+      for (int round = 0; round < FEWER(30); round++) {
         for (size_t n = 0; n < BLOCK; n++) {
           sepax_pair pair = sepax_family_triangles(family, word, &random);
           t[0][n] = pair.a;

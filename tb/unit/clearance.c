@@ -11,11 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#ifdef EXACT_PAIRS /* make sanitize */
-#define REAL_PAIRS 20000
-#else
-#define REAL_PAIRS 200000
-#endif
+#define REAL_PAIRS (FEWER_BY > 1 ? 100000 / FEWER_BY : 200000)
 #define FAULT_PAIRS FEWER(40000)
 #define TIGHT_PAIRS (REAL_PAIRS / 4)
 

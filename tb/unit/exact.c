@@ -6,9 +6,7 @@
 #include "oracle/pair_tools.h"
 #include "harness.h"
 
-#ifndef EXACT_PAIRS
-#define EXACT_PAIRS 1000000
-#endif
+#define EXACT_PAIRS (FEWER_BY > 1 ? 100000 / FEWER_BY : 1000000)
 #define SYMMETRY_PAIRS FEWER(4000)
 #define MISMATCHES_SHOWN 20
 #define AXES 13
