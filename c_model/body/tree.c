@@ -160,9 +160,10 @@ static bool add_part(builder *b, const range *whole, int level, uint32_t *number
   return true;
 }
 
-/* The tree below a range, or down to its parts where t is the top. */
-static bool build_node(builder *b, subtree *t, const range *whole, int level, uint32_t *number) {
-  if (t == &b->top && count_of(&t->whole) > PART && count_of(whole) <= PART) {
+/* The tree below a range, or down to parts of their own. */
+static bool build_node(builder *b, subtree *t, bool to_parts, const range *whole, int level,
+                       uint32_t *number) {
+  if (to_parts && count_of(whole) <= PART) {
     return add_part(b, whole, level, number);
   }
   size_t own = t->nodes;
@@ -175,7 +176,7 @@ static bool build_node(builder *b, subtree *t, const range *whole, int level, ui
   for (int lane = 0; lane < parts; lane++) {
     const range *r = &part[lane];
     uint32_t child = BODY_TRIANGLE + r->begin;
-    if (count_of(r) > 1 && !build_node(b, t, r, level + 1, &child)) {
+    if (count_of(r) > 1 && !build_node(b, t, to_parts, r, level + 1, &child)) {
       return false;
     }
     set_lane(&t->node[own], lane, &r->bounds, child);
@@ -188,7 +189,7 @@ static void build_part(void *context, size_t part) {
   builder *b = context;
   subtree *t = &b->part[part];
   uint32_t root;
-  build_node(b, t, &t->whole, t->level, &root);
+  build_node(b, t, false, &t->whole, t->level, &root);
 }
 
 /* Nodes in the numbers of the whole tree, in which those of a subtree begin at `first`. */
@@ -282,7 +283,7 @@ static bool build(builder *b, size_t threads) {
     }
     uint32_t root;
     b->top.whole = (range){0, (uint32_t)count, bounds_of(b->entry, 0, (uint32_t)count)};
-    ok = build_node(b, &b->top, &b->top.whole, 0, &root);
+    ok = build_node(b, &b->top, count > PART, &b->top.whole, 0, &root);
   }
   if (ok) {
     threads_run(threads, b->parts, build_part, b);
