@@ -227,7 +227,7 @@ public:
     if (high) {
       int body = below(2);
       size_t node = scene.at[body] + SEPAX_TREE_NODE_BYTES * (draw() % scene.nodes(body));
-      scene.bytes[node + 19 + 4 * (size_t)below(2)] ^= (uint8_t)(1 << below(8));
+      scene.bytes[node + 17 + 4 * (size_t)below(2) + (size_t)below(3)] ^= (uint8_t)(1 << below(8));
       return;
     }
     for (int count = 1 + below(1 + below(8)); count > 0; count--) {
