@@ -143,6 +143,9 @@ static int check(uint64_t count) {
 
 /* --------------------------------------------------------------------- scale */
 
+/* Each figure is the best of rounds for so many seconds; -q: of one. */
+static double seconds_each = 0.5;
+
 static void best_of(double *best, double took) {
   *best = *best == 0 || took < *best ? took : *best;
 }
@@ -157,7 +160,8 @@ static void scale_pairs(void) {
   }
   for (size_t count = 1000; count <= MOST; count *= 10) {
     double best = 0;
-    for (size_t round = 0; round < 3 + 1000000 / count; round++) {
+    size_t rounds = seconds_each > 0 ? 3 + 1000000 / count : 1;
+    for (size_t round = 0; round < rounds; round++) {
       double start = seconds_now();
       sepax_exact_pairs(SEPAX_PATH_BEST, &batch.a, &batch.b, count, batch.bits);
       best_of(&best, seconds_now() - start);
@@ -203,7 +207,7 @@ static void scale_meshes(void) {
     for (int brute = 0; brute < (triangles <= 10000 ? 2 : 1); brute++) {
       size_t collisions;
       double took = 0;
-      double end = seconds_now() + 0.5;
+      double end = seconds_now() + seconds_each;
       do {
         best_of(&took, search(&scene, 1, brute != 0, &collisions));
       } while (seconds_now() < end);
@@ -227,7 +231,7 @@ static int meshes(const char *const path[2]) {
   printf("%s, %s: %zu x %zu triangles\n", path[0], path[1], scene.count[0], scene.count[1]);
   double best[4] = {0};
   size_t collisions[4];
-  double end = seconds_now() + 5;
+  double end = seconds_now() + 10 * seconds_each;
   do {
     for (int way = 0; way < 4; way++) {
       best_of(&best[way], search(&scene, 1 + way % 2, way >= 2, &collisions[way]));
@@ -248,6 +252,11 @@ static int meshes(const char *const path[2]) {
 }
 
 int main(int argc, char **argv) {
+  if (argc > 1 && strcmp(argv[1], "-q") == 0) {
+    seconds_each = 0;
+    argv++;
+    argc--;
+  }
   char *end = NULL;
   uint64_t count = argc == 3 && strcmp(argv[1], "check") == 0 ? strtoull(argv[2], &end, 10) : 0;
   if (count > 0 && *end == '\0') {
@@ -262,6 +271,6 @@ int main(int argc, char **argv) {
   if (argc == 4 && strcmp(argv[1], "meshes") == 0) {
     return meshes((const char *const *)&argv[2]);
   }
-  fputs("usage: batch check COUNT | scale | meshes A.stl B.stl\n", stderr);
+  fputs("usage: batch [-q] check COUNT | scale | meshes A.stl B.stl\n", stderr);
   return 2;
 }
