@@ -139,13 +139,14 @@ netlist: COUNT = 170
 netlist: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
 	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
 
-# Under the Verilator test bench, module by module; all at once where clock gates make clocks, of
-# which a module verilated by itself takes wrong edges.
+# Under the Verilator test bench, module by module, for which verilator_bin does not find itself;
+# all at once where clock gates make clocks, of which a module verilated by itself takes wrong edges.
+SCRIPT_OF_VERILATOR = $(patsubst %verilator_bin,%verilator,$(VERILATOR))
 BY_MODULE = $(if $(GATED),--output-split 20000,--output-split 1000000 --hierarchical netlist.vlt)
 $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
-	@cd $(AREA) && { $(VERILATOR) --cc --exe --build -j 2 --no-timing \
+	@cd $(AREA) && { $(SCRIPT_OF_VERILATOR) --cc --exe --build -j 2 --no-timing \
 	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --top-module $(COSIM_TOP) \
 	  -MAKEFLAGS "OPT_FAST=-Og OPT_SLOW=-O0 OPT_GLOBAL=-O2" \
 	  -CFLAGS "-I$(abspath c_model) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \

@@ -369,7 +369,7 @@ CASE(ties) {
 
 /* All triangles of a body are nearly the same one: doubles cannot tell which is nearest. */
 CASE(near_ties) {
-  for (int n = 0; n < 16; n++) {
+  for (int n = 0; n < FEWER(16); n++) {
     sepax_pose p[2] = {random_pose(3), random_pose(3)};
     scene s = {.mesh = {strewn(40, 0.3, 0), strewn(40, 0.3, 0)}, .pose = {&p[0], &p[1]}};
     for (size_t k = 0; k < 720; k++) {

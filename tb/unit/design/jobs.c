@@ -243,7 +243,7 @@ CASE(test_parts) {
       malloc(sizeof *steps * (MOST_TRIANGLES + SEPAX_LANES_MAX) * (MOST_TRIANGLES + 2));
   uint64_t *space = malloc(sizeof *space * 2 * MOST_TRIANGLES * MOST_TRIANGLES);
   assert_true(steps != NULL && space != NULL);
-  for (int n = 0; n < 40; n++) {
+  for (int n = 0; n < FEWER(40); n++) {
     static const int32_t still[3] = {0, 0, 0};
     draw_scene(&d, 2 * n, MOST_TRIANGLES);
     sepax_design design =
