@@ -140,7 +140,7 @@ netlist: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
 	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
 
 # Under the Verilator test bench, module by module, for which verilator_bin does not find itself;
-# all at once where clock gates make clocks, of which a module verilated by itself takes wrong edges.
+# but in one where clock gates make clocks, of which a module by itself takes wrong edges.
 SCRIPT_OF_VERILATOR = $(patsubst %verilator_bin,%verilator,$(VERILATOR))
 BY_MODULE = $(if $(GATED),--output-split 20000,--output-split 1000000 --hierarchical netlist.vlt)
 $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
