@@ -19,7 +19,7 @@ tidy    = grep $(2) va_start $(4) | xargs -r -P 2 -n $(3) sh -c 'exec $(CLANG_TI
           $(call PATH_OF,$(1)) $(XML_CFLAGS) -Xclang -analyzer-config -Xclang \
           max-nodes=$(NODES)' clang-tidy
 
-# How far clang-tidy follows the paths of one function: its own default. In `make test`: 10000.
+# How far clang-tidy follows the paths of one function: its own default. In `make test`: 20000.
 NODES ?= 225000
 
 # Programs of an engine read headers that come with its Verilog.
