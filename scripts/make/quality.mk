@@ -12,12 +12,9 @@ PATH_OF = $(C_PATH) -Iexamples/$(1) -I$(BUILD)/static/$(1)
 analyse = $(CPPCHECK) --quiet --error-exitcode=1 \
           --enable=warning,style,performance,portability --inline-suppr \
           --suppress=missingIncludeSystem --std=c11 $(call PATH_OF,$(1)) $(2) && \
-          $(call tidy,$(1),-l,1,$(2)) && $(call tidy,$(1),-L,8,$(2))
-# Several files a run; where arguments vary one, for version 14 then forgets what va_start is.
-tidy    = grep $(2) va_start $(4) | xargs -r -P 2 -n $(3) sh -c 'exec $(CLANG_TIDY) --quiet \
-          --warnings-as-errors="*" "$$@" -- -std=c11 -D_POSIX_C_SOURCE=200809L \
-          $(call PATH_OF,$(1)) $(XML_CFLAGS) -Xclang -analyzer-config -Xclang \
-          max-nodes=$(NODES)' clang-tidy
+          printf '%s\n' $(2) | xargs -P 2 -I {} $(CLANG_TIDY) --quiet --warnings-as-errors="*" {} \
+          -- -std=c11 -D_POSIX_C_SOURCE=200809L $(call PATH_OF,$(1)) $(XML_CFLAGS) \
+          -Xclang -analyzer-config -Xclang max-nodes=$(NODES)
 
 # How far clang-tidy follows the paths of one function: its own default. In `make test`: 20000.
 NODES ?= 225000

@@ -141,7 +141,7 @@ netlist: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
 
 # Under the Verilator test bench, module by module, for which verilator_bin does not find itself;
 # but in one where clock gates make clocks, of which a module by itself takes wrong edges.
-SCRIPT_OF_VERILATOR = $(patsubst %verilator_bin,%verilator,$(VERILATOR))
+SCRIPT_OF_VERILATOR = $(VERILATOR:/usr/bin/verilator_bin=verilator)
 BY_MODULE = $(if $(GATED),--output-split 20000,--output-split 1000000 --hierarchical netlist.vlt)
 $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME), mapped to $(LIBRARY)"
