@@ -16,7 +16,7 @@ analyse = $(CPPCHECK) --quiet --error-exitcode=1 \
           -- -std=c11 -D_POSIX_C_SOURCE=200809L $(call PATH_OF,$(1)) $(XML_CFLAGS) \
           -Xclang -analyzer-config -Xclang max-nodes=$(NODES)
 
-# How far clang-tidy follows the paths of one function: its own default. In `make test`: 20000.
+# How far clang-tidy follows the paths of one function: its own default; less far in `make test`.
 NODES ?= 225000
 
 # Programs of an engine read headers that come with its Verilog.
