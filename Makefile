@@ -214,7 +214,7 @@ certificate: $(BUILD)/certificate-check
 	  it names are seen from another folder, FOLDER=" >&2; exit 2)
 	@cd $(or $(FOLDER),.) && $(abspath $<) $(addprefix -p ,$(PACKAGE)) $(abspath $(CERTIFICATE))
 
-campaign: $(BUILD)/campaign
+campaign: $(BUILD)/posed-pairs
 	@$(EXPERIMENT)/campaign $< $(if $(call given,COUNT),$(COUNT),10000000) $(SEED)
 
 # Real meshes where they are at hand.

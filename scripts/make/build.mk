@@ -78,7 +78,7 @@ $(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)
-$(BUILD)/campaign: $(call object,tb/benchmark/campaign.c) $(ORACLE_OBJ) $(LIB)
+$(BUILD)/posed-pairs: $(call object,tb/benchmark/posed.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/hard-pairs: $(call object,tb/benchmark/hard.c) $(LIB)
 $(BUILD)/refine: $(call object,tb/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
@@ -90,8 +90,8 @@ $(BUILD)/liberty $(BUILD)/power $(BUILD)/layout: LIBS = -ljansson
 $(SEPAX): LIBS = -ljansson $(FORMAT_LIBS)
 $(BUILD)/certificate-check: LIBS = -ljansson -lxml2
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
-$(BUILD)/clearance-test $(BUILD)/campaign: LIBS = -lgmp
-$(SEPAX) $(addprefix $(BUILD)/,bench_batch campaign clearance-test layout liberty power refine) \
+$(BUILD)/clearance-test $(BUILD)/posed-pairs: LIBS = -lgmp
+$(SEPAX) $(addprefix $(BUILD)/,bench_batch clearance-test posed-pairs layout liberty power refine) \
     $(addprefix $(BUILD)/,certificate-check certificate-grazes hard-pairs) $(BUILD)/bench:
 	$(link)
 

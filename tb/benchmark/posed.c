@@ -1,7 +1,8 @@
-/* campaign - verdicts on triangles of binary32 and binary64, as they are and in poses, against the
+/* posed - verdicts on triangles of binary32 and binary64, as they are and in poses, against the
  * oracle in rational numbers. No grid is anywhere.
- *   campaign COUNT SEED   COUNT pairs at least; a line a kind: pairs, collisions, wrong verdicts of
- *                         sepax_exact_posed and of searches of bodies. Exit status 1: one is wrong
+ *   posed-pairs COUNT SEED   COUNT pairs at least; a line a kind: pairs, collisions, wrong verdicts
+ *                            of sepax_exact_posed and of searches of bodies. Exit status 1: one is
+ *                            wrong
  *
  * The drafts are hard pairs of integers (sepax_vectors.h): touching, coplanar, of one edge, without
  * area; and pairs with one point in common. They are turned, moved away and rounded, so that what
@@ -325,7 +326,7 @@ int main(int argc, char **argv) {
   uint64_t count = argc == 3 ? strtoull(argv[1], &end[0], 10) : 0;
   sepax_random random = {argc == 3 ? strtoull(argv[2], &end[1], 10) : 0};
   if (count == 0 || *end[0] != '\0' || *end[1] != '\0') {
-    fputs("usage: campaign COUNT SEED\n", stderr);
+    fputs("usage: posed-pairs COUNT SEED\n", stderr);
     return 2;
   }
   tally of[KINDS] = {{0}};
