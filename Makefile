@@ -232,7 +232,7 @@ engine-sweep: $(SEPAX) $(BUILD)/liberty
 # Seven runs of eight without the host.
 tree-fuzz: COUNT_OF = $(if $(call given,COUNT),$(COUNT),1000000)
 tree-fuzz: $(SEPAX) $(LIB)
-	@DESIGN="--word=8 --ii=6" RUNS=10 FUZZ=$(COUNT_OF) tb/tree/walks
+	@DESIGN="--word=8 --ii=6" RUNS=10 FUZZ=$(COUNT_OF) tb/tree_engine/modules/walks
 	@$(MAKE) WORD=8 II=6 FUZZ=$$(($(COUNT_OF) / 8)) tree-engine
 
 tree-scene: $(SEPAX)
@@ -240,14 +240,14 @@ tree-scene: $(SEPAX)
 
 CLAIMS = $(addprefix $(BUILD)/unit/tree/,walk turned_boxes posed_clearance)
 tree-campaign: $(SEPAX) $(CLAIMS)
-	@scripts/tree/campaign $(if $(SHARE),-s $(SHARE)) $(BUILD)/tree-campaign
+	@scripts/tree_engine/campaign $(if $(SHARE),-s $(SHARE)) $(BUILD)/tree-campaign
 
 path-campaign: $(SEPAX) $(LIB) $(BUILD)/certificate-check
 	@scripts/path/campaign $(BUILD)/path-campaign $(if $(call given,COUNT),$(COUNT),100) \
 	  $(or $(GRAZES),10) $(SEED)
 
 tree-sweep: $(SEPAX) $(BUILD)/refine $(BUILD)/bench_tree
-	@MESH_DIR="$(MESH_DIR)" scripts/tree/sweep $(if $(call given,COUNT),-c $(COUNT)) \
+	@MESH_DIR="$(MESH_DIR)" scripts/tree_engine/sweep $(if $(call given,COUNT),-c $(COUNT)) \
 	  $(if $(SWEEP),-s "$(SWEEP)") $(BUILD)/tree-sweep
 
 endif

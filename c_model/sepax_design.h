@@ -233,10 +233,10 @@ sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair);
  * The verdict is that of sepax_paper but where a normal separates a pair called coplanar. */
 sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pair);
 
-/* As sepax_colliding_pairs, but for the pairs that sepax_clearance, or with how->tight
+/* As sepax_colliding_pairs, but for the pairs that sepax_clearance, or if `tight`
  * sepax_clearance_tight, does not call free. `design` has clearances (limits > 0), and AABBs within
  * its margin[1] count as overlapping. `first` ends the search at such a pair. */
-bool sepax_near_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
+bool sepax_near_pairs(const sepax_design *design, bool tight, const sepax_tri *a, size_t count_a,
                       const sepax_tri *b, size_t count_b, const sepax_search *how,
                       sepax_pairs *found, sepax_error *error);
 

@@ -2,10 +2,6 @@
 #include "design/architecture.h"
 #include "design/options.h"
 
-int32_t sepax_word_min(int word) { return (int32_t)(-(INT64_C(1) << (word - 1))); }
-
-int32_t sepax_word_max(int word) { return (int32_t)((INT64_C(1) << (word - 1)) - 1); }
-
 static const architecture reference = {.name = "reference", .judge = judge_reference};
 static const architecture float32 = {.name = "float32", .judge = judge_float32};
 static const architecture float64 = {.name = "float64", .judge = judge_float64};

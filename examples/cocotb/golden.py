@@ -1,5 +1,5 @@
 """golden.py - the C golden models of libsepax by ctypes: what a design must answer, and hard pairs
-to ask it. c_model/sepax.h, sepax_design.h and sepax_vectors.h say what the functions compute."""
+to ask it. lib/sepax.h, sepax_design.h and sepax_vectors.h say what the functions compute."""
 import ctypes
 import os
 from collections import namedtuple

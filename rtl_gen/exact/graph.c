@@ -1,5 +1,5 @@
 /* graph.c - the exact datapath as an expression graph: the formulas of docs/exact.md. */
-#include "clearance/clearance.h"
+#include "clearance.h"
 #include "exact.h"
 
 #include <string.h>

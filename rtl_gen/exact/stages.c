@@ -1,6 +1,6 @@
 /* stages.c - registers inside the units of the exact datapath: the delay model asks where. */
 #include "aabb/aabb.h"
-#include "clearance/clearance.h"
+#include "clearance.h"
 #include "exact.h"
 
 #include <math.h>

@@ -1,9 +1,9 @@
 /* top.c - architecture exact around its core: sepax_narrow with the handshake, the passes of a pair
  * and the order of the verdicts, and sepax_top. */
 #include "aabb/aabb.h"
-#include "engine/engine.h"
+#include "object_engine/engine.h"
 #include "exact.h"
-#include "host/outside.h"
+#include "tree_engine/host/outside.h"
 #include "stream/stream.h"
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* units.c - the modules of architecture exact below its core: templates and their holes. */
-#include "clearance/clearance.h"
+#include "clearance.h"
 #include "exact.h"
 
 /* What several modules ask for. Those that ask for more set it before them. */

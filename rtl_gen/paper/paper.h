@@ -2,7 +2,7 @@
 #ifndef SEPAX_PAPER_H
 #define SEPAX_PAPER_H
 
-#include "emit/gen.h"
+#include "gen.h"
 
 /* Emit the modules, leaves first, up to NULL; false with e->error set if one is refused.
  * sepax_norm is left out of designs without block floating point. Their holes: each format's name

@@ -1,8 +1,9 @@
 # build.mk - the program, the library, and the programs of tests and reports.
 
-PROGRAM  = $(wildcard $(patsubst %,c_model/%/*.c,cli check sizing formats path))
-LIB_SRC  = $(filter-out $(PROGRAM),$(wildcard c_model/*/*.c))
-CLI_SRC  = $(PROGRAM) $(wildcard rtl_gen/*/*.c)
+LIB_SRC  = $(wildcard lib/*/*.c c_model/*/*.c)
+CHECKER  = $(wildcard $(addprefix program/certificate_checker/,*.c */*.c))
+CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(RTL_GEN)
+RTL_GEN  = $(wildcard rtl_gen/*/*.c rtl_gen/*/*/*.c)
 UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))
 
 $(BUILD)/obj/%.o: %.c
@@ -11,13 +12,13 @@ $(BUILD)/obj/%.o: %.c
 	@$(CC) $(SEPAX_CFLAGS) -MMD -MP -c $< -o $@
 
 # The library's objects serve the shared library, too.
-$(BUILD)/obj/c_model/%.o: SEPAX_CFLAGS += -fPIC -fno-semantic-interposition
+$(BUILD)/obj/lib/%.o $(BUILD)/obj/c_model/%.o: SEPAX_CFLAGS += -fPIC -fno-semantic-interposition
 
 $(LIB): $(call object,$(LIB_SRC))
 	@rm -f $@
 	@$(AR) rcs $@ $^
 
-$(BUILD)/libsepax.so.0: c_model/libsepax.map $(call object,$(LIB_SRC))
+$(BUILD)/libsepax.so.0: lib/libsepax.map $(call object,$(LIB_SRC))
 	@echo "  LINK    $@"
 	@$(CC) $(CFLAGS) -shared -Wl,-soname,libsepax.so.0 -Wl,-Bsymbolic-functions \
 	  -Wl,--version-script=$< $(filter %.o,$^) -lm -pthread -o $@
@@ -27,9 +28,9 @@ $(BUILD)/obj/tb/unit/avx512.o: SEPAX_CFLAGS += -O0
 .SECONDARY: $(BUILD)/obj/tb/harness.o
 
 # The Verilog templates as C strings.
-TEMPLATES    = $(wildcard rtl_gen/*/*.v)
+TEMPLATES    = $(wildcard rtl_gen/*/*.v rtl_gen/*/*/*.v)
 TEMPLATE_OBJ = $(BUILD)/obj/templates.o
-$(BUILD)/obj/templates.c: scripts/embed $(TEMPLATES) $(wildcard rtl_gen/*)
+$(BUILD)/obj/templates.c: scripts/embed $(TEMPLATES) $(wildcard rtl_gen/* rtl_gen/*/*)
 	@mkdir -p $(@D)
 	@scripts/embed $(TEMPLATES) > $@
 $(TEMPLATE_OBJ): $(BUILD)/obj/templates.c
@@ -37,14 +38,14 @@ $(TEMPLATE_OBJ): $(BUILD)/obj/templates.c
 
 # The page of sepax path as a C string.
 PAGE_OBJ = $(BUILD)/obj/page.o
-$(BUILD)/obj/page.c: scripts/embed c_model/path/page.html
+$(BUILD)/obj/page.c: scripts/embed program/path/page.html
 	@mkdir -p $(@D)
-	@scripts/embed -t path_page_html c_model/path/page.html > $@
+	@scripts/embed -t path_page_html program/path/page.html > $@
 $(PAGE_OBJ): $(BUILD)/obj/page.c
 	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
 
 # Scenes and meshes are read by libxml2 and assimp: by the program, not by the library.
-FORMAT_OBJ  = $(call object,$(wildcard c_model/formats/*.c))
+FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c))
 FORMAT_LIBS = -lxml2 -lassimp
 $(FORMAT_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 
@@ -54,11 +55,11 @@ define link
 @echo "  LINK    $@"
 @$(CC) $(CFLAGS) $(LDFLAGS) $^ $(LIBS) $(LDLIBS) -lm -pthread -o $@
 endef
-CHECKER_OBJ = $(call object,$(wildcard tb/certificate/*.c tb/certificate/input/*.c))
+CHECKER_OBJ = $(call object,$(CHECKER))
 ORACLE_OBJ  = $(call object,$(wildcard tb/oracle/*.c))
 LIBERTY_OBJ = $(call object,$(wildcard synth/liberty/*.c))
 LAYOUT_OBJ  = $(call object,$(wildcard synth/layout/*.c synth/layout/*/*.c) synth/liberty/text.c)
-GEN_OBJ     = $(call object,$(wildcard rtl_gen/*/*.c)) $(TEMPLATE_OBJ)
+GEN_OBJ     = $(call object,$(RTL_GEN)) $(TEMPLATE_OBJ)
 POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(filter-out %/main.o,$(LIBERTY_OBJ))
 
 # The engines' register maps, as their drivers read them.
@@ -80,10 +81,10 @@ $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/posed-pairs: $(call object,tb/benchmark/posed.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/hard-pairs: $(call object,tb/benchmark/hard.c) $(LIB)
-$(BUILD)/refine: $(call object,tb/sweep/refine.c) $(LIB)
+$(BUILD)/refine: $(call object,tb/tree_engine/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/certificate-check: $(CHECKER_OBJ)
-$(BUILD)/certificate-grazes: $(call object,tb/certificate/random/grazes.c)
+$(BUILD)/certificate-grazes: $(call object,tb/certificate/grazes.c)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
 $(BUILD)/layout: $(LAYOUT_OBJ)
 $(BUILD)/liberty $(BUILD)/power $(BUILD)/layout: LIBS = -ljansson
@@ -123,12 +124,12 @@ hash    := \#
 header   = $(shell echo '$(hash)include <$(1)>' | $(CXX) -x c++ -E - > /dev/null 2>&1 && echo $(2))
 BODIES_O = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard tb/benchmark/*.cpp)) \
            $(call object,tb/oracle/oracle.c)
-SWEEP_O  = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard tb/sweep/*.cpp) \
+SWEEP_O  = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard tb/tree_engine/sweep/*.cpp) \
            tb/benchmark/peer_fcl.cpp tb/benchmark/peer_sepax.cpp)
 $(BUILD)/obj/tb/%.o: tb/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX     $<"
-	@$(CXX) -std=c++17 -O3 -DNDEBUG -Wall -Wextra -Werror -Ic_model -Itb \
+	@$(CXX) -std=c++17 -O3 -DNDEBUG -Wall -Wextra -Werror -Ilib -Ic_model -Itb \
 	  $$(pkg-config --cflags-only-I fcl 2> /dev/null | sed 's/-I/-isystem /g') -MMD -MP -c $< -o $@
 $(BUILD)/bench_bodies: $(BODIES_O) $(LIB)
 	@echo "  LINK    $@"

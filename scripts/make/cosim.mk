@@ -46,6 +46,7 @@ PAIR_ARGS = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if \
 # ------------------------------------------------------------------------- Verilator
 
 # The view of exact's arithmetic that is simulated: its macro, and the suffix of what is made of it.
+MODEL_PATH = $(addprefix -I,$(abspath lib c_model program))
 VIEW_MACRO = $(if $(filter behavioural,$(VIEW)),-DSEPAX_BEHAVIOURAL)
 OF_VIEW    = $(if $(filter behavioural,$(VIEW)),,-structural)
 COSIM      = $(CORE)/cosim$(OF_VIEW)
@@ -65,7 +66,7 @@ verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { $(VERILATOR) --cc 
 one_file    = $(if $(filter -O0 -O1 -Og,$(1)),--output-split 100000000 --output-split-cfuncs 20000)
 COSIM_OPT  ?= -O3
 COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=$(COSIM_OPT) OPT_GLOBAL=-O2" $(call one_file,$(COSIM_OPT)) \
-              -CFLAGS "-I$(abspath c_model) -I../rtl -DSEPAX_ISOLATION" \
+              -CFLAGS "$(MODEL_PATH) -I../rtl -DSEPAX_ISOLATION" \
               $(abspath tb/cosim/modules.vlt) $(if $(OF_VIEW),-fno-gate)
 # -fno-gate: the function of a kind of multiplier has no signal in it from where one of them stands.
 
@@ -100,16 +101,16 @@ ENGINE_C   = $(addprefix $(ENGINE_OBJ)/,bench.o crowd.o cycles.o objects.o refus
              sepax_driver.o)
 ENGINE_OPT ?= -O3
 BUS_FLAGS   = -MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" $(call one_file,$(ENGINE_OPT)) \
-              -CFLAGS "-I$(abspath tb) -I$(abspath c_model) -I../rtl $(BUS_CFLAGS)"
+              -CFLAGS "-I$(abspath tb) $(MODEL_PATH) -I../rtl $(BUS_CFLAGS)"
 
-vpath %.c tb/engine examples/engine
-$(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/engine/*.h examples/engine/*.h)
+vpath %.c tb/object_engine drivers/object_engine examples/object_engine
+$(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/object_engine/*.h drivers/object_engine/*.h)
 	@mkdir -p $(@D)
-	@$(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/engine -I$(CORE)/rtl -c $< -o $@
+	@$(CC) $(SEPAX_CFLAGS) -Itb -Idrivers/object_engine -I$(CORE)/rtl -c $< -o $@
 
-$(ENGINE): $(ENGINE_C) tb/engine/bus.cpp tb/engine/bus.h $(LIB) $(RTL)
+$(ENGINE): $(ENGINE_C) tb/object_engine/bus.cpp tb/object_engine/bus.h $(LIB) $(RTL)
 	@echo "  VERILATE $(DESIGN_NAME), the engine"
-	@$(call verilate,sepax_engine,$(BUS_FLAGS),$(abspath tb/engine/bus.cpp $(ENGINE_C) $(LIB)))
+	@$(call verilate,sepax_engine,$(BUS_FLAGS),$(abspath tb/object_engine/bus.cpp $(ENGINE_C) $(LIB)))
 
 ifeq ($(filter-out 0,$(LANES)),)
 engine example:
@@ -129,23 +130,23 @@ endif
 # The tree engine: MESH_A against MESH_B in the poses of a file, or seeded bodies and jobs; FUZZ=n:
 # damaged ones; SCENE=n: six bodies in n poses; JOBS: a list of sepax path --jobs.
 TREE_ENGINE = $(CORE)/tree-engine
-TREE_SRC    = $(wildcard tb/batch/*.c) tb/engine/crowd.c tb/tree/memory.c \
-              examples/tree/sepax_tree_driver.c
+TREE_SRC    = $(wildcard tb/tree_engine/jobs/*.c) tb/object_engine/crowd.c \
+              tb/tree_engine/modules/memory.c drivers/tree_engine/sepax_tree_driver.c
 TREE_C      = $(patsubst %.c,$(ENGINE_OBJ)/%.o,$(notdir $(TREE_SRC)))
-POSE_CHECK  = tb/batch/sepax_pose_check.sv
-TREE_DEPS   = $(RTL) $(POSE_CHECK) $(wildcard $(addsuffix /*.h,tb/tree tb/batch tb/engine \
-              examples/tree))
-TREE_CC     = $(CC) $(SEPAX_CFLAGS) -Itb -Iexamples/tree -I$(CORE)/rtl
+POSE_CHECK  = tb/tree_engine/jobs/sepax_pose_check.sv
+TREE_DEPS   = $(RTL) $(POSE_CHECK) $(wildcard $(addsuffix /*.h, \
+              tb/tree_engine/modules tb/tree_engine/jobs tb/object_engine drivers/tree_engine))
+TREE_CC     = $(CC) $(SEPAX_CFLAGS) -Itb -Idrivers/tree_engine -I$(CORE)/rtl
 LATENCY    ?= 100
 ROUNDS     ?= 20
 MODES      ?= 16
 
-$(TREE_ENGINE): tb/engine/bus.cpp $(LIB) $(TREE_DEPS) $(TREE_SRC)
+$(TREE_ENGINE): tb/object_engine/bus.cpp $(LIB) $(TREE_DEPS) $(TREE_SRC)
 	@echo "  VERILATE $(DESIGN_NAME), the tree engine"
 	@mkdir -p $(ENGINE_OBJ)
 	@$(foreach c,$(TREE_SRC),$(TREE_CC) -c $(c) -o $(ENGINE_OBJ)/$(notdir $(c:.c=.o)) &&) true
 	@$(call verilate,sepax_engine,$(if $(WAVE_FILE),--trace-fst) $(BUS_FLAGS),$(abspath \
-	  $(POSE_CHECK) tb/engine/bus.cpp $(TREE_C) $(LIB)))
+	  $(POSE_CHECK) tb/object_engine/bus.cpp $(TREE_C) $(LIB)))
 
 ifeq ($(filter on,$(TREE)),)
 tree-engine:

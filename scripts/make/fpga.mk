@@ -54,7 +54,8 @@ $(FPGA)/gates.o: $(FPGA)/gates.c
 	@$(CC) $(GATES_OPT) -c $< -o $@
 
 $(FPGA)/cosim.o: $(COSIM_DEPS)
-	@$(CXX) $(GATES_OPT) -std=c++17 -DSEPAX_GATES -Ic_model -I$(CORE)/rtl -c tb/cosim/cosim.cpp -o $@
+	@$(CXX) $(GATES_OPT) -std=c++17 -DSEPAX_GATES $(MODEL_PATH) -I$(CORE)/rtl \
+	  -c tb/cosim/cosim.cpp -o $@
 
 $(FPGA)/cosim: $(FPGA)/gates.o $(FPGA)/cosim.o
 	@$(CXX) -o $@ $^ $(OPTIONS_OBJ) $(LIB) -lm -pthread

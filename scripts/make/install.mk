@@ -1,8 +1,8 @@
 # install.mk - make install, make uninstall: program, library, headers, manual pages.
 
-VERSION = $(shell sed -n 's/.define SEPAX_VERSION "\(.*\)"/\1/p' c_model/sepax.h)
+VERSION = $(shell sed -n 's/.define SEPAX_VERSION "\(.*\)"/\1/p' lib/sepax.h)
 ROOT    = $(DESTDIR)$(PREFIX)
-HEADERS = $(wildcard c_model/sepax*.h)
+HEADERS = $(wildcard lib/sepax*.h c_model/sepax*.h)
 MAN     = share/man/man1/sepax.1 share/man/man3/libsepax.3
 
 .PHONY: install uninstall
@@ -25,7 +25,7 @@ install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
 	@echo "installed in $(ROOT)"
 
 uninstall:
-	@rm -f $(addprefix $(ROOT)/,bin/sepax $(HEADERS:c_model/%=include/%) lib/libsepax.a \
+	@rm -f $(addprefix $(ROOT)/,bin/sepax $(addprefix include/,$(notdir $(HEADERS))) lib/libsepax.a \
 	  lib/libsepax.so lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))
 	@case "$(ROOT)" in /usr | /usr/local) ;; *) \
 	  for folder in $(addprefix $(ROOT)/,lib/pkgconfig lib include bin $(dir $(MAN)) share/man share) \

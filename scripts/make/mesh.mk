@@ -8,12 +8,12 @@ $(BUILD)/mesh/workpiece.stl: $(SEPAX)
 	@mkdir -p $(@D)
 	@$(SEPAX) mesh pocket --triangles=400 -o $@
 
-# The cutter as scripts/tree/poses wants it: its tip is at the origin.
+# The cutter as scripts/tree_engine/poses wants it: its tip is at the origin.
 $(BUILD)/mesh/ball-end.stl: $(SEPAX)
 	@mkdir -p $(@D)
 	@$(SEPAX) mesh ball-end --triangles=400 -o $@
 
 # Poses of B for a tree engine, one a simulation of its gates.
-$(BUILD)/poses/%.txt: scripts/tree/poses
+$(BUILD)/poses/%.txt: scripts/tree_engine/poses
 	@mkdir -p $(@D)
 	@$< $* 64 > $@

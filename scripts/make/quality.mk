@@ -1,14 +1,13 @@
 # quality.mk - static analysis and sanitizers.
 
 .PHONY: static sanitize c_tests raced coverage fuzz fuzz-targets fuzzers
-OF_TREE = $(wildcard tb/batch/*.c examples/tree/*.c) synth/power/tree.c
+OF_TREE = $(wildcard tb/tree_engine/jobs/*.c drivers/tree_engine/*.c) synth/power/tree.c
 C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
           $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c synth/*/*/*.c \
-          examples/engine/*.c \
+          examples/object_engine/*.c drivers/object_engine/*.c \
           examples/ulx3s/host/*.c examples/soc/host/*.c \
           examples/five-axis/*.c))
-C_PATH  = -Ic_model -Irtl_gen -Itb -Isynth
-PATH_OF = $(C_PATH) -Iexamples/$(1) -I$(BUILD)/static/$(1)
+PATH_OF = $(INCLUDES) -Idrivers/object_engine -Idrivers/tree_engine -I$(BUILD)/static/$(1)
 analyse = $(CPPCHECK) --quiet --error-exitcode=1 \
           --enable=warning,style,performance,portability --inline-suppr \
           --suppress=missingIncludeSystem --std=c11 $(call PATH_OF,$(1)) $(2) && \
@@ -32,7 +31,7 @@ define run_c_tests
 @export SEPAX_COUNT=1000 TREE_COLLISIONS=5000; \
   for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
 @tb/fuzz/inputs $(FUZZ)
-@for test in system/cli printed/check system/check system/path path/between sizing/mechanism \
+@for test in system/cli printed/check system/check system/path path/between size/mechanism \
     page/data; do \
   SEPAX=$(SEPAX) env -u BUILD -u CFLAGS tb/$$test || exit 1; done
 endef
@@ -85,4 +84,4 @@ proofs: $(SEPAX)
 .PHONY: mutation-c
 mutation-c:
 	@tb/mutants/run $(if $(call given,COUNT),-c $(COUNT)) -s $(SEED) $(BUILD)/mutants \
-	  $(or $(PLACES),c_model/verdict c_model/batch)
+	  $(or $(PLACES),lib/verdict lib/batch)

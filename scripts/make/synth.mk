@@ -149,7 +149,7 @@ $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	@cd $(AREA) && { $(SCRIPT_OF_VERILATOR) --cc --exe --build -j 2 --no-timing \
 	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --top-module $(COSIM_TOP) \
 	  -MAKEFLAGS "OPT_FAST=-Og OPT_SLOW=-O0 OPT_GLOBAL=-O2" \
-	  -CFLAGS "-I$(abspath c_model) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \
+	  -CFLAGS "$(MODEL_PATH) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \
 	  $(BY_MODULE) cells.v netlist.v $(COSIM_CPP) > cosim.log 2>&1 || \
 	  { tail -20 cosim.log >&2; exit 1; }; }
 

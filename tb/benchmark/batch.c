@@ -104,7 +104,7 @@ static uint64_t check_halving(int word, uint64_t count, int clearance) {
       sepax_pairs found;
       if (clearance < 0
               ? !sepax_colliding_pairs(a, count_a, b, count_b, &how, &found, &error)
-              : !sepax_near_pairs(&design, a, count_a, b, count_b, &how, &found, &error)) {
+              : !sepax_near_pairs(&design, false, a, count_a, b, count_b, &how, &found, &error)) {
         bench_fail(&error);
       }
       wrong += count_wrong(&found, a, count_a, b, count_b, clearance < 0 ? NULL : &design);

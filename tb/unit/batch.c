@@ -165,17 +165,17 @@ typedef struct {
   size_t of[3];
 } bands;
 
-static bands assert_all_pairs(const sepax_design *design, const sepax_tri *a, size_t count_a,
-                              const sepax_tri *b, size_t count_b, const sepax_search *how) {
+static bands assert_all_pairs(const sepax_design *design, bool tight, const sepax_tri *a,
+                              size_t count_a, const sepax_tri *b, size_t count_b,
+                              const sepax_search *how) {
   sepax_pairs found;
   bands count = {{0}};
   assert_works(design == NULL
                    ? sepax_colliding_pairs(a, count_a, b, count_b, how, &found, &fault)
-                   : sepax_near_pairs(design, a, count_a, b, count_b, how, &found, &fault));
+                   : sepax_near_pairs(design, tight, a, count_a, b, count_b, how, &found, &fault));
   size_t k = 0;
   for (size_t i = 0; i < count_a; i++) {
     for (size_t j = 0; j < count_b; j++) {
-      bool tight = how != NULL && how->tight;
       sepax_band band =
           design != NULL
               ? (tight ? sepax_clearance_tight : sepax_clearance)(design, &a[i], &b[j]).band
@@ -206,7 +206,7 @@ CASE(meshes_of_every_size) {
       sepax_tri *b = soup(counts[c][1], word[w], size, &random);
       for (int way = 0; way < 5; way++) {
         sepax_search how = {.threads = way < 2 ? 1 : 3, .brute_force = way % 2 == 1};
-        assert_all_pairs(NULL, a, counts[c][0], b, counts[c][1], way < 4 ? &how : NULL);
+        assert_all_pairs(NULL, false, a, counts[c][0], b, counts[c][1], way < 4 ? &how : NULL);
       }
       free(a);
       free(b);
@@ -220,10 +220,9 @@ CASE(near_pairs_are_found) {
   sepax_design design = design_of("--clearance=20 --warning=60");
   sepax_tri *a = soup(COUNT, 10, 90, &random);
   sepax_tri *b = soup(COUNT, 10, 90, &random);
-  bands count = assert_all_pairs(&design, a, COUNT, b, COUNT, NULL);
+  bands count = assert_all_pairs(&design, false, a, COUNT, b, COUNT, NULL);
   assert_true(count.of[SEPAX_BAND_WARNING] > 50 && count.of[SEPAX_BAND_COLLISION] > 50);
-  const sepax_search how = {.tight = true};
-  bands tight = assert_all_pairs(&design, a, COUNT, b, COUNT, &how);
+  bands tight = assert_all_pairs(&design, true, a, COUNT, b, COUNT, NULL);
   assert_true(tight.of[SEPAX_BAND_FREE] > count.of[SEPAX_BAND_FREE]);
   free(a);
   free(b);
@@ -241,9 +240,9 @@ CASE(empty_leaves_are_left_out) {
   sepax_tri *many = soup(SMALL, SEPAX_WORD_MAX, 1000, &random);
   for (int way = 0; way < 2; way++) {
     sepax_search how = {.threads = 1, .brute_force = way == 1};
-    assert_all_pairs(NULL, &whole, 1, many, SMALL, &how);
-    assert_all_pairs(NULL, many, SMALL, &whole, 1, &how);
-    bands count = assert_all_pairs(&design, &whole, 1, many, SMALL, &how);
+    assert_all_pairs(NULL, false, &whole, 1, many, SMALL, &how);
+    assert_all_pairs(NULL, false, many, SMALL, &whole, 1, &how);
+    bands count = assert_all_pairs(&design, false, &whole, 1, many, SMALL, &how);
     assert_true(count.of[SEPAX_BAND_FREE] < SMALL);
   }
   free(many);

@@ -1,7 +1,7 @@
 /* emit.c - what the Verilog templates may say, what of it is refused, and that every design passes.
  */
 #include "emit/emit.h"
-#include "emit/gen.h"
+#include "gen.h"
 #include "emit/template.h"
 #include "harness.h"
 

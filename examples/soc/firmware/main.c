@@ -1,6 +1,7 @@
 /* main.c - firmware: two objects on the engine of this chip; the pairs of triangles that collide
  * are written to the console, then the counts. The bare-metal driver is
- * examples/engine/sepax_driver.c; the four accesses that it asks for are those of soc_bridge.v. */
+ * drivers/object_engine/sepax_driver.c; the four accesses that it asks for are those of
+ * soc_bridge.v. */
 #include "objects.h"
 #include "sepax_driver.h"
 #include "sepax_registers.h"

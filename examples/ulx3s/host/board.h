@@ -1,4 +1,5 @@
-/* board.h - the four accesses of examples/engine/sepax_driver.h over the serial line of a ULX3S.
+/* board.h - the four accesses of drivers/object_engine/sepax_driver.h over the serial line of a
+ * ULX3S.
  *
  * Requests and replies are those of ../README.md. A request that the board refuses, a reply that is
  * damaged, and 2 s without a reply make an access fail; board_error says what it was, and the

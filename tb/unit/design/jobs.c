@@ -1,9 +1,9 @@
 /* jobs.c - the design that sepax_size_design finds, against all designs that there are, each timed
  * cycle by cycle. */
-#include "design/jobs.h"
+#include "size/jobs.h"
 #include "oracle/geometry.h"
 #include "oracle/pair_tools.h"
-#include "oracle/ticks.h"
+#include "ticks.h"
 #include "harness.h"
 
 #include <math.h>

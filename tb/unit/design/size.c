@@ -1,6 +1,6 @@
 /* size.c - what a scene needs, against poses and counts made by other means; gates
  * against mapped designs; pairs within extents. */
-#include "design/motion.h"
+#include "size/motion.h"
 #include "oracle/geometry.h"
 #include "oracle/oracle.h"
 #include "oracle/pair_tools.h"

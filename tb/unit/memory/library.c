@@ -30,8 +30,8 @@ static bool work_search(void *context) {
   search *s = context;
   sepax_pairs found;
   const triangles *t = s->t;
-  if (!(s->near ? sepax_near_pairs(&s->design, t[0].tri, t[0].count, t[1].tri, t[1].count, &s->how,
-                                   &found, &fault)
+  if (!(s->near ? sepax_near_pairs(&s->design, false, t[0].tri, t[0].count, t[1].tri, t[1].count,
+                                   &s->how, &found, &fault)
                 : sepax_colliding_pairs(t[0].tri, t[0].count, t[1].tri, t[1].count, &s->how, &found,
                                         &fault))) {
     return false;

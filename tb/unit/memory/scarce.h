@@ -20,9 +20,10 @@ static struct {
 /* The allocator behind this one, which the address sanitizer calls while it begins. */
 #ifdef __SANITIZE_ADDRESS__
 #define BEHIND(name) __asm__("__interceptor_" name)
-#define COUNTED(change) ((void)(change)) /* it takes by itself what strdup gives; it counts, too \
-                                          */
-enum { SANITIZED = 1 };                  /* its threads do not begin without memory */
+#define COUNTED(change)                                                         \
+  ((void)(change))      /* it takes by itself what strdup gives; it counts, too \
+                         */
+enum { SANITIZED = 1 }; /* its threads do not begin without memory */
 #else
 #define BEHIND(name) __asm__("__libc_" name)
 #define COUNTED(change) (memory.taken += memory.watched ? (change) : 0)

@@ -1,0 +1,304 @@
+/* jobs.c - the candidates of a pose, the pairs that take two passes, and the cycles of a design for
+ * them. docs/size.md. */
+#include "size/jobs.h"
+
+#include "models/engine_time.h"
+#include "util/error.h"
+
+#include <stdlib.h>
+
+/* ------------------------------------------------------------------- candidates */
+
+typedef struct {
+  aabb box;
+  uint32_t number;
+} numbered;
+
+static int by_low_x(const void *p, const void *q) {
+  int64_t a = ((const numbered *)p)->box.low[0];
+  int64_t b = ((const numbered *)q)->box.low[0];
+  return (a > b) - (a < b);
+}
+
+/* The first of the sorted AABBs that begins at x or later. */
+static size_t first_from(const numbered *sorted, size_t count, int64_t x) {
+  size_t low = 0;
+  while (count > 0) {
+    size_t half = count / 2;
+    bool before = sorted[low + half].box.low[0] < x;
+    low = before ? low + half + 1 : low;
+    count = before ? count - half - 1 : half;
+  }
+  return low;
+}
+
+static bool add_passes(sepax_job *job, size_t *capacity, const job_bodies *r, uint32_t i,
+                       uint32_t j) {
+  const sepax_tri *of_a = &r->tri[0][i];
+  const sepax_tri *of_b = &r->tri[1][j];
+  sepax_tri a = engine_thin_along_z(of_a, &r->bounds[0][i]);
+  sepax_tri b = engine_thin_along_z(of_b, &r->bounds[0][i]);
+  int passes = !r->limited && engine_takes_two_passes(&a, &b) ? 2 : 1;
+  job->twice_near += !r->limited && engine_takes_two_passes(of_a, of_b);
+  job->candidates++;
+  for (int n = 0; n < passes; n++) {
+    if (job->passes == *capacity) {
+      *capacity = *capacity == 0 ? 1024 : 2 * *capacity;
+      uint32_t(*grown)[2] = realloc(job->pass, *capacity * sizeof *grown);
+      if (grown == NULL) {
+        return false;
+      }
+      job->pass = grown;
+    }
+    job->pass[job->passes][0] = i;
+    job->pass[job->passes++][1] = j;
+  }
+  return true;
+}
+
+static bool find_candidates(sepax_job *job, const job_bodies *r, numbered *b) {
+  size_t capacity = 0;
+  int64_t longest = 0;
+  for (size_t n = 0; n < r->count[1]; n++) {
+    b[n] = (numbered){r->bounds[1][n], (uint32_t)n};
+    int64_t side = b[n].box.high[0] - b[n].box.low[0];
+    longest = side > longest ? side : longest;
+  }
+  qsort(b, r->count[1], sizeof *b, by_low_x);
+  for (size_t i = 0; i < r->count[0]; i++) {
+    const aabb p = r->bounds[0][i];
+    for (size_t n = first_from(b, r->count[1], p.low[0] - r->margin - longest);
+         n < r->count[1] && b[n].box.low[0] <= p.high[0] + r->margin; n++) {
+      if (!aabb_disjoint(&p, &b[n].box, r->margin) &&
+          !add_passes(job, &capacity, r, (uint32_t)i, b[n].number)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/* ----------------------------------------------------------- pairs of two passes */
+
+/* The line dx y - dy x = c on which an upright triangle is, as seen along z: (dx, dy) without a
+ * common divisor, dx > 0 or dx = 0 < dy; or the point (x, y), where both are zero. */
+typedef struct {
+  int64_t dx, dy, x, y;
+  wide c;
+  int body;
+} upright;
+
+static int64_t common_divisor(int64_t a, int64_t b) {
+  while (b != 0) {
+    int64_t rest = a % b;
+    a = b;
+    b = rest;
+  }
+  return a < 0 ? -a : a;
+}
+
+static bool is_upright(const sepax_tri *t, int body, upright *u) {
+  if (!engine_takes_two_passes(t, t)) {
+    return false;
+  }
+  *u = (upright){.x = t->v[0].x, .y = t->v[0].y, .body = body};
+  for (int k = 1; k < 3 && u->dx == 0 && u->dy == 0; k++) {
+    u->dx = t->v[k].x - u->x;
+    u->dy = t->v[k].y - u->y;
+  }
+  int64_t divisor = common_divisor(u->dx, u->dy);
+  if (divisor != 0) {
+    divisor = u->dx < 0 || (u->dx == 0 && u->dy < 0) ? -divisor : divisor;
+    u->dx /= divisor;
+    u->dy /= divisor;
+    u->c = (wide)u->dx * u->y - (wide)u->dy * u->x;
+  }
+  return true;
+}
+
+static bool is_point(const upright *u) { return u->dx == 0 && u->dy == 0; }
+
+static bool on_line(const upright *point, const upright *line) {
+  return (wide)line->dx * point->y - (wide)line->dy * point->x == line->c;
+}
+
+/* Points first, then line by line. */
+static int by_line(const void *p, const void *q) {
+  const upright *a = p;
+  const upright *b = q;
+  return a->dx != b->dx   ? (a->dx > b->dx) - (a->dx < b->dx)
+         : a->dy != b->dy ? (a->dy > b->dy) - (a->dy < b->dy)
+                          : (a->c > b->c) - (a->c < b->c);
+}
+
+static uint64_t count_lines(upright *all, size_t count) {
+  qsort(all, count, sizeof *all, by_line);
+  uint64_t pairs = 0;
+  uint64_t here[2] = {0, 0};
+  size_t n = 0;
+  for (; n < count && is_point(&all[n]); n++) {
+    for (size_t m = n + 1; m < count; m++) {
+      pairs += all[n].body != all[m].body && (is_point(&all[m]) || on_line(&all[n], &all[m]));
+    }
+  }
+  for (; n < count; n++) {
+    here[all[n].body]++;
+    if (n + 1 == count || by_line(&all[n], &all[n + 1]) != 0) {
+      pairs += here[0] * here[1];
+      here[0] = 0;
+      here[1] = 0;
+    }
+  }
+  return pairs;
+}
+
+/* Of all pairs. */
+static bool find_upright(sepax_job *job, const job_bodies *r) {
+  size_t count = 0;
+  upright u;
+  for (int i = 0; i < 2; i++) {
+    for (size_t n = 0; n < r->count[i]; n++) {
+      count += is_upright(&r->tri[i][n], i, &u);
+    }
+  }
+  upright *all = malloc((count + 1) * sizeof *all);
+  if (all == NULL) {
+    return false;
+  }
+  count = 0;
+  for (int i = 0; i < 2; i++) {
+    for (size_t n = 0; n < r->count[i]; n++) {
+      count += is_upright(&r->tri[i][n], i, &all[count]);
+    }
+  }
+  job->twice = count_lines(all, count);
+  free(all);
+  return true;
+}
+
+bool job_find(sepax_job *job, const job_bodies *bodies, sepax_error *error) {
+  sepax_job found = {0};
+  numbered *sorted = malloc(bodies->count[1] * sizeof *sorted);
+  bool ok = sorted != NULL && find_candidates(&found, bodies, sorted) &&
+            (bodies->limited || find_upright(&found, bodies));
+  free(sorted);
+  if (!ok) {
+    free(found.pass);
+    return sepax_fail(error,
+                      "no memory for the candidates among %zu and %zu triangles; sample "
+                      "fewer poses",
+                      bodies->count[0], bodies->count[1]);
+  }
+  *job = found;
+  return true;
+}
+
+/* ------------------------------------------------------------------------ cycles */
+
+/* An object that is larger than its memory goes through it in parts. */
+typedef struct {
+  uint64_t count, memory, lanes;
+} part_sizes;
+
+static uint64_t parts(const part_sizes *p) { return (p->count + p->memory - 1) / p->memory; }
+
+static uint64_t size_of_part(const part_sizes *p, uint64_t n) {
+  uint64_t rest = p->count - n * p->memory;
+  return rest < p->memory ? rest : p->memory;
+}
+
+/* Steps of `of_a` triangles of A against the parts of B before part n. */
+static uint64_t steps_before(uint64_t of_a, const part_sizes *b, uint64_t n) {
+  uint64_t full = n < parts(b) ? n : n - 1;
+  return full * engine_steps(of_a, b->memory, b->lanes) +
+         (n > full ? engine_steps(of_a, size_of_part(b, full), b->lanes) : 0);
+}
+
+/* All parts are one row of steps. */
+static uint64_t first_step(const part_sizes *a, const part_sizes *b, uint64_t n, uint64_t m) {
+  return n * steps_before(a->memory, b, parts(b)) + steps_before(size_of_part(a, n), b, m);
+}
+
+static int by_size(const void *p, const void *q) {
+  uint64_t a = *(const uint64_t *)p;
+  uint64_t b = *(const uint64_t *)q;
+  return (a > b) - (a < b);
+}
+
+static uint64_t engine_cycles(const sepax_job *job, const part_sizes *a, const part_sizes *b,
+                              const sepax_config *config, uint64_t *steps) {
+  for (size_t k = 0; k < job->passes; k++) {
+    uint64_t i = job->pass[k][0];
+    uint64_t j = job->pass[k][1];
+    uint64_t n = i / a->memory;
+    uint64_t m = j / b->memory;
+    steps[k] = first_step(a, b, n, m) +
+               engine_step_of(i - n * a->memory, j - m * b->memory, size_of_part(b, m), b->lanes);
+  }
+  if (job->passes > 0) {
+    qsort(steps, job->passes, sizeof *steps, by_size);
+  }
+  uint64_t cycles = 0;
+  size_t k = 0;
+  for (uint64_t part = 0; part < parts(a) * parts(b); part++) {
+    uint64_t n = part / parts(b);
+    uint64_t at = first_step(a, b, n, part % parts(b));
+    uint64_t end =
+        at + engine_steps(size_of_part(a, n), size_of_part(b, part % parts(b)), b->lanes);
+    engine_time t = engine_time_begin(config);
+    while (k < job->passes && steps[k] < end) {
+      size_t first = k;
+      while (k < job->passes && steps[k] == steps[first]) {
+        k++;
+      }
+      engine_idle(&t, steps[first] - at);
+      engine_step(&t, k - first);
+      at = steps[first] + 1;
+    }
+    engine_idle(&t, end - at);
+    cycles += engine_finish(&t, 0);
+  }
+  return cycles;
+}
+
+static void sizes_of(part_sizes size[2], const size_t count[2], const sepax_config *c) {
+  size[0] = (part_sizes){count[0], (uint64_t)c->memory_a, (uint64_t)c->lanes};
+  size[1] = (part_sizes){count[1], (uint64_t)c->memory_b, (uint64_t)c->lanes};
+}
+
+uint64_t job_cycles(const sepax_job *job, const size_t count[2], const sepax_config *config,
+                    uint64_t *steps) {
+  if (config->lanes == 0) {
+    uint64_t twice = config->extent_a > 0 ? job->twice_near : job->twice;
+    return ((uint64_t)count[0] * count[1] + twice) * (uint64_t)config->ii;
+  }
+  part_sizes size[2];
+  sizes_of(size, count, config);
+  return engine_cycles(job, &size[0], &size[1], config, steps);
+}
+
+/* Each step takes a cycle; a core that takes n pairs takes the last (n - 1) II cycles after the
+ * first, in each part. */
+uint64_t job_least_cycles(uint64_t passes, const size_t count[2], const sepax_config *config) {
+  uint64_t ii = (uint64_t)config->ii;
+  if (config->lanes == 0) {
+    return (uint64_t)count[0] * count[1] * ii;
+  }
+  part_sizes size[2];
+  sizes_of(size, count, config);
+  uint64_t steps = first_step(&size[0], &size[1], parts(&size[0]) - 1, parts(&size[1]));
+  uint64_t each = passes / (uint64_t)config->cores;
+  uint64_t idle = parts(&size[0]) * parts(&size[1]);
+  uint64_t busy = each > idle ? (each - idle) * ii : 0;
+  return steps > busy ? steps : busy;
+}
+
+/* A's memory is filled with one part after the other, B's with all of its parts for each; what
+ * fits stays there. */
+uint64_t job_loading(const size_t count[2], const sepax_config *config) {
+  part_sizes size[2];
+  sizes_of(size, count, config);
+  uint64_t of_a = parts(&size[0]) > 1 ? size[0].count : 0;
+  uint64_t of_b = parts(&size[1]) > 1 ? parts(&size[0]) * size[1].count : size[1].count;
+  return 3 * (of_a + of_b);
+}

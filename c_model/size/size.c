@@ -1,0 +1,385 @@
+/* size.c - the design of the fewest gates that judges a scene in time. docs/size.md. */
+#include "size/gates.h"
+#include "size/jobs.h"
+#include "util/error.h"
+
+#include <stdlib.h>
+
+/* Intervals of the designs that were mapped. */
+static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
+enum { INTERVALS = sizeof intervals / sizeof intervals[0] };
+
+/* Cycles of a tree engine between a job and the next, but for the latency of its memory. */
+enum { BETWEEN = 40 };
+
+/* What a tree engine does in a pose, whatever its II and cores; the cycles of the fastest. */
+typedef struct {
+  uint64_t passes, least;
+} tree_work;
+
+typedef struct {
+  const sepax_size *size; /* of each pair */
+  size_t pairs;
+  uint64_t between; /* cycles between the runs of a tree engine in a pose */
+  int word;         /* of designs without a tree: the longest of all pairs */
+  int tree_word;
+  size_t tree_poses;
+  int64_t extent[2];
+  size_t largest[2]; /* triangles of a body */
+  const sepax_size_request *request;
+  sepax_sized_design *design; /* every one that there is, with a lower bound of its cycles */
+  size_t count;
+  uint64_t *steps; /* job_cycles */
+  tree_work *work; /* of each pose; NULL: no tree engine */
+} choice;
+
+static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
+
+static bool add_design(choice *all, const sepax_config *config, uint64_t least,
+                       sepax_error *error) {
+  sepax_design design;
+  if (!sepax_design_init(&design, config, error)) {
+    return false;
+  }
+  sepax_sized_design *m = &all->design[all->count++];
+  *m = (sepax_sized_design){.config = *config, .cycles = least};
+  m->gates = sepax_gates(&design, &m->gates_error);
+  m->fitted = gates_fitted(&design);
+  return true;
+}
+
+/* ------------------------------------------------------- the core alone, and lanes */
+
+static int memory_for(size_t count) {
+  int memory = SEPAX_MEMORY_MIN;
+  while (memory < SEPAX_MEMORY_MAX && (size_t)memory < count) {
+    memory *= 2;
+  }
+  return memory;
+}
+
+/* On a path B is turned, so that its vertices are loaded anew. */
+static uint64_t loading(const sepax_size *size, const sepax_config *config) {
+  return size->path > 0 && config->lanes > 0 ? job_loading(size->count, config) : 0;
+}
+
+static uint64_t most_passes(const sepax_size *size) {
+  uint64_t passes = 0;
+  for (size_t n = 0; n < size->jobs; n++) {
+    passes = larger(passes, size->job[n].passes);
+  }
+  return passes;
+}
+
+/* No pose takes fewer of all pairs, where that in which one pair has the most passes is looked at.
+ */
+static uint64_t least_cycles(const choice *all, const sepax_config *config) {
+  uint64_t sum = 0;
+  uint64_t most = 0;
+  for (size_t n = 0; n < all->pairs; n++) {
+    const sepax_size *size = &all->size[n];
+    uint64_t least = job_least_cycles(0, size->count, config);
+    uint64_t passes = most_passes(size);
+    sum += least + loading(size, config);
+    most = larger(most, job_least_cycles(passes, size->count, config) - least);
+  }
+  return sum + most;
+}
+
+/* With and without extents, which may help. */
+static bool add_designs(choice *all, int lanes, sepax_error *error) {
+  sepax_config config = sepax_config_default();
+  config.word = all->word;
+  config.clock_ps = all->request->clock_ps;
+  config.lanes = lanes;
+  size_limit(&config, all->size->limited, all->size->clearance, all->size->warning);
+  if (lanes > 0) {
+    config.memory_a = memory_for(all->largest[0]);
+    config.memory_b = memory_for(all->largest[1]);
+  }
+  const int kinds = all->pairs == 1 && all->size->core_word < all->word ? 2 : 1;
+  for (int extents = 0; extents < kinds; extents++) {
+    config.extent_a = extents > 0 ? (int)all->extent[0] : 0;
+    config.extent_b = extents > 0 ? (int)all->extent[1] : 0;
+    for (int n = 0; n < INTERVALS; n++) {
+      config.ii = intervals[n];
+      for (config.cores = 1; config.cores <= (lanes > 0 ? SEPAX_CORES_MAX : 1); config.cores++) {
+        if (!add_design(all, &config, least_cycles(all, &config), error)) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+/* -------------------------------------------------------------------- tree engines */
+
+static sepax_config tree_engine(const choice *all, int ii, int cores) {
+  sepax_config config = sepax_config_default();
+  config.word = all->tree_word;
+  config.clock_ps = all->request->clock_ps;
+  config.tree = true;
+  config.ii = ii;
+  config.cores = cores;
+  size_limit(&config, all->size->limited, all->size->clearance, all->size->warning);
+  return config;
+}
+
+/* In each pose; no other takes fewer cycles. */
+static bool find_work(choice *all, sepax_error *error) {
+  const sepax_config fastest = tree_engine(all, 1, SEPAX_CORES_MAX);
+  size_t poses = all->tree_poses;
+  all->work = calloc(poses + 1, sizeof *all->work);
+  if (all->work == NULL) {
+    return sepax_fail(error, "no memory for %zu poses", poses);
+  }
+  for (size_t n = 0; n < poses; n++) {
+    all->work[n].least = all->between;
+    for (size_t k = 0; k < all->pairs; k++) {
+      sepax_tree_run run;
+      if (!size_trees_walk(all->size[k].trees, &fastest, n, all->request, &run, error)) {
+        return false;
+      }
+      all->work[n].passes += run.passes;
+      all->work[n].least += run.cycles;
+    }
+  }
+  return true;
+}
+
+static bool add_tree_engines(choice *all, sepax_error *error) {
+  for (size_t n = 0; n < INTERVALS * SEPAX_CORES_MAX; n++) {
+    int cores = 1 + (int)n % SEPAX_CORES_MAX;
+    sepax_config config = tree_engine(all, intervals[n / SEPAX_CORES_MAX], cores);
+    uint64_t least = 0;
+    for (size_t k = 0; k < all->tree_poses; k++) {
+      uint64_t busy = all->work[k].passes / (uint64_t)cores; /* the last of a pair takes no II */
+      busy = busy > all->pairs ? (busy - all->pairs) * (uint64_t)config.ii : 0;
+      least = larger(least, larger(busy, all->work[k].least));
+    }
+    if (!add_design(all, &config, least, error)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ------------------------------------------------------------------------- choosing */
+
+/* Poses of a design; 0 where no jobs were looked for. */
+static size_t poses_of(const choice *all, const sepax_config *config) {
+  return config->tree ? all->tree_poses : all->size->jobs;
+}
+
+static bool cycles_of(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
+                      size_t pose, const sepax_size_request *request, uint64_t *steps,
+                      sepax_error *error) {
+  if (!config->tree) {
+    *cycles = job_cycles(&size->job[pose], size->count, config, steps) + loading(size, config);
+    return true;
+  }
+  sepax_tree_run run;
+  if (!size_trees_walk(size->trees, config, pose, request, &run, error)) {
+    return false;
+  }
+  *cycles = run.cycles;
+  return true;
+}
+
+bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
+                       size_t pose, const sepax_size_request *request, sepax_error *error) {
+  size_t passes = config->tree ? 0 : size->job[pose].passes;
+  uint64_t *steps = malloc((passes + 1) * sizeof *steps);
+  bool ok = steps != NULL ? cycles_of(cycles, size, config, pose, request, steps, error)
+                          : sepax_fail(error, "no memory for %zu candidates", passes);
+  free(steps);
+  return ok;
+}
+
+/* Of all pairs; it stops above the limit. */
+static bool cycles_in_pose(const choice *all, const sepax_config *config, size_t pose,
+                           uint64_t limit, uint64_t *cycles, sepax_error *error) {
+  *cycles = config->tree ? all->between : 0;
+  for (size_t n = 0; n < all->pairs && *cycles <= limit; n++) {
+    uint64_t one;
+    if (!cycles_of(&one, &all->size[n], config, pose, all->request, all->steps, error)) {
+      return false;
+    }
+    *cycles += one;
+  }
+  return true;
+}
+
+/* The cycles of the pose that takes the most; of one that takes more than `limit`, where there is
+ * one. m->worst is the pose to try first, and becomes that which took the most. */
+static bool try_poses(const choice *all, sepax_sized_design *m, uint64_t limit,
+                      sepax_error *error) {
+  size_t poses = poses_of(all, &m->config);
+  size_t begin = m->worst;
+  double sum = 0;
+  m->cycles = 0;
+  for (size_t n = 0; n < poses && m->cycles <= limit; n++) {
+    size_t at = (begin + n) % poses;
+    uint64_t cycles;
+    if (!cycles_in_pose(all, &m->config, at, limit, &cycles, error)) {
+      return false;
+    }
+    m->worst = n == 0 || cycles > m->cycles ? at : m->worst;
+    m->cycles = larger(m->cycles, cycles);
+    sum += (double)cycles;
+  }
+  m->mean = sum / (double)poses;
+  return true;
+}
+
+static int by_gates(const void *p, const void *q) {
+  const sepax_sized_design *a = p;
+  const sepax_sized_design *b = q;
+  return a->gates != b->gates ? (a->gates > b->gates) - (a->gates < b->gates)
+                              : (a->cycles > b->cycles) - (a->cycles < b->cycles);
+}
+
+/* Of those with one bound the dearer first: it is likely to be faster. */
+static int by_cycles(const void *p, const void *q) {
+  const sepax_sized_design *a = p;
+  const sepax_sized_design *b = q;
+  return a->cycles != b->cycles ? (a->cycles > b->cycles) - (a->cycles < b->cycles)
+                                : by_gates(q, p);
+}
+
+/* The first of all, by gates, that takes no more than `limit` cycles in any pose; best->config.word
+ * is 0 if there is none. Poses are tried in the order of what took the most before. */
+static bool find_cheapest(choice *all, uint64_t limit, sepax_sized_design *best,
+                          sepax_error *error) {
+  size_t pose[2] = {0, 0};
+  best->config.word = 0;
+  qsort(all->design, all->count, sizeof *all->design, by_gates);
+  for (size_t n = 0; n < all->count; n++) {
+    sepax_sized_design m = all->design[n];
+    if (m.cycles <= limit && poses_of(all, &m.config) > 0) {
+      m.worst = pose[m.config.tree];
+      if (!try_poses(all, &m, limit, error)) {
+        return false;
+      }
+      pose[m.config.tree] = m.worst;
+      if (m.cycles <= limit) {
+        *best = m;
+        return true;
+      }
+    }
+  }
+  return true;
+}
+
+/* Or the bound that no design is below, where no jobs were looked for. */
+static bool find_fewest(choice *all, uint64_t *fewest, sepax_error *error) {
+  size_t pose[2] = {0, 0};
+  *fewest = UINT64_MAX;
+  qsort(all->design, all->count, sizeof *all->design, by_cycles);
+  for (size_t n = 0; n < all->count && all->design[n].cycles < *fewest; n++) {
+    sepax_sized_design m = all->design[n];
+    m.worst = pose[m.config.tree];
+    if (poses_of(all, &m.config) > 0 && !try_poses(all, &m, *fewest, error)) {
+      return false;
+    }
+    pose[m.config.tree] = m.worst;
+    *fewest = m.cycles < *fewest ? m.cycles : *fewest;
+  }
+  return true;
+}
+
+static bool too_slow(choice *all, double period, sepax_sized_design *sized, sepax_error *error) {
+  const sepax_size_request *r = all->request;
+  uint64_t fewest;
+  char kinds[64] = "tree engine";
+  if (r->lanes_least <= r->lanes_most) {
+    snprintf(kinds, sizeof kinds, "design of up to %d lanes%s", r->lanes_most,
+             all->work != NULL ? " or a tree" : "");
+  }
+  if (!find_fewest(all, &fewest, error)) {
+    return false;
+  }
+  *sized = (sepax_sized_design){.cycles = fewest, .seconds = (double)fewest * period};
+  return sepax_fail(error,
+                    "time: %.4g ms are not enough: at %g ns the fastest %s takes %.4g ms; allow "
+                    "that, or coarsen the meshes",
+                    1e3 * r->seconds, 1e9 * period, kinds, 1e3 * sized->seconds);
+}
+
+static bool choose(choice *all, sepax_sized_design *sized, sepax_error *error) {
+  double period = all->request->clock_ps * 1e-12;
+  double limit = all->request->seconds / period * (1 + 1e-9);
+  sepax_sized_design best;
+  if (!find_cheapest(all, limit < 0x1p63 ? (uint64_t)limit : UINT64_MAX, &best, error)) {
+    return false;
+  }
+  if (best.config.word == 0) {
+    return too_slow(all, period, sized, error);
+  }
+  best.seconds = (double)best.cycles * period;
+  *sized = best;
+  return true;
+}
+
+static bool allocate(choice *all, sepax_error *error) {
+  const sepax_size_request *r = all->request;
+  size_t passes = 0;
+  for (size_t n = 0; n < all->pairs; n++) {
+    const sepax_size *size = &all->size[n];
+    passes = (size_t)larger(passes, most_passes(size));
+    int of_trees = size->trees != NULL ? size->trees->word : 0;
+    all->tree_poses = size->trees != NULL ? size->trees->poses : 0;
+    all->word = size->grid.word > all->word ? size->grid.word : all->word;
+    all->tree_word = of_trees > all->tree_word ? of_trees : all->tree_word;
+    for (int i = 0; i < 2; i++) {
+      all->extent[i] = size->extent[i] > all->extent[i] ? size->extent[i] : all->extent[i];
+      all->largest[i] = size->count[i] > all->largest[i] ? size->count[i] : all->largest[i];
+    }
+  }
+  size_t lanes = r->lanes_least <= r->lanes_most ? (size_t)(r->lanes_most - r->lanes_least + 1) : 0;
+  size_t most = (2 * lanes + 1) * INTERVALS * SEPAX_CORES_MAX;
+  all->design = malloc(most * sizeof *all->design);
+  all->steps = malloc((passes + 1) * sizeof *all->steps);
+  return (all->design != NULL && all->steps != NULL) ||
+         sepax_fail(error, "no memory for %zu designs and %zu candidates", most, passes);
+}
+
+static bool size_all(choice *all, sepax_sized_design *sized, sepax_error *error) {
+  const sepax_size_request *request = all->request;
+  *sized = (sepax_sized_design){.cycles = 0};
+  bool ok = allocate(all, error);
+  for (int lanes = request->lanes_least; lanes <= request->lanes_most && ok; lanes++) {
+    ok = add_designs(all, lanes, error);
+  }
+  if (ok && request->tree && all->size->trees != NULL) {
+    ok = find_work(all, error) && add_tree_engines(all, error);
+  }
+  if (ok && all->count == 0) {
+    ok = sepax_fail(error,
+                    "word: a tree engine has up to %d bits, and is for a path of poses; "
+                    "coarsen the resolution, or give the poses",
+                    SEPAX_TREE_WORD_MAX);
+  }
+  ok = ok && choose(all, sized, error);
+  free(all->design);
+  free(all->steps);
+  free(all->work);
+  return ok;
+}
+
+bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size,
+                       const sepax_size_request *request, sepax_error *error) {
+  choice all = {.size = size, .pairs = 1, .request = request};
+  return size_all(&all, sized, error);
+}
+
+bool sepax_size_pairs(sepax_sized_design *sized, const sepax_size *size, size_t pairs,
+                      const sepax_size_request *request, sepax_error *error) {
+  uint64_t latency = (uint64_t)(request->latency > 0 ? request->latency : SEPAX_TREE_LATENCY);
+  choice all = {.size = size,
+                .pairs = pairs,
+                .between = BETWEEN * pairs + latency * (pairs + 1),
+                .request = request};
+  return size_all(&all, sized, error);
+}

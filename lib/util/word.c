@@ -1,0 +1,6 @@
+/* word.c - the range of a coordinate of W bits. */
+#include "sepax.h"
+
+int32_t sepax_word_min(int word) { return (int32_t)(-(INT64_C(1) << (word - 1))); }
+
+int32_t sepax_word_max(int word) { return (int32_t)((INT64_C(1) << (word - 1)) - 1); }

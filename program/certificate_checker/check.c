@@ -1,0 +1,269 @@
+/* check.c - is a certificate right that bodies of a URDF do not touch along a path?
+ *   certificate-check [-p NAME:FOLDER] FILE
+ * docs/path/certificate.md has the format and what is proved. Exit status 0: proved; 1: not;
+ * 2: cannot be checked. Shares no code with sepax. */
+#include "boxes.h"
+#include "inside.h"
+#include "motion.h"
+#include "report.h"
+#include "separation.h"
+#include "lines.h"
+#include "steps.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* How often an interval is halved here beyond what the certificate does. */
+enum { DEPTH = 12 };
+
+/* Places in a segment: 0 ... WHOLE. */
+static const uint64_t WHOLE = (uint64_t)1 << LEVELS;
+
+typedef struct {
+  bool used;
+  box_tree tree;
+  shell shell;
+} prepared;
+
+typedef struct {
+  int first, second; /* links */
+  chain chain;
+  bool constant; /* none of the joints between them ever moves */
+} pair;
+
+typedef struct {
+  robot robot;
+  steps steps;
+  prepared *body; /* of each link */
+  pair *pair;
+  size_t pairs;
+  double clearance;
+  long long halved, by_axis;
+} proof;
+
+static const char *first_name(const proof *p, const pair *of) {
+  return p->robot.link[of->first].name;
+}
+static const char *second_name(const proof *p, const pair *of) {
+  return p->robot.link[of->second].name;
+}
+
+static const surface *body_of(const proof *p, int link) { return &p->robot.link[link].body; }
+
+static prepared *prepare(proof *p, int link) {
+  prepared *b = &p->body[link];
+  if (!b->used) {
+    b->tree = boxes_of(body_of(p, link));
+    b->shell = shell_of(body_of(p, link));
+    b->used = true;
+  }
+  return b;
+}
+
+static motion motion_in(const proof *p, const pair *of, int segment, uint64_t from, uint64_t to) {
+  const int next = segment + 1 < p->steps.lines ? segment + 1 : segment;
+  const interval i = {
+      steps_line(&p->steps, segment),
+      steps_line(&p->steps, next),
+      (long double)(from + to) / 2 / (long double)WHOLE,
+      (long double)(to - from) / 2 / (long double)WHOLE,
+      body_of(p, of->first)->radius,
+      body_of(p, of->second)->radius,
+  };
+  return chain_motion(&of->chain, &p->robot, &i);
+}
+
+static void prove(proof *p, const pair *of, int segment, uint64_t from, uint64_t to, int depth) {
+  const motion m = motion_in(p, of, segment, from, to);
+  if (separated(&p->body[of->first].tree, &p->body[of->second].tree, &m, p->clearance))
+    return;
+  if (depth == DEPTH || to - from < 2) {
+    reject("%s, %s: segment %d: not proved to be farther from each other than %g m from %.9Lg to "
+           "%.9Lg of the way",
+           first_name(p, of), second_name(p, of), segment, p->clearance,
+           (long double)from / (long double)WHOLE, (long double)to / (long double)WHOLE);
+  }
+  p->halved++;
+  const uint64_t middle = from + (to - from) / 2;
+  prove(p, of, segment, from, middle, depth + 1);
+  prove(p, of, segment, middle, to, depth + 1);
+}
+
+/* At the first line: disjoint, and neither inside the other. */
+static void prove_start(proof *p, const pair *of) {
+  const prepared *a = prepare(p, of->first);
+  const prepared *b = prepare(p, of->second);
+  const motion m = motion_in(p, of, 0, 0, 0);
+  if (!separated(&a->tree, &b->tree, &m, p->clearance)) {
+    reject(
+        "%s, %s: segment 0: not proved to be farther from each other than %g m at the first line",
+        first_name(p, of), second_name(p, of), p->clearance);
+  }
+  const pose at = chain_pose(&of->chain, &p->robot, steps_line(&p->steps, 0));
+  if (shell_inside(&a->shell, &b->shell, at) ||
+      shell_inside(&b->shell, &a->shell, pose_inverse(at))) {
+    reject("%s, %s: segment 0: one is inside the other at the first line", first_name(p, of),
+           second_name(p, of));
+  }
+}
+
+/* What the certificate says of its axis must be right, but for rounding and polyhedra that hold
+ * cylinders and spheres; true if it proves the interval, by the bound of motion.h. */
+static bool proved_by_axis(const proof *p, const pair *of, const certificate_line *line,
+                           const motion *m) {
+  const surface *a = body_of(p, of->first);
+  const surface *b = body_of(p, of->second);
+  const gap g = gap_along(a, b, m, line->axis);
+  if (!(g.middle + m->rounding + a->rounded + b->rounded > line->bound + p->clearance)) {
+    reject("%s, %s: segment %d: boxes are %g m from each other along the axis of %s, not more than "
+           "%g m",
+           first_name(p, of), second_name(p, of), line->segment, g.middle, line->where,
+           line->bound + p->clearance);
+  }
+  return g.always > p->clearance;
+}
+
+/* Where the lines are: all before it is covered. */
+typedef struct {
+  size_t pair;
+  int segment;
+  uint64_t place;
+} progress;
+
+static void must_be_whole(const proof *p, const progress *at) {
+  const pair *of = &p->pair[at->pair];
+  if (of->constant || at->place == WHOLE)
+    return;
+  reject("%s, %s: segment %d: no interval from %.9Lg of the way", first_name(p, of),
+         second_name(p, of), at->segment, (long double)at->place / (long double)WHOLE);
+}
+
+/* Up to the beginning of a segment of a pair, or the end (pair = pairs, segment = 0). */
+static void go_to(const proof *p, progress *at, size_t to_pair, int to_segment) {
+  const int segments = p->steps.lines - 1;
+  while (at->pair < to_pair || (at->pair == to_pair && at->segment < to_segment)) {
+    if (segments > 0)
+      must_be_whole(p, at);
+    at->place = 0;
+    if (++at->segment >= segments) {
+      at->segment = 0;
+      at->pair++;
+    }
+  }
+}
+
+static void prove_line(proof *p, progress *at, const certificate_line *line) {
+  if (line->pair >= p->pairs)
+    reject("%s: no pair %zu", line->where, line->pair);
+  if (line->segment >= p->steps.lines - 1)
+    reject("%s: no segment %d", line->where, line->segment);
+  const pair *of = &p->pair[line->pair];
+  go_to(p, at, line->pair, line->segment);
+  const uint64_t size = WHOLE >> line->level;
+  const uint64_t from = line->index * size;
+  if (at->pair != line->pair || at->segment != line->segment || from < at->place) {
+    reject("%s, %s: segment %d: %s is out of order", first_name(p, of), second_name(p, of),
+           line->segment, line->where);
+  }
+  if (from > at->place) {
+    reject("%s, %s: segment %d: no interval from %.9Lg to %.9Lg of the way", first_name(p, of),
+           second_name(p, of), line->segment, (long double)at->place / (long double)WHOLE,
+           (long double)from / (long double)WHOLE);
+  }
+  at->place = from + size;
+  if (line->has_axis) {
+    const motion m = motion_in(p, of, line->segment, from, at->place);
+    if (proved_by_axis(p, of, line, &m)) {
+      p->by_axis++;
+      return;
+    }
+  }
+  if (!of->constant)
+    prove(p, of, line->segment, from, at->place, 0);
+}
+
+static bool is_constant(const proof *p, const chain *c) {
+  for (int n = 0; n < c->count; n++) {
+    const int moved = c->part[n].joint;
+    for (int line = 1; moved >= 0 && line < p->steps.lines; line++) {
+      if (steps_line(&p->steps, line)[moved] != steps_line(&p->steps, 0)[moved])
+        return false;
+    }
+  }
+  return true;
+}
+
+static void add_pair(proof *p, const char *first, const char *second) {
+  const int a = robot_link_named(&p->robot, first);
+  const int b = robot_link_named(&p->robot, second);
+  if (a < 0 || b < 0)
+    reject("%s, %s: no such links", first, second);
+  if (a == b)
+    reject("%s, %s: one link", first, second);
+  if (body_of(p, a)->count == 0 || body_of(p, b)->count == 0) {
+    reject("%s, %s: without collision geometry", first, second);
+  }
+  pair new = {a, b, chain_between(&p->robot, a, b), false};
+  new.constant = is_constant(p, &new.chain);
+  GROW(p->pair, p->pairs);
+  p->pair[p->pairs++] = new;
+}
+
+static void check_pairs(const proof *p) {
+  const int links = p->robot.links;
+  bool *there = memory(NULL, (size_t)links * (size_t)links, sizeof *there);
+  memset(there, 0, (size_t)links * (size_t)links * sizeof *there);
+  for (size_t n = 0; n < p->pairs; n++) {
+    const pair *of = &p->pair[n];
+    bool *one = &there[of->first * links + of->second];
+    if (*one)
+      reject("%s, %s: twice among the pairs", first_name(p, of), second_name(p, of));
+    *one = there[of->second * links + of->first] = true;
+  }
+  for (int a = 0; a < links; a++) {
+    for (int b = a + 1; b < links; b++) {
+      if (body_of(p, a)->count == 0 || body_of(p, b)->count == 0)
+        continue;
+      if (p->robot.excluded[a * links + b] || there[a * links + b])
+        continue;
+      reject("%s, %s: not among the pairs", p->robot.link[a].name, p->robot.link[b].name);
+    }
+  }
+  free(there);
+}
+
+int main(int count, char **words) {
+  packages folders = {NULL, 0};
+  int option = 0;
+  while ((option = getopt(count, words, "p:")) != -1) {
+    const char *colon = option == 'p' ? strchr(optarg, ':') : NULL;
+    if (colon == NULL)
+      cannot("usage: certificate-check [-p NAME:FOLDER] FILE");
+    GROW(folders.entry, folders.count);
+    folders.entry[folders.count++] = (package){text_copy(optarg, (size_t)(colon - optarg)),
+                                               text_copy(colon + 1, strlen(colon + 1))};
+  }
+  if (optind + 1 != count)
+    cannot("usage: certificate-check [-p NAME:FOLDER] FILE");
+  certificate c = certificate_open(words[optind], &folders);
+  proof p = {.robot = robot_read(c.urdf, c.srdf, &folders), .clearance = c.clearance};
+  p.steps = steps_read(c.path, &p.robot);
+  const size_t links = (size_t)p.robot.links;
+  p.body = memory(NULL, links, sizeof *p.body);
+  memset(p.body, 0, links * sizeof *p.body);
+  for (size_t n = 0; n < c.pairs; n++)
+    add_pair(&p, c.pair[n][0], c.pair[n][1]);
+  check_pairs(&p);
+  for (size_t n = 0; n < p.pairs; n++)
+    prove_start(&p, &p.pair[n]);
+  progress at = {0, 0, 0};
+  certificate_line line;
+  while (certificate_next(&c, &line))
+    prove_line(&p, &at, &line);
+  go_to(&p, &at, p.pairs, 0);
+  printf("%zu pairs, %d segments, %lld intervals: accepted (%lld by their axis; %lld halved)\n",
+         p.pairs, p.steps.lines - 1, c.intervals, p.by_axis, p.halved);
+  return 0;
+}

@@ -1,0 +1,154 @@
+/* steps.c - CSV of joint values. */
+#include "steps.h"
+
+#include "report.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+  int joint; /* -1: the time */
+  long double unit;
+} column;
+
+static const struct {
+  const char *name;
+  joint_kind kind;
+  long double size;
+} UNIT[] = {
+    {"m", JOINT_PRISMATIC, 1},
+    {"cm", JOINT_PRISMATIC, 1e-2L},
+    {"mm", JOINT_PRISMATIC, 1e-3L},
+    {"um", JOINT_PRISMATIC, 1e-6L},
+    {"in", JOINT_PRISMATIC, .0254L},
+    {"rad", JOINT_REVOLUTE, 1},
+    {"deg", JOINT_REVOLUTE, 3.14159265358979323846264338327950288L / 180},
+};
+
+/* The text between blanks, in its place. */
+static char *trimmed(char *text) {
+  static const char BLANK[] = " \t\r";
+  text += strspn(text, BLANK);
+  size_t length = strlen(text);
+  while (length > 0 && strchr(BLANK, text[length - 1]) != NULL)
+    text[--length] = 0;
+  return text;
+}
+
+static column heading(const char *file, char *text, const robot *r) {
+  char *unit = NULL;
+  char *bracket = strchr(text, '[');
+  if (bracket != NULL) {
+    char *end = bracket + strcspn(bracket, "]");
+    if (*end == 0 || *trimmed(end + 1) != 0)
+      cannot("%s: column %s", file, text);
+    *bracket = *end = 0;
+    unit = trimmed(bracket + 1);
+  }
+  const char *name = trimmed(text);
+  column c = {robot_joint_named(r, name), 1};
+  if (c.joint < 0) {
+    if (strcmp(name, "time") == 0)
+      return c;
+    cannot("%s: no joint %s", file, name);
+  }
+  const joint *j = &r->joint[c.joint];
+  if (j->kind == JOINT_FIXED || j->mimic >= 0)
+    cannot("%s: joint %s cannot be moved", file, name);
+  if (unit == NULL)
+    return c;
+  for (size_t n = 0; n < sizeof UNIT / sizeof *UNIT; n++) {
+    if (strcmp(UNIT[n].name, unit) == 0 && UNIT[n].kind == j->kind) {
+      c.unit = UNIT[n].size;
+      return c;
+    }
+  }
+  cannot("%s: joint %s in %s", file, name, unit);
+}
+
+/* The text up to the next separator, which becomes a 0; *next is NULL behind the last. */
+static char *part(char **next, char separator) {
+  char *text = *next;
+  char *end = strchr(text, separator);
+  *next = end == NULL ? NULL : end + 1;
+  if (end != NULL)
+    *end = 0;
+  return text;
+}
+
+static void read_line(const char *file, char *line, const column *columns, int count, steps *s) {
+  long double *value = s->value + (size_t)s->lines * (size_t)s->joints;
+  char *next = line;
+  for (int n = 0; n < count; n++) {
+    if (next == NULL)
+      cannot("%s: data line %d: too few values", file, s->lines);
+    char *text = trimmed(part(&next, ','));
+    char *end = NULL;
+    const long double number = strtold(text, &end);
+    if (end == text || *end != 0 || !isfinite(number)) {
+      cannot("%s: data line %d: '%s' is no number", file, s->lines, text);
+    }
+    if (columns[n].joint >= 0)
+      value[columns[n].joint] = number * columns[n].unit;
+  }
+  if (next != NULL)
+    cannot("%s: data line %d: too many values", file, s->lines);
+}
+
+static void follow(const robot *r, long double *value) {
+  for (int n = 0; n < r->joints; n++) {
+    /* q = factor (factor' q' + offset') + offset ... down to a joint that moves by itself */
+    long double factor = 1;
+    long double offset = 0;
+    int at = n;
+    for (; r->joint[at].mimic >= 0; at = r->joint[at].mimic) {
+      offset += factor * r->joint[at].offset;
+      factor *= r->joint[at].factor;
+    }
+    if (at != n)
+      value[n] = factor * value[at] + offset;
+  }
+}
+
+steps steps_read(const char *file, const robot *r) {
+  size_t length = 0;
+  char *text = file_read(file, &length);
+  if (strlen(text) != length)
+    cannot("%s: is no text", file);
+  char *next = text;
+  column *columns = NULL;
+  int count = 0;
+  for (char *header = part(&next, '\n'); header != NULL; count++) {
+    GROW(columns, count);
+    columns[count] = heading(file, trimmed(part(&header, ',')), r);
+    for (int n = 0; n < count; n++) {
+      if (columns[n].joint == columns[count].joint)
+        cannot("%s: two columns of one name", file);
+    }
+  }
+  steps s = {0, r->joints, NULL};
+  size_t size = 0;
+  while (next != NULL) {
+    char *line = part(&next, '\n');
+    if (*trimmed(line) == 0)
+      continue;
+    if (s.lines == INT_MAX)
+      cannot("%s: too long", file);
+    if ((size_t)s.lines == size) {
+      size = size == 0 ? 1024 : 2 * size;
+      s.value = memory(s.value, size * (size_t)(r->joints + 1), sizeof *s.value);
+    }
+    long double *value = s.value + (size_t)s.lines * (size_t)s.joints;
+    for (int n = 0; n < r->joints; n++)
+      value[n] = 0;
+    read_line(file, line, columns, count, &s);
+    follow(r, value);
+    s.lines++;
+  }
+  if (s.lines == 0)
+    cannot("%s: no line of values", file);
+  free(columns);
+  free(text);
+  return s;
+}

@@ -1,0 +1,107 @@
+/* judge.c - sepax judge: verdicts for pairs given as text. */
+#include "cli/cli.h"
+#include "util/error.h"
+#include "sepax_design.h"
+#include "sepax_vectors.h"
+
+#include <errno.h>
+#include <string.h>
+
+typedef struct {
+  sepax_config config;
+  const char *path;
+  bool echo;
+} judge_options;
+
+static const struct argp_option options[] = {
+    {"echo", 'e', NULL, 0,
+     "print the 24 integers of the pair before its verdict, and behind it, for designs with "
+     "hardware, whether the pair is coplanar (0, 1), for exact also the axis (0 ... 12, behind an "
+     "AABB test to 14) and with a clearance the band",
+     0},
+    {0}};
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  judge_options *o = state->input;
+  switch (key) {
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &o->config;
+    return 0;
+  case 'e':
+    o->echo = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->path != NULL) {
+      argp_error(state, "unexpected argument '%s': give one file", text);
+    }
+    o->path = text;
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static void print_verdict(const sepax_design *design, const sepax_pair *pair, bool echo) {
+  sepax_verdict verdict = sepax_judge(design, pair);
+  if (echo) {
+    sepax_pair_print(stdout, pair);
+    putchar(' ');
+  }
+  putchar(verdict.collision ? '1' : '0');
+  sepax_arch arch = design->config.arch;
+  bool exact = arch == SEPAX_ARCH_EXACT;
+  if (echo && (exact || arch == SEPAX_ARCH_PAPER || arch == SEPAX_ARCH_CONFERENCE)) {
+    printf(" %d", verdict.coplanar);
+  }
+  if (echo && exact) {
+    printf(" %d", verdict.axis);
+    if (design->limits > 0) {
+      printf(" %d", verdict.band);
+    }
+  }
+  putchar('\n');
+}
+
+static bool judge_stream(const sepax_design *design, FILE *in, const char *name, bool echo,
+                         sepax_error *error) {
+  sepax_pair pair;
+  sepax_line line;
+  size_t number = 0;
+  while ((line = sepax_pair_read(&pair, in, name, &number, design->config.word, error)) ==
+         SEPAX_LINE_PAIR) {
+    print_verdict(design, &pair, echo);
+  }
+  return line != SEPAX_LINE_ERROR;
+}
+
+int cli_judge(int argc, char **argv) {
+  static const struct argp_child children[] = {{&cli_config_argp, 0, NULL, 0}, {0}};
+  static const struct argp argp = {
+      options,
+      parse,
+      "[FILE]",
+      "Print 1 (collision) or 0 (separated) for each pair of FILE or standard input: a line "
+      "of 18 integers A1x A1y A1z ... B3z, or 24 with both normals (computed when absent); "
+      "'#' starts a comment. --arch=reference gives the verdicts of exact by another method.",
+      children,
+      NULL,
+      NULL};
+  judge_options o = {.config = sepax_config_default()};
+  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  sepax_error error = {""};
+  sepax_design design;
+  if (!sepax_design_init(&design, &o.config, &error)) {
+    return cli_fail(argv[0], &error);
+  }
+  bool from_file = o.path != NULL && strcmp(o.path, "-") != 0;
+  FILE *in = from_file ? fopen(o.path, "r") : stdin;
+  if (in == NULL) {
+    sepax_fail(&error, "%.200s: %s; give a readable file of pairs", o.path, strerror(errno));
+    return cli_fail(argv[0], &error);
+  }
+  bool ok = judge_stream(&design, in, from_file ? o.path : "standard input", o.echo, &error);
+  if (from_file) {
+    fclose(in);
+  }
+  return ok ? 0 : cli_fail(argv[0], &error);
+}

@@ -1,0 +1,87 @@
+/* mesh.c - sepax mesh: sample objects as STL. */
+#include "cli/cli.h"
+#include "sepax_vectors.h"
+
+typedef struct {
+  const char *shape, *path;
+  uint64_t triangles;
+  double at[3], size;
+  bool ascii, list;
+} mesh_options;
+
+enum { KEY_AT = 0x300, KEY_SIZE, KEY_ASCII, KEY_LIST };
+
+static const struct argp_option options[] = {
+    {"output", 'o', "FILE", 0, "the STL file to write", 0},
+    {"triangles", 'n', "COUNT", 0, "number of triangles, even (400)", 0},
+    {"at", KEY_AT, "X,Y,Z", 0, "position of the object in mm (0,0,0)", 0},
+    {"size", KEY_SIZE, "MM", 0, "diameter or longest side (by shape)", 0},
+    {"ascii", KEY_ASCII, NULL, 0, "write ASCII instead of binary STL", 0},
+    {"list", KEY_LIST, NULL, 0, "list the shapes", 0},
+    {0}};
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  mesh_options *o = state->input;
+  switch (key) {
+  case 'o':
+    o->path = text;
+    return 0;
+  case 'n':
+    o->triangles = cli_count(state, "triangles", text, 10000000);
+    return 0;
+  case KEY_AT:
+    cli_vector(state, "at", text, o->at);
+    return 0;
+  case KEY_SIZE:
+    o->size = cli_number(state, "size", text);
+    if (o->size <= 0) {
+      argp_error(state, "size: %s is not above 0", text);
+    }
+    return 0;
+  case KEY_ASCII:
+    o->ascii = true;
+    return 0;
+  case KEY_LIST:
+    o->list = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->shape != NULL) {
+      argp_error(state, "unexpected argument '%s': give one shape", text);
+    }
+    o->shape = text;
+    return 0;
+  case ARGP_KEY_END:
+    if (!o->list && (o->shape == NULL || o->path == NULL)) {
+      argp_error(state, "give a shape and -o FILE (--list lists the shapes)");
+    }
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+int cli_mesh(int argc, char **argv) {
+  static const struct argp argp = {
+      options, parse,
+      "SHAPE", "Write a sample object, a closed mesh of a chosen number of triangles, as STL.",
+      NULL,    NULL,
+      NULL};
+  mesh_options o = {.triangles = 400};
+  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  if (o.list) {
+    for (size_t i = 0; sepax_sample_name(i) != NULL; i++) {
+      printf("%-10s %s (at least %zu triangles)\n", sepax_sample_name(i), sepax_sample_about(i),
+             sepax_sample_least(i));
+    }
+    return 0;
+  }
+  sepax_error error = {""};
+  sepax_mesh mesh = {NULL, 0};
+  bool ok = sepax_sample(&mesh, o.shape, (size_t)o.triangles, o.at, o.size, &error) &&
+            sepax_stl_write(&mesh, o.path, o.ascii, &error);
+  if (ok) {
+    printf("%s: %s, %zu triangles\n", o.path, o.shape, mesh.count);
+  }
+  sepax_mesh_free(&mesh);
+  return ok ? 0 : cli_fail(argv[0], &error);
+}

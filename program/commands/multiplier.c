@@ -1,0 +1,194 @@
+/* multiplier.c - sepax multiplier: one of the generated multipliers by itself. */
+#include "arith/arith.h"
+#include "cli/cli.h"
+#include "util/error.h"
+
+#include <stdlib.h>
+
+typedef struct {
+  uint64_t a, b, product, digits, less;
+  double period;
+  sepax_config config; /* only its target */
+  const char *target;  /* as it was given */
+  const char *folder;
+} multiplier_options;
+
+enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500, KEY_DIGITS, KEY_LESS, KEY_TARGET };
+
+static const struct argp_option options[] = {
+    {"a", 'a', "BITS", 0, "bits of the first factor, 3 ... 80", 0},
+    {"b", 'b', "BITS", 0, "bits of the second factor, which is recoded; at most those of a", 0},
+    {"product", 'p', "BITS", 0, "bits of the product kept, the lowest, at most 128 (all of them)",
+     0},
+    {"digits", KEY_DIGITS, "COUNT", 0,
+     "a (b - K) instead of a b, K = 1 + 4 + ... + 4^(COUNT - 2), which saves an addition; "
+     "floor(b / 4^(COUNT - 1)) must be in -2 ... 2",
+     0},
+    {"less", KEY_LESS, "1|2", 0, "with --digits: K = 2 (1 + 4 + ...) for 2 (1)", 0},
+    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for (no registers)", 0},
+    {"target", KEY_TARGET, "TARGET", 0,
+     "what the Verilog is made for: asic (default), ice40, ecp5, xc7, xcup, gowin", 0},
+    {"output", 'o', "DIR", 0, "folder for the Verilog (made if missing)", 0},
+    {0}};
+
+/* A count above 0. */
+static uint64_t bits_of(struct argp_state *state, const char *option, const char *text,
+                        uint64_t limit) {
+  uint64_t value = cli_count(state, option, text, limit);
+  if (value == 0) {
+    argp_error(state, "%s: 0; give 1 ... %llu", option, (unsigned long long)limit);
+  }
+  return value;
+}
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  multiplier_options *o = state->input;
+  switch (key) {
+  case 'a':
+    o->a = bits_of(state, "a", text, MOST);
+    return 0;
+  case 'b':
+    o->b = bits_of(state, "b", text, MOST);
+    return 0;
+  case 'p':
+    o->product = bits_of(state, "product", text, UINT64_C(2) * MOST);
+    return 0;
+  case KEY_DIGITS:
+    o->digits = bits_of(state, "digits", text, MOST);
+    return 0;
+  case KEY_LESS:
+    o->less = bits_of(state, "less", text, 2);
+    return 0;
+  case KEY_CLOCK:
+    o->period = cli_number(state, "clock-ns", text);
+    return 0;
+  case KEY_TARGET: {
+    sepax_error error = {""};
+    if (!sepax_config_set(&o->config, "target", text, &error)) {
+      argp_error(state, "%s", error.text);
+    }
+    o->target = text;
+    return 0;
+  }
+  case 'o':
+    o->folder = text;
+    return 0;
+  case ARGP_KEY_ARG:
+    argp_error(state, "unexpected argument '%s'", text);
+    return 0;
+  case ARGP_KEY_END:
+    if (o->a == 0 || o->b == 0) {
+      argp_error(state, "give the bits of both factors with -a BITS -b BITS");
+    }
+    if (o->folder == NULL) {
+      argp_error(state, "give the folder for the Verilog with -o DIR");
+    }
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static arith_form form_of(const multiplier_options *o) {
+  return (arith_form){.delay = delay_model_of(o->config.target),
+                      .a_w = (int)o->a,
+                      .b_w = (int)o->b,
+                      .p_w = (int)o->product,
+                      .digits = (int)o->digits,
+                      .less = (int)o->less};
+}
+
+static bool check(const multiplier_options *o, sepax_error *error) {
+  if (o->a < LEAST || o->b < LEAST || o->b > o->a) {
+    return sepax_fail(error, "factors of %d and %d bits; give 3 ... 80, -b at most -a", (int)o->a,
+                      (int)o->b);
+  }
+  if (o->product <= o->a || o->product > o->a + o->b || o->product > ARITH_WIDTH) {
+    return sepax_fail(error, "product: %d bits; give more than -a, at most the sum of both and %d",
+                      (int)o->product, ARITH_WIDTH);
+  }
+  if (o->digits != 0 && (o->b + 1 < 2 * o->digits || o->b + 1 > 2 * o->digits + 2)) {
+    return sepax_fail(error, "digits: %d for -b %d; give %d ... %d", (int)o->digits, (int)o->b,
+                      (int)o->b / 2, ((int)o->b + 1) / 2);
+  }
+  if (o->less == 2 && o->digits == 0) {
+    return sepax_fail(error, "less: only with --digits");
+  }
+  bool asic = o->config.target == SEPAX_TARGET_ASIC;
+  if (!asic && (o->digits != 0 || o->period != 0)) {
+    return sepax_fail(error, "%s: only for an ASIC; leave it or the target out",
+                      o->digits != 0 ? "digits" : "clock-ns");
+  }
+  if (o->period != 0 && !(o->period >= 0.5 && o->period <= 20)) {
+    return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20", o->period);
+  }
+  arith_form form = form_of(o);
+  if (o->period != 0 && o->period < arith_shortest(&form)) {
+    return sepax_fail(error, "clock-ns: %g is too short for %dx%d; give %.2f or more", o->period,
+                      (int)o->a, (int)o->b, arith_shortest(&form) + 0.005);
+  }
+  return true;
+}
+
+static bool generate(const multiplier_options *o, sepax_error *error) {
+  char command[200];
+  int used = snprintf(command, sizeof command, "sepax multiplier --a=%d --b=%d --product=%d",
+                      (int)o->a, (int)o->b, (int)o->product);
+  if (o->digits > 0) {
+    used += snprintf(command + used, sizeof command - (size_t)used, " --digits=%d --less=%d",
+                     (int)o->digits, (int)o->less);
+  }
+  if (o->period > 0) {
+    snprintf(command + used, sizeof command - (size_t)used, " --clock-ns=%g", o->period);
+  }
+  if (o->target != NULL) {
+    snprintf(command + used, sizeof command - (size_t)used, " --target=%s", o->target);
+  }
+  arith_plan *plan = malloc(sizeof *plan);
+  if (plan == NULL) {
+    abort();
+  }
+  arith_form form = form_of(o);
+  arith_plan_make(plan, &form, o->period > 0 ? o->period : 1e9);
+  emitter e;
+  emit_init(&e, NULL, command);
+  if (o->config.target == SEPAX_TARGET_ASIC) {
+    gen_multiplier_parts(&e, o->less == 2);
+  } else {
+    gen_dsp(&e, form.delay);
+  }
+  gen_multiplier(&e, plan);
+  bool ok = e.error.text[0] == '\0';
+  if (!ok) {
+    *error = e.error;
+  }
+  ok = ok && gen_write(&e, o->folder, error);
+  if (ok) {
+    printf("%s: %s, product modulo 2^%d, latency %d\n", o->folder, arith_name(plan).text,
+           (int)o->product, plan->latency);
+  }
+  emit_free(&e);
+  free(plan);
+  return ok;
+}
+
+int cli_multiplier(int argc, char **argv) {
+  static const struct argp argp = {
+      options,
+      parse,
+      NULL,
+      "Generate the Verilog of one signed multiplier: rows by radix-4 digits -1 ... 2, full adders "
+      "by columns, one addition; the same that architecture exact is made of. For an FPGA: parts "
+      "for its own multipliers.",
+      NULL,
+      NULL,
+      NULL};
+  multiplier_options o = {.less = 1, .config = sepax_config_default()};
+  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  sepax_error error = {""};
+  o.product = o.product == 0 ? o.a + o.b : o.product;
+  if (!check(&o, &error) || !generate(&o, &error)) {
+    return cli_fail("sepax multiplier", &error);
+  }
+  return 0;
+}

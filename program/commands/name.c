@@ -1,0 +1,118 @@
+/* name.c - sepax name: what make and scripts ask about a design and its options. */
+#include "cli/cli.h"
+#include "design/options.h"
+#include "util/error.h"
+
+#include <string.h>
+
+typedef enum { PRINT_NAME, PRINT_TEXT, PRINT_MAKE, PRINT_LIST, PRINT_ONLY } print_what;
+
+typedef struct {
+  sepax_config config;
+  print_what what;
+} name_options;
+
+enum { KEY_WHAT = 0x400 };
+
+static const struct argp_option options[] = {
+    {"options", KEY_WHAT + PRINT_TEXT, NULL, 0, "print the options: --arch=exact --word=18 ...", 0},
+    {"make", KEY_WHAT + PRINT_MAKE, NULL, 0,
+     "print words for the shell: DESIGN_NAME=..., OPTIONS=..., then WORD=18 and so on", 0},
+    {"list", KEY_WHAT + PRINT_LIST, NULL, 0, "list every option as a variable of make", 0},
+    {"only", KEY_WHAT + PRINT_ONLY, NULL, 0,
+     "print the variables that only this architecture reads", 0},
+    {0}};
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  name_options *o = state->input;
+  switch (key) {
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &o->config;
+    return 0;
+  case ARGP_KEY_ARG:
+    argp_error(state, "unexpected argument '%s'", text);
+    return 0;
+  default:
+    if (key > KEY_WHAT && key <= KEY_WHAT + (int)PRINT_ONLY) {
+      o->what = (print_what)(key - KEY_WHAT);
+      return 0;
+    }
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+/* "  WORD=18  word length ...", wrapped at 96 columns. */
+static void print_row(const design_option *option, const sepax_config *standard) {
+  enum { INDENT = 21, WIDTH = 96 };
+  int column = printf("  %s=%s", design_option_variable(option).text,
+                      design_option_value(option, standard).text);
+  for (const char *word = option->help; *word != '\0';) {
+    int length = (int)strcspn(word, " ");
+    if (column + 1 + length > WIDTH) {
+      putchar('\n');
+      column = 0;
+    }
+    column += column < INDENT ? printf("%*s", INDENT - column, "") : 0;
+    column += printf(" %.*s", length, word);
+    word += length + (word[length] == ' ');
+  }
+  putchar('\n');
+}
+
+static void print_list(void) {
+  sepax_config standard = sepax_config_default();
+  const design_option *option;
+  const char *last = "";
+  for (size_t i = 0; (option = design_option_at(i)) != NULL; i++) {
+    const char *title = cli_options_title(option->archs);
+    if (strcmp(title, last) != 0) {
+      printf("%s\n", title);
+    }
+    last = title;
+    print_row(option, &standard);
+  }
+}
+
+static void print_only(sepax_arch arch) {
+  const design_option *option;
+  for (size_t i = 0; (option = design_option_at(i)) != NULL; i++) {
+    if (option->archs == 1U << arch) {
+      printf("%s\n", design_option_variable(option).text);
+    }
+  }
+}
+
+static void print_design(const name_options *o) {
+  char name[SEPAX_CONFIG_TEXT];
+  char text[SEPAX_CONFIG_TEXT];
+  char variables[SEPAX_CONFIG_TEXT];
+  sepax_config_name(&o->config, name, sizeof name);
+  sepax_config_text(&o->config, text, sizeof text);
+  sepax_config_variables(&o->config, variables, sizeof variables);
+  if (o->what == PRINT_MAKE) {
+    printf("DESIGN_NAME=%s 'OPTIONS=%s' %s\n", name, text, variables);
+  } else {
+    puts(o->what == PRINT_TEXT ? text : name);
+  }
+}
+
+int cli_name(int argc, char **argv) {
+  static const struct argp_child children[] = {{&cli_config_argp, 0, NULL, 0}, {0}};
+  static const struct argp argp = {
+      options,  parse, NULL, "Print the name of a design, that of its folder in build/core.",
+      children, NULL,  NULL};
+  name_options o = {.config = sepax_config_default()};
+  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  sepax_error error = {""};
+  if (!sepax_config_check(&o.config, &error)) {
+    return cli_fail(argv[0], &error);
+  }
+  if (o.what == PRINT_LIST) {
+    print_list();
+  } else if (o.what == PRINT_ONLY) {
+    print_only(o.config.arch);
+  } else {
+    print_design(&o);
+  }
+  return 0;
+}

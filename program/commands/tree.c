@@ -1,0 +1,132 @@
+/* tree.c - sepax tree: a body as a tree for the tree engine; what such files have. */
+#include "cli/cli.h"
+#include "cli/jobs.h"
+#include "sepax_tree.h"
+#include "util/error.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+  const char *path, *output;
+  uint64_t word; /* 0: not given */
+  cli_grid grid;
+  bool walk;
+} tree_options;
+
+enum { KEY_WORD = 0x400, KEY_WALK, WORD = 18 };
+
+static const struct argp_option options[] = {
+    {"output", 'o', "FILE", 0, "the file to write; without it a tree or a list of jobs is checked",
+     0},
+    {"word", KEY_WORD, "W", 0, "bits of a coordinate, 4 ... 21 (18)", 0},
+    {"walk", KEY_WALK, NULL, 0, "of a list of jobs: what the golden model answers in each pose", 0},
+    {0}};
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  tree_options *o = state->input;
+  switch (key) {
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &o->grid;
+    return 0;
+  case 'o':
+    o->output = text;
+    return 0;
+  case KEY_WORD:
+    o->word = cli_count(state, "word", text, UINT32_MAX);
+    if (o->word < SEPAX_WORD_MIN || o->word > SEPAX_TREE_WORD_MAX) {
+      argp_error(state, "word: %s is not in %d ... %d", text, SEPAX_WORD_MIN, SEPAX_TREE_WORD_MAX);
+    }
+    return 0;
+  case KEY_WALK:
+    o->walk = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->path != NULL) {
+      argp_error(state, "unexpected argument '%s': give one file", text);
+    }
+    o->path = text;
+    return 0;
+  case ARGP_KEY_END:
+    if (o->path == NULL) {
+      argp_error(state, "give an STL file and -o FILE, or a tree, or a list of jobs");
+    }
+    if (o->output == NULL && (o->word > 0 || o->grid.resolution != NULL)) {
+      argp_error(state, "word, resolution: with -o alone, where a tree is made");
+    }
+    if (o->grid.file_normals) {
+      argp_error(state, "normals: a tree has none; leave it out");
+    }
+    o->grid.grid.word = o->word > 0 ? (int)o->word : WORD;
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static bool name_file(sepax_error *error, const char *path) {
+  sepax_error inner = *error;
+  return sepax_fail(error, "%.200s: %.300s", path, inner.text);
+}
+
+static bool make_tree(sepax_tree **tree, const tree_options *o, sepax_error *error) {
+  sepax_mesh mesh;
+  if (!sepax_stl_read(&mesh, o->path, error)) {
+    return false;
+  }
+  sepax_grid grid = o->grid.grid;
+  const sepax_mesh *const one[] = {&mesh};
+  sepax_tri *tri = malloc(mesh.count * sizeof *tri);
+  bool ok = tri != NULL || sepax_fail(error, "no memory for %zu triangles", mesh.count);
+  ok = ok && (grid.resolution > 0 || sepax_grid_fit(&grid, one, 1, grid.word, error)) &&
+       sepax_quantise(&mesh, &grid, tri, NULL, error) &&
+       sepax_tree_new(tree, tri, mesh.count, &grid, error);
+  free(tri);
+  sepax_mesh_free(&mesh);
+  return ok || name_file(error, o->path);
+}
+
+static void tell(const char *path, const sepax_tree *tree) {
+  size_t bytes;
+  sepax_tree_image(tree, &bytes);
+  sepax_grid grid = sepax_tree_grid(tree);
+  size_t triangles = sepax_tree_triangles(tree);
+  printf("%s: %zu triangles, %zu nodes, %zu bytes, %.1f a triangle; W %d, resolution %.17g, "
+         "offset %.17g,%.17g,%.17g\n",
+         path, triangles, sepax_tree_nodes(tree), bytes, (double)bytes / (double)triangles,
+         grid.word, grid.resolution, grid.offset[0], grid.offset[1], grid.offset[2]);
+}
+
+int cli_tree(int argc, char **argv) {
+  static const struct argp_child children[] = {{&cli_grid_argp, 0, NULL, 0}, {0}};
+  static const struct argp argp = {
+      options,
+      parse,
+      "STL",
+      "Write the triangles of an STL file as a tree in the memory format of the tree engine "
+      "(docs/tree.md). Two trees are for each other if their resolutions are equal. Of a list of "
+      "jobs, as sepax path --jobs writes it, tell what is in it.",
+      children,
+      NULL,
+      NULL};
+  tree_options o = {.path = NULL};
+  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  sepax_error error = {""};
+  if (o.output == NULL && sepax_job_list_is(o.path)) {
+    return cli_tell_jobs(o.path, o.walk, &error) ? 0 : cli_fail(argv[0], &error);
+  }
+  if (o.walk) {
+    sepax_fail(&error, "walk: %.300s is no list of jobs; make one with 'sepax path --jobs=FILE'",
+               o.path);
+    return cli_fail(argv[0], &error);
+  }
+  sepax_tree *tree = NULL;
+  bool ok = o.output != NULL
+                ? make_tree(&tree, &o, &error) && sepax_tree_write(tree, o.output, &error)
+                : sepax_tree_read(&tree, o.path, &error);
+  if (ok) {
+    tell(o.output != NULL ? o.output : o.path, tree);
+  }
+  sepax_tree_free(tree);
+  return ok ? 0 : cli_fail(argv[0], &error);
+}

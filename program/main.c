@@ -1,0 +1,71 @@
+/* main.c - build/sepax: picks the subcommand. */
+#include "cli/cli.h"
+#include "util/temporary.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+  const char *name;
+  int (*run)(int argc, char **argv);
+  const char *about;
+} commands[] = {
+    {"gen", cli_gen, "generate the Verilog of a design"},
+    {"size", cli_size, "what a scene needs, and the design for it"},
+    {"check", cli_check, "do two bodies collide, and which of their triangles?"},
+    {"path", cli_path, "which bodies of a mechanism collide on a path?"},
+    {"judge", cli_judge, "verdicts for pairs given as text"},
+    {"accuracy", cli_accuracy, "how often a design is wrong, on which pairs, by how much"},
+    {"vectors", cli_vectors, "test vectors of hard cases as text"},
+    {"mesh", cli_mesh, "write a sample object as STL"},
+    {"tree", cli_tree, "a body as a tree for the tree engine"},
+    {"name", cli_name, "the name of a design, and the list of options"},
+    {"multiplier", cli_multiplier, "generate the Verilog of one multiplier"},
+};
+enum { COMMANDS = sizeof commands / sizeof commands[0] };
+
+static void usage(FILE *out) {
+  fprintf(out, "Usage: sepax COMMAND [OPTION...]\n"
+               "Triangle/triangle collision detection in hardware, and its golden model.\n\n");
+  for (int i = 0; i < COMMANDS; i++) {
+    fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].about);
+  }
+  fprintf(out,
+          "\n'sepax COMMAND --help' lists the options of a command; --version prints the "
+          "version.\nExit status: 0 done (check, path: free), 2 error; check, path: 1 collision, "
+          "3 warning, 4 undecided.\n");
+}
+
+int main(int argc, char **argv) {
+  argp_program_version = "sepax " SEPAX_VERSION;
+  argp_err_exit_status = EXIT_ERROR;
+  cli_options_init();
+  temporary_remove_on_signals();
+  if (argc >= 2 && strcmp(argv[1], "--help") == 0) {
+    usage(stdout);
+    return 0;
+  }
+  if (argc >= 2 && (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0)) {
+    puts(argp_program_version);
+    return 0;
+  }
+  for (int i = 0; argc >= 2 && i < COMMANDS; i++) {
+    if (strcmp(argv[1], commands[i].name) == 0) {
+      char name[32];
+      snprintf(name, sizeof name, "sepax %s", commands[i].name);
+      argv[1] = name;
+      int status = commands[i].run(argc - 1, argv + 1);
+      if (fflush(stdout) != 0 || ferror(stdout)) {
+        fprintf(stderr, "%s: standard output cannot be written; free some space\n", name);
+        return EXIT_ERROR;
+      }
+      return status;
+    }
+  }
+  if (argc >= 2) {
+    fprintf(stderr, "sepax: no command '%s'; 'sepax --help' lists them\n", argv[1]);
+  } else {
+    usage(stderr);
+  }
+  return EXIT_ERROR;
+}

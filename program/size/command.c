@@ -1,0 +1,452 @@
+/* command.c - sepax size: what a scene needs, and the design for it. */
+#include "cli/report.h"
+#include "size/parts.h"
+#include "util/error.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  KEY_OFFSET = 0x480,
+  KEY_WORKSPACE,
+  KEY_MOTION,
+  KEY_MOTION_A,
+  KEY_CENTRE,
+  KEY_CENTRE_A,
+  KEY_POSES,
+  KEY_SAMPLES,
+  KEY_FIRST,
+  KEY_LATENCY,
+  KEY_TREE,
+  KEY_TIME,
+  KEY_CLOCK,
+  KEY_LANES,
+  KEY_GEN
+};
+
+static const struct argp_option options[] = {
+    {NULL, 0, NULL, 0,
+     "Scene (a LENGTH is in file units, or with nm, um, mm or m behind it where "
+     "these are mm):",
+     1},
+    {"resolution", 'r', "LENGTH", 0, "length per LSB", 0},
+    {"offset", KEY_OFFSET, "X,Y,Z", 0,
+     "file coordinates of the integer origin (the middle of the workspace)", 0},
+    {"workspace", KEY_WORKSPACE, "SIZE", 0,
+     "a cuboid that must hold all poses: LENGTH, LENGTHxLENGTHxLENGTH, or LENGTH..LENGTHx... in "
+     "the file's coordinates (what the poses need)",
+     0},
+    {"motion", KEY_MOTION, "WHERE", 0,
+     "how B may move from its pose in the file: x:LENGTH..LENGTH, y:..., z:... and rotate:x, "
+     "rotate:y, rotate:z or rotate, with commas between (not at all)",
+     0},
+    {"centre", KEY_CENTRE, "X,Y,Z", 0, "what B rotates about, file coordinates (0,0,0)", 0},
+    {"motion-a", KEY_MOTION_A, "WHERE", 0, "the same of A", 0},
+    {"centre-a", KEY_CENTRE_A, "X,Y,Z", 0, "the same of A", 0},
+    {"samples", KEY_SAMPLES, "COUNT", 0,
+     "poses of a moving body to sample for the candidates that the AABB test leaves (64)", 0},
+    {"seed", 's', "SEED", 0, "seed of these poses (1)", 0},
+    {"poses", KEY_POSES, "FILE", 0,
+     "the path of B, instead of a motion: 12 numbers a line, a rotation by rows, then a "
+     "translation in file units; tree engines are looked at, too",
+     0},
+    {NULL, 0, NULL, 0, "Design:", 3},
+    {"time", KEY_TIME, "TIME", 0, "for a pose, with ns, us, ms or s behind it (0.96ms)", 0},
+    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period, 0.5 ... 20 (2)", 0},
+    {"lanes", KEY_LANES, "COUNT", 0,
+     "comparator lanes, 0 ... 64; 0: a core alone (as many as the time takes)", 0},
+    {"tree", KEY_TREE, NULL, 0, "a tree engine; needs --poses", 0},
+    {"first", KEY_FIRST, NULL, 0,
+     "a tree engine ends a pose at its first collision (it finds all); needs --poses", 0},
+    {"latency", KEY_LATENCY, "CYCLES", 0,
+     "of a tree engine's memory, 1 ... 100000 (100); needs --poses", 0},
+    {NULL, 0, NULL, 0, "Output:", 4},
+    {"json", 'j', NULL, 0, "print JSON instead of text", 0},
+    {"gen", KEY_GEN, NULL, 0, "generate the design, too, as sepax gen does; needs -o", 0},
+    {"output", 'o', "DIR", 0, "folder for its Verilog (made if missing)", 0},
+    {0}};
+
+/* ----------------------------------------------------------------------- parsing */
+
+/* LENGTH or LENGTH..LENGTH; the end of it, or NULL. */
+static const char *scan_range(const char *text, double *low, double *high, bool *is_range) {
+  const char *at = cli_scan_length(text, low);
+  *high = *low;
+  *is_range = at != NULL && strncmp(at, "..", 2) == 0;
+  return *is_range ? cli_scan_length(at + 2, high) : at;
+}
+
+static bool scan_workspace(sepax_space *space, const char *text) {
+  bool placed[3];
+  const char *at = text;
+  for (int axis = 0; axis < 3; axis++) {
+    at = scan_range(at, &space->low[axis], &space->high[axis], &placed[axis]);
+    if (at == NULL || placed[axis] != placed[0]) {
+      return false;
+    }
+    if (axis == 0 && *at == '\0' && !placed[0]) { /* a cube */
+      for (int k = 1; k < 3; k++) {
+        space->high[k] = space->high[0];
+        placed[k] = false;
+      }
+      break;
+    }
+    if (axis < 2 && *at != 'x' && *at != ',') {
+      return false;
+    }
+    at += axis < 2;
+  }
+  space->workspace = placed[0] ? SEPAX_WORKSPACE_PLACED : SEPAX_WORKSPACE_SIDES;
+  for (int axis = 0; axis < 3 && !placed[0]; axis++) {
+    space->low[axis] = 0;
+  }
+  return *at == '\0';
+}
+
+/* One item of a motion; the end of it, or NULL. Each may be given once: bits 0 ... 2 of `given`
+ * stand for x, y, z, bit 3 for rotate. */
+static const char *scan_item(sepax_motion *m, const char *text, unsigned *given) {
+  static const char rotate[] = "rotate";
+  if (strncmp(text, rotate, sizeof rotate - 1) == 0) {
+    const char *at = text + sizeof rotate - 1;
+    if ((*given & 8u) != 0) {
+      return NULL;
+    }
+    *given |= 8u;
+    m->rotation = SEPAX_ROTATION_ANY;
+    if (at[0] == ':' && at[1] >= 'x' && at[1] <= 'z') {
+      m->rotation = (sepax_rotation)(SEPAX_ROTATION_X + (at[1] - 'x'));
+      at += 2;
+    }
+    return at;
+  }
+  if (text[0] < 'x' || text[0] > 'z' || text[1] != ':') {
+    return NULL;
+  }
+  bool is_range;
+  int axis = text[0] - 'x';
+  if ((*given & 1u << axis) != 0) {
+    return NULL;
+  }
+  *given |= 1u << axis;
+  const char *at = scan_range(text + 2, &m->low[axis], &m->high[axis], &is_range);
+  return is_range ? at : NULL;
+}
+
+static bool scan_motion(sepax_motion *m, const char *text) {
+  unsigned given = 0;
+  const char *at = scan_item(m, text, &given);
+  while (at != NULL && *at == ',') {
+    at = scan_item(m, at + 1, &given);
+  }
+  return at != NULL && *at == '\0';
+}
+
+static void parse_motion(const struct argp_state *state, sepax_motion *m, const char *option,
+                         const char *text) {
+  if (!scan_motion(m, text)) {
+    argp_error(state, "%s: '%s' is not x:LOW..HIGH,y:...,z:...,rotate:x|y|z or rotate, each once",
+               option, text);
+  }
+}
+
+static double parse_time(const struct argp_state *state, const char *text) {
+  static const cli_unit units[] = {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}, {NULL, 0}};
+  double seconds;
+  const char *end = cli_scan(text, units, &seconds);
+  if (end == NULL || *end != '\0' || (end[-1] != 's') || !(seconds > 0)) {
+    argp_error(state, "time: '%s' is no time; give 1ms, say", text);
+  }
+  return seconds;
+}
+
+static error_t parse_scene(int key, char *text, struct argp_state *state) {
+  size_options *o = state->input;
+  sepax_space *space = &o->space;
+  switch (key) {
+  case 'r':
+    o->resolution = text;
+    space->resolution = cli_length(state, "resolution", text);
+    if (space->resolution <= 0) {
+      argp_error(state, "resolution: %s is not above 0", text);
+    }
+    return 0;
+  case KEY_OFFSET:
+    cli_vector(state, "offset", text, space->offset);
+    space->offset_given = true;
+    o->placed = "offset";
+    return 0;
+  case KEY_WORKSPACE:
+    if (!scan_workspace(space, text)) {
+      argp_error(state, "workspace: '%s' is not LENGTHxLENGTHxLENGTH, nor LOW..HIGH three times",
+                 text);
+    }
+    o->placed = "workspace";
+    return 0;
+  case KEY_MOTION:
+    o->moved = "motion";
+    parse_motion(state, &space->motion[1], "motion", text);
+    return 0;
+  case KEY_MOTION_A:
+    o->moved = "motion-a";
+    parse_motion(state, &space->motion[0], "motion-a", text);
+    return 0;
+  case KEY_CENTRE:
+    o->moved = "centre";
+    cli_vector(state, "centre", text, space->motion[1].centre);
+    return 0;
+  case KEY_CENTRE_A:
+    o->moved = "centre-a";
+    cli_vector(state, "centre-a", text, space->motion[0].centre);
+    return 0;
+  case KEY_POSES:
+    o->path_file = text;
+    return 0;
+  case KEY_SAMPLES:
+    o->moved = "samples";
+    space->poses = (int)cli_count(state, "samples", text, 1000000);
+    return 0;
+  case 's':
+    o->moved = "seed";
+    space->seed = cli_count(state, "seed", text, UINT64_MAX);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static bool ends_in(const char *name, const char *end) {
+  size_t length = strlen(name);
+  return length > strlen(end) && strcmp(name + length - strlen(end), end) == 0;
+}
+
+/* What is of two meshes alone, or of a mechanism. */
+static void check_scene(size_options *o, const struct argp_state *state) {
+  const path_question *q = &o->scene;
+  o->is_scene = ends_in(o->path[0], ".urdf") || ends_in(o->path[1], ".csv");
+  if (!o->is_scene) {
+    if (q->srdf != NULL || q->packages > 0 || q->clearance.text != NULL ||
+        q->warning.text != NULL || q->rules.hold || q->rules.ignore_limits) {
+      argp_error(state,
+                 "srdf, package, clearance, warning, hold, ignore-limits: are for a URDF and "
+                 "a CSV file; leave them out");
+    }
+    return;
+  }
+  const char *other = o->path_file != NULL ? "poses" : o->moved != NULL ? o->moved : o->placed;
+  if (other != NULL) {
+    argp_error(state, "%s: is for two meshes; the CSV says where bodies are", other);
+  }
+  o->posed = NULL;
+  o->request.first = true; /* as the jobs of a list */
+  o->scene.urdf = o->path[0];
+  o->scene.motion = o->path[1];
+  o->scene.keep = true;
+  if (o->resolution != NULL) {
+    o->scene.lsb = path_length(state, "resolution", o->resolution);
+  }
+}
+
+static void check_given(size_options *o, const struct argp_state *state) {
+  if (o->paths != 2) {
+    argp_error(state, "give two STL files, or a URDF and a CSV file");
+  }
+  check_scene(o, state);
+  if (o->space.resolution == 0) {
+    argp_error(state, "resolution: what is one LSB? give --resolution=2um, say");
+  }
+  if (o->moved != NULL && o->path_file != NULL) {
+    argp_error(state, "%s: the poses are those of the file; leave it out, or --poses", o->moved);
+  }
+  if (o->posed != NULL && o->path_file == NULL) {
+    argp_error(state, "%s: is for the tree engine on a path; give --poses=FILE, too", o->posed);
+  }
+  if (o->request.tree && o->lanes_given) {
+    argp_error(state, "tree: a tree engine has no comparator lanes; leave one of both out");
+  }
+  if (o->generate != (o->folder != NULL)) {
+    argp_error(state, "--gen and -o DIR go together; give both");
+  }
+}
+
+static error_t parse(int key, char *text, struct argp_state *state) {
+  size_options *o = state->input;
+  sepax_error error;
+  switch (key) {
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &o->scene;
+    return 0;
+  case KEY_TIME:
+    o->request.seconds = parse_time(state, text);
+    return 0;
+  case KEY_CLOCK:
+    if (!sepax_config_set(&o->clock, "clock-ns", text, &error)) {
+      argp_error(state, "%s", error.text);
+    }
+    return 0;
+  case KEY_LANES:
+    o->request.lanes_least = (int)cli_count(state, "lanes", text, SEPAX_LANES_MAX);
+    o->request.lanes_most = o->request.lanes_least;
+    o->lanes_given = true;
+    return 0;
+  case KEY_TREE:
+    o->request.tree = true;
+    o->posed = "tree";
+    return 0;
+  case KEY_FIRST:
+    o->request.first = true;
+    o->posed = "first";
+    return 0;
+  case KEY_LATENCY:
+    o->request.latency = (int)cli_count(state, "latency", text, 100000);
+    o->posed = "latency";
+    if (o->request.latency == 0) {
+      argp_error(state, "latency: '%s' is not in 1 ... 100000", text);
+    }
+    return 0;
+  case 'j':
+    o->json = true;
+    return 0;
+  case KEY_GEN:
+    o->generate = true;
+    return 0;
+  case 'o':
+    o->folder = text;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->paths == 2) {
+      argp_error(state, "unexpected argument '%s': give two files", text);
+    }
+    o->path[o->paths++] = text;
+    return 0;
+  case ARGP_KEY_END:
+    check_given(o, state);
+    return 0;
+  default:
+    return parse_scene(key, text, state);
+  }
+}
+
+/* ------------------------------------------------------------------------- steps */
+
+static bool read_and_size(const size_options *o, size_answer *answer, sepax_error *error) {
+  sepax_mesh mesh[2] = {{NULL, 0}, {NULL, 0}};
+  sepax_poses path = {NULL, 0};
+  sepax_space space = o->space;
+  double cycles = o->request.seconds / (o->clock.clock_ps * 1e-12);
+  bool posed = o->path_file != NULL;
+  if (o->is_scene) {
+    return size_scene_read(answer, o, error);
+  }
+  answer->size = calloc(1, sizeof *answer->size);
+  if (answer->size == NULL) {
+    return sepax_fail(error, "no memory for a scene");
+  }
+  answer->pairs = 1;
+  space.path = posed ? &path : NULL;
+  space.pairs_most = cycles < 1e15 ? 1 + (uint64_t)(cycles * SEPAX_LANES_MAX) : 0;
+  bool ok = (!posed || sepax_poses_read(&path, o->path_file, error)) &&
+            sepax_stl_read(&mesh[0], o->path[0], error) &&
+            sepax_stl_read(&mesh[1], o->path[1], error) &&
+            sepax_size_scene(answer->size, &mesh[0], &mesh[1], &space, error);
+  sepax_mesh_free(&mesh[0]);
+  sepax_mesh_free(&mesh[1]);
+  sepax_poses_free(&path);
+  return ok;
+}
+
+static bool design_of(sepax_sized_design *best, const size_options *o, const size_answer *answer,
+                      const sepax_size_request *request, sepax_error *error) {
+  return o->is_scene ? sepax_size_pairs(best, answer->size, answer->pairs, request, error)
+                     : sepax_size_design(best, answer->size, request, error);
+}
+
+static void release(size_answer *answer) {
+  for (size_t n = 0; n < answer->pairs; n++) {
+    sepax_size_free(&answer->size[n]);
+  }
+  free(answer->size);
+  size_scene_free(answer);
+}
+
+/* The best of each kind, and of all. */
+static bool choose(const size_options *o, size_answer *answer, sepax_error *error) {
+  sepax_error why = {""};
+  uint64_t fewest = UINT64_MAX;
+  for (int kind = 0; kind < SIZE_KINDS; kind++) {
+    size_kind *k = &answer->kind[kind];
+    sepax_size_request request = o->request;
+    bool tree = kind == SIZE_TREE;
+    if (kind == SIZE_CORE) {
+      request.lanes_most = 0;
+    } else if (kind == SIZE_LANES && request.lanes_least == 0) {
+      request.lanes_least = 1;
+    } else if (tree) {
+      request.lanes_least = 1;
+      request.lanes_most = 0;
+    }
+    request.tree = tree;
+    k->asked = tree ? answer->size->trees != NULL && !o->lanes_given
+                    : !o->request.tree && request.lanes_least <= request.lanes_most;
+    k->in_time = k->asked && design_of(&k->best, o, answer, &request, error);
+    if (k->asked && !k->in_time && k->best.cycles == 0) {
+      return false;
+    }
+    if (k->asked && !k->in_time && k->best.cycles < fewest) {
+      fewest = k->best.cycles;
+      why = *error;
+    }
+    if (k->in_time && (answer->best == NULL || k->best.gates < answer->best->gates)) {
+      answer->best = &k->best;
+    }
+  }
+  if (answer->best == NULL && why.text[0] == '\0') {
+    return sepax_fail(error,
+                      "tree: %d bits of a coordinate are more than %d; coarsen the resolution",
+                      answer->size->grid.word, SEPAX_TREE_WORD_MAX);
+  }
+  *error = why;
+  return answer->best != NULL;
+}
+
+/* Through the text, as sepax gen would read it. */
+static bool generate(const size_options *o, const sepax_sized_design *m, sepax_error *error) {
+  char text[SEPAX_CONFIG_TEXT];
+  sepax_config config = sepax_config_default();
+  sepax_design design;
+  return sepax_config_parse(&config, sepax_config_text(&m->config, text, sizeof text), error) &&
+         sepax_design_init(&design, &config, error) && cli_generate(&design, o->folder, error);
+}
+
+int cli_size(int argc, char **argv) {
+  static const struct argp_child children[] = {{&path_scene_argp, 0, "Scene of a mechanism:", 2},
+                                               {0}};
+  static const struct argp argp = {
+      options,
+      parse,
+      "A.stl B.stl\nROBOT.urdf PATH.csv",
+      "What an exact design for two meshes needs in every pose, and the design of the fewest gates "
+      "that judges all pairs in time: a core alone, behind comparator lanes or, on a path, behind "
+      "trees. Of a mechanism on a path: for all pairs of bodies that are compared, in each line.",
+      children,
+      NULL,
+      NULL};
+  static size_options o = {.space = {.poses = 64, .seed = 1},
+                           .request = {.lanes_most = SEPAX_LANES_MAX,
+                                       .seconds = 0.96e-3,
+                                       .latency = SEPAX_TREE_LATENCY}};
+  o.clock = sepax_config_default();
+  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  o.request.clock_ps = o.clock.clock_ps;
+  sepax_error error = {""};
+  size_answer answer = {.best = NULL};
+  bool ok = (!o.json || size_names_printable(&o, &error)) && sepax_config_check(&o.clock, &error) &&
+            read_and_size(&o, &answer, &error) && choose(&o, &answer, &error) &&
+            (!o.is_scene || size_scene_tell(&answer, &o, &error)) &&
+            (!o.generate || generate(&o, answer.best, &error));
+  if (ok) {
+    (o.json ? size_print_json : size_print_text)(&o, &answer);
+  }
+  release(&answer);
+  return ok ? 0 : cli_fail(argv[0], &error);
+}

@@ -1,0 +1,296 @@
+/* output.c - what sepax size says, as text and as JSON. */
+#include "cli/report.h"
+#include "size/parts.h"
+
+enum { WIDTH = 11 };
+
+static const char *const kind_name[SIZE_KINDS] = {"core alone", "object engine", "tree engine"};
+
+static uint64_t pairs_of(const sepax_size *s) { return (uint64_t)s->count[0] * s->count[1]; }
+
+static const char *pairs_told(const size_options *o) { return o->request.first ? "first" : "all"; }
+
+/* --------------------------------------------------------------------------- text */
+
+static void print_candidates(const size_options *o, const sepax_size *s) {
+  double pairs = (double)pairs_of(s);
+  printf("%-*s%llu of %.0f pairs have overlapping AABBs in the %s: %.3g %%\n", WIDTH, "AABBs",
+         (unsigned long long)s->given, pairs,
+         s->path > 0 ? "first pose of the path" : "pose of the files",
+         100 * (double)s->given / pairs);
+  if (s->poses > 0) {
+    printf("%-*sthe most in that and in %d sampled poses (seed %llu): %llu, %.3g %%\n", WIDTH, "",
+           s->poses, (unsigned long long)o->space.seed, (unsigned long long)s->worst,
+           100 * (double)s->worst / pairs);
+  } else if (s->path > 1) {
+    printf("%-*sthe most in any of its %zu poses: %llu, %.3g %%\n", WIDTH, "", s->path,
+           (unsigned long long)s->worst, 100 * (double)s->worst / pairs);
+  }
+}
+
+/* The pose that takes the most: of a file of poses from 0, of a mechanism its line. */
+static size_t worst_of(const size_answer *answer, size_t pose) {
+  return answer->each != NULL ? answer->scene.motion.line[pose] : pose;
+}
+
+/* What was compared, where there is a choice of kinds. */
+static void print_kinds(const size_answer *answer) {
+  printf("%-*s%-16s%9s %9s %11s %11s %6s\n", WIDTH, "engines", "", "GE", "kbit", "worst, ms",
+         "mean, ms", answer->each != NULL ? "line" : "pose");
+  for (int kind = 0; kind < SIZE_KINDS; kind++) {
+    const size_kind *k = &answer->kind[kind];
+    const sepax_sized_design *m = &k->best;
+    double period = m->config.clock_ps * 1e-12;
+    if (k->in_time) {
+      printf("%-*s%-16s%8.1fK %9.0f %11.4g %11.4g %6zu\n", WIDTH, "", kind_name[kind],
+             m->gates / 1000, (double)sepax_memory_bits(&m->config) / 1000, 1e3 * m->seconds,
+             1e3 * period * m->mean, worst_of(answer, m->worst));
+    } else if (k->asked) {
+      printf("%-*s%-16snone in time: %.4g ms or more\n", WIDTH, "", kind_name[kind],
+             1e3 * m->seconds);
+    } else if (kind == SIZE_TREE && answer->size->trees == NULL) {
+      printf("%-*s%-16snone: W is above %d\n", WIDTH, "", kind_name[kind], SEPAX_TREE_WORD_MAX);
+    }
+  }
+}
+
+static void print_design(const size_answer *answer) {
+  const sepax_sized_design *m = answer->best;
+  const sepax_config *c = &m->config;
+  double kbit = (double)sepax_memory_bits(c) / 1000;
+  printf("design     exact, II = %d, ", c->ii);
+  if (c->tree) {
+    printf("tree engine, %d core%s, memories of %.0f kbit\n", c->cores, c->cores > 1 ? "s" : "",
+           kbit);
+  } else if (c->lanes > 0) {
+    printf("%d comparator lanes, %d core%s, memories of %.0f kbit\n", c->lanes, c->cores,
+           c->cores > 1 ? "s" : "", kbit);
+  } else {
+    printf("no comparator lanes\n");
+  }
+  printf("gates      %.1fK +- %.1fK GE (formula for Nangate45 at 2 ns%s)\n", m->gates / 1000,
+         m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to designs like this one");
+}
+
+static void print_basis(const size_options *o) {
+  printf("rests on   cycles that the golden model's walk of each pose predicts, in measured "
+         "scenes the\n%-*smean to 4 %%, a pose to 13 %%; memory of %d cycles latency and 128 "
+         "bits, caches cold\n%-*sat each pose\n",
+         WIDTH, "", o->request.latency, WIDTH, "");
+}
+
+static void print_time(const size_options *o, const size_answer *answer) {
+  const sepax_sized_design *m = answer->best;
+  double period = m->config.clock_ps / 1000.0;
+  printf("time       %.4g ms for %s (%llu cycles of %g ns)", 1e3 * m->seconds,
+         m->config.tree && o->request.first ? "the first collision" : "all pairs",
+         (unsigned long long)m->cycles, period);
+  if (answer->size->path > 0) {
+    printf(" in the worst of %zu poses, number %zu; mean %.4g ms (%.0f cycles)\n",
+           answer->size->path, m->worst, 1e-6 * period * m->mean, m->mean);
+    if (m->config.tree) {
+      print_basis(o);
+    } else if (m->config.lanes > 0) {
+      printf("rests on   the golden model's cycles in each pose, and vertices that are loaded anew "
+             "for each,\n%-*s3 cycles a triangle\n",
+             WIDTH, "");
+    }
+    return;
+  }
+  if (answer->size->poses > 0) {
+    printf(", worst of the file's and %d sampled poses, not a bound", answer->size->poses);
+  }
+  putchar('\n');
+}
+
+/* Of a mechanism. */
+static void print_bodies(const size_options *o, const size_answer *answer) {
+  const path_scene *scene = &answer->scene;
+  const path_engine *e = &answer->engine;
+  for (size_t n = 0; n < scene->bodies; n++) {
+    printf("%-*s%s, %zu triangles\n", WIDTH, "body", path_body_name(scene, n),
+           scene->body[n].triangles);
+  }
+  printf("%-*s%zu of %zu are compared\n", WIDTH, "pairs", scene->pairs,
+         scene->pairs + scene->joined + scene->disabled);
+  printf("%-*s%s, %zu poses, in lines %zu ... %zu\n", WIDTH, "path", o->path[1],
+         scene->motion.lines, scene->motion.line[0], scene->motion.line[scene->motion.lines - 1]);
+  printf("%-*s%.9g um per LSB; about the middles of the bodies W = %d holds all near pairs\n",
+         WIDTH, "grid", 1e6 * e->resolution, e->word);
+  printf("%-*s%d LSB", WIDTH, "clearance", e->clearance);
+  if (e->warning > 0) {
+    printf(", warning %d LSB", e->warning);
+  }
+  puts(", of the bodies as they are in the files: nothing is missed");
+}
+
+static void print_lines(const size_options *o, const size_answer *answer) {
+  const path_scene *scene = &answer->scene;
+  const sepax_sized_design *m = answer->best;
+  double period = m->config.clock_ps / 1000.0;
+  printf("%-*s%-42s %11s %11s %7s\n", WIDTH, "cycles", "", "worst", "mean", "line");
+  for (size_t n = 0; n < answer->pairs; n++) {
+    const size_pair *p = &answer->each[n];
+    char name[96];
+    snprintf(name, sizeof name, "%.40s, %.40s", path_body_name(scene, scene->pair[n].body[0]),
+             path_body_name(scene, scene->pair[n].body[1]));
+    printf("%-*s%-42s %11llu %11.0f %7zu\n", WIDTH, "", name, (unsigned long long)p->worst, p->mean,
+           worst_of(answer, p->line));
+  }
+  printf("time       %.4g ms for %s of all %zu pairs (%llu cycles of %g ns) in the worst of %zu "
+         "lines,\n%-*sline %zu; mean %.4g ms (%.0f cycles); each line is in %.4g ms\n",
+         1e3 * m->seconds, m->config.tree ? "the first collision" : "all triangles", answer->pairs,
+         (unsigned long long)m->cycles, period, scene->motion.lines, WIDTH, "",
+         worst_of(answer, m->worst), 1e-6 * period * m->mean, m->mean, 1e3 * o->request.seconds);
+  if (m->config.tree) {
+    print_basis(o);
+  }
+}
+
+static void print_scene(const size_options *o, const size_answer *answer) {
+  char text[SEPAX_CONFIG_TEXT];
+  print_bodies(o, answer);
+  print_kinds(answer);
+  print_design(answer);
+  print_lines(o, answer);
+  printf("sepax gen %s -o %s\n", sepax_config_text(&answer->best->config, text, sizeof text),
+         o->generate ? o->folder : "DIR");
+}
+
+void size_print_text(const size_options *o, const size_answer *answer) {
+  if (o->is_scene) {
+    print_scene(o, answer);
+    return;
+  }
+  const sepax_size *s = answer->size;
+  char text[SEPAX_CONFIG_TEXT];
+  report_print_file('A', WIDTH, o->path[0], s->count[0]);
+  report_print_file('B', WIDTH, o->path[1], s->count[1]);
+  if (o->path_file != NULL) {
+    printf("path       %s, %zu poses of B\n", o->path_file, s->path);
+  }
+  printf("poses      x %.9g ... %.9g, y %.9g ... %.9g, z %.9g ... %.9g\n", s->low[0], s->high[0],
+         s->low[1], s->high[1], s->low[2], s->high[2]);
+  report_print_grid(WIDTH, &s->grid);
+  printf("extents    L_A = %lld, L_B = %lld LSB: %d bits behind the AABB test\n",
+         (long long)s->extent[0], (long long)s->extent[1], s->core_word);
+  if (s->jobs > 0) {
+    print_candidates(o, s);
+  }
+  if (s->path > 0) {
+    print_kinds(answer);
+  }
+  print_design(answer);
+  print_time(o, answer);
+  printf("sepax gen %s -o %s\n", sepax_config_text(&answer->best->config, text, sizeof text),
+         o->generate ? o->folder : "DIR");
+}
+
+/* --------------------------------------------------------------------------- JSON */
+
+static json_t *design_json(const size_answer *answer, const sepax_sized_design *m) {
+  char text[SEPAX_CONFIG_TEXT];
+  char command[SEPAX_CONFIG_TEXT + 16];
+  const sepax_config *c = &m->config;
+  snprintf(command, sizeof command, "sepax gen %s", sepax_config_text(c, text, sizeof text));
+  json_t *design =
+      json_pack("{s:s, s:i, s:b, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:b, s:s}", "arch",
+                sepax_arch_name(c->arch), "ii", c->ii, "extents", c->extent_a > 0, "lanes",
+                c->lanes, "tree", c->tree, "cores", c->lanes > 0 || c->tree ? c->cores : 1,
+                "memory_bits", (json_int_t)sepax_memory_bits(c), "ge", m->gates, "ge_error",
+                m->gates_error, "ge_fitted", m->fitted, "cycles", (json_int_t)m->cycles, "seconds",
+                m->seconds, "is_bound", answer->size->poses == 0 && !c->tree, "command", command);
+  if (answer->size->path > 0) {
+    json_object_set_new(design, "mean_cycles", json_real(m->mean));
+    json_object_set_new(design, answer->each != NULL ? "worst_line" : "worst_pose",
+                        json_integer((json_int_t)worst_of(answer, m->worst)));
+  }
+  return design;
+}
+
+static json_t *kinds_json(const size_answer *answer) {
+  json_t *list = json_array();
+  for (int kind = 0; kind < SIZE_KINDS; kind++) {
+    const size_kind *k = &answer->kind[kind];
+    if (k->asked) {
+      json_t *of = json_pack("{s:s, s:b}", "kind", kind_name[kind], "in_time", k->in_time);
+      if (k->in_time) {
+        json_object_set_new(of, "design", design_json(answer, &k->best));
+      } else {
+        json_object_set_new(of, "seconds_at_least", json_real(k->best.seconds));
+      }
+      json_array_append_new(list, of);
+    }
+  }
+  return list;
+}
+
+static json_t *body_json(const path_scene *scene, size_t n) {
+  return json_pack("{s:s, s:I}", "link", path_body_name(scene, n), "triangles",
+                   (json_int_t)scene->body[n].triangles);
+}
+
+static json_t *pair_json(const size_answer *answer, size_t n) {
+  const path_scene *scene = &answer->scene;
+  const size_pair *p = &answer->each[n];
+  return json_pack("{s:s, s:s, s:I, s:I, s:f}", "a", path_body_name(scene, scene->pair[n].body[0]),
+                   "b", path_body_name(scene, scene->pair[n].body[1]), "cycles",
+                   (json_int_t)p->worst, "worst_line", (json_int_t)worst_of(answer, p->line),
+                   "mean_cycles", p->mean);
+}
+
+static void print_scene_json(const size_options *o, const size_answer *answer) {
+  const path_scene *scene = &answer->scene;
+  const path_engine *e = &answer->engine;
+  json_t *bodies = json_array();
+  json_t *pairs = json_array();
+  for (size_t n = 0; n < scene->bodies; n++) {
+    json_array_append_new(bodies, body_json(scene, n));
+  }
+  for (size_t n = 0; n < answer->pairs; n++) {
+    json_array_append_new(pairs, pair_json(answer, n));
+  }
+  report_print_json(json_pack(
+      "{s:s, s:s?, s:s, s:I, s:f, s:i, s:i, s:i, s:i, s:f, s:o, s:o, s:o, s:o}", "urdf", o->path[0],
+      "srdf", o->scene.srdf, "path", o->path[1], "lines", (json_int_t)scene->motion.lines,
+      "resolution", e->resolution, "word", e->word, "clearance_lsb", e->clearance, "warning_lsb",
+      e->warning, "latency", o->request.latency, "time", o->request.seconds, "bodies", bodies,
+      "pairs", pairs, "engines", kinds_json(answer), "design", design_json(answer, answer->best)));
+}
+
+void size_print_json(const size_options *o, const size_answer *answer) {
+  if (o->is_scene) {
+    print_scene_json(o, answer);
+    return;
+  }
+  const sepax_size *s = answer->size;
+  json_t *report = report_scene(o->path, s->count, &s->grid);
+  json_t *needs =
+      json_pack("{s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}", "poses", s->low[0], s->high[0],
+                s->low[1], s->high[1], s->low[2], s->high[2], "extents", (json_int_t)s->extent[0],
+                (json_int_t)s->extent[1], "core_word", s->core_word);
+  json_object_update(report, needs);
+  json_decref(needs);
+  if (s->jobs > 0) {
+    json_t *candidates = json_pack("{s:I, s:I, s:I, s:i, s:I}", "pairs", (json_int_t)pairs_of(s),
+                                   "as_given", (json_int_t)s->given, "worst", (json_int_t)s->worst,
+                                   "sampled_poses", s->poses, "seed", (json_int_t)o->space.seed);
+    json_object_set_new(report, "candidates", candidates);
+  }
+  if (s->path > 0) {
+    json_object_set_new(report, "path",
+                        json_pack("{s:s, s:I, s:i, s:s, s:s}", "file", o->path_file, "poses",
+                                  (json_int_t)s->path, "latency", o->request.latency, "tree_pairs",
+                                  pairs_told(o), "caches", "cold"));
+    json_object_set_new(report, "engines", kinds_json(answer));
+  }
+  json_object_set_new(report, "design", design_json(answer, answer->best));
+  report_print_json(report);
+}
+
+bool size_names_printable(const size_options *o, sepax_error *error) {
+  const char *other = o->is_scene ? o->scene.srdf : o->path_file;
+  const char *const poses[2] = {other, other};
+  return report_names_printable(o->path, error) &&
+         (other == NULL || report_names_printable(poses, error));
+}

@@ -1,0 +1,137 @@
+/* scene.c - what the pairs of a mechanism need in each line of a path. docs/size.md. */
+#include "size/jobs.h"
+#include "size/parts.h"
+#include "util/error.h"
+
+#include <stdlib.h>
+
+void size_scene_free(size_answer *answer) {
+  path_engine_free(&answer->engine);
+  path_scene_free(&answer->scene);
+  free(answer->each);
+}
+
+/* B in A's coordinates: the rotations are orthonormal to rounding. */
+static sepax_pose between(const sepax_pose pose[2]) {
+  sepax_pose r = {.translation = {0}};
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      double turned = pose[0].rotation[k][i];
+      r.translation[i] += turned * (pose[1].translation[k] - pose[0].translation[k]);
+      for (int j = 0; j < 3; j++) {
+        r.rotation[i][j] += turned * pose[1].rotation[k][j];
+      }
+    }
+  }
+  return r;
+}
+
+/* Two bodies as two meshes of which one moves: what a core alone, or one behind lanes, is given. */
+static bool measure_pair(sepax_size *size, const size_answer *answer, size_t n,
+                         sepax_error *error) {
+  const path_scene *scene = &answer->scene;
+  const format_motion *motion = &scene->motion;
+  const path_pair *pair = &scene->pair[n];
+  sepax_poses path = {calloc(motion->lines, sizeof *path.pose), motion->lines};
+  if (path.pose == NULL) {
+    return sepax_fail(error, "no memory for %zu poses", motion->lines);
+  }
+  for (size_t line = 0; line < motion->lines; line++) {
+    sepax_pose pose[2];
+    sepax_chain_poses(&pair->chain, &scene->robot.mechanism, &motion->value[line * motion->joints],
+                      pose);
+    path.pose[line] = between(pose);
+  }
+  const sepax_space space = {.resolution = answer->engine.resolution,
+                             .path = &path,
+                             .limited = true,
+                             .clearance = answer->engine.clearance,
+                             .warning = answer->engine.warning};
+  sepax_error inner = {""};
+  bool ok = sepax_size_scene(size, &scene->body[pair->body[0]].mesh,
+                             &scene->body[pair->body[1]].mesh, &space, &inner) ||
+            sepax_fail(error, "%.60s, %.60s: %.400s", path_body_name(scene, pair->body[0]),
+                       path_body_name(scene, pair->body[1]), inner.text);
+  sepax_poses_free(&path);
+  return ok;
+}
+
+/* A tree engine reads the trees that a list of jobs has. */
+static bool share_trees(sepax_size *size, const size_answer *answer, size_t n, sepax_error *error) {
+  const path_engine *e = &answer->engine;
+  const size_t *body = answer->scene.pair[n].body;
+  struct size_trees *trees = calloc(1, sizeof *trees);
+  if (trees == NULL) {
+    return sepax_fail(error, "no memory for trees");
+  }
+  *trees = (struct size_trees){.tree = {e->tree[body[0]], e->tree[body[1]]},
+                               .pose = e->pose[n],
+                               .poses = answer->scene.motion.lines,
+                               .word = e->word,
+                               .shared = true};
+  size_trees_free(size->trees);
+  size->trees = trees;
+  return true;
+}
+
+/* Of more pairs of triangles than 64 lanes can see in time no jobs are looked for. */
+static bool measure_pairs(size_answer *answer, double cycles, sepax_error *error) {
+  const path_scene *scene = &answer->scene;
+  const path_engine *e = &answer->engine;
+  double triangles = 0;
+  for (size_t n = 0; n < scene->pairs; n++) {
+    const size_t *body = scene->pair[n].body;
+    triangles += (double)scene->body[body[0]].triangles * (double)scene->body[body[1]].triangles;
+  }
+  answer->size = calloc(scene->pairs + 1, sizeof *answer->size);
+  if (answer->size == NULL) {
+    return sepax_fail(error, "no memory for %zu pairs", scene->pairs);
+  }
+  bool ok = true;
+  cli_progress progress = cli_progress_begin("pairs", scene->pairs);
+  for (size_t n = 0; n < scene->pairs && ok; n++) {
+    sepax_size *size = &answer->size[answer->pairs++];
+    const size_t *body = scene->pair[n].body;
+    *size = (sepax_size){.grid = {.resolution = e->resolution, .word = e->word},
+                         .count = {scene->body[body[0]].triangles, scene->body[body[1]].triangles},
+                         .path = scene->motion.lines,
+                         .limited = true,
+                         .clearance = e->clearance,
+                         .warning = e->warning};
+    cli_progress_show(&progress, n);
+    ok = (triangles > cycles * SEPAX_LANES_MAX || measure_pair(size, answer, n, error)) &&
+         share_trees(size, answer, n, error);
+  }
+  cli_progress_end(&progress);
+  return ok;
+}
+
+bool size_scene_read(size_answer *answer, const size_options *o, sepax_error *error) {
+  double cycles = o->request.seconds / (o->clock.clock_ps * 1e-12);
+  return path_bands_agree(&o->scene, error) && path_scene_load(&answer->scene, &o->scene, error) &&
+         path_engine_make(&answer->engine, &answer->scene, &o->scene, error) &&
+         measure_pairs(answer, cycles, error);
+}
+
+bool size_scene_tell(size_answer *answer, const size_options *o, sepax_error *error) {
+  size_t lines = answer->scene.motion.lines;
+  answer->each = calloc(answer->pairs, sizeof *answer->each);
+  if (answer->each == NULL) {
+    return sepax_fail(error, "no memory for %zu pairs", answer->pairs);
+  }
+  for (size_t n = 0; n < answer->pairs; n++) {
+    size_pair *p = &answer->each[n];
+    for (size_t line = 0; line < lines; line++) {
+      uint64_t cycles;
+      if (!sepax_size_cycles(&cycles, &answer->size[n], &answer->best->config, line, &o->request,
+                             error)) {
+        return false;
+      }
+      p->line = line == 0 || cycles > p->worst ? line : p->line;
+      p->worst = cycles > p->worst ? cycles : p->worst;
+      p->mean += (double)cycles;
+    }
+    p->mean /= (double)lines;
+  }
+  return true;
+}

@@ -1,0 +1,248 @@
+/* describe.c - sepax.json, sepax_params.h and sepax_params.vh: what benches and scripts ask about a
+ * design; constraints and a list of waves for other tools. */
+#include "describe.h"
+#include "emit/check.h"
+#include "datapath/delay.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+static json_t *describe_formats(const sepax_design *d) {
+  json_t *list = json_array();
+  bool exact = d->config.arch == SEPAX_ARCH_EXACT;
+  for (int i = 0; i < d->formats; i++) {
+    const sepax_format *f = exact ? &d->exact_format[i] : &d->format[i];
+    json_array_append_new(list, json_pack("{s:s, s:i, s:i, s:i}", "name", f->name, "exact",
+                                          f->exact, "width", f->width, "shift", f->shift));
+  }
+  return list;
+}
+
+static json_t *describe_ports(const emit_module *top) {
+  json_t *list = json_array();
+  reader r;
+  reader_open(&r, top, top->verilog);
+  check_header(&r);
+  for (const check_name *n = r.name; n < r.name + r.header; n++) {
+    if (n->kind != NAME_CONSTANT) {
+      json_array_append_new(list, json_pack("{s:s, s:s, s:i, s:b, s:s%}", "name", n->name,
+                                            "direction", n->kind == NAME_INPUT ? "input" : "output",
+                                            "width", n->width, "signed", n->is_signed, "about",
+                                            n->about, strcspn(n->about, "\n")));
+    }
+  }
+  reader_close(&r);
+  return list;
+}
+
+/* Each option of the design: "clock_ns": 2. */
+static void describe_settings(json_t *all, const sepax_config *config) {
+  sepax_setting setting;
+  for (size_t i = 0; sepax_config_setting(config, i, &setting); i++) {
+    char *name = emit_copy(setting.name, strlen(setting.name));
+    for (char *dash = name; (dash = strchr(dash, '-')) != NULL;) {
+      *dash = '_';
+    }
+    double number = setting.is_number ? strtod(setting.value, NULL) : 0;
+    json_int_t whole = (json_int_t)number;
+    json_object_set_new(all, name,
+                        !setting.is_number        ? json_string(setting.value)
+                        : (double)whole == number ? json_integer(whole)
+                                                  : json_real(number));
+    free(name);
+  }
+}
+
+static json_t *optional(bool given, json_int_t number) {
+  return given ? json_integer(number) : NULL;
+}
+
+void describe_json(const emitter *e, FILE *out) {
+  const sepax_design *d = e->design;
+  const bool exact = d->config.arch == SEPAX_ARCH_EXACT;
+  const bool stream = d->config.stream != SEPAX_STREAM_NONE;
+  char text[SEPAX_CONFIG_TEXT];
+  json_t *modules = json_array();
+  for (int i = 0; i < e->modules; i++) {
+    json_array_append_new(modules, json_string(e->module[i]->name));
+  }
+  json_t *all = json_pack("{ss, ss}", "version", SEPAX_VERSION, "options",
+                          sepax_config_text(&d->config, text, sizeof text));
+  describe_settings(all, &d->config);
+  json_t *rest =
+      json_pack("{si, si, so*, so*, ss*, so*, so, so, so}", "latency", d->latency, "input_words",
+                stream  ? sepax_stream_transfers(&d->config)
+                : exact ? 1
+                        : 3,
+                "core_word", optional(exact && d->config.extent_a > 0, d->core_word), "margin",
+                optional(exact && d->limits > 0, (json_int_t)d->margin[1]), "behavioural_view",
+                exact ? "SEPAX_BEHAVIOURAL" : NULL, "coplanar_limit",
+                optional(!exact, (json_int_t)d->coplanar_limit), "formats", describe_formats(d),
+                "modules", modules, "ports", describe_ports(e->module[e->modules - 1]));
+  json_object_update(all, rest);
+  if (d->config.corner == SEPAX_CORNER_SLOW) {
+    json_object_set_new(all, "slower", json_real(delay_corner(&d->config)));
+  }
+  json_decref(rest);
+  json_dumpf(all, out, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
+  fputc('\n', out);
+  json_decref(all);
+}
+
+/* Numbers of the design for benches, if they are given: macros SEPAX_NAME in C; in Verilog a
+ * localparam NAME, a macro if it is not 0, or nothing. */
+static void describe_numbers(const sepax_design *d, bool verilog, FILE *out) {
+  const sepax_config *c = &d->config;
+  const bool extents = c->extent_a > 0;
+  const bool engine = c->lanes > 0;
+  const bool stream = c->stream != SEPAX_STREAM_NONE;
+  const struct {
+    const char *name;
+    int value;
+    bool given;
+    enum { C_ONLY, LOCALPARAM, MACRO } kind;
+  } row[] = {
+      {"WORD", c->word, true, LOCALPARAM},
+      {"LATENCY", d->latency, true, LOCALPARAM},
+      {"II", c->ii, true, LOCALPARAM},
+      {"EXACT", c->arch == SEPAX_ARCH_EXACT, true, MACRO},
+      {"FLAG", c->flag, true, C_ONLY},
+      {"CONFERENCE", 1, c->arch == SEPAX_ARCH_CONFERENCE, MACRO},
+      {"BOXES", 1, d->aabb_test, MACRO},
+      {"SKID", 1, c->registered_ready, MACRO},
+      {"EXTENT_A", c->extent_a, extents, C_ONLY},
+      {"EXTENT_B", c->extent_b, extents, C_ONLY},
+      {"LANES", c->lanes, engine, C_ONLY},
+      {"TREE", 1, c->tree, C_ONLY},
+      {"STREAM", sepax_stream_transfers(c), stream, C_ONLY},
+      {"TAG", c->tag, stream, C_ONLY},
+      {"CORES", c->cores, engine || c->tree, C_ONLY},
+      {"MEMORY_A", c->memory_a, engine, C_ONLY},
+      {"MEMORY_B", c->memory_b, engine, C_ONLY},
+      {"BANDS", d->limits + 1, d->limits > 0, MACRO},
+  };
+  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+    if (row[i].given && !verilog) {
+      fprintf(out, "#define SEPAX_%s %d\n", row[i].name, row[i].value);
+    } else if (row[i].given && row[i].kind == LOCALPARAM) {
+      fprintf(out, "localparam %s = %d;\n", row[i].name, row[i].value);
+    } else if (row[i].given && row[i].kind == MACRO && row[i].value != 0) {
+      fprintf(out, "`define SEPAX_%s\n", row[i].name);
+    }
+  }
+}
+
+void describe_c(const sepax_design *d, FILE *out) {
+  char options[SEPAX_CONFIG_TEXT];
+  char variables[SEPAX_CONFIG_TEXT];
+  sepax_config_variables(&d->config, variables, sizeof variables);
+  fprintf(out, "/* Generated by sepax %s; do not edit. */\n", SEPAX_VERSION);
+  fprintf(out, "#define SEPAX_OPTIONS \"%s\"\n#define SEPAX_MAKE \"%s\"\n",
+          sepax_config_text(&d->config, options, sizeof options), variables);
+  describe_numbers(d, false, out);
+}
+
+void describe_verilog(const sepax_design *d, FILE *out) {
+  fprintf(out, "// Generated by sepax %s; do not edit.\n", SEPAX_VERSION);
+  describe_numbers(d, true, out);
+}
+
+/* ---------------------------------------------------------------------- other tools */
+
+static bool has_port(const reader *r, const char *name) {
+  for (const check_name *n = r->name; n < r->name + r->header; n++) {
+    if (n->kind != NAME_CONSTANT && strcmp(n->name, name) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* The parameters and ports of the top. */
+static void open_top(const emitter *e, reader *r) {
+  const emit_module *top = e->module[e->modules - 1];
+  reader_open(r, top, top->verilog);
+  check_header(r);
+}
+
+void describe_constraints(const emitter *e, FILE *out) {
+  const sepax_config *c = &e->design->config;
+  const double ns = c->arch == SEPAX_ARCH_CONFERENCE ? 2.5 : 1e-3 * c->clock_ps;
+  reader r;
+  open_top(e, &r);
+  const char *clock = has_port(&r, "aclk") ? "aclk" : "clk";
+  reader_close(&r);
+  fprintf(out,
+          "# Generated by sepax %s; do not edit.\n"
+          "# The clock of %s, for the module by itself; in a larger design leave it out. No path\n"
+          "# is false or takes several cycles. Add the delays of your inputs and outputs.\n"
+          "create_clock -name %s -period %.3f [get_ports %s]\n",
+          SEPAX_VERSION, e->module[e->modules - 1]->name, clock, ns, clock);
+}
+
+/* What a port is shown with: a bus, or what it is. */
+static const char *group_of(const check_name *n) {
+  static const char *const buses[] = {"s_axi", "s_axis", "m_axi", "m_axis"};
+  static const char *const clocks[] = {"clk", "rst", "aclk", "aresetn"};
+  for (size_t i = 0; i < 4; i++) {
+    size_t length = strlen(buses[i]);
+    if (strncmp(n->name, buses[i], length) == 0 && n->name[length] == '_') {
+      return buses[i];
+    }
+    if (strcmp(n->name, clocks[i]) == 0) {
+      return "clock";
+    }
+  }
+  return n->kind == NAME_INPUT ? "input" : "output";
+}
+
+static void end_group(const char *group, FILE *out) {
+  if (group != NULL) {
+    fprintf(out, "@1000200\n-%s\n", group);
+  }
+}
+
+/* The ports of a module at a path, group by group as they come. */
+static void show_ports(const emit_module *m, const char *path, FILE *out) {
+  enum { SIGNED = 0x420, BINARY = 0x28, HEXADECIMAL = 0x22, BEGIN = 0x800200 };
+  const char *group = NULL;
+  reader r;
+  reader_open(&r, m, m->verilog);
+  check_header(&r);
+  for (const check_name *n = r.name; n < r.name + r.header; n++) {
+    if (n->kind == NAME_CONSTANT) {
+      continue;
+    }
+    const char *of = group_of(n);
+    if (of != group) {
+      end_group(group, out);
+      fprintf(out, "@%x\n-%s\n", BEGIN, of);
+      group = of;
+    }
+    fprintf(out, "@%x\n%s.%s",
+            n->is_signed    ? SIGNED
+            : n->width == 1 ? BINARY
+                            : HEXADECIMAL,
+            path, n->name);
+    if (n->width > 1) {
+      fprintf(out, "[%d:0]", n->width - 1);
+    }
+    fputc('\n', out);
+  }
+  end_group(group, out);
+  reader_close(&r);
+}
+
+void describe_waves(const emitter *e, FILE *out) {
+  const emit_module *top = e->module[e->modules - 1];
+  const gen_line path = gen_format("TOP.%s", top->name);
+  fprintf(out,
+          "[*] Generated by sepax %s; do not edit.\n[*] GTKWave: the ports of %s as make wave "
+          "names them.\n",
+          SEPAX_VERSION, top->name);
+  show_ports(top, path.text, out);
+  if (e->design->config.stream != SEPAX_STREAM_NONE) {
+    show_ports(emit_find(e, "sepax_top"), gen_format("%s.core", path.text).text, out);
+  }
+}

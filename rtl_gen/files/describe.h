@@ -1,0 +1,13 @@
+/* describe.h - the files that tell benches and scripts about a design. */
+#ifndef SEPAX_EMIT_DESCRIBE_H
+#define SEPAX_EMIT_DESCRIBE_H
+
+#include "emit/emit.h"
+
+void describe_json(const emitter *e, FILE *out);              /* sepax.json */
+void describe_c(const sepax_design *design, FILE *out);       /* sepax_params.h */
+void describe_verilog(const sepax_design *design, FILE *out); /* sepax_params.vh */
+void describe_constraints(const emitter *e, FILE *out);       /* sepax.sdc, sepax.xdc: the clock */
+void describe_waves(const emitter *e, FILE *out);             /* sepax.gtkw: ports, by groups */
+
+#endif

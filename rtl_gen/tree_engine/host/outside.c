@@ -1,0 +1,45 @@
+/* outside.c - sepax_engine of a tree design: registers and jobs around the tree engine. */
+#include "object_engine/engine.h"
+#include "tree_engine/memory/modules.h"
+
+void gen_tree(emitter *e, int entries) {
+  static const char *const around[] = {"sepax_registers",    "sepax_tree_counts", "sepax_tree_job",
+                                       "sepax_tree_pose",    "sepax_tree_fetch",  "sepax_tree_jobs",
+                                       "sepax_tree_results", "sepax_cores",       "host/sepax_top"};
+  const sepax_design *design = e->design;
+  const sepax_config *c = &design->config;
+  const delay_model *m = delay_model_of(c->target);
+  const int constants[] = {(int)engine_of_trees.identity, engine_version(),
+                           c->word + (c->cores << 16) + (c->ii << 24), (int)design->margin[1]};
+  emit_holes h = {0};
+  engine_cores(&h, design, entries, 1);
+  engine_decode(&engine_of_trees, &h, constants);
+  emit_hole_numbers(&h, (emit_number[]){{"tree", 1},
+                                        {"fpga", m->family},
+                                        {"move_is_word", 0},
+                                        {"ii", c->ii},
+                                        {"margin", design->limits > 0 ? design->margin[1] : 0},
+                                        {NULL, 0}});
+  emit_hole_set(&h, "data", "data_q");
+  emit_hole_set(&h, "shown", m->family ? "shown_q" : "shown");
+  emit_hole_set(&h, "free", m->family ? "item_free" : "item_ready");
+  emit_hole_set(&h, "item", m->family ? "listed" : "item");
+  emit_hole_set(&h, "plural", c->cores > 1 ? "s" : "");
+  emit_hole_set(&h, "verb", c->cores > 1 ? "" : "s");
+  gen_tree_ram(e, m->family);
+  emit_template(e, "sepax_fifo", (emit_hole[]){{"fpga", m->family ? "1" : "0"}, {NULL, NULL}});
+  gen_tree_memory(e, m->family);
+  gen_tree_compare(e, m);
+  int turn = gen_turn_vertex(e, m, c->word);
+  gen_tree_walk(e, m->family, turn);
+  emit_hole_numbers(&h, (emit_number[]){{"turn", turn},
+                                        {"turn_last", turn - 1},
+                                        {"end", turn - 1},
+                                        {"turn_before", turn - 2},
+                                        {NULL, 0}});
+  emit_template(e, "sepax_tree_engine", h.hole);
+  for (size_t i = 0; i < sizeof around / sizeof around[0]; i++) {
+    emit_template(e, around[i], h.hole);
+  }
+  emit_holes_free(&h);
+}
