@@ -40,7 +40,7 @@ int main(int argc, char **argv) {
   argp_program_version = "sepax " SEPAX_VERSION;
   argp_err_exit_status = EXIT_ERROR;
   cli_options_init();
-  temporary_remove_on_signals();
+  sepax__temporary_remove_on_signals();
   if (argc >= 2 && strcmp(argv[1], "--help") == 0) {
     usage(stdout);
     return 0;

@@ -16,11 +16,13 @@ typedef struct {
 } architecture;
 
 /* By sepax_arch. A new architecture is a file with such a row and a line of the list. */
-extern const architecture *const architectures[SEPAX_ARCH_COUNT];
-extern const architecture architecture_exact, architecture_paper, architecture_conference;
+extern const architecture *const sepax__architectures[SEPAX_ARCH_COUNT];
+extern const architecture sepax__architecture_exact, sepax__architecture_paper,
+    sepax__architecture_conference;
 
 /* Models that are no function of the public headers. */
-judge_function judge_exact, judge_reference, judge_float32, judge_float64, judge_interval32,
-    judge_interval64, judge_guigue32, judge_guigue64, judge_filtered;
+judge_function sepax__judge_exact, sepax__judge_reference, sepax__judge_float32,
+    sepax__judge_float64, sepax__judge_interval32, sepax__judge_interval64, sepax__judge_guigue32,
+    sepax__judge_guigue64, sepax__judge_filtered;
 
 #endif

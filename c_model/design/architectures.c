@@ -2,19 +2,19 @@
 #include "design/architecture.h"
 #include "design/options.h"
 
-static const architecture reference = {.name = "reference", .judge = judge_reference};
-static const architecture float32 = {.name = "float32", .judge = judge_float32};
-static const architecture float64 = {.name = "float64", .judge = judge_float64};
-static const architecture interval32 = {.name = "interval32", .judge = judge_interval32};
-static const architecture interval64 = {.name = "interval64", .judge = judge_interval64};
-static const architecture guigue32 = {.name = "guigue32", .judge = judge_guigue32};
-static const architecture guigue64 = {.name = "guigue64", .judge = judge_guigue64};
-static const architecture filtered = {.name = "filtered", .judge = judge_filtered};
+static const architecture reference = {.name = "reference", .judge = sepax__judge_reference};
+static const architecture float32 = {.name = "float32", .judge = sepax__judge_float32};
+static const architecture float64 = {.name = "float64", .judge = sepax__judge_float64};
+static const architecture interval32 = {.name = "interval32", .judge = sepax__judge_interval32};
+static const architecture interval64 = {.name = "interval64", .judge = sepax__judge_interval64};
+static const architecture guigue32 = {.name = "guigue32", .judge = sepax__judge_guigue32};
+static const architecture guigue64 = {.name = "guigue64", .judge = sepax__judge_guigue64};
+static const architecture filtered = {.name = "filtered", .judge = sepax__judge_filtered};
 
-const architecture *const architectures[SEPAX_ARCH_COUNT] = {
-    [SEPAX_ARCH_EXACT] = &architecture_exact,
-    [SEPAX_ARCH_PAPER] = &architecture_paper,
-    [SEPAX_ARCH_CONFERENCE] = &architecture_conference,
+const architecture *const sepax__architectures[SEPAX_ARCH_COUNT] = {
+    [SEPAX_ARCH_EXACT] = &sepax__architecture_exact,
+    [SEPAX_ARCH_PAPER] = &sepax__architecture_paper,
+    [SEPAX_ARCH_CONFERENCE] = &sepax__architecture_conference,
     [SEPAX_ARCH_REFERENCE] = &reference,
     [SEPAX_ARCH_FLOAT32] = &float32,
     [SEPAX_ARCH_FLOAT64] = &float64,
@@ -30,13 +30,13 @@ int sepax_stream_transfers(const sepax_config *config) {
   return transfers[config->stream];
 }
 
-const char *sepax_arch_name(sepax_arch arch) { return architectures[arch]->name; }
+const char *sepax_arch_name(sepax_arch arch) { return sepax__architectures[arch]->name; }
 
 bool sepax_config_check(const sepax_config *config, sepax_error *error) {
-  if (!design_options_check(config, error)) {
+  if (!sepax__design_options_check(config, error)) {
     return false;
   }
-  const architecture *arch = architectures[config->arch];
+  const architecture *arch = sepax__architectures[config->arch];
   return arch->check == NULL || arch->check(config, error);
 }
 
@@ -45,8 +45,8 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config, sepax_e
     return false;
   }
   *design = (sepax_design){.config = *config};
-  if (architectures[config->arch]->derive != NULL) {
-    architectures[config->arch]->derive(design);
+  if (sepax__architectures[config->arch]->derive != NULL) {
+    sepax__architectures[config->arch]->derive(design);
   }
   return true;
 }

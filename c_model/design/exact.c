@@ -180,4 +180,4 @@ static void derive(sepax_design *design) {
   derive_formats(design);
 }
 
-const architecture architecture_exact = {"exact", judge_exact, check, derive};
+const architecture sepax__architecture_exact = {"exact", sepax__judge_exact, check, derive};

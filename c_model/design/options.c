@@ -125,7 +125,7 @@ static const design_option table[] = {
 
 enum { OPTIONS = sizeof table / sizeof table[0] };
 
-const design_option *design_option_at(size_t i) { return i < OPTIONS ? &table[i] : NULL; }
+const design_option *sepax__design_option_at(size_t i) { return i < OPTIONS ? &table[i] : NULL; }
 
 static const design_option *find(const char *name) {
   for (size_t i = 0; i < OPTIONS; i++) {
@@ -197,7 +197,7 @@ static option_text text_of(const design_option *option, int value) {
   return text;
 }
 
-option_text design_option_value(const design_option *option, const sepax_config *config) {
+option_text sepax__design_option_value(const design_option *option, const sepax_config *config) {
   int value = get(option, config);
   if (value == option->standard && !in_range(option, value)) {
     return (option_text){""};
@@ -205,7 +205,7 @@ option_text design_option_value(const design_option *option, const sepax_config 
   return text_of(option, value);
 }
 
-option_text design_option_variable(const design_option *option) {
+option_text sepax__design_option_variable(const design_option *option) {
   option_text variable = {""};
   for (size_t i = 0; option->name[i] != '\0' && i + 1 < sizeof variable.text; i++) {
     char c = option->name[i];
@@ -407,7 +407,7 @@ char *sepax_config_variables(const sepax_config *config, char *text, size_t size
   size_t used = 0;
   for (size_t i = 0; size > 0 && sepax_config_setting(config, i, &setting); i++) {
     append(text, size, &used, "%s%s=%s", i > 0 ? " " : "",
-           design_option_variable(find(setting.name)).text, setting.value);
+           sepax__design_option_variable(find(setting.name)).text, setting.value);
   }
   return text;
 }
@@ -440,7 +440,7 @@ static bool check_value(const design_option *option, int value, sepax_error *err
   return value == option->standard || in_range(option, value) || out_of_range(option, value, error);
 }
 
-bool design_options_check(const sepax_config *config, sepax_error *error) {
+bool sepax__design_options_check(const sepax_config *config, sepax_error *error) {
   if ((unsigned)config->arch >= SEPAX_ARCH_COUNT) {
     return sepax_fail(error, "configuration: a value is none of its enumeration");
   }

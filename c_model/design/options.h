@@ -32,19 +32,19 @@ typedef struct {
 } design_option;
 
 /* Row i, NULL after the last. */
-const design_option *design_option_at(size_t i);
+const design_option *sepax__design_option_at(size_t i);
 
 /* The variable of make: CLOCK_NS for clock-ns. */
 typedef struct {
   char text[32];
 } option_text;
-option_text design_option_variable(const design_option *option);
+option_text sepax__design_option_variable(const design_option *option);
 
 /* The value in `config` as text, and the default; "" for none. */
-option_text design_option_value(const design_option *option, const sepax_config *config);
+option_text sepax__design_option_value(const design_option *option, const sepax_config *config);
 
 /* Fails if an architecture does not read an option that was changed, if a value is out of its
  * range, or without the option that it needs. */
-bool design_options_check(const sepax_config *config, sepax_error *error);
+bool sepax__design_options_check(const sepax_config *config, sepax_error *error);
 
 #endif

@@ -83,6 +83,6 @@ static void derive_conference(sepax_design *design) {
   design->latency = 20;
 }
 
-const architecture architecture_paper = {"paper", sepax_paper, check, derive_paper};
-const architecture architecture_conference = {"conference", sepax_conference, check,
-                                              derive_conference};
+const architecture sepax__architecture_paper = {"paper", sepax_paper, check, derive_paper};
+const architecture sepax__architecture_conference = {"conference", sepax_conference, check,
+                                                     derive_conference};

@@ -8,7 +8,7 @@ static bool exceeds_extents(const sepax_config *c, const aabb *a, const aabb *b)
          (aabb_longest_side(a) > c->extent_a || aabb_longest_side(b) > c->extent_b);
 }
 
-sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *pair) {
+sepax_verdict sepax__judge_exact(const sepax_design *design, const sepax_pair *pair) {
   if (design->aabb_test) {
     aabb a = aabb_of(&pair->a);
     aabb b = aabb_of(&pair->b);
@@ -31,10 +31,10 @@ sepax_verdict judge_exact(const sepax_design *design, const sepax_pair *pair) {
   return verdict;
 }
 
-#define SOFTWARE(name)                                                             \
-  sepax_verdict judge_##name(const sepax_design *design, const sepax_pair *pair) { \
-    (void)design;                                                                  \
-    return (sepax_verdict){.collision = sepax_##name(&pair->a, &pair->b)};         \
+#define SOFTWARE(name)                                                                    \
+  sepax_verdict sepax__judge_##name(const sepax_design *design, const sepax_pair *pair) { \
+    (void)design;                                                                         \
+    return (sepax_verdict){.collision = sepax_##name(&pair->a, &pair->b)};                \
   }
 SOFTWARE(reference)
 SOFTWARE(float32)
@@ -44,11 +44,11 @@ SOFTWARE(interval64)
 SOFTWARE(guigue32)
 SOFTWARE(guigue64)
 
-sepax_verdict judge_filtered(const sepax_design *design, const sepax_pair *pair) {
+sepax_verdict sepax__judge_filtered(const sepax_design *design, const sepax_pair *pair) {
   (void)design;
   return (sepax_verdict){.collision = sepax_filtered(&pair->a, &pair->b, NULL)};
 }
 
 sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair) {
-  return architectures[design->config.arch]->judge(design, pair);
+  return sepax__architectures[design->config.arch]->judge(design, pair);
 }

@@ -109,7 +109,7 @@ double sepax_gates(const sepax_design *design, double *error) {
   return core * c->cores + around;
 }
 
-bool gates_fitted(const sepax_design *design) {
+bool sepax__gates_fitted(const sepax_design *design) {
   return design->config.clock_ps == FITTED_PS && design->core_word >= FITTED_LEAST &&
          design->core_word <= FITTED_MOST;
 }

@@ -5,6 +5,6 @@
 #include "sepax_design.h"
 
 /* It was fitted to designs like this one. */
-bool gates_fitted(const sepax_design *design);
+bool sepax__gates_fitted(const sepax_design *design);
 
 #endif

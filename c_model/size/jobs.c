@@ -176,7 +176,7 @@ static bool find_upright(sepax_job *job, const job_bodies *r) {
   return true;
 }
 
-bool job_find(sepax_job *job, const job_bodies *bodies, sepax_error *error) {
+bool sepax__job_find(sepax_job *job, const job_bodies *bodies, sepax_error *error) {
   sepax_job found = {0};
   numbered *sorted = malloc(bodies->count[1] * sizeof *sorted);
   bool ok = sorted != NULL && find_candidates(&found, bodies, sorted) &&
@@ -266,8 +266,8 @@ static void sizes_of(part_sizes size[2], const size_t count[2], const sepax_conf
   size[1] = (part_sizes){count[1], (uint64_t)c->memory_b, (uint64_t)c->lanes};
 }
 
-uint64_t job_cycles(const sepax_job *job, const size_t count[2], const sepax_config *config,
-                    uint64_t *steps) {
+uint64_t sepax__job_cycles(const sepax_job *job, const size_t count[2], const sepax_config *config,
+                           uint64_t *steps) {
   if (config->lanes == 0) {
     uint64_t twice = config->extent_a > 0 ? job->twice_near : job->twice;
     return ((uint64_t)count[0] * count[1] + twice) * (uint64_t)config->ii;
@@ -279,7 +279,8 @@ uint64_t job_cycles(const sepax_job *job, const size_t count[2], const sepax_con
 
 /* Each step takes a cycle; a core that takes n pairs takes the last (n - 1) II cycles after the
  * first, in each part. */
-uint64_t job_least_cycles(uint64_t passes, const size_t count[2], const sepax_config *config) {
+uint64_t sepax__job_least_cycles(uint64_t passes, const size_t count[2],
+                                 const sepax_config *config) {
   uint64_t ii = (uint64_t)config->ii;
   if (config->lanes == 0) {
     return (uint64_t)count[0] * count[1] * ii;
@@ -295,7 +296,7 @@ uint64_t job_least_cycles(uint64_t passes, const size_t count[2], const sepax_co
 
 /* A's memory is filled with one part after the other, B's with all of its parts for each; what
  * fits stays there. */
-uint64_t job_loading(const size_t count[2], const sepax_config *config) {
+uint64_t sepax__job_loading(const size_t count[2], const sepax_config *config) {
   part_sizes size[2];
   sizes_of(size, count, config);
   uint64_t of_a = parts(&size[0]) > 1 ? size[0].count : 0;

@@ -15,19 +15,20 @@ typedef struct {
 } job_bodies;
 
 /* The job of these bodies. Fails without memory. */
-bool job_find(sepax_job *job, const job_bodies *bodies, sepax_error *error);
+bool sepax__job_find(sepax_job *job, const job_bodies *bodies, sepax_error *error);
 
 /* The cycles of a job of count[0] x count[1] triangles, without loading and the core's latency:
  * with lanes as the golden model of the engine says; of a core alone, all pairs and those that take
  * two passes. `steps` has space for job->passes numbers. */
-uint64_t job_cycles(const sepax_job *job, const size_t count[2], const sepax_config *config,
-                    uint64_t *steps);
+uint64_t sepax__job_cycles(const sepax_job *job, const size_t count[2], const sepax_config *config,
+                           uint64_t *steps);
 
 /* No job of `passes` passes of candidates takes fewer cycles. */
-uint64_t job_least_cycles(uint64_t passes, const size_t count[2], const sepax_config *config);
+uint64_t sepax__job_least_cycles(uint64_t passes, const size_t count[2],
+                                 const sepax_config *config);
 
 /* Cycles in which the vertices of a turned B come, and A's where they did not stay: with lanes. */
-uint64_t job_loading(const size_t count[2], const sepax_config *config);
+uint64_t sepax__job_loading(const size_t count[2], const sepax_config *config);
 
 /* --------------------------------------------------------------------- on a path */
 
@@ -42,15 +43,16 @@ struct size_trees {
 
 /* Of quantised bodies, each on a grid of its own, which differ in offset and word, for designs with
  * the clearances of `space`. Fails as sepax_tree_new and sepax_tree_pose_make do. */
-bool size_trees_new(struct size_trees **trees, const job_bodies *bodies, const sepax_grid grid[2],
-                    const sepax_space *space, sepax_error *error);
-void size_trees_free(struct size_trees *trees);
+bool sepax__size_trees_new(struct size_trees **trees, const job_bodies *bodies,
+                           const sepax_grid grid[2], const sepax_space *space, sepax_error *error);
+void sepax__size_trees_free(struct size_trees *trees);
 
 /* The clearances into a configuration. */
-void size_limit(sepax_config *config, bool limited, int clearance, int warning);
+void sepax__size_limit(sepax_config *config, bool limited, int clearance, int warning);
 
 /* A tree engine of this configuration in a pose. */
-bool size_trees_walk(const struct size_trees *trees, const sepax_config *config, size_t pose,
-                     const sepax_size_request *request, sepax_tree_run *run, sepax_error *error);
+bool sepax__size_trees_walk(const struct size_trees *trees, const sepax_config *config, size_t pose,
+                            const sepax_size_request *request, sepax_tree_run *run,
+                            sepax_error *error);
 
 #endif

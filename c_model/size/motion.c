@@ -5,7 +5,7 @@
 
 static const double full_angle = 6.283185307179586;
 
-bool motion_moves(const sepax_motion *m) {
+bool sepax__motion_moves(const sepax_motion *m) {
   bool shifted = false;
   for (int axis = 0; axis < 3; axis++) {
     shifted = shifted || m->low[axis] != 0 || m->high[axis] != 0;
@@ -13,7 +13,7 @@ bool motion_moves(const sepax_motion *m) {
   return shifted || m->rotation != SEPAX_ROTATION_NONE;
 }
 
-bool motion_keeps(sepax_rotation rotation, int axis) {
+bool sepax__motion_keeps(sepax_rotation rotation, int axis) {
   return rotation == SEPAX_ROTATION_NONE || (int)rotation - SEPAX_ROTATION_X == axis;
 }
 
@@ -21,7 +21,7 @@ static double unit(sepax_random *random) {
   return (double)(sepax_random_next(random) >> 11) * 0x1p-53;
 }
 
-motion_pose motion_pose_of_files(const sepax_motion motion[2]) {
+motion_pose sepax__motion_pose_of_files(const sepax_motion motion[2]) {
   static const double no_rotation[3] = {0, 0.25, 0};
   motion_pose p;
   for (int k = 0; k < 12; k++) {
@@ -34,7 +34,7 @@ motion_pose motion_pose_of_files(const sepax_motion motion[2]) {
   return p;
 }
 
-motion_pose motion_draw(const motion_pose *centre, double share, sepax_random *random) {
+motion_pose sepax__motion_draw(const motion_pose *centre, double share, sepax_random *random) {
   motion_pose p;
   for (int k = 0; k < 12; k++) {
     double u = unit(random);
@@ -70,15 +70,15 @@ static void rotation_matrix(double m[3][3], sepax_rotation rotation, const doubl
   }
 }
 
-void motion_apply(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_motion *motion,
-                  const double u[6]) {
+void sepax__motion_apply(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_motion *motion,
+                         const double u[6]) {
   double m[3][3];
   rotation_matrix(m, motion->rotation, &u[3]);
   for (size_t n = 0; n < 3 * mesh->count; n++) {
     const double *v = mesh->facet[n / 3].v[n % 3];
     for (int i = 0; i < 3; i++) {
       double x = v[i];
-      if (!motion_keeps(motion->rotation, i)) {
+      if (!sepax__motion_keeps(motion->rotation, i)) {
         x = motion->centre[i];
         for (int k = 0; k < 3; k++) {
           x += m[i][k] * (v[k] - motion->centre[k]);

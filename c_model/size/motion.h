@@ -10,19 +10,19 @@ typedef struct {
   double u[2][6];
 } motion_pose;
 
-bool motion_moves(const sepax_motion *m);
+bool sepax__motion_moves(const sepax_motion *m);
 
 /* True iff the rotation does not change this coordinate. */
-bool motion_keeps(sepax_rotation rotation, int axis);
+bool sepax__motion_keeps(sepax_rotation rotation, int axis);
 
 /* The pose of the files, or the nearest to it in the ranges. */
-motion_pose motion_pose_of_files(const sepax_motion motion[2]);
+motion_pose sepax__motion_pose_of_files(const sepax_motion motion[2]);
 
 /* Any pose, or one within a share of the ranges around another pose. */
-motion_pose motion_draw(const motion_pose *centre, double share, sepax_random *random);
+motion_pose sepax__motion_draw(const motion_pose *centre, double share, sepax_random *random);
 
 /* The numbers u of a pose move a body. */
-void motion_apply(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_motion *motion,
-                  const double u[6]);
+void sepax__motion_apply(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_motion *motion,
+                         const double u[6]);
 
 #endif

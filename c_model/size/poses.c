@@ -33,7 +33,7 @@ static void extend(range *r, int axis, double low, double high) {
 static double length_rotated(const double d[3], sepax_rotation rotation) {
   double square = 0;
   for (int axis = 0; axis < 3; axis++) {
-    square += motion_keeps(rotation, axis) ? 0 : d[axis] * d[axis];
+    square += sepax__motion_keeps(rotation, axis) ? 0 : d[axis] * d[axis];
   }
   return sqrt(square);
 }
@@ -49,7 +49,7 @@ static void extend_by_vertex(range *hull, const double v[3], const sepax_motion 
   for (int axis = 0; axis < 3; axis++) {
     double c = m->centre[axis];
     double r = radius + slack * (radius + fabs(c));
-    bool still = motion_keeps(m->rotation, axis);
+    bool still = sepax__motion_keeps(m->rotation, axis);
     double low = still ? v[axis] : fmin(c - r, v[axis]);
     double high = still ? v[axis] : fmax(c + r, v[axis]);
     extend(hull, axis, low + fmin(m->low[axis], 0), high + fmax(m->high[axis], 0));
@@ -120,7 +120,7 @@ static double longest_side(const sepax_facet *f, sepax_rotation rotation) {
     double edge[3];
     for (int axis = 0; axis < 3; axis++) {
       edge[axis] = f->v[(k + 1) % 3][axis] - f->v[k][axis];
-      side = motion_keeps(rotation, axis) ? fmax(side, fabs(edge[axis])) : side;
+      side = sepax__motion_keeps(rotation, axis) ? fmax(side, fabs(edge[axis])) : side;
     }
     side = fmax(side, length_rotated(edge, rotation));
   }
@@ -191,7 +191,7 @@ static void release(bodies *r) {
 
 /* The job of the pose in which the bodies are now. */
 static bool add_job(sepax_size *size, const bodies *r, sepax_error *error) {
-  if (!job_find(&size->job[size->jobs], &r->on_grid, error)) {
+  if (!sepax__job_find(&size->job[size->jobs], &r->on_grid, error)) {
     return false;
   }
   uint64_t candidates = size->job[size->jobs++].candidates;
@@ -220,14 +220,14 @@ static bool find_path_jobs(sepax_size *size, bodies *r, const sepax_mesh *mesh,
 static bool sample_poses(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2],
                          const sepax_space *space, sepax_error *error) {
   sepax_random random = {space->seed};
-  motion_pose worst = motion_pose_of_files(space->motion);
+  motion_pose worst = sepax__motion_pose_of_files(space->motion);
   for (int n = 0; n < space->poses; n++) {
     bool anywhere = 2 * n < space->poses || size->worst == 0;
     double share = 0.5 * exp2(8 - 16.0 * n / space->poses);
-    motion_pose p = motion_draw(anywhere ? NULL : &worst, share, &random);
+    motion_pose p = sepax__motion_draw(anywhere ? NULL : &worst, share, &random);
     for (int i = 0; i < 2; i++) {
-      if (motion_moves(&space->motion[i])) {
-        motion_apply(&r->moved[i], mesh[i], &space->motion[i], p.u[i]);
+      if (sepax__motion_moves(&space->motion[i])) {
+        sepax__motion_apply(&r->moved[i], mesh[i], &space->motion[i], p.u[i]);
         if (!quantise_body(r, i, &r->moved[i], &size->grid, error)) {
           return false;
         }
@@ -351,7 +351,7 @@ static bool find_trees(sepax_size *size, const bodies *r, const sepax_mesh *mesh
     return true;
   }
   return sepax_quantise(mesh, &grid[1], r->on_grid.tri[1], NULL, error) &&
-         size_trees_new(&size->trees, &r->on_grid, grid, space, error);
+         sepax__size_trees_new(&size->trees, &r->on_grid, grid, space, error);
 }
 
 static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2],
@@ -362,7 +362,8 @@ static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2]
   }
   const sepax_poses *path = space->path;
   size->path = path != NULL ? path->count : 0;
-  bool moving = path != NULL || motion_moves(&space->motion[0]) || motion_moves(&space->motion[1]);
+  bool moving = path != NULL || sepax__motion_moves(&space->motion[0]) ||
+                sepax__motion_moves(&space->motion[1]);
   for (int i = 0; i < 2; i++) {
     if ((i == 0 || path == NULL) && !quantise_body(r, i, mesh[i], &size->grid, error)) {
       return false;
@@ -430,7 +431,7 @@ void sepax_size_free(sepax_size *size) {
     free(size->job[n].pass);
   }
   free(size->job);
-  size_trees_free(size->trees);
+  sepax__size_trees_free(size->trees);
   size->job = NULL;
   size->jobs = 0;
   size->trees = NULL;

@@ -29,7 +29,7 @@ typedef struct {
   const sepax_size_request *request;
   sepax_sized_design *design; /* every one that there is, with a lower bound of its cycles */
   size_t count;
-  uint64_t *steps; /* job_cycles */
+  uint64_t *steps; /* sepax__job_cycles */
   tree_work *work; /* of each pose; NULL: no tree engine */
 } choice;
 
@@ -44,7 +44,7 @@ static bool add_design(choice *all, const sepax_config *config, uint64_t least,
   sepax_sized_design *m = &all->design[all->count++];
   *m = (sepax_sized_design){.config = *config, .cycles = least};
   m->gates = sepax_gates(&design, &m->gates_error);
-  m->fitted = gates_fitted(&design);
+  m->fitted = sepax__gates_fitted(&design);
   return true;
 }
 
@@ -60,7 +60,7 @@ static int memory_for(size_t count) {
 
 /* On a path B is turned, so that its vertices are loaded anew. */
 static uint64_t loading(const sepax_size *size, const sepax_config *config) {
-  return size->path > 0 && config->lanes > 0 ? job_loading(size->count, config) : 0;
+  return size->path > 0 && config->lanes > 0 ? sepax__job_loading(size->count, config) : 0;
 }
 
 static uint64_t most_passes(const sepax_size *size) {
@@ -78,10 +78,10 @@ static uint64_t least_cycles(const choice *all, const sepax_config *config) {
   uint64_t most = 0;
   for (size_t n = 0; n < all->pairs; n++) {
     const sepax_size *size = &all->size[n];
-    uint64_t least = job_least_cycles(0, size->count, config);
+    uint64_t least = sepax__job_least_cycles(0, size->count, config);
     uint64_t passes = most_passes(size);
     sum += least + loading(size, config);
-    most = larger(most, job_least_cycles(passes, size->count, config) - least);
+    most = larger(most, sepax__job_least_cycles(passes, size->count, config) - least);
   }
   return sum + most;
 }
@@ -92,7 +92,7 @@ static bool add_designs(choice *all, int lanes, sepax_error *error) {
   config.word = all->word;
   config.clock_ps = all->request->clock_ps;
   config.lanes = lanes;
-  size_limit(&config, all->size->limited, all->size->clearance, all->size->warning);
+  sepax__size_limit(&config, all->size->limited, all->size->clearance, all->size->warning);
   if (lanes > 0) {
     config.memory_a = memory_for(all->largest[0]);
     config.memory_b = memory_for(all->largest[1]);
@@ -122,7 +122,7 @@ static sepax_config tree_engine(const choice *all, int ii, int cores) {
   config.tree = true;
   config.ii = ii;
   config.cores = cores;
-  size_limit(&config, all->size->limited, all->size->clearance, all->size->warning);
+  sepax__size_limit(&config, all->size->limited, all->size->clearance, all->size->warning);
   return config;
 }
 
@@ -138,7 +138,7 @@ static bool find_work(choice *all, sepax_error *error) {
     all->work[n].least = all->between;
     for (size_t k = 0; k < all->pairs; k++) {
       sepax_tree_run run;
-      if (!size_trees_walk(all->size[k].trees, &fastest, n, all->request, &run, error)) {
+      if (!sepax__size_trees_walk(all->size[k].trees, &fastest, n, all->request, &run, error)) {
         return false;
       }
       all->work[n].passes += run.passes;
@@ -176,11 +176,12 @@ static bool cycles_of(uint64_t *cycles, const sepax_size *size, const sepax_conf
                       size_t pose, const sepax_size_request *request, uint64_t *steps,
                       sepax_error *error) {
   if (!config->tree) {
-    *cycles = job_cycles(&size->job[pose], size->count, config, steps) + loading(size, config);
+    *cycles =
+        sepax__job_cycles(&size->job[pose], size->count, config, steps) + loading(size, config);
     return true;
   }
   sepax_tree_run run;
-  if (!size_trees_walk(size->trees, config, pose, request, &run, error)) {
+  if (!sepax__size_trees_walk(size->trees, config, pose, request, &run, error)) {
     return false;
   }
   *cycles = run.cycles;

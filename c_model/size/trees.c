@@ -5,8 +5,8 @@
 
 #include <stdlib.h>
 
-bool size_trees_new(struct size_trees **trees, const job_bodies *bodies, const sepax_grid grid[2],
-                    const sepax_space *space, sepax_error *error) {
+bool sepax__size_trees_new(struct size_trees **trees, const job_bodies *bodies,
+                           const sepax_grid grid[2], const sepax_space *space, sepax_error *error) {
   const sepax_poses *path = space->path;
   struct size_trees *t = calloc(1, sizeof *t);
   sepax_config config = sepax_config_default();
@@ -20,7 +20,7 @@ bool size_trees_new(struct size_trees **trees, const job_bodies *bodies, const s
   bool ok = t->pose != NULL || sepax_fail(error, "no memory for %zu poses", path->count);
   config.tree = true;
   config.word = t->word;
-  size_limit(&config, space->limited, space->clearance, space->warning);
+  sepax__size_limit(&config, space->limited, space->clearance, space->warning);
   ok = ok && sepax_design_init(&design, &config, error);
   for (int i = 0; i < 2 && ok; i++) {
     ok = sepax_tree_new(&t->tree[i], bodies->tri[i], bodies->count[i], &grid[i], error);
@@ -32,12 +32,12 @@ bool size_trees_new(struct size_trees **trees, const job_bodies *bodies, const s
   if (ok) {
     *trees = t;
   } else {
-    size_trees_free(t);
+    sepax__size_trees_free(t);
   }
   return ok;
 }
 
-void size_trees_free(struct size_trees *trees) {
+void sepax__size_trees_free(struct size_trees *trees) {
   if (trees != NULL && !trees->shared) {
     sepax_tree_free(trees->tree[0]);
     sepax_tree_free(trees->tree[1]);
@@ -46,15 +46,16 @@ void size_trees_free(struct size_trees *trees) {
   free(trees);
 }
 
-void size_limit(sepax_config *config, bool limited, int clearance, int warning) {
+void sepax__size_limit(sepax_config *config, bool limited, int clearance, int warning) {
   if (limited) {
     config->clearance = clearance;
     config->warning = warning;
   }
 }
 
-bool size_trees_walk(const struct size_trees *trees, const sepax_config *config, size_t pose,
-                     const sepax_size_request *request, sepax_tree_run *run, sepax_error *error) {
+bool sepax__size_trees_walk(const struct size_trees *trees, const sepax_config *config, size_t pose,
+                            const sepax_size_request *request, sepax_tree_run *run,
+                            sepax_error *error) {
   sepax_design design;
   if (!sepax_design_init(&design, config, error)) {
     return false;

@@ -19,24 +19,24 @@ typedef struct {
   box4 *entry; /* of each triangle, in the tree's order */
   tree_twin *node;
   size_t nodes, capacity;
-  uint8_t (*slots)[TREE_FAN_OUT + 1]; /* of each node, by tree_choose */
+  uint8_t (*slots)[TREE_FAN_OUT + 1]; /* of each node, by sepax__tree_choose */
 } tree_binary;
 
 /* Divide the triangles; into halves if `even`, else by the surface area heuristic. False without
- * memory; free with tree_binary_free. */
-bool tree_divide(tree_binary *binary, const sepax_tri *tri, size_t count, bool even);
-void tree_binary_free(tree_binary *binary);
+ * memory; free with sepax__tree_binary_free. */
+bool sepax__tree_divide(tree_binary *binary, const sepax_tri *tri, size_t count, bool even);
+void sepax__tree_binary_free(tree_binary *binary);
 
 /* Choose the children of all nodes of fan-out 16, so that the areas of their boxes have the least
  * sum; if `even`, four levels below. False without memory. */
-bool tree_choose(tree_binary *binary, bool even);
+bool sepax__tree_choose(tree_binary *binary, bool even);
 
 /* The chosen children of a node that is no leaf, in order; how many they are. */
-int tree_children(const tree_binary *binary, uint32_t node, uint32_t child[TREE_FAN_OUT]);
+int sepax__tree_children(const tree_binary *binary, uint32_t node, uint32_t child[TREE_FAN_OUT]);
 
 /* The numbers of different vertices of the triangles begin ... end - 1 in vertex[triangle][k], and
  * the vertices packed as in a record; more than TREE_VERTICES if they do not fit. */
-int tree_distinct(const tree_binary *binary, uint32_t begin, uint32_t end,
-                  uint8_t vertex[TREE_FAN_OUT][3], uint64_t packed[TREE_VERTICES]);
+int sepax__tree_distinct(const tree_binary *binary, uint32_t begin, uint32_t end,
+                         uint8_t vertex[TREE_FAN_OUT][3], uint64_t packed[TREE_VERTICES]);
 
 #endif

@@ -83,8 +83,9 @@ static bool check_triangle(const checker *c, const tree_node *n, int child, aabb
   int word = c->tree->grid.word;
   int32_t v[3][3];
   int32_t wide[3][3];
-  if ((record[2 * child + 1] & 128) != 0 || !tree_triangle(v, record, n->beats, child, word) ||
-      !tree_triangle(wide, record, n->beats, child, SEPAX_TREE_WORD_MAX)) {
+  if ((record[2 * child + 1] & 128) != 0 ||
+      !sepax__tree_triangle(v, record, n->beats, child, word) ||
+      !sepax__tree_triangle(wide, record, n->beats, child, SEPAX_TREE_WORD_MAX)) {
     return false;
   }
   bool same = true;
@@ -100,12 +101,12 @@ static bool check_triangle(const checker *c, const tree_node *n, int child, aabb
 /* The node and all below it; what it bounds. The number is that of a node that is there. */
 static bool check_node(checker *c, uint32_t number, int level_above, aabb *bounds) {
   const uint8_t *bytes = c->tree->image + (size_t)TREE_NODE_BYTES * number;
-  const tree_node n = tree_unpack(bytes, c->tree->grid.word);
-  if (!see(c, number) || !tree_node_sound(&c->image, &n, number) || n.level >= level_above) {
+  const tree_node n = sepax__tree_unpack(bytes, c->tree->grid.word);
+  if (!see(c, number) || !sepax__tree_node_sound(&c->image, &n, number) || n.level >= level_above) {
     return wrong(c, number, "its children are not where children are");
   }
   const uint8_t *record = c->tree->image + (n.level == 0 ? (size_t)TREE_BEAT * n.record : 0);
-  if (tree_get32(bytes + 24) != tree_node_crc(bytes, record)) {
+  if (tree_get32(bytes + 24) != sepax__tree_node_crc(bytes, record)) {
     return wrong(c, number, "its CRC is not that of its bytes");
   }
   for (int i = 0; i < 3; i++) {
@@ -154,7 +155,7 @@ static bool check_table(const checker *c) {
   return true;
 }
 
-bool tree_check(const sepax_tree *tree, sepax_error *error) {
+bool sepax__tree_check(const sepax_tree *tree, sepax_error *error) {
   checker c = {.tree = tree, .image = tree_image_of(tree), .nodes = 1, .error = error};
   c.seen = calloc((size_t)tree->nodes + 2 * (size_t)tree->triangles, 1);
   if (c.seen == NULL) {

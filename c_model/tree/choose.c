@@ -60,7 +60,7 @@ static void choose_evenly(const tree_binary *b, uint32_t n) {
   b->slots[n][0] = TREE_FAN_OUT / 2;
 }
 
-bool tree_choose(tree_binary *b, bool even) {
+bool sepax__tree_choose(tree_binary *b, bool even) {
   costs *cost = malloc(b->nodes * sizeof *cost);
   b->slots = malloc(b->nodes * sizeof *b->slots);
   bool ok = cost != NULL && b->slots != NULL;
@@ -85,7 +85,7 @@ static int gather(const tree_binary *b, uint32_t n, int slots, uint32_t *child) 
   return count + gather(b, b->node[n].child + 1, slots - first, child + count);
 }
 
-int tree_children(const tree_binary *b, uint32_t n, uint32_t child[TREE_FAN_OUT]) {
+int sepax__tree_children(const tree_binary *b, uint32_t n, uint32_t child[TREE_FAN_OUT]) {
   int first = b->slots[n][0];
   int count = gather(b, b->node[n].child, first, child);
   return count + gather(b, b->node[n].child + 1, TREE_FAN_OUT - first, child + count);

@@ -143,7 +143,7 @@ static bool is_leaf(const tree_binary *b, const range *r) {
   uint8_t vertex[TREE_FAN_OUT][3];
   uint64_t packed[TREE_VERTICES];
   return count_of(r) <= TREE_FAN_OUT &&
-         tree_distinct(b, r->begin, r->end, vertex, packed) <= TREE_VERTICES;
+         sepax__tree_distinct(b, r->begin, r->end, vertex, packed) <= TREE_VERTICES;
 }
 
 static uint32_t cut_range(box4 *e, const range *r, bool even) {
@@ -197,7 +197,7 @@ static corner corner_of(const sepax_vec *v) {
 }
 
 /* Coordinates are exact in single precision. */
-bool tree_divide(tree_binary *b, const sepax_tri *tri, size_t count, bool even) {
+bool sepax__tree_divide(tree_binary *b, const sepax_tri *tri, size_t count, bool even) {
   *b = (tree_binary){.tri = tri};
   b->entry = malloc(count * sizeof *b->entry);
   if (b->entry == NULL) {
@@ -212,7 +212,7 @@ bool tree_divide(tree_binary *b, const sepax_tri *tri, size_t count, bool even) 
   return add(b, 0, (uint32_t)count) && divide_all(b, even);
 }
 
-void tree_binary_free(tree_binary *b) {
+void sepax__tree_binary_free(tree_binary *b) {
   free(b->entry);
   free(b->node);
   free(b->slots);
@@ -223,8 +223,8 @@ static uint64_t packed_vertex(const sepax_vec *v) {
   return ((uint64_t)v->x & low) | ((uint64_t)v->y & low) << 21 | ((uint64_t)v->z & low) << 42;
 }
 
-int tree_distinct(const tree_binary *b, uint32_t begin, uint32_t end,
-                  uint8_t vertex[TREE_FAN_OUT][3], uint64_t packed[TREE_VERTICES]) {
+int sepax__tree_distinct(const tree_binary *b, uint32_t begin, uint32_t end,
+                         uint8_t vertex[TREE_FAN_OUT][3], uint64_t packed[TREE_VERTICES]) {
   int count = 0;
   for (uint32_t n = begin; n < end; n++) {
     const sepax_tri *t = &b->tri[box4_number(&b->entry[n])];

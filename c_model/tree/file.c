@@ -43,14 +43,14 @@ static void pack_header(uint8_t *to, const sepax_tree *t, uint32_t crc) {
   tree_put32(to + 52, t->triangles);
   tree_put64(to + 56, t->bytes);
   tree_put32(to + 64, crc);
-  tree_put32(to + HEADER_CRC, tree_crc(0, to, HEADER_CRC));
+  tree_put32(to + HEADER_CRC, sepax__tree_crc(0, to, HEADER_CRC));
 }
 
-uint64_t tree_file_bytes(const sepax_tree *t) {
+uint64_t sepax__tree_file_bytes(const sepax_tree *t) {
   return HEADER + (uint64_t)t->bytes + 4 * (uint64_t)t->triangles;
 }
 
-bool tree_file_write(FILE *out, const sepax_tree *t) {
+bool sepax__tree_file_write(FILE *out, const sepax_tree *t) {
   size_t table_bytes = 4 * (size_t)t->triangles;
   uint8_t *table = malloc(table_bytes);
   if (table == NULL) {
@@ -58,14 +58,17 @@ bool tree_file_write(FILE *out, const sepax_tree *t) {
   }
   pack_table(table, t);
   uint8_t header[HEADER];
-  pack_header(header, t, tree_crc(tree_crc(0, t->image, t->bytes), table, table_bytes));
+  pack_header(header, t,
+              sepax__tree_crc(sepax__tree_crc(0, t->image, t->bytes), table, table_bytes));
   bool ok = fwrite(header, HEADER, 1, out) == 1 && fwrite(t->image, t->bytes, 1, out) == 1 &&
             fwrite(table, table_bytes, 1, out) == 1;
   free(table);
   return ok;
 }
 
-static bool write_tree(FILE *out, const void *context) { return tree_file_write(out, context); }
+static bool write_tree(FILE *out, const void *context) {
+  return sepax__tree_file_write(out, context);
+}
 
 bool sepax_tree_write(const sepax_tree *tree, const char *path, sepax_error *error) {
   return sepax_write_file(path, write_tree, tree, error);
@@ -85,7 +88,7 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sep
   for (int n = HEADER_CRC + 4; n < HEADER; n++) {
     zeros = zeros && from[n] == 0;
   }
-  if (!zeros || tree_get32(from + HEADER_CRC) != tree_crc(0, from, HEADER_CRC)) {
+  if (!zeros || tree_get32(from + HEADER_CRC) != sepax__tree_crc(0, from, HEADER_CRC)) {
     return sepax_fail(error, "the header's CRC is wrong; the file is damaged, make it again");
   }
   uint32_t word = tree_get32(from + 12);
@@ -114,7 +117,7 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sep
 /* What is behind the header. Memory is taken only for bytes that are in the file. */
 static bool read_behind(sepax_tree *t, FILE *in, uint32_t crc, sepax_error *error) {
   size_t table_bytes = 4 * (size_t)t->triangles;
-  uint64_t all_bytes = tree_file_bytes(t);
+  uint64_t all_bytes = sepax__tree_file_bytes(t);
   long end = fseek(in, 0, SEEK_END) == 0 ? ftell(in) : -1;
   if (t->triangles == 0 || end < 0 || (uint64_t)end != all_bytes ||
       fseek(in, HEADER, SEEK_SET) != 0) {
@@ -129,7 +132,7 @@ static bool read_behind(sepax_tree *t, FILE *in, uint32_t crc, sepax_error *erro
     sepax_fail(error, "no memory for a tree of %u triangles", t->triangles);
   } else if (fread(t->image, t->bytes, 1, in) != 1 || fread(table, table_bytes, 1, in) != 1) {
     ok = sepax_fail(error, "not read: %s", strerror(errno));
-  } else if (tree_crc(tree_crc(0, t->image, t->bytes), table, table_bytes) != crc) {
+  } else if (sepax__tree_crc(sepax__tree_crc(0, t->image, t->bytes), table, table_bytes) != crc) {
     ok = sepax_fail(error, "the CRC is wrong; the file is damaged, make it again");
   }
   for (size_t n = 0; ok && n < t->triangles; n++) {
@@ -146,10 +149,10 @@ static bool read_tree(sepax_tree *t, FILE *in, sepax_error *error) {
     return sepax_fail(error, "too short for a tree; make one with 'sepax tree STL -o FILE'");
   }
   return unpack_header(t, header, &crc, error) && read_behind(t, in, crc, error) &&
-         tree_check(t, error);
+         sepax__tree_check(t, error);
 }
 
-bool tree_file_read(sepax_tree **tree, FILE *in, sepax_error *error) {
+bool sepax__tree_file_read(sepax_tree **tree, FILE *in, sepax_error *error) {
   sepax_tree *made = calloc(1, sizeof *made);
   bool ok = made != NULL ? read_tree(made, in, error) : sepax_fail(error, "no memory");
   if (!ok) {
@@ -166,7 +169,7 @@ bool sepax_tree_read(sepax_tree **tree, const char *path, sepax_error *error) {
     return sepax_fail(error, "%.300s: not read: %s", path, strerror(errno));
   }
   sepax_error inner = {""};
-  bool ok = tree_file_read(tree, in, &inner);
+  bool ok = sepax__tree_file_read(tree, in, &inner);
   fclose(in);
   return ok || sepax_fail(error, "%.200s: %.300s", path, inner.text);
 }

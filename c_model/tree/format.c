@@ -1,7 +1,7 @@
 /* format.c - nodes and records of leaves, to and from bytes. docs/tree.md. */
 #include "tree/format.h"
 
-uint32_t tree_crc(uint32_t crc, const uint8_t *bytes, size_t count) {
+uint32_t sepax__tree_crc(uint32_t crc, const uint8_t *bytes, size_t count) {
   static const uint32_t of_four_bits[16] = {0x00000000, 0x1db71064, 0x3b6e20c8, 0x26d930ac,
                                             0x76dc4190, 0x6b6b51f4, 0x4db26158, 0x5005713c,
                                             0xedb88320, 0xf00f9344, 0xd6d6a3e8, 0xcb61b38c,
@@ -21,7 +21,7 @@ static int32_t from_bits(uint64_t x, int bits) {
   return (int32_t)((int64_t)((x & (2 * sign - 1)) ^ sign) - (int64_t)sign);
 }
 
-tree_node tree_unpack(const uint8_t bytes[TREE_NODE_BYTES], int word) {
+tree_node sepax__tree_unpack(const uint8_t bytes[TREE_NODE_BYTES], int word) {
   tree_node n;
   uint32_t packed = tree_get32(bytes + 12);
   for (int i = 0; i < 3; i++) {
@@ -44,7 +44,7 @@ tree_node tree_unpack(const uint8_t bytes[TREE_NODE_BYTES], int word) {
   return n;
 }
 
-void tree_pack(uint8_t bytes[TREE_NODE_BYTES], const tree_node *n, const uint8_t *record) {
+void sepax__tree_pack(uint8_t bytes[TREE_NODE_BYTES], const tree_node *n, const uint8_t *record) {
   bool leaf = n->level == 0;
   uint32_t packed = (uint32_t)(n->children - 1) << 12 | (uint32_t)n->level << 16 |
                     (leaf ? (uint32_t)(n->beats - 1) << 20 : 0);
@@ -67,18 +67,18 @@ void tree_pack(uint8_t bytes[TREE_NODE_BYTES], const tree_node *n, const uint8_t
       child[3 + i] = j < n->children ? (uint8_t)n->high[j][i] : 0;
     }
   }
-  tree_put32(bytes + 24, tree_node_crc(bytes, record));
+  tree_put32(bytes + 24, sepax__tree_node_crc(bytes, record));
 }
 
-uint32_t tree_node_crc(const uint8_t bytes[TREE_NODE_BYTES], const uint8_t *record) {
+uint32_t sepax__tree_node_crc(const uint8_t bytes[TREE_NODE_BYTES], const uint8_t *record) {
   uint32_t packed = tree_get32(bytes + 12);
-  uint32_t crc = tree_crc(0, bytes, 24);
-  crc = tree_crc(crc, bytes + 28, TREE_NODE_BYTES - 28);
+  uint32_t crc = sepax__tree_crc(0, bytes, 24);
+  crc = sepax__tree_crc(crc, bytes + 28, TREE_NODE_BYTES - 28);
   bool leaf = (packed >> 16 & 15) == 0;
-  return leaf ? tree_crc(crc, record, TREE_BEAT * (1 + (packed >> 20 & 15))) : crc;
+  return leaf ? sepax__tree_crc(crc, record, TREE_BEAT * (1 + (packed >> 20 & 15))) : crc;
 }
 
-bool tree_node_sound(const tree_image *tree, const tree_node *n, uint32_t number) {
+bool sepax__tree_node_sound(const tree_image *tree, const tree_node *n, uint32_t number) {
   if (n->level > 0) {
     return n->first > number && (uint64_t)n->first + (uint64_t)n->children <= tree->nodes;
   }
@@ -88,7 +88,7 @@ bool tree_node_sound(const tree_image *tree, const tree_node *n, uint32_t number
          (uint64_t)n->record + (uint64_t)n->beats <= tree->beats;
 }
 
-bool tree_triangle(int32_t v[3][3], const uint8_t *record, int beats, int number, int word) {
+bool sepax__tree_triangle(int32_t v[3][3], const uint8_t *record, int beats, int number, int word) {
   unsigned packed = record[2 * number] | (unsigned)record[2 * number + 1] << 8;
   for (int k = 0; k < 3; k++) {
     int vertex = (int)(packed >> (5 * k) & 31);

@@ -55,22 +55,22 @@ static inline void tree_put64(uint8_t *to, uint64_t value) {
 }
 
 /* Go on with a CRC-32 (IEEE 802.3); begin with 0. */
-uint32_t tree_crc(uint32_t crc, const uint8_t *bytes, size_t count);
+uint32_t sepax__tree_crc(uint32_t crc, const uint8_t *bytes, size_t count);
 
 /* What bytes 24 ... 27 of a node should be; `record` is a leaf's, else not read. */
-uint32_t tree_node_crc(const uint8_t bytes[TREE_NODE_BYTES], const uint8_t *record);
+uint32_t sepax__tree_node_crc(const uint8_t bytes[TREE_NODE_BYTES], const uint8_t *record);
 
 /* The node in 128 bytes, any bytes; coordinates of W bits. */
-tree_node tree_unpack(const uint8_t bytes[TREE_NODE_BYTES], int word);
+tree_node sepax__tree_unpack(const uint8_t bytes[TREE_NODE_BYTES], int word);
 
 /* Its bytes, with its CRC. */
-void tree_pack(uint8_t bytes[TREE_NODE_BYTES], const tree_node *node, const uint8_t *record);
+void sepax__tree_pack(uint8_t bytes[TREE_NODE_BYTES], const tree_node *node, const uint8_t *record);
 
 /* False if the engine calls node `number` damaged: docs/tree.md, Checks. */
-bool tree_node_sound(const tree_image *tree, const tree_node *node, uint32_t number);
+bool sepax__tree_node_sound(const tree_image *tree, const tree_node *node, uint32_t number);
 
 /* The vertices of triangle `number` of a leaf's record of so many beats; false if the engine calls
  * it damaged. */
-bool tree_triangle(int32_t v[3][3], const uint8_t *record, int beats, int number, int word);
+bool sepax__tree_triangle(int32_t v[3][3], const uint8_t *record, int beats, int number, int word);
 
 #endif

@@ -46,7 +46,7 @@ static void set_child(tree_node *n, int child, const box4 *b) {
 static void write_record(writer *w, tree_node *n, const range *r) {
   uint8_t vertex[TREE_FAN_OUT][3];
   uint64_t packed[TREE_VERTICES];
-  int vertices = tree_distinct(w->binary, r->begin, r->end, vertex, packed);
+  int vertices = sepax__tree_distinct(w->binary, r->begin, r->end, vertex, packed);
   n->beats = 2 + (vertices + 1) / 2;
   size_t bytes = (size_t)n->beats * TREE_BEAT;
   if (w->at % TREE_PAGE + bytes > TREE_PAGE) {
@@ -85,7 +85,7 @@ static int write_node(writer *w, uint32_t number, uint32_t of) {
     write_leaf(w, &n, &r);
   } else {
     uint32_t child[TREE_FAN_OUT];
-    n.children = tree_children(w->binary, of, child);
+    n.children = sepax__tree_children(w->binary, of, child);
     n.first = w->nodes;
     w->nodes += (uint32_t)n.children;
     for (int k = 0; k < n.children; k++) {
@@ -94,8 +94,8 @@ static int write_node(writer *w, uint32_t number, uint32_t of) {
       n.level = level > n.level ? level : n.level;
     }
   }
-  tree_pack(w->tree->image + (size_t)TREE_NODE_BYTES * number, &n,
-            w->tree->image + (size_t)TREE_BEAT * n.record);
+  sepax__tree_pack(w->tree->image + (size_t)TREE_NODE_BYTES * number, &n,
+                   w->tree->image + (size_t)TREE_BEAT * n.record);
   return n.level;
 }
 
@@ -114,7 +114,7 @@ static extent measure(const tree_binary *b, uint32_t of, int above) {
     return sum;
   }
   uint32_t child[TREE_FAN_OUT];
-  int children = tree_children(b, of, child);
+  int children = sepax__tree_children(b, of, child);
   for (int k = 0; k < children; k++) {
     extent part = measure(b, child[k], above + 1);
     sum.nodes += part.nodes;
@@ -145,12 +145,12 @@ static bool write_all(sepax_tree *tree, const tree_binary *b, const extent *size
 
 static bool build(sepax_tree *tree, const sepax_tri *tri, size_t count, bool *too_many, bool even) {
   tree_binary b;
-  bool ok = tree_divide(&b, tri, count, even) && tree_choose(&b, even);
+  bool ok = sepax__tree_divide(&b, tri, count, even) && sepax__tree_choose(&b, even);
   extent size = ok ? measure(&b, 0, 0) : (extent){0};
   *too_many = size.nodes > TREE_NODES_MAX;
   bool too_high = size.level > TREE_LEVEL_MAX;
   ok = ok && !*too_many && (too_high || write_all(tree, &b, &size));
-  tree_binary_free(&b);
+  sepax__tree_binary_free(&b);
   return ok && too_high ? build(tree, tri, count, too_many, true) : ok;
 }
 

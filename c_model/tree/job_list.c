@@ -58,7 +58,7 @@ static uint64_t queue_bytes(const sepax_job_scene *s) {
 static places places_of(const sepax_job_scene *s) {
   places at = {.table = HEADER};
   for (size_t n = 0; n < s->bodies; n++) {
-    at.table = up(at.table + tree_file_bytes(s->tree[n]), TREE_PAGE);
+    at.table = up(at.table + sepax__tree_file_bytes(s->tree[n]), TREE_PAGE);
   }
   at.lines = at.table + ROW * (uint64_t)s->bodies;
   at.poses = up(at.lines + 4 * (uint64_t)s->poses, SEPAX_TREE_POSE_STRIDE);
@@ -72,10 +72,11 @@ static bool put_trees(uint8_t *byte, const sepax_job_scene *s, const places *at)
   uint64_t place = HEADER;
   bool ok = true;
   for (size_t n = 0; n < s->bodies && ok; n++) {
-    uint64_t bytes = tree_file_bytes(s->tree[n]);
+    uint64_t bytes = sepax__tree_file_bytes(s->tree[n]);
     uint8_t *row = byte + at->table + ROW * n;
     FILE *out = fmemopen(byte + place, (size_t)bytes, "wb");
-    ok = out != NULL && setvbuf(out, NULL, _IONBF, 0) == 0 && tree_file_write(out, s->tree[n]);
+    ok = out != NULL && setvbuf(out, NULL, _IONBF, 0) == 0 &&
+         sepax__tree_file_write(out, s->tree[n]);
     ok = out != NULL && fclose(out) == 0 && ok;
     tree_put64(row, place);
     tree_put64(row + 8, bytes);
@@ -117,8 +118,8 @@ static void put_header(uint8_t *byte, const sepax_job_scene *s, const places *at
   tree_put64(byte + AT_LINES, at->lines);
   tree_put64(byte + AT_LIST, at->list);
   tree_put64(byte + AT_BYTES, at->bytes);
-  tree_put32(byte + AT_CRC, tree_crc(0, byte + HEADER, (size_t)(at->bytes - HEADER)));
-  tree_put32(byte + AT_HEADER_CRC, tree_crc(0, byte, AT_HEADER_CRC));
+  tree_put32(byte + AT_CRC, sepax__tree_crc(0, byte + HEADER, (size_t)(at->bytes - HEADER)));
+  tree_put32(byte + AT_HEADER_CRC, sepax__tree_crc(0, byte, AT_HEADER_CRC));
 }
 
 bool sepax_job_list_make(sepax_job_list *list, const sepax_job_scene *s, sepax_error *error) {
@@ -189,7 +190,7 @@ static bool read_bytes(sepax_job_list *list, FILE *in, sepax_error *error) {
   for (int n = AT_HEADER_CRC + 4; n < HEADER; n++) {
     zeros = zeros && head[n] == 0;
   }
-  if (!zeros || tree_get32(head + AT_HEADER_CRC) != tree_crc(0, head, AT_HEADER_CRC)) {
+  if (!zeros || tree_get32(head + AT_HEADER_CRC) != sepax__tree_crc(0, head, AT_HEADER_CRC)) {
     return sepax_fail(error, "the header's CRC is wrong; the file is damaged, make it again");
   }
   uint64_t bytes = tree_get64(head + AT_BYTES);
@@ -206,7 +207,8 @@ static bool read_bytes(sepax_job_list *list, FILE *in, sepax_error *error) {
   if (fread(list->byte, list->bytes, 1, in) != 1) {
     return sepax_fail(error, "not read: %s", strerror(errno));
   }
-  return tree_get32(head + AT_CRC) == tree_crc(0, list->byte + HEADER, list->bytes - HEADER) ||
+  return tree_get32(head + AT_CRC) ==
+             sepax__tree_crc(0, list->byte + HEADER, list->bytes - HEADER) ||
          sepax_fail(error, "the CRC is wrong; the file is damaged, make it again");
 }
 
@@ -250,7 +252,7 @@ static bool check_tree(const sepax_job_list *list, uint32_t body,
   sepax_error inner = {""};
   sepax_tree *tree = NULL;
   FILE *in = fmemopen(list->byte + place, (size_t)bytes, "rb");
-  bool ok = in != NULL && tree_file_read(&tree, in, &inner);
+  bool ok = in != NULL && sepax__tree_file_read(&tree, in, &inner);
   if (in != NULL) {
     fclose(in);
   }

@@ -21,7 +21,8 @@ static int64_t turned_sum(const sepax_tree_side *side, const int32_t p[3], int i
   return sum;
 }
 
-tree_setting tree_set_up(const sepax_tree_side *side, const tree_node *s, const tree_node *t) {
+tree_setting sepax__tree_set_up(const sepax_tree_side *side, const tree_node *s,
+                                const tree_node *t) {
   const int64_t far = INT64_C(1) << 20;
   tree_setting r;
   int e_max = s->exponent[0];
@@ -43,7 +44,7 @@ tree_setting tree_set_up(const sepax_tree_side *side, const tree_node *s, const 
   return r;
 }
 
-tree_cells tree_turn_box(const tree_setting *g, const int8_t low[3], const int8_t high[3]) {
+tree_cells sepax__tree_turn_box(const tree_setting *g, const int8_t low[3], const int8_t high[3]) {
   tree_cells r;
   for (int i = 0; i < 3; i++) {
     int32_t lo = g->low[i];
@@ -59,7 +60,7 @@ tree_cells tree_turn_box(const tree_setting *g, const int8_t low[3], const int8_
   return r;
 }
 
-uint16_t tree_hits(const tree_cells *box, const tree_node *t) {
+uint16_t sepax__tree_hits(const tree_cells *box, const tree_node *t) {
   unsigned hits = 0;
   for (int j = 0; j < t->children; j++) {
     bool hit = true;
@@ -71,7 +72,7 @@ uint16_t tree_hits(const tree_cells *box, const tree_node *t) {
   return (uint16_t)hits;
 }
 
-void tree_turn_vertex(int32_t v[3], const sepax_tree_side *side, const int32_t p[3]) {
+void sepax__tree_turn_vertex(int32_t v[3], const sepax_tree_side *side, const int32_t p[3]) {
   for (int i = 0; i < 3; i++) {
     v[i] = (int32_t)(turned_sum(side, p, i) >> 20);
   }
@@ -88,7 +89,8 @@ static aabb bounds_of(const int32_t v[3][3]) {
   return b;
 }
 
-tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t margin, int word) {
+tree_pair sepax__tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t margin,
+                                int word) {
   aabb of_a = bounds_of(a);
   aabb of_b = bounds_of(b);
   tree_pair r = {.near = !aabb_disjoint(&of_a, &of_b, margin)};
@@ -101,7 +103,7 @@ tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t m
   return r;
 }
 
-sepax_tri tree_thin_along_z(const int32_t v[3][3], int thinnest) {
+sepax_tri sepax__tree_thin_along_z(const int32_t v[3][3], int thinnest) {
   sepax_tri t;
   for (int k = 0; k < 3; k++) {
     t.v[k] = (sepax_vec){v[k][thinnest == 0 ? 2 : 0], v[k][thinnest == 1 ? 2 : 1], v[k][thinnest]};

@@ -12,7 +12,7 @@ static const uint64_t spans[2][SPANS] = {{3, 6, 24, 16, 12, 8, 0, 0}, {4, 9, 36,
 
 static uint64_t later(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
-void tree_time_begin(tree_time *t, const sepax_config *config, int latency) {
+void sepax__tree_time_begin(tree_time *t, const sepax_config *config, int latency) {
   *t = (tree_time){.span = spans[config->target != SEPAX_TARGET_ASIC],
                    .latency = (uint64_t)latency,
                    .ii = (uint64_t)config->ii,
@@ -37,7 +37,7 @@ static time_place *look_up(tree_time *t, time_place set[TIME_WAYS], uint32_t num
   return place;
 }
 
-uint64_t tree_time_move(tree_time *t, uint64_t now, const uint32_t node[2]) {
+uint64_t sepax__tree_time_move(tree_time *t, uint64_t now, const uint32_t node[2]) {
   uint64_t there = now + t->span[LOOK_UP];
   for (int body = 0; body < 2; body++) {
     time_place *set = t->node[body][node[body] % TIME_NODE_SETS];
@@ -48,7 +48,7 @@ uint64_t tree_time_move(tree_time *t, uint64_t now, const uint32_t node[2]) {
   return there;
 }
 
-uint64_t tree_time_finish(tree_time *t, uint64_t there, unsigned boxes) {
+uint64_t sepax__tree_time_finish(tree_time *t, uint64_t there, unsigned boxes) {
   t->compare = later(t->compare, there) + later(boxes, t->span[LEAST]);
   return t->compare + t->span[BEHIND_BOXES];
 }
@@ -94,7 +94,7 @@ static uint64_t to_turn(uint32_t corners, uint32_t before) {
   return fresh > 0 ? fresh : 1;
 }
 
-void tree_time_row(tree_time *t, const time_row *row) {
+void sepax__tree_time_row(tree_time *t, const time_row *row) {
   uint64_t *begun = &t->begun[t->rows++ % TIME_ROWS];
   t->compare = later(t->compare, *begun);
   uint64_t least = 3;
@@ -114,7 +114,7 @@ void tree_time_row(tree_time *t, const time_row *row) {
   t->pairs = later(t->pairs, t->verdict > kept ? t->verdict - kept : 0);
 }
 
-uint64_t tree_time_end(const tree_time *t, const sepax_design *design) {
+uint64_t sepax__tree_time_end(const tree_time *t, const sepax_design *design) {
   uint64_t answered = t->verdict + t->span[AROUND_CORE] + (uint64_t)design->latency;
   uint64_t walked = later(t->compare + t->span[BEHIND_BOXES], t->pairs + t->span[TO_PAIR]);
   return t->verdict > 0 ? later(answered, walked) : walked;

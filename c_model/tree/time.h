@@ -41,13 +41,13 @@ typedef struct {
   time_place leaf[2][TIME_LEAF_SETS][TIME_WAYS];
 } tree_time;
 
-void tree_time_begin(tree_time *t, const sepax_config *config, int latency);
+void sepax__tree_time_begin(tree_time *t, const sepax_config *config, int latency);
 
 /* An entry is moved into the line at a time: when its nodes of A and of B are there. */
-uint64_t tree_time_move(tree_time *t, uint64_t now, const uint32_t node[2]);
+uint64_t sepax__tree_time_move(tree_time *t, uint64_t now, const uint32_t node[2]);
 
 /* An entry of which all is there is finished, so many boxes turned: when. */
-uint64_t tree_time_finish(tree_time *t, uint64_t there, unsigned boxes);
+uint64_t sepax__tree_time_finish(tree_time *t, uint64_t there, unsigned boxes);
 
 /* A row found at a time, of leaves whose records have so many beats: the numbers of the vertices of
  * B's triangle, 5 bits each, how many pairs, and how many passes through the cores the near ones of
@@ -59,9 +59,9 @@ typedef struct {
   uint32_t corners;
   unsigned pairs, passes;
 } time_row;
-void tree_time_row(tree_time *t, const time_row *row);
+void sepax__tree_time_row(tree_time *t, const time_row *row);
 
 /* The cycle of the last verdict, or of the end without one. */
-uint64_t tree_time_end(const tree_time *t, const sepax_design *design);
+uint64_t sepax__tree_time_end(const tree_time *t, const sepax_design *design);
 
 #endif

@@ -49,8 +49,9 @@ static bool read_node(walk *w, tree_node *node, int body, uint32_t number) {
   if (number >= tree->nodes) {
     return damaged(w);
   }
-  *node = tree_unpack(tree->image + (size_t)TREE_NODE_BYTES * number, w->how->design->config.word);
-  return tree_node_sound(tree, node, number) || damaged(w);
+  *node = sepax__tree_unpack(tree->image + (size_t)TREE_NODE_BYTES * number,
+                             w->how->design->config.word);
+  return sepax__tree_node_sound(tree, node, number) || damaged(w);
 }
 
 static bool push(walk *w, entry e) {
@@ -66,8 +67,8 @@ static bool push(walk *w, entry e) {
 
 static void judge(walk *w, sepax_tree_pair *p, const tree_pair *tested, const int32_t a[3][3],
                   const int32_t b[3][3]) {
-  sepax_pair pair = {.a = tree_thin_along_z(a, tested->thinnest),
-                     .b = tree_thin_along_z(b, tested->thinnest)};
+  sepax_pair pair = {.a = sepax__tree_thin_along_z(a, tested->thinnest),
+                     .b = sepax__tree_thin_along_z(b, tested->thinnest)};
   p->out_of_range = tested->out_of_range;
   p->collision = true;
   p->band = SEPAX_BAND_COLLISION;
@@ -104,11 +105,11 @@ static bool serve_row(walk *w, const uint32_t leaf[2], const tree_node *node_a,
   w->run->rows++;
   uint64_t pairs = w->run->pairs;
   uint64_t passes = w->run->passes;
-  if (!tree_triangle(own, record_b, node_b->beats, b, word)) {
+  if (!sepax__tree_triangle(own, record_b, node_b->beats, b, word)) {
     return damaged(w);
   }
   for (int k = 0; k < 3; k++) {
-    tree_turn_vertex(turned[k], &w->pose->side[0], own[k]);
+    sepax__tree_turn_vertex(turned[k], &w->pose->side[0], own[k]);
   }
   for (int a = 0; a < TREE_FAN_OUT; a++) {
     if ((mask >> a & 1) == 0) {
@@ -116,10 +117,10 @@ static bool serve_row(walk *w, const uint32_t leaf[2], const tree_node *node_a,
     }
     w->run->pairs++;
     int32_t v[3][3];
-    if (!tree_triangle(v, record_a, node_a->beats, a, word)) {
+    if (!sepax__tree_triangle(v, record_a, node_a->beats, a, word)) {
       return damaged(w);
     }
-    tree_pair tested = tree_test_pair(v, turned, w->how->design->margin[1], word);
+    tree_pair tested = sepax__tree_test_pair(v, turned, w->how->design->margin[1], word);
     if (tested.near) {
       sepax_tree_pair p = {.triangle = {node_a->first + (uint32_t)a, node_b->first + (uint32_t)b},
                            .leaf = {leaf[0], leaf[1]},
@@ -136,7 +137,7 @@ static bool serve_row(walk *w, const uint32_t leaf[2], const tree_node *node_a,
                         .corners = record_b[2 * b] | (uint32_t)record_b[2 * b + 1] << 8,
                         .pairs = (unsigned)(w->run->pairs - pairs),
                         .passes = (unsigned)(w->run->passes - passes)};
-  tree_time_row(&w->time, &row);
+  sepax__tree_time_row(&w->time, &row);
   return !w->run->ended;
 }
 
@@ -157,16 +158,16 @@ static bool finish_rows(walk *w, const entry *e, const tree_node *s, const tree_
 }
 
 static bool finish_own(walk *w, const entry *e, const tree_node *s, const tree_node *t) {
-  tree_setting setting = tree_set_up(&w->pose->side[e->side], s, t);
+  tree_setting setting = sepax__tree_set_up(&w->pose->side[e->side], s, t);
   int8_t low[3];
   for (int i = 0; i < 3; i++) {
     low[i] = (int8_t)(-1 - s->own[i]);
   }
-  tree_cells box = tree_turn_box(&setting, low, s->own);
-  uint16_t hit = tree_hits(&box, t);
+  tree_cells box = sepax__tree_turn_box(&setting, low, s->own);
+  uint16_t hit = sepax__tree_hits(&box, t);
   w->run->entries++;
   w->run->steps++;
-  w->now = tree_time_finish(&w->time, e->there, 1);
+  w->now = sepax__tree_time_finish(&w->time, e->there, 1);
   return hit == 0 || push(w, (entry){e->t, e->s, hit, !e->side, 0});
 }
 
@@ -189,14 +190,14 @@ static bool finish(walk *w, const entry *e) {
   if (e->mask == 0) {
     return finish_own(w, e, &s, &t);
   }
-  tree_setting setting = tree_set_up(&w->pose->side[e->side], &s, &t);
+  tree_setting setting = sepax__tree_set_up(&w->pose->side[e->side], &s, &t);
   uint16_t hit[TREE_FAN_OUT] = {0};
   uint16_t column[TREE_FAN_OUT];
   const tree_lanes lanes = tree_lanes_of(&t);
   uint64_t steps = w->run->steps;
   for (int i = 0; i < TREE_FAN_OUT; i++) {
     if ((e->mask >> i & 1) != 0) {
-      tree_cells box = tree_turn_box(&setting, s.low[i], s.high[i]);
+      tree_cells box = sepax__tree_turn_box(&setting, s.low[i], s.high[i]);
       hit[i] = tree_lanes_hits(&lanes, &box);
       w->run->steps++;
     }
@@ -205,7 +206,7 @@ static bool finish(walk *w, const entry *e) {
     turn_masks(hit, column);
   }
   w->run->entries++;
-  w->now = tree_time_finish(&w->time, e->there, (unsigned)(w->run->steps - steps));
+  w->now = sepax__tree_time_finish(&w->time, e->there, (unsigned)(w->run->steps - steps));
   if (s.level == 0 && t.level == 0) {
     return finish_rows(w, e, &s, &t, hit, column);
   }
@@ -222,7 +223,7 @@ static bool finish(walk *w, const entry *e) {
 
 static void move(walk *w, entry e) {
   const uint32_t node[2] = {e.side == 0 ? e.t : e.s, e.side == 0 ? e.s : e.t};
-  e.there = tree_time_move(&w->time, w->now, node);
+  e.there = sepax__tree_time_move(&w->time, w->now, node);
   w->line[(w->oldest + w->in_line++) % w->line_most] = e;
 }
 
@@ -258,8 +259,8 @@ static void walk_all(walk *w, const tree_node *root_b) {
   }
 }
 
-bool tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
-                      const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error) {
+bool sepax__tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
+                             const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error) {
   walk w = {.tree = {tree[0], tree[1]},
             .pose = pose,
             .how = how,
@@ -281,10 +282,10 @@ bool tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
     return sepax_fail(error, "no memory for a stack of %zu entries", w.stack_most);
   }
   w.stack = w.line + w.line_most;
-  tree_time_begin(&w.time, &how->design->config,
-                  how->latency > 0 ? how->latency : SEPAX_TREE_LATENCY);
+  sepax__tree_time_begin(&w.time, &how->design->config,
+                         how->latency > 0 ? how->latency : SEPAX_TREE_LATENCY);
   walk_all(&w, &root[1]);
-  run->cycles = tree_time_end(&w.time, how->design);
+  run->cycles = sepax__tree_time_end(&w.time, how->design);
   free(w.line);
   return true;
 }
@@ -305,7 +306,7 @@ bool sepax_images_walk(const uint8_t *const image[2],
                         tree[i].nodes, TREE_BEAT * tree[i].beats);
     }
   }
-  return tree_images_walk(tree, pose, how, run, error);
+  return sepax__tree_images_walk(tree, pose, how, run, error);
 }
 
 bool sepax_trees_walk(const sepax_tree *a, const sepax_tree *b, const sepax_tree_pose *pose,
@@ -316,5 +317,5 @@ bool sepax_trees_walk(const sepax_tree *a, const sepax_tree *b, const sepax_tree
     return sepax_fail(error, "a tree of %d bits is beyond the %d bits of the design", word,
                       how->design->config.word);
   }
-  return tree_images_walk(tree, pose, how, run, error);
+  return sepax__tree_images_walk(tree, pose, how, run, error);
 }

@@ -31,23 +31,26 @@ typedef struct {
   int thinnest;      /* an axis: its place and that of z are exchanged for the core */
 } tree_pair;
 
-tree_setting tree_set_up(const sepax_tree_side *side, const tree_node *s, const tree_node *t);
-tree_cells tree_turn_box(const tree_setting *setting, const int8_t low[3], const int8_t high[3]);
+tree_setting sepax__tree_set_up(const sepax_tree_side *side, const tree_node *s,
+                                const tree_node *t);
+tree_cells sepax__tree_turn_box(const tree_setting *setting, const int8_t low[3],
+                                const int8_t high[3]);
 
 /* Bit j: child j of T is hit. */
-uint16_t tree_hits(const tree_cells *box, const tree_node *t);
+uint16_t sepax__tree_hits(const tree_cells *box, const tree_node *t);
 
-void tree_turn_vertex(int32_t v[3], const sepax_tree_side *side, const int32_t p[3]);
+void sepax__tree_turn_vertex(int32_t v[3], const sepax_tree_side *side, const int32_t p[3]);
 
 /* a: vertices of A; b: turned vertices of B; margin 0 ... 2^(W-1). */
-tree_pair tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t margin, int word);
+tree_pair sepax__tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t margin,
+                                int word);
 
 /* As the core gets it. */
-sepax_tri tree_thin_along_z(const int32_t v[3][3], int thinnest);
+sepax_tri sepax__tree_thin_along_z(const int32_t v[3][3], int thinnest);
 
 /* sepax_images_walk of what has been looked at: nodes are in the images. */
-bool tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
-                      const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error);
+bool sepax__tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
+                             const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error);
 
 /* ------------------------------------------------- tree_hits of 16 boxes at once */
 

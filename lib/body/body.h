@@ -40,7 +40,7 @@ struct sepax_body {
 };
 
 /* As sepax_body_new. The body does not depend on the number of threads. */
-bool body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads, sepax_error *error);
+bool sepax__body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads, sepax_error *error);
 
 /* What is in a box, numbered BODY_WIDE * node + lane. */
 static inline uint32_t child_at(const sepax_body *b, uint32_t at) {
@@ -48,6 +48,6 @@ static inline uint32_t child_at(const sepax_body *b, uint32_t at) {
 }
 
 /* Fill `boxes`; false without memory. */
-bool body_fit(sepax_body *body, size_t threads);
+bool sepax__body_fit(sepax_body *body, size_t threads);
 
 #endif

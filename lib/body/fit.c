@@ -370,13 +370,13 @@ static facet_points *local_triangles(const sepax_body *b) {
   return v;
 }
 
-bool body_fit(sepax_body *b, size_t threads) {
+bool sepax__body_fit(sepax_body *b, size_t threads) {
   fitting f = {b, local_triangles(b), malloc(b->nodes * sizeof *f.below)};
   b->boxes = aligned_alloc(64, (b->nodes + 1) * sizeof *b->boxes);
   bool ok = b->boxes != NULL && f.v != NULL && f.below != NULL;
   if (ok) {
     find_below(&f, 0, 0);
-    threads_run(threads, (b->nodes + PART - 1) / PART, fit_part, &f);
+    sepax__threads_run(threads, (b->nodes + PART - 1) / PART, fit_part, &f);
     oriented r = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, {2, 2, 2}};
     fit(f.v, (uint32_t)b->count, &f.below[0].all, &r);
     memset(&b->boxes[b->nodes], 0, sizeof *b->boxes);

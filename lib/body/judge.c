@@ -35,7 +35,7 @@ enum { MOST_LANES = 8 };
 
 typedef const double const_vertex[3];
 
-int posed_pairs_lanes(sepax_path path) {
+int sepax__posed_pairs_lanes(sepax_path path) {
 #if defined __x86_64__
   bool fast = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   bool wide = fast && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
@@ -108,7 +108,7 @@ static uint32_t judge_group(const posed_pairs *p, const double *c, bool *in_doub
   return hits;
 }
 
-uint64_t judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count) {
+uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count) {
   const int lanes = p->lanes;
   double c[18 * MOST_LANES];
   uint64_t hits = 0;

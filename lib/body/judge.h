@@ -9,15 +9,15 @@ typedef struct {
   const double *first[2];
   size_t stride[2];
   bool strict; /* only pairs that collide strictly */
-  int lanes;   /* posed_pairs_lanes */
+  int lanes;   /* sepax__posed_pairs_lanes */
   placement at;
 } posed_pairs;
 
 /* Pairs at once on a path, or on the best that this processor runs instead: 2, 4 with AVX2, 8 with
  * AVX-512. */
-int posed_pairs_lanes(sepax_path path);
+int sepax__posed_pairs_lanes(sepax_path path);
 
 /* Bit n: pair[n], of a triangle of A and one of B, collides. Up to 64 pairs. */
-uint64_t judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count);
+uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count);
 
 #endif

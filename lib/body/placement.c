@@ -59,7 +59,7 @@ static void find_motion(motion *m, const sepax_body *a, const sepax_body *b,
   m->lost = (float)(0x1p-44 * ((1 + ratio) * (2 + far) + lost / a->scale));
 }
 
-double largest_coordinate(const sepax_body *b) {
+double sepax__largest_coordinate(const sepax_body *b) {
   double most = 0;
   for (int i = 0; i < 3; i++) {
     most = fmax(most, fabs(b->centre[i]));
@@ -91,7 +91,8 @@ static bool turns_axes_into_axes(const double linear[3][3]) {
   return true;
 }
 
-void place_poses(placement *p, const sepax_pose *pose_a, const sepax_pose *pose_b, double most) {
+void sepax__place_poses(placement *p, const sepax_pose *pose_a, const sepax_pose *pose_b,
+                        double most) {
   pose_a = moves(pose_a) ? pose_a : NULL;
   pose_b = moves(pose_b) ? pose_b : NULL;
   *p = (placement){.pose = {pose_a, pose_b}};
@@ -119,11 +120,11 @@ void place_poses(placement *p, const sepax_pose *pose_a, const sepax_pose *pose_
   p->whole = pose_a == NULL && turns_axes_into_axes(p->linear);
 }
 
-void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
-                  const sepax_pose *pose_b) {
+void sepax__place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a,
+                         const sepax_body *b, const sepax_pose *pose_b) {
   double back[3][3];
   double offset[3];
-  place_poses(p, pose_a, pose_b, largest_coordinate(b));
+  sepax__place_poses(p, pose_a, pose_b, sepax__largest_coordinate(b));
   invert(p->linear, back);
   for (int i = 0; i < 3; i++) {
     offset[i] = 0;
@@ -135,7 +136,7 @@ void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, c
   find_motion(&p->to[1], b, a, back, offset);
 }
 
-void place_triangle_b(const placement *p, const double b[3][3], double placed[3][3]) {
+void sepax__place_triangle_b(const placement *p, const double b[3][3], double placed[3][3]) {
   for (int k = 0; k < 3; k++) {
     for (int i = 0; i < 3; i++) {
       placed[k][i] = p->linear[i][0] * b[k][0] + p->linear[i][1] * b[k][1] +
@@ -156,8 +157,8 @@ static void pose_centre(const sepax_body *b, const sepax_pose *pose, double at[3
   }
 }
 
-bool balls_disjoint(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
-                    const sepax_pose *pose_b) {
+bool sepax__balls_disjoint(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                           const sepax_pose *pose_b) {
   double at[2][3];
   double size = 0;
   double sum = 0;

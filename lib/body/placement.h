@@ -22,22 +22,23 @@ typedef struct {
 } placement;
 
 /* NULL is valid. */
-bool poses_valid(const sepax_pose *pose_a, const sepax_pose *pose_b, sepax_error *error);
+bool sepax__poses_valid(const sepax_pose *pose_a, const sepax_pose *pose_b, sepax_error *error);
 
 /* Of all vertices, at most. */
-double largest_coordinate(const sepax_body *b);
+double sepax__largest_coordinate(const sepax_body *b);
 
 /* All but `to`, for coordinates of B of up to `most`. */
-void place_poses(placement *p, const sepax_pose *pose_a, const sepax_pose *pose_b, double most);
+void sepax__place_poses(placement *p, const sepax_pose *pose_a, const sepax_pose *pose_b,
+                        double most);
 
-void place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
-                  const sepax_pose *pose_b);
+void sepax__place_bodies(placement *p, const sepax_body *a, const sepax_pose *pose_a,
+                         const sepax_body *b, const sepax_pose *pose_b);
 
 /* True only if balls around the bodies have no common point. A pose stretches by 2^-16 at most. */
-bool balls_disjoint(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
-                    const sepax_pose *pose_b);
+bool sepax__balls_disjoint(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                           const sepax_pose *pose_b);
 
 /* The vertices of a triangle of B in A's file coordinates, each wrong by `error` at most. */
-void place_triangle_b(const placement *p, const double b[3][3], double placed[3][3]);
+void sepax__place_triangle_b(const placement *p, const double b[3][3], double placed[3][3]);
 
 #endif

@@ -28,7 +28,7 @@ bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error) {
          sepax_fail(error, "the matrix is a reflection, no rotation; mirror the mesh instead");
 }
 
-bool poses_valid(const sepax_pose *pose_a, const sepax_pose *pose_b, sepax_error *error) {
+bool sepax__poses_valid(const sepax_pose *pose_a, const sepax_pose *pose_b, sepax_error *error) {
   return (pose_a == NULL || sepax_pose_valid(pose_a, error)) &&
          (pose_b == NULL || sepax_pose_valid(pose_b, error));
 }

@@ -51,8 +51,8 @@ static void sum_terms(big *r, const coordinate_terms *c, int lowest) {
   }
 }
 
-int find_posed_points(posed_points *p, const double a[3][3], const sepax_pose *pa,
-                      const double b[3][3], const sepax_pose *pb) {
+int sepax__find_posed_points(posed_points *p, const double a[3][3], const sepax_pose *pa,
+                             const double b[3][3], const sepax_pose *pb) {
   coordinate_terms terms[6][3];
   int lowest = INT_MAX;
   for (int v = 0; v < 6; v++) {
@@ -227,6 +227,6 @@ static sepax_verdict verdict_any(const posed_points *p) {
 sepax_verdict sepax_exact_posed(const double a[3][3], const sepax_pose *pa, const double b[3][3],
                                 const sepax_pose *pb) {
   posed_points p;
-  find_posed_points(&p, a, pa, b, pb);
+  sepax__find_posed_points(&p, a, pa, b, pb);
   return fits_32_bits(&p) ? verdict_32(&p) : verdict_any(&p);
 }

@@ -11,7 +11,7 @@ typedef struct {
 } posed_points;
 
 /* The vertices times a power of two; its exponent e: c[axis][v] * 2^e is the exact coordinate. */
-int find_posed_points(posed_points *p, const double a[3][3], const sepax_pose *pose_a,
-                      const double b[3][3], const sepax_pose *pose_b);
+int sepax__find_posed_points(posed_points *p, const double a[3][3], const sepax_pose *pose_a,
+                             const double b[3][3], const sepax_pose *pose_b);
 
 #endif

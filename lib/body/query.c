@@ -146,7 +146,7 @@ static void judge(search *s) {
   s->count -= count;
   s->judged += (size_t)count;
   const uint32_t(*waiting)[2] = (const uint32_t(*)[2])s->waiting + s->count;
-  uint64_t hits = judge_posed_pairs(&s->pairs, waiting, count);
+  uint64_t hits = sepax__judge_posed_pairs(&s->pairs, waiting, count);
   for (; hits != 0 && !s->ended; hits &= hits - 1) {
     const uint32_t *pair = waiting[__builtin_ctzll(hits)];
     record(s, pair[0], pair[1]);
@@ -271,21 +271,21 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
   search s = {.body = {a, b}, .found = found};
   s.query = query != NULL ? query : &usual;
   *found = (sepax_pairs){0};
-  if (!poses_valid(pose_a, pose_b, error)) {
+  if (!sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
   if (!(s.query->seconds >= 0)) {
     return sepax_fail(error, "a search has a limit of %g seconds; give 0 for none, or more",
                       s.query->seconds);
   }
-  if (balls_disjoint(a, pose_a, b, pose_b)) {
+  if (sepax__balls_disjoint(a, pose_a, b, pose_b)) {
     return true;
   }
   s.pairs = (posed_pairs){.first = {a->triangle[0][0], b->triangle[0][0]},
                           .stride = {9, 9},
                           .strict = s.query->strict,
-                          .lanes = posed_pairs_lanes(s.query->path)};
-  place_bodies(&s.pairs.at, a, pose_a, b, pose_b);
+                          .lanes = sepax__posed_pairs_lanes(s.query->path)};
+  sepax__place_bodies(&s.pairs.at, a, pose_a, b, pose_b);
   bool few = s.query->only_any || s.query->most > 0;
   s.batch = few ? 4 : BATCH;
   s.at_once = few ? 2 : AT_ONCE;

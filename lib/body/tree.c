@@ -286,7 +286,7 @@ static bool build(builder *b, size_t threads) {
     ok = build_node(b, &b->top, count > PART, &b->top.whole, 0, &root);
   }
   if (ok) {
-    threads_run(threads, b->parts, build_part, b);
+    sepax__threads_run(threads, b->parts, build_part, b);
     ok = join_all(b);
     place_triangles(b);
   }
@@ -296,10 +296,11 @@ static bool build(builder *b, size_t threads) {
   }
   free(b->part);
   free(b->top.node);
-  return ok && body_fit(body, threads);
+  return ok && sepax__body_fit(body, threads);
 }
 
-bool body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads, sepax_error *error) {
+bool sepax__body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads,
+                     sepax_error *error) {
   *body = NULL;
   if (mesh->count == 0 || mesh->count >= INT32_MAX) {
     return sepax_fail(error, "a body has 1 ... 2^31 - 2 triangles, not %zu; %s", mesh->count,
@@ -322,8 +323,8 @@ bool body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads, sepax_e
 
 bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, sepax_error *error) {
   size_t most = 1 + mesh->count / PART;
-  size_t threads = most > 1 ? threads_here() : 1;
-  return body_new(body, mesh, threads < most ? threads : most, error);
+  size_t threads = most > 1 ? sepax__threads_here() : 1;
+  return sepax__body_new(body, mesh, threads < most ? threads : most, error);
 }
 
 void sepax_body_free(sepax_body *body) {

@@ -64,7 +64,7 @@ static box4 box_of_posed(const search *s, int which, size_t n) {
   double placed[3][3];
   float margin = (float)(s->posed.at.error * s->unit * (1 + 0x1p-20)) + 0x1p-140F;
   if (which == 1) {
-    place_triangle_b(&s->posed.at, v, placed);
+    sepax__place_triangle_b(&s->posed.at, v, placed);
     v = placed;
   }
   box4 b = box4_of_none();
@@ -208,12 +208,12 @@ static void test_all(worker *w, const list of[2]) {
     for (size_t n = 0; n < of[1].count; n++) {
       const box4 *b = &of[1].item[n];
       if (!box4_disjoint(a, b)) {
-        search_add_candidate(w, box4_number(a), box4_number(b));
+        sepax__search_add_candidate(w, box4_number(a), box4_number(b));
       }
     }
   }
   if (w->all->how->first) {
-    search_judge_candidates(w);
+    sepax__search_judge_candidates(w);
   }
 }
 
@@ -246,7 +246,7 @@ static uint64_t search_lists(worker *w, const list of[2], uint64_t share) {
   return given;
 }
 
-void halves_work(worker *w) {
+void sepax__halves_work(worker *w) {
   search *s = w->all;
   uint64_t done;
   task *t = take(s, false, 0, &done);
@@ -256,13 +256,13 @@ void halves_work(worker *w) {
     drop(t);
     t = take(s, true, share, &done);
     if (w->reports && t != NULL) {
-      search_report(w, done);
+      sepax__search_report(w, done);
     }
   }
-  search_judge_candidates(w);
+  sepax__search_judge_candidates(w);
 }
 
-bool halves_begin(search *s, size_t *most_threads) {
+bool sepax__halves_begin(search *s, size_t *most_threads) {
   tasks *t = calloc(1, sizeof *t);
   if (t == NULL) {
     return false;
@@ -287,7 +287,7 @@ bool halves_begin(search *s, size_t *most_threads) {
   return of[0].count == 0 || of[1].count == 0 || push(t, of, whole);
 }
 
-void halves_end(search *s) {
+void sepax__halves_end(search *s) {
   tasks *t = s->tasks;
   if (t == NULL) {
     return;

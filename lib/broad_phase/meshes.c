@@ -40,7 +40,7 @@ static void gather_candidates(const worker *w, int32_t c[2][3][3][BATCH], sepax_
   }
 }
 
-void search_judge_candidates(worker *w) {
+void sepax__search_judge_candidates(worker *w) {
   const search *s = w->all;
   size_t count = w->waiting;
   uint64_t hits = 0;
@@ -48,7 +48,7 @@ void search_judge_candidates(worker *w) {
     return;
   }
   if (s->mesh[0] != NULL) {
-    hits = judge_posed_pairs(&s->posed, w->candidate, (int)count);
+    hits = sepax__judge_posed_pairs(&s->posed, w->candidate, (int)count);
   } else if (s->judge == NULL) {
     int32_t c[2][3][3][BATCH];
     sepax_columns of[2];
@@ -68,11 +68,11 @@ void search_judge_candidates(worker *w) {
   }
 }
 
-void search_add_candidate(worker *w, uint32_t i, uint32_t j) {
+void sepax__search_add_candidate(worker *w, uint32_t i, uint32_t j) {
   w->candidate[w->waiting][0] = i;
   w->candidate[w->waiting++][1] = j;
   if (w->waiting == BATCH) {
-    search_judge_candidates(w);
+    sepax__search_judge_candidates(w);
   }
 }
 
@@ -118,9 +118,9 @@ static void judge_one(worker *w, size_t i, size_t from, size_t many) {
 
 static void judge_one_posed(worker *w, size_t i, size_t from, size_t many) {
   for (size_t j = from; j < from + many; j++) {
-    search_add_candidate(w, (uint32_t)i, (uint32_t)j);
+    sepax__search_add_candidate(w, (uint32_t)i, (uint32_t)j);
   }
-  search_judge_candidates(w);
+  sepax__search_judge_candidates(w);
 }
 
 static void judge_one_with_margin(worker *w, size_t i, size_t from, size_t many) {
@@ -129,10 +129,10 @@ static void judge_one_with_margin(worker *w, size_t i, size_t from, size_t many)
   for (size_t j = from; j < from + many; j++) {
     aabb b = aabb_of(&s->tri[1][j]);
     if (!aabb_disjoint(&a, &b, s->margin)) {
-      search_add_candidate(w, (uint32_t)i, (uint32_t)j);
+      sepax__search_add_candidate(w, (uint32_t)i, (uint32_t)j);
     }
   }
-  search_judge_candidates(w);
+  sepax__search_judge_candidates(w);
 }
 
 /* A block of A against a part of B. */
@@ -158,7 +158,7 @@ static void brute_force_work(worker *w) {
        task = atomic_fetch_add(&s->next, 1)) {
     brute_force_task(w, task);
     if (w->reports) {
-      search_report(w, task);
+      sepax__search_report(w, task);
     }
   }
 }
@@ -218,7 +218,7 @@ static bool gather(const search *s, const worker *workers, size_t threads, sepax
 
 /* -------------------------------------------------------------------- threads */
 
-void search_report(worker *w, uint64_t done) {
+void sepax__search_report(worker *w, uint64_t done) {
   search *s = w->all;
   if (s->how->progress != NULL && !s->ended && !s->how->progress(s->how->context, done, s->total)) {
     s->ended = true;
@@ -231,12 +231,12 @@ static void work(void *workers, size_t part) {
   if (w->all->how->brute_force) {
     brute_force_work(w);
   } else {
-    halves_work(w);
+    sepax__halves_work(w);
   }
 }
 
 static size_t threads_of(const sepax_search *how, size_t most) {
-  size_t threads = how->first ? 1 : how->threads > 0 ? (size_t)how->threads : threads_here();
+  size_t threads = how->first ? 1 : how->threads > 0 ? (size_t)how->threads : sepax__threads_here();
   return threads < most ? threads : most;
 }
 
@@ -249,13 +249,13 @@ static bool run(search *s, size_t threads, sepax_pairs *found) {
     workers[k].all = s;
     workers[k].reports = k == 0;
   }
-  threads_run(threads, threads, work, workers);
+  sepax__threads_run(threads, threads, work, workers);
   bool ok = true;
   for (size_t k = 0; k < threads; k++) {
     ok = ok && !workers[k].no_memory;
   }
   if (ok) {
-    search_report(&workers[0], s->total);
+    sepax__search_report(&workers[0], s->total);
   }
   ok = ok && !s->ended && gather(s, workers, threads, found);
   for (size_t k = 0; k < threads; k++) {
@@ -278,9 +278,9 @@ static bool find_pairs(search *s, const sepax_search *how, sepax_pairs *found, s
   }
   atomic_init(&s->stop, false);
   size_t most = SIZE_MAX;
-  bool ok = s->how->brute_force ? brute_force_begin(s) : halves_begin(s, &most);
+  bool ok = s->how->brute_force ? brute_force_begin(s) : sepax__halves_begin(s, &most);
   ok = ok && run(s, threads_of(s->how, most), found);
-  halves_end(s);
+  sepax__halves_end(s);
   free(s->column);
   if (s->ended) {
     return sepax_fail(error, "the search was ended before its time");
@@ -324,7 +324,7 @@ bool sepax_meshes_collide(const sepax_mesh *a, const sepax_pose *pose_a, const s
                           sepax_error *error) {
   double most[2] = {largest_of(a), largest_of(b)};
   *found = (sepax_pairs){0};
-  if (!poses_valid(pose_a, pose_b, error)) {
+  if (!sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
   if (!(most[0] <= 0x1p1000) || !(most[1] <= 0x1p1000)) {
@@ -337,8 +337,8 @@ bool sepax_meshes_collide(const sepax_mesh *a, const sepax_pose *pose_a, const s
   s.posed = (posed_pairs){
       .first = {a->facet[0].v[0], b->facet[0].v[0]},
       .stride = {sizeof *a->facet / sizeof(double), sizeof *a->facet / sizeof(double)},
-      .lanes = posed_pairs_lanes(how != NULL ? how->path : SEPAX_PATH_BEST)};
-  place_poses(&s.posed.at, pose_a, pose_b, most[1]);
+      .lanes = sepax__posed_pairs_lanes(how != NULL ? how->path : SEPAX_PATH_BEST)};
+  sepax__place_poses(&s.posed.at, pose_a, pose_b, most[1]);
   double size = most[0];
   for (int i = 0; i < 3; i++) {
     size = fmax(size, fabs(s.posed.at.offset[i]) + 4 * most[1]);

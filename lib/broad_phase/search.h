@@ -42,14 +42,14 @@ typedef struct {
 } worker;
 
 /* A pair that is to be judged, now or when a batch is full. */
-void search_add_candidate(worker *w, uint32_t i, uint32_t j);
-void search_judge_candidates(worker *w);
+void sepax__search_add_candidate(worker *w, uint32_t i, uint32_t j);
+void sepax__search_judge_candidates(worker *w);
 
-void search_report(worker *w, uint64_t done);
+void sepax__search_report(worker *w, uint64_t done);
 
 /* halves.c: the lists and tasks of a search without brute force. False without memory. */
-bool halves_begin(search *s, size_t *most_threads);
-void halves_work(worker *w);
-void halves_end(search *s);
+bool sepax__halves_begin(search *s, size_t *most_threads);
+void sepax__halves_work(worker *w);
+void sepax__halves_end(search *s);
 
 #endif

@@ -29,12 +29,12 @@ static bool measure(search *s, nearest_pairs *n, const uint32_t place[2]) {
   const double(*b)[3] = s->body[1]->triangle[place[1]];
   const sepax_pose *const *pose = s->at.pose;
   if (isfinite(best->min_distance) &&
-      distance_at_least(a, pose[0], b, pose[1], &n->way, best->min_distance)) {
+      sepax__distance_at_least(a, pose[0], b, pose[1], &n->way, best->min_distance)) {
     return false;
   }
   double nearest[2][3];
   twofold_vector way;
-  double distance = distance_and_way(a, pose[0], b, pose[1], nearest, &way);
+  double distance = sepax__distance_and_way(a, pose[0], b, pose[1], nearest, &way);
   if (distance >= best->min_distance) {
     return false;
   }
@@ -57,7 +57,8 @@ static void measure_kept(search *s, nearest_pairs *n) {
     }
     candidate c = n->kept[first];
     n->kept[first] = n->kept[--n->count];
-    const uint32_t place[2] = {place_at(s->body[0], c.at[0]), place_at(s->body[1], c.at[1])};
+    const uint32_t place[2] = {sepax__place_at(s->body[0], c.at[0]),
+                               sepax__place_at(s->body[1], c.at[1])};
     if (c.least <= s->limit && measure(s, n, place)) {
       memcpy(n->best->box, c.at, sizeof c.at);
     }
@@ -91,8 +92,8 @@ static uint32_t place_of(const sepax_body *b, size_t number) {
 }
 
 static bool is_triangle(const sepax_body *b, uint32_t at, size_t number) {
-  return at < BODY_WIDE * b->nodes && place_at(b, at) < b->count &&
-         b->number[place_at(b, at)] == number;
+  return at < BODY_WIDE * b->nodes && sepax__place_at(b, at) < b->count &&
+         b->number[sepax__place_at(b, at)] == number;
 }
 
 /* Not so at a collision, nor where the distance is above a limit. */
@@ -153,7 +154,7 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
     measure(&s, &n, place);
   } else {
     s.seconds = r->seconds;
-    search_pairs(&s, pose_a, pose_b);
+    sepax__search_pairs(&s, pose_a, pose_b);
     measure_kept(&s, &n);
     best.ended = s.ended;
   }

@@ -405,8 +405,9 @@ static void round_points(const twofold_points *p, const vector from[2], double n
   }
 }
 
-double distance_and_way(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                        const sepax_pose *pose_b, double nearest[2][3], twofold_vector *way) {
+double sepax__distance_and_way(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                               const sepax_pose *pose_b, double nearest[2][3],
+                               twofold_vector *way) {
   twofold_points p;
   candidates c;
   enclosure e;
@@ -421,11 +422,11 @@ double distance_and_way(const double a[3][3], const sepax_pose *pose_a, const do
   posed_points points;
   exact_nearest found = {.linear = false};
   int fine;
-  int exponent = find_posed_points(&points, a, pose_a, b, pose_b);
-  find_exact_nearest(&points, &c.list, &found);
+  int exponent = sepax__find_posed_points(&points, a, pose_a, b, pose_b);
+  sepax__find_exact_nearest(&points, &c.list, &found);
   weighted_points(&p, found.weight, e.nearest);
   round_points(&p, e.nearest, nearest);
-  twofold distance = exact_distance(&found, &fine);
+  twofold distance = sepax__exact_distance(&found, &fine);
   *way = (twofold_vector){{{0, 0}, {0, 0}, {0, 0}}};
   return found.over.sign == 0 ? 0 : rounded(distance, exponent + fine);
 }
@@ -433,11 +434,12 @@ double distance_and_way(const double a[3][3], const sepax_pose *pose_a, const do
 double sepax_distance_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
                             const sepax_pose *pose_b, double nearest[2][3]) {
   twofold_vector way;
-  return distance_and_way(a, pose_a, b, pose_b, nearest, &way);
+  return sepax__distance_and_way(a, pose_a, b, pose_b, nearest, &way);
 }
 
-bool distance_at_least(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                       const sepax_pose *pose_b, const twofold_vector *way, double distance) {
+bool sepax__distance_at_least(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                              const sepax_pose *pose_b, const twofold_vector *way,
+                              double distance) {
   twofold_points p;
   find_twofold_points(&p, a, pose_a, b, pose_b);
   twofold least = twofold_subtract(gap_along(&p, way), error_of(&p));
@@ -445,8 +447,8 @@ bool distance_at_least(const double a[3][3], const sepax_pose *pose_a, const dou
   return least.high > 0 && !twofold_less(least, enough);
 }
 
-int distance_compare(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                     const sepax_pose *pose_b, double limit) {
+int sepax__distance_compare(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                            const sepax_pose *pose_b, double limit) {
   twofold_points p;
   candidates c;
   enclosure e;
@@ -462,7 +464,7 @@ int distance_compare(const double a[3][3], const sepax_pose *pose_a, const doubl
   }
   posed_points points;
   exact_nearest found = {.linear = false};
-  int exponent = find_posed_points(&points, a, pose_a, b, pose_b);
-  find_exact_nearest(&points, &c.list, &found);
-  return exact_compare(&found, exponent, limit);
+  int exponent = sepax__find_posed_points(&points, a, pose_a, b, pose_b);
+  sepax__find_exact_nearest(&points, &c.list, &found);
+  return sepax__exact_compare(&found, exponent, limit);
 }

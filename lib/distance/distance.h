@@ -26,27 +26,28 @@ typedef struct {
 
 /* The nearest points of the triangles; exact but for the weights, which are rounded. Features of
  * the list are tried first. */
-void find_exact_nearest(const posed_points *p, const feature_list *likely, exact_nearest *found);
+void sepax__find_exact_nearest(const posed_points *p, const feature_list *likely,
+                               exact_nearest *found);
 
 /* value * 2^*exponent is the distance, right to 2^-90 of itself. */
-twofold exact_distance(const exact_nearest *n, int *exponent);
+twofold sepax__exact_distance(const exact_nearest *n, int *exponent);
 
 /* The sign of the distance times 2^exponent less `limit` >= 0; exact. */
-int exact_compare(const exact_nearest *n, int exponent, double limit);
+int sepax__exact_compare(const exact_nearest *n, int exponent, double limit);
 
 /* sepax_distance_posed, and a direction on which the triangles are that far from each other, or 0.
  */
-double distance_and_way(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                        const sepax_pose *pose_b, double nearest[2][3], twofold_vector *way);
+double sepax__distance_and_way(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                               const sepax_pose *pose_b, double nearest[2][3], twofold_vector *way);
 
 /* True only if the gap on a direction proves that the distance is `distance` at least, but for less
  * than a unit in its last place. */
-bool distance_at_least(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                       const sepax_pose *pose_b, const twofold_vector *way, double distance);
+bool sepax__distance_at_least(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                              const sepax_pose *pose_b, const twofold_vector *way, double distance);
 
 /* The sign of the distance of the triangles less `limit` >= 0; exact. Coordinates as for
  * sepax_distance_posed. */
-int distance_compare(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                     const sepax_pose *pose_b, double limit);
+int sepax__distance_compare(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                            const sepax_pose *pose_b, double limit);
 
 #endif

@@ -290,7 +290,8 @@ static bool are_nearest(const posed_points *p, int a, int b, exact_nearest *foun
   return from == 2 && (to == 2 ? edges_nearest(&t, v[0], v[1]) : pierces(&t, v[0][0], v[0][1]));
 }
 
-void find_exact_nearest(const posed_points *p, const feature_list *likely, exact_nearest *found) {
+void sepax__find_exact_nearest(const posed_points *p, const feature_list *likely,
+                               exact_nearest *found) {
   for (int n = 0; n < likely->count; n++) {
     if (are_nearest(p, likely->a[n], likely->b[n], found)) {
       return;
@@ -304,7 +305,7 @@ void find_exact_nearest(const posed_points *p, const feature_list *likely, exact
   assert(false); /* some features of two convex sets are nearest */
 }
 
-twofold exact_distance(const exact_nearest *n, int *exponent) {
+twofold sepax__exact_distance(const exact_nearest *n, int *exponent) {
   int exponent_over;
   int exponent_under;
   twofold over = leading(&n->over, &exponent_over);
@@ -328,7 +329,7 @@ static void shift_up(big *r, int shift) {
   r->sign = product.sign;
 }
 
-int exact_compare(const exact_nearest *n, int exponent, double limit) {
+int sepax__exact_compare(const exact_nearest *n, int exponent, double limit) {
   int exponent_limit;
   double size = frexp(limit, &exponent_limit);
   if (n->over.sign == 0 || limit == 0) {

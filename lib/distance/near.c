@@ -13,14 +13,14 @@ typedef struct {
 } near_pairs;
 
 static void record(search *s, const uint32_t at[2], double least, double most) {
-  const uint32_t i = place_at(s->body[0], at[0]);
-  const uint32_t j = place_at(s->body[1], at[1]);
+  const uint32_t i = sepax__place_at(s->body[0], at[0]);
+  const uint32_t j = sepax__place_at(s->body[1], at[1]);
   near_pairs *n = s->context;
   const sepax_query *q = n->query;
   (void)least;
   if (!(most < n->distance)) {
-    int order = distance_compare(s->body[0]->triangle[i], s->at.pose[0], s->body[1]->triangle[j],
-                                 s->at.pose[1], n->distance);
+    int order = sepax__distance_compare(s->body[0]->triangle[i], s->at.pose[0],
+                                        s->body[1]->triangle[j], s->at.pose[1], n->distance);
     if (order > 0 || (order == 0 && q->strict)) {
       return;
     }
@@ -46,7 +46,7 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
     return sepax_fail(error, "the distance %g is not within 0 ... 2^1000; give one that is",
                       distance);
   }
-  if (!poses_valid(pose_a, pose_b, error)) {
+  if (!sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
   if (!(q->seconds >= 0)) {
@@ -60,7 +60,7 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
   search s = {.body = {a, b}, .take = record, .context = &n, .limit = distance, .batch = 4};
   s.portable = q->path == SEPAX_PATH_PORTABLE;
   s.seconds = q->seconds;
-  search_pairs(&s, pose_a, pose_b);
+  sepax__search_pairs(&s, pose_a, pose_b);
   found->ended = s.ended;
   if (n.no_memory) {
     sepax_pairs_free(found);

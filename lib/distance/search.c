@@ -74,7 +74,7 @@ typedef struct {
 /* -------------------------------------------------------------------------- poses */
 
 static double largest(const sepax_body *b, const sepax_pose *pose) {
-  double most = largest_coordinate(b);
+  double most = sepax__largest_coordinate(b);
   for (int i = 0; i < 3 && pose != NULL; i++) {
     most = fmax(most, fabs(pose->translation[i]));
   }
@@ -96,7 +96,9 @@ static void find_world_pose(world_pose *w, const sepax_pose *pose, double unit) 
 
 /* -------------------------------------------------------------- pairs of triangles */
 
-uint32_t place_at(const sepax_body *b, uint32_t at) { return child_at(b, at) - BODY_TRIANGLE; }
+uint32_t sepax__place_at(const sepax_body *b, uint32_t at) {
+  return child_at(b, at) - BODY_TRIANGLE;
+}
 
 /* The way between two bodies, in the coordinates of both, is an axis for boxes. */
 static void set_way(search *s, const double way[3]) {
@@ -143,7 +145,8 @@ static void take_waiting(search *s) {
     for (int n = 0; n < lanes; n++) {
       const box_pair *pair = &s->waiting[n < used ? first + n : first];
       for (int body = 0; body < 2; body++) {
-        const double(*v)[3] = s->body[body]->triangle[place_at(s->body[body], pair->at[body])];
+        const double(*v)[3] =
+            s->body[body]->triangle[sepax__place_at(s->body[body], pair->at[body])];
         for (int k = 0; k < 9; k++) {
           from[(9 * body + k) * lanes + n] = v[k / 3][k % 3] * s->pose[body].unit;
         }
@@ -257,7 +260,7 @@ static void prepare(search *s, const sepax_pose *pose_a, const sepax_pose *pose_
   s->unit = ldexp(1, -exponent);
   find_world_pose(&s->pose[0], pose_a, s->unit);
   find_world_pose(&s->pose[1], pose_b, s->unit);
-  place_bodies(&s->at, s->body[0], pose_a, s->body[1], pose_b);
+  sepax__place_bodies(&s->at, s->body[0], pose_a, s->body[1], pose_b);
 #if defined __x86_64__
   s->portable = s->portable || !__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma");
 #else
@@ -296,7 +299,7 @@ static void find_most(search *s) {
   }
 }
 
-void search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b) {
+void sepax__search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b) {
   box_pair stack[STACK];
   int depth = 1;
   size_t visits = 0;

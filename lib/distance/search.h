@@ -50,9 +50,9 @@ struct search {
 };
 
 /* The place of the triangle in a box. */
-uint32_t place_at(const sepax_body *b, uint32_t at);
+uint32_t sepax__place_at(const sepax_body *b, uint32_t at);
 
 /* Calls `take` for all pairs within the limit, and for others. */
-void search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b);
+void sepax__search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b);
 
 #endif

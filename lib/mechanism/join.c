@@ -198,7 +198,7 @@ static bool order_joints(sepax_mechanism *m, size_t *wrong, sepax_error *error) 
   return ok;
 }
 
-bool mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
+bool sepax__mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
   if (m->links == 0) {
     return sepax_fail(error, "no link; a mechanism has one at least");
   }
@@ -219,5 +219,5 @@ bool mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
 
 bool sepax_mechanism_join(sepax_mechanism *m, sepax_error *error) {
   size_t wrong;
-  return mechanism_join(m, &wrong, error);
+  return sepax__mechanism_join(m, &wrong, error);
 }

@@ -46,7 +46,7 @@ static sepax_pose move_along(const double axis[3], double way) {
   return r;
 }
 
-sepax_pose step_of(const sepax_joint *joint, double value) {
+sepax_pose sepax__step_of(const sepax_joint *joint, double value) {
   if (joint->kind == SEPAX_JOINT_FIXED) {
     return joint->origin;
   }
@@ -72,7 +72,7 @@ void sepax_mechanism_poses(const sepax_mechanism *m, const double *value, sepax_
   pose[m->root] = at_origin;
   for (size_t n = 0; n < m->joints; n++) {
     const sepax_joint *joint = &m->joint[m->order[n]];
-    sepax_pose step = step_of(joint, value[m->order[n]]);
+    sepax_pose step = sepax__step_of(joint, value[m->order[n]]);
     pose[joint->child] = sepax_pose_compose(&pose[joint->parent], &step);
   }
 }
@@ -84,7 +84,7 @@ void sepax_chain_poses(const sepax_chain *chain, const sepax_mechanism *m, const
   for (size_t n = 0; n < chain->count; n++) {
     bool rising = n < chain->up;
     size_t j = chain->joint[rising ? chain->up - 1 - n : n];
-    sepax_pose step = step_of(&m->joint[j], value[j]);
+    sepax_pose step = sepax__step_of(&m->joint[j], value[j]);
     pose[rising ? 0 : 1] = sepax_pose_compose(&pose[rising ? 0 : 1], &step);
   }
 }

@@ -5,9 +5,9 @@
 #include "sepax_mechanism.h"
 
 /* The child's pose in the parent's coordinates. */
-sepax_pose step_of(const sepax_joint *joint, double value);
+sepax_pose sepax__step_of(const sepax_joint *joint, double value);
 
 /* sepax_mechanism_join; where one joint is at fault, `wrong` gets its number. */
-bool mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error);
+bool sepax__mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error);
 
 #endif

@@ -67,7 +67,7 @@ static double reach_of(const double axis[3], const sepax_pose *link, const doubl
  * child's. */
 static sepax_pose next_link(const sepax_pose *link, const sepax_joint *joint, double value,
                             bool rising) {
-  sepax_pose step = step_of(joint, value);
+  sepax_pose step = sepax__step_of(joint, value);
   if (rising) {
     sepax_pose back;
     double t[3];

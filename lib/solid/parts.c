@@ -58,7 +58,7 @@ static void describe(struct sepax_parts *own, const sepax_body *body, size_t par
   }
 }
 
-bool find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned) {
+bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned) {
   const sepax_body *body = shell->body;
   struct sepax_parts *own = calloc(1, sizeof *own);
   shell->own = own;
@@ -75,7 +75,7 @@ bool find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned) {
     for (uint32_t k = 0; k < parts; k++) {
       piece[k] = k;
     }
-    ok = !shell->closed || parts == 1 || join_pieces(body, own->of, piece, parts);
+    ok = !shell->closed || parts == 1 || sepax__join_pieces(body, own->of, piece, parts);
     shell->parts = parts;
     shell->pieces = order_parts(place, place + parts, piece, parts);
     for (uint32_t k = 0; k < parts; k++) {
@@ -90,7 +90,7 @@ bool find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned) {
   return ok;
 }
 
-void free_parts(struct sepax_parts *own) {
+void sepax__free_parts(struct sepax_parts *own) {
   if (own != NULL) {
     free(own->part);
     free(own->of);

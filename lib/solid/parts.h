@@ -33,10 +33,11 @@ static inline void join(uint32_t *parent, uint32_t n, uint32_t m) {
 
 /* Fill parts, pieces and `own` of a shell; parent: sets of triangles that are parts; turned: at an
  * edge that is not consistent, one of its triangles. False without memory. */
-bool find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned);
-void free_parts(struct sepax_parts *parts);
+bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned);
+void sepax__free_parts(struct sepax_parts *parts);
 
 /* Join the parts, as sets of numbers, that have a point in common. False without memory. */
-bool join_pieces(const sepax_body *body, const uint32_t *part_of, uint32_t *piece, size_t parts);
+bool sepax__join_pieces(const sepax_body *body, const uint32_t *part_of, uint32_t *piece,
+                        size_t parts);
 
 #endif

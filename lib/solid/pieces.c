@@ -146,7 +146,8 @@ static void cross_below(search *s, uint32_t at) {
   find_below(s, at);
 }
 
-bool join_pieces(const sepax_body *body, const uint32_t *part_of, uint32_t *piece, size_t parts) {
+bool sepax__join_pieces(const sepax_body *body, const uint32_t *part_of, uint32_t *piece,
+                        size_t parts) {
   search s = {.body = body, .part_of = part_of, .piece = piece, .pieces = parts};
   s.below = malloc(body->nodes * sizeof *s.below);
   if (s.below == NULL) {

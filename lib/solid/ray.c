@@ -103,8 +103,8 @@ static void find_posed(scaled x[3], const double v[3], const sepax_pose *own,
   }
 }
 
-void find_exact_point(exact_point *p, const double v[3], const sepax_pose *own,
-                      const sepax_pose *other) {
+void sepax__find_exact_point(exact_point *p, const double v[3], const sepax_pose *own,
+                             const sepax_pose *other) {
   if (other == NULL) {
     find_posed(p->c, v, own, other);
     set(&p->over, 1);
@@ -170,7 +170,7 @@ static bool passes(const seen *s, int k, int axis) {
   return up ? side.size.sign > 0 : side.size.sign < 0;
 }
 
-int exact_ray_meets(const exact_point *p, int axis, int way, const double t[3][3]) {
+int sepax__exact_ray_meets(const exact_point *p, int axis, int way, const double t[3][3]) {
   seen s = {0};
   look(&s, p, t);
   bool within = false;

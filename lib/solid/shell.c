@@ -230,7 +230,7 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
   }
   list_edges(s);
   judge_edges(s, shell);
-  return find_parts(shell, s->parent, s->turned);
+  return sepax__find_parts(shell, s->parent, s->turned);
 }
 
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error) {
@@ -256,6 +256,6 @@ bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *e
 }
 
 void sepax_shell_free(sepax_shell *shell) {
-  free_parts(shell->own);
+  sepax__free_parts(shell->own);
   *shell = (sepax_shell){0};
 }

@@ -26,7 +26,7 @@ typedef struct {
   exact_point exact;
 } ray;
 
-/* As exact_ray_meets, for certain or not.
+/* As sepax__exact_ray_meets, for certain or not.
  *
  * With u = 2^-53, e = `error` and all coordinates from the ray's origin up to m across the ray and
  * up to n along it: a difference is wrong by e + u m or e + u n. An area, two products of these,
@@ -82,10 +82,10 @@ static int meets(const ray *r, const double t[3][3], bool *certain) {
 
 static int meets_exactly(ray *r, const double t[3][3]) {
   if (!r->known) {
-    find_exact_point(&r->exact, r->vertex, r->pose[0], r->pose[1]);
+    sepax__find_exact_point(&r->exact, r->vertex, r->pose[0], r->pose[1]);
     r->known = true;
   }
-  return exact_ray_meets(&r->exact, r->axis, r->way, t);
+  return sepax__exact_ray_meets(&r->exact, r->axis, r->way, t);
 }
 
 /* The children that the ray may meet. */
@@ -208,7 +208,8 @@ static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
                                 const sepax_shell *b, const sepax_pose *pose_b) {
   placement at;
   ray r = {.body = b->body, .pose = {pose_a, pose_b}};
-  place_bodies(&at, b->body, pose_b, a->body, pose_a); /* a sum that overflows is far outside */
+  sepax__place_bodies(&at, b->body, pose_b, a->body,
+                      pose_a); /* a sum that overflows is far outside */
   r.error = at.error;
   for (size_t k = 0; k < a->parts; k++) {
     const solid_part *part = &a->own->part[k];
@@ -233,7 +234,7 @@ static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
 
 bool sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
                          const sepax_pose *pose_b, sepax_inside within[2], sepax_error *error) {
-  if (!poses_valid(pose_a, pose_b, error)) {
+  if (!sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
   within[0] = find_inside(a, pose_a, b, pose_b);

@@ -12,7 +12,7 @@ enum { TICKETS = 256 };
 
 static _Atomic(char *) under_way[TICKETS];
 
-int temporary_add(const char *path) {
+int sepax__temporary_add(const char *path) {
   char *copy = strdup(path);
   for (int i = 0; copy != NULL && i < TICKETS; i++) {
     char *none = NULL;
@@ -27,7 +27,7 @@ int temporary_add(const char *path) {
 static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
 enum { ENDS = sizeof ends / sizeof ends[0] };
 
-FILE *temporary_create(const char *path, int *ticket) {
+FILE *sepax__temporary_create(const char *path, int *ticket) {
   sigset_t block;
   sigset_t before;
   sigemptyset(&block);
@@ -37,13 +37,13 @@ FILE *temporary_create(const char *path, int *ticket) {
   pthread_sigmask(SIG_BLOCK, &block, &before);
   FILE *out = fopen(path, "wbx");
   int reason = errno;
-  *ticket = out != NULL ? temporary_add(path) : -1;
+  *ticket = out != NULL ? sepax__temporary_add(path) : -1;
   pthread_sigmask(SIG_SETMASK, &before, NULL);
   errno = reason;
   return out;
 }
 
-void temporary_drop(int ticket) {
+void sepax__temporary_drop(int ticket) {
   if (ticket >= 0) {
     free(atomic_exchange(&under_way[ticket], NULL));
   }
@@ -60,7 +60,7 @@ static void remove_and_end(int number) {
   raise(number);
 }
 
-void temporary_remove_on_signals(void) {
+void sepax__temporary_remove_on_signals(void) {
   for (int i = 0; i < ENDS; i++) {
     struct sigaction was;
     struct sigaction action = {.sa_handler = remove_and_end};

@@ -24,8 +24,8 @@ static void *take_parts(void *argument) {
   return NULL;
 }
 
-void threads_run(size_t threads, size_t parts, void (*work)(void *context, size_t part),
-                 void *context) {
+void sepax__threads_run(size_t threads, size_t parts, void (*work)(void *context, size_t part),
+                        void *context) {
   pthread_t beside[MOST_THREADS];
   size_t started = 0;
   size_t most = threads < parts ? threads : parts;
@@ -44,7 +44,7 @@ void threads_run(size_t threads, size_t parts, void (*work)(void *context, size_
   }
 }
 
-size_t threads_here(void) {
+size_t sepax__threads_here(void) {
   long here = sysconf(_SC_NPROCESSORS_ONLN);
   return here > 0 ? (size_t)here : 1;
 }

@@ -17,7 +17,7 @@ static FILE *open_aside(char *aside, size_t size, const char *path, int *ticket)
   errno = EEXIST;
   for (int i = 0; out == NULL && errno == EEXIST && i < 1000; i++) {
     snprintf(aside, size, "%s.tmp.%ld.%d", path, (long)getpid(), i);
-    out = temporary_create(aside, ticket);
+    out = sepax__temporary_create(aside, ticket);
   }
   return out;
 }
@@ -68,7 +68,7 @@ static bool write_aside(const char *path, bool (*write)(FILE *out, const void *c
     ok = finish(out, write(out, context), aside, path);
   }
   int reason = errno;
-  temporary_drop(ticket);
+  sepax__temporary_drop(ticket);
   errno = reason;
   if (!ok) {
     fail_writing(path, error);
@@ -77,7 +77,7 @@ static bool write_aside(const char *path, bool (*write)(FILE *out, const void *c
   return ok;
 }
 
-bool write_file_possible(const char *path, sepax_error *error) {
+bool sepax__write_file_possible(const char *path, sepax_error *error) {
   return write_aside(path, NULL, NULL, error);
 }
 

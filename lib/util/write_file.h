@@ -12,6 +12,6 @@ bool sepax_write_file(const char *path, bool (*write)(FILE *out, const void *con
 
 /* Whether a file could be begun there now; where not, the line that sepax_write_file would leave.
  */
-bool write_file_possible(const char *path, sepax_error *error);
+bool sepax__write_file_possible(const char *path, sepax_error *error);
 
 #endif

@@ -144,7 +144,7 @@ static void work_on(void *workers, size_t part) {
 }
 
 static bool decide_all(work *all, cli_progress *progress, sepax_error *error) {
-  size_t wanted = all->q->threads > 0 ? (size_t)all->q->threads : threads_here();
+  size_t wanted = all->q->threads > 0 ? (size_t)all->q->threads : sepax__threads_here();
   size_t threads = wanted < all->poses.count ? wanted : all->poses.count;
   worker *workers = calloc(threads, sizeof *workers);
   if (workers == NULL) {
@@ -154,7 +154,7 @@ static bool decide_all(work *all, cli_progress *progress, sepax_error *error) {
     workers[k].all = all;
   }
   workers[0].progress = progress;
-  threads_run(threads, threads, work_on, workers);
+  sepax__threads_run(threads, threads, work_on, workers);
   bool ok = true;
   for (size_t k = 0; k < threads; k++) {
     if (workers[k].failed) {

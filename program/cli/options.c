@@ -38,7 +38,7 @@ const char *cli_options_title(unsigned archs) {
                sepax_arch_name((sepax_arch)i));
     }
   }
-  if (archs == design_option_at(0)->archs || found > 2) {
+  if (archs == sepax__design_option_at(0)->archs || found > 2) {
     return "Design:";
   }
   int n = 0;
@@ -56,7 +56,7 @@ void cli_options_init(void) {
   const char *title = "";
   int used = 0;
   int group = 0;
-  for (size_t i = 0; (option = design_option_at(i)) != NULL && used + 4 < MOST; i++) {
+  for (size_t i = 0; (option = sepax__design_option_at(i)) != NULL && used + 4 < MOST; i++) {
     const char *next = cli_options_title(option->archs);
     if (strcmp(next, title) != 0) {
       title = next;
@@ -80,8 +80,8 @@ void cli_options_init(void) {
 
 static void read_environment(sepax_config *config, const struct argp_state *state) {
   const design_option *option;
-  for (size_t i = 0; (option = design_option_at(i)) != NULL; i++) {
-    const char *value = getenv(design_option_variable(option).text);
+  for (size_t i = 0; (option = sepax__design_option_at(i)) != NULL; i++) {
+    const char *value = getenv(sepax__design_option_variable(option).text);
     sepax_error error = {""};
     if (value != NULL && !sepax_config_set(config, option->name, value, &error)) {
       argp_error(state, "%s", error.text);
@@ -95,7 +95,7 @@ static error_t parse_config(int key, char *text, struct argp_state *state) {
     return 0;
   }
   const design_option *option;
-  for (size_t i = 0; (option = design_option_at(i)) != NULL; i++) {
+  for (size_t i = 0; (option = sepax__design_option_at(i)) != NULL; i++) {
     if (key == KEY_OPTION + (int)i || (option->letter != 0 && key == option->letter)) {
       sepax_error error = {""};
       if (!sepax_config_set(state->input, option->name, text != NULL ? text : "on", &error)) {

@@ -44,8 +44,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 /* "  WORD=18  word length ...", wrapped at 96 columns. */
 static void print_row(const design_option *option, const sepax_config *standard) {
   enum { INDENT = 21, WIDTH = 96 };
-  int column = printf("  %s=%s", design_option_variable(option).text,
-                      design_option_value(option, standard).text);
+  int column = printf("  %s=%s", sepax__design_option_variable(option).text,
+                      sepax__design_option_value(option, standard).text);
   for (const char *word = option->help; *word != '\0';) {
     int length = (int)strcspn(word, " ");
     if (column + 1 + length > WIDTH) {
@@ -63,7 +63,7 @@ static void print_list(void) {
   sepax_config standard = sepax_config_default();
   const design_option *option;
   const char *last = "";
-  for (size_t i = 0; (option = design_option_at(i)) != NULL; i++) {
+  for (size_t i = 0; (option = sepax__design_option_at(i)) != NULL; i++) {
     const char *title = cli_options_title(option->archs);
     if (strcmp(title, last) != 0) {
       printf("%s\n", title);
@@ -75,9 +75,9 @@ static void print_list(void) {
 
 static void print_only(sepax_arch arch) {
   const design_option *option;
-  for (size_t i = 0; (option = design_option_at(i)) != NULL; i++) {
+  for (size_t i = 0; (option = sepax__design_option_at(i)) != NULL; i++) {
     if (option->archs == 1U << arch) {
-      printf("%s\n", design_option_variable(option).text);
+      printf("%s\n", sepax__design_option_variable(option).text);
     }
   }
 }

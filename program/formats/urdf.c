@@ -344,7 +344,7 @@ static bool read_robot(reader *r, sepax_error *error) {
   }
   sepax_error inner = {""};
   size_t wrong = SEPAX_NO_JOINT;
-  if (mechanism_join(&r->robot->mechanism, &wrong, &inner)) {
+  if (sepax__mechanism_join(&r->robot->mechanism, &wrong, &inner)) {
     return true;
   }
   const xmlNode *at = wrong != SEPAX_NO_JOINT ? xml_child(root, "joint") : root;

@@ -421,7 +421,8 @@ bool path_certify(path_scene *scene, const path_question *q, sepax_error *error)
   atomic_init(&all.done, 0);
   atomic_init(&all.stop, path_status_only(q) && path_worst(scene) == PATH_COLLISION);
   error->text[0] = '\0';
-  threads_run(q->threads > 0 ? (size_t)q->threads : threads_here(), scene->pairs, work_on, &all);
+  sepax__threads_run(q->threads > 0 ? (size_t)q->threads : sepax__threads_here(), scene->pairs,
+                     work_on, &all);
   scene->between = true;
   scene->between_seconds = cli_progress_end(&progress);
   return error->text[0] == '\0';

@@ -172,7 +172,7 @@ static bool outputs_distinct(const path_question *q, sepax_error *error) {
   }
   bool ok = true;
   for (int i = 0; i < OUTPUTS && ok; i++) {
-    ok = outputs[i] == NULL || write_file_possible(outputs[i], error);
+    ok = outputs[i] == NULL || sepax__write_file_possible(outputs[i], error);
   }
   return ok;
 }

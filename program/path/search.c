@@ -256,8 +256,8 @@ bool path_search(path_scene *scene, const path_question *q, sepax_error *error) 
     }
   }
   error->text[0] = '\0';
-  size_t threads = q->threads > 0 ? (size_t)q->threads : threads_here();
-  threads_run(threads, scene->pairs, work_on, &all);
+  size_t threads = q->threads > 0 ? (size_t)q->threads : sepax__threads_here();
+  sepax__threads_run(threads, scene->pairs, work_on, &all);
   scene->seconds = cli_progress_end(&progress);
   return error->text[0] == '\0';
 }

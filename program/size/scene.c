@@ -69,7 +69,7 @@ static bool share_trees(sepax_size *size, const size_answer *answer, size_t n, s
                                .poses = answer->scene.motion.lines,
                                .word = e->word,
                                .shared = true};
-  size_trees_free(size->trees);
+  sepax__size_trees_free(size->trees);
   size->trees = trees;
   return true;
 }

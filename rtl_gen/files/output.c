@@ -82,7 +82,7 @@ static bool write_aside(output_file *file, sepax_error *error) {
   if (stat(file->path, &status) == 0 && !S_ISREG(status.st_mode)) {
     return sepax_fail(error, "%.200s: not a regular file; remove it", file->path);
   }
-  FILE *out = temporary_create(file->aside, &file->ticket);
+  FILE *out = sepax__temporary_create(file->aside, &file->ticket);
   if (out == NULL) {
     return sepax_fail(error, "%.200s: %s; give a folder that can be written to", file->aside,
                       strerror(errno));
@@ -147,7 +147,7 @@ static void close_files(output *o) {
     if (file->written) {
       unlink(file->aside);
     }
-    temporary_drop(file->ticket);
+    sepax__temporary_drop(file->ticket);
     free(file->name);
     free(file->path);
     free(file->aside);

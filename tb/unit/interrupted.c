@@ -29,7 +29,7 @@ static int end_of(int number, bool program) {
       signal(signals[i], SIG_DFL);
     }
     if (program) {
-      temporary_remove_on_signals();
+      sepax__temporary_remove_on_signals();
     }
     _exit(sepax_write_file(path, write_half, &number, &fault) ? 0 : 1);
   }
@@ -65,9 +65,9 @@ CASE(test_two_signals) {
     assert_true(child >= 0);
     if (child == 0) {
       signal(SIGINT, SIG_DFL);
-      temporary_remove_on_signals();
+      sepax__temporary_remove_on_signals();
       int ticket;
-      FILE *out = temporary_create(path, &ticket);
+      FILE *out = sepax__temporary_create(path, &ticket);
       if (out == NULL || write(ready[1], "", 1) != 1) {
         _exit(1);
       }
@@ -92,13 +92,13 @@ CASE(test_two_signals) {
 CASE(test_tickets) {
   int ticket[300];
   for (int i = 0; i < 300; i++) {
-    ticket[i] = temporary_add("build/test/no-such-file");
+    ticket[i] = sepax__temporary_add("build/test/no-such-file");
   }
   assert_int_equal(ticket[0], 0);
   assert_int_equal(ticket[299], -1);
   for (int i = 0; i < 300; i++) {
-    temporary_drop(ticket[i]);
+    sepax__temporary_drop(ticket[i]);
   }
-  assert_int_equal(temporary_add("build/test/no-such-file"), 0);
-  temporary_drop(0);
+  assert_int_equal(sepax__temporary_add("build/test/no-such-file"), 0);
+  sepax__temporary_drop(0);
 }

@@ -83,10 +83,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   }
   size_t bytes = (data[0] & 4) != 0 ? list.bytes * data[0] / 256 : list.bytes;
   if ((data[0] & 1) == 0 && bytes > TREE_PAGE) {
-    tree_put32(list.byte + CRC, tree_crc(0, list.byte + TREE_PAGE, bytes - TREE_PAGE));
+    tree_put32(list.byte + CRC, sepax__tree_crc(0, list.byte + TREE_PAGE, bytes - TREE_PAGE));
   }
   if ((data[0] & 2) == 0) {
-    tree_put32(list.byte + HEADER_CRC, tree_crc(0, list.byte, HEADER_CRC));
+    tree_put32(list.byte + HEADER_CRC, sepax__tree_crc(0, list.byte, HEADER_CRC));
   }
   fuzz_file("input.sxj", list.byte, bytes);
   sepax_job_list_free(&list);

@@ -30,17 +30,18 @@ static void mend(uint8_t *file, size_t size, unsigned keep) {
   const uint32_t nodes = tree_get32(file + 48);
   for (size_t n = 0; (keep & 1) == 0 && n < nodes && (n + 1) * TREE_NODE_BYTES <= image; n++) {
     uint8_t *node = file + HEADER + n * TREE_NODE_BYTES;
-    const tree_node t = tree_unpack(node, SEPAX_TREE_WORD_MAX);
+    const tree_node t = sepax__tree_unpack(node, SEPAX_TREE_WORD_MAX);
     const size_t record = (size_t)TREE_BEAT * t.record;
     if (t.level > 0 || record + TREE_RECORD_BYTES <= image) {
-      tree_put32(node + 24, tree_node_crc(node, t.level > 0 ? NULL : file + HEADER + record));
+      tree_put32(node + 24,
+                 sepax__tree_node_crc(node, t.level > 0 ? NULL : file + HEADER + record));
     }
   }
   if ((keep & 2) == 0) {
-    tree_put32(file + 64, tree_crc(0, file + HEADER, image));
+    tree_put32(file + 64, sepax__tree_crc(0, file + HEADER, image));
   }
   if ((keep & 4) == 0) {
-    tree_put32(file + 68, tree_crc(0, file, 68));
+    tree_put32(file + 68, sepax__tree_crc(0, file, 68));
   }
 }
 

@@ -34,7 +34,7 @@ static void of_body(sum *s, const uint8_t record[SEPAX_TREE_BODY_BYTES]) {
   uint32_t leaves = 0;
   const uint8_t *image = bench_at((size_t)(base - bench_base));
   for (uint32_t n = 0; n < nodes; n++) {
-    tree_node node = tree_unpack(image + (size_t)TREE_NODE_BYTES * n, SEPAX_WORD);
+    tree_node node = sepax__tree_unpack(image + (size_t)TREE_NODE_BYTES * n, SEPAX_WORD);
     leaves += node.level == 0;
     no_more(s, "reads of a node", base + (uint64_t)TREE_NODE_BYTES * n,
             nodes <= NODES_KEPT ? s->colds : UINT64_MAX);
@@ -43,7 +43,7 @@ static void of_body(sum *s, const uint8_t record[SEPAX_TREE_BODY_BYTES]) {
     expect("a root is read after each cold start", at(s, base) >= s->colds, 1);
   }
   for (uint32_t n = 0; n < nodes; n++) {
-    tree_node node = tree_unpack(image + (size_t)TREE_NODE_BYTES * n, SEPAX_WORD);
+    tree_node node = sepax__tree_unpack(image + (size_t)TREE_NODE_BYTES * n, SEPAX_WORD);
     if (node.level == 0) {
       no_more(s, "reads of a record", base + (uint64_t)TREE_BEAT * node.record,
               leaves <= RECORDS_KEPT ? s->colds : UINT64_MAX);

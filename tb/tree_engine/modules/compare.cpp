@@ -98,7 +98,7 @@ private:
   void expect(bool side, int mask, int a, int b) {
     const tree_node *s = side ? &node[0][a] : &node[1][b];
     const tree_node *t = side ? &node[1][b] : &node[0][a];
-    tree_setting setting = tree_set_up(&pose.side[side], s, t);
+    tree_setting setting = sepax__tree_set_up(&pose.side[side], s, t);
     settings.push_back(setting);
     for (int i = 0; i < 3; i++) {
       shifts.push_back(10 - setting.shift[i]);
@@ -112,10 +112,10 @@ private:
     bool own = mask == 0;
     for (int i = 0; i < 16; i++) {
       if (own ? i == 0 : (mask >> i & 1) != 0) {
-        tree_cells box = own ? tree_turn_box(&setting, own_low, s->own)
-                             : tree_turn_box(&setting, s->low[i], s->high[i]);
+        tree_cells box = own ? sepax__tree_turn_box(&setting, own_low, s->own)
+                             : sepax__tree_turn_box(&setting, s->low[i], s->high[i]);
         boxes.push_back(box);
-        hit[i] = tree_hits(&box, t);
+        hit[i] = sepax__tree_hits(&box, t);
         counts.boxes++;
       }
       for (int j = 0; j < 16; j++) {
@@ -248,7 +248,7 @@ private:
       int32_t v[3];
       const int32_t *p = others.front().p;
       const sepax_tree_side &side = pose.side[others.front().side];
-      tree_turn_vertex(v, &side, p);
+      sepax__tree_turn_vertex(v, &side, p);
       for (int i = 0; i < 3; i++) { // and what is below the point, of which set-up reads some
         const int32_t *m = side.matrix[i];
         int64_t sum = (int64_t)m[0] * p[0] + (int64_t)m[1] * p[1] + (int64_t)m[2] * p[2];

@@ -141,11 +141,11 @@ public:
       near_side[k] ? bring_near(&node[1][k], &node[0][k], &pose.side[1])
                    : bring_near(&node[0][k], &node[1][k], &pose.side[0]);
       for (int body = 0; body < 2; body++) {
-        tree_pack(bytes[body][k], &node[body][k], bytes[body][k]);
+        sepax__tree_pack(bytes[body][k], &node[body][k], bytes[body][k]);
         for (int i = 0; i < 3; i++) { // the bits above W do not count
           bytes[body][k][4 * i + 3] ^= (uint8_t)draw(256);
         }
-        node[body][k] = tree_unpack(bytes[body][k], W);
+        node[body][k] = sepax__tree_unpack(bytes[body][k], W);
       }
     }
   }

@@ -30,8 +30,8 @@ CASE(doubles_find_what_is_nearest) {
       sepax_pose pose = turned_and_moved(1);
       const sepax_pose *pa = n % 2 == 0 ? NULL : &pose;
       draw(kind, v);
-      if (distance_and_way((const double(*)[3])v[0], pa, (const double(*)[3])v[1], NULL, nearest,
-                           &way) > 0) {
+      if (sepax__distance_and_way((const double(*)[3])v[0], pa, (const double(*)[3])v[1], NULL,
+                                  nearest, &way) > 0) {
         free_pairs++;
         found += way.c[0].high != 0 || way.c[1].high != 0 || way.c[2].high != 0;
       }

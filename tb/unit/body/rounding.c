@@ -4,7 +4,7 @@
 #if !defined(__clang__) && !defined(OTHER_OPTIONS)
 #pragma GCC optimize("O3")
 #endif
-#define body_fit body_fit_of_test
+#define sepax__body_fit body_fit_of_test
 #include "body/fit.c" /* NOLINT(bugprone-suspicious-include): compiled once more */
 
 #include "harness.h"

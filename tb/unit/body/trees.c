@@ -106,7 +106,7 @@ CASE(threads_do_not_matter) {
     sepax_mesh mesh = drawn(20000, kind);
     sepax_body *body[LENGTH(threads)];
     for (size_t k = 0; k < LENGTH(threads); k++) {
-      assert_works(body_new(&body[k], &mesh, threads[k], &fault));
+      assert_works(sepax__body_new(&body[k], &mesh, threads[k], &fault));
       assert_int_equal(body[k]->nodes, body[0]->nodes);
       assert_memory_equal(body[k]->node, body[0]->node, body[0]->nodes * sizeof(body_node));
       assert_memory_equal(body[k]->boxes, body[0]->boxes, body[0]->nodes * sizeof(body_boxes));

@@ -254,7 +254,7 @@ CASE(test_parts) {
     const sepax_size *size = &d.size;
     assert_works(sepax_engine(&design, d.tri[0][0], size->count[0], d.tri[0][1], size->count[1],
                               still, &run, &fault));
-    assert_int_equal(job_cycles(&size->job[0], size->count, &config, space), run.cycles);
+    assert_int_equal(sepax__job_cycles(&size->job[0], size->count, &config, space), run.cycles);
     assert_int_equal(size->job[0].passes, run.passes);
     sepax_pairs_free(&run.found);
     config.memory_a = 1 + random_below(MOST_TRIANGLES);
@@ -266,8 +266,8 @@ CASE(test_parts) {
         cycles += ticks_of_part(&d, i, j, memory, &config, steps);
       }
     }
-    assert_int_equal(job_cycles(&size->job[0], size->count, &config, space), cycles);
-    assert_true(job_least_cycles(size->job[0].passes, size->count, &config) <= cycles);
+    assert_int_equal(sepax__job_cycles(&size->job[0], size->count, &config, space), cycles);
+    assert_true(sepax__job_least_cycles(size->job[0].passes, size->count, &config) <= cycles);
   }
   sepax_size_free(&d.size);
   free(steps);

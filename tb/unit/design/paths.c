@@ -101,7 +101,7 @@ static uint64_t cycles_of(const scene *s, const sepax_design *design, uint64_t *
       const sepax_tree_walk how = {.design = design};
       assert_works(sepax_trees_walk(t->tree[0], t->tree[1], &t->pose[n], &how, &run, &fault));
     } else {
-      run.cycles = job_cycles(&s->size.job[n], s->size.count, c, steps);
+      run.cycles = sepax__job_cycles(&s->size.job[n], s->size.count, c, steps);
       run.cycles += c->lanes > 0 ? vertices_sent(s, c) : 0;
     }
     most = run.cycles > most ? run.cycles : most;
@@ -211,7 +211,7 @@ static uint64_t cycles_of_all(const scene s[PAIRS], const sepax_design *design,
         const sepax_tree_walk how = {.design = design, .latency = request->latency};
         assert_works(sepax_trees_walk(t->tree[0], t->tree[1], &t->pose[n], &how, &run, &fault));
       } else {
-        run.cycles = job_cycles(&s[k].size.job[n], s[k].size.count, &design->config, steps);
+        run.cycles = sepax__job_cycles(&s[k].size.job[n], s[k].size.count, &design->config, steps);
         run.cycles += design->config.lanes > 0 ? vertices_sent(&s[k], &design->config) : 0;
       }
       uint64_t cycles;
@@ -296,7 +296,7 @@ CASE(test_same_near_pairs) {
       const sepax_size_request request = {.latency = 100};
       sepax_design design = design_of("--word=%d --ii=3 --tree=on", s.size.trees->word);
       sepax_tree_run run;
-      assert_works(size_trees_walk(s.size.trees, &design.config, k, &request, &run, &fault));
+      assert_works(sepax__size_trees_walk(s.size.trees, &design.config, k, &request, &run, &fault));
       assert_int_equal(run.near, s.size.job[k].candidates);
       near += run.near;
     }
@@ -329,7 +329,8 @@ CASE(test_same_near_pairs_with_a_clearance) {
           design_of("--word=%d --ii=3 --tree=on --clearance=%d --warning=%d",
                     limited[1].trees->word, limited[1].clearance, limited[1].warning);
       sepax_tree_run run;
-      assert_works(size_trees_walk(limited[1].trees, &design.config, k, &request, &run, &fault));
+      assert_works(
+          sepax__size_trees_walk(limited[1].trees, &design.config, k, &request, &run, &fault));
       assert_int_equal(run.near, limited[0].job[k].candidates);
       assert_int_equal(limited[0].job[k].passes, limited[0].job[k].candidates);
       assert_int_equal(limited[0].job[k].twice + limited[0].job[k].twice_near, 0);
@@ -356,7 +357,7 @@ CASE(test_loading) {
     config.lanes = 1;
     config.memory_a = 1 + random_below(MOST_FACETS);
     config.memory_b = 1 + random_below(MOST_FACETS);
-    assert_int_equal(job_loading(count, &config), vertices_sent(&s, &config));
+    assert_int_equal(sepax__job_loading(count, &config), vertices_sent(&s, &config));
   }
 }
 

@@ -242,10 +242,10 @@ CASE(test_pose_of_files) {
         m[i].high[axis] = fabs(m[i].high[axis]);
       }
     }
-    motion_pose p = motion_pose_of_files(m);
+    motion_pose p = sepax__motion_pose_of_files(m);
     for (int i = 0; i < 2; i++) {
       sepax_mesh moved = {facet, FACETS};
-      motion_apply(&moved, &s.mesh[i], &m[i], p.u[i]);
+      sepax__motion_apply(&moved, &s.mesh[i], &m[i], p.u[i]);
       for (int k = 0; k < 9 * FACETS; k++) {
         assert_true(fabs(facet[k / 9].v[k / 3 % 3][k % 3] - s.facet[i][k / 9].v[k / 3 % 3][k % 3]) <
                     1e-12 * 100);

@@ -162,8 +162,8 @@ static void refused(const sepax_job_list *list, const char *words) {
 
 /* With CRCs that are right. */
 static void refused_whole(sepax_job_list *list, const char *words) {
-  tree_put32(list->byte + 72, tree_crc(0, list->byte + 4096, list->bytes - 4096));
-  tree_put32(list->byte + 76, tree_crc(0, list->byte, 76));
+  tree_put32(list->byte + 72, sepax__tree_crc(0, list->byte + 4096, list->bytes - 4096));
+  tree_put32(list->byte + 76, sepax__tree_crc(0, list->byte, 76));
   refused(list, words);
 }
 
@@ -235,7 +235,7 @@ CASE(files_that_are_no_list) {
   refused_whole(&s->list, "its word or resolution");
   tree_put32(byte + 12, WORD);
   byte[4096 + 16 + 6] ^= 16; /* the first tree's resolution */
-  tree_put32(byte + 4096 + 68, tree_crc(0, byte + 4096, 68));
+  tree_put32(byte + 4096 + 68, sepax__tree_crc(0, byte + 4096, 68));
   refused_whole(&s->list, "its word or resolution");
   free_scene(s);
 }

@@ -35,10 +35,10 @@ static triangles body(int kind, size_t count, int word) {
 static void assert_same_triangles(const sepax_tree *tree, const triangles *t) {
   assert_int_equal(sepax_tree_triangles(tree), t->count);
   for (uint32_t number = 0; number < tree->nodes; number++) {
-    const tree_node n = tree_unpack(tree->image + (size_t)128 * number, tree->grid.word);
+    const tree_node n = sepax__tree_unpack(tree->image + (size_t)128 * number, tree->grid.word);
     for (int k = 0; k < n.children && n.level == 0; k++) {
       int32_t v[3][3];
-      assert_true(tree_triangle(v, tree->image + (size_t)16 * n.record, n.beats, k, 21));
+      assert_true(sepax__tree_triangle(v, tree->image + (size_t)16 * n.record, n.beats, k, 21));
       sepax_tri *own = &t->tri[sepax_tree_number(tree, n.first + (uint32_t)k)];
       for (int i = 0; i < 9; i++) {
         assert_int_equal(v[i / 3][i % 3], *coordinate(&own->v[i / 3], i % 3));
@@ -54,7 +54,7 @@ CASE(trees_are_whole) {
     for (size_t c = 0; c < LENGTH(counts); c++) {
       triangles t = body(kind, counts[c], words[kind]);
       sepax_tree *tree = tree_of(&t, words[kind]);
-      assert_works(tree_check(tree, &fault));
+      assert_works(sepax__tree_check(tree, &fault));
       assert_same_triangles(tree, &t);
       sepax_tree *back;
       snprintf(path, sizeof path, "%s/body.sxt", folder);
@@ -83,7 +83,7 @@ static int even_levels(const tree_binary *b, uint32_t node, size_t *triangles_be
     return 0;
   }
   uint32_t child[TREE_FAN_OUT];
-  int children = tree_children(b, node, child);
+  int children = sepax__tree_children(b, node, child);
   int most = 0;
   assert_true(children >= 2 && children <= TREE_FAN_OUT);
   for (int k = 0; k < children; k++) {
@@ -99,10 +99,10 @@ CASE(halves_are_low) {
     triangles t = body(kind, 20000, 18);
     tree_binary b;
     size_t below = 0;
-    assert_true(tree_divide(&b, t.tri, t.count, true) && tree_choose(&b, true));
+    assert_true(sepax__tree_divide(&b, t.tri, t.count, true) && sepax__tree_choose(&b, true));
     assert_true(even_levels(&b, 0, &below) <= 4);
     assert_int_equal(below, t.count);
-    tree_binary_free(&b);
+    sepax__tree_binary_free(&b);
     free(t.tri);
   }
 }
@@ -172,11 +172,11 @@ CASE(damaged_files) {
  * CRC. */
 static void mend_crc(sepax_tree *tree, uint32_t number) {
   uint8_t *node = tree->image + (size_t)128 * number;
-  const tree_node n = tree_unpack(node, tree->grid.word);
+  const tree_node n = sepax__tree_unpack(node, tree->grid.word);
   tree_image image = tree_image_of(tree);
-  if (n.level > 0 || tree_node_sound(&image, &n, number)) {
+  if (n.level > 0 || sepax__tree_node_sound(&image, &n, number)) {
     size_t at = n.level > 0 ? 0 : (size_t)16 * n.record;
-    tree_put32(node + 24, tree_node_crc(node, tree->image + at));
+    tree_put32(node + 24, sepax__tree_node_crc(node, tree->image + at));
   }
 }
 
@@ -192,7 +192,7 @@ CASE(damage_under_right_crcs) {
       node[at] = (uint8_t)(node[at] ^ 128);
       mend_crc(tree, number);
       fault.text[0] = '\0';
-      bool ok = tree_check(tree, &fault);
+      bool ok = sepax__tree_check(tree, &fault);
       assert_int_equal(ok, fault.text[0] == '\0');
       told += !ok;
       assert_true(!ok || at >= 32); /* a box may be larger than what it holds */
@@ -200,15 +200,15 @@ CASE(damage_under_right_crcs) {
     }
   }
   assert_true(told > 1000);
-  assert_works(tree_check(tree, &fault));
+  assert_works(sepax__tree_check(tree, &fault));
   for (int way = 0; way < 2; way++) { /* more than are there, of the same image */
     uint32_t *counted = way == 0 ? &tree->nodes : &tree->triangles;
     ++*counted;
-    assert_fault(tree_check(tree, &fault), way == 0 ? "nodes, 300 triangles" : "of ");
+    assert_fault(sepax__tree_check(tree, &fault), way == 0 ? "nodes, 300 triangles" : "of ");
     --*counted;
   }
   tree->number[0] = tree->number[1];
-  assert_fault(tree_check(tree, &fault), "twice");
+  assert_fault(sepax__tree_check(tree, &fault), "twice");
   sepax_tree_free(tree);
   free(t.tri);
 }

@@ -158,8 +158,8 @@ CASE(boxes_hold_their_vertices) {
       draw_cell_box(low, high);
       if (d.side == 0 ? draw_side_0(&d, held, low, high) : draw_side_1(&d, held, low, high)) {
         put_near(&d, held);
-        tree_setting g = tree_set_up(&d.pose.side[d.side], &d.s, &d.t);
-        tree_cells box = tree_turn_box(&g, low, high);
+        tree_setting g = sepax__tree_set_up(&d.pose.side[d.side], &d.s, &d.t);
+        tree_cells box = sepax__tree_turn_box(&g, low, high);
         assert_holds(&d, &box, held);
         inside += box.low[0] > -129 && box.high[0] < 128;
         n++;
@@ -202,8 +202,8 @@ CASE(worst_roundings) {
     for (int i = 0; i < 3; i++) {
       d.t.origin[i] = (int32_t)held[i] + random_below(100) - 50;
     }
-    tree_setting g = tree_set_up(&d.pose.side[0], &d.s, &d.t);
-    tree_cells box = tree_turn_box(&g, low, high);
+    tree_setting g = sepax__tree_set_up(&d.pose.side[0], &d.s, &d.t);
+    tree_cells box = sepax__tree_turn_box(&g, low, high);
     assert_holds(&d, &box, held);
   }
 }
@@ -229,7 +229,7 @@ CASE(widths) {
       s.exponent[i] = random_below(16);
       t.exponent[i] = random_below(16);
     }
-    tree_setting g = tree_set_up(&side, &s, &t);
+    tree_setting g = sepax__tree_set_up(&side, &s, &t);
     for (int i = 0; i < 3; i++) {
       assert_true(g.low[i] >= -(1 << 20) && g.high[i] < 1 << 20);
       assert_true(g.shift[i] >= -5 && g.shift[i] <= 10);
@@ -239,7 +239,7 @@ CASE(widths) {
     }
     int8_t low[3] = {-128, -128, -128};
     int8_t high[3] = {127, 127, 127};
-    tree_cells box = tree_turn_box(&g, low, high);
+    tree_cells box = sepax__tree_turn_box(&g, low, high);
     for (int i = 0; i < 3; i++) {
       assert_true(box.low[i] >= -129 && box.low[i] <= box.high[i] && box.high[i] <= 128);
     }
@@ -258,6 +258,6 @@ CASE(sixteen_boxes_at_once) {
       box.high[i] = random_below(3) == 0 ? 128 - random_below(3) : random_below(258) - 129;
     }
     const tree_lanes lanes = tree_lanes_of(&t);
-    assert_int_equal(tree_lanes_hits(&lanes, &box), tree_hits(&box, &t));
+    assert_int_equal(tree_lanes_hits(&lanes, &box), sepax__tree_hits(&box, &t));
   }
 }
