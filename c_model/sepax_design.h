@@ -253,16 +253,16 @@ typedef struct {
   uint64_t out_of_range; /* among found, undecided: an extent is exceeded, or B is out of W bits */
   uint64_t cycles;       /* predicted, to about 1 % and 20 + 4 II cycles; a pair of two passes may
                             take up to II more, as it holds up the verdicts behind it */
-} sepax_engine_run;
+} sepax_object_run;
 
 /* The golden model of the object engine, a design with lanes: all triangles of A against those of
  * B, which is moved by whole LSB (|move| < 2^W). Verdicts are those of sepax_judge. A triangle of B
  * that was moved out of W bits collides with every triangle whose AABB overlaps its own, and counts
  * as out of range. Fails on objects that are empty or do not fit the memories of the design, and
  * without memory. Free run->found with sepax_pairs_free. */
-bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a,
-                  const sepax_tri *b, size_t count_b, const int32_t move[3], sepax_engine_run *run,
-                  sepax_error *error);
+bool sepax_object_engine(const sepax_design *design, const sepax_tri *a, size_t count_a,
+                         const sepax_tri *b, size_t count_b, const int32_t move[3],
+                         sepax_object_run *run, sepax_error *error);
 
 /* ----------------------------------------------------------- what a scene needs */
 
@@ -372,10 +372,10 @@ typedef struct {
   double gates, gates_error; /* sepax_gates */
   bool fitted;               /* the formula was fitted to designs like this one */
   uint64_t cycles; /* in the pose that takes the most of those of `size`: where poses were sampled
-                      no bound. As predicted by the golden models (sepax_engine, to about 1 %; of a
-                      tree engine sepax_tree_run.cycles, with cold caches), without the latency of a
-                      core. On a path an object engine loads the objects anew, 3 cycles a triangle
-                      (docs/engine.md, Motion); else loading is left out */
+                      no bound. As predicted by the golden models (sepax_object_engine, to about 1
+                      %; of a tree engine sepax_tree_run.cycles, with cold caches), without the
+                      latency of a core. On a path an object engine loads the objects anew, 3 cycles
+                      a triangle (docs/engine.md, Motion); else loading is left out */
   double mean;     /* cycles a pose */
   size_t worst;    /* number of the pose that takes `cycles` */
   double seconds;

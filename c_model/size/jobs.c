@@ -2,7 +2,7 @@
  * them. docs/size.md. */
 #include "size/jobs.h"
 
-#include "models/engine_time.h"
+#include "object_engine/time.h"
 #include "util/error.h"
 
 #include <stdlib.h>

@@ -131,7 +131,7 @@ static void expect(engine *e, unsigned l) {
   static const int32_t still[3] = {0, 0, 0};
   expected *outstanding = &e->lane[l];
   sepax_error error = {""};
-  sepax_engine_run run;
+  sepax_object_run run;
   sepax_tri *tri[2];
   for (int object = 0; object < 2; object++) {
     tri[object] = text_alloc(e->scene.count[object], sizeof *tri[object]);
@@ -139,8 +139,8 @@ static void expect(engine *e, unsigned l) {
       tri[object][k] = *triangle_of(e, object, k, l);
     }
   }
-  if (!sepax_engine(e->design, tri[0], e->scene.count[0], tri[1], e->scene.count[1], still, &run,
-                    &error)) {
+  if (!sepax_object_engine(e->design, tri[0], e->scene.count[0], tri[1], e->scene.count[1], still,
+                           &run, &error)) {
     errx(2, "%s", error.text);
   }
   outstanding->count = run.found.count;

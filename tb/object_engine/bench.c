@@ -65,7 +65,7 @@ static int32_t (*columns(const sepax_tri *tri, size_t count))[9] {
 
 /* What the golden model says, and how far the engine is in it. */
 typedef struct {
-  sepax_engine_run run;
+  sepax_object_run run;
   size_t seen;
   const task *task;
 } expected;
@@ -108,7 +108,7 @@ static bool see(void *context, const sepax_hit *hit) {
 
 /* Pairs of two passes may take II cycles more each, as the verdicts behind them wait; on an FPGA
  * two II, where such a pair is in seven windows, and the reorder buffer has four entries. */
-static void compare_cycles(uint64_t cycles, const sepax_engine_run *run, const task *t) {
+static void compare_cycles(uint64_t cycles, const sepax_object_run *run, const task *t) {
   uint64_t slack = 20 + 4 * SEPAX_II + run->cycles / 100;
   bool fpga = design.config.target != SEPAX_TARGET_ASIC;
   uint64_t more = (fpga ? 2U : 1U) * SEPAX_II * (run->passes - run->candidates);
@@ -127,8 +127,9 @@ sepax_counts run_task(const task *t, bool paced) {
   sepax_error error = {""};
   expected e = {.task = t};
   sepax_counts counts = {0};
-  stop_on(!sepax_engine(&design, t->a, t->count_a, t->b, t->count_b, t->move, &e.run, &error),
-          error.text);
+  stop_on(
+      !sepax_object_engine(&design, t->a, t->count_a, t->b, t->count_b, t->move, &e.run, &error),
+      error.text);
   int32_t(*a)[9] = columns(t->a, t->count_a);
   int32_t(*b)[9] = columns(t->b, t->count_b);
   static bool b_first;

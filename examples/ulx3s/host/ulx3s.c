@@ -24,7 +24,7 @@ typedef struct {
 
 /* Pairs as the board finds them, and what the golden model expects. */
 typedef struct {
-  const sepax_engine_run *golden; /* NULL: nothing is compared */
+  const sepax_object_run *golden; /* NULL: nothing is compared */
   size_t seen;
   bool differs;
 } progress;
@@ -75,7 +75,7 @@ static int error_of(const char *what, const char *why) {
 
 static bool print(void *context, const sepax_hit *hit) {
   progress *p = context;
-  const sepax_engine_run *golden = p->golden;
+  const sepax_object_run *golden = p->golden;
   printf("%zu %zu%s\n", hit->a, hit->b,
          hit->out_of_range ? " undecided"
          : hit->warning    ? " too near"
@@ -100,10 +100,10 @@ static void compare(progress *p, const char *what, uint64_t got, uint64_t golden
   }
 }
 
-/* Counts and cycles of a run; these as exactly as sepax_engine_run says, unless a result had to
+/* Counts and cycles of a run; these as exactly as sepax_object_run says, unless a result had to
  * wait for the line. */
 static void compare_counts(progress *p, const sepax_counts *counts) {
-  const sepax_engine_run *g = p->golden;
+  const sepax_object_run *g = p->golden;
   compare(p, "results", p->seen, g->found.count);
   compare(p, "pairs", counts->pairs, g->pairs);
   compare(p, "candidates", counts->candidates, g->candidates);
@@ -129,7 +129,7 @@ static int32_t (*columns(const sepax_tri *tri, size_t count))[9] {
   return flat;
 }
 
-static bool golden_run(sepax_engine_run *run, const sepax_scene *scene, sepax_error *error) {
+static bool golden_run(sepax_object_run *run, const sepax_scene *scene, sepax_error *error) {
   static const int32_t still[3] = {0, 0, 0};
   sepax_config config = sepax_config_default();
   sepax_design design;
@@ -138,8 +138,8 @@ static bool golden_run(sepax_engine_run *run, const sepax_scene *scene, sepax_er
     return false;
   }
   design.latency = SEPAX_LATENCY;
-  return sepax_engine(&design, scene->tri[0], scene->count[0], scene->tri[1], scene->count[1],
-                      still, run, error);
+  return sepax_object_engine(&design, scene->tri[0], scene->count[0], scene->tri[1],
+                             scene->count[1], still, run, error);
 }
 
 static double milliseconds(void) {
@@ -209,7 +209,7 @@ int main(int argc, char **argv) {
   if (!sepax_scene_load(&scene, s.path, &grid, false, &error)) {
     return error_of(error.text, "");
   }
-  sepax_engine_run golden;
+  sepax_object_run golden;
   progress p = {NULL, 0, false};
   int status = 0;
   board b = {.line = -1};

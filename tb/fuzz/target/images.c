@@ -2,7 +2,7 @@
 #include "fuzz/fuzz.h"
 #include "sepax_design.h"
 #include "sepax_tree.h"
-#include "tree/format.h"
+#include "tree_engine/format.h"
 
 #include <string.h>
 

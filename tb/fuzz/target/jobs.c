@@ -2,7 +2,7 @@
  * with CRCs made right so that the checks behind them are reached; what is read can be answered. */
 #include "fuzz/fuzz.h"
 #include "sepax_tree.h"
-#include "tree/format.h"
+#include "tree_engine/format.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #include "fuzz/fuzz.h"
 #include "sepax_design.h"
 #include "sepax_tree.h"
-#include "tree/tree.h"
+#include "tree_engine/tree.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* reads.c - which blocks of its memory a batch of the tree engine has read, and how often. */
 #include "bench.h"
-#include "tree/format.h"
+#include "tree_engine/format.h"
 
 #include <string.h>
 

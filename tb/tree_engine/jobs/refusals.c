@@ -1,7 +1,7 @@
 /* refusals.c - what the tree engine refuses in its registers, jobs and poses; interrupts; errors of
  * the memory in jobs and poses. */
 #include "rounds.h"
-#include "tree/format.h"
+#include "tree_engine/format.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* rounds.c - seeded bodies, poses and modes of jobs for the tree engine's test bench; bytes that
  * are damaged, memory that answers with errors, resets. */
 #include "rounds.h"
-#include "tree/format.h"
+#include "tree_engine/format.h"
 
 #include <math.h>
 #include <stdlib.h>

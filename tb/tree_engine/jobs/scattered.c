@@ -1,6 +1,6 @@
 /* scattered.c - bodies that are spread over the addresses of one of millions of triangles. */
 #include "rounds.h"
-#include "tree/format.h"
+#include "tree_engine/format.h"
 
 #include <string.h>
 

@@ -5,7 +5,7 @@
 
 #include "sepax_vectors.h"
 extern "C" {
-#include "tree/walk.h"
+#include "tree_engine/walk.h"
 }
 
 const int SLOTS = 64;

@@ -250,10 +250,10 @@ CASE(test_parts) {
         design_of("--word=%d --lanes=%d --cores=%d --ii=%d", d.size.grid.word,
                   1 + random_below(SEPAX_LANES_MAX), 1 + random_below(8), 1 + random_below(18));
     sepax_config config = design.config;
-    sepax_engine_run run;
+    sepax_object_run run;
     const sepax_size *size = &d.size;
-    assert_works(sepax_engine(&design, d.tri[0][0], size->count[0], d.tri[0][1], size->count[1],
-                              still, &run, &fault));
+    assert_works(sepax_object_engine(&design, d.tri[0][0], size->count[0], d.tri[0][1],
+                                     size->count[1], still, &run, &fault));
     assert_int_equal(sepax__job_cycles(&size->job[0], size->count, &config, space), run.cycles);
     assert_int_equal(size->job[0].passes, run.passes);
     sepax_pairs_free(&run.found);

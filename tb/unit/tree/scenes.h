@@ -6,7 +6,7 @@
 #include "harness.h"
 #include "oracle/geometry.h"
 #include "sepax_tree.h"
-#include "tree/format.h"
+#include "tree_engine/format.h"
 #include "unit/body/draws.h"
 
 typedef struct {

@@ -1,7 +1,7 @@
 /* sxt_files.c - trees as the format says, files that give them back, and damaged ones that do not:
  * SEPAX_COUNT: how many damaged trees are walked. */
-#include "tree/build.h"
-#include "tree/tree.h"
+#include "tree_engine/build.h"
+#include "tree_engine/tree.h"
 #include "unit/tree/scenes.h"
 
 /* Triangles that halve in size and distance: the surface area heuristic cuts off one end each time.

@@ -2,7 +2,7 @@
  * integers. TREE_BOXES: how many boxes. */
 #include "unit/tree/scenes.h"
 
-#include "tree/walk.h"
+#include "tree_engine/walk.h"
 
 typedef struct {
   tree_node s, t;

@@ -4,7 +4,7 @@
 #define SEPAX_TREE_WALK_H
 
 #include "sepax_tree.h"
-#include "tree/format.h"
+#include "tree_engine/format.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* time.c - about when the tree engine does what the walk does. docs/tree.md, Time. */
-#include "tree/time.h"
+#include "tree_engine/time.h"
 
-#include "tree/format.h"
+#include "tree_engine/format.h"
 
 /* Cycles: to look up a pair of nodes; of the least entry in the compare path; from the last box to
  * what is made of it; from the last beat of a record to its triangles; from a row to a pair; around

@@ -1,6 +1,6 @@
 /* image.c - from triangles to the bytes of a tree. */
-#include "tree/build.h"
-#include "tree/tree.h"
+#include "tree_engine/build.h"
+#include "tree_engine/tree.h"
 #include "util/aabb.h"
 #include "util/error.h"
 

@@ -1,7 +1,7 @@
-/* engine_time.h - when the object engine is done: from the comparator lanes to the cores as time
+/* time.h - when the object engine is done: from the comparator lanes to the cores as time
  * goes by (private, docs/engine.md). */
-#ifndef SEPAX_ENGINE_TIME_H
-#define SEPAX_ENGINE_TIME_H
+#ifndef SEPAX_OBJECT_TIME_H
+#define SEPAX_OBJECT_TIME_H
 
 #include "sepax_design.h"
 #include "util/aabb.h"

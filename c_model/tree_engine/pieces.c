@@ -1,6 +1,6 @@
 /* pieces.c - what the modules of the tree engine compute. docs/tree.md has the formulas, widths and
  * the proof that no collision is missed. */
-#include "tree/walk.h"
+#include "tree_engine/walk.h"
 
 #include "util/aabb.h"
 

@@ -1,6 +1,6 @@
-/* engine.c - golden model of the object engine: which pairs it finds, in which order, and
+/* model.c - golden model of the object engine: which pairs it finds, in which order, and
  * about when (docs/engine.md). */
-#include "models/engine_time.h"
+#include "object_engine/time.h"
 #include "util/aabb.h"
 #include "util/error.h"
 #include "util/list.h"
@@ -28,14 +28,14 @@ typedef struct {
   const sepax_tri *a, *b;
   const aabb *bounds_a, *bounds_b;
   const int32_t *move;
-  sepax_engine_run *run;
+  sepax_object_run *run;
   size_t capacity;
   sepax_error *error;
 } enumeration;
 
 /* A candidate: a pair whose AABBs overlap. */
 static bool judge(enumeration *e, size_t i, size_t j) {
-  sepax_engine_run *run = e->run;
+  sepax_object_run *run = e->run;
   const sepax_config *c = &e->design->config;
   const sepax_pair pair = {.a = e->a[i], .b = moved(&e->b[j], e->move, c->word)};
   sepax_verdict v = sepax_judge(e->design, &pair);
@@ -105,10 +105,10 @@ static bool judge_all(enumeration *e, size_t count_a, size_t count_b) {
   return true;
 }
 
-bool sepax_engine(const sepax_design *design, const sepax_tri *a, size_t count_a,
-                  const sepax_tri *b, size_t count_b, const int32_t move[3], sepax_engine_run *run,
-                  sepax_error *error) {
-  *run = (sepax_engine_run){0};
+bool sepax_object_engine(const sepax_design *design, const sepax_tri *a, size_t count_a,
+                         const sepax_tri *b, size_t count_b, const int32_t move[3],
+                         sepax_object_run *run, sepax_error *error) {
+  *run = (sepax_object_run){0};
   if (design->config.lanes == 0 || count_a == 0 || count_b == 0 ||
       count_a > (size_t)design->config.memory_a || count_b > (size_t)design->config.memory_b) {
     return sepax_fail(

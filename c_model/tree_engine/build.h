@@ -3,7 +3,7 @@
 #ifndef SEPAX_TREE_BUILD_H
 #define SEPAX_TREE_BUILD_H
 
-#include "tree/format.h"
+#include "tree_engine/format.h"
 #include "util/bins.h"
 
 /* A node of the binary tree. Its children, of a leaf none, are at child and child + 1. */

@@ -1,5 +1,5 @@
 /* file.c - trees in files. docs/tree.md, The file. */
-#include "tree/tree.h"
+#include "tree_engine/tree.h"
 #include "util/error.h"
 #include "util/write_file.h"
 

@@ -3,7 +3,7 @@
 #define SEPAX_TREE_TREE_H
 
 #include "sepax_tree.h"
-#include "tree/format.h"
+#include "tree_engine/format.h"
 
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
 /* check.c - is this image a tree, whatever its bytes are? */
-#include "tree/tree.h"
+#include "tree_engine/tree.h"
 #include "util/aabb.h"
 #include "util/error.h"
 

@@ -1,6 +1,6 @@
 /* choose.c - which nodes of the binary tree become nodes of fan-out 16: the optimal collapse
  * (Wald, Benthin, Boulos 2008; Ylitie, Karras, Laine 2017). */
-#include "tree/build.h"
+#include "tree_engine/build.h"
 
 #include <stdlib.h>
 

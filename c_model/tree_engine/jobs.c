@@ -1,5 +1,5 @@
 /* jobs.c - lists of jobs of the tree engine, pose by pose. docs/tree.md, Jobs. */
-#include "tree/walk.h"
+#include "tree_engine/walk.h"
 
 #include <string.h>
 

@@ -1,10 +1,10 @@
 /* walk.c - the walk down two trees: which pairs the tree engine tests, in which order, and what it
  * counts. docs/tree.md, Order. */
-#include "tree/time.h"
-#include "tree/tree.h"
-#include "tree/walk.h"
+#include "tree_engine/time.h"
+#include "tree_engine/tree.h"
+#include "tree_engine/walk.h"
 
-#include "models/engine_time.h"
+#include "object_engine/time.h"
 #include "util/error.h"
 
 #include <stdlib.h>

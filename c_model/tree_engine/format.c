@@ -1,5 +1,5 @@
 /* format.c - nodes and records of leaves, to and from bytes. docs/tree.md. */
-#include "tree/format.h"
+#include "tree_engine/format.h"
 
 uint32_t sepax__tree_crc(uint32_t crc, const uint8_t *bytes, size_t count) {
   static const uint32_t of_four_bits[16] = {0x00000000, 0x1db71064, 0x3b6e20c8, 0x26d930ac,

@@ -1,6 +1,6 @@
 /* divide.c - the binary tree: ranges of triangles, cut where the surface area heuristic says, at
  * multiples of 16, so that leaves are full. */
-#include "tree/build.h"
+#include "tree_engine/build.h"
 
 #include "util/list.h"
 
