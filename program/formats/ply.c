@@ -1,5 +1,5 @@
-/* ply.c - PLY files that are cut off. */
-#include "formats/ply.h"
+/* ply.c - PLY by assimp, which does not notice a file that is cut off. */
+#include "formats/mesh_formats.h"
 #include "util/error.h"
 
 #include <errno.h>
@@ -96,7 +96,9 @@ static uint64_t count_behind(FILE *in, bool lines) {
   return count;
 }
 
-bool ply_is_whole(const char *path, sepax_error *error) {
+/* The file has a head, and behind it as many lines (of text) or bytes at least as its elements,
+ * lists being those of triangles, take. */
+static bool is_whole(const char *path, sepax_error *error) {
   FILE *in = fopen(path, "rb");
   if (in == NULL) {
     return sepax_fail(error, "%.300s: %s; give a readable file", path, strerror(errno));
@@ -115,4 +117,9 @@ bool ply_is_whole(const char *path, sepax_error *error) {
   }
   fclose(in);
   return ok;
+}
+
+bool mesh_read_ply(sepax_mesh *mesh, const char *path, sepax_error *error) {
+  *mesh = (sepax_mesh){0};
+  return is_whole(path, error) && mesh_read_assimp(mesh, path, error);
 }

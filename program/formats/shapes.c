@@ -278,3 +278,14 @@ bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error 
   }
   return ok;
 }
+
+void format_robot_free(format_robot *robot) {
+  for (size_t n = 0; n < robot->shapes; n++) {
+    free(robot->shape[n].path);
+    free(robot->shape[n].name);
+  }
+  free(robot->shape);
+  free(robot->name);
+  sepax_mechanism_free(&robot->mechanism);
+  *robot = (format_robot){0};
+}

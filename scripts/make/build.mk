@@ -1,8 +1,9 @@
 # build.mk - the program, the library, and the programs of tests and reports.
 
+hash    := \#
 LIB_SRC  = $(wildcard lib/*/*.c c_model/*/*.c)
 CHECKER  = $(wildcard $(addprefix program/certificate_checker/,*.c */*.c))
-CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(RTL_GEN)
+CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(FORMAT_OF) $(RTL_GEN)
 RTL_GEN  = $(wildcard rtl_gen/*/*.c rtl_gen/*/*/*.c)
 UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))
 
@@ -44,16 +45,37 @@ $(BUILD)/obj/page.c: scripts/embed program/path/page.html
 $(PAGE_OBJ): $(BUILD)/obj/page.c
 	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
 
-# Scenes and meshes are read by libxml2 and assimp: by the program, not by the library.
-FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c))
-FORMAT_LIBS = -lxml2 -lassimp
-$(FORMAT_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
+# libxml2 reads robots, assimp reads meshes other than STL. Where one of them is missing, or is said
+# to be (make build ASSIMP=no LIBXML2=no), program/formats/missing takes its place.
+has = $(shell printf '%s\n' '$(hash)include <$(1)>' 'int main(void) { return 0; }' | \
+      $(CC) $(CFLAGS) $(LDFLAGS) $(XML_CFLAGS) -x c - $(2) -o /dev/null 2> /dev/null && \
+      echo yes || echo no)
+ifndef ASSIMP
+ASSIMP := $(call has,assimp/cimport.h,-lassimp)
+endif
+ifndef LIBXML2
+LIBXML2 := $(call has,libxml/parser.h,-lxml2)
+endif
+export ASSIMP LIBXML2
+one_of      = $(if $(filter yes,$(1)),$(wildcard program/formats/$(2)/*.c), \
+              program/formats/missing/$(2).c)
+FORMAT_OF   = $(call one_of,$(ASSIMP),assimp) $(call one_of,$(LIBXML2),libxml2)
+FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c) $(FORMAT_OF))
+FORMAT_LIBS = $(if $(filter yes,$(LIBXML2)),-lxml2) $(if $(filter yes,$(ASSIMP)),-lassimp)
+$(BUILD)/obj/program/formats/libxml2/%.o: SEPAX_CFLAGS += $(XML_CFLAGS)
+# Written where it changes, so that the program is linked again.
+$(BUILD)/obj/libraries: FORCE
+	@mkdir -p $(@D)
+	@echo 'assimp $(ASSIMP), libxml2 $(LIBXML2)' | cmp -s - $@ || { \
+	  $(if $(filter yes,$(ASSIMP)),,echo "  WITHOUT assimp: no OBJ, PLY, 3MF, DAE";) \
+	  $(if $(filter yes,$(LIBXML2)),,echo "  WITHOUT libxml2: no URDF, SRDF, DAE";) \
+	  echo 'assimp $(ASSIMP), libxml2 $(LIBXML2)' > $@; }
 
 # Programs: objects, then libraries.
 define link
 @mkdir -p $(@D)
 @echo "  LINK    $@"
-@$(CC) $(CFLAGS) $(LDFLAGS) $^ $(LIBS) $(LDLIBS) -lm -pthread -o $@
+@$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LIBS) $(LDLIBS) -lm -pthread -o $@
 endef
 CHECKER_OBJ = $(call object,$(CHECKER))
 ORACLE_OBJ  = $(call object,$(wildcard tb/oracle/*.c))
@@ -75,7 +97,7 @@ $(BUILD)/obj/synth/power/engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/lanes
 $(BUILD)/obj/synth/power/tree.o: $(REGISTERS)/tree/sepax_registers.h
 $(BUILD)/obj/synth/power/tree.o: SEPAX_CFLAGS += -I$(REGISTERS)/tree
 
-$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(LIB)
+$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(LIB) $(BUILD)/obj/libraries
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)
@@ -120,7 +142,6 @@ $(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(OPT
 	$(link)
 
 # Bodies that move beside the libraries that are here.
-hash    := \#
 header   = $(shell echo '$(hash)include <$(1)>' | $(CXX) -x c++ -E - > /dev/null 2>&1 && echo $(2))
 BODIES_O = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard tb/benchmark/*.cpp)) \
            $(call object,tb/oracle/oracle.c)

@@ -1,5 +1,5 @@
 /* srdf.c - SRDF: pairs of links that are not compared. */
-#include "formats/xml.h"
+#include "formats/libxml2/xml.h"
 
 #include <stdlib.h>
 #include <string.h>

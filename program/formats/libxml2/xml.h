@@ -40,7 +40,4 @@ bool xml_numbers(const xml_file *file, const xmlNode *node, const char *attribut
                  int count, sepax_error *error);
 bool xml_has(const xmlNode *node, const char *attribute);
 
-/* A DAE, of any length, without document type, whose unit is some length. For a confined reader. */
-bool xml_dae_right(const char *path, sepax_error *error);
-
 #endif

@@ -1,10 +1,13 @@
 /* xml.c - XML files by libxml2, without any document type. */
-#include "formats/xml.h"
+#include "formats/libxml2/xml.h"
+#include "formats/libraries.h"
 #include "util/error.h"
 
 #include <libxml/parser.h>
 #include <stdlib.h>
 #include <string.h>
+
+const bool format_libxml2_here = true;
 
 static const char blanks[] = " \t\r\n";
 

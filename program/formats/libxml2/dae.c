@@ -1,5 +1,6 @@
-/* dae.c - what is wrong with a DAE that assimp does not notice: a document type, a unit of 0. */
-#include "formats/xml.h"
+/* dae.c - DAE by assimp, which does not notice a document type, or a unit of 0. */
+#include "formats/formats.h"
+#include "formats/mesh_formats.h"
 #include "util/error.h"
 #include "util/plain_numbers.h"
 
@@ -49,7 +50,8 @@ static bool read_nodes(xmlTextReader *in, head *h, sepax_error *error) {
   return true;
 }
 
-bool xml_dae_right(const char *path, sepax_error *error) {
+/* For a process of its own: of any length, without document type, with one unit. */
+static bool is_right(const char *path, sepax_error *error) {
   enum { OPTIONS = XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_HUGE };
   head h = {.path = path};
   xmlTextReader *in = xmlReaderForFile(path, NULL, OPTIONS);
@@ -61,4 +63,9 @@ bool xml_dae_right(const char *path, sepax_error *error) {
   plain_numbers_end(plain);
   xmlFreeTextReader(in);
   return ok;
+}
+
+bool mesh_read_dae(sepax_mesh *mesh, const char *path, sepax_error *error) {
+  *mesh = (sepax_mesh){0};
+  return is_right(path, error) && mesh_read_assimp(mesh, path, error);
 }

@@ -1,8 +1,7 @@
-/* meshes.c - meshes of other formats than STL, by assimp, without steps that move a vertex. */
-#include "formats/confined.h"
-#include "formats/ply.h"
+/* assimp.c - meshes of other formats than STL, by assimp, without steps that move a vertex. */
 #include "formats/formats.h"
-#include "formats/xml.h"
+#include "formats/libraries.h"
+#include "formats/mesh_formats.h"
 #include "util/error.h"
 #include "util/list.h"
 
@@ -13,7 +12,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
+
+const bool format_assimp_here = true;
 
 /* From a mesh to the file's own coordinates: rows of three, then a translation. */
 typedef struct {
@@ -29,62 +29,6 @@ typedef struct {
   size_t (*triangle)[3];
   size_t corners; /* for which there is space */
 } importer;
-
-/* ----------------------------------------------------------------------- polygons */
-
-static void cross(const double p[3], const double q[3], double r[3]) {
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    r[i] = p[j] * q[k] - p[k] * q[j];
-  }
-}
-
-/* Twice the area of a triangle as a vector. */
-static void area_of(const double a[3], const double b[3], const double c[3], double area[3]) {
-  double p[3];
-  double q[3];
-  for (int i = 0; i < 3; i++) {
-    p[i] = b[i] - a[i];
-    q[i] = c[i] - a[i];
-  }
-  cross(p, q, area);
-}
-
-/* All triangles of this corner turn the same way as the polygon. */
-static bool sees_all(const double (*corner)[3], size_t count, size_t from, const double whole[3]) {
-  for (size_t n = 1; n + 1 < count; n++) {
-    double area[3];
-    area_of(corner[from], corner[(from + n) % count], corner[(from + n + 1) % count], area);
-    if (!(area[0] * whole[0] + area[1] * whole[1] + area[2] * whole[2] >= 0)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool format_polygon_divide(const double (*corner)[3], size_t count, size_t (*triangle)[3]) {
-  enum { CORNERS_SEARCHED = 2000 };
-  double whole[3] = {0, 0, 0};
-  for (size_t n = 1; n + 1 < count; n++) {
-    double area[3];
-    area_of(corner[0], corner[n], corner[n + 1], area);
-    for (int i = 0; i < 3; i++) {
-      whole[i] += area[i];
-    }
-  }
-  size_t tries = count > CORNERS_SEARCHED ? 1 : count;
-  size_t from = 0;
-  while (from < tries && count > 3 && !sees_all(corner, count, from, whole)) {
-    from++;
-  }
-  for (size_t n = 1; n + 1 < count && from < tries; n++) {
-    triangle[n - 1][0] = from;
-    triangle[n - 1][1] = (from + n) % count;
-    triangle[n - 1][2] = (from + n + 1) % count;
-  }
-  return from < tries;
-}
 
 /* ------------------------------------------------------------------------- scenes */
 
@@ -214,11 +158,6 @@ static bool add_node(importer *in, const struct aiNode *node, const change *oute
 
 /* -------------------------------------------------------------------------- files */
 
-static bool ends_in(const char *path, const char *ending) {
-  size_t length = strlen(path);
-  return length > strlen(ending) && strcasecmp(path + length - strlen(ending), ending) == 0;
-}
-
 static const struct aiScene *import(const char *path, sepax_error *error) {
   struct aiPropertyStore *how = aiCreatePropertyStore();
   aiSetImportPropertyInteger(how, AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
@@ -237,12 +176,8 @@ static const struct aiScene *import(const char *path, sepax_error *error) {
   return scene;
 }
 
-static bool read_other(sepax_mesh *mesh, const char *path, sepax_error *error) {
+bool mesh_read_assimp(sepax_mesh *mesh, const char *path, sepax_error *error) {
   *mesh = (sepax_mesh){0};
-  if ((ends_in(path, ".ply") && !ply_is_whole(path, error)) ||
-      (ends_in(path, ".dae") && !xml_dae_right(path, error))) {
-    return false;
-  }
   const struct aiScene *scene = import(path, error);
   if (scene == NULL) {
     return false;
@@ -255,50 +190,4 @@ static bool read_other(sepax_mesh *mesh, const char *path, sepax_error *error) {
   free(in.triangle);
   aiReleaseImport(scene);
   return ok;
-}
-
-/* What the head of a binary STL announces, if it is as long as that; of another file 0. */
-static size_t facets_announced(const char *path, size_t bytes) {
-  enum { HEAD = 84, FACET = 50 };
-  unsigned char head[HEAD];
-  FILE *in = fopen(path, "rb");
-  size_t count = 0;
-  if (in != NULL && fread(head, 1, HEAD, in) == HEAD) {
-    count = head[80] | (size_t)head[81] << 8 | (size_t)head[82] << 16 | (size_t)head[83] << 24;
-  }
-  if (in != NULL) {
-    fclose(in);
-  }
-  return bytes == HEAD + FACET * count ? count : 0;
-}
-
-/* Bounded before anything is read. A text of this length has fewer facets. */
-static bool read_stl(sepax_mesh *mesh, const char *path, sepax_error *error) {
-  size_t bytes = 0;
-  if (!confined_size(path, &bytes, error)) {
-    return false;
-  }
-  size_t facets = facets_announced(path, bytes);
-  return facets <= FORMAT_FACETS_MOST
-             ? sepax_stl_read(mesh, path, error)
-             : sepax_fail(error, "%.300s: %zu triangles, more than %d; simplify the mesh", path,
-                          facets, FORMAT_FACETS_MOST);
-}
-
-bool format_mesh_is_stl(const char *path) {
-  return ends_in(path, ".stl") || ends_in(path, ".stlb");
-}
-
-bool format_mesh_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
-  static const char *const others[] = {".obj", ".ply", ".3mf", ".dae"};
-  *mesh = (sepax_mesh){0};
-  if (format_mesh_is_stl(path)) {
-    return read_stl(mesh, path, error);
-  }
-  for (int i = 0; i < 4; i++) {
-    if (ends_in(path, others[i])) {
-      return confined_read(mesh, path, read_other, error);
-    }
-  }
-  return sepax_fail(error, "%.300s: no mesh that is read; give STL, OBJ, PLY, 3MF or DAE", path);
 }

@@ -1,6 +1,6 @@
 /* urdf.c - URDF: links with collision geometry, and the joints between them. */
+#include "formats/libxml2/xml.h"
 #include "formats/packages.h"
-#include "formats/xml.h"
 #include "mechanism/steps.h"
 #include "util/list.h"
 #include "util/plain_numbers.h"
@@ -17,17 +17,6 @@ typedef struct {
   const format_places *places;
   size_t shape_capacity, joint_capacity, link_capacity;
 } reader;
-
-void format_robot_free(format_robot *robot) {
-  for (size_t n = 0; n < robot->shapes; n++) {
-    free(robot->shape[n].path);
-    free(robot->shape[n].name);
-  }
-  free(robot->shape);
-  free(robot->name);
-  sepax_mechanism_free(&robot->mechanism);
-  *robot = (format_robot){0};
-}
 
 /* ------------------------------------------------------------------------ geometry */
 

@@ -1,0 +1,24 @@
+/* libraries.c - what a build without a library says. */
+#include "formats/libraries.h"
+#include "util/error.h"
+
+static const struct {
+  int bit;
+  const bool *here;
+  const char *name, *package;
+} libraries_known[] = {
+    {NEEDS_ASSIMP, &format_assimp_here, "assimp", "libassimp-dev"},
+    {NEEDS_LIBXML2, &format_libxml2_here, "libxml2", "libxml2-dev"},
+};
+
+bool format_has(int libraries, const char *path, const char *format, sepax_error *error) {
+  for (size_t n = 0; n < sizeof libraries_known / sizeof libraries_known[0]; n++) {
+    if ((libraries & libraries_known[n].bit) != 0 && !*libraries_known[n].here) {
+      return sepax_fail(error,
+                        "%.240s: this build reads no %s, because %s is missing; install %s and "
+                        "run make",
+                        path, format, libraries_known[n].name, libraries_known[n].package);
+    }
+  }
+  return true;
+}

@@ -1,0 +1,29 @@
+/* libxml2.c - in place of formats/libxml2 in a build without libxml2. */
+#include "formats/formats.h"
+#include "formats/libraries.h"
+#include "formats/mesh_formats.h"
+
+const bool format_libxml2_here = false;
+
+bool format_urdf_read(format_robot *robot, const char *path, const format_package *package,
+                      size_t packages, sepax_error *error) {
+  (void)package;
+  (void)packages;
+  *robot = (format_robot){0};
+  return format_has(NEEDS_LIBXML2, path, "URDF", error);
+}
+
+bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const char *path,
+                      sepax_error *error) {
+  (void)compared;
+  (void)m;
+  if (of != NULL) {
+    *of = NULL;
+  }
+  return format_has(NEEDS_LIBXML2, path, "SRDF", error);
+}
+
+bool mesh_read_dae(sepax_mesh *mesh, const char *path, sepax_error *error) {
+  *mesh = (sepax_mesh){0};
+  return format_has(NEEDS_LIBXML2, path, "DAE", error);
+}
