@@ -3,7 +3,9 @@
 # What goes through a design: two meshes, or PAIRS=file, or COUNT seeded hard pairs.
 MESH_A     ?= $(BUILD)/mesh/cutter.stl
 MESH_B     ?= $(BUILD)/mesh/workpiece.stl
-RESOLUTION ?= $(if $(filter $(BUILD)/mesh/%,$(MESH_A)),0.002,fit)
+# The sample objects need 16 bits at a resolution of 0.002.
+SHORT_WORD  = $(filter 4 5 6 7 8 9 10 11 12 13 14 15,$(WORD))
+RESOLUTION ?= $(if $(SHORT_WORD),fit,$(if $(filter $(BUILD)/mesh/%,$(MESH_A)),0.002,fit))
 NORMALS    ?= computed
 COUNT      ?= 100000
 SEED       ?= 1
