@@ -1,33 +1,23 @@
 /* main.c - build/sepax: picks the subcommand. */
 #include "cli/cli.h"
+#include "commands.h"
 #include "util/temporary.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#define COMMAND_ROW(name, about) {#name, cli_##name, about},
 static const struct {
   const char *name;
   int (*run)(int argc, char **argv);
   const char *about;
-} commands[] = {
-    {"gen", cli_gen, "generate the Verilog of a design"},
-    {"size", cli_size, "what a scene needs, and the design for it"},
-    {"check", cli_check, "do two bodies collide, and which of their triangles?"},
-    {"path", cli_path, "which bodies of a mechanism collide on a path?"},
-    {"judge", cli_judge, "verdicts for pairs given as text"},
-    {"accuracy", cli_accuracy, "how often a design is wrong, on which pairs, by how much"},
-    {"vectors", cli_vectors, "test vectors of hard cases as text"},
-    {"mesh", cli_mesh, "write a sample object as STL"},
-    {"tree", cli_tree, "a body as a tree for the tree engine"},
-    {"name", cli_name, "the name of a design, and the list of options"},
-    {"multiplier", cli_multiplier, "generate the Verilog of one multiplier"},
-};
-enum { COMMANDS = sizeof commands / sizeof commands[0] };
+} commands[] = {COMMANDS(COMMAND_ROW)};
+enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 static void usage(FILE *out) {
   fprintf(out, "Usage: sepax COMMAND [OPTION...]\n"
                "Triangle/triangle collision detection in hardware, and its golden model.\n\n");
-  for (int i = 0; i < COMMANDS; i++) {
+  for (int i = 0; i < COMMAND_COUNT; i++) {
     fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].about);
   }
   fprintf(out,
@@ -49,7 +39,7 @@ int main(int argc, char **argv) {
     puts(argp_program_version);
     return 0;
   }
-  for (int i = 0; argc >= 2 && i < COMMANDS; i++) {
+  for (int i = 0; argc >= 2 && i < COMMAND_COUNT; i++) {
     if (strcmp(argv[1], commands[i].name) == 0) {
       char name[32];
       snprintf(name, sizeof name, "sepax %s", commands[i].name);

@@ -88,18 +88,6 @@ void cli_progress_show(cli_progress *progress, uint64_t done);
 /* Erase the line; the seconds since the beginning. */
 double cli_progress_end(const cli_progress *progress);
 
-int cli_accuracy(int argc, char **argv);
-int cli_check(int argc, char **argv);
-int cli_gen(int argc, char **argv);
-int cli_judge(int argc, char **argv);
-int cli_mesh(int argc, char **argv);
-int cli_multiplier(int argc, char **argv);
-int cli_name(int argc, char **argv);
-int cli_path(int argc, char **argv);
-int cli_size(int argc, char **argv);
-int cli_tree(int argc, char **argv);
-int cli_vectors(int argc, char **argv);
-
 #ifdef __cplusplus
 }
 #endif

@@ -1,5 +1,6 @@
 /* gen.c - sepax gen: configuration -> Verilog folder. */
 #include "cli/cli.h"
+#include "commands.h"
 #include "util/error.h"
 #include "gen.h"
 #include "sepax_design.h"

@@ -1,5 +1,6 @@
 /* mesh.c - sepax mesh: sample objects as STL. */
 #include "cli/cli.h"
+#include "commands.h"
 #include "sepax_vectors.h"
 
 typedef struct {

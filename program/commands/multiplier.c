@@ -1,6 +1,7 @@
 /* multiplier.c - sepax multiplier: one of the generated multipliers by itself. */
 #include "arith/arith.h"
 #include "cli/cli.h"
+#include "commands.h"
 #include "util/error.h"
 
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 /* name.c - sepax name: what make and scripts ask about a design and its options. */
 #include "cli/cli.h"
+#include "commands.h"
 #include "design/options.h"
 #include "util/error.h"
 

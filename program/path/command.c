@@ -1,5 +1,6 @@
 /* command.c - sepax path: which bodies of a mechanism collide on a path? */
 #include "cli/report.h"
+#include "commands.h"
 #include "path/engine.h"
 #include "util/error.h"
 #include "util/write_file.h"

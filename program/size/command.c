@@ -1,5 +1,6 @@
 /* command.c - sepax size: what a scene needs, and the design for it. */
 #include "cli/report.h"
+#include "commands.h"
 #include "size/parts.h"
 #include "util/error.h"
 
