@@ -25,11 +25,6 @@ const architecture *const sepax__architectures[SEPAX_ARCH_COUNT] = {
     [SEPAX_ARCH_FILTERED] = &filtered,
 };
 
-int sepax_stream_transfers(const sepax_config *config) {
-  static const int transfers[] = {0, 6, 2, 1};
-  return transfers[config->stream];
-}
-
 const char *sepax_arch_name(sepax_arch arch) { return sepax__architectures[arch]->name; }
 
 bool sepax_config_check(const sepax_config *config, sepax_error *error) {

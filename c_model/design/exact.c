@@ -1,31 +1,25 @@
 /* exact.c - architecture exact: its checks and the formats of its numbers (docs/exact.md). */
 #include "design/architecture.h"
+#include "design/engine.h"
 #include "design/interval.h"
-#include "sepax_tree.h"
 #include "util/error.h"
 
-/* The gap of AABBs beyond which a pair is outside of a clearance. The vertices of B that a
- * tree engine turns are farther from the real ones. */
+/* The gap of AABBs above which a pair is outside of a clearance. */
 static int64_t margin_of(const sepax_config *config, int clearance) {
-  return 1 + (int64_t)clearance +
-         (config->tree && clearance >= 0 ? sepax_tree_clearance_added(config->word) : 0);
+  const engine *around = sepax__engine_of(config);
+  bool more = around->margin_added != NULL && clearance >= 0;
+  return 1 + (int64_t)clearance + (more ? around->margin_added(config->word) : 0);
 }
 
-/* Of the outermost clearance. */
-static int64_t outer_margin(const sepax_config *config) {
+int64_t sepax__outer_margin(const sepax_config *config) {
   return margin_of(config, config->warning > 0 ? config->warning : config->clearance);
 }
 
 static int core_word(const sepax_config *config) {
   bool any = config->extent_a == 0 && config->extent_b == 0;
   return any ? config->word
-             : bits_behind_aabb_test(config->extent_a, config->extent_b, outer_margin(config));
-}
-
-static bool check_memory(char object, int triangles, sepax_error *error) {
-  return (triangles & (triangles - 1)) == 0 ||
-         sepax_fail(error, "memory-%c: %d triangles is no power of two of %d ... %d", object,
-                    triangles, SEPAX_MEMORY_MIN, SEPAX_MEMORY_MAX);
+             : bits_behind_aabb_test(config->extent_a, config->extent_b,
+                                     sepax__outer_margin(config));
 }
 
 static bool check_clearance(const sepax_config *config, sepax_error *error) {
@@ -60,51 +54,31 @@ static bool check_extents(const sepax_config *config, sepax_error *error) {
                     core_word(config));
 }
 
-static bool check_tree(const sepax_config *config, sepax_error *error) {
-  enum { WORD_MAX = 21, MARGIN_MAX = 8191 };
-  if (!config->tree) {
-    return true;
+/* What the engine does or has anyway. */
+static bool check_around(const sepax_config *config, sepax_error *error) {
+  const engine *around = sepax__engine_of(config);
+  if (config->early_out && (config->extent_a != 0 || around->tests_aabbs)) {
+    return sepax_fail(error,
+                      "early-out: with %s AABBs are tested before the core anyway; leave it out",
+                      around->tests_aabbs ? around->name : "extents");
   }
-  if (config->word > WORD_MAX) {
-    return sepax_fail(error, "word: a tree engine takes 4 ... %d bits, not %d", WORD_MAX,
-                      config->word);
+  if (config->registered_ready && around->name != NULL) {
+    return sepax_fail(error, "registered-ready: %s has registers there anyway; leave it out",
+                      around->name);
   }
-  if (config->lanes != 0 || config->extent_a != 0) {
-    return sepax_fail(error, "tree: a tree engine has no %s; leave one of both out",
-                      config->lanes != 0 ? "comparator lanes" : "extents");
-  }
-  return config->clearance < 0 || outer_margin(config) <= MARGIN_MAX ||
-         sepax_fail(error, "tree: clearances need a margin of %lld LSB; %d is the most",
-                    (long long)outer_margin(config), MARGIN_MAX);
+  return true;
 }
 
 static bool check(const sepax_config *config, sepax_error *error) {
-  if (!check_tree(config, error) || !check_clearance(config, error) ||
-      !check_extents(config, error)) {
+  if (!sepax__engine_check(config, error) || !check_clearance(config, error) ||
+      !check_extents(config, error) || !check_around(config, error)) {
     return false;
-  }
-  if (config->early_out && (config->extent_a != 0 || config->lanes != 0 || config->tree)) {
-    return sepax_fail(error, "early-out: %s test AABBs before the core anyway; leave it out",
-                      config->lanes != 0 ? "comparator lanes"
-                      : config->tree     ? "tree engines"
-                                         : "extents");
-  }
-  bool engine = config->lanes != 0 || config->tree;
-  if (engine && config->stream != SEPAX_STREAM_NONE) {
-    return sepax_fail(error,
-                      "stream: engines have AXI4-Stream of their own; leave one of both out");
-  }
-  if (config->registered_ready && (engine || config->stream != SEPAX_STREAM_NONE)) {
-    return sepax_fail(error, "registered-ready: the %s ready outputs are so anyway; leave it out",
-                      engine ? "engine's" : "stream's");
   }
   if (config->corner == SEPAX_CORNER_SLOW && config->target != SEPAX_TARGET_ASIC) {
     return sepax_fail(error, "corner: the delays of an FPGA are of one corner; leave it out");
   }
-  if (config->clock_gating && config->target != SEPAX_TARGET_ASIC) {
-    return sepax_fail(error, "clock-gating: an FPGA has no clock gates; leave it out");
-  }
-  return check_memory('a', config->memory_a, error) && check_memory('b', config->memory_b, error);
+  return !config->clock_gating || config->target == SEPAX_TARGET_ASIC ||
+         sepax_fail(error, "clock-gating: an FPGA has no clock gates; leave it out");
 }
 
 /* Enter a format; every bit that distinguishes results is kept. */
@@ -129,7 +103,7 @@ static void enter_digits(sepax_design *design, int id, const char *name, interva
 
 /* What a gap, doubled, must exceed on an axis whose components are at most so long. */
 static interval limit_of(const sepax_config *c, int components, wide longest) {
-  wide outer = outer_margin(c) - 1;
+  wide outer = sepax__outer_margin(c) - 1;
   return (interval){0, ((outer + 2) * components + outer) * longest};
 }
 
@@ -176,7 +150,7 @@ static void derive(sepax_design *design) {
   design->core_word = core_word(config);
   design->limits = config->clearance < 0 ? 0 : config->warning > 0 ? 2 : 1;
   design->margin[0] = margin_of(config, config->clearance);
-  design->margin[1] = outer_margin(config);
+  design->margin[1] = sepax__outer_margin(config);
   derive_formats(design);
 }
 

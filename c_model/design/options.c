@@ -166,6 +166,10 @@ static bool is_changed(const design_option *option, const sepax_config *config) 
   return get(option, config) != option->standard;
 }
 
+bool sepax__design_option_given(const char *name, const sepax_config *config) {
+  return is_changed(find(name), config);
+}
+
 static bool reads(const sepax_config *config, const design_option *option) {
   return (option->archs >> config->arch & 1) != 0;
 }
@@ -360,7 +364,7 @@ static bool is_founded(const design_option *option, const sepax_config *config) 
   while (needs != NULL) {
     option_text one;
     snprintf(one.text, sizeof one.text, "%.*s", (int)strcspn(needs, "|"), needs);
-    founded = founded || is_changed(find(one.text), config);
+    founded = founded || sepax__design_option_given(one.text, config);
     needs = strchr(needs, '|');
     needs = needs != NULL ? needs + 1 : NULL;
   }

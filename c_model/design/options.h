@@ -43,6 +43,9 @@ option_text sepax__design_option_variable(const design_option *option);
 /* The value in `config` as text, and the default; "" for none. */
 option_text sepax__design_option_value(const design_option *option, const sepax_config *config);
 
+/* Is the option of this name at another value than its default? */
+bool sepax__design_option_given(const char *name, const sepax_config *config);
+
 /* Fails if an architecture does not read an option that was changed, if a value is out of its
  * range, or without the option that it needs. */
 bool sepax__design_options_check(const sepax_config *config, sepax_error *error);

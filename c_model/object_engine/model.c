@@ -109,7 +109,7 @@ bool sepax_object_engine(const sepax_design *design, const sepax_tri *a, size_t 
                          const sepax_tri *b, size_t count_b, const int32_t move[3],
                          sepax_object_run *run, sepax_error *error) {
   *run = (sepax_object_run){0};
-  if (design->config.lanes == 0 || count_a == 0 || count_b == 0 ||
+  if (sepax_config_engine(&design->config) != SEPAX_ENGINE_OBJECT || count_a == 0 || count_b == 0 ||
       count_a > (size_t)design->config.memory_a || count_b > (size_t)design->config.memory_b) {
     return sepax_fail(
         error,

@@ -1,5 +1,6 @@
 /* gates.c - gates of a design before it is mapped, and bits of its memories. docs/size.md. */
 #include "size/gates.h"
+#include "design/engine.h"
 
 enum { TERMS = 7 };
 
@@ -10,18 +11,9 @@ static const double ge_per_term[TERMS] = {4.6195, 8.7755, 1134.1, 35.031, 637.73
 enum { FITTED_LEAST = 8, FITTED_MOST = 24, FITTED_PS = 2000 }; /* bits of a coordinate; clock */
 static const double largest_error = 0.0831;
 
-/* The same of what an object engine has around its core (docs/results/area/engine.csv,
- * scripts/experiments/fit-area -l): GE for each lane and bit of W, for each bit of W, and constant.
- * The fit has two word lengths, which give no error; 5 % is assumed. */
-static const double ge_per_lane_bit = 92;
-static const double ge_per_engine_bit = 549.12;
-static const double ge_of_engine = 12169;
+/* What stands around the cores has a fit of its own, of two word lengths, which give no error; 5 %
+ * is assumed. */
 static const double engine_error = 0.05;
-
-/* What a tree engine has around its cores (docs/results/area/tree.csv): GE constant and for each
- * bit of W. */
-static const double ge_of_tree = 76559;
-static const double ge_per_tree_bit = 1779.5;
 
 /* What one clearance or two add to a core (docs/results/area/clearance.csv,
  * scripts/experiments/fit-area -d), with the largest relative error on these designs. */
@@ -97,14 +89,8 @@ double sepax_gates(const sepax_design *design, double *error) {
   double clearances = gates_of_clearances(design);
   double core = plain + clearances;
   double core_error = plain * largest_error + clearances * clearance_error;
-  if (c->lanes == 0 && !c->tree) {
-    *error = core_error;
-    return core;
-  }
-  double around = ge_of_engine + (ge_per_engine_bit + ge_per_lane_bit * c->lanes) * c->word;
-  if (c->tree) {
-    around = ge_of_tree + ge_per_tree_bit * c->word;
-  }
+  const engine *of = sepax__engine_of(c);
+  double around = of->gates + (of->gates_per_bit + of->gates_per_lane_bit * c->lanes) * c->word;
   *error = core_error * c->cores + around * engine_error;
   return core * c->cores + around;
 }
@@ -114,15 +100,7 @@ bool sepax__gates_fitted(const sepax_design *design) {
          design->core_word <= FITTED_MOST;
 }
 
-/* Lanes: triangles, their AABBs, the thinnest side of A's. Trees: nodes and leaves; vertices, rows
- * and pairs that are on their way; tags, lists, stack, which no W changes. */
-uint64_t sepax_memory_bits(const sepax_config *c) {
-  uint64_t word = (uint64_t)c->word;
-  if (c->tree) {
-    return 219008 + 3288 * word;
-  }
-  uint64_t of_a = (uint64_t)c->memory_a;
-  uint64_t of_b = (uint64_t)c->memory_b;
-  uint64_t side = !c->flag && c->clearance < 0 ? 2 : 0;
-  return c->lanes == 0 ? 0 : 15 * word * (of_a + of_b) + side * of_a;
+uint64_t sepax_memory_bits(const sepax_config *config) {
+  const engine *of = sepax__engine_of(config);
+  return of->memory_bits != NULL ? of->memory_bits(config) : 0;
 }

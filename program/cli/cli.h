@@ -69,9 +69,6 @@ double cli_length(const struct argp_state *state, const char *option, const char
 /* Two paths of one file, which may be there or not. */
 bool cli_same_file(const char *p, const char *q);
 
-/* The Verilog of the design into a folder, and its latency (program/commands/gen.c). */
-bool cli_generate(sepax_design *design, const char *folder, sepax_error *error);
-
 /* The families that `name` asks for, one or "all": first ... last. Fails if there is none. */
 bool cli_families(const char *name, size_t *first, size_t *last, sepax_error *error);
 

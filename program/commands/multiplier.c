@@ -2,6 +2,7 @@
 #include "arith/arith.h"
 #include "cli/cli.h"
 #include "commands.h"
+#include "files/output.h"
 #include "util/error.h"
 
 #include <stdlib.h>

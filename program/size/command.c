@@ -1,6 +1,7 @@
 /* command.c - sepax size: what a scene needs, and the design for it. */
 #include "cli/report.h"
 #include "commands.h"
+#include "generate.h"
 #include "size/parts.h"
 #include "util/error.h"
 
@@ -416,7 +417,7 @@ static bool generate(const size_options *o, const sepax_sized_design *m, sepax_e
   sepax_config config = sepax_config_default();
   sepax_design design;
   return sepax_config_parse(&config, sepax_config_text(&m->config, text, sizeof text), error) &&
-         sepax_design_init(&design, &config, error) && cli_generate(&design, o->folder, error);
+         sepax_design_init(&design, &config, error) && sepax_generate(&design, o->folder, error);
 }
 
 int cli_size(int argc, char **argv) {

@@ -4,7 +4,7 @@
 #define SEPAX_ARITH_H
 
 #include "datapath/delay.h"
-#include "gen.h"
+#include "emit/emit.h"
 
 /* A recoded multiplier modulo 2^p_w. b is cut into radix-4 digits; each but the highest counts
  * for one less than it says, so that it is -1, 0, 1 or 2 and its row needs no multiple of a

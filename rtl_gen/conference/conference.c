@@ -1,6 +1,6 @@
 /* conference.c - architecture conference: what the paper improves on, table by table in its 20
  * cycles (docs/conference.md), of the paper's units. */
-#include "emit/template.h"
+#include "conference/conference.h"
 #include "paper/paper.h"
 
 bool gen_conference(emitter *e) {

@@ -58,7 +58,7 @@ void emit_net(FILE *out, const char *kind, const char *width, const char *name) 
 
 /* --------------------------------------------------------------------------- modules */
 
-void emit_init(emitter *e, const sepax_design *design, const char *command) {
+void emit_init(emitter *e, sepax_design *design, const char *command) {
   *e = (emitter){.design = design};
   snprintf(e->command, sizeof e->command, "%s", command);
 }

@@ -29,8 +29,8 @@ typedef struct {
 } emit_module;
 
 typedef struct emitter {
-  const sepax_design *design;
-  char command[512]; /* printed in every banner */
+  sepax_design *design; /* NULL: modules by themselves. The generator sets its latency */
+  char command[512];    /* printed in every banner */
   emit_module **module;
   int modules;
   char **variant; /* modules with parameter values that passed the check */
@@ -38,7 +38,7 @@ typedef struct emitter {
   sepax_error error;
 } emitter;
 
-void emit_init(emitter *e, const sepax_design *design, const char *command);
+void emit_init(emitter *e, sepax_design *design, const char *command);
 void emit_free(emitter *e);
 
 /* A new module of the emitter, without text. */

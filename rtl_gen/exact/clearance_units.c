@@ -2,7 +2,6 @@
 #include "clearance.h"
 
 #include "aabb/aabb.h"
-#include "gen.h"
 
 #include <stdlib.h>
 

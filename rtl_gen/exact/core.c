@@ -1,5 +1,6 @@
 /* core.c - sepax_core: what its template needs of the plan. */
 #include "datapath/emission.h"
+#include "engine/engine.h"
 #include "exact.h"
 
 static void set_numbers(emit_holes *h, const exact_plan *p) {
@@ -10,7 +11,7 @@ static void set_numbers(emit_holes *h, const exact_plan *p) {
       h, (emit_number[]){{"slots", ii > 1},
                          {"last_slot", ii - 1},
                          {"passes", !p->single},
-                         {"x_equal_q", ii > 1 && exact_in_fpga_engine(&p->design->config)},
+                         {"x_equal_q", ii > 1 && engine_hurries_core(&p->design->config)},
                          {"rotate", p->datapath.coordinates.rotate},
                          {"plane_cycle", p->plane_cycle},
                          {"projection_cycle", exact_projection_cycle(p)},

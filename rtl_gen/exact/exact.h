@@ -108,10 +108,10 @@ void exact_graph_projection(exact_plan *p, int projection);
 graph_value exact_add(exact_graph *e, int kind, exact_triangle v, const graph_value operand[],
                       graph_value beside);
 
-/* Within the object engine on an FPGA, whose clock the core's control would hold up. */
-static inline bool exact_in_fpga_engine(const sepax_config *c) {
-  return c->target != SEPAX_TARGET_ASIC && c->lanes > 0;
-}
+/* Emit every module of architecture exact, leaves first, and of the engine around it, its top last
+ * (`sepax_top`, `sepax_stream`, `sepax_engine`). Sets the latency of the emitter's design. False
+ * with e->error set if the clock is too fast or the emitter refuses a module. */
+bool gen_exact(emitter *e);
 
 /* Modules; what one of them sets in the list of holes, the next finds there or sets anew. */
 void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h);

@@ -1,6 +1,7 @@
 /* stages.c - registers inside the units of the exact datapath: the delay model asks where. */
 #include "aabb/aabb.h"
 #include "clearance.h"
+#include "engine/engine.h"
 #include "exact.h"
 
 #include <math.h>
@@ -121,7 +122,8 @@ static double selected_operands(const exact_plan *p, bool copies) {
 }
 
 /* The longest stage that has no place for a register: sums of coordinates, of trapezoid terms, of
- * prisms, and the AABB test in front. `sum`: the last addition of an orient3d. */
+ * prisms, the AABB test in front, and the engine around. `sum`: the last addition of an orient3d.
+ */
 static double shortest_stage(const exact_plan *p, double sums, double sum) {
   const sepax_design *d = p->design;
   const sepax_format *f = d->exact_format;
@@ -141,8 +143,9 @@ static double shortest_stage(const exact_plan *p, double sums, double sum) {
   double longest =
       fmax(fmax(row, sums), fmax(fmax(operands + orient2d, z_operands + zsum), running));
   longest = fmax(longest, aabb_delay(d));
-  if (d->config.lanes > 0) {
-    longest = fmax(longest, p->delay->engine + delay_adder(p->delay, d->config.word));
+  const engine_generator *around = engine_generator_of(&d->config);
+  if (around->delay != NULL) {
+    longest = fmax(longest, around->delay(p->delay, d->config.word));
   }
   return delay_register(p->delay) + longest;
 }

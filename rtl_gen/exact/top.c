@@ -1,10 +1,8 @@
 /* top.c - architecture exact around its core: sepax_narrow with the handshake, the passes of a pair
  * and the order of the verdicts, and sepax_top. */
 #include "aabb/aabb.h"
-#include "object_engine/engine.h"
+#include "engine/engine.h"
 #include "exact.h"
-#include "tree_engine/host/outside.h"
-#include "stream/stream.h"
 
 #include <stdlib.h>
 
@@ -20,13 +18,6 @@ static int entries_log2(const exact_plan *p) {
   return log2;
 }
 
-/* In an engine for an FPGA, too: the way from a flat pair to what waits for the core is too long.
- */
-static bool registers_ready(const sepax_config *c) {
-  return c->registered_ready || c->stream != SEPAX_STREAM_NONE ||
-         (c->lanes > 0 && c->target != SEPAX_TARGET_ASIC);
-}
-
 /* What sepax_narrow and sepax_top ask for: the pair and its verdict. */
 static void set_words(emit_holes *h, const exact_plan *p) {
   const sepax_design *design = p->design;
@@ -39,7 +30,7 @@ static void set_words(emit_holes *h, const exact_plan *p) {
                                        {"limits", p->limits},
                                        {"flag", c->flag},
                                        {"passes", !p->single},
-                                       {"registered_ready", registers_ready(c)},
+                                       {"registered_ready", engine_registers_ready(c)},
                                        {NULL, 0}});
   emit_hole_set(h, "collision_about",
                 p->limits > 0 ? "not proved to be outside the clearance"
@@ -54,7 +45,7 @@ static void set_control(emit_holes *h, const exact_plan *p) {
   bool shared = c->ii > 1;
   emit_hole_numbers(h, (emit_number[]){{"ii", c->ii},
                                        {"shared", shared},
-                                       {"fpga_engine", exact_in_fpga_engine(c)},
+                                       {"fpga_engine", engine_hurries_core(c)},
                                        {"last_window", p->verdict_cycle / c->ii},
                                        {"judged", (p->plane_cycle + 1) / c->ii},
                                        {"tag", entries_log2(p)},
@@ -68,7 +59,7 @@ static void set_control(emit_holes *h, const exact_plan *p) {
   emit_hole_set(h, "unless_again", p->single ? "" : " && !again");
 }
 
-bool gen_exact(emitter *e, int *latency) {
+bool gen_exact(emitter *e) {
   exact_plan *plan = malloc(sizeof *plan);
   if (plan == NULL) {
     abort();
@@ -84,19 +75,17 @@ bool gen_exact(emitter *e, int *latency) {
     emit_template(e, "sepax_reorder", h.hole);
     emit_template(e, "sepax_narrow", h.hole);
     int added = gen_aabb_test(e, &h);
-    *latency = plan->latency + added;
-    emit_hole_set(&h, "latency", "%d cycles", *latency);
+    e->design->latency = plan->latency + added;
+    emit_hole_set(&h, "latency", "%d cycles", e->design->latency);
     emit_hole_set(&h, "when_empty", c->ii > 1 ? ", when the core was empty" : "");
-    if (registers_ready(c)) {
+    bool skid = engine_registers_ready(c);
+    if (skid) {
       emit_template(e, "sepax_skid", NULL);
     }
     emit_template(e, "exact/sepax_top", h.hole);
-    if (c->lanes > 0) {
-      gen_engine(e, (1 << entries_log2(plan)) + added + registers_ready(c));
-    } else if (c->tree) {
-      gen_tree(e, (1 << entries_log2(plan)) + added);
-    } else if (c->stream != 0) {
-      gen_stream(e, &h, (1 << entries_log2(plan)) + added + registers_ready(c));
+    const engine_generator *around = engine_generator_of(c);
+    if (around->generate != NULL) {
+      around->generate(e, &h, (1 << entries_log2(plan)) + added + skid);
     }
     emit_holes_free(&h);
   }

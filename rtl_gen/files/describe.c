@@ -1,8 +1,10 @@
 /* describe.c - sepax.json, sepax_params.h and sepax_params.vh: what benches and scripts ask about a
  * design; constraints and a list of waves for other tools. */
-#include "describe.h"
-#include "emit/check.h"
+#include "files/describe.h"
+
 #include "datapath/delay.h"
+#include "emit/check.h"
+#include "engine/engine.h"
 
 #include <jansson.h>
 #include <stdlib.h>
@@ -61,7 +63,7 @@ static json_t *optional(bool given, json_int_t number) {
 void describe_json(const emitter *e, FILE *out) {
   const sepax_design *d = e->design;
   const bool exact = d->config.arch == SEPAX_ARCH_EXACT;
-  const bool stream = d->config.stream != SEPAX_STREAM_NONE;
+  const int transfers = sepax_stream_transfers(&d->config);
   char text[SEPAX_CONFIG_TEXT];
   json_t *modules = json_array();
   for (int i = 0; i < e->modules; i++) {
@@ -72,9 +74,9 @@ void describe_json(const emitter *e, FILE *out) {
   describe_settings(all, &d->config);
   json_t *rest =
       json_pack("{si, si, so*, so*, ss*, so*, so, so, so}", "latency", d->latency, "input_words",
-                stream  ? sepax_stream_transfers(&d->config)
-                : exact ? 1
-                        : 3,
+                transfers > 0 ? transfers
+                : exact       ? 1
+                              : 3,
                 "core_word", optional(exact && d->config.extent_a > 0, d->core_word), "margin",
                 optional(exact && d->limits > 0, (json_int_t)d->margin[1]), "behavioural_view",
                 exact ? "SEPAX_BEHAVIOURAL" : NULL, "coplanar_limit",
@@ -90,13 +92,21 @@ void describe_json(const emitter *e, FILE *out) {
   json_decref(all);
 }
 
+/* Does the text of the design have this option? */
+static bool is_shown(const sepax_config *config, const char *option) {
+  sepax_setting setting;
+  for (size_t i = 0; sepax_config_setting(config, i, &setting); i++) {
+    if (strcmp(setting.name, option) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /* Numbers of the design for benches, if they are given: macros SEPAX_NAME in C; in Verilog a
  * localparam NAME, a macro if it is not 0, or nothing. */
 static void describe_numbers(const sepax_design *d, bool verilog, FILE *out) {
   const sepax_config *c = &d->config;
-  const bool extents = c->extent_a > 0;
-  const bool engine = c->lanes > 0;
-  const bool stream = c->stream != SEPAX_STREAM_NONE;
   const struct {
     const char *name;
     int value;
@@ -111,15 +121,15 @@ static void describe_numbers(const sepax_design *d, bool verilog, FILE *out) {
       {"CONFERENCE", 1, c->arch == SEPAX_ARCH_CONFERENCE, MACRO},
       {"BOXES", 1, d->aabb_test, MACRO},
       {"SKID", 1, c->registered_ready, MACRO},
-      {"EXTENT_A", c->extent_a, extents, C_ONLY},
-      {"EXTENT_B", c->extent_b, extents, C_ONLY},
-      {"LANES", c->lanes, engine, C_ONLY},
-      {"TREE", 1, c->tree, C_ONLY},
-      {"STREAM", sepax_stream_transfers(c), stream, C_ONLY},
-      {"TAG", c->tag, stream, C_ONLY},
-      {"CORES", c->cores, engine || c->tree, C_ONLY},
-      {"MEMORY_A", c->memory_a, engine, C_ONLY},
-      {"MEMORY_B", c->memory_b, engine, C_ONLY},
+      {"EXTENT_A", c->extent_a, is_shown(c, "extent-a"), C_ONLY},
+      {"EXTENT_B", c->extent_b, is_shown(c, "extent-b"), C_ONLY},
+      {"LANES", c->lanes, is_shown(c, "lanes"), C_ONLY},
+      {"TREE", 1, is_shown(c, "tree"), C_ONLY},
+      {"STREAM", sepax_stream_transfers(c), is_shown(c, "stream"), C_ONLY},
+      {"TAG", c->tag, is_shown(c, "tag"), C_ONLY},
+      {"CORES", c->cores, is_shown(c, "cores"), C_ONLY},
+      {"MEMORY_A", c->memory_a, is_shown(c, "memory-a"), C_ONLY},
+      {"MEMORY_B", c->memory_b, is_shown(c, "memory-b"), C_ONLY},
       {"BANDS", d->limits + 1, d->limits > 0, MACRO},
   };
   for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
@@ -242,7 +252,8 @@ void describe_waves(const emitter *e, FILE *out) {
           "names them.\n",
           SEPAX_VERSION, top->name);
   show_ports(top, path.text, out);
-  if (e->design->config.stream != SEPAX_STREAM_NONE) {
-    show_ports(emit_find(e, "sepax_top"), gen_format("%s.core", path.text).text, out);
+  const char *core = engine_generator_of(&e->design->config)->core;
+  if (core != NULL) {
+    show_ports(emit_find(e, "sepax_top"), gen_format("%s.%s", path.text, core).text, out);
   }
 }

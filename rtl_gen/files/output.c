@@ -1,8 +1,8 @@
 /* output.c - writing a generated design into a folder. */
-#include "describe.h"
-#include "emit/emit.h"
-#include "object_engine/engine.h"
-#include "gen.h"
+#include "files/output.h"
+
+#include "engine/engine.h"
+#include "files/describe.h"
 #include "util/error.h"
 #include "util/temporary.h"
 
@@ -62,7 +62,7 @@ static void render(const emitter *e, output *o) {
   }
   describe_c(d, add_file(o, "sepax_params", "h"));
   describe_verilog(d, add_file(o, "sepax_params", "vh"));
-  const engine_registers *registers = engine_registers_of(&d->config);
+  const engine_registers *registers = engine_generator_of(&d->config)->registers;
   if (registers != NULL) {
     engine_header(registers, add_file(o, "sepax_registers", "h"));
     engine_page(registers, add_file(o, "sepax_registers", "md"));

@@ -1,9 +1,10 @@
-/* engine.c - sepax_engine: the widths of its modules. */
-#include "engine.h"
+/* engine.c - the object engine (docs/engine.md): two memories of triangles, comparator lanes to
+ * which a pair enumerator leads all pairs, and the cores behind them. Its row in the table of
+ * generators.
+ */
 #include "aabb/aabb.h"
-
-/* Rounded up. */
-static int log2_of(int number) { return 31 - __builtin_clz(2 * (unsigned)number - 1); }
+#include "engine/engine.h"
+#include "object_engine/registers.h"
 
 /* Without second passes all axes are alike. */
 static bool swaps_axes(const sepax_design *design) {
@@ -12,8 +13,8 @@ static bool swaps_axes(const sepax_design *design) {
 
 static void set_sizes(emit_holes *h, const sepax_design *design) {
   const sepax_config *c = &design->config;
-  int index_a = log2_of(c->memory_a);
-  int index_b = log2_of(c->memory_b);
+  int index_a = engine_log2(c->memory_a);
+  int index_b = engine_log2(c->memory_b);
   bool a_is_smaller = index_a < index_b;
   bool fpga = c->target != SEPAX_TARGET_ASIC;
   emit_hole_set(h, "swaps", "%d", swaps_axes(design));
@@ -41,7 +42,7 @@ static void set_sizes(emit_holes *h, const sepax_design *design) {
   emit_hole_set(h, "margin", "%lld", (long long)(design->limits > 0 ? design->margin[1] : 0));
   emit_hole_set(h, "lanes", "%d", c->lanes);
   emit_hole_set(h, "fill", "%d", c->lanes + 8);
-  emit_hole_set(h, "lane_bits", "%d", log2_of(c->lanes));
+  emit_hole_set(h, "lane_bits", "%d", engine_log2(c->lanes));
   emit_hole_set(h, "round", "%d", c->lanes & (c->memory_a - 1));
   emit_hole_set(h, "memory_a", "%d", c->memory_a);
   emit_hole_set(h, "memory_b", "%d", c->memory_b);
@@ -54,34 +55,16 @@ static void set_sizes(emit_holes *h, const sepax_design *design) {
   emit_hole_set(h, "each_cycle", "%d", c->ii == 1 || c->cores > 1);
 }
 
-void engine_cores(emit_holes *h, const sepax_design *design, int entries, int info) {
-  const sepax_config *c = &design->config;
-  emit_hole_set(h, "word", "%d", c->word);
-  emit_hole_set(h, "limits", "%d", design->limits);
-  emit_hole_set(h, "extents", "%d", c->extent_a > 0);
-  emit_hole_set(h, "cores", "%d", c->cores);
-  emit_hole_set(h, "several", "%d", c->cores > 1);
-  emit_hole_set(h, "info", "%d", info);
-  emit_hole_set(h, "flight_log2", "%d", log2_of(entries * c->cores + 1));
-}
-
-int engine_version(void) {
-  int version[3] = {0, 0, 0};
-  (void)sscanf(SEPAX_VERSION, "%d.%d.%d", &version[0], &version[1],
-               &version[2]); // NOLINT(cert-err34-c)
-  return (version[0] << 16) + (version[1] << 8) + version[2];
-}
-
 /* What can be read of the design itself: its constant registers. */
 static void set_registers(emit_holes *h, const sepax_config *c) {
-  const int constants[] = {(int)engine_of_lanes.identity, engine_version(),
+  const int constants[] = {(int)object_engine_registers.identity, engine_version(),
                            c->word + (c->lanes << 8) + (c->cores << 16) + (c->ii << 24),
-                           log2_of(c->memory_a) + (log2_of(c->memory_b) << 8)};
-  engine_decode(&engine_of_lanes, h, constants);
+                           engine_log2(c->memory_a) + (engine_log2(c->memory_b) << 8)};
+  engine_decode(&object_engine_registers, h, constants);
   emit_hole_set(h, "tree", "0");
 }
 
-void gen_engine(emitter *e, int entries) {
+static void generate(emitter *e, emit_holes *of_top, int pairs) {
   static const char *const modules[] = {"sepax_fifo",
                                         "sepax_ram",
                                         "sepax_registers",
@@ -94,11 +77,12 @@ void gen_engine(emitter *e, int entries) {
                                         "sepax_cores",
                                         "sepax_results",
                                         "sepax_engine_logic",
-                                        "object_engine/sepax_top"};
+                                        "object_engine/sepax_engine"};
   emit_holes h = {0};
   const sepax_config *c = &e->design->config;
+  (void)of_top;
   set_sizes(&h, e->design);
-  engine_cores(&h, e->design, entries, log2_of(c->memory_a) + log2_of(c->memory_b) + 1);
+  engine_cores(&h, e->design, pairs, engine_log2(c->memory_a) + engine_log2(c->memory_b) + 1);
   set_registers(&h, &e->design->config);
   if (c->target == SEPAX_TARGET_ASIC) {
     gen_bounds(e);
@@ -112,3 +96,11 @@ void gen_engine(emitter *e, int entries) {
   }
   emit_holes_free(&h);
 }
+
+/* A queue that is read, and what is counted and compared of its output. */
+static double delay(const delay_model *m, int word) { return m->engine + delay_adder(m, word); }
+
+const engine_generator generator_object = {.generate = generate,
+                                           .registers = &object_engine_registers,
+                                           .hurries_core = true,
+                                           .delay = delay};

@@ -1,7 +1,8 @@
-/* stream.c - sepax_stream: what a transfer has. */
-#include "stream.h"
+/* stream.c - sepax_stream, the core on AXI4-Stream (docs/exact.md): what a transfer has. Its row in
+ * the table of generators. */
+#include "engine/engine.h"
 
-void gen_stream(emitter *e, emit_holes *h, int pairs) {
+static void generate(emitter *e, emit_holes *h, int pairs) {
   static const struct {
     const char *words, *about, *layout;
   } of[] = {[SEPAX_STREAM_VERTEX] = {"a vertex a transfer, A_1, A_2, A_3, B_1, B_2, B_3",
@@ -32,5 +33,8 @@ void gen_stream(emitter *e, emit_holes *h, int pairs) {
   emit_hole_set(h, "layout", "%s", of[c->stream].layout);
   emit_template(e, "sepax_fifo", (emit_hole[]){{"fpga", "0"}, {NULL, NULL}});
   emit_template(e, "sepax_gather", h->hole);
-  emit_template(e, "stream/sepax_top", h->hole);
+  emit_template(e, "sepax_stream", h->hole);
 }
+
+const engine_generator generator_stream = {
+    .generate = generate, .registers_ready = true, .core = "core"};

@@ -4,7 +4,7 @@ hash    := \#
 LIB_SRC  = $(wildcard lib/*/*.c c_model/*/*.c)
 CHECKER  = $(wildcard $(addprefix program/certificate_checker/,*.c */*.c))
 CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(FORMAT_OF) $(RTL_GEN)
-RTL_GEN  = $(wildcard rtl_gen/*/*.c rtl_gen/*/*/*.c)
+RTL_GEN  = $(wildcard rtl_gen/*.c rtl_gen/*/*.c rtl_gen/*/*/*.c)
 UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))
 
 $(BUILD)/obj/%.o: %.c

@@ -1,9 +1,9 @@
 /* emit.c - what the Verilog templates may say, what of it is refused, and that every design passes.
  */
-#include "emit/emit.h"
-#include "gen.h"
+#include "conference/conference.h"
 #include "emit/template.h"
 #include "harness.h"
+#include "paper/paper.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,6 @@
-/* memory.c - the tree engine's way to external memory. */
-#include "modules.h"
+/* memory.c - see memory.h. */
+#include "tree_engine/memory/memory.h"
+
 #include "emit/template.h"
 
 void gen_tree_memory(emitter *e, bool fpga) {

@@ -1,9 +1,11 @@
 /* emit.c - the Verilog of the tree engine's modules, for its test benches: emit FOLDER [PART [W]],
  * PART memory, compare or walk; without it all, W 18. */
 #include "arith/arith.h"
-#include "gen.h"
 #include "emit/template.h"
-#include "tree_engine/memory/modules.h"
+#include "files/output.h"
+#include "tree_engine/boxes/boxes.h"
+#include "tree_engine/memory/memory.h"
+#include "tree_engine/walk/walk.h"
 
 #include <stdio.h>
 #include <stdlib.h>

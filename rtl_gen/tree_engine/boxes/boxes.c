@@ -1,8 +1,8 @@
-/* blocks.c - the tree engine's test of entries: set-up, turned boxes, lanes, hits; and the turner
- * of vertices. */
+/* boxes.c - see boxes.h. */
+#include "tree_engine/boxes/boxes.h"
+
 #include "arith/arith.h"
 #include "emit/template.h"
-#include "tree_engine/memory/modules.h"
 
 #include <stdlib.h>
 

@@ -1,15 +1,8 @@
-/* gen.h - from a checked design to its Verilog modules. */
-#ifndef SEPAX_GEN_H
-#define SEPAX_GEN_H
+/* output.h - a generated design as a folder of files. */
+#ifndef SEPAX_OUTPUT_H
+#define SEPAX_OUTPUT_H
 
 #include "emit/emit.h"
-
-/* Emit every module of the design, leaves first, its top last (`sepax_top`; of an engine
- * `sepax_engine`). False with e->error set if the emitter refuses one. gen_exact also reports the
- * latency of the schedule it makes. */
-bool gen_paper(emitter *e);
-bool gen_exact(emitter *e, int *latency);
-bool gen_conference(emitter *e);
 
 /* Write the design's files into a folder: one .v a module, sepax.f (the list of
  * them, top last), and, if the emitter has a design, sepax_params.h, sepax_params.vh and sepax.json

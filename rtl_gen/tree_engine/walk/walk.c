@@ -1,7 +1,8 @@
-/* joint.c - the tree engine: the walk, the pairs of its rows, its runs. */
+/* walk.c - see walk.h. */
+#include "tree_engine/walk/walk.h"
+
 #include "aabb/aabb.h"
 #include "emit/template.h"
-#include "tree_engine/memory/modules.h"
 
 void gen_tree_walk(emitter *e, bool fpga, int turn) {
   static const char *const modules[] = {"sepax_tree_stack", "sepax_node_check", "sepax_tree_walk",

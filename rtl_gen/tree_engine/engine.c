@@ -1,19 +1,25 @@
-/* outside.c - sepax_engine of a tree design: registers and jobs around the tree engine. */
-#include "object_engine/engine.h"
-#include "tree_engine/memory/modules.h"
+/* engine.c - the tree engine (docs/tree.md): registers and jobs around what walks the trees, and
+ * the cores that judge near pairs. Its row in the table of generators. */
+#include "engine/engine.h"
+#include "tree_engine/boxes/boxes.h"
+#include "tree_engine/memory/memory.h"
+#include "tree_engine/registers.h"
+#include "tree_engine/walk/walk.h"
 
-void gen_tree(emitter *e, int entries) {
-  static const char *const around[] = {"sepax_registers",    "sepax_tree_counts", "sepax_tree_job",
-                                       "sepax_tree_pose",    "sepax_tree_fetch",  "sepax_tree_jobs",
-                                       "sepax_tree_results", "sepax_cores",       "host/sepax_top"};
+static void generate(emitter *e, emit_holes *of_top, int pairs) {
+  static const char *const around[] = {
+      "sepax_registers",    "sepax_tree_counts", "sepax_tree_job",
+      "sepax_tree_pose",    "sepax_tree_fetch",  "sepax_tree_jobs",
+      "sepax_tree_results", "sepax_cores",       "host/sepax_engine"};
   const sepax_design *design = e->design;
   const sepax_config *c = &design->config;
   const delay_model *m = delay_model_of(c->target);
-  const int constants[] = {(int)engine_of_trees.identity, engine_version(),
+  const int constants[] = {(int)tree_engine_registers.identity, engine_version(),
                            c->word + (c->cores << 16) + (c->ii << 24), (int)design->margin[1]};
   emit_holes h = {0};
-  engine_cores(&h, design, entries, 1);
-  engine_decode(&engine_of_trees, &h, constants);
+  (void)of_top;
+  engine_cores(&h, design, pairs, 1);
+  engine_decode(&tree_engine_registers, &h, constants);
   emit_hole_numbers(&h, (emit_number[]){{"tree", 1},
                                         {"fpga", m->family},
                                         {"move_is_word", 0},
@@ -43,3 +49,5 @@ void gen_tree(emitter *e, int entries) {
   }
   emit_holes_free(&h);
 }
+
+const engine_generator generator_tree = {.generate = generate, .registers = &tree_engine_registers};

@@ -1,5 +1,5 @@
 /* registers.c - the register map of the tree engine (docs/tree.md, Jobs). */
-#include "object_engine/engine.h"
+#include "tree_engine/registers.h"
 
 static const engine_register table[] = {
     {"ID", ENGINE_CONSTANT, "", 0, 32, "0x53505854, \"SPXT\""},
@@ -46,7 +46,8 @@ static const engine_register table[] = {
     {"CYCLES", ENGINE_READ, "cycles", 0, 32, "clock cycles of the batch"},
 };
 
-const engine_registers engine_of_trees = {0x53505854, table, sizeof table / sizeof table[0],
-                                          "What is read is of the last batch, undefined before the "
-                                          "first;\nHIT_JOB and HIT_POSE of the last with a "
-                                          "collision."};
+const engine_registers tree_engine_registers = {
+    0x53505854, table, sizeof table / sizeof table[0],
+    "What is read is of the last batch, undefined before the "
+    "first;\nHIT_JOB and HIT_POSE of the last with a "
+    "collision."};

@@ -1,0 +1,34 @@
+/* engine.c - the tree engine: its row in the table of engines. */
+#include "design/engine.h"
+#include "sepax_tree.h"
+#include "util/error.h"
+
+static bool check(const sepax_config *config, sepax_error *error) {
+  enum { MARGIN_MAX = 8191 };
+  if (config->word > SEPAX_TREE_WORD_MAX) {
+    return sepax_fail(error, "word: a tree engine takes 4 ... %d bits, not %d", SEPAX_TREE_WORD_MAX,
+                      config->word);
+  }
+  if (config->extent_a != 0) {
+    return sepax_fail(error, "tree: a tree engine has no extents; leave one of both out");
+  }
+  return config->clearance < 0 || sepax__outer_margin(config) <= MARGIN_MAX ||
+         sepax_fail(error, "tree: clearances need a margin of %lld LSB; %d is the most",
+                    (long long)sepax__outer_margin(config), MARGIN_MAX);
+}
+
+/* Nodes and leaves; vertices, rows and pairs that are on their way; tags, lists and the stack,
+ * which do not depend on W. */
+static uint64_t memory_bits(const sepax_config *config) {
+  return 219008 + 3288 * (uint64_t)config->word;
+}
+
+/* Gates: docs/results/area/tree.csv, scripts/experiments/fit-area -t. */
+const engine sepax__engine_tree = {.name = "a tree engine",
+                                   .option = "tree",
+                                   .tests_aabbs = true,
+                                   .check = check,
+                                   .margin_added = sepax_tree_clearance_added,
+                                   .gates = 76559,
+                                   .gates_per_bit = 1779.5,
+                                   .memory_bits = memory_bits};
