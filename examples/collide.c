@@ -5,7 +5,7 @@
 int main(int argc, char **argv) {
   sepax_scene scene;
   sepax_pairs hits;
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_grid grid = {.word = 18}; /* resolution 0: as fine as both meshes allow */
   if (argc != 3) {
     fputs("usage: collide A.stl B.stl\n", stderr);

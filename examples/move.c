@@ -4,7 +4,7 @@
 
 int main(int argc, char **argv) {
   sepax_body *body[2];
-  sepax_error error = {""};
+  sepax_error error = {0};
   for (int k = 0; k < 2; k++) { /* trees are built once */
     sepax_mesh mesh;
     if (argc != 3 || !sepax_stl_read(&mesh, argv[1 + k], &error) ||

@@ -33,8 +33,21 @@ extern "C" {
 #define SEPAX_WORD_MIN 4
 #define SEPAX_WORD_MAX 32
 
+/* What kind of failure it was. The numbers never change. */
+typedef enum {
+  SEPAX_OK = 0,
+  SEPAX_ERROR_ARGUMENT = 1,  /* a value of the caller is not in the range that is documented */
+  SEPAX_ERROR_MEMORY = 2,    /* the allocator gave none */
+  SEPAX_ERROR_LIMIT = 3,     /* larger than the library can hold: triangles, bits, bytes */
+  SEPAX_ERROR_CANCELLED = 4, /* the caller's progress function ended it */
+  SEPAX_ERROR_FILE = 5,      /* a file cannot be opened, read or written */
+  SEPAX_ERROR_FORMAT = 6,    /* a file or a text is not what it should be */
+  SEPAX_ERROR_NONE_FITS = 7  /* of several designs none is good enough */
+} sepax_code;
+
 /* One line of text without a newline; empty until something failed. */
 typedef struct {
+  sepax_code code;
   char text[512];
 } sepax_error;
 

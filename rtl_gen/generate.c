@@ -16,7 +16,8 @@ static bool (*const generators[SEPAX_ARCH_COUNT])(emitter *e) = {
 
 bool sepax_generate(sepax_design *design, const char *folder, sepax_error *error) {
   if (generators[design->config.arch] == NULL) {
-    return sepax_fail(error, "arch: '%s' has no hardware; give --arch=exact, paper or conference",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "arch: '%s' has no hardware; give --arch=exact, paper or conference",
                       sepax_arch_name(design->config.arch));
   }
   char command[SEPAX_CONFIG_TEXT + 16];

@@ -46,11 +46,12 @@ extern sepax_error fault; /* of the call under test */
   } while (0)
 
 /* The call fails, and its fault is one line that has the part in it. */
-#define assert_fault(call, part) \
-  do {                           \
-    fault.text[0] = '\0';        \
-    assert_false(call);          \
-    assert_message(part);        \
+#define assert_fault(call, part)                \
+  do {                                          \
+    fault = (sepax_error){0};                   \
+    assert_false(call);                         \
+    assert_int_not_equal(fault.code, SEPAX_OK); \
+    assert_message(part);                       \
   } while (0)
 void assert_message(const char *part);
 

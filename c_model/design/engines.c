@@ -31,7 +31,8 @@ bool sepax__engine_check(const sepax_config *config, sepax_error *error) {
   sepax_engine asked = sepax_config_engine(config);
   sepax_engine other = asked != SEPAX_ENGINE_NONE ? next_asked(config, asked) : SEPAX_ENGINE_NONE;
   if (other != SEPAX_ENGINE_NONE) {
-    return sepax_fail(error, "%s: a design has %s or %s, not both; leave --%s or --%s out",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: a design has %s or %s, not both; leave --%s or --%s out",
                       engines[asked]->option, engines[asked]->name, engines[other]->name,
                       engines[asked]->option, engines[other]->option);
   }

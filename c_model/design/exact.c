@@ -25,16 +25,18 @@ static int core_word(const sepax_config *config) {
 static bool check_clearance(const sepax_config *config, sepax_error *error) {
   int most = sepax_word_max(config->word);
   if (config->clearance > most) {
-    return sepax_fail(error, "clearance: %d LSB is out of range; give 0 ... %d", config->clearance,
-                      most);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "clearance: %d LSB is out of range; give 0 ... %d", config->clearance, most);
   }
   if (config->warning != 0 && (config->warning <= config->clearance || config->warning > most)) {
-    return sepax_fail(error, "warning: %d LSB is not above the clearance of %d and up to %d",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "warning: %d LSB is not above the clearance of %d and up to %d",
                       config->warning, config->clearance, most);
   }
   if (config->clearance >= 0 && config->flag) {
     return sepax_fail(
-        error, "coplanar: with a clearance coplanar pairs need no second pass; leave flag out");
+        error, SEPAX_ERROR_ARGUMENT,
+        "coplanar: with a clearance coplanar pairs need no second pass; leave flag out");
   }
   return true;
 }
@@ -45,11 +47,11 @@ static bool check_extents(const sepax_config *config, sepax_error *error) {
     return true;
   }
   if (config->extent_a > most || config->extent_b > most) {
-    return sepax_fail(error, "extent: %d and %d LSB; give 1 ... %lld", config->extent_a,
-                      config->extent_b, (long long)most);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "extent: %d and %d LSB; give 1 ... %lld",
+                      config->extent_a, config->extent_b, (long long)most);
   }
   return core_word(config) < config->word ||
-         sepax_fail(error,
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                     "extent: pairs that near need %d bits, no fewer than W; leave the extents out",
                     core_word(config));
 }
@@ -58,12 +60,13 @@ static bool check_extents(const sepax_config *config, sepax_error *error) {
 static bool check_around(const sepax_config *config, sepax_error *error) {
   const engine *around = sepax__engine_of(config);
   if (config->early_out && (config->extent_a != 0 || around->tests_aabbs)) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "early-out: with %s AABBs are tested before the core anyway; leave it out",
                       around->tests_aabbs ? around->name : "extents");
   }
   if (config->registered_ready && around->name != NULL) {
-    return sepax_fail(error, "registered-ready: %s has registers there anyway; leave it out",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "registered-ready: %s has registers there anyway; leave it out",
                       around->name);
   }
   return true;
@@ -75,10 +78,12 @@ static bool check(const sepax_config *config, sepax_error *error) {
     return false;
   }
   if (config->corner == SEPAX_CORNER_SLOW && config->target != SEPAX_TARGET_ASIC) {
-    return sepax_fail(error, "corner: the delays of an FPGA are of one corner; leave it out");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "corner: the delays of an FPGA are of one corner; leave it out");
   }
   return !config->clock_gating || config->target == SEPAX_TARGET_ASIC ||
-         sepax_fail(error, "clock-gating: an FPGA has no clock gates; leave it out");
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                    "clock-gating: an FPGA has no clock gates; leave it out");
 }
 
 /* Enter a format; every bit that distinguishes results is kept. */

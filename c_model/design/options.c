@@ -247,7 +247,8 @@ static bool parse_choice(int *value, const design_option *option, const char *te
     size_t used = strlen(choices);
     snprintf(choices + used, sizeof choices - used, "%s%s", i > 0 ? ", " : "", name);
   }
-  return sepax_fail(error, "%s: '%.40s' is none of: %s", option->name, text, choices);
+  return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s: '%.40s' is none of: %s", option->name, text,
+                    choices);
 }
 
 static bool parse_int(int *value, const char *option, const char *text, sepax_error *error) {
@@ -255,10 +256,11 @@ static bool parse_int(int *value, const char *option, const char *text, sepax_er
   errno = 0;
   long number = strtol(text, &end, 10);
   if (end == text || *end != '\0' || isspace((unsigned char)text[0])) {
-    return sepax_fail(error, "%s: '%.40s' is not a whole number", option, text);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s: '%.40s' is not a whole number", option,
+                      text);
   }
   if (errno == ERANGE || number < INT32_MIN || number > INT32_MAX) {
-    return sepax_fail(error, "%s: %.40s is out of range", option, text);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s: %.40s is out of range", option, text);
   }
   *value = (int)number;
   return true;
@@ -271,12 +273,13 @@ static bool parse_period(int *picoseconds, const char *option, const char *text,
   double number = strtod(text, &end);
   plain_numbers_end(plain);
   if (end == text || *end != '\0' || !(number > 0) || number > 1000) {
-    return sepax_fail(error, "%s: '%.40s' is no period in nanoseconds; give 0.5 ... 20", option,
-                      text);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: '%.40s' is no period in nanoseconds; give 0.5 ... 20", option, text);
   }
   int rounded = (int)(number * 1000 + 0.5);
   if (number * 1000 - rounded > 1e-6 || rounded - number * 1000 > 1e-6) {
-    return sepax_fail(error, "%s: '%.40s' has more than three decimals; round it", option, text);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: '%.40s' has more than three decimals; round it", option, text);
   }
   *picoseconds = rounded;
   return true;
@@ -286,11 +289,13 @@ static bool parse_precision(int *guard, const char *option, const char *text, se
   static const char prefix[] = "guard=";
   if (strncmp(text, prefix, sizeof prefix - 1) == 0) {
     return parse_int(guard, "precision guard", text + sizeof prefix - 1, error) &&
-           (*guard >= 0 || sepax_fail(error, "%s: guard = %d is out of range; give 0 ... 2 W + 3",
-                                      option, *guard));
+           (*guard >= 0 ||
+            sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                       "%s: guard = %d is out of range; give 0 ... 2 W + 3", option, *guard));
   }
   if (strcmp(text, "full") != 0 && strcmp(text, "word") != 0) {
-    return sepax_fail(error, "%s: '%.40s' is none of: full, word, guard=BITS", option, text);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s: '%.40s' is none of: full, word, guard=BITS",
+                      option, text);
   }
   *guard = text[0] == 'f' ? -1 : 0;
   return true;
@@ -298,9 +303,9 @@ static bool parse_precision(int *guard, const char *option, const char *text, se
 
 static bool out_of_range(const design_option *option, int value, sepax_error *error) {
   const char *unit = strcmp(option->argument, "LSB") == 0 ? " LSB" : "";
-  return sepax_fail(error, "%s: %s%s is out of range; give %s ... %s", option->name,
-                    text_of(option, value).text, unit, text_of(option, option->low).text,
-                    text_of(option, option->high).text);
+  return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s: %s%s is out of range; give %s ... %s",
+                    option->name, text_of(option, value).text, unit,
+                    text_of(option, option->low).text, text_of(option, option->high).text);
 }
 
 static bool parse(int *value, const design_option *option, const char *text, sepax_error *error) {
@@ -322,7 +327,7 @@ bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error) {
   const design_option *option = find(name);
   if (option == NULL) {
-    return sepax_fail(error, "'%.40s' is no setting of a design", name);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "'%.40s' is no setting of a design", name);
   }
   int number = option->standard;
   bool none = value[0] == '\0' && !in_range(option, number);
@@ -336,7 +341,8 @@ bool sepax_config_set(sepax_config *config, const char *name, const char *value,
 bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *error) {
   char copy[512];
   if (strlen(text) >= sizeof copy) {
-    return sepax_fail(error, "configuration text is longer than %zu characters", sizeof copy - 1);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "configuration text is longer than %zu characters", sizeof copy - 1);
   }
   strcpy(copy, text);
   sepax_config parsed = *config;
@@ -344,7 +350,8 @@ bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *err
   for (char *word = strtok_r(copy, " ", &rest); word != NULL; word = strtok_r(NULL, " ", &rest)) {
     char *value = strchr(word, '=');
     if (strncmp(word, "--", 2) != 0 || value == NULL) {
-      return sepax_fail(error, "configuration: '%.40s' is not --NAME=VALUE", word);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "configuration: '%.40s' is not --NAME=VALUE",
+                        word);
     }
     *value = '\0';
     if (!sepax_config_set(&parsed, word + 2, value + 1, error)) {
@@ -446,7 +453,8 @@ static bool check_value(const design_option *option, int value, sepax_error *err
 
 bool sepax__design_options_check(const sepax_config *config, sepax_error *error) {
   if ((unsigned)config->arch >= SEPAX_ARCH_COUNT) {
-    return sepax_fail(error, "configuration: a value is none of its enumeration");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "configuration: a value is none of its enumeration");
   }
   for (size_t i = 0; i < OPTIONS; i++) {
     const design_option *option = &table[i];
@@ -455,9 +463,10 @@ bool sepax__design_options_check(const sepax_config *config, sepax_error *error)
       while ((option->archs >> owner & 1) == 0) {
         owner++;
       }
-      return sepax_fail(
-          error, "%s: architecture %s has no such choice; leave it out, or give --arch=%s",
-          option->name, sepax_arch_name(config->arch), sepax_arch_name((sepax_arch)owner));
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "%s: architecture %s has no such choice; leave it out, or give --arch=%s",
+                        option->name, sepax_arch_name(config->arch),
+                        sepax_arch_name((sepax_arch)owner));
     }
     if (!check_value(option, get(option, config), error)) {
       return false;
@@ -465,9 +474,10 @@ bool sepax__design_options_check(const sepax_config *config, sepax_error *error)
     if (is_changed(option, config) && !is_founded(option, config)) {
       int one = (int)strcspn(option->needs, "|");
       const char *other = option->needs[one] != '\0' ? option->needs + one + 1 : NULL;
-      return sepax_fail(error, "%s: nothing without --%.*s%s%s; give --%.*s, too", option->name,
-                        one, option->needs, other != NULL ? " or --" : "",
-                        other != NULL ? other : "", one, option->needs);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "%s: nothing without --%.*s%s%s; give --%.*s, too", option->name, one,
+                        option->needs, other != NULL ? " or --" : "", other != NULL ? other : "",
+                        one, option->needs);
     }
   }
   return true;

@@ -7,24 +7,26 @@
 static bool check(const sepax_config *config, sepax_error *error) {
   int most = sepax_word_max(config->word);
   if (config->ii != 3) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "ii: architecture %s takes a pair in three input cycles; "
                       "give --ii=3, not %d",
                       sepax_arch_name(config->arch), config->ii);
   }
   if (config->guard > 2 * config->word + 3) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "precision: guard = %d is out of range; give 0 ... %d at "
                       "W = %d, or full",
                       config->guard, 2 * config->word + 3, config->word);
   }
   if (config->guard < 0 && config->block_float) {
-    return sepax_fail(error, "block-float: nothing is truncated at --precision=full; "
-                             "give --precision=word or guard=BITS");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "block-float: nothing is truncated at --precision=full; "
+                      "give --precision=word or guard=BITS");
   }
   if (config->epsilon > most) {
-    return sepax_fail(error, "epsilon: %d LSB is out of range; give 0 ... %d at W = %d",
-                      config->epsilon, most, config->word);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "epsilon: %d LSB is out of range; give 0 ... %d at W = %d", config->epsilon,
+                      most, config->word);
   }
   return true;
 }

@@ -4,8 +4,9 @@
 
 static bool check_memory(char object, int triangles, sepax_error *error) {
   return (triangles & (triangles - 1)) == 0 ||
-         sepax_fail(error, "memory-%c: %d triangles is no power of two of %d ... %d", object,
-                    triangles, SEPAX_MEMORY_MIN, SEPAX_MEMORY_MAX);
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                    "memory-%c: %d triangles is no power of two of %d ... %d", object, triangles,
+                    SEPAX_MEMORY_MIN, SEPAX_MEMORY_MAX);
 }
 
 static bool check(const sepax_config *config, sepax_error *error) {

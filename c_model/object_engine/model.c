@@ -57,7 +57,7 @@ static bool judge(enumeration *e, size_t i, size_t j) {
   run->first = collision && run->collisions == 0 ? run->found.count : run->first;
   run->collisions += collision;
   return list_add_pair(&run->found, &e->capacity, i, j) ||
-         sepax_fail(e->error, "out of memory for the pairs that collide");
+         sepax_fail(e->error, SEPAX_ERROR_ARGUMENT, "out of memory for the pairs that collide");
 }
 
 /* One step: triangle j of B against the triangle of A in each lane. Lane k takes its triangle in
@@ -112,7 +112,7 @@ bool sepax_object_engine(const sepax_design *design, const sepax_tri *a, size_t 
   if (sepax_config_engine(&design->config) != SEPAX_ENGINE_OBJECT || count_a == 0 || count_b == 0 ||
       count_a > (size_t)design->config.memory_a || count_b > (size_t)design->config.memory_b) {
     return sepax_fail(
-        error,
+        error, SEPAX_ERROR_ARGUMENT,
         "engine: %zu and %zu triangles do not fit %d lanes with memories of %d and %d; give others",
         count_a, count_b, design->config.lanes, design->config.memory_a, design->config.memory_b);
   }
@@ -120,7 +120,8 @@ bool sepax_object_engine(const sepax_design *design, const sepax_tri *a, size_t 
   aabb *bounds_b = malloc(count_b * sizeof *bounds_b);
   bool ok = bounds_a != NULL && bounds_b != NULL;
   if (!ok) {
-    sepax_fail(error, "out of memory for the AABBs of %zu triangles", count_a + count_b);
+    sepax_fail(error, SEPAX_ERROR_ARGUMENT, "out of memory for the AABBs of %zu triangles",
+               count_a + count_b);
   }
   for (size_t i = 0; i < count_a && ok; i++) {
     bounds_a[i] = aabb_of(&a[i]);

@@ -184,7 +184,7 @@ bool sepax__job_find(sepax_job *job, const job_bodies *bodies, sepax_error *erro
   free(sorted);
   if (!ok) {
     free(found.pass);
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_MEMORY,
                       "no memory for the candidates among %zu and %zu triangles; sample "
                       "fewer poses",
                       bodies->count[0], bodies->count[1]);

@@ -259,7 +259,7 @@ static bool find_space(range *all, const range *hull, const sepax_space *space,
     }
     double spare = workspace_slack * side;
     if (hull->low[axis] < low - spare || hull->high[axis] > high + spare) {
-      return sepax_fail(error,
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "workspace: %c = %.9g ... %.9g, but the poses need %.9g ... %.9g; "
                         "enlarge it or limit the motion",
                         axis_name[axis], low, high, hull->low[axis], hull->high[axis]);
@@ -296,7 +296,7 @@ static bool find_grid(sepax_grid *grid, const range *all, const sepax_space *spa
     grid->word++;
   }
   return fits(all, grid) ||
-         sepax_fail(error,
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                     "resolution: coordinates reach %.9g from the origin, more than %d bits "
                     "of %.9g; give --resolution=%.3g or more",
                     widest, SEPAX_WORD_MAX, space->resolution,
@@ -306,30 +306,35 @@ static bool find_grid(sepax_grid *grid, const range *all, const sepax_space *spa
 static bool check_space(const sepax_mesh *const mesh[2], const sepax_space *space,
                         sepax_error *error) {
   if (mesh[0]->count == 0 || mesh[1]->count == 0) {
-    return sepax_fail(error, "mesh: no triangles; give two meshes that have some");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "mesh: no triangles; give two meshes that have some");
   }
   for (int i = 0; i < 2; i++) {
     if (mesh[i]->count > UINT32_MAX) {
-      return sepax_fail(error, "mesh: %zu triangles are too many; give up to %u", mesh[i]->count,
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "mesh: %zu triangles are too many; give up to %u", mesh[i]->count,
                         UINT32_MAX);
     }
   }
   if (space->path != NULL && space->path->count == 0) {
-    return sepax_fail(error, "poses: there are none; give a path of some");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "poses: there are none; give a path of some");
   }
   if (!(space->resolution > 0 && isfinite(space->resolution))) {
-    return sepax_fail(error, "resolution: %g is not a length above 0", space->resolution);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "resolution: %g is not a length above 0",
+                      space->resolution);
   }
   for (int axis = 0; axis < 3; axis++) {
     for (int i = 0; i < 2; i++) {
       const sepax_motion *m = &space->motion[i];
       if (!(m->low[axis] <= m->high[axis])) {
-        return sepax_fail(error, "motion: %c from %g to %g is no range; put the smaller first",
+        return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                          "motion: %c from %g to %g is no range; put the smaller first",
                           axis_name[axis], m->low[axis], m->high[axis]);
       }
     }
     if (space->workspace != SEPAX_WORKSPACE_NONE && !(space->low[axis] < space->high[axis])) {
-      return sepax_fail(error, "workspace: %c from %g to %g is no range; put the smaller first",
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "workspace: %c from %g to %g is no range; put the smaller first",
                         axis_name[axis], space->low[axis], space->high[axis]);
     }
   }
@@ -378,7 +383,7 @@ static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2]
   size_t most = path != NULL ? path->count : 1 + (size_t)space->poses;
   size->job = calloc(most, sizeof *size->job);
   if (size->job == NULL) {
-    return sepax_fail(error, "no memory for %zu poses; give fewer", most);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu poses; give fewer", most);
   }
   uint64_t pairs = (uint64_t)size->count[0] * size->count[1];
   bool left_out = path != NULL && space->pairs_most > 0 && pairs > space->pairs_most;
@@ -416,7 +421,8 @@ bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b
                                                          : 1 + (int64_t)space->clearance;
   bool ok = allocate(&r, mesh)
                 ? measure(&found, &r, mesh, space, &all, error)
-                : sepax_fail(error, "no memory for %zu and %zu triangles", a->count, b->count);
+                : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu and %zu triangles",
+                             a->count, b->count);
   release(&r);
   if (ok) {
     *size = found;

@@ -132,7 +132,7 @@ static bool find_work(choice *all, sepax_error *error) {
   size_t poses = all->tree_poses;
   all->work = calloc(poses + 1, sizeof *all->work);
   if (all->work == NULL) {
-    return sepax_fail(error, "no memory for %zu poses", poses);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu poses", poses);
   }
   for (size_t n = 0; n < poses; n++) {
     all->work[n].least = all->between;
@@ -192,8 +192,9 @@ bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_con
                        size_t pose, const sepax_size_request *request, sepax_error *error) {
   size_t passes = config->tree ? 0 : size->job[pose].passes;
   uint64_t *steps = malloc((passes + 1) * sizeof *steps);
-  bool ok = steps != NULL ? cycles_of(cycles, size, config, pose, request, steps, error)
-                          : sepax_fail(error, "no memory for %zu candidates", passes);
+  bool ok = steps != NULL
+                ? cycles_of(cycles, size, config, pose, request, steps, error)
+                : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu candidates", passes);
   free(steps);
   return ok;
 }
@@ -302,7 +303,7 @@ static bool too_slow(choice *all, double period, sepax_sized_design *sized, sepa
     return false;
   }
   *sized = (sepax_sized_design){.cycles = fewest, .seconds = (double)fewest * period};
-  return sepax_fail(error,
+  return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                     "time: %.4g ms are not enough: at %g ns the fastest %s takes %.4g ms; allow "
                     "that, or coarsen the meshes",
                     1e3 * r->seconds, 1e9 * period, kinds, 1e3 * sized->seconds);
@@ -343,7 +344,8 @@ static bool allocate(choice *all, sepax_error *error) {
   all->design = malloc(most * sizeof *all->design);
   all->steps = malloc((passes + 1) * sizeof *all->steps);
   return (all->design != NULL && all->steps != NULL) ||
-         sepax_fail(error, "no memory for %zu designs and %zu candidates", most, passes);
+         sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu designs and %zu candidates", most,
+                    passes);
 }
 
 static bool size_all(choice *all, sepax_sized_design *sized, sepax_error *error) {
@@ -357,7 +359,7 @@ static bool size_all(choice *all, sepax_sized_design *sized, sepax_error *error)
     ok = find_work(all, error) && add_tree_engines(all, error);
   }
   if (ok && all->count == 0) {
-    ok = sepax_fail(error,
+    ok = sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                     "word: a tree engine has up to %d bits, and is for a path of poses; "
                     "coarsen the resolution, or give the poses",
                     SEPAX_TREE_WORD_MAX);

@@ -12,12 +12,13 @@ bool sepax__size_trees_new(struct size_trees **trees, const job_bodies *bodies,
   sepax_config config = sepax_config_default();
   sepax_design design;
   if (t == NULL) {
-    return sepax_fail(error, "no memory for two trees");
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for two trees");
   }
   t->poses = path->count;
   t->word = grid[0].word > grid[1].word ? grid[0].word : grid[1].word;
   t->pose = calloc(path->count, sizeof *t->pose);
-  bool ok = t->pose != NULL || sepax_fail(error, "no memory for %zu poses", path->count);
+  bool ok = t->pose != NULL ||
+            sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu poses", path->count);
   config.tree = true;
   config.word = t->word;
   sepax__size_limit(&config, space->limited, space->clearance, space->warning);

@@ -16,7 +16,8 @@ typedef struct {
 } checker;
 
 static bool wrong(const checker *c, uint32_t number, const char *what) {
-  return sepax_fail(c->error, "node %u: %s; the file is damaged, make it again", number, what);
+  return sepax_fail(c->error, SEPAX_ERROR_FORMAT, "node %u: %s; the file is damaged, make it again",
+                    number, what);
 }
 
 static bool all_zero(const uint8_t *bytes, size_t count) {
@@ -148,8 +149,9 @@ static bool check_table(const checker *c) {
   for (uint32_t n = 0; n < c->tree->triangles; n++) {
     uint32_t number = c->tree->number[n];
     if (number >= c->tree->triangles || !see(c, number)) {
-      return sepax_fail(c->error, "the table of triangles names one twice; the file is damaged, "
-                                  "make it again");
+      return sepax_fail(c->error, SEPAX_ERROR_FORMAT,
+                        "the table of triangles names one twice; the file is damaged, "
+                        "make it again");
     }
   }
   return true;
@@ -159,12 +161,13 @@ bool sepax__tree_check(const sepax_tree *tree, sepax_error *error) {
   checker c = {.tree = tree, .image = tree_image_of(tree), .nodes = 1, .error = error};
   c.seen = calloc((size_t)tree->nodes + 2 * (size_t)tree->triangles, 1);
   if (c.seen == NULL) {
-    return sepax_fail(error, "no memory to check %u triangles", tree->triangles);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory to check %u triangles",
+                      tree->triangles);
   }
   aabb bounds;
   bool ok = check_node(&c, 0, TREE_LEVEL_MAX + 1, &bounds);
   if (ok && (c.nodes != tree->nodes || c.triangles != tree->triangles)) {
-    ok = sepax_fail(error,
+    ok = sepax_fail(error, SEPAX_ERROR_FORMAT,
                     "%zu nodes, %zu triangles of %u and %u are in the tree; the file is "
                     "damaged, make it again",
                     c.nodes, c.triangles, tree->nodes, tree->triangles);

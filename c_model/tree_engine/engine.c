@@ -6,14 +6,17 @@
 static bool check(const sepax_config *config, sepax_error *error) {
   enum { MARGIN_MAX = 8191 };
   if (config->word > SEPAX_TREE_WORD_MAX) {
-    return sepax_fail(error, "word: a tree engine takes 4 ... %d bits, not %d", SEPAX_TREE_WORD_MAX,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "word: a tree engine takes 4 ... %d bits, not %d", SEPAX_TREE_WORD_MAX,
                       config->word);
   }
   if (config->extent_a != 0) {
-    return sepax_fail(error, "tree: a tree engine has no extents; leave one of both out");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "tree: a tree engine has no extents; leave one of both out");
   }
   return config->clearance < 0 || sepax__outer_margin(config) <= MARGIN_MAX ||
-         sepax_fail(error, "tree: clearances need a margin of %lld LSB; %d is the most",
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                    "tree: clearances need a margin of %lld LSB; %d is the most",
                     (long long)sepax__outer_margin(config), MARGIN_MAX);
 }
 

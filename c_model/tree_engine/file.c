@@ -78,10 +78,11 @@ bool sepax_tree_write(const sepax_tree *tree, const char *path, sepax_error *err
 
 static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sepax_error *error) {
   if (memcmp(from, magic, sizeof magic) != 0) {
-    return sepax_fail(error, "no tree; make one with 'sepax tree STL -o FILE'");
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "no tree; make one with 'sepax tree STL -o FILE'");
   }
   if (tree_get32(from + 8) != VERSION) {
-    return sepax_fail(error, "version %u of the format, not %d; make it again with 'sepax tree'",
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "version %u of the format, not %d; make it again with 'sepax tree'",
                       tree_get32(from + 8), VERSION);
   }
   bool zeros = true;
@@ -89,7 +90,8 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sep
     zeros = zeros && from[n] == 0;
   }
   if (!zeros || tree_get32(from + HEADER_CRC) != sepax__tree_crc(0, from, HEADER_CRC)) {
-    return sepax_fail(error, "the header's CRC is wrong; the file is damaged, make it again");
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "the header's CRC is wrong; the file is damaged, make it again");
   }
   uint32_t word = tree_get32(from + 12);
   t->grid.resolution = get_double(from + 16);
@@ -109,7 +111,7 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sep
        bytes / TREE_BEAT <= UINT32_MAX;
   t->bytes = (size_t)bytes;
   if (!ok) {
-    sepax_fail(error, "the header is that of no tree; make it again");
+    sepax_fail(error, SEPAX_ERROR_FORMAT, "the header is that of no tree; make it again");
   }
   return ok;
 }
@@ -121,7 +123,8 @@ static bool read_behind(sepax_tree *t, FILE *in, uint32_t crc, sepax_error *erro
   long end = fseek(in, 0, SEEK_END) == 0 ? ftell(in) : -1;
   if (t->triangles == 0 || end < 0 || (uint64_t)end != all_bytes ||
       fseek(in, HEADER, SEEK_SET) != 0) {
-    return sepax_fail(error, "%ld bytes, not %llu; the file is cut or has more, make it again", end,
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "%ld bytes, not %llu; the file is cut or has more, make it again", end,
                       (unsigned long long)all_bytes);
   }
   uint8_t *table = calloc(t->triangles, 4);
@@ -129,11 +132,12 @@ static bool read_behind(sepax_tree *t, FILE *in, uint32_t crc, sepax_error *erro
   t->number = malloc(t->triangles * sizeof *t->number);
   bool ok = table != NULL && t->image != NULL && t->number != NULL;
   if (!ok) {
-    sepax_fail(error, "no memory for a tree of %u triangles", t->triangles);
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a tree of %u triangles", t->triangles);
   } else if (fread(t->image, t->bytes, 1, in) != 1 || fread(table, table_bytes, 1, in) != 1) {
-    ok = sepax_fail(error, "not read: %s", strerror(errno));
+    ok = sepax_fail(error, SEPAX_ERROR_FILE, "not read: %s", strerror(errno));
   } else if (sepax__tree_crc(sepax__tree_crc(0, t->image, t->bytes), table, table_bytes) != crc) {
-    ok = sepax_fail(error, "the CRC is wrong; the file is damaged, make it again");
+    ok = sepax_fail(error, SEPAX_ERROR_FORMAT,
+                    "the CRC is wrong; the file is damaged, make it again");
   }
   for (size_t n = 0; ok && n < t->triangles; n++) {
     t->number[n] = tree_get32(table + 4 * n);
@@ -146,7 +150,8 @@ static bool read_tree(sepax_tree *t, FILE *in, sepax_error *error) {
   uint8_t header[HEADER] = {0};
   uint32_t crc = 0;
   if (fread(header, HEADER, 1, in) != 1) {
-    return sepax_fail(error, "too short for a tree; make one with 'sepax tree STL -o FILE'");
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "too short for a tree; make one with 'sepax tree STL -o FILE'");
   }
   return unpack_header(t, header, &crc, error) && read_behind(t, in, crc, error) &&
          sepax__tree_check(t, error);
@@ -154,7 +159,8 @@ static bool read_tree(sepax_tree *t, FILE *in, sepax_error *error) {
 
 bool sepax__tree_file_read(sepax_tree **tree, FILE *in, sepax_error *error) {
   sepax_tree *made = calloc(1, sizeof *made);
-  bool ok = made != NULL ? read_tree(made, in, error) : sepax_fail(error, "no memory");
+  bool ok = made != NULL ? read_tree(made, in, error)
+                         : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory");
   if (!ok) {
     sepax_tree_free(made);
   }
@@ -166,10 +172,10 @@ bool sepax_tree_read(sepax_tree **tree, const char *path, sepax_error *error) {
   *tree = NULL;
   FILE *in = fopen(path, "rb");
   if (in == NULL) {
-    return sepax_fail(error, "%.300s: not read: %s", path, strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.300s: not read: %s", path, strerror(errno));
   }
-  sepax_error inner = {""};
+  sepax_error inner = {0};
   bool ok = sepax__tree_file_read(tree, in, &inner);
   fclose(in);
-  return ok || sepax_fail(error, "%.200s: %.300s", path, inner.text);
+  return ok || sepax_fail(error, inner.code, "%.200s: %.300s", path, inner.text);
 }

@@ -157,18 +157,20 @@ static bool build(sepax_tree *tree, const sepax_tri *tri, size_t count, bool *to
 static bool check_fits(const sepax_tri *tri, size_t count, const sepax_grid *grid,
                        sepax_error *error) {
   if (grid->word < SEPAX_WORD_MIN || grid->word > SEPAX_TREE_WORD_MAX) {
-    return sepax_fail(error, "word: %d is not in %d ... %d, which a tree takes", grid->word,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "word: %d is not in %d ... %d, which a tree takes", grid->word,
                       SEPAX_WORD_MIN, SEPAX_TREE_WORD_MAX);
   }
   if (count == 0 || count > UINT32_MAX) {
-    return sepax_fail(error, "a tree has 1 ... 2^32 - 1 triangles, not %zu; %s", count,
+    return sepax_fail(error, count == 0 ? SEPAX_ERROR_ARGUMENT : SEPAX_ERROR_LIMIT,
+                      "a tree has 1 ... 2^32 - 1 triangles, not %zu; %s", count,
                       count == 0 ? "give a mesh with facets" : "split the mesh");
   }
   for (size_t n = 0; n < count; n++) {
     aabb b = aabb_of(&tri[n]);
     if (!aabb_fits(&b, grid->word)) {
-      return sepax_fail(error, "facet %zu does not fit %d bits; raise word or resolution", n,
-                        grid->word);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "facet %zu does not fit %d bits; raise word or resolution", n, grid->word);
     }
   }
   return true;
@@ -184,9 +186,10 @@ bool sepax_tree_new(sepax_tree **tree, const sepax_tri *tri, size_t count, const
   bool too_many = false;
   if (made == NULL || !build(made, tri, count, &too_many, false)) {
     sepax_tree_free(made);
-    return too_many
-               ? sepax_fail(error, "%zu triangles need more than 2^23 nodes; split the mesh", count)
-               : sepax_fail(error, "no memory for a tree of %zu triangles", count);
+    return too_many ? sepax_fail(error, SEPAX_ERROR_LIMIT,
+                                 "%zu triangles need more than 2^23 nodes; split the mesh", count)
+                    : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a tree of %zu triangles",
+                                 count);
   }
   made->grid = *grid;
   *tree = made;

@@ -125,20 +125,22 @@ static void put_header(uint8_t *byte, const sepax_job_scene *s, const places *at
 bool sepax_job_list_make(sepax_job_list *list, const sepax_job_scene *s, sepax_error *error) {
   *list = (sepax_job_list){.byte = NULL};
   if (s->bodies == 0 || s->pairs == 0 || s->poses == 0) {
-    return sepax_fail(error, "a list of jobs has bodies, pairs and poses; here are %zu, %zu, %zu",
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "a list of jobs has bodies, pairs and poses; here are %zu, %zu, %zu",
                       s->bodies, s->pairs, s->poses);
   }
   const places at = places_of(s);
   if (s->poses > BYTES_MOST / SEPAX_TREE_POSE_STRIDE ||
       s->pairs > BYTES_MOST / SEPAX_TREE_POSE_STRIDE || at.bytes > BYTES_MOST) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_LIMIT,
                       "%zu poses of %zu pairs are more than a list of 2 GiB; divide the path",
                       s->poses, s->pairs);
   }
   uint8_t *byte = calloc((size_t)at.bytes, 1);
   if (byte == NULL || !put_trees(byte, s, &at)) {
     free(byte);
-    return sepax_fail(error, "no memory for a list of %llu bytes", (unsigned long long)at.bytes);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a list of %llu bytes",
+                      (unsigned long long)at.bytes);
   }
   put_jobs(byte, s, &at);
   put_header(byte, s, &at);
@@ -180,10 +182,11 @@ bool sepax_job_list_is(const char *path) {
 static bool read_bytes(sepax_job_list *list, FILE *in, sepax_error *error) {
   uint8_t head[HEADER];
   if (fread(head, HEADER, 1, in) != 1 || memcmp(head, magic, sizeof magic) != 0) {
-    return sepax_fail(error, "no list of jobs; make one with 'sepax path --jobs=FILE'");
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "no list of jobs; make one with 'sepax path --jobs=FILE'");
   }
   if (tree_get32(head + AT_VERSION) != VERSION) {
-    return sepax_fail(error, "version %u of the format, not %d; make it again",
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "version %u of the format, not %d; make it again",
                       tree_get32(head + AT_VERSION), VERSION);
   }
   bool zeros = true;
@@ -191,25 +194,28 @@ static bool read_bytes(sepax_job_list *list, FILE *in, sepax_error *error) {
     zeros = zeros && head[n] == 0;
   }
   if (!zeros || tree_get32(head + AT_HEADER_CRC) != sepax__tree_crc(0, head, AT_HEADER_CRC)) {
-    return sepax_fail(error, "the header's CRC is wrong; the file is damaged, make it again");
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "the header's CRC is wrong; the file is damaged, make it again");
   }
   uint64_t bytes = tree_get64(head + AT_BYTES);
   long end = fseek(in, 0, SEEK_END) == 0 ? ftell(in) : -1;
   if (end < HEADER || (uint64_t)end != bytes || bytes > BYTES_MOST || fseek(in, 0, SEEK_SET) != 0) {
-    return sepax_fail(error, "%ld bytes, not %llu; the file is cut or has more, make it again", end,
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "%ld bytes, not %llu; the file is cut or has more, make it again", end,
                       (unsigned long long)bytes);
   }
   list->byte = malloc((size_t)bytes);
   list->bytes = (size_t)bytes;
   if (list->byte == NULL) {
-    return sepax_fail(error, "no memory for a list of %ld bytes", end);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a list of %ld bytes", end);
   }
   if (fread(list->byte, list->bytes, 1, in) != 1) {
-    return sepax_fail(error, "not read: %s", strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "not read: %s", strerror(errno));
   }
   return tree_get32(head + AT_CRC) ==
              sepax__tree_crc(0, list->byte + HEADER, list->bytes - HEADER) ||
-         sepax_fail(error, "the CRC is wrong; the file is damaged, make it again");
+         sepax_fail(error, SEPAX_ERROR_FORMAT,
+                    "the CRC is wrong; the file is damaged, make it again");
 }
 
 /* `count` things of `size` bytes are behind the header, at a multiple of `unit`. */
@@ -236,7 +242,8 @@ static bool take_header(sepax_job_list *list, sepax_error *error) {
   list->word = (int)word;
   list->clearance = (int)clearance;
   list->warning = (int)warning;
-  return ok || sepax_fail(error, "the header is that of no list; make it again");
+  return ok ||
+         sepax_fail(error, SEPAX_ERROR_FORMAT, "the header is that of no list; make it again");
 }
 
 /* The tree of a body, and what a job says of it. */
@@ -247,9 +254,9 @@ static bool check_tree(const sepax_job_list *list, uint32_t body,
   uint64_t bytes = tree_get64(row + 8);
   if (!within(list, place, 1, bytes > 0 ? bytes : list->bytes + 1, TREE_PAGE) ||
       row[ROW - 1] != '\0') {
-    return sepax_fail(error, "body %u is beyond the file; make it again", body);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "body %u is beyond the file; make it again", body);
   }
-  sepax_error inner = {""};
+  sepax_error inner = {0};
   sepax_tree *tree = NULL;
   FILE *in = fmemopen(list->byte + place, (size_t)bytes, "rb");
   bool ok = in != NULL && sepax__tree_file_read(&tree, in, &inner);
@@ -257,11 +264,13 @@ static bool check_tree(const sepax_job_list *list, uint32_t body,
     fclose(in);
   }
   if (!ok) {
-    return sepax_fail(error, "body %.60s: %.300s", (const char *)row + ROW_NAME, inner.text);
+    return sepax_fail(error, inner.code, "body %.60s: %.300s", (const char *)row + ROW_NAME,
+                      inner.text);
   }
   sepax_grid grid = sepax_tree_grid(tree);
   ok = (grid.word <= list->word && grid.resolution == sepax_job_list_resolution(list)) ||
-       sepax_fail(error, "body %.60s: its word or resolution is not that of the list",
+       sepax_fail(error, SEPAX_ERROR_FORMAT,
+                  "body %.60s: its word or resolution is not that of the list",
                   (const char *)row + ROW_NAME);
   sepax_tree_body(tree, place + HEADER, record);
   sepax_tree_free(tree);
@@ -286,7 +295,8 @@ static bool check_job(const sepax_job_list *list, const uint8_t *records, uint32
       return false;
     }
   }
-  return ok || sepax_fail(error, "job %u is none of these bodies and poses; make it again", n);
+  return ok || sepax_fail(error, SEPAX_ERROR_FORMAT,
+                          "job %u is none of these bodies and poses; make it again", n);
 }
 
 static bool read_list(sepax_job_list *list, FILE *in, sepax_error *error) {
@@ -294,7 +304,8 @@ static bool read_list(sepax_job_list *list, FILE *in, sepax_error *error) {
     return false;
   }
   uint8_t *records = calloc(list->bodies, SEPAX_TREE_BODY_BYTES);
-  bool ok = records != NULL || sepax_fail(error, "no memory for %u bodies", list->bodies);
+  bool ok = records != NULL ||
+            sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %u bodies", list->bodies);
   for (uint32_t n = 0; n < list->bodies && ok; n++) {
     ok = check_tree(list, n, records + SEPAX_TREE_BODY_BYTES * (size_t)n, error);
   }
@@ -309,14 +320,14 @@ bool sepax_job_list_read(sepax_job_list *list, const char *path, sepax_error *er
   *list = (sepax_job_list){.byte = NULL};
   FILE *in = fopen(path, "rb");
   if (in == NULL) {
-    return sepax_fail(error, "%.300s: not read: %s", path, strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.300s: not read: %s", path, strerror(errno));
   }
-  sepax_error inner = {""};
+  sepax_error inner = {0};
   bool ok = read_list(list, in, &inner);
   fclose(in);
   if (!ok) {
     sepax_job_list_free(list);
-    return sepax_fail(error, "%.200s: %.300s", path, inner.text);
+    return sepax_fail(error, inner.code, "%.200s: %.300s", path, inner.text);
   }
   return true;
 }

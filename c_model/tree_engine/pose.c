@@ -43,7 +43,7 @@ bool sepax_tree_pose_close(sepax_tree_pose *pose, int word, int64_t margin, sepa
   for (int i = 0; i < 3; i++) {
     wide units = (needed(pose, i, word, margin) + (1 << 30) - 1) >> 30;
     if (margin < 0 || units > SIGMA_MAX) {
-      return sepax_fail(error,
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "boxes of A would be larger by 2^14 LSB and more: the matrices are not "
                         "each other's inverse, or the margin of %lld LSB is not in 0 ... 8191",
                         (long long)margin);
@@ -108,7 +108,8 @@ static bool make_matrix(int32_t matrix[3][3], const double rotation[3][3], sepax
   for (int k = 0; k < 9; k++) {
     double entry = rint(rotation[k / 3][k % 3] * 0x1p20);
     if (!(fabs(entry) <= 0x1p20)) {
-      return sepax_fail(error, "the matrix has the entry %.9g; mend it to within -1 ... 1",
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "the matrix has the entry %.9g; mend it to within -1 ... 1",
                         rotation[k / 3][k % 3]);
     }
     matrix[k / 3][k % 3] = (int32_t)entry;
@@ -132,7 +133,7 @@ static bool make_shift(int64_t shift[3], const sepax_pose *pose, const sepax_gri
     double sum = dot(pose->rotation[i], b->offset) + pose->translation[i] - a->offset[i];
     double steps = rint(sum / a->resolution * 0x1p20) + 0x1p19;
     if (!(steps >= -(double)SHIFT_MAX && steps < (double)SHIFT_MAX)) {
-      return sepax_fail(error,
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "the bodies are %.3g LSB from each other; the tree engine takes "
                         "8388607 (2^23 - 1)",
                         fabs(sum / a->resolution));
@@ -151,8 +152,9 @@ static bool make_back_shift(sepax_tree_pose *p, sepax_error *error) {
     }
     wide u = (sum + HALF) >> 20;
     if (!fits_shift(u)) {
-      return sepax_fail(error, "the bodies are too far from each other; the tree engine takes "
-                               "8388607 LSB (2^23 - 1)");
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "the bodies are too far from each other; the tree engine takes "
+                        "8388607 LSB (2^23 - 1)");
     }
     p->side[1].shift[i] = (int64_t)u;
   }
@@ -167,7 +169,7 @@ static bool check_near(const sepax_pose *pose, const sepax_grid *grid, const cha
   for (int i = 0; i < 3; i++) {
     double t = pose != NULL ? pose->translation[i] : 0;
     if (!(fabs(t) <= far * grid->resolution && fabs(grid->offset[i]) <= far * grid->resolution)) {
-      return sepax_fail(error,
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "body %s: offset or translation beyond 2^28 LSB; put the origin of "
                         "the files nearer to the bodies",
                         name);
@@ -180,11 +182,13 @@ bool sepax_tree_pose_make(sepax_tree_pose *pose, const sepax_tree *a, const sepa
                           const sepax_tree *b, const sepax_pose *pose_b, int64_t margin,
                           sepax_error *error) {
   if (a->grid.resolution != b->grid.resolution) {
-    return sepax_fail(error, "the trees have resolutions of %.9g and %.9g; make them alike",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "the trees have resolutions of %.9g and %.9g; make them alike",
                       a->grid.resolution, b->grid.resolution);
   }
   if (margin < 0 || margin > 8191) {
-    return sepax_fail(error, "a margin of %lld LSB is not in 0 ... 8191", (long long)margin);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "a margin of %lld LSB is not in 0 ... 8191",
+                      (long long)margin);
   }
   if (!check_near(pose_a, &a->grid, "A", error) || !check_near(pose_b, &b->grid, "B", error)) {
     return false;
@@ -232,12 +236,13 @@ static bool in_range(const sepax_tree_side *side, sepax_error *error) {
   for (int k = 0; k < 9; k++) {
     int32_t m = side->matrix[k / 3][k % 3];
     if (m < -ONE || m > ONE) {
-      return sepax_fail(error, "a matrix has the entry %d, beyond 2^20", m);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "a matrix has the entry %d, beyond 2^20", m);
     }
   }
   for (int i = 0; i < 3; i++) {
     if (!fits_shift(side->shift[i]) || side->sigma[i] > SIGMA_MAX) {
-      return sepax_fail(error, "a pose has the shift %lld, the sigma %u; they have 44 and 24 bits",
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "a pose has the shift %lld, the sigma %u; they have 44 and 24 bits",
                         (long long)side->shift[i], side->sigma[i]);
     }
   }

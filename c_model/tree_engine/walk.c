@@ -274,12 +274,14 @@ bool sepax__tree_images_walk(const tree_image tree[2], const sepax_tree_pose *po
   }
   w.height = (size_t)root[0].level + (size_t)root[1].level;
   if (w.stack_most < 15 * w.height + 16) {
-    return sepax_fail(error, "trees of %d and %d levels need a stack of %zu entries, not %zu",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "trees of %d and %d levels need a stack of %zu entries, not %zu",
                       root[0].level, root[1].level, 15 * w.height + 16, w.stack_most);
   }
   w.line = malloc((w.line_most + w.stack_most) * sizeof *w.line);
   if (w.line == NULL) {
-    return sepax_fail(error, "no memory for a stack of %zu entries", w.stack_most);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a stack of %zu entries",
+                      w.stack_most);
   }
   w.stack = w.line + w.line_most;
   sepax__tree_time_begin(&w.time, &how->design->config,
@@ -302,8 +304,9 @@ bool sepax_images_walk(const uint8_t *const image[2],
   for (int i = 0; i < 2; i++) {
     if (tree[i].nodes == 0 ||
         (uint64_t)tree[i].nodes * (TREE_NODE_BYTES / TREE_BEAT) > tree[i].beats) {
-      return sepax_fail(error, "body %c: %u nodes are not in an image of %u bytes", "AB"[i],
-                        tree[i].nodes, TREE_BEAT * tree[i].beats);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "body %c: %u nodes are not in an image of %u bytes", "AB"[i], tree[i].nodes,
+                        TREE_BEAT * tree[i].beats);
     }
   }
   return sepax__tree_images_walk(tree, pose, how, run, error);
@@ -314,7 +317,8 @@ bool sepax_trees_walk(const sepax_tree *a, const sepax_tree *b, const sepax_tree
   const tree_image tree[2] = {tree_image_of(a), tree_image_of(b)};
   int word = a->grid.word > b->grid.word ? a->grid.word : b->grid.word;
   if (word > how->design->config.word) {
-    return sepax_fail(error, "a tree of %d bits is beyond the %d bits of the design", word,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "a tree of %d bits is beyond the %d bits of the design", word,
                       how->design->config.word);
   }
   return sepax__tree_images_walk(tree, pose, how, run, error);

@@ -91,8 +91,8 @@ static bool parse_field(field_values *f, size_t index, const char *text, size_t 
                         sepax_error *error) {
   int64_t value;
   if (!parse_integer(&value, text, length)) {
-    return sepax_fail(error, "number %zu, '%s', is not a decimal integer", index + 1,
-                      quoted(text, length).text);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "number %zu, '%s', is not a decimal integer",
+                      index + 1, quoted(text, length).text);
   }
   if (index >= FIELDS) {
     return true;
@@ -100,7 +100,8 @@ static bool parse_field(field_values *f, size_t index, const char *text, size_t 
   int32_t least = sepax_word_min(word);
   int32_t most = sepax_word_max(word);
   if (value < least || value > most) {
-    return sepax_fail(error, "%s = %s does not fit W = %d (%" PRId32 " ... %" PRId32 ")",
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "%s = %s does not fit W = %d (%" PRId32 " ... %" PRId32 ")",
                       field_names[index], quoted(text, length).text, word, least, most);
   }
   f->value[index] = (int32_t)value;
@@ -119,7 +120,7 @@ static bool parse_fields(field_values *f, size_t *count, const char *line, int w
                          sepax_error *error) {
   const char *rest = strchr(line, '\n');
   if (rest != NULL && rest[1] != '\0') {
-    return sepax_fail(error, "more than one line where one pair is expected");
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "more than one line where one pair is expected");
   }
   size_t end = content_length(line);
   for (size_t at = 0; at < end;) {
@@ -148,7 +149,7 @@ sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word, sepax_
     return SEPAX_LINE_EMPTY;
   }
   if (count != VERTEX_FIELDS && count != FIELDS) {
-    sepax_fail(error,
+    sepax_fail(error, SEPAX_ERROR_FORMAT,
                "%zu number%s where 18 (A1x A1y A1z ... B3z) or 24 (with the normals "
                "N_A, N_B) are expected",
                count, count == 1 ? "" : "s");
@@ -163,14 +164,14 @@ sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word, sepax_
 }
 
 static sepax_line fail_at(sepax_error *error, const char *name, size_t number, const char *what) {
-  sepax_fail(error, "%.240s:%zu: %.240s", name, number, what);
+  sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%zu: %.240s", name, number, what);
   return SEPAX_LINE_ERROR;
 }
 
 static sepax_line fail_reading(sepax_error *error, const char *name, size_t number, int code) {
   char reason[128] = "unknown error";
   (void)strerror_r(code, reason, sizeof reason);
-  sepax_fail(error, "%.240s:%zu: cannot read: %s", name, number, reason);
+  sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%zu: cannot read: %s", name, number, reason);
   return SEPAX_LINE_ERROR;
 }
 

@@ -398,7 +398,8 @@ static bool make(sepax_mesh *mesh, const sample *kind, size_t triangles, const d
   sepax_mesh result = {.facet = calloc(triangles, sizeof *result.facet)};
   bool ok = reserve(&s, triangles) && result.facet != NULL;
   if (!ok) {
-    sepax_fail(error, "%s: no memory for %zu triangles; ask for fewer", kind->name, triangles);
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "%s: no memory for %zu triangles; ask for fewer",
+               kind->name, triangles);
   } else {
     kind->build(&s);
     link_edges(&s);
@@ -407,7 +408,7 @@ static bool make(sepax_mesh *mesh, const sample *kind, size_t triangles, const d
     }
     transform(&s, kind, at, size);
     ok = copy_facets(&result, &s) ||
-         sepax_fail(error,
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                     "%s: triangles of no area in double precision at size %g; choose "
                     "a size nearer %g mm",
                     kind->name, size, kind->size);
@@ -430,17 +431,18 @@ static const sample *find_sample(const char *name, sepax_error *error) {
     size_t used = strlen(names);
     snprintf(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "", samples[i].name);
   }
-  sepax_fail(error, "shape: '%.40s' is none of: %s", name, names);
+  sepax_fail(error, SEPAX_ERROR_ARGUMENT, "shape: '%.40s' is none of: %s", name, names);
   return NULL;
 }
 
 static bool check_triangles(const sample *kind, size_t triangles, sepax_error *error) {
   if (triangles < kind->least || triangles > TRIANGLES_MAX) {
-    return sepax_fail(error, "%s: %zu triangles are not in %zu ... %d", kind->name, triangles,
-                      kind->least, TRIANGLES_MAX);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s: %zu triangles are not in %zu ... %d",
+                      kind->name, triangles, kind->least, TRIANGLES_MAX);
   }
   if (triangles % 2 != 0) {
-    return sepax_fail(error, "%s: %zu triangles close no mesh; ask for an even number", kind->name,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: %zu triangles close no mesh; ask for an even number", kind->name,
                       triangles);
   }
   return true;
@@ -453,13 +455,15 @@ bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles, const d
     return false;
   }
   if (!(size >= 0) || !isfinite(size)) {
-    return sepax_fail(error, "size: %g is not a length; 0 stands for %g mm", size, kind->size);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "size: %g is not a length; 0 stands for %g mm",
+                      size, kind->size);
   }
   double length = size > 0 ? size : kind->size;
   for (int axis = 0; axis < 3; axis++) {
     if (!(fabs(at[axis]) <= sizes_away_max * length)) {
-      return sepax_fail(error, "at: %c = %g is too far away for an object of %g mm; %s",
-                        "xyz"[axis], at[axis], length, "move it nearer the origin");
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "at: %c = %g is too far away for an object of %g mm; %s", "xyz"[axis],
+                        at[axis], length, "move it nearer the origin");
     }
   }
   return make(mesh, kind, triangles, at, length, error);

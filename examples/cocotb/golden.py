@@ -9,7 +9,7 @@ library = ctypes.CDLL(os.environ.get("LIBSEPAX", "build/libsepax.so.0"))
 
 
 class Error(Structure):
-    _fields_ = [("text", c_char * 512)]
+    _fields_ = [("code", c_int), ("text", c_char * 512)]
 
 
 class Vec(Structure):

@@ -270,7 +270,7 @@ int main(int argc, char **argv) {
   char name[4096];
   for (size_t k = 0; k < sizeof bodies / sizeof bodies[0]; k++) {
     shape s = {{NULL, 0}, 0};
-    sepax_error error = {""};
+    sepax_error error = {0};
     bodies[k].fill(&s);
     snprintf(name, sizeof name, "%s/%s.stl", argv[1], bodies[k].name);
     if (!sepax_stl_write(&s.mesh, name, false, &error)) {

@@ -40,7 +40,7 @@ int main(int argc, char **argv) {
     fprintf(stderr, "usage: collide A.stl B.stl [RESOLUTION]\n");
     return 2;
   }
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_scene scene;
   const char *const path[2] = {argv[1], argv[2]};
   char *end = argv[argc - 1];

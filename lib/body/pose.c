@@ -9,12 +9,12 @@ bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error) {
   for (int i = 0; i < 3; i++) {
     if (!isfinite(pose->translation[i]) || !isfinite(r[i][0]) || !isfinite(r[i][1]) ||
         !isfinite(r[i][2])) {
-      return sepax_fail(error, "a pose has finite numbers only; mend it");
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "a pose has finite numbers only; mend it");
     }
     for (int j = 0; j < 3; j++) {
       double product = r[i][0] * r[j][0] + r[i][1] * r[j][1] + r[i][2] * r[j][2];
       if (!(fabs(product - (i == j)) <= 1e-6)) {
-        return sepax_fail(error,
+        return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                           "the matrix is no rotation: rows %d and %d have the product %.9g; "
                           "mend it to within 1e-6",
                           i + 1, j + 1, product);
@@ -25,7 +25,8 @@ bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error) {
                        r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) +
                        r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
   return determinant > 0 ||
-         sepax_fail(error, "the matrix is a reflection, no rotation; mirror the mesh instead");
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                    "the matrix is a reflection, no rotation; mirror the mesh instead");
 }
 
 bool sepax__poses_valid(const sepax_pose *pose_a, const sepax_pose *pose_b, sepax_error *error) {

@@ -35,14 +35,15 @@ static bool read_number(double *number, const char *word, size_t length, sepax_e
   char *end;
   *number = strtod(word, &end);
   if (end == word + length && !isfinite(*number) && strspn(word, decimal) >= length) {
-    return sepax_fail(error, "%s is too large for a double; scale the bodies",
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%s is too large for a double; scale the bodies",
                       quoted(word, length).text);
   }
   if (end == word + length && isnan(*number)) {
-    return sepax_fail(error, "NaN is no number; %s", cure);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "NaN is no number; %s", cure);
   }
   if (end != word + length || strspn(word, decimal) < length) {
-    return sepax_fail(error, "'%s' is no number; %s", quoted(word, length).text, cure);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "'%s' is no number; %s", quoted(word, length).text,
+                      cure);
   }
   return true;
 }
@@ -53,7 +54,7 @@ static bool read_pose(sepax_pose *pose, bool *empty, char *line, size_t length,
   double number[NUMBERS];
   size_t count = 0;
   if (strlen(line) < length) {
-    return sepax_fail(error, "a byte of zero is no text; %s", cure);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "a byte of zero is no text; %s", cure);
   }
   line[strcspn(line, "#")] = '\0';
   for (char *word = line; *(word += strspn(word, blanks)) != '\0'; count++) {
@@ -66,7 +67,8 @@ static bool read_pose(sepax_pose *pose, bool *empty, char *line, size_t length,
   }
   *empty = count == 0;
   if (count != 0 && count != NUMBERS) {
-    return sepax_fail(error, "%zu number%s; %s", count, count == 1 ? "" : "s", cure);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%zu number%s; %s", count, count == 1 ? "" : "s",
+                      cure);
   }
   for (int i = 0; i < 3 && count > 0; i++) {
     for (int k = 0; k < 3; k++) {
@@ -98,18 +100,19 @@ static bool read_lines(sepax_poses *poses, FILE *in, const char *path, sepax_err
   for (size_t number = 1; ok && (length = getline(&line, &size, in)) >= 0; number++) {
     sepax_pose pose;
     bool empty = false;
-    sepax_error what = {""};
+    sepax_error what = {0};
     size_t skip = number == 1 && strncmp(line, mark, strlen(mark)) == 0 ? strlen(mark) : 0;
     if (!read_pose(&pose, &empty, line + skip, (size_t)length - skip, &what)) {
-      ok = sepax_fail(error, "%.240s:%zu: %.200s", path, number, what.text);
+      ok = sepax_fail(error, what.code, "%.240s:%zu: %.200s", path, number, what.text);
     } else if (!empty && !append(poses, &capacity, &pose)) {
-      ok = sepax_fail(error, "%.240s:%zu: no memory for so many poses; split the file", path,
-                      number);
+      ok = sepax_fail(error, SEPAX_ERROR_MEMORY,
+                      "%.240s:%zu: no memory for so many poses; split the file", path, number);
     }
     errno = 0;
   }
   if (ok && !feof(in)) {
-    ok = sepax_fail(error, "%.240s: %s; give a readable file of poses", path, strerror(errno));
+    ok = sepax_fail(error, SEPAX_ERROR_FILE, "%.240s: %s; give a readable file of poses", path,
+                    strerror(errno));
   }
   free(line);
   return ok;
@@ -119,14 +122,15 @@ bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error) 
   *poses = (sepax_poses){0};
   FILE *in = fopen(path, "r");
   if (in == NULL) {
-    return sepax_fail(error, "%.240s: %s; give a readable file of poses", path, strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.240s: %s; give a readable file of poses", path,
+                      strerror(errno));
   }
   plain_numbers plain = plain_numbers_begin();
   bool ok = read_lines(poses, in, path, error);
   plain_numbers_end(plain);
   fclose(in);
   if (ok && poses->count == 0) {
-    ok = sepax_fail(error, "%.240s: no pose in it; %s in a line", path, cure);
+    ok = sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s: no pose in it; %s in a line", path, cure);
   }
   if (!ok) {
     sepax_poses_free(poses);

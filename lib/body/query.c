@@ -275,7 +275,8 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
     return false;
   }
   if (!(s.query->seconds >= 0)) {
-    return sepax_fail(error, "a search has a limit of %g seconds; give 0 for none, or more",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "a search has a limit of %g seconds; give 0 for none, or more",
                       s.query->seconds);
   }
   if (sepax__balls_disjoint(a, pose_a, b, pose_b)) {
@@ -296,7 +297,7 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
   found->ended = s.ended;
   if (s.no_memory) {
     sepax_pairs_free(found);
-    return sepax_fail(error, "no memory for the colliding pairs");
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the colliding pairs");
   }
   return true;
 }

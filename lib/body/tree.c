@@ -237,7 +237,8 @@ static bool measure(sepax_body *body, const sepax_mesh *mesh, sepax_error *error
     for (int k = 0; k < 9; k++) {
       double x = mesh->facet[n].v[k / 3][k % 3];
       if (!(fabs(x) <= 0x1p1000)) {
-        return sepax_fail(error, "facet %zu: %c = %g is not within 2^1000; %s", n, "xyz"[k % 3], x,
+        return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                          "facet %zu: %c = %g is not within 2^1000; %s", n, "xyz"[k % 3], x,
                           isfinite(x) ? "scale the mesh down" : "mend the mesh");
       }
       low[k % 3] = x < low[k % 3] ? x : low[k % 3];
@@ -303,7 +304,8 @@ bool sepax__body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads,
                      sepax_error *error) {
   *body = NULL;
   if (mesh->count == 0 || mesh->count >= INT32_MAX) {
-    return sepax_fail(error, "a body has 1 ... 2^31 - 2 triangles, not %zu; %s", mesh->count,
+    return sepax_fail(error, mesh->count == 0 ? SEPAX_ERROR_ARGUMENT : SEPAX_ERROR_LIMIT,
+                      "a body has 1 ... 2^31 - 2 triangles, not %zu; %s", mesh->count,
                       mesh->count == 0 ? "give a mesh with facets" : "split the mesh");
   }
   sepax_body *made = calloc(1, sizeof *made);
@@ -315,7 +317,8 @@ bool sepax__body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads,
   }
   if (!ok || !build(&b, threads)) {
     sepax_body_free(made);
-    return sepax_fail(error, "no memory for a body of %zu triangles", mesh->count);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a body of %zu triangles",
+                      mesh->count);
   }
   *body = made;
   return true;

@@ -273,8 +273,9 @@ static bool find_pairs(search *s, const sepax_search *how, sepax_pairs *found, s
     return true;
   }
   if (s->count[0] > UINT32_MAX || s->count[1] > UINT32_MAX) {
-    return sepax_fail(error, "a search is among up to 2^32 - 1 triangles, not %zu and %zu",
-                      s->count[0], s->count[1]);
+    return sepax_fail(error, SEPAX_ERROR_LIMIT,
+                      "a search is among up to 2^32 - 1 triangles, not %zu and %zu", s->count[0],
+                      s->count[1]);
   }
   atomic_init(&s->stop, false);
   size_t most = SIZE_MAX;
@@ -283,10 +284,11 @@ static bool find_pairs(search *s, const sepax_search *how, sepax_pairs *found, s
   sepax__halves_end(s);
   free(s->column);
   if (s->ended) {
-    return sepax_fail(error, "the search was ended before its time");
+    return sepax_fail(error, SEPAX_ERROR_CANCELLED, "the search was ended before its time");
   }
-  return ok || sepax_fail(error, "no memory for the search among %zu and %zu triangles",
-                          s->count[0], s->count[1]);
+  return ok || sepax_fail(error, SEPAX_ERROR_MEMORY,
+                          "no memory for the search among %zu and %zu triangles", s->count[0],
+                          s->count[1]);
 }
 
 bool sepax_colliding_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
@@ -328,7 +330,8 @@ bool sepax_meshes_collide(const sepax_mesh *a, const sepax_pose *pose_a, const s
     return false;
   }
   if (!(most[0] <= 0x1p1000) || !(most[1] <= 0x1p1000)) {
-    return sepax_fail(error, "a mesh has a coordinate that is not within 2^1000");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "a mesh has a coordinate that is not within 2^1000");
   }
   if (a->count == 0 || b->count == 0) {
     return true;

@@ -114,17 +114,19 @@ static bool is_distance(const search *s, const sepax_distance_result *last) {
 static bool begin(search *s, const sepax_distance_request *r, sepax_error *error) {
   const sepax_distance_result *last = r->last;
   if (!(r->limit >= 0)) {
-    return sepax_fail(error, "a distance has a limit of %g; give 0 for none, or more", r->limit);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "a distance has a limit of %g; give 0 for none, or more", r->limit);
   }
   if (!(r->seconds >= 0)) {
-    return sepax_fail(error, "a search has a limit of %g seconds; give 0 for none, or more",
-                      r->seconds);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "a search has a limit of %g seconds; give 0 for none, or more", r->seconds);
   }
   s->limit = r->limit > 0 ? r->limit : INFINITY;
   s->portable = r->path == SEPAX_PATH_PORTABLE;
   if (last != NULL && !is_distance(s, last)) {
-    return sepax_fail(error, "the last distance is not one of these bodies; give a result of "
-                             "sepax_bodies_distance on them, or NULL");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "the last distance is not one of these bodies; give a result of "
+                      "sepax_bodies_distance on them, or NULL");
   }
   if (last != NULL && names_boxes(last)) {
     s->waiting[s->count++] = (box_pair){{last->box[0], last->box[1]}, 0};

@@ -43,15 +43,15 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
   const sepax_query *q = query != NULL ? query : &usual;
   *found = (sepax_pairs){0};
   if (!(distance >= 0 && distance <= 0x1p1000)) {
-    return sepax_fail(error, "the distance %g is not within 0 ... 2^1000; give one that is",
-                      distance);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "the distance %g is not within 0 ... 2^1000; give one that is", distance);
   }
   if (!sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
   if (!(q->seconds >= 0)) {
-    return sepax_fail(error, "a search has a limit of %g seconds; give 0 for none, or more",
-                      q->seconds);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "a search has a limit of %g seconds; give 0 for none, or more", q->seconds);
   }
   if (distance == 0) {
     return sepax_bodies_collide(a, pose_a, b, pose_b, query, found, error);
@@ -64,7 +64,7 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
   found->ended = s.ended;
   if (n.no_memory) {
     sepax_pairs_free(found);
-    return sepax_fail(error, "no memory for the near pairs");
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the near pairs");
   }
   return true;
 }

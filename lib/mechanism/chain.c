@@ -31,7 +31,8 @@ bool sepax_chain_find(sepax_chain *chain, const sepax_mechanism *m, size_t a, si
   *chain = (sepax_chain){.count = count[0] + count[1], .up = count[0], .top = top[0]};
   chain->joint = malloc((chain->count + 1) * sizeof *chain->joint);
   if (chain->joint == NULL) {
-    return sepax_fail(error, "no memory for a chain of %zu joints", chain->count);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a chain of %zu joints",
+                      chain->count);
   }
   for (size_t n = 0; n < chain->up; n++, a = parent_of(m, a)) {
     chain->joint[n] = m->link[a].joint;

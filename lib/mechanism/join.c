@@ -66,48 +66,52 @@ static bool check_mimic(const sepax_mechanism *m, size_t n, sepax_error *error) 
     return true;
   }
   if (joint->mimic >= m->joints || joint->mimic == n) {
-    return sepax_fail(error, "joint %.60s: it follows itself, or no joint; name another one",
-                      joint->name);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "joint %.60s: it follows itself, or no joint; name another one", joint->name);
   }
   if (!sepax_joint_driven(&m->joint[joint->mimic])) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "joint %.60s: it follows %.60s, which is fixed or follows another; name the "
                       "joint that leads",
                       joint->name, m->joint[joint->mimic].name);
   }
   return (isfinite(joint->factor) && isfinite(joint->offset)) ||
-         sepax_fail(error, "joint %.60s: factor and offset by which it follows are not finite",
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                    "joint %.60s: factor and offset by which it follows are not finite",
                     joint->name);
 }
 
 static bool check_joint(sepax_mechanism *m, size_t n, sepax_error *error) {
   sepax_joint *joint = &m->joint[n];
   if (joint->parent >= m->links || joint->child >= m->links) {
-    return sepax_fail(error, "joint %.60s: its links are not there", joint->name);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "joint %.60s: its links are not there",
+                      joint->name);
   }
   sepax_link *child = &m->link[joint->child];
   if (joint->parent == joint->child) {
-    return sepax_fail(error, "joint %.60s: link %.60s is its own parent; a cycle is no mechanism",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "joint %.60s: link %.60s is its own parent; a cycle is no mechanism",
                       joint->name, child->name);
   }
   if (child->joint != SEPAX_NO_JOINT) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "link %.60s: two joints move it, %.60s and %.60s; leave one of them out",
                       child->name, m->joint[child->joint].name, joint->name);
   }
-  sepax_error inner = {""};
+  sepax_error inner = {0};
   if (!sepax_pose_valid(&joint->origin, &inner)) {
-    return sepax_fail(error, "joint %.60s: origin: %.200s", joint->name, inner.text);
+    return sepax_fail(error, inner.code, "joint %.60s: origin: %.200s", joint->name, inner.text);
   }
   if (joint->kind != SEPAX_JOINT_FIXED && !make_unit(joint->axis)) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "joint %.60s: the axis has no direction; give three numbers, one of "
                       "them not 0",
                       joint->name);
   }
   if (!(joint->lower <= joint->upper)) {
-    return sepax_fail(error, "joint %.60s: the lower limit, %.9g, is above the upper, %.9g",
-                      joint->name, joint->lower, joint->upper);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "joint %.60s: the lower limit, %.9g, is above the upper, %.9g", joint->name,
+                      joint->lower, joint->upper);
   }
   make_orthonormal(joint->origin.rotation);
   child->joint = n;
@@ -143,7 +147,8 @@ static bool fail_cycle(const sepax_mechanism *m, size_t link, size_t *wrong, sep
   }
   *wrong = m->link[link].joint;
   const sepax_joint *joint = &m->joint[*wrong];
-  return sepax_fail(error, "links %.60s and %.60s are on a cycle; leave joint %.60s out",
+  return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                    "links %.60s and %.60s are on a cycle; leave joint %.60s out",
                     m->link[joint->parent].name, m->link[link].name, joint->name);
 }
 
@@ -153,7 +158,8 @@ static bool find_root(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
     if (m->link[n].joint == SEPAX_NO_JOINT && roots++ == 0) {
       m->root = n;
     } else if (m->link[n].joint == SEPAX_NO_JOINT) {
-      return sepax_fail(error, "links %.60s and %.60s: two roots; join one to the other",
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "links %.60s and %.60s: two roots; join one to the other",
                         m->link[m->root].name, m->link[n].name);
     }
   }
@@ -191,7 +197,7 @@ static bool order_joints(sepax_mechanism *m, size_t *wrong, sepax_error *error) 
     size_t count = put_in_order(m, &below);
     ok = count == m->joints || fail_cycle(m, link_astray(m, count, below.first), wrong, error);
   } else {
-    sepax_fail(error, "no memory for %zu joints", m->joints);
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu joints", m->joints);
   }
   free(below.first);
   free(below.next);
@@ -200,10 +206,11 @@ static bool order_joints(sepax_mechanism *m, size_t *wrong, sepax_error *error) 
 
 bool sepax__mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
   if (m->links == 0) {
-    return sepax_fail(error, "no link; a mechanism has one at least");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "no link; a mechanism has one at least");
   }
   if (m->joints > SEPAX_JOINTS_MOST) {
-    return sepax_fail(error, "%zu joints are more than %d", m->joints, SEPAX_JOINTS_MOST);
+    return sepax_fail(error, SEPAX_ERROR_LIMIT, "%zu joints are more than %d", m->joints,
+                      SEPAX_JOINTS_MOST);
   }
   for (size_t n = 0; n < m->links; n++) {
     m->link[n].joint = SEPAX_NO_JOINT;

@@ -82,7 +82,8 @@ bool sepax_ply_write(const sepax_mesh mesh[2], const sepax_pairs *pairs, const c
     picture p = {mesh, {hit[0], hit[1]}};
     ok = sepax_write_file(path, write_picture, &p, error);
   } else {
-    sepax_fail(error, "no memory for the colours of %zu triangles", mesh[0].count + mesh[1].count);
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the colours of %zu triangles",
+               mesh[0].count + mesh[1].count);
   }
   free(hit[0]);
   free(hit[1]);

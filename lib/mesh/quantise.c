@@ -81,19 +81,21 @@ static bool quantise_exactly(int32_t *q, double x, const sepax_grid *grid, int a
 
 static bool check_word(int word, sepax_error *error) {
   if (word < SEPAX_WORD_MIN || word > SEPAX_WORD_MAX) {
-    return sepax_fail(error, "word: %d is not in %d ... %d", word, SEPAX_WORD_MIN, SEPAX_WORD_MAX);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "word: %d is not in %d ... %d", word,
+                      SEPAX_WORD_MIN, SEPAX_WORD_MAX);
   }
   return true;
 }
 
 static bool check_grid(const sepax_grid *grid, sepax_error *error) {
   if (!(grid->resolution > 0 && grid->resolution <= magnitude_max)) {
-    return sepax_fail(error, "resolution: %g is not a length above 0", grid->resolution);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "resolution: %g is not a length above 0",
+                      grid->resolution);
   }
   for (int axis = 0; axis < 3; axis++) {
     if (!(fabs(grid->offset[axis]) <= magnitude_max)) {
-      return sepax_fail(error, "offset: %c = %g is not a coordinate", axis_name[axis],
-                        grid->offset[axis]);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "offset: %c = %g is not a coordinate",
+                        axis_name[axis], grid->offset[axis]);
     }
   }
   return check_word(grid->word, error);
@@ -150,7 +152,8 @@ static bool check_range(const bounds *all, const sepax_mesh *mesh, size_t number
     int axis = (int)(i % 3);
     double x = mesh->facet[i / 9].v[i / 3 % 3][axis];
     if (!(fabs(x) <= magnitude_max)) {
-      return sepax_fail(error, "mesh %zu, facet %zu: %c = %g is too large; %s", number, i / 9,
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "mesh %zu, facet %zu: %c = %g is too large; %s", number, i / 9,
                         axis_name[axis], x, "scale the mesh down");
     }
   }
@@ -171,7 +174,8 @@ static bool find_bounds(bounds *all, const sepax_mesh *const meshes[], size_t co
     point = point && all->low[axis] >= all->high[axis];
   }
   if (point) {
-    return sepax_fail(error, "no extent: the meshes are %s; give the resolution",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "no extent: the meshes are %s; give the resolution",
                       all->low[0] > all->high[0] ? "empty" : "a single point");
   }
   return true;
@@ -292,7 +296,7 @@ static bool check_coordinates(const sepax_facet *facet, size_t number, const sep
     double x = facet->v[i / 3][axis];
     int32_t q;
     if (!quantise_exactly(&q, x, grid, axis)) {
-      return sepax_fail(error,
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "facet %zu, vertex %d: %c = %.9g does not fit %d bits of %.9g "
                         "from %.9g; raise resolution or word, or move the offset",
                         number, i / 3, axis_name[axis], x, grid->word, grid->resolution,
@@ -305,8 +309,9 @@ static bool check_coordinates(const sepax_facet *facet, size_t number, const sep
 static bool check_normal(const double normal[3], size_t number, sepax_error *error) {
   for (int axis = 0; axis < 3; axis++) {
     if (!isfinite(normal[axis])) {
-      return sepax_fail(error, "facet %zu: the normal has %c = %g; mend the mesh", number,
-                        axis_name[axis], normal[axis]);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "facet %zu: the normal has %c = %g; mend the mesh", number, axis_name[axis],
+                        normal[axis]);
     }
   }
   return true;

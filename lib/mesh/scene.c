@@ -13,12 +13,12 @@ void sepax_scene_free(sepax_scene *scene) {
 
 static bool name_file(sepax_error *error, const char *path) {
   sepax_error inner = *error;
-  return sepax_fail(error, "%.150s: %.340s", path, inner.text);
+  return sepax_fail(error, inner.code, "%.150s: %.340s", path, inner.text);
 }
 
 static bool name_files(sepax_error *error, const char *const path[2]) {
   sepax_error inner = *error;
-  return sepax_fail(error, "%.120s, %.120s: %.250s", path[0], path[1], inner.text);
+  return sepax_fail(error, inner.code, "%.120s, %.120s: %.250s", path[0], path[1], inner.text);
 }
 
 static void compute_normals(sepax_scene *scene, int i) {
@@ -33,7 +33,8 @@ static bool quantise(sepax_scene *scene, int i, const sepax_mesh *mesh, const ch
   scene->tri[i] = calloc(mesh->count, sizeof *scene->tri[i]);
   scene->normal[i] = calloc(mesh->count, sizeof *scene->normal[i]);
   if (scene->tri[i] == NULL || scene->normal[i] == NULL) {
-    return sepax_fail(error, "%.150s: no memory for %zu triangles", path, mesh->count);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "%.150s: no memory for %zu triangles", path,
+                      mesh->count);
   }
   if (!sepax_quantise(mesh, &scene->grid, scene->tri[i], file_normals ? scene->normal[i] : NULL,
                       error)) {

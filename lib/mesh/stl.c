@@ -29,18 +29,17 @@ void sepax_mesh_free(sepax_mesh *mesh) {
   *mesh = (sepax_mesh){0};
 }
 
-static bool fail(sepax_error *error, const char *path, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+static bool fail(sepax_error *error, sepax_code code, const char *path, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
 /* The path comes first and is cut, so that the cure at the end never is. */
-static bool fail(sepax_error *error, const char *path, const char *format, ...) {
+static bool fail(sepax_error *error, sepax_code code, const char *path, const char *format, ...) {
   char detail[200];
   va_list args;
   va_start(args, format);
   vsnprintf(detail, sizeof detail, format, args);
   va_end(args);
-  sepax_fail(error, "%.300s: %s", path, detail);
-  return false;
+  return sepax_fail(error, code, "%.300s: %s", path, detail);
 }
 
 /* The numbers of a facet in the order of the file. */
@@ -62,19 +61,19 @@ typedef struct {
 static bool is_readable_kind(FILE *in, const char *path, sepax_error *error) {
   struct stat status;
   if (fstat(fileno(in), &status) != 0) {
-    return fail(error, path, "%s; check the file", strerror(errno));
+    return fail(error, SEPAX_ERROR_FILE, path, "%s; check the file", strerror(errno));
   }
   if (S_ISDIR(status.st_mode)) {
-    return fail(error, path, "is a directory; name an STL file");
+    return fail(error, SEPAX_ERROR_FILE, path, "is a directory; name an STL file");
   }
   if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode)) {
-    return fail(error, path, "is neither a file nor a pipe; name an STL file");
+    return fail(error, SEPAX_ERROR_FILE, path, "is neither a file nor a pipe; name an STL file");
   }
   return true;
 }
 
 static bool fail_memory(sepax_error *error, const char *path) {
-  return fail(error, path, "too large for the memory; use a coarser mesh");
+  return fail(error, SEPAX_ERROR_MEMORY, path, "too large for the memory; use a coarser mesh");
 }
 
 static bool read_stream(content *file, FILE *in, const char *path, sepax_error *error) {
@@ -88,7 +87,7 @@ static bool read_stream(content *file, FILE *in, const char *path, sepax_error *
     file->size += fread(bytes + file->size, 1, capacity - 1 - file->size, in);
   } while (file->size == capacity - 1);
   if (ferror(in)) {
-    return fail(error, path, "%s; check the file", strerror(errno));
+    return fail(error, SEPAX_ERROR_FILE, path, "%s; check the file", strerror(errno));
   }
   file->bytes[file->size] = '\0';
   return true;
@@ -99,7 +98,7 @@ static content read_content(const char *path, sepax_error *error) {
   content file = {0};
   FILE *in = fopen(path, "rb");
   if (in == NULL) {
-    fail(error, path, "%s; check the path", strerror(errno));
+    fail(error, SEPAX_ERROR_FILE, path, "%s; check the path", strerror(errno));
     return file;
   }
   if (!is_readable_kind(in, path, error) || !read_stream(&file, in, path, error)) {
@@ -151,8 +150,8 @@ static bool word_is(const scanner *text, const char *keyword) {
 
 static bool fail_expecting(const scanner *text, const char *what) {
   if (text->length == 0) {
-    return fail(text->error, text->path, "line %zu: the text ends before %s: truncated; %s",
-                text->line, what, cure);
+    return fail(text->error, SEPAX_ERROR_FORMAT, text->path,
+                "line %zu: the text ends before %s: truncated; %s", text->line, what, cure);
   }
   char found[25] = "";
   for (size_t i = 0; i < text->length && i < sizeof found - 1; i++) {
@@ -162,8 +161,8 @@ static bool fail_expecting(const scanner *text, const char *what) {
       found[i] = c;
     }
   }
-  return fail(text->error, text->path, "line %zu: '%s' where %s is expected; %s", text->line, found,
-              what, cure);
+  return fail(text->error, SEPAX_ERROR_FORMAT, text->path,
+              "line %zu: '%s' where %s is expected; %s", text->line, found, what, cure);
 }
 
 static bool read_keyword(scanner *text, const char *keyword) {
@@ -181,8 +180,8 @@ static bool read_number(scanner *text, double *number, const char *name) {
     return fail_expecting(text, "a number");
   }
   if (!isfinite(*number)) {
-    return fail(text->error, text->path, "line %zu: %s is %s; %s", text->line, name, flaw(*number),
-                cure);
+    return fail(text->error, SEPAX_ERROR_FORMAT, text->path, "line %zu: %s is %s; %s", text->line,
+                name, flaw(*number), cure);
   }
   return true;
 }
@@ -291,8 +290,8 @@ static bool read_binary(sepax_mesh *mesh, const content *file, const char *path,
     for (int i = 0; i < FACET_NUMBERS; i++) {
       binary32 value = {.word = load32(bytes + 4 * i)};
       if (!isfinite(value.number)) {
-        return fail(error, path, "facet %zu: %s is %s; %s", mesh->count, number_name(i),
-                    flaw(value.number), cure);
+        return fail(error, SEPAX_ERROR_FORMAT, path, "facet %zu: %s is %s; %s", mesh->count,
+                    number_name(i), flaw(value.number), cure);
       }
       *facet_number(&mesh->facet[mesh->count], i) = value.number;
     }
@@ -324,20 +323,20 @@ static bool has_text_head(const content *file) {
 
 static bool fail_format(const content *file, const char *path, sepax_error *error) {
   if (file->size == 0) {
-    return fail(error, path, "the file is empty; %s", cure);
+    return fail(error, SEPAX_ERROR_FORMAT, path, "the file is empty; %s", cure);
   }
   if (file->size >= HEAD_BYTES && memcmp(file->bytes, "sepaxSXT", 8) == 0) {
-    return fail(error, path, "a tree of 'sepax tree', no STL file; %s",
+    return fail(error, SEPAX_ERROR_FORMAT, path, "a tree of 'sepax tree', no STL file; %s",
                 "give the one that it was made of");
   }
   if (file->size < HEAD_BYTES || has_text_head(file)) {
-    return fail(error, path, "no STL file: neither 'solid' nor a binary header; %s",
-                "export the mesh as STL");
+    return fail(error, SEPAX_ERROR_FORMAT, path,
+                "no STL file: neither 'solid' nor a binary header; %s", "export the mesh as STL");
   }
   uint32_t count = load32(file->bytes + TITLE_BYTES);
   uint64_t announced = bytes_announced(file);
   const char *what = file->size < announced ? "truncated" : "longer than its count says";
-  return fail(error, path,
+  return fail(error, SEPAX_ERROR_FORMAT, path,
               "%s: %" PRIu32 " facets take %" PRIu64
               " bytes, the file has %zu (or is no STL file); %s",
               what, count, announced, file->size, cure);
@@ -364,7 +363,7 @@ bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
   bool ok = read_format(&result, &file, path, error);
   plain_numbers_end(plain);
   if (ok && result.count == 0) {
-    ok = fail(error, path, "no facets; %s", cure);
+    ok = fail(error, SEPAX_ERROR_FORMAT, path, "no facets; %s", cure);
   }
   free(file.bytes);
   if (!ok) {
@@ -400,25 +399,28 @@ static bool flattened(const sepax_facet *facet) {
 
 static bool fits_file(const sepax_mesh *mesh, const char *path, bool ascii, sepax_error *error) {
   if (mesh->count == 0) {
-    return fail(error, path, "not written: the mesh has no facets");
+    return fail(error, SEPAX_ERROR_ARGUMENT, path, "not written: the mesh has no facets");
   }
   if (!ascii && mesh->count > UINT32_MAX) {
-    return fail(error, path, "not written: too many facets for binary; write text");
+    return fail(error, SEPAX_ERROR_ARGUMENT, path,
+                "not written: too many facets for binary; write text");
   }
   for (size_t k = 0; k < mesh->count; k++) {
     for (int i = 0; i < FACET_NUMBERS; i++) {
       double number = *facet_number(&mesh->facet[k], i);
       if (!isfinite(number)) {
-        return fail(error, path, "not written: facet %zu: %s is %s; mend the mesh", k,
-                    number_name(i), flaw(number));
+        return fail(error, SEPAX_ERROR_ARGUMENT, path,
+                    "not written: facet %zu: %s is %s; mend the mesh", k, number_name(i),
+                    flaw(number));
       }
       if (!ascii && fabs(number) >= binary32_end) {
-        return fail(error, path, "not written: facet %zu: %s %g does not fit binary32; write text",
-                    k, number_name(i), number);
+        return fail(error, SEPAX_ERROR_ARGUMENT, path,
+                    "not written: facet %zu: %s %g does not fit binary32; write text", k,
+                    number_name(i), number);
       }
     }
     if (!ascii && flattened(&mesh->facet[k])) {
-      return fail(error, path,
+      return fail(error, SEPAX_ERROR_ARGUMENT, path,
                   "not written: facet %zu has no area in binary32; write text or move "
                   "nearer to the origin",
                   k);

@@ -236,8 +236,8 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error) {
   *shell = (sepax_shell){.body = body, .closed = true, .consistent = true};
   if (body->count > MOST_TRIANGLES) {
-    return sepax_fail(error, "a shell has up to %d triangles, not %zu", MOST_TRIANGLES,
-                      body->count);
+    return sepax_fail(error, SEPAX_ERROR_LIMIT, "a shell has up to %d triangles, not %zu",
+                      MOST_TRIANGLES, body->count);
   }
   surface s = {.count = body->count};
   bool ok = find(&s, body, shell);
@@ -250,7 +250,8 @@ bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *e
   free(s.edge);
   if (!ok) {
     sepax_shell_free(shell);
-    return sepax_fail(error, "no memory for the shell of %zu triangles", body->count);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the shell of %zu triangles",
+                      body->count);
   }
   return true;
 }

@@ -5,11 +5,16 @@
 #include "sepax.h"
 
 #include <stdarg.h>
+#include <stdio.h>
 
-/* Format one line into *error and return false, for `return sepax_fail(...)`. A
- * control character, of a file name say, becomes '?'. */
-static inline bool __attribute__((format(printf, 2, 3)))
-sepax_fail(sepax_error *error, const char *format, ...) {
+/* The code and one formatted line into *error, unless it is NULL; returns false, for
+ * `return sepax_fail(...)`. A control character, of a file name say, becomes '?'. */
+static inline bool __attribute__((format(printf, 3, 4)))
+sepax_fail(sepax_error *error, sepax_code code, const char *format, ...) {
+  if (error == NULL) {
+    return false;
+  }
+  error->code = code;
   va_list args;
   va_start(args, format);
   vsnprintf(error->text, sizeof error->text, format, args);

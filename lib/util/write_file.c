@@ -39,7 +39,8 @@ static bool finish(FILE *out, bool ok, const char *aside, const char *path) {
 }
 
 static bool fail_writing(const char *path, sepax_error *error) {
-  return sepax_fail(error, "%.300s: not written: %s; check the folder and its free space", path,
+  return sepax_fail(error, SEPAX_ERROR_FILE,
+                    "%.300s: not written: %s; check the folder and its free space", path,
                     strerror(errno));
 }
 
@@ -47,7 +48,8 @@ static bool fail_writing(const char *path, sepax_error *error) {
 static bool is_free(const char *path, sepax_error *error) {
   struct stat status;
   return stat(path, &status) != 0 || S_ISREG(status.st_mode) ||
-         sepax_fail(error, "%.300s: not written: exists and is no file; name another", path);
+         sepax_fail(error, SEPAX_ERROR_FILE,
+                    "%.300s: not written: exists and is no file; name another", path);
 }
 
 /* Without `write` the file aside is made and removed. */

@@ -148,7 +148,8 @@ static bool decide_all(work *all, cli_progress *progress, sepax_error *error) {
   size_t threads = wanted < all->poses.count ? wanted : all->poses.count;
   worker *workers = calloc(threads, sizeof *workers);
   if (workers == NULL) {
-    return sepax_fail(error, "no memory for %zu threads; give --threads=1", threads);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu threads; give --threads=1",
+                      threads);
   }
   for (size_t k = 0; k < threads; k++) {
     workers[k].all = all;
@@ -175,7 +176,7 @@ static bool build_solid(const check_question *q, int i, check_report *report, so
   report->triangles[i] = mesh->count;
   if (!sepax_body_new(&s->body[i], mesh, error) || !sepax_shell_find(shell, s->body[i], error)) {
     sepax_error inner = *error;
-    return sepax_fail(error, "%.240s: %.240s", q->path[i], inner.text);
+    return sepax_fail(error, inner.code, "%.240s: %.240s", q->path[i], inner.text);
   }
   report->surface[i] = (check_surface){shell->closed, shell->consistent, shell->facet};
   if (q->ply_path == NULL) {
@@ -216,10 +217,10 @@ bool check_bodies(const check_question *q, check_report *report, sepax_error *er
   atomic_init(&all.next, 0);
   atomic_init(&all.stop, false);
   cli_progress progress = cli_progress_begin("poses", answers);
-  bool ok =
-      (all.answer != NULL || sepax_fail(error, "no memory for verdicts in %zu poses", answers)) &&
-      build_solids(q, report, &all.solids, error) &&
-      (q->poses_path != NULL ? decide_all(&all, &progress, error) : decide_one(&all, error));
+  bool ok = (all.answer != NULL || sepax_fail(error, SEPAX_ERROR_MEMORY,
+                                              "no memory for verdicts in %zu poses", answers)) &&
+            build_solids(q, report, &all.solids, error) &&
+            (q->poses_path != NULL ? decide_all(&all, &progress, error) : decide_one(&all, error));
   report->seconds = cli_progress_end(&progress);
   sepax_poses_free(&all.poses);
   for (int i = 0; i < 2; i++) {

@@ -190,36 +190,42 @@ static bool outputs_distinct(const check_question *q, sepax_error *error) {
     const char *output = outputs[i % 2];
     const char *input = inputs[i / 2];
     if (output != NULL && input != NULL && cli_same_file(output, input)) {
-      return sepax_fail(error, "%.300s: is read; name another file to write", output);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%.300s: is read; name another file to write",
+                        output);
     }
   }
   if (q->pairs_path != NULL && q->ply_path != NULL && cli_same_file(q->pairs_path, q->ply_path)) {
-    return sepax_fail(error, "%.300s: --pairs and --ply name one file; name two", q->ply_path);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%.300s: --pairs and --ply name one file; name two", q->ply_path);
   }
   return true;
 }
 
 static bool options_agree(const check_question *q, sepax_error *error) {
   if (q->quiet && q->json) {
-    return sepax_fail(error, "quiet: there is nothing to print as JSON; leave one of them out");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "quiet: there is nothing to print as JSON; leave one of them out");
   }
   if (q->surfaces && q->on_grid) {
-    return sepax_fail(error, "surfaces: a grid's design knows no inside; leave it out");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "surfaces: a grid's design knows no inside; leave it out");
   }
   if (q->poses_path != NULL && q->on_grid) {
-    return sepax_fail(error, "poses: on a grid no body can be turned exactly; leave out --grid, or "
-                             "--poses");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "poses: on a grid no body can be turned exactly; leave out --grid, or "
+                      "--poses");
   }
   if (q->poses_path != NULL && q->ply_path != NULL) {
-    return sepax_fail(error, "ply: a picture is of one pose; leave out --poses, or --ply");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "ply: a picture is of one pose; leave out --poses, or --ply");
   }
   if (q->warning.text != NULL && q->clearance.text == NULL) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "warning: there is no clearance to warn before; give --clearance, too");
   }
   if (q->warning.text != NULL && q->warning.length <= q->clearance.length) {
-    return sepax_fail(error, "warning: %s is not above the clearance of %s", q->warning.text,
-                      q->clearance.text);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "warning: %s is not above the clearance of %s",
+                      q->warning.text, q->clearance.text);
   }
   return true;
 }
@@ -229,23 +235,26 @@ static bool grid_options_agree(const check_question *q, sepax_error *error) {
   sepax_design design;
   if (q->grid.file_normals && config->arch != SEPAX_ARCH_PAPER &&
       config->arch != SEPAX_ARCH_CONFERENCE) {
-    return sepax_fail(error, "normals: architecture %s reads none; give --arch=paper, too",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "normals: architecture %s reads none; give --arch=paper, too",
                       sepax_arch_name(config->arch));
   }
   if (!sepax_design_init(&design, config, error) || q->clearance.text == NULL) {
-    return q->clearance.text == NULL && error->text[0] == '\0';
+    return q->clearance.text == NULL && error->code == SEPAX_OK;
   }
   if (config->arch != SEPAX_ARCH_EXACT) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "clearance: architecture %s has none; leave it out, or give --arch=exact",
                       sepax_arch_name(config->arch));
   }
   if (config->extent_a != 0 || config->extent_b != 0) {
-    return sepax_fail(error, "clearance: not with extents here; leave one of them out");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "clearance: not with extents here; leave one of them out");
   }
   if (q->first) {
-    return sepax_fail(error, "first: all bands are counted with a clearance on the grid; leave "
-                             "one of them out");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "first: all bands are counted with a clearance on the grid; leave "
+                      "one of them out");
   }
   return true;
 }
@@ -272,7 +281,7 @@ int cli_check(int argc, char **argv) {
   argp_parse(&argp, argc, argv, 0, NULL, &c);
   q->grid.grid.word = q->config.word;
   static const int status[] = {EXIT_FREE, EXIT_WARNING, EXIT_UNDECIDED, EXIT_COLLISION};
-  sepax_error error = {""};
+  sepax_error error = {0};
   check_report report = {.answers = 0};
   bool ok = (!q->json || report_names_printable(q->path, &error)) && outputs_distinct(q, &error) &&
             options_agree(q, &error) && (!q->on_grid || grid_options_agree(q, &error)) &&

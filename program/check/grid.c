@@ -96,8 +96,9 @@ static bool set_limits(const check_question *q, check_report *report, sepax_desi
   for (int i = 0; i < 2; i++) {
     if (limits[i]->text != NULL &&
         !count_steps(limits[i]->text, &q->grid, report->grid.resolution, lsb[i])) {
-      return sepax_fail(error, "%s: %.40s is above 2^31 LSB of %g; give a coarser resolution",
-                        name[i], limits[i]->text, report->grid.resolution);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "%s: %.40s is above 2^31 LSB of %g; give a coarser resolution", name[i],
+                        limits[i]->text, report->grid.resolution);
     }
   }
   report->clearance_lsb = config.clearance;
@@ -132,7 +133,8 @@ static bool judge_all(const check_question *q, const sepax_design *design, const
     cli_progress_show(&progress, (uint64_t)(i + 1) * scene->count[1]);
   }
   *seconds = cli_progress_end(&progress);
-  return ok || sepax_fail(error, "no memory for %zu collisions", answer->colliding.count);
+  return ok || sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu collisions",
+                          answer->colliding.count);
 }
 
 static bool show(void *context, uint64_t done, uint64_t total) {
@@ -175,7 +177,7 @@ static bool search(const check_question *q, const sepax_design *design, const se
                                           scene->count[1], &how, &answer->colliding, error);
   *seconds = cli_progress_end(&progress);
   return ok && (!bands || divide_bands(design, scene, answer) ||
-                sepax_fail(error, "no memory for the pairs found"));
+                sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the pairs found"));
 }
 
 /* Exact verdicts of lists that are halved; verdicts of other designs pair by pair. */
@@ -220,14 +222,15 @@ bool check_on_grid(const check_question *q, check_report *report, sepax_error *e
   report->answer = calloc(1, sizeof *report->answer);
   if (report->answer == NULL) {
     sepax_scene_free(&scene);
-    return sepax_fail(error, "no memory for the verdict");
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the verdict");
   }
   report->answers = 1;
   bool ok = set_limits(q, report, &design, error) && find(q, &design, &scene, report, error);
   for (int i = 0; i < 2; i++) {
     report->triangles[i] = scene.count[i];
     if (ok && q->ply_path != NULL && !fill_mesh(&scene, i, &report->mesh[i])) {
-      ok = sepax_fail(error, "no memory for the picture of %zu triangles", scene.count[i]);
+      ok = sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the picture of %zu triangles",
+                      scene.count[i]);
     }
   }
   sepax_scene_free(&scene);

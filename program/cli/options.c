@@ -82,7 +82,7 @@ static void read_environment(sepax_config *config, const struct argp_state *stat
   const design_option *option;
   for (size_t i = 0; (option = sepax__design_option_at(i)) != NULL; i++) {
     const char *value = getenv(sepax__design_option_variable(option).text);
-    sepax_error error = {""};
+    sepax_error error = {0};
     if (value != NULL && !sepax_config_set(config, option->name, value, &error)) {
       argp_error(state, "%s", error.text);
     }
@@ -97,7 +97,7 @@ static error_t parse_config(int key, char *text, struct argp_state *state) {
   const design_option *option;
   for (size_t i = 0; (option = sepax__design_option_at(i)) != NULL; i++) {
     if (key == KEY_OPTION + (int)i || (option->letter != 0 && key == option->letter)) {
-      sepax_error error = {""};
+      sepax_error error = {0};
       if (!sepax_config_set(state->input, option->name, text != NULL ? text : "on", &error)) {
         argp_error(state, "%s", error.text);
       }
@@ -326,8 +326,8 @@ bool cli_families(const char *name, size_t *first, size_t *last, sepax_error *er
       found = true;
     }
   }
-  return found ||
-         sepax_fail(error, "family: '%.60s' is unknown; 'sepax vectors --list' lists them", name);
+  return found || sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                             "family: '%.60s' is unknown; 'sepax vectors --list' lists them", name);
 }
 
 /* Where the file is or would be: its folder's length in the path, 0 for the current one. */

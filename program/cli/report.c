@@ -45,7 +45,8 @@ bool report_names_printable(const char *const path[2], sepax_error *error) {
     json_t *name = json_string(path[i]);
     json_decref(name);
     if (name == NULL) {
-      return sepax_fail(error, "%.300s: the name is not UTF-8; rename the file", path[i]);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "%.300s: the name is not UTF-8; rename the file", path[i]);
     }
   }
   return true;

@@ -366,18 +366,21 @@ static void study_meshes(const accuracy_options *o, const sepax_design *design,
 
 static bool check(const accuracy_options *o, sepax_error *error) {
   if (o->files > 0 && o->of_families != NULL) {
-    return sepax_fail(error, "%s: is of families; leave it or the two meshes away", o->of_families);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: is of families; leave it or the two meshes away", o->of_families);
   }
   if (o->files == 0 && (o->grid.grid.resolution > 0 || o->grid.file_normals)) {
-    return sepax_fail(error, "%s: is of meshes; give two STL files, too",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s: is of meshes; give two STL files, too",
                       o->grid.file_normals ? "normals" : "resolution");
   }
   if (o->real && o->config.word > FINE - 4) {
-    return sepax_fail(error, "truth: real triangles are given in %d bits; give --word=%d or less",
-                      FINE, FINE - 4);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "truth: real triangles are given in %d bits; give --word=%d or less", FINE,
+                      FINE - 4);
   }
   if (o->flips > 0 && o->config.word < SEPAX_WORD_MIN + 2) {
-    return sepax_fail(error, "flips: at --word=%d a moved pair does not fit; give %d or more",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "flips: at --word=%d a moved pair does not fit; give %d or more",
                       o->config.word, SEPAX_WORD_MIN + 2);
   }
   return true;
@@ -401,7 +404,7 @@ int cli_accuracy(int argc, char **argv) {
   accuracy_options o = {
       .config = sepax_config_default(), .family = "all", .count = 100000, .seed = 1};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_design design;
   sepax_scene scene;
   size_t first;

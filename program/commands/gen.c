@@ -47,7 +47,7 @@ int cli_gen(int argc, char **argv) {
       NULL};
   gen_options o = {.config = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_design design;
   if (!sepax_design_init(&design, &o.config, &error) ||
       !sepax_generate(&design, o.folder, &error)) {

@@ -89,7 +89,7 @@ int cli_judge(int argc, char **argv) {
       NULL};
   judge_options o = {.config = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_design design;
   if (!sepax_design_init(&design, &o.config, &error)) {
     return cli_fail(argv[0], &error);
@@ -97,7 +97,8 @@ int cli_judge(int argc, char **argv) {
   bool from_file = o.path != NULL && strcmp(o.path, "-") != 0;
   FILE *in = from_file ? fopen(o.path, "r") : stdin;
   if (in == NULL) {
-    sepax_fail(&error, "%.200s: %s; give a readable file of pairs", o.path, strerror(errno));
+    sepax_fail(&error, SEPAX_ERROR_FILE, "%.200s: %s; give a readable file of pairs", o.path,
+               strerror(errno));
     return cli_fail(argv[0], &error);
   }
   bool ok = judge_stream(&design, in, from_file ? o.path : "standard input", o.echo, &error);

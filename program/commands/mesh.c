@@ -76,7 +76,7 @@ int cli_mesh(int argc, char **argv) {
     }
     return 0;
   }
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_mesh mesh = {NULL, 0};
   bool ok = sepax_sample(&mesh, o.shape, (size_t)o.triangles, o.at, o.size, &error) &&
             sepax_stl_write(&mesh, o.path, o.ascii, &error);

@@ -65,7 +65,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     o->period = cli_number(state, "clock-ns", text);
     return 0;
   case KEY_TARGET: {
-    sepax_error error = {""};
+    sepax_error error = {0};
     if (!sepax_config_set(&o->config, "target", text, &error)) {
       argp_error(state, "%s", error.text);
     }
@@ -102,31 +102,36 @@ static arith_form form_of(const multiplier_options *o) {
 
 static bool check(const multiplier_options *o, sepax_error *error) {
   if (o->a < LEAST || o->b < LEAST || o->b > o->a) {
-    return sepax_fail(error, "factors of %d and %d bits; give 3 ... 80, -b at most -a", (int)o->a,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "factors of %d and %d bits; give 3 ... 80, -b at most -a", (int)o->a,
                       (int)o->b);
   }
   if (o->product <= o->a || o->product > o->a + o->b || o->product > ARITH_WIDTH) {
-    return sepax_fail(error, "product: %d bits; give more than -a, at most the sum of both and %d",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "product: %d bits; give more than -a, at most the sum of both and %d",
                       (int)o->product, ARITH_WIDTH);
   }
   if (o->digits != 0 && (o->b + 1 < 2 * o->digits || o->b + 1 > 2 * o->digits + 2)) {
-    return sepax_fail(error, "digits: %d for -b %d; give %d ... %d", (int)o->digits, (int)o->b,
-                      (int)o->b / 2, ((int)o->b + 1) / 2);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "digits: %d for -b %d; give %d ... %d",
+                      (int)o->digits, (int)o->b, (int)o->b / 2, ((int)o->b + 1) / 2);
   }
   if (o->less == 2 && o->digits == 0) {
-    return sepax_fail(error, "less: only with --digits");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "less: only with --digits");
   }
   bool asic = o->config.target == SEPAX_TARGET_ASIC;
   if (!asic && (o->digits != 0 || o->period != 0)) {
-    return sepax_fail(error, "%s: only for an ASIC; leave it or the target out",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: only for an ASIC; leave it or the target out",
                       o->digits != 0 ? "digits" : "clock-ns");
   }
   if (o->period != 0 && !(o->period >= 0.5 && o->period <= 20)) {
-    return sepax_fail(error, "clock-ns: %g is out of range; give 0.5 ... 20", o->period);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "clock-ns: %g is out of range; give 0.5 ... 20",
+                      o->period);
   }
   arith_form form = form_of(o);
   if (o->period != 0 && o->period < arith_shortest(&form)) {
-    return sepax_fail(error, "clock-ns: %g is too short for %dx%d; give %.2f or more", o->period,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "clock-ns: %g is too short for %dx%d; give %.2f or more", o->period,
                       (int)o->a, (int)o->b, arith_shortest(&form) + 0.005);
   }
   return true;
@@ -187,7 +192,7 @@ int cli_multiplier(int argc, char **argv) {
       NULL};
   multiplier_options o = {.less = 1, .config = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
-  sepax_error error = {""};
+  sepax_error error = {0};
   o.product = o.product == 0 ? o.a + o.b : o.product;
   if (!check(&o, &error) || !generate(&o, &error)) {
     return cli_fail("sepax multiplier", &error);

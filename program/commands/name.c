@@ -104,7 +104,7 @@ int cli_name(int argc, char **argv) {
       children, NULL,  NULL};
   name_options o = {.config = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
-  sepax_error error = {""};
+  sepax_error error = {0};
   if (!sepax_config_check(&o.config, &error)) {
     return cli_fail(argv[0], &error);
   }

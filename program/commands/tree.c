@@ -67,7 +67,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 static bool name_file(sepax_error *error, const char *path) {
   sepax_error inner = *error;
-  return sepax_fail(error, "%.200s: %.300s", path, inner.text);
+  return sepax_fail(error, inner.code, "%.200s: %.300s", path, inner.text);
 }
 
 static bool make_tree(sepax_tree **tree, const tree_options *o, sepax_error *error) {
@@ -78,7 +78,8 @@ static bool make_tree(sepax_tree **tree, const tree_options *o, sepax_error *err
   sepax_grid grid = o->grid.grid;
   const sepax_mesh *const one[] = {&mesh};
   sepax_tri *tri = malloc(mesh.count * sizeof *tri);
-  bool ok = tri != NULL || sepax_fail(error, "no memory for %zu triangles", mesh.count);
+  bool ok = tri != NULL ||
+            sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles", mesh.count);
   ok = ok && (grid.resolution > 0 || sepax_grid_fit(&grid, one, 1, grid.word, error)) &&
        sepax_quantise(&mesh, &grid, tri, NULL, error) &&
        sepax_tree_new(tree, tri, mesh.count, &grid, error);
@@ -112,13 +113,13 @@ int cli_tree(int argc, char **argv) {
       NULL};
   tree_options o = {.path = NULL};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
-  sepax_error error = {""};
+  sepax_error error = {0};
   if (o.output == NULL && sepax_job_list_is(o.path)) {
     return cli_tell_jobs(o.path, o.walk, &error) ? 0 : cli_fail(argv[0], &error);
   }
   if (o.walk) {
-    sepax_fail(&error, "walk: %.300s is no list of jobs; make one with 'sepax path --jobs=FILE'",
-               o.path);
+    sepax_fail(&error, SEPAX_ERROR_ARGUMENT,
+               "walk: %.300s is no list of jobs; make one with 'sepax path --jobs=FILE'", o.path);
     return cli_fail(argv[0], &error);
   }
   sepax_tree *tree = NULL;

@@ -115,7 +115,7 @@ int cli_vectors(int argc, char **argv) {
     }
     return 0;
   }
-  sepax_error error = {""};
+  sepax_error error = {0};
   size_t first;
   size_t last;
   if (!sepax_config_check(&o.config, &error) || !cli_families(o.family, &first, &last, &error)) {

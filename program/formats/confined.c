@@ -19,14 +19,16 @@ typedef struct {
 bool confined_size(const char *path, size_t *bytes, sepax_error *error) {
   struct stat s;
   if (stat(path, &s) != 0) {
-    return sepax_fail(error, "%.300s: %s; give a readable file", path, strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.300s: %s; give a readable file", path,
+                      strerror(errno));
   }
   if (!S_ISREG(s.st_mode) || s.st_size == 0) {
-    return sepax_fail(error, "%.300s: no file, or empty; give a mesh", path);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.300s: no file, or empty; give a mesh", path);
   }
   *bytes = (size_t)s.st_size;
   return *bytes <= CONFINED_BYTES_MOST ||
-         sepax_fail(error, "%.300s: longer than 1 GiB; simplify the mesh", path);
+         sepax_fail(error, SEPAX_ERROR_FORMAT, "%.300s: longer than 1 GiB; simplify the mesh",
+                    path);
 }
 
 /* Five seconds and two for each MiB; 2 GiB and 100 bytes for each byte. A sanitizer maps more. */
@@ -54,7 +56,8 @@ static bool take_result(FILE *channel, const char *path, sepax_mesh *mesh, sepax
   result r;
   rewind(channel);
   if (fread(&r, sizeof r, 1, channel) != 1) {
-    return sepax_fail(error, "%.300s: its reader left nothing; export it again", path);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.300s: its reader left nothing; export it again",
+                      path);
   }
   if (r.count == 0) {
     *error = r.error;
@@ -63,7 +66,8 @@ static bool take_result(FILE *channel, const char *path, sepax_mesh *mesh, sepax
   mesh->facet = malloc(r.count * sizeof *mesh->facet);
   if (mesh->facet == NULL || fread(mesh->facet, sizeof *mesh->facet, r.count, channel) != r.count) {
     sepax_mesh_free(mesh);
-    return sepax_fail(error, "%.300s: no memory for %zu triangles", path, r.count);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "%.300s: no memory for %zu triangles", path,
+                      r.count);
   }
   mesh->count = r.count;
   return true;
@@ -94,11 +98,12 @@ bool confined_read(sepax_mesh *mesh, const char *path,
     ended = errno == EINTR;
   }
   bool ok = ended ? (WIFEXITED(status) && WEXITSTATUS(status) == 0) ||
-                        sepax_fail(error,
+                        sepax_fail(error, SEPAX_ERROR_FORMAT,
                                    "%.300s: its reader took too long, or too much memory, or "
                                    "failed; export it again",
                                    path)
-                  : sepax_fail(error, "%.300s: no process to read it: %s", path, strerror(errno));
+                  : sepax_fail(error, SEPAX_ERROR_FILE, "%.300s: no process to read it: %s", path,
+                               strerror(errno));
   ok = ok && take_result(channel, path, mesh, error);
   if (channel != NULL) {
     fclose(channel);

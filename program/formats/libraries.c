@@ -14,7 +14,7 @@ static const struct {
 bool format_has(int libraries, const char *path, const char *format, sepax_error *error) {
   for (size_t n = 0; n < sizeof libraries_known / sizeof libraries_known[0]; n++) {
     if ((libraries & libraries_known[n].bit) != 0 && !*libraries_known[n].here) {
-      return sepax_fail(error,
+      return sepax_fail(error, SEPAX_ERROR_FORMAT,
                         "%.240s: this build reads no %s, because %s is missing; install %s and "
                         "run make",
                         path, format, libraries_known[n].name, libraries_known[n].package);

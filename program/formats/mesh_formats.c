@@ -67,7 +67,8 @@ bool format_mesh_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
   if (format == NULL) {
     char list[80] = "";
     list_formats(list);
-    return sepax_fail(error, "%.300s: no mesh that is read; give %s", path, list);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.300s: no mesh that is read; give %s", path,
+                      list);
   }
   if (!format_has(format->libraries, path, format->name, error)) {
     return false;

@@ -61,7 +61,7 @@ static bool fail(const reader *r, sepax_error *error, const char *format, ...) {
   va_start(args, format);
   vsnprintf(detail, sizeof detail, format, args);
   va_end(args);
-  return sepax_fail(error, "%.240s:%zu: %s", r->path, r->line, detail);
+  return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%zu: %s", r->path, r->line, detail);
 }
 
 /* -------------------------------------------------------------------------- pieces */
@@ -356,7 +356,7 @@ static bool read_lines(reader *r, piece text, sepax_error *error) {
     }
   }
   if (r->motion->lines == 0) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
                       "%.300s: no line of values in it; the first line names joints, each other "
                       "one has their values",
                       r->path);
@@ -377,7 +377,8 @@ bool format_motion_read(format_motion *motion, const sepax_mechanism *m,
   plain_numbers plain = plain_numbers_begin();
   bool ok = memchr(text.bytes, '\0', text.size) == NULL
                 ? read_lines(&r, (piece){text.bytes + skip, text.size - skip}, error)
-                : sepax_fail(error, "%.300s: it has bytes of zero; give CSV as text", path);
+                : sepax_fail(error, SEPAX_ERROR_FORMAT,
+                             "%.300s: it has bytes of zero; give CSV as text", path);
   plain_numbers_end(plain);
   bool timed = false;
   for (size_t k = 0; k < r.columns; k++) {

@@ -77,8 +77,8 @@ static bool find_in_package(const format_places *p, const char *name_and_path, c
     if (strlen(package->name) == name && strncmp(package->name, name_and_path, name) == 0) {
       return is_in(path, (int)strlen(package->folder), package->folder,
                    name_and_path + name + (name_and_path[name] == '/')) ||
-             sepax_fail(error, "no file %.120s in package folder %.80s", name_and_path,
-                        package->folder);
+             sepax_fail(error, SEPAX_ERROR_FORMAT, "no file %.120s in package folder %.80s",
+                        name_and_path, package->folder);
     }
   }
   char folder[PATH_MOST] = "";
@@ -86,11 +86,11 @@ static bool find_in_package(const format_places *p, const char *name_and_path, c
     return true;
   }
   if (folder[0] != '\0') {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
                       "no file %.120s in package folder %.80s; mend the name, or give --package",
                       name_and_path, folder);
   }
-  return sepax_fail(error,
+  return sepax_fail(error, SEPAX_ERROR_FORMAT,
                     "package://%.100s is neither beside the URDF nor above it; give "
                     "--package=%.*s:FOLDER",
                     name_and_path, (int)(name < 40 ? name : 40), name_and_path);
@@ -101,13 +101,15 @@ static bool find_here(const format_places *p, const char *name, char *path, sepa
   bool is_url = strncmp(name, scheme, strlen(scheme)) == 0;
   const char *file = is_url ? name + strlen(scheme) : name;
   if (strstr(file, "://") != NULL) {
-    return sepax_fail(error, "%.120s is fetched from nowhere; give a file", name);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.120s is fetched from nowhere; give a file",
+                      name);
   }
   const char *slash = strrchr(p->urdf, '/');
   bool whole = file[0] == '/' || slash == NULL;
   bool found = whole ? snprintf(path, PATH_MOST, "%s", file) < PATH_MOST && is_file(path)
                      : is_in(path, (int)(slash - p->urdf), p->urdf, file);
-  return found || sepax_fail(error, "mesh %.160s: no such file; mend the name", name);
+  return found ||
+         sepax_fail(error, SEPAX_ERROR_FORMAT, "mesh %.160s: no such file; mend the name", name);
 }
 
 bool format_find_mesh(const format_places *places, const char *name, char **path,
@@ -120,5 +122,5 @@ bool format_find_mesh(const format_places *places, const char *name, char **path
     return false;
   }
   *path = copy_of(found);
-  return *path != NULL || sepax_fail(error, "no memory for a name");
+  return *path != NULL || sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a name");
 }

@@ -101,15 +101,17 @@ static uint64_t count_behind(FILE *in, bool lines) {
 static bool is_whole(const char *path, sepax_error *error) {
   FILE *in = fopen(path, "rb");
   if (in == NULL) {
-    return sepax_fail(error, "%.300s: %s; give a readable file", path, strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.300s: %s; give a readable file", path,
+                      strerror(errno));
   }
   head h;
   bool ok = read_head(&h, in) ||
-            sepax_fail(error, "%.300s: no head of a PLY file with faces; export it again", path);
+            sepax_fail(error, SEPAX_ERROR_FORMAT,
+                       "%.300s: no head of a PLY file with faces; export it again", path);
   if (ok) {
     uint64_t wanted = h.text ? h.lines : h.bytes;
     uint64_t found = count_behind(in, h.text);
-    ok = found >= wanted || sepax_fail(error,
+    ok = found >= wanted || sepax_fail(error, SEPAX_ERROR_FORMAT,
                                        "%.240s: truncated: %llu %s behind the head, not %llu; "
                                        "export it again",
                                        path, (unsigned long long)found, h.text ? "lines" : "bytes",

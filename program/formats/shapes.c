@@ -17,7 +17,8 @@ enum { SIDES = 64, SPLIT = 24, SPHERE_FACETS = 8 * SPLIT * SPLIT };
 static bool make_facets(sepax_mesh *mesh, size_t count, sepax_error *error) {
   mesh->facet = calloc(count, sizeof *mesh->facet);
   mesh->count = mesh->facet != NULL ? count : 0;
-  return mesh->facet != NULL || sepax_fail(error, "no memory for %zu triangles", count);
+  return mesh->facet != NULL ||
+         sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles", count);
 }
 
 static bool make_box(sepax_mesh *mesh, const double side[3], sepax_error *error) {

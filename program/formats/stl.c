@@ -28,6 +28,7 @@ bool mesh_read_stl(sepax_mesh *mesh, const char *path, sepax_error *error) {
   size_t facets = facets_announced(path, bytes);
   return facets <= FORMAT_FACETS_MOST
              ? sepax_stl_read(mesh, path, error)
-             : sepax_fail(error, "%.300s: %zu triangles, more than %d; simplify the mesh", path,
-                          facets, FORMAT_FACETS_MOST);
+             : sepax_fail(error, SEPAX_ERROR_FORMAT,
+                          "%.300s: %zu triangles, more than %d; simplify the mesh", path, facets,
+                          FORMAT_FACETS_MOST);
 }

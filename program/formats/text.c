@@ -15,11 +15,13 @@ static bool read_stream(format_text *text, FILE *in, size_t most, const char *pa
     text->size += fread(text->bytes + text->size, 1, capacity - text->size - 1, in);
     text->bytes[text->size] = '\0';
     if (text->size > most) {
-      return sepax_fail(error, "%.300s: longer than %zu MiB; split it", path, most >> 20);
+      return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.300s: longer than %zu MiB; split it", path,
+                        most >> 20);
     }
     if (text->size + 1 < capacity) {
       return ferror(in) == 0 ||
-             sepax_fail(error, "%.300s: %s; give a readable file", path, strerror(errno));
+             sepax_fail(error, SEPAX_ERROR_FILE, "%.300s: %s; give a readable file", path,
+                        strerror(errno));
     }
     capacity *= 2;
     char *grown = realloc(text->bytes, capacity);
@@ -28,14 +30,15 @@ static bool read_stream(format_text *text, FILE *in, size_t most, const char *pa
     }
     text->bytes = grown;
   }
-  return sepax_fail(error, "%.300s: no memory for %zu bytes", path, capacity);
+  return sepax_fail(error, SEPAX_ERROR_MEMORY, "%.300s: no memory for %zu bytes", path, capacity);
 }
 
 bool format_text_read(format_text *text, const char *path, size_t most, sepax_error *error) {
   *text = (format_text){NULL, 0};
   FILE *in = fopen(path, "rb");
   if (in == NULL) {
-    return sepax_fail(error, "%.300s: %s; give a readable file", path, strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.300s: %s; give a readable file", path,
+                      strerror(errno));
   }
   bool ok = read_stream(text, in, most, path, error);
   fclose(in);

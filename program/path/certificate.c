@@ -47,7 +47,8 @@ static json_t *packages_of(const path_scene *scene, const path_question *q, sepa
     json_decref(key);
     if (!same) {
       json_decref(packages);
-      sepax_fail(error, "certificate: package %.*s is in two folders; give --package=%.*s:FOLDER",
+      sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                 "certificate: package %.*s is in two folders; give --package=%.*s:FOLDER",
                  (int)(length < 60 ? length : 60), name, (int)(length < 60 ? length : 60), name);
       return NULL;
     }
@@ -106,7 +107,8 @@ bool path_write_certificate(path_scene *scene, const path_question *q, sepax_err
   if (!path_certified(scene)) {
     scene->removed = is_certificate(q->certificate) && unlink(q->certificate) == 0;
     return !is_certificate(q->certificate) ||
-           sepax_fail(error, "%.300s: of an earlier run; cannot be removed", q->certificate);
+           sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%.300s: of an earlier run; cannot be removed",
+                      q->certificate);
   }
   const certificate c = {scene, q, packages_of(scene, q, error)};
   bool ok = c.packages != NULL && sepax_write_file(q->certificate, write_all, &c, error);

@@ -185,7 +185,7 @@ static bool keep(asking *a, sepax_error *error) {
     size_t capacity = proof->capacity == 0 ? 1024 : 2 * proof->capacity;
     path_interval *grown = realloc(proof->interval, capacity * sizeof *grown);
     if (grown == NULL) {
-      return sepax_fail(error, "no memory for %zu intervals", capacity);
+      return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu intervals", capacity);
     }
     proof->interval = grown;
     proof->capacity = capacity;
@@ -393,8 +393,9 @@ static bool ask_pair(work *all, path_pair *pair, sepax_error *error) {
     a.extent += fabs(a.body[0]->least[k]) + fabs(a.body[0]->most[k]) + fabs(a.body[1]->least[k]) +
                 fabs(a.body[1]->most[k]);
   }
-  ok = values == NULL || a.queue == NULL ? sepax_fail(error, "no memory for %zu joints", joints)
-                                         : ok && ask_segments(&a, error);
+  ok = values == NULL || a.queue == NULL
+           ? sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu joints", joints)
+           : ok && ask_segments(&a, error);
   sepax_chain_free(&a.back);
   free(values);
   free(a.queue);
@@ -404,7 +405,7 @@ static bool ask_pair(work *all, path_pair *pair, sepax_error *error) {
 static void work_on(void *context, size_t part) {
   work *all = context;
   path_pair *pair = &all->scene->pair[part];
-  sepax_error error = {""};
+  sepax_error error = {0};
   if (pair->lines[PATH_COLLISION] == 0 && !ask_pair(all, pair, &error)) {
     if (!atomic_flag_test_and_set(&all->failing)) {
       *all->error = error;
@@ -420,10 +421,10 @@ bool path_certify(path_scene *scene, const path_question *q, sepax_error *error)
       .scene = scene, .q = q, .progress = &progress, .failing = ATOMIC_FLAG_INIT, .error = error};
   atomic_init(&all.done, 0);
   atomic_init(&all.stop, path_status_only(q) && path_worst(scene) == PATH_COLLISION);
-  error->text[0] = '\0';
+  error->code = SEPAX_OK;
   sepax__threads_run(q->threads > 0 ? (size_t)q->threads : sepax__threads_here(), scene->pairs,
                      work_on, &all);
   scene->between = true;
   scene->between_seconds = cli_progress_end(&progress);
-  return error->text[0] == '\0';
+  return error->code == SEPAX_OK;
 }

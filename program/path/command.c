@@ -158,16 +158,19 @@ static bool outputs_distinct(const path_question *q, sepax_error *error) {
   for (int i = 0; i < OUTPUTS; i++) {
     outputs[i] = output_of(q, i);
     if (outputs[i] != NULL && strcmp(outputs[i], "-") == 0) {
-      return sepax_fail(error, "-: is no file to write, nor stdout; name one");
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "-: is no file to write, nor stdout; name one");
     }
     for (int k = 0; k < INPUTS && outputs[i] != NULL; k++) {
       if (inputs[k] != NULL && cli_same_file(outputs[i], inputs[k])) {
-        return sepax_fail(error, "%.300s: is read; name another file to write", outputs[i]);
+        return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                          "%.300s: is read; name another file to write", outputs[i]);
       }
     }
     for (int k = 0; k < i && outputs[i] != NULL; k++) {
       if (outputs[k] != NULL && cli_same_file(outputs[i], outputs[k])) {
-        return sepax_fail(error, "%.300s: two options name this file; name two", outputs[i]);
+        return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                          "%.300s: two options name this file; name two", outputs[i]);
       }
     }
   }
@@ -184,8 +187,8 @@ static bool meshes_spared(const path_scene *scene, const path_question *q, sepax
     for (size_t n = 0; n < scene->robot.shapes && output != NULL; n++) {
       const char *mesh = scene->robot.shape[n].path;
       if (mesh != NULL && cli_same_file(output, mesh)) {
-        return sepax_fail(error, "%.300s: is a mesh that is read; name another file to write",
-                          output);
+        return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                          "%.300s: is a mesh that is read; name another file to write", output);
       }
     }
   }
@@ -194,13 +197,15 @@ static bool meshes_spared(const path_scene *scene, const path_question *q, sepax
 
 static bool options_agree(const path_question *q, sepax_error *error) {
   if (q->quiet && q->json) {
-    return sepax_fail(error, "quiet: there is nothing to print as JSON; leave one of them out");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "quiet: there is nothing to print as JSON; leave one of them out");
   }
   if (!path_bands_agree(q, error)) {
     return false;
   }
   if (!q->certify && (q->certificate != NULL || q->resolution.text != NULL || q->intervals != 0)) {
-    return sepax_fail(error, "%s: is of --certify; give that, too, or leave it out",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: is of --certify; give that, too, or leave it out",
                       q->certificate != NULL       ? "certificate"
                       : q->resolution.text != NULL ? "resolution"
                                                    : "intervals");
@@ -209,18 +214,20 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   for (int n = 0; n < 3 && q->certificate != NULL; n++) {
     struct stat s;
     if (read[n] != NULL && stat(read[n], &s) == 0 && !S_ISREG(s.st_mode)) {
-      return sepax_fail(error,
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "certificate: %.240s is no file that can be read again to check it; give "
                         "a file",
                         read[n]);
     }
   }
   if (q->jobs == NULL && (q->word != 0 || q->lsb.text != NULL)) {
-    return sepax_fail(error, "%s: is of --jobs; give that, too, or leave it out",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: is of --jobs; give that, too, or leave it out",
                       q->word != 0 ? "word" : "lsb");
   }
   if (q->resolution.length <= 0) {
-    return sepax_fail(error, "resolution: %.60s is not above 0", q->resolution.text);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "resolution: %.60s is not above 0",
+                      q->resolution.text);
   }
   const char *const names[2] = {q->urdf, q->motion};
   const char *const more[2] = {q->srdf != NULL ? q->srdf : "", q->jobs != NULL ? q->jobs : ""};
@@ -245,7 +252,7 @@ int cli_path(int argc, char **argv) {
   static const int status[] = {EXIT_FREE, EXIT_WARNING, EXIT_UNDECIDED, EXIT_COLLISION};
   static path_question q = {.resolution = {NULL, 1e-6}};
   argp_parse(&argp, argc, argv, 0, NULL, &q);
-  sepax_error error = {""};
+  sepax_error error = {0};
   path_scene scene = {.pairs = 0};
   q.keep = q.picture != NULL || q.page != NULL || q.jobs != NULL;
   q.word = q.jobs != NULL && q.word == 0 ? WORD : q.word;

@@ -80,7 +80,7 @@ static bool choose_grid(path_engine *e, const path_scene *scene, const path_ques
     return true;
   }
   int most = e->word <= SEPAX_TREE_WORD_MAX ? e->word : SEPAX_TREE_WORD_MAX;
-  return sepax_fail(error,
+  return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                     "word: %.60s and %.60s need more than %d bits of %.60s; give %.3gum or more%s",
                     path_body_name(scene, of->body[0]), path_body_name(scene, of->body[1]), most,
                     q->lsb.text, 1e6 * round_up(reach / steps_of(most)),
@@ -112,9 +112,10 @@ static bool choose_bands(path_engine *e, const path_question *q, sepax_design *d
   config.word = e->word;
   config.clearance = e->clearance;
   config.warning = e->warning;
-  sepax_error inner = {""};
+  sepax_error inner = {0};
   return sepax_design_init(design, &config, &inner) ||
-         sepax_fail(error, "an LSB of %.3g um: %.400s", 1e6 * e->resolution, inner.text);
+         sepax_fail(error, inner.code, "an LSB of %.3g um: %.400s", 1e6 * e->resolution,
+                    inner.text);
 }
 
 /* --------------------------------------------------------------- trees and poses */
@@ -125,13 +126,15 @@ static bool add_tree(path_engine *e, const path_scene *scene, size_t body, sepax
   for (int i = 0; i < 3; i++) {
     grid.offset[i] = b->least[i] / 2 + b->most[i] / 2;
   }
-  sepax_error inner = {""};
+  sepax_error inner = {0};
   sepax_tri *tri = malloc(b->mesh.count * sizeof *tri);
-  bool ok = tri != NULL || sepax_fail(&inner, "no memory for %zu triangles", b->mesh.count);
+  bool ok = tri != NULL ||
+            sepax_fail(&inner, SEPAX_ERROR_MEMORY, "no memory for %zu triangles", b->mesh.count);
   ok = ok && sepax_quantise(&b->mesh, &grid, tri, NULL, &inner) &&
        sepax_tree_new(&e->tree[body], tri, b->mesh.count, &grid, &inner);
   free(tri);
-  return ok || sepax_fail(error, "link %.60s: %.400s", path_body_name(scene, body), inner.text);
+  return ok || sepax_fail(error, inner.code, "link %.60s: %.400s", path_body_name(scene, body),
+                          inner.text);
 }
 
 static bool add_poses(path_engine *e, const path_scene *scene, const path_question *q, size_t n,
@@ -141,17 +144,17 @@ static bool add_poses(path_engine *e, const path_scene *scene, const path_questi
   const sepax_tree *const tree[2] = {e->tree[pair->body[0]], e->tree[pair->body[1]]};
   e->pose[n] = malloc(motion->lines * sizeof *e->pose[n]);
   if (e->pose[n] == NULL) {
-    return sepax_fail(error, "no memory for %zu poses", motion->lines);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu poses", motion->lines);
   }
   for (size_t line = 0; line < motion->lines; line++) {
     sepax_pose pose[2];
-    sepax_error inner = {""};
+    sepax_error inner = {0};
     sepax_chain_poses(&pair->chain, &scene->robot.mechanism, &motion->value[line * motion->joints],
                       pose);
     if (!sepax_tree_pose_make(&e->pose[n][line], tree[0], &pose[0], tree[1], &pose[1], margin,
                               &inner)) {
-      return sepax_fail(error, "%.120s:%zu: %.60s, %.60s: an LSB of %.3g um: %.200s", q->motion,
-                        motion->line[line], path_body_name(scene, pair->body[0]),
+      return sepax_fail(error, inner.code, "%.120s:%zu: %.60s, %.60s: an LSB of %.3g um: %.200s",
+                        q->motion, motion->line[line], path_body_name(scene, pair->body[0]),
                         path_body_name(scene, pair->body[1]), 1e6 * e->resolution, inner.text);
     }
   }
@@ -181,7 +184,7 @@ bool path_engine_make(path_engine *e, const path_scene *scene, const path_questi
   e->pose = calloc(e->pairs + 1, sizeof *e->pose);
   if (e->tree == NULL || e->pose == NULL) {
     path_engine_free(e);
-    return sepax_fail(error, "no memory for trees");
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for trees");
   }
   bool ok = true;
   for (size_t n = 0; n < e->pairs && ok; n++) {
@@ -234,7 +237,8 @@ static bool make_list(sepax_job_list *list, const path_engine *e, const path_sce
   for (size_t n = 0; n < motion->lines && ok; n++) {
     line[n] = (uint32_t)motion->line[n];
   }
-  ok = ok ? sepax_job_list_make(list, &jobs, error) : sepax_fail(error, "no memory for jobs");
+  ok = ok ? sepax_job_list_make(list, &jobs, error)
+          : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for jobs");
   free(tree);
   free(name);
   free(number);
@@ -246,9 +250,9 @@ static bool make_list(sepax_job_list *list, const path_engine *e, const path_sce
 bool path_write_jobs(path_scene *scene, const path_question *q, sepax_error *error) {
   path_engine engine;
   sepax_job_list list;
-  sepax_error inner = {""};
+  sepax_error inner = {0};
   if (!path_engine_make(&engine, scene, q, &inner)) {
-    return sepax_fail(error, "jobs: %.500s", inner.text);
+    return sepax_fail(error, inner.code, "jobs: %.500s", inner.text);
   }
   bool ok = make_list(&list, &engine, scene, error) && sepax_job_list_write(&list, q->jobs, error);
   if (ok) {

@@ -79,11 +79,12 @@ const struct argp path_scene_argp = {options, parse, NULL, NULL, NULL, NULL, NUL
 
 bool path_bands_agree(const path_question *q, sepax_error *error) {
   if (q->warning.text != NULL && q->clearance.text == NULL) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "warning: there is no clearance to warn before; give --clearance, too");
   }
   if (q->warning.text != NULL && q->warning.length <= q->clearance.length) {
-    return sepax_fail(error, "warning: %.60s is not above the clearance of %.60s", q->warning.text,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "warning: %.60s is not above the clearance of %.60s", q->warning.text,
                       q->clearance.text);
   }
   return true;

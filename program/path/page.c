@@ -41,19 +41,20 @@ static bool read_programs(page *p, sepax_error *error) {
   const char *folder = given != NULL && *given != '\0' ? given : "/usr/share/javascript/three";
   for (int i = 0; i < PROGRAMS; i++) {
     char path[PATH_MOST];
-    sepax_error inner = {""};
+    sepax_error inner = {0};
     format_text *text = &p->program[i];
     int length = snprintf(path, sizeof path, "%s/%s", folder, programs[i]);
     if (length < 0 || length >= PATH_MOST ||
         !format_text_read(text, path, FORMAT_XML_BYTES, &inner)) {
-      return sepax_fail(error,
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "page: three.js is not at %.200s; install libjs-three, or set SEPAX_THREE "
                         "to the folder with %s",
                         folder, programs[i]);
     }
     if (strlen(text->bytes) != text->size || strstr(text->bytes, "</script") != NULL ||
         strstr(text->bytes, "<!--") != NULL) {
-      return sepax_fail(error, "page: %.300s: cannot stand in a page; install libjs-three", path);
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "page: %.300s: cannot stand in a page; install libjs-three", path);
     }
   }
   return true;
@@ -66,7 +67,7 @@ bool path_page_possible(const path_scene *scene, sepax_error *error) {
   }
   double bytes = 24 * (double)triangles + 64 * (double)scene->bodies * (double)scene->motion.lines;
   if (bytes > PAGE_MOST) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_LIMIT,
                       "page: %zu triangles and %zu poses of %zu bodies are more than a page holds; "
                       "give a part of the path",
                       triangles, scene->motion.lines, scene->bodies);
@@ -209,7 +210,7 @@ static bool write_poses(FILE *out, const page *p, size_t link) {
   const sepax_mechanism *m = &scene->robot.mechanism;
   double *value = malloc((m->joints + 1) * sizeof *value);
   sepax_chain chain;
-  sepax_error error = {""};
+  sepax_error error = {0};
   if (value == NULL || !sepax_chain_find(&chain, m, m->root, link, &error)) {
     free(value);
     return false;
@@ -245,7 +246,7 @@ static bool find_steps(page *p, sepax_error *error) {
   size_t most = scene->motion.lines + scene->pairs;
   p->step = malloc(most * sizeof *p->step);
   if (p->step == NULL) {
-    return sepax_fail(error, "no memory for %zu poses", most);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu poses", most);
   }
   for (size_t n = 0; n < scene->motion.lines; n++) {
     p->step[p->steps++] = (path_moment){n, 0};

@@ -106,7 +106,7 @@ bool path_write_picture(const path_scene *scene, const char *path, sepax_error *
     const picture p = {scene, pose, of, at};
     ok = sepax_write_file(path, write_all, &p, error);
   } else {
-    sepax_fail(error, "no memory for the picture");
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the picture");
   }
   free(pose);
   free(of);

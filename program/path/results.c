@@ -112,7 +112,7 @@ void path_points(const path_scene *scene, const path_pair *pair, double point[2]
   const double *value = &scene->motion.value[pair->least_line * scene->motion.joints];
   sepax_chain chain;
   sepax_pose top[2];
-  sepax_error error = {""};
+  sepax_error error = {0};
   memcpy(point, pair->point, sizeof pair->point);
   if (!sepax_chain_find(&chain, m, m->root, pair->chain.top, &error)) {
     return;

@@ -58,7 +58,8 @@ static bool add_part(path_body *b, const format_shape *shape, bool only, sepax_e
   path_part *part = &b->part[b->parts];
   bool ok = format_shape_mesh(&mesh, shape, error) &&
             (append(&b->mesh, &mesh) ||
-             sepax_fail(error, "no memory for %zu triangles", b->mesh.count + mesh.count));
+             sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles",
+                        b->mesh.count + mesh.count));
   if (ok && sepax_body_new(&part->body, &mesh, error)) {
     b->parts++; /* which frees it from now on */
     b->body = only ? part->body : NULL;
@@ -90,19 +91,19 @@ static bool make_body(path_body *b, const format_robot *robot, size_t first, siz
   b->link = robot->shape[first].link;
   b->part = calloc(count, sizeof *b->part);
   if (b->part == NULL) {
-    return sepax_fail(error, "no memory for %zu parts", count);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu parts", count);
   }
-  sepax_error inner = {""};
+  sepax_error inner = {0};
   for (size_t n = first; n < first + count; n++) {
     if (!add_part(b, &robot->shape[n], count == 1, &inner)) {
-      return sepax_fail(error, "link %.60s: %.400s", robot->mechanism.link[b->link].name,
-                        inner.text);
+      return sepax_fail(error, inner.code, "link %.60s: %.400s",
+                        robot->mechanism.link[b->link].name, inner.text);
     }
   }
   b->triangles = b->mesh.count;
   find_box(b);
   if (!format_distinct(&b->mesh)) {
-    return sepax_fail(error, "no memory for %zu triangles", b->triangles);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles", b->triangles);
   }
   if (b->mesh.count < b->triangles) {
     b->body = NULL; /* its parts, which are whole, say what is inside */
@@ -121,7 +122,7 @@ static bool make_bodies(path_scene *scene, bool keep_meshes, sepax_error *error)
   const format_robot *robot = &scene->robot;
   scene->body = calloc(robot->shapes + 1, sizeof *scene->body);
   if (scene->body == NULL) {
-    return sepax_fail(error, "no memory for bodies");
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for bodies");
   }
   bool ok = true;
   cli_progress progress = cli_progress_begin("bodies", robot->shapes);
@@ -169,7 +170,8 @@ static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error
   scene->pair = calloc(most + 1, sizeof *scene->pair);
   if (compared == NULL || scene->pair == NULL) {
     free(compared);
-    return sepax_fail(error, "no memory for pairs of %zu bodies", scene->bodies);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for pairs of %zu bodies",
+                      scene->bodies);
   }
   memset(compared, true, m->links * m->links);
   bool ok = srdf == NULL || format_srdf_read(compared, m, &scene->srdf_robot, srdf, error);
@@ -199,7 +201,7 @@ bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *err
     return false;
   }
   if (scene->pairs == 0) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "%.240s: no two bodies to compare: %zu links have collision geometry, %zu "
                       "pairs are left out",
                       q->urdf, scene->bodies, scene->joined + scene->disabled);

@@ -225,7 +225,7 @@ static bool ask_lines(work *all, path_pair *pair, sepax_error *error) {
 
 static void work_on(void *context, size_t part) {
   work *all = context;
-  sepax_error error = {""};
+  sepax_error error = {0};
   if (!ask_lines(all, &all->scene->pair[part], &error)) {
     if (!atomic_flag_test_and_set(&all->failing)) {
       *all->error = error;
@@ -252,12 +252,12 @@ bool path_search(path_scene *scene, const path_question *q, sepax_error *error) 
   for (size_t n = 0; n < scene->pairs && (q->csv != NULL || q->page != NULL); n++) {
     scene->pair[n].verdict = calloc(lines, 1);
     if (scene->pair[n].verdict == NULL) {
-      return sepax_fail(error, "no memory for verdicts of %zu lines", lines);
+      return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for verdicts of %zu lines", lines);
     }
   }
-  error->text[0] = '\0';
+  error->code = SEPAX_OK;
   size_t threads = q->threads > 0 ? (size_t)q->threads : sepax__threads_here();
   sepax__threads_run(threads, scene->pairs, work_on, &all);
   scene->seconds = cli_progress_end(&progress);
-  return error->text[0] == '\0';
+  return error->code == SEPAX_OK;
 }

@@ -342,7 +342,7 @@ static bool read_and_size(const size_options *o, size_answer *answer, sepax_erro
   }
   answer->size = calloc(1, sizeof *answer->size);
   if (answer->size == NULL) {
-    return sepax_fail(error, "no memory for a scene");
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a scene");
   }
   answer->pairs = 1;
   space.path = posed ? &path : NULL;
@@ -373,7 +373,7 @@ static void release(size_answer *answer) {
 
 /* The best of each kind, and of all. */
 static bool choose(const size_options *o, size_answer *answer, sepax_error *error) {
-  sepax_error why = {""};
+  sepax_error why = {0};
   uint64_t fewest = UINT64_MAX;
   for (int kind = 0; kind < SIZE_KINDS; kind++) {
     size_kind *k = &answer->kind[kind];
@@ -402,8 +402,8 @@ static bool choose(const size_options *o, size_answer *answer, sepax_error *erro
       answer->best = &k->best;
     }
   }
-  if (answer->best == NULL && why.text[0] == '\0') {
-    return sepax_fail(error,
+  if (answer->best == NULL && why.code == SEPAX_OK) {
+    return sepax_fail(error, SEPAX_ERROR_LIMIT,
                       "tree: %d bits of a coordinate are more than %d; coarsen the resolution",
                       answer->size->grid.word, SEPAX_TREE_WORD_MAX);
   }
@@ -440,7 +440,7 @@ int cli_size(int argc, char **argv) {
   o.clock = sepax_config_default();
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   o.request.clock_ps = o.clock.clock_ps;
-  sepax_error error = {""};
+  sepax_error error = {0};
   size_answer answer = {.best = NULL};
   bool ok = (!o.json || size_names_printable(&o, &error)) && sepax_config_check(&o.clock, &error) &&
             read_and_size(&o, &answer, &error) && choose(&o, &answer, &error) &&

@@ -34,7 +34,7 @@ static bool measure_pair(sepax_size *size, const size_answer *answer, size_t n,
   const path_pair *pair = &scene->pair[n];
   sepax_poses path = {calloc(motion->lines, sizeof *path.pose), motion->lines};
   if (path.pose == NULL) {
-    return sepax_fail(error, "no memory for %zu poses", motion->lines);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu poses", motion->lines);
   }
   for (size_t line = 0; line < motion->lines; line++) {
     sepax_pose pose[2];
@@ -47,11 +47,12 @@ static bool measure_pair(sepax_size *size, const size_answer *answer, size_t n,
                              .limited = true,
                              .clearance = answer->engine.clearance,
                              .warning = answer->engine.warning};
-  sepax_error inner = {""};
-  bool ok = sepax_size_scene(size, &scene->body[pair->body[0]].mesh,
-                             &scene->body[pair->body[1]].mesh, &space, &inner) ||
-            sepax_fail(error, "%.60s, %.60s: %.400s", path_body_name(scene, pair->body[0]),
-                       path_body_name(scene, pair->body[1]), inner.text);
+  sepax_error inner = {0};
+  bool ok =
+      sepax_size_scene(size, &scene->body[pair->body[0]].mesh, &scene->body[pair->body[1]].mesh,
+                       &space, &inner) ||
+      sepax_fail(error, inner.code, "%.60s, %.60s: %.400s", path_body_name(scene, pair->body[0]),
+                 path_body_name(scene, pair->body[1]), inner.text);
   sepax_poses_free(&path);
   return ok;
 }
@@ -62,7 +63,7 @@ static bool share_trees(sepax_size *size, const size_answer *answer, size_t n, s
   const size_t *body = answer->scene.pair[n].body;
   struct size_trees *trees = calloc(1, sizeof *trees);
   if (trees == NULL) {
-    return sepax_fail(error, "no memory for trees");
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for trees");
   }
   *trees = (struct size_trees){.tree = {e->tree[body[0]], e->tree[body[1]]},
                                .pose = e->pose[n],
@@ -85,7 +86,7 @@ static bool measure_pairs(size_answer *answer, double cycles, sepax_error *error
   }
   answer->size = calloc(scene->pairs + 1, sizeof *answer->size);
   if (answer->size == NULL) {
-    return sepax_fail(error, "no memory for %zu pairs", scene->pairs);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu pairs", scene->pairs);
   }
   bool ok = true;
   cli_progress progress = cli_progress_begin("pairs", scene->pairs);
@@ -117,7 +118,7 @@ bool size_scene_tell(size_answer *answer, const size_options *o, sepax_error *er
   size_t lines = answer->scene.motion.lines;
   answer->each = calloc(answer->pairs, sizeof *answer->each);
   if (answer->each == NULL) {
-    return sepax_fail(error, "no memory for %zu pairs", answer->pairs);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu pairs", answer->pairs);
   }
   for (size_t n = 0; n < answer->pairs; n++) {
     size_pair *p = &answer->each[n];

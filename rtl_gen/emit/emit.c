@@ -80,6 +80,7 @@ void emit_free(emitter *e) {
 bool emit_refuse(const emit_module *m, const char *format, ...) {
   sepax_error *error = &m->emitter->error;
   if (error->text[0] == '\0') {
+    error->code = SEPAX_ERROR_ARGUMENT;
     int used = snprintf(error->text, sizeof error->text, "generator refuses %s: ", m->name);
     va_list args;
     va_start(args, format);

@@ -96,7 +96,8 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
   exact_stages_make(p);
   double shortest = p->stages.shortest * delay_corner(&design->config);
   if (shortest * 1000 > design->config.clock_ps) {
-    return sepax_fail(error, "clock-ns: %g is too short for W = %d; give %.2f or more",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "clock-ns: %g is too short for W = %d; give %.2f or more",
                       design->config.clock_ps / 1000.0, design->core_word, shortest + 0.005);
   }
   p->datapath.schedule.ii = ii;

@@ -80,25 +80,26 @@ static void render(const emitter *e, output *o) {
 static bool write_aside(output_file *file, sepax_error *error) {
   struct stat status;
   if (stat(file->path, &status) == 0 && !S_ISREG(status.st_mode)) {
-    return sepax_fail(error, "%.200s: not a regular file; remove it", file->path);
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.200s: not a regular file; remove it", file->path);
   }
   FILE *out = sepax__temporary_create(file->aside, &file->ticket);
   if (out == NULL) {
-    return sepax_fail(error, "%.200s: %s; give a folder that can be written to", file->aside,
-                      strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.200s: %s; give a folder that can be written to",
+                      file->aside, strerror(errno));
   }
   file->written = true;
   bool whole = fputs(file->text.text, out) >= 0;
   if (fclose(out) != 0 || !whole) {
-    return sepax_fail(error, "%.200s: %s; free some space or give another folder", file->aside,
-                      strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.200s: %s; free some space or give another folder",
+                      file->aside, strerror(errno));
   }
   return true;
 }
 
 static bool put_in_place(output_file *file, sepax_error *error) {
   if (rename(file->aside, file->path) != 0) {
-    return sepax_fail(error, "%.200s: %s; remove what is in the way", file->path, strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.200s: %s; remove what is in the way", file->path,
+                      strerror(errno));
   }
   file->written = false;
   return true;
@@ -159,14 +160,15 @@ static void close_files(output *o) {
 static bool make_folder(const char *folder, bool *made, sepax_error *error) {
   struct stat status;
   if (strlen(folder) > FOLDER_LENGTH) {
-    return sepax_fail(error, "%.60s...: the folder's name is too long", folder);
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.60s...: the folder's name is too long", folder);
   }
   *made = mkdir(folder, 0777) == 0;
   if (!*made && errno != EEXIST) {
-    return sepax_fail(error, "%.200s: %s; give a folder that can be made", folder, strerror(errno));
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.200s: %s; give a folder that can be made", folder,
+                      strerror(errno));
   }
   if (!*made && (stat(folder, &status) != 0 || !S_ISDIR(status.st_mode))) {
-    return sepax_fail(error, "%.200s: not a folder; give another name", folder);
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.200s: not a folder; give another name", folder);
   }
   return true;
 }

@@ -130,7 +130,7 @@ static uint64_t result_of(const sepax_design *design, const sepax_tri *a, const 
 static void expect(engine *e, unsigned l) {
   static const int32_t still[3] = {0, 0, 0};
   expected *outstanding = &e->lane[l];
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_object_run run;
   sepax_tri *tri[2];
   for (int object = 0; object < 2; object++) {

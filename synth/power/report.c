@@ -43,7 +43,7 @@ static bool write_cells(FILE *out, const void *context) {
 }
 
 static void write_file(const char *path, bool (*write)(FILE *, const void *), const analysis *m) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   if (path != NULL && !sepax_write_file(path, write, m, &error)) {
     errx(2, "%s", error.text);
   }

@@ -223,7 +223,7 @@ static void expect(engine *e, unsigned l, size_t list) {
                             .jobs = 1,
                             .each = expect_pair,
                             .context = &e->lane[l]};
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_tree_result r;
   bool more;
   uint64_t cycles = 0;
@@ -238,7 +238,7 @@ static void expect(engine *e, unsigned l, size_t list) {
     e->out_of_range += r.run.out_of_range;
     e->poses++;
   }
-  if (error.text[0] != '\0') {
+  if (error.code != SEPAX_OK) {
     errx(2, "%s", error.text);
   }
   e->limit = cycles > e->limit ? cycles : e->limit;
@@ -256,7 +256,7 @@ static void put_tree(engine *e, const sepax_tree *tree, uint8_t record[SEPAX_TRE
 
 /* Both bodies, and a job for each lane; where they are. */
 static void put_jobs(engine *e, const analysis *m, size_t list[LANES]) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_poses poses;
   sepax_scene scene = power_meshes(m);
   sepax_tree *tree[2];

@@ -78,7 +78,7 @@ static uint64_t check_halving(int word, uint64_t count, int clearance) {
   enum { MOST = 300 };
   static sepax_tri a[MOST], b[MOST];
   sepax_random random = {(uint64_t)word};
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_config config = sepax_config_default();
   config.word = word;
   config.clearance = clearance;
@@ -175,7 +175,7 @@ static void scale_pairs(void) {
 static double search(const sepax_scene *s, int threads, bool brute_force, size_t *collisions) {
   sepax_search how = {.threads = threads, .brute_force = brute_force};
   sepax_pairs found;
-  sepax_error error = {""};
+  sepax_error error = {0};
   double start = seconds_now();
   if (!sepax_colliding_pairs(s->tri[0], s->count[0], s->tri[1], s->count[1], &how, &found,
                              &error)) {
@@ -191,7 +191,7 @@ static double search(const sepax_scene *s, int threads, bool brute_force, size_t
 static void scale_meshes(void) {
   for (size_t triangles = 100; triangles <= 100000; triangles *= 10) {
     sepax_mesh mesh[2];
-    sepax_error error = {""};
+    sepax_error error = {0};
     sepax_grid grid = {.resolution = 0.0005, .word = 18};
     sepax_scene scene = {.count = {triangles, triangles}};
     for (int i = 0; i < 2; i++) {
@@ -223,7 +223,7 @@ static void scale_meshes(void) {
 
 static int meshes(const char *const path[2]) {
   sepax_scene scene;
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_grid grid = {.word = 18};
   if (!sepax_scene_load(&scene, path, &grid, false, &error)) {
     bench_fail(&error);

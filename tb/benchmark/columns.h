@@ -21,7 +21,7 @@ static inline void __attribute__((noreturn)) bench_fail(const sepax_error *error
 
 static inline sepax_design design_from(sepax_config config) {
   sepax_design design;
-  sepax_error error = {""};
+  sepax_error error = {0};
   if (!sepax_design_init(&design, &config, &error)) {
     bench_fail(&error);
   }

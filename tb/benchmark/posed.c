@@ -276,7 +276,7 @@ static void print_pair(const char *who, kind what, const situation *s, size_t i,
 static void search(const situation *s, bool found[MOST][MOST], sepax_path path) {
   sepax_body *body[2];
   sepax_pairs pairs;
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_query query = {.path = path};
   for (int k = 0; k < 2; k++) {
     sepax_facet copy[MOST];

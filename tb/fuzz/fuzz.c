@@ -6,7 +6,7 @@
 size_t fuzz_accepted;
 
 bool fuzz_answer(bool ok, const sepax_error *error) {
-  REQUIRE(ok == (error->text[0] == '\0'));
+  REQUIRE(ok == (error->text[0] == '\0') && ok == (error->code == SEPAX_OK));
   REQUIRE(strchr(error->text, '\n') == NULL);
   fuzz_accepted += ok;
   return ok;

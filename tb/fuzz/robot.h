@@ -16,7 +16,7 @@ static inline void read_robot(format_robot *robot) {
       "<joint name='q' type='continuous'><parent link='b'/><child link='c'/></joint>"
       "<joint name='m' type='prismatic'><parent link='a'/><child link='d'/>"
       "<limit lower='-9' upper='9'/><mimic joint='x' multiplier='2'/></joint></robot>";
-  sepax_error error = {""};
+  sepax_error error = {0};
   fuzz_file("robot.urdf", (const uint8_t *)text, sizeof text - 1);
   bool ok = format_urdf_read(robot, "robot.urdf", NULL, 0, &error);
   if (!ok) {

@@ -124,7 +124,7 @@ static void compare_cycles(uint64_t cycles, const sepax_object_run *run, const t
 }
 
 sepax_counts run_task(const task *t, bool paced) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   expected e = {.task = t};
   sepax_counts counts = {0};
   stop_on(
@@ -199,7 +199,7 @@ static bool tick_off(void *context, const sepax_hit *hit) {
 
 /* Both meshes against sepax_colliding_pairs, which enumerates no pairs as the engine does. */
 static void run_meshes(const char *const path[2], double resolution, bool paced) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_scene scene;
   const sepax_grid grid = {resolution, {0, 0, 0}, SEPAX_WORD};
   stop_on(!sepax_scene_load(&scene, path, &grid, false, &error), error.text);
@@ -401,7 +401,7 @@ int main(int argc, char **argv) {
   }
   stop_on(size == 0 || size > 128, "--size is 1 ... 128");
   stop_on(paths == 1, "give two meshes, or none");
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_config config = sepax_config_default();
   stop_on(!sepax_config_parse(&config, SEPAX_OPTIONS, &error) ||
               !sepax_design_init(&design, &config, &error),

@@ -30,7 +30,7 @@ int main(int argc, char **argv) {
     fprintf(stderr, "objects: WORD is 4 ... 32, RESOLUTION a length above 0\n");
     return 2;
   }
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_scene scene;
   const char *const path[2] = {argv[1], argv[2]};
   const sepax_grid grid = {resolution, {0, 0, 0}, (int)word};

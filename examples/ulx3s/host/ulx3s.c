@@ -203,7 +203,7 @@ int main(int argc, char **argv) {
                                    NULL};
   settings s = {.port = "/dev/ttyUSB0", .baud = 3000000};
   argp_parse(&argp, argc, argv, 0, NULL, &s);
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_scene scene;
   const sepax_grid grid = {s.resolution, {0, 0, 0}, SEPAX_WORD};
   if (!sepax_scene_load(&scene, s.path, &grid, false, &error)) {

@@ -73,8 +73,9 @@ static bool add_facet(importer *in, const size_t corner[3], sepax_error *error) 
                            ? list_grow(mesh->facet, &in->capacity, mesh->count, sizeof *grown)
                            : NULL;
   if (grown == NULL) {
-    return sepax_fail(error, "%.300s: more than %d triangles, or no memory; simplify the mesh",
-                      in->path, FORMAT_FACETS_MOST);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY,
+                      "%.300s: more than %d triangles, or no memory; simplify the mesh", in->path,
+                      FORMAT_FACETS_MOST);
   }
   mesh->facet = grown;
   sepax_facet *facet = &mesh->facet[mesh->count];
@@ -83,7 +84,7 @@ static bool add_facet(importer *in, const size_t corner[3], sepax_error *error) 
     memcpy(facet->v[k], in->corner[corner[k]], sizeof facet->v[k]);
     for (int i = 0; i < 3; i++) {
       if (!isfinite(facet->v[k][i])) {
-        return sepax_fail(error,
+        return sepax_fail(error, SEPAX_ERROR_FORMAT,
                           "%.300s: a coordinate of triangle %zu is not finite; export it "
                           "again",
                           in->path, mesh->count);
@@ -110,21 +111,22 @@ static bool add_face(importer *in, const struct aiMesh *from, const struct aiFac
                      const change *to, sepax_error *error) {
   size_t count = face->mNumIndices;
   if (count < 3) {
-    return sepax_fail(error, "%.300s: it has points or lines beside faces; leave them out",
-                      in->path);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "%.300s: it has points or lines beside faces; leave them out", in->path);
   }
   if (!make_space(in, count)) {
-    return sepax_fail(error, "%.300s: no memory for a face of %zu corners", in->path, count);
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "%.300s: no memory for a face of %zu corners",
+                      in->path, count);
   }
   for (size_t k = 0; k < count; k++) {
     if (face->mIndices[k] >= from->mNumVertices) {
-      return sepax_fail(error, "%.300s: a face has a vertex that is not there; export it again",
-                        in->path);
+      return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                        "%.300s: a face has a vertex that is not there; export it again", in->path);
     }
     place(to, &from->mVertices[face->mIndices[k]], in->corner[k]);
   }
   if (!format_polygon_divide((const double(*)[3])in->corner, count, in->triangle)) {
-    return sepax_fail(error,
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
                       "%.240s: a face of %zu corners is too hollow to be divided; export "
                       "triangles",
                       in->path, count);
@@ -142,8 +144,9 @@ static bool add_node(importer *in, const struct aiNode *node, const change *oute
   enum { DEPTH_MOST = 200 };
   change own = change_of(&node->mTransformation);
   change to = is_nothing(outer) ? own : is_nothing(&own) ? *outer : combined(outer, &own);
-  bool ok = depth < DEPTH_MOST ||
-            sepax_fail(error, "%.300s: nodes %d deep; flatten the scene", in->path, depth);
+  bool ok =
+      depth < DEPTH_MOST || sepax_fail(error, SEPAX_ERROR_FORMAT,
+                                       "%.300s: nodes %d deep; flatten the scene", in->path, depth);
   for (unsigned n = 0; n < node->mNumMeshes && ok; n++) {
     const struct aiMesh *mesh = in->scene->mMeshes[node->mMeshes[n]];
     for (unsigned k = 0; k < mesh->mNumFaces && ok; k++) {
@@ -169,7 +172,7 @@ static const struct aiScene *import(const char *path, sepax_error *error) {
     if (strstr(why, "bad_alloc") != NULL) {
       why = "it is too large for the memory that a file of this length gets";
     }
-    sepax_fail(error, "%.240s: %.180s; export it again", path, why);
+    sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s: %.180s; export it again", path, why);
     aiReleaseImport(scene);
     return NULL;
   }
@@ -185,7 +188,8 @@ bool mesh_read_assimp(sepax_mesh *mesh, const char *path, sepax_error *error) {
   importer in = {.path = path, .scene = scene, .mesh = mesh};
   const change none = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   bool ok = add_node(&in, scene->mRootNode, &none, 0, error) &&
-            (mesh->count > 0 || sepax_fail(error, "%.300s: no triangles in it; give a mesh", path));
+            (mesh->count > 0 || sepax_fail(error, SEPAX_ERROR_FORMAT,
+                                           "%.300s: no triangles in it; give a mesh", path));
   free(in.corner);
   free(in.triangle);
   aiReleaseImport(scene);

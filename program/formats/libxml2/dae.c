@@ -22,10 +22,11 @@ static bool read_unit(xmlTextReader *in, head *h, sepax_error *error) {
   const char *text = value != NULL ? (const char *)value : "1";
   double metres = 0;
   bool ok = (format_number(text, strlen(text), &metres) && metres >= least && metres <= most) ||
-            sepax_fail(error, "%.240s:%d: <unit meter=\"%.40s\">: give a number of 1e-9 ... 1e9",
-                       h->path, line_of(in), text);
+            sepax_fail(error, SEPAX_ERROR_FORMAT,
+                       "%.240s:%d: <unit meter=\"%.40s\">: give a number of 1e-9 ... 1e9", h->path,
+                       line_of(in), text);
   ok = ok && (h->metres == 0 || (metres >= h->metres && metres <= h->metres) ||
-              sepax_fail(error,
+              sepax_fail(error, SEPAX_ERROR_FORMAT,
                          "%.240s:%d: a second <unit>, of %.9g m after one of %.9g m; export "
                          "it in one",
                          h->path, line_of(in), metres, h->metres));
@@ -39,7 +40,8 @@ static bool read_nodes(xmlTextReader *in, head *h, sepax_error *error) {
   while (xmlTextReaderRead(in) == 1) {
     int type = xmlTextReaderNodeType(in);
     if (type == XML_READER_TYPE_DOCUMENT_TYPE) {
-      return sepax_fail(error, "%.240s: it has a document type (<!DOCTYPE>); take it out", h->path);
+      return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                        "%.240s: it has a document type (<!DOCTYPE>); take it out", h->path);
     }
     if (type == XML_READER_TYPE_ELEMENT &&
         strcmp((const char *)xmlTextReaderConstLocalName(in), "unit") == 0 &&
@@ -56,7 +58,8 @@ static bool is_right(const char *path, sepax_error *error) {
   head h = {.path = path};
   xmlTextReader *in = xmlReaderForFile(path, NULL, OPTIONS);
   if (in == NULL) {
-    return sepax_fail(error, "%.300s: it cannot be read; give a readable file", path);
+    return sepax_fail(error, SEPAX_ERROR_FILE, "%.300s: it cannot be read; give a readable file",
+                      path);
   }
   plain_numbers plain = plain_numbers_begin();
   bool ok = read_nodes(in, &h, error);

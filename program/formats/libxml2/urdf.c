@@ -78,7 +78,7 @@ static bool read_mesh(const reader *r, const xmlNode *node, format_shape *shape,
       !xml_name(&r->file, node, "filename", &shape->name, error)) {
     return false;
   }
-  sepax_error inner = {""};
+  sepax_error inner = {0};
   bool ok = shape->size[0] * shape->size[1] * shape->size[2] != 0 ||
             xml_fail(&r->file, node, error, "a scale of 0 leaves no body; give another one");
   ok = ok && (format_find_mesh(r->places, shape->name, &shape->path, &inner) ||
@@ -331,7 +331,7 @@ static bool read_robot(reader *r, sepax_error *error) {
       return false;
     }
   }
-  sepax_error inner = {""};
+  sepax_error inner = {0};
   size_t wrong = SEPAX_NO_JOINT;
   if (sepax__mechanism_join(&r->robot->mechanism, &wrong, &inner)) {
     return true;

@@ -18,7 +18,8 @@ bool xml_fail(const xml_file *file, const xmlNode *node, sepax_error *error, con
   va_start(args, format);
   vsnprintf(detail, sizeof detail, format, args);
   va_end(args);
-  return sepax_fail(error, "%.240s:%ld: %s", file->path, xmlGetLineNo(node), detail);
+  return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%ld: %s", file->path, xmlGetLineNo(node),
+                    detail);
 }
 
 /* ------------------------------------------------------------------------ parsing */
@@ -37,15 +38,17 @@ static void refuse_type(void *context, const xmlChar *name, const xmlChar *exter
 static bool fail_parser(xmlParserCtxt *parser, const char *path, bool has_type,
                         sepax_error *error) {
   if (has_type) {
-    return sepax_fail(error, "%.240s: it has a document type (<!DOCTYPE>); take it out", path);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "%.240s: it has a document type (<!DOCTYPE>); take it out", path);
   }
   const xmlError *last = xmlCtxtGetLastError(parser);
   const char *text = last != NULL && last->message != NULL ? last->message : "no XML";
   if (strncmp(text, "Excessive depth", strlen("Excessive depth")) == 0) {
-    return sepax_fail(error, "%.240s:%d: deeper than 256 elements; flatten it", path, last->line);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%d: deeper than 256 elements; flatten it",
+                      path, last->line);
   }
-  return sepax_fail(error, "%.240s:%d: %.*s; mend the XML", path, last != NULL ? last->line : 1,
-                    (int)strcspn(text, "\n"), text);
+  return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%d: %.*s; mend the XML", path,
+                    last != NULL ? last->line : 1, (int)strcspn(text, "\n"), text);
 }
 
 bool xml_open(xml_file *file, const char *path, const char *root, sepax_error *error) {
@@ -65,12 +68,13 @@ bool xml_open(xml_file *file, const char *path, const char *root, sepax_error *e
     ok = (file->doc != NULL && !has_type) || fail_parser(parser, path, has_type, error);
     xmlFreeParserCtxt(parser);
   } else {
-    sepax_fail(error, "%.300s: no memory to read it", path);
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "%.300s: no memory to read it", path);
   }
   free(text.bytes);
   file->root = ok ? xmlDocGetRootElement(file->doc) : NULL;
   if (ok && (file->root == NULL || !xml_is(file->root, root))) {
-    ok = sepax_fail(error, "%.300s: its root is no <%s>; give another file", path, root);
+    ok = sepax_fail(error, SEPAX_ERROR_FORMAT, "%.300s: its root is no <%s>; give another file",
+                    path, root);
   }
   if (!ok) {
     xml_close(file);

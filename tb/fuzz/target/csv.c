@@ -26,7 +26,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const format_motion_rules rules = {.hold = (data[0] & 1) != 0,
                                      .ignore_limits = (data[0] & 2) != 0};
   format_motion motion;
-  sepax_error error = {""};
+  sepax_error error = {0};
   fuzz_file("input.csv", data + 1, size - 1);
   bool ok = fuzz_answer(format_motion_read(&motion, &robot.mechanism, &rules, "input.csv", &error),
                         &error);

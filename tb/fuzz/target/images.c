@@ -22,7 +22,7 @@ static bool fits(const uint8_t *record, size_t bytes) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   static sepax_design design;
-  sepax_error error = {""};
+  sepax_error error = {0};
   if (design.config.word != 12) {
     sepax_config config = sepax_config_default();
     REQUIRE(sepax_config_set(&config, "word", "12", &error));
@@ -44,7 +44,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   int left = 1000;
   const sepax_tree_walk how = {.design = &design, .each = few, .context = &left};
   sepax_tree_run run;
-  error = (sepax_error){""};
+  error = (sepax_error){0};
   fuzz_answer(sepax_images_walk(image, record, &pose, &how, &run, &error), &error);
   return 0;
 }

@@ -13,7 +13,7 @@ static sepax_tree *new_tree(int size) {
   const sepax_tri tri[2] = {{{{0, 0, 0}, {size, 0, 0}, {0, size, 1}}},
                             {{{size, size, 0}, {size, 0, 0}, {0, size, 1}}}};
   sepax_tree *tree = NULL;
-  sepax_error error = {""};
+  sepax_error error = {0};
   REQUIRE(sepax_tree_new(&tree, tri, 2, &grid, &error));
   return tree;
 }
@@ -24,7 +24,7 @@ static void make_list(sepax_job_list *list) {
   static const uint32_t line[POSES] = {2, 3, 4};
   sepax_tree *tree[2] = {new_tree(20), new_tree(30)};
   sepax_tree_pose pose[POSES];
-  sepax_error error = {""};
+  sepax_error error = {0};
   for (int n = 0; n < POSES; n++) {
     const sepax_pose p = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {20 * n, 0, 0}};
     REQUIRE(sepax_tree_pose_make(&pose[n], tree[0], NULL, tree[1], &p, 3, &error));
@@ -48,7 +48,7 @@ static void make_list(sepax_job_list *list) {
 static void require_answers(const sepax_job_list *list) {
   sepax_config config = sepax_config_default();
   sepax_design design;
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_job_list_config(list, &config);
   if (!sepax_design_init(&design, &config, &error)) {
     return;
@@ -90,7 +90,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   }
   fuzz_file("input.sxj", list.byte, bytes);
   sepax_job_list_free(&list);
-  sepax_error error = {""};
+  sepax_error error = {0};
   if (fuzz_answer(sepax_job_list_read(&list, "input.sxj", &error), &error)) {
     require_answers(&list);
     sepax_job_list_free(&list);

@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const char *file = name[data[0] & 3];
   fuzz_file(file, data + 1, size - 1);
   sepax_mesh mesh;
-  sepax_error error = {""};
+  sepax_error error = {0};
   bool ok = fuzz_answer(format_mesh_read(&mesh, file, &error), &error);
   if (ok) {
     REQUIRE(mesh.count > 0);

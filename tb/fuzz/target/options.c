@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   memcpy(text, data, size);
   text[size] = '\0';
   sepax_config config = sepax_config_default();
-  sepax_error error = {""};
+  sepax_error error = {0};
   bool ok = fuzz_answer(sepax_config_parse(&config, text, &error), &error);
   if (ok) {
     ok = fuzz_answer(sepax_config_check(&config, &error), &error);

@@ -20,7 +20,7 @@ static void require_printed(const sepax_pair *pair, int word) {
   sepax_pair_print(out, pair);
   REQUIRE(fclose(out) == 0);
   sepax_pair again;
-  sepax_error error = {""};
+  sepax_error error = {0};
   REQUIRE(sepax_pair_parse(&again, text, word, &error) == SEPAX_LINE_PAIR);
   REQUIRE(memcmp(&again.a, &pair->a, sizeof again.a) == 0);
   REQUIRE(memcmp(&again.b, &pair->b, sizeof again.b) == 0);
@@ -38,7 +38,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   sepax_line kind = SEPAX_LINE_PAIR;
   while (kind != SEPAX_LINE_EMPTY) {
     sepax_pair pair;
-    sepax_error error = {""};
+    sepax_error error = {0};
     kind = sepax_pair_read(&pair, in, "input", &number, word, &error);
     fuzz_answer(kind != SEPAX_LINE_ERROR, &error);
     REQUIRE(number <= size);

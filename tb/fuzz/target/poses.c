@@ -3,7 +3,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   sepax_poses poses;
-  sepax_error error = {""};
+  sepax_error error = {0};
   fuzz_file("input.txt", data, size);
   bool ok = fuzz_answer(sepax_poses_read(&poses, "input.txt", &error), &error);
   if (ok) {

@@ -7,7 +7,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     read_robot(&robot);
   }
   bool compared[16];
-  sepax_error error = {""};
+  sepax_error error = {0};
   REQUIRE(robot.mechanism.links == 4);
   memset(compared, 1, sizeof compared);
   fuzz_file("input.srdf", data, size);

@@ -18,7 +18,7 @@ static void require_finite(const sepax_mesh *mesh) {
 
 static void require_again(const sepax_mesh *mesh) {
   sepax_mesh again;
-  sepax_error error = {""};
+  sepax_error error = {0};
   REQUIRE(sepax_stl_write(mesh, "again.stl", true, &error));
   REQUIRE(sepax_stl_read(&again, "again.stl", &error));
   REQUIRE(again.count == mesh->count);
@@ -34,7 +34,7 @@ static void require_again(const sepax_mesh *mesh) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   sepax_mesh mesh;
-  sepax_error error = {""};
+  sepax_error error = {0};
   fuzz_file("input.stl", data, size);
   bool ok = fuzz_answer(sepax_stl_read(&mesh, "input.stl", &error), &error);
   if (ok) {

@@ -50,7 +50,7 @@ static void require_walk(const sepax_tree *tree) {
   sepax_config config = sepax_config_default();
   sepax_design design;
   sepax_tree_pose pose;
-  sepax_error error = {""};
+  sepax_error error = {0};
   REQUIRE(sepax_config_set(&config, "word", "21", &error));
   REQUIRE(sepax_config_set(&config, "tree", "on", &error));
   REQUIRE(sepax_design_init(&design, &config, &error));
@@ -73,7 +73,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz_file("input.sxt", file, bytes);
   free(file);
   sepax_tree *tree;
-  sepax_error error = {""};
+  sepax_error error = {0};
   bool ok = fuzz_answer(sepax_tree_read(&tree, "input.sxt", &error), &error);
   if (ok) {
     require_walk(tree);

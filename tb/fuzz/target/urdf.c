@@ -21,7 +21,7 @@ static void require_poses(const sepax_mechanism *m) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   format_robot robot;
-  sepax_error error = {""};
+  sepax_error error = {0};
   const format_package package = {"here", "."};
   fuzz_file("input.urdf", data, size);
   bool ok = fuzz_answer(format_urdf_read(&robot, "input.urdf", &package, 1, &error), &error);

@@ -323,7 +323,7 @@ void bench_run(bench_batch *b) {
                              .jobs = b->jobs,
                              .each = keep,
                              .context = &c};
-  sepax_error error = {""};
+  sepax_error error = {0};
   bench_reads reads = {.bursts = external.bursts};
   uint64_t bursts = bus_attached()->counts.bursts;
   uint64_t stopped = b->stopped;
@@ -422,7 +422,7 @@ int main(int argc, char **argv) {
   stop_on(c.latency == 0 || c.latency > 100000, "--latency is 1 ... 100000 cycles");
   stop_on(c.budget > UINT32_MAX, "--budget is up to 4294967295 cycles");
   stop_on(c.modes > 127, "--modes is 0 ... 127");
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_config config = sepax_config_default();
   stop_on(!sepax_config_parse(&config, SEPAX_OPTIONS, &error) ||
               !sepax_design_init(&design, &config, &error),

@@ -61,7 +61,7 @@ static void print_table(const tally *t) {
 }
 
 void bench_list(const char *path, const memory_options *options) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_job_list list;
   sepax_device_list placed;
   stop_on(!sepax_job_list_read(&list, path, &error), error.text);

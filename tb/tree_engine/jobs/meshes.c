@@ -10,7 +10,7 @@ static bool is_tree(const char *path) {
 }
 
 static sepax_tree *build(const sepax_grid *grid, const sepax_mesh *mesh, const char *path) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_tree *tree = NULL;
   sepax_tri *tri = malloc((mesh->count + 1) * sizeof *tri);
   if (tri == NULL) {
@@ -25,7 +25,7 @@ static sepax_tree *build(const sepax_grid *grid, const sepax_mesh *mesh, const c
 
 /* Both bodies; STL files on one grid, that of the other body's tree if that is one. */
 static void load_both(sepax_tree *tree[2], const char *const path[2], double resolution) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_mesh mesh[2] = {{0}, {0}};
   const sepax_mesh *read[2];
   size_t meshes = 0;
@@ -56,7 +56,7 @@ static void load_both(sepax_tree *tree[2], const char *const path[2], double res
 
 void bench_meshes(const char *const path[3], double resolution, unsigned modes, unsigned budget,
                   const memory_options *options) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_tree *tree[2] = {NULL, NULL};
   sepax_poses poses;
   load_both(tree, path, resolution);

@@ -72,7 +72,7 @@ static sepax_tree *some_tree(bool of_b, sepax_vec *vertex) {
   some_triangles(tri, count, of_b);
   const sepax_grid grid = {1, {0, 0, 0}, SEPAX_WORD};
   sepax_tree *tree = NULL;
-  sepax_error error = {""};
+  sepax_error error = {0};
   stop_on(!sepax_tree_new(&tree, tri, count, &grid, &error), error.text);
   *vertex = tri[range(0, (int64_t)count - 1)].v[range(0, 2)];
   free(tri);
@@ -126,7 +126,7 @@ static void check_driver(const uint8_t bytes[SEPAX_TREE_POSE_BYTES]) {
   sepax_tree_pose pose;
   sepax_tree_pose same;
   uint8_t closed[SEPAX_TREE_POSE_BYTES];
-  sepax_error error = {""};
+  sepax_error error = {0};
   uint8_t packed[SEPAX_TREE_POSE_BYTES];
   int margin = (int)design.margin[1];
   stop_on(!sepax_tree_pose_unpack(&pose, bytes, &error), error.text);
@@ -195,7 +195,7 @@ static void other_pose(uint8_t *bytes, sepax_tree_side side, sepax_vec vertex) {
 }
 
 static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_tree_job job = *last;
   job.count = (uint32_t)range(1, poses_most);
   job.modes = some_modes(n > 0);

@@ -27,7 +27,7 @@ static const part parts[BODIES] = {
 static const double lsb = 0.004; /* mm */
 
 static sepax_tree *tree_of(const part *p, const sepax_grid *grid) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_mesh mesh;
   stop_on(!sepax_sample(&mesh, p->shape, p->triangles, p->at, p->size, &error), error.text);
   sepax_tri *tri = malloc(mesh.count * sizeof *tri);
@@ -61,7 +61,7 @@ static sepax_pose on_path(double u) {
 
 /* The queue of poses; all that move have the same. */
 static size_t queue_of(sepax_tree *const tree[BODIES], size_t poses) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   size_t at = bench_space(SEPAX_TREE_POSE_STRIDE * poses, SEPAX_TREE_POSE_STRIDE);
   for (size_t n = 0; n < poses; n++) {
     sepax_tree_pose fixed;

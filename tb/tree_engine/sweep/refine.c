@@ -207,7 +207,7 @@ static void store(sepax_mesh *mesh) {
 }
 
 int main(int argc, char **argv) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_mesh mesh;
   char *end = NULL;
   long count = argc == 4 ? strtol(argv[2], &end, 10) : 0;

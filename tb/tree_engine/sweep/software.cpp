@@ -29,7 +29,7 @@ namespace {
 constexpr int ROUNDS = 5;
 constexpr size_t SOME = 50; /* poses at a time */
 
-sepax_error failure = {""};
+sepax_error failure = {0};
 
 void stop_unless(bool ok) {
   if (!ok) {

@@ -21,7 +21,7 @@ typedef struct {
 } asker;
 
 static answer ask(const asker *who, const sepax_pose *pose, bool *failed) {
-  sepax_error error = {""};
+  sepax_error error = {0};
   sepax_pairs all = {0};
   sepax_pairs any = {0};
   sepax_query only_any = {.only_any = true};
