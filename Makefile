@@ -106,13 +106,18 @@ job: $(SEPAX)
 	@echo "== gates"
 	@$(MAKE) area
 
-REFERENCE ?= rtl
+# Designs of W = 18: all of them in build/, or with REFERENCE=rtl those that come with the source.
+REFERENCE ?= $(BUILD)/reference
+REFERENCE_DESIGNS = exact-w18-ii3 paper-w18 \
+                    $(if $(filter rtl,$(REFERENCE)),,exact-w18-ii1 engine-w18-k4)
+REFERENCE_exact-w18-ii3 = --word=18 --ii=3
+REFERENCE_exact-w18-ii1 = --word=18 --ii=1
+REFERENCE_engine-w18-k4 = --word=18 --ii=3 --lanes=4
+REFERENCE_paper-w18     = --arch=paper --word=18
 reference: $(SEPAX)
-	@cd $(REFERENCE) && rm -rf exact-w18-ii3 exact-w18-ii1 engine-w18-k4 paper-w18 && \
-	  $(abspath $(SEPAX)) gen --arch=exact --word=18 --ii=3 -o exact-w18-ii3 && \
-	  $(abspath $(SEPAX)) gen --arch=exact --word=18 --ii=1 -o exact-w18-ii1 && \
-	  $(abspath $(SEPAX)) gen --arch=exact --word=18 --ii=3 --lanes=4 -o engine-w18-k4 && \
-	  $(abspath $(SEPAX)) gen --arch=paper --word=18 -o paper-w18
+	@mkdir -p $(REFERENCE)
+	@$(foreach name,$(REFERENCE_DESIGNS),rm -rf $(REFERENCE)/$(name) && \
+	  $(SEPAX) gen $(REFERENCE_$(name)) -o $(REFERENCE)/$(name) &&) true
 
 # ------------------------------------------------------------------ gates, clock, power
 
