@@ -1,4 +1,5 @@
 /* size.c - the design of the fewest gates that judges a scene in time. docs/size.md. */
+#include "design/engine.h"
 #include "size/gates.h"
 #include "size/jobs.h"
 #include "util/error.h"
@@ -20,7 +21,7 @@ typedef struct {
 typedef struct {
   const sepax_size *size; /* of each pair */
   size_t pairs;
-  uint64_t between; /* cycles between the runs of a tree engine in a pose */
+  uint64_t between; /* cycles between the pairs of a pose, for engines that work on a list */
   int word;         /* of designs without a tree: the longest of all pairs */
   int tree_word;
   size_t tree_poses;
@@ -32,6 +33,24 @@ typedef struct {
   uint64_t *steps; /* sepax__job_cycles */
   tree_work *work; /* of each pose; NULL: no tree engine */
 } choice;
+
+/* How designs with an engine are found and tried. */
+typedef struct {
+  /* Every one that the request names, each with cycles that no pose takes fewer of; NULL: designs
+   * with this engine are not looked at. */
+  bool (*add)(choice *all, sepax_error *error);
+  size_t (*poses)(const choice *all); /* to try them in; 0: it is not known what there is to do */
+  /* Of a pair in a pose; `steps` has space for the passes of the pose. NULL: they are not known. */
+  bool (*cycles)(uint64_t *cycles, const sepax_size *size, const sepax_config *config, size_t pose,
+                 const sepax_size_request *request, uint64_t *steps, sepax_error *error);
+  bool waits; /* choice.between cycles in each pose */
+} sizing;
+
+static const sizing sizings[SEPAX_ENGINE_COUNT];
+
+static const sizing *sizing_of(const sepax_config *config) {
+  return &sizings[sepax_config_engine(config)];
+}
 
 static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
@@ -113,6 +132,31 @@ static bool add_designs(choice *all, int lanes, sepax_error *error) {
   return true;
 }
 
+static bool add_core(choice *all, sepax_error *error) {
+  const sepax_size_request *r = all->request;
+  return r->lanes_least > 0 || r->lanes_most < 0 || add_designs(all, 0, error);
+}
+
+static bool add_object_engines(choice *all, sepax_error *error) {
+  const sepax_size_request *r = all->request;
+  bool ok = true;
+  for (int lanes = r->lanes_least > 0 ? r->lanes_least : 1; lanes <= r->lanes_most && ok; lanes++) {
+    ok = add_designs(all, lanes, error);
+  }
+  return ok;
+}
+
+static size_t poses_of_jobs(const choice *all) { return all->size->jobs; }
+
+static bool cycles_of_job(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
+                          size_t pose, const sepax_size_request *request, uint64_t *steps,
+                          sepax_error *error) {
+  (void)request;
+  (void)error;
+  *cycles = sepax__job_cycles(&size->job[pose], size->count, config, steps) + loading(size, config);
+  return true;
+}
+
 /* -------------------------------------------------------------------- tree engines */
 
 static sepax_config tree_engine(const choice *all, int ii, int cores) {
@@ -149,6 +193,12 @@ static bool find_work(choice *all, sepax_error *error) {
 }
 
 static bool add_tree_engines(choice *all, sepax_error *error) {
+  if (!all->request->tree || all->size->trees == NULL) {
+    return true;
+  }
+  if (!find_work(all, error)) {
+    return false;
+  }
   for (size_t n = 0; n < INTERVALS * SEPAX_CORES_MAX; n++) {
     int cores = 1 + (int)n % SEPAX_CORES_MAX;
     sepax_config config = tree_engine(all, intervals[n / SEPAX_CORES_MAX], cores);
@@ -165,35 +215,42 @@ static bool add_tree_engines(choice *all, sepax_error *error) {
   return true;
 }
 
-/* ------------------------------------------------------------------------- choosing */
+static size_t poses_of_walks(const choice *all) { return all->tree_poses; }
 
-/* Poses of a design; 0 where no jobs were looked for. */
-static size_t poses_of(const choice *all, const sepax_config *config) {
-  return config->tree ? all->tree_poses : all->size->jobs;
-}
-
-static bool cycles_of(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
-                      size_t pose, const sepax_size_request *request, uint64_t *steps,
-                      sepax_error *error) {
-  if (!config->tree) {
-    *cycles =
-        sepax__job_cycles(&size->job[pose], size->count, config, steps) + loading(size, config);
-    return true;
-  }
+static bool cycles_of_walk(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
+                           size_t pose, const sepax_size_request *request, uint64_t *steps,
+                           sepax_error *error) {
   sepax_tree_run run;
-  if (!sepax__size_trees_walk(size->trees, config, pose, request, &run, error)) {
-    return false;
-  }
-  *cycles = run.cycles;
-  return true;
+  (void)steps;
+  bool ok = sepax__size_trees_walk(size->trees, config, pose, request, &run, error);
+  *cycles = ok ? run.cycles : 0;
+  return ok;
 }
+
+static const sizing sizings[SEPAX_ENGINE_COUNT] = {
+    [SEPAX_ENGINE_NONE] = {.add = add_core, .poses = poses_of_jobs, .cycles = cycles_of_job},
+    [SEPAX_ENGINE_OBJECT] = {.add = add_object_engines,
+                             .poses = poses_of_jobs,
+                             .cycles = cycles_of_job},
+    [SEPAX_ENGINE_TREE] = {.add = add_tree_engines,
+                           .poses = poses_of_walks,
+                           .cycles = cycles_of_walk,
+                           .waits = true},
+};
+
+/* ------------------------------------------------------------------------- choosing */
 
 bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
                        size_t pose, const sepax_size_request *request, sepax_error *error) {
-  size_t passes = config->tree ? 0 : size->job[pose].passes;
+  const sizing *of = sizing_of(config);
+  if (of->cycles == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "cycles: those of %s are not known",
+                      sepax__engine_of(config)->name);
+  }
+  size_t passes = pose < size->jobs ? size->job[pose].passes : 0;
   uint64_t *steps = malloc((passes + 1) * sizeof *steps);
   bool ok = steps != NULL
-                ? cycles_of(cycles, size, config, pose, request, steps, error)
+                ? of->cycles(cycles, size, config, pose, request, steps, error)
                 : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu candidates", passes);
   free(steps);
   return ok;
@@ -202,10 +259,11 @@ bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_con
 /* Of all pairs; it stops above the limit. */
 static bool cycles_in_pose(const choice *all, const sepax_config *config, size_t pose,
                            uint64_t limit, uint64_t *cycles, sepax_error *error) {
-  *cycles = config->tree ? all->between : 0;
+  const sizing *of = sizing_of(config);
+  *cycles = of->waits ? all->between : 0;
   for (size_t n = 0; n < all->pairs && *cycles <= limit; n++) {
     uint64_t one;
-    if (!cycles_of(&one, &all->size[n], config, pose, all->request, all->steps, error)) {
+    if (!of->cycles(&one, &all->size[n], config, pose, all->request, all->steps, error)) {
       return false;
     }
     *cycles += one;
@@ -217,7 +275,7 @@ static bool cycles_in_pose(const choice *all, const sepax_config *config, size_t
  * one. m->worst is the pose to try first, and becomes that which took the most. */
 static bool try_poses(const choice *all, sepax_sized_design *m, uint64_t limit,
                       sepax_error *error) {
-  size_t poses = poses_of(all, &m->config);
+  size_t poses = sizing_of(&m->config)->poses(all);
   size_t begin = m->worst;
   double sum = 0;
   m->cycles = 0;
@@ -254,17 +312,18 @@ static int by_cycles(const void *p, const void *q) {
  * is 0 if there is none. Poses are tried in the order of what took the most before. */
 static bool find_cheapest(choice *all, uint64_t limit, sepax_sized_design *best,
                           sepax_error *error) {
-  size_t pose[2] = {0, 0};
+  size_t pose[SEPAX_ENGINE_COUNT] = {0};
   best->config.word = 0;
   qsort(all->design, all->count, sizeof *all->design, by_gates);
   for (size_t n = 0; n < all->count; n++) {
     sepax_sized_design m = all->design[n];
-    if (m.cycles <= limit && poses_of(all, &m.config) > 0) {
-      m.worst = pose[m.config.tree];
+    size_t *worst = &pose[sepax_config_engine(&m.config)];
+    if (m.cycles <= limit && sizing_of(&m.config)->poses(all) > 0) {
+      m.worst = *worst;
       if (!try_poses(all, &m, limit, error)) {
         return false;
       }
-      pose[m.config.tree] = m.worst;
+      *worst = m.worst;
       if (m.cycles <= limit) {
         *best = m;
         return true;
@@ -276,16 +335,17 @@ static bool find_cheapest(choice *all, uint64_t limit, sepax_sized_design *best,
 
 /* Or the bound that no design is below, where no jobs were looked for. */
 static bool find_fewest(choice *all, uint64_t *fewest, sepax_error *error) {
-  size_t pose[2] = {0, 0};
+  size_t pose[SEPAX_ENGINE_COUNT] = {0};
   *fewest = UINT64_MAX;
   qsort(all->design, all->count, sizeof *all->design, by_cycles);
   for (size_t n = 0; n < all->count && all->design[n].cycles < *fewest; n++) {
     sepax_sized_design m = all->design[n];
-    m.worst = pose[m.config.tree];
-    if (poses_of(all, &m.config) > 0 && !try_poses(all, &m, *fewest, error)) {
+    size_t *worst = &pose[sepax_config_engine(&m.config)];
+    m.worst = *worst;
+    if (sizing_of(&m.config)->poses(all) > 0 && !try_poses(all, &m, *fewest, error)) {
       return false;
     }
-    pose[m.config.tree] = m.worst;
+    *worst = m.worst;
     *fewest = m.cycles < *fewest ? m.cycles : *fewest;
   }
   return true;
@@ -349,14 +409,10 @@ static bool allocate(choice *all, sepax_error *error) {
 }
 
 static bool size_all(choice *all, sepax_sized_design *sized, sepax_error *error) {
-  const sepax_size_request *request = all->request;
   *sized = (sepax_sized_design){.cycles = 0};
   bool ok = allocate(all, error);
-  for (int lanes = request->lanes_least; lanes <= request->lanes_most && ok; lanes++) {
-    ok = add_designs(all, lanes, error);
-  }
-  if (ok && request->tree && all->size->trees != NULL) {
-    ok = find_work(all, error) && add_tree_engines(all, error);
+  for (int n = 0; n < SEPAX_ENGINE_COUNT && ok; n++) {
+    ok = sizings[n].add == NULL || sizings[n].add(all, error);
   }
   if (ok && all->count == 0) {
     ok = sepax_fail(error, SEPAX_ERROR_ARGUMENT,

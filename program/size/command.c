@@ -371,25 +371,14 @@ static void release(size_answer *answer) {
   size_scene_free(answer);
 }
 
-/* The best of each kind, and of all. */
+/* The best with each engine, and of all. */
 static bool choose(const size_options *o, size_answer *answer, sepax_error *error) {
   sepax_error why = {0};
   uint64_t fewest = UINT64_MAX;
-  for (int kind = 0; kind < SIZE_KINDS; kind++) {
-    size_kind *k = &answer->kind[kind];
+  for (int n = 0; n < SEPAX_ENGINE_COUNT; n++) {
+    size_best *k = &answer->with[n];
     sepax_size_request request = o->request;
-    bool tree = kind == SIZE_TREE;
-    if (kind == SIZE_CORE) {
-      request.lanes_most = 0;
-    } else if (kind == SIZE_LANES && request.lanes_least == 0) {
-      request.lanes_least = 1;
-    } else if (tree) {
-      request.lanes_least = 1;
-      request.lanes_most = 0;
-    }
-    request.tree = tree;
-    k->asked = tree ? answer->size->trees != NULL && !o->lanes_given
-                    : !o->request.tree && request.lanes_least <= request.lanes_most;
+    k->asked = size_engines[n].name != NULL && size_engines[n].ask(&request, o, answer);
     k->in_time = k->asked && design_of(&k->best, o, answer, &request, error);
     if (k->asked && !k->in_time && k->best.cycles == 0) {
       return false;

@@ -2,9 +2,7 @@
 #include "cli/report.h"
 #include "size/parts.h"
 
-enum { WIDTH = 11 };
-
-static const char *const kind_name[SIZE_KINDS] = {"core alone", "object engine", "tree engine"};
+enum { WIDTH = SIZE_WIDTH };
 
 static uint64_t pairs_of(const sepax_size *s) { return (uint64_t)s->count[0] * s->count[1]; }
 
@@ -33,23 +31,23 @@ static size_t worst_of(const size_answer *answer, size_t pose) {
   return answer->each != NULL ? answer->scene.motion.line[pose] : pose;
 }
 
-/* What was compared, where there is a choice of kinds. */
-static void print_kinds(const size_answer *answer) {
+/* What was compared, where there is a choice of engines. */
+static void print_engines(const size_answer *answer) {
   printf("%-*s%-16s%9s %9s %11s %11s %6s\n", WIDTH, "engines", "", "GE", "kbit", "worst, ms",
          "mean, ms", answer->each != NULL ? "line" : "pose");
-  for (int kind = 0; kind < SIZE_KINDS; kind++) {
-    const size_kind *k = &answer->kind[kind];
+  for (int n = 0; n < SEPAX_ENGINE_COUNT; n++) {
+    const size_engine *engine = &size_engines[n];
+    const size_best *k = &answer->with[n];
     const sepax_sized_design *m = &k->best;
     double period = m->config.clock_ps * 1e-12;
     if (k->in_time) {
-      printf("%-*s%-16s%8.1fK %9.0f %11.4g %11.4g %6zu\n", WIDTH, "", kind_name[kind],
-             m->gates / 1000, (double)sepax_memory_bits(&m->config) / 1000, 1e3 * m->seconds,
-             1e3 * period * m->mean, worst_of(answer, m->worst));
+      printf("%-*s%-16s%8.1fK %9.0f %11.4g %11.4g %6zu\n", WIDTH, "", engine->name, m->gates / 1000,
+             (double)sepax_memory_bits(&m->config) / 1000, 1e3 * m->seconds, 1e3 * period * m->mean,
+             worst_of(answer, m->worst));
     } else if (k->asked) {
-      printf("%-*s%-16snone in time: %.4g ms or more\n", WIDTH, "", kind_name[kind],
-             1e3 * m->seconds);
-    } else if (kind == SIZE_TREE && answer->size->trees == NULL) {
-      printf("%-*s%-16snone: W is above %d\n", WIDTH, "", kind_name[kind], SEPAX_TREE_WORD_MAX);
+      printf("%-*s%-16snone in time: %.4g ms or more\n", WIDTH, "", engine->name, 1e3 * m->seconds);
+    } else if (engine->walks_trees && answer->size->trees == NULL) {
+      printf("%-*s%-16snone: W is above %d\n", WIDTH, "", engine->name, SEPAX_TREE_WORD_MAX);
     }
   }
 }
@@ -59,42 +57,27 @@ static void print_design(const size_answer *answer) {
   const sepax_config *c = &m->config;
   double kbit = (double)sepax_memory_bits(c) / 1000;
   printf("design     exact, II = %d, ", c->ii);
-  if (c->tree) {
-    printf("tree engine, %d core%s, memories of %.0f kbit\n", c->cores, c->cores > 1 ? "s" : "",
-           kbit);
-  } else if (c->lanes > 0) {
-    printf("%d comparator lanes, %d core%s, memories of %.0f kbit\n", c->lanes, c->cores,
-           c->cores > 1 ? "s" : "", kbit);
-  } else {
-    printf("no comparator lanes\n");
-  }
+  size_engine_of(m)->print(c, kbit);
   printf("gates      %.1fK +- %.1fK GE (formula for Nangate45 at 2 ns%s)\n", m->gates / 1000,
          m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to designs like this one");
 }
 
-static void print_basis(const size_options *o) {
-  printf("rests on   cycles that the golden model's walk of each pose predicts, in measured "
-         "scenes the\n%-*smean to 4 %%, a pose to 13 %%; memory of %d cycles latency and 128 "
-         "bits, caches cold\n%-*sat each pose\n",
-         WIDTH, "", o->request.latency, WIDTH, "");
+static void print_basis(const size_options *o, const sepax_sized_design *m) {
+  if (size_engine_of(m)->print_basis != NULL) {
+    size_engine_of(m)->print_basis(o);
+  }
 }
 
 static void print_time(const size_options *o, const size_answer *answer) {
   const sepax_sized_design *m = answer->best;
   double period = m->config.clock_ps / 1000.0;
   printf("time       %.4g ms for %s (%llu cycles of %g ns)", 1e3 * m->seconds,
-         m->config.tree && o->request.first ? "the first collision" : "all pairs",
+         size_engine_of(m)->walks_trees && o->request.first ? "the first collision" : "all pairs",
          (unsigned long long)m->cycles, period);
   if (answer->size->path > 0) {
     printf(" in the worst of %zu poses, number %zu; mean %.4g ms (%.0f cycles)\n",
            answer->size->path, m->worst, 1e-6 * period * m->mean, m->mean);
-    if (m->config.tree) {
-      print_basis(o);
-    } else if (m->config.lanes > 0) {
-      printf("rests on   the golden model's cycles in each pose, and vertices that are loaded anew "
-             "for each,\n%-*s3 cycles a triangle\n",
-             WIDTH, "");
-    }
+    print_basis(o, m);
     return;
   }
   if (answer->size->poses > 0) {
@@ -139,18 +122,16 @@ static void print_lines(const size_options *o, const size_answer *answer) {
   }
   printf("time       %.4g ms for %s of all %zu pairs (%llu cycles of %g ns) in the worst of %zu "
          "lines,\n%-*sline %zu; mean %.4g ms (%.0f cycles); each line is in %.4g ms\n",
-         1e3 * m->seconds, m->config.tree ? "the first collision" : "all triangles", answer->pairs,
-         (unsigned long long)m->cycles, period, scene->motion.lines, WIDTH, "",
+         1e3 * m->seconds, size_engine_of(m)->walks_trees ? "the first collision" : "all triangles",
+         answer->pairs, (unsigned long long)m->cycles, period, scene->motion.lines, WIDTH, "",
          worst_of(answer, m->worst), 1e-6 * period * m->mean, m->mean, 1e3 * o->request.seconds);
-  if (m->config.tree) {
-    print_basis(o);
-  }
+  print_basis(o, m);
 }
 
 static void print_scene(const size_options *o, const size_answer *answer) {
   char text[SEPAX_CONFIG_TEXT];
   print_bodies(o, answer);
-  print_kinds(answer);
+  print_engines(answer);
   print_design(answer);
   print_lines(o, answer);
   printf("sepax gen %s -o %s\n", sepax_config_text(&answer->best->config, text, sizeof text),
@@ -178,7 +159,7 @@ void size_print_text(const size_options *o, const size_answer *answer) {
     print_candidates(o, s);
   }
   if (s->path > 0) {
-    print_kinds(answer);
+    print_engines(answer);
   }
   print_design(answer);
   print_time(o, answer);
@@ -193,13 +174,13 @@ static json_t *design_json(const size_answer *answer, const sepax_sized_design *
   char command[SEPAX_CONFIG_TEXT + 16];
   const sepax_config *c = &m->config;
   snprintf(command, sizeof command, "sepax gen %s", sepax_config_text(c, text, sizeof text));
-  json_t *design =
-      json_pack("{s:s, s:i, s:b, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:b, s:s}", "arch",
-                sepax_arch_name(c->arch), "ii", c->ii, "extents", c->extent_a > 0, "lanes",
-                c->lanes, "tree", c->tree, "cores", c->lanes > 0 || c->tree ? c->cores : 1,
-                "memory_bits", (json_int_t)sepax_memory_bits(c), "ge", m->gates, "ge_error",
-                m->gates_error, "ge_fitted", m->fitted, "cycles", (json_int_t)m->cycles, "seconds",
-                m->seconds, "is_bound", answer->size->poses == 0 && !c->tree, "command", command);
+  json_t *design = json_pack(
+      "{s:s, s:i, s:b, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:b, s:s}", "arch",
+      sepax_arch_name(c->arch), "ii", c->ii, "extents", c->extent_a > 0, "lanes", c->lanes, "tree",
+      c->tree, "cores", c->cores, "memory_bits", (json_int_t)sepax_memory_bits(c), "ge", m->gates,
+      "ge_error", m->gates_error, "ge_fitted", m->fitted, "cycles", (json_int_t)m->cycles,
+      "seconds", m->seconds, "is_bound",
+      answer->size->poses == 0 && !size_engine_of(m)->walks_trees, "command", command);
   if (answer->size->path > 0) {
     json_object_set_new(design, "mean_cycles", json_real(m->mean));
     json_object_set_new(design, answer->each != NULL ? "worst_line" : "worst_pose",
@@ -208,12 +189,12 @@ static json_t *design_json(const size_answer *answer, const sepax_sized_design *
   return design;
 }
 
-static json_t *kinds_json(const size_answer *answer) {
+static json_t *engines_json(const size_answer *answer) {
   json_t *list = json_array();
-  for (int kind = 0; kind < SIZE_KINDS; kind++) {
-    const size_kind *k = &answer->kind[kind];
+  for (int n = 0; n < SEPAX_ENGINE_COUNT; n++) {
+    const size_best *k = &answer->with[n];
     if (k->asked) {
-      json_t *of = json_pack("{s:s, s:b}", "kind", kind_name[kind], "in_time", k->in_time);
+      json_t *of = json_pack("{s:s, s:b}", "kind", size_engines[n].name, "in_time", k->in_time);
       if (k->in_time) {
         json_object_set_new(of, "design", design_json(answer, &k->best));
       } else {
@@ -250,12 +231,13 @@ static void print_scene_json(const size_options *o, const size_answer *answer) {
   for (size_t n = 0; n < answer->pairs; n++) {
     json_array_append_new(pairs, pair_json(answer, n));
   }
-  report_print_json(json_pack(
-      "{s:s, s:s?, s:s, s:I, s:f, s:i, s:i, s:i, s:i, s:f, s:o, s:o, s:o, s:o}", "urdf", o->path[0],
-      "srdf", o->scene.srdf, "path", o->path[1], "lines", (json_int_t)scene->motion.lines,
-      "resolution", e->resolution, "word", e->word, "clearance_lsb", e->clearance, "warning_lsb",
-      e->warning, "latency", o->request.latency, "time", o->request.seconds, "bodies", bodies,
-      "pairs", pairs, "engines", kinds_json(answer), "design", design_json(answer, answer->best)));
+  report_print_json(
+      json_pack("{s:s, s:s?, s:s, s:I, s:f, s:i, s:i, s:i, s:i, s:f, s:o, s:o, s:o, s:o}", "urdf",
+                o->path[0], "srdf", o->scene.srdf, "path", o->path[1], "lines",
+                (json_int_t)scene->motion.lines, "resolution", e->resolution, "word", e->word,
+                "clearance_lsb", e->clearance, "warning_lsb", e->warning, "latency",
+                o->request.latency, "time", o->request.seconds, "bodies", bodies, "pairs", pairs,
+                "engines", engines_json(answer), "design", design_json(answer, answer->best)));
 }
 
 void size_print_json(const size_options *o, const size_answer *answer) {
@@ -282,7 +264,7 @@ void size_print_json(const size_options *o, const size_answer *answer) {
                         json_pack("{s:s, s:I, s:i, s:s, s:s}", "file", o->path_file, "poses",
                                   (json_int_t)s->path, "latency", o->request.latency, "tree_pairs",
                                   pairs_told(o), "caches", "cold"));
-    json_object_set_new(report, "engines", kinds_json(answer));
+    json_object_set_new(report, "engines", engines_json(answer));
   }
   json_object_set_new(report, "design", design_json(answer, answer->best));
   report_print_json(report);

@@ -20,13 +20,11 @@ typedef struct {
   bool json, generate;
 } size_options;
 
-typedef enum { SIZE_CORE, SIZE_LANES, SIZE_TREE, SIZE_KINDS } size_kind_of;
-
-/* The best design of a kind. */
+/* The best design with an engine. */
 typedef struct {
   bool asked, in_time;
   sepax_sized_design best; /* not in time: its cycles and seconds are those that none is below */
-} size_kind;
+} size_best;
 
 /* A pair of a mechanism with the best design. */
 typedef struct {
@@ -41,9 +39,23 @@ typedef struct {
   path_scene scene; /* of a mechanism, as are: */
   path_engine engine;
   size_pair *each;
-  size_kind kind[SIZE_KINDS];
-  const sepax_sized_design *best; /* of all kinds */
+  size_best with[SEPAX_ENGINE_COUNT];
+  const sepax_sized_design *best; /* of all engines */
 } size_answer;
+
+/* Designs with an engine: how they are asked for and told of. */
+typedef struct {
+  const char *name; /* NULL: they are not looked at */
+  bool walks_trees; /* of the bodies, until the first collision if that is asked for */
+  /* The request for these designs alone; false: the options exclude them. */
+  bool (*ask)(sepax_size_request *request, const size_options *o, const size_answer *answer);
+  void (*print)(const sepax_config *config, double kbit); /* the line of the design */
+  void (*print_basis)(const size_options *o); /* on a path: what the cycles rest on, or NULL */
+} size_engine;
+extern const size_engine size_engines[SEPAX_ENGINE_COUNT];
+const size_engine *size_engine_of(const sepax_sized_design *m);
+
+enum { SIZE_WIDTH = 11 }; /* of what a line begins with */
 
 /* What the pairs of a mechanism need in each line. False leaves what can be freed. */
 bool size_scene_read(size_answer *answer, const size_options *o, sepax_error *error);
