@@ -51,12 +51,15 @@ MAKEFLAGS += --no-print-directory -r
 .DEFAULT_GOAL = all
 .PHONY: FORCE
 
+# Each engine's verbs and rules.
+ENGINES = $(wildcard scripts/make/engines/*.mk)
+
 # One design: scripts/make/design.mk calls make with what `sepax name` prints of it.
 ifneq ($(DESIGN_NAME),)
-include $(addprefix scripts/make/,flags.mk mesh.mk cosim.mk)
+include $(addprefix scripts/make/,flags.mk mesh.mk cosim.mk) $(ENGINES)
 include scripts/make/$(if $(filter-out asic,$(TARGET)),fpga,synth).mk
 else
-include $(addprefix scripts/make/,flags.mk mesh.mk build.mk tree.mk design.mk)
+include $(addprefix scripts/make/,flags.mk mesh.mk build.mk) $(ENGINES) scripts/make/design.mk
 ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 

@@ -147,6 +147,9 @@ const char *sepax_arch_name(sepax_arch arch);
  * refuses. */
 sepax_engine sepax_config_engine(const sepax_config *config);
 
+/* "none", "stream", "object", "tree". */
+const char *sepax_engine_name(sepax_engine engine);
+
 /* Transfers of AXI4-Stream that are a pair: 6, 2 or 1; 0 without. */
 int sepax_stream_transfers(const sepax_config *config);
 

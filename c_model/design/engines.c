@@ -9,6 +9,13 @@ static const engine none = {.name = NULL};
 static const engine *const engines[SEPAX_ENGINE_COUNT] = {[SEPAX_ENGINE_NONE] = &none,
                                                           SEPAX_ENGINES(ROW)};
 
+const char *sepax_engine_name(sepax_engine which) {
+#define NAME(value, name) [SEPAX_ENGINE_##value] = #name,
+  static const char *const names[SEPAX_ENGINE_COUNT] = {[SEPAX_ENGINE_NONE] = "none",
+                                                        SEPAX_ENGINES(NAME)};
+  return names[which];
+}
+
 /* The first engine behind `before` that the options ask for. */
 static sepax_engine next_asked(const sepax_config *config, sepax_engine before) {
   for (int n = (int)before + 1; n < SEPAX_ENGINE_COUNT; n++) {

@@ -18,7 +18,9 @@ enum { KEY_WHAT = 0x400 };
 static const struct argp_option options[] = {
     {"options", KEY_WHAT + PRINT_TEXT, NULL, 0, "print the options: --arch=exact --word=18 ...", 0},
     {"make", KEY_WHAT + PRINT_MAKE, NULL, 0,
-     "print words for the shell: DESIGN_NAME=..., OPTIONS=..., then WORD=18 and so on", 0},
+     "print words for the shell: DESIGN_NAME=..., DESIGN_ENGINE=..., OPTIONS=..., then WORD=18 and "
+     "so on",
+     0},
     {"list", KEY_WHAT + PRINT_LIST, NULL, 0, "list every option as a variable of make", 0},
     {"only", KEY_WHAT + PRINT_ONLY, NULL, 0,
      "print the variables that only this architecture reads", 0},
@@ -91,7 +93,8 @@ static void print_design(const name_options *o) {
   sepax_config_text(&o->config, text, sizeof text);
   sepax_config_variables(&o->config, variables, sizeof variables);
   if (o->what == PRINT_MAKE) {
-    printf("DESIGN_NAME=%s 'OPTIONS=%s' %s\n", name, text, variables);
+    printf("DESIGN_NAME=%s DESIGN_ENGINE=%s 'OPTIONS=%s' %s\n", name,
+           sepax_engine_name(sepax_config_engine(&o->config)), text, variables);
   } else {
     puts(o->what == PRINT_TEXT ? text : name);
   }

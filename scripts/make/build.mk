@@ -85,17 +85,16 @@ GEN_OBJ     = $(call object,$(RTL_GEN)) $(TEMPLATE_OBJ)
 POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(filter-out %/main.o,$(LIBERTY_OBJ))
 
 # The engines' register maps, as their drivers read them.
-REGISTERS    = $(BUILD)/registers
-ENGINE_lanes = --lanes=1
-ENGINE_tree  = --tree
+REGISTERS        = $(BUILD)/registers
+OF_object_engine = --lanes=1
+OF_tree_engine   = --tree
 $(REGISTERS)/%/sepax_registers.h: $(SEPAX)
 	@mkdir -p $(REGISTERS)
-	@$(SEPAX) gen $(ENGINE_$*) -o $(@D) > /dev/null
+	@$(SEPAX) gen $(OF_$*) -o $(@D) > /dev/null
 	@touch $@
-$(BUILD)/obj/synth/power/engine.o: $(REGISTERS)/lanes/sepax_registers.h
-$(BUILD)/obj/synth/power/engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/lanes
-$(BUILD)/obj/synth/power/tree.o: $(REGISTERS)/tree/sepax_registers.h
-$(BUILD)/obj/synth/power/tree.o: SEPAX_CFLAGS += -I$(REGISTERS)/tree
+$(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard synth/power/*_engine.c)): \
+    $(BUILD)/obj/synth/power/%.o: $(REGISTERS)/%/sepax_registers.h
+$(BUILD)/obj/synth/power/%_engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/$(*F)
 
 $(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(LIB) $(BUILD)/obj/libraries
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)

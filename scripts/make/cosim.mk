@@ -1,17 +1,17 @@
 # cosim.mk - the Verilog of the design DESIGN_NAME, and what simulates it. `sepax name` gave its
-# options: OPTIONS for the program, and each as a variable.
+# options: OPTIONS for the program, and each as a variable; and its engine, DESIGN_ENGINE.
 
 CORE = $(BUILD)/core/$(DESIGN_NAME)
 RTL  = $(CORE)/rtl/sepax.f
 # Makes that are started from here are of other designs.
 MAKEOVERRIDES =
-unexport DESIGN_NAME OPTIONS
+unexport DESIGN_NAME DESIGN_ENGINE OPTIONS
 
 ifneq ($(and $(filter-out exact,$(ARCH)),$(call given,VIEW)),)
 $(error VIEW: architecture $(ARCH) has one view only; leave it out)
 endif
 
-.PHONY: core options rtl lint cosim exhaustive wave icarus engine example tree-engine mutated
+.PHONY: core options rtl lint cosim exhaustive wave icarus mutated
 
 core:
 	@echo $(CORE)
@@ -51,7 +51,7 @@ VIEW_MACRO = $(if $(filter behavioural,$(VIEW)),-DSEPAX_BEHAVIOURAL)
 OF_VIEW    = $(if $(filter behavioural,$(VIEW)),,-structural)
 COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
-COSIM_TOP  = $(if $(filter-out none,$(STREAM)),sepax_stream,sepax_top)
+COSIM_TOP  = $(if $(filter stream,$(DESIGN_ENGINE)),sepax_stream,sepax_top)
 COSIM_CPP  = $(abspath tb/cosim/cosim.cpp $(OPTIONS_OBJ) $(LIB))
 COSIM_DEPS = $(RTL) $(LIB) $(OPTIONS_OBJ) $(wildcard tb/cosim/*.cpp tb/cosim/*.h tb/cosim/*.vlt)
 
@@ -94,71 +94,11 @@ wave: $(if $(PAIR),$(WAVE))
 	  [ $$status -gt 1 ] || mv $$new $(CORE)/wave.fst; exit $$status
 	@echo "$(CORE)/wave.fst; gtkwave $(CORE)/wave.fst $(CORE)/rtl/sepax.gtkw"
 
-# The engine: a C program on its verilated buses; the example: the driver on the same buses.
-ENGINE     = $(CORE)/engine
-ENGINE_OBJ = $(CORE)/obj-c
-ENGINE_C   = $(addprefix $(ENGINE_OBJ)/,bench.o crowd.o cycles.o objects.o refusals.o \
-             sepax_driver.o)
+# Programs in C on the verilated buses of an engine (scripts/make/engines).
+ENGINE_OBJ  = $(CORE)/obj-c
 ENGINE_OPT ?= -O3
 BUS_FLAGS   = -MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" $(call one_file,$(ENGINE_OPT)) \
               -CFLAGS "-I$(abspath tb) $(MODEL_PATH) -I../rtl $(BUS_CFLAGS)"
-
-vpath %.c tb/object_engine drivers/object_engine examples/object_engine
-$(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/object_engine/*.h drivers/object_engine/*.h)
-	@mkdir -p $(@D)
-	@$(CC) $(SEPAX_CFLAGS) -Itb -Idrivers/object_engine -I$(CORE)/rtl -c $< -o $@
-
-$(ENGINE): $(ENGINE_C) tb/object_engine/bus.cpp tb/object_engine/bus.h $(LIB) $(RTL)
-	@echo "  VERILATE $(DESIGN_NAME), the engine"
-	@$(call verilate,sepax_engine,$(BUS_FLAGS),$(abspath tb/object_engine/bus.cpp $(ENGINE_C) $(LIB)))
-
-ifeq ($(filter-out 0,$(LANES)),)
-engine example:
-	@echo "$@: no comparator lanes; give LANES=1 ... 64" >&2; exit 2
-else
-engine: $(ENGINE) $(if $(filter families,$(PAIRS)),,$(SAMPLES))
-	@$(ENGINE) $(STRESSED) $(if $(filter families,$(PAIRS)),,$(if \
-	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) $(MESH_A) $(MESH_B))
-
-example: $(ENGINE) $(SAMPLES) $(ENGINE_OBJ)/collide.o
-	@$(CXX) -o $(CORE)/collide $(ENGINE_OBJ)/collide.o $(ENGINE_OBJ)/sepax_driver.o \
-	  $(CORE)/obj-engine/bus.o $(CORE)/obj-engine/Vsepax_engine__ALL.a \
-	  $(wildcard $(CORE)/obj-engine/verilated*.o) $(LIB) -lm -pthread
-	@$(CORE)/collide "$(MESH_A)" "$(MESH_B)" $(filter-out fit,$(RESOLUTION)) || [ $$? -eq 1 ]
-endif
-
-# The tree engine: MESH_A against MESH_B in the poses of a file, or seeded bodies and jobs; FUZZ=n:
-# damaged ones; SCENE=n: six bodies in n poses; JOBS: a list of sepax path --jobs.
-TREE_ENGINE = $(CORE)/tree-engine
-TREE_SRC    = $(wildcard tb/tree_engine/jobs/*.c) tb/object_engine/crowd.c \
-              tb/tree_engine/modules/memory.c drivers/tree_engine/sepax_tree_driver.c
-TREE_C      = $(patsubst %.c,$(ENGINE_OBJ)/%.o,$(notdir $(TREE_SRC)))
-POSE_CHECK  = tb/tree_engine/jobs/sepax_pose_check.sv
-TREE_DEPS   = $(RTL) $(POSE_CHECK) $(wildcard $(addsuffix /*.h, \
-              tb/tree_engine/modules tb/tree_engine/jobs tb/object_engine drivers/tree_engine))
-TREE_CC     = $(CC) $(SEPAX_CFLAGS) -Itb -Idrivers/tree_engine -I$(CORE)/rtl
-LATENCY    ?= 100
-ROUNDS     ?= 20
-MODES      ?= 16
-
-$(TREE_ENGINE): tb/object_engine/bus.cpp $(LIB) $(TREE_DEPS) $(TREE_SRC)
-	@echo "  VERILATE $(DESIGN_NAME), the tree engine"
-	@mkdir -p $(ENGINE_OBJ)
-	@$(foreach c,$(TREE_SRC),$(TREE_CC) -c $(c) -o $(ENGINE_OBJ)/$(notdir $(c:.c=.o)) &&) true
-	@$(call verilate,sepax_engine,$(if $(WAVE_FILE),--trace-fst) $(BUS_FLAGS),$(abspath \
-	  $(POSE_CHECK) tb/object_engine/bus.cpp $(TREE_C) $(LIB)))
-
-ifeq ($(filter on,$(TREE)),)
-tree-engine:
-	@echo "tree-engine: no tree engine; give TREE=1" >&2; exit 2
-else
-tree-engine: $(TREE_ENGINE) $(if $(POSES),$(SAMPLES))
-	@$(TREE_ENGINE) $(STRESSED) $(if $(WAVE_FILE),--wave=$(WAVE_FILE)) $(if $(JOBS),\
-	  --latency=$(LATENCY) --jobs="$(JOBS)",$(if $(POSES),\
-	  --latency=$(LATENCY) --modes=$(MODES) $(if $(BUDGET),--budget=$(BUDGET)) $(if \
-	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) "$(MESH_A)" "$(MESH_B)" \
-	  "$(POSES)",$(if $(FUZZ),--fuzz=$(FUZZ),$(if $(SCENE),--scene=$(SCENE),--rounds=$(ROUNDS)))))
-endif
 
 # ------------------------------------------------------------------------- mutants
 

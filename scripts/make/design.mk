@@ -2,10 +2,9 @@
 # like WORD=12, refuses what does not go together, and prints its name and its options; make
 # runs again with them.
 
-DESIGN_VERBS = core options rtl lint cosim exhaustive wave icarus engine example tree-engine \
-               netlist gates flow \
-               mapped area-file timed timing-file laid layout-file assigned powered power-file \
-               workloads routed fpga-file mutated
+DESIGN_VERBS = core options rtl lint cosim exhaustive wave icarus $(ENGINE_VERBS) netlist gates \
+               flow mapped area-file timed timing-file laid layout-file assigned powered \
+               power-file workloads routed fpga-file mutated
 OF_DESIGN   := $(filter $(DESIGN_VERBS) $(BUILD)/core/%,$(MAKECMDGOALS))
 
 # With DESIGN every verb is of that design alone.
@@ -13,17 +12,6 @@ ifneq ($(DESIGN),)
 OF_DESIGN := $(or $(MAKECMDGOALS),all)
 endif
 LATER = $(if $(filter-out $(DESIGN_VERBS) $(BUILD)/core/%,$(OF_DESIGN)),DESIGN_NAME=)
-
-# The tree engine is that of a design with one.
-ifneq ($(filter tree-engine,$(OF_DESIGN)),)
-export TREE ?= on
-endif
-
-# That of a list of jobs has its word and clearances.
-LISTED = $(if $(and $(filter tree-engine,$(OF_DESIGN)),$(JOBS)), \
-  listed=$$($(SEPAX) tree "$(JOBS)") && \
-  { listed=$$(echo "$$listed" | grep -oE -e '--(word|clearance|warning)=[0-9]+') || \
-    { echo "tree-engine: $(JOBS): no list of jobs" >&2; exit 2; }; } &&)
 
 .PHONY: $(OF_DESIGN)
 $(firstword $(OF_DESIGN) $(DESIGN_VERBS)): $(SEPAX) $(LIB) $(OPTIONS_OBJ) \

@@ -1,7 +1,7 @@
 # quality.mk - static analysis and sanitizers.
 
 .PHONY: static sanitize c_tests raced coverage fuzz fuzz-targets fuzzers
-OF_TREE = $(wildcard tb/tree_engine/jobs/*.c drivers/tree_engine/*.c) synth/power/tree.c
+OF_TREE = $(wildcard tb/tree_engine/jobs/*.c drivers/tree_engine/*.c) synth/power/tree_engine.c
 C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
           $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c synth/*/*/*.c \
           examples/object_engine/*.c drivers/object_engine/*.c \

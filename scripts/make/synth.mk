@@ -100,23 +100,24 @@ workloads: $(LOADS)/colliding.txt $(LOADS)/coplanar.txt
 # An engine makes its pairs itself.
 CYCLES    ?= 200
 POWER_MESH = $(MESH_A) $(MESH_B) $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION))
-ifeq ($(TREE),on)
-POSES_OF   = $(or $(POSES),$(BUILD)/poses/$(1).txt)
-POSED      = poses $(call POSES_OF,$(1)) $(if $(POSES),$(POWER_MESH),$(addprefix \
-             $(BUILD)/mesh/,workpiece.stl ball-end.stl) $(if $(call given,RESOLUTION),$(patsubst \
-             fit,0,$(RESOLUTION)),0.002))
-LOAD_FILES = $(sort $(foreach load,gouge free,$(call POSES_OF,$(load)))) $(if \
-             $(POSES),,$(addprefix $(BUILD)/mesh/,workpiece.stl ball-end.stl))
-WORKLOADS  = $(if $(POSES),"poses=$(call POSED)","contact=$(call POSED,gouge)" \
-             "free=$(call POSED,free)") "idle=idle $(call POSED,free)"
-else ifeq ($(filter-out 0,$(LANES)),)
-LOAD_FILES = $(LOADS)/colliding.txt $(LOADS)/coplanar.txt
-WORKLOADS  = "separated=$(POWER_MESH)" colliding=$(LOADS)/colliding.txt \
-             coplanar=$(LOADS)/coplanar.txt \
-             "idle=idle $(LOADS)/colliding.txt"
-else
-WORKLOADS  = "separated=$(POWER_MESH)" "loading=loading $(POWER_MESH)" "idle=idle $(POWER_MESH)"
-endif
+LOAD_FILES = $(or $(LOAD_FILES_$(DESIGN_ENGINE)),$(SAMPLES))
+WORKLOADS  = $(or $(WORKLOADS_$(DESIGN_ENGINE)),$(WORKLOADS_none))
+
+LOAD_FILES_none  = $(LOADS)/colliding.txt $(LOADS)/coplanar.txt
+WORKLOADS_none   = "separated=$(POWER_MESH)" colliding=$(LOADS)/colliding.txt \
+                   coplanar=$(LOADS)/coplanar.txt "idle=idle $(LOADS)/colliding.txt"
+
+WORKLOADS_object = "separated=$(POWER_MESH)" "loading=loading $(POWER_MESH)" \
+                   "idle=idle $(POWER_MESH)"
+
+POSES_OF         = $(or $(POSES),$(BUILD)/poses/$(1).txt)
+POSED            = poses $(call POSES_OF,$(1)) $(if $(POSES),$(POWER_MESH),$(addprefix \
+                   $(BUILD)/mesh/,workpiece.stl ball-end.stl) $(if $(call given,RESOLUTION), \
+                   $(patsubst fit,0,$(RESOLUTION)),0.002))
+LOAD_FILES_tree  = $(sort $(foreach load,gouge free,$(call POSES_OF,$(load)))) $(if \
+                   $(POSES),,$(addprefix $(BUILD)/mesh/,workpiece.stl ball-end.stl))
+WORKLOADS_tree   = $(if $(POSES),"poses=$(call POSED)","contact=$(call POSED,gouge)" \
+                   "free=$(call POSED,free)") "idle=idle $(call POSED,free)"
 
 powered: $(AREA)/area.json $(BUILD)/power $(LOAD_FILES) $(SAMPLES)
 	@echo "  POWER   $(DESIGN_NAME), $(LIBRARY)"

@@ -17,7 +17,8 @@ typedef struct {
 typedef struct {
   const request *want;
   sepax_design design;
-  bool exact, engine;
+  bool exact;
+  const struct power_engine *engine;
   library lib;
   gates g;
   double *act, *one;       /* of each net: transitions a cycle, share of ones */
@@ -39,6 +40,16 @@ typedef struct {
 /* The request's meshes, quantised. */
 sepax_scene power_meshes(const analysis *m);
 
+/* How the gates of a design with an engine are simulated; main.c has the table. */
+typedef struct power_engine {
+  /* All that the request asks for; what comes out is compared with the golden model's. NULL: it
+   * cannot be simulated. */
+  void (*simulate)(analysis *m);
+  const char *compared; /* "verdicts" */
+  bool loads;           /* objects, which can be measured by itself */
+  bool runs;            /* by itself, so that a run has an energy; its memories are not counted */
+} power_engine;
+
 /* Simulate the gates with all pairs of the meshes, or with those on standard input; each verdict is
  * compared with the golden model's. */
 void power_pairs(analysis *m);
@@ -46,7 +57,7 @@ void power_pairs(analysis *m);
 /* An object engine: load the meshes into it and let it run, or what the request asks for of that;
  * its results, ends and counters are compared with the golden model's. Exits if the meshes do not
  * fit. */
-void power_engine(analysis *m);
+void power_object(analysis *m);
 
 /* A tree engine: walk the poses, or be idle after them; all that it sends is compared with the
  * golden model's. Exits if there are no poses. */

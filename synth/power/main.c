@@ -93,6 +93,16 @@ static request read_options(int argc, char **argv) {
   return r;
 }
 
+static const char of_engines[] = "results, ends and counts";
+static const power_engine engines[SEPAX_ENGINE_COUNT] = {
+    [SEPAX_ENGINE_NONE] = {.simulate = power_pairs, .compared = "verdicts"},
+    [SEPAX_ENGINE_OBJECT] = {.simulate = power_object,
+                             .compared = of_engines,
+                             .loads = true,
+                             .runs = true},
+    [SEPAX_ENGINE_TREE] = {.simulate = power_tree, .compared = of_engines, .runs = true},
+};
+
 int main(int argc, char **argv) {
   static analysis m;
   static request want;
@@ -105,21 +115,23 @@ int main(int argc, char **argv) {
     errx(2, "%s", error.text);
   }
   m.exact = config.arch == SEPAX_ARCH_EXACT;
-  m.engine = config.lanes > 0 || config.tree;
-  if (want.loading && (want.idle || config.lanes == 0)) {
+  m.engine = &engines[sepax_config_engine(&config)];
+  if (m.engine->simulate == NULL) {
+    errx(2, "%s: the power of such an engine is not simulated; leave it out", want.design);
+  }
+  if (want.loading && (want.idle || !m.engine->loads)) {
     errx(2, "-b is for an object engine (--lanes), and not with -i");
   }
   library_read(&m.lib, want.liberty);
   gates_read(&m.g, &m.lib, want.netlist);
   power_prepare(&m);
   if (want.global < 0) {
-    (config.tree ? power_tree : config.lanes > 0 ? power_engine : power_pairs)(&m);
+    m.engine->simulate(&m);
   }
   power_count(&m);
   power_report(&m);
   if (m.wrong > 0) {
-    errx(1, "%llu %s are not the golden model's", (unsigned long long)m.wrong,
-         m.engine ? "results, ends and counts" : "verdicts");
+    errx(1, "%llu %s are not the golden model's", (unsigned long long)m.wrong, m.engine->compared);
   }
   return 0;
 }

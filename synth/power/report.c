@@ -110,7 +110,7 @@ void power_report(const analysis *m) {
   if (m->want->global < 0) {
     json_object_set_new(report, "error", json_real(m->error));
   }
-  if (m->engine) {
+  if (m->engine->runs) {
     json_object_update_new(report,
                            json_pack("{s:f, s:s}", "run_nj", cycle_pj * 1e-3 * (double)g->cycles,
                                      "memories", "not counted"));

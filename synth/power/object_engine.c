@@ -1,9 +1,9 @@
-/* engine.c - an object engine as gates: what stands around it, for a whole run in 64 lanes.
+/* object_engine.c - an object engine as gates: what stands around it, for a whole run in 64 lanes.
  *
  * The memories (a word is there in the cycle after it was asked for) and the buses of
  * sepax_engine_logic are played: both objects are loaded, each lane's from another triangle on, and
  * run once, results taken as they come. Wrong are results, in order, ends, answers and counters
- * that are not sepax_engine's. */
+ * that are not sepax_object_engine's. */
 #include "analysis.h"
 #include "around.h"
 #include "liberty/text.h"
@@ -197,7 +197,7 @@ static void check_counters(engine *e) {
   }
 }
 
-void power_engine(analysis *m) {
+void power_object(analysis *m) {
   enum { SETTLING = 4 };
   static engine it;
   engine *e = &it;

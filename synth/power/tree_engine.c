@@ -1,4 +1,4 @@
-/* tree.c - a tree engine as gates: what stands around it, for a batch in 64 lanes.
+/* tree_engine.c - a tree engine as gates: what stands around it, for a batch in 64 lanes.
  *
  * The memories of sepax_engine, its AXI4 port to a memory with latency, and its buses are played.
  * Lane l walks the poses l, l + 64, ... of a file, with cold caches. Wrong are results, in order,
