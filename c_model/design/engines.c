@@ -9,6 +9,10 @@ static const engine none = {.name = NULL};
 static const engine *const engines[SEPAX_ENGINE_COUNT] = {[SEPAX_ENGINE_NONE] = &none,
                                                           SEPAX_ENGINES(ROW)};
 
+#define ONE(value, name) +1
+_Static_assert(1 SEPAX_ENGINES(ONE) == SEPAX_ENGINE_COUNT,
+               "an engine has no line in SEPAX_ENGINES");
+
 const char *sepax_engine_name(sepax_engine which) {
 #define NAME(value, name) [SEPAX_ENGINE_##value] = #name,
   static const char *const names[SEPAX_ENGINE_COUNT] = {[SEPAX_ENGINE_NONE] = "none",
