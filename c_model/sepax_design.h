@@ -318,8 +318,9 @@ typedef struct {
   uint64_t seed;
   const sepax_poses *path; /* the poses of B, all there are; A stands, `motion` is not read. NULL:
                               none */
-  uint64_t pairs_most;     /* of a path with more pairs of triangles no jobs are found; 0: of any */
-  bool limited;            /* designs have these clearances, LSB, as sepax_config has them */
+  uint64_t
+      pairs_most; /* of a path with more pairs of triangles no workloads are found; 0: of any */
+  bool limited;   /* designs have these clearances, LSB, as sepax_config has them */
   int clearance, warning;
 } sepax_space;
 
@@ -333,7 +334,7 @@ typedef struct {
   uint64_t twice; /* of all pairs, those that go through a core alone twice without an AABB test:
                      flat as seen along z */
   uint64_t twice_near; /* of these, the candidates */
-} sepax_job;
+} sepax_workload;
 
 /* What follows for every pose. extent[i] bounds each side of the AABB of each triangle of A, of B,
  * in LSB, in every pose and for every rounding of the moved body to the grid. If nothing moves and
@@ -348,11 +349,13 @@ typedef struct {
                      first of the path, counted */
   uint64_t worst; /* the most that were counted in any pose; where poses are sampled, no bound */
   int poses;      /* that were sampled */
-  sepax_job *job; /* of the pose of the files and of each sampled one, or of each of the path */
-  size_t jobs;
-  size_t path;              /* poses of the path, 0 without one */
-  struct size_trees *trees; /* of a path: what a tree engine reads; NULL: none, as W is above 21 */
-  bool limited;             /* as the space has them */
+  sepax_workload
+      *workload; /* of the pose of the files and of each sampled one, or of each of the path */
+  size_t workloads;
+  size_t path; /* poses of the path, 0 without one */
+  struct sepax_size_trees
+      *trees;   /* of a path: what a tree engine reads; NULL: none, as W is above 21 */
+  bool limited; /* as the space has them */
   int clearance, warning;
 } sepax_size;
 
@@ -408,7 +411,7 @@ bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size,
 /* The same of several pairs of bodies, one size each, on one path: a pose is that of all pairs, one
  * after the other, and as many cycles as these take; with a tree engine 40 more each, and as often
  * and once more the latency of the memory, for what is between the jobs of a list. Sizes have
- * poses, clearances and resolution alike; jobs or trees that one has not none has. */
+ * poses, clearances and resolution alike; workloads or trees that one has not none has. */
 bool sepax_size_pairs(sepax_sized_design *sized, const sepax_size *size, size_t pairs,
                       const sepax_size_request *request, sepax_error *error);
 

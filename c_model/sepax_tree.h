@@ -112,7 +112,7 @@ typedef struct {
   /* Called with each near pair, in order; false ends the walk. NULL: not called. */
   bool (*each)(void *context, const sepax_tree_pair *pair);
   void *context;
-} sepax_tree_walk;
+} sepax_tree_walk_options;
 
 typedef struct {
   uint64_t entries, steps, rows, pairs, near, collisions; /* docs/tree.md, Counters */
@@ -127,14 +127,15 @@ typedef struct {
 
 /* The walk of the engine. Trees of words up to that of the design. Fails where that is not so,
  * where the stack is too small for the trees, and without memory; a damaged tree is no failure. */
-bool sepax_trees_walk(const sepax_tree *a, const sepax_tree *b, const sepax_tree_pose *pose,
-                      const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error);
+bool sepax_tree_walk(const sepax_tree *a, const sepax_tree *b, const sepax_tree_pose *pose,
+                     const sepax_tree_walk_options *how, sepax_tree_run *run, sepax_error *error);
 
 /* The same on images as they are in memory, by their body records: bytes that need not be a tree.
  * An image has all the bytes that its record tells. */
-bool sepax_images_walk(const uint8_t *const image[2],
-                       const uint8_t record[2][SEPAX_TREE_BODY_BYTES], const sepax_tree_pose *pose,
-                       const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error);
+bool sepax_tree_walk_images(const uint8_t *const image[2],
+                            const uint8_t record[2][SEPAX_TREE_BODY_BYTES],
+                            const sepax_tree_pose *pose, const sepax_tree_walk_options *how,
+                            sepax_tree_run *run, sepax_error *error);
 
 /* -------------------------------------------------------------------- jobs */
 

@@ -163,28 +163,28 @@ typedef struct {
   const int32_t *c[3][3];
 } sepax_columns;
 
-/* How a batch is computed: BEST is the fastest path that this processor runs. All paths give the
- * same verdicts. */
+/* The vector instructions that are used; all give the same results. Those that this processor lacks
+ * stand for the widest that it has. */
 typedef enum {
-  SEPAX_PATH_BEST,
-  SEPAX_PATH_PORTABLE, /* 2 pairs at once in doubles; sepax_exact where a sign is uncertain */
-  SEPAX_PATH_AVX2,     /* 4 pairs at once */
-  SEPAX_PATH_AVX512    /* 8 pairs at once */
-} sepax_path;
+  SEPAX_SIMD_BEST,
+  SEPAX_SIMD_PORTABLE, /* 2 pairs at once in doubles; sepax_exact where a sign is uncertain */
+  SEPAX_SIMD_AVX2,     /* 4 pairs at once */
+  SEPAX_SIMD_AVX512    /* 8 pairs at once */
+} sepax_simd;
 
-bool sepax_path_runs(sepax_path path);
-const char *sepax_path_name(sepax_path path); /* of BEST: the name of the path that it stands for */
+bool sepax_simd_runs(sepax_simd path);
+const char *sepax_simd_name(sepax_simd path); /* of BEST: the name of the path that it stands for */
 
 /* The verdicts of sepax_exact on pairs (a[n], b[n]), n < count: bit n % 64 of bits[n / 64] is 1 for
  * a collision; bits of the last word from `count` on are 0. Exact for every int32_t. It is fastest
  * where all 64 pairs of a word have coordinates of up to 20 bits, not much slower up to 25 bits,
  * and judges longer coordinates one by one in 128 bits. It reads nothing outside of the arrays. The
  * path must run on this processor. docs/software.md. */
-void sepax_exact_pairs(sepax_path path, const sepax_columns *a, const sepax_columns *b,
+void sepax_exact_pairs(sepax_simd path, const sepax_columns *a, const sepax_columns *b,
                        size_t count, uint64_t *bits);
 
 /* The same of one triangle and each of b; sums of a's own vertices are computed once. */
-void sepax_exact_one_to_many(sepax_path path, const sepax_tri *a, const sepax_columns *b,
+void sepax_exact_one_to_many(sepax_simd path, const sepax_tri *a, const sepax_columns *b,
                              size_t count, uint64_t *bits);
 
 /* How two meshes are searched; all zero is a good choice. */
@@ -192,7 +192,7 @@ typedef struct {
   int threads;      /* 0: one for each processor */
   bool brute_force; /* every pair is tested */
   bool first;       /* end at a pair that collides, always at the same one */
-  sepax_path path;
+  sepax_simd simd;
   /* Called now and then from the calling thread, at the end with done == total if nothing ends the
    * search before. False ends the search. NULL: not called. */
   bool (*progress)(void *context, uint64_t done, uint64_t total);
@@ -357,7 +357,7 @@ typedef struct {
   /* Called with each pair, in place of keeping it; false ends the search. NULL: not called. */
   bool (*each)(void *context, size_t a, size_t b);
   void *context;
-  sepax_path path;
+  sepax_simd simd;
 } sepax_query;
 
 /* The pairs of triangles (number in A, number in B) of two bodies in their poses (NULL: as they
@@ -395,7 +395,7 @@ typedef struct {
                                         which is faster; NULL: none */
   double seconds; /* end after so much time; 0: no limit. Where the way is a million times
                      the bodies' size, all triangles are as far as each other: it takes long */
-  sepax_path path;
+  sepax_simd simd;
 } sepax_distance_request;
 
 /* The distance of the surfaces of two bodies in their poses (NULL: as they stand), the least of

@@ -1,7 +1,7 @@
 /* poses.c - what two meshes need in each of their poses: word length, extents, and how many
  * candidates the AABB test leaves. docs/size.md. */
 #include "design/interval.h"
-#include "size/jobs.h"
+#include "size/workloads.h"
 #include "size/motion.h"
 #include "util/error.h"
 
@@ -140,7 +140,7 @@ static int64_t extent_moved(const sepax_mesh *mesh, sepax_rotation rotation, dou
 /* --------------------------------------------------------------------- the AABBs */
 
 typedef struct {
-  job_bodies on_grid;
+  workload_bodies on_grid;
   sepax_mesh moved[2];
 } bodies;
 
@@ -189,18 +189,18 @@ static void release(bodies *r) {
 
 /* ------------------------------------------------------------------ sampled poses */
 
-/* The job of the pose in which the bodies are now. */
-static bool add_job(sepax_size *size, const bodies *r, sepax_error *error) {
-  if (!sepax__job_find(&size->job[size->jobs], &r->on_grid, error)) {
+/* The workload of the pose in which the bodies are now. */
+static bool add_workload(sepax_size *size, const bodies *r, sepax_error *error) {
+  if (!sepax__workload_find(&size->workload[size->workloads], &r->on_grid, error)) {
     return false;
   }
-  uint64_t candidates = size->job[size->jobs++].candidates;
+  uint64_t candidates = size->workload[size->workloads++].candidates;
   size->worst = candidates > size->worst ? candidates : size->worst;
   return true;
 }
 
-static bool find_path_jobs(sepax_size *size, bodies *r, const sepax_mesh *mesh,
-                           const sepax_poses *path, sepax_error *error) {
+static bool find_path_workloads(sepax_size *size, bodies *r, const sepax_mesh *mesh,
+                                const sepax_poses *path, sepax_error *error) {
   for (size_t k = 0; k < path->count; k++) {
     for (size_t n = 0; n < 3 * mesh->count; n++) {
       for (int axis = 0; axis < 3; axis++) {
@@ -208,7 +208,7 @@ static bool find_path_jobs(sepax_size *size, bodies *r, const sepax_mesh *mesh,
             placed(&path->pose[k], mesh->facet[n / 3].v[n % 3], axis);
       }
     }
-    if (!quantise_body(r, 1, &r->moved[1], &size->grid, error) || !add_job(size, r, error)) {
+    if (!quantise_body(r, 1, &r->moved[1], &size->grid, error) || !add_workload(size, r, error)) {
       return false;
     }
   }
@@ -234,7 +234,7 @@ static bool sample_poses(sepax_size *size, bodies *r, const sepax_mesh *const me
       }
     }
     uint64_t most = size->worst;
-    if (!add_job(size, r, error)) {
+    if (!add_workload(size, r, error)) {
       return false;
     }
     size->poses++;
@@ -381,17 +381,17 @@ static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2]
   int bits = bits_behind_aabb_test(size->extent[0], size->extent[1], r->on_grid.margin);
   size->core_word = bits < size->grid.word ? bits : size->grid.word;
   size_t most = path != NULL ? path->count : 1 + (size_t)space->poses;
-  size->job = calloc(most, sizeof *size->job);
-  if (size->job == NULL) {
+  size->workload = calloc(most, sizeof *size->workload);
+  if (size->workload == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu poses; give fewer", most);
   }
   uint64_t pairs = (uint64_t)size->count[0] * size->count[1];
   bool left_out = path != NULL && space->pairs_most > 0 && pairs > space->pairs_most;
-  if (!left_out &&
-      !(path != NULL ? find_path_jobs(size, r, mesh[1], path, error) : add_job(size, r, error))) {
+  if (!left_out && !(path != NULL ? find_path_workloads(size, r, mesh[1], path, error)
+                                  : add_workload(size, r, error))) {
     return false;
   }
-  size->given = size->job[0].candidates;
+  size->given = size->workload[0].candidates;
   return path != NULL ? find_trees(size, r, mesh[1], space, error)
                       : !moving || sample_poses(size, r, mesh, space, error);
 }
@@ -433,12 +433,12 @@ bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b
 }
 
 void sepax_size_free(sepax_size *size) {
-  for (size_t n = 0; n < size->jobs; n++) {
-    free(size->job[n].pass);
+  for (size_t n = 0; n < size->workloads; n++) {
+    free(size->workload[n].pass);
   }
-  free(size->job);
+  free(size->workload);
   sepax__size_trees_free(size->trees);
-  size->job = NULL;
-  size->jobs = 0;
+  size->workload = NULL;
+  size->workloads = 0;
   size->trees = NULL;
 }

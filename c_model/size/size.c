@@ -1,7 +1,7 @@
 /* size.c - the design of the fewest gates that judges a scene in time. docs/size.md. */
 #include "design/engine.h"
 #include "size/gates.h"
-#include "size/jobs.h"
+#include "size/workloads.h"
 #include "util/error.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
 enum { INTERVALS = sizeof intervals / sizeof intervals[0] };
 
-/* Cycles of a tree engine between a job and the next, but for the latency of its memory. */
+/* Cycles of a tree engine between a workload and the next, but for the latency of its memory. */
 enum { BETWEEN = 40 };
 
 /* What a tree engine does in a pose, whatever its II and cores; the cycles of the fastest. */
@@ -30,7 +30,7 @@ typedef struct {
   const sepax_size_request *request;
   sepax_sized_design *design; /* every one that there is, with a lower bound of its cycles */
   size_t count;
-  uint64_t *steps; /* sepax__job_cycles */
+  uint64_t *steps; /* sepax__workload_cycles */
   tree_work *work; /* of each pose; NULL: no tree engine */
 } choice;
 
@@ -79,13 +79,13 @@ static int memory_for(size_t count) {
 
 /* On a path B is turned, so that its vertices are loaded anew. */
 static uint64_t loading(const sepax_size *size, const sepax_config *config) {
-  return size->path > 0 && config->lanes > 0 ? sepax__job_loading(size->count, config) : 0;
+  return size->path > 0 && config->lanes > 0 ? sepax__workload_loading(size->count, config) : 0;
 }
 
 static uint64_t most_passes(const sepax_size *size) {
   uint64_t passes = 0;
-  for (size_t n = 0; n < size->jobs; n++) {
-    passes = larger(passes, size->job[n].passes);
+  for (size_t n = 0; n < size->workloads; n++) {
+    passes = larger(passes, size->workload[n].passes);
   }
   return passes;
 }
@@ -97,10 +97,10 @@ static uint64_t least_cycles(const choice *all, const sepax_config *config) {
   uint64_t most = 0;
   for (size_t n = 0; n < all->pairs; n++) {
     const sepax_size *size = &all->size[n];
-    uint64_t least = sepax__job_least_cycles(0, size->count, config);
+    uint64_t least = sepax__workload_least_cycles(0, size->count, config);
     uint64_t passes = most_passes(size);
     sum += least + loading(size, config);
-    most = larger(most, sepax__job_least_cycles(passes, size->count, config) - least);
+    most = larger(most, sepax__workload_least_cycles(passes, size->count, config) - least);
   }
   return sum + most;
 }
@@ -146,14 +146,15 @@ static bool add_object_engines(choice *all, sepax_error *error) {
   return ok;
 }
 
-static size_t poses_of_jobs(const choice *all) { return all->size->jobs; }
+static size_t poses_of_workloads(const choice *all) { return all->size->workloads; }
 
-static bool cycles_of_job(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
-                          size_t pose, const sepax_size_request *request, uint64_t *steps,
-                          sepax_error *error) {
+static bool cycles_of_workload(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
+                               size_t pose, const sepax_size_request *request, uint64_t *steps,
+                               sepax_error *error) {
   (void)request;
   (void)error;
-  *cycles = sepax__job_cycles(&size->job[pose], size->count, config, steps) + loading(size, config);
+  *cycles = sepax__workload_cycles(&size->workload[pose], size->count, config, steps) +
+            loading(size, config);
   return true;
 }
 
@@ -228,10 +229,12 @@ static bool cycles_of_walk(uint64_t *cycles, const sepax_size *size, const sepax
 }
 
 static const sizing sizings[SEPAX_ENGINE_COUNT] = {
-    [SEPAX_ENGINE_NONE] = {.add = add_core, .poses = poses_of_jobs, .cycles = cycles_of_job},
+    [SEPAX_ENGINE_NONE] = {.add = add_core,
+                           .poses = poses_of_workloads,
+                           .cycles = cycles_of_workload},
     [SEPAX_ENGINE_OBJECT] = {.add = add_object_engines,
-                             .poses = poses_of_jobs,
-                             .cycles = cycles_of_job},
+                             .poses = poses_of_workloads,
+                             .cycles = cycles_of_workload},
     [SEPAX_ENGINE_TREE] = {.add = add_tree_engines,
                            .poses = poses_of_walks,
                            .cycles = cycles_of_walk,
@@ -247,7 +250,7 @@ bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_con
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "cycles: those of %s are not known",
                       sepax__engine_of(config)->name);
   }
-  size_t passes = pose < size->jobs ? size->job[pose].passes : 0;
+  size_t passes = pose < size->workloads ? size->workload[pose].passes : 0;
   uint64_t *steps = malloc((passes + 1) * sizeof *steps);
   bool ok = steps != NULL
                 ? of->cycles(cycles, size, config, pose, request, steps, error)
@@ -333,7 +336,7 @@ static bool find_cheapest(choice *all, uint64_t limit, sepax_sized_design *best,
   return true;
 }
 
-/* Or the bound that no design is below, where no jobs were looked for. */
+/* Or the bound that no design is below, where no workloads were looked for. */
 static bool find_fewest(choice *all, uint64_t *fewest, sepax_error *error) {
   size_t pose[SEPAX_ENGINE_COUNT] = {0};
   *fewest = UINT64_MAX;

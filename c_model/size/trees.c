@@ -1,14 +1,14 @@
 /* trees.c - the bodies of a scene and their path as a tree engine gets them. docs/size.md. */
-#include "size/jobs.h"
+#include "size/workloads.h"
 
 #include "util/error.h"
 
 #include <stdlib.h>
 
-bool sepax__size_trees_new(struct size_trees **trees, const job_bodies *bodies,
+bool sepax__size_trees_new(struct sepax_size_trees **trees, const workload_bodies *bodies,
                            const sepax_grid grid[2], const sepax_space *space, sepax_error *error) {
   const sepax_poses *path = space->path;
-  struct size_trees *t = calloc(1, sizeof *t);
+  struct sepax_size_trees *t = calloc(1, sizeof *t);
   sepax_config config = sepax_config_default();
   sepax_design design;
   if (t == NULL) {
@@ -38,7 +38,7 @@ bool sepax__size_trees_new(struct size_trees **trees, const job_bodies *bodies,
   return ok;
 }
 
-void sepax__size_trees_free(struct size_trees *trees) {
+void sepax__size_trees_free(struct sepax_size_trees *trees) {
   if (trees != NULL && !trees->shared) {
     sepax_tree_free(trees->tree[0]);
     sepax_tree_free(trees->tree[1]);
@@ -54,14 +54,14 @@ void sepax__size_limit(sepax_config *config, bool limited, int clearance, int wa
   }
 }
 
-bool sepax__size_trees_walk(const struct size_trees *trees, const sepax_config *config, size_t pose,
-                            const sepax_size_request *request, sepax_tree_run *run,
+bool sepax__size_trees_walk(const struct sepax_size_trees *trees, const sepax_config *config,
+                            size_t pose, const sepax_size_request *request, sepax_tree_run *run,
                             sepax_error *error) {
   sepax_design design;
   if (!sepax_design_init(&design, config, error)) {
     return false;
   }
-  const sepax_tree_walk how = {
+  const sepax_tree_walk_options how = {
       .design = &design, .latency = request->latency, .first = request->first};
-  return sepax_trees_walk(trees->tree[0], trees->tree[1], &trees->pose[pose], &how, run, error);
+  return sepax_tree_walk(trees->tree[0], trees->tree[1], &trees->pose[pose], &how, run, error);
 }

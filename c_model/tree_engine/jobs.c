@@ -98,12 +98,12 @@ static bool walk_pose(sepax_tree_batch *b, sepax_tree_result *result, sepax_erro
   if (result->status != 0) {
     return true;
   }
-  const sepax_tree_walk how = {.design = b->design,
-                               .first = (job->modes & SEPAX_TREE_FIRST) != 0,
-                               .row = b->has_row ? &b->row : NULL,
-                               .each = see,
-                               .context = b};
-  if (!sepax_images_walk(image, job->body, &pose, &how, &result->run, error)) {
+  const sepax_tree_walk_options how = {.design = b->design,
+                                       .first = (job->modes & SEPAX_TREE_FIRST) != 0,
+                                       .row = b->has_row ? &b->row : NULL,
+                                       .each = see,
+                                       .context = b};
+  if (!sepax_tree_walk_images(image, job->body, &pose, &how, &result->run, error)) {
     return false;
   }
   result->status = result->run.damaged

@@ -29,7 +29,7 @@ static uint16_t half(uint16_t mask) {
 typedef struct {
   tree_image tree[2]; /* A, B */
   const sepax_tree_pose *pose;
-  const sepax_tree_walk *how;
+  const sepax_tree_walk_options *how;
   sepax_tree_run *run;
   size_t line_most, stack_most, height;
   entry *line, *stack; /* the line is a ring */
@@ -260,7 +260,8 @@ static void walk_all(walk *w, const tree_node *root_b) {
 }
 
 bool sepax__tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
-                             const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error) {
+                             const sepax_tree_walk_options *how, sepax_tree_run *run,
+                             sepax_error *error) {
   walk w = {.tree = {tree[0], tree[1]},
             .pose = pose,
             .how = how,
@@ -297,9 +298,10 @@ static tree_image image_of(const uint8_t *image, const uint8_t *record) {
                       tree_get32(record + 16)};
 }
 
-bool sepax_images_walk(const uint8_t *const image[2],
-                       const uint8_t record[2][SEPAX_TREE_BODY_BYTES], const sepax_tree_pose *pose,
-                       const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error) {
+bool sepax_tree_walk_images(const uint8_t *const image[2],
+                            const uint8_t record[2][SEPAX_TREE_BODY_BYTES],
+                            const sepax_tree_pose *pose, const sepax_tree_walk_options *how,
+                            sepax_tree_run *run, sepax_error *error) {
   const tree_image tree[2] = {image_of(image[0], record[0]), image_of(image[1], record[1])};
   for (int i = 0; i < 2; i++) {
     if (tree[i].nodes == 0 ||
@@ -312,8 +314,8 @@ bool sepax_images_walk(const uint8_t *const image[2],
   return sepax__tree_images_walk(tree, pose, how, run, error);
 }
 
-bool sepax_trees_walk(const sepax_tree *a, const sepax_tree *b, const sepax_tree_pose *pose,
-                      const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error) {
+bool sepax_tree_walk(const sepax_tree *a, const sepax_tree *b, const sepax_tree_pose *pose,
+                     const sepax_tree_walk_options *how, sepax_tree_run *run, sepax_error *error) {
   const tree_image tree[2] = {tree_image_of(a), tree_image_of(b)};
   int word = a->grid.word > b->grid.word ? a->grid.word : b->grid.word;
   if (word > how->design->config.word) {

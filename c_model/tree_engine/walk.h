@@ -48,9 +48,10 @@ tree_pair sepax__tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], in
 /* As the core gets it. */
 sepax_tri sepax__tree_thin_along_z(const int32_t v[3][3], int thinnest);
 
-/* sepax_images_walk of what has been looked at: nodes are in the images. */
+/* sepax_tree_walk_images of what has been looked at: nodes are in the images. */
 bool sepax__tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
-                             const sepax_tree_walk *how, sepax_tree_run *run, sepax_error *error);
+                             const sepax_tree_walk_options *how, sepax_tree_run *run,
+                             sepax_error *error);
 
 /* ------------------------------------------------- tree_hits of 16 boxes at once */
 

@@ -1,7 +1,6 @@
 /* pairs.c - the exact verdicts of many pairs, several at once: AVX-512, AVX2 or plain C. */
 #include "sepax.h"
 
-#include <assert.h>
 #include <string.h>
 
 #if defined __x86_64__
@@ -113,42 +112,42 @@ typedef struct {
 } functions;
 
 static const functions table[] = {
-    [SEPAX_PATH_PORTABLE] = {judge_pairs_portable, judge_one_portable},
+    [SEPAX_SIMD_PORTABLE] = {judge_pairs_portable, judge_one_portable},
 #if defined __x86_64__
-    [SEPAX_PATH_AVX2] = {judge_pairs_avx2, judge_one_avx2},
-    [SEPAX_PATH_AVX512] = {judge_pairs_avx512, judge_one_avx512},
+    [SEPAX_SIMD_AVX2] = {judge_pairs_avx2, judge_one_avx2},
+    [SEPAX_SIMD_AVX512] = {judge_pairs_avx512, judge_one_avx512},
 #endif
 };
 
-bool sepax_path_runs(sepax_path path) {
-  switch (path) {
+bool sepax_simd_runs(sepax_simd simd) {
+  switch (simd) {
 #if defined __x86_64__
-  case SEPAX_PATH_AVX2:
+  case SEPAX_SIMD_AVX2:
     return __builtin_cpu_supports("avx2");
-  case SEPAX_PATH_AVX512:
+  case SEPAX_SIMD_AVX512:
     return __builtin_cpu_supports("avx512f");
 #endif
   default:
-    return path == SEPAX_PATH_BEST || path == SEPAX_PATH_PORTABLE;
+    return simd == SEPAX_SIMD_BEST || simd == SEPAX_SIMD_PORTABLE;
   }
 }
 
-static sepax_path best(void) {
-  return sepax_path_runs(SEPAX_PATH_AVX512) ? SEPAX_PATH_AVX512
-         : sepax_path_runs(SEPAX_PATH_AVX2) ? SEPAX_PATH_AVX2
-                                            : SEPAX_PATH_PORTABLE;
+static sepax_simd best(void) {
+  return sepax_simd_runs(SEPAX_SIMD_AVX512) ? SEPAX_SIMD_AVX512
+         : sepax_simd_runs(SEPAX_SIMD_AVX2) ? SEPAX_SIMD_AVX2
+                                            : SEPAX_SIMD_PORTABLE;
 }
 
-static const functions *functions_of(sepax_path path) {
-  assert(sepax_path_runs(path));
-  return &table[path == SEPAX_PATH_BEST ? best() : path];
+/* What this processor lacks stands for the widest that it has. */
+static sepax_simd settled(sepax_simd simd) {
+  return simd == SEPAX_SIMD_BEST || !sepax_simd_runs(simd) ? best() : simd;
 }
 
-const char *sepax_path_name(sepax_path path) {
-  static const char *const names[] = {[SEPAX_PATH_PORTABLE] = "portable",
-                                      [SEPAX_PATH_AVX2] = "avx2",
-                                      [SEPAX_PATH_AVX512] = "avx512"};
-  return names[path == SEPAX_PATH_BEST ? best() : path];
+const char *sepax_simd_name(sepax_simd simd) {
+  static const char *const names[] = {[SEPAX_SIMD_PORTABLE] = "portable",
+                                      [SEPAX_SIMD_AVX2] = "avx2",
+                                      [SEPAX_SIMD_AVX512] = "avx512"};
+  return names[settled(simd)];
 }
 
 /* ------------------------------------------------------------- entry points */
@@ -174,9 +173,9 @@ static uint64_t mask_of(size_t count) {
   return count >= BLOCK ? ~UINT64_C(0) : (UINT64_C(1) << count) - 1;
 }
 
-void sepax_exact_pairs(sepax_path path, const sepax_columns *a, const sepax_columns *b,
+void sepax_exact_pairs(sepax_simd simd, const sepax_columns *a, const sepax_columns *b,
                        size_t count, uint64_t *bits) {
-  const functions *f = functions_of(path);
+  const functions *f = &table[settled(simd)];
   block in;
   for (size_t n = 0; n < count; n += BLOCK) {
     copy_columns(in.a, a, n, count - n);
@@ -185,9 +184,9 @@ void sepax_exact_pairs(sepax_path path, const sepax_columns *a, const sepax_colu
   }
 }
 
-void sepax_exact_one_to_many(sepax_path path, const sepax_tri *a, const sepax_columns *b,
+void sepax_exact_one_to_many(sepax_simd simd, const sepax_tri *a, const sepax_columns *b,
                              size_t count, uint64_t *bits) {
-  const functions *f = functions_of(path);
+  const functions *f = &table[settled(simd)];
   block in;
   for (size_t n = 0; n < count; n += BLOCK) {
     copy_columns(in.b, b, n, count - n);

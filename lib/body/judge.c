@@ -35,19 +35,19 @@ enum { MOST_LANES = 8 };
 
 typedef const double const_vertex[3];
 
-int sepax__posed_pairs_lanes(sepax_path path) {
+int sepax__posed_pairs_lanes(sepax_simd simd) {
 #if defined __x86_64__
   bool fast = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   bool wide = fast && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
               __builtin_cpu_supports("avx512vl");
-  if (path == SEPAX_PATH_BEST || path == SEPAX_PATH_AVX512) {
+  if (simd == SEPAX_SIMD_BEST || simd == SEPAX_SIMD_AVX512) {
     return wide ? 8 : fast ? 4 : 2;
   }
-  if (path == SEPAX_PATH_AVX2) {
+  if (simd == SEPAX_SIMD_AVX2) {
     return fast ? 4 : 2;
   }
 #else
-  (void)path;
+  (void)simd;
 #endif
   return 2;
 }

@@ -13,9 +13,8 @@ typedef struct {
   placement at;
 } posed_pairs;
 
-/* Pairs at once on a path, or on the best that this processor runs instead: 2, 4 with AVX2, 8 with
- * AVX-512. */
-int sepax__posed_pairs_lanes(sepax_path path);
+/* Pairs at once: 2, 4 with AVX2, 8 with AVX-512, as far as this processor has them. */
+int sepax__posed_pairs_lanes(sepax_simd simd);
 
 /* Bit n: pair[n], of a triangle of A and one of B, collides. Up to 64 pairs. */
 uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count);

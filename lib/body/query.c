@@ -285,7 +285,7 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
   s.pairs = (posed_pairs){.first = {a->triangle[0][0], b->triangle[0][0]},
                           .stride = {9, 9},
                           .strict = s.query->strict,
-                          .lanes = sepax__posed_pairs_lanes(s.query->path)};
+                          .lanes = sepax__posed_pairs_lanes(s.query->simd)};
   sepax__place_bodies(&s.pairs.at, a, pose_a, b, pose_b);
   bool few = s.query->only_any || s.query->most > 0;
   s.batch = few ? 4 : BATCH;

@@ -53,7 +53,7 @@ void sepax__search_judge_candidates(worker *w) {
     int32_t c[2][3][3][BATCH];
     sepax_columns of[2];
     gather_candidates(w, c, of);
-    sepax_exact_pairs(s->how->path, &of[0], &of[1], count, &hits);
+    sepax_exact_pairs(s->how->simd, &of[0], &of[1], count, &hits);
   } else {
     for (size_t n = 0; n < count; n++) {
       const sepax_tri *a = &s->tri[0][w->candidate[n][0]];
@@ -106,7 +106,7 @@ static void judge_one(worker *w, size_t i, size_t from, size_t many) {
   for (int k = 0; k < 9; k++) {
     columns.c[k / 3][k % 3] = s->columns.c[k / 3][k % 3] + from;
   }
-  sepax_exact_one_to_many(s->how->path, &s->tri[0][i], &columns, many, bits);
+  sepax_exact_one_to_many(s->how->simd, &s->tri[0][i], &columns, many, bits);
   for (size_t m = 0; m < (many + 63) / 64; m++) {
     for (uint64_t word = bits[m]; word != 0; word &= word - 1) {
       if (!record(w, i, from + 64 * m + (size_t)__builtin_ctzll(word))) {
@@ -340,7 +340,7 @@ bool sepax_meshes_collide(const sepax_mesh *a, const sepax_pose *pose_a, const s
   s.posed = (posed_pairs){
       .first = {a->facet[0].v[0], b->facet[0].v[0]},
       .stride = {sizeof *a->facet / sizeof(double), sizeof *a->facet / sizeof(double)},
-      .lanes = sepax__posed_pairs_lanes(how != NULL ? how->path : SEPAX_PATH_BEST)};
+      .lanes = sepax__posed_pairs_lanes(how != NULL ? how->simd : SEPAX_SIMD_BEST)};
   sepax__place_poses(&s.posed.at, pose_a, pose_b, most[1]);
   double size = most[0];
   for (int i = 0; i < 3; i++) {

@@ -122,7 +122,7 @@ static bool begin(search *s, const sepax_distance_request *r, sepax_error *error
                       "a search has a limit of %g seconds; give 0 for none, or more", r->seconds);
   }
   s->limit = r->limit > 0 ? r->limit : INFINITY;
-  s->portable = r->path == SEPAX_PATH_PORTABLE;
+  s->portable = r->simd == SEPAX_SIMD_PORTABLE;
   if (last != NULL && !is_distance(s, last)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "the last distance is not one of these bodies; give a result of "
@@ -139,7 +139,7 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
                            sepax_distance_result *result, sepax_error *error) {
   static const sepax_distance_request usual = {0};
   const sepax_distance_request *r = request != NULL ? request : &usual;
-  const sepax_query any = {.most = 1, .seconds = r->seconds, .path = r->path};
+  const sepax_query any = {.most = 1, .seconds = r->seconds, .simd = r->simd};
   sepax_distance_result best = {.min_distance = INFINITY};
   nearest_pairs n = {.best = &best};
   search s = {.body = {a, b}, .take = keep, .context = &n, .batch = 4};

@@ -58,7 +58,7 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
   }
   near_pairs n = {.query = q, .distance = distance, .found = found};
   search s = {.body = {a, b}, .take = record, .context = &n, .limit = distance, .batch = 4};
-  s.portable = q->path == SEPAX_PATH_PORTABLE;
+  s.portable = q->simd == SEPAX_SIMD_PORTABLE;
   s.seconds = q->seconds;
   sepax__search_pairs(&s, pose_a, pose_b);
   found->ended = s.ended;

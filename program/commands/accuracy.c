@@ -155,7 +155,7 @@ static void find_truth(block *b) {
   for (int i = 0; i < 18; i++) {
     columns[i / 9].c[i / 3 % 3][i % 3] = b->column[i];
   }
-  sepax_exact_pairs(SEPAX_PATH_BEST, &columns[0], &columns[1], b->count, &b->truth);
+  sepax_exact_pairs(SEPAX_SIMD_BEST, &columns[0], &columns[1], b->count, &b->truth);
 }
 
 static void draw_block(block *b, size_t count, const accuracy_options *o, size_t family,

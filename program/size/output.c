@@ -155,7 +155,7 @@ void size_print_text(const size_options *o, const size_answer *answer) {
   report_print_grid(WIDTH, &s->grid);
   printf("extents    L_A = %lld, L_B = %lld LSB: %d bits behind the AABB test\n",
          (long long)s->extent[0], (long long)s->extent[1], s->core_word);
-  if (s->jobs > 0) {
+  if (s->workloads > 0) {
     print_candidates(o, s);
   }
   if (s->path > 0) {
@@ -253,7 +253,7 @@ void size_print_json(const size_options *o, const size_answer *answer) {
                 (json_int_t)s->extent[1], "core_word", s->core_word);
   json_object_update(report, needs);
   json_decref(needs);
-  if (s->jobs > 0) {
+  if (s->workloads > 0) {
     json_t *candidates = json_pack("{s:I, s:I, s:I, s:i, s:I}", "pairs", (json_int_t)pairs_of(s),
                                    "as_given", (json_int_t)s->given, "worst", (json_int_t)s->worst,
                                    "sampled_poses", s->poses, "seed", (json_int_t)o->space.seed);

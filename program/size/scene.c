@@ -1,5 +1,5 @@
 /* scene.c - what the pairs of a mechanism need in each line of a path. docs/size.md. */
-#include "size/jobs.h"
+#include "size/workloads.h"
 #include "size/parts.h"
 #include "util/error.h"
 
@@ -61,15 +61,15 @@ static bool measure_pair(sepax_size *size, const size_answer *answer, size_t n,
 static bool share_trees(sepax_size *size, const size_answer *answer, size_t n, sepax_error *error) {
   const path_engine *e = &answer->engine;
   const size_t *body = answer->scene.pair[n].body;
-  struct size_trees *trees = calloc(1, sizeof *trees);
+  struct sepax_size_trees *trees = calloc(1, sizeof *trees);
   if (trees == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for trees");
   }
-  *trees = (struct size_trees){.tree = {e->tree[body[0]], e->tree[body[1]]},
-                               .pose = e->pose[n],
-                               .poses = answer->scene.motion.lines,
-                               .word = e->word,
-                               .shared = true};
+  *trees = (struct sepax_size_trees){.tree = {e->tree[body[0]], e->tree[body[1]]},
+                                     .pose = e->pose[n],
+                                     .poses = answer->scene.motion.lines,
+                                     .word = e->word,
+                                     .shared = true};
   sepax__size_trees_free(size->trees);
   size->trees = trees;
   return true;

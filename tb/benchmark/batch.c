@@ -8,7 +8,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-static const sepax_path paths[] = {SEPAX_PATH_PORTABLE, SEPAX_PATH_AVX2, SEPAX_PATH_AVX512};
+static const sepax_simd paths[] = {SEPAX_SIMD_PORTABLE, SEPAX_SIMD_AVX2, SEPAX_SIMD_AVX512};
 enum { PATHS = sizeof paths / sizeof paths[0], CHUNK = 1 << 14 };
 
 /* --------------------------------------------------------------------- check */
@@ -43,7 +43,7 @@ static tally check_paths(int word, uint64_t count) {
       t.collisions += exact[n];
     }
     for (int p = 0; p < PATHS; p++) {
-      if (sepax_path_runs(paths[p])) {
+      if (sepax_simd_runs(paths[p])) {
         sepax_exact_pairs(paths[p], &batch.a, &batch.b, many, batch.bits);
         for (size_t n = 0; n < many; n++) {
           t.wrong[p] += bit_at(batch.bits, n) != exact[n];
@@ -125,10 +125,10 @@ static int check(uint64_t count) {
     tally t = check_paths(word, count);
     printf("W = %2d, %" PRIu64 " pairs, %" PRIu64 " collisions:", word, count, t.collisions);
     for (int p = 0; p < PATHS; p++) {
-      if (sepax_path_runs(paths[p])) {
-        printf(" %s %" PRIu64 " wrong,", sepax_path_name(paths[p]), t.wrong[p]);
+      if (sepax_simd_runs(paths[p])) {
+        printf(" %s %" PRIu64 " wrong,", sepax_simd_name(paths[p]), t.wrong[p]);
       } else {
-        printf(" %s not on this machine,", sepax_path_name(paths[p]));
+        printf(" %s not on this machine,", sepax_simd_name(paths[p]));
       }
       wrong += t.wrong[p];
     }
@@ -163,7 +163,7 @@ static void scale_pairs(void) {
     size_t rounds = seconds_each > 0 ? 3 + 1000000 / count : 1;
     for (size_t round = 0; round < rounds; round++) {
       double start = seconds_now();
-      sepax_exact_pairs(SEPAX_PATH_BEST, &batch.a, &batch.b, count, batch.bits);
+      sepax_exact_pairs(SEPAX_SIMD_BEST, &batch.a, &batch.b, count, batch.bits);
       best_of(&best, seconds_now() - start);
     }
     printf("pairs,%zu,%zu,%.6g,%.4g\n", count, count, best, 1e9 * best / (double)count);

@@ -63,7 +63,7 @@ sepax_pose turned(const Vector &axis, double angle, const double centre[3]) {
 void sample(sepax_mesh &mesh, const char *shape, size_t count, double x, double y, double z,
             double size) {
   const double at[3] = {x, y, z};
-  sepax_error error = {0};
+  sepax_error error = {};
   if (!sepax_sample(&mesh, shape, count, at, size, &error)) {
     stop(error.text);
   }
@@ -124,7 +124,7 @@ void spheres(Scene &scene, size_t count) {
 
 void mould(Scene &scene, const char *folder) {
   static const char *const file[2] = {"ktoolcav.stl", "ktoolcor.stl"};
-  sepax_error error = {0};
+  sepax_error error = {};
   for (int k = 0; k < 2; k++) {
     const std::string path = std::string(folder != nullptr ? folder : ".") + "/" + file[k];
     FILE *there = fopen(path.c_str(), "r");
@@ -169,7 +169,7 @@ bool meet(const sepax_body *const body[2], const sepax_pose &pose) {
   sepax_query any = {};
   any.only_any = true;
   sepax_pairs found;
-  sepax_error error = {0};
+  sepax_error error = {};
   if (!sepax_bodies_collide(body[0], nullptr, body[1], &pose, &any, &found, &error)) {
     stop(error.text);
   }
@@ -241,7 +241,7 @@ std::unique_ptr<Scene> make_scene(const std::string &name, size_t poses, const c
       return nullptr;
     }
     sepax_body *body[2] = {nullptr, nullptr};
-    sepax_error error = {0};
+    sepax_error error = {};
     for (int k = 0; k < 2; k++) {
       if (!sepax_body_new(&body[k], &scene->mesh[k], &error)) {
         stop(error.text);

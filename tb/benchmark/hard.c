@@ -10,7 +10,7 @@
 
 enum { BLOCK = 4000, SHOWN = 20, PATHS = 3 };
 
-static const sepax_path paths[PATHS] = {SEPAX_PATH_PORTABLE, SEPAX_PATH_AVX2, SEPAX_PATH_AVX512};
+static const sepax_simd paths[PATHS] = {SEPAX_SIMD_PORTABLE, SEPAX_SIMD_AVX2, SEPAX_SIMD_AVX512};
 
 typedef struct {
   uint64_t mismatches, collisions, coplanar;
@@ -42,10 +42,10 @@ static void judge(tally *t, const sepax_pair *pair, size_t count, bool *expected
     columns_set(batch, n, &pair[n]);
   }
   for (int k = 0; k < PATHS; k++) {
-    if (sepax_path_runs(paths[k])) {
+    if (sepax_simd_runs(paths[k])) {
       sepax_exact_pairs(paths[k], &batch->a, &batch->b, count, batch->bits);
       for (size_t n = 0; n < count; n++) {
-        compare(t, sepax_path_name(paths[k]), &pair[n], bit_at(batch->bits, n), expected[n]);
+        compare(t, sepax_simd_name(paths[k]), &pair[n], bit_at(batch->bits, n), expected[n]);
       }
     }
   }

@@ -14,7 +14,7 @@ Pairs listed(const sepax_pairs &found) {
 class Sepax : public Peer {
 public:
   Sepax(const sepax_mesh &a, const sepax_mesh &b) {
-    sepax_error error = {0};
+    sepax_error error = {};
     if (!sepax_body_new(&body[0], &a, &error) || !sepax_body_new(&body[1], &b, &error)) {
       stop(error.text);
     }
@@ -32,7 +32,7 @@ public:
     forget();
     found.resize(query == DISTANCE ? 0 : poses.size());
     away.resize(query == DISTANCE ? poses.size() : 0);
-    sepax_error error = {0};
+    sepax_error error = {};
     for (size_t n = 0; n < away.size(); n++) {
       if (!sepax_bodies_distance(body[0], nullptr, body[1], &poses[n], nullptr, &away[n], &error)) {
         stop(error.text);
@@ -74,7 +74,7 @@ public:
   bool can(Query query) const override { return query == ALL; }
 
   void ask(Query, const Poses &poses) override {
-    sepax_error error = {0};
+    sepax_error error = {};
     sepax_search how = {};
     how.threads = 1;
     sepax_pairs_free(&found);

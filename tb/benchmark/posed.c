@@ -273,11 +273,11 @@ static void print_pair(const char *who, kind what, const situation *s, size_t i,
 }
 
 /* What a search of the two bodies finds, as a table. */
-static void search(const situation *s, bool found[MOST][MOST], sepax_path path) {
+static void search(const situation *s, bool found[MOST][MOST], sepax_simd simd) {
   sepax_body *body[2];
   sepax_pairs pairs;
   sepax_error error = {0};
-  sepax_query query = {.path = path};
+  sepax_query query = {.simd = simd};
   for (int k = 0; k < 2; k++) {
     sepax_facet copy[MOST];
     memcpy(copy, s->facet[k], sizeof copy);
@@ -297,10 +297,10 @@ static void search(const situation *s, bool found[MOST][MOST], sepax_path path) 
   sepax_body_free(body[1]);
 }
 
-static void judge(tally *t, kind what, const situation *s, sepax_path path) {
+static void judge(tally *t, kind what, const situation *s, sepax_simd simd) {
   enum { SHOWN = 3 };
   bool found[MOST][MOST];
-  search(s, found, path);
+  search(s, found, simd);
   for (size_t i = 0; i < s->count; i++) {
     for (size_t j = 0; j < s->count; j++) {
       const double(*a)[3] = s->facet[0][i].v;
@@ -336,7 +336,7 @@ int main(int argc, char **argv) {
     kind what = (kind)(n % KINDS);
     situation s;
     draw(&s, what, n / KINDS, &random);
-    judge(&of[what], what, &s, n / KINDS % 4 == 0 ? SEPAX_PATH_PORTABLE : SEPAX_PATH_BEST);
+    judge(&of[what], what, &s, n / KINDS % 4 == 0 ? SEPAX_SIMD_PORTABLE : SEPAX_SIMD_BEST);
     done += s.count * s.count;
     if (n % 20000 == 0 && isatty(2)) {
       fprintf(stderr, "  %" PRIu64 " of %" PRIu64 "\r", done, count);

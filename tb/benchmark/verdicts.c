@@ -36,37 +36,37 @@ SINGLY(guigue32, sepax_guigue32(&p->a, &p->b))
 SINGLY(filtered, sepax_filtered(&p->a, &p->b, NULL))
 SINGLY(paper, sepax_paper(&w->paper, p).collision)
 
-static size_t by_path(const work *w, sepax_path path) {
+static size_t by_simd(const work *w, sepax_simd simd) {
   size_t collisions = 0;
-  sepax_exact_pairs(path, &w->batch.a, &w->batch.b, PAIRS, w->batch.bits);
+  sepax_exact_pairs(simd, &w->batch.a, &w->batch.b, PAIRS, w->batch.bits);
   for (size_t n = 0; n < PAIRS / 64; n++) {
     collisions += (size_t)__builtin_popcountll(w->batch.bits[n]);
   }
   return collisions;
 }
 
-static size_t portable(const work *w) { return by_path(w, SEPAX_PATH_PORTABLE); }
-static size_t avx2(const work *w) { return by_path(w, SEPAX_PATH_AVX2); }
-static size_t avx512(const work *w) { return by_path(w, SEPAX_PATH_AVX512); }
+static size_t portable(const work *w) { return by_simd(w, SEPAX_SIMD_PORTABLE); }
+static size_t avx2(const work *w) { return by_simd(w, SEPAX_SIMD_AVX2); }
+static size_t avx512(const work *w) { return by_simd(w, SEPAX_SIMD_AVX512); }
 
 static const struct {
   const char *name;
   method_function *run;
-  sepax_path path;
-} methods[] = {{"exact", exact, SEPAX_PATH_BEST},
-               {"avx512", avx512, SEPAX_PATH_AVX512},
-               {"avx2", avx2, SEPAX_PATH_AVX2},
-               {"portable", portable, SEPAX_PATH_PORTABLE},
-               {"float64", float64, SEPAX_PATH_BEST},
-               {"float32", float32, SEPAX_PATH_BEST},
-               {"interval64", interval64, SEPAX_PATH_BEST},
-               {"interval32", interval32, SEPAX_PATH_BEST},
-               {"guigue64", guigue64, SEPAX_PATH_BEST},
-               {"guigue32", guigue32, SEPAX_PATH_BEST},
-               {"filtered", filtered, SEPAX_PATH_BEST},
-               {"reference", reference, SEPAX_PATH_BEST},
-               {"sat54", sat54, SEPAX_PATH_BEST},
-               {"paper", paper, SEPAX_PATH_BEST}};
+  sepax_simd simd;
+} methods[] = {{"exact", exact, SEPAX_SIMD_BEST},
+               {"avx512", avx512, SEPAX_SIMD_AVX512},
+               {"avx2", avx2, SEPAX_SIMD_AVX2},
+               {"portable", portable, SEPAX_SIMD_PORTABLE},
+               {"float64", float64, SEPAX_SIMD_BEST},
+               {"float32", float32, SEPAX_SIMD_BEST},
+               {"interval64", interval64, SEPAX_SIMD_BEST},
+               {"interval32", interval32, SEPAX_SIMD_BEST},
+               {"guigue64", guigue64, SEPAX_SIMD_BEST},
+               {"guigue32", guigue32, SEPAX_SIMD_BEST},
+               {"filtered", filtered, SEPAX_SIMD_BEST},
+               {"reference", reference, SEPAX_SIMD_BEST},
+               {"sat54", sat54, SEPAX_SIMD_BEST},
+               {"paper", paper, SEPAX_SIMD_BEST}};
 enum { METHODS = sizeof methods / sizeof methods[0] };
 
 typedef struct {
@@ -86,7 +86,7 @@ static void draw(work *w, int family) {
 static void measure(const work *w, int rounds, result results[METHODS]) {
   for (int round = 0; round < rounds; round++) {
     for (int i = 0; i < METHODS; i++) {
-      if (!sepax_path_runs(methods[i].path)) {
+      if (!sepax_simd_runs(methods[i].simd)) {
         continue;
       }
       double start = seconds_now();
@@ -123,7 +123,7 @@ int main(int argc, char **argv) {
   printf("%-10s %12s %10s %12s %14s %10s  %s\n", "verdict", "pairs/s", "ratio", "collisions",
          "slowest: pairs/s", "ratio", "family");
   for (int i = 0; i < METHODS; i++) {
-    if (sepax_path_runs(methods[i].path)) {
+    if (sepax_simd_runs(methods[i].simd)) {
       printf("%-10s %12.0f %10.2f %12zu %16.0f %10.2f  %s\n", methods[i].name, usual[i].rate,
              usual[i].rate / usual[0].rate, usual[i].collisions, least[i].rate,
              least[i].rate / least[0].rate, sepax_family_name(slowest[i]));

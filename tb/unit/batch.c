@@ -72,7 +72,7 @@ static void end(batch *s) {
 }
 
 /* One of A against all, or pairs: 0 different, nothing behind the end. */
-static void assert_judged(batch *s, sepax_path way, size_t count, bool one) {
+static void assert_judged(batch *s, sepax_simd way, size_t count, bool one) {
   memset(s->bits, 0xa5, (count + 63) / 64 * sizeof *s->bits);
   if (one) {
     sepax_exact_one_to_many(way, &s->t[0][0], &s->b, count, s->bits);
@@ -82,14 +82,14 @@ static void assert_judged(batch *s, sepax_path way, size_t count, bool one) {
   for (size_t n = 0; n < (count + 63) / 64 * 64; n++) {
     bool expected = n < count && sepax_exact(&s->t[0][one ? 0 : n], &s->t[1][n]).collision;
     if (((s->bits[n / 64] >> n % 64 & 1) != 0) != expected) {
-      fail_msg("%s, pair %zu of %zu: %d expected", sepax_path_name(way), n, count, expected);
+      fail_msg("%s, pair %zu of %zu: %d expected", sepax_simd_name(way), n, count, expected);
     }
   }
 }
 
 static void assert_all_ways(batch *s, size_t count) {
-  for (sepax_path way = SEPAX_PATH_BEST; way <= SEPAX_PATH_AVX512; way++) {
-    if (sepax_path_runs(way)) {
+  for (sepax_simd way = SEPAX_SIMD_BEST; way <= SEPAX_SIMD_AVX512; way++) {
+    if (sepax_simd_runs(way)) {
       assert_judged(s, way, count, false);
       assert_judged(s, way, count, count > 0);
     }
@@ -98,8 +98,8 @@ static void assert_all_ways(batch *s, size_t count) {
 
 CASE(every_family_at_every_word) {
   static batch s;
-  for (sepax_path way = SEPAX_PATH_PORTABLE; way <= SEPAX_PATH_AVX512; way++) {
-    print_message("%s: %s\n", sepax_path_name(way), sepax_path_runs(way) ? "runs" : "not here");
+  for (sepax_simd way = SEPAX_SIMD_PORTABLE; way <= SEPAX_SIMD_AVX512; way++) {
+    print_message("%s: %s\n", sepax_simd_name(way), sepax_simd_runs(way) ? "runs" : "not here");
   }
   begin(&s, FEWER(MOST));
   for (size_t family = 0; family < family_count(); family++) {

@@ -42,9 +42,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     return 0;
   }
   int left = 1000;
-  const sepax_tree_walk how = {.design = &design, .each = few, .context = &left};
+  const sepax_tree_walk_options how = {.design = &design, .each = few, .context = &left};
   sepax_tree_run run;
   error = (sepax_error){0};
-  fuzz_answer(sepax_images_walk(image, record, &pose, &how, &run, &error), &error);
+  fuzz_answer(sepax_tree_walk_images(image, record, &pose, &how, &run, &error), &error);
   return 0;
 }

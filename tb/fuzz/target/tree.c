@@ -56,9 +56,9 @@ static void require_walk(const sepax_tree *tree) {
   REQUIRE(sepax_design_init(&design, &config, &error));
   if (sepax_tree_triangles(tree) < 1000 &&
       sepax_tree_pose_make(&pose, tree, &still, tree, &still, 0, &error)) {
-    const sepax_tree_walk how = {.design = &design, .first = true};
+    const sepax_tree_walk_options how = {.design = &design, .first = true};
     sepax_tree_run run;
-    REQUIRE(sepax_trees_walk(tree, tree, &pose, &how, &run, &error));
+    REQUIRE(sepax_tree_walk(tree, tree, &pose, &how, &run, &error));
     REQUIRE(!run.damaged && run.collisions > 0);
   }
 }

@@ -58,7 +58,7 @@ bool keep(void *context, const sepax_tree_pair *pair) {
 Golden walk(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask,
             const sepax_design &design) {
   Golden golden;
-  sepax_tree_walk how = {};
+  sepax_tree_walk_options how = {};
   how.design = &design;
   how.line = options.line;
   how.stack = options.stack;
@@ -68,7 +68,7 @@ Golden walk(const Scene &scene, const sepax_tree_pose &pose, const Ask &ask,
   how.context = &golden;
   const uint8_t *image[2] = {&scene.bytes[scene.at[0]], &scene.bytes[scene.at[1]]};
   sepax_error error;
-  if (!sepax_images_walk(image, scene.record, &pose, &how, &golden.run, &error)) {
+  if (!sepax_tree_walk_images(image, scene.record, &pose, &how, &golden.run, &error)) {
     fail(error.text);
   }
   return golden;

@@ -339,7 +339,7 @@ private:
 
   void judge() {
     uint64_t bits[NEAR / 64];
-    sepax_exact_pairs(SEPAX_PATH_BEST, &columns[0], &columns[1], waiting, bits);
+    sepax_exact_pairs(SEPAX_SIMD_BEST, &columns[0], &columns[1], waiting, bits);
     for (size_t w = 0; w < (waiting + 63) / 64; w++) {
       for (uint64_t left = bits[w]; left != 0; left &= left - 1) {
         found->push_back(pair[64 * w + size_t(__builtin_ctzll(left))]);

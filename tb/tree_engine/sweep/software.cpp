@@ -29,7 +29,7 @@ namespace {
 constexpr int ROUNDS = 5;
 constexpr size_t SOME = 50; /* poses at a time */
 
-sepax_error failure = {0};
+sepax_error failure = {};
 
 void stop_unless(bool ok) {
   if (!ok) {
@@ -96,11 +96,11 @@ public:
         fast->ask(pose, found[n]);
       } else {
         sepax_tree_run run;
-        sepax_tree_walk how = {};
+        sepax_tree_walk_options how = {};
         how.design = &design;
         how.each = keep;
         how.context = &found[n];
-        stop_unless(sepax_trees_walk(tree[0], tree[1], &pose, &how, &run, &failure));
+        stop_unless(sepax_tree_walk(tree[0], tree[1], &pose, &how, &run, &failure));
       }
     }
   }

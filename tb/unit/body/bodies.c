@@ -98,9 +98,9 @@ CASE(wide_exponents) {
 
 /* A search done once finds the pairs in `hit`, in order. */
 static void assert_found_once(const sepax_mesh m[2], const sepax_pose *pa, const sepax_pose *pb,
-                              sepax_path path_taken, const bool *hit) {
+                              sepax_simd simd_taken, const bool *hit) {
   for (int kind = 0; kind < 3; kind++) {
-    sepax_search how = {.path = path_taken, .threads = 1 + kind % 2, .brute_force = kind == 2};
+    sepax_search how = {.simd = simd_taken, .threads = 1 + kind % 2, .brute_force = kind == 2};
     sepax_pairs found;
     size_t n = 0;
     assert_works(sepax_meshes_collide(&m[0], pa, &m[1], pb, &how, &found, &fault));
@@ -117,9 +117,9 @@ static void assert_found_once(const sepax_mesh m[2], const sepax_pose *pa, const
 }
 
 static size_t assert_all_pairs(const sepax_mesh m[2], sepax_body *body[2], const sepax_pose *pa,
-                               const sepax_pose *pb, sepax_path path_taken) {
+                               const sepax_pose *pb, sepax_simd simd_taken) {
   bool *hit = calloc(m[0].count * m[1].count, 1);
-  sepax_query query = {.path = path_taken};
+  sepax_query query = {.simd = simd_taken};
   sepax_pairs found;
   size_t expected = 0;
   assert_non_null(hit);
@@ -143,12 +143,12 @@ static size_t assert_all_pairs(const sepax_mesh m[2], sepax_body *body[2], const
     assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
     assert_int_equal(found.count, expected < most ? expected : most);
   }
-  query = (sepax_query){.only_any = true, .path = path_taken};
+  query = (sepax_query){.only_any = true, .simd = simd_taken};
   sepax_pairs_free(&found);
   assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
   assert_int_equal(found.count, expected > 0);
   assert_null(found.pair);
-  assert_found_once(m, pa, pb, path_taken, hit);
+  assert_found_once(m, pa, pb, simd_taken, hit);
   free(hit);
   return expected;
 }
@@ -166,9 +166,9 @@ CASE(all_pairs_of_bodies) {
     }
     sepax_pose pa = random_pose(0.25);
     sepax_pose pb = random_pose(0.25);
-    collisions += assert_all_pairs(m, body, NULL, &pb, SEPAX_PATH_BEST);
-    collisions += assert_all_pairs(m, body, &pa, &pb, SEPAX_PATH_BEST);
-    collisions += assert_all_pairs(m, body, &pa, NULL, SEPAX_PATH_PORTABLE);
+    collisions += assert_all_pairs(m, body, NULL, &pb, SEPAX_SIMD_BEST);
+    collisions += assert_all_pairs(m, body, &pa, &pb, SEPAX_SIMD_BEST);
+    collisions += assert_all_pairs(m, body, &pa, NULL, SEPAX_SIMD_PORTABLE);
     for (int k = 0; k < 2; k++) {
       sepax_body_free(body[k]);
       sepax_mesh_free(&m[k]);
@@ -195,8 +195,8 @@ CASE(poses_that_move_little) {
       pose.rotation[2][2] = n == 12 ? 1 - 1e-7 : pose.rotation[2][2];
       pose.rotation[0][2] = n == 13 ? 1e-7 : pose.rotation[0][2];
     }
-    assert_all_pairs(m, body, NULL, &pose, SEPAX_PATH_BEST);
-    assert_all_pairs(m, body, &pose, NULL, SEPAX_PATH_BEST);
+    assert_all_pairs(m, body, NULL, &pose, SEPAX_SIMD_BEST);
+    assert_all_pairs(m, body, &pose, NULL, SEPAX_SIMD_BEST);
   }
   for (int k = 0; k < 2; k++) {
     sepax_body_free(body[k]);
@@ -205,9 +205,9 @@ CASE(poses_that_move_little) {
 }
 
 static void assert_posed_bodies(const points t[2], sepax_body *const body[2], const sepax_pose *pa,
-                                const sepax_pose *pb, sepax_path path_taken) {
+                                const sepax_pose *pb, sepax_simd simd_taken) {
   sepax_pairs found;
-  sepax_query query = {.path = path_taken};
+  sepax_query query = {.simd = simd_taken};
   assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
   assert_int_equal(found.count, sepax_exact_posed(t[0], pa, t[1], pb).collision);
   sepax_pairs_free(&found);
@@ -227,11 +227,11 @@ CASE(touching_bodies) {
       assert_works(sepax_body_new(&body[k], &(sepax_mesh){&facet[k], 1}, &fault));
     }
     sepax_pose p = random_pose(1);
-    const sepax_path paths[] = {SEPAX_PATH_PORTABLE, SEPAX_PATH_AVX2, SEPAX_PATH_BEST};
-    sepax_path path_taken = paths[n % 4 % 3];
-    assert_posed_bodies(t, body, &p, n % 2 == 0 ? &p : NULL, path_taken);
-    assert_posed_bodies(t, body, NULL, &p, path_taken);
-    assert_posed_bodies(t, body, NULL, NULL, path_taken);
+    const sepax_simd paths[] = {SEPAX_SIMD_PORTABLE, SEPAX_SIMD_AVX2, SEPAX_SIMD_BEST};
+    sepax_simd simd_taken = paths[n % 4 % 3];
+    assert_posed_bodies(t, body, &p, n % 2 == 0 ? &p : NULL, simd_taken);
+    assert_posed_bodies(t, body, NULL, &p, simd_taken);
+    assert_posed_bodies(t, body, NULL, NULL, simd_taken);
     if (n % 16 == 0) {
       sepax_pairs found;
       assert_works(sepax_meshes_collide(&(sepax_mesh){&facet[0], 1}, &p,
@@ -267,7 +267,7 @@ CASE(bodies_on_a_line) {
     }
     bool point = fabs(along[0]) + fabs(along[1]) + fabs(along[2]) < 1;
     assert_int_equal(sepax_exact_posed(t[0], NULL, t[1], NULL).collision, n % 2 == 0 || point);
-    assert_posed_bodies(t, body, NULL, NULL, n % 4 < 2 ? SEPAX_PATH_PORTABLE : SEPAX_PATH_BEST);
+    assert_posed_bodies(t, body, NULL, NULL, n % 4 < 2 ? SEPAX_SIMD_PORTABLE : SEPAX_SIMD_BEST);
     sepax_body_free(body[0]);
     sepax_body_free(body[1]);
   }
@@ -359,8 +359,8 @@ CASE(bodies_of_any_size) {
       pose.rotation[i / 3][i % 3] += n % 7 == 0 ? 2e-7 * random_unit() : 0;
     }
     assert_works(sepax_pose_valid(&pose, &fault));
-    assert_all_pairs(m, body, NULL, n % 4 == 0 ? NULL : &pose, SEPAX_PATH_BEST);
-    assert_all_pairs(m, body, &pose, &pose, SEPAX_PATH_PORTABLE);
+    assert_all_pairs(m, body, NULL, n % 4 == 0 ? NULL : &pose, SEPAX_SIMD_BEST);
+    assert_all_pairs(m, body, &pose, &pose, SEPAX_SIMD_PORTABLE);
     for (int k = 0; k < 2; k++) {
       sepax_body_free(body[k]);
       sepax_mesh_free(&m[k]);

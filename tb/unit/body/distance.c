@@ -249,8 +249,8 @@ static double distance_of_pair(const scene *s, size_t i, size_t j) {
                               NULL);
 }
 
-static sepax_distance_result find_distance(const scene *s, double limit, sepax_path path_taken) {
-  sepax_distance_request request = {.limit = limit, .path = path_taken};
+static sepax_distance_result find_distance(const scene *s, double limit, sepax_simd simd_taken) {
+  sepax_distance_request request = {.limit = limit, .simd = simd_taken};
   sepax_distance_result r;
   assert_works(
       sepax_bodies_distance(s->body[0], s->pose[0], s->body[1], s->pose[1], &request, &r, &fault));
@@ -270,26 +270,26 @@ static void assert_last(const scene *s, const sepax_distance_result *expected) {
                                        &fault));
     assert_true(r.min_distance >= stepped(expected->min_distance, -1));
     assert_true(r.min_distance <= stepped(expected->min_distance, 1));
-    last = find_distance(&moved, 0, SEPAX_PATH_BEST);
+    last = find_distance(&moved, 0, SEPAX_SIMD_BEST);
   }
 }
 
 /* The least distance of all pairs, one by one; and by the search, with limits. */
-static double assert_least(const scene *s, sepax_path path_taken) {
+static double assert_least(const scene *s, sepax_simd simd_taken) {
   double least = INFINITY;
   for (size_t i = 0; i < s->mesh[0].count; i++) {
     for (size_t j = 0; j < s->mesh[1].count; j++) {
       least = fmin(least, distance_of_pair(s, i, j));
     }
   }
-  sepax_distance_result r = find_distance(s, 0, path_taken);
+  sepax_distance_result r = find_distance(s, 0, simd_taken);
   if (!(r.min_distance >= least && r.min_distance <= stepped(least, 1))) {
     fail_msg("the distance of the bodies is %a, not %a", least, r.min_distance);
   }
   assert_true(distance_of_pair(s, r.pair[0], r.pair[1]) == r.min_distance);
   if (least > 0) {
-    assert_true(find_distance(s, stepped(least, 2), path_taken).min_distance <= stepped(least, 1));
-    assert_true(isinf(find_distance(s, stepped(least, -2), path_taken).min_distance));
+    assert_true(find_distance(s, stepped(least, 2), simd_taken).min_distance <= stepped(least, 1));
+    assert_true(isinf(find_distance(s, stepped(least, -2), simd_taken).min_distance));
     assert_last(s, &r);
   }
   return least;
@@ -339,7 +339,7 @@ CASE(distances_of_bodies) {
   size_t separated = 0;
   for (int n = 0; n < 40; n++) {
     sepax_pose p[2] = {random_pose(2), random_pose(4)};
-    sepax_path way = n % 2 == 0 ? SEPAX_PATH_BEST : SEPAX_PATH_PORTABLE;
+    sepax_simd way = n % 2 == 0 ? SEPAX_SIMD_BEST : SEPAX_SIMD_PORTABLE;
     scene s = {.mesh = {strewn(1 + (size_t)random_below(40), 0.3, 0),
                         strewn(1 + (size_t)random_below(40), 0.3, 0)}};
     s.pose[0] = n % 3 == 0 ? NULL : &p[0];
@@ -347,7 +347,7 @@ CASE(distances_of_bodies) {
     make_bodies(&s);
     double least = assert_least(&s, way);
     separated += least > 0;
-    assert_near(&s, random_below(2) == 0 ? least : 0.5, &(sepax_query){.path = way});
+    assert_near(&s, random_below(2) == 0 ? least : 0.5, &(sepax_query){.simd = way});
     free_scene(&s);
   }
   assert_true(separated > 20);
@@ -360,7 +360,7 @@ CASE(ties) {
     scene s = {.mesh = {strewn(60, 0.3, 0.25), strewn(60, 0.3, 0.25)}};
     s.pose[1] = n % 2 == 0 ? &aside : NULL;
     make_bodies(&s);
-    assert_least(&s, SEPAX_PATH_BEST);
+    assert_least(&s, SEPAX_SIMD_BEST);
     assert_near(&s, 0.25, &(sepax_query){.strict = n % 4 >= 2});
     assert_near(&s, 0, &(sepax_query){0});
     free_scene(&s);
@@ -378,7 +378,7 @@ CASE(near_ties) {
           stepped(facet[1].v[k / 3 % 3][k % 3], random_below(9) - 4);
     }
     make_bodies(&s);
-    assert_least(&s, n % 2 == 0 ? SEPAX_PATH_BEST : SEPAX_PATH_PORTABLE);
+    assert_least(&s, n % 2 == 0 ? SEPAX_SIMD_BEST : SEPAX_SIMD_PORTABLE);
     free_scene(&s);
   }
 }
@@ -401,7 +401,7 @@ CASE(limits_of_far_bodies) {
     double d = distance_of_pair(&s, 0, 0);
     double limit = stepped(d, 1);
     sepax_pairs found;
-    sepax_query query = {.path = n % 2 == 0 ? SEPAX_PATH_BEST : SEPAX_PATH_PORTABLE};
+    sepax_query query = {.simd = n % 2 == 0 ? SEPAX_SIMD_BEST : SEPAX_SIMD_PORTABLE};
     assert_works(
         sepax_bodies_near(s.body[0], &p[0], s.body[1], &p[1], limit, &query, &found, &fault));
     assert_int_equal(found.count, 1);

@@ -18,10 +18,10 @@ static void to_doubles(const sepax_tri *t, double scale, points v) {
 }
 
 /* Does a search of two bodies of one triangle each list the pair? */
-static bool listed(points t[2], const sepax_pose *pa, const sepax_pose *pb, sepax_path path_taken) {
+static bool listed(points t[2], const sepax_pose *pa, const sepax_pose *pb, sepax_simd simd_taken) {
   sepax_facet facet[2] = {{{{0}}, {0}}, {{{0}}, {0}}};
   sepax_body *body[2];
-  sepax_query query = {.strict = true, .path = path_taken};
+  sepax_query query = {.strict = true, .simd = simd_taken};
   sepax_pairs found;
   for (int k = 0; k < 2; k++) {
     memcpy(facet[k].v, t[k], sizeof t[k]);
@@ -45,8 +45,8 @@ static void assert_strict(points t[2], const sepax_pose *pa, const sepax_pose *p
              t[1][0][0], t[1][0][1], t[1][0][2], expected);
   }
   if (search) {
-    assert_int_equal(listed(t, pa, pb, SEPAX_PATH_BEST), expected);
-    assert_int_equal(listed(t, pa, pb, SEPAX_PATH_PORTABLE), expected);
+    assert_int_equal(listed(t, pa, pb, SEPAX_SIMD_BEST), expected);
+    assert_int_equal(listed(t, pa, pb, SEPAX_SIMD_PORTABLE), expected);
   }
   seen[expected]++;
 }

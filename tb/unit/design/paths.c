@@ -1,7 +1,7 @@
 /* paths.c - on a path the design that sepax_size_design finds is the cheapest of all that there
  * are, tree engines among them, each timed in each pose; what a pose gives an engine of lanes and a
  * tree engine to do is the same. */
-#include "size/jobs.h"
+#include "size/workloads.h"
 #include "harness.h"
 
 #include <math.h>
@@ -69,7 +69,7 @@ static void draw_scene(scene *s, int count) {
   const sepax_space space = {.resolution = 1, .offset_given = true, .path = &s->path};
   sepax_size_free(&s->size);
   assert_works(sepax_size_scene(&s->size, &s->mesh[0], &s->mesh[1], &space, &fault));
-  assert_int_equal(s->size.jobs, s->path.count);
+  assert_int_equal(s->size.workloads, s->path.count);
   assert_int_equal(s->size.path, s->path.count);
   assert_non_null(s->size.trees);
 }
@@ -95,13 +95,13 @@ static uint64_t cycles_of(const scene *s, const sepax_design *design, uint64_t *
   uint64_t most = 0;
   for (size_t n = 0; n < s->path.count; n++) {
     const sepax_config *c = &design->config;
-    const struct size_trees *t = s->size.trees;
+    const struct sepax_size_trees *t = s->size.trees;
     sepax_tree_run run = {.cycles = 0};
     if (c->tree) {
-      const sepax_tree_walk how = {.design = design};
-      assert_works(sepax_trees_walk(t->tree[0], t->tree[1], &t->pose[n], &how, &run, &fault));
+      const sepax_tree_walk_options how = {.design = design};
+      assert_works(sepax_tree_walk(t->tree[0], t->tree[1], &t->pose[n], &how, &run, &fault));
     } else {
-      run.cycles = sepax__job_cycles(&s->size.job[n], s->size.count, c, steps);
+      run.cycles = sepax__workload_cycles(&s->size.workload[n], s->size.count, c, steps);
       run.cycles += c->lanes > 0 ? vertices_sent(s, c) : 0;
     }
     most = run.cycles > most ? run.cycles : most;
@@ -205,13 +205,14 @@ static uint64_t cycles_of_all(const scene s[PAIRS], const sepax_design *design,
   for (size_t n = 0; n < s[0].path.count; n++) {
     uint64_t sum = design->config.tree ? 40 * PAIRS + (PAIRS + 1) * (uint64_t)request->latency : 0;
     for (int k = 0; k < PAIRS; k++) {
-      const struct size_trees *t = s[k].size.trees;
+      const struct sepax_size_trees *t = s[k].size.trees;
       sepax_tree_run run = {.cycles = 0};
       if (design->config.tree) {
-        const sepax_tree_walk how = {.design = design, .latency = request->latency};
-        assert_works(sepax_trees_walk(t->tree[0], t->tree[1], &t->pose[n], &how, &run, &fault));
+        const sepax_tree_walk_options how = {.design = design, .latency = request->latency};
+        assert_works(sepax_tree_walk(t->tree[0], t->tree[1], &t->pose[n], &how, &run, &fault));
       } else {
-        run.cycles = sepax__job_cycles(&s[k].size.job[n], s[k].size.count, &design->config, steps);
+        run.cycles =
+            sepax__workload_cycles(&s[k].size.workload[n], s[k].size.count, &design->config, steps);
         run.cycles += design->config.lanes > 0 ? vertices_sent(&s[k], &design->config) : 0;
       }
       uint64_t cycles;
@@ -297,7 +298,7 @@ CASE(test_same_near_pairs) {
       sepax_design design = design_of("--word=%d --ii=3 --tree=on", s.size.trees->word);
       sepax_tree_run run;
       assert_works(sepax__size_trees_walk(s.size.trees, &design.config, k, &request, &run, &fault));
-      assert_int_equal(run.near, s.size.job[k].candidates);
+      assert_int_equal(run.near, s.size.workload[k].candidates);
       near += run.near;
     }
   }
@@ -331,11 +332,11 @@ CASE(test_same_near_pairs_with_a_clearance) {
       sepax_tree_run run;
       assert_works(
           sepax__size_trees_walk(limited[1].trees, &design.config, k, &request, &run, &fault));
-      assert_int_equal(run.near, limited[0].job[k].candidates);
-      assert_int_equal(limited[0].job[k].passes, limited[0].job[k].candidates);
-      assert_int_equal(limited[0].job[k].twice + limited[0].job[k].twice_near, 0);
+      assert_int_equal(run.near, limited[0].workload[k].candidates);
+      assert_int_equal(limited[0].workload[k].passes, limited[0].workload[k].candidates);
+      assert_int_equal(limited[0].workload[k].twice + limited[0].workload[k].twice_near, 0);
       near[0] += run.near;
-      near[1] += s.size.job[k].candidates;
+      near[1] += s.size.workload[k].candidates;
     }
     sepax_size_free(&limited[0]);
     sepax_size_free(&limited[1]);
@@ -357,7 +358,7 @@ CASE(test_loading) {
     config.lanes = 1;
     config.memory_a = 1 + random_below(MOST_FACETS);
     config.memory_b = 1 + random_below(MOST_FACETS);
-    assert_int_equal(sepax__job_loading(count, &config), vertices_sent(&s, &config));
+    assert_int_equal(sepax__workload_loading(count, &config), vertices_sent(&s, &config));
   }
 }
 
@@ -374,7 +375,7 @@ CASE(test_left_out) {
     draw_body(&s, 0, MOST_FACETS, 20);
   }
   assert_works(sepax_size_scene(&s.size, &s.mesh[0], &s.mesh[1], &space, &fault));
-  assert_int_equal(s.size.jobs, 0);
+  assert_int_equal(s.size.workloads, 0);
   assert_fault(sepax_size_design(&m, &s.size, &request, &fault), "of up to 64 lanes takes");
   request.tree = true;
   assert_works(sepax_size_design(&m, &s.size, &request, &fault));

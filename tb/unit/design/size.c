@@ -217,14 +217,14 @@ CASE(test_no_unit) {
     assert_memory_equal(size.extent, first.extent, sizeof size.extent);
     assert_true(size.grid.word == first.grid.word && size.core_word == first.core_word);
     assert_true(size.given == first.given && size.worst == first.worst);
-    assert_int_equal(size.jobs, first.jobs);
-    for (size_t k = 0; k < size.jobs; k++) {
-      assert_true(size.job[k].candidates == first.job[k].candidates);
-      assert_true(size.job[k].twice == first.job[k].twice);
+    assert_int_equal(size.workloads, first.workloads);
+    for (size_t k = 0; k < size.workloads; k++) {
+      assert_true(size.workload[k].candidates == first.workload[k].candidates);
+      assert_true(size.workload[k].twice == first.workload[k].twice);
     }
     sepax_size_free(&first);
     sepax_size_free(&size);
-    assert_true(size.job == NULL && size.jobs == 0 && size.trees == NULL);
+    assert_true(size.workload == NULL && size.workloads == 0 && size.trees == NULL);
   }
 }
 

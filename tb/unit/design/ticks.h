@@ -13,35 +13,35 @@
 typedef struct {
   const unsigned char *passes; /* [i * count_b + j] */
   size_t count_a, count_b;
-} ticks_job;
+} ticks_workload;
 
 /* The passes found in each step, in steps[], of which there is space for ticks_steps(). */
-static inline size_t ticks_steps(const ticks_job *job, size_t lanes) {
-  size_t round = job->count_b > lanes ? job->count_b : lanes;
-  return ((job->count_a + lanes - 1) / lanes + 1) * round;
+static inline size_t ticks_steps(const ticks_workload *workload, size_t lanes) {
+  size_t round = workload->count_b > lanes ? workload->count_b : lanes;
+  return ((workload->count_a + lanes - 1) / lanes + 1) * round;
 }
 
-static inline size_t ticks_walk(const ticks_job *job, size_t lanes, unsigned *steps) {
-  size_t round = job->count_b > lanes ? job->count_b : lanes;
+static inline size_t ticks_walk(const ticks_workload *workload, size_t lanes, unsigned *steps) {
+  size_t round = workload->count_b > lanes ? workload->count_b : lanes;
   size_t held[SEPAX_LANES_MAX];
   size_t next = 0;
   size_t count = 0;
   size_t last = 0; /* steps up to the last in which some lane compares */
   for (size_t k = 0; k < lanes; k++) {
-    held[k] = job->count_a;
+    held[k] = workload->count_a;
   }
-  while (count < ticks_steps(job, lanes)) {
+  while (count < ticks_steps(workload, lanes)) {
     size_t j = count % round;
     if (j < lanes) { /* lane j gets a new triangle, or none */
-      held[j] = next < job->count_a ? next : job->count_a;
+      held[j] = next < workload->count_a ? next : workload->count_a;
       next++;
     }
     steps[count] = 0;
     bool used = false;
     for (size_t k = 0; k < lanes; k++) {
-      used = used || held[k] < job->count_a;
-      if (held[k] < job->count_a && j < job->count_b) {
-        steps[count] += job->passes[held[k] * job->count_b + j];
+      used = used || held[k] < workload->count_a;
+      if (held[k] < workload->count_a && j < workload->count_b) {
+        steps[count] += workload->passes[held[k] * workload->count_b + j];
       }
     }
     count++;

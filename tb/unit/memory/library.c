@@ -221,11 +221,11 @@ static bool work_tree(void *context) {
   sepax_tree *made = NULL;
   sepax_tree *read = NULL;
   sepax_tree_run run;
-  const sepax_tree_walk how = {.design = &s->design};
+  const sepax_tree_walk_options how = {.design = &s->design};
   snprintf(path, sizeof path, "%s/t.sxt", folder);
   bool works = sepax_tree_new(&made, s->t[0].tri, s->t[0].count, &grid, &fault) &&
                sepax_tree_write(made, path, &fault) && sepax_tree_read(&read, path, &fault) &&
-               sepax_trees_walk(read, s->tree[1], &s->pose[0], &how, &run, &fault);
+               sepax_tree_walk(read, s->tree[1], &s->pose[0], &how, &run, &fault);
   sepax_tree_free(made);
   sepax_tree_free(read);
   if (works) {

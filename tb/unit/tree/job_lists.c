@@ -42,8 +42,8 @@ static scene *new_scene(void) {
     p.translation[0] = n < 2 ? 800 : 480 - n;
     assert_works(sepax_tree_pose_make(&s->pose[n], s->tree[0], NULL, s->tree[1], &p, 0, &fault));
     sepax_tree_pose_pack(&s->pose[n], s->byte + at + SEPAX_TREE_POSE_STRIDE * (size_t)n);
-    const sepax_tree_walk how = {.design = &s->design};
-    assert_works(sepax_trees_walk(s->tree[0], s->tree[1], &s->pose[n], &how, &s->run[n], &fault));
+    const sepax_tree_walk_options how = {.design = &s->design};
+    assert_works(sepax_tree_walk(s->tree[0], s->tree[1], &s->pose[n], &how, &s->run[n], &fault));
     assert_int_equal(s->run[n].collisions > 0, n >= 2);
   }
   s->job.poses = base + at;
@@ -103,9 +103,10 @@ CASE(the_first_row_is_that_of_the_pose_that_collided) {
   int again = 0;
   for (uint32_t n = 0; n < JOBS * POSES; n++) {
     has_row = has_row && n % POSES > 0;
-    const sepax_tree_walk how = {.design = &s->design, .first = true, .row = has_row ? &row : NULL};
+    const sepax_tree_walk_options how = {
+        .design = &s->design, .first = true, .row = has_row ? &row : NULL};
     sepax_tree_run run;
-    assert_works(sepax_trees_walk(s->tree[0], s->tree[1], &s->pose[n % POSES], &how, &run, &fault));
+    assert_works(sepax_tree_walk(s->tree[0], s->tree[1], &s->pose[n % POSES], &how, &run, &fault));
     assert_true(next(&b, &r));
     assert_int_equal(r.run.near, run.near);
     assert_int_equal(r.run.found.triangle[0], run.found.triangle[0]);

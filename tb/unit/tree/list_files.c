@@ -104,12 +104,12 @@ CASE(the_golden_model_answers_from_its_bytes) {
   int hits = 0;
   for (uint32_t n = 0; n < PAIRS * POSES; n++) {
     const size_t *of = pairs[n / POSES];
-    const sepax_tree_walk how = {.design = &s->design, .first = true};
+    const sepax_tree_walk_options how = {.design = &s->design, .first = true};
     sepax_tree_run run;
     sepax_tree_result r;
     bool more = false;
-    assert_works(sepax_trees_walk(s->tree[of[0]], s->tree[of[1]], &s->pose[n / POSES][n % POSES],
-                                  &how, &run, &fault));
+    assert_works(sepax_tree_walk(s->tree[of[0]], s->tree[of[1]], &s->pose[n / POSES][n % POSES],
+                                 &how, &run, &fault));
     assert_works(sepax_tree_next(&b, &r, &more, &fault));
     assert_true(more);
     assert_int_equal(r.job, n / POSES);

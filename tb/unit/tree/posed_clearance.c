@@ -67,9 +67,9 @@ static bool is_called_free(const posed_pair *p, const sepax_design *design) {
   sepax_tree_pose pose;
   assert_works(
       sepax_tree_pose_make(&pose, tree_a, NULL, tree_b, &p->pose, design->margin[1], &fault));
-  const sepax_tree_walk how = {.design = design};
+  const sepax_tree_walk_options how = {.design = design};
   sepax_tree_run run;
-  assert_works(sepax_trees_walk(tree_a, tree_b, &pose, &how, &run, &fault));
+  assert_works(sepax_tree_walk(tree_a, tree_b, &pose, &how, &run, &fault));
   sepax_tree_free(tree_a);
   sepax_tree_free(tree_b);
   return run.collisions == 0;

@@ -250,11 +250,11 @@ CASE(damaged_trees_end) {
     sepax_pose of_b = posed(random_below(5), 30000);
     assert_works(sepax_tree_pose_make(&pose, tree, NULL, tree, &of_b, 0, &fault));
     size_t left = 100000;
-    const sepax_tree_walk how = {.design = &design, .each = at_most, .context = &left};
+    const sepax_tree_walk_options how = {.design = &design, .each = at_most, .context = &left};
     sepax_tree_run run;
     const uint8_t *const images[2] = {image, copy};
-    if (sepax_images_walk(images, (const uint8_t(*)[SEPAX_TREE_BODY_BYTES])record, &pose, &how,
-                          &run, &fault)) {
+    if (sepax_tree_walk_images(images, (const uint8_t(*)[SEPAX_TREE_BODY_BYTES])record, &pose, &how,
+                               &run, &fault)) {
       damaged += run.damaged;
     }
   }

@@ -133,9 +133,9 @@ static size_t compare(search *s, const sepax_pose *pose) {
                                     s->design->margin[1], &fault));
   s->found = (pair_list){0};
   s->out_of_range = 0;
-  const sepax_tree_walk how = {.design = s->design, .each = keep, .context = s};
+  const sepax_tree_walk_options how = {.design = s->design, .each = keep, .context = s};
   sepax_tree_run run;
-  assert_works(sepax_trees_walk(s->tree_a, s->tree_b, &s->pose, &how, &run, &fault));
+  assert_works(sepax_tree_walk(s->tree_a, s->tree_b, &s->pose, &how, &run, &fault));
   assert_false(run.damaged || run.ended);
   assert_int_equal(run.out_of_range, s->out_of_range);
   assert_true(run.cycles >= run.near * (uint64_t)s->design->config.ii &&
@@ -220,9 +220,9 @@ static void free_scene(scene *s) {
   }
 }
 
-static sepax_tree_run walked(const scene *s, const sepax_tree_walk *how) {
+static sepax_tree_run walked(const scene *s, const sepax_tree_walk_options *how) {
   sepax_tree_run run;
-  assert_works(sepax_trees_walk(s->tree[0], s->tree[1], &s->pose, how, &run, &fault));
+  assert_works(sepax_tree_walk(s->tree[0], s->tree[1], &s->pose, how, &run, &fault));
   assert_false(run.damaged);
   return run;
 }
@@ -237,13 +237,13 @@ CASE(first_collisions) {
     scene s;
     draw_scene(&s, 1 + (size_t)random_below(300), n % 5);
     all.count = 0;
-    const sepax_tree_walk whole = {.design = &design, .each = keep_near, .context = &all};
+    const sepax_tree_walk_options whole = {.design = &design, .each = keep_near, .context = &all};
     sepax_tree_run run = walked(&s, &whole);
     size_t at = 0;
     while (at < all.count && !all.pair[at].collision) {
       at++;
     }
-    const sepax_tree_walk first = {.design = &design, .first = true};
+    const sepax_tree_walk_options first = {.design = &design, .first = true};
     sepax_tree_run ended = walked(&s, &first);
     assert_int_equal(run.near, all.count);
     assert_int_equal(ended.ended, at < all.count);
@@ -252,8 +252,8 @@ CASE(first_collisions) {
       hits++;
       assert_true(is_same(&ended.found, &all.pair[at]) && is_same(&run.found, &all.pair[at]));
       const sepax_tree_pair *last = &all.pair[all.count - 1];
-      const sepax_tree_walk known = {.design = &design, .first = true, .row = last};
-      const sepax_tree_walk more = {.design = &design, .row = last};
+      const sepax_tree_walk_options known = {.design = &design, .first = true, .row = last};
+      const sepax_tree_walk_options more = {.design = &design, .row = last};
       ended = walked(&s, &known);
       assert_int_equal(ended.near, last->collision ? 1 : at + 2);
       assert_true(!last->collision || (is_same(&ended.found, last) && ended.entries == 0));
@@ -282,20 +282,20 @@ CASE(small_stacks) {
       size_t bytes;
       height += sepax_tree_image(s.tree[i], &bytes)[14] & 15U;
     }
-    const sepax_tree_walk usual = {.design = &design};
+    const sepax_tree_walk_options usual = {.design = &design};
     sepax_tree_run wanted = walked(&s, &usual);
     for (size_t k = 0; k < LENGTH(lines); k++) {
-      const sepax_tree_walk how = {.design = &design, .line = lines[k], .stack = 15 * height + 16};
+      const sepax_tree_walk_options how = {
+          .design = &design, .line = lines[k], .stack = 15 * height + 16};
       sepax_tree_run run = walked(&s, &how);
       assert_true(run.deepest <= how.stack);
       assert_int_equal(run.near, wanted.near);
       assert_int_equal(run.steps, wanted.steps);
       assert_int_equal(run.collisions, wanted.collisions);
     }
-    const sepax_tree_walk less = {.design = &design, .stack = 15 * height + 15};
+    const sepax_tree_walk_options less = {.design = &design, .stack = 15 * height + 15};
     sepax_tree_run run;
-    assert_fault(sepax_trees_walk(s.tree[0], s.tree[1], &s.pose, &less, &run, &fault),
-                 "a stack of");
+    assert_fault(sepax_tree_walk(s.tree[0], s.tree[1], &s.pose, &less, &run, &fault), "a stack of");
     free_scene(&s);
   }
 }

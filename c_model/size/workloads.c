@@ -1,6 +1,6 @@
-/* jobs.c - the candidates of a pose, the pairs that take two passes, and the cycles of a design for
- * them. docs/size.md. */
-#include "size/jobs.h"
+/* workloads.c - the candidates of a pose, the pairs that take two passes, and the cycles of a
+ * design for them. docs/size.md. */
+#include "size/workloads.h"
 
 #include "object_engine/time.h"
 #include "util/error.h"
@@ -32,31 +32,31 @@ static size_t first_from(const numbered *sorted, size_t count, int64_t x) {
   return low;
 }
 
-static bool add_passes(sepax_job *job, size_t *capacity, const job_bodies *r, uint32_t i,
-                       uint32_t j) {
+static bool add_passes(sepax_workload *workload, size_t *capacity, const workload_bodies *r,
+                       uint32_t i, uint32_t j) {
   const sepax_tri *of_a = &r->tri[0][i];
   const sepax_tri *of_b = &r->tri[1][j];
   sepax_tri a = engine_thin_along_z(of_a, &r->bounds[0][i]);
   sepax_tri b = engine_thin_along_z(of_b, &r->bounds[0][i]);
   int passes = !r->limited && engine_takes_two_passes(&a, &b) ? 2 : 1;
-  job->twice_near += !r->limited && engine_takes_two_passes(of_a, of_b);
-  job->candidates++;
+  workload->twice_near += !r->limited && engine_takes_two_passes(of_a, of_b);
+  workload->candidates++;
   for (int n = 0; n < passes; n++) {
-    if (job->passes == *capacity) {
+    if (workload->passes == *capacity) {
       *capacity = *capacity == 0 ? 1024 : 2 * *capacity;
-      uint32_t(*grown)[2] = realloc(job->pass, *capacity * sizeof *grown);
+      uint32_t(*grown)[2] = realloc(workload->pass, *capacity * sizeof *grown);
       if (grown == NULL) {
         return false;
       }
-      job->pass = grown;
+      workload->pass = grown;
     }
-    job->pass[job->passes][0] = i;
-    job->pass[job->passes++][1] = j;
+    workload->pass[workload->passes][0] = i;
+    workload->pass[workload->passes++][1] = j;
   }
   return true;
 }
 
-static bool find_candidates(sepax_job *job, const job_bodies *r, numbered *b) {
+static bool find_candidates(sepax_workload *workload, const workload_bodies *r, numbered *b) {
   size_t capacity = 0;
   int64_t longest = 0;
   for (size_t n = 0; n < r->count[1]; n++) {
@@ -70,7 +70,7 @@ static bool find_candidates(sepax_job *job, const job_bodies *r, numbered *b) {
     for (size_t n = first_from(b, r->count[1], p.low[0] - r->margin - longest);
          n < r->count[1] && b[n].box.low[0] <= p.high[0] + r->margin; n++) {
       if (!aabb_disjoint(&p, &b[n].box, r->margin) &&
-          !add_passes(job, &capacity, r, (uint32_t)i, b[n].number)) {
+          !add_passes(workload, &capacity, r, (uint32_t)i, b[n].number)) {
         return false;
       }
     }
@@ -153,7 +153,7 @@ static uint64_t count_lines(upright *all, size_t count) {
 }
 
 /* Of all pairs. */
-static bool find_upright(sepax_job *job, const job_bodies *r) {
+static bool find_upright(sepax_workload *workload, const workload_bodies *r) {
   size_t count = 0;
   upright u;
   for (int i = 0; i < 2; i++) {
@@ -171,13 +171,14 @@ static bool find_upright(sepax_job *job, const job_bodies *r) {
       count += is_upright(&r->tri[i][n], i, &all[count]);
     }
   }
-  job->twice = count_lines(all, count);
+  workload->twice = count_lines(all, count);
   free(all);
   return true;
 }
 
-bool sepax__job_find(sepax_job *job, const job_bodies *bodies, sepax_error *error) {
-  sepax_job found = {0};
+bool sepax__workload_find(sepax_workload *workload, const workload_bodies *bodies,
+                          sepax_error *error) {
+  sepax_workload found = {0};
   numbered *sorted = malloc(bodies->count[1] * sizeof *sorted);
   bool ok = sorted != NULL && find_candidates(&found, bodies, sorted) &&
             (bodies->limited || find_upright(&found, bodies));
@@ -189,7 +190,7 @@ bool sepax__job_find(sepax_job *job, const job_bodies *bodies, sepax_error *erro
                       "fewer poses",
                       bodies->count[0], bodies->count[1]);
   }
-  *job = found;
+  *workload = found;
   return true;
 }
 
@@ -225,18 +226,18 @@ static int by_size(const void *p, const void *q) {
   return (a > b) - (a < b);
 }
 
-static uint64_t engine_cycles(const sepax_job *job, const part_sizes *a, const part_sizes *b,
-                              const sepax_config *config, uint64_t *steps) {
-  for (size_t k = 0; k < job->passes; k++) {
-    uint64_t i = job->pass[k][0];
-    uint64_t j = job->pass[k][1];
+static uint64_t engine_cycles(const sepax_workload *workload, const part_sizes *a,
+                              const part_sizes *b, const sepax_config *config, uint64_t *steps) {
+  for (size_t k = 0; k < workload->passes; k++) {
+    uint64_t i = workload->pass[k][0];
+    uint64_t j = workload->pass[k][1];
     uint64_t n = i / a->memory;
     uint64_t m = j / b->memory;
     steps[k] = first_step(a, b, n, m) +
                engine_step_of(i - n * a->memory, j - m * b->memory, size_of_part(b, m), b->lanes);
   }
-  if (job->passes > 0) {
-    qsort(steps, job->passes, sizeof *steps, by_size);
+  if (workload->passes > 0) {
+    qsort(steps, workload->passes, sizeof *steps, by_size);
   }
   uint64_t cycles = 0;
   size_t k = 0;
@@ -246,9 +247,9 @@ static uint64_t engine_cycles(const sepax_job *job, const part_sizes *a, const p
     uint64_t end =
         at + engine_steps(size_of_part(a, n), size_of_part(b, part % parts(b)), b->lanes);
     engine_time t = engine_time_begin(config);
-    while (k < job->passes && steps[k] < end) {
+    while (k < workload->passes && steps[k] < end) {
       size_t first = k;
-      while (k < job->passes && steps[k] == steps[first]) {
+      while (k < workload->passes && steps[k] == steps[first]) {
         k++;
       }
       engine_idle(&t, steps[first] - at);
@@ -266,21 +267,21 @@ static void sizes_of(part_sizes size[2], const size_t count[2], const sepax_conf
   size[1] = (part_sizes){count[1], (uint64_t)c->memory_b, (uint64_t)c->lanes};
 }
 
-uint64_t sepax__job_cycles(const sepax_job *job, const size_t count[2], const sepax_config *config,
-                           uint64_t *steps) {
+uint64_t sepax__workload_cycles(const sepax_workload *workload, const size_t count[2],
+                                const sepax_config *config, uint64_t *steps) {
   if (config->lanes == 0) {
-    uint64_t twice = config->extent_a > 0 ? job->twice_near : job->twice;
+    uint64_t twice = config->extent_a > 0 ? workload->twice_near : workload->twice;
     return ((uint64_t)count[0] * count[1] + twice) * (uint64_t)config->ii;
   }
   part_sizes size[2];
   sizes_of(size, count, config);
-  return engine_cycles(job, &size[0], &size[1], config, steps);
+  return engine_cycles(workload, &size[0], &size[1], config, steps);
 }
 
 /* Each step takes a cycle; a core that takes n pairs takes the last (n - 1) II cycles after the
  * first, in each part. */
-uint64_t sepax__job_least_cycles(uint64_t passes, const size_t count[2],
-                                 const sepax_config *config) {
+uint64_t sepax__workload_least_cycles(uint64_t passes, const size_t count[2],
+                                      const sepax_config *config) {
   uint64_t ii = (uint64_t)config->ii;
   if (config->lanes == 0) {
     return (uint64_t)count[0] * count[1] * ii;
@@ -296,7 +297,7 @@ uint64_t sepax__job_least_cycles(uint64_t passes, const size_t count[2],
 
 /* A's memory is filled with one part after the other, B's with all of its parts for each; what
  * fits stays there. */
-uint64_t sepax__job_loading(const size_t count[2], const sepax_config *config) {
+uint64_t sepax__workload_loading(const size_t count[2], const sepax_config *config) {
   part_sizes size[2];
   sizes_of(size, count, config);
   uint64_t of_a = parts(&size[0]) > 1 ? size[0].count : 0;

@@ -1,6 +1,6 @@
-/* jobs.c - the design that sepax_size_design finds, against all designs that there are, each timed
- * cycle by cycle. */
-#include "size/jobs.h"
+/* workloads.c - the design that sepax_size_design finds, against all designs that there are, each
+ * timed cycle by cycle. */
+#include "size/workloads.h"
 #include "oracle/geometry.h"
 #include "oracle/pair_tools.h"
 #include "ticks.h"
@@ -88,8 +88,8 @@ static void add_options(designs *d, int lanes, unsigned *steps) {
     int ii = intervals[n / SEPAX_CORES_MAX];
     unsigned long long cycles = 0;
     for (size_t pose = 0; pose < d->poses && lanes > 0; pose++) {
-      ticks_job job = {d->passes[pose], size->count[0], size->count[1]};
-      size_t count = ticks_walk(&job, (size_t)lanes, steps);
+      ticks_workload workload = {d->passes[pose], size->count[0], size->count[1]};
+      size_t count = ticks_walk(&workload, (size_t)lanes, steps);
       cycles = most(cycles, ticks(steps, count, (unsigned)ii, (size_t)cores));
     }
     const int kinds = size->core_word < size->grid.word ? 2 : 1;
@@ -158,12 +158,12 @@ static unsigned long long ticks_of_part(const designs *d, size_t i, size_t j,
                                         unsigned *steps) {
   static unsigned char passes[MOST_TRIANGLES * MOST_TRIANGLES];
   const size_t *count = d->size.count;
-  ticks_job job = {passes, count[0] - i < memory[0] ? count[0] - i : memory[0],
-                   count[1] - j < memory[1] ? count[1] - j : memory[1]};
-  for (size_t n = 0; n < job.count_a * job.count_b; n++) {
-    passes[n] = d->passes[0][(i + n / job.count_b) * count[1] + j + n % job.count_b];
+  ticks_workload workload = {passes, count[0] - i < memory[0] ? count[0] - i : memory[0],
+                             count[1] - j < memory[1] ? count[1] - j : memory[1]};
+  for (size_t n = 0; n < workload.count_a * workload.count_b; n++) {
+    passes[n] = d->passes[0][(i + n / workload.count_b) * count[1] + j + n % workload.count_b];
   }
-  size_t end = ticks_walk(&job, (size_t)config->lanes, steps);
+  size_t end = ticks_walk(&workload, (size_t)config->lanes, steps);
   return ticks(steps, end, (unsigned)config->ii, (size_t)config->cores);
 }
 
@@ -254,8 +254,9 @@ CASE(test_parts) {
     const sepax_size *size = &d.size;
     assert_works(sepax_object_engine(&design, d.tri[0][0], size->count[0], d.tri[0][1],
                                      size->count[1], still, &run, &fault));
-    assert_int_equal(sepax__job_cycles(&size->job[0], size->count, &config, space), run.cycles);
-    assert_int_equal(size->job[0].passes, run.passes);
+    assert_int_equal(sepax__workload_cycles(&size->workload[0], size->count, &config, space),
+                     run.cycles);
+    assert_int_equal(size->workload[0].passes, run.passes);
     sepax_pairs_free(&run.found);
     config.memory_a = 1 + random_below(MOST_TRIANGLES);
     config.memory_b = 1 + random_below(MOST_TRIANGLES);
@@ -266,8 +267,10 @@ CASE(test_parts) {
         cycles += ticks_of_part(&d, i, j, memory, &config, steps);
       }
     }
-    assert_int_equal(sepax__job_cycles(&size->job[0], size->count, &config, space), cycles);
-    assert_true(sepax__job_least_cycles(size->job[0].passes, size->count, &config) <= cycles);
+    assert_int_equal(sepax__workload_cycles(&size->workload[0], size->count, &config, space),
+                     cycles);
+    assert_true(sepax__workload_least_cycles(size->workload[0].passes, size->count, &config) <=
+                cycles);
   }
   sepax_size_free(&d.size);
   free(steps);
@@ -275,20 +278,20 @@ CASE(test_parts) {
 }
 
 /* The paper's scene: 160,000 pairs in 0.96 ms at 2 ns are II = 3. */
-CASE(test_jobs) {
-  sepax_job job = {0};
+CASE(test_workloads) {
+  sepax_workload workload = {0};
   sepax_size size = {.grid = {.word = 18},
                      .count = {400, 400},
                      .extent = {60000, 60000},
                      .core_word = 18,
-                     .job = &job,
-                     .jobs = 1};
+                     .workload = &workload,
+                     .workloads = 1};
   sepax_sized_design m;
   assert_works(sized(&m, &size, 0.96e-3, 0, 0));
   assert_int_equal(m.config.ii, 3);
   assert_int_equal(m.cycles, 480000);
   assert_int_equal(m.config.extent_a, 0);
-  job.twice = 1;
+  workload.twice = 1;
   assert_fault(sized(&m, &size, 160000 * 2e-9, 0, 0), "takes 0.32 ms");
   assert_works(sized(&m, &size, 0.96e-3, 0, 0));
   assert_int_equal(m.config.ii, 2);
