@@ -10,7 +10,7 @@
 static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
 enum { INTERVALS = sizeof intervals / sizeof intervals[0] };
 
-/* Cycles of a tree engine between a workload and the next, but for the latency of its memory. */
+/* Cycles of a tree engine between a job and the next, but for the latency of its memory. */
 enum { BETWEEN = 40 };
 
 /* What a tree engine does in a pose, whatever its II and cores; the cycles of the fastest. */
