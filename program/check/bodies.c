@@ -35,9 +35,9 @@ static bool ask_within(const solids *s, const sepax_pose *pose, check_answer *an
     return false;
   }
   for (int i = 0; i < 2; i++) {
-    check_verdict verdict = within[i] == SEPAX_INSIDE           ? CHECK_COLLISION
-                            : within[i] == SEPAX_INSIDE_UNKNOWN ? CHECK_UNDECIDED
-                                                                : CHECK_FREE;
+    report_verdict verdict = within[i] == SEPAX_INSIDE           ? VERDICT_COLLISION
+                             : within[i] == SEPAX_INSIDE_UNKNOWN ? VERDICT_UNDECIDED
+                                                                 : VERDICT_FREE;
     answer->within[i] = known[within[i]];
     answer->verdict = verdict > answer->verdict ? verdict : answer->verdict;
   }
@@ -46,7 +46,7 @@ static bool ask_within(const solids *s, const sepax_pose *pose, check_answer *an
 
 /* The pairs that are not farther from each other than a limit; without one, those that collide. */
 static bool find(const check_question *q, const solids *s, const sepax_pose *pose,
-                 const check_limit *limit, sepax_pairs *found, sepax_error *error) {
+                 const report_limit *limit, sepax_pairs *found, sepax_error *error) {
   const sepax_query query = {.most = q->first ? 1 : 0, .only_any = check_any_is_enough(q)};
   bool ok = limit->length > 0
                 ? sepax_bodies_near(s->body[0], NULL, s->body[1], pose, limit->length, &query,
@@ -72,25 +72,25 @@ static void take_out(sepax_pairs *all, const sepax_pairs *colliding) {
 /* With B in a pose (NULL: as it stands). */
 static bool decide(const check_question *q, const solids *s, const sepax_pose *pose,
                    check_answer *answer, sepax_error *error) {
-  if (!find(q, s, pose, &q->clearance, &answer->colliding, error)) {
+  if (!find(q, s, pose, &q->bands.clearance, &answer->colliding, error)) {
     return false;
   }
-  answer->verdict = answer->colliding.count > 0 ? CHECK_COLLISION : CHECK_FREE;
-  if (answer->verdict != CHECK_COLLISION && !q->surfaces && !ask_within(s, pose, answer, error)) {
+  answer->verdict = answer->colliding.count > 0 ? VERDICT_COLLISION : VERDICT_FREE;
+  if (answer->verdict != VERDICT_COLLISION && !q->surfaces && !ask_within(s, pose, answer, error)) {
     return false;
   }
   bool one = q->first || check_any_is_enough(q);
-  if (q->warning.text == NULL || (one && answer->verdict == CHECK_COLLISION)) {
+  if (q->bands.warning.text == NULL || (one && answer->verdict == VERDICT_COLLISION)) {
     return true;
   }
-  if (!find(q, s, pose, &q->warning, &answer->warned, error)) {
+  if (!find(q, s, pose, &q->bands.warning, &answer->warned, error)) {
     return false;
   }
   if (!one) {
     take_out(&answer->warned, &answer->colliding);
   }
-  if (answer->verdict == CHECK_FREE && answer->warned.count > 0) {
-    answer->verdict = CHECK_WARNING;
+  if (answer->verdict == VERDICT_FREE && answer->warned.count > 0) {
+    answer->verdict = VERDICT_WARNING;
   }
   return true;
 }
@@ -133,7 +133,7 @@ static void work_on(void *workers, size_t part) {
     if (!decide(all->q, &all->solids, &all->poses.pose[n], answer, &w->error)) {
       w->failed = true;
     }
-    if (w->failed || (check_any_is_enough(all->q) && answer->verdict == CHECK_COLLISION)) {
+    if (w->failed || (check_any_is_enough(all->q) && answer->verdict == VERDICT_COLLISION)) {
       atomic_store(&all->stop, true);
     }
     forget(all->q, answer);

@@ -21,26 +21,9 @@ typedef struct {
   grid_options config, grid;
 } command;
 
-enum {
-  KEY_GRID = 0x380,
-  KEY_THREADS,
-  KEY_FIRST,
-  KEY_PAIRS,
-  KEY_PLY,
-  KEY_CLEARANCE,
-  KEY_WARNING,
-  KEY_POSES,
-  KEY_SURFACES
-};
+enum { KEY_GRID = 0x380, KEY_THREADS, KEY_FIRST, KEY_PAIRS, KEY_PLY, KEY_POSES, KEY_SURFACES };
 
 static const struct argp_option options[] = {
-    {"clearance", KEY_CLEARANCE, "LENGTH", 0,
-     "pairs collide unless they are farther from each other than this: file units, or with nm, um, "
-     "mm or m behind it where these are mm",
-     0},
-    {"warning", KEY_WARNING, "LENGTH", 0,
-     "a second, larger clearance: warn of pairs unless they are farther from each other than this",
-     0},
     {"poses", KEY_POSES, "FILE", 0,
      "a verdict for each pose of B: 12 numbers a line, a rotation by rows, then a translation in "
      "file units; # begins a comment",
@@ -48,8 +31,6 @@ static const struct argp_option options[] = {
     {"first", KEY_FIRST, NULL, 0, "stop at the first pair that collides (of each pose)", 0},
     {"surfaces", KEY_SURFACES, NULL, 0,
      "the files are surfaces, open or not: do not ask whether one is inside the other", 0},
-    {"json", 'j', NULL, 0, "print JSON instead of text", 0},
-    {"quiet", 'q', NULL, 0, "print nothing: the exit status tells", 0},
     {"pairs", KEY_PAIRS, "FILE", 0, "write the colliding pairs as CSV, not to standard output", 0},
     {"ply", KEY_PLY, "FILE", 0, "write both meshes as PLY, colliding triangles in colour", 0},
     {"threads", KEY_THREADS, "N", 0,
@@ -101,17 +82,6 @@ static const struct argp_option *design_options(void) {
 
 /* ------------------------------------------------------------------------ parsing */
 
-static check_limit limit(struct argp_state *state, const char *name, const char *text) {
-  check_limit l = {text, cli_length(state, name, text)};
-  if (l.length < 0) {
-    argp_error(state, "%s: %s is below 0", name, text);
-  }
-  if (l.length > 0x1p1000) {
-    argp_error(state, "%s: %s is above 2^1000; scale the bodies", name, text);
-  }
-  return l;
-}
-
 static void end_of_options(command *c, struct argp_state *state) {
   if (c->paths != 2) {
     argp_error(state, "give two STL files");
@@ -136,12 +106,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case ARGP_KEY_INIT:
     state->child_inputs[0] = &c->config;
     state->child_inputs[1] = &c->grid;
-    return 0;
-  case 'j':
-    q->json = true;
-    return 0;
-  case 'q':
-    q->quiet = true;
+    state->child_inputs[2] = &q->bands;
+    state->child_inputs[3] = &q->output;
     return 0;
   case KEY_GRID:
     q->on_grid = true;
@@ -151,12 +117,6 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_SURFACES:
     q->surfaces = true;
-    return 0;
-  case KEY_CLEARANCE:
-    q->clearance = limit(state, "clearance", text);
-    return 0;
-  case KEY_WARNING:
-    q->warning = limit(state, "warning", text);
     return 0;
   case KEY_POSES:
     q->poses_path = text;
@@ -182,30 +142,13 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 /* ------------------------------------------------------- checks that need no mesh */
 
-/* What is written must not be what is read, nor one file be written twice. */
 static bool outputs_distinct(const check_question *q, sepax_error *error) {
   const char *const outputs[] = {q->pairs_path, q->ply_path};
   const char *const inputs[] = {q->path[0], q->path[1], q->poses_path};
-  for (int i = 0; i < 6; i++) {
-    const char *output = outputs[i % 2];
-    const char *input = inputs[i / 2];
-    if (output != NULL && input != NULL && cli_same_file(output, input)) {
-      return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%.300s: is read; name another file to write",
-                        output);
-    }
-  }
-  if (q->pairs_path != NULL && q->ply_path != NULL && cli_same_file(q->pairs_path, q->ply_path)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%.300s: --pairs and --ply name one file; name two", q->ply_path);
-  }
-  return true;
+  return cli_outputs_distinct(outputs, 2, inputs, 3, error);
 }
 
 static bool options_agree(const check_question *q, sepax_error *error) {
-  if (q->quiet && q->json) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "quiet: there is nothing to print as JSON; leave one of them out");
-  }
   if (q->surfaces && q->on_grid) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "surfaces: a grid's design knows no inside; leave it out");
@@ -219,15 +162,7 @@ static bool options_agree(const check_question *q, sepax_error *error) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "ply: a picture is of one pose; leave out --poses, or --ply");
   }
-  if (q->warning.text != NULL && q->clearance.text == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "warning: there is no clearance to warn before; give --clearance, too");
-  }
-  if (q->warning.text != NULL && q->warning.length <= q->clearance.length) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "warning: %s is not above the clearance of %s",
-                      q->warning.text, q->clearance.text);
-  }
-  return true;
+  return cli_question_agrees(&q->output, &q->bands, error);
 }
 
 static bool grid_options_agree(const check_question *q, sepax_error *error) {
@@ -239,8 +174,8 @@ static bool grid_options_agree(const check_question *q, sepax_error *error) {
                       "normals: architecture %s reads none; give --arch=paper, too",
                       sepax_arch_name(config->arch));
   }
-  if (!sepax_design_init(&design, config, error) || q->clearance.text == NULL) {
-    return q->clearance.text == NULL && error->code == SEPAX_OK;
+  if (!sepax_design_init(&design, config, error) || q->bands.clearance.text == NULL) {
+    return q->bands.clearance.text == NULL && error->code == SEPAX_OK;
   }
   if (config->arch != SEPAX_ARCH_EXACT) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
@@ -262,7 +197,11 @@ static bool grid_options_agree(const check_question *q, sepax_error *error) {
 int cli_check(int argc, char **argv) {
   const struct argp design = {.options = design_options(), .parser = parse_grid_option};
   const struct argp rounding = {.options = cli_grid_argp.options, .parser = parse_grid_option};
-  const struct argp_child children[] = {{&design, 0, NULL, 0}, {&rounding, 0, NULL, 0}, {0}};
+  const struct argp_child children[] = {{&design, 0, NULL, 0},
+                                        {&rounding, 0, NULL, 0},
+                                        {&cli_bands_argp, 0, NULL, 0},
+                                        {&cli_output_argp, 0, NULL, 0},
+                                        {0}};
   const struct argp argp = {
       options,
       parse,
@@ -274,22 +213,22 @@ int cli_check(int argc, char **argv) {
       children,
       NULL,
       NULL};
-  command c = {.question = {.config = sepax_config_default()}};
+  command c = {.question = {.config = sepax_config_default(), .bands.unit = CLI_MILLIMETRES}};
   check_question *q = &c.question;
   c.config = (grid_options){&cli_config_argp, &q->config, &c.given};
   c.grid = (grid_options){&cli_grid_argp, &q->grid, &c.given};
   argp_parse(&argp, argc, argv, 0, NULL, &c);
   q->grid.grid.word = q->config.word;
-  static const int status[] = {EXIT_FREE, EXIT_WARNING, EXIT_UNDECIDED, EXIT_COLLISION};
   sepax_error error = {0};
   check_report report = {.answers = 0};
-  bool ok = (!q->json || report_names_printable(q->path, &error)) && outputs_distinct(q, &error) &&
-            options_agree(q, &error) && (!q->on_grid || grid_options_agree(q, &error)) &&
+  bool ok = (!q->output.json || report_names_printable(q->path, &error)) &&
+            outputs_distinct(q, &error) && options_agree(q, &error) &&
+            (!q->on_grid || grid_options_agree(q, &error)) &&
             (q->on_grid ? check_on_grid : check_bodies)(q, &report, &error) &&
             check_write_files(q, &report, &error);
-  int result = ok ? status[check_worst(&report)] : cli_fail(argv[0], &error);
-  if (ok && !q->quiet) {
-    (q->json ? check_print_json : check_print_text)(q, &report);
+  int result = ok ? report_verdict_status[check_worst(&report)] : cli_fail(argv[0], &error);
+  if (ok && !q->output.quiet) {
+    (q->output.json ? check_print_json : check_print_text)(q, &report);
   }
   check_report_free(&report);
   return result;

@@ -62,11 +62,11 @@ static bool reaches(uint64_t steps, const exact_length *step, const exact_length
  * 2^31 - 1. */
 static bool count_steps(const char *length, const cli_grid *asked, double resolution, int *steps) {
   cli_decimal decimal;
-  cli_scan_decimal(length, cli_lengths, &decimal);
+  cli_scan_decimal(length, cli_lengths, CLI_MILLIMETRES, &decimal);
   exact_length whole = length_of_decimal(&decimal);
   exact_length step = length_of_double(resolution);
   if (asked->resolution != NULL) {
-    cli_scan_decimal(asked->resolution, cli_lengths, &decimal);
+    cli_scan_decimal(asked->resolution, cli_lengths, CLI_MILLIMETRES, &decimal);
     step = length_of_decimal(&decimal);
   }
   double value = 0;
@@ -90,7 +90,7 @@ static bool count_steps(const char *length, const cli_grid *asked, double resolu
 static bool set_limits(const check_question *q, check_report *report, sepax_design *design,
                        sepax_error *error) {
   sepax_config config = q->config;
-  const check_limit *limits[] = {&q->clearance, &q->warning};
+  const report_limit *limits[] = {&q->bands.clearance, &q->bands.warning};
   static const char *const name[] = {"clearance", "warning"};
   int *lsb[] = {&config.clearance, &config.warning};
   for (int i = 0; i < 2; i++) {
@@ -187,10 +187,10 @@ static bool find(const check_question *q, const sepax_design *design, const sepa
   check_answer *answer = report->answer;
   bool exact = config->arch == SEPAX_ARCH_EXACT && !config->flag && config->extent_a == 0;
   bool ok = (exact ? search : judge_all)(q, design, scene, answer, &report->seconds, error);
-  answer->verdict = answer->colliding.count > 0   ? CHECK_COLLISION
-                    : answer->undecided.count > 0 ? CHECK_UNDECIDED
-                    : answer->warned.count > 0    ? CHECK_WARNING
-                                                  : CHECK_FREE;
+  answer->verdict = answer->colliding.count > 0   ? VERDICT_COLLISION
+                    : answer->undecided.count > 0 ? VERDICT_UNDECIDED
+                    : answer->warned.count > 0    ? VERDICT_WARNING
+                                                  : VERDICT_FREE;
   return ok;
 }
 

@@ -7,15 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const names[] = {"FREE", "WARNING", "UNDECIDED", "COLLISION"};
-static const char *const names_in_json[] = {"free", "warning", "undecided", "collision"};
-
 bool check_any_is_enough(const check_question *q) {
-  return q->quiet && q->pairs_path == NULL && q->ply_path == NULL;
+  return q->output.quiet && q->pairs_path == NULL && q->ply_path == NULL;
 }
 
-check_verdict check_worst(const check_report *report) {
-  check_verdict worst = CHECK_FREE;
+report_verdict check_worst(const check_report *report) {
+  report_verdict worst = VERDICT_FREE;
   for (size_t n = 0; n < report->answers; n++) {
     worst = report->answer[n].verdict > worst ? report->answer[n].verdict : worst;
   }
@@ -89,7 +86,7 @@ static void print_basis(const check_question *q, const check_report *report) {
 }
 
 static void print_limit(const check_question *q, const check_report *report,
-                        const check_limit *limit, int lsb) {
+                        const report_limit *limit, int lsb) {
   fputs(" (up to ", stdout);
   if (q->on_grid) {
     printf("%d LSB = %.9g)", lsb, lsb * report->grid.resolution);
@@ -108,19 +105,19 @@ static void print_bands(const check_question *q, const check_report *report) {
     size_t pairs = report->triangles[0] * report->triangles[1];
     printf("%zu free, ", pairs - a->colliding.count - a->warned.count);
   }
-  if (q->warning.text != NULL) {
+  if (q->bands.warning.text != NULL) {
     if (counted) {
       printf("%zu ", a->warned.count);
     }
     fputs("warning", stdout);
-    print_limit(q, report, &q->warning, report->warning_lsb);
+    print_limit(q, report, &q->bands.warning, report->warning_lsb);
     fputs(", ", stdout);
   }
   if (counted) {
     printf("%zu ", a->colliding.count);
   }
   fputs("collision", stdout);
-  print_limit(q, report, &q->clearance, report->clearance_lsb);
+  print_limit(q, report, &q->bands.clearance, report->clearance_lsb);
   putchar('\n');
 }
 
@@ -137,15 +134,15 @@ static void print_verdict(const check_question *q, const check_report *report) {
     print_pairs(&a->colliding, "");
     print_pairs(&a->undecided, " undecided");
   }
-  if (q->clearance.text != NULL) {
+  if (q->bands.clearance.text != NULL) {
     print_bands(q, report);
   }
-  printf("%s  %s%zu of %zu pairs collide", names[a->verdict],
+  printf("%s  %s%zu of %zu pairs collide", report_verdict_titles[a->verdict],
          q->first && a->colliding.count > 0 ? "at least " : "", a->colliding.count, pairs);
   if (a->undecided.count > 0) {
     printf(", %zu are undecided", a->undecided.count);
   }
-  if (a->verdict == CHECK_WARNING) {
+  if (a->verdict == VERDICT_WARNING) {
     printf(", %s%zu are warned of", q->first ? "at least " : "", a->warned.count);
   }
   print_within(a);
@@ -153,14 +150,14 @@ static void print_verdict(const check_question *q, const check_report *report) {
 
 static void print_pose(const check_question *q, const check_report *report, size_t n) {
   const check_answer *a = &report->answer[n];
-  printf("%6zu  %-9s  ", n, names[a->verdict]);
+  printf("%6zu  %-9s  ", n, report_verdict_titles[a->verdict]);
   const sepax_pairs *shown = a->colliding.count > 0 ? &a->colliding : &a->warned;
   if (q->first && shown->count > 0) {
     printf("A[%zu] B[%zu]", shown->pair[0][0], shown->pair[0][1]);
   } else {
     printf("%zu", a->colliding.count);
   }
-  if (!q->first && q->warning.text != NULL) {
+  if (!q->first && q->bands.warning.text != NULL) {
     printf("  %zu warned of", a->warned.count);
   }
   for (int i = 0; i < 2; i++) {
@@ -172,16 +169,16 @@ static void print_pose(const check_question *q, const check_report *report, size
 }
 
 static void print_poses(const check_question *q, const check_report *report) {
-  check_verdict worst = check_worst(report);
+  report_verdict worst = check_worst(report);
   size_t such = 0;
-  if (q->clearance.text != NULL) {
+  if (q->bands.clearance.text != NULL) {
     print_bands(q, report);
   }
   for (size_t n = 0; n < report->answers; n++) {
     such += report->answer[n].verdict == worst;
     print_pose(q, report, n);
   }
-  printf("%s  in %zu of %zu poses", names[worst], such, report->answers);
+  printf("%s  in %zu of %zu poses", report_verdict_titles[worst], such, report->answers);
 }
 
 void check_print_text(const check_question *q, const check_report *report) {
@@ -226,23 +223,23 @@ static json_t *answer_as_json(const check_question *q, const check_report *repor
   if (q->poses_path != NULL) {
     set_count(json, "pose", (size_t)(a - report->answer));
   }
-  json_object_set_new(json, "verdict", json_string(names_in_json[a->verdict]));
+  json_object_set_new(json, "verdict", json_string(report_verdict_names[a->verdict]));
   set_count(json, "collisions", a->colliding.count);
   if (!q->on_grid) {
     set_within(json, "a_inside_b", a->within[0]);
     set_within(json, "b_inside_a", a->within[1]);
   }
-  if (q->clearance.text != NULL && !q->first) {
+  if (q->bands.clearance.text != NULL && !q->first) {
     size_t pairs = report->triangles[0] * report->triangles[1];
     set_count(json, "free", pairs - a->colliding.count - a->warned.count);
   }
-  if (q->clearance.text != NULL) {
+  if (q->bands.clearance.text != NULL) {
     set_count(json, "warnings", a->warned.count);
   }
   if (a->colliding.pair != NULL || q->poses_path == NULL) {
     json_object_set_new(json, "colliding", pairs_as_json(&a->colliding));
   }
-  if (q->warning.text != NULL && (a->warned.pair != NULL || q->poses_path == NULL)) {
+  if (q->bands.warning.text != NULL && (a->warned.pair != NULL || q->poses_path == NULL)) {
     json_object_set_new(json, "warned", pairs_as_json(&a->warned));
   }
   if (q->on_grid) {
@@ -259,7 +256,7 @@ static void set_surface(json_t *body, const check_surface *s) {
   }
 }
 
-static void set_limit(json_t *report, const char *name, const check_limit *limit) {
+static void set_limit(json_t *report, const char *name, const report_limit *limit) {
   if (limit->text != NULL) {
     json_object_set_new(report, name, json_real(limit->length));
   }
@@ -275,12 +272,12 @@ void check_print_json(const check_question *q, const check_report *r) {
     set_surface(json_object_get(json, "a"), &r->surface[0]);
     set_surface(json_object_get(json, "b"), &r->surface[1]);
   }
-  set_limit(json, "clearance", &q->clearance);
-  set_limit(json, "warning", &q->warning);
-  if (q->on_grid && q->clearance.text != NULL) {
+  set_limit(json, "clearance", &q->bands.clearance);
+  set_limit(json, "warning", &q->bands.warning);
+  if (q->on_grid && q->bands.clearance.text != NULL) {
     json_object_set_new(json, "clearance_lsb", json_integer(r->clearance_lsb));
   }
-  if (q->on_grid && q->warning.text != NULL) {
+  if (q->on_grid && q->bands.warning.text != NULL) {
     json_object_set_new(json, "warning_lsb", json_integer(r->warning_lsb));
   }
   set_count(json, "pairs", r->triangles[0] * r->triangles[1]);
@@ -294,7 +291,7 @@ void check_print_json(const check_question *q, const check_report *r) {
     for (size_t n = 0; n < r->answers; n++) {
       json_array_append_new(poses, answer_as_json(q, r, &r->answer[n]));
     }
-    json_object_set_new(json, "verdict", json_string(names_in_json[check_worst(r)]));
+    json_object_set_new(json, "verdict", json_string(report_verdict_names[check_worst(r)]));
     json_object_set_new(json, "poses", poses);
   }
   report_print_json(json);

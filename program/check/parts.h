@@ -3,22 +3,14 @@
 #ifndef SEPAX_CHECK_PARTS_H
 #define SEPAX_CHECK_PARTS_H
 
-#include "cli/cli.h"
-
-/* In the order of precedence: the greatest of all pairs and of all poses holds. */
-typedef enum { CHECK_FREE, CHECK_WARNING, CHECK_UNDECIDED, CHECK_COLLISION } check_verdict;
-
-/* A limit of --clearance or --warning. */
-typedef struct {
-  const char *text; /* as it is written; NULL: none */
-  double length;    /* file units */
-} check_limit;
+#include "cli/question.h"
 
 typedef struct {
   const char *path[2];
   const char *poses_path, *pairs_path, *ply_path; /* or NULL */
-  check_limit clearance, warning;
-  bool on_grid, first, json, quiet, surfaces;
+  report_bands bands;                             /* file units */
+  cli_output output;
+  bool on_grid, first, surfaces;
   int threads;
   sepax_config config; /* of the grid's design, without clearances */
   cli_grid grid;
@@ -28,7 +20,7 @@ typedef enum { CHECK_NOT_ASKED, CHECK_OUTSIDE, CHECK_INSIDE, CHECK_UNKNOWN } che
 
 /* Of one pose. Lists that nobody prints are counted only: their `pair` is then NULL. */
 typedef struct {
-  check_verdict verdict;
+  report_verdict verdict;
   sepax_pairs colliding, undecided, warned;
   check_inside within[2]; /* is a part of A inside B, of B inside A? */
 } check_answer;
@@ -57,7 +49,7 @@ void check_report_free(check_report *report);
 
 /* Nobody sees which pairs there are, nor how many. */
 bool check_any_is_enough(const check_question *q);
-check_verdict check_worst(const check_report *report);
+report_verdict check_worst(const check_report *report);
 
 void check_print_text(const check_question *q, const check_report *report);
 void check_print_json(const check_question *q, const check_report *report);

@@ -2,6 +2,8 @@
 #ifndef SEPAX_CLI_H
 #define SEPAX_CLI_H
 
+#include "cli/units.h"
+#include "report/verdict.h"
 #include "sepax_design.h"
 
 #include <argp.h>
@@ -11,8 +13,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-enum { EXIT_FREE, EXIT_COLLISION, EXIT_ERROR, EXIT_WARNING, EXIT_UNDECIDED };
 
 /* Print "NAME: text" on stderr and return EXIT_ERROR. */
 int cli_fail(const char *name, const sepax_error *error);
@@ -40,12 +40,6 @@ void cli_vector(const struct argp_state *state, const char *option, const char *
                 double vector[3]);
 double cli_number(const struct argp_state *state, const char *option, const char *text);
 
-/* A power of ten by the name of a unit; the last has no name. */
-typedef struct {
-  const char *name;
-  int power;
-} cli_unit;
-
 /* A decimal number as it is written: its digits without zeros before them, times 10^power. */
 enum { CLI_DIGITS = 38 };
 typedef struct {
@@ -54,13 +48,13 @@ typedef struct {
   bool negative;
 } cli_decimal;
 
-/* A decimal number, and a unit behind it if there is one: the end of it, or NULL if there is no
- * number, or one of more than CLI_DIGITS digits. "1..2" is 1 with ".." behind it. */
-const char *cli_scan_decimal(const char *text, const cli_unit *units, cli_decimal *decimal);
+/* A decimal number, and one of the units behind it if there is one; `unit` is that of a number
+ * without one, and of the result: 10^unit. Returns the end of it, or NULL if there is no number, or
+ * one of more than CLI_DIGITS digits. "1..2" is 1 with ".." behind it. */
+const char *cli_scan_decimal(const char *text, const cli_unit *units, int unit,
+                             cli_decimal *decimal);
 /* The same, rounded once; NULL also beyond the doubles. */
-const char *cli_scan(const char *text, const cli_unit *units, double *value);
-/* nm, um, mm, m, and no unit. */
-extern const cli_unit cli_lengths[];
+const char *cli_scan(const char *text, const cli_unit *units, int unit, double *value);
 /* The same of a length in file units, or with nm, um, mm, m where a file unit is 1 mm. */
 const char *cli_scan_length(const char *text, double *value);
 /* Such a length and nothing else; argp_error otherwise. */

@@ -208,7 +208,8 @@ static bool digits_of(const char *text, size_t length, cli_decimal *decimal) {
   return true;
 }
 
-const char *cli_scan_decimal(const char *text, const cli_unit *units, cli_decimal *decimal) {
+const char *cli_scan_decimal(const char *text, const cli_unit *units, int unit,
+                             cli_decimal *decimal) {
   size_t length = number_length(text);
   *decimal = (cli_decimal){.power = 0};
   if (length == 0 || !digits_of(text, length, decimal)) {
@@ -221,18 +222,18 @@ const char *cli_scan_decimal(const char *text, const cli_unit *units, cli_decima
     decimal->power += (int)(power > 9999 ? 9999 : power < -9999 ? -9999 : power);
     end = after;
   }
-  const cli_unit *unit = units;
-  while (unit->name != NULL && strncmp(end, unit->name, strlen(unit->name)) != 0) {
-    unit++;
+  const cli_unit *given = units;
+  while (given->name != NULL && strncmp(end, given->name, strlen(given->name)) != 0) {
+    given++;
   }
-  decimal->power += unit->power;
-  return end + (unit->name != NULL ? strlen(unit->name) : 0);
+  decimal->power += given->name != NULL ? given->power - unit : 0;
+  return end + (given->name != NULL ? strlen(given->name) : 0);
 }
 
-const char *cli_scan(const char *text, const cli_unit *units, double *value) {
+const char *cli_scan(const char *text, const cli_unit *units, int unit, double *value) {
   cli_decimal decimal;
   char number[CLI_DIGITS + 24];
-  const char *end = cli_scan_decimal(text, units, &decimal);
+  const char *end = cli_scan_decimal(text, units, unit, &decimal);
   if (end == NULL) {
     return NULL;
   }
@@ -243,10 +244,8 @@ const char *cli_scan(const char *text, const cli_unit *units, double *value) {
   return isfinite(*value) && !lost ? end : NULL;
 }
 
-const cli_unit cli_lengths[] = {{"nm", -6}, {"um", -3}, {"mm", 0}, {"m", 3}, {NULL, 0}};
-
 const char *cli_scan_length(const char *text, double *value) {
-  return cli_scan(text, cli_lengths, value);
+  return cli_scan(text, cli_lengths, CLI_MILLIMETRES, value);
 }
 
 double cli_length(const struct argp_state *state, const char *option, const char *text) {

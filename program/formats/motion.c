@@ -1,4 +1,5 @@
 /* motion.c - paths as CSV: a header that names joints, then their values, a line each. */
+#include "cli/units.h"
 #include "formats/formats.h"
 #include "util/error.h"
 #include "util/list.h"
@@ -12,21 +13,11 @@ static const char blanks[] = " \t";
 
 enum { TIME = -1, COLUMNS_MOST = FORMAT_LINKS_MOST + 1 };
 
-/* A value of the file times `times`, divided by `by`. */
-typedef struct {
-  const char *name;
-  double times, by;
-} unit;
-
-static const unit lengths[] = {
-    {"m", 1, 1}, {"mm", 1, 1e3}, {"um", 1, 1e6}, {"nm", 1, 1e9}, {NULL, 0, 0}};
-static const unit angles[] = {{"rad", 1, 1}, {"deg", 0x1.921fb54442d18p1, 180}, {NULL, 0, 0}};
-static const unit times[] = {{"s", 1, 1}, {"ms", 1, 1e3}, {"us", 1, 1e6}, {NULL, 0, 0}};
-
 typedef struct {
   int joint; /* or TIME */
-  const unit *unit;
-  bool bare; /* no unit is written */
+  const char *unit;
+  double times, by; /* a value of the file times `times`, divided by `by`: in m, rad or s */
+  bool bare;        /* no unit is written */
 } column;
 
 /* A piece of the text. */
@@ -115,20 +106,42 @@ static piece take_unit(piece *name) {
   return u;
 }
 
+/* The unit's name as text that stays; NULL where it is none of the list. */
+static const char *take_power(column *c, const cli_unit *unit, piece u) {
+  while (unit->name != NULL && !is(u, unit->name)) {
+    unit++;
+  }
+  for (int n = unit->power; n < 0; n++) {
+    c->by *= 10;
+  }
+  return unit->name;
+}
+
+static const char *take_angle(column *c, piece u) {
+  if (is(u, "deg")) {
+    c->times = 0x1.921fb54442d18p1;
+    c->by = 180;
+    return "deg";
+  }
+  return is(u, "rad") ? "rad" : NULL;
+}
+
 static bool find_unit(const reader *r, column *c, piece name, piece u, sepax_error *error) {
   bool slides = c->joint != TIME && r->m->joint[c->joint].kind == SEPAX_JOINT_PRISMATIC;
-  const unit *known = c->joint == TIME ? times : slides ? lengths : angles;
-  const unit *found = known;
+  c->times = c->by = 1;
   c->bare = u.at == NULL;
-  while (!c->bare && found->name != NULL && !is(u, found->name)) {
-    found++;
+  if (c->bare) {
+    c->unit = c->joint == TIME ? "s" : slides ? "m" : "rad";
+    return true;
   }
-  c->unit = found;
-  return found->name != NULL || fail(r, error, "column '%.*s': unit [%.*s] is none of: %s",
-                                     shown(name), name.at, shown(u), u.at,
-                                     c->joint == TIME ? "s, ms, us"
-                                     : slides         ? "m, mm, um, nm"
-                                                      : "rad, deg");
+  c->unit = c->joint == TIME ? take_power(c, cli_times, u)
+            : slides         ? take_power(c, cli_lengths, u)
+                             : take_angle(c, u);
+  return c->unit != NULL || fail(r, error, "column '%.*s': unit [%.*s] is none of: %s", shown(name),
+                                 name.at, shown(u), u.at,
+                                 c->joint == TIME ? "s, ms, us, ns"
+                                 : slides         ? "m, mm, um, nm"
+                                                  : "rad, deg");
 }
 
 static bool has_any(piece p, const char *characters) {
@@ -245,8 +258,8 @@ static bool within_limits(const reader *r, size_t n, const column *at, double va
     snprintf(where, sizeof where, "column %zu, ", (size_t)(at - r->column) + 1);
   }
   bool above = value > joint->upper;
-  double scale = at != NULL ? at->unit->by / at->unit->times : 1;
-  const char *name = at != NULL ? at->unit->name : unit_of(joint);
+  double scale = at != NULL ? at->by / at->times : 1;
+  const char *name = at != NULL ? at->unit : unit_of(joint);
   bool degrees = at != NULL && at->bare && joint->kind != SEPAX_JOINT_PRISMATIC;
   return fail(r, error,
               "%sjoint %.60s: %.9g %s is %s its limit of %.9g %s; mend it, %sor give "
@@ -263,7 +276,7 @@ static bool read_value(const reader *r, size_t k, piece cell, double *value, sep
     return fail(r, error, "column %zu (%.60s): '%.*s' is no finite number; mend it", k + 1,
                 c->joint == TIME ? "time" : r->m->joint[c->joint].name, shown(cell), cell.at);
   }
-  *value = number * c->unit->times / c->unit->by;
+  *value = number * c->times / c->by;
   return fabs(*value) <= FORMAT_VALUE_MOST ||
          fail(r, error, "column %zu: %.*s is too large, %g m, rad or s being the most; mend it",
               k + 1, shown(cell), cell.at, FORMAT_VALUE_MOST);

@@ -66,7 +66,7 @@ static json_t *head_of(const certificate *c) {
   }
   return json_pack("{s:s, s:i, s:s, s:s?, s:s, s:O, s:f, s:o}", "certificate", "sepax", "version",
                    1, "urdf", q->urdf, "srdf", q->srdf, "path", q->motion, "packages", c->packages,
-                   "clearance", q->clearance.length, "pairs", pairs);
+                   "clearance", q->bands.clearance.length, "pairs", pairs);
 }
 
 static json_t *interval_of(size_t pair, const path_interval *at) {

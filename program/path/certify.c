@@ -153,7 +153,7 @@ static bool boxes_disjoint(asking *a, double need) {
 
 /* Is the part of the segment certified? Else a.distance is that at the middle. */
 static bool ask(asking *a, bool *certified, sepax_error *error) {
-  double clearance = a->all->q->clearance.length;
+  double clearance = a->all->q->bands.clearance.length;
   set_values(a);
   sepax_chain_poses(&a->pair->chain, &a->all->scene->robot.mechanism, a->value[1], a->pose);
   a->at.bound = bound_of(a);
@@ -212,7 +212,7 @@ static bool advance(path_interval *at) {
  * the resolution. */
 static bool divide(asking *a) {
   const path_question *q = a->all->q;
-  double left = fmax(a->distance - q->clearance.length, q->resolution.length);
+  double left = fmax(a->distance - q->bands.clearance.length, q->resolution.length);
   int times = (int)floor(log2(a->at.bound / left));
   times = times < 1 ? 1 : times > 8 ? 8 : times;
   if (a->at.bound <= q->resolution.length || (int)a->at.level + times > LEVELS_MOST) {
@@ -225,7 +225,7 @@ static bool divide(asking *a) {
 
 /* Do the bodies collide at the middle? For certain: the distance is rounded. */
 static bool collides(const asking *a) {
-  return a->distance <= a->all->q->clearance.length * (1 - 0x1p-50);
+  return a->distance <= a->all->q->bands.clearance.length * (1 - 0x1p-50);
 }
 
 static void keep_collision(asking *a, double part_of_way) {
@@ -353,7 +353,7 @@ static bool ask_segments(asking *a, sepax_error *error) {
   work *all = a->all;
   path_proof *proof = &a->pair->proof;
   size_t segments = all->scene->motion.lines - 1;
-  bool undecided = a->pair->lines[PATH_UNDECIDED] > 0;
+  bool undecided = a->pair->lines[VERDICT_UNDECIDED] > 0;
   for (size_t n = 0; n < segments && !proof->collides && !atomic_load(&all->stop); n++) {
     a->at.segment = n;
     if (proof->is_open || undecided) {
@@ -406,7 +406,7 @@ static void work_on(void *context, size_t part) {
   work *all = context;
   path_pair *pair = &all->scene->pair[part];
   sepax_error error = {0};
-  if (pair->lines[PATH_COLLISION] == 0 && !ask_pair(all, pair, &error)) {
+  if (pair->lines[VERDICT_COLLISION] == 0 && !ask_pair(all, pair, &error)) {
     if (!atomic_flag_test_and_set(&all->failing)) {
       *all->error = error;
     }
@@ -420,7 +420,7 @@ bool path_certify(path_scene *scene, const path_question *q, sepax_error *error)
   work all = {
       .scene = scene, .q = q, .progress = &progress, .failing = ATOMIC_FLAG_INIT, .error = error};
   atomic_init(&all.done, 0);
-  atomic_init(&all.stop, path_status_only(q) && path_worst(scene) == PATH_COLLISION);
+  atomic_init(&all.stop, path_status_only(q) && path_worst(scene) == VERDICT_COLLISION);
   error->code = SEPAX_OK;
   sepax__threads_run(q->threads > 0 ? (size_t)q->threads : sepax__threads_here(), scene->pairs,
                      work_on, &all);

@@ -47,8 +47,6 @@ static const struct argp_option options[] = {
     {"intervals", KEY_INTERVALS, "N", 0,
      "into how many --certify divides the way of a pair, besides 64 for each line (262144)", 0},
     {"surfaces", KEY_SURFACES, NULL, 0, "do not ask whether one body is inside the other", 0},
-    {"json", 'j', NULL, 0, "print JSON instead of text", 0},
-    {"quiet", 'q', NULL, 0, "print nothing: the exit status tells", 0},
     {"threads", KEY_THREADS, "N", 0, "threads (one for each processor)", 0},
     {0}};
 
@@ -63,10 +61,6 @@ static error_t parse_argument(path_question *q, char *text, struct argp_state *s
 /* Options that are on or off. */
 static bool *switch_of(path_question *q, int key) {
   switch (key) {
-  case 'j':
-    return &q->json;
-  case 'q':
-    return &q->quiet;
   case KEY_NO_DISTANCE:
     return &q->no_distance;
   case KEY_CERTIFY:
@@ -88,12 +82,13 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   switch (key) {
   case ARGP_KEY_INIT:
     state->child_inputs[0] = q;
+    state->child_inputs[1] = &q->output;
     return 0;
   case KEY_CERTIFICATE:
     q->certificate = text;
     return 0;
   case KEY_RESOLUTION:
-    q->resolution = path_length(state, "resolution", text);
+    q->resolution = cli_limit(state, "resolution", text, CLI_METRES);
     return 0;
   case KEY_INTERVALS:
     q->intervals = (size_t)cli_count(state, "intervals", text, INTERVALS_MOST);
@@ -120,7 +115,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     }
     return 0;
   case KEY_LSB:
-    q->lsb = path_length(state, "lsb", text);
+    q->lsb = cli_limit(state, "lsb", text, CLI_METRES);
     if (q->lsb.length <= 0) {
       argp_error(state, "lsb: %s is not above 0", text);
     }
@@ -149,11 +144,9 @@ static const char *output_of(const path_question *q, int n) {
   return outputs[n];
 }
 
-/* What is written must not be what is read, nor one file be written twice; all of it can be begun
- * before any is. */
-static bool outputs_distinct(const path_question *q, sepax_error *error) {
-  enum { INPUTS = 3 };
-  const char *const inputs[INPUTS] = {q->urdf, q->motion, q->srdf};
+/* All of what is written can be begun before any is. */
+static bool outputs_possible(const path_question *q, sepax_error *error) {
+  const char *const inputs[] = {q->urdf, q->motion, q->srdf};
   const char *outputs[OUTPUTS];
   for (int i = 0; i < OUTPUTS; i++) {
     outputs[i] = output_of(q, i);
@@ -161,20 +154,8 @@ static bool outputs_distinct(const path_question *q, sepax_error *error) {
       return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "-: is no file to write, nor stdout; name one");
     }
-    for (int k = 0; k < INPUTS && outputs[i] != NULL; k++) {
-      if (inputs[k] != NULL && cli_same_file(outputs[i], inputs[k])) {
-        return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                          "%.300s: is read; name another file to write", outputs[i]);
-      }
-    }
-    for (int k = 0; k < i && outputs[i] != NULL; k++) {
-      if (outputs[k] != NULL && cli_same_file(outputs[i], outputs[k])) {
-        return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                          "%.300s: two options name this file; name two", outputs[i]);
-      }
-    }
   }
-  bool ok = true;
+  bool ok = cli_outputs_distinct(outputs, OUTPUTS, inputs, 3, error);
   for (int i = 0; i < OUTPUTS && ok; i++) {
     ok = outputs[i] == NULL || sepax__write_file_possible(outputs[i], error);
   }
@@ -196,11 +177,7 @@ static bool meshes_spared(const path_scene *scene, const path_question *q, sepax
 }
 
 static bool options_agree(const path_question *q, sepax_error *error) {
-  if (q->quiet && q->json) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "quiet: there is nothing to print as JSON; leave one of them out");
-  }
-  if (!path_bands_agree(q, error)) {
+  if (!cli_question_agrees(&q->output, &q->bands, error)) {
     return false;
   }
   if (!q->certify && (q->certificate != NULL || q->resolution.text != NULL || q->intervals != 0)) {
@@ -231,12 +208,13 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   }
   const char *const names[2] = {q->urdf, q->motion};
   const char *const more[2] = {q->srdf != NULL ? q->srdf : "", q->jobs != NULL ? q->jobs : ""};
-  return (!q->json && q->page == NULL) ||
+  return (!q->output.json && q->page == NULL) ||
          (report_names_printable(names, error) && report_names_printable(more, error));
 }
 
 int cli_path(int argc, char **argv) {
-  static const struct argp_child children[] = {{&path_scene_argp, 0, NULL, 0}, {0}};
+  static const struct argp_child children[] = {
+      {&path_scene_argp, 0, NULL, 0}, {&cli_output_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
       options,
       parse,
@@ -249,16 +227,15 @@ int cli_path(int argc, char **argv) {
       children,
       NULL,
       NULL};
-  static const int status[] = {EXIT_FREE, EXIT_WARNING, EXIT_UNDECIDED, EXIT_COLLISION};
   static path_question q = {.resolution = {NULL, 1e-6}};
   argp_parse(&argp, argc, argv, 0, NULL, &q);
   sepax_error error = {0};
   path_scene scene = {.pairs = 0};
   q.keep = q.picture != NULL || q.page != NULL || q.jobs != NULL;
   q.word = q.jobs != NULL && q.word == 0 ? WORD : q.word;
-  bool ok = options_agree(&q, &error) && outputs_distinct(&q, &error);
+  bool ok = options_agree(&q, &error) && outputs_possible(&q, &error);
   q.intervals = q.intervals == 0 ? INTERVALS : q.intervals;
-  q.no_distance = q.no_distance || (q.quiet && q.picture == NULL && q.page == NULL);
+  q.no_distance = q.no_distance || (q.output.quiet && q.picture == NULL && q.page == NULL);
   ok = ok && path_scene_load(&scene, &q, &error) && meshes_spared(&scene, &q, &error) &&
        (q.page == NULL || path_page_possible(&scene, &error)) &&
        (q.jobs == NULL || path_write_jobs(&scene, &q, &error)) && path_search(&scene, &q, &error) &&
@@ -267,9 +244,9 @@ int cli_path(int argc, char **argv) {
        (q.picture == NULL || path_write_picture(&scene, q.picture, &error)) &&
        (q.certificate == NULL || path_write_certificate(&scene, &q, &error)) &&
        (q.page == NULL || path_write_page(&scene, &q, &error));
-  int result = ok ? status[path_worst(&scene)] : cli_fail(argv[0], &error);
-  if (ok && !q.quiet) {
-    (q.json ? path_print_json : path_print_text)(&scene, &q);
+  int result = ok ? report_verdict_status[path_worst(&scene)] : cli_fail(argv[0], &error);
+  if (ok && !q.output.quiet) {
+    (q.output.json ? path_print_json : path_print_text)(&scene, &q);
   }
   path_scene_free(&scene);
   return result;

@@ -5,8 +5,6 @@
 
 #include <math.h>
 
-static const char *const names[PATH_VERDICTS] = {"free", "warning", "undecided", "collision"};
-
 static json_t *count_of(size_t count) { return json_integer((json_int_t)count); }
 
 /* {"line": 17, "time": 0.1}, or null */
@@ -61,7 +59,7 @@ static json_t *segment_of(const path_scene *scene, size_t segment) {
 /* What --certify found of a pair; null where it was not asked. */
 static json_t *way_of(const path_scene *scene, const path_pair *pair) {
   const path_proof *proof = &pair->proof;
-  if (!scene->between || path_in_lines(pair) == PATH_COLLISION) {
+  if (!scene->between || path_in_lines(pair) == VERDICT_COLLISION) {
     return json_null();
   }
   json_t *open = json_null();
@@ -86,12 +84,12 @@ static json_t *way_of(const path_scene *scene, const path_pair *pair) {
 static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   json_t *lines = json_object();
   json_t *first = json_object();
-  json_t *json =
-      json_pack("{s:s, s:s, s:s}", "a", path_body_name(scene, pair->body[0]), "b",
-                path_body_name(scene, pair->body[1]), "verdict", names[path_verdict_of(pair)]);
-  for (int v = 0; v < PATH_VERDICTS; v++) {
-    json_object_set_new(lines, names[v], count_of(pair->lines[v]));
-    json_object_set_new(first, names[v], line_of(scene, pair->first[v]));
+  json_t *json = json_pack("{s:s, s:s, s:s}", "a", path_body_name(scene, pair->body[0]), "b",
+                           path_body_name(scene, pair->body[1]), "verdict",
+                           report_verdict_names[path_verdict_of(pair)]);
+  for (int v = 0; v < VERDICTS; v++) {
+    json_object_set_new(lines, report_verdict_names[v], count_of(pair->lines[v]));
+    json_object_set_new(first, report_verdict_names[v], line_of(scene, pair->first[v]));
   }
   json_object_set_new(json, "lines", lines);
   json_object_set_new(json, "first", first);
@@ -124,7 +122,7 @@ static json_t *between_of(const path_scene *scene) {
 /* The first of the worst verdict: a line, or a pose behind it. */
 static json_t *first_of(const path_scene *scene) {
   path_moment at = path_worst_moment(scene);
-  if (path_worst(scene) == PATH_FREE) {
+  if (path_worst(scene) == VERDICT_FREE) {
     return json_null();
   }
   json_t *json = line_of(scene, at.line);
@@ -148,7 +146,7 @@ static json_t *jobs_of(const path_scene *scene, const path_question *q) {
 }
 
 json_t *path_report(const path_scene *scene, const path_question *q) {
-  path_verdict worst = path_worst(scene);
+  report_verdict worst = path_worst(scene);
   json_t *json = json_object();
   json_t *bodies = json_array();
   json_t *pairs = json_array();
@@ -162,14 +160,14 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   json_object_set_new(json, "srdf", q->srdf != NULL ? json_string(q->srdf) : json_null());
   json_object_set_new(json, "path", json_string(q->motion));
   json_object_set_new(json, "unit", json_string("m"));
-  json_object_set_new(json, "verdict", json_string(names[worst]));
+  json_object_set_new(json, "verdict", json_string(report_verdict_names[worst]));
   json_object_set_new(json, "first", first_of(scene));
   json_object_set_new(json, "lines", count_of(scene->motion.lines));
-  if (q->clearance.text != NULL) {
-    json_object_set_new(json, "clearance", json_real(q->clearance.length));
+  if (q->bands.clearance.text != NULL) {
+    json_object_set_new(json, "clearance", json_real(q->bands.clearance.length));
   }
-  if (q->warning.text != NULL) {
-    json_object_set_new(json, "warning", json_real(q->warning.length));
+  if (q->bands.warning.text != NULL) {
+    json_object_set_new(json, "warning", json_real(q->bands.warning.length));
   }
   json_object_set_new(json, "bodies", bodies);
   json_object_set_new(json, "pairs", pairs);
@@ -217,13 +215,13 @@ typedef struct {
 } rows;
 
 static bool write_row(FILE *out, const rows *r, const path_pair *pair, path_moment at,
-                      path_verdict verdict) {
+                      report_verdict verdict) {
   const format_motion *motion = &r->scene->motion;
   return fprintf(out, "%zu,", motion->line[at.line]) > 0 &&
          (motion->time == NULL || fprintf(out, "%.17g,", path_time(motion, at)) > 0) &&
          write_name(out, path_body_name(r->scene, pair->body[0])) && putc(',', out) != EOF &&
          write_name(out, path_body_name(r->scene, pair->body[1])) &&
-         fprintf(out, ",%s", names[verdict]) > 0 &&
+         fprintf(out, ",%s", report_verdict_names[verdict]) > 0 &&
          (!r->parts || fprintf(out, ",%.17g", at.part) > 0) && putc('\n', out) != EOF;
 }
 
@@ -236,14 +234,14 @@ static bool write_rows(FILE *out, const void *context) {
   for (size_t line = 0; line < scene->motion.lines && ok; line++) {
     for (size_t n = 0; n < scene->pairs && ok; n++) {
       const path_pair *pair = &scene->pair[n];
-      ok = pair->verdict[line] == PATH_FREE ||
+      ok = pair->verdict[line] == VERDICT_FREE ||
            write_row(out, r, pair, (path_moment){line, 0}, pair->verdict[line]);
     }
     for (size_t n = 0; n < scene->pairs && ok; n++) {
       const path_pair *pair = &scene->pair[n];
       path_moment at = path_between_moment(pair);
-      path_verdict verdict = path_between_lines(pair);
-      ok = verdict == PATH_FREE || at.line != line || write_row(out, r, pair, at, verdict);
+      report_verdict verdict = path_between_lines(pair);
+      ok = verdict == VERDICT_FREE || at.line != line || write_row(out, r, pair, at, verdict);
     }
   }
   return ok;

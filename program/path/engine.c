@@ -34,7 +34,7 @@ static double longest_edge(const sepax_mesh *mesh) {
 }
 
 static double outer_of(const path_question *q) {
-  return fmax(q->clearance.length, q->warning.length);
+  return fmax(q->bands.clearance.length, q->bands.warning.length);
 }
 
 /* What must fit into one half of the word, and of which pair. */
@@ -102,9 +102,9 @@ static int steps_up(double length, double resolution) {
 /* The design that the list is for; II and cores are any. */
 static bool choose_bands(path_engine *e, const path_question *q, sepax_design *design,
                          sepax_error *error) {
-  e->clearance = steps_up(q->clearance.length, e->resolution);
-  if (q->warning.text != NULL) {
-    e->warning = steps_up(q->warning.length, e->resolution);
+  e->clearance = steps_up(q->bands.clearance.length, e->resolution);
+  if (q->bands.warning.text != NULL) {
+    e->warning = steps_up(q->bands.warning.length, e->resolution);
     e->warning = e->warning > e->clearance ? e->warning : e->clearance + 1;
   }
   sepax_config config = sepax_config_default();

@@ -252,7 +252,7 @@ static bool find_steps(page *p, sepax_error *error) {
     p->step[p->steps++] = (path_moment){n, 0};
   }
   for (size_t n = 0; n < scene->pairs; n++) {
-    if (path_between_lines(&scene->pair[n]) != PATH_FREE) {
+    if (path_between_lines(&scene->pair[n]) != VERDICT_FREE) {
       p->step[p->steps++] = path_between_moment(&scene->pair[n]);
     }
   }
@@ -272,7 +272,7 @@ static int verdict_at(const path_pair *pair, path_moment at) {
   path_moment between = path_between_moment(pair);
   return at.part == 0                  ? pair->verdict[at.line]
          : by_time(&at, &between) == 0 ? (int)path_between_lines(pair)
-                                       : PATH_FREE;
+                                       : VERDICT_FREE;
 }
 
 /* ------------------------------------------------------------------------------ data */

@@ -5,33 +5,20 @@
 #ifndef SEPAX_PATH_PARTS_H
 #define SEPAX_PATH_PARTS_H
 
-#include "cli/cli.h"
+#include "cli/question.h"
 #include "formats/formats.h"
-
-/* In the order of precedence: the greatest of all pairs and all lines holds. */
-typedef enum {
-  PATH_FREE,
-  PATH_WARNING,
-  PATH_UNDECIDED,
-  PATH_COLLISION,
-  PATH_VERDICTS
-} path_verdict;
-
-/* A limit of --clearance or --warning. */
-typedef struct {
-  const char *text; /* as it is written; NULL: none */
-  double length;    /* metres */
-} path_limit;
 
 enum { PATH_PACKAGES_MOST = 64, PATH_WORD_MIN = 6 };
 
 typedef struct {
   const char *urdf, *motion;
   const char *srdf, *csv, *picture, *certificate, *page, *jobs; /* or NULL */
-  path_limit clearance, warning, resolution;
-  path_limit lsb; /* of the trees of `jobs`; 0: the finest */
-  int word;       /* of these; 0: not given */
-  bool json, quiet, surfaces, no_distance, certify;
+  report_bands bands;                                           /* metres */
+  report_limit resolution;                                      /* metres */
+  report_limit lsb; /* of the trees of `jobs`, metres; 0: the finest */
+  int word;         /* of these; 0: not given */
+  cli_output output;
+  bool surfaces, no_distance, certify;
   bool keep; /* the bodies' meshes */
   size_t intervals;
   int threads;
@@ -94,9 +81,9 @@ typedef struct {
 typedef struct {
   size_t body[2];
   sepax_chain chain;
-  size_t lines[PATH_VERDICTS]; /* how many have this verdict */
-  size_t first[PATH_VERDICTS]; /* the first of them, or PATH_NO_LINE */
-  double least;                /* the least clearance, infinite where it is not asked */
+  size_t lines[VERDICTS]; /* how many have this verdict */
+  size_t first[VERDICTS]; /* the first of them, or PATH_NO_LINE */
+  double least;           /* the least clearance, infinite where it is not asked */
   size_t least_line;
   double point[2][3];     /* that far from each other, in the coordinates of the chain's top */
   bool inside;            /* one has the other, or a part of it, inside there: no points */
@@ -128,9 +115,6 @@ typedef struct {
 
 /* An argp child, whose input is a path_question: SRDF, packages, bands, rules of the path. */
 extern const struct argp path_scene_argp;
-bool path_bands_agree(const path_question *q, sepax_error *error);
-/* A length, in metres or with a unit; argp_error otherwise. */
-path_limit path_length(const struct argp_state *state, const char *name, const char *text);
 
 /* False leaves a scene that can be freed. */
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error);
@@ -144,17 +128,17 @@ bool path_status_only(const path_question *q);
 /* Of pairs that do not collide in any line: do they between lines? */
 bool path_certify(path_scene *scene, const path_question *q, sepax_error *error);
 
-path_verdict path_in_lines(const path_pair *pair); /* the worst of all lines */
-path_verdict path_between_lines(const path_pair *pair);
-path_verdict path_verdict_of(const path_pair *pair); /* of both */
-path_verdict path_worst(const path_scene *scene);    /* of all pairs */
+report_verdict path_in_lines(const path_pair *pair); /* the worst of all lines */
+report_verdict path_between_lines(const path_pair *pair);
+report_verdict path_verdict_of(const path_pair *pair); /* of both */
+report_verdict path_worst(const path_scene *scene);    /* of all pairs */
 size_t path_certified_pairs(const path_scene *scene);
 bool path_certified(const path_scene *scene); /* all of them */
 
 void path_open_ends(const path_pair *pair, double ends[2]); /* parts of the way of its segment */
 /* Of what is not free between lines: the pose that collides, or the middle of what is open. */
 path_moment path_between_moment(const path_pair *pair);
-path_moment path_first(const path_pair *pair, path_verdict verdict);
+path_moment path_first(const path_pair *pair, report_verdict verdict);
 /* The first of the worst verdict; where all are free, the line of the least clearance. */
 path_moment path_worst_moment(const path_scene *scene);
 double path_value(const format_motion *motion, path_moment at, size_t joint);
@@ -166,7 +150,6 @@ bool path_write_certificate(path_scene *scene, const path_question *q, sepax_err
 /* A mesh that programs which check certificates do not read, or NULL. */
 const char *path_uncheckable(const path_scene *scene);
 
-extern const char *const path_names[PATH_VERDICTS];
 const char *path_body_name(const path_scene *scene, size_t body);
 
 /* Where two points of a pair are in the root's coordinates. */

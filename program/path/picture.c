@@ -8,8 +8,8 @@
 
 typedef struct {
   const path_scene *scene;
-  const sepax_pose *pose; /* of each link */
-  const path_verdict *of; /* of each body, there */
+  const sepax_pose *pose;   /* of each link */
+  const report_verdict *of; /* of each body, there */
   path_moment at;
 } picture;
 
@@ -35,10 +35,10 @@ static bool put_vertex(FILE *out, const sepax_pose *p, const double v[3]) {
 }
 
 /* Grey and blue where a body is free; yellow, violet, red otherwise. */
-static bool put_colour(FILE *out, size_t body, path_verdict verdict) {
+static bool put_colour(FILE *out, size_t body, report_verdict verdict) {
   static const uint8_t others[][3] = {{240, 200, 60}, {160, 90, 200}, {215, 40, 40}};
   static const uint8_t plain[][3] = {{170, 190, 215}, {200, 200, 190}, {150, 200, 180}};
-  const uint8_t *c = verdict == PATH_FREE ? plain[body % 3] : others[verdict - 1];
+  const uint8_t *c = verdict == VERDICT_FREE ? plain[body % 3] : others[verdict - 1];
   return put(out, c[0], 1) && put(out, c[1], 1) && put(out, c[2], 1);
 }
 
@@ -52,7 +52,7 @@ static bool write_head(FILE *out, const picture *p) {
   for (size_t n = 0; n < scene->bodies && ok; n++) {
     size_t count = scene->body[n].mesh.count;
     ok = fprintf(out, "comment body %zu: %s, faces %zu ... %zu, %s\n", n, path_body_name(scene, n),
-                 faces, faces + count - 1, path_names[p->of[n]]) > 0;
+                 faces, faces + count - 1, report_verdict_titles[p->of[n]]) > 0;
     faces += count;
   }
   return ok &&
@@ -87,9 +87,9 @@ static bool write_all(FILE *out, const void *context) {
 bool path_write_picture(const path_scene *scene, const char *path, sepax_error *error) {
   const sepax_mechanism *m = &scene->robot.mechanism;
   path_moment at = path_worst_moment(scene);
-  path_verdict worst = path_worst(scene);
+  report_verdict worst = path_worst(scene);
   sepax_pose *pose = calloc(m->links, sizeof *pose);
-  path_verdict *of = calloc(scene->bodies, sizeof *of);
+  report_verdict *of = calloc(scene->bodies, sizeof *of);
   double *value = malloc((m->joints + 1) * sizeof *value);
   bool ok = false;
   if (pose != NULL && of != NULL && value != NULL) {

@@ -4,29 +4,29 @@
 #include <math.h>
 #include <string.h>
 
-path_verdict path_in_lines(const path_pair *pair) {
-  path_verdict worst = PATH_FREE;
-  for (int v = 0; v < PATH_VERDICTS; v++) {
-    worst = pair->lines[v] > 0 ? (path_verdict)v : worst;
+report_verdict path_in_lines(const path_pair *pair) {
+  report_verdict worst = VERDICT_FREE;
+  for (int v = 0; v < VERDICTS; v++) {
+    worst = pair->lines[v] > 0 ? (report_verdict)v : worst;
   }
   return worst;
 }
 
-path_verdict path_between_lines(const path_pair *pair) {
+report_verdict path_between_lines(const path_pair *pair) {
   const path_proof *proof = &pair->proof;
-  return proof->collides ? PATH_COLLISION : proof->is_open ? PATH_UNDECIDED : PATH_FREE;
+  return proof->collides ? VERDICT_COLLISION : proof->is_open ? VERDICT_UNDECIDED : VERDICT_FREE;
 }
 
-path_verdict path_verdict_of(const path_pair *pair) {
-  path_verdict lines = path_in_lines(pair);
-  path_verdict between = path_between_lines(pair);
+report_verdict path_verdict_of(const path_pair *pair) {
+  report_verdict lines = path_in_lines(pair);
+  report_verdict between = path_between_lines(pair);
   return between > lines ? between : lines;
 }
 
-path_verdict path_worst(const path_scene *scene) {
-  path_verdict worst = PATH_FREE;
+report_verdict path_worst(const path_scene *scene) {
+  report_verdict worst = VERDICT_FREE;
   for (size_t n = 0; n < scene->pairs; n++) {
-    path_verdict v = path_verdict_of(&scene->pair[n]);
+    report_verdict v = path_verdict_of(&scene->pair[n]);
     worst = v > worst ? v : worst;
   }
   return worst;
@@ -65,9 +65,9 @@ static bool is_before(path_moment a, path_moment b) {
   return a.line < b.line || (a.line == b.line && a.part < b.part);
 }
 
-path_moment path_first(const path_pair *pair, path_verdict verdict) {
+path_moment path_first(const path_pair *pair, report_verdict verdict) {
   path_moment first = {pair->first[verdict], 0};
-  if (verdict > PATH_WARNING && path_between_lines(pair) == verdict) {
+  if (verdict > VERDICT_WARNING && path_between_lines(pair) == verdict) {
     path_moment between = path_between_moment(pair);
     first = is_before(between, first) ? between : first;
   }
@@ -75,15 +75,15 @@ path_moment path_first(const path_pair *pair, path_verdict verdict) {
 }
 
 path_moment path_worst_moment(const path_scene *scene) {
-  path_verdict worst = path_worst(scene);
+  report_verdict worst = path_worst(scene);
   path_moment first = {PATH_NO_LINE, 0};
   double least = INFINITY;
   for (size_t n = 0; n < scene->pairs; n++) {
     const path_pair *pair = &scene->pair[n];
-    if (worst == PATH_FREE && pair->least < least) {
+    if (worst == VERDICT_FREE && pair->least < least) {
       least = pair->least;
       first.line = pair->least_line;
-    } else if (worst != PATH_FREE && is_before(path_first(pair, worst), first)) {
+    } else if (worst != VERDICT_FREE && is_before(path_first(pair, worst), first)) {
       first = path_first(pair, worst);
     }
   }

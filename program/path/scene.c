@@ -151,7 +151,7 @@ static bool joined(const sepax_mechanism *m, size_t a, size_t b) {
 static bool add_pair(path_scene *scene, size_t a, size_t b, sepax_error *error) {
   path_pair *pair = &scene->pair[scene->pairs];
   *pair = (path_pair){.body = {a, b}, .least = INFINITY, .least_line = PATH_NO_LINE};
-  for (int v = 0; v < PATH_VERDICTS; v++) {
+  for (int v = 0; v < VERDICTS; v++) {
     pair->first[v] = PATH_NO_LINE;
   }
   if (!sepax_chain_find(&pair->chain, &scene->robot.mechanism, scene->body[a].link,

@@ -59,7 +59,7 @@ static bool within_limit(const asking *a, double distance, double limit, bool *n
 
 static bool find_distance(asking *a, double *distance, sepax_error *error) {
   path_pair *pair = a->pair;
-  double asked = fmax(a->all->q->clearance.length, a->all->q->warning.length);
+  double asked = fmax(a->all->q->bands.clearance.length, a->all->q->bands.warning.length);
   double limit = fmax(pair->least, asked * (1 + 0x1p-49));
   const sepax_distance_request request = {.limit = isfinite(limit) ? limit : 0,
                                           .last = a->has_last ? &a->last : NULL};
@@ -83,24 +83,24 @@ static bool find_distance(asking *a, double *distance, sepax_error *error) {
 
 /* The verdict on the surfaces: by the distance as long as a lesser one may be found, then only as
  * far as is asked. */
-static bool ask_surfaces(asking *a, path_verdict *verdict, sepax_error *error) {
+static bool ask_surfaces(asking *a, report_verdict *verdict, sepax_error *error) {
   const path_question *q = a->all->q;
-  const path_limit *limits[] = {&q->clearance, &q->warning};
-  static const path_verdict bands[] = {PATH_COLLISION, PATH_WARNING};
+  const report_limit *limits[] = {&q->bands.clearance, &q->bands.warning};
+  static const report_verdict bands[] = {VERDICT_COLLISION, VERDICT_WARNING};
   double distance = 0;
   bool measured = !q->no_distance && a->pair->least > 0;
   if (measured && !find_distance(a, &distance, error)) {
     return false;
   }
-  *verdict = PATH_FREE;
-  for (int i = 0; i < (q->warning.text != NULL ? 2 : 1) && *verdict == PATH_FREE; i++) {
+  *verdict = VERDICT_FREE;
+  for (int i = 0; i < (q->bands.warning.text != NULL ? 2 : 1) && *verdict == VERDICT_FREE; i++) {
     double limit = limits[i]->length;
     bool near = false;
     if (!(measured ? within_limit(a, distance, limit, &near, error)
                    : any_near(a, limit, &near, error))) {
       return false;
     }
-    *verdict = near ? bands[i] : PATH_FREE;
+    *verdict = near ? bands[i] : VERDICT_FREE;
   }
   return true;
 }
@@ -132,7 +132,7 @@ static bool boxes_overlap(const asking *a) {
 }
 
 /* A part of one body inside a part of the other. */
-static bool ask_within(const asking *a, path_verdict *verdict, sepax_error *error) {
+static bool ask_within(const asking *a, report_verdict *verdict, sepax_error *error) {
   for (size_t i = 0; i < a->body[0]->parts; i++) {
     for (size_t k = 0; k < a->body[1]->parts; k++) {
       sepax_inside within[2];
@@ -141,12 +141,12 @@ static bool ask_within(const asking *a, path_verdict *verdict, sepax_error *erro
         return false;
       }
       for (int side = 0; side < 2; side++) {
-        path_verdict v = within[side] == SEPAX_INSIDE           ? PATH_COLLISION
-                         : within[side] == SEPAX_INSIDE_UNKNOWN ? PATH_UNDECIDED
-                                                                : PATH_FREE;
+        report_verdict v = within[side] == SEPAX_INSIDE           ? VERDICT_COLLISION
+                           : within[side] == SEPAX_INSIDE_UNKNOWN ? VERDICT_UNDECIDED
+                                                                  : VERDICT_FREE;
         *verdict = v > *verdict ? v : *verdict;
       }
-      if (*verdict == PATH_COLLISION) {
+      if (*verdict == VERDICT_COLLISION) {
         return true;
       }
     }
@@ -154,18 +154,18 @@ static bool ask_within(const asking *a, path_verdict *verdict, sepax_error *erro
   return true;
 }
 
-static bool ask(asking *a, path_verdict *verdict, sepax_error *error) {
+static bool ask(asking *a, report_verdict *verdict, sepax_error *error) {
   path_pair *pair = a->pair;
   if (!ask_surfaces(a, verdict, error)) {
     return false;
   }
-  if (*verdict == PATH_COLLISION || a->all->q->surfaces || !boxes_overlap(a)) {
+  if (*verdict == VERDICT_COLLISION || a->all->q->surfaces || !boxes_overlap(a)) {
     return true;
   }
   if (!ask_within(a, verdict, error)) {
     return false;
   }
-  if (*verdict == PATH_COLLISION && pair->least > 0) {
+  if (*verdict == VERDICT_COLLISION && pair->least > 0) {
     pair->least = 0;
     pair->least_line = a->line;
     pair->inside = true;
@@ -192,7 +192,7 @@ static bool has_moved(const path_scene *scene, const path_pair *pair, size_t lin
 static bool ask_lines(work *all, path_pair *pair, sepax_error *error) {
   const path_scene *scene = all->scene;
   const format_motion *motion = &scene->motion;
-  path_verdict verdict = PATH_FREE;
+  report_verdict verdict = VERDICT_FREE;
   asking a = {
       .all = all, .pair = pair, .body = {&scene->body[pair->body[0]], &scene->body[pair->body[1]]}};
   for (size_t line = 0; line < motion->lines && !atomic_load(&all->stop); line++) {
@@ -216,7 +216,7 @@ static bool ask_lines(work *all, path_pair *pair, sepax_error *error) {
       cli_progress_show(all->progress, done);
       atomic_flag_clear(&all->showing);
     }
-    if (verdict == PATH_COLLISION && path_status_only(all->q)) {
+    if (verdict == VERDICT_COLLISION && path_status_only(all->q)) {
       atomic_store(&all->stop, true);
     }
   }
@@ -235,7 +235,7 @@ static void work_on(void *context, size_t part) {
 }
 
 bool path_status_only(const path_question *q) {
-  return q->quiet && q->csv == NULL && q->picture == NULL && q->page == NULL;
+  return q->output.quiet && q->csv == NULL && q->picture == NULL && q->page == NULL;
 }
 
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error) {

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-const char *const path_names[PATH_VERDICTS] = {"FREE", "WARNING", "UNDECIDED", "COLLISION"};
-
 /* "line 17 (0.1 s)" */
 static void print_line(const path_scene *scene, size_t line) {
   printf("line %zu", scene->motion.line[line]);
@@ -94,9 +92,9 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
   char names[2 * 64 + 4];
   snprintf(names, sizeof names, "%.60s, %.60s", path_body_name(scene, pair->body[0]),
            path_body_name(scene, pair->body[1]));
-  printf("%-9s  %-*s", path_names[path_verdict_of(pair)], width, names);
+  printf("%-9s  %-*s", report_verdict_titles[path_verdict_of(pair)], width, names);
   const char *before = "  ";
-  for (int v = PATH_COLLISION; v > PATH_FREE; v--) {
+  for (int v = VERDICT_COLLISION; v > VERDICT_FREE; v--) {
     static const char *const what[] = {"", "a warning", "undecided", "collide"};
     if (pair->lines[v] > 0) {
       printf("%s%s in ", before, what[v]);
@@ -106,10 +104,10 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
       before = "; ";
     }
   }
-  fputs(path_in_lines(pair) == PATH_FREE ? "  free in all lines" : "", stdout);
-  fputs(pair->proof.certified
-            ? path_in_lines(pair) == PATH_FREE ? " and between them" : "; no collision between them"
-            : "",
+  fputs(path_in_lines(pair) == VERDICT_FREE ? "  free in all lines" : "", stdout);
+  fputs(pair->proof.certified ? path_in_lines(pair) == VERDICT_FREE ? " and between them"
+                                                                    : "; no collision between them"
+                              : "",
         stdout);
   print_way(scene, pair);
   print_least(scene, pair);
@@ -187,10 +185,10 @@ static void print_motion(const path_scene *scene, const path_question *q) {
 }
 
 static void print_limits(const path_question *q) {
-  if (q->clearance.text != NULL) {
-    printf("bands  collision up to %.9g mm", 1e3 * q->clearance.length);
-    if (q->warning.text != NULL) {
-      printf(", warning up to %.9g mm", 1e3 * q->warning.length);
+  if (q->bands.clearance.text != NULL) {
+    printf("bands  collision up to %.9g mm", 1e3 * q->bands.clearance.length);
+    if (q->bands.warning.text != NULL) {
+      printf(", warning up to %.9g mm", 1e3 * q->bands.warning.length);
     }
     putchar('\n');
   }
@@ -245,7 +243,7 @@ static void print_jobs(const path_scene *scene, const path_question *q) {
 }
 
 void path_print_text(const path_scene *scene, const path_question *q) {
-  path_verdict worst = path_worst(scene);
+  report_verdict worst = path_worst(scene);
   int width = 0;
   size_t such = 0;
   for (size_t n = 0; n < scene->pairs; n++) {
@@ -273,9 +271,9 @@ void path_print_text(const path_scene *scene, const path_question *q) {
     print_certificate(scene, q);
   }
   path_moment first = path_worst_moment(scene);
-  printf("%s  %zu of ", path_names[worst], such);
+  printf("%s  %zu of ", report_verdict_titles[worst], such);
   print_count(scene->pairs, "pair");
-  if (worst != PATH_FREE) {
+  if (worst != VERDICT_FREE) {
     fputs(", first ", stdout);
     if (first.part > 0) {
       print_segment(scene, first.line);

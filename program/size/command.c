@@ -153,9 +153,8 @@ static void parse_motion(const struct argp_state *state, sepax_motion *m, const 
 }
 
 static double parse_time(const struct argp_state *state, const char *text) {
-  static const cli_unit units[] = {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}, {NULL, 0}};
   double seconds;
-  const char *end = cli_scan(text, units, &seconds);
+  const char *end = cli_scan(text, cli_times, CLI_SECONDS, &seconds);
   if (end == NULL || *end != '\0' || (end[-1] != 's') || !(seconds > 0)) {
     argp_error(state, "time: '%s' is no time; give 1ms, say", text);
   }
@@ -227,8 +226,8 @@ static void check_scene(size_options *o, const struct argp_state *state) {
   const path_question *q = &o->scene;
   o->is_scene = ends_in(o->path[0], ".urdf") || ends_in(o->path[1], ".csv");
   if (!o->is_scene) {
-    if (q->srdf != NULL || q->packages > 0 || q->clearance.text != NULL ||
-        q->warning.text != NULL || q->rules.hold || q->rules.ignore_limits) {
+    if (q->srdf != NULL || q->packages > 0 || q->bands.clearance.text != NULL ||
+        q->bands.warning.text != NULL || q->rules.hold || q->rules.ignore_limits) {
       argp_error(state,
                  "srdf, package, clearance, warning, hold, ignore-limits: are for a URDF and "
                  "a CSV file; leave them out");
@@ -245,7 +244,7 @@ static void check_scene(size_options *o, const struct argp_state *state) {
   o->scene.motion = o->path[1];
   o->scene.keep = true;
   if (o->resolution != NULL) {
-    o->scene.lsb = path_length(state, "resolution", o->resolution);
+    o->scene.lsb = cli_limit(state, "resolution", o->resolution, CLI_METRES);
   }
 }
 

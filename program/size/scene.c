@@ -109,7 +109,8 @@ static bool measure_pairs(size_answer *answer, double cycles, sepax_error *error
 
 bool size_scene_read(size_answer *answer, const size_options *o, sepax_error *error) {
   double cycles = o->request.seconds / (o->clock.clock_ps * 1e-12);
-  return path_bands_agree(&o->scene, error) && path_scene_load(&answer->scene, &o->scene, error) &&
+  return report_bands_agree(&o->scene.bands, error) &&
+         path_scene_load(&answer->scene, &o->scene, error) &&
          path_engine_make(&answer->engine, &answer->scene, &o->scene, error) &&
          measure_pairs(answer, cycles, error);
 }

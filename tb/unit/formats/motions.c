@@ -139,7 +139,7 @@ CASE(test_refused) {
   refuse_text("x,a,m\n0,0,0\n", "column 'm': this joint follows another one");
   refuse_text("x [deg],a\n0,0\n", "column 'x': unit [deg] is none of: m, mm, um, nm");
   refuse_text("x,a [mm]\n0,0\n", "column 'a': unit [mm] is none of: rad, deg");
-  refuse_text("x,a,time [h]\n0,0,0\n", "unit [h] is none of: s, ms, us");
+  refuse_text("x,a,time [h]\n0,0,0\n", "unit [h] is none of: s, ms, us, ns");
   refuse_text("time,x\n0,0\n", "p.csv:1: joint a has no column; add one, or give --hold");
   refuse_text("x,a\n0\n", "p.csv:2: 1 columns, but the header has 2");
   refuse_text("x,a\n0,0\n0,0,0\n", "p.csv:3: 3 columns, but the header has 2; mend the line");

@@ -1,0 +1,95 @@
+/* question.c - options that sepax check, sepax path and sepax size share. */
+#include "cli/question.h"
+#include "cli/units.h"
+#include "util/error.h"
+
+/* ------------------------------------------------------------------------- bands */
+
+enum { KEY_CLEARANCE = 0x600, KEY_WARNING };
+
+static const struct argp_option bands_options[] = {
+    {"clearance", KEY_CLEARANCE, "LENGTH", 0,
+     "bodies collide unless they are farther from each other than LENGTH: 0.1mm, say, with nm, um, "
+     "mm or m; without a unit it is mm for STL files, m for a URDF",
+     0},
+    {"warning", KEY_WARNING, "LENGTH", 0,
+     "a second, larger clearance: warn of bodies unless they are farther from each other than "
+     "LENGTH",
+     0},
+    {0}};
+
+report_limit cli_limit(const struct argp_state *state, const char *option, const char *text,
+                       int unit) {
+  bool metres = unit == CLI_METRES;
+  report_limit limit = {text, 0};
+  const char *end = cli_scan(text, cli_lengths, unit, &limit.length);
+  if (end == NULL || *end != '\0') {
+    argp_error(state, "%s: '%s' is not a length; give %s", option, text,
+               metres ? "0.1mm, or metres" : "0.002, or 2um where file units are mm");
+  }
+  if (!(limit.length >= 0 && limit.length <= (metres ? 1e9 : 0x1p1000))) {
+    argp_error(state, "%s: %s is not within 0 ... %s", option, text,
+               metres ? "1e9 m" : "2^1000 mm");
+  }
+  return limit;
+}
+
+static error_t parse_bands(int key, char *text, struct argp_state *state) {
+  report_bands *bands = state->input;
+  switch (key) {
+  case KEY_CLEARANCE:
+    bands->clearance = cli_limit(state, "clearance", text, bands->unit);
+    return 0;
+  case KEY_WARNING:
+    bands->warning = cli_limit(state, "warning", text, bands->unit);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+const struct argp cli_bands_argp = {bands_options, parse_bands, NULL, NULL, NULL, NULL, NULL};
+
+/* ------------------------------------------------------------------------- output */
+
+static const struct argp_option output_options[] = {
+    {"json", 'j', NULL, 0, "print JSON instead of text", 0},
+    {"quiet", 'q', NULL, 0, "print nothing: the exit status tells", 0},
+    {0}};
+
+static error_t parse_output(int key, char *text, struct argp_state *state) {
+  cli_output *output = state->input;
+  (void)text;
+  output->json = output->json || key == 'j';
+  output->quiet = output->quiet || key == 'q';
+  return key == 'j' || key == 'q' ? 0 : ARGP_ERR_UNKNOWN;
+}
+
+const struct argp cli_output_argp = {output_options, parse_output, NULL, NULL, NULL, NULL, NULL};
+
+bool cli_question_agrees(const cli_output *output, const report_bands *bands, sepax_error *error) {
+  if (output->quiet && output->json) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "quiet: there is nothing to print as JSON; leave one of them out");
+  }
+  return report_bands_agree(bands, error);
+}
+
+bool cli_outputs_distinct(const char *const *outputs, int count, const char *const *inputs,
+                          int inputs_count, sepax_error *error) {
+  for (int i = 0; i < count; i++) {
+    for (int k = 0; k < inputs_count && outputs[i] != NULL; k++) {
+      if (inputs[k] != NULL && cli_same_file(outputs[i], inputs[k])) {
+        return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                          "%.300s: is read; name another file to write", outputs[i]);
+      }
+    }
+    for (int k = 0; k < i && outputs[i] != NULL; k++) {
+      if (outputs[k] != NULL && cli_same_file(outputs[i], outputs[k])) {
+        return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                          "%.300s: two options name this file; name two", outputs[i]);
+      }
+    }
+  }
+  return true;
+}
