@@ -153,7 +153,7 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   }
   arith_plan *plan = malloc(sizeof *plan);
   if (plan == NULL) {
-    abort();
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a multiplier");
   }
   arith_form form = form_of(o);
   arith_plan_make(plan, &form, o->period > 0 ? o->period : 1e9);
@@ -165,7 +165,7 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
     gen_dsp(&e, form.delay);
   }
   gen_multiplier(&e, plan);
-  bool ok = e.error.text[0] == '\0';
+  bool ok = emit_works(&e);
   if (!ok) {
     *error = e.error;
   }

@@ -76,12 +76,14 @@ double aabb_delay(const sepax_design *design) {
   return bounds + compare + m->aabb;
 }
 
-int gen_aabb_test(emitter *e, const emit_holes *h) {
-  if (!e->design->aabb_test) {
-    return 0;
+void gen_aabb_test(emitter *e, const emit_holes *h) {
+  if (e->design->aabb_test) {
+    gen_bounds(e);
+    gen_disjoint(e);
+    emit_template(e, "sepax_aabb_test", h->hole);
   }
-  gen_bounds(e);
-  gen_disjoint(e);
-  emit_template(e, "sepax_aabb_test", h->hole);
-  return e->design->config.extent_a > 0 ? 2 : 1;
+}
+
+int aabb_latency(const sepax_design *design) {
+  return !design->aabb_test ? 0 : design->config.extent_a > 0 ? 2 : 1;
 }

@@ -18,8 +18,11 @@ void aabb_holes(emit_holes *h, const sepax_design *design);
 /* ns of the longest stage of the AABB test behind its register; 0 without one. */
 double aabb_delay(const sepax_design *design);
 
-/* sepax_aabb_test, if the design has an AABB test before the core. Returns the cycles from a pair
- * taken by sepax_top to the narrow phase that it is offered to. */
-int gen_aabb_test(emitter *e, const emit_holes *h);
+/* sepax_aabb_test, if the design has an AABB test before the core. */
+void gen_aabb_test(emitter *e, const emit_holes *h);
+
+/* Cycles from a pair taken by sepax_top to the narrow phase that it is offered to; 0 without an
+ * AABB test. */
+int aabb_latency(const sepax_design *design);
 
 #endif

@@ -1,7 +1,6 @@
 /* arith.c - multipliers planned: rows, full adders, pipeline registers. */
 #include "arith.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* ------------------------------------------------------------------------ planning */
@@ -13,7 +12,8 @@ typedef struct {
 
 static int add_bit(arith_plan *p, arith_source source, int from, int index, arith_moment made) {
   if (p->bits == ARITH_BITS) {
-    abort();
+    p->fault = "more bits than ARITH_BITS";
+    return 0;
   }
   p->bit[p->bits] = (arith_bit){source, from, index, made, made.stage, {0}};
   return p->bits++;
@@ -23,9 +23,10 @@ static arith_moment later(arith_moment a, arith_moment b) {
   return a.stage > b.stage || (a.stage == b.stage && a.time >= b.time) ? a : b;
 }
 
-static void put(column *c, int bit) {
+static void put(arith_plan *p, column *c, int bit) {
   if (c->count == ARITH_WIDTH) {
-    abort();
+    p->fault = "more bits in a column than ARITH_WIDTH";
+    return;
   }
   c->bit[c->count++] = bit;
 }
@@ -69,13 +70,14 @@ static void plan_rows(arith_plan *p, column *columns, int weight[ARITH_WIDTH], i
     int bits = arith_row_bits(p, row);
     int from = term * p->rows + row;
     for (int i = 0; i < bits; i++) {
-      put(&columns[2 * row + i], add_bit(p, ARITH_ROW, from, i, (arith_moment){0, time}));
+      put(p, &columns[2 * row + i], add_bit(p, ARITH_ROW, from, i, (arith_moment){0, time}));
     }
     if (arith_row_whole(p, row)) {
       weight[2 * row + bits - 1]++;
     }
-    put(&columns[2 * row], add_bit(p, ARITH_NEGATIVE, from, from,
-                                   (arith_moment){0, time - p->delay->early_correction}));
+    put(p, &columns[2 * row],
+        add_bit(p, ARITH_NEGATIVE, from, from,
+                (arith_moment){0, time - p->delay->early_correction}));
   }
 }
 
@@ -84,7 +86,7 @@ static void plan_rows(arith_plan *p, column *columns, int weight[ARITH_WIDTH], i
 static void plan_addend(arith_plan *p, column *columns, int weight[ARITH_WIDTH], int number) {
   const arith_addend *a = &p->addend[number];
   for (int i = 0; i < a->width && a->place + i < p->p_w; i++) {
-    put(&columns[a->place + i], add_bit(p, ARITH_ADDEND, number, i, (arith_moment){0, 0}));
+    put(p, &columns[a->place + i], add_bit(p, ARITH_ADDEND, number, i, (arith_moment){0, 0}));
   }
   if (a->width > 0) {
     weight[a->place + a->width - 1] += a->place + a->width < p->p_w;
@@ -172,10 +174,11 @@ static void place_adder(const arith_plan *p, arith_adder *a) {
 
 /* Three bits of a column, or two, or two and a one, become one and a carry. */
 static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, double available) {
-  arith_adder *a = &p->adder[p->adders];
   if (p->adders == ARITH_ADDERS) {
-    abort();
+    p->fault = "more adders than ARITH_ADDERS";
+    return;
   }
+  arith_adder *a = &p->adder[p->adders];
   int inputs = kind == ARITH_FULL ? 3 : 2;
   bool top = at == p->p_w - 1;
   kind = top ? kind + (ARITH_TOP_FULL - ARITH_FULL) : kind;
@@ -195,9 +198,9 @@ static void add_adder(arith_plan *p, column *columns, int at, arith_kind kind, d
   p->levels = a->level > p->levels ? a->level : p->levels;
   place_adder(p, a);
   int number = p->adders++;
-  put(&columns[at], add_bit(p, ARITH_SUM, number, a->order, sum));
+  put(p, &columns[at], add_bit(p, ARITH_SUM, number, a->order, sum));
   if (!top) {
-    put(&columns[at + 1], add_bit(p, ARITH_CARRY, number, a->order, carry));
+    put(p, &columns[at + 1], add_bit(p, ARITH_CARRY, number, a->order, carry));
   }
 }
 
@@ -219,10 +222,8 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
   memcpy(p->addend, form->addend, sizeof p->addend);
   double used = form->used + (p->plain ? delay_adder(m, p->sum_w) : 0);
   int p_w = p->p_w;
-  column *columns = calloc(ARITH_WIDTH, sizeof *columns);
-  if (columns == NULL) {
-    abort();
-  }
+  column columns[ARITH_WIDTH];
+  memset(columns, 0, sizeof columns);
   bool one[ARITH_WIDTH] = {false};
   plan_columns(p, columns, one, used + delay_row(m, p->a_w));
   arith_moment last = {0, 0};
@@ -230,12 +231,12 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
     if (one[c] && columns[c].count >= 2) {
       add_adder(p, columns, c, ARITH_PLUS_ONE, available);
     } else if (one[c]) {
-      put(&columns[c], add_bit(p, ARITH_ONE, 0, -1, (arith_moment){0, 0}));
+      put(p, &columns[c], add_bit(p, ARITH_ONE, 0, -1, (arith_moment){0, 0}));
     }
     if (c >= RIPPLE && columns[c].count > 2 && columns[c].count % 2 == 1) {
       add_adder(p, columns, c, ARITH_HALF, available);
     }
-    while (columns[c].count > 2) {
+    while (columns[c].count > 2 && p->fault == NULL) {
       add_adder(p, columns, c, ARITH_FULL, available);
     }
     for (int i = 0; i < 2; i++) {
@@ -245,11 +246,11 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
       }
     }
   }
-  free(columns);
   double skew = last.stage > 0 ? m->skew_lost : 0;
   p->latency = settle(last, delay_adder(m, p_w) + skew, available).stage;
   if (p->latency >= ARITH_STAGES) {
-    abort(); /* more pipeline registers than ARITH_STAGES */
+    p->fault = "more pipeline registers than ARITH_STAGES";
+    return;
   }
   for (int c = 0; c < p_w; c++) {
     for (int i = 0; i < 2; i++) {

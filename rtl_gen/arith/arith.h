@@ -83,6 +83,7 @@ typedef struct {
 } arith_cut;
 
 typedef struct {
+  const char *fault; /* NULL, or why the plan is none: more than it holds */
   const delay_model *delay;
   int a_w, b_w, p_w;
   arith_cut cut;
@@ -106,8 +107,9 @@ typedef struct {
 double arith_shortest(const arith_form *form);
 
 /* Plan the multiplier for a period in ns, not below arith_shortest: its latency is the least that
- * the delay model (datapath/delay.h) allows. More bits, adders or columns than the plan holds end
- * the program; 80 x 80 bits, the most that a design asks for, fit. */
+ * the delay model (datapath/delay.h) allows. A multiplier of more bits, adders or columns than the
+ * plan holds gets a fault, and gen_multiplier refuses it; 80 x 80 bits, the most that a design asks
+ * for, fit. */
 void arith_plan_make(arith_plan *plan, const arith_form *form, double period);
 
 /* The same for an FPGA: gates are not planned. A product alone, or one of those that are summed. */

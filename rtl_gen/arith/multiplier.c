@@ -109,8 +109,8 @@ static int run_text(const arith_plan *p, const int bit[], int at, int stage, gen
 }
 
 /* {highest ... lowest} of these bits on lines of their own, runs of one vector as ranges. */
-static void print_bits(FILE *out, const arith_plan *p, const int bit[], int count, int stage) {
-  int column = fprintf(out, "\n    {");
+static void print_bits(emit_text *out, const arith_plan *p, const int bit[], int count, int stage) {
+  int column = text_printf(out, "\n    {");
   const char *separator = "";
   for (int i = count - 1; i >= 0; separator = ", ") {
     gen_line text;
@@ -119,21 +119,21 @@ static void print_bits(FILE *out, const arith_plan *p, const int bit[], int coun
       column = 5;
       separator = ",\n     ";
     }
-    column += fprintf(out, "%s%s", separator, text.text);
+    column += text_printf(out, "%s%s", separator, text.text);
   }
-  fputc('}', out);
+  text_putc(out, '}');
 }
 
 /* The operator between lists of `count` bits. */
-static void print_terms(FILE *out, const arith_plan *p, const char *op,
+static void print_terms(emit_text *out, const arith_plan *p, const char *op,
                         const int input[][ARITH_WIDTH], int inputs, int count, int stage) {
   bool inverted = op[0] == '~';
-  fputs(inverted ? " ~(" : "", out);
+  text_puts(out, inverted ? " ~(" : "");
   for (int k = 0; k < inputs; k++) {
-    fprintf(out, "%s%s", k > 0 ? " " : "", k > 0 ? op + inverted : "");
+    text_printf(out, "%s%s", k > 0 ? " " : "", k > 0 ? op + inverted : "");
     print_bits(out, p, input[k], count, stage);
   }
-  fputs(inverted ? ")" : "", out);
+  text_puts(out, inverted ? ")" : "");
 }
 
 /* --------------------------------------------------------------------------- structure */
@@ -160,33 +160,34 @@ static gen_line top_digit(const arith_plan *p, int term) {
   return gen_format("{{%d{%s[%d]}}, %s}", 2 - msb + lsb, name, term * p->b_w + msb, high.text);
 }
 
-static void print_row(FILE *out, const arith_plan *p, int term, int row) {
+static void print_row(emit_text *out, const arith_plan *p, int term, int row) {
   int bits = arith_row_bits(p, row);
   int number = term * p->rows + row;
   bool top = row == p->rows - 1;
   const gen_line digit = !top            ? factor_bits(p, 'b', term, 2 * row + 1, 2 * row)
                          : p->terms == 0 ? gen_format("top")
                                          : top_digit(p, term);
-  fprintf(out, "  %s #(.A_W(%d), .ROW_W(%d)) digit_%d (\n",
-          top            ? "sepax_top_digit"
-          : p->less == 2 ? "sepax_digit_2"
-                         : "sepax_digit",
-          p->a_w, bits, number);
-  fprintf(out, "    .a(%s),\n    .b(%s),\n    .row(plain_%d),\n    .negative(negative[%d])\n  );\n",
-          factor_bits(p, 'a', term, p->a_w - 1, 0).text, digit.text, number, number);
+  text_printf(out, "  %s #(.A_W(%d), .ROW_W(%d)) digit_%d (\n",
+              top            ? "sepax_top_digit"
+              : p->less == 2 ? "sepax_digit_2"
+                             : "sepax_digit",
+              p->a_w, bits, number);
+  text_printf(out,
+              "    .a(%s),\n    .b(%s),\n    .row(plain_%d),\n    .negative(negative[%d])\n  );\n",
+              factor_bits(p, 'a', term, p->a_w - 1, 0).text, digit.text, number, number);
   if (arith_row_whole(p, row)) {
-    fprintf(out, "  assign row_%d = {~plain_%d[%d], plain_%d[%d:0]};\n", number, number, bits - 1,
-            number, bits - 2);
+    text_printf(out, "  assign row_%d = {~plain_%d[%d], plain_%d[%d:0]};\n", number, number,
+                bits - 1, number, bits - 2);
   } else {
-    fprintf(out, "  assign row_%d = plain_%d;\n", number, number);
+    text_printf(out, "  assign row_%d = plain_%d;\n", number, number);
   }
 }
 
-static void print_digits(FILE *out, const arith_plan *p) {
+static void print_digits(emit_text *out, const arith_plan *p) {
   int terms = p->terms > 0 ? p->terms : 1;
   for (int row = 0; row < terms * p->rows; row++) {
     int msb = arith_row_bits(p, row % p->rows) - 1;
-    fprintf(out, "  wire [%d:0] plain_%d;\n  wire [%d:0] row_%d;\n", msb, row, msb, row);
+    text_printf(out, "  wire [%d:0] plain_%d;\n  wire [%d:0] row_%d;\n", msb, row, msb, row);
   }
   for (int row = 0; row < terms * p->rows; row++) {
     print_row(out, p, row / p->rows, row % p->rows);
@@ -194,38 +195,38 @@ static void print_digits(FILE *out, const arith_plan *p) {
 }
 
 /* What is subtracted is inverted; so is the highest bit of what is narrower than the sum. */
-static void print_addends(FILE *out, const arith_plan *p) {
+static void print_addends(emit_text *out, const arith_plan *p) {
   for (int k = 0; k < ARITH_ADDENDS; k++) {
     const arith_addend *a = &p->addend[k];
     int msb = a->width - 1;
     bool whole = a->place + a->width >= p->p_w;
     if (a->width > 0) {
-      fprintf(out, "  wire [%d:0] addend_%d;\n  assign addend_%d = {%s%c[%d], %s%c[%d:0]};\n", msb,
-              k, k, a->minus == whole ? "~" : "", 'c' + k, msb, a->minus ? "~" : "", 'c' + k,
-              msb - 1);
+      text_printf(out, "  wire [%d:0] addend_%d;\n  assign addend_%d = {%s%c[%d], %s%c[%d:0]};\n",
+                  msb, k, k, a->minus == whole ? "~" : "", 'c' + k, msb, a->minus ? "~" : "",
+                  'c' + k, msb - 1);
     }
   }
 }
 
-static void print_full_adders(FILE *out, const arith_plan *p, const arith_adder *a,
+static void print_full_adders(emit_text *out, const arith_plan *p, const arith_adder *a,
                               const int input[3][ARITH_WIDTH], int count) {
   const gen_line name = adder_name(a, "fa");
   for (int k = 0; k < 3; k++) {
     const gen_line wire = gen_format("%s_%c", name.text, 'a' + k);
-    fprintf(out, "  wire [%d:0] %s;\n  assign %s =", count - 1, wire.text, wire.text);
+    text_printf(out, "  wire [%d:0] %s;\n  assign %s =", count - 1, wire.text, wire.text);
     print_bits(out, p, input[k], count, a->stage);
-    fputs(";\n", out);
+    text_puts(out, ";\n");
   }
-  fprintf(out, "  sepax_fa #(.N(%d)) %s (\n", count, name.text);
+  text_printf(out, "  sepax_fa #(.N(%d)) %s (\n", count, name.text);
   for (int k = 'a'; k <= 'c'; k++) {
-    fprintf(out, "    .%c(%s_%c),\n", k, name.text, k);
+    text_printf(out, "    .%c(%s_%c),\n", k, name.text, k);
   }
-  fprintf(out, "    .sum(%s),\n    .carry(%s)\n  );\n", adder_name(a, "sum").text,
-          adder_name(a, "carry").text);
+  text_printf(out, "    .sum(%s),\n    .carry(%s)\n  );\n", adder_name(a, "sum").text,
+              adder_name(a, "carry").text);
 }
 
 /* The adders of one kind, level, stage and copy side by side, in the order of their columns. */
-static void print_group(FILE *out, const arith_plan *p, const arith_adder *first) {
+static void print_group(emit_text *out, const arith_plan *p, const arith_adder *first) {
   int input[3][ARITH_WIDTH];
   int count = 0;
   for (const arith_adder *a = first; a < p->adder + p->adders; a++) {
@@ -240,22 +241,22 @@ static void print_group(FILE *out, const arith_plan *p, const arith_adder *first
   const char *op[] = {adders[first->kind].sum, adders[first->kind].carry};
   const gen_line name[] = {adder_name(first, "sum"), adder_name(first, "carry")};
   for (int k = 0; k < (first->kind < ARITH_TOP_FULL ? 2 : 1); k++) {
-    fprintf(out, "  wire [%d:0] %s;\n", count - 1, name[k].text);
+    text_printf(out, "  wire [%d:0] %s;\n", count - 1, name[k].text);
   }
   if (first->kind == ARITH_FULL) {
     print_full_adders(out, p, first, input, count);
   }
   for (int k = 1; k >= 0; k--) {
     if (op[k] != NULL) {
-      fprintf(out, "  assign %s =", name[k].text);
+      text_printf(out, "  assign %s =", name[k].text);
       print_terms(out, p, op[k], input, adders[first->kind].inputs, count, first->stage);
-      fputs(";\n", out);
+      text_puts(out, ";\n");
     }
   }
 }
 
 /* Every bit that is used behind a pipeline register and made before it passes the register. */
-static void print_register(FILE *out, const arith_plan *p, int stage) {
+static void print_register(emit_text *out, const arith_plan *p, int stage) {
   int crossing[ARITH_BITS];
   int count = 0;
   for (int i = 0; i < p->bits; i++) {
@@ -264,13 +265,14 @@ static void print_register(FILE *out, const arith_plan *p, int stage) {
       crossing[count++] = i;
     }
   }
-  fprintf(out, "\n  // Pipeline register %d.\n  reg [%d:0] stage_%d;\n", stage, count - 1, stage);
-  fprintf(out, "  always @(posedge clk) begin\n    stage_%d <=", stage);
+  text_printf(out, "\n  // Pipeline register %d.\n  reg [%d:0] stage_%d;\n", stage, count - 1,
+              stage);
+  text_printf(out, "  always @(posedge clk) begin\n    stage_%d <=", stage);
   print_bits(out, p, crossing, count, stage - 1);
-  fputs(";\n  end\n", out);
+  text_puts(out, ";\n  end\n");
 }
 
-static void print_adders(FILE *out, const arith_plan *p) {
+static void print_adders(emit_text *out, const arith_plan *p) {
   for (int stage = 0; stage <= p->latency; stage++) {
     if (stage > 0) {
       print_register(out, p, stage);
@@ -281,7 +283,7 @@ static void print_adders(FILE *out, const arith_plan *p) {
       for (const arith_adder *a = p->adder; a < p->adder + p->adders; a++) {
         if (a->level == level && a->stage == stage && a->order == 0) {
           if (!headed) {
-            fprintf(out, "\n  // Full adders, level %d%s.\n", level, behind);
+            text_printf(out, "\n  // Full adders, level %d%s.\n", level, behind);
             headed = true;
           }
           print_group(out, p, a);
@@ -330,13 +332,13 @@ static void set_holes(emit_holes *h, const arith_plan *p) {
 
 /* The formula of a sum of products, for its banner and its behavioural view. */
 static void set_formula(emit_holes *h, const arith_plan *p) {
-  FILE *out = emit_hole_open(h, "formula");
-  fputs("sum over k of a_k (b_k - BIAS)", out);
+  emit_text *out = emit_hole_open(h, "formula");
+  text_puts(out, "sum over k of a_k (b_k - BIAS)");
   for (int k = 0; k < ARITH_ADDENDS; k++) {
     const arith_addend *a = &p->addend[k];
     if (a->width > 0) {
-      fprintf(out, " %c %c", a->minus ? '-' : '+', 'c' + k);
-      fputs(a->place > 0 ? gen_format(" 2^%d", a->place).text : "", out);
+      text_printf(out, " %c %c", a->minus ? '-' : '+', 'c' + k);
+      text_puts(out, a->place > 0 ? gen_format(" 2^%d", a->place).text : "");
     }
   }
   out = emit_hole_open(h, "sum");
@@ -345,40 +347,46 @@ static void set_formula(emit_holes *h, const arith_plan *p) {
                                      factor_bits(p, 'a', k, p->a_w - 1, 0).text);
     const gen_line right = gen_format("{{%d{b[%d]}}, %s}", p->p_w - p->b_w, (k + 1) * p->b_w - 1,
                                       factor_bits(p, 'b', k, p->b_w - 1, 0).text);
-    fprintf(out, "  wire [%d:0] product_of_%d =\n    %s *\n    (%s - BIAS);\n", p->p_w - 1, k,
-            left.text, right.text);
+    text_printf(out, "  wire [%d:0] product_of_%d =\n    %s *\n    (%s - BIAS);\n", p->p_w - 1, k,
+                left.text, right.text);
   }
-  fprintf(out, "  wire [%d:0] whole =\n    ", p->p_w - 1);
+  text_printf(out, "  wire [%d:0] whole =\n    ", p->p_w - 1);
   for (int k = 0; k < p->terms; k++) {
-    fprintf(out, "%sproduct_of_%d", k > 0 ? " + " : "", k);
+    text_printf(out, "%sproduct_of_%d", k > 0 ? " + " : "", k);
   }
   for (int k = 0; k < ARITH_ADDENDS; k++) {
     const arith_addend *a = &p->addend[k];
     int above = p->p_w - a->place - a->width;
     if (a->width > 0) {
-      fprintf(out, "\n    %c {", a->minus ? '-' : '+');
-      fputs(above > 0 ? gen_format("{%d{%c[%d]}}, ", above, 'c' + k, a->width - 1).text : "", out);
-      fprintf(out, "%c", 'c' + k);
-      fputs(a->place > 0 ? gen_format(", %d'd0}", a->place).text : "}", out);
+      text_printf(out, "\n    %c {", a->minus ? '-' : '+');
+      text_puts(out,
+                above > 0 ? gen_format("{%d{%c[%d]}}, ", above, 'c' + k, a->width - 1).text : "");
+      text_printf(out, "%c", 'c' + k);
+      text_puts(out, a->place > 0 ? gen_format(", %d'd0}", a->place).text : "}");
     }
   }
-  fputs(";", out);
+  text_puts(out, ";");
 }
 
 void gen_multiplier(emitter *e, const arith_plan *plan) {
+  if (plan->fault != NULL) {
+    emit_fail(e, SEPAX_ERROR_LIMIT, "multiplier of %d x %d bits: %s", plan->a_w, plan->b_w,
+              plan->fault);
+    return;
+  }
   if (plan->delay->family) {
     plan->terms == 0 ? gen_product(e, plan) : gen_products(e, plan);
     return;
   }
   emit_holes h = {0};
   set_holes(&h, plan);
-  FILE *out = emit_hole_open(&h, "products");
+  emit_text *out = emit_hole_open(&h, "products");
   for (int i = 1; i <= plan->latency; i++) {
-    fprintf(out, "  reg [%d:0] product_%d;\n", plan->p_w - 1, i);
+    text_printf(out, "  reg [%d:0] product_%d;\n", plan->p_w - 1, i);
   }
   out = emit_hole_open(&h, "delays");
   for (int i = 2; i <= plan->latency; i++) {
-    fprintf(out, "\n    product_%d <= product_%d;", i, i - 1);
+    text_printf(out, "\n    product_%d <= product_%d;", i, i - 1);
   }
   print_digits(emit_hole_open(&h, "digits"), plan);
   print_addends(emit_hole_open(&h, "addends"), plan);

@@ -119,21 +119,21 @@ static int sum_width(const arith_plan *p, int k) {
   return k == last_part(p) || width > rest(p, k) ? rest(p, k) : width;
 }
 
-static void print_registers(FILE *out, const arith_plan *p) {
+static void print_registers(emit_text *out, const arith_plan *p) {
   for (int k = 1; k <= last_part(p); k++) {
-    fprintf(out, "  reg signed [%d:0] %s;\n  reg signed [%d:0] %s;\n", factor_msb(p, 'a', k),
-            factor_name('a', k).text, factor_msb(p, 'b', k), factor_name('b', k).text);
+    text_printf(out, "  reg signed [%d:0] %s;\n  reg signed [%d:0] %s;\n", factor_msb(p, 'a', k),
+                factor_name('a', k).text, factor_msb(p, 'b', k), factor_name('b', k).text);
   }
 }
 
-static void clock_registers(FILE *out, const arith_plan *p) {
+static void clock_registers(emit_text *out, const arith_plan *p) {
   for (int k = 1; k <= last_part(p); k++) {
     for (int i = 0; i < 2; i++) {
       char factor = "ab"[i];
       int msb = factor_msb(p, factor, k - 1);
       int lsb = begin(p, factor, k) - begin(p, factor, k - 1);
-      fprintf(out, "    %s <= %s;\n", factor_name(factor, k).text,
-              bits(factor_name(factor, k - 1).text, msb, lsb, msb - lsb + 1).text);
+      text_printf(out, "    %s <= %s;\n", factor_name(factor, k).text,
+                  bits(factor_name(factor, k - 1).text, msb, lsb, msb - lsb + 1).text);
     }
   }
 }
@@ -157,39 +157,39 @@ static gen_line low_term(const arith_plan *p, int n) {
 }
 
 /* Pairs of terms, then their sums. */
-static void print_low(FILE *out, const arith_plan *p) {
+static void print_low(emit_text *out, const arith_plan *p) {
   int terms = low_bits(p);
   if (terms == 0) {
     return;
   }
-  fprintf(out, "  reg signed [%d:0] low_a;\n  reg signed [%d:0] low_b;\n  wire [%d:0] low =",
-          low_factor_msb(p, 'a'), low_factor_msb(p, 'b'), low_width(p) - 1);
+  text_printf(out, "  reg signed [%d:0] low_a;\n  reg signed [%d:0] low_b;\n  wire [%d:0] low =",
+              low_factor_msb(p, 'a'), low_factor_msb(p, 'b'), low_width(p) - 1);
   for (int n = 0; n < terms; n += 2) {
-    fprintf(out, terms > 2 && n + 1 < terms ? "%s\n    (%s" : "%s\n    %s", n > 0 ? " +" : "",
-            low_term(p, n).text);
+    text_printf(out, terms > 2 && n + 1 < terms ? "%s\n    (%s" : "%s\n    %s", n > 0 ? " +" : "",
+                low_term(p, n).text);
     if (n + 1 < terms) {
-      fprintf(out, terms > 2 ? " +\n     %s)" : " +\n    %s", low_term(p, n + 1).text);
+      text_printf(out, terms > 2 ? " +\n     %s)" : " +\n    %s", low_term(p, n + 1).text);
     }
   }
-  fprintf(out, ";\n  reg signed [%d:0] low_q;\n", low_width(p) - 1);
+  text_printf(out, ";\n  reg signed [%d:0] low_q;\n", low_width(p) - 1);
   for (int n = 2; n <= last_part(p) + 1; n++) {
-    fprintf(out, "  reg [%d:0] low_q%d;\n", low_bits(p) - 1, n);
+    text_printf(out, "  reg [%d:0] low_q%d;\n", low_bits(p) - 1, n);
   }
 }
 
-static void clock_low(FILE *out, const arith_plan *p) {
+static void clock_low(emit_text *out, const arith_plan *p) {
   if (low_bits(p) > 0) {
-    fprintf(out, "    low_a <= a[%d:0];\n    low_b <= b[%d:0];\n    low_q <= low;\n",
-            low_factor_msb(p, 'a'), low_factor_msb(p, 'b'));
+    text_printf(out, "    low_a <= a[%d:0];\n    low_b <= b[%d:0];\n    low_q <= low;\n",
+                low_factor_msb(p, 'a'), low_factor_msb(p, 'b'));
     for (int n = 2; n <= last_part(p) + 1; n++) {
-      fprintf(out, n == 2 ? "    low_q%d <= low_q[%d:0];\n" : "    low_q%d <= low_q%d;\n", n,
-              n == 2 ? low_bits(p) - 1 : n - 1);
+      text_printf(out, n == 2 ? "    low_q%d <= low_q[%d:0];\n" : "    low_q%d <= low_q%d;\n", n,
+                  n == 2 ? low_bits(p) - 1 : n - 1);
     }
   }
 }
 
 /* The factors of part k, as numbers with a sign. */
-static void print_part(FILE *out, const arith_plan *p, int k) {
+static void print_part(emit_text *out, const arith_plan *p, int k) {
   int width = product_width(p, k);
   int a_lsb = k == 0 ? p->cut.low_a : 0;
   int b_lsb = k == 0 ? p->cut.low_b : 0;
@@ -199,13 +199,13 @@ static void print_part(FILE *out, const arith_plan *p, int k) {
   const gen_line part =
       k < last_part(p) ? gen_format("{1'b0, %s[%d:%d]}", a.text, a_lsb + p->cut.part - 1, a_lsb)
                        : bits(a.text, a_msb, a_lsb, a_msb - a_lsb + 1);
-  fprintf(out,
-          "  wire [%d:0] product_%d;\n"
-          "  sepax_dsp #(.A_W(%d), .B_W(%d), .P_W(%d)) part_%d (\n"
-          "    .clk(clk), .a(%s), .b(%s), .p(product_%d)\n  );\n",
-          width - 1, k, k < last_part(p) ? p->cut.part + 1 : a_msb - a_lsb + 1, b_msb - b_lsb + 1,
-          width, k, part.text, bits(factor_name('b', k).text, b_msb, b_lsb, b_msb - b_lsb + 1).text,
-          k);
+  text_printf(out,
+              "  wire [%d:0] product_%d;\n"
+              "  sepax_dsp #(.A_W(%d), .B_W(%d), .P_W(%d)) part_%d (\n"
+              "    .clk(clk), .a(%s), .b(%s), .p(product_%d)\n  );\n",
+              width - 1, k, k < last_part(p) ? p->cut.part + 1 : a_msb - a_lsb + 1,
+              b_msb - b_lsb + 1, width, k, part.text,
+              bits(factor_name('b', k).text, b_msb, b_lsb, b_msb - b_lsb + 1).text, k);
   int sum = sum_width(p, k);
   gen_line before = {""};
   if (k > 0) {
@@ -215,38 +215,39 @@ static void print_part(FILE *out, const arith_plan *p, int k) {
   } else if (low_bits(p) > 0) {
     before = gen_format(" +\n    %s", bits("low_q", low_width(p) - 1, low_bits(p), sum).text);
   }
-  fprintf(out, "  wire [%d:0] sum_%d = %s%s;\n", sum - 1, k,
-          bits(gen_format("product_%d", k).text, width - 1, 0, sum).text, before.text);
+  text_printf(out, "  wire [%d:0] sum_%d = %s%s;\n", sum - 1, k,
+              bits(gen_format("product_%d", k).text, width - 1, 0, sum).text, before.text);
   if (k < last_part(p)) {
-    fprintf(out, "  reg signed [%d:0] sum_%d_q;\n", sum - 1, k);
+    text_printf(out, "  reg signed [%d:0] sum_%d_q;\n", sum - 1, k);
     for (int n = 2; n < last_part(p) - k + 1; n++) {
-      fprintf(out, "  reg [%d:0] sum_%d_q%d;\n", p->cut.part - 1, k, n);
+      text_printf(out, "  reg [%d:0] sum_%d_q%d;\n", p->cut.part - 1, k, n);
     }
   }
 }
 
-static void clock_part(FILE *out, const arith_plan *p, int k) {
-  fprintf(out, "    sum_%d_q <= sum_%d;\n", k, k);
+static void clock_part(emit_text *out, const arith_plan *p, int k) {
+  text_printf(out, "    sum_%d_q <= sum_%d;\n", k, k);
   for (int n = 2; n < last_part(p) - k + 1; n++) {
     const gen_line before =
         n == 2 ? gen_format("q[%d:0]", p->cut.part - 1) : gen_format("q%d", n - 1);
-    fprintf(out, "    sum_%d_q%d <= sum_%d_%s;\n", k, n, k, before.text);
+    text_printf(out, "    sum_%d_q%d <= sum_%d_%s;\n", k, n, k, before.text);
   }
 }
 
 /* The product's bits: the last sum, low bits of the others, those that logic made. */
-static void print_result(FILE *out, const arith_plan *p) {
+static void print_result(emit_text *out, const arith_plan *p) {
   int last = last_part(p);
-  fprintf(out, "{sum_%d", last);
+  text_printf(out, "{sum_%d", last);
   for (int k = last - 1; k >= 0; k--) {
     int n = last - k;
-    fprintf(out, n % 4 == 0 ? ",\n    " : ", ");
-    fprintf(out, n == 1 ? "sum_%d_q[%d:0]" : "sum_%d_q%d", k, n == 1 ? p->cut.part - 1 : n);
+    text_printf(out, n % 4 == 0 ? ",\n    " : ", ");
+    text_printf(out, n == 1 ? "sum_%d_q[%d:0]" : "sum_%d_q%d", k, n == 1 ? p->cut.part - 1 : n);
   }
   if (low_bits(p) > 0) {
-    fprintf(out, last == 0 ? ", low_q[%d:0]" : ", low_q%d", last == 0 ? low_bits(p) - 1 : last + 1);
+    text_printf(out, last == 0 ? ", low_q[%d:0]" : ", low_q%d",
+                last == 0 ? low_bits(p) - 1 : last + 1);
   }
-  fputc('}', out);
+  text_putc(out, '}');
 }
 
 void gen_dsp(emitter *e, const delay_model *m) {
@@ -275,7 +276,7 @@ void gen_product(emitter *e, const arith_plan *p) {
                                         {"low", low_bits(p)},
                                         {"clocked", p->cut.parts > 1 || low_bits(p) > 0},
                                         {NULL, 0}});
-  FILE *out = emit_hole_open(&h, "body");
+  emit_text *out = emit_hole_open(&h, "body");
   print_registers(out, p);
   print_low(out, p);
   for (int k = 0; k <= last_part(p); k++) {
@@ -298,7 +299,8 @@ bool arith_two_sums(const arith_plan *p) { return p->terms > 0 && p->cut.parts >
 void gen_products(emitter *e, const arith_plan *p) {
   arith_plan *one = malloc(sizeof *one);
   if (one == NULL) {
-    abort();
+    emit_no_memory(e);
+    return;
   }
   *one = *p;
   one->terms = 0;

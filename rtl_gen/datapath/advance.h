@@ -13,7 +13,8 @@ typedef struct {
   bool used[ADVANCE_CYCLES];
 } advance;
 
-/* The enable of registers of this cycle, which is marked as used. */
+/* The enable of registers of this cycle, which is marked as used. Beyond ADVANCE_CYCLES there is
+ * none: the emitter refuses what reads it. */
 gen_line advance_name(advance *a, int cycle);
 
 #endif

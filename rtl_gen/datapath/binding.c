@@ -1,8 +1,6 @@
 /* binding.c - operations to units and slots. */
 #include "binding.h"
 
-#include <stdlib.h>
-
 /* Place of operation n in its kind's order: a rotated class begins with its member 1. */
 static int place_of(const graph_kind *k, int n) {
   bool rotated = (k->rotated >> n / 3 & 1) != 0;
@@ -18,7 +16,8 @@ void binding_make(graph *g, int ii) {
       node->unit = node->beside > 0 ? beside->unit : place_of(k, n) / ii;
       node->slot = node->beside > 0 ? beside->slot : place_of(k, n) % ii;
       if (node->unit >= GRAPH_UNITS || k->at[node->unit][node->slot] != 0) {
-        abort(); /* two operations in one slot */
+        graph_fault(g, "two operations in one slot");
+        return;
       }
       k->at[node->unit][node->slot] = k->operation[n];
       k->count[node->unit]++;

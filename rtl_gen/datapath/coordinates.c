@@ -26,10 +26,8 @@ static void lay_out(coordinates_axis *a, int ii, int change) {
   int end = last_end(a);
   a->banks = 1;
   a->start[0] = 0;
-  while (a->start[a->banks - 1] < change || a->start[a->banks - 1] + ii < end) {
-    if (a->banks == COORDINATES_BANKS) {
-      abort(); /* more banks than COORDINATES_BANKS */
-    }
+  while (a->banks < COORDINATES_BANKS &&
+         (a->start[a->banks - 1] < change || a->start[a->banks - 1] + ii < end)) {
     int before = a->start[a->banks - 1];
     a->start[a->banks++] = before < change && before + ii > change ? change : before + ii;
   }
@@ -92,13 +90,13 @@ gen_line coordinates_source(const coordinates *c, int axis, int v, int cycle) {
   int bank = 0;
   while (cycle >= a->start[bank] + c->ii) {
     if (++bank == a->banks) {
-      abort(); /* it is read when no bank has it any more */
+      return gen_format("no_bank_has_it"); /* undeclared: the emitter refuses what reads it */
     }
   }
   return source_in(c, axis, v, bank, cycle);
 }
 
-void coordinates_declare(const coordinates *c, FILE *out) {
+void coordinates_declare(const coordinates *c, emit_text *out) {
   for (int axis = 0; axis < AXES; axis++) {
     for (int n = 0; n < 6 * c->axis[axis].banks; n++) {
       if (is_there(c, axis, n % 6, n / 6)) {
@@ -110,28 +108,28 @@ void coordinates_declare(const coordinates *c, FILE *out) {
 
 /* A register takes its coordinate over from the bank before, or from the input, or, for a second
  * pass, from the last banks: u for x and z for y. */
-static void load(const coordinates *c, FILE *out, int axis, int v, int bank) {
+static void load(const coordinates *c, emit_text *out, int axis, int v, int bank) {
   int before = c->axis[axis].start[bank] - 1;
   if (axis == U && bank == 1) {
-    fprintf(out, "x_equal ? %s : %s;\n", source_in(c, Y, v, 0, before).text,
-            source_in(c, X, v, 0, before).text);
+    text_printf(out, "x_equal ? %s : %s;\n", source_in(c, Y, v, 0, before).text,
+                source_in(c, X, v, 0, before).text);
   } else if (bank > 0) {
-    fprintf(out, "%s;\n", source_in(c, axis, v, bank - 1, before).text);
+    text_printf(out, "%s;\n", source_in(c, axis, v, bank - 1, before).text);
   } else {
     if (c->second_pass && axis != Z) {
-      fprintf(out, "again ? %s : ", coordinates_source(c, axis == X ? U : Z, v, c->again).text);
+      text_printf(out, "again ? %s : ", coordinates_source(c, axis == X ? U : Z, v, c->again).text);
     }
-    fprintf(out, "in_%s_%c;\n", graph_vertex_name(v), "xyz"[axis]);
+    text_printf(out, "in_%s_%c;\n", graph_vertex_name(v), "xyz"[axis]);
   }
 }
 
 /* All registers of a bank take their coordinates over, or rotate. */
-static void move(const coordinates *c, FILE *out, int axis, int bank, bool rotate, int depth) {
+static void move(const coordinates *c, emit_text *out, int axis, int bank, bool rotate, int depth) {
   for (int v = 0; v < 6; v++) {
     if (is_there(c, axis, v, bank)) {
-      fprintf(out, "%*s%s <= ", depth, "", register_name(axis, v, bank).text);
+      text_printf(out, "%*s%s <= ", depth, "", register_name(axis, v, bank).text);
       if (rotate) {
-        fprintf(out, "%s;\n", register_name(axis, v / 3 * 3 + (v + 1) % 3, bank).text);
+        text_printf(out, "%s;\n", register_name(axis, v / 3 * 3 + (v + 1) % 3, bank).text);
       } else {
         load(c, out, axis, v, bank);
       }
@@ -139,27 +137,28 @@ static void move(const coordinates *c, FILE *out, int axis, int bank, bool rotat
   }
 }
 
-void coordinates_clock(const coordinates *c, advance *a, FILE *out) {
+void coordinates_clock(const coordinates *c, advance *a, emit_text *out) {
   for (int axis = 0; axis < AXES; axis++) {
     for (int bank = axis == U; bank < c->axis[axis].banks; bank++) {
       int start = c->axis[axis].start[bank];
       int depth = 4;
       if (a->gated) {
-        fprintf(out, "    if (%s) begin\n", advance_name(a, start).text);
+        text_printf(out, "    if (%s) begin\n", advance_name(a, start).text);
         depth += 2;
       }
       if (c->ii > 1) {
         const gen_line slot = gen_format("slot[%d]", (start + c->ii - 1) % c->ii);
-        fprintf(out, "%*sif (%s) begin\n", depth, "", a->gated && bank == 0 ? "last" : slot.text);
+        text_printf(out, "%*sif (%s) begin\n", depth, "",
+                    a->gated && bank == 0 ? "last" : slot.text);
         depth += 2;
       }
       move(c, out, axis, bank, false, depth);
       if (bank < c->axis[axis].rotated) {
-        fprintf(out, "%*send else begin\n", depth - 2, "");
+        text_printf(out, "%*send else begin\n", depth - 2, "");
         move(c, out, axis, bank, true, depth);
       }
       for (depth -= 2; depth >= 4; depth -= 2) {
-        fprintf(out, "%*send\n", depth, "");
+        text_printf(out, "%*send\n", depth, "");
       }
     }
   }

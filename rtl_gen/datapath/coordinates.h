@@ -37,7 +37,7 @@ void coordinates_store(coordinates *c, int z_change);
 gen_line coordinates_source(const coordinates *c, int axis, int v, int cycle);
 
 /* Declarations, then the clocked assignments, with their enables. */
-void coordinates_declare(const coordinates *c, FILE *out);
-void coordinates_clock(const coordinates *c, advance *a, FILE *out);
+void coordinates_declare(const coordinates *c, emit_text *out);
+void coordinates_clock(const coordinates *c, advance *a, emit_text *out);
 
 #endif

@@ -1,13 +1,12 @@
 /* emission.c - units of a datapath: operands, instances. */
 #include "emission.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct {
   const datapath *d;
   advance *advance;
-  emit_stream *text; /* all units so far */
+  emit_text *text; /* all units so far */
 } emission;
 
 static const schedule_producer *producer_of(const datapath *d, const graph_kind *k, int unit) {
@@ -26,28 +25,27 @@ static gen_line slot_name(const emission *e, const char *copies, int cycle) {
   }
   const gen_line name = gen_format("slot_%s_%d", copies, slot);
   const gen_line wire = gen_format("  wire %s;\n", name.text);
-  fflush(e->text->out);
-  if (strstr(e->text->text, wire.text) == NULL) {
-    fprintf(e->text->out,
-            "%s  sepax_slot_copy copy_%s_%d (\n"
-            "    .clk(clk),\n    .slot(slot[%d]),\n    .slot_q(%s)\n  );\n",
-            wire.text, copies, slot, (cycle + ii - 1) % ii, name.text);
+  if (strstr(text_so_far(e->text), wire.text) == NULL) {
+    text_printf(e->text,
+                "%s  sepax_slot_copy copy_%s_%d (\n"
+                "    .clk(clk),\n    .slot(slot[%d]),\n    .slot_q(%s)\n  );\n",
+                wire.text, copies, slot, (cycle + ii - 1) % ii, name.text);
   }
   return name;
 }
 
 /* "(slot[0] || slot[2]) ? source :" for all slots in which it is the operand. */
-static void print_case(const emission *e, FILE *out, const graph_kind *k, int unit,
+static void print_case(const emission *e, emit_text *out, const graph_kind *k, int unit,
                        const gen_line source[], int first) {
   const char *separator = "\n      (";
   int terms = 0;
   for (int slot = first; slot < e->d->schedule.ii; slot++) {
     if (strcmp(source[slot].text, source[first].text) == 0) {
-      fprintf(out, "%s%s", separator, slot_name(e, k->slots, k->start[unit] + slot).text);
+      text_printf(out, "%s%s", separator, slot_name(e, k->slots, k->start[unit] + slot).text);
       separator = ++terms % 4 == 0 ? " ||\n       " : " || ";
     }
   }
-  fprintf(out, ") ? %s :", source[first].text);
+  text_printf(out, ") ? %s :", source[first].text);
 }
 
 /* The operand that a unit reads: a register, or a wire that selects one. What most slots read needs
@@ -77,19 +75,18 @@ static gen_line operand_of(const emission *e, const graph_kind *k, int unit, int
   if (votes[best] == used) {
     return source[best];
   }
-  emit_stream cases;
-  emit_stream_open(&cases);
+  emit_text cases = {NULL};
   for (int slot = 0; slot < e->d->schedule.ii; slot++) {
     if (votes[slot] > 0 && slot != best) {
-      print_case(e, cases.out, k, unit, source, slot);
+      print_case(e, &cases, k, unit, source, slot);
     }
   }
-  char *selected = emit_stream_close(&cases);
   const gen_line name = gen_format("%s_op%d", producer_of(e->d, k, unit)->name, index + 1);
-  emit_net(e->text->out, graph_is_signed(&e->d->graph, operand) ? "wire signed" : "wire",
+  emit_net(e->text, graph_is_signed(&e->d->graph, operand) ? "wire signed" : "wire",
            graph_width(&e->d->graph, operand), name.text);
-  fprintf(e->text->out, "  assign %s =%s\n      %s;\n", name.text, selected, source[best].text);
-  free(selected);
+  text_printf(e->text, "  assign %s =", name.text);
+  text_append(e->text, &cases);
+  text_printf(e->text, "\n      %s;\n", source[best].text);
   return name;
 }
 
@@ -115,13 +112,13 @@ static bool cancel(const emission *e, const graph_kind *k, int unit) {
 }
 
 /* Optional outputs of a unit: operations beside its own. Returns how many there are. */
-static int more_outputs(const emission *e, const graph_kind *of, int unit, FILE *out) {
+static int more_outputs(const emission *e, const graph_kind *of, int unit, emit_text *out) {
   const graph *g = &e->d->graph;
   int count = 0;
   for (const graph_kind *k = g->kind; k < g->kind + g->kinds; k++) {
     if (k->row.module == NULL && k->row.expression == NULL && k->count[unit] > 0 &&
         graph_kind_of(g, g->node[k->operation[0]].beside) == of) {
-      fprintf(out, ",\n    .%s(%s)", k->row.output, producer_of(e->d, k, unit)->name);
+      text_printf(out, ",\n    .%s(%s)", k->row.output, producer_of(e->d, k, unit)->name);
       count++;
     }
   }
@@ -166,20 +163,20 @@ static int operand_for(const emission *e, const graph_kind *k, int unit, int por
 /* A comment: the operations of a unit that has several. */
 static void describe(const emission *e, const graph_kind *k, int unit) {
   const schedule_producer *s = producer_of(e->d, k, unit);
-  FILE *out = e->text->out;
+  emit_text *out = e->text;
   int left = k->count[unit];
-  fputc('\n', out);
+  text_putc(out, '\n');
   if (left < 2) {
     return;
   }
-  fprintf(out, "  // %s:", s->name);
+  text_printf(out, "  // %s:", s->name);
   for (int slot = 0, terms = 1; left > 0; slot++) {
     if (k->at[unit][slot] != 0) {
       left--;
-      fprintf(out, " %s_%s%s", s->symbol, s->label[slot],
-              left == 0          ? ".\n"
-              : terms++ % 4 == 0 ? ",\n  //  "
-                                 : ",");
+      text_printf(out, " %s_%s%s", s->symbol, s->label[slot],
+                  left == 0          ? ".\n"
+                  : terms++ % 4 == 0 ? ",\n  //  "
+                                     : ",");
     }
   }
 }
@@ -187,45 +184,44 @@ static void describe(const emission *e, const graph_kind *k, int unit) {
 static void print_instance(const emission *e, const graph_kind *k, int unit) {
   const char *name = producer_of(e->d, k, unit)->name;
   bool without = cancel(e, k, unit);
-  emit_stream ports;
-  emit_stream_open(&ports);
+  emit_text ports = {NULL};
   describe(e, k, unit);
-  fputs(k->latency > 0 ? "\n    .clk(clk)," : "", ports.out);
+  text_puts(&ports, k->latency > 0 ? "\n    .clk(clk)," : "");
   for (int stage = 1; e->advance->gated && stage <= k->latency; stage++) {
-    fprintf(ports.out, "%s%s%s", stage == 1 ? "\n    .advance(" : " || ",
-            advance_name(e->advance, k->start[unit] + stage).text, stage == k->latency ? ")," : "");
+    text_printf(&ports, "%s%s%s", stage == 1 ? "\n    .advance(" : " || ",
+                advance_name(e->advance, k->start[unit] + stage).text,
+                stage == k->latency ? ")," : "");
   }
   for (int i = 0; i < GRAPH_OPERANDS && k->row.operand[i] != NULL; i++) {
     const char *port = k->row.operand[i];
     if (!is_optional(port) || !without) {
       const gen_line operand = operand_of(e, k, unit, operand_for(e, k, unit, i));
-      fprintf(ports.out, "\n    .%s(%s),", port + is_optional(port), operand.text);
+      text_printf(&ports, "\n    .%s(%s),", port + is_optional(port), operand.text);
     }
   }
-  fprintf(ports.out, "\n    .%s(%s)", k->row.output, name);
-  int more = more_outputs(e, k, unit, ports.out);
+  text_printf(&ports, "\n    .%s(%s)", k->row.output, name);
+  int more = more_outputs(e, k, unit, &ports);
   const char *module =
       k->row.lesser != NULL && without && more == 0 ? k->row.lesser : k->row.module;
-  char *connections = emit_stream_close(&ports);
-  fprintf(e->text->out, "  %s %s_%s (%s\n  );\n", module, module + strlen("sepax_"), name,
-          connections);
-  free(connections);
+  text_printf(e->text, "  %s %s_%s (", module, module + strlen("sepax_"), name);
+  text_append(e->text, &ports);
+  text_puts(e->text, "\n  );\n");
 }
 
 /* The row's expression of the operand. */
 static void print_expression(const emission *e, const graph_kind *k, int unit) {
   const gen_line operand = operand_of(e, k, unit, 0);
-  fprintf(e->text->out, "  assign %s = ", producer_of(e->d, k, unit)->name);
+  text_printf(e->text, "  assign %s = ", producer_of(e->d, k, unit)->name);
   for (const char *c = k->row.expression; *c != '\0'; c++) {
-    fprintf(e->text->out, "%.*s", *c == '@' ? EMIT_NAME : 1, *c == '@' ? operand.text : c);
+    text_printf(e->text, "%.*s", *c == '@' ? EMIT_NAME : 1, *c == '@' ? operand.text : c);
   }
-  fputs(";\n", e->text->out);
+  text_puts(e->text, ";\n");
 }
 
 /* The units of a kind, with what selects their operands. */
 static void print_units(const emission *e, const graph_kind *k) {
   if (k->row.about != NULL) {
-    fprintf(e->text->out, "\n  // %s\n", k->row.about);
+    text_printf(e->text, "\n  // %s\n", k->row.about);
   }
   for (int unit = 0; unit < k->units; unit++) {
     if (k->count[unit] > 0 && k->row.module != NULL) {
@@ -238,7 +234,7 @@ static void print_units(const emission *e, const graph_kind *k) {
 
 /* ---------------------------------------------------------------------- the module */
 
-static void declare_outputs(const datapath *d, FILE *out) {
+static void declare_outputs(const datapath *d, emit_text *out) {
   for (const graph_kind *k = d->graph.kind; k < d->graph.kind + d->graph.kinds; k++) {
     for (int unit = 0; unit < k->units; unit++) {
       if (k->count[unit] > 0) {
@@ -252,7 +248,7 @@ static void declare_outputs(const datapath *d, FILE *out) {
 void emission_holes(datapath *d, emit_holes *h) {
   coordinates_declare(&d->coordinates, emit_hole_open(h, "coordinates"));
   declare_outputs(d, emit_hole_open(h, "outputs"));
-  schedule_declare(&d->schedule, h->text.out);
+  schedule_declare(&d->schedule, &h->text);
   coordinates_clock(&d->coordinates, &d->advance, emit_hole_open(h, "coordinate_moves"));
   schedule_clock(&d->schedule, &d->advance, emit_hole_open(h, "output_moves"));
   emit_hole_open(h, "units");
@@ -262,18 +258,18 @@ void emission_holes(datapath *d, emit_holes *h) {
   emit_hole_close(h);
 }
 
-void emission_bus(const datapath *d, FILE *out, const char *name, const graph_value value[],
+void emission_bus(const datapath *d, emit_text *out, const char *name, const graph_value value[],
                   int cycle) {
   int count = 0;
   while (value[count] != 0) {
     count++;
   }
   emit_net(out, "wire", gen_format("%d*(%s)", count, graph_width(&d->graph, value[0])).text, name);
-  fprintf(out, "  assign %s = {", name);
+  text_printf(out, "  assign %s = {", name);
   for (int i = count - 1; i >= 0; i--) {
-    fprintf(out, "%s%s", times_source(d, value[i], cycle).text,
-            i == 0       ? "};\n"
-            : i % 4 == 0 ? ",\n      "
-                         : ", ");
+    text_printf(out, "%s%s", times_source(d, value[i], cycle).text,
+                i == 0       ? "};\n"
+                : i % 4 == 0 ? ",\n      "
+                             : ", ");
   }
 }

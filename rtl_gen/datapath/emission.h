@@ -12,7 +12,7 @@ void emission_holes(datapath *d, emit_holes *h);
 
 /* Wire `name`: values as they stand in this cycle, the first in the lowest bits; `value` ends with
  * 0. */
-void emission_bus(const datapath *d, FILE *out, const char *name, const graph_value value[],
+void emission_bus(const datapath *d, emit_text *out, const char *name, const graph_value value[],
                   int cycle);
 
 #endif

@@ -9,16 +9,19 @@ const char *graph_vertex_name(int vertex) {
   return name[vertex];
 }
 
+void graph_fault(graph *g, const char *why) { g->fault = g->fault != NULL ? g->fault : why; }
+
 int graph_kind_add(graph *g, const graph_row *row, const char *suffix, int latency,
                    const char *slots) {
   if (g->kinds == GRAPH_KINDS) {
-    abort(); /* more kinds than GRAPH_KINDS */
+    graph_fault(g, "more kinds than GRAPH_KINDS");
+    return 0;
   }
   graph_kind *k = &g->kind[g->kinds];
   *k = (graph_kind){.row = *row, .latency = latency, .slots = slots};
   int length = snprintf(k->symbol, sizeof k->symbol, "%s%s", row->symbol, suffix);
   if (length >= GRAPH_SYMBOL) {
-    abort(); /* the symbol is cut off */
+    graph_fault(g, "a symbol that is longer than GRAPH_SYMBOL");
   }
   return g->kinds++;
 }
@@ -28,7 +31,8 @@ static graph_node *new_node(graph *g, int kind) {
     g->nodes = 1;
   }
   if (g->nodes == GRAPH_NODES) {
-    abort(); /* more nodes than GRAPH_NODES */
+    graph_fault(g, "more nodes than GRAPH_NODES");
+    g->nodes--;
   }
   graph_node *n = &g->node[g->nodes++];
   *n = (graph_node){.kind = kind};
@@ -55,12 +59,14 @@ graph_value graph_add(graph *g, int kind, const int vertex[], const graph_value 
   graph_kind *k = &g->kind[kind];
   int number = g->nodes - 1;
   if (k->operations == GRAPH_OPERATIONS) {
-    abort(); /* more operations of a kind than GRAPH_OPERATIONS */
+    graph_fault(g, "more operations of a kind than GRAPH_OPERATIONS");
+    return number;
   }
   k->operation[k->operations++] = number;
   for (int i = 0; vertex[i] >= 0; i++) {
     if (strlen(n->label) + 3 > GRAPH_LABEL) {
-      abort(); /* the label is cut off */
+      graph_fault(g, "a label that is longer than GRAPH_LABEL");
+      return number;
     }
     strcat(n->label, graph_vertex_name(vertex[i]));
   }
@@ -69,7 +75,8 @@ graph_value graph_add(graph *g, int kind, const int vertex[], const graph_value 
     for (int i = 0; operand[i] != 0; i++) {
       if ((operand[i] < 0) == (pass == 1)) {
         if (n->operands == GRAPH_OPERANDS) {
-          abort(); /* more operands than GRAPH_OPERANDS */
+          graph_fault(g, "more operands than GRAPH_OPERANDS");
+          return number;
         }
         n->operand[n->operands++] = abs(operand[i]);
         negative += pass;
@@ -77,7 +84,7 @@ graph_value graph_add(graph *g, int kind, const int vertex[], const graph_value 
     }
   }
   if (negative != k->row.negative) {
-    abort(); /* the module subtracts other operands */
+    graph_fault(g, "a module that subtracts other operands");
   }
   n->beside = abs(beside);
   return number;

@@ -71,11 +71,15 @@ typedef struct {
 } graph_node;
 
 typedef struct {
+  const char *fault; /* NULL, or what the graph cannot hold or does not allow: it is none then */
   graph_node node[GRAPH_NODES]; /* node 0 is none */
   int nodes;
   graph_kind kind[GRAPH_KINDS];
   int kinds;
 } graph;
+
+/* Keep a fault, unless there is one already. */
+void graph_fault(graph *g, const char *why);
 
 /* A new kind; `suffix` ("" or "_yz") joins its symbol. Returns its number. */
 int graph_kind_add(graph *g, const graph_row *row, const char *suffix, int latency,

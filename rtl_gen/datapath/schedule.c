@@ -4,12 +4,12 @@
 #include "delay.h"
 #include "sepax_design.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 int schedule_add(schedule *s, const schedule_producer *producer) {
   if (s->producers == SCHEDULE_PRODUCERS) {
-    abort(); /* more producers than SCHEDULE_PRODUCERS */
+    s->fault = "more producers than SCHEDULE_PRODUCERS";
+    return 0;
   }
   s->producer[s->producers] = *producer;
   return s->producers++;
@@ -23,7 +23,7 @@ void schedule_need(schedule *s, schedule_value v, int cycle) {
   int *oldest = &s->producer[v.producer].age[v.slot];
   int age = cycle - schedule_defined(s, v);
   if (age < 0) {
-    abort(); /* read before it is defined */
+    s->fault = "a value that is read before it is defined";
   }
   *oldest = age > *oldest ? age : *oldest;
 }
@@ -74,7 +74,7 @@ gen_line schedule_source(const schedule *s, schedule_value v, int cycle) {
   return register_name(t, v.slot, beyond > 0 ? t->line + (beyond + s->ii - 1) / s->ii : place);
 }
 
-void schedule_declare(const schedule *s, FILE *out) {
+void schedule_declare(const schedule *s, emit_text *out) {
   for (const schedule_producer *t = s->producer; t < s->producer + s->producers; t++) {
     const char *kind = t->is_signed ? "reg signed" : "reg";
     for (int n = 1; n <= t->line; n++) {
@@ -88,13 +88,13 @@ void schedule_declare(const schedule *s, FILE *out) {
   }
 }
 
-static void move(FILE *out, const char *indent, const schedule_producer *t, int slot, int n) {
-  fprintf(out, "%s%s <= %s;\n", indent, register_name(t, slot, n).text,
-          register_name(t, slot, n - 1).text);
+static void move(emit_text *out, const char *indent, const schedule_producer *t, int slot, int n) {
+  text_printf(out, "%s%s <= %s;\n", indent, register_name(t, slot, n).text,
+              register_name(t, slot, n - 1).text);
 }
 
 /* Delay lines; with enables those of this cycle. */
-static void move_lines(const schedule *s, advance *a, int cycle, FILE *out) {
+static void move_lines(const schedule *s, advance *a, int cycle, emit_text *out) {
   bool open = false;
   for (const schedule_producer *t = s->producer; t < s->producer + s->producers; t++) {
     for (int n = 1; n <= t->line; n++) {
@@ -102,18 +102,18 @@ static void move_lines(const schedule *s, advance *a, int cycle, FILE *out) {
         continue;
       }
       if (a->gated && !open) {
-        fprintf(out, "    if (%s) begin\n", advance_name(a, cycle).text);
+        text_printf(out, "    if (%s) begin\n", advance_name(a, cycle).text);
         open = true;
       }
       move(out, a->gated ? "      " : "    ", t, 0, n);
     }
   }
-  fputs(open ? "    end\n" : "", out);
+  text_puts(out, open ? "    end\n" : "");
 }
 
 /* Holding registers that are loaded in this phase of the II window; with enables those of this
  * cycle. */
-static void move_holds(const schedule *s, advance *a, int phase, int cycle, FILE *out) {
+static void move_holds(const schedule *s, advance *a, int phase, int cycle, emit_text *out) {
   bool open = false;
   for (const schedule_producer *t = s->producer; t < s->producer + s->producers; t++) {
     for (int k = 0; k < s->ii; k++) {
@@ -124,18 +124,19 @@ static void move_holds(const schedule *s, advance *a, int phase, int cycle, FILE
           continue;
         }
         if (!open) {
-          fprintf(out, a->gated ? "    if (slot[%d] && %s) begin\n" : "    if (slot[%d]) begin\n",
-                  phase, a->gated ? advance_name(a, cycle).text : "");
+          text_printf(out,
+                      a->gated ? "    if (slot[%d] && %s) begin\n" : "    if (slot[%d]) begin\n",
+                      phase, a->gated ? advance_name(a, cycle).text : "");
           open = true;
         }
         move(out, "      ", t, k, n);
       }
     }
   }
-  fputs(open ? "    end\n" : "", out);
+  text_puts(out, open ? "    end\n" : "");
 }
 
-void schedule_clock(const schedule *s, advance *a, FILE *out) {
+void schedule_clock(const schedule *s, advance *a, emit_text *out) {
   for (int cycle = 0; cycle < (a->gated ? ADVANCE_CYCLES : 1); cycle++) {
     move_lines(s, a, cycle, out);
   }

@@ -34,6 +34,7 @@ typedef struct {
 } schedule_producer;
 
 typedef struct {
+  const char *fault; /* NULL, or why there is no schedule */
   int ii;
   schedule_producer producer[SCHEDULE_PRODUCERS];
   int producers;
@@ -56,7 +57,7 @@ gen_line schedule_source(const schedule *s, schedule_value v, int cycle);
 
 /* Registers behind the outputs: declarations, then their clocked assignments, with their enables.
  * slot[k] is high in cycle k modulo II. */
-void schedule_declare(const schedule *s, FILE *out);
-void schedule_clock(const schedule *s, advance *a, FILE *out);
+void schedule_declare(const schedule *s, emit_text *out);
+void schedule_clock(const schedule *s, advance *a, emit_text *out);
 
 #endif

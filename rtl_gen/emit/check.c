@@ -1,6 +1,8 @@
 /* check.c - modules, the items in them, and instances with the values of their parameters. */
 #include "check.h"
 
+#include "util/list.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -92,26 +94,39 @@ static void bind_parameter(reader *r) {
   n->value = value;
 }
 
-/* What stands behind the header, unless it passed with the same values of the parameters. */
-static void check_items(reader *r) {
+/* Is this the first time that the module gets these values of its parameters? Keep them then. */
+static bool is_new_variant(reader *r) {
   emitter *e = r->m->emitter;
-  emit_stream variant;
-  emit_stream_open(&variant);
-  fputs(r->m->name, variant.out);
+  emit_text values = {NULL};
+  text_puts(&values, r->m->name);
   for (int i = r->scope; i < r->header; i++) {
     if (r->name[i].kind == NAME_CONSTANT) {
-      fprintf(variant.out, " %lld", (long long)r->name[i].value);
+      text_printf(&values, " %lld", (long long)r->name[i].value);
     }
   }
-  emit_stream_close(&variant);
+  char *variant = text_take(&values);
+  char **list = list_grow(e->variant, &e->variant_space, (size_t)e->variants, sizeof(char *));
+  e->variant = list != NULL ? list : e->variant;
+  if (variant == NULL || list == NULL) {
+    free(variant);
+    reader_no_memory(r);
+    return false;
+  }
   for (int i = 0; i < e->variants; i++) {
-    if (strcmp(e->variant[i], variant.text) == 0) {
-      free(variant.text);
-      return;
+    if (strcmp(e->variant[i], variant) == 0) {
+      free(variant);
+      return false;
     }
   }
-  e->variant = emit_grow(e->variant, e->variants, sizeof(char *));
-  e->variant[e->variants++] = variant.text;
+  e->variant[e->variants++] = variant;
+  return true;
+}
+
+/* What stands behind the header, unless it passed with the same values of the parameters. */
+static void check_items(reader *r) {
+  if (!is_new_variant(r)) {
+    return;
+  }
   while (reader_is_before(r, "endmodule")) {
     check_item(r);
   }

@@ -52,6 +52,7 @@ typedef struct reader {
   check_place place;
   struct reader *child; /* the module of the instance that is read */
   check_name *name;
+  size_t name_space;
   int names, scope;   /* scope: the first name of the innermost one */
   int header;         /* the names from the outermost scope to here: parameters and ports */
   check_name ignored; /* what a branch that is not taken declares */
@@ -73,6 +74,8 @@ void reader_close(reader *r);
  * has the wrong width, name or value. In a branch that is not taken there are no faults. */
 void reader_refuse(reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void reader_fault(reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+void reader_no_memory(reader *r); /* the same; it is the emitter's error */
 
 void reader_skip(reader *r);                            /* blanks, comments, directives */
 bool reader_take(reader *r, const char *token);         /* if it is next; words whole */

@@ -1,41 +1,12 @@
-/* emit.c - the emitter's modules and texts; template.c makes them, check.c judges them. */
+/* emit.c - the emitter's modules and errors; template.c makes them, check.c judges them. */
 #include "emit.h"
+
+#include "util/error.h"
+#include "util/list.h"
 
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-char *emit_copy(const char *text, size_t length) {
-  char *copy = strndup(text, length);
-  if (copy == NULL) {
-    abort();
-  }
-  return copy;
-}
-
-void *emit_grow(void *list, int count, size_t size) {
-  bool is_power = (count & (count - 1)) == 0;
-  if (!is_power) {
-    return list;
-  }
-  void *grown = realloc(list, (count > 0 ? 2 * (size_t)count : 1) * size);
-  if (grown == NULL) {
-    abort();
-  }
-  return grown;
-}
-
-void emit_stream_open(emit_stream *s) {
-  s->out = open_memstream(&s->text, &s->size);
-  if (s->out == NULL) {
-    abort();
-  }
-}
-
-char *emit_stream_close(emit_stream *s) {
-  fclose(s->out);
-  return s->text;
-}
 
 gen_line gen_format(const char *format, ...) {
   gen_line line;
@@ -46,17 +17,15 @@ gen_line gen_format(const char *format, ...) {
   return line;
 }
 
-void emit_net(FILE *out, const char *kind, const char *width, const char *name) {
+void emit_net(emit_text *out, const char *kind, const char *width, const char *name) {
   char *end;
   long bits = strtol(width, &end, 10);
   if (*end == '\0') {
-    fprintf(out, "  %s [%ld:0] %s;\n", kind, bits - 1, name);
+    text_printf(out, "  %s [%ld:0] %s;\n", kind, bits - 1, name);
   } else {
-    fprintf(out, "  %s [%s-1:0] %s;\n", kind, width, name);
+    text_printf(out, "  %s [%s-1:0] %s;\n", kind, width, name);
   }
 }
-
-/* --------------------------------------------------------------------------- modules */
 
 void emit_init(emitter *e, sepax_design *design, const char *command) {
   *e = (emitter){.design = design};
@@ -77,27 +46,49 @@ void emit_free(emitter *e) {
   *e = (emitter){.error = e->error};
 }
 
-bool emit_refuse(const emit_module *m, const char *format, ...) {
-  sepax_error *error = &m->emitter->error;
-  if (error->text[0] == '\0') {
-    error->code = SEPAX_ERROR_ARGUMENT;
-    int used = snprintf(error->text, sizeof error->text, "generator refuses %s: ", m->name);
-    va_list args;
-    va_start(args, format);
-    vsnprintf(error->text + used, sizeof error->text - (size_t)used, format, args);
-    va_end(args);
-  }
+/* ---------------------------------------------------------------------------- errors */
+
+static bool __attribute__((format(printf, 4, 0)))
+keep(emitter *e, sepax_code code, const char *before, const char *format, va_list args) {
+  gen_line line;
+  vsnprintf(line.text, sizeof line.text, format, args);
+  return emit_works(e) ? sepax_fail(&e->error, code, "%s%s", before, line.text) : false;
+}
+
+bool emit_fail(emitter *e, sepax_code code, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  keep(e, code, "", format, args);
+  va_end(args);
   return false;
 }
 
+bool emit_refuse(const emit_module *m, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  keep(m->emitter, SEPAX_ERROR_FORMAT, gen_format("generator refuses %s: ", m->name).text, format,
+       args);
+  va_end(args);
+  return false;
+}
+
+bool emit_no_memory(emitter *e) {
+  return emit_fail(e, SEPAX_ERROR_MEMORY, "no memory for the modules of a design");
+}
+
+/* --------------------------------------------------------------------------- modules */
+
 emit_module *emit_new_module(emitter *e, const char *name) {
-  emit_module *m = calloc(1, sizeof *m);
+  emit_module **list =
+      list_grow(e->module, &e->module_space, (size_t)e->modules, sizeof(emit_module *));
+  emit_module *m = list != NULL ? calloc(1, sizeof *m) : NULL;
+  e->module = list != NULL ? list : e->module;
   if (m == NULL) {
-    abort();
+    emit_no_memory(e);
+    return NULL;
   }
   m->emitter = e;
   snprintf(m->name, sizeof m->name, "%s", name);
-  e->module = emit_grow(e->module, e->modules, sizeof(emit_module *));
   e->module[e->modules++] = m;
   return m;
 }
@@ -112,25 +103,25 @@ const emit_module *emit_find(const emitter *e, const char *name) {
 }
 
 /* The command behind "//   ", broken at blanks. */
-static void print_command(FILE *out, const char *command) {
+static void print_command(emit_text *out, const char *command) {
   size_t column = 4;
-  fprintf(out, "//  ");
+  text_printf(out, "//  ");
   for (const char *word = command; *word != '\0'; word += strspn(word, " ")) {
     size_t length = strcspn(word, " ");
     if (column + 1 + length > 98) {
-      fprintf(out, " \\\n//    ");
+      text_printf(out, " \\\n//    ");
       column = 6;
     }
-    fprintf(out, " %.*s", (int)length, word);
+    text_printf(out, " %.*s", (int)length, word);
     column += 1 + length;
     word += length;
   }
-  fprintf(out, "\n");
+  text_printf(out, "\n");
 }
 
-void emit_print(const emit_module *m, FILE *out) {
-  fprintf(out, "// %s.v\n//\n%s", m->name, m->banner);
-  fprintf(out, "//\n// Generated by sepax %s; do not edit. Made by:\n", SEPAX_VERSION);
+void emit_print(const emit_module *m, emit_text *out) {
+  text_printf(out, "// %s.v\n//\n%s", m->name, m->banner);
+  text_printf(out, "//\n// Generated by sepax %s; do not edit. Made by:\n", SEPAX_VERSION);
   print_command(out, m->emitter->command);
-  fprintf(out, "\n`default_nettype none\n\n%s\n`default_nettype wire\n", m->verilog);
+  text_printf(out, "\n`default_nettype none\n\n%s\n`default_nettype wire\n", m->verilog);
 }

@@ -13,10 +13,13 @@
  * syntax only. Indices that are not constant have exactly the bits that number the elements;
  * an integer or genvar i in an expression gets its size by a select, i[3:0].
  *
- * The first refusal is kept in the emitter's error; later calls do nothing. */
+ * One idiom of errors in all of rtl_gen: the first refusal, missing memory or exceeded limit is
+ * kept in the emitter's error; from then on calls that emit do nothing and return false. No
+ * function ends the program. */
 #ifndef SEPAX_EMIT_H
 #define SEPAX_EMIT_H
 
+#include "emit/text.h"
 #include "sepax_design.h"
 
 enum { EMIT_NAME = 64 }; /* a name and the zero behind it; longer ones are refused */
@@ -35,38 +38,30 @@ typedef struct emitter {
   int modules;
   char **variant; /* modules with parameter values that passed the check */
   int variants;
+  size_t module_space, variant_space; /* of both lists */
   sepax_error error;
 } emitter;
 
 void emit_init(emitter *e, sepax_design *design, const char *command);
 void emit_free(emitter *e);
 
-/* A new module of the emitter, without text. */
+/* A new module of the emitter, without text; NULL, and the error is set, without memory. */
 emit_module *emit_new_module(emitter *e, const char *name);
 
 /* A module emitted before, by name; NULL if there is none. */
 const emit_module *emit_find(const emitter *e, const char *name);
 
 /* Print one checked module. */
-void emit_print(const emit_module *m, FILE *out);
+void emit_print(const emit_module *m, emit_text *out);
 
-/* Keep a refusal, unless there is one already; always returns false. */
+/* Keep an error, unless there is one already: of the emitter, or the refusal of a module. Both
+ * return false. */
+bool emit_fail(emitter *e, sepax_code code, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 bool emit_refuse(const emit_module *m, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-
-/* Copies that end the program without memory. */
-char *emit_copy(const char *text, size_t length);
-void *emit_grow(void *list, int count, size_t size); /* capacity for one more than `count` */
-
-/* A text that grows: written to `out`, whole in `text` behind emit_stream_close, which returns it;
- * to be freed. */
-typedef struct {
-  FILE *out;
-  char *text;
-  size_t size;
-} emit_stream;
-void emit_stream_open(emit_stream *s);
-char *emit_stream_close(emit_stream *s);
+bool emit_no_memory(emitter *e);
+static inline bool emit_works(const emitter *e) { return e->error.code == SEPAX_OK; }
 
 /* printf into a text by value. */
 typedef struct {
@@ -75,6 +70,6 @@ typedef struct {
 gen_line gen_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* A declaration: "wire", "reg signed" ... of `width` bits, a number or an expression. */
-void emit_net(FILE *out, const char *kind, const char *width, const char *name);
+void emit_net(emit_text *out, const char *kind, const char *width, const char *name);
 
 #endif

@@ -1,6 +1,8 @@
 /* reader.c - tokens, names and scopes of the text that is checked. */
 #include "check.h"
 
+#include "util/list.h"
+
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -42,6 +44,12 @@ void reader_fault(reader *r, const char *format, ...) {
     refuse(r, format, args);
   }
   va_end(args);
+}
+
+void reader_no_memory(reader *r) {
+  emit_no_memory(r->m->emitter);
+  r->failed = true;
+  r->at = r->end;
 }
 
 static bool starts(const reader *r, const char *text) {
@@ -168,7 +176,12 @@ check_name *reader_declare(reader *r, name_kind kind, const char *name, int widt
   if (r->off > 0) {
     return &r->ignored;
   }
-  r->name = emit_grow(r->name, r->names, sizeof r->name[0]);
+  check_name *list = list_grow(r->name, &r->name_space, (size_t)r->names, sizeof *list);
+  if (list == NULL) {
+    reader_no_memory(r);
+    return &r->ignored;
+  }
+  r->name = list;
   check_name *n = &r->name[r->names++];
   *n = (check_name){.kind = kind, .width = width};
   snprintf(n->name, sizeof n->name, "%s", name);

@@ -1,6 +1,8 @@
 /* template.c - Verilog files with holes become modules. */
 #include "template.h"
+
 #include "check.h"
+#include "util/list.h"
 
 #include <stdarg.h>
 #include <stdlib.h>
@@ -18,7 +20,10 @@ typedef struct {
 static const char *hole_text(const filler *f, const char *name, size_t length) {
   for (const emit_hole *h = f->holes; h != NULL && h->name != NULL; h++) {
     if (strncmp(h->name, name, length) == 0 && h->name[length] == '\0') {
-      return h->text;
+      if (h->text == NULL) {
+        emit_no_memory(f->m->emitter);
+      }
+      return h->text != NULL ? h->text : "";
     }
   }
   emit_refuse(f->m, "no text for the hole @%.*s@", (int)length, name);
@@ -50,20 +55,20 @@ static void condition(filler *f, const char *words) {
 
 static const char name_characters[] = "abcdefghijklmnopqrstuvwxyz_0123456789";
 
-static void fill_holes(const filler *f, const char *line, FILE *out) {
+static void fill_holes(const filler *f, const char *line, emit_text *out) {
   while (*line != '\0') {
     size_t length = *line == '@' ? strspn(line + 1, name_characters) : 0;
     if (length > 0 && line[length + 1] == '@') {
-      fputs(hole_text(f, line + 1, length), out);
+      text_puts(out, hole_text(f, line + 1, length));
       line += length + 2;
     } else {
-      fputc(*line++, out);
+      text_putc(out, *line++);
     }
   }
-  fputc('\n', out);
+  text_putc(out, '\n');
 }
 
-static void fill_line(filler *f, char *line, FILE *out) {
+static void fill_line(filler *f, char *line, emit_text *out) {
   char *mark = strstr(line, "//@ ");
   if (mark != NULL && mark == line + strspn(line, " ")) {
     condition(f, mark + 4);
@@ -78,20 +83,26 @@ static void fill_line(filler *f, char *line, FILE *out) {
   }
 }
 
+/* The template without its holes; NULL, and the error is set, without memory. */
 static char *fill(filler *f, const char *text) {
-  emit_stream filled;
-  emit_stream_open(&filled);
+  emit_text filled = {NULL};
+  emit_text line = {NULL};
   while (*text != '\0') {
     size_t length = strcspn(text, "\n");
-    char *line = emit_copy(text, length);
-    fill_line(f, line, filled.out);
-    free(line);
+    line.length = 0;
+    text_put(&line, text, length);
+    if (line.failed) {
+      break;
+    }
+    fill_line(f, line.bytes, &filled);
     text += length + (text[length] == '\n');
   }
   if (f->depth > 0) {
     emit_refuse(f->m, "//@ if without //@ end");
   }
-  return emit_stream_close(&filled);
+  filled.failed = filled.failed || line.failed;
+  free(line.bytes);
+  return text_take(&filled);
 }
 
 /* -------------------------------------------------------------------------- the module */
@@ -106,27 +117,33 @@ static void check_columns(const emit_module *m, const char *text) {
 }
 
 bool emit_template_text(emitter *e, const char *name, const char *text, const emit_hole *holes) {
-  if (e->error.text[0] != '\0') {
+  emit_module *m = emit_works(e) ? emit_new_module(e, name) : NULL;
+  if (m == NULL) {
     return false;
   }
-  emit_module *m = emit_new_module(e, name);
   filler f = {.m = m, .holes = holes, .keeps = {true}};
   char *filled = fill(&f, text);
   const char *module = filled;
+  if (filled == NULL) {
+    return emit_no_memory(e);
+  }
   check_columns(m, filled);
   while (strncmp(module, "//", 2) == 0) {
     module += strcspn(module, "\n");
     module += *module == '\n';
   }
-  m->banner = emit_copy(filled, (size_t)(module - filled));
-  m->verilog = emit_copy(module + strspn(module, "\n"), strlen(module));
+  m->banner = strndup(filled, (size_t)(module - filled));
+  m->verilog = strdup(module + strspn(module, "\n"));
   free(filled);
+  if (m->banner == NULL || m->verilog == NULL) {
+    return emit_no_memory(e);
+  }
   reader r;
   reader_open(&r, m, m->verilog);
   reader_expect(&r, "module");
   reader_expect_name(&r, m->name);
   reader_close(&r);
-  return e->error.text[0] == '\0' && emit_check(m);
+  return emit_works(e) && emit_check(m);
 }
 
 bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
@@ -142,51 +159,53 @@ bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
   if (count == 1) {
     return emit_template_text(e, name, found->text, holes);
   }
-  emit_module *m = emit_new_module(e, name);
-  return emit_refuse(m,
-                     count == 0 ? "no such template" : "a template of several folders; say which");
+  return emit_fail(e, SEPAX_ERROR_ARGUMENT, "generator refuses %s: %s", name,
+                   count == 0 ? "no such template" : "a template of several folders; say which");
 }
 
-static void take(emit_holes *h, const char *name, emit_stream *text) {
-  int i = 0;
+void emit_hole_take(emit_holes *h, const char *name, emit_text *text) {
+  size_t i = 0;
   while (i < h->count && strcmp(h->hole[i].name, name) != 0) {
     i++;
   }
+  if (text->length > 0 && text->bytes[text->length - 1] == '\n') {
+    text->bytes[--text->length] = '\0';
+  }
+  char *all = text_take(text);
   if (i == h->count) {
-    h->hole = emit_grow(h->hole, h->count + 1, sizeof *h->hole);
+    emit_hole *list = list_grow(h->hole, &h->space, h->count + 1, sizeof *h->hole);
+    if (list == NULL) {
+      free(all);
+      return;
+    }
+    h->hole = list;
     h->hole[++h->count] = (emit_hole){NULL, NULL};
   } else {
     free((char *)h->hole[i].text);
   }
-  char *all = emit_stream_close(text);
-  if (text->size > 0 && all[text->size - 1] == '\n') {
-    all[text->size - 1] = '\0';
-  }
   h->hole[i] = (emit_hole){name, all};
 }
 
-FILE *emit_hole_open(emit_holes *h, const char *name) {
+emit_text *emit_hole_open(emit_holes *h, const char *name) {
   emit_hole_close(h);
   h->open = name;
-  emit_stream_open(&h->text);
-  return h->text.out;
+  return &h->text;
 }
 
 void emit_hole_close(emit_holes *h) {
   if (h->open != NULL) {
-    take(h, h->open, &h->text);
+    emit_hole_take(h, h->open, &h->text);
     h->open = NULL;
   }
 }
 
 void emit_hole_set(emit_holes *h, const char *name, const char *format, ...) {
-  emit_stream text;
-  emit_stream_open(&text);
+  emit_text text = {NULL};
   va_list args;
   va_start(args, format);
-  vfprintf(text.out, format, args);
+  text_vprintf(&text, format, args);
   va_end(args);
-  take(h, name, &text);
+  emit_hole_take(h, name, &text);
 }
 
 void emit_hole_numbers(emit_holes *h, const emit_number *row) {
@@ -196,9 +215,10 @@ void emit_hole_numbers(emit_holes *h, const emit_number *row) {
 }
 
 void emit_holes_free(emit_holes *h) {
-  for (int i = 0; i < h->count; i++) {
+  for (size_t i = 0; i < h->count; i++) {
     free((char *)h->hole[i].text);
   }
   free(h->hole);
+  free(h->text.bytes);
   *h = (emit_holes){0};
 }

@@ -68,12 +68,13 @@ typedef struct {
 bool emit_template(emitter *e, const char *name, const emit_hole *holes);
 
 /* A list of holes that grows: texts printf-like, a name set again gets the new text. `hole` ends
- * with {NULL}. */
+ * with {NULL}. Without memory a hole has no text, or is not there, and the template that asks for
+ * it is refused. */
 typedef struct {
   emit_hole *hole;
-  int count;
+  size_t count, space;
   const char *open; /* the name that `text` is written for, or NULL */
-  emit_stream text;
+  emit_text text;
 } emit_holes;
 void emit_hole_set(emit_holes *h, const char *name, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -85,7 +86,9 @@ typedef struct {
 void emit_hole_numbers(emit_holes *h, const emit_number *row);
 /* A text to write, without its last newline: closed by emit_hole_close, or when the next is opened.
  */
-FILE *emit_hole_open(emit_holes *h, const char *name);
+emit_text *emit_hole_open(emit_holes *h, const char *name);
+/* The same of a text that was written before; it is then empty. */
+void emit_hole_take(emit_holes *h, const char *name, emit_text *text);
 void emit_hole_close(emit_holes *h);
 void emit_holes_free(emit_holes *h);
 

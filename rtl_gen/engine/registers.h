@@ -36,8 +36,8 @@ typedef struct {
 void engine_decode(const engine_registers *map, emit_holes *h, const int *constants);
 
 /* The map for others: sepax_registers.h, sepax_registers.md, sepax_registers.rdl. */
-void engine_header(const engine_registers *map, FILE *out);
-void engine_page(const engine_registers *map, FILE *out);
-void engine_rdl(const engine_registers *map, FILE *out);
+void engine_header(const engine_registers *map, emit_text *out);
+void engine_page(const engine_registers *map, emit_text *out);
+void engine_rdl(const engine_registers *map, emit_text *out);
 
 #endif

@@ -21,32 +21,32 @@ int clearance_digits(int64_t factor) {
 }
 
 /* `factor` times a value of `width` bits, as a sum of its shifts modulo 2^bits. */
-static void print_multiple(FILE *out, const char *value, int width, int64_t factor, int bits) {
+static void print_multiple(emit_text *out, const char *value, int width, int64_t factor, int bits) {
   bool first = true;
   for (int shift = 0; factor != 0; shift++) {
     int digit = digit_of(&factor);
     if (digit == 0 || shift >= bits) {
       continue;
     }
-    fprintf(out, "%s{",
-            first       ? (digit < 0 ? "-" : "")
-            : digit < 0 ? "\n        - "
-                        : "\n        + ");
+    text_printf(out, "%s{",
+                first       ? (digit < 0 ? "-" : "")
+                : digit < 0 ? "\n        - "
+                            : "\n        + ");
     first = false;
     if (bits > shift + width) {
-      fprintf(out, "%d'd0, ", bits - shift - width);
+      text_printf(out, "%d'd0, ", bits - shift - width);
     }
-    fputs(value, out);
+    text_puts(out, value);
     if (bits < shift + width) {
-      fprintf(out, "[%d:0]", bits - shift - 1);
+      text_printf(out, "[%d:0]", bits - shift - 1);
     }
     if (shift > 0) {
-      fprintf(out, ", %d'd0", shift);
+      text_printf(out, ", %d'd0", shift);
     }
-    fputc('}', out);
+    text_putc(out, '}');
   }
   if (first) {
-    fprintf(out, "%d'd0", bits);
+    text_printf(out, "%d'd0", bits);
   }
 }
 
@@ -66,18 +66,18 @@ static void gen_limit_of(emitter *e, const exact_plan *p, emit_holes *h, const c
                                        {"parts", p->stages.total},
                                        {NULL, 0}});
   for (int part = 0; part < 3; part++) {
-    FILE *out = emit_hole_open(h, name[part]);
+    emit_text *out = emit_hole_open(h, name[part]);
     for (int k = p->limits - 1; k >= 0; k--) {
       int64_t d = p->design->margin[k] - 1;
-      fputs("\n      ", out);
+      text_puts(out, "\n      ");
       if (part != 1) {
         print_multiple(out, t.sum, t.sum_width, 2 + d, t.bits);
       }
-      fputs(part == 2 && d > 0 ? "\n        + " : "", out);
+      text_puts(out, part == 2 && d > 0 ? "\n        + " : "");
       if (part == 1 || (part == 2 && d > 0)) {
         print_multiple(out, "most_q", t.most_width, d, t.bits);
       }
-      fputs(k > 0 ? "," : "", out);
+      text_puts(out, k > 0 ? "," : "");
     }
   }
   emit_hole_close(h);

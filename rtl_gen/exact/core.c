@@ -38,7 +38,7 @@ static void set_start(emit_holes *h, const char *name, const exact_plan *p, grap
 /* The buses of a module that reads ports of the same names in this cycle. */
 static void set_buses(emit_holes *h, const char *name, const exact_plan *p, const exact_bus *bus,
                       int cycle) {
-  FILE *out = emit_hole_open(h, name);
+  emit_text *out = emit_hole_open(h, name);
   for (; bus->port != NULL; bus++) {
     emission_bus(&p->datapath, out, gen_format("all_%s", bus->port).text, bus->value, cycle);
   }
@@ -50,10 +50,11 @@ static void set_buses(emit_holes *h, const char *name, const exact_plan *p, cons
 static void set_advances(emit_holes *h, const exact_plan *p) {
   const advance *a = &p->datapath.advance;
   int last = 1;
-  FILE *out = emit_hole_open(h, "advances");
+  emit_text *out = emit_hole_open(h, "advances");
   for (int cycle = 0; cycle < ADVANCE_CYCLES; cycle++) {
     if (a->used[cycle]) {
-      fprintf(out, "  input  wire       advance_%d, // registers of cycle %d move\n", cycle, cycle);
+      text_printf(out, "  input  wire       advance_%d, // registers of cycle %d move\n", cycle,
+                  cycle);
       last = cycle > last ? cycle : last;
     }
   }
@@ -61,7 +62,7 @@ static void set_advances(emit_holes *h, const exact_plan *p) {
   for (int cycle = 0; cycle < ADVANCE_CYCLES; cycle++) {
     if (a->used[cycle]) {
       const gen_line live = gen_format("live_q[%d]", cycle - 1);
-      fprintf(out, "    .advance_%d(%s),\n", cycle, cycle == 0 ? "load" : live.text);
+      text_printf(out, "    .advance_%d(%s),\n", cycle, cycle == 0 ? "load" : live.text);
     }
   }
   emit_hole_close(h);
@@ -72,10 +73,10 @@ static void set_advances(emit_holes *h, const exact_plan *p) {
 }
 
 static void set_inputs(emit_holes *h, const exact_plan *p) {
-  FILE *out = emit_hole_open(h, "inputs");
+  emit_text *out = emit_hole_open(h, "inputs");
   for (int n = 0; n < 18; n++) {
-    fprintf(out, "  input  wire signed [%d:0] in_%s_%c, // taken at the end of an II window\n",
-            p->design->core_word - 1, graph_vertex_name(n / 3), "xyz"[n % 3]);
+    text_printf(out, "  input  wire signed [%d:0] in_%s_%c, // taken at the end of an II window\n",
+                p->design->core_word - 1, graph_vertex_name(n / 3), "xyz"[n % 3]);
   }
   emit_hole_close(h);
 }

@@ -1,4 +1,5 @@
-/* cycles.c - the exact datapath in time: starts of units, the cycles of its two judges. */
+/* cycles.c - the exact datapath in time: when the units of each kind start. latency.c has the end.
+ */
 #include "datapath/binding.h"
 #include "exact.h"
 
@@ -46,43 +47,9 @@ static void start_units(exact_plan *p) {
   }
 }
 
-static int latest_defined(const exact_plan *p, const exact_bus *bus) {
-  int latest = 0;
-  for (; bus->port != NULL; bus++) {
-    for (const graph_value *v = bus->value; *v != 0; v++) {
-      int cycle = times_defined(&p->datapath, *v);
-      latest = cycle > latest ? cycle : latest;
-    }
-  }
-  return latest;
-}
-
-static void need_all(exact_plan *p, const exact_bus *bus, int cycle) {
-  for (; bus->port != NULL; bus++) {
-    for (const graph_value *v = bus->value; *v != 0; v++) {
-      times_need(&p->datapath, *v, cycle);
-    }
-  }
-}
-
-int exact_projection_cycle(const exact_plan *p) { return p->plane_cycle - p->delay->family; }
-
-/* The pair as if coplanar is judged in the last cycle of an II window, so that a second pass takes
- * the next one; the verdict when all is there. */
-static void set_judges(exact_plan *p) {
-  int ii = p->design->config.ii;
-  int windows = 0;
-  times_need_operands(&p->datapath);
-  if (!p->single) {
-    int needed = p->stages.sign + p->delay->family;
-    windows = (latest_defined(p, p->graph.projection) + needed + ii) / ii;
-    p->plane_cycle = windows * ii - 1;
-    need_all(p, p->graph.projection, exact_projection_cycle(p));
-  }
-  int defined = latest_defined(p, p->graph.verdict);
-  p->verdict_cycle = defined > windows * ii ? defined : windows * ii;
-  need_all(p, p->graph.verdict, p->verdict_cycle);
-  p->latency = p->verdict_cycle + 3;
+/* What the graph or the schedule could not hold; NULL: nothing. */
+static const char *fault_of(const datapath *d) {
+  return d->graph.fault != NULL ? d->graph.fault : d->schedule.fault;
 }
 
 bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error) {
@@ -111,7 +78,11 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
   }
   binding_make(&p->datapath.graph, ii);
   start_units(p);
-  set_judges(p);
+  exact_place_judges(p);
+  if (fault_of(&p->datapath) != NULL) {
+    return sepax_fail(error, SEPAX_ERROR_LIMIT, "the datapath of W = %d, II = %d has %s",
+                      design->config.word, ii, fault_of(&p->datapath));
+  }
   schedule_store(&p->datapath.schedule, p->delay);
   p->datapath.coordinates.second_pass = !p->single;
   p->datapath.coordinates.again = p->plane_cycle;

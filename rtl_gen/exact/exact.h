@@ -62,9 +62,8 @@ typedef struct {
   exact_stages stages;
   exact_graph graph;
   datapath datapath;
-  int plane_cycle; /* signs of orient2d are judged; last cycle of an II window */
-  int verdict_cycle;
-  int latency; /* cycles from a pair taken to its verdict, both counted */
+  int plane_cycle;   /* signs of orient2d are judged; last cycle of an II window */
+  int verdict_cycle; /* the pair is judged; counted from the first registers, as all cycles are */
 } exact_plan;
 
 /* Schedule the design. Fails if the clock is too fast for a stage that has no place for
@@ -72,6 +71,12 @@ typedef struct {
 bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error);
 
 void exact_stages_make(exact_plan *p);
+
+/* latency.c: the cycles of both judges, and the latency that follows: from a pair taken to its
+ * verdict, both counted; of sepax_narrow, and of sepax_top. */
+void exact_place_judges(exact_plan *p);
+int exact_narrow_latency(const exact_plan *p);
+int exact_latency(const exact_plan *p);
 
 /* The cycle in which signs are taken for the plane: on an FPGA one before it is judged. */
 int exact_projection_cycle(const exact_plan *p);

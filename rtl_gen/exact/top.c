@@ -10,7 +10,7 @@
  * side take pairs in bursts, of which the verdicts wait for each other. */
 static int entries_log2(const exact_plan *p) {
   int burst = p->design->config.cores > 1 ? 2 : 0;
-  int needed = (p->latency - 1) / p->design->config.ii + 1 + burst;
+  int needed = (exact_narrow_latency(p) - 1) / p->design->config.ii + 1 + burst;
   int log2 = 1;
   while (1 << log2 < needed) {
     log2++;
@@ -59,36 +59,40 @@ static void set_control(emit_holes *h, const exact_plan *p) {
   emit_hole_set(h, "unless_again", p->single ? "" : " && !again");
 }
 
+static void generate(emitter *e, exact_plan *plan) {
+  const sepax_config *c = &e->design->config;
+  emit_holes h = {0};
+  e->design->latency = exact_latency(plan);
+  gen_exact_units(e, plan, &h);
+  gen_exact_core(e, plan, &h);
+  set_words(&h, plan);
+  set_control(&h, plan);
+  aabb_holes(&h, e->design);
+  emit_template(e, "sepax_reorder", h.hole);
+  emit_template(e, "sepax_narrow", h.hole);
+  gen_aabb_test(e, &h);
+  emit_hole_set(&h, "latency", "%d cycles", e->design->latency);
+  emit_hole_set(&h, "when_empty", c->ii > 1 ? ", when the core was empty" : "");
+  bool skid = engine_registers_ready(c);
+  if (skid) {
+    emit_template(e, "sepax_skid", NULL);
+  }
+  emit_template(e, "exact/sepax_top", h.hole);
+  const engine_generator *around = engine_generator_of(c);
+  if (around->generate != NULL) {
+    around->generate(e, &h, (1 << entries_log2(plan)) + aabb_latency(e->design) + skid);
+  }
+  emit_holes_free(&h);
+}
+
 bool gen_exact(emitter *e) {
   exact_plan *plan = malloc(sizeof *plan);
   if (plan == NULL) {
-    abort();
+    return emit_no_memory(e);
   }
   if (exact_plan_make(plan, e->design, &e->error)) {
-    const sepax_config *c = &e->design->config;
-    emit_holes h = {0};
-    gen_exact_units(e, plan, &h);
-    gen_exact_core(e, plan, &h);
-    set_words(&h, plan);
-    set_control(&h, plan);
-    aabb_holes(&h, e->design);
-    emit_template(e, "sepax_reorder", h.hole);
-    emit_template(e, "sepax_narrow", h.hole);
-    int added = gen_aabb_test(e, &h);
-    e->design->latency = plan->latency + added;
-    emit_hole_set(&h, "latency", "%d cycles", e->design->latency);
-    emit_hole_set(&h, "when_empty", c->ii > 1 ? ", when the core was empty" : "");
-    bool skid = engine_registers_ready(c);
-    if (skid) {
-      emit_template(e, "sepax_skid", NULL);
-    }
-    emit_template(e, "exact/sepax_top", h.hole);
-    const engine_generator *around = engine_generator_of(c);
-    if (around->generate != NULL) {
-      around->generate(e, &h, (1 << entries_log2(plan)) + added + skid);
-    }
-    emit_holes_free(&h);
+    generate(e, plan);
   }
   free(plan);
-  return e->error.text[0] == '\0';
+  return emit_works(e);
 }

@@ -10,28 +10,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-static json_t *describe_formats(const sepax_design *d) {
+/* Without memory *failed becomes true, here and below. */
+static json_t *describe_formats(const sepax_design *d, bool *failed) {
   json_t *list = json_array();
   bool exact = d->config.arch == SEPAX_ARCH_EXACT;
   for (int i = 0; i < d->formats; i++) {
     const sepax_format *f = exact ? &d->exact_format[i] : &d->format[i];
-    json_array_append_new(list, json_pack("{s:s, s:i, s:i, s:i}", "name", f->name, "exact",
-                                          f->exact, "width", f->width, "shift", f->shift));
+    *failed |=
+        json_array_append_new(list, json_pack("{s:s, s:i, s:i, s:i}", "name", f->name, "exact",
+                                              f->exact, "width", f->width, "shift", f->shift)) != 0;
   }
   return list;
 }
 
-static json_t *describe_ports(const emit_module *top) {
+static json_t *describe_ports(const emit_module *top, bool *failed) {
   json_t *list = json_array();
   reader r;
   reader_open(&r, top, top->verilog);
   check_header(&r);
   for (const check_name *n = r.name; n < r.name + r.header; n++) {
     if (n->kind != NAME_CONSTANT) {
-      json_array_append_new(list, json_pack("{s:s, s:s, s:i, s:b, s:s%}", "name", n->name,
-                                            "direction", n->kind == NAME_INPUT ? "input" : "output",
-                                            "width", n->width, "signed", n->is_signed, "about",
-                                            n->about, strcspn(n->about, "\n")));
+      *failed |= json_array_append_new(
+                     list, json_pack("{s:s, s:s, s:i, s:b, s:s%}", "name", n->name, "direction",
+                                     n->kind == NAME_INPUT ? "input" : "output", "width", n->width,
+                                     "signed", n->is_signed, "about", n->about,
+                                     strcspn(n->about, "\n"))) != 0;
     }
   }
   reader_close(&r);
@@ -39,20 +42,19 @@ static json_t *describe_ports(const emit_module *top) {
 }
 
 /* Each option of the design: "clock_ns": 2. */
-static void describe_settings(json_t *all, const sepax_config *config) {
+static void describe_settings(json_t *all, const sepax_config *config, bool *failed) {
   sepax_setting setting;
   for (size_t i = 0; sepax_config_setting(config, i, &setting); i++) {
-    char *name = emit_copy(setting.name, strlen(setting.name));
-    for (char *dash = name; (dash = strchr(dash, '-')) != NULL;) {
+    gen_line name = gen_format("%s", setting.name);
+    for (char *dash = name.text; (dash = strchr(dash, '-')) != NULL;) {
       *dash = '_';
     }
     double number = setting.is_number ? strtod(setting.value, NULL) : 0;
     json_int_t whole = (json_int_t)number;
-    json_object_set_new(all, name,
-                        !setting.is_number        ? json_string(setting.value)
-                        : (double)whole == number ? json_integer(whole)
-                                                  : json_real(number));
-    free(name);
+    *failed |= json_object_set_new(all, name.text,
+                                   !setting.is_number        ? json_string(setting.value)
+                                   : (double)whole == number ? json_integer(whole)
+                                                             : json_real(number)) != 0;
   }
 }
 
@@ -60,36 +62,39 @@ static json_t *optional(bool given, json_int_t number) {
   return given ? json_integer(number) : NULL;
 }
 
-void describe_json(const emitter *e, FILE *out) {
+void describe_json(const emitter *e, emit_text *out) {
   const sepax_design *d = e->design;
   const bool exact = d->config.arch == SEPAX_ARCH_EXACT;
   const int transfers = sepax_stream_transfers(&d->config);
   char text[SEPAX_CONFIG_TEXT];
+  bool failed = false;
   json_t *modules = json_array();
   for (int i = 0; i < e->modules; i++) {
-    json_array_append_new(modules, json_string(e->module[i]->name));
+    failed |= json_array_append_new(modules, json_string(e->module[i]->name)) != 0;
   }
   json_t *all = json_pack("{ss, ss}", "version", SEPAX_VERSION, "options",
                           sepax_config_text(&d->config, text, sizeof text));
-  describe_settings(all, &d->config);
-  json_t *rest =
-      json_pack("{si, si, so*, so*, ss*, so*, so, so, so}", "latency", d->latency, "input_words",
-                transfers > 0 ? transfers
-                : exact       ? 1
-                              : 3,
-                "core_word", optional(exact && d->config.extent_a > 0, d->core_word), "margin",
-                optional(exact && d->limits > 0, (json_int_t)d->margin[1]), "behavioural_view",
-                exact ? "SEPAX_BEHAVIOURAL" : NULL, "coplanar_limit",
-                optional(!exact, (json_int_t)d->coplanar_limit), "formats", describe_formats(d),
-                "modules", modules, "ports", describe_ports(e->module[e->modules - 1]));
-  json_object_update(all, rest);
+  describe_settings(all, &d->config, &failed);
+  json_t *rest = json_pack(
+      "{si, si, so*, so*, ss*, so*, so, so, so}", "latency", d->latency, "input_words",
+      transfers > 0 ? transfers
+      : exact       ? 1
+                    : 3,
+      "core_word", optional(exact && d->config.extent_a > 0, d->core_word), "margin",
+      optional(exact && d->limits > 0, (json_int_t)d->margin[1]), "behavioural_view",
+      exact ? "SEPAX_BEHAVIOURAL" : NULL, "coplanar_limit",
+      optional(!exact, (json_int_t)d->coplanar_limit), "formats", describe_formats(d, &failed),
+      "modules", modules, "ports", describe_ports(e->module[e->modules - 1], &failed));
+  failed |= json_object_update(all, rest) != 0;
   if (d->config.corner == SEPAX_CORNER_SLOW) {
-    json_object_set_new(all, "slower", json_real(delay_corner(&d->config)));
+    failed |= json_object_set_new(all, "slower", json_real(delay_corner(&d->config))) != 0;
   }
   json_decref(rest);
-  json_dumpf(all, out, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
-  fputc('\n', out);
+  char *json = json_dumps(all, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
   json_decref(all);
+  out->failed = out->failed || failed || json == NULL;
+  text_printf(out, "%s\n", json != NULL ? json : "");
+  free(json);
 }
 
 /* Does the text of the design have this option? */
@@ -105,7 +110,7 @@ static bool is_shown(const sepax_config *config, const char *option) {
 
 /* Numbers of the design for benches, if they are given: macros SEPAX_NAME in C; in Verilog a
  * localparam NAME, a macro if it is not 0, or nothing. */
-static void describe_numbers(const sepax_design *d, bool verilog, FILE *out) {
+static void describe_numbers(const sepax_design *d, bool verilog, emit_text *out) {
   const sepax_config *c = &d->config;
   const struct {
     const char *name;
@@ -134,27 +139,27 @@ static void describe_numbers(const sepax_design *d, bool verilog, FILE *out) {
   };
   for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
     if (row[i].given && !verilog) {
-      fprintf(out, "#define SEPAX_%s %d\n", row[i].name, row[i].value);
+      text_printf(out, "#define SEPAX_%s %d\n", row[i].name, row[i].value);
     } else if (row[i].given && row[i].kind == LOCALPARAM) {
-      fprintf(out, "localparam %s = %d;\n", row[i].name, row[i].value);
+      text_printf(out, "localparam %s = %d;\n", row[i].name, row[i].value);
     } else if (row[i].given && row[i].kind == MACRO && row[i].value != 0) {
-      fprintf(out, "`define SEPAX_%s\n", row[i].name);
+      text_printf(out, "`define SEPAX_%s\n", row[i].name);
     }
   }
 }
 
-void describe_c(const sepax_design *d, FILE *out) {
+void describe_c(const sepax_design *d, emit_text *out) {
   char options[SEPAX_CONFIG_TEXT];
   char variables[SEPAX_CONFIG_TEXT];
   sepax_config_variables(&d->config, variables, sizeof variables);
-  fprintf(out, "/* Generated by sepax %s; do not edit. */\n", SEPAX_VERSION);
-  fprintf(out, "#define SEPAX_OPTIONS \"%s\"\n#define SEPAX_MAKE \"%s\"\n",
-          sepax_config_text(&d->config, options, sizeof options), variables);
+  text_printf(out, "/* Generated by sepax %s; do not edit. */\n", SEPAX_VERSION);
+  text_printf(out, "#define SEPAX_OPTIONS \"%s\"\n#define SEPAX_MAKE \"%s\"\n",
+              sepax_config_text(&d->config, options, sizeof options), variables);
   describe_numbers(d, false, out);
 }
 
-void describe_verilog(const sepax_design *d, FILE *out) {
-  fprintf(out, "// Generated by sepax %s; do not edit.\n", SEPAX_VERSION);
+void describe_verilog(const sepax_design *d, emit_text *out) {
+  text_printf(out, "// Generated by sepax %s; do not edit.\n", SEPAX_VERSION);
   describe_numbers(d, true, out);
 }
 
@@ -176,19 +181,20 @@ static void open_top(const emitter *e, reader *r) {
   check_header(r);
 }
 
-void describe_constraints(const emitter *e, FILE *out) {
+void describe_constraints(const emitter *e, emit_text *out) {
   const sepax_config *c = &e->design->config;
   const double ns = c->arch == SEPAX_ARCH_CONFERENCE ? 2.5 : 1e-3 * c->clock_ps;
   reader r;
   open_top(e, &r);
   const char *clock = has_port(&r, "aclk") ? "aclk" : "clk";
   reader_close(&r);
-  fprintf(out,
-          "# Generated by sepax %s; do not edit.\n"
-          "# The clock of %s, for the module by itself; in a larger design leave it out. No path\n"
-          "# is false or takes several cycles. Add the delays of your inputs and outputs.\n"
-          "create_clock -name %s -period %.3f [get_ports %s]\n",
-          SEPAX_VERSION, e->module[e->modules - 1]->name, clock, ns, clock);
+  text_printf(
+      out,
+      "# Generated by sepax %s; do not edit.\n"
+      "# The clock of %s, for the module by itself; in a larger design leave it out. No path\n"
+      "# is false or takes several cycles. Add the delays of your inputs and outputs.\n"
+      "create_clock -name %s -period %.3f [get_ports %s]\n",
+      SEPAX_VERSION, e->module[e->modules - 1]->name, clock, ns, clock);
 }
 
 /* What a port is shown with: a bus, or what it is. */
@@ -207,14 +213,14 @@ static const char *group_of(const check_name *n) {
   return n->kind == NAME_INPUT ? "input" : "output";
 }
 
-static void end_group(const char *group, FILE *out) {
+static void end_group(const char *group, emit_text *out) {
   if (group != NULL) {
-    fprintf(out, "@1000200\n-%s\n", group);
+    text_printf(out, "@1000200\n-%s\n", group);
   }
 }
 
 /* The ports of a module at a path, group by group as they come. */
-static void show_ports(const emit_module *m, const char *path, FILE *out) {
+static void show_ports(const emit_module *m, const char *path, emit_text *out) {
   enum { SIGNED = 0x420, BINARY = 0x28, HEXADECIMAL = 0x22, BEGIN = 0x800200 };
   const char *group = NULL;
   reader r;
@@ -227,30 +233,30 @@ static void show_ports(const emit_module *m, const char *path, FILE *out) {
     const char *of = group_of(n);
     if (of != group) {
       end_group(group, out);
-      fprintf(out, "@%x\n-%s\n", BEGIN, of);
+      text_printf(out, "@%x\n-%s\n", BEGIN, of);
       group = of;
     }
-    fprintf(out, "@%x\n%s.%s",
-            n->is_signed    ? SIGNED
-            : n->width == 1 ? BINARY
-                            : HEXADECIMAL,
-            path, n->name);
+    text_printf(out, "@%x\n%s.%s",
+                n->is_signed    ? SIGNED
+                : n->width == 1 ? BINARY
+                                : HEXADECIMAL,
+                path, n->name);
     if (n->width > 1) {
-      fprintf(out, "[%d:0]", n->width - 1);
+      text_printf(out, "[%d:0]", n->width - 1);
     }
-    fputc('\n', out);
+    text_putc(out, '\n');
   }
   end_group(group, out);
   reader_close(&r);
 }
 
-void describe_waves(const emitter *e, FILE *out) {
+void describe_waves(const emitter *e, emit_text *out) {
   const emit_module *top = e->module[e->modules - 1];
   const gen_line path = gen_format("TOP.%s", top->name);
-  fprintf(out,
-          "[*] Generated by sepax %s; do not edit.\n[*] GTKWave: the ports of %s as make wave "
-          "names them.\n",
-          SEPAX_VERSION, top->name);
+  text_printf(out,
+              "[*] Generated by sepax %s; do not edit.\n[*] GTKWave: the ports of %s as make wave "
+              "names them.\n",
+              SEPAX_VERSION, top->name);
   show_ports(top, path.text, out);
   const char *core = engine_generator_of(&e->design->config)->core;
   if (core != NULL) {

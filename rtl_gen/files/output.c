@@ -18,7 +18,8 @@ enum { OTHER_FILES = 10, FOLDER_LENGTH = 3000 };
 typedef struct {
   char *name;
   char *path, *aside; /* where it goes; where it is written before */
-  emit_stream text;
+  emit_text text;
+  char *whole; /* the text, when all of it is there */
   int ticket;
   bool written; /* aside, not yet renamed */
 } output_file;
@@ -30,22 +31,20 @@ typedef struct {
 } output;
 
 static char *join(const char *folder, const char *separator, const char *name) {
-  emit_stream s;
-  emit_stream_open(&s);
-  fprintf(s.out, "%s%s%s", folder, separator, name);
-  return emit_stream_close(&s);
+  emit_text all = {NULL};
+  text_printf(&all, "%s%s%s", folder, separator, name);
+  return text_take(&all);
 }
 
-/* A file of the output, and where its text is written to. */
-static FILE *add_file(output *o, const char *base, const char *ending) {
+/* A file of the output, and where its text is written to. Without memory its paths are NULL. */
+static emit_text *add_file(output *o, const char *base, const char *ending) {
   output_file *file = &o->file[o->count++];
   char process[32];
   snprintf(process, sizeof process, ".tmp.%ld", (long)getpid());
   *file = (output_file){.name = join(base, ".", ending), .ticket = -1};
-  file->path = join(o->folder, "/", file->name);
-  file->aside = join(file->path, process, "");
-  emit_stream_open(&file->text);
-  return file->text.out;
+  file->path = file->name != NULL ? join(o->folder, "/", file->name) : NULL;
+  file->aside = file->path != NULL ? join(file->path, process, "") : NULL;
+  return &file->text;
 }
 
 static void render(const emitter *e, output *o) {
@@ -53,9 +52,9 @@ static void render(const emitter *e, output *o) {
   for (int i = 0; i < e->modules; i++) {
     emit_print(e->module[i], add_file(o, e->module[i]->name, "v"));
   }
-  FILE *list = add_file(o, "sepax", "f");
+  emit_text *list = add_file(o, "sepax", "f");
   for (int i = 0; i < e->modules; i++) {
-    fprintf(list, "%s.v\n", e->module[i]->name);
+    text_printf(list, "%s.v\n", e->module[i]->name);
   }
   if (d == NULL) {
     return;
@@ -76,6 +75,16 @@ static void render(const emitter *e, output *o) {
   describe_waves(e, add_file(o, "sepax", "gtkw"));
 }
 
+/* All texts and paths, as far as there was memory. */
+static bool is_whole(output *o) {
+  bool whole = true;
+  for (int i = 0; i < o->count; i++) {
+    o->file[i].whole = text_take(&o->file[i].text);
+    whole = whole && o->file[i].whole != NULL && o->file[i].aside != NULL;
+  }
+  return whole;
+}
+
 /* A folder where a file must go would stop the renaming half way. */
 static bool write_aside(output_file *file, sepax_error *error) {
   struct stat status;
@@ -88,8 +97,8 @@ static bool write_aside(output_file *file, sepax_error *error) {
                       file->aside, strerror(errno));
   }
   file->written = true;
-  bool whole = fputs(file->text.text, out) >= 0;
-  if (fclose(out) != 0 || !whole) {
+  bool all = fputs(file->whole, out) >= 0;
+  if (fclose(out) != 0 || !all) {
     return sepax_fail(error, SEPAX_ERROR_FILE, "%.200s: %s; free some space or give another folder",
                       file->aside, strerror(errno));
   }
@@ -131,8 +140,8 @@ static void remove_former(const output *o) {
     for (int i = 0; i < o->count && ours; i++) {
       ours = strcmp(entry->d_name, o->file[i].name) != 0;
     }
-    char *path = join(o->folder, "/", entry->d_name);
-    if (ours && is_generated(path)) {
+    char *path = ours ? join(o->folder, "/", entry->d_name) : NULL;
+    if (path != NULL && is_generated(path)) {
       unlink(path);
     }
     free(path);
@@ -152,7 +161,8 @@ static void close_files(output *o) {
     free(file->name);
     free(file->path);
     free(file->aside);
-    free(file->text.text);
+    free(file->text.bytes);
+    free(file->whole);
   }
   free(o->file);
 }
@@ -180,14 +190,15 @@ bool gen_write(const emitter *e, const char *folder, sepax_error *error) {
   }
   output o = {.folder = folder};
   o.file = calloc((size_t)e->modules + OTHER_FILES, sizeof o.file[0]);
-  if (o.file == NULL) {
-    abort();
+  if (o.file != NULL) {
+    render(e, &o);
   }
-  render(e, &o);
-  bool ok = true;
-  for (int i = 0; i < o.count; i++) {
-    emit_stream_close(&o.file[i].text);
-    ok = ok && write_aside(&o.file[i], error);
+  bool ok = o.file != NULL && is_whole(&o) && emit_works(e);
+  if (!ok) {
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "%.200s: no memory for the files", folder);
+  }
+  for (int i = 0; i < o.count && ok; i++) {
+    ok = write_aside(&o.file[i], error);
   }
   for (int i = 0; i < o.count && ok; i++) {
     ok = put_in_place(&o.file[i], error);

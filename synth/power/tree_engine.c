@@ -93,7 +93,7 @@ static size_t space(engine *e, size_t bytes, size_t unit) {
   if (e->used > e->space || e->byte == NULL) {
     e->byte = realloc(e->byte, 2 * e->used + 1);
     if (e->byte == NULL) {
-      errx(2, "out of memory");
+      text_fail("out of", "memory");
     }
     memset(e->byte + e->space, 0, 2 * e->used - e->space);
     e->space = 2 * e->used;
@@ -177,12 +177,7 @@ static void take(around *a) {
 }
 
 static void expect_word(lane_state *s, uint64_t word, uint64_t mask, bool last) {
-  if ((s->count & (s->count - 1)) == 0) {
-    s->result = realloc(s->result, (2 * s->count + 1) * sizeof *s->result);
-    if (s->result == NULL) {
-      errx(2, "out of memory");
-    }
-  }
+  s->result = text_more(s->result, s->count, sizeof *s->result);
   s->result[s->count].word = word;
   s->result[s->count].mask = mask;
   s->result[s->count++].last = last;

@@ -12,18 +12,19 @@
 static bool gen_dot(emitter *e, const arith_form *form, int *latency, emit_holes *h) {
   arith_plan *plan = malloc(sizeof *plan);
   if (plan == NULL) {
-    abort();
+    return emit_no_memory(e);
   }
   arith_plan_make(plan, form, 2);
   if (!plan->delay->family && plan->latency != *latency) {
-    abort();
+    emit_fail(e, SEPAX_ERROR_LIMIT, "%s: its latency is %d, not %d", arith_name(plan).text,
+              plan->latency, *latency);
   }
   *latency = plan->latency;
   gen_multiplier(e, plan);
   emit_hole_set(h, "dot", "%s", arith_name(plan).text);
   emit_hole_set(h, "bias", "%s", arith_bias(plan).text);
   free(plan);
-  return e->error.text[0] == '\0';
+  return emit_works(e);
 }
 
 int gen_turn_vertex(emitter *e, const delay_model *m, int word) {

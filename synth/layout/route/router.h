@@ -30,7 +30,7 @@ typedef struct {
 
 typedef struct {
   uint64_t *item; /* cost, node: the least first */
-  size_t count, space;
+  size_t count;
 } heap;
 
 typedef struct {

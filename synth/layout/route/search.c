@@ -2,7 +2,6 @@
 #include "layout/route/router.h"
 #include "liberty/text.h"
 
-#include <err.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,13 +17,7 @@ typedef struct {
 /* ---------------------------------------------------------------------- the queue */
 
 static void push(heap *h, uint32_t cost, uint32_t node) {
-  if (h->count == h->space) {
-    h->space = h->space == 0 ? 1024 : 2 * h->space;
-    h->item = realloc(h->item, h->space * sizeof *h->item);
-    if (h->item == NULL) {
-      errx(2, "out of memory");
-    }
-  }
+  h->item = text_more(h->item, h->count, sizeof *h->item);
   uint64_t it = (uint64_t)cost << 32 | node;
   size_t k = h->count++;
   for (; k > 0 && h->item[(k - 1) / 2] > it; k = (k - 1) / 2) {

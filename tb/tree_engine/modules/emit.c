@@ -42,7 +42,7 @@ int main(int argc, char **argv) {
     gen_tree_walk(&e, false, 3);
   }
   sepax_error error = e.error;
-  bool ok = error.text[0] == '\0' && gen_write(&e, argv[1], &error);
+  bool ok = emit_works(&e) && gen_write(&e, argv[1], &error);
   emit_free(&e);
   if (!ok) {
     fprintf(stderr, "emit: %s\n", error.text);

@@ -1,0 +1,54 @@
+/* latency.c - what fixes the latency of architecture exact: the cycles from the one that takes a
+ * pair to that of its verdict, both counted. It is the sum of
+ *
+ * - 1, the cycle that takes the pair;
+ * - 0, 1 or 2, the AABB test before the core (aabb_latency);
+ * - 1 + verdict_cycle, the datapath: from the cycle in which the pair stands in the first registers
+ *   to the one in which it is judged. The target period places registers in the units (stages.c).
+ * II says how many operations take turns in a unit, and when each starts (cycles.c). A design that
+ *   may send a pair through a second pass judges the plane first;
+ * - 1, the cycle of the verdict, which the reorder buffer holds. */
+#include "aabb/aabb.h"
+#include "exact.h"
+
+static int latest_defined(const exact_plan *p, const exact_bus *bus) {
+  int latest = 0;
+  for (; bus->port != NULL; bus++) {
+    for (const graph_value *v = bus->value; *v != 0; v++) {
+      int cycle = times_defined(&p->datapath, *v);
+      latest = cycle > latest ? cycle : latest;
+    }
+  }
+  return latest;
+}
+
+static void need_all(exact_plan *p, const exact_bus *bus, int cycle) {
+  for (; bus->port != NULL; bus++) {
+    for (const graph_value *v = bus->value; *v != 0; v++) {
+      times_need(&p->datapath, *v, cycle);
+    }
+  }
+}
+
+int exact_projection_cycle(const exact_plan *p) { return p->plane_cycle - p->delay->family; }
+
+/* The pair as if coplanar is judged in the last cycle of an II window, so that a second pass takes
+ * the next one; the verdict when all is there. */
+void exact_place_judges(exact_plan *p) {
+  int ii = p->design->config.ii;
+  int windows = 0;
+  times_need_operands(&p->datapath);
+  if (!p->single) {
+    int needed = p->stages.sign + p->delay->family;
+    windows = (latest_defined(p, p->graph.projection) + needed + ii) / ii;
+    p->plane_cycle = windows * ii - 1;
+    need_all(p, p->graph.projection, exact_projection_cycle(p));
+  }
+  int defined = latest_defined(p, p->graph.verdict);
+  p->verdict_cycle = defined > windows * ii ? defined : windows * ii;
+  need_all(p, p->graph.verdict, p->verdict_cycle);
+}
+
+int exact_narrow_latency(const exact_plan *p) { return 1 + (1 + p->verdict_cycle) + 1; }
+
+int exact_latency(const exact_plan *p) { return aabb_latency(p->design) + exact_narrow_latency(p); }
