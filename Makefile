@@ -211,7 +211,7 @@ report: $(SEPAX) $(BUILD)/liberty
 accuracy: $(SEPAX) $(BUILD)/bench
 	@$(EXPERIMENT)/accuracy $(if $(QUICK),-q) $(BUILD)/accuracy $(MESHES)
 
-clearance: $(BUILD)/clearance-test
+clearance: $(BUILD)/clearance-pairs
 	@$(EXPERIMENT)/clearance $< $(if $(call given,COUNT),$(COUNT),10000000) $(BUILD)/clearance
 
 bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch
@@ -253,7 +253,7 @@ tree-campaign: $(SEPAX) $(CLAIMS)
 	@scripts/tree_engine/campaign $(if $(SHARE),-s $(SHARE)) $(BUILD)/tree-campaign
 
 path-campaign: $(SEPAX) $(LIB) $(BUILD)/certificate-check
-	@scripts/path/campaign $(BUILD)/path-campaign $(if $(call given,COUNT),$(COUNT),100) \
+	@scripts/experiments/paths $(BUILD)/path-campaign $(if $(call given,COUNT),$(COUNT),100) \
 	  $(or $(GRAZES),10) $(SEED)
 
 tree-sweep: $(SEPAX) $(BUILD)/refine $(BUILD)/bench_tree

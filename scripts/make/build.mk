@@ -99,9 +99,9 @@ $(BUILD)/obj/synth/power/%_engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/$(*F)
 $(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(LIB) $(BUILD)/obj/libraries
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
-$(BUILD)/clearance-test: $(call object,tb/benchmark/clearance.c) $(ORACLE_OBJ) $(LIB)
-$(BUILD)/posed-pairs: $(call object,tb/benchmark/posed.c) $(ORACLE_OBJ) $(LIB)
-$(BUILD)/hard-pairs: $(call object,tb/benchmark/hard.c) $(LIB)
+$(BUILD)/clearance-pairs: $(call object,tb/pairs/clearance.c) $(ORACLE_OBJ) $(LIB)
+$(BUILD)/posed-pairs: $(call object,tb/pairs/posed.c) $(ORACLE_OBJ) $(LIB)
+$(BUILD)/hard-pairs: $(call object,tb/pairs/hard.c) $(LIB)
 $(BUILD)/refine: $(call object,tb/tree_engine/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/certificate-check: $(CHECKER_OBJ)
@@ -112,9 +112,10 @@ $(BUILD)/liberty $(BUILD)/power $(BUILD)/layout: LIBS = -ljansson
 $(SEPAX): LIBS = -ljansson $(FORMAT_LIBS)
 $(BUILD)/certificate-check: LIBS = -ljansson -lxml2
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
-$(BUILD)/clearance-test $(BUILD)/posed-pairs: LIBS = -lgmp
-$(SEPAX) $(addprefix $(BUILD)/,bench_batch clearance-test posed-pairs layout liberty power refine) \
-    $(addprefix $(BUILD)/,certificate-check certificate-grazes hard-pairs) $(BUILD)/bench:
+$(BUILD)/clearance-pairs $(BUILD)/posed-pairs: LIBS = -lgmp
+$(SEPAX) $(addprefix $(BUILD)/,bench_batch layout liberty power refine) \
+    $(addprefix $(BUILD)/,clearance-pairs posed-pairs hard-pairs bench) \
+    $(addprefix $(BUILD)/,certificate-check certificate-grazes):
 	$(link)
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson

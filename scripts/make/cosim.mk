@@ -103,7 +103,7 @@ BUS_FLAGS   = -MAKEFLAGS "OPT_FAST=$(ENGINE_OPT) OPT_GLOBAL=-O2" $(call one_file
 # ------------------------------------------------------------------------- mutants
 
 mutated: $(SEPAX) $(LIB)
-	@tb/mutation/measure -c $(if $(call given,COUNT),$(COUNT),2000) -s $(SEED) \
+	@tb/mutation/hardware/measure -c $(if $(call given,COUNT),$(COUNT),2000) -s $(SEED) \
 	  $(BUILD)/mutation/$(notdir $(CORE)) $(OPTIONS)
 
 # ------------------------------------------------------------------------- Icarus

@@ -1,7 +1,7 @@
 # quality.mk - static analysis and sanitizers.
 
 .PHONY: static sanitize c_tests raced coverage fuzz fuzz-targets fuzzers
-OF_TREE = $(wildcard tb/tree_engine/jobs/*.c drivers/tree_engine/*.c) synth/power/tree_engine.c
+OF_TREE = $(wildcard tb/tree_engine/top/*.c drivers/tree_engine/*.c) synth/power/tree_engine.c
 C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
           $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c synth/*/*/*.c \
           examples/object_engine/*.c drivers/object_engine/*.c \
@@ -31,8 +31,8 @@ define run_c_tests
 @export SEPAX_COUNT=1000 TREE_COLLISIONS=5000; \
   for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
 @tb/fuzz/inputs $(FUZZ)
-@for test in system/cli printed/check system/check system/path path/between size/mechanism \
-    page/data; do \
+@for test in system/cli printed/check system/check system/path system/path_between \
+    system/size_mechanism page/data; do \
   SEPAX=$(SEPAX) env -u BUILD -u CFLAGS tb/$$test || exit 1; done
 endef
 
@@ -78,10 +78,10 @@ slurm-trial: $(BUILD)/hard-pairs
 # All proofs, with every planted fault; a row each in build/verify/proofs.json.
 .PHONY: proofs
 proofs: $(SEPAX)
-	@tb/proofs/run
+	@tb/formal/run
 
 # Which share of small faults in the C code the unit tests see.
 .PHONY: mutation-c
 mutation-c:
-	@tb/mutants/run $(if $(call given,COUNT),-c $(COUNT)) -s $(SEED) $(BUILD)/mutants \
+	@tb/mutation/c/run $(if $(call given,COUNT),-c $(COUNT)) -s $(SEED) $(BUILD)/mutants \
 	  $(or $(PLACES),lib/verdict lib/batch)

@@ -1,4 +1,4 @@
-/* columns.h - what the software benchmarks share: the clock, designs, pairs as columns. */
+/* columns.h - what benchmarks and tb/pairs share: the clock, designs, pairs as columns. */
 #ifndef BENCHMARK_COLUMNS_H
 #define BENCHMARK_COLUMNS_H
 

@@ -1,6 +1,6 @@
 /* clearance.c - checks sepax_clearance against exact distances of real triangles near its
  * limits; `make clearance` does so 10,000,000 times. */
-#include "oracle/clear_rules.h"
+#include "oracle/clearance_rules.h"
 #include "oracle/distance.h"
 #include "oracle/geometry.h"
 #include "oracle/oracle.h"

@@ -26,12 +26,12 @@ tree-engine:
 else
 
 TREE_BENCH  = $(CORE)/tree-engine
-TREE_SRC    = $(wildcard tb/tree_engine/jobs/*.c) tb/object_engine/crowd.c \
+TREE_SRC    = $(wildcard tb/tree_engine/top/*.c) tb/object_engine/crowd.c \
               tb/tree_engine/modules/memory.c drivers/tree_engine/sepax_tree_driver.c
 TREE_C      = $(patsubst %.c,$(ENGINE_OBJ)/%.o,$(notdir $(TREE_SRC)))
-POSE_CHECK  = tb/tree_engine/jobs/sepax_pose_check.sv
+POSE_CHECK  = tb/tree_engine/top/sepax_pose_check.sv
 TREE_DEPS   = $(RTL) $(POSE_CHECK) $(wildcard $(addsuffix /*.h, \
-              tb/tree_engine/modules tb/tree_engine/jobs tb/object_engine drivers/tree_engine))
+              tb/tree_engine/modules tb/tree_engine/top tb/object_engine drivers/tree_engine))
 TREE_CC     = $(CC) $(SEPAX_CFLAGS) -Itb -Idrivers/tree_engine -I$(CORE)/rtl
 LATENCY    ?= 100
 ROUNDS     ?= 20
