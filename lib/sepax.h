@@ -286,12 +286,6 @@ bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax
                       bool file_normals, sepax_error *error);
 void sepax_scene_free(sepax_scene *scene);
 
-/* Both meshes as one PLY file (binary, coordinates as doubles). Triangles that are in `pairs` are
- * red (A) and orange (B), the others pale. Written under a temporary name, then renamed to path;
- * fails where the file cannot be written. */
-bool sepax_ply_write(const sepax_mesh mesh[2], const sepax_pairs *pairs, const char *path,
-                     sepax_error *error);
-
 /* The pair of triangle i of A and triangle j of B. */
 sepax_pair sepax_scene_pair(const sepax_scene *scene, size_t i, size_t j);
 

@@ -27,19 +27,15 @@ typedef struct {
 
 static bool ask_within(const solids *s, const sepax_pose *pose, check_answer *answer,
                        sepax_error *error) {
-  static const check_inside known[] = {[SEPAX_OUTSIDE] = CHECK_OUTSIDE,
-                                       [SEPAX_INSIDE] = CHECK_INSIDE,
-                                       [SEPAX_INSIDE_UNKNOWN] = CHECK_UNKNOWN};
-  sepax_inside within[2];
-  if (!sepax_bodies_within(&s->shell[0], NULL, &s->shell[1], pose, within, error)) {
+  if (!sepax_bodies_within(&s->shell[0], NULL, &s->shell[1], pose, answer->within, error)) {
     return false;
   }
+  answer->within_asked = true;
   for (int i = 0; i < 2; i++) {
-    report_verdict verdict = within[i] == SEPAX_INSIDE           ? VERDICT_COLLISION
-                             : within[i] == SEPAX_INSIDE_UNKNOWN ? VERDICT_UNDECIDED
-                                                                 : VERDICT_FREE;
-    answer->within[i] = known[within[i]];
-    answer->verdict = verdict > answer->verdict ? verdict : answer->verdict;
+    report_verdict verdict = answer->within[i] == SEPAX_INSIDE           ? VERDICT_COLLISION
+                             : answer->within[i] == SEPAX_INSIDE_UNKNOWN ? VERDICT_UNDECIDED
+                                                                         : VERDICT_FREE;
+    answer->verdict = report_worse(answer->verdict, verdict);
   }
   return true;
 }

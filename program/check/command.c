@@ -1,6 +1,6 @@
 /* command.c - sepax check: do two bodies collide, as their files have them or on a grid? */
 #include "check/parts.h"
-#include "cli/report.h"
+#include "report/json.h"
 #include "commands.h"
 #include "util/error.h"
 

@@ -1,6 +1,9 @@
 /* output.c - what sepax check prints and writes. */
 #include "check/parts.h"
-#include "cli/report.h"
+#include "report/json.h"
+#include "report/ply.h"
+#include "report/text.h"
+#include "util/error.h"
 #include "util/write_file.h"
 
 #include <ctype.h>
@@ -14,7 +17,7 @@ bool check_any_is_enough(const check_question *q) {
 report_verdict check_worst(const check_report *report) {
   report_verdict worst = VERDICT_FREE;
   for (size_t n = 0; n < report->answers; n++) {
-    worst = report->answer[n].verdict > worst ? report->answer[n].verdict : worst;
+    worst = report_worse(worst, report->answer[n].verdict);
   }
   return worst;
 }
@@ -46,19 +49,22 @@ static void print_surface(const check_question *q, const check_report *report, i
 
 /* What is known of parts inside the other body, behind the number of pairs. */
 static void print_within(const check_answer *a) {
-  if (a->within[0] == CHECK_OUTSIDE && a->within[1] == CHECK_OUTSIDE) {
+  if (!a->within_asked) {
+    return;
+  }
+  if (a->within[0] == SEPAX_OUTSIDE && a->within[1] == SEPAX_OUTSIDE) {
     fputs(", neither is inside the other", stdout);
     return;
   }
-  bool inside = a->within[0] == CHECK_INSIDE || a->within[1] == CHECK_INSIDE;
+  bool inside = a->within[0] == SEPAX_INSIDE || a->within[1] == SEPAX_INSIDE;
   for (int i = 0; i < 2; i++) {
     char which = "AB"[i];
     char other = "BA"[i];
-    if (a->within[i] == CHECK_INSIDE) {
+    if (a->within[i] == SEPAX_INSIDE) {
       printf(", but %c, or a part of it, is inside %c", which, other);
-    } else if (a->within[i] == CHECK_UNKNOWN && !inside) {
+    } else if (a->within[i] == SEPAX_INSIDE_UNKNOWN && !inside) {
       printf(", but %c, or a part of it, may be inside %c", which, other);
-    } else if (a->within[i] == CHECK_OUTSIDE && !inside) {
+    } else if (a->within[i] == SEPAX_OUTSIDE && !inside) {
       printf(", %c is not inside %c", which, other);
     }
   }
@@ -161,8 +167,9 @@ static void print_pose(const check_question *q, const check_report *report, size
     printf("  %zu warned of", a->warned.count);
   }
   for (int i = 0; i < 2; i++) {
-    if (a->within[i] >= CHECK_INSIDE) {
-      printf("  %c %sin %c", "AB"[i], a -> within[i] == CHECK_UNKNOWN ? "perhaps " : "", "BA"[i]);
+    if (a->within[i] != SEPAX_OUTSIDE) {
+      printf("  %c %sin %c", "AB"[i], a -> within[i] == SEPAX_INSIDE_UNKNOWN ? "perhaps " : "",
+             "BA"[i]);
     }
   }
   putchar('\n');
@@ -208,33 +215,30 @@ static json_t *pairs_as_json(const sepax_pairs *pairs) {
   return list;
 }
 
-static void set_within(json_t *to, const char *name, check_inside within) {
-  bool known = within == CHECK_OUTSIDE || within == CHECK_INSIDE;
-  json_object_set_new(to, name, known ? json_boolean(within == CHECK_INSIDE) : json_null());
-}
-
-static void set_count(json_t *to, const char *name, size_t count) {
-  json_object_set_new(to, name, json_integer((json_int_t)count));
+static void set_within(json_t *to, const char *name, const check_answer *a, int i) {
+  sepax_inside within = a->within[i];
+  bool known = a->within_asked && within != SEPAX_INSIDE_UNKNOWN;
+  json_object_set_new(to, name, known ? json_boolean(within == SEPAX_INSIDE) : json_null());
 }
 
 static json_t *answer_as_json(const check_question *q, const check_report *report,
                               const check_answer *a) {
   json_t *json = json_object();
   if (q->poses_path != NULL) {
-    set_count(json, "pose", (size_t)(a - report->answer));
+    report_set_count(json, "pose", (size_t)(a - report->answer));
   }
   json_object_set_new(json, "verdict", json_string(report_verdict_names[a->verdict]));
-  set_count(json, "collisions", a->colliding.count);
+  report_set_count(json, "collisions", a->colliding.count);
   if (!q->on_grid) {
-    set_within(json, "a_inside_b", a->within[0]);
-    set_within(json, "b_inside_a", a->within[1]);
+    set_within(json, "a_inside_b", a, 0);
+    set_within(json, "b_inside_a", a, 1);
   }
   if (q->bands.clearance.text != NULL && !q->first) {
     size_t pairs = report->triangles[0] * report->triangles[1];
-    set_count(json, "free", pairs - a->colliding.count - a->warned.count);
+    report_set_count(json, "free", pairs - a->colliding.count - a->warned.count);
   }
   if (q->bands.clearance.text != NULL) {
-    set_count(json, "warnings", a->warned.count);
+    report_set_count(json, "warnings", a->warned.count);
   }
   if (a->colliding.pair != NULL || q->poses_path == NULL) {
     json_object_set_new(json, "colliding", pairs_as_json(&a->colliding));
@@ -252,7 +256,7 @@ static void set_surface(json_t *body, const check_surface *s) {
   json_object_set_new(body, "closed", json_boolean(s->closed));
   json_object_set_new(body, "consistent", json_boolean(s->consistent));
   if (!s->closed || !s->consistent) {
-    set_count(body, "facet", s->facet);
+    report_set_count(body, "facet", s->facet);
   }
 }
 
@@ -280,7 +284,7 @@ void check_print_json(const check_question *q, const check_report *r) {
   if (q->on_grid && q->bands.warning.text != NULL) {
     json_object_set_new(json, "warning_lsb", json_integer(r->warning_lsb));
   }
-  set_count(json, "pairs", r->triangles[0] * r->triangles[1]);
+  report_set_count(json, "pairs", r->triangles[0] * r->triangles[1]);
   json_object_set_new(json, "seconds", json_real(r->seconds));
   if (q->poses_path == NULL) {
     json_t *answer = answer_as_json(q, r, r->answer);
@@ -318,9 +322,40 @@ static bool write_csv(FILE *out, const void *context) {
   return ok;
 }
 
+static bool print_ply_comments(FILE *out, const void *context) {
+  (void)context;
+  return fputs("comment sepax: triangles of A that collide are red, of B orange\n", out) != EOF;
+}
+
+static bool write_ply(const check_question *q, const check_report *report, sepax_error *error) {
+  report_ply_body body[2] = {
+      {.colour = {170, 190, 215}, .marked_colour = {215, 40, 40}},
+      {.colour = {200, 200, 190}, .marked_colour = {240, 150, 30}},
+  };
+  bool *marked[2] = {NULL, NULL};
+  bool ok = true;
+  for (int i = 0; i < 2; i++) {
+    marked[i] = calloc(report->mesh[i].count + 1, sizeof *marked[i]);
+    body[i].mesh = &report->mesh[i];
+    body[i].marked = marked[i];
+    ok = ok && marked[i] != NULL;
+  }
+  const sepax_pairs *pairs = &report->answer->colliding;
+  for (size_t n = 0; n < pairs->count && ok; n++) {
+    marked[0][pairs->pair[n][0]] = true;
+    marked[1][pairs->pair[n][1]] = true;
+  }
+  const report_ply ply = {.body = body, .bodies = 2, .print_comments = print_ply_comments};
+  ok = ok ? report_ply_write(&ply, q->ply_path, error)
+          : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the colours of %zu triangles",
+                       report->mesh[0].count + report->mesh[1].count);
+  free(marked[0]);
+  free(marked[1]);
+  return ok;
+}
+
 bool check_write_files(const check_question *q, const check_report *report, sepax_error *error) {
   const table t = {q, report};
   return (q->pairs_path == NULL || sepax_write_file(q->pairs_path, write_csv, &t, error)) &&
-         (q->ply_path == NULL ||
-          sepax_ply_write(report->mesh, &report->answer->colliding, q->ply_path, error));
+         (q->ply_path == NULL || write_ply(q, report, error));
 }

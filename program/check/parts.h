@@ -16,13 +16,12 @@ typedef struct {
   cli_grid grid;
 } check_question;
 
-typedef enum { CHECK_NOT_ASKED, CHECK_OUTSIDE, CHECK_INSIDE, CHECK_UNKNOWN } check_inside;
-
 /* Of one pose. Lists that nobody prints are counted only: their `pair` is then NULL. */
 typedef struct {
   report_verdict verdict;
   sepax_pairs colliding, undecided, warned;
-  check_inside within[2]; /* is a part of A inside B, of B inside A? */
+  bool within_asked;
+  sepax_inside within[2]; /* is a part of A inside B, of B inside A? */
 } check_answer;
 
 /* Of a body as its file has it. */

@@ -1,5 +1,5 @@
 /* command.c - sepax path: which bodies of a mechanism collide on a path? */
-#include "cli/report.h"
+#include "report/json.h"
 #include "commands.h"
 #include "path/engine.h"
 #include "util/error.h"

@@ -1,11 +1,10 @@
 /* data.c - what sepax path prints and writes for programs: JSON, CSV. */
-#include "cli/report.h"
+#include "report/json.h"
 #include "path/parts.h"
+#include "report/csv.h"
 #include "util/write_file.h"
 
 #include <math.h>
-
-static json_t *count_of(size_t count) { return json_integer((json_int_t)count); }
 
 /* {"line": 17, "time": 0.1}, or null */
 static json_t *line_of(const path_scene *scene, size_t line) {
@@ -13,7 +12,7 @@ static json_t *line_of(const path_scene *scene, size_t line) {
     return json_null();
   }
   json_t *json = json_object();
-  json_object_set_new(json, "line", count_of(scene->motion.line[line]));
+  report_set_count(json, "line", scene->motion.line[line]);
   json_object_set_new(
       json, "time", scene->motion.time != NULL ? json_real(scene->motion.time[line]) : json_null());
   return json;
@@ -88,7 +87,7 @@ static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
                            path_body_name(scene, pair->body[1]), "verdict",
                            report_verdict_names[path_verdict_of(pair)]);
   for (int v = 0; v < VERDICTS; v++) {
-    json_object_set_new(lines, report_verdict_names[v], count_of(pair->lines[v]));
+    report_set_count(lines, report_verdict_names[v], pair->lines[v]);
     json_object_set_new(first, report_verdict_names[v], line_of(scene, pair->first[v]));
   }
   json_object_set_new(json, "lines", lines);
@@ -162,7 +161,7 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   json_object_set_new(json, "unit", json_string("m"));
   json_object_set_new(json, "verdict", json_string(report_verdict_names[worst]));
   json_object_set_new(json, "first", first_of(scene));
-  json_object_set_new(json, "lines", count_of(scene->motion.lines));
+  report_set_count(json, "lines", scene->motion.lines);
   if (q->bands.clearance.text != NULL) {
     json_object_set_new(json, "clearance", json_real(q->bands.clearance.length));
   }
@@ -171,8 +170,8 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   }
   json_object_set_new(json, "bodies", bodies);
   json_object_set_new(json, "pairs", pairs);
-  json_object_set_new(json, "pairs_of_one_joint", count_of(scene->joined));
-  json_object_set_new(json, "pairs_disabled", count_of(scene->disabled));
+  report_set_count(json, "pairs_of_one_joint", scene->joined);
+  report_set_count(json, "pairs_disabled", scene->disabled);
   json_object_set_new(json, "between", between_of(scene));
   if (q->certificate != NULL) {
     json_object_set_new(json, "certificate",
@@ -193,22 +192,6 @@ void path_print_json(const path_scene *scene, const path_question *q) {
 
 /* ----------------------------------------------------------------------------- CSV */
 
-/* In quotes where it has commas, quotes or blanks. */
-static bool write_name(FILE *out, const char *name) {
-  bool plain = true;
-  for (const char *c = name; *c != '\0'; c++) {
-    plain = plain && *c != ',' && *c != '"' && *c != ' ' && *c != ';';
-  }
-  if (plain) {
-    return fputs(name, out) != EOF;
-  }
-  bool ok = putc('"', out) != EOF;
-  for (const char *c = name; *c != '\0' && ok; c++) {
-    ok = (*c != '"' || putc('"', out) != EOF) && putc(*c, out) != EOF;
-  }
-  return ok && putc('"', out) != EOF;
-}
-
 typedef struct {
   const path_scene *scene;
   bool parts; /* a column for them */
@@ -219,8 +202,8 @@ static bool write_row(FILE *out, const rows *r, const path_pair *pair, path_mome
   const format_motion *motion = &r->scene->motion;
   return fprintf(out, "%zu,", motion->line[at.line]) > 0 &&
          (motion->time == NULL || fprintf(out, "%.17g,", path_time(motion, at)) > 0) &&
-         write_name(out, path_body_name(r->scene, pair->body[0])) && putc(',', out) != EOF &&
-         write_name(out, path_body_name(r->scene, pair->body[1])) &&
+         report_csv_text(out, path_body_name(r->scene, pair->body[0])) && putc(',', out) != EOF &&
+         report_csv_text(out, path_body_name(r->scene, pair->body[1])) &&
          fprintf(out, ",%s", report_verdict_names[verdict]) > 0 &&
          (!r->parts || fprintf(out, ",%.17g", at.part) > 0) && putc('\n', out) != EOF;
 }

@@ -1,6 +1,6 @@
 /* page.c - a page on which one can look at all bodies and go through the path. page.html is the
  * page itself; what it shows and three.js, which shows it, are put into it. */
-#include "cli/report.h"
+#include "report/json.h"
 #include "path/parts.h"
 #include "util/error.h"
 #include "util/write_file.h"

@@ -20,14 +20,13 @@ report_verdict path_between_lines(const path_pair *pair) {
 report_verdict path_verdict_of(const path_pair *pair) {
   report_verdict lines = path_in_lines(pair);
   report_verdict between = path_between_lines(pair);
-  return between > lines ? between : lines;
+  return report_worse(lines, between);
 }
 
 report_verdict path_worst(const path_scene *scene) {
   report_verdict worst = VERDICT_FREE;
   for (size_t n = 0; n < scene->pairs; n++) {
-    report_verdict v = path_verdict_of(&scene->pair[n]);
-    worst = v > worst ? v : worst;
+    worst = report_worse(worst, path_verdict_of(&scene->pair[n]));
   }
   return worst;
 }

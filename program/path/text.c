@@ -1,5 +1,6 @@
 /* text.c - what sepax path prints for people. */
 #include "path/parts.h"
+#include "report/text.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,11 +11,6 @@ static void print_line(const path_scene *scene, size_t line) {
   if (scene->motion.time != NULL) {
     printf(" (%.9g s)", scene->motion.time[line]);
   }
-}
-
-/* "1 line", "2 lines" */
-static void print_count(size_t count, const char *what) {
-  printf("%zu %s%s", count, what, count == 1 ? "" : "s");
 }
 
 static void print_point(const double v[3]) {
@@ -98,7 +94,7 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
     static const char *const what[] = {"", "a warning", "undecided", "collide"};
     if (pair->lines[v] > 0) {
       printf("%s%s in ", before, what[v]);
-      print_count(pair->lines[v], "line");
+      report_print_count(pair->lines[v], "line");
       fputs(", first in ", stdout);
       print_line(scene, pair->first[v]);
       before = "; ";
@@ -118,7 +114,7 @@ static void print_bodies(const path_scene *scene) {
   for (size_t n = 0; n < scene->bodies; n++) {
     const path_body *b = &scene->body[n];
     printf("body   %s, ", path_body_name(scene, n));
-    print_count(b->triangles, "triangle");
+    report_print_count(b->triangles, "triangle");
     if (b->parts > 1) {
       printf(", %zu parts", b->parts);
     }
@@ -170,7 +166,7 @@ static void print_motion(const path_scene *scene, const path_question *q) {
   const format_motion *motion = &scene->motion;
   size_t last = motion->lines - 1;
   printf("path   %s, ", q->motion);
-  print_count(motion->lines, "pose");
+  report_print_count(motion->lines, "pose");
   if (last == 0) {
     printf(", in line %zu of the file", motion->line[0]);
   } else {
@@ -210,7 +206,7 @@ static void print_between(const path_scene *scene, const path_question *q) {
   } else {
     printf("certified  %zu of %zu pairs; ", path_certified_pairs(scene), scene->pairs);
   }
-  print_count(intervals, "interval");
+  report_print_count(intervals, "interval");
   printf(", %zu of them by an axis", by_axis);
   if (!all) {
     printf("; the resolution is %.6g mm", 1e3 * q->resolution.length);
@@ -272,7 +268,7 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   }
   path_moment first = path_worst_moment(scene);
   printf("%s  %zu of ", report_verdict_titles[worst], such);
-  print_count(scene->pairs, "pair");
+  report_print_count(scene->pairs, "pair");
   if (worst != VERDICT_FREE) {
     fputs(", first ", stdout);
     if (first.part > 0) {

@@ -1,5 +1,4 @@
 /* command.c - sepax size: what a scene needs, and the design for it. */
-#include "cli/report.h"
 #include "commands.h"
 #include "generate.h"
 #include "size/parts.h"

@@ -1,5 +1,6 @@
 /* output.c - what sepax size says, as text and as JSON. */
-#include "cli/report.h"
+#include "report/json.h"
+#include "report/text.h"
 #include "size/parts.h"
 
 enum { WIDTH = SIZE_WIDTH };

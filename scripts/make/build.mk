@@ -127,6 +127,12 @@ $(BUILD)/unit/formats/%: $(BUILD)/obj/tb/unit/formats/%.o $(BUILD)/obj/tb/harnes
                          $(ORACLE_OBJ) $(FORMAT_OBJ) $(LIB)
 	$(link)
 
+REPORT_OBJ = $(call object,$(wildcard program/report/*.c))
+$(BUILD)/unit/report/%: LIBS = -lcmocka -lgmp -ljansson
+$(BUILD)/unit/report/%: $(BUILD)/obj/tb/unit/report/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
+                        $(REPORT_OBJ) $(LIB)
+	$(link)
+
 $(BUILD)/unit/synth/%: LIBS = -lcmocka -lgmp
 $(BUILD)/unit/synth/%: $(BUILD)/obj/tb/unit/synth/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
                        $(call object,synth/power/gates.c synth/power/glitches.c \

@@ -1,10 +1,10 @@
-/* scenes.c - two STL files on one grid, and both as a PLY file. */
+/* scenes.c - two STL files on one grid. */
 #include "harness.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static char names[3][PATH_BYTES];
+static char names[2][PATH_BYTES];
 
 /* Two files, of 2 and 3 facets; normals that are none of theirs. */
 static void put_files(sepax_mesh mesh[2]) {
@@ -21,7 +21,6 @@ static void put_files(sepax_mesh mesh[2]) {
     snprintf(names[i], sizeof names[i], "%s/%c.stl", folder, "ab"[i]);
     assert_works(sepax_stl_write(&mesh[i], names[i], i == 0, &fault));
   }
-  snprintf(names[2], sizeof names[2], "%s/ab.ply", folder);
 }
 
 static void free_meshes(sepax_mesh mesh[2]) {
@@ -82,49 +81,5 @@ CASE(files_that_do_not_fit) {
   grid = (sepax_grid){.word = 3};
   assert_fault(sepax_scene_load(&scene, both, &grid, false, &fault), "a.stl, ");
   assert_message("b.stl: ");
-  free_meshes(mesh);
-}
-
-/* ----------------------------------------------------------------------- PLY */
-
-static uint32_t word_at(const unsigned char *bytes) {
-  return (uint32_t)(bytes[0] | bytes[1] << 8 | bytes[2] << 16) | (uint32_t)bytes[3] << 24;
-}
-
-CASE(a_picture_has_all_triangles_in_their_colours) {
-  static const unsigned char colours[2][2][3] = {{{170, 190, 215}, {215, 40, 40}},
-                                                 {{200, 200, 190}, {240, 150, 30}}};
-  sepax_mesh mesh[2];
-  put_files(mesh);
-  size_t hits[][2] = {{1, 0}, {1, 2}};
-  const sepax_pairs pairs = {.pair = hits, .count = 2};
-  assert_works(sepax_ply_write(mesh, &pairs, names[2], &fault));
-  static char text[4096];
-  FILE *in = fopen(names[2], "rb");
-  assert_non_null(in);
-  size_t size = fread(text, 1, sizeof text - 1, in);
-  assert_int_equal(fclose(in), 0);
-  assert_non_null(strstr(text, "element vertex 15\n"));
-  assert_non_null(strstr(text, "element face 5\n"));
-  const char *end = strstr(text, "end_header\n");
-  assert_non_null(end);
-  const unsigned char *at = (const unsigned char *)end + strlen("end_header\n");
-  assert_int_equal(size, (size_t)((const char *)at - text) + 15 * 24 + 5 * 16);
-  for (int n = 0; n < 15; n++) {
-    double v[3];
-    memcpy(v, at + 24 * n, sizeof v);
-    const double *own = mesh[n / 6 > 0].facet[n < 6 ? n / 3 : n / 3 - 2].v[n % 3];
-    assert_memory_equal(v, own, sizeof v);
-  }
-  for (int n = 0; n < 5; n++) {
-    const unsigned char *face = at + 15 * 24 + 16 * n;
-    assert_int_equal(face[0], 3);
-    for (uint32_t k = 0; k < 3; k++) {
-      assert_int_equal(word_at(face + 1 + 4 * k), 3 * (uint32_t)n + k);
-    }
-    bool hit = n == 1 || n == 2 || n == 4;
-    assert_memory_equal(face + 13, colours[n >= 2][hit], 3);
-  }
-  assert_fault(sepax_ply_write(mesh, &pairs, "no/such/ab.ply", &fault), "no/such/ab.ply");
   free_meshes(mesh);
 }

@@ -172,10 +172,7 @@ static bool work_files(void *context) {
   if (read.facet != NULL) {
     sepax_mesh_free(&read);
   }
-  size_t one[1][2] = {{0, 1}};
-  const sepax_pairs pairs = {.pair = one, .count = 1};
-  snprintf(place[0], sizeof place[0], "%s/c.ply", folder);
-  return works && sepax_ply_write(mesh, &pairs, place[0], &fault);
+  return works;
 }
 
 static bool work_poses(void *context) {

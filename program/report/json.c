@@ -1,30 +1,9 @@
-/* report.c - what check and size print of a scene, as text and as JSON. */
-#include "cli/report.h"
-
+/* json.c - what commands print as JSON. */
+#include "report/json.h"
 #include "util/error.h"
 
-#include <stdlib.h>
-
-/* A double is told from its neighbours by 17 digits, many by fewer. */
-enum { DIGITS_FEWEST = 9, DIGITS_ALL = 17 };
-
-report_number report_exactly(double value) {
-  report_number number;
-  int digits = DIGITS_FEWEST;
-  do {
-    snprintf(number.text, sizeof number.text, "%.*g", digits, value);
-  } while (strtod(number.text, NULL) != value && ++digits <= DIGITS_ALL);
-  return number;
-}
-
-void report_print_file(char object, int width, const char *path, size_t triangles) {
-  printf("%-*c%s, %zu triangles\n", width, object, path, triangles);
-}
-
-void report_print_grid(int width, const sepax_grid *grid) {
-  printf("%-*sW = %d, 1 LSB = %s, origin %s,%s,%s\n", width, "grid", grid->word,
-         report_exactly(grid->resolution).text, report_exactly(grid->offset[0]).text,
-         report_exactly(grid->offset[1]).text, report_exactly(grid->offset[2]).text);
+void report_set_count(json_t *to, const char *key, size_t count) {
+  json_object_set_new(to, key, json_integer((json_int_t)count));
 }
 
 json_t *report_scene(const char *const path[2], const size_t count[2], const sepax_grid *grid) {
@@ -35,6 +14,7 @@ json_t *report_scene(const char *const path[2], const size_t count[2], const sep
 }
 
 void report_print_json(json_t *report) {
+  enum { DIGITS_ALL = 17 }; /* tell a double from its neighbours */
   json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(DIGITS_ALL));
   putchar('\n');
   json_decref(report);

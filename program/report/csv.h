@@ -1,0 +1,11 @@
+/* csv.h - cells of a CSV file. */
+#ifndef SEPAX_REPORT_CSV_H
+#define SEPAX_REPORT_CSV_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+/* A text; in quotes if it has commas, semicolons, quotes or blanks. */
+bool report_csv_text(FILE *out, const char *text);
+
+#endif

@@ -1,0 +1,29 @@
+/* ply.h - bodies as a PLY file (binary, coordinates as doubles), for any mesh viewer. */
+#ifndef SEPAX_REPORT_PLY_H
+#define SEPAX_REPORT_PLY_H
+
+#include "sepax.h"
+
+#include <stdio.h>
+
+/* A body in one colour: red, green, blue; faces that are marked have another one. */
+typedef struct {
+  const sepax_mesh *mesh;
+  const sepax_pose *pose; /* NULL: where the mesh is */
+  uint8_t colour[3], marked_colour[3];
+  const bool *marked; /* of each face; NULL: none is */
+} report_ply_body;
+
+typedef struct {
+  const report_ply_body *body;
+  size_t bodies;
+  bool numbered; /* each face has the number of its body as a property */
+  /* Prints lines that begin with "comment ". */
+  bool (*print_comments)(FILE *out, const void *context);
+  const void *context;
+} report_ply;
+
+/* Three vertices for each face. On failure the file stays as it was. */
+bool report_ply_write(const report_ply *ply, const char *path, sepax_error *error);
+
+#endif

@@ -1,0 +1,28 @@
+/* text.c - lines of text that several commands print. */
+#include "report/text.h"
+
+#include <stdlib.h>
+
+report_number report_exactly(double value) {
+  enum { DIGITS_FEWEST = 9, DIGITS_ALL = 17 };
+  report_number number;
+  int digits = DIGITS_FEWEST;
+  do {
+    snprintf(number.text, sizeof number.text, "%.*g", digits, value);
+  } while (strtod(number.text, NULL) != value && ++digits <= DIGITS_ALL);
+  return number;
+}
+
+void report_print_count(size_t count, const char *what) {
+  printf("%zu %s%s", count, what, count == 1 ? "" : "s");
+}
+
+void report_print_file(char object, int width, const char *path, size_t triangles) {
+  printf("%-*c%s, %zu triangles\n", width, object, path, triangles);
+}
+
+void report_print_grid(int width, const sepax_grid *grid) {
+  printf("%-*sW = %d, 1 LSB = %s, origin %s,%s,%s\n", width, "grid", grid->word,
+         report_exactly(grid->resolution).text, report_exactly(grid->offset[0]).text,
+         report_exactly(grid->offset[1]).text, report_exactly(grid->offset[2]).text);
+}

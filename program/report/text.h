@@ -1,0 +1,21 @@
+/* text.h - lines of text that several commands print. */
+#ifndef SEPAX_REPORT_TEXT_H
+#define SEPAX_REPORT_TEXT_H
+
+#include "sepax.h"
+
+/* The shortest decimals, 9 digits at least, that strtod reads back as the same value: a grid that
+ * is printed and given again is the same grid. */
+typedef struct {
+  char text[32];
+} report_number;
+report_number report_exactly(double value);
+
+/* "1 line", "2 lines" */
+void report_print_count(size_t count, const char *what);
+
+/* Lines of text; the name at the left takes `width` characters. */
+void report_print_file(char object, int width, const char *path, size_t triangles);
+void report_print_grid(int width, const sepax_grid *grid);
+
+#endif
