@@ -1,6 +1,7 @@
 /* options.c - the options of a design: one table, and everything that is made of it. */
 #include "design/options.h"
 #include "design/architecture.h"
+#include "design/paper.h"
 #include "util/error.h"
 #include "util/plain_numbers.h"
 
@@ -117,7 +118,7 @@ static const design_option table[] = {
     {"inequality", 0, OPTION_CHOICE, FIELD(inequality), 0, 0, 1, inequality_names,
      PUBLISHED, 0, true, NULL, "-ineq", "FORM",
      "correct (default), or printed: (5) as in the paper"},
-    {"epsilon", 0, OPTION_NUMBER, FIELD(epsilon), 1, 0, INT32_MAX, NULL,
+    {"epsilon", 0, OPTION_NUMBER, FIELD(epsilon), PAPER_EPSILON, 0, INT32_MAX, NULL,
      PUBLISHED, 0, true, NULL, "-e%s", "LSB",
      "tolerance of coplanarity (1; 0: equality)"},
 };

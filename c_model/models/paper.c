@@ -2,7 +2,7 @@
  * of the design, and of `conference`, its predecessor. Each intermediate is exact, then floored to
  * the bits that its format keeps. The hardware tries all axes at once; here the first separating
  * axis decides, which gives the same verdict. */
-#include "sepax_design.h"
+#include "design/paper.h"
 #include "util/wide.h"
 
 #include <assert.h>
@@ -63,16 +63,6 @@ static bool disjoint(const model *m, const projections *p) {
                        ? greatest(p->a) > least(p->b)
                        : greatest(p->a) < least(p->b);
   return a_above_b || a_below_b;
-}
-
-/* True iff the three differences are below the limit of coplanarity. */
-static bool nearly_equal(const model *m, const wide p[3], const wide q[3]) {
-  for (int k = 0; k < 3; k++) {
-    if (wide_magnitude(p[k] - q[k]) >= m->design->coplanar_limit) {
-      return false;
-    }
-  }
-  return true;
 }
 
 static wide_vec edge_of(const model *m, const sepax_tri *tri, int i) {
@@ -153,8 +143,8 @@ sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair) {
   projections on_nb =
       project_pair(&m, pair, &nb, SEPAX_F_NORMAL_PRODUCT, SEPAX_F_NORMAL_PROJECTION);
   m.verdict.coplanar = design->config.coplanarity == SEPAX_COPLANAR_PLANE
-                           ? nearly_equal(&m, on_na.b, on_na.a)
-                           : nearly_equal(&m, on_na.a, on_nb.b);
+                           ? sepax__paper_coplanar(design, on_na.b, on_na.a)
+                           : sepax__paper_coplanar(design, on_na.a, on_nb.b);
   if (disjoint(&m, &on_na)) {
     m.verdict.axis = SEPAX_AXIS_NORMAL_A;
   } else if (disjoint(&m, &on_nb)) {
@@ -177,7 +167,7 @@ static bool coplanar_alone(model *m, const sepax_pair *pair, const wide_vec norm
     of_b[k] = project(m, pair->b.v[k], &normal[plane ? 0 : 1], SEPAX_F_NORMAL_PRODUCT,
                       SEPAX_F_NORMAL_PROJECTION);
   }
-  return nearly_equal(m, of_a, of_b);
+  return sepax__paper_coplanar(m->design, of_a, of_b);
 }
 
 sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pair) {

@@ -10,9 +10,9 @@
 //         14-15  PSA of table 2: six axes across normals and edges
 //         16-17  PROJ of all vertices on these
 //            18  CMP of the six
-//         19-20  the verdict of the six or of the eleven, and output
+//         19-@latency@  the verdict of the six or of the eleven, and output
 //
-// Latency 20 cycles from the first word to the verdict, initiation interval 3, no stall:
+// Latency @latency@ cycles from the first word to the verdict, initiation interval 3, no stall:
 // words may come back to back or with gaps. Outputs are 0 without out_valid.
 // A number at the end of a name is the first of the cycles in which it stands.
 module sepax_top (
@@ -42,7 +42,7 @@ module sepax_top (
 
   // Cycles 1-3: words 1 ... 3. Vertices and normals stand in cycles 5-7, 8-10, 11-13, too;
   // vertices of coplanar pairs in 14-16.
-  wire [20:4] step; // bit c: a pair is in cycle c
+  wire [@latency@:4] step; // bit c: a pair is in cycle c
   wire [9*V_W-1:0] a, b;
   wire [3*N_W-1:0] n_a, n_b;
   reg [9*V_W-1:0] a_5, b_5, a_8, b_8, a_11, b_11, a_14, b_14;
@@ -140,8 +140,8 @@ module sepax_top (
 
   // What cycles 10 and 13 know goes along to the choice in cycle 19: eleven axes or six.
   reg separated_13, separated_16, separated_19;
-  reg coplanar_19, coplanar_20;
-  reg collision_20;
+  reg coplanar_19, coplanar_@latency@;
+  reg collision_@latency@;
 
   always @(posedge clk) begin
     if (step[4]) begin
@@ -178,13 +178,13 @@ module sepax_top (
       coplanar_19 <= coplanar_16;
     end
     if (step[19]) begin
-      collision_20 <= coplanar_19 ? (&overlap_flat) : !separated_19;
-      coplanar_20 <= coplanar_19;
+      collision_@latency@ <= coplanar_19 ? (&overlap_flat) : !separated_19;
+      coplanar_@latency@ <= coplanar_19;
     end
   end
 
-  // Cycle 20: the verdict.
-  assign out_valid = step[20];
-  assign out_collision = out_valid && collision_20;
-  assign out_coplanar = out_valid && coplanar_20;
+  // Cycle @latency@: the verdict.
+  assign out_valid = step[@latency@];
+  assign out_collision = out_valid && collision_@latency@;
+  assign out_coplanar = out_valid && coplanar_@latency@;
 endmodule

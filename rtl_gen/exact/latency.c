@@ -5,8 +5,8 @@
  * - 0, 1 or 2, the AABB test before the core (aabb_latency);
  * - 1 + verdict_cycle, the datapath: from the cycle in which the pair stands in the first registers
  *   to the one in which it is judged. The target period places registers in the units (stages.c).
- * II says how many operations take turns in a unit, and when each starts (cycles.c). A design that
- *   may send a pair through a second pass judges the plane first;
+ *   The II says how many operations take turns in a unit, and when each starts (cycles.c). A design
+ *   that may send a pair through a second pass judges the plane first;
  * - 1, the cycle of the verdict, which the reorder buffer holds. */
 #include "aabb/aabb.h"
 #include "exact.h"

@@ -1,14 +1,14 @@
 // Collision detection of two triangles by the separating axis theorem: the
-// architecture of the paper, figure 5, in the 13 cycles of its figure 6.
+// architecture of the paper, figure 5, in the @latency@ cycles of its figure 6.
 //
 //   cycle   1-3  input: word k brings A_k, B_k and component k of N_A and N_B
 //           4-5  PROJ of all vertices on N_A and N_B
 //           6-7  COP: coplanar? CMP of axes 10 and 11; operands of PSA
 //           8-9  PSA: axes 1 ... 9 (table 1) or 1 ... 6 (table 2, coplanar)
 //         10-11  PROJ of all vertices on the axes; 7 ... 9 are idle when coplanar
-//         12-13  CMP and output
+//         12-@latency@  CMP and output
 //
-// Latency 13 cycles from the first word to the verdict, initiation interval 3, no
+// Latency @latency@ cycles from the first word to the verdict, initiation interval 3, no
 // stall: words may come back to back or with gaps. Outputs are 0 without out_valid.
 // A number at the end of a name is the first of the cycles in which it stands.
 module sepax_top (
@@ -37,7 +37,7 @@ module sepax_top (
   localparam D_W = @projection@; // bits of a projection on an axis
 
   // Cycles 1-3: words 1 ... 3. Vertices and normals stand in cycles 5-7, 8-10, 10-12, too.
-  wire [13:4] step; // bit c: a pair is in cycle c
+  wire [@latency@:4] step; // bit c: a pair is in cycle c
   wire [9*V_W-1:0] a, b;
   wire [3*N_W-1:0] n_a, n_b;
   reg [9*V_W-1:0] a_5, b_5, a_8, b_8;
@@ -88,9 +88,9 @@ module sepax_top (
     .coplanar(coplanar_7), .a(a_5), .b(b_5), .n_a(n_a_5), .n_b(n_b_5), .axis(axis)
   );
 
-  // What cycle 7 knows goes along to cycles 10-12 and to the verdict in cycle 13.
-  reg coplanar_10, coplanar_13;
-  reg [1:0] overlap_10, overlap_13; // of axes 11 and 10
+  // What cycle 7 knows goes along to cycles 10-12 and to the verdict in cycle @latency@.
+  reg coplanar_10, coplanar_@latency@;
+  reg [1:0] overlap_10, overlap_@latency@; // of axes 11 and 10
 
   always @(posedge clk) begin
     if (step[4]) begin
@@ -112,8 +112,8 @@ module sepax_top (
       overlap_10 <= overlap_7;
     end
     if (step[12]) begin
-      coplanar_13 <= coplanar_10;
-      overlap_13 <= overlap_10;
+      coplanar_@latency@ <= coplanar_10;
+      overlap_@latency@ <= overlap_10;
     end
   end
 
@@ -138,12 +138,12 @@ module sepax_top (
     end
   endgenerate
 
-  // Cycle 13: the verdict.
+  // Cycle @latency@: the verdict.
   wire separated;
 
-  sepax_nand last (.overlap({overlap_13, overlap}), .separated(separated));
+  sepax_nand last (.overlap({overlap_@latency@, overlap}), .separated(separated));
 
-  assign out_valid = step[13];
+  assign out_valid = step[@latency@];
   assign out_collision = out_valid && !separated;
-  assign out_coplanar = out_valid && coplanar_13;
+  assign out_coplanar = out_valid && coplanar_@latency@;
 endmodule

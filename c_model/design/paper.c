@@ -1,11 +1,11 @@
-/* published.c - architectures paper and conference: their checks and the fixed-point formats that
+/* paper.c - architectures paper and conference: their checks and the fixed-point formats that
  * follow by interval analysis (docs/paper.md). Both have the same options and formats. */
 #include "design/architecture.h"
 #include "design/interval.h"
+#include "design/paper.h"
 #include "util/error.h"
 
 static bool check(const sepax_config *config, sepax_error *error) {
-  int most = sepax_word_max(config->word);
   if (config->ii != 3) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "ii: architecture %s takes a pair in three input cycles; "
@@ -23,12 +23,7 @@ static bool check(const sepax_config *config, sepax_error *error) {
                       "block-float: nothing is truncated at --precision=full; "
                       "give --precision=word or guard=BITS");
   }
-  if (config->epsilon > most) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "epsilon: %d LSB is out of range; give 0 ... %d at W = %d", config->epsilon,
-                      most, config->word);
-  }
-  return true;
+  return sepax__paper_epsilon_check(config, error);
 }
 
 /* Enter a format that keeps at most `keep` of the bits which `range` needs, and
@@ -65,24 +60,15 @@ static void derive_formats(sepax_design *d) {
   enter(d, SEPAX_F_PROJECTION, "projection", sum_of_three(p), keep);
 }
 
-/* epsilon LSB of distance along a unit normal, in units of a normal projection. */
-static int64_t derive_coplanar_limit(const sepax_design *d) {
-  int shift = d->format[SEPAX_F_NORMAL_PRODUCT].shift + d->format[SEPAX_F_NORMAL_PROJECTION].shift;
-  int64_t distance = (int64_t)d->config.epsilon << (d->config.word - 1);
-  int64_t unit = INT64_C(1) << shift;
-  int64_t limit = (distance + unit - 1) >> shift;
-  return limit > 1 ? limit : 1;
-}
-
 static void derive_paper(sepax_design *design) {
   derive_formats(design);
-  design->coplanar_limit = derive_coplanar_limit(design);
-  design->latency = 13;
+  design->coplanar_limit = sepax__paper_coplanar_limit(design);
+  design->latency = sepax__paper_latency();
 }
 
 static void derive_conference(sepax_design *design) {
   derive_paper(design);
-  design->latency = 20;
+  design->latency = sepax__conference_latency();
 }
 
 const architecture sepax__architecture_paper = {"paper", sepax_paper, check, derive_paper};
