@@ -34,7 +34,7 @@ sepax_status sepax_device_open(sepax_device *device, const sepax_bus *bus) {
   device->lanes = (int)SEPAX_DESIGN_LANES(design);
   device->capacity[0] = (size_t)1 << SEPAX_MEMORY_LOG2_A(memory);
   device->capacity[1] = (size_t)1 << SEPAX_MEMORY_LOG2_B(memory);
-  return SEPAX_OK;
+  return SEPAX_DRIVER_OK;
 }
 
 static bool fits(const int32_t c[9], int word) {
@@ -98,7 +98,7 @@ sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*
   uint32_t loaded = 0;
   bool ok =
       wait_loaded(bus) && bus->read(bus->context, to_b ? SEPAX_COUNT_B : SEPAX_COUNT_A, &loaded);
-  return ok && loaded == count ? SEPAX_OK : SEPAX_BUS_ERROR;
+  return ok && loaded == count ? SEPAX_DRIVER_OK : SEPAX_BUS_ERROR;
 }
 
 sepax_status sepax_device_move(sepax_device *device, const int32_t move[3]) {
@@ -114,7 +114,7 @@ sepax_status sepax_device_move(sepax_device *device, const int32_t move[3]) {
       return SEPAX_BUS_ERROR;
     }
   }
-  return SEPAX_OK;
+  return SEPAX_DRIVER_OK;
 }
 
 static sepax_status read_counts(sepax_device *device, sepax_counts *counts) {
@@ -127,7 +127,7 @@ static sepax_status read_counts(sepax_device *device, sepax_counts *counts) {
     }
   }
   *counts = (sepax_counts){value[0], value[1], value[2], value[3], value[4], value[5]};
-  return SEPAX_OK;
+  return SEPAX_DRIVER_OK;
 }
 
 sepax_status sepax_device_run(sepax_device *device, bool first,
@@ -167,7 +167,7 @@ sepax_status sepax_device_run(sepax_device *device, bool first,
     }
   }
   sepax_status status = read_counts(device, counts);
-  return status == SEPAX_OK && ended ? SEPAX_ENDED : status;
+  return status == SEPAX_DRIVER_OK && ended ? SEPAX_ENDED : status;
 }
 
 /* What a part adds to the numbers of its pairs. */
@@ -199,14 +199,14 @@ sepax_status sepax_device_collide(sepax_device *device, const int32_t (*a)[9], s
   for (p.base[0] = 0; p.base[0] < count_a; p.base[0] += device->capacity[0]) {
     size_t of_a = least(count_a - p.base[0], device->capacity[0]);
     sepax_status status = sepax_device_load(device, false, a + p.base[0], of_a);
-    for (p.base[1] = 0; p.base[1] < count_b && status == SEPAX_OK;
+    for (p.base[1] = 0; p.base[1] < count_b && status == SEPAX_DRIVER_OK;
          p.base[1] += device->capacity[1]) {
       size_t of_b = least(count_b - p.base[1], device->capacity[1]);
       sepax_counts run = {0};
       if (count_b > device->capacity[1] || p.base[0] == 0) { /* B stays where it fits */
         status = sepax_device_load(device, true, b + p.base[1], of_b);
       }
-      if (status == SEPAX_OK) {
+      if (status == SEPAX_DRIVER_OK) {
         status = sepax_device_run(device, first, found_in_part, &p, &run);
       }
       counts->pairs += run.pairs;
@@ -215,13 +215,13 @@ sepax_status sepax_device_collide(sepax_device *device, const int32_t (*a)[9], s
       counts->out_of_range += run.out_of_range;
       counts->warnings += run.warnings;
       counts->cycles += run.cycles;
-      if (first && status == SEPAX_OK && run.collisions > 0) {
-        return SEPAX_OK;
+      if (first && status == SEPAX_DRIVER_OK && run.collisions > 0) {
+        return SEPAX_DRIVER_OK;
       }
     }
-    if (status != SEPAX_OK) {
+    if (status != SEPAX_DRIVER_OK) {
       return status;
     }
   }
-  return SEPAX_OK;
+  return SEPAX_DRIVER_OK;
 }

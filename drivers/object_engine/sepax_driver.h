@@ -3,7 +3,7 @@
  * The registers are those of sepax_registers.h, which sepax gen writes beside the Verilog.
  * The four accesses are yours: registers are mostly a volatile pointer, the two streams a
  * DMA engine or a FIFO. All functions answer with a sepax_status; after one that is not
- * SEPAX_OK the engine is idle, and what it found is not to be used. */
+ * SEPAX_DRIVER_OK the engine is idle, and what it found is not to be used. */
 #ifndef SEPAX_DRIVER_H
 #define SEPAX_DRIVER_H
 
@@ -12,7 +12,7 @@
 #include <stdint.h>
 
 typedef enum {
-  SEPAX_OK,
+  SEPAX_DRIVER_OK,
   SEPAX_NO_ENGINE,  /* ID is not what it must be */
   SEPAX_BUS_ERROR,  /* an access failed, was answered with SLVERR, or a load never ended */
   SEPAX_BAD_WORD,   /* a coordinate does not fit the engine's words */

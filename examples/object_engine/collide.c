@@ -61,7 +61,7 @@ int main(int argc, char **argv) {
   const sepax_bus bus = {NULL, bus_read, bus_write, bus_send, bus_receive};
   sepax_counts counts = {0};
   sepax_status status = sepax_device_open(&device, &bus);
-  if (status == SEPAX_OK) {
+  if (status == SEPAX_DRIVER_OK) {
     status = sepax_device_collide(&device, a, scene.count[0], b, scene.count[1], false, print, NULL,
                                   &counts);
   }
@@ -75,5 +75,5 @@ int main(int argc, char **argv) {
   free(a);
   free(b);
   sepax_scene_free(&scene);
-  return status != SEPAX_OK ? 2 : counts.collisions > 0;
+  return status != SEPAX_DRIVER_OK ? 2 : counts.collisions > 0;
 }

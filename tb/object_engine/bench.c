@@ -29,7 +29,7 @@ void expect(const char *what, unsigned long long got, unsigned long long wanted)
 }
 
 static void check(sepax_status status, const char *what) {
-  if (status != SEPAX_OK) {
+  if (status != SEPAX_DRIVER_OK) {
     fprintf(stderr, "engine: %s: %s\n", what, sepax_status_text(status));
     wrong++;
   }

@@ -111,13 +111,13 @@ int main(void) {
     return 3;
   }
   sepax_status status = sepax_device_open(&device, &bus);
-  if (status == SEPAX_OK) {
+  if (status == SEPAX_DRIVER_OK) {
     status = sepax_device_collide(&device, object_a, COUNT_A, object_b, COUNT_B, false, print, NULL,
                                   &counts);
   }
   text("# ");
   text(sepax_status_text(status));
-  if (status == SEPAX_OK) {
+  if (status == SEPAX_DRIVER_OK) {
     text(": ");
     number((uint32_t)counts.pairs);
     text(" pairs, ");
@@ -127,5 +127,5 @@ int main(void) {
     text(" cycles");
   }
   text("\n");
-  return status != SEPAX_OK ? 2 : counts.collisions > 0;
+  return status != SEPAX_DRIVER_OK ? 2 : counts.collisions > 0;
 }

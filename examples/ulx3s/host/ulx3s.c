@@ -156,7 +156,7 @@ static int run_board(board *b, const settings *s, const sepax_scene *scene, prog
   const sepax_bus bus = board_bus(b);
   sepax_status status = sepax_device_open(&device, &bus);
   double begin = milliseconds();
-  if (status == SEPAX_OK && triangles_a != NULL && triangles_b != NULL) {
+  if (status == SEPAX_DRIVER_OK && triangles_a != NULL && triangles_b != NULL) {
     status = sepax_device_collide(&device, triangles_a, scene->count[0], triangles_b,
                                   scene->count[1], false, print, p, &counts);
   }
@@ -167,7 +167,7 @@ static int run_board(board *b, const settings *s, const sepax_scene *scene, prog
   if (!ok) {
     return error_of("out of memory", "");
   }
-  if (status != SEPAX_OK) {
+  if (status != SEPAX_DRIVER_OK) {
     return error_of(sepax_status_text(status), board_error(b));
   }
   fprintf(stderr,
