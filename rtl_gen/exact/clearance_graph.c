@@ -1,5 +1,5 @@
-/* graph.c - what a clearance adds to the expression graph: is what separates farther than its
- * limit? */
+/* clearance_graph.c - what a clearance adds to the expression graph: is what separates farther than
+ * its limit? */
 #include "clearance.h"
 
 /* One row a kind: symbol, module, lesser module, operands, how many it subtracts, output, width,

@@ -1,4 +1,4 @@
-/* units.c - the modules that a clearance adds to architecture exact. */
+/* clearance_units.c - the modules that a clearance adds to architecture exact. */
 #include "clearance.h"
 
 #include "aabb/aabb.h"
