@@ -26,7 +26,7 @@ enum { KEY_GRID = 0x380, KEY_THREADS, KEY_FIRST, KEY_PAIRS, KEY_PLY, KEY_POSES, 
 static const struct argp_option options[] = {
     {"poses", KEY_POSES, "FILE", 0,
      "a verdict for each pose of B: 12 numbers a line, a rotation by rows, then a translation in "
-     "file units; # begins a comment",
+     "mm; # begins a comment",
      0},
     {"first", KEY_FIRST, NULL, 0, "stop at the first pair that collides (of each pose)", 0},
     {"surfaces", KEY_SURFACES, NULL, 0,

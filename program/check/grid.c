@@ -97,12 +97,11 @@ static bool set_limits(const check_question *q, check_report *report, sepax_desi
     if (limits[i]->text != NULL &&
         !count_steps(limits[i]->text, &q->grid, report->grid.resolution, lsb[i])) {
       return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                        "%s: %.40s is above 2^31 LSB of %g; give a coarser resolution", name[i],
+                        "%s: %.40s is above 2^31 LSB of %g mm; give a coarser resolution", name[i],
                         limits[i]->text, report->grid.resolution);
     }
   }
-  report->clearance_lsb = config.clearance;
-  report->warning_lsb = config.warning;
+  report->steps = (report_steps){config.clearance, config.warning, report->grid.resolution};
   return sepax_design_init(design, &config, error);
 }
 
@@ -194,7 +193,7 @@ static bool find(const check_question *q, const sepax_design *design, const sepa
   return ok;
 }
 
-/* The triangles as they were rounded, in file units. */
+/* The triangles as they were rounded, in mm. */
 static bool fill_mesh(const sepax_scene *scene, int i, sepax_mesh *mesh) {
   mesh->facet = calloc(scene->count[i] + 1, sizeof *mesh->facet);
   if (mesh->facet == NULL) {

@@ -6,9 +6,7 @@
 #include "util/error.h"
 #include "util/write_file.h"
 
-#include <ctype.h>
 #include <stdlib.h>
-#include <string.h>
 
 bool check_any_is_enough(const check_question *q) {
   return q->output.quiet && q->pairs_path == NULL && q->ply_path == NULL;
@@ -34,6 +32,8 @@ void check_report_free(check_report *report) {
 }
 
 /* ----------------------------------------------------------------------- text */
+
+enum { WIDTH = 7 };
 
 static void print_surface(const check_question *q, const check_report *report, int i) {
   const check_surface *s = &report->surface[i];
@@ -70,61 +70,30 @@ static void print_within(const check_answer *a) {
   }
 }
 
-/* A length as it was written, the unit a word of its own. */
-static void print_length(const char *text) {
-  size_t number = strlen(text);
-  while (number > 0 && isalpha((unsigned char)text[number - 1])) {
-    number--;
-  }
-  printf("%.*s%s%s", (int)number, text, text[number] != '\0' ? " " : "", text + number);
-}
-
 /* What the verdict rests on. */
 static void print_basis(const check_question *q, const check_report *report) {
   if (!q->on_grid) {
     fputs("(exact, as the files have them)", stdout);
     return;
   }
-  printf("(%s, on the grid of ", sepax_arch_name(q->config.arch));
-  print_length(q->grid.resolution != NULL ? q->grid.resolution
-                                          : report_exactly(report->grid.resolution).text);
-  putchar(')');
-}
-
-static void print_limit(const check_question *q, const check_report *report,
-                        const report_limit *limit, int lsb) {
-  fputs(" (up to ", stdout);
-  if (q->on_grid) {
-    printf("%d LSB = %.9g)", lsb, lsb * report->grid.resolution);
-  } else {
-    print_length(limit->text);
-    putchar(')');
-  }
+  printf("(%s, on the grid of %s mm)", sepax_arch_name(q->config.arch),
+         report_exactly(report->grid.resolution).text);
 }
 
 /* With the pairs in each of them where all were looked for. */
 static void print_bands(const check_question *q, const check_report *report) {
   const check_answer *a = report->answer;
-  bool counted = q->poses_path == NULL && !q->first;
-  fputs("bands  ", stdout);
-  if (counted) {
-    size_t pairs = report->triangles[0] * report->triangles[1];
-    printf("%zu free, ", pairs - a->colliding.count - a->warned.count);
+  const size_t pairs = report->triangles[0] * report->triangles[1];
+  const size_t count[VERDICTS] = {
+      [VERDICT_FREE] = pairs - a->colliding.count - a->warned.count,
+      [VERDICT_WARNING] = a->warned.count,
+      [VERDICT_COLLISION] = a->colliding.count,
+  };
+  if (q->bands.clearance.text != NULL) {
+    report_print_bands(WIDTH, &q->bands, q->on_grid ? &report->steps : NULL,
+                       q->poses_path == NULL && !q->first ? count : NULL);
+    putchar('\n');
   }
-  if (q->bands.warning.text != NULL) {
-    if (counted) {
-      printf("%zu ", a->warned.count);
-    }
-    fputs("warning", stdout);
-    print_limit(q, report, &q->bands.warning, report->warning_lsb);
-    fputs(", ", stdout);
-  }
-  if (counted) {
-    printf("%zu ", a->colliding.count);
-  }
-  fputs("collision", stdout);
-  print_limit(q, report, &q->bands.clearance, report->clearance_lsb);
-  putchar('\n');
 }
 
 static void print_pairs(const sepax_pairs *pairs, const char *what) {
@@ -140,9 +109,7 @@ static void print_verdict(const check_question *q, const check_report *report) {
     print_pairs(&a->colliding, "");
     print_pairs(&a->undecided, " undecided");
   }
-  if (q->bands.clearance.text != NULL) {
-    print_bands(q, report);
-  }
+  print_bands(q, report);
   printf("%s  %s%zu of %zu pairs collide", report_verdict_titles[a->verdict],
          q->first && a->colliding.count > 0 ? "at least " : "", a->colliding.count, pairs);
   if (a->undecided.count > 0) {
@@ -178,9 +145,7 @@ static void print_pose(const check_question *q, const check_report *report, size
 static void print_poses(const check_question *q, const check_report *report) {
   report_verdict worst = check_worst(report);
   size_t such = 0;
-  if (q->bands.clearance.text != NULL) {
-    print_bands(q, report);
-  }
+  print_bands(q, report);
   for (size_t n = 0; n < report->answers; n++) {
     such += report->answer[n].verdict == worst;
     print_pose(q, report, n);
@@ -189,7 +154,6 @@ static void print_poses(const check_question *q, const check_report *report) {
 }
 
 void check_print_text(const check_question *q, const check_report *report) {
-  enum { WIDTH = 7 };
   report_print_file('A', WIDTH, q->path[0], report->triangles[0]);
   report_print_file('B', WIDTH, q->path[1], report->triangles[1]);
   if (q->on_grid) {
@@ -260,12 +224,6 @@ static void set_surface(json_t *body, const check_surface *s) {
   }
 }
 
-static void set_limit(json_t *report, const char *name, const report_limit *limit) {
-  if (limit->text != NULL) {
-    json_object_set_new(report, name, json_real(limit->length));
-  }
-}
-
 void check_print_json(const check_question *q, const check_report *r) {
   json_t *json = report_scene(q->path, r->triangles, &r->grid);
   json_object_set_new(json, "basis", json_string(q->on_grid ? "grid" : "files"));
@@ -276,14 +234,7 @@ void check_print_json(const check_question *q, const check_report *r) {
     set_surface(json_object_get(json, "a"), &r->surface[0]);
     set_surface(json_object_get(json, "b"), &r->surface[1]);
   }
-  set_limit(json, "clearance", &q->bands.clearance);
-  set_limit(json, "warning", &q->bands.warning);
-  if (q->on_grid && q->bands.clearance.text != NULL) {
-    json_object_set_new(json, "clearance_lsb", json_integer(r->clearance_lsb));
-  }
-  if (q->on_grid && q->bands.warning.text != NULL) {
-    json_object_set_new(json, "warning_lsb", json_integer(r->warning_lsb));
-  }
+  report_set_bands(json, &q->bands, q->on_grid ? &r->steps : NULL);
   report_set_count(json, "pairs", r->triangles[0] * r->triangles[1]);
   json_object_set_new(json, "seconds", json_real(r->seconds));
   if (q->poses_path == NULL) {
@@ -324,7 +275,8 @@ static bool write_csv(FILE *out, const void *context) {
 
 static bool print_ply_comments(FILE *out, const void *context) {
   (void)context;
-  return fputs("comment sepax: triangles of A that collide are red, of B orange\n", out) != EOF;
+  return fputs("comment sepax check: mm; triangles of A that collide are red, of B orange\n",
+               out) != EOF;
 }
 
 static bool write_ply(const check_question *q, const check_report *report, sepax_error *error) {

@@ -8,7 +8,7 @@
 typedef struct {
   const char *path[2];
   const char *poses_path, *pairs_path, *ply_path; /* or NULL */
-  report_bands bands;                             /* file units */
+  report_bands bands;                             /* mm */
   cli_output output;
   bool on_grid, first, surfaces;
   int threads;
@@ -33,9 +33,9 @@ typedef struct {
 typedef struct {
   size_t triangles[2];
   check_surface surface[2];
-  sepax_mesh mesh[2]; /* what --ply shows */
-  sepax_grid grid;    /* on a grid: what was taken; the clearances in LSB */
-  int clearance_lsb, warning_lsb;
+  sepax_mesh mesh[2];   /* what --ply shows */
+  sepax_grid grid;      /* on a grid: what was taken */
+  report_steps steps;   /* on a grid: the clearances */
   check_answer *answer; /* one, or one for each pose */
   size_t answers;
   double seconds;

@@ -55,7 +55,7 @@ const char *cli_scan_decimal(const char *text, const cli_unit *units, int unit,
                              cli_decimal *decimal);
 /* The same, rounded once; NULL also beyond the doubles. */
 const char *cli_scan(const char *text, const cli_unit *units, int unit, double *value);
-/* The same of a length in file units, or with nm, um, mm, m where a file unit is 1 mm. */
+/* The same of a length in mm, or with nm, um, mm, m behind it. */
 const char *cli_scan_length(const char *text, double *value);
 /* Such a length and nothing else; argp_error otherwise. */
 double cli_length(const struct argp_state *state, const char *option, const char *text);

@@ -83,10 +83,10 @@ static void print_answers(const answers *each, const sepax_job_list *list) {
 static void print_list(const char *path, const sepax_job_list *list) {
   sepax_config config = sepax_config_default();
   char text[SEPAX_CONFIG_TEXT];
-  printf("%s: %u jobs of %u poses, %u trees, %zu bytes; W %d, LSB %.9g m, clearance %d LSB, "
+  printf("%s: %u jobs of %u poses, %u trees, %zu bytes; W = %d, 1 LSB = %.9g mm, clearance %d LSB, "
          "warning %d LSB\n",
          path, list->jobs, list->poses, list->bodies, list->bytes, list->word,
-         sepax_job_list_resolution(list), list->clearance, list->warning);
+         1e3 * sepax_job_list_resolution(list), list->clearance, list->warning);
   for (uint32_t n = 0; n < list->bodies; n++) {
     printf("body   %s, %u triangles\n", sepax_job_list_name(list, n),
            sepax_job_list_triangles(list, n));

@@ -116,8 +116,8 @@ enum { KEY_OFFSET = 0x200, KEY_NORMALS };
 static const struct argp_option grid_options[] = {
     {NULL, 0, NULL, 0, "Quantisation:", 4},
     {"resolution", 'r', "LENGTH", 0,
-     "file units per LSB, or with nm, um, mm or m behind it where these are mm (without it the "
-     "meshes are fitted into the word)",
+     "length of one LSB, with nm, um, mm or m behind it, or in mm (without it the meshes are "
+     "fitted into the word)",
      0},
     {"offset", KEY_OFFSET, "X,Y,Z", 0,
      "file coordinates of the integer origin (0,0,0); needs --resolution", 0},
@@ -252,8 +252,7 @@ double cli_length(const struct argp_state *state, const char *option, const char
   double value = 0;
   const char *end = cli_scan_length(text, &value);
   if (end == NULL || *end != '\0') {
-    argp_error(state, "%s: '%s' is not a length; give 0.002, or 2um where file units are mm",
-               option, text);
+    argp_error(state, "%s: '%s' is not a length; give 2um, or 0.002, which is in mm", option, text);
   }
   return value;
 }

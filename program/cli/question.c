@@ -25,7 +25,7 @@ report_limit cli_limit(const struct argp_state *state, const char *option, const
   const char *end = cli_scan(text, cli_lengths, unit, &limit.length);
   if (end == NULL || *end != '\0') {
     argp_error(state, "%s: '%s' is not a length; give %s", option, text,
-               metres ? "0.1mm, or metres" : "0.002, or 2um where file units are mm");
+               metres ? "0.1mm, or 0.0001, which is in m" : "2um, or 0.002, which is in mm");
   }
   if (!(limit.length >= 0 && limit.length <= (metres ? 1e9 : 0x1p1000))) {
     argp_error(state, "%s: %s is not within 0 ... %s", option, text,

@@ -2,6 +2,7 @@
 #include "cli/cli.h"
 #include "cli/jobs.h"
 #include "commands.h"
+#include "report/text.h"
 #include "sepax_tree.h"
 #include "util/error.h"
 
@@ -93,10 +94,11 @@ static void tell(const char *path, const sepax_tree *tree) {
   sepax_tree_image(tree, &bytes);
   sepax_grid grid = sepax_tree_grid(tree);
   size_t triangles = sepax_tree_triangles(tree);
-  printf("%s: %zu triangles, %zu nodes, %zu bytes, %.1f a triangle; W %d, resolution %.17g, "
-         "offset %.17g,%.17g,%.17g\n",
+  printf("%s: %zu triangles, %zu nodes, %zu bytes, %.1f a triangle; W = %d, 1 LSB = %s mm, "
+         "origin %s,%s,%s mm\n",
          path, triangles, sepax_tree_nodes(tree), bytes, (double)bytes / (double)triangles,
-         grid.word, grid.resolution, grid.offset[0], grid.offset[1], grid.offset[2]);
+         grid.word, report_exactly(grid.resolution).text, report_exactly(grid.offset[0]).text,
+         report_exactly(grid.offset[1]).text, report_exactly(grid.offset[2]).text);
 }
 
 int cli_tree(int argc, char **argv) {

@@ -1,21 +1,29 @@
 /* data.c - what sepax path prints and writes for programs: JSON, CSV. */
 #include "report/json.h"
+#include "report/text.h"
 #include "path/parts.h"
 #include "report/csv.h"
 #include "util/write_file.h"
 
 #include <math.h>
 
-/* {"line": 17, "time": 0.1}, or null */
+/* {"line": 17, "time_s": 0.1}, or null */
 static json_t *line_of(const path_scene *scene, size_t line) {
   if (line == PATH_NO_LINE) {
     return json_null();
   }
   json_t *json = json_object();
   report_set_count(json, "line", scene->motion.line[line]);
-  json_object_set_new(
-      json, "time", scene->motion.time != NULL ? json_real(scene->motion.time[line]) : json_null());
+  json_object_set_new(json, "time_s",
+                      scene->motion.time != NULL ? json_real(scene->motion.time[line])
+                                                 : json_null());
   return json;
+}
+
+static double mm_of(double length) { return report_mm(length, CLI_METRES); }
+
+static json_t *point_of(const double v[3]) {
+  return json_pack("[f, f, f]", mm_of(v[0]), mm_of(v[1]), mm_of(v[2]));
 }
 
 static json_t *points_of(const path_scene *scene, const path_pair *pair) {
@@ -24,8 +32,7 @@ static json_t *points_of(const path_scene *scene, const path_pair *pair) {
     return json_null();
   }
   path_points(scene, pair, point);
-  return json_pack("[[f, f, f], [f, f, f]]", point[0][0], point[0][1], point[0][2], point[1][0],
-                   point[1][1], point[1][2]);
+  return json_pack("[o, o]", point_of(point[0]), point_of(point[1]));
 }
 
 static json_t *least_of(const path_scene *scene, const path_pair *pair) {
@@ -33,12 +40,13 @@ static json_t *least_of(const path_scene *scene, const path_pair *pair) {
     return json_null();
   }
   json_t *json = line_of(scene, pair->least_line);
-  json_object_set_new(json, "distance", json_real(pair->least));
-  json_object_set_new(json, "points", points_of(scene, pair));
+  json_object_set_new(json, "distance_mm", json_real(mm_of(pair->least)));
+  json_object_set_new(json, "points_mm", points_of(scene, pair));
   return json;
 }
 
-/* {"x": 0.1, ...}: of the joints that have a column, or would. */
+/* {"x": 0.1, ...}: of the joints that have a column, or would; metres and radians, as in a URDF and
+ * in a column without a unit. */
 static json_t *values_of(const path_scene *scene, path_moment at) {
   const sepax_mechanism *m = &scene->robot.mechanism;
   json_t *json = json_object();
@@ -68,13 +76,13 @@ static json_t *way_of(const path_scene *scene, const path_pair *pair) {
     path_open_ends(pair, ends);
     open = segment_of(scene, proof->open.segment);
     json_object_set_new(open, "part", json_pack("[f, f]", ends[0], ends[1]));
-    json_object_set_new(open, "distance", json_real(proof->distance));
+    json_object_set_new(open, "distance_mm", json_real(mm_of(proof->distance)));
     json_object_set_new(open, "ended", json_boolean(proof->ended));
   }
   if (proof->collides) {
     collision = segment_of(scene, proof->segment);
     json_object_set_new(collision, "part", json_real(proof->part));
-    json_object_set_new(collision, "values", values_of(scene, path_between_moment(pair)));
+    json_object_set_new(collision, "values_m_rad", values_of(scene, path_between_moment(pair)));
   }
   return json_pack("{s:b, s:I, s:o, s:o}", "certified", proof->certified, "intervals",
                    (json_int_t)proof->count, "open", open, "collision", collision);
@@ -126,7 +134,7 @@ static json_t *first_of(const path_scene *scene) {
   }
   json_t *json = line_of(scene, at.line);
   json_object_set_new(json, "part", json_real(at.part));
-  json_object_set_new(json, "values", values_of(scene, at));
+  json_object_set_new(json, "values_m_rad", values_of(scene, at));
   return json;
 }
 
@@ -140,7 +148,7 @@ static json_t *jobs_of(const path_scene *scene, const path_question *q) {
   return json_pack("{s:s, s:I, s:I, s:I, s:I, s:i, s:f, s:i, s:i, s:s}", "file", q->jobs, "jobs",
                    (json_int_t)scene->pairs, "poses", (json_int_t)scene->motion.lines, "bodies",
                    (json_int_t)jobs->bodies, "bytes", (json_int_t)jobs->bytes, "word",
-                   jobs->config.word, "lsb", jobs->resolution, "clearance_lsb",
+                   jobs->config.word, "lsb_mm", mm_of(jobs->resolution), "clearance_lsb",
                    jobs->config.clearance, "warning_lsb", jobs->config.warning, "command", command);
 }
 
@@ -158,16 +166,10 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   json_object_set_new(json, "urdf", json_string(q->urdf));
   json_object_set_new(json, "srdf", q->srdf != NULL ? json_string(q->srdf) : json_null());
   json_object_set_new(json, "path", json_string(q->motion));
-  json_object_set_new(json, "unit", json_string("m"));
   json_object_set_new(json, "verdict", json_string(report_verdict_names[worst]));
   json_object_set_new(json, "first", first_of(scene));
   report_set_count(json, "lines", scene->motion.lines);
-  if (q->bands.clearance.text != NULL) {
-    json_object_set_new(json, "clearance", json_real(q->bands.clearance.length));
-  }
-  if (q->bands.warning.text != NULL) {
-    json_object_set_new(json, "warning", json_real(q->bands.warning.length));
-  }
+  report_set_bands(json, &q->bands, NULL);
   json_object_set_new(json, "bodies", bodies);
   json_object_set_new(json, "pairs", pairs);
   report_set_count(json, "pairs_of_one_joint", scene->joined);

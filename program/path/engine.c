@@ -81,9 +81,9 @@ static bool choose_grid(path_engine *e, const path_scene *scene, const path_ques
   }
   int most = e->word <= SEPAX_TREE_WORD_MAX ? e->word : SEPAX_TREE_WORD_MAX;
   return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "word: %.60s and %.60s need more than %d bits of %.60s; give %.3gum or more%s",
+                    "word: %.60s and %.60s need more than %d bits of %.60s; give %.3gmm or more%s",
                     path_body_name(scene, of->body[0]), path_body_name(scene, of->body[1]), most,
-                    q->lsb.text, 1e6 * round_up(reach / steps_of(most)),
+                    q->lsb.text, 1e3 * round_up(reach / steps_of(most)),
                     most < SEPAX_TREE_WORD_MAX ? ", or a longer word" : "");
 }
 
@@ -114,7 +114,7 @@ static bool choose_bands(path_engine *e, const path_question *q, sepax_design *d
   config.warning = e->warning;
   sepax_error inner = {0};
   return sepax_design_init(design, &config, &inner) ||
-         sepax_fail(error, inner.code, "an LSB of %.3g um: %.400s", 1e6 * e->resolution,
+         sepax_fail(error, inner.code, "an LSB of %.3g mm: %.400s", 1e3 * e->resolution,
                     inner.text);
 }
 
@@ -153,9 +153,9 @@ static bool add_poses(path_engine *e, const path_scene *scene, const path_questi
                       pose);
     if (!sepax_tree_pose_make(&e->pose[n][line], tree[0], &pose[0], tree[1], &pose[1], margin,
                               &inner)) {
-      return sepax_fail(error, inner.code, "%.120s:%zu: %.60s, %.60s: an LSB of %.3g um: %.200s",
+      return sepax_fail(error, inner.code, "%.120s:%zu: %.60s, %.60s: an LSB of %.3g mm: %.200s",
                         q->motion, motion->line[line], path_body_name(scene, pair->body[0]),
-                        path_body_name(scene, pair->body[1]), 1e6 * e->resolution, inner.text);
+                        path_body_name(scene, pair->body[1]), 1e3 * e->resolution, inner.text);
     }
   }
   return true;

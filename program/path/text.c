@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+enum { WIDTH = 7 };
+
 /* "line 17 (0.1 s)" */
 static void print_line(const path_scene *scene, size_t line) {
   printf("line %zu", scene->motion.line[line]);
@@ -13,8 +15,10 @@ static void print_line(const path_scene *scene, size_t line) {
   }
 }
 
+static double mm_of(double length) { return report_mm(length, CLI_METRES); }
+
 static void print_point(const double v[3]) {
-  printf("%.6g %.6g %.6g", 1e3 * v[0], 1e3 * v[1], 1e3 * v[2]);
+  printf("%.6g,%.6g,%.6g mm", mm_of(v[0]), mm_of(v[1]), mm_of(v[2]));
 }
 
 static void print_least(const path_scene *scene, const path_pair *pair) {
@@ -27,7 +31,7 @@ static void print_least(const path_scene *scene, const path_pair *pair) {
   }
   double point[2][3];
   path_points(scene, pair, point);
-  printf("; least clearance %.6g mm in ", 1e3 * pair->least);
+  printf("; least clearance %.6g mm in ", mm_of(pair->least));
   print_line(scene, pair->least_line);
   fputs(", from ", stdout);
   print_point(point[0]);
@@ -79,7 +83,7 @@ static void print_way(const path_scene *scene, const path_pair *pair) {
   }
   printf("to %.9g of the way", ends[0]);
   if (!proof->collides) {
-    printf(", open to %.9g, %.6g mm in its middle", ends[1], 1e3 * proof->distance);
+    printf(", open to %.9g, %.6g mm in its middle", ends[1], mm_of(proof->distance));
     fputs(proof->ended ? "; not divided further (--intervals)" : "", stdout);
   }
 }
@@ -180,16 +184,6 @@ static void print_motion(const path_scene *scene, const path_question *q) {
   putchar('\n');
 }
 
-static void print_limits(const path_question *q) {
-  if (q->bands.clearance.text != NULL) {
-    printf("bands  collision up to %.9g mm", 1e3 * q->bands.clearance.length);
-    if (q->bands.warning.text != NULL) {
-      printf(", warning up to %.9g mm", 1e3 * q->bands.warning.length);
-    }
-    putchar('\n');
-  }
-}
-
 static void print_between(const path_scene *scene, const path_question *q) {
   size_t intervals = 0;
   size_t by_axis = 0;
@@ -209,7 +203,7 @@ static void print_between(const path_scene *scene, const path_question *q) {
   report_print_count(intervals, "interval");
   printf(", %zu of them by an axis", by_axis);
   if (!all) {
-    printf("; the resolution is %.6g mm", 1e3 * q->resolution.length);
+    printf("; the resolution is %.6g mm", mm_of(q->resolution.length));
   }
   printf(", %.3f s\n", scene->between_seconds);
 }
@@ -229,9 +223,10 @@ static void print_certificate(const path_scene *scene, const path_question *q) {
 static void print_jobs(const path_scene *scene, const path_question *q) {
   const path_jobs *jobs = &scene->jobs;
   char text[SEPAX_CONFIG_TEXT];
-  printf("jobs   %s, %zu jobs of %zu poses, %zu trees, %zu bytes; LSB %.9g um, clearance %d LSB",
-         q->jobs, scene->pairs, scene->motion.lines, jobs->bodies, jobs->bytes,
-         1e6 * jobs->resolution, jobs->config.clearance);
+  printf(
+      "jobs   %s, %zu jobs of %zu poses, %zu trees, %zu bytes; 1 LSB = %.9g mm, clearance %d LSB",
+      q->jobs, scene->pairs, scene->motion.lines, jobs->bodies, jobs->bytes,
+      mm_of(jobs->resolution), jobs->config.clearance);
   if (jobs->config.warning > 0) {
     printf(", warning %d LSB", jobs->config.warning);
   }
@@ -253,7 +248,10 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   print_empty(scene);
   print_compared(scene, q);
   print_motion(scene, q);
-  print_limits(q);
+  if (q->bands.clearance.text != NULL) {
+    report_print_bands(WIDTH, &q->bands, NULL, NULL);
+    putchar('\n');
+  }
   if (q->jobs != NULL) {
     print_jobs(scene, q);
   }

@@ -1,5 +1,6 @@
 /* bands.c - the limits of --clearance and --warning, and how they are told. */
 #include "report/bands.h"
+#include "report/text.h"
 #include "util/error.h"
 
 bool report_bands_agree(const report_bands *bands, sepax_error *error) {
@@ -13,4 +14,51 @@ bool report_bands_agree(const report_bands *bands, sepax_error *error) {
          sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                     "warning: %.60s is not above the clearance of %.60s", warning->text,
                     clearance->text);
+}
+
+static void print_limit(const report_bands *bands, const report_limit *limit,
+                        const report_steps *steps, int lsb) {
+  if (steps != NULL) {
+    printf(" (up to %d LSB = %.9g mm)", lsb, lsb * steps->lsb_mm);
+  } else {
+    printf(" (up to %.9g mm)", report_mm(limit->length, bands->unit));
+  }
+}
+
+void report_print_bands(int width, const report_bands *bands, const report_steps *steps,
+                        const size_t *count) {
+  printf("%-*s", width, "bands");
+  if (count != NULL) {
+    printf("%zu free, ", count[VERDICT_FREE]);
+  }
+  if (bands->warning.text != NULL) {
+    if (count != NULL) {
+      printf("%zu ", count[VERDICT_WARNING]);
+    }
+    fputs("warning", stdout);
+    print_limit(bands, &bands->warning, steps, steps != NULL ? steps->warning : 0);
+    fputs(", ", stdout);
+  }
+  if (count != NULL) {
+    printf("%zu ", count[VERDICT_COLLISION]);
+  }
+  fputs("collision", stdout);
+  print_limit(bands, &bands->clearance, steps, steps != NULL ? steps->clearance : 0);
+}
+
+static void set_limit(json_t *to, const char *key, const report_limit *limit, int unit) {
+  if (limit->text != NULL) {
+    json_object_set_new(to, key, json_real(report_mm(limit->length, unit)));
+  }
+}
+
+void report_set_bands(json_t *to, const report_bands *bands, const report_steps *steps) {
+  set_limit(to, "clearance_mm", &bands->clearance, bands->unit);
+  set_limit(to, "warning_mm", &bands->warning, bands->unit);
+  if (steps != NULL && bands->clearance.text != NULL) {
+    json_object_set_new(to, "clearance_lsb", json_integer(steps->clearance));
+  }
+  if (steps != NULL && bands->warning.text != NULL) {
+    json_object_set_new(to, "warning_lsb", json_integer(steps->warning));
+  }
 }

@@ -9,8 +9,8 @@ void report_set_count(json_t *to, const char *key, size_t count) {
 json_t *report_scene(const char *const path[2], const size_t count[2], const sepax_grid *grid) {
   return json_pack("{s:{s:s, s:I}, s:{s:s, s:I}, s:{s:i, s:f, s:[f, f, f]}}", "a", "file", path[0],
                    "triangles", (json_int_t)count[0], "b", "file", path[1], "triangles",
-                   (json_int_t)count[1], "grid", "word", grid->word, "resolution", grid->resolution,
-                   "origin", grid->offset[0], grid->offset[1], grid->offset[2]);
+                   (json_int_t)count[1], "grid", "word", grid->word, "lsb_mm", grid->resolution,
+                   "origin_mm", grid->offset[0], grid->offset[1], grid->offset[2]);
 }
 
 void report_print_json(json_t *report) {

@@ -6,7 +6,7 @@
 
 #include <jansson.h>
 
-/* {"a": ..., "b": ..., "grid": ...}; a new reference. */
+/* {"a": ..., "b": ..., "grid": ...} of two STL files, whose unit is 1 mm; a new reference. */
 json_t *report_scene(const char *const path[2], const size_t count[2], const sepax_grid *grid);
 
 void report_set_count(json_t *to, const char *key, size_t count);

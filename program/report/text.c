@@ -13,6 +13,15 @@ report_number report_exactly(double value) {
   return number;
 }
 
+double report_mm(double length, int unit) {
+  static const int millimetres = -3;
+  double scale = 1;
+  for (; unit > millimetres; unit--) {
+    scale *= 10;
+  }
+  return scale * length;
+}
+
 void report_print_count(size_t count, const char *what) {
   printf("%zu %s%s", count, what, count == 1 ? "" : "s");
 }
@@ -22,7 +31,7 @@ void report_print_file(char object, int width, const char *path, size_t triangle
 }
 
 void report_print_grid(int width, const sepax_grid *grid) {
-  printf("%-*sW = %d, 1 LSB = %s, origin %s,%s,%s\n", width, "grid", grid->word,
+  printf("%-*sW = %d, 1 LSB = %s mm, origin %s,%s,%s mm\n", width, "grid", grid->word,
          report_exactly(grid->resolution).text, report_exactly(grid->offset[0]).text,
          report_exactly(grid->offset[1]).text, report_exactly(grid->offset[2]).text);
 }

@@ -11,11 +11,15 @@ typedef struct {
 } report_number;
 report_number report_exactly(double value);
 
+/* Millimetres. Reports have all lengths in mm, whatever the unit of the files is; JSON keys end in
+ * _mm. A length here is in units of 10^unit metres (cli/units.h). */
+double report_mm(double length, int unit);
+
 /* "1 line", "2 lines" */
 void report_print_count(size_t count, const char *what);
 
 /* Lines of text; the name at the left takes `width` characters. */
 void report_print_file(char object, int width, const char *path, size_t triangles);
-void report_print_grid(int width, const sepax_grid *grid);
+void report_print_grid(int width, const sepax_grid *grid); /* of STL files, whose unit is 1 mm */
 
 #endif

@@ -26,10 +26,7 @@ enum {
 };
 
 static const struct argp_option options[] = {
-    {NULL, 0, NULL, 0,
-     "Scene (a LENGTH is in file units, or with nm, um, mm or m behind it where "
-     "these are mm):",
-     1},
+    {NULL, 0, NULL, 0, "Scene (a LENGTH has nm, um, mm or m behind it, or is in mm):", 1},
     {"resolution", 'r', "LENGTH", 0, "length per LSB", 0},
     {"offset", KEY_OFFSET, "X,Y,Z", 0,
      "file coordinates of the integer origin (the middle of the workspace)", 0},
@@ -49,7 +46,7 @@ static const struct argp_option options[] = {
     {"seed", 's', "SEED", 0, "seed of these poses (1)", 0},
     {"poses", KEY_POSES, "FILE", 0,
      "the path of B, instead of a motion: 12 numbers a line, a rotation by rows, then a "
-     "translation in file units; tree engines are looked at, too",
+     "translation in mm; tree engines are looked at, too",
      0},
     {NULL, 0, NULL, 0, "Design:", 3},
     {"time", KEY_TIME, "TIME", 0, "for a pose, with ns, us, ms or s behind it (0.96ms)", 0},

@@ -99,12 +99,10 @@ static void print_bodies(const size_options *o, const size_answer *answer) {
          scene->pairs + scene->joined + scene->disabled);
   printf("%-*s%s, %zu poses, in lines %zu ... %zu\n", WIDTH, "path", o->path[1],
          scene->motion.lines, scene->motion.line[0], scene->motion.line[scene->motion.lines - 1]);
-  printf("%-*s%.9g um per LSB; about the middles of the bodies W = %d holds all near pairs\n",
-         WIDTH, "grid", 1e6 * e->resolution, e->word);
-  printf("%-*s%d LSB", WIDTH, "clearance", e->clearance);
-  if (e->warning > 0) {
-    printf(", warning %d LSB", e->warning);
-  }
+  const report_steps steps = {e->clearance, e->warning, report_mm(e->resolution, CLI_METRES)};
+  printf("%-*sW = %d, 1 LSB = %.9g mm; about the middles of the bodies this holds all near pairs\n",
+         WIDTH, "grid", e->word, steps.lsb_mm);
+  report_print_bands(WIDTH, &o->scene.bands, &steps, NULL);
   puts(", of the bodies as they are in the files: nothing is missed");
 }
 
@@ -151,8 +149,8 @@ void size_print_text(const size_options *o, const size_answer *answer) {
   if (o->path_file != NULL) {
     printf("path       %s, %zu poses of B\n", o->path_file, s->path);
   }
-  printf("poses      x %.9g ... %.9g, y %.9g ... %.9g, z %.9g ... %.9g\n", s->low[0], s->high[0],
-         s->low[1], s->high[1], s->low[2], s->high[2]);
+  printf("poses      x %.9g ... %.9g mm, y %.9g ... %.9g mm, z %.9g ... %.9g mm\n", s->low[0],
+         s->high[0], s->low[1], s->high[1], s->low[2], s->high[2]);
   report_print_grid(WIDTH, &s->grid);
   printf("extents    L_A = %lld, L_B = %lld LSB: %d bits behind the AABB test\n",
          (long long)s->extent[0], (long long)s->extent[1], s->core_word);
@@ -232,13 +230,15 @@ static void print_scene_json(const size_options *o, const size_answer *answer) {
   for (size_t n = 0; n < answer->pairs; n++) {
     json_array_append_new(pairs, pair_json(answer, n));
   }
-  report_print_json(
-      json_pack("{s:s, s:s?, s:s, s:I, s:f, s:i, s:i, s:i, s:i, s:f, s:o, s:o, s:o, s:o}", "urdf",
-                o->path[0], "srdf", o->scene.srdf, "path", o->path[1], "lines",
-                (json_int_t)scene->motion.lines, "resolution", e->resolution, "word", e->word,
-                "clearance_lsb", e->clearance, "warning_lsb", e->warning, "latency",
-                o->request.latency, "time", o->request.seconds, "bodies", bodies, "pairs", pairs,
-                "engines", engines_json(answer), "design", design_json(answer, answer->best)));
+  json_t *report = json_pack(
+      "{s:s, s:s?, s:s, s:I, s:i, s:f, s:i, s:i, s:i, s:f, s:o, s:o, s:o, s:o}", "urdf", o->path[0],
+      "srdf", o->scene.srdf, "path", o->path[1], "lines", (json_int_t)scene->motion.lines, "word",
+      e->word, "lsb_mm", report_mm(e->resolution, CLI_METRES), "clearance_lsb", e->clearance,
+      "warning_lsb", e->warning, "latency_cycles", o->request.latency, "time_s", o->request.seconds,
+      "bodies", bodies, "pairs", pairs, "engines", engines_json(answer), "design",
+      design_json(answer, answer->best));
+  report_set_bands(report, &o->scene.bands, NULL);
+  report_print_json(report);
 }
 
 void size_print_json(const size_options *o, const size_answer *answer) {
@@ -249,9 +249,9 @@ void size_print_json(const size_options *o, const size_answer *answer) {
   const sepax_size *s = answer->size;
   json_t *report = report_scene(o->path, s->count, &s->grid);
   json_t *needs =
-      json_pack("{s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}", "poses", s->low[0], s->high[0],
-                s->low[1], s->high[1], s->low[2], s->high[2], "extents", (json_int_t)s->extent[0],
-                (json_int_t)s->extent[1], "core_word", s->core_word);
+      json_pack("{s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}", "poses_mm", s->low[0], s->high[0],
+                s->low[1], s->high[1], s->low[2], s->high[2], "extents_lsb",
+                (json_int_t)s->extent[0], (json_int_t)s->extent[1], "core_word", s->core_word);
   json_object_update(report, needs);
   json_decref(needs);
   if (s->workloads > 0) {
@@ -263,8 +263,8 @@ void size_print_json(const size_options *o, const size_answer *answer) {
   if (s->path > 0) {
     json_object_set_new(report, "path",
                         json_pack("{s:s, s:I, s:i, s:s, s:s}", "file", o->path_file, "poses",
-                                  (json_int_t)s->path, "latency", o->request.latency, "tree_pairs",
-                                  pairs_told(o), "caches", "cold"));
+                                  (json_int_t)s->path, "latency_cycles", o->request.latency,
+                                  "tree_pairs", pairs_told(o), "caches", "cold"));
     json_object_set_new(report, "engines", engines_json(answer));
   }
   json_object_set_new(report, "design", design_json(answer, answer->best));
