@@ -395,13 +395,9 @@ static bool choose(const size_options *o, size_answer *answer, sepax_error *erro
   return answer->best != NULL;
 }
 
-/* Through the text, as sepax gen would read it. */
 static bool generate(const size_options *o, const sepax_sized_design *m, sepax_error *error) {
-  char text[SEPAX_CONFIG_TEXT];
-  sepax_config config = sepax_config_default();
   sepax_design design;
-  return sepax_config_parse(&config, sepax_config_text(&m->config, text, sizeof text), error) &&
-         sepax_design_init(&design, &config, error) && sepax_generate(&design, o->folder, error);
+  return sepax_design_init(&design, &m->config, error) && sepax_generate(&design, o->folder, error);
 }
 
 int cli_size(int argc, char **argv) {
