@@ -219,7 +219,7 @@ bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch
 	@echo "== verilated core with its golden model, all families:"
 	@$(MAKE) PAIRS=families cosim
 
-certificate: $(BUILD)/certificate-check
+certificate: $(BUILD)/sepax-certificate-check
 	$(if $(CERTIFICATE),,@echo "make certificate: give CERTIFICATE=FILE and, where the files that \
 	  it names are seen from another folder, FOLDER=" >&2; exit 2)
 	@cd $(or $(FOLDER),.) && $(abspath $<) $(addprefix -p ,$(PACKAGE)) $(abspath $(CERTIFICATE))
@@ -252,7 +252,7 @@ CLAIMS = $(addprefix $(BUILD)/unit/tree/,walk turned_boxes posed_clearance)
 tree-campaign: $(SEPAX) $(CLAIMS)
 	@scripts/tree_engine/campaign $(if $(SHARE),-s $(SHARE)) $(BUILD)/tree-campaign
 
-path-campaign: $(SEPAX) $(LIB) $(BUILD)/certificate-check
+path-campaign: $(SEPAX) $(LIB) $(BUILD)/sepax-certificate-check
 	@scripts/experiments/paths $(BUILD)/path-campaign $(if $(call given,COUNT),$(COUNT),100) \
 	  $(or $(GRAZES),10) $(SEED)
 

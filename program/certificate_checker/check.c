@@ -1,5 +1,5 @@
 /* check.c - is a certificate right that bodies of a URDF do not touch along a path?
- *   certificate-check [-p NAME:FOLDER] FILE
+ *   sepax-certificate-check [-p NAME:FOLDER] FILE
  * docs/path/certificate.md has the format and what is proved. Exit status 0: proved; 1: not;
  * 2: cannot be checked. Shares no code with sepax. */
 #include "boxes.h"
@@ -234,19 +234,34 @@ static void check_pairs(const proof *p) {
   free(there);
 }
 
+static const char usage[] = "usage: sepax-certificate-check [-p NAME:FOLDER] FILE";
+
+static void print_help(void) {
+  printf("%s\n\n"
+         "Does FILE, a certificate that sepax path --certify --certificate=FILE wrote, prove that\n"
+         "the bodies of its URDF do not collide on its path? Shares no code with sepax.\n\n"
+         "  -p NAME:FOLDER   where package://NAME/ is; may be given again\n\n"
+         "Exit status: 0 accepted, 1 rejected, 2 error.\n",
+         usage);
+}
+
 int main(int count, char **words) {
+  if (count == 2 && strcmp(words[1], "--help") == 0) {
+    print_help();
+    return 0;
+  }
   packages folders = {NULL, 0};
   int option = 0;
   while ((option = getopt(count, words, "p:")) != -1) {
     const char *colon = option == 'p' ? strchr(optarg, ':') : NULL;
     if (colon == NULL)
-      cannot("usage: certificate-check [-p NAME:FOLDER] FILE");
+      cannot("%s", usage);
     GROW(folders.entry, folders.count);
     folders.entry[folders.count++] = (package){text_copy(optarg, (size_t)(colon - optarg)),
                                                text_copy(colon + 1, strlen(colon + 1))};
   }
   if (optind + 1 != count)
-    cannot("usage: certificate-check [-p NAME:FOLDER] FILE");
+    cannot("%s", usage);
   certificate c = certificate_open(words[optind], &folders);
   proof p = {.robot = robot_read(c.urdf, c.srdf, &folders), .clearance = c.clearance};
   p.steps = steps_read(c.path, &p.robot);

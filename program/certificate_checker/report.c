@@ -20,7 +20,7 @@ void reject(const char *format, ...) {
 void cannot(const char *format, ...) {
   va_list values;
   va_start(values, format);
-  fputs("certificate-check: ", stderr);
+  fputs("sepax-certificate-check: ", stderr);
   vfprintf(stderr, format, values);
   va_end(values);
   fputc('\n', stderr);

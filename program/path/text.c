@@ -214,7 +214,7 @@ static void print_certificate(const path_scene *scene, const path_question *q) {
   if (!path_certified(scene)) {
     printf("not written%s\n", scene->removed ? "; that of an earlier run is removed" : "");
   } else if (other != NULL) {
-    printf("written; certificate-check cannot check it: %s is no STL file\n", other);
+    printf("written; sepax-certificate-check cannot check it: %s is no STL file\n", other);
   } else {
     puts("written");
   }

@@ -104,18 +104,18 @@ $(BUILD)/posed-pairs: $(call object,tb/pairs/posed.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/hard-pairs: $(call object,tb/pairs/hard.c) $(LIB)
 $(BUILD)/refine: $(call object,tb/tree_engine/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
-$(BUILD)/certificate-check: $(CHECKER_OBJ)
+$(BUILD)/sepax-certificate-check: $(CHECKER_OBJ)
 $(BUILD)/certificate-grazes: $(call object,tb/certificate/grazes.c)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
 $(BUILD)/layout: $(LAYOUT_OBJ)
 $(BUILD)/liberty $(BUILD)/power $(BUILD)/layout: LIBS = -ljansson
 $(SEPAX): LIBS = -ljansson $(FORMAT_LIBS)
-$(BUILD)/certificate-check: LIBS = -ljansson -lxml2
+$(BUILD)/sepax-certificate-check: LIBS = -ljansson -lxml2
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 $(BUILD)/clearance-pairs $(BUILD)/posed-pairs: LIBS = -lgmp
 $(SEPAX) $(addprefix $(BUILD)/,bench_batch layout liberty power refine) \
     $(addprefix $(BUILD)/,clearance-pairs posed-pairs hard-pairs bench) \
-    $(addprefix $(BUILD)/,certificate-check certificate-grazes):
+    $(addprefix $(BUILD)/,sepax-certificate-check certificate-grazes):
 	$(link)
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson

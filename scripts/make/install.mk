@@ -1,12 +1,16 @@
-# install.mk - make install, make uninstall: program, library, headers, manual pages.
+# install.mk - make install, make uninstall: programs, library, headers, manual pages.
 
 VERSION = $(shell sed -n 's/.define SEPAX_VERSION "\(.*\)"/\1/p' lib/sepax.h)
 ROOT    = $(DESTDIR)$(PREFIX)
 HEADERS = $(wildcard lib/sepax*.h c_model/sepax*.h)
-MAN     = share/man/man1/sepax.1 share/man/man3/libsepax.3
+MAN     = share/man/man1/sepax.1 share/man/man1/sepax-certificate-check.1 \
+          share/man/man3/libsepax.3
+BIN     = sepax sepax-certificate-check
+# The checker of certificates reads URDF by libxml2; without libxml2 it is left out.
+PROGRAM = $(SEPAX) $(if $(filter yes,$(LIBXML2)),$(BUILD)/sepax-certificate-check)
 
 .PHONY: install uninstall
-install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
+install: $(PROGRAM) $(LIB) $(BUILD)/libsepax.so.0
 	@case "$(PREFIX)" in *" "*) echo "install: PREFIX must be without blanks" >&2; exit 2 ;; /*) ;; \
 	  *) echo "install: PREFIX=$(PREFIX) is not absolute; begin with /" >&2; exit 2 ;; esac
 	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' \
@@ -15,8 +19,8 @@ install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
 	  'Libs.private: -lm -pthread' > $(BUILD)/sepax.pc
 	@for page in $(notdir $(MAN)); do \
 	  sed 's/@VERSION@/$(VERSION)/' docs/man/$$page > $(BUILD)/$$page; done
-	@install -d $(addprefix $(ROOT)/,bin include lib/pkgconfig $(dir $(MAN)))
-	@install -m 755 $(SEPAX) $(ROOT)/bin
+	@install -d $(addprefix $(ROOT)/,bin include lib/pkgconfig $(sort $(dir $(MAN))))
+	@install -m 755 $(PROGRAM) $(ROOT)/bin
 	@install -m 644 $(HEADERS) $(ROOT)/include
 	@install -m 644 $(LIB) $(BUILD)/libsepax.so.0 $(ROOT)/lib
 	@ln -sf libsepax.so.0 $(ROOT)/lib/libsepax.so
@@ -25,8 +29,9 @@ install: $(SEPAX) $(LIB) $(BUILD)/libsepax.so.0
 	@echo "installed in $(ROOT)"
 
 uninstall:
-	@rm -f $(addprefix $(ROOT)/,bin/sepax $(addprefix include/,$(notdir $(HEADERS))) lib/libsepax.a \
-	  lib/libsepax.so lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))
+	@rm -f $(addprefix $(ROOT)/,$(addprefix bin/,$(BIN)) \
+	  $(addprefix include/,$(notdir $(HEADERS))) lib/libsepax.a lib/libsepax.so \
+	  lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))
 	@case "$(ROOT)" in /usr | /usr/local) ;; *) \
-	  for folder in $(addprefix $(ROOT)/,lib/pkgconfig lib include bin $(dir $(MAN)) share/man share) \
+	  for folder in $(addprefix $(ROOT)/,lib/pkgconfig lib include bin $(sort $(dir $(MAN))) share/man share) \
 	    $(ROOT); do rmdir "$$folder" 2> /dev/null || true; done ;; esac
