@@ -33,5 +33,5 @@ uninstall:
 	  $(addprefix include/,$(notdir $(HEADERS))) lib/libsepax.a lib/libsepax.so \
 	  lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))
 	@case "$(ROOT)" in /usr | /usr/local) ;; *) \
-	  for folder in $(addprefix $(ROOT)/,lib/pkgconfig lib include bin $(sort $(dir $(MAN))) share/man share) \
-	    $(ROOT); do rmdir "$$folder" 2> /dev/null || true; done ;; esac
+	  for folder in $(addprefix $(ROOT)/,lib/pkgconfig lib include bin $(sort $(dir $(MAN))) \
+	    share/man share) $(ROOT); do rmdir "$$folder" 2> /dev/null || true; done ;; esac
