@@ -3,41 +3,36 @@
  * and rtl_gen/conference follow them cycle by cycle and take their last cycle from here. */
 #include "design/paper.h"
 
-typedef struct {
-  const char *what;
-  int cycles; /* 0 behind the last */
-} stage;
-
-/* Figure 6. */
-static const stage paper[] = {{"three input words", 3},
-                              {"PROJ of the vertices on both normals", 2},
-                              {"COP, CMP of axes 10 and 11", 1},
-                              {"operands of PSA", 1},
-                              {"PSA", 2},
-                              {"PROJ of the vertices on nine axes", 2},
-                              {"CMP of nine axes", 1},
-                              {"NAND and output", 1},
-                              {NULL, 0}};
+/* Cycles of each stage; 0 behind the last. Figure 6. */
+static const int paper[] = {3, /* three input words */
+                            2, /* PROJ of the vertices on both normals */
+                            1, /* COP, CMP of axes 10 and 11 */
+                            1, /* operands of PSA */
+                            2, /* PSA */
+                            2, /* PROJ of the vertices on nine axes */
+                            1, /* CMP of nine axes */
+                            1, /* NAND and output */
+                            0};
 
 /* With the durations of figure 6. */
-static const stage conference[] = {{"three input words", 3},
-                                   {"edges", 1},
-                                   {"PSA of table 1", 2},
-                                   {"PROJ of the vertices on eleven axes", 2},
-                                   {"CMP of eleven axes", 1},
-                                   {"PROJ of the vertices on the normals", 2},
-                                   {"COP, edges", 2},
-                                   {"PSA of table 2", 2},
-                                   {"PROJ of the vertices on six axes", 2},
-                                   {"CMP of six axes", 1},
-                                   {"NAND of the six or of the eleven", 1},
-                                   {"output", 1},
-                                   {NULL, 0}};
+static const int conference[] = {3, /* three input words */
+                                 1, /* edges */
+                                 2, /* PSA of table 1 */
+                                 2, /* PROJ of the vertices on eleven axes */
+                                 1, /* CMP of eleven axes */
+                                 2, /* PROJ of the vertices on the normals */
+                                 2, /* COP, edges */
+                                 2, /* PSA of table 2 */
+                                 2, /* PROJ of the vertices on six axes */
+                                 1, /* CMP of six axes */
+                                 1, /* NAND of the six or of the eleven */
+                                 1, /* output */
+                                 0};
 
-static int sum_of(const stage *s) {
+static int sum_of(const int *stage) {
   int cycles = 0;
-  for (; s->cycles > 0; s++) {
-    cycles += s->cycles;
+  for (; *stage > 0; stage++) {
+    cycles += *stage;
   }
   return cycles;
 }

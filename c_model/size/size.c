@@ -278,7 +278,8 @@ static bool cycles_in_pose(const choice *all, const sepax_config *config, size_t
  * one. m->worst is the pose to try first, and becomes that which took the most. */
 static bool try_poses(const choice *all, sepax_sized_design *m, uint64_t limit,
                       sepax_error *error) {
-  size_t poses = sizing_of(&m->config)->poses(all);
+  const sizing *of = sizing_of(&m->config);
+  size_t poses = of->poses(all);
   size_t begin = m->worst;
   double sum = 0;
   m->cycles = 0;

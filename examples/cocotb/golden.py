@@ -52,7 +52,7 @@ library.sepax_config_default.restype = Opaque
 library.sepax_exact.restype = Verdict
 library.sepax_family_name.restype = ctypes.c_char_p
 library.sepax_family_triangles.restype = Pair
-for name in "sepax_config_parse sepax_design_init sepax_engine".split():
+for name in "sepax_config_parse sepax_design_init sepax_object_engine".split():
     library[name].restype = c_bool
 
 Run = namedtuple("Run", "pairs candidates collisions out_of_range found")
@@ -98,7 +98,7 @@ class Design:
     def engine(self, a, b, move=(0, 0, 0), word=32):
         """A run of the object engine: all triangles of a against those of b, which is moved."""
         run, error = EngineRun(), Error()
-        if not library.sepax_engine(
+        if not library.sepax_object_engine(
                 byref(self.design), (Tri * len(a))(*map(triangle, a)), c_size_t(len(a)),
                 (Tri * len(b))(*map(triangle, b)), c_size_t(len(b)), (c_int32 * 3)(*move),
                 byref(run), byref(error)):

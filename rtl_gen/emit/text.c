@@ -13,10 +13,13 @@ static bool reserve(emit_text *t, size_t count) {
   }
   size_t more = needed > 2 * t->capacity ? needed : 2 * t->capacity;
   char *grown = realloc(t->bytes, more);
-  t->failed = grown == NULL;
-  t->bytes = grown != NULL ? grown : t->bytes;
-  t->capacity = grown != NULL ? more : t->capacity;
-  return !t->failed;
+  if (grown == NULL) {
+    t->failed = true;
+    return false;
+  }
+  t->bytes = grown;
+  t->capacity = more;
+  return true;
 }
 
 void text_put(emit_text *t, const char *bytes, size_t count) {

@@ -9,7 +9,7 @@
 /* Of some thousand allocations of a design these: all at first, then one of so many. */
 enum { FIRST = 40, STRIDE = SANITIZED ? 397 : 41 };
 
-static char whole[PATH_BYTES], made[PATH_BYTES]; /* folders: with all memory, and without some */
+static char whole[PATH_BYTES], scanty[PATH_BYTES]; /* folders: with all memory, and without some */
 
 static bool run_shell(const char *what, const char *in) {
   char command[2 * PATH_BYTES + 32];
@@ -26,16 +26,16 @@ static bool try_without(const sepax_design *of, long n) {
   memory.taken = 0;
   memory.left = n;
   memory.watched = true;
-  bool works = sepax_generate(&design, made, &fault);
+  bool works = sepax_generate(&design, scanty, &fault);
   memory.watched = false;
   bool refused = memory.left < 0;
-  bool there = stat(made, &status) == 0;
+  bool there = stat(scanty, &status) == 0;
   if (works != there || works != (fault.code == SEPAX_OK) || memory.taken != 0 ||
-      (!works && !refused) || (works && !run_shell("diff -r", made))) {
+      (!works && !refused) || (works && !run_shell("diff -r", scanty))) {
     fail_msg("allocation %ld: %s, %ld stay, folder %s: %s", n, works ? "works" : "fails",
              memory.taken, there ? "is there" : "is not", fault.text);
   }
-  assert_true(!there || run_shell("rm -r", made));
+  assert_true(!there || run_shell("rm -r", scanty));
   return refused;
 }
 
@@ -43,7 +43,7 @@ static void expect_errors(const char *options) {
   sepax_design design = design_of("%s", options);
   long tried = 0;
   snprintf(whole, sizeof whole, "%s/whole", folder);
-  snprintf(made, sizeof made, "%s/made", folder);
+  snprintf(scanty, sizeof scanty, "%s/scanty", folder);
   assert_works(sepax_generate(&design, whole, &fault));
   for (long n = 0; try_without(&design, n); n += n < FIRST ? 1 : STRIDE) {
     tried++;
