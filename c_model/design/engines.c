@@ -9,9 +9,9 @@ static const engine none = {.name = NULL};
 static const engine *const engines[SEPAX_ENGINE_COUNT] = {[SEPAX_ENGINE_NONE] = &none,
                                                           SEPAX_ENGINES(ROW)};
 
-#define ONE(value, name) +1
-_Static_assert(1 SEPAX_ENGINES(ONE) == SEPAX_ENGINE_COUNT,
-               "an engine has no line in SEPAX_ENGINES");
+#define LISTED(value, name) LISTED_##value,
+enum { SEPAX_ENGINES(LISTED) LISTED_COUNT };
+_Static_assert(LISTED_COUNT == SEPAX_ENGINE_COUNT - 1, "an engine has no line in SEPAX_ENGINES");
 
 const char *sepax_engine_name(sepax_engine which) {
 #define NAME(value, name) [SEPAX_ENGINE_##value] = #name,

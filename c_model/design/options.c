@@ -34,8 +34,8 @@ static const char *const corner_names[] = {"typical", "slow", NULL};
 /* Parts of a row. A choice has its first name as default. */
 #define FIELD(member) \
   .field = offsetof(sepax_config, member), .size = sizeof(((sepax_config *)0)->member)
-#define CHOICES(names) .choices = names, .low = 0, .high = sizeof names / sizeof names[0] - 2
-#define RANGE(least, most) .low = least, .high = most
+#define CHOICES(names) .choices = (names), .low = 0, .high = sizeof(names) / sizeof((names)[0]) - 2
+#define RANGE(least, most) .low = (least), .high = (most)
 
 /* clang-format off */
 static const design_option table[] = {
