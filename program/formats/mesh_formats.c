@@ -41,7 +41,7 @@ static const mesh_format *format_of(const char *path) {
 
 /* "STL, OBJ or PLY": the names of those that this build reads. */
 static void list_formats(char list[80]) {
-  const char *names[FORMATS];
+  const char *names[FORMATS] = {NULL};
   int count = 0;
   sepax_error unused;
   for (int n = 0; n < FORMATS; n++) {

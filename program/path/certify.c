@@ -421,10 +421,9 @@ bool path_certify(path_scene *scene, const path_question *q, sepax_error *error)
       .scene = scene, .q = q, .progress = &progress, .failing = ATOMIC_FLAG_INIT, .error = error};
   atomic_init(&all.done, 0);
   atomic_init(&all.stop, path_status_only(q) && path_worst(scene) == VERDICT_COLLISION);
-  error->code = SEPAX_OK;
   sepax__threads_run(q->threads > 0 ? (size_t)q->threads : sepax__threads_here(), scene->pairs,
                      work_on, &all);
   scene->between = true;
   scene->between_seconds = cli_progress_end(&progress);
-  return error->code == SEPAX_OK;
+  return !atomic_flag_test_and_set(&all.failing);
 }

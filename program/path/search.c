@@ -255,9 +255,8 @@ bool path_search(path_scene *scene, const path_question *q, sepax_error *error) 
       return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for verdicts of %zu lines", lines);
     }
   }
-  error->code = SEPAX_OK;
   size_t threads = q->threads > 0 ? (size_t)q->threads : sepax__threads_here();
   sepax__threads_run(threads, scene->pairs, work_on, &all);
   scene->seconds = cli_progress_end(&progress);
-  return error->code == SEPAX_OK;
+  return !atomic_flag_test_and_set(&all.failing);
 }

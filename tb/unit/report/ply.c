@@ -25,7 +25,8 @@ CASE(test_bodies) {
   static const sepax_pose turned = {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {10, 20, 30}};
   static const bool marked[2] = {false, true};
   sepax_mesh mesh[2] = {{calloc(1, sizeof facet[0]), 1}, {calloc(2, sizeof facet[0]), 2}};
-  assert_true(mesh[0].facet != NULL && mesh[1].facet != NULL);
+  assert_non_null(mesh[0].facet);
+  assert_non_null(mesh[1].facet);
   memcpy(mesh[0].facet, facet, sizeof facet[0]);
   memcpy(mesh[1].facet, facet + 1, 2 * sizeof facet[0]);
   const report_ply_body body[2] = {
