@@ -1,6 +1,7 @@
 /* confined.c - readers that hang, crash or take all memory end in one line. */
 #include "formats/confined.h"
 #include "files.h"
+#include "util/error.h"
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -19,8 +20,7 @@ static bool give_facet(sepax_mesh *mesh, const char *at, sepax_error *error) {
 static bool give_nothing(sepax_mesh *mesh, const char *at, sepax_error *error) {
   (void)mesh;
   fputs("this is not to be seen\n", stderr);
-  snprintf(error->text, sizeof error->text, "%s: not this one", at);
-  return false;
+  return sepax_fail(error, SEPAX_ERROR_FORMAT, "%s: not this one", at);
 }
 
 /* Where it is given five seconds, it runs for one, without an end. */
