@@ -29,7 +29,8 @@ PREFIX ?= /usr/local
 # In front of the C++ compiler of verilated designs.
 export OBJCACHE ?= $(abspath scripts/make/compile) $(abspath $(BUILD))/compiled
 SEPAX   = $(BUILD)/sepax
-LIB     = $(BUILD)/libsepax.a
+LIB     = $(addprefix $(BUILD)/obj/,models.a lib.a)
+PUBLIC  = $(addprefix $(BUILD)/,libsepax-model.a libsepax.a)
 GEN     = $(SEPAX) gen
 
 # The clock that an FPGA's design is made for where none is given; only exact has a choice.
@@ -79,7 +80,7 @@ help:
 
 build:
 	@scripts/setup build
-	@$(MAKE) $(SEPAX) $(LIB)
+	@$(MAKE) $(SEPAX) $(PUBLIC)
 
 setup:
 	@scripts/setup

@@ -3,10 +3,13 @@
 #ifndef SEPAX_DESIGN_H
 #define SEPAX_DESIGN_H
 
-#include "sepax.h"
+#include "sepax_models.h"
 
 #ifdef __cplusplus
 extern "C" {
+#endif
+#ifdef __GNUC__
+#pragma GCC visibility push(default)
 #endif
 
 #define SEPAX_II_MAX 18
@@ -220,7 +223,7 @@ bool sepax_design_init(sepax_design *design, const sepax_config *config, sepax_e
  * of sepax_clearance if limits > 0; with two exceptions: a design that flags coplanar pairs calls
  * them collisions, SEPAX_AXIS_NONE; and an AABB test, where there is one, decides first
  * (SEPAX_AXIS_AABB, SEPAX_AXIS_EXTENT). */
-sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
+sepax_judgement sepax_judge(const sepax_design *design, const sepax_pair *pair);
 
 /* The verdict with the clearances of `design` (arch exact, limits > 0): band COLLISION within the
  * clearance, WARNING between the clearance and the warning limit, FREE beyond both. It is
@@ -229,25 +232,25 @@ sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair);
  * axis is the first in the order 13, 10, 11, 1 ... 9, 12 that proves the band, SEPAX_AXIS_NONE in
  * band COLLISION. coplanar is that of sepax_exact. docs/clearance.md has the proof and the rate of
  * false alarms. Coordinates of W bits; about 1 us. */
-sepax_verdict sepax_clearance(const sepax_design *design, const sepax_tri *a, const sepax_tri *b);
+sepax_judgement sepax_clearance(const sepax_design *design, const sepax_tri *a, const sepax_tri *b);
 
 /* The same on the same axes, but by their true lengths: all that these axes can prove. The
  * hardware bounds each length from above, by up to 22 %, so sepax_clearance never calls more pairs
  * free; at a clearance of a few LSB hardly fewer, at 1000 LSB far fewer. In software only: no
  * design has it. */
-sepax_verdict sepax_clearance_tight(const sepax_design *design, const sepax_tri *a,
-                                    const sepax_tri *b);
+sepax_judgement sepax_clearance_tight(const sepax_design *design, const sepax_tri *a,
+                                      const sepax_tri *b);
 
 /* Algorithm 1 on the formats of `design` (arch paper). mul_project is 36 when a
  * normal separates, else 36 + 18 per axis tried: 54 ... 144 for coplanar pairs
  * and 54 ... 198 otherwise (the paper prints 188: it takes 9 x 18 for 152). */
-sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair);
+sepax_judgement sepax_paper(const sepax_design *design, const sepax_pair *pair);
 
 /* The predecessor of `paper`, on the same formats (arch conference): coplanarity first, then six
  * axes for coplanar pairs (table 2, the normals are not tried), eleven for others. mul_project is
  * 18 for coplanarity and 18 per axis tried: 36 ... 126 for coplanar pairs, else 36 ... 216.
  * The verdict is that of sepax_paper but where a normal separates a pair called coplanar. */
-sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pair);
+sepax_judgement sepax_conference(const sepax_design *design, const sepax_pair *pair);
 
 /* As sepax_colliding_pairs, but for the pairs that sepax_clearance, or if `tight`
  * sepax_clearance_tight, does not call free. `design` has clearances (limits > 0), and AABBs within
@@ -362,7 +365,7 @@ typedef struct {
 /* Fails on no triangles, 2^32 or more, an empty range, a workspace that does not hold all poses,
  * more than 32 bits, a path that a tree engine cannot be given (sepax_tree_pose_make), and without
  * memory. Free *size with sepax_size_free. docs/size.md. */
-bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b,
+bool sepax_size_scene(sepax_size *size, const sepax_soup *a, const sepax_soup *b,
                       const sepax_space *space, sepax_error *error);
 void sepax_size_free(sepax_size *size);
 
@@ -419,6 +422,9 @@ bool sepax_size_pairs(sepax_sized_design *sized, const sepax_size *size, size_t 
 bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_config *config,
                        size_t pose, const sepax_size_request *request, sepax_error *error);
 
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 #ifdef __cplusplus
 }
 #endif

@@ -9,6 +9,9 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#ifdef __GNUC__
+#pragma GCC visibility push(default)
+#endif
 
 #define SEPAX_TREE_WORD_MAX 21
 #define SEPAX_TREE_NODE_BYTES 128
@@ -267,6 +270,9 @@ uint32_t sepax_job_list_line(const sepax_job_list *list, uint32_t pose);
 /* The options of a design for it, all others as they are. */
 void sepax_job_list_config(const sepax_job_list *list, sepax_config *config);
 
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 #ifdef __cplusplus
 }
 #endif

@@ -3,10 +3,15 @@
 #ifndef SEPAX_VECTORS_H
 #define SEPAX_VECTORS_H
 
-#include "sepax.h"
+#include "sepax_models.h"
+
+#include <stdio.h>
 
 #ifdef __cplusplus
 extern "C" {
+#endif
+#ifdef __GNUC__
+#pragma GCC visibility push(default)
 #endif
 
 /* ------------------------------------------------------------- test vectors */
@@ -61,7 +66,7 @@ void sepax_pair_print(FILE *out, const sepax_pair *pair);
  * characteristic length in mm (0: the default of the shape). Fails on an unknown shape, on fewer
  * triangles than the shape needs, on more than 10^9, on an odd number (a closed mesh has an even
  * number), and where `at` is farther than 2^30 sizes from the origin. */
-bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles, const double at[3],
+bool sepax_sample(sepax_soup *soup, const char *shape, size_t triangles, const double at[3],
                   double size, sepax_error *error);
 
 /* Names, descriptions and least numbers of triangles; NULL and 0 after the last. */
@@ -69,6 +74,9 @@ const char *sepax_sample_name(size_t i);
 const char *sepax_sample_about(size_t i);
 size_t sepax_sample_least(size_t i);
 
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 #ifdef __cplusplus
 }
 #endif

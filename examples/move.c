@@ -1,18 +1,19 @@
 /* move.c - a tool goes down 1 mm at a time until it touches the workpiece; exact, without a grid:
  *   cc move.c $(pkg-config --cflags --libs sepax) -o move && ./move tool.stl workpiece.stl */
 #include <sepax.h>
+#include <stdio.h>
 
 int main(int argc, char **argv) {
   sepax_body *body[2];
   sepax_error error = {0};
   for (int k = 0; k < 2; k++) { /* trees are built once */
-    sepax_mesh mesh;
-    if (argc != 3 || !sepax_stl_read(&mesh, argv[1 + k], &error) ||
-        !sepax_body_new(&body[k], &mesh, &error)) {
+    sepax_soup mesh;
+    if (argc != 3 || !sepax_stl_read(&mesh, argv[1 + k], false, &error) ||
+        !sepax_body_new(&body[k], SEPAX_SOUP_MESH(&mesh), NULL, &error)) {
       fprintf(stderr, "move: %s\n", argc != 3 ? "give TOOL.stl WORKPIECE.stl" : error.text);
       return 2;
     }
-    sepax_mesh_free(&mesh);
+    sepax_soup_free(&mesh);
   }
   sepax_pose pose = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
   sepax_pairs hits = {0};

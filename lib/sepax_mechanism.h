@@ -22,6 +22,9 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#ifdef __GNUC__
+#pragma GCC visibility push(default)
+#endif
 
 #define SEPAX_NO_JOINT SIZE_MAX
 #define SEPAX_JOINTS_MOST 65536
@@ -49,7 +52,8 @@ typedef struct {
   double factor, offset; /* factor * the other's value + offset */
 } sepax_joint;
 
-/* Fill in links and joints, each by malloc, with their names; then call sepax_mechanism_join. */
+/* Fill in links, joints and their names, each in memory of sepax_allocate; then call
+ * sepax_mechanism_join. */
 typedef struct {
   sepax_link *link;
   size_t links;
@@ -60,9 +64,10 @@ typedef struct {
 } sepax_mechanism;
 
 /* Check the joints, find root and order; axes become unit vectors, the origins' rotations, valid as
- * sepax_pose_valid has it, become orthonormal to rounding. Fails on two roots, a cycle, a link that
- * two joints move, an axis of length 0, limits that are none, a joint that follows itself, a fixed
- * joint or one that follows a third; on more than SEPAX_JOINTS_MOST joints, and without memory. */
+ * sepax_pose_valid has it, become orthonormal to rounding. Errors: ARGUMENT on two roots, a cycle,
+ * a link that two joints move, an axis of length 0, limits that are none, a joint that follows
+ * itself, a fixed joint or one that follows a third; LIMIT on more than SEPAX_JOINTS_MOST joints;
+ * MEMORY. After an error the mechanism can be freed, and nothing else. */
 bool sepax_mechanism_join(sepax_mechanism *m, sepax_error *error);
 void sepax_mechanism_free(sepax_mechanism *m);
 
@@ -83,7 +88,7 @@ typedef struct {
   size_t count, up, top;
 } sepax_chain;
 
-/* Fails without memory; free with sepax_chain_free. */
+/* Error: MEMORY; free with sepax_chain_free. */
 bool sepax_chain_find(sepax_chain *chain, const sepax_mechanism *m, size_t a, size_t b,
                       sepax_error *error);
 void sepax_chain_free(sepax_chain *chain);
@@ -100,9 +105,9 @@ void sepax_chain_poses(const sepax_chain *chain, const sepax_mechanism *m, const
 double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
                           const double *middle, const double *to, const double box[2][3]);
 
-/* inner, then outer: a point v is at outer(inner(v)). Rounded. */
-sepax_pose sepax_pose_compose(const sepax_pose *outer, const sepax_pose *inner);
-
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 #ifdef __cplusplus
 }
 #endif

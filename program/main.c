@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "util/temporary.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

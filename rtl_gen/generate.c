@@ -7,6 +7,8 @@
 #include "paper/paper.h"
 #include "util/error.h"
 
+#include <stdio.h>
+
 /* The generator of each architecture with hardware. */
 static bool (*const generators[SEPAX_ARCH_COUNT])(emitter *e) = {
     [SEPAX_ARCH_EXACT] = gen_exact,

@@ -5,6 +5,7 @@
 
 #include <dirent.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -109,23 +110,30 @@ sepax_pair mixed_pair(size_t n, int word, sepax_random *random) {
 
 /* ------------------------------------------------------------------------ meshes */
 
-sepax_mesh read_mesh(void) {
-  sepax_mesh mesh = {0};
-  assert_works(sepax_stl_read(&mesh, path, &fault));
+sepax_soup read_mesh(void) {
+  sepax_soup mesh = {0};
+  assert_works(sepax_stl_read(&mesh, path, true, &fault));
   return mesh;
 }
 
-static bool fits(const sepax_mesh *mesh, const sepax_grid *grid) {
+static bool fits(const sepax_soup *mesh, const sepax_grid *grid) {
   sepax_tri *tri = malloc(mesh->count * sizeof *tri);
   assert_non_null(tri);
-  bool ok = sepax_quantise(mesh, grid, tri, NULL, &fault);
+  bool ok = sepax_quantise(SEPAX_SOUP_MESH(mesh), grid, tri, &fault);
   free(tri);
   return ok;
 }
 
-sepax_grid assert_fit(const sepax_mesh *const meshes[], size_t count, int word) {
+sepax_grid assert_fit(const sepax_soup *const meshes[], size_t count, int word) {
   sepax_grid grid = {0};
-  assert_works(sepax_grid_fit(&grid, meshes, count, word, &fault));
+  sepax_mesh view[4];
+  const sepax_mesh *all[4];
+  assert_true(count <= 4);
+  for (size_t i = 0; i < count; i++) {
+    view[i] = *SEPAX_SOUP_MESH(meshes[i]);
+    all[i] = &view[i];
+  }
+  assert_works(sepax_grid_fit(&grid, all, count, word, &fault));
   assert_int_equal(grid.word, word);
   sepax_grid finer = grid;
   finer.resolution = nextafter(grid.resolution, 0);

@@ -12,6 +12,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include <stdio.h>
 /* clang-format on */
 
 /* A test case. The program runs its cases in the order of their lines. */
@@ -78,10 +79,10 @@ extern char folder[PATH_BYTES / 2]; /* scratch, removed at the end */
 extern char path[PATH_BYTES];       /* part.stl in it */
 
 /* The mesh of the file `path`. */
-sepax_mesh read_mesh(void);
+sepax_soup read_mesh(void);
 
 /* The grid that sepax_grid_fit chooses: the meshes fit, and at the next finer
  * resolution they do not. */
-sepax_grid assert_fit(const sepax_mesh *const meshes[], size_t count, int word);
+sepax_grid assert_fit(const sepax_soup *const meshes[], size_t count, int word);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "sepax_design.h"
 
-typedef sepax_verdict judge_function(const sepax_design *design, const sepax_pair *pair);
+typedef sepax_judgement judge_function(const sepax_design *design, const sepax_pair *pair);
 
 typedef struct {
   const char *name;

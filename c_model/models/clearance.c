@@ -150,26 +150,27 @@ static void try_all(search *s) {
   }
 }
 
-static sepax_verdict judge(const sepax_design *design, bool tight, const sepax_tri *a,
-                           const sepax_tri *b) {
+static sepax_judgement judge(const sepax_design *design, bool tight, const sepax_tri *a,
+                             const sepax_tri *b) {
   search s = {.design = design, .tight = tight};
   load(&s, a, b);
   try_all(&s);
   sepax_band band = s.reached == design->limits ? SEPAX_BAND_FREE
                     : s.reached > 0             ? SEPAX_BAND_WARNING
                                                 : SEPAX_BAND_COLLISION;
-  return (sepax_verdict){.collision = band == SEPAX_BAND_COLLISION,
-                         .coplanar = sepax_exact(a, b).coplanar,
-                         .axis = s.axis,
-                         .band = band};
+  return (sepax_judgement){.collision = band == SEPAX_BAND_COLLISION,
+                           .coplanar = sepax_exact(a, b).coplanar,
+                           .axis = s.axis,
+                           .band = band};
 }
 
-sepax_verdict sepax_clearance(const sepax_design *design, const sepax_tri *a, const sepax_tri *b) {
+sepax_judgement sepax_clearance(const sepax_design *design, const sepax_tri *a,
+                                const sepax_tri *b) {
   return judge(design, false, a, b);
 }
 
-sepax_verdict sepax_clearance_tight(const sepax_design *design, const sepax_tri *a,
-                                    const sepax_tri *b) {
+sepax_judgement sepax_clearance_tight(const sepax_design *design, const sepax_tri *a,
+                                      const sepax_tri *b) {
   return judge(design, true, a, b);
 }
 

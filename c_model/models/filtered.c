@@ -10,7 +10,7 @@
  * same number of roundings, so not less than (1 - 6 u) size: a bound of 8 u times the size computed
  * is enough. orient2d is the same with two products and a difference. */
 #include "models/guigue.h"
-#include "sepax.h"
+#include "sepax_models.h"
 
 #include <math.h>
 

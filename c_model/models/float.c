@@ -1,7 +1,7 @@
 /* float.c - the software baselines in IEEE single and double precision: SAT, the interval test, and
  * the test of Guigue and Devillers. */
 #include "models/guigue.h"
-#include "sepax.h"
+#include "sepax_models.h"
 
 #define REAL float
 #define NAME(name) name##_32

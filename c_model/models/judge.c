@@ -8,17 +8,17 @@ static bool exceeds_extents(const sepax_config *c, const aabb *a, const aabb *b)
          (aabb_longest_side(a) > c->extent_a || aabb_longest_side(b) > c->extent_b);
 }
 
-sepax_verdict sepax__judge_exact(const sepax_design *design, const sepax_pair *pair) {
+sepax_judgement sepax__judge_exact(const sepax_design *design, const sepax_pair *pair) {
   if (design->aabb_test) {
     aabb a = aabb_of(&pair->a);
     aabb b = aabb_of(&pair->b);
     if (aabb_disjoint(&a, &b, design->margin[1])) {
-      return (sepax_verdict){.axis = SEPAX_AXIS_AABB, .band = SEPAX_BAND_FREE};
+      return (sepax_judgement){.axis = SEPAX_AXIS_AABB, .band = SEPAX_BAND_FREE};
     }
     if (exceeds_extents(&design->config, &a, &b)) {
-      return (sepax_verdict){.collision = true,
-                             .axis = SEPAX_AXIS_EXTENT,
-                             .band = design->limits > 0 ? SEPAX_BAND_COLLISION : SEPAX_BAND_FREE};
+      return (sepax_judgement){.collision = true,
+                               .axis = SEPAX_AXIS_EXTENT,
+                               .band = design->limits > 0 ? SEPAX_BAND_COLLISION : SEPAX_BAND_FREE};
     }
   }
   if (design->limits > 0) {
@@ -26,15 +26,18 @@ sepax_verdict sepax__judge_exact(const sepax_design *design, const sepax_pair *p
   }
   sepax_verdict verdict = sepax_exact(&pair->a, &pair->b);
   if (verdict.coplanar && design->config.flag) {
-    return (sepax_verdict){.collision = true, .coplanar = true};
+    return (sepax_judgement){.collision = true, .coplanar = true};
   }
-  return verdict;
+  return (sepax_judgement){.collision = verdict.collision,
+                           .strict = verdict.strict,
+                           .coplanar = verdict.coplanar,
+                           .axis = verdict.axis};
 }
 
-#define SOFTWARE(name)                                                                    \
-  sepax_verdict sepax__judge_##name(const sepax_design *design, const sepax_pair *pair) { \
-    (void)design;                                                                         \
-    return (sepax_verdict){.collision = sepax_##name(&pair->a, &pair->b)};                \
+#define SOFTWARE(name)                                                                      \
+  sepax_judgement sepax__judge_##name(const sepax_design *design, const sepax_pair *pair) { \
+    (void)design;                                                                           \
+    return (sepax_judgement){.collision = sepax_##name(&pair->a, &pair->b)};                \
   }
 SOFTWARE(reference)
 SOFTWARE(float32)
@@ -44,11 +47,11 @@ SOFTWARE(interval64)
 SOFTWARE(guigue32)
 SOFTWARE(guigue64)
 
-sepax_verdict sepax__judge_filtered(const sepax_design *design, const sepax_pair *pair) {
+sepax_judgement sepax__judge_filtered(const sepax_design *design, const sepax_pair *pair) {
   (void)design;
-  return (sepax_verdict){.collision = sepax_filtered(&pair->a, &pair->b, NULL)};
+  return (sepax_judgement){.collision = sepax_filtered(&pair->a, &pair->b, NULL)};
 }
 
-sepax_verdict sepax_judge(const sepax_design *design, const sepax_pair *pair) {
+sepax_judgement sepax_judge(const sepax_design *design, const sepax_pair *pair) {
   return sepax__architectures[design->config.arch]->judge(design, pair);
 }

@@ -13,7 +13,7 @@ typedef struct {
 
 typedef struct {
   const sepax_design *design;
-  sepax_verdict verdict;
+  sepax_judgement verdict;
 } model;
 
 static wide keep(const model *m, sepax_format_id id, wide exact) {
@@ -134,7 +134,7 @@ static int first_separating(model *m, const sepax_pair *pair) {
   return SEPAX_AXIS_NONE;
 }
 
-sepax_verdict sepax_paper(const sepax_design *design, const sepax_pair *pair) {
+sepax_judgement sepax_paper(const sepax_design *design, const sepax_pair *pair) {
   model m = {.design = design};
   wide_vec na = wide_from(pair->na);
   wide_vec nb = wide_from(pair->nb);
@@ -170,7 +170,7 @@ static bool coplanar_alone(model *m, const sepax_pair *pair, const wide_vec norm
   return sepax__paper_coplanar(m->design, of_a, of_b);
 }
 
-sepax_verdict sepax_conference(const sepax_design *design, const sepax_pair *pair) {
+sepax_judgement sepax_conference(const sepax_design *design, const sepax_pair *pair) {
   model m = {.design = design};
   const wide_vec normal[2] = {wide_from(pair->na), wide_from(pair->nb)};
   m.verdict.coplanar = coplanar_alone(&m, pair, normal);

@@ -38,7 +38,7 @@ static bool judge(enumeration *e, size_t i, size_t j) {
   sepax_object_run *run = e->run;
   const sepax_config *c = &e->design->config;
   const sepax_pair pair = {.a = e->a[i], .b = moved(&e->b[j], e->move, c->word)};
-  sepax_verdict v = sepax_judge(e->design, &pair);
+  sepax_judgement v = sepax_judge(e->design, &pair);
   bool decided_before = v.axis == SEPAX_AXIS_AABB || v.axis == SEPAX_AXIS_EXTENT;
   bool moved_out = !aabb_fits(&e->bounds_b[j], c->word);
   bool undecided = moved_out || v.axis == SEPAX_AXIS_EXTENT;

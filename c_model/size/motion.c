@@ -70,7 +70,7 @@ static void rotation_matrix(double m[3][3], sepax_rotation rotation, const doubl
   }
 }
 
-void sepax__motion_apply(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_motion *motion,
+void sepax__motion_apply(sepax_soup *moved, const sepax_soup *mesh, const sepax_motion *motion,
                          const double u[6]) {
   double m[3][3];
   rotation_matrix(m, motion->rotation, &u[3]);

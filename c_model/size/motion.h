@@ -22,7 +22,7 @@ motion_pose sepax__motion_pose_of_files(const sepax_motion motion[2]);
 motion_pose sepax__motion_draw(const motion_pose *centre, double share, sepax_random *random);
 
 /* The numbers u of a pose move a body. */
-void sepax__motion_apply(sepax_mesh *moved, const sepax_mesh *mesh, const sepax_motion *motion,
+void sepax__motion_apply(sepax_soup *moved, const sepax_soup *mesh, const sepax_motion *motion,
                          const double u[6]);
 
 #endif

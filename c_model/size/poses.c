@@ -56,7 +56,7 @@ static void extend_by_vertex(range *hull, const double v[3], const sepax_motion 
   }
 }
 
-static void extend_by_body(range *hull, const sepax_mesh *mesh, const sepax_motion *motion) {
+static void extend_by_body(range *hull, const sepax_soup *mesh, const sepax_motion *motion) {
   for (size_t n = 0; n < 3 * mesh->count; n++) {
     extend_by_vertex(hull, mesh->facet[n / 3].v[n % 3], motion);
   }
@@ -67,7 +67,7 @@ static double placed(const sepax_pose *p, const double v[3], int axis) {
   return m[0] * v[0] + m[1] * v[1] + m[2] * v[2] + p->translation[axis];
 }
 
-static void extend_by_path(range *hull, const sepax_mesh *mesh, const sepax_poses *path) {
+static void extend_by_path(range *hull, const sepax_soup *mesh, const sepax_poses *path) {
   double reach = 0;
   for (size_t k = 0; k < path->count; k++) {
     for (size_t n = 0; n < 3 * mesh->count; n++) {
@@ -84,7 +84,7 @@ static void extend_by_path(range *hull, const sepax_mesh *mesh, const sepax_pose
   }
 }
 
-static range hull_of(const sepax_mesh *const mesh[2], const sepax_space *space) {
+static range hull_of(const sepax_soup *const mesh[2], const sepax_space *space) {
   static const sepax_motion still = {.rotation = SEPAX_ROTATION_NONE};
   range hull = nowhere();
   if (space->path != NULL) {
@@ -128,7 +128,7 @@ static double longest_side(const sepax_facet *f, sepax_rotation rotation) {
 }
 
 /* Two coordinates at a distance of s round to grid points at a distance of floor(s) + 1 at most. */
-static int64_t extent_moved(const sepax_mesh *mesh, sepax_rotation rotation, double reach,
+static int64_t extent_moved(const sepax_soup *mesh, sepax_rotation rotation, double reach,
                             double resolution) {
   double side = 0;
   for (size_t n = 0; n < mesh->count; n++) {
@@ -141,7 +141,7 @@ static int64_t extent_moved(const sepax_mesh *mesh, sepax_rotation rotation, dou
 
 typedef struct {
   workload_bodies on_grid;
-  sepax_mesh moved[2];
+  sepax_soup moved[2];
 } bodies;
 
 static int64_t longest_side_of(const aabb *bounds, size_t count) {
@@ -153,9 +153,9 @@ static int64_t longest_side_of(const aabb *bounds, size_t count) {
   return longest;
 }
 
-static bool quantise_body(bodies *r, int i, const sepax_mesh *mesh, const sepax_grid *grid,
+static bool quantise_body(bodies *r, int i, const sepax_soup *mesh, const sepax_grid *grid,
                           sepax_error *error) {
-  if (!sepax_quantise(mesh, grid, r->on_grid.tri[i], NULL, error)) {
+  if (!sepax_quantise(SEPAX_SOUP_MESH(mesh), grid, r->on_grid.tri[i], error)) {
     return false;
   }
   for (size_t n = 0; n < mesh->count; n++) {
@@ -164,7 +164,7 @@ static bool quantise_body(bodies *r, int i, const sepax_mesh *mesh, const sepax_
   return true;
 }
 
-static bool allocate(bodies *r, const sepax_mesh *const mesh[2]) {
+static bool allocate(bodies *r, const sepax_soup *const mesh[2]) {
   bool ok = true;
   for (int i = 0; i < 2; i++) {
     size_t count = mesh[i]->count;
@@ -199,7 +199,7 @@ static bool add_workload(sepax_size *size, const bodies *r, sepax_error *error) 
   return true;
 }
 
-static bool find_path_workloads(sepax_size *size, bodies *r, const sepax_mesh *mesh,
+static bool find_path_workloads(sepax_size *size, bodies *r, const sepax_soup *mesh,
                                 const sepax_poses *path, sepax_error *error) {
   for (size_t k = 0; k < path->count; k++) {
     for (size_t n = 0; n < 3 * mesh->count; n++) {
@@ -217,7 +217,7 @@ static bool find_path_workloads(sepax_size *size, bodies *r, const sepax_mesh *m
 
 /* The most candidates in sampled poses. The first half of the poses is anywhere, the second half
  * closes in on the worst pose so far. */
-static bool sample_poses(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2],
+static bool sample_poses(sepax_size *size, bodies *r, const sepax_soup *const mesh[2],
                          const sepax_space *space, sepax_error *error) {
   sepax_random random = {space->seed};
   motion_pose worst = sepax__motion_pose_of_files(space->motion);
@@ -270,16 +270,16 @@ static bool find_space(range *all, const range *hull, const sepax_space *space,
 }
 
 static bool fits(const range *all, const sepax_grid *grid) {
-  sepax_facet corners = {.normal = {0}};
+  sepax_facet corners;
   for (int axis = 0; axis < 3; axis++) {
     corners.v[0][axis] = all->low[axis];
     corners.v[1][axis] = all->high[axis];
     corners.v[2][axis] = all->high[axis];
   }
-  sepax_mesh one = {&corners, 1};
   sepax_tri tri;
   sepax_error unread;
-  return sepax_quantise(&one, grid, &tri, NULL, &unread);
+  return sepax_quantise(&SEPAX_STRUCT(sepax_mesh, .vertex = &corners, .triangles = 1), grid, &tri,
+                        &unread);
 }
 
 static bool find_grid(sepax_grid *grid, const range *all, const sepax_space *space,
@@ -303,7 +303,7 @@ static bool find_grid(sepax_grid *grid, const range *all, const sepax_space *spa
                     widest / sepax_word_max(SEPAX_WORD_MAX) * 1.01);
 }
 
-static bool check_space(const sepax_mesh *const mesh[2], const sepax_space *space,
+static bool check_space(const sepax_soup *const mesh[2], const sepax_space *space,
                         sepax_error *error) {
   if (mesh[0]->count == 0 || mesh[1]->count == 0) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
@@ -342,7 +342,7 @@ static bool check_space(const sepax_mesh *const mesh[2], const sepax_space *spac
 }
 
 /* B's tree is in coordinates about B's own middle. */
-static bool find_trees(sepax_size *size, const bodies *r, const sepax_mesh *mesh,
+static bool find_trees(sepax_size *size, const bodies *r, const sepax_soup *mesh,
                        const sepax_space *space, sepax_error *error) {
   static const sepax_motion still = {.rotation = SEPAX_ROTATION_NONE};
   const sepax_space own = {.resolution = space->resolution};
@@ -355,11 +355,11 @@ static bool find_trees(sepax_size *size, const bodies *r, const sepax_mesh *mesh
   if (grid[0].word > SEPAX_TREE_WORD_MAX || grid[1].word > SEPAX_TREE_WORD_MAX) {
     return true;
   }
-  return sepax_quantise(mesh, &grid[1], r->on_grid.tri[1], NULL, error) &&
+  return sepax_quantise(SEPAX_SOUP_MESH(mesh), &grid[1], r->on_grid.tri[1], error) &&
          sepax__size_trees_new(&size->trees, &r->on_grid, grid, space, error);
 }
 
-static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2],
+static bool measure(sepax_size *size, bodies *r, const sepax_soup *const mesh[2],
                     const sepax_space *space, const range *all, sepax_error *error) {
   double reach = 0;
   for (int axis = 0; axis < 3; axis++) {
@@ -396,9 +396,9 @@ static bool measure(sepax_size *size, bodies *r, const sepax_mesh *const mesh[2]
                       : !moving || sample_poses(size, r, mesh, space, error);
 }
 
-bool sepax_size_scene(sepax_size *size, const sepax_mesh *a, const sepax_mesh *b,
+bool sepax_size_scene(sepax_size *size, const sepax_soup *a, const sepax_soup *b,
                       const sepax_space *space, sepax_error *error) {
-  const sepax_mesh *const mesh[2] = {a, b};
+  const sepax_soup *const mesh[2] = {a, b};
   sepax_size found = {.poses = 0};
   range all;
   if (!check_space(mesh, space, error)) {

@@ -4,6 +4,7 @@
 #include "size/workloads.h"
 #include "util/error.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 /* Intervals of the designs that were mapped. */

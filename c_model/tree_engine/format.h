@@ -3,7 +3,7 @@
 #ifndef SEPAX_TREE_FORMAT_H
 #define SEPAX_TREE_FORMAT_H
 
-#include "sepax.h"
+#include "sepax_grid.h"
 
 enum {
   TREE_FAN_OUT = 16,     /* children of a node, triangles of a leaf */

@@ -74,7 +74,7 @@ static void judge(walk *w, sepax_tree_pair *p, const tree_pair *tested, const in
   p->band = SEPAX_BAND_COLLISION;
   w->run->passes++;
   if (!tested->out_of_range) {
-    sepax_verdict v = sepax_judge(w->how->design, &pair);
+    sepax_judgement v = sepax_judge(w->how->design, &pair);
     p->collision = v.collision;
     p->coplanar = v.coplanar;
     p->band = v.band;

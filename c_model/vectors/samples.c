@@ -7,6 +7,7 @@
 #include "sepax_vectors.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -342,14 +343,13 @@ static void transform(surface *s, const sample *kind, const double at[3], double
 }
 
 /* False if the facet has no area in double precision. */
-static bool find_normal(sepax_facet *facet) {
+static bool find_normal(const sepax_facet *facet, double n[3]) {
   double e[3];
   double f[3];
   for (int axis = 0; axis < 3; axis++) {
     e[axis] = facet->v[1][axis] - facet->v[0][axis];
     f[axis] = facet->v[2][axis] - facet->v[0][axis];
   }
-  double *n = facet->normal;
   n[0] = e[1] * f[2] - e[2] * f[1];
   n[1] = e[2] * f[0] - e[0] * f[2];
   n[2] = e[0] * f[1] - e[1] * f[0];
@@ -360,19 +360,19 @@ static bool find_normal(sepax_facet *facet) {
   return isnormal(length);
 }
 
-static bool copy_facets(sepax_mesh *mesh, const surface *s) {
+static bool copy_facets(sepax_soup *soup, const surface *s) {
   for (size_t t = 0; t < s->triangles; t++) {
-    sepax_facet *facet = &mesh->facet[t];
+    sepax_facet *facet = &soup->facet[t];
     for (int i = 0; i < 3; i++) {
       for (int axis = 0; axis < 3; axis++) {
         facet->v[i][axis] = s->corner[s->triangle[t].corner[i]].p[axis];
       }
     }
-    if (!find_normal(facet)) {
+    if (!find_normal(facet, soup->normal[t])) {
       return false;
     }
   }
-  mesh->count = s->triangles;
+  soup->count = s->triangles;
   return true;
 }
 
@@ -392,11 +392,12 @@ static void release(surface *s) {
   free(s->heap);
 }
 
-static bool make(sepax_mesh *mesh, const sample *kind, size_t triangles, const double at[3],
+static bool make(sepax_soup *soup, const sample *kind, size_t triangles, const double at[3],
                  double size, sepax_error *error) {
   surface s = {0};
-  sepax_mesh result = {.facet = calloc(triangles, sizeof *result.facet)};
-  bool ok = reserve(&s, triangles) && result.facet != NULL;
+  sepax_soup result = {.facet = sepax_allocate(triangles * sizeof *result.facet),
+                       .normal = sepax_allocate(triangles * sizeof *result.normal)};
+  bool ok = reserve(&s, triangles) && result.facet != NULL && result.normal != NULL;
   if (!ok) {
     sepax_fail(error, SEPAX_ERROR_MEMORY, "%s: no memory for %zu triangles; ask for fewer",
                kind->name, triangles);
@@ -415,10 +416,10 @@ static bool make(sepax_mesh *mesh, const sample *kind, size_t triangles, const d
   }
   release(&s);
   if (!ok) {
-    sepax_mesh_free(&result);
+    sepax_soup_free(&result);
     return false;
   }
-  *mesh = result;
+  *soup = result;
   return true;
 }
 
@@ -448,8 +449,9 @@ static bool check_triangles(const sample *kind, size_t triangles, sepax_error *e
   return true;
 }
 
-bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles, const double at[3],
+bool sepax_sample(sepax_soup *soup, const char *shape, size_t triangles, const double at[3],
                   double size, sepax_error *error) {
+  *soup = (sepax_soup){0};
   const sample *kind = find_sample(shape, error);
   if (kind == NULL || !check_triangles(kind, triangles, error)) {
     return false;
@@ -466,5 +468,5 @@ bool sepax_sample(sepax_mesh *mesh, const char *shape, size_t triangles, const d
                         at[axis], length, "move it nearer the origin");
     }
   }
-  return make(mesh, kind, triangles, at, length, error);
+  return make(soup, kind, triangles, at, length, error);
 }

@@ -1,11 +1,13 @@
 """golden.py - the C golden models of libsepax by ctypes: what a design must answer, and hard pairs
-to ask it. lib/sepax.h, sepax_design.h and sepax_vectors.h say what the functions compute."""
+to ask it. The headers in lib/ and c_model/ say what the functions compute."""
 import ctypes
 import os
 from collections import namedtuple
 from ctypes import POINTER, Structure, byref, c_bool, c_char, c_int, c_int32, c_size_t, c_uint64
 
-library = ctypes.CDLL(os.environ.get("LIBSEPAX", "build/libsepax.so.0"))
+folder = os.environ.get("LIBSEPAX", "build")
+ctypes.CDLL(f"{folder}/libsepax.so.0", mode=ctypes.RTLD_GLOBAL)
+library = ctypes.CDLL(f"{folder}/libsepax-model.so.0")  # finds what libsepax has, too
 
 
 class Error(Structure):
@@ -25,8 +27,7 @@ class Pair(Structure):
 
 
 class Verdict(Structure):
-    _fields_ = [("collision", c_bool), ("strict", c_bool), ("coplanar", c_bool), ("axis", c_int),
-                ("mul_project", c_int), ("mul_axes", c_int), ("band", c_int)]
+    _fields_ = [("collision", c_bool), ("strict", c_bool), ("coplanar", c_bool), ("axis", c_int)]
 
 
 class Pairs(Structure):

@@ -3,6 +3,7 @@
  * path.csv, whose ball-end cutter follows the top of the workpiece ALLOWANCE above it, its axis
  * along the normal of that. */
 #include <sepax.h>
+#include <stdio.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,21 +24,21 @@ typedef struct {
 /* ----------------------------------------------------------------------- bodies */
 
 typedef struct {
-  sepax_mesh mesh;
+  sepax_soup mesh;
   size_t capacity;
 } shape;
 
 static void triangle(shape *s, point a, point b, point c) {
   if (s->mesh.count == s->capacity) {
     s->capacity = s->capacity == 0 ? 1024 : 2 * s->capacity;
-    s->mesh.facet = realloc(s->mesh.facet, s->capacity * sizeof *s->mesh.facet);
+    s->mesh.facet = sepax_resize(s->mesh.facet, s->capacity * sizeof *s->mesh.facet);
     if (s->mesh.facet == NULL) {
       fprintf(stderr, "scene: no memory\n");
       exit(2);
     }
   }
   s->mesh.facet[s->mesh.count++] =
-      (sepax_facet){{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}, {0, 0, 0}};
+      (sepax_facet){{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}};
 }
 
 /* Its corners are in counter-clockwise order, seen from outside. */
@@ -269,7 +270,7 @@ int main(int argc, char **argv) {
   }
   char name[4096];
   for (size_t k = 0; k < sizeof bodies / sizeof bodies[0]; k++) {
-    shape s = {{NULL, 0}, 0};
+    shape s = {{0}, 0};
     sepax_error error = {0};
     bodies[k].fill(&s);
     snprintf(name, sizeof name, "%s/%s.stl", argv[1], bodies[k].name);
@@ -278,7 +279,7 @@ int main(int argc, char **argv) {
       return 2;
     }
     printf("%s: %zu triangles\n", name, s.mesh.count);
-    sepax_mesh_free(&s.mesh);
+    sepax_soup_free(&s.mesh);
   }
   snprintf(name, sizeof name, "%s/path.csv", argv[1]);
   FILE *out = fopen(name, "w");

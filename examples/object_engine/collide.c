@@ -8,6 +8,7 @@
 #include "sepax_driver.h"
 #include "sepax_params.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 static bool print(void *context, const sepax_hit *hit) {

@@ -1,5 +1,5 @@
 /* pairs.c - the exact verdicts of many pairs, several at once: AVX-512, AVX2 or plain C. */
-#include "sepax.h"
+#include "sepax_grid.h"
 
 #include <string.h>
 

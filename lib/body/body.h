@@ -39,9 +39,6 @@ struct sepax_body {
   body_boxes *boxes; /* of each node; behind them the root's own box */
 };
 
-/* As sepax_body_new. The body does not depend on the number of threads. */
-bool sepax__body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads, sepax_error *error);
-
 /* What is in a box, numbered BODY_WIDE * node + lane. */
 static inline uint32_t child_at(const sepax_body *b, uint32_t at) {
   return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];

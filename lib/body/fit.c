@@ -360,7 +360,7 @@ static void fit_part(void *context, size_t part) {
 
 /* The triangles in units of the body. */
 static facet_points *local_triangles(const sepax_body *b) {
-  facet_points *v = malloc(b->count * sizeof *v);
+  facet_points *v = sepax_allocate(b->count * sizeof *v);
   double unit = 1 / b->scale;
   for (size_t n = 0; n < b->count && v != NULL; n++) {
     for (int k = 0; k < 9; k++) {
@@ -371,7 +371,7 @@ static facet_points *local_triangles(const sepax_body *b) {
 }
 
 bool sepax__body_fit(sepax_body *b, size_t threads) {
-  fitting f = {b, local_triangles(b), malloc(b->nodes * sizeof *f.below)};
+  fitting f = {b, local_triangles(b), sepax_allocate(b->nodes * sizeof *f.below)};
   b->boxes = aligned_alloc(64, (b->nodes + 1) * sizeof *b->boxes);
   bool ok = b->boxes != NULL && f.v != NULL && f.below != NULL;
   if (ok) {
@@ -382,7 +382,7 @@ bool sepax__body_fit(sepax_body *b, size_t threads) {
     memset(&b->boxes[b->nodes], 0, sizeof *b->boxes);
     store(&b->boxes[b->nodes], 0, &r, 0);
   }
-  free(f.v);
-  free(f.below);
+  sepax_release(f.v);
+  sepax_release(f.below);
   return ok;
 }

@@ -1,4 +1,4 @@
-/* pose.c - which poses are valid. */
+/* pose.c - poses: which are valid, where they bring a point, one after another and back. */
 #include "placement.h"
 #include "util/error.h"
 
@@ -32,4 +32,45 @@ bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error) {
 bool sepax__poses_valid(const sepax_pose *pose_a, const sepax_pose *pose_b, sepax_error *error) {
   return (pose_a == NULL || sepax_pose_valid(pose_a, error)) &&
          (pose_b == NULL || sepax_pose_valid(pose_b, error));
+}
+
+/* Where a point was turned to: row i of the rotation times v. */
+static double turned(const sepax_pose *pose, int i, const double v[3]) {
+  const double *r = pose->rotation[i];
+  return r[0] * v[0] + r[1] * v[1] + r[2] * v[2];
+}
+
+void sepax_pose_apply(const sepax_pose *pose, const double v[3], double to[3]) {
+  const double at[3] = {turned(pose, 0, v) + pose->translation[0],
+                        turned(pose, 1, v) + pose->translation[1],
+                        turned(pose, 2, v) + pose->translation[2]};
+  for (int i = 0; i < 3; i++) {
+    to[i] = at[i];
+  }
+}
+
+sepax_pose sepax_pose_compose(const sepax_pose *outer, const sepax_pose *inner) {
+  const double(*q)[3] = inner->rotation;
+  sepax_pose r;
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) {
+      const double column[3] = {q[0][j], q[1][j], q[2][j]};
+      r.rotation[i][j] = turned(outer, i, column);
+    }
+  }
+  sepax_pose_apply(outer, inner->translation, r.translation);
+  return r;
+}
+
+sepax_pose sepax_pose_inverse(const sepax_pose *pose) {
+  sepax_pose r;
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) {
+      r.rotation[i][j] = pose->rotation[j][i];
+    }
+  }
+  for (int i = 0; i < 3; i++) {
+    r.translation[i] = -turned(&r, i, pose->translation);
+  }
+  return r;
 }

@@ -7,6 +7,7 @@
  * size. */
 #include "body/number.h"
 #include "body/posed.h"
+#include "sepax_grid.h"
 #include "verdict/signs.h"
 
 #include <limits.h>

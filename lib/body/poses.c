@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { NUMBERS = 12 };
@@ -103,7 +104,7 @@ static bool read_lines(sepax_poses *poses, FILE *in, const char *path, sepax_err
     sepax_error what = {0};
     size_t skip = number == 1 && strncmp(line, mark, strlen(mark)) == 0 ? strlen(mark) : 0;
     if (!read_pose(&pose, &empty, line + skip, (size_t)length - skip, &what)) {
-      ok = sepax_fail(error, what.code, "%.240s:%zu: %.200s", path, number, what.text);
+      ok = sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%zu: %.200s", path, number, what.text);
     } else if (!empty && !append(poses, &capacity, &pose)) {
       ok = sepax_fail(error, SEPAX_ERROR_MEMORY,
                       "%.240s:%zu: no memory for so many poses; split the file", path, number);
@@ -114,7 +115,7 @@ static bool read_lines(sepax_poses *poses, FILE *in, const char *path, sepax_err
     ok = sepax_fail(error, SEPAX_ERROR_FILE, "%.240s: %s; give a readable file of poses", path,
                     strerror(errno));
   }
-  free(line);
+  free(line); /* of getline, which knows no allocator but malloc */
   return ok;
 }
 
@@ -139,6 +140,6 @@ bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error) 
 }
 
 void sepax_poses_free(sepax_poses *poses) {
-  free(poses->pose);
+  sepax_release(poses->pose);
   *poses = (sepax_poses){0};
 }

@@ -15,7 +15,7 @@
  * BOX_SLACK H is added. What is not a number separates nothing. */
 #include "judge.h"
 #include "turned.h"
-#include "util/error.h"
+#include "util/options.h"
 #include "util/list.h"
 #include "verdict/signs.h"
 
@@ -267,11 +267,11 @@ static box_comparer *comparer(int lanes) {
 bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                           const sepax_pose *pose_b, const sepax_query *query, sepax_pairs *found,
                           sepax_error *error) {
-  static const sepax_query usual = {0};
-  search s = {.body = {a, b}, .found = found};
-  s.query = query != NULL ? query : &usual;
+  sepax_query q;
+  search s = {.body = {a, b}, .found = found, .query = &q};
   *found = (sepax_pairs){0};
-  if (!sepax__poses_valid(pose_a, pose_b, error)) {
+  if (!sepax__options(&q, sizeof q, query, "sepax_query", error) ||
+      !sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
   if (!(s.query->seconds >= 0)) {

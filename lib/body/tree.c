@@ -3,7 +3,10 @@
  * Ranges of triangles are divided down to PART of them; the trees below are parts that threads
  * take. Parts depend on the mesh alone, and so does the tree. */
 #include "body.h"
+#include "mesh/mesh.h"
+#include "util/options.h"
 #include "util/bins.h"
+#include "util/memory.h"
 #include "util/error.h"
 #include "util/list.h"
 #include "util/threads.h"
@@ -30,7 +33,7 @@ typedef struct {
 
 typedef struct {
   sepax_body *body;
-  const sepax_mesh *mesh;
+  const triangles *mesh;
   box4 *entry;
   subtree top, *part;
   size_t parts, capacity; /* of parts */
@@ -129,7 +132,7 @@ static int divide(const builder *b, const range *whole, bool even, range part[BO
 static bool add_node(subtree *t) {
   if (t->nodes == t->capacity) {
     size_t more = t->capacity == 0 ? count_of(&t->whole) / 4 + 8 : 2 * t->capacity;
-    body_node *grown = realloc(t->node, more * sizeof *grown);
+    body_node *grown = sepax_resize(t->node, more * sizeof *grown);
     if (grown == NULL) {
       t->no_memory = true;
       return false;
@@ -208,7 +211,7 @@ static void join(body_node *to, const subtree *t, uint32_t first, const uint32_t
 
 static bool join_all(builder *b) {
   sepax_body *body = b->body;
-  uint32_t *first = malloc((b->parts + 1) * sizeof *first);
+  uint32_t *first = sepax_allocate((b->parts + 1) * sizeof *first);
   body->nodes = b->top.nodes;
   bool ok = first != NULL && !b->top.no_memory;
   for (size_t k = 0; k < b->parts && ok; k++) {
@@ -216,7 +219,7 @@ static bool join_all(builder *b) {
     body->nodes += b->part[k].nodes;
     ok = !b->part[k].no_memory;
   }
-  body->node = ok ? malloc(body->nodes * sizeof *body->node) : NULL;
+  body->node = ok ? sepax_allocate(body->nodes * sizeof *body->node) : NULL;
   ok = body->node != NULL;
   if (ok) {
     join(body->node, &b->top, 0, first);
@@ -224,18 +227,20 @@ static bool join_all(builder *b) {
   for (size_t k = 0; k < b->parts && ok; k++) {
     join(body->node + first[k], &b->part[k], first[k], first);
   }
-  free(first);
+  sepax_release(first);
   return ok;
 }
 
 /* ----------------------------------------------------------------------- the body */
 
-static bool measure(sepax_body *body, const sepax_mesh *mesh, sepax_error *error) {
+static bool measure(sepax_body *body, const triangles *mesh, sepax_error *error) {
   double low[3] = {INFINITY, INFINITY, INFINITY};
   double high[3] = {-INFINITY, -INFINITY, -INFINITY};
   for (size_t n = 0; n < mesh->count; n++) {
+    double space[3][3];
+    const double(*v)[3] = triangle_at(mesh, n, space);
     for (int k = 0; k < 9; k++) {
-      double x = mesh->facet[n].v[k / 3][k % 3];
+      double x = v[k / 3][k % 3];
       if (!(fabs(x) <= 0x1p1000)) {
         return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                           "facet %zu: %c = %g is not within 2^1000; %s", n, "xyz"[k % 3], x,
@@ -265,7 +270,8 @@ static bool measure(sepax_body *body, const sepax_mesh *mesh, sepax_error *error
 static void place_triangles(const builder *b) {
   for (size_t n = 0; n < b->body->count; n++) {
     uint32_t number = box4_number(&b->entry[n]);
-    memcpy(b->body->triangle[n], b->mesh->facet[number].v, sizeof(facet_points));
+    double space[3][3];
+    memcpy(b->body->triangle[n], triangle_at(b->mesh, number, space), sizeof(facet_points));
     b->body->number[n] = number;
   }
 }
@@ -274,13 +280,14 @@ static bool build(builder *b, size_t threads) {
   sepax_body *body = b->body;
   size_t count = b->mesh->count;
   body->count = count;
-  body->triangle = malloc(count * sizeof *body->triangle);
-  body->number = malloc(count * sizeof *body->number);
-  b->entry = malloc(count * sizeof *b->entry);
+  body->triangle = sepax_allocate(count * sizeof *body->triangle);
+  body->number = sepax_allocate(count * sizeof *body->number);
+  b->entry = sepax_allocate(count * sizeof *b->entry);
   bool ok = body->triangle != NULL && body->number != NULL && b->entry != NULL;
   if (ok) {
     for (size_t n = 0; n < count; n++) {
-      b->entry[n] = entry_of(body, b->mesh->facet[n].v, (uint32_t)n);
+      double space[3][3];
+      b->entry[n] = entry_of(body, triangle_at(b->mesh, n, space), (uint32_t)n);
     }
     uint32_t root;
     b->top.whole = (range){0, (uint32_t)count, bounds_of(b->entry, 0, (uint32_t)count)};
@@ -291,52 +298,62 @@ static bool build(builder *b, size_t threads) {
     ok = join_all(b);
     place_triangles(b);
   }
-  free(b->entry);
+  sepax_release(b->entry);
   for (size_t k = 0; k < b->parts; k++) {
-    free(b->part[k].node);
+    sepax_release(b->part[k].node);
   }
-  free(b->part);
-  free(b->top.node);
+  sepax_release(b->part);
+  sepax_release(b->top.node);
   return ok && sepax__body_fit(body, threads);
 }
 
-bool sepax__body_new(sepax_body **body, const sepax_mesh *mesh, size_t threads,
-                     sepax_error *error) {
+static size_t threads_of(const sepax_build *how, size_t count) {
+  size_t most = 1 + count / PART;
+  size_t threads = how->threads > 0 ? (size_t)how->threads : most > 1 ? sepax__threads_here() : 1;
+  return threads < most ? threads : most;
+}
+
+bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, const sepax_build *how,
+                    sepax_error *error) {
+  sepax_build options;
+  triangles all;
   *body = NULL;
-  if (mesh->count == 0 || mesh->count >= INT32_MAX) {
-    return sepax_fail(error, mesh->count == 0 ? SEPAX_ERROR_ARGUMENT : SEPAX_ERROR_LIMIT,
-                      "a body has 1 ... 2^31 - 2 triangles, not %zu; %s", mesh->count,
-                      mesh->count == 0 ? "give a mesh with facets" : "split the mesh");
+  if (!sepax__options(&options, sizeof options, how, "sepax_build", error) ||
+      !sepax__triangles_of(&all, mesh, error)) {
+    return false;
   }
-  sepax_body *made = calloc(1, sizeof *made);
-  builder b = {.body = made, .mesh = mesh};
+  if (options.threads < 0) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%d threads; give 0 for one a processor, or more", options.threads);
+  }
+  if (all.count == 0 || all.count >= INT32_MAX) {
+    return sepax_fail(error, all.count == 0 ? SEPAX_ERROR_ARGUMENT : SEPAX_ERROR_LIMIT,
+                      "a body has 1 ... 2^31 - 2 triangles, not %zu; %s", all.count,
+                      all.count == 0 ? "give a mesh with facets" : "split the mesh");
+  }
+  sepax_body *made = sepax__zeroed(1, sizeof *made);
+  builder b = {.body = made, .mesh = &all};
   bool ok = made != NULL;
-  if (ok && !measure(made, mesh, error)) {
+  if (ok && !measure(made, &all, error)) {
     sepax_body_free(made);
     return false;
   }
-  if (!ok || !build(&b, threads)) {
+  if (!ok || !build(&b, threads_of(&options, all.count))) {
     sepax_body_free(made);
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a body of %zu triangles",
-                      mesh->count);
+                      all.count);
   }
   *body = made;
   return true;
 }
 
-bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, sepax_error *error) {
-  size_t most = 1 + mesh->count / PART;
-  size_t threads = most > 1 ? sepax__threads_here() : 1;
-  return sepax__body_new(body, mesh, threads < most ? threads : most, error);
-}
-
 void sepax_body_free(sepax_body *body) {
   if (body != NULL) {
-    free(body->triangle);
-    free(body->number);
-    free(body->node);
-    free(body->boxes);
-    free(body);
+    sepax_release(body->triangle);
+    sepax_release(body->number);
+    sepax_release(body->node);
+    sepax_release(body->boxes);
+    sepax_release(body);
   }
 }
 

@@ -4,6 +4,7 @@
  * longer list is halved, and each half and the other list are two lists as before. Where few pairs
  * are left, all are tested. Lists are halved in place; long ones become tasks that threads take. */
 #include "broad_phase/search.h"
+#include "util/memory.h"
 #include "util/box.h"
 
 #include <pthread.h>
@@ -60,7 +61,7 @@ static box4 box_of_triangle(const sepax_tri *t, float margin) {
 /* Of a triangle of doubles in its pose, in A's coordinates times `unit`, by which they are
  * within 1. Rounded to floats they are wrong by 2^-24 of themselves, or 2^-149. */
 static box4 box_of_posed(const search *s, int which, size_t n) {
-  const double(*v)[3] = s->mesh[which]->facet[n].v;
+  const double(*v)[3] = s->facet[which][n];
   double placed[3][3];
   float margin = (float)(s->posed.at.error * s->unit * (1 + 0x1p-20)) + 0x1p-140F;
   if (which == 1) {
@@ -80,8 +81,8 @@ static box4 box_of_posed(const search *s, int which, size_t n) {
 }
 
 static box4 box_of(const search *s, int which, size_t n, float margin) {
-  return s->mesh[0] != NULL ? box_of_posed(s, which, n)
-                            : box_of_triangle(&s->tri[which][n], margin);
+  return s->facet[0] != NULL ? box_of_posed(s, which, n)
+                             : box_of_triangle(&s->tri[which][n], margin);
 }
 
 static box4 bounds_of_mesh(const search *s, int which) {
@@ -153,11 +154,11 @@ static void halve(const list *l, list half[2]) {
 /* The lists of a task of its own, copied; false without memory. */
 static bool push(tasks *t, const list of[2], uint64_t share) {
   size_t items = of[0].count + of[1].count;
-  task *made = malloc(sizeof *made);
-  box4 *space = malloc(items * sizeof *space);
+  task *made = sepax_allocate(sizeof *made);
+  box4 *space = sepax_allocate(items * sizeof *space);
   if (made == NULL || space == NULL) {
-    free(made);
-    free(space);
+    sepax_release(made);
+    sepax_release(space);
     return false;
   }
   *made = (task){.of = {of[0], of[1]}, .share = share};
@@ -175,8 +176,8 @@ static bool push(tasks *t, const list of[2], uint64_t share) {
 }
 
 static void drop(task *t) {
-  free(t->of[0].item);
-  free(t);
+  sepax_release(t->of[0].item);
+  sepax_release(t);
 }
 
 /* The next task, or NULL when all is done or the search stops. `share` was done before. */
@@ -212,7 +213,7 @@ static void test_all(worker *w, const list of[2]) {
       }
     }
   }
-  if (w->all->how->first) {
+  if (w->all->how.first) {
     sepax__search_judge_candidates(w);
   }
 }
@@ -263,7 +264,7 @@ void sepax__halves_work(worker *w) {
 }
 
 bool sepax__halves_begin(search *s, size_t *most_threads) {
-  tasks *t = calloc(1, sizeof *t);
+  tasks *t = sepax__zeroed(1, sizeof *t);
   if (t == NULL) {
     return false;
   }
@@ -274,7 +275,7 @@ bool sepax__halves_begin(search *s, size_t *most_threads) {
   float margin = (float)s->margin * (1 + 0x1p-20F);
   list of[2] = {{.count = 0}, {.count = 0}};
   for (int k = 0; k < 2; k++) {
-    t->items[k] = malloc(s->count[k] * sizeof *t->items[k]);
+    t->items[k] = sepax_allocate(s->count[k] * sizeof *t->items[k]);
     of[k].item = t->items[k];
     if (t->items[k] == NULL) {
       return false;
@@ -298,9 +299,9 @@ void sepax__halves_end(search *s) {
     t->first = next;
   }
   for (int k = 0; k < 2; k++) {
-    free(t->items[k]);
+    sepax_release(t->items[k]);
   }
   pthread_cond_destroy(&t->changed);
   pthread_mutex_destroy(&t->lock);
-  free(t);
+  sepax_release(t);
 }

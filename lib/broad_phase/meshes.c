@@ -1,8 +1,11 @@
 /* meshes.c - all colliding pairs of two meshes: candidates, by their AABBs (halves.c) or all of
  * them, judged many at a time (pairs.c), by one thread or more. */
 #include "broad_phase/search.h"
+#include "body/body.h"
+#include "mesh/mesh.h"
+#include "util/memory.h"
 #include "util/aabb.h"
-#include "util/error.h"
+#include "util/options.h"
 #include "util/list.h"
 #include "util/threads.h"
 
@@ -17,7 +20,7 @@ enum { BLOCK = 64, PART = 64 * 64, DIGIT = 10 };
 /* False where the search ends with this pair. */
 static bool record(worker *w, size_t i, size_t j) {
   w->no_memory |= !list_add_pair(&w->found, &w->capacity, i, j);
-  bool ends = w->no_memory || w->all->how->first;
+  bool ends = w->no_memory || w->all->how.first;
   if (ends) {
     atomic_store(&w->all->stop, true);
   }
@@ -47,13 +50,13 @@ void sepax__search_judge_candidates(worker *w) {
   if (count == 0) {
     return;
   }
-  if (s->mesh[0] != NULL) {
+  if (s->facet[0] != NULL) {
     hits = sepax__judge_posed_pairs(&s->posed, w->candidate, (int)count);
   } else if (s->judge == NULL) {
     int32_t c[2][3][3][BATCH];
     sepax_columns of[2];
     gather_candidates(w, c, of);
-    sepax_exact_pairs(s->how->simd, &of[0], &of[1], count, &hits);
+    sepax_exact_pairs(s->how.simd, &of[0], &of[1], count, &hits);
   } else {
     for (size_t n = 0; n < count; n++) {
       const sepax_tri *a = &s->tri[0][w->candidate[n][0]];
@@ -80,7 +83,7 @@ void sepax__search_add_candidate(worker *w, uint32_t i, uint32_t j) {
 
 static bool fill_columns(search *s) {
   size_t count = s->count[1];
-  int32_t *x = malloc(9 * count * sizeof *x);
+  int32_t *x = sepax_allocate(9 * count * sizeof *x);
   s->column = x;
   for (int k = 0; k < 9 && x != NULL; k++) {
     s->columns.c[k / 3][k % 3] = x + (size_t)k * count;
@@ -95,7 +98,7 @@ static bool brute_force_begin(search *s) {
   s->parts = (s->count[1] + PART - 1) / PART;
   s->total = (s->count[0] + BLOCK - 1) / BLOCK * s->parts;
   atomic_init(&s->next, 0);
-  return s->mesh[0] != NULL || fill_columns(s);
+  return s->facet[0] != NULL || fill_columns(s);
 }
 
 /* One triangle of A against `many` of B. */
@@ -106,7 +109,7 @@ static void judge_one(worker *w, size_t i, size_t from, size_t many) {
   for (int k = 0; k < 9; k++) {
     columns.c[k / 3][k % 3] = s->columns.c[k / 3][k % 3] + from;
   }
-  sepax_exact_one_to_many(s->how->simd, &s->tri[0][i], &columns, many, bits);
+  sepax_exact_one_to_many(s->how.simd, &s->tri[0][i], &columns, many, bits);
   for (size_t m = 0; m < (many + 63) / 64; m++) {
     for (uint64_t word = bits[m]; word != 0; word &= word - 1) {
       if (!record(w, i, from + 64 * m + (size_t)__builtin_ctzll(word))) {
@@ -142,7 +145,7 @@ static void brute_force_task(worker *w, size_t task) {
   size_t from = task % s->parts * PART;
   size_t many = from + PART < s->count[1] ? PART : s->count[1] - from;
   for (size_t i = first; i < first + BLOCK && i < s->count[0] && !atomic_load(&w->all->stop); i++) {
-    if (s->mesh[0] != NULL) {
+    if (s->facet[0] != NULL) {
       judge_one_posed(w, i, from, many);
     } else if (s->judge == NULL) {
       judge_one(w, i, from, many);
@@ -189,8 +192,8 @@ static bool gather(const search *s, const worker *workers, size_t threads, sepax
   for (size_t k = 0; k < threads; k++) {
     total += workers[k].found.count;
   }
-  size_t(*pair)[2] = malloc((total + 1) * sizeof *pair);
-  size_t(*other)[2] = malloc((total + 1) * sizeof *other);
+  size_t(*pair)[2] = sepax_allocate((total + 1) * sizeof *pair);
+  size_t(*other)[2] = sepax_allocate((total + 1) * sizeof *other);
   bool ok = pair != NULL && other != NULL;
   size_t at = 0;
   for (size_t k = 0; k < threads && ok; k++) {
@@ -207,9 +210,9 @@ static bool gather(const search *s, const worker *workers, size_t threads, sepax
       other = swap;
     }
   }
-  free(other);
+  sepax_release(other);
   if (!ok) {
-    free(pair);
+    sepax_release(pair);
     return false;
   }
   *all = (sepax_pairs){.pair = pair, .count = total};
@@ -220,7 +223,7 @@ static bool gather(const search *s, const worker *workers, size_t threads, sepax
 
 void sepax__search_report(worker *w, uint64_t done) {
   search *s = w->all;
-  if (s->how->progress != NULL && !s->ended && !s->how->progress(s->how->context, done, s->total)) {
+  if (s->how.progress != NULL && !s->ended && !s->how.progress(s->how.context, done, s->total)) {
     s->ended = true;
     atomic_store(&s->stop, true);
   }
@@ -228,7 +231,7 @@ void sepax__search_report(worker *w, uint64_t done) {
 
 static void work(void *workers, size_t part) {
   worker *w = (worker *)workers + part;
-  if (w->all->how->brute_force) {
+  if (w->all->how.brute_force) {
     brute_force_work(w);
   } else {
     sepax__halves_work(w);
@@ -241,7 +244,7 @@ static size_t threads_of(const sepax_search *how, size_t most) {
 }
 
 static bool run(search *s, size_t threads, sepax_pairs *found) {
-  worker *workers = calloc(threads, sizeof *workers);
+  worker *workers = sepax__zeroed(threads, sizeof *workers);
   if (workers == NULL) {
     return false;
   }
@@ -259,16 +262,21 @@ static bool run(search *s, size_t threads, sepax_pairs *found) {
   }
   ok = ok && !s->ended && gather(s, workers, threads, found);
   for (size_t k = 0; k < threads; k++) {
-    free(workers[k].found.pair);
+    sepax_release(workers[k].found.pair);
   }
-  free(workers);
+  sepax_release(workers);
   return ok;
 }
 
 static bool find_pairs(search *s, const sepax_search *how, sepax_pairs *found, sepax_error *error) {
-  static const sepax_search usual = {0};
-  s->how = how != NULL ? how : &usual;
   *found = (sepax_pairs){0};
+  if (!sepax__options(&s->how, sizeof s->how, how, "sepax_search", error)) {
+    return false;
+  }
+  if (s->how.threads < 0) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%d threads; give 0 for one a processor, or more", s->how.threads);
+  }
   if (s->count[0] == 0 || s->count[1] == 0) {
     return true;
   }
@@ -279,10 +287,10 @@ static bool find_pairs(search *s, const sepax_search *how, sepax_pairs *found, s
   }
   atomic_init(&s->stop, false);
   size_t most = SIZE_MAX;
-  bool ok = s->how->brute_force ? brute_force_begin(s) : sepax__halves_begin(s, &most);
-  ok = ok && run(s, threads_of(s->how, most), found);
+  bool ok = s->how.brute_force ? brute_force_begin(s) : sepax__halves_begin(s, &most);
+  ok = ok && run(s, threads_of(&s->how, most), found);
   sepax__halves_end(s);
-  free(s->column);
+  sepax_release(s->column);
   if (s->ended) {
     return sepax_fail(error, SEPAX_ERROR_CANCELLED, "the search was ended before its time");
   }
@@ -308,12 +316,27 @@ bool sepax_judged_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b, 
   return find_pairs(&s, how, found, error);
 }
 
+/* Triangles one after another as doubles: where they are, or in *copy. NULL without memory. */
+static const facet_points *as_doubles(const triangles *t, facet_points **copy) {
+  *copy = NULL;
+  if (t->packed) {
+    return (const facet_points *)(const void *)t->vertex;
+  }
+  if (t->count <= SIZE_MAX / sizeof **copy) {
+    *copy = sepax_allocate(t->count * sizeof **copy);
+  }
+  for (size_t n = 0; n < t->count && *copy != NULL; n++) {
+    triangle_at(t, n, (*copy)[n]);
+  }
+  return (const facet_points *)*copy;
+}
+
 /* The largest coordinate, or more than 2^1000. */
-static double largest_of(const sepax_mesh *m) {
+static double largest_of(const facet_points *facet, size_t count) {
   double most = 0;
-  for (size_t n = 0; n < m->count; n++) {
+  for (size_t n = 0; n < count; n++) {
     for (int k = 0; k < 9; k++) {
-      double size = fabs(m->facet[n].v[k / 3][k % 3]);
+      double size = fabs(facet[n][k / 3][k % 3]);
       most = size <= most ? most : size;
       most = isnan(size) ? INFINITY : most;
     }
@@ -321,38 +344,56 @@ static double largest_of(const sepax_mesh *m) {
   return most;
 }
 
-bool sepax_meshes_collide(const sepax_mesh *a, const sepax_pose *pose_a, const sepax_mesh *b,
-                          const sepax_pose *pose_b, const sepax_search *how, sepax_pairs *found,
-                          sepax_error *error) {
-  double most[2] = {largest_of(a), largest_of(b)};
-  *found = (sepax_pairs){0};
-  if (!sepax__poses_valid(pose_a, pose_b, error)) {
-    return false;
-  }
+static bool collide(search *s, const sepax_pose *pose[2], const sepax_search *how,
+                    sepax_pairs *found, sepax_error *error) {
+  double most[2] = {largest_of(s->facet[0], s->count[0]), largest_of(s->facet[1], s->count[1])};
   if (!(most[0] <= 0x1p1000) || !(most[1] <= 0x1p1000)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "a mesh has a coordinate that is not within 2^1000");
   }
-  if (a->count == 0 || b->count == 0) {
-    return true;
-  }
-  search s = {.mesh = {a, b}, .count = {a->count, b->count}};
-  s.posed = (posed_pairs){
-      .first = {a->facet[0].v[0], b->facet[0].v[0]},
-      .stride = {sizeof *a->facet / sizeof(double), sizeof *a->facet / sizeof(double)},
-      .lanes = sepax__posed_pairs_lanes(how != NULL ? how->simd : SEPAX_SIMD_BEST)};
-  sepax__place_poses(&s.posed.at, pose_a, pose_b, most[1]);
+  s->posed = (posed_pairs){.first = {s->facet[0][0][0], s->facet[1][0][0]},
+                           .stride = {9, 9},
+                           .lanes = sepax__posed_pairs_lanes(s->how.simd)};
+  sepax__place_poses(&s->posed.at, pose[0], pose[1], most[1]);
   double size = most[0];
   for (int i = 0; i < 3; i++) {
-    size = fmax(size, fabs(s.posed.at.offset[i]) + 4 * most[1]);
+    size = fmax(size, fabs(s->posed.at.offset[i]) + 4 * most[1]);
   }
   int exponent;
   frexp(size, &exponent);
-  s.unit = size > 0 ? ldexp(1, exponent < -1000 ? 1000 : -exponent) : 1;
-  return find_pairs(&s, how, found, error);
+  s->unit = size > 0 ? ldexp(1, exponent < -1000 ? 1000 : -exponent) : 1;
+  return find_pairs(s, how, found, error);
+}
+
+bool sepax_meshes_collide(const sepax_mesh *a, const sepax_pose *pose_a, const sepax_mesh *b,
+                          const sepax_pose *pose_b, const sepax_search *how, sepax_pairs *found,
+                          sepax_error *error) {
+  triangles mesh[2];
+  search s = {.judge = NULL};
+  *found = (sepax_pairs){0};
+  if (!sepax__poses_valid(pose_a, pose_b, error) || !sepax__triangles_of(&mesh[0], a, error) ||
+      !sepax__triangles_of(&mesh[1], b, error) ||
+      !sepax__options(&s.how, sizeof s.how, how, "sepax_search", error)) {
+    return false;
+  }
+  if (mesh[0].count == 0 || mesh[1].count == 0) {
+    return true;
+  }
+  facet_points *copy[2] = {NULL, NULL};
+  for (int k = 0; k < 2; k++) {
+    s.facet[k] = as_doubles(&mesh[k], &copy[k]);
+    s.count[k] = mesh[k].count;
+  }
+  bool ok = s.facet[0] != NULL && s.facet[1] != NULL
+                ? collide(&s, (const sepax_pose *[2]){pose_a, pose_b}, how, found, error)
+                : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu and %zu triangles",
+                             mesh[0].count, mesh[1].count);
+  sepax_release(copy[0]);
+  sepax_release(copy[1]);
+  return ok;
 }
 
 void sepax_pairs_free(sepax_pairs *pairs) {
-  free(pairs->pair);
+  sepax_release(pairs->pair);
   *pairs = (sepax_pairs){0};
 }

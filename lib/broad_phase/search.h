@@ -3,6 +3,7 @@
 #define SEPAX_BROAD_PHASE_SEARCH_H
 
 #include "body/judge.h"
+#include "sepax_grid.h"
 
 #include <stdatomic.h>
 
@@ -12,11 +13,11 @@ enum { BATCH = 64 };
 typedef struct tasks tasks;
 
 typedef struct {
-  const sepax_search *how;
-  sepax_pair_judge *judge;   /* NULL: collisions */
-  void *context;             /* of judge */
-  const sepax_tri *tri[2];   /* of A, of B; on a grid */
-  const sepax_mesh *mesh[2]; /* or as they stand in their files, in poses */
+  sepax_search how;
+  sepax_pair_judge *judge;        /* NULL: collisions */
+  void *context;                  /* of judge */
+  const sepax_tri *tri[2];        /* of A, of B; on a grid */
+  const double (*facet[2])[3][3]; /* or doubles, in poses */
   posed_pairs posed;
   double unit; /* of boxes: coordinates times this are within 1 */
   size_t count[2];

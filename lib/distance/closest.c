@@ -1,7 +1,7 @@
 /* closest.c - the distance of two bodies in their poses. */
 #include "distance.h"
 #include "search.h"
-#include "util/error.h"
+#include "util/options.h"
 
 #include <math.h>
 #include <string.h>
@@ -137,14 +137,19 @@ static bool begin(search *s, const sepax_distance_request *r, sepax_error *error
 bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                            const sepax_pose *pose_b, const sepax_distance_request *request,
                            sepax_distance_result *result, sepax_error *error) {
-  static const sepax_distance_request usual = {0};
-  const sepax_distance_request *r = request != NULL ? request : &usual;
-  const sepax_query any = {.most = 1, .seconds = r->seconds, .simd = r->simd};
+  sepax_distance_request r;
+  if (!sepax__options(&r, sizeof r, request, "sepax_distance_request", error)) {
+    *result = (sepax_distance_result){0};
+    return false;
+  }
+  const sepax_query any =
+      SEPAX_STRUCT(sepax_query, .most = 1, .seconds = r.seconds, .simd = r.simd);
   sepax_distance_result best = {.min_distance = INFINITY};
   nearest_pairs n = {.best = &best};
   search s = {.body = {a, b}, .take = keep, .context = &n, .batch = 4};
   sepax_pairs hit;
-  if (!begin(&s, r, error) || !sepax_bodies_collide(a, pose_a, b, pose_b, &any, &hit, error)) {
+  if (!begin(&s, &r, error) || !sepax_bodies_collide(a, pose_a, b, pose_b, &any, &hit, error)) {
+    *result = (sepax_distance_result){0};
     return false;
   }
   if (hit.count == 0 && hit.ended) {
@@ -155,13 +160,13 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
     s.at.pose[1] = pose_b;
     measure(&s, &n, place);
   } else {
-    s.seconds = r->seconds;
+    s.seconds = r.seconds;
     sepax__search_pairs(&s, pose_a, pose_b);
     measure_kept(&s, &n);
     best.ended = s.ended;
   }
   sepax_pairs_free(&hit);
-  if (r->limit > 0 && best.min_distance > r->limit) {
+  if (r.limit > 0 && best.min_distance > r.limit) {
     best = (sepax_distance_result){.min_distance = INFINITY, .ended = best.ended};
   }
   *result = best;

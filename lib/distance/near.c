@@ -1,7 +1,7 @@
 /* near.c - which triangles of two bodies in their poses are within a distance. */
 #include "distance.h"
 #include "search.h"
-#include "util/error.h"
+#include "util/options.h"
 #include "util/list.h"
 
 typedef struct {
@@ -39,9 +39,11 @@ static void record(search *s, const uint32_t at[2], double least, double most) {
 bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                        const sepax_pose *pose_b, double distance, const sepax_query *query,
                        sepax_pairs *found, sepax_error *error) {
-  static const sepax_query usual = {0};
-  const sepax_query *q = query != NULL ? query : &usual;
+  sepax_query q;
   *found = (sepax_pairs){0};
+  if (!sepax__options(&q, sizeof q, query, "sepax_query", error)) {
+    return false;
+  }
   if (!(distance >= 0 && distance <= 0x1p1000)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "the distance %g is not within 0 ... 2^1000; give one that is", distance);
@@ -49,17 +51,17 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
   if (!sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
-  if (!(q->seconds >= 0)) {
+  if (!(q.seconds >= 0)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "a search has a limit of %g seconds; give 0 for none, or more", q->seconds);
+                      "a search has a limit of %g seconds; give 0 for none, or more", q.seconds);
   }
   if (distance == 0) {
     return sepax_bodies_collide(a, pose_a, b, pose_b, query, found, error);
   }
-  near_pairs n = {.query = q, .distance = distance, .found = found};
+  near_pairs n = {.query = &q, .distance = distance, .found = found};
   search s = {.body = {a, b}, .take = record, .context = &n, .limit = distance, .batch = 4};
-  s.portable = q->simd == SEPAX_SIMD_PORTABLE;
-  s.seconds = q->seconds;
+  s.portable = q.simd == SEPAX_SIMD_PORTABLE;
+  s.seconds = q.seconds;
   sepax__search_pairs(&s, pose_a, pose_b);
   found->ended = s.ended;
   if (n.no_memory) {

@@ -29,10 +29,11 @@ bool sepax_chain_find(sepax_chain *chain, const sepax_mechanism *m, size_t a, si
     count[lower]++;
   }
   *chain = (sepax_chain){.count = count[0] + count[1], .up = count[0], .top = top[0]};
-  chain->joint = malloc((chain->count + 1) * sizeof *chain->joint);
+  chain->joint = sepax_allocate((chain->count + 1) * sizeof *chain->joint);
   if (chain->joint == NULL) {
+    *chain = (sepax_chain){0};
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a chain of %zu joints",
-                      chain->count);
+                      count[0] + count[1]);
   }
   for (size_t n = 0; n < chain->up; n++, a = parent_of(m, a)) {
     chain->joint[n] = m->link[a].joint;
@@ -44,6 +45,6 @@ bool sepax_chain_find(sepax_chain *chain, const sepax_mechanism *m, size_t a, si
 }
 
 void sepax_chain_free(sepax_chain *chain) {
-  free(chain->joint);
+  sepax_release(chain->joint);
   *chain = (sepax_chain){0};
 }

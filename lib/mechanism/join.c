@@ -8,14 +8,14 @@
 
 void sepax_mechanism_free(sepax_mechanism *m) {
   for (size_t n = 0; n < m->links && m->link != NULL; n++) {
-    free(m->link[n].name);
+    sepax_release(m->link[n].name);
   }
   for (size_t n = 0; n < m->joints && m->joint != NULL; n++) {
-    free(m->joint[n].name);
+    sepax_release(m->joint[n].name);
   }
-  free(m->link);
-  free(m->joint);
-  free(m->order);
+  sepax_release(m->link);
+  sepax_release(m->joint);
+  sepax_release(m->order);
   *m = (sepax_mechanism){0};
 }
 
@@ -181,10 +181,10 @@ static size_t link_astray(const sepax_mechanism *m, size_t count, size_t *mark) 
 }
 
 static bool order_joints(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
-  lists below = {malloc(m->links * sizeof *below.first),
-                 malloc((m->joints + 1) * sizeof *below.next)};
-  free(m->order);
-  m->order = malloc((m->joints + 1) * sizeof *m->order);
+  lists below = {sepax_allocate(m->links * sizeof *below.first),
+                 sepax_allocate((m->joints + 1) * sizeof *below.next)};
+  sepax_release(m->order);
+  m->order = sepax_allocate((m->joints + 1) * sizeof *m->order);
   bool ok = below.first != NULL && below.next != NULL && m->order != NULL;
   if (ok) {
     for (size_t n = 0; n < m->links; n++) {
@@ -199,8 +199,8 @@ static bool order_joints(sepax_mechanism *m, size_t *wrong, sepax_error *error) 
   } else {
     sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu joints", m->joints);
   }
-  free(below.first);
-  free(below.next);
+  sepax_release(below.first);
+  sepax_release(below.next);
   return ok;
 }
 

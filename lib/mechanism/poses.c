@@ -6,20 +6,6 @@
 
 static const sepax_pose at_origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
 
-sepax_pose sepax_pose_compose(const sepax_pose *outer, const sepax_pose *inner) {
-  const double(*p)[3] = outer->rotation;
-  const double(*q)[3] = inner->rotation;
-  const double *t = inner->translation;
-  sepax_pose r;
-  for (int i = 0; i < 3; i++) {
-    for (int j = 0; j < 3; j++) {
-      r.rotation[i][j] = p[i][0] * q[0][j] + p[i][1] * q[1][j] + p[i][2] * q[2][j];
-    }
-    r.translation[i] = (p[i][0] * t[0] + p[i][1] * t[1] + p[i][2] * t[2]) + outer->translation[i];
-  }
-  return r;
-}
-
 /* About a unit axis by an angle: cos I + sin [axis]x + (1 - cos) axis axis^T. 1 - cos is taken from
  * half the angle, where nothing cancels. */
 static sepax_pose turn_about(const double axis[3], double angle) {

@@ -4,6 +4,8 @@
  * or a quotient decides. Doubles decide where their error is too small to reach a border between
  * grid points; elsewhere the coordinate is compared with the border by the sign of an exact sum.
  */
+#include "mesh.h"
+#include "sepax_grid.h"
 #include "util/error.h"
 
 #include <float.h>
@@ -111,11 +113,13 @@ typedef struct {
 static const bounds no_bounds = {
     {INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}, {0, 0, 0}};
 
-static bounds extended(bounds all, const sepax_mesh *mesh) {
+static bounds extended(bounds all, const triangles *mesh) {
   for (size_t i = 0; i < mesh->count; i++) {
+    double space[3][3];
+    const double(*v)[3] = triangle_at(mesh, i, space);
     _Pragma("GCC unroll 9") for (int k = 0; k < 9; k++) {
       int axis = k % 3;
-      double x = mesh->facet[i].v[k / 3][axis];
+      double x = v[k / 3][axis];
       all.low[axis] = x < all.low[axis] ? x : all.low[axis];
       all.high[axis] = x > all.high[axis] ? x : all.high[axis];
       all.rest[axis] += x - x;
@@ -142,7 +146,7 @@ static bool all_fit(const bounds *all, const sepax_grid *grid, double resolution
 
 /* --------------------------------------------------------------------- fit */
 
-static bool check_range(const bounds *all, const sepax_mesh *mesh, size_t number,
+static bool check_range(const bounds *all, const triangles *mesh, size_t number,
                         sepax_error *error) {
   bool ok = are_numbers(all);
   for (int axis = 0; axis < 3; axis++) {
@@ -150,7 +154,8 @@ static bool check_range(const bounds *all, const sepax_mesh *mesh, size_t number
   }
   for (size_t i = 0; !ok && i < 9 * mesh->count; i++) {
     int axis = (int)(i % 3);
-    double x = mesh->facet[i / 9].v[i / 3 % 3][axis];
+    double space[3][3];
+    double x = triangle_at(mesh, i / 9, space)[i / 3 % 3][axis];
     if (!(fabs(x) <= magnitude_max)) {
       return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "mesh %zu, facet %zu: %c = %g is too large; %s", number, i / 9,
@@ -164,8 +169,12 @@ static bool find_bounds(bounds *all, const sepax_mesh *const meshes[], size_t co
                         sepax_error *error) {
   *all = no_bounds;
   for (size_t i = 0; i < count; i++) {
-    *all = extended(*all, meshes[i]);
-    if (!check_range(all, meshes[i], i, error)) {
+    triangles mesh;
+    if (!sepax__triangles_of(&mesh, meshes[i], error)) {
+      return false;
+    }
+    *all = extended(*all, &mesh);
+    if (!check_range(all, &mesh, i, error)) {
       return false;
     }
   }
@@ -201,6 +210,7 @@ static double finest_resolution(const bounds *all, const sepax_grid *grid) {
 bool sepax_grid_fit(sepax_grid *grid, const sepax_mesh *const meshes[], size_t count, int word,
                     sepax_error *error) {
   bounds all;
+  *grid = (sepax_grid){0};
   if (!check_word(word, error) || !find_bounds(&all, meshes, count, error)) {
     return false;
   }
@@ -268,8 +278,8 @@ static inline int32_t *component(sepax_tri *tri, int i) {
  * three by less than 2^-51: of up to 2^31 + 1 steps by less than 2^-19. (A product that underflows
  * is wrong by far less than that.) So a product that is nearer than 1/2 - 2^-18 to a whole number
  * rounds to it; any other, and what is undefined, is in doubt. */
-static inline void quantise_facet(sepax_tri *tri, const sepax_facet *facet, const fast_grid *fast) {
-  const double *v = facet->v[0];
+static inline void quantise_facet(sepax_tri *tri, const double facet[3][3], const fast_grid *fast) {
+  const double *v = facet[0];
   const reals x[5] = {{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}, {v[6], v[7]}, {v[8], v[8]}};
   words q[5];
   lanes certain = {0, 0}; /* bit i: coordinate i */
@@ -289,11 +299,11 @@ static inline void quantise_facet(sepax_tri *tri, const sepax_facet *facet, cons
   }
 }
 
-static bool check_coordinates(const sepax_facet *facet, size_t number, const sepax_grid *grid,
+static bool check_coordinates(const double v[3][3], size_t number, const sepax_grid *grid,
                               sepax_error *error) {
   for (int i = 0; i < 9; i++) {
     int axis = i % 3;
-    double x = facet->v[i / 3][axis];
+    double x = v[i / 3][axis];
     int32_t q;
     if (!quantise_exactly(&q, x, grid, axis)) {
       return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
@@ -306,56 +316,28 @@ static bool check_coordinates(const sepax_facet *facet, size_t number, const sep
   return true;
 }
 
-static bool check_normal(const double normal[3], size_t number, sepax_error *error) {
-  for (int axis = 0; axis < 3; axis++) {
-    if (!isfinite(normal[axis])) {
-      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                        "facet %zu: the normal has %c = %g; mend the mesh", number, axis_name[axis],
-                        normal[axis]);
-    }
-  }
-  return true;
-}
-
-static sepax_vec quantise_normal(const double normal[3], int word) {
-  double largest = fmax(fmax(fabs(normal[0]), fabs(normal[1])), fabs(normal[2]));
-  if (largest == 0) {
-    return (sepax_vec){0, 0, 0};
-  }
-  int exponent = 0;
-  frexp(largest, &exponent);
-  double n[3];
-  for (int axis = 0; axis < 3; axis++) {
-    n[axis] = ldexp(normal[axis], -exponent);
-  }
-  double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  double unit = sepax_word_max(word);
-  return (sepax_vec){(int32_t)round(n[0] * unit / length), (int32_t)round(n[1] * unit / length),
-                     (int32_t)round(n[2] * unit / length)};
-}
-
 /* All is checked before a result is written. What is rounded grows with what is not: a mesh fits
  * if its bounds do. */
-bool sepax_quantise(const sepax_mesh *mesh, const sepax_grid *grid, sepax_tri *tri,
-                    sepax_vec *normal, sepax_error *error) {
-  if (!check_grid(grid, error)) {
+bool sepax_quantise(const sepax_mesh *given, const sepax_grid *grid, sepax_tri *tri,
+                    sepax_error *error) {
+  triangles mesh;
+  if (!sepax__triangles_of(&mesh, given, error)) {
     return false;
   }
-  const bounds all = extended(no_bounds, mesh);
-  bool fits = mesh->count == 0 || all_fit(&all, grid, grid->resolution);
-  for (size_t i = 0; i < mesh->count && !(fits && normal == NULL); i++) {
-    const sepax_facet *facet = &mesh->facet[i];
-    if ((!fits && !check_coordinates(facet, i, grid, error)) ||
-        (normal != NULL && !check_normal(facet->normal, i, error))) {
-      return false;
-    }
+  bool ok = check_grid(grid, error);
+  const bounds all = extended(no_bounds, &mesh);
+  bool fits = ok && (mesh.count == 0 || all_fit(&all, grid, grid->resolution));
+  double space[3][3];
+  for (size_t i = 0; i < mesh.count && ok && !fits; i++) {
+    ok = check_coordinates(triangle_at(&mesh, i, space), i, grid, error);
+  }
+  if (!ok) {
+    memset(tri, 0, mesh.count * sizeof *tri);
+    return false;
   }
   const fast_grid fast = fast_grid_of(grid);
-  for (size_t i = 0; i < mesh->count; i++) {
-    quantise_facet(&tri[i], &mesh->facet[i], &fast);
-    if (normal != NULL) {
-      normal[i] = quantise_normal(mesh->facet[i].normal, grid->word);
-    }
+  for (size_t i = 0; i < mesh.count; i++) {
+    quantise_facet(&tri[i], triangle_at(&mesh, i, space), &fast);
   }
   return true;
 }

@@ -9,6 +9,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -24,9 +25,10 @@ static const double binary32_end = 0x1.ffffffp127;
 
 static const char cure[] = "export the mesh again";
 
-void sepax_mesh_free(sepax_mesh *mesh) {
-  free(mesh->facet);
-  *mesh = (sepax_mesh){0};
+void sepax_soup_free(sepax_soup *soup) {
+  sepax_release(soup->facet);
+  sepax_release(soup->normal);
+  *soup = (sepax_soup){0};
 }
 
 static bool fail(sepax_error *error, sepax_code code, const char *path, const char *format, ...)
@@ -42,9 +44,45 @@ static bool fail(sepax_error *error, sepax_code code, const char *path, const ch
   return sepax_fail(error, code, "%.300s: %s", path, detail);
 }
 
-/* The numbers of a facet in the order of the file. */
-static double *facet_number(sepax_facet *facet, int i) {
-  return i < 3 ? &facet->normal[i] : &facet->v[i / 3 - 1][i % 3];
+/* The numbers of a facet in the order of the file: its normal, its vertices. */
+typedef struct {
+  double of[FACET_NUMBERS];
+} numbers;
+
+static numbers numbers_of(const sepax_soup *soup, size_t k) {
+  numbers n = {{0}};
+  if (soup->normal != NULL) {
+    memcpy(n.of, soup->normal[k], sizeof soup->normal[k]);
+  }
+  memcpy(n.of + 3, soup->facet[k].v, sizeof soup->facet[k].v);
+  return n;
+}
+
+/* A soup that grows. */
+typedef struct {
+  sepax_soup soup;
+  size_t capacity, normal_capacity;
+  bool normals;
+} reading;
+
+static bool append(reading *r, const numbers *n) {
+  sepax_soup *soup = &r->soup;
+  sepax_facet *facet = list_grow(soup->facet, &r->capacity, soup->count, sizeof *facet);
+  if (facet == NULL) {
+    return false;
+  }
+  soup->facet = facet;
+  memcpy(facet[soup->count].v, n->of + 3, sizeof facet->v);
+  if (r->normals) {
+    double(*normal)[3] = list_grow(soup->normal, &r->normal_capacity, soup->count, sizeof *normal);
+    if (normal == NULL) {
+      return false;
+    }
+    soup->normal = normal;
+    memcpy(normal[soup->count], n->of, sizeof *normal);
+  }
+  soup->count++;
+  return true;
 }
 
 static const char *number_name(int i) { return i < 3 ? "normal" : "coordinate"; }
@@ -102,7 +140,7 @@ static content read_content(const char *path, sepax_error *error) {
     return file;
   }
   if (!is_readable_kind(in, path, error) || !read_stream(&file, in, path, error)) {
-    free(file.bytes);
+    sepax_release(file.bytes);
     file = (content){0};
   }
   fclose(in);
@@ -186,7 +224,7 @@ static bool read_number(scanner *text, double *number, const char *name) {
   return true;
 }
 
-static bool read_facet(scanner *text, sepax_facet *facet) {
+static bool read_facet(scanner *text, numbers *facet) {
   bool ok = read_keyword(text, "normal");
   for (int i = 0; ok && i < FACET_NUMBERS; i++) {
     if (i == 3) {
@@ -195,32 +233,22 @@ static bool read_facet(scanner *text, sepax_facet *facet) {
     if (i >= 3 && i % 3 == 0) {
       ok = ok && read_keyword(text, "vertex");
     }
-    ok = ok && read_number(text, facet_number(facet, i), number_name(i));
+    ok = ok && read_number(text, &facet->of[i], number_name(i));
   }
   return ok && read_keyword(text, "endloop") && read_keyword(text, "endfacet");
 }
 
-static bool append_facet(sepax_mesh *mesh, size_t *capacity, const sepax_facet *facet) {
-  sepax_facet *grown = list_grow(mesh->facet, capacity, mesh->count, sizeof *grown);
-  if (grown == NULL) {
-    return false;
-  }
-  mesh->facet = grown;
-  mesh->facet[mesh->count++] = *facet;
-  return true;
-}
-
-static bool read_solid(scanner *text, sepax_mesh *mesh, size_t *capacity) {
+static bool read_solid(scanner *text, reading *r) {
   if (!word_is(text, "solid")) {
     return fail_expecting(text, "solid");
   }
   skip_line(text);
   while (next_word(text) && word_is(text, "facet")) {
-    sepax_facet facet;
+    numbers facet;
     if (!read_facet(text, &facet)) {
       return false;
     }
-    if (!append_facet(mesh, capacity, &facet)) {
+    if (!append(r, &facet)) {
       return fail_memory(text->error, text->path);
     }
   }
@@ -231,15 +259,14 @@ static bool read_solid(scanner *text, sepax_mesh *mesh, size_t *capacity) {
   return true;
 }
 
-static bool read_text(sepax_mesh *mesh, const content *file, const char *path, sepax_error *error) {
+static bool read_text(reading *r, const content *file, const char *path, sepax_error *error) {
   scanner text = {.path = path,
                   .next = file->bytes,
                   .end = file->bytes + file->size,
                   .line = 1,
                   .error = error};
-  size_t capacity = 0;
   while (next_word(&text)) {
-    if (!read_solid(&text, mesh, &capacity)) {
+    if (!read_solid(&text, r)) {
       return false;
     }
   }
@@ -275,26 +302,26 @@ static bool is_binary(const content *file) {
   return file->size >= HEAD_BYTES && file->size == bytes_announced(file);
 }
 
-static bool read_binary(sepax_mesh *mesh, const content *file, const char *path,
-                        sepax_error *error) {
+static bool read_binary(reading *r, const content *file, const char *path, sepax_error *error) {
   size_t count = (file->size - HEAD_BYTES) / FACET_BYTES;
-  if (count == 0) {
-    return true;
-  }
-  mesh->facet = malloc(count * sizeof *mesh->facet);
-  if (mesh->facet == NULL) {
+  const char *bytes = file->bytes + HEAD_BYTES;
+  r->capacity = r->normal_capacity = count;
+  r->soup.facet = sepax_allocate(count * sizeof *r->soup.facet);
+  r->soup.normal = r->normals ? sepax_allocate(count * sizeof *r->soup.normal) : NULL;
+  if (r->soup.facet == NULL || (r->normals && r->soup.normal == NULL)) {
     return fail_memory(error, path);
   }
-  const char *bytes = file->bytes + HEAD_BYTES;
-  for (; mesh->count < count; mesh->count++, bytes += FACET_BYTES) {
+  for (size_t k = 0; k < count; k++, bytes += FACET_BYTES) {
+    numbers facet;
     for (int i = 0; i < FACET_NUMBERS; i++) {
       binary32 value = {.word = load32(bytes + 4 * i)};
       if (!isfinite(value.number)) {
-        return fail(error, SEPAX_ERROR_FORMAT, path, "facet %zu: %s is %s; %s", mesh->count,
-                    number_name(i), flaw(value.number), cure);
+        return fail(error, SEPAX_ERROR_FORMAT, path, "facet %zu: %s is %s; %s", k, number_name(i),
+                    flaw(value.number), cure);
       }
-      *facet_number(&mesh->facet[mesh->count], i) = value.number;
+      facet.of[i] = value.number;
     }
+    append(r, &facet);
   }
   return true;
 }
@@ -342,35 +369,35 @@ static bool fail_format(const content *file, const char *path, sepax_error *erro
               what, count, announced, file->size, cure);
 }
 
-static bool read_format(sepax_mesh *mesh, const content *file, const char *path,
-                        sepax_error *error) {
+static bool read_format(reading *r, const content *file, const char *path, sepax_error *error) {
   if (is_binary(file)) {
-    return read_binary(mesh, file, path, error);
+    return read_binary(r, file, path, error);
   }
   if (is_text(file)) {
-    return read_text(mesh, file, path, error);
+    return read_text(r, file, path, error);
   }
   return fail_format(file, path, error);
 }
 
-bool sepax_stl_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
+bool sepax_stl_read(sepax_soup *soup, const char *path, bool normals, sepax_error *error) {
+  *soup = (sepax_soup){0};
   content file = read_content(path, error);
   if (file.bytes == NULL) {
     return false;
   }
-  sepax_mesh result = {0};
+  reading r = {.normals = normals};
   plain_numbers plain = plain_numbers_begin();
-  bool ok = read_format(&result, &file, path, error);
+  bool ok = read_format(&r, &file, path, error);
   plain_numbers_end(plain);
-  if (ok && result.count == 0) {
+  if (ok && r.soup.count == 0) {
     ok = fail(error, SEPAX_ERROR_FORMAT, path, "no facets; %s", cure);
   }
-  free(file.bytes);
+  sepax_release(file.bytes);
   if (!ok) {
-    sepax_mesh_free(&result);
+    sepax_soup_free(&r.soup);
     return false;
   }
-  *mesh = result;
+  *soup = r.soup;
   return true;
 }
 
@@ -397,17 +424,18 @@ static bool flattened(const sepax_facet *facet) {
   return has_area(facet->v) && !has_area((const double(*)[3])rounded);
 }
 
-static bool fits_file(const sepax_mesh *mesh, const char *path, bool ascii, sepax_error *error) {
-  if (mesh->count == 0) {
+static bool fits_file(const sepax_soup *soup, const char *path, bool ascii, sepax_error *error) {
+  if (soup->count == 0) {
     return fail(error, SEPAX_ERROR_ARGUMENT, path, "not written: the mesh has no facets");
   }
-  if (!ascii && mesh->count > UINT32_MAX) {
+  if (!ascii && soup->count > UINT32_MAX) {
     return fail(error, SEPAX_ERROR_ARGUMENT, path,
                 "not written: too many facets for binary; write text");
   }
-  for (size_t k = 0; k < mesh->count; k++) {
+  for (size_t k = 0; k < soup->count; k++) {
+    const numbers all = numbers_of(soup, k);
     for (int i = 0; i < FACET_NUMBERS; i++) {
-      double number = *facet_number(&mesh->facet[k], i);
+      double number = all.of[i];
       if (!isfinite(number)) {
         return fail(error, SEPAX_ERROR_ARGUMENT, path,
                     "not written: facet %zu: %s is %s; mend the mesh", k, number_name(i),
@@ -419,7 +447,7 @@ static bool fits_file(const sepax_mesh *mesh, const char *path, bool ascii, sepa
                     number_name(i), number);
       }
     }
-    if (!ascii && flattened(&mesh->facet[k])) {
+    if (!ascii && flattened(&soup->facet[k])) {
       return fail(error, SEPAX_ERROR_ARGUMENT, path,
                   "not written: facet %zu has no area in binary32; write text or move "
                   "nearer to the origin",
@@ -430,13 +458,14 @@ static bool fits_file(const sepax_mesh *mesh, const char *path, bool ascii, sepa
 }
 
 static bool write_text(FILE *out, const void *context) {
-  const sepax_mesh *mesh = context;
+  const sepax_soup *soup = context;
   bool ok = fputs("solid sepax\n", out) != EOF;
-  for (size_t k = 0; ok && k < mesh->count; k++) {
-    const double *n = mesh->facet[k].normal;
+  for (size_t k = 0; ok && k < soup->count; k++) {
+    const numbers all = numbers_of(soup, k);
+    const double *n = all.of;
     ok = fprintf(out, "  facet normal %.17g %.17g %.17g\n    outer loop\n", n[0], n[1], n[2]) > 0;
     for (int i = 0; ok && i < 3; i++) {
-      const double *v = mesh->facet[k].v[i];
+      const double *v = n + 3 + 3 * i;
       ok = fprintf(out, "      vertex %.17g %.17g %.17g\n", v[0], v[1], v[2]) > 0;
     }
     ok = ok && fputs("    endloop\n  endfacet\n", out) != EOF;
@@ -445,14 +474,15 @@ static bool write_text(FILE *out, const void *context) {
 }
 
 static bool write_binary(FILE *out, const void *context) {
-  const sepax_mesh *mesh = context;
+  const sepax_soup *soup = context;
   char head[HEAD_BYTES] = "sepax, binary STL";
-  store32(head + TITLE_BYTES, (uint32_t)mesh->count);
+  store32(head + TITLE_BYTES, (uint32_t)soup->count);
   bool ok = fwrite(head, sizeof head, 1, out) == 1;
-  for (size_t k = 0; ok && k < mesh->count; k++) {
+  for (size_t k = 0; ok && k < soup->count; k++) {
     char record[FACET_BYTES] = {0};
+    const numbers all = numbers_of(soup, k);
     for (int i = 0; i < FACET_NUMBERS; i++) {
-      binary32 value = {.number = (float)*facet_number(&mesh->facet[k], i)};
+      binary32 value = {.number = (float)all.of[i]};
       store32(record + 4 * i, value.word);
     }
     ok = fwrite(record, sizeof record, 1, out) == 1;
@@ -460,10 +490,10 @@ static bool write_binary(FILE *out, const void *context) {
   return ok;
 }
 
-bool sepax_stl_write(const sepax_mesh *mesh, const char *path, bool ascii, sepax_error *error) {
+bool sepax_stl_write(const sepax_soup *soup, const char *path, bool ascii, sepax_error *error) {
   plain_numbers plain = plain_numbers_begin();
-  bool ok = fits_file(mesh, path, ascii, error) &&
-            sepax_write_file(path, ascii ? write_text : write_binary, mesh, error);
+  bool ok = fits_file(soup, path, ascii, error) &&
+            sepax_write_file(path, ascii ? write_text : write_binary, soup, error);
   plain_numbers_end(plain);
   return ok;
 }

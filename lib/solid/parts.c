@@ -1,6 +1,7 @@
 /* parts.c - the parts of a body by number, those of one piece in a row. */
 #include "parts.h"
 #include "body/body.h"
+#include "util/memory.h"
 
 #include <math.h>
 #include <assert.h>
@@ -60,15 +61,15 @@ static void describe(struct sepax_parts *own, const sepax_body *body, size_t par
 
 bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned) {
   const sepax_body *body = shell->body;
-  struct sepax_parts *own = calloc(1, sizeof *own);
+  struct sepax_parts *own = sepax__zeroed(1, sizeof *own);
   shell->own = own;
-  if (own == NULL || (own->of = malloc(body->count * sizeof *own->of)) == NULL) {
+  if (own == NULL || (own->of = sepax_allocate(body->count * sizeof *own->of)) == NULL) {
     return false;
   }
   uint32_t parts = number_parts(own->of, parent, body->count);
   assert(parts > 0);
-  uint32_t *piece = malloc(3 * (size_t)parts * sizeof *piece);
-  own->part = malloc(parts * sizeof *own->part);
+  uint32_t *piece = sepax_allocate(3 * (size_t)parts * sizeof *piece);
+  own->part = sepax_allocate(parts * sizeof *own->part);
   bool ok = piece != NULL && own->part != NULL;
   if (ok) {
     uint32_t *place = piece + parts;
@@ -86,14 +87,14 @@ bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned)
     }
     describe(own, body, parts, turned);
   }
-  free(piece);
+  sepax_release(piece);
   return ok;
 }
 
 void sepax__free_parts(struct sepax_parts *own) {
   if (own != NULL) {
-    free(own->part);
-    free(own->of);
-    free(own);
+    sepax_release(own->part);
+    sepax_release(own->of);
+    sepax_release(own);
   }
 }

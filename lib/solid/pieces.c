@@ -149,12 +149,12 @@ static void cross_below(search *s, uint32_t at) {
 bool sepax__join_pieces(const sepax_body *body, const uint32_t *part_of, uint32_t *piece,
                         size_t parts) {
   search s = {.body = body, .part_of = part_of, .piece = piece, .pieces = parts};
-  s.below = malloc(body->nodes * sizeof *s.below);
+  s.below = sepax_allocate(body->nodes * sizeof *s.below);
   if (s.below == NULL) {
     return false;
   }
   fill_below(&s, 0);
   cross_below(&s, 0);
-  free(s.below);
+  sepax_release(s.below);
   return true;
 }

@@ -5,6 +5,7 @@
  * numbers, by counting, and these short lists are sorted. */
 #include "body/body.h"
 #include "parts.h"
+#include "util/memory.h"
 #include "util/error.h"
 
 #include <stdlib.h>
@@ -57,19 +58,19 @@ static bool reserve_vertex(surface *s) {
     return true;
   }
   size_t capacity = 2 * s->capacity;
-  double(*vertex)[3] = realloc(s->vertex, capacity * sizeof *vertex);
+  double(*vertex)[3] = sepax_resize(s->vertex, capacity * sizeof *vertex);
   if (vertex == NULL) {
     return false;
   }
   s->vertex = vertex;
-  slot *slots = calloc(2 * capacity, sizeof *slots);
+  slot *slots = sepax__zeroed(2 * capacity, sizeof *slots);
   if (slots == NULL) {
     return false;
   }
   for (size_t n = 0; n < s->vertices; n++) {
     enter(slots, 2 * capacity - 1, hash_of(s->vertex[n]), (uint32_t)n + 1);
   }
-  free(s->slot);
+  sepax_release(s->slot);
   s->slot = slots;
   s->mask = 2 * capacity - 1;
   s->capacity = capacity;
@@ -215,16 +216,16 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
     s->capacity *= 2;
   }
   s->mask = 2 * s->capacity - 1;
-  s->corner = malloc(s->count * sizeof *s->corner);
-  s->vertex = malloc(s->capacity * sizeof *s->vertex);
-  s->slot = calloc(2 * s->capacity, sizeof *s->slot);
+  s->corner = sepax_allocate(s->count * sizeof *s->corner);
+  s->vertex = sepax_allocate(s->capacity * sizeof *s->vertex);
+  s->slot = sepax__zeroed(2 * s->capacity, sizeof *s->slot);
   if (s->corner == NULL || s->vertex == NULL || s->slot == NULL || !number_vertices(s, body)) {
     return false;
   }
-  s->parent = malloc(s->count * sizeof *s->parent);
-  s->turned = calloc(s->count, sizeof *s->turned);
-  s->begin = malloc((s->vertices + 1) * sizeof *s->begin);
-  s->edge = malloc(3 * s->count * sizeof *s->edge);
+  s->parent = sepax_allocate(s->count * sizeof *s->parent);
+  s->turned = sepax__zeroed(s->count, sizeof *s->turned);
+  s->begin = sepax_allocate((s->vertices + 1) * sizeof *s->begin);
+  s->edge = sepax_allocate(3 * s->count * sizeof *s->edge);
   if (s->parent == NULL || s->turned == NULL || s->begin == NULL || s->edge == NULL) {
     return false;
   }
@@ -234,20 +235,21 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
 }
 
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error) {
-  *shell = (sepax_shell){.body = body, .closed = true, .consistent = true};
+  *shell = (sepax_shell){0};
   if (body->count > MOST_TRIANGLES) {
     return sepax_fail(error, SEPAX_ERROR_LIMIT, "a shell has up to %d triangles, not %zu",
                       MOST_TRIANGLES, body->count);
   }
+  *shell = (sepax_shell){.body = body, .closed = true, .consistent = true};
   surface s = {.count = body->count};
   bool ok = find(&s, body, shell);
-  free(s.corner);
-  free(s.vertex);
-  free(s.slot);
-  free(s.parent);
-  free(s.turned);
-  free(s.begin);
-  free(s.edge);
+  sepax_release(s.corner);
+  sepax_release(s.vertex);
+  sepax_release(s.slot);
+  sepax_release(s.parent);
+  sepax_release(s.turned);
+  sepax_release(s.begin);
+  sepax_release(s.edge);
   if (!ok) {
     sepax_shell_free(shell);
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the shell of %zu triangles",

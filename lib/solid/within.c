@@ -234,6 +234,7 @@ static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
 
 bool sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
                          const sepax_pose *pose_b, sepax_inside within[2], sepax_error *error) {
+  within[0] = within[1] = SEPAX_INSIDE_UNKNOWN;
   if (!sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }

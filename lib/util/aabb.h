@@ -4,7 +4,7 @@
 #ifndef SEPAX_AABB_H
 #define SEPAX_AABB_H
 
-#include "sepax.h"
+#include "sepax_grid.h"
 
 typedef struct {
   int64_t low[3], high[3];

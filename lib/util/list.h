@@ -18,7 +18,7 @@ static inline void *list_grow(void *items, size_t *capacity, size_t count, size_
   if (*capacity > SIZE_MAX / 2 || more > SIZE_MAX / size) {
     return NULL;
   }
-  void *grown = realloc(items, more * size);
+  void *grown = sepax_resize(items, more * size);
   *capacity = grown != NULL ? more : *capacity;
   return grown;
 }

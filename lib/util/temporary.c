@@ -1,9 +1,11 @@
 /* temporary.c - a signal's handler reads the paths, so each stands in an atomic pointer. */
 #include "temporary.h"
+#include "sepax.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -13,14 +15,18 @@ enum { TICKETS = 256 };
 static _Atomic(char *) under_way[TICKETS];
 
 int sepax__temporary_add(const char *path) {
-  char *copy = strdup(path);
+  size_t bytes = strlen(path) + 1;
+  char *copy = sepax_allocate(bytes);
+  if (copy != NULL) {
+    memcpy(copy, path, bytes);
+  }
   for (int i = 0; copy != NULL && i < TICKETS; i++) {
     char *none = NULL;
     if (atomic_compare_exchange_strong(&under_way[i], &none, copy)) {
       return i;
     }
   }
-  free(copy);
+  sepax_release(copy);
   return -1;
 }
 
@@ -45,7 +51,7 @@ FILE *sepax__temporary_create(const char *path, int *ticket) {
 
 void sepax__temporary_drop(int ticket) {
   if (ticket >= 0) {
-    free(atomic_exchange(&under_way[ticket], NULL));
+    sepax_release(atomic_exchange(&under_way[ticket], NULL));
   }
 }
 

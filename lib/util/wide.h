@@ -3,7 +3,7 @@
 #ifndef SEPAX_WIDE_H
 #define SEPAX_WIDE_H
 
-#include "sepax.h"
+#include "sepax_grid.h"
 
 typedef __int128 wide;
 

@@ -1,5 +1,5 @@
 /* word.c - the range of a coordinate of W bits. */
-#include "sepax.h"
+#include "sepax_grid.h"
 
 int32_t sepax_word_min(int word) { return (int32_t)(-(INT64_C(1) << (word - 1))); }
 

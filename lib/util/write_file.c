@@ -5,6 +5,7 @@
 #include "temporary.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -59,7 +60,7 @@ static bool write_aside(const char *path, bool (*write)(FILE *out, const void *c
     return false;
   }
   size_t size = strlen(path) + 64;
-  char *aside = malloc(size);
+  char *aside = sepax_allocate(size);
   int ticket = -1;
   FILE *out = aside == NULL ? NULL : open_aside(aside, size, path, &ticket);
   bool ok = out != NULL;
@@ -75,7 +76,7 @@ static bool write_aside(const char *path, bool (*write)(FILE *out, const void *c
   if (!ok) {
     fail_writing(path, error);
   }
-  free(aside);
+  sepax_release(aside);
   return ok;
 }
 

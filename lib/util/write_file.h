@@ -4,6 +4,8 @@
 
 #include "sepax.h"
 
+#include <stdio.h>
+
 /* Let `write` fill a new file beside `path`, then rename it to `path`; a false of `write`,
  * like any failure, leaves nothing new and one line that names the path. Fails also where
  * path is there but no file. */

@@ -3,7 +3,7 @@
 #ifndef SEPAX_SIGNS_H
 #define SEPAX_SIGNS_H
 
-#include "sepax.h"
+#include "sepax_grid.h"
 
 static const int next[3] = {1, 2, 0};
 

@@ -3,6 +3,7 @@
 #define CERTIFICATE_REPORT_H
 
 #include <stddef.h>
+#include <stdio.h>
 
 /* One line, then exit status 1: something that the certificate says is wrong or not proved. */
 _Noreturn void reject(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -43,7 +43,8 @@ static bool ask_within(const solids *s, const sepax_pose *pose, check_answer *an
 /* The pairs that are not farther from each other than a limit; without one, those that collide. */
 static bool find(const check_question *q, const solids *s, const sepax_pose *pose,
                  const report_limit *limit, sepax_pairs *found, sepax_error *error) {
-  const sepax_query query = {.most = q->first ? 1 : 0, .only_any = check_any_is_enough(q)};
+  const sepax_query query = {
+      .size = sizeof(sepax_query), .most = q->first ? 1 : 0, .only_any = check_any_is_enough(q)};
   bool ok = limit->length > 0
                 ? sepax_bodies_near(s->body[0], NULL, s->body[1], pose, limit->length, &query,
                                     found, error)
@@ -167,16 +168,17 @@ static bool decide_all(work *all, cli_progress *progress, sepax_error *error) {
 
 static bool build_solid(const check_question *q, int i, check_report *report, solids *s,
                         sepax_error *error) {
-  sepax_mesh *mesh = &report->mesh[i];
+  sepax_soup *mesh = &report->mesh[i];
   sepax_shell *shell = &s->shell[i];
   report->triangles[i] = mesh->count;
-  if (!sepax_body_new(&s->body[i], mesh, error) || !sepax_shell_find(shell, s->body[i], error)) {
+  if (!sepax_body_new(&s->body[i], SEPAX_SOUP_MESH(mesh), NULL, error) ||
+      !sepax_shell_find(shell, s->body[i], error)) {
     sepax_error inner = *error;
     return sepax_fail(error, inner.code, "%.240s: %.240s", q->path[i], inner.text);
   }
   report->surface[i] = (check_surface){shell->closed, shell->consistent, shell->facet};
   if (q->ply_path == NULL) {
-    sepax_mesh_free(mesh);
+    sepax_soup_free(mesh);
   }
   return true;
 }
@@ -199,10 +201,10 @@ static bool decide_one(work *all, sepax_error *error) {
 
 bool check_bodies(const check_question *q, check_report *report, sepax_error *error) {
   work all = {.q = q};
-  sepax_mesh *mesh = report->mesh;
+  sepax_soup *mesh = report->mesh;
   if ((q->poses_path != NULL && !sepax_poses_read(&all.poses, q->poses_path, error)) ||
-      !sepax_stl_read(&mesh[0], q->path[0], error) ||
-      !sepax_stl_read(&mesh[1], q->path[1], error)) {
+      !sepax_stl_read(&mesh[0], q->path[0], false, error) ||
+      !sepax_stl_read(&mesh[1], q->path[1], false, error)) {
     sepax_poses_free(&all.poses);
     return false;
   }

@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "util/error.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -108,7 +108,7 @@ static bool set_limits(const check_question *q, check_report *report, sepax_desi
 /* ------------------------------------------------------------------ verdicts */
 
 /* A collision that the design could not decide, which it calls one. */
-static bool is_undecided(const sepax_design *design, const sepax_verdict *verdict) {
+static bool is_undecided(const sepax_design *design, const sepax_judgement *verdict) {
   return verdict->axis == SEPAX_AXIS_EXTENT ||
          (design->config.flag && verdict->coplanar && verdict->collision);
 }
@@ -122,7 +122,7 @@ static bool judge_all(const check_question *q, const sepax_design *design, const
   for (size_t i = 0; i < scene->count[0] && ok && !done; i++) {
     for (size_t j = 0; j < scene->count[1] && ok && !done; j++) {
       sepax_pair pair = sepax_scene_pair(scene, i, j);
-      sepax_verdict verdict = sepax_judge(design, &pair);
+      sepax_judgement verdict = sepax_judge(design, &pair);
       if (verdict.collision) {
         bool open = is_undecided(design, &verdict);
         ok = list_add_pair(open ? &answer->undecided : &answer->colliding, &capacity[open], i, j);
@@ -166,7 +166,8 @@ static bool search(const check_question *q, const sepax_design *design, const se
                    check_answer *answer, double *seconds, sepax_error *error) {
   cli_progress progress = cli_progress_begin("leaves", 1);
   bool bands = design->limits > 0;
-  sepax_search how = {.threads = q->threads,
+  sepax_search how = {.size = sizeof(sepax_search),
+                      .threads = q->threads,
                       .first = !bands && (q->first || check_any_is_enough(q)),
                       .progress = show,
                       .context = &progress};
@@ -194,8 +195,8 @@ static bool find(const check_question *q, const sepax_design *design, const sepa
 }
 
 /* The triangles as they were rounded, in mm. */
-static bool fill_mesh(const sepax_scene *scene, int i, sepax_mesh *mesh) {
-  mesh->facet = calloc(scene->count[i] + 1, sizeof *mesh->facet);
+static bool fill_mesh(const sepax_scene *scene, int i, sepax_soup *mesh) {
+  mesh->facet = sepax_allocate((scene->count[i] + 1) * sizeof *mesh->facet);
   if (mesh->facet == NULL) {
     return false;
   }

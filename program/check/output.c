@@ -6,6 +6,7 @@
 #include "util/error.h"
 #include "util/write_file.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 bool check_any_is_enough(const check_question *q) {
@@ -27,8 +28,8 @@ void check_report_free(check_report *report) {
     sepax_pairs_free(&report->answer[n].warned);
   }
   free(report->answer);
-  sepax_mesh_free(&report->mesh[0]);
-  sepax_mesh_free(&report->mesh[1]);
+  sepax_soup_free(&report->mesh[0]);
+  sepax_soup_free(&report->mesh[1]);
 }
 
 /* ----------------------------------------------------------------------- text */
@@ -134,7 +135,7 @@ static void print_pose(const check_question *q, const check_report *report, size
     printf("  %zu warned of", a->warned.count);
   }
   for (int i = 0; i < 2; i++) {
-    if (a->within[i] != SEPAX_OUTSIDE) {
+    if (a->within_asked && a->within[i] != SEPAX_OUTSIDE) {
       printf("  %c %sin %c", "AB"[i], a -> within[i] == SEPAX_INSIDE_UNKNOWN ? "perhaps " : "",
              "BA"[i]);
     }

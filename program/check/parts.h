@@ -33,7 +33,7 @@ typedef struct {
 typedef struct {
   size_t triangles[2];
   check_surface surface[2];
-  sepax_mesh mesh[2];   /* what --ply shows */
+  sepax_soup mesh[2];   /* what --ply shows */
   sepax_grid grid;      /* on a grid: what was taken */
   report_steps steps;   /* on a grid: the clearances */
   check_answer *answer; /* one, or one for each pose */

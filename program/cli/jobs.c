@@ -3,6 +3,7 @@
 #include "cli.h"
 #include "cli/jobs.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

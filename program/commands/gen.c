@@ -3,6 +3,8 @@
 #include "commands.h"
 #include "generate.h"
 
+#include <stdio.h>
+
 typedef struct {
   sepax_config config;
   const char *folder;

@@ -6,6 +6,7 @@
 #include "sepax_vectors.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
 typedef struct {
@@ -43,7 +44,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 }
 
 static void print_verdict(const sepax_design *design, const sepax_pair *pair, bool echo) {
-  sepax_verdict verdict = sepax_judge(design, pair);
+  sepax_judgement verdict = sepax_judge(design, pair);
   if (echo) {
     sepax_pair_print(stdout, pair);
     putchar(' ');

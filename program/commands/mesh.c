@@ -3,6 +3,8 @@
 #include "commands.h"
 #include "sepax_vectors.h"
 
+#include <stdio.h>
+
 typedef struct {
   const char *shape, *path;
   uint64_t triangles;
@@ -77,12 +79,12 @@ int cli_mesh(int argc, char **argv) {
     return 0;
   }
   sepax_error error = {0};
-  sepax_mesh mesh = {NULL, 0};
+  sepax_soup mesh = {0};
   bool ok = sepax_sample(&mesh, o.shape, (size_t)o.triangles, o.at, o.size, &error) &&
             sepax_stl_write(&mesh, o.path, o.ascii, &error);
   if (ok) {
     printf("%s: %s, %zu triangles\n", o.path, o.shape, mesh.count);
   }
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   return ok ? 0 : cli_fail(argv[0], &error);
 }

@@ -5,6 +5,7 @@
 #include "files/output.h"
 #include "util/error.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 typedef struct {

@@ -4,6 +4,7 @@
 #include "design/options.h"
 #include "util/error.h"
 
+#include <stdio.h>
 #include <string.h>
 
 typedef enum { PRINT_NAME, PRINT_TEXT, PRINT_MAKE, PRINT_LIST, PRINT_ONLY } print_what;

@@ -6,6 +6,7 @@
 #include "sepax_tree.h"
 #include "util/error.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -72,20 +73,20 @@ static bool name_file(sepax_error *error, const char *path) {
 }
 
 static bool make_tree(sepax_tree **tree, const tree_options *o, sepax_error *error) {
-  sepax_mesh mesh;
-  if (!sepax_stl_read(&mesh, o->path, error)) {
+  sepax_soup mesh;
+  if (!sepax_stl_read(&mesh, o->path, false, error)) {
     return false;
   }
   sepax_grid grid = o->grid.grid;
-  const sepax_mesh *const one[] = {&mesh};
+  const sepax_mesh *const one[] = {SEPAX_SOUP_MESH(&mesh)};
   sepax_tri *tri = malloc(mesh.count * sizeof *tri);
   bool ok = tri != NULL ||
             sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles", mesh.count);
   ok = ok && (grid.resolution > 0 || sepax_grid_fit(&grid, one, 1, grid.word, error)) &&
-       sepax_quantise(&mesh, &grid, tri, NULL, error) &&
+       sepax_quantise(SEPAX_SOUP_MESH(&mesh), &grid, tri, error) &&
        sepax_tree_new(tree, tri, mesh.count, &grid, error);
   free(tri);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   return ok || name_file(error, o->path);
 }
 

@@ -4,6 +4,7 @@
 #include "sepax_design.h"
 #include "sepax_vectors.h"
 
+#include <stdio.h>
 #include <string.h>
 
 typedef struct {

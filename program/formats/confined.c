@@ -3,6 +3,7 @@
 #include "util/error.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -45,14 +46,14 @@ static void confine(size_t bytes) {
   setrlimit(RLIMIT_CORE, &none);
 }
 
-static bool put_result(FILE *channel, const result *r, const sepax_mesh *mesh) {
+static bool put_result(FILE *channel, const result *r, const sepax_soup *mesh) {
   return fwrite(r, sizeof *r, 1, channel) == 1 &&
          (r->count == 0 ||
           fwrite(mesh->facet, sizeof *mesh->facet, r->count, channel) == r->count) &&
          fflush(channel) == 0;
 }
 
-static bool take_result(FILE *channel, const char *path, sepax_mesh *mesh, sepax_error *error) {
+static bool take_result(FILE *channel, const char *path, sepax_soup *mesh, sepax_error *error) {
   result r;
   rewind(channel);
   if (fread(&r, sizeof r, 1, channel) != 1) {
@@ -63,9 +64,9 @@ static bool take_result(FILE *channel, const char *path, sepax_mesh *mesh, sepax
     *error = r.error;
     return false;
   }
-  mesh->facet = malloc(r.count * sizeof *mesh->facet);
+  mesh->facet = sepax_allocate(r.count * sizeof *mesh->facet);
   if (mesh->facet == NULL || fread(mesh->facet, sizeof *mesh->facet, r.count, channel) != r.count) {
-    sepax_mesh_free(mesh);
+    sepax_soup_free(mesh);
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "%.300s: no memory for %zu triangles", path,
                       r.count);
   }
@@ -73,11 +74,11 @@ static bool take_result(FILE *channel, const char *path, sepax_mesh *mesh, sepax
   return true;
 }
 
-bool confined_read(sepax_mesh *mesh, const char *path,
-                   bool (*read)(sepax_mesh *mesh, const char *path, sepax_error *error),
+bool confined_read(sepax_soup *mesh, const char *path,
+                   bool (*read)(sepax_soup *mesh, const char *path, sepax_error *error),
                    sepax_error *error) {
   size_t bytes = 0;
-  *mesh = (sepax_mesh){0};
+  *mesh = (sepax_soup){0};
   if (!confined_size(path, &bytes, error)) {
     return false;
   }

@@ -13,8 +13,8 @@ bool confined_size(const char *path, size_t *bytes, sepax_error *error);
 /* Let `read` fill the mesh in a process of its own, of which memory and time are limited by the
  * file's length. Fails where it fails, is ended, or leaves no triangle, and where confined_size
  * does. */
-bool confined_read(sepax_mesh *mesh, const char *path,
-                   bool (*read)(sepax_mesh *mesh, const char *path, sepax_error *error),
+bool confined_read(sepax_soup *mesh, const char *path,
+                   bool (*read)(sepax_soup *mesh, const char *path, sepax_error *error),
                    sepax_error *error);
 
 #endif

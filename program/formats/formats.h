@@ -12,7 +12,7 @@
 #define FORMAT_CSV_BYTES ((size_t)256 << 20)
 
 typedef struct {
-  char *bytes; /* by malloc, and a '\0' behind them */
+  char *bytes; /* by sepax_allocate, and a '\0' behind them */
   size_t size;
 } format_text;
 
@@ -60,7 +60,7 @@ bool format_urdf_read(format_robot *robot, const char *path, const format_packag
 void format_robot_free(format_robot *robot);
 
 /* compared[a * links + b], all true before: set to false, both ways, what the file disables. `of`,
- * unless NULL, gets the name of its robot, by malloc, or NULL. */
+ * unless NULL, gets the name of its robot, by sepax_allocate, or NULL. */
 bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const char *path,
                       sepax_error *error);
 
@@ -71,16 +71,16 @@ enum { FORMAT_FACETS_MOST = 20000000 };
 /* By the ending of the file's name; mesh_formats.h lists the formats. STL as sepax_stl_read has it;
  * OBJ, PLY, 3MF, DAE by assimp, whose coordinates are binary32. */
 bool format_mesh_is_stl(const char *path);
-bool format_mesh_read(sepax_mesh *mesh, const char *path, sepax_error *error);
+bool format_mesh_read(sepax_soup *mesh, const char *path, sepax_error *error);
 
 /* The surface of a shape in the link's coordinates. Spheres and cylinders are polyhedra that hold
  * them. */
-bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error *error);
+bool format_shape_mesh(sepax_soup *mesh, const format_shape *shape, sepax_error *error);
 
 /* Of triangles with the same corners the first stays, in order: the same points, but no longer the
  * same solid. A search would compare each of them with each of another body. False without memory;
  * then all stay. */
-bool format_distinct(sepax_mesh *mesh);
+bool format_distinct(sepax_soup *mesh);
 
 /* A polygon of `count` corners as triangles between them: (count - 2) times three numbers. False
  * where no corner sees all the others. */

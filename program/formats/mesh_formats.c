@@ -4,6 +4,7 @@
 #include "formats/formats.h"
 #include "util/error.h"
 
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -61,9 +62,9 @@ bool format_mesh_is_stl(const char *path) {
   return format != NULL && format->read == mesh_read_stl;
 }
 
-bool format_mesh_read(sepax_mesh *mesh, const char *path, sepax_error *error) {
+bool format_mesh_read(sepax_soup *mesh, const char *path, sepax_error *error) {
   const mesh_format *format = format_of(path);
-  *mesh = (sepax_mesh){0};
+  *mesh = (sepax_soup){0};
   if (format == NULL) {
     char list[80] = "";
     list_formats(list);

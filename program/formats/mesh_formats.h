@@ -14,7 +14,7 @@
   ROW("DAE", ".dae", mesh_read_dae, NEEDS_ASSIMP | NEEDS_LIBXML2)
 
 /* Fill *mesh, which the caller frees. On failure *mesh may hold some triangles. */
-typedef bool mesh_reader(sepax_mesh *mesh, const char *path, sepax_error *error);
+typedef bool mesh_reader(sepax_soup *mesh, const char *path, sepax_error *error);
 
 #define MESH_READER_DECLARED(name, endings, reader, libraries) mesh_reader reader;
 MESH_FORMATS(MESH_READER_DECLARED)

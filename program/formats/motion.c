@@ -1,11 +1,13 @@
 /* motion.c - paths as CSV: a header that names joints, then their values, a line each. */
 #include "cli/units.h"
 #include "formats/formats.h"
+#include "util/memory.h"
 #include "util/error.h"
 #include "util/list.h"
 #include "util/plain_numbers.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,9 +39,9 @@ typedef struct {
 } reader;
 
 void format_motion_free(format_motion *motion) {
-  free(motion->value);
-  free(motion->time);
-  free(motion->line);
+  sepax_release(motion->value);
+  sepax_release(motion->time);
+  sepax_release(motion->line);
   *motion = (format_motion){0};
 }
 
@@ -204,7 +206,7 @@ static bool add_column(reader *r, piece name, sepax_error *error) {
 
 /* Each joint that moves by itself has a column. */
 static bool has_all(const reader *r, sepax_error *error) {
-  bool *there = calloc(r->m->joints + 1, sizeof *there);
+  bool *there = sepax__zeroed(r->m->joints + 1, sizeof *there);
   if (there == NULL) {
     return fail(r, error, "no memory for its columns");
   }
@@ -217,7 +219,7 @@ static bool has_all(const reader *r, sepax_error *error) {
   while (n < r->m->joints && (there[n] || !sepax_joint_driven(&r->m->joint[n]))) {
     n++;
   }
-  free(there);
+  sepax_release(there);
   return n == r->m->joints || r->rules->hold ||
          fail(r, error,
               "joint %.60s has no column; add one, or give --hold, which keeps such "
@@ -227,7 +229,7 @@ static bool has_all(const reader *r, sepax_error *error) {
 
 static bool read_header(reader *r, piece line, sepax_error *error) {
   piece cell;
-  r->column = calloc(COLUMNS_MOST, sizeof *r->column);
+  r->column = sepax__zeroed(COLUMNS_MOST, sizeof *r->column);
   if (r->column == NULL) {
     return fail(r, error, "no memory for its columns");
   }
@@ -397,12 +399,12 @@ bool format_motion_read(format_motion *motion, const sepax_mechanism *m,
   for (size_t k = 0; k < r.columns; k++) {
     timed = timed || r.column[k].joint == TIME;
   }
-  free(text.bytes);
-  free(r.column);
+  sepax_release(text.bytes);
+  sepax_release(r.column);
   if (!ok) {
     format_motion_free(motion);
   } else if (!timed) {
-    free(motion->time);
+    sepax_release(motion->time);
     motion->time = NULL;
   }
   return ok;

@@ -2,6 +2,7 @@
 #include "formats/packages.h"
 #include "util/error.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -21,7 +22,7 @@ static bool is_folder(const char *path) {
 
 static char *copy_of(const char *text) {
   size_t size = strlen(text) + 1;
-  char *copy = malloc(size);
+  char *copy = sepax_allocate(size);
   return copy != NULL ? memcpy(copy, text, size) : NULL;
 }
 

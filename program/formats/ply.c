@@ -3,6 +3,7 @@
 #include "util/error.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -82,7 +83,7 @@ static uint64_t count_behind(FILE *in, bool lines) {
   static const size_t block = 1 << 16;
   uint64_t count = 0;
   bool empty = true;
-  char *bytes = malloc(block);
+  char *bytes = sepax_allocate(block);
   size_t size = 0;
   while (bytes != NULL && (size = fread(bytes, 1, block, in)) > 0) {
     count += lines ? 0 : size;
@@ -92,7 +93,7 @@ static uint64_t count_behind(FILE *in, bool lines) {
       empty = bytes[n] == '\n' || (empty && blank);
     }
   }
-  free(bytes);
+  sepax_release(bytes);
   return count;
 }
 
@@ -121,7 +122,7 @@ static bool is_whole(const char *path, sepax_error *error) {
   return ok;
 }
 
-bool mesh_read_ply(sepax_mesh *mesh, const char *path, sepax_error *error) {
-  *mesh = (sepax_mesh){0};
+bool mesh_read_ply(sepax_soup *mesh, const char *path, sepax_error *error) {
+  *mesh = (sepax_soup){0};
   return is_whole(path, error) && mesh_read_assimp(mesh, path, error);
 }

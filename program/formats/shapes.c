@@ -1,5 +1,6 @@
 /* shapes.c - collision geometry as triangles in its link's coordinates. */
 #include "formats/formats.h"
+#include "util/memory.h"
 #include "util/error.h"
 
 #include <math.h>
@@ -14,14 +15,14 @@ static const double outward = 1 + 0x1p-40;
 /* Sides of a cylinder; a sphere's are those of an octahedron, each divided into SPLIT^2. */
 enum { SIDES = 64, SPLIT = 24, SPHERE_FACETS = 8 * SPLIT * SPLIT };
 
-static bool make_facets(sepax_mesh *mesh, size_t count, sepax_error *error) {
-  mesh->facet = calloc(count, sizeof *mesh->facet);
+static bool make_facets(sepax_soup *mesh, size_t count, sepax_error *error) {
+  mesh->facet = sepax__zeroed(count, sizeof *mesh->facet);
   mesh->count = mesh->facet != NULL ? count : 0;
   return mesh->facet != NULL ||
          sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles", count);
 }
 
-static bool make_box(sepax_mesh *mesh, const double side[3], sepax_error *error) {
+static bool make_box(sepax_soup *mesh, const double side[3], sepax_error *error) {
   if (!make_facets(mesh, 12, error)) {
     return false;
   }
@@ -51,7 +52,7 @@ static void set_vertex(sepax_facet *facet, int k, double x, double y, double z) 
 }
 
 /* A prism around the cylinder: corners are at radius / cos(pi / SIDES). */
-static bool make_cylinder(sepax_mesh *mesh, double radius, double length, sepax_error *error) {
+static bool make_cylinder(sepax_soup *mesh, double radius, double length, sepax_error *error) {
   if (!make_facets(mesh, (size_t)4 * SIDES, error)) {
     return false;
   }
@@ -128,7 +129,7 @@ static double height(const sepax_facet *facet) {
   return fabs(above) / sqrt(square);
 }
 
-static bool make_sphere(sepax_mesh *mesh, double radius, sepax_error *error) {
+static bool make_sphere(sepax_soup *mesh, double radius, sepax_error *error) {
   if (!make_facets(mesh, SPHERE_FACETS, error)) {
     return false;
   }
@@ -158,7 +159,7 @@ static bool make_sphere(sepax_mesh *mesh, double radius, sepax_error *error) {
 
 /* -------------------------------------------------------------------------- places */
 
-static void scale_mesh(sepax_mesh *mesh, const double scale[3]) {
+static void scale_mesh(sepax_soup *mesh, const double scale[3]) {
   for (size_t n = 0; n < 9 * mesh->count; n++) {
     mesh->facet[n / 9].v[n % 9 / 3][n % 3] *= scale[n % 3];
   }
@@ -174,7 +175,7 @@ static bool is_at_origin(const sepax_pose *pose) {
 }
 
 /* Vertices that are equal stay so. */
-static void place_mesh(sepax_mesh *mesh, const sepax_pose *pose) {
+static void place_mesh(sepax_soup *mesh, const sepax_pose *pose) {
   for (size_t n = 0; n < 3 * mesh->count && !is_at_origin(pose); n++) {
     double *v = mesh->facet[n / 3].v[n % 3];
     double placed[3];
@@ -223,12 +224,13 @@ static uint64_t hash_of(const double v[3][3]) {
   return h;
 }
 
-bool format_distinct(sepax_mesh *mesh) {
+bool format_distinct(sepax_soup *mesh) {
   size_t slots = 16;
   while (slots < 2 * mesh->count) {
     slots *= 2;
   }
-  uint32_t *slot = calloc(slots, sizeof *slot); /* the number of a triangle that stays, plus one */
+  uint32_t *slot =
+      sepax__zeroed(slots, sizeof *slot); /* the number of a triangle that stays, plus one */
   size_t kept = 0;
   for (size_t n = 0; slot != NULL && n < mesh->count; n++) {
     double v[3][3];
@@ -250,13 +252,13 @@ bool format_distinct(sepax_mesh *mesh) {
   }
   bool ok = slot != NULL;
   mesh->count = ok ? kept : mesh->count;
-  free(slot);
+  sepax_release(slot);
   return ok;
 }
 
-bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error *error) {
+bool format_shape_mesh(sepax_soup *mesh, const format_shape *shape, sepax_error *error) {
   bool ok = false;
-  *mesh = (sepax_mesh){0};
+  *mesh = (sepax_soup){0};
   switch (shape->kind) {
   case FORMAT_MESH:
     ok = format_mesh_read(mesh, shape->path, error);
@@ -282,11 +284,11 @@ bool format_shape_mesh(sepax_mesh *mesh, const format_shape *shape, sepax_error 
 
 void format_robot_free(format_robot *robot) {
   for (size_t n = 0; n < robot->shapes; n++) {
-    free(robot->shape[n].path);
-    free(robot->shape[n].name);
+    sepax_release(robot->shape[n].path);
+    sepax_release(robot->shape[n].name);
   }
-  free(robot->shape);
-  free(robot->name);
+  sepax_release(robot->shape);
+  sepax_release(robot->name);
   sepax_mechanism_free(&robot->mechanism);
   *robot = (format_robot){0};
 }

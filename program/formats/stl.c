@@ -4,6 +4,8 @@
 #include "formats/mesh_formats.h"
 #include "util/error.h"
 
+#include <stdio.h>
+
 /* What the head of a binary STL announces, if it is as long as that; of another file 0. */
 static size_t facets_announced(const char *path, size_t bytes) {
   enum { HEAD = 84, FACET = 50 };
@@ -20,14 +22,14 @@ static size_t facets_announced(const char *path, size_t bytes) {
 }
 
 /* Bounded before anything is read. A text of this length has fewer facets. */
-bool mesh_read_stl(sepax_mesh *mesh, const char *path, sepax_error *error) {
+bool mesh_read_stl(sepax_soup *mesh, const char *path, sepax_error *error) {
   size_t bytes = 0;
   if (!confined_size(path, &bytes, error)) {
     return false;
   }
   size_t facets = facets_announced(path, bytes);
   return facets <= FORMAT_FACETS_MOST
-             ? sepax_stl_read(mesh, path, error)
+             ? sepax_stl_read(mesh, path, false, error)
              : sepax_fail(error, SEPAX_ERROR_FORMAT,
                           "%.300s: %zu triangles, more than %d; simplify the mesh", path, facets,
                           FORMAT_FACETS_MOST);

@@ -4,13 +4,14 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static bool read_stream(format_text *text, FILE *in, size_t most, const char *path,
                         sepax_error *error) {
   size_t capacity = (size_t)1 << 16;
-  text->bytes = malloc(capacity);
+  text->bytes = sepax_allocate(capacity);
   while (text->bytes != NULL) {
     text->size += fread(text->bytes + text->size, 1, capacity - text->size - 1, in);
     text->bytes[text->size] = '\0';
@@ -24,9 +25,9 @@ static bool read_stream(format_text *text, FILE *in, size_t most, const char *pa
                         strerror(errno));
     }
     capacity *= 2;
-    char *grown = realloc(text->bytes, capacity);
+    char *grown = sepax_resize(text->bytes, capacity);
     if (grown == NULL) {
-      free(text->bytes);
+      sepax_release(text->bytes);
     }
     text->bytes = grown;
   }
@@ -43,7 +44,7 @@ bool format_text_read(format_text *text, const char *path, size_t most, sepax_er
   bool ok = read_stream(text, in, most, path, error);
   fclose(in);
   if (!ok) {
-    free(text->bytes);
+    sepax_release(text->bytes);
     *text = (format_text){NULL, 0};
   }
   return ok;

@@ -4,6 +4,7 @@
 #include "util/write_file.h"
 
 #include <jansson.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -164,7 +164,8 @@ static bool ask(asking *a, bool *certified, sepax_error *error) {
   if (a->at.by_axis) {
     return true;
   }
-  const sepax_distance_request request = {.limit = need, .last = a->has_last ? &a->last : NULL};
+  const sepax_distance_request request = {
+      .size = sizeof(sepax_distance_request), .limit = need, .last = a->has_last ? &a->last : NULL};
   sepax_distance_result r;
   if (!sepax_bodies_distance(a->body[0]->body, &a->pose[0], a->body[1]->body, &a->pose[1], &request,
                              &r, error)) {

@@ -5,6 +5,7 @@
 #include "util/error.h"
 #include "util/write_file.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>

@@ -6,6 +6,7 @@
 #include "util/write_file.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* {"line": 17, "time_s": 0.1}, or null */
 static json_t *line_of(const path_scene *scene, size_t line) {

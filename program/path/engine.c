@@ -23,7 +23,7 @@ static double half_size(const path_body *b) {
   return half * (1 + 8 * DBL_EPSILON);
 }
 
-static double longest_edge(const sepax_mesh *mesh) {
+static double longest_edge(const sepax_soup *mesh) {
   double longest = 0;
   for (size_t n = 0; n < 3 * mesh->count; n++) {
     const double *p = mesh->facet[n / 3].v[n % 3];
@@ -130,7 +130,7 @@ static bool add_tree(path_engine *e, const path_scene *scene, size_t body, sepax
   sepax_tri *tri = malloc(b->mesh.count * sizeof *tri);
   bool ok = tri != NULL ||
             sepax_fail(&inner, SEPAX_ERROR_MEMORY, "no memory for %zu triangles", b->mesh.count);
-  ok = ok && sepax_quantise(&b->mesh, &grid, tri, NULL, &inner) &&
+  ok = ok && sepax_quantise(SEPAX_SOUP_MESH(&b->mesh), &grid, tri, &inner) &&
        sepax_tree_new(&e->tree[body], tri, b->mesh.count, &grid, &inner);
   free(tri);
   return ok || sepax_fail(error, inner.code, "link %.60s: %.400s", path_body_name(scene, body),

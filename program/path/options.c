@@ -1,6 +1,7 @@
 /* options.c - what says which scene is asked about: of sepax path and of sepax size. */
 #include "path/parts.h"
 
+#include <stdio.h>
 #include <string.h>
 
 enum { KEY_SRDF = 0x500, KEY_PACKAGE, KEY_HOLD, KEY_IGNORE_LIMITS };

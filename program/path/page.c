@@ -7,6 +7,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -154,7 +155,7 @@ static void find_vertex(corners *c, size_t corner, const double v[3]) {
   c->index[corner] = c->place[at] - 1;
 }
 
-static bool write_mesh(FILE *out, const sepax_mesh *mesh) {
+static bool write_mesh(FILE *out, const sepax_soup *mesh) {
   size_t count = 3 * mesh->count;
   corners c = {.mask = 1};
   while (c.mask < 2 * count) {

@@ -39,7 +39,7 @@ typedef struct {
       *body; /* of all parts, without triangles that are there twice; or that of the only one */
   path_part *part;
   size_t parts, open; /* how many parts are no solids */
-  sepax_mesh mesh;    /* of all parts; for picture and page only */
+  sepax_soup mesh;    /* of all parts; for picture and page only */
   size_t triangles;
   double least[3], most[3]; /* its AABB in the link's coordinates */
 } path_body;

@@ -3,6 +3,7 @@
 #include "report/ply.h"
 #include "util/error.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

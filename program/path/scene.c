@@ -19,7 +19,7 @@ static void free_body(path_body *b) {
   }
   sepax_body_free(b->body);
   free(b->part);
-  sepax_mesh_free(&b->mesh);
+  sepax_soup_free(&b->mesh);
 }
 
 void path_scene_free(path_scene *scene) {
@@ -41,8 +41,8 @@ void path_scene_free(path_scene *scene) {
 /* -------------------------------------------------------------------------- bodies */
 
 /* All facets of a part behind those of the parts before it. */
-static bool append(sepax_mesh *to, const sepax_mesh *mesh) {
-  sepax_facet *grown = realloc(to->facet, (to->count + mesh->count) * sizeof *grown);
+static bool append(sepax_soup *to, const sepax_soup *mesh) {
+  sepax_facet *grown = sepax_resize(to->facet, (to->count + mesh->count) * sizeof *grown);
   if (grown == NULL) {
     return false;
   }
@@ -54,13 +54,13 @@ static bool append(sepax_mesh *to, const sepax_mesh *mesh) {
 
 /* A part with a body of its own where the link has several. */
 static bool add_part(path_body *b, const format_shape *shape, bool only, sepax_error *error) {
-  sepax_mesh mesh = {NULL, 0};
+  sepax_soup mesh = {0};
   path_part *part = &b->part[b->parts];
   bool ok = format_shape_mesh(&mesh, shape, error) &&
             (append(&b->mesh, &mesh) ||
              sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles",
                         b->mesh.count + mesh.count));
-  if (ok && sepax_body_new(&part->body, &mesh, error)) {
+  if (ok && sepax_body_new(&part->body, SEPAX_SOUP_MESH(&mesh), NULL, error)) {
     b->parts++; /* which frees it from now on */
     b->body = only ? part->body : NULL;
     ok = sepax_shell_find(&part->shell, part->body, error);
@@ -68,7 +68,7 @@ static bool add_part(path_body *b, const format_shape *shape, bool only, sepax_e
   } else {
     ok = false;
   }
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   return ok;
 }
 
@@ -108,11 +108,11 @@ static bool make_body(path_body *b, const format_robot *robot, size_t first, siz
   if (b->mesh.count < b->triangles) {
     b->body = NULL; /* its parts, which are whole, say what is inside */
   }
-  if (b->body == NULL && !sepax_body_new(&b->body, &b->mesh, error)) {
+  if (b->body == NULL && !sepax_body_new(&b->body, SEPAX_SOUP_MESH(&b->mesh), NULL, error)) {
     return false;
   }
   if (!keep_mesh) {
-    sepax_mesh_free(&b->mesh);
+    sepax_soup_free(&b->mesh);
   }
   return true;
 }

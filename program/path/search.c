@@ -32,7 +32,7 @@ typedef struct {
 /* ------------------------------------------------------------------------- verdicts */
 
 static bool any_near(const asking *a, double length, bool *near, sepax_error *error) {
-  const sepax_query query = {.only_any = true};
+  const sepax_query query = {.size = sizeof(sepax_query), .only_any = true};
   sepax_pairs found;
   const sepax_body *const body[2] = {a->body[0]->body, a->body[1]->body};
   if (!(length > 0 ? sepax_bodies_near(body[0], &a->pose[0], body[1], &a->pose[1], length, &query,
@@ -61,7 +61,8 @@ static bool find_distance(asking *a, double *distance, sepax_error *error) {
   path_pair *pair = a->pair;
   double asked = fmax(a->all->q->bands.clearance.length, a->all->q->bands.warning.length);
   double limit = fmax(pair->least, asked * (1 + 0x1p-49));
-  const sepax_distance_request request = {.limit = isfinite(limit) ? limit : 0,
+  const sepax_distance_request request = {.size = sizeof(sepax_distance_request),
+                                          .limit = isfinite(limit) ? limit : 0,
                                           .last = a->has_last ? &a->last : NULL};
   sepax_distance_result r;
   if (!sepax_bodies_distance(a->body[0]->body, &a->pose[0], a->body[1]->body, &a->pose[1], &request,

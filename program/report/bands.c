@@ -3,6 +3,8 @@
 #include "report/text.h"
 #include "util/error.h"
 
+#include <stdio.h>
+
 bool report_bands_agree(const report_bands *bands, sepax_error *error) {
   const report_limit *clearance = &bands->clearance;
   const report_limit *warning = &bands->warning;

@@ -1,6 +1,7 @@
 /* csv.c - cells of a CSV file. */
 #include "report/csv.h"
 
+#include <stdio.h>
 #include <string.h>
 
 bool report_csv_text(FILE *out, const char *text) {

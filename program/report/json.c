@@ -2,6 +2,8 @@
 #include "report/json.h"
 #include "util/error.h"
 
+#include <stdio.h>
+
 void report_set_count(json_t *to, const char *key, size_t count) {
   json_object_set_new(to, key, json_integer((json_int_t)count));
 }

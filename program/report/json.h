@@ -2,7 +2,7 @@
 #ifndef SEPAX_REPORT_JSON_H
 #define SEPAX_REPORT_JSON_H
 
-#include "sepax.h"
+#include "sepax_grid.h"
 
 #include <jansson.h>
 

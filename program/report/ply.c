@@ -2,6 +2,7 @@
 #include "report/ply.h"
 #include "util/write_file.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* Bytes of a little-endian file. */

@@ -8,7 +8,7 @@
 
 /* A body in one colour: red, green, blue; faces that are marked have another one. */
 typedef struct {
-  const sepax_mesh *mesh;
+  const sepax_soup *mesh;
   const sepax_pose *pose; /* NULL: where the mesh is */
   uint8_t colour[3], marked_colour[3];
   const bool *marked; /* of each face; NULL: none is */

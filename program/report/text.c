@@ -1,6 +1,7 @@
 /* text.c - lines of text that several commands print. */
 #include "report/text.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 report_number report_exactly(double value) {

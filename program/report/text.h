@@ -2,7 +2,7 @@
 #ifndef SEPAX_REPORT_TEXT_H
 #define SEPAX_REPORT_TEXT_H
 
-#include "sepax.h"
+#include "sepax_grid.h"
 
 /* The shortest decimals, 9 digits at least, that strtod reads back as the same value: a grid that
  * is printed and given again is the same grid. */

@@ -4,6 +4,7 @@
 #include "size/parts.h"
 #include "util/error.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -327,7 +328,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 /* ------------------------------------------------------------------------- steps */
 
 static bool read_and_size(const size_options *o, size_answer *answer, sepax_error *error) {
-  sepax_mesh mesh[2] = {{NULL, 0}, {NULL, 0}};
+  sepax_soup mesh[2] = {{0}, {0}};
   sepax_poses path = {NULL, 0};
   sepax_space space = o->space;
   double cycles = o->request.seconds / (o->clock.clock_ps * 1e-12);
@@ -343,11 +344,11 @@ static bool read_and_size(const size_options *o, size_answer *answer, sepax_erro
   space.path = posed ? &path : NULL;
   space.pairs_most = cycles < 1e15 ? 1 + (uint64_t)(cycles * SEPAX_LANES_MAX) : 0;
   bool ok = (!posed || sepax_poses_read(&path, o->path_file, error)) &&
-            sepax_stl_read(&mesh[0], o->path[0], error) &&
-            sepax_stl_read(&mesh[1], o->path[1], error) &&
+            sepax_stl_read(&mesh[0], o->path[0], false, error) &&
+            sepax_stl_read(&mesh[1], o->path[1], false, error) &&
             sepax_size_scene(answer->size, &mesh[0], &mesh[1], &space, error);
-  sepax_mesh_free(&mesh[0]);
-  sepax_mesh_free(&mesh[1]);
+  sepax_soup_free(&mesh[0]);
+  sepax_soup_free(&mesh[1]);
   sepax_poses_free(&path);
   return ok;
 }

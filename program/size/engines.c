@@ -1,6 +1,8 @@
 /* engines.c - how sepax size asks for designs of one engine alone, and what it tells of them. */
 #include "size/parts.h"
 
+#include <stdio.h>
+
 static bool ask_core(sepax_size_request *r, const size_options *o, const size_answer *answer) {
   (void)answer;
   r->lanes_most = 0;

@@ -3,6 +3,8 @@
 #include "report/text.h"
 #include "size/parts.h"
 
+#include <stdio.h>
+
 enum { WIDTH = SIZE_WIDTH };
 
 static uint64_t pairs_of(const sepax_size *s) { return (uint64_t)s->count[0] * s->count[1]; }

@@ -1,6 +1,7 @@
 /* graph.c - nodes and kinds of an expression graph. */
 #include "graph.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

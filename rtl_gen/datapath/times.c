@@ -1,6 +1,7 @@
 /* times.c - starts of units, and lifetimes of values. */
 #include "times.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

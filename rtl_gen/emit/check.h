@@ -8,6 +8,7 @@
 #include "emit.h"
 
 #include <stdint.h>
+#include <stdio.h>
 
 /* Check a whole module with its parameters' defaults, and all that it instantiates with the
  * values they get. */

@@ -5,6 +5,7 @@
 #include "util/list.h"
 
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -22,6 +22,8 @@
 #include "emit/text.h"
 #include "sepax_design.h"
 
+#include <stdio.h>
+
 enum { EMIT_NAME = 64 }; /* a name and the zero behind it; longer ones are refused */
 
 typedef struct {

@@ -59,6 +59,8 @@
 
 #include "emit.h"
 
+#include <stdio.h>
+
 typedef struct {
   const char *name, *text;
 } emit_hole;

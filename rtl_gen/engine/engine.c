@@ -1,6 +1,8 @@
 /* engine.c - the table of generators of engines, and what engines share. */
 #include "engine/engine.h"
 
+#include <stdio.h>
+
 #define ROW(value, name) [SEPAX_ENGINE_##value] = &generator_##name,
 static const engine_generator none = {.generate = NULL};
 static const engine_generator *const generators[SEPAX_ENGINE_COUNT] = {[SEPAX_ENGINE_NONE] = &none,

@@ -1,7 +1,8 @@
 # build.mk - the program, the library, and the programs of tests and reports.
 
-hash    := \#
-LIB_SRC  = $(wildcard lib/*/*.c c_model/*/*.c)
+hash      := \#
+LIB_SRC   = $(wildcard lib/*/*.c)
+MODEL_SRC = $(wildcard c_model/*/*.c)
 CHECKER  = $(wildcard $(addprefix program/certificate_checker/,*.c */*.c))
 CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(FORMAT_OF) $(RTL_GEN)
 RTL_GEN  = $(wildcard rtl_gen/*.c rtl_gen/*/*.c rtl_gen/*/*/*.c)
@@ -12,17 +13,33 @@ $(BUILD)/obj/%.o: %.c
 	@echo "  CC      $<"
 	@$(CC) $(SEPAX_CFLAGS) -MMD -MP -c $< -o $@
 
-# The library's objects serve the shared library, too.
-$(BUILD)/obj/lib/%.o $(BUILD)/obj/c_model/%.o: SEPAX_CFLAGS += -fPIC -fno-semantic-interposition
+# The objects serve the shared libraries, too. What no public header declares is hidden.
+LIB_OBJ   = $(call object,$(LIB_SRC))
+MODEL_OBJ = $(call object,$(MODEL_SRC))
+$(LIB_OBJ) $(MODEL_OBJ): SEPAX_CFLAGS += -fPIC -fno-semantic-interposition -fvisibility=hidden
 
-$(LIB): $(call object,$(LIB_SRC))
+# What this project's own programs and tests link: all objects, with what is internal.
+$(BUILD)/obj/lib.a: $(LIB_OBJ)
+$(BUILD)/obj/models.a: $(MODEL_OBJ)
+$(BUILD)/obj/lib.a $(BUILD)/obj/models.a:
 	@rm -f $@
 	@$(AR) rcs $@ $^
 
-$(BUILD)/libsepax.so.0: lib/libsepax.map $(call object,$(LIB_SRC))
+# What others link: libsepax, and libsepax-model on top of it, which has a copy of what it needs of
+# lib/util. In an archive there is one object, whose internal names are local to it, so that none
+# can clash with a name of the program that links it.
+$(BUILD)/libsepax.a $(BUILD)/libsepax.so.0: $(LIB_OBJ)
+$(BUILD)/libsepax-model.a $(BUILD)/libsepax-model.so.0: $(MODEL_OBJ) \
+  $(call object,lib/util/write_file.c lib/util/temporary.c)
+$(BUILD)/libsepax-model.so.0: $(BUILD)/libsepax.so.0
+$(BUILD)/libsepax.a $(BUILD)/libsepax-model.a:
+	@$(LD) -r -o $(BUILD)/obj/$(@F:.a=.o) $^
+	@$(OBJCOPY) --localize-hidden $(BUILD)/obj/$(@F:.a=.o)
+	@rm -f $@
+	@$(AR) rcs $@ $(BUILD)/obj/$(@F:.a=.o)
+$(BUILD)/libsepax.so.0 $(BUILD)/libsepax-model.so.0:
 	@echo "  LINK    $@"
-	@$(CC) $(CFLAGS) -shared -Wl,-soname,libsepax.so.0 -Wl,-Bsymbolic-functions \
-	  -Wl,--version-script=$< $(filter %.o,$^) -lm -pthread -o $@
+	@$(CC) $(CFLAGS) -shared -Wl,-soname,$(@F) -Wl,-Bsymbolic-functions $^ -lm -pthread -o $@
 
 # Emulated vectors are optimised in twenty seconds and run in two without.
 $(BUILD)/obj/tb/unit/avx512.o: SEPAX_CFLAGS += -O0

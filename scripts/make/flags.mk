@@ -6,5 +6,6 @@ SEPAX_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Werror -Wconver
                -Wshadow -ffp-contract=off $(INCLUDES) $(CFLAGS)
 XML_CFLAGS  := -isystem $(firstword $(patsubst -I%,%,$(filter -I%,$(shell \
                pkg-config --cflags-only-I libxml-2.0 2> /dev/null))) /usr/include/libxml2)
+OBJCOPY     ?= objcopy
 object       = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 OPTIONS_OBJ  = $(call object,program/cli/options.c)

@@ -1,7 +1,10 @@
 # install.mk - make install, make uninstall: programs, library, headers, manual pages.
 
-VERSION = $(shell sed -n 's/.define SEPAX_VERSION "\(.*\)"/\1/p' lib/sepax.h)
+VERSION = $(shell sed -n 's/.define SEPAX_VERSION_[A-Z]* \([0-9]*\)$$/\1/p' lib/sepax.h | \
+            paste -sd.)
 ROOT    = $(DESTDIR)$(PREFIX)
+LIBRARIES = sepax sepax-model
+SHARED  = $(LIBRARIES:%=$(BUILD)/lib%.so.0)
 HEADERS = $(wildcard lib/sepax*.h c_model/sepax*.h)
 MAN     = share/man/man1/sepax.1 share/man/man1/sepax-certificate-check.1 \
           share/man/man3/libsepax.3
@@ -10,28 +13,33 @@ BIN     = sepax sepax-certificate-check
 PROGRAM = $(SEPAX) $(if $(filter yes,$(LIBXML2)),$(BUILD)/sepax-certificate-check)
 
 .PHONY: install uninstall
-install: $(PROGRAM) $(LIB) $(BUILD)/libsepax.so.0
+install: $(PROGRAM) $(PUBLIC) $(SHARED)
 	@case "$(PREFIX)" in *" "*) echo "install: PREFIX must be without blanks" >&2; exit 2 ;; /*) ;; \
 	  *) echo "install: PREFIX=$(PREFIX) is not absolute; begin with /" >&2; exit 2 ;; esac
 	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' \
 	  'Name: sepax' 'Description: exact triangle/triangle collision detection' 'Version: $(VERSION)' \
 	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} -lsepax' \
 	  'Libs.private: -lm -pthread' > $(BUILD)/sepax.pc
+	@sed -e 's/^Name: sepax/&-model/' -e 's/-lsepax/&-model/' \
+	  -e 's/^Description: .*/Description: golden models of sepax hardware/' \
+	  -e 's/^Libs.private: .*/Requires: sepax = $(VERSION)/' $(BUILD)/sepax.pc \
+	  > $(BUILD)/sepax-model.pc
 	@for page in $(notdir $(MAN)); do \
 	  sed 's/@VERSION@/$(VERSION)/' docs/man/$$page > $(BUILD)/$$page; done
 	@install -d $(addprefix $(ROOT)/,bin include lib/pkgconfig $(sort $(dir $(MAN))))
 	@install -m 755 $(PROGRAM) $(ROOT)/bin
 	@install -m 644 $(HEADERS) $(ROOT)/include
-	@install -m 644 $(LIB) $(BUILD)/libsepax.so.0 $(ROOT)/lib
-	@ln -sf libsepax.so.0 $(ROOT)/lib/libsepax.so
-	@install -m 644 $(BUILD)/sepax.pc $(ROOT)/lib/pkgconfig
+	@install -m 644 $(PUBLIC) $(SHARED) $(ROOT)/lib
+	@$(foreach name,$(LIBRARIES),ln -sf lib$(name).so.0 $(ROOT)/lib/lib$(name).so &&) true
+	@install -m 644 $(LIBRARIES:%=$(BUILD)/%.pc) $(ROOT)/lib/pkgconfig
 	@$(foreach page,$(MAN),install -m 644 $(BUILD)/$(notdir $(page)) $(ROOT)/$(page) &&) true
 	@echo "installed in $(ROOT)"
 
 uninstall:
 	@rm -f $(addprefix $(ROOT)/,$(addprefix bin/,$(BIN)) \
-	  $(addprefix include/,$(notdir $(HEADERS))) lib/libsepax.a lib/libsepax.so \
-	  lib/libsepax.so.0 lib/pkgconfig/sepax.pc $(MAN))
+	  $(addprefix include/,$(notdir $(HEADERS))) $(MAN) \
+	  $(foreach name,$(LIBRARIES),$(addprefix lib/,$(addprefix lib$(name).,a so so.0) \
+	  pkgconfig/$(name).pc)))
 	@case "$(ROOT)" in /usr | /usr/local) ;; *) \
 	  for folder in $(addprefix $(ROOT)/,lib/pkgconfig lib include bin $(sort $(dir $(MAN))) \
 	    share/man share) $(ROOT); do rmdir "$$folder" 2> /dev/null || true; done ;; esac

@@ -4,6 +4,7 @@
 #include "liberty/text.h"
 
 #include <err.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -4,6 +4,8 @@
 
 #include "layout/files/design.h"
 
+#include <stdio.h>
+
 typedef struct {
   double millimetres; /* of wire */
   double farad;

@@ -119,7 +119,7 @@ static void load(engine *e, int object) {
 static uint64_t result_of(const sepax_design *design, const sepax_tri *a, const sepax_tri *b,
                           const size_t number[2]) {
   const sepax_pair pair = {.a = *a, .b = *b};
-  sepax_verdict v = sepax_judge(design, &pair);
+  sepax_judgement v = sepax_judge(design, &pair);
   bool undecided = v.axis == SEPAX_AXIS_EXTENT;
   bool warning = design->limits > 0 && !undecided && v.band == SEPAX_BAND_WARNING;
   return (uint64_t)number[0] | (uint64_t)number[1] << 32 |

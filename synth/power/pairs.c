@@ -156,7 +156,7 @@ static void read_pairs(analysis *m) {
 static void judge_pairs(analysis *m) {
   expected = text_alloc(m->pairs, sizeof *expected);
   for (size_t k = 0; k < m->pairs; k++) {
-    sepax_verdict v = sepax_judge(&m->design, &all_pairs[k]);
+    sepax_judgement v = sepax_judge(&m->design, &all_pairs[k]);
     expected[k] = (unsigned char)(v.collision | v.coplanar << 1);
     m->undecided += m->exact && v.axis == SEPAX_AXIS_EXTENT;
   }

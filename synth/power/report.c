@@ -5,6 +5,7 @@
 
 #include <err.h>
 #include <jansson.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /* What OpenSTA lets be set: inputs of the top, and all pins of cells. */

@@ -6,6 +6,7 @@
 #include "columns.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 #include <string.h>
 
 static const sepax_simd paths[] = {SEPAX_SIMD_PORTABLE, SEPAX_SIMD_AVX2, SEPAX_SIMD_AVX512};
@@ -100,7 +101,7 @@ static uint64_t check_halving(int word, uint64_t count, int clearance) {
       a[0] = (sepax_tri){{{low, low, low}, {high, high, high}, {low, high, low}}};
     }
     for (int way = 0; way < 2; way++) {
-      sepax_search how = {.threads = 2, .brute_force = way == 1};
+      sepax_search how = {.size = sizeof(sepax_search), .threads = 2, .brute_force = way == 1};
       sepax_pairs found;
       if (clearance < 0
               ? !sepax_colliding_pairs(a, count_a, b, count_b, &how, &found, &error)
@@ -173,7 +174,7 @@ static void scale_pairs(void) {
 }
 
 static double search(const sepax_scene *s, int threads, bool brute_force, size_t *collisions) {
-  sepax_search how = {.threads = threads, .brute_force = brute_force};
+  sepax_search how = {.size = sizeof(sepax_search), .threads = threads, .brute_force = brute_force};
   sepax_pairs found;
   sepax_error error = {0};
   double start = seconds_now();
@@ -190,7 +191,7 @@ static double search(const sepax_scene *s, int threads, bool brute_force, size_t
 /* Two spheres, one half a radius beside the other. */
 static void scale_meshes(void) {
   for (size_t triangles = 100; triangles <= 100000; triangles *= 10) {
-    sepax_mesh mesh[2];
+    sepax_soup mesh[2];
     sepax_error error = {0};
     sepax_grid grid = {.resolution = 0.0005, .word = 18};
     sepax_scene scene = {.count = {triangles, triangles}};
@@ -198,10 +199,10 @@ static void scale_meshes(void) {
       const double centre[3] = {10.0 * i, 0.37 * i, 0.19 * i};
       scene.tri[i] = allocate(triangles * sizeof *scene.tri[i]);
       if (!sepax_sample(&mesh[i], "sphere", triangles, centre, 40, &error) ||
-          !sepax_quantise(&mesh[i], &grid, scene.tri[i], NULL, &error)) {
+          !sepax_quantise(SEPAX_SOUP_MESH(&mesh[i]), &grid, scene.tri[i], &error)) {
         bench_fail(&error);
       }
-      sepax_mesh_free(&mesh[i]);
+      sepax_soup_free(&mesh[i]);
     }
     double pairs = (double)triangles * (double)triangles;
     for (int brute = 0; brute < (triangles <= 10000 ? 2 : 1); brute++) {

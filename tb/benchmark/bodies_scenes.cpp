@@ -9,8 +9,8 @@
 const char *const kind_names[KINDS] = {"far", "near", "touching", "shallow", "deep"};
 
 Scene::~Scene() {
-  sepax_mesh_free(&mesh[0]);
-  sepax_mesh_free(&mesh[1]);
+  sepax_soup_free(&mesh[0]);
+  sepax_soup_free(&mesh[1]);
 }
 
 namespace {
@@ -60,7 +60,7 @@ sepax_pose turned(const Vector &axis, double angle, const double centre[3]) {
   return pose;
 }
 
-void sample(sepax_mesh &mesh, const char *shape, size_t count, double x, double y, double z,
+void sample(sepax_soup &mesh, const char *shape, size_t count, double x, double y, double z,
             double size) {
   const double at[3] = {x, y, z};
   sepax_error error = {};
@@ -70,7 +70,7 @@ void sample(sepax_mesh &mesh, const char *shape, size_t count, double x, double 
 }
 
 /* An open surface z(x, y) over a square of 100, two triangles a cell. */
-void wavy_surface(sepax_mesh &mesh, size_t count) {
+void wavy_surface(sepax_soup &mesh, size_t count) {
   const auto side = size_t(std::sqrt(double(count) / 2));
   auto z = [side](size_t i, size_t j) {
     const double x = double(i) / double(side);
@@ -132,7 +132,7 @@ void mould(Scene &scene, const char *folder) {
       return;
     }
     fclose(there);
-    if (!sepax_stl_read(&scene.mesh[k], path.c_str(), &error)) {
+    if (!sepax_stl_read(&scene.mesh[k], path.c_str(), false, &error)) {
       stop(error.text);
     }
   }
@@ -167,6 +167,7 @@ const Recipe recipes[] = {
 
 bool meet(const sepax_body *const body[2], const sepax_pose &pose) {
   sepax_query any = {};
+  any.size = sizeof any;
   any.only_any = true;
   sepax_pairs found;
   sepax_error error = {};
@@ -243,7 +244,8 @@ std::unique_ptr<Scene> make_scene(const std::string &name, size_t poses, const c
     sepax_body *body[2] = {nullptr, nullptr};
     sepax_error error = {};
     for (int k = 0; k < 2; k++) {
-      if (!sepax_body_new(&body[k], &scene->mesh[k], &error)) {
+      const sepax_mesh mesh = mesh_of(scene->mesh[k]);
+      if (!sepax_body_new(&body[k], &mesh, nullptr, &error)) {
         stop(error.text);
       }
     }

@@ -5,6 +5,7 @@
 #include "sepax_design.h"
 #include "sepax_vectors.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 

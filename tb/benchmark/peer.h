@@ -2,7 +2,7 @@
 #ifndef BENCHMARK_PEER_H
 #define BENCHMARK_PEER_H
 
-#include "sepax.h"
+#include "sepax_models.h"
 
 #include <array>
 #include <memory>
@@ -28,18 +28,26 @@ public:
 };
 
 /* nullptr: the library's headers are not here. */
-using Maker = std::unique_ptr<Peer> (*)(const sepax_mesh &a, const sepax_mesh &b);
-std::unique_ptr<Peer> make_sepax(const sepax_mesh &a, const sepax_mesh &b);
+using Maker = std::unique_ptr<Peer> (*)(const sepax_soup &a, const sepax_soup &b);
+std::unique_ptr<Peer> make_sepax(const sepax_soup &a, const sepax_soup &b);
 /* All pairs without a tree; the meshes stay. */
-std::unique_ptr<Peer> make_sepax_once(const sepax_mesh &a, const sepax_mesh &b);
-std::unique_ptr<Peer> make_fcl(const sepax_mesh &a, const sepax_mesh &b);
-std::unique_ptr<Peer> make_cgal(const sepax_mesh &a, const sepax_mesh &b);
-std::unique_ptr<Peer> make_embree(const sepax_mesh &a, const sepax_mesh &b);
+std::unique_ptr<Peer> make_sepax_once(const sepax_soup &a, const sepax_soup &b);
+std::unique_ptr<Peer> make_fcl(const sepax_soup &a, const sepax_soup &b);
+std::unique_ptr<Peer> make_cgal(const sepax_soup &a, const sepax_soup &b);
+std::unique_ptr<Peer> make_embree(const sepax_soup &a, const sepax_soup &b);
+
+inline sepax_mesh mesh_of(const sepax_soup &soup) {
+  sepax_mesh mesh = {};
+  mesh.size = sizeof mesh;
+  mesh.vertex = soup.facet;
+  mesh.triangles = soup.count;
+  return mesh;
+}
 
 /* Two meshes, and B's poses: kinds in turn from far away to deep inside. */
 struct Scene {
   std::string name;
-  sepax_mesh mesh[2] = {{nullptr, 0}, {nullptr, 0}};
+  sepax_soup mesh[2] = {{nullptr, 0, nullptr}, {nullptr, 0, nullptr}};
   Poses poses, contact; /* contact: the poses of a bar of its own, or none */
   ~Scene();
 };

@@ -52,8 +52,8 @@ private:
 
 class Cgal : public Peer {
 public:
-  Cgal(const sepax_mesh &a, const sepax_mesh &b) : swapped(b.count > a.count) {
-    const sepax_mesh *mesh[2] = {swapped ? &b : &a, swapped ? &a : &b};
+  Cgal(const sepax_soup &a, const sepax_soup &b) : swapped(b.count > a.count) {
+    const sepax_soup *mesh[2] = {swapped ? &b : &a, swapped ? &a : &b};
     for (int k = 0; k < 2; k++) {
       for (size_t n = 0; n < mesh[k]->count; n++) {
         const auto &v = mesh[k]->facet[n].v;
@@ -120,9 +120,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<Peer> make_cgal(const sepax_mesh &a, const sepax_mesh &b) {
+std::unique_ptr<Peer> make_cgal(const sepax_soup &a, const sepax_soup &b) {
   return std::make_unique<Cgal>(a, b);
 }
 #else
-std::unique_ptr<Peer> make_cgal(const sepax_mesh &, const sepax_mesh &) { return nullptr; }
+std::unique_ptr<Peer> make_cgal(const sepax_soup &, const sepax_soup &) { return nullptr; }
 #endif

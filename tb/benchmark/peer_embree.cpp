@@ -129,7 +129,7 @@ bool collide(const Corners &a, const Corners &b) {
 
 /* ------------------------------------------------------------------------- the peer */
 
-std::vector<Corners> corners_of(const sepax_mesh &mesh) {
+std::vector<Corners> corners_of(const sepax_soup &mesh) {
   std::vector<Corners> list(mesh.count);
   for (size_t n = 0; n < mesh.count; n++) {
     for (int k = 0; k < 9; k++) {
@@ -152,9 +152,9 @@ void find_bounds(const RTCBoundsFunctionArguments *arguments) {
 
 class Embree : public Peer {
 public:
-  Embree(const sepax_mesh &a, const sepax_mesh &b)
+  Embree(const sepax_soup &a, const sepax_soup &b)
       : swapped(a.count < b.count), device(rtcNewDevice("threads=1")) {
-    const sepax_mesh *mesh[2] = {swapped ? &b : &a, swapped ? &a : &b};
+    const sepax_soup *mesh[2] = {swapped ? &b : &a, swapped ? &a : &b};
     for (int k = 0; k < 2; k++) {
       still[k] = corners_of(*mesh[k]);
       scene[k] = rtcNewScene(device);
@@ -261,9 +261,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<Peer> make_embree(const sepax_mesh &a, const sepax_mesh &b) {
+std::unique_ptr<Peer> make_embree(const sepax_soup &a, const sepax_soup &b) {
   return std::make_unique<Embree>(a, b);
 }
 #else
-std::unique_ptr<Peer> make_embree(const sepax_mesh &, const sepax_mesh &) { return nullptr; }
+std::unique_ptr<Peer> make_embree(const sepax_soup &, const sepax_soup &) { return nullptr; }
 #endif

@@ -7,7 +7,7 @@
 
 namespace {
 
-template <typename Volume> std::unique_ptr<fcl::BVHModel<Volume>> model_of(const sepax_mesh &mesh) {
+template <typename Volume> std::unique_ptr<fcl::BVHModel<Volume>> model_of(const sepax_soup &mesh) {
   auto model = std::make_unique<fcl::BVHModel<Volume>>();
   model->beginModel(static_cast<int>(mesh.count), static_cast<int>(3 * mesh.count));
   for (size_t n = 0; n < mesh.count; n++) {
@@ -32,7 +32,7 @@ fcl::Transform3d transform_of(const sepax_pose &pose) {
 
 class Fcl : public Peer {
 public:
-  Fcl(const sepax_mesh &a, const sepax_mesh &b)
+  Fcl(const sepax_soup &a, const sepax_soup &b)
       : boxes{model_of<fcl::OBBd>(a), model_of<fcl::OBBd>(b)}, mesh{a, b} {}
 
   bool can(Query) const override { return true; }
@@ -73,16 +73,16 @@ public:
 private:
   std::unique_ptr<fcl::BVHModel<fcl::OBBd>> boxes[2];
   std::unique_ptr<fcl::BVHModel<fcl::RSSd>> swept[2];
-  const sepax_mesh mesh[2];
+  const sepax_soup mesh[2];
   std::vector<fcl::CollisionResultd> found;
   std::vector<double> away;
 };
 
 } // namespace
 
-std::unique_ptr<Peer> make_fcl(const sepax_mesh &a, const sepax_mesh &b) {
+std::unique_ptr<Peer> make_fcl(const sepax_soup &a, const sepax_soup &b) {
   return std::make_unique<Fcl>(a, b);
 }
 #else
-std::unique_ptr<Peer> make_fcl(const sepax_mesh &, const sepax_mesh &) { return nullptr; }
+std::unique_ptr<Peer> make_fcl(const sepax_soup &, const sepax_soup &) { return nullptr; }
 #endif

@@ -13,9 +13,11 @@ Pairs listed(const sepax_pairs &found) {
 
 class Sepax : public Peer {
 public:
-  Sepax(const sepax_mesh &a, const sepax_mesh &b) {
+  Sepax(const sepax_soup &a, const sepax_soup &b) {
     sepax_error error = {};
-    if (!sepax_body_new(&body[0], &a, &error) || !sepax_body_new(&body[1], &b, &error)) {
+    const sepax_mesh mesh[2] = {mesh_of(a), mesh_of(b)};
+    if (!sepax_body_new(&body[0], &mesh[0], nullptr, &error) ||
+        !sepax_body_new(&body[1], &mesh[1], nullptr, &error)) {
       stop(error.text);
     }
   }
@@ -39,6 +41,7 @@ public:
       }
     }
     sepax_query what = {};
+    what.size = sizeof what;
     what.most = query == FIRST ? 1 : 0;
     for (size_t n = 0; n < found.size(); n++) {
       if (!sepax_bodies_collide(body[0], nullptr, body[1], &poses[n], &what, &found[n], &error)) {
@@ -67,7 +70,7 @@ private:
 /* Meshes that are asked once. */
 class SepaxOnce : public Peer {
 public:
-  SepaxOnce(const sepax_mesh &a, const sepax_mesh &b) : mesh{&a, &b} {}
+  SepaxOnce(const sepax_soup &a, const sepax_soup &b) : mesh{mesh_of(a), mesh_of(b)} {}
   SepaxOnce(const SepaxOnce &) = delete;
   ~SepaxOnce() override { sepax_pairs_free(&found); }
 
@@ -76,9 +79,10 @@ public:
   void ask(Query, const Poses &poses) override {
     sepax_error error = {};
     sepax_search how = {};
+    how.size = sizeof how;
     how.threads = 1;
     sepax_pairs_free(&found);
-    if (!sepax_meshes_collide(mesh[0], nullptr, mesh[1], &poses.at(0), &how, &found, &error)) {
+    if (!sepax_meshes_collide(&mesh[0], nullptr, &mesh[1], &poses.at(0), &how, &found, &error)) {
       stop(error.text);
     }
   }
@@ -87,16 +91,16 @@ public:
   double distance(size_t) const override { return 0; }
 
 private:
-  const sepax_mesh *mesh[2];
+  const sepax_mesh mesh[2];
   sepax_pairs found = {};
 };
 
 } // namespace
 
-std::unique_ptr<Peer> make_sepax(const sepax_mesh &a, const sepax_mesh &b) {
+std::unique_ptr<Peer> make_sepax(const sepax_soup &a, const sepax_soup &b) {
   return std::make_unique<Sepax>(a, b);
 }
 
-std::unique_ptr<Peer> make_sepax_once(const sepax_mesh &a, const sepax_mesh &b) {
+std::unique_ptr<Peer> make_sepax_once(const sepax_soup &a, const sepax_soup &b) {
   return std::make_unique<SepaxOnce>(a, b);
 }

@@ -3,6 +3,8 @@
  * then each family, of which the slowest is told. Best of ROUNDS rounds, the argument (5). */
 #include "columns.h"
 
+#include <stdio.h>
+
 enum { PAIRS = 1 << 15 };
 
 typedef struct {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cinttypes>
+#include <stdio.h>
 #include <string>
 
 constexpr uint64_t MISMATCHES_SHOWN = 20;

@@ -11,6 +11,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <stdio.h>
 #include <string>
 #include <vector>
 
@@ -110,7 +111,7 @@ private:
 
   struct Judged {
     uint64_t index;
-    sepax_verdict verdict;
+    sepax_judgement verdict;
     sepax_pair pair;
   };
   struct Lane {

@@ -43,7 +43,7 @@ inline std::string text(const Verdict &v) {
          std::to_string(v.band);
 }
 
-inline Verdict expected(const sepax_verdict &v, const Travel &t) {
+inline Verdict expected(const sepax_judgement &v, const Travel &t) {
   Verdict want{
       true,       v.collision, v.coplanar, v.axis == SEPAX_AXIS_EXTENT, SEPAX_EXACT ? v.axis : 0,
       (int)v.band};
@@ -123,7 +123,7 @@ template <std::size_t WORDS> bool any_bit(const VlWide<WORDS> &bits) {
 class Isolation {
 public:
   explicit Isolation(const sepax_design &) {}
-  void enter(const sepax_verdict &) {}
+  void enter(const sepax_judgement &) {}
   void forget() {}
   bool kept(const Top &top) {
     const auto &in = *top.rootp;
@@ -141,7 +141,7 @@ public:
     axes = 18 * bits(SEPAX_F_AXIS);
   }
   // The last word of a pair was in this cycle.
-  void enter(const sepax_verdict &v) { cycles |= v.coplanar ? 0 : UINT64_C(1) << INPUT_WORDS; }
+  void enter(const sepax_judgement &v) { cycles |= v.coplanar ? 0 : UINT64_C(1) << INPUT_WORDS; }
   // A reset.
   void forget() {
     cycles = 0;
@@ -190,7 +190,7 @@ private:
 class Isolation {
 public:
   explicit Isolation(const sepax_design &) {}
-  void enter(const sepax_verdict &) {}
+  void enter(const sepax_judgement &) {}
   void forget() {}
   bool kept(const Top &) { return true; }
 };

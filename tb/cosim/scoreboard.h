@@ -9,7 +9,7 @@
 struct Outstanding {
   uint64_t index, cycle; // of taking the pair, as if its words came without gaps
   bool alone;            // the core was empty
-  sepax_verdict verdict;
+  sepax_judgement verdict;
   sepax_pair pair;
   Travel travel;
 };

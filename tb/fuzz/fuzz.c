@@ -1,6 +1,7 @@
 /* fuzz.c - what the fuzz targets share. */
 #include "fuzz/fuzz.h"
 
+#include <stdio.h>
 #include <string.h>
 
 size_t fuzz_accepted;

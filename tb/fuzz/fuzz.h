@@ -3,7 +3,7 @@
 #ifndef FUZZ_H
 #define FUZZ_H
 
-#include "sepax.h"
+#include "sepax_models.h"
 
 #include <stdint.h>
 #include <stdio.h>

@@ -3,6 +3,7 @@
  * Exit status 1: the reader accepted none of them. */
 #include "fuzz/fuzz.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static void replay(const char *name) {

@@ -5,6 +5,7 @@
 #include "formats/formats.h"
 #include "fuzz/fuzz.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static inline void read_robot(format_robot *robot) {

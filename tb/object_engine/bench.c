@@ -9,6 +9,7 @@
 #include "bench.h"
 #include "sepax_vectors.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -94,7 +95,7 @@ static bool see(void *context, const sepax_hit *hit) {
       *c[i] = (int32_t)moved;
     }
   }
-  sepax_verdict v = {0};
+  sepax_judgement v = {0};
   if (within) {
     v = sepax_judge(&design, &judged);
   }

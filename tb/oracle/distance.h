@@ -4,7 +4,7 @@
 #ifndef DISTANCE_H
 #define DISTANCE_H
 
-#include "sepax.h"
+#include "sepax_models.h"
 
 /* True iff the distance of the closed triangles is at most `limit` >= 0 (Euclid): rational
  * arithmetic without rounding. Where a plane between the nearest points, found in doubles,

@@ -3,7 +3,7 @@
 #ifndef GEOMETRY_H
 #define GEOMETRY_H
 
-#include "sepax.h"
+#include "sepax_models.h"
 
 /* Coordinate 0 ... 2 of a vector. */
 static inline int32_t *coordinate(sepax_vec *v, int axis) {

@@ -2,7 +2,7 @@
 #ifndef SEPAX_GMP_VEC_H
 #define SEPAX_GMP_VEC_H
 
-#include "sepax.h"
+#include "sepax_models.h"
 
 #include <gmp.h>
 

@@ -7,7 +7,7 @@
 #ifndef ORACLE_H
 #define ORACLE_H
 
-#include "sepax.h"
+#include "sepax_models.h"
 
 #ifdef __cplusplus
 extern "C" {

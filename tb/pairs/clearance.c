@@ -12,6 +12,7 @@
 #include "oracle/real_pairs.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const int limits[][2] = {{0, 1}, {0, 7}, {1, 3}, {2, 20}, {5, 20}, {5, 6}, {40, 100}};

@@ -7,6 +7,7 @@
 #include "benchmark/columns.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 
 enum { BLOCK = 4000, SHOWN = 20, PATHS = 3 };
 

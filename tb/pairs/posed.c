@@ -15,6 +15,7 @@
 #include <assert.h>
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -277,11 +278,12 @@ static void search(const situation *s, bool found[MOST][MOST], sepax_simd simd) 
   sepax_body *body[2];
   sepax_pairs pairs;
   sepax_error error = {0};
-  sepax_query query = {.simd = simd};
+  sepax_query query = {.size = sizeof(sepax_query), .simd = simd};
   for (int k = 0; k < 2; k++) {
     sepax_facet copy[MOST];
     memcpy(copy, s->facet[k], sizeof copy);
-    if (!sepax_body_new(&body[k], &(sepax_mesh){copy, s->count}, &error)) {
+    if (!sepax_body_new(&body[k], &SEPAX_STRUCT(sepax_mesh, .vertex = copy, .triangles = s->count),
+                        NULL, &error)) {
       bench_fail(&error);
     }
   }

@@ -205,7 +205,8 @@ CASE(meshes_of_every_size) {
       sepax_tri *a = soup(counts[c][0], word[w], size, &random);
       sepax_tri *b = soup(counts[c][1], word[w], size, &random);
       for (int way = 0; way < 5; way++) {
-        sepax_search how = {.threads = way < 2 ? 1 : 3, .brute_force = way % 2 == 1};
+        sepax_search how = {
+            .size = sizeof(sepax_search), .threads = way < 2 ? 1 : 3, .brute_force = way % 2 == 1};
         assert_all_pairs(NULL, false, a, counts[c][0], b, counts[c][1], way < 4 ? &how : NULL);
       }
       free(a);
@@ -239,7 +240,7 @@ CASE(empty_leaves_are_left_out) {
   sepax_random random = {11};
   sepax_tri *many = soup(SMALL, SEPAX_WORD_MAX, 1000, &random);
   for (int way = 0; way < 2; way++) {
-    sepax_search how = {.threads = 1, .brute_force = way == 1};
+    sepax_search how = {.size = sizeof(sepax_search), .threads = 1, .brute_force = way == 1};
     assert_all_pairs(NULL, false, &whole, 1, many, SMALL, &how);
     assert_all_pairs(NULL, false, many, SMALL, &whole, 1, &how);
     bands count = assert_all_pairs(&design, false, &whole, 1, many, SMALL, &how);
@@ -267,7 +268,8 @@ CASE(progress_is_told_and_ends) {
   sepax_tri *a = soup(1000, 18, 5000, &random);
   sepax_pairs found;
   watch w = {.ends = UINT64_MAX};
-  sepax_search how = {.threads = 1, .progress = watched, .context = &w};
+  sepax_search how = {
+      .size = sizeof(sepax_search), .threads = 1, .progress = watched, .context = &w};
   assert_works(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &fault));
   assert_true(w.calls > 5 && w.between > 3 && w.last == w.total);
   sepax_pairs_free(&found);
@@ -292,7 +294,8 @@ CASE(first_pair_alone) {
   sepax_random random = {12};
   sepax_tri *a = soup(1000, 18, 5000, &random);
   for (int way = 0; way < 2; way++) {
-    sepax_search how = {.threads = 3, .first = true, .brute_force = way == 1};
+    sepax_search how = {
+        .size = sizeof(sepax_search), .threads = 3, .first = true, .brute_force = way == 1};
     sepax_pairs found;
     assert_works(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &fault));
     assert_int_equal(found.count, 1);

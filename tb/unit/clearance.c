@@ -44,7 +44,7 @@ CASE(test_nothing_is_missed) {
     const int *limit = limits[n % 6];
     sepax_design design = design_of("--clearance=%d --warning=%d", limit[0], limit[1]);
     real_pair p = pair_near(n, limit[sepax_random_range(&random, 0, 1)], &random);
-    sepax_verdict v = sepax_clearance(&design, &p.rounded_a, &p.rounded_b);
+    sepax_judgement v = sepax_clearance(&design, &p.rounded_a, &p.rounded_b);
     assert_int_equal(v.collision, v.band == SEPAX_BAND_COLLISION);
     assert_int_equal(v.axis == 0, v.collision);
     assert_true(
@@ -261,7 +261,7 @@ CASE(test_bands) {
              {22, SEPAX_BAND_FREE}};
   for (size_t i = 0; i < LENGTH(row); i++) {
     sepax_tri b = {{{0, 0, row[i].gap}, {100, 0, row[i].gap}, {0, 100, row[i].gap}}};
-    sepax_verdict v = sepax_clearance(&design, &a, &b);
+    sepax_judgement v = sepax_clearance(&design, &a, &b);
     assert_int_equal(v.band, row[i].band);
     assert_int_equal(v.axis, row[i].band == SEPAX_BAND_COLLISION ? 0 : SEPAX_AXIS_AABB);
     assert_int_equal(v.coplanar, row[i].gap == 0);

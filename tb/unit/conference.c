@@ -50,7 +50,7 @@ CASE(test_full_precision) {
     int alarms = 0;
     for (size_t n = 0; n < FEWER(34000); n++) {
       sepax_pair pair = mixed_pair(n, design.config.word, &random);
-      sepax_verdict v = sepax_judge(&design, &pair);
+      sepax_judgement v = sepax_judge(&design, &pair);
       assert_int_equal(v.coplanar, called_coplanar(&pair, &design.config));
       assert_int_equal(v.collision, collides(&pair, v.coplanar));
       bool truth = sepax_reference(&pair.a, &pair.b);
@@ -71,8 +71,8 @@ CASE(test_full_precision) {
  * products of coplanarity are computed for themselves. Returns whether the verdict differs. */
 static bool compare(const sepax_design *conference, const sepax_design *paper,
                     const sepax_pair *pair) {
-  sepax_verdict c = sepax_judge(conference, pair);
-  sepax_verdict p = sepax_judge(paper, pair);
+  sepax_judgement c = sepax_judge(conference, pair);
+  sepax_judgement p = sepax_judge(paper, pair);
   assert_int_equal(c.coplanar, p.coplanar);
   assert_int_equal(c.collision, c.axis == 0);
   if (!c.coplanar) {
@@ -130,8 +130,8 @@ CASE(test_thin_gap) {
   sepax_pair pair = {low, high, sepax_unit_normal(&low, 18), sepax_unit_normal(&high, 18)};
   sepax_design paper = design_of("--arch=paper --epsilon=4");
   sepax_design conference = design_of("--arch=conference --epsilon=4");
-  sepax_verdict p = sepax_judge(&paper, &pair);
-  sepax_verdict c = sepax_conference(&conference, &pair);
+  sepax_judgement p = sepax_judge(&paper, &pair);
+  sepax_judgement c = sepax_conference(&conference, &pair);
   assert_true(p.coplanar && !p.collision && p.axis == 10);
   assert_true(c.coplanar && c.collision && c.axis == 0);
   conference = design_of("--arch=conference --epsilon=1");

@@ -5,6 +5,7 @@
 #include "harness.h"
 #include "paper/paper.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

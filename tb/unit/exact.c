@@ -42,8 +42,6 @@ static bool right(const sepax_verdict *v, const sepax_tri *a, const sepax_tri *b
                   bool coplanar) {
   if (v->collision != collision || v->coplanar != coplanar)
     return false;
-  if (v->mul_project != 0 || v->mul_axes != 0)
-    return false;
   if (collision)
     return v->axis == 0;
   if (coplanar)

@@ -200,7 +200,7 @@ CASE(test_full_never_misses) {
   }
 }
 
-static bool same(sepax_verdict u, sepax_verdict v) {
+static bool same(sepax_judgement u, sepax_judgement v) {
   return u.collision == v.collision && u.coplanar == v.coplanar && u.axis == v.axis &&
          u.mul_project == v.mul_project && u.mul_axes == v.mul_axes;
 }
@@ -209,13 +209,15 @@ static bool same(sepax_verdict u, sepax_verdict v) {
 CASE(test_coplanar_flag) {
   sepax_design exact = design_of("--arch=exact");
   sepax_design flag = design_of("--arch=exact --coplanar=flag");
-  const sepax_verdict flagged = {.collision = true, .coplanar = true};
+  const sepax_judgement flagged = {.collision = true, .coplanar = true};
   sepax_random random = {13};
   int changed = 0;
   for (size_t n = 0; n < 34000; n++) {
     sepax_pair pair = mixed_pair(n, 18, &random);
-    sepax_verdict v = sepax_exact(&pair.a, &pair.b);
-    assert_true(same(sepax_judge(&exact, &pair), v));
+    sepax_verdict truth = sepax_exact(&pair.a, &pair.b);
+    sepax_judgement v = sepax_judge(&exact, &pair);
+    assert_true(v.collision == truth.collision && v.strict == truth.strict &&
+                v.coplanar == truth.coplanar && v.axis == truth.axis && v.mul_project == 0);
     assert_true(same(sepax_judge(&flag, &pair), v.coplanar ? flagged : v));
     changed += v.coplanar && !v.collision;
   }
@@ -237,7 +239,7 @@ CASE(test_multiplications) {
     int normal_exits = 0;
     for (size_t n = 0; n < 170000; n++) {
       sepax_pair pair = mixed_pair(n, 18, &random);
-      sepax_verdict v = sepax_judge(&design, &pair);
+      sepax_judgement v = sepax_judge(&design, &pair);
       if (design.config.arch == SEPAX_ARCH_PAPER) {
         int tried = v.collision ? (v.coplanar ? 6 : 9) : v.axis < 10 ? v.axis : 0;
         assert_int_equal(v.mul_project, 36 + 18 * tried);
@@ -314,7 +316,7 @@ CASE(test_short_edges) {
   for (size_t n = 0; n < FEWER(50000); n++) {
     sepax_pair pair = sepax_family_pair(0, 8, &random); /* extents of at most 256 LSB */
     pair = pair_of(&pair.a, &pair.b, 18);
-    sepax_verdict truth = sepax_judge(&full, &pair);
+    sepax_judgement truth = sepax_judge(&full, &pair);
     if (truth.axis >= 1 && truth.axis <= 9) {
       separated++;
       alarms_word += sepax_judge(&word, &pair).collision;
@@ -337,7 +339,7 @@ CASE(test_judged) {
   static const struct {
     const char *options;
     const sepax_tri *b;
-    sepax_verdict v;
+    sepax_judgement v;
   } known[] = {
       {"--word=8", &other, {.coplanar = true, .axis = SEPAX_AXIS_PLANE}},
       {"--word=8 --coplanar=flag", &other, {.collision = true, .coplanar = true}},
@@ -357,7 +359,7 @@ CASE(test_judged) {
   for (size_t i = 0; i < LENGTH(known); i++) {
     sepax_design design = design_of("%s", known[i].options);
     sepax_pair pair = {.a = low, .b = *known[i].b};
-    sepax_verdict v = sepax_judge(&design, &pair);
+    sepax_judgement v = sepax_judge(&design, &pair);
     print_message("%s: %d %d %d %d\n", known[i].options, v.collision, v.coplanar, v.axis, v.band);
     assert_int_equal(v.collision, known[i].v.collision);
     assert_int_equal(v.coplanar, known[i].v.coplanar);

@@ -2,6 +2,7 @@
 #include "oracle/pair_tools.h"
 #include "harness.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #define EIGHTEEN "0 0 0 7 0 0 0 7 0 1 1 -3 1 1 3 2 2 3"

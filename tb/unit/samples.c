@@ -6,18 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static point at_corner(const sepax_mesh *mesh, size_t facet, size_t k) {
+static point at_corner(const sepax_soup *mesh, size_t facet, size_t k) {
   const double *v = mesh->facet[facet].v[k % 3];
   return (point){{v[0], v[1], v[2]}};
 }
 
-static point normal_of(const sepax_mesh *mesh, size_t facet) {
+static point normal_of(const sepax_soup *mesh, size_t facet) {
   point v = at_corner(mesh, facet, 0);
   return outer(minus(at_corner(mesh, facet, 1), v), minus(at_corner(mesh, facet, 2), v));
 }
 
-static point written_normal(const sepax_mesh *mesh, size_t facet) {
-  const double *n = mesh->facet[facet].normal;
+static point written_normal(const sepax_soup *mesh, size_t facet) {
+  const double *n = mesh->normal[facet];
   return (point){{n[0], n[1], n[2]}};
 }
 
@@ -35,7 +35,7 @@ static int compare_edges(const void *a, const void *b) { return compare_numbers(
 
 /* Each directed edge once, and once its opposite; as many corners as a surface of
  * the topology of the sphere has. */
-static void assert_closed(const sepax_mesh *mesh) {
+static void assert_closed(const sepax_soup *mesh) {
   size_t edges = 3 * mesh->count;
   size_t corners = 0;
   point(*way)[2] = calloc(edges, sizeof *way);
@@ -56,7 +56,7 @@ static void assert_closed(const sepax_mesh *mesh) {
 }
 
 /* The normals of the file are those of the corners, and of unit length. */
-static void assert_normals(const sepax_mesh *mesh) {
+static void assert_normals(const sepax_soup *mesh) {
   for (size_t i = 0; i < mesh->count; i++) {
     point n = normal_of(mesh, i);
     point written = written_normal(mesh, i);
@@ -65,7 +65,7 @@ static void assert_normals(const sepax_mesh *mesh) {
   }
 }
 
-static double volume(const sepax_mesh *mesh, point origin) {
+static double volume(const sepax_soup *mesh, point origin) {
   double sum = 0;
   for (size_t i = 0; i < mesh->count; i++) {
     sum += inner(minus(at_corner(mesh, i, 0), origin), normal_of(mesh, i)) / 6;
@@ -74,14 +74,14 @@ static double volume(const sepax_mesh *mesh, point origin) {
 }
 
 /* A point of the axis or the centre sees every facet of a convex body from inside. */
-static void assert_seen_from(const sepax_mesh *mesh, point inside) {
+static void assert_seen_from(const sepax_soup *mesh, point inside) {
   for (size_t i = 0; i < mesh->count; i++) {
     assert_true(inner(minus(at_corner(mesh, i, 0), inside), written_normal(mesh, i)) > 0);
   }
 }
 
-static sepax_mesh sample(const char *shape, size_t triangles, point at, double size) {
-  sepax_mesh mesh = {0};
+static sepax_soup sample(const char *shape, size_t triangles, point at, double size) {
+  sepax_soup mesh = {0};
   assert_works(sepax_sample(&mesh, shape, triangles, at.c, size, &fault));
   assert_int_equal(mesh.count, triangles);
   return mesh;
@@ -96,11 +96,11 @@ CASE(test_sample_meshes) {
     const size_t counts[] = {least,      least + 2,  least + 4, least + 6, least + 8,
                              least + 10, least + 40, 500,       1000,      20000};
     for (size_t k = 0; k < LENGTH(counts); k++) {
-      sepax_mesh mesh = sample(sepax_sample_name(i), counts[k], at, k % 2 == 0 ? 0 : 7);
+      sepax_soup mesh = sample(sepax_sample_name(i), counts[k], at, k % 2 == 0 ? 0 : 7);
       assert_closed(&mesh);
       assert_normals(&mesh);
       assert_true(volume(&mesh, at) > 0);
-      sepax_mesh_free(&mesh);
+      sepax_soup_free(&mesh);
     }
   }
 }
@@ -116,7 +116,7 @@ static bool on_cutter(double z, double r, bool ball) {
 
 static void assert_cutter(bool ball, size_t triangles) {
   const point at = {{1, 2, 3}};
-  sepax_mesh mesh = sample(ball ? "ball-end" : "flat-end", triangles, at, 0);
+  sepax_soup mesh = sample(ball ? "ball-end" : "flat-end", triangles, at, 0);
   double lowest = INFINITY;
   for (size_t i = 0; i < 3 * mesh.count; i++) {
     point v = minus(at_corner(&mesh, i / 3, i % 3), at);
@@ -128,7 +128,7 @@ static void assert_cutter(bool ball, size_t triangles) {
   double solid = PI * 1000 * (6 + (ball ? 2.0 / 3 : 0));
   double filled = volume(&mesh, at) / solid;
   assert_true(filled < 1 && filled > 1 - 30.0 / (double)triangles);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 CASE(test_cutters) {
@@ -140,7 +140,7 @@ CASE(test_cutters) {
 
 CASE(test_sphere) {
   for (size_t triangles = 8; triangles < 30000; triangles = triangles * 2 + 2) {
-    sepax_mesh mesh = sample("sphere", triangles, origin, 2);
+    sepax_soup mesh = sample("sphere", triangles, origin, 2);
     for (size_t i = 0; i < 3 * mesh.count; i++) {
       point v = at_corner(&mesh, i / 3, i % 3);
       assert_true(fabs(inner(v, v) - 1) < 1e-14);
@@ -148,12 +148,12 @@ CASE(test_sphere) {
     assert_seen_from(&mesh, origin);
     double filled = volume(&mesh, origin) / (PI * 4 / 3);
     assert_true(filled < 1 && filled > 1 - 14.0 / (double)triangles);
-    sepax_mesh_free(&mesh);
+    sepax_soup_free(&mesh);
   }
 }
 
 /* The boxes of the mesh: low and high by axis. */
-static void assert_box(const sepax_mesh *mesh, const double low[3], const double high[3]) {
+static void assert_box(const sepax_soup *mesh, const double low[3], const double high[3]) {
   for (int axis = 0; axis < 3; axis++) {
     double least = INFINITY;
     double most = -INFINITY;
@@ -167,23 +167,23 @@ static void assert_box(const sepax_mesh *mesh, const double low[3], const double
 
 CASE(test_blocks) {
   const point at = {{100, 0, -8}};
-  sepax_mesh mesh = sample("box", 5000, at, 60);
+  sepax_soup mesh = sample("box", 5000, at, 60);
   assert_box(&mesh, (double[3]){70, -20, -18}, (double[3]){130, 20, 2});
   assert_seen_from(&mesh, at);
   assert_true(fabs(volume(&mesh, at) / 48000 - 1) < 1e-12);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   mesh = sample("pocket", 5000, at, 0);
   assert_box(&mesh, (double[3]){40, -40, -48}, (double[3]){160, 40, -8});
   assert_true(fabs(volume(&mesh, at) / (384000 - 80 * 40 * 25) - 1) < 1e-12);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 CASE(test_sample_again) {
-  sepax_mesh once = sample("ball-end", 4000, origin, 0);
-  sepax_mesh twice = sample("ball-end", 4000, origin, 20);
+  sepax_soup once = sample("ball-end", 4000, origin, 0);
+  sepax_soup twice = sample("ball-end", 4000, origin, 20);
   assert_memory_equal(once.facet, twice.facet, once.count * sizeof *once.facet);
-  sepax_mesh_free(&once);
-  sepax_mesh_free(&twice);
+  sepax_soup_free(&once);
+  sepax_soup_free(&twice);
 }
 
 CASE(test_sample_list) {
@@ -223,24 +223,24 @@ CASE(test_sample_errors) {
       {"box", 100, {{0}}, 1e-170, "triangles of no area"},
       {"box", 100, {{0}}, 1e200, "triangles of no area"}};
   for (size_t i = 0; i < LENGTH(row); i++) {
-    sepax_mesh mesh = {.count = 77};
+    sepax_soup mesh = {.count = 77};
     assert_fault(
         sepax_sample(&mesh, row[i].shape, row[i].triangles, row[i].at.c, row[i].size, &fault),
         row[i].part);
-    assert_true(mesh.facet == NULL && mesh.count == 77);
+    assert_true(mesh.facet == NULL && mesh.count == 0);
   }
 }
 
 /* A sample survives the file, binary32 included, and the finest grid of 18 bits. */
 CASE(test_sample_to_grid) {
   for (size_t i = 0; sepax_sample_name(i) != NULL; i++) {
-    sepax_mesh mesh = sample(sepax_sample_name(i), 2000, origin, 0);
+    sepax_soup mesh = sample(sepax_sample_name(i), 2000, origin, 0);
     assert_works(sepax_stl_write(&mesh, path, false, &fault));
-    sepax_mesh back = read_mesh();
+    sepax_soup back = read_mesh();
     assert_closed(&back);
-    assert_fit((const sepax_mesh *const[]){&mesh, &back}, 2, 18);
-    sepax_mesh_free(&back);
-    sepax_mesh_free(&mesh);
+    assert_fit((const sepax_soup *const[]){&mesh, &back}, 2, 18);
+    sepax_soup_free(&back);
+    sepax_soup_free(&mesh);
     remove(path);
   }
 }

@@ -1,21 +1,24 @@
 /* scenes.c - two STL files on one grid. */
 #include "harness.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static char names[2][PATH_BYTES];
 
 /* Two files, of 2 and 3 facets; normals that are none of theirs. */
-static void put_files(sepax_mesh mesh[2]) {
+static void put_files(sepax_soup mesh[2]) {
   for (int i = 0; i < 2; i++) {
-    mesh[i] = (sepax_mesh){calloc((size_t)i + 2, sizeof(sepax_facet)), (size_t)i + 2};
+    mesh[i] = (sepax_soup){.facet = calloc((size_t)i + 2, sizeof(sepax_facet)),
+                           .count = (size_t)i + 2,
+                           .normal = calloc((size_t)i + 2, sizeof(double[3]))};
     for (size_t n = 0; mesh[i].facet != NULL && n < mesh[i].count; n++) {
       for (int k = 0; k < 9; k++) {
         mesh[i].facet[n].v[k / 3][k % 3] = 16 * i + 4 * (double)n + (double)(k * k % 11) / 2;
       }
-      mesh[i].facet[n].normal[0] = 3;
-      mesh[i].facet[n].normal[1] = -4;
+      mesh[i].normal[n][0] = 3;
+      mesh[i].normal[n][1] = -4;
     }
     assert_non_null(mesh[i].facet);
     snprintf(names[i], sizeof names[i], "%s/%c.stl", folder, "ab"[i]);
@@ -23,14 +26,14 @@ static void put_files(sepax_mesh mesh[2]) {
   }
 }
 
-static void free_meshes(sepax_mesh mesh[2]) {
-  sepax_mesh_free(&mesh[0]);
-  sepax_mesh_free(&mesh[1]);
+static void free_meshes(sepax_soup mesh[2]) {
+  sepax_soup_free(&mesh[0]);
+  sepax_soup_free(&mesh[1]);
 }
 
 /* As the steps do one by one. */
 CASE(both_files_are_on_one_grid) {
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   put_files(mesh);
   const char *const both[2] = {names[0], names[1]};
   for (int way = 0; way < 4; way++) {
@@ -38,7 +41,7 @@ CASE(both_files_are_on_one_grid) {
     sepax_scene scene;
     assert_works(sepax_scene_load(&scene, both, &grid, way % 2 == 1, &fault));
     if (way / 2 == 1) {
-      const sepax_mesh *const meshes[] = {&mesh[0], &mesh[1]};
+      const sepax_mesh *const meshes[] = {SEPAX_SOUP_MESH(&mesh[0]), SEPAX_SOUP_MESH(&mesh[1])};
       assert_works(sepax_grid_fit(&grid, meshes, 2, 12, &fault));
     }
     assert_true(scene.grid.resolution == grid.resolution && scene.grid.word == 12);
@@ -47,7 +50,8 @@ CASE(both_files_are_on_one_grid) {
       sepax_tri tri[3];
       sepax_vec normal[3];
       assert_int_equal(scene.count[i], mesh[i].count);
-      assert_works(sepax_quantise(&mesh[i], &grid, tri, normal, &fault));
+      assert_works(sepax_quantise(SEPAX_SOUP_MESH(&mesh[i]), &grid, tri, &fault));
+      assert_works(sepax_quantise_normals(&mesh[i], grid.word, normal, &fault));
       assert_memory_equal(scene.tri[i], tri, mesh[i].count * sizeof *tri);
       for (size_t n = 0; n < mesh[i].count && way % 2 == 0; n++) {
         normal[n] = sepax_unit_normal(&tri[n], 12);
@@ -67,7 +71,7 @@ CASE(both_files_are_on_one_grid) {
 
 /* The message names the file, or both. */
 CASE(files_that_do_not_fit) {
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   put_files(mesh);
   const char *const both[2] = {names[0], names[1]};
   const char *const swapped[2] = {names[1], "no/such.stl"};

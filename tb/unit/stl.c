@@ -6,6 +6,7 @@
 #include <locale.h>
 #include <math.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -41,11 +42,11 @@ static size_t get_bytes(char *bytes, size_t size) {
 }
 
 static void assert_refused(const char *part) {
-  sepax_mesh mesh = {.count = 77};
-  assert_fault(sepax_stl_read(&mesh, path, &fault), part);
+  sepax_soup mesh = {.count = 77};
+  assert_fault(sepax_stl_read(&mesh, path, false, &fault), part);
   assert_message(path);
   assert_null(mesh.facet);
-  assert_int_equal(mesh.count, 77);
+  assert_int_equal(mesh.count, 0);
 }
 
 static void refuse_bytes(const void *bytes, size_t size, const char *part) {
@@ -54,9 +55,9 @@ static void refuse_bytes(const void *bytes, size_t size, const char *part) {
   remove(path);
 }
 
-static sepax_mesh read_text(const char *text) {
+static sepax_soup read_text(const char *text) {
   put_bytes(text, strlen(text));
-  sepax_mesh mesh = read_mesh();
+  sepax_soup mesh = read_mesh();
   remove(path);
   return mesh;
 }
@@ -71,9 +72,9 @@ static sepax_mesh read_text(const char *text) {
 static double number_read(const char *text) {
   char solid[2048];
   snprintf(solid, sizeof solid, SOLID("%s"), text);
-  sepax_mesh mesh = read_text(solid);
+  sepax_soup mesh = read_text(solid);
   double number = mesh.facet[0].v[1][0];
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   assert_null(mesh.facet);
   assert_int_equal(mesh.count, 0);
   return number;
@@ -128,14 +129,14 @@ CASE(test_text_forms) {
        3},
   };
   for (size_t i = 0; i < LENGTH(cases); i++) {
-    sepax_mesh mesh = read_text(cases[i].text);
+    sepax_soup mesh = read_text(cases[i].text);
     assert_int_equal(mesh.count, cases[i].count);
     for (size_t k = 0; k < mesh.count; k++) {
       const sepax_facet *f = &mesh.facet[k];
-      assert_true(f->normal[0] == 0 && f->normal[1] == 0 && f->normal[2] == 1);
+      assert_true(mesh.normal[k][0] == 0 && mesh.normal[k][1] == 0 && mesh.normal[k][2] == 1);
       assert_true(f->v[1][0] == (double)(k + 1) && f->v[2][1] == 1 && f->v[0][2] == 0);
     }
-    sepax_mesh_free(&mesh);
+    sepax_soup_free(&mesh);
   }
 }
 
@@ -195,12 +196,12 @@ CASE(test_binary_forms) {
     bytes[84 + 50 + 12 + 3] = 0xbf; /* facet 1, vertex 0, x: -1 */
     bytes[84 + 50 + 48] = 0xff;     /* attributes */
     put_bytes(bytes, size);
-    sepax_mesh mesh = read_mesh();
+    sepax_soup mesh = read_mesh();
     remove(path);
     assert_int_equal(mesh.count, 3);
-    assert_true(mesh.facet[1].v[0][0] == -1 && mesh.facet[1].normal[2] == 1);
-    assert_true(mesh.facet[2].v[2][2] == 1 && mesh.facet[2].normal[0] == 1);
-    sepax_mesh_free(&mesh);
+    assert_true(mesh.facet[1].v[0][0] == -1 && mesh.normal[1][2] == 1);
+    assert_true(mesh.facet[2].v[2][2] == 1 && mesh.normal[2][0] == 1);
+    sepax_soup_free(&mesh);
   }
 }
 
@@ -244,8 +245,8 @@ CASE(test_unreadable) {
   char far[700];
   memset(far, 'x', sizeof far - 1);
   far[sizeof far - 1] = '\0';
-  sepax_mesh mesh = {0};
-  assert_fault(sepax_stl_read(&mesh, far, &fault), "check the path");
+  sepax_soup mesh = {0};
+  assert_fault(sepax_stl_read(&mesh, far, false, &fault), "check the path");
 }
 
 /* A program that took over a language with a decimal comma reads and writes the same files. */
@@ -257,12 +258,12 @@ CASE(test_decimal_comma) {
   setenv("LOCPATH", folder, 1);
   bool made = system(command) == 0 && setlocale(LC_ALL, "de_DE.UTF-8") != NULL &&
               strcmp(localeconv()->decimal_point, ",") == 0;
-  sepax_mesh mesh = {0};
+  sepax_soup mesh = {0};
   if (made) {
     put_bytes(SOLID("1.5"), strlen(SOLID("1.5")));
     mesh = read_mesh();
     assert_works(sepax_stl_write(&mesh, path, true, &fault));
-    sepax_mesh_free(&mesh);
+    sepax_soup_free(&mesh);
     mesh = read_mesh();
     assert_string_equal(localeconv()->decimal_point, ",");
   }
@@ -274,7 +275,7 @@ CASE(test_decimal_comma) {
     skip();
   }
   assert_int_equal(mesh.count, 1);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 CASE(test_pipe) {
@@ -285,58 +286,62 @@ CASE(test_pipe) {
     FILE *out = fopen(path, "w");
     _exit(out == NULL || fputs(SOLID("1"), out) == EOF || fclose(out) != 0);
   }
-  sepax_mesh mesh = read_mesh();
+  sepax_soup mesh = read_mesh();
   int status = 1;
   waitpid(child, &status, 0);
   assert_int_equal(status, 0);
   assert_int_equal(mesh.count, 1);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   remove(path);
 }
 
 /* -------------------------------------------------------------------- writing */
 
 /* Random facets of numbers of every magnitude that binary32 holds. */
-static sepax_mesh random_mesh(size_t count, bool single) {
-  sepax_mesh mesh = {calloc(count, sizeof *mesh.facet), count};
+static sepax_soup random_mesh(size_t count, bool single) {
+  sepax_soup mesh = {.facet = calloc(count, sizeof *mesh.facet),
+                     .count = count,
+                     .normal = calloc(count, sizeof *mesh.normal)};
   assert_non_null(mesh.facet);
+  assert_non_null(mesh.normal);
   for (size_t i = 0; i < 12 * count; i++) {
     double number = ldexp(random_unit(), random_below(250) - 124);
     size_t k = i % 12;
     sepax_facet *facet = &mesh.facet[i / 12];
-    *(k < 9 ? &facet->v[k / 3][k % 3] : &facet->normal[k - 9]) =
+    *(k < 9 ? &facet->v[k / 3][k % 3] : &mesh.normal[i / 12][k - 9]) =
         single ? (double)(float)number : number;
   }
   return mesh;
 }
 
-static void assert_round_trip(const sepax_mesh *mesh, bool ascii) {
+static void assert_round_trip(const sepax_soup *mesh, bool ascii) {
   assert_works(sepax_stl_write(mesh, path, ascii, &fault));
   assert_int_equal(files_in_folder(), 1);
-  sepax_mesh back = read_mesh();
+  sepax_soup back = read_mesh();
   assert_int_equal(back.count, mesh->count);
   assert_memory_equal(back.facet, mesh->facet, mesh->count * sizeof *mesh->facet);
-  sepax_mesh_free(&back);
+  assert_memory_equal(back.normal, mesh->normal, mesh->count * sizeof *mesh->normal);
+  sepax_soup_free(&back);
   remove(path);
 }
 
 CASE(test_round_trips) {
-  sepax_mesh mesh = random_mesh(1000, true);
+  sepax_soup mesh = random_mesh(1000, true);
   mesh.facet[0].v[0][0] = -0.0;
   mesh.facet[0].v[0][1] = FLT_MAX;
   mesh.facet[0].v[0][2] = 0x1p-149;
   assert_round_trip(&mesh, false);
   assert_round_trip(&mesh, true);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   mesh = random_mesh(1000, false);
   mesh.facet[0].v[0][0] = -DBL_MAX;
   mesh.facet[0].v[0][1] = 0x1p-1074;
   assert_round_trip(&mesh, true);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 CASE(test_write_form) {
-  sepax_mesh mesh = random_mesh(2, true);
+  sepax_soup mesh = random_mesh(2, true);
   mode_t mask = umask(027);
   assert_works(sepax_stl_write(&mesh, path, false, &fault));
   umask(mask);
@@ -351,10 +356,10 @@ CASE(test_write_form) {
   assert_int_equal(get_bytes(bytes, sizeof bytes), sizeof bytes);
   assert_memory_equal(bytes, "solid se", 8);
   remove(path);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
-static void refuse_to_write(const sepax_mesh *mesh, bool ascii, const char *part) {
+static void refuse_to_write(const sepax_soup *mesh, bool ascii, const char *part) {
   int before = files_in_folder();
   assert_fault(sepax_stl_write(mesh, path, ascii, &fault), part);
   assert_message(path);
@@ -362,13 +367,13 @@ static void refuse_to_write(const sepax_mesh *mesh, bool ascii, const char *part
 }
 
 CASE(test_write_values) {
-  sepax_mesh mesh = random_mesh(3, true);
+  sepax_soup mesh = random_mesh(3, true);
   double *x = &mesh.facet[2].v[1][0];
   *x = stepped(0x1.ffffffp127, -1);
   assert_works(sepax_stl_write(&mesh, path, false, &fault));
-  sepax_mesh back = read_mesh();
+  sepax_soup back = read_mesh();
   assert_true(back.facet[2].v[1][0] == FLT_MAX);
-  sepax_mesh_free(&back);
+  sepax_soup_free(&back);
   remove(path);
   *x = -0x1.ffffffp127;
   refuse_to_write(&mesh, false, "facet 2: coordinate -3.40282e+38 does not fit");
@@ -376,14 +381,14 @@ CASE(test_write_values) {
   refuse_to_write(&mesh, false, "facet 2: coordinate is NaN");
   refuse_to_write(&mesh, true, "facet 2: coordinate is NaN");
   *x = 0;
-  mesh.facet[0].normal[1] = -INFINITY;
+  mesh.normal[0][1] = -INFINITY;
   refuse_to_write(&mesh, true, "facet 0: normal is infinite");
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   refuse_to_write(&mesh, true, "no facets");
 }
 
 CASE(test_write_failures) {
-  sepax_mesh mesh = random_mesh(100, true);
+  sepax_soup mesh = random_mesh(100, true);
   assert_int_equal(mkdir(path, 0777), 0);
   refuse_to_write(&mesh, false, "exists and is no file");
   rmdir(path);
@@ -416,7 +421,7 @@ CASE(test_write_failures) {
   assert_int_equal(get_bytes(bytes, sizeof bytes), 8);
   assert_memory_equal(bytes, "precious", 8);
   remove(path);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 /* ---------------------------------------------------------------- real meshes */
@@ -432,13 +437,13 @@ static size_t read_folder(const char *name) {
   for (struct dirent *entry = NULL; dir != NULL && (entry = readdir(dir)) != NULL;) {
     if (ends_with(entry->d_name, ".stl")) {
       char file[PATH_BYTES];
-      sepax_mesh mesh = {0};
+      sepax_soup mesh = {0};
       snprintf(file, sizeof file, "%s/%s", name, entry->d_name);
-      assert_works(sepax_stl_read(&mesh, file, &fault));
+      assert_works(sepax_stl_read(&mesh, file, false, &fault));
       print_message("%s: %zu facets\n", entry->d_name, mesh.count);
       assert_true(mesh.count > 0);
-      assert_fit((const sepax_mesh *const[]){&mesh}, 1, 18);
-      sepax_mesh_free(&mesh);
+      assert_fit((const sepax_soup *const[]){&mesh}, 1, 18);
+      sepax_soup_free(&mesh);
       files++;
     }
   }

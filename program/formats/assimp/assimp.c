@@ -23,7 +23,7 @@ typedef struct {
 typedef struct {
   const char *path;
   const struct aiScene *scene;
-  sepax_mesh *mesh;
+  sepax_soup *mesh;
   size_t capacity;
   double (*corner)[3]; /* of the polygon at hand */
   size_t (*triangle)[3];
@@ -68,7 +68,7 @@ static void place(const change *c, const struct aiVector3D *v, double to[3]) {
 }
 
 static bool add_facet(importer *in, const size_t corner[3], sepax_error *error) {
-  sepax_mesh *mesh = in->mesh;
+  sepax_soup *mesh = in->mesh;
   sepax_facet *grown = mesh->count < FORMAT_FACETS_MOST
                            ? list_grow(mesh->facet, &in->capacity, mesh->count, sizeof *grown)
                            : NULL;
@@ -99,10 +99,10 @@ static bool make_space(importer *in, size_t corners) {
   if (corners <= in->corners) {
     return true;
   }
-  free(in->corner);
-  free(in->triangle);
-  in->corner = malloc(corners * sizeof *in->corner);
-  in->triangle = malloc(corners * sizeof *in->triangle);
+  sepax_release(in->corner);
+  sepax_release(in->triangle);
+  in->corner = sepax_allocate(corners * sizeof *in->corner);
+  in->triangle = sepax_allocate(corners * sizeof *in->triangle);
   in->corners = in->corner != NULL && in->triangle != NULL ? corners : 0;
   return in->corners != 0;
 }
@@ -179,8 +179,8 @@ static const struct aiScene *import(const char *path, sepax_error *error) {
   return scene;
 }
 
-bool mesh_read_assimp(sepax_mesh *mesh, const char *path, sepax_error *error) {
-  *mesh = (sepax_mesh){0};
+bool mesh_read_assimp(sepax_soup *mesh, const char *path, sepax_error *error) {
+  *mesh = (sepax_soup){0};
   const struct aiScene *scene = import(path, error);
   if (scene == NULL) {
     return false;
@@ -190,8 +190,8 @@ bool mesh_read_assimp(sepax_mesh *mesh, const char *path, sepax_error *error) {
   bool ok = add_node(&in, scene->mRootNode, &none, 0, error) &&
             (mesh->count > 0 || sepax_fail(error, SEPAX_ERROR_FORMAT,
                                            "%.300s: no triangles in it; give a mesh", path));
-  free(in.corner);
-  free(in.triangle);
+  sepax_release(in.corner);
+  sepax_release(in.triangle);
   aiReleaseImport(scene);
   return ok;
 }

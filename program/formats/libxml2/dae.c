@@ -68,7 +68,7 @@ static bool is_right(const char *path, sepax_error *error) {
   return ok;
 }
 
-bool mesh_read_dae(sepax_mesh *mesh, const char *path, sepax_error *error) {
-  *mesh = (sepax_mesh){0};
+bool mesh_read_dae(sepax_soup *mesh, const char *path, sepax_error *error) {
+  *mesh = (sepax_soup){0};
   return is_right(path, error) && mesh_read_assimp(mesh, path, error);
 }

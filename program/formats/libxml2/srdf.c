@@ -16,7 +16,7 @@ static bool read_link(const xml_file *file, const xmlNode *node, const char *att
   }
   bool ok = *link < m->links ||
             xml_fail(file, node, error, "there is no link '%.60s'; mend the name", name);
-  free(name);
+  sepax_release(name);
   return ok;
 }
 
@@ -87,7 +87,7 @@ bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const
             read_pairs(&file, "disable_collisions", false, compared, m, error);
   xml_close(&file);
   if (!ok && of != NULL) {
-    free(*of);
+    sepax_release(*of);
     *of = NULL;
   }
   return ok;

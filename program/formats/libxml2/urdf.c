@@ -137,8 +137,8 @@ static bool read_collision(reader *r, const xmlNode *node, size_t link, sepax_er
   }
   robot->shape = grown;
   if (!read_origin(r, node, &shape.origin, error) || !read_geometry(r, node, &shape, error)) {
-    free(shape.name);
-    free(shape.path);
+    sepax_release(shape.name);
+    sepax_release(shape.path);
     return false;
   }
   robot->shape[robot->shapes++] = shape;
@@ -174,7 +174,7 @@ static bool read_link(reader *r, const xmlNode *node, sepax_error *error) {
                           : NULL;
   m->link = grown != NULL ? grown : m->link;
   if (grown == NULL || find_link(m, name) < m->links) {
-    free(name);
+    sepax_release(name);
     return xml_fail(&r->file, node, error, "%s",
                     grown == NULL ? "more than 4096 links, or no memory"
                                   : "two links of one name; rename one");
@@ -205,7 +205,7 @@ static bool read_kind(const reader *r, const xmlNode *node, sepax_joint *joint,
                                  "joint %.60s: type '%.40s' is none of: fixed, revolute, "
                                  "continuous, prismatic",
                                  joint->name, type);
-  free(type);
+  sepax_release(type);
   joint->kind = ok ? (sepax_joint_kind)kind : SEPAX_JOINT_FIXED;
   return ok;
 }
@@ -228,7 +228,7 @@ static bool read_end(const reader *r, const xmlNode *node, const char *which, si
   bool ok =
       *link < m->links ||
       xml_fail(&r->file, end, error, "<%s>: there is no link '%.60s'; mend the name", which, name);
-  free(name);
+  sepax_release(name);
   return ok;
 }
 
@@ -298,7 +298,7 @@ static bool read_mimic(const reader *r, const xmlNode *node, sepax_joint *joint,
                                                  "<mimic>: there is no joint '%.60s'; mend the "
                                                  "name",
                                                  name);
-  free(name);
+  sepax_release(name);
   return ok && xml_numbers(&r->file, mimic, "multiplier", &joint->factor, 1, error) &&
          xml_numbers(&r->file, mimic, "offset", &joint->offset, 1, error);
 }

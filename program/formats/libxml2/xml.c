@@ -4,6 +4,7 @@
 #include "util/error.h"
 
 #include <libxml/parser.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -70,7 +71,7 @@ bool xml_open(xml_file *file, const char *path, const char *root, sepax_error *e
   } else {
     sepax_fail(error, SEPAX_ERROR_MEMORY, "%.300s: no memory to read it", path);
   }
-  free(text.bytes);
+  sepax_release(text.bytes);
   file->root = ok ? xmlDocGetRootElement(file->doc) : NULL;
   if (ok && (file->root == NULL || !xml_is(file->root, root))) {
     ok = sepax_fail(error, SEPAX_ERROR_FORMAT, "%.300s: its root is no <%s>; give another file",
@@ -139,7 +140,7 @@ bool xml_name(const xml_file *file, const xmlNode *node, const char *attribute, 
                     node != NULL ? (const char *)node->name : "", attribute);
   }
   size_t size = strlen((const char *)value) + 1;
-  char *copy = malloc(size);
+  char *copy = sepax_allocate(size);
   if (copy != NULL) {
     memcpy(copy, value, size);
   }
@@ -148,7 +149,7 @@ bool xml_name(const xml_file *file, const xmlNode *node, const char *attribute, 
     return xml_fail(file, node, error, "no memory for a name");
   }
   if (!is_printable(copy)) {
-    free(copy);
+    sepax_release(copy);
     return xml_fail(file, node, error, "%s=\"...\" is empty, or not printable; give a name",
                     attribute);
   }

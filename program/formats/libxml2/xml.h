@@ -5,6 +5,7 @@
 #include "formats/formats.h"
 
 #include <libxml/tree.h>
+#include <stdio.h>
 
 /* What messages name, and the root. */
 typedef struct {
@@ -31,7 +32,8 @@ bool xml_is(const xmlNode *node, const char *name);
 bool xml_single(const xml_file *file, const xmlNode *node, const char *name, xmlNode **single,
                 sepax_error *error);
 
-/* A copy of the attribute, by malloc; printable and not empty. Fails where there is none. */
+/* A copy of the attribute, by sepax_allocate; printable and not empty. Fails where there is none.
+ */
 bool xml_name(const xml_file *file, const xmlNode *node, const char *attribute, char **name,
               sepax_error *error);
 

@@ -4,7 +4,7 @@
 
 const bool format_assimp_here = false;
 
-bool mesh_read_assimp(sepax_mesh *mesh, const char *path, sepax_error *error) {
-  *mesh = (sepax_mesh){0};
+bool mesh_read_assimp(sepax_soup *mesh, const char *path, sepax_error *error) {
+  *mesh = (sepax_soup){0};
   return format_has(NEEDS_ASSIMP, path, "mesh of this format", error);
 }

@@ -23,7 +23,7 @@ bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const
   return format_has(NEEDS_LIBXML2, path, "SRDF", error);
 }
 
-bool mesh_read_dae(sepax_mesh *mesh, const char *path, sepax_error *error) {
-  *mesh = (sepax_mesh){0};
+bool mesh_read_dae(sepax_soup *mesh, const char *path, sepax_error *error) {
+  *mesh = (sepax_soup){0};
   return format_has(NEEDS_LIBXML2, path, "DAE", error);
 }

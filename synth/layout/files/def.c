@@ -5,6 +5,7 @@
 
 #include <err.h>
 #include <search.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -6,6 +6,7 @@
 #include <err.h>
 #include <jansson.h>
 #include <search.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

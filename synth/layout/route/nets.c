@@ -4,6 +4,7 @@
 #include "liberty/text.h"
 
 #include <err.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /* Tracks beyond a net's pins where it is sought, more in each round; the price of a ban. */

@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   }
   const char *file = name[data[0] & 3];
   fuzz_file(file, data + 1, size - 1);
-  sepax_mesh mesh;
+  sepax_soup mesh;
   sepax_error error = {0};
   bool ok = fuzz_answer(format_mesh_read(&mesh, file, &error), &error);
   if (ok) {
@@ -20,7 +20,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     for (size_t n = 0; n < 9 * mesh.count; n++) {
       REQUIRE(isfinite(mesh.facet[n / 9].v[n % 9 / 3][n % 3]));
     }
-    sepax_mesh_free(&mesh);
+    sepax_soup_free(&mesh);
   }
   return 0;
 }

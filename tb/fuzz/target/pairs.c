@@ -2,6 +2,7 @@
 #include "fuzz/fuzz.h"
 #include "sepax_vectors.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static void require_in_word(const sepax_tri *t, int word) {

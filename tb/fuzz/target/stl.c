@@ -4,11 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-static void require_finite(const sepax_mesh *mesh) {
+static void require_finite(const sepax_soup *mesh) {
   REQUIRE(mesh->count > 0);
   for (size_t n = 0; n < mesh->count; n++) {
     for (int k = 0; k < 3; k++) {
-      REQUIRE(isfinite(mesh->facet[n].normal[k]));
+      REQUIRE(isfinite(mesh->normal[n][k]));
       for (int i = 0; i < 3; i++) {
         REQUIRE(isfinite(mesh->facet[n].v[k][i]));
       }
@@ -16,11 +16,11 @@ static void require_finite(const sepax_mesh *mesh) {
   }
 }
 
-static void require_again(const sepax_mesh *mesh) {
-  sepax_mesh again;
+static void require_again(const sepax_soup *mesh) {
+  sepax_soup again;
   sepax_error error = {0};
   REQUIRE(sepax_stl_write(mesh, "again.stl", true, &error));
-  REQUIRE(sepax_stl_read(&again, "again.stl", &error));
+  REQUIRE(sepax_stl_read(&again, "again.stl", true, &error));
   REQUIRE(again.count == mesh->count);
   for (size_t n = 0; n < mesh->count; n++) {
     for (int k = 0; k < 3; k++) {
@@ -29,20 +29,20 @@ static void require_again(const sepax_mesh *mesh) {
       }
     }
   }
-  sepax_mesh_free(&again);
+  sepax_soup_free(&again);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  sepax_mesh mesh;
+  sepax_soup mesh;
   sepax_error error = {0};
   fuzz_file("input.stl", data, size);
-  bool ok = fuzz_answer(sepax_stl_read(&mesh, "input.stl", &error), &error);
+  bool ok = fuzz_answer(sepax_stl_read(&mesh, "input.stl", true, &error), &error);
   if (ok) {
     require_finite(&mesh);
     if (size % 16 == 0) { /* slow */
       require_again(&mesh);
     }
-    sepax_mesh_free(&mesh);
+    sepax_soup_free(&mesh);
   }
   return 0;
 }

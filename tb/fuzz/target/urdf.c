@@ -29,10 +29,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     REQUIRE(robot.mechanism.links > 0);
     require_poses(&robot.mechanism);
     for (size_t n = 0; n < robot.shapes && n < 4; n++) {
-      sepax_mesh mesh;
+      sepax_soup mesh;
       if (robot.shape[n].kind != FORMAT_MESH && format_shape_mesh(&mesh, &robot.shape[n], &error)) {
         REQUIRE(mesh.count >= 12);
-        sepax_mesh_free(&mesh);
+        sepax_soup_free(&mesh);
       }
     }
     format_robot_free(&robot);

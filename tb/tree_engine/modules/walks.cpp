@@ -7,7 +7,7 @@
 // things are.
 #include "tree_engine/modules/walk_bench.h"
 
-#include "sepax.h"
+#include "sepax_models.h"
 #include "sepax_params.h"
 
 #include <cmath>
@@ -376,24 +376,30 @@ void random_runs(Engine &e, const sepax_design &design) {
 }
 
 void mesh_run(Engine &e, const sepax_design &design) {
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   sepax_error error;
   Scene scene;
   for (int i = 0; i < 2; i++) {
-    if (!sepax_stl_read(&mesh[i], options.meshes[(size_t)i], &error)) {
+    if (!sepax_stl_read(&mesh[i], options.meshes[(size_t)i], false, &error)) {
       fail(error.text);
     }
   }
-  const sepax_mesh *const both[2] = {&mesh[0], &mesh[1]};
+  sepax_mesh view[2] = {};
+  for (int i = 0; i < 2; i++) {
+    view[i].size = sizeof view[i];
+    view[i].vertex = mesh[i].facet;
+    view[i].triangles = mesh[i].count;
+  }
+  const sepax_mesh *const both[2] = {&view[0], &view[1]};
   sepax_grid grid = {};
   grid.resolution = options.resolution;
   grid.word = design.config.word;
   bool ok = grid.resolution > 0 || sepax_grid_fit(&grid, both, 2, grid.word, &error);
   for (int i = 0; i < 2 && ok; i++) {
     std::vector<sepax_tri> tri(mesh[i].count);
-    ok = sepax_quantise(&mesh[i], &grid, tri.data(), nullptr, &error) &&
+    ok = sepax_quantise(&view[i], &grid, tri.data(), &error) &&
          sepax_tree_new(&scene.tree[i], tri.data(), tri.size(), &grid, &error);
-    sepax_mesh_free(&mesh[i]);
+    sepax_soup_free(&mesh[i]);
   }
   if (!ok) {
     fail(error.text);

@@ -2,8 +2,9 @@
  *   refine IN.stl COUNT OUT.stl
  * The longest edge is bisected, in all triangles that have it, until there are COUNT triangles or
  * a few more. Vertices of equal coordinates are one, so a mesh stays closed. */
-#include "sepax.h"
+#include "sepax_models.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -167,7 +168,7 @@ static int corner_at(const float p[3]) {
 }
 
 /* Of so many triangles; an edge that is bisected adds one at least. */
-static void load(const sepax_mesh *mesh, size_t count) {
+static void load(const sepax_soup *mesh, size_t count) {
   size_t most = count + mesh->count; /* the last edge may have many */
   m.corner = space(3 * mesh->count + count, sizeof *m.corner);
   m.triangle = space(most, sizeof *m.triangle);
@@ -194,7 +195,7 @@ static void load(const sepax_mesh *mesh, size_t count) {
   }
 }
 
-static void store(sepax_mesh *mesh) {
+static void store(sepax_soup *mesh) {
   mesh->count = (size_t)m.triangles;
   mesh->facet = space(mesh->count, sizeof *mesh->facet);
   for (size_t t = 0; t < mesh->count; t++) {
@@ -208,17 +209,17 @@ static void store(sepax_mesh *mesh) {
 
 int main(int argc, char **argv) {
   sepax_error error = {0};
-  sepax_mesh mesh;
+  sepax_soup mesh;
   char *end = NULL;
   long count = argc == 4 ? strtol(argv[2], &end, 10) : 0;
   if (argc != 4 || *end != '\0' || count < 1 || count > 50000000) {
     stop("usage: refine IN.stl COUNT OUT.stl");
   }
-  if (!sepax_stl_read(&mesh, argv[1], &error)) {
+  if (!sepax_stl_read(&mesh, argv[1], false, &error)) {
     stop(error.text);
   }
   load(&mesh, (size_t)count);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   while (m.triangles < count) {
     bisect(pop());
   }
@@ -227,7 +228,7 @@ int main(int argc, char **argv) {
     stop(error.text);
   }
   printf("%s: %zu triangles\n", argv[3], mesh.count);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   free(m.corner);
   free(m.triangle);
   free(m.next);

@@ -48,13 +48,14 @@ struct Quantised {
   sepax_grid grid;
   std::vector<sepax_tri> tri[2];
 
-  Quantised(const sepax_mesh mesh[2], double resolution)
+  Quantised(const sepax_soup mesh[2], double resolution)
       : grid{resolution, {0, 0, 0}, sepax_config_default().word} {
-    const sepax_mesh *both[2] = {&mesh[0], &mesh[1]};
+    const sepax_mesh view[2] = {mesh_of(mesh[0]), mesh_of(mesh[1])};
+    const sepax_mesh *both[2] = {&view[0], &view[1]};
     stop_unless(resolution > 0 || sepax_grid_fit(&grid, both, 2, grid.word, &failure));
     for (int i = 0; i < 2; i++) {
       tri[i].resize(mesh[i].count);
-      stop_unless(sepax_quantise(&mesh[i], &grid, tri[i].data(), nullptr, &failure));
+      stop_unless(sepax_quantise(&view[i], &grid, tri[i].data(), &failure));
     }
   }
 };
@@ -68,7 +69,7 @@ sepax_tree *tree_of(const Quantised &body, int i) {
 /* The trees that the engine reads, by the walk of the golden model or by a fast one. */
 class Walk : public Peer {
 public:
-  Walk(const sepax_mesh mesh[2], double resolution) {
+  Walk(const sepax_soup mesh[2], double resolution) {
     sepax_config config = sepax_config_default();
     stop_unless(sepax_config_parse(&config, "--tree=on", &failure) &&
                 sepax_design_init(&design, &config, &failure));
@@ -201,7 +202,7 @@ void stay_on_one_core() {
   sched_setaffinity(0, sizeof set, &set);
 }
 
-void report_trees(const char *name, const sepax_mesh mesh[2], double resolution) {
+void report_trees(const char *name, const sepax_soup mesh[2], double resolution) {
   const Quantised body(mesh, resolution);
   for (int i = 0; i < 2; i++) {
     const double count = double(mesh[i].count);
@@ -219,7 +220,7 @@ void report_trees(const char *name, const sepax_mesh mesh[2], double resolution)
   }
 }
 
-void report_poses(const char *name, const sepax_mesh mesh[2], double resolution,
+void report_poses(const char *name, const sepax_soup mesh[2], double resolution,
                   const char *poses_path, const char *log_path) {
   sepax_poses poses;
   stop_unless(sepax_poses_read(&poses, poses_path, &failure));
@@ -257,16 +258,16 @@ int main(int argc, char **argv) {
     stop("usage: bench_tree NAME RESOLUTION A.stl B.stl [POSES LOG]");
   }
   stay_on_one_core();
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   for (int i = 0; i < 2; i++) {
-    stop_unless(sepax_stl_read(&mesh[i], argv[3 + i], &failure));
+    stop_unless(sepax_stl_read(&mesh[i], argv[3 + i], false, &failure));
   }
   if (argc == 5) {
     report_trees(argv[1], mesh, atof(argv[2]));
   } else {
     report_poses(argv[1], mesh, atof(argv[2]), argv[5], argv[6]);
   }
-  sepax_mesh_free(&mesh[0]);
-  sepax_mesh_free(&mesh[1]);
+  sepax_soup_free(&mesh[0]);
+  sepax_soup_free(&mesh[1]);
   return 0;
 }

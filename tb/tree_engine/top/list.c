@@ -2,6 +2,7 @@
  * compared with the golden model; a table by the names of the bodies. */
 #include "bench.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,7 @@
 /* meshes.c - two bodies, STL or files of sepax tree, in the poses of a file through the engine. */
 #include "bench.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,14 +10,14 @@ static bool is_tree(const char *path) {
   return length > 4 && strcmp(path + length - 4, ".sxt") == 0;
 }
 
-static sepax_tree *build(const sepax_grid *grid, const sepax_mesh *mesh, const char *path) {
+static sepax_tree *build(const sepax_grid *grid, const sepax_soup *mesh, const char *path) {
   sepax_error error = {0};
   sepax_tree *tree = NULL;
   sepax_tri *tri = malloc((mesh->count + 1) * sizeof *tri);
   if (tri == NULL) {
     stop("out of memory");
   }
-  stop_at(!sepax_quantise(mesh, grid, tri, NULL, &error) ||
+  stop_at(!sepax_quantise(SEPAX_SOUP_MESH(mesh), grid, tri, &error) ||
               !sepax_tree_new(&tree, tri, mesh->count, grid, &error),
           path, error.text);
   free(tri);
@@ -26,7 +27,8 @@ static sepax_tree *build(const sepax_grid *grid, const sepax_mesh *mesh, const c
 /* Both bodies; STL files on one grid, that of the other body's tree if that is one. */
 static void load_both(sepax_tree *tree[2], const char *const path[2], double resolution) {
   sepax_error error = {0};
-  sepax_mesh mesh[2] = {{0}, {0}};
+  sepax_soup mesh[2] = {{0}, {0}};
+  sepax_mesh view[2];
   const sepax_mesh *read[2];
   size_t meshes = 0;
   sepax_grid grid = {resolution, {0, 0, 0}, SEPAX_WORD};
@@ -40,8 +42,9 @@ static void load_both(sepax_tree *tree[2], const char *const path[2], double res
               "its resolution is not that of the other tree; make both with one");
       grid = own;
     } else {
-      stop_on(!sepax_stl_read(&mesh[i], path[i], &error), error.text);
-      read[meshes++] = &mesh[i];
+      stop_on(!sepax_stl_read(&mesh[i], path[i], false, &error), error.text);
+      view[i] = *SEPAX_SOUP_MESH(&mesh[i]);
+      read[meshes++] = &view[i];
     }
   }
   stop_on(grid.resolution <= 0 && !sepax_grid_fit(&grid, read, meshes, SEPAX_WORD, &error),
@@ -49,7 +52,7 @@ static void load_both(sepax_tree *tree[2], const char *const path[2], double res
   for (int i = 0; i < 2; i++) {
     if (!is_tree(path[i])) {
       tree[i] = build(&grid, &mesh[i], path[i]);
-      sepax_mesh_free(&mesh[i]);
+      sepax_soup_free(&mesh[i]);
     }
   }
 }

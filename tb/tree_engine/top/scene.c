@@ -5,6 +5,7 @@
 #include "sepax_vectors.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,16 +29,16 @@ static const double lsb = 0.004; /* mm */
 
 static sepax_tree *tree_of(const part *p, const sepax_grid *grid) {
   sepax_error error = {0};
-  sepax_mesh mesh;
+  sepax_soup mesh;
   stop_on(!sepax_sample(&mesh, p->shape, p->triangles, p->at, p->size, &error), error.text);
   sepax_tri *tri = malloc(mesh.count * sizeof *tri);
   stop_on(tri == NULL, "out of memory");
   sepax_tree *tree = NULL;
-  stop_on(!sepax_quantise(&mesh, grid, tri, NULL, &error) ||
+  stop_on(!sepax_quantise(SEPAX_SOUP_MESH(&mesh), grid, tri, &error) ||
               !sepax_tree_new(&tree, tri, mesh.count, grid, &error),
           error.text);
   free(tri);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   return tree;
 }
 

@@ -97,13 +97,17 @@ CASE(wide_exponents) {
 /* ------------------------------------------------------------------------ bodies */
 
 /* A search done once finds the pairs in `hit`, in order. */
-static void assert_found_once(const sepax_mesh m[2], const sepax_pose *pa, const sepax_pose *pb,
+static void assert_found_once(const sepax_soup m[2], const sepax_pose *pa, const sepax_pose *pb,
                               sepax_simd simd_taken, const bool *hit) {
   for (int kind = 0; kind < 3; kind++) {
-    sepax_search how = {.simd = simd_taken, .threads = 1 + kind % 2, .brute_force = kind == 2};
+    sepax_search how = {.size = sizeof(sepax_search),
+                        .simd = simd_taken,
+                        .threads = 1 + kind % 2,
+                        .brute_force = kind == 2};
     sepax_pairs found;
     size_t n = 0;
-    assert_works(sepax_meshes_collide(&m[0], pa, &m[1], pb, &how, &found, &fault));
+    assert_works(sepax_meshes_collide(SEPAX_SOUP_MESH(&m[0]), pa, SEPAX_SOUP_MESH(&m[1]), pb, &how,
+                                      &found, &fault));
     for (size_t k = 0; k < m[0].count * m[1].count; k++) {
       if (hit[k]) {
         assert_true(n < found.count);
@@ -116,10 +120,10 @@ static void assert_found_once(const sepax_mesh m[2], const sepax_pose *pa, const
   }
 }
 
-static size_t assert_all_pairs(const sepax_mesh m[2], sepax_body *body[2], const sepax_pose *pa,
+static size_t assert_all_pairs(const sepax_soup m[2], sepax_body *body[2], const sepax_pose *pa,
                                const sepax_pose *pb, sepax_simd simd_taken) {
   bool *hit = calloc(m[0].count * m[1].count, 1);
-  sepax_query query = {.simd = simd_taken};
+  sepax_query query = {.size = sizeof(sepax_query), .simd = simd_taken};
   sepax_pairs found;
   size_t expected = 0;
   assert_non_null(hit);
@@ -143,7 +147,7 @@ static size_t assert_all_pairs(const sepax_mesh m[2], sepax_body *body[2], const
     assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
     assert_int_equal(found.count, expected < most ? expected : most);
   }
-  query = (sepax_query){.only_any = true, .simd = simd_taken};
+  query = SEPAX_STRUCT(sepax_query, .only_any = true, .simd = simd_taken);
   sepax_pairs_free(&found);
   assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
   assert_int_equal(found.count, expected > 0);
@@ -157,11 +161,11 @@ CASE(all_pairs_of_bodies) {
   size_t collisions = 0;
   for (int n = 0; n < FEWER(40); n++) {
     double step = n % 2 == 0 ? 0.125 : 0;
-    sepax_mesh m[2] = {strewn(1 + (size_t)random_below(150), 0.6, step),
+    sepax_soup m[2] = {strewn(1 + (size_t)random_below(150), 0.6, step),
                        strewn(1 + (size_t)random_below(150), 0.3, step)};
     sepax_body *body[2];
     for (int k = 0; k < 2; k++) {
-      assert_works(sepax_body_new(&body[k], &m[k], &fault));
+      assert_works(sepax_body_new(&body[k], SEPAX_SOUP_MESH(&m[k]), NULL, &fault));
       assert_int_equal(sepax_body_triangles(body[k]), m[k].count);
     }
     sepax_pose pa = random_pose(0.25);
@@ -171,7 +175,7 @@ CASE(all_pairs_of_bodies) {
     collisions += assert_all_pairs(m, body, &pa, NULL, SEPAX_SIMD_PORTABLE);
     for (int k = 0; k < 2; k++) {
       sepax_body_free(body[k]);
-      sepax_mesh_free(&m[k]);
+      sepax_soup_free(&m[k]);
     }
   }
   assert_true(collisions > FEWER(1000));
@@ -179,10 +183,10 @@ CASE(all_pairs_of_bodies) {
 
 /* Poses that turn or move nothing, or along one axis alone. */
 CASE(poses_that_move_little) {
-  sepax_mesh m[2] = {strewn(24, 0.9, 0.125), strewn(24, 0.6, 0.125)};
+  sepax_soup m[2] = {strewn(24, 0.9, 0.125), strewn(24, 0.6, 0.125)};
   sepax_body *body[2];
   for (int k = 0; k < 2; k++) {
-    assert_works(sepax_body_new(&body[k], &m[k], &fault));
+    assert_works(sepax_body_new(&body[k], SEPAX_SOUP_MESH(&m[k]), NULL, &fault));
   }
   for (int n = 0; n < 15; n++) {
     sepax_pose pose = turned(1, n == 7 ? 1 : 0, n == 8 ? 1 : 0, n == 9 ? 1 : 0);
@@ -200,14 +204,14 @@ CASE(poses_that_move_little) {
   }
   for (int k = 0; k < 2; k++) {
     sepax_body_free(body[k]);
-    sepax_mesh_free(&m[k]);
+    sepax_soup_free(&m[k]);
   }
 }
 
 static void assert_posed_bodies(const points t[2], sepax_body *const body[2], const sepax_pose *pa,
                                 const sepax_pose *pb, sepax_simd simd_taken) {
   sepax_pairs found;
-  sepax_query query = {.simd = simd_taken};
+  sepax_query query = {.size = sizeof(sepax_query), .simd = simd_taken};
   assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
   assert_int_equal(found.count, sepax_exact_posed(t[0], pa, t[1], pb).collision);
   sepax_pairs_free(&found);
@@ -217,14 +221,15 @@ static void assert_posed_bodies(const points t[2], sepax_body *const body[2], co
 CASE(touching_bodies) {
   sepax_random random = {5};
   for (size_t n = 0; n < FEWER(20000); n++) {
-    sepax_facet facet[2] = {{{{0}}, {0}}, {{{0}}, {0}}};
+    sepax_facet facet[2] = {{{{0}}}, {{{0}}}};
     points t[2];
     sepax_body *body[2];
     double tiny = ldexp(0.1, -340 - random_below(60)); /* its cube is less than any normal number */
     draw_pair(t, n, n % 3 == 0 ? 0.1 : n % 3 == 1 ? tiny : 0.25, &random);
     for (int k = 0; k < 2; k++) {
       memcpy(facet[k].v, t[k], sizeof t[k]);
-      assert_works(sepax_body_new(&body[k], &(sepax_mesh){&facet[k], 1}, &fault));
+      assert_works(sepax_body_new(
+          &body[k], &SEPAX_STRUCT(sepax_mesh, .vertex = &facet[k], .triangles = 1), NULL, &fault));
     }
     sepax_pose p = random_pose(1);
     const sepax_simd paths[] = {SEPAX_SIMD_PORTABLE, SEPAX_SIMD_AVX2, SEPAX_SIMD_BEST};
@@ -234,9 +239,10 @@ CASE(touching_bodies) {
     assert_posed_bodies(t, body, NULL, NULL, simd_taken);
     if (n % 16 == 0) {
       sepax_pairs found;
-      assert_works(sepax_meshes_collide(&(sepax_mesh){&facet[0], 1}, &p,
-                                        &(sepax_mesh){&facet[1], 1}, n % 32 == 0 ? &p : NULL, NULL,
-                                        &found, &fault));
+      assert_works(
+          sepax_meshes_collide(&SEPAX_STRUCT(sepax_mesh, .vertex = &facet[0], .triangles = 1), &p,
+                               &SEPAX_STRUCT(sepax_mesh, .vertex = &facet[1], .triangles = 1),
+                               n % 32 == 0 ? &p : NULL, NULL, &found, &fault));
       assert_int_equal(found.count,
                        sepax_exact_posed(t[0], &p, t[1], n % 32 == 0 ? &p : NULL).collision);
       sepax_pairs_free(&found);
@@ -254,7 +260,7 @@ CASE(bodies_on_a_line) {
     double along[3] = {random_below(7) - 3, random_below(7) - 3, random_below(7) - 3};
     double gap = n % 2 == 0 ? 0 : 0x1p-24;
     for (int k = 0; k < 2; k++) {
-      sepax_facet facet = {{{0}}, {0}};
+      sepax_facet facet = {{{0}}};
       int first = random_below(3);
       for (int v = 0; v < 3; v++) {
         double at = v == first ? 0 : random_below(16);
@@ -263,7 +269,8 @@ CASE(bodies_on_a_line) {
           t[k][v][i] = facet.v[v][i] = at * along[i];
         }
       }
-      assert_works(sepax_body_new(&body[k], &(sepax_mesh){&facet, 1}, &fault));
+      assert_works(sepax_body_new(
+          &body[k], &SEPAX_STRUCT(sepax_mesh, .vertex = &facet, .triangles = 1), NULL, &fault));
     }
     bool point = fabs(along[0]) + fabs(along[1]) + fabs(along[2]) < 1;
     assert_int_equal(sepax_exact_posed(t[0], NULL, t[1], NULL).collision, n % 2 == 0 || point);
@@ -298,47 +305,47 @@ static bool is_among(const sepax_pairs *pairs, const size_t pair[2]) {
 }
 
 CASE(limits_of_a_search) {
-  sepax_mesh m[2] = {strewn(300, 0.5, 0), strewn(300, 0.5, 0)};
+  sepax_soup m[2] = {strewn(300, 0.5, 0), strewn(300, 0.5, 0)};
   sepax_body *body[2];
   for (int k = 0; k < 2; k++) {
-    assert_works(sepax_body_new(&body[k], &m[k], &fault));
+    assert_works(sepax_body_new(&body[k], SEPAX_SOUP_MESH(&m[k]), NULL, &fault));
   }
-  sepax_pairs all = search_of(body, (sepax_query){0});
+  sepax_pairs all = search_of(body, SEPAX_STRUCT(sepax_query));
   assert_true(all.count > 100);
   assert_false(all.ended);
-  sepax_pairs some = search_of(body, (sepax_query){.most = 7});
+  sepax_pairs some = search_of(body, SEPAX_STRUCT(sepax_query, .most = 7));
   assert_int_equal(some.count, 7);
   assert_true(some.ended);
   for (size_t k = 0; k < some.count; k++) {
     assert_true(is_among(&all, some.pair[k]));
   }
   counter c = {0, SIZE_MAX};
-  sepax_pairs told = search_of(body, (sepax_query){.each = count_pair, .context = &c});
+  sepax_pairs told = search_of(body, SEPAX_STRUCT(sepax_query, .each = count_pair, .context = &c));
   assert_int_equal(c.calls, all.count);
   assert_false(told.ended);
   assert_null(told.pair);
   c = (counter){0, 5};
-  told = search_of(body, (sepax_query){.each = count_pair, .context = &c});
+  told = search_of(body, SEPAX_STRUCT(sepax_query, .each = count_pair, .context = &c));
   assert_int_equal(c.calls, 5);
   assert_true(told.ended);
-  sepax_pairs hurried = search_of(body, (sepax_query){.seconds = 1e-12});
+  sepax_pairs hurried = search_of(body, SEPAX_STRUCT(sepax_query, .seconds = 1e-12));
   assert_int_equal(hurried.count, 0);
   assert_true(hurried.ended);
-  sepax_pairs patient = search_of(body, (sepax_query){.seconds = 1e6});
+  sepax_pairs patient = search_of(body, SEPAX_STRUCT(sepax_query, .seconds = 1e6));
   assert_int_equal(patient.count, all.count);
   sepax_pairs_free(&all);
   sepax_pairs_free(&some);
   sepax_pairs_free(&patient);
   for (int k = 0; k < 2; k++) {
     sepax_body_free(body[k]);
-    sepax_mesh_free(&m[k]);
+    sepax_soup_free(&m[k]);
   }
 }
 
 /* Sizes, places and distances so different that single precision overflows, or sees nothing. */
 CASE(bodies_of_any_size) {
   for (int n = 0; n < FEWER(300); n++) {
-    sepax_mesh m[2];
+    sepax_soup m[2];
     sepax_body *body[2];
     double away[3];
     int middle = random_below(1500) - 750;
@@ -352,7 +359,7 @@ CASE(bodies_of_any_size) {
         double *x = &m[k].facet[i / 9].v[i % 9 / 3][i % 3];
         *x = size * *x + ldexp(away[i % 3], middle);
       }
-      assert_works(sepax_body_new(&body[k], &m[k], &fault));
+      assert_works(sepax_body_new(&body[k], SEPAX_SOUP_MESH(&m[k]), NULL, &fault));
     }
     sepax_pose pose = random_pose(n % 5 == 0 ? ldexp(1, middle + random_below(80) - 40) : 0);
     for (int i = 0; i < 9; i++) {
@@ -363,7 +370,7 @@ CASE(bodies_of_any_size) {
     assert_all_pairs(m, body, &pose, &pose, SEPAX_SIMD_PORTABLE);
     for (int k = 0; k < 2; k++) {
       sepax_body_free(body[k]);
-      sepax_mesh_free(&m[k]);
+      sepax_soup_free(&m[k]);
     }
   }
 }
@@ -371,7 +378,7 @@ CASE(bodies_of_any_size) {
 /* A pose may stretch by a millionth: the corner of B is A's then. */
 CASE(stretched_into_contact) {
   const double k = 1.0000004;
-  sepax_mesh m[2] = {strewn(1, 1, 0), strewn(1, 1, 0)};
+  sepax_soup m[2] = {strewn(1, 1, 0), strewn(1, 1, 0)};
   sepax_body *body[2];
   const double a[3][3] = {{k, k, k}, {3, 3, 3}, {3, k, k}};
   const double b[3][3] = {{-1, -1, -1}, {1, 1, 1}, {-1, 1, 1}};
@@ -380,22 +387,23 @@ CASE(stretched_into_contact) {
   memcpy(m[0].facet[0].v, a, sizeof a);
   memcpy(m[1].facet[0].v, b, sizeof b);
   for (int n = 0; n < 2; n++) {
-    assert_works(sepax_body_new(&body[n], &m[n], &fault));
+    assert_works(sepax_body_new(&body[n], SEPAX_SOUP_MESH(&m[n]), NULL, &fault));
   }
   assert_works(sepax_bodies_collide(body[0], NULL, body[1], &pose, NULL, &found, &fault));
   assert_int_equal(found.count, 1);
   sepax_pairs_free(&found);
   for (int n = 0; n < 2; n++) {
     sepax_body_free(body[n]);
-    sepax_mesh_free(&m[n]);
+    sepax_soup_free(&m[n]);
   }
 }
 
 /* All that take poses and limits refuse what is none. */
-static void assert_question_refused(const sepax_mesh *mesh, const sepax_body *body,
+static void assert_question_refused(const sepax_soup *mesh, const sepax_body *body,
                                     const sepax_pose *pose, double seconds, const char *part) {
-  const sepax_query query = {.seconds = seconds};
-  const sepax_distance_request request = {.seconds = seconds};
+  const sepax_query query = {.size = sizeof(sepax_query), .seconds = seconds};
+  const sepax_distance_request request = {.size = sizeof(sepax_distance_request),
+                                          .seconds = seconds};
   sepax_distance_result distance;
   sepax_pairs found;
   for (int k = 0; k < 2; k++) {
@@ -409,7 +417,9 @@ static void assert_question_refused(const sepax_mesh *mesh, const sepax_body *bo
       sepax_shell shell;
       sepax_inside within[2];
       assert_works(sepax_shell_find(&shell, body, &fault));
-      assert_fault(sepax_meshes_collide(mesh, a, mesh, b, NULL, &found, &fault), part);
+      assert_fault(sepax_meshes_collide(SEPAX_SOUP_MESH(mesh), a, SEPAX_SOUP_MESH(mesh), b, NULL,
+                                        &found, &fault),
+                   part);
       assert_fault(sepax_bodies_within(&shell, a, &shell, b, within, &fault), part);
       sepax_shell_free(&shell);
     }
@@ -418,9 +428,9 @@ static void assert_question_refused(const sepax_mesh *mesh, const sepax_body *bo
 
 CASE(questions_refused) {
   const sepax_pose still = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
-  sepax_mesh mesh = strewn(5, 1, 0);
+  sepax_soup mesh = strewn(5, 1, 0);
   sepax_body *body;
-  assert_works(sepax_body_new(&body, &mesh, &fault));
+  assert_works(sepax_body_new(&body, SEPAX_SOUP_MESH(&mesh), NULL, &fault));
   sepax_pose pose = still;
   pose.translation[1] = NAN;
   assert_question_refused(&mesh, body, &pose, 0, "finite");
@@ -430,7 +440,7 @@ CASE(questions_refused) {
   assert_question_refused(&mesh, body, NULL, -1, "seconds");
   assert_question_refused(&mesh, body, NULL, NAN, "seconds");
   sepax_body_free(body);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 /* Of every coordinate. */
@@ -438,13 +448,16 @@ CASE(meshes_refused) {
   static const double wrong[] = {NAN, INFINITY, -0x1p1001};
   for (int k = 0; k < 36; k++) {
     sepax_facet facet[2][2] = {{{.v = {{0}}}}, {{.v = {{0}}}}};
-    const sepax_mesh m[2] = {{facet[0], 2}, {facet[1], 2}};
+    const sepax_soup m[2] = {{.facet = facet[0], .count = 2}, {.facet = facet[1], .count = 2}};
     sepax_pairs found;
     double *x = &facet[k / 18][k / 9 % 2].v[k / 3 % 3][k % 3];
     *x = wrong[k % 4 % 3];
-    assert_fault(sepax_meshes_collide(&m[0], NULL, &m[1], NULL, NULL, &found, &fault), "2^1000");
+    assert_fault(sepax_meshes_collide(SEPAX_SOUP_MESH(&m[0]), NULL, SEPAX_SOUP_MESH(&m[1]), NULL,
+                                      NULL, &found, &fault),
+                 "2^1000");
     *x = 0;
-    assert_works(sepax_meshes_collide(&m[0], NULL, &m[1], NULL, NULL, &found, &fault));
+    assert_works(sepax_meshes_collide(SEPAX_SOUP_MESH(&m[0]), NULL, SEPAX_SOUP_MESH(&m[1]), NULL,
+                                      NULL, &found, &fault));
     assert_int_equal(found.count, 4);
     sepax_pairs_free(&found);
   }
@@ -453,15 +466,18 @@ CASE(meshes_refused) {
 CASE(bodies_refused) {
   sepax_body *body;
   sepax_pairs found;
-  sepax_mesh none = {NULL, 0};
-  assert_fault(sepax_body_new(&body, &none, &fault), "triangles");
-  sepax_mesh mesh = strewn(5, 1, 0);
+  sepax_soup none = {.facet = NULL, .count = 0};
+  assert_fault(sepax_body_new(&body, SEPAX_SOUP_MESH(&none), NULL, &fault), "triangles");
+  sepax_soup mesh = strewn(5, 1, 0);
   mesh.facet[3].v[1][2] = NAN;
-  assert_fault(sepax_body_new(&body, &mesh, &fault), "facet 3");
+  assert_fault(sepax_body_new(&body, SEPAX_SOUP_MESH(&mesh), NULL, &fault), "facet 3");
   mesh.facet[3].v[1][2] = 1e305;
-  assert_fault(sepax_body_new(&body, &mesh, &fault), "facet 3");
-  assert_fault(sepax_meshes_collide(&mesh, NULL, &mesh, NULL, NULL, &found, &fault), "2^1000");
-  assert_works(sepax_meshes_collide(&none, NULL, &none, NULL, NULL, &found, &fault));
+  assert_fault(sepax_body_new(&body, SEPAX_SOUP_MESH(&mesh), NULL, &fault), "facet 3");
+  assert_fault(sepax_meshes_collide(SEPAX_SOUP_MESH(&mesh), NULL, SEPAX_SOUP_MESH(&mesh), NULL,
+                                    NULL, &found, &fault),
+               "2^1000");
+  assert_works(sepax_meshes_collide(SEPAX_SOUP_MESH(&none), NULL, SEPAX_SOUP_MESH(&none), NULL,
+                                    NULL, &found, &fault));
   assert_int_equal(found.count, 0);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }

@@ -226,21 +226,21 @@ CASE(less_than_a_double) {
 /* ------------------------------------------------------------------------ bodies */
 
 typedef struct {
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   sepax_body *body[2];
   const sepax_pose *pose[2];
 } scene;
 
 static void make_bodies(scene *s) {
   for (int k = 0; k < 2; k++) {
-    assert_works(sepax_body_new(&s->body[k], &s->mesh[k], &fault));
+    assert_works(sepax_body_new(&s->body[k], SEPAX_SOUP_MESH(&s->mesh[k]), NULL, &fault));
   }
 }
 
 static void free_scene(scene *s) {
   for (int k = 0; k < 2; k++) {
     sepax_body_free(s->body[k]);
-    sepax_mesh_free(&s->mesh[k]);
+    sepax_soup_free(&s->mesh[k]);
   }
 }
 
@@ -250,7 +250,8 @@ static double distance_of_pair(const scene *s, size_t i, size_t j) {
 }
 
 static sepax_distance_result find_distance(const scene *s, double limit, sepax_simd simd_taken) {
-  sepax_distance_request request = {.limit = limit, .simd = simd_taken};
+  sepax_distance_request request = {
+      .size = sizeof(sepax_distance_request), .limit = limit, .simd = simd_taken};
   sepax_distance_result r;
   assert_works(
       sepax_bodies_distance(s->body[0], s->pose[0], s->body[1], s->pose[1], &request, &r, &fault));
@@ -265,7 +266,7 @@ static void assert_last(const scene *s, const sepax_distance_result *expected) {
     sepax_pose p = random_pose(3);
     scene moved = *s;
     moved.pose[1] = &p;
-    sepax_distance_request request = {.last = &last};
+    sepax_distance_request request = {.size = sizeof(sepax_distance_request), .last = &last};
     assert_works(sepax_bodies_distance(s->body[0], s->pose[0], s->body[1], s->pose[1], &request, &r,
                                        &fault));
     assert_true(r.min_distance >= stepped(expected->min_distance, -1));
@@ -347,7 +348,7 @@ CASE(distances_of_bodies) {
     make_bodies(&s);
     double least = assert_least(&s, way);
     separated += least > 0;
-    assert_near(&s, random_below(2) == 0 ? least : 0.5, &(sepax_query){.simd = way});
+    assert_near(&s, random_below(2) == 0 ? least : 0.5, &SEPAX_STRUCT(sepax_query, .simd = way));
     free_scene(&s);
   }
   assert_true(separated > 20);
@@ -361,8 +362,8 @@ CASE(ties) {
     s.pose[1] = n % 2 == 0 ? &aside : NULL;
     make_bodies(&s);
     assert_least(&s, SEPAX_SIMD_BEST);
-    assert_near(&s, 0.25, &(sepax_query){.strict = n % 4 >= 2});
-    assert_near(&s, 0, &(sepax_query){0});
+    assert_near(&s, 0.25, &SEPAX_STRUCT(sepax_query, .strict = n % 4 >= 2));
+    assert_near(&s, 0, &SEPAX_STRUCT(sepax_query));
     free_scene(&s);
   }
 }
@@ -401,7 +402,8 @@ CASE(limits_of_far_bodies) {
     double d = distance_of_pair(&s, 0, 0);
     double limit = stepped(d, 1);
     sepax_pairs found;
-    sepax_query query = {.simd = n % 2 == 0 ? SEPAX_SIMD_BEST : SEPAX_SIMD_PORTABLE};
+    sepax_query query = {.size = sizeof(sepax_query),
+                         .simd = n % 2 == 0 ? SEPAX_SIMD_BEST : SEPAX_SIMD_PORTABLE};
     assert_works(
         sepax_bodies_near(s.body[0], &p[0], s.body[1], &p[1], limit, &query, &found, &fault));
     assert_int_equal(found.count, 1);
@@ -419,12 +421,13 @@ CASE(limits_of_time) {
   for (int hurried = 0; hurried < 2; hurried++) {
     double seconds = hurried != 0 ? 1e-12 : 1e6;
     assert_works(sepax_bodies_near(s.body[0], NULL, s.body[1], &away, 9,
-                                   &(sepax_query){.seconds = seconds}, &found, &fault));
+                                   &SEPAX_STRUCT(sepax_query, .seconds = seconds), &found, &fault));
     assert_int_equal(found.ended, hurried);
     assert_true(hurried != 0 || found.count > 100);
     sepax_pairs_free(&found);
     assert_works(sepax_bodies_distance(s.body[0], NULL, s.body[1], &away,
-                                       &(sepax_distance_request){.seconds = seconds}, &r, &fault));
+                                       &SEPAX_STRUCT(sepax_distance_request, .seconds = seconds),
+                                       &r, &fault));
     assert_int_equal(r.ended, hurried);
     assert_true(r.min_distance > (hurried != 0 ? 0 : 5));
   }
@@ -437,10 +440,12 @@ CASE(distances_refused) {
   sepax_pairs found;
   make_bodies(&s);
   assert_fault(sepax_bodies_distance(s.body[0], NULL, s.body[1], NULL,
-                                     &(sepax_distance_request){.limit = -1}, &r, &fault),
+                                     &SEPAX_STRUCT(sepax_distance_request, .limit = -1), &r,
+                                     &fault),
                "limit of -1");
   assert_fault(sepax_bodies_distance(s.body[0], NULL, s.body[1], NULL,
-                                     &(sepax_distance_request){.limit = NAN}, &r, &fault),
+                                     &SEPAX_STRUCT(sepax_distance_request, .limit = NAN), &r,
+                                     &fault),
                "limit");
   const sepax_distance_result bad[] = {{.min_distance = 1, .box = {0, 9}},
                                        {.min_distance = 1, .pair = {0, 1}},
@@ -449,7 +454,8 @@ CASE(distances_refused) {
                                        {.min_distance = NAN},
                                        {.min_distance = -1}};
   for (size_t i = 0; i < LENGTH(bad); i++) {
-    const sepax_distance_request request = {.last = &bad[i]};
+    const sepax_distance_request request = {.size = sizeof(sepax_distance_request),
+                                            .last = &bad[i]};
     assert_fault(sepax_bodies_distance(s.body[0], NULL, s.body[1], NULL, &request, &r, &fault),
                  "not one of these bodies");
   }

@@ -3,7 +3,7 @@
 #define DRAWS_H
 
 #include "harness.h"
-#include "sepax.h"
+#include "sepax_models.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -28,8 +28,8 @@ static inline sepax_pose turned_and_moved(double away) {
 }
 
 /* Triangles of some size strewn in a cube; every tenth has no area. */
-static inline sepax_mesh strewn(size_t count, double size, double step) {
-  sepax_mesh mesh = {calloc(count, sizeof(sepax_facet)), count};
+static inline sepax_soup strewn(size_t count, double size, double step) {
+  sepax_soup mesh = {.facet = calloc(count, sizeof(sepax_facet)), .count = count};
   assert_non_null(mesh.facet);
   for (size_t n = 0; n < count; n++) {
     for (int k = 0; k < 9; k++) {

@@ -53,10 +53,10 @@ static void local(const sepax_body *b, const double v[3], double r[3]) {
 static const double sides[][3] = {{1, 0.3, 0.05}, {0.2, 1, 0.5}, {0.1, 0.4, 1}, {1, 0.1, 0.02}};
 
 /* A cuboid in a pose. */
-static sepax_mesh cuboid(const double side[3], const sepax_pose *pose) {
+static sepax_soup cuboid(const double side[3], const sepax_pose *pose) {
   static const int quads[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                   {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-  sepax_mesh mesh = {calloc(12, sizeof(sepax_facet)), 12};
+  sepax_soup mesh = {.facet = calloc(12, sizeof(sepax_facet)), .count = 12};
   assert_non_null(mesh.facet);
   for (int n = 0; n < 36; n++) {
     int corner = quads[n / 6][n % 6 < 3 ? n % 3 : (n % 3 + 2) % 4];
@@ -76,9 +76,9 @@ CASE(a_cuboid_has_its_own_box) {
   for (int n = 0; n < TURNS; n++) {
     const double *side = sides[n % (int)LENGTH(sides)];
     sepax_pose pose = n < 4 ? turned(1, 0, 0, 0) : turned_and_moved(3);
-    sepax_mesh mesh = cuboid(side, &pose);
+    sepax_soup mesh = cuboid(side, &pose);
     sepax_body *b;
-    assert_works(sepax_body_new(&b, &mesh, &fault));
+    assert_works(sepax_body_new(&b, SEPAX_SOUP_MESH(&mesh), NULL, &fault));
     double half[3];
     double centre[3];
     local(b, pose.translation, centre);
@@ -87,7 +87,7 @@ CASE(a_cuboid_has_its_own_box) {
     }
     assert_box(&b->boxes[b->nodes], 0, half, centre);
     sepax_body_free(b);
-    sepax_mesh_free(&mesh);
+    sepax_soup_free(&mesh);
   }
 }
 
@@ -107,9 +107,9 @@ CASE(a_triangle_has_the_box_on_its_longest_edge) {
       facet[1].v[k / 3][i] =
           pose.rotation[i][0] * p[0] + pose.rotation[i][1] * p[1] + pose.translation[i];
     }
-    sepax_mesh mesh = {facet, 2};
+    sepax_soup mesh = {.facet = facet, .count = 2};
     sepax_body *b;
-    assert_works(sepax_body_new(&b, &mesh, &fault));
+    assert_works(sepax_body_new(&b, SEPAX_SOUP_MESH(&mesh), NULL, &fault));
     for (int lane = 0; lane < 2; lane++) {
       uint32_t place = b->node[0].child[lane] - BODY_TRIANGLE;
       if (b->number[place] == 0) { /* a point has a box, too */

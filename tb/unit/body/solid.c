@@ -7,9 +7,9 @@
 
 /* Nested closed parts, each given to one of the meshes; the numbers stay short, so that rays along
  * axes meet vertices and edges. */
-static void add_nest(sepax_mesh m[2], const double c[3], double r, int depth) {
+static void add_nest(sepax_soup m[2], const double c[3], double r, int depth) {
   for (; depth > 0; depth--) {
-    sepax_mesh *to = &m[random_below(2)];
+    sepax_soup *to = &m[random_below(2)];
     int kind = random_below(5);
     if (kind < 2) {
       add_box(to, c, r, 1 + random_below(2));
@@ -30,10 +30,10 @@ static void add_nest(sepax_mesh m[2], const double c[3], double r, int depth) {
   }
 }
 
-static void draw_meshes(sepax_mesh m[2]) {
+static void draw_meshes(sepax_soup m[2]) {
   do {
-    sepax_mesh_free(&m[0]);
-    sepax_mesh_free(&m[1]);
+    sepax_soup_free(&m[0]);
+    sepax_soup_free(&m[1]);
     for (int nests = 1 + random_below(2); nests > 0; nests--) {
       const double c[3] = {3 * nests, random_below(2), random_below(2)};
       add_nest(m, c, 1, 2 + random_below(4));
@@ -58,14 +58,14 @@ static void move(double v[3], const sepax_pose *p) {
 }
 
 /* Into its file, with rounding. */
-static void move_mesh(sepax_mesh *m, const sepax_pose *p) {
+static void move_mesh(sepax_soup *m, const sepax_pose *p) {
   for (size_t k = 0; m->facet != NULL && k < 3 * m->count; k++) {
     move(m->facet[k / 3].v[k % 3], p);
   }
 }
 
 static bool collide(sepax_body *body[2], const sepax_pose *pa, const sepax_pose *pb) {
-  sepax_query query = {.only_any = true};
+  sepax_query query = {.size = sizeof(sepax_query), .only_any = true};
   sepax_pairs found;
   assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
   return found.count > 0;
@@ -77,7 +77,7 @@ typedef struct {
   size_t free, within[2], colliding;
 } tally;
 
-static void assert_shell(const sepax_shell *shell, const oracle_shell *o, const sepax_mesh *m) {
+static void assert_shell(const sepax_shell *shell, const oracle_shell *o, const sepax_soup *m) {
   assert_int_equal(shell->closed, o->closed);
   assert_int_equal(shell->consistent, o->consistent);
   assert_int_equal(shell->parts, o->parts);
@@ -98,13 +98,13 @@ static void assert_shell(const sepax_shell *shell, const oracle_shell *o, const 
   }
 }
 
-static void assert_within(const sepax_mesh m[2], const sepax_pose *pa, const sepax_pose *pb,
+static void assert_within(const sepax_soup m[2], const sepax_pose *pa, const sepax_pose *pb,
                           tally *seen) {
   sepax_body *body[2];
   sepax_shell shell[2];
   oracle_shell expected[2];
   for (int k = 0; k < 2; k++) {
-    assert_works(sepax_body_new(&body[k], &m[k], &fault));
+    assert_works(sepax_body_new(&body[k], SEPAX_SOUP_MESH(&m[k]), NULL, &fault));
     assert_works(sepax_shell_find(&shell[k], body[k], &fault));
     find_oracle_shell(&expected[k], &m[k]);
     assert_shell(&shell[k], &expected[k], &m[k]);
@@ -118,7 +118,8 @@ static void assert_within(const sepax_mesh m[2], const sepax_pose *pa, const sep
     place(&s, m, (const sepax_pose *const[]){pa, pb});
     for (int i = 0; i < 2; i++) {
       if (expected[!i].closed) {
-        assert_int_equal(within[i], oracle_within(&s, i, &expected[!i]));
+        assert_int_equal(within[i],
+                         oracle_within(&s, i, &expected[!i]) ? SEPAX_INSIDE : SEPAX_OUTSIDE);
       } else {
         assert_may_be_within(within[i], &m[i], i == 0 ? pa : pb, &m[!i], i == 0 ? pb : pa);
       }
@@ -137,7 +138,7 @@ static void assert_within(const sepax_mesh m[2], const sepax_pose *pa, const sep
 
 CASE(nested) {
   tally seen = {0};
-  sepax_mesh m[2] = {{0}};
+  sepax_soup m[2] = {{0}};
   for (int n = 0; n < FEWER(40); n++) {
     draw_meshes(m);
     if (n % 3 == 0) { /* any triangle may be turned round */
@@ -164,8 +165,8 @@ CASE(nested) {
     sepax_pose away = turned_and_moved(0.01);
     assert_within(m, n % 2 == 0 ? NULL : &p, n % 2 == 0 ? &away : NULL, &seen);
   }
-  sepax_mesh_free(&m[0]);
-  sepax_mesh_free(&m[1]);
+  sepax_soup_free(&m[0]);
+  sepax_soup_free(&m[1]);
   print_message("%zu free, %zu %zu within, %zu colliding\n", seen.free, seen.within[0],
                 seen.within[1], seen.colliding);
   assert_true(seen.free > FEWER(20) && seen.within[0] > FEWER(20) && seen.within[1] > FEWER(20));
@@ -176,7 +177,7 @@ CASE(nested) {
 CASE(overlapping) {
   tally seen = {0};
   for (int n = 0; n < FEWER(120); n++) {
-    sepax_mesh m[2] = {{0}};
+    sepax_soup m[2] = {{0}};
     for (int boxes = 1 + random_below(4); boxes > 0; boxes--) {
       double low[3];
       double high[3];
@@ -201,8 +202,8 @@ CASE(overlapping) {
     }
     assert_within(m, NULL, NULL, &seen);
     assert_within(m, &p, &q, &seen);
-    sepax_mesh_free(&m[0]);
-    sepax_mesh_free(&m[1]);
+    sepax_soup_free(&m[0]);
+    sepax_soup_free(&m[1]);
   }
   print_message("%zu free, %zu %zu within, %zu colliding\n", seen.free, seen.within[0],
                 seen.within[1], seen.colliding);
@@ -210,16 +211,16 @@ CASE(overlapping) {
 }
 
 /* A small octahedron and what is asked of it, in a mesh that is then freed. */
-static void assert_small(sepax_mesh *stock, double x, double y, double z, bool closed,
+static void assert_small(sepax_soup *stock, double x, double y, double z, bool closed,
                          bool consistent, sepax_inside expected) {
   const double c[3] = {x, y, z};
-  sepax_mesh small = {0};
+  sepax_soup small = {0};
   sepax_body *body[2];
   sepax_shell shell[2];
   sepax_inside within[2] = {SEPAX_INSIDE, SEPAX_INSIDE};
   add_octahedron(&small, c, 0.125);
-  assert_works(sepax_body_new(&body[0], &small, &fault));
-  assert_works(sepax_body_new(&body[1], stock, &fault));
+  assert_works(sepax_body_new(&body[0], SEPAX_SOUP_MESH(&small), NULL, &fault));
+  assert_works(sepax_body_new(&body[1], SEPAX_SOUP_MESH(stock), NULL, &fault));
   for (int k = 0; k < 2; k++) {
     assert_works(sepax_shell_find(&shell[k], body[k], &fault));
   }
@@ -232,25 +233,25 @@ static void assert_small(sepax_mesh *stock, double x, double y, double z, bool c
     sepax_shell_free(&shell[k]);
     sepax_body_free(body[k]);
   }
-  sepax_mesh_free(&small);
+  sepax_soup_free(&small);
 }
 
 static const double corner[4][3] = {{0, 0, 0}, {2, 2, 2}, {1, -1, 0}, {3, 1, 2}};
 
 CASE(one_of_two_inside_out) {
   for (int which = 0; which < 4; which++) {
-    sepax_mesh m = {0};
+    sepax_soup m = {0};
     add_block(&m, corner[0], corner[1], (which & 1) != 0);
     add_block(&m, corner[2], corner[3], (which & 2) != 0);
     assert_small(&m, 1.5, 0.5, 1, true, true, SEPAX_INSIDE);  /* in both */
     assert_small(&m, 0.5, 1.5, 1, true, true, SEPAX_INSIDE);  /* in one */
     assert_small(&m, 2.5, 1.5, 1, true, true, SEPAX_OUTSIDE); /* beside */
-    sepax_mesh_free(&m);
+    sepax_soup_free(&m);
   }
 }
 
 CASE(two_triangles_turned) {
-  sepax_mesh m = {0};
+  sepax_soup m = {0};
   add_block(&m, corner[0], corner[1], false);
   for (int n = 0; n < 12; n++) {
     int k = random_below(12);
@@ -262,19 +263,19 @@ CASE(two_triangles_turned) {
     turn_round(&m.facet[n]);
     turn_round(&m.facet[k]);
   }
-  sepax_mesh_free(&m);
+  sepax_soup_free(&m);
 }
 
 CASE(cavity) {
   const double in[2][3] = {{0.5, 0.5, 0.5}, {1.5, 1.5, 1.5}};
-  sepax_mesh m = {0};
+  sepax_soup m = {0};
   add_block(&m, corner[0], corner[1], false);
   add_block(&m, in[0], in[1], false);
   assert_small(&m, 1, 1, 1, true, true, SEPAX_OUTSIDE);
   assert_small(&m, 0.25, 0.25, 0.25, true, true, SEPAX_INSIDE);
   m.count--; /* what is open has no inside */
   assert_small(&m, 0.25, 0.25, 0.25, false, true, SEPAX_INSIDE_UNKNOWN);
-  sepax_mesh_free(&m);
+  sepax_soup_free(&m);
 }
 
 /* Two blocks that overlap, a cavity in the first. */
@@ -282,7 +283,7 @@ CASE(cavity_in_a_piece) {
   const double first[2][3] = {{0, 0, 0}, {4, 4, 4}};
   const double second[2][3] = {{3, 1, 1}, {6, 5, 3}};
   const double hole[2][3] = {{1, 1, 1}, {2, 2, 2}};
-  sepax_mesh m = {0};
+  sepax_soup m = {0};
   add_block(&m, first[0], first[1], false);
   add_block(&m, hole[0], hole[1], false);
   add_block(&m, second[0], second[1], true);
@@ -290,22 +291,22 @@ CASE(cavity_in_a_piece) {
   assert_small(&m, 3.5, 2, 2, true, true, SEPAX_INSIDE);
   assert_small(&m, 5, 4.5, 2, true, true, SEPAX_INSIDE);
   assert_small(&m, 2.5, 2.5, 2.5, true, true, SEPAX_INSIDE);
-  sepax_mesh_free(&m);
+  sepax_soup_free(&m);
 }
 
 /* A part that touches another, in one point, is one piece with it. */
 CASE(touching_parts) {
   const double c[3] = {0.75, 1.25, 1.5};
-  sepax_mesh m = {0};
+  sepax_soup m = {0};
   add_block(&m, corner[0], corner[1], false);
   add_octahedron(&m, c, 0.5);
   assert_small(&m, 0.75, 1.25, 1.5, true, true, SEPAX_INSIDE);
-  sepax_mesh_free(&m);
+  sepax_soup_free(&m);
   const double lower[3] = {0.75, 1.25, 1.25};
   add_block(&m, corner[0], corner[1], false);
   add_octahedron(&m, lower, 0.5);
   assert_small(&m, 0.75, 1.25, 1.25, true, true, SEPAX_OUTSIDE);
-  sepax_mesh_free(&m);
+  sepax_soup_free(&m);
 }
 
 /* A vertex in the middle of an edge, exactly: in doubles, on either side of its triangles. */
@@ -313,7 +314,7 @@ CASE(vertex_on_an_edge) {
   const double far[3] = {9, 9, 9};
   tally seen = {0};
   for (int n = 0; n < FEWER(200); n++) {
-    sepax_mesh m[2] = {{0}};
+    sepax_soup m[2] = {{0}};
     double p[4][3];
     double t[3][3];
     for (int i = 0; i < 3; i++) {
@@ -331,8 +332,8 @@ CASE(vertex_on_an_edge) {
     add_triangle(&m[1], t[0], t[2], t[1]);
     add_octahedron(&m[0], far, 1);
     assert_within(m, NULL, NULL, &seen);
-    sepax_mesh_free(&m[0]);
-    sepax_mesh_free(&m[1]);
+    sepax_soup_free(&m[0]);
+    sepax_soup_free(&m[1]);
   }
 }
 
@@ -340,20 +341,20 @@ CASE(vertex_on_an_edge) {
 CASE(inconsistent_and_open) {
   const double p[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
   for (int way = 0; way < 2; way++) {
-    sepax_mesh m = {0};
+    sepax_soup m = {0};
     add_triangle(&m, p[way], p[!way], p[2]);
     add_triangle(&m, p[way], p[!way], p[3]);
     assert_small(&m, 5, 5, 5, false, false, SEPAX_OUTSIDE);
     turn_round(&m.facet[1]);
     assert_small(&m, 5, 5, 5, false, true, SEPAX_OUTSIDE);
-    sepax_mesh_free(&m);
+    sepax_soup_free(&m);
   }
 }
 
 /* An open tool in a closed stock is inside; the stock is not in the tool's box. */
 CASE(open_tool) {
-  sepax_mesh tool = {0};
-  sepax_mesh stock = {0};
+  sepax_soup tool = {0};
+  sepax_soup stock = {0};
   sepax_body *body[2];
   sepax_shell shell[2];
   sepax_inside within[2];
@@ -361,8 +362,8 @@ CASE(open_tool) {
   add_octahedron(&tool, c, 0.25);
   tool.count--;
   add_block(&stock, corner[0], corner[1], false);
-  assert_works(sepax_body_new(&body[0], &tool, &fault));
-  assert_works(sepax_body_new(&body[1], &stock, &fault));
+  assert_works(sepax_body_new(&body[0], SEPAX_SOUP_MESH(&tool), NULL, &fault));
+  assert_works(sepax_body_new(&body[1], SEPAX_SOUP_MESH(&stock), NULL, &fault));
   for (int k = 0; k < 2; k++) {
     assert_works(sepax_shell_find(&shell[k], body[k], &fault));
   }
@@ -377,13 +378,13 @@ CASE(open_tool) {
     sepax_shell_free(&shell[k]);
     sepax_body_free(body[k]);
   }
-  sepax_mesh_free(&tool);
-  sepax_mesh_free(&stock);
+  sepax_soup_free(&tool);
+  sepax_soup_free(&stock);
 }
 
 /* A cone of many triangles round one vertex, its rim with zeros of both signs. */
 CASE(many_at_a_vertex) {
-  sepax_mesh m = {0};
+  sepax_soup m = {0};
   const double top[3] = {0, 0, 1};
   const double bottom[3] = {-0.0, 0, -1};
   for (int n = 0; n < 100; n++) {
@@ -397,7 +398,7 @@ CASE(many_at_a_vertex) {
   assert_small(&m, 0.75, 0, 0.75, true, true, SEPAX_OUTSIDE);
   m.facet[17].v[1][2] = 1e-300;
   assert_small(&m, 0.75, 0, 0.75, false, true, SEPAX_INSIDE_UNKNOWN);
-  sepax_mesh_free(&m);
+  sepax_soup_free(&m);
 }
 
 /* The smallest and the largest bodies, far from the origin and in poses with any numbers. */
@@ -409,7 +410,7 @@ CASE(extremes) {
     double low[3];
     double high[3];
     double c[3];
-    sepax_mesh m[2] = {{0}};
+    sepax_soup m[2] = {{0}};
     for (int i = 0; i < 3; i++) {
       c[i] = size * (1 + random_below(5));
       low[i] = 0;
@@ -426,8 +427,8 @@ CASE(extremes) {
     assert_within(m, &p, NULL, &seen);
     assert_within(m, &far, &same, &seen);
     assert_within(m, &far, NULL, &seen);
-    sepax_mesh_free(&m[0]);
-    sepax_mesh_free(&m[1]);
+    sepax_soup_free(&m[0]);
+    sepax_soup_free(&m[1]);
   }
   assert_true(seen.within[0] > 20 && seen.free > 5);
 }
@@ -438,7 +439,7 @@ CASE(near_the_surface) {
   tally seen = {0};
   const double c[3] = {0.1, 0.2, 0.3};
   for (int n = 0; n < FEWER(400); n++) {
-    sepax_mesh m[2] = {{0}};
+    sepax_soup m[2] = {{0}};
     sepax_pose tilt = turned_and_moved(1);
     if (n % 2 == 0) {
       add_box(&m[1], c, 1, 1);
@@ -472,19 +473,19 @@ CASE(near_the_surface) {
     memcpy(m[0].facet[0].v[1], m[0].facet[0].v[0], sizeof p);
     memcpy(m[0].facet[0].v[2], m[0].facet[0].v[0], sizeof p);
     assert_within(m, &pose, NULL, &seen);
-    sepax_mesh_free(&m[0]);
-    sepax_mesh_free(&m[1]);
+    sepax_soup_free(&m[0]);
+    sepax_soup_free(&m[1]);
   }
   assert_true(seen.within[0] > FEWER(200) && seen.free > FEWER(200));
 }
 
 /* Triangles that are one point, each a part of its own, are one piece, and soon. */
 CASE(many_points) {
-  sepax_mesh m = {calloc(400000, sizeof *m.facet), 400000};
+  sepax_soup m = {.facet = calloc(400000, sizeof *m.facet), .count = 400000};
   assert_non_null(m.facet);
   sepax_body *body = NULL;
   sepax_shell shell;
-  assert_works(sepax_body_new(&body, &m, &fault));
+  assert_works(sepax_body_new(&body, SEPAX_SOUP_MESH(&m), NULL, &fault));
   clock_t start = clock();
   assert_works(sepax_shell_find(&shell, body, &fault));
   assert_true(clock() - start < 3 * CLOCKS_PER_SEC);
@@ -492,5 +493,5 @@ CASE(many_points) {
   assert_int_equal(shell.pieces, 1);
   sepax_shell_free(&shell);
   sepax_body_free(body);
-  sepax_mesh_free(&m);
+  sepax_soup_free(&m);
 }

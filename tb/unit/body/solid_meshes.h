@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static inline void add_triangle(sepax_mesh *m, const double p[3], const double q[3],
+static inline void add_triangle(sepax_soup *m, const double p[3], const double q[3],
                                 const double r[3]) {
   m->facet = realloc(m->facet, (m->count + 1) * sizeof *m->facet);
   assert_non_null(m->facet);
@@ -18,7 +18,7 @@ static inline void add_triangle(sepax_mesh *m, const double p[3], const double q
   memcpy(f->v[2], r, sizeof f->v[2]);
 }
 
-static inline void add_quad(sepax_mesh *m, double v[4][3]) {
+static inline void add_quad(sepax_soup *m, double v[4][3]) {
   int k = random_below(2);
   add_triangle(m, v[k], v[k + 1], v[k + 2]);
   add_triangle(m, v[k], v[k + 2], v[(k + 3) % 4]);
@@ -32,7 +32,7 @@ static inline void turn_round(sepax_facet *f) {
 }
 
 /* Each face in `cells` x `cells` squares. */
-static inline void add_cells(sepax_mesh *m, const double low[3], const double high[3], int cells) {
+static inline void add_cells(sepax_soup *m, const double low[3], const double high[3], int cells) {
   for (int k = 0; k < 6 * cells * cells; k++) {
     int axis = k % 3;
     int side = k / 3 % 2;
@@ -51,13 +51,13 @@ static inline void add_cells(sepax_mesh *m, const double low[3], const double hi
   }
 }
 
-static inline void add_box(sepax_mesh *m, const double c[3], double r, int cells) {
+static inline void add_box(sepax_soup *m, const double c[3], double r, int cells) {
   const double low[3] = {c[0] - r, c[1] - r, c[2] - r};
   const double high[3] = {c[0] + r, c[1] + r, c[2] + r};
   add_cells(m, low, high, cells);
 }
 
-static inline void add_octahedron(sepax_mesh *m, const double c[3], double r) {
+static inline void add_octahedron(sepax_soup *m, const double c[3], double r) {
   for (int k = 0; k < 8; k++) {
     double v[3][3];
     for (int n = 0; n < 3; n++) {
@@ -70,7 +70,7 @@ static inline void add_octahedron(sepax_mesh *m, const double c[3], double r) {
 }
 
 /* Of 4 x 4 quads, its tube square. Its bands have no area where flat. */
-static inline void add_torus(sepax_mesh *m, const double c[3], double major, double minor) {
+static inline void add_torus(sepax_soup *m, const double c[3], double major, double minor) {
   static const int turn_of[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   for (int k = 0; k < 16; k++) {
     double v[4][3];
@@ -88,7 +88,7 @@ static inline void add_torus(sepax_mesh *m, const double c[3], double major, dou
 
 /* Two triangles that share an edge get its middle as a third vertex, on one side only, and a
  * triangle without area between: the mesh stays closed. */
-static inline void split_edge(sepax_mesh *m) {
+static inline void split_edge(sepax_soup *m) {
   sepax_facet *f = &m->facet[random_below((int)m->count)];
   double v[3][3];
   double middle[3];
@@ -101,7 +101,7 @@ static inline void split_edge(sepax_mesh *m) {
   add_triangle(m, v[0], v[1], middle);
 }
 
-static inline void add_block(sepax_mesh *m, const double low[3], const double high[3],
+static inline void add_block(sepax_soup *m, const double low[3], const double high[3],
                              bool inside_out) {
   size_t first = m->count;
   add_cells(m, low, high, 1);

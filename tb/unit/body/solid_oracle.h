@@ -36,7 +36,7 @@ static void find_posed(mpq_t r, const double v[3], const sepax_pose *pose, int a
   mpq_clears(p, q, NULL);
 }
 
-static void place(space *s, const sepax_mesh m[2], const sepax_pose *const pose[2]) {
+static void place(space *s, const sepax_soup m[2], const sepax_pose *const pose[2]) {
   const mp_bitcnt_t places = 4400; /* of which none is lost: a product of two doubles has fewer */
   mpq_t x;
   mpq_init(x);
@@ -200,7 +200,7 @@ static bool boxes_disjoint(const points p, const points q) {
   return false;
 }
 
-static void find_oracle_shell(oracle_shell *o, const sepax_mesh *m) {
+static void find_oracle_shell(oracle_shell *o, const sepax_soup *m) {
   *o = (oracle_shell){true,
                       true,
                       calloc(m->count, sizeof(size_t)),
@@ -283,8 +283,8 @@ static bool oracle_within(space *s, int i, const oracle_shell *other) {
 
 /* How many vertices of m are inside the box of an open mesh: whether a part of m is inside of that
  * is unknown where all are, and known where none is. */
-static void assert_may_be_within(sepax_inside within, const sepax_mesh *m, const sepax_pose *pose,
-                                 const sepax_mesh *open, const sepax_pose *pose_open) {
+static void assert_may_be_within(sepax_inside within, const sepax_soup *m, const sepax_pose *pose,
+                                 const sepax_soup *open, const sepax_pose *pose_open) {
   const sepax_pose still = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
   double low[3] = {INFINITY, INFINITY, INFINITY};
   double high[3] = {-INFINITY, -INFINITY, -INFINITY};

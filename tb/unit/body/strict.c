@@ -19,13 +19,14 @@ static void to_doubles(const sepax_tri *t, double scale, points v) {
 
 /* Does a search of two bodies of one triangle each list the pair? */
 static bool listed(points t[2], const sepax_pose *pa, const sepax_pose *pb, sepax_simd simd_taken) {
-  sepax_facet facet[2] = {{{{0}}, {0}}, {{{0}}, {0}}};
+  sepax_facet facet[2] = {{{{0}}}, {{{0}}}};
   sepax_body *body[2];
-  sepax_query query = {.strict = true, .simd = simd_taken};
+  sepax_query query = {.size = sizeof(sepax_query), .strict = true, .simd = simd_taken};
   sepax_pairs found;
   for (int k = 0; k < 2; k++) {
     memcpy(facet[k].v, t[k], sizeof t[k]);
-    assert_works(sepax_body_new(&body[k], &(sepax_mesh){&facet[k], 1}, &fault));
+    assert_works(sepax_body_new(
+        &body[k], &SEPAX_STRUCT(sepax_mesh, .vertex = &facet[k], .triangles = 1), NULL, &fault));
   }
   assert_works(sepax_bodies_collide(body[0], pa, body[1], pb, &query, &found, &fault));
   bool any = found.count > 0;
@@ -113,7 +114,8 @@ static sepax_body *cube(double x, double y, double z, double side) {
       }
     }
   }
-  assert_works(sepax_body_new(&body, &(sepax_mesh){facet, 12}, &fault));
+  assert_works(sepax_body_new(&body, &SEPAX_STRUCT(sepax_mesh, .vertex = facet, .triangles = 12),
+                              NULL, &fault));
   return body;
 }
 
@@ -122,7 +124,7 @@ static void assert_cubes(sepax_body *other, bool touch, bool strict) {
   sepax_body *one = cube(0, 0, 0, 1);
   sepax_pose p = turned_and_moved(1);
   for (int k = 0; k < 4; k++) {
-    sepax_query query = {.strict = k % 2 != 0};
+    sepax_query query = {.size = sizeof(sepax_query), .strict = k % 2 != 0};
     const sepax_pose *pose = k < 2 ? NULL : &p;
     sepax_pairs found;
     assert_works(sepax_bodies_collide(one, pose, other, pose, &query, &found, &fault));

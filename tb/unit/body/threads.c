@@ -24,7 +24,7 @@ static answer ask(const asker *who, const sepax_pose *pose, bool *failed) {
   sepax_error error = {0};
   sepax_pairs all = {0};
   sepax_pairs any = {0};
-  sepax_query only_any = {.only_any = true};
+  sepax_query only_any = {.size = sizeof(sepax_query), .only_any = true};
   sepax_distance_result away;
   *failed = !sepax_bodies_collide(who->a, NULL, who->b, pose, NULL, &all, &error) ||
             !sepax_bodies_collide(who->a, pose, who->b, NULL, &only_any, &any, &error) ||
@@ -45,11 +45,11 @@ static void *run(void *context) {
 
 static sepax_body *sample_body(const char *shape, size_t triangles) {
   static const double at[3] = {0, 0, 0};
-  sepax_mesh mesh;
+  sepax_soup mesh;
   sepax_body *body;
   assert_works(sepax_sample(&mesh, shape, triangles, at, 40, &fault));
-  assert_works(sepax_body_new(&body, &mesh, &fault));
-  sepax_mesh_free(&mesh);
+  assert_works(sepax_body_new(&body, SEPAX_SOUP_MESH(&mesh), NULL, &fault));
+  sepax_soup_free(&mesh);
   return body;
 }
 

@@ -10,8 +10,8 @@
 enum { LEVELS = 64 };
 
 /* Kinds: strewn; of very different sizes; all the same; in a row whose steps halve. */
-static sepax_mesh drawn(size_t count, int kind) {
-  sepax_mesh mesh = {calloc(count, sizeof(sepax_facet)), count};
+static sepax_soup drawn(size_t count, int kind) {
+  sepax_soup mesh = {.facet = calloc(count, sizeof(sepax_facet)), .count = count};
   assert_non_null(mesh.facet);
   for (size_t n = 0; n < count; n++) {
     double size = kind == 1 ? ldexp(1, random_below(60) - 60) : 0.1;
@@ -83,9 +83,9 @@ CASE(triangles_are_in_their_boxes) {
   static const size_t counts[] = {1, 2, 8, 9, 65, 700, 5000};
   for (size_t c = 0; c < LENGTH(counts); c++) {
     for (int kind = 0; kind < 4; kind++) {
-      sepax_mesh mesh = drawn(counts[c], kind);
+      sepax_soup mesh = drawn(counts[c], kind);
       sepax_body *body;
-      assert_works(sepax_body_new(&body, &mesh, &fault));
+      assert_works(sepax_body_new(&body, SEPAX_SOUP_MESH(&mesh), NULL, &fault));
       visit t = {body, calloc(mesh.count, sizeof(bool)), 0};
       assert_non_null(t.seen);
       assert_int_equal(assert_below(&t, 0, 0, 1), mesh.count);
@@ -95,18 +95,19 @@ CASE(triangles_are_in_their_boxes) {
       }
       free(t.seen);
       sepax_body_free(body);
-      sepax_mesh_free(&mesh);
+      sepax_soup_free(&mesh);
     }
   }
 }
 
 CASE(threads_do_not_matter) {
-  static const size_t threads[] = {1, 2, 7};
+  static const int threads[] = {1, 2, 7};
   for (int kind = 0; kind < 4; kind++) {
-    sepax_mesh mesh = drawn(20000, kind);
+    sepax_soup mesh = drawn(20000, kind);
     sepax_body *body[LENGTH(threads)];
     for (size_t k = 0; k < LENGTH(threads); k++) {
-      assert_works(sepax__body_new(&body[k], &mesh, threads[k], &fault));
+      assert_works(sepax_body_new(&body[k], SEPAX_SOUP_MESH(&mesh),
+                                  &SEPAX_STRUCT(sepax_build, .threads = threads[k]), &fault));
       assert_int_equal(body[k]->nodes, body[0]->nodes);
       assert_memory_equal(body[k]->node, body[0]->node, body[0]->nodes * sizeof(body_node));
       assert_memory_equal(body[k]->boxes, body[0]->boxes, body[0]->nodes * sizeof(body_boxes));
@@ -115,6 +116,6 @@ CASE(threads_do_not_matter) {
     for (size_t k = 0; k < LENGTH(threads); k++) {
       sepax_body_free(body[k]);
     }
-    sepax_mesh_free(&mesh);
+    sepax_soup_free(&mesh);
   }
 }

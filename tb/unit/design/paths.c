@@ -16,7 +16,7 @@ typedef struct {
 
 typedef struct {
   sepax_facet facet[2][MOST_FACETS];
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   sepax_pose pose[MOST_POSES];
   sepax_poses path;
   sepax_size size;
@@ -28,7 +28,7 @@ static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
 
 /* Whole coordinates, and a body about the origin: quarter turns and whole shifts round nothing. */
 static void draw_body(scene *s, int i, int count, int spread) {
-  s->mesh[i] = (sepax_mesh){s->facet[i], (size_t)(1 + random_below(count))};
+  s->mesh[i] = (sepax_soup){.facet = s->facet[i], .count = (size_t)(1 + random_below(count))};
   for (size_t n = 0; n < s->mesh[i].count; n++) {
     int middle[3];
     for (int axis = 0; axis < 3; axis++) {

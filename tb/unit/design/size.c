@@ -7,6 +7,7 @@
 #include "harness.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,7 +17,7 @@ enum { FACETS = 150, POSES = 60, SCENES = 40 };
 
 typedef struct {
   sepax_facet facet[2][FACETS];
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   sepax_space space;
 } scene;
 
@@ -30,7 +31,7 @@ static void draw_mesh(scene *s, int i, double size) {
       s->facet[i][n].v[k / 3][k % 3] = middle[k % 3] + size * random_unit();
     }
   }
-  s->mesh[i] = (sepax_mesh){s->facet[i], FACETS};
+  s->mesh[i] = (sepax_soup){.facet = s->facet[i], .count = FACETS};
 }
 
 static void draw_scene(scene *s) {
@@ -114,7 +115,8 @@ static void move(scene *s, int i, const sepax_grid *grid, sepax_tri tri[FACETS])
       to[n / 3].v[n % 3][k] = (angle == 0 ? from[k] : m->centre[k] + out.c[k]) + shift[k];
     }
   }
-  assert_works(sepax_quantise(&(sepax_mesh){to, s->mesh[i].count}, grid, tri, NULL, &fault));
+  assert_works(sepax_quantise(
+      &SEPAX_STRUCT(sepax_mesh, .vertex = to, .triangles = s->mesh[i].count), grid, tri, &fault));
 }
 
 static int64_t longest_of(const sepax_tri tri[FACETS]) {
@@ -165,10 +167,10 @@ CASE(test_poses) {
 static bool fits(const double low[3], const double high[3], sepax_grid grid, int word) {
   sepax_facet f = {
       .v = {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}, {low[0], low[1], low[2]}}};
-  sepax_mesh mesh = {&f, 1};
+  sepax_soup mesh = {.facet = &f, .count = 1};
   sepax_tri tri;
   grid.word = word;
-  return word >= SEPAX_WORD_MIN && sepax_quantise(&mesh, &grid, &tri, NULL, &fault);
+  return word >= SEPAX_WORD_MIN && sepax_quantise(SEPAX_SOUP_MESH(&mesh), &grid, &tri, &fault);
 }
 
 /* One pose: everything is exact. */
@@ -179,7 +181,7 @@ CASE(test_resting) {
     draw_scene(&s);
     sepax_size size = sized(&s);
     for (int i = 0; i < 2; i++) {
-      assert_works(sepax_quantise(&s.mesh[i], &size.grid, tri[i], NULL, &fault));
+      assert_works(sepax_quantise(SEPAX_SOUP_MESH(&s.mesh[i]), &size.grid, tri[i], &fault));
       int64_t side = longest_of(tri[i]);
       assert_int_equal(size.extent[i], side > 0 ? side : 1);
     }
@@ -244,7 +246,7 @@ CASE(test_pose_of_files) {
     }
     motion_pose p = sepax__motion_pose_of_files(m);
     for (int i = 0; i < 2; i++) {
-      sepax_mesh moved = {facet, FACETS};
+      sepax_soup moved = {.facet = facet, .count = FACETS};
       sepax__motion_apply(&moved, &s.mesh[i], &m[i], p.u[i]);
       for (int k = 0; k < 9 * FACETS; k++) {
         assert_true(fabs(facet[k / 9].v[k / 3 % 3][k % 3] - s.facet[i][k / 9].v[k / 3 % 3][k % 3]) <
@@ -414,7 +416,7 @@ static void check_extent_pairs(int word, int extent_a, int extent_b) {
     for (int n = 0; n < 2000; n++) {
       bool exceeding = n % 2 == 1;
       sepax_pair pair = sepax_extent_pair(family, word, extent, exceeding, &random);
-      sepax_verdict v = sepax_judge(&design, &pair);
+      sepax_judgement v = sepax_judge(&design, &pair);
       bool meet = aabbs_overlap(&pair, word);
       assert_true(sepax_pair_fits(&pair, word));
       assert_int_equal(inside(&pair, extent_a, extent_b), !exceeding);

@@ -7,6 +7,7 @@
 #include "harness.h"
 
 #include <math.h>
+#include <stdio.h>
 
 enum { MOST_TRIANGLES = 150 };
 
@@ -113,14 +114,15 @@ static void add_options(designs *d, int lanes, unsigned *steps) {
  * some vertical lines; in odd scenes B moves to another pose. */
 static void draw_scene(designs *d, int n, int count) {
   static sepax_facet facet[2][MOST_TRIANGLES];
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   sepax_space space = {.resolution = 1, .offset_given = true, .poses = 3, .seed = 1};
   int spread = n % 5 == 0 ? 1 : random_below(100);
   int scale = n % 5 < 2 ? 1000 : 1; /* to 18 bits, where two cores may be cheaper than a fast one */
   int shift = n % 2 == 0 ? 0 : scale * (random_below(60) - 30);
   d->poses = n % 2 == 0 ? 1 : 2;
   for (int i = 0; i < 2; i++) {
-    mesh[i] = (sepax_mesh){facet[i], (size_t)(1 + random_below(n % 3 == 0 ? 5 : count))};
+    mesh[i] = (sepax_soup){.facet = facet[i],
+                           .count = (size_t)(1 + random_below(n % 3 == 0 ? 5 : count))};
     for (size_t k = 0; k < 9 * mesh[i].count; k++) {
       int axis = (int)k % 3;
       size_t m = k / 9;

@@ -4,9 +4,10 @@
 #include "util/error.h"
 
 #include <signal.h>
+#include <stdio.h>
 #include <sys/resource.h>
 
-static bool give_facet(sepax_mesh *mesh, const char *at, sepax_error *error) {
+static bool give_facet(sepax_soup *mesh, const char *at, sepax_error *error) {
   (void)at;
   (void)error;
   mesh->facet = calloc(2, sizeof *mesh->facet);
@@ -17,14 +18,14 @@ static bool give_facet(sepax_mesh *mesh, const char *at, sepax_error *error) {
   return mesh->facet != NULL;
 }
 
-static bool give_nothing(sepax_mesh *mesh, const char *at, sepax_error *error) {
+static bool give_nothing(sepax_soup *mesh, const char *at, sepax_error *error) {
   (void)mesh;
   fputs("this is not to be seen\n", stderr);
   return sepax_fail(error, SEPAX_ERROR_FORMAT, "%s: not this one", at);
 }
 
 /* Where it is given five seconds, it runs for one, without an end. */
-static bool run_forever(sepax_mesh *mesh, const char *at, sepax_error *error) {
+static bool run_forever(sepax_soup *mesh, const char *at, sepax_error *error) {
   volatile size_t turns = 0;
   struct rlimit given;
   (void)at;
@@ -40,7 +41,7 @@ static bool run_forever(sepax_mesh *mesh, const char *at, sepax_error *error) {
   return true;
 }
 
-static bool crash(sepax_mesh *mesh, const char *at, sepax_error *error) {
+static bool crash(sepax_soup *mesh, const char *at, sepax_error *error) {
   (void)mesh;
   (void)at;
   (void)error;
@@ -48,7 +49,7 @@ static bool crash(sepax_mesh *mesh, const char *at, sepax_error *error) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__)
-static bool take_all(sepax_mesh *mesh, const char *at, sepax_error *error) {
+static bool take_all(sepax_soup *mesh, const char *at, sepax_error *error) {
   (void)error;
   for (size_t n = 0; n < 64; n++) {
     char *part = malloc((size_t)1 << 30);
@@ -63,12 +64,12 @@ static bool take_all(sepax_mesh *mesh, const char *at, sepax_error *error) {
 #endif
 
 CASE(test_confined) {
-  sepax_mesh mesh;
+  sepax_soup mesh;
   const char *file = put_file("p.obj", "v 0 0 0\n");
   assert_works(confined_read(&mesh, file, give_facet, &fault));
   assert_int_equal(mesh.count, 2);
   assert_true(mesh.facet[1].v[2][1] == 7);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   assert_fault(confined_read(&mesh, file, give_nothing, &fault), "p.obj: not this one");
   assert_fault(confined_read(&mesh, file, crash, &fault), "p.obj: its reader took too long");
   assert_fault(confined_read(&mesh, file, run_forever, &fault), "p.obj: its reader took too long");

@@ -5,6 +5,7 @@
 #include "formats/formats.h"
 #include "harness.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

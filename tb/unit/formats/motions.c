@@ -2,6 +2,7 @@
 #include "files.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static const format_motion_rules strict = {false, false};
 

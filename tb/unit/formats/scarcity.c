@@ -3,6 +3,8 @@
 #include "files.h"
 #include "unit/memory/scarce.h"
 
+#include <stdio.h>
+
 #define JOINT(name, type, from, to, more)                                                       \
   "<joint name='" name "' type='" type "'><parent link='" from "'/><child link='" to "'/>" more \
   "</joint>\n"
@@ -26,9 +28,9 @@ static bool work_robot(void *context) {
     works = false;
   }
   for (size_t n = 0; works && n < r.shapes; n++) {
-    sepax_mesh mesh = {NULL, 0};
+    sepax_soup mesh = {.facet = NULL, .count = 0};
     works = format_shape_mesh(&mesh, &r.shape[n], &fault);
-    sepax_mesh_free(&mesh);
+    sepax_soup_free(&mesh);
   }
   free(of);
   free(compared);
@@ -87,13 +89,13 @@ CASE(test_paths) {
 }
 
 static bool work_mesh(void *context) {
-  sepax_mesh mesh;
+  sepax_soup mesh;
   if (!format_mesh_read(&mesh, context, &fault)) {
     return false;
   }
   assert_int_equal(mesh.count, 2);
   format_distinct(&mesh);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
   return true;
 }
 

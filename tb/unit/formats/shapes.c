@@ -2,22 +2,23 @@
 #include "files.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 static const sepax_pose at_origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
 
-static sepax_mesh mesh_of(const format_shape *shape) {
-  sepax_mesh mesh;
+static sepax_soup mesh_of(const format_shape *shape) {
+  sepax_soup mesh;
   assert_works(format_shape_mesh(&mesh, shape, &fault));
   return mesh;
 }
 
 /* Closed, consistent, turned outward. */
-static void assert_solid(const sepax_mesh *mesh, double volume, double tolerance) {
+static void assert_solid(const sepax_soup *mesh, double volume, double tolerance) {
   sepax_body *body;
   sepax_shell shell;
-  assert_works(sepax_body_new(&body, mesh, &fault));
+  assert_works(sepax_body_new(&body, SEPAX_SOUP_MESH(mesh), NULL, &fault));
   assert_works(sepax_shell_find(&shell, body, &fault));
   assert_true(shell.closed);
   assert_true(shell.consistent);
@@ -55,7 +56,7 @@ CASE(test_sphere) {
   static const double radii[] = {1, 0.05, 1e-6, 777.7};
   for (size_t n = 0; n < LENGTH(radii); n++) {
     double r = radii[n];
-    sepax_mesh mesh =
+    sepax_soup mesh =
         mesh_of(&(format_shape){.kind = FORMAT_SPHERE, .size = {r}, .origin = at_origin});
     assert_solid(&mesh, 4.0 / 3 * PI * r * r * r, 0.005);
     for (size_t k = 0; k < mesh.count; k++) {
@@ -65,12 +66,12 @@ CASE(test_sphere) {
         assert_true(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) <= 1.0025 * r);
       }
     }
-    sepax_mesh_free(&mesh);
+    sepax_soup_free(&mesh);
   }
 }
 
 CASE(test_cylinder) {
-  sepax_mesh mesh =
+  sepax_soup mesh =
       mesh_of(&(format_shape){.kind = FORMAT_CYLINDER, .size = {0.3, 4}, .origin = at_origin});
   assert_solid(&mesh, PI * 0.09 * 4, 0.002);
   for (size_t k = 0; k < mesh.count; k++) {
@@ -82,12 +83,12 @@ CASE(test_cylinder) {
       assert_true(fabs(v[i][2]) == 2);
     }
   }
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 /* Turned by a quarter about z, then moved. */
 CASE(test_box_in_its_place) {
-  sepax_mesh mesh =
+  sepax_soup mesh =
       mesh_of(&(format_shape){.kind = FORMAT_BOX,
                               .size = {2, 4, 6},
                               .origin = {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {10, 0, 0}}});
@@ -101,18 +102,18 @@ CASE(test_box_in_its_place) {
   }
   assert_true(least[0] == 8 && most[0] == 12 && least[1] == -1 && most[1] == 1);
   assert_true(least[2] == -3 && most[2] == 3);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 /* ------------------------------------------------------------------------- formats */
 
 static void expect_mesh(const char *name, const char *text, size_t facets) {
-  sepax_mesh mesh;
+  sepax_soup mesh;
   assert_works(format_mesh_read(&mesh, put_file(name, text), &fault));
   assert_int_equal(mesh.count, facets);
   static const double first[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}};
   assert_memory_equal(mesh.facet[0].v, first, sizeof first);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 #define PLY(vertices, faces, rest)                                                               \
@@ -149,23 +150,23 @@ CASE(test_formats) {
 
 /* A node's transformation moves what is in it. */
 CASE(test_nodes) {
-  sepax_mesh mesh;
+  sepax_soup mesh;
   assert_works(format_mesh_read(
       &mesh, put_file("p.dae", DAE("Z_UP", "1", "0 -1 0 10 1 0 0 20 0 0 1 30 0 0 0 1")), &fault));
   static const double first[3][3] = {{10, 20, 30}, {10, 21, 30}, {9.5, 20, 30}};
   assert_memory_equal(mesh.facet[0].v, first, sizeof first);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 static void refuse_mesh(const char *name, const char *text, const char *part) {
-  sepax_mesh mesh;
+  sepax_soup mesh;
   assert_fault(format_mesh_read(&mesh, put_file(name, text), &fault), part);
   assert_message(name);
   assert_null(mesh.facet);
 }
 
 CASE(test_meshes_refused) {
-  sepax_mesh mesh;
+  sepax_soup mesh;
   assert_fault(format_mesh_read(&mesh, in_folder("none.obj"), &fault), "none.obj: No such file");
   refuse_mesh("p.txt", "v 0 0 0\n", "give STL, OBJ, PLY, 3MF or DAE");
   refuse_mesh("p.obj", "", "empty");
@@ -195,7 +196,7 @@ CASE(test_meshes_refused) {
 
 /* Limits hold before anything is read. */
 CASE(test_long_meshes) {
-  sepax_mesh mesh;
+  sepax_soup mesh;
   const char *at = put_file("p.stl", "solid x\n");
   assert_int_equal(truncate(at, ((off_t)1 << 30) + 1), 0);
   assert_fault(format_mesh_read(&mesh, at, &fault), "p.stl: longer than 1 GiB");
@@ -219,7 +220,7 @@ CASE(test_distinct) {
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},       {{2, 2, 2}, {2, 2, 2}, {2, 2, 2}},
       {{0, 1, 0}, {-0.0, 0, 0}, {1, 0, -0.0}}, {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}},
       {{1, 0, 0}, {0, 0, 0}, {1, 0, 0}},       {{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  sepax_mesh mesh = {calloc(COUNT, sizeof *mesh.facet), COUNT};
+  sepax_soup mesh = {.facet = calloc(COUNT, sizeof *mesh.facet), .count = COUNT};
   assert_non_null(mesh.facet);
   for (size_t n = 0; n < COUNT; n++) {
     memcpy(mesh.facet[n].v, triangle[n % 6], sizeof *triangle);
@@ -237,7 +238,7 @@ CASE(test_distinct) {
   }
   assert_true(format_distinct(&mesh));
   assert_int_equal(mesh.count, 5);
-  sepax_mesh_free(&mesh);
+  sepax_soup_free(&mesh);
 }
 
 /* ------------------------------------------------------------------------ polygons */

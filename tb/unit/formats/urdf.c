@@ -2,6 +2,7 @@
 #include "files.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <sys/stat.h>
 
 #define HEAD "<robot name='r'>\n"

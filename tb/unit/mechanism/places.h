@@ -6,6 +6,7 @@
 #include "sepax_mechanism.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -4,6 +4,7 @@
 
 #include "generate.h"
 
+#include <stdio.h>
 #include <sys/stat.h>
 
 /* Of some thousand allocations of a design these: all at first, then one of so many. */

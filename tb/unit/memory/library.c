@@ -3,6 +3,7 @@
 #include "unit/tree/scenes.h"
 
 #include <math.h>
+#include <stdio.h>
 
 enum { WORD = 12, MANY = 400 };
 
@@ -51,7 +52,9 @@ static bool work_search(void *context) {
 CASE(pairs_of_triangles) {
   for (int way = 0; way < 6; way++) {
     search s = {.design = design_of("--word=12 --clearance=4 --warning=8"),
-                .how = {.threads = way < 3 || SANITIZED ? 1 : 3, .brute_force = way % 3 == 1},
+                .how = {.size = sizeof(sepax_search),
+                        .threads = way < 3 || SANITIZED ? 1 : 3,
+                        .brute_force = way % 3 == 1},
                 .near = way % 3 == 2};
     for (int k = 0; k < 2; k++) {
       s.t[k] = drawn(MANY, 0, 300, 60, WORD);
@@ -66,16 +69,16 @@ CASE(pairs_of_triangles) {
 /* ------------------------------------------------------------------ bodies */
 
 typedef struct {
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   sepax_pose pose;
   size_t count;
   double distance;
 } solids;
 
 /* A surface of a ball. */
-static sepax_mesh mesh_of(size_t count, double reach) {
+static sepax_soup mesh_of(size_t count, double reach) {
   triangles t = drawn(count, 4, reach, 0, WORD);
-  sepax_mesh mesh = {calloc(count, sizeof *mesh.facet), count};
+  sepax_soup mesh = {.facet = calloc(count, sizeof *mesh.facet), .count = count};
   for (size_t n = 0; mesh.facet != NULL && n < count; n++) {
     for (int k = 0; k < 3; k++) {
       for (int axis = 0; axis < 3; axis++) {
@@ -119,8 +122,9 @@ static bool work_bodies(void *context) {
   solids *s = context;
   sepax_body *body[2] = {NULL, NULL};
   sepax_shell shell[2] = {{.own = NULL}, {.own = NULL}};
-  bool works = sepax_body_new(&body[0], &s->mesh[0], &fault) &&
-               sepax_body_new(&body[1], &s->mesh[1], &fault) && ask(s, body, shell);
+  bool works = sepax_body_new(&body[0], SEPAX_SOUP_MESH(&s->mesh[0]), NULL, &fault) &&
+               sepax_body_new(&body[1], SEPAX_SOUP_MESH(&s->mesh[1]), NULL, &fault) &&
+               ask(s, body, shell);
   for (int k = 0; k < 2; k++) {
     sepax_shell_free(&shell[k]);
     sepax_body_free(body[k]);
@@ -131,8 +135,9 @@ static bool work_bodies(void *context) {
 static bool work_meshes(void *context) {
   solids *s = context;
   sepax_pairs found;
-  const sepax_search how = {.threads = 1};
-  if (!sepax_meshes_collide(&s->mesh[0], NULL, &s->mesh[1], &s->pose, &how, &found, &fault)) {
+  const sepax_search how = {.size = sizeof(sepax_search), .threads = 1};
+  if (!sepax_meshes_collide(SEPAX_SOUP_MESH(&s->mesh[0]), NULL, SEPAX_SOUP_MESH(&s->mesh[1]),
+                            &s->pose, &how, &found, &fault)) {
     return false;
   }
   size_t count = found.count;
@@ -153,24 +158,24 @@ CASE(bodies) {
 /* ------------------------------------------------------------------- files */
 
 static bool work_files(void *context) {
-  const sepax_mesh *mesh = context;
+  const sepax_soup *mesh = context;
   static char place[2][PATH_BYTES];
   snprintf(place[0], sizeof place[0], "%s/a.stl", folder);
   snprintf(place[1], sizeof place[1], "%s/b.stl", folder);
   sepax_scene scene = {.count = {0, 0}};
-  sepax_mesh read = {NULL, 0};
+  sepax_soup read = {.facet = NULL, .count = 0};
   const sepax_grid grid = {.word = WORD};
   const char *const names[2] = {place[0], place[1]};
   bool works = sepax_stl_write(&mesh[0], place[0], false, &fault) &&
                sepax_stl_write(&mesh[1], place[1], true, &fault) &&
-               sepax_stl_read(&read, place[1], &fault) &&
+               sepax_stl_read(&read, place[1], false, &fault) &&
                sepax_scene_load(&scene, names, &grid, true, &fault);
   if (works) {
     assert_true(read.count == mesh[1].count && scene.count[0] == mesh[0].count);
     sepax_scene_free(&scene);
   }
   if (read.facet != NULL) {
-    sepax_mesh_free(&read);
+    sepax_soup_free(&read);
   }
   return works;
 }
@@ -187,7 +192,7 @@ static bool work_poses(void *context) {
 }
 
 CASE(files) {
-  sepax_mesh mesh[2] = {mesh_of(100, 300), mesh_of(80, 200)};
+  sepax_soup mesh[2] = {mesh_of(100, 300), mesh_of(80, 200)};
   assert_true(assert_scarce(work_files, mesh) > 10);
   free(mesh[0].facet);
   free(mesh[1].facet);
@@ -289,7 +294,7 @@ CASE(trees_and_lists_of_jobs) {
 /* ------------------------------------------------------------------- sizes */
 
 typedef struct {
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   sepax_space space;
   double gates;
 } sizes;

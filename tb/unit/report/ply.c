@@ -2,6 +2,7 @@
 #include "report/ply.h"
 #include "harness.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,7 +25,8 @@ CASE(test_bodies) {
   };
   static const sepax_pose turned = {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {10, 20, 30}};
   static const bool marked[2] = {false, true};
-  sepax_mesh mesh[2] = {{calloc(1, sizeof facet[0]), 1}, {calloc(2, sizeof facet[0]), 2}};
+  sepax_soup mesh[2] = {{.facet = calloc(1, sizeof facet[0]), .count = 1},
+                        {.facet = calloc(2, sizeof facet[0]), .count = 2}};
   assert_non_null(mesh[0].facet);
   assert_non_null(mesh[1].facet);
   memcpy(mesh[0].facet, facet, sizeof facet[0]);
@@ -77,6 +79,6 @@ CASE(test_bodies) {
     }
     assert_fault(report_ply_write(&ply, "no/such/ab.ply", &fault), "no/such/ab.ply");
   }
-  sepax_mesh_free(&mesh[0]);
-  sepax_mesh_free(&mesh[1]);
+  sepax_soup_free(&mesh[0]);
+  sepax_soup_free(&mesh[1]);
 }

@@ -2,6 +2,7 @@
  * file's bytes, and files that are damaged or are no list are refused. */
 #include "unit/tree/scenes.h"
 
+#include <stdio.h>
 #include <string.h>
 
 enum { BODIES = 3, PAIRS = 2, POSES = 6, WORD = 12 };

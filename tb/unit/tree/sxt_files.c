@@ -4,6 +4,8 @@
 #include "tree_engine/tree.h"
 #include "unit/tree/scenes.h"
 
+#include <stdio.h>
+
 /* Triangles that halve in size and distance: the surface area heuristic cuts off one end each time.
  */
 static triangles halving(size_t count) {

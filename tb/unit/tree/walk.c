@@ -303,7 +303,7 @@ CASE(small_stacks) {
 /* ------------------------------------------------------------------- meshes */
 
 /* Two meshes on one grid, B in poses near that of the file. */
-static size_t compare_meshes(const sepax_mesh mesh[2], const sepax_grid *grid, size_t wanted,
+static size_t compare_meshes(const sepax_soup mesh[2], const sepax_grid *grid, size_t wanted,
                              const char *clearance, double away) {
   sepax_design design = design_of("--word=%d %s", grid->word, clearance);
   triangles t[2];
@@ -312,7 +312,7 @@ static size_t compare_meshes(const sepax_mesh mesh[2], const sepax_grid *grid, s
   for (int i = 0; i < 2; i++) {
     t[i] = (triangles){malloc(mesh[i].count * sizeof(sepax_tri)), mesh[i].count};
     assert_non_null(t[i].tri);
-    assert_works(sepax_quantise(&mesh[i], grid, t[i].tri, NULL, &fault));
+    assert_works(sepax_quantise(SEPAX_SOUP_MESH(&mesh[i]), grid, t[i].tri, &fault));
     assert_works(sepax_tree_new(&tree[i], t[i].tri, t[i].count, grid, &fault));
   }
   for (int n = 0; collisions < wanted && n < 100000; n++) {
@@ -333,29 +333,29 @@ CASE(sample_bodies) {
   const double at[3] = {0, 0, 0};
   const double tip[3] = {34, 0, -15};
   const sepax_grid grid = {.resolution = 0.002, .word = 18};
-  sepax_mesh mesh[2];
+  sepax_soup mesh[2];
   assert_works(sepax_sample(&mesh[0], "pocket", 2000, at, 0, &fault));
   assert_works(sepax_sample(&mesh[1], "ball-end", 2000, tip, 0, &fault));
   for (size_t k = 0; k < LENGTH(designs); k++) {
     compare_meshes(mesh, &grid, wanted, designs[k], 1);
   }
-  sepax_mesh_free(&mesh[0]);
-  sepax_mesh_free(&mesh[1]);
+  sepax_soup_free(&mesh[0]);
+  sepax_soup_free(&mesh[1]);
 }
 
 /* The mould, where it is at hand: faces of both halves lie in each other. */
 CASE(real_bodies) {
   static const char *const files[2] = {"../shared/meshes/ktoolcav.stl",
                                        "../shared/meshes/ktoolcor.stl"};
-  sepax_mesh mesh[2];
-  if (!sepax_stl_read(&mesh[0], files[0], &fault)) {
+  sepax_soup mesh[2];
+  if (!sepax_stl_read(&mesh[0], files[0], false, &fault)) {
     skip();
   }
-  assert_works(sepax_stl_read(&mesh[1], files[1], &fault));
-  const sepax_mesh *const both[2] = {&mesh[0], &mesh[1]};
+  assert_works(sepax_stl_read(&mesh[1], files[1], false, &fault));
+  const sepax_mesh *const both[2] = {SEPAX_SOUP_MESH(&mesh[0]), SEPAX_SOUP_MESH(&mesh[1])};
   sepax_grid grid;
   assert_works(sepax_grid_fit(&grid, both, 2, 18, &fault));
   compare_meshes(mesh, &grid, count_of_run("TREE_COLLISIONS", 50000) / 5 * 2, "", 1e-3);
-  sepax_mesh_free(&mesh[0]);
-  sepax_mesh_free(&mesh[1]);
+  sepax_soup_free(&mesh[0]);
+  sepax_soup_free(&mesh[1]);
 }

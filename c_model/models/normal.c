@@ -1,4 +1,6 @@
 /* normal.c - unit normals of integer triangles, in integers. */
+#include "sepax_models.h"
+#include "util/error.h"
 #include "util/wide.h"
 
 #include <math.h>
@@ -49,4 +51,50 @@ sepax_vec sepax_unit_normal(const sepax_tri *tri, int word) {
   uwide length = square_root(square);
   return (sepax_vec){scaled_component(n.c[0], length, word), scaled_component(n.c[1], length, word),
                      scaled_component(n.c[2], length, word)};
+}
+
+/* ------------------------------------------------------------------ of a file */
+
+static bool check_normal(const double normal[3], size_t number, sepax_error *error) {
+  for (int axis = 0; axis < 3; axis++) {
+    if (!isfinite(normal[axis])) {
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "facet %zu: the normal has %c = %g; mend the mesh", number, "xyz"[axis],
+                        normal[axis]);
+    }
+  }
+  return true;
+}
+
+static sepax_vec quantise_normal(const double normal[3], int word) {
+  double largest = fmax(fmax(fabs(normal[0]), fabs(normal[1])), fabs(normal[2]));
+  if (largest == 0) {
+    return (sepax_vec){0, 0, 0};
+  }
+  int exponent = 0;
+  frexp(largest, &exponent);
+  double n[3];
+  for (int axis = 0; axis < 3; axis++) {
+    n[axis] = ldexp(normal[axis], -exponent);
+  }
+  double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  double unit = sepax_word_max(word);
+  return (sepax_vec){(int32_t)round(n[0] * unit / length), (int32_t)round(n[1] * unit / length),
+                     (int32_t)round(n[2] * unit / length)};
+}
+
+bool sepax_quantise_normals(const sepax_soup *soup, int word, sepax_vec *normal,
+                            sepax_error *error) {
+  if (soup->normal == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "no normals are there; read them from the file");
+  }
+  for (size_t i = 0; i < soup->count; i++) {
+    if (!check_normal(soup->normal[i], i, error)) {
+      return false;
+    }
+  }
+  for (size_t i = 0; i < soup->count; i++) {
+    normal[i] = quantise_normal(soup->normal[i], word);
+  }
+  return true;
 }

@@ -4,6 +4,7 @@
  * Origin at A_1, so A is 0, a_2, a_3. With N = a_2 x a_3, M_j = b_j x b_j+1,
  * P_j = a_2.M_j and Q_j = a_3.M_j, all projections of both triangles on N, N_B and the
  * nine e_i x f_j are sums of these. No axis e_i x f_j is ever formed. */
+#include "sepax_models.h"
 #include "util/wide.h"
 
 static wide least(wide p, wide q) { return p < q ? p : q; }

@@ -1,4 +1,5 @@
 /* depth.c - how far a pair is from the other verdict. */
+#include "sepax_models.h"
 #include "util/wide.h"
 
 #include <math.h>

@@ -9,6 +9,7 @@
  *
  * Widths at W = 32: relative coordinates and edges 33 + 1 bits, axes 68,
  * projections 103. */
+#include "sepax_models.h"
 #include "util/wide.h"
 
 static wide min3(wide p, wide q, wide r) {

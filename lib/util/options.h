@@ -1,0 +1,35 @@
+/* options.h - structs of a caller that was compiled with another version of the headers (private).
+ */
+#ifndef SEPAX_OPTIONS_H
+#define SEPAX_OPTIONS_H
+
+#include "util/error.h"
+
+#include <string.h>
+
+/* Copy a struct that begins with its size into *copy, which has the `bytes` that this library
+ * knows: fields that the caller's struct lacks are zero; those that only his has have to be. NULL
+ * gives zero. */
+static inline bool sepax__options(void *copy, size_t bytes, const void *given, const char *name,
+                                  sepax_error *error) {
+  memset(copy, 0, bytes);
+  if (given == NULL) {
+    return true;
+  }
+  size_t size = 0;
+  memcpy(&size, given, sizeof size);
+  if (size < sizeof size) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s has no size; fill it in by SEPAX_STRUCT",
+                      name);
+  }
+  for (size_t n = bytes; n < size; n++) {
+    if (((const unsigned char *)given)[n] != 0) {
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "%s has fields that this library does not know; use a newer one", name);
+    }
+  }
+  memcpy(copy, given, size < bytes ? size : bytes);
+  return true;
+}
+
+#endif
