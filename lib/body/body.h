@@ -36,7 +36,8 @@ struct sepax_body {
   uint32_t *number;       /* in the mesh */
   body_node *node;        /* node[0] is the root */
   size_t nodes;
-  body_boxes *boxes; /* of each node; behind them the root's own box */
+  body_boxes *boxes; /* of each node; behind them the root's own box; on a cache line */
+  void *memory;      /* in which they are */
 };
 
 /* What is in a box, numbered BODY_WIDE * node + lane. */

@@ -370,10 +370,13 @@ static facet_points *local_triangles(const sepax_body *b) {
   return v;
 }
 
+enum { CACHE_LINE = 64 };
+
 bool sepax__body_fit(sepax_body *b, size_t threads) {
   fitting f = {b, local_triangles(b), sepax_allocate(b->nodes * sizeof *f.below)};
-  b->boxes = aligned_alloc(64, (b->nodes + 1) * sizeof *b->boxes);
-  bool ok = b->boxes != NULL && f.v != NULL && f.below != NULL;
+  b->memory = sepax_allocate((b->nodes + 1) * sizeof *b->boxes + CACHE_LINE - 1);
+  b->boxes = (void *)(((uintptr_t)b->memory + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE);
+  bool ok = b->memory != NULL && f.v != NULL && f.below != NULL;
   if (ok) {
     find_below(&f, 0, 0);
     sepax__threads_run(threads, (b->nodes + PART - 1) / PART, fit_part, &f);

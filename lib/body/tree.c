@@ -352,7 +352,7 @@ void sepax_body_free(sepax_body *body) {
     sepax_release(body->triangle);
     sepax_release(body->number);
     sepax_release(body->node);
-    sepax_release(body->boxes);
+    sepax_release(body->memory);
     sepax_release(body);
   }
 }
