@@ -62,19 +62,15 @@ static void extend_by_body(range *hull, const sepax_soup *mesh, const sepax_moti
   }
 }
 
-static double placed(const sepax_pose *p, const double v[3], int axis) {
-  const double *m = p->rotation[axis];
-  return m[0] * v[0] + m[1] * v[1] + m[2] * v[2] + p->translation[axis];
-}
-
 static void extend_by_path(range *hull, const sepax_soup *mesh, const sepax_poses *path) {
   double reach = 0;
   for (size_t k = 0; k < path->count; k++) {
     for (size_t n = 0; n < 3 * mesh->count; n++) {
       const double *v = mesh->facet[n / 3].v[n % 3];
+      double at[3];
+      sepax_pose_apply(&path->pose[k], v, at);
       for (int axis = 0; axis < 3; axis++) {
-        double x = placed(&path->pose[k], v, axis);
-        extend(hull, axis, x, x);
+        extend(hull, axis, at[axis], at[axis]);
         reach = fmax(reach, fabs(v[axis]) + fabs(path->pose[k].translation[axis]));
       }
     }
@@ -203,10 +199,8 @@ static bool find_path_workloads(sepax_size *size, bodies *r, const sepax_soup *m
                                 const sepax_poses *path, sepax_error *error) {
   for (size_t k = 0; k < path->count; k++) {
     for (size_t n = 0; n < 3 * mesh->count; n++) {
-      for (int axis = 0; axis < 3; axis++) {
-        r->moved[1].facet[n / 3].v[n % 3][axis] =
-            placed(&path->pose[k], mesh->facet[n / 3].v[n % 3], axis);
-      }
+      sepax_pose_apply(&path->pose[k], mesh->facet[n / 3].v[n % 3],
+                       r->moved[1].facet[n / 3].v[n % 3]);
     }
     if (!quantise_body(r, 1, &r->moved[1], &size->grid, error) || !add_workload(size, r, error)) {
       return false;

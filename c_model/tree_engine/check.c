@@ -107,11 +107,11 @@ static bool check_node(checker *c, uint32_t number, int level_above, aabb *bound
     return wrong(c, number, "its children are not where children are");
   }
   const uint8_t *record = c->tree->image + (n.level == 0 ? (size_t)TREE_BEAT * n.record : 0);
-  if (tree_get32(bytes + 24) != sepax__tree_node_crc(bytes, record)) {
+  if (bytes_get32(bytes + 24) != sepax__tree_node_crc(bytes, record)) {
     return wrong(c, number, "its CRC is not that of its bytes");
   }
   for (int i = 0; i < 3; i++) {
-    if ((int32_t)tree_get32(bytes + 4 * i) != n.origin[i]) {
+    if ((int32_t)bytes_get32(bytes + 4 * i) != n.origin[i]) {
       return wrong(c, number, "its origin is beyond the word");
     }
   }

@@ -15,11 +15,11 @@ static const char magic[8] = {'s', 'e', 'p', 'a', 'x', 'S', 'X', 'T'};
 static void put_double(uint8_t *to, double x) {
   uint64_t bits;
   memcpy(&bits, &x, sizeof bits);
-  tree_put64(to, bits);
+  bytes_put64(to, bits);
 }
 
 static double get_double(const uint8_t *from) {
-  uint64_t bits = tree_get64(from);
+  uint64_t bits = bytes_get64(from);
   double x;
   memcpy(&x, &bits, sizeof x);
   return x;
@@ -27,24 +27,24 @@ static double get_double(const uint8_t *from) {
 
 static void pack_table(uint8_t *to, const sepax_tree *tree) {
   for (size_t n = 0; n < tree->triangles; n++) {
-    tree_put32(to + 4 * n, tree->number[n]);
+    bytes_put32(to + 4 * n, tree->number[n]);
   }
 }
 
 static void pack_header(uint8_t *to, const sepax_tree *t, uint32_t crc) {
   memset(to, 0, HEADER);
   memcpy(to, magic, sizeof magic);
-  tree_put32(to + 8, VERSION);
-  tree_put32(to + 12, (uint32_t)t->grid.word);
+  bytes_put32(to + 8, VERSION);
+  bytes_put32(to + 12, (uint32_t)t->grid.word);
   put_double(to + 16, t->grid.resolution);
   for (int i = 0; i < 3; i++) {
     put_double(to + 24 + 8 * i, t->grid.offset[i]);
   }
-  tree_put32(to + 48, t->nodes);
-  tree_put32(to + 52, t->triangles);
-  tree_put64(to + 56, t->bytes);
-  tree_put32(to + 64, crc);
-  tree_put32(to + HEADER_CRC, sepax__tree_crc(0, to, HEADER_CRC));
+  bytes_put32(to + 48, t->nodes);
+  bytes_put32(to + 52, t->triangles);
+  bytes_put64(to + 56, t->bytes);
+  bytes_put32(to + 64, crc);
+  bytes_put32(to + HEADER_CRC, sepax__tree_crc(0, to, HEADER_CRC));
 }
 
 uint64_t sepax__tree_file_bytes(const sepax_tree *t) {
@@ -81,20 +81,20 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sep
   if (memcmp(from, magic, sizeof magic) != 0) {
     return sepax_fail(error, SEPAX_ERROR_FORMAT, "no tree; make one with 'sepax tree STL -o FILE'");
   }
-  if (tree_get32(from + 8) != VERSION) {
+  if (bytes_get32(from + 8) != VERSION) {
     return sepax_fail(error, SEPAX_ERROR_FORMAT,
                       "version %u of the format, not %d; make it again with 'sepax tree'",
-                      tree_get32(from + 8), VERSION);
+                      bytes_get32(from + 8), VERSION);
   }
   bool zeros = true;
   for (int n = HEADER_CRC + 4; n < HEADER; n++) {
     zeros = zeros && from[n] == 0;
   }
-  if (!zeros || tree_get32(from + HEADER_CRC) != sepax__tree_crc(0, from, HEADER_CRC)) {
+  if (!zeros || bytes_get32(from + HEADER_CRC) != sepax__tree_crc(0, from, HEADER_CRC)) {
     return sepax_fail(error, SEPAX_ERROR_FORMAT,
                       "the header's CRC is wrong; the file is damaged, make it again");
   }
-  uint32_t word = tree_get32(from + 12);
+  uint32_t word = bytes_get32(from + 12);
   t->grid.resolution = get_double(from + 16);
   bool ok = word >= SEPAX_WORD_MIN && word <= SEPAX_TREE_WORD_MAX && t->grid.resolution > 0 &&
             isfinite(t->grid.resolution);
@@ -103,10 +103,10 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sep
     t->grid.offset[i] = get_double(from + 24 + 8 * i);
     ok = ok && isfinite(t->grid.offset[i]);
   }
-  t->nodes = tree_get32(from + 48);
-  t->triangles = tree_get32(from + 52);
-  uint64_t bytes = tree_get64(from + 56);
-  *crc = tree_get32(from + 64);
+  t->nodes = bytes_get32(from + 48);
+  t->triangles = bytes_get32(from + 52);
+  uint64_t bytes = bytes_get64(from + 56);
+  *crc = bytes_get32(from + 64);
   ok = ok && t->nodes > 0 && t->nodes <= TREE_NODES_MAX && t->triangles > 0 &&
        bytes % TREE_BEAT == 0 && bytes >= tree_records_at(t->nodes) &&
        bytes / TREE_BEAT <= UINT32_MAX;
@@ -141,7 +141,7 @@ static bool read_behind(sepax_tree *t, FILE *in, uint32_t crc, sepax_error *erro
                     "the CRC is wrong; the file is damaged, make it again");
   }
   for (size_t n = 0; ok && n < t->triangles; n++) {
-    t->number[n] = tree_get32(table + 4 * n);
+    t->number[n] = bytes_get32(table + 4 * n);
   }
   free(table);
   return ok;

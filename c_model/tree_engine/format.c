@@ -23,17 +23,17 @@ static int32_t from_bits(uint64_t x, int bits) {
 
 tree_node sepax__tree_unpack(const uint8_t bytes[TREE_NODE_BYTES], int word) {
   tree_node n;
-  uint32_t packed = tree_get32(bytes + 12);
+  uint32_t packed = bytes_get32(bytes + 12);
   for (int i = 0; i < 3; i++) {
-    n.origin[i] = from_bits(tree_get32(bytes + 4 * i), word);
+    n.origin[i] = from_bits(bytes_get32(bytes + 4 * i), word);
     n.own[i] = (int8_t)bytes[28 + i];
     n.exponent[i] = (int)(packed >> (4 * i) & 15);
   }
   n.children = 1 + (int)(packed >> 12 & 15);
   n.level = (int)(packed >> 16 & 15);
   n.beats = 1 + (int)(packed >> 20 & 15);
-  n.first = tree_get32(bytes + 16);
-  n.record = tree_get32(bytes + 20);
+  n.first = bytes_get32(bytes + 16);
+  n.record = bytes_get32(bytes + 20);
   for (int j = 0; j < TREE_FAN_OUT; j++) {
     const uint8_t *child = bytes + 32 + 6 * j;
     for (int i = 0; i < 3; i++) {
@@ -50,12 +50,12 @@ void sepax__tree_pack(uint8_t bytes[TREE_NODE_BYTES], const tree_node *n, const 
                     (leaf ? (uint32_t)(n->beats - 1) << 20 : 0);
   for (int i = 0; i < 3; i++) {
     packed |= (uint32_t)n->exponent[i] << (4 * i);
-    tree_put32(bytes + 4 * i, (uint32_t)n->origin[i]);
+    bytes_put32(bytes + 4 * i, (uint32_t)n->origin[i]);
   }
-  tree_put32(bytes + 12, packed);
-  tree_put32(bytes + 16, n->first);
-  tree_put32(bytes + 20, leaf ? n->record : 0);
-  tree_put32(bytes + 24, 0);
+  bytes_put32(bytes + 12, packed);
+  bytes_put32(bytes + 16, n->first);
+  bytes_put32(bytes + 20, leaf ? n->record : 0);
+  bytes_put32(bytes + 24, 0);
   for (int i = 0; i < 3; i++) {
     bytes[28 + i] = (uint8_t)n->own[i];
   }
@@ -67,11 +67,11 @@ void sepax__tree_pack(uint8_t bytes[TREE_NODE_BYTES], const tree_node *n, const 
       child[3 + i] = j < n->children ? (uint8_t)n->high[j][i] : 0;
     }
   }
-  tree_put32(bytes + 24, sepax__tree_node_crc(bytes, record));
+  bytes_put32(bytes + 24, sepax__tree_node_crc(bytes, record));
 }
 
 uint32_t sepax__tree_node_crc(const uint8_t bytes[TREE_NODE_BYTES], const uint8_t *record) {
-  uint32_t packed = tree_get32(bytes + 12);
+  uint32_t packed = bytes_get32(bytes + 12);
   uint32_t crc = sepax__tree_crc(0, bytes, 24);
   crc = sepax__tree_crc(crc, bytes + 28, TREE_NODE_BYTES - 28);
   bool leaf = (packed >> 16 & 15) == 0;
@@ -95,7 +95,7 @@ bool sepax__tree_triangle(int32_t v[3][3], const uint8_t *record, int beats, int
     if (vertex >= 2 * beats - 4) {
       return false;
     }
-    uint64_t p = tree_get64(record + 32 + 8 * vertex);
+    uint64_t p = bytes_get64(record + 32 + 8 * vertex);
     for (int i = 0; i < 3; i++) {
       v[k][i] = from_bits(p >> (21 * i), word);
     }

@@ -4,6 +4,7 @@
 #define SEPAX_TREE_FORMAT_H
 
 #include "sepax_grid.h"
+#include "util/bytes.h"
 
 enum {
   TREE_FAN_OUT = 16,     /* children of a node, triangles of a leaf */
@@ -36,23 +37,6 @@ typedef struct {
   uint32_t nodes, triangles;
   uint32_t beats; /* of the image */
 } tree_image;
-
-static inline uint32_t tree_get32(const uint8_t *from) {
-  return (uint32_t)from[0] | (uint32_t)from[1] << 8 | (uint32_t)from[2] << 16 |
-         (uint32_t)from[3] << 24;
-}
-static inline uint64_t tree_get64(const uint8_t *from) {
-  return (uint64_t)tree_get32(from) | (uint64_t)tree_get32(from + 4) << 32;
-}
-static inline void tree_put32(uint8_t *to, uint32_t value) {
-  for (int k = 0; k < 4; k++) {
-    to[k] = (uint8_t)(value >> (8 * k));
-  }
-}
-static inline void tree_put64(uint8_t *to, uint64_t value) {
-  tree_put32(to, (uint32_t)value);
-  tree_put32(to + 4, (uint32_t)(value >> 32));
-}
 
 /* Go on with a CRC-32 (IEEE 802.3); begin with 0. */
 uint32_t sepax__tree_crc(uint32_t crc, const uint8_t *bytes, size_t count);

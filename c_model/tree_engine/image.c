@@ -60,7 +60,7 @@ static void write_record(writer *w, tree_node *n, const range *r) {
     to[2 * k + 1] = (uint8_t)(three >> 8);
   }
   for (int k = 0; k < vertices; k++) {
-    tree_put64(to + 32 + 8 * k, packed[k]);
+    bytes_put64(to + 32 + 8 * k, packed[k]);
   }
   w->at += bytes;
 }
@@ -212,10 +212,10 @@ const uint8_t *sepax_tree_image(const sepax_tree *tree, size_t *bytes) {
 void sepax_tree_body(const sepax_tree *tree, uint64_t address,
                      uint8_t record[SEPAX_TREE_BODY_BYTES]) {
   memset(record, 0, SEPAX_TREE_BODY_BYTES);
-  tree_put64(record, address);
-  tree_put32(record + 8, tree->nodes);
-  tree_put32(record + 12, tree->triangles);
-  tree_put32(record + 16, (uint32_t)(tree->bytes / TREE_BEAT));
+  bytes_put64(record, address);
+  bytes_put32(record + 8, tree->nodes);
+  bytes_put32(record + 12, tree->triangles);
+  bytes_put32(record + 16, (uint32_t)(tree->bytes / TREE_BEAT));
 }
 
 size_t sepax_tree_nodes(const sepax_tree *tree) { return tree->nodes; }

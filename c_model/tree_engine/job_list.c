@@ -37,7 +37,7 @@ enum {
 static uint64_t up(uint64_t at, uint64_t unit) { return (at + unit - 1) / unit * unit; }
 
 static const uint8_t *row_of(const sepax_job_list *list, uint32_t body) {
-  return list->byte + tree_get64(list->byte + AT_TABLE) + ROW * (uint64_t)body;
+  return list->byte + bytes_get64(list->byte + AT_TABLE) + ROW * (uint64_t)body;
 }
 
 void sepax_job_list_free(sepax_job_list *list) {
@@ -79,8 +79,8 @@ static bool put_trees(uint8_t *byte, const sepax_job_scene *s, const places *at)
     ok = out != NULL && setvbuf(out, NULL, _IONBF, 0) == 0 &&
          sepax__tree_file_write(out, s->tree[n]);
     ok = out != NULL && fclose(out) == 0 && ok;
-    tree_put64(row, place);
-    tree_put64(row + 8, bytes);
+    bytes_put64(row, place);
+    bytes_put64(row + 8, bytes);
     strncpy((char *)row + ROW_NAME, s->name[n], ROW - ROW_NAME - 1);
     place = up(place + bytes, TREE_PAGE);
   }
@@ -89,7 +89,7 @@ static bool put_trees(uint8_t *byte, const sepax_job_scene *s, const places *at)
 
 static void put_jobs(uint8_t *byte, const sepax_job_scene *s, const places *at) {
   for (size_t n = 0; n < s->poses; n++) {
-    tree_put32(byte + at->lines + 4 * n, s->line[n]);
+    bytes_put32(byte + at->lines + 4 * n, s->line[n]);
   }
   for (size_t n = 0; n < s->pairs; n++) {
     const sepax_job_pair *pair = &s->pair[n];
@@ -97,7 +97,7 @@ static void put_jobs(uint8_t *byte, const sepax_job_scene *s, const places *at) 
         .poses = at->poses + queue_bytes(s) * n, .count = (uint32_t)s->poses, .modes = s->modes};
     for (int side = 0; side < 2; side++) {
       const uint8_t *row = byte + at->table + ROW * pair->body[side];
-      sepax_tree_body(s->tree[pair->body[side]], tree_get64(row) + HEADER, job.body[side]);
+      sepax_tree_body(s->tree[pair->body[side]], bytes_get64(row) + HEADER, job.body[side]);
     }
     for (size_t k = 0; k < s->poses; k++) {
       sepax_tree_pose_pack(&pair->pose[k], byte + job.poses + SEPAX_TREE_POSE_STRIDE * k);
@@ -108,19 +108,19 @@ static void put_jobs(uint8_t *byte, const sepax_job_scene *s, const places *at) 
 
 static void put_header(uint8_t *byte, const sepax_job_scene *s, const places *at) {
   memcpy(byte, magic, sizeof magic);
-  tree_put32(byte + AT_VERSION, VERSION);
-  tree_put32(byte + AT_WORD, (uint32_t)s->word);
-  tree_put32(byte + AT_CLEARANCE, (uint32_t)s->clearance);
-  tree_put32(byte + AT_WARNING, (uint32_t)s->warning);
-  tree_put32(byte + AT_BODIES, (uint32_t)s->bodies);
-  tree_put32(byte + AT_JOBS, (uint32_t)s->pairs);
-  tree_put32(byte + AT_POSES, (uint32_t)s->poses);
-  tree_put64(byte + AT_TABLE, at->table);
-  tree_put64(byte + AT_LINES, at->lines);
-  tree_put64(byte + AT_LIST, at->list);
-  tree_put64(byte + AT_BYTES, at->bytes);
-  tree_put32(byte + AT_CRC, sepax__tree_crc(0, byte + HEADER, (size_t)(at->bytes - HEADER)));
-  tree_put32(byte + AT_HEADER_CRC, sepax__tree_crc(0, byte, AT_HEADER_CRC));
+  bytes_put32(byte + AT_VERSION, VERSION);
+  bytes_put32(byte + AT_WORD, (uint32_t)s->word);
+  bytes_put32(byte + AT_CLEARANCE, (uint32_t)s->clearance);
+  bytes_put32(byte + AT_WARNING, (uint32_t)s->warning);
+  bytes_put32(byte + AT_BODIES, (uint32_t)s->bodies);
+  bytes_put32(byte + AT_JOBS, (uint32_t)s->pairs);
+  bytes_put32(byte + AT_POSES, (uint32_t)s->poses);
+  bytes_put64(byte + AT_TABLE, at->table);
+  bytes_put64(byte + AT_LINES, at->lines);
+  bytes_put64(byte + AT_LIST, at->list);
+  bytes_put64(byte + AT_BYTES, at->bytes);
+  bytes_put32(byte + AT_CRC, sepax__tree_crc(0, byte + HEADER, (size_t)(at->bytes - HEADER)));
+  bytes_put32(byte + AT_HEADER_CRC, sepax__tree_crc(0, byte, AT_HEADER_CRC));
 }
 
 bool sepax_job_list_make(sepax_job_list *list, const sepax_job_scene *s, sepax_error *error) {
@@ -186,19 +186,19 @@ static bool read_bytes(sepax_job_list *list, FILE *in, sepax_error *error) {
     return sepax_fail(error, SEPAX_ERROR_FORMAT,
                       "no list of jobs; make one with 'sepax path --jobs=FILE'");
   }
-  if (tree_get32(head + AT_VERSION) != VERSION) {
+  if (bytes_get32(head + AT_VERSION) != VERSION) {
     return sepax_fail(error, SEPAX_ERROR_FORMAT, "version %u of the format, not %d; make it again",
-                      tree_get32(head + AT_VERSION), VERSION);
+                      bytes_get32(head + AT_VERSION), VERSION);
   }
   bool zeros = true;
   for (int n = AT_HEADER_CRC + 4; n < HEADER; n++) {
     zeros = zeros && head[n] == 0;
   }
-  if (!zeros || tree_get32(head + AT_HEADER_CRC) != sepax__tree_crc(0, head, AT_HEADER_CRC)) {
+  if (!zeros || bytes_get32(head + AT_HEADER_CRC) != sepax__tree_crc(0, head, AT_HEADER_CRC)) {
     return sepax_fail(error, SEPAX_ERROR_FORMAT,
                       "the header's CRC is wrong; the file is damaged, make it again");
   }
-  uint64_t bytes = tree_get64(head + AT_BYTES);
+  uint64_t bytes = bytes_get64(head + AT_BYTES);
   long end = fseek(in, 0, SEEK_END) == 0 ? ftell(in) : -1;
   if (end < HEADER || (uint64_t)end != bytes || bytes > BYTES_MOST || fseek(in, 0, SEEK_SET) != 0) {
     return sepax_fail(error, SEPAX_ERROR_FORMAT,
@@ -213,7 +213,7 @@ static bool read_bytes(sepax_job_list *list, FILE *in, sepax_error *error) {
   if (fread(list->byte, list->bytes, 1, in) != 1) {
     return sepax_fail(error, SEPAX_ERROR_FILE, "not read: %s", strerror(errno));
   }
-  return tree_get32(head + AT_CRC) ==
+  return bytes_get32(head + AT_CRC) ==
              sepax__tree_crc(0, list->byte + HEADER, list->bytes - HEADER) ||
          sepax_fail(error, SEPAX_ERROR_FORMAT,
                     "the CRC is wrong; the file is damaged, make it again");
@@ -227,16 +227,16 @@ static bool within(const sepax_job_list *list, uint64_t at, uint64_t count, uint
 
 static bool take_header(sepax_job_list *list, sepax_error *error) {
   const uint8_t *head = list->byte;
-  list->bodies = tree_get32(head + AT_BODIES);
-  list->jobs = tree_get32(head + AT_JOBS);
-  list->poses = tree_get32(head + AT_POSES);
-  list->list = tree_get64(head + AT_LIST);
-  uint32_t word = tree_get32(head + AT_WORD);
-  uint32_t clearance = tree_get32(head + AT_CLEARANCE);
-  uint32_t warning = tree_get32(head + AT_WARNING);
+  list->bodies = bytes_get32(head + AT_BODIES);
+  list->jobs = bytes_get32(head + AT_JOBS);
+  list->poses = bytes_get32(head + AT_POSES);
+  list->list = bytes_get64(head + AT_LIST);
+  uint32_t word = bytes_get32(head + AT_WORD);
+  uint32_t clearance = bytes_get32(head + AT_CLEARANCE);
+  uint32_t warning = bytes_get32(head + AT_WARNING);
   bool ok = list->bodies > 0 && list->jobs > 0 && list->poses > 0 &&
-            within(list, tree_get64(head + AT_TABLE), list->bodies, ROW, ROW) &&
-            within(list, tree_get64(head + AT_LINES), list->poses, 4, 4) &&
+            within(list, bytes_get64(head + AT_TABLE), list->bodies, ROW, ROW) &&
+            within(list, bytes_get64(head + AT_LINES), list->poses, 4, 4) &&
             within(list, list->list, list->jobs, SEPAX_TREE_JOB_BYTES, SEPAX_TREE_JOB_BYTES) &&
             word >= SEPAX_WORD_MIN && word <= SEPAX_TREE_WORD_MAX && clearance <= INT16_MAX &&
             warning <= INT16_MAX;
@@ -251,8 +251,8 @@ static bool take_header(sepax_job_list *list, sepax_error *error) {
 static bool check_tree(const sepax_job_list *list, uint32_t body,
                        uint8_t record[SEPAX_TREE_BODY_BYTES], sepax_error *error) {
   const uint8_t *row = row_of(list, body);
-  uint64_t place = tree_get64(row);
-  uint64_t bytes = tree_get64(row + 8);
+  uint64_t place = bytes_get64(row);
+  uint64_t bytes = bytes_get64(row + 8);
   if (!within(list, place, 1, bytes > 0 ? bytes : list->bytes + 1, TREE_PAGE) ||
       row[ROW - 1] != '\0') {
     return sepax_fail(error, SEPAX_ERROR_FORMAT, "body %u is beyond the file; make it again", body);
@@ -341,32 +341,32 @@ const char *sepax_job_list_name(const sepax_job_list *list, uint32_t body) {
 
 /* Of the header of its tree. */
 static const uint8_t *tree_of(const sepax_job_list *list, uint32_t body) {
-  return list->byte + tree_get64(row_of(list, body));
+  return list->byte + bytes_get64(row_of(list, body));
 }
 
 uint32_t sepax_job_list_triangles(const sepax_job_list *list, uint32_t body) {
-  return tree_get32(tree_of(list, body) + 52);
+  return bytes_get32(tree_of(list, body) + 52);
 }
 
 double sepax_job_list_resolution(const sepax_job_list *list) {
-  uint64_t bits = tree_get64(tree_of(list, 0) + 16);
+  uint64_t bits = bytes_get64(tree_of(list, 0) + 16);
   double x;
   memcpy(&x, &bits, sizeof x);
   return x;
 }
 
 uint32_t sepax_job_list_body(const sepax_job_list *list, uint32_t job, int side) {
-  uint64_t address = tree_get64(list->byte + list->list + SEPAX_TREE_JOB_BYTES * (uint64_t)job +
-                                (uint64_t)(SEPAX_TREE_BODY_BYTES * side));
+  uint64_t address = bytes_get64(list->byte + list->list + SEPAX_TREE_JOB_BYTES * (uint64_t)job +
+                                 (uint64_t)(SEPAX_TREE_BODY_BYTES * side));
   uint32_t body = 0;
-  while (body < list->bodies && tree_get64(row_of(list, body)) + HEADER != address) {
+  while (body < list->bodies && bytes_get64(row_of(list, body)) + HEADER != address) {
     body++;
   }
   return body;
 }
 
 uint32_t sepax_job_list_line(const sepax_job_list *list, uint32_t pose) {
-  return tree_get32(list->byte + tree_get64(list->byte + AT_LINES) + 4 * (uint64_t)pose);
+  return bytes_get32(list->byte + bytes_get64(list->byte + AT_LINES) + 4 * (uint64_t)pose);
 }
 
 void sepax_job_list_config(const sepax_job_list *list, sepax_config *config) {

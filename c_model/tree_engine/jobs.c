@@ -11,32 +11,32 @@ enum { POSES = 64, COUNT = 72, MODES = 76, BUDGET = 80, LEAF = 88, CHILD_SHIFT =
 void sepax_tree_job_pack(const sepax_tree_job *job, uint8_t bytes[SEPAX_TREE_JOB_BYTES]) {
   memset(bytes, 0, SEPAX_TREE_JOB_BYTES);
   memcpy(bytes, job->body, sizeof job->body);
-  tree_put64(bytes + POSES, job->poses);
-  tree_put32(bytes + COUNT, job->count);
-  tree_put32(bytes + MODES, job->modes);
-  tree_put32(bytes + BUDGET, job->budget);
+  bytes_put64(bytes + POSES, job->poses);
+  bytes_put32(bytes + COUNT, job->count);
+  bytes_put32(bytes + MODES, job->modes);
+  bytes_put32(bytes + BUDGET, job->budget);
   for (int i = 0; i < 2; i++) {
-    tree_put32(bytes + LEAF + 4 * i, job->leaf[i] | (uint32_t)job->child[i] << CHILD_SHIFT);
+    bytes_put32(bytes + LEAF + 4 * i, job->leaf[i] | (uint32_t)job->child[i] << CHILD_SHIFT);
   }
 }
 
 static bool body_in_range(const uint8_t *record, uint32_t triangles_most) {
-  uint64_t address = tree_get64(record);
-  uint32_t nodes = tree_get32(record + 8);
-  uint32_t triangles = tree_get32(record + 12);
+  uint64_t address = bytes_get64(record);
+  uint32_t nodes = bytes_get32(record + 8);
+  uint32_t triangles = bytes_get32(record + 12);
   return address % TREE_PAGE == 0 && address <= ADDRESS_MAX && nodes >= 1 &&
          nodes <= TREE_NODES_MAX && triangles >= 1 && triangles <= triangles_most &&
-         nodes * (TREE_NODE_BYTES / TREE_BEAT) <= tree_get32(record + 16);
+         nodes * (TREE_NODE_BYTES / TREE_BEAT) <= bytes_get32(record + 16);
 }
 
 bool sepax_tree_job_unpack(sepax_tree_job *job, const uint8_t bytes[SEPAX_TREE_JOB_BYTES]) {
-  *job = (sepax_tree_job){.poses = tree_get64(bytes + POSES),
-                          .count = tree_get32(bytes + COUNT),
-                          .modes = tree_get32(bytes + MODES),
-                          .budget = tree_get32(bytes + BUDGET)};
+  *job = (sepax_tree_job){.poses = bytes_get64(bytes + POSES),
+                          .count = bytes_get32(bytes + COUNT),
+                          .modes = bytes_get32(bytes + MODES),
+                          .budget = bytes_get32(bytes + BUDGET)};
   memcpy(job->body, bytes, sizeof job->body);
   for (int i = 0; i < 2; i++) {
-    uint32_t row = tree_get32(bytes + LEAF + 4 * i);
+    uint32_t row = bytes_get32(bytes + LEAF + 4 * i);
     job->leaf[i] = row & (TREE_NODES_MAX - 1);
     job->child[i] = (int)(row >> CHILD_SHIFT & 15);
   }
@@ -84,8 +84,8 @@ static bool walk_pose(sepax_tree_batch *b, sepax_tree_result *result, sepax_erro
                               SEPAX_TREE_POSE_BYTES);
   const uint8_t *image[2];
   for (int i = 0; i < 2; i++) {
-    image[i] = read(b->memory, tree_get64(job->body[i]),
-                    (uint64_t)TREE_BEAT * tree_get32(job->body[i] + 16));
+    image[i] = read(b->memory, bytes_get64(job->body[i]),
+                    (uint64_t)TREE_BEAT * bytes_get32(job->body[i] + 16));
   }
   sepax_tree_pose pose;
   sepax_error unread;

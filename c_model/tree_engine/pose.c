@@ -223,11 +223,11 @@ void sepax_tree_pose_pack(const sepax_tree_pose *pose, uint8_t bytes[SEPAX_TREE_
   for (int n = 0; n < 2; n++) {
     const sepax_tree_side *side = &pose->side[n];
     for (int k = 0; k < 9; k++) {
-      tree_put32(bytes + place[n].matrix + 4 * k, (uint32_t)side->matrix[k / 3][k % 3]);
+      bytes_put32(bytes + place[n].matrix + 4 * k, (uint32_t)side->matrix[k / 3][k % 3]);
     }
     for (int i = 0; i < 3; i++) {
-      tree_put64(bytes + place[n].shift + 8 * i, (uint64_t)side->shift[i]);
-      tree_put32(bytes + place[n].sigma + 4 * i, side->sigma[i]);
+      bytes_put64(bytes + place[n].shift + 8 * i, (uint64_t)side->shift[i]);
+      bytes_put32(bytes + place[n].sigma + 4 * i, side->sigma[i]);
     }
   }
 }
@@ -255,11 +255,11 @@ bool sepax_tree_pose_unpack(sepax_tree_pose *pose, const uint8_t bytes[SEPAX_TRE
   for (int n = 0; n < 2; n++) {
     sepax_tree_side *side = &p.side[n];
     for (int k = 0; k < 9; k++) {
-      side->matrix[k / 3][k % 3] = (int32_t)tree_get32(bytes + place[n].matrix + 4 * k);
+      side->matrix[k / 3][k % 3] = (int32_t)bytes_get32(bytes + place[n].matrix + 4 * k);
     }
     for (int i = 0; i < 3; i++) {
-      side->shift[i] = (int64_t)tree_get64(bytes + place[n].shift + 8 * i);
-      side->sigma[i] = tree_get32(bytes + place[n].sigma + 4 * i);
+      side->shift[i] = (int64_t)bytes_get64(bytes + place[n].shift + 8 * i);
+      side->sigma[i] = bytes_get32(bytes + place[n].sigma + 4 * i);
     }
     if (!in_range(side, error)) {
       return false;

@@ -294,8 +294,8 @@ bool sepax__tree_images_walk(const tree_image tree[2], const sepax_tree_pose *po
 }
 
 static tree_image image_of(const uint8_t *image, const uint8_t *record) {
-  return (tree_image){image, tree_get32(record + 8), tree_get32(record + 12),
-                      tree_get32(record + 16)};
+  return (tree_image){image, bytes_get32(record + 8), bytes_get32(record + 12),
+                      bytes_get32(record + 16)};
 }
 
 bool sepax_tree_walk_images(const uint8_t *const image[2],

@@ -5,6 +5,7 @@
  * triangles at the edge into four, so the mesh stays closed and oriented. */
 #include "util/error.h"
 #include "sepax_vectors.h"
+#include "util/vector.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -350,10 +351,8 @@ static bool find_normal(const sepax_facet *facet, double n[3]) {
     e[axis] = facet->v[1][axis] - facet->v[0][axis];
     f[axis] = facet->v[2][axis] - facet->v[0][axis];
   }
-  n[0] = e[1] * f[2] - e[2] * f[1];
-  n[1] = e[2] * f[0] - e[0] * f[2];
-  n[2] = e[0] * f[1] - e[1] * f[0];
-  double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  vector_cross(e, f, n);
+  double length = vector_length(n);
   for (int axis = 0; axis < 3; axis++) {
     n[axis] /= length;
   }

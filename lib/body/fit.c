@@ -5,6 +5,7 @@
 #include "body.h"
 #include "util/box.h"
 #include "util/threads.h"
+#include "util/vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,19 +23,9 @@ static const axes upright = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 /* ------------------------------------------------------------------------ vectors */
 
-static double dot(const double p[3], const double q[3]) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-
-static void cross(const double p[3], const double q[3], double r[3]) {
-  for (int i = 0; i < 3; i++) {
-    r[i] = p[next[i]] * q[next[next[i]]] - p[next[next[i]]] * q[next[i]];
-  }
-}
-
 /* False where the vector is too short to have a direction. */
 static bool normalise(double v[3]) {
-  double length = sqrt(dot(v, v));
+  double length = vector_length(v);
   if (!(length > 1e-100)) {
     return false;
   }
@@ -53,9 +44,9 @@ static void complete(axes a) {
   for (int i = 1; i < 3; i++) {
     least = fabs(a[0][i]) < fabs(a[0][least]) ? i : least;
   }
-  cross(upright[least], a[0], a[1]);
+  vector_cross(upright[least], a[0], a[1]);
   normalise(a[1]);
-  cross(a[0], a[1], a[2]);
+  vector_cross(a[0], a[1], a[2]);
 }
 
 static void axes_of_triangle(const double v[3][3], axes a) {
@@ -66,7 +57,7 @@ static void axes_of_triangle(const double v[3][3], axes a) {
     for (int i = 0; i < 3; i++) {
       edge[k][i] = v[next[k]][i] - v[k][i];
     }
-    double length = dot(edge[k], edge[k]);
+    double length = vector_dot(edge[k], edge[k]);
     longest = length > most ? k : longest;
     most = length > most ? length : most;
   }
@@ -75,15 +66,15 @@ static void axes_of_triangle(const double v[3][3], axes a) {
     memcpy(a, upright, sizeof upright);
     return;
   }
-  cross(a[0], edge[next[longest]], a[2]);
+  vector_cross(a[0], edge[next[longest]], a[2]);
   if (!normalise(a[2])) {
     complete(a);
     return;
   }
   /* Once more: the edge of a sliver leaves its normal inexact. */
-  cross(a[2], a[0], a[1]);
+  vector_cross(a[2], a[0], a[1]);
   normalise(a[1]);
-  cross(a[0], a[1], a[2]);
+  vector_cross(a[0], a[1], a[2]);
 }
 
 /* Sums over the surface of triangles: its area, and of the area times x_i, times x_i x_j. */
@@ -101,8 +92,8 @@ static void add_triangle(moments *m, const double v[3][3]) {
     f[i] = v[2][i] - v[0][i];
     centre[i] = v[0][i] + v[1][i] + v[2][i];
   }
-  cross(e, f, normal);
-  double area = sqrt(dot(normal, normal));
+  vector_cross(e, f, normal);
+  double area = sqrt(vector_dot(normal, normal));
   m->area += area;
   for (int i = 0; i < 3; i++) {
     m->first[i] += area * centre[i] / 3;
@@ -167,12 +158,12 @@ static void principal_axes(const moments *m, axes a) {
     turn(s, a, 2, 0);
   }
   normalise(a[0]);
-  cross(a[0], a[1], a[2]);
+  vector_cross(a[0], a[1], a[2]);
   if (!normalise(a[2])) {
     memcpy(a, upright, sizeof upright);
     return;
   }
-  cross(a[2], a[0], a[1]);
+  vector_cross(a[2], a[0], a[1]);
 }
 
 /* -------------------------------------------------------------------------- boxes */
@@ -251,7 +242,7 @@ static void enclose(const facet_points *v, uint32_t count, const axes a, oriente
     centre[i] = (double)r->centre[i];
   }
   for (int i = 0; i < 3; i++) {
-    double at = dot(axis[i], centre);
+    double at = vector_dot(axis[i], centre);
     half[i] = fmax(high[i] - at, at - low[i]);
   }
   set_half(r, half);

@@ -5,6 +5,7 @@
  * projections on any direction w at most. If both agree to 2^-55 the distance is known, whatever
  * the features were; else integers of any size find it (features.c). */
 #include "distance.h"
+#include "util/vector.h"
 
 #include <string.h>
 
@@ -143,18 +144,6 @@ static void minus(const double p[3], const double q[3], double r[3]) {
   }
 }
 
-static double inner(const double p[3], const double q[3]) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-
-static void outer(const double p[3], const double q[3], double r[3]) {
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    r[i] = p[j] * q[k] - p[k] * q[j];
-  }
-}
-
 /* In the order of their distances, each once. */
 static void offer(candidates *c, int a, int b, double square) {
   feature_list *l = &c->list;
@@ -191,11 +180,11 @@ static void offer_edges(candidates *c, int i, int j) {
   minus(c->p[0][i_end], c->p[0][i], u);
   minus(c->p[1][j_end], c->p[1][j], v);
   minus(c->p[1][j], c->p[0][i], d);
-  double uu = inner(u, u);
-  double vv = inner(v, v);
-  double uv = inner(u, v);
-  double du = inner(d, u);
-  double dv = inner(d, v);
+  double uu = vector_dot(u, u);
+  double vv = vector_dot(v, v);
+  double uv = vector_dot(u, v);
+  double du = vector_dot(d, u);
+  double dv = vector_dot(d, v);
   double area = uu * vv - uv * uv;
   double s = area > 0x1p-50 * uu * vv ? within_unit((du * vv - uv * dv) / area) : 0;
   double t = vv > 0 ? within_unit((s * uv - dv) / vv) : 0;
@@ -203,7 +192,7 @@ static void offer_edges(candidates *c, int i, int j) {
   for (int k = 0; k < 3; k++) {
     d[k] += t * v[k] - s * u[k];
   }
-  offer(c, edge_feature(s, i, i_end), edge_feature(t, j, j_end), inner(d, d));
+  offer(c, edge_feature(s, i, i_end), edge_feature(t, j, j_end), vector_dot(d, d));
 }
 
 /* Vertices x of one triangle above the face of the other, and edges that pierce it. */
@@ -214,8 +203,8 @@ static void offer_face(candidates *c, const double x[3][3], const double f[3][3]
   for (int k = 0; k < 3; k++) {
     minus(f[(k + 1) % 3], f[k], e[k]);
   }
-  outer(e[0], e[1], n);
-  double square = inner(n, n);
+  vector_cross(e[0], e[1], n);
+  double square = vector_dot(n, n);
   if (!(square > 0)) {
     return;
   }
@@ -225,9 +214,9 @@ static void offer_face(candidates *c, const double x[3][3], const double f[3][3]
       double d[3];
       double side[3];
       minus(x[k], f[j], d);
-      height[k] = j == 0 ? inner(d, n) : height[k];
-      outer(e[j], d, side);
-      inside = inside && inner(side, n) >= 0;
+      height[k] = j == 0 ? vector_dot(d, n) : height[k];
+      vector_cross(e[j], d, side);
+      inside = inside && vector_dot(side, n) >= 0;
     }
     if (inside) {
       offer(c, of_b ? 7 : 1 << k, of_b ? 1 << k : 7, height[k] * height[k] / square);
@@ -243,8 +232,8 @@ static void offer_face(candidates *c, const double x[3][3], const double f[3][3]
         for (int i = 0; i < 3; i++) {
           d[i] = (x[k][i] - f[j][i]) * height[l] - (x[l][i] - f[j][i]) * height[k];
         }
-        outer(e[j], d, side);
-        inside = inside && inner(side, n) * (height[l] - height[k]) >= 0;
+        vector_cross(e[j], d, side);
+        inside = inside && vector_dot(side, n) * (height[l] - height[k]) >= 0;
       }
       if (inside) {
         int edge = 1 << k | 1 << l;

@@ -1,13 +1,12 @@
 /* travel.c - how far bodies move while the joints go linearly from one set of values to another.
  * docs/path.md#the-bound-on-motion derives the bound. */
 #include "mechanism/steps.h"
+#include "util/vector.h"
 
 #include <math.h>
 
 /* More than all rounding of what is multiplied and summed here. */
 static const double up = 1 + 0x1p-30;
-
-static double length_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 static void corner_of(const double box[2][3], int corner, double v[3]) {
   for (int i = 0; i < 3; i++) {
@@ -53,12 +52,8 @@ static double reach_of(const double axis[3], const sepax_pose *link, const doubl
     for (int i = 0; i < 3; i++) {
       arm[i] -= link->translation[i];
     }
-    for (int i = 0; i < 3; i++) {
-      int j = (i + 1) % 3;
-      int k = (i + 2) % 3;
-      cross[i] = a[j] * arm[k] - a[k] * arm[j];
-    }
-    most = fmax(most, length_of(cross));
+    vector_cross(a, arm, cross);
+    most = fmax(most, vector_length(cross));
   }
   return most;
 }
@@ -86,7 +81,8 @@ static sepax_pose next_link(const sepax_pose *link, const sepax_joint *joint, do
 double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
                           const double *middle, const double *to, const double box[2][3]) {
   sepax_pose link = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
-  double scale = 2 * (length_of(box[0]) + length_of(box[1])); /* all lengths that are summed */
+  double scale =
+      2 * (vector_length(box[0]) + vector_length(box[1])); /* all lengths that are summed */
   double moved = 0;     /* by the joints so far, those nearest to A, from the middle to an end */
   double curvature = 0; /* of any point's way in B's coordinates, the whole of it taken as time */
   double rounded = 0;   /* of the values between the ends */
@@ -100,7 +96,7 @@ double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, co
     bool rising = n < chain->up;
     sepax_pose other = next_link(&link, joint, q[1], rising);
     const sepax_pose *child = rising ? &link : &other;
-    scale += length_of(joint->origin.translation);
+    scale += vector_length(joint->origin.translation);
     double slack = (double)(n + 1) * 0x1p-43 * scale;
     double most = fmax(fabs(q[0]), fabs(q[2]));
     double way = fabs(q[2] - q[0]);
@@ -127,7 +123,7 @@ double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, co
       for (int i = 0; i < 3; i++) {
         way[i] = at[end][n][i] - at[0][n][i];
       }
-      chord = fmax(chord, length_of(way));
+      chord = fmax(chord, vector_length(way));
     }
   }
   return fmin(chord + curvature / 32, moved) * up + 2 * rounded +

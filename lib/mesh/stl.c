@@ -1,4 +1,5 @@
 /* stl.c - STL files, text and binary, read and written whole. */
+#include "util/bytes.h"
 #include "util/error.h"
 #include "util/list.h"
 #include "util/plain_numbers.h"
@@ -275,27 +276,13 @@ static bool read_text(reading *r, const content *file, const char *path, sepax_e
 
 /* ------------------------------------------------------------------ binary */
 
-static uint32_t load32(const char *bytes) {
-  uint32_t word = 0;
-  for (int i = 3; i >= 0; i--) {
-    word = word << 8 | (unsigned char)bytes[i];
-  }
-  return word;
-}
-
-static void store32(char *bytes, uint32_t word) {
-  for (int i = 0; i < 4; i++) {
-    bytes[i] = (char)(word >> 8 * i & 0xff);
-  }
-}
-
 typedef union {
   uint32_t word;
   float number;
 } binary32;
 
 static uint64_t bytes_announced(const content *file) {
-  return HEAD_BYTES + (uint64_t)FACET_BYTES * load32(file->bytes + TITLE_BYTES);
+  return HEAD_BYTES + (uint64_t)FACET_BYTES * bytes_get32(file->bytes + TITLE_BYTES);
 }
 
 static bool is_binary(const content *file) {
@@ -314,7 +301,7 @@ static bool read_binary(reading *r, const content *file, const char *path, sepax
   for (size_t k = 0; k < count; k++, bytes += FACET_BYTES) {
     numbers facet;
     for (int i = 0; i < FACET_NUMBERS; i++) {
-      binary32 value = {.word = load32(bytes + 4 * i)};
+      binary32 value = {.word = bytes_get32(bytes + 4 * i)};
       if (!isfinite(value.number)) {
         return fail(error, SEPAX_ERROR_FORMAT, path, "facet %zu: %s is %s; %s", k, number_name(i),
                     flaw(value.number), cure);
@@ -360,7 +347,7 @@ static bool fail_format(const content *file, const char *path, sepax_error *erro
     return fail(error, SEPAX_ERROR_FORMAT, path,
                 "no STL file: neither 'solid' nor a binary header; %s", "export the mesh as STL");
   }
-  uint32_t count = load32(file->bytes + TITLE_BYTES);
+  uint32_t count = bytes_get32(file->bytes + TITLE_BYTES);
   uint64_t announced = bytes_announced(file);
   const char *what = file->size < announced ? "truncated" : "longer than its count says";
   return fail(error, SEPAX_ERROR_FORMAT, path,
@@ -476,14 +463,14 @@ static bool write_text(FILE *out, const void *context) {
 static bool write_binary(FILE *out, const void *context) {
   const sepax_soup *soup = context;
   char head[HEAD_BYTES] = "sepax, binary STL";
-  store32(head + TITLE_BYTES, (uint32_t)soup->count);
+  bytes_put32(head + TITLE_BYTES, (uint32_t)soup->count);
   bool ok = fwrite(head, sizeof head, 1, out) == 1;
   for (size_t k = 0; ok && k < soup->count; k++) {
     char record[FACET_BYTES] = {0};
     const numbers all = numbers_of(soup, k);
     for (int i = 0; i < FACET_NUMBERS; i++) {
       binary32 value = {.number = (float)all.of[i]};
-      store32(record + 4 * i, value.word);
+      bytes_put32(record + 4 * i, value.word);
     }
     ok = fwrite(record, sizeof record, 1, out) == 1;
   }

@@ -1,13 +1,6 @@
 /* polygon.c - a polygon as triangles between its corners. */
 #include "formats/formats.h"
-
-static void cross(const double p[3], const double q[3], double r[3]) {
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    r[i] = p[j] * q[k] - p[k] * q[j];
-  }
-}
+#include "util/vector.h"
 
 /* Twice the area of a triangle as a vector. */
 static void area_of(const double a[3], const double b[3], const double c[3], double area[3]) {
@@ -17,7 +10,7 @@ static void area_of(const double a[3], const double b[3], const double c[3], dou
     p[i] = b[i] - a[i];
     q[i] = c[i] - a[i];
   }
-  cross(p, q, area);
+  vector_cross(p, q, area);
 }
 
 /* All triangles of this corner turn the same way as the polygon. */
@@ -25,7 +18,7 @@ static bool sees_all(const double (*corner)[3], size_t count, size_t from, const
   for (size_t n = 1; n + 1 < count; n++) {
     double area[3];
     area_of(corner[from], corner[(from + n) % count], corner[(from + n + 1) % count], area);
-    if (!(area[0] * whole[0] + area[1] * whole[1] + area[2] * whole[2] >= 0)) {
+    if (!(vector_dot(area, whole) >= 0)) {
       return false;
     }
   }

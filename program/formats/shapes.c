@@ -178,12 +178,7 @@ static bool is_at_origin(const sepax_pose *pose) {
 static void place_mesh(sepax_soup *mesh, const sepax_pose *pose) {
   for (size_t n = 0; n < 3 * mesh->count && !is_at_origin(pose); n++) {
     double *v = mesh->facet[n / 3].v[n % 3];
-    double placed[3];
-    for (int i = 0; i < 3; i++) {
-      const double *row = pose->rotation[i];
-      placed[i] = row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + pose->translation[i];
-    }
-    memcpy(v, placed, sizeof placed);
+    sepax_pose_apply(pose, v, v);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "path/parts.h"
 #include "util/error.h"
 #include "util/threads.h"
+#include "util/vector.h"
 
 #include <math.h>
 #include <stdatomic.h>
@@ -105,21 +106,17 @@ static two_boxes posed_boxes(const asking *a) {
   return t;
 }
 
-static double dot(const double u[3], const double v[3]) {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
 /* How far the boxes are from each other along the axis, which becomes a unit vector from the second
  * to the first; less than 0 for none. */
 static double gap_along(const two_boxes *t, double axis[3]) {
-  double length = sqrt(dot(axis, axis));
+  double length = vector_length(axis);
   if (!(length > 0x1p-500)) {
     return -1;
   }
-  double way = dot(t->between, axis);
+  double way = vector_dot(t->between, axis);
   double reach = 0;
   for (int k = 0; k < 6; k++) {
-    reach += fabs(dot(t->side[k / 3][k % 3], axis));
+    reach += fabs(vector_dot(t->side[k / 3][k % 3], axis));
   }
   for (int i = 0; i < 3; i++) {
     axis[i] /= way < 0 ? -length : length;
@@ -146,7 +143,7 @@ static bool boxes_disjoint(asking *a, double need) {
       memcpy(a->at.axis, axis, sizeof axis);
     }
   }
-  return most > need + 0x1p-40 * (a->extent + sqrt(dot(t.between, t.between)));
+  return most > need + 0x1p-40 * (a->extent + sqrt(vector_dot(t.between, t.between)));
 }
 
 /* -------------------------------------------------------------------------- intervals */

@@ -118,11 +118,7 @@ void path_points(const path_scene *scene, const path_pair *pair, double point[2]
   }
   sepax_chain_poses(&chain, m, value, top);
   for (int side = 0; side < 2; side++) {
-    for (int i = 0; i < 3; i++) {
-      const double *row = top[1].rotation[i];
-      const double *v = pair->point[side];
-      point[side][i] = row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + top[1].translation[i];
-    }
+    sepax_pose_apply(&top[1], pair->point[side], point[side]);
   }
   sepax_chain_free(&chain);
 }

@@ -1,5 +1,6 @@
 /* ply.c - bodies as a PLY file. */
 #include "report/ply.h"
+#include "util/bytes.h"
 #include "util/write_file.h"
 
 #include <stdio.h>
@@ -15,18 +16,17 @@ static bool put(FILE *out, uint64_t word, int bytes) {
 }
 
 static bool put_vertex(FILE *out, const sepax_pose *p, const double v[3]) {
-  bool ok = true;
-  for (int i = 0; i < 3 && ok; i++) {
-    double x = v[i];
-    if (p != NULL) {
-      const double *row = p->rotation[i];
-      x = row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + p->translation[i];
-    }
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    ok = put(out, bits, 8);
+  double at[3] = {v[0], v[1], v[2]};
+  uint8_t bytes[sizeof at];
+  if (p != NULL) {
+    sepax_pose_apply(p, v, at);
   }
-  return ok;
+  for (size_t i = 0; i < 3; i++) {
+    uint64_t bits;
+    memcpy(&bits, &at[i], sizeof bits);
+    bytes_put64(bytes + sizeof bits * i, bits);
+  }
+  return fwrite(bytes, sizeof bytes, 1, out) == 1;
 }
 
 static bool put_colour(FILE *out, const uint8_t colour[3]) {

@@ -17,7 +17,7 @@ static bool few(void *context, const sepax_tree_pair *pair) {
 
 /* An image has all the bytes that its record tells. */
 static bool fits(const uint8_t *record, size_t bytes) {
-  return tree_get32(record + 8) <= NODES_MOST && tree_get32(record + 16) <= bytes / TREE_BEAT;
+  return bytes_get32(record + 8) <= NODES_MOST && bytes_get32(record + 16) <= bytes / TREE_BEAT;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -78,15 +78,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   sepax_job_list list;
   make_list(&list);
   for (size_t n = 1; n + CHANGE <= size; n += CHANGE) {
-    size_t at = (size_t)(tree_get32(data + n) & 0xffffff) % list.bytes;
+    size_t at = (size_t)(bytes_get32(data + n) & 0xffffff) % list.bytes;
     list.byte[at] = (uint8_t)(list.byte[at] + data[n + 3]);
   }
   size_t bytes = (data[0] & 4) != 0 ? list.bytes * data[0] / 256 : list.bytes;
   if ((data[0] & 1) == 0 && bytes > TREE_PAGE) {
-    tree_put32(list.byte + CRC, sepax__tree_crc(0, list.byte + TREE_PAGE, bytes - TREE_PAGE));
+    bytes_put32(list.byte + CRC, sepax__tree_crc(0, list.byte + TREE_PAGE, bytes - TREE_PAGE));
   }
   if ((data[0] & 2) == 0) {
-    tree_put32(list.byte + HEADER_CRC, sepax__tree_crc(0, list.byte, HEADER_CRC));
+    bytes_put32(list.byte + HEADER_CRC, sepax__tree_crc(0, list.byte, HEADER_CRC));
   }
   fuzz_file("input.sxj", list.byte, bytes);
   sepax_job_list_free(&list);

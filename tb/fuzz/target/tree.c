@@ -11,7 +11,7 @@ enum { HEADER = TREE_PAGE, HEAD = 72, NODES_MOST = 64 };
 
 /* The header's zeros, and those behind the nodes. */
 static uint8_t *pad(const uint8_t *data, size_t size, size_t *bytes) {
-  const uint32_t nodes = tree_get32(data + 48) % NODES_MOST;
+  const uint32_t nodes = bytes_get32(data + 48) % NODES_MOST;
   size_t packed = nodes * TREE_NODE_BYTES;
   packed = packed < size - HEAD ? packed : size - HEAD;
   const size_t padded = tree_records_at(nodes);
@@ -27,21 +27,21 @@ static uint8_t *pad(const uint8_t *data, size_t size, size_t *bytes) {
 /* The first byte says which CRCs stay as they are. */
 static void mend(uint8_t *file, size_t size, unsigned keep) {
   const size_t image = size - HEADER;
-  const uint32_t nodes = tree_get32(file + 48);
+  const uint32_t nodes = bytes_get32(file + 48);
   for (size_t n = 0; (keep & 1) == 0 && n < nodes && (n + 1) * TREE_NODE_BYTES <= image; n++) {
     uint8_t *node = file + HEADER + n * TREE_NODE_BYTES;
     const tree_node t = sepax__tree_unpack(node, SEPAX_TREE_WORD_MAX);
     const size_t record = (size_t)TREE_BEAT * t.record;
     if (t.level > 0 || record + TREE_RECORD_BYTES <= image) {
-      tree_put32(node + 24,
-                 sepax__tree_node_crc(node, t.level > 0 ? NULL : file + HEADER + record));
+      bytes_put32(node + 24,
+                  sepax__tree_node_crc(node, t.level > 0 ? NULL : file + HEADER + record));
     }
   }
   if ((keep & 2) == 0) {
-    tree_put32(file + 64, sepax__tree_crc(0, file + HEADER, image));
+    bytes_put32(file + 64, sepax__tree_crc(0, file + HEADER, image));
   }
   if ((keep & 4) == 0) {
-    tree_put32(file + 68, sepax__tree_crc(0, file, 68));
+    bytes_put32(file + 68, sepax__tree_crc(0, file, 68));
   }
 }
 

@@ -29,8 +29,8 @@ static void no_more(sum *s, const char *what, uint64_t address, uint64_t most) {
 
 /* Each node and each record once after each cold start, where there are that few. */
 static void of_body(sum *s, const uint8_t record[SEPAX_TREE_BODY_BYTES]) {
-  uint64_t base = tree_get64(record);
-  uint32_t nodes = tree_get32(record + 8);
+  uint64_t base = bytes_get64(record);
+  uint32_t nodes = bytes_get32(record + 8);
   uint32_t leaves = 0;
   const uint8_t *image = bench_at((size_t)(base - bench_base));
   for (uint32_t n = 0; n < nodes; n++) {

@@ -135,7 +135,7 @@ static void bits_of_poses(subject *s) {
     each_bit(s, s->pose, SHIFTS, sign != 0 ? SIGMA : SEPAX_TREE_POSE_BYTES, "a bit of a pose");
   }
   for (int k = MATRIX; k < SIGMA; k += 4) {
-    tree_put32(s->pose + k, UINT32_C(1) << 20);
+    bytes_put32(s->pose + k, UINT32_C(1) << 20);
   }
   each_bit(s, s->pose, MATRIX, SIGMA, "a bit of an entry that is 1");
   memcpy(s->pose, kept, sizeof kept);
@@ -146,7 +146,7 @@ static void bits_of_jobs(subject *s) {
   uint8_t kept[SEPAX_TREE_JOB_BYTES];
   memcpy(kept, s->job, sizeof kept);
   each_bit(s, s->job, 0, sizeof kept, "a bit of a job");
-  tree_put32(s->job + COUNT, 0);
+  bytes_put32(s->job + COUNT, 0);
   try_it(s, "no pose");
   memcpy(s->job, kept, sizeof kept);
   for (size_t body = 0; body < 2; body++) {
@@ -154,20 +154,20 @@ static void bits_of_jobs(subject *s) {
     for (int k = 0; k < 23; k++) { /* nodes that end just behind the image */
       for (uint32_t one = 0; one < 2; one++) {
         uint32_t nodes = UINT32_C(1) << k | one;
-        tree_put32(record + NODES, nodes);
-        tree_put32(record + BEATS, 8 * nodes - 1);
+        bytes_put32(record + NODES, nodes);
+        bytes_put32(record + BEATS, 8 * nodes - 1);
         try_it(s, "an image that is too short");
       }
     }
-    tree_put32(record + BEATS, UINT32_MAX);
-    tree_put32(record + NODES, TREE_NODES_MAX);
+    bytes_put32(record + BEATS, UINT32_MAX);
+    bytes_put32(record + NODES, TREE_NODES_MAX);
     each_bit(s, record, NODES, TRIANGLES, "more nodes than there may be");
-    tree_put32(record + NODES, 0);
+    bytes_put32(record + NODES, 0);
     try_it(s, "no nodes");
     memcpy(s->job, kept, sizeof kept);
-    tree_put32(record + TRIANGLES, UINT32_C(1) << 24);
+    bytes_put32(record + TRIANGLES, UINT32_C(1) << 24);
     each_bit(s, record, TRIANGLES, BEATS, "more triangles than there may be");
-    tree_put32(record + TRIANGLES, 0);
+    bytes_put32(record + TRIANGLES, 0);
     try_it(s, "no triangles");
     memcpy(s->job, kept, sizeof kept);
   }

@@ -305,7 +305,7 @@ static void damage(const scene *s) {
   if (range(0, 7) == 0) {
     int i = (int)range(0, 1);
     uint32_t node = (uint32_t)range(0, (int64_t)sepax_tree_nodes(s->tree[i]) - 1);
-    tree_put32(bench_at(s->job[0] + 88 + 4 * (size_t)i), node);
+    bytes_put32(bench_at(s->job[0] + 88 + 4 * (size_t)i), node);
     count = range(0, 1);
   }
   while (count-- > 0) {

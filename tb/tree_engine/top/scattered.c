@@ -6,7 +6,7 @@
 
 enum { PAGE = 4096, NODES_A_PAGE = PAGE / TREE_NODE_BYTES, TRIANGLES = 12, BEATS = 16 };
 
-static void add(uint8_t *at, uint32_t more) { tree_put32(at, tree_get32(at) + more); }
+static void add(uint8_t *at, uint32_t more) { bytes_put32(at, bytes_get32(at) + more); }
 
 uint32_t scattered_tree(const sepax_tree *tree, bool of_b, sepax_random *rng,
                         uint8_t record[SEPAX_TREE_BODY_BYTES]) {
@@ -21,7 +21,7 @@ uint32_t scattered_tree(const sepax_tree *tree, bool of_b, sepax_random *rng,
   memcpy(bench_at(at + behind + TREE_NODE_BYTES), image + TREE_NODE_BYTES, bytes - TREE_NODE_BYTES);
   sepax_tree_body(tree, bench_address(at), record);
   int64_t most = of_b ? INT64_C(1) << 24 : UINT32_MAX;
-  uint32_t first = (uint32_t)sepax_random_range(rng, 0, most - tree_get32(record + TRIANGLES));
+  uint32_t first = (uint32_t)sepax_random_range(rng, 0, most - bytes_get32(record + TRIANGLES));
   for (uint32_t n = 0; n < nodes; n++) {
     uint8_t *node = bench_at(at + (n > 0 ? behind : 0) + (size_t)TREE_NODE_BYTES * n);
     bool leaf = (node[14] & 15) == 0; /* the level */

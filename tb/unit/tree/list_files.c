@@ -163,8 +163,8 @@ static void refused(const sepax_job_list *list, const char *words) {
 
 /* With CRCs that are right. */
 static void refused_whole(sepax_job_list *list, const char *words) {
-  tree_put32(list->byte + 72, sepax__tree_crc(0, list->byte + 4096, list->bytes - 4096));
-  tree_put32(list->byte + 76, sepax__tree_crc(0, list->byte, 76));
+  bytes_put32(list->byte + 72, sepax__tree_crc(0, list->byte + 4096, list->bytes - 4096));
+  bytes_put32(list->byte + 76, sepax__tree_crc(0, list->byte, 76));
   refused(list, words);
 }
 
@@ -223,8 +223,8 @@ CASE(files_that_are_no_list) {
                {(1 << 22) + 255, 1, "body 0 is beyond"}};
   scene *s = new_scene();
   uint8_t *byte = s->list.byte;
-  const uint64_t part[] = {0, s->list.list, tree_get64(byte + s->list.list + 64),
-                           tree_get64(byte + 40)};
+  const uint64_t part[] = {0, s->list.list, bytes_get64(byte + s->list.list + 64),
+                           bytes_get64(byte + 40)};
   for (size_t n = 0; n < LENGTH(wrong); n++) {
     uint64_t kind = wrong[n].at >> 20;
     uint64_t at = part[kind == 4 ? 3 : kind] + (wrong[n].at & 0xfffff);
@@ -232,11 +232,11 @@ CASE(files_that_are_no_list) {
     refused_whole(&s->list, wrong[n].words);
     byte[at] ^= wrong[n].bits;
   }
-  tree_put32(byte + 12, WORD - 1); /* bodies have more bits */
+  bytes_put32(byte + 12, WORD - 1); /* bodies have more bits */
   refused_whole(&s->list, "its word or resolution");
-  tree_put32(byte + 12, WORD);
+  bytes_put32(byte + 12, WORD);
   byte[4096 + 16 + 6] ^= 16; /* the first tree's resolution */
-  tree_put32(byte + 4096 + 68, sepax__tree_crc(0, byte + 4096, 68));
+  bytes_put32(byte + 4096 + 68, sepax__tree_crc(0, byte + 4096, 68));
   refused_whole(&s->list, "its word or resolution");
   free_scene(s);
 }

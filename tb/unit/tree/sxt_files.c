@@ -178,7 +178,7 @@ static void mend_crc(sepax_tree *tree, uint32_t number) {
   tree_image image = tree_image_of(tree);
   if (n.level > 0 || sepax__tree_node_sound(&image, &n, number)) {
     size_t at = n.level > 0 ? 0 : (size_t)16 * n.record;
-    tree_put32(node + 24, sepax__tree_node_crc(node, tree->image + at));
+    bytes_put32(node + 24, sepax__tree_node_crc(node, tree->image + at));
   }
 }
 
@@ -246,7 +246,7 @@ CASE(damaged_trees_end) {
     }
     if (random_below(10) == 0) {
       record[1][8 + random_below(12)] = (uint8_t)random_below(256);
-      tree_put32(record[1] + 16, (uint32_t)(bytes / 16));
+      bytes_put32(record[1] + 16, (uint32_t)(bytes / 16));
     }
     sepax_tree_pose pose;
     sepax_pose of_b = posed(random_below(5), 30000);
