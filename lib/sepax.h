@@ -278,7 +278,7 @@ typedef struct {
   int threads; /* at most; 0: one for each processor */
 } sepax_build;
 
-/* Copies what it needs of the mesh; some 150 bytes a triangle. The result does not depend on the
+/* Copies what it needs of the mesh; some 250 bytes a triangle. The result does not depend on the
  * number of threads. Errors: ARGUMENT on a mesh without triangles, on an index beyond the vertices,
  * and on a coordinate that is not within 2^1000, such as NaN or infinity (naming its facet); LIMIT
  * on more than 2^31 - 2 triangles; MEMORY. */

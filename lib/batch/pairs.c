@@ -1,5 +1,6 @@
 /* pairs.c - the exact verdicts of many pairs, several at once: AVX-512, AVX2 or plain C. */
 #include "sepax_grid.h"
+#include "util/simd.h"
 
 #include <string.h>
 
@@ -14,7 +15,7 @@ static const double SHORT_LIMIT = 1 << 12;
 static const double LONG_LIMIT = 1 << 28;
 
 /* Unrolled loops keep all sums in registers. */
-#define UNROLL _Pragma("GCC unroll 3")
+#define SIMD_UNROLL _Pragma("GCC unroll 3")
 
 static const int next[3] = {1, 2, 0};
 
@@ -31,7 +32,7 @@ static inline int32_t coordinate(const sepax_tri *t, int vertex, int axis) {
 
 static inline sepax_tri gathered(const int32_t from[3][3][BLOCK], size_t at) {
   sepax_tri t;
-  UNROLL for (int k = 0; k < 3; k++) {
+  SIMD_UNROLL for (int k = 0; k < 3; k++) {
     t.v[k] = (sepax_vec){from[k][0][at], from[k][1][at], from[k][2][at]};
   }
   return t;
@@ -54,20 +55,21 @@ static uint64_t judge_singly(const sepax_tri *one, const block *in, uint64_t whi
 /* --------------------------------------------------------- instruction sets */
 
 /* Two doubles: the compiler uses SSE2, NEON and the like, or scalar instructions. */
-#define LANES 2
-#define NAME(x) x##_portable
-#define TARGET
+#define SIMD_LANES 2
+#define SIMD_NAME(x) x##_portable
+#define SIMD_TARGET
 typedef int32_t half_portable __attribute__((vector_size(8), aligned(4), may_alias));
-#define LOAD_REALS(from) __builtin_convertvector(*(const half_portable *)(from), R)
-#define SELECT(TYPE, mask, p, q) ((TYPE)(((V)(p) & (V)(mask)) | ((V)(q) & ~(V)(mask))))
-#define LEAST_REAL(p, q) SELECT(R, (p) < (q), p, q)
-#define BITS(v) ((uint32_t)((v)[0] >> 63 | (v)[1] >> 63 << 1))
-#define BITS_OF_SHORTS(v) \
+#define SIMD_LOAD_REALS(from) __builtin_convertvector(*(const half_portable *)(from), SIMD_REAL)
+#define SIMD_SELECT(TYPE, mask, p, q) \
+  ((TYPE)(((SIMD_WHOLE)(p) & (SIMD_WHOLE)(mask)) | ((SIMD_WHOLE)(q) & ~(SIMD_WHOLE)(mask))))
+#define SIMD_LEAST_REAL(p, q) SIMD_SELECT(SIMD_REAL, (p) < (q), p, q)
+#define SIMD_BITS(v) ((uint32_t)((v)[0] >> 63 | (v)[1] >> 63 << 1))
+#define SIMD_BITS_OF_SHORTS(v) \
   ((uint32_t)(((v)[0] < 0) | ((v)[1] < 0) << 1 | ((v)[2] < 0) << 2 | ((v)[3] < 0) << 3))
-#define LEAST(p, q) SELECT(SHORTS, (p) < (q), p, q)
-#define MOST(p, q) SELECT(SHORTS, (p) > (q), p, q)
+#define SIMD_LEAST(p, q) SIMD_SELECT(SIMD_SHORT, (p) < (q), p, q)
+#define SIMD_MOST(p, q) SIMD_SELECT(SIMD_SHORT, (p) > (q), p, q)
 #include "lanes.h"
-#undef SELECT
+#undef SIMD_SELECT
 
 #if defined __x86_64__
 
@@ -76,31 +78,33 @@ typedef int32_t half_portable __attribute__((vector_size(8), aligned(4), may_ali
 #define TARGET_AVX512 __attribute__((target("avx512f")))
 #endif
 typedef int32_t unaligned_shorts __attribute__((vector_size(32), aligned(4), may_alias));
-#define LANES 8
-#define NAME(x) x##_avx512
-#define TARGET TARGET_AVX512
-#define LOAD(from) \
-  ((V) __builtin_convertvector(*(const unaligned_shorts *)(from), signed_lanes_avx512))
-#define LOAD_REALS(from) __builtin_convertvector(*(const unaligned_shorts *)(from), reals_avx512)
-#define LEAST_REAL(p, q) ((R)_mm512_min_pd((__m512d)(p), (__m512d)(q)))
-#define PRODUCT(p, q) ((V)_mm512_mul_epi32((__m512i)(p), (__m512i)(q)))
-#define BITS(v) ((uint32_t)_mm512_cmpgt_epi64_mask(_mm512_setzero_si512(), (__m512i)(v)))
-#define BITS_OF_SHORTS(v) ((uint32_t)_mm512_cmpgt_epi32_mask(_mm512_setzero_si512(), (__m512i)(v)))
-#define LEAST(p, q) ((SHORTS)_mm512_min_epi32((__m512i)(p), (__m512i)(q)))
-#define MOST(p, q) ((SHORTS)_mm512_max_epi32((__m512i)(p), (__m512i)(q)))
+#define SIMD_LANES 8
+#define SIMD_NAME(x) x##_avx512
+#define SIMD_TARGET TARGET_AVX512
+#define SIMD_LOAD(from) \
+  ((SIMD_WHOLE) __builtin_convertvector(*(const unaligned_shorts *)(from), signed_lanes_avx512))
+#define SIMD_LOAD_REALS(from) \
+  __builtin_convertvector(*(const unaligned_shorts *)(from), reals_avx512)
+#define SIMD_LEAST_REAL(p, q) ((SIMD_REAL)_mm512_min_pd((__m512d)(p), (__m512d)(q)))
+#define SIMD_PRODUCT(p, q) ((SIMD_WHOLE)_mm512_mul_epi32((__m512i)(p), (__m512i)(q)))
+#define SIMD_BITS(v) ((uint32_t)_mm512_cmpgt_epi64_mask(_mm512_setzero_si512(), (__m512i)(v)))
+#define SIMD_BITS_OF_SHORTS(v) \
+  ((uint32_t)_mm512_cmpgt_epi32_mask(_mm512_setzero_si512(), (__m512i)(v)))
+#define SIMD_LEAST(p, q) ((SIMD_SHORT)_mm512_min_epi32((__m512i)(p), (__m512i)(q)))
+#define SIMD_MOST(p, q) ((SIMD_SHORT)_mm512_max_epi32((__m512i)(p), (__m512i)(q)))
 #include "lanes.h"
 
-#define LANES 4
-#define NAME(x) x##_avx2
-#define TARGET __attribute__((target("avx2")))
-#define LOAD(from) ((V)_mm256_cvtepi32_epi64(_mm_loadu_si128((const void *)(from))))
-#define LOAD_REALS(from) ((R)_mm256_cvtepi32_pd(_mm_loadu_si128((const void *)(from))))
-#define LEAST_REAL(p, q) ((R)_mm256_min_pd((__m256d)(p), (__m256d)(q)))
-#define PRODUCT(p, q) ((V)_mm256_mul_epi32((__m256i)(p), (__m256i)(q)))
-#define BITS(v) ((uint32_t)_mm256_movemask_pd((__m256d)(v)))
-#define BITS_OF_SHORTS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
-#define LEAST(p, q) ((SHORTS)_mm256_min_epi32((__m256i)(p), (__m256i)(q)))
-#define MOST(p, q) ((SHORTS)_mm256_max_epi32((__m256i)(p), (__m256i)(q)))
+#define SIMD_LANES 4
+#define SIMD_NAME(x) x##_avx2
+#define SIMD_TARGET __attribute__((target("avx2")))
+#define SIMD_LOAD(from) ((SIMD_WHOLE)_mm256_cvtepi32_epi64(_mm_loadu_si128((const void *)(from))))
+#define SIMD_LOAD_REALS(from) ((SIMD_REAL)_mm256_cvtepi32_pd(_mm_loadu_si128((const void *)(from))))
+#define SIMD_LEAST_REAL(p, q) ((SIMD_REAL)_mm256_min_pd((__m256d)(p), (__m256d)(q)))
+#define SIMD_PRODUCT(p, q) ((SIMD_WHOLE)_mm256_mul_epi32((__m256i)(p), (__m256i)(q)))
+#define SIMD_BITS(v) ((uint32_t)_mm256_movemask_pd((__m256d)(v)))
+#define SIMD_BITS_OF_SHORTS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
+#define SIMD_LEAST(p, q) ((SIMD_SHORT)_mm256_min_epi32((__m256i)(p), (__m256i)(q)))
+#define SIMD_MOST(p, q) ((SIMD_SHORT)_mm256_max_epi32((__m256i)(p), (__m256i)(q)))
 #include "lanes.h"
 #endif
 

@@ -1,85 +1,81 @@
 /* boxes.h - boxes in a pose, each against the eight boxes of a node (private; query.c includes it
- * once per instruction set).
+ * once for each instruction set). Beyond the macros of util/simd.h:
  *
- * NAME(x), TARGET   a name of its own, the attribute of its functions
- * FLOATS            boxes of nodes at once
- * NODES             nodes at once, for each of which there is a box in a pose: 1 or 2
- * MADD(p, q, r)     p q + r, which may be rounded once
- * LOAD(v, node, member, n)   from member[n] of the nodes on
- * OF(p, member)     the member of the boxes in a pose, in the lanes of their nodes
- * MASK, SEPARATE(mask, p, q), BITS(mask)   bits of lanes, of which those where |p| > q are set
- * SIGNS(v)          sign bits of int32_t lanes */
+ * SIMD_NODES                       nodes at once, each with a box in a pose: 1 or 2
+ * SIMD_MADD(p, q, r)               p q + r, which may be rounded once
+ * SIMD_LOAD(v, node, member, n)    v becomes member[n] and what follows, of the nodes
+ * SIMD_OF(p, member)               the member of the boxes in a pose, in the lanes of their nodes
+ * SIMD_BOOL                        a set of lanes, as comparisons give it; SIMD_BITS is of that
+ * SIMD_SEPARATE(mask, p, q)        put the lanes where |p| > q into the mask
+ * SIMD_SIGNS(v)                    the sign bits of a vector of int32_t as a number */
 
-typedef float NAME(floats) __attribute__((vector_size(4 * FLOATS)));
-typedef int32_t NAME(masks) __attribute__((vector_size(4 * FLOATS)));
+typedef float SIMD_NAME(floats) __attribute__((vector_size(4 * SIMD_FLOATS)));
+typedef int32_t SIMD_NAME(masks) __attribute__((vector_size(4 * SIMD_FLOATS)));
 
-#define F NAME(floats)
-#define M NAME(masks)
-#define INLINE TARGET static inline __attribute__((always_inline))
-
-#define SIZE(v) ((F)((M)(v)&INT32_MAX))
-#define DOT(p, q) MADD((p)[0], (q)[0], MADD((p)[1], (q)[1], (p)[2] * (q)[2]))
+#define SIMD_SIZE(v) ((SIMD_FLOAT)((SIMD_MASK)(v)&INT32_MAX))
+#define SIMD_DOT(p, q) SIMD_MADD((p)[0], (q)[0], SIMD_MADD((p)[1], (q)[1], (p)[2] * (q)[2]))
 
 /* Children of nodes and a posed box for each node: offset of the centres, and the cosines between
  * axes i of the children and k of the box, on the axes of the children. */
 typedef struct {
-  F along[3], half[3], own_half[3], cosine[3][3], size[3][3];
-} NAME(facing);
+  SIMD_FLOAT along[3], half[3], own_half[3], cosine[3][3], size[3][3];
+} SIMD_NAME(facing);
 
-INLINE MASK NAME(face_axes_separate)(NAME(facing) * f, const body_boxes *const node[NODES], int n,
-                                     const posed_box *const p[NODES]) {
-  F t[3];
-  MASK disjoint = {0};
-  UNROLL for (int i = 0; i < 3; i++) {
-    LOAD(t[i], node, centre[i], n);
-    t[i] = OF(p, centre[i]) - t[i] + OF(p, rest[i]);
-    f->own_half[i] = OF(p, half[i]);
+SIMD_INLINE SIMD_BOOL SIMD_NAME(face_axes_separate)(SIMD_NAME(facing) * f,
+                                                    const body_boxes *const node[SIMD_NODES], int n,
+                                                    const posed_box *const p[SIMD_NODES]) {
+  SIMD_FLOAT t[3];
+  SIMD_BOOL disjoint = {0};
+  SIMD_UNROLL for (int i = 0; i < 3; i++) {
+    SIMD_LOAD(t[i], node, centre[i], n);
+    t[i] = SIMD_OF(p, centre[i]) - t[i] + SIMD_OF(p, rest[i]);
+    f->own_half[i] = SIMD_OF(p, half[i]);
   }
-  UNROLL for (int i = 0; i < 3; i++) {
-    F axis[3];
-    UNROLL for (int j = 0; j < 3; j++) { LOAD(axis[j], node, axis[i][j], n); }
-    LOAD(f->half[i], node, half[i], n);
-    f->along[i] = DOT(axis, t);
-    F reach = f->half[i];
-    UNROLL for (int k = 0; k < 3; k++) {
-      F cosine = axis[2] * OF(p, axis[k][2]);
-      cosine = MADD(axis[1], OF(p, axis[k][1]), cosine);
-      cosine = MADD(axis[0], OF(p, axis[k][0]), cosine);
+  SIMD_UNROLL for (int i = 0; i < 3; i++) {
+    SIMD_FLOAT axis[3];
+    SIMD_UNROLL for (int j = 0; j < 3; j++) { SIMD_LOAD(axis[j], node, axis[i][j], n); }
+    SIMD_LOAD(f->half[i], node, half[i], n);
+    f->along[i] = SIMD_DOT(axis, t);
+    SIMD_FLOAT reach = f->half[i];
+    SIMD_UNROLL for (int k = 0; k < 3; k++) {
+      SIMD_FLOAT cosine = axis[2] * SIMD_OF(p, axis[k][2]);
+      cosine = SIMD_MADD(axis[1], SIMD_OF(p, axis[k][1]), cosine);
+      cosine = SIMD_MADD(axis[0], SIMD_OF(p, axis[k][0]), cosine);
       f->cosine[i][k] = cosine;
-      f->size[i][k] = SIZE(f->cosine[i][k]);
-      reach = MADD(f->size[i][k], f->own_half[k], reach);
+      f->size[i][k] = SIMD_SIZE(f->cosine[i][k]);
+      reach = SIMD_MADD(f->size[i][k], f->own_half[k], reach);
     }
-    SEPARATE(disjoint, f->along[i], reach);
+    SIMD_SEPARATE(disjoint, f->along[i], reach);
   }
-  UNROLL for (int k = 0; k < 3; k++) {
-    F at = f->along[0] * f->cosine[0][k];
-    F reach = MADD(f->half[0], f->size[0][k], f->own_half[k]);
-    UNROLL for (int i = 1; i < 3; i++) {
-      at = MADD(f->along[i], f->cosine[i][k], at);
-      reach = MADD(f->half[i], f->size[i][k], reach);
+  SIMD_UNROLL for (int k = 0; k < 3; k++) {
+    SIMD_FLOAT at = f->along[0] * f->cosine[0][k];
+    SIMD_FLOAT reach = SIMD_MADD(f->half[0], f->size[0][k], f->own_half[k]);
+    SIMD_UNROLL for (int i = 1; i < 3; i++) {
+      at = SIMD_MADD(f->along[i], f->cosine[i][k], at);
+      reach = SIMD_MADD(f->half[i], f->size[i][k], reach);
     }
-    SEPARATE(disjoint, at, reach);
+    SIMD_SEPARATE(disjoint, at, reach);
   }
   return disjoint;
 }
 
-INLINE MASK NAME(edge_axes_separate)(const NAME(facing) * f) {
-  const F *half = f->half;
-  const F *own = f->own_half;
-  F slack = (half[0] + half[1] + half[2] + (own[0] + own[1] + own[2])) * BOX_SLACK;
-  MASK disjoint = {0};
-  UNROLL for (int i = 0; i < 3; i++) {
+SIMD_INLINE SIMD_BOOL SIMD_NAME(edge_axes_separate)(const SIMD_NAME(facing) * f) {
+  const SIMD_FLOAT *half = f->half;
+  const SIMD_FLOAT *own = f->own_half;
+  SIMD_FLOAT slack = (half[0] + half[1] + half[2] + (own[0] + own[1] + own[2])) * BOX_SLACK;
+  SIMD_BOOL disjoint = {0};
+  SIMD_UNROLL for (int i = 0; i < 3; i++) {
     int i1 = next[i];
     int i2 = next[i1];
-    UNROLL for (int k = 0; k < 3; k++) {
+    SIMD_UNROLL for (int k = 0; k < 3; k++) {
       int k1 = next[k];
       int k2 = next[k1];
-      F at = MADD(f->along[i2], f->cosine[i1][k], -f->along[i1] * f->cosine[i2][k]);
-      F reach = MADD(half[i1], f->size[i2][k], slack);
-      reach = MADD(half[i2], f->size[i1][k], reach);
-      reach = MADD(f->size[i][k2], own[k1], reach);
-      reach = MADD(f->size[i][k1], own[k2], reach);
-      SEPARATE(disjoint, at, reach);
+      SIMD_FLOAT at = SIMD_MADD(f->along[i2], f->cosine[i1][k], -f->along[i1] * f->cosine[i2][k]);
+      SIMD_FLOAT reach = SIMD_MADD(half[i1], f->size[i2][k], slack);
+      reach = SIMD_MADD(half[i2], f->size[i1][k], reach);
+      reach = SIMD_MADD(f->size[i][k2], own[k1], reach);
+      reach = SIMD_MADD(f->size[i][k1], own[k2], reach);
+      SIMD_SEPARATE(disjoint, at, reach);
     }
   }
   return disjoint;
@@ -88,37 +84,37 @@ INLINE MASK NAME(edge_axes_separate)(const NAME(facing) * f) {
 /* Children that may meet the boxes, and that are triangles: bit 8 m + k of child k of node m. */
 typedef struct {
   uint32_t overlaps, triangles;
-} NAME(children);
+} SIMD_NAME(children);
 
-INLINE NAME(children)
-    NAME(compare)(const body_boxes *const node[NODES], const posed_box *const p[NODES]) {
-  NAME(children) bits = {0, 0};
-  const uint32_t all = (1U << FLOATS) - 1;
-  for (int n = 0; n < NODES * BODY_WIDE; n += FLOATS) {
-    NAME(facing) f;
-    F child;
-    LOAD(child, node, child, n);
-    MASK disjoint = NAME(face_axes_separate)(&f, node, n, p);
-    bits.triangles |= SIGNS((M)child) << n;
-    if (BITS(disjoint) != all) {
-      disjoint |= NAME(edge_axes_separate)(&f);
-      bits.overlaps |= (~(BITS(disjoint) | SIGNS((M)child == -1)) & all) << n;
+SIMD_INLINE SIMD_NAME(children) SIMD_NAME(compare)(const body_boxes *const node[SIMD_NODES],
+                                                   const posed_box *const p[SIMD_NODES]) {
+  SIMD_NAME(children) bits = {0, 0};
+  const uint32_t all = (1U << SIMD_FLOATS) - 1;
+  for (int n = 0; n < SIMD_NODES * BODY_WIDE; n += SIMD_FLOATS) {
+    SIMD_NAME(facing) f;
+    SIMD_FLOAT child;
+    SIMD_LOAD(child, node, child, n);
+    SIMD_BOOL disjoint = SIMD_NAME(face_axes_separate)(&f, node, n, p);
+    bits.triangles |= SIMD_SIGNS((SIMD_MASK)child) << n;
+    if (SIMD_BITS(disjoint) != all) {
+      disjoint |= SIMD_NAME(edge_axes_separate)(&f);
+      bits.overlaps |= (~(SIMD_BITS(disjoint) | SIMD_SIGNS((SIMD_MASK)child == -1)) & all) << n;
     }
   }
   return bits;
 }
 
-TARGET static void NAME(compare_boxes)(box_task *t, int count) {
+SIMD_TARGET static void SIMD_NAME(compare_boxes)(box_task *t, int count) {
   posed_box p[AT_ONCE];
   for (int n = 0; n < count; n++) {
     turn_box(&p[n], t[n].move, t[n].from, t[n].lane);
   }
-  for (int n = 0; n < count; n += NODES) {
-    int last = n + NODES <= count ? n + NODES - 1 : n;
+  for (int n = 0; n < count; n += SIMD_NODES) {
+    int last = n + SIMD_NODES <= count ? n + SIMD_NODES - 1 : n;
     const body_boxes *node[] = {t[n].node, t[last].node};
     const posed_box *own[] = {&p[n], &p[last]};
-    NAME(children) bits = NAME(compare)(node, own);
-    const int high = (NODES - 1) * BODY_WIDE;
+    SIMD_NAME(children) bits = SIMD_NAME(compare)(node, own);
+    const int high = (SIMD_NODES - 1) * BODY_WIDE;
     t[last].boxes = (bits.overlaps & ~bits.triangles) >> high;
     t[last].triangles = (bits.overlaps & bits.triangles) >> high;
     t[n].boxes = bits.overlaps & ~bits.triangles & 0xff;
@@ -126,19 +122,16 @@ TARGET static void NAME(compare_boxes)(box_task *t, int count) {
   }
 }
 
-#undef F
-#undef M
-#undef INLINE
-#undef NAME
-#undef TARGET
-#undef LOAD
-#undef OF
-#undef SIZE
-#undef DOT
-#undef MADD
-#undef MASK
-#undef SEPARATE
-#undef BITS
-#undef SIGNS
-#undef FLOATS
-#undef NODES
+#undef SIMD_NAME
+#undef SIMD_TARGET
+#undef SIMD_LOAD
+#undef SIMD_OF
+#undef SIMD_SIZE
+#undef SIMD_DOT
+#undef SIMD_MADD
+#undef SIMD_BOOL
+#undef SIMD_SEPARATE
+#undef SIMD_BITS
+#undef SIMD_SIGNS
+#undef SIMD_FLOATS
+#undef SIMD_NODES

@@ -2,6 +2,7 @@
  * these are not certain by whole numbers, else by sepax_exact_posed. */
 #include "judge.h"
 #include "verdict/signs.h"
+#include "util/simd.h"
 
 #include <string.h>
 
@@ -9,25 +10,25 @@
 #include <immintrin.h>
 #endif
 
-#define UNROLL _Pragma("GCC unroll 3")
+#define SIMD_UNROLL _Pragma("GCC unroll 3")
 
-#define NAME(x) x##_portable
-#define TARGET
-#define LANES 2
-#define BITS(v) ((uint32_t)((v)[0] >> 63 | (v)[1] >> 63 << 1))
+#define SIMD_NAME(x) x##_portable
+#define SIMD_TARGET
+#define SIMD_LANES 2
+#define SIMD_BITS(v) ((uint32_t)((v)[0] >> 63 | (v)[1] >> 63 << 1))
 #include "filter.h"
 
 #if defined __x86_64__
-#define NAME(x) x##_avx2
-#define TARGET __attribute__((target("avx2,fma")))
-#define LANES 4
-#define BITS(v) ((uint32_t)_mm256_movemask_pd((__m256d)(v)))
+#define SIMD_NAME(x) x##_avx2
+#define SIMD_TARGET __attribute__((target("avx2,fma")))
+#define SIMD_LANES 4
+#define SIMD_BITS(v) ((uint32_t)_mm256_movemask_pd((__m256d)(v)))
 #include "filter.h"
 
-#define NAME(x) x##_avx512
-#define TARGET __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma")))
-#define LANES 8
-#define BITS(v) ((uint32_t)_mm512_movepi64_mask((__m512i)(v)))
+#define SIMD_NAME(x) x##_avx512
+#define SIMD_TARGET __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma")))
+#define SIMD_LANES 8
+#define SIMD_BITS(v) ((uint32_t)_mm512_movepi64_mask((__m512i)(v)))
 #include "filter.h"
 #endif
 

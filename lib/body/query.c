@@ -18,6 +18,7 @@
 #include "util/options.h"
 #include "util/list.h"
 #include "verdict/signs.h"
+#include "util/simd.h"
 
 #include <float.h>
 #include <math.h>
@@ -29,7 +30,7 @@
 #include <immintrin.h>
 #endif
 
-#define UNROLL _Pragma("GCC unroll 3")
+#define SIMD_UNROLL _Pragma("GCC unroll 3")
 #define BOX_SLACK 0x1p-15F
 
 enum { AT_ONCE = 8, BATCH = 64 };
@@ -44,52 +45,52 @@ typedef struct {
 
 /* ------------------------------------------------------------ instruction sets */
 
-#define FLOATS 4
-#define NODES 1
-#define NAME(x) x##_portable
-#define TARGET
-#define MADD(p, q, r) ((p) * (q) + (r))
-#define LOAD(v, node, member, n) memcpy(&(v), (node)[0]->member + (n), sizeof(v))
-#define OF(p, member) ((p)[0]->member - (F){0})
-#define MASK M
-#define SEPARATE(mask, p, q) ((mask) |= SIZE(p) > (q))
-#define BITS(v) \
+#define SIMD_FLOATS 4
+#define SIMD_NODES 1
+#define SIMD_NAME(x) x##_portable
+#define SIMD_TARGET
+#define SIMD_MADD(p, q, r) ((p) * (q) + (r))
+#define SIMD_LOAD(v, node, member, n) memcpy(&(v), (node)[0]->member + (n), sizeof(v))
+#define SIMD_OF(p, member) ((p)[0]->member - (SIMD_FLOAT){0})
+#define SIMD_BOOL SIMD_MASK
+#define SIMD_SEPARATE(mask, p, q) ((mask) |= SIMD_SIZE(p) > (q))
+#define SIMD_BITS(v) \
   ((uint32_t)(((v)[0] < 0) | ((v)[1] < 0) << 1 | ((v)[2] < 0) << 2 | ((v)[3] < 0) << 3))
-#define SIGNS(v) BITS(v)
+#define SIMD_SIGNS(v) SIMD_BITS(v)
 #include "boxes.h"
 
 #if defined __x86_64__
-#define FLOATS 8
-#define NODES 1
-#define NAME(x) x##_avx2
-#define TARGET __attribute__((target("avx2,fma")))
-#define MADD(p, q, r) ((F)_mm256_fmadd_ps((__m256)(p), (__m256)(q), (__m256)(r)))
-#define LOAD(v, node, member, n) memcpy(&(v), (node)[0]->member + (n), sizeof(v))
-#define OF(p, member) ((F)_mm256_set1_ps((p)[0]->member))
-#define MASK M
-#define SEPARATE(mask, p, q) ((mask) |= SIZE(p) > (q))
-#define BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
-#define SIGNS(v) BITS(v)
+#define SIMD_FLOATS 8
+#define SIMD_NODES 1
+#define SIMD_NAME(x) x##_avx2
+#define SIMD_TARGET __attribute__((target("avx2,fma")))
+#define SIMD_MADD(p, q, r) ((SIMD_FLOAT)_mm256_fmadd_ps((__m256)(p), (__m256)(q), (__m256)(r)))
+#define SIMD_LOAD(v, node, member, n) memcpy(&(v), (node)[0]->member + (n), sizeof(v))
+#define SIMD_OF(p, member) ((SIMD_FLOAT)_mm256_set1_ps((p)[0]->member))
+#define SIMD_BOOL SIMD_MASK
+#define SIMD_SEPARATE(mask, p, q) ((mask) |= SIMD_SIZE(p) > (q))
+#define SIMD_BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
+#define SIMD_SIGNS(v) SIMD_BITS(v)
 #include "boxes.h"
 
-#define FLOATS 16
-#define NODES 2
-#define NAME(x) x##_avx512
-#define TARGET __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma")))
-#define MADD(p, q, r) ((F)_mm512_fmadd_ps((__m512)(p), (__m512)(q), (__m512)(r)))
-#define LOAD(v, node, member, n)                                                 \
-  ((v) = (F)_mm512_insertf32x8(                                                  \
+#define SIMD_FLOATS 16
+#define SIMD_NODES 2
+#define SIMD_NAME(x) x##_avx512
+#define SIMD_TARGET __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma")))
+#define SIMD_MADD(p, q, r) ((SIMD_FLOAT)_mm512_fmadd_ps((__m512)(p), (__m512)(q), (__m512)(r)))
+#define SIMD_LOAD(v, node, member, n)                                            \
+  ((v) = (SIMD_FLOAT)_mm512_insertf32x8(                                         \
        _mm512_castps256_ps512(_mm256_loadu_ps((const void *)(node)[0]->member)), \
        _mm256_loadu_ps((const void *)(node)[1]->member), 1),                     \
    (void)(n))
-#define OF(p, member)                                                    \
-  ((F)_mm512_mask_broadcastss_ps(_mm512_set1_ps((p)[0]->member), 0xff00, \
-                                 _mm_set_ss((p)[1]->member)))
-#define MASK __mmask16
-#define SEPARATE(mask, p, q) \
-  ((mask) |= _mm512_cmp_ps_mask((__m512)SIZE(p), (__m512)(q), _CMP_GT_OQ))
-#define BITS(v) ((uint32_t)(v))
-#define SIGNS(v) ((uint32_t)_mm512_movepi32_mask((__m512i)(v)))
+#define SIMD_OF(p, member)                                                        \
+  ((SIMD_FLOAT)_mm512_mask_broadcastss_ps(_mm512_set1_ps((p)[0]->member), 0xff00, \
+                                          _mm_set_ss((p)[1]->member)))
+#define SIMD_BOOL __mmask16
+#define SIMD_SEPARATE(mask, p, q) \
+  ((mask) |= _mm512_cmp_ps_mask((__m512)SIMD_SIZE(p), (__m512)(q), _CMP_GT_OQ))
+#define SIMD_BITS(v) ((uint32_t)(v))
+#define SIMD_SIGNS(v) ((uint32_t)_mm512_movepi32_mask((__m512i)(v)))
 #include "boxes.h"
 #endif
 

@@ -1,87 +1,82 @@
 /* reach.h - how near boxes and pairs of triangles come to each other (private; search.c includes it
- * once per instruction set).
- *
- * NAME(x), TARGET   a name of its own, the attribute of its functions
- * FLOATS, LANES     boxes, pairs of triangles at once
- * BITS(v)           sign bits of int32_t lanes */
+ * once for each instruction set). It needs the macros of util/simd.h, SIMD_BITS of a vector of
+ * int32_t. */
 
-typedef float NAME(floats) __attribute__((vector_size(4 * FLOATS)));
-typedef int32_t NAME(masks) __attribute__((vector_size(4 * FLOATS)));
-typedef double NAME(reals) __attribute__((vector_size(8 * LANES)));
-typedef int64_t NAME(lanes) __attribute__((vector_size(8 * LANES)));
+typedef float SIMD_NAME(floats) __attribute__((vector_size(4 * SIMD_FLOATS)));
+typedef int32_t SIMD_NAME(masks) __attribute__((vector_size(4 * SIMD_FLOATS)));
+typedef double SIMD_NAME(reals) __attribute__((vector_size(8 * SIMD_LANES)));
+typedef int64_t SIMD_NAME(lanes) __attribute__((vector_size(8 * SIMD_LANES)));
 
-#define F NAME(floats)
-#define M NAME(masks)
-#define R NAME(reals)
-#define V NAME(lanes)
-#define INLINE TARGET static inline __attribute__((always_inline))
-
-#define LOAD(v, from) memcpy(&(v), from, sizeof(v))
-#define STORE(to, v) memcpy(to, &(v), sizeof(v))
-#define SIZE(v) ((F)((M)(v)&INT32_MAX))
+#define SIMD_LOAD(v, from) memcpy(&(v), from, sizeof(v))
+#define SIMD_STORE(to, v) memcpy(to, &(v), sizeof(v))
+#define SIMD_SIZE(v) ((SIMD_FLOAT)((SIMD_MASK)(v)&INT32_MAX))
 
 /* Where positive; what is not a number is 0. */
-INLINE F NAME(positive)(F v) { return (F)((M)v & (v > 0)); }
+SIMD_INLINE SIMD_FLOAT SIMD_NAME(positive)(SIMD_FLOAT v) {
+  return (SIMD_FLOAT)((SIMD_MASK)v & (v > 0));
+}
 
-INLINE F NAME(most_of)(F p, F q) {
-  M second = q > p;
-  return (F)(((M)q & second) | ((M)p & ~second));
+SIMD_INLINE SIMD_FLOAT SIMD_NAME(most_of)(SIMD_FLOAT p, SIMD_FLOAT q) {
+  SIMD_MASK second = q > p;
+  return (SIMD_FLOAT)(((SIMD_MASK)q & second) | ((SIMD_MASK)p & ~second));
 }
 
 /* square[k]: not above the square of the distance of child k of a node from a box of the other
  * body, in units of the node's body. The gaps on axes at right angles to each other are the sides
  * of a box between them; the way between the bodies is one more axis, of length 1 or 0. Bit k: the
  * square is at most with->most. Rounding: search.c. */
-TARGET static uint32_t NAME(bound)(const body_boxes *node, const facing *with,
-                                   const body_boxes *from, uint32_t lane, float square[BODY_WIDE]) {
+SIMD_TARGET static uint32_t SIMD_NAME(bound)(const body_boxes *node, const facing *with,
+                                             const body_boxes *from, uint32_t lane,
+                                             float square[BODY_WIDE]) {
   const float *way = with->way;
   posed_box p;
   uint32_t bits = 0;
   turn_box(&p, with->motion, from, lane);
   float own_reach = 0;
-  UNROLL for (int k = 0; k < 3; k++) {
+  SIMD_UNROLL for (int k = 0; k < 3; k++) {
     four_floats axis = p.axis[k];
     own_reach += fabsf(axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]) * p.half[k];
   }
-  for (int n = 0; n < BODY_WIDE; n += FLOATS) {
-    F t[3];
-    F at[3] = {{0}, {0}, {0}};
-    F reach[3];
-    F least[2] = {{0}, {0}};
-    F along_way = {0};
-    F way_reach = (F){0} + own_reach;
-    UNROLL for (int i = 0; i < 3; i++) {
-      LOAD(t[i], node->centre[i] + n);
+  for (int n = 0; n < BODY_WIDE; n += SIMD_FLOATS) {
+    SIMD_FLOAT t[3];
+    SIMD_FLOAT at[3] = {{0}, {0}, {0}};
+    SIMD_FLOAT reach[3];
+    SIMD_FLOAT least[2] = {{0}, {0}};
+    SIMD_FLOAT along_way = {0};
+    SIMD_FLOAT way_reach = (SIMD_FLOAT){0} + own_reach;
+    SIMD_UNROLL for (int i = 0; i < 3; i++) {
+      SIMD_LOAD(t[i], node->centre[i] + n);
       t[i] = p.centre[i] - t[i] + p.rest[i];
-      reach[i] = (F){0} + p.half[i];
+      reach[i] = (SIMD_FLOAT){0} + p.half[i];
       along_way += t[i] * way[i];
     }
-    F slack = (SIZE(t[0]) + SIZE(t[1]) + SIZE(t[2])) * with->slack;
-    UNROLL for (int i = 0; i < 3; i++) {
-      F axis[3];
-      F half;
-      UNROLL for (int j = 0; j < 3; j++) { LOAD(axis[j], node->axis[i][j] + n); }
-      LOAD(half, node->half[i] + n);
-      F along = axis[0] * t[0] + axis[1] * t[1] + axis[2] * t[2];
-      F own = half;
-      way_reach += SIZE(axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]) * half;
-      UNROLL for (int k = 0; k < 3; k++) {
-        F cosine = axis[0] * p.axis[k][0] + axis[1] * p.axis[k][1] + axis[2] * p.axis[k][2];
-        own += SIZE(cosine) * p.half[k];
-        reach[k] += SIZE(cosine) * half;
+    SIMD_FLOAT slack = (SIMD_SIZE(t[0]) + SIMD_SIZE(t[1]) + SIMD_SIZE(t[2])) * with->slack;
+    SIMD_UNROLL for (int i = 0; i < 3; i++) {
+      SIMD_FLOAT axis[3];
+      SIMD_FLOAT half;
+      SIMD_UNROLL for (int j = 0; j < 3; j++) { SIMD_LOAD(axis[j], node->axis[i][j] + n); }
+      SIMD_LOAD(half, node->half[i] + n);
+      SIMD_FLOAT along = axis[0] * t[0] + axis[1] * t[1] + axis[2] * t[2];
+      SIMD_FLOAT own = half;
+      way_reach += SIMD_SIZE(axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]) * half;
+      SIMD_UNROLL for (int k = 0; k < 3; k++) {
+        SIMD_FLOAT cosine =
+            axis[0] * p.axis[k][0] + axis[1] * p.axis[k][1] + axis[2] * p.axis[k][2];
+        own += SIMD_SIZE(cosine) * p.half[k];
+        reach[k] += SIMD_SIZE(cosine) * half;
         at[k] += along * cosine;
       }
-      F gap = NAME(positive)(SIZE(along) - own - slack);
+      SIMD_FLOAT gap = SIMD_NAME(positive)(SIMD_SIZE(along) - own - slack);
       least[0] += gap * gap;
     }
-    UNROLL for (int k = 0; k < 3; k++) {
-      F gap = NAME(positive)(SIZE(at[k]) - reach[k] - slack);
+    SIMD_UNROLL for (int k = 0; k < 3; k++) {
+      SIMD_FLOAT gap = SIMD_NAME(positive)(SIMD_SIZE(at[k]) - reach[k] - slack);
       least[1] += gap * gap;
     }
-    F gap = NAME(positive)(SIZE(along_way) - way_reach - slack);
-    F all = NAME(most_of)(NAME(most_of)(least[0], least[1]), gap * gap);
-    STORE(square + n, all);
-    bits |= (~BITS(all > with->most) & ((1U << FLOATS) - 1)) << n;
+    SIMD_FLOAT gap = SIMD_NAME(positive)(SIMD_SIZE(along_way) - way_reach - slack);
+    SIMD_FLOAT all = SIMD_NAME(most_of)(SIMD_NAME(most_of)(least[0], least[1]), gap * gap);
+    SIMD_STORE(square + n, all);
+    bits |= (~SIMD_BITS(all > with->most) & ((1U << SIMD_FLOATS) - 1)) << n;
   }
   return bits;
 }
@@ -89,148 +84,163 @@ TARGET static uint32_t NAME(bound)(const body_boxes *node, const facing *with,
 /* ------------------------------------------------------------- pairs of triangles */
 
 typedef struct {
-  R c[3];
-} NAME(vector);
+  SIMD_REAL c[3];
+} SIMD_NAME(vector);
 
-#define W NAME(vector)
+#define SIMD_POINT SIMD_NAME(vector)
 
-INLINE R NAME(chosen)(V which, R p, R q) { return (R)(((V)p & which) | ((V)q & ~which)); }
-INLINE R NAME(greater)(R p, R q) { return NAME(chosen)(p > q, p, q); }
-INLINE R NAME(lesser)(R p, R q) { return NAME(chosen)(p < q, p, q); }
+SIMD_INLINE SIMD_REAL SIMD_NAME(chosen)(SIMD_WHOLE which, SIMD_REAL p, SIMD_REAL q) {
+  return (SIMD_REAL)(((SIMD_WHOLE)p & which) | ((SIMD_WHOLE)q & ~which));
+}
+SIMD_INLINE SIMD_REAL SIMD_NAME(greater)(SIMD_REAL p, SIMD_REAL q) {
+  return SIMD_NAME(chosen)(p > q, p, q);
+}
+SIMD_INLINE SIMD_REAL SIMD_NAME(lesser)(SIMD_REAL p, SIMD_REAL q) {
+  return SIMD_NAME(chosen)(p < q, p, q);
+}
 
 /* Within 0 ... most; what is not a number is 0. */
-INLINE R NAME(limited)(R t, R most) { return NAME(lesser)((R)((V)t & (t > 0)), most); }
+SIMD_INLINE SIMD_REAL SIMD_NAME(limited)(SIMD_REAL t, SIMD_REAL most) {
+  return SIMD_NAME(lesser)((SIMD_REAL)((SIMD_WHOLE)t & (t > 0)), most);
+}
 
-INLINE R NAME(dot)(const W *p, const W *q) {
+SIMD_INLINE SIMD_REAL SIMD_NAME(dot)(const SIMD_POINT *p, const SIMD_POINT *q) {
   return p->c[0] * q->c[0] + p->c[1] * q->c[1] + p->c[2] * q->c[2];
 }
 
-INLINE W NAME(minus)(const W *p, const W *q) {
-  return (W){{p->c[0] - q->c[0], p->c[1] - q->c[1], p->c[2] - q->c[2]}};
+SIMD_INLINE SIMD_POINT SIMD_NAME(minus)(const SIMD_POINT *p, const SIMD_POINT *q) {
+  return (SIMD_POINT){{p->c[0] - q->c[0], p->c[1] - q->c[1], p->c[2] - q->c[2]}};
 }
 
-INLINE W NAME(cross)(const W *p, const W *q) {
-  return (W){{p->c[1] * q->c[2] - p->c[2] * q->c[1], p->c[2] * q->c[0] - p->c[0] * q->c[2],
-              p->c[0] * q->c[1] - p->c[1] * q->c[0]}};
+SIMD_INLINE SIMD_POINT SIMD_NAME(cross)(const SIMD_POINT *p, const SIMD_POINT *q) {
+  return (SIMD_POINT){{p->c[1] * q->c[2] - p->c[2] * q->c[1], p->c[2] * q->c[0] - p->c[0] * q->c[2],
+                       p->c[0] * q->c[1] - p->c[1] * q->c[0]}};
 }
 
 /* p + s u - t v */
-INLINE W NAME(between)(const W *p, R s, const W *u, R t, const W *v) {
-  W r;
-  UNROLL for (int i = 0; i < 3; i++) { r.c[i] = p->c[i] + s * u->c[i] - t * v->c[i]; }
+SIMD_INLINE SIMD_POINT SIMD_NAME(between)(const SIMD_POINT *p, SIMD_REAL s, const SIMD_POINT *u,
+                                          SIMD_REAL t, const SIMD_POINT *v) {
+  SIMD_POINT r;
+  SIMD_UNROLL for (int i = 0; i < 3; i++) { r.c[i] = p->c[i] + s * u->c[i] - t * v->c[i]; }
   return r;
 }
 
 /* The shortest way so far from a point of A to one of B. */
 typedef struct {
-  R square;
-  W way;
-} NAME(nearest);
+  SIMD_REAL square;
+  SIMD_POINT way;
+} SIMD_NAME(nearest);
 
-INLINE void NAME(offer)(NAME(nearest) * n, const W *way) {
-  R square = NAME(dot)(way, way);
-  V which = square < n->square;
-  n->square = NAME(chosen)(which, square, n->square);
-  UNROLL for (int i = 0; i < 3; i++) { n->way.c[i] = NAME(chosen)(which, way->c[i], n->way.c[i]); }
+SIMD_INLINE void SIMD_NAME(offer)(SIMD_NAME(nearest) * n, const SIMD_POINT *way) {
+  SIMD_REAL square = SIMD_NAME(dot)(way, way);
+  SIMD_WHOLE which = square < n->square;
+  n->square = SIMD_NAME(chosen)(which, square, n->square);
+  SIMD_UNROLL for (int i = 0; i < 3; i++) {
+    n->way.c[i] = SIMD_NAME(chosen)(which, way->c[i], n->way.c[i]);
+  }
 }
 
 typedef struct {
-  W v[3], e[3]; /* e[k]: from vertex k to the next */
-  R over[3];    /* 1 / e[k] . e[k] */
-} NAME(triangle);
+  SIMD_POINT v[3], e[3]; /* e[k]: from vertex k to the next */
+  SIMD_REAL over[3];     /* 1 / e[k] . e[k] */
+} SIMD_NAME(triangle);
 
-INLINE void NAME(offer_edges)(NAME(nearest) * n, const NAME(triangle) * a, int i,
-                              const NAME(triangle) * b, int j) {
-  const R one = (R){0} + 1;
-  const W *u = &a->e[i];
-  const W *v = &b->e[j];
-  W d = NAME(minus)(&b->v[j], &a->v[i]);
-  R uv = NAME(dot)(u, v);
-  R du = NAME(dot)(&d, u) * a->over[i];
-  R dv = NAME(dot)(&d, v) * b->over[j];
-  R area = 1 - uv * uv * (a->over[i] * b->over[j]);
-  R s = NAME(limited)((du - uv * dv * a->over[i]) / area, one);
-  R t = NAME(limited)(s * uv * b->over[j] - dv, one);
-  s = NAME(limited)(t * uv * a->over[i] + du, one);
-  W way = NAME(between)(&d, t, v, s, u);
-  NAME(offer)(n, &way);
+SIMD_INLINE void SIMD_NAME(offer_edges)(SIMD_NAME(nearest) * n, const SIMD_NAME(triangle) * a,
+                                        int i, const SIMD_NAME(triangle) * b, int j) {
+  const SIMD_REAL one = (SIMD_REAL){0} + 1;
+  const SIMD_POINT *u = &a->e[i];
+  const SIMD_POINT *v = &b->e[j];
+  SIMD_POINT d = SIMD_NAME(minus)(&b->v[j], &a->v[i]);
+  SIMD_REAL uv = SIMD_NAME(dot)(u, v);
+  SIMD_REAL du = SIMD_NAME(dot)(&d, u) * a->over[i];
+  SIMD_REAL dv = SIMD_NAME(dot)(&d, v) * b->over[j];
+  SIMD_REAL area = 1 - uv * uv * (a->over[i] * b->over[j]);
+  SIMD_REAL s = SIMD_NAME(limited)((du - uv * dv * a->over[i]) / area, one);
+  SIMD_REAL t = SIMD_NAME(limited)(s * uv * b->over[j] - dv, one);
+  s = SIMD_NAME(limited)(t * uv * a->over[i] + du, one);
+  SIMD_POINT way = SIMD_NAME(between)(&d, t, v, s, u);
+  SIMD_NAME(offer)(n, &way);
 }
 
 /* The vertices of x and the face of f. With n = e_0 x e_2 the foot of f_0 + d is at e_0 times
  * d . (e_2 x n) / n . n less e_2 times d . (e_0 x n) / n . n. */
-INLINE void NAME(offer_face)(NAME(nearest) * n, const NAME(triangle) * x,
-                             const NAME(triangle) * f) {
-  W normal = NAME(cross)(&f->e[0], &f->e[2]);
-  R over = 1 / NAME(dot)(&normal, &normal);
-  W first = NAME(cross)(&f->e[2], &normal);
-  W second = NAME(cross)(&f->e[0], &normal);
-  UNROLL for (int k = 0; k < 3; k++) {
-    W d = NAME(minus)(&x->v[k], &f->v[0]);
-    R s = NAME(limited)(NAME(dot)(&d, &first) * over, (R){0} + 1);
-    R t = NAME(limited)(NAME(dot)(&d, &second) * over, 1 - s);
-    W way = NAME(between)(&d, t, &f->e[2], s, &f->e[0]);
-    NAME(offer)(n, &way);
+SIMD_INLINE void SIMD_NAME(offer_face)(SIMD_NAME(nearest) * n, const SIMD_NAME(triangle) * x,
+                                       const SIMD_NAME(triangle) * f) {
+  SIMD_POINT normal = SIMD_NAME(cross)(&f->e[0], &f->e[2]);
+  SIMD_REAL over = 1 / SIMD_NAME(dot)(&normal, &normal);
+  SIMD_POINT first = SIMD_NAME(cross)(&f->e[2], &normal);
+  SIMD_POINT second = SIMD_NAME(cross)(&f->e[0], &normal);
+  SIMD_UNROLL for (int k = 0; k < 3; k++) {
+    SIMD_POINT d = SIMD_NAME(minus)(&x->v[k], &f->v[0]);
+    SIMD_REAL s = SIMD_NAME(limited)(SIMD_NAME(dot)(&d, &first) * over, (SIMD_REAL){0} + 1);
+    SIMD_REAL t = SIMD_NAME(limited)(SIMD_NAME(dot)(&d, &second) * over, 1 - s);
+    SIMD_POINT way = SIMD_NAME(between)(&d, t, &f->e[2], s, &f->e[0]);
+    SIMD_NAME(offer)(n, &way);
   }
 }
 
 /* The gap of the projections on a way; 0 if there is none. */
-INLINE R NAME(gap_along)(const W *way, const NAME(triangle) * a, const NAME(triangle) * b) {
-  R low[2];
-  R high[2];
-  UNROLL for (int k = 0; k < 6; k++) {
-    R t = NAME(dot)(way, k < 3 ? &a->v[k] : &b->v[k - 3]);
-    low[k / 3] = k % 3 == 0 ? t : NAME(lesser)(t, low[k / 3]);
-    high[k / 3] = k % 3 == 0 ? t : NAME(greater)(t, high[k / 3]);
+SIMD_INLINE SIMD_REAL SIMD_NAME(gap_along)(const SIMD_POINT *way, const SIMD_NAME(triangle) * a,
+                                           const SIMD_NAME(triangle) * b) {
+  SIMD_REAL low[2];
+  SIMD_REAL high[2];
+  SIMD_UNROLL for (int k = 0; k < 6; k++) {
+    SIMD_REAL t = SIMD_NAME(dot)(way, k < 3 ? &a->v[k] : &b->v[k - 3]);
+    low[k / 3] = k % 3 == 0 ? t : SIMD_NAME(lesser)(t, low[k / 3]);
+    high[k / 3] = k % 3 == 0 ? t : SIMD_NAME(greater)(t, high[k / 3]);
   }
-  return NAME(greater)(NAME(greater)(low[1] - high[0], low[0] - high[1]), (R){0});
+  return SIMD_NAME(greater)(SIMD_NAME(greater)(low[1] - high[0], low[0] - high[1]), (SIMD_REAL){0});
 }
 
-/* Vertex k of n is from[(3 k + coordinate) LANES + n]; posed. */
-INLINE void NAME(place)(NAME(triangle) * t, const double *from, const world_pose *pose) {
-  UNROLL for (int k = 0; k < 3; k++) {
-    R x[3];
-    UNROLL for (int i = 0; i < 3; i++) { LOAD(x[i], from + (3 * k + i) * LANES); }
-    UNROLL for (int i = 0; i < 3; i++) {
+/* Vertex k of n is from[(3 k + coordinate) SIMD_LANES + n]; posed. */
+SIMD_INLINE void SIMD_NAME(place)(SIMD_NAME(triangle) * t, const double *from,
+                                  const world_pose *pose) {
+  SIMD_UNROLL for (int k = 0; k < 3; k++) {
+    SIMD_REAL x[3];
+    SIMD_UNROLL for (int i = 0; i < 3; i++) { SIMD_LOAD(x[i], from + (3 * k + i) * SIMD_LANES); }
+    SIMD_UNROLL for (int i = 0; i < 3; i++) {
       const double *row = pose->rotation[i];
       t->v[k].c[i] = x[0] * row[0] + x[1] * row[1] + x[2] * row[2] + pose->translation[i];
     }
   }
 }
 
-INLINE R NAME(from_origin)(NAME(triangle) * t, const W *origin, R most) {
-  UNROLL for (int k = 0; k < 3; k++) {
-    t->v[k] = NAME(minus)(&t->v[k], origin);
-    UNROLL for (int i = 0; i < 3; i++) {
-      R size = (R)((V)t->v[k].c[i] & INT64_MAX);
-      most = NAME(greater)(size, most);
+SIMD_INLINE SIMD_REAL SIMD_NAME(from_origin)(SIMD_NAME(triangle) * t, const SIMD_POINT *origin,
+                                             SIMD_REAL most) {
+  SIMD_UNROLL for (int k = 0; k < 3; k++) {
+    t->v[k] = SIMD_NAME(minus)(&t->v[k], origin);
+    SIMD_UNROLL for (int i = 0; i < 3; i++) {
+      SIMD_REAL size = (SIMD_REAL)((SIMD_WHOLE)t->v[k].c[i] & INT64_MAX);
+      most = SIMD_NAME(greater)(size, most);
     }
   }
-  UNROLL for (int k = 0; k < 3; k++) {
-    t->e[k] = NAME(minus)(&t->v[next[k]], &t->v[k]);
-    t->over[k] = 1 / NAME(dot)(&t->e[k], &t->e[k]);
+  SIMD_UNROLL for (int k = 0; k < 3; k++) {
+    t->e[k] = SIMD_NAME(minus)(&t->v[next[k]], &t->v[k]);
+    t->over[k] = 1 / SIMD_NAME(dot)(&t->e[k], &t->e[k]);
   }
   return most;
 }
 
 /* Pairs of triangles: an enclosure of their distance, and the way between their nearest points.
  * from: A's vertices, then B's. */
-TARGET static void NAME(enclose)(const double *from, const world_pose pose[2], pair_enclosure *e) {
-  NAME(triangle) t[2];
-  NAME(nearest) n = {(R){0} + INFINITY, {{{0}, {0}, {0}}}};
-  R gap;
-  R size = {0};
-  NAME(place)(&t[0], from, &pose[0]);
-  NAME(place)(&t[1], from + 9 * LANES, &pose[1]);
-  W origin = t[0].v[0];
-  size = NAME(from_origin)(&t[0], &origin, size);
-  size = NAME(from_origin)(&t[1], &origin, size);
+SIMD_TARGET static void SIMD_NAME(enclose)(const double *from, const world_pose pose[2],
+                                           pair_enclosure *e) {
+  SIMD_NAME(triangle) t[2];
+  SIMD_NAME(nearest) n = {(SIMD_REAL){0} + INFINITY, {{{0}, {0}, {0}}}};
+  SIMD_REAL gap;
+  SIMD_REAL size = {0};
+  SIMD_NAME(place)(&t[0], from, &pose[0]);
+  SIMD_NAME(place)(&t[1], from + 9 * SIMD_LANES, &pose[1]);
+  SIMD_POINT origin = t[0].v[0];
+  size = SIMD_NAME(from_origin)(&t[0], &origin, size);
+  size = SIMD_NAME(from_origin)(&t[1], &origin, size);
   for (int i = 0; i < 3; i++) {
-    UNROLL for (int j = 0; j < 3; j++) { NAME(offer_edges)(&n, &t[0], i, &t[1], j); }
+    SIMD_UNROLL for (int j = 0; j < 3; j++) { SIMD_NAME(offer_edges)(&n, &t[0], i, &t[1], j); }
   }
-  NAME(offer_face)(&n, &t[0], &t[1]);
-  NAME(offer_face)(&n, &t[1], &t[0]);
-  gap = NAME(gap_along)(&n.way, &t[0], &t[1]);
-  for (int k = 0; k < LANES; k++) {
+  SIMD_NAME(offer_face)(&n, &t[0], &t[1]);
+  SIMD_NAME(offer_face)(&n, &t[1], &t[0]);
+  gap = SIMD_NAME(gap_along)(&n.way, &t[0], &t[1]);
+  for (int k = 0; k < SIMD_LANES; k++) {
     double error = PAIR_ERROR * size[k] + pose[0].error + pose[1].error;
     e[k].least = gap[k] / sqrt(n.square[k] + 0x1p-1000) - error;
     e[k].most = sqrt(n.square[k]) + error;
@@ -240,17 +250,12 @@ TARGET static void NAME(enclose)(const double *from, const world_pose pose[2], p
   }
 }
 
-#undef F
-#undef M
-#undef R
-#undef V
-#undef W
-#undef INLINE
-#undef LANES
-#undef NAME
-#undef TARGET
-#undef LOAD
-#undef STORE
-#undef SIZE
-#undef BITS
-#undef FLOATS
+#undef SIMD_POINT
+#undef SIMD_LANES
+#undef SIMD_NAME
+#undef SIMD_TARGET
+#undef SIMD_LOAD
+#undef SIMD_STORE
+#undef SIMD_SIZE
+#undef SIMD_BITS
+#undef SIMD_FLOATS

@@ -20,6 +20,7 @@
  * `slack`, 2^-18 + 16 d. */
 #include "search.h"
 #include "body/turned.h"
+#include "util/simd.h"
 
 #include <float.h>
 #include <math.h>
@@ -30,7 +31,7 @@
 #include <immintrin.h>
 #endif
 
-#define UNROLL _Pragma("GCC unroll 6")
+#define SIMD_UNROLL _Pragma("GCC unroll 6")
 #define BOUND_SLACK 0x1p-18
 
 /* Of coordinates from A_0, with u = 2^-53 and m the largest: a vertex is wrong by u m, an edge by 3
@@ -54,20 +55,20 @@ typedef struct {
   double least, most, way[3];
 } pair_enclosure;
 
-#define NAME(x) x##_portable
-#define TARGET
-#define FLOATS 4
-#define LANES 2
-#define BITS(v) \
+#define SIMD_NAME(x) x##_portable
+#define SIMD_TARGET
+#define SIMD_FLOATS 4
+#define SIMD_LANES 2
+#define SIMD_BITS(v) \
   ((uint32_t)(((v)[0] < 0) | ((v)[1] < 0) << 1 | ((v)[2] < 0) << 2 | ((v)[3] < 0) << 3))
 #include "reach.h"
 
 #if defined __x86_64__
-#define NAME(x) x##_avx2
-#define TARGET __attribute__((target("avx2,fma")))
-#define FLOATS 8
-#define LANES 4
-#define BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
+#define SIMD_NAME(x) x##_avx2
+#define SIMD_TARGET __attribute__((target("avx2,fma")))
+#define SIMD_FLOATS 8
+#define SIMD_LANES 4
+#define SIMD_BITS(v) ((uint32_t)_mm256_movemask_ps((__m256)(v)))
 #include "reach.h"
 #endif
 

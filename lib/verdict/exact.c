@@ -21,19 +21,19 @@ static bool aabbs_disjoint(const sepax_tri *a, const sepax_tri *b) {
 }
 
 /* Unrolled, the sums take half the time. */
-#define UNROLL _Pragma("GCC unroll 3")
+#define SIMD_UNROLL _Pragma("GCC unroll 3")
 
-#define NUMBER uint64_t
-#define NAME(name) name##_64
+#define SIMD_NUMBER uint64_t
+#define SIMD_NAME(name) name##_64
 #include "exact_sums.h"
-#undef NUMBER
-#undef NAME
+#undef SIMD_NUMBER
+#undef SIMD_NAME
 
-#define NUMBER unsigned __int128
-#define NAME(name) name##_128
+#define SIMD_NUMBER unsigned __int128
+#define SIMD_NAME(name) name##_128
 #include "exact_sums.h"
-#undef NUMBER
-#undef NAME
+#undef SIMD_NUMBER
+#undef SIMD_NAME
 
 static bool fits_20_bits(const sepax_tri *tri) {
   const uint32_t half = (uint32_t)1 << 19;
