@@ -1,6 +1,6 @@
 /* main.c - build/sepax: picks the subcommand. */
 #include "cli/cli.h"
-#include "commands.h"
+#include "command_table.h"
 #include "util/temporary.h"
 
 #include <stdio.h>

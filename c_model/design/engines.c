@@ -1,5 +1,5 @@
 /* engines.c - which engine a design has, by the table of engines. */
-#include "design/engine.h"
+#include "design/engine_table.h"
 #include "design/options.h"
 #include "util/error.h"
 

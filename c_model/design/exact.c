@@ -1,6 +1,6 @@
 /* exact.c - architecture exact: its checks and the formats of its numbers (docs/exact.md). */
 #include "design/architecture.h"
-#include "design/engine.h"
+#include "design/engine_table.h"
 #include "design/interval.h"
 #include "util/error.h"
 

@@ -1,5 +1,5 @@
 /* stream.c - the core behind AXI4-Stream: its row in the table of engines. */
-#include "design/engine.h"
+#include "design/engine_table.h"
 
 const engine sepax__engine_stream = {.name = "a stream", .option = "stream"};
 

@@ -1,5 +1,5 @@
 /* engine.c - the object engine: its row in the table of engines. */
-#include "design/engine.h"
+#include "design/engine_table.h"
 #include "util/error.h"
 
 static bool check_memory(char object, int triangles, sepax_error *error) {

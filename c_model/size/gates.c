@@ -1,6 +1,6 @@
 /* gates.c - gates of a design before it is mapped, and bits of its memories. docs/size.md. */
 #include "size/gates.h"
-#include "design/engine.h"
+#include "design/engine_table.h"
 
 enum { TERMS = 7 };
 

@@ -1,5 +1,5 @@
 /* size.c - the design of the fewest gates that judges a scene in time. docs/size.md. */
-#include "design/engine.h"
+#include "design/engine_table.h"
 #include "size/gates.h"
 #include "size/workloads.h"
 #include "util/error.h"

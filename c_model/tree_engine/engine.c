@@ -1,5 +1,5 @@
 /* engine.c - the tree engine: its row in the table of engines. */
-#include "design/engine.h"
+#include "design/engine_table.h"
 #include "sepax_tree.h"
 #include "util/error.h"
 

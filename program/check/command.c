@@ -1,7 +1,7 @@
 /* command.c - sepax check: do two bodies collide, as their files have them or on a grid? */
 #include "check/parts.h"
 #include "report/json.h"
-#include "commands.h"
+#include "command_table.h"
 #include "util/error.h"
 
 #include <stdio.h>

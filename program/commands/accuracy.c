@@ -1,7 +1,7 @@
 /* accuracy.c - sepax accuracy: wrong verdicts of a design, family by family or on two meshes. */
 #include "accuracy_tally.h"
 #include "cli/cli.h"
-#include "commands.h"
+#include "command_table.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
 #include "util/aabb.h"

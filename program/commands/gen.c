@@ -1,6 +1,6 @@
 /* gen.c - sepax gen: configuration -> Verilog folder. */
 #include "cli/cli.h"
-#include "commands.h"
+#include "command_table.h"
 #include "generate.h"
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* judge.c - sepax judge: verdicts for pairs given as text. */
 #include "cli/cli.h"
-#include "commands.h"
+#include "command_table.h"
 #include "util/error.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"

@@ -1,6 +1,6 @@
 /* mesh.c - sepax mesh: sample objects as STL. */
 #include "cli/cli.h"
-#include "commands.h"
+#include "command_table.h"
 #include "sepax_vectors.h"
 
 #include <stdio.h>

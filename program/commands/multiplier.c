@@ -1,7 +1,7 @@
 /* multiplier.c - sepax multiplier: one of the generated multipliers by itself. */
 #include "arith/arith.h"
 #include "cli/cli.h"
-#include "commands.h"
+#include "command_table.h"
 #include "files/output.h"
 #include "util/error.h"
 

@@ -1,6 +1,6 @@
 /* name.c - sepax name: what make and scripts ask about a design and its options. */
 #include "cli/cli.h"
-#include "commands.h"
+#include "command_table.h"
 #include "design/options.h"
 #include "util/error.h"
 

@@ -1,7 +1,7 @@
 /* tree.c - sepax tree: a body as a tree for the tree engine; what such files have. */
 #include "cli/cli.h"
 #include "cli/jobs.h"
-#include "commands.h"
+#include "command_table.h"
 #include "report/text.h"
 #include "sepax_tree.h"
 #include "util/error.h"

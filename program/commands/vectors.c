@@ -1,6 +1,6 @@
 /* vectors.c - sepax vectors: seeded test vectors of hard cases as text. */
 #include "cli/cli.h"
-#include "commands.h"
+#include "command_table.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
 

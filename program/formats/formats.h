@@ -68,8 +68,8 @@ bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const
 
 enum { FORMAT_FACETS_MOST = 20000000 };
 
-/* By the ending of the file's name; mesh_formats.h lists the formats. STL as sepax_stl_read has it;
- * OBJ, PLY, 3MF, DAE by assimp, whose coordinates are binary32. */
+/* By the ending of the file's name; mesh_format_table.h lists the formats. STL as sepax_stl_read
+ * has it; OBJ, PLY, 3MF, DAE by assimp, whose coordinates are binary32. */
 bool format_mesh_is_stl(const char *path);
 bool format_mesh_read(sepax_soup *mesh, const char *path, sepax_error *error);
 

@@ -1,5 +1,6 @@
-/* mesh_formats.c - the table of mesh formats, by which a file finds its reader. */
-#include "formats/mesh_formats.h"
+/* mesh_formats.c - which reader of mesh_format_table.h reads a file, and the text that lists them.
+ */
+#include "formats/mesh_format_table.h"
 #include "formats/confined.h"
 #include "formats/formats.h"
 #include "util/error.h"

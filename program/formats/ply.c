@@ -1,5 +1,5 @@
 /* ply.c - PLY by assimp, which does not notice a file that is cut off. */
-#include "formats/mesh_formats.h"
+#include "formats/mesh_format_table.h"
 #include "util/error.h"
 
 #include <errno.h>

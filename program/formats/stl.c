@@ -1,7 +1,7 @@
 /* stl.c - STL files by the library's reader, their length bounded before anything is read. */
 #include "formats/confined.h"
 #include "formats/formats.h"
-#include "formats/mesh_formats.h"
+#include "formats/mesh_format_table.h"
 #include "util/error.h"
 
 #include <stdio.h>

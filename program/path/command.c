@@ -1,6 +1,6 @@
 /* command.c - sepax path: which bodies of a mechanism collide on a path? */
 #include "report/json.h"
-#include "commands.h"
+#include "command_table.h"
 #include "path/engine.h"
 #include "util/error.h"
 #include "util/write_file.h"

@@ -1,5 +1,5 @@
 /* command.c - sepax size: what a scene needs, and the design for it. */
-#include "commands.h"
+#include "command_table.h"
 #include "generate.h"
 #include "size/parts.h"
 #include "util/error.h"

@@ -1,10 +1,10 @@
 /* engine.h - what the generator of an engine is to everything that does not depend on which one it
- * is, and what engines share. c_model/design/engine.h has the list of engines. */
+ * is, and what engines share. c_model/design/engine_table.h has the list of engines. */
 #ifndef SEPAX_ENGINE_GENERATOR_H
 #define SEPAX_ENGINE_GENERATOR_H
 
 #include "datapath/delay.h"
-#include "design/engine.h"
+#include "design/engine_table.h"
 #include "emit/template.h"
 #include "engine/registers.h"
 

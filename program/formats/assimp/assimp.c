@@ -1,7 +1,7 @@
 /* assimp.c - meshes of other formats than STL, by assimp, without steps that move a vertex. */
 #include "formats/formats.h"
 #include "formats/libraries.h"
-#include "formats/mesh_formats.h"
+#include "formats/mesh_format_table.h"
 #include "util/error.h"
 #include "util/list.h"
 

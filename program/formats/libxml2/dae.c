@@ -1,6 +1,6 @@
 /* dae.c - DAE by assimp, which does not notice a document type, or a unit of 0. */
 #include "formats/formats.h"
-#include "formats/mesh_formats.h"
+#include "formats/mesh_format_table.h"
 #include "util/error.h"
 #include "util/plain_numbers.h"
 

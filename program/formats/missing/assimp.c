@@ -1,6 +1,6 @@
 /* assimp.c - in place of formats/assimp in a build without assimp. */
 #include "formats/libraries.h"
-#include "formats/mesh_formats.h"
+#include "formats/mesh_format_table.h"
 
 const bool format_assimp_here = false;
 

@@ -1,7 +1,7 @@
 /* libxml2.c - in place of formats/libxml2 in a build without libxml2. */
 #include "formats/formats.h"
 #include "formats/libraries.h"
-#include "formats/mesh_formats.h"
+#include "formats/mesh_format_table.h"
 
 const bool format_libxml2_here = false;
 

@@ -1,5 +1,6 @@
-/* engine.h - what an engine is to everything that does not depend on which one it is. An engine
- * stands around the core of architecture exact and brings it its pairs. */
+/* engine_table.h - the list of engines, and what an engine is to everything that does not depend on
+ * which one it is. An engine stands around the core of architecture exact and brings it its pairs.
+ */
 #ifndef SEPAX_ENGINE_H
 #define SEPAX_ENGINE_H
 

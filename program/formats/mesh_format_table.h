@@ -1,4 +1,5 @@
-/* mesh_formats.h - the list of mesh formats (private). CONTRIBUTING.md says how one is added. */
+/* mesh_format_table.h - the list of mesh formats (private). CONTRIBUTING.md says how one is added.
+ */
 #ifndef SEPAX_MESH_FORMATS_H
 #define SEPAX_MESH_FORMATS_H
 

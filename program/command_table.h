@@ -1,4 +1,4 @@
-/* commands.h - the list of commands of sepax. CONTRIBUTING.md says how one is added. */
+/* command_table.h - the list of commands of sepax. CONTRIBUTING.md says how one is added. */
 #ifndef SEPAX_COMMANDS_H
 #define SEPAX_COMMANDS_H
 
