@@ -1,5 +1,6 @@
 ; One orient2d of four points, or orient3d of five, is never the only one that is not 0: it is a
-; sum of the others. Each check-sat must say unsat, the last one, with a sign that is wrong, sat.
+; sum of the others. Both ends of an edge have the same projection on an axis that is normal to it.
+; Each check-sat must say unsat, the last one, with a sign that is wrong, sat.
 (set-logic QF_NIA)
 (define-fun orient2d ((px Int) (py Int) (qx Int) (qy Int) (rx Int) (ry Int)) Int
   (- (* (- qx px) (- ry py)) (* (- qy py) (- rx px))))
@@ -23,6 +24,14 @@
   (+ (orient3d tx ty tz qx qy qz rx ry rz sx sy sz) (orient3d px py pz tx ty tz rx ry rz sx sy sz)
      (orient3d px py pz qx qy qz tx ty tz sx sy sz)
      (orient3d px py pz qx qy qz rx ry rz tx ty tz))))
+(check-sat)
+(pop)
+; The axis is (q - p) x s.
+(define-fun projection ((x Int) (y Int) (z Int)) Int
+  (+ (* x (- (* (- qy py) sz) (* (- qz pz) sy))) (* y (- (* (- qz pz) sx) (* (- qx px) sz)))
+     (* z (- (* (- qx px) sy) (* (- qy py) sx)))))
+(push)
+(assert (distinct (projection px py pz) (projection qx qy qz)))
 (check-sat)
 (pop)
 (assert (distinct (orient2d px py qx qy rx ry)
