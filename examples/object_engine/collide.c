@@ -4,7 +4,7 @@
  * On a board, sepax_driver.c stays as it is; the four accesses of `bus` become registers and
  * DMA, and main ends where it says. */
 #include "object_engine/bus.h"
-#include "sepax.h"
+#include "sepax_models.h"
 #include "sepax_driver.h"
 #include "sepax_params.h"
 

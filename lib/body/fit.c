@@ -366,9 +366,10 @@ enum { CACHE_LINE = 64 };
 bool sepax__body_fit(sepax_body *b, size_t threads) {
   fitting f = {b, local_triangles(b), sepax_allocate(b->nodes * sizeof *f.below)};
   b->memory = sepax_allocate((b->nodes + 1) * sizeof *b->boxes + CACHE_LINE - 1);
-  b->boxes = (void *)(((uintptr_t)b->memory + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE);
   bool ok = b->memory != NULL && f.v != NULL && f.below != NULL;
   if (ok) {
+    size_t beyond = (uintptr_t)b->memory % CACHE_LINE; /* a line */
+    b->boxes = (void *)((char *)b->memory + (beyond > 0 ? CACHE_LINE - beyond : 0));
     find_below(&f, 0, 0);
     sepax__threads_run(threads, (b->nodes + PART - 1) / PART, fit_part, &f);
     oriented r = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, {2, 2, 2}};

@@ -305,11 +305,10 @@ CASE(test_fit_errors) {
              {{&flawed, NULL}, 1, 18, "mesh 0, facet 0: y = nan"}};
   for (size_t i = 0; i < LENGTH(row); i++) {
     sepax_grid grid = {.word = 77};
-    sepax_mesh view[2];
-    const sepax_mesh *all[2] = {&view[0], &view[1]};
-    for (size_t k = 0; k < row[i].count; k++) {
-      view[k] = *SEPAX_SOUP_MESH(row[i].mesh[k]);
-    }
+    const sepax_soup none = {0};
+    const sepax_soup *soup[2] = {&none, &none};
+    memcpy(soup, row[i].mesh, row[i].count * sizeof soup[0]);
+    const sepax_mesh *const all[2] = {SEPAX_SOUP_MESH(soup[0]), SEPAX_SOUP_MESH(soup[1])};
     assert_fault(sepax_grid_fit(&grid, all, row[i].count, row[i].word, &fault), row[i].part);
     assert_int_equal(grid.word, 0);
   }

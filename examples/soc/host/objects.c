@@ -1,6 +1,6 @@
 /* objects.c - two STL files as objects.h of the firmware: integers on one grid.
  *   objects A.stl B.stl WORD [RESOLUTION]     without RESOLUTION the finest grid that holds both */
-#include "sepax.h"
+#include "sepax_models.h"
 
 #include <stdio.h>
 #include <stdlib.h>
