@@ -16,7 +16,9 @@ $(BUILD)/obj/%.o: %.c
 # The objects serve the shared libraries, too. What no public header declares is hidden.
 LIB_OBJ   = $(call object,$(LIB_SRC))
 MODEL_OBJ = $(call object,$(MODEL_SRC))
-$(LIB_OBJ) $(MODEL_OBJ): SEPAX_CFLAGS += -fPIC -fno-semantic-interposition -fvisibility=hidden
+VISIBILITY ?= hidden
+$(LIB_OBJ) $(MODEL_OBJ): SEPAX_CFLAGS += -fPIC -fno-semantic-interposition \
+                                        -fvisibility=$(VISIBILITY)
 
 # What this project's own programs and tests link: all objects, with what is internal.
 $(BUILD)/obj/lib.a: $(LIB_OBJ)
@@ -65,8 +67,8 @@ $(PAGE_OBJ): $(BUILD)/obj/page.c
 # libxml2 reads robots, assimp reads meshes other than STL. Where one of them is missing, or is said
 # to be (make build ASSIMP=no LIBXML2=no), program/formats/missing takes its place.
 has = $(shell printf '%s\n' '$(hash)include <$(1)>' 'int main(void) { return 0; }' | \
-      $(CC) $(CFLAGS) $(LDFLAGS) $(XML_CFLAGS) -x c - $(2) -o /dev/null 2> /dev/null && \
-      echo yes || echo no)
+      $(CC) $(filter-out --coverage,$(CFLAGS)) $(LDFLAGS) $(XML_CFLAGS) -x c - $(2) -o /dev/null \
+      2> /dev/null && echo yes || echo no)
 ifndef ASSIMP
 ASSIMP := $(call has,assimp/cimport.h,-lassimp)
 endif
