@@ -1,6 +1,6 @@
 /* command_table.h - the list of commands of sepax. CONTRIBUTING.md says how one is added. */
-#ifndef SEPAX_COMMANDS_H
-#define SEPAX_COMMANDS_H
+#ifndef SEPAX_COMMAND_TABLE_H
+#define SEPAX_COMMAND_TABLE_H
 
 /* A row for each command, in the order of `sepax --help`: its name and what it does. `gen` is
  * int cli_gen(int argc, char **argv), where argv[0] is "sepax gen"; it returns the exit status. */

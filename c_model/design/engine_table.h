@@ -1,8 +1,8 @@
 /* engine_table.h - the list of engines, and what an engine is to everything that does not depend on
  * which one it is. An engine stands around the core of architecture exact and brings it its pairs.
  */
-#ifndef SEPAX_ENGINE_H
-#define SEPAX_ENGINE_H
+#ifndef SEPAX_ENGINE_TABLE_H
+#define SEPAX_ENGINE_TABLE_H
 
 #include "sepax_design.h"
 

@@ -1,7 +1,7 @@
 /* mesh_format_table.h - the list of mesh formats (private). CONTRIBUTING.md says how one is added.
  */
-#ifndef SEPAX_MESH_FORMATS_H
-#define SEPAX_MESH_FORMATS_H
+#ifndef SEPAX_MESH_FORMAT_TABLE_H
+#define SEPAX_MESH_FORMAT_TABLE_H
 
 #include "formats/libraries.h"
 
