@@ -65,15 +65,6 @@ typedef enum {
   SEPAX_STREAM_PAIR
 } sepax_stream;
 
-/* What stands around the core of architecture exact and brings it its pairs. */
-typedef enum {
-  SEPAX_ENGINE_NONE,   /* nothing: the core alone */
-  SEPAX_ENGINE_STREAM, /* AXI4-Stream (--stream) */
-  SEPAX_ENGINE_OBJECT, /* the object engine (--lanes) */
-  SEPAX_ENGINE_TREE,   /* the tree engine (--tree) */
-  SEPAX_ENGINE_COUNT
-} sepax_engine;
-
 /* Of the cells that the clock period is for. */
 typedef enum { SEPAX_CORNER_TYPICAL, SEPAX_CORNER_SLOW } sepax_corner;
 
@@ -145,13 +136,6 @@ char *sepax_config_name(const sepax_config *config, char *text, size_t size);
 bool sepax_config_check(const sepax_config *config, sepax_error *error);
 
 const char *sepax_arch_name(sepax_arch arch);
-
-/* The engine that the options ask for: the first, if they ask for two, which sepax_config_check
- * refuses. */
-sepax_engine sepax_config_engine(const sepax_config *config);
-
-/* "none", "stream", "object", "tree". */
-const char *sepax_engine_name(sepax_engine engine);
 
 /* Transfers of AXI4-Stream that are a pair: 6, 2 or 1; 0 without. */
 int sepax_stream_transfers(const sepax_config *config);

@@ -2,18 +2,19 @@
  *
  * Conventions
  *   - A body is a mesh of triangles. Coordinates are doubles in one unit of length, which the
- * caller chooses. A result is exact for the doubles given: nothing is rounded on the way to a
- * verdict.
- *   - A collision is at least one common point of two closed triangles; touching counts.
+ *     caller chooses. A result is exact for the doubles given, because nothing is rounded on the
+ *     way to a verdict.
+ *   - A collision is at least one common point of two closed triangles. Touching counts.
  *   - A function that can fail returns false. Then *error has a code and one line of text, which
- *     names the file or the value and the cure, and every result is zero, and need not be freed.
+ *     names the file or the value and the cure. Every result is zero and need not be freed.
  *     `error` may be NULL. No input ends the process. Nothing is clamped, wrapped or dropped.
- *   - A struct that the caller fills in begins with its size; SEPAX_STRUCT does so. A field that is
- *     zero has its default, so a struct can get fields without breaking a caller. Where a function
- *     takes options, NULL stands for all defaults.
- *   - What a function fills in is freed by the function of that name with _free.
- *   - Triangles, vertices and meshes count from 0, in messages, too; lines of a file from 1.
- *   - No function keeps state but sepax_set_allocator. All are safe to call from several threads.
+ *   - A struct of options or a mesh begins with its size, which SEPAX_STRUCT fills in. A field that
+ *     is zero has its default, so later versions can add fields without breaking a caller. Where a
+ *     function takes options, NULL stands for all defaults.
+ *   - sepax_NAME_free releases what a function has put into a sepax_NAME.
+ *   - Triangles, vertices and meshes count from 0, also in messages. Lines of a file count from 1.
+ *   - Only sepax_set_allocator keeps state. All other functions may be called from several threads
+ *     at once.
  *
  * sepax_grid.h has triangles of integers, sepax_mechanism.h links and joints.
  */
@@ -33,8 +34,8 @@ extern "C" {
 
 /* ----------------------------------------------------------------- version */
 
-/* The only place where the version stands. While MAJOR is 0, a new MINOR may break callers; the
- * number in the name of the shared library (libsepax.so.0) rises with every release that does. */
+/* The version is written nowhere else. While MAJOR is 0, a new MINOR may break callers. A release
+ * that breaks callers raises the number in the shared library's name, libsepax.so.0. */
 #define SEPAX_VERSION_MAJOR 0
 #define SEPAX_VERSION_MINOR 1
 #define SEPAX_VERSION_PATCH 0
@@ -85,8 +86,9 @@ typedef struct {
   void *context;
 } sepax_allocator;
 
-/* From now on the library uses this allocator (NULL: malloc, realloc and free). To be called while
- * nothing of the library is in use: what one allocator gave is released by no other. */
+/* From now on the library uses this allocator (NULL: malloc, realloc and free). Call it before
+ * everything else, or after everything was freed: memory must go back to the allocator that gave
+ * it. */
 void sepax_set_allocator(const sepax_allocator *allocator);
 
 /* Memory of that allocator, for what the caller fills in and the library frees (sepax_soup,
@@ -101,8 +103,8 @@ void sepax_release(void *memory);
  * sepax_bodies_collide(a, p, b, q, &SEPAX_STRUCT(sepax_query, .most = 1), &found, &error). */
 #define SEPAX_STRUCT(type, ...) ((type){.size = sizeof(type), __VA_ARGS__})
 
-/* The vector instructions that are used; all give the same results. One that this processor lacks
- * stands for the widest that it has. */
+/* Which vector instructions a function uses. All give the same results. If this processor lacks
+ * those that are asked for, the function uses the widest that it has. */
 typedef enum {
   SEPAX_SIMD_BEST,
   SEPAX_SIMD_PORTABLE, /* 2 pairs at once, compiled for any processor */
@@ -111,7 +113,7 @@ typedef enum {
 } sepax_simd;
 
 bool sepax_simd_runs(sepax_simd simd);
-const char *sepax_simd_name(sepax_simd simd); /* of BEST: the name of what it stands for */
+const char *sepax_simd_name(sepax_simd simd); /* of the instructions that would be used */
 
 /* ------------------------------------------------------------------- poses */
 

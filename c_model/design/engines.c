@@ -3,17 +3,13 @@
 #include "design/options.h"
 #include "util/error.h"
 
-static const engine none = {.name = NULL};
+static const engine_row none = {.name = NULL};
 
 #define ROW(value, name) [SEPAX_ENGINE_##value] = &sepax__engine_##name,
-static const engine *const engines[SEPAX_ENGINE_COUNT] = {[SEPAX_ENGINE_NONE] = &none,
-                                                          SEPAX_ENGINES(ROW)};
+static const engine_row *const engines[SEPAX_ENGINE_COUNT] = {[SEPAX_ENGINE_NONE] = &none,
+                                                              SEPAX_ENGINES(ROW)};
 
-#define LISTED(value, name) LISTED_##value,
-enum { SEPAX_ENGINES(LISTED) LISTED_COUNT };
-_Static_assert(LISTED_COUNT == SEPAX_ENGINE_COUNT - 1, "an engine has no line in SEPAX_ENGINES");
-
-const char *sepax_engine_name(sepax_engine which) {
+const char *sepax__engine_name(sepax_engine which) {
 #define NAME(value, name) [SEPAX_ENGINE_##value] = #name,
   static const char *const names[SEPAX_ENGINE_COUNT] = {[SEPAX_ENGINE_NONE] = "none",
                                                         SEPAX_ENGINES(NAME)};
@@ -30,16 +26,16 @@ static sepax_engine next_asked(const sepax_config *config, sepax_engine before) 
   return SEPAX_ENGINE_NONE;
 }
 
-sepax_engine sepax_config_engine(const sepax_config *config) {
+sepax_engine sepax__config_engine(const sepax_config *config) {
   return next_asked(config, SEPAX_ENGINE_NONE);
 }
 
-const engine *sepax__engine_of(const sepax_config *config) {
-  return engines[sepax_config_engine(config)];
+const engine_row *sepax__engine_of(const sepax_config *config) {
+  return engines[sepax__config_engine(config)];
 }
 
 bool sepax__engine_check(const sepax_config *config, sepax_error *error) {
-  sepax_engine asked = sepax_config_engine(config);
+  sepax_engine asked = sepax__config_engine(config);
   sepax_engine other = asked != SEPAX_ENGINE_NONE ? next_asked(config, asked) : SEPAX_ENGINE_NONE;
   if (other != SEPAX_ENGINE_NONE) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,

@@ -6,7 +6,7 @@
 
 /* The gap of AABBs above which a pair is outside of a clearance. */
 static int64_t margin_of(const sepax_config *config, int clearance) {
-  const engine *around = sepax__engine_of(config);
+  const engine_row *around = sepax__engine_of(config);
   bool more = around->margin_added != NULL && clearance >= 0;
   return 1 + (int64_t)clearance + (more ? around->margin_added(config->word) : 0);
 }
@@ -58,7 +58,7 @@ static bool check_extents(const sepax_config *config, sepax_error *error) {
 
 /* What the engine does or has anyway. */
 static bool check_around(const sepax_config *config, sepax_error *error) {
-  const engine *around = sepax__engine_of(config);
+  const engine_row *around = sepax__engine_of(config);
   if (config->early_out && (config->extent_a != 0 || around->tests_aabbs)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "early-out: with %s AABBs are tested before the core anyway; leave it out",

@@ -1,7 +1,7 @@
 /* stream.c - the core behind AXI4-Stream: its row in the table of engines. */
 #include "design/engine_table.h"
 
-const engine sepax__engine_stream = {.name = "a stream", .option = "stream"};
+const engine_row sepax__engine_stream = {.name = "a stream", .option = "stream"};
 
 int sepax_stream_transfers(const sepax_config *config) {
   static const int transfers[] = {[SEPAX_STREAM_NONE] = 0,

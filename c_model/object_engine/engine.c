@@ -22,11 +22,11 @@ static uint64_t memory_bits(const sepax_config *config) {
 }
 
 /* Gates: docs/results/area/engine.csv, scripts/experiments/fit-area -l. */
-const engine sepax__engine_object = {.name = "an object engine",
-                                     .option = "lanes",
-                                     .tests_aabbs = true,
-                                     .check = check,
-                                     .gates = 12169,
-                                     .gates_per_bit = 549.12,
-                                     .gates_per_lane_bit = 92,
-                                     .memory_bits = memory_bits};
+const engine_row sepax__engine_object = {.name = "an object engine",
+                                         .option = "lanes",
+                                         .tests_aabbs = true,
+                                         .check = check,
+                                         .gates = 12169,
+                                         .gates_per_bit = 549.12,
+                                         .gates_per_lane_bit = 92,
+                                         .memory_bits = memory_bits};

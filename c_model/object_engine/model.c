@@ -1,6 +1,7 @@
 /* model.c - golden model of the object engine: which pairs it finds, in which order, and
  * about when (docs/engine.md). */
 #include "object_engine/time.h"
+#include "design/engine_table.h"
 #include "util/aabb.h"
 #include "util/error.h"
 #include "util/list.h"
@@ -109,8 +110,9 @@ bool sepax_object_engine(const sepax_design *design, const sepax_tri *a, size_t 
                          const sepax_tri *b, size_t count_b, const int32_t move[3],
                          sepax_object_run *run, sepax_error *error) {
   *run = (sepax_object_run){0};
-  if (sepax_config_engine(&design->config) != SEPAX_ENGINE_OBJECT || count_a == 0 || count_b == 0 ||
-      count_a > (size_t)design->config.memory_a || count_b > (size_t)design->config.memory_b) {
+  if (sepax__config_engine(&design->config) != SEPAX_ENGINE_OBJECT || count_a == 0 ||
+      count_b == 0 || count_a > (size_t)design->config.memory_a ||
+      count_b > (size_t)design->config.memory_b) {
     return sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
         "engine: %zu and %zu triangles do not fit %d lanes with memories of %d and %d; give others",

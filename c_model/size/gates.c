@@ -89,7 +89,7 @@ double sepax_gates(const sepax_design *design, double *error) {
   double clearances = gates_of_clearances(design);
   double core = plain + clearances;
   double core_error = plain * largest_error + clearances * clearance_error;
-  const engine *of = sepax__engine_of(c);
+  const engine_row *of = sepax__engine_of(c);
   double around = of->gates + (of->gates_per_bit + of->gates_per_lane_bit * c->lanes) * c->word;
   *error = core_error * c->cores + around * engine_error;
   return core * c->cores + around;
@@ -101,6 +101,6 @@ bool sepax__gates_fitted(const sepax_design *design) {
 }
 
 uint64_t sepax_memory_bits(const sepax_config *config) {
-  const engine *of = sepax__engine_of(config);
+  const engine_row *of = sepax__engine_of(config);
   return of->memory_bits != NULL ? of->memory_bits(config) : 0;
 }

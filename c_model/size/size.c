@@ -50,7 +50,7 @@ typedef struct {
 static const sizing sizings[SEPAX_ENGINE_COUNT];
 
 static const sizing *sizing_of(const sepax_config *config) {
-  return &sizings[sepax_config_engine(config)];
+  return &sizings[sepax__config_engine(config)];
 }
 
 static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
@@ -322,7 +322,7 @@ static bool find_cheapest(choice *all, uint64_t limit, sepax_sized_design *best,
   qsort(all->design, all->count, sizeof *all->design, by_gates);
   for (size_t n = 0; n < all->count; n++) {
     sepax_sized_design m = all->design[n];
-    size_t *worst = &pose[sepax_config_engine(&m.config)];
+    size_t *worst = &pose[sepax__config_engine(&m.config)];
     if (m.cycles <= limit && sizing_of(&m.config)->poses(all) > 0) {
       m.worst = *worst;
       if (!try_poses(all, &m, limit, error)) {
@@ -345,7 +345,7 @@ static bool find_fewest(choice *all, uint64_t *fewest, sepax_error *error) {
   qsort(all->design, all->count, sizeof *all->design, by_cycles);
   for (size_t n = 0; n < all->count && all->design[n].cycles < *fewest; n++) {
     sepax_sized_design m = all->design[n];
-    size_t *worst = &pose[sepax_config_engine(&m.config)];
+    size_t *worst = &pose[sepax__config_engine(&m.config)];
     m.worst = *worst;
     if (sizing_of(&m.config)->poses(all) > 0 && !try_poses(all, &m, *fewest, error)) {
       return false;

@@ -27,11 +27,11 @@ static uint64_t memory_bits(const sepax_config *config) {
 }
 
 /* Gates: docs/results/area/tree.csv, scripts/experiments/fit-area -t. */
-const engine sepax__engine_tree = {.name = "a tree engine",
-                                   .option = "tree",
-                                   .tests_aabbs = true,
-                                   .check = check,
-                                   .margin_added = sepax_tree_clearance_added,
-                                   .gates = 76559,
-                                   .gates_per_bit = 1779.5,
-                                   .memory_bits = memory_bits};
+const engine_row sepax__engine_tree = {.name = "a tree engine",
+                                       .option = "tree",
+                                       .tests_aabbs = true,
+                                       .check = check,
+                                       .margin_added = sepax_tree_clearance_added,
+                                       .gates = 76559,
+                                       .gates_per_bit = 1779.5,
+                                       .memory_bits = memory_bits};

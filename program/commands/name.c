@@ -1,5 +1,6 @@
 /* name.c - sepax name: what make and scripts ask about a design and its options. */
 #include "cli/cli.h"
+#include "design/engine_table.h"
 #include "command_table.h"
 #include "design/options.h"
 #include "util/error.h"
@@ -95,7 +96,7 @@ static void print_design(const name_options *o) {
   sepax_config_variables(&o->config, variables, sizeof variables);
   if (o->what == PRINT_MAKE) {
     printf("DESIGN_NAME=%s DESIGN_ENGINE=%s 'OPTIONS=%s' %s\n", name,
-           sepax_engine_name(sepax_config_engine(&o->config)), text, variables);
+           sepax__engine_name(sepax__config_engine(&o->config)), text, variables);
   } else {
     puts(o->what == PRINT_TEXT ? text : name);
   }

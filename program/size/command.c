@@ -1,5 +1,6 @@
 /* command.c - sepax size: what a scene needs, and the design for it. */
 #include "command_table.h"
+#include "design/engine_table.h"
 #include "generate.h"
 #include "size/parts.h"
 #include "util/error.h"

@@ -1,5 +1,6 @@
 /* engines.c - how sepax size asks for designs of one engine alone, and what it tells of them. */
 #include "size/parts.h"
+#include "design/engine_table.h"
 
 #include <stdio.h>
 
@@ -69,5 +70,5 @@ const size_engine size_engines[SEPAX_ENGINE_COUNT] = {
 };
 
 const size_engine *size_engine_of(const sepax_sized_design *m) {
-  return &size_engines[sepax_config_engine(&m->config)];
+  return &size_engines[sepax__config_engine(&m->config)];
 }

@@ -1,5 +1,6 @@
 /* output.c - what sepax size says, as text and as JSON. */
 #include "report/json.h"
+#include "design/engine_table.h"
 #include "report/text.h"
 #include "size/parts.h"
 

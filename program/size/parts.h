@@ -4,6 +4,7 @@
 #define SEPAX_SIZING_PARTS_H
 
 #include "path/engine.h"
+#include "design/engine_table.h"
 
 typedef struct {
   sepax_space space;

@@ -9,7 +9,7 @@ static const engine_generator *const generators[SEPAX_ENGINE_COUNT] = {[SEPAX_EN
                                                                        SEPAX_ENGINES(ROW)};
 
 const engine_generator *engine_generator_of(const sepax_config *config) {
-  return generators[sepax_config_engine(config)];
+  return generators[sepax__config_engine(config)];
 }
 
 bool engine_hurries_core(const sepax_config *config) {

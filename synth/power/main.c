@@ -30,6 +30,7 @@
  * glitches. The clock has no slope and two transitions a cycle; what drives it and the inputs is
  * not counted. */
 #include "analysis.h"
+#include "design/engine_table.h"
 
 #include <err.h>
 #include <getopt.h>
@@ -115,7 +116,7 @@ int main(int argc, char **argv) {
     errx(2, "%s", error.text);
   }
   m.exact = config.arch == SEPAX_ARCH_EXACT;
-  m.engine = &engines[sepax_config_engine(&config)];
+  m.engine = &engines[sepax__config_engine(&config)];
   if (m.engine->simulate == NULL) {
     errx(2, "%s: the power of such an engine is not simulated; leave it out", want.design);
   }
