@@ -30,7 +30,7 @@ PREFIX ?= /usr/local
 export OBJCACHE ?= $(abspath scripts/make/compile) $(abspath $(BUILD))/compiled
 SEPAX   = $(BUILD)/sepax
 LIB     = $(addprefix $(BUILD)/obj/,models.a lib.a)
-PUBLIC  = $(addprefix $(BUILD)/,libsepax-model.a libsepax.a)
+PUBLIC  = $(addprefix $(BUILD)/,libsepax-model.a libsepax-io.a libsepax.a)
 GEN     = $(SEPAX) gen
 
 # The clock that an FPGA's design is made for where none is given; only exact has a choice.

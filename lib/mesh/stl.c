@@ -1,36 +1,47 @@
 /* stl.c - STL files, text and binary, read and written whole. */
+#include "mesh/stl.h"
 #include "util/bytes.h"
 #include "util/error.h"
-#include "util/list.h"
 #include "util/plain_numbers.h"
+#include "util/text.h"
 #include "util/write_file.h"
 
-#include <errno.h>
-#include <fcntl.h>
-#include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-/* A binary file: a title, the number of facets, then for each facet 12 numbers in
- * binary32 (normal, vertices) and two bytes of attributes; all little-endian. */
-enum { TITLE_BYTES = 80, HEAD_BYTES = 84, FACET_BYTES = 50, FACET_NUMBERS = 12 };
+typedef union {
+  uint32_t word;
+  float number;
+} binary32;
 
 /* What rounds to binary32 infinity begins here. */
 static const double binary32_end = 0x1.ffffffp127;
 
-static const char cure[] = "export the mesh again";
+static const size_t bytes_most = SIZE_MAX / 4;
 
 void sepax_soup_free(sepax_soup *soup) {
   sepax_release(soup->facet);
   sepax_release(soup->normal);
   *soup = (sepax_soup){0};
 }
+
+bool sepax_stl_read(sepax_soup *soup, const char *path, bool normals, sepax_error *error) {
+  text_bytes file;
+  *soup = (sepax_soup){0};
+  if (!sepax__text_read(&file, path, bytes_most, error)) {
+    return false;
+  }
+  plain_numbers plain = plain_numbers_begin();
+  bool ok = sepax__stl_parse(soup, file.bytes, file.size, path, normals, error);
+  plain_numbers_end(plain);
+  sepax_release(file.bytes);
+  return ok;
+}
+
+/* ----------------------------------------------------------------- writing */
 
 static bool fail(sepax_error *error, sepax_code code, const char *path, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
@@ -47,7 +58,7 @@ static bool fail(sepax_error *error, sepax_code code, const char *path, const ch
 
 /* The numbers of a facet in the order of the file: its normal, its vertices. */
 typedef struct {
-  double of[FACET_NUMBERS];
+  double of[STL_FACET_NUMBERS];
 } numbers;
 
 static numbers numbers_of(const sepax_soup *soup, size_t k) {
@@ -59,336 +70,9 @@ static numbers numbers_of(const sepax_soup *soup, size_t k) {
   return n;
 }
 
-/* A soup that grows. */
-typedef struct {
-  sepax_soup soup;
-  size_t capacity, normal_capacity;
-  bool normals;
-} reading;
-
-static bool append(reading *r, const numbers *n) {
-  sepax_soup *soup = &r->soup;
-  sepax_facet *facet = list_grow(soup->facet, &r->capacity, soup->count, sizeof *facet);
-  if (facet == NULL) {
-    return false;
-  }
-  soup->facet = facet;
-  memcpy(facet[soup->count].v, n->of + 3, sizeof facet->v);
-  if (r->normals) {
-    double(*normal)[3] = list_grow(soup->normal, &r->normal_capacity, soup->count, sizeof *normal);
-    if (normal == NULL) {
-      return false;
-    }
-    soup->normal = normal;
-    memcpy(normal[soup->count], n->of, sizeof *normal);
-  }
-  soup->count++;
-  return true;
-}
-
 static const char *number_name(int i) { return i < 3 ? "normal" : "coordinate"; }
 
 static const char *flaw(double number) { return isnan(number) ? "NaN" : "infinite"; }
-
-/* ------------------------------------------------------------- whole files */
-
-typedef struct {
-  char *bytes; /* and a '\0' behind them */
-  size_t size;
-} content;
-
-static bool is_readable_kind(FILE *in, const char *path, sepax_error *error) {
-  struct stat status;
-  if (fstat(fileno(in), &status) != 0) {
-    return fail(error, SEPAX_ERROR_FILE, path, "%s; check the file", strerror(errno));
-  }
-  if (S_ISDIR(status.st_mode)) {
-    return fail(error, SEPAX_ERROR_FILE, path, "is a directory; name an STL file");
-  }
-  if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode)) {
-    return fail(error, SEPAX_ERROR_FILE, path, "is neither a file nor a pipe; name an STL file");
-  }
-  return true;
-}
-
-static bool fail_memory(sepax_error *error, const char *path) {
-  return fail(error, SEPAX_ERROR_MEMORY, path, "too large for the memory; use a coarser mesh");
-}
-
-static bool read_stream(content *file, FILE *in, const char *path, sepax_error *error) {
-  size_t capacity = 0;
-  do {
-    char *bytes = list_grow(file->bytes, &capacity, file->size + 1, 1);
-    if (bytes == NULL) {
-      return fail_memory(error, path);
-    }
-    file->bytes = bytes;
-    file->size += fread(bytes + file->size, 1, capacity - 1 - file->size, in);
-  } while (file->size == capacity - 1);
-  if (ferror(in)) {
-    return fail(error, SEPAX_ERROR_FILE, path, "%s; check the file", strerror(errno));
-  }
-  file->bytes[file->size] = '\0';
-  return true;
-}
-
-/* No bytes on failure. */
-static content read_content(const char *path, sepax_error *error) {
-  content file = {0};
-  FILE *in = fopen(path, "rb");
-  if (in == NULL) {
-    fail(error, SEPAX_ERROR_FILE, path, "%s; check the path", strerror(errno));
-    return file;
-  }
-  if (!is_readable_kind(in, path, error) || !read_stream(&file, in, path, error)) {
-    sepax_release(file.bytes);
-    file = (content){0};
-  }
-  fclose(in);
-  return file;
-}
-
-/* -------------------------------------------------------------------- text */
-
-typedef struct {
-  const char *path;
-  const char *next, *end; /* what is still to be read */
-  const char *word;
-  size_t length;
-  size_t line; /* of the word */
-  sepax_error *error;
-} scanner;
-
-static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
-/* A line ends with LF, CR LF or CR. */
-static bool ends_line(const char *c) { return *c == '\n' || (*c == '\r' && c[1] != '\n'); }
-
-/* False at the end of the text; the word is then empty. */
-static bool next_word(scanner *text) {
-  for (; text->next < text->end && is_blank(*text->next); text->next++) {
-    text->line += ends_line(text->next);
-  }
-  text->word = text->next;
-  while (text->next < text->end && !is_blank(*text->next)) {
-    text->next++;
-  }
-  text->length = (size_t)(text->next - text->word);
-  return text->length > 0;
-}
-
-static void skip_line(scanner *text) {
-  while (text->next < text->end && !ends_line(text->next)) {
-    text->next++;
-  }
-}
-
-static bool word_is(const scanner *text, const char *keyword) {
-  return text->length == strlen(keyword) && strncasecmp(text->word, keyword, text->length) == 0;
-}
-
-static bool fail_expecting(const scanner *text, const char *what) {
-  if (text->length == 0) {
-    return fail(text->error, SEPAX_ERROR_FORMAT, text->path,
-                "line %zu: the text ends before %s: truncated; %s", text->line, what, cure);
-  }
-  char found[25] = "";
-  for (size_t i = 0; i < text->length && i < sizeof found - 1; i++) {
-    char c = text->word[i];
-    found[i] = '?';
-    if (c > ' ' && c <= '~') {
-      found[i] = c;
-    }
-  }
-  return fail(text->error, SEPAX_ERROR_FORMAT, text->path,
-              "line %zu: '%s' where %s is expected; %s", text->line, found, what, cure);
-}
-
-static bool read_keyword(scanner *text, const char *keyword) {
-  next_word(text);
-  return word_is(text, keyword) || fail_expecting(text, keyword);
-}
-
-static bool read_number(scanner *text, double *number, const char *name) {
-  next_word(text);
-  char *end = NULL;
-  *number = strtod(text->word, &end);
-  bool hexadecimal = memchr(text->word, 'x', text->length) != NULL ||
-                     memchr(text->word, 'X', text->length) != NULL;
-  if (text->length == 0 || end != text->word + text->length || hexadecimal) {
-    return fail_expecting(text, "a number");
-  }
-  if (!isfinite(*number)) {
-    return fail(text->error, SEPAX_ERROR_FORMAT, text->path, "line %zu: %s is %s; %s", text->line,
-                name, flaw(*number), cure);
-  }
-  return true;
-}
-
-static bool read_facet(scanner *text, numbers *facet) {
-  bool ok = read_keyword(text, "normal");
-  for (int i = 0; ok && i < FACET_NUMBERS; i++) {
-    if (i == 3) {
-      ok = read_keyword(text, "outer") && read_keyword(text, "loop");
-    }
-    if (i >= 3 && i % 3 == 0) {
-      ok = ok && read_keyword(text, "vertex");
-    }
-    ok = ok && read_number(text, &facet->of[i], number_name(i));
-  }
-  return ok && read_keyword(text, "endloop") && read_keyword(text, "endfacet");
-}
-
-static bool read_solid(scanner *text, reading *r) {
-  if (!word_is(text, "solid")) {
-    return fail_expecting(text, "solid");
-  }
-  skip_line(text);
-  while (next_word(text) && word_is(text, "facet")) {
-    numbers facet;
-    if (!read_facet(text, &facet)) {
-      return false;
-    }
-    if (!append(r, &facet)) {
-      return fail_memory(text->error, text->path);
-    }
-  }
-  if (!word_is(text, "endsolid")) {
-    return fail_expecting(text, "facet or endsolid");
-  }
-  skip_line(text);
-  return true;
-}
-
-static bool read_text(reading *r, const content *file, const char *path, sepax_error *error) {
-  scanner text = {.path = path,
-                  .next = file->bytes,
-                  .end = file->bytes + file->size,
-                  .line = 1,
-                  .error = error};
-  while (next_word(&text)) {
-    if (!read_solid(&text, r)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/* ------------------------------------------------------------------ binary */
-
-typedef union {
-  uint32_t word;
-  float number;
-} binary32;
-
-static uint64_t bytes_announced(const content *file) {
-  return HEAD_BYTES + (uint64_t)FACET_BYTES * bytes_get32(file->bytes + TITLE_BYTES);
-}
-
-static bool is_binary(const content *file) {
-  return file->size >= HEAD_BYTES && file->size == bytes_announced(file);
-}
-
-static bool read_binary(reading *r, const content *file, const char *path, sepax_error *error) {
-  size_t count = (file->size - HEAD_BYTES) / FACET_BYTES;
-  const char *bytes = file->bytes + HEAD_BYTES;
-  r->capacity = r->normal_capacity = count;
-  r->soup.facet = sepax_allocate(count * sizeof *r->soup.facet);
-  r->soup.normal = r->normals ? sepax_allocate(count * sizeof *r->soup.normal) : NULL;
-  if (r->soup.facet == NULL || (r->normals && r->soup.normal == NULL)) {
-    return fail_memory(error, path);
-  }
-  for (size_t k = 0; k < count; k++, bytes += FACET_BYTES) {
-    numbers facet;
-    for (int i = 0; i < FACET_NUMBERS; i++) {
-      binary32 value = {.word = bytes_get32(bytes + 4 * i)};
-      if (!isfinite(value.number)) {
-        return fail(error, SEPAX_ERROR_FORMAT, path, "facet %zu: %s is %s; %s", k, number_name(i),
-                    flaw(value.number), cure);
-      }
-      facet.of[i] = value.number;
-    }
-    append(r, &facet);
-  }
-  return true;
-}
-
-/* ------------------------------------------------------- which of the two */
-
-/* Binary files may also begin with "solid"; but zeros are in the heads of those. */
-static bool is_text(const content *file) {
-  const char *word = file->bytes;
-  while (is_blank(*word)) {
-    word++;
-  }
-  size_t head = file->size < HEAD_BYTES ? file->size : HEAD_BYTES;
-  return strncasecmp(word, "solid", 5) == 0 && memchr(file->bytes, 0, head) == NULL;
-}
-
-static bool has_text_head(const content *file) {
-  for (size_t i = 0; i < HEAD_BYTES; i++) {
-    unsigned char c = (unsigned char)file->bytes[i];
-    if (c < ' ' && !is_blank((char)c)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-static bool fail_format(const content *file, const char *path, sepax_error *error) {
-  if (file->size == 0) {
-    return fail(error, SEPAX_ERROR_FORMAT, path, "the file is empty; %s", cure);
-  }
-  if (file->size >= HEAD_BYTES && memcmp(file->bytes, "sepaxSXT", 8) == 0) {
-    return fail(error, SEPAX_ERROR_FORMAT, path, "a tree of 'sepax tree', no STL file; %s",
-                "give the one that it was made of");
-  }
-  if (file->size < HEAD_BYTES || has_text_head(file)) {
-    return fail(error, SEPAX_ERROR_FORMAT, path,
-                "no STL file: neither 'solid' nor a binary header; %s", "export the mesh as STL");
-  }
-  uint32_t count = bytes_get32(file->bytes + TITLE_BYTES);
-  uint64_t announced = bytes_announced(file);
-  const char *what = file->size < announced ? "truncated" : "longer than its count says";
-  return fail(error, SEPAX_ERROR_FORMAT, path,
-              "%s: %" PRIu32 " facets take %" PRIu64
-              " bytes, the file has %zu (or is no STL file); %s",
-              what, count, announced, file->size, cure);
-}
-
-static bool read_format(reading *r, const content *file, const char *path, sepax_error *error) {
-  if (is_binary(file)) {
-    return read_binary(r, file, path, error);
-  }
-  if (is_text(file)) {
-    return read_text(r, file, path, error);
-  }
-  return fail_format(file, path, error);
-}
-
-bool sepax_stl_read(sepax_soup *soup, const char *path, bool normals, sepax_error *error) {
-  *soup = (sepax_soup){0};
-  content file = read_content(path, error);
-  if (file.bytes == NULL) {
-    return false;
-  }
-  reading r = {.normals = normals};
-  plain_numbers plain = plain_numbers_begin();
-  bool ok = read_format(&r, &file, path, error);
-  plain_numbers_end(plain);
-  if (ok && r.soup.count == 0) {
-    ok = fail(error, SEPAX_ERROR_FORMAT, path, "no facets; %s", cure);
-  }
-  sepax_release(file.bytes);
-  if (!ok) {
-    sepax_soup_free(&r.soup);
-    return false;
-  }
-  *soup = r.soup;
-  return true;
-}
-
-/* ----------------------------------------------------------------- writing */
 
 static bool has_area(const double v[3][3]) {
   double e[3];
@@ -421,7 +105,7 @@ static bool fits_file(const sepax_soup *soup, const char *path, bool ascii, sepa
   }
   for (size_t k = 0; k < soup->count; k++) {
     const numbers all = numbers_of(soup, k);
-    for (int i = 0; i < FACET_NUMBERS; i++) {
+    for (int i = 0; i < STL_FACET_NUMBERS; i++) {
       double number = all.of[i];
       if (!isfinite(number)) {
         return fail(error, SEPAX_ERROR_ARGUMENT, path,
@@ -462,13 +146,13 @@ static bool write_text(FILE *out, const void *context) {
 
 static bool write_binary(FILE *out, const void *context) {
   const sepax_soup *soup = context;
-  char head[HEAD_BYTES] = "sepax, binary STL";
-  bytes_put32(head + TITLE_BYTES, (uint32_t)soup->count);
+  char head[STL_HEAD_BYTES] = "sepax, binary STL";
+  bytes_put32(head + STL_TITLE_BYTES, (uint32_t)soup->count);
   bool ok = fwrite(head, sizeof head, 1, out) == 1;
   for (size_t k = 0; ok && k < soup->count; k++) {
-    char record[FACET_BYTES] = {0};
+    char record[STL_FACET_BYTES] = {0};
     const numbers all = numbers_of(soup, k);
-    for (int i = 0; i < FACET_NUMBERS; i++) {
+    for (int i = 0; i < STL_FACET_NUMBERS; i++) {
       binary32 value = {.number = (float)all.of[i]};
       bytes_put32(record + 4 * i, value.word);
     }

@@ -3,24 +3,8 @@
 #ifndef SEPAX_FORMATS_H
 #define SEPAX_FORMATS_H
 
+#include "sepax_io.h"
 #include "sepax_mechanism.h"
-
-/* ------------------------------------------------------------------ text */
-
-/* Files that are no meshes: no longer than this. */
-#define FORMAT_XML_BYTES ((size_t)16 << 20)
-#define FORMAT_CSV_BYTES ((size_t)256 << 20)
-
-typedef struct {
-  char *bytes; /* by sepax_allocate, and a '\0' behind them */
-  size_t size;
-} format_text;
-
-/* The whole of a file, or of a pipe, that has `most` bytes at most. */
-bool format_text_read(format_text *text, const char *path, size_t most, sepax_error *error);
-
-/* The `length` characters are one finite decimal number. In the numbers of locale C. */
-bool format_number(const char *word, size_t length, double *number);
 
 /* ----------------------------------------------------------------- scenes */
 
@@ -66,25 +50,21 @@ bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const
 
 /* ----------------------------------------------------------------- meshes */
 
-enum { FORMAT_FACETS_MOST = 20000000 };
-
-/* By the ending of the file's name; mesh_format_table.h lists the formats. STL as sepax_stl_read
- * has it; OBJ, PLY, 3MF, DAE by assimp, whose coordinates are binary32. */
-bool format_mesh_is_stl(const char *path);
-bool format_mesh_read(sepax_soup *mesh, const char *path, sepax_error *error);
+/* How meshes are read. */
+typedef struct {
+  double unit; /* metres that a unit of every file has, whatever it says itself; 0: as it says */
+  double weld; /* metres up to which vertices become one; 0: none */
+} format_mesh_rules;
 
 /* The surface of a shape in the link's coordinates. Spheres and cylinders are polyhedra that hold
- * them. */
-bool format_shape_mesh(sepax_soup *mesh, const format_shape *shape, sepax_error *error);
+ * them. `account` is what its file has; of a shape without a file it is zero. */
+bool format_shape_mesh(sepax_soup *mesh, sepax_mesh_account *account, const format_shape *shape,
+                       const format_mesh_rules *rules, sepax_error *error);
 
 /* Of triangles with the same corners the first stays, in order: the same points, but no longer the
  * same solid. A search would compare each of them with each of another body. False without memory;
  * then all stay. */
 bool format_distinct(sepax_soup *mesh);
-
-/* A polygon of `count` corners as triangles between them: (count - 2) times three numbers. False
- * where no corner sees all the others. */
-bool format_polygon_divide(const double (*corner)[3], size_t count, size_t (*triangle)[3]);
 
 /* -------------------------------------------------------------------- path */
 

@@ -5,6 +5,7 @@
 #include "util/error.h"
 #include "util/list.h"
 #include "util/plain_numbers.h"
+#include "util/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,6 +13,8 @@
 #include <string.h>
 
 static const char blanks[] = " \t";
+
+static const size_t bytes_most = (size_t)256 << 20;
 
 enum { TIME = -1, COLUMNS_MOST = FORMAT_LINKS_MOST + 1 };
 
@@ -164,7 +167,7 @@ static bool fail_name(const reader *r, piece name, sepax_error *error) {
   return fail(r, error, "column '%.*s': there is no joint of this name; %s", shown(name), name.at,
               name.at[0] == '"'                              ? "leave the quotes out"
               : has_any(name, "; \t")                        ? "separate columns by commas"
-              : format_number(name.at, name.length, &number) ? "the first line must name joints"
+              : sepax__number(name.at, name.length, &number) ? "the first line must name joints"
                                                              : "mend the name, or leave it out");
 }
 
@@ -274,7 +277,7 @@ static bool within_limits(const reader *r, size_t n, const column *at, double va
 static bool read_value(const reader *r, size_t k, piece cell, double *value, sepax_error *error) {
   const column *c = &r->column[k];
   double number;
-  if (!format_number(cell.at, cell.length, &number)) {
+  if (!sepax__number(cell.at, cell.length, &number)) {
     return fail(r, error, "column %zu (%.60s): '%.*s' is no finite number; mend it", k + 1,
                 c->joint == TIME ? "time" : r->m->joint[c->joint].name, shown(cell), cell.at);
   }
@@ -383,9 +386,9 @@ bool format_motion_read(format_motion *motion, const sepax_mechanism *m,
                         const format_motion_rules *rules, const char *path, sepax_error *error) {
   static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, as editors put it in front of a file */
   reader r = {.path = path, .m = m, .rules = rules, .motion = motion};
-  format_text text;
+  text_bytes text;
   *motion = (format_motion){.joints = m->joints};
-  if (!format_text_read(&text, path, FORMAT_CSV_BYTES, error)) {
+  if (!sepax__text_read(&text, path, bytes_most, error)) {
     return false;
   }
   size_t skip = strncmp(text.bytes, mark, strlen(mark)) == 0 ? strlen(mark) : 0;

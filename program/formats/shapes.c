@@ -251,12 +251,15 @@ bool format_distinct(sepax_soup *mesh) {
   return ok;
 }
 
-bool format_shape_mesh(sepax_soup *mesh, const format_shape *shape, sepax_error *error) {
+bool format_shape_mesh(sepax_soup *mesh, sepax_mesh_account *account, const format_shape *shape,
+                       const format_mesh_rules *rules, sepax_error *error) {
   bool ok = false;
+  (void)rules;
   *mesh = (sepax_soup){0};
+  *account = (sepax_mesh_account){0};
   switch (shape->kind) {
   case FORMAT_MESH:
-    ok = format_mesh_read(mesh, shape->path, error);
+    ok = sepax_mesh_read(mesh, account, shape->path, NULL, error);
     break;
   case FORMAT_BOX:
     ok = make_box(mesh, shape->size, error);

@@ -116,13 +116,3 @@ bool path_write_certificate(path_scene *scene, const path_question *q, sepax_err
   json_decref(c.packages);
   return ok;
 }
-
-const char *path_uncheckable(const path_scene *scene) {
-  for (size_t n = 0; n < scene->robot.shapes; n++) {
-    const format_shape *shape = &scene->robot.shape[n];
-    if (shape->kind == FORMAT_MESH && !format_mesh_is_stl(shape->path)) {
-      return shape->path;
-    }
-  }
-  return NULL;
-}

@@ -177,10 +177,9 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   report_set_count(json, "pairs_disabled", scene->disabled);
   json_object_set_new(json, "between", between_of(scene));
   if (q->certificate != NULL) {
-    json_object_set_new(json, "certificate",
-                        json_pack("{s:s, s:b, s:b}", "file", q->certificate, "written",
-                                  path_certified(scene), "checkable",
-                                  path_uncheckable(scene) == NULL));
+    json_object_set_new(
+        json, "certificate",
+        json_pack("{s:s, s:b}", "file", q->certificate, "written", path_certified(scene)));
   }
   if (q->jobs != NULL) {
     json_object_set_new(json, "jobs", jobs_of(scene, q));

@@ -3,6 +3,7 @@
 #include "report/json.h"
 #include "path/parts.h"
 #include "util/error.h"
+#include "util/text.h"
 #include "util/write_file.h"
 
 #include <float.h>
@@ -10,6 +11,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+static const size_t program_bytes = (size_t)16 << 20;
 
 /* Bytes of data in a page: browsers take no longer strings. */
 #define PAGE_MOST 400e6
@@ -22,7 +25,7 @@ static const char *const programs[PROGRAMS] = {"build/three.min.js",
 typedef struct {
   const path_scene *scene;
   const path_question *q;
-  format_text program[PROGRAMS];
+  text_bytes program[PROGRAMS];
   path_moment *step; /* the lines, and what is not free between them, in the order of time */
   size_t steps;
 } page;
@@ -43,10 +46,9 @@ static bool read_programs(page *p, sepax_error *error) {
   for (int i = 0; i < PROGRAMS; i++) {
     char path[PATH_MOST];
     sepax_error inner = {0};
-    format_text *text = &p->program[i];
+    text_bytes *text = &p->program[i];
     int length = snprintf(path, sizeof path, "%s/%s", folder, programs[i]);
-    if (length < 0 || length >= PATH_MOST ||
-        !format_text_read(text, path, FORMAT_XML_BYTES, &inner)) {
+    if (length < 0 || length >= PATH_MOST || !sepax__text_read(text, path, program_bytes, &inner)) {
       return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "page: three.js is not at %.200s; install libjs-three, or set SEPAX_THREE "
                         "to the folder with %s",
@@ -379,7 +381,7 @@ static bool write_data(FILE *out, const page *p) {
   return ok;
 }
 
-static bool write_program(FILE *out, const format_text *text) {
+static bool write_program(FILE *out, const text_bytes *text) {
   return fwrite(text->bytes, 1, text->size, out) == text->size;
 }
 

@@ -23,6 +23,7 @@ typedef struct {
   size_t intervals;
   int threads;
   format_motion_rules rules;
+  format_mesh_rules meshes;
   format_package package[PATH_PACKAGES_MOST];
   size_t packages;
 } path_question;
@@ -31,6 +32,7 @@ typedef struct {
 typedef struct {
   sepax_body *body;
   sepax_shell shell;
+  sepax_mesh_account account; /* of its file; zero where it has none */
 } path_part;
 
 typedef struct {
@@ -147,8 +149,6 @@ void path_values(const format_motion *motion, path_moment at, double *value);
 
 /* The certificate where all pairs are certified; otherwise the file of an earlier run goes. */
 bool path_write_certificate(path_scene *scene, const path_question *q, sepax_error *error);
-/* A mesh that programs which check certificates do not read, or NULL. */
-const char *path_uncheckable(const path_scene *scene);
 
 const char *path_body_name(const path_scene *scene, size_t body);
 

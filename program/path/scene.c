@@ -53,10 +53,11 @@ static bool append(sepax_soup *to, const sepax_soup *mesh) {
 }
 
 /* A part with a body of its own where the link has several. */
-static bool add_part(path_body *b, const format_shape *shape, bool only, sepax_error *error) {
+static bool add_part(path_body *b, const format_shape *shape, bool only,
+                     const format_mesh_rules *rules, sepax_error *error) {
   sepax_soup mesh = {0};
   path_part *part = &b->part[b->parts];
-  bool ok = format_shape_mesh(&mesh, shape, error) &&
+  bool ok = format_shape_mesh(&mesh, &part->account, shape, rules, error) &&
             (append(&b->mesh, &mesh) ||
              sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles",
                         b->mesh.count + mesh.count));
@@ -87,7 +88,7 @@ static void find_box(path_body *b) {
 }
 
 static bool make_body(path_body *b, const format_robot *robot, size_t first, size_t count,
-                      bool keep_mesh, sepax_error *error) {
+                      const path_question *q, sepax_error *error) {
   b->link = robot->shape[first].link;
   b->part = calloc(count, sizeof *b->part);
   if (b->part == NULL) {
@@ -95,7 +96,7 @@ static bool make_body(path_body *b, const format_robot *robot, size_t first, siz
   }
   sepax_error inner = {0};
   for (size_t n = first; n < first + count; n++) {
-    if (!add_part(b, &robot->shape[n], count == 1, &inner)) {
+    if (!add_part(b, &robot->shape[n], count == 1, &q->meshes, &inner)) {
       return sepax_fail(error, inner.code, "link %.60s: %.400s",
                         robot->mechanism.link[b->link].name, inner.text);
     }
@@ -111,14 +112,14 @@ static bool make_body(path_body *b, const format_robot *robot, size_t first, siz
   if (b->body == NULL && !sepax_body_new(&b->body, SEPAX_SOUP_MESH(&b->mesh), NULL, error)) {
     return false;
   }
-  if (!keep_mesh) {
+  if (!q->keep) {
     sepax_soup_free(&b->mesh);
   }
   return true;
 }
 
 /* Shapes of one link stand together. */
-static bool make_bodies(path_scene *scene, bool keep_meshes, sepax_error *error) {
+static bool make_bodies(path_scene *scene, const path_question *q, sepax_error *error) {
   const format_robot *robot = &scene->robot;
   scene->body = calloc(robot->shapes + 1, sizeof *scene->body);
   if (scene->body == NULL) {
@@ -133,7 +134,7 @@ static bool make_bodies(path_scene *scene, bool keep_meshes, sepax_error *error)
       count++;
     }
     cli_progress_show(&progress, first);
-    ok = make_body(&scene->body[scene->bodies++], robot, first, count, keep_meshes, error);
+    ok = make_body(&scene->body[scene->bodies++], robot, first, count, q, error);
     first += count;
   }
   cli_progress_end(&progress);
@@ -197,7 +198,7 @@ bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *err
   *scene = (path_scene){0};
   if (!format_urdf_read(&scene->robot, q->urdf, q->package, q->packages, error) ||
       !format_motion_read(&scene->motion, &scene->robot.mechanism, &q->rules, q->motion, error) ||
-      !make_bodies(scene, q->keep, error) || !choose_pairs(scene, q->srdf, error)) {
+      !make_bodies(scene, q, error) || !choose_pairs(scene, q->srdf, error)) {
     return false;
   }
   if (scene->pairs == 0) {

@@ -210,12 +210,9 @@ static void print_between(const path_scene *scene, const path_question *q) {
 }
 
 static void print_certificate(const path_scene *scene, const path_question *q) {
-  const char *other = path_uncheckable(scene);
   printf("certificate  %s: ", q->certificate);
   if (!path_certified(scene)) {
     printf("not written%s\n", scene->removed ? "; that of an earlier run is removed" : "");
-  } else if (other != NULL) {
-    printf("written; sepax-certificate-check cannot check it: %s is no STL file\n", other);
   } else {
     puts("written");
   }

@@ -1,8 +1,29 @@
 # build.mk - the program, the library, and the programs of tests and reports.
 
 hash      := \#
+# libxml2 reads robots and DAE, libzip with it 3MF. Where one of them is missing, or is said to be
+# (make build LIBXML2=no LIBZIP=no), files of folders `missing` take the places of those that call it.
+has = $(shell printf '%s\n' '$(hash)include <$(1)>' 'int main(void) { return 0; }' | \
+      $(CC) $(filter-out --coverage,$(CFLAGS)) $(LDFLAGS) $(XML_CFLAGS) -x c - $(2) -o /dev/null \
+      2> /dev/null && echo yes || echo no)
+ifndef LIBZIP
+LIBZIP := $(call has,zip.h,-lzip)
+endif
+ifndef LIBXML2
+LIBXML2 := $(call has,libxml/parser.h,-lxml2)
+endif
+export LIBZIP LIBXML2
+with_xml    = $(filter yes,$(LIBXML2))
+with_zip    = $(and $(with_xml),$(filter yes,$(LIBZIP)))
+XML_OF      = $(if $(with_xml),$(wildcard io/xml/*.c),io/missing/libxml2.c)
+ZIP_OF      = $(if $(with_zip),$(wildcard io/archive/*.c),io/missing/libzip.c)
+FORMAT_OF   = $(if $(with_xml),$(wildcard program/formats/libxml2/*.c),program/formats/missing/libxml2.c)
+FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c) $(FORMAT_OF))
+IO_LIBS     = $(if $(with_xml),-lxml2) $(if $(with_zip),-lzip)
+
 LIB_SRC   = $(wildcard lib/*/*.c)
 MODEL_SRC = $(wildcard c_model/*/*.c)
+IO_SRC    = $(wildcard io/reader/*.c io/text/*.c) $(XML_OF) $(ZIP_OF)
 CHECKER  = $(wildcard $(addprefix program/certificate_checker/,*.c */*.c))
 CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(FORMAT_OF) $(RTL_GEN)
 RTL_GEN  = $(wildcard rtl_gen/*.c rtl_gen/*/*.c rtl_gen/*/*/*.c)
@@ -16,32 +37,38 @@ $(BUILD)/obj/%.o: %.c
 # The objects serve the shared libraries, too. What no public header declares is hidden.
 LIB_OBJ   = $(call object,$(LIB_SRC))
 MODEL_OBJ = $(call object,$(MODEL_SRC))
+IO_OBJ    = $(call object,$(IO_SRC))
 VISIBILITY ?= hidden
-$(LIB_OBJ) $(MODEL_OBJ): SEPAX_CFLAGS += -fPIC -fno-semantic-interposition \
+$(LIB_OBJ) $(MODEL_OBJ) $(IO_OBJ): SEPAX_CFLAGS += -fPIC -fno-semantic-interposition \
                                         -fvisibility=$(VISIBILITY)
 
 # What this project's own programs and tests link: all objects, with what is internal.
 $(BUILD)/obj/lib.a: $(LIB_OBJ)
 $(BUILD)/obj/models.a: $(MODEL_OBJ)
-$(BUILD)/obj/lib.a $(BUILD)/obj/models.a:
+$(BUILD)/obj/io.a: $(IO_OBJ) $(BUILD)/obj/libraries
+$(BUILD)/obj/lib.a $(BUILD)/obj/models.a $(BUILD)/obj/io.a:
 	@rm -f $@
-	@$(AR) rcs $@ $^
+	@$(AR) rcs $@ $(filter %.o,$^)
 
-# What others link: libsepax, and libsepax-model on top of it, which has a copy of what it needs of
-# lib/util. In an archive there is one object, whose internal names are local to it, so that none
+# What others link: libsepax, and on top of it libsepax-io and libsepax-model, which have copies of
+# what they need of its inside. In an archive there is one object, whose internal names are local to it, so that none
 # can clash with a name of the program that links it.
 $(BUILD)/libsepax.a $(BUILD)/libsepax.so.0: $(LIB_OBJ)
 $(BUILD)/libsepax-model.a $(BUILD)/libsepax-model.so.0: $(MODEL_OBJ) \
   $(call object,lib/util/write_file.c lib/util/temporary.c)
-$(BUILD)/libsepax-model.so.0: $(BUILD)/libsepax.so.0
-$(BUILD)/libsepax.a $(BUILD)/libsepax-model.a:
-	@$(LD) -r -o $(BUILD)/obj/$(@F:.a=.o) $^
+$(BUILD)/libsepax-io.a $(BUILD)/libsepax-io.so.0: $(IO_OBJ) \
+  $(call object,lib/util/text.c lib/mesh/stl_read.c) $(BUILD)/obj/libraries
+$(BUILD)/libsepax-model.so.0 $(BUILD)/libsepax-io.so.0: $(BUILD)/libsepax.so.0
+$(BUILD)/libsepax-io.so.0: LIBS = $(IO_LIBS)
+$(BUILD)/libsepax.a $(BUILD)/libsepax-model.a $(BUILD)/libsepax-io.a:
+	@$(LD) -r -o $(BUILD)/obj/$(@F:.a=.o) $(filter %.o,$^)
 	@$(OBJCOPY) --localize-hidden $(BUILD)/obj/$(@F:.a=.o)
 	@rm -f $@
 	@$(AR) rcs $@ $(BUILD)/obj/$(@F:.a=.o)
-$(BUILD)/libsepax.so.0 $(BUILD)/libsepax-model.so.0:
+$(BUILD)/libsepax.so.0 $(BUILD)/libsepax-model.so.0 $(BUILD)/libsepax-io.so.0:
 	@echo "  LINK    $@"
-	@$(CC) $(CFLAGS) -shared -Wl,-soname,$(@F) -Wl,-Bsymbolic-functions $^ -lm -pthread -o $@
+	@$(CC) $(CFLAGS) -shared -Wl,-soname,$(@F) -Wl,-Bsymbolic-functions \
+	  $(filter %.o %.so.0,$^) $(LIBS) -lm -pthread -o $@
 
 # Emulated vectors are optimised in twenty seconds and run in two without.
 $(BUILD)/obj/tb/unit/avx512.o: SEPAX_CFLAGS += -O0
@@ -64,31 +91,16 @@ $(BUILD)/obj/page.c: scripts/embed program/path/page.html
 $(PAGE_OBJ): $(BUILD)/obj/page.c
 	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
 
-# libxml2 reads robots, assimp reads meshes other than STL. Where one of them is missing, or is said
-# to be (make build ASSIMP=no LIBXML2=no), program/formats/missing takes its place.
-has = $(shell printf '%s\n' '$(hash)include <$(1)>' 'int main(void) { return 0; }' | \
-      $(CC) $(filter-out --coverage,$(CFLAGS)) $(LDFLAGS) $(XML_CFLAGS) -x c - $(2) -o /dev/null \
-      2> /dev/null && echo yes || echo no)
-ifndef ASSIMP
-ASSIMP := $(call has,assimp/cimport.h,-lassimp)
-endif
-ifndef LIBXML2
-LIBXML2 := $(call has,libxml/parser.h,-lxml2)
-endif
-export ASSIMP LIBXML2
-one_of      = $(if $(filter yes,$(1)),$(wildcard program/formats/$(2)/*.c), \
-              program/formats/missing/$(2).c)
-FORMAT_OF   = $(call one_of,$(ASSIMP),assimp) $(call one_of,$(LIBXML2),libxml2)
-FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c) $(FORMAT_OF))
-FORMAT_LIBS = $(if $(filter yes,$(LIBXML2)),-lxml2) $(if $(filter yes,$(ASSIMP)),-lassimp)
+# Code that calls libxml2.
 $(BUILD)/obj/program/formats/libxml2/%.o: SEPAX_CFLAGS += $(XML_CFLAGS)
+$(BUILD)/obj/io/xml/%.o $(BUILD)/obj/io/archive/%.o: SEPAX_CFLAGS += $(XML_CFLAGS)
 # Written where it changes, so that the program is linked again.
 $(BUILD)/obj/libraries: FORCE
 	@mkdir -p $(@D)
-	@echo 'assimp $(ASSIMP), libxml2 $(LIBXML2)' | cmp -s - $@ || { \
-	  $(if $(filter yes,$(ASSIMP)),,echo "  WITHOUT assimp: no OBJ, PLY, 3MF, DAE";) \
-	  $(if $(filter yes,$(LIBXML2)),,echo "  WITHOUT libxml2: no URDF, SRDF, DAE";) \
-	  echo 'assimp $(ASSIMP), libxml2 $(LIBXML2)' > $@; }
+	@echo 'libxml2 $(LIBXML2), libzip $(LIBZIP)' | cmp -s - $@ || { \
+	  $(if $(with_xml),,echo "  WITHOUT libxml2: no URDF, SRDF, DAE, 3MF";) \
+	  $(if $(filter yes,$(LIBZIP)),,echo "  WITHOUT libzip: no 3MF";) \
+	  echo 'libxml2 $(LIBXML2), libzip $(LIBZIP)' > $@; }
 
 # Programs: objects, then libraries.
 define link
@@ -115,7 +127,7 @@ $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard synth/power/*_engine.c)): \
     $(BUILD)/obj/synth/power/%.o: $(REGISTERS)/%/sepax_registers.h
 $(BUILD)/obj/synth/power/%_engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/$(*F)
 
-$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(LIB) $(BUILD)/obj/libraries
+$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(BUILD)/obj/io.a $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-pairs: $(call object,tb/pairs/clearance.c) $(ORACLE_OBJ) $(LIB)
@@ -128,7 +140,7 @@ $(BUILD)/certificate-grazes: $(call object,tb/certificate/grazes.c)
 $(BUILD)/power: $(POWER_OBJ) $(LIB)
 $(BUILD)/layout: $(LAYOUT_OBJ)
 $(BUILD)/liberty $(BUILD)/power $(BUILD)/layout: LIBS = -ljansson
-$(SEPAX): LIBS = -ljansson $(FORMAT_LIBS)
+$(SEPAX): LIBS = -ljansson $(IO_LIBS)
 $(BUILD)/sepax-certificate-check: LIBS = -ljansson -lxml2
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 $(BUILD)/clearance-pairs $(BUILD)/posed-pairs: LIBS = -lgmp
@@ -141,9 +153,14 @@ $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson
 $(BUILD)/unit/%: $(BUILD)/obj/tb/unit/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) $(GEN_OBJ) $(LIB)
 	$(link)
 
-$(BUILD)/unit/formats/%: LIBS = -lcmocka -lgmp $(FORMAT_LIBS)
+$(BUILD)/unit/formats/%: LIBS = -lcmocka -lgmp $(IO_LIBS)
 $(BUILD)/unit/formats/%: $(BUILD)/obj/tb/unit/formats/%.o $(BUILD)/obj/tb/harness.o \
-                         $(ORACLE_OBJ) $(FORMAT_OBJ) $(LIB)
+                         $(ORACLE_OBJ) $(FORMAT_OBJ) $(BUILD)/obj/io.a $(LIB)
+	$(link)
+
+$(BUILD)/unit/io/%: LIBS = -lcmocka -lgmp $(IO_LIBS)
+$(BUILD)/unit/io/%: $(BUILD)/obj/tb/unit/io/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
+                    $(BUILD)/obj/io.a $(LIB)
 	$(link)
 
 REPORT_OBJ = $(call object,$(wildcard program/report/*.c))
@@ -162,8 +179,9 @@ $(BUILD)/unit/synth/%: $(BUILD)/obj/tb/unit/synth/%.o $(BUILD)/obj/tb/harness.o 
 # FUZZER is -fsanitize=fuzzer.
 FUZZ     = $(patsubst tb/fuzz/target/%.c,$(BUILD)/fuzz/%,$(wildcard tb/fuzz/target/*.c))
 FUZZ_OBJ = $(call object,$(if $(FUZZER),,tb/fuzz/replay.c) tb/fuzz/fuzz.c)
-$(FUZZ): LIBS = -ljansson $(FORMAT_LIBS) $(FUZZER)
-$(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(OPTIONS_OBJ) $(LIB)
+$(FUZZ): LIBS = -ljansson $(IO_LIBS) $(FUZZER)
+$(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(OPTIONS_OBJ) \
+                 $(BUILD)/obj/io.a $(LIB)
 	$(link)
 
 # Bodies that move beside the libraries that are here.

@@ -1,7 +1,7 @@
 # flags.mk - how C is compiled, and where its objects are.
 
 CFLAGS      ?= -O2 -g
-INCLUDES     = -Ilib -Ic_model -Irtl_gen -Iprogram -Itb -Isynth
+INCLUDES     = -Ilib -Iio -Ic_model -Irtl_gen -Iprogram -Itb -Isynth
 SEPAX_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Werror -Wconversion \
                -Wshadow -ffp-contract=off $(INCLUDES) $(CFLAGS)
 XML_CFLAGS  := -isystem $(firstword $(patsubst -I%,%,$(filter -I%,$(shell \

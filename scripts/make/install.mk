@@ -3,9 +3,9 @@
 VERSION = $(shell sed -n 's/.define SEPAX_VERSION_[A-Z]* \([0-9]*\)$$/\1/p' lib/sepax.h | \
             paste -sd.)
 ROOT    = $(DESTDIR)$(PREFIX)
-LIBRARIES = sepax sepax-model
+LIBRARIES = sepax sepax-io sepax-model
 SHARED  = $(LIBRARIES:%=$(BUILD)/lib%.so.0)
-HEADERS = $(wildcard lib/sepax*.h c_model/sepax*.h)
+HEADERS = $(wildcard lib/sepax*.h io/sepax*.h c_model/sepax*.h)
 MAN     = share/man/man1/sepax.1 share/man/man1/sepax-certificate-check.1 \
           share/man/man3/libsepax.3
 BIN     = sepax sepax-certificate-check
@@ -24,6 +24,10 @@ install: $(PROGRAM) $(PUBLIC) $(SHARED)
 	  -e 's/^Description: .*/Description: golden models of sepax hardware/' \
 	  -e 's/^Libs.private: .*/Requires: sepax = $(VERSION)/' $(BUILD)/sepax.pc \
 	  > $(BUILD)/sepax-model.pc
+	@sed -e 's/^Name: sepax/&-io/' -e 's/-lsepax/&-io/' \
+	  -e 's/^Description: .*/Description: meshes from STL, OBJ, PLY, 3MF, DAE for sepax/' \
+	  -e 's/^Libs.private: .*/Libs.private: $(IO_LIBS)\nRequires: sepax = $(VERSION)/' \
+	  $(BUILD)/sepax.pc > $(BUILD)/sepax-io.pc
 	@for page in $(notdir $(MAN)); do \
 	  sed 's/@VERSION@/$(VERSION)/' docs/man/$$page > $(BUILD)/$$page; done
 	@install -d $(addprefix $(ROOT)/,bin include lib/pkgconfig $(sort $(dir $(MAN))))

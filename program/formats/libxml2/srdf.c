@@ -1,5 +1,6 @@
 /* srdf.c - SRDF: pairs of links that are not compared. */
-#include "formats/libxml2/xml.h"
+#include "formats/formats.h"
+#include "xml/xml.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +8,7 @@
 static bool read_link(const xml_file *file, const xmlNode *node, const char *attribute,
                       const sepax_mechanism *m, size_t *link, sepax_error *error) {
   char *name = NULL;
-  if (!xml_name(file, node, attribute, &name, error)) {
+  if (!sepax__xml_name(file, node, attribute, &name, error)) {
     return false;
   }
   *link = 0;
@@ -15,14 +16,15 @@ static bool read_link(const xml_file *file, const xmlNode *node, const char *att
     ++*link;
   }
   bool ok = *link < m->links ||
-            xml_fail(file, node, error, "there is no link '%.60s'; mend the name", name);
+            sepax__xml_fail(file, node, error, "there is no link '%.60s'; mend the name", name);
   sepax_release(name);
   return ok;
 }
 
 static bool read_pairs(const xml_file *file, const char *element, bool value, bool *compared,
                        const sepax_mechanism *m, sepax_error *error) {
-  for (const xmlNode *n = xml_child(file->root, element); n != NULL; n = xml_next(n, element)) {
+  for (const xmlNode *n = sepax__xml_child(file->root, element); n != NULL;
+       n = sepax__xml_next(n, element)) {
     size_t a;
     size_t b;
     if (!read_link(file, n, "link1", m, &a, error) || !read_link(file, n, "link2", m, &b, error)) {
@@ -37,7 +39,8 @@ static bool read_pairs(const xml_file *file, const char *element, bool value, bo
 static bool read_defaults(const xml_file *file, bool *compared, const sepax_mechanism *m,
                           sepax_error *error) {
   static const char element[] = "disable_default_collisions";
-  for (const xmlNode *n = xml_child(file->root, element); n != NULL; n = xml_next(n, element)) {
+  for (const xmlNode *n = sepax__xml_child(file->root, element); n != NULL;
+       n = sepax__xml_next(n, element)) {
     size_t link;
     if (!read_link(file, n, "link", m, &link, error)) {
       return false;
@@ -55,17 +58,20 @@ static bool read_defaults(const xml_file *file, bool *compared, const sepax_mech
 static bool elements_known(const xml_file *file, sepax_error *error) {
   static const char *const known[] = {"disable_collisions", "enable_collisions",
                                       "disable_default_collisions", "link_sphere_approximation"};
-  for (const xmlNode *n = xml_child(file->root, NULL); n != NULL; n = xml_next(n, NULL)) {
-    if (xml_is(n, "link") || xml_is(n, "joint")) {
-      return xml_fail(file, n, error, "<%s> is of a URDF; give an SRDF", (const char *)n->name);
+  for (const xmlNode *n = sepax__xml_child(file->root, NULL); n != NULL;
+       n = sepax__xml_next(n, NULL)) {
+    if (sepax__xml_is(n, "link") || sepax__xml_is(n, "joint")) {
+      return sepax__xml_fail(file, n, error, "<%s> is of a URDF; give an SRDF",
+                             (const char *)n->name);
     }
-    bool right = !xml_has(n, "link1") && !xml_has(n, "link2") && !xml_has(n, "link");
+    bool right =
+        !sepax__xml_has(n, "link1") && !sepax__xml_has(n, "link2") && !sepax__xml_has(n, "link");
     for (int k = 0; k < 4; k++) {
-      right = right || xml_is(n, known[k]);
+      right = right || sepax__xml_is(n, known[k]);
     }
     if (!right) {
-      return xml_fail(file, n, error, "<%.60s> is no element of SRDF; mend its name",
-                      (const char *)n->name);
+      return sepax__xml_fail(file, n, error, "<%.60s> is no element of SRDF; mend its name",
+                             (const char *)n->name);
     }
   }
   return true;
@@ -77,15 +83,15 @@ bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const
   if (of != NULL) {
     *of = NULL;
   }
-  if (!xml_open(&file, path, "robot", error)) {
+  if (!sepax__xml_open(&file, path, "robot", error)) {
     return false;
   }
-  bool named = of != NULL && xml_has(file.root, "name");
-  bool ok = (!named || xml_name(&file, file.root, "name", of, error)) &&
+  bool named = of != NULL && sepax__xml_has(file.root, "name");
+  bool ok = (!named || sepax__xml_name(&file, file.root, "name", of, error)) &&
             elements_known(&file, error) && read_defaults(&file, compared, m, error) &&
             read_pairs(&file, "enable_collisions", true, compared, m, error) &&
             read_pairs(&file, "disable_collisions", false, compared, m, error);
-  xml_close(&file);
+  sepax__xml_close(&file);
   if (!ok && of != NULL) {
     sepax_release(*of);
     *of = NULL;

@@ -1,16 +1,13 @@
 /* libxml2.c - in place of formats/libxml2 in a build without libxml2. */
 #include "formats/formats.h"
-#include "formats/libraries.h"
-#include "formats/mesh_format_table.h"
-
-const bool format_libxml2_here = false;
+#include "reader/libraries.h"
 
 bool format_urdf_read(format_robot *robot, const char *path, const format_package *package,
                       size_t packages, sepax_error *error) {
   (void)package;
   (void)packages;
   *robot = (format_robot){0};
-  return format_has(NEEDS_LIBXML2, path, "URDF", error);
+  return sepax__libraries_here(NEEDS_LIBXML2, path, "URDF", error);
 }
 
 bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const char *path,
@@ -20,10 +17,5 @@ bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const
   if (of != NULL) {
     *of = NULL;
   }
-  return format_has(NEEDS_LIBXML2, path, "SRDF", error);
-}
-
-bool mesh_read_dae(sepax_soup *mesh, const char *path, sepax_error *error) {
-  *mesh = (sepax_soup){0};
-  return format_has(NEEDS_LIBXML2, path, "DAE", error);
+  return sepax__libraries_here(NEEDS_LIBXML2, path, "SRDF", error);
 }

@@ -3,6 +3,7 @@
 #include "cli/cli.h"
 #include "formats/formats.h"
 #include "fuzz/fuzz.h"
+#include "util/text.h"
 
 #include <math.h>
 #include <string.h>
@@ -21,7 +22,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   REQUIRE(end == NULL || (end > text && end <= text + size && isfinite(value)));
   fuzz_accepted += end != NULL;
   double plain = 0;
-  if (format_number(text, strlen(text), &plain)) {
+  if (sepax__number(text, strlen(text), &plain)) {
     REQUIRE(isfinite(plain) && plain == strtod(text, NULL));
     end = cli_scan_length(text, &value);
     REQUIRE(end == NULL || *end != '\0' || value == plain);

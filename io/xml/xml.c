@@ -1,19 +1,23 @@
 /* xml.c - XML files by libxml2, without any document type. */
-#include "formats/libxml2/xml.h"
-#include "formats/libraries.h"
+#include "xml/xml.h"
+#include "reader/libraries.h"
 #include "util/error.h"
+#include "util/text.h"
 
 #include <libxml/parser.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-const bool format_libxml2_here = true;
+const bool sepax__libxml2_here = true;
+
+/* Files that are no meshes: no longer than this. */
+static const size_t XML_BYTES_MOST = (size_t)16 << 20;
 
 static const char blanks[] = " \t\r\n";
 
-bool xml_fail(const xml_file *file, const xmlNode *node, sepax_error *error, const char *format,
-              ...) {
+bool sepax__xml_fail(const xml_file *file, const xmlNode *node, sepax_error *error,
+                     const char *format, ...) {
   char detail[240];
   va_list args;
   va_start(args, format);
@@ -52,38 +56,48 @@ static bool fail_parser(xmlParserCtxt *parser, const char *path, bool has_type,
                     last != NULL ? last->line : 1, (int)strcspn(text, "\n"), text);
 }
 
-bool xml_open(xml_file *file, const char *path, const char *root, sepax_error *error) {
-  enum { OPTIONS = XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING };
+bool sepax__xml_parse(xml_file *file, const char *path, const char *bytes, size_t size,
+                      const char *root, sepax_error *error) {
+  /* Without the limits of libxml2 on the length of a text, which a long mesh exceeds. Entities,
+   * against which they are, need a document type. */
+  int options = XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING |
+                (size > XML_BYTES_MOST ? XML_PARSE_HUGE : 0);
   *file = (xml_file){.path = path};
-  format_text text;
-  if (!format_text_read(&text, path, FORMAT_XML_BYTES, error)) {
-    return false;
-  }
   xmlParserCtxt *parser = xmlNewParserCtxt();
   bool has_type = false;
   bool ok = false;
   if (parser != NULL) {
     parser->_private = &has_type;
     parser->sax->internalSubset = refuse_type;
-    file->doc = xmlCtxtReadMemory(parser, text.bytes, (int)text.size, NULL, NULL, OPTIONS);
+    file->doc = xmlCtxtReadMemory(parser, bytes, (int)size, NULL, NULL, options);
     ok = (file->doc != NULL && !has_type) || fail_parser(parser, path, has_type, error);
     xmlFreeParserCtxt(parser);
   } else {
     sepax_fail(error, SEPAX_ERROR_MEMORY, "%.300s: no memory to read it", path);
   }
-  sepax_release(text.bytes);
   file->root = ok ? xmlDocGetRootElement(file->doc) : NULL;
-  if (ok && (file->root == NULL || !xml_is(file->root, root))) {
+  if (ok && (file->root == NULL || !sepax__xml_is(file->root, root))) {
     ok = sepax_fail(error, SEPAX_ERROR_FORMAT, "%.300s: its root is no <%s>; give another file",
                     path, root);
   }
   if (!ok) {
-    xml_close(file);
+    sepax__xml_close(file);
   }
   return ok;
 }
 
-void xml_close(xml_file *file) {
+bool sepax__xml_open(xml_file *file, const char *path, const char *root, sepax_error *error) {
+  text_bytes text;
+  *file = (xml_file){.path = path};
+  if (!sepax__text_read(&text, path, XML_BYTES_MOST, error)) {
+    return false;
+  }
+  bool ok = sepax__xml_parse(file, path, text.bytes, text.size, root, error);
+  sepax_release(text.bytes);
+  return ok;
+}
+
+void sepax__xml_close(xml_file *file) {
   if (file->doc != NULL) {
     xmlFreeDoc(file->doc);
   }
@@ -92,34 +106,36 @@ void xml_close(xml_file *file) {
 
 /* ----------------------------------------------------------------------- elements */
 
-bool xml_is(const xmlNode *node, const char *name) {
+bool sepax__xml_is(const xmlNode *node, const char *name) {
   return node->type == XML_ELEMENT_NODE && strcmp((const char *)node->name, name) == 0;
 }
 
 static xmlNode *first_from(xmlNode *node, const char *name) {
   while (node != NULL &&
-         !(node->type == XML_ELEMENT_NODE && (name == NULL || xml_is(node, name)))) {
+         !(node->type == XML_ELEMENT_NODE && (name == NULL || sepax__xml_is(node, name)))) {
     node = node->next;
   }
   return node;
 }
 
-xmlNode *xml_child(const xmlNode *node, const char *name) {
+xmlNode *sepax__xml_child(const xmlNode *node, const char *name) {
   return node != NULL ? first_from(node->children, name) : NULL;
 }
 
-xmlNode *xml_next(const xmlNode *node, const char *name) { return first_from(node->next, name); }
-
-bool xml_single(const xml_file *file, const xmlNode *node, const char *name, xmlNode **single,
-                sepax_error *error) {
-  *single = xml_child(node, name);
-  const xmlNode *second = *single != NULL ? xml_next(*single, name) : NULL;
-  return second == NULL ||
-         xml_fail(file, second, error, "a second <%.40s> in one <%.40s>; leave one of them out",
-                  (const char *)second->name, (const char *)node->name);
+xmlNode *sepax__xml_next(const xmlNode *node, const char *name) {
+  return first_from(node->next, name);
 }
 
-bool xml_has(const xmlNode *node, const char *attribute) {
+bool sepax__xml_single(const xml_file *file, const xmlNode *node, const char *name,
+                       xmlNode **single, sepax_error *error) {
+  *single = sepax__xml_child(node, name);
+  const xmlNode *second = *single != NULL ? sepax__xml_next(*single, name) : NULL;
+  return second == NULL || sepax__xml_fail(file, second, error,
+                                           "a second <%.40s> in one <%.40s>; leave one of them out",
+                                           (const char *)second->name, (const char *)node->name);
+}
+
+bool sepax__xml_has(const xmlNode *node, const char *attribute) {
   return xmlHasProp(node, (const xmlChar *)attribute) != NULL;
 }
 
@@ -132,12 +148,12 @@ static bool is_printable(const char *text) {
   return text[0] != '\0';
 }
 
-bool xml_name(const xml_file *file, const xmlNode *node, const char *attribute, char **name,
-              sepax_error *error) {
+bool sepax__xml_name(const xml_file *file, const xmlNode *node, const char *attribute, char **name,
+                     sepax_error *error) {
   xmlChar *value = node != NULL ? xmlGetNoNsProp(node, (const xmlChar *)attribute) : NULL;
   if (value == NULL) {
-    return xml_fail(file, node, error, "<%.40s> without %s=\"...\"; name it",
-                    node != NULL ? (const char *)node->name : "", attribute);
+    return sepax__xml_fail(file, node, error, "<%.40s> without %s=\"...\"; name it",
+                           node != NULL ? (const char *)node->name : "", attribute);
   }
   size_t size = strlen((const char *)value) + 1;
   char *copy = sepax_allocate(size);
@@ -146,12 +162,12 @@ bool xml_name(const xml_file *file, const xmlNode *node, const char *attribute, 
   }
   xmlFree(value);
   if (copy == NULL) {
-    return xml_fail(file, node, error, "no memory for a name");
+    return sepax__xml_fail(file, node, error, "no memory for a name");
   }
   if (!is_printable(copy)) {
     sepax_release(copy);
-    return xml_fail(file, node, error, "%s=\"...\" is empty, or not printable; give a name",
-                    attribute);
+    return sepax__xml_fail(file, node, error, "%s=\"...\" is empty, or not printable; give a name",
+                           attribute);
   }
   *name = copy;
   return true;
@@ -162,7 +178,7 @@ static int scan_numbers(const char *text, double *number, int count) {
   for (const char *word = text + strspn(text, blanks); *word != '\0'; found++) {
     size_t length = strcspn(word, blanks);
     double beyond;
-    if (!format_number(word, length, found < count ? &number[found] : &beyond)) {
+    if (!sepax__number(word, length, found < count ? &number[found] : &beyond)) {
       return -1;
     }
     word += length;
@@ -171,16 +187,16 @@ static int scan_numbers(const char *text, double *number, int count) {
   return found;
 }
 
-bool xml_numbers(const xml_file *file, const xmlNode *node, const char *attribute, double *number,
-                 int count, sepax_error *error) {
+bool sepax__xml_numbers(const xml_file *file, const xmlNode *node, const char *attribute,
+                        double *number, int count, sepax_error *error) {
   xmlChar *value = xmlGetNoNsProp(node, (const xmlChar *)attribute);
   if (value == NULL) {
     return true;
   }
   int found = scan_numbers((const char *)value, number, count);
-  bool ok =
-      found == count || xml_fail(file, node, error, "%s=\"%.60s\": give %d finite number%s",
-                                 attribute, (const char *)value, count, count == 1 ? "" : "s");
+  bool ok = found == count ||
+            sepax__xml_fail(file, node, error, "%s=\"%.60s\": give %d finite number%s", attribute,
+                            (const char *)value, count, count == 1 ? "" : "s");
   xmlFree(value);
   return ok;
 }

@@ -1,5 +1,5 @@
 /* libraries.c - what a build without a library says. */
-#include "formats/libraries.h"
+#include "reader/libraries.h"
 #include "util/error.h"
 
 static const struct {
@@ -7,11 +7,12 @@ static const struct {
   const bool *here;
   const char *name, *package;
 } libraries_known[] = {
-    {NEEDS_ASSIMP, &format_assimp_here, "assimp", "libassimp-dev"},
-    {NEEDS_LIBXML2, &format_libxml2_here, "libxml2", "libxml2-dev"},
+    {NEEDS_LIBXML2, &sepax__libxml2_here, "libxml2", "libxml2-dev"},
+    {NEEDS_LIBZIP, &sepax__libzip_here, "libzip", "libzip-dev"},
 };
 
-bool format_has(int libraries, const char *path, const char *format, sepax_error *error) {
+bool sepax__libraries_here(int libraries, const char *path, const char *format,
+                           sepax_error *error) {
   for (size_t n = 0; n < sizeof libraries_known / sizeof libraries_known[0]; n++) {
     if ((libraries & libraries_known[n].bit) != 0 && !*libraries_known[n].here) {
       return sepax_fail(error, SEPAX_ERROR_FORMAT,

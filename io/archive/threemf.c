@@ -1,0 +1,21 @@
+/* threemf.c - a stub. */
+#include "reader/format_table.h"
+
+const bool sepax__libzip_here = true;
+
+bool sepax__threemf_is(const char *bytes, size_t size) {
+  (void)bytes;
+  (void)size;
+  return false;
+}
+
+bool sepax__threemf_read(mesh_builder *b, size_t *faces) {
+  *faces = 0;
+  return sepax__builder_fail(b, "stub");
+}
+
+bool sepax__threemf_count(const mesh_builder *b, size_t *faces) {
+  (void)b;
+  *faces = 0;
+  return true;
+}

@@ -1,0 +1,136 @@
+/* builder.c - what the readers of the formats make of a file. */
+#include "reader/builder.h"
+#include "reader/polygon.h"
+#include "util/list.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+static const double coordinate_most = 0x1p1000;
+
+static bool fail_text(const mesh_builder *b, const char *line, const char *format, va_list args) {
+  char detail[240];
+  vsnprintf(detail, sizeof detail, format, args);
+  return sepax_fail(b->error, SEPAX_ERROR_FORMAT, "%.240s%s: %s", b->path, line, detail);
+}
+
+bool sepax__builder_fail(const mesh_builder *b, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  fail_text(b, "", format, args);
+  va_end(args);
+  return false;
+}
+
+bool sepax__builder_fail_line(const mesh_builder *b, size_t line, const char *format, ...) {
+  char number[24] = "";
+  va_list args;
+  if (line > 0) {
+    snprintf(number, sizeof number, ":%zu", line);
+  }
+  va_start(args, format);
+  fail_text(b, number, format, args);
+  va_end(args);
+  return false;
+}
+
+bool sepax__builder_fail_memory(const mesh_builder *b) {
+  return sepax_fail(b->error, SEPAX_ERROR_MEMORY,
+                    "%.240s: no memory for its mesh of more than %zu triangles; simplify it",
+                    b->path, b->soup.count);
+}
+
+bool sepax__builder_corners(mesh_builder *b, size_t corners) {
+  if (corners <= b->corners) {
+    return true;
+  }
+  size_t space = corners > 2 * b->corners ? corners : 2 * b->corners;
+  space = space < 16 ? 16 : space;
+  double(*corner)[3] = sepax_resize(b->corner, space * sizeof *corner);
+  b->corner = corner != NULL ? corner : b->corner;
+  size_t(*triangle)[3] = sepax_resize(b->triangle, space * sizeof *triangle);
+  b->triangle = triangle != NULL ? triangle : b->triangle;
+  if (corner == NULL || triangle == NULL) {
+    return sepax__builder_fail_memory(b);
+  }
+  b->corners = space;
+  return true;
+}
+
+static bool coordinates_right(const mesh_builder *b, const double v[3][3]) {
+  for (int i = 0; i < 9; i++) {
+    double x = v[i / 3][i % 3];
+    if (!(fabs(x) <= coordinate_most)) {
+      return sepax__builder_fail(b, "triangle %zu: a coordinate is %s; export the mesh again",
+                                 b->soup.count,
+                                 isnan(x)   ? "NaN"
+                                 : isinf(x) ? "infinite"
+                                            : "beyond 2^1000");
+    }
+  }
+  return true;
+}
+
+bool sepax__builder_triangle(mesh_builder *b, const double v[3][3]) {
+  if (!coordinates_right(b, v)) {
+    return false;
+  }
+  if (b->soup.count >= b->how.most) {
+    return sepax_fail(b->error, SEPAX_ERROR_LIMIT,
+                      "%.240s: more than %zu triangles; simplify the mesh", b->path, b->how.most);
+  }
+  sepax_facet *grown = list_grow(b->soup.facet, &b->capacity, b->soup.count, sizeof *grown);
+  if (grown == NULL) {
+    return sepax__builder_fail_memory(b);
+  }
+  b->soup.facet = grown;
+  memcpy(grown[b->soup.count++].v, v, sizeof grown->v);
+  return true;
+}
+
+bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const char *where) {
+  if (count == 3) {
+    return sepax__builder_triangle(b, (const double(*)[3])b->corner);
+  }
+  bool bent = false;
+  if (!sepax__polygon_divide((const double(*)[3])b->corner, count, b->triangle, &bent)) {
+    return sepax__builder_fail_line(b, line,
+                                    "%s: a polygon of %zu corners that crosses or touches itself; "
+                                    "export triangles",
+                                    where, count);
+  }
+  b->account.divided++;
+  b->account.bent += bent;
+  bool ok = true;
+  for (size_t n = 0; n + 2 < count && ok; n++) {
+    double v[3][3];
+    for (int k = 0; k < 3; k++) {
+      memcpy(v[k], b->corner[b->triangle[n][k]], sizeof v[k]);
+    }
+    ok = sepax__builder_triangle(b, (const double(*)[3])v);
+  }
+  return ok;
+}
+
+bool sepax__builder_other(mesh_builder *b, const char *what, size_t count) {
+  sepax_mesh_account *a = &b->account;
+  size_t n = 0;
+  while (n < a->others && strcmp(a->other[n].what, what) != 0) {
+    n++;
+  }
+  if (n == SEPAX_MESH_OTHERS_MOST) {
+    return sepax__builder_fail(b,
+                               "more than %d kinds of elements without a surface; export "
+                               "triangles alone",
+                               SEPAX_MESH_OTHERS_MOST);
+  }
+  if (n == a->others && count > 0) {
+    snprintf(a->other[n].what, sizeof a->other[n].what, "%s", what);
+    a->others++;
+  }
+  if (n < a->others) {
+    a->other[n].count += count;
+  }
+  return true;
+}

@@ -1,0 +1,122 @@
+/* read.c - the mesh of a file: which format it is, its reader, the check of what was read. */
+#include "reader/format_table.h"
+#include "util/options.h"
+#include "util/plain_numbers.h"
+#include "util/text.h"
+
+#include <string.h>
+#include <strings.h>
+
+enum { TRIANGLES_MOST = 20000000 };
+
+static const size_t bytes_most = (size_t)1 << 30;
+
+typedef struct {
+  const char *name, *ending;
+  bool (*is)(const char *bytes, size_t size);
+  bool (*read)(mesh_builder *b, size_t *faces);
+  bool (*count)(const mesh_builder *b, size_t *faces);
+  int libraries;
+} mesh_format;
+
+#define MESH_FORMAT_ROW(name, ending, x, libraries) \
+  {name, ending, sepax__##x##_is, sepax__##x##_read, sepax__##x##_count, libraries},
+static const mesh_format formats[] = {MESH_FORMATS(MESH_FORMAT_ROW)};
+enum { FORMATS = sizeof formats / sizeof formats[0] };
+
+static const mesh_format *by_ending(const char *path) {
+  size_t length = strlen(path);
+  for (int n = 0; n < FORMATS; n++) {
+    size_t size = strlen(formats[n].ending);
+    if (length > size && strcasecmp(path + length - size, formats[n].ending) == 0) {
+      return &formats[n];
+    }
+  }
+  return NULL;
+}
+
+/* "STL, OBJ or PLY": the names of those that this build reads. */
+static void list_formats(char list[80]) {
+  const char *names[FORMATS] = {NULL};
+  int count = 0;
+  for (int n = 0; n < FORMATS; n++) {
+    if (sepax__libraries_here(formats[n].libraries, "", "", NULL)) {
+      names[count++] = formats[n].name;
+    }
+  }
+  size_t used = 0;
+  for (int n = 0; n < count && used < 80; n++) {
+    const char *between = n == 0 ? "" : n + 1 < count ? ", " : " or ";
+    used += (size_t)snprintf(list + used, 80 - used, "%s%s", between, names[n]);
+  }
+}
+
+static const mesh_format *format_of(const mesh_builder *b) {
+  for (int n = 0; n < FORMATS; n++) {
+    if (formats[n].is(b->bytes, b->size)) {
+      return &formats[n];
+    }
+  }
+  const mesh_format *format = by_ending(b->path);
+  if (format == NULL) {
+    char list[80] = "";
+    list_formats(list);
+    sepax__builder_fail(b, "no mesh that is read; give %s", list);
+  }
+  return format;
+}
+
+static bool read_mesh(mesh_builder *b, const mesh_format *format) {
+  size_t read = 0;
+  size_t counted = 0;
+  sepax_mesh_account *account = &b->account;
+  if (!format->read(b, &read) || !format->count(b, &counted)) {
+    return false;
+  }
+  if (read != counted) {
+    return sepax__builder_fail(b,
+                               "%zu faces were read, but a second count finds %zu; export the mesh "
+                               "again, and report this as an error of sepax",
+                               read, counted);
+  }
+  account->faces = read;
+  account->triangles = b->soup.count;
+  return b->soup.count > 0 ||
+         sepax__builder_fail(b, "it has no triangles%s; give a mesh with a surface",
+                             account->unplaced > 0 ? " that it places" : "");
+}
+
+bool sepax_mesh_read(sepax_soup *soup, sepax_mesh_account *account, const char *path,
+                     const sepax_mesh_reading *how, sepax_error *error) {
+  mesh_builder b = {.path = path, .error = error};
+  text_bytes file;
+  *soup = (sepax_soup){0};
+  if (account != NULL) {
+    *account = (sepax_mesh_account){0};
+  }
+  if (!sepax__options(&b.how, sizeof b.how, how, "sepax_mesh_reading", error) ||
+      !sepax__text_read(&file, path, bytes_most, error)) {
+    return false;
+  }
+  b.how.most = b.how.most == 0 ? TRIANGLES_MOST : b.how.most;
+  b.bytes = file.bytes;
+  b.size = file.size;
+  plain_numbers plain = plain_numbers_begin();
+  const mesh_format *format = format_of(&b);
+  bool ok = format != NULL && sepax__libraries_here(format->libraries, path, format->name, error) &&
+            read_mesh(&b, format);
+  plain_numbers_end(plain);
+  sepax_release(file.bytes);
+  sepax_release(b.corner);
+  sepax_release(b.triangle);
+  if (!ok) {
+    sepax_soup_free(&b.soup);
+    return false;
+  }
+  b.account.format = format->name;
+  *soup = b.soup;
+  if (account != NULL) {
+    *account = b.account;
+  }
+  return true;
+}

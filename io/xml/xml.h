@@ -1,0 +1,48 @@
+/* xml.h - XML files by libxml2, without any document type (private). */
+#ifndef SEPAX_XML_H
+#define SEPAX_XML_H
+
+#include "sepax.h"
+
+#include <libxml/tree.h>
+#include <stdio.h>
+
+/* What messages name, and the root. */
+typedef struct {
+  const char *path;
+  xmlDoc *doc;
+  xmlNode *root;
+} xml_file;
+
+/* No document type is accepted, so no entity, and nothing is fetched. Fails also where the root is
+ * no <root>. Free with xml_close. */
+bool sepax__xml_open(xml_file *file, const char *path, const char *root, sepax_error *error);
+/* The same of bytes that were read, however many. */
+bool sepax__xml_parse(xml_file *file, const char *path, const char *bytes, size_t size,
+                      const char *root, sepax_error *error);
+void sepax__xml_close(xml_file *file);
+
+/* "PATH:LINE: ..."; false. */
+bool sepax__xml_fail(const xml_file *file, const xmlNode *node, sepax_error *error,
+                     const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+/* The first element of this name below the node; the next one of this name. NULL: any name. */
+xmlNode *sepax__xml_child(const xmlNode *node, const char *name);
+xmlNode *sepax__xml_next(const xmlNode *node, const char *name);
+bool sepax__xml_is(const xmlNode *node, const char *name);
+
+/* The only element of this name below the node, NULL without one; fails where there are two. */
+bool sepax__xml_single(const xml_file *file, const xmlNode *node, const char *name,
+                       xmlNode **single, sepax_error *error);
+
+/* A copy of the attribute, by sepax_allocate; printable and not empty. Fails where there is none.
+ */
+bool sepax__xml_name(const xml_file *file, const xmlNode *node, const char *attribute, char **name,
+                     sepax_error *error);
+
+/* The `count` numbers of the attribute; without it they stay. */
+bool sepax__xml_numbers(const xml_file *file, const xmlNode *node, const char *attribute,
+                        double *number, int count, sepax_error *error);
+bool sepax__xml_has(const xmlNode *node, const char *attribute);
+
+#endif
