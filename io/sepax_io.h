@@ -49,13 +49,18 @@ typedef struct {
 /* How a mesh is read. */
 typedef struct {
   size_t size;
-  size_t most;  /* triangles; a file that makes more is refused. 0: 20,000,000 */
-  bool normals; /* with the normals of the facets, which only STL has; others are refused */
+  size_t most;      /* triangles; a file that makes more is refused. 0: 20,000,000 */
+  bool normals;     /* with the normals of the facets, which only STL has; others are refused */
+  double unit_mm;   /* the length in mm of a unit of the file, whatever it says; 0: as it says */
+  double result_mm; /* the length in mm of a unit of the result: coordinates are multiplied by the
+                       quotient of both, rounded. A file without a unit is taken to be in it. 0: the
+                       file's own numbers */
 } sepax_mesh_reading;
 
-/* Read the mesh of a file in its own unit. The format is that of the content, not of the name.
- * `account` may be NULL. Errors: FILE; FORMAT, naming line, element or offset, and the cure; LIMIT
- * on a file that is too long or makes too many triangles; MEMORY. */
+/* Read the mesh of a file. The format is that of the content, not of the name.
+ * `account` may be NULL. Errors: ARGUMENT on lengths that are negative or not finite; FILE; FORMAT,
+ * naming line, element or offset, and the cure; LIMIT on a file that is too long or makes too many
+ * triangles; MEMORY. */
 bool sepax_mesh_read(sepax_soup *soup, sepax_mesh_account *account, const char *path,
                      const sepax_mesh_reading *how, sepax_error *error);
 

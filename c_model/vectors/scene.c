@@ -47,21 +47,28 @@ static bool fit(sepax_grid *grid, const sepax_soup soup[2], const char *const pa
          sepax_fail(error, inner.code, "%.120s, %.120s: %.250s", path[0], path[1], inner.text);
 }
 
+bool sepax_scene_make(sepax_scene *scene, const sepax_soup soup[2], const char *const name[2],
+                      const sepax_grid *grid, bool file_normals, sepax_error *error) {
+  *scene = (sepax_scene){.grid = *grid};
+  bool ok = grid->resolution != 0 || fit(&scene->grid, soup, name, error);
+  for (int i = 0; i < 2 && ok; i++) {
+    ok = quantise(scene, i, &soup[i], name[i], file_normals, error);
+  }
+  if (!ok) {
+    sepax_scene_free(scene);
+  }
+  return ok;
+}
+
 bool sepax_scene_load(sepax_scene *scene, const char *const path[2], const sepax_grid *grid,
                       bool file_normals, sepax_error *error) {
   sepax_soup soup[2] = {{0}, {0}};
   *scene = (sepax_scene){.grid = *grid};
   bool ok = sepax_stl_read(&soup[0], path[0], file_normals, error) &&
             sepax_stl_read(&soup[1], path[1], file_normals, error) &&
-            (grid->resolution != 0 || fit(&scene->grid, soup, path, error));
-  for (int i = 0; i < 2 && ok; i++) {
-    ok = quantise(scene, i, &soup[i], path[i], file_normals, error);
-  }
+            sepax_scene_make(scene, soup, path, grid, file_normals, error);
   sepax_soup_free(&soup[0]);
   sepax_soup_free(&soup[1]);
-  if (!ok) {
-    sepax_scene_free(scene);
-  }
   return ok;
 }
 

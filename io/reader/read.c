@@ -4,12 +4,14 @@
 #include "util/plain_numbers.h"
 #include "util/text.h"
 
+#include <math.h>
 #include <string.h>
 #include <strings.h>
 
 enum { TRIANGLES_MOST = 20000000 };
 
 static const size_t bytes_most = (size_t)1 << 30;
+static const double coordinate_most = 0x1p1000;
 
 typedef struct {
   const char *name, *ending;
@@ -66,6 +68,38 @@ static const mesh_format *format_of(const mesh_builder *b) {
   return format;
 }
 
+/* Into the unit of the result. */
+static bool scale(mesh_builder *b) {
+  double own = b->how.unit_mm > 0 ? b->how.unit_mm : b->account.unit_mm;
+  double factor = own > 0 && b->how.result_mm > 0 ? own / b->how.result_mm : 1;
+  if (factor == 1) {
+    return true;
+  }
+  for (size_t n = 0; n < b->soup.count; n++) {
+    for (int i = 0; i < 9; i++) {
+      double *x = &b->soup.facet[n].v[i / 3][i % 3];
+      *x *= factor;
+      if (!(fabs(*x) <= coordinate_most)) {
+        return sepax__builder_fail(b,
+                                   "triangle %zu: a coordinate is beyond 2^1000 in the unit of "
+                                   "the result; mend it, or give another unit",
+                                   n);
+      }
+    }
+  }
+  return true;
+}
+
+static bool lengths_right(const mesh_builder *b) {
+  const sepax_mesh_reading *how = &b->how;
+  return (how->unit_mm >= 0 && how->unit_mm <= 1e12 && how->result_mm >= 0 &&
+          how->result_mm <= 1e12) ||
+         sepax_fail(b->error, SEPAX_ERROR_ARGUMENT,
+                    "sepax_mesh_reading: a unit of %g mm, of %g mm for the result: give lengths of "
+                    "0 ... 1e12 mm",
+                    how->unit_mm, how->result_mm);
+}
+
 static bool read_mesh(mesh_builder *b, const mesh_format *format) {
   size_t read = 0;
   size_t counted = 0;
@@ -81,9 +115,15 @@ static bool read_mesh(mesh_builder *b, const mesh_format *format) {
   }
   account->faces = read;
   account->triangles = b->soup.count;
-  return b->soup.count > 0 ||
-         sepax__builder_fail(b, "it has no triangles%s; give a mesh with a surface",
-                             account->unplaced > 0 ? " that it places" : "");
+  if (b->soup.count == 0) {
+    return sepax__builder_fail(b, "it has no triangles%s; give a mesh with a surface",
+                               account->unplaced > 0 ? " that it places" : "");
+  }
+  if (b->how.normals && b->soup.normal == NULL) {
+    return sepax__builder_fail(b, "normals of facets are read from STL alone; give an STL file, or "
+                                  "have them computed");
+  }
+  return scale(b);
 }
 
 bool sepax_mesh_read(sepax_soup *soup, sepax_mesh_account *account, const char *path,
@@ -95,7 +135,7 @@ bool sepax_mesh_read(sepax_soup *soup, sepax_mesh_account *account, const char *
     *account = (sepax_mesh_account){0};
   }
   if (!sepax__options(&b.how, sizeof b.how, how, "sepax_mesh_reading", error) ||
-      !sepax__text_read(&file, path, bytes_most, error)) {
+      !lengths_right(&b) || !sepax__text_read(&file, path, bytes_most, error)) {
     return false;
   }
   b.how.most = b.how.most == 0 ? TRIANGLES_MOST : b.how.most;
