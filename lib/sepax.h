@@ -199,6 +199,19 @@ bool sepax_stl_read(sepax_soup *soup, const char *path, bool normals, sepax_erro
  * file. */
 bool sepax_stl_write(const sepax_soup *soup, const char *path, bool ascii, sepax_error *error);
 
+/* What sepax_soup_weld did; lengths in units of the soup. */
+typedef struct {
+  double length;     /* that was asked for */
+  size_t moved;      /* vertices that are elsewhere now, */
+  double farthest;   /* at most so far */
+  size_t degenerate; /* triangles that lost their area and were left out */
+  size_t duplicates; /* triangles that were there already and were left out */
+  size_t divided;    /* open edges that had a vertex put into them */
+} sepax_weld;
+
+/* Vertices within `length` of each other become one. */
+bool sepax_soup_weld(sepax_soup *soup, double length, sepax_weld *said, sepax_error *error);
+
 /* ---------------------------------------------------------------- verdicts */
 
 /* Axis numbers are those of the paper that docs/paper.md describes. e_i is the edge from A_i to
