@@ -203,8 +203,8 @@ bool check_bodies(const check_question *q, check_report *report, sepax_error *er
   work all = {.q = q};
   sepax_soup *mesh = report->mesh;
   if ((q->poses_path != NULL && !sepax_poses_read(&all.poses, q->poses_path, error)) ||
-      !sepax_stl_read(&mesh[0], q->path[0], false, error) ||
-      !sepax_stl_read(&mesh[1], q->path[1], false, error)) {
+      !cli_mesh_read(&mesh[0], &report->file[0], q->path[0], &q->meshes, error) ||
+      !cli_mesh_read(&mesh[1], &report->file[1], q->path[1], &q->meshes, error)) {
     sepax_poses_free(&all.poses);
     return false;
   }

@@ -85,7 +85,7 @@ static const struct argp_option *design_options(void) {
 
 static void end_of_options(command *c, struct argp_state *state) {
   if (c->paths != 2) {
-    argp_error(state, "give two STL files");
+    argp_error(state, "give two mesh files");
   }
   if (c->given != NULL && !c->question.on_grid) {
     argp_error(state, "%s: is for the grid; give --grid, too, or leave it out", c->given);
@@ -94,7 +94,7 @@ static void end_of_options(command *c, struct argp_state *state) {
 
 static error_t parse_argument(command *c, char *text, struct argp_state *state) {
   if (c->paths == 2) {
-    argp_error(state, "unexpected argument '%s': give two STL files", text);
+    argp_error(state, "unexpected argument '%s': give two mesh files", text);
   }
   c->question.path[c->paths++] = text;
   return 0;
@@ -109,6 +109,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     state->child_inputs[1] = &c->grid;
     state->child_inputs[2] = &q->bands;
     state->child_inputs[3] = &q->output;
+    state->child_inputs[4] = &q->meshes;
     return 0;
   case KEY_GRID:
     q->on_grid = true;
@@ -198,23 +199,23 @@ static bool grid_options_agree(const check_question *q, sepax_error *error) {
 int cli_check(int argc, char **argv) {
   const struct argp design = {.options = design_options(), .parser = parse_grid_option};
   const struct argp rounding = {.options = cli_grid_argp.options, .parser = parse_grid_option};
-  const struct argp_child children[] = {{&design, 0, NULL, 0},
-                                        {&rounding, 0, NULL, 0},
-                                        {&cli_bands_argp, 0, NULL, 0},
-                                        {&cli_output_argp, 0, NULL, 0},
-                                        {0}};
+  const struct argp_child children[] = {
+      {&design, 0, NULL, 0},          {&rounding, 0, NULL, 0},        {&cli_bands_argp, 0, NULL, 0},
+      {&cli_output_argp, 0, NULL, 0}, {&cli_meshes_argp, 0, NULL, 0}, {0}};
   const struct argp argp = {
       options,
       parse,
-      "A.stl B.stl",
-      "Do two bodies collide, and which of their triangles? Decided exactly for the coordinates of "
-      "the files; a body inside a closed one collides, too. Indices count facets and poses from "
+      "A B",
+      "Do two bodies collide, and which of their triangles? The files are meshes: STL, OBJ, PLY, "
+      "3MF or DAE. Decided exactly for their coordinates; a body inside a closed one collides, too. Indices count facets and poses from "
       "0.\v"
       "Exit status: 0 free, 1 collision, 2 error, 3 warning, 4 undecided.",
       children,
       NULL,
       NULL};
-  command c = {.question = {.config = sepax_config_default(), .bands.unit = CLI_MILLIMETRES}};
+  command c = {.question = {.config = sepax_config_default(),
+                            .bands.unit = CLI_MILLIMETRES,
+                            .meshes.unit = CLI_MILLIMETRES}};
   check_question *q = &c.question;
   c.config = (grid_options){&cli_config_argp, &q->config, &c.given};
   c.grid = (grid_options){&cli_grid_argp, &q->grid, &c.given};

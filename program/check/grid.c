@@ -215,7 +215,7 @@ static bool fill_mesh(const sepax_scene *scene, int i, sepax_soup *mesh) {
 bool check_on_grid(const check_question *q, check_report *report, sepax_error *error) {
   sepax_scene scene;
   sepax_design design = {0};
-  if (!sepax_scene_load(&scene, q->path, &q->grid.grid, q->grid.file_normals, error)) {
+  if (!cli_scene_load(&scene, report->file, q->path, &q->meshes, &q->grid, error)) {
     return false;
   }
   report->grid = scene.grid;

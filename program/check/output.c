@@ -155,8 +155,8 @@ static void print_poses(const check_question *q, const check_report *report) {
 }
 
 void check_print_text(const check_question *q, const check_report *report) {
-  report_print_file('A', WIDTH, q->path[0], report->triangles[0]);
-  report_print_file('B', WIDTH, q->path[1], report->triangles[1]);
+  report_print_mesh("A", WIDTH, q->path[0], &report->file[0]);
+  report_print_mesh("B", WIDTH, q->path[1], &report->file[1]);
   if (q->on_grid) {
     report_print_grid(WIDTH, &report->grid);
   } else {
@@ -235,6 +235,8 @@ void check_print_json(const check_question *q, const check_report *r) {
     set_surface(json_object_get(json, "a"), &r->surface[0]);
     set_surface(json_object_get(json, "b"), &r->surface[1]);
   }
+  report_set_mesh(json_object_get(json, "a"), &r->file[0]);
+  report_set_mesh(json_object_get(json, "b"), &r->file[1]);
   report_set_bands(json, &q->bands, q->on_grid ? &r->steps : NULL);
   report_set_count(json, "pairs", r->triangles[0] * r->triangles[1]);
   json_object_set_new(json, "seconds", json_real(r->seconds));

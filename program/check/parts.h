@@ -3,12 +3,14 @@
 #ifndef SEPAX_CHECK_PARTS_H
 #define SEPAX_CHECK_PARTS_H
 
+#include "cli/meshes.h"
 #include "cli/question.h"
 
 typedef struct {
   const char *path[2];
   const char *poses_path, *pairs_path, *ply_path; /* or NULL */
   report_bands bands;                             /* mm */
+  cli_meshes meshes;
   cli_output output;
   bool on_grid, first, surfaces;
   int threads;
@@ -32,6 +34,7 @@ typedef struct {
 
 typedef struct {
   size_t triangles[2];
+  report_mesh file[2];
   check_surface surface[2];
   sepax_soup mesh[2];   /* what --ply shows */
   sepax_grid grid;      /* on a grid: what was taken */

@@ -1,6 +1,6 @@
 /* accuracy.c - sepax accuracy: wrong verdicts of a design, family by family or on two meshes. */
 #include "accuracy_tally.h"
-#include "cli/cli.h"
+#include "cli/meshes.h"
 #include "command_table.h"
 #include "sepax_design.h"
 #include "sepax_vectors.h"
@@ -84,7 +84,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (o->files == 1) {
-      argp_error(state, "two STL files, or none");
+      argp_error(state, "two mesh files, or none");
     }
     return 0;
   default:
@@ -370,7 +370,7 @@ static bool check(const accuracy_options *o, sepax_error *error) {
                       "%s: is of families; leave it or the two meshes away", o->of_families);
   }
   if (o->files == 0 && (o->grid.grid.resolution > 0 || o->grid.file_normals)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s: is of meshes; give two STL files, too",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s: is of meshes; give two mesh files, too",
                       o->grid.file_normals ? "normals" : "resolution");
   }
   if (o->real && o->config.word > FINE - 4) {
@@ -412,8 +412,7 @@ int cli_accuracy(int argc, char **argv) {
   o.grid.grid.word = o.config.word;
   if (!sepax_design_init(&design, &o.config, &error) || !check(&o, &error) ||
       !cli_families(o.family, &first, &last, &error) ||
-      (o.files > 0 &&
-       !sepax_scene_load(&scene, o.file, &o.grid.grid, o.grid.file_normals, &error))) {
+      (o.files > 0 && !cli_scene_load(&scene, NULL, o.file, NULL, &o.grid, &error))) {
     return cli_fail(argv[0], &error);
   }
   char name[SEPAX_CONFIG_TEXT];

@@ -1,6 +1,6 @@
 /* tree.c - sepax tree: a body as a tree for the tree engine; what such files have. */
-#include "cli/cli.h"
 #include "cli/jobs.h"
+#include "cli/meshes.h"
 #include "command_table.h"
 #include "report/text.h"
 #include "sepax_tree.h"
@@ -14,6 +14,7 @@ typedef struct {
   const char *path, *output;
   uint64_t word; /* 0: not given */
   cli_grid grid;
+  cli_meshes meshes;
   bool walk;
 } tree_options;
 
@@ -31,6 +32,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   switch (key) {
   case ARGP_KEY_INIT:
     state->child_inputs[0] = &o->grid;
+    state->child_inputs[1] = &o->meshes;
     return 0;
   case 'o':
     o->output = text;
@@ -52,10 +54,11 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (o->path == NULL) {
-      argp_error(state, "give an STL file and -o FILE, or a tree, or a list of jobs");
+      argp_error(state, "give a mesh file and -o FILE, or a tree, or a list of jobs");
     }
-    if (o->output == NULL && (o->word > 0 || o->grid.resolution != NULL)) {
-      argp_error(state, "word, resolution: with -o alone, where a tree is made");
+    if (o->output == NULL && (o->word > 0 || o->grid.resolution != NULL ||
+                              o->meshes.own.text != NULL || o->meshes.weld.text != NULL)) {
+      argp_error(state, "word, resolution, unit, weld: with -o alone, where a tree is made");
     }
     if (o->grid.file_normals) {
       argp_error(state, "normals: a tree has none; leave it out");
@@ -74,7 +77,7 @@ static bool name_file(sepax_error *error, const char *path) {
 
 static bool make_tree(sepax_tree **tree, const tree_options *o, sepax_error *error) {
   sepax_soup mesh;
-  if (!sepax_stl_read(&mesh, o->path, false, error)) {
+  if (!cli_mesh_read(&mesh, NULL, o->path, &o->meshes, error)) {
     return false;
   }
   sepax_grid grid = o->grid.grid;
@@ -103,18 +106,19 @@ static void tell(const char *path, const sepax_tree *tree) {
 }
 
 int cli_tree(int argc, char **argv) {
-  static const struct argp_child children[] = {{&cli_grid_argp, 0, NULL, 0}, {0}};
+  static const struct argp_child children[] = {
+      {&cli_grid_argp, 0, NULL, 0}, {&cli_meshes_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
       options,
       parse,
-      "STL",
-      "Write the triangles of an STL file as a tree in the memory format of the tree engine "
+      "MESH",
+      "Write the triangles of a mesh (STL, OBJ, PLY, 3MF, DAE) as a tree in the memory format of the tree engine "
       "(docs/tree.md). Two trees are for each other if their resolutions are equal. Of a list of "
       "jobs, as sepax path --jobs writes it, tell what is in it.",
       children,
       NULL,
       NULL};
-  tree_options o = {.path = NULL};
+  tree_options o = {.path = NULL, .meshes.unit = CLI_MILLIMETRES};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {0};
   if (o.output == NULL && sepax_job_list_is(o.path)) {

@@ -3,7 +3,7 @@
 #ifndef SEPAX_FORMATS_H
 #define SEPAX_FORMATS_H
 
-#include "sepax_io.h"
+#include "cli/meshes.h"
 #include "sepax_mechanism.h"
 
 /* ----------------------------------------------------------------- scenes */
@@ -50,16 +50,12 @@ bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const
 
 /* ----------------------------------------------------------------- meshes */
 
-/* How meshes are read. */
-typedef struct {
-  double unit; /* metres that a unit of every file has, whatever it says itself; 0: as it says */
-  double weld; /* metres up to which vertices become one; 0: none */
-} format_mesh_rules;
-
 /* The surface of a shape in the link's coordinates. Spheres and cylinders are polyhedra that hold
- * them. `account` is what its file has; of a shape without a file it is zero. */
-bool format_shape_mesh(sepax_soup *mesh, sepax_mesh_account *account, const format_shape *shape,
-                       const format_mesh_rules *rules, sepax_error *error);
+ * them. Of a file, the numbers of STL, OBJ and PLY are metres, as robots' programs take them; DAE
+ * has its own unit; a millimetre of a 3MF is one of the numbers, as its writers' STL files have it.
+ * Then they are scaled. `said` is of the file; of a shape without one it is zero. */
+bool format_shape_mesh(sepax_soup *mesh, report_mesh *said, const format_shape *shape,
+                       const cli_meshes *rules, sepax_error *error);
 
 /* Of triangles with the same corners the first stays, in order: the same points, but no longer the
  * same solid. A search would compare each of them with each of another body. False without memory;

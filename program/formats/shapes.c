@@ -251,15 +251,31 @@ bool format_distinct(sepax_soup *mesh) {
   return ok;
 }
 
-bool format_shape_mesh(sepax_soup *mesh, sepax_mesh_account *account, const format_shape *shape,
-                       const format_mesh_rules *rules, sepax_error *error) {
+static bool read_mesh(sepax_soup *mesh, report_mesh *said, const format_shape *shape,
+                      const cli_meshes *rules, sepax_error *error) {
+  static const double metre = 1000; /* mm */
+  const sepax_mesh_account *a = &said->account;
+  said->unit_mm = metre * rules->own.length;
+  if (!sepax_mesh_read(mesh, &said->account, shape->path, NULL, error)) {
+    return false;
+  }
+  double unit = rules->own.text != NULL         ? rules->own.length
+                : strcmp(a->format, "DAE") == 0 ? a->unit_mm / metre
+                : a->unit_mm > 0                ? a->unit_mm
+                                                : 1;
+  const double scale[3] = {unit * shape->size[0], unit * shape->size[1], unit * shape->size[2]};
+  scale_mesh(mesh, scale);
+  return cli_mesh_weld(mesh, said, shape->path, rules, error);
+}
+
+bool format_shape_mesh(sepax_soup *mesh, report_mesh *said, const format_shape *shape,
+                       const cli_meshes *rules, sepax_error *error) {
   bool ok = false;
-  (void)rules;
   *mesh = (sepax_soup){0};
-  *account = (sepax_mesh_account){0};
+  *said = (report_mesh){.unit = rules->unit};
   switch (shape->kind) {
   case FORMAT_MESH:
-    ok = sepax_mesh_read(mesh, account, shape->path, NULL, error);
+    ok = read_mesh(mesh, said, shape, rules, error);
     break;
   case FORMAT_BOX:
     ok = make_box(mesh, shape->size, error);
@@ -271,11 +287,10 @@ bool format_shape_mesh(sepax_soup *mesh, sepax_mesh_account *account, const form
     ok = make_sphere(mesh, shape->size[0], error);
     break;
   }
-  if (ok && shape->kind == FORMAT_MESH) {
-    scale_mesh(mesh, shape->size);
-  }
   if (ok) {
     place_mesh(mesh, &shape->origin);
+  } else {
+    sepax_soup_free(mesh);
   }
   return ok;
 }

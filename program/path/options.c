@@ -33,6 +33,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case ARGP_KEY_INIT:
     q->bands.unit = CLI_METRES;
     state->child_inputs[0] = &q->bands;
+    q->meshes.unit = CLI_METRES;
+    state->child_inputs[1] = &q->meshes;
     return 0;
   case KEY_SRDF:
     q->srdf = text;
@@ -51,5 +53,6 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-static const struct argp_child children[] = {{&cli_bands_argp, 0, NULL, 0}, {0}};
+static const struct argp_child children[] = {
+    {&cli_bands_argp, 0, NULL, 0}, {&cli_meshes_argp, 0, NULL, 0}, {0}};
 const struct argp path_scene_argp = {options, parse, NULL, NULL, children, NULL, NULL};

@@ -5,6 +5,7 @@
 #ifndef SEPAX_PATH_PARTS_H
 #define SEPAX_PATH_PARTS_H
 
+#include "cli/meshes.h"
 #include "cli/question.h"
 #include "formats/formats.h"
 
@@ -23,7 +24,7 @@ typedef struct {
   size_t intervals;
   int threads;
   format_motion_rules rules;
-  format_mesh_rules meshes;
+  cli_meshes meshes;
   format_package package[PATH_PACKAGES_MOST];
   size_t packages;
 } path_question;
@@ -32,7 +33,7 @@ typedef struct {
 typedef struct {
   sepax_body *body;
   sepax_shell shell;
-  sepax_mesh_account account; /* of its file; zero where it has none */
+  report_mesh file; /* zero where it has none */
 } path_part;
 
 typedef struct {

@@ -53,11 +53,11 @@ static bool append(sepax_soup *to, const sepax_soup *mesh) {
 }
 
 /* A part with a body of its own where the link has several. */
-static bool add_part(path_body *b, const format_shape *shape, bool only,
-                     const format_mesh_rules *rules, sepax_error *error) {
+static bool add_part(path_body *b, const format_shape *shape, bool only, const cli_meshes *rules,
+                     sepax_error *error) {
   sepax_soup mesh = {0};
   path_part *part = &b->part[b->parts];
-  bool ok = format_shape_mesh(&mesh, &part->account, shape, rules, error) &&
+  bool ok = format_shape_mesh(&mesh, &part->file, shape, rules, error) &&
             (append(&b->mesh, &mesh) ||
              sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles",
                         b->mesh.count + mesh.count));

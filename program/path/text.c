@@ -130,6 +130,34 @@ static void print_bodies(const path_scene *scene) {
   }
 }
 
+static bool is_named_before(const path_scene *scene, size_t body, size_t part, const char *file) {
+  size_t shape = 0;
+  for (size_t n = 0; n <= body; n++) {
+    size_t parts = n < body ? scene->body[n].parts : part;
+    for (size_t k = 0; k < parts; k++, shape++) {
+      const char *other = scene->robot.shape[shape].path;
+      if (other != NULL && strcmp(other, file) == 0) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/* Files of which more is to be said than how many triangles they have. */
+static void print_meshes(const path_scene *scene) {
+  size_t shape = 0;
+  for (size_t n = 0; n < scene->bodies; n++) {
+    for (size_t k = 0; k < scene->body[n].parts; k++, shape++) {
+      const char *file = scene->robot.shape[shape].path;
+      const report_mesh *mesh = &scene->body[n].part[k].file;
+      if (file != NULL && !report_mesh_is_plain(mesh) && !is_named_before(scene, n, k, file)) {
+        report_print_mesh("mesh", WIDTH, file, mesh);
+      }
+    }
+  }
+}
+
 /* Misspelt elements, or meshes for the eye alone, would else go unseen. */
 static void print_empty(const path_scene *scene) {
   enum { NAMES_MOST = 12 };
@@ -243,6 +271,7 @@ void path_print_text(const path_scene *scene, const path_question *q) {
     such += path_verdict_of(pair) == worst;
   }
   print_bodies(scene);
+  print_meshes(scene);
   print_empty(scene);
   print_compared(scene, q);
   print_motion(scene, q);

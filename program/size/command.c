@@ -248,7 +248,7 @@ static void check_scene(size_options *o, const struct argp_state *state) {
 
 static void check_given(size_options *o, const struct argp_state *state) {
   if (o->paths != 2) {
-    argp_error(state, "give two STL files, or a URDF and a CSV file");
+    argp_error(state, "give two mesh files, or a URDF and a CSV file");
   }
   check_scene(o, state);
   if (o->space.resolution == 0) {
@@ -328,10 +328,20 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 /* ------------------------------------------------------------------------- steps */
 
+/* Options of a scene are in metres, two meshes in mm. */
+static cli_meshes in_mm(const cli_meshes *metres) {
+  cli_meshes mm = *metres;
+  mm.unit = CLI_MILLIMETRES;
+  mm.own.length *= 1000;
+  mm.weld.length *= 1000;
+  return mm;
+}
+
 static bool read_and_size(const size_options *o, size_answer *answer, sepax_error *error) {
   sepax_soup mesh[2] = {{0}, {0}};
   sepax_poses path = {NULL, 0};
   sepax_space space = o->space;
+  const cli_meshes rules = in_mm(&o->scene.meshes);
   double cycles = o->request.seconds / (o->clock.clock_ps * 1e-12);
   bool posed = o->path_file != NULL;
   if (o->is_scene) {
@@ -345,8 +355,8 @@ static bool read_and_size(const size_options *o, size_answer *answer, sepax_erro
   space.path = posed ? &path : NULL;
   space.pairs_most = cycles < 1e15 ? 1 + (uint64_t)(cycles * SEPAX_LANES_MAX) : 0;
   bool ok = (!posed || sepax_poses_read(&path, o->path_file, error)) &&
-            sepax_stl_read(&mesh[0], o->path[0], false, error) &&
-            sepax_stl_read(&mesh[1], o->path[1], false, error) &&
+            cli_mesh_read(&mesh[0], NULL, o->path[0], &rules, error) &&
+            cli_mesh_read(&mesh[1], NULL, o->path[1], &rules, error) &&
             sepax_size_scene(answer->size, &mesh[0], &mesh[1], &space, error);
   sepax_soup_free(&mesh[0]);
   sepax_soup_free(&mesh[1]);
@@ -408,7 +418,7 @@ int cli_size(int argc, char **argv) {
   static const struct argp argp = {
       options,
       parse,
-      "A.stl B.stl\nROBOT.urdf PATH.csv",
+      "A B\nROBOT.urdf PATH.csv",
       "What an exact design for two meshes needs in every pose, and the design of the fewest gates "
       "that judges all pairs in time: a core alone, behind comparator lanes or, on a path, behind "
       "trees. Of a mechanism on a path: for all pairs of bodies that are compared, in each line.",
