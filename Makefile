@@ -30,6 +30,7 @@ PREFIX ?= /usr/local
 export OBJCACHE ?= $(abspath scripts/make/compile) $(abspath $(BUILD))/compiled
 SEPAX   = $(BUILD)/sepax
 LIB     = $(addprefix $(BUILD)/obj/,models.a lib.a)
+IO      = $(BUILD)/obj/io.a
 PUBLIC  = $(addprefix $(BUILD)/,libsepax-model.a libsepax-io.a libsepax.a)
 GEN     = $(SEPAX) gen
 

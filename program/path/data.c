@@ -106,11 +106,34 @@ static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   return json;
 }
 
-static json_t *body_of(const path_scene *scene, size_t n) {
-  const path_body *b = &scene->body[n];
-  return json_pack("{s:s, s:I, s:I, s:I}", "link", path_body_name(scene, n), "triangles",
-                   (json_int_t)b->triangles, "parts", (json_int_t)b->parts, "open_parts",
-                   (json_int_t)b->open);
+/* The files of a body whose first shape is *shape, which goes on behind its last. */
+static json_t *meshes_of(const path_scene *scene, const path_body *b, size_t *shape) {
+  json_t *meshes = json_array();
+  for (size_t k = 0; k < b->parts; k++, ++*shape) {
+    const char *file = scene->robot.shape[*shape].path;
+    if (file != NULL) {
+      const report_mesh *mesh = &b->part[k].file;
+      json_t *json =
+          json_pack("{s:s, s:I}", "file", file, "triangles", (json_int_t)mesh->account.triangles);
+      report_set_mesh(json, mesh);
+      json_array_append_new(meshes, json);
+    }
+  }
+  return meshes;
+}
+
+static json_t *bodies_of(const path_scene *scene) {
+  json_t *bodies = json_array();
+  size_t shape = 0;
+  for (size_t n = 0; n < scene->bodies; n++) {
+    const path_body *b = &scene->body[n];
+    json_array_append_new(bodies,
+                          json_pack("{s:s, s:I, s:I, s:I, s:o}", "link", path_body_name(scene, n),
+                                    "triangles", (json_int_t)b->triangles, "parts",
+                                    (json_int_t)b->parts, "open_parts", (json_int_t)b->open,
+                                    "meshes", meshes_of(scene, b, &shape)));
+  }
+  return bodies;
 }
 
 /* What --certify found of all; null where it was not asked. */
@@ -156,11 +179,7 @@ static json_t *jobs_of(const path_scene *scene, const path_question *q) {
 json_t *path_report(const path_scene *scene, const path_question *q) {
   report_verdict worst = path_worst(scene);
   json_t *json = json_object();
-  json_t *bodies = json_array();
   json_t *pairs = json_array();
-  for (size_t n = 0; n < scene->bodies; n++) {
-    json_array_append_new(bodies, body_of(scene, n));
-  }
   for (size_t n = 0; n < scene->pairs; n++) {
     json_array_append_new(pairs, pair_of(scene, &scene->pair[n]));
   }
@@ -171,7 +190,7 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   json_object_set_new(json, "first", first_of(scene));
   report_set_count(json, "lines", scene->motion.lines);
   report_set_bands(json, &q->bands, NULL);
-  json_object_set_new(json, "bodies", bodies);
+  json_object_set_new(json, "bodies", bodies_of(scene));
   json_object_set_new(json, "pairs", pairs);
   report_set_count(json, "pairs_of_one_joint", scene->joined);
   report_set_count(json, "pairs_disabled", scene->disabled);

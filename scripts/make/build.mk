@@ -1,25 +1,9 @@
 # build.mk - the program, the library, and the programs of tests and reports.
 
-hash      := \#
-# libxml2 reads robots and DAE, libzip with it 3MF. Where one of them is missing, or is said to be
-# (make build LIBXML2=no LIBZIP=no), files of folders `missing` take the places of those that call it.
-has = $(shell printf '%s\n' '$(hash)include <$(1)>' 'int main(void) { return 0; }' | \
-      $(CC) $(filter-out --coverage,$(CFLAGS)) $(LDFLAGS) $(XML_CFLAGS) -x c - $(2) -o /dev/null \
-      2> /dev/null && echo yes || echo no)
-ifndef LIBZIP
-LIBZIP := $(call has,zip.h,-lzip)
-endif
-ifndef LIBXML2
-LIBXML2 := $(call has,libxml/parser.h,-lxml2)
-endif
-export LIBZIP LIBXML2
-with_xml    = $(filter yes,$(LIBXML2))
-with_zip    = $(and $(with_xml),$(filter yes,$(LIBZIP)))
 XML_OF      = $(if $(with_xml),$(wildcard io/xml/*.c),io/missing/libxml2.c)
 ZIP_OF      = $(if $(with_zip),$(wildcard io/archive/*.c),io/missing/libzip.c)
 FORMAT_OF   = $(if $(with_xml),$(wildcard program/formats/libxml2/*.c),program/formats/missing/libxml2.c)
 FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c) $(FORMAT_OF))
-IO_LIBS     = $(if $(with_xml),-lxml2) $(if $(with_zip),-lzip)
 
 LIB_SRC   = $(wildcard lib/*/*.c)
 MODEL_SRC = $(wildcard c_model/*/*.c)

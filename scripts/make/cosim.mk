@@ -46,19 +46,19 @@ PAIR_ARGS = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if \
 # ------------------------------------------------------------------------- Verilator
 
 # The view of exact's arithmetic that is simulated: its macro, and the suffix of what is made of it.
-MODEL_PATH = $(addprefix -I,$(abspath lib c_model program))
+MODEL_PATH = $(addprefix -I,$(abspath lib io c_model program tb))
 VIEW_MACRO = $(if $(filter behavioural,$(VIEW)),-DSEPAX_BEHAVIOURAL)
 OF_VIEW    = $(if $(filter behavioural,$(VIEW)),,-structural)
 COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
 COSIM_TOP  = $(if $(filter stream,$(DESIGN_ENGINE)),sepax_stream,sepax_top)
-COSIM_CPP  = $(abspath tb/cosim/cosim.cpp $(OPTIONS_OBJ) $(LIB))
-COSIM_DEPS = $(RTL) $(LIB) $(OPTIONS_OBJ) $(wildcard tb/cosim/*.cpp tb/cosim/*.h tb/cosim/*.vlt)
+COSIM_CPP  = $(abspath tb/cosim/cosim.cpp $(OPTIONS_OBJ) $(IO) $(LIB))
+COSIM_DEPS = $(RTL) $(LIB) $(IO) $(OPTIONS_OBJ) $(wildcard tb/cosim/*.cpp tb/cosim/*.h tb/cosim/*.vlt)
 
-# verilate TOP FLAGS FILES: Verilator 5.006 miscompiles trees of single bits (its issue 4059) but
-# for -fno-const-bit-op-tree.
-verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { $(VERILATOR) --cc --exe --build \
-           -O3 --noassert -fno-const-bit-op-tree --x-assign fast --x-initial unique \
+# verilate TOP FLAGS FILES, linked with what the readers of meshes need. Verilator 5.006 miscompiles
+# trees of single bits (its issue 4059) but for -fno-const-bit-op-tree.
+verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { LIBS="$(IO_LIBS)" \
+           $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree --x-assign fast --x-initial unique \
            --top-module $(1) -f sepax.f $(VIEW_MACRO) $(2) $(3) \
            --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
            { tail -20 ../$(@F).log >&2; exit 1; }; }

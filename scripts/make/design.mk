@@ -14,7 +14,7 @@ endif
 LATER = $(if $(filter-out $(DESIGN_VERBS) $(BUILD)/core/%,$(OF_DESIGN)),DESIGN_NAME=)
 
 .PHONY: $(OF_DESIGN)
-$(firstword $(OF_DESIGN) $(DESIGN_VERBS)): $(SEPAX) $(LIB) $(OPTIONS_OBJ) \
+$(firstword $(OF_DESIGN) $(DESIGN_VERBS)): $(SEPAX) $(LIB) $(IO) $(OPTIONS_OBJ) \
     $(if $(filter powered,$(OF_DESIGN)),$(BUILD)/power) \
     $(if $(filter mapped timed laid assigned powered netlist gates flow,$(OF_DESIGN)), \
       $(BUILD)/liberty)

@@ -9,3 +9,20 @@ XML_CFLAGS  := -isystem $(firstword $(patsubst -I%,%,$(filter -I%,$(shell \
 OBJCOPY     ?= objcopy
 object       = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 OPTIONS_OBJ  = $(call object,program/cli/options.c)
+
+hash       := \#
+# libxml2 reads robots and DAE, libzip with it 3MF. Where one of them is missing, or is said to be
+# (make build LIBXML2=no LIBZIP=no), files of folders `missing` take the places of those that call it.
+has = $(shell printf '%s\n' '$(hash)include <$(1)>' 'int main(void) { return 0; }' | \
+      $(CC) $(filter-out --coverage,$(CFLAGS)) $(LDFLAGS) $(XML_CFLAGS) -x c - $(2) -o /dev/null \
+      2> /dev/null && echo yes || echo no)
+ifndef LIBZIP
+LIBZIP := $(call has,zip.h,-lzip)
+endif
+ifndef LIBXML2
+LIBXML2 := $(call has,libxml/parser.h,-lxml2)
+endif
+export LIBZIP LIBXML2
+with_xml    = $(filter yes,$(LIBXML2))
+with_zip    = $(and $(with_xml),$(filter yes,$(LIBZIP)))
+IO_LIBS     = $(if $(with_xml),-lxml2) $(if $(with_zip),-lzip)

@@ -58,7 +58,7 @@ $(FPGA)/cosim.o: $(COSIM_DEPS)
 	  -c tb/cosim/cosim.cpp -o $@
 
 $(FPGA)/cosim: $(FPGA)/gates.o $(FPGA)/cosim.o
-	@$(CXX) -o $@ $^ $(OPTIONS_OBJ) $(LIB) -lm -pthread
+	@$(CXX) -o $@ $^ $(OPTIONS_OBJ) $(IO) $(LIB) $(IO_LIBS) -lm -pthread
 
 gates: $(FPGA)/cosim
 	@$(FPGA)/cosim $(if $(PAIRS),$(PAIR_ARGS),$(SEEDED)) $(STRESSED)

@@ -3,6 +3,7 @@
 #define SEPAX_PAIR_SOURCE_H
 
 #include "cli/cli.h"
+#include "meshes.h"
 #include "sepax_params.h"
 #include "sepax_vectors.h"
 
@@ -50,7 +51,7 @@ template <typename Nth> Source counted(uint64_t count, Nth nth) {
 inline Source mesh_source(const char *const path[2], const cli_grid &grid) {
   sepax_error error{};
   sepax_scene scene{};
-  if (!sepax_scene_load(&scene, path, &grid.grid, grid.file_normals, &error)) {
+  if (!mesh_files_scene(&scene, path, &grid.grid, grid.file_normals, &error)) {
     fail(error);
   }
   return counted((uint64_t)scene.count[0] * scene.count[1], [=](uint64_t n) {

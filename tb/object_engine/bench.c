@@ -7,6 +7,7 @@
  * refused, interrupts, and a run of which nobody takes results for N (5000) cycles. Exit status 1:
  * something was wrong. */
 #include "bench.h"
+#include "meshes.h"
 #include "sepax_vectors.h"
 
 #include <stdio.h>
@@ -203,7 +204,7 @@ static void run_meshes(const char *const path[2], double resolution, bool paced)
   sepax_error error = {0};
   sepax_scene scene;
   const sepax_grid grid = {resolution, {0, 0, 0}, SEPAX_WORD};
-  stop_on(!sepax_scene_load(&scene, path, &grid, false, &error), error.text);
+  stop_on(!mesh_files_scene(&scene, path, &grid, false, &error), error.text);
   whole w = {.there = NULL};
   bool ok = design.limits > 0
                 ? sepax_near_pairs(&design, false, scene.tri[0], scene.count[0], scene.tri[1],

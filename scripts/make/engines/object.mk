@@ -18,9 +18,10 @@ $(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/object_engine/*.h drivers/object_eng
 	@mkdir -p $(@D)
 	@$(CC) $(SEPAX_CFLAGS) -Itb -Idrivers/object_engine -I$(CORE)/rtl -c $< -o $@
 
-$(OBJECT_BENCH): $(OBJECT_C) tb/object_engine/bus.cpp tb/object_engine/bus.h $(LIB) $(RTL)
+$(OBJECT_BENCH): $(OBJECT_C) tb/object_engine/bus.cpp tb/object_engine/bus.h $(IO) $(LIB) $(RTL)
 	@echo "  VERILATE $(DESIGN_NAME), the engine"
-	@$(call verilate,sepax_engine,$(BUS_FLAGS),$(abspath tb/object_engine/bus.cpp $(OBJECT_C) $(LIB)))
+	@$(call verilate,sepax_engine,$(BUS_FLAGS),$(abspath tb/object_engine/bus.cpp $(OBJECT_C) \
+	  $(IO) $(LIB)))
 
 # MESH_A against MESH_B, or seeded objects.
 engine: $(OBJECT_BENCH) $(if $(filter families,$(PAIRS)),,$(SAMPLES))

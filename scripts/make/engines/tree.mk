@@ -37,12 +37,12 @@ LATENCY    ?= 100
 ROUNDS     ?= 20
 MODES      ?= 16
 
-$(TREE_BENCH): tb/object_engine/bus.cpp $(LIB) $(TREE_DEPS) $(TREE_SRC)
+$(TREE_BENCH): tb/object_engine/bus.cpp $(IO) $(LIB) $(TREE_DEPS) $(TREE_SRC)
 	@echo "  VERILATE $(DESIGN_NAME), the tree engine"
 	@mkdir -p $(ENGINE_OBJ)
 	@$(foreach c,$(TREE_SRC),$(TREE_CC) -c $(c) -o $(ENGINE_OBJ)/$(notdir $(c:.c=.o)) &&) true
 	@$(call verilate,sepax_engine,$(if $(WAVE_FILE),--trace-fst) $(BUS_FLAGS),$(abspath \
-	  $(POSE_CHECK) tb/object_engine/bus.cpp $(TREE_C) $(LIB)))
+	  $(POSE_CHECK) tb/object_engine/bus.cpp $(TREE_C) $(IO) $(LIB)))
 
 # MESH_A against MESH_B in the poses of a file, or seeded bodies and jobs; FUZZ=n: damaged ones;
 # SCENE=n: six bodies in n poses; JOBS: a list of sepax path --jobs.

@@ -1,5 +1,6 @@
 /* meshes.c - two bodies, STL or files of sepax tree, in the poses of a file through the engine. */
 #include "bench.h"
+#include "meshes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,7 +43,7 @@ static void load_both(sepax_tree *tree[2], const char *const path[2], double res
               "its resolution is not that of the other tree; make both with one");
       grid = own;
     } else {
-      stop_on(!sepax_stl_read(&mesh[i], path[i], false, &error), error.text);
+      stop_on(!mesh_file_read(&mesh[i], path[i], false, &error), error.text);
       view[i] = *SEPAX_SOUP_MESH(&mesh[i]);
       read[meshes++] = &view[i];
     }
