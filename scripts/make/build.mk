@@ -111,7 +111,7 @@ $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard synth/power/*_engine.c)): \
     $(BUILD)/obj/synth/power/%.o: $(REGISTERS)/%/sepax_registers.h
 $(BUILD)/obj/synth/power/%_engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/$(*F)
 
-$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(BUILD)/obj/io.a $(LIB)
+$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(IO) $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-pairs: $(call object,tb/pairs/clearance.c) $(ORACLE_OBJ) $(LIB)
@@ -121,9 +121,10 @@ $(BUILD)/refine: $(call object,tb/tree_engine/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
 $(BUILD)/sepax-certificate-check: $(CHECKER_OBJ)
 $(BUILD)/certificate-grazes: $(call object,tb/certificate/grazes.c)
-$(BUILD)/power: $(POWER_OBJ) $(LIB)
+$(BUILD)/power: $(POWER_OBJ) $(IO) $(LIB)
 $(BUILD)/layout: $(LAYOUT_OBJ)
-$(BUILD)/liberty $(BUILD)/power $(BUILD)/layout: LIBS = -ljansson
+$(BUILD)/liberty $(BUILD)/layout: LIBS = -ljansson
+$(BUILD)/power: LIBS = -ljansson $(IO_LIBS)
 $(SEPAX): LIBS = -ljansson $(IO_LIBS)
 $(BUILD)/sepax-certificate-check: LIBS = -ljansson -lxml2
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
@@ -139,12 +140,12 @@ $(BUILD)/unit/%: $(BUILD)/obj/tb/unit/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ
 
 $(BUILD)/unit/formats/%: LIBS = -lcmocka -lgmp $(IO_LIBS)
 $(BUILD)/unit/formats/%: $(BUILD)/obj/tb/unit/formats/%.o $(BUILD)/obj/tb/harness.o \
-                         $(ORACLE_OBJ) $(FORMAT_OBJ) $(BUILD)/obj/io.a $(LIB)
+                         $(ORACLE_OBJ) $(FORMAT_OBJ) $(IO) $(LIB)
 	$(link)
 
 $(BUILD)/unit/io/%: LIBS = -lcmocka -lgmp $(IO_LIBS)
 $(BUILD)/unit/io/%: $(BUILD)/obj/tb/unit/io/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
-                    $(BUILD)/obj/io.a $(LIB)
+                    $(IO) $(LIB)
 	$(link)
 
 REPORT_OBJ = $(call object,$(wildcard program/report/*.c))
@@ -165,7 +166,7 @@ FUZZ     = $(patsubst tb/fuzz/target/%.c,$(BUILD)/fuzz/%,$(wildcard tb/fuzz/targ
 FUZZ_OBJ = $(call object,$(if $(FUZZER),,tb/fuzz/replay.c) tb/fuzz/fuzz.c)
 $(FUZZ): LIBS = -ljansson $(IO_LIBS) $(FUZZER)
 $(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(OPTIONS_OBJ) \
-                 $(BUILD)/obj/io.a $(LIB)
+                 $(IO) $(LIB)
 	$(link)
 
 # Bodies that move beside the libraries that are here.

@@ -31,18 +31,25 @@
  * not counted. */
 #include "analysis.h"
 #include "design/engine_table.h"
+#include "sepax_io.h"
 
 #include <err.h>
 #include <getopt.h>
 #include <stdlib.h>
 
 sepax_scene power_meshes(const analysis *m) {
+  static const sepax_mesh_reading how = {.size = sizeof how, .result_mm = 1};
   sepax_error error = {0};
+  sepax_soup mesh[2] = {{0}, {0}};
   sepax_scene scene;
   sepax_grid grid = {.resolution = m->want->resolution, .word = m->design.config.word};
-  if (!sepax_scene_load(&scene, m->want->mesh, &grid, false, &error)) {
+  if (!sepax_mesh_read(&mesh[0], NULL, m->want->mesh[0], &how, &error) ||
+      !sepax_mesh_read(&mesh[1], NULL, m->want->mesh[1], &how, &error) ||
+      !sepax_scene_make(&scene, mesh, m->want->mesh, &grid, false, &error)) {
     errx(2, "%s", error.text);
   }
+  sepax_soup_free(&mesh[0]);
+  sepax_soup_free(&mesh[1]);
   return scene;
 }
 
