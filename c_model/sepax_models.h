@@ -43,9 +43,10 @@ typedef struct {
   size_t count[2];
 } sepax_scene;
 
-/* Quantise two meshes on `grid`, or, when its resolution is 0, on the finest grid of grid->word bits
- * that holds both. Normals are computed from the quantised vertices, or, with file_normals, those
- * of the soups. name[] is of their files, for messages. Fails as the steps do, naming the file. */
+/* Quantise two meshes on `grid`, or, when its resolution is 0, on the finest grid of grid->word
+ * bits that holds both. Normals are computed from the quantised vertices, or, with file_normals,
+ * those of the soups. name[] is of their files, for messages. Fails as the steps do, naming the
+ * file. */
 bool sepax_scene_make(sepax_scene *scene, const sepax_soup soup[2], const char *const name[2],
                       const sepax_grid *grid, bool file_normals, sepax_error *error);
 

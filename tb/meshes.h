@@ -9,7 +9,7 @@
 
 /* A mesh in mm. */
 static inline bool mesh_file_read(sepax_soup *mesh, const char *path, bool normals,
-                              sepax_error *error) {
+                                  sepax_error *error) {
   sepax_mesh_reading how;
   memset(&how, 0, sizeof how);
   how.size = sizeof how;
@@ -20,7 +20,7 @@ static inline bool mesh_file_read(sepax_soup *mesh, const char *path, bool norma
 
 /* Two of them on a grid. */
 static inline bool mesh_files_scene(sepax_scene *scene, const char *const path[2],
-                               const sepax_grid *grid, bool normals, sepax_error *error) {
+                                    const sepax_grid *grid, bool normals, sepax_error *error) {
   sepax_soup soup[2];
   memset(soup, 0, sizeof soup);
   bool ok = mesh_file_read(&soup[0], path[0], normals, error) &&

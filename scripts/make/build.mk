@@ -2,7 +2,8 @@
 
 XML_OF      = $(if $(with_xml),$(wildcard io/xml/*.c),io/missing/libxml2.c)
 ZIP_OF      = $(if $(with_zip),$(wildcard io/archive/*.c),io/missing/libzip.c)
-FORMAT_OF   = $(if $(with_xml),$(wildcard program/formats/libxml2/*.c),program/formats/missing/libxml2.c)
+FORMAT_OF   = $(if $(with_xml),$(wildcard program/formats/libxml2/*.c), \
+              program/formats/missing/libxml2.c)
 FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c) $(FORMAT_OF))
 
 LIB_SRC   = $(wildcard lib/*/*.c)
@@ -35,8 +36,8 @@ $(BUILD)/obj/lib.a $(BUILD)/obj/models.a $(BUILD)/obj/io.a:
 	@$(AR) rcs $@ $(filter %.o,$^)
 
 # What others link: libsepax, and on top of it libsepax-io and libsepax-model, which have copies of
-# what they need of its inside. In an archive there is one object, whose internal names are local to it, so that none
-# can clash with a name of the program that links it.
+# what they need of its inside. In an archive there is one object, whose internal names are local to
+# it, so that none can clash with a name of the program that links it.
 $(BUILD)/libsepax.a $(BUILD)/libsepax.so.0: $(LIB_OBJ)
 $(BUILD)/libsepax-model.a $(BUILD)/libsepax-model.so.0: $(MODEL_OBJ) \
   $(call object,lib/util/write_file.c lib/util/temporary.c)

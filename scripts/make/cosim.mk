@@ -53,13 +53,14 @@ COSIM      = $(CORE)/cosim$(OF_VIEW)
 WAVE       = $(CORE)/cosim-wave$(OF_VIEW)
 COSIM_TOP  = $(if $(filter stream,$(DESIGN_ENGINE)),sepax_stream,sepax_top)
 COSIM_CPP  = $(abspath tb/cosim/cosim.cpp $(OPTIONS_OBJ) $(IO) $(LIB))
-COSIM_DEPS = $(RTL) $(LIB) $(IO) $(OPTIONS_OBJ) $(wildcard tb/cosim/*.cpp tb/cosim/*.h tb/cosim/*.vlt)
+COSIM_DEPS = $(RTL) $(LIB) $(IO) $(OPTIONS_OBJ) tb/meshes.h \
+             $(wildcard tb/cosim/*.cpp tb/cosim/*.h tb/cosim/*.vlt)
 
 # verilate TOP FLAGS FILES, linked with what the readers of meshes need. Verilator 5.006 miscompiles
 # trees of single bits (its issue 4059) but for -fno-const-bit-op-tree.
 verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { LIBS="$(IO_LIBS)" \
-           $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree --x-assign fast --x-initial unique \
-           --top-module $(1) -f sepax.f $(VIEW_MACRO) $(2) $(3) \
+           $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree \
+           --x-assign fast --x-initial unique --top-module $(1) -f sepax.f $(VIEW_MACRO) $(2) $(3) \
            --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
            { tail -20 ../$(@F).log >&2; exit 1; }; }
 # For a short run one file compiles fastest: each has the header of all signals.

@@ -12,7 +12,7 @@ OPTIONS_OBJ  = $(call object,program/cli/options.c)
 
 hash       := \#
 # libxml2 reads robots and DAE, libzip with it 3MF. Where one of them is missing, or is said to be
-# (make build LIBXML2=no LIBZIP=no), files of folders `missing` take the places of those that call it.
+# (make build LIBXML2=no LIBZIP=no), files of folders `missing` take the place of what calls it.
 has = $(shell printf '%s\n' '$(hash)include <$(1)>' 'int main(void) { return 0; }' | \
       $(CC) $(filter-out --coverage,$(CFLAGS)) $(LDFLAGS) $(XML_CFLAGS) -x c - $(2) -o /dev/null \
       2> /dev/null && echo yes || echo no)
