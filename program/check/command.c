@@ -207,8 +207,8 @@ int cli_check(int argc, char **argv) {
       parse,
       "A B",
       "Do two bodies collide, and which of their triangles? The files are meshes: STL, OBJ, PLY, "
-      "3MF or DAE. Decided exactly for their coordinates; a body inside a closed one collides, too. "
-      "Indices count facets and poses from 0.\v"
+      "3MF or DAE. Decided exactly for their coordinates; a body inside a closed one collides, "
+      "too. Indices count facets and poses from 0.\v"
       "Exit status: 0 free, 1 collision, 2 error, 3 warning, 4 undecided.",
       children,
       NULL,
