@@ -1,4 +1,5 @@
 /* read.c - the mesh of a file: which format it is, its reader, the check of what was read. */
+#include "reader/read.h"
 #include "reader/format_table.h"
 #include "util/options.h"
 #include "util/plain_numbers.h"
@@ -126,37 +127,63 @@ static bool read_mesh(mesh_builder *b, const mesh_format *format) {
   return scale(b);
 }
 
-bool sepax_mesh_read(sepax_soup *soup, sepax_mesh_account *account, const char *path,
-                     const sepax_mesh_reading *how, sepax_error *error) {
-  mesh_builder b = {.path = path, .error = error};
-  text_bytes file;
+/* The options in b->how; where they are wrong, false. */
+static bool options_right(mesh_builder *b, const sepax_mesh_reading *how) {
+  if (!sepax__options(&b->how, sizeof b->how, how, "sepax_mesh_reading", b->error) ||
+      !lengths_right(b)) {
+    return false;
+  }
+  b->how.most = b->how.most == 0 ? TRIANGLES_MOST : b->how.most;
+  return true;
+}
+
+static bool parse(mesh_builder *b, sepax_soup *soup, sepax_mesh_account *account) {
+  plain_numbers plain = plain_numbers_begin();
+  const mesh_format *format = format_of(b);
+  bool ok = format != NULL &&
+            sepax__libraries_here(format->libraries, b->path, format->name, b->error) &&
+            read_mesh(b, format);
+  plain_numbers_end(plain);
+  sepax_release(b->corner);
+  sepax_release(b->triangle);
+  if (!ok) {
+    sepax_soup_free(&b->soup);
+    return false;
+  }
+  b->account.format = format->name;
+  *soup = b->soup;
+  if (account != NULL) {
+    *account = b->account;
+  }
+  return true;
+}
+
+static void begin(sepax_soup *soup, sepax_mesh_account *account) {
   *soup = (sepax_soup){0};
   if (account != NULL) {
     *account = (sepax_mesh_account){0};
   }
-  if (!sepax__options(&b.how, sizeof b.how, how, "sepax_mesh_reading", error) ||
-      !lengths_right(&b) || !sepax__text_read(&file, path, bytes_most, error)) {
+}
+
+bool sepax__mesh_parse(sepax_soup *soup, sepax_mesh_account *account, const char *bytes,
+                       size_t size, const char *name, const sepax_mesh_reading *how,
+                       sepax_error *error) {
+  mesh_builder b = {.path = name, .bytes = bytes, .size = size, .error = error};
+  begin(soup, account);
+  return options_right(&b, how) && parse(&b, soup, account);
+}
+
+bool sepax_mesh_read(sepax_soup *soup, sepax_mesh_account *account, const char *path,
+                     const sepax_mesh_reading *how, sepax_error *error) {
+  mesh_builder b = {.path = path, .error = error};
+  text_bytes file;
+  begin(soup, account);
+  if (!options_right(&b, how) || !sepax__text_read(&file, path, bytes_most, error)) {
     return false;
   }
-  b.how.most = b.how.most == 0 ? TRIANGLES_MOST : b.how.most;
   b.bytes = file.bytes;
   b.size = file.size;
-  plain_numbers plain = plain_numbers_begin();
-  const mesh_format *format = format_of(&b);
-  bool ok = format != NULL && sepax__libraries_here(format->libraries, path, format->name, error) &&
-            read_mesh(&b, format);
-  plain_numbers_end(plain);
+  bool ok = parse(&b, soup, account);
   sepax_release(file.bytes);
-  sepax_release(b.corner);
-  sepax_release(b.triangle);
-  if (!ok) {
-    sepax_soup_free(&b.soup);
-    return false;
-  }
-  b.account.format = format->name;
-  *soup = b.soup;
-  if (account != NULL) {
-    *account = b.account;
-  }
-  return true;
+  return ok;
 }

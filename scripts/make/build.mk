@@ -164,7 +164,8 @@ $(BUILD)/unit/synth/%: $(BUILD)/obj/tb/unit/synth/%.o $(BUILD)/obj/tb/harness.o 
 # Fuzz targets: by themselves on given inputs; with libFuzzer, which has a main of its own, where
 # FUZZER is -fsanitize=fuzzer.
 FUZZ     = $(patsubst tb/fuzz/target/%.c,$(BUILD)/fuzz/%,$(wildcard tb/fuzz/target/*.c))
-FUZZ_OBJ = $(call object,$(if $(FUZZER),,tb/fuzz/replay.c) tb/fuzz/fuzz.c)
+FUZZ_OBJ = $(call object,$(if $(FUZZER),,tb/fuzz/replay.c) $(addprefix tb/fuzz/,fuzz.c mesh.c) \
+           $(wildcard program/cli/meshes.c program/report/*.c))
 $(FUZZ): LIBS = -ljansson $(IO_LIBS) $(FUZZER)
 $(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(OPTIONS_OBJ) \
                  $(IO) $(LIB)

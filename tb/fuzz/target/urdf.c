@@ -23,6 +23,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   format_robot robot;
   sepax_error error = {0};
   const format_package package = {"here", "."};
+  const cli_meshes rules = {.unit = CLI_METRES};
   fuzz_file("input.urdf", data, size);
   bool ok = fuzz_answer(format_urdf_read(&robot, "input.urdf", &package, 1, &error), &error);
   if (ok) {
@@ -30,7 +31,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     require_poses(&robot.mechanism);
     for (size_t n = 0; n < robot.shapes && n < 4; n++) {
       sepax_soup mesh;
-      if (robot.shape[n].kind != FORMAT_MESH && format_shape_mesh(&mesh, &robot.shape[n], &error)) {
+      report_mesh said;
+      if (robot.shape[n].kind != FORMAT_MESH &&
+          format_shape_mesh(&mesh, &said, &robot.shape[n], &rules, &error)) {
         REQUIRE(mesh.count >= 12);
         sepax_soup_free(&mesh);
       }
