@@ -406,7 +406,7 @@ bool sepax_size_scene(sepax_size *size, const sepax_soup *a, const sepax_soup *b
     found.low[axis] = hull.low[axis];
     found.high[axis] = hull.high[axis];
   }
-  bodies r = {.moved = {{NULL, 0}, {NULL, 0}}};
+  bodies r = {.moved = {{0}, {0}}};
   found.limited = r.on_grid.limited = space->limited;
   found.clearance = space->clearance;
   found.warning = space->warning;

@@ -165,7 +165,7 @@ $(BUILD)/unit/synth/%: $(BUILD)/obj/tb/unit/synth/%.o $(BUILD)/obj/tb/harness.o 
 # FUZZER is -fsanitize=fuzzer.
 FUZZ     = $(patsubst tb/fuzz/target/%.c,$(BUILD)/fuzz/%,$(wildcard tb/fuzz/target/*.c))
 FUZZ_OBJ = $(call object,$(if $(FUZZER),,tb/fuzz/replay.c) $(addprefix tb/fuzz/,fuzz.c mesh.c) \
-           $(wildcard program/cli/meshes.c program/report/*.c))
+           program/cli/meshes.c program/cli/question.c $(wildcard program/report/*.c))
 $(FUZZ): LIBS = -ljansson $(IO_LIBS) $(FUZZER)
 $(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(OPTIONS_OBJ) \
                  $(IO) $(LIB)

@@ -42,7 +42,8 @@ void fuzz_mesh(const uint8_t *data, size_t size, const char *name) {
   REQUIRE(bytes != NULL);
   memcpy(bytes, data, size);
   bytes[size] = '\0';
-  bool ok = fuzz_answer(sepax__mesh_parse(&mesh, &account, bytes, size, name, &how, &error), &error);
+  bool ok =
+      fuzz_answer(sepax__mesh_parse(&mesh, &account, bytes, size, name, &how, &error), &error);
   if (ok) {
     require_finite(&mesh);
     require_account(&account, &mesh);
