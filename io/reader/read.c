@@ -64,7 +64,11 @@ static const mesh_format *format_of(const mesh_builder *b) {
   if (format == NULL) {
     char list[80] = "";
     list_formats(list);
-    sepax__builder_fail(b, "no mesh that is read; give %s", list);
+    if (b->size > 8 && memcmp(b->bytes, "sepaxSXT", 8) == 0) {
+      sepax__builder_fail(b, "a tree of 'sepax tree', no mesh; give the one that it was made of");
+    } else {
+      sepax__builder_fail(b, "no mesh that is read; give %s", list);
+    }
   }
   return format;
 }
