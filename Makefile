@@ -67,8 +67,8 @@ include $(addprefix scripts/make/,install.mk quality.mk)
 
 .PHONY: all job help build setup test quick cocotb reference clean area timing multivt power fpga \
         layout area-sweep calibrate scene report accuracy certificate clearance bench bench-bodies \
-        campaign hard engine-sweep tree-sweep tree-fuzz tree-scene tree-campaign path-campaign \
-        netlist-sweep mutation mutations
+        bench-meshes compare-meshes campaign hard engine-sweep tree-sweep tree-fuzz tree-scene \
+        tree-campaign path-campaign netlist-sweep mutation mutations
 
 all:
 	@scripts/setup
@@ -234,6 +234,16 @@ MESH_DIR ?= $(wildcard ../shared/meshes)
 bench-bodies: $(BUILD)/bench_bodies
 	@MESH_DIR="$(MESH_DIR)" $(EXPERIMENT)/bodies $(BUILD)/bodies \
 	  $(if $(call given,COUNT),$(COUNT),1000) $(MESHES)
+
+# The readers of meshes beside those of others: a Python with trimesh, where there is one.
+PYTHON      ?= $(firstword $(wildcard $(BUILD)/venv/bin/python) python3)
+MESH_READER  = $(addprefix $(BUILD)/,mesh_files mesh_writer)
+bench-meshes: $(MESH_READER)
+	@$(PYTHON) $(EXPERIMENT)/mesh-times $(if $(QUICK),-q) \
+	  $(if $(call given,COUNT),-n $(COUNT)) $(BUILD)/bench-meshes
+compare-meshes: $(BUILD)/mesh_files
+	$(if $(MESH_DIR),,@echo "make compare-meshes: give MESH_DIR=FOLDER" >&2; exit 2)
+	@$(PYTHON) $(EXPERIMENT)/meshes -o $(BUILD)/compare-meshes.json "$(MESH_DIR)" $(MESHES)
 
 hard: $(SEPAX)
 	@$(EXPERIMENT)/hard $(if $(call given,COUNT),$(COUNT))

@@ -186,6 +186,13 @@ $(BUILD)/bench_bodies: $(BODIES_O) $(LIB)
 	@echo "  LINK    $@"
 	@$(CXX) $^ $(call header,fcl/fcl.h,-lfcl -lccd) $(call header,embree3/rtcore.h,-lembree3) \
 	  $(call header,mpfr.h,-lmpfr) -lgmp -lm -pthread -o $@
+# Meshes from files, by assimp, too, where its header is.
+$(BUILD)/mesh_files: LIBS = -ljansson $(IO_LIBS) $(call header,assimp/cimport.h,-lassimp)
+$(BUILD)/mesh_files: $(call object,tb/benchmark/mesh_files.c) $(IO) $(LIB)
+$(BUILD)/mesh_writer: LIBS = $(call header,zip.h,-lzip)
+$(BUILD)/mesh_writer: $(call object,tb/benchmark/mesh_writer.c)
+$(BUILD)/mesh_files $(BUILD)/mesh_writer:
+	$(link)
 $(BUILD)/bench_tree: $(SWEEP_O) $(LIB)
 	@echo "  LINK    $@"
 	@$(CXX) $^ $(call header,fcl/fcl.h,-lfcl -lccd) -lm -pthread -o $@
