@@ -3,7 +3,9 @@
 #include "util/error.h"
 
 #include <errno.h>
+#include <float.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -105,10 +107,19 @@ static const uint64_t five[FIVES] = {
     7450580596923828125,
 };
 
-/* digits * 10^power of |power| < FIVES, rounded to the nearest, ties to even. The quotient or the
- * product is exact in 128 bits but for a remainder, of which only one bit counts: whether it is 0.
- */
+/* 10^n that are doubles */
+enum { TENS = 23 };
+static const double ten[TENS] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                 1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/* digits * 10^power of |power| < FIVES, rounded to the nearest, ties to even. The processor rounds
+ * the quotient or the product of two doubles so. Otherwise they are exact in 128 bits but for a
+ * remainder, of which only one bit counts: whether it is 0. */
 static double scaled(uint64_t digits, int power) {
+  if (FLT_EVAL_METHOD == 0 && digits <= (uint64_t)1 << 53 && power > -TENS && power < TENS) {
+    return power < 0 ? (double)digits / ten[-power] : (double)digits * ten[power];
+  }
   if (digits == 0) {
     return 0;
   }
@@ -140,18 +151,28 @@ static double scaled(uint64_t digits, int power) {
 typedef struct {
   uint64_t digits;
   int power, used; /* digits that count, without zeros before them */
-  bool any;
 } decimal;
 
+static bool is_digit(char c) { return (unsigned char)(c - '0') < 10; }
+
 static const char *scan_digits(const char *c, decimal *d, bool behind_point) {
-  for (; *c >= '0' && *c <= '9'; c++) {
-    d->any = true;
+  for (; is_digit(*c); c++) {
     d->used += d->used > 0 || *c != '0';
     if (d->used < 20) {
       d->digits = 10 * d->digits + (uint64_t)(*c - '0');
       d->power -= behind_point;
     }
   }
+  return c;
+}
+
+/* A run of digits behind those that *digits has; wrong where there are more than 19 in all. */
+static const char *scan_few(const char *c, uint64_t *digits) {
+  uint64_t sum = *digits;
+  for (; is_digit(*c); c++) {
+    sum = 10 * sum + (uint64_t)(*c - '0');
+  }
+  *digits = sum;
   return c;
 }
 
@@ -174,15 +195,28 @@ static const char *scan_exponent(const char *c, int *power) {
   return e;
 }
 
+/* Behind the digits and the point; NULL where there is no digit. */
+static const char *scan_number(const char *begin, decimal *d) {
+  const char *c = scan_few(begin, &d->digits);
+  bool point = *c == '.';
+  const char *fraction = c + point;
+  c = point ? scan_few(fraction, &d->digits) : c;
+  d->power = point ? -(int)(c - fraction) : 0;
+  ptrdiff_t count = c - begin - point;
+  if (count < 20) {
+    d->used = (int)count;
+    return count > 0 ? c : NULL;
+  }
+  *d = (decimal){0, 0, 0};
+  c = scan_digits(begin, d, false);
+  return point ? scan_digits(fraction, d, true) : c;
+}
+
 /* Numbers of more than 19 digits, or of many zeros, are left to strtod. */
 const char *sepax__decimal(const char *text, double *value) {
-  const char *c = text + (*text == '-' || *text == '+');
-  decimal d = {0, 0, 0, false};
-  c = scan_digits(c, &d, false);
-  if (*c == '.') {
-    c = scan_digits(c + 1, &d, true);
-  }
-  if (!d.any) {
+  decimal d = {0, 0, 0};
+  const char *c = scan_number(text + (*text == '-' || *text == '+'), &d);
+  if (c == NULL) {
     return NULL;
   }
   c = scan_exponent(c, &d.power);
