@@ -5,6 +5,9 @@ ZIP_OF      = $(if $(with_zip),$(wildcard io/archive/*.c),io/missing/libzip.c)
 FORMAT_OF   = $(if $(with_xml),$(wildcard program/formats/libxml2/*.c), \
               program/formats/missing/libxml2.c)
 FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c) $(FORMAT_OF))
+# What these need of the commands: options of meshes, and what is said of them.
+FORMAT_USES = $(call object,program/cli/meshes.c program/cli/question.c \
+              $(wildcard program/report/*.c))
 
 LIB_SRC   = $(wildcard lib/*/*.c)
 MODEL_SRC = $(wildcard c_model/*/*.c)
@@ -139,9 +142,9 @@ $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson
 $(BUILD)/unit/%: $(BUILD)/obj/tb/unit/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) $(GEN_OBJ) $(LIB)
 	$(link)
 
-$(BUILD)/unit/formats/%: LIBS = -lcmocka -lgmp $(IO_LIBS)
+$(BUILD)/unit/formats/%: LIBS = -lcmocka -lgmp -ljansson $(IO_LIBS)
 $(BUILD)/unit/formats/%: $(BUILD)/obj/tb/unit/formats/%.o $(BUILD)/obj/tb/harness.o \
-                         $(ORACLE_OBJ) $(FORMAT_OBJ) $(IO) $(LIB)
+                         $(ORACLE_OBJ) $(FORMAT_OBJ) $(FORMAT_USES) $(OPTIONS_OBJ) $(IO) $(LIB)
 	$(link)
 
 $(BUILD)/unit/io/%: LIBS = -lcmocka -lgmp $(IO_LIBS)
@@ -164,11 +167,10 @@ $(BUILD)/unit/synth/%: $(BUILD)/obj/tb/unit/synth/%.o $(BUILD)/obj/tb/harness.o 
 # Fuzz targets: by themselves on given inputs; with libFuzzer, which has a main of its own, where
 # FUZZER is -fsanitize=fuzzer.
 FUZZ     = $(patsubst tb/fuzz/target/%.c,$(BUILD)/fuzz/%,$(wildcard tb/fuzz/target/*.c))
-FUZZ_OBJ = $(call object,$(if $(FUZZER),,tb/fuzz/replay.c) $(addprefix tb/fuzz/,fuzz.c mesh.c) \
-           program/cli/meshes.c program/cli/question.c $(wildcard program/report/*.c))
+FUZZ_OBJ = $(call object,$(if $(FUZZER),,tb/fuzz/replay.c) $(addprefix tb/fuzz/,fuzz.c mesh.c))
 $(FUZZ): LIBS = -ljansson $(IO_LIBS) $(FUZZER)
-$(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(OPTIONS_OBJ) \
-                 $(IO) $(LIB)
+$(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(FORMAT_USES) \
+                 $(OPTIONS_OBJ) $(IO) $(LIB)
 	$(link)
 
 # Bodies that move beside the libraries that are here.
