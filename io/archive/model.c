@@ -1,0 +1,530 @@
+/* model.c - a model part of a 3MF package: its objects and items, element by element. */
+#include "archive/model.h"
+#include "util/list.h"
+#include "util/text.h"
+
+#include <string.h>
+
+#define XML_SPACE "http://www.w3.org/XML/1998/namespace"
+
+/* The elements of the core. */
+typedef enum {
+  OUTSIDE,
+  MODEL,
+  METADATA,
+  RESOURCES,
+  BASEMATERIALS,
+  BASE,
+  OBJECT,
+  METADATAGROUP,
+  MESH,
+  VERTICES,
+  VERTEX,
+  TRIANGLES,
+  TRIANGLE,
+  COMPONENTS,
+  COMPONENT,
+  BUILD,
+  ITEM,
+  ELEMENTS
+} core_element;
+
+/* Where each may be, and its attributes; what stands after '|' has no surface and is named. Slicers
+ * write some without a prefix: how triangles are painted, and what is not to be printed. */
+static const struct {
+  const char *name;
+  unsigned parents;
+  const char *attributes;
+} core[ELEMENTS] = {
+    [MODEL] = {"model", 1u << OUTSIDE, " unit requiredextensions recommendedextensions "},
+    [METADATA] = {"metadata", 1u << MODEL | 1u << METADATAGROUP | 1u << RESOURCES | 1u << OBJECT,
+                  " name preserve type "},
+    [RESOURCES] = {"resources", 1u << MODEL, " "},
+    [BASEMATERIALS] = {"basematerials", 1u << RESOURCES, " id displaypropertiesid "},
+    [BASE] = {"base", 1u << BASEMATERIALS, " name displaycolor displaypropertiesid "},
+    [OBJECT] = {"object", 1u << RESOURCES, " id type thumbnail partnumber name pid pindex "},
+    [METADATAGROUP] = {"metadatagroup", 1u << OBJECT | 1u << ITEM, " "},
+    [MESH] = {"mesh", 1u << OBJECT, " "},
+    [VERTICES] = {"vertices", 1u << MESH, " "},
+    [VERTEX] = {"vertex", 1u << VERTICES, " x y z "},
+    [TRIANGLES] = {"triangles", 1u << MESH, " "},
+    [TRIANGLE] = {"triangle", 1u << TRIANGLES,
+                  " v1 v2 v3 p1 p2 p3 pid | paint_color paint_supports paint_seam "
+                  "paint_fuzzy_skin face_property "},
+    [COMPONENTS] = {"components", 1u << OBJECT, " "},
+    [COMPONENT] = {"component", 1u << COMPONENTS, " objectid transform "},
+    [BUILD] = {"build", 1u << MODEL, " "},
+    [ITEM] = {"item", 1u << BUILD, " objectid transform partnumber printable "},
+};
+
+enum { DEPTH_MOST = 257 };
+
+/* The part while it is read. */
+typedef struct {
+  model *m;
+  core_element open[DEPTH_MOST]; /* the elements that are open */
+  size_t depth;
+  size_t foreign; /* an element of another namespace, and those in it, that are open */
+  unsigned seen;  /* of the elements that a model has once */
+  unsigned in_object;
+} reading;
+
+static mesh_builder *builder(const part_xml *x) { return x->p->b; }
+
+/* "slic3rpe:mmu_segmentation attributes". */
+static bool name_foreign(part_xml *x, const char *prefix, const char *name, const char *what) {
+  char text[60];
+  snprintf(text, sizeof text, "%.16s%s%.27s %s", prefix != NULL ? prefix : "",
+           prefix != NULL ? ":" : "", name, what);
+  return sepax__builder_other(builder(x), text, 1);
+}
+
+/* ---------------------------------------------------------------------- attributes */
+
+static bool is_core(const char *space) { return space == NULL || strcmp(space, CORE_SPACE) == 0; }
+
+static bool check_core_attribute(part_xml *x, core_element which, const char *name) {
+  char word[64];
+  const char *all = core[which].attributes;
+  const char *bar = strchr(all, '|');
+  snprintf(word, sizeof word, " %.60s ", name);
+  const char *found = strstr(all, word);
+  if (found == NULL || strchr(name, ' ') != NULL || name[0] == '|') {
+    return sepax__part_xml_fail(x, "<%s %.40s=...> is not in the specification; export it again",
+                                core[which].name, name);
+  }
+  return bar == NULL || found < bar || sepax__builder_other(builder(x), "painted triangles", 1);
+}
+
+static bool check_attributes(part_xml *x, core_element which, const part_element *e) {
+  for (int n = 0; n < e->attributes; n++) {
+    part_attribute a = sepax__part_attribute(e, n);
+    bool uuid = a.space != NULL && strcmp(a.space, PRODUCTION_SPACE) == 0;
+    bool path = uuid && strcmp(a.name, "path") == 0 && (which == ITEM || which == COMPONENT);
+    bool ok = true;
+    if (is_core(a.space)) {
+      ok = check_core_attribute(x, which, a.name);
+    } else if (!path && strcmp(a.space, XML_SPACE) != 0) {
+      ok = name_foreign(x, a.prefix, a.name, "attributes");
+    }
+    if (!ok) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool find_attribute(const part_element *e, const char *name, part_attribute *a) {
+  for (int n = 0; n < e->attributes; n++) {
+    *a = sepax__part_attribute(e, n);
+    if (is_core(a->space) && strcmp(a->name, name) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+static void trim(part_attribute *a) {
+  while (a->length > 0 && is_blank(a->value[0])) {
+    a->value++;
+    a->length--;
+  }
+  while (a->length > 0 && is_blank(a->value[a->length - 1])) {
+    a->length--;
+  }
+}
+
+static bool read_number(part_xml *x, const part_attribute *given, double *value) {
+  part_attribute a = *given;
+  trim(&a);
+  return (a.length > 0 && sepax__number(a.value, a.length, value)) ||
+         sepax__part_xml_fail(x, "%s=\"%.*s\": give a finite number", a.name,
+                              (int)(a.length < 40 ? a.length : 40), a.value);
+}
+
+/* Whole, 0 ... 2^31 - 1. */
+static bool read_whole(part_xml *x, const part_attribute *given, size_t *value) {
+  part_attribute a = *given;
+  size_t number = 0;
+  trim(&a);
+  bool ok = a.length > 0 && a.length <= 10;
+  for (size_t n = 0; n < a.length && ok; n++) {
+    ok = a.value[n] >= '0' && a.value[n] <= '9';
+    number = 10 * number + (size_t)(a.value[n] - '0');
+  }
+  *value = number;
+  return (ok && number <= INT32_MAX) ||
+         sepax__part_xml_fail(x, "%s=\"%.*s\": give a whole number of 0 ... 2147483647", a.name,
+                              (int)(a.length < 40 ? a.length : 40), a.value);
+}
+
+static bool required_whole(part_xml *x, core_element which, const part_element *e, const char *name,
+                           size_t *value) {
+  part_attribute a;
+  if (!find_attribute(e, name, &a)) {
+    return sepax__part_xml_fail(x, "<%s> without %s=\"...\"; export it again", core[which].name,
+                                name);
+  }
+  return read_whole(x, &a, value);
+}
+
+/* ------------------------------------------------------------------------- the model */
+
+static bool read_unit(part_xml *x, reading *r, const part_element *e) {
+  static const struct {
+    const char *name;
+    double mm;
+  } units[] = {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10},
+               {"inch", 25.4},    {"foot", 304.8},   {"meter", 1000}};
+  sepax_mesh_account *account = &builder(x)->account;
+  part_attribute a;
+  size_t n = 1;
+  if (find_attribute(e, "unit", &a)) {
+    n = 0;
+    while (n < 6 && !sepax__part_value_is(&a, units[n].name)) {
+      n++;
+    }
+  }
+  if (n == 6) {
+    return sepax__part_xml_fail(x,
+                                "unit=\"%.*s\": give micron, millimeter, centimeter, inch, foot or "
+                                "meter",
+                                (int)(a.length < 40 ? a.length : 40), a.value);
+  }
+  if (x->part == r->m->root) {
+    snprintf(account->unit, sizeof account->unit, "%s", units[n].name);
+    account->unit_mm = units[n].mm;
+  }
+  return account->unit_mm == units[n].mm ||
+         sepax__part_xml_fail(x, "its unit is %s, but that of the whole is %s; export it again",
+                              units[n].name, account->unit);
+}
+
+static const char *space_of_prefix(const part_element *e, const char *prefix, size_t length) {
+  for (int n = 0; n < e->space_count; n++) {
+    const char *declared = (const char *)e->spaces[2 * n];
+    if (declared != NULL && strlen(declared) == length && memcmp(declared, prefix, length) == 0) {
+      return (const char *)e->spaces[2 * n + 1];
+    }
+  }
+  return NULL;
+}
+
+static bool require_extension(part_xml *x, const part_element *e, const char *prefix,
+                              size_t length) {
+  const char *space = space_of_prefix(e, prefix, length);
+  int shown = (int)(length < 40 ? length : 40);
+  if (space == NULL) {
+    return sepax__part_xml_fail(x,
+                                "it requires the extension \"%.*s\", but has no namespace of this "
+                                "prefix; export it again",
+                                shown, prefix);
+  }
+  return is_core(space) || sepax__model_extension(space) == EXTENSION_READ ||
+         sepax__part_xml_fail(x,
+                              "it requires the extension %.*s (%.100s), which is not read; export "
+                              "triangles alone",
+                              shown, prefix, space);
+}
+
+static bool read_model(part_xml *x, reading *r, const part_element *e) {
+  part_attribute a;
+  if (find_attribute(e, "requiredextensions", &a)) {
+    size_t at = 0;
+    while (at < a.length) {
+      size_t length = 0;
+      while (at + length < a.length && !is_blank(a.value[at + length])) {
+        length++;
+      }
+      if (length > 0 && !require_extension(x, e, a.value + at, length)) {
+        return false;
+      }
+      at += length + 1;
+    }
+  }
+  return read_unit(x, r, e);
+}
+
+/* ------------------------------------------------------------------ objects and items */
+
+static bool read_object(part_xml *x, reading *r, const part_element *e) {
+  static const char *const types[] = {"model", "solidsupport", "support", "surface", "other"};
+  model *m = r->m;
+  part_attribute a;
+  size_t id = 0;
+  size_t type = 0;
+  if (!required_whole(x, OBJECT, e, "id", &id)) {
+    return false;
+  }
+  if (find_attribute(e, "type", &a)) {
+    while (type < 5 && !sepax__part_value_is(&a, types[type])) {
+      type++;
+    }
+  }
+  if (type == 5) {
+    return sepax__part_xml_fail(
+        x, "object %zu: type=\"%.*s\": give model, solidsupport, support, surface or other", id,
+        (int)(a.length < 40 ? a.length : 40), a.value);
+  }
+  model_object *grown = list_grow(m->object, &m->object_space, m->objects, sizeof *grown);
+  if (grown == NULL) {
+    return sepax__builder_fail_memory(builder(x));
+  }
+  m->object = grown;
+  m->object[m->objects++] = (model_object){
+      .part = x->part, .id = id, .line = x->parser->input->line, .is_other = type == 4};
+  r->in_object = 0;
+  return (type != 1 && type != 2) ||
+         sepax__builder_other(builder(x), "printing supports, which are read", 1);
+}
+
+static bool read_once(part_xml *x, unsigned *seen, core_element which) {
+  bool again = (*seen & 1u << which) != 0;
+  *seen |= 1u << which;
+  return !again ||
+         sepax__part_xml_fail(x, "a second <%s>; leave one of them out", core[which].name);
+}
+
+/* The object that is read. */
+static model_object *current(const reading *r) { return &r->m->object[r->m->objects - 1]; }
+
+static bool read_mesh_or_components(part_xml *x, reading *r, core_element which) {
+  model_object *o = current(r);
+  if (!read_once(x, &r->in_object, which)) {
+    return false;
+  }
+  if ((r->in_object & 1u << MESH) != 0 && (r->in_object & 1u << COMPONENTS) != 0) {
+    return sepax__part_xml_fail(x, "object %zu has a mesh and components; give one of them", o->id);
+  }
+  o->is_mesh = which == MESH;
+  o->first = which == MESH ? r->m->triangles : r->m->components;
+  o->vertex = r->m->vertices;
+  return true;
+}
+
+static bool read_vertex(part_xml *x, reading *r, const part_element *e) {
+  model *m = r->m;
+  double v[3];
+  unsigned got = 0;
+  for (int n = 0; n < e->attributes; n++) {
+    part_attribute a = sepax__part_attribute(e, n);
+    if (is_core(a.space)) {
+      int axis = a.name[0] - 'x';
+      if (!read_number(x, &a, &v[axis])) {
+        return false;
+      }
+      got |= 1u << axis;
+    }
+  }
+  if (got != 7) {
+    return sepax__part_xml_fail(x, "<vertex> without x, y and z; export it again");
+  }
+  double(*grown)[3] = list_grow(m->vertex, &m->vertex_space, m->vertices, sizeof *grown);
+  if (grown == NULL) {
+    return sepax__builder_fail_memory(builder(x));
+  }
+  m->vertex = grown;
+  memcpy(m->vertex[m->vertices++], v, sizeof v);
+  return true;
+}
+
+static bool read_triangle(part_xml *x, reading *r, const part_element *e) {
+  model *m = r->m;
+  uint32_t corner[3];
+  size_t vertices = m->vertices - current(r)->vertex;
+  unsigned got = 0;
+  for (int n = 0; n < e->attributes; n++) {
+    part_attribute a = sepax__part_attribute(e, n);
+    if (is_core(a.space) && a.name[0] == 'v') {
+      size_t index;
+      int k = a.name[1] - '1';
+      if (!read_whole(x, &a, &index)) {
+        return false;
+      }
+      if (index >= vertices) {
+        return sepax__part_xml_fail(x, "%s=\"%zu\", but the mesh has %zu vertices; export it again",
+                                    a.name, index, vertices);
+      }
+      corner[k] = (uint32_t)index;
+      got |= 1u << k;
+    }
+  }
+  if (got != 7) {
+    return sepax__part_xml_fail(x, "<triangle> without v1, v2 and v3; export it again");
+  }
+  uint32_t(*grown)[3] = list_grow(m->triangle, &m->triangle_space, m->triangles, sizeof *grown);
+  if (grown == NULL) {
+    return sepax__builder_fail_memory(builder(x));
+  }
+  m->triangle = grown;
+  memcpy(m->triangle[m->triangles++], corner, sizeof corner);
+  current(r)->count++;
+  return true;
+}
+
+/* The part that p:path says, else this one. */
+static bool read_path(part_xml *x, const part_element *e, size_t *part) {
+  *part = x->part;
+  for (int n = 0; n < e->attributes; n++) {
+    part_attribute a = sepax__part_attribute(e, n);
+    if (is_core(a.space) || strcmp(a.space, PRODUCTION_SPACE) != 0 || strcmp(a.name, "path") != 0) {
+      continue;
+    }
+    char path[1024];
+    snprintf(path, sizeof path, "%.*s", (int)(a.length < 1023 ? a.length : 1023), a.value);
+    long found = path[0] == '/' ? sepax__package_find(x->p, path) : NO_PART;
+    if (found == NO_PART) {
+      return sepax__part_xml_fail(
+          x, "%.20s:path=\"%.80s\" is no part of the package; export it again", a.prefix, path);
+    }
+    *part = (size_t)found;
+    x->p->part[found].is_model = true;
+  }
+  return true;
+}
+
+static bool read_use(part_xml *x, core_element which, const part_element *e, model_use **list,
+                     size_t *count, size_t *space) {
+  model_use use = {.in = x->part, .line = x->parser->input->line, .at = {.identity = true}};
+  part_attribute a;
+  if (!required_whole(x, which, e, "objectid", &use.id) || !read_path(x, e, &use.part) ||
+      (find_attribute(e, "transform", &a) && !sepax__model_matrix(x, &a, &use.at))) {
+    return false;
+  }
+  model_use *grown = list_grow(*list, space, *count, sizeof *grown);
+  if (grown == NULL) {
+    return sepax__builder_fail_memory(builder(x));
+  }
+  *list = grown;
+  grown[(*count)++] = use;
+  return true;
+}
+
+static bool read_item(part_xml *x, reading *r, const part_element *e) {
+  model *m = r->m;
+  part_attribute a;
+  if (x->part != m->root) { /* by the production extension, they are of no account */
+    return sepax__builder_other(builder(x), "build items of other parts than the first", 1);
+  }
+  if (find_attribute(e, "printable", &a)) {
+    bool no = sepax__part_value_is(&a, "0") || sepax__part_value_is(&a, "false");
+    if (no && !sepax__builder_other(builder(x), "items not to be printed, which are read", 1)) {
+      return false;
+    }
+  }
+  return read_use(x, ITEM, e, &m->item, &m->items, &m->item_space);
+}
+
+/* ---------------------------------------------------------------------------- elements */
+
+static bool read_core(part_xml *x, reading *r, core_element which, const part_element *e) {
+  model *m = r->m;
+  switch (which) {
+  case MODEL:
+    return read_model(x, r, e);
+  case RESOURCES:
+  case BUILD:
+    return read_once(x, &r->seen, which);
+  case OBJECT:
+    return read_object(x, r, e);
+  case MESH:
+  case COMPONENTS:
+    return read_mesh_or_components(x, r, which);
+  case VERTICES:
+    return read_once(x, &r->in_object, which);
+  case TRIANGLES:
+    return ((r->in_object & 1u << VERTICES) != 0 ||
+            sepax__part_xml_fail(x, "<triangles> before <vertices>; export it again")) &&
+           read_once(x, &r->in_object, which);
+  case VERTEX:
+    return read_vertex(x, r, e);
+  case TRIANGLE:
+    return read_triangle(x, r, e);
+  case COMPONENT:
+    current(r)->count++;
+    return read_use(x, COMPONENT, e, &m->component, &m->components, &m->component_space);
+  case ITEM:
+    return read_item(x, r, e);
+  case METADATA:
+    return sepax__builder_other(builder(x), "metadata", 1);
+  case BASE:
+    return sepax__builder_other(builder(x), "base materials", 1);
+  default:
+    return true;
+  }
+}
+
+static core_element find_core(core_element parent, const char *name) {
+  for (int n = MODEL; n < ELEMENTS; n++) {
+    if ((core[n].parents & 1u << parent) != 0 && strcmp(core[n].name, name) == 0) {
+      return (core_element)n;
+    }
+  }
+  return OUTSIDE;
+}
+
+static bool start_foreign(part_xml *x, reading *r, const part_element *e) {
+  if (e->space != NULL && sepax__model_extension(e->space) == EXTENSION_SURFACES) {
+    return sepax__part_xml_fail(x,
+                                "<%.40s> of the extension %.100s is not read; export triangles "
+                                "alone",
+                                e->name, e->space);
+  }
+  return r->foreign++ > 0 || name_foreign(x, e->prefix, e->name, "elements");
+}
+
+static bool start(part_xml *x, const part_element *e) {
+  reading *r = x->context;
+  core_element parent = r->open[r->depth];
+  core_element which = OUTSIDE;
+  if (r->foreign == 0 && e->space != NULL && strcmp(e->space, CORE_SPACE) == 0) {
+    which = find_core(parent, e->name);
+  }
+  if (parent == OUTSIDE && r->depth == 0 && which != MODEL) {
+    return sepax__part_xml_fail(x, "its root is no <model> of %s; export it as 3MF", CORE_SPACE);
+  }
+  if (r->foreign == 0 && which == OUTSIDE && is_core(e->space)) {
+    return sepax__part_xml_fail(x, "<%.40s> in <%s> is not in the specification; export it again",
+                                e->name, core[parent].name);
+  }
+  if (which == OUTSIDE) {
+    return start_foreign(x, r, e);
+  }
+  r->open[++r->depth] = which;
+  return check_attributes(x, which, e) && read_core(x, r, which, e);
+}
+
+static void end(part_xml *x) {
+  reading *r = x->context;
+  if (r->foreign > 0) {
+    r->foreign--;
+  } else {
+    r->depth--;
+  }
+}
+
+static bool check_objects(const model *m, size_t first) {
+  for (size_t n = first; n < m->objects; n++) {
+    const model_object *o = &m->object[n];
+    if (!o->is_mesh && o->count == 0) {
+      return sepax__package_fail(&m->p, o->part, o->line,
+                                 "object %zu has neither a mesh nor components; leave it out",
+                                 o->id);
+    }
+  }
+  return true;
+}
+
+bool sepax__model_read(model *m, size_t part) {
+  reading r = {.m = m};
+  part_xml x = {.p = &m->p, .part = part, .start = start, .end = end, .context = &r};
+  size_t first = m->objects;
+  m->p.part[part].was_read = true;
+  if (!sepax__part_xml_read(&x) || !check_objects(m, first)) {
+    return false;
+  }
+  return (r.seen & 1u << BUILD) != 0 || part != m->root ||
+         sepax__package_fail(&m->p, part, 0, "it has no <build>; export it again");
+}

@@ -1,0 +1,247 @@
+/* place.c - the objects of a 3MF package where its items and components place them. */
+#include "archive/model.h"
+#include "util/text.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of components in components. */
+enum { HEIGHT_MOST = 64 };
+
+/* ------------------------------------------------------------------------- matrices */
+
+static double determinant(const double m[4][3]) {
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+/* The sign of the determinant, of rows of length about one, as it could underflow otherwise. */
+static double orientation(const double m[4][3]) {
+  double scaled[4][3];
+  for (int i = 0; i < 3; i++) {
+    double most = fmax(fabs(m[i][0]), fmax(fabs(m[i][1]), fabs(m[i][2])));
+    int exponent = 0;
+    frexp(most, &exponent);
+    for (int k = 0; k < 3; k++) {
+      scaled[i][k] = ldexp(m[i][k], -exponent);
+    }
+  }
+  return determinant((const double(*)[3])scaled);
+}
+
+bool sepax__model_matrix(const part_xml *x, const part_attribute *a, model_matrix *at) {
+  static const double identity[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+  const char *c = a->value;
+  const char *end = a->value + a->length;
+  int count = 0;
+  while (true) {
+    while (c < end && (*c == ' ' || *c == '\t' || *c == '\n' || *c == '\r')) {
+      c++;
+    }
+    const char *word = c;
+    while (c < end && *c != ' ' && *c != '\t' && *c != '\n' && *c != '\r') {
+      c++;
+    }
+    if (word == c) {
+      break;
+    }
+    if (count == 12 || !sepax__number(word, (size_t)(c - word), &at->m[count / 3][count % 3])) {
+      count = 0;
+      break;
+    }
+    count++;
+  }
+  if (count != 12) {
+    return sepax__part_xml_fail(x, "transform=\"%.*s\": give 12 finite numbers",
+                                (int)(a->length < 60 ? a->length : 60), a->value);
+  }
+  double sign = orientation((const double(*)[3])at->m);
+  at->identity = memcmp(at->m, identity, sizeof identity) == 0;
+  at->mirrors = sign < 0;
+  return sign != 0 ||
+         sepax__part_xml_fail(x, "transform=\"%.*s\" makes the object flat; give one that does not",
+                              (int)(a->length < 60 ? a->length : 60), a->value);
+}
+
+/* First `inner`, then `outer`. */
+static model_matrix multiply(const model_matrix *inner, const model_matrix *outer) {
+  if (outer->identity) {
+    return *inner;
+  }
+  if (inner->identity) {
+    return *outer;
+  }
+  model_matrix product = {.mirrors = inner->mirrors != outer->mirrors};
+  for (int i = 0; i < 4; i++) {
+    for (int k = 0; k < 3; k++) {
+      product.m[i][k] = inner->m[i][0] * outer->m[0][k] + inner->m[i][1] * outer->m[1][k] +
+                        inner->m[i][2] * outer->m[2][k] + (i == 3 ? outer->m[3][k] : 0);
+    }
+  }
+  return product;
+}
+
+static void apply(const model_matrix *at, const double from[3], double to[3]) {
+  for (int k = 0; k < 3; k++) {
+    to[k] = at->identity ? from[k]
+                         : from[0] * at->m[0][k] + from[1] * at->m[1][k] + from[2] * at->m[2][k] +
+                               at->m[3][k];
+  }
+}
+
+/* -------------------------------------------------------------------------- objects */
+
+static int compare_objects(const void *left, const void *right) {
+  const model_object *a = left;
+  const model_object *b = right;
+  if (a->part != b->part) {
+    return a->part < b->part ? -1 : 1;
+  }
+  return a->id < b->id ? -1 : a->id > b->id;
+}
+
+static bool sort_objects(model *m) {
+  if (m->objects == 0) {
+    return true;
+  }
+  qsort(m->object, m->objects, sizeof *m->object, compare_objects);
+  for (size_t n = 1; n < m->objects; n++) {
+    const model_object *o = &m->object[n];
+    if (compare_objects(o - 1, o) == 0) {
+      return sepax__package_fail(&m->p, o->part, o->line > o[-1].line ? o->line : o[-1].line,
+                                 "a second object %zu; give each its own id", o->id);
+    }
+  }
+  return true;
+}
+
+static model_object *find_object(const model *m, const model_use *use) {
+  model_object key = {.part = use->part, .id = use->id};
+  model_object *found =
+      m->objects > 0 ? bsearch(&key, m->object, m->objects, sizeof key, compare_objects) : NULL;
+  if (found == NULL) {
+    sepax__package_fail(&m->p, use->in, use->line,
+                        "object %zu is not in part %.80s; export it again", use->id,
+                        m->p.part[use->part].name);
+  }
+  return found;
+}
+
+static size_t add(size_t a, size_t b) { return a > SIZE_MAX - b ? SIZE_MAX : a + b; }
+
+/* How many triangles one of the object makes, once for each, so that a file whose components double
+ * at each level takes no longer than it is. */
+static bool weigh(model *m, model_object *o, int depth) {
+  if (o->done) {
+    return true;
+  }
+  if (o->entered || depth > HEIGHT_MOST) {
+    return sepax__package_fail(&m->p, o->part, o->line,
+                               o->entered ? "object %zu has itself as a component; export it again"
+                                          : "object %zu: components are nested deeper than 64; "
+                                            "flatten them",
+                               o->id);
+  }
+  o->entered = true;
+  o->weight = o->is_mesh ? o->count : 0;
+  for (size_t n = 0; n < o->count && !o->is_mesh; n++) {
+    model_object *part = find_object(m, &m->component[o->first + n]);
+    if (part == NULL || !weigh(m, part, depth + 1)) {
+      return false;
+    }
+    o->weight = add(o->weight, part->weight);
+    o->height = part->height >= o->height ? part->height + 1 : o->height;
+  }
+  o->done = true;
+  return o->height <= HEIGHT_MOST ||
+         sepax__package_fail(&m->p, o->part, o->line,
+                             "object %zu: components are nested deeper than 64; flatten them",
+                             o->id);
+}
+
+/* That the object and what is in it is built; each is entered once. */
+static bool mark_placed(model *m, model_object *o, const model_use *item) {
+  if (o->placed) {
+    return true;
+  }
+  o->placed = true;
+  if (o->is_mesh && o->is_other) {
+    return sepax__package_fail(&m->p, item->in, item->line,
+                               "it builds object %zu, whose type is \"other\"; leave it out, or "
+                               "give it another type",
+                               o->id);
+  }
+  for (size_t n = 0; n < o->count && !o->is_mesh; n++) {
+    if (!mark_placed(m, find_object(m, &m->component[o->first + n]), item)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool place_mesh(model *m, const model_object *o, const model_matrix *at) {
+  for (size_t n = 0; n < o->count; n++) {
+    const uint32_t *index = m->triangle[o->first + n];
+    double v[3][3];
+    for (int k = 0; k < 3; k++) { /* a mirrored one keeps its outer side */
+      apply(at, m->vertex[o->vertex + index[k]], v[at->mirrors && k > 0 ? 3 - k : k]);
+    }
+    if (!sepax__builder_triangle(m->p.b, (const double(*)[3])v)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool place(model *m, const model_object *o, const model_matrix *at) {
+  if (o->weight == 0) {
+    return true;
+  }
+  if (o->is_mesh) {
+    return place_mesh(m, o, at);
+  }
+  for (size_t n = 0; n < o->count; n++) {
+    const model_use *use = &m->component[o->first + n];
+    model_matrix inner = multiply(&use->at, at);
+    if (!place(m, find_object(m, use), &inner)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool sepax__model_place(model *m, size_t *unplaced) {
+  size_t all = 0;
+  if (!sort_objects(m)) {
+    return false;
+  }
+  for (size_t n = 0; n < m->objects; n++) {
+    if (!weigh(m, &m->object[n], 0)) {
+      return false;
+    }
+  }
+  for (size_t n = 0; n < m->items; n++) {
+    model_object *o = find_object(m, &m->item[n]);
+    if (o == NULL || !mark_placed(m, o, &m->item[n])) {
+      return false;
+    }
+    all = add(all, o->weight);
+  }
+  if (all > m->p.b->how.most) {
+    return sepax_fail(m->p.b->error, SEPAX_ERROR_LIMIT,
+                      "%.240s: its items make more than %zu triangles; simplify the mesh",
+                      m->p.b->path, m->p.b->how.most);
+  }
+  for (size_t n = 0; n < m->items; n++) {
+    if (!place(m, find_object(m, &m->item[n]), &m->item[n].at)) {
+      return false;
+    }
+  }
+  for (size_t n = 0; n < m->objects; n++) {
+    const model_object *o = &m->object[n];
+    *unplaced += o->is_mesh && !o->placed ? o->count : 0;
+  }
+  return true;
+}
