@@ -27,7 +27,8 @@ typedef struct {
   size_t first, count;    /* of its triangles or components */
   size_t vertex;          /* the first of its vertices */
   /* Of place.c: */
-  size_t weight, height; /* the triangles that one of it makes; components below each other */
+  size_t weight, visits; /* the triangles that one of it makes; components visited for that */
+  size_t height;         /* components below each other */
   bool entered, done, placed;
 } model_object;
 

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of components in components. */
-enum { HEIGHT_MOST = 64 };
+/* Of components in components; components that are visited to place all. */
+enum { HEIGHT_MOST = 64, VISITS_MOST = 4000000 };
 
 /* ------------------------------------------------------------------------- matrices */
 
@@ -152,6 +152,7 @@ static bool weigh(model *m, model_object *o, int depth) {
       return false;
     }
     o->weight = add(o->weight, part->weight);
+    o->visits = add(o->visits, part->weight > 0 ? add(part->visits, 1) : 1);
     o->height = part->height >= o->height ? part->height + 1 : o->height;
   }
   o->done = true;
@@ -214,6 +215,7 @@ static bool place(model *m, const model_object *o, const model_matrix *at) {
 
 bool sepax__model_place(model *m, size_t *unplaced) {
   size_t all = 0;
+  size_t visits = 0;
   if (!sort_objects(m)) {
     return false;
   }
@@ -228,6 +230,12 @@ bool sepax__model_place(model *m, size_t *unplaced) {
       return false;
     }
     all = add(all, o->weight);
+    visits = add(visits, o->weight > 0 ? o->visits : 0);
+  }
+  if (visits > VISITS_MOST) {
+    return sepax_fail(m->p.b->error, SEPAX_ERROR_LIMIT,
+                      "%.240s: its components are placed more than %d times; simplify it",
+                      m->p.b->path, (int)VISITS_MOST);
   }
   if (all > m->p.b->how.most) {
     return sepax_fail(m->p.b->error, SEPAX_ERROR_LIMIT,

@@ -4,6 +4,7 @@
 #include "util/error.h"
 #include "util/text.h"
 
+#include <libxml/SAX2.h>
 #include <libxml/parser.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,6 +30,33 @@ bool sepax__xml_fail(const xml_file *file, const xmlNode *node, sepax_error *err
 
 /* ------------------------------------------------------------------------ parsing */
 
+/* A tree takes a hundred times the bytes of the shortest element, so their number has a limit. */
+enum { ELEMENTS_MOST = 4000000, DEPTH_MOST = 256 };
+
+/* Of a file that is parsed. */
+typedef struct {
+  bool has_type, too_many, too_deep;
+  int line;        /* where it is too deep */
+  size_t elements; /* and attributes */
+} xml_parse;
+
+static void start_element(void *context, const xmlChar *name, const xmlChar *prefix,
+                          const xmlChar *space, int space_count, const xmlChar **spaces,
+                          int attributes, int defaulted, const xmlChar **attribute) {
+  xmlParserCtxt *parser = context;
+  xml_parse *parse = parser->_private;
+  parse->elements += 1 + (size_t)attributes + (size_t)space_count;
+  parse->too_many = parse->elements > ELEMENTS_MOST;
+  parse->too_deep = parser->nameNr > DEPTH_MOST;
+  parse->line = parser->input->line;
+  if (parse->too_many || parse->too_deep) {
+    xmlStopParser(parser);
+    return;
+  }
+  xmlSAX2StartElementNs(context, name, prefix, space, space_count, spaces, attributes, defaulted,
+                        attribute);
+}
+
 /* A document type is where entities come from: the parser ends before it reads one. */
 static void refuse_type(void *context, const xmlChar *name, const xmlChar *external,
                         const xmlChar *system) {
@@ -36,22 +64,27 @@ static void refuse_type(void *context, const xmlChar *name, const xmlChar *exter
   (void)name;
   (void)external;
   (void)system;
-  *(bool *)parser->_private = true;
+  ((xml_parse *)parser->_private)->has_type = true;
   xmlStopParser(parser);
 }
 
-static bool fail_parser(xmlParserCtxt *parser, const char *path, bool has_type,
+static bool fail_parser(xmlParserCtxt *parser, const char *path, const xml_parse *parse,
                         sepax_error *error) {
-  if (has_type) {
+  if (parse->has_type) {
     return sepax_fail(error, SEPAX_ERROR_FORMAT,
                       "%.240s: it has a document type (<!DOCTYPE>); take it out", path);
   }
+  if (parse->too_deep) {
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%d: deeper than %d elements; flatten it",
+                      path, parse->line, (int)DEPTH_MOST);
+  }
+  if (parse->too_many) {
+    return sepax_fail(error, SEPAX_ERROR_LIMIT,
+                      "%.240s:%d: more than %d elements and attributes; simplify it", path,
+                      parse->line, (int)ELEMENTS_MOST);
+  }
   const xmlError *last = xmlCtxtGetLastError(parser);
   const char *text = last != NULL && last->message != NULL ? last->message : "no XML";
-  if (strncmp(text, "Excessive depth", strlen("Excessive depth")) == 0) {
-    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%d: deeper than 256 elements; flatten it",
-                      path, last->line);
-  }
   return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%d: %.*s; mend the XML", path,
                     last != NULL ? last->line : 1, (int)strcspn(text, "\n"), text);
 }
@@ -59,18 +92,23 @@ static bool fail_parser(xmlParserCtxt *parser, const char *path, bool has_type,
 bool sepax__xml_parse(xml_file *file, const char *path, const char *bytes, size_t size,
                       const char *root, sepax_error *error) {
   /* Without the limits of libxml2 on the length of a text, which a long mesh exceeds. Entities,
-   * against which they are, need a document type. */
-  int options = XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING |
-                (size > XML_BYTES_MOST ? XML_PARSE_HUGE : 0);
+   * against which they are, need a document type. Comments are no text, so they make no nodes, and
+   * what an element has is one text. */
+  int options = XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_NOENT |
+                XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES | XML_PARSE_HUGE;
+  xml_parse parse = {0};
   *file = (xml_file){.path = path};
   xmlParserCtxt *parser = xmlNewParserCtxt();
-  bool has_type = false;
   bool ok = false;
   if (parser != NULL) {
-    parser->_private = &has_type;
+    parser->_private = &parse;
     parser->sax->internalSubset = refuse_type;
+    parser->sax->startElementNs = start_element;
+    parser->sax->comment = NULL;
+    parser->sax->processingInstruction = NULL;
     file->doc = xmlCtxtReadMemory(parser, bytes, (int)size, NULL, NULL, options);
-    ok = (file->doc != NULL && !has_type) || fail_parser(parser, path, has_type, error);
+    ok = (file->doc != NULL && !parse.has_type && !parse.too_deep && !parse.too_many) ||
+         fail_parser(parser, path, &parse, error);
     xmlFreeParserCtxt(parser);
   } else {
     sepax_fail(error, SEPAX_ERROR_MEMORY, "%.300s: no memory to read it", path);

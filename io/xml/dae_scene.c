@@ -1,0 +1,377 @@
+/* dae_scene.c - the geometries of a COLLADA document where its scene places them. */
+#include "util/text.h"
+#include "xml/dae.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Of nodes in nodes, those that they refer to as well; children that are visited to place all. */
+enum { HEIGHT_MOST = 300, VISITS_MOST = 4000000 };
+
+/* p' = m p of a column (x y z 1). */
+typedef struct {
+  double m[3][4];
+  bool identity;
+} dae_matrix;
+
+static const dae_matrix identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, true};
+
+/* ---------------------------------------------------------------------------- matrices */
+
+static dae_matrix multiply(const dae_matrix *outer, const dae_matrix *inner) {
+  if (outer->identity) {
+    return *inner;
+  }
+  if (inner->identity) {
+    return *outer;
+  }
+  dae_matrix product = {.identity = false};
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 4; k++) {
+      product.m[i][k] = outer->m[i][0] * inner->m[0][k] + outer->m[i][1] * inner->m[1][k] +
+                        outer->m[i][2] * inner->m[2][k] + (k == 3 ? outer->m[i][3] : 0);
+    }
+  }
+  return product;
+}
+
+/* Whether it makes a plane or less of all; its rows are made about one long, as the determinant
+ * could underflow otherwise. */
+static bool is_flat(const dae_matrix *at) {
+  double r[3][3];
+  for (int i = 0; i < 3; i++) {
+    int exponent = 0;
+    frexp(fmax(fabs(at->m[i][0]), fmax(fabs(at->m[i][1]), fabs(at->m[i][2]))), &exponent);
+    for (int k = 0; k < 3; k++) {
+      r[i][k] = ldexp(at->m[i][k], -exponent);
+    }
+  }
+  return r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) -
+             r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) +
+             r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]) ==
+         0;
+}
+
+static bool read_matrix(const dae *d, const xmlNode *node, dae_matrix *at) {
+  double value[16];
+  if (!sepax__dae_reals(d, node, value, 16)) {
+    return false;
+  }
+  if (value[12] != 0 || value[13] != 0 || value[14] != 0 || value[15] != 1) {
+    return sepax__dae_fail(d, node, "<%s>: its last row is not 0 0 0 1; export it again",
+                           (const char *)node->name);
+  }
+  memcpy(at->m, value, sizeof at->m);
+  return true;
+}
+
+/* Exact where the angle is a multiple of 90 degrees. */
+static void turn(double degrees, double *cosine, double *sine) {
+  static const double exact[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  static const double pi = 3.14159265358979323846;
+  double angle = fmod(degrees, 360);
+  double quarters = angle / 90;
+  if (quarters == floor(quarters)) {
+    const double *known = exact[((int)quarters + 4) % 4];
+    *cosine = known[0];
+    *sine = known[1];
+  } else {
+    *cosine = cos(angle * pi / 180);
+    *sine = sin(angle * pi / 180);
+  }
+}
+
+static bool read_rotate(const dae *d, const xmlNode *node, dae_matrix *at) {
+  double value[4];
+  if (!sepax__dae_reals(d, node, value, 4)) {
+    return false;
+  }
+  double length = hypot(hypot(value[0], value[1]), value[2]);
+  double cosine;
+  double sine;
+  turn(value[3], &cosine, &sine);
+  if (!(length > 0) || isinf(length) || !isfinite(cosine)) {
+    return sepax__dae_fail(d, node, "<rotate>: give an axis that is not zero, and an angle");
+  }
+  double a[3] = {value[0] / length, value[1] / length, value[2] / length};
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      at->m[i][k] = a[i] * a[k] * (1 - cosine) + (i == k ? cosine : 0);
+    }
+  }
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    at->m[j][i] += a[k] * sine;
+    at->m[i][j] -= a[k] * sine;
+  }
+  return true;
+}
+
+static bool read_three(const dae *d, const xmlNode *node, dae_matrix *at, bool scale) {
+  double value[3];
+  if (!sepax__dae_reals(d, node, value, 3)) {
+    return false;
+  }
+  for (int i = 0; i < 3; i++) {
+    if (scale) {
+      at->m[i][i] = value[i];
+    } else {
+      at->m[i][3] = value[i];
+    }
+  }
+  return true;
+}
+
+/* A child of a node: if it is a transformation, into *at behind what stands there. */
+static bool read_transformation(const dae *d, const xmlNode *node, dae_matrix *at) {
+  const char *name = (const char *)node->name;
+  dae_matrix own = identity;
+  bool ok = true;
+  if (strcmp(name, "lookat") == 0 || strcmp(name, "skew") == 0) {
+    return sepax__dae_fail(d, node, "<%s> is not read; export it as a <matrix>", name);
+  }
+  if (strcmp(name, "matrix") == 0 || strcmp(name, "bind_shape_matrix") == 0) {
+    ok = read_matrix(d, node, &own);
+  } else if (strcmp(name, "rotate") == 0) {
+    ok = read_rotate(d, node, &own);
+  } else if (strcmp(name, "translate") == 0 || strcmp(name, "scale") == 0) {
+    ok = read_three(d, node, &own, name[0] == 's');
+  } else {
+    return true;
+  }
+  if (!ok) {
+    return false;
+  }
+  own.identity = memcmp(own.m, identity.m, sizeof own.m) == 0;
+  for (int i = 0; i < 12; i++) {
+    if (!isfinite(own.m[i / 4][i % 4])) {
+      return sepax__dae_fail(d, node, "<%s>: give finite numbers", name);
+    }
+  }
+  if (is_flat(&own)) {
+    return sepax__dae_fail(d, node, "<%s> makes all that it places flat; give one that does not",
+                           name);
+  }
+  *at = multiply(at, &own);
+  return true;
+}
+
+/* -------------------------------------------------------------------------- references */
+
+static dae_geometry *geometry_of(const dae *d, const xmlNode *node) {
+  return node != NULL ? &d->geometry[(size_t)node->_private - 1] : NULL;
+}
+
+/* What an <instance_controller> places: a skin in the shape in which it was bound. */
+static dae_geometry *find_skinned(const dae *d, const xmlNode *instance, dae_matrix *at) {
+  const xmlNode *controller = sepax__dae_refer(d, instance, "url", "controller");
+  const xmlNode *skin = sepax__xml_child(controller, "skin");
+  if (controller == NULL) {
+    return NULL;
+  }
+  if (skin == NULL || sepax__xml_child(controller, "morph") != NULL) {
+    sepax__dae_fail(d, controller,
+                    "<controller> that is no skin (a <morph>) is not read; export "
+                    "the mesh that it makes");
+    return NULL;
+  }
+  const xmlNode *bind = sepax__xml_child(skin, "bind_shape_matrix");
+  if (bind != NULL && !read_transformation(d, bind, at)) {
+    return NULL;
+  }
+  return geometry_of(d, sepax__dae_refer(d, skin, "source", "geometry"));
+}
+
+/* The geometry that a child of a node places, if it places one; false: failed. */
+static bool find_placed(const dae *d, const xmlNode *child, dae_geometry **g, dae_matrix *at) {
+  *g = NULL;
+  if (sepax__xml_is(child, "instance_geometry")) {
+    *g = geometry_of(d, sepax__dae_refer(d, child, "url", "geometry"));
+    return *g != NULL;
+  }
+  if (sepax__xml_is(child, "instance_controller")) {
+    *g = find_skinned(d, child, at);
+    return *g != NULL;
+  }
+  return true;
+}
+
+/* The node that a child of a node is or refers to, if it does; false: failed. */
+static bool find_node(const dae *d, xmlNode *child, xmlNode **node) {
+  *node = sepax__xml_is(child, "node") ? child : NULL;
+  if (sepax__xml_is(child, "instance_node")) {
+    *node = sepax__dae_refer(d, child, "url", "node");
+    return *node != NULL;
+  }
+  return true;
+}
+
+/* ------------------------------------------------------------------------------- nodes */
+
+static dae_node *state_of(const dae *d, const xmlNode *node) {
+  return &d->node[(size_t)node->_private - 1];
+}
+
+static size_t add(size_t a, size_t b) { return a > SIZE_MAX - b ? SIZE_MAX : a + b; }
+
+static bool fail_deep(const dae *d, const xmlNode *node) {
+  return sepax__dae_fail(d, node, "nodes are nested deeper than %d; flatten them",
+                         (int)HEIGHT_MOST);
+}
+
+/* How many triangles one of the node makes, once for each, so that a document whose nodes double at
+ * each level takes no longer than it is. */
+static bool weigh(dae *d, xmlNode *node, size_t depth) {
+  dae_node *state = state_of(d, node);
+  if (state->done) {
+    return true;
+  }
+  if (state->entered) {
+    return sepax__dae_fail(d, node, "<node> that is in itself; export it again");
+  }
+  state->entered = true;
+  dae_matrix at = identity;
+  for (xmlNode *child = sepax__xml_child(node, NULL); child != NULL;
+       child = sepax__xml_next(child, NULL)) {
+    xmlNode *inner = NULL;
+    dae_geometry *g = NULL;
+    dae_matrix bound = identity;
+    if (!read_transformation(d, child, &at) || !find_placed(d, child, &g, &bound) ||
+        !find_node(d, child, &inner) ||
+        (inner != NULL && depth == HEIGHT_MOST && !fail_deep(d, inner)) ||
+        (inner != NULL && !weigh(d, inner, depth + 1))) {
+      return false;
+    }
+    state->weight = add(state->weight, g != NULL ? g->count : 0);
+    state->visits = add(state->visits, 1);
+    if (inner != NULL) {
+      const dae_node *below = state_of(d, inner);
+      state->weight = add(state->weight, below->weight);
+      state->visits = add(state->visits, below->weight > 0 ? below->visits : 0);
+      state->height = below->height >= state->height ? below->height + 1 : state->height;
+    }
+  }
+  state->done = true;
+  return state->height <= HEIGHT_MOST || fail_deep(d, node);
+}
+
+static bool place_geometry(const dae *d, const dae_geometry *g, const dae_matrix *at) {
+  for (size_t n = 0; n < g->count; n++) {
+    double v[3][3];
+    for (int c = 0; c < 3; c++) {
+      const double *from = g->facet[n].v[c];
+      for (int i = 0; i < 3; i++) {
+        const double *row = at->m[i];
+        v[c][i] = at->identity ? from[i]
+                               : row[0] * from[0] + row[1] * from[1] + row[2] * from[2] + row[3];
+      }
+    }
+    if (!sepax__builder_triangle(d->b, (const double(*)[3])v)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool place(const dae *d, xmlNode *node, const dae_matrix *outer) {
+  dae_matrix at = *outer;
+  if (state_of(d, node)->weight == 0) {
+    return true;
+  }
+  for (xmlNode *child = sepax__xml_child(node, NULL); child != NULL;
+       child = sepax__xml_next(child, NULL)) {
+    xmlNode *inner = NULL;
+    dae_geometry *g = NULL;
+    dae_matrix bound = identity;
+    if (!read_transformation(d, child, &at) || !find_placed(d, child, &g, &bound) ||
+        !find_node(d, child, &inner)) {
+      return false;
+    }
+    bound = multiply(&at, &bound);
+    if ((g != NULL && !place_geometry(d, g, &bound)) || (inner != NULL && !place(d, inner, &at))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Marks the geometries that the node places, and names skins. Each node is entered once; `entered`
+ * is set of those that are to be. */
+static bool mark(const dae *d, xmlNode *node) {
+  dae_node *state = state_of(d, node);
+  if (!state->entered) {
+    return true;
+  }
+  state->entered = false;
+  for (xmlNode *child = sepax__xml_child(node, NULL); child != NULL;
+       child = sepax__xml_next(child, NULL)) {
+    xmlNode *inner = NULL;
+    dae_geometry *g = NULL;
+    dae_matrix bound = identity;
+    if (!find_placed(d, child, &g, &bound) || !find_node(d, child, &inner)) {
+      return false;
+    }
+    if (g != NULL) {
+      g->placed = true;
+    }
+    if ((sepax__xml_is(child, "instance_controller") &&
+         !sepax__builder_other(d->b, "skins, read as they were bound", 1)) ||
+        (inner != NULL && !mark(d, inner))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* The <visual_scene> of the <scene>. Without it nothing says which of the nodes are there. */
+static xmlNode *find_scene(const dae *d) {
+  xmlNode *scene = NULL;
+  xmlNode *instance = NULL;
+  if (!sepax__xml_single(&d->file, d->file.root, "scene", &scene, d->b->error) ||
+      (scene != NULL &&
+       !sepax__xml_single(&d->file, scene, "instance_visual_scene", &instance, d->b->error))) {
+    return NULL;
+  }
+  if (instance == NULL) {
+    sepax__dae_fail(d, scene != NULL ? scene : d->file.root,
+                    "it has no <scene> with an <instance_visual_scene>, which places the meshes; "
+                    "export one");
+    return NULL;
+  }
+  return sepax__dae_refer(d, instance, "url", "visual_scene");
+}
+
+static bool weigh_all(dae *d) {
+  for (size_t n = 0; n < d->ids; n++) {
+    bool is_node = strcmp(d->id[n].name, "node") == 0 || strcmp(d->id[n].name, "visual_scene") == 0;
+    if (is_node && !weigh(d, d->id[n].node, 0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool sepax__dae_place(dae *d) {
+  xmlNode *scene = find_scene(d);
+  if (scene == NULL || !weigh_all(d) || !mark(d, scene)) {
+    return false;
+  }
+  const dae_node *all = state_of(d, scene);
+  if (all->weight == 0 && d->geometries > 0) {
+    return sepax__dae_fail(d, scene,
+                           "the scene places no mesh (what physics places is not read); "
+                           "export one that does");
+  }
+  if (all->visits > VISITS_MOST) {
+    return sepax_fail(d->b->error, SEPAX_ERROR_LIMIT,
+                      "%.240s: its nodes are placed more than %d times; simplify it", d->b->path,
+                      (int)VISITS_MOST);
+  }
+  if (all->weight > d->b->how.most) {
+    return sepax_fail(d->b->error, SEPAX_ERROR_LIMIT,
+                      "%.240s: its scene makes more than %zu triangles; simplify the mesh",
+                      d->b->path, d->b->how.most);
+  }
+  return place(d, scene, &identity);
+}
