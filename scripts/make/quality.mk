@@ -32,7 +32,7 @@ define run_c_tests
   for unit in $(UNIT); do echo $$unit; $$unit || exit 1; done
 @tb/fuzz/inputs $(FUZZ)
 @for test in system/cli printed/check system/check system/path system/path_between system/cases \
-    system/size_mechanism page/data; do \
+    system/damaged system/size_mechanism page/data; do \
   SEPAX=$(SEPAX) env -u BUILD -u CFLAGS tb/$$test || [ $$? -eq 77 ] || exit 1; done
 endef
 
