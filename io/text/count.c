@@ -1,0 +1,33 @@
+/* count.c - how many faces a text has, by its bytes alone; shares nothing with the readers. */
+#include "reader/format_table.h"
+
+#include <ctype.h>
+#include <string.h>
+#include <strings.h>
+
+/* Lines that begin with f or fo. A line goes on where a backslash is its last character. */
+bool sepax__obj_count(const mesh_builder *b, size_t *faces) {
+  enum { BEGINS, GOES_ON } state = BEGINS;
+  const char *end = b->bytes + b->size;
+  size_t count = 0;
+  char before = '\0';
+  for (const char *c = b->bytes; c < end; before = *c++) {
+    if (*c == '\n' || *c == '\r') {
+      bool joined =
+          before == '\\' || (*c == '\n' && before == '\r' && c - b->bytes >= 2 && c[-2] == '\\');
+      state = joined ? state : BEGINS;
+    } else if (state == BEGINS && (isspace((unsigned char)*c) || *c == '\\')) {
+      continue;
+    } else if (state == BEGINS) {
+      if (c == b->bytes && b->size >= 3 && memcmp(c, "\xef\xbb\xbf", 3) == 0) {
+        c += 2;
+        continue;
+      }
+      size_t length = *c == 'f' && c[1] == 'o' ? 2 : 1;
+      count += *c == 'f' && (isspace((unsigned char)c[length]) || c[length] == '\0');
+      state = GOES_ON;
+    }
+  }
+  *faces = count;
+  return true;
+}
