@@ -31,3 +31,28 @@ bool sepax__obj_count(const mesh_builder *b, size_t *faces) {
   *faces = count;
   return true;
 }
+
+/* The number behind "element NAME" at the beginning of a line of the head; 0 without one. */
+static size_t declared(const char *head, const char *end, const char *name) {
+  size_t length = strlen(name);
+  size_t count = 0;
+  for (const char *c = head; c < end; c++) {
+    if ((c[-1] == '\n' || c[-1] == '\r') && strncmp(c, "element", 7) == 0) {
+      const char *word = c + 7 + strspn(c + 7, " \t");
+      if (strncmp(word, name, length) == 0 && (word[length] == ' ' || word[length] == '\t')) {
+        for (word += length + strspn(word + length, " \t"); isdigit((unsigned char)*word); word++) {
+          count = 10 * count + (size_t)(*word - '0');
+        }
+      }
+    }
+  }
+  return count;
+}
+
+bool sepax__ply_count(const mesh_builder *b, size_t *faces) {
+  const char *head = b->bytes + 4;
+  const char *end = strstr(head, "end_header");
+  end = end != NULL ? end : head;
+  *faces = declared(head, end, "face") + declared(head, end, "tristrips");
+  return true;
+}

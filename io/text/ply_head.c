@@ -1,0 +1,284 @@
+/* ply_head.c - the head of a PLY file: its elements, their properties, what they are here. */
+#include "text/ply.h"
+#include "util/list.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { ELEMENTS_MOST = 100, PROPERTIES_MOST = 1000 };
+
+const size_t sepax__ply_bytes[PLY_DOUBLE + 1] = {0, 1, 1, 2, 2, 4, 4, 4, 8};
+
+static const struct {
+  const char *name;
+  ply_type type;
+} types[] = {
+    {"char", PLY_INT8},   {"int8", PLY_INT8},     {"uchar", PLY_UINT8},   {"uint8", PLY_UINT8},
+    {"short", PLY_INT16}, {"int16", PLY_INT16},   {"ushort", PLY_UINT16}, {"uint16", PLY_UINT16},
+    {"int", PLY_INT32},   {"int32", PLY_INT32},   {"uint", PLY_UINT32},   {"uint32", PLY_UINT32},
+    {"float", PLY_FLOAT}, {"float32", PLY_FLOAT}, {"double", PLY_DOUBLE}, {"float64", PLY_DOUBLE},
+};
+
+typedef struct {
+  ply_head *head;
+  mesh_builder *b;
+  words w;
+} head_reader;
+
+static bool is(const words *w, const char *word) {
+  size_t length = words_length(w);
+  return strncmp(w->at, word, length) == 0 && word[length] == '\0';
+}
+
+static void skip_word(words *w) { w->at += words_length(w); }
+
+static bool fail_word(const head_reader *r, const char *wanted) {
+  words w = r->w;
+  bool there = words_next(&w);
+  return sepax__builder_fail_line(r->b, w.line, "'%s' where the head has %s; export the mesh again",
+                                  there ? words_show(&w).text : "", wanted);
+}
+
+static bool read_name(head_reader *r, char name[40]) {
+  if (!words_next(&r->w) || words_length(&r->w) >= 40) {
+    return fail_word(r, "a name of up to 39 characters");
+  }
+  snprintf(name, 40, "%.*s", (int)words_length(&r->w), r->w.at);
+  skip_word(&r->w);
+  return true;
+}
+
+static bool read_type(head_reader *r, ply_type *type) {
+  *type = PLY_NONE;
+  if (words_next(&r->w)) {
+    for (size_t n = 0; n < sizeof types / sizeof types[0]; n++) {
+      *type = is(&r->w, types[n].name) ? types[n].type : *type;
+    }
+  }
+  if (*type == PLY_NONE) {
+    return fail_word(r, "a type of numbers");
+  }
+  skip_word(&r->w);
+  return true;
+}
+
+static bool read_format(head_reader *r) {
+  static const char *const names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+  int order = 0;
+  if (!words_next(&r->w)) {
+    return fail_word(r, "a format");
+  }
+  while (order < 3 && !is(&r->w, names[order])) {
+    order++;
+  }
+  if (order == 3) {
+    return fail_word(r, "ascii, binary_little_endian or binary_big_endian");
+  }
+  r->head->order = (ply_order)order;
+  skip_word(&r->w);
+  return (words_next(&r->w) && is(&r->w, "1.0")) ? (skip_word(&r->w), true) : fail_word(r, "1.0");
+}
+
+static bool read_element(head_reader *r) {
+  ply_head *head = r->head;
+  ply_element *grown = head->elements < ELEMENTS_MOST ? list_grow(head->element, &head->capacity,
+                                                                  head->elements, sizeof *grown)
+                                                      : NULL;
+  if (grown == NULL) {
+    return sepax__builder_fail_line(r->b, r->w.line, "more than %d elements, or no memory",
+                                    ELEMENTS_MOST);
+  }
+  head->element = grown;
+  ply_element *e = &grown[head->elements++];
+  *e = (ply_element){.rows = 0};
+  if (!read_name(r, e->name)) {
+    return false;
+  }
+  const char *digits = words_next(&r->w) ? r->w.at : "";
+  const char *c = digits;
+  for (; *c >= '0' && *c <= '9' && e->rows < UINT64_MAX / 100; c++) {
+    e->rows = 10 * e->rows + (uint64_t)(*c - '0');
+  }
+  if (c == digits || !words_is_end(&r->w, c)) {
+    return fail_word(r, "how many there are");
+  }
+  r->w.at = c;
+  for (size_t n = 0; n + 1 < head->elements; n++) {
+    if (strcmp(head->element[n].name, e->name) == 0) {
+      return sepax__builder_fail_line(r->b, r->w.line, "a second element '%s'; take one out",
+                                      e->name);
+    }
+  }
+  return true;
+}
+
+static bool read_property(head_reader *r) {
+  ply_head *head = r->head;
+  if (head->elements == 0) {
+    return fail_word(r, "an element before its properties");
+  }
+  ply_element *e = &head->element[head->elements - 1];
+  ply_property *grown = e->properties < PROPERTIES_MOST
+                            ? list_grow(e->property, &e->capacity, e->properties, sizeof *grown)
+                            : NULL;
+  if (grown == NULL) {
+    return sepax__builder_fail_line(r->b, r->w.line, "more than %d properties, or no memory",
+                                    PROPERTIES_MOST);
+  }
+  e->property = grown;
+  ply_property *p = &grown[e->properties++];
+  *p = (ply_property){.type = PLY_NONE};
+  bool list = words_next(&r->w) && is(&r->w, "list");
+  if (list) {
+    skip_word(&r->w);
+  }
+  if ((list && !read_type(r, &p->count)) || !read_type(r, &p->type) || !read_name(r, p->name)) {
+    return false;
+  }
+  if (list && p->count >= PLY_FLOAT) {
+    return sepax__builder_fail_line(r->b, r->w.line,
+                                    "list '%s' has a length that is no integer; "
+                                    "export the mesh again",
+                                    p->name);
+  }
+  for (size_t n = 0; n + 1 < e->properties; n++) {
+    if (strcmp(grown[n].name, p->name) == 0) {
+      return sepax__builder_fail_line(r->b, r->w.line, "a second property '%s'; take one out",
+                                      p->name);
+    }
+  }
+  return true;
+}
+
+/* One line; *ended at end_header. */
+static bool read_line(head_reader *r, bool *ended, bool *formatted) {
+  bool (*read)(head_reader *) = NULL;
+  if (!words_next(&r->w) || is(&r->w, "comment") || is(&r->w, "obj_info")) {
+    words_skip_line(&r->w);
+    return true;
+  }
+  *ended = is(&r->w, "end_header");
+  read = is(&r->w, "format")     ? read_format
+         : is(&r->w, "element")  ? read_element
+         : is(&r->w, "property") ? read_property
+                                 : NULL;
+  if (read == NULL && !*ended) {
+    return fail_word(r, "format, comment, element, property or end_header");
+  }
+  *formatted = *formatted || read == read_format;
+  skip_word(&r->w);
+  if (read != NULL && !read(r)) {
+    return false;
+  }
+  if (words_next(&r->w)) {
+    return fail_word(r, "the end of a line");
+  }
+  /* Behind a binary file's head the first number may look like the end of a line. */
+  bool long_end = *r->b->bytes != '\0' && r->b->bytes[3] == '\r' && r->b->bytes[4] == '\n';
+  if (*ended && r->w.at < r->w.end) {
+    r->w.at += long_end ? 2 : 1;
+    r->w.line++;
+  } else {
+    words_skip_line(&r->w);
+  }
+  return true;
+}
+
+static size_t property_named(const ply_element *e, const char *name) {
+  size_t n = 0;
+  while (n < e->properties && strcmp(e->property[n].name, name) != 0) {
+    n++;
+  }
+  return n;
+}
+
+/* The list of indices of vertices, or e->properties. */
+static size_t indices_of(const ply_element *e) {
+  size_t n = property_named(e, "vertex_indices");
+  n = n < e->properties ? n : property_named(e, "vertex_index");
+  return n < e->properties && e->property[n].count != PLY_NONE ? n : e->properties;
+}
+
+static bool give_role(mesh_builder *b, ply_element *e) {
+  static const char *const xyz[] = {"x", "y", "z"};
+  size_t indices = indices_of(e);
+  e->role = strcmp(e->name, "vertex") == 0      ? PLY_VERTEX
+            : strcmp(e->name, "face") == 0      ? PLY_FACE
+            : strcmp(e->name, "tristrips") == 0 ? PLY_STRIP
+                                                : PLY_OTHER;
+  e->use[0] = indices;
+  for (int i = 0; i < 3 && e->role == PLY_VERTEX; i++) {
+    e->use[i] = property_named(e, xyz[i]);
+    if (e->use[i] == e->properties || e->property[e->use[i]].count != PLY_NONE) {
+      return sepax__builder_fail(b, "element vertex has no property %s; export the mesh again",
+                                 xyz[i]);
+    }
+  }
+  if (e->role == PLY_OTHER && indices < e->properties) {
+    return sepax__builder_fail(b,
+                               "element '%s' refers to vertices in a way that is not read; export "
+                               "faces",
+                               e->name);
+  }
+  if ((e->role == PLY_FACE || e->role == PLY_STRIP) &&
+      (indices == e->properties || e->property[indices].type >= PLY_FLOAT)) {
+    return sepax__builder_fail(b,
+                               "element %s has no list vertex_indices of integers; export the "
+                               "mesh again",
+                               e->name);
+  }
+  if (e->properties == 0 && e->rows > 0) {
+    return sepax__builder_fail(b, "element '%s' has no properties; export the mesh again", e->name);
+  }
+  bool lists = false;
+  for (size_t n = 0; n < e->properties; n++) {
+    lists = lists || e->property[n].count != PLY_NONE;
+    e->bytes += sepax__ply_bytes[e->property[n].type];
+  }
+  e->bytes = lists ? 0 : e->bytes;
+  return true;
+}
+
+static bool give_roles(ply_head *head, mesh_builder *b) {
+  bool faces = false;
+  head->vertex = head->elements;
+  for (size_t n = 0; n < head->elements; n++) {
+    ply_element *e = &head->element[n];
+    if (!give_role(b, e)) {
+      return false;
+    }
+    faces = faces || e->role == PLY_FACE || e->role == PLY_STRIP;
+    head->vertex = e->role == PLY_VERTEX ? n : head->vertex;
+    head->faces_first = head->faces_first || (faces && head->vertex == head->elements);
+  }
+  return (head->vertex < head->elements && faces) ||
+         sepax__builder_fail(b, "it has no element %s; give a mesh with faces",
+                             faces ? "vertex" : "face");
+}
+
+bool sepax__ply_head_read(ply_head *head, mesh_builder *b) {
+  head_reader r = {.head = head, .b = b, .w = words_begin(b, false)};
+  bool ended = false;
+  bool formatted = false;
+  *head = (ply_head){.order = PLY_TEXT};
+  words_skip_line(&r.w);
+  while (!ended) {
+    if (r.w.at >= r.w.end) {
+      return sepax__builder_fail_line(b, r.w.line, "truncated: no end_header; export it again");
+    }
+    if (!read_line(&r, &ended, &formatted)) {
+      return false;
+    }
+  }
+  head->behind = r.w;
+  return (formatted || sepax__builder_fail(b, "its head has no format; export it again")) &&
+         give_roles(head, b);
+}
+
+void sepax__ply_head_free(ply_head *head) {
+  for (size_t n = 0; n < head->elements; n++) {
+    sepax_release(head->element[n].property);
+  }
+  sepax_release(head->element);
+  *head = (ply_head){.order = PLY_TEXT};
+}
