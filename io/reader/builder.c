@@ -58,8 +58,8 @@ bool sepax__builder_corners(mesh_builder *b, size_t corners) {
   return true;
 }
 
-static bool coordinates_right(const mesh_builder *b, const double v[3][3]) {
-  for (int i = 0; i < 9; i++) {
+static bool coordinates_right(const mesh_builder *b, const double (*v)[3], size_t count) {
+  for (size_t i = 0; i < 3 * count; i++) {
     double x = v[i / 3][i % 3];
     if (!(fabs(x) <= coordinate_most)) {
       return sepax__builder_fail(b, "triangle %zu: a coordinate is %s; export the mesh again",
@@ -73,7 +73,7 @@ static bool coordinates_right(const mesh_builder *b, const double v[3][3]) {
 }
 
 bool sepax__builder_triangle(mesh_builder *b, const double v[3][3]) {
-  if (!coordinates_right(b, v)) {
+  if (!coordinates_right(b, v, 3)) {
     return false;
   }
   if (b->soup.count >= b->how.most) {
@@ -89,16 +89,35 @@ bool sepax__builder_triangle(mesh_builder *b, const double v[3][3]) {
   return true;
 }
 
+static bool divided(const mesh_builder *b, polygon_result result, size_t count, size_t line,
+                    const char *where) {
+  switch (result) {
+  case POLYGON_MEMORY:
+    return sepax__builder_fail_memory(b);
+  case POLYGON_LONG:
+    return sepax__builder_fail_line(b, line,
+                                    "%s: a polygon of %zu corners, which the first does not all "
+                                    "see; up to %d can be divided: export triangles",
+                                    where, count, POLYGON_CORNERS_MOST);
+  case POLYGON_CROSSES:
+    return sepax__builder_fail_line(
+        b, line, "%s: a polygon of %zu corners that crosses itself; export triangles", where,
+        count);
+  case POLYGON_DIVIDED:
+    break;
+  }
+  return true;
+}
+
 bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const char *where) {
   if (count == 3) {
     return sepax__builder_triangle(b, (const double(*)[3])b->corner);
   }
   bool bent = false;
-  if (!sepax__polygon_divide((const double(*)[3])b->corner, count, b->triangle, &bent)) {
-    return sepax__builder_fail_line(b, line,
-                                    "%s: a polygon of %zu corners that crosses or touches itself; "
-                                    "export triangles",
-                                    where, count);
+  const double(*corner)[3] = (const double(*)[3])b->corner;
+  if (!coordinates_right(b, corner, count) ||
+      !divided(b, sepax__polygon_divide(corner, count, b->triangle, &bent), count, line, where)) {
+    return false;
   }
   b->account.divided++;
   b->account.bent += bent;
