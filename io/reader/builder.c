@@ -58,12 +58,14 @@ bool sepax__builder_corners(mesh_builder *b, size_t corners) {
   return true;
 }
 
-static bool coordinates_right(const mesh_builder *b, const double (*v)[3], size_t count) {
+/* Of the soup's triangle, or one that will be, of this number. */
+static bool coordinates_right(const mesh_builder *b, size_t number, const double (*v)[3],
+                              size_t count) {
   for (size_t i = 0; i < 3 * count; i++) {
     double x = v[i / 3][i % 3];
     if (!(fabs(x) <= coordinate_most)) {
       return sepax__builder_fail(b, "triangle %zu: a coordinate is %s; export the mesh again",
-                                 b->soup.count,
+                                 number,
                                  isnan(x)   ? "NaN"
                                  : isinf(x) ? "infinite"
                                             : "beyond 2^1000");
@@ -72,8 +74,16 @@ static bool coordinates_right(const mesh_builder *b, const double (*v)[3], size_
   return true;
 }
 
+bool sepax__builder_within(const mesh_builder *b) {
+  bool ok = true;
+  for (size_t n = 0; n < b->soup.count && ok; n++) {
+    ok = coordinates_right(b, n, b->soup.facet[n].v, 3);
+  }
+  return ok;
+}
+
 bool sepax__builder_triangle(mesh_builder *b, const double v[3][3]) {
-  if (!coordinates_right(b, v, 3)) {
+  if (!coordinates_right(b, b->soup.count, v, 3)) {
     return false;
   }
   if (b->soup.count >= b->how.most) {

@@ -35,6 +35,9 @@ bool sepax__builder_corners(mesh_builder *b, size_t corners);
  * of triangles. */
 bool sepax__builder_triangle(mesh_builder *b, const double v[3][3]);
 
+/* Fails as that does on a triangle of the soup that a reader filled itself. */
+bool sepax__builder_within(const mesh_builder *b);
+
 /* The polygon of the first `count` (3 or more) corners in b->corner as triangles, by polygon.h;
  * counts it in account.divided and account.bent. Fails on one that cannot be divided. `where` says
  * which it is for messages: "face 17". With line 0 the message has none. */

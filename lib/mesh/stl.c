@@ -35,7 +35,7 @@ bool sepax_stl_read(sepax_soup *soup, const char *path, bool normals, sepax_erro
     return false;
   }
   plain_numbers plain = plain_numbers_begin();
-  bool ok = sepax__stl_parse(soup, file.bytes, file.size, path, normals, error);
+  bool ok = sepax__stl_parse(soup, file.bytes, file.size, path, normals, SIZE_MAX, error);
   plain_numbers_end(plain);
   sepax_release(file.bytes);
   return ok;

@@ -8,8 +8,9 @@
  * vertices) and two bytes of attributes; all little-endian. */
 enum { STL_TITLE_BYTES = 80, STL_HEAD_BYTES = 84, STL_FACET_BYTES = 50, STL_FACET_NUMBERS = 12 };
 
-/* sepax_stl_read on the bytes of a file, behind which a '\0' stands. In the numbers of locale C. */
+/* sepax_stl_read on the bytes of a file, behind which a '\0' stands; refused where there are more
+ * than `most` facets. In the numbers of locale C. */
 bool sepax__stl_parse(sepax_soup *soup, const char *bytes, size_t size, const char *path,
-                      bool normals, sepax_error *error);
+                      bool normals, size_t most, sepax_error *error);
 
 #endif

@@ -3,6 +3,7 @@
 #include "util/bytes.h"
 #include "util/error.h"
 #include "util/list.h"
+#include "util/text.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -36,30 +37,9 @@ typedef struct {
 typedef struct {
   sepax_soup soup;
   size_t capacity, normal_capacity;
+  size_t most;
   bool normals;
 } reading;
-
-static bool append(reading *r, const numbers *n) {
-  sepax_soup *soup = &r->soup;
-  sepax_facet *facet = list_grow(soup->facet, &r->capacity, soup->count, sizeof *facet);
-  if (facet == NULL) {
-    return false;
-  }
-  soup->facet = facet;
-  memcpy(facet[soup->count].v, n->of + 3, sizeof facet->v);
-  if (r->normals) {
-    double(*normal)[3] = list_grow(soup->normal, &r->normal_capacity, soup->count, sizeof *normal);
-    if (normal == NULL) {
-      return false;
-    }
-    soup->normal = normal;
-    memcpy(normal[soup->count], n->of, sizeof *normal);
-  }
-  soup->count++;
-  return true;
-}
-
-static const char *number_name(int i) { return i < 3 ? "normal" : "coordinate"; }
 
 static const char *flaw(double number) { return isnan(number) ? "NaN" : "infinite"; }
 
@@ -67,19 +47,46 @@ static bool fail_memory(sepax_error *error, const char *path) {
   return fail(error, SEPAX_ERROR_MEMORY, path, "too large for the memory; use a coarser mesh");
 }
 
+static bool append(reading *r, const numbers *n, const char *path, sepax_error *error) {
+  sepax_soup *soup = &r->soup;
+  if (soup->count >= r->most) {
+    return fail(error, SEPAX_ERROR_LIMIT, path, "more than %zu triangles; simplify the mesh",
+                r->most);
+  }
+  sepax_facet *facet = list_grow(soup->facet, &r->capacity, soup->count, sizeof *facet);
+  soup->facet = facet != NULL ? facet : soup->facet;
+  double(*normal)[3] = NULL;
+  if (r->normals) {
+    normal = list_grow(soup->normal, &r->normal_capacity, soup->count, sizeof *normal);
+    soup->normal = normal != NULL ? normal : soup->normal;
+  }
+  if (facet == NULL || (r->normals && normal == NULL)) {
+    return fail_memory(error, path);
+  }
+  memcpy(facet[soup->count].v, n->of + 3, sizeof facet->v);
+  if (r->normals) {
+    memcpy(normal[soup->count], n->of, sizeof *normal);
+  }
+  soup->count++;
+  return true;
+}
+
 typedef struct {
   const char *bytes; /* and a '\0' behind them */
   size_t size;
 } content;
 
+/* Of UTF-8's byte order mark, if there is one. */
+static size_t mark_bytes(const content *file) {
+  return file->size >= 3 && memcmp(file->bytes, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+}
+
 /* -------------------------------------------------------------------- text */
 
 typedef struct {
   const char *path;
-  const char *next, *end; /* what is still to be read */
-  const char *word;
-  size_t length;
-  size_t line; /* of the word */
+  const char *at, *end; /* what is still to be read */
+  size_t line;
   sepax_error *error;
 } scanner;
 
@@ -88,77 +95,115 @@ static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 /* A line ends with LF, CR LF or CR. */
 static bool ends_line(const char *c) { return *c == '\n' || (*c == '\r' && c[1] != '\n'); }
 
-/* False at the end of the text; the word is then empty. */
-static bool next_word(scanner *text) {
-  for (; text->next < text->end && is_blank(*text->next); text->next++) {
-    text->line += ends_line(text->next);
+static void skip_blanks(scanner *text) {
+  for (; is_blank(*text->at); text->at++) {
+    text->line += ends_line(text->at);
   }
-  text->word = text->next;
-  while (text->next < text->end && !is_blank(*text->next)) {
-    text->next++;
+}
+
+static void skip_word(scanner *text) {
+  while (text->at < text->end && !is_blank(*text->at)) {
+    text->at++;
   }
-  text->length = (size_t)(text->next - text->word);
-  return text->length > 0;
 }
 
 static void skip_line(scanner *text) {
-  while (text->next < text->end && !ends_line(text->next)) {
-    text->next++;
+  while (text->at < text->end && !ends_line(text->at)) {
+    text->at++;
   }
 }
 
-static bool word_is(const scanner *text, const char *keyword) {
-  return text->length == strlen(keyword) && strncasecmp(text->word, keyword, text->length) == 0;
+static bool fail_line(const scanner *text, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static bool fail_line(const scanner *text, const char *format, ...) {
+  char detail[160];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(detail, sizeof detail, format, args);
+  va_end(args);
+  return sepax_fail(text->error, SEPAX_ERROR_FORMAT, "%.300s:%zu: %s; %s", text->path, text->line,
+                    detail, cure);
 }
 
 static bool fail_expecting(const scanner *text, const char *what) {
-  if (text->length == 0) {
-    return fail(text->error, SEPAX_ERROR_FORMAT, text->path,
-                "line %zu: the text ends before %s: truncated; %s", text->line, what, cure);
+  if (text->at == text->end) {
+    return fail_line(text, "the text ends before %s: truncated", what);
   }
   char found[25] = "";
-  for (size_t i = 0; i < text->length && i < sizeof found - 1; i++) {
-    char c = text->word[i];
-    found[i] = '?';
-    if (c > ' ' && c <= '~') {
-      found[i] = c;
+  const char *c = text->at;
+  for (size_t i = 0; c < text->end && !is_blank(*c) && i < sizeof found - 1; i++, c++) {
+    found[i] = *c > ' ' && *c <= '~' ? *c : '?';
+  }
+  return fail_line(text, "'%s' where %s is expected", found, what);
+}
+
+/* The word at hand; capitals or not. */
+static bool word_is(const scanner *text, const char *keyword) {
+  const char *c = text->at;
+  for (; *keyword != '\0'; keyword++, c++) {
+    if ((*c | 0x20) != *keyword) {
+      return false;
     }
   }
-  return fail(text->error, SEPAX_ERROR_FORMAT, text->path,
-              "line %zu: '%s' where %s is expected; %s", text->line, found, what, cure);
+  return is_blank(*c) || c == text->end;
 }
 
 static bool read_keyword(scanner *text, const char *keyword) {
-  next_word(text);
-  return word_is(text, keyword) || fail_expecting(text, keyword);
-}
-
-static bool read_number(scanner *text, double *number, const char *name) {
-  next_word(text);
-  char *end = NULL;
-  *number = strtod(text->word, &end);
-  bool hexadecimal = memchr(text->word, 'x', text->length) != NULL ||
-                     memchr(text->word, 'X', text->length) != NULL;
-  if (text->length == 0 || end != text->word + text->length || hexadecimal) {
-    return fail_expecting(text, "a number");
+  skip_blanks(text);
+  if (!word_is(text, keyword)) {
+    return fail_expecting(text, keyword);
   }
-  if (!isfinite(*number)) {
-    return fail(text->error, SEPAX_ERROR_FORMAT, text->path, "line %zu: %s is %s; %s", text->line,
-                name, flaw(*number), cure);
-  }
+  text->at += strlen(keyword);
   return true;
 }
 
-static bool read_facet(scanner *text, numbers *facet) {
+/* Also words that C reads as numbers which are not finite. */
+static bool read_number(scanner *text, double *number, const char *name) {
+  skip_blanks(text);
+  const char *end = sepax__decimal(text->at, number);
+  if (end == NULL) {
+    const char *word = text->at + (*text->at == '-' || *text->at == '+');
+    size_t length = strncasecmp(word, "nan", 3) == 0        ? 3
+                    : strncasecmp(word, "infinity", 8) == 0 ? 8
+                    : strncasecmp(word, "inf", 3) == 0      ? 3
+                                                            : 0;
+    *number = *word == 'n' || *word == 'N' ? NAN : INFINITY;
+    end = length > 0 ? word + length : NULL;
+  }
+  if (end == NULL || !(is_blank(*end) || end == text->end)) {
+    return fail_expecting(text, "a number");
+  }
+  if (!isfinite(*number)) {
+    return fail_line(text, "%s is %s", name, flaw(*number));
+  }
+  text->at = end;
+  return true;
+}
+
+/* Where nobody asks for normals, any word stands for a number of one: many writers have NaN. */
+static bool read_normal(scanner *text, const reading *r, double normal[3]) {
   bool ok = read_keyword(text, "normal");
-  for (int i = 0; ok && i < STL_FACET_NUMBERS; i++) {
-    if (i == 3) {
-      ok = read_keyword(text, "outer") && read_keyword(text, "loop");
+  for (int i = 0; i < 3 && ok; i++) {
+    if (r->normals) {
+      ok = read_number(text, &normal[i], "normal");
+      continue;
     }
-    if (i >= 3 && i % 3 == 0) {
-      ok = ok && read_keyword(text, "vertex");
+    skip_blanks(text);
+    ok = (text->at < text->end && !word_is(text, "outer")) || fail_expecting(text, "a number");
+    skip_word(text);
+  }
+  return ok;
+}
+
+static bool read_facet(scanner *text, const reading *r, numbers *facet) {
+  bool ok =
+      read_normal(text, r, facet->of) && read_keyword(text, "outer") && read_keyword(text, "loop");
+  for (int i = 3; ok && i < STL_FACET_NUMBERS; i += 3) {
+    ok = read_keyword(text, "vertex");
+    for (int k = 0; ok && k < 3; k++) {
+      ok = read_number(text, &facet->of[i + k], "coordinate");
     }
-    ok = ok && read_number(text, &facet->of[i], number_name(i));
   }
   return ok && read_keyword(text, "endloop") && read_keyword(text, "endfacet");
 }
@@ -168,14 +213,14 @@ static bool read_solid(scanner *text, reading *r) {
     return fail_expecting(text, "solid");
   }
   skip_line(text);
-  while (next_word(text) && word_is(text, "facet")) {
-    numbers facet;
-    if (!read_facet(text, &facet)) {
+  skip_blanks(text);
+  while (word_is(text, "facet")) {
+    numbers facet = {{0}};
+    text->at += strlen("facet");
+    if (!read_facet(text, r, &facet) || !append(r, &facet, text->path, text->error)) {
       return false;
     }
-    if (!append(r, &facet)) {
-      return fail_memory(text->error, text->path);
-    }
+    skip_blanks(text);
   }
   if (!word_is(text, "endsolid")) {
     return fail_expecting(text, "facet or endsolid");
@@ -184,17 +229,28 @@ static bool read_solid(scanner *text, reading *r) {
   return true;
 }
 
+/* Nothing is left, or what old systems put behind the end of a text: zeros, or Ctrl-Z. */
+static bool is_over(scanner *text) {
+  const char *c = text->at;
+  while (c < text->end && (*c == '\0' || *c == 0x1a || is_blank(*c))) {
+    c++;
+  }
+  return c == text->end;
+}
+
 static bool read_text(reading *r, const content *file, const char *path, sepax_error *error) {
   scanner text = {.path = path,
-                  .next = file->bytes,
+                  .at = file->bytes + mark_bytes(file),
                   .end = file->bytes + file->size,
                   .line = 1,
                   .error = error};
-  while (next_word(&text)) {
+  do {
+    skip_blanks(&text);
     if (!read_solid(&text, r)) {
       return false;
     }
-  }
+    skip_blanks(&text);
+  } while (!is_over(&text));
   return true;
 }
 
@@ -213,6 +269,20 @@ static bool is_binary(const content *file) {
   return file->size >= STL_HEAD_BYTES && file->size == bytes_announced(file);
 }
 
+/* The normal counts where it is asked for. */
+static bool read_record(const reading *r, const char *bytes, size_t k, numbers *facet,
+                        const char *path, sepax_error *error) {
+  for (int i = r->normals ? 0 : 3; i < STL_FACET_NUMBERS; i++) {
+    binary32 value = {.word = bytes_get32(bytes + 4 * i)};
+    if (!isfinite(value.number)) {
+      return fail(error, SEPAX_ERROR_FORMAT, path, "facet %zu: %s is %s; %s", k,
+                  i < 3 ? "normal" : "coordinate", flaw((double)value.number), cure);
+    }
+    facet->of[i] = (double)value.number;
+  }
+  return true;
+}
+
 static bool read_binary(reading *r, const content *file, const char *path, sepax_error *error) {
   size_t count = (file->size - STL_HEAD_BYTES) / STL_FACET_BYTES;
   const char *bytes = file->bytes + STL_HEAD_BYTES;
@@ -223,16 +293,10 @@ static bool read_binary(reading *r, const content *file, const char *path, sepax
     return fail_memory(error, path);
   }
   for (size_t k = 0; k < count; k++, bytes += STL_FACET_BYTES) {
-    numbers facet;
-    for (int i = 0; i < STL_FACET_NUMBERS; i++) {
-      binary32 value = {.word = bytes_get32(bytes + 4 * i)};
-      if (!isfinite(value.number)) {
-        return fail(error, SEPAX_ERROR_FORMAT, path, "facet %zu: %s is %s; %s", k, number_name(i),
-                    flaw(value.number), cure);
-      }
-      facet.of[i] = value.number;
+    numbers facet = {{0}};
+    if (!read_record(r, bytes, k, &facet, path, error) || !append(r, &facet, path, error)) {
+      return false;
     }
-    append(r, &facet);
   }
   return true;
 }
@@ -241,7 +305,7 @@ static bool read_binary(reading *r, const content *file, const char *path, sepax
 
 /* Binary files may also begin with "solid"; but zeros are in the heads of those. */
 static bool is_text(const content *file) {
-  const char *word = file->bytes;
+  const char *word = file->bytes + mark_bytes(file);
   while (is_blank(*word)) {
     word++;
   }
@@ -291,9 +355,9 @@ static bool read_format(reading *r, const content *file, const char *path, sepax
 }
 
 bool sepax__stl_parse(sepax_soup *soup, const char *bytes, size_t size, const char *path,
-                      bool normals, sepax_error *error) {
+                      bool normals, size_t most, sepax_error *error) {
   const content file = {bytes, size};
-  reading r = {.normals = normals};
+  reading r = {.normals = normals, .most = most};
   *soup = (sepax_soup){0};
   bool ok = read_format(&r, &file, path, error);
   if (ok && r.soup.count == 0) {
