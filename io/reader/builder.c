@@ -125,7 +125,7 @@ bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const ch
   }
   bool bent = false;
   const double(*corner)[3] = (const double(*)[3])b->corner;
-  if (!coordinates_right(b, corner, count) ||
+  if (!coordinates_right(b, b->soup.count, corner, count) ||
       !divided(b, sepax__polygon_divide(corner, count, b->triangle, &bent), count, line, where)) {
     return false;
   }
