@@ -1,4 +1,4 @@
-"""damage.py - damaged files of each format, made of small sound ones. files() gives (name, bytes)."""
+"""damage.py - damaged files of each format, made of small sound ones."""
 import io
 import struct
 import zipfile
@@ -240,7 +240,8 @@ def threemf(text):
 def bomb():
     """A 3MF whose model has BOMB blanks; packed by parts, as that is faster."""
     text = model()
-    head, tail = text[:text.index("<resources>")].encode(), text[text.index("<resources>"):].encode()
+    at = text.index("<resources>")
+    head, tail = text[:at].encode(), text[at:].encode()
     block = b" " * 2 ** 20
     packed, crc = b"", 0
     for part, times in (head, 1), (block, BOMB // len(block)), (tail, 1):
@@ -296,7 +297,8 @@ def threemfs():
                        f"<component objectid='{n}'/></components></object>" for n in range(1, 60))
     yield "doubling.3mf", threemf(model(doubling, "<item objectid='60'/>"))
     yield "no-object.3mf", threemf(model(build="<item objectid='7'/>"))
-    yield "twice.3mf", threemf(model("<object id='1'><mesh><vertices/><triangles/></mesh></object>"))
+    yield "twice.3mf", threemf(model("<object id='1'><mesh><vertices/><triangles/></mesh>"
+                                     "</object>"))
     yield "no-items.3mf", threemf(model(build=""))
     yield "extension.3mf", threemf(model(attributes=" xmlns:q='http://q' requiredextensions='q'"))
     yield "element.3mf", threemf(replaced(text, "<vertices>", "<points/><vertices>"))
