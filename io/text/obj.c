@@ -80,7 +80,8 @@ typedef struct {
 static const keyword *keyword_of(const words *w) {
   size_t length = words_length(w);
   for (size_t n = 0; n < sizeof keywords / sizeof keywords[0]; n++) {
-    if (strncmp(keywords[n].word, w->at, length) == 0 && keywords[n].word[length] == '\0') {
+    const char *word = keywords[n].word;
+    if (strlen(word) == length && memcmp(word, w->at, length) == 0) {
       return &keywords[n];
     }
   }

@@ -27,7 +27,7 @@ typedef struct {
 
 static bool is(const words *w, const char *word) {
   size_t length = words_length(w);
-  return strncmp(w->at, word, length) == 0 && word[length] == '\0';
+  return strlen(word) == length && memcmp(w->at, word, length) == 0;
 }
 
 static void skip_word(words *w) { w->at += words_length(w); }

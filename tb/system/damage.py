@@ -78,8 +78,8 @@ def obj():
         yield f"vertex-{word}.obj", replaced(text, "v 0 0 0", f"v 0 {word} 0")
     yield "vertex-short.obj", replaced(text, "v 0 0 0", "v 0 0")
     yield "face-short.obj", replaced(text, "f 1 3 4", "f 1 3")
-    yield "surface.obj", text + "deg 3\ncurv 0 1 1 2 3 4\n"
-    yield "keyword.obj", text + "fo 1 2 3\n"
+    yield "surface.obj", text + "cstype bezier\ndeg 3 3\nsurf 0 1 0 1 1 2 3 4\nend\n"
+    yield "keyword.obj", text + "fx 1 2 3\n"
     yield "latin.obj", text.encode() + b"\xf6\xe4 1 2 3\n"
     yield "zero-byte.obj", replaced(text, "f 1 3 4", "f 1 3 \0").encode()
     yield "utf16.obj", text.encode("utf-16")

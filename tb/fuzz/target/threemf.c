@@ -48,7 +48,7 @@ static uint32_t crc(const uint8_t *data, size_t size) {
 
 static uint8_t *put(uint8_t *at, uint32_t value, int bytes) {
   for (int n = 0; n < bytes; n++) {
-    *at++ = (uint8_t)(value >> 8 * n & 255);
+    *at++ = (uint8_t)(n < 4 ? value >> 8 * n & 255 : 0);
   }
   return at;
 }
