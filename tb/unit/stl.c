@@ -43,7 +43,7 @@ static size_t get_bytes(char *bytes, size_t size) {
 
 static void assert_refused(const char *part) {
   sepax_soup mesh = {.count = 77};
-  assert_fault(sepax_stl_read(&mesh, path, false, &fault), part);
+  assert_fault(sepax_stl_read(&mesh, path, true, &fault), part);
   assert_message(path);
   assert_null(mesh.facet);
   assert_int_equal(mesh.count, 0);
@@ -148,23 +148,23 @@ CASE(test_text_errors) {
        "binary file in it.</html>",
        "neither 'solid' nor a binary header"},
       {"solid\nendsolid\n", "no facets"},
-      {"solidify\n", "line 1: 'solidify' where solid is expected"},
-      {"solid a\n", "line 2: the text ends before facet or endsolid: truncated"},
-      {"solid a\n" FACET("1"), "line 9: the text ends before"},
-      {"solid a\n facet normal 0 0", "line 2: the text ends before a number"},
-      {"solid a\n facet normal 0 0 1\n outer\r\n poop\n", "line 4: 'poop' where loop"},
-      {"solid a\r\r facet abnormal", "line 3: 'abnormal' where normal"},
-      {SOLID("1") "rubbish", "line 10: 'rubbish' where solid"},
-      {SOLID("1,5"), "line 5: '1,5' where a number"},
-      {SOLID("0x10"), "line 5: '0x10' where a number"},
-      {SOLID("1.#QNAN"), "line 5: '1.#QNAN' where a number"},
-      {SOLID("1 2"), "line 5: '0' where vertex"},
-      {SOLID("nan"), "line 5: coordinate is NaN; export"},
-      {SOLID("-inf"), "line 5: coordinate is infinite"},
-      {SOLID("1e309"), "line 5: coordinate is infinite"},
-      {"solid a\nfacet normal 0 nan 0", "line 2: normal is NaN"},
+      {"solidify\n", ".stl:1: 'solidify' where solid is expected"},
+      {"solid a\n", ".stl:2: the text ends before facet or endsolid: truncated"},
+      {"solid a\n" FACET("1"), ".stl:9: the text ends before"},
+      {"solid a\n facet normal 0 0", ".stl:2: the text ends before a number"},
+      {"solid a\n facet normal 0 0 1\n outer\r\n poop\n", ".stl:4: 'poop' where loop"},
+      {"solid a\r\r facet abnormal", ".stl:3: 'abnormal' where normal"},
+      {SOLID("1") "rubbish", ".stl:10: 'rubbish' where solid"},
+      {SOLID("1,5"), ".stl:5: '1,5' where a number"},
+      {SOLID("0x10"), ".stl:5: '0x10' where a number"},
+      {SOLID("1.#QNAN"), ".stl:5: '1.#QNAN' where a number"},
+      {SOLID("1 2"), ".stl:5: '0' where vertex"},
+      {SOLID("nan"), ".stl:5: coordinate is NaN; export"},
+      {SOLID("-inf"), ".stl:5: coordinate is infinite"},
+      {SOLID("1e309"), ".stl:5: coordinate is infinite"},
+      {"solid a\nfacet normal 0 nan 0", ".stl:2: normal is NaN"},
       {"solid a\nfacet\033normal\x80zero 0 nan 0",
-       "line 2: 'facet?normal?zero' where facet or endsolid"},
+       ".stl:2: 'facet?normal?zero' where facet or endsolid"},
       {"solid a\na_word_of_more_than_twenty_four_characters", "'a_word_of_more_than_twen' where"}};
   for (size_t i = 0; i < LENGTH(row); i++) {
     refuse_bytes(row[i][0], strlen(row[i][0]), row[i][1]);
@@ -247,6 +247,46 @@ CASE(test_unreadable) {
   far[sizeof far - 1] = '\0';
   sepax_soup mesh = {0};
   assert_fault(sepax_stl_read(&mesh, far, false, &fault), "check the path");
+}
+
+/* Normals are checked where they are asked for, and else are any words, or any bits. */
+CASE(test_normals_that_are_none) {
+  unsigned char bytes[500];
+  sepax_soup mesh;
+  static const char text[] = "solid\nfacet normal nan -nan(ind) 1.#IND\nouter loop\nvertex 1 2 3\n"
+                             "vertex 4 5 6\nvertex 7 8 10\nendloop\nendfacet\nendsolid\n";
+  put_bytes(text, strlen(text));
+  assert_works(sepax_stl_read(&mesh, path, false, &fault));
+  assert_true(mesh.count == 1 && mesh.facet[0].v[2][2] == 10);
+  sepax_soup_free(&mesh);
+  assert_refused(".stl:2: normal is NaN");
+  refuse_bytes("solid\nfacet normal 0 0 outer loop\n", 34, ".stl:2: 'outer' where a number");
+  size_t size = make_binary(bytes, "x", 3);
+  bytes[84 + 50 + 3] = 0xff;
+  bytes[84 + 50 + 2] = 0xc0;
+  put_bytes(bytes, size);
+  assert_works(sepax_stl_read(&mesh, path, false, &fault));
+  assert_int_equal(mesh.count, 3);
+  sepax_soup_free(&mesh);
+  assert_refused("facet 1: normal is NaN; export");
+}
+
+/* A mark of UTF-8 before the text; zeros or Ctrl-Z behind it, as old systems fill their blocks. */
+CASE(test_marks_and_padding) {
+  static const char *const text[] = {"\xef\xbb\xbf" SOLID("1"), SOLID("1") "\x1a",
+                                     SOLID("1") "\n\x1a\x1a \n"};
+  sepax_soup mesh;
+  for (size_t n = 0; n < LENGTH(text); n++) {
+    put_bytes(text[n], strlen(text[n]));
+    assert_works(sepax_stl_read(&mesh, path, false, &fault));
+    assert_int_equal(mesh.count, 1);
+    sepax_soup_free(&mesh);
+  }
+  static const char padded[] = SOLID("1") "\0\0\0";
+  put_bytes(padded, sizeof padded);
+  assert_works(sepax_stl_read(&mesh, path, false, &fault));
+  sepax_soup_free(&mesh);
+  refuse_bytes(SOLID("1") "\x1a" SOLID("1"), 2 * strlen(SOLID("1")) + 1, "where solid is expected");
 }
 
 /* A program that took over a language with a decimal comma reads and writes the same files. */
