@@ -365,14 +365,17 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
 /* ------------------------------------------------------------------ solids */
 
 /* The surface of a body. Vertices are one where their coordinates are equal (-0 is 0); an edge
- * joins two that differ. A part is what hangs together by edges. Triangles without area are
- * triangles like others. Fill it with sepax_shell_find; the body must stay as long as it. It never
- * changes; threads may share it. */
+ * joins two that differ. Edges are segments in space: one with a vertex of other triangles in its
+ * middle may close a body with the two shorter edges there, if all are exactly on one line.
+ * Triangles without area are triangles like others. A part is what hangs together by edges, and by
+ * edges of an odd number of triangles that are on one line and share an end. Fill it with
+ * sepax_shell_find; the body must stay as long as it. It never changes; threads may share it. */
 typedef struct {
   const sepax_body *body;
-  bool closed;     /* every edge belongs to an even number of triangles: the body is a solid */
-  bool consistent; /* every edge is run as often one way as the other, but for one triangle where
-                      their number is odd: no triangle is turned round */
+  bool closed;     /* every point, but for a finite number of them, is on an even number of edges of
+                      triangles: the body is a solid */
+  bool consistent; /* there, as many edges run one way as the other; but for one edge where their
+                      number is odd: no triangle is turned round */
   size_t facet;    /* where one is false: a triangle by its number in the mesh, and an edge of it */
   double edge[2][3]; /* that is not so; where both are false, an edge that is open */
   size_t parts;

@@ -1,6 +1,6 @@
 /* ears.c - the ears of a polygon in the plane. */
 #include "reader/ears.h"
-#include "reader/orient.h"
+#include "body/orient.h"
 #include "sepax.h"
 
 #include <math.h>

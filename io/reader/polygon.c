@@ -1,7 +1,7 @@
 /* polygon.c - a polygon as triangles: its plane, its views, and the fan. */
 #include "reader/polygon.h"
 #include "reader/ears.h"
-#include "reader/orient.h"
+#include "body/orient.h"
 
 #include <math.h>
 

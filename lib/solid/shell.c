@@ -1,12 +1,20 @@
 /* shell.c - is a body closed, do its triangles wind alike, what hangs together by edges.
  *
+ * Edges are summed as segments in space: of a closed body, every point of every edge is in an even
+ * number of triangles' edges. Edges of an even number of triangles add nothing. The others cancel
+ * iff at every vertex, and on every line through it, an even number of them ends: on each line they
+ * then are a cycle, and a line has none but zero. So a vertex in the middle of another triangle's
+ * edge opens nothing. Signed, the sum tells whether the triangles wind alike.
+ *
  * Corners of equal coordinates get one number, by a hash table, in the order of the tree, so that
  * neighbours have numbers near each other. Each edge is then listed at the lower of its two
  * numbers, by counting, and these short lists are sorted. */
 #include "body/body.h"
+#include "body/orient.h"
 #include "parts.h"
 #include "util/memory.h"
 #include "util/error.h"
+#include "util/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,16 +26,25 @@ typedef struct {
   uint32_t tag, number; /* of the hash; of the vertex + 1, 0: free */
 } slot;
 
+/* An end of an edge of an odd number of triangles. */
+typedef struct {
+  uint32_t at, other; /* vertices */
+  uint32_t triangle;
+  int32_t away; /* how much more often the triangles run from `at` to `other` than back */
+} edge_end;
+
 typedef struct {
   size_t count;          /* of triangles */
   uint32_t (*corner)[3]; /* the vertices of a triangle */
   double (*vertex)[3];
   size_t vertices, capacity;
   slot *slot;
-  size_t mask;      /* slots - 1 */
-  uint32_t *begin;  /* of a vertex's list */
-  uint64_t *edge;   /* 2 other vertex + 1 where the edge runs to the lower number; triangle */
-  bool *turned;     /* a triangle at an edge that is not consistent */
+  size_t mask;     /* slots - 1 */
+  uint32_t *begin; /* of a vertex's list */
+  uint64_t *edge;  /* 2 other vertex + 1 where the edge runs to the lower number; triangle */
+  bool *turned;    /* a triangle at an edge that is not consistent */
+  edge_end *odd;
+  size_t odds, odd_capacity;
   uint32_t *parent; /* a triangle of the same part; of the first of a part, itself */
 } surface;
 
@@ -169,27 +186,47 @@ static void sort(uint64_t *e, size_t count) {
   }
 }
 
+/* An edge or several on one line that do not cancel. What is open is named before what is turned
+ * round. */
+static void judge_sum(const surface *s, bool odd, int64_t turn, const edge_end *first,
+                      sepax_shell *shell) {
+  bool uneven = turn > 1 || turn < -1;
+  if ((odd && shell->closed) || (uneven && shell->closed && shell->consistent)) {
+    memcpy(shell->edge[0], s->vertex[first->at], sizeof *s->vertex);
+    memcpy(shell->edge[1], s->vertex[first->other], sizeof *s->vertex);
+    shell->facet = shell->body->number[first->triangle];
+  }
+  s->turned[first->triangle] |= uneven;
+  shell->closed = shell->closed && !odd;
+  shell->consistent = shell->consistent && !uneven;
+}
+
 /* The triangles at one edge, whose vertices are p and edge[...] >> 33. */
-static void judge_edge(const surface *s, const uint64_t *edge, size_t count, uint32_t p,
+static bool judge_edge(surface *s, const uint64_t *edge, size_t count, uint32_t p,
                        sepax_shell *shell) {
   int64_t turn = 0;
   for (size_t n = 0; n < count; n++) {
     turn += (edge[n] >> 32 & 1) != 0 ? 1 : -1;
     join(s->parent, (uint32_t)edge[0], (uint32_t)edge[n]);
   }
-  bool odd = count % 2 != 0;
-  bool uneven = turn > 1 || turn < -1;
-  if ((odd && shell->closed) || (uneven && shell->closed && shell->consistent)) {
-    memcpy(shell->edge[0], s->vertex[p], sizeof *s->vertex);
-    memcpy(shell->edge[1], s->vertex[edge[0] >> 33], sizeof *s->vertex);
-    shell->facet = shell->body->number[(uint32_t)edge[0]];
+  edge_end end = {p, (uint32_t)(edge[0] >> 33), (uint32_t)edge[0], -(int32_t)turn};
+  if (count % 2 == 0) {
+    judge_sum(s, false, turn, &end, shell);
+    return true;
   }
-  s->turned[(uint32_t)edge[0]] |= uneven;
-  shell->closed = shell->closed && !odd;
-  shell->consistent = shell->consistent && !uneven;
+  for (int k = 0; k < 2; k++) {
+    edge_end *grown = list_grow(s->odd, &s->odd_capacity, s->odds, sizeof *grown);
+    if (grown == NULL) {
+      return false;
+    }
+    s->odd = grown;
+    s->odd[s->odds++] = end;
+    end = (edge_end){end.other, end.at, end.triangle, -end.away};
+  }
+  return true;
 }
 
-static void judge_edges(const surface *s, sepax_shell *shell) {
+static bool judge_edges(surface *s, sepax_shell *shell) {
   for (size_t n = 0; n < s->count; n++) {
     s->parent[n] = (uint32_t)n;
   }
@@ -202,10 +239,88 @@ static void judge_edges(const surface *s, sepax_shell *shell) {
       while (end < count && e[end] >> 33 == e[first] >> 33) {
         end++;
       }
-      judge_edge(s, e + first, end - first, p, shell);
+      if (!judge_edge(s, e + first, end - first, p, shell)) {
+        return false;
+      }
       first = end;
     }
   }
+  return true;
+}
+
+/* --------------------------------------------------------- edges of an odd number */
+
+/* The order of the lines through p and q, p and r, around p: exactly 0 for the same line. A line's
+ * direction is taken with its first coordinate that is not 0 positive. */
+static int compare_lines(const double p[3], const double q[3], const double r[3]) {
+  const double *end[2] = {q, r};
+  int first[2];
+  bool back[2];
+  for (int k = 0; k < 2; k++) {
+    first[k] = 0;
+    while (first[k] < 2 && !(end[k][first[k]] < p[first[k]] || end[k][first[k]] > p[first[k]])) {
+      first[k]++;
+    }
+    back[k] = end[k][first[k]] < p[first[k]];
+  }
+  int order = first[1] - first[0];
+  for (int i = first[0] + 1; i < 3 && order == 0; i++) {
+    const double at[2] = {p[first[0]], p[i]};
+    const double to_q[2] = {q[first[0]], q[i]};
+    const double to_r[2] = {r[first[0]], r[i]};
+    order = sepax__orient2d(at, to_q, to_r);
+    order = back[0] != back[1] ? -order : order;
+  }
+  return order;
+}
+
+/* Ends in the order of their vertices, and at each of their lines. */
+static int compare_ends(const surface *s, const edge_end *p, const edge_end *q) {
+  if (p->at != q->at) {
+    return p->at < q->at ? -1 : 1;
+  }
+  return compare_lines(s->vertex[p->at], s->vertex[p->other], s->vertex[q->other]);
+}
+
+/* By merging; `scratch` has space for half of them. */
+static void sort_ends(const surface *s, edge_end *end, edge_end *scratch, size_t count) {
+  if (count < 2) {
+    return;
+  }
+  size_t half = count / 2;
+  sort_ends(s, end, scratch, half);
+  sort_ends(s, end + half, scratch, count - half);
+  memcpy(scratch, end, half * sizeof *end);
+  size_t p = 0;
+  size_t q = half;
+  for (size_t n = 0; p < half; n++) {
+    bool lower = q == count || compare_ends(s, &scratch[p], &end[q]) <= 0;
+    end[n] = lower ? scratch[p++] : end[q++];
+  }
+}
+
+/* Where the ends on a line do not cancel, an edge is open; else what has them is one part. */
+static bool judge_ends(const surface *s, sepax_shell *shell) {
+  if (s->odds == 0) {
+    return true;
+  }
+  edge_end *scratch = sepax_allocate(s->odds / 2 * sizeof *scratch);
+  if (scratch == NULL) {
+    return false;
+  }
+  sort_ends(s, s->odd, scratch, s->odds);
+  sepax_release(scratch);
+  for (size_t first = 0; first < s->odds;) {
+    size_t end = first;
+    int64_t away = 0;
+    for (; end < s->odds && compare_ends(s, &s->odd[first], &s->odd[end]) == 0; end++) {
+      away += s->odd[end].away;
+      join(s->parent, s->odd[first].triangle, s->odd[end].triangle);
+    }
+    judge_sum(s, (end - first) % 2 != 0, away, &s->odd[first], shell);
+    first = end;
+  }
+  return true;
 }
 
 /* --------------------------------------------------------------------- the shell */
@@ -230,8 +345,8 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
     return false;
   }
   list_edges(s);
-  judge_edges(s, shell);
-  return sepax__find_parts(shell, s->parent, s->turned);
+  return judge_edges(s, shell) && judge_ends(s, shell) &&
+         sepax__find_parts(shell, s->parent, s->turned);
 }
 
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error) {
@@ -250,6 +365,7 @@ bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *e
   sepax_release(s.turned);
   sepax_release(s.begin);
   sepax_release(s.edge);
+  sepax_release(s.odd);
   if (!ok) {
     sepax_shell_free(shell);
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the shell of %zu triangles",

@@ -45,7 +45,7 @@ $(BUILD)/libsepax.a $(BUILD)/libsepax.so.0: $(LIB_OBJ)
 $(BUILD)/libsepax-model.a $(BUILD)/libsepax-model.so.0: $(MODEL_OBJ) \
   $(call object,lib/util/write_file.c lib/util/temporary.c)
 $(BUILD)/libsepax-io.a $(BUILD)/libsepax-io.so.0: $(IO_OBJ) \
-  $(call object,lib/util/text.c lib/mesh/stl_read.c) $(BUILD)/obj/libraries
+  $(call object,lib/util/text.c lib/mesh/stl_read.c lib/body/orient.c) $(BUILD)/obj/libraries
 $(BUILD)/libsepax-model.so.0 $(BUILD)/libsepax-io.so.0: $(BUILD)/libsepax.so.0
 $(BUILD)/libsepax-io.so.0: LIBS = $(IO_LIBS)
 $(BUILD)/libsepax.a $(BUILD)/libsepax-model.a $(BUILD)/libsepax-io.a:

@@ -101,6 +101,35 @@ static inline void split_edge(sepax_soup *m) {
   add_triangle(m, v[0], v[1], middle);
 }
 
+/* An edge of a triangle gets a vertex, its neighbour does not. */
+static inline void tear_edge(sepax_soup *m) {
+  sepax_facet *f = &m->facet[random_below((int)m->count)];
+  double share = (1 + random_below(3)) / 4.0;
+  double v[3][3];
+  double at[3];
+  int k = random_below(3);
+  for (int n = 0; n < 3; n++) {
+    memcpy(v[n], f->v[(n + k) % 3], sizeof v[n]);
+  }
+  for (int i = 0; i < 3; i++) {
+    at[i] = v[0][i] + share * (v[1][i] - v[0][i]);
+  }
+  memcpy(f->v[0], v[0], sizeof at);
+  memcpy(f->v[1], at, sizeof at);
+  memcpy(f->v[2], v[2], sizeof at);
+  add_triangle(m, at, v[1], v[2]);
+}
+
+/* A triangle without area: an edge of another, and a point of it. */
+static inline void add_segment(sepax_soup *m) {
+  double v[3][3];
+  memcpy(v, m->facet[random_below((int)m->count)].v, sizeof v);
+  for (int i = 0; i < 3; i++) {
+    v[2][i] = v[0][i] + 0.75 * (v[1][i] - v[0][i]);
+  }
+  add_triangle(m, v[0], v[1], v[2]);
+}
+
 static inline void add_block(sepax_soup *m, const double low[3], const double high[3],
                              bool inside_out) {
   size_t first = m->count;

@@ -200,7 +200,122 @@ static bool boxes_disjoint(const points p, const points q) {
   return false;
 }
 
+/* ---- edges of an odd number of triangles, as segments in space */
+
+typedef struct {
+  const double *from, *to;
+  size_t triangle;
+  int turns; /* how much more often triangles run it from `from` to `to` than back */
+} odd_edge;
+
+/* r is on the line through p and q, which differ. */
+static bool is_on_line(const double p[3], const double q[3], const double r[3]) {
+  mpq_t d[6];
+  mpq_t origin;
+  bool on = true;
+  mpq_init(origin);
+  for (int i = 0; i < 6; i++) {
+    mpq_init(d[i]);
+    mpq_set_d(d[i], (i < 3 ? q : r)[i % 3]);
+    mpq_set_d(origin, p[i % 3]);
+    mpq_sub(d[i], d[i], origin);
+  }
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    mpq_t left;
+    mpq_t right;
+    mpq_inits(left, right, NULL);
+    mpq_mul(left, d[i], d[3 + j]);
+    mpq_mul(right, d[j], d[3 + i]);
+    on = on && mpq_equal(left, right) != 0;
+    mpq_clears(left, right, NULL);
+  }
+  for (int i = 0; i < 6; i++) {
+    mpq_clear(d[i]);
+  }
+  mpq_clear(origin);
+  return on;
+}
+
+/* An axis along which a segment has a length. */
+static int axis_of(const odd_edge *e) {
+  int i = 0;
+  while (e->from[i] == e->to[i]) {
+    i++;
+  }
+  return i;
+}
+
+static bool covers(const odd_edge *e, const double p[3]) {
+  int i = axis_of(e);
+  return p[i] >= fmin(e->from[i], e->to[i]) && p[i] <= fmax(e->from[i], e->to[i]) &&
+         is_on_line(e->from, e->to, p);
+}
+
+static int by_number(const void *p, const void *q) {
+  double a = *(const double *)p;
+  double b = *(const double *)q;
+  return (a > b) - (a < b);
+}
+
+/* Between any two ends that follow each other on edge e: how many edges are there, and how often
+ * one way? */
+static void judge_oracle_edge(oracle_shell *o, const odd_edge *edge, size_t count, size_t e) {
+  int axis = axis_of(&edge[e]);
+  double *at = calloc(2 * count, sizeof *at);
+  size_t *on = calloc(count, sizeof *on); /* edges on its line */
+  size_t ends = 0;
+  size_t lines = 0;
+  for (size_t n = 0; n < count; n++) {
+    if (is_on_line(edge[e].from, edge[e].to, edge[n].from) &&
+        is_on_line(edge[e].from, edge[e].to, edge[n].to)) {
+      on[lines++] = n;
+      for (int k = 0; k < 2; k++) {
+        const double *p = k == 0 ? edge[n].from : edge[n].to;
+        if (covers(&edge[e], p)) {
+          at[ends++] = p[axis];
+        }
+      }
+    }
+  }
+  qsort(at, ends, sizeof *at, by_number);
+  for (size_t n = 1; n < ends; n++) {
+    int times = 0;
+    int turns = 0;
+    for (size_t k = 0; k < lines && at[n] > at[n - 1]; k++) {
+      double from = edge[on[k]].from[axis];
+      double to = edge[on[k]].to[axis];
+      if (fmin(from, to) <= at[n - 1] && fmax(from, to) >= at[n]) {
+        times++;
+        turns += to > from ? edge[on[k]].turns : -edge[on[k]].turns;
+      }
+    }
+    o->closed = o->closed && times % 2 == 0;
+    o->consistent = o->consistent && abs(turns) <= 1;
+    o->turned[edge[e].triangle] = o->turned[edge[e].triangle] || abs(turns) > 1;
+  }
+  free(at);
+  free(on);
+}
+
+static void judge_oracle_edges(oracle_shell *o, const odd_edge *edge, size_t count, size_t facets) {
+  for (size_t e = 0; e < count; e++) {
+    judge_oracle_edge(o, edge, count, e);
+    for (size_t n = 0; n < e; n++) {
+      const odd_edge *p = &edge[e];
+      const odd_edge *q = &edge[n];
+      bool meet = same_point(p->from, q->from) || same_point(p->from, q->to) ||
+                  same_point(p->to, q->from) || same_point(p->to, q->to);
+      if (meet && is_on_line(p->from, p->to, q->from) && is_on_line(p->from, p->to, q->to)) {
+        merge(o->part, facets, p->triangle, q->triangle);
+      }
+    }
+  }
+}
+
 static void find_oracle_shell(oracle_shell *o, const sepax_soup *m) {
+  odd_edge *odd = calloc(3 * m->count, sizeof *odd);
+  size_t odds = 0;
   *o = (oracle_shell){true,
                       true,
                       calloc(m->count, sizeof(size_t)),
@@ -217,19 +332,27 @@ static void find_oracle_shell(oracle_shell *o, const sepax_soup *m) {
     const double *q = t[(n + 1) % 3];
     int count = 0;
     int turns = 0;
+    bool first = true;
     for (size_t k = 0; k < 3 * m->count; k++) {
       const double(*u)[3] = m->facet[k / 3].v;
       int way = same_edge(p, q, u[k % 3], u[(k + 1) % 3]);
       count += way != 0;
       turns += way;
       if (way != 0) {
+        first = first && k >= n;
         merge(o->part, m->count, n / 3, k / 3);
       }
     }
-    o->closed = o->closed && count % 2 == 0;
-    o->consistent = o->consistent && abs(turns) <= 1;
-    o->turned[n / 3] = o->turned[n / 3] || abs(turns) > 1;
+    if (count % 2 != 0 && first) {
+      odd[odds++] = (odd_edge){p, q, n / 3, turns};
+    }
+    if (count % 2 == 0) {
+      o->consistent = o->consistent && abs(turns) <= 1;
+      o->turned[n / 3] = o->turned[n / 3] || abs(turns) > 1;
+    }
   }
+  judge_oracle_edges(o, odd, odds, m->count);
+  free(odd);
   for (size_t n = 0; n < m->count; n++) {
     o->turned[o->part[n]] = o->turned[o->part[n]] || o->turned[n];
   }

@@ -4,7 +4,7 @@
  * division of a polygon that is simple. */
 #include "reader/polygon.h"
 #include "harness.h"
-#include "reader/orient.h"
+#include "body/orient.h"
 
 #include <gmp.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* orient.c - on which side of a line or of a plane a point is, exactly. */
-#include "reader/orient.h"
+#include "body/orient.h"
 #include "body/big.h"
 #include "body/number.h"
 
