@@ -175,8 +175,10 @@ static bool read_polygon(ply_reader *r, const ply_property *p) {
   if (count < 3) {
     return fail_row(r, "a face of fewer than three corners");
   }
-  char where[40];
-  snprintf(where, sizeof where, "face %llu", (unsigned long long)r->row);
+  char where[40] = "";
+  if (count > 3) { /* a triangle needs no dividing, which could fail */
+    snprintf(where, sizeof where, "face %llu", (unsigned long long)r->row);
+  }
   return sepax__builder_polygon(r->b, count, r->head.order == PLY_TEXT ? r->w.line : 0, where);
 }
 
