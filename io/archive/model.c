@@ -102,7 +102,10 @@ static bool check_attributes(part_xml *x, core_element which, const part_element
     bool uuid = a.space != NULL && strcmp(a.space, PRODUCTION_SPACE) == 0;
     bool path = uuid && strcmp(a.name, "path") == 0 && (which == ITEM || which == COMPONENT);
     bool ok = true;
-    if (is_core(a.space)) {
+    if (a.prefix != NULL && a.space == NULL) {
+      ok = sepax__part_xml_fail(x, "%.40s:%.40s has a prefix without a namespace; export it again",
+                                a.prefix, a.name);
+    } else if (is_core(a.space)) {
       ok = check_core_attribute(x, which, a.name);
     } else if (!path && strcmp(a.space, XML_SPACE) != 0) {
       ok = name_foreign(x, a.prefix, a.name, "attributes");

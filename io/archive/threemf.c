@@ -24,7 +24,7 @@ typedef struct {
 } relations;
 
 static bool is_attribute(const part_attribute *a, const char *name) {
-  return a->space == NULL && strcmp(a->name, name) == 0;
+  return a->space == NULL && a->prefix == NULL && strcmp(a->name, name) == 0;
 }
 
 static bool read_relation(part_xml *x, const part_element *e) {

@@ -181,17 +181,19 @@ CASE(transformations) {
   "</bind_shape_matrix><joints/><vertex_weights count='0'/></skin></controller>"         \
   "<controller id='m'><morph source='#g'/></controller></library_controllers>\n"
 
+#define MOVED_SKIN SKIN("1 0 0 0 0 1 0 0 0 0 1 5 0 0 0 1")
+#define SKINNED_NODE                                         \
+  "<library_nodes><node id='k'><translate>0 7 0</translate>" \
+  "<instance_controller url='#c'/></node></library_nodes>\n"
+#define ITS_INSTANCE "<node><translate>1 0 0</translate><instance_node url='#k'/></node>"
+
 CASE(instances) {
-  read_text(ROOT GEOMETRIES(GEOMETRY("g", ONE)) SKIN(
-      "1 0 0 0 0 1 0 0 0 0 1 5 0 0 0 1") "<library_nodes><node id='k'>"
-                                         "<translate>0 7 0</translate><instance_controller url='#c'/></node></library_nodes>" SCENE(
-                                             "<node><translate>1 0 0</translate><instance_node url='#k'/></node>")
-                                             END);
+  read_text(ROOT GEOMETRIES(GEOMETRY("g", ONE)) MOVED_SKIN SKINNED_NODE SCENE(ITS_INSTANCE) END);
   TRIANGLE(0, 1, 7, 5, 2, 7, 5, 1, 9, 5);
   assert_int_equal(others("skins, read as they were bound"), 1);
   sepax_soup_free(&soup);
-  refuse(ROOT GEOMETRIES(GEOMETRY("g", ONE)) SKIN("1 0 0 0 0 1 0 0 0 0 1 5 0 0 0 1")
-             SCENE("<node><instance_controller url='#m'/></node>") END,
+  refuse(ROOT GEOMETRIES(GEOMETRY("g", ONE))
+             MOVED_SKIN SCENE("<node><instance_controller url='#m'/></node>") END,
          "<controller> that is no skin");
   refuse(PLACED("<node><instance_geometry url='b.dae#g'/></node>"),
          "refers to another file, which is not read; put it into this one");

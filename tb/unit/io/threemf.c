@@ -257,6 +257,8 @@ CASE(the_core_is_strict) {
   refuse(PLAIN(OBJECT("1", MESH "<volume/>")), "<volume> in <object> is not in the specification");
   refuse(PLAIN("<object id='1' idd='2'>" MESH "</object>"),
          "<object idd=...> is not in the specification");
+  refuse(PLAIN("<object q:id='1'>" MESH "</object>"), "q:id has a prefix without a namespace");
+  refuse(PLAIN(OBJECT("1", MESH "<q:mesh/>")), "<mesh> in <object> is not in the specification");
   refuse(PLAIN("<object>" MESH "</object>"), "<object> without id=");
   refuse(PLAIN("<object id='one'>" MESH "</object>"), "id=\"one\": give a whole number");
   refuse(PLAIN("<object id='1' type='solid'>" MESH "</object>"), "type=\"solid\": give model");
