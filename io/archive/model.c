@@ -30,7 +30,7 @@ typedef enum {
 } core_element;
 
 /* Where each may be, and its attributes; what stands after '|' has no surface and is named. Slicers
- * write some without a prefix: how triangles are painted, and what is not to be printed. */
+ * write some without a prefix: how triangles are painted, how items are arranged. */
 static const struct {
   const char *name;
   unsigned parents;
@@ -42,7 +42,8 @@ static const struct {
     [RESOURCES] = {"resources", 1u << MODEL, " "},
     [BASEMATERIALS] = {"basematerials", 1u << RESOURCES, " id displaypropertiesid "},
     [BASE] = {"base", 1u << BASEMATERIALS, " name displaycolor displaypropertiesid "},
-    [OBJECT] = {"object", 1u << RESOURCES, " id type thumbnail partnumber name pid pindex "},
+    [OBJECT] = {"object", 1u << RESOURCES,
+                " id type thumbnail partnumber name pid pindex | instances_count "},
     [METADATAGROUP] = {"metadatagroup", 1u << OBJECT | 1u << ITEM, " "},
     [MESH] = {"mesh", 1u << OBJECT, " "},
     [VERTICES] = {"vertices", 1u << MESH, " "},
@@ -54,7 +55,8 @@ static const struct {
     [COMPONENTS] = {"components", 1u << OBJECT, " "},
     [COMPONENT] = {"component", 1u << COMPONENTS, " objectid transform "},
     [BUILD] = {"build", 1u << MODEL, " "},
-    [ITEM] = {"item", 1u << BUILD, " objectid transform partnumber printable "},
+    [ITEM] = {"item", 1u << BUILD,
+              " objectid transform partnumber printable | auto_drop instances_count "},
 };
 
 enum { DEPTH_MOST = 257 };
@@ -93,7 +95,7 @@ static bool check_core_attribute(part_xml *x, core_element which, const char *na
     return sepax__part_xml_fail(x, "<%s %.40s=...> is not in the specification; export it again",
                                 core[which].name, name);
   }
-  return bar == NULL || found < bar || sepax__builder_other(builder(x), "painted triangles", 1);
+  return bar == NULL || found < bar || name_foreign(x, NULL, name, "attributes");
 }
 
 static bool check_attributes(part_xml *x, core_element which, const part_element *e) {

@@ -180,7 +180,8 @@ CASE(production) {
                           TRIANGLE("3", "2", "1") "</triangles></mesh>")
               OBJECT("2",
                      COMPONENTS(COMPONENT("1", "p:path='/3D/Objects/Object_1.model' p:UUID='u'"))))
-          BUILD(ITEM("2", "p:UUID='v'") "<item objectid='1' p:path='/3D/x%20y.bin'/>"));
+          BUILD(
+              ITEM("2", "p:UUID='v' auto_drop='1'") "<item objectid='1' p:path='/3D/x%20y.bin'/>"));
   static const char other[] =
       "<c:model xmlns:c='http://schemas.microsoft.com/3dmanufacturing/core/2015/02'><c:resources>"
       "<c:object id='1'><c:mesh><c:vertices><c:vertex x='5' y='0' z='0'/><c:vertex x='6' y='0' "
@@ -209,7 +210,7 @@ CASE(production) {
     IS(0, 5, 0, 0, 6, 0, 0, 5, 1, 0);
     IS(1, 0, 0, 0, 1, 0, 0, 0, 2, 0);
     assert_int_equal(others("p:UUID attributes"), 2);
-    assert_int_equal(others("painted triangles"), 1);
+    assert_int_equal(others("paint_color attributes"), 1);
     assert_int_equal(others("metadata"), 1);
     assert_int_equal(others("images"), 1);
     assert_int_equal(others("parts of the package that are no models"), 2);
