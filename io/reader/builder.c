@@ -61,7 +61,11 @@ bool sepax__builder_corners(mesh_builder *b, size_t corners) {
 /* Of the soup's triangle, or one that will be, of this number. */
 static bool coordinates_right(const mesh_builder *b, size_t number, const double (*v)[3],
                               size_t count) {
+  bool right = true;
   for (size_t i = 0; i < 3 * count; i++) {
+    right &= fabs(v[i / 3][i % 3]) <= coordinate_most;
+  }
+  for (size_t i = 0; i < 3 * count && !right; i++) {
     double x = v[i / 3][i % 3];
     if (!(fabs(x) <= coordinate_most)) {
       return sepax__builder_fail(b, "triangle %zu: a coordinate is %s; export the mesh again",
@@ -100,33 +104,35 @@ bool sepax__builder_triangle(mesh_builder *b, const double v[3][3]) {
 }
 
 static bool divided(const mesh_builder *b, polygon_result result, size_t count, size_t line,
-                    const char *where) {
+                    const char *what, size_t number) {
   switch (result) {
   case POLYGON_MEMORY:
     return sepax__builder_fail_memory(b);
   case POLYGON_LONG:
     return sepax__builder_fail_line(b, line,
-                                    "%s: a polygon of %zu corners, which the first does not all "
-                                    "see; up to %d can be divided: export triangles",
-                                    where, count, POLYGON_CORNERS_MOST);
+                                    "%s %zu: a polygon of %zu corners, which the first does not "
+                                    "all see; up to %d can be divided: export triangles",
+                                    what, number, count, POLYGON_CORNERS_MOST);
   case POLYGON_CROSSES:
     return sepax__builder_fail_line(
-        b, line, "%s: a polygon of %zu corners that crosses itself; export triangles", where,
-        count);
+        b, line, "%s %zu: a polygon of %zu corners that crosses itself; export triangles", what,
+        number, count);
   case POLYGON_DIVIDED:
     break;
   }
   return true;
 }
 
-bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const char *where) {
+bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const char *what,
+                            size_t number) {
   if (count == 3) {
     return sepax__builder_triangle(b, (const double(*)[3])b->corner);
   }
   bool bent = false;
   const double(*corner)[3] = (const double(*)[3])b->corner;
   if (!coordinates_right(b, b->soup.count, corner, count) ||
-      !divided(b, sepax__polygon_divide(corner, count, b->triangle, &bent), count, line, where)) {
+      !divided(b, sepax__polygon_divide(corner, count, b->triangle, &bent), count, line, what,
+               number)) {
     return false;
   }
   b->account.divided++;

@@ -39,9 +39,10 @@ bool sepax__builder_triangle(mesh_builder *b, const double v[3][3]);
 bool sepax__builder_within(const mesh_builder *b);
 
 /* The polygon of the first `count` (3 or more) corners in b->corner as triangles, by polygon.h;
- * counts it in account.divided and account.bent. Fails on one that cannot be divided. `where` says
- * which it is for messages: "face 17". With line 0 the message has none. */
-bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const char *where);
+ * counts it in account.divided and account.bent. Fails on one that cannot be divided. The messages
+ * call it "face 17" by `what` and number; with line 0 they have no line. */
+bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const char *what,
+                            size_t number);
 
 /* `count` more elements of this kind without a surface. */
 bool sepax__builder_other(mesh_builder *b, const char *what, size_t count);

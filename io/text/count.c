@@ -72,7 +72,8 @@ static size_t count_words(const char *from, const char *to, const unsigned char 
 }
 
 static bool begins_name(const char *c) {
-  return strncasecmp(c, "solid", 5) == 0 || strncasecmp(c, "endsolid", 8) == 0;
+  return (*c == 's' || *c == 'S' || *c == 'e' || *c == 'E') &&
+         (strncasecmp(c, "solid", 5) == 0 || strncasecmp(c, "endsolid", 8) == 0);
 }
 
 /* A binary file is as long as its head says; of a text, words in lines that have no name. */

@@ -202,7 +202,7 @@ static bool read_face(obj_reader *r) {
     memcpy(r->b->corner[count++], r->vertex[vertex], sizeof *r->vertex);
   }
   r->faces++;
-  return count >= 3 ? sepax__builder_polygon(r->b, count, line, "a face")
+  return count >= 3 ? sepax__builder_polygon(r->b, count, line, "face", r->faces - 1)
                     : sepax__builder_fail_line(r->b, line,
                                                "a face of %zu corners; give three or more, or a "
                                                "line (l)",

@@ -1,5 +1,6 @@
 /* ply.c - PLY: the rows of its elements. */
 #include "text/ply.h"
+#include "util/bytes.h"
 
 #include <stdio.h>
 #include <strings.h>
@@ -29,34 +30,37 @@ static bool fail_row(const ply_reader *r, const char *what) {
 /* ------------------------------------------------------------------------- numbers */
 
 static double number_at(const char *at, ply_type type, bool big) {
+  const unsigned char *byte = (const unsigned char *)at;
   union {
     uint64_t whole;
     double real;
-  } eight = {0};
+  } eight;
   union {
     uint32_t whole;
     float real;
   } four;
-  size_t bytes = sepax__ply_bytes[type];
-  for (size_t n = 0; n < bytes; n++) {
-    uint64_t byte = (unsigned char)at[big ? bytes - 1 - n : n];
-    eight.whole |= byte << (8 * n);
-  }
-  four.whole = (uint32_t)eight.whole;
+  unsigned two = big ? byte[0] * 256U + byte[1] : byte[1] * 256U + byte[0];
   switch (type) {
   case PLY_INT8:
-    return (int8_t)eight.whole;
+    return (int8_t)byte[0];
+  case PLY_UINT8:
+    return byte[0];
   case PLY_INT16:
-    return (int16_t)eight.whole;
-  case PLY_INT32:
-    return (int32_t)eight.whole;
-  case PLY_FLOAT:
-    return (double)four.real;
+    return (int16_t)two;
+  case PLY_UINT16:
+    return two;
   case PLY_DOUBLE:
+    eight.whole = bytes_get64(at);
+    eight.whole = big ? __builtin_bswap64(eight.whole) : eight.whole;
     return eight.real;
   default:
-    return (double)eight.whole;
+    break;
   }
+  four.whole = bytes_get32(at);
+  four.whole = big ? __builtin_bswap32(four.whole) : four.whole;
+  return type == PLY_FLOAT    ? (double)four.real
+         : type == PLY_UINT32 ? (double)four.whole
+                              : (double)(int32_t)four.whole;
 }
 
 /* A word that is no number, such as nan, is NaN: of a vertex that no face has it does no harm. */
@@ -98,7 +102,7 @@ static bool take_length(ply_reader *r, const ply_property *p, size_t *length) {
   }
   size_t least = r->head.order == PLY_TEXT ? 1 : sepax__ply_bytes[p->type];
   if (!(number >= 0 && number <= (double)((size_t)(r->w.end - r->w.at) / least)) ||
-      number != floor(number)) {
+      number != (double)(size_t)number) {
     return fail_row(r, "a list of more numbers than there are, or of no whole number of them");
   }
   *length = (size_t)number;
@@ -152,7 +156,7 @@ static bool take_index(ply_reader *r, ply_type type, bool separates, double *ind
   if (!take_number(r, type, index)) {
     return false;
   }
-  if ((*index >= 0 && *index < (double)r->vertices && *index == floor(*index)) ||
+  if ((*index >= 0 && *index < (double)r->vertices && *index == (double)(size_t)*index) ||
       (separates && *index == -1)) {
     return true;
   }
@@ -175,11 +179,8 @@ static bool read_polygon(ply_reader *r, const ply_property *p) {
   if (count < 3) {
     return fail_row(r, "a face of fewer than three corners");
   }
-  char where[40] = "";
-  if (count > 3) { /* a triangle needs no dividing, which could fail */
-    snprintf(where, sizeof where, "face %llu", (unsigned long long)r->row);
-  }
-  return sepax__builder_polygon(r->b, count, r->head.order == PLY_TEXT ? r->w.line : 0, where);
+  return sepax__builder_polygon(r->b, count, r->head.order == PLY_TEXT ? r->w.line : 0, "face",
+                                r->row);
 }
 
 /* Each corner makes a triangle with the two before it, which winds the other way every other time;

@@ -255,7 +255,6 @@ static bool ends(const meshing *m, const xmlNode *node, const char *text) {
 /* One or two corners are a triangle without an area: a point or a segment of the surface. */
 static bool make_polygon(meshing *m, const xmlNode *p, size_t count, size_t number) {
   mesh_builder *b = m->d->b;
-  char where[40] = "";
   if (count == 0) {
     return sepax__dae_fail(m->d, p, "polygon %zu has no corners; leave it out", number);
   }
@@ -265,11 +264,9 @@ static bool make_polygon(meshing *m, const xmlNode *p, size_t count, size_t numb
   for (size_t n = count; n < 3; n++) {
     memcpy(b->corner[n], b->corner[n - 1], sizeof b->corner[n]);
   }
-  if (count > 3) {
-    snprintf(where, sizeof where, "polygon %zu", number);
-  }
   m->g->faces++;
-  return sepax__builder_polygon(b, count < 3 ? 3 : count, (size_t)xmlGetLineNo(p), where);
+  return sepax__builder_polygon(b, count < 3 ? 3 : count, (size_t)xmlGetLineNo(p), "polygon",
+                                number);
 }
 
 /* The only <p>, or NULL in a primitive of nothing. */
