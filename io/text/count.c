@@ -63,7 +63,7 @@ enum { WORD_LENGTH = sizeof "endfacet" - 1 };
 static size_t count_words(const char *from, const char *to, const unsigned char skip[256]) {
   size_t count = 0;
   for (const char *c = from; to - c >= WORD_LENGTH;) {
-    count += strncasecmp(c, "endfacet", WORD_LENGTH) == 0 &&
+    count += (*c == 'e' || *c == 'E') && strncasecmp(c, "endfacet", WORD_LENGTH) == 0 &&
              (c == from || isspace((unsigned char)c[-1])) &&
              (c + WORD_LENGTH == to || isspace((unsigned char)c[WORD_LENGTH]));
     c += skip[(unsigned char)c[WORD_LENGTH - 1]];
