@@ -139,8 +139,12 @@ static bool fail_expecting(const scanner *text, const char *what) {
 }
 
 /* The word at hand; capitals or not. */
-static bool word_is(const scanner *text, const char *keyword) {
+static inline bool word_is(const scanner *text, const char *keyword) {
   const char *c = text->at;
+  size_t length = strlen(keyword);
+  if (strncmp(c, keyword, length) == 0) {
+    return is_blank(c[length]) || c + length == text->end;
+  }
   for (; *keyword != '\0'; keyword++, c++) {
     if ((*c | 0x20) != *keyword) {
       return false;
