@@ -128,6 +128,12 @@ typedef struct {
  * by more from the identity, and the determinant is positive. Else SEPAX_ERROR_ARGUMENT. */
 bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error);
 
+/* Replace the matrix by the nearest rotation, its polar factor, to rounding: a matrix that was
+ * printed with few decimals. `moved`, unless NULL, gets the largest change of an entry. Error:
+ * ARGUMENT where the pose is not finite, where the matrix is a reflection, and where an entry would
+ * change by more than 0.01; the pose then stays. Cost: some 300 operations. */
+bool sepax_pose_nearest(sepax_pose *pose, double *moved, sepax_error *error);
+
 /* to = rotation v + translation; `to` may be v. Rounded: three products and sums a coordinate. */
 void sepax_pose_apply(const sepax_pose *pose, const double v[3], double to[3]);
 
@@ -149,6 +155,11 @@ typedef struct {
  * naming the line, on another count of numbers, on a number that is none or not finite, on a pose
  * that is not valid, and on a file without poses; MEMORY. */
 bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error);
+
+/* The same, each matrix replaced as sepax_pose_nearest does; *moved gets the largest change of all
+ * entries. */
+bool sepax_poses_read_nearest(sepax_poses *poses, double *moved, const char *path,
+                              sepax_error *error);
 void sepax_poses_free(sepax_poses *poses);
 
 /* ------------------------------------------------------------------ meshes */

@@ -3,6 +3,7 @@
 #include "util/error.h"
 
 #include <math.h>
+#include <string.h>
 
 bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error) {
   const double(*r)[3] = pose->rotation;
@@ -27,6 +28,76 @@ bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error) {
   return determinant > 0 ||
          sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                     "the matrix is a reflection, no rotation; mirror the mesh instead");
+}
+
+static bool has_numbers(const sepax_pose *pose) {
+  for (int i = 0; i < 3; i++) {
+    const double *r = pose->rotation[i];
+    if (!isfinite(r[0]) || !isfinite(r[1]) || !isfinite(r[2]) || !isfinite(pose->translation[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* wrong = I - R^T R; returns its greatest entry. */
+static double deviation(const double r[3][3], double wrong[3][3]) {
+  double most = 0;
+  for (int p = 0; p < 3; p++) {
+    for (int q = 0; q < 3; q++) {
+      wrong[p][q] = (p == q) - (r[0][p] * r[0][q] + r[1][p] * r[1][q] + r[2][p] * r[2][q]);
+      most = fmax(most, fabs(wrong[p][q]));
+    }
+  }
+  return most;
+}
+
+/* R (3 I - R^T R) / 2, again and again, leads to the nearest rotation: each singular value goes to
+ * 1, and how far it is from 1 is squared. A matrix that is orthonormal stays. */
+static void make_orthonormal(double r[3][3]) {
+  double wrong[3][3];
+  for (int round = 0; round < 6 && deviation((const double(*)[3])r, wrong) > 0; round++) {
+    double next[3][3];
+    for (int i = 0; i < 9; i++) {
+      int p = i / 3;
+      int q = i % 3;
+      next[p][q] =
+          r[p][q] + (r[p][0] * wrong[0][q] + r[p][1] * wrong[1][q] + r[p][2] * wrong[2][q]) / 2;
+    }
+    memcpy(r, next, sizeof next);
+  }
+}
+
+bool sepax_pose_nearest(sepax_pose *pose, double *moved, sepax_error *error) {
+  static const double most = 1e-2; /* an entry may change by this */
+  double wrong[3][3];
+  sepax_pose nearest = *pose;
+  if (!has_numbers(pose)) {
+    return sepax_pose_valid(pose, error);
+  }
+  double way = 0;
+  if (deviation(pose->rotation, wrong) <= 0.1) {
+    make_orthonormal(nearest.rotation);
+    for (int i = 0; i < 9; i++) {
+      way = fmax(way, fabs(nearest.rotation[i / 3][i % 3] - pose->rotation[i / 3][i % 3]));
+    }
+  } else {
+    way = INFINITY;
+  }
+  if (!(way <= most)) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "the matrix is no rotation, and an entry of it is farther than %g from every "
+                      "rotation's; mend it",
+                      most);
+  }
+  if (!sepax_pose_valid(&nearest, error)) {
+    return false;
+  }
+  *pose = nearest;
+  if (moved != NULL) {
+    *moved = way;
+  }
+  return true;
 }
 
 bool sepax__poses_valid(const sepax_pose *pose_a, const sepax_pose *pose_b, sepax_error *error) {

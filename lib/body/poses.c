@@ -49,8 +49,9 @@ static bool read_number(double *number, const char *word, size_t length, sepax_e
   return true;
 }
 
-/* A line of `length` bytes; *empty: no pose is there. */
-static bool read_pose(sepax_pose *pose, bool *empty, char *line, size_t length,
+/* A line of `length` bytes; *empty: no pose is there. With `moved` the nearest rotation is taken,
+ * and *moved becomes no less than how far the matrix is from it. */
+static bool read_pose(sepax_pose *pose, bool *empty, double *moved, char *line, size_t length,
                       sepax_error *error) {
   double number[NUMBERS];
   size_t count = 0;
@@ -77,7 +78,15 @@ static bool read_pose(sepax_pose *pose, bool *empty, char *line, size_t length,
     }
     pose->translation[i] = number[9 + i];
   }
-  return *empty || sepax_pose_valid(pose, error);
+  if (*empty || moved == NULL) {
+    return *empty || sepax_pose_valid(pose, error);
+  }
+  double way;
+  if (!sepax_pose_nearest(pose, &way, error)) {
+    return false;
+  }
+  *moved = way > *moved ? way : *moved;
+  return true;
 }
 
 static bool append(sepax_poses *poses, size_t *capacity, const sepax_pose *pose) {
@@ -90,7 +99,8 @@ static bool append(sepax_poses *poses, size_t *capacity, const sepax_pose *pose)
   return true;
 }
 
-static bool read_lines(sepax_poses *poses, FILE *in, const char *path, sepax_error *error) {
+static bool read_lines(sepax_poses *poses, double *moved, FILE *in, const char *path,
+                       sepax_error *error) {
   static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, as editors put it in front of a file */
   char *line = NULL;
   size_t size = 0;
@@ -103,7 +113,7 @@ static bool read_lines(sepax_poses *poses, FILE *in, const char *path, sepax_err
     bool empty = false;
     sepax_error what = {0};
     size_t skip = number == 1 && strncmp(line, mark, strlen(mark)) == 0 ? strlen(mark) : 0;
-    if (!read_pose(&pose, &empty, line + skip, (size_t)length - skip, &what)) {
+    if (!read_pose(&pose, &empty, moved, line + skip, (size_t)length - skip, &what)) {
       ok = sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%zu: %.200s", path, number, what.text);
     } else if (!empty && !append(poses, &capacity, &pose)) {
       ok = sepax_fail(error, SEPAX_ERROR_MEMORY,
@@ -119,7 +129,7 @@ static bool read_lines(sepax_poses *poses, FILE *in, const char *path, sepax_err
   return ok;
 }
 
-bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error) {
+static bool read_poses(sepax_poses *poses, double *moved, const char *path, sepax_error *error) {
   *poses = (sepax_poses){0};
   FILE *in = fopen(path, "r");
   if (in == NULL) {
@@ -127,7 +137,7 @@ bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error) 
                       strerror(errno));
   }
   plain_numbers plain = plain_numbers_begin();
-  bool ok = read_lines(poses, in, path, error);
+  bool ok = read_lines(poses, moved, in, path, error);
   plain_numbers_end(plain);
   fclose(in);
   if (ok && poses->count == 0) {
@@ -137,6 +147,16 @@ bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error) 
     sepax_poses_free(poses);
   }
   return ok;
+}
+
+bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error) {
+  return read_poses(poses, NULL, path, error);
+}
+
+bool sepax_poses_read_nearest(sepax_poses *poses, double *moved, const char *path,
+                              sepax_error *error) {
+  *moved = 0;
+  return read_poses(poses, moved, path, error);
 }
 
 void sepax_poses_free(sepax_poses *poses) {

@@ -4,6 +4,7 @@
 #include "util/threads.h"
 
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -199,10 +200,31 @@ static bool decide_one(work *all, sepax_error *error) {
   return decide(all->q, &all->solids, NULL, all->answer, error);
 }
 
+/* A file of few decimals: the error names the option that takes it. */
+static bool read_poses(const check_question *q, sepax_poses *poses, double *moved,
+                       sepax_error *error) {
+  if (q->nearest) {
+    return sepax_poses_read_nearest(poses, moved, q->poses_path, error);
+  }
+  if (sepax_poses_read(poses, q->poses_path, error)) {
+    return true;
+  }
+  sepax_error other = {0};
+  sepax_poses rounded;
+  double way;
+  if (sepax_poses_read_nearest(&rounded, &way, q->poses_path, &other)) {
+    sepax_poses_free(&rounded);
+    size_t length = strlen(error->text);
+    snprintf(error->text + length, sizeof error->text - length,
+             ", or give --nearest-rotation: entries then change by at most %.2g", way);
+  }
+  return false;
+}
+
 bool check_bodies(const check_question *q, check_report *report, sepax_error *error) {
   work all = {.q = q};
   sepax_soup *mesh = report->mesh;
-  if ((q->poses_path != NULL && !sepax_poses_read(&all.poses, q->poses_path, error)) ||
+  if ((q->poses_path != NULL && !read_poses(q, &all.poses, &report->moved, error)) ||
       !cli_mesh_read(&mesh[0], &report->file[0], q->path[0], &q->meshes, error) ||
       !cli_mesh_read(&mesh[1], &report->file[1], q->path[1], &q->meshes, error)) {
     sepax_poses_free(&all.poses);

@@ -22,13 +22,24 @@ typedef struct {
   grid_options config, grid;
 } command;
 
-enum { KEY_GRID = 0x380, KEY_THREADS, KEY_FIRST, KEY_PAIRS, KEY_PLY, KEY_POSES, KEY_SURFACES };
+enum {
+  KEY_GRID = 0x380,
+  KEY_THREADS,
+  KEY_FIRST,
+  KEY_PAIRS,
+  KEY_PLY,
+  KEY_POSES,
+  KEY_SURFACES,
+  KEY_NEAREST
+};
 
 static const struct argp_option options[] = {
     {"poses", KEY_POSES, "FILE", 0,
      "a verdict for each pose of B: 12 numbers a line, a rotation by rows, then a translation in "
      "mm; # begins a comment",
      0},
+    {"nearest-rotation", KEY_NEAREST, NULL, 0,
+     "take the rotations nearest to the matrices of --poses, which may have few decimals", 0},
     {"first", KEY_FIRST, NULL, 0, "stop at the first pair that collides (of each pose)", 0},
     {"surfaces", KEY_SURFACES, NULL, 0,
      "the files are surfaces, open or not: do not ask whether one is inside the other", 0},
@@ -123,6 +134,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_POSES:
     q->poses_path = text;
     return 0;
+  case KEY_NEAREST:
+    q->nearest = true;
+    return 0;
   case KEY_PAIRS:
     q->pairs_path = text;
     return 0;
@@ -159,6 +173,10 @@ static bool options_agree(const check_question *q, sepax_error *error) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "poses: on a grid no body can be turned exactly; leave out --grid, or "
                       "--poses");
+  }
+  if (q->nearest && q->poses_path == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "nearest-rotation: is of --poses; give it, too, or leave it out");
   }
   if (q->poses_path != NULL && q->ply_path != NULL) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,

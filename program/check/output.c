@@ -147,6 +147,10 @@ static void print_poses(const check_question *q, const check_report *report) {
   report_verdict worst = check_worst(report);
   size_t such = 0;
   print_bands(q, report);
+  if (q->nearest) {
+    printf("poses  nearest rotations; an entry of a matrix changed by at most %.3g\n",
+           report->moved);
+  }
   for (size_t n = 0; n < report->answers; n++) {
     such += report->answer[n].verdict == worst;
     print_pose(q, report, n);
@@ -251,6 +255,7 @@ void check_print_json(const check_question *q, const check_report *r) {
     }
     json_object_set_new(json, "verdict", json_string(report_verdict_names[check_worst(r)]));
     json_object_set_new(json, "poses", poses);
+    json_object_set_new(json, "nearest_rotation", q->nearest ? json_real(r->moved) : json_null());
   }
   report_print_json(json);
 }

@@ -13,6 +13,7 @@ typedef struct {
   cli_meshes meshes;
   cli_output output;
   bool on_grid, first, surfaces;
+  bool nearest; /* matrices of poses are replaced by the nearest rotations */
   int threads;
   sepax_config config; /* of the grid's design, without clearances */
   cli_grid grid;
@@ -41,6 +42,7 @@ typedef struct {
   report_steps steps;   /* on a grid: the clearances */
   check_answer *answer; /* one, or one for each pose */
   size_t answers;
+  double moved; /* the largest change of an entry by `nearest` */
   double seconds;
 } check_report;
 

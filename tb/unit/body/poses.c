@@ -49,6 +49,100 @@ CASE(test_layout) {
   sepax_poses_free(&poses);
 }
 
+/* A rotation about a random axis. */
+static sepax_pose draw_rotation(void) {
+  double q[4];
+  double square = 0;
+  sepax_pose p = {.translation = {1, 2, 3}};
+  for (int i = 0; i < 4; i++) {
+    q[i] = random_unit();
+    square += q[i] * q[i];
+  }
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    p.rotation[i][i] = 1 - 2 * (q[j] * q[j] + q[k] * q[k]) / square;
+    p.rotation[i][j] = 2 * (q[i] * q[j] - q[k] * q[3]) / square;
+    p.rotation[i][k] = 2 * (q[i] * q[k] + q[j] * q[3]) / square;
+  }
+  return p;
+}
+
+/* The nearest rotation R of a matrix M: R^T M is symmetric and positive. */
+static void check_nearest(const sepax_pose *matrix, const sepax_pose *nearest) {
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) {
+      double unit = 0;
+      double wrong = 0;
+      for (int k = 0; k < 3; k++) {
+        unit += nearest->rotation[k][i] * nearest->rotation[k][j];
+        wrong += nearest->rotation[k][i] * matrix->rotation[k][j] -
+                 nearest->rotation[k][j] * matrix->rotation[k][i];
+      }
+      assert_true(fabs(unit - (i == j)) < 1e-15 * 8 && fabs(wrong) < 1e-15 * 8);
+    }
+    assert_true(nearest->translation[i] == matrix->translation[i]);
+  }
+}
+
+CASE(test_nearest) {
+  double most = 0;
+  for (int n = 0; n < FEWER(20000); n++) {
+    sepax_pose matrix = draw_rotation();
+    double off = ldexp(1, -7 - random_below(50));
+    for (int i = 0; i < 9; i++) {
+      matrix.rotation[i / 3][i % 3] += 0.6 * off * random_unit();
+    }
+    sepax_pose nearest = matrix;
+    double moved = -1;
+    assert_works(sepax_pose_nearest(&nearest, &moved, &fault));
+    check_nearest(&matrix, &nearest);
+    double way = 0;
+    for (int i = 0; i < 9; i++) {
+      way = fmax(way, fabs(nearest.rotation[i / 3][i % 3] - matrix.rotation[i / 3][i % 3]));
+    }
+    assert_true(moved == way && way <= 0.01);
+    most = fmax(most, way);
+    sepax_pose again = nearest;
+    assert_works(sepax_pose_nearest(&again, NULL, &fault));
+    check_nearest(&nearest, &again);
+  }
+  assert_true(most > 0.003);
+  sepax_pose p = {.rotation = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  sepax_pose same = p;
+  assert_works(sepax_pose_nearest(&p, NULL, &fault));
+  assert_memory_equal(&p, &same, sizeof p);
+  p.rotation[0][0] = 1.011;
+  assert_fault(sepax_pose_nearest(&p, NULL, &fault), "farther than 0.01 from every rotation's");
+  assert_true(p.rotation[0][0] == 1.011);
+  p.rotation[0][0] = 1e300;
+  assert_fault(sepax_pose_nearest(&p, NULL, &fault), "farther than 0.01");
+  p.rotation[0][0] = -1;
+  assert_fault(sepax_pose_nearest(&p, NULL, &fault), "reflection");
+  p.rotation[0][0] = NAN;
+  assert_fault(sepax_pose_nearest(&p, NULL, &fault), "finite");
+  p.rotation[0][0] = 1;
+  p.translation[2] = INFINITY;
+  assert_fault(sepax_pose_nearest(&p, NULL, &fault), "finite");
+}
+
+CASE(test_read_nearest) {
+  sepax_poses poses;
+  double moved;
+  put_text("1 0 0 0 1 0 0 0 1 7 8 9\n1.002 0 0 0 .999 0 0 0 1 4 5 6\n1 0 0 0 1 0 0 0 1 1 2 3\n");
+  assert_fault(sepax_poses_read(&poses, path, &fault), ":2: the matrix is no rotation");
+  assert_works(sepax_poses_read_nearest(&poses, &moved, path, &fault));
+  assert_int_equal(poses.count, 3);
+  static const sepax_pose second = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {4, 5, 6}};
+  assert_true(fabs(poses.pose[1].rotation[0][0] - 1) < 1e-15);
+  assert_memory_equal(poses.pose[1].translation, second.translation, sizeof second.translation);
+  assert_true(fabs(moved - 0.002) < 1e-15);
+  sepax_poses_free(&poses);
+  put_text("1 0 0 0 1 0 0 0 1 7 8 9\n1.02 0 0 0 1 0 0 0 1 4 5 6\n");
+  assert_fault(sepax_poses_read_nearest(&poses, &moved, path, &fault), ":2: the matrix is no");
+  assert_null(poses.pose);
+}
+
 CASE(test_many) {
   enum { POSES = 3000 };
   FILE *out = fopen(path, "w");
