@@ -64,10 +64,12 @@ typedef struct {
 } sepax_mechanism;
 
 /* Check the joints, find root and order; axes become unit vectors, the origins' rotations, valid as
- * sepax_pose_valid has it, become orthonormal to rounding. Errors: ARGUMENT on two roots, a cycle,
- * a link that two joints move, an axis of length 0, limits that are none, a joint that follows
- * itself, a fixed joint or one that follows a third; LIMIT on more than SEPAX_JOINTS_MOST joints;
- * MEMORY. After an error the mechanism can be freed, and nothing else. */
+ * sepax_pose_valid has it, become orthonormal to rounding. A joint that follows one which follows a
+ * third follows the third afterwards, with the product of the factors: `mimic` always names a joint
+ * that leads. Errors: ARGUMENT on two roots, a cycle, a link that two joints move, an axis of
+ * length 0, limits that are none, a joint that follows itself, also over others, or a fixed joint,
+ * a factor or offset that is not finite; LIMIT on more than SEPAX_JOINTS_MOST joints; MEMORY. After
+ * an error the mechanism can be freed, and nothing else. */
 bool sepax_mechanism_join(sepax_mechanism *m, sepax_error *error);
 void sepax_mechanism_free(sepax_mechanism *m);
 

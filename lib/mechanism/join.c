@@ -40,26 +40,6 @@ static bool make_unit(double axis[3]) {
   return true;
 }
 
-/* R (3 I - R^T R) / 2, again and again: what is wrong is squared. One that is right stays. */
-static void make_orthonormal(double r[3][3]) {
-  for (int round = 0; round < 3; round++) {
-    double wrong[3][3];
-    double next[3][3];
-    for (int i = 0; i < 9; i++) {
-      int p = i / 3;
-      int q = i % 3;
-      wrong[p][q] = (p == q) - (r[0][p] * r[0][q] + r[1][p] * r[1][q] + r[2][p] * r[2][q]);
-    }
-    for (int i = 0; i < 9; i++) {
-      int p = i / 3;
-      int q = i % 3;
-      next[p][q] =
-          r[p][q] + (r[p][0] * wrong[0][q] + r[p][1] * wrong[1][q] + r[p][2] * wrong[2][q]) / 2;
-    }
-    memcpy(r, next, sizeof next);
-  }
-}
-
 static bool check_mimic(const sepax_mechanism *m, size_t n, sepax_error *error) {
   const sepax_joint *joint = &m->joint[n];
   if (joint->mimic == SEPAX_NO_JOINT) {
@@ -69,16 +49,12 @@ static bool check_mimic(const sepax_mechanism *m, size_t n, sepax_error *error) 
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "joint %.60s: it follows itself, or no joint; name another one", joint->name);
   }
-  if (!sepax_joint_driven(&m->joint[joint->mimic])) {
+  if (m->joint[joint->mimic].kind == SEPAX_JOINT_FIXED) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "joint %.60s: it follows %.60s, which is fixed or follows another; name the "
-                      "joint that leads",
+                      "joint %.60s: it follows %.60s, which is fixed; name the joint that leads",
                       joint->name, m->joint[joint->mimic].name);
   }
-  return (isfinite(joint->factor) && isfinite(joint->offset)) ||
-         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "joint %.60s: factor and offset by which it follows are not finite",
-                    joint->name);
+  return true;
 }
 
 static bool check_joint(sepax_mechanism *m, size_t n, sepax_error *error) {
@@ -99,7 +75,8 @@ static bool check_joint(sepax_mechanism *m, size_t n, sepax_error *error) {
                       child->name, m->joint[child->joint].name, joint->name);
   }
   sepax_error inner = {0};
-  if (!sepax_pose_valid(&joint->origin, &inner)) {
+  if (!sepax_pose_valid(&joint->origin, &inner) ||
+      !sepax_pose_nearest(&joint->origin, NULL, &inner)) {
     return sepax_fail(error, inner.code, "joint %.60s: origin: %.200s", joint->name, inner.text);
   }
   if (joint->kind != SEPAX_JOINT_FIXED && !make_unit(joint->axis)) {
@@ -113,9 +90,58 @@ static bool check_joint(sepax_mechanism *m, size_t n, sepax_error *error) {
                       "joint %.60s: the lower limit, %.9g, is above the upper, %.9g", joint->name,
                       joint->lower, joint->upper);
   }
-  make_orthonormal(joint->origin.rotation);
   child->joint = n;
   return check_mimic(m, n, error);
+}
+
+/* --------------------------------------------------------------------- followers */
+
+/* Joint n follows the joint that its leader follows; true where the leader leads. */
+static bool skip_leader(sepax_mechanism *m, size_t n) {
+  sepax_joint *joint = &m->joint[n];
+  const sepax_joint *leader = &m->joint[joint->mimic];
+  if (leader->mimic == SEPAX_NO_JOINT) {
+    return true;
+  }
+  joint->offset += joint->factor * leader->offset;
+  joint->factor *= leader->factor;
+  joint->mimic = leader->mimic;
+  return false;
+}
+
+/* Chains of joints that follow each other: each joint names the one that leads. Every round halves
+ * the length of all chains at least, so what is left after 17 rounds is no chain of 65,536 joints
+ * but a cycle. */
+static bool find_leaders(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
+  enum { ROUNDS = 17 };
+  bool left = true;
+  size_t last = 0;
+  for (int round = 0; round <= ROUNDS && left; round++) {
+    left = false;
+    for (size_t n = 0; n < m->joints; n++) {
+      if (m->joint[n].mimic != SEPAX_NO_JOINT && !skip_leader(m, n)) {
+        left = true;
+        last = n;
+      }
+    }
+  }
+  if (left) {
+    *wrong = last;
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "joint %.60s: the joints that it follows lead to a cycle; name a joint that "
+                      "follows no other",
+                      m->joint[last].name);
+  }
+  for (size_t n = 0; n < m->joints; n++) {
+    const sepax_joint *joint = &m->joint[n];
+    if (joint->mimic != SEPAX_NO_JOINT && (!isfinite(joint->factor) || !isfinite(joint->offset))) {
+      *wrong = n;
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "joint %.60s: factor and offset by which it follows are not finite",
+                        joint->name);
+    }
+  }
+  return true;
 }
 
 /* -------------------------------------------------------------------------- tree */
@@ -221,7 +247,8 @@ bool sepax__mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error
       return false;
     }
   }
-  return find_root(m, wrong, error) && order_joints(m, wrong, error);
+  return find_leaders(m, wrong, error) && find_root(m, wrong, error) &&
+         order_joints(m, wrong, error);
 }
 
 bool sepax_mechanism_join(sepax_mechanism *m, sepax_error *error) {

@@ -170,6 +170,44 @@ CASE(test_mimic) {
   sepax_mechanism_free(&m);
 }
 
+/* Each follows the next, or the one before, in any order: afterwards all follow the one that leads,
+ * by the product of the factors. */
+CASE(test_mimic_chains) {
+  enum { LONGEST = 300 };
+  static const size_t lengths[] = {2, 3, 17, LONGEST};
+  for (size_t trial = 0; trial < 4 * LENGTH(lengths); trial++) {
+    size_t joints = lengths[trial / 4];
+    sepax_mechanism m = row_of(joints);
+    size_t at[LONGEST]; /* joint at[k + 1] follows at[k] */
+    double value[LONGEST] = {0};
+    double want = 3;
+    for (size_t n = 0; n < joints; n++) {
+      m.joint[n].kind = SEPAX_JOINT_PRISMATIC;
+      at[n] = trial % 4 == 0 ? n : joints - 1 - n;
+    }
+    for (size_t n = joints; trial % 4 >= 2 && n-- > 1;) {
+      size_t other = (size_t)random_below((int)n + 1);
+      size_t swapped = at[n];
+      at[n] = at[other];
+      at[other] = swapped;
+    }
+    for (size_t n = 1; n < joints; n++) {
+      m.joint[at[n]].mimic = at[n - 1];
+      m.joint[at[n]].factor = n % 2 == 0 ? 0.5 : -2;
+      m.joint[at[n]].offset = (double)(n % 3);
+    }
+    assert_works(sepax_mechanism_join(&m, &fault));
+    value[at[0]] = want;
+    sepax_mechanism_follow(&m, value);
+    for (size_t n = 1; n < joints; n++) {
+      want = (n % 2 == 0 ? 0.5 : -2) * want + (double)(n % 3);
+      assert_int_equal(m.joint[at[n]].mimic, at[0]);
+      assert_true(value[at[n]] == want);
+    }
+    sepax_mechanism_free(&m);
+  }
+}
+
 /* ------------------------------------------------------------------ no mechanisms */
 
 /* The root is any link, the last, too. */
@@ -239,4 +277,20 @@ CASE(test_no_mechanism) {
   m = row_of(2);
   m.joint[0].mimic = 1;
   refuse(&m, "joint j0: it follows j1, which is fixed");
+  for (size_t joints = 2; joints < 40; joints++) { /* a cycle, and one that follows it */
+    m = row_of(joints);
+    for (size_t n = 0; n < joints; n++) {
+      m.joint[n].kind = SEPAX_JOINT_PRISMATIC;
+      m.joint[n].mimic = n + 2 < joints ? n + 1 : 0;
+    }
+    refuse(&m, joints > 2 ? "lead to a cycle; name a joint that follows no other"
+                          : "joint j0: it follows itself");
+  }
+  m = row_of(3);
+  for (size_t n = 0; n < 3; n++) {
+    m.joint[n].kind = SEPAX_JOINT_PRISMATIC;
+    m.joint[n].factor = 1e200;
+    m.joint[n].mimic = n < 2 ? n + 1 : SEPAX_NO_JOINT;
+  }
+  refuse(&m, "joint j0: factor and offset by which it follows are not finite");
 }
