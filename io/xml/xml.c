@@ -174,7 +174,7 @@ bool sepax__xml_single(const xml_file *file, const xmlNode *node, const char *na
 }
 
 bool sepax__xml_has(const xmlNode *node, const char *attribute) {
-  return xmlHasProp(node, (const xmlChar *)attribute) != NULL;
+  return xmlHasNsProp(node, (const xmlChar *)attribute, NULL) != NULL;
 }
 
 static bool is_printable(const char *text) {
@@ -229,7 +229,8 @@ bool sepax__xml_numbers(const xml_file *file, const xmlNode *node, const char *a
                         double *number, int count, sepax_error *error) {
   xmlChar *value = xmlGetNoNsProp(node, (const xmlChar *)attribute);
   if (value == NULL) {
-    return true;
+    return !sepax__xml_has(node, attribute) ||
+           sepax__xml_fail(file, node, error, "no memory for %s=\"...\"", attribute);
   }
   int found = scan_numbers((const char *)value, number, count);
   bool ok = found == count ||

@@ -8,7 +8,13 @@
 
 /* ----------------------------------------------------------------- scenes */
 
-typedef enum { FORMAT_MESH, FORMAT_BOX, FORMAT_CYLINDER, FORMAT_SPHERE } format_kind;
+typedef enum {
+  FORMAT_MESH,
+  FORMAT_BOX,
+  FORMAT_CYLINDER,
+  FORMAT_SPHERE,
+  FORMAT_CAPSULE
+} format_kind;
 
 /* The geometry of a collision element, of which a link may have several. */
 typedef struct {
@@ -16,16 +22,40 @@ typedef struct {
   format_kind kind;
   char *path;        /* of a mesh: its file, */
   char *name;        /* which the URDF calls so */
-  double size[3];    /* sides; radius, length; radius; of a mesh: scale */
+  double size[3];    /* sides; radius, length (a capsule's without its caps); of a mesh: scale */
   sepax_pose origin; /* in the link's coordinates */
   long line;
 } format_shape;
 
+/* Elements of a file that are passed over: their name, how many. A name that ends in '=' is an
+ * attribute's. */
+typedef struct {
+  char *what;
+  size_t count;
+} format_other;
+
+typedef struct {
+  format_other *entry;
+  size_t count;
+} format_others;
+
+/* A collision element without a surface: all its lengths are 0. */
+typedef struct {
+  size_t link;
+  format_kind kind;
+  long line;
+} format_nothing;
+
 typedef struct {
   char *name;                /* or NULL */
   sepax_mechanism mechanism; /* joined */
+  size_t links;              /* of the file; those of the mechanism behind them are between the
+                                joints of which a floating or planar joint is made */
   format_shape *shape;       /* in the order of the file */
   size_t shapes;
+  format_nothing *nothing;
+  size_t nothings;
+  format_others others;
 } format_robot;
 
 /* Where package://NAME/ is. */
@@ -39,21 +69,33 @@ enum { FORMAT_LINKS_MOST = 4096, FORMAT_SHAPES_MOST = 65536 };
  * what a double ends with. */
 #define FORMAT_VALUE_MOST 1e12
 
+/* A floating joint J becomes six joints J/x, J/y, J/z, J/yaw, J/pitch and J/roll, a planar one
+ * J/x, J/y and J/yaw, none of which has limits. */
 bool format_urdf_read(format_robot *robot, const char *path, const format_package *package,
                       size_t packages, sepax_error *error);
 void format_robot_free(format_robot *robot);
 
-/* compared[a * links + b], all true before: set to false, both ways, what the file disables. `of`,
- * unless NULL, gets the name of its robot, by sepax_allocate, or NULL. */
-bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const char *path,
+void format_others_free(format_others *others);
+
+const char *format_kind_name(format_kind kind); /* of its element */
+
+typedef struct {
+  char *robot; /* whom it is for, or NULL */
+  format_others others;
+} format_srdf;
+
+/* compared[a * links + b], all true before: set to false, both ways, what the file disables. `srdf`
+ * may be NULL. */
+bool format_srdf_read(bool *compared, const sepax_mechanism *m, format_srdf *srdf, const char *path,
                       sepax_error *error);
+void format_srdf_free(format_srdf *srdf);
 
 /* ----------------------------------------------------------------- meshes */
 
-/* The surface of a shape in the link's coordinates. Spheres and cylinders are polyhedra that hold
- * them. Of a file, the numbers of STL, OBJ and PLY are metres, as robots' programs take them; DAE
- * has its own unit; a millimetre of a 3MF is one of the numbers, as its writers' STL files have it.
- * Then they are scaled. `said` is of the file; of a shape without one it is zero. */
+/* The surface of a shape in the link's coordinates. Spheres, cylinders and capsules are polyhedra
+ * that hold them. Of a file, the numbers of STL, OBJ and PLY are metres, as robots' programs take
+ * them; DAE has its own unit; a millimetre of a 3MF is one of the numbers, as its writers' STL
+ * files have it. Then they are scaled. `said` is of the file; of a shape without one it is zero. */
 bool format_shape_mesh(sepax_soup *mesh, report_mesh *said, const format_shape *shape,
                        const cli_meshes *rules, sepax_error *error);
 

@@ -166,6 +166,8 @@ static bool fail_name(const reader *r, piece name, sepax_error *error) {
   }
   return fail(r, error, "column '%.*s': there is no joint of this name; %s", shown(name), name.at,
               name.at[0] == '"'                              ? "leave the quotes out"
+              : name.at[0] == '#'                            ? "leave comments out"
+              : has_any(name, "\r")                          ? "end each line with a line feed"
               : has_any(name, "; \t")                        ? "separate columns by commas"
               : sepax__number(name.at, name.length, &number) ? "the first line must name joints"
                                                              : "mend the name, or leave it out");

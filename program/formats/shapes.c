@@ -129,10 +129,8 @@ static double height(const sepax_facet *facet) {
   return fabs(above) / sqrt(square);
 }
 
-static bool make_sphere(sepax_soup *mesh, double radius, sepax_error *error) {
-  if (!make_facets(mesh, SPHERE_FACETS, error)) {
-    return false;
-  }
+/* The first SPHERE_FACETS of the mesh; returns by how much the sphere of radius 1 was scaled. */
+static double fill_sphere(sepax_soup *mesh, double radius) {
   sepax_facet *next = mesh->facet;
   for (int octant = 0; octant < 8; octant++) {
     for (int i = 0; i < SPLIT; i++) {
@@ -147,13 +145,64 @@ static bool make_sphere(sepax_soup *mesh, double radius, sepax_error *error) {
     }
   }
   double least = 1;
-  for (size_t n = 0; n < mesh->count; n++) {
+  for (size_t n = 0; n < SPHERE_FACETS; n++) {
     least = fmin(least, height(&mesh->facet[n]));
   }
   double scale = radius / least * outward;
-  for (size_t n = 0; n < 9 * mesh->count; n++) {
+  for (size_t n = 0; n < 9 * (size_t)SPHERE_FACETS; n++) {
     mesh->facet[n / 9].v[n % 9 / 3][n % 3] *= scale;
   }
+  return scale;
+}
+
+static bool make_sphere(sepax_soup *mesh, double radius, sepax_error *error) {
+  if (!make_facets(mesh, SPHERE_FACETS, error)) {
+    return false;
+  }
+  fill_sphere(mesh, radius);
+  return true;
+}
+
+/* The side of a capsule between its half spheres, whose rims are the sphere's edges at z = 0. */
+static void fill_side(sepax_facet *next, double scale, double z) {
+  for (int quadrant = 0; quadrant < 4; quadrant++) {
+    double sign[2] = {(quadrant & 1) != 0 ? -1 : 1, (quadrant & 2) != 0 ? -1 : 1};
+    for (int i = 0; i < SPLIT; i++, next += 2) {
+      double v[2][3];
+      int first = sign[0] * sign[1] > 0; /* counterclockwise, seen from above */
+      sphere_point(i, SPLIT - i, v[first]);
+      sphere_point(i + 1, SPLIT - i - 1, v[1 - first]);
+      for (int k = 0; k < 4; k++) {
+        v[k / 2][k % 2] *= sign[k % 2];
+        v[k / 2][k % 2] *= scale;
+      }
+      set_vertex(&next[0], 0, v[0][0], v[0][1], -z);
+      set_vertex(&next[0], 1, v[1][0], v[1][1], -z);
+      set_vertex(&next[0], 2, v[1][0], v[1][1], z);
+      set_vertex(&next[1], 0, v[0][0], v[0][1], -z);
+      set_vertex(&next[1], 1, v[1][0], v[1][1], z);
+      set_vertex(&next[1], 2, v[0][0], v[0][1], z);
+    }
+  }
+}
+
+/* A cylinder with half a sphere on each end; `length` is the cylinder's. The half of a polyhedron
+ * around a sphere that is above z = 0 holds the half of the sphere, and its rim at z = 0 goes
+ * around the circle, so the side holds the cylinder. */
+static bool make_capsule(sepax_soup *mesh, double radius, double length, sepax_error *error) {
+  if (length == 0) {
+    return make_sphere(mesh, radius, error);
+  }
+  if (!make_facets(mesh, SPHERE_FACETS + 8 * SPLIT, error)) {
+    return false;
+  }
+  double scale = fill_sphere(mesh, radius);
+  double z = length / 2 * outward;
+  for (size_t n = 0; n < 3 * (size_t)SPHERE_FACETS; n++) {
+    bool below = n / 3 / (SPLIT * SPLIT) >= 4; /* octants of negative z */
+    mesh->facet[n / 3].v[n % 3][2] += below ? -z : z;
+  }
+  fill_side(mesh->facet + SPHERE_FACETS, scale, z);
   return true;
 }
 
@@ -286,6 +335,9 @@ bool format_shape_mesh(sepax_soup *mesh, report_mesh *said, const format_shape *
   case FORMAT_SPHERE:
     ok = make_sphere(mesh, shape->size[0], error);
     break;
+  case FORMAT_CAPSULE:
+    ok = make_capsule(mesh, shape->size[0], shape->size[1], error);
+    break;
   }
   if (ok) {
     place_mesh(mesh, &shape->origin);
@@ -295,13 +347,34 @@ bool format_shape_mesh(sepax_soup *mesh, report_mesh *said, const format_shape *
   return ok;
 }
 
+const char *format_kind_name(format_kind kind) {
+  static const char *const names[] = {"mesh", "box", "cylinder", "sphere", "capsule"};
+  return names[kind];
+}
+
+void format_others_free(format_others *others) {
+  for (size_t n = 0; n < others->count; n++) {
+    sepax_release(others->entry[n].what);
+  }
+  sepax_release(others->entry);
+  *others = (format_others){0};
+}
+
+void format_srdf_free(format_srdf *srdf) {
+  sepax_release(srdf->robot);
+  format_others_free(&srdf->others);
+  *srdf = (format_srdf){0};
+}
+
 void format_robot_free(format_robot *robot) {
   for (size_t n = 0; n < robot->shapes; n++) {
     sepax_release(robot->shape[n].path);
     sepax_release(robot->shape[n].name);
   }
   sepax_release(robot->shape);
+  sepax_release(robot->nothing);
   sepax_release(robot->name);
+  format_others_free(&robot->others);
   sepax_mechanism_free(&robot->mechanism);
   *robot = (format_robot){0};
 }

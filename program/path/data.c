@@ -136,6 +136,46 @@ static json_t *bodies_of(const path_scene *scene) {
   return bodies;
 }
 
+/* Names of links without a body. */
+static json_t *empty_of(const path_scene *scene) {
+  json_t *links = json_array();
+  for (size_t n = 0; n < scene->robot.links; n++) {
+    if (!path_has_body(scene, n)) {
+      json_array_append_new(links, json_string(scene->robot.mechanism.link[n].name));
+    }
+  }
+  return links;
+}
+
+/* Collision elements whose lengths are all 0. */
+static json_t *nothings_of(const format_robot *robot) {
+  json_t *list = json_array();
+  for (size_t n = 0; n < robot->nothings; n++) {
+    const format_nothing *nothing = &robot->nothing[n];
+    json_array_append_new(list, json_pack("{s:s, s:s, s:I}", "link",
+                                          robot->mechanism.link[nothing->link].name, "element",
+                                          format_kind_name(nothing->kind), "line",
+                                          (json_int_t)nothing->line));
+  }
+  return list;
+}
+
+static void add_others(json_t *list, const char *file, const format_others *others) {
+  for (size_t n = 0; n < others->count; n++) {
+    json_array_append_new(list,
+                          json_pack("{s:s, s:s, s:I}", "file", file, "what", others->entry[n].what,
+                                    "count", (json_int_t)others->entry[n].count));
+  }
+}
+
+/* Elements of the URDF and the SRDF that are passed over. */
+static json_t *passed_over(const path_scene *scene, const path_question *q) {
+  json_t *list = json_array();
+  add_others(list, q->urdf, &scene->robot.others);
+  add_others(list, q->srdf, &scene->srdf.others);
+  return list;
+}
+
 /* What --certify found of all; null where it was not asked. */
 static json_t *between_of(const path_scene *scene) {
   size_t intervals = 0;
@@ -191,8 +231,12 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   report_set_count(json, "lines", scene->motion.lines);
   report_set_bands(json, &q->bands, NULL);
   json_object_set_new(json, "bodies", bodies_of(scene));
+  json_object_set_new(json, "links_without_geometry", empty_of(scene));
+  json_object_set_new(json, "without_surface", nothings_of(&scene->robot));
+  json_object_set_new(json, "passed_over", passed_over(scene, q));
   json_object_set_new(json, "pairs", pairs);
   report_set_count(json, "pairs_of_one_joint", scene->joined);
+  report_set_count(json, "pairs_without_joint", scene->rigid);
   report_set_count(json, "pairs_disabled", scene->disabled);
   json_object_set_new(json, "between", between_of(scene));
   if (q->certificate != NULL) {

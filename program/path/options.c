@@ -9,7 +9,7 @@ enum { KEY_SRDF = 0x500, KEY_PACKAGE, KEY_HOLD, KEY_IGNORE_LIMITS };
 static const struct argp_option options[] = {
     {"srdf", KEY_SRDF, "FILE", 0,
      "compare the pairs of links that this SRDF does not disable; without it all but the two links "
-     "of a joint",
+     "of a joint and those that no joint moves against each other",
      0},
     {"package", KEY_PACKAGE, "NAME:FOLDER", 0, "where package://NAME/ is; may be given again", 0},
     {"hold", KEY_HOLD, NULL, 0, "joints without a column stay at 0", 0},

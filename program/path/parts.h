@@ -108,8 +108,10 @@ typedef struct {
   size_t bodies;
   path_pair *pair;
   size_t pairs;
-  char *srdf_robot; /* whom the SRDF is for, where that is another name than the URDF's; or NULL */
-  size_t joined, disabled; /* pairs that are not compared: links of one joint; by the SRDF */
+  format_srdf srdf; /* its robot NULL where the URDF has that name, too */
+  /* Pairs that are not compared: links of one joint, links that no joint moves against each other;
+   * by the SRDF. */
+  size_t joined, rigid, disabled;
   path_jobs jobs;
   bool between; /* what is between the lines was asked */
   bool removed; /* a certificate of an earlier run */
@@ -152,6 +154,7 @@ void path_values(const format_motion *motion, path_moment at, double *value);
 bool path_write_certificate(path_scene *scene, const path_question *q, sepax_error *error);
 
 const char *path_body_name(const path_scene *scene, size_t body);
+bool path_has_body(const path_scene *scene, size_t link);
 
 /* Where two points of a pair are in the root's coordinates. */
 void path_points(const path_scene *scene, const path_pair *pair, double point[2][3]);

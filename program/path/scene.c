@@ -3,11 +3,27 @@
 #include "util/error.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 const char *path_body_name(const path_scene *scene, size_t body) {
   return scene->robot.mechanism.link[scene->body[body].link].name;
+}
+
+/* Bodies stand in the order of their links. */
+bool path_has_body(const path_scene *scene, size_t link) {
+  size_t low = 0;
+  size_t high = scene->bodies;
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (scene->body[middle].link < link) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < scene->bodies && scene->body[low].link == link;
 }
 
 static void free_body(path_body *b) {
@@ -33,7 +49,7 @@ void path_scene_free(path_scene *scene) {
   }
   free(scene->body);
   free(scene->pair);
-  free(scene->srdf_robot);
+  format_srdf_free(&scene->srdf);
   format_robot_free(&scene->robot);
   format_motion_free(&scene->motion);
 }
@@ -149,6 +165,32 @@ static bool joined(const sepax_mechanism *m, size_t a, size_t b) {
          (up[1] != SEPAX_NO_JOINT && m->joint[up[1]].parent == a);
 }
 
+/* The link that holds this one by fixed joints, the uppermost: links with the same one never move
+ * against each other. */
+static size_t held_by(const sepax_mechanism *m, size_t link) {
+  while (m->link[link].joint != SEPAX_NO_JOINT &&
+         m->joint[m->link[link].joint].kind == SEPAX_JOINT_FIXED) {
+    link = m->joint[m->link[link].joint].parent;
+  }
+  return link;
+}
+
+/* Without an SRDF: is the pair left out? It is counted. */
+static bool left_out(path_scene *scene, size_t a, size_t b) {
+  const sepax_mechanism *m = &scene->robot.mechanism;
+  bool of_one_joint = joined(m, a, b);
+  bool rigid = !of_one_joint && held_by(m, a) == held_by(m, b);
+  scene->joined += of_one_joint;
+  scene->rigid += rigid;
+  return of_one_joint || rigid;
+}
+
+static bool disabled(path_scene *scene, const bool *compared, size_t a, size_t b) {
+  bool off = !compared[a * scene->robot.mechanism.links + b];
+  scene->disabled += off;
+  return off;
+}
+
 static bool add_pair(path_scene *scene, size_t a, size_t b, sepax_error *error) {
   path_pair *pair = &scene->pair[scene->pairs];
   *pair = (path_pair){.body = {a, b}, .least = INFINITY, .least_line = PATH_NO_LINE};
@@ -163,7 +205,8 @@ static bool add_pair(path_scene *scene, size_t a, size_t b, sepax_error *error) 
   return true;
 }
 
-/* What the SRDF does not disable; without one, all but the links of a joint. */
+/* What the SRDF does not disable; without one, all but the links of one joint and those that no
+ * joint moves against each other. */
 static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error) {
   const sepax_mechanism *m = &scene->robot.mechanism;
   bool *compared = malloc(m->links * m->links);
@@ -175,23 +218,38 @@ static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error
                       scene->bodies);
   }
   memset(compared, true, m->links * m->links);
-  bool ok = srdf == NULL || format_srdf_read(compared, m, &scene->srdf_robot, srdf, error);
+  bool ok = srdf == NULL || format_srdf_read(compared, m, &scene->srdf, srdf, error);
   const char *name = scene->robot.name;
-  if (scene->srdf_robot != NULL && name != NULL && strcmp(scene->srdf_robot, name) == 0) {
-    free(scene->srdf_robot);
-    scene->srdf_robot = NULL;
+  if (scene->srdf.robot != NULL && name != NULL && strcmp(scene->srdf.robot, name) == 0) {
+    sepax_release(scene->srdf.robot);
+    scene->srdf.robot = NULL;
   }
   for (size_t a = 0; a < scene->bodies && ok; a++) {
     for (size_t b = a + 1; b < scene->bodies && ok; b++) {
       size_t link[2] = {scene->body[a].link, scene->body[b].link};
-      bool off =
-          srdf != NULL ? !compared[link[0] * m->links + link[1]] : joined(m, link[0], link[1]);
-      *(srdf != NULL ? &scene->disabled : &scene->joined) += off;
+      bool off = srdf != NULL ? disabled(scene, compared, link[0], link[1])
+                              : left_out(scene, link[0], link[1]);
       ok = off || add_pair(scene, a, b, error);
     }
   }
   free(compared);
   return ok;
+}
+
+static bool fail_no_pair(const path_scene *scene, const path_question *q, sepax_error *error) {
+  char names[200] = "";
+  size_t length = 0;
+  for (size_t n = 0; n < scene->robot.links && length < sizeof names; n++) {
+    if (!path_has_body(scene, n)) {
+      length += (size_t)snprintf(
+          names + length, sizeof names - length, "%s%.40s",
+          length > 0 ? ", " : "; none have: ", scene->robot.mechanism.link[n].name);
+    }
+  }
+  return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                    "%.240s: no two bodies to compare: %zu links have collision geometry, %zu "
+                    "pairs are left out%s",
+                    q->urdf, scene->bodies, scene->joined + scene->rigid + scene->disabled, names);
 }
 
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error) {
@@ -201,11 +259,5 @@ bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *err
       !make_bodies(scene, q, error) || !choose_pairs(scene, q->srdf, error)) {
     return false;
   }
-  if (scene->pairs == 0) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%.240s: no two bodies to compare: %zu links have collision geometry, %zu "
-                      "pairs are left out",
-                      q->urdf, scene->bodies, scene->joined + scene->disabled);
-  }
-  return true;
+  return scene->pairs > 0 || fail_no_pair(scene, q, error);
 }

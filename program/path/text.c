@@ -158,19 +158,15 @@ static void print_meshes(const path_scene *scene) {
   }
 }
 
-/* Misspelt elements, or meshes for the eye alone, would else go unseen. */
+/* Meshes for the eye alone would else go unseen. */
 static void print_empty(const path_scene *scene) {
   enum { NAMES_MOST = 12 };
-  const sepax_mechanism *m = &scene->robot.mechanism;
-  size_t body = 0;
   size_t empty = 0;
-  for (size_t n = 0; n < m->links; n++) {
-    while (body < scene->bodies && scene->body[body].link < n) {
-      body++;
-    }
-    if (body == scene->bodies || scene->body[body].link != n) {
+  for (size_t n = 0; n < scene->robot.links; n++) {
+    if (!path_has_body(scene, n)) {
       if (empty++ < NAMES_MOST) {
-        printf("%s%s", empty == 1 ? "empty  no collision geometry: " : ", ", m->link[n].name);
+        printf("%s%s", empty == 1 ? "empty  no collision geometry: " : ", ",
+               scene->robot.mechanism.link[n].name);
       }
     }
   }
@@ -180,17 +176,51 @@ static void print_empty(const path_scene *scene) {
   fputs(empty > 0 ? "\n" : "", stdout);
 }
 
+/* Collision elements whose lengths are all 0. */
+static void print_nothings(const path_scene *scene) {
+  enum { NAMES_MOST = 12 };
+  const format_robot *robot = &scene->robot;
+  for (size_t n = 0; n < robot->nothings && n < NAMES_MOST; n++) {
+    const format_nothing *nothing = &robot->nothing[n];
+    printf("%s%s of %s (line %ld)",
+           n == 0 ? "zero   all lengths are 0, so there is no surface: " : ", ",
+           format_kind_name(nothing->kind), robot->mechanism.link[nothing->link].name,
+           nothing->line);
+  }
+  if (robot->nothings > NAMES_MOST) {
+    printf(" and %zu more", robot->nothings - NAMES_MOST);
+  }
+  fputs(robot->nothings > 0 ? "\n" : "", stdout);
+}
+
+/* Elements of a file that say nothing of collision geometry, or belong to other programs. */
+static void print_others(const char *file, const format_others *others) {
+  for (size_t n = 0; n < others->count; n++) {
+    const format_other *other = &others->entry[n];
+    bool attribute = other->what[strlen(other->what) - 1] == '=';
+    printf("%s%zu %s%s%s", n == 0 ? "passed over: " : ", ", other->count, attribute ? "" : "<",
+           other->what, attribute ? "" : ">");
+  }
+  if (others->count > 0) {
+    printf(" of %s\n", file);
+  }
+}
+
 static void print_compared(const path_scene *scene, const path_question *q) {
-  size_t off = scene->joined + scene->disabled;
+  size_t off = scene->joined + scene->rigid + scene->disabled;
   printf("pairs  %zu of %zu are compared", scene->pairs, scene->pairs + off);
   if (q->srdf != NULL) {
     printf(", %zu are disabled by %s", scene->disabled, q->srdf);
-    if (scene->srdf_robot != NULL) {
-      printf(", which is for a robot '%.60s'; the URDF's is '%.60s'", scene->srdf_robot,
+    if (scene->srdf.robot != NULL) {
+      printf(", which is for a robot '%.60s'; the URDF's is '%.60s'", scene->srdf.robot,
              scene->robot.name != NULL ? scene->robot.name : "");
     }
   } else {
-    printf("; %zu are not: links of one joint (--srdf=FILE says which)", scene->joined);
+    printf("; %zu are not: links of one joint", scene->joined);
+    if (scene->rigid > 0) {
+      printf("; %zu are not: no joint moves them against each other", scene->rigid);
+    }
+    fputs(" (--srdf=FILE says which)", stdout);
   }
   putchar('\n');
 }
@@ -273,6 +303,9 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   print_bodies(scene);
   print_meshes(scene);
   print_empty(scene);
+  print_nothings(scene);
+  print_others(q->urdf, &scene->robot.others);
+  print_others(q->srdf, &scene->srdf.others);
   print_compared(scene, q);
   print_motion(scene, q);
   if (q->bands.clearance.text != NULL) {

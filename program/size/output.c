@@ -99,7 +99,7 @@ static void print_bodies(const size_options *o, const size_answer *answer) {
            scene->body[n].triangles);
   }
   printf("%-*s%zu of %zu are compared\n", WIDTH, "pairs", scene->pairs,
-         scene->pairs + scene->joined + scene->disabled);
+         scene->pairs + scene->joined + scene->rigid + scene->disabled);
   printf("%-*s%s, %zu poses, in lines %zu ... %zu\n", WIDTH, "path", o->path[1],
          scene->motion.lines, scene->motion.line[0], scene->motion.line[scene->motion.lines - 1]);
   const report_steps steps = {e->clearance, e->warning, report_mm(e->resolution, CLI_METRES)};

@@ -1,6 +1,6 @@
 /* srdf.c - SRDF: pairs of links that are not compared. */
 #include "formats/formats.h"
-#include "xml/xml.h"
+#include "formats/libxml2/elements.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -53,48 +53,61 @@ static bool read_defaults(const xml_file *file, bool *compared, const sepax_mech
   return true;
 }
 
+/* What else an SRDF may have is of planning groups, and says nothing of pairs. */
+static const format_element elements[] = {
+    {"robot", "name", "version", "disable_collisions enable_collisions disable_default_collisions",
+     "group group_state end_effector virtual_joint passive_joint joint_property gripper "
+     "link_sphere_approximation group_tcps rotor_params specificities",
+     true},
+    {"disable_collisions", "link1 link2", "reason", "", "", false},
+    {"enable_collisions", "link1 link2", "reason", "", "", false},
+    {"disable_default_collisions", "link", "reason", "", "", false},
+    {NULL, NULL, NULL, NULL, NULL, false}};
+
 /* A misspelt element would leave its pair compared, and a URDF all of them. What else a file may
  * have, as groups, names no links in this way. */
-static bool elements_known(const xml_file *file, sepax_error *error) {
-  static const char *const known[] = {"disable_collisions", "enable_collisions",
-                                      "disable_default_collisions", "link_sphere_approximation"};
+static bool elements_known(xml_file *file, format_others *others, sepax_error *error) {
+  static const char sphere[] = "link_sphere_approximation";
   for (const xmlNode *n = sepax__xml_child(file->root, NULL); n != NULL;
        n = sepax__xml_next(n, NULL)) {
     if (sepax__xml_is(n, "link") || sepax__xml_is(n, "joint")) {
       return sepax__xml_fail(file, n, error, "<%s> is of a URDF; give an SRDF",
                              (const char *)n->name);
     }
-    bool right =
-        !sepax__xml_has(n, "link1") && !sepax__xml_has(n, "link2") && !sepax__xml_has(n, "link");
-    for (int k = 0; k < 4; k++) {
-      right = right || sepax__xml_is(n, known[k]);
+    bool right = sepax__xml_is(n, sphere);
+    for (const format_element *e = elements + 1; e->name != NULL; e++) {
+      right = right || sepax__xml_is(n, e->name);
     }
-    if (!right) {
+    if (!right &&
+        (sepax__xml_has(n, "link1") || sepax__xml_has(n, "link2") || sepax__xml_has(n, "link"))) {
       return sepax__xml_fail(file, n, error, "<%.60s> is no element of SRDF; mend its name",
                              (const char *)n->name);
     }
   }
-  return true;
+  return format_elements_check(file, elements, others, error);
 }
 
-bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const char *path,
+bool format_srdf_read(bool *compared, const sepax_mechanism *m, format_srdf *srdf, const char *path,
                       sepax_error *error) {
   xml_file file;
-  if (of != NULL) {
-    *of = NULL;
+  format_srdf found = {0};
+  if (srdf != NULL) {
+    *srdf = found;
   }
   if (!sepax__xml_open(&file, path, "robot", error)) {
     return false;
   }
-  bool named = of != NULL && sepax__xml_has(file.root, "name");
-  bool ok = (!named || sepax__xml_name(&file, file.root, "name", of, error)) &&
-            elements_known(&file, error) && read_defaults(&file, compared, m, error) &&
+  bool named = sepax__xml_has(file.root, "name");
+  bool ok = (!named || sepax__xml_name(&file, file.root, "name", &found.robot, error)) &&
+            elements_known(&file, &found.others, error) &&
+            read_defaults(&file, compared, m, error) &&
             read_pairs(&file, "enable_collisions", true, compared, m, error) &&
             read_pairs(&file, "disable_collisions", false, compared, m, error);
   sepax__xml_close(&file);
-  if (!ok && of != NULL) {
-    sepax_release(*of);
-    *of = NULL;
+  if (ok && srdf != NULL) {
+    *srdf = found;
+  } else {
+    format_srdf_free(&found);
   }
   return ok;
 }

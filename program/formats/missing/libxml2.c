@@ -10,12 +10,12 @@ bool format_urdf_read(format_robot *robot, const char *path, const format_packag
   return sepax__libraries_here(NEEDS_LIBXML2, path, "URDF", error);
 }
 
-bool format_srdf_read(bool *compared, const sepax_mechanism *m, char **of, const char *path,
+bool format_srdf_read(bool *compared, const sepax_mechanism *m, format_srdf *srdf, const char *path,
                       sepax_error *error) {
   (void)compared;
   (void)m;
-  if (of != NULL) {
-    *of = NULL;
+  if (srdf != NULL) {
+    *srdf = (format_srdf){0};
   }
   return sepax__libraries_here(NEEDS_LIBXML2, path, "SRDF", error);
 }

@@ -11,13 +11,14 @@
 
 static bool work_robot(void *context) {
   format_robot r;
+  static const cli_meshes rules = {.unit = CLI_METRES};
   static const format_package package = {"p", "/tmp"};
   if (!format_urdf_read(&r, context, &package, 1, &fault)) {
     return false;
   }
   bool *compared = calloc(r.mechanism.links * r.mechanism.links, sizeof *compared);
   sepax_chain chain;
-  char *of = NULL;
+  format_srdf of = {0};
   bool works = compared != NULL &&
                format_srdf_read(compared, &r.mechanism, &of, in_folder("r.srdf"), &fault);
   if (works && sepax_chain_find(&chain, &r.mechanism, 1, 3, &fault)) {
@@ -29,17 +30,19 @@ static bool work_robot(void *context) {
   }
   for (size_t n = 0; works && n < r.shapes; n++) {
     sepax_soup mesh = {.facet = NULL, .count = 0};
-    works = format_shape_mesh(&mesh, &r.shape[n], &fault);
+    report_mesh said;
+    works = format_shape_mesh(&mesh, &said, &r.shape[n], &rules, &fault);
     sepax_soup_free(&mesh);
   }
-  free(of);
+  format_srdf_free(&of);
   free(compared);
   format_robot_free(&r);
   return works;
 }
 
 CASE(test_robots) {
-  put_file("r.srdf", "<robot name='r'><disable_collisions link1='a' link2='b'/></robot>\n");
+  put_file("r.srdf", "<robot name='r'><group/><disable_collisions link1='a' "
+                     "link2='b'/></robot>\n");
   char *name = strdup(
       put_file("r.urdf", "<robot name='r'><link name='a'/><link name='b'><collision><geometry>"
                          "<box size='1 2 3'/></geometry></collision></link>\n"
@@ -48,7 +51,10 @@ CASE(test_robots) {
                          "<cylinder radius='1' length='2'/></geometry></collision></link>\n" //
                JOINT("j", "prismatic", "a", "b", "<limit lower='-1' upper='1'/>")            //
                JOINT("k", "continuous", "a", "c", "<mimic joint='j'/>")                      //
-               JOINT("l", "fixed", "c", "d", "") "</robot>\n"));
+               JOINT("l", "fixed", "c", "d", "")                                             //
+               "<link name='e'><visual/><collision><geometry><capsule radius='1' length='1'/>"
+               "</geometry></collision><collision><geometry><sphere radius='0'/></geometry>"
+               "</collision></link>" JOINT("f", "floating", "a", "e", "") "</robot>\n"));
   memory.keeps = true;
   assert_true(assert_scarce(work_robot, name) > 50);
   memory.keeps = false;
@@ -90,7 +96,8 @@ CASE(test_paths) {
 
 static bool work_mesh(void *context) {
   sepax_soup mesh;
-  if (!format_mesh_read(&mesh, context, &fault)) {
+  sepax_mesh_account account;
+  if (!sepax_mesh_read(&mesh, &account, context, NULL, &fault)) {
     return false;
   }
   assert_int_equal(mesh.count, 2);
@@ -99,7 +106,6 @@ static bool work_mesh(void *context) {
   return true;
 }
 
-/* Other formats have a process of their own. */
 CASE(test_meshes) {
   char *name = strdup(put_file(
       "m.stl", "solid m\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"

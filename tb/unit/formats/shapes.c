@@ -1,16 +1,16 @@
-/* shapes.c - meshes of all formats, polyhedra around spheres and cylinders, polygons. */
+/* shapes.c - polyhedra around spheres, cylinders and capsules; places; triangles that are there
+ * twice. */
 #include "files.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 static const sepax_pose at_origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
 
 static sepax_soup mesh_of(const format_shape *shape) {
   sepax_soup mesh;
-  assert_works(format_shape_mesh(&mesh, shape, &fault));
+  report_mesh said;
+  static const cli_meshes rules = {.unit = CLI_METRES};
+  assert_works(format_shape_mesh(&mesh, &said, shape, &rules, &fault));
   return mesh;
 }
 
@@ -86,6 +86,68 @@ CASE(test_cylinder) {
   sepax_soup_free(&mesh);
 }
 
+/* Points of a capsule of radius r, whose axis goes from -half to half: none is outside the facets
+ * that it is behind, seen from the nearest point of the axis; corners are near the surface. */
+static void check_capsule(double r, double length) {
+  sepax_soup mesh =
+      mesh_of(&(format_shape){.kind = FORMAT_CAPSULE, .size = {r, length}, .origin = at_origin});
+  double half = length / 2;
+  assert_solid(&mesh, PI * r * r * length + 4.0 / 3 * PI * r * r * r, 0.005);
+  for (size_t k = 0; k < mesh.count; k++) {
+    double v[3][3];
+    memcpy(v, mesh.facet[k].v, sizeof v);
+    bool above = v[0][2] + v[1][2] + v[2][2] > 0;
+    bool side = v[0][2] * v[1][2] < 0 || v[1][2] * v[2][2] < 0;
+    for (int i = 0; i < 3; i++) {
+      double z = fmax(fabs(v[i][2]) - half, 0);
+      double out = sqrt(v[i][0] * v[i][0] + v[i][1] * v[i][1] + z * z);
+      assert_true(out >= r && out <= 1.0025 * r + 1e-9 * length);
+      assert_true(!side || fabs(v[i][2]) >= half);
+      v[i][2] -= side ? 0 : above ? half : -half;
+    }
+    assert_true(plane_height((const double(*)[3])v) >= r * (1 - 1e-9));
+  }
+  sepax_soup_free(&mesh);
+}
+
+CASE(test_capsule) {
+  check_capsule(0.1, 1);
+  check_capsule(3, 0.01);
+  check_capsule(777, 1e4);
+  sepax_soup ball =
+      mesh_of(&(format_shape){.kind = FORMAT_CAPSULE, .size = {2, 0}, .origin = at_origin});
+  sepax_soup sphere =
+      mesh_of(&(format_shape){.kind = FORMAT_SPHERE, .size = {2}, .origin = at_origin});
+  assert_int_equal(ball.count, sphere.count);
+  assert_memory_equal(ball.facet, sphere.facet, ball.count * sizeof *ball.facet);
+  sepax_soup_free(&ball);
+  sepax_soup_free(&sphere);
+}
+
+/* Points of the surface of a long and thin capsule, whose coordinates are rounded most, are inside
+ * its polyhedron. */
+CASE(test_capsule_holds) {
+  static const double sizes[][2] = {{1e-6, 1e6}, {1, 1e6}, {1e3, 1e-6}, {0.1, 1}};
+  for (size_t n = 0; n < LENGTH(sizes); n++) {
+    double r = sizes[n][0];
+    double half = sizes[n][1] / 2;
+    sepax_soup mesh = mesh_of(
+        &(format_shape){.kind = FORMAT_CAPSULE, .size = {r, sizes[n][1]}, .origin = at_origin});
+    double top = -INFINITY;
+    double rim = INFINITY;
+    for (size_t k = 0; k < 3 * mesh.count; k++) {
+      const double *v = mesh.facet[k / 3].v[k % 3];
+      top = fmax(top, v[2]);
+      if (fabs(v[0]) < 1e-3 * r || fabs(v[1]) < 1e-3 * r) {
+        double z = fabs(v[2]) - half;
+        rim = fmin(rim, z);
+      }
+    }
+    assert_true(top >= half + r * (1 - 0x1p-30) && rim >= 0);
+    sepax_soup_free(&mesh);
+  }
+}
+
 /* Turned by a quarter about z, then moved. */
 CASE(test_box_in_its_place) {
   sepax_soup mesh =
@@ -103,114 +165,6 @@ CASE(test_box_in_its_place) {
   assert_true(least[0] == 8 && most[0] == 12 && least[1] == -1 && most[1] == 1);
   assert_true(least[2] == -3 && most[2] == 3);
   sepax_soup_free(&mesh);
-}
-
-/* ------------------------------------------------------------------------- formats */
-
-static void expect_mesh(const char *name, const char *text, size_t facets) {
-  sepax_soup mesh;
-  assert_works(format_mesh_read(&mesh, put_file(name, text), &fault));
-  assert_int_equal(mesh.count, facets);
-  static const double first[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}};
-  assert_memory_equal(mesh.facet[0].v, first, sizeof first);
-  sepax_soup_free(&mesh);
-}
-
-#define PLY(vertices, faces, rest)                                                               \
-  "ply\nformat ascii 1.0\nelement vertex " vertices "\nproperty float x\nproperty float y\n"     \
-  "property float z\nelement face " faces "\nproperty list uchar int vertex_indices\nend_header" \
-  "\n" rest
-#define CORNERS "0 0 0\n1 0 0\n0 0.5 0\n1 0.5 0\n"
-
-#define DAE(up, unit, matrix)                                                                      \
-  "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' "            \
-  "version='1.4.1'><asset><unit name='u' meter='" unit "'/><up_axis>" up "</up_axis></asset>"      \
-  "<library_geometries><geometry id='g'><mesh><source id='p'><float_array id='f' count='9'>"       \
-  "0 0 0 1 0 0 0 0.5 0</float_array><technique_common><accessor source='#f' count='3' stride='3'>" \
-  "<param name='X' type='float'/><param name='Y' type='float'/><param name='Z' type='float'/>"     \
-  "</accessor></technique_common></source><vertices id='v'><input semantic='POSITION' "            \
-  "source='#p'/></vertices><triangles count='1'><input semantic='VERTEX' source='#v' offset='0'/>" \
-  "<p>0 1 2</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>"         \
-  "<visual_scene id='s'><node id='n'><matrix>" matrix "</matrix><instance_geometry url='#g'/>"     \
-  "</node></visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene>" \
-  "</COLLADA>"
-
-CASE(test_formats) {
-  expect_mesh("p.obj", "v 0 0 0\nv 1 0 0\nv 0 0.5 0\nv 1 0.5 0\nf 1 2 3\nf 2 4 3\n", 2);
-  expect_mesh("p.OBJ", "v 0 0 0\nv 1 0 0\nv 0 0.5 0\nf 1 2 3\n", 1);
-  expect_mesh("p.ply", PLY("4", "2", CORNERS "3 0 1 2\n3 1 3 2\n"), 2);
-  expect_mesh("p.dae", DAE("Y_UP", "1", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"), 1);
-  expect_mesh("p.dae", DAE("Z_UP", "1", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"), 1);
-  expect_mesh("p.dae", DAE("Z_UP", "0.5", "2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1"), 1);
-  expect_mesh("p.stl",
-              "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
-              "vertex 0 .5 0\nendloop\nendfacet\nendsolid x\n",
-              1);
-}
-
-/* A node's transformation moves what is in it. */
-CASE(test_nodes) {
-  sepax_soup mesh;
-  assert_works(format_mesh_read(
-      &mesh, put_file("p.dae", DAE("Z_UP", "1", "0 -1 0 10 1 0 0 20 0 0 1 30 0 0 0 1")), &fault));
-  static const double first[3][3] = {{10, 20, 30}, {10, 21, 30}, {9.5, 20, 30}};
-  assert_memory_equal(mesh.facet[0].v, first, sizeof first);
-  sepax_soup_free(&mesh);
-}
-
-static void refuse_mesh(const char *name, const char *text, const char *part) {
-  sepax_soup mesh;
-  assert_fault(format_mesh_read(&mesh, put_file(name, text), &fault), part);
-  assert_message(name);
-  assert_null(mesh.facet);
-}
-
-CASE(test_meshes_refused) {
-  sepax_soup mesh;
-  assert_fault(format_mesh_read(&mesh, in_folder("none.obj"), &fault), "none.obj: No such file");
-  refuse_mesh("p.txt", "v 0 0 0\n", "give STL, OBJ, PLY, 3MF or DAE");
-  refuse_mesh("p.obj", "", "empty");
-  refuse_mesh("p.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "p.obj: ");
-  refuse_mesh("p.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "p.obj: ");
-  refuse_mesh("p.obj", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", "p.obj: ");
-  refuse_mesh("p.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n", "points or lines");
-  refuse_mesh("p.ply", "ply\nformat ascii 1.0\n", "p.ply: ");
-  refuse_mesh("p.ply", PLY("4", "2", CORNERS "3 0 1 2\n"), "truncated: 5 lines");
-  refuse_mesh("p.ply", PLY("4", "2", CORNERS), "truncated: 4 lines");
-  refuse_mesh("p.ply", PLY("4", "2", "0 0 0\n1 0 0\n"), "truncated: 2 lines");
-  refuse_mesh("p.ply", PLY("4", "99999999999", CORNERS), "no head of a PLY file");
-  refuse_mesh("p.3mf", "PK\x03\x04 no archive", "p.3mf: ");
-  refuse_mesh("p.dae", "<COLLADA>", "p.dae: ");
-  static const char *const units[] = {"0", "-1", "nan", "1e-40", "inf", "x", ""};
-  for (size_t n = 0; n < sizeof units / sizeof units[0]; n++) {
-    char text[2000];
-    snprintf(text, sizeof text, DAE("Z_UP", "%s", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"), units[n]);
-    refuse_mesh("p.dae", text, "p.dae:1: <unit meter=");
-  }
-  refuse_mesh("p.dae", DAE("<unit meter='2'/>Z_UP", "1", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"),
-              "a second <unit>, of 2 m after one of 1 m");
-  refuse_mesh("p.dae", "<!DOCTYPE x [<!ENTITY a 'aa'><!ENTITY b '&a;&a;'>]><COLLADA>&b;</COLLADA>",
-              "it has a document type (<!DOCTYPE>); take it out");
-  refuse_mesh("p.stl", "solid x\nfacet", "p.stl: ");
-}
-
-/* Limits hold before anything is read. */
-CASE(test_long_meshes) {
-  sepax_soup mesh;
-  const char *at = put_file("p.stl", "solid x\n");
-  assert_int_equal(truncate(at, ((off_t)1 << 30) + 1), 0);
-  assert_fault(format_mesh_read(&mesh, at, &fault), "p.stl: longer than 1 GiB");
-  unsigned char head[84] = {0};
-  for (int n = 0; n < 4; n++) {
-    head[80 + n] = (unsigned char)((FORMAT_FACETS_MOST + 1) >> 8 * n & 0xff);
-  }
-  at = put_bytes("p.stl", (const char *)head, sizeof head);
-  assert_int_equal(truncate(at, 84 + 50 * ((off_t)FORMAT_FACETS_MOST + 1)), 0);
-  assert_fault(format_mesh_read(&mesh, at, &fault),
-               "p.stl: 20000001 triangles, more than 20000000");
-  at = in_folder("pipe.stl");
-  assert_int_equal(mkfifo(at, 0600), 0);
-  assert_fault(format_mesh_read(&mesh, at, &fault), "pipe.stl: no file, or empty");
 }
 
 /* Many triangles in one place: one of each three corners stays, in whatever order they are. */
@@ -239,19 +193,4 @@ CASE(test_distinct) {
   assert_true(format_distinct(&mesh));
   assert_int_equal(mesh.count, 5);
   sepax_soup_free(&mesh);
-}
-
-/* ------------------------------------------------------------------------ polygons */
-
-CASE(test_polygons) {
-  static const double square[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  static const double arrow[4][3] = {{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}};
-  static const double comb[8][3] = {{0, 0, 0}, {5, 0, 0}, {5, 3, 0}, {4, 3, 0},
-                                    {4, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
-  size_t triangle[6][3];
-  assert_true(format_polygon_divide(square, 4, triangle));
-  assert_int_equal(triangle[0][0], 0);
-  assert_true(format_polygon_divide(arrow, 4, triangle));
-  assert_int_equal(triangle[0][0] % 2, 1); /* not along the side that is hollow */
-  assert_false(format_polygon_divide(comb, 8, triangle));
 }

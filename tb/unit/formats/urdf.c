@@ -105,8 +105,11 @@ CASE(test_refused) {
   refuse_text(HEAD "<link name='a&#10;b'/>\n" TAIL, "not printable");
   refuse_text(HEAD TWO "<link name='a'/>\n" TAIL, "r.urdf:4: two links of one name");
   refuse_text(HEAD TWO TAIL, "links a and b: two roots");
-  refuse_text(HEAD TWO JOINT("floating", "") TAIL, "r.urdf:4: joint j: type 'floating' is none of");
-  refuse_text(HEAD TWO JOINT("planar", "") TAIL, "type 'planar' is none of");
+  refuse_text(HEAD TWO JOINT("ball", "") TAIL, "r.urdf:4: joint j: type 'ball' is none of");
+  refuse_text(HEAD TWO JOINT("planar", "") TAIL, "r.urdf:4: joint j: planar, and its axis is not");
+  refuse_text(HEAD TWO JOINT("planar", "<axis xyz='0 0 -1'/>") TAIL, "its axis is not 0 0 1");
+  refuse_text(HEAD TWO JOINT("floating", "<mimic joint='j'/>") TAIL,
+              "joint j: <mimic> of a joint with several values");
   refuse_text(HEAD TWO JOINT("revolute", "") TAIL, "joint j: revolute without <limit");
   refuse_text(HEAD TWO JOINT("prismatic", "<limit lower='1' upper='0'/>") TAIL,
               "r.urdf:4: joint j: the lower limit, 1, is above the upper, 0");
@@ -168,11 +171,15 @@ static void refuse_geometry(const char *geometry, const char *part) {
 CASE(test_geometry_refused) {
   refuse_geometry("", "<collision> without geometry");
   refuse_geometry("<geometry/>", "<collision> without geometry");
-  refuse_geometry("<geometry><capsule radius='1'/></geometry>", "<capsule> is no geometry");
+  refuse_geometry("<geometry><cone radius='1'/></geometry>", "<cone> in <geometry> is not known");
+  refuse_geometry("<geometry><capsule radius='1'/></geometry>", "<capsule> without length=");
   refuse_geometry("<geometry><box size='1 2'/></geometry>", "give 3 finite numbers");
-  refuse_geometry("<geometry><box/></geometry>", "a length of 0 m");
+  refuse_geometry("<geometry><box/></geometry>", "<box> without size=");
   refuse_geometry("<geometry><sphere radius='-1'/></geometry>", "a length of -1 m");
-  refuse_geometry("<geometry><cylinder radius='1'/></geometry>", "a length of 0 m");
+  refuse_geometry("<geometry><cylinder radius='1'/></geometry>", "<cylinder> without length=");
+  refuse_geometry("<geometry><cylinder radius='1' length='0'/></geometry>", "makes it flat");
+  refuse_geometry("<geometry><box size='1 0 1'/></geometry>", "r.urdf:3: <box>: a length of 0 m");
+  refuse_geometry("<geometry><capsule radius='0' length='1'/></geometry>", "makes it flat");
   refuse_geometry("<geometry><mesh/></geometry>", "<mesh> without filename");
   refuse_geometry("<geometry><mesh filename='none.stl'/></geometry>", "none.stl: no such file");
   refuse_geometry("<geometry><mesh filename='http://x/y.stl'/></geometry>", "fetched from nowhere");
@@ -187,6 +194,273 @@ CASE(test_geometry_refused) {
                   "r.urdf:4: a second <origin> in one <collision>");
   put_file("part.obj", "v 0 0 0\n");
   refuse_geometry("<geometry><mesh filename='part.obj' scale='1 0 1'/></geometry>", "scale of 0");
+}
+
+/* Of version 1.1 in a file of any version; a length of 0 is allowed. */
+CASE(test_capsules) {
+  format_robot r;
+  assert_works(read_text(
+      &r, HEAD "<link name='a'><collision><geometry><capsule radius='2' length='7'/></geometry>"
+               "</collision><collision><geometry><capsule radius='2' length='0'/></geometry>"
+               "</collision></link>" TAIL));
+  assert_int_equal(r.shapes, 2);
+  assert_int_equal(r.shape[0].kind, FORMAT_CAPSULE);
+  assert_true(r.shape[0].size[0] == 2 && r.shape[0].size[1] == 7 && r.shape[1].size[1] == 0);
+  format_robot_free(&r);
+}
+
+/* Lengths that are all 0: no surface, and told. */
+CASE(test_nothing) {
+  format_robot r;
+  assert_works(read_text(
+      &r, HEAD "<link name='a'/>\n<link name='b'>\n<collision><geometry><box size='0 0 0'/>"
+               "</geometry></collision>\n"
+               "<collision><geometry><sphere radius='0'/></geometry></collision>\n"
+               "<collision><geometry><capsule radius='0' length='0'/></geometry></collision>"
+               "</link>" JOINT("fixed", "") TAIL));
+  assert_int_equal(r.shapes, 0);
+  assert_int_equal(r.nothings, 3);
+  static const format_kind kinds[] = {FORMAT_BOX, FORMAT_SPHERE, FORMAT_CAPSULE};
+  for (size_t n = 0; n < 3; n++) {
+    assert_int_equal(r.nothing[n].link, 1);
+    assert_int_equal(r.nothing[n].kind, kinds[n]);
+    assert_int_equal(r.nothing[n].line, 4 + n);
+  }
+  format_robot_free(&r);
+}
+
+/* ------------------------------------------------------------------------- versions */
+
+#define VERSION(text) "<robot name='r' version='" text "'>\n" TWO
+
+CASE(test_versions) {
+  format_robot r;
+  static const char *const known[] = {VERSION("1.0"), VERSION("1.1"), VERSION("1.2")};
+  for (size_t n = 0; n < LENGTH(known); n++) {
+    char text[400];
+    snprintf(text, sizeof text, "%s%s", known[n], JOINT("fixed", "") TAIL);
+    assert_works(read_text(&r, text));
+    format_robot_free(&r);
+  }
+  refuse_text(VERSION("9.0") TAIL, "r.urdf:1: version=\"9.0\" is not known; give the file as URDF");
+  refuse_text(VERSION("1") TAIL, "version=\"1\" is not known");
+  refuse_text(VERSION("1.0.0") TAIL, "version=\"1.0.0\" is not known");
+  refuse_text(VERSION("") TAIL, "version=\"...\" is empty");
+  /* without limits a joint of 1.0 stands still; 1.2 says nothing of the sort */
+  assert_works(read_text(&r, VERSION("1.0") JOINT("revolute", "<limit upper='1'/>") TAIL));
+  assert_true(r.mechanism.joint[0].lower == 0 && r.mechanism.joint[0].upper == 1);
+  format_robot_free(&r);
+  refuse_text(VERSION("1.2") JOINT("revolute", "<limit upper='1'/>") TAIL,
+              "r.urdf:4: joint j: URDF 1.2 has no limit of 0 by default; give lower and upper");
+  assert_works(read_text(&r, VERSION("1.2")
+                                 JOINT("revolute", "<limit lower='0' upper='1' jerk='3'/>") TAIL));
+  format_robot_free(&r);
+}
+
+/* A quaternion against turns by rpy that are the same. */
+CASE(test_quaternions) {
+  for (int n = 0; n < 200; n++) {
+    double a[3] = {3 * random_unit(), 1.5 * random_unit(), 3 * random_unit()};
+    double c[3];
+    double s[3];
+    char text[2][600];
+    for (int i = 0; i < 3; i++) {
+      c[i] = cos(a[i] / 2);
+      s[i] = sin(a[i] / 2);
+    }
+    double scale = 1 + 9e-4 * random_unit();
+    snprintf(text[0], sizeof text[0],
+             VERSION("1.1") JOINT("fixed", "<origin xyz='1 2 3' "
+                                           "quat_xyzw='%.17g %.17g %.17g %.17g'/>") TAIL,
+             scale * (s[0] * c[1] * c[2] - c[0] * s[1] * s[2]),
+             scale * (c[0] * s[1] * c[2] + s[0] * c[1] * s[2]),
+             scale * (c[0] * c[1] * s[2] - s[0] * s[1] * c[2]),
+             scale * (c[0] * c[1] * c[2] + s[0] * s[1] * s[2]));
+    snprintf(text[1], sizeof text[1],
+             VERSION("1.1") JOINT("fixed", "<origin xyz='1 2 3' rpy='%.17g %.17g %.17g'/>") TAIL,
+             a[0], a[1], a[2]);
+    format_robot r[2];
+    assert_works(read_text(&r[0], text[0]));
+    assert_works(read_text(&r[1], text[1]));
+    for (int i = 0; i < 9; i++) {
+      assert_true(fabs(r[0].mechanism.joint[0].origin.rotation[i / 3][i % 3] -
+                       r[1].mechanism.joint[0].origin.rotation[i / 3][i % 3]) < 1e-14);
+    }
+    assert_true(r[0].mechanism.joint[0].origin.translation[1] == 2);
+    format_robot_free(&r[0]);
+    format_robot_free(&r[1]);
+  }
+  refuse_text(HEAD TWO JOINT("fixed", "<origin quat_xyzw='0 0 0 1'/>") TAIL,
+              "r.urdf:4: quat_xyzw is of URDF 1.1; give <robot version=\"1.1\">, or rpy");
+  refuse_text(VERSION("1.1") JOINT("fixed", "<origin rpy='0 0 0' quat_xyzw='0 0 0 1'/>") TAIL,
+              "<origin> has rpy and quat_xyzw; leave one of them out");
+  refuse_text(VERSION("1.1") JOINT("fixed", "<origin quat_xyzw='0 0 0 1.0011'/>") TAIL,
+              "quat_xyzw: its length is 1.0011; give one of length 1, within 0.001");
+  refuse_text(VERSION("1.1") JOINT("fixed", "<origin quat_xyzw='0 0 1'/>") TAIL, "give 4 finite");
+}
+
+/* ------------------------------------------------------------------------- elements */
+
+static void expect_others(const format_others *others, const char *const *what, const size_t *count,
+                          size_t kinds) {
+  assert_int_equal(others->count, kinds);
+  for (size_t n = 0; n < kinds; n++) {
+    assert_string_equal(others->entry[n].what, what[n]);
+    assert_int_equal(others->entry[n].count, count[n]);
+  }
+}
+
+/* What is passed over is counted, and is no part of the robot, whatever it has in it. */
+CASE(test_passed_over) {
+  format_robot r;
+  assert_works(read_text(
+      &r, "<robot name='r' xmlns:x='y' x:a='1'><gazebo reference='a'><link name='z'/></gazebo>"
+          "<plugin_of_mine><collision/></plugin_of_mine>"
+          "<link name='a' type='t'><visual><RPY/></visual><visual/><inertial>text</inertial>"
+          "<collision name='c'><geometry><box size='1 1 1'/></geometry><verbose value='1'/>"
+          "<x:collision/></collision>"
+          "<x:collision><geometry><sphere radius='1'/></geometry></x:collision>"
+          "<y:collision/></link><visual/></robot>"));
+  static const char *const what[] = {"x:a=",     "gazebo",  "plugin_of_mine", "visual",
+                                     "inertial", "verbose", "x:collision",    "y:collision"};
+  static const size_t count[] = {1, 1, 1, 3, 1, 1, 2, 1};
+  expect_others(&r.others, what, count, LENGTH(what));
+  assert_int_equal(r.shapes, 1);
+  assert_int_equal(r.links, 1);
+  format_robot_free(&r);
+}
+
+/* Nothing of what may be meant as geometry, or as its place, is passed over. */
+CASE(test_elements_refused) {
+  static const char *const link[][2] = {
+      {"<Collision/>", "r.urdf:2: <Collision> in <link> is not known; write <collision>, or leave"},
+      {"<collison/>", "write <collision>"},
+      {"<colision/>", "write <collision>"},
+      {"<collisions/>", "write <collision>"},
+      {"<my_collision_2/>", "write <collision>"},
+      {"<collision><Geometry/></collision>", "write <geometry>"},
+      {"<collision><shape/></collision>", "<shape> in <collision> is not known; mend its name"},
+      {"<collision><box size='1 1 1'/></collision>", "<box> in <collision>: its place is else"},
+      {"<geometry/>", "<geometry> in <link>: its place is elsewhere"},
+      {"<link name='c'/>", "<link> in <link>: its place is elsewhere"},
+      {"<collision><geometry><bOx/></geometry></collision>", "write <box>"},
+      {"<collision><geometry><cube/></geometry></collision>",
+       "<cube> in <geometry> is not known; mend its name, or leave it out (known: mesh box "},
+      {"<collision><orgin/></collision>", "write <origin>"},
+      {"<collision><origin RPY='0 0 1'/></collision>",
+       "r.urdf:2: <origin RPY=\"...\">: <origin> has the attributes xyz rpy quat_xyzw; mend"},
+      {"<collision><origin rot='0 0 1'/></collision>", "<origin rot=\"...\">"},
+      {"<collision><origin quat='0 0 0 1'/></collision>", "<origin quat=\"...\">"},
+      {"<collision><geometry><mesh Scale='1 1 1'/></geometry></collision>", "<mesh Scale="},
+      {"<collision><geometry><box Size='1 1 1'/></geometry></collision>", "<box Size="},
+      {"<collision><geometry r='1'/></collision>", "<geometry> has no attribute; leave it out"},
+      {"<collision>1 0 0<geometry/></collision>",
+       "r.urdf:2: <collision>: text '1' in it, which says nothing; leave it out"},
+      {"<![CDATA[<collision/>]]>", "<link>: text '<collision/>' in it"},
+      {"<xacro:block/>", "<xacro:block> is of xacro; run xacro"},
+  };
+  static const char *const joint[][2] = {
+      {"<axis XYZ='0 0 1'/>", "r.urdf:4: <axis XYZ="},
+      {"<axes xyz='0 0 1'/>", "write <axis>"},
+      {"<limit lower='-1' Upper='1'/>", "<limit Upper="},
+      {"<limits lower='-1' upper='1'/>", "write <limit>"},
+      {"<mimic joint='k' multiplyer='2'/>", "<mimic multiplyer="},
+      {"<Mimic joint='k'/>", "write <mimic>"},
+      {"<collision/>", "<collision> in <joint>: its place is elsewhere"},
+  };
+  char text[600];
+  for (size_t n = 0; n < LENGTH(link); n++) {
+    snprintf(text, sizeof text, HEAD "<link name='a'>%s</link>" TAIL, link[n][0]);
+    refuse_text(text, link[n][1]);
+  }
+  for (size_t n = 0; n < LENGTH(joint); n++) {
+    snprintf(text, sizeof text, HEAD TWO JOINT("continuous", "%s") TAIL, joint[n][0]);
+    refuse_text(text, joint[n][1]);
+  }
+  refuse_text(HEAD "<Link name='a'/>" TAIL, "<Link> in <robot> is not known; write <link>");
+  refuse_text(HEAD "<jiont name='a'/>" TAIL, "write <joint>");
+  refuse_text(HEAD "<collision/>" TAIL, "<collision> in <robot>: its place is elsewhere");
+  refuse_text("<robot Name='r'/>", "<robot Name=");
+}
+
+/* As many names as nobody has. */
+CASE(test_many_others) {
+  static char text[300 * 16 + 100] = HEAD "<link name='a'/>";
+  for (int n = 0; n < 300; n++) {
+    snprintf(text + strlen(text), 16, "<thing%d/>", n);
+  }
+  strcat(text, TAIL);
+  refuse_text(text, "<thing256>: more than 256 kinds of unknown elements");
+}
+
+/* ------------------------------------------------------------------- several values */
+
+/* A body in space is where rpy and xyz put it: six joints with links between them. */
+CASE(test_floating) {
+  format_robot r;
+  assert_works(read_text(&r, HEAD TWO "<link name='c'/>" JOINT(
+                                 "floating", "<origin xyz='1 2 3' rpy='.1 .2 .3'/><limit lower='1' "
+                                             "upper='0'/>") "<joint name='k' type='fixed'>"
+                                                            "<parent link='b'/><child link='c'/>"
+                                                            "</joint>" TAIL));
+  const sepax_mechanism *m = &r.mechanism;
+  static const char *const names[] = {"j/x", "k", "j/y", "j/z", "j/yaw", "j/pitch", "j/roll"};
+  static const size_t order[] = {0, 6, 1, 2, 3, 4, 5};
+  assert_int_equal(m->joints, 7);
+  assert_int_equal(m->links, 8);
+  assert_int_equal(r.links, 3);
+  for (size_t n = 0; n < 7; n++) {
+    assert_string_equal(m->joint[order[n]].name, names[n]);
+    assert_true(n == 1 || (sepax_joint_driven(&m->joint[order[n]]) &&
+                           isinf(m->joint[order[n]].lower) && isinf(m->joint[order[n]].upper)));
+  }
+  for (int n = 0; n < 50; n++) {
+    double value[7] = {0};
+    sepax_pose pose[8];
+    char text[600];
+    format_robot fixed;
+    for (int k = 0; k < 6; k++) {
+      value[k] = 3 * random_unit();
+    }
+    snprintf(text, sizeof text,
+             HEAD TWO "<link name='o'/><joint name='o' type='fixed'><parent link='a'/>"
+                      "<child link='o'/><origin xyz='1 2 3' rpy='.1 .2 .3'/></joint>"
+                      "<joint name='j' type='fixed'><parent link='o'/><child link='b'/>"
+                      "<origin xyz='%.17g %.17g %.17g' rpy='%.17g %.17g %.17g'/></joint>" TAIL,
+             value[0], value[1], value[2], value[5], value[4], value[3]);
+    assert_works(read_text(&fixed, text));
+    sepax_pose want[3];
+    sepax_mechanism_poses(m, value, pose);
+    sepax_mechanism_poses(&fixed.mechanism, value, want);
+    for (int i = 0; i < 3; i++) {
+      assert_true(fabs(pose[1].translation[i] - want[1].translation[i]) < 1e-14);
+      for (int k = 0; k < 3; k++) {
+        assert_true(fabs(pose[1].rotation[i][k] - want[1].rotation[i][k]) < 1e-14);
+      }
+    }
+    format_robot_free(&fixed);
+  }
+  format_robot_free(&r);
+  assert_works(read_text(&r, HEAD TWO JOINT("planar", "<axis xyz='0 0 2'/>") TAIL));
+  assert_int_equal(r.mechanism.joints, 3);
+  assert_int_equal(r.mechanism.links, 4);
+  assert_string_equal(r.mechanism.joint[2].name, "j/yaw");
+  assert_int_equal(r.mechanism.joint[2].child, 1);
+  format_robot_free(&r);
+}
+
+#define THREE TWO "<link name='c'/>"
+#define SECOND(name, type) \
+  "<joint name='" name "' type='" type "'><parent link='b'/><child link='c'/></joint>\n"
+
+CASE(test_names_of_parts) {
+  refuse_text(HEAD THREE JOINT("floating", "") SECOND("j", "fixed") TAIL,
+              "r.urdf:5: two joints 'j'");
+  refuse_text(HEAD THREE JOINT("floating", "") SECOND("j", "floating") TAIL, "two joints 'j'");
+  refuse_text(HEAD THREE JOINT("floating", "") SECOND("j/z", "fixed") TAIL, "two joints 'j/z'");
+  refuse_text(HEAD THREE SECOND("j/x", "fixed") JOINT("floating", "") TAIL, "two joints 'j/x'");
+  refuse_text(HEAD THREE SECOND("j/z", "fixed") JOINT("floating", "") TAIL, "two joints 'j/z'");
+  refuse_text(HEAD THREE "<link name='j/z'/>" JOINT("floating", "") TAIL, "two links of one name");
 }
 
 /* Neither entities nor a document type: nothing is expanded, nothing is read. */
@@ -274,21 +548,34 @@ CASE(test_srdf) {
       {"\n<disable_default_collision link='a'/>", "r.srdf:3: <disable_default_collision> is no"},
       {"\n<link name='a'/>", "r.srdf:3: <link> is of a URDF; give an SRDF"},
       {"\n<joint name='a'/>", "r.srdf:3: <joint> is of a URDF"},
+      {"\n<Disable_collisions/>", "r.srdf:3: <Disable_collisions> in <robot> is not known; write"},
+      {"\n<disable_collisions link1='a' link2='b' Reason='x'/>", "<disable_collisions Reason="},
+      {"\n<disable_collisions link1='a' link2='b'><link/></disable_collisions>", "<link> in <dis"},
+      {"\n<disable_collisions link1='a' link2='b'>c</disable_collisions>", "text 'c' in it"},
   };
   bool compared[9];
-  char *of = NULL;
+  format_srdf of = {0};
   for (size_t n = 0; n < sizeof wrong / sizeof wrong[0]; n++) {
     char srdf[200];
     snprintf(srdf, sizeof srdf, HEAD "%s" TAIL, wrong[n][0]);
     assert_fault(format_srdf_read(compared, &r.mechanism, &of, put_file("r.srdf", srdf), &fault),
                  wrong[n][1]);
-    assert_null(of);
+    assert_null(of.robot);
   }
   assert_works(format_srdf_read(compared, &r.mechanism, &of,
                                 put_file("r.srdf", "<robot name='other'/>"), &fault));
-  assert_string_equal(of, "other");
+  assert_string_equal(of.robot, "other");
   assert_string_equal(r.name, "r");
-  free(of);
+  format_srdf_free(&of);
+  assert_works(format_srdf_read(compared, &r.mechanism, &of,
+                                put_file("r.srdf", HEAD
+                                         "<group name='g'><link name='a'/></group><group name='h'/>"
+                                         "<notes/><x:y/>" TAIL),
+                                &fault));
+  static const char *const what[] = {"group", "notes", "x:y"};
+  static const size_t count[] = {2, 1, 1};
+  expect_others(&of.others, what, count, 3);
+  format_srdf_free(&of);
   assert_fault(
       format_srdf_read(compared, &r.mechanism, NULL,
                        put_file("r.srdf", HEAD "\n<disable_collisions link1='a' link2='x'/>" TAIL),

@@ -1,0 +1,27 @@
+/* elements.h - which elements and attributes a format has (private). */
+#ifndef FORMAT_ELEMENTS_H
+#define FORMAT_ELEMENTS_H
+
+#include "formats/formats.h"
+#include "xml/xml.h"
+
+/* An element that is read, by its name wherever it stands. Lists are words with blanks between. */
+typedef struct {
+  const char *name;
+  const char *attributes; /* that are read */
+  const char *idle;       /* attributes that are known to say nothing of collision geometry */
+  const char *children;   /* that are read; each is a row of the table */
+  const char *passed;     /* children that are known to say nothing of it */
+  bool open;              /* children of other names belong to other programs */
+} format_element;
+
+/* Check all elements from the root on against the table, whose first row is the root's, and which
+ * ends with a row without a name. Children that are passed over are counted in `others` and leave
+ * the tree, so that no reader takes them; so do children and attributes with a namespace prefix,
+ * which are counted as PREFIX:NAME. Errors: an unknown attribute; an unknown child where the
+ * element is not open, or whose name is nearly one of the table; a child of the table in a place
+ * that is not its own; text; what xacro has left. */
+bool format_elements_check(xml_file *file, const format_element *table, format_others *others,
+                           sepax_error *error);
+
+#endif
