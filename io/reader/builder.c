@@ -79,11 +79,18 @@ static bool coordinates_right(const mesh_builder *b, size_t number, const double
 }
 
 bool sepax__builder_within(const mesh_builder *b) {
-  bool ok = true;
-  for (size_t n = 0; n < b->soup.count && ok; n++) {
-    ok = coordinates_right(b, n, b->soup.facet[n].v, 3);
+  bool right = true;
+  for (size_t n = 0; n < b->soup.count; n++) {
+    for (int i = 0; i < 9; i++) {
+      right &= fabs(b->soup.facet[n].v[i / 3][i % 3]) <= coordinate_most;
+    }
   }
-  return ok;
+  for (size_t n = 0; n < b->soup.count && !right; n++) {
+    if (!coordinates_right(b, n, b->soup.facet[n].v, 3)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool sepax__builder_triangle(mesh_builder *b, const double v[3][3]) {

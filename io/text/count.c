@@ -57,30 +57,38 @@ bool sepax__ply_count(const mesh_builder *b, size_t *faces) {
   return true;
 }
 
-enum { WORD_LENGTH = sizeof "endfacet" - 1 };
+/* Is the line of c one that begins with solid or endsolid, behind which there is a name? No line
+ * longer than that has one. */
+static bool in_name(const char *c, const char *begin) {
+  enum { LINE_MOST = 1000 };
+  const char *line = c;
+  while (line > begin && c - line < LINE_MOST && line[-1] != '\n' && line[-1] != '\r') {
+    line--;
+  }
+  while (line < c && isspace((unsigned char)*line)) {
+    line++;
+  }
+  return line < c && (strncasecmp(line, "solid", 5) == 0 || strncasecmp(line, "endsolid", 8) == 0);
+}
 
-/* How often the word endfacet is between two places, by skips of up to its length. */
-static size_t count_words(const char *from, const char *to, const unsigned char skip[256]) {
+/* How often the word endfacet is in a text, not in names, with this letter in its middle: f and F
+ * are rare enough that to look for them costs little. */
+static size_t count_words(const mesh_builder *b, char letter) {
+  enum { BEFORE = 3, LENGTH = sizeof "endfacet" - 1 };
+  const char *end = b->bytes + b->size;
   size_t count = 0;
-  for (const char *c = from; to - c >= WORD_LENGTH;) {
-    count += (*c == 'e' || *c == 'E') && strncasecmp(c, "endfacet", WORD_LENGTH) == 0 &&
-             (c == from || isspace((unsigned char)c[-1])) &&
-             (c + WORD_LENGTH == to || isspace((unsigned char)c[WORD_LENGTH]));
-    c += skip[(unsigned char)c[WORD_LENGTH - 1]];
+  for (const char *f = b->bytes; (f = memchr(f, letter, (size_t)(end - f))) != NULL; f++) {
+    const char *c = f - BEFORE;
+    bool found = f - b->bytes >= BEFORE && strncasecmp(c, "endfacet", LENGTH) == 0 &&
+                 (c == b->bytes || isspace((unsigned char)c[-1])) &&
+                 (c + LENGTH == end || isspace((unsigned char)c[LENGTH]));
+    count += found && !in_name(c, b->bytes);
   }
   return count;
 }
 
-static bool begins_name(const char *c) {
-  return (*c == 's' || *c == 'S' || *c == 'e' || *c == 'E') &&
-         (strncasecmp(c, "solid", 5) == 0 || strncasecmp(c, "endsolid", 8) == 0);
-}
-
-/* A binary file is as long as its head says; of a text, words in lines that have no name. */
+/* A binary file is as long as its head says. */
 bool sepax__stl_count(const mesh_builder *b, size_t *faces) {
-  unsigned char skip[256];
-  const char *end = b->bytes + b->size;
-  char ends_line = memchr(b->bytes, '\n', b->size) != NULL ? '\n' : '\r';
   if (b->size > 84 && (b->size - 84) % 50 == 0) {
     const unsigned char *head = (const unsigned char *)b->bytes + 80;
     uint64_t said = head[0] + 256ULL * (head[1] + 256ULL * (head[2] + 256ULL * head[3]));
@@ -89,25 +97,6 @@ bool sepax__stl_count(const mesh_builder *b, size_t *faces) {
       return true;
     }
   }
-  memset(skip, WORD_LENGTH, sizeof skip);
-  for (size_t n = 0; n + 1 < WORD_LENGTH; n++) {
-    skip[(unsigned char)"endfacet"[n]] = (unsigned char)(WORD_LENGTH - 1 - n);
-    skip[(unsigned char)"ENDFACET"[n]] = (unsigned char)(WORD_LENGTH - 1 - n);
-  }
-  *faces = 0;
-  for (const char *line = b->bytes; line < end;) {
-    while (line < end && isspace((unsigned char)*line)) {
-      line++;
-    }
-    line += *line == '\xef' ? 3 : 0;
-    const char *next = memchr(line, ends_line, (size_t)(end - line));
-    next = next != NULL ? next : end;
-    if (begins_name(line)) {
-      next = line + strcspn(line, "\r\n");
-    } else {
-      *faces += count_words(line, next, skip);
-    }
-    line = next + 1;
-  }
+  *faces = count_words(b, 'f') + count_words(b, 'F');
   return true;
 }

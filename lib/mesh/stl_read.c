@@ -138,13 +138,8 @@ static bool fail_expecting(const scanner *text, const char *what) {
   return fail_line(text, "'%s' where %s is expected", found, what);
 }
 
-/* The word at hand; capitals or not. */
-static inline bool word_is(const scanner *text, const char *keyword) {
+static bool word_has(const scanner *text, const char *keyword) {
   const char *c = text->at;
-  size_t length = strlen(keyword);
-  if (strncmp(c, keyword, length) == 0) {
-    return is_blank(c[length]) || c + length == text->end;
-  }
   for (; *keyword != '\0'; keyword++, c++) {
     if ((*c | 0x20) != *keyword) {
       return false;
@@ -153,14 +148,28 @@ static inline bool word_is(const scanner *text, const char *keyword) {
   return is_blank(*c) || c == text->end;
 }
 
-static bool read_keyword(scanner *text, const char *keyword) {
+/* The word at hand is the keyword of `length` characters, in capitals or not. Compiled for each
+ * keyword by itself, which makes it one comparison of whole numbers for most files. */
+static inline bool __attribute__((always_inline))
+word_is(const scanner *text, const char *keyword, size_t length) {
+  const char *c = text->at;
+  return (size_t)(text->end - c) > length && memcmp(c, keyword, length) == 0
+             ? is_blank(c[length]) || word_has(text, keyword)
+             : word_has(text, keyword);
+}
+
+static inline bool __attribute__((always_inline))
+read_word(scanner *text, const char *keyword, size_t length) {
   skip_blanks(text);
-  if (!word_is(text, keyword)) {
+  if (!word_is(text, keyword, length)) {
     return fail_expecting(text, keyword);
   }
-  text->at += strlen(keyword);
+  text->at += length;
   return true;
 }
+
+#define WORD_IS(text, keyword) word_is(text, keyword, sizeof keyword - 1)
+#define READ_KEYWORD(text, keyword) read_word(text, keyword, sizeof keyword - 1)
 
 /* Also words that C reads as numbers which are not finite. */
 static bool read_number(scanner *text, double *number, const char *name) {
@@ -187,14 +196,14 @@ static bool read_number(scanner *text, double *number, const char *name) {
 
 /* Where nobody asks for normals, any word stands for a number of one: many writers have NaN. */
 static bool read_normal(scanner *text, const reading *r, double normal[3]) {
-  bool ok = read_keyword(text, "normal");
+  bool ok = READ_KEYWORD(text, "normal");
   for (int i = 0; i < 3 && ok; i++) {
     if (r->normals) {
       ok = read_number(text, &normal[i], "normal");
       continue;
     }
     skip_blanks(text);
-    ok = (text->at < text->end && !word_is(text, "outer")) || fail_expecting(text, "a number");
+    ok = (text->at < text->end && !WORD_IS(text, "outer")) || fail_expecting(text, "a number");
     skip_word(text);
   }
   return ok;
@@ -202,23 +211,23 @@ static bool read_normal(scanner *text, const reading *r, double normal[3]) {
 
 static bool read_facet(scanner *text, const reading *r, numbers *facet) {
   bool ok =
-      read_normal(text, r, facet->of) && read_keyword(text, "outer") && read_keyword(text, "loop");
+      read_normal(text, r, facet->of) && READ_KEYWORD(text, "outer") && READ_KEYWORD(text, "loop");
   for (int i = 3; ok && i < STL_FACET_NUMBERS; i += 3) {
-    ok = read_keyword(text, "vertex");
+    ok = READ_KEYWORD(text, "vertex");
     for (int k = 0; ok && k < 3; k++) {
       ok = read_number(text, &facet->of[i + k], "coordinate");
     }
   }
-  return ok && read_keyword(text, "endloop") && read_keyword(text, "endfacet");
+  return ok && READ_KEYWORD(text, "endloop") && READ_KEYWORD(text, "endfacet");
 }
 
 static bool read_solid(scanner *text, reading *r) {
-  if (!word_is(text, "solid")) {
+  if (!WORD_IS(text, "solid")) {
     return fail_expecting(text, "solid");
   }
   skip_line(text);
   skip_blanks(text);
-  while (word_is(text, "facet")) {
+  while (WORD_IS(text, "facet")) {
     numbers facet = {{0}};
     text->at += strlen("facet");
     if (!read_facet(text, r, &facet) || !append(r, &facet, text->path, text->error)) {
@@ -226,7 +235,7 @@ static bool read_solid(scanner *text, reading *r) {
     }
     skip_blanks(text);
   }
-  if (!word_is(text, "endsolid")) {
+  if (!WORD_IS(text, "endsolid")) {
     return fail_expecting(text, "facet or endsolid");
   }
   skip_line(text);
