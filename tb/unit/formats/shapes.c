@@ -143,7 +143,7 @@ CASE(test_capsule_holds) {
         rim = fmin(rim, z);
       }
     }
-    assert_true(top >= half + r * (1 - 0x1p-30) && rim >= 0);
+    assert_true(top >= half + r * (1 - 0x1p-30) && rim > 0);
     sepax_soup_free(&mesh);
   }
 }
