@@ -100,10 +100,12 @@ static bool take_length(ply_reader *r, const ply_property *p, size_t *length) {
   if (!take_number(r, p->count, &number)) {
     return false;
   }
+  if (!(number >= 0 && number < 0x1p32 && number == (double)(uint64_t)number)) {
+    return fail_row(r, "a list whose length is no whole number");
+  }
   size_t least = r->head.order == PLY_TEXT ? 1 : sepax__ply_bytes[p->type];
-  if (!(number >= 0 && number <= (double)((size_t)(r->w.end - r->w.at) / least)) ||
-      number != (double)(size_t)number) {
-    return fail_row(r, "a list of more numbers than there are, or of no whole number of them");
+  if (number > (double)((size_t)(r->w.end - r->w.at) / least)) {
+    return fail_row(r, "truncated: a list of more numbers than there are");
   }
   *length = (size_t)number;
   return true;

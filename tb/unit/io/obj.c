@@ -1,0 +1,169 @@
+/* obj.c - OBJ: what becomes triangles, what is named, and what is refused with its line. */
+#include "sepax_io.h"
+#include "unit/formats/files.h"
+
+#include <math.h>
+
+/* Vertices 1 ... 4: 0, x, y, z. */
+#define VERTICES "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\n"
+
+static sepax_soup soup;
+static sepax_mesh_account account;
+
+static void read_text(const char *text, size_t faces, size_t triangles) {
+  sepax_soup_free(&soup);
+  assert_works(sepax_mesh_read(&soup, &account, put_file("a.obj", text), NULL, &fault));
+  assert_string_equal(account.format, "OBJ");
+  assert_int_equal(account.faces, faces);
+  assert_int_equal(account.triangles, triangles);
+  assert_int_equal(soup.count, triangles);
+}
+
+static void refuse(const char *text, const char *part) {
+  sepax_soup none;
+  assert_fault(sepax_mesh_read(&none, NULL, put_file("a.obj", text), NULL, &fault), part);
+  assert_message("a.obj");
+}
+
+static void assert_triangle(size_t n, const double v[9]) {
+  assert_true(n < soup.count);
+  for (int i = 0; i < 9; i++) {
+    assert_true(soup.facet[n].v[i / 3][i % 3] == v[i]);
+  }
+}
+#define TRIANGLE(n, ...) assert_triangle(n, (const double[9]){__VA_ARGS__})
+
+static size_t others(const char *what) {
+  for (size_t n = 0; n < account.others; n++) {
+    if (strcmp(account.other[n].what, what) == 0) {
+      return account.other[n].count;
+    }
+  }
+  return 0;
+}
+
+CASE(corners) {
+  static const char *const faces[] = {
+      "f 1 2 3\n",
+      "f 1/1 2/1 3/1\n",
+      "f 1//1 2//1 3//1\n",
+      "f 1/1/1 2/1/1 3/1/1\n",
+      "f -4 -3 -2\n",
+      "fo 1 2 3\n",
+      "f 1/-1/-1 2 3//1\n",
+      "f\t1 2\t3 \t\n",
+      "\t f 1 2 3   # x\n",
+      "f 1 \\\n2 \\\r\n 3\n",
+      "f 1 2 3",
+      "f 1 2 3\r",
+  };
+  char text[256];
+  for (size_t n = 0; n < sizeof faces / sizeof faces[0]; n++) {
+    snprintf(text, sizeof text, "%s%s%s", VERTICES, "vt 0 0\nvn 0 0 1\n", faces[n]);
+    read_text(text, 1, 1);
+    TRIANGLE(0, 0, 0, 0, 1, 0, 0, 0, 2, 0);
+  }
+}
+
+CASE(lines) {
+  read_text("\xef\xbb\xbf# a mark\r\n\r\nv 0 0 0\r\n v 1 0 0\r\n\tv 0 2 0\r\nf 1 2 3\r\n", 1, 1);
+  TRIANGLE(0, 0, 0, 0, 1, 0, 0, 0, 2, 0);
+  read_text("v 0 0 0\rv 1 0 0\rv 0 2 0\rf 1 2 3\r", 1, 1);
+  TRIANGLE(0, 0, 0, 0, 1, 0, 0, 0, 2, 0);
+  read_text("f 1 2 3\n" VERTICES "f 2 3 4\n", 2, 2); /* before its vertices */
+  TRIANGLE(0, 0, 0, 0, 1, 0, 0, 0, 2, 0);
+  TRIANGLE(1, 1, 0, 0, 0, 2, 0, 0, 0, 3);
+  read_text(VERTICES "f -4 -3 -2\nv 9 9 9\nf -5 -4 -1\n", 2, 2); /* counted from each line */
+  TRIANGLE(1, 0, 0, 0, 1, 0, 0, 9, 9, 9);
+}
+
+CASE(numbers) {
+  read_text("v 1e0 +1. .5E+00\nv -0.1 1.0E+003 1e-320\nv 1e6 123456789012345678901234567890 0.1\n"
+            "f 1 2 3\n",
+            1, 1);
+  TRIANGLE(0, 1, 1, 0.5, -0.1, 1000, 1e-320, 1e6, 123456789012345678901234567890.0, 0.1);
+}
+
+CASE(polygons) {
+  read_text("v 0 0 0\nv 3 0 0\nv 3 2 0\nv 2 2 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+            "f 1 2 3 4 5 6 7 8\n",
+            1, 6);
+  double area = 0;
+  for (size_t n = 0; n < soup.count; n++) {
+    const double(*v)[3] = (const double(*)[3])soup.facet[n].v;
+    double own =
+        (v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (v[1][1] - v[0][1]) * (v[2][0] - v[0][0]);
+    assert_true(own >= 0);
+    area += own / 2;
+  }
+  assert_true(area == 5);
+  assert_int_equal(account.divided, 1);
+  assert_int_equal(account.bent, 0);
+  read_text("v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n", 1, 2);
+  assert_int_equal(account.bent, 1);
+}
+
+/* Each kind without a surface is counted by its name. */
+CASE(what_has_no_surface) {
+  read_text(VERTICES "mtllib a.mtl\no box\ng a b\ns off\nusemtl red\nvt 0 0\nvt 0 1\nvn 0 0 1\n"
+                     "vp 0 1\np 1 2\nl 1 2\nl 2 3\nlod 1\nbevel on\ncstype bezier\ndeg 3\n"
+                     "curv 0 1 1 2 3 4\nparm u 0 1\nend\nf 1 2 3\n",
+            1, 1);
+  assert_int_equal(others("material libraries"), 1);
+  assert_int_equal(others("object names"), 1);
+  assert_int_equal(others("group names"), 1);
+  assert_int_equal(others("smoothing groups"), 1);
+  assert_int_equal(others("material names"), 1);
+  assert_int_equal(others("texture coordinates"), 2);
+  assert_int_equal(others("vertex normals"), 1);
+  assert_int_equal(others("parameter space vertices"), 1);
+  assert_int_equal(others("points"), 1);
+  assert_int_equal(others("lines"), 2);
+  assert_int_equal(others("display attributes"), 2);
+  assert_int_equal(others("statements of curves"), 5);
+  assert_int_equal(account.others, 12);
+  read_text("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 0 2 0 1 0.5 0.5 0.5\nf 1 2 3\n", 1, 1);
+  assert_int_equal(others("vertex weights"), 2);
+  assert_int_equal(others("vertex colours"), 2);
+}
+
+CASE(refused) {
+  static const char *const row[][2] = {
+      {VERTICES "f 0 1 2\n", "a.obj:5: '0': there is no vertex 0, of 4"},
+      {VERTICES "f 1 2 5\n", "a.obj:5: '5': there is no vertex 5, of 4"},
+      {VERTICES "f 1 2 -5\n", "a.obj:5: '-5': there is no vertex -5, of 4 above"},
+      {"v 0 0 0\nf -1 -2 -3\n" VERTICES, "a.obj:2: '-2': there is no vertex -2, of 1 above"},
+      {VERTICES "f 1/1 2/1 3/1\n", "there is no texture coordinate 1, of 0"},
+      {VERTICES "f 1//1 2//1 3//1\n", "there is no normal 1, of 0"},
+      {VERTICES "f 1 2\n", "a.obj:5: a face of 2 corners; give three or more"},
+      {VERTICES "f\n", "a face of 0 corners"},
+      {VERTICES "f 1 2 3.5\n", "'3.5' is no corner of a face"},
+      {VERTICES "f 1 2 3/\n", "is no corner of a face"},
+      {VERTICES "f 1 2 x\n", "'x' is no corner of a face"},
+      {VERTICES "f 1 2 99999999999999999999\n", "there is no vertex"},
+      {VERTICES "F 1 2 3\n", "a.obj:5: 'F' is no word of OBJ"},
+      {VERTICES "facet 1 2 3\n", "'facet' is no word of OBJ"},
+      {VERTICES "cstype bspline\nsurf 0 1 0 1 1 2 3 4\nf 1 2 3\n",
+       "a.obj:6: surf: a free-form surface"},
+      {VERTICES "bzp 1 2 3 4\n", "bzp: a Bezier patch"},
+      {VERTICES "call b.obj\n", "call: another file"},
+      {VERTICES "csh ls\n", "csh: a command of a shell"},
+      {"v 1 2\n", "a.obj:1: a vertex of 2 numbers"},
+      {"v 1 2 3 4 5\n", "a vertex of 5 numbers"},
+      {"v 0,5 1 2\n", "a.obj:1: '0,5' is no finite number"},
+      {"v 1 2 nan\n", "'nan' is no finite number"},
+      {"v 1 2 1e400\n", "'1e400' is no finite number"},
+      {"v 1 2 0x10\n", "'0x10' is no finite number"},
+      {VERTICES, "no triangles"},
+      {VERTICES "l 1 2\n", "no triangles"},
+      {"v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nf 1 2 3 4\n", "a.obj:5: face 0: a polygon of 4 corners "
+                                                          "that crosses itself"},
+  };
+  for (size_t n = 0; n < sizeof row / sizeof row[0]; n++) {
+    refuse(row[n][0], row[n][1]);
+  }
+  static const char zero[] = VERTICES "g a\0b\nf 1 2 3\n";
+  sepax_soup none;
+  const char *file = put_bytes("a.obj", zero, sizeof zero - 1);
+  assert_fault(sepax_mesh_read(&none, NULL, file, NULL, &fault), "a byte of zero at offset 35");
+}
