@@ -173,10 +173,11 @@ static bool read_line(head_reader *r, bool *ended, bool *formatted) {
   if (words_next(&r->w)) {
     return fail_word(r, "the end of a line");
   }
-  /* Behind a binary file's head the first number may look like the end of a line. */
-  bool long_end = *r->b->bytes != '\0' && r->b->bytes[3] == '\r' && r->b->bytes[4] == '\n';
+  /* Behind a binary file's head the first number may look like the end of a line: a CR ends it by
+   * itself where it ends the first line so. */
+  bool only_cr = r->b->bytes[3] == '\r' && r->b->bytes[4] != '\n';
   if (*ended && r->w.at < r->w.end) {
-    r->w.at += long_end ? 2 : 1;
+    r->w.at += only_cr ? 1 : words_line_end(r->w.at);
     r->w.line++;
   } else {
     words_skip_line(&r->w);

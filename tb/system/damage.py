@@ -96,6 +96,12 @@ def ply_head(form="ascii", vertices=8, faces=12, kind="float", counts="uchar", i
             f"property list {counts} {indices} vertex_indices\nend_header\n")
 
 
+def ply_body(order):
+    """The binary rows behind it."""
+    return b"".join(struct.pack(order + "3f", *v) for v in CUBE) + \
+        b"".join(struct.pack(order + "B3i", 3, *face) for face in FACES)
+
+
 def ply():
     """Damaged PLY files."""
     rows = "".join(f"{x} {y} {z}\n" for x, y, z in CUBE)
@@ -127,8 +133,7 @@ def ply():
     yield "utf16.ply", text.encode("utf-16")
     for form, order in ("binary_little_endian", "<"), ("binary_big_endian", ">"):
         name = form.split("_")[1]
-        body = b"".join(struct.pack(order + "3f", *v) for v in CUBE)
-        body += b"".join(struct.pack(order + "B3i", 3, *face) for face in FACES)
+        body = ply_body(order)
         yield f"{name}-cut.ply", ply_head(form).encode() + body[:-7]
         yield f"{name}-more.ply", ply_head(form).encode() + body + b"\1\2\3"
         yield f"{name}-billion.ply", ply_head(form, faces=10 ** 9).encode() + body
