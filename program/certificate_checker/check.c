@@ -263,8 +263,9 @@ int main(int count, char **words) {
   if (optind + 1 != count)
     cannot("%s", usage);
   certificate c = certificate_open(words[optind], &folders);
-  proof p = {.robot = robot_read(c.urdf, c.srdf, &folders), .clearance = c.clearance};
-  p.steps = steps_read(c.path, &p.robot);
+  proof p = {.robot = robot_read(c.urdf, c.srdf, &folders, &c.files), .clearance = c.clearance};
+  p.steps = steps_read(c.path, &p.robot, &c.files);
+  files_finish(&c.files);
   const size_t links = (size_t)p.robot.links;
   p.body = memory(NULL, links, sizeof *p.body);
   memset(p.body, 0, links * sizeof *p.body);

@@ -106,7 +106,7 @@ static void element_parts(shell *s, size_t element, size_t first, size_t count) 
     s->closed[first + n] = !odd[of];
     if (!odd[of] && twisted[of])
       s->consistent[element] = false;
-    if (of != n)
+    if (of != n || s->body->element[element].hulls) /* their polygons have samples */
       continue;
     GROW(s->sample, s->samples);
     s->sample[s->samples++] = t[n].at[0];
@@ -119,14 +119,14 @@ static void element_parts(shell *s, size_t element, size_t first, size_t count) 
 }
 
 static size_t element_end(const surface *s, size_t element) {
-  return element + 1 < s->elements ? s->element[element + 1] : s->count;
+  return element + 1 < s->elements ? s->element[element + 1].first : s->count;
 }
 
 shell shell_of(const surface *s) {
   shell made = {s, NULL, 0, memory(NULL, s->count, sizeof *made.closed),
                 memory(NULL, s->elements, sizeof *made.consistent)};
   for (size_t n = 0; n < s->elements; n++) {
-    element_parts(&made, n, s->element[n], element_end(s, n) - s->element[n]);
+    element_parts(&made, n, s->element[n].first, element_end(s, n) - s->element[n].first);
   }
   return made;
 }
@@ -170,7 +170,7 @@ static int element_holds(const shell *b, size_t element, point p, point d) {
   const long double doubt = 64 * 0x1p-63L * fmaxl(size * size * size, size * size);
   long crossings = 0;
   long winding = 0;
-  for (size_t n = s->element[element]; n < element_end(s, element); n++) {
+  for (size_t n = s->element[element].first; n < element_end(s, element); n++) {
     if (!b->closed[n])
       continue;
     const vec *at = s->triangle[n].at;

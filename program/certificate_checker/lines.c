@@ -58,9 +58,10 @@ certificate certificate_open(const char *file, packages *folders) {
     cannot("%s: is empty", file);
   const char *kind = json_string_value(json_object_get(head, "certificate"));
   const json_t *version = json_object_get(head, "version");
-  if (kind == NULL || strcmp(kind, "sepax") != 0 || json_integer_value(version) != 1) {
-    cannot("%s: is no certificate of version 1", file);
-  }
+  if (kind != NULL && strcmp(kind, "sepax") == 0 && json_integer_value(version) == 1)
+    cannot("%s: is a certificate of version 1, without digests; certify again", file);
+  if (kind == NULL || strcmp(kind, "sepax") != 0 || json_integer_value(version) != 2)
+    cannot("%s: is no certificate of version 2", file);
   c.urdf = name_of(&c, head, "urdf");
   const json_t *srdf = json_object_get(head, "srdf");
   if (srdf != NULL && !json_is_null(srdf))
@@ -70,6 +71,7 @@ certificate certificate_open(const char *file, packages *folders) {
   c.clearance = json_number_value(clearance);
   if (!json_is_number(clearance) || !(c.clearance >= 0))
     cannot("%s: line 1: no clearance", file);
+  c.files = files_of(file, json_object_get(head, "files"));
   read_pairs(&c, json_object_get(head, "pairs"));
   const char *name = NULL;
   json_t *folder = NULL;

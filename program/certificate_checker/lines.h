@@ -18,6 +18,7 @@ typedef struct {
   long long number, intervals;
   const char *urdf, *srdf, *path; /* srdf: NULL if none */
   double clearance;
+  files files;
   const char *(*pair)[2];
   size_t pairs;
 } certificate;

@@ -2,37 +2,50 @@
 #include "robot.h"
 
 #include "report.h"
+#include "tree.h"
 
-#include <libxml/parser.h>
 #include <stdlib.h>
 #include <string.h>
 
 typedef struct {
   const char *file;
   const packages *folders;
+  files *files;
+  long collisions;
 } context;
-
-static bool is(const xmlNode *node, const char *name) {
-  return node->type == XML_ELEMENT_NODE && strcmp((const char *)node->name, name) == 0;
-}
-
-/* The first element of that name among node and those behind it. */
-static xmlNode *from(xmlNode *node, const char *name) {
-  while (node != NULL && !is(node, name))
-    node = node->next;
-  return node;
-}
-
-static xmlNode *child(xmlNode *node, const char *name) {
-  return node == NULL ? NULL : from(node->children, name);
-}
 
 /* The element of that name, of which there is one, or none (NULL). */
 static xmlNode *single(const context *c, xmlNode *node, const char *name) {
-  xmlNode *first = child(node, name);
-  if (first != NULL && from(first->next, name) != NULL)
-    cannot("%s:%ld: two %s in one %s", c->file, xmlGetLineNo(node), name, (const char *)node->name);
+  xmlNode *first = tree_child(node, name);
+  if (first != NULL && tree_from(first->next, name) != NULL)
+    cannot("%s:%ld: two %s in one %s", c->file, tree_line(node), name, (const char *)node->name);
   return first;
+}
+
+static bool is_word(const char *words, const char *word) {
+  const size_t length = strlen(word);
+  for (const char *at = strstr(words, word); at != NULL; at = strstr(at + 1, word)) {
+    if ((at == words || at[-1] == ' ') && (at[length] == ' ' || at[length] == 0))
+      return true;
+  }
+  return false;
+}
+
+/* No attributes but those named, with a blank between them: one that is misspelt would be lost. */
+static void only_attributes(const context *c, const xmlNode *node, const char *names) {
+  for (const xmlAttr *n = node == NULL ? NULL : node->properties; n != NULL; n = n->next) {
+    if (!is_word(names, (const char *)n->name))
+      cannot("%s:%ld: unknown attribute %s of %s", c->file, tree_line(node), (const char *)n->name,
+             (const char *)node->name);
+  }
+}
+
+static void only_elements(const context *c, const xmlNode *node, const char *names) {
+  for (const xmlNode *n = tree_element(node->children); n != NULL; n = tree_element(n->next)) {
+    if (!is_word(names, (const char *)n->name))
+      cannot("%s:%ld: unknown element %s in %s", c->file, tree_line(n), (const char *)n->name,
+             (const char *)node->name);
+  }
 }
 
 static char *attribute(const context *c, xmlNode *node, const char *name) {
@@ -69,12 +82,26 @@ static long double number(const context *c, xmlNode *node, const char *name) {
   return value;
 }
 
-/* Roll about x, then pitch about y, then yaw about z, each of them fixed axes. */
+/* Roll about x, then pitch about y, then yaw about z, each of them fixed axes; or, since URDF 1.1,
+ * a quaternion, scalar part last. */
 static pose origin(const context *c, xmlNode *node) {
   long double xyz[3] = {0, 0, 0};
-  long double rpy[3] = {0, 0, 0};
-  numbers(c, single(c, node, "origin"), "xyz", 3, xyz);
-  numbers(c, single(c, node, "origin"), "rpy", 3, rpy);
+  long double rpy[3] = {NAN, NAN, NAN};
+  long double quat[4] = {NAN, NAN, NAN, NAN};
+  xmlNode *at = single(c, node, "origin");
+  only_attributes(c, at, "xyz rpy quat_xyzw");
+  numbers(c, at, "xyz", 3, xyz);
+  numbers(c, at, "rpy", 3, rpy);
+  numbers(c, at, "quat_xyzw", 4, quat);
+  if (isfinite(quat[0])) {
+    const quaternion q = {quat[3], {quat[0], quat[1], quat[2]}};
+    const long double length = sqrtl(q.w * q.w + point_dot(q.v, q.v));
+    if (isfinite(rpy[0]) || !(length > 0 && isfinite(length)))
+      cannot("%s:%ld: quat_xyzw", c->file, tree_line(at));
+    return (pose){{q.w / length, point_times(1 / length, q.v)}, {xyz[0], xyz[1], xyz[2]}};
+  }
+  for (int n = 0; n < 3; n++)
+    rpy[n] = isfinite(rpy[n]) ? rpy[n] : 0;
   const quaternion roll = quaternion_about((point){1, 0, 0}, rpy[0]);
   const quaternion pitch = quaternion_about((point){0, 1, 0}, rpy[1]);
   const quaternion yaw = quaternion_about((point){0, 0, 1}, rpy[2]);
@@ -120,50 +147,84 @@ static char *mesh_file(const context *c, const char *name) {
 static long double length_of(const context *c, xmlNode *node, const char *name) {
   const long double value = number(c, node, name);
   if (!(value > 0))
-    cannot("%s:%ld: %s of %Lg", c->file, xmlGetLineNo(node), name, value);
+    cannot("%s:%ld: %s of %Lg", c->file, tree_line(node), name, value);
   return value;
 }
 
-static void collision(const context *c, xmlNode *node, surface *body) {
+static void read_mesh(const context *c, xmlNode *node, pose at, surface *body) {
+  long double scale[3] = {1, 1, 1};
+  only_attributes(c, node, "filename scale");
+  numbers(c, node, "scale", 3, scale);
+  if (scale[0] == 0 || scale[1] == 0 || scale[2] == 0)
+    cannot("%s:%ld: a scale of 0", c->file, tree_line(node));
+  char *name = attribute(c, node, "filename");
+  char *file = mesh_file(c, name);
+  size_t length = 0;
+  char *bytes = files_read(c->files, file, name, &length);
+  mesh m = mesh_read(file, bytes, length);
+  files_text(c->files, name, "format", m.format);
+  files_count(c->files, name, "faces", (long double)m.faces);
+  files_count(c->files, name, "triangles", (long double)m.triangles);
+  if (m.unit_mm != 0)
+    files_count(c->files, name, "unit_mm", m.unit_mm);
+  /* Of a 3MF a millimetre, of files without a unit their unit is that of the URDF. */
+  const long double unit = strcmp(m.format, "3MF") == 0   ? m.unit_mm
+                           : strcmp(m.format, "DAE") == 0 ? m.unit_mm / 1000
+                                                          : 1;
+  surface_mesh(body, &m, (point){unit * scale[0], unit * scale[1], unit * scale[2]}, at);
+  mesh_free(&m);
+  free(bytes);
+  free(file);
+  xmlFree(name);
+}
+
+/* A box that is a point has no surface. */
+static void read_box(const context *c, xmlNode *node, pose at, surface *body) {
+  long double size[3] = {NAN, NAN, NAN};
+  only_attributes(c, node, "size");
+  numbers(c, node, "size", 3, size);
+  if (size[0] == 0 && size[1] == 0 && size[2] == 0)
+    return;
+  if (!(size[0] > 0 && size[1] > 0 && size[2] > 0))
+    cannot("%s:%ld: a box's size", c->file, tree_line(node));
+  surface_box(body, (point){size[0], size[1], size[2]}, at);
+}
+
+static void collision(context *c, xmlNode *node, surface *body) {
   const pose at = origin(c, node);
   xmlNode *geometry = single(c, node, "geometry");
+  only_elements(c, node, "origin geometry material verbose");
+  only_attributes(c, node, "name");
   if (geometry == NULL || xmlChildElementCount(geometry) != 1)
-    cannot("%s:%ld: not one geometry", c->file, xmlGetLineNo(node));
-  xmlNode *mesh = child(geometry, "mesh");
-  xmlNode *box = child(geometry, "box");
-  xmlNode *cylinder = child(geometry, "cylinder");
-  xmlNode *sphere = child(geometry, "sphere");
+    cannot("%s:%ld: not one geometry", c->file, tree_line(node));
+  only_attributes(c, geometry, "");
+  xmlNode *shape = tree_element(geometry->children);
+  c->collisions++;
   surface_element(body);
-  if (mesh != NULL) {
-    long double scale[3] = {1, 1, 1};
-    numbers(c, mesh, "scale", 3, scale);
-    if (scale[0] == 0 || scale[1] == 0 || scale[2] == 0)
-      cannot("%s:%ld: a scale of 0", c->file, xmlGetLineNo(mesh));
-    char *name = attribute(c, mesh, "filename");
-    char *file = mesh_file(c, name);
-    surface_stl(body, file, (point){scale[0], scale[1], scale[2]}, at);
-    free(file);
-    xmlFree(name);
-  } else if (box != NULL) {
-    long double size[3] = {NAN, NAN, NAN};
-    numbers(c, box, "size", 3, size);
-    if (!(size[0] > 0 && size[1] > 0 && size[2] > 0))
-      cannot("%s:%ld: a box's size", c->file, xmlGetLineNo(box));
-    surface_box(body, (point){size[0], size[1], size[2]}, at);
-  } else if (cylinder != NULL) {
-    surface_cylinder(body, length_of(c, cylinder, "radius"), length_of(c, cylinder, "length"), at);
-  } else if (sphere != NULL) {
-    surface_sphere(body, length_of(c, sphere, "radius"), at);
+  if (tree_is(shape, "mesh")) {
+    read_mesh(c, shape, at, body);
+  } else if (tree_is(shape, "box")) {
+    read_box(c, shape, at, body);
+  } else if (tree_is(shape, "cylinder") || tree_is(shape, "capsule")) {
+    only_attributes(c, shape, "radius length");
+    (tree_is(shape, "capsule") ? surface_capsule : surface_cylinder)(
+        body, length_of(c, shape, "radius"), length_of(c, shape, "length"), at);
+  } else if (tree_is(shape, "sphere")) {
+    only_attributes(c, shape, "radius");
+    surface_sphere(body, length_of(c, shape, "radius"), at);
   } else {
-    cannot("%s: geometry other than mesh, box, cylinder, sphere", c->file);
+    cannot("%s: geometry other than mesh, box, cylinder, sphere, capsule", c->file);
   }
 }
 
-static void read_link(const context *c, xmlNode *node, robot *r) {
+static void read_link(context *c, xmlNode *node, robot *r) {
   robot_link new = {attribute(c, node, "name"), -1, {0}};
   if (robot_link_named(r, new.name) >= 0)
     cannot("%s: two links %s", c->file, new.name);
-  for (xmlNode *n = child(node, "collision"); n != NULL; n = from(n->next, "collision")) {
+  only_elements(c, node,
+                "inertial visual collision contact sensor gazebo material "
+                "self_collision_checking verbose");
+  for (xmlNode *n = tree_child(node, "collision"); n != NULL; n = tree_from(n->next, "collision")) {
     collision(c, n, &new.body);
   }
   if (new.body.count > 0)
@@ -190,6 +251,7 @@ static void read_joint(const context *c, xmlNode *node, robot *r) {
   if (new.parent < 0 || new.child < 0)
     cannot("%s: joint %s: no such link", c->file, new.name);
   long double xyz[3] = {1, 0, 0};
+  only_attributes(c, single(c, node, "axis"), "xyz");
   numbers(c, single(c, node, "axis"), "xyz", 3, xyz);
   single(c, node, "limit"); /* not read */
   const point axis = {xyz[0], xyz[1], xyz[2]};
@@ -201,6 +263,7 @@ static void read_joint(const context *c, xmlNode *node, robot *r) {
   }
   xmlNode *mimic = single(c, node, "mimic");
   if (mimic != NULL && new.kind != JOINT_FIXED) {
+    only_attributes(c, mimic, "joint multiplier offset");
     new.mimics = attribute(c, mimic, "joint");
     numbers(c, mimic, "multiplier", 1, &new.factor);
     numbers(c, mimic, "offset", 1, &new.offset);
@@ -213,27 +276,13 @@ static void read_joint(const context *c, xmlNode *node, robot *r) {
   r->joint[r->joints++] = new;
 }
 
-/* What libxml2 would print where it cannot open a document type. */
-static void be_silent(void *unused, const char *format, ...) {
-  (void)unused;
-  (void)format;
-}
-
-static xmlNode *document(const char *file) {
+static xmlNode *document(const context *c) {
   size_t length = 0;
-  free(file_read(file, &length)); /* says that it is not there */
-  xmlSetGenericErrorFunc(NULL, be_silent);
-  xmlDoc *doc = xmlReadFile(file, NULL, XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
-  const xmlError *wrong = doc == NULL ? xmlGetLastError() : NULL;
-  const char *why = wrong != NULL && wrong->message != NULL ? wrong->message : "";
-  if (doc == NULL)
-    cannot("%s:%d: is no XML: %.*s", file, wrong != NULL ? wrong->line : 1, (int)strcspn(why, "\n"),
-           why);
-  if (doc != NULL && (doc->intSubset != NULL || doc->extSubset != NULL))
-    cannot("%s: has a document type", file);
-  xmlNode *root = xmlDocGetRootElement(doc);
-  if (root == NULL || !is(root, "robot"))
-    cannot("%s: has no robot", file);
+  char *bytes = files_read(c->files, c->file, c->file, &length);
+  xmlNode *root = tree_root(c->file, bytes, length);
+  free(bytes);
+  if (!tree_is(root, "robot"))
+    cannot("%s: has no robot", c->file);
   return root;
 }
 
@@ -274,36 +323,65 @@ static void exclude(robot *r, int a, int b) {
   r->excluded[a * r->links + b] = r->excluded[b * r->links + a] = true;
 }
 
-robot robot_read(const char *urdf, const char *srdf, const packages *folders) {
-  const context c = {urdf, folders};
+/* Where none of the joints between two links moves. */
+static int fixed_root(const robot *r, int link) {
+  while (r->link[link].joint >= 0 && r->joint[r->link[link].joint].kind == JOINT_FIXED)
+    link = r->joint[r->link[link].joint].parent;
+  return link;
+}
+
+/* Links that no joint moves against each other, and the two links of a joint. */
+static void exclude_joined(robot *r) {
+  for (int a = 0; a < r->links; a++) {
+    for (int b = 0; b < a; b++) {
+      if (fixed_root(r, a) == fixed_root(r, b))
+        exclude(r, a, b);
+    }
+  }
+  for (int n = 0; n < r->joints; n++)
+    exclude(r, r->joint[n].parent, r->joint[n].child);
+}
+
+static void check_version(const context *c, xmlNode *root) {
+  char *version = tree_attribute(root, "version", NULL);
+  if (version != NULL && !is_word("1 1.0 1.1", version))
+    cannot("%s: version %s; 1.0 and 1.1 are read", c->file, version);
+  xmlFree(version);
+}
+
+robot robot_read(const char *urdf, const char *srdf, const packages *folders, files *f) {
+  context c = {urdf, folders, f, 0};
   robot r = {0};
-  xmlNode *root = document(urdf);
-  for (xmlNode *n = child(root, "link"); n != NULL; n = from(n->next, "link")) {
+  xmlNode *root = document(&c);
+  check_version(&c, root);
+  for (xmlNode *n = tree_child(root, "link"); n != NULL; n = tree_from(n->next, "link")) {
     read_link(&c, n, &r);
   }
-  for (xmlNode *n = child(root, "joint"); n != NULL; n = from(n->next, "joint")) {
+  for (xmlNode *n = tree_child(root, "joint"); n != NULL; n = tree_from(n->next, "joint")) {
     read_joint(&c, n, &r);
   }
   if (r.links == 0)
     cannot("%s: no link", urdf);
+  files_count(f, urdf, "links", r.links);
+  files_count(f, urdf, "joints", r.joints);
+  files_count(f, urdf, "collisions", c.collisions);
   check_trees(&c, &r);
   const size_t squares = (size_t)r.links * (size_t)r.links;
   r.excluded = memory(NULL, squares, sizeof *r.excluded);
   memset(r.excluded, 0, squares * sizeof *r.excluded);
   if (srdf == NULL) {
-    for (int n = 0; n < r.joints; n++)
-      exclude(&r, r.joint[n].parent, r.joint[n].child);
+    exclude_joined(&r);
     return r;
   }
-  const context of = {srdf, folders};
+  const context of = {srdf, folders, f, 0};
   static const char *const unread[] = {"disable_default_collisions", "enable_collisions"};
   const char *name = "disable_collisions";
-  xmlNode *pairs = document(srdf);
+  xmlNode *pairs = document(&of);
   for (int n = 0; n < 2; n++) {
-    if (child(pairs, unread[n]) != NULL)
+    if (tree_child(pairs, unread[n]) != NULL)
       cannot("%s: %s: only disable_collisions is read", srdf, unread[n]);
   }
-  for (xmlNode *n = child(pairs, name); n != NULL; n = from(n->next, name)) {
+  for (xmlNode *n = tree_child(pairs, name); n != NULL; n = tree_from(n->next, name)) {
     exclude(&r, robot_link_named(&r, attribute(&of, n, "link1")),
             robot_link_named(&r, attribute(&of, n, "link2")));
   }

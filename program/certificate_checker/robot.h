@@ -2,8 +2,9 @@
 #ifndef CERTIFICATE_ROBOT_H
 #define CERTIFICATE_ROBOT_H
 
-#include "vector.h"
+#include "files.h"
 #include "surface.h"
+#include "vector.h"
 
 #include <stdbool.h>
 
@@ -42,8 +43,9 @@ typedef struct {
   size_t count;
 } packages;
 
-/* srdf may be NULL: then the two links of a joint are excluded. */
-robot robot_read(const char *urdf, const char *srdf, const packages *folders);
+/* srdf may be NULL: then the two links of a joint are excluded, and those which no joint moves
+ * against each other. */
+robot robot_read(const char *urdf, const char *srdf, const packages *folders, files *f);
 
 /* -1: none of that name. */
 int robot_link_named(const robot *r, const char *name);

@@ -21,6 +21,7 @@ static const struct {
     {"cm", JOINT_PRISMATIC, 1e-2L},
     {"mm", JOINT_PRISMATIC, 1e-3L},
     {"um", JOINT_PRISMATIC, 1e-6L},
+    {"nm", JOINT_PRISMATIC, 1e-9L},
     {"in", JOINT_PRISMATIC, .0254L},
     {"rad", JOINT_REVOLUTE, 1},
     {"deg", JOINT_REVOLUTE, 3.14159265358979323846264338327950288L / 180},
@@ -111,12 +112,13 @@ static void follow(const robot *r, long double *value) {
   }
 }
 
-steps steps_read(const char *file, const robot *r) {
+steps steps_read(const char *file, const robot *r, files *f) {
   size_t length = 0;
-  char *text = file_read(file, &length);
+  char *text = files_read(f, file, file, &length);
   if (strlen(text) != length)
     cannot("%s: is no text", file);
-  char *next = text;
+  char *next = strncmp(text, "\xEF\xBB\xBF", 3) == 0 ? text + 3 : text; /* a mark of UTF-8 */
+  next += strspn(next, " \t\r\n");
   column *columns = NULL;
   int count = 0;
   for (char *header = part(&next, '\n'); header != NULL; count++) {
@@ -148,6 +150,8 @@ steps steps_read(const char *file, const robot *r) {
   }
   if (s.lines == 0)
     cannot("%s: no line of values", file);
+  files_count(f, file, "lines", s.lines);
+  files_count(f, file, "columns", count);
   free(columns);
   free(text);
   return s;

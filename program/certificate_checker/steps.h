@@ -10,7 +10,7 @@ typedef struct {
 } steps;
 
 /* CSV whose header names joints, with units in brackets. */
-steps steps_read(const char *file, const robot *r);
+steps steps_read(const char *file, const robot *r, files *f);
 
 static inline const long double *steps_line(const steps *s, int line) {
   return s->value + (size_t)line * (size_t)s->joints;

@@ -1,10 +1,9 @@
-/* surface.c - triangles of STL files, boxes, cylinders and spheres. */
+/* surface.c - triangles of meshes, boxes, cylinders, spheres and capsules. */
 #include "surface.h"
 
+#include "polygon.h"
 #include "report.h"
 
-#include <ctype.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,7 +17,7 @@ static const long double OUTWARD = 1 + 1e-12L;
 
 void surface_element(surface *s) {
   GROW(s->element, s->elements);
-  s->element[s->elements++] = s->count;
+  s->element[s->elements++] = (surface_part){s->count, false};
 }
 
 static void add(surface *s, pose at, point a, point b, point c) {
@@ -28,90 +27,70 @@ static void add(surface *s, pose at, point a, point b, point c) {
                   point_near(pose_apply(at, c))}};
 }
 
-static point scaled(const long double *v, point scale) {
-  return (point){v[0] * scale.x, v[1] * scale.y, v[2] * scale.z};
+static void stands_out(surface *s, long double length) {
+  s->rounded = fmax(s->rounded, (double)length);
 }
 
-static void add_checked(surface *s, const char *file, const long double v[9], point scale,
-                        pose at) {
-  for (int n = 0; n < 9; n++) {
-    if (!isfinite(v[n]))
-      cannot("%s: a coordinate is not finite", file);
+typedef struct {
+  surface *s;
+  point scale;
+  pose at;
+} target;
+
+static point scaled(const target *t, point p) {
+  return (point){p.x * t->scale.x, p.y * t->scale.y, p.z * t->scale.z};
+}
+
+static void add_to(const target *t, point a, point b, point c) {
+  add(t->s, t->at, scaled(t, a), scaled(t, b), scaled(t, c));
+}
+
+/* All hulls are wound alike, so that no two of them cancel. */
+static void add_hull(const target *t, const point *corner, size_t count, const division *d) {
+  const point up = d->up;
+  for (size_t n = 0; n + 2 < count; n++) {
+    const size_t *of = d->triangle[n];
+    add_to(t, point_plus(corner[of[0]], up), point_plus(corner[of[1]], up),
+           point_plus(corner[of[2]], up));
+    add_to(t, point_minus(corner[of[0]], up), point_minus(corner[of[2]], up),
+           point_minus(corner[of[1]], up));
   }
-  add(s, at, scaled(v, scale), scaled(v + 3, scale), scaled(v + 6, scale));
+  for (size_t n = 0; n < count; n++) {
+    const point a = corner[n];
+    const point b = corner[(n + 1) % count];
+    add_to(t, point_minus(a, up), point_minus(b, up), point_plus(b, up));
+    add_to(t, point_minus(a, up), point_plus(b, up), point_plus(a, up));
+  }
 }
 
-static uint32_t little(const char *bytes) {
-  uint32_t value = 0;
-  for (int n = 3; n >= 0; n--)
-    value = value << 8 | (unsigned char)bytes[n];
-  return value;
-}
-
-static void read_binary(surface *s, const char *file, const char *text, point scale, pose at) {
-  const uint32_t count = little(text + 80);
-  for (uint32_t n = 0; n < count; n++) {
-    const char *record = text + 84 + 50 * (size_t)n + 12;
-    long double v[9];
-    for (size_t k = 0; k < 9; k++) {
-      const uint32_t bits = little(record + 4 * k);
-      float value = 0;
-      memcpy(&value, &bits, sizeof value);
-      v[k] = value;
+void surface_mesh(surface *s, const mesh *m, point scale, pose at) {
+  const target t = {s, scale, at};
+  size_t *bent = NULL;
+  size_t bents = 0;
+  for (size_t n = 0; n < m->polygons; n++) {
+    const size_t from = n == 0 ? 0 : m->end[n - 1];
+    const point *corner = m->corner + from;
+    const division d = polygon_divide(m, corner, m->end[n] - from);
+    for (size_t k = 0; k + 2 < m->end[n] - from; k++)
+      add_to(&t, corner[d.triangle[k][0]], corner[d.triangle[k][1]], corner[d.triangle[k][2]]);
+    if (d.bent) {
+      GROW(bent, bents);
+      bent[bents++] = n;
     }
-    add_checked(s, file, v, scale, at);
+    free(d.triangle);
   }
-}
-
-/* The words `vertex` with three numbers behind each; three of them make a facet. */
-static void read_ascii(surface *s, const char *file, const char *text, point scale, pose at) {
-  long double v[9];
-  int have = 0;
-  const char *next = text;
-  for (;;) {
-    while (isspace((unsigned char)*next))
-      next++;
-    const char *word = next;
-    while (*next != 0 && !isspace((unsigned char)*next))
-      next++;
-    const size_t length = (size_t)(next - word);
-    if (length == 0)
-      break;
-    if (length == 8 && strncmp(word, "endfacet", 8) == 0) {
-      if (have != 9)
-        cannot("%s: a facet without three vertices", file);
-      add_checked(s, file, v, scale, at);
-      have = 0;
-    } else if (length == 6 && strncmp(word, "vertex", 6) == 0) {
-      if (have > 6)
-        cannot("%s: a facet of more than three vertices", file);
-      for (int n = 0; n < 3 && have < 9; n++) {
-        char *end = NULL;
-        v[have++] = strtold(next, &end);
-        if (end == next)
-          cannot("%s: a vertex without three numbers", file);
-        next = end;
-      }
-    }
+  if (bents > 0) {
+    surface_element(s);
+    s->element[s->elements - 1].hulls = true;
   }
-  if (have != 0)
-    cannot("%s: ends within a facet", file);
-}
-
-void surface_stl(surface *s, const char *file, point scale, pose at) {
-  size_t length = 0;
-  char *text = file_read(file, &length);
-  const size_t before = s->count;
-  if (length >= 84 && length == 84 + 50 * (size_t)little(text + 80)) {
-    read_binary(s, file, text, scale, at);
-  } else if (strncmp(text, "solid", 5) == 0) {
-    read_ascii(s, file, text, scale, at);
-  } else {
-    cannot("%s: is no STL file", file);
+  for (size_t n = 0; n < bents; n++) {
+    const size_t from = bent[n] == 0 ? 0 : m->end[bent[n] - 1];
+    const division d = polygon_divide(m, m->corner + from, m->end[bent[n]] - from);
+    add_hull(&t, m->corner + from, m->end[bent[n]] - from, &d);
+    stands_out(s, point_length(scaled(&t, d.up)));
+    free(d.triangle);
   }
-  if (s->count == before)
-    cannot("%s: has no triangle", file);
-  free(text);
+  free(bent);
 }
 
 static void quad(surface *s, pose at, point a, point b, point c, point d) {
@@ -138,10 +117,6 @@ static point on_circle(int n, long double radius, long double z) {
   return (point){radius * cosl(angle), radius * sinl(angle), z};
 }
 
-static void stands_out(surface *s, long double length) {
-  s->rounded = fmax(s->rounded, (double)length);
-}
-
 /* The middles of the sides are as far from the axis as the corners times cos(pi / SEGMENTS). */
 void surface_cylinder(surface *s, long double radius, long double length, pose at) {
   const long double outer = radius / cosl(PI / SEGMENTS) * OUTWARD;
@@ -163,7 +138,7 @@ void surface_cylinder(surface *s, long double radius, long double length, pose a
 /* A face's distance from the centre: the chord of a meridian, pi / RINGS long, is cos(pi / 2 RINGS)
  * radii away, and a face between two meridians is this chord, squeezed towards the sphere's axis by
  * cos(pi / SEGMENTS), which brings no line nearer by more than that factor. */
-void surface_sphere(surface *s, long double radius, pose at) {
+static void add_ball(surface *s, long double radius, long double length, pose at) {
   const long double outer = radius / cosl(PI / SEGMENTS) / cosl(PI / (2 * RINGS)) * OUTWARD;
   for (int ring = 0; ring < RINGS; ring++) {
     const long double below = PI * ring / RINGS;
@@ -171,8 +146,10 @@ void surface_sphere(surface *s, long double radius, pose at) {
     /* At the poles sine is 0, so that the faces close. */
     const long double r0 = ring == 0 ? 0 : outer * sinl(below);
     const long double r1 = ring == RINGS - 1 ? 0 : outer * sinl(above);
-    const long double z0 = -outer * cosl(below);
-    const long double z1 = -outer * cosl(above);
+    /* The upper half is `length` above the lower one; the ring between both is at the equator. */
+    const long double apart = ring < RINGS / 2 ? -length / 2 : length / 2;
+    const long double z0 = apart - outer * cosl(below);
+    const long double z1 = apart - outer * cosl(above);
     for (int n = 0; n < SEGMENTS; n++) {
       const point a = on_circle(n, r0, z0);
       const point b = on_circle(n + 1, r0, z0);
@@ -184,7 +161,20 @@ void surface_sphere(surface *s, long double radius, pose at) {
         add(s, at, a, c, d);
     }
   }
+  for (int n = 0; n < SEGMENTS && length > 0; n++) {
+    const long double low = -length / 2 - outer * cosl(PI / 2);
+    const long double high = length / 2 - outer * cosl(PI / 2);
+    quad(s, at, on_circle(n, outer, low), on_circle(n + 1, outer, low),
+         on_circle(n + 1, outer, high), on_circle(n, outer, high));
+  }
   stands_out(s, outer - radius);
+}
+
+void surface_sphere(surface *s, long double radius, pose at) { add_ball(s, radius, 0, at); }
+
+/* A cylinder of this length along z with half a sphere at each end. */
+void surface_capsule(surface *s, long double radius, long double length, pose at) {
+  add_ball(s, radius, length, at);
 }
 
 void surface_finish(surface *s) {

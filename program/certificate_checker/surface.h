@@ -2,34 +2,39 @@
 #ifndef CERTIFICATE_SURFACE_H
 #define CERTIFICATE_SURFACE_H
 
-#include "vector.h"
-
-#include <stddef.h>
+#include "mesh.h"
 
 typedef struct {
   vec at[3];
 } triangle;
 
+/* A collision element; or the hulls of the bent polygons of one, each of them a solid. */
+typedef struct {
+  size_t first; /* triangle */
+  bool hulls;
+} surface_part;
+
 typedef struct {
   triangle *triangle;
   size_t count;
-  size_t *element; /* first triangle of each collision element */
+  surface_part *element;
   size_t elements;
   vec low, high;  /* box */
   double radius;  /* no point is farther from the link's origin */
-  double rounded; /* how far its polyhedra of cylinders and spheres stand out of these, at most */
+  double rounded; /* how far polyhedra and hulls stand out of what they hold, at most */
 } surface;
 
 /* What follows is one more collision element. */
 void surface_element(surface *s);
 
-/* STL, binary or ASCII; scaled, then posed. */
-void surface_stl(surface *s, const char *file, point scale, pose at);
+/* Scaled, then posed. */
+void surface_mesh(surface *s, const mesh *m, point scale, pose at);
 void surface_box(surface *s, point size, pose at);
 
 /* Polyhedra that hold them. */
 void surface_cylinder(surface *s, long double radius, long double length, pose at);
 void surface_sphere(surface *s, long double radius, pose at);
+void surface_capsule(surface *s, long double radius, long double length, pose at);
 
 /* Box and radius, when all elements are there. */
 void surface_finish(surface *s);

@@ -111,6 +111,7 @@ typedef struct {
   double *time;  /* or NULL */
   size_t *line;  /* where line n is in its file, from 1 */
   size_t lines, joints;
+  size_t columns; /* of the file, the time's included */
 } format_motion;
 
 typedef struct {

@@ -400,6 +400,7 @@ bool format_motion_read(format_motion *motion, const sepax_mechanism *m,
                 : sepax_fail(error, SEPAX_ERROR_FORMAT,
                              "%.300s: it has bytes of zero; give CSV as text", path);
   plain_numbers_end(plain);
+  motion->columns = r.columns;
   bool timed = false;
   for (size_t k = 0; k < r.columns; k++) {
     timed = timed || r.column[k].joint == TIME;

@@ -1,4 +1,5 @@
 /* certificate.c - what was certified, for programs that check it: docs/path/certificate.md. */
+#include "path/digest.h"
 #include "path/parts.h"
 #include "util/error.h"
 #include "util/write_file.h"
@@ -12,7 +13,7 @@
 typedef struct {
   const path_scene *scene;
   const path_question *q;
-  json_t *packages;
+  json_t *packages, *files;
 } certificate;
 
 /* A value on a line of its own. */
@@ -57,6 +58,89 @@ static json_t *packages_of(const path_scene *scene, const path_question *q, sepa
   return packages;
 }
 
+/* -------------------------------------------------------------------------- files */
+
+/* `as`: what the URDF or the command calls the file. NULL where it cannot be read. */
+static json_t *file_of(const char *as, const char *path, sepax_error *error) {
+  char digest[DIGEST_LENGTH] = "";
+  struct stat s;
+  if (!path_digest(digest, path, error)) {
+    return NULL;
+  }
+  if (stat(path, &s) != 0) {
+    sepax_fail(error, SEPAX_ERROR_FILE, "%.400s: cannot be read", path);
+    return NULL;
+  }
+  return json_pack("{s:s, s:s, s:I}", "file", as, "sha256", digest, "bytes", (json_int_t)s.st_size);
+}
+
+static void set_count(json_t *file, const char *what, size_t count) {
+  json_object_set_new(file, what, json_integer((json_int_t)count));
+}
+
+static bool append_file(json_t *files, json_t *file) {
+  return file != NULL && json_array_append_new(files, file) == 0;
+}
+
+static json_t *mesh_of(const format_shape *shape, const sepax_mesh_account *account,
+                       sepax_error *error) {
+  json_t *file = file_of(shape->name, shape->path, error);
+  if (file != NULL) {
+    json_object_set_new(file, "format", json_string(account->format));
+    set_count(file, "faces", account->faces - account->unplaced);
+    set_count(file, "triangles", account->triangles);
+    if (account->unit_mm != 0) {
+      json_object_set_new(file, "unit_mm", json_real(account->unit_mm));
+    }
+  }
+  return file;
+}
+
+static bool is_named(const json_t *files, const char *as) {
+  for (size_t n = 0; n < json_array_size(files); n++) {
+    const json_t *name = json_object_get(json_array_get(files, n), "file");
+    if (strcmp(json_string_value(name), as) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Each mesh once, however many shapes it is of. */
+static bool append_meshes(json_t *files, const path_scene *scene, sepax_error *error) {
+  for (size_t n = 0, at = 0; n < scene->bodies; n++) {
+    for (size_t k = 0; k < scene->body[n].parts; k++, at++) {
+      const format_shape *shape = &scene->robot.shape[at];
+      if (shape->path != NULL && !is_named(files, shape->name) &&
+          !append_file(files, mesh_of(shape, &scene->body[n].part[k].file.account, error))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/* All files that were read, with what their readers counted; NULL where one is gone. */
+static json_t *files_of(const path_scene *scene, const path_question *q, sepax_error *error) {
+  json_t *files = json_array();
+  json_t *urdf = file_of(q->urdf, q->urdf, error);
+  json_t *motion = urdf == NULL ? NULL : file_of(q->motion, q->motion, error);
+  if (urdf != NULL && motion != NULL) {
+    set_count(urdf, "links", scene->robot.mechanism.links);
+    set_count(urdf, "joints", scene->robot.mechanism.joints);
+    set_count(urdf, "collisions", scene->robot.shapes);
+    set_count(motion, "lines", scene->motion.lines);
+    set_count(motion, "columns", scene->motion.columns);
+  }
+  bool ok = append_file(files, urdf) && append_file(files, motion) &&
+            (q->srdf == NULL || append_file(files, file_of(q->srdf, q->srdf, error))) &&
+            append_meshes(files, scene, error);
+  if (!ok) {
+    json_decref(files);
+  }
+  return ok ? files : NULL;
+}
+
 static json_t *head_of(const certificate *c) {
   const path_question *q = c->q;
   json_t *pairs = json_array();
@@ -65,9 +149,10 @@ static json_t *head_of(const certificate *c) {
     json_array_append_new(pairs, json_pack("[s, s]", path_body_name(c->scene, pair->body[0]),
                                            path_body_name(c->scene, pair->body[1])));
   }
-  return json_pack("{s:s, s:i, s:s, s:s?, s:s, s:O, s:f, s:o}", "certificate", "sepax", "version",
-                   1, "urdf", q->urdf, "srdf", q->srdf, "path", q->motion, "packages", c->packages,
-                   "clearance", q->bands.clearance.length, "pairs", pairs);
+  return json_pack("{s:s, s:i, s:s, s:s?, s:s, s:O, s:O, s:f, s:o}", "certificate", "sepax",
+                   "version", 2, "urdf", q->urdf, "srdf", q->srdf, "path", q->motion, "packages",
+                   c->packages, "files", c->files, "clearance", q->bands.clearance.length, "pairs",
+                   pairs);
 }
 
 static json_t *interval_of(size_t pair, const path_interval *at) {
@@ -111,8 +196,10 @@ bool path_write_certificate(path_scene *scene, const path_question *q, sepax_err
            sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%.300s: of an earlier run; cannot be removed",
                       q->certificate);
   }
-  const certificate c = {scene, q, packages_of(scene, q, error)};
-  bool ok = c.packages != NULL && sepax_write_file(q->certificate, write_all, &c, error);
+  certificate c = {scene, q, packages_of(scene, q, error), NULL};
+  c.files = c.packages == NULL ? NULL : files_of(scene, q, error);
+  bool ok = c.files != NULL && sepax_write_file(q->certificate, write_all, &c, error);
   json_decref(c.packages);
+  json_decref(c.files);
   return ok;
 }

@@ -1,6 +1,7 @@
 /* command.c - sepax path: which bodies of a mechanism collide on a path? */
 #include "report/json.h"
 #include "command_table.h"
+#include "path/digest.h"
 #include "path/engine.h"
 #include "util/error.h"
 #include "util/write_file.h"
@@ -187,6 +188,17 @@ static bool options_agree(const path_question *q, sepax_error *error) {
                       q->certificate != NULL       ? "certificate"
                       : q->resolution.text != NULL ? "resolution"
                                                    : "intervals");
+  }
+  if (q->certificate != NULL && (q->meshes.weld.text != NULL || q->meshes.own.text != NULL)) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "certificate: not with --%s, because its checker reads meshes as they are; "
+                      "%s",
+                      q->meshes.weld.text != NULL ? "weld" : "unit",
+                      q->meshes.weld.text != NULL ? "write the welded mesh to a file"
+                                                  : "give the unit as scale in the URDF");
+  }
+  if (q->certificate != NULL && !path_digest_possible(error)) {
+    return false;
   }
   const char *const read[] = {q->urdf, q->motion, q->srdf};
   for (int n = 0; n < 3 && q->certificate != NULL; n++) {

@@ -13,7 +13,9 @@ LIB_SRC   = $(wildcard lib/*/*.c)
 MODEL_SRC = $(wildcard c_model/*/*.c)
 IO_SRC    = $(wildcard io/reader/*.c io/text/*.c) $(XML_OF) $(ZIP_OF)
 CHECKER  = $(wildcard $(addprefix program/certificate_checker/,*.c */*.c))
-CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(FORMAT_OF) $(RTL_GEN)
+MD_OF    = program/path/$(if $(with_md),libmd,missing)/digest.c
+CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(FORMAT_OF) $(MD_OF) \
+           $(RTL_GEN)
 RTL_GEN  = $(wildcard rtl_gen/*.c rtl_gen/*/*.c rtl_gen/*/*/*.c)
 UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))
 
@@ -85,10 +87,11 @@ $(BUILD)/obj/io/xml/%.o $(BUILD)/obj/io/archive/%.o: SEPAX_CFLAGS += $(XML_CFLAG
 # Written where it changes, so that the program is linked again.
 $(BUILD)/obj/libraries: FORCE
 	@mkdir -p $(@D)
-	@echo 'libxml2 $(LIBXML2), libzip $(LIBZIP)' | cmp -s - $@ || { \
+	@echo 'libxml2 $(LIBXML2), libzip $(LIBZIP), libmd $(LIBMD)' | cmp -s - $@ || { \
 	  $(if $(with_xml),,echo "  WITHOUT libxml2: no URDF, SRDF, DAE, 3MF";) \
 	  $(if $(filter yes,$(LIBZIP)),,echo "  WITHOUT libzip: no 3MF";) \
-	  echo 'libxml2 $(LIBXML2), libzip $(LIBZIP)' > $@; }
+	  $(if $(with_md),,echo "  WITHOUT libmd: no certificates";) \
+	  echo 'libxml2 $(LIBXML2), libzip $(LIBZIP), libmd $(LIBMD)' > $@; }
 
 # Programs: objects, then libraries.
 define link
@@ -129,8 +132,8 @@ $(BUILD)/power: $(POWER_OBJ) $(IO) $(LIB)
 $(BUILD)/layout: $(LAYOUT_OBJ)
 $(BUILD)/liberty $(BUILD)/layout: LIBS = -ljansson
 $(BUILD)/power: LIBS = -ljansson $(IO_LIBS)
-$(SEPAX): LIBS = -ljansson $(IO_LIBS)
-$(BUILD)/sepax-certificate-check: LIBS = -ljansson -lxml2
+$(SEPAX): LIBS = -ljansson $(IO_LIBS) $(if $(with_md),-lmd)
+$(BUILD)/sepax-certificate-check: LIBS = -ljansson -lxml2 -lzip -lmd
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 $(BUILD)/clearance-pairs $(BUILD)/posed-pairs: LIBS = -lgmp
 $(SEPAX) $(addprefix $(BUILD)/,bench_batch layout liberty power refine) \

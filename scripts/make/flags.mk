@@ -11,8 +11,9 @@ object       = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 OPTIONS_OBJ  = $(call object,program/cli/options.c)
 
 hash       := \#
-# libxml2 reads robots and DAE, libzip with it 3MF. Where one of them is missing, or is said to be
-# (make build LIBXML2=no LIBZIP=no), files of folders `missing` take the place of what calls it.
+# libxml2 reads robots and DAE, libzip with it 3MF, libmd makes the digests of certificates. Where
+# one of them is missing, or is said to be (make build LIBXML2=no LIBZIP=no LIBMD=no), files of
+# folders `missing` take the place of what calls it.
 has = $(shell printf '%s\n' '$(hash)include <$(1)>' 'int main(void) { return 0; }' | \
       $(CC) $(filter-out --coverage,$(CFLAGS)) $(LDFLAGS) $(XML_CFLAGS) -x c - $(2) -o /dev/null \
       2> /dev/null && echo yes || echo no)
@@ -22,7 +23,11 @@ endif
 ifndef LIBXML2
 LIBXML2 := $(call has,libxml/parser.h,-lxml2)
 endif
-export LIBZIP LIBXML2
+ifndef LIBMD
+LIBMD := $(call has,sha2.h,-lmd)
+endif
+export LIBZIP LIBXML2 LIBMD
 with_xml    = $(filter yes,$(LIBXML2))
 with_zip    = $(and $(with_xml),$(filter yes,$(LIBZIP)))
+with_md     = $(filter yes,$(LIBMD))
 IO_LIBS     = $(if $(with_xml),-lxml2) $(if $(with_zip),-lzip)

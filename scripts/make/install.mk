@@ -9,8 +9,8 @@ HEADERS = $(wildcard lib/sepax*.h io/sepax*.h c_model/sepax*.h)
 MAN     = share/man/man1/sepax.1 share/man/man1/sepax-certificate-check.1 \
           share/man/man3/libsepax.3
 BIN     = sepax sepax-certificate-check
-# The checker of certificates reads URDF by libxml2; without libxml2 it is left out.
-PROGRAM = $(SEPAX) $(if $(filter yes,$(LIBXML2)),$(BUILD)/sepax-certificate-check)
+# The checker of certificates needs libxml2, libzip and libmd; where one is missing, it is left out.
+PROGRAM = $(SEPAX) $(if $(and $(with_zip),$(with_md)),$(BUILD)/sepax-certificate-check)
 
 .PHONY: install uninstall
 install: $(PROGRAM) $(PUBLIC) $(SHARED)

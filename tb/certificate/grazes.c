@@ -1,8 +1,8 @@
 /* grazes.c - a random scene in which two boxes on random joints come as near as is asked:
  *   certificate-grazes SEED GAP
- * writes r.urdf, path.csv of one segment and c.json, a certificate of one interval, to the current
- * folder. A gap below 0 is a collision of that depth. Kinematics by matrices and the 15 axes of two
- * boxes in many poses: nothing of the checker. */
+ * writes r.urdf, path.csv of one segment and c.json, a certificate of one interval that lacks its
+ * files, to the current folder. A gap below 0 is a collision of that depth. Kinematics by matrices
+ * and the 15 axes of two boxes in many poses: nothing of the checker. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -250,7 +250,7 @@ int main(int count, char **words) {
   fclose(out);
   out = opened("c.json");
   fprintf(out,
-          "{\"certificate\": \"sepax\", \"version\": 1, \"urdf\": \"r.urdf\", \"srdf\": null, ");
+          "{\"certificate\": \"sepax\", \"version\": 2, \"urdf\": \"r.urdf\", \"srdf\": null, ");
   fprintf(out, "\"path\": \"path.csv\", \"packages\": {}, \"clearance\": 0, ");
   fprintf(out, "\"pairs\": [[\"%s\"]]}\n", state & 1024 ? "a\", \"b" : "b\", \"a");
   fprintf(out, "[0,0,0,0,0]\n{\"intervals\": 1}\n");

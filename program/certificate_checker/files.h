@@ -1,0 +1,28 @@
+/* files.h - the files that a certificate names, with what they have to be. */
+#ifndef CERTIFICATE_FILES_H
+#define CERTIFICATE_FILES_H
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct {
+  json_t *list; /* an array of objects */
+  bool *used;
+} files;
+
+/* `list` stays in use. */
+files files_of(const char *certificate, json_t *list);
+
+/* Reads the file `name`, which the certificate calls `as`. It must be among the files, with its
+ * length and SHA-256; from then on the file is the one that `of` is about. */
+char *files_read(files *f, const char *name, const char *as, size_t *length);
+
+/* What a file read `as` has must be what the certificate says: a number, or a text. */
+void files_count(const files *f, const char *as, const char *what, long double count);
+void files_text(const files *f, const char *as, const char *what, const char *text);
+
+/* Each file was read. */
+void files_finish(const files *f);
+
+#endif
