@@ -61,7 +61,7 @@ fuzz: fuzz-targets
 fuzz-targets:
 	@tb/fuzz/run -k "$(CLANG)"
 	@$(MAKE) BUILD=$(BUILD)/fuzz CC="$(CLANG)" FUZZER=-fsanitize=fuzzer \
-	  CFLAGS="-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -DUNLIMITED \
+	  CFLAGS="-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all \
 	          -fsanitize=fuzzer-no-link" fuzzers
 fuzzers: $(FUZZ)
 
