@@ -115,6 +115,12 @@ static bool begin(part_xml *x, const char *piece, size_t size) {
 static bool take(void *context, const char *piece, size_t size) {
   part_xml *x = context;
   size_t used = 0;
+  if (!sepax__tag_guard(&x->guard, piece, size)) {
+    return sepax__package_fail(
+        x->p, x->part, 0,
+        "byte %zu: a tag or comment of more than %d attributes or 1 MiB; simplify it",
+        x->guard.offset, (int)TAG_ATTRIBUTES_MOST);
+  }
   if (x->parser == NULL) {
     if (!begin(x, piece, size)) {
       return false;
@@ -129,6 +135,7 @@ bool sepax__part_xml_read(part_xml *x) {
   x->parser = NULL;
   x->depth = 0;
   x->refused = false;
+  x->guard = (tag_guard){0};
   bool ok = sepax__package_stream(x->p, x->part, take, x);
   if (ok && x->parser == NULL) {
     ok = sepax__package_fail(x->p, x->part, 0, "it is empty; export it again");

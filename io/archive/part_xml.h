@@ -3,6 +3,7 @@
 #define SEPAX_PART_XML_H
 
 #include "archive/package.h"
+#include "xml/tag_guard.h"
 
 #include <libxml/parser.h>
 
@@ -33,6 +34,7 @@ struct part_xml {
   xmlParserCtxt *parser;
   size_t depth;
   bool refused;
+  tag_guard guard;
 };
 
 /* Parse the part: no document type, so no entities; no depth of more than 256; UTF-8 alone. Memory

@@ -64,15 +64,12 @@ static void scan_bang(scanner *s, char c) {
   } else if (c == '>') {
     s->where = IN_TEXT;
   }
-  if (s->where != IN_BANG) {
-    s->length = 0;
-    s->last[0] = s->last[1] = '\0';
-  }
 }
 
 static void scan(scanner *s, const char *piece, size_t size) {
   for (size_t n = 0; n < size; n++) {
     char c = piece[n];
+    place before = s->where;
     switch (s->where) {
     case IN_TEXT:
       if (c == '<') {
@@ -103,8 +100,10 @@ static void scan(scanner *s, const char *piece, size_t size) {
       s->where = c == '>' && s->last[1] == '?' ? IN_TEXT : IN_PI;
       break;
     }
-    s->last[0] = s->last[1];
-    s->last[1] = c;
+    /* The end of a comment has nothing of its beginning: "<!-->" does not end. */
+    bool begins = s->where != before;
+    s->last[0] = begins ? '\0' : s->last[1];
+    s->last[1] = begins ? '\0' : c;
   }
 }
 

@@ -3,6 +3,7 @@
 #include "reader/libraries.h"
 #include "util/error.h"
 #include "util/text.h"
+#include "xml/tag_guard.h"
 
 #include <libxml/SAX2.h>
 #include <libxml/parser.h>
@@ -68,6 +69,13 @@ static void refuse_type(void *context, const xmlChar *name, const xmlChar *exter
   xmlStopParser(parser);
 }
 
+/* It would go on behind an error, and take its time. */
+static void end_at_error(void *context, xmlError *error) {
+  if (error->level == XML_ERR_FATAL) {
+    xmlStopParser(context);
+  }
+}
+
 static bool fail_parser(xmlParserCtxt *parser, const char *path, const xml_parse *parse,
                         sepax_error *error) {
   if (parse->has_type) {
@@ -97,13 +105,21 @@ bool sepax__xml_parse(xml_file *file, const char *path, const char *bytes, size_
   int options = XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_NOENT |
                 XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES | XML_PARSE_HUGE;
   xml_parse parse = {0};
+  tag_guard guard = {0};
   *file = (xml_file){.path = path};
+  if (!sepax__tag_guard(&guard, bytes, size)) {
+    return sepax_fail(
+        error, SEPAX_ERROR_LIMIT,
+        "%.240s, byte %zu: a tag or comment of more than %d attributes or 1 MiB; simplify it", path,
+        guard.offset, (int)TAG_ATTRIBUTES_MOST);
+  }
   xmlParserCtxt *parser = xmlNewParserCtxt();
   bool ok = false;
   if (parser != NULL) {
     parser->_private = &parse;
     parser->sax->internalSubset = refuse_type;
     parser->sax->startElementNs = start_element;
+    parser->sax->serror = end_at_error;
     parser->sax->comment = NULL;
     parser->sax->processingInstruction = NULL;
     file->doc = xmlCtxtReadMemory(parser, bytes, (int)size, NULL, NULL, options);

@@ -346,3 +346,14 @@ CASE(an_id_of_two_meshes) {
   refuse(ROOT GEOMETRIES(GEOMETRY("g", ONE) GEOMETRY("g", ONE)) SCENE(NODE("")) END,
          "two <geometry id=\"g\">; give each its own id");
 }
+
+/* A tag that would take libxml2 long. */
+CASE(a_long_tag) {
+  static char text[20000];
+  int used = snprintf(text, sizeof text, "<COLLADA");
+  for (int n = 0; n < 1001; n++) {
+    used += snprintf(text + used, sizeof text - (size_t)used, " a%d='>'", n);
+  }
+  snprintf(text + used, sizeof text - (size_t)used, "/>");
+  refuse(text, "a tag or comment of more than 1000 attributes or 1 MiB; simplify it");
+}

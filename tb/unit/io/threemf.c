@@ -293,8 +293,8 @@ CASE(the_core_is_strict) {
 }
 
 CASE(the_second_count_knows_xml) {
-  read_model(
-      "<?xml version='1.0'?><!-- <triangle/> -->" PLAIN(OBJECT("1", MESH "<!-- <triangle/> -->")));
+  read_model("<?xml version='1.0'?><!-- <triangle/> -->" PLAIN(
+      OBJECT("1", MESH "<!-- <triangle/> --><!--><triangle/>--><!---><triangle/>-->")));
   assert_read(1, 1, 0);
   sepax_soup_free(&soup);
   read_model(MODEL("", "<metadata name='a>b'><![CDATA[<triangle/>]]>&lt;triangle/></metadata>"
@@ -335,6 +335,24 @@ CASE(a_bomb) {
   text[0] = '<';
   text[SIZE] = '\0';
   refuse(text, "part 3D/3dmodel.model: it would unpack to more than 100 times its length");
+  free(text);
+}
+
+/* Tags that would take libxml2 long: the time grows with the square of either. */
+CASE(long_tags) {
+  enum { SIZE = 2 << 20 };
+  char *text = malloc(SIZE + 1);
+  assert_non_null(text);
+  int used = sprintf(text, "<model " CORE "><!-- ' <a \" --><![CDATA[<b ']]><?c ' ?><q:z d='>' ");
+  for (int n = 0; n < 1001; n++) {
+    used += sprintf(text + used, " a%d='>'", n);
+  }
+  strcpy(text + used, "/></model>");
+  refuse(text, "a tag or comment of more than 1000 attributes or 1 MiB; simplify it");
+  used = sprintf(text, "<model " CORE "><z a='");
+  memset(text + used, 'x', (size_t)(SIZE - used));
+  text[SIZE] = '\0';
+  refuse(text, "a tag or comment of more than 1000 attributes or 1 MiB; simplify it");
   free(text);
 }
 
