@@ -173,5 +173,10 @@ polygon_result sepax__polygon_divide(const double (*corner)[3], size_t count, si
       return result;
     }
   }
+  /* Two triangles that share an edge, and are in no common plane, meet nowhere else. */
+  if (*bent && count == 4) {
+    fill_fan(triangle, count);
+    return POLYGON_DIVIDED;
+  }
   return POLYGON_CROSSES;
 }

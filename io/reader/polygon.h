@@ -12,9 +12,10 @@
  *      through it; and, if no corner is either, where it lies straight between its neighbours. The
  *      search goes on behind the next corner.
  * Where the view shows edges that cross, and the corners are in no common plane, the other two axes
- * are tried, in the order of the lengths along them. A polygon may touch itself, in corners or
- * along edges, as one with a bridge to a hole does. If all corners are on one line, the triangles
- * are a fan without area, which holds each edge.
+ * are tried, in the order of the lengths along them. Of four corners that cross in all three views
+ * the triangles are a fan, whose two triangles do not cross in space. A polygon may touch itself,
+ * in corners or along edges, as one with a bridge to a hole does. If all corners are on one line,
+ * the triangles are a fan without area, which holds each edge.
  *
  * So every corner is one of a triangle, and every edge of the polygon is one of exactly one
  * triangle; each other edge of a triangle belongs to two of them. */

@@ -469,6 +469,14 @@ CASE(bent_polygons) {
   /* Seen along z it crosses, along x and y it does not. */
   const double hidden[5][3] = {{0, 0, 0}, {10, 10, 0}, {10, 0, 3}, {0, 11, 6}, {-1, 5, 3}};
   assert_int_equal(DIVIDE(hidden, t, &bent), POLYGON_DIVIDED);
+  /* A face of the duck that shows what COLLADA can do: along each axis it crosses. */
+  const double duck[4][3] = {{82.8336, 116.065, -0.2435},
+                             {82.8751, 115.658, -0.544518},
+                             {81.6235, 116.026, -5.37269},
+                             {82.3865, 115.792, -3.39975}};
+  assert_int_equal(DIVIDE(duck, t, &bent), POLYGON_DIVIDED);
+  assert_true(bent);
+  assert_memory_equal(t, ((size_t[2][3]){{0, 1, 2}, {0, 2, 3}}), sizeof t[0] * 2);
 }
 
 /* Signs of all sizes of numbers against rational ones. */
