@@ -67,7 +67,7 @@ long double mesh_number(const mesh *m, const char **text, char stop, long line) 
   const long double value = strtold(from, &end);
   if (end == from || end != from + length || !isfinite(value) ||
       (*end != 0 && *end != stop && !isspace((unsigned char)*end)))
-    cannot("%s:%ld: no number: %.20s", m->file, line, from);
+    cannot("%s:%ld: no number: %.*s", m->file, line, (int)strcspn(from, " \t\r\n") % 40, from);
   *text = end;
   return value;
 }

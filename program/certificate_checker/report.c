@@ -7,23 +7,30 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What a file says may be in the words: they stay one line. */
+static void print_line(FILE *out, const char *before, const char *format, va_list values) {
+  char text[1000];
+  vsnprintf(text, sizeof text, format, values);
+  for (char *at = text; *at != 0; at++) {
+    if ((unsigned char)*at < ' ' || *at == 0x7F)
+      *at = '?';
+  }
+  fprintf(out, "%s%s\n", before, text);
+}
+
 void reject(const char *format, ...) {
   va_list values;
   va_start(values, format);
-  fputs("rejected: ", stdout);
-  vprintf(format, values);
+  print_line(stdout, "rejected: ", format, values);
   va_end(values);
-  putchar('\n');
   exit(1);
 }
 
 void cannot(const char *format, ...) {
   va_list values;
   va_start(values, format);
-  fputs("sepax-certificate-check: ", stderr);
-  vfprintf(stderr, format, values);
+  print_line(stderr, "sepax-certificate-check: ", format, values);
   va_end(values);
-  fputc('\n', stderr);
   exit(2);
 }
 

@@ -4,6 +4,7 @@
 #include "report.h"
 #include "tree.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,7 +12,8 @@ typedef struct {
   const char *file;
   const packages *folders;
   files *files;
-  long collisions;
+  bool has_quaternions; /* since 1.1 */
+  long links, joints, collisions;
 } context;
 
 /* The element of that name, of which there is one, or none (NULL). */
@@ -31,10 +33,11 @@ static bool is_word(const char *words, const char *word) {
   return false;
 }
 
-/* No attributes but those named, with a blank between them: one that is misspelt would be lost. */
+/* No attributes but those named, with a blank between them: one that is misspelt would be lost.
+ * What has a prefix belongs to another program. */
 static void only_attributes(const context *c, const xmlNode *node, const char *names) {
   for (const xmlAttr *n = node == NULL ? NULL : node->properties; n != NULL; n = n->next) {
-    if (!is_word(names, (const char *)n->name))
+    if (n->ns == NULL && !is_word(names, (const char *)n->name))
       cannot("%s:%ld: unknown attribute %s of %s", c->file, tree_line(node), (const char *)n->name,
              (const char *)node->name);
   }
@@ -42,7 +45,7 @@ static void only_attributes(const context *c, const xmlNode *node, const char *n
 
 static void only_elements(const context *c, const xmlNode *node, const char *names) {
   for (const xmlNode *n = tree_element(node->children); n != NULL; n = tree_element(n->next)) {
-    if (!is_word(names, (const char *)n->name))
+    if (n->ns == NULL && !is_word(names, (const char *)n->name))
       cannot("%s:%ld: unknown element %s in %s", c->file, tree_line(n), (const char *)n->name,
              (const char *)node->name);
   }
@@ -96,7 +99,7 @@ static pose origin(const context *c, xmlNode *node) {
   if (isfinite(quat[0])) {
     const quaternion q = {quat[3], {quat[0], quat[1], quat[2]}};
     const long double length = sqrtl(q.w * q.w + point_dot(q.v, q.v));
-    if (isfinite(rpy[0]) || !(length > 0 && isfinite(length)))
+    if (isfinite(rpy[0]) || !c->has_quaternions || !(fabsl(length - 1) <= 1e-3L))
       cannot("%s:%ld: quat_xyzw", c->file, tree_line(at));
     return (pose){{q.w / length, point_times(1 / length, q.v)}, {xyz[0], xyz[1], xyz[2]}};
   }
@@ -144,9 +147,10 @@ static char *mesh_file(const context *c, const char *name) {
   return joined(c->file, slash == NULL ? 0 : (size_t)(slash - c->file), name);
 }
 
-static long double length_of(const context *c, xmlNode *node, const char *name) {
+/* Above 0, or 0 if that may be. */
+static long double length_of(const context *c, xmlNode *node, const char *name, bool zero) {
   const long double value = number(c, node, name);
-  if (!(value > 0))
+  if (!(value > 0 || (zero && value == 0)))
     cannot("%s:%ld: %s of %Lg", c->file, tree_line(node), name, value);
   return value;
 }
@@ -190,14 +194,31 @@ static void read_box(const context *c, xmlNode *node, pose at, surface *body) {
   surface_box(body, (point){size[0], size[1], size[2]}, at);
 }
 
+/* A cylinder or capsule that is a point has no surface; a capsule without a length is a sphere. */
+static void read_round(const context *c, xmlNode *node, pose at, surface *body) {
+  only_attributes(c, node, "radius length");
+  const bool capsule = tree_is(node, "capsule");
+  const bool none = number(c, node, "radius") == 0 && number(c, node, "length") == 0;
+  const long double radius = length_of(c, node, "radius", none);
+  const long double length = length_of(c, node, "length", none || capsule);
+  if (none)
+    return;
+  if (capsule)
+    surface_capsule(body, radius, length, at);
+  else
+    surface_cylinder(body, radius, length, at);
+}
+
 static void collision(context *c, xmlNode *node, surface *body) {
   const pose at = origin(c, node);
   xmlNode *geometry = single(c, node, "geometry");
-  only_elements(c, node, "origin geometry material verbose");
-  only_attributes(c, node, "name");
+  only_elements(c, node,
+                "origin geometry material verbose contact "
+                "contact_coefficients surface");
+  only_attributes(c, node, "name group concave");
   if (geometry == NULL || xmlChildElementCount(geometry) != 1)
     cannot("%s:%ld: not one geometry", c->file, tree_line(node));
-  only_attributes(c, geometry, "");
+  only_attributes(c, geometry, "name");
   xmlNode *shape = tree_element(geometry->children);
   c->collisions++;
   surface_element(body);
@@ -206,14 +227,29 @@ static void collision(context *c, xmlNode *node, surface *body) {
   } else if (tree_is(shape, "box")) {
     read_box(c, shape, at, body);
   } else if (tree_is(shape, "cylinder") || tree_is(shape, "capsule")) {
-    only_attributes(c, shape, "radius length");
-    (tree_is(shape, "capsule") ? surface_capsule : surface_cylinder)(
-        body, length_of(c, shape, "radius"), length_of(c, shape, "length"), at);
+    read_round(c, shape, at, body);
   } else if (tree_is(shape, "sphere")) {
     only_attributes(c, shape, "radius");
-    surface_sphere(body, length_of(c, shape, "radius"), at);
+    const long double radius = length_of(c, shape, "radius", true);
+    if (radius > 0)
+      surface_sphere(body, radius, at);
   } else {
     cannot("%s: geometry other than mesh, box, cylinder, sphere, capsule", c->file);
+  }
+}
+
+/* Elements of other programs are passed over, unless a collision may be meant. */
+static void check_names(const context *c, const xmlNode *node) {
+  for (const xmlNode *n = tree_element(node->children); n != NULL; n = tree_element(n->next)) {
+    const char *name = (const char *)n->name;
+    if (n->ns == NULL &&
+        !is_word("collision collision_checking self_collision_checking disable_collisions "
+                 "enable_collisions disable_default_collisions",
+                 name) &&
+        (xmlStrcasestr(n->name, (const xmlChar *)"coll") != NULL ||
+         xmlStrcasestr(n->name, (const xmlChar *)"geometry") != NULL))
+      cannot("%s:%ld: unknown element %s in %s", c->file, tree_line(n), name,
+             (const char *)node->name);
   }
 }
 
@@ -221,9 +257,7 @@ static void read_link(context *c, xmlNode *node, robot *r) {
   robot_link new = {attribute(c, node, "name"), -1, {0}};
   if (robot_link_named(r, new.name) >= 0)
     cannot("%s: two links %s", c->file, new.name);
-  only_elements(c, node,
-                "inertial visual collision contact sensor gazebo material "
-                "self_collision_checking verbose");
+  check_names(c, node);
   for (xmlNode *n = tree_child(node, "collision"); n != NULL; n = tree_from(n->next, "collision")) {
     collision(c, n, &new.body);
   }
@@ -233,17 +267,56 @@ static void read_link(context *c, xmlNode *node, robot *r) {
   r->link[r->links++] = new;
 }
 
+static void add_joint(const context *c, robot *r, joint new) {
+  if (robot_joint_named(r, new.name) >= 0)
+    cannot("%s: two joints %s", c->file, new.name);
+  if (r->link[new.child].joint >= 0)
+    cannot("%s: link %s has two parents", c->file, r->link[new.child].name);
+  r->link[new.child].joint = r->joints;
+  GROW(r->joint, r->joints);
+  r->joint[r->joints++] = new;
+}
+
+/* A joint of several values J is joints J/x ... one behind the other, with empty links between
+ * them; turns are about axes that those before have moved. `names` are letters: x, y, z are shifts;
+ * Y, P, R are yaw, pitch, roll. */
+static void divide_joint(const context *c, robot *r, joint whole, const char *names) {
+  const int child = whole.child;
+  for (const char *at = names; *at != 0; at++) {
+    const char *part = *at == 'Y' ? "yaw" : *at == 'P' ? "pitch" : *at == 'R' ? "roll" : NULL;
+    const char letter[2] = {*at, 0};
+    const size_t size = strlen(whole.name) + 8;
+    joint new = whole;
+    new.name = memory(NULL, size, 1);
+    snprintf(new.name, size, "%s/%s", whole.name, part == NULL ? letter : part);
+    new.kind = part == NULL ? JOINT_PRISMATIC : JOINT_REVOLUTE;
+    new.axis =
+        (point){*at == 'x' || *at == 'R', *at == 'y' || *at == 'P', *at == 'z' || *at == 'Y'};
+    new.child = child;
+    if (at[1] != 0) {
+      if (robot_link_named(r, new.name) >= 0)
+        cannot("%s: two links %s", c->file, new.name);
+      GROW(r->link, r->links);
+      r->link[r->links] = (robot_link){new.name, -1, {0}};
+      new.child = r->links++;
+    }
+    add_joint(c, r, new);
+    whole.parent = new.child;
+    whole.origin = POSE_NONE;
+  }
+}
+
 static void read_joint(const context *c, xmlNode *node, robot *r) {
   joint new = {
       attribute(c, node, "name"), JOINT_FIXED, 0, 0, origin(c, node), {1, 0, 0}, -1, NULL, 1, 0};
-  if (robot_joint_named(r, new.name) >= 0)
-    cannot("%s: two joints %s", c->file, new.name);
+  only_attributes(c, node, "name type dont_collapse");
   const char *kind = attribute(c, node, "type");
   if (strcmp(kind, "revolute") == 0 || strcmp(kind, "continuous") == 0) {
     new.kind = JOINT_REVOLUTE;
   } else if (strcmp(kind, "prismatic") == 0) {
     new.kind = JOINT_PRISMATIC;
-  } else if (strcmp(kind, "fixed") != 0) {
+  } else if (strcmp(kind, "fixed") != 0 && strcmp(kind, "floating") != 0 &&
+             strcmp(kind, "planar") != 0) {
     cannot("%s: joint %s: type %s", c->file, new.name, kind);
   }
   new.parent = robot_link_named(r, attribute(c, single(c, node, "parent"), "link"));
@@ -268,12 +341,16 @@ static void read_joint(const context *c, xmlNode *node, robot *r) {
     numbers(c, mimic, "multiplier", 1, &new.factor);
     numbers(c, mimic, "offset", 1, &new.offset);
   }
-  if (r->link[new.child].joint >= 0) {
-    cannot("%s: link %s has two parents", c->file, r->link[new.child].name);
+  const bool planar = strcmp(kind, "planar") == 0;
+  if (planar && (xyz[0] != 0 || xyz[1] != 0 || !(xyz[2] > 0)))
+    cannot("%s: joint %s: planar, and its axis is not 0 0 1", c->file, new.name);
+  if (!planar && strcmp(kind, "floating") != 0) {
+    add_joint(c, r, new);
+    return;
   }
-  r->link[new.child].joint = r->joints;
-  GROW(r->joint, r->joints);
-  r->joint[r->joints++] = new;
+  if (mimic != NULL)
+    cannot("%s: joint %s: mimic of a joint with several values", c->file, new.name);
+  divide_joint(c, r, new, planar ? "xyY" : "xyzYPR");
 }
 
 static xmlNode *document(const context *c) {
@@ -342,28 +419,32 @@ static void exclude_joined(robot *r) {
     exclude(r, r->joint[n].parent, r->joint[n].child);
 }
 
-static void check_version(const context *c, xmlNode *root) {
+static void check_version(context *c, xmlNode *root) {
   char *version = tree_attribute(root, "version", NULL);
-  if (version != NULL && !is_word("1 1.0 1.1", version))
-    cannot("%s: version %s; 1.0 and 1.1 are read", c->file, version);
+  if (version != NULL && !is_word("1.0 1.1 1.2", version))
+    cannot("%s: version %s; 1.0, 1.1 and 1.2 are read", c->file, version);
+  c->has_quaternions = version != NULL && strcmp(version, "1.0") != 0;
   xmlFree(version);
 }
 
 robot robot_read(const char *urdf, const char *srdf, const packages *folders, files *f) {
-  context c = {urdf, folders, f, 0};
+  context c = {.file = urdf, .folders = folders, .files = f};
   robot r = {0};
   xmlNode *root = document(&c);
   check_version(&c, root);
+  check_names(&c, root);
   for (xmlNode *n = tree_child(root, "link"); n != NULL; n = tree_from(n->next, "link")) {
     read_link(&c, n, &r);
+    c.links++;
   }
   for (xmlNode *n = tree_child(root, "joint"); n != NULL; n = tree_from(n->next, "joint")) {
     read_joint(&c, n, &r);
+    c.joints++;
   }
   if (r.links == 0)
     cannot("%s: no link", urdf);
-  files_count(f, urdf, "links", r.links);
-  files_count(f, urdf, "joints", r.joints);
+  files_count(f, urdf, "links", c.links);
+  files_count(f, urdf, "joints", c.joints);
   files_count(f, urdf, "collisions", c.collisions);
   check_trees(&c, &r);
   const size_t squares = (size_t)r.links * (size_t)r.links;
@@ -373,7 +454,7 @@ robot robot_read(const char *urdf, const char *srdf, const packages *folders, fi
     exclude_joined(&r);
     return r;
   }
-  const context of = {srdf, folders, f, 0};
+  const context of = {.file = srdf, .folders = folders, .files = f};
   static const char *const unread[] = {"disable_default_collisions", "enable_collisions"};
   const char *name = "disable_collisions";
   xmlNode *pairs = document(&of);

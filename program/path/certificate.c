@@ -126,9 +126,12 @@ static json_t *files_of(const path_scene *scene, const path_question *q, sepax_e
   json_t *urdf = file_of(q->urdf, q->urdf, error);
   json_t *motion = urdf == NULL ? NULL : file_of(q->motion, q->motion, error);
   if (urdf != NULL && motion != NULL) {
-    set_count(urdf, "links", scene->robot.mechanism.links);
-    set_count(urdf, "joints", scene->robot.mechanism.joints);
-    set_count(urdf, "collisions", scene->robot.shapes);
+    /* A joint that the mechanism has divided has as many links between its parts as it has parts
+     * beside the first. */
+    const format_robot *robot = &scene->robot;
+    set_count(urdf, "links", robot->links);
+    set_count(urdf, "joints", robot->mechanism.joints - (robot->mechanism.links - robot->links));
+    set_count(urdf, "collisions", robot->shapes + robot->nothings);
     set_count(motion, "lines", scene->motion.lines);
     set_count(motion, "columns", scene->motion.columns);
   }
