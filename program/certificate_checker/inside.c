@@ -166,8 +166,12 @@ static ray_meets ray_meet(point a, point b, point c, point d, long double doubt)
 /* Inside the element of b? -1: the ray goes too near to an edge. */
 static int element_holds(const shell *b, size_t element, point p, point d) {
   const surface *s = b->body;
-  const long double size = (long double)s->radius + point_length(p);
-  const long double doubt = 64 * 0x1p-63L * fmaxl(size * size * size, size * size);
+  /* No corner is farther from p than `size`; differences are as wrong as coordinates of `reach`. */
+  const point far = {fmaxl(s->high.x - p.x, p.x - s->low.x), fmaxl(s->high.y - p.y, p.y - s->low.y),
+                     fmaxl(s->high.z - p.z, p.z - s->low.z)};
+  const long double size = point_length(far);
+  const long double reach = (long double)s->radius + point_length(p);
+  const long double doubt = 64 * 0x1p-63L * reach * fmaxl(size * size, size);
   long crossings = 0;
   long winding = 0;
   for (size_t n = s->element[element].first; n < element_end(s, element); n++) {
