@@ -332,7 +332,9 @@ CASE(vertex_on_an_edge_of_a_box) {
     middle[i] = f->v[0][i] / 2 + f->v[1][i] / 2;
   }
   memcpy(f->v[1], middle, sizeof middle);
-  add_triangle(&m, middle, last, f->v[2]);
+  double third[3];
+  memcpy(third, f->v[2], sizeof third);
+  add_triangle(&m, middle, last, third);
   assert_small(&m, 0.5, 0.75, 0.5, true, true, SEPAX_INSIDE);
   assert_small(&m, 0.5, 0.75, 3, true, true, SEPAX_OUTSIDE);
   turn_round(&m.facet[4]);

@@ -446,6 +446,41 @@ CASE(known_polygons) {
   assert_int_equal(DIVIDE(there_and_back, t, &bent), POLYGON_DIVIDED);
 }
 
+/* A hole that is bridged to the far corner, touches the first corner with its tip, and leaves the
+ * first corner's triangle across the cut, without a corner in it. */
+CASE(hole_at_a_corner) {
+  static flat p;
+  static const double at[11][2] = {{0, 0}, {2, 0}, {30, -10}, {30, 30},  {9, 8}, {0, 0},
+                                   {8, 9}, {9, 8}, {30, 30},  {-10, 30}, {0, 2}};
+  begin();
+  for (int n = 0; n < 100; n++) {
+    p.count = 0;
+    for (int k = 0; k < 11; k++) {
+      add(&p, at[k][0], at[k][1]);
+    }
+    assert_right(&p, n % 2 != 0);
+  }
+  end();
+}
+
+/* Two squares and the bent line that joins them, which has no inside on either side. */
+CASE(islands) {
+  static flat p;
+  static const double at[12][2] = {{0, 0},  {4, 0},   {4, 4},  {6, 4}, {6, 8}, {8, 8},
+                                   {12, 8}, {12, 12}, {8, 12}, {8, 8}, {6, 8}, {6, 4}};
+  begin();
+  for (int n = 0; n < 100; n++) {
+    p.count = 0;
+    for (int k = 0; k < 12; k++) {
+      add(&p, at[k][0], n % 3 == 0 ? -at[k][1] : at[k][1]);
+    }
+    add(&p, 4, n % 3 == 0 ? -4 : 4);
+    add(&p, 0, n % 3 == 0 ? -4 : 4);
+    assert_right(&p, n % 2 != 0);
+  }
+  end();
+}
+
 /* The last bit of a coordinate decides, at the ends of the range, too. */
 CASE(bent_polygons) {
   size_t t[4][3];
