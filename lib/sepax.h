@@ -404,7 +404,7 @@ typedef struct {
   size_t facet;    /* where one is false: a triangle by its number in the mesh, and an edge of it */
   double edge[2][3]; /* that is not so; where both are false, an edge that is open */
   size_t parts;
-  size_t pieces; /* of a closed body: parts that touch or overlap each other are one piece */
+  size_t pieces; /* parts that touch or overlap each other are one piece */
   struct sepax_parts *own;
 } sepax_shell;
 
@@ -417,8 +417,9 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
 
 /* Two bodies in their poses (NULL: as they stand) of which no triangles collide: within[0] is
  * SEPAX_INSIDE iff a part of A is wholly inside the solid B, within[1] iff one of B is inside A;
- * else SEPAX_OUTSIDE. What is open has no inside that is defined: where B is, within[0] is
- * SEPAX_INSIDE_UNKNOWN if a part of A may be inside B's box, likewise within[1]. Exact for the
+ * else SEPAX_OUTSIDE. Parts that are open have no inside that is defined: where a part of A may be
+ * inside the box of all open parts of B, it is not asked what that part is inside of, and within[0]
+ * is SEPAX_INSIDE_UNKNOWN unless another part of A is inside; likewise within[1]. Exact for the
  * doubles given. Some microseconds for each part inside the other's box. Errors: ARGUMENT on a pose
  * that is not valid.
  *

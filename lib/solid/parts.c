@@ -39,9 +39,10 @@ static size_t order_parts(uint32_t *place, uint32_t *begin, uint32_t *piece, uin
 }
 
 static void describe(struct sepax_parts *own, const sepax_body *body, size_t parts,
-                     const bool *turned) {
+                     const bool *turned, const bool *open) {
   for (size_t k = 0; k < parts; k++) {
     own->part[k].consistent = true;
+    own->part[k].open = false;
     for (int i = 0; i < 3; i++) {
       own->part[k].low[i] = INFINITY;
       own->part[k].high[i] = -INFINITY;
@@ -50,6 +51,7 @@ static void describe(struct sepax_parts *own, const sepax_body *body, size_t par
   for (size_t n = 0; n < body->count; n++) {
     solid_part *part = &own->part[own->of[n]];
     part->consistent = part->consistent && !turned[n];
+    part->open = part->open || open[n];
     memcpy(part->vertex, body->triangle[n][0], sizeof part->vertex);
     for (int k = 0; k < 9; k++) {
       double x = body->triangle[n][k / 3][k % 3];
@@ -57,9 +59,18 @@ static void describe(struct sepax_parts *own, const sepax_body *body, size_t par
       part->high[k % 3] = fmax(part->high[k % 3], x);
     }
   }
+  for (int i = 0; i < 3; i++) {
+    own->open[0][i] = INFINITY;
+    own->open[1][i] = -INFINITY;
+    for (size_t k = 0; k < parts; k++) {
+      const solid_part *part = &own->part[k];
+      own->open[0][i] = fmin(own->open[0][i], part->open ? part->low[i] : INFINITY);
+      own->open[1][i] = fmax(own->open[1][i], part->open ? part->high[i] : -INFINITY);
+    }
+  }
 }
 
-bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned) {
+bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned, const bool *open) {
   const sepax_body *body = shell->body;
   struct sepax_parts *own = sepax__zeroed(1, sizeof *own);
   shell->own = own;
@@ -76,7 +87,7 @@ bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned)
     for (uint32_t k = 0; k < parts; k++) {
       piece[k] = k;
     }
-    ok = !shell->closed || parts == 1 || sepax__join_pieces(body, own->of, piece, parts);
+    ok = parts == 1 || sepax__join_pieces(body, own->of, piece, parts);
     shell->parts = parts;
     shell->pieces = order_parts(place, place + parts, piece, parts);
     for (uint32_t k = 0; k < parts; k++) {
@@ -85,7 +96,7 @@ bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned)
     for (size_t n = 0; n < body->count; n++) {
       own->of[n] = place[own->of[n]];
     }
-    describe(own, body, parts, turned);
+    describe(own, body, parts, turned, open);
   }
   sepax_release(piece);
   return ok;

@@ -43,6 +43,7 @@ typedef struct {
   uint32_t *begin; /* of a vertex's list */
   uint64_t *edge;  /* 2 other vertex + 1 where the edge runs to the lower number; triangle */
   bool *turned;    /* a triangle at an edge that is not consistent */
+  bool *open;      /* a triangle at an edge that is open */
   edge_end *odd;
   size_t odds, odd_capacity;
   uint32_t *parent; /* a triangle of the same part; of the first of a part, itself */
@@ -197,6 +198,7 @@ static void judge_sum(const surface *s, bool odd, int64_t turn, const edge_end *
     shell->facet = shell->body->number[first->triangle];
   }
   s->turned[first->triangle] |= uneven;
+  s->open[first->triangle] |= odd;
   shell->closed = shell->closed && !odd;
   shell->consistent = shell->consistent && !uneven;
 }
@@ -339,14 +341,16 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
   }
   s->parent = sepax_allocate(s->count * sizeof *s->parent);
   s->turned = sepax__zeroed(s->count, sizeof *s->turned);
+  s->open = sepax__zeroed(s->count, sizeof *s->open);
   s->begin = sepax_allocate((s->vertices + 1) * sizeof *s->begin);
   s->edge = sepax_allocate(3 * s->count * sizeof *s->edge);
-  if (s->parent == NULL || s->turned == NULL || s->begin == NULL || s->edge == NULL) {
+  if (s->parent == NULL || s->turned == NULL || s->open == NULL || s->begin == NULL ||
+      s->edge == NULL) {
     return false;
   }
   list_edges(s);
   return judge_edges(s, shell) && judge_ends(s, shell) &&
-         sepax__find_parts(shell, s->parent, s->turned);
+         sepax__find_parts(shell, s->parent, s->turned, s->open);
 }
 
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error) {
@@ -363,6 +367,7 @@ bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *e
   sepax_release(s.slot);
   sepax_release(s.parent);
   sepax_release(s.turned);
+  sepax_release(s.open);
   sepax_release(s.begin);
   sepax_release(s.edge);
   sepax_release(s.odd);

@@ -1,8 +1,9 @@
 /* within.c - is a part of one body wholly inside the other?
  *
- * Bodies of which no triangles collide: a part is inside if one vertex of it is, and that is inside
- * a closed part if a ray from it meets an odd number of triangles. The ray runs along an axis of
- * that body to the nearest side of its box. Doubles decide where they are certain, else ray.c. */
+ * Bodies of which no triangles collide: a part is inside if one vertex of it is, which must not be
+ * in the box of all open parts, and that is inside a closed part if a ray from it meets an odd
+ * number of triangles. The ray runs along an axis of that body to the nearest side of its box.
+ * Doubles decide where they are certain, else ray.c. */
 #include "body/placement.h"
 #include "parts.h"
 #include "ray.h"
@@ -169,9 +170,9 @@ static bool aim(ray *r) {
   return true;
 }
 
-static bool may_be_in(const ray *r, const solid_part *part) {
+static bool may_be_in(const ray *r, const double low[3], const double high[3]) {
   for (int i = 0; i < 3; i++) {
-    if (r->from[i] + 2 * r->error < part->low[i] || r->from[i] - 2 * r->error > part->high[i]) {
+    if (r->from[i] + 2 * r->error < low[i] || r->from[i] - 2 * r->error > high[i]) {
       return false;
     }
   }
@@ -187,26 +188,31 @@ static bool inside(ray *r, const sepax_shell *shell) {
     uint32_t piece = part[k].piece;
     for (; k < shell->parts && part[k].piece == piece; k++) {
       r->part = k;
-      in_piece = in_piece || (may_be_in(r, &part[k]) && inside_part(r, &part[k]));
+      in_piece = in_piece || (!part[k].open && may_be_in(r, part[k].low, part[k].high) &&
+                              inside_part(r, &part[k]));
     }
     odd ^= in_piece;
   }
   return odd;
 }
 
-/* May all of the part be inside the other body's box, in which its vertex is? A pose stretches by
- * 2^-16 at most. */
-static bool may_fit(const solid_part *part, const sepax_body *body) {
+/* May all of the part be inside a box, in which its vertex is? The box is up to sqrt(3) of its
+ * longest side across; a pose stretches by 2^-16 at most. */
+static bool may_fit(const solid_part *part, const double box[2][3]) {
   double most = 0;
+  double side = 0;
   for (int i = 0; i < 3; i++) {
     most = fmax(most, part->high[i] - part->low[i]);
+    side = fmax(side, box[1][i] - box[0][i]);
   }
-  return !(most > 4 * body->scale); /* the box is within +- scale: sqrt(12) scale across */
+  return !(most > 2 * side);
 }
 
 static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
                                 const sepax_shell *b, const sepax_pose *pose_b) {
   placement at;
+  sepax_inside result = SEPAX_OUTSIDE;
+  const double(*open)[3] = (const double(*)[3])b->own->open;
   ray r = {.body = b->body, .pose = {pose_a, pose_b}};
   sepax__place_bodies(&at, b->body, pose_b, a->body,
                       pose_a); /* a sum that overflows is far outside */
@@ -222,14 +228,13 @@ static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
     if (!aim(&r)) {
       continue;
     }
-    if (!b->closed && may_fit(part, b->body)) {
-      return SEPAX_INSIDE_UNKNOWN;
-    }
-    if (b->closed && inside(&r, b)) {
+    if (may_be_in(&r, open[0], open[1]) && may_fit(part, open)) {
+      result = SEPAX_INSIDE_UNKNOWN;
+    } else if (inside(&r, b)) {
       return SEPAX_INSIDE;
     }
   }
-  return SEPAX_OUTSIDE;
+  return result;
 }
 
 bool sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
