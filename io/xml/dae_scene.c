@@ -87,6 +87,9 @@ static bool read_rotate(const dae *d, const xmlNode *node, dae_matrix *at) {
     return false;
   }
   double length = hypot(hypot(value[0], value[1]), value[2]);
+  if (length == 0 && value[3] == 0) { /* as exporters of 3ds Max write a ScaleAxisR */
+    return true;
+  }
   double cosine;
   double sine;
   turn(value[3], &cosine, &sine);

@@ -163,6 +163,9 @@ CASE(transformations) {
   TRIANGLE(0, 10, 0, 1, 11, 0, 1, 10, 2, 1);
   TRIANGLE(1, 0, 0, 1, 1, 0, 1, 0, 2, 1);
   sepax_soup_free(&soup);
+  read_text(PLACED(NODE("<translate>3 0 0</translate><rotate>0 0 0 0</rotate>")));
+  TRIANGLE(0, 3, 0, 0, 4, 0, 0, 3, 2, 0);
+  sepax_soup_free(&soup);
   read_text(PLACED(NODE("<rotate>1 0 0 30</rotate>")));
   assert_true(fabs(soup.facet[0].v[2][1] - 2 * cos(PI / 6)) < 1e-15);
   assert_true(fabs(soup.facet[0].v[2][2] - 1) < 1e-15);
