@@ -95,15 +95,13 @@ static bool next_word(words *w) { return words_next(w) && *w->at != '#'; }
 
 /* v x y z, w or not, a colour or not. */
 static bool read_vertex(obj_reader *r) {
-  enum { NUMBERS_MOST = 7 };
-  double number[NUMBERS_MOST];
+  double number[3];
   int count = 0;
-  while (next_word(&r->w)) {
+  for (; next_word(&r->w); count++) {
     double unused;
-    if (!words_number(&r->w, count < NUMBERS_MOST ? &number[count] : &unused)) {
+    if (count < 3 ? !words_number(&r->w, &number[count]) : !words_any_number(&r->w, &unused)) {
       return false;
     }
-    count++;
   }
   if (count != 3 && count != 4 && count != 6 && count != 7) {
     return sepax__builder_fail_line(r->b, r->w.line,
@@ -139,8 +137,9 @@ static bool read_vertices(obj_reader *r) {
 
 /* --------------------------------------------------------------------- second pass */
 
-/* A number from 1, or one that counts back from the line at hand. */
-static bool read_index(obj_reader *r, const char *what, size_t all, size_t above, size_t *index) {
+/* A number from 1 to `all`, or one that counts back from the line at hand, `above` which there are
+ * so many. *there tells whether there is such an element. */
+static bool read_index(obj_reader *r, size_t all, size_t above, size_t *index, bool *there) {
   const char *c = r->w.at;
   bool back = *c == '-';
   uint64_t number = 0;
@@ -154,35 +153,41 @@ static bool read_index(obj_reader *r, const char *what, size_t all, size_t above
                                     "'%s' is no corner of a face; give 1, 1/2, 1//3 or 1/2/3",
                                     words_show(&r->w).text);
   }
-  if (number == 0 || number > (back ? above : all)) {
-    return sepax__builder_fail_line(
-        r->b, r->w.line, "'%s': there is no %s %s%llu, of %zu%s; export it again",
-        words_show(&r->w).text, what, back ? "-" : "", (unsigned long long)number,
-        back ? above : all, back ? " above" : "");
-  }
+  *there = number != 0 && number <= (back ? above : all);
   *index = (size_t)(back ? above - number : number - 1);
   r->w.at = c;
   return true;
 }
 
-static bool skip_slash(obj_reader *r) {
-  bool there = *r->w.at == '/';
-  r->w.at += there;
-  return there;
+static bool read_vertex_index(obj_reader *r, size_t *vertex) {
+  words_shown shown = words_show(&r->w);
+  bool there = false;
+  return read_index(r, r->vertices, r->above[0], vertex, &there) &&
+         (there || sepax__builder_fail_line(r->b, r->w.line,
+                                            "'%s': there is no such vertex, of %zu, %zu of them "
+                                            "above this line; export it again",
+                                            shown.text, r->vertices, r->above[0]));
 }
 
-/* v, v/vt, v//vn, v/vt/vn */
+/* v, v/vt, v//vn, v/vt/vn. What is behind a slash may be left out, or name nothing: it has no
+ * surface. */
 static bool read_corner(obj_reader *r, size_t *vertex) {
-  size_t unused;
-  if (!read_index(r, "vertex", r->vertices, r->above[0], vertex)) {
+  const size_t all[2] = {r->textures, r->normals};
+  if (!read_vertex_index(r, vertex)) {
     return false;
   }
-  if (skip_slash(r)) {
-    if (*r->w.at != '/' &&
-        !read_index(r, "texture coordinate", r->textures, r->above[1], &unused)) {
+  for (int k = 0; k < 2 && *r->w.at == '/'; k++) {
+    size_t unused;
+    bool there = true;
+    r->w.at++;
+    if (*r->w.at != '/' && !words_is_end(&r->w, r->w.at) &&
+        !read_index(r, all[k], r->above[k + 1], &unused, &there)) {
       return false;
     }
-    if (skip_slash(r) && !read_index(r, "normal", r->normals, r->above[2], &unused)) {
+    if (!there && !sepax__builder_other(r->b,
+                                        k == 0 ? "texture coordinates of corners that are not there"
+                                               : "normals of corners that are not there",
+                                        1)) {
       return false;
     }
   }

@@ -3,7 +3,6 @@
 #include "util/bytes.h"
 
 #include <stdio.h>
-#include <strings.h>
 
 typedef struct {
   mesh_builder *b;
@@ -63,23 +62,10 @@ static double number_at(const char *at, ply_type type, bool big) {
                               : (double)(int32_t)four.whole;
 }
 
-/* A word that is no number, such as nan, is NaN: of a vertex that no face has it does no harm. */
+/* NaN of a vertex that no face has does no harm. */
 static bool take_word(ply_reader *r, double *number) {
-  if (!words_next(&r->w)) {
-    return fail_row(r, "truncated: fewer numbers than its properties are");
-  }
-  const char *end = sepax__decimal(r->w.at, number);
-  if (end == NULL || !words_is_end(&r->w, end)) {
-    const char *word = r->w.at + (*r->w.at == '-' || *r->w.at == '+');
-    if (strncasecmp(word, "nan", 3) != 0 && strncasecmp(word, "inf", 3) != 0) {
-      return sepax__builder_fail_line(r->b, r->w.line, "'%s' is no number; mend it",
-                                      words_show(&r->w).text);
-    }
-    *number = NAN;
-    end = r->w.at + words_length(&r->w);
-  }
-  r->w.at = end;
-  return true;
+  return words_next(&r->w) ? words_any_number(&r->w, number)
+                           : fail_row(r, "truncated: fewer numbers than its properties are");
 }
 
 static bool take_number(ply_reader *r, ply_type type, double *number) {

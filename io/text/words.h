@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
 /* A place in the bytes of a builder. A line ends with LF, CR LF or CR. */
 typedef struct {
@@ -94,6 +95,23 @@ static inline void words_skip_line(words *w) {
     w->at += words_line_end(w->at);
     w->line++;
   }
+}
+
+/* The word at hand is a number, or one that is none, as nan: *number is NaN then. The place is
+ * behind it. */
+static inline bool words_any_number(words *w, double *number) {
+  const char *end = sepax__decimal(w->at, number);
+  if (end == NULL || !words_is_end(w, end)) {
+    const char *word = w->at + (*w->at == '-' || *w->at == '+');
+    if (strncasecmp(word, "nan", 3) != 0 && strncasecmp(word, "inf", 3) != 0) {
+      return sepax__builder_fail_line(w->b, w->line, "'%s' is no number; mend it",
+                                      words_show(w).text);
+    }
+    *number = NAN;
+    end = w->at + words_length(w);
+  }
+  w->at = end;
+  return true;
 }
 
 /* The word at hand is one finite number, and the place is behind it then. */

@@ -72,7 +72,7 @@ def obj():
     text = vertices + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in FACES)
     yield "empty.obj", b""
     yield "no-faces.obj", vertices
-    for index in "0", "9", "-9", "99999999999999999999", "1.5", "1/", "1/x", "1/1", "a", "1//":
+    for index in "0", "9", "-9", "99999999999999999999", "1.5", "/1", "1/x", "1/1/1/1", "a", "1//x":
         yield f"index-{index.replace('/', '_')}.obj", replaced(text, "f 1 3 4", f"f {index} 3 4")
     for word in "nan", "inf", "1e400", "0,5", "x":
         yield f"vertex-{word}.obj", replaced(text, "v 0 0 0", f"v 0 {word} 0")

@@ -103,6 +103,17 @@ CASE(polygons) {
   assert_int_equal(account.bent, 1);
 }
 
+/* What is behind a slash may be left out, or be of nothing. */
+CASE(corners_of_nothing) {
+  read_text(VERTICES "f 1/ 2// 3/\n", 1, 1);
+  assert_int_equal(account.others, 0);
+  read_text(VERTICES "vt 0 0\nf 1/1/1 2/2/0 3/-2/-1\n", 1, 1);
+  assert_int_equal(others("texture coordinates of corners that are not there"), 2);
+  assert_int_equal(others("normals of corners that are not there"), 3);
+  read_text("v 0 0 0 nan nan nan\nv 1 0 0 -inf 0 0\nv 0 2 0 1 1 1\nf 1 2 3\n", 1, 1);
+  assert_int_equal(others("vertex colours"), 3);
+}
+
 /* Each kind without a surface is counted by its name. */
 CASE(what_has_no_surface) {
   read_text(VERTICES "mtllib a.mtl\no box\ng a b\ns off\nusemtl red\nvt 0 0\nvt 0 1\nvn 0 0 1\n"
@@ -129,18 +140,18 @@ CASE(what_has_no_surface) {
 
 CASE(refused) {
   static const char *const row[][2] = {
-      {VERTICES "f 0 1 2\n", "a.obj:5: '0': there is no vertex 0, of 4"},
-      {VERTICES "f 1 2 5\n", "a.obj:5: '5': there is no vertex 5, of 4"},
-      {VERTICES "f 1 2 -5\n", "a.obj:5: '-5': there is no vertex -5, of 4 above"},
-      {"v 0 0 0\nf -1 -2 -3\n" VERTICES, "a.obj:2: '-2': there is no vertex -2, of 1 above"},
-      {VERTICES "f 1/1 2/1 3/1\n", "there is no texture coordinate 1, of 0"},
-      {VERTICES "f 1//1 2//1 3//1\n", "there is no normal 1, of 0"},
+      {VERTICES "f 0 1 2\n", "a.obj:5: '0': there is no such vertex, of 4"},
+      {VERTICES "f 1 2 5\n", "a.obj:5: '5': there is no such vertex, of 4"},
+      {VERTICES "f 1 2 -5\n", "a.obj:5: '-5': there is no such vertex, of 4, 4 of them above"},
+      {"v 0 0 0\nf -1 -2 -3\n" VERTICES,
+       "a.obj:2: '-2': there is no such vertex, of 5, 1 of them above"},
       {VERTICES "f 1 2\n", "a.obj:5: a face of 2 corners; give three or more"},
       {VERTICES "f\n", "a face of 0 corners"},
       {VERTICES "f 1 2 3.5\n", "'3.5' is no corner of a face"},
-      {VERTICES "f 1 2 3/\n", "is no corner of a face"},
+      {VERTICES "f 1 2 3/x\n", "'x' is no corner of a face"},
+      {VERTICES "f 1 2 3/1/1/1\n", "a corner of more than three numbers"},
       {VERTICES "f 1 2 x\n", "'x' is no corner of a face"},
-      {VERTICES "f 1 2 99999999999999999999\n", "there is no vertex"},
+      {VERTICES "f 1 2 99999999999999999999\n", "there is no such vertex"},
       {VERTICES "F 1 2 3\n", "a.obj:5: 'F' is no word of OBJ"},
       {VERTICES "facet 1 2 3\n", "'facet' is no word of OBJ"},
       {VERTICES "cstype bspline\nsurf 0 1 0 1 1 2 3 4\nf 1 2 3\n",
