@@ -24,7 +24,8 @@ bool sepax__obj_count(const mesh_builder *b, size_t *faces) {
         continue;
       }
       size_t length = *c == 'f' && c[1] == 'o' ? 2 : 1;
-      count += *c == 'f' && (isspace((unsigned char)c[length]) || c[length] == '\0');
+      char next = c[length] == '\\' ? c[length + 1] : c[length]; /* as a line's end joins */
+      count += *c == 'f' && (isspace((unsigned char)next) || next == '\0');
       state = GOES_ON;
     }
   }
@@ -32,57 +33,52 @@ bool sepax__obj_count(const mesh_builder *b, size_t *faces) {
   return true;
 }
 
-/* The number behind "element NAME" at the beginning of a line of the head; 0 without one. */
-static size_t declared(const char *head, const char *end, const char *name) {
+/* How many the line from c declares, where it begins with "element NAME"; else 0. */
+static size_t declared(const char *c, const char *name) {
+  static const char blanks[] = " \t\v\f";
   size_t length = strlen(name);
   size_t count = 0;
-  for (const char *c = head; c < end; c++) {
-    if ((c[-1] == '\n' || c[-1] == '\r') && strncmp(c, "element", 7) == 0) {
-      const char *word = c + 7 + strspn(c + 7, " \t");
-      if (strncmp(word, name, length) == 0 && (word[length] == ' ' || word[length] == '\t')) {
-        for (word += length + strspn(word + length, " \t"); isdigit((unsigned char)*word); word++) {
-          count = 10 * count + (size_t)(*word - '0');
-        }
-      }
+  const char *word = c + 7;
+  if (strncmp(c, "element", 7) != 0) {
+    return 0;
+  }
+  word += strspn(word, blanks);
+  if (strncmp(word, name, length) == 0 && isspace((unsigned char)word[length])) {
+    for (word += length + strspn(word + length, blanks); isdigit((unsigned char)*word); word++) {
+      count = 10 * count + (size_t)(*word - '0');
     }
   }
   return count;
 }
 
+/* The faces and strips that the head declares. */
 bool sepax__ply_count(const mesh_builder *b, size_t *faces) {
-  const char *head = b->bytes + 4;
-  const char *end = strstr(head, "end_header");
-  end = end != NULL ? end : head;
-  *faces = declared(head, end, "face") + declared(head, end, "tristrips");
+  const char *end = b->bytes + b->size;
+  bool begins = true; /* c is before the first word of its line */
+  size_t count = 0;
+  for (const char *c = b->bytes; c < end; c++) {
+    bool blank = isspace((unsigned char)*c);
+    if (begins && strncmp(c, "end_header", 10) == 0) {
+      break;
+    }
+    count += begins && !blank ? declared(c, "face") + declared(c, "tristrips") : 0;
+    begins = *c == '\n' || *c == '\r' || (begins && blank);
+  }
+  *faces = count;
   return true;
 }
 
-/* Is the line of c one that begins with solid or endsolid, behind which there is a name? No line
- * longer than that has one. */
-static bool in_name(const char *c, const char *begin) {
-  enum { LINE_MOST = 1000 };
-  const char *line = c;
-  while (line > begin && c - line < LINE_MOST && line[-1] != '\n' && line[-1] != '\r') {
-    line--;
-  }
-  while (line < c && isspace((unsigned char)*line)) {
-    line++;
-  }
-  return line < c && (strncasecmp(line, "solid", 5) == 0 || strncasecmp(line, "endsolid", 8) == 0);
-}
-
-/* How often the word endfacet is in a text, not in names, with this letter in its middle: f and F
- * are rare enough that to look for them costs little. */
+/* How often the word endfacet is in a text, with this letter in its middle: f and F are rare enough
+ * that to look for them costs little. */
 static size_t count_words(const mesh_builder *b, char letter) {
   enum { BEFORE = 3, LENGTH = sizeof "endfacet" - 1 };
   const char *end = b->bytes + b->size;
   size_t count = 0;
   for (const char *f = b->bytes; (f = memchr(f, letter, (size_t)(end - f))) != NULL; f++) {
     const char *c = f - BEFORE;
-    bool found = f - b->bytes >= BEFORE && strncasecmp(c, "endfacet", LENGTH) == 0 &&
-                 (c == b->bytes || isspace((unsigned char)c[-1])) &&
-                 (c + LENGTH == end || isspace((unsigned char)c[LENGTH]));
-    count += found && !in_name(c, b->bytes);
+    count += f - b->bytes >= BEFORE && strncasecmp(c, "endfacet", LENGTH) == 0 &&
+             (c == b->bytes || isspace((unsigned char)c[-1])) &&
+             (c + LENGTH == end || isspace((unsigned char)c[LENGTH]));
   }
   return count;
 }

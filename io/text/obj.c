@@ -242,11 +242,26 @@ static bool read_statement(obj_reader *r) {
                                   key->word, key->what);
 }
 
+/* To the next line. A comment or a name may end with a backslash by chance, as paths do; the
+ * statement in the next line would become a part of it. */
+static bool end_line(obj_reader *r) {
+  while (words_skip_part(&r->w)) {
+    words next = r->w;
+    if (next_word(&next) && keyword_of(&next) != NULL) {
+      return sepax__builder_fail_line(r->b, r->w.line - 1,
+                                      "the backslash at its end makes '%s' of the next line a part "
+                                      "of this one; take it out",
+                                      words_show(&next).text);
+    }
+  }
+  return true;
+}
+
 static bool read_faces(obj_reader *r) {
   bool ok = true;
   r->w = words_begin(r->b, true);
-  for (; r->w.at < r->w.end && ok; words_skip_line(&r->w)) {
-    ok = !next_word(&r->w) || read_statement(r);
+  while (r->w.at < r->w.end && ok) {
+    ok = (!next_word(&r->w) || read_statement(r)) && end_line(r);
   }
   return ok;
 }
@@ -263,12 +278,14 @@ bool sepax__obj_read(mesh_builder *b, size_t *faces) {
   return ok;
 }
 
-/* Its first word is one of OBJ, behind comments. */
+/* Its first word is one of OBJ, behind comments. The title of a binary STL may begin so. */
 bool sepax__obj_is(const char *bytes, size_t size) {
+  enum { TITLE_MOST = 100 };
   mesh_builder b = {.bytes = bytes, .size = size};
   words w = words_begin(&b, true);
   while (w.at < w.end && !next_word(&w)) {
     words_skip_line(&w);
   }
-  return w.at < w.end && keyword_of(&w) != NULL;
+  return w.at < w.end && keyword_of(&w) != NULL &&
+         memchr(bytes, '\0', size < TITLE_MOST ? size : TITLE_MOST) == NULL;
 }

@@ -23,6 +23,7 @@ typedef struct {
   ply_head *head;
   mesh_builder *b;
   words w;
+  bool only_cr; /* by itself ends a line, as it does the first one */
 } head_reader;
 
 static bool is(const words *w, const char *word) {
@@ -173,11 +174,9 @@ static bool read_line(head_reader *r, bool *ended, bool *formatted) {
   if (words_next(&r->w)) {
     return fail_word(r, "the end of a line");
   }
-  /* Behind a binary file's head the first number may look like the end of a line: a CR ends it by
-   * itself where it ends the first line so. */
-  bool only_cr = r->b->bytes[3] == '\r' && r->b->bytes[4] != '\n';
+  /* Behind a binary file's head the first number may look like the end of a line. */
   if (*ended && r->w.at < r->w.end) {
-    r->w.at += only_cr ? 1 : words_line_end(r->w.at);
+    r->w.at += r->only_cr ? 1 : words_line_end(r->w.at);
     r->w.line++;
   } else {
     words_skip_line(&r->w);
@@ -200,6 +199,21 @@ static size_t indices_of(const ply_element *e) {
   return n < e->properties && e->property[n].count != PLY_NONE ? n : e->properties;
 }
 
+/* A list of this name in an element that is not known may be faces under another name. */
+static bool may_be_faces(const ply_property *p) {
+  return p->count != PLY_NONE && p->type < PLY_FLOAT &&
+         (strncmp(p->name, "vert", 4) == 0 || strcmp(p->name, "indices") == 0 ||
+          strcmp(p->name, "index") == 0);
+}
+
+static const ply_property *faces_elsewhere(const ply_element *e) {
+  size_t n = 0;
+  while (n < e->properties && !may_be_faces(&e->property[n])) {
+    n++;
+  }
+  return e->role == PLY_OTHER && n < e->properties ? &e->property[n] : NULL;
+}
+
 static bool give_role(mesh_builder *b, ply_element *e) {
   static const char *const xyz[] = {"x", "y", "z"};
   size_t indices = indices_of(e);
@@ -215,11 +229,12 @@ static bool give_role(mesh_builder *b, ply_element *e) {
                                  xyz[i]);
     }
   }
-  if (e->role == PLY_OTHER && indices < e->properties) {
+  const ply_property *list = faces_elsewhere(e);
+  if (list != NULL) {
     return sepax__builder_fail(b,
-                               "element '%s' refers to vertices in a way that is not read; export "
-                               "faces",
-                               e->name);
+                               "element '%s' refers to vertices by its list '%s', which is not "
+                               "read; export faces",
+                               e->name, list->name);
   }
   if ((e->role == PLY_FACE || e->role == PLY_STRIP) &&
       (indices == e->properties || e->property[indices].type >= PLY_FLOAT)) {
@@ -257,12 +272,28 @@ static bool give_roles(ply_head *head, mesh_builder *b) {
                              faces ? "vertex" : "face");
 }
 
+/* The first line. */
+static bool read_magic(head_reader *r) {
+  if (!words_next(&r->w) || !is(&r->w, "ply")) {
+    return fail_word(r, "ply");
+  }
+  skip_word(&r->w);
+  if (words_next(&r->w)) {
+    return fail_word(r, "the end of a line");
+  }
+  r->only_cr = *r->w.at == '\r' && r->w.at[1] != '\n';
+  words_skip_line(&r->w);
+  return true;
+}
+
 bool sepax__ply_head_read(ply_head *head, mesh_builder *b) {
   head_reader r = {.head = head, .b = b, .w = words_begin(b, false)};
   bool ended = false;
   bool formatted = false;
   *head = (ply_head){.order = PLY_TEXT};
-  words_skip_line(&r.w);
+  if (!read_magic(&r)) {
+    return false;
+  }
   while (!ended) {
     if (r.w.at >= r.w.end) {
       return sepax__builder_fail_line(b, r.w.line, "truncated: no end_header; export it again");

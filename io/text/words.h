@@ -74,27 +74,23 @@ static inline words_shown words_show(const words *w) {
   return shown;
 }
 
+/* Behind the end of the line, or behind a backslash that joins it with the next: true then. */
+static inline bool words_skip_part(words *w) {
+  const char *c = w->at;
+  while (c < w->end && *c != '\n' && *c != '\r' &&
+         !(w->joins && *c == '\\' && words_line_end(c + 1) > 0)) {
+    c++;
+  }
+  bool joined = c < w->end && *c == '\\';
+  c += joined;
+  w->line += c < w->end;
+  w->at = c < w->end ? c + words_line_end(c) : c;
+  return joined;
+}
+
 /* Behind the end of the line, what is left of it unread. */
 static inline void words_skip_line(words *w) {
-  while (w->at < w->end) {
-    const char *c = w->at;
-    while (*c != '\n' && *c != '\r' && *c != '\\' && c < w->end) {
-      c++;
-    }
-    w->at = c;
-    if (words_joined(w)) {
-      w->at += 1 + words_line_end(w->at + 1);
-      w->line++;
-    } else if (*c == '\\') {
-      w->at++;
-    } else {
-      break;
-    }
-  }
-  if (w->at < w->end) {
-    w->at += words_line_end(w->at);
-    w->line++;
-  }
+  while (words_skip_part(w)) {}
 }
 
 /* The word at hand is a number, or one that is none, as nan: *number is NaN then. The place is

@@ -47,11 +47,15 @@ static bool fail_memory(sepax_error *error, const char *path) {
   return fail(error, SEPAX_ERROR_MEMORY, path, "too large for the memory; use a coarser mesh");
 }
 
+static bool fail_most(const reading *r, const char *path, sepax_error *error) {
+  return fail(error, SEPAX_ERROR_LIMIT, path, "more than %zu triangles; simplify the mesh",
+              r->most);
+}
+
 static bool append(reading *r, const numbers *n, const char *path, sepax_error *error) {
   sepax_soup *soup = &r->soup;
   if (soup->count >= r->most) {
-    return fail(error, SEPAX_ERROR_LIMIT, path, "more than %zu triangles; simplify the mesh",
-                r->most);
+    return fail_most(r, path, error);
   }
   sepax_facet *facet = list_grow(soup->facet, &r->capacity, soup->count, sizeof *facet);
   soup->facet = facet != NULL ? facet : soup->facet;
@@ -103,12 +107,6 @@ static void skip_blanks(scanner *text) {
 
 static void skip_word(scanner *text) {
   while (text->at < text->end && !is_blank(*text->at)) {
-    text->at++;
-  }
-}
-
-static void skip_line(scanner *text) {
-  while (text->at < text->end && !ends_line(text->at)) {
     text->at++;
   }
 }
@@ -221,11 +219,27 @@ static bool read_facet(scanner *text, const reading *r, numbers *facet) {
   return ok && READ_KEYWORD(text, "endloop") && READ_KEYWORD(text, "endfacet");
 }
 
+/* Behind solid or endsolid. A name may have any words, but not a facet, which would be lost. */
+static bool skip_name(scanner *text) {
+  while (text->at < text->end && !ends_line(text->at)) {
+    if (is_blank(*text->at)) {
+      text->at++;
+    } else if (WORD_IS(text, "endfacet")) {
+      return fail_line(text, "a facet in the line of a solid's name");
+    } else {
+      skip_word(text);
+    }
+  }
+  return true;
+}
+
 static bool read_solid(scanner *text, reading *r) {
   if (!WORD_IS(text, "solid")) {
     return fail_expecting(text, "solid");
   }
-  skip_line(text);
+  if (!skip_name(text)) {
+    return false;
+  }
   skip_blanks(text);
   while (WORD_IS(text, "facet")) {
     numbers facet = {{0}};
@@ -238,8 +252,7 @@ static bool read_solid(scanner *text, reading *r) {
   if (!WORD_IS(text, "endsolid")) {
     return fail_expecting(text, "facet or endsolid");
   }
-  skip_line(text);
-  return true;
+  return skip_name(text);
 }
 
 /* Nothing is left, or what old systems put behind the end of a text: zeros, or Ctrl-Z. */
@@ -298,6 +311,9 @@ static bool read_record(const reading *r, const char *bytes, size_t k, numbers *
 
 static bool read_binary(reading *r, const content *file, const char *path, sepax_error *error) {
   size_t count = (file->size - STL_HEAD_BYTES) / STL_FACET_BYTES;
+  if (count > r->most) {
+    return fail_most(r, path, error);
+  }
   const char *bytes = file->bytes + STL_HEAD_BYTES;
   r->capacity = r->normal_capacity = count;
   r->soup.facet = sepax_allocate(count * sizeof *r->soup.facet);

@@ -54,6 +54,9 @@ CASE(corners) {
       "f\t1 2\t3 \t\n",
       "\t f 1 2 3   # x\n",
       "f 1 \\\n2 \\\r\n 3\n",
+      "\\\nf\\\n1 2 \\\r3",
+      "fo\\\r\n1 2 3 # C:\\parts\\\n",
+      "# C:\\parts\\\n# f 1 2 3\nf 1 2 3\n",
       "f 1 2 3",
       "f 1 2 3\r",
   };
@@ -165,6 +168,11 @@ CASE(refused) {
       {"v 1 2 nan\n", "'nan' is no finite number"},
       {"v 1 2 1e400\n", "'1e400' is no finite number"},
       {"v 1 2 0x10\n", "'0x10' is no finite number"},
+      {VERTICES "f 1 2 3 \\\nf 2 3 4\n", "a.obj:6: 'f' is no corner of a face"},
+      {VERTICES "# C:\\parts\\\nf 1 2 3\n",
+       "a.obj:5: the backslash at its end makes 'f' of the next line a part of this one"},
+      {VERTICES "f 1 2 3\nvn 0 0 1 \\\n 0 \\\r\n  v 0 0 0\n",
+       "a.obj:7: the backslash at its end makes 'v'"},
       {VERTICES, "no triangles"},
       {VERTICES "l 1 2\n", "no triangles"},
       {"v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nf 1 2 3 4\n", "a.obj:5: face 0: a polygon of 4 corners "
@@ -177,4 +185,6 @@ CASE(refused) {
   sepax_soup none;
   const char *file = put_bytes("a.obj", zero, sizeof zero - 1);
   assert_fault(sepax_mesh_read(&none, NULL, file, NULL, &fault), "a byte of zero at offset 35");
+  file = put_bytes("a.mesh", zero, sizeof zero - 1);
+  assert_fault(sepax_mesh_read(&none, NULL, file, NULL, &fault), "a.mesh: no mesh that is read");
 }

@@ -72,6 +72,12 @@ CASE(texts) {
 
 /* Faces in front of the vertices, properties in any order and between. */
 CASE(orders) {
+  /* A head with blanks before its words and a comment that names its end; a mark of UTF-8. */
+  read_text("ply \n\tformat  ascii 1.0\ncomment end_header\nobj_info element face 7\n"
+            " element vertex 4\n" XYZ "\telement\tface 1 \n"
+            "property list uchar int vertex_indices\n end_header \n" ROWS "3 0 1 2\n",
+            1, 1);
+  read_text("\xef\xbb\xbf" HEAD("1") ROWS "3 0 1 2\n", 1, 1);
   read_text(FORMAT FACES("1") "element vertex 3\nproperty int z\nproperty float q\n"
                               "property list uchar float w\nproperty short y\nproperty double x\n"
                               "end_header\n3 0 1 2\n1 nan 0 2 3\n4 0 2 1 1 5 6\n7 0 1 9 8 9\n",
@@ -178,6 +184,10 @@ CASE(binaries) {
 
 CASE(heads) {
   static const char *const row[][2] = {
+      {"poly\nformat ascii 1.0\n", "a.ply:1: 'poly' where the head has ply"},
+      {"ply 1\nformat ascii 1.0\n", "a.ply:1: '1' where the head has the end of a line"},
+      {"", "a.ply:1: '' where the head has ply"},
+      {"ply", "a.ply:1: truncated: no end_header"},
       {"ply\nformat ascii 2.0\n", "a.ply:2: '2.0' where the head has 1.0"},
       {"ply\nformat binary 1.0\n", "'binary' where the head has ascii, binary_little_endian"},
       {"ply\nelement vertex -1\n", "'-1' where the head has how many there are"},
@@ -204,7 +214,13 @@ CASE(heads) {
        "element face has no list vertex_indices of integers"},
       {FORMAT "element vertex 1\n" XYZ "element range_grid 1\n"
               "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0\n",
-       "element 'range_grid' refers to vertices in a way that is not read"},
+       "element 'range_grid' refers to vertices by its list 'vertex_indices', which is not read"},
+      {FORMAT "element vertex 1\n" XYZ FACES("1") "element quad 1\n"
+                                                  "property list uchar int verts\nend_header\n",
+       "element 'quad' refers to vertices by its list 'verts'"},
+      {FORMAT "element vertex 1\n" XYZ FACES("1") "element fan 1\n"
+                                                  "property list uchar int indices\nend_header\n",
+       "element 'fan' refers to vertices by its list 'indices'"},
       {FORMAT "element vertex 1\n" XYZ "element odd 9999999999\n" FACES("1") "end_header\n",
        "element 'odd' has no properties"},
   };
