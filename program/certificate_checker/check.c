@@ -107,6 +107,11 @@ static void prove_start(proof *p, const pair *of) {
     reject("%s, %s: segment 0: one is inside the other at the first line", first_name(p, of),
            second_name(p, of));
   }
+  const bool in_second = shell_may_be_inside(&a->shell, &b->shell, at);
+  if (in_second || shell_may_be_inside(&b->shell, &a->shell, pose_inverse(at))) {
+    reject("%s, %s: segment 0: one may be inside the other at the first line: %s is open",
+           first_name(p, of), second_name(p, of), (in_second ? second_name : first_name)(p, of));
+  }
 }
 
 /* What the certificate says of its axis must be right, but for rounding and polyhedra that hold

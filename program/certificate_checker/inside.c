@@ -60,6 +60,43 @@ static size_t *welded(const triangle *t, size_t count) {
   return vertex;
 }
 
+static double coordinate(vec p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+/* Of those that are farthest out, two an axis, the low one first. */
+static void part_add(shell_part *part, vec p) {
+  for (int n = 0; n < 6; n++) {
+    const double by = coordinate(p, n / 2) - coordinate(part->at[n + 1], n / 2);
+    if (n % 2 == 0 ? by < 0 : by > 0)
+      part->at[n + 1] = p;
+  }
+}
+
+/* The parts of count triangles, whose roots are in `parent`. */
+static void add_parts(shell *s, const triangle *t, size_t count, size_t *parent) {
+  size_t *number = memory(NULL, count, sizeof *number);
+  for (size_t n = 0; n < count; n++) {
+    if (root_of(parent, n) != n)
+      continue;
+    GROW(s->part, s->parts);
+    for (int k = 0; k < 7; k++)
+      s->part[s->parts].at[k] = t[n].at[0];
+    number[n] = s->parts++;
+  }
+  for (size_t n = 0; n < 3 * count; n++)
+    part_add(&s->part[number[root_of(parent, n / 3)]], t[n / 3].at[n % 3]);
+  free(number);
+}
+
+static void open_add(open_box *box, const triangle *t) {
+  if (!box->any)
+    *box = (open_box){true, t->at[0], t->at[0]};
+  for (int k = 0; k < 3; k++) {
+    const vec p = t->at[k];
+    box->low = (vec){fmin(box->low.x, p.x), fmin(box->low.y, p.y), fmin(box->low.z, p.z)};
+    box->high = (vec){fmax(box->high.x, p.x), fmax(box->high.y, p.y), fmax(box->high.z, p.z)};
+  }
+}
+
 /* One collision element: count triangles from `first`. */
 static void element_parts(shell *s, size_t element, size_t first, size_t count) {
   const triangle *t = s->body->triangle + first;
@@ -101,16 +138,17 @@ static void element_parts(shell *s, size_t element, size_t first, size_t count) 
     n = end;
   }
   s->consistent[element] = true;
+  s->open[element].any = false;
   for (size_t n = 0; n < count; n++) {
     const size_t of = root_of(parent, n);
     s->closed[first + n] = !odd[of];
-    if (!odd[of] && twisted[of])
+    if (odd[of])
+      open_add(&s->open[element], &t[n]);
+    else if (twisted[of])
       s->consistent[element] = false;
-    if (of != n || s->body->element[element].hulls) /* their polygons have samples */
-      continue;
-    GROW(s->sample, s->samples);
-    s->sample[s->samples++] = t[n].at[0];
   }
+  if (!s->body->element[element].hulls) /* their polygons are parts */
+    add_parts(s, t, count, parent);
   free(twisted);
   free(odd);
   free(parent);
@@ -123,13 +161,22 @@ static size_t element_end(const surface *s, size_t element) {
 }
 
 shell shell_of(const surface *s) {
-  shell made = {s, NULL, 0, memory(NULL, s->count, sizeof *made.closed),
-                memory(NULL, s->elements, sizeof *made.consistent)};
+  shell made = {s,
+                NULL,
+                0,
+                memory(NULL, s->count, sizeof *made.closed),
+                memory(NULL, s->elements, sizeof *made.consistent),
+                memory(NULL, s->elements, sizeof *made.open)};
   for (size_t n = 0; n < s->elements; n++) {
     element_parts(&made, n, s->element[n].first, element_end(s, n) - s->element[n].first);
   }
   return made;
 }
+
+/* Of differences of doubles. Edges that several triangles have whole are the same doubles in each;
+ * a vertex in the middle of an edge is beside it by as much as doubles are rounded. */
+static const long double EXACT = 0x1p-63L;
+static const long double ROUNDED = 0x1p-53L;
 
 typedef enum { RAY_MISSES, RAY_ENTERS, RAY_LEAVES, RAY_UNSURE } ray_meets;
 
@@ -163,23 +210,31 @@ static ray_meets ray_meet(point a, point b, point c, point d, long double doubt)
   return of_a > 0 ? RAY_LEAVES : RAY_ENTERS;
 }
 
-/* Inside the element of b? -1: the ray goes too near to an edge. */
-static int element_holds(const shell *b, size_t element, point p, point d) {
-  const surface *s = b->body;
+/* Above the rounding of the products of ray_meet, for rays from p, where coordinates have it. */
+static long double doubt_at(const surface *s, point p, long double rounding) {
   /* No corner is farther from p than `size`; differences are as wrong as coordinates of `reach`. */
   const point far = {fmaxl(s->high.x - p.x, p.x - s->low.x), fmaxl(s->high.y - p.y, p.y - s->low.y),
                      fmaxl(s->high.z - p.z, p.z - s->low.z)};
   const long double size = point_length(far);
   const long double reach = (long double)s->radius + point_length(p);
-  const long double doubt = 64 * 0x1p-63L * reach * fmaxl(size * size, size);
+  return 64 * rounding * reach * fmaxl(size * size, size);
+}
+
+static ray_meets triangle_meet(const triangle *t, point p, point d, long double doubt) {
+  return ray_meet(point_minus(point_of(t->at[0]), p), point_minus(point_of(t->at[1]), p),
+                  point_minus(point_of(t->at[2]), p), d, doubt);
+}
+
+/* Inside the element of b? -1: the ray goes too near to an edge. */
+static int element_holds(const shell *b, size_t element, point p, point d) {
+  const surface *s = b->body;
+  const long double doubt = doubt_at(s, p, EXACT);
   long crossings = 0;
   long winding = 0;
   for (size_t n = s->element[element].first; n < element_end(s, element); n++) {
     if (!b->closed[n])
       continue;
-    const vec *at = s->triangle[n].at;
-    switch (ray_meet(point_minus(point_of(at[0]), p), point_minus(point_of(at[1]), p),
-                     point_minus(point_of(at[2]), p), d, doubt)) {
+    switch (triangle_meet(&s->triangle[n], p, d, doubt)) {
     case RAY_UNSURE:
       return -1;
     case RAY_MISSES:
@@ -202,20 +257,28 @@ static bool within_box(const surface *s, point p) {
          p.z < s->high.z;
 }
 
-static bool holds(const shell *b, size_t element, point p) {
-  enum { RAYS = 100 };
+/* Of length 1, and none of them along an axis, where edges are; the same ones each time. */
+enum { RAYS = 100 };
+static const point *rays(void) {
+  static point ray[RAYS];
   uint32_t seed = 1;
-  for (int n = 0; n < RAYS; n++) {
+  for (int n = 0; n < RAYS && point_length(ray[RAYS - 1]) == 0;) {
     long double d[3];
     for (int k = 0; k < 3; k++) {
       seed = seed * 1664525U + 1013904223U;
       d[k] = (long double)seed / 0x1p31L - 1;
     }
-    const point ray = {d[0], d[1], d[2]};
-    const long double length = point_length(ray);
-    if (length < 0.1L)
-      continue;
-    const int inside = element_holds(b, element, p, point_times(1 / length, ray));
+    const point along = {d[0], d[1], d[2]};
+    const long double length = point_length(along);
+    if (length >= 0.1L)
+      ray[n++] = point_times(1 / length, along);
+  }
+  return ray;
+}
+
+static bool holds(const shell *b, size_t element, point p) {
+  for (int n = 0; n < RAYS; n++) {
+    const int inside = element_holds(b, element, p, rays()[n]);
     if (inside >= 0)
       return inside;
   }
@@ -223,12 +286,56 @@ static bool holds(const shell *b, size_t element, point p) {
 }
 
 bool shell_inside(const shell *a, const shell *b, pose at) {
-  for (size_t n = 0; n < a->samples; n++) {
-    const point p = pose_apply(at, point_of(a->sample[n]));
+  for (size_t n = 0; n < a->parts; n++) {
+    const point p = pose_apply(at, point_of(a->part[n].at[0]));
     if (!within_box(b->body, p))
       continue;
     for (size_t element = 0; element < b->body->elements; element++) {
       if (holds(b, element, p))
+        return true;
+    }
+  }
+  return false;
+}
+
+static bool beyond(const open_box *box, point p, long double slack) {
+  return p.x < box->low.x - slack || p.x > box->high.x + slack || p.y < box->low.y - slack ||
+         p.y > box->high.y + slack || p.z < box->low.z - slack || p.z > box->high.z + slack;
+}
+
+static bool ray_is_free(const shell *b, size_t element, point p, point d) {
+  const surface *s = b->body;
+  const long double doubt = doubt_at(s, p, ROUNDED);
+  for (size_t n = s->element[element].first; n < element_end(s, element); n++) {
+    if (!b->closed[n] && triangle_meet(&s->triangle[n], p, d, doubt) != RAY_MISSES)
+      return false;
+  }
+  return true;
+}
+
+/* Proved to be outside whatever the open triangles of the element enclose? A part that touches none
+ * of them is outside where one of its vertices is. An even number of crossings would not do: two
+ * solids may overlap. */
+static bool outside_open(const shell_part *part, const shell *b, size_t element, pose at) {
+  enum { VERTICES = sizeof part->at / sizeof *part->at };
+  point p[VERTICES];
+  for (int n = 0; n < VERTICES; n++) {
+    p[n] = pose_apply(at, point_of(part->at[n]));
+    const long double reach = (long double)b->body->radius + point_length(p[n]);
+    if (beyond(&b->open[element], p[n], 64 * ROUNDED * reach))
+      return true;
+  }
+  for (int n = 0; n < VERTICES * RAYS; n++) {
+    if (ray_is_free(b, element, p[n / RAYS], rays()[n % RAYS]))
+      return true;
+  }
+  return false;
+}
+
+bool shell_may_be_inside(const shell *a, const shell *b, pose at) {
+  for (size_t element = 0; element < b->body->elements; element++) {
+    for (size_t n = 0; n < a->parts && b->open[element].any; n++) {
+      if (!outside_open(&a->part[n], b, element, at))
         return true;
     }
   }

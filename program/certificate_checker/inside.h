@@ -6,21 +6,40 @@
 
 #include <stdbool.h>
 
-/* Of a surface: a vertex of each part, triangles that hang together by edges; and which triangles
- * are of closed parts, each of whose edges belongs to an even number of triangles. */
+/* Triangles that hang together by edges: a vertex of them, and those that are farthest out along
+ * the axes. */
+typedef struct {
+  vec at[7];
+} shell_part;
+
+/* The box of the triangles of an element that are of open parts, if there are any. */
+typedef struct {
+  bool any;
+  vec low, high;
+} open_box;
+
+/* Of a surface: its parts; and which triangles are of closed ones, each of whose edges belongs to
+ * an even number of triangles. */
 typedef struct {
   const surface *body;
-  vec *sample;
-  size_t samples;
+  shell_part *part;
+  size_t parts;
   bool *closed;     /* of each triangle */
   bool *consistent; /* of each collision element: its closed parts' edges are run both ways alike */
+  open_box *open;   /* of each collision element */
 } shell;
 
 shell shell_of(const surface *s);
 
 /* Of bodies whose surfaces share no point: is a part of a, in the pose `at`, inside an element of
  * b? Inside is what a ray leaves through an odd number of triangles; where the triangles' sides are
- * consistent, what they wind around. */
+ * consistent, what they wind around. Closed parts of b only. */
 bool shell_inside(const shell *a, const shell *b, pose at);
+
+/* Of such bodies: may a part of a be inside what open parts of an element of b enclose? They are
+ * open by whole edges, but may be closed by edges that have a vertex in their middle. false is
+ * proved: of each part of a, one vertex is outside their box, or is where a ray begins that meets
+ * none of their triangles. */
+bool shell_may_be_inside(const shell *a, const shell *b, pose at);
 
 #endif
