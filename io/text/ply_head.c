@@ -40,9 +40,19 @@ static bool fail_word(const head_reader *r, const char *wanted) {
                                   there ? words_show(&w).text : "", wanted);
 }
 
+/* Names are printed, and end where C ends them. */
+static bool is_plain(const words *w) {
+  size_t length = words_length(w);
+  bool plain = length < 40;
+  for (size_t n = 0; n < length && plain; n++) {
+    plain = w->at[n] > ' ' && w->at[n] <= '~';
+  }
+  return plain;
+}
+
 static bool read_name(head_reader *r, char name[40]) {
-  if (!words_next(&r->w) || words_length(&r->w) >= 40) {
-    return fail_word(r, "a name of up to 39 characters");
+  if (!words_next(&r->w) || !is_plain(&r->w)) {
+    return fail_word(r, "a name of up to 39 characters of ASCII");
   }
   snprintf(name, 40, "%.*s", (int)words_length(&r->w), r->w.at);
   skip_word(&r->w);

@@ -192,6 +192,8 @@ CASE(heads) {
       {"ply\nformat binary 1.0\n", "'binary' where the head has ascii, binary_little_endian"},
       {"ply\nelement vertex -1\n", "'-1' where the head has how many there are"},
       {"ply\nelement vertex 1x\n", "'1x' where the head has how many there are"},
+      {"ply\nelement g\xc3\xb6\x01 1\n", "a.ply:2: 'g\?\?\?' where the head has a name of up to"},
+      {"ply\nelement a234567890123456789012345678901234567890 1\n", "has a name of up to 39"},
       {"ply\nelement vertex\n", "'' where the head has how many there are"},
       {"ply\nproperty float x\n", "an element before its properties"},
       {FORMAT "element vertex 1\nproperty real x\n", "'real' where the head has a type"},
@@ -227,6 +229,8 @@ CASE(heads) {
   for (size_t n = 0; n < sizeof row / sizeof row[0]; n++) {
     refuse(row[n][0], row[n][1]);
   }
+  static const char zero[] = FORMAT "element face\0x 1\n";
+  refuse_file(zero, sizeof zero - 1, "a.ply:3: 'face?x' where the head has a name");
 }
 
 CASE(rows) {
