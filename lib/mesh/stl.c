@@ -12,11 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef union {
-  uint32_t word;
-  float number;
-} binary32;
-
 /* What rounds to binary32 infinity begins here. */
 static const double binary32_end = 0x1.ffffffp127;
 
@@ -153,8 +148,7 @@ static bool write_binary(FILE *out, const void *context) {
     char record[STL_FACET_BYTES] = {0};
     const numbers all = numbers_of(soup, k);
     for (int i = 0; i < STL_FACET_NUMBERS; i++) {
-      binary32 value = {.number = (float)all.of[i]};
-      bytes_put32(record + 4 * i, value.word);
+      bytes_put_float(record + 4 * i, (float)all.of[i]);
     }
     ok = fwrite(record, sizeof record, 1, out) == 1;
   }

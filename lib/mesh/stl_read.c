@@ -166,8 +166,8 @@ read_word(scanner *text, const char *keyword, size_t length) {
   return true;
 }
 
-#define WORD_IS(text, keyword) word_is(text, keyword, sizeof keyword - 1)
-#define READ_KEYWORD(text, keyword) read_word(text, keyword, sizeof keyword - 1)
+#define WORD_IS(text, keyword) word_is(text, keyword, sizeof(keyword) - 1)
+#define READ_KEYWORD(text, keyword) read_word(text, keyword, sizeof(keyword) - 1)
 
 /* Also words that C reads as numbers which are not finite. */
 static bool read_number(scanner *text, double *number, const char *name) {
@@ -282,11 +282,6 @@ static bool read_text(reading *r, const content *file, const char *path, sepax_e
 
 /* ------------------------------------------------------------------ binary */
 
-typedef union {
-  uint32_t word;
-  float number;
-} binary32;
-
 static uint64_t bytes_announced(const content *file) {
   return STL_HEAD_BYTES + (uint64_t)STL_FACET_BYTES * bytes_get32(file->bytes + STL_TITLE_BYTES);
 }
@@ -299,12 +294,12 @@ static bool is_binary(const content *file) {
 static bool read_record(const reading *r, const char *bytes, size_t k, numbers *facet,
                         const char *path, sepax_error *error) {
   for (int i = r->normals ? 0 : 3; i < STL_FACET_NUMBERS; i++) {
-    binary32 value = {.word = bytes_get32(bytes + 4 * i)};
-    if (!isfinite(value.number)) {
+    double number = (double)bytes_get_float(bytes + 4 * i);
+    if (!isfinite(number)) {
       return fail(error, SEPAX_ERROR_FORMAT, path, "facet %zu: %s is %s; %s", k,
-                  i < 3 ? "normal" : "coordinate", flaw((double)value.number), cure);
+                  i < 3 ? "normal" : "coordinate", flaw(number), cure);
     }
-    facet->of[i] = (double)value.number;
+    facet->of[i] = number;
   }
   return true;
 }

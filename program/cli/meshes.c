@@ -45,7 +45,7 @@ bool cli_mesh_weld(sepax_soup *mesh, report_mesh *said, const char *path, const 
 static bool read_mesh(sepax_soup *mesh, report_mesh *said, const char *path,
                       const cli_meshes *rules, bool normals, sepax_error *error) {
   static const cli_meshes none = {.unit = CLI_MILLIMETRES};
-  report_mesh unused;
+  report_mesh unused = {.unit = 0};
   said = said != NULL ? said : &unused;
   rules = rules != NULL ? rules : &none;
   *said = (report_mesh){.unit_mm = rules->own.length};

@@ -166,7 +166,7 @@ static bool make_sphere(sepax_soup *mesh, double radius, sepax_error *error) {
 /* The side of a capsule between its half spheres, whose rims are the sphere's edges at z = 0. */
 static void fill_side(sepax_facet *next, double scale, double z) {
   for (int quadrant = 0; quadrant < 4; quadrant++) {
-    double sign[2] = {(quadrant & 1) != 0 ? -1 : 1, (quadrant & 2) != 0 ? -1 : 1};
+    const double sign[2] = {(quadrant & 1) != 0 ? -1 : 1, (quadrant & 2) != 0 ? -1 : 1};
     for (int i = 0; i < SPLIT; i++, next += 2) {
       double v[2][3];
       int first = sign[0] * sign[1] > 0; /* counterclockwise, seen from above */

@@ -196,6 +196,8 @@ $(BUILD)/mesh_files: LIBS = -ljansson $(IO_LIBS) $(call header,assimp/cimport.h,
 $(BUILD)/mesh_files: $(call object,tb/benchmark/mesh_files.c) $(IO) $(LIB)
 $(BUILD)/mesh_writer: LIBS = $(call header,zip.h,-lzip)
 $(BUILD)/mesh_writer: $(call object,tb/benchmark/mesh_writer.c)
+$(BUILD)/obj/tb/benchmark/mesh_files.o: SEPAX_CFLAGS += $(call header,assimp/cimport.h,-DASSIMP)
+$(BUILD)/obj/tb/benchmark/mesh_writer.o: SEPAX_CFLAGS += $(call header,zip.h,-DZIP)
 $(BUILD)/mesh_files $(BUILD)/mesh_writer:
 	$(link)
 $(BUILD)/bench_tree: $(SWEEP_O) $(LIB)

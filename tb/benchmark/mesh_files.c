@@ -9,13 +9,10 @@
 #include <string.h>
 #include <time.h>
 
-#ifdef __has_include
-#if __has_include(<assimp/cimport.h>)
+#ifdef ASSIMP
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#define ASSIMP
-#endif
 #endif
 
 typedef struct {

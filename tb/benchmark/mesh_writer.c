@@ -10,11 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifdef __has_include
-#if __has_include(<zip.h>)
+#ifdef ZIP
 #include <zip.h>
-#define ZIP
-#endif
 #endif
 
 typedef struct {
@@ -35,7 +32,9 @@ static void *space(size_t count, size_t size) {
 }
 
 static torus make(int around, int along, const char *folder) {
-  torus t = {.around = around, .along = along, .folder = folder};
+  torus t = {.folder = folder};
+  t.around = around;
+  t.along = along;
   t.vertices = (size_t)around * (size_t)along;
   t.triangles = 2 * t.vertices;
   t.vertex = space(t.vertices, sizeof *t.vertex);

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <time.h>
 
-static const double low[3] = {-3, -1, 2};
-static const double high[3] = {1, 7, 4};
+static const double lowest[3] = {-3, -1, 2};
+static const double highest[3] = {1, 7, 4};
 
 static bool is_closed(const sepax_soup *m, bool *consistent) {
   sepax_body *body;
@@ -88,7 +88,7 @@ static void shake(sepax_soup *m, double by) {
 
 static void draw(sepax_soup *m, bool tears) {
   const double c[3] = {9, 9, 9};
-  add_cells(m, low, high, 1 + random_below(2));
+  add_cells(m, lowest, highest, 1 + random_below(2));
   if (random_below(2) != 0) {
     add_octahedron(m, c, 2);
   }
@@ -130,7 +130,7 @@ CASE(any_order) {
     sepax_soup m = {0};
     sepax_weld said[2];
     draw(&m, true);
-    for (int copies = random_below(4); copies > 0; copies--) {
+    for (int more = random_below(4); more > 0; more--) {
       const double(*v)[3] = m.facet[random_below((int)m.count)].v;
       double p[3][3];
       memcpy(p, v, sizeof p);
@@ -163,7 +163,7 @@ CASE(copies) {
   bool consistent;
   for (int kind = 0; kind < 4; kind++) {
     sepax_soup m = {0};
-    add_cells(&m, low, high, 2);
+    add_cells(&m, lowest, highest, 2);
     size_t count = m.count;
     for (size_t n = 0; n < (kind == 0 ? 1 : kind == 1 ? 5 : count); n++) {
       for (int k = 0; k < (kind == 3 ? 2 : 1); k++) {
@@ -197,7 +197,7 @@ CASE(segments_and_points) {
   sepax_soup m = {0};
   sepax_weld said;
   const double away[2][3] = {{50, 0, 0}, {60, 0, 0}};
-  add_cells(&m, low, high, 1);
+  add_cells(&m, lowest, highest, 1);
   size_t count = m.count;
   double p[3][3];
   memcpy(p, m.facet[3].v, sizeof p);
@@ -214,7 +214,7 @@ CASE(segments_and_points) {
 CASE(refused) {
   sepax_soup m = {0};
   sepax_weld said;
-  add_cells(&m, low, high, 1);
+  add_cells(&m, lowest, highest, 1);
   assert_fault(sepax_soup_weld(&m, -1, &said, &fault), "to weld by");
   assert_fault(sepax_soup_weld(&m, NAN, &said, &fault), "to weld by");
   assert_fault(sepax_soup_weld(&m, INFINITY, &said, &fault), "to weld by");
@@ -237,7 +237,7 @@ CASE(extremes) {
     sepax_soup m = {0};
     sepax_weld said;
     bool consistent;
-    add_cells(&m, low, high, 2);
+    add_cells(&m, lowest, highest, 2);
     for (size_t n = 0; n < 9 * m.count; n++) {
       double *x = &m.facet[n / 9].v[n / 3 % 3][n % 3];
       *x = ldexp(*x, e);
@@ -262,8 +262,9 @@ CASE(large) {
     static const int corner[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
     const int *at = corner[n / 3 % 2][n % 3];
     double *v = m.facet[n / 3].v[n % 3];
-    v[0] = (double)(n / 6 % SIDE) + at[0] + 1e-7 * random_unit();
-    v[1] = (double)(n / 6 / SIDE) + at[1] + 1e-7 * random_unit();
+    const size_t cell[2] = {n / 6 % SIDE, n / 6 / SIDE};
+    v[0] = (double)cell[0] + at[0] + 1e-7 * random_unit();
+    v[1] = (double)cell[1] + at[1] + 1e-7 * random_unit();
     v[2] = sin(v[0] / 10);
   }
   sepax_weld said;

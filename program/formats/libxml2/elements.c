@@ -47,7 +47,7 @@ static bool alike(char a, char b) { return tolower((unsigned char)a) == tolower(
 static size_t distance_of(const char *a, const char *b) {
   enum { LONGEST = 40 };
   size_t way[LONGEST + 1][LONGEST + 1]; /* from the first i letters to the first j */
-  size_t length[2] = {strlen(a), strlen(b)};
+  const size_t length[2] = {strlen(a), strlen(b)};
   if (length[0] > LONGEST || length[1] > LONGEST) {
     return LONGEST;
   }

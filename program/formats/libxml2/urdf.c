@@ -486,7 +486,6 @@ static bool divide_joint(reader *r, const xmlNode *node, size_t whole, const joi
   sepax_mechanism *m = &r->robot->mechanism;
   const size_t child = m->joint[whole].child;
   char *name = m->joint[whole].name; /* that of the first part from now on */
-  size_t joint = whole;
   bool ok = true;
   for (size_t n = 0; n < parts && ok; n++) {
     char *own = part_name(name, part[n].name);
@@ -501,8 +500,7 @@ static bool divide_joint(reader *r, const xmlNode *node, size_t whole, const joi
       sepax_release(link);
       ok = false;
     } else {
-      joint = n > 0 ? m->joints - 1 : whole;
-      sepax_joint *j = &m->joint[joint];
+      sepax_joint *j = &m->joint[n > 0 ? m->joints - 1 : whole];
       j->name = own;
       j->kind = part[n].kind;
       j->parent = n > 0 ? m->links - 1 : j->parent;

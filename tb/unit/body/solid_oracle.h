@@ -423,13 +423,13 @@ static void assert_may_be_within(sepax_inside within, const sepax_soup *m, const
   size_t perhaps = 0;
   pose = pose != NULL ? pose : &still;
   pose_other = pose_other != NULL ? pose_other : &still;
-  for (size_t n = 0; n < 9 * other->count; n++) {
+  for (size_t n = 0; other->facet != NULL && n < 9 * other->count; n++) {
     double x = other->facet[n / 9].v[n / 3 % 3][n % 3];
     bool open = o->open[o->part[n / 9]];
     low[n % 3] = fmin(low[n % 3], open ? x : INFINITY);
     high[n % 3] = fmax(high[n % 3], open ? x : -INFINITY);
   }
-  for (size_t n = 0; n < 3 * m->count; n++) {
+  for (size_t n = 0; m->facet != NULL && n < 3 * m->count; n++) {
     const double *v = m->facet[n / 3].v[n % 3];
     double away[3];
     bool is_in = true;

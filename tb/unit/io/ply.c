@@ -115,17 +115,14 @@ CASE(strips) {
 
 /* ------------------------------------------------------------------------- binary */
 
-static char file[1024];
+static char made[1024];
 static size_t size;
 
-static void put_text(const char *text) {
-  memcpy(file, text, strlen(text));
-  size = strlen(text);
-}
+static void put_text(const char *text) { size = (size_t)snprintf(made, sizeof made, "%s", text); }
 
 static void put_number(const void *number, size_t bytes, bool big) {
   for (size_t n = 0; n < bytes; n++) {
-    file[size++] = ((const char *)number)[big ? bytes - 1 - n : n];
+    made[size++] = ((const char *)number)[big ? bytes - 1 - n : n];
   }
 }
 
@@ -167,16 +164,16 @@ CASE(binaries) {
   static const char *const ends[] = {"\n", "\r\n", "\r"};
   for (int way = 0; way < 6; way++) {
     put_binary(way % 2 == 1, ends[way / 2]);
-    read_bytes(file, size, 2, 2);
+    read_bytes(made, size, 2, 2);
     TRIANGLE(0, 0, 0, 0, 0.1, 0, -1, 0, 1.5, -2);
     TRIANGLE(1, 0.1, 0, -1, 0, 0, 0, 0, 1.5, -2);
     for (size_t less = 1; less <= 79; less++) {
-      refuse_file(file, size - less, "truncated");
+      refuse_file(made, size - less, "truncated");
     }
-    file[size] = '\n';
-    refuse_file(file, size + 1, "more behind its last element than the head declares");
-    file[size - 1] = file[size - 4] = 9; /* the last index, in either order */
-    refuse_file(file, size, "element face, row 1: there is no vertex");
+    made[size] = '\n';
+    refuse_file(made, size + 1, "more behind its last element than the head declares");
+    made[size - 1] = made[size - 4] = 9; /* the last index, in either order */
+    refuse_file(made, size, "element face, row 1: there is no vertex");
   }
 }
 

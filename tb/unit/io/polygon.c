@@ -107,7 +107,7 @@ static void place(double (*corner)[3], const flat *p, bool tilt) {
   int axis = random_below(3);
   bool back = random_below(2) != 0;
   size_t first = (size_t)random_below((int)p->count);
-  double height[3] = {random_below(5) - 2, random_below(5) - 2, 7};
+  const double height[3] = {random_below(5) - 2, random_below(5) - 2, 7};
   for (size_t n = 0; n < p->count; n++) {
     size_t m = (first + (back ? p->count - n : n)) % p->count;
     double x = p->at[m][0];
@@ -178,12 +178,12 @@ static void make_monotone(flat *p, int kind) {
   for (size_t n = 0; n < count; n++) {
     x[n] = (double)n * (kind == 1 ? ldexp(1, 3 * (int)n - 20) : 3) + low;
   }
-  for (int side = -1; side <= 1; side += 2) {
+  for (int way = -1; way <= 1; way += 2) {
     for (size_t n = 0; n + 1 < count; n++) {
       double y = 1 + random_below(6);
       y = kind == 1 ? ldexp(y, random_below(120) - 60) : kind == 2 ? 1 + ldexp(y, -52) : y;
-      size_t m = side < 0 ? n : count - 1 - n;
-      add(p, x[m], n == 0 ? 0 : side * y);
+      size_t m = way < 0 ? n : count - 1 - n;
+      add(p, x[m], n == 0 ? 0 : way * y);
     }
   }
 }
@@ -193,9 +193,9 @@ static int half_of(const double v[2]) { return v[1] > 0 || (v[1] >= 0 && v[0] > 
 static int by_angle(const void *p, const void *q) {
   const double *a = p;
   const double *b = q;
-  double side = a[0] * b[1] - a[1] * b[0];
+  double turn = a[0] * b[1] - a[1] * b[0];
   int order = half_of(a) - half_of(b);
-  return order != 0 ? order : (side < 0) - (side > 0);
+  return order != 0 ? order : (turn < 0) - (turn > 0);
 }
 
 static void make_star(flat *p) {

@@ -104,7 +104,9 @@ static void put_float(size_t facet, int number, float value) {
 /* This computer is little-endian. Coordinate i of facet n is 10 n + i / 2. */
 static void make_binary(const char *title) {
   memset(binary, 0, sizeof binary);
-  memcpy(binary, title, strlen(title));
+  for (size_t n = 0; title[n] != '\0'; n++) {
+    binary[n] = title[n];
+  }
   binary[80] = FACETS;
   for (size_t n = 0; n < FACETS; n++) {
     for (int i = 0; i < 9; i++) {
@@ -126,7 +128,9 @@ CASE(binaries) {
     assert_int_equal(account.others, 0);
   }
   memset(binary, ' ', 80); /* no zero before the count */
-  memcpy(binary, "solid", 5);
+  for (size_t n = 0; n < 5; n++) {
+    binary[n] = "solid"[n];
+  }
   read_bytes("a.stl", binary, SIZE, FACETS);
 }
 

@@ -306,7 +306,7 @@ CASE(the_second_count_knows_xml) {
 CASE(packages) {
   static const char model[] = PLAIN(OBJECT("1", MESH));
 #define PACKAGE(relations) \
-  (const char *const[]){"_rels/.rels", relations, "3D/a.model", model, NULL}
+  (const char *const[]){"_rels/.rels", (relations), "3D/a.model", model, NULL}
   refuse_archive(put_archive((const char *const[]){"3D/a.model", model, NULL}, ZIP_CM_STORE),
                  "the archive has no part _rels/.rels, so it is no 3MF");
   refuse_archive(put_archive(PACKAGE(RELATIONS("")), ZIP_CM_STORE), "no relationship to a 3dmodel");
