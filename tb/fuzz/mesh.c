@@ -49,6 +49,8 @@ void fuzz_mesh(const uint8_t *data, size_t size, const char *name) {
     require_account(&account, &mesh);
     sepax_soup_free(&mesh);
   } else {
+    /* Both counts read the same format. Of 3MF the second one knows no namespaces. */
+    REQUIRE(strstr(name, ".3mf") != NULL || strstr(error.text, "a second count") == NULL);
     REQUIRE(mesh.facet == NULL && mesh.count == 0);
   }
   free(bytes);
