@@ -232,9 +232,10 @@ typedef struct {
  * With length 0, only copies, segments and points that were there are left out. The soup's normals
  * are freed. `said` may be NULL. On failure the soup is as it was. A microsecond a triangle.
  * Errors: ARGUMENT on a length that is not within 0 ... 2^1000, on a soup without triangles, on
- * coordinates that are not within 2^1000, and on a length that is too long for the mesh: a vertex
- * would move by more than ten lengths, or each has hundreds of others near; LIMIT on more than
- * 715,827,882 triangles; MEMORY. */
+ * coordinates that are not within 2^1000, and on a length that is too long for the mesh: more than
+ * a tenth of the longest side of its box, or so that a vertex would move by more than ten lengths,
+ * that each has hundreds of others near, or that no triangle keeps three vertices; LIMIT on more
+ * than 715,827,882 triangles; MEMORY. */
 bool sepax_soup_weld(sepax_soup *soup, double length, sepax_weld *said, sepax_error *error);
 
 /* ---------------------------------------------------------------- verdicts */

@@ -179,6 +179,9 @@ bool sepax__mesh_parse(sepax_soup *soup, sepax_mesh_account *account, const char
 
 bool sepax_mesh_read(sepax_soup *soup, sepax_mesh_account *account, const char *path,
                      const sepax_mesh_reading *how, sepax_error *error) {
+  if (soup == NULL || path == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "sepax_mesh_read: give a soup and a path");
+  }
   mesh_builder b = {.path = path, .error = error};
   text_bytes file;
   begin(soup, account);

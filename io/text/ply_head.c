@@ -96,8 +96,11 @@ static bool read_element(head_reader *r) {
                                                                   head->elements, sizeof *grown)
                                                       : NULL;
   if (grown == NULL) {
-    return sepax__builder_fail_line(r->b, r->w.line, "more than %d elements, or no memory",
-                                    ELEMENTS_MOST);
+    return head->elements < ELEMENTS_MOST
+               ? sepax__builder_fail_memory(r->b)
+               : sepax__builder_fail_line(r->b, r->w.line,
+                                          "more than %d elements; export the mesh again",
+                                          ELEMENTS_MOST);
   }
   head->element = grown;
   ply_element *e = &grown[head->elements++];
@@ -133,8 +136,11 @@ static bool read_property(head_reader *r) {
                             ? list_grow(e->property, &e->capacity, e->properties, sizeof *grown)
                             : NULL;
   if (grown == NULL) {
-    return sepax__builder_fail_line(r->b, r->w.line, "more than %d properties, or no memory",
-                                    PROPERTIES_MOST);
+    return e->properties < PROPERTIES_MOST
+               ? sepax__builder_fail_memory(r->b)
+               : sepax__builder_fail_line(r->b, r->w.line,
+                                          "more than %d properties; export the mesh again",
+                                          PROPERTIES_MOST);
   }
   e->property = grown;
   ply_property *p = &grown[e->properties++];
@@ -209,19 +215,22 @@ static size_t indices_of(const ply_element *e) {
   return n < e->properties && e->property[n].count != PLY_NONE ? n : e->properties;
 }
 
-/* A list of this name in an element that is not known may be faces under another name. */
-static bool may_be_faces(const ply_property *p) {
+/* A list of integers may be faces under another name: any in an element that is not known, a second
+ * one of such a name in an element of faces. */
+static bool may_be_faces(const ply_element *e, size_t n) {
+  const ply_property *p = &e->property[n];
+  bool named = strncmp(p->name, "vert", 4) == 0 || strcmp(p->name, "indices") == 0 ||
+               strcmp(p->name, "index") == 0;
   return p->count != PLY_NONE && p->type < PLY_FLOAT &&
-         (strncmp(p->name, "vert", 4) == 0 || strcmp(p->name, "indices") == 0 ||
-          strcmp(p->name, "index") == 0);
+         (e->role == PLY_OTHER || (e->role != PLY_VERTEX && n != e->use[0] && named));
 }
 
 static const ply_property *faces_elsewhere(const ply_element *e) {
   size_t n = 0;
-  while (n < e->properties && !may_be_faces(&e->property[n])) {
+  while (n < e->properties && !may_be_faces(e, n)) {
     n++;
   }
-  return e->role == PLY_OTHER && n < e->properties ? &e->property[n] : NULL;
+  return n < e->properties ? &e->property[n] : NULL;
 }
 
 static bool give_role(mesh_builder *b, ply_element *e) {
@@ -242,8 +251,8 @@ static bool give_role(mesh_builder *b, ply_element *e) {
   const ply_property *list = faces_elsewhere(e);
   if (list != NULL) {
     return sepax__builder_fail(b,
-                               "element '%s' refers to vertices by its list '%s', which is not "
-                               "read; export faces",
+                               "element '%s' may refer to vertices by its list '%s', which is not "
+                               "read; export one list of faces",
                                e->name, list->name);
   }
   if ((e->role == PLY_FACE || e->role == PLY_STRIP) &&

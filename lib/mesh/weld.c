@@ -256,6 +256,14 @@ static bool fill(sepax_soup *soup, const welding *w) {
   return true;
 }
 
+static bool has_area(const welding *w) {
+  size_t n = 0;
+  while (n < w->count && weld_no_area(w->corner[n])) {
+    n++;
+  }
+  return n < w->count;
+}
+
 static bool coordinates_right(const sepax_soup *soup) {
   for (size_t n = 0; n < 9 * soup->count; n++) {
     if (!(fabs(soup->facet[n / 9].v[n / 3 % 3][n % 3]) <= 0x1p1000)) {
@@ -263,6 +271,21 @@ static bool coordinates_right(const sepax_soup *soup) {
     }
   }
   return true;
+}
+
+/* The longest side of its box. */
+static double size_of(const sepax_soup *soup) {
+  double size = 0;
+  for (int i = 0; i < 3; i++) {
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (size_t n = 0; n < 3 * soup->count; n++) {
+      low = fmin(low, soup->facet[n / 3].v[n % 3][i]);
+      high = fmax(high, soup->facet[n / 3].v[n % 3][i]);
+    }
+    size = fmax(size, high - low);
+  }
+  return size;
 }
 
 static bool fail(weld_result result, double length, sepax_error *error) {
@@ -275,6 +298,11 @@ static bool fail(weld_result result, double length, sepax_error *error) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "vertices within %.9g of each other make a chain longer than ten times that; "
                       "weld by a shorter length",
+                      length);
+  case WELD_FLAT:
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "no triangle with an area is left after welding by %.9g; weld by a shorter "
+                      "length",
                       length);
   case WELD_MEMORY:
   case WELD_DONE:
@@ -300,8 +328,19 @@ bool sepax_soup_weld(sepax_soup *soup, double length, sepax_weld *said, sepax_er
                       soup->count == 0 ? "a mesh without triangles cannot be welded"
                                        : "a coordinate is not within 2^1000");
   }
+  double size = size_of(soup);
+  if (length > size / 10 && length > 0) {
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "to weld by %.9g a mesh of %.9g along its longest side is too small; weld by a "
+        "tenth of that at most",
+        length, size);
+  }
   welding w = {.length = length, .said = {.length = length}};
   weld_result result = number_vertices(&w, soup) ? weld(&w) : WELD_MEMORY;
+  if (result == WELD_DONE && length > 0 && !has_area(&w)) {
+    result = WELD_FLAT;
+  }
   bool ok = result == WELD_DONE && fill(soup, &w);
   sepax_release(w.vertex);
   sepax_release(w.corner);

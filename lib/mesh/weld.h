@@ -14,7 +14,7 @@ typedef struct {
   sepax_weld said;
 } welding;
 
-typedef enum { WELD_DONE, WELD_MEMORY, WELD_CROWDED, WELD_FAR } weld_result;
+typedef enum { WELD_DONE, WELD_MEMORY, WELD_CROWDED, WELD_FAR, WELD_FLAT } weld_result;
 
 /* An edge of a triangle, low < high. */
 typedef struct {

@@ -74,7 +74,10 @@ static void print_within(const check_answer *a) {
 /* What the verdict rests on. */
 static void print_basis(const check_question *q, const check_report *report) {
   if (!q->on_grid) {
-    fputs("(exact, as the files have them)", stdout);
+    bool changed = q->meshes.weld.text != NULL || q->meshes.own.text != NULL || q->nearest;
+    fputs(changed ? "(exact, of the files with the changes that options ask for)"
+                  : "(exact, as the files have them)",
+          stdout);
     return;
   }
   printf("(%s, on the grid of %s mm)", sepax_arch_name(q->config.arch),

@@ -10,7 +10,7 @@ enum { KEY_CLEARANCE = 0x600, KEY_WARNING };
 static const struct argp_option bands_options[] = {
     {"clearance", KEY_CLEARANCE, "LENGTH", 0,
      "bodies collide unless they are farther from each other than LENGTH: 0.1mm, say, with nm, um, "
-     "mm or m; without a unit it is mm for STL files, m for a URDF",
+     "mm or m; without a unit it is mm for meshes, m for a URDF",
      0},
     {"warning", KEY_WARNING, "LENGTH", 0,
      "a second, larger clearance: warn of bodies unless they are farther from each other than "

@@ -387,6 +387,7 @@ static bool check(const accuracy_options *o, sepax_error *error) {
 }
 
 int cli_accuracy(int argc, char **argv) {
+  enum { MESH_WIDTH = 6 };
   static const struct argp_child children[] = {
       {&cli_config_argp, 0, NULL, 0}, {&cli_grid_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
@@ -410,10 +411,16 @@ int cli_accuracy(int argc, char **argv) {
   size_t first;
   size_t last;
   o.grid.grid.word = o.config.word;
+  report_mesh file[2] = {{.unit = 0}, {.unit = 0}};
   if (!sepax_design_init(&design, &o.config, &error) || !check(&o, &error) ||
       !cli_families(o.family, &first, &last, &error) ||
-      (o.files > 0 && !cli_scene_load(&scene, NULL, o.file, NULL, &o.grid, &error))) {
+      (o.files > 0 && !cli_scene_load(&scene, file, o.file, NULL, &o.grid, &error))) {
     return cli_fail(argv[0], &error);
+  }
+  for (int i = 0; i < 2 && o.files > 0 && !o.csv; i++) {
+    if (!report_mesh_is_plain(&file[i])) {
+      report_print_mesh("mesh", MESH_WIDTH, o.file[i], &file[i]);
+    }
   }
   char name[SEPAX_CONFIG_TEXT];
   sepax_config_text(&o.config, name, sizeof name);

@@ -75,9 +75,10 @@ static bool name_file(sepax_error *error, const char *path) {
   return sepax_fail(error, inner.code, "%.200s: %.300s", path, inner.text);
 }
 
-static bool make_tree(sepax_tree **tree, const tree_options *o, sepax_error *error) {
+static bool make_tree(sepax_tree **tree, report_mesh *file, const tree_options *o,
+                      sepax_error *error) {
   sepax_soup mesh;
-  if (!cli_mesh_read(&mesh, NULL, o->path, &o->meshes, error)) {
+  if (!cli_mesh_read(&mesh, file, o->path, &o->meshes, error)) {
     return false;
   }
   sepax_grid grid = o->grid.grid;
@@ -130,9 +131,13 @@ int cli_tree(int argc, char **argv) {
     return cli_fail(argv[0], &error);
   }
   sepax_tree *tree = NULL;
+  report_mesh file = {.unit = 0};
   bool ok = o.output != NULL
-                ? make_tree(&tree, &o, &error) && sepax_tree_write(tree, o.output, &error)
+                ? make_tree(&tree, &file, &o, &error) && sepax_tree_write(tree, o.output, &error)
                 : sepax_tree_read(&tree, o.path, &error);
+  if (ok && o.output != NULL && !report_mesh_is_plain(&file)) {
+    report_print_mesh("", 0, o.path, &file);
+  }
   if (ok) {
     tell(o.output != NULL ? o.output : o.path, tree);
   }

@@ -27,10 +27,6 @@ void report_print_count(size_t count, const char *what) {
   printf("%zu %s%s", count, what, count == 1 ? "" : "s");
 }
 
-void report_print_file(char object, int width, const char *path, size_t triangles) {
-  printf("%-*c%s, %zu triangles\n", width, object, path, triangles);
-}
-
 void report_print_grid(int width, const sepax_grid *grid) {
   printf("%-*sW = %d, 1 LSB = %s mm, origin %s,%s,%s mm\n", width, "grid", grid->word,
          report_exactly(grid->resolution).text, report_exactly(grid->offset[0]).text,

@@ -19,7 +19,6 @@ double report_mm(double length, int unit);
 void report_print_count(size_t count, const char *what);
 
 /* Lines of text; the name at the left takes `width` characters. */
-void report_print_file(char object, int width, const char *path, size_t triangles);
 void report_print_grid(int width, const sepax_grid *grid); /* of STL files, whose unit is 1 mm */
 
 #endif

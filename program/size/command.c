@@ -355,8 +355,8 @@ static bool read_and_size(const size_options *o, size_answer *answer, sepax_erro
   space.path = posed ? &path : NULL;
   space.pairs_most = cycles < 1e15 ? 1 + (uint64_t)(cycles * SEPAX_LANES_MAX) : 0;
   bool ok = (!posed || sepax_poses_read(&path, o->path_file, error)) &&
-            cli_mesh_read(&mesh[0], NULL, o->path[0], &rules, error) &&
-            cli_mesh_read(&mesh[1], NULL, o->path[1], &rules, error) &&
+            cli_mesh_read(&mesh[0], &answer->file[0], o->path[0], &rules, error) &&
+            cli_mesh_read(&mesh[1], &answer->file[1], o->path[1], &rules, error) &&
             sepax_size_scene(answer->size, &mesh[0], &mesh[1], &space, error);
   sepax_soup_free(&mesh[0]);
   sepax_soup_free(&mesh[1]);

@@ -147,8 +147,8 @@ void size_print_text(const size_options *o, const size_answer *answer) {
   }
   const sepax_size *s = answer->size;
   char text[SEPAX_CONFIG_TEXT];
-  report_print_file('A', WIDTH, o->path[0], s->count[0]);
-  report_print_file('B', WIDTH, o->path[1], s->count[1]);
+  report_print_mesh("A", WIDTH, o->path[0], &answer->file[0]);
+  report_print_mesh("B", WIDTH, o->path[1], &answer->file[1]);
   if (o->path_file != NULL) {
     printf("path       %s, %zu poses of B\n", o->path_file, s->path);
   }
@@ -251,6 +251,8 @@ void size_print_json(const size_options *o, const size_answer *answer) {
   }
   const sepax_size *s = answer->size;
   json_t *report = report_scene(o->path, s->count, &s->grid);
+  report_set_mesh(json_object_get(report, "a"), &answer->file[0]);
+  report_set_mesh(json_object_get(report, "b"), &answer->file[1]);
   json_t *needs =
       json_pack("{s:[[f, f], [f, f], [f, f]], s:[I, I], s:i}", "poses_mm", s->low[0], s->high[0],
                 s->low[1], s->high[1], s->low[2], s->high[2], "extents_lsb",

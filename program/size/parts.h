@@ -35,7 +35,8 @@ typedef struct {
 } size_pair;
 
 typedef struct {
-  sepax_size *size; /* of each pair; of two meshes it is one */
+  report_mesh file[2]; /* of two meshes */
+  sepax_size *size;    /* of each pair; of two meshes it is one */
   size_t pairs;
   path_scene scene; /* of a mechanism, as are: */
   path_engine engine;

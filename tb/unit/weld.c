@@ -218,7 +218,12 @@ CASE(refused) {
   assert_fault(sepax_soup_weld(&m, -1, &said, &fault), "to weld by");
   assert_fault(sepax_soup_weld(&m, NAN, &said, &fault), "to weld by");
   assert_fault(sepax_soup_weld(&m, INFINITY, &said, &fault), "to weld by");
+  assert_fault(sepax_soup_weld(&m, 0.9, &said, &fault), "a mesh of 8 along its longest side");
   assert_int_equal(m.count, 12);
+  sepax_soup_free(&m);
+  const double flat[3][3] = {{0, 0, 0}, {9, 0, 0}, {0, 0.5, 0}};
+  add_triangle(&m, flat[0], flat[1], flat[2]);
+  assert_fault(sepax_soup_weld(&m, 0.75, &said, &fault), "no triangle with an area is left");
   sepax_soup_free(&m);
   assert_fault(sepax_soup_weld(&m, 1, &said, &fault), "without triangles");
   for (int n = 0; n < 100; n++) { /* a strip of vertices, each near the next */
@@ -276,8 +281,9 @@ CASE(large) {
   for (size_t n = 0; n < 9 * m.count; n++) {
     m.facet[n / 9].v[n / 3 % 3][n % 3] = random_unit();
   }
+  m.facet[0].v[0][0] = 30; /* so that the length is not too long for the box */
   start = clock();
-  assert_fault(sepax_soup_weld(&m, 1, &said, &fault), "shorter length");
+  assert_fault(sepax_soup_weld(&m, 1, &said, &fault), "weld by a shorter length");
   print_message("in one place: refused in %.2f s\n", (double)(clock() - start) / CLOCKS_PER_SEC);
   sepax_soup_free(&m);
 }

@@ -88,7 +88,7 @@ CASE(orders) {
 
 CASE(what_has_no_surface) {
   read_text(FORMAT
-            "element camera 1\nproperty float view\nproperty list uchar int ids\n"
+            "element camera 1\nproperty float view\nproperty list uchar float ids\n"
             "element vertex 4\n" XYZ "property uchar red\n" FACES(
                 "1") "property uchar flags\nelement edge 2\nproperty int vertex1\n"
                      "property int vertex2\nend_header\n0.5 2 7 8\n0 0 0 1\n1 0 0 1\n0 2 0 1\n"
@@ -206,20 +206,27 @@ CASE(heads) {
       {FORMAT FACES("1") "end_header\n", "it has no element vertex"},
       {FORMAT "element vertex 1\nproperty float x\n" FACES("1") "end_header\n",
        "element vertex has no property y"},
-      {FORMAT "element vertex 1\n" XYZ "element face 1\nproperty list uchar int ids\nend_header\n",
+      {FORMAT "element vertex 1\n" XYZ
+              "element face 1\nproperty list uchar float ids\nend_header\n",
        "element face has no list vertex_indices of integers"},
       {FORMAT "element vertex 1\n" XYZ "element face 1\n"
               "property list uchar float vertex_indices\nend_header\n",
        "element face has no list vertex_indices of integers"},
+      {FORMAT "element vertex 1\n" XYZ "element face 1\nproperty list uchar int vertex_indices\n"
+              "property list uchar int vertex_index\nend_header\n0 0 0\n",
+       "element 'face' may refer to vertices by its list 'vertex_index'"},
+      {FORMAT "element vertex 1\n" XYZ FACES("0") "element patch 1\n"
+                                                  "property list uchar int corner\nend_header\n",
+       "element 'patch' may refer to vertices by its list 'corner'"},
       {FORMAT "element vertex 1\n" XYZ "element range_grid 1\n"
               "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0\n",
-       "element 'range_grid' refers to vertices by its list 'vertex_indices', which is not read"},
+       "element 'range_grid' may refer to vertices by its list 'vertex_indices', which is not read"},
       {FORMAT "element vertex 1\n" XYZ FACES("1") "element quad 1\n"
                                                   "property list uchar int verts\nend_header\n",
-       "element 'quad' refers to vertices by its list 'verts'"},
+       "element 'quad' may refer to vertices by its list 'verts'"},
       {FORMAT "element vertex 1\n" XYZ FACES("1") "element fan 1\n"
                                                   "property list uchar int indices\nend_header\n",
-       "element 'fan' refers to vertices by its list 'indices'"},
+       "element 'fan' may refer to vertices by its list 'indices'"},
       {FORMAT "element vertex 1\n" XYZ "element odd 9999999999\n" FACES("1") "end_header\n",
        "element 'odd' has no properties"},
   };
