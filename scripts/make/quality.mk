@@ -58,7 +58,7 @@ raced: $(BUILD)/unit/body/threads
 CLANG ?= clang
 fuzz: fuzz-targets
 	@tb/fuzz/run $(if $(call given,COUNT),-c $(COUNT)) -s $(SEED) $(BUILD)/fuzz $(TARGETS)
-fuzz-targets:
+fuzz-targets: $(SEPAX)
 	@tb/fuzz/run -k "$(CLANG)"
 	@$(MAKE) BUILD=$(BUILD)/fuzz CC="$(CLANG)" FUZZER=-fsanitize=fuzzer \
 	  CFLAGS="-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all \
