@@ -61,6 +61,8 @@ static const struct {
 
 enum { DEPTH_MOST = 257 };
 
+#define ALTERNATIVES_SPACE "http://schemas.openxmlformats.org/markup-compatibility/2006"
+
 /* The part while it is read. */
 typedef struct {
   model *m;
@@ -109,6 +111,9 @@ static bool check_attributes(part_xml *x, core_element which, const part_element
                                 a.prefix, a.name);
     } else if (is_core(a.space)) {
       ok = check_core_attribute(x, which, a.name);
+    } else if (strcmp(a.space, ALTERNATIVES_SPACE) == 0 && strcmp(a.name, "MustUnderstand") == 0) {
+      ok = sepax__part_xml_fail(x, "MustUnderstand=\"%.*s\" is not read; export it without",
+                                (int)(a.length < 60 ? a.length : 60), a.value);
     } else if (!path && strcmp(a.space, XML_SPACE) != 0) {
       ok = name_foreign(x, a.prefix, a.name, "attributes");
     }
@@ -470,7 +475,18 @@ static core_element find_core(core_element parent, const char *name) {
   return OUTSIDE;
 }
 
+/* Text between elements may be an element that is damaged. */
+static bool text(part_xml *x) {
+  const reading *r = x->context;
+  return r->foreign > 0 || r->open[r->depth] == METADATA ||
+         sepax__part_xml_fail(x, "text between elements; export it again");
+}
+
 static bool start_foreign(part_xml *x, reading *r, const part_element *e) {
+  if (e->space != NULL && strcmp(e->space, ALTERNATIVES_SPACE) == 0) {
+    return sepax__part_xml_fail(x, "<%.40s>: alternatives are not read; export it without them",
+                                e->name);
+  }
   if (e->space != NULL && sepax__model_extension(e->space) == EXTENSION_SURFACES) {
     return sepax__part_xml_fail(x,
                                 "<%.40s> of the extension %.100s is not read; export triangles "
@@ -524,7 +540,7 @@ static bool check_objects(const model *m, size_t first) {
 
 bool sepax__model_read(model *m, size_t part) {
   reading r = {.m = m};
-  part_xml x = {.p = &m->p, .part = part, .start = start, .end = end, .context = &r};
+  part_xml x = {.p = &m->p, .part = part, .start = start, .end = end, .text = text, .context = &r};
   size_t first = m->objects;
   m->p.part[part].was_read = true;
   if (!sepax__part_xml_read(&x) || !check_objects(m, first)) {

@@ -65,6 +65,17 @@ static void end_element(void *context, const xmlChar *name, const xmlChar *prefi
   }
 }
 
+static void characters(void *context, const xmlChar *text, int length) {
+  part_xml *x = ((xmlParserCtxt *)context)->_private;
+  bool blank = true;
+  for (int n = 0; n < length; n++) {
+    blank = blank && strchr(" \t\r\n", text[n]) != NULL;
+  }
+  if (!x->refused && !blank && x->text != NULL && !x->text(x)) {
+    refuse(x);
+  }
+}
+
 /* A document type is where entities come from: the parser ends before it reads one. */
 static void refuse_type(void *context, const xmlChar *name, const xmlChar *external,
                         const xmlChar *system) {
@@ -96,6 +107,8 @@ static bool begin(part_xml *x, const char *piece, size_t size) {
                                   .internalSubset = refuse_type,
                                   .startElementNs = start_element,
                                   .endElementNs = end_element,
+                                  .characters = characters,
+                                  .cdataBlock = characters,
                                   .warning = no_message,
                                   .error = no_message};
   if (size < 4 || memchr(piece, '\0', 4) != NULL) {

@@ -29,6 +29,7 @@ struct part_xml {
   /* False: refused, the error is set. */
   bool (*start)(part_xml *x, const part_element *e);
   void (*end)(part_xml *x);
+  bool (*text)(part_xml *x); /* of text that is not blank; NULL: not called */
   void *context;
   /* Of part_xml.c: */
   xmlParserCtxt *parser;

@@ -83,6 +83,17 @@ static model_matrix multiply(const model_matrix *inner, const model_matrix *oute
   return product;
 }
 
+/* Digits of coordinates are lost where products of matrices are very small or large, and all of
+ * them where they underflow. */
+static bool is_placing(const model_matrix *at) {
+  bool placing = at->identity || orientation((const double(*)[3])at->m) != 0;
+  for (int i = 0; i < 3 && !at->identity; i++) {
+    double most = fmax(fabs(at->m[i][0]), fmax(fabs(at->m[i][1]), fabs(at->m[i][2])));
+    placing = placing && most >= 0x1p-400 && most <= 0x1p400;
+  }
+  return placing;
+}
+
 static void apply(const model_matrix *at, const double from[3], double to[3]) {
   for (int k = 0; k < 3; k++) {
     to[k] = at->identity ? from[k]
@@ -206,6 +217,13 @@ static bool place(model *m, const model_object *o, const model_matrix *at) {
   for (size_t n = 0; n < o->count; n++) {
     const model_use *use = &m->component[o->first + n];
     model_matrix inner = multiply(&use->at, at);
+    if (!is_placing(&inner)) {
+      return sepax__package_fail(
+          &m->p, use->in, use->line,
+          "its transform, with those of what it is in, makes object %zu flat, "
+          "or smaller or larger than numbers hold; export it again",
+          use->id);
+    }
     if (!place(m, find_object(m, use), &inner)) {
       return false;
     }

@@ -163,8 +163,45 @@ static bool check_version(const dae *d) {
                          version != NULL ? version : "", space);
 }
 
+/* Has only elements in it. */
+static bool is_container(const xmlNode *node) {
+  static const char *const names[] = {"mesh",  "triangles",    "polylist", "polygons", "node",
+                                      "scene", "visual_scene", "geometry", "source",   "COLLADA"};
+  bool is = strncmp((const char *)node->name, "library_", 8) == 0;
+  for (const xmlNode *n = node->children; n != NULL && !is; n = n->next) {
+    is = n->type == XML_ELEMENT_NODE;
+  }
+  for (size_t n = 0; n < sizeof names / sizeof names[0] && !is; n++) {
+    is = sepax__xml_is(node, names[n]);
+  }
+  return is;
+}
+
+/* Text between elements may be an element that is damaged. What is in <extra> is of other programs.
+ */
+static bool check_texts(const dae *d) {
+  for (xmlNode *n = d->file.root; n != NULL;) {
+    bool is_text = n->type == XML_TEXT_NODE || n->type == XML_CDATA_SECTION_NODE;
+    if (is_text && n->content != NULL &&
+        n->content[strspn((const char *)n->content, blanks)] != 0 && is_container(n->parent)) {
+      return sepax__dae_fail(d, n->parent, "<%.40s> has text between its elements; export it again",
+                             (const char *)n->parent->name);
+    }
+    bool enters = n->type == XML_ELEMENT_NODE && n->children != NULL && !sepax__xml_is(n, "extra");
+    if (enters) {
+      n = n->children;
+      continue;
+    }
+    while (n != d->file.root && n->next == NULL) {
+      n = n->parent;
+    }
+    n = n != d->file.root ? n->next : NULL;
+  }
+  return true;
+}
+
 static bool read_document(dae *d, size_t *faces) {
-  if (!check_version(d) || !sepax__dae_check(d)) {
+  if (!check_version(d) || !check_texts(d) || !sepax__dae_check(d)) {
     return false;
   }
   for (size_t n = 0; n < d->geometries; n++) {

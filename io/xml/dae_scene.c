@@ -126,6 +126,34 @@ static bool read_three(const dae *d, const xmlNode *node, dae_matrix *at, bool s
   return true;
 }
 
+/* Digits of coordinates are lost where products of matrices are very small or large, and all of
+ * them where they underflow. */
+static bool is_placing(const dae_matrix *at) {
+  bool placing = at->identity || !is_flat(at);
+  for (int i = 0; i < 3 && !at->identity; i++) {
+    double most = fmax(fabs(at->m[i][0]), fmax(fabs(at->m[i][1]), fabs(at->m[i][2])));
+    placing = placing && most >= 0x1p-400 && most <= 0x1p400;
+  }
+  return placing;
+}
+
+static bool fail_product(const dae *d, const xmlNode *node) {
+  return sepax__dae_fail(
+      d, node,
+      "<%s>: with the transformations above it, it makes a mesh flat, or smaller "
+      "or larger than numbers hold; export it again",
+      (const char *)node->name);
+}
+
+static bool is_transformation(const xmlNode *node) {
+  static const char *const names[] = {"lookat", "matrix", "rotate", "scale", "skew", "translate"};
+  bool is = false;
+  for (size_t n = 0; n < sizeof names / sizeof names[0]; n++) {
+    is = is || sepax__xml_is(node, names[n]);
+  }
+  return is;
+}
+
 /* A child of a node: if it is a transformation, into *at behind what stands there. */
 static bool read_transformation(const dae *d, const xmlNode *node, dae_matrix *at) {
   const char *name = (const char *)node->name;
@@ -157,7 +185,7 @@ static bool read_transformation(const dae *d, const xmlNode *node, dae_matrix *a
                            name);
   }
   *at = multiply(at, &own);
-  return true;
+  return is_placing(at) || fail_product(d, node);
 }
 
 /* -------------------------------------------------------------------------- references */
@@ -235,17 +263,26 @@ static bool weigh(dae *d, xmlNode *node, size_t depth) {
   }
   state->entered = true;
   dae_matrix at = identity;
+  bool places = false;
   for (xmlNode *child = sepax__xml_child(node, NULL); child != NULL;
        child = sepax__xml_next(child, NULL)) {
     xmlNode *inner = NULL;
     dae_geometry *g = NULL;
     dae_matrix bound = identity;
+    if (places && is_transformation(child)) {
+      return sepax__dae_fail(
+          d, child,
+          "<%s> behind what the node places: transformations stand first; export "
+          "it again",
+          (const char *)child->name);
+    }
     if (!read_transformation(d, child, &at) || !find_placed(d, child, &g, &bound) ||
         !find_node(d, child, &inner) ||
         (inner != NULL && depth == HEIGHT_MOST && !fail_deep(d, inner)) ||
         (inner != NULL && !weigh(d, inner, depth + 1))) {
       return false;
     }
+    places = places || g != NULL || inner != NULL;
     state->weight = add(state->weight, g != NULL ? g->count : 0);
     state->visits = add(state->visits, 1);
     if (inner != NULL) {
@@ -292,6 +329,9 @@ static bool place(const dae *d, xmlNode *node, const dae_matrix *outer) {
       return false;
     }
     bound = multiply(&at, &bound);
+    if ((g != NULL || inner != NULL) && !is_placing(&bound)) {
+      return fail_product(d, child);
+    }
     if ((g != NULL && !place_geometry(d, g, &bound)) || (inner != NULL && !place(d, inner, &at))) {
       return false;
     }

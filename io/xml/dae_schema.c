@@ -4,6 +4,7 @@
 #include "xml/dae.h"
 
 #include <string.h>
+#include <strings.h>
 
 #define PRIMITIVES " triangles polylist polygons tristrips trifans lines linestrips "
 
@@ -119,6 +120,15 @@ static bool check_unit(dae *d, const xmlNode *unit, bool first) {
     if (!sepax__number(text + blank, length, &meter) || !(meter > 0)) {
       return sepax__dae_fail(d, unit, "<unit meter=\"%.40s\">: give a length above 0", text);
     }
+  }
+  static const char *const metres[] = {"meter", "metre", "meters", "metres", "m"};
+  bool agrees = name == NULL || text != NULL;
+  for (size_t n = 0; n < sizeof metres / sizeof metres[0] && !agrees; n++) {
+    agrees = strcasecmp(name, metres[n]) == 0;
+  }
+  if (!agrees) {
+    return sepax__dae_fail(
+        d, unit, "<unit name=\"%.40s\"> without meter=\"...\", which is then 1; give it", name);
   }
   if (first) {
     account->unit_mm = 1000 * meter;

@@ -205,6 +205,15 @@ CASE(instances) {
   refuse(PLACED("<node id='k'><instance_node url='#k'/></node>"), "<node> that is in itself");
   refuse(ROOT GEOMETRIES(GEOMETRY("g", ONE)) END, "it has no <scene>");
   refuse(PLACED("<node/>"), "the scene places no mesh");
+  refuse(PLACED("<node><instance_geometry url='#g'/><translate>1 0 0</translate></node>"),
+         "<translate> behind what the node places: transformations stand first");
+  refuse(PLACED(NODE("<scale>1e-200 1e-200 1e-200</scale><scale>1e-200 1e-200 1e-200</scale>"
+                     "<scale>1e200 1e200 1e200</scale><scale>1e200 1e200 1e200</scale>")),
+         "makes a mesh flat, or smaller or larger than numbers hold");
+  refuse(PLACED("triangles" NODE("")), "has text between its elements");
+  refuse(ROOT "<asset><unit name='millimeter'/></asset>" GEOMETRIES(GEOMETRY("g", ONE))
+             SCENE(NODE("")) END,
+         "<unit name=\"millimeter\"> without meter");
 }
 
 CASE(a_geometry_that_nothing_places) {

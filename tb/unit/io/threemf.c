@@ -160,6 +160,22 @@ CASE(objects_that_are_not_built) {
          "3dmodel.model:7: it builds object 9, whose type is \"other\"");
   refuse(MODEL("", RESOURCES(OBJECT("7", MESH)) BUILD("")), "it has no triangles that it places");
   refuse(MODEL("", RESOURCES(OBJECT("7", MESH))), "it has no <build>");
+  refuse(PLAIN(OBJECT("1", "<mesh>" VERTICES "<triangles>" TRIANGLE("0", "1", "2") //
+                      "triangle v1='0'</triangles></mesh>")),
+         "text between elements");
+#define SMALL "1e-200 0 0 0 1e-200 0 0 0 1e-200 0 0 0"
+  refuse(MODEL("", RESOURCES(OBJECT("1", MESH)
+                                 OBJECT("2", COMPONENTS(COMPONENT("1", "transform='" SMALL "'"))))
+                       BUILD(ITEM("2", "transform='" SMALL "'"))),
+         "smaller or larger than numbers hold");
+#define ALTERNATIVES "xmlns:mc='http://schemas.openxmlformats.org/markup-compatibility/2006' "
+  refuse(MODEL(ALTERNATIVES,
+               RESOURCES(OBJECT("1", MESH)) "<build><mc:AlternateContent/>" ITEM("1", "") //
+               "</build>"),
+         "<AlternateContent>: alternatives are not read");
+  refuse(MODEL(ALTERNATIVES "mc:MustUnderstand='q'",
+               RESOURCES(OBJECT("1", MESH)) BUILD(ITEM("1", ""))),
+         "MustUnderstand=\"q\" is not read");
 }
 
 CASE(supports_and_what_is_not_printed_are_read) {
