@@ -163,13 +163,13 @@ static bool check_version(const dae *d) {
                          version != NULL ? version : "", space);
 }
 
-/* Has only elements in it. */
+/* Has only elements in it. A source of an effect is a name. */
 static bool is_container(const xmlNode *node) {
   static const char *const names[] = {"mesh",  "triangles",    "polylist", "polygons", "node",
-                                      "scene", "visual_scene", "geometry", "source",   "COLLADA"};
+                                      "scene", "visual_scene", "geometry", "COLLADA"};
   bool is = strncmp((const char *)node->name, "library_", 8) == 0;
   for (const xmlNode *n = node->children; n != NULL && !is; n = n->next) {
-    is = n->type == XML_ELEMENT_NODE;
+    is = n->type == XML_ELEMENT_NODE && !sepax__xml_is(node, "source");
   }
   for (size_t n = 0; n < sizeof names / sizeof names[0] && !is; n++) {
     is = sepax__xml_is(node, names[n]);
