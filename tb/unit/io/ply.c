@@ -220,7 +220,7 @@ CASE(heads) {
        "element 'patch' may refer to vertices by its list 'corner'"},
       {FORMAT "element vertex 1\n" XYZ "element range_grid 1\n"
               "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0\n",
-       "element 'range_grid' may refer to vertices by its list 'vertex_indices', which is not read"},
+       "element 'range_grid' may refer to vertices by its list 'vertex_indices', which"},
       {FORMAT "element vertex 1\n" XYZ FACES("1") "element quad 1\n"
                                                   "property list uchar int verts\nend_header\n",
        "element 'quad' may refer to vertices by its list 'verts'"},
