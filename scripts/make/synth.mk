@@ -147,7 +147,7 @@ BY_MODULE = $(if $(GATED),--output-split 20000,--output-split 1000000 --hierarch
 $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
-	@cd $(AREA) && { $(SCRIPT_OF_VERILATOR) --cc --exe --build -j 2 --no-timing \
+	@cd $(AREA) && { LIBS="$(IO_LIBS)" $(SCRIPT_OF_VERILATOR) --cc --exe --build -j 2 --no-timing \
 	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --top-module $(COSIM_TOP) \
 	  -MAKEFLAGS "OPT_FAST=-Og OPT_SLOW=-O0 OPT_GLOBAL=-O2" \
 	  -CFLAGS "$(MODEL_PATH) -I$(abspath $(CORE)/rtl)" --Mdir obj -o ../cosim \
