@@ -43,7 +43,8 @@ static bool read_relation(part_xml *x, const part_element *e) {
   if (!is_model) {
     return true;
   }
-  if (outside) {
+  /* A name of a part has no "//" in it; that of a place elsewhere has a scheme before it. */
+  if (outside || strstr(target, "://") != NULL) {
     return sepax__part_xml_fail(x, "its model %.80s is outside of the package; export it again",
                                 target);
   }

@@ -133,10 +133,9 @@ static bool count_part(zip_file_t *file, char *piece, size_t *left, size_t *tria
   return got <= 0 || (s.has_root && !s.is_model);
 }
 
-static bool count_parts(zip_t *zip, size_t *triangles) {
-  char *piece = sepax_allocate(PIECE);
+static bool count_parts(zip_t *zip, char *piece, size_t *triangles) {
   size_t left = bytes_most;
-  bool ok = piece != NULL;
+  bool ok = true;
   zip_int64_t entries = zip_get_num_entries(zip, 0);
   for (zip_int64_t n = 0; n < entries && ok; n++) {
     zip_file_t *file = zip_fopen_index(zip, (zip_uint64_t)n, 0);
@@ -145,7 +144,6 @@ static bool count_parts(zip_t *zip, size_t *triangles) {
       zip_fclose(file);
     }
   }
-  sepax_release(piece);
   return ok;
 }
 
@@ -153,14 +151,20 @@ bool sepax__threemf_count(const mesh_builder *b, size_t *faces) {
   zip_error_t error;
   zip_error_init(&error);
   *faces = 0;
+  char *piece = sepax_allocate(PIECE);
+  if (piece == NULL) {
+    return sepax__builder_fail_memory(b);
+  }
   zip_source_t *source = zip_source_buffer_create(b->bytes, b->size, 0, &error);
   zip_t *zip = source != NULL ? zip_open_from_source(source, ZIP_RDONLY, &error) : NULL;
   zip_error_fini(&error);
   if (zip == NULL) {
     zip_source_free(source);
+    sepax_release(piece);
     return sepax__builder_fail(b, "the archive cannot be opened a second time; pack it again");
   }
-  bool ok = count_parts(zip, faces);
+  bool ok = count_parts(zip, piece, faces);
   zip_discard(zip);
+  sepax_release(piece);
   return ok || sepax__builder_fail(b, "its parts unpack to more than 1 GiB; simplify it");
 }

@@ -401,6 +401,13 @@ bool sepax__dae_place(dae *d) {
     return false;
   }
   const dae_node *all = state_of(d, scene);
+  bool places = false;
+  for (size_t n = 0; n < d->geometries; n++) {
+    places = places || d->geometry[n].placed;
+  }
+  if (all->weight == 0 && places) {
+    return sepax__dae_fail(d, scene, "the meshes that the scene places have no faces; export some");
+  }
   if (all->weight == 0 && d->geometries > 0) {
     return sepax__dae_fail(d, scene,
                            "the scene places no mesh (what physics places is not read); "

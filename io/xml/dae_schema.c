@@ -155,9 +155,12 @@ static bool check_asset(dae *d, const xmlNode *asset, bool first) {
     const char *text = sepax__dae_text(axis);
     text += strspn(text, " \t\r\n");
     int length = (int)strcspn(text, " \t\r\n");
-    snprintf(what, sizeof what, "up_axis %.*s, which is not applied", length < 20 ? length : 20,
-             text);
-    return strncmp(text, "Z_UP", 4) == 0 || sepax__builder_other(d->b, what, 1);
+    bool known = length == 4 && strchr("XYZ", text[0]) != NULL && strncmp(text + 1, "_UP", 3) == 0;
+    if (!known || text[4 + strspn(text + 4, " \t\r\n")] != '\0') {
+      return sepax__dae_fail(d, axis, "<up_axis> is \"%.40s\"; give X_UP, Y_UP or Z_UP", text);
+    }
+    snprintf(what, sizeof what, "up_axis %.4s, which is not applied", text);
+    return text[0] == 'Z' || sepax__builder_other(d->b, what, 1);
   }
   return true;
 }

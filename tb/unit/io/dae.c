@@ -205,6 +205,8 @@ CASE(instances) {
   refuse(PLACED("<node id='k'><instance_node url='#k'/></node>"), "<node> that is in itself");
   refuse(ROOT GEOMETRIES(GEOMETRY("g", ONE)) END, "it has no <scene>");
   refuse(PLACED("<node/>"), "the scene places no mesh");
+  refuse(MESH("<triangles count='0'>" VERTEX "</triangles>"),
+         "the meshes that the scene places have no faces");
   refuse(PLACED("<node><instance_geometry url='#g'/><translate>1 0 0</translate></node>"),
          "<translate> behind what the node places: transformations stand first");
   refuse(PLACED(NODE("<scale>1e-200 1e-200 1e-200</scale><scale>1e-200 1e-200 1e-200</scale>"
@@ -248,6 +250,13 @@ CASE(units_and_axes) {
   refuse(ROOT "<asset><unit meter='-1'/></asset>" GEOMETRIES(GEOMETRY("g", ONE)) SCENE(NODE(""))
              END,
          "give a length above 0");
+  static const char *const axes[] = {"FOO", "", "Z_UPX", "Z_UP Z_UP", "z_up"};
+  for (size_t n = 0; n < LENGTH(axes); n++) {
+    char text[4000];
+    snprintf(text, sizeof text, "%s%s%s", ROOT "<asset><up_axis>", axes[n],
+             "</up_axis></asset>" GEOMETRIES(GEOMETRY("g", ONE)) SCENE(NODE("")) END);
+    refuse(text, "give X_UP, Y_UP or Z_UP");
+  }
 }
 
 CASE(versions) {
@@ -368,4 +377,52 @@ CASE(a_long_tag) {
   }
   snprintf(text + used, sizeof text - (size_t)used, "/>");
   refuse(text, "a tag or comment of more than 1000 attributes or 1 MiB; simplify it");
+}
+
+/* Of the allocations that are this library's, each is refused in turn. */
+static long left_to_refuse;
+static long taken;
+
+static bool is_refused(void) { return left_to_refuse-- == 0; }
+
+static void *scarce_allocate(void *context, size_t size) {
+  (void)context;
+  void *made = is_refused() ? NULL : malloc(size);
+  taken += made != NULL;
+  return made;
+}
+
+static void *scarce_resize(void *context, void *old, size_t size) {
+  (void)context;
+  void *made = is_refused() ? NULL : realloc(old, size);
+  taken += old == NULL && made != NULL;
+  return made;
+}
+
+static void scarce_release(void *context, void *old) {
+  (void)context;
+  taken -= old != NULL;
+  free(old);
+}
+
+CASE(each_allocation_refused) {
+  const sepax_allocator scarce = {scarce_allocate, scarce_resize, scarce_release, NULL};
+  const char *at = put_file("a.dae", MESH(ONE));
+  long n = 0;
+  bool ok = false;
+  sepax_set_allocator(&scarce);
+  for (; !ok && n < 1000; n++) {
+    left_to_refuse = n;
+    taken = 0;
+    ok = sepax_mesh_read(&soup, &account, at, NULL, &fault);
+    if (ok) {
+      sepax_soup_free(&soup);
+    }
+    if (taken != 0 || (!ok && fault.code != SEPAX_ERROR_MEMORY)) {
+      sepax_set_allocator(NULL);
+      fail_msg("allocation %ld: %ld stay, code %d: %s", n, taken, (int)fault.code, fault.text);
+    }
+  }
+  sepax_set_allocator(NULL);
+  assert_true(ok && n > 5);
 }

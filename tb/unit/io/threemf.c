@@ -328,6 +328,9 @@ CASE(packages) {
   refuse_archive(put_archive(PACKAGE(RELATIONS("")), ZIP_CM_STORE), "no relationship to a 3dmodel");
   refuse_archive(put_archive(PACKAGE(RELATIONS(RELATION("/3D/b.model", ""))), ZIP_CM_STORE),
                  "its model /3D/b.model is not in the package");
+  refuse_archive(
+      put_archive(PACKAGE(RELATIONS(RELATION("http://a.example/3D/a.model", ""))), ZIP_CM_STORE),
+      "its model http://a.example/3D/a.model is outside of the package");
   refuse_archive(put_archive(PACKAGE(RELATIONS(RELATION("/3D/a.model", "TargetMode='External'"))),
                              ZIP_CM_STORE),
                  "is outside of the package");
@@ -423,4 +426,52 @@ CASE(a_limit_of_triangles) {
   assert_fault(sepax_mesh_read(&soup, &account, at, &how, &fault),
                "its items make more than 2 triangles");
   assert_int_equal(fault.code, SEPAX_ERROR_LIMIT);
+}
+
+/* Of the allocations that are this library's, each is refused in turn. */
+static long left_to_refuse;
+static long taken;
+
+static bool is_refused(void) { return left_to_refuse-- == 0; }
+
+static void *scarce_allocate(void *context, size_t size) {
+  (void)context;
+  void *made = is_refused() ? NULL : malloc(size);
+  taken += made != NULL;
+  return made;
+}
+
+static void *scarce_resize(void *context, void *old, size_t size) {
+  (void)context;
+  void *made = is_refused() ? NULL : realloc(old, size);
+  taken += old == NULL && made != NULL;
+  return made;
+}
+
+static void scarce_release(void *context, void *old) {
+  (void)context;
+  taken -= old != NULL;
+  free(old);
+}
+
+CASE(each_allocation_refused) {
+  const sepax_allocator scarce = {scarce_allocate, scarce_resize, scarce_release, NULL};
+  const char *at = put_model(PLAIN(OBJECT("1", MESH)));
+  long n = 0;
+  bool ok = false;
+  sepax_set_allocator(&scarce);
+  for (; !ok && n < 1000; n++) {
+    left_to_refuse = n;
+    taken = 0;
+    ok = sepax_mesh_read(&soup, &account, at, NULL, &fault);
+    if (ok) {
+      sepax_soup_free(&soup);
+    }
+    if (taken != 0 || (!ok && fault.code != SEPAX_ERROR_MEMORY)) {
+      sepax_set_allocator(NULL);
+      fail_msg("allocation %ld: %ld stay, code %d: %s", n, taken, (int)fault.code, fault.text);
+    }
+  }
+  sepax_set_allocator(NULL);
+  assert_true(ok && n > 5);
 }
