@@ -385,9 +385,9 @@ CASE(test_elements_refused) {
 
 /* As many names as nobody has. */
 CASE(test_many_others) {
-  static char text[300 * 16 + 100] = HEAD "<link name='a'/>";
+  static char text[300 * 24 + 100] = HEAD "<link name='a'/>";
   for (int n = 0; n < 300; n++) {
-    snprintf(text + strlen(text), 16, "<thing%d/>", n);
+    snprintf(text + strlen(text), 24, "<thing%d/>", n);
   }
   strcat(text, TAIL);
   refuse_text(text, "<thing256>: more than 256 kinds of unknown elements");
