@@ -69,9 +69,10 @@ static void refuse_type(void *context, const xmlChar *name, const xmlChar *exter
   xmlStopParser(parser);
 }
 
-/* It would go on behind an error, and take its time. */
+/* It would go on behind an error, and take its time. Without memory it ends by itself; to stop it
+ * then would free what the element at hand is made of. */
 static void end_at_error(void *context, xmlError *error) {
-  if (error->level == XML_ERR_FATAL) {
+  if (error->level == XML_ERR_FATAL && error->code != XML_ERR_NO_MEMORY) {
     xmlStopParser(context);
   }
 }
