@@ -1,6 +1,5 @@
 /* dae.c - COLLADA: what becomes triangles, what is named, and what is refused with its line. */
-#include "sepax_io.h"
-#include "unit/formats/files.h"
+#include "unit/io/reading.h"
 
 #include <math.h>
 
@@ -27,9 +26,6 @@
 #define MESH(primitives) ROOT ASSET GEOMETRIES(GEOMETRY("g", primitives)) SCENE(NODE("")) END
 #define PLACED(nodes) ROOT ASSET GEOMETRIES(GEOMETRY("g", ONE)) SCENE(nodes) END
 
-static sepax_soup soup;
-static sepax_mesh_account account;
-
 static void read_text(const char *text) {
   assert_works(sepax_mesh_read(&soup, &account, put_file("a.dae", text), NULL, &fault));
   assert_string_equal(account.format, "DAE");
@@ -38,23 +34,6 @@ static void read_text(const char *text) {
 static void refuse(const char *text, const char *part) {
   assert_fault(sepax_mesh_read(&soup, &account, put_file("a.dae", text), NULL, &fault), part);
   assert_message("a.dae");
-}
-
-static void assert_triangle(size_t n, const double v[9]) {
-  assert_true(n < soup.count);
-  for (int i = 0; i < 9; i++) {
-    assert_true(soup.facet[n].v[i / 3][i % 3] == v[i]);
-  }
-}
-#define TRIANGLE(n, ...) assert_triangle(n, (const double[9]){__VA_ARGS__})
-
-static size_t others(const char *what) {
-  for (size_t n = 0; n < account.others; n++) {
-    if (strcmp(account.other[n].what, what) == 0) {
-      return account.other[n].count;
-    }
-  }
-  return 0;
 }
 
 static void assert_read(size_t faces, size_t triangles) {
@@ -379,50 +358,4 @@ CASE(a_long_tag) {
   refuse(text, "a tag or comment of more than 1000 attributes or 1 MiB; simplify it");
 }
 
-/* Of the allocations that are this library's, each is refused in turn. */
-static long left_to_refuse;
-static long taken;
-
-static bool is_refused(void) { return left_to_refuse-- == 0; }
-
-static void *scarce_allocate(void *context, size_t size) {
-  (void)context;
-  void *made = is_refused() ? NULL : malloc(size);
-  taken += made != NULL;
-  return made;
-}
-
-static void *scarce_resize(void *context, void *old, size_t size) {
-  (void)context;
-  void *made = is_refused() ? NULL : realloc(old, size);
-  taken += old == NULL && made != NULL;
-  return made;
-}
-
-static void scarce_release(void *context, void *old) {
-  (void)context;
-  taken -= old != NULL;
-  free(old);
-}
-
-CASE(each_allocation_refused) {
-  const sepax_allocator scarce = {scarce_allocate, scarce_resize, scarce_release, NULL};
-  const char *at = put_file("a.dae", MESH(ONE));
-  long n = 0;
-  bool ok = false;
-  sepax_set_allocator(&scarce);
-  for (; !ok && n < 1000; n++) {
-    left_to_refuse = n;
-    taken = 0;
-    ok = sepax_mesh_read(&soup, &account, at, NULL, &fault);
-    if (ok) {
-      sepax_soup_free(&soup);
-    }
-    if (taken != 0 || (!ok && fault.code != SEPAX_ERROR_MEMORY)) {
-      sepax_set_allocator(NULL);
-      fail_msg("allocation %ld: %ld stay, code %d: %s", n, taken, (int)fault.code, fault.text);
-    }
-  }
-  sepax_set_allocator(NULL);
-  assert_true(ok && n > 5);
-}
+CASE(each_allocation_refused) { refuse_each_allocation(put_file("a.dae", MESH(ONE))); }

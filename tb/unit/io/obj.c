@@ -1,14 +1,10 @@
 /* obj.c - OBJ: what becomes triangles, what is named, and what is refused with its line. */
-#include "sepax_io.h"
-#include "unit/formats/files.h"
+#include "unit/io/reading.h"
 
 #include <math.h>
 
 /* Vertices 1 ... 4: 0, x, y, z. */
 #define VERTICES "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\n"
-
-static sepax_soup soup;
-static sepax_mesh_account account;
 
 static void read_text(const char *text, size_t faces, size_t triangles) {
   sepax_soup_free(&soup);
@@ -23,23 +19,6 @@ static void refuse(const char *text, const char *part) {
   sepax_soup none;
   assert_fault(sepax_mesh_read(&none, NULL, put_file("a.obj", text), NULL, &fault), part);
   assert_message("a.obj");
-}
-
-static void assert_triangle(size_t n, const double v[9]) {
-  assert_true(n < soup.count);
-  for (int i = 0; i < 9; i++) {
-    assert_true(soup.facet[n].v[i / 3][i % 3] == v[i]);
-  }
-}
-#define TRIANGLE(n, ...) assert_triangle(n, (const double[9]){__VA_ARGS__})
-
-static size_t others(const char *what) {
-  for (size_t n = 0; n < account.others; n++) {
-    if (strcmp(account.other[n].what, what) == 0) {
-      return account.other[n].count;
-    }
-  }
-  return 0;
 }
 
 CASE(corners) {

@@ -1,7 +1,6 @@
 /* ply.c - PLY: texts and both orders of bytes, what is named, what is refused with line or offset.
  */
-#include "sepax_io.h"
-#include "unit/formats/files.h"
+#include "unit/io/reading.h"
 
 #include <math.h>
 
@@ -10,9 +9,6 @@
 #define FACES(n) "element face " n "\nproperty list uchar int vertex_indices\n"
 #define HEAD(faces) FORMAT "element vertex 4\n" XYZ FACES(faces) "end_header\n"
 #define ROWS "0 0 0\n1 0 0\n0 2 0\n0 0 3\n"
-
-static sepax_soup soup;
-static sepax_mesh_account account;
 
 static void read_bytes(const char *bytes, size_t size, size_t faces, size_t triangles) {
   sepax_soup_free(&soup);
@@ -35,23 +31,6 @@ static void refuse_file(const char *bytes, size_t size, const char *part) {
 }
 
 static void refuse(const char *text, const char *part) { refuse_file(text, strlen(text), part); }
-
-static void assert_triangle(size_t n, const double v[9]) {
-  assert_true(n < soup.count);
-  for (int i = 0; i < 9; i++) {
-    assert_true(soup.facet[n].v[i / 3][i % 3] == v[i]);
-  }
-}
-#define TRIANGLE(n, ...) assert_triangle(n, (const double[9]){__VA_ARGS__})
-
-static size_t others(const char *what) {
-  for (size_t n = 0; n < account.others; n++) {
-    if (strcmp(account.other[n].what, what) == 0) {
-      return account.other[n].count;
-    }
-  }
-  return 0;
-}
 
 CASE(texts) {
   read_text(HEAD("2") ROWS "3 0 1 2\n3 1 2 3\n", 2, 2);

@@ -1,7 +1,6 @@
 /* stl.c - STL through the door of the mesh readers: which of the two kinds, what is named, what is
  * refused. tb/unit/stl.c has the forms of numbers and words. */
-#include "sepax_io.h"
-#include "unit/formats/files.h"
+#include "unit/io/reading.h"
 
 #include <math.h>
 
@@ -9,9 +8,6 @@
   "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex " number " 0 0\nvertex 0 1 0\n" \
   "endloop\nendfacet\n"
 #define SOLID(number) "solid part\n" FACET(number) "endsolid part\n"
-
-static sepax_soup soup;
-static sepax_mesh_account account;
 
 static void read_bytes(const char *name, const char *bytes, size_t size, size_t facets) {
   sepax_soup_free(&soup);
@@ -41,14 +37,6 @@ static void refuse_bytes(const char *name, const char *bytes, size_t size, const
 static void refuse(const char *text, const char *part) {
   refuse_bytes("a.stl", text, strlen(text), part);
 }
-
-static void assert_triangle(size_t n, const double v[9]) {
-  assert_true(n < soup.count);
-  for (int i = 0; i < 9; i++) {
-    assert_true(soup.facet[n].v[i / 3][i % 3] == v[i]);
-  }
-}
-#define TRIANGLE(n, ...) assert_triangle(n, (const double[9]){__VA_ARGS__})
 
 /* Each facet is counted twice, by code of its own: also in capitals, without lines, or where names
  * have words of the format in them. */

@@ -1,6 +1,5 @@
 /* threemf.c - 3MF: the package, its model parts, what they build, and what is refused. */
-#include "sepax_io.h"
-#include "unit/formats/files.h"
+#include "unit/io/reading.h"
 
 #include <zip.h>
 
@@ -21,15 +20,12 @@
 #define VERTICES                                                                         \
   "<vertices><vertex x='0' y='0' z='0'/><vertex x='1' y='0' z='0'/><vertex x='0' y='2' " \
   "z='0'/><vertex x='0' y='0' z='3'/></vertices>\n"
-#define TRIANGLE(a, b, c) "<triangle v1='" a "' v2='" b "' v3='" c "'/>"
-#define MESH "<mesh>" VERTICES "<triangles>" TRIANGLE("0", "1", "2") "</triangles></mesh>"
+#define FACE(a, b, c) "<triangle v1='" a "' v2='" b "' v3='" c "'/>"
+#define MESH "<mesh>" VERTICES "<triangles>" FACE("0", "1", "2") "</triangles></mesh>"
 #define OBJECT(id, inside) "<object id='" id "'>" inside "</object>\n"
 #define COMPONENTS(inside) "<components>" inside "</components>"
 #define COMPONENT(id, rest) "<component objectid='" id "' " rest "/>"
 #define PLAIN(inside) MODEL("", RESOURCES(inside) BUILD(ITEM("1", "")))
-
-static sepax_soup soup;
-static sepax_mesh_account account;
 
 /* An archive: names and texts in turn, up to NULL. */
 static const char *put_archive(const char *const entry[], int method) {
@@ -74,34 +70,17 @@ static void assert_read(size_t faces, size_t triangles, size_t unplaced) {
   assert_int_equal(soup.count, triangles);
 }
 
-static void assert_triangle(size_t n, const double v[9]) {
-  assert_true(n < soup.count);
-  for (int i = 0; i < 9; i++) {
-    assert_true(soup.facet[n].v[i / 3][i % 3] == v[i]);
-  }
-}
-#define IS(n, ...) assert_triangle(n, (const double[9]){__VA_ARGS__})
-
-static size_t others(const char *what) {
-  for (size_t n = 0; n < account.others; n++) {
-    if (strcmp(account.other[n].what, what) == 0) {
-      return account.other[n].count;
-    }
-  }
-  return 0;
-}
-
 CASE(a_mesh) {
   read_model(PLAIN(OBJECT("1", MESH)));
   assert_read(1, 1, 0);
-  IS(0, 0, 0, 0, 1, 0, 0, 0, 2, 0);
+  TRIANGLE(0, 0, 0, 0, 1, 0, 0, 0, 2, 0);
   assert_int_equal(account.others, 0);
   sepax_soup_free(&soup);
   /* Decimals are rounded once, to the nearest double; blanks around them are no harm. */
   read_model(PLAIN(OBJECT(
       "1", "<mesh><vertices><vertex x=' 0.1 ' y='-1e-3' z='16777217.25'/><vertex x='+.5' y='5' "
-           "z='1E2'/></vertices><triangles>" TRIANGLE("0", "1", "1") "</triangles></mesh>")));
-  IS(0, 0.1, -1e-3, 16777217.25, .5, 5, 100, .5, 5, 100);
+           "z='1E2'/></vertices><triangles>" FACE("0", "1", "1") "</triangles></mesh>")));
+  TRIANGLE(0, 0.1, -1e-3, 16777217.25, .5, 5, 100, .5, 5, 100);
   sepax_soup_free(&soup);
 }
 
@@ -122,7 +101,7 @@ CASE(units) {
     read_model(given[n].model);
     assert_string_equal(account.unit, given[n].unit);
     assert_true(account.unit_mm == given[n].mm);
-    IS(0, 0, 0, 0, 1, 0, 0, 0, 2, 0);
+    TRIANGLE(0, 0, 0, 0, 1, 0, 0, 0, 2, 0);
     sepax_soup_free(&soup);
   }
   refuse(MODEL("unit='yard'", ""), "unit=\"yard\": give micron, millimeter");
@@ -134,13 +113,13 @@ CASE(transforms) {
                                                COMPONENT("1", ""))))
                            BUILD(ITEM("2", "transform='0 1 0 -1 0 0 0 0 1 5 0 0'"))));
   assert_read(1, 2, 0);
-  IS(0, 5, 0, 7, 5, 1, 7, 3, 0, 7);
-  IS(1, 5, 0, 0, 5, 1, 0, 3, 0, 0);
+  TRIANGLE(0, 5, 0, 7, 5, 1, 7, 3, 0, 7);
+  TRIANGLE(1, 5, 0, 0, 5, 1, 0, 3, 0, 0);
   sepax_soup_free(&soup);
   /* A mirrored one keeps its outer side. */
   read_model(MODEL("", RESOURCES(OBJECT("1", MESH))
                            BUILD(ITEM("1", "transform='-1 0 0 0 1 0 0 0 1 0 0 0'"))));
-  IS(0, 0, 0, 0, 0, 2, 0, -1, 0, 0);
+  TRIANGLE(0, 0, 0, 0, 0, 2, 0, -1, 0, 0);
   sepax_soup_free(&soup);
 #define MOVED(matrix) \
   MODEL("", RESOURCES(OBJECT("1", MESH)) BUILD(ITEM("1", "transform='" matrix "'")))
@@ -160,7 +139,7 @@ CASE(objects_that_are_not_built) {
          "3dmodel.model:7: it builds object 9, whose type is \"other\"");
   refuse(MODEL("", RESOURCES(OBJECT("7", MESH)) BUILD("")), "it has no triangles that it places");
   refuse(MODEL("", RESOURCES(OBJECT("7", MESH))), "it has no <build>");
-  refuse(PLAIN(OBJECT("1", "<mesh>" VERTICES "<triangles>" TRIANGLE("0", "1", "2") //
+  refuse(PLAIN(OBJECT("1", "<mesh>" VERTICES "<triangles>" FACE("0", "1", "2") //
                       "triangle v1='0'</triangles></mesh>")),
          "text between elements");
 #define SMALL "1e-200 0 0 0 1e-200 0 0 0 1e-200 0 0 0"
@@ -192,8 +171,8 @@ CASE(production) {
   static const char root[] = MODEL(
       PRODUCTION "requiredextensions='p' xmlns:b='http://schemas.bambulab.com/package/2021'",
       "<metadata name='Application'>x</metadata>" RESOURCES(
-          OBJECT("1", "<mesh>" VERTICES "<triangles>" TRIANGLE("1", "2", "3")
-                          TRIANGLE("3", "2", "1") "</triangles></mesh>")
+          OBJECT("1", "<mesh>" VERTICES "<triangles>" FACE("1", "2", "3")
+                          FACE("3", "2", "1") "</triangles></mesh>")
               OBJECT("2",
                      COMPONENTS(COMPONENT("1", "p:path='/3D/Objects/Object_1.model' p:UUID='u'"))))
           BUILD(
@@ -223,8 +202,8 @@ CASE(production) {
   for (int method = 0; method < 2; method++) {
     read_archive(put_archive(entry, method ? ZIP_CM_STORE : ZIP_CM_DEFLATE));
     assert_read(5, 2, 3);
-    IS(0, 5, 0, 0, 6, 0, 0, 5, 1, 0);
-    IS(1, 0, 0, 0, 1, 0, 0, 0, 2, 0);
+    TRIANGLE(0, 5, 0, 0, 6, 0, 0, 5, 1, 0);
+    TRIANGLE(1, 0, 0, 0, 1, 0, 0, 0, 2, 0);
     assert_int_equal(others("p:UUID attributes"), 2);
     assert_int_equal(others("paint_color attributes"), 1);
     assert_int_equal(others("metadata"), 1);
@@ -248,7 +227,7 @@ CASE(extensions) {
           "<m:colorgroup id='5'><m:color color='#FF0000'/></m:colorgroup>"
           "<basematerials id='6'><base name='x' displaycolor='#FFFFFF'/></basematerials>" OBJECT(
               "1", "<mesh q:kind='x'>" VERTICES
-                   "<triangles>" TRIANGLE("0", "1", "2") "</triangles><t:trianglesets/></mesh>"))
+                   "<triangles>" FACE("0", "1", "2") "</triangles><t:trianglesets/></mesh>"))
           BUILD(ITEM("1", ""))));
   assert_read(1, 1, 0);
   assert_int_equal(others("m:colorgroup elements"), 1);
@@ -288,8 +267,8 @@ CASE(the_core_is_strict) {
   refuse(PLAIN(OBJECT("1", COMPONENTS(COMPONENT("1", "")))), "has itself as a component");
 #define FACES(triangles) \
   PLAIN(OBJECT("1", "<mesh>" VERTICES "<triangles>" triangles "</triangles></mesh>"))
-  refuse(FACES(TRIANGLE("0", "1", "4")), "3dmodel.model:4: v3=\"4\", but the mesh has 4 vertices");
-  refuse(FACES(TRIANGLE("0", "1", "-1")), "v3=\"-1\": give a whole number");
+  refuse(FACES(FACE("0", "1", "4")), "3dmodel.model:4: v3=\"4\", but the mesh has 4 vertices");
+  refuse(FACES(FACE("0", "1", "-1")), "v3=\"-1\": give a whole number");
   refuse(FACES("<triangle v1='0' v2='1'/>"), "<triangle> without v1, v2 and v3");
   refuse(PLAIN(OBJECT("1", "<mesh><vertices><vertex x='0' y='0'/></vertices></mesh>")),
          "<vertex> without x, y and z");
@@ -304,7 +283,7 @@ CASE(the_core_is_strict) {
   refuse("", "it is empty");
   refuse("\xff\xfe<?", "mend the XML");
   /* In what is passed over, triangles are still counted. */
-  refuse(PLAIN(OBJECT("1", MESH "<q:a xmlns:q='b'>" TRIANGLE("0", "1", "2") "</q:a>")),
+  refuse(PLAIN(OBJECT("1", MESH "<q:a xmlns:q='b'>" FACE("0", "1", "2") "</q:a>")),
          "1 faces were read, but a second count finds 2");
 }
 
@@ -407,7 +386,7 @@ CASE(components_that_double) {
     snprintf(text + used, sizeof text - (size_t)used,
              "<object id='%d'><mesh>" VERTICES "<triangles>%s</triangles></mesh></object>"
              "</resources><build><item objectid='1'/><item objectid='999'/></build></model>",
-             LEVELS + 1, with ? TRIANGLE("0", "1", "2") : "");
+             LEVELS + 1, with ? FACE("0", "1", "2") : "");
     if (with) {
       refuse(text, "simplify it");
       assert_int_equal(fault.code, SEPAX_ERROR_LIMIT);
@@ -428,50 +407,4 @@ CASE(a_limit_of_triangles) {
   assert_int_equal(fault.code, SEPAX_ERROR_LIMIT);
 }
 
-/* Of the allocations that are this library's, each is refused in turn. */
-static long left_to_refuse;
-static long taken;
-
-static bool is_refused(void) { return left_to_refuse-- == 0; }
-
-static void *scarce_allocate(void *context, size_t size) {
-  (void)context;
-  void *made = is_refused() ? NULL : malloc(size);
-  taken += made != NULL;
-  return made;
-}
-
-static void *scarce_resize(void *context, void *old, size_t size) {
-  (void)context;
-  void *made = is_refused() ? NULL : realloc(old, size);
-  taken += old == NULL && made != NULL;
-  return made;
-}
-
-static void scarce_release(void *context, void *old) {
-  (void)context;
-  taken -= old != NULL;
-  free(old);
-}
-
-CASE(each_allocation_refused) {
-  const sepax_allocator scarce = {scarce_allocate, scarce_resize, scarce_release, NULL};
-  const char *at = put_model(PLAIN(OBJECT("1", MESH)));
-  long n = 0;
-  bool ok = false;
-  sepax_set_allocator(&scarce);
-  for (; !ok && n < 1000; n++) {
-    left_to_refuse = n;
-    taken = 0;
-    ok = sepax_mesh_read(&soup, &account, at, NULL, &fault);
-    if (ok) {
-      sepax_soup_free(&soup);
-    }
-    if (taken != 0 || (!ok && fault.code != SEPAX_ERROR_MEMORY)) {
-      sepax_set_allocator(NULL);
-      fail_msg("allocation %ld: %ld stay, code %d: %s", n, taken, (int)fault.code, fault.text);
-    }
-  }
-  sepax_set_allocator(NULL);
-  assert_true(ok && n > 5);
-}
+CASE(each_allocation_refused) { refuse_each_allocation(put_model(PLAIN(OBJECT("1", MESH)))); }
