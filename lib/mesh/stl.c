@@ -7,7 +7,6 @@
 #include "util/write_file.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,26 +37,8 @@ bool sepax_stl_read(sepax_soup *soup, const char *path, bool normals, sepax_erro
 
 /* ----------------------------------------------------------------- writing */
 
-static bool fail(sepax_error *error, sepax_code code, const char *path, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-
-/* The path comes first and is cut, so that the cure at the end never is. */
-static bool fail(sepax_error *error, sepax_code code, const char *path, const char *format, ...) {
-  char detail[200];
-  va_list args;
-  va_start(args, format);
-  vsnprintf(detail, sizeof detail, format, args);
-  va_end(args);
-  return sepax_fail(error, code, "%.300s: %s", path, detail);
-}
-
-/* The numbers of a facet in the order of the file: its normal, its vertices. */
-typedef struct {
-  double of[STL_FACET_NUMBERS];
-} numbers;
-
-static numbers numbers_of(const sepax_soup *soup, size_t k) {
-  numbers n = {{0}};
+static stl_numbers numbers_of(const sepax_soup *soup, size_t k) {
+  stl_numbers n = {{0}};
   if (soup->normal != NULL) {
     memcpy(n.of, soup->normal[k], sizeof soup->normal[k]);
   }
@@ -66,8 +47,6 @@ static numbers numbers_of(const sepax_soup *soup, size_t k) {
 }
 
 static const char *number_name(int i) { return i < 3 ? "normal" : "coordinate"; }
-
-static const char *flaw(double number) { return isnan(number) ? "NaN" : "infinite"; }
 
 static bool has_area(const double v[3][3]) {
   double e[3];
@@ -92,32 +71,33 @@ static bool flattened(const sepax_facet *facet) {
 
 static bool fits_file(const sepax_soup *soup, const char *path, bool ascii, sepax_error *error) {
   if (soup->count == 0) {
-    return fail(error, SEPAX_ERROR_ARGUMENT, path, "not written: the mesh has no facets");
+    return sepax__stl_fail(error, SEPAX_ERROR_ARGUMENT, path,
+                           "not written: the mesh has no facets");
   }
   if (!ascii && soup->count > UINT32_MAX) {
-    return fail(error, SEPAX_ERROR_ARGUMENT, path,
-                "not written: too many facets for binary; write text");
+    return sepax__stl_fail(error, SEPAX_ERROR_ARGUMENT, path,
+                           "not written: too many facets for binary; write text");
   }
   for (size_t k = 0; k < soup->count; k++) {
-    const numbers all = numbers_of(soup, k);
+    const stl_numbers all = numbers_of(soup, k);
     for (int i = 0; i < STL_FACET_NUMBERS; i++) {
       double number = all.of[i];
       if (!isfinite(number)) {
-        return fail(error, SEPAX_ERROR_ARGUMENT, path,
-                    "not written: facet %zu: %s is %s; mend the mesh", k, number_name(i),
-                    flaw(number));
+        return sepax__stl_fail(error, SEPAX_ERROR_ARGUMENT, path,
+                               "not written: facet %zu: %s is %s; mend the mesh", k, number_name(i),
+                               sepax__stl_flaw(number));
       }
       if (!ascii && fabs(number) >= binary32_end) {
-        return fail(error, SEPAX_ERROR_ARGUMENT, path,
-                    "not written: facet %zu: %s %g does not fit binary32; write text", k,
-                    number_name(i), number);
+        return sepax__stl_fail(error, SEPAX_ERROR_ARGUMENT, path,
+                               "not written: facet %zu: %s %g does not fit binary32; write text", k,
+                               number_name(i), number);
       }
     }
     if (!ascii && flattened(&soup->facet[k])) {
-      return fail(error, SEPAX_ERROR_ARGUMENT, path,
-                  "not written: facet %zu has no area in binary32; write text or move "
-                  "nearer to the origin",
-                  k);
+      return sepax__stl_fail(error, SEPAX_ERROR_ARGUMENT, path,
+                             "not written: facet %zu has no area in binary32; write text or move "
+                             "nearer to the origin",
+                             k);
     }
   }
   return true;
@@ -127,7 +107,7 @@ static bool write_text(FILE *out, const void *context) {
   const sepax_soup *soup = context;
   bool ok = fputs("solid sepax\n", out) != EOF;
   for (size_t k = 0; ok && k < soup->count; k++) {
-    const numbers all = numbers_of(soup, k);
+    const stl_numbers all = numbers_of(soup, k);
     const double *n = all.of;
     ok = fprintf(out, "  facet normal %.17g %.17g %.17g\n    outer loop\n", n[0], n[1], n[2]) > 0;
     for (int i = 0; ok && i < 3; i++) {
@@ -146,7 +126,7 @@ static bool write_binary(FILE *out, const void *context) {
   bool ok = fwrite(head, sizeof head, 1, out) == 1;
   for (size_t k = 0; ok && k < soup->count; k++) {
     char record[STL_FACET_BYTES] = {0};
-    const numbers all = numbers_of(soup, k);
+    const stl_numbers all = numbers_of(soup, k);
     for (int i = 0; i < STL_FACET_NUMBERS; i++) {
       bytes_put_float(record + 4 * i, (float)all.of[i]);
     }

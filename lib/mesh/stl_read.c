@@ -15,11 +15,9 @@
 
 static const char cure[] = "export the mesh again";
 
-static bool fail(sepax_error *error, sepax_code code, const char *path, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-
 /* The path comes first and is cut, so that the cure at the end never is. */
-static bool fail(sepax_error *error, sepax_code code, const char *path, const char *format, ...) {
+bool sepax__stl_fail(sepax_error *error, sepax_code code, const char *path, const char *format,
+                     ...) {
   char detail[200];
   va_list args;
   va_start(args, format);
@@ -28,10 +26,7 @@ static bool fail(sepax_error *error, sepax_code code, const char *path, const ch
   return sepax_fail(error, code, "%.300s: %s", path, detail);
 }
 
-/* The numbers of a facet in the order of the file: its normal, its vertices. */
-typedef struct {
-  double of[STL_FACET_NUMBERS];
-} numbers;
+const char *sepax__stl_flaw(double number) { return isnan(number) ? "NaN" : "infinite"; }
 
 /* A soup that grows. */
 typedef struct {
@@ -41,18 +36,17 @@ typedef struct {
   bool normals;
 } reading;
 
-static const char *flaw(double number) { return isnan(number) ? "NaN" : "infinite"; }
-
 static bool fail_memory(sepax_error *error, const char *path) {
-  return fail(error, SEPAX_ERROR_MEMORY, path, "too large for the memory; use a coarser mesh");
+  return sepax__stl_fail(error, SEPAX_ERROR_MEMORY, path,
+                         "too large for the memory; use a coarser mesh");
 }
 
 static bool fail_most(const reading *r, const char *path, sepax_error *error) {
-  return fail(error, SEPAX_ERROR_LIMIT, path, "more than %zu triangles; simplify the mesh",
-              r->most);
+  return sepax__stl_fail(error, SEPAX_ERROR_LIMIT, path,
+                         "more than %zu triangles; simplify the mesh", r->most);
 }
 
-static bool append(reading *r, const numbers *n, const char *path, sepax_error *error) {
+static bool append(reading *r, const stl_numbers *n, const char *path, sepax_error *error) {
   sepax_soup *soup = &r->soup;
   if (soup->count >= r->most) {
     return fail_most(r, path, error);
@@ -186,7 +180,7 @@ static bool read_number(scanner *text, double *number, const char *name) {
     return fail_expecting(text, "a number");
   }
   if (!isfinite(*number)) {
-    return fail_line(text, "%s is %s", name, flaw(*number));
+    return fail_line(text, "%s is %s", name, sepax__stl_flaw(*number));
   }
   text->at = end;
   return true;
@@ -207,7 +201,7 @@ static bool read_normal(scanner *text, const reading *r, double normal[3]) {
   return ok;
 }
 
-static bool read_facet(scanner *text, const reading *r, numbers *facet) {
+static bool read_facet(scanner *text, const reading *r, stl_numbers *facet) {
   bool ok =
       read_normal(text, r, facet->of) && READ_KEYWORD(text, "outer") && READ_KEYWORD(text, "loop");
   for (int i = 3; ok && i < STL_FACET_NUMBERS; i += 3) {
@@ -242,7 +236,7 @@ static bool read_solid(scanner *text, reading *r) {
   }
   skip_blanks(text);
   while (WORD_IS(text, "facet")) {
-    numbers facet = {{0}};
+    stl_numbers facet = {{0}};
     text->at += strlen("facet");
     if (!read_facet(text, r, &facet) || !append(r, &facet, text->path, text->error)) {
       return false;
@@ -291,13 +285,13 @@ static bool is_binary(const content *file) {
 }
 
 /* The normal counts where it is asked for. */
-static bool read_record(const reading *r, const char *bytes, size_t k, numbers *facet,
+static bool read_record(const reading *r, const char *bytes, size_t k, stl_numbers *facet,
                         const char *path, sepax_error *error) {
   for (int i = r->normals ? 0 : 3; i < STL_FACET_NUMBERS; i++) {
     double number = (double)bytes_get_float(bytes + 4 * i);
     if (!isfinite(number)) {
-      return fail(error, SEPAX_ERROR_FORMAT, path, "facet %zu: %s is %s; %s", k,
-                  i < 3 ? "normal" : "coordinate", flaw(number), cure);
+      return sepax__stl_fail(error, SEPAX_ERROR_FORMAT, path, "facet %zu: %s is %s; %s", k,
+                             i < 3 ? "normal" : "coordinate", sepax__stl_flaw(number), cure);
     }
     facet->of[i] = number;
   }
@@ -317,7 +311,7 @@ static bool read_binary(reading *r, const content *file, const char *path, sepax
     return fail_memory(error, path);
   }
   for (size_t k = 0; k < count; k++, bytes += STL_FACET_BYTES) {
-    numbers facet = {{0}};
+    stl_numbers facet = {{0}};
     if (!read_record(r, bytes, k, &facet, path, error) || !append(r, &facet, path, error)) {
       return false;
     }
@@ -349,23 +343,25 @@ static bool has_text_head(const content *file) {
 
 static bool fail_format(const content *file, const char *path, sepax_error *error) {
   if (file->size == 0) {
-    return fail(error, SEPAX_ERROR_FORMAT, path, "the file is empty; %s", cure);
+    return sepax__stl_fail(error, SEPAX_ERROR_FORMAT, path, "the file is empty; %s", cure);
   }
   if (file->size >= STL_HEAD_BYTES && memcmp(file->bytes, "sepaxSXT", 8) == 0) {
-    return fail(error, SEPAX_ERROR_FORMAT, path, "a tree of 'sepax tree', no STL file; %s",
-                "give the one that it was made of");
+    return sepax__stl_fail(error, SEPAX_ERROR_FORMAT, path,
+                           "a tree of 'sepax tree', no STL file; %s",
+                           "give the one that it was made of");
   }
   if (file->size < STL_HEAD_BYTES || has_text_head(file)) {
-    return fail(error, SEPAX_ERROR_FORMAT, path,
-                "no STL file: neither 'solid' nor a binary header; %s", "export the mesh as STL");
+    return sepax__stl_fail(error, SEPAX_ERROR_FORMAT, path,
+                           "no STL file: neither 'solid' nor a binary header; %s",
+                           "export the mesh as STL");
   }
   uint32_t count = bytes_get32(file->bytes + STL_TITLE_BYTES);
   uint64_t announced = bytes_announced(file);
   const char *what = file->size < announced ? "truncated" : "longer than its count says";
-  return fail(error, SEPAX_ERROR_FORMAT, path,
-              "%s: %" PRIu32 " facets take %" PRIu64
-              " bytes, the file has %zu (or is no STL file); %s",
-              what, count, announced, file->size, cure);
+  return sepax__stl_fail(error, SEPAX_ERROR_FORMAT, path,
+                         "%s: %" PRIu32 " facets take %" PRIu64
+                         " bytes, the file has %zu (or is no STL file); %s",
+                         what, count, announced, file->size, cure);
 }
 
 static bool read_format(reading *r, const content *file, const char *path, sepax_error *error) {
@@ -385,7 +381,7 @@ bool sepax__stl_parse(sepax_soup *soup, const char *bytes, size_t size, const ch
   *soup = (sepax_soup){0};
   bool ok = read_format(&r, &file, path, error);
   if (ok && r.soup.count == 0) {
-    ok = fail(error, SEPAX_ERROR_FORMAT, path, "no facets; %s", cure);
+    ok = sepax__stl_fail(error, SEPAX_ERROR_FORMAT, path, "no facets; %s", cure);
   }
   if (!ok) {
     sepax_release(r.soup.facet);
