@@ -269,6 +269,11 @@ CASE(test_no_mechanism) {
   m.joint[0].upper = -1;
   refuse(&m, "joint j0: the lower limit, 1, is above the upper, -1");
   m = row_of(1);
+  m.joint[0].lower = 1; /* held in place, which is no fault */
+  m.joint[0].upper = 1;
+  assert_works(sepax_mechanism_join(&m, &fault));
+  sepax_mechanism_free(&m);
+  m = row_of(1);
   m.joint[0].origin.rotation[0][0] = 2;
   refuse(&m, "joint j0: origin: the matrix is no rotation");
   m = row_of(2);
