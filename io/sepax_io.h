@@ -7,9 +7,10 @@
  *     says where the element is. What docs/meshes.md does not list is refused.
  *   - Coordinates are doubles. A decimal number is rounded once, to the nearest double; a binary
  *     one is exact. Where a file places its meshes by matrices (3MF, DAE), products and sums are
- *     rounded, equal vertices remain equal.
+ *     rounded; equal vertices remain equal.
  *   - The number of faces is checked against a count that other code makes of the file.
- *   - A file is at most 1 GiB long, what it unpacks to at most 1 GiB, too; nothing is fetched.
+ *   - A file has at most 1 GiB, and an archive unpacks to at most 1 GiB. Nothing is fetched from a
+ *     network.
  */
 #ifndef SEPAX_IO_H
 #define SEPAX_IO_H
@@ -32,35 +33,38 @@ typedef struct {
 
 enum { SEPAX_MESH_OTHERS_MOST = 32 };
 
-/* What a file has. */
+/* What a file has, and what became of it. */
 typedef struct {
   const char *format; /* "STL", "OBJ", "PLY", "3MF" or "DAE", as its content says */
   char unit[24];      /* the name of its unit; "" where it has none */
   double unit_mm;     /* its length in mm; 0: the file has none */
   size_t faces;       /* elements with a surface: triangles, polygons, strips, fans */
-  size_t triangles;   /* that were made of them, as often as the file places them */
-  size_t divided;     /* polygons of more than three corners */
+  size_t triangles;   /* of the result: those of each face, as often as the file places it */
+  size_t divided;     /* polygons of more than three corners, which became triangles */
   size_t bent;        /* those of them whose corners are in no common plane */
   size_t unplaced;    /* faces of meshes that the file has, but places nowhere (3MF, DAE) */
-  sepax_mesh_other other[SEPAX_MESH_OTHERS_MOST]; /* by name, in the order of the file */
-  size_t others;
+  sepax_mesh_other other[SEPAX_MESH_OTHERS_MOST]; /* in the order of the file */
+  size_t others;                                  /* how many kinds `other` has */
 } sepax_mesh_account;
 
 /* How a mesh is read. */
 typedef struct {
   size_t size;
-  size_t most;      /* triangles; a file that makes more is refused. 0: 20,000,000 */
-  bool normals;     /* with the normals of the facets, which only STL has; others are refused */
+  size_t most;      /* triangles; a file that has more is refused. 0: 20,000,000 */
+  bool normals;     /* fill soup->normal, too. Only STL has normals of facets; others are refused */
   double unit_mm;   /* the length in mm of a unit of the file, whatever it says; 0: as it says */
-  double result_mm; /* the length in mm of a unit of the result: coordinates are multiplied by the
-                       quotient of both, rounded. A file without a unit is taken to be in it. 0: the
-                       file's own numbers */
+  double result_mm; /* the length in mm of a unit of the result. Coordinates are multiplied by the
+                       file's unit over this one, rounded; those of a file without a unit stay. 0:
+                       all stay */
 } sepax_mesh_reading;
 
-/* Read the mesh of a file. The format is that of the content, not of the name.
- * `account` may be NULL. Errors: ARGUMENT on lengths that are negative or not finite; FILE; FORMAT,
- * naming line, element or offset, and the cure; LIMIT on a file that is too long or makes too many
- * triangles; MEMORY. */
+/* Read the mesh of a file into `soup`, which sepax_soup_free releases. The format is that of the
+ * content, not of the name. `account` and `how` may be NULL; on failure both results are empty.
+ * Time and memory grow with the length of the file; a polygon that is no fan of its first corner
+ * takes time with the square of its corners (20,000 at most).
+ * Errors: ARGUMENT on lengths outside 0 ... 1e12; FILE; FORMAT, with line, element or offset, and
+ * the cure, also on a format whose library this build lacks; LIMIT on a file that is too long or
+ * has too many triangles; MEMORY. */
 bool sepax_mesh_read(sepax_soup *soup, sepax_mesh_account *account, const char *path,
                      const sepax_mesh_reading *how, sepax_error *error);
 
