@@ -24,7 +24,7 @@ extern "C" {
 typedef enum {
   SEPAX_ARCH_EXACT,      /* the mathematical verdict, and the axis */
   SEPAX_ARCH_PAPER,      /* the paper's datapath, bit for bit */
-  SEPAX_ARCH_CONFERENCE, /* the design that the paper improves on, docs/conference.md */
+  SEPAX_ARCH_CONFERENCE, /* the design that the paper improves on, docs/reference/conference.md */
   SEPAX_ARCH_REFERENCE,  /* software: the same verdict by another method, sepax_reference */
   SEPAX_ARCH_FLOAT32,    /* software baseline in IEEE single precision */
   SEPAX_ARCH_FLOAT64,    /* software baseline in IEEE double precision */
@@ -90,7 +90,7 @@ typedef struct {
   bool clock_gating;      /* exact: registers move only with a pair */
   int clearance, warning; /* exact: LSB; -1 and 0: none. The verdict is free only if the real
                              triangles are farther from each other than `clearance`
-                             (docs/clearance.md) */
+                             (docs/reference/clearance.md) */
   sepax_stream stream;    /* exact: AXI4-Stream around the core */
   int tag;                /* bits of a tag that travels with a pair of the stream, 1 ... 64 */
   int lanes;              /* exact: comparator lanes of an object engine, 1 ... 64; 0: none */
@@ -142,7 +142,7 @@ int sepax_stream_transfers(const sepax_config *config);
 
 /* The format of a number of the datapath. In paper and conference the exact value needs `exact`
  * bits (interval analysis); the lowest `shift` of them are dropped by flooring, `width` = exact -
- * shift are kept (docs/paper.md has the table). In exact see SEPAX_X_... below. */
+ * shift are kept (docs/reference/paper.md has the table). In exact see SEPAX_X_... below. */
 typedef struct {
   const char *name;
   int exact, width, shift;
@@ -162,8 +162,8 @@ typedef enum {
   SEPAX_F_COUNT
 } sepax_format_id;
 
-/* Formats of architecture exact (docs/exact.md): `exact` bits would hold every term, `width`
- * bits hold the result, as sums that cancel are taken modulo 2^width. shift is 0. */
+/* Formats of architecture exact (docs/reference/exact.md): `exact` bits would hold every term,
+ * `width` bits hold the result, as sums that cancel are taken modulo 2^width. shift is 0. */
 enum {
   SEPAX_X_COORDINATE,
   SEPAX_X_SPAN,       /* sum or difference of two coordinates */
@@ -192,8 +192,8 @@ typedef struct {
   int limits;             /* clearances asked for, 0 ... 2 */
   int64_t margin[2];      /* of AABBs: with a gap above margin[0] = 1 + clearance a pair is not in
                              band COLLISION, above margin[1] = 1 + the outermost clearance it is
-                             in band FREE; of a tree engine larger by what docs/tree.md adds;
-                             0 without clearances */
+                             in band FREE; a tree engine adds to both
+                             (docs/reference/tree-engine.md); 0 without clearances */
 } sepax_design;
 
 /* Check the configuration and derive formats, limit and latency. */
@@ -214,8 +214,8 @@ sepax_judgement sepax_judge(const sepax_design *design, const sepax_pair *pair);
  * conservative: if the real triangles, each coordinate of which is within 1/2 LSB of the one given,
  * are within a limit of each other (Euclidean distance), the band never says that they are not.
  * axis is the first in the order 13, 10, 11, 1 ... 9, 12 that proves the band, SEPAX_AXIS_NONE in
- * band COLLISION. coplanar is that of sepax_exact. docs/clearance.md has the proof and the rate of
- * false alarms. Coordinates of W bits; about 1 us. */
+ * band COLLISION. coplanar is that of sepax_exact. docs/reference/clearance.md has the proof and
+ * the rate of false alarms. Coordinates of W bits; about 1 us. */
 sepax_judgement sepax_clearance(const sepax_design *design, const sepax_tri *a, const sepax_tri *b);
 
 /* The same on the same axes, but by their true lengths: all that these axes can prove. The
@@ -348,14 +348,15 @@ typedef struct {
 
 /* Fails on no triangles, 2^32 or more, an empty range, a workspace that does not hold all poses,
  * more than 32 bits, a path that a tree engine cannot be given (sepax_tree_pose_make), and without
- * memory. Free *size with sepax_size_free. docs/size.md. */
+ * memory. Free *size with sepax_size_free. docs/reference/size.md. */
 bool sepax_size_scene(sepax_size *size, const sepax_soup *a, const sepax_soup *b,
                       const sepax_space *space, sepax_error *error);
 void sepax_size_free(sepax_size *size);
 
 /* Gates (GE) of architecture exact at 2 ns, by a formula fitted to mapped designs (Nangate45
  * typical); *error is the largest error of the formula if this design is like those. An engine is
- * counted without its memories. The design is one that sepax_design_init made. docs/size.md. */
+ * counted without its memories. The design is one that sepax_design_init made.
+ * docs/reference/size.md. */
 double sepax_gates(const sepax_design *design, double *error);
 
 /* Bits of the memories of an engine, 0 of a core alone. */
@@ -377,13 +378,14 @@ typedef struct {
                           alone, given every pair */
   double gates, gates_error; /* sepax_gates */
   bool fitted;               /* the formula was fitted to designs like this one */
-  uint64_t cycles; /* in the pose that takes the most of those of `size`: where poses were sampled
-                      no bound. As predicted by the golden models (sepax_object_engine, to about 1
-                      %; of a tree engine sepax_tree_run.cycles, with cold caches), without the
-                      latency of a core. On a path an object engine loads the objects anew, 3 cycles
-                      a triangle (docs/engine.md, Motion); else loading is left out */
-  double mean;     /* cycles a pose */
-  size_t worst;    /* number of the pose that takes `cycles` */
+  uint64_t
+      cycles;   /* in the pose that takes the most of those of `size`: where poses were sampled
+                   no bound. As predicted by the golden models (sepax_object_engine, to about 1
+                   %; of a tree engine sepax_tree_run.cycles, with cold caches), without the
+                   latency of a core. On a path an object engine loads the objects anew, 3 cycles
+                   a triangle (docs/reference/object-engine.md, Motion); else loading is left out */
+  double mean;  /* cycles a pose */
+  size_t worst; /* number of the pose that takes `cycles` */
   double seconds;
 } sepax_sized_design;
 

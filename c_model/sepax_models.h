@@ -1,6 +1,7 @@
 /* sepax_models.h - pairs as the hardware gets them, what it says of them, and software to compare
  * it with: baselines in floating point and slower models of the same verdict. The conventions are
- * those of sepax.h and sepax_grid.h; "the paper" is the one that docs/paper.md describes. */
+ * those of sepax.h and sepax_grid.h; "the paper" is the one that docs/reference/paper.md describes.
+ */
 #ifndef SEPAX_MODELS_H
 #define SEPAX_MODELS_H
 

@@ -1,6 +1,6 @@
 /* sepax_tree.h - trees of triangles in the memory format of the tree engine, poses in fixed point,
  * and the walk down two trees: the golden model of the engine. The conventions are those of
- * sepax.h; docs/tree.md is the specification of format, arithmetic and order. */
+ * sepax.h; docs/reference/tree-engine.md is the specification of format, arithmetic and order. */
 #ifndef SEPAX_TREE_H
 #define SEPAX_TREE_H
 
@@ -33,9 +33,9 @@ bool sepax_tree_new(sepax_tree **tree, const sepax_tri *tri, size_t count, const
                     sepax_error *error);
 void sepax_tree_free(sepax_tree *tree);
 
-/* Write a tree into a file (docs/tree.md, The file), under a temporary name that is then renamed to
- * path; read it back. Reading checks versions, CRCs and all that the format says, and fails on a
- * file that is anything else than a whole tree. */
+/* Write a tree into a file (docs/reference/tree-engine.md, The file), under a temporary name that
+ * is then renamed to path; read it back. Reading checks versions, CRCs and all that the format
+ * says, and fails on a file that is anything else than a whole tree. */
 bool sepax_tree_write(const sepax_tree *tree, const char *path, sepax_error *error);
 bool sepax_tree_read(sepax_tree **tree, const char *path, sepax_error *error);
 
@@ -70,10 +70,10 @@ typedef struct {
 /* The pose of B in the coordinates of A, where the bodies are in their poses (NULL: as they stand
  * in their files). Each entry of the matrix is rounded once, t is wrong by less than 2^-17 LSB.
  * Boxes are larger by the margin, whole LSB, 0 ... 8191 (sepax_design.margin[1]). K, u and sigma_B
- * keep inequality (2) of docs/tree.md, checked in whole numbers. Fails on trees of different
- * resolutions, on a pose that is not valid or has an entry above 1 + 2^-22, on a translation or
- * offset beyond 2^28 LSB, on bodies too far from each other for 44 bits (2^23 LSB), and on a
- * margin that does not fit. */
+ * keep inequality (2) of docs/reference/tree-engine.md, checked in whole numbers. Fails on trees of
+ * different resolutions, on a pose that is not valid or has an entry above 1 + 2^-22, on a
+ * translation or offset beyond 2^28 LSB, on bodies too far from each other for 44 bits (2^23 LSB),
+ * and on a margin that does not fit. */
 bool sepax_tree_pose_make(sepax_tree_pose *pose, const sepax_tree *a, const sepax_pose *pose_a,
                           const sepax_tree *b, const sepax_pose *pose_b, int64_t margin,
                           sepax_error *error);
@@ -89,7 +89,7 @@ bool sepax_tree_pose_unpack(sepax_tree_pose *pose, const uint8_t bytes[SEPAX_TRE
                             sepax_error *error);
 
 /* By how many LSB the clearance of the core must be larger than that of the real bodies in their
- * poses: d of docs/tree.md, Clearance. */
+ * poses: d of docs/reference/tree-engine.md, Clearance. */
 int sepax_tree_clearance_added(int word);
 
 /* -------------------------------------------------------------------- walk */
@@ -118,8 +118,9 @@ typedef struct {
 } sepax_tree_walk_options;
 
 typedef struct {
-  uint64_t entries, steps, rows, pairs, near, collisions; /* docs/tree.md, Counters */
-  uint64_t out_of_range, warnings;                        /* among `near` */
+  uint64_t entries, steps, rows, pairs, near,
+      collisions;                  /* docs/reference/tree-engine.md, Counters */
+  uint64_t out_of_range, warnings; /* among `near` */
   uint64_t passes;       /* of near pairs through the core: two for one that is flat along z */
   sepax_tree_pair found; /* FIRST, where collisions > 0 */
   uint64_t cycles;       /* predicted, with cold caches */
@@ -145,7 +146,7 @@ bool sepax_tree_walk_images(const uint8_t *const image[2],
 #define SEPAX_TREE_JOB_BYTES 128
 #define SEPAX_TREE_POSE_STRIDE 256 /* bytes from a pose of a queue to the next */
 
-/* Modes of a job: docs/tree.md, Jobs. */
+/* Modes of a job: docs/reference/tree-engine.md, Jobs. */
 enum {
   SEPAX_TREE_FIRST = 1, /* a pose ends at its first collision */
   SEPAX_TREE_QUIET = 2, /* pairs are counted, not sent */
@@ -220,8 +221,9 @@ bool sepax_tree_next(sepax_tree_batch *batch, sepax_tree_result *result, bool *m
 /* -------------------------------------------------------- lists in files */
 
 /* A list of jobs with the bodies, names and poses that it needs, as the bytes of its file, which an
- * engine's memory can be filled with: docs/tree.md, The list in a file. Addresses are counted from
- * the first byte. All jobs have as many poses; pose n of each is that of line n of a path. */
+ * engine's memory can be filled with: docs/reference/tree-engine.md, The list in a file. Addresses
+ * are counted from the first byte. All jobs have as many poses; pose n of each is that of line n of
+ * a path. */
 typedef struct {
   uint8_t *byte;
   size_t bytes;

@@ -4,7 +4,7 @@
  * refused:
  *   - Each element of a file becomes triangles, or is of a kind that has no surface (normals,
  *     colours, lines, names ...) and is counted by name in the account, or the reading fails and
- *     says where the element is. What docs/meshes.md does not list is refused.
+ *     says where the element is. What docs/reference/meshes.md does not list is refused.
  *   - Coordinates are doubles. A decimal number is rounded once, to the nearest double; a binary
  *     one is exact. Where a file places its meshes by matrices (3MF, DAE), products and sums are
  *     rounded; equal vertices remain equal.

@@ -240,8 +240,8 @@ bool sepax_soup_weld(sepax_soup *soup, double length, sepax_weld *said, sepax_er
 
 /* ---------------------------------------------------------------- verdicts */
 
-/* Axis numbers are those of the paper that docs/paper.md describes. e_i is the edge from A_i to
- * A_i+1, f_j that from B_j to B_j+1 (i, j = 0, 1, 2 modulo 3). */
+/* Axis numbers are those of the paper that docs/reference/paper.md describes. e_i is the edge from
+ * A_i to A_i+1, f_j that from B_j to B_j+1 (i, j = 0, 1, 2 modulo 3). */
 typedef enum {
   SEPAX_AXIS_NONE = 0,      /* no axis separates, or the method names none */
   SEPAX_AXIS_EDGES = 1,     /* 1 ... 9: SEPAX_AXIS_EDGES + 3i + j is e_i x f_j */

@@ -50,7 +50,7 @@ typedef struct {
  * a collision; bits of the last word from `count` on are 0. Exact for every int32_t. It is fastest
  * where all 64 pairs of a word have coordinates of up to 20 bits, not much slower up to 25 bits,
  * and judges longer coordinates one by one in 128 bits. It reads nothing outside of the arrays.
- * docs/software.md. */
+ * docs/reference/library.md. */
 void sepax_exact_pairs(sepax_simd simd, const sepax_columns *a, const sepax_columns *b,
                        size_t count, uint64_t *bits);
 

@@ -11,8 +11,8 @@
  * wrong by at most n 2^-46 (the largest length by which a unit vector's image is off), the
  * translation by at most n 2^-45 L, L being the sum of the lengths of the origins' translations and
  * of the ways along axes, if the values, axes and origins are exact, and sin and cos are right to
- * one unit in the last place. docs/path proves it. A verdict on bodies in such poses is exact
- * for the poses as they are rounded.
+ * one unit in the last place. docs/guides/path.md proves it. A verdict on bodies in such poses is
+ * exact for the poses as they are rounded.
  */
 #ifndef SEPAX_MECHANISM_H
 #define SEPAX_MECHANISM_H
@@ -103,7 +103,7 @@ void sepax_chain_poses(const sepax_chain *chain, const sepax_mechanism *m, const
  * The result is a bound: in B's coordinates no point of a box of A's (least and greatest
  * coordinates, in A's) is ever farther from where it is at the middle. Rounding is in it: that of
  * the bound, of values between the ends, and of the poses that sepax_chain_poses gives at the
- * middle. Values that follow are linear, too. docs/path.md. */
+ * middle. Values that follow are linear, too. docs/guides/path.md. */
 double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
                           const double *middle, const double *to, const double box[2][3]);
 

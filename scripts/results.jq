@@ -1,4 +1,5 @@
-# scripts/results: the tables of docs/results and of README.md, from report.json (make report).
+# scripts/results: the tables of docs/developers/results and of README.md, from report.json (make
+# report).
 #   $what: readme | designs | energy
 
 # The published designs as the paper's table 4 and section IV have them.
@@ -55,7 +56,7 @@ def designs:
     | "- Pairs/s: clock / II; the engine's are the \(.mesh_pairs) pairs of the sample objects in",
       "  \(.mesh_cycles) cycles."),
   "- Missed: share of the collisions; false alarms: share of the separated pairs, among",
-  "  \(errors.pairs) [hard pairs](../vectors.md), of which \(errors.collisions) collide.",
+  "  \(errors.pairs) [hard pairs](../../reference/vectors.md), of which \(errors.collisions) collide.",
   "- All of ours have the same multipliers. `make area` finds gates and clock, `make cosim` and",
   "  `make engine` speed and verdicts, with the variables of the last column.";
 

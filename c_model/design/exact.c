@@ -1,4 +1,5 @@
-/* exact.c - architecture exact: its checks and the formats of its numbers (docs/exact.md). */
+/* exact.c - architecture exact: its checks and the formats of its numbers
+ * (docs/reference/exact.md). */
 #include "design/architecture.h"
 #include "design/engine_table.h"
 #include "design/interval.h"

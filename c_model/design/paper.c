@@ -1,5 +1,5 @@
 /* paper.c - architectures paper and conference: their checks and the fixed-point formats that
- * follow by interval analysis (docs/paper.md). Both have the same options and formats. */
+ * follow by interval analysis (docs/reference/paper.md). Both have the same options and formats. */
 #include "design/architecture.h"
 #include "design/interval.h"
 #include "design/paper.h"

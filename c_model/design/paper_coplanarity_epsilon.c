@@ -1,6 +1,6 @@
 /* paper_coplanarity_epsilon.c - the epsilon of the paper's coplanarity test: how far in LSB, along
  * a unit normal, a vertex may be from a plane and still count as lying in it (--epsilon,
- * docs/paper.md). rtl_gen/paper/sepax_cop.v is the test in hardware. */
+ * docs/reference/paper.md). rtl_gen/paper/sepax_cop.v is the test in hardware. */
 #include "design/paper.h"
 #include "util/error.h"
 

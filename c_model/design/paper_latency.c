@@ -1,6 +1,7 @@
 /* paper_latency.c - what fixes the latency of architectures paper and conference: the schedules
- * that the papers print (docs/paper.md, docs/conference.md). No option changes them. rtl_gen/paper
- * and rtl_gen/conference follow them cycle by cycle and take their last cycle from here. */
+ * that the papers print (docs/reference/paper.md, docs/reference/conference.md). No option changes
+ * them. rtl_gen/paper and rtl_gen/conference follow them cycle by cycle and take their last cycle
+ * from here. */
 #include "design/paper.h"
 
 /* Cycles of each stage; 0 behind the last. Figure 6. */

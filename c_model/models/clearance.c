@@ -1,5 +1,5 @@
 /* clearance.c - conservative clearance: is the distance of a pair provably above D LSB, although
- * its coordinates were rounded to LSB? docs/clearance.md has the proof.
+ * its coordinates were rounded to LSB? docs/reference/clearance.md has the proof.
  *
  * The integer triangles have a gap on an axis c. The real triangles have a distance above D if
  *   2 gap > (2 + D) |c|_1 + D |c|_inf                     as the hardware judges, or if

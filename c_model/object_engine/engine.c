@@ -21,7 +21,7 @@ static uint64_t memory_bits(const sepax_config *config) {
   return 15 * (uint64_t)config->word * (of_a + of_b) + side * of_a;
 }
 
-/* Gates: docs/results/area/engine.csv, scripts/experiments/fit-area -l. */
+/* Gates: docs/developers/results/area/engine.csv, scripts/experiments/fit-area -l. */
 const engine_row sepax__engine_object = {.name = "an object engine",
                                          .option = "lanes",
                                          .tests_aabbs = true,

@@ -1,5 +1,5 @@
 /* model.c - golden model of the object engine: which pairs it finds, in which order, and
- * about when (docs/engine.md). */
+ * about when (docs/reference/object-engine.md). */
 #include "object_engine/time.h"
 #include "design/engine_table.h"
 #include "util/aabb.h"

@@ -1,5 +1,5 @@
 /* time.h - when the object engine is done: from the comparator lanes to the cores as time
- * goes by (private, docs/engine.md). */
+ * goes by (private, docs/reference/object-engine.md). */
 #ifndef SEPAX_OBJECT_TIME_H
 #define SEPAX_OBJECT_TIME_H
 
@@ -110,7 +110,7 @@ static inline uint64_t engine_finish(engine_time *t, int latency) {
   return t->last_taken > 0 && answered > enumerated ? answered : enumerated;
 }
 
-/* Steps for so many triangles of A and of B (docs/engine.md). */
+/* Steps for so many triangles of A and of B (docs/reference/object-engine.md). */
 static inline uint64_t engine_steps(uint64_t count_a, uint64_t count_b, uint64_t lanes) {
   uint64_t length = count_b > lanes ? count_b : lanes;
   return (count_a + lanes - 1) / lanes * length + (count_a - 1) % lanes;

@@ -1,12 +1,13 @@
-/* gates.c - gates of a design before it is mapped, and bits of its memories. docs/size.md. */
+/* gates.c - gates of a design before it is mapped, and bits of its memories.
+ * docs/reference/size.md. */
 #include "size/gates.h"
 #include "design/engine_table.h"
 
 enum { TERMS = 7 };
 
-/* GE of what each term counts: docs/results/area/nangate45.csv (Nangate45 typical, 2 ns as timed by
- * synth/area/map) as scripts/experiments/fit-area fits it, with the largest relative error on its
- * designs. */
+/* GE of what each term counts: docs/developers/results/area/nangate45.csv (Nangate45 typical, 2 ns
+ * as timed by synth/area/map) as scripts/experiments/fit-area fits it, with the largest relative
+ * error on its designs. */
 static const double ge_per_term[TERMS] = {4.6195, 8.7755, 1134.1, 35.031, 637.73, 1631.2, 635.7};
 enum { FITTED_LEAST = 8, FITTED_MOST = 24, FITTED_PS = 2000 }; /* bits of a coordinate; clock */
 static const double largest_error = 0.0831;
@@ -15,7 +16,7 @@ static const double largest_error = 0.0831;
  * is assumed. */
 static const double engine_error = 0.05;
 
-/* What one clearance or two add to a core (docs/results/area/clearance.csv,
+/* What one clearance or two add to a core (docs/developers/results/area/clearance.csv,
  * scripts/experiments/fit-area -d), with the largest relative error on these designs. */
 enum { CLEARANCE_TERMS = 6 };
 static const double ge_per_clearance_term[CLEARANCE_TERMS] = {4.265,  7230.6, 263.85,
@@ -24,10 +25,10 @@ static const double clearance_error = 0.0885;
 
 static int units(int operations, int ii) { return (operations + ii - 1) / ii; }
 
-/* What a core of w bits behind the AABB test is made of (docs/exact.md#formats): the bits of its
- * multipliers, a x b; the bits of the results of its sums; registers of any schedule; registers
- * that hold values within an II window (no more beyond 9 cycles); multiplexers of operands, where 3
- * does not divide II; control; the AABB test. */
+/* What a core of w bits behind the AABB test is made of (docs/reference/exact.md#formats): the bits
+ * of its multipliers, a x b; the bits of the results of its sums; registers of any schedule;
+ * registers that hold values within an II window (no more beyond 9 cycles); multiplexers of
+ * operands, where 3 does not divide II; control; the AABB test. */
 static void count_terms(double term[TERMS], const sepax_design *d) {
   int ii = d->config.ii;
   int w = d->core_word;

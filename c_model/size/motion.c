@@ -1,4 +1,5 @@
-/* motion.c - where the bodies of a scene may be, and poses drawn from there. docs/size.md. */
+/* motion.c - where the bodies of a scene may be, and poses drawn from there.
+ * docs/reference/size.md. */
 #include "size/motion.h"
 
 #include <math.h>

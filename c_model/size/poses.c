@@ -1,5 +1,5 @@
 /* poses.c - what two meshes need in each of their poses: word length, extents, and how many
- * candidates the AABB test leaves. docs/size.md. */
+ * candidates the AABB test leaves. docs/reference/size.md. */
 #include "design/interval.h"
 #include "size/workloads.h"
 #include "size/motion.h"

@@ -1,4 +1,4 @@
-/* size.c - the design of the fewest gates that judges a scene in time. docs/size.md. */
+/* size.c - the design of the fewest gates that judges a scene in time. docs/reference/size.md. */
 #include "design/engine_table.h"
 #include "size/gates.h"
 #include "size/workloads.h"

@@ -1,4 +1,5 @@
-/* trees.c - the bodies of a scene and their path as a tree engine gets them. docs/size.md. */
+/* trees.c - the bodies of a scene and their path as a tree engine gets them.
+ * docs/reference/size.md. */
 #include "size/workloads.h"
 
 #include "util/error.h"

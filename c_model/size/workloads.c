@@ -1,5 +1,5 @@
 /* workloads.c - the candidates of a pose, the pairs that take two passes, and the cycles of a
- * design for them. docs/size.md. */
+ * design for them. docs/reference/size.md. */
 #include "size/workloads.h"
 
 #include "object_engine/time.h"

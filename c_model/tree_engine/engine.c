@@ -26,7 +26,7 @@ static uint64_t memory_bits(const sepax_config *config) {
   return 219008 + 3288 * (uint64_t)config->word;
 }
 
-/* Gates: docs/results/area/tree.csv, scripts/experiments/fit-area -t. */
+/* Gates: docs/developers/results/area/tree.csv, scripts/experiments/fit-area -t. */
 const engine_row sepax__engine_tree = {.name = "a tree engine",
                                        .option = "tree",
                                        .tests_aabbs = true,

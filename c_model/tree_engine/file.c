@@ -1,4 +1,4 @@
-/* file.c - trees in files. docs/tree.md, The file. */
+/* file.c - trees in files. docs/reference/tree-engine.md, The file. */
 #include "tree_engine/tree.h"
 #include "util/error.h"
 #include "util/write_file.h"

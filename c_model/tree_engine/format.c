@@ -1,4 +1,4 @@
-/* format.c - nodes and records of leaves, to and from bytes. docs/tree.md. */
+/* format.c - nodes and records of leaves, to and from bytes. docs/reference/tree-engine.md. */
 #include "tree_engine/format.h"
 
 uint32_t sepax__tree_crc(uint32_t crc, const uint8_t *bytes, size_t count) {

@@ -1,5 +1,5 @@
 /* format.h - nodes, records of leaves and poses as they are in memory, to the byte (private).
- * docs/tree.md is normative. */
+ * docs/reference/tree-engine.md is normative. */
 #ifndef SEPAX_TREE_FORMAT_H
 #define SEPAX_TREE_FORMAT_H
 
@@ -50,7 +50,7 @@ tree_node sepax__tree_unpack(const uint8_t bytes[TREE_NODE_BYTES], int word);
 /* Its bytes, with its CRC. */
 void sepax__tree_pack(uint8_t bytes[TREE_NODE_BYTES], const tree_node *node, const uint8_t *record);
 
-/* False if the engine calls node `number` damaged: docs/tree.md, Checks. */
+/* False if the engine calls node `number` damaged: docs/reference/tree-engine.md, Checks. */
 bool sepax__tree_node_sound(const tree_image *tree, const tree_node *node, uint32_t number);
 
 /* The vertices of triangle `number` of a leaf's record of so many beats; false if the engine calls

@@ -1,4 +1,5 @@
-/* list.c - lists of jobs in files, with all that they need. docs/tree.md, The list in a file. */
+/* list.c - lists of jobs in files, with all that they need. docs/reference/tree-engine.md, The list
+ * in a file. */
 #include "tree_engine/tree.h"
 #include "util/error.h"
 #include "util/write_file.h"

@@ -1,4 +1,4 @@
-/* jobs.c - lists of jobs of the tree engine, pose by pose. docs/tree.md, Jobs. */
+/* jobs.c - lists of jobs of the tree engine, pose by pose. docs/reference/tree-engine.md, Jobs. */
 #include "tree_engine/walk.h"
 
 #include <string.h>

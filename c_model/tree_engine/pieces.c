@@ -1,5 +1,5 @@
-/* pieces.c - what the modules of the tree engine compute. docs/tree.md has the formulas, widths and
- * the proof that no collision is missed. */
+/* pieces.c - what the modules of the tree engine compute. docs/reference/tree-engine.md has the
+ * formulas, widths and the proof that no collision is missed. */
 #include "tree_engine/walk.h"
 
 #include "util/aabb.h"

@@ -1,4 +1,5 @@
-/* pose.c - poses in fixed point. docs/tree.md, Why nothing is missed, has inequality (2). */
+/* pose.c - poses in fixed point. docs/reference/tree-engine.md, Why nothing is missed, has
+ * inequality (2). */
 #include "tree_engine/tree.h"
 #include "util/error.h"
 #include "util/wide.h"

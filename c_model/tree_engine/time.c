@@ -1,4 +1,5 @@
-/* time.c - about when the tree engine does what the walk does. docs/tree.md, Time. */
+/* time.c - about when the tree engine does what the walk does. docs/reference/tree-engine.md, Time.
+ */
 #include "tree_engine/time.h"
 
 #include "tree_engine/format.h"

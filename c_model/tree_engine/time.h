@@ -1,5 +1,5 @@
 /* time.h - about when the tree engine does what the walk does (private): caches, bus, compare path,
- * pair test and cores, each in order. docs/tree.md, Time. */
+ * pair test and cores, each in order. docs/reference/tree-engine.md, Time. */
 #ifndef SEPAX_TREE_TIME_H
 #define SEPAX_TREE_TIME_H
 

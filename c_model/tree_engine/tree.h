@@ -24,12 +24,13 @@ static inline size_t tree_records_at(size_t nodes) {
   return (nodes * TREE_NODE_BYTES + TREE_PAGE - 1) / TREE_PAGE * TREE_PAGE;
 }
 
-/* All that docs/tree.md says of an image, whatever its bytes are: CRCs, zeros, levels, that each
- * node and triangle is the child of exactly one node, and that each box holds what is below it. */
+/* All that docs/reference/tree-engine.md says of an image, whatever its bytes are: CRCs, zeros,
+ * levels, that each node and triangle is the child of exactly one node, and that each box holds
+ * what is below it. */
 bool sepax__tree_check(const sepax_tree *tree, sepax_error *error);
 
-/* The file of a tree, docs/tree.md, The file: its bytes; write it, whole; read one that is all that
- * `in` has. */
+/* The file of a tree, docs/reference/tree-engine.md, The file: its bytes; write it, whole; read one
+ * that is all that `in` has. */
 uint64_t sepax__tree_file_bytes(const sepax_tree *tree);
 bool sepax__tree_file_write(FILE *out, const sepax_tree *tree);
 bool sepax__tree_file_read(sepax_tree **tree, FILE *in, sepax_error *error);

@@ -1,5 +1,5 @@
 /* walk.c - the walk down two trees: which pairs the tree engine tests, in which order, and what it
- * counts. docs/tree.md, Order. */
+ * counts. docs/reference/tree-engine.md, Order. */
 #include "tree_engine/time.h"
 #include "tree_engine/tree.h"
 #include "tree_engine/walk.h"

@@ -1,5 +1,5 @@
 /* walk.h - the pieces of the walk down two trees, one a module of the engine (private). Each is a
- * function of its arguments; docs/tree.md has the formulas and widths. */
+ * function of its arguments; docs/reference/tree-engine.md has the formulas and widths. */
 #ifndef SEPAX_TREE_WALK_H
 #define SEPAX_TREE_WALK_H
 

@@ -1,11 +1,11 @@
 /* sepax_tree_driver.h - driver of a tree engine, for bare metal: no heap, no operating system, C11.
  *
  * Trees are files of `sepax tree`, anywhere in the engine's memory; jobs, poses and results are
- * those of docs/tree.md. The registers are those of sepax_registers.h, which sepax gen writes
- * beside the Verilog. The three accesses are yours. What the engine is to read must be written
- * before sepax_device_start and be visible to it (caches of the processor flushed), and stand until
- * the batch has ended. Results must be taken: the engine waits while nobody takes them. One call at
- * a time; not from an interrupt while another runs. */
+ * those of docs/reference/tree-engine.md. The registers are those of sepax_registers.h, which sepax
+ * gen writes beside the Verilog. The three accesses are yours. What the engine is to read must be
+ * written before sepax_device_start and be visible to it (caches of the processor flushed), and
+ * stand until the batch has ended. Results must be taken: the engine waits while nobody takes them.
+ * One call at a time; not from an interrupt while another runs. */
 #ifndef SEPAX_TREE_DRIVER_H
 #define SEPAX_TREE_DRIVER_H
 
@@ -89,7 +89,7 @@ bool sepax_device_place(const sepax_device *device, sepax_device_list *list, uin
 /* ---------------------------------------------------------------- runs */
 
 /* A pair that collides, or is too near, by its numbers in the trees. The table at the end of a file
- * of `sepax tree` has the numbers in the STL file (docs/tree.md, The file). */
+ * of `sepax tree` has the numbers in the STL file (docs/reference/tree-engine.md, The file). */
 typedef struct {
   uint32_t a, b;
   bool coplanar;

@@ -1,5 +1,5 @@
 """engine.py - drives the object engine (sepax_engine) over its three AXI buses by the models of
-cocotbext-axi. docs/engine.md tells what the registers and the streams mean."""
+cocotbext-axi. docs/reference/object-engine.md tells what the registers and the streams mean."""
 import re
 
 from cocotb.triggers import ClockCycles

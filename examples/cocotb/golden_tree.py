@@ -120,8 +120,8 @@ def batch(options, memory, jobs_at, jobs):
 
 
 def end_of_pose(result):
-    """The eight transfers of docs/tree.md, Results, but for the bit LAST: [(value, mask), ...], the
-    mask having a 1 where a bit is defined."""
+    """The eight transfers of docs/reference/tree-engine.md, Results, but for the bit LAST:
+    [(value, mask), ...]. A mask has a 1 where a bit is defined."""
     run, found = result.run, result.run.found
     row = [found.child[k] << 23 | found.leaf[k] for k in range(2)]
     hit = result.status & HIT != 0

@@ -1,5 +1,5 @@
 """stream.py - drives the core on AXI4-Stream (sepax_stream): pairs in, verdicts out, a tag with
-each. docs/exact.md, AXI4-Stream."""
+each. docs/reference/exact.md, AXI4-Stream."""
 from collections import namedtuple
 
 from cocotbext.axi import AxiStreamFrame

@@ -1,5 +1,5 @@
 """tree.py - drives the tree engine (sepax_engine of a design with --tree) over its buses; the
-AxiRam of cocotbext-axi is its memory. docs/tree.md, Jobs."""
+AxiRam of cocotbext-axi is its memory. docs/reference/tree-engine.md, Jobs."""
 from cocotbext.axi import AxiRamRead, AxiReadBus
 
 from engine import Engine

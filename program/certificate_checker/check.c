@@ -1,6 +1,6 @@
 /* check.c - is a certificate right that bodies of a URDF do not touch along a path?
  *   sepax-certificate-check [-p NAME:FOLDER] FILE
- * docs/path/certificate.md has the format and what is proved. Exit status 0: proved; 1: not;
+ * docs/reference/certificate.md has the format and what is proved. Exit status 0: proved; 1: not;
  * 2: cannot be checked. Shares no code with sepax. */
 #include "boxes.h"
 #include "inside.h"

@@ -114,8 +114,9 @@ int cli_tree(int argc, char **argv) {
       parse,
       "MESH",
       "Write the triangles of a mesh (STL, OBJ, PLY, 3MF, DAE) as a tree in the memory format of "
-      "the tree engine (docs/tree.md). Two trees are for each other if their resolutions are "
-      "equal. Of a list of jobs, as sepax path --jobs writes it, tell what is in it.",
+      "the tree engine (docs/reference/tree-engine.md). Two trees are for each other if their "
+      "resolutions are equal. Of a list of jobs, as sepax path --jobs writes it, tell what is in "
+      "it.",
       children,
       NULL,
       NULL};

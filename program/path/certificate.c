@@ -1,4 +1,4 @@
-/* certificate.c - what was certified, for programs that check it: docs/path/certificate.md. */
+/* certificate.c - what was certified, for programs that check it: docs/reference/certificate.md. */
 #include "path/digest.h"
 #include "path/parts.h"
 #include "util/error.h"

@@ -1,5 +1,5 @@
 /* engine.c - the bodies and lines as a tree engine gets them: trees, poses in fixed point, a list
- * of jobs. docs/path/engine.md. */
+ * of jobs. docs/reference/path-engine.md. */
 #include "path/engine.h"
 #include "util/error.h"
 

@@ -1,4 +1,4 @@
-/* scene.c - what the pairs of a mechanism need in each line of a path. docs/size.md. */
+/* scene.c - what the pairs of a mechanism need in each line of a path. docs/reference/size.md. */
 #include "size/workloads.h"
 #include "size/parts.h"
 #include "util/error.h"

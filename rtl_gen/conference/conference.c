@@ -1,5 +1,5 @@
 /* conference.c - architecture conference: what the paper improves on, table by table
- * (docs/conference.md), of the paper's units. */
+ * (docs/reference/conference.md), of the paper's units. */
 #include "conference/conference.h"
 #include "paper/paper.h"
 

@@ -1,4 +1,5 @@
-/* conference.h - architecture conference: what the paper improves on (docs/conference.md). */
+/* conference.h - architecture conference: what the paper improves on
+ * (docs/reference/conference.md). */
 #ifndef SEPAX_CONFERENCE_H
 #define SEPAX_CONFERENCE_H
 

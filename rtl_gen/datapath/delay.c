@@ -6,7 +6,7 @@
 /* Fitted to logic that Yosys 0.23 maps to the typical corner and OpenSTA times: arithmetic alone;
  * operands to W = 8 and 18 at II = 3, fixed_slots to W = 12 at II = 2 and 6, sums to W = 18 and 20,
  * aabb to W = 18, slow is a little above the most of OpenSTA's ratios of least periods
- * (docs/timing.md), engine to W = 5 with 8 lanes. */
+ * (docs/developers/timing.md), engine to W = 5 with 8 lanes. */
 static const delay_model nangate45 = {
     .library = "nangate45_typ",
     .reg = 0.20,

@@ -1,5 +1,5 @@
 /* delay.h - the delay model: when logic between registers has settled, in nanoseconds. Registers
- * are placed by it (docs/results/clock.md#target-periods tells how far it is right). */
+ * are placed by it (docs/developers/results/clock.md#target-periods tells how far it is right). */
 #ifndef SEPAX_DELAY_H
 #define SEPAX_DELAY_H
 

@@ -1,4 +1,4 @@
-/* clearance.h - what a clearance adds to architecture exact (docs/clearance.md). */
+/* clearance.h - what a clearance adds to architecture exact (docs/reference/clearance.md). */
 #ifndef SEPAX_CLEARANCE_H
 #define SEPAX_CLEARANCE_H
 

@@ -1,5 +1,5 @@
-/* exact.h - architecture exact: its expression graph (docs/exact.md), the registers inside its
- * units, its cycles, its modules. */
+/* exact.h - architecture exact: its expression graph (docs/reference/exact.md), the registers
+ * inside its units, its cycles, its modules. */
 #ifndef SEPAX_EXACT_H
 #define SEPAX_EXACT_H
 

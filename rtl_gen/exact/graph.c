@@ -1,4 +1,4 @@
-/* graph.c - the exact datapath as an expression graph: the formulas of docs/exact.md. */
+/* graph.c - the exact datapath as an expression graph: the formulas of docs/reference/exact.md. */
 #include "clearance.h"
 #include "exact.h"
 

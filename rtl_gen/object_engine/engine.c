@@ -1,6 +1,6 @@
-/* engine.c - the object engine (docs/engine.md): two memories of triangles, comparator lanes to
- * which a pair enumerator leads all pairs, and the cores behind them. Its row in the table of
- * generators.
+/* engine.c - the object engine (docs/reference/object-engine.md): two memories of triangles,
+ * comparator lanes to which a pair enumerator leads all pairs, and the cores behind them. Its row
+ * in the table of generators.
  */
 #include "aabb/aabb.h"
 #include "engine/engine.h"

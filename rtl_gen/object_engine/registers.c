@@ -1,4 +1,5 @@
-/* registers.c - the register map of the object engine (docs/engine.md, Registers). */
+/* registers.c - the register map of the object engine (docs/reference/object-engine.md, Registers).
+ */
 #include "object_engine/registers.h"
 
 static const engine_register table[] = {

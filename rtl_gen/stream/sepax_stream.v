@@ -32,7 +32,7 @@ module sepax_stream (
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TREADY" *)
   input  wire        m_axis_tready, // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TDATA" *)
-  output wire [31:0] m_axis_tdata,  // docs/exact.md, AXI4-Stream
+  output wire [31:0] m_axis_tdata,  // docs/reference/exact.md, AXI4-Stream
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TUSER" *)
   output wire [@tag_msb@:0] m_axis_tuser, // tag of the pair
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TLAST" *)

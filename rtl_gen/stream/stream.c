@@ -1,5 +1,5 @@
-/* stream.c - sepax_stream, the core on AXI4-Stream (docs/exact.md): what a transfer has. Its row in
- * the table of generators. */
+/* stream.c - sepax_stream, the core on AXI4-Stream (docs/reference/exact.md): what a transfer has.
+ * Its row in the table of generators. */
 #include "engine/engine.h"
 
 static void generate(emitter *e, emit_holes *h, int pairs) {

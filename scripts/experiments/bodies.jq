@@ -1,4 +1,5 @@
-# bodies.jq - the tables of docs/results/bodies.md from build/bodies/bodies.json (jq -r -f).
+# bodies.jq - the tables of docs/developers/results/bodies.md from build/bodies/bodies.json (jq -r
+# -f).
 def places($n): . * pow(10; $n) | round / pow(10; $n);
 def short: if . >= 100 then places(0) elif . >= 10 then places(1) elif . >= 0.1 then places(2)
   else places(4) end;

@@ -121,7 +121,7 @@ def page:
      "Of the <b>tree engine</b>: these pairs, in the mean of 64 poses in contact: \(.mesh_cycles) "
      + "cycles, \(.pose_nj | round) nJ a pose. " end),
   "<b>nJ</b>: energy of a pair, of the mapped gates with pairs that are mostly separated or all "
-  + "collide (docs/power.md); the paper does not tell its pairs. ",
+  + "collide (docs/developers/power.md); the paper does not tell its pairs. ",
   "<b>Missed</b>: share of the collisions, <b>false alarms</b>: of the separated pairs, among "
   + "\(hard); each design's Verilog gave the verdicts of its golden model:</p>",
   "<pre>\(.rows | map(.variables + "\n" + (.simulated | map("  " + .) | join("\n")))

@@ -191,7 +191,7 @@ static void expect_pair(void *context, const sepax_tree_pair *p) {
   expect_word(context, both(p->triangle[0], p->triangle[1]) | flags, around_all, false);
 }
 
-/* docs/tree.md, Results. */
+/* docs/reference/tree-engine.md, Results. */
 static void expect_end(lane_state *s, const sepax_tree_result *r, bool more) {
   const sepax_tree_run *run = &r->run;
   bool hit = run->collisions > 0;

@@ -1,5 +1,6 @@
-// boxes_properties.v - a box that holds a turned vertex is hit (docs/tree.md, "Why nothing is
-// missed"), in two steps, for Yosys' SAT solver. Registers are wires: inputs stand. Macros:
+// boxes_properties.v - a box that holds a turned vertex is hit (docs/reference/tree-engine.md, "Why
+// nothing is missed"), in two steps, for Yosys' SAT solver. Registers are wires: inputs stand.
+// Macros:
 //   TERM    entry 3 i + k of the matrix; AXIS: i; BIAS of sepax_turn_box
 //   M_W     bits of an entry of the matrix, worth 2^M_AT
 //   E_W     bits of exponents; X_W, SIGMA_W, TERM_W of X, of sigma, of the sum of products

@@ -1,5 +1,6 @@
 /* cycles.c - how many cycles a run of the object engine takes, register by register: pair
- * enumerator, lanes, FIFO of candidate masks, priority encoder, fetch, core (docs/engine.md). */
+ * enumerator, lanes, FIFO of candidate masks, priority encoder, fetch, core
+ * (docs/reference/object-engine.md). */
 #include "bench.h"
 
 #include <stdlib.h>

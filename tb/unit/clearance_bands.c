@@ -102,7 +102,7 @@ static sepax_pair face_and_shifted(const int32_t c[3], int32_t size, const int64
   return pair;
 }
 
-/* Beyond sqrt(3) (D + 2) every pair is free, docs/clearance.md. */
+/* Beyond sqrt(3) (D + 2) every pair is free, docs/reference/clearance.md. */
 CASE(test_far_is_free) {
   sepax_random random = {3};
   size_t beyond = 0;

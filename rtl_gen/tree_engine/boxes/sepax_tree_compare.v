@@ -1,6 +1,6 @@
 // The entries of the walk, one after the other: which children of node S in the mask, or whether
-// S's own box, hit which children of node T (docs/tree.md, Compare). Up to 4 entries are here: one
-// whose heads are read, one that is set up, the others' boxes.
+// S's own box, hit which children of node T (docs/reference/tree-engine.md, Compare). Up to 4
+// entries are here: one whose heads are read, one that is set up, the others' boxes.
 //@ if fpga
 // A box takes a cycle.
 //@ else

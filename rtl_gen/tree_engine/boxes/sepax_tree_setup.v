@@ -1,5 +1,5 @@
-// What turns boxes of node S into the cells of node T (docs/tree.md, Set-up). e_max is the highest
-// exponent of S, g_i = max(e_max, e_Ti):
+// What turns boxes of node S into the cells of node T (docs/reference/tree-engine.md, Set-up).
+// e_max is the highest exponent of S, g_i = max(e_max, e_Ti):
 //   n_ik = floor(M_ik / 2^(10 + g_i - e_Sk) + 1/2), D_i = floor(X_i / 2^(10 + g_i)),
 //   s_i = 192 + ceil(sigma_i / 2^g_i), low_i = sat(D_i - s_i), high_i = sat(D_i + 1 + s_i),
 //   shift_i = g_i - e_Ti.

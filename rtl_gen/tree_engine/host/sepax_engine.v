@@ -1,7 +1,7 @@
 // Which triangles of body A collide with which of body B, for a list of jobs: pairs of bodies as
-// trees in memory, each with a queue of poses (docs/tree.md). AXI4-Lite starts a batch and reads
-// what it has come to; the AXI4 port reads memory; collisions and the ends of poses leave over
-// AXI4-Stream. @cores@ exact core@plural@ of II = @ii@ judge@verb@ near pairs.
+// trees in memory, each with a queue of poses (docs/reference/tree-engine.md). AXI4-Lite starts a
+// batch and reads what it has come to; the AXI4 port reads memory; collisions and the ends of poses
+// leave over AXI4-Stream. @cores@ exact core@plural@ of II = @ii@ judge@verb@ near pairs.
 module sepax_engine (
   (* X_INTERFACE_INFO = "xilinx.com:signal:clock:1.0 aclk CLK" *)
   (* X_INTERFACE_PARAMETER = "ASSOCIATED_BUSIF s_axi:m_axi:m_axis, ASSOCIATED_RESET aresetn" *)
@@ -72,7 +72,7 @@ module sepax_engine (
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TREADY" *)
   input  wire         m_axis_tready, // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TDATA" *)
-  output wire [63:0]  m_axis_tdata,  // docs/tree.md, Results
+  output wire [63:0]  m_axis_tdata,  // docs/reference/tree-engine.md, Results
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TLAST" *)
   output wire         m_axis_tlast,  // end of a pose
   (* X_INTERFACE_INFO = "xilinx.com:signal:interrupt:1.0 irq INTERRUPT" *)

@@ -1,5 +1,5 @@
-// The job that is worked on: it comes in beats (docs/tree.md, Job) and stands until the next one
-// comes.
+// The job that is worked on: it comes in beats (docs/reference/tree-engine.md, Job) and stands
+// until the next one comes.
 module sepax_tree_job #(
   parameter ADDRESS = 40 // bits of a byte address, 37 ... 63
 ) (

@@ -1,5 +1,5 @@
-// Takes a list of jobs, job by job and pose by pose (docs/tree.md, Jobs): reads job and pose,
-// starts the engine, reads the next pose or job meanwhile, sends the end of each run.
+// Takes a list of jobs, job by job and pose by pose (docs/reference/tree-engine.md, Jobs): reads
+// job and pose, starts the engine, reads the next pose or job meanwhile, sends the end of each run.
 module sepax_tree_jobs #(
   parameter ADDRESS = 40 // bits of a byte address
 ) (

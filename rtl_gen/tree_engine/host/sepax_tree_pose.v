@@ -1,5 +1,5 @@
-// The pose in which a run finds the bodies: it comes in beats (docs/tree.md, Pose) and stands until
-// the next one comes.
+// The pose in which a run finds the bodies: it comes in beats (docs/reference/tree-engine.md, Pose)
+// and stands until the next one comes.
 module sepax_tree_pose (
   input  wire         clk,      // clock
   input  wire         clear,    // another pose begins

@@ -1,4 +1,5 @@
-// Sends the pairs of a run and its end by AXI4-Stream, 64 bits (docs/tree.md, Results).
+// Sends the pairs of a run and its end by AXI4-Stream, 64 bits (docs/reference/tree-engine.md,
+// Results).
 module sepax_tree_results (
   input  wire        clk,          // clock
   input  wire        rst,          // synchronous reset, active high

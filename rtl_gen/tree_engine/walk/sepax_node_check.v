@@ -1,4 +1,5 @@
-// Is the head of a node sound (docs/tree.md, Checks)? limit - first >= children, and
+// Is the head of a node sound (docs/reference/tree-engine.md, Checks)? limit - first >= children,
+// and
 //   of an inner node: first > number,
 //   of a leaf: beats - record >= its beats >= 3, and the record does not cross 4096 bytes.
 // The head stands for three cycles; `bad` is right in the third.

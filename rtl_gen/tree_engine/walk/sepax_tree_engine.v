@@ -1,6 +1,7 @@
-// Which triangles of two bodies collide in one pose of B (docs/tree.md, Engine): two trees in
-// external memory, read by AXI4, are walked at once; near pairs go to exact cores beside this
-// module, verdicts come back. All inputs of a run but start and stop stand from start to done.
+// Which triangles of two bodies collide in one pose of B (docs/reference/tree-engine.md, Engine):
+// two trees in external memory, read by AXI4, are walked at once; near pairs go to exact cores
+// beside this module, verdicts come back. All inputs of a run but start and stop stand from start
+// to done.
 module sepax_tree_engine #(
   parameter W = @word@,        // bits of a coordinate, 4 ... 21
   parameter MARGIN = 0,    // largest gap of a near pair, 0 ... 2^(W-1)

@@ -1,6 +1,6 @@
-// Pairs of triangles of rows (docs/tree.md, Pair): B's triangle is turned, each of A's in the mask
-// is tested against it, one a cycle, from 0 to 15; near pairs go to the cores through a queue of
-// 16, z the thinnest side.
+// Pairs of triangles of rows (docs/reference/tree-engine.md, Pair): B's triangle is turned, each of
+// A's in the mask is tested against it, one a cycle, from 0 to 15; near pairs go to the cores
+// through a queue of 16, z the thinnest side.
 module sepax_tree_pairs #(
   parameter W = 18,     // bits of a coordinate, 4 ... 21
   parameter MARGIN = 0, // largest gap of a near pair

@@ -1,6 +1,7 @@
-// The walk down two trees (docs/tree.md, Order): a stack of entries, a line of those whose nodes
-// have been asked for. The oldest entry of the line is tested by sepax_tree_compare; of its items
-// new entries are made, or rows. Entries are popped only when one is finished.
+// The walk down two trees (docs/reference/tree-engine.md, Order): a stack of entries, a line of
+// those whose nodes have been asked for. The oldest entry of the line is tested by
+// sepax_tree_compare; of its items new entries are made, or rows. Entries are popped only when one
+// is finished.
 //   entry = {direct, side, mask, number of A's node, of B's}
 // direct: the first row; its mask is {a, b}.
 module sepax_tree_walk #(

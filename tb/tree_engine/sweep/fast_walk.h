@@ -1,4 +1,5 @@
-// fast_walk.h - the walk of docs/tree.md made fast with AVX-512, as a rival of the engine.
+// fast_walk.h - the walk of docs/reference/tree-engine.md made fast with AVX-512, as a rival of the
+// engine.
 #ifndef SWEEP_FAST_WALK_H
 #define SWEEP_FAST_WALK_H
 

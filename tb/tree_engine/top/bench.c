@@ -6,11 +6,11 @@
  *   tree-engine --scene=N
  *   tree-engine [--stress=SEED] [--latency=N] --jobs=FILE
  * The first: the bodies A and B, STL or files of `sepax tree`, in the poses of a file, 12 numbers a
- * line; a line a pose: cycles, near pairs, collisions. Modes are those of a job (docs/tree.md; 16:
- * cold caches at each pose). The second: N rounds of seeded bodies, poses and modes; then damage.
- * The third: N batches of small bodies, of which any bytes are damaged. The fourth: six bodies in N
- * poses along a path (scene.c). The fifth: a list of sepax path --jobs (list.c). Words with + are
- * for the design. Exit status 1: a fault. */
+ * line; a line a pose: cycles, near pairs, collisions. Modes are those of a job
+ * (docs/reference/tree-engine.md; 16: cold caches at each pose). The second: N rounds of seeded
+ * bodies, poses and modes; then damage. The third: N batches of small bodies, of which any bytes
+ * are damaged. The fourth: six bodies in N poses along a path (scene.c). The fifth: a list of sepax
+ * path --jobs (list.c). Words with + are for the design. Exit status 1: a fault. */
 #include "bench.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 // The numbers of a pose stand at the tree engine, as they came from the memory, when a run begins
-// and when it ends (docs/tree.md, the record of a pose).
+// and when it ends (docs/reference/tree-engine.md, the record of a pose).
 module sepax_pose_check (
   input wire clk, resetn, load, start, done,
   input wire [3:0] beat,

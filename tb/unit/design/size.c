@@ -346,7 +346,7 @@ CASE(test_refused) {
 
 /* Every design that was mapped, within the error that is told, and that error is reached. */
 CASE(test_gates) {
-  FILE *in = fopen("docs/results/area/nangate45.csv", "r");
+  FILE *in = fopen("docs/developers/results/area/nangate45.csv", "r");
   char line[200];
   double worst = 0;
   double told = 0;
@@ -375,7 +375,7 @@ CASE(test_gates) {
 
 /* Engines with several cores, to which nothing was fitted, within the error that is told. */
 CASE(test_gates_of_cores) {
-  FILE *in = fopen("docs/results/area/cores.csv", "r");
+  FILE *in = fopen("docs/developers/results/area/cores.csv", "r");
   char line[200];
   int rows = 0;
   assert_non_null(in);

@@ -96,7 +96,7 @@ static inline sepax_pose posed(int kind, double away) {
   return p;
 }
 
-/* Formula (1) of docs/tree.md, in 128 bits. */
+/* Formula (1) of docs/reference/tree-engine.md, in 128 bits. */
 static inline void turn_exactly(int64_t v[3], const sepax_tree_side *side, const sepax_vec *p) {
   for (int i = 0; i < 3; i++) {
     wide sum = (wide)side->matrix[i][0] * p->x + (wide)side->matrix[i][1] * p->y +

@@ -208,7 +208,7 @@ CASE(worst_roundings) {
   }
 }
 
-/* Numbers that fit the widths of docs/tree.md, at the ends of all ranges. */
+/* Numbers that fit the widths of docs/reference/tree-engine.md, at the ends of all ranges. */
 CASE(widths) {
   for (int n = 0; n < 200000; n++) {
     sepax_tree_side side;
