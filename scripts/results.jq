@@ -56,7 +56,8 @@ def designs:
     | "- Pairs/s: clock / II; the engine's are the \(.mesh_pairs) pairs of the sample objects in",
       "  \(.mesh_cycles) cycles."),
   "- Missed: share of the collisions; false alarms: share of the separated pairs, among",
-  "  \(errors.pairs) [hard pairs](../../reference/vectors.md), of which \(errors.collisions) collide.",
+  "  \(errors.pairs) [hard pairs](../../reference/vectors.md), of which",
+  "  \(errors.collisions) collide.",
   "- All of ours have the same multipliers. `make area` finds gates and clock, `make cosim` and",
   "  `make engine` speed and verdicts, with the variables of the last column.";
 
