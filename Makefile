@@ -21,7 +21,10 @@ VVP        ?= vvp
 CPPCHECK   ?= cppcheck
 CLANG_TIDY ?= clang-tidy
 LIBERTY    ?= /usr/share/qflow/tech/osu018/osu018_stdcells.lib
-export CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY LIBERTY
+STA        ?= sta
+KLAYOUT    ?= klayout
+GNUPLOT    ?= gnuplot
+export CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY STA KLAYOUT GNUPLOT LIBERTY
 
 BUILD  ?= build
 PREFIX ?= /usr/local
@@ -39,10 +42,9 @@ ifneq ($(and $(filter-out asic,$(TARGET)),$(filter exact,$(or $(ARCH),exact))),)
 export CLOCK_NS ?= 10
 endif
 given   = $(filter command environment,$(firstword $(origin $(1))))
+is_on   = $(filter-out 0 off no,$($(1)))
 
-ifeq ($(filter behavioural structural,$(VIEW)),)
-$(error VIEW: '$(VIEW)' is none of: behavioural, structural)
-endif
+include scripts/make/variables.mk
 ifneq ($(words $(BUILD) $(abspath .)),2)
 $(error BUILD and the project's own path must be without blanks)
 endif
@@ -65,37 +67,45 @@ include $(addprefix scripts/make/,flags.mk mesh.mk build.mk) $(ENGINES) scripts/
 ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 
-.PHONY: all job help build setup test quick cocotb reference clean area timing multivt power fpga \
-        layout area-sweep calibrate scene report accuracy certificate clearance bench bench-bodies \
-        bench-meshes compare-meshes campaign hard engine-sweep tree-sweep tree-fuzz tree-scene \
-        tree-campaign path-campaign netlist-sweep mutation mutations
+# Experiments that are not of one design; scripts/make has those that are.
+EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes calibrate clearance cocotb \
+              compare-meshes coverage driver engine-sweep exhaustive fuzz hard multivt mutation \
+              mutation-c netlist-sweep path-campaign posed-pairs proofs sanitize scene slurm \
+              static tree-campaign tree-fuzz tree-scene tree-sweep verify
+
+.PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
+        reference clean area timing power fpga layout report mutations
 
 all:
-	@scripts/setup
+	@scripts/setup job
 	@$(MAKE) job
 
 help:
 	@cat scripts/make/help.txt
+
+help-all:
+	@cat scripts/make/help.txt scripts/make/help-all.txt
 	@if [ -x $(SEPAX) ]; then $(MAKE) -s $(SEPAX) > /dev/null && $(SEPAX) name --list; \
-	  else echo "Design: its options are listed here after make build"; fi
+	  else echo "The variables of a design are listed here after make build."; fi
 
 build:
 	@scripts/setup build
-	@$(MAKE) $(SEPAX) $(PUBLIC)
+	@$(MAKE) $(PROGRAM) $(PUBLIC)
 
 setup:
 	@scripts/setup
 
 test:
 	@scripts/setup
-	@scripts/test
+	@scripts/test $(if $(call is_on,QUICK),-q) $(TESTS)
 
-quick:
-	@scripts/test -q
+experiment:
+	@$(if $(filter $(NAME),$(EXPERIMENTS)),$(MAKE) experiment-$(NAME),echo "experiment: NAME=$(NAME) \
+	  is not one of: $(EXPERIMENTS)" >&2; exit 2)
 
-cocotb: $(SEPAX)
+experiment-cocotb: $(SEPAX)
 	@tb/packaging/cocotb
-	@$(if $(FAULTS),tb/packaging/faults)
+	@$(if $(call is_on,FAULTS),tb/packaging/faults)
 
 clean:
 	rm -rf $(BUILD)
@@ -144,24 +154,28 @@ POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
 AREA_JSON ?= $(BUILD)/area.json
 
 area: $(SEPAX) $(BUILD)/liberty
+	@scripts/need area yosys jq
 	@scripts/designs -j 2 mapped $(AREAS)
 	@synth/report/tables gates -o $(AREA_JSON) $$(scripts/designs area-file $(AREAS) | sort)
 
 timing: $(SEPAX) $(BUILD)/liberty
+	@scripts/need timing yosys jq sta
 	@scripts/designs timed $(TIMINGS)
 	@synth/report/tables timing -o $(BUILD)/timing.json $$(scripts/designs timing-file $(TIMINGS))
 
 # Placed and routed: of the design, or without one of the smallest; BLOCKS are modules of it.
 LAYOUTS = $(if $(call given,ARCH)$(ONLY_EXACT),"","WORD=4 II=18")
 layout: $(SEPAX) $(BUILD)/liberty $(BUILD)/layout
+	@scripts/need layout yosys jq sta klayout
 	@scripts/designs laid $(LAYOUTS)
 	@synth/report/tables layout -o $(BUILD)/layout.json $$(scripts/designs layout-file $(LAYOUTS))
 
 LIBERTY_FAST ?= $(LIBERTY)
-multivt: $(SEPAX) $(BUILD)/liberty
+experiment-multivt: $(SEPAX) $(BUILD)/liberty
 	@$(MAKE) LIBERTY=$(LIBERTY_FAST) assigned
 
 power: $(SEPAX) $(BUILD)/liberty $(BUILD)/power
+	@scripts/need power yosys jq
 	@scripts/designs powered $(POWERS)
 	@synth/report/tables power -o $(BUILD)/power.json $$(scripts/designs power-file $(POWERS))
 
@@ -170,11 +184,12 @@ FPGAS = $(if $(call given,TARGET)$(ONLY_EXACT),"", \
         "TARGET=ecp5 II=3" "TARGET=ice40 WORD=8 II=9" "TARGET=xc7 II=3" "TARGET=xc7 II=1" \
         "TARGET=xcup II=3" "TARGET=gowin II=3")
 fpga: $(SEPAX)
+	@scripts/need fpga yosys jq
 	@scripts/designs -j 2 routed $(FPGAS)
 	@synth/report/tables fpga -o $(BUILD)/fpga.json $$(scripts/designs fpga-file $(FPGAS))
 
 # Mapped cells beside the golden model: three W, three II, every family; hours in full.
-netlist-sweep: $(SEPAX)
+experiment-netlist-sweep: $(SEPAX)
 	@synth/fpga/sweep $(if $(call given,COUNT),-c $(COUNT)) $(if $(call given,WORD),-w "$(WORD)") \
 	  $(if $(call given,II),-i "$(II)") $(if $(call given,TARGET),-t "$(TARGET)") \
 	  $(BUILD)/netlist-sweep
@@ -184,7 +199,7 @@ MUTATIONS = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
             "WORD=8 II=1" "WORD=6 II=3" "WORD=6 II=1 EARLY_OUT=boxes" \
             "WORD=4 II=3 CLEARANCE=1 WARNING=3" "ARCH=paper WORD=4" \
             "WORD=4 II=3 LANES=4 MEMORY_A=128 MEMORY_B=128" "WORD=6 II=6 TREE=1")
-mutation: $(SEPAX)
+experiment-mutation: $(SEPAX)
 	@scripts/designs mutated $(MUTATIONS)
 mutations:
 	@printf '%s\n' $(MUTATIONS)
@@ -194,81 +209,76 @@ mutations:
 EXPERIMENT = scripts/experiments
 OVER       = $(if $(call given,WORD),-w "$(WORD)") $(if $(call given,II),-i "$(II)")
 
-area-sweep: $(SEPAX) $(BUILD)/liberty
+experiment-area-sweep: $(SEPAX) $(BUILD)/liberty
 	@PERIOD=$(PERIOD) $(EXPERIMENT)/area-sweep $(OVER) $(BUILD)/area-sweep
 
-calibrate: $(SEPAX) $(BUILD)/liberty
+experiment-calibrate: $(SEPAX) $(BUILD)/liberty
 	@$(EXPERIMENT)/calibrate $(OVER) $(if $(CLOCKS),-c "$(CLOCKS)") \
 	  $(if $(RANDOM),-r $(RANDOM) -n $(SEED)) $(BUILD)/calibrate
 
-scene: $(SEPAX) $(BUILD)/liberty
+experiment-scene: $(SEPAX) $(BUILD)/liberty
 	@PERIOD=$(PERIOD) $(EXPERIMENT)/scene $(BUILD)/scene
 
 # Nangate45 where it is at hand.
 NANGATE45 = $(wildcard ../shared/pdk/nangate45_typ.lib.gz)
 report: $(SEPAX) $(BUILD)/liberty
 	@LIBERTY=$(if $(call given,LIBERTY),$(LIBERTY),$(firstword $(NANGATE45) $(LIBERTY))) \
-	  $(EXPERIMENT)/report $(if $(QUICK),-q) $(if $(filter-out 0 off,$(TREE)),-t) $(BUILD)/report
+	  $(EXPERIMENT)/report $(if $(call is_on,QUICK),-q) $(if $(call is_on,TREE),-t) $(BUILD)/report
 
-accuracy: $(SEPAX) $(BUILD)/bench
-	@$(EXPERIMENT)/accuracy $(if $(QUICK),-q) $(BUILD)/accuracy $(MESHES)
+experiment-accuracy: $(SEPAX) $(BUILD)/bench
+	@$(EXPERIMENT)/accuracy $(if $(call is_on,QUICK),-q) $(BUILD)/accuracy $(MESHES)
 
-clearance: $(BUILD)/clearance-pairs
+experiment-clearance: $(BUILD)/clearance-pairs
 	@$(EXPERIMENT)/clearance $< $(if $(call given,COUNT),$(COUNT),10000000) $(BUILD)/clearance
 
-bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch
+experiment-bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch
 	@$(EXPERIMENT)/bench $(BUILD)/software $(if $(call given,COUNT),$(COUNT))
 	@echo "== verilated core with its golden model, all families:"
 	@$(MAKE) PAIRS=families cosim
 
-certificate: $(BUILD)/sepax-certificate-check
-	$(if $(CERTIFICATE),,@echo "make certificate: give CERTIFICATE=FILE and, where the files that \
-	  it names are seen from another folder, FOLDER=" >&2; exit 2)
-	@cd $(or $(FOLDER),.) && $(abspath $<) $(addprefix -p ,$(PACKAGE)) $(abspath $(CERTIFICATE))
-
-campaign: $(BUILD)/posed-pairs
+experiment-posed-pairs: $(BUILD)/posed-pairs
 	@$(EXPERIMENT)/campaign $< $(if $(call given,COUNT),$(COUNT),10000000) $(SEED)
 
 # Real meshes where they are at hand.
 MESH_DIR ?= $(wildcard ../shared/meshes)
-bench-bodies: $(BUILD)/bench_bodies
+experiment-bench-bodies: $(BUILD)/bench_bodies
 	@MESH_DIR="$(MESH_DIR)" $(EXPERIMENT)/bodies $(BUILD)/bodies \
 	  $(if $(call given,COUNT),$(COUNT),1000) $(MESHES)
 
 # The readers of meshes beside those of others: a Python with trimesh, where there is one.
 PYTHON      ?= $(firstword $(wildcard $(BUILD)/venv/bin/python) python3)
 MESH_READER  = $(addprefix $(BUILD)/,mesh_files mesh_writer)
-bench-meshes: $(MESH_READER)
-	@$(PYTHON) $(EXPERIMENT)/mesh-times $(if $(QUICK),-q) \
+experiment-bench-meshes: $(MESH_READER)
+	@$(PYTHON) $(EXPERIMENT)/mesh-times $(if $(call is_on,QUICK),-q) \
 	  $(if $(call given,COUNT),-n $(COUNT)) $(BUILD)/bench-meshes
-compare-meshes: $(BUILD)/mesh_files
-	$(if $(MESH_DIR),,@echo "make compare-meshes: give MESH_DIR=FOLDER" >&2; exit 2)
+experiment-compare-meshes: $(BUILD)/mesh_files
+	$(if $(MESH_DIR),,@echo "compare-meshes: give MESH_DIR=FOLDER" >&2; exit 2)
 	@$(PYTHON) $(EXPERIMENT)/meshes -o $(BUILD)/compare-meshes.json "$(MESH_DIR)" $(MESHES)
 
-hard: $(SEPAX)
+experiment-hard: $(SEPAX)
 	@$(EXPERIMENT)/hard $(if $(call given,COUNT),$(COUNT))
 
-engine-sweep: $(SEPAX) $(BUILD)/liberty
+experiment-engine-sweep: $(SEPAX) $(BUILD)/liberty
 	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" $(EXPERIMENT)/engine-sweep $(BUILD)/engine-sweep
 
 # Seven runs of eight without the host.
-tree-fuzz: COUNT_OF = $(if $(call given,COUNT),$(COUNT),1000000)
-tree-fuzz: $(SEPAX) $(LIB)
+experiment-tree-fuzz: COUNT_OF = $(if $(call given,COUNT),$(COUNT),1000000)
+experiment-tree-fuzz: $(SEPAX) $(LIB)
 	@DESIGN="--word=8 --ii=6" RUNS=10 FUZZ=$(COUNT_OF) tb/tree_engine/modules/walks
-	@$(MAKE) WORD=8 II=6 FUZZ=$$(($(COUNT_OF) / 8)) tree-engine
+	@$(MAKE) WORD=8 II=6 FUZZ=$$(($(COUNT_OF) / 8)) cosim
 
-tree-scene: $(SEPAX)
-	@$(MAKE) SCENE=$(if $(call given,COUNT),$(COUNT),10000) tree-engine
+experiment-tree-scene: $(SEPAX)
+	@$(MAKE) SCENE=$(if $(call given,COUNT),$(COUNT),10000) cosim
 
 CLAIMS = $(addprefix $(BUILD)/unit/tree/,walk turned_boxes posed_clearance)
-tree-campaign: $(SEPAX) $(CLAIMS)
+experiment-tree-campaign: $(SEPAX) $(CLAIMS)
 	@scripts/tree_engine/campaign $(if $(SHARE),-s $(SHARE)) $(BUILD)/tree-campaign
 
-path-campaign: $(SEPAX) $(LIB) $(BUILD)/sepax-certificate-check
+experiment-path-campaign: $(SEPAX) $(LIB) $(BUILD)/sepax-certificate-check
 	@scripts/experiments/paths $(BUILD)/path-campaign $(if $(call given,COUNT),$(COUNT),100) \
 	  $(or $(GRAZES),10) $(SEED)
 
-tree-sweep: $(SEPAX) $(BUILD)/refine $(BUILD)/bench_tree
+experiment-tree-sweep: $(SEPAX) $(BUILD)/refine $(BUILD)/bench_tree
 	@MESH_DIR="$(MESH_DIR)" scripts/tree_engine/sweep $(if $(call given,COUNT),-c $(COUNT)) \
 	  $(if $(SWEEP),-s "$(SWEEP)") $(BUILD)/tree-sweep
 

@@ -3,6 +3,7 @@
 #ifndef SEPAX_VECTORS_H
 #define SEPAX_VECTORS_H
 
+#include "sepax_design.h"
 #include "sepax_models.h"
 
 #include <stdio.h>
@@ -55,6 +56,27 @@ sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word, sepax_
  * stream. After an error the next read begins behind the bad line. */
 sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number, int word,
                            sepax_error *error);
+
+/* A verdict as numbers, of which a design has the first `count`: collision (0, 1), coplanar (0, 1),
+ * axis (0 ... 15), band (sepax_band). */
+typedef struct {
+  size_t count;
+  int value[4];
+} sepax_told;
+
+/* The verdict of a design in these numbers: exact has three, with a clearance four, paper and
+ * conference two, an architecture without hardware one. */
+sepax_told sepax_tell(const sepax_design *design, const sepax_judgement *verdict);
+
+/* Like sepax_pair_read. A line may also be what `sepax judge --echo` wrote: 24 integers and the
+ * numbers of a verdict. *told gets them; its count is 0 if the line has none. */
+sepax_line sepax_pair_read_told(sepax_pair *pair, sepax_told *told, FILE *in, const char *name,
+                                size_t *number, int word, sepax_error *error);
+
+/* Is what a line tells the verdict of this design? True if the line tells none. Error: FORMAT,
+ * naming the number that differs. */
+bool sepax_told_check(const sepax_told *told, const sepax_design *design,
+                      const sepax_judgement *verdict, sepax_error *error);
 
 /* Print the 24 integers separated by blanks, without a newline. */
 void sepax_pair_print(FILE *out, const sepax_pair *pair);

@@ -5,6 +5,7 @@
 #include "sepax_io.h"
 #include "sepax_models.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* A mesh in mm. */
@@ -29,6 +30,16 @@ static inline bool mesh_files_scene(sepax_scene *scene, const char *const path[2
   sepax_soup_free(&soup[0]);
   sepax_soup_free(&soup[1]);
   return ok;
+}
+
+/* What a run is of: both files, and the grid that they were rounded to. */
+static inline void mesh_files_print(const sepax_scene *scene, const char *const path[2]) {
+  const double *offset = scene->grid.offset;
+  for (int i = 0; i < 2; i++) {
+    printf("%s: %zu triangles\n", path[i], scene->count[i]);
+  }
+  printf("grid: %.9g mm per LSB, W = %d, 0 at (%.9g, %.9g, %.9g) mm\n", scene->grid.resolution,
+         scene->grid.word, offset[0], offset[1], offset[2]);
 }
 
 #endif

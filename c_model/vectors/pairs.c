@@ -8,14 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { VERTEX_FIELDS = 18, FIELDS = 24, LINE_BYTES = 4096 };
+enum { VERTEX_FIELDS = 18, FIELDS = 24, TOLD = 4, MOST = FIELDS + TOLD, LINE_BYTES = 4096 };
 
 static const char *const field_names[FIELDS] = {
     "A1x", "A1y", "A1z", "A2x", "A2y", "A2z", "A3x",  "A3y",  "A3z",  "B1x",  "B1y",  "B1z",
     "B2x", "B2y", "B2z", "B3x", "B3y", "B3z", "N_Ax", "N_Ay", "N_Az", "N_Bx", "N_By", "N_Bz"};
 
+/* What a verdict may be, number by number: collision, coplanar, axis, band. */
+static const int told_limit[TOLD] = {1, 1, 15, 3};
+
 typedef struct {
   int32_t value[FIELDS];
+  int told[TOLD];
 } field_values;
 
 static sepax_vec vec_at(const field_values *f, int i) {
@@ -32,7 +36,7 @@ static sepax_pair to_pair(const field_values *f) {
 static field_values from_pair(const sepax_pair *pair) {
   const sepax_vec vecs[FIELDS / 3] = {pair->a.v[0], pair->a.v[1], pair->a.v[2], pair->b.v[0],
                                       pair->b.v[1], pair->b.v[2], pair->na,     pair->nb};
-  field_values f;
+  field_values f = {{0}, {0}};
   for (int i = 0; i < FIELDS / 3; i++) {
     f.value[3 * i] = vecs[i].x;
     f.value[3 * i + 1] = vecs[i].y;
@@ -59,10 +63,10 @@ typedef struct {
 } quote;
 
 static quote quoted(const char *text, size_t length) {
-  enum { MOST = 40 };
+  enum { SHOWN = 40 };
   quote q;
-  int used = length > MOST ? MOST : (int)length;
-  snprintf(q.text, sizeof q.text, "%.*s%s", used, text, length > MOST ? "..." : "");
+  int used = length > SHOWN ? SHOWN : (int)length;
+  snprintf(q.text, sizeof q.text, "%.*s%s", used, text, length > SHOWN ? "..." : "");
   for (char *c = q.text; *c != '\0'; c++) {
     *c = *c < ' ' || *c > '~' ? '?' : *c;
   }
@@ -88,15 +92,23 @@ static bool parse_integer(int64_t *value, const char *text, size_t length) {
   return length > start;
 }
 
-static bool parse_field(field_values *f, size_t index, const char *text, size_t length, int word,
-                        sepax_error *error) {
+static bool parse_field(field_values *f, size_t fields, size_t index, const char *text,
+                        size_t length, int word, sepax_error *error) {
   int64_t value;
   if (!parse_integer(&value, text, length)) {
     return sepax_fail(error, SEPAX_ERROR_FORMAT, "number %zu, '%s', is not a decimal integer",
                       index + 1, quoted(text, length).text);
   }
-  if (index >= FIELDS) {
+  if (index >= fields) {
     return true;
+  }
+  if (index >= FIELDS) {
+    int limit = told_limit[index - FIELDS];
+    f->told[index - FIELDS] = (int)value;
+    return (value >= 0 && value <= limit) ||
+           sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "number %zu of a verdict, '%s', is not in 0 ... %d", index - FIELDS + 1,
+                      quoted(text, length).text, limit);
   }
   int32_t least = sepax_word_min(word);
   int32_t most = sepax_word_max(word);
@@ -117,7 +129,7 @@ static size_t content_length(const char *line) {
   return comment < end ? comment : end;
 }
 
-static bool parse_fields(field_values *f, size_t *count, const char *line, int word,
+static bool parse_fields(field_values *f, size_t most, size_t *count, const char *line, int word,
                          sepax_error *error) {
   const char *rest = strchr(line, '\n');
   if (rest != NULL && rest[1] != '\0') {
@@ -131,7 +143,7 @@ static bool parse_fields(field_values *f, size_t *count, const char *line, int w
       at++;
       continue;
     }
-    if (!parse_field(f, *count, line + at, length, word, error)) {
+    if (!parse_field(f, most, *count, line + at, length, word, error)) {
       return false;
     }
     at += length;
@@ -140,21 +152,28 @@ static bool parse_fields(field_values *f, size_t *count, const char *line, int w
   return true;
 }
 
-sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word, sepax_error *error) {
-  field_values f = {{0}};
+static sepax_line parse_told(sepax_pair *pair, sepax_told *told, const char *line, int word,
+                             sepax_error *error) {
+  field_values f = {{0}, {0}};
   size_t count = 0;
-  if (!parse_fields(&f, &count, line, word, error)) {
+  size_t most = told != NULL ? MOST : FIELDS;
+  if (!parse_fields(&f, most, &count, line, word, error)) {
     return SEPAX_LINE_ERROR;
   }
   if (count == 0) {
     return SEPAX_LINE_EMPTY;
   }
-  if (count != VERTEX_FIELDS && count != FIELDS) {
+  if (count != VERTEX_FIELDS && (count < FIELDS || count > most)) {
     sepax_fail(error, SEPAX_ERROR_FORMAT,
                "%zu number%s where 18 (A1x A1y A1z ... B3z) or 24 (with the normals "
-               "N_A, N_B) are expected",
-               count, count == 1 ? "" : "s");
+               "N_A, N_B)%s are expected",
+               count, count == 1 ? "" : "s",
+               told != NULL ? ", or these and the verdict of sepax judge --echo," : "");
     return SEPAX_LINE_ERROR;
+  }
+  if (told != NULL) {
+    told->count = count > FIELDS ? count - FIELDS : 0;
+    memcpy(told->value, f.told, sizeof told->value);
   }
   *pair = to_pair(&f);
   if (count == VERTEX_FIELDS) {
@@ -162,6 +181,10 @@ sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word, sepax_
     pair->nb = sepax_unit_normal(&pair->b, word);
   }
   return SEPAX_LINE_PAIR;
+}
+
+sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word, sepax_error *error) {
+  return parse_told(pair, NULL, line, word, error);
 }
 
 static sepax_line fail_at(sepax_error *error, const char *name, size_t number, const char *what) {
@@ -176,13 +199,14 @@ static sepax_line fail_reading(sepax_error *error, const char *name, size_t numb
   return SEPAX_LINE_ERROR;
 }
 
-static sepax_line parse_numbered(sepax_pair *pair, const char *line, size_t length,
-                                 const char *name, size_t number, int word, sepax_error *error) {
+static sepax_line parse_numbered(sepax_pair *pair, sepax_told *told, const char *line,
+                                 size_t length, const char *name, size_t number, int word,
+                                 sepax_error *error) {
   if (strlen(line) != length) {
     return fail_at(error, name, number, "NUL byte where text is expected");
   }
   sepax_error inner;
-  sepax_line kind = sepax_pair_parse(pair, line, word, &inner);
+  sepax_line kind = parse_told(pair, told, line, word, &inner);
   return kind == SEPAX_LINE_ERROR ? fail_at(error, name, number, inner.text) : kind;
 }
 
@@ -197,8 +221,8 @@ static size_t read_line(char line[LINE_BYTES], FILE *in) {
   return length;
 }
 
-sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number, int word,
-                           sepax_error *error) {
+sepax_line sepax_pair_read_told(sepax_pair *pair, sepax_told *told, FILE *in, const char *name,
+                                size_t *number, int word, sepax_error *error) {
   char line[LINE_BYTES];
   sepax_line kind = SEPAX_LINE_EMPTY;
   while (kind == SEPAX_LINE_EMPTY) {
@@ -214,9 +238,45 @@ sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t 
     if (length == LINE_BYTES - 1 && line[length - 1] != '\n') {
       return fail_at(error, name, *number, "longer than any pair; give one pair a line");
     }
-    kind = parse_numbered(pair, line, length, name, *number, word, error);
+    kind = parse_numbered(pair, told, line, length, name, *number, word, error);
   }
   return kind;
+}
+
+sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number, int word,
+                           sepax_error *error) {
+  return sepax_pair_read_told(pair, NULL, in, name, number, word, error);
+}
+
+sepax_told sepax_tell(const sepax_design *design, const sepax_judgement *verdict) {
+  sepax_arch arch = design->config.arch;
+  bool exact = arch == SEPAX_ARCH_EXACT;
+  bool hardware = exact || arch == SEPAX_ARCH_PAPER || arch == SEPAX_ARCH_CONFERENCE;
+  return (sepax_told){
+      .count = exact      ? (design->limits > 0 ? 4 : 3)
+               : hardware ? 2
+                          : 1,
+      .value = {verdict->collision, verdict->coplanar, verdict->axis, (int)verdict->band}};
+}
+
+bool sepax_told_check(const sepax_told *told, const sepax_design *design,
+                      const sepax_judgement *verdict, sepax_error *error) {
+  static const char *const name[TOLD] = {"collision", "coplanar", "axis", "band"};
+  static const char cure[] = "; for a file of another design leave the numbers after the 24th out";
+  sepax_told own = sepax_tell(design, verdict);
+  if (told->count != 0 && told->count != own.count) {
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "a verdict of %zu numbers, of this design it has %zu%s", told->count,
+                      own.count, cure);
+  }
+  for (size_t i = 0; i < told->count; i++) {
+    if (told->value[i] != own.value[i]) {
+      return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                        "%s is %d, by the golden model of this design %d%s", name[i],
+                        told->value[i], own.value[i], cure);
+    }
+  }
+  return true;
 }
 
 void sepax_pair_print(FILE *out, const sepax_pair *pair) {

@@ -43,23 +43,15 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-static void print_verdict(const sepax_design *design, const sepax_pair *pair, bool echo) {
-  sepax_judgement verdict = sepax_judge(design, pair);
+static void print_verdict(const sepax_design *design, const sepax_judgement *verdict,
+                          const sepax_pair *pair, bool echo) {
+  sepax_told told = sepax_tell(design, verdict);
   if (echo) {
     sepax_pair_print(stdout, pair);
     putchar(' ');
   }
-  putchar(verdict.collision ? '1' : '0');
-  sepax_arch arch = design->config.arch;
-  bool exact = arch == SEPAX_ARCH_EXACT;
-  if (echo && (exact || arch == SEPAX_ARCH_PAPER || arch == SEPAX_ARCH_CONFERENCE)) {
-    printf(" %d", verdict.coplanar);
-  }
-  if (echo && exact) {
-    printf(" %d", verdict.axis);
-    if (design->limits > 0) {
-      printf(" %d", verdict.band);
-    }
+  for (size_t i = 0; i < (echo ? told.count : 1); i++) {
+    printf("%s%d", i > 0 ? " " : "", told.value[i]);
   }
   putchar('\n');
 }
@@ -67,11 +59,17 @@ static void print_verdict(const sepax_design *design, const sepax_pair *pair, bo
 static bool judge_stream(const sepax_design *design, FILE *in, const char *name, bool echo,
                          sepax_error *error) {
   sepax_pair pair;
+  sepax_told told;
   sepax_line line;
   size_t number = 0;
-  while ((line = sepax_pair_read(&pair, in, name, &number, design->config.word, error)) ==
-         SEPAX_LINE_PAIR) {
-    print_verdict(design, &pair, echo);
+  while ((line = sepax_pair_read_told(&pair, &told, in, name, &number, design->config.word,
+                                      error)) == SEPAX_LINE_PAIR) {
+    sepax_judgement verdict = sepax_judge(design, &pair);
+    sepax_error differs;
+    if (!sepax_told_check(&told, design, &verdict, &differs)) {
+      return sepax_fail(error, differs.code, "%.200s:%zu: %.280s", name, number, differs.text);
+    }
+    print_verdict(design, &verdict, &pair, echo);
   }
   return line != SEPAX_LINE_ERROR;
 }

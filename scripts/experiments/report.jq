@@ -110,7 +110,7 @@ def page:
   + "\(.seconds / 60 | ceil) minutes with \(tools | @html).</p>",
   html,
   "<p><b>Made by</b>: <code>make area</code> (GE, clock), <code>make power</code> (energy), "
-  + "<code>make cosim</code> or <code>make engine</code> (speed, verdicts) with these variables. ",
+  + "<code>make cosim</code> (speed, verdicts) with these variables. ",
   "<b>Clock</b>: the one that OpenSTA says is met, cells sized, fan-out buffered, the default wire "
   + "load of the library; <i>not timed</i>: the published one, and gates for area alone. ",
   (.rows | map(select(.lanes))[0]

@@ -19,7 +19,12 @@ CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(FORM
 RTL_GEN  = $(wildcard rtl_gen/*.c rtl_gen/*/*.c rtl_gen/*/*/*.c)
 UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))
 
+# What a first build lacks is said in one line, not by the compiler.
+ifeq ($(wildcard $(BUILD)/obj),)
+LACKING := $(shell CC="$(CC)" CFLAGS="$(CFLAGS)" scripts/setup -n build)
+endif
 $(BUILD)/obj/%.o: %.c
+	$(if $(LACKING),@echo "build: $(LACKING)" >&2; exit 2)
 	@mkdir -p $(@D)
 	@echo "  CC      $<"
 	@$(CC) $(SEPAX_CFLAGS) -MMD -MP -c $< -o $@

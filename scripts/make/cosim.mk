@@ -11,7 +11,7 @@ ifneq ($(and $(filter-out exact,$(ARCH)),$(call given,VIEW)),)
 $(error VIEW: architecture $(ARCH) has one view only; leave it out)
 endif
 
-.PHONY: core options rtl lint cosim exhaustive wave icarus mutated
+.PHONY: core options rtl lint cosim cosim-core cosim-core-icarus experiment-exhaustive wave mutated
 
 core:
 	@echo $(CORE)
@@ -58,7 +58,7 @@ COSIM_DEPS = $(RTL) $(LIB) $(IO) $(OPTIONS_OBJ) tb/meshes.h \
 
 # verilate TOP FLAGS FILES, linked with what the readers of meshes need. Verilator 5.006 miscompiles
 # trees of single bits (its issue 4059) but for -fno-const-bit-op-tree.
-verilate = rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { LIBS="$(IO_LIBS)" \
+verilate = scripts/need cosim c++ verilator && rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { LIBS="$(IO_LIBS)" \
            $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree \
            --x-assign fast --x-initial unique --top-module $(1) -f sepax.f $(VIEW_MACRO) $(2) $(3) \
            --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
@@ -79,12 +79,16 @@ $(WAVE): $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME)$(OF_VIEW) with waveforms"
 	@$(call verilate,$(COSIM_TOP),$(COSIM_FLAGS) --trace-fst,$(COSIM_CPP))
 
-cosim: $(COSIM) $(if $(PAIRS),,$(SAMPLES))
+# Which test bench: of the core in Verilator or Icarus, of its mapped gates, or of an engine.
+SIMULATED = $(if $(call is_on,NETLIST),netlist,$(filter object tree,$(DESIGN_ENGINE)))
+cosim: cosim-$(or $(SIMULATED),core)$(if $(filter icarus,$(SIMULATOR)),-icarus)
+
+cosim-core: $(COSIM) $(if $(PAIRS),,$(SAMPLES))
 	@$(COSIM) $(if $(PAIRS),$(PAIR_ARGS),$(MESH_ARGS)) $(STRESSED)
 
 # 3^18 pairs, or the first GRID of them.
 GRID ?= 387420489
-exhaustive: $(COSIM)
+experiment-exhaustive: $(COSIM)
 	@scripts/experiments/exhaustive $(COSIM) $(GRID)
 
 # A mismatch (exit status 1) leaves a waveform; a pair that cannot be read leaves the old one.
@@ -113,6 +117,7 @@ TEST_BENCH = tb/cosim/sepax_tb.v
 ICARUS     = $(CORE)/icarus$(OF_VIEW).vvp
 
 $(ICARUS): $(RTL) $(TEST_BENCH)
+	@scripts/need cosim iverilog vvp
 	@cd $(CORE)/rtl && $(IVERILOG) -g2005 -Wall -DSEPAX_ISOLATION $(VIEW_MACRO) -I . \
 	  -s sepax_tb -o ../$(@F) -c sepax.f $(abspath $(TEST_BENCH))
 
@@ -126,5 +131,5 @@ $(CORE)/icarus.pairs: $(SEPAX) FORCE
 	  $(filter bits,$(PAIRS)),$(BITS),$(SEPAX) vectors --word=$(WORD) $(SEEDED)) | \
 	  $(SEPAX) judge $(OPTIONS) --echo) > $@
 
-icarus: $(ICARUS) $(CORE)/icarus.pairs
+cosim-core-icarus: $(ICARUS) $(CORE)/icarus.pairs
 	@$(VVP) -N $(ICARUS) +pairs=$(CORE)/icarus.pairs $(if $(STRESS),+stall=$(STRESS))

@@ -2,9 +2,9 @@
 # like WORD=12, refuses what does not go together, and prints its name and its options; make
 # runs again with them.
 
-DESIGN_VERBS = core options rtl lint cosim exhaustive wave icarus $(ENGINE_VERBS) netlist gates \
-               flow mapped area-file timed timing-file laid layout-file assigned powered \
-               power-file workloads routed fpga-file mutated
+DESIGN_VERBS = core options rtl lint cosim experiment-exhaustive experiment-driver wave flow \
+               mapped area-file timed timing-file laid layout-file assigned powered power-file \
+               workloads routed fpga-file mutated
 OF_DESIGN   := $(filter $(DESIGN_VERBS) $(BUILD)/core/%,$(MAKECMDGOALS))
 
 # With DESIGN every verb is of that design alone.
@@ -16,8 +16,8 @@ LATER = $(if $(filter-out $(DESIGN_VERBS) $(BUILD)/core/%,$(OF_DESIGN)),DESIGN_N
 .PHONY: $(OF_DESIGN)
 $(firstword $(OF_DESIGN) $(DESIGN_VERBS)): $(SEPAX) $(LIB) $(IO) $(OPTIONS_OBJ) \
     $(if $(filter powered,$(OF_DESIGN)),$(BUILD)/power) \
-    $(if $(filter mapped timed laid assigned powered netlist gates flow,$(OF_DESIGN)), \
-      $(BUILD)/liberty)
+    $(if $(or $(filter mapped timed laid assigned powered flow,$(OF_DESIGN)),$(call \
+      is_on,NETLIST)),$(BUILD)/liberty)
 	@listed=; $(LISTED) design=$$($(SEPAX) name --make --environment $(DESIGN) $$listed) && \
 	  eval "$(MAKE) DESIGN= $$design $(LATER) $(OF_DESIGN)"
 $(wordlist 2,99,$(OF_DESIGN)): $(firstword $(OF_DESIGN))

@@ -8,7 +8,7 @@ ROUTED = $(if $(DEVICE),-d $(DEVICE)) $(if $(PACKAGE),-k $(PACKAGE)) \
          $(if $(PLACER),-p $(PLACER)) $(if $(PLACEMENTS),-n $(PLACEMENTS)) \
          $(if $(SEEDS),-s "$(SEEDS)")
 
-.PHONY: routed routable fpga-file netlist gates mapped timed assigned powered
+.PHONY: routed routable fpga-file cosim-netlist cosim-netlist-icarus mapped timed assigned powered
 
 mapped timed assigned powered:
 	@echo "$@: gates are of TARGET=asic; make fpga counts the cells of $(TARGET)" >&2; exit 2
@@ -42,10 +42,11 @@ $(FPGA)/gates.c: $(FPGA)/fpga.json synth/fpga/models synth/fpga/lanes.awk
 	@synth/fpga/models -o $(FPGA) -n $(FPGA)/netlist.v $(TARGET)
 
 $(FPGA)/netlist.vvp: $(FPGA)/gates.c $(TEST_BENCH)
+	@scripts/need cosim iverilog vvp
 	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s sepax_tb -o $@ $(FPGA)/gates.v $(TEST_BENCH)
 
-netlist: COUNT = 170
-netlist: $(FPGA)/netlist.vvp $(CORE)/icarus.pairs
+cosim-netlist-icarus: COUNT = 170
+cosim-netlist-icarus: $(FPGA)/netlist.vvp $(CORE)/icarus.pairs
 	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
 
 # The pairs of the Verilator test bench through 64 designs at once.
@@ -60,5 +61,5 @@ $(FPGA)/cosim.o: $(COSIM_DEPS)
 $(FPGA)/cosim: $(FPGA)/gates.o $(FPGA)/cosim.o
 	@$(CXX) -o $@ $^ $(OPTIONS_OBJ) $(IO) $(LIB) $(IO_LIBS) -lm -pthread
 
-gates: $(FPGA)/cosim
+cosim-netlist: $(FPGA)/cosim
 	@$(FPGA)/cosim $(if $(PAIRS),$(PAIR_ARGS),$(SEEDED)) $(STRESSED)

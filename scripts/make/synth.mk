@@ -27,7 +27,7 @@ GENERATED = $(filter generated,$(MULTIPLIERS))
 GATED     = $(if $(filter-out 0,$(GATING)),gated)
 AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)$(GATED:%=-%)
 
-.PHONY: mapped area-file timed timing-file assigned powered power-file netlist gates flow routed
+.PHONY: mapped area-file timed timing-file assigned powered power-file cosim-netlist cosim-netlist-icarus flow routed
 
 routed:
 	@echo "fpga: TARGET=asic is none; give TARGET=ecp5, ice40, xc7, xcup or gowin" >&2; exit 2
@@ -129,6 +129,7 @@ power-file:
 # ----------------------------------------------------------------- the gates simulated
 
 $(AREA)/netlist.vvp: $(AREA)/area.json $(TEST_BENCH)
+	@scripts/need cosim iverilog vvp
 	@echo "  ICARUS  $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
 	@$(IVERILOG) -g2005 -I $(CORE)/rtl -s sepax_tb -o $@ $$(grep -q 'input test_enable;' \
@@ -136,8 +137,8 @@ $(AREA)/netlist.vvp: $(AREA)/area.json $(TEST_BENCH)
 	  $(TEST_BENCH)
 
 # A gate-level pair takes a second at W = 18: ten of each family are many.
-netlist: COUNT = 170
-netlist: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
+cosim-netlist-icarus: COUNT = 170
+cosim-netlist-icarus: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
 	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
 
 # Under the Verilator test bench, module by module, for which verilator_bin does not find itself;
@@ -147,6 +148,7 @@ BY_MODULE = $(if $(GATED),--output-split 20000,--output-split 1000000 --hierarch
 $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME), mapped to $(LIBRARY)"
 	@synth/liberty/models -l $(LIBERTY) -n $(AREA)/netlist.json -o $(AREA)/cells.v
+	@scripts/need cosim c++ verilator
 	@cd $(AREA) && { LIBS="$(IO_LIBS)" $(SCRIPT_OF_VERILATOR) --cc --exe --build -j 2 --no-timing \
 	  -Wno-fatal -Wno-lint -fno-const-bit-op-tree --top-module $(COSIM_TOP) \
 	  -MAKEFLAGS "OPT_FAST=-Og OPT_SLOW=-O0 OPT_GLOBAL=-O2" \
@@ -154,5 +156,5 @@ $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	  $(BY_MODULE) cells.v netlist.v $(COSIM_CPP) > cosim.log 2>&1 || \
 	  { tail -20 cosim.log >&2; exit 1; }; }
 
-gates: $(AREA)/cosim
+cosim-netlist: $(AREA)/cosim
 	@$(AREA)/cosim $(if $(PAIRS),$(PAIR_ARGS),$(SEEDED)) $(STRESSED)

@@ -86,6 +86,9 @@ error_t parse(int key, char *text, argp_state *state) {
     return 0;
   case 'n':
     o->count = cli_count(state, "count", text, UINT64_MAX);
+    if (o->count == 0) {
+      argp_error(state, "count: 0 pairs are no test; give 1 or more");
+    }
     return 0;
   case 's':
     o->seed = cli_count(state, "seed", text, UINT64_MAX);
@@ -129,10 +132,10 @@ error_t parse(int key, char *text, argp_state *state) {
 }
 
 Source open_source(const Options &o, const sepax_design &design) {
-  (void)design;
   switch (o.source) {
   case 'p':
-    return file_source(o.text);
+    std::printf("pairs of %s\n", std::strcmp(o.text, "-") == 0 ? "standard input" : o.text);
+    return file_source(o.text, design);
   case KEY_TERNARY:
     return ternary_source(o.first, std::min(o.count, TERNARY_PAIRS - o.first));
   case KEY_SAMPLE:
@@ -180,7 +183,6 @@ uint64_t send_all(Driver *driver, const Source &source, double *seconds) {
 }
 
 int report(const Driver &driver, uint64_t sent, double seconds) {
-  std::printf("%s\n", SEPAX_OPTIONS);
   driver.report();
   std::printf("simulated in %.1f s, %.0f pairs/s\n", seconds,
               seconds > 0 ? (double)sent / seconds : 0.0);
@@ -223,6 +225,7 @@ int main(int argc, char **argv) {
       !sepax_design_init(&design, &config, &error)) {
     fail(error);
   }
+  std::printf("%s\n", SEPAX_OPTIONS);
   Source source = open_source(options, design);
   Driver driver(options.wave, options.stress, design);
   double seconds = 0;

@@ -21,17 +21,26 @@ struct Source {
 
 [[noreturn]] inline void fail(const sepax_error &error) { std::exit(cli_fail("cosim", &error)); }
 
-inline Source file_source(const char *path) {
+inline Source file_source(const char *path, const sepax_design &design) {
   FILE *in = std::strcmp(path, "-") == 0 ? stdin : std::fopen(path, "r");
   if (in == nullptr) {
     std::fprintf(stderr, "cosim: %s: cannot be read; give a file of pairs\n", path);
     std::exit(EXIT_ERROR);
   }
-  return {0, [=, number = (size_t)0](sepax_pair *pair) mutable {
+  return {0, [=, &design, number = (size_t)0](sepax_pair *pair) mutable {
             sepax_error error{};
-            sepax_line line = sepax_pair_read(pair, in, path, &number, SEPAX_WORD, &error);
+            sepax_told told;
+            sepax_line line =
+                sepax_pair_read_told(pair, &told, in, path, &number, SEPAX_WORD, &error);
             if (line == SEPAX_LINE_ERROR) {
               fail(error);
+            }
+            if (line == SEPAX_LINE_PAIR && told.count > 0) {
+              sepax_judgement verdict = sepax_judge(&design, pair);
+              if (!sepax_told_check(&told, &design, &verdict, &error)) {
+                std::fprintf(stderr, "cosim: %s:%zu: %s\n", path, number, error.text);
+                std::exit(EXIT_ERROR);
+              }
             }
             return line == SEPAX_LINE_PAIR;
           }};
@@ -54,6 +63,7 @@ inline Source mesh_source(const char *const path[2], const cli_grid &grid) {
   if (!mesh_files_scene(&scene, path, &grid.grid, grid.file_normals, &error)) {
     fail(error);
   }
+  mesh_files_print(&scene, path);
   return counted((uint64_t)scene.count[0] * scene.count[1], [=](uint64_t n) {
     return sepax_scene_pair(&scene, n / scene.count[1], n % scene.count[1]);
   });

@@ -205,6 +205,8 @@ static void run_meshes(const char *const path[2], double resolution, bool paced)
   sepax_scene scene;
   const sepax_grid grid = {resolution, {0, 0, 0}, SEPAX_WORD};
   stop_on(!mesh_files_scene(&scene, path, &grid, false, &error), error.text);
+  printf("%s\n", SEPAX_OPTIONS);
+  mesh_files_print(&scene, path);
   whole w = {.there = NULL};
   bool ok = design.limits > 0
                 ? sepax_near_pairs(&design, false, scene.tri[0], scene.count[0], scene.tri[1],

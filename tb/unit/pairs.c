@@ -231,6 +231,50 @@ CASE(reading_counts_lines) {
   fclose(in);
 }
 
+/* What `sepax judge --echo` wrote can be read again, and is compared with a design. */
+CASE(told_verdicts_are_read) {
+  static const char text[] = EIGHTEEN "\n" EIGHTEEN " 1 2 3 4 5 6 1 0 7\n" EIGHTEEN
+                                      " 1 2 3 4 5 6 2\n" EIGHTEEN " 1 2 3 4 5 6 1 1 15 3 0\n";
+  FILE *in = stream_of(text, sizeof text - 1);
+  size_t number = 0;
+  sepax_pair pair;
+  sepax_told told;
+  assert_int_equal(sepax_pair_read_told(&pair, &told, in, "f", &number, 4, &fault),
+                   SEPAX_LINE_PAIR);
+  assert_int_equal(told.count, 0);
+  assert_int_equal(sepax_pair_read_told(&pair, &told, in, "f", &number, 4, &fault),
+                   SEPAX_LINE_PAIR);
+  assert_int_equal(told.count, 3);
+  assert_int_equal(told.value[0], 1);
+  assert_int_equal(told.value[2], 7);
+  assert_int_equal(pair.nb.z, 6);
+  assert_int_equal(sepax_pair_read_told(&pair, &told, in, "f", &number, 4, &fault),
+                   SEPAX_LINE_ERROR);
+  assert_string_equal(fault.text, "f:3: number 1 of a verdict, '2', is not in 0 ... 1");
+  assert_int_equal(sepax_pair_read_told(&pair, &told, in, "f", &number, 4, &fault),
+                   SEPAX_LINE_ERROR);
+  assert_non_null(strstr(fault.text, "f:4: 29 numbers where"));
+  assert_int_equal(fclose(in), 0);
+}
+
+CASE(told_verdicts_are_compared) {
+  sepax_config config = sepax_config_default();
+  sepax_design design;
+  assert_true(sepax_design_init(&design, &config, &fault));
+  sepax_judgement verdict = {.collision = true, .axis = 0};
+  sepax_told told = sepax_tell(&design, &verdict);
+  assert_int_equal(told.count, 3);
+  assert_true(sepax_told_check(&told, &design, &verdict, &fault));
+  told.value[2] = 4;
+  assert_false(sepax_told_check(&told, &design, &verdict, &fault));
+  assert_non_null(strstr(fault.text, "axis is 4, by the golden model of this design 0"));
+  told.count = 2;
+  assert_false(sepax_told_check(&told, &design, &verdict, &fault));
+  assert_non_null(strstr(fault.text, "a verdict of 2 numbers"));
+  told.count = 0;
+  assert_true(sepax_told_check(&told, &design, &verdict, &fault));
+}
+
 CASE(an_empty_stream_ends) {
   FILE *in = stream_of("", 0);
   size_t number = 0;

@@ -1,12 +1,14 @@
 # object.mk - the object engine: its test bench and its example.
 
-ENGINE_VERBS += engine example
-
 ifneq ($(DESIGN_NAME),)
-.PHONY: engine example
+.PHONY: cosim-object cosim-object-icarus experiment-driver
+ifneq ($(and $(filter object,$(DESIGN_ENGINE)),$(filter cosim,$(MAKECMDGOALS)),$(filter-out \
+  families,$(PAIRS))),)
+$(error the object engine makes its pairs itself; give MESH_A and MESH_B, or PAIRS=families)
+endif
 ifneq ($(DESIGN_ENGINE),object)
-engine example:
-	@echo "$@: no comparator lanes; give LANES=1 ... 64" >&2; exit 2
+experiment-driver:
+	@echo "driver: no comparator lanes; give LANES=1 ... 64" >&2; exit 2
 else
 
 OBJECT_BENCH = $(CORE)/engine
@@ -23,13 +25,16 @@ $(OBJECT_BENCH): $(OBJECT_C) tb/object_engine/bus.cpp tb/object_engine/bus.h $(I
 	@$(call verilate,sepax_engine,$(BUS_FLAGS),$(abspath tb/object_engine/bus.cpp $(OBJECT_C) \
 	  $(IO) $(LIB)))
 
+cosim-object-icarus:
+	@echo "cosim: Icarus simulates cores, not engines; leave out SIMULATOR" >&2; exit 2
+
 # MESH_A against MESH_B, or seeded objects.
-engine: $(OBJECT_BENCH) $(if $(filter families,$(PAIRS)),,$(SAMPLES))
+cosim-object: $(OBJECT_BENCH) $(if $(filter families,$(PAIRS)),,$(SAMPLES))
 	@$(OBJECT_BENCH) $(STRESSED) $(if $(filter families,$(PAIRS)),,$(if \
 	  $(filter-out fit,$(RESOLUTION)),--resolution=$(RESOLUTION)) $(MESH_A) $(MESH_B))
 
 # The driver on the same buses.
-example: $(OBJECT_BENCH) $(SAMPLES) $(ENGINE_OBJ)/collide.o
+experiment-driver: $(OBJECT_BENCH) $(SAMPLES) $(ENGINE_OBJ)/collide.o
 	@$(CXX) -o $(CORE)/collide $(ENGINE_OBJ)/collide.o $(ENGINE_OBJ)/sepax_driver.o \
 	  $(CORE)/obj-engine/bus.o $(CORE)/obj-engine/Vsepax_engine__ALL.a \
 	  $(wildcard $(CORE)/obj-engine/verilated*.o) $(LIB) -lm -pthread

@@ -1,7 +1,5 @@
 # tree.mk - the tree engine: its test bench, and those of its modules.
 
-ENGINE_VERBS += tree-engine
-
 ifeq ($(DESIGN_NAME),)
 
 TREE_MODULES = $(BUILD)/tree
@@ -9,21 +7,25 @@ $(TREE_MODULES)/emit: $(call object,tb/tree_engine/modules/emit.c) $(GEN_OBJ) $(
 	$(link)
 $(TREE_MODULES)/emit: LIBS = -ljansson
 
-ifneq ($(filter tree-engine,$(MAKECMDGOALS)),)
+# Poses, jobs, damaged trees and scenes are for a tree engine.
+ifneq ($(and $(filter cosim,$(MAKECMDGOALS)),$(filter POSES JOBS FUZZ SCENE,$(on_line))),)
 export TREE ?= on
 # A list of jobs has the word and the clearances of its design.
 LISTED = $(if $(JOBS), \
   listed=$$($(SEPAX) tree "$(JOBS)") && \
   { listed=$$(echo "$$listed" | grep -oE -e '--(word|clearance|warning)=[0-9]+') || \
-    { echo "tree-engine: $(JOBS): no list of jobs" >&2; exit 2; }; } &&)
+    { echo "cosim: $(JOBS): no list of jobs" >&2; exit 2; }; } &&)
 endif
 
 else
-.PHONY: tree-engine
-ifneq ($(DESIGN_ENGINE),tree)
-tree-engine:
-	@echo "tree-engine: no tree engine; give TREE=1" >&2; exit 2
-else
+.PHONY: cosim-tree cosim-tree-icarus
+ifeq ($(DESIGN_ENGINE),tree)
+ifneq ($(and $(filter cosim,$(MAKECMDGOALS)),$(filter MESH_A PAIRS,$(on_line))),)
+ifeq ($(strip $(POSES)),)
+$(error the tree engine takes MESH_A and MESH_B in the poses of POSES=file, or JOBS=file; without \
+  them it gets seeded bodies)
+endif
+endif
 
 TREE_BENCH  = $(CORE)/tree-engine
 TREE_SRC    = $(wildcard tb/tree_engine/top/*.c) tb/object_engine/crowd.c \
@@ -46,7 +48,10 @@ $(TREE_BENCH): tb/object_engine/bus.cpp $(IO) $(LIB) $(TREE_DEPS) $(TREE_SRC)
 
 # MESH_A against MESH_B in the poses of a file, or seeded bodies and jobs; FUZZ=n: damaged ones;
 # SCENE=n: six bodies in n poses; JOBS: a list of sepax path --jobs.
-tree-engine: $(TREE_BENCH) $(if $(POSES),$(SAMPLES))
+cosim-tree-icarus:
+	@echo "cosim: Icarus simulates cores, not engines; leave out SIMULATOR" >&2; exit 2
+
+cosim-tree: $(TREE_BENCH) $(if $(POSES),$(SAMPLES))
 	@$(TREE_BENCH) $(STRESSED) $(if $(WAVE_FILE),--wave=$(WAVE_FILE)) $(if $(JOBS),\
 	  --latency=$(LATENCY) --jobs="$(JOBS)",$(if $(POSES),\
 	  --latency=$(LATENCY) --modes=$(MODES) $(if $(BUDGET),--budget=$(BUDGET)) $(if \

@@ -64,6 +64,11 @@ void bench_meshes(const char *const path[3], double resolution, unsigned modes, 
   sepax_tree *tree[2] = {NULL, NULL};
   sepax_poses poses;
   load_both(tree, path, resolution);
+  sepax_grid grid = sepax_tree_grid(tree[0]);
+  printf("%s\n%s: %zu triangles\n%s: %zu triangles\n%s: %s\n", SEPAX_OPTIONS, path[0],
+         sepax_tree_triangles(tree[0]), path[1], sepax_tree_triangles(tree[1]), path[2],
+         "poses of the second");
+  printf("grid: %.9g mm per LSB, W = %d\n", grid.resolution, grid.word);
   stop_on(!sepax_poses_read(&poses, path[2], &error), error.text);
   sepax_tree_job job = {.count = (uint32_t)poses.count, .modes = modes, .budget = budget};
   bench_tree(tree[0], job.body[0]);

@@ -1,0 +1,49 @@
+# variables.mk - every variable that a rule reads. One that is given on the command line and is not
+# here is an error, so that WRD=12 does not make the design of W = 18. scripts/make/help-all.txt
+# says what each is for.
+
+# Options of a design: the rows of c_model/design/options.c.
+DESIGN_VARIABLES := $(shell sed -n 's/^ *{[.]name = "\([a-z-]*\)".*/\1/p' \
+                      c_model/design/options.c | tr a-z- A-Z_)
+
+VARIABLES = DESIGN NAME TESTS QUICK BUILD PREFIX DESTDIR REFERENCE \
+  MESH_A MESH_B RESOLUTION NORMALS PAIRS COUNT SEED PAIR POSES JOBS VIEW SIMULATOR NETLIST \
+  STRESS LATENCY MODES BUDGET ROUNDS GRID FUZZ SCENE \
+  LIBERTY LIBERTY_FAST LIBERTY_LOW_LEAKAGE LEF GDS PERIOD UNCERTAINTY CORNERS MULTIPLIERS GATING \
+  USE SEEDS BLOCKS CYCLES OPENSTA GLITCHES DEVICE PACKAGE PLACER PLACEMENTS PART CLOCKS RANDOM \
+  MESHES MESH_DIR SWEEP SHARE GRAZES PLACES TARGETS NODES FAULTS \
+  CC CXX CLANG CFLAGS LDFLAGS LDLIBS LD AR OBJCOPY OBJCACHE PYTHON YOSYS VERILATOR IVERILOG VVP \
+  CPPCHECK CLANG_TIDY STA KLAYOUT GNUPLOT LIBXML2 LIBZIP LIBMD
+
+# What the rules and the tests hand to a make that they start.
+HANDED = DESIGN_NAME DESIGN_ENGINE OPTIONS CORE GEN GEN_OBJ FUZZER VISIBILITY BUS_CFLAGS \
+  COSIM_OPT COSIM_FLAGS ENGINE_OPT GATES_OPT LINT_TOOLS WAVE_FILE AREA_JSON
+
+upper     = $(shell echo '$(1)' | tr a-z- A-Z_)
+of_user   = $(filter command,$(firstword $(origin $(1))))
+on_line  := $(foreach v,$(.VARIABLES),$(if $(call of_user,$(v)),$(v)))
+unknown  := $(firstword $(filter-out $(DESIGN_VARIABLES) $(VARIABLES) $(HANDED) MAKEFLAGS \
+              MAKEOVERRIDES -*-,$(on_line)))
+ifneq ($(unknown),)
+$(error there is no variable $(unknown); $(if $(filter $(DESIGN_VARIABLES) $(VARIABLES),$(call \
+  upper,$(unknown))),write $(call upper,$(unknown)),'make help-all' lists the variables))
+endif
+
+# What would be passed over.
+both = $(if $(and $(filter $(1),$(on_line)),$(filter $(2),$(on_line))),$(if $($(1)),$($(2))))
+ifneq ($(and $(DESIGN),$(filter DESIGN,$(on_line)),$(filter $(DESIGN_VARIABLES),$(on_line))),)
+$(error DESIGN="$(DESIGN)" and $(firstword $(filter $(DESIGN_VARIABLES),$(on_line))) both describe \
+  the design; give one of them)
+endif
+ifeq ($(words $(filter MESH_A MESH_B,$(on_line))),1)
+$(error $(filter MESH_A MESH_B,$(on_line)) is one mesh; give MESH_A and MESH_B)
+endif
+ifneq ($(call both,MESH_A,PAIRS),)
+$(error MESH_A, MESH_B and PAIRS are two sources of pairs; give one of them)
+endif
+ifneq ($(if $(filter behavioural structural,$(VIEW)),,no),)
+$(error VIEW: '$(VIEW)' is none of: behavioural, structural)
+endif
+ifneq ($(filter-out verilator icarus,$(SIMULATOR)),)
+$(error SIMULATOR: '$(SIMULATOR)' is none of: verilator, icarus)
+endif
