@@ -2,12 +2,14 @@
 # report).
 #   $what: readme | designs | energy
 
-# The published designs as the paper's table 4 and section IV have them.
+# The published designs as the paper's table 4 and section IV have them. Throughput is what every
+# row of the tables means by it, clock / II; the II of the conference paper is not known.
 def published: [
   {name: "conference [20]", latency: 20, clock: "2.5 ns", ge: "1961K", cost: "-",
-   speed: "20 M (printed)", missed: "not told", alarms: "not told", made: "paper, table 4"},
+   speed: "not stated", missed: "not stated", alarms: "not stated", made: "paper, table 4"},
   {name: "the paper", latency: 13, clock: "2 ns", ge: "1212K", cost: "3636K", speed: "167 M",
-   missed: "not told", alarms: "not told", made: "paper, table 4; 0.96 ms"}];
+   missed: "not stated", alarms: "not stated", made: "paper, table 4 and section IV",
+   in_readme: true}];
 
 def digits($n): . * pow(10; $n) | round / pow(10; $n);
 def k: . / 1000 * 10 | round / 10 | tostring | if test("[.]") then . else . + ".0" end + "K";
@@ -17,8 +19,13 @@ def share($n; $of):
   else "\($n / $of * 100 | if . >= 0.095 then digits(1) else digits(4) end) %" end;
 def nj:
   if . == null then "-" else . / 1000 | digits(if . < 0.05 then 5 else 3 end) | tostring end;
+# The rows of README.md beside the paper's: paper in full precision, exact at both II and 2 ns.
+def in_readme: .lanes == null and .period_ns == 2
+  and (.variables | test("PRECISION=word|EARLY_OUT") | not);
+def precision:
+  if test("PRECISION=full") then "full precision" else "W bits a number" end;
 def name:
-  (if .arch != "exact" then "our `\(.arch)`, \(.variables | capture("PRECISION=(?<p>[a-z]+)").p)"
+  (if .arch != "exact" then "our `\(.arch)`, \(.variables | precision)"
    elif .lanes then "engine, \(.lanes) lanes, II = \(.ii)"
    else "**exact**, II = \(.ii)" end)
   + (if .variables | test("EARLY_OUT=boxes") then ", AABB early-out" else "" end);
@@ -29,37 +36,44 @@ def entry:
    ge: (.ge | k), cost: (if .lanes then "-" else .ge * .ii | k end), speed: (.pairs_per_s | speed),
    missed: share(.errors.missed; .errors.collisions),
    alarms: share(.errors.false_alarms; .errors.pairs - .errors.collisions),
-   made: "`\(.variables)`"};
+   made: "`\(.variables)`", in_readme: in_readme};
 def entries: published + (.rows | map(entry));
 
 def line: "| \(map(tostring) | join(" | ")) |";
-def table($heads; fields):
-  ($heads | line), "|\($heads | map(" --- |") | join(""))", (entries[] | [fields] | line);
+def table($heads; rows; fields):
+  ($heads | line), "|\($heads | map(" --- |") | join(""))", (rows | [fields] | line);
 def library: .library | sub("[.]lib([.]gz)?$"; "");
 def tools: "\(library), \(.yosys), OpenSTA \(.sta), \(.verilator | sub(" 2.*"; ""))";
 def errors: .rows[0].errors;
 
 def readme:
   table(["design", "latency", "clock", "GE", "pairs/s", "missed", "false alarms"];
+    entries[] | select(.in_readme);
     .name, .latency, .clock, .ge, .speed, .missed, .alarms);
 
 def designs:
   "# Every design in one table", "",
   "W = \(.rows[-1].word), \(tools);", "1 GE = \(.nand2), \(.nand2_area) um2.", "",
   table(["design", "latency", "clock", "GE", "GE x II", "pairs/s", "missed", "false alarms",
-      "made by, or where"];
+      "made by, or where"]; entries[];
     .name, .latency, .clock, .ge, .cost, .speed, .missed, .alarms, .made), "",
-  "- Latency in cycles. GE: area of the cells; the engine's memories are not in it.",
-  "- Clock: the period that OpenSTA says is met, cells sized, fan-out buffered, the library's wire",
-  "  load. Not timed: area alone, at the published clock.",
+  "- **Latency** is in cycles.",
+  "- **GE** is the area of the cells in gate equivalents. The memories of the engine are not",
+  "  counted.",
+  "- **Clock** is the period that OpenSTA confirms, with sized cells, buffered fan-out and the",
+  "  wire load of the library. If a row says \"not timed\", the design was mapped for area only,",
+  "  and the clock is the published one.",
+  "- **Pairs/s** is the clock frequency divided by the II, that is one pair every II cycles. The",
+  "  paper starts a pair every 3 cycles (section IV). Its table 4 prints 38.46 M for itself and",
+  "  20 M for [20], because its formula (7) divides the frequency by the latency.",
   (.rows | map(select(.lanes))[0]
-    | "- Pairs/s: clock / II; the engine's are the \(.mesh_pairs) pairs of the sample objects in",
+    | "  The figure of the engine is measured: the \(.mesh_pairs) pairs of the sample objects take",
       "  \(.mesh_cycles) cycles."),
-  "- Missed: share of the collisions; false alarms: share of the separated pairs, among",
-  "  \(errors.pairs) [hard pairs](../../reference/vectors.md), of which",
+  "- **Missed** is the share of the collisions, and **false alarms** the share of the separated",
+  "  pairs, among \(errors.pairs) [hard pairs](../../reference/vectors.md), of which",
   "  \(errors.collisions) collide.",
-  "- All of ours have the same multipliers. `make area` finds gates and clock, `make cosim` and",
-  "  `make engine` speed and verdicts, with the variables of the last column.";
+  "- All designs of ours have multipliers from the same generator. With the variables of the last",
+  "  column, `make area` finds gates and clock, and `make cosim` finds speed and verdicts.";
 
 def error($share): if $share then " ± \($share * 100 | digits(if . < 0.1 then 2 else 1 end)) %"
   else "" end;
@@ -68,14 +82,15 @@ def energy:
   ((.rows | map(select(.arch == "paper" and (.variables | test("=full"))))[0].energy_pj) // {})
     as $paper
   | "# Energy per pair", "",
-  "nJ of the mapped gates, in brackets `paper` at full precision over it; W = 18, \(library).",
+  "Energy of the mapped gates in nJ, at W = 18, in \(library). The number in brackets says how many",
+  "times as much `paper` at full precision needs.",
   "[How it is measured](../power.md).", "",
   (["design", "GE", "separated", "colliding", "coplanar"] | line, "|\(map(" --- |") | join(""))"),
   (.rows[] | .energy_pj as $own | .energy_error as $error
     | [name, (.ge | k), (["separated", "colliding", "coplanar"][]
         | ($own[.] | nj) + error($error[.])
           + (if $paper[.] then ratio($paper[.]; $own[.]) else "" end))] | line),
-  "", "The paper states 81.14 mW at 500 MHz and II = 3, that is 0.49 nJ a pair; it does not tell",
-  "the pairs.";
+  "", "The paper states 81.14 mW at 500 MHz and II = 3, that is 0.49 nJ a pair. It does not state for",
+  "which pairs.";
 
 if $what == "readme" then readme elif $what == "designs" then designs else energy end
