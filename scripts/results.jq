@@ -82,15 +82,15 @@ def energy:
   ((.rows | map(select(.arch == "paper" and (.variables | test("=full"))))[0].energy_pj) // {})
     as $paper
   | "# Energy per pair", "",
-  "Energy of the mapped gates in nJ, at W = 18, in \(library). The number in brackets says how many",
-  "times as much `paper` at full precision needs.",
+  "Energy of the mapped gates in nJ, at W = 18, in \(library). The number in brackets says how",
+  "many times as much `paper` at full precision needs.",
   "[How it is measured](../power.md).", "",
   (["design", "GE", "separated", "colliding", "coplanar"] | line, "|\(map(" --- |") | join(""))"),
   (.rows[] | .energy_pj as $own | .energy_error as $error
     | [name, (.ge | k), (["separated", "colliding", "coplanar"][]
         | ($own[.] | nj) + error($error[.])
           + (if $paper[.] then ratio($paper[.]; $own[.]) else "" end))] | line),
-  "", "The paper states 81.14 mW at 500 MHz and II = 3, that is 0.49 nJ a pair. It does not state for",
-  "which pairs.";
+  "", "The paper states 81.14 mW at 500 MHz and II = 3, that is 0.49 nJ a pair. It does not state",
+  "for which pairs.";
 
 if $what == "readme" then readme elif $what == "designs" then designs else energy end
