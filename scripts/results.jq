@@ -63,7 +63,8 @@ def designs:
   "- **Clock** is the period that OpenSTA confirms, with sized cells, buffered fan-out and the",
   "  wire load of the library. If a row says \"not timed\", the design was mapped for area only,",
   "  and the clock is the published one.",
-  "- **Pairs/s** is the clock frequency divided by the II, that is one pair every II cycles. The",
+  "- **Pairs/s** is the clock frequency divided by the II, that is one pair every II cycles. (In",
+  "  `exact`, a pair that needs a second pass takes the place of two pairs.) The",
   "  paper starts a pair every 3 cycles (section IV). Its table 4 prints 38.46 M for itself and",
   "  20 M for [20], because its formula (7) divides the frequency by the latency.",
   (.rows | map(select(.lanes))[0]
