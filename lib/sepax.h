@@ -37,7 +37,7 @@ extern "C" {
 /* The version is written nowhere else. While MAJOR is 0, a new MINOR may break callers. A release
  * that breaks callers raises the number in the shared library's name, libsepax.so.0. */
 #define SEPAX_VERSION_MAJOR 0
-#define SEPAX_VERSION_MINOR 1
+#define SEPAX_VERSION_MINOR 2
 #define SEPAX_VERSION_PATCH 0
 #define SEPAX_VERSION_NUMBER \
   (10000 * SEPAX_VERSION_MAJOR + 100 * SEPAX_VERSION_MINOR + SEPAX_VERSION_PATCH)
