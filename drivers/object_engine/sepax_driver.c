@@ -47,7 +47,7 @@ static bool fits(const int32_t c[9], int word) {
   return true;
 }
 
-/* Until an object has come; some seconds at most. */
+/* Wait until the engine has an object, some seconds at most. */
 static bool wait_loaded(const sepax_bus *bus) {
   enum { READS = 10000000 };
   uint32_t pending = 0;
@@ -62,7 +62,7 @@ static bool wait_loaded(const sepax_bus *bus) {
   return false;
 }
 
-/* An object that a failed access has left unfinished is ended; it does not count. */
+/* End an object that a failed access has left unfinished. The engine then ignores it. */
 static bool end_object(const sepax_bus *bus) {
   static const int32_t vertex[3] = {0, 0, 0};
   uint32_t status = 0;
@@ -170,7 +170,7 @@ sepax_status sepax_device_run(sepax_device *device, bool first,
   return status == SEPAX_DRIVER_OK && ended ? SEPAX_ENDED : status;
 }
 
-/* What a part adds to the numbers of its pairs. */
+/* A part of the objects: `base` is added to the numbers of its pairs. */
 typedef struct {
   size_t base[2];
   bool (*found)(void *context, const sepax_hit *hit);
@@ -203,7 +203,7 @@ sepax_status sepax_device_collide(sepax_device *device, const int32_t (*a)[9], s
          p.base[1] += device->capacity[1]) {
       size_t of_b = least(count_b - p.base[1], device->capacity[1]);
       sepax_counts run = {0};
-      if (count_b > device->capacity[1] || p.base[0] == 0) { /* B stays where it fits */
+      if (count_b > device->capacity[1] || p.base[0] == 0) { /* a B that fits is loaded once */
         status = sepax_device_load(device, true, b + p.base[1], of_b);
       }
       if (status == SEPAX_DRIVER_OK) {

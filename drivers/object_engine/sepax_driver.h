@@ -1,9 +1,10 @@
-/* sepax_driver.h - driver of sepax_engine, for bare metal: no heap, no operating system, C11.
+/* sepax_driver.h - driver of an object engine, for bare metal: no heap, no operating system, C11.
  *
- * The registers are those of sepax_registers.h, which sepax gen writes beside the Verilog.
- * The four accesses are yours: registers are mostly a volatile pointer, the two streams a
- * DMA engine or a FIFO. All functions answer with a sepax_status; after one that is not
- * SEPAX_DRIVER_OK the engine is idle, and what it found is not to be used. */
+ * sepax_registers.h, which `sepax gen` writes beside the Verilog, has the registers. You write the
+ * four functions of sepax_bus: mostly, registers are a volatile pointer, and the two streams are a
+ * DMA engine or a FIFO. Call sepax_device_open once, sepax_device_load for both objects, then
+ * sepax_device_move and sepax_device_run for each position. If a function returns another status
+ * than SEPAX_DRIVER_OK, then the engine is idle and its results must not be used. */
 #ifndef SEPAX_DRIVER_H
 #define SEPAX_DRIVER_H
 
@@ -13,68 +14,72 @@
 
 typedef enum {
   SEPAX_DRIVER_OK,
-  SEPAX_NO_ENGINE,  /* ID is not what it must be */
-  SEPAX_BUS_ERROR,  /* an access failed, was answered with SLVERR, or a load never ended */
-  SEPAX_BAD_WORD,   /* a coordinate does not fit the engine's words */
-  SEPAX_BAD_SIZE,   /* an object is empty, or larger than the memory */
+  SEPAX_NO_ENGINE,  /* the ID register is not that of an object engine */
+  SEPAX_BUS_ERROR,  /* an access failed or was answered with SLVERR, or a load never ended */
+  SEPAX_BAD_WORD,   /* a coordinate does not fit the word of the engine */
+  SEPAX_BAD_SIZE,   /* an object is empty or larger than the engine's memory */
   SEPAX_BAD_MOVE,   /* a move does not fit W + 1 bits */
   SEPAX_INCOMPLETE, /* the engine sent another number of results than it counted */
-  SEPAX_ENDED       /* found() asked for the end */
+  SEPAX_ENDED       /* `found` returned false */
 } sepax_status;
 
+/* A short English text for a status. */
 const char *sepax_status_text(sepax_status status);
 
-/* How the engine is reached; `context` is handed on. false: the access failed. */
+/* The accesses to the engine. Each gets `context`, and returns false if the access failed. */
 typedef struct {
   void *context;
   bool (*read)(void *context, uint32_t address, uint32_t *value);
   bool (*write)(void *context, uint32_t address, uint32_t value);
-  /* A vertex of object A (to_b false) or B, `last` with the last one of the object. It may be
-   * on its way for a while: sepax_device_load waits until the engine has it. */
+  /* Send a vertex of object A (to_b false) or B (to_b true). `last` is true for the last vertex of
+   * the object. The function may return before the engine has the vertex: sepax_device_load waits
+   * until the engine has all of them. */
   bool (*send)(void *context, const int32_t vertex[3], bool last, bool to_b);
-  /* Wait for a result and take it. */
+  /* Wait for a transfer of the result stream and take it. *last is its TLAST. */
   bool (*receive)(void *context, uint64_t *result, bool *last);
 } sepax_bus;
 
 typedef struct {
   sepax_bus bus;
-  int word, lanes;
-  size_t capacity[2]; /* triangles of A, of B */
+  int word;           /* bits of a coordinate */
+  int lanes;          /* comparator lanes */
+  size_t capacity[2]; /* most triangles of A and of B */
 } sepax_device;
 
-/* A pair that collides, or is too near, and what is known of it. */
+/* A pair that collides or is too near. a and b are the numbers of its triangles. */
 typedef struct {
   size_t a, b;
   bool coplanar;
-  bool out_of_range; /* undecided, called a collision */
-  bool warning;      /* no collision, but too near (engines with a warning limit) */
+  bool out_of_range; /* undecided, reported as a collision */
+  bool warning;      /* no collision, but within the warning limit of the engine */
 } sepax_hit;
 
-/* Counts of a run; of sepax_device_collide: their sums. */
+/* Counts of a run. sepax_device_collide adds those of all its runs. */
 typedef struct {
   uint64_t pairs, candidates, collisions, out_of_range, warnings, cycles;
 } sepax_counts;
 
-/* Is the engine there, and what is it like. */
+/* Check that an object engine answers, and read its word, lanes and capacity. */
 sepax_status sepax_device_open(sepax_device *device, const sepax_bus *bus);
 
-/* Load an object: 9 coordinates a triangle, x y z of its three vertices, in LSB. An object that was
- * cut off by a failed access is ended first. */
+/* Load object A or B: 9 coordinates a triangle, x y z of its three vertices, in LSB. If an earlier
+ * access failed in the middle of an object, then that object is ended first. */
 sepax_status sepax_device_load(sepax_device *device, bool to_b, const int32_t (*triangle)[9],
                                size_t count);
 
-/* Move B by whole LSB against where it was loaded; exact. A rotation is no matter of the engine:
- * turn the vertices, round them and load B again, so that each is rounded once. */
+/* Shift B by whole LSB from where it was loaded. The shift is exact. The engine does not rotate: to
+ * rotate B, rotate its original vertices, round them once and load B again. */
 sepax_status sepax_device_move(sepax_device *device, const int32_t move[3]);
 
-/* One run over what is loaded. Each of them is handed to `found`, in the engine's order; false
- * ends the run. `first`: it ends at its first collision by itself. */
+/* Test the loaded objects against each other. `found` gets each pair that collides or is too near,
+ * in the engine's order. If `found` returns false, the run ends with SEPAX_ENDED. If `first` is
+ * true, the engine ends the run at its first collision. */
 sepax_status sepax_device_run(sepax_device *device, bool first,
                               bool (*found)(void *context, const sepax_hit *hit), void *context,
                               sepax_counts *counts);
 
-/* Two objects of any size: part by part as the memories hold them, numbers those of the whole
- * objects; B as the last sepax_device_move says. */
+/* Load and test two objects of any size, in parts that fit the engine's memories. `found` gets the
+ * numbers of the whole objects. B is shifted by the last sepax_device_move. */
 sepax_status sepax_device_collide(sepax_device *device, const int32_t (*a)[9], size_t count_a,
                                   const int32_t (*b)[9], size_t count_b, bool first,
                                   bool (*found)(void *context, const sepax_hit *hit), void *context,

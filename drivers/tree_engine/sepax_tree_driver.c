@@ -25,7 +25,7 @@ static uint64_t get(const uint8_t *from, int bytes) {
   return value;
 }
 
-/* Does it begin with these 8 characters, and version 1? */
+/* True if the file begins with the 8 characters of `head` and has version 1. */
 static bool begins(const uint8_t *file, const char *head) {
   enum { HEAD = 8, VERSION = 1 };
   for (int k = 0; k < HEAD; k++) {
@@ -55,7 +55,8 @@ bool sepax_device_body(uint8_t record[SEPAX_DEVICE_BODY], const uint8_t *file, u
 bool sepax_device_fits(const sepax_device *device, const uint8_t *a, const uint8_t *b) {
   uint64_t most = (uint64_t)device->word;
   return is_tree(a) && is_tree(b) && get(a + 12, 4) <= most && get(b + 12, 4) <= most &&
-         get(a + 16, 8) == get(b + 16, 8); /* a resolution is above 0: equal bits, equal numbers */
+         get(a + 16, 8) ==
+             get(b + 16, 8); /* resolutions are above 0, so equal numbers have equal bits */
 }
 
 /* Floor of a / 2^20. */
@@ -63,8 +64,10 @@ static int64_t down(int64_t a) { return a >= 0 ? a >> 20 : -((-a + (1 << 20) - 1
 
 static int64_t magnitude(int64_t a) { return a < 0 ? -a : a; }
 
-/* Row i of what turns A's boxes: u, sigma. With t' = 2^20 high + low, u is the integer nearest to
- * -K t' / 2^20, and 2^20 u + K t' is what remains of K low; all within 64 bits. */
+/* Write u_i and sigma_B,i, which belong to row i of K, the transposed matrix. `shift` is t', split
+ * as t' = 2^20 high + low, so that all sums fit 64 bits. u is the integer nearest to -K t' / 2^20,
+ * and 2^20 u + K t' is the remainder of K low. sigma is the right side of inequality (2) of
+ * docs/reference/tree-engine.md, rounded up. False if a number does not fit. */
 static bool turn_back(uint8_t *pose, int i, const int32_t matrix[3][3], const int64_t shift[3],
                       int word, int margin) {
   const int64_t one = (int64_t)1 << 20;
@@ -134,7 +137,7 @@ void sepax_device_job(uint8_t job[SEPAX_DEVICE_JOB], const sepax_device_work *wo
 
 /* ---------------------------------------------------------------- lists */
 
-/* By how much AABBs are larger in a design for the list. */
+/* The margin of a design for the list. */
 static int margin_of(const uint8_t *file) {
   int word = (int)get(file + 12, 4);
   int clearance = (int)get(file + 16, 4);
