@@ -1,17 +1,17 @@
-/* check.c - is this image a tree, whatever its bytes are? */
+/* check.c - checks that an image of any bytes is a tree. */
 #include "tree_engine/tree.h"
 #include "util/aabb.h"
 #include "util/error.h"
 
 #include <stdlib.h>
 
-/* Nodes are seen in the order of a walk down the tree: each child is looked at once, so that all
- * counts are right where none is seen twice and none is left over. */
+/* The state of the check, which walks down the tree. If no node or triangle is seen twice, and the
+ * counts equal those of the tree, then each has exactly one parent. */
 typedef struct {
   const sepax_tree *tree;
   tree_image image;
-  uint8_t *seen; /* of nodes, then of triangles */
-  size_t nodes, triangles;
+  uint8_t *seen;           /* 1 if seen: nodes, then triangles */
+  size_t nodes, triangles; /* that were counted */
   sepax_error *error;
 } checker;
 
@@ -30,7 +30,7 @@ static bool all_zero(const uint8_t *bytes, size_t count) {
 
 static bool record_zeros(const tree_node *n, const uint8_t *record) {
   size_t children = (size_t)n->children;
-  int most = -1; /* vertex number that is used */
+  int most = -1; /* highest vertex number in use */
   for (size_t k = 0; k < children; k++) {
     unsigned packed = record[2 * k] | (unsigned)record[2 * k + 1] << 8;
     for (int i = 0; i < 3; i++) {
@@ -47,7 +47,7 @@ static bool record_zeros(const tree_node *n, const uint8_t *record) {
   return zero;
 }
 
-/* What is not used is 0. */
+/* True if all unused bytes of a node, and of its record, are 0. */
 static bool zeros(const checker *c, const tree_node *n, const uint8_t *bytes) {
   size_t children = (size_t)n->children;
   if (bytes[15] != 0 || bytes[31] != 0 ||
@@ -60,7 +60,7 @@ static bool zeros(const checker *c, const tree_node *n, const uint8_t *bytes) {
   return record_zeros(n, c->tree->image + (size_t)TREE_BEAT * n->record);
 }
 
-/* Does the cell range of a child hold a box? */
+/* True if the cells of a child hold a box, and the node's own box holds the cells. */
 static bool holds(const tree_node *n, int child, const aabb *b) {
   for (int i = 0; i < 3; i++) {
     if (n->low[child][i] > n->high[child][i] || n->low[child][i] < -1 - n->own[i] ||
@@ -99,7 +99,8 @@ static bool check_triangle(const checker *c, const tree_node *n, int child, aabb
   return same && see(c, (size_t)c->tree->nodes + n->first + (size_t)child);
 }
 
-/* The node and all below it; what it bounds. The number is that of a node that is there. */
+/* Check node `number`, which is below the number of nodes, and all that is below it. *bounds
+ * becomes the box of its triangles. */
 static bool check_node(checker *c, uint32_t number, int level_above, aabb *bounds) {
   const uint8_t *bytes = c->tree->image + (size_t)TREE_NODE_BYTES * number;
   const tree_node n = sepax__tree_unpack(bytes, c->tree->grid.word);
@@ -144,7 +145,7 @@ static bool check_node(checker *c, uint32_t number, int level_above, aabb *bound
   return n.level == highest + 1 || wrong(c, number, "its level is wrong");
 }
 
-/* Every triangle of the mesh is one of the tree. */
+/* Check that the table gives each triangle of the mesh once. */
 static bool check_table(const checker *c) {
   for (uint32_t n = 0; n < c->tree->triangles; n++) {
     uint32_t number = c->tree->number[n];

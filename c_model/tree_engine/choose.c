@@ -1,13 +1,16 @@
-/* choose.c - which nodes of the binary tree become nodes of fan-out 16: the optimal collapse
- * (Wald, Benthin, Boulos 2008; Ylitie, Karras, Laine 2017). */
+/* choose.c - which nodes of the binary tree become nodes with up to 16 children: the optimal
+ * collapse (Wald, Benthin, Boulos 2008; Ylitie, Karras, Laine 2017), by dynamic programming from
+ * the leaves to the root. */
 #include "tree_engine/build.h"
 
 #include <stdlib.h>
 
-/* The least sum of areas of the nodes below a node that is held in up to k + 1 slots. */
+/* costs[k]: the least sum of areas if a node and what is below it takes up to k + 1 child slots of
+ * its parent. */
 typedef float costs[TREE_FAN_OUT];
 
-/* Split k slots between two children, best; slots of the first, and the cost. */
+/* Divide k slots between two children at the least cost. Returns the cost; *slots is the share of
+ * the first child. */
 static float share(const costs first, const costs second, int k, uint8_t *slots) {
   float least = FLT_MAX;
   for (int i = 1; i < k; i++) {
@@ -20,8 +23,9 @@ static float share(const costs first, const costs second, int k, uint8_t *slots)
   return least;
 }
 
-/* slots[n][k]: of k slots the first child of n gets so many, 0: n is itself in one slot;
- * slots[n][1] does not occur. slots[n][0] is for n itself as a node, whose children are in 16. */
+/* Compute slots[n]. If node n has k slots, slots[n][k] is the share of its first child; 0 means
+ * that n itself takes one slot. slots[n][1] is always 0. slots[n][0] is the share if n is a node of
+ * the result, which has 16 slots for its children. The children of n are computed before n. */
 static void choose(const tree_binary *b, costs *cost, uint32_t n) {
   uint8_t *slots = b->slots[n];
   const tree_twin *node = &b->node[n];
@@ -51,7 +55,7 @@ static void choose(const tree_binary *b, costs *cost, uint32_t n) {
   }
 }
 
-/* Four levels of halves are a node, whatever their areas. */
+/* The choice for a tree of halves: four levels become one node. */
 static void choose_evenly(const tree_binary *b, uint32_t n) {
   bool leaf = b->node[n].child == 0;
   for (int k = 1; k <= TREE_FAN_OUT; k++) {

@@ -1,5 +1,5 @@
-/* divide.c - the binary tree: ranges of triangles, cut where the surface area heuristic says, at
- * multiples of 16, so that leaves are full. */
+/* divide.c - makes the binary tree: divides ranges of triangles by the surface area heuristic, with
+ * cuts at multiples of 16, so that leaves are full. */
 #include "tree_engine/build.h"
 
 #include "util/list.h"
@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Ranges of up to SORTED triangles are sorted along each axis, and every cut at a multiple of 16 is
- * looked at. */
+/* Ranges of up to SORTED triangles are sorted along each axis, and all cuts at multiples of 16 are
+ * compared. Larger ranges use bins. */
 enum { SORTED = 128 };
 
 static float middle_of(const box4 *e, int axis) { return e->low[axis] + e->high[axis]; }
@@ -26,7 +26,8 @@ static void swap(box4 *p, box4 *q) {
   *q = keep;
 }
 
-/* The `first` smallest of the entries begin ... end - 1 along an axis come to the front. */
+/* Quickselect: reorder the entries begin ... end - 1 so that those that belong before index
+ * `first`, in the order along an axis, stand before it. */
 static void select_first(box4 *e, uint32_t begin, uint32_t end, uint32_t first, int axis) {
   while (end - begin > 1) {
     box4 *middle = &e[begin + (end - begin) / 2];
@@ -78,7 +79,8 @@ static void sort(box4 *e, uint32_t begin, uint32_t end, int axis) {
   }
 }
 
-/* The place of a range's best cut by bins, moved to a multiple of 16 from its beginning. */
+/* Divide a range at its best cut by bins, moved to a multiple of 16 from its beginning. Returns the
+ * index of the cut. */
 static uint32_t cut_by_bins(box4 *e, const range *r) {
   bins filled;
   memset(&filled, 0, sizeof filled);
@@ -104,7 +106,7 @@ static uint32_t cut_by_bins(box4 *e, const range *r) {
   return to;
 }
 
-/* The same by looking at all such cuts. */
+/* The same, but compare all cuts at multiples of 16. */
 static uint32_t cut_sorted(box4 *e, const range *r) {
   uint32_t count = count_of(r);
   float least = FLT_MAX;
@@ -162,7 +164,7 @@ static bool add(tree_binary *b, uint32_t begin, uint32_t end) {
   return true;
 }
 
-/* Depth first, so that what is divided stays in the caches. */
+/* Divide depth first, so that the current range stays in the processor's caches. */
 static bool divide_all(tree_binary *b, bool even) {
   uint32_t *open = NULL;
   size_t capacity = 0;
@@ -196,7 +198,6 @@ static corner corner_of(const sepax_vec *v) {
   return (corner){(float)v->x, (float)v->y, (float)v->z, 0};
 }
 
-/* Coordinates are exact in single precision. */
 bool sepax__tree_divide(tree_binary *b, const sepax_tri *tri, size_t count, bool even) {
   *b = (tree_binary){.tri = tri};
   b->entry = malloc(count * sizeof *b->entry);

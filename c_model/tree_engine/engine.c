@@ -1,4 +1,4 @@
-/* engine.c - the tree engine: its row in the table of engines. */
+/* engine.c - the row of the tree engine in the table of engines: limits, gates, memory. */
 #include "design/engine_table.h"
 #include "sepax_tree.h"
 #include "util/error.h"
@@ -20,13 +20,14 @@ static bool check(const sepax_config *config, sepax_error *error) {
                     (long long)sepax__outer_margin(config), MARGIN_MAX);
 }
 
-/* Nodes and leaves; vertices, rows and pairs that are on their way; tags, lists and the stack,
- * which do not depend on W. */
+/* Bits of all memories. The part that grows with W holds vertices, rows and pairs; the constant
+ * part holds nodes, tags, lists and the stack. */
 static uint64_t memory_bits(const sepax_config *config) {
   return 219008 + 3288 * (uint64_t)config->word;
 }
 
-/* Gates: docs/developers/results/area/tree.csv, scripts/experiments/fit-area -t. */
+/* The gates are a fit by `scripts/experiments/fit-area -t` to
+ * docs/developers/results/area/tree.csv. */
 const engine_row sepax__engine_tree = {.name = "a tree engine",
                                        .option = "tree",
                                        .tests_aabbs = true,

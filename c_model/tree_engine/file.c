@@ -1,4 +1,4 @@
-/* file.c - trees in files. docs/reference/tree-engine.md, The file. */
+/* file.c - writes and reads files of trees (docs/reference/tree-engine.md, The file). */
 #include "tree_engine/tree.h"
 #include "util/error.h"
 #include "util/write_file.h"
@@ -117,7 +117,8 @@ static bool unpack_header(sepax_tree *t, const uint8_t *from, uint32_t *crc, sep
   return ok;
 }
 
-/* What is behind the header. Memory is taken only for bytes that are in the file. */
+/* Read the image and the table. Memory is allocated only for bytes that the file really has, so a
+ * damaged header cannot ask for too much. */
 static bool read_behind(sepax_tree *t, FILE *in, uint32_t crc, sepax_error *error) {
   size_t table_bytes = 4 * (size_t)t->triangles;
   uint64_t all_bytes = sepax__tree_file_bytes(t);

@@ -1,4 +1,5 @@
-/* format.c - nodes and records of leaves, to and from bytes. docs/reference/tree-engine.md. */
+/* format.c - packs and unpacks nodes and records of leaves (docs/reference/tree-engine.md, Memory).
+ */
 #include "tree_engine/format.h"
 
 uint32_t sepax__tree_crc(uint32_t crc, const uint8_t *bytes, size_t count) {
@@ -15,7 +16,7 @@ uint32_t sepax__tree_crc(uint32_t crc, const uint8_t *bytes, size_t count) {
   return ~crc;
 }
 
-/* The lowest bits of x as a two's complement number. */
+/* The lowest `bits` bits of x as a two's complement number. */
 static int32_t from_bits(uint64_t x, int bits) {
   uint64_t sign = UINT64_C(1) << (bits - 1);
   return (int32_t)((int64_t)((x & (2 * sign - 1)) ^ sign) - (int64_t)sign);

@@ -1,4 +1,4 @@
-/* image.c - from triangles to the bytes of a tree. */
+/* image.c - writes the bytes of a tree from its triangles. */
 #include "tree_engine/build.h"
 #include "tree_engine/tree.h"
 #include "util/aabb.h"
@@ -10,15 +10,16 @@
 typedef struct {
   const tree_binary *binary;
   sepax_tree *tree;
-  uint32_t nodes, triangles; /* written, or given a place */
-  size_t at;                 /* of the next record in the image */
+  uint32_t nodes, triangles; /* numbers that are already used */
+  size_t at;                 /* place of the next record in the image, in bytes */
 } writer;
 
 /* -------------------------------------------------------------------- a node */
 
 static int32_t floor_shift(int32_t x, int by) { return (int32_t)((int64_t)x >> by); }
 
-/* The origin in the middle of the bounds, and the least exponents of which all cells fit int8. */
+/* Set the origin to the middle of the bounds, and the exponents to the least with which all cells
+ * fit int8. */
 static void place(tree_node *n, const box4 *bounds) {
   for (int i = 0; i < 3; i++) {
     int32_t low = (int32_t)bounds->low[i];
@@ -42,7 +43,7 @@ static void set_child(tree_node *n, int child, const box4 *b) {
   }
 }
 
-/* The record of a leaf in the image, where it does not cross a page. */
+/* Write the record of a leaf at the next place where it does not cross a page. */
 static void write_record(writer *w, tree_node *n, const range *r) {
   uint8_t vertex[TREE_FAN_OUT][3];
   uint64_t packed[TREE_VERTICES];
@@ -76,7 +77,8 @@ static void write_leaf(writer *w, tree_node *n, const range *r) {
   write_record(w, n, r);
 }
 
-/* The node `number` of the image and all below it; its level. */
+/* Write node `number` of the image, which is node `of` of the binary tree, and all that is below
+ * it. Returns its level. */
 static int write_node(writer *w, uint32_t number, uint32_t of) {
   tree_node n = {.level = 0};
   const range r = w->binary->node[of].of;
@@ -101,13 +103,14 @@ static int write_node(writer *w, uint32_t number, uint32_t of) {
 
 /* -------------------------------------------------------------------- a tree */
 
-/* How many nodes are below a node and it itself, how many of these are leaves, how many levels. */
+/* Size of a subtree: its nodes, the leaves among them, and its level. */
 typedef struct {
   size_t nodes, leaves;
   int level;
 } extent;
 
-/* Stops where there are too many levels. */
+/* Measure the subtree of a node that has `above` levels above it. If the tree has too many levels,
+ * the measuring stops, and `level` is above TREE_LEVEL_MAX. */
 static extent measure(const tree_binary *b, uint32_t of, int above) {
   extent sum = {1, b->node[of].child == 0, 0};
   if (b->node[of].child == 0 || above > TREE_LEVEL_MAX) {

@@ -1,5 +1,5 @@
-/* list.c - lists of jobs in files, with all that they need. docs/reference/tree-engine.md, The list
- * in a file. */
+/* job_list.c - makes, writes and reads lists of jobs with their bodies and poses
+ * (docs/reference/tree-engine.md, The list in a file). */
 #include "tree_engine/tree.h"
 #include "util/error.h"
 #include "util/write_file.h"
@@ -18,7 +18,7 @@ enum {
 #define BYTES_MOST (UINT64_C(1) << 31)
 static const char magic[8] = {'s', 'e', 'p', 'a', 'x', 'S', 'X', 'J'};
 
-/* Where the numbers of the header are. */
+/* Places of the numbers in the header, in bytes. */
 enum {
   AT_VERSION = 8,
   AT_WORD = 12,
@@ -48,7 +48,7 @@ void sepax_job_list_free(sepax_job_list *list) {
 
 /* ----------------------------------------------------------------------- making */
 
-/* Where its parts are. */
+/* Places of the parts of a list, and its size, in bytes. */
 typedef struct {
   uint64_t table, lines, poses, list, bytes;
 } places;
@@ -69,7 +69,7 @@ static places places_of(const sepax_job_scene *s) {
   return at;
 }
 
-/* All trees, each as it is in a file of its own. */
+/* Write all trees, each with the bytes of its own file, and the table of bodies. */
 static bool put_trees(uint8_t *byte, const sepax_job_scene *s, const places *at) {
   uint64_t place = HEADER;
   bool ok = true;
@@ -180,7 +180,8 @@ bool sepax_job_list_is(const char *path) {
   return is;
 }
 
-/* The whole file; memory is taken only for bytes that are in it. */
+/* Read the whole file. Memory is allocated only for bytes that the file really has, so a damaged
+ * header cannot ask for too much. */
 static bool read_bytes(sepax_job_list *list, FILE *in, sepax_error *error) {
   uint8_t head[HEADER];
   if (fread(head, HEADER, 1, in) != 1 || memcmp(head, magic, sizeof magic) != 0) {
@@ -220,7 +221,8 @@ static bool read_bytes(sepax_job_list *list, FILE *in, sepax_error *error) {
                     "the CRC is wrong; the file is damaged, make it again");
 }
 
-/* `count` things of `size` bytes are behind the header, at a multiple of `unit`. */
+/* True if `count` elements of `size` bytes from `at` on are inside the file and after the header,
+ * and `at` is a multiple of `unit`. */
 static bool within(const sepax_job_list *list, uint64_t at, uint64_t count, uint64_t size,
                    uint64_t unit) {
   return at >= HEADER && at % unit == 0 && at <= list->bytes && count * size <= list->bytes - at;
@@ -248,7 +250,7 @@ static bool take_header(sepax_job_list *list, sepax_error *error) {
          sepax_fail(error, SEPAX_ERROR_FORMAT, "the header is that of no list; make it again");
 }
 
-/* The tree of a body, and what a job says of it. */
+/* Check the tree of a body, and write its body record. */
 static bool check_tree(const sepax_job_list *list, uint32_t body,
                        uint8_t record[SEPAX_TREE_BODY_BYTES], sepax_error *error) {
   const uint8_t *row = row_of(list, body);
@@ -340,7 +342,7 @@ const char *sepax_job_list_name(const sepax_job_list *list, uint32_t body) {
   return (const char *)row_of(list, body) + ROW_NAME;
 }
 
-/* Of the header of its tree. */
+/* The header of a body's tree. */
 static const uint8_t *tree_of(const sepax_job_list *list, uint32_t body) {
   return list->byte + bytes_get64(row_of(list, body));
 }

@@ -1,4 +1,4 @@
-/* jobs.c - lists of jobs of the tree engine, pose by pose. docs/reference/tree-engine.md, Jobs. */
+/* jobs.c - works through a list of jobs pose by pose (docs/reference/tree-engine.md, Jobs). */
 #include "tree_engine/walk.h"
 
 #include <string.h>
@@ -46,7 +46,7 @@ bool sepax_tree_job_unpack(sepax_tree_job *job, const uint8_t bytes[SEPAX_TREE_J
          job->modes <= MODES_ALL;
 }
 
-/* NULL: not all of it is in the memory. */
+/* The bytes at an address; NULL if not all of them are in the memory. */
 static const uint8_t *read(const sepax_tree_memory *m, uint64_t address, uint64_t bytes) {
   bool there = address >= m->address && address - m->address <= m->size &&
                bytes <= m->size - (address - m->address);
@@ -62,7 +62,7 @@ static bool see(void *context, const sepax_tree_pair *pair) {
   return true;
 }
 
-/* A job begins. */
+/* Read the next job. Returns 0, or SEPAX_TREE_BUS or SEPAX_TREE_REFUSED. */
 static unsigned take_job(sepax_tree_batch *b) {
   const uint8_t *bytes =
       read(b->memory, b->list + (uint64_t)SEPAX_TREE_JOB_BYTES * b->job, SEPAX_TREE_JOB_BYTES);
@@ -113,7 +113,7 @@ static bool walk_pose(sepax_tree_batch *b, sepax_tree_result *result, sepax_erro
   return true;
 }
 
-/* To the next pose, or the next job. */
+/* Go on to the next pose or the next job. */
 static void go_on(sepax_tree_batch *b, const sepax_tree_result *result) {
   bool hit = (result->status & SEPAX_TREE_HIT) != 0;
   if (hit && (b->current.modes & SEPAX_TREE_AGAIN) != 0) {

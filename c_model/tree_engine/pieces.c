@@ -1,10 +1,10 @@
-/* pieces.c - what the modules of the tree engine compute. docs/reference/tree-engine.md has the
- * formulas, widths and the proof that no collision is missed. */
+/* pieces.c - the formulas of the tree engine's modules. docs/reference/tree-engine.md, Arithmetic,
+ * has the formulas, the widths and the proof that no collision is missed. */
 #include "tree_engine/walk.h"
 
 #include "util/aabb.h"
 
-/* floor(x / 2^by), or x 2^-by where by < 0. */
+/* floor(x / 2^by); by may be negative. */
 static int64_t floor_shift(int64_t x, int by) {
   return by >= 0 ? x >> by : x * (INT64_C(1) << -by);
 }

@@ -1,5 +1,5 @@
-/* pose.c - poses in fixed point. docs/reference/tree-engine.md, Why nothing is missed, has
- * inequality (2). */
+/* pose.c - makes, packs and unpacks poses in fixed point. docs/reference/tree-engine.md, Why
+ * nothing is missed, has inequality (2). */
 #include "tree_engine/tree.h"
 #include "util/error.h"
 #include "util/wide.h"
@@ -11,15 +11,15 @@
 #define SHIFT_MAX (INT64_C(1) << 43)
 #define SIGMA_MAX ((UINT32_C(1) << 24) - 1)
 
-/* Coordinates beyond this many LSB would leave too few bits of doubles. */
+/* Largest coordinate, in LSB. A double has 53 bits, so 2^28 LSB leave a precision of 2^-25 LSB. */
 static const double far = 0x1p28;
 
 static bool fits_shift(wide x) { return x >= -SHIFT_MAX && x < SHIFT_MAX; }
 
 /* ------------------------------------------------------------------ inequality (2) */
 
-/* The right side without 2^-30. Entries of M and K are within 2^20, t within 2^43: all terms are
- * below 2^86. */
+/* The right side of inequality (2) without the factor 2^-30. No overflow: entries of M and K are
+ * within 2^20 and t is within 2^43, so all terms are below 2^86. */
 static wide needed(const sepax_tree_pose *p, int i, int word, int64_t margin) {
   const sepax_tree_side *to_a = &p->side[0];
   const sepax_tree_side *to_b = &p->side[1];
@@ -80,7 +80,7 @@ static double dot(const double row[3], const double v[3]) {
   return row[0] * v[0] + row[1] * v[1] + row[2] * v[2];
 }
 
-/* The pose of B from A's: inverse(pose_a) pose_b. */
+/* The pose of B in the coordinates of A: inverse(pose_a) pose_b. */
 static sepax_pose between(const sepax_pose *pose_a, const sepax_pose *pose_b) {
   static const sepax_pose as_it_stands = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
   pose_b = pose_b != NULL ? pose_b : &as_it_stands;
@@ -118,7 +118,8 @@ static bool make_matrix(int32_t matrix[3][3], const double rotation[3][3], sepax
   return true;
 }
 
-/* Any K is right by inequality (2); an inverse has entries of up to 1 and some rounding. */
+/* Set K to the rounded inverse. Inequality (2) holds for any K, so K may be inexact. Entries that
+ * rounding brought above 1 are clamped. */
 static void make_inverse(int32_t matrix[3][3], const double rotation[3][3]) {
   double inverse[3][3];
   invert(inverse, rotation);
@@ -144,7 +145,7 @@ static bool make_shift(int64_t shift[3], const sepax_pose *pose, const sepax_gri
   return true;
 }
 
-/* u = -K t' / 2^20, rounded. */
+/* Set u to -K t' / 2^20, rounded to nearest. */
 static bool make_back_shift(sepax_tree_pose *p, sepax_error *error) {
   for (int i = 0; i < 3; i++) {
     wide sum = 0;
@@ -212,12 +213,12 @@ bool sepax_tree_pose_make(sepax_tree_pose *pose, const sepax_tree *a, const sepa
   return true;
 }
 
-/* sqrt(3) (sqrt(3) / 2 + 3 2^(W - 22) + 2^-17), rounded up. */
+/* d = sqrt(3) (sqrt(3) / 2 + 3 x 2^(W - 22) + 2^-17), rounded up. */
 int sepax_tree_clearance_added(int word) { return word <= 18 ? 2 : word <= 20 ? 3 : 5; }
 
 /* -------------------------------------------------------------------- bytes */
 
-/* Where the numbers of a side are. */
+/* Places of the numbers of a side in the 144 bytes. */
 static const struct { int shift, matrix, sigma; } place[2] = {{0, 48, 120}, {24, 84, 132}};
 
 void sepax_tree_pose_pack(const sepax_tree_pose *pose, uint8_t bytes[SEPAX_TREE_POSE_BYTES]) {

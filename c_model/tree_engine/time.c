@@ -1,13 +1,18 @@
-/* time.c - about when the tree engine does what the walk does. docs/reference/tree-engine.md, Time.
- */
+/* time.c - predicts the cycles of the tree engine (docs/reference/tree-engine.md, Time). */
 #include "tree_engine/time.h"
 
 #include "tree_engine/format.h"
 
-/* Cycles: to look up a pair of nodes; of the least entry in the compare path; from the last box to
- * what is made of it; from the last beat of a record to its triangles; from a row to a pair; around
- * cores; from one near pair to the next; behind a row. Of an ASIC; of an FPGA, which has more
- * pipeline registers. */
+/* Cycles of
+ *   LOOK_UP       looking up a pair of nodes
+ *   LEAST         an entry with one box in the compare path
+ *   BEHIND_BOXES  from the last box of an entry to its last push or row
+ *   MADE          from the last beat of a record to its triangles
+ *   TO_PAIR       from a row to its first tested pair
+ *   AROUND_CORE   queues before and after a core
+ *   NEXT_PAIR     from one near pair to the next
+ *   BEHIND_ROW    after each row
+ * for an ASIC, then for an FPGA, which has more pipeline registers. */
 enum { LOOK_UP, LEAST, BEHIND_BOXES, MADE, TO_PAIR, AROUND_CORE, NEXT_PAIR, BEHIND_ROW, SPANS };
 static const uint64_t spans[2][SPANS] = {{3, 6, 24, 16, 12, 8, 0, 0}, {4, 9, 36, 17, 18, 9, 2, 1}};
 
@@ -20,8 +25,9 @@ void sepax__tree_time_begin(tree_time *t, const sepax_config *config, int latenc
                    .cores = (uint64_t)config->cores};
 }
 
-/* The place of a block of so many beats, which is there from place->there on: where it is, or that
- * which was used longest ago. */
+/* Look up a block of `beats` beats in a set of a cache. If the block is not there, it replaces the
+ * block that was used longest ago, and it is read over the bus. Returns its place; place->there is
+ * the cycle from which on it can be used. */
 static time_place *look_up(tree_time *t, time_place set[TIME_WAYS], uint32_t number, uint64_t beats,
                            uint64_t now) {
   time_place *place = &set[0];
@@ -63,7 +69,7 @@ static void take_pass(tree_time *t, uint64_t tested) {
   *free_at = t->verdict + t->ii;
 }
 
-/* The pair of leaves before is released; another is wanted. */
+/* Release the pair of leaves of the row before, and ask for the pair of this row. */
 static void take_leaves(tree_time *t, const time_row *row) {
   uint64_t *released = &t->released[t->pairs_of_leaves % TIME_LEAVES];
   uint64_t now = later(row->now, *released);
@@ -82,7 +88,7 @@ static void take_leaves(tree_time *t, const time_row *row) {
   t->pairs_of_leaves++;
 }
 
-/* Vertices that the row before of the same leaves has not; one at least. */
+/* The number of vertices that the row before does not have; at least 1. */
 static uint64_t to_turn(uint32_t corners, uint32_t before) {
   uint64_t fresh = 0;
   for (int k = 0; k < 15; k += 5) {

@@ -1,5 +1,5 @@
-/* walk.c - the walk down two trees: which pairs the tree engine tests, in which order, and what it
- * counts. docs/reference/tree-engine.md, Order. */
+/* walk.c - the walk down two trees: which pairs the tree engine tests, in which order, and its
+ * counters (docs/reference/tree-engine.md, Order). */
 #include "tree_engine/time.h"
 #include "tree_engine/tree.h"
 #include "tree_engine/walk.h"
@@ -10,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* mask 0: the own box of S. */
+/* An entry. With mask 0, S's own box is turned. */
 typedef struct {
   uint32_t s, t;
   uint16_t mask;
   uint8_t side;
-  uint64_t there; /* the cycle when its nodes are */
+  uint64_t there; /* predicted cycle in which its nodes are here */
 } entry;
 
 static uint16_t half(uint16_t mask) {
@@ -35,7 +35,7 @@ typedef struct {
   entry *line, *stack; /* the line is a ring */
   size_t oldest, in_line, in_stack;
   tree_time time;
-  uint64_t now; /* the cycle when the entry is finished */
+  uint64_t now; /* predicted cycle in which the current entry is finished */
 } walk;
 
 static bool damaged(walk *w) {
@@ -43,7 +43,7 @@ static bool damaged(walk *w) {
   return false;
 }
 
-/* False if it is damaged. */
+/* Read a node of a body. False, with run->damaged, if it is damaged. */
 static bool read_node(walk *w, tree_node *node, int body, uint32_t number) {
   const tree_image *tree = &w->tree[body];
   if (number >= tree->nodes) {

@@ -1,5 +1,5 @@
-/* walk.h - the pieces of the walk down two trees, one a module of the engine (private). Each is a
- * function of its arguments; docs/reference/tree-engine.md has the formulas and widths. */
+/* walk.h - the formulas of the walk, one function for each module of the engine (private). The
+ * functions have no state. docs/reference/tree-engine.md, Arithmetic, has formulas and widths. */
 #ifndef SEPAX_TREE_WALK_H
 #define SEPAX_TREE_WALK_H
 
@@ -12,7 +12,7 @@
 #include <emmintrin.h>
 #endif
 
-/* What turns boxes of S into the cells of T. */
+/* The numbers that turn boxes of S into the cells of T. */
 typedef struct {
   int32_t n[3][3];         /* N, 12 bits */
   int32_t low[3], high[3]; /* 21 bits */
@@ -24,11 +24,11 @@ typedef struct {
   int low[3], high[3];
 } tree_cells;
 
-/* A pair that was tested. */
+/* The result of testing a pair. */
 typedef struct {
   bool near;         /* the AABBs leave no gap above the margin */
-  bool out_of_range; /* near, and a turned coordinate is beyond W bits */
-  int thinnest;      /* an axis: its place and that of z are exchanged for the core */
+  bool out_of_range; /* near, and a turned coordinate does not fit W bits */
+  int thinnest;      /* the axis that the core gets as z, in exchange for z */
 } tree_pair;
 
 tree_setting sepax__tree_set_up(const sepax_tree_side *side, const tree_node *s,
@@ -36,30 +36,31 @@ tree_setting sepax__tree_set_up(const sepax_tree_side *side, const tree_node *s,
 tree_cells sepax__tree_turn_box(const tree_setting *setting, const int8_t low[3],
                                 const int8_t high[3]);
 
-/* Bit j: child j of T is hit. */
+/* Bit j of the result: child j of T is hit. */
 uint16_t sepax__tree_hits(const tree_cells *box, const tree_node *t);
 
 void sepax__tree_turn_vertex(int32_t v[3], const sepax_tree_side *side, const int32_t p[3]);
 
-/* a: vertices of A; b: turned vertices of B; margin 0 ... 2^(W-1). */
+/* Test the vertices a of A against the turned vertices b of B. margin is 0 ... 2^(W-1). */
 tree_pair sepax__tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], int64_t margin,
                                 int word);
 
-/* As the core gets it. */
+/* A triangle as the core gets it. */
 sepax_tri sepax__tree_thin_along_z(const int32_t v[3][3], int thinnest);
 
-/* sepax_tree_walk_images of what has been looked at: nodes are in the images. */
+/* sepax_tree_walk_images after its check: all nodes are inside the images. */
 bool sepax__tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
                              const sepax_tree_walk_options *how, sepax_tree_run *run,
                              sepax_error *error);
 
-/* ------------------------------------------------- tree_hits of 16 boxes at once */
+/* ------------------------------------------------- sepax__tree_hits with vectors */
 
 typedef int8_t tree_lane __attribute__((vector_size(TREE_FAN_OUT)));
 
+/* The boxes of a node's children, one lane each. */
 typedef struct {
   tree_lane low[3], high[3];
-  uint16_t there; /* children */
+  uint16_t there; /* bit j: child j exists */
 } tree_lanes;
 
 static inline tree_lanes tree_lanes_of(const tree_node *n) {
@@ -90,8 +91,9 @@ static inline uint16_t tree_lanes_mask(tree_lane v) {
 #endif
 }
 
-/* Cells -129 and 128 are beyond int8: a low end of 128 and a high end of -129 hit nothing, other
- * ends are like -128 and 127. */
+/* The same result as sepax__tree_hits. Cells -129 and 128 do not fit int8. A low end of 128 and a
+ * high end of -129 hit nothing; a low end of -129 hits what -128 hits, and a high end of 128 hits
+ * what 127 hits. */
 static inline uint16_t tree_lanes_hits(const tree_lanes *t, const tree_cells *box) {
   tree_lane all = {0};
   all = ~all;
