@@ -77,7 +77,7 @@ typedef struct {
   uint64_t poses;  /* address of the first pose, a multiple of 256; poses are 256 bytes apart */
   uint32_t count;  /* number of poses, 1 or more */
   uint32_t modes;  /* SEPAX_DEVICE_FIRST ... */
-  uint32_t budget; /* cycles after which a pose is stopped, 0: no limit. A stopped pose still waits
+  uint32_t budget; /* cycles after which a pose is stopped, 0: 2^32 - 1. A stopped pose still waits
                       for its open bursts */
   uint32_t row[2]; /* sepax_outcome.row of an earlier pose */
 } sepax_device_work;

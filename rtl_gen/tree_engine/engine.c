@@ -1,5 +1,5 @@
-/* engine.c - the tree engine (docs/reference/tree-engine.md): registers and jobs around what walks
- * the trees, and the cores that judge near pairs. Its row in the table of generators. */
+/* engine.c - emits the tree engine (docs/reference/tree-engine.md): registers, jobs and results,
+ * the walk, and the cores that judge near pairs. Its row in the table of generators. */
 #include "engine/engine.h"
 #include "tree_engine/boxes/boxes.h"
 #include "tree_engine/memory/memory.h"

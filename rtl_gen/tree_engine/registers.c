@@ -1,4 +1,4 @@
-/* registers.c - the register map of the tree engine (docs/reference/tree-engine.md, Jobs). */
+/* registers.c - the register map of the tree engine (docs/reference/tree-engine.md, Registers). */
 #include "tree_engine/registers.h"
 
 static const engine_register table[] = {

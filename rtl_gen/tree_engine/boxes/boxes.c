@@ -6,9 +6,10 @@
 
 #include <stdlib.h>
 
-/* Emit a sum of products for a period of 2 ns and call its name `dot`, its BIAS `bias`. The modules
- * count on its latency, which is that of an ASIC's; on an FPGA it is what its multipliers need.
- * False if it is refused. */
+/* Emit a sum of products for a period of 2 ns. The holes `dot` and `bias` get the name of its
+ * module and its BIAS. On an ASIC its latency must be *latency, because the modules around it are
+ * written for this latency; on an FPGA *latency becomes what the multipliers need. False on
+ * failure. */
 static bool gen_dot(emitter *e, const arith_form *form, int *latency, emit_holes *h) {
   arith_plan *plan = malloc(sizeof *plan);
   if (plan == NULL) {

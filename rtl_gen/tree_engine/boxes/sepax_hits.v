@@ -1,33 +1,33 @@
-// The hits of an entry as items: rows as they come, or, of an entry with columns, its columns when
-// all rows are here. Items whose mask is 0 are left out, but not the last of an entry.
+// Gives the hits of an entry as items: its rows as they come, or, if the entry wants columns, its
+// columns when all rows are here. Items with mask 0 are left out, except the last of an entry.
 // Latency 0 of a row, 1 of a column. //@ !fpga
 // Latency 0 of a row, 2 of a column. //@ fpga
 module sepax_hits (
   input  wire        clk,       // clock
   input  wire        clear,     // drop all rows
   input  wire        in_valid,  // a row
-  output wire        in_ready,  // it is taken
-  input  wire        in_last,   // the last of its entry
+  output wire        in_ready,  // it is taken in this cycle
+  input  wire        in_last,   // the last row of its entry
   input  wire [3:0]  in_index,  // its number i, ascending
   input  wire [15:0] in_row,    // bit j: box i hits child j
-  input  wire        columns,   // of the entry whose items come: columns are wanted
+  input  wire        columns,   // the current entry's items are columns
   output wire        out_valid, // an item
-  input  wire        out_ready, // it is taken
-  output wire        out_last,  // the last of its entry
-  output wire [3:0]  out_index, // its number
-  output wire [15:0] out_mask   // row or column
+  input  wire        out_ready, // it is taken in this cycle
+  output wire        out_last,  // the last item of its entry
+  output wire [3:0]  out_index, // number of the row or column
+  output wire [15:0] out_mask   // the row or the column
 );
-  reg         full_q;           // all rows of an entry with columns are here
-  reg  [15:0] hit_q;            // bit j: column j is not 0 and was not taken
-  reg  [15:0] here_q;           // bit i: row i is here; others are 0
+  reg         full_q;           // an entry with columns: all its rows are here
+  reg  [15:0] hit_q;            // bit j: column j is not 0 and was not taken yet
+  reg  [15:0] here_q;           // bit i: row i is here; rows that are not here count as 0
   reg  [255:0] row_q;           // the rows
   //@ if fpga
   reg         first_full_q;     // a column is picked
-  reg         first_last_q;     // it is the last
-  reg  [15:0] first_q;          // one-hot: which
+  reg         first_last_q;     // the picked column is the last
+  reg  [15:0] first_q;          // one-hot: the picked column
   wire [15:0] first = first_q;
   wire [15:0] lowest;
-  wire        many;             // columns were not picked
+  wire        many;             // at least two columns were not picked
   wire        pick = full_q && !(first_full_q && first_last_q) && (!first_full_q || out_ready);
   //@ else
   wire [15:0] first = hit_q & (~hit_q + 16'd1);

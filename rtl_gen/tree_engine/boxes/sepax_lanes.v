@@ -1,16 +1,16 @@
-// One end of a turned box against those of 16 boxes: lane j is hit iff cells_i <= bounds_ji for the
-// three axes i, and not beyond.
+// Compares one end of a turned box with 16 boxes: lane j is hit if and only if cells_i <= bounds_ji
+// for the three axes i, and `beyond` is 0.
 // Combinational. //@ !fpga
 // Latency 1. //@ fpga
 module sepax_lanes (
   input  wire         clk,    // clock //@ fpga
   input  wire [23:0]  cells,  // {2, 1, 0}, 8 bits each, signed
-  input  wire         beyond, // above all bounds
-  input  wire [383:0] bounds, // of lane j at 24 j: {2, 1, 0}, 8 bits each, signed
-  output wire [15:0]  hits    // bit j: lane j
+  input  wire         beyond, // cells are above all bounds
+  input  wire [383:0] bounds, // lane j at 24 j: {2, 1, 0}, 8 bits each, signed
+  output wire [15:0]  hits    // bit j: lane j is hit
 );
 //@ if !fpga
-  // a <= b, signed, by a carry that runs up.
+  // a <= b, signed, by a carry from bit 0 upwards.
   function not_above(input [7:0] a, input [7:0] b);
     integer n;
     begin
@@ -24,7 +24,7 @@ module sepax_lanes (
 
 //@ else
   reg         beyond_q;
-  reg  [47:0] hit_q; // of lane j at 3 j, axis by axis
+  reg  [47:0] hit_q; // lane j at 3 j, axis by axis
 //@ end
   genvar j;
   genvar i; //@ fpga

@@ -1,6 +1,7 @@
-// The lowest bit of a mask that is set; are there others? Combinational, without a carry chain.
+// Finds the lowest bit that is 1 in a mask, and whether there are others. Combinational, without a
+// carry chain.
 module sepax_several (
-  input  wire [15:0] mask,   // the bits
+  input  wire [15:0] mask,   // the bits to look at
   output wire        many,   // two or more are 1
   output wire [15:0] lowest  // one-hot: the lowest that is 1
 );
@@ -13,7 +14,7 @@ module sepax_several (
   endfunction
 
   wire [3:0] some = {|mask[15:12], |mask[11:8], |mask[7:4], |mask[3:0]};
-  wire [3:0] four = lowest_of_4(some); // one-hot: which four bits
+  wire [3:0] four = lowest_of_4(some); // one-hot: the group of four bits
 
   assign many = many_of_4(mask[15:12]) || many_of_4(mask[11:8]) || many_of_4(mask[7:4]) ||
                 many_of_4(mask[3:0]) || many_of_4(some);

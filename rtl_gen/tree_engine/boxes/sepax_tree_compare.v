@@ -1,10 +1,10 @@
-// The entries of the walk, one after the other: which children of node S in the mask, or whether
-// S's own box, hit which children of node T (docs/reference/tree-engine.md, Compare). Up to 4
-// entries are here: one whose heads are read, one that is set up, the others' boxes.
+// Tests the entries of the walk in order (docs/reference/tree-engine.md, Compare): turns the boxes
+// of node S in the mask, or S's own box, and finds the children of node T that they hit. Up to 4
+// entries are in progress: one whose heads are read, one that is set up, the others' boxes.
 //@ if fpga
 // A box takes a cycle.
 //@ else
-// A box takes a cycle. First item 11 cycles after an entry that finds nothing before it.
+// A box takes a cycle. The first item of a single entry comes 11 cycles after the entry.
 //@ end
 module sepax_tree_compare #(
   parameter W = 18,   // bits of a coordinate
@@ -16,57 +16,57 @@ module sepax_tree_compare #(
   input  wire [395:0]    matrix,       // M, K: (i, k) of a side at 22 (9 side + 3 i + k)
   input  wire [143:0]    sigma,        // i of a side at 24 (3 side + i)
   input  wire            in_valid,     // an entry; its heads are read in this cycle
-  output wire            in_ready,     // it is taken
+  output wire            in_ready,     // it is taken in this cycle
   input  wire            in_side,      // 0: S is B's node, T is A's
   input  wire [15:0]     in_mask,      // children of S; 0: S's own box
   input  wire [SLOT-1:0] in_a,         // slot of A's node
   input  wire [SLOT-1:0] in_b,         // slot of B's node
   input  wire [255:0]    head_a,       // bytes 0 ... 31 of A's node, in the next cycle
-  input  wire [255:0]    head_b,       // of B's
+  input  wire [255:0]    head_b,       // bytes 0 ... 31 of B's node, in the next cycle
   //@ if fpga
   output wire            box_read,     // read a child's box
-  output wire [SLOT:0]   box_slot,     // {of B, slot} of its node
-  output wire [3:0]      box_index,    // its number
+  output wire [SLOT:0]   box_slot,     // {is B's, slot} of its node
+  output wire [3:0]      box_index,    // number of the child
   input  wire [47:0]     box,          // {high z, y, x, low z, y, x}, 3 cycles later
   output wire            boxes_read,   // read bytes 32 ... 127 of a node
-  output wire [SLOT:0]   boxes_slot,   // {of B, slot}
-  input  wire [767:0]    boxes,        // they stand from the second cycle after it on
+  output wire [SLOT:0]   boxes_slot,   // {is B's, slot}
+  input  wire [767:0]    boxes,        // the boxes, from the second cycle after the read on
   //@ else
   output wire            boxes_read_a, // read bytes 32 ... 127 of a node of A
-  output wire [SLOT-1:0] boxes_slot_a, // its slot
-  input  wire [767:0]    boxes_a,      // they stand from the next cycle on
-  output wire            boxes_read_b, // the same of B
-  output wire [SLOT-1:0] boxes_slot_b, // its slot
-  input  wire [767:0]    boxes_b,      // they stand from the next cycle on
+  output wire [SLOT-1:0] boxes_slot_a, // slot of the node
+  input  wire [767:0]    boxes_a,      // the boxes, from the next cycle on
+  output wire            boxes_read_b, // read bytes 32 ... 127 of a node of B
+  output wire [SLOT-1:0] boxes_slot_b, // slot of the node
+  input  wire [767:0]    boxes_b,      // the boxes, from the next cycle on
   //@ end
   output wire            turn_valid,   // a vertex is to be turned
-  input  wire            turn_ready,   // it is taken
-  output wire            turn_side,    // with M and t or with K and u
+  input  wire            turn_ready,   // it is taken in this cycle
+  output wire            turn_side,    // 0: turn with M and t; 1: with K and u
   output wire [3*W-1:0]  turn_point,   // origin of S, {z, y, x}
-  output wire [3*W-1:0]  turn_origin,  // origin of T
-  input  wire            turned_valid, // its sum has come
+  output wire [3*W-1:0]  turn_origin,  // origin of T, {z, y, x}
+  input  wire            turned_valid, // the sum X of this vertex has come
   input  wire [134:0]    turned,       // {X_2, X_1, X_0}, 45 bits each
   output wire            out_valid,    // an item
-  input  wire            out_ready,    // it is taken
-  output wire            out_last,     // the last of its entry
+  input  wire            out_ready,    // it is taken in this cycle
+  output wire            out_last,     // the last item of its entry
   output wire            out_side,     // the entry's side
-  output wire            out_columns,  // items are columns: S is a leaf, T is not, or side = 1
+  output wire            out_columns,  // items are columns: S is a leaf, and T is not or side is 1
   output wire            out_leaves,   // S and T are leaves
-  output wire [3:0]      out_index,    // row i or column j
-  output wire [15:0]     out_mask,     // the row or column; 0 only if it is the last
-  output wire [SLOT-1:0] out_a,        // the entry's slots
-  output wire [SLOT-1:0] out_b         // the entry's slots
+  output wire [3:0]      out_index,    // number i of a row or j of a column
+  output wire [15:0]     out_mask,     // the row or column; 0 only in the last item
+  output wire [SLOT-1:0] out_a,        // slot of A's node
+  output wire [SLOT-1:0] out_b         // slot of B's node
 );
-  localparam RING = 2 * SLOT + 1; // of an entry: side, slots
+  localparam RING = 2 * SLOT + 1; // bits of an entry in the ring: side, slots
   localparam [8:0] BIAS = 9'd@bias@; //@ !fpga
-  localparam ROW = 21; // of a row that waits: last, index, hits
+  localparam ROW = 21; // bits of a row that waits: last, index, hits
 
   wire clear = rst || drop;
 
-  // What is kept of the entries that are here: a ring, and how far each step has come.
+  // The entries in progress: a ring, and for each step its place in the ring.
   reg [RING-1:0] ring_q [0:3];  // {side, slot of B, slot of A}
   reg [5:0]      head_q [0:3];  // {columns, leaves, children of T less 1}
-  reg [1:0]      in_q, stream_q, lanes_q, out_q; // the next entry that comes in, streams, ...
+  reg [1:0]      in_q, stream_q, lanes_q, out_q; // the next entry to come in, stream, ...
   reg [2:0]      count_q;
   wire           taken_in = in_valid && in_ready;
   wire           taken_out = out_valid && out_ready && out_last;
@@ -76,11 +76,11 @@ module sepax_tree_compare #(
   wire [1:0]     unused_kind;
   wire [1:0]     newest = in_q - 2'd1;
 
-  // Heads: of the newest entry.
-  reg            heads_q;  // they are here
-  reg            asked_q;  // its origin is to be turned
+  // Heads of the newest entry.
+  reg            heads_q;  // the heads are here
+  reg            asked_q;  // X is to be computed
   reg            side_q, own_q;
-  reg [23:0]     mask_q;   // or the own box {z, y, x}
+  reg [23:0]     mask_q;   // the mask, or the own box {z, y, x}
   reg [3*W-1:0]  point_q, origin_q;
   reg [11:0]     s_exponents_q, t_exponents_q;
   wire [255:0]   head_s = side_q ? head_a : head_b;
@@ -99,38 +99,38 @@ module sepax_tree_compare #(
   assign turn_point = point_q;
   assign turn_origin = origin_q;
 
-  // Set-up: of the entry that streams next, or whose first box is to come.
-  reg            busy_q;   // there is one
+  // Set-up of the entry that streams next, or whose first box was not taken yet.
+  reg            busy_q;   // there is such an entry
   reg            ready_q;  // its X is here
-  reg            loaded_q; // its mask is in todo_q, its first box has not been taken
+  reg            loaded_q; // its boxes wait in todo_q, and none of them was taken
   reg            next_side_q, next_own_q;
   reg [23:0]     next_mask_q;
-  wire [233:0]   high_bits; // of the matrices: M / 2^9
+  wire [233:0]   high_bits; // M / 2^9 of the matrices
   wire [104:0]   x;         // X / 2^10
   wire [107:0]   n;
   wire [62:0]    low, high;
   wire [11:0]    shift;
 
   // Boxes of S.
-  reg  [15:0]    todo_q;   // children that wait
+  reg  [15:0]    todo_q;   // children whose boxes wait
   reg            own_todo_q; // the own box waits
-  reg            s_side_q; // of this entry //@ !fpga
+  reg            s_side_q; // side of the streaming entry //@ !fpga
   wire [15:0]    pick = todo_q & (~todo_q + 16'd1); //@ !fpga
   wire [15:0]    pick; //@ fpga
   wire           some = own_todo_q || (|todo_q); //@ !fpga
   reg            some_q; // boxes wait //@ fpga
   wire           some = some_q; //@ fpga
   wire           last = (todo_q & ~pick) == 16'd0; //@ !fpga
-  wire           many; // children wait //@ fpga
+  wire           many; // two or more children wait //@ fpga
   wire           last = !many; //@ fpga
-  wire           hand; // a box can be taken
+  wire           hand; // a box may be taken
   wire           take = some && hand;
   wire           first = take && loaded_q;
   wire           load, read_s; //@ !fpga
   wire           load; //@ fpga
   wire [23:0]    box_low, box_high;
 
-  // Steps behind: ends of boxes to be turned, in cells, compared, hits.
+  // Later stages: ends of boxes to be turned, their cells, lanes, hits.
   reg            turn_q, turn_last_q, turn_first_q, turn_side_q; //@ !fpga
   reg            turn_q, turn_last_q, turn_first_q; //@ fpga
   reg  [3:0]     turn_index_q; //@ !fpga
@@ -141,18 +141,18 @@ module sepax_tree_compare #(
   reg  [11:0]    cell_shift_q;
   reg            lane_q, lane_last_q;
   reg  [3:0]     lane_index_q;
-  reg            t_side_q; // of the entry in the lanes //@ !fpga
+  reg            t_side_q; // side of the entry in the lanes //@ !fpga
   reg  [3:0]     children_q;
   reg            row_q, row_last_q;
   reg  [3:0]     row_index_q;
   reg  [15:0]    hits_q;
   //@ if fpga
-  // A box comes 3 cycles after it was asked for, in turn_q; two registers are behind the lanes.
+  // A box comes 3 cycles after turn_q asked for it. Two registers follow the lanes.
   localparam BEFORE = @turn@; // cycles from turn_q to cell_q
-  localparam BOX = 6;     // of a box: first, last, index
-  reg  [SLOT:0]  s_slot_q, t_slot_q; // of the entry that streams, of the next in the lanes
+  localparam BOX = 6;     // bits of a box: first, last, index
+  reg  [SLOT:0]  s_slot_q, t_slot_q; // S of the streaming entry, T of the next
   reg  [15:0]    pick_q;     // one-hot: the box that is asked for
-  reg  [3:0]     own_turn_q; // the own box comes in place of one that was asked for
+  reg  [3:0]     own_turn_q; // the own box takes the place of a box that was read
   reg  [23:0]    own_mask_q;
   reg  [107:0]   n_q;        // set-up of the boxes that come
   reg  [62:0]    low_q, high_q;
@@ -165,7 +165,7 @@ module sepax_tree_compare #(
   reg  [3:0]     children_q2;
   reg  [15:0]    present_q;
   //@ end
-  wire [1:0]     beyond; // of the lower end, of the upper
+  wire [1:0]     beyond; // bit 0: of the lower end; bit 1: of the upper end
   wire [47:0]    cells;
   wire [31:0]    end_hits;
   wire [15:0]    present;
@@ -181,7 +181,8 @@ module sepax_tree_compare #(
   //@ if fpga
   assign load = (turned_valid || ready_q) && !loaded_q && !some;
   //@ else
-  // Nodes stand at the memories' outputs: where S is to come T may stand, as boxes before need it.
+  // The memories' outputs hold S and T. S is loaded only when no earlier box needs a T of the same
+  // body there.
   assign load = (turned_valid || ready_q) && !loaded_q && (!some || (take && last)) &&
                 (next_own_q || !((some && (s_side_q != next_side_q)) ||
                                  (turn_q && (turn_side_q != next_side_q)) ||
@@ -299,7 +300,7 @@ module sepax_tree_compare #(
   assign {out_side, out_b, out_a} = ring_q[out_q];
   wire [3:0] unused_children;
   //@ if fpga
-  // What an entry is, is known a cycle after the last item of the one before was taken.
+  // The kind of an entry is known a cycle after the last item of the entry before was taken.
   reg        kind_q, columns_q, leaves_q;
   wire       next_columns, next_leaves;
   assign row_valid = row_waits && kind_q;

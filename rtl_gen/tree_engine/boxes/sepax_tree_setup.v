@@ -1,19 +1,20 @@
-// What turns boxes of node S into the cells of node T (docs/reference/tree-engine.md, Set-up).
-// e_max is the highest exponent of S, g_i = max(e_max, e_Ti):
+// Computes the numbers that turn boxes of node S into the cells of node T
+// (docs/reference/tree-engine.md, Set-up). With e_max the highest exponent of S and
+// g_i = max(e_max, e_Ti):
 //   n_ik = floor(M_ik / 2^(10 + g_i - e_Sk) + 1/2), D_i = floor(X_i / 2^(10 + g_i)),
 //   s_i = 192 + ceil(sigma_i / 2^g_i), low_i = sat(D_i - s_i), high_i = sat(D_i + 1 + s_i),
 //   shift_i = g_i - e_Ti.
-// An entry comes in, its X comes some cycles later, and `load` makes it the entry that is at the
-// outputs, from the next cycle on.
+// X of an entry comes some cycles after the entry. From the cycle after `load` on, the outputs are
+// those of this entry.
 module sepax_tree_setup (
   input  wire         clk,       // clock
   input  wire [233:0] matrix,    // M_ik / 2^9 of a side at 13 (9 side + 3 i + k), signed
   input  wire [143:0] sigma,     // sigma_i of a side at 24 (3 side + i)
-  input  wire         begin_in,  // an entry
-  input  wire         side,      // its side
+  input  wire         begin_in,  // an entry comes in
+  input  wire         side,      // side of the entry
   input  wire [11:0]  s_exponents, // {z, y, x} of S, 0 ... 15
-  input  wire [11:0]  t_exponents, // of T
-  input  wire         x_valid,   // its X has come
+  input  wire [11:0]  t_exponents, // {z, y, x} of T
+  input  wire         x_valid,   // X of the entry has come
   input  wire [104:0] x,         // X / 2^10, {2, 1, 0}, 35 bits each, signed
 //@ if fpga
   input  wire         load,      // 2 cycles after x_valid or later, 5 after begin_in or later
@@ -22,16 +23,16 @@ module sepax_tree_setup (
 //@ end
   output reg  [107:0] n,         // entry (i, k) at 12 (3 i + k), -1024 ... 1024
   output reg  [62:0]  low,       // {2, 1, 0}, 21 bits each, signed //@ !fpga
-  output reg  [62:0]  high,      // the same //@ !fpga
+  output reg  [62:0]  high,      // {2, 1, 0}, 21 bits each, signed //@ !fpga
   output wire [62:0]  low,       // {2, 1, 0}, 21 bits each, signed //@ fpga
-  output wire [62:0]  high,      // the same //@ fpga
+  output wire [62:0]  high,      // {2, 1, 0}, 21 bits each, signed //@ fpga
   output reg  [11:0]  shift      // {2, 1, 0}, 0 ... 15
 );
   function [3:0] larger(input [3:0] a, input [3:0] b);
     larger = (a > b) ? a : b;
   endfunction
 
-  // To 21 bits, signed: the nearest. Beyond says that the value is not known, but for its sign.
+  // Saturates to 21 bits, signed. If `beyond`, only the sign of the value is known.
   function [20:0] saturated(input [26:0] value, input beyond, input negative);
     saturated = beyond ? {negative, {20{!negative}}}
               : ((|value[26:20]) == (&value[26:20])) ? value[20:0]
@@ -66,10 +67,11 @@ module sepax_tree_setup (
       wire signed [34:0] d = d_q;
       wire [38:0] wide = wide_q;
       //@ end
-      wire [25:0] s = {1'b0, wide[38:15], |wide[14:0]} + 26'd385; // twice, and 1 more
+      wire [25:0] s = {1'b0, wide[38:15], |wide[14:0]} + 26'd385; // bits 25:1 are s
       reg  [24:0] s_q;
       wire        unused_half = s[0];
-      // s is below 2^25: a D of more than 26 bits stays beyond 21 bits.
+      // s is below 2^25, so if D has more than 26 bits, then D - s and D + s have more than 21
+      // bits.
       wire        beyond = (|d[34:25]) != (&d[34:25]);
       wire [26:0] least = {d[25], d[25:0]} - {2'd0, s_q};
       wire [26:0] most = {d[25], d[25:0]} - ~{2'd0, s_q};

@@ -1,21 +1,21 @@
-// An end of a turned box, the lower or the upper, in cells of T, by axes i:
-//   sum_i = start_i + sum over k of n_ik e_k, e_k = one end of the box: where upper = 0 the lower
-//   end if n_ik >= 0 and the upper end if not; where upper = 1 the other way round;
-//   cell_i = floor(sum_i 2^shift_i / 2^10), its complement -1 - cell_i where upper = 1.
-// A cell above 127 makes `beyond` 1, one below -128 is -128: neither changes a comparison with
-// cells of 8 bits. Both ends come biased by @bias@; the upper end is high + 1.
+// One end of a turned box, in cells of T. For each axis i:
+//   sum_i = start_i + sum over k of n_ik e_k. If upper = 0, e_k is the lower end of the box for
+//   n_ik >= 0 and the upper end for n_ik < 0. If upper = 1, it is the other end.
+//   cell_i = floor(sum_i 2^shift_i / 2^10). If upper = 1, the output is -1 - cell_i instead.
+// A cell above 127 sets `beyond`, and a cell below -128 becomes -128. Neither changes a comparison
+// with cells of 8 bits. Both ends come biased by @bias@; the upper end is high + 1.
 // Latency 2; shift comes one cycle after the ends. //@ !fpga
 // Latency @cells@; shift comes @sums@ cycles after the ends. //@ fpga
 module sepax_turn_box (
   input  wire         clk,    // clock
-  input  wire         upper,  // the upper end
+  input  wire         upper,  // 1: the upper end; 0: the lower end
   input  wire [26:0]  lows,   // {z, y, x}: low + @bias@, 9 bits each, signed
   input  wire [26:0]  highs,  // {z, y, x}: high + 1 + @bias@
   input  wire [107:0] n,      // entry (i, k) at 12 (3 i + k), signed
   input  wire [62:0]  start,  // {2, 1, 0}, 21 bits each, signed: low or high of the set-up
   input  wire [11:0]  shift,  // {2, 1, 0}, 0 ... 15
   output reg  [23:0]  cells,  // {2, 1, 0}, 8 bits each, signed
-  output wire         beyond  // no cell is as high
+  output wire         beyond  // the cell is above all cells
 );
   reg       upper_q; //@ !fpga
   wire      upper_q = upper; //@ fpga
@@ -36,7 +36,7 @@ module sepax_turn_box (
         .a(n[36*i +: 36]), .b(ends), .c(start[21*i +: 21]), .p(sum)
       );
 
-      // Bits that differ from the sign; none may be shifted beyond bit 16.
+      // Bits that differ from the sign. If one is shifted beyond bit 16, the cell is too large.
       wire        sign = sum_q[21];
       wire [3:0]  by = shift[4*i +: 4];
       wire [20:0] size = sum_q[20:0] ^ {21{sign}};

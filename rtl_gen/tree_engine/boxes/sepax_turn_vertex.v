@@ -1,6 +1,6 @@
-// A vertex in the coordinates of the other body: sum_i = M_i . point + t_i - 2^20 origin_i for the
-// three rows i, with the matrix and shift of a side; sum_i / 2^20, floored, is the vertex.
-// Each coordinate is biased first, once for the three products that it is in. //@ !fpga
+// Turns a vertex into the coordinates of the other body: sum_i = M_i . point + t_i - 2^20 origin_i
+// for the three rows i, with the matrix and shift of a side. The vertex is floor(sum_i / 2^20).
+// Each coordinate is biased once, for its three products. //@ !fpga
 // Latency @latency@, one vertex a cycle.
 module sepax_turn_vertex #(
   parameter W = @w@ // bits of a coordinate, of which the sums of products are made
@@ -8,12 +8,12 @@ module sepax_turn_vertex #(
   input  wire           clk,    // clock
   input  wire [395:0]   matrix, // entry (i, k) of a side at 22 (9 side + 3 i + k), -2^20 ... 2^20
   input  wire [263:0]   shift,  // t_i of a side at 44 (3 side + i), signed
-  input  wire           side,   // 0, 1
+  input  wire           side,   // 0: M, t; 1: K, u
   input  wire [3*W-1:0] point,  // {z, y, x}, signed
   input  wire [3*W-1:0] origin, // {z, y, x}, signed
   output reg  [134:0]   sum     // {2, 1, 0}, 45 bits each, signed
 );
-  localparam B_W = @b_w@; // of a biased coordinate //@ !fpga
+  localparam B_W = @b_w@; // bits of a biased coordinate //@ !fpga
   localparam [B_W-1:0] BIAS = @b_w@'d@bias@; //@ !fpga
   localparam B_W = W; //@ fpga
   reg  [3*B_W-1:0] biased_q;

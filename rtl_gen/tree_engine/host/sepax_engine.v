@@ -1,11 +1,11 @@
-// Which triangles of body A collide with which of body B, for a list of jobs: pairs of bodies as
-// trees in memory, each with a queue of poses (docs/reference/tree-engine.md). AXI4-Lite starts a
-// batch and reads what it has come to; the AXI4 port reads memory; collisions and the ends of poses
-// leave over AXI4-Stream. @cores@ exact core@plural@ of II = @ii@ judge@verb@ near pairs.
+// Tree engine: finds the colliding triangles of two bodies for a list of jobs, which are pairs of
+// bodies with a queue of poses each (docs/reference/tree-engine.md). s_axi (AXI4-Lite) starts a
+// batch and reads its counts. m_axi (AXI4) reads the memory. m_axis (AXI4-Stream) sends collisions
+// and the ends of poses. @cores@ exact core@plural@ of II = @ii@ judge@verb@ near pairs.
 module sepax_engine (
   (* X_INTERFACE_INFO = "xilinx.com:signal:clock:1.0 aclk CLK" *)
   (* X_INTERFACE_PARAMETER = "ASSOCIATED_BUSIF s_axi:m_axi:m_axis, ASSOCIATED_RESET aresetn" *)
-  input  wire         aclk,          // clock of everything
+  input  wire         aclk,          // clock of all parts
   (* X_INTERFACE_INFO = "xilinx.com:signal:reset:1.0 aresetn RST" *)
   (* X_INTERFACE_PARAMETER = "POLARITY ACTIVE_LOW" *)
   input  wire         aresetn,       // synchronous reset of control and buses, active low
@@ -15,13 +15,13 @@ module sepax_engine (
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi AWREADY" *)
   output wire         s_axi_awready, // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi AWADDR" *)
-  input  wire [6:0]   s_axi_awaddr,  // sepax_registers.md
+  input  wire [6:0]   s_axi_awaddr,  // register address: sepax_registers.md
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi WVALID" *)
   input  wire         s_axi_wvalid,  // data to write
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi WREADY" *)
   output wire         s_axi_wready,  // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi WDATA" *)
-  input  wire [31:0]  s_axi_wdata,   // data
+  input  wire [31:0]  s_axi_wdata,   // the data
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi WSTRB" *)
   input  wire [3:0]   s_axi_wstrb,   // byte strobes, all 1
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi BVALID" *)
@@ -35,13 +35,13 @@ module sepax_engine (
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi ARREADY" *)
   output wire         s_axi_arready, // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi ARADDR" *)
-  input  wire [6:0]   s_axi_araddr,  // sepax_registers.md
+  input  wire [6:0]   s_axi_araddr,  // register address: sepax_registers.md
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi RVALID" *)
   output wire         s_axi_rvalid,  // data that were read
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi RREADY" *)
   input  wire         s_axi_rready,  // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi RDATA" *)
-  output wire [31:0]  s_axi_rdata,   // data
+  output wire [31:0]  s_axi_rdata,   // the data
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi RRESP" *)
   output wire [1:0]   s_axi_rresp,   // 0: OKAY, 2: SLVERR
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi ARVALID" *)
@@ -62,11 +62,11 @@ module sepax_engine (
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi RREADY" *)
   output wire         m_axi_rready,  // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi RDATA" *)
-  input  wire [127:0] m_axi_rdata,   // data
+  input  wire [127:0] m_axi_rdata,   // the data
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi RRESP" *)
-  input  wire [1:0]   m_axi_rresp,   // not 0: error
+  input  wire [1:0]   m_axi_rresp,   // 0: OKAY; otherwise an error
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 m_axi RLAST" *)
-  input  wire         m_axi_rlast,   // last of its burst
+  input  wire         m_axi_rlast,   // the last beat of its burst
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TVALID" *)
   output wire         m_axis_tvalid, // AXI4-Stream, results: a pair, or the end of a pose
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TREADY" *)
@@ -77,16 +77,16 @@ module sepax_engine (
   output wire         m_axis_tlast,  // end of a pose
   (* X_INTERFACE_INFO = "xilinx.com:signal:interrupt:1.0 irq INTERRUPT" *)
   (* X_INTERFACE_PARAMETER = "SENSITIVITY LEVEL_HIGH" *)
-  output wire         irq            // interrupt, level: PENDING and ENABLE
+  output wire         irq            // interrupt, level: a bit is set in PENDING and ENABLE
 );
   localparam W = @word@;       // bits of a coordinate
-  localparam ADDRESS = 40; // of a byte address
+  localparam ADDRESS = 40; // bits of a byte address
   wire rst = !aresetn;
 
   assign m_axi_arsize = 3'd4;
   assign m_axi_arburst = 2'b01;
 
-  // Registers; the batch.
+  // Registers and counts of the batch.
   wire start, stop, busy, done, send, send_busy, last, hit;
   wire [32:0] list;
   wire [31:0] jobs, job, pose, poses_done, hits, hit_job, hit_pose, batch_cycles;

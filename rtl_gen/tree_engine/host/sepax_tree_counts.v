@@ -1,19 +1,19 @@
-// What a batch has come to, as registers show it.
+// The counts of a batch that the registers show.
 module sepax_tree_counts (
   input  wire        clk,      // clock
   input  wire        rst,      // synchronous reset, active high
   input  wire        start,    // a batch begins
-  input  wire        busy,     // a batch is worked on
-  input  wire        ended,    // a pose has ended: of what follows
-  input  wire [5:0]  status,   // its status; bit 0: a pair collides
+  input  wire        busy,     // a batch is running
+  input  wire        ended,    // a pose has ended, with this status, job and pose
+  input  wire [5:0]  status,   // status bits 5:0 of the pose
   input  wire [31:0] job,      // number of its job
-  input  wire [31:0] pose,     // its number
-  output reg  [5:0]  all,      // every bit of the status that was set
+  input  wire [31:0] pose,     // number of the pose
+  output reg  [5:0]  all,      // OR of the status bits of all poses
   output reg  [31:0] poses,    // poses that have ended
-  output reg  [31:0] hits,     // of these, poses with a collision
-  output reg  [31:0] hit_job,  // the first of them: number of its job
-  output reg  [31:0] hit_pose, // its number
-  output reg  [31:0] cycles    // clock cycles of the batch
+  output reg  [31:0] hits,     // poses with a collision
+  output reg  [31:0] hit_job,  // number of the job of the first collision
+  output reg  [31:0] hit_pose, // number of the pose of the first collision
+  output reg  [31:0] cycles    // clock cycles of the batch, modulo 2^32
 );
   always @(posedge clk) begin
     if (rst || start) begin

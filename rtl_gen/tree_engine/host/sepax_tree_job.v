@@ -1,36 +1,36 @@
-// The job that is worked on: it comes in beats (docs/reference/tree-engine.md, Job) and stands
-// until the next one comes.
+// Holds the current job, which comes in beats (docs/reference/tree-engine.md, Job), and checks its
+// ranges.
 module sepax_tree_job #(
   parameter ADDRESS = 40 // bits of a byte address, 37 ... 63
 ) (
   input  wire                clk,         // clock
   input  wire                clear,       // another job begins
-  input  wire                load,        // a beat of it is here
-  input  wire [3:0]          beat,        // its number, 0 ... 5
-  input  wire [127:0]        data,        // its 16 bytes, byte 0 lowest
-  output reg                 bad,         // a number was not in its range
+  input  wire                load,        // a beat of the job is here
+  input  wire [3:0]          beat,        // number of the beat, 0 ... 5
+  input  wire [127:0]        data,        // the beat, byte 0 lowest
+  output reg                 bad,         // a number of the job is out of its range
   output reg  [ADDRESS-13:0] base_a,      // A's image / 4096
   output reg  [23:0]         nodes_a,     // A's nodes
   output reg  [31:0]         triangles_a, // A's triangles
-  output reg  [31:0]         beats_a,     // size of A's image / 16
+  output reg  [31:0]         beats_a,     // beats of A's image
   output reg  [ADDRESS-13:0] base_b,      // B's image / 4096
   output reg  [23:0]         nodes_b,     // B's nodes
   output reg  [24:0]         triangles_b, // B's triangles
-  output reg  [31:0]         beats_b,     // size of B's image / 16
+  output reg  [31:0]         beats_b,     // beats of B's image
   output reg  [ADDRESS-9:0]  poses,       // address of the first pose / 256
-  output reg  [31:0]         count,       // of poses
-  output reg  [6:0]          modes,       // {LEAVE, WARM, COLD, AGAIN, ROW, QUIET, FIRST}
+  output reg  [31:0]         count,       // number of poses
+  output reg  [6:0]          modes,       // modes {LEAVE, WARM, COLD, AGAIN, ROW, QUIET, FIRST}
   output reg  [31:0]         budget,      // cycles of a pose; 0: none //@ !fpga
   output reg  [31:0]         budget,      // cycles of a pose, the most there are for none //@ fpga
   output reg  [26:0]         row_a,       // first row: {a, leaf A}
-  output reg  [26:0]         row_b        // {b, leaf B}
+  output reg  [26:0]         row_b        // first row: {b, leaf B}
 );
   wire [63:0] address = data[63:0];
   wire [31:0] number = data[95:64];
   wire [31:0] last = data[127:96];
   wire        beyond = |address[63:ADDRESS];
   wire        bad_nodes = !(|number) || (|number[31:24]) || (number[23] && (|number[22:0]));
-  reg  [26:0] node_beats; // of the body whose size comes
+  reg  [26:0] node_beats; // beats of the nodes of the body whose size comes
   reg         wrong;
   //@ if fpga
   reg  [31:0] budget_q;

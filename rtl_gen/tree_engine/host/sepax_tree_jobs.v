@@ -1,88 +1,89 @@
-// Takes a list of jobs, job by job and pose by pose (docs/reference/tree-engine.md, Jobs): reads
-// job and pose, starts the engine, reads the next pose or job meanwhile, sends the end of each run.
+// Works through a list of jobs, pose by pose (docs/reference/tree-engine.md, Jobs): reads a job and
+// its poses, starts a run for each pose, reads the next pose or job during the run, and sends the
+// end of each pose.
 module sepax_tree_jobs #(
   parameter ADDRESS = 40 // bits of a byte address
 ) (
   input  wire               clk,         // clock
   input  wire               rst,         // synchronous reset, active high
   input  wire               start,       // a batch begins; only while not busy
-  input  wire               stop,        // the batch ends with the pose that is walked
+  input  wire               stop,        // end the batch with the pose that is being walked
   input  wire [ADDRESS-8:0] list,        // address of the first job / 128
-  input  wire [31:0]        jobs,        // how many, 1 or more
-  output wire               busy,        // a batch is worked on
-  output wire               done,        // it ends in this cycle
+  input  wire [31:0]        jobs,        // number of jobs, 1 or more
+  output wire               busy,        // a batch is running
+  output wire               done,        // the batch ends in this cycle
   output reg  [31:0]        job,         // number of the job
   output reg  [31:0]        pose,        // number of the pose
   // fetch of jobs and poses
   output wire               ask,         // ask for a burst
-  output wire [ADDRESS-1:0] ask_address, // where
-  output wire [3:0]         ask_beats,   // its beats less 1
-  input  wire               fetch_busy,  // it has not come whole
-  input  wire               fetch_error, // some of it is not what memory has
-  output wire               read,        // read a beat of it
-  output reg  [3:0]         read_beat,   // which
-  output wire               clear,       // a job or a pose goes to its registers
+  output wire [ADDRESS-1:0] ask_address, // address of the burst
+  output wire [3:0]         ask_beats,   // beats of the burst less 1
+  input  wire               fetch_busy,  // the burst has not come completely
+  input  wire               fetch_error, // a beat of the burst came with an error
+  output wire               read,        // read a beat of the burst
+  output reg  [3:0]         read_beat,   // number of the beat
+  output wire               clear,       // a job or a pose is about to be loaded
   output reg                load_job,    // a beat of a job is here
   output reg                load_pose,   // a beat of a pose is here
-  output reg  [3:0]         beat,        // its number
-  input  wire               bad_job,     // a number of the job is not in its range
-  input  wire               bad_pose,    // one of the pose
+  output reg  [3:0]         beat,        // number of the beat that is loaded
+  input  wire               bad_job,     // a number of the job is out of its range
+  input  wire               bad_pose,    // a number of the pose is out of its range
   // of the job
   input  wire [ADDRESS-9:0] poses,       // address of the first pose / 256
-  input  wire [31:0]        count,       // of poses
-  input  wire [5:0]         modes,       // {LEAVE, WARM, COLD, AGAIN, ROW, FIRST}
-  input  wire [26:0]        job_row_a,   // first row: {a, leaf A}
-  input  wire [26:0]        job_row_b,   // {b, leaf B}
+  input  wire [31:0]        count,       // number of poses
+  input  wire [5:0]         modes,       // modes of the job: {LEAVE, WARM, COLD, AGAIN, ROW, FIRST}
+  input  wire [26:0]        job_row_a,   // first row of the job: {a, leaf A}
+  input  wire [26:0]        job_row_b,   // first row of the job: {b, leaf B}
   // runs of the engine
   input  wire               run_idle,    // a run may begin
-  output reg                run_start,   // it begins
-  output wire               run_stop,    // it is to end
-  output wire               run_cold,    // with run_start: the caches forget what they have
-  output reg                row,         // a first row is given
-  output reg  [26:0]        row_a,       // {a, leaf A}
-  output reg  [26:0]        row_b,       // {b, leaf B}
-  input  wire               run_done,    // it has ended
-  input  wire               any,         // it has found a collision
-  input  wire               undecided,   // some are out of range
-  input  wire               stopped,     // FIRST, BUDGET or stop ended it
-  input  wire               damaged,     // its trees are damaged
+  output reg                run_start,   // a run begins
+  output wire               run_stop,    // end the run
+  output wire               run_cold,    // with run_start: empty the caches
+  output reg                row,         // the run has a first row
+  output reg  [26:0]        row_a,       // first row of the run: {a, leaf A}
+  output reg  [26:0]        row_b,       // first row of the run: {b, leaf B}
+  input  wire               run_done,    // the run has ended
+  input  wire               any,         // the run has found a collision
+  input  wire               undecided,   // some collisions are out of range
+  input  wire               stopped,     // FIRST, BUDGET or STOP ended the run
+  input  wire               damaged,     // a tree is damaged, or the stack is full
   input  wire               run_error,   // memory answered with an error
-  input  wire [26:0]        first_row_a, // FIRST: {a, leaf A}
-  input  wire [26:0]        first_row_b, // {b, leaf B}
+  input  wire [26:0]        first_row_a, // first collision of the run: {a, leaf A}
+  input  wire [26:0]        first_row_b, // first collision of the run: {b, leaf B}
   // end of a run
-  output wire               send,        // send its end
+  output wire               send,        // send the end of the pose
   output wire [5:0]         status,      // {REFUSED, BUS, DAMAGED, STOPPED, OUT_OF_RANGE, HIT}
   output wire               last,        // the batch ends with this pose
-  input  wire               send_busy    // an end has not gone
+  input  wire               send_busy    // the end of the pose before has not gone
 );
   localparam [3:0] IDLE = 4'd0;  // no batch
   localparam [3:0] ASK = 4'd1;   // ask for a job or a pose
-  localparam [3:0] WAIT = 4'd2;  // until it has come
-  localparam [3:0] LOAD = 4'd3;  // to its registers
-  localparam [3:0] JUDGE = 4'd4; // was it in range?
-  localparam [3:0] START = 4'd5; // the engine, and the next burst
-  localparam [3:0] RUN = 4'd6;   // until the engine has ended
-  localparam [3:0] FAIL = 4'd7;  // send the end of what is not run
-  localparam [3:0] END = 4'd8;   // of the batch
+  localparam [3:0] WAIT = 4'd2;  // wait until it has come
+  localparam [3:0] LOAD = 4'd3;  // load it into its registers
+  localparam [3:0] JUDGE = 4'd4; // wait for the result of its range check
+  localparam [3:0] START = 4'd5; // start the engine, and ask for the next burst
+  localparam [3:0] RUN = 4'd6;   // wait until the engine has ended
+  localparam [3:0] FAIL = 4'd7;  // send the end of a job or pose that is not run
+  localparam [3:0] END = 4'd8;   // end the batch
   localparam [3:0] JOB_LAST = 4'd5;  // number of the last beat of a job
-  localparam [3:0] POSE_LAST = 4'd8; // of a pose
+  localparam [3:0] POSE_LAST = 4'd8; // number of the last beat of a pose
   reg  [3:0]         state_q;
   reg                of_job_q;     // a job is read, not a pose
   reg                ahead_q;      // the next burst was asked for while the engine ran
-  reg                ahead_job_q;  // it is a job
-  reg                first_job_q, first_pose_q; // the next one is the batch's, the job's first
+  reg                ahead_job_q;  // that burst is a job
+  reg                first_job_q, first_pose_q; // the next one is first of the batch, of its job
   reg                bus_q, refused_q, stop_q;
-  reg  [1:0]         loaded_q;     // the last beat was read so many cycles ago //@ !fpga
-  reg  [3:0]         loaded_q;     // the last beat was read so many cycles ago //@ fpga
-  reg                busy_q;       // a batch is worked on //@ fpga
-  reg  [31:0]        jobs_left_q, poses_left_q; // behind the one that is worked on
+  reg  [1:0]         loaded_q;     // bit k: the last beat was read k + 1 cycles ago //@ !fpga
+  reg  [3:0]         loaded_q;     // bit k: the last beat was read k + 1 cycles ago //@ fpga
+  reg                busy_q;       // a batch is running //@ fpga
+  reg  [31:0]        jobs_left_q, poses_left_q; // jobs and poses after the current one
   reg  [ADDRESS-8:0] job_q;        // address / 128 of the next job
   reg  [ADDRESS-9:0] pose_q;       // address / 256 of the next pose
   //@ if fpga
   reg                more_jobs, more_poses; // a cycle late
-  reg                judged_q;     // a job or a pose was judged, which counts a cycle late
-  reg                asks_q;       // in ASK what is asked for is right
-  reg  [1:0]         ready_q;      // in START it is
+  reg                judged_q;     // a job or a pose was judged in the cycle before
+  reg                asks_q;       // the burst that ASK asks for is known
+  reg  [1:0]         ready_q;      // the burst that START asks for is known
   wire               begins = ready_q[1] && run_idle && !fetch_busy;
   //@ else
   wire               more_jobs = |jobs_left_q;

@@ -1,20 +1,20 @@
-// The pose in which a run finds the bodies: it comes in beats (docs/reference/tree-engine.md, Pose)
-// and stands until the next one comes.
+// Holds the current pose, which comes in beats (docs/reference/tree-engine.md, Pose), and checks
+// its ranges.
 module sepax_tree_pose (
   input  wire         clk,      // clock
   input  wire         clear,    // another pose begins
-  input  wire         load,     // a beat of it is here
-  input  wire [3:0]   beat,     // its number, 0 ... 8
-  input  wire [127:0] data,     // its 16 bytes, byte 0 lowest
-  output reg          bad,      // a number was not in its range
+  input  wire         load,     // a beat of the pose is here
+  input  wire [3:0]   beat,     // number of the beat, 0 ... 8
+  input  wire [127:0] data,     // the beat, byte 0 lowest
+  output reg          bad,      // a number of the pose is out of its range
   output reg  [197:0] matrix_m, // M: entry (i, j) at 22 (3 i + j), signed, 2^-20
-  output reg  [197:0] matrix_k, // K
-  output reg  [131:0] shift_t,  // {z, y, x}, signed, 44 bits each, 2^-20 LSB
-  output reg  [131:0] shift_u,  // likewise
-  output reg  [71:0]  sigma_a,  // {z, y, x}, 24 bits each, 2^-10 LSB
-  output reg  [71:0]  sigma_b   // likewise
+  output reg  [197:0] matrix_k, // K, in the same order
+  output reg  [131:0] shift_t,  // t, {z, y, x}, signed, 44 bits each, 2^-20 LSB
+  output reg  [131:0] shift_u,  // u, in the same order
+  output reg  [71:0]  sigma_a,  // sigma_A, {z, y, x}, 24 bits each, 2^-10 LSB
+  output reg  [71:0]  sigma_b   // sigma_B, in the same order
 );
-  reg  [3:0]  wide_matrix, wide_sigma; // words of the beat that are not in the range of these
+  reg  [3:0]  wide_matrix, wide_sigma; // bit k: word k of the beat is out of this range
   reg  [1:0]  wide_shift;
   reg         wrong;
   //@ if fpga

@@ -1,51 +1,51 @@
-// Sends the pairs of a run and its end by AXI4-Stream, 64 bits (docs/reference/tree-engine.md,
-// Results).
+// Sends the pairs of a run and the end of its pose over AXI4-Stream, 64 bits
+// (docs/reference/tree-engine.md, Results).
 module sepax_tree_results (
   input  wire        clk,          // clock
   input  wire        rst,          // synchronous reset, active high
   input  wire        valid,        // a pair of the run
-  output wire        ready,        // it is taken
-  input  wire [31:0] a,            // number of A's triangle
-  input  wire [23:0] b,            // of B's
-  input  wire        coplanar,     // they are in one plane
-  input  wire        outside,      // out of range
-  input  wire        warning,      // in the band of warnings
-  input  wire        send,         // the run has ended: send its end
-  input  wire [6:0]  status,       // with send: {LAST, REFUSED, ... HIT}
+  output wire        ready,        // it is taken in this cycle
+  input  wire [31:0] a,            // number of A's triangle in its tree
+  input  wire [23:0] b,            // number of B's triangle in its tree
+  input  wire        coplanar,     // the triangles are coplanar
+  input  wire        outside,      // a coordinate of B does not fit W bits
+  input  wire        warning,      // the pair is in the warning band
+  input  wire        send,         // the run has ended: send the end of the pose
+  input  wire [6:0]  status,       // with send: status bits 6:0
   output wire        busy,         // its end has not gone; what follows stands meanwhile //@ !fpga
   output reg         busy,         // its end has not gone; what follows stands meanwhile //@ fpga
   input  wire [31:0] job,          // number of the job
   input  wire [31:0] pose,         // number of the pose
-  input  wire [31:0] steps,        // counters
-  input  wire [31:0] cycles,       // clock cycles
-  input  wire [31:0] near,         // near pairs
-  input  wire [31:0] collisions,   // of these, pairs that collide
-  input  wire [31:0] warnings,     // of these, in the band of warnings
-  input  wire [31:0] out_of_range, // of the collisions, undecided
-  input  wire [31:0] pairs,        // pairs that were tested
-  input  wire [31:0] rows,         // rows
-  input  wire [31:0] entries,      // entries
+  input  wire [31:0] steps,        // STEPS
+  input  wire [31:0] cycles,       // cycles of the run
+  input  wire [31:0] near,         // NEAR
+  input  wire [31:0] collisions,   // COLLISIONS
+  input  wire [31:0] warnings,     // near pairs in the warning band
+  input  wire [31:0] out_of_range, // collisions that are out of range
+  input  wire [31:0] pairs,        // PAIRS
+  input  wire [31:0] rows,         // ROWS
+  input  wire [31:0] entries,      // ENTRIES
   input  wire [31:0] first_a,      // FIRST: A's triangle
-  input  wire [23:0] first_b,      // B's triangle
-  input  wire [26:0] first_row_a,  // {a, leaf A}
-  input  wire [26:0] first_row_b,  // {b, leaf B}
+  input  wire [23:0] first_b,      // FIRST: B's triangle
+  input  wire [26:0] first_row_a,  // FIRST: {a, leaf A}
+  input  wire [26:0] first_row_b,  // FIRST: {b, leaf B}
   output reg         tvalid,       // a transfer
-  input  wire        tready,       // it is taken
+  input  wire        tready,       // it is taken in this cycle
   output reg  [63:0] tdata,        // its data
-  output reg         tlast         // the last of a pose
+  output reg         tlast         // the last transfer of a pose
 );
   reg         ending_q;
   reg  [6:0]  status_q;
-  reg  [2:0]  number_q; // of the transfer of the end that comes next
+  reg  [2:0]  number_q; // number of the next transfer of the end
   reg  [63:0] shown;
   //@ if fpga
   reg  [63:0] shown_q;
-  reg         here_q;   // it is that transfer
+  reg         here_q;   // shown_q is that transfer
   wire        sends = ending_q && here_q;
   //@ end
   wire        free = !tvalid || tready;
   wire        hit = status_q[0];
-  wire        ran = !(|status_q[5:4]); // neither BUS nor REFUSED: counters are those of the pose
+  wire        ran = !(|status_q[5:4]); // neither BUS nor REFUSED: the counters are valid
 
   assign ready = free;
   assign busy = ending_q || tvalid; //@ !fpga

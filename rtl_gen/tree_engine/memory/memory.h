@@ -1,13 +1,13 @@
-/* memory.h - the tree engine's way to external memory: caches, buffers of leaves, the AXI4 port. */
+/* memory.h - emits the tree engine's access to external memory: caches, leaf buffers, AXI4 port. */
 #ifndef SEPAX_TREE_MEMORY_H
 #define SEPAX_TREE_MEMORY_H
 
 #include "emit/emit.h"
 
-/* sepax_ram of a tree engine. */
+/* Emit sepax_ram for a tree engine. */
 void gen_tree_ram(emitter *e, bool fpga);
 
-/* sepax_tree_memory and what it is made of; sepax_ram must be there. */
+/* Emit sepax_tree_memory and its modules. sepax_ram must have been emitted. */
 void gen_tree_memory(emitter *e, bool fpga);
 
 #endif

@@ -1,42 +1,42 @@
-// AXI4 read master: bursts of 1 to 16 beats of 16 bytes, one ID, up to 2^OPEN of them open. A
-// burst has its place in the list of open bursts before its address goes out. A beat goes on in
-// the cycle after it came and cannot be stopped; only a burst whose tag has its highest bit set
-// waits, before its first beat, while `pause` is 1.
+// AXI4 read master: bursts of 1 to 16 beats of 16 bytes, one ID, up to 2^OPEN open bursts. A burst
+// enters the list of open bursts before its address goes out. A beat goes out in the cycle after it
+// came, and cannot be stopped. There is one exception: while `pause` is 1, the first beat of a
+// burst whose tag has the highest bit set waits on the bus.
 module sepax_axi_read #(
   parameter ADDRESS = 40, // bits of a byte address
   parameter TAG = 8,      // bits of a tag
-  parameter OPEN = 4      // log2 of the open bursts
+  parameter OPEN = 4      // log2 of the most open bursts
 ) (
   input  wire               clk,        // clock
   input  wire               rst,        // synchronous reset, active high
   input  wire               in_valid,   // a burst is wanted
-  output wire               in_ready,   // it is taken
-  input  wire [ADDRESS-5:0] in_address, // of its first beat, in units of 16 bytes
+  output wire               in_ready,   // it is taken in this cycle
+  input  wire [ADDRESS-5:0] in_address, // place of its first beat, in units of 16 bytes
   input  wire [3:0]         in_beats,   // its beats less 1; it does not cross 4 KB
-  input  wire [TAG-1:0]     in_tag,     // comes back with its data
-  input  wire               pause,      // see above
+  input  wire [TAG-1:0]     in_tag,     // tag that comes back with the data
+  input  wire               pause,      // 1: see above
   output reg                out_valid,  // a beat
   output reg  [127:0]       out_data,   // its data
   output reg  [3:0]         out_beat,   // its number in the burst
-  output reg                out_last,   // it is the burst's last
+  output reg                out_last,   // the beat is the last of its burst
   output reg                out_error,  // not OKAY, or RLAST at the wrong beat
   output reg  [TAG-1:0]     out_tag,    // the burst's tag
   output wire               idle,       // no burst is open
   output reg                arvalid,    // AXI4: an address
-  input  wire               arready,    // it is taken
+  input  wire               arready,    // it is taken in this cycle
   output wire [ADDRESS-1:0] araddr,     // byte address, a multiple of 16
   output wire [7:0]         arlen,      // beats less 1
   input  wire               rvalid,     // AXI4: a beat
-  output wire               rready,     // it is taken
+  output wire               rready,     // it is taken in this cycle
   input  wire [127:0]       rdata,      // its data
-  input  wire [1:0]         rresp,      // not 0: error
-  input  wire               rlast       // the last of the burst
+  input  wire [1:0]         rresp,      // 0: OKAY; otherwise an error
+  input  wire               rlast       // the last beat of its burst
 );
   reg  [ADDRESS-5:0] address_q;
   reg  [3:0]         beats_q;
-  reg  [OPEN:0]      open_q; // bursts
-  reg                gone_q; // one has come whole //@ fpga
-  reg  [3:0]         beat_q; // the number of the beat that comes next
+  reg  [OPEN:0]      open_q; // number of open bursts
+  reg                gone_q; // the last beat of a burst came in the cycle before //@ fpga
+  reg  [3:0]         beat_q; // number of the next beat in its burst
   wire               take = in_valid && in_ready;
   wire               known;
   wire [3:0]         beats;

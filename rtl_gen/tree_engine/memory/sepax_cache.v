@@ -1,48 +1,49 @@
-// Blocks of two bodies, A and B, in pairs, one of each. Both blocks of a pair are looked up, and
-// those that are not here are asked for. Pairs come out in order as soon as all blocks have come
-// that were asked for up to then; blocks come in the order in which they were asked for, body by
-// body. The blocks of a pair stay until it is released, in order.
+// Control of a cache for pairs of blocks, one of body A and one of body B. Both blocks of a pair
+// are looked up, and a block that is not here is asked for. The blocks of a body come in the order
+// in which they were asked for. So a pair waits until as many blocks have come as were asked for up
+// to its lookup. Pairs come out in order. The blocks of a pair stay until the pair is released;
+// pairs are released in order.
 module sepax_cache #(
   parameter ADDRESS = 33, // bits of a block's address
   parameter INFO = 32,    // bits that go with a pair
   parameter SETS = 4,     // log2 of the sets of 4 ways a body
-  parameter WINDOW = 5    // log2 of the pairs that are in and not released
+  parameter WINDOW = 5    // log2 of the most pairs between in and release
 ) (
   input  wire               clk,          // clock
   input  wire               rst,          // synchronous reset, active high
   input  wire               start,        // drop all pairs; no block is on its way
-  input  wire               cold,         // with start: forget all blocks
+  input  wire               cold,         // with start: empty the cache
   input  wire               drop,         // drop all pairs
   input  wire               in_valid,     // a pair is wanted; it stands until in_ready or drop
-  output wire               in_ready,     // it is taken
+  output wire               in_ready,     // it is taken in this cycle
   input  wire [ADDRESS-1:0] in_a,         // address of A's block
   input  wire [ADDRESS-1:0] in_b,         // address of B's block
-  input  wire [INFO-1:0]    in_info,      // goes with the pair
-  output reg                out_valid,    // the oldest pair is here, or an error
-  input  wire               out_ready,    // it is taken
+  input  wire [INFO-1:0]    in_info,      // bits that go with the pair
+  output reg                out_valid,    // the oldest pair is here, or has an error
+  input  wire               out_ready,    // it is taken in this cycle
   output wire [SETS+1:0]    out_a,        // slot of A's block
   output wire [SETS+1:0]    out_b,        // slot of B's block
-  output wire [INFO-1:0]    out_info,     // what went with it
-  output reg                out_error,    // one of the blocks came with an error
+  output wire [INFO-1:0]    out_info,     // the bits that went in with the pair
+  output reg                out_error,    // a block of the pair came with an error
   input  wire               done,         // the oldest pair is released
   output wire               miss_valid,   // a block is asked for
-  input  wire               miss_ready,   // it is taken
-  output wire               miss_is_b,    // of B
-  output wire [ADDRESS-1:0] miss_address, // its address
-  output wire [SETS+1:0]    miss_slot,    // its slot
+  input  wire               miss_ready,   // it is taken in this cycle
+  output wire               miss_is_b,    // the block is B's
+  output wire [ADDRESS-1:0] miss_address, // address of the block
+  output wire [SETS+1:0]    miss_slot,    // slot of the block
   input  wire               filled,       // a block has come
-  input  wire               filled_is_b,  // of B
-  input  wire               filled_error  // with an error
+  input  wire               filled_is_b,  // the block is B's
+  input  wire               filled_error  // it came with an error
 );
   localparam NUMBER = WINDOW + 3; // bits of a pair's number
   localparam COUNT = WINDOW + 2;  // bits of a count of blocks of a body
   localparam [NUMBER-1:0] ONE = 1;
-  reg  [NUMBER-1:0] number_q;               // of the pair that is looked up
-  reg  [NUMBER-1:0] used_q;                 // pairs before it that are not released
-  reg  [COUNT-1:0]  asked_a_q, asked_b_q;   // blocks
-  reg  [COUNT-1:0]  filled_a_q, filled_b_q; // blocks
+  reg  [NUMBER-1:0] number_q;               // number of the pair that is looked up
+  reg  [NUMBER-1:0] used_q;                 // number of pairs before it that are not released
+  reg  [COUNT-1:0]  asked_a_q, asked_b_q;   // blocks that were asked for
+  reg  [COUNT-1:0]  filled_a_q, filled_b_q; // blocks that have come
   reg               error_a_q, error_b_q;   // a block came with an error
-  reg  [COUNT-1:0]  good_a_q, good_b_q;     // and so many before it without
+  reg  [COUNT-1:0]  good_a_q, good_b_q;     // number of blocks that came before the first error
   wire [COUNT-1:0]  asked_a, asked_b, wait_a, wait_b;
   wire              found_a, found_b, miss_a, miss_b, waiting;
   wire [SETS+1:0]   slot_a, slot_b;
@@ -50,7 +51,7 @@ module sepax_cache #(
   wire              forget = start && (cold || error_a_q || error_b_q);
   wire              take = out_valid && out_ready;
 
-  // A pair waits for all blocks of its bodies that were asked for up to then.
+  // A pair waits for all blocks of its bodies that were asked for up to its lookup.
   wire [COUNT-1:0]  over_a = filled_a_q - wait_a;
   wire [COUNT-1:0]  over_b = filled_b_q - wait_b;
   wire [COUNT-1:0]  lack_a = good_a_q - wait_a;

@@ -1,59 +1,59 @@
-// Leaves of bodies A and B as triangles: 16 a leaf, 2^SETS sets of 4 leaves a body; each body has
-// a memory of its own, a triangle wide.
+// The cache of leaves, as triangles: 16 triangles a leaf, 2^SETS sets of 4 leaves for each body.
+// Each body has a memory of its own, which is a triangle wide.
 module sepax_leaf_buffers #(
   parameter W = 18,       // bits of a coordinate, 4 ... 21
   parameter ADDRESS = 40, // bits of a byte address
   parameter INFO = 64,    // bits that go with a pair
   parameter SETS = 1,     // log2 of the sets of 4 leaves a body
-  parameter WINDOW = 3    // log2 of the pairs that are in and not released
+  parameter WINDOW = 3    // log2 of the most pairs between in and release
 ) (
   input  wire                clk,          // clock
   input  wire                rst,          // synchronous reset, active high
-  input  wire                start,        // drop all pairs; no leaf is on its way
-  input  wire                cold,         // with start: forget all leaves
+  input  wire                start,        // drop all pairs; no leaf may be on its way
+  input  wire                cold,         // with start: empty the buffers
   input  wire                drop,         // drop all pairs
   input  wire [ADDRESS-13:0] base_a,       // A's image / 4096
-  input  wire [ADDRESS-13:0] base_b,       // B's
-  input  wire                in_valid,     // a pair is wanted; stands until in_ready or drop
-  output wire                in_ready,     // it is taken
-  input  wire [31:0]         in_a,         // A's record: where in the image, / 16
-  input  wire [3:0]          in_beats_a,   // its beats less 1
-  input  wire [31:0]         in_b,         // B's record
-  input  wire [3:0]          in_beats_b,   // its beats less 1
-  input  wire [INFO-1:0]     in_info,      // goes with the pair
-  output wire                out_valid,    // the oldest pair is here, or an error
-  input  wire                out_ready,    // it is taken
+  input  wire [ADDRESS-13:0] base_b,       // B's image / 4096
+  input  wire                in_valid,     // a pair is wanted; stays 1 until in_ready or drop
+  output wire                in_ready,     // it is taken in this cycle
+  input  wire [31:0]         in_a,         // place of A's record in the image, in beats
+  input  wire [3:0]          in_beats_a,   // beats of A's record less 1
+  input  wire [31:0]         in_b,         // place of B's record in the image, in beats
+  input  wire [3:0]          in_beats_b,   // beats of B's record less 1
+  input  wire [INFO-1:0]     in_info,      // bits that go with the pair
+  output wire                out_valid,    // the oldest pair is here, or has an error
+  input  wire                out_ready,    // it is taken in this cycle
   output wire [SETS+1:0]     out_a,        // slot of A's leaf
   output wire [SETS+1:0]     out_b,        // slot of B's leaf
-  output wire [INFO-1:0]     out_info,     // what went with it
-  output wire                out_error,    // one of the leaves is not here
+  output wire [INFO-1:0]     out_info,     // the bits that went in with the pair
+  output wire                out_error,    // a leaf of the pair was not read
   input  wire                done,         // the oldest pair is released
   input  wire                read_a,       // read a triangle of A
-  input  wire [SETS+5:0]     slot_a,       // {slot of its leaf, its number there}
-  output wire [9*W:0]        triangle_a,   // from the next cycle on
+  input  wire [SETS+5:0]     slot_a,       // {slot of its leaf, its number in the leaf}
+  output wire [9*W:0]        triangle_a,   // the data, from the next cycle on
   input  wire                read_b,       // read a triangle of B
-  input  wire [SETS+5:0]     slot_b,       // {slot of its leaf, its number there}
-  output wire [9*W:0]        triangle_b,   // from the next cycle on
-  input  wire                corners_read_b, // read the numbers of a triangle's vertices, of B
-  input  wire [SETS+5:0]     corners_slot_b, // {slot of its leaf, its number there}
-  output wire [14:0]         corners_b,    // from the next cycle on
+  input  wire [SETS+5:0]     slot_b,       // {slot of its leaf, its number in the leaf}
+  output wire [9*W:0]        triangle_b,   // the data, from the next cycle on
+  input  wire                corners_read_b, // read the vertex numbers of a triangle of B
+  input  wire [SETS+5:0]     corners_slot_b, // {slot of its leaf, its number in the leaf}
+  output wire [14:0]         corners_b,    // the data, from the next cycle on
   output wire                miss_valid,   // a burst is wanted
-  input  wire                miss_ready,   // it is taken
-  output wire [ADDRESS-5:0]  miss_address, // in units of 16 bytes
-  output wire [3:0]          miss_beats,   // its beats less 1
-  output wire [SETS+2:0]     miss_tag,     // comes back with it: {of B, slot}
+  input  wire                miss_ready,   // it is taken in this cycle
+  output wire [ADDRESS-5:0]  miss_address, // place of its first beat, in units of 16 bytes
+  output wire [3:0]          miss_beats,   // beats of the burst less 1
+  output wire [SETS+2:0]     miss_tag,     // tag that comes back with the data: {is B's, slot}
   input  wire                fill,         // a beat has come
-  input  wire [119:0]        fill_numbers, // its data as numbers of vertices, 15 bits a triangle
-  input  wire [3*W-1:0]      fill_even,    // its data as a vertex, {z, y, x}
-  input  wire [3*W-1:0]      fill_odd,     // its data as the next vertex
-  input  wire [3:0]          fill_beat,    // its number
-  input  wire                fill_last,    // the last of its burst
-  input  wire                fill_error,   // with an error
-  input  wire [SETS+2:0]     fill_tag,     // that of the burst
-  output wire                busy,         // no new burst can come
-  output wire                idle          // no triangle is made
+  input  wire [119:0]        fill_numbers, // the beat as vertex numbers, 15 bits a triangle
+  input  wire [3*W-1:0]      fill_even,    // the beat's first vertex, {z, y, x}
+  input  wire [3*W-1:0]      fill_odd,     // the beat's second vertex
+  input  wire [3:0]          fill_beat,    // number of the beat in its burst
+  input  wire                fill_last,    // the last beat of its burst
+  input  wire                fill_error,   // the beat came with an error
+  input  wire [SETS+2:0]     fill_tag,     // tag of the burst
+  output wire                busy,         // no new record may begin to come
+  output wire                idle          // no record is being converted
 );
-  localparam BLOCK = ADDRESS; // bits of a leaf: {beats, where}
+  localparam BLOCK = ADDRESS; // bits of a block's address: {beats, place}
   wire [ADDRESS-5:0] place_a = {base_a, 8'd0} + {{(ADDRESS-36){1'b0}}, in_a};
   wire [ADDRESS-5:0] place_b = {base_b, 8'd0} + {{(ADDRESS-36){1'b0}}, in_b};
   wire               write, filled, error;

@@ -1,12 +1,12 @@
-// From the beats of a leaf's record to its triangles: vertices in place of their numbers. The
-// first two beats have the numbers of 16 triangles, each other beat has two vertices, which go to
-// a memory of three copies. A triangle is made in each cycle as soon as its vertices have come. If
+// Converts the beats of a leaf's record to triangles, with vertices instead of vertex numbers. The
+// first two beats have the numbers of 16 triangles. Each other beat has two vertices, which go to
+// three copies of a memory. Each cycle makes a triangle if its vertices have come. If the vertices
 //@ if fpga
-// they are numbered in the order of the triangles, the last is made 3 cycles after the last beat or
-// 20 after the third; if not, up to 16 later. Two records can be here.
+// are numbered in the order of the triangles, the last triangle is made 3 cycles after the last
+// beat or 20 after the third; otherwise up to 16 cycles later. Two records can be in progress.
 //@ else
-// they are numbered in the order of the triangles, the last is made 1 cycle after the last beat or
-// 18 after the third; if not, up to 16 later. Two records can be here.
+// are numbered in the order of the triangles, the last triangle is made 1 cycle after the last beat
+// or 18 after the third; otherwise up to 16 cycles later. Two records can be in progress.
 //@ end
 module sepax_leaf_fill #(
   parameter W = 18, // bits of a coordinate, 4 ... 21
@@ -15,66 +15,67 @@ module sepax_leaf_fill #(
   input  wire           clk,          // clock
   input  wire           rst,          // synchronous reset, active high
   input  wire           fill,         // a beat has come
-  input  wire [119:0]   fill_numbers, // its data as numbers of vertices, 15 bits a triangle
-  input  wire [3*W-1:0] fill_even,    // its data as a vertex, {z, y, x}
-  input  wire [3*W-1:0] fill_odd,     // its data as the next vertex
-  input  wire [3:0]     fill_beat,    // its number
-  input  wire           fill_last,    // the last of its record
-  input  wire           fill_error,   // with an error
-  input  wire [TAG-1:0] fill_tag,     // of the record
+  input  wire [119:0]   fill_numbers, // the beat as vertex numbers, 15 bits a triangle
+  input  wire [3*W-1:0] fill_even,    // the beat's first vertex, {z, y, x}
+  input  wire [3*W-1:0] fill_odd,     // the beat's second vertex
+  input  wire [3:0]     fill_beat,    // number of the beat in its record
+  input  wire           fill_last,    // the last beat of its record
+  input  wire           fill_error,   // the beat came with an error
+  input  wire [TAG-1:0] fill_tag,     // tag of the record
   output wire           busy,         // no other record may begin to come
   output wire           idle,         // no record is here
-  output reg            write,        // a triangle
+  output reg            write,        // a triangle is written
   output wire [9*W:0]   triangle,     // {damaged, z, y, x of vertex 2, of 1, of 0}
-  output reg  [14:0]    corners,      // numbers of its vertices
-  output reg  [3:0]     index,        // its number in the record
-  output reg  [TAG-1:0] tag,          // of the record
-  output reg            done,         // with the last triangle
+  output reg  [14:0]    corners,      // vertex numbers of the triangle
+  output reg  [3:0]     index,        // number of the triangle in the leaf
+  output reg  [TAG-1:0] tag,          // tag of the record
+  output reg            done,         // with write: the triangle is the last of its record
   output reg            error         // with done: a beat came with an error
 );
-  // Records modulo 4: that began to come, that are made up to the last number, that are made. The
-  // lowest bit is the record's place.
+  // Numbers of records, modulo 4: that began to come; whose vertex numbers were all read; that are
+  // finished. The lowest bit is the place of the record.
   reg  [1:0]     come_q, read_q, made_q;
-  reg  [3:0]     beats_q [0:1];  // beats of vertices that have come
-  reg  [1:0]     ended_q;        // the last beat has come
-  reg  [1:0]     error_q;        // a beat came with an error
+  reg  [3:0]     beats_q [0:1];  // beats of vertices that have come, of each record
+  reg  [1:0]     ended_q;        // the last beat of the record has come
+  reg  [1:0]     error_q;        // a beat of the record came with an error
   reg  [TAG-1:0] tag_q [0:1];
   reg            words_q;        // the memory's output has the numbers of the next triangle
-  reg  [3:0]     next_q;         // its number
+  reg  [3:0]     next_q;         // number of the next triangle
   //@ if fpga
-  reg            asked_q;        // there is a triangle that is made behind the next
-  reg  [3:0]     asked_index_q;  // its number
-  reg  [14:0]    asked_numbers_q; // its vertices
+  reg            asked_q;        // a triangle waits for the one that is being made
+  reg  [3:0]     asked_index_q;  // number of this triangle
+  reg  [14:0]    asked_numbers_q; // vertex numbers of this triangle
   //@ end
-  reg            valid_q;        // a triangle is made as soon as its vertices have come
-  reg  [3:0]     index_q;        // its number
-  reg  [14:0]    numbers_q;      // its vertices
+  reg            valid_q;        // there is a triangle that is made when its vertices have come
+  reg  [3:0]     index_q;        // number of this triangle
+  reg  [14:0]    numbers_q;      // vertex numbers of this triangle
   reg            damaged_q;
   wire [119:0]   words; //@ !fpga
   wire [14:0]    word [0:7]; //@ !fpga
   wire [239:0]   words; //@ fpga
   wire [14:0]    word [0:15]; //@ fpga
-  wire [2:0]     there;          // its vertices have come //@ !fpga
-  reg  [2:0]     there;          // its vertices have come //@ fpga
+  wire [2:0]     there;          // bit k: vertex k has come //@ !fpga
+  reg  [2:0]     there;          // bit k: vertex k has come //@ fpga
   wire           first = fill && (fill_beat == 4'd0); //@ !fpga
-  reg            begin_q;        // the beat that comes next is a record's first //@ fpga
+  reg            begin_q;        // the next beat is the first of a record //@ fpga
   wire           first = fill && begin_q; //@ fpga
   wire           vertices = fill && (|fill_beat[3:1]);
   wire           place = first ? come_q[0] : !come_q[0];
   wire [1:0]     here = come_q - made_q;
   //@ if fpga
-  // Of the record whose triangles are made, a cycle late; what follows of it, one more.
+  // State of the record whose triangles are made, one cycle late. Signals from it are two cycles
+  // late.
   reg  [3:0]     beats_here_q;
   reg            ended_here_q, ended_q2, late_q, late_q2;
   wire           ended = ended_q2;
-  reg            all_q;          // of the triangle all vertices have come, and it is not the last
+  reg            all_q;          // all vertices of a triangle that is not the last have come
   wire           make = valid_q && !late_q && !late_q2 && (all_q || ended);
   wire           follow = asked_q && (make || !valid_q);
   //@ else
   wire           ended = ended_q[made_q[0]];
   wire           make = valid_q && (((&there) && !(&index_q)) || ended);
   //@ end
-  wire [2:0]     there_now;      // as they are seen in this cycle //@ fpga
+  wire [2:0]     there_now;      // bit k: vertex k has come, as seen in this cycle //@ fpga
   wire           last = make && (&index_q);
   wire           move = words_q && (make || !valid_q); //@ !fpga
   wire           move = words_q && (follow || !asked_q); //@ fpga

@@ -1,71 +1,71 @@
 //@ if fpga
-// Nodes of bodies A and B: 128 bytes each, 2^SETS sets of 4 a body. Their heads, the first 32
-// bytes, are in a memory for each body. Their boxes are twice in memories of both bodies: all 16
-// of a node side by side, and in units of 16 bits, three a box.
+// The cache of nodes: 128 bytes each, 2^SETS sets of 4 nodes for each body. Each body has a memory
+// for its heads, the first 32 bytes. The boxes of both bodies are stored twice: all 16 of a node
+// side by side, and in units of 16 bits, three for each box.
 //@ else
-// Nodes of bodies A and B: 128 bytes each, 2^SETS sets of 4 a body; each body has a memory of its
-// own, 128 bytes wide. The first 32 bytes of a node are read on their own.
+// The cache of nodes: 128 bytes each, 2^SETS sets of 4 nodes for each body. Each body has a memory
+// of its own, which is 128 bytes wide. The first 32 bytes of a node, its head, are read separately.
 //@ end
 module sepax_node_cache #(
   parameter ADDRESS = 40, // bits of a byte address
   parameter INFO = 32,    // bits that go with a pair
   parameter SETS = 4,     // log2 of the sets of 4 nodes a body
-  parameter WINDOW = 5    // log2 of the pairs that are in and not released
+  parameter WINDOW = 5    // log2 of the most pairs between in and release
 ) (
   input  wire                clk,         // clock
   input  wire                rst,         // synchronous reset, active high
-  input  wire                start,       // drop all pairs; no node is on its way
-  input  wire                cold,        // with start: forget all nodes
+  input  wire                start,       // drop all pairs; no node may be on its way
+  input  wire                cold,        // with start: empty the cache
   input  wire                drop,        // drop all pairs
   input  wire [ADDRESS-13:0] base_a,      // A's image / 4096
-  input  wire [ADDRESS-13:0] base_b,      // B's
-  input  wire                in_valid,    // a pair is wanted; stands until in_ready or drop
-  output wire                in_ready,    // it is taken
+  input  wire [ADDRESS-13:0] base_b,      // B's image / 4096
+  input  wire                in_valid,    // a pair is wanted; stays 1 until in_ready or drop
+  output wire                in_ready,    // it is taken in this cycle
   input  wire [22:0]         in_a,        // number of A's node
   input  wire [22:0]         in_b,        // number of B's node
-  input  wire [INFO-1:0]     in_info,     // goes with the pair
-  output wire                out_valid,   // the oldest pair is here, or an error
-  input  wire                out_ready,   // it is taken
+  input  wire [INFO-1:0]     in_info,     // bits that go with the pair
+  output wire                out_valid,   // the oldest pair is here, or has an error
+  input  wire                out_ready,   // it is taken in this cycle
   output wire [SETS+1:0]     out_a,       // slot of A's node
   output wire [SETS+1:0]     out_b,       // slot of B's node
-  output wire [INFO-1:0]     out_info,    // what went with it
-  output wire                out_error,   // one of the nodes is not here
+  output wire [INFO-1:0]     out_info,    // the bits that went in with the pair
+  output wire                out_error,   // a node of the pair was not read
   input  wire                done,        // the oldest pair is released
   input  wire                head_a,      // read a node of A, bytes 0 ... 31
-  input  wire [SETS+1:0]     head_slot_a, // its slot
+  input  wire [SETS+1:0]     head_slot_a, // slot of the node
   //@ if fpga
-  output wire [255:0]        node_a,      // from the next cycle on
+  output wire [255:0]        node_a,      // the data, from the next cycle on
   //@ else
   input  wire                read_a,      // read a node of A, bytes 32 ... 127
-  input  wire [SETS+1:0]     slot_a,      // its slot
-  output wire [1023:0]       node_a,      // from the next cycle on
+  input  wire [SETS+1:0]     slot_a,      // slot of the node
+  output wire [1023:0]       node_a,      // the data, from the next cycle on
   //@ end
   input  wire                head_b,      // read a node of B, bytes 0 ... 31
-  input  wire [SETS+1:0]     head_slot_b, // its slot
+  input  wire [SETS+1:0]     head_slot_b, // slot of the node
   //@ if fpga
-  output wire [255:0]        node_b,      // from the next cycle on
+  output wire [255:0]        node_b,      // the data, from the next cycle on
   input  wire                box_read,    // read a child's box
-  input  wire [SETS+2:0]     box_slot,    // {of B, slot} of the node
-  input  wire [3:0]          box_index,   // the child
-  output reg  [47:0]         box,         // 3 cycles later, for one
+  input  wire [SETS+2:0]     box_slot,    // {is B's, slot} of the node
+  input  wire [3:0]          box_index,   // number of the child
+  output reg  [47:0]         box,         // the box, 3 cycles later
   input  wire                boxes_read,  // read all boxes of a node
-  input  wire [SETS+2:0]     boxes_slot,  // {of B, slot}
-  output reg  [767:0]        boxes,       // from the second cycle on
+  input  wire [SETS+2:0]     boxes_slot,  // {is B's, slot}
+  output reg  [767:0]        boxes,       // the boxes, from the second cycle on
   //@ else
   input  wire                read_b,      // read a node of B, bytes 32 ... 127
-  input  wire [SETS+1:0]     slot_b,      // its slot
-  output wire [1023:0]       node_b,      // from the next cycle on
+  input  wire [SETS+1:0]     slot_b,      // slot of the node
+  output wire [1023:0]       node_b,      // the data, from the next cycle on
   //@ end
   output wire                miss_valid,  // a burst of 8 beats is wanted
-  input  wire                miss_ready,  // it is taken
-  output wire [ADDRESS-5:0]  miss_address, // in units of 16 bytes
-  output wire [SETS+2:0]     miss_tag,    // comes back with it: {of B, slot}
+  input  wire                miss_ready,  // it is taken in this cycle
+  output wire [ADDRESS-5:0]  miss_address, // place of its first beat, in units of 16 bytes
+  output wire [SETS+2:0]     miss_tag,    // tag that comes back with the data: {is B's, slot}
   input  wire                fill,        // a beat has come
   input  wire [127:0]        fill_data,   // its data
-  input  wire [2:0]          fill_beat,   // its number
-  input  wire                fill_last,   // the last of its burst
-  input  wire                fill_error,  // with an error
-  input  wire [SETS+2:0]     fill_tag     // that of the burst
+  input  wire [2:0]          fill_beat,   // number of the beat in its burst
+  input  wire                fill_last,   // the last beat of its burst
+  input  wire                fill_error,  // the beat came with an error
+  input  wire [SETS+2:0]     fill_tag     // tag of the burst
 );
   localparam BLOCK = ADDRESS - 7; // bits of a node's address in units of 128 bytes
   wire [BLOCK-1:0] block_a = {base_a, 5'd0} + {{(BLOCK-23){1'b0}}, in_a};
@@ -87,13 +87,14 @@ module sepax_node_cache #(
   );
 
 //@ if fpga
-  // A box is read long after its beat has come: it is written a cycle later than heads are.
+  // Boxes are written a cycle later than heads. This is early enough, because a box is read long
+  // after its beat has come.
   reg              fill_q;
   reg  [2:0]       beat_q;
   reg  [SETS+2:0]  tag_q;
   reg  [127:0]     data_q;
   reg  [7:0]       first_q, first_q2; // one-hot: the unit that a box begins with, modulo 8
-  wire [127:0]     units;             // of a box and of its neighbours
+  wire [127:0]     units;             // the units of a box and their neighbours
   reg  [127:0]     units_q;
   wire [767:0]     all;
 
@@ -120,9 +121,9 @@ module sepax_node_cache #(
         .read_data(all[128*k +: 128])
       );
     end
-    // Box j is units 3 j ... 3 j + 2 behind the head; unit u is number u mod 8 of beat 2 + u / 8.
+    // Box j is units 3 j ... 3 j + 2 after the head. Unit u is unit u mod 8 of beat 2 + u / 8.
     for (k = 0; k < 8; k = k + 1) begin : unit
-      wire [2:0] beat_of [0:15]; // that of the unit of this number, of a box
+      wire [2:0] beat_of [0:15]; // for each box the beat of its unit with this number
       for (j = 0; j < 16; j = j + 1) begin : of_child
         localparam [31:0] AT = (3 * j + 23 - k) / 8;
         assign beat_of[j] = AT[2:0];
@@ -132,7 +133,7 @@ module sepax_node_cache #(
         .write_data(data_q[16*k +: 16]), .read(box_read),
         .read_address({box_slot, beat_of[box_index]}), .read_data(units[16*k +: 16])
       );
-      localparam [31:0] CHILD = (3 * k) % 8; // modulo 8, whose box begins with this unit
+      localparam [31:0] CHILD = (3 * k) % 8; // box number, modulo 8, of this first unit
       always @(posedge clk) begin
         first_q[k] <= box_index[2:0] == CHILD[2:0];
       end

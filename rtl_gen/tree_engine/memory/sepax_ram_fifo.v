@@ -1,19 +1,19 @@
-// FIFO whose words are in a memory. A word is at `out` from the second cycle after its push on, or
-// from the cycle after the word before it was taken.
+// A FIFO in a memory. A word is at `out` from the second cycle after its push on, or from the cycle
+// after the word before it was taken, whichever is later.
 module sepax_ram_fifo #(
   parameter WIDTH = 8,  // bits of a word
   parameter ADDRESS = 4 // log2 of the words, 1 or more
 ) (
   input  wire             clk,   // clock
   input  wire             clear, // drop all words
-  input  wire             push,  // append a word; only if there are less than 2^ADDRESS
+  input  wire             push,  // append a word; only if there are fewer than 2^ADDRESS
   input  wire [WIDTH-1:0] in,    // the word
-  output reg              valid, // there is a word at out
-  input  wire             pop,   // take it; only if there is one
-  output wire [WIDTH-1:0] out    // the oldest word: the memory's output
+  output reg              valid, // a word is at out
+  input  wire             pop,   // take the word at out; only if valid
+  output wire [WIDTH-1:0] out    // the oldest word, at the memory's output
 );
   localparam [ADDRESS:0] ONE = 1;
-  reg  [ADDRESS:0] head_q, tail_q; // words that were read, that were pushed
+  reg  [ADDRESS:0] head_q, tail_q; // number of words that were read, that were pushed
   wire             read = (head_q != tail_q) && (!valid || pop);
 
   sepax_ram #(.WIDTH(WIDTH), .ADDRESS(ADDRESS), .DISTRIBUTED(1)) words ( //@ fpga

@@ -1,7 +1,7 @@
-// Which blocks of one body are in a cache of 2^SETS sets of 4 ways, and where. A request finds its
-// block, or takes a way of its set and asks for the block. The ways that the `used` requests before
-// this one found are pinned: they are not given to other blocks; while all four ways of a set are
-// pinned, the request waits. A request takes @look_up@ cycles.
+// The tags of one body's blocks in a cache of 2^SETS sets of 4 ways. A request finds its block, or
+// it takes a way of its set and asks for the block. The ways of the `used` requests before it are
+// pinned: they are not given to another block. While all four ways of a set are pinned, the request
+// waits. A request takes @look_up@ cycles.
 module sepax_tags #(
   parameter ADDRESS = 33, // bits of a block's address
   parameter SETS = 4,     // log2 of the sets
@@ -9,30 +9,30 @@ module sepax_tags #(
 ) (
   input  wire               clk,        // clock
   input  wire               rst,        // synchronous reset, active high: forget all blocks
-  input  wire               forget,     // forget all blocks; takes 2^SETS cycles
+  input  wire               forget,     // empty all sets; takes 2^SETS cycles
   input  wire               drop,       // drop the request
-  input  wire               valid,      // a request; stands until next, or is dropped
-  input  wire [ADDRESS-1:0] address,    // of its block
-  input  wire [NUMBER-1:0]  number,     // of the request
-  input  wire [NUMBER-1:0]  used,       // requests before it that pin
-  output wire               found,      // the block is or will be in slot; stands until next
+  input  wire               valid,      // a request; stays 1 until next or drop
+  input  wire [ADDRESS-1:0] address,    // address of its block
+  input  wire [NUMBER-1:0]  number,     // number of the request
+  input  wire [NUMBER-1:0]  used,       // how many requests before it pin their blocks
+  output wire               found,      // the block is, or will be, in the slot; stays 1 until next
   output wire [SETS+1:0]    slot,       // {set, way}
-  input  wire               next,       // the request is done with; only when found
-  output wire               miss_valid, // the block, into slot, is asked for; found when taken
-  input  wire               miss_ready  // it is taken
+  input  wire               next,       // the request is finished; only when found
+  output wire               miss_valid, // the block is asked for; found when taken
+  input  wire               miss_ready  // it is taken in this cycle
 );
   localparam TAG = ADDRESS - SETS;    // bits of a tag
   localparam WORD = 1 + TAG + NUMBER; // {valid, tag, number of the last request that found it}
   localparam [1:0] READ = 2'd0, COMPARE = 2'd1, DECIDE = 2'd2, FOUND = 2'd3;
   localparam [SETS-1:0] ONE = 1;
   reg  [1:0]      state_q;
-  reg             forget_q;     // forgetting
+  reg             forget_q;     // the sets are being emptied
   reg  [SETS-1:0] forget_set_q;
   reg  [3:0]      hit_q;        // one-hot: the way that has the block
   reg  [3:0]      pinned_q;     // ways that are pinned
-  reg  [1:0]      rotate_q;     // the way that is looked at first
-  reg  [1:0]      way_q;        // the way that was found
-  reg  [TAG-1:0]  tag_q;        // of the request
+  reg  [1:0]      rotate_q;     // the way that is tried first for a new block
+  reg  [1:0]      way_q;        // the way of the block
+  reg  [TAG-1:0]  tag_q;        // tag of the request
   wire [3:0]      hit, pinned;
   wire [SETS-1:0] set = address[SETS-1:0] ^ address[2*SETS-1:SETS];
   wire            read = (state_q == READ) && valid && !forget_q;
@@ -63,7 +63,7 @@ module sepax_tags #(
   generate
     for (w = 0; w < 4; w = w + 1) begin : ways
       wire [WORD-1:0]   word;
-      wire [NUMBER-1:0] ago = number - word[NUMBER-1:0]; // 1 ... used: pinned
+      wire [NUMBER-1:0] ago = number - word[NUMBER-1:0]; // how many requests ago: 1 ... used pins
       sepax_ram #(.WIDTH(WORD), .ADDRESS(SETS)) tags (
         .clk(clk), .write(forget_q || (enter && (way == w[1:0]))), //@ !fpga
         .clk(clk), .write(forget_q || (decide && hit_q[w]) || (take && (way_q == w[1:0]))), //@ fpga

@@ -1,7 +1,8 @@
-// What the tree engine reads of external memory: nodes, and leaves as triangles, of bodies A and
-// B, through caches, by one AXI4 read port. They are asked for in pairs, one of A and one of B.
-// Pairs come out in the order in which they went in, when both are here. What a pair needs stays
-// until the pair is released; pairs are released in order.
+// Reads nodes and leaves of bodies A and B from external memory, through caches and one AXI4 read
+// port; leaves become triangles (docs/reference/tree-engine.md, Memory side). Nodes and leaves are
+// asked for in pairs, one of A and one of B. A pair comes out when both are here, in the order in
+// which the pairs went in. Both stay here until the pair is released; pairs are released in order.
+// A slot may be read in any cycle between out and release.
 module sepax_tree_memory #(
   parameter W = 18,          // bits of a coordinate, 4 ... 21
   parameter ADDRESS = 40,    // bits of a byte address, 37 ... 64
@@ -9,94 +10,94 @@ module sepax_tree_memory #(
   parameter LEAF_INFO = 64,  // bits that go with a pair of leaves
   parameter NODE_SETS = 4,   // log2 of the sets of 4 nodes a body
   parameter LEAF_SETS = 1,   // log2 of the sets of 4 leaves a body, less than NODE_SETS
-  parameter NODE_WINDOW = 5, // log2 of the pairs of nodes that are in and not released
-  parameter LEAF_WINDOW = 3, // log2 of the pairs of leaves that are in and not released
-  parameter OPEN = 4         // log2 of the open bursts
+  parameter NODE_WINDOW = 5, // log2 of the most pairs of nodes between in and release
+  parameter LEAF_WINDOW = 3, // log2 of the most pairs of leaves between in and release
+  parameter OPEN = 4         // log2 of the most open bursts
 ) (
   input  wire                  clk,             // clock
   input  wire                  rst,             // synchronous reset, active high; AXI's, too
-  input  wire                  start,           // a run begins; only while idle, no pair going in
-  input  wire                  cold,            // with start: forget what the caches have
+  input  wire                  start,           // a run begins; only while idle and no pair goes in
+  input  wire                  cold,            // with start: empty the caches
   input  wire                  drop,            // the run ends: drop all pairs
   output wire                  idle,            // no burst is open
-  input  wire [ADDRESS-13:0]   base_a,          // A's image / 4096; stands in a run
-  input  wire [ADDRESS-13:0]   base_b,          // B's
+  input  wire [ADDRESS-13:0]   base_a,          // A's image / 4096; does not change in a run
+  input  wire [ADDRESS-13:0]   base_b,          // B's image / 4096; does not change in a run
   // pairs of nodes in, out; release
-  input  wire                  node_in_valid,   // a pair is wanted; stands until taken or dropped
-  output wire                  node_in_ready,   // it is taken
+  input  wire                  node_in_valid,   // a pair is wanted; stays 1 until taken or dropped
+  output wire                  node_in_ready,   // it is taken in this cycle
   input  wire [22:0]           node_in_a,       // number of A's node
   input  wire [22:0]           node_in_b,       // number of B's node
-  input  wire [NODE_INFO-1:0]  node_in_info,    // goes with the pair
-  output wire                  node_out_valid,  // the oldest pair is here, or an error
-  input  wire                  node_out_ready,  // it is taken
+  input  wire [NODE_INFO-1:0]  node_in_info,    // bits that go with the pair
+  output wire                  node_out_valid,  // the oldest pair is here, or has an error
+  input  wire                  node_out_ready,  // it is taken in this cycle
   output wire [NODE_SETS+1:0]  node_out_a,      // slot of A's node
   output wire [NODE_SETS+1:0]  node_out_b,      // slot of B's node
-  output wire [NODE_INFO-1:0]  node_out_info,   // what went with it
-  output wire                  node_out_error,  // SLVERR or DECERR: one of the nodes is not here
-  input  wire                  node_release,    // the oldest pair that was taken is done with
-  // nodes: each part stands from the cycle after its read on until the next of the same body
+  output wire [NODE_INFO-1:0]  node_out_info,   // the bits that went in with the pair
+  output wire                  node_out_error,  // SLVERR or DECERR: a node was not read
+  input  wire                  node_release,    // the oldest pair that was taken is released
+  // nodes: each part is valid from the cycle after its read on until the body's next read
   input  wire                  head_read_a,     // read a node of A, bytes 0 ... 31
-  input  wire [NODE_SETS+1:0]  head_slot_a,     // its slot
+  input  wire [NODE_SETS+1:0]  head_slot_a,     // slot of the node
   //@ if fpga
   output wire [255:0]          node_a,          // byte 0 lowest
   //@ else
   input  wire                  node_read_a,     // read a node of A, bytes 32 ... 127
-  input  wire [NODE_SETS+1:0]  node_slot_a,     // its slot
+  input  wire [NODE_SETS+1:0]  node_slot_a,     // slot of the node
   output wire [1023:0]         node_a,          // both parts, byte 0 lowest
   //@ end
   input  wire                  head_read_b,     // read a node of B, bytes 0 ... 31
-  input  wire [NODE_SETS+1:0]  head_slot_b,     // its slot
+  input  wire [NODE_SETS+1:0]  head_slot_b,     // slot of the node
   //@ if fpga
   output wire [255:0]          node_b,          // byte 0 lowest
   input  wire                  box_read,        // read the box of a node's child
-  input  wire [NODE_SETS+2:0]  box_slot,        // {of B, slot} of the node
-  input  wire [3:0]            box_index,       // the child
+  input  wire [NODE_SETS+2:0]  box_slot,        // {is B's, slot} of the node
+  input  wire [3:0]            box_index,       // number of the child
   output wire [47:0]           box,             // {high z, y, x, low z, y, x}, 3 cycles later
   input  wire                  boxes_read,      // read all boxes of a node, bytes 32 ... 127
-  input  wire [NODE_SETS+2:0]  boxes_slot,      // {of B, slot}
-  output wire [767:0]          boxes,           // from the second cycle after it
+  input  wire [NODE_SETS+2:0]  boxes_slot,      // {is B's, slot}
+  output wire [767:0]          boxes,           // the boxes, from the second cycle after it
   //@ else
   input  wire                  node_read_b,     // read a node of B, bytes 32 ... 127
-  input  wire [NODE_SETS+1:0]  node_slot_b,     // its slot
+  input  wire [NODE_SETS+1:0]  node_slot_b,     // slot of the node
   output wire [1023:0]         node_b,          // both parts
   //@ end
   // pairs of leaves in, out; release
-  input  wire                  leaf_in_valid,   // a pair is wanted; stands until taken or dropped
-  output wire                  leaf_in_ready,   // it is taken
-  input  wire [31:0]           leaf_in_a,       // A's record: where in the image, / 16
-  input  wire [3:0]            leaf_in_beats_a, // its beats less 1, 2 ... 15; not across 4096 bytes
-  input  wire [31:0]           leaf_in_b,       // B's record
-  input  wire [3:0]            leaf_in_beats_b, // its beats less 1
-  input  wire [LEAF_INFO-1:0]  leaf_in_info,    // goes with the pair
-  output wire                  leaf_out_valid,  // the oldest pair is here, or an error
-  input  wire                  leaf_out_ready,  // it is taken
+  input  wire                  leaf_in_valid,   // a pair is wanted; stays 1 until taken or dropped
+  output wire                  leaf_in_ready,   // it is taken in this cycle
+  input  wire [31:0]           leaf_in_a,       // place of A's record in the image, in beats
+  input  wire [3:0]            leaf_in_beats_a, // beats of A's record less 1, 2 ... 15
+  input  wire [31:0]           leaf_in_b,       // place of B's record in the image, in beats
+  input  wire [3:0]            leaf_in_beats_b, // beats of B's record less 1, 2 ... 15
+  input  wire [LEAF_INFO-1:0]  leaf_in_info,    // bits that go with the pair
+  output wire                  leaf_out_valid,  // the oldest pair is here, or has an error
+  input  wire                  leaf_out_ready,  // it is taken in this cycle
   output wire [LEAF_SETS+1:0]  leaf_out_a,      // slot of A's leaf
   output wire [LEAF_SETS+1:0]  leaf_out_b,      // slot of B's leaf
-  output wire [LEAF_INFO-1:0]  leaf_out_info,   // what went with it
-  output wire                  leaf_out_error,  // SLVERR or DECERR: one of the leaves is not here
-  input  wire                  leaf_release,    // the oldest pair that was taken is done with
-  // triangles: one stands from the cycle after its read on until the next read of the same body
+  output wire [LEAF_INFO-1:0]  leaf_out_info,   // the bits that went in with the pair
+  output wire                  leaf_out_error,  // SLVERR or DECERR: a leaf was not read
+  input  wire                  leaf_release,    // the oldest pair that was taken is released
+  // triangles: valid from the cycle after the read on until the body's next read
   input  wire                  triangle_read_a, // read a triangle of A
-  input  wire [LEAF_SETS+5:0]  triangle_slot_a, // {slot of its leaf, its number there}
+  input  wire [LEAF_SETS+5:0]  triangle_slot_a, // {slot of its leaf, its number in the leaf}
   output wire [9*W:0]          triangle_a,      // {damaged, z, y, x of vertex 2, of 1, of 0}
   input  wire                  triangle_read_b, // read a triangle of B
-  input  wire [LEAF_SETS+5:0]  triangle_slot_b, // {slot of its leaf, its number there}
+  input  wire [LEAF_SETS+5:0]  triangle_slot_b, // {slot of its leaf, its number in the leaf}
   output wire [9*W:0]          triangle_b,      // {damaged, z, y, x of vertex 2, of 1, of 0}
-  input  wire                  corners_read_b,  // read the numbers of the vertices of one of B
-  input  wire [LEAF_SETS+5:0]  corners_slot_b,  // {slot of its leaf, its number there}
-  output wire [14:0]           corners_b,       // {of vertex 2, of 1, of 0} in the leaf
+  input  wire                  corners_read_b,  // read the vertex numbers of a triangle of B
+  input  wire [LEAF_SETS+5:0]  corners_slot_b,  // {slot of its leaf, its number in the leaf}
+  output wire [14:0]           corners_b,       // {number of vertex 2, of 1, of 0} in the leaf
   // AXI4, 128 bits, read only: ARSIZE 4, ARBURST INCR, one ID
   output wire                  arvalid,         // an address
-  input  wire                  arready,         // it is taken
+  input  wire                  arready,         // it is taken in this cycle
   output wire [ADDRESS-1:0]    araddr,          // byte address, a multiple of 16
   output wire [7:0]            arlen,           // beats less 1, 0 ... 15
   input  wire                  rvalid,          // a beat
-  output wire                  rready,          // it is taken
+  output wire                  rready,          // it is taken in this cycle
   input  wire [127:0]          rdata,           // its data
-  input  wire [1:0]            rresp,           // not 0: error
-  input  wire                  rlast            // the last of its burst
+  input  wire [1:0]            rresp,           // 0: OKAY; otherwise an error
+  input  wire                  rlast            // the last beat of its burst
 );
-  localparam TAG = NODE_SETS + 4; // of a burst: {of a leaf, of B, slot}
+  localparam TAG = NODE_SETS + 4; // bits of a burst's tag: {is a leaf's, is B's, slot}
   wire                 leaf_idle, read_idle;
   wire                 node_miss, leaf_miss, read_ready;
   wire [ADDRESS-5:0]   node_address, leaf_address;
@@ -115,15 +116,15 @@ module sepax_tree_memory #(
   wire [TAG-1:0]       fill_tag;
   //@ end
   wire                 of_leaf = fill_tag[TAG-1];
-  wire [119:0]         numbers;   // a beat as numbers of vertices
-  wire [3*W-1:0]       even, odd; // as two vertices
-  wire                 busy;      // no other record may come
+  wire [119:0]         numbers;   // a beat as vertex numbers
+  wire [3*W-1:0]       even, odd; // a beat as two vertices
+  wire                 busy;      // no other record may begin to come
 
   assign idle = leaf_idle && read_idle;
   //@ if fpga
-  // Registers in front of the read master, and one behind it. A request that waits for more than a
-  // cycle finds a burst open, so that `idle` holds for it.
-  reg                  node_asked_q, leaf_asked_q; // bursts wait
+  // Registers before and after the read master. A request that waits in them for more than a cycle
+  // finds an open burst, so `idle` does not miss it.
+  reg                  node_asked_q, leaf_asked_q; // bursts that wait
   reg  [ADDRESS-5:0]   node_address_q, leaf_address_q;
   reg  [3:0]           leaf_beats_q;
   reg  [NODE_SETS+2:0] node_tag_q;
@@ -208,7 +209,7 @@ module sepax_tree_memory #(
     .fill_odd(odd), .fill_beat(fill_beat), .fill_last(fill_last), .fill_error(fill_error),
     .fill_tag(fill_tag[LEAF_SETS+2:0]), .busy(busy), .idle(leaf_idle)
   );
-  // Leaves go first: the core waits for them.
+  // Leaves go first, because the cores wait for them.
   sepax_axi_read #(.ADDRESS(ADDRESS), .TAG(TAG), .OPEN(OPEN)) read (
     //@ if fpga
     .clk(clk), .rst(rst), .in_valid(leaf_asked_q || node_asked_q), .in_ready(read_ready),

@@ -1,20 +1,20 @@
-// Is the head of a node sound (docs/reference/tree-engine.md, Checks)? limit - first >= children,
-// and
-//   of an inner node: first > number,
-//   of a leaf: beats - record >= its beats >= 3, and the record does not cross 4096 bytes.
-// The head stands for three cycles; `bad` is right in the third.
+// Checks the head of a node (docs/reference/tree-engine.md, Checks). The node is sound if
+// limit - first >= children, where limit is nodes, or triangles if the node is a leaf, and
+//   an inner node: first > number;
+//   a leaf: beats - record >= its beats >= 3, and the record does not cross 4096 bytes.
+// The head must not change for three cycles. `bad` is valid in the third.
 module sepax_node_check (
   input  wire         clk,       // clock
-  input  wire [1:0]   step,      // one-hot: the first, the second cycle
-  input  wire [3:0]   children,  // of the node, its children less 1
-  input  wire [3:0]   level,     // its level
-  input  wire [3:0]   last_beat, // its record's beats less 1
-  input  wire [31:0]  first,     // its first child
-  input  wire [31:0]  record,    // where its record begins
-  input  wire [22:0]  number,    // of the node
-  input  wire [23:0]  nodes,     // of the body
-  input  wire [31:0]  triangles, // of the body
-  input  wire [31:0]  beats,     // of the body's image
+  input  wire [1:0]   step,      // one-hot: the first cycle, the second cycle
+  input  wire [3:0]   children,  // children of the node less 1
+  input  wire [3:0]   level,     // level of the node
+  input  wire [3:0]   last_beat, // beats of its record less 1
+  input  wire [31:0]  first,     // number of its first child
+  input  wire [31:0]  record,    // place of its record in the image, in beats
+  input  wire [22:0]  number,    // number of the node
+  input  wire [23:0]  nodes,     // nodes of the body
+  input  wire [31:0]  triangles, // triangles of the body
+  input  wire [31:0]  beats,     // beats of the body's image
   output wire         bad        // the node is damaged
 );
   wire        leaf = !(|level);
@@ -30,7 +30,7 @@ module sepax_node_check (
   reg         bad_q;
   wire        enough = !left_q[32] && ((|left_q[31:5]) || (left_q[4:0] > {1'b0, more_than}));
 
-  // Of an inner node number - first must be below 0.
+  // In an inner node, number - first must be below 0.
   assign bad = bad_q || (leaf ? !enough : !left_q[32]);
 
   always @(posedge clk) begin

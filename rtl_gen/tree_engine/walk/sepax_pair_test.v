@@ -1,14 +1,14 @@
-// Is a pair near? low_b - high_a <= MARGIN and low_a - high_b <= MARGIN on each axis. Which side of
-// the AABB of both is the thinnest? Latency 1 to `near`, 1 more to `thinnest`.
+// Tests whether a pair is near: low_b - high_a <= MARGIN and low_a - high_b <= MARGIN on each axis.
+// Finds the thinnest side of the AABB of both triangles. Latency 1.
 module sepax_pair_test #(
   parameter W = 18,    // bits of a coordinate, 4 ... 21
   parameter MARGIN = 0 // largest gap of a near pair, 0 ... 2^(W-1)
 ) (
   input  wire            clk,   // clock
   input  wire [6*W-1:0]  box_a, // {high, low} of A, z highest
-  input  wire [6*W+11:0] box_b, // of B, W + 2 bits each
-  output reg             near,  // they are
-  output wire [1:0]      thinnest // sepax_thinnest.v
+  input  wire [6*W+11:0] box_b, // {high, low} of B, W + 2 bits each
+  output reg             near,  // the pair is near
+  output wire [1:0]      thinnest // the thinnest side, as in sepax_thinnest
 );
   localparam V = W + 2;
   localparam [V:0] GAP = MARGIN;
@@ -30,7 +30,7 @@ module sepax_pair_test #(
       wire [W-1:0]        high = (high_b > high_a) ? high_b[W-1:0] : high_a[W-1:0];
       assign separate[k] = (lower_b > $signed({high_a[V-1], high_a})) ||
                         ($signed({low_a[V-1], low_a}) > higher_b);
-      // Right where B is within W bits.
+      // Valid if B fits W bits. If it does not, the pair is not judged.
       always @(posedge clk) begin
         side_q[W*k +: W] <= high - low;
       end

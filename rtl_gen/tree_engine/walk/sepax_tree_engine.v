@@ -1,105 +1,105 @@
-// Which triangles of two bodies collide in one pose of B (docs/reference/tree-engine.md, Engine):
-// two trees in external memory, read by AXI4, are walked at once; near pairs go to exact cores
-// beside this module, verdicts come back. All inputs of a run but start and stop stand from start
-// to done.
+// Finds the colliding triangles of two bodies in one pose of B (docs/reference/tree-engine.md,
+// Engine). Reads the trees of both bodies over AXI4 and walks them at once. Near pairs go to exact
+// cores outside of this module, and their verdicts come back. All inputs of a run except start and
+// stop must not change from start to done.
 module sepax_tree_engine #(
   parameter W = @word@,        // bits of a coordinate, 4 ... 21
   parameter MARGIN = 0,    // largest gap of a near pair, 0 ... 2^(W-1)
-  parameter FLIGHT = 5,    // log2 of the pairs that may be in the cores
+  parameter FLIGHT = 5,    // log2 of the most pairs in the cores
   parameter ADDRESS = 40,  // bits of a byte address, 37 ... 64
-  parameter STACK = 10,    // log2 of the entries of the stack, 9 or more
-  parameter LINE = 5,      // log2 of the entries of the line, 2 or more
+  parameter STACK = 10,    // log2 of the places of the stack, 9 or more
+  parameter LINE = 5,      // log2 of the places of the line, 2 or more
   parameter NODE_SETS = 4, // log2 of the sets of 4 nodes a body
   parameter LEAF_SETS = 1  // log2 of the sets of 4 leaves a body
 ) (
   input  wire               clk,             // clock
   input  wire               rst,             // synchronous reset, active high; AXI's, too
-  // a run
+  // run
   input  wire               start,           // a run begins; only while idle
-  input  wire               stop,            // it is to end
-  input  wire               cold,            // with start: the caches forget what they have
+  input  wire               stop,            // end the run
+  input  wire               cold,            // with start: empty the caches
   output wire               idle,            // a run may begin
-  output wire               done,            // a pulse: the run has ended
-  output wire               hit,             // a pulse: its first collision
-  input  wire               first,           // it is to end at its first collision
-  input  wire               quiet,           // no results are sent
-  input  wire [31:0]        budget,          // it is to end after so many cycles, 1 or more
+  output wire               done,            // a pulse: the run has ended, all results are taken
+  output wire               hit,             // a pulse: the first collision was found
+  input  wire               first,           // end the run at its first collision
+  input  wire               quiet,           // send no results
+  input  wire [31:0]        budget,          // cycles after which the run ends, 1 or more
   // bodies
   input  wire [ADDRESS-13:0] base_a,         // address of A's image / 4096
-  input  wire [23:0]        nodes_a,         // its nodes
-  input  wire [31:0]        triangles_a,     // its triangles
-  input  wire [31:0]        beats_a,         // its beats
+  input  wire [23:0]        nodes_a,         // nodes of A
+  input  wire [31:0]        triangles_a,     // triangles of A
+  input  wire [31:0]        beats_a,         // beats of A's image
   input  wire [ADDRESS-13:0] base_b,         // address of B's image / 4096
-  input  wire [23:0]        nodes_b,         // its nodes
-  input  wire [24:0]        triangles_b,     // its triangles
-  input  wire [31:0]        beats_b,         // its beats
+  input  wire [23:0]        nodes_b,         // nodes of B
+  input  wire [24:0]        triangles_b,     // triangles of B
+  input  wire [31:0]        beats_b,         // beats of B's image
   // pose
   input  wire [197:0]       matrix_m,        // M, entry (i, j) at 22 (3 i + j)
-  input  wire [197:0]       matrix_k,        // K
+  input  wire [197:0]       matrix_k,        // K, in the same order
   input  wire [131:0]       shift_t,         // t, {z, y, x}
-  input  wire [131:0]       shift_u,         // u
+  input  wire [131:0]       shift_u,         // u, {z, y, x}
   input  wire [71:0]        sigma_a,         // sigma_A, {z, y, x}
-  input  wire [71:0]        sigma_b,         // sigma_B
+  input  wire [71:0]        sigma_b,         // sigma_B, {z, y, x}
   // a first row
-  input  wire               row,             // one is given
-  input  wire [22:0]        row_leaf_a,      // its leaf of A
-  input  wire [22:0]        row_leaf_b,      // its leaf of B
-  input  wire [3:0]         row_a,           // its child a
-  input  wire [3:0]         row_b,           // its child b
-  // to the cores, and back
+  input  wire               row,             // a first row is given
+  input  wire [22:0]        row_leaf_a,      // first row: node number of A's leaf
+  input  wire [22:0]        row_leaf_b,      // first row: node number of B's leaf
+  input  wire [3:0]         row_a,           // first row: triangle a in A's leaf
+  input  wire [3:0]         row_b,           // first row: triangle b in B's leaf
+  // near pairs to the cores, verdicts from them
   output wire               pair_valid,      // a near pair
-  input  wire               pair_ready,      // it is taken
-  output wire [9*W-1:0]     pair_a,          // {z, y, x of vertex 2, of 1, of 0}, z the thinnest
-  output wire [9*W-1:0]     pair_b,          // the same
-  output wire               pair_outside,    // out of range
-  input  wire               in_flight,       // pairs are in the cores
+  input  wire               pair_ready,      // it is taken in this cycle
+  output wire [9*W-1:0]     pair_a,          // A's vertices {2, 1, 0}, {z, y, x} each, z thinnest
+  output wire [9*W-1:0]     pair_b,          // B's vertices in the same order
+  output wire               pair_outside,    // a coordinate of B does not fit W bits
+  input  wire               in_flight,       // the cores have pairs
   input  wire               verdict_valid,   // a verdict, in the order of the pairs
-  output wire               verdict_ready,   // it is taken
+  output wire               verdict_ready,   // it is taken in this cycle
   input  wire               collision,       // the triangles collide
-  input  wire               coplanar,        // they are in one plane
-  input  wire               warning,         // in the band of warnings
+  input  wire               coplanar,        // the triangles are coplanar
+  input  wire               warning,         // the pair is in the warning band
   input  wire               verdict_outside, // pair_outside of the pair
   // results
   output wire               result_valid,    // a result
-  input  wire               result_ready,    // it is taken
-  output wire [31:0]        result_a,        // number of A's triangle
-  output wire [23:0]        result_b,        // of B's
-  output wire               result_coplanar, // they are in one plane
-  output wire               result_outside,  // out of range
-  output wire               result_warning,  // no collision but a warning
+  input  wire               result_ready,    // it is taken in this cycle
+  output wire [31:0]        result_a,        // number of A's triangle in its tree
+  output wire [23:0]        result_b,        // number of B's triangle in its tree
+  output wire               result_coplanar, // the triangles are coplanar
+  output wire               result_outside,  // a coordinate of B does not fit W bits
+  output wire               result_warning,  // the pair is in the warning band
   // status and counters
   output wire               any,             // a collision was found
-  output wire               stopped,         // the run was ended
+  output wire               stopped,         // first, budget or stop ended the run
   output wire               damaged,         // a node or triangle is damaged
   output wire               error,           // the memory answered with an error
   output wire [31:0]        entries,         // entries finished
   output wire [31:0]        steps,           // boxes turned
   output wire [31:0]        rows,            // rows
   output wire [31:0]        pairs,           // pairs tested
-  output wire [31:0]        near,            // verdicts
-  output wire [31:0]        collisions,      // of these collisions, or out of range
-  output wire [31:0]        out_of_range,    // of these out of range
-  output wire [31:0]        warnings,        // verdicts in the band of warnings
-  output wire [31:0]        cycles,          // from start to done
+  output wire [31:0]        near,            // near pairs with a verdict
+  output wire [31:0]        collisions,      // near pairs that collide or are out of range
+  output wire [31:0]        out_of_range,    // near pairs that are out of range
+  output wire [31:0]        warnings,        // near pairs in the warning band
+  output wire [31:0]        cycles,          // cycles from start on
   output wire [31:0]        first_a,         // first collision: A's triangle
-  output wire [23:0]        first_b,         // B's
-  output wire [22:0]        first_leaf_a,    // its leaf
-  output wire [22:0]        first_leaf_b,    // B's
-  output wire [3:0]         first_row_a,     // the child a
-  output wire [3:0]         first_row_b,     // the child b
+  output wire [23:0]        first_b,         // first collision: B's triangle
+  output wire [22:0]        first_leaf_a,    // first collision: A's leaf
+  output wire [22:0]        first_leaf_b,    // first collision: B's leaf
+  output wire [3:0]         first_row_a,     // first collision: number a in A's leaf
+  output wire [3:0]         first_row_b,     // first collision: number b in B's leaf
   // AXI4, 128 bits, read only: ARSIZE 4, ARBURST INCR, one ID
   output wire               arvalid,         // an address
-  input  wire               arready,         // it is taken
+  input  wire               arready,         // it is taken in this cycle
   output wire [ADDRESS-1:0] araddr,          // byte address, a multiple of 16
   output wire [7:0]         arlen,           // beats less 1, 0 ... 15
   input  wire               rvalid,          // a beat
-  output wire               rready,          // it is taken
+  output wire               rready,          // it is taken in this cycle
   input  wire [127:0]       rdata,           // its data
-  input  wire [1:0]         rresp,           // not 0: error
-  input  wire               rlast            // the last of its burst
+  input  wire [1:0]         rresp,           // 0: OKAY; otherwise an error
+  input  wire               rlast            // the last beat of its burst
 );
-  localparam SLOT = NODE_SETS + 2;      // bits of a slot of a node
-  localparam LEAF_SLOT = LEAF_SETS + 2; // of a leaf
+  localparam SLOT = NODE_SETS + 2;      // bits of a slot of the node cache
+  localparam LEAF_SLOT = LEAF_SETS + 2; // bits of a slot of the leaf buffers
   localparam INFO = 102;                // bits that go with a pair of leaves
   wire                 drop, memory_idle;
   wire                 clear = rst || drop;
@@ -119,7 +119,7 @@ module sepax_tree_engine #(
   wire                 out_valid, out_ready, out_last, unused_side, out_columns, out_leaves;
   wire [3:0]           out_index;
   wire [15:0]          out_mask;
-  reg                  any_q, few_q; // it has any ones, at most 8 //@ fpga
+  reg                  any_q, few_q; // the mask has ones; it has at most 8 //@ fpga
   wire [SLOT-1:0]      unused_a, unused_b;
   wire                 leaf_in_valid, leaf_in_ready;
   wire [31:0]          leaf_in_a, leaf_in_b;
@@ -153,7 +153,7 @@ module sepax_tree_engine #(
     .row_counted(row_counted)
   );
 
-  // ------------------------------------------- compare; the turner, also of the pairs
+  // ----------------------------- compare; sepax_turn_vertex, which the rows use, too
   //@ if fpga
   wire                 box_read, boxes_read;
   wire [SLOT:0]        box_slot, boxes_slot;
@@ -167,7 +167,7 @@ module sepax_tree_engine #(
   wire                 setup_turn, setup_side, rows_turn, rows_damaged;
   wire [3*W-1:0]       setup_point, setup_origin, rows_point;
   wire [134:0]         turned;
-  reg  [@turn_last@:0]           setup_q, rows_q, damaged_q; // what is turned is of set-up, of rows
+  reg  [@turn_last@:0]           setup_q, rows_q, damaged_q; // for set-up, for a row; damaged
   reg                  item_q;  // an item waits for the walk
   reg  [22:0]          items_q; // {last, columns, leaves, index, mask}
   wire                 item_valid;
@@ -178,7 +178,7 @@ module sepax_tree_engine #(
   wire                 item_free = !item_q || out_ready;
   wire [22:0]          item, listed;
   wire                 any_listed, few_listed;
-  wire [2:0]           ones [0:3]; // of four bits of the mask that goes to the list
+  wire [2:0]           ones [0:3]; // number of ones in four bits of the mask
   wire [3:0]           ones_low = {1'b0, ones[0]} + {1'b0, ones[1]};
   wire [3:0]           ones_high = {1'b0, ones[2]} + {1'b0, ones[3]};
   wire [4:0]           all_ones = {1'b0, ones_low} + {1'b0, ones_high};

@@ -1,59 +1,59 @@
-// Pairs of triangles of rows (docs/reference/tree-engine.md, Pair): B's triangle is turned, each of
-// A's in the mask is tested against it, one a cycle, from 0 to 15; near pairs go to the cores
-// through a queue of 16, z the thinnest side.
+// Tests the pairs of the rows (docs/reference/tree-engine.md, Pair). B's triangle of a row is
+// turned. Then each triangle of A in the mask is tested against it, from 0 to 15, one a cycle. Near
+// pairs go to the cores through a queue of 16, with axes exchanged so that z is the thinnest side.
 module sepax_tree_pairs #(
   parameter W = 18,     // bits of a coordinate, 4 ... 21
   parameter MARGIN = 0, // largest gap of a near pair
   parameter SLOT = 3,   // bits of a slot of the leaf buffers
-  parameter ROWS = 6,   // log2 of the rows that wait
+  parameter ROWS = 6,   // log2 of the most rows that wait
   parameter INFO = 102  // bits that go with a pair of leaves
 ) (
   input  wire             clk,             // clock
-  input  wire             clear,           // drop everything
-  output reg              damaged,         // a triangle is: no pair from it on
-  output wire             error,           // leaves came with an error: no pair of them
-  output wire             busy,            // rows or pairs are under way
+  input  wire             clear,           // drop all work
+  output reg              damaged,         // a triangle is damaged: no pair from it on is tested
+  output wire             error,           // a pair of leaves came with an error: no pair of it
+  output wire             busy,            // rows or pairs are in progress
   // rows in
-  input  wire             row_valid,       // a row, or with mask 0 the end of those of the leaves
-  output wire             row_ready,       // it is taken
-  input  wire             row_last,        // the end
-  input  wire [3:0]       row_child,       // b
-  input  wire [15:0]      row_mask,        // of A's triangles
+  input  wire             row_valid,       // a row; with mask 0, only the end of a pair of leaves
+  output wire             row_ready,       // it is taken in this cycle
+  input  wire             row_last,        // the last row of its pair of leaves
+  input  wire [3:0]       row_child,       // number b of B's triangle
+  input  wire [15:0]      row_mask,        // mask of A's triangles
   // leaves
-  input  wire             leaf_out_valid,  // the oldest pair of leaves is here, or an error
-  output wire             leaf_out_ready,  // it is taken
+  input  wire             leaf_out_valid,  // the oldest pair of leaves is here, or has an error
+  output wire             leaf_out_ready,  // it is taken in this cycle
   input  wire [SLOT-1:0]  leaf_out_a,      // slot of A's leaf
   input  wire [SLOT-1:0]  leaf_out_b,      // slot of B's leaf
-  input  wire [INFO-1:0]  leaf_out_info,   // what goes with it
-  input  wire             leaf_out_error,  // one of the leaves is not here
-  output wire             leaf_release,    // the oldest pair is done with
+  input  wire [INFO-1:0]  leaf_out_info,   // bits that go with the pair
+  input  wire             leaf_out_error,  // a leaf of the pair was not read
+  output wire             leaf_release,    // the oldest pair is released
   output wire             triangle_read_a, // read a triangle of A
-  output wire [SLOT+3:0]  triangle_slot_a, // {slot of its leaf, its number there}
+  output wire [SLOT+3:0]  triangle_slot_a, // {slot of its leaf, its number in the leaf}
   input  wire [9*W:0]     triangle_a,      // {damaged, its vertices}, from the next cycle on
   output wire             triangle_read_b, // read a triangle of B
-  output wire [SLOT+3:0]  triangle_slot_b, // {slot of its leaf, its number there}
-  input  wire [9*W:0]     triangle_b,      // {damaged, its vertices}
-  output wire             corners_read_b,  // read the numbers of the vertices of one of B
-  output wire [SLOT+3:0]  corners_slot_b,  // {slot of its leaf, its number there}
-  input  wire [14:0]      corners_b,       // {of vertex 2, of 1, of 0}
-  // vertices to be turned, and turned
-  output wire             turn_valid,      // a vertex
-  input  wire             turn_ready,      // it is taken
+  output wire [SLOT+3:0]  triangle_slot_b, // {slot of its leaf, its number in the leaf}
+  input  wire [9*W:0]     triangle_b,      // {damaged, its vertices}, from the next cycle on
+  output wire             corners_read_b,  // read the vertex numbers of a triangle of B
+  output wire [SLOT+3:0]  corners_slot_b,  // {slot of its leaf, its number in the leaf}
+  input  wire [14:0]      corners_b,       // {number of vertex 2, of 1, of 0}
+  // vertices to sepax_turn_vertex and back
+  output wire             turn_valid,      // a vertex is to be turned
+  input  wire             turn_ready,      // it is taken in this cycle
   output wire [3*W-1:0]   turn_point,      // {z, y, x}
   output wire             turn_damaged,    // its triangle is damaged
-  input  wire             turned_valid,    // one is turned
+  input  wire             turned_valid,    // a vertex has been turned
   input  wire [74:0]      turned,          // {z, y, x}, 25 bits each, signed
   input  wire             turned_damaged,  // its triangle is damaged
   // near pairs
   output wire             pair_valid,      // a near pair
-  input  wire             pair_ready,      // it is taken
-  output wire [9*W-1:0]   pair_a,          // {z, y, x of vertex 2, of 1, of 0}
-  output wire [9*W-1:0]   pair_b,          // the same
+  input  wire             pair_ready,      // it is taken in this cycle
+  output wire [9*W-1:0]   pair_a,          // A's vertices {2, 1, 0}, {z, y, x} each
+  output wire [9*W-1:0]   pair_b,          // B's vertices in the same order
   output wire             pair_outside,    // a coordinate of B is beyond W bits
-  output wire [INFO+7:0]  pair_info,       // {of the leaves, b, a}
+  output wire [INFO+7:0]  pair_info,       // {info of the pair of leaves, b, a}
   output wire             pair_counted     // a pair is tested
 );
-  localparam WORD = 18 * W + INFO + 9; // of the queue
+  localparam WORD = 18 * W + INFO + 9; // bits of a word of the queue
   localparam [ROWS:0] ROW = 1;
 
   // --------------------------------------------------------------------- rows
@@ -97,24 +97,24 @@ module sepax_tree_pairs #(
   reg  [15:0]       mask_q;       // pairs of the row that are left
   reg  [3:0]        child_q;
   reg  [SLOT-1:0]   slot_q;
-  reg               last_q, first_q, leaf_q; // last of its leaves; first pair of the row, of them
-  reg  [4:0]        free_q;       // places of the queue that pairs may still take
+  reg               last_q, first_q, leaf_q; // last of its leaves; first pair of row, of leaves
+  reg  [4:0]        free_q;       // places of the queue that are not promised to a pair
   wire [15:0]       lowest = mask_q & (~mask_q + 16'd1); //@ !fpga
   wire [15:0]       lowest; //@ fpga
   wire [15:0]       others = mask_q & ~lowest;
-  wire              many;         // two or more //@ fpga
+  wire              many;         // two or more pairs of the row are left //@ fpga
   reg               some_q;       // pairs of the row are left //@ fpga
   wire              issue = some_q && (|free_q) && !damaged; //@ fpga
   wire              issue = (|mask_q) && (|free_q) && !damaged; //@ !fpga
   wire              row_done = issue && !(|others); //@ !fpga
   wire              row_done = issue && !many; //@ fpga
   //@ if fpga
-  reg               ask_q;        // a pair goes to the memory
+  reg               ask_q;        // a pair's triangle of A is being read
   reg  [15:0]       ask_lowest_q; // one-hot: its triangle of A
   reg  [SLOT-1:0]   ask_slot_q;
   reg  [3:0]        ask_child_q;
   reg               ask_first_q, ask_leaf_q;
-  reg  [1:0]        freed_q;      // places of the queue that are free again
+  reg  [1:0]        freed_q;      // places of the queue that became free
   wire [3:0]        a = {
     |(ask_lowest_q & 16'hff00), |(ask_lowest_q & 16'hf0f0), |(ask_lowest_q & 16'hcccc),
     |(ask_lowest_q & 16'haaaa)
@@ -144,7 +144,7 @@ module sepax_tree_pairs #(
   //@ end
   assign pair_counted = issue;
 
-  // ---------------------------- its vertices; AABB of A; test; thinnest side and queue
+  // -------------------- stages: vertices, AABB of A, test, thinnest side and queue
   //@ if fpga
   reg               read_q;       // the memory has read a triangle, which goes to a register
   reg               read_first_q, read_leaf_q;
@@ -183,8 +183,8 @@ module sepax_tree_pairs #(
 
   // -------------------------------------------------------------------- queue
   reg  [3:0]        tail_q, head_q;
-  reg  [4:0]        count_q;      // pairs in the memory
-  reg               out_q;        // what it read last is a pair
+  reg  [4:0]        count_q;      // near pairs in the queue's memory
+  reg               out_q;        // the memory's output is a pair
   wire [3:0]        tail = tail_q + {3'd0, commit};
   wire              take = pair_valid && pair_ready; //@ !fpga
   wire              read = (|count_q) && (!out_q || take); //@ !fpga
@@ -196,7 +196,8 @@ module sepax_tree_pairs #(
                 ask_q || read_q || //@ fpga
                 valid_q || valid_q2 || valid_q3 || (|count_q) || out_q;
 
-  // A pair is written before it is known whether it is near; its place counts from then on.
+  // A pair is written before it is known to be near. If it is not near, the next pair overwrites
+  // it.
   sepax_ram #(.WIDTH(WORD), .ADDRESS(4)) queue (
     .clk(clk), .write(valid_q2), .write_address(tail),
     .write_data({info, child_q2, a_q2, box_q2[6*W+12], vertices, triangle_q2}), .read(read),

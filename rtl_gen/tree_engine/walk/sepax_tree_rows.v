@@ -1,80 +1,81 @@
-// Rows (b, mask) of pairs of leaves, in their order: B's triangle b is read, its vertices are
-// turned, one a cycle, but for those that the row before of the same leaves has turned. Its AABB
-// and its vertices come to a place of a ring of 8, from which they are used and freed in order.
+// Turns B's triangles of the rows, in order. Of each row (b, mask), triangle b is read and its
+// vertices are turned, one a cycle. Vertices that the row before of the same leaves has, too, are
+// not turned again. AABB and vertices of the triangle go to a ring of 8 places, where they are used
+// and freed in order.
 module sepax_tree_rows #(
   parameter W = 18,   // bits of a coordinate, 4 ... 21
   parameter SLOT = 3, // bits of a slot of the leaf buffers
   parameter INFO = 102 // bits that go with a pair of leaves
 ) (
   input  wire             clk,             // clock
-  input  wire             clear,           // drop everything
+  input  wire             clear,           // drop all work
   output reg              error,           // a pair of leaves came with an error: no more rows
-  output wire             busy,            // a row is under way
+  output wire             busy,            // a row is in progress
   // rows in
-  input  wire             in_valid,        // a row, or with mask 0 the end of those of the leaves
-  output wire             in_ready,        // it is taken
-  input  wire             in_last,         // the end
-  input  wire [3:0]       in_child,        // b
-  input  wire [15:0]      in_mask,         // of A's triangles
+  input  wire             in_valid,        // a row; with mask 0, only the end of a pair of leaves
+  output wire             in_ready,        // it is taken in this cycle
+  input  wire             in_last,         // the last row of its pair of leaves
+  input  wire [3:0]       in_child,        // number b of B's triangle
+  input  wire [15:0]      in_mask,         // mask of A's triangles
   // leaves
-  input  wire             leaf_out_valid,  // the oldest pair of leaves is here, or an error
-  output wire             leaf_out_ready,  // it is taken
+  input  wire             leaf_out_valid,  // the oldest pair of leaves is here, or has an error
+  output wire             leaf_out_ready,  // it is taken in this cycle
   input  wire [SLOT-1:0]  leaf_out_a,      // slot of A's leaf
   input  wire [SLOT-1:0]  leaf_out_b,      // slot of B's leaf
-  input  wire [INFO-1:0]  leaf_out_info,   // what goes with it
-  input  wire             leaf_out_error,  // one of the leaves is not here
+  input  wire [INFO-1:0]  leaf_out_info,   // bits that go with the pair
+  input  wire             leaf_out_error,  // a leaf of the pair was not read
   output wire             triangle_read_b, // read a triangle of B
-  output wire [SLOT+3:0]  triangle_slot_b, // {slot of its leaf, its number there}
-  input  wire [9*W:0]     triangle_b,      // {damaged, its vertices}
-  output wire             corners_read_b,  // read the numbers of its vertices
-  output wire [SLOT+3:0]  corners_slot_b,  // {slot of its leaf, its number there}
-  input  wire [14:0]      corners_b,       // {of vertex 2, of 1, of 0}
-  // vertices to be turned, and turned
-  output wire             turn_valid,      // a vertex
-  input  wire             turn_ready,      // it is taken
+  output wire [SLOT+3:0]  triangle_slot_b, // {slot of its leaf, its number in the leaf}
+  input  wire [9*W:0]     triangle_b,      // {damaged, its vertices}, from the next cycle on
+  output wire             corners_read_b,  // read the vertex numbers of this triangle
+  output wire [SLOT+3:0]  corners_slot_b,  // {slot of its leaf, its number in the leaf}
+  input  wire [14:0]      corners_b,       // {number of vertex 2, of 1, of 0}
+  // vertices to sepax_turn_vertex and back
+  output wire             turn_valid,      // a vertex is to be turned
+  input  wire             turn_ready,      // it is taken in this cycle
   output wire [3*W-1:0]   turn_point,      // {z, y, x}
   output wire             turn_damaged,    // its triangle is damaged
-  input  wire             turned_valid,    // one is turned
+  input  wire             turned_valid,    // a vertex has been turned
   input  wire [74:0]      turned,          // {z, y, x}, 25 bits each, signed
   input  wire             turned_damaged,  // its triangle is damaged
   // rows out
   output wire             out_valid,       // a row; its AABB is in the ring
-  input  wire             out_ready,       // it is taken
+  input  wire             out_ready,       // it is taken in this cycle
   output wire             out_last,        // as in_last
   output wire [3:0]       out_child,       // as in_child
   output wire [15:0]      out_mask,        // as in_mask
   output wire [SLOT-1:0]  out_slot,        // slot of A's leaf
-  // the ring, and what goes with leaves; each stands from the cycle after its read on
+  // the ring and the info of leaves: each is valid from the cycle after its read on
   input  wire             box_read,        // read the next AABB
   output wire [6*W+13:0]  box,             // {damaged, outside, high, low}
   input  wire             vertices_read,   // read the next vertices, free their place
   output wire [9*W-1:0]   vertices,        // cut to W bits
-  input  wire             info_read,       // read what goes with the next pair of leaves
-  output wire [INFO-1:0]  info             // the same
+  input  wire             info_read,       // read the info of the next pair of leaves
+  output wire [INFO-1:0]  info             // the bits that went in with the pair
 );
   localparam FLIGHT = 14; // bits that go with a vertex: {same, place, last, first}
   reg                 leaf_q;               // there is a pair of leaves
   reg                 fresh_q;              // none of its rows was taken
   reg  [SLOT-1:0]     slot_a_q, slot_b_q;
-  reg                 match_q;              // there is a row whose corners are here
-  reg                 first_q;              // the first of its leaves
-  reg  [SLOT+3:0]     triangle_q;           // its triangle
-  reg  [14:0]         corners_q;            // of the row before
-  reg  [2:0]          new_q;                // vertices of triangle_b that are to be turned
-  reg                 begin_q;              // none of them was
+  reg                 match_q;              // the vertex numbers of a row have been read
+  reg                 first_q;              // the row is the first of its leaves
+  reg  [SLOT+3:0]     triangle_q;           // place of its triangle
+  reg  [14:0]         corners_q;            // vertex numbers of the row before
+  reg  [2:0]          new_q;                // vertices of the triangle that are still to be turned
+  reg                 begin_q;              // none of them was turned yet
   reg  [8:0]          same_q;               // bit 3 k + j: vertex k is j of the row before
-  reg  [@turn@*FLIGHT-1:0] flight_q;             // what goes with a vertex, as long as it is turned
-  reg  [3:0]          used_q;               // places of the ring
-  reg  [3:0]          waiting_q;            // rows that are not out
-  reg  [3:0]          here_q;               // rows that are in the ring and not out
-  reg  [2:0]          turned_q, box_q, vertices_q, info_in_q, info_q; // next places
+  reg  [@turn@*FLIGHT-1:0] flight_q;             // FLIGHT bits of each vertex that is being turned
+  reg  [3:0]          used_q;               // places of the ring in use
+  reg  [3:0]          waiting_q;            // rows that came in and did not go out
+  reg  [3:0]          here_q;               // rows that are in the ring and did not go out
+  reg  [2:0]          turned_q, box_q, vertices_q, info_in_q, info_q; // the next places
   wire                done;
   wire                real_row = |in_mask;
   wire [2:0]          pick = new_q & (~new_q + 3'd1);
   wire [2:0]          others = new_q & ~pick;
   wire                turn_done = turn_ready && !(|others); //@ !fpga
   //@ if fpga
-  // What the memory reads goes to a register, for which a triangle waits in read_q.
+  // The memory's output goes to a register. read_q says that a triangle waits for this register.
   reg                 read_q;
   reg  [2:0]          read_new_q;
   reg  [8:0]          read_same_q;
@@ -86,7 +87,7 @@ module sepax_tree_rows #(
   //@ end
   wire                take = in_valid && in_ready;
   wire [8:0]          same;
-  wire [2:0]          fresh; // vertices that the row before has not
+  wire [2:0]          fresh; // vertices that the row before does not have
   wire                row_here, out_real;
   wire [8:0]          flight_same;
   wire [2:0]          flight_place;
@@ -164,7 +165,7 @@ module sepax_tree_rows #(
       leaf_q <= leaf_q ? !(take && in_last) : !error && leaf_out_valid && !leaf_out_error; //@ fpga
       error <= error || (leaf_out_valid && leaf_out_ready && leaf_out_error);
       match_q <= corners_read_b || (match_q && !match);
-      // At least one vertex is turned.
+      // At least one vertex is turned, because a turned vertex carries the row to the ring.
       read_q <= match || (read_q && !move); //@ fpga
       if (@move@) begin
         new_q <= {fresh[2:1], fresh[0] || !(|fresh)}; //@ !fpga

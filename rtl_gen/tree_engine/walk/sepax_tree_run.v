@@ -1,89 +1,88 @@
-// A run of the tree engine: counts verdicts, sends pairs that collide or, with a clearance, are in
-// the band of warnings, and ends the run: when all pairs are judged, or at a fault, or when it is
-// stopped.
+// Begins and ends a run of the tree engine, counts verdicts, and sends the pairs that collide or
+// are in the warning band. A run ends when all pairs are judged, at a fault, or when it is stopped.
 module sepax_tree_run #(
-  parameter FLIGHT = 5 // log2 of the pairs that may be in the cores
+  parameter FLIGHT = 5 // log2 of the most pairs in the cores
 ) (
   input  wire         clk,             // clock
   input  wire         rst,             // synchronous reset, active high
   input  wire         start,           // a run begins
-  input  wire         stop,            // it is to end
-  input  wire         first,           // it is to end at its first collision
-  input  wire         quiet,           // nothing is sent
-  input  wire [31:0]  budget,          // it is to end after so many cycles
+  input  wire         stop,            // end the run
+  input  wire         first,           // end the run at its first collision
+  input  wire         quiet,           // send no results
+  input  wire [31:0]  budget,          // cycles after which the run ends
   output wire         idle,            // a run may begin
-  output reg          drop,            // a run ends: drop all that is under way
-  output reg          done,            // it has ended
+  output reg          drop,            // a pulse: drop all pending work of the run
+  output reg          done,            // a pulse: the run has ended
   output wire         hit,             // its first collision is here //@ !fpga
   output reg          hit,             // its first collision was here in the cycle before //@ fpga
-  // what feeds the cores
+  // walk, pairs, memory
   input  wire         walk_over,       // the walk has ended
-  input  wire         walk_damaged,    // at a damaged node
-  input  wire         walk_error,      // at an error of the memory
-  input  wire         pairs_busy,      // pairs are made
+  input  wire         walk_damaged,    // the walk ended at a damaged node or a full stack
+  input  wire         walk_error,      // the walk ended at a bus error
+  input  wire         pairs_busy,      // rows or pairs are in progress
   input  wire         pairs_damaged,   // a triangle is damaged
-  input  wire         pairs_error,     // error of the memory
+  input  wire         pairs_error,     // a pair of leaves came with an error
   input  wire         memory_idle,     // no burst is open
-  input  wire         entry_counted,   // counts
-  input  wire [4:0]   steps_counted,   // of each counter
-  input  wire         row_counted,     // how much
-  input  wire         pair_counted,    // it grows in a cycle
-  // near pairs as they go to the cores
-  input  wire         launched,        // a pair goes
-  output wire         launch_free,     // it may
-  input  wire [109:0] launched_info,   // {leaf B, leaf A, first triangle of B, of A, b, a}
+  input  wire         entry_counted,   // an entry was finished
+  input  wire [4:0]   steps_counted,   // number of boxes that were turned
+  input  wire         row_counted,     // a row was served
+  input  wire         pair_counted,    // a pair was tested
+  // near pairs on their way to the cores
+  input  wire         launched,        // a pair goes to the cores
+  output wire         launch_free,     // a pair may go to the cores
+  input  wire [109:0] launched_info,   // {leaf B, leaf A, first triangle of B's leaf, of A's, b, a}
   // verdicts
-  input  wire         in_flight,       // pairs are in the cores
+  input  wire         in_flight,       // the cores have pairs
   input  wire         verdict_valid,   // a verdict
-  output wire         verdict_ready,   // it is taken
+  output wire         verdict_ready,   // it is taken in this cycle
   input  wire         collision,       // the triangles collide
-  input  wire         coplanar,        // they are in one plane
-  input  wire         warning,         // in the band of warnings
-  input  wire         outside,         // out of range
+  input  wire         coplanar,        // the triangles are coplanar
+  input  wire         warning,         // the pair is in the warning band
+  input  wire         outside,         // a coordinate of B does not fit W bits
   // results
   output reg          result_valid,    // a result
-  input  wire         result_ready,    // it is taken
-  output reg  [31:0]  result_a,        // number of A's triangle
-  output reg  [23:0]  result_b,        // of B's
-  output reg          result_coplanar, // they are in one plane
-  output reg          result_outside,  // out of range
-  output reg          result_warning,  // no collision but a warning
+  input  wire         result_ready,    // it is taken in this cycle
+  output reg  [31:0]  result_a,        // number of A's triangle in its tree
+  output reg  [23:0]  result_b,        // number of B's triangle in its tree
+  output reg          result_coplanar, // the triangles are coplanar
+  output reg          result_outside,  // a coordinate of B does not fit W bits
+  output reg          result_warning,  // the pair is in the warning band
   // status and counters
   output reg          any,             // a collision was found
-  output reg          stopped,         // the run was ended
+  output reg          stopped,         // first, budget or stop ended the run
   output reg          damaged,         // a node or triangle is damaged
   output reg          error,           // the memory answered with an error
   output reg  [31:0]  entries,         // entries finished
   output reg  [31:0]  steps,           // boxes turned
   output reg  [31:0]  rows,            // rows
   output reg  [31:0]  pairs,           // pairs tested
-  output reg  [31:0]  near,            // verdicts
-  output reg  [31:0]  collisions,      // of these collisions, or out of range
-  output reg  [31:0]  out_of_range,    // of these out of range
-  output reg  [31:0]  warnings,        // verdicts in the band of warnings
-  output reg  [31:0]  cycles,          // from start to done
+  output reg  [31:0]  near,            // near pairs with a verdict
+  output reg  [31:0]  collisions,      // near pairs that collide or are out of range
+  output reg  [31:0]  out_of_range,    // near pairs that are out of range
+  output reg  [31:0]  warnings,        // near pairs in the warning band
+  output reg  [31:0]  cycles,          // cycles from start on
   output reg  [31:0]  first_a,         // first collision: A's triangle
-  output reg  [23:0]  first_b,         // B's
-  output reg  [22:0]  first_leaf_a,    // its leaf
-  output reg  [22:0]  first_leaf_b,    // B's
-  output reg  [3:0]   first_row_a,     // the child a
-  output reg  [3:0]   first_row_b      // the child b
+  output reg  [23:0]  first_b,         // first collision: B's triangle
+  output reg  [22:0]  first_leaf_a,    // first collision: A's leaf
+  output reg  [22:0]  first_leaf_b,    // first collision: B's leaf
+  output reg  [3:0]   first_row_a,     // first collision: number a in A's leaf
+  output reg  [3:0]   first_row_b      // first collision: number b in B's leaf
 );
   localparam [FLIGHT:0] ONE = 1;
   //@ if fpga
-  reg          near_q, found_q, undecided_q, warned_q; // to be counted
-  reg          full_q;     // a verdict waits
+  reg          near_q, found_q, undecided_q, warned_q; // counts of the cycle before
+  reg          full_q;     // a verdict waits in the registers
   reg          collision_q, coplanar_q, warning_q, outside_q;
-  reg          pairs_busy_q; // pairs were made
-  reg          due_q;      // cycles are the budget
+  reg          pairs_busy_q; // pairs_busy of the cycle before
+  reg          due_q;      // cycles have reached the budget
   reg  [31:0]  before_q;   // budget - 1
   //@ end
-  reg          busy_q;     // a run is going on
-  reg          ending_q;   // it only waits for what is under way
-  reg  [1:0]   dropped_q;  // what was dropped is gone
-  reg          entry_q, row_q, pair_q; // counts
+  reg          busy_q;     // a run is in progress
+  reg          ending_q;   // the run ends: it waits for pending work
+  reg  [1:0]   dropped_q;  // after two cycles the dropped work is gone
+  reg          entry_q, row_q, pair_q; // counts of the cycle before
   reg  [4:0]   steps_q;
-  reg  [FLIGHT:0] known_q; // pairs whose verdicts are to come
+  reg  [FLIGHT:0] known_q; // pairs whose verdicts have not come
   wire         known;
   wire [22:0]  leaf_a, leaf_b;
   wire [31:0]  base_a;
@@ -95,7 +94,7 @@ module sepax_tree_run #(
   wire         free = !result_valid || result_ready; //@ !fpga
   wire         free = !result_valid; // whoever takes results is far away //@ fpga
   //@ if fpga
-  wire         counts = full_q && (ending_q || (known && free)); // the verdict goes
+  wire         counts = full_q && (ending_q || (known && free)); // the verdict is counted
   wire         judged = known && counts;
   wire         counted = counts && !ending_q;
   wire         found = counted && (collision_q || outside_q);

@@ -1,5 +1,5 @@
-// Stack of entries in a memory, the one that was pushed last in a register, so that each cycle can
-// push or pop one. An entry is at `top` from the cycle after its push on.
+// A stack in a memory. The entry that was pushed last is in a register, so each cycle can push or
+// pop an entry. An entry is at `top` from the cycle after its push on.
 module sepax_tree_stack #(
   parameter WIDTH = 64,  // bits of an entry
   parameter ADDRESS = 10 // log2 of the entries
@@ -10,13 +10,13 @@ module sepax_tree_stack #(
   input  wire [WIDTH-1:0] in,    // the entry
   input  wire             pop,   // take the top; only if not empty, not with push
   output wire [WIDTH-1:0] top,   // the entry on top
-  output wire             empty, // there is none
-  output wire             full   // there are 2^ADDRESS
+  output wire             empty, // there is no entry
+  output wire             full   // there are 2^ADDRESS entries
 );
   localparam [ADDRESS:0] ONE = 1;
   localparam [ADDRESS-1:0] TWO = 2;
   reg  [ADDRESS:0]   count_q;
-  reg                pushed_q;   // the top is in in_q, else it is what the memory read
+  reg                pushed_q;   // the top is in in_q; otherwise it is the memory's output
   reg  [WIDTH-1:0]   in_q;
   wire [WIDTH-1:0]   read_data;
   wire [ADDRESS-1:0] below = count_q[ADDRESS-1:0] - ONE[ADDRESS-1:0]; // index of the top

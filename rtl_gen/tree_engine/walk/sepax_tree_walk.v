@@ -1,20 +1,20 @@
-// The walk down two trees (docs/reference/tree-engine.md, Order): a stack of entries, a line of
-// those whose nodes have been asked for. The oldest entry of the line is tested by
-// sepax_tree_compare; of its items new entries are made, or rows. Entries are popped only when one
-// is finished.
+// The walk down two trees (docs/reference/tree-engine.md, Order): a stack of entries that wait, and
+// a line of entries whose nodes were asked for. sepax_tree_compare tests the oldest entry of the
+// line. Each of its items becomes a new entry or a row. Entries are popped only when an entry is
+// finished.
 //   entry = {direct, side, mask, number of A's node, of B's}
-// direct: the first row; its mask is {a, b}.
+// direct marks the first row; its mask is {a, b}.
 module sepax_tree_walk #(
-  parameter STACK = 10, // log2 of the entries of the stack, 9 or more
-  parameter LINE = 5,   // log2 of the entries of the line, 2 or more
+  parameter STACK = 10, // log2 of the places of the stack, 9 or more
+  parameter LINE = 5,   // log2 of the places of the line, 2 or more
   parameter SLOT = 6    // bits of a slot of the node cache
 ) (
   input  wire         clk,            // clock
   input  wire         start,          // a run begins
-  input  wire         clear,          // drop everything: reset, or a run ends
+  input  wire         clear,          // drop all work: reset, or the end of a run
   output wire         over,           // the walk has ended, by itself or by a fault
-  output reg          damaged,        // by a damaged node, or a stack that is full
-  output reg          error,          // by an error of the memory
+  output reg          damaged,        // a node is damaged, or the stack is full
+  output reg          error,          // a node came with an error
   // bodies
   input  wire [23:0]  nodes_a,        // nodes of A
   input  wire [31:0]  triangles_a,    // triangles of A
@@ -23,62 +23,62 @@ module sepax_tree_walk #(
   input  wire [24:0]  triangles_b,    // triangles of B
   input  wire [31:0]  beats_b,        // beats of B's image
   input  wire         row,            // a first row is given
-  input  wire [22:0]  row_leaf_a,     // its leaf of A
-  input  wire [22:0]  row_leaf_b,     // its leaf of B
-  input  wire [3:0]   row_a,          // its child a
-  input  wire [3:0]   row_b,          // its child b
+  input  wire [22:0]  row_leaf_a,     // first row: node number of A's leaf
+  input  wire [22:0]  row_leaf_b,     // first row: node number of B's leaf
+  input  wire [3:0]   row_a,          // first row: triangle a in A's leaf
+  input  wire [3:0]   row_b,          // first row: triangle b in B's leaf
   // nodes
   output wire         node_in_valid,  // a pair of nodes is wanted
-  input  wire         node_in_ready,  // it is taken
-  output wire [63:0]  node_in,        // the entry
-  input  wire         node_out_valid, // the oldest pair is here, or an error
-  output wire         node_out_ready, // it is taken
-  input  wire [63:0]  node_out,       // the entry
+  input  wire         node_in_ready,  // it is taken in this cycle
+  output wire [63:0]  node_in,        // the entry that wants them
+  input  wire         node_out_valid, // the oldest pair is here, or has an error
+  output wire         node_out_ready, // it is taken in this cycle
+  input  wire [63:0]  node_out,       // the entry of the pair
   input  wire [SLOT-1:0] node_out_a,  // slot of A's node
   input  wire [SLOT-1:0] node_out_b,  // slot of B's node
-  input  wire         node_out_error, // a node is not here
-  output wire         node_release,   // the oldest pair that was taken is done with
+  input  wire         node_out_error, // a node of the pair was not read
+  output wire         node_release,   // the oldest pair that was taken is released
   output wire         head_read,      // read the heads of nodes node_out_a, node_out_b
-  input  wire [75:0]  head_a,         // {record, first, beats - 1, level, children - 1} of A's
-  input  wire [75:0]  head_b,         // of B's; both from the next cycle on
+  input  wire [75:0]  head_a,         // A's {record, first, beats - 1, level, children - 1}
+  input  wire [75:0]  head_b,         // the same of B's; both from the next cycle on
   // compare
   output wire         in_valid,       // an entry is to be compared; its heads are read
-  input  wire         in_ready,       // it is taken
-  output wire         in_side,        // whose boxes are turned
-  output wire [15:0]  in_mask,        // which; 0: the node's own
+  input  wire         in_ready,       // it is taken in this cycle
+  output wire         in_side,        // side of the entry
+  output wire [15:0]  in_mask,        // mask of the entry; 0: the node's own box
   output wire [SLOT-1:0] in_a,        // slot of A's node
   output wire [SLOT-1:0] in_b,        // slot of B's node
   input  wire         out_valid,      // an item
-  output wire         out_ready,      // it is taken
-  input  wire         out_last,       // the last of its entry
-  input  wire         out_columns,    // S is a leaf and T is not
-  input  wire         out_leaves,     // both are leaves
-  input  wire [3:0]   out_index,      // a child of S; with columns, or leaves on side 1, of T
-  input  wire [15:0]  out_mask,       // of the other node's children, those that are hit
-  input  wire         out_any,        // of these there are some //@ fpga
-  input  wire [15:0]  out_half,       // the same, or 0 for more than 8 //@ fpga
+  output wire         out_ready,      // it is taken in this cycle
+  input  wire         out_last,       // the last item of its entry
+  input  wire         out_columns,    // items are columns: S is a leaf and T is not
+  input  wire         out_leaves,     // S and T are leaves
+  input  wire [3:0]   out_index,      // child of S; if columns, or leaves on side 1, child of T
+  input  wire [15:0]  out_mask,       // the children of the other node that are hit
+  input  wire         out_any,        // out_mask is not 0 //@ fpga
+  input  wire [15:0]  out_half,       // out_mask, or 0 if it has more than 8 ones //@ fpga
   // rows
   output wire         leaf_in_valid,  // a pair of leaves is wanted
-  input  wire         leaf_in_ready,  // it is taken
-  output wire [31:0]  leaf_in_a,      // A's record
+  input  wire         leaf_in_ready,  // it is taken in this cycle
+  output wire [31:0]  leaf_in_a,      // place of A's record in the image, in beats
   output wire [3:0]   leaf_in_beats_a, // its beats less 1
-  output wire [31:0]  leaf_in_b,      // B's record
+  output wire [31:0]  leaf_in_b,      // place of B's record in the image, in beats
   output wire [3:0]   leaf_in_beats_b, // its beats less 1
   output wire [101:0] leaf_in_info,   // {leaf B, leaf A, first triangle of B, of A}
-  output wire         row_valid,      // a row, or with mask 0 the end of those of a pair of leaves
-  input  wire         row_ready,      // it is taken
-  output wire         row_last,       // the end
-  output wire [3:0]   row_child,      // b
-  output wire [15:0]  row_mask,       // of A's triangles
+  output wire         row_valid,      // a row; with mask 0, only the end of a pair of leaves
+  input  wire         row_ready,      // it is taken in this cycle
+  output wire         row_last,       // the last row of its pair of leaves
+  output wire [3:0]   row_child,      // number b of B's triangle
+  output wire [15:0]  row_mask,       // mask of A's triangles
   // counts
-  output wire         entry_counted,  // an entry is finished
-  output reg  [4:0]   steps_counted,  // boxes that are turned
-  output wire         row_counted     // a row
+  output wire         entry_counted,  // an entry was finished
+  output reg  [4:0]   steps_counted,  // number of boxes that are turned
+  output wire         row_counted     // a row was served
 );
   localparam LOAD = STACK + 2; // bits of stack + 16 line + 15 HEIGHT
-  localparam INFO = 220; // bits that wait with an entry, in a memory
-  localparam FLAGS = 7;  // and in registers, as they decide at once
-  localparam [LOAD-1:0] MOST = (1 << STACK) - 16; // from which on nothing is popped
+  localparam INFO = 220; // bits of an entry that are kept in a memory
+  localparam FLAGS = 7;  // bits of an entry that are kept in registers
+  localparam [LOAD-1:0] MOST = (1 << STACK) - 16; // highest load at which an entry is popped
   localparam [2:0] IDLE = 3'd0, PROBE = 3'd1, ROOT = 3'd2, FIRST = 3'd3, WALK = 3'd4, OVER = 3'd5;
 
   function [4:0] ones(input [15:0] mask);
@@ -91,30 +91,30 @@ module sepax_tree_walk #(
     end
   endfunction
 
-  // An own box comes first where a box hits more than 8 children.
+  // If a box hits more than 8 children of a node, the node's own box is tested first.
   function [15:0] half(input [15:0] mask);
     half = mask & {16{ones(mask) <= 5'd8}};
   endfunction
 
   reg  [2:0]      state_q;
-  reg  [LINE:0]   line_q;      // entries of the line
+  reg  [LINE:0]   line_q;      // number of entries in the line
   reg  [LOAD-1:0] load_q;
-  reg             filling_q;   // an entry was finished; entries are popped
+  reg             filling_q;   // an entry was finished: entries may be popped
   reg             current_q;   // there is an entry whose items are served
-  reg             opened_q;    // its leaves are asked for
-  reg             wanted_q;    // they are still to be taken
+  reg             opened_q;    // the leaves of this entry were asked for
+  reg             wanted_q;    // this request has not been taken
   wire            walking = (state_q == WALK);
 
   // ------------------------------------------------------------- stack, line
   wire         push, pop, empty, full;
   wire [63:0]  pushed, top;
   wire         can_pop = !empty && !line_q[LINE] && (!(|line_q) || (load_q <= MOST));
-  wire         finish;      // an entry is finished
+  wire         finish;      // the oldest entry is finished
 
   assign pop = walking && filling_q && can_pop; //@ !fpga
   //@ if fpga
-  // Whether an entry can be popped is known a cycle after another was popped, two after one was
-  // finished, which counts a cycle late.
+  // can_pop_q is valid (known_q) a cycle after a pop and two cycles after an entry was finished,
+  // because a finished entry is counted a cycle later.
   reg             known_q, can_pop_q, finish_q, push_q;
   wire            filling = filling_q && !(known_q && !can_pop_q);
 
@@ -125,16 +125,16 @@ module sepax_tree_walk #(
     .clk(clk), .clear(clear || start), .push(push), .in(pushed), .pop(pop), .top(top),
     .empty(empty), .full(full)
   );
-  // The probe of both roots, then entries as they are popped.
+  // First the probe, which reads both roots; then the popped entries.
   sepax_ram_fifo #(.WIDTH(64), .ADDRESS(LINE)) line (
     .clk(clk), .clear(clear), .push(start || pop), .in(start ? 64'd0 : top),
     .valid(node_in_valid), .pop(node_in_valid && node_in_ready), .out(node_in)
   );
 
-  // ------------------------------------------------ heads, checked while S is set up
-  reg  [2:0]   step_q; // one-hot: cycles with heads
-  reg  [1:0]   head_q, tail_q; // of the entries that are compared
-  reg  [2:0]   stored_q; // how many
+  // --------------------------------------- heads, checked while the entry is set up
+  reg  [2:0]   step_q; // one-hot: cycles since the heads were read
+  reg  [1:0]   head_q, tail_q; // oldest entry and next free place in `compared`
+  reg  [2:0]   stored_q; // number of entries in `compared`
   wire         bad_a, bad_b;
   wire         direct = node_out[63] || (state_q == PROBE);
   wire         begins = node_out_valid && !(|step_q) && !stored_q[2];
@@ -142,14 +142,14 @@ module sepax_tree_walk #(
   wire         fetch = (|stored_q) && (!current_q || finish); //@ !fpga
   wire         fetch = (|stored_q) && !current_q; //@ fpga
   wire         is_error, is_bad, is_direct, is_own, side, leaf_a, leaf_b;
-  wire [7:0]   child; // of the first row
+  wire [7:0]   child; // {a, b} of a first row
   wire [22:0]  node_a, node_b;
   wire [31:0]  first_a;
   wire [23:0]  first_b;
   wire [18:0]  after_a, after_b; // bits 22 ... 4 of first_a, of first_b, plus 1
-  reg  [4*FLAGS-1:0] flags_q;    // of entries that are compared //@ !fpga
-  reg  [FLAGS-1:0]   flags_q [0:3]; // of entries that are compared //@ fpga
-  reg  [FLAGS-1:0]   flag_q;     // of the oldest
+  reg  [4*FLAGS-1:0] flags_q;    // flags of the entries in `compared` //@ !fpga
+  reg  [FLAGS-1:0]   flags_q [0:3]; // flags of the entries in `compared` //@ fpga
+  reg  [FLAGS-1:0]   flag_q;     // flags of the oldest entry
 
   assign head_read = begins && !node_out_error && (direct || in_ready);
   assign in_valid = begins && !node_out_error && !direct;
@@ -187,7 +187,7 @@ module sepax_tree_walk #(
   wire         faulty = current_q && (is_error || is_bad);
   wire         served = current_q && !faulty && !(filling_q && can_pop); //@ !fpga
   //@ if fpga
-  reg          probe_q, first_q, items_q; // what is served: the probe, a first row, items
+  reg          probe_q, first_q, items_q; // served now: the probe, a first row, items
   wire         serves = current_q && !faulty && !filling && !finish;
   wire         first_row = first_q;
   wire         item = items_q && out_valid;
@@ -201,11 +201,11 @@ module sepax_tree_walk #(
   wire         is_row = item && out_leaves && !is_own;
   wire         has_rows = first_row || (is_row && hit);
   wire         last = first_row || out_last;
-  // The leaves are asked for with the first row; with the last, they have been taken.
+  // The leaves are asked for with the first row. The last row waits until this request was taken.
   wire         leaves_due = leaf_in_valid && !leaf_in_ready; //@ !fpga
   wire         no_leaves = first_row && !(leaf_a && leaf_b);
   wire         no_nodes = ({1'b0, row_leaf_a} >= nodes_a) || ({1'b0, row_leaf_b} >= nodes_b);
-  wire         of_b = out_columns ? side : !side; // whose child is the next node
+  wire         of_b = out_columns ? side : !side; // the new node is a child of B's node
   wire [4:0]   low_a = {1'b0, first_a[3:0]} + {1'b0, out_index};
   wire [4:0]   low_b = {1'b0, first_b[3:0]} + {1'b0, out_index};
   wire [22:0]  next_a = {low_a[4] ? after_a : first_a[22:4], low_a[3:0]};
@@ -214,11 +214,11 @@ module sepax_tree_walk #(
   //@ if fpga
   wire [15:0]  first_mask = ~(16'hfffe << head_b[3:0]) & {16{!head_b[3]}}; // of the root of B
   reg          release_q;
-  reg  [15:0]  boxes_q;   // that are turned
-  reg          own_box_q; // it is the own one
+  reg  [15:0]  boxes_q;   // boxes that are turned
+  reg          own_box_q; // the box is an own box
   //@ end
   wire         rows_ready = row_ready && !(last && leaves_due); //@ !fpga
-  wire         leaves_gone = opened_q && !wanted_q; // they have been taken //@ fpga
+  wire         leaves_gone = opened_q && !wanted_q; // the request for the leaves was taken //@ fpga
   wire         rows_wait = last && !leaves_gone; //@ fpga
 
   assign leaf_in_valid = (has_rows && !no_leaves && !opened_q) || wanted_q; //@ !fpga
@@ -232,13 +232,13 @@ module sepax_tree_walk #(
   assign row_mask = first_row ? 16'd1 << child[7:4] : out_mask;
   assign out_ready = item && (is_row ? (!(has_rows || opened_q) || rows_ready) : 1'b1); //@ !fpga
   //@ if fpga
-  wire         rows_here = row_ready && !(out_last && !leaves_gone); // of an item
+  wire         rows_here = row_ready && !(out_last && !leaves_gone); // a row may go
   assign out_ready = item && (!out_leaves || is_own || !(hit || opened_q) || rows_here);
   //@ end
   assign finish = served && (state_q == PROBE || (item && out_ready && last) || //@ !fpga
                              (first_row && !no_leaves && rows_ready)); //@ !fpga
   //@ if fpga
-  // The last item is a push, or a row for which the leaves have been taken, or neither.
+  // The last item is a push, a row after the leaves' request was taken, or neither.
   assign finish = probe_q || (first_q && leaf_a && leaf_b && row_ready && leaves_gone) ||
                   (item && out_last && (!out_leaves || is_own || !(hit || opened_q) ||
                                         (row_ready && leaves_gone)));

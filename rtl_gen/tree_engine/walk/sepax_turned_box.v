@@ -1,19 +1,19 @@
-// Turned triangles of B, whose vertices come one by one; those that the triangle before has, too,
-// do not come. The AABB goes out with the vertices, cut to W bits, in the cycle after the last.
-// Coordinates beyond W + 2 bits are saturated in both.
+// Collects the turned vertices of B's triangles, which come one by one. A vertex that the triangle
+// before has, too, does not come: it is copied. The AABB and the vertices are valid in the cycle
+// after the last vertex. The AABB is saturated to W + 2 bits, and the vertices are cut to W bits.
 module sepax_turned_box #(
   parameter W = 18 // bits of a coordinate, 4 ... 21
 ) (
   input  wire             clk,     // clock
-  input  wire             clear,   // drop everything
+  input  wire             clear,   // drop all work
   input  wire             valid,   // a turned vertex
-  input  wire             first,   // the first of its triangle
-  input  wire             last,    // the last of its triangle
-  input  wire [2:0]       place,   // one-hot: which one it is
-  input  wire [8:0]       same,    // with the first: bit 3 k + j: vertex k is j of the one before
-  input  wire             damaged, // its triangle is
+  input  wire             first,   // the first vertex of its triangle that comes
+  input  wire             last,    // the last vertex of its triangle
+  input  wire [2:0]       place,   // one-hot: which vertex it is
+  input  wire [8:0]       same,    // with the first: bit 3 k + j: vertex k equals vertex j before
+  input  wire             damaged, // its triangle is damaged
   input  wire [74:0]      turned,  // {z, y, x}, 25 bits each, signed
-  output reg              done,    // a triangle is done
+  output reg              done,    // a pulse: a triangle is complete
   output wire [9*W-1:0]   vertices, // {vertex 2, 1, 0}, {z, y, x} each, cut to W bits
   output wire [6*W+13:0]  box      // {damaged, outside W bits, high, low}, high z highest
 );
