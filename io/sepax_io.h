@@ -1,15 +1,15 @@
-/* sepax_io.h - libsepax-io: meshes from files, STL, OBJ, PLY, 3MF and DAE.
+/* sepax_io.h - libsepax-io: read meshes from files of the formats STL, OBJ, PLY, 3MF and DAE.
  *
- * The conventions are those of sepax.h. What is read is what the file says, or else the file is
- * refused:
- *   - Each element of a file becomes triangles, or is of a kind that has no surface (normals,
- *     colours, lines, names ...) and is counted by name in the account, or the reading fails and
- *     says where the element is. What docs/reference/meshes.md does not list is refused.
- *   - Coordinates are doubles. A decimal number is rounded once, to the nearest double; a binary
- *     one is exact. Where a file places its meshes by matrices (3MF, DAE), products and sums are
- *     rounded; equal vertices remain equal.
- *   - The number of faces is checked against a count that other code makes of the file.
- *   - A file has at most 1 GiB, and an archive unpacks to at most 1 GiB. Nothing is fetched from a
+ * The conventions are those of sepax.h. The reader either gives the whole surface that the file
+ * describes or refuses the file:
+ *   - An element with a surface becomes triangles. An element of a known kind without a surface
+ *     (normals, colours, lines, names ...) is counted in the account. Any other element is an
+ * error, and the text says where the element is. docs/reference/meshes.md lists all known kinds.
+ *   - Coordinates are doubles. A decimal number is rounded once, to the nearest double. A binary
+ *     number is exact. If a file places its meshes by matrices (3MF, DAE), then the products and
+ *     sums are rounded; equal vertices remain equal.
+ *   - Independent code counts the faces of the file. The reader fails if the two counts differ.
+ *   - A file has at most 1 GiB, and an archive unpacks to at most 1 GiB. The reader never uses the
  *     network.
  */
 #ifndef SEPAX_IO_H
@@ -24,8 +24,7 @@ extern "C" {
 #pragma GCC visibility push(default)
 #endif
 
-/* A kind of elements without a surface, such as "vertex normals", and how many of them there were.
- */
+/* A kind of element without a surface, for example "vertex normals", and how many the file has. */
 typedef struct {
   char what[60];
   size_t count;
@@ -33,37 +32,38 @@ typedef struct {
 
 enum { SEPAX_MESH_OTHERS_MOST = 32 };
 
-/* What a file has, and what became of it. */
+/* What a file has and what became of it. */
 typedef struct {
-  const char *format; /* "STL", "OBJ", "PLY", "3MF" or "DAE", as its content says */
-  char unit[24];      /* the name of its unit; "" where it has none */
-  double unit_mm;     /* its length in mm; 0: the file has none */
+  const char *format; /* "STL", "OBJ", "PLY", "3MF" or "DAE" */
+  char unit[24];      /* name of the file's unit of length; "" if the file names none */
+  double unit_mm;     /* length of that unit in mm; 0 if the file names none */
   size_t faces;       /* elements with a surface: triangles, polygons, strips, fans */
-  size_t triangles;   /* of the result: those of each face, as often as the file places it */
-  size_t divided;     /* polygons of more than three corners, which became triangles */
-  size_t bent;        /* those of them whose corners are in no common plane */
-  size_t unplaced;    /* faces of meshes that the file has, but places nowhere (3MF, DAE) */
+  size_t triangles;   /* triangles of the result; a face that is placed twice counts twice */
+  size_t divided;     /* polygons of more than three corners that were divided into triangles */
+  size_t bent;        /* divided polygons whose corners do not lie in one plane */
+  size_t unplaced;    /* faces of meshes that are in the file but placed nowhere (3MF, DAE) */
   sepax_mesh_other other[SEPAX_MESH_OTHERS_MOST]; /* in the order of the file */
-  size_t others;                                  /* how many kinds `other` has */
+  size_t others;                                  /* number of entries of `other` */
 } sepax_mesh_account;
 
-/* How a mesh is read. */
+/* Options of sepax_mesh_read. */
 typedef struct {
   size_t size;
-  size_t most;      /* triangles; a file that has more is refused. 0: 20,000,000 */
-  bool normals;     /* fill soup->normal, too. Only STL has normals of facets; others are refused */
-  double unit_mm;   /* the length in mm of a unit of the file, whatever it says; 0: as it says */
-  double result_mm; /* the length in mm of a unit of the result. Coordinates are multiplied by the
-                       file's unit over this one, rounded; those of a file without a unit stay. 0:
-                       all stay */
+  size_t most;      /* a file with more triangles is refused; 0: 20,000,000 */
+  bool normals;     /* also fill soup->normal; a file that is not STL is then refused */
+  double unit_mm;   /* length in mm of the file's unit, in place of what the file says, 0 ... 1e12;
+                       0: as the file says */
+  double result_mm; /* length in mm of the result's unit, 0 ... 1e12. Coordinates are multiplied by
+                       (unit of the file) / (unit of the result) and rounded. 0, or a file without a
+                       unit: coordinates stay */
 } sepax_mesh_reading;
 
-/* Read the mesh of a file into `soup`, which sepax_soup_free releases. The format is that of the
- * content, not of the name. `account` and `how` may be NULL; on failure both results are empty.
- * Time and memory grow with the length of the file; a polygon that is no fan of its first corner
- * takes time with the square of its corners (20,000 at most).
- * Errors: ARGUMENT on lengths outside 0 ... 1e12; FILE; FORMAT, with line, element or offset, and
- * the cure, also on a format whose library this build lacks; LIMIT on a file that is too long or
+/* Read the mesh of a file into `soup`. Free the soup with sepax_soup_free. The content of the file
+ * decides the format; the ending of its name counts only if the content is unclear. `account` and
+ * `how` may be NULL. Time and memory grow with the length of the file. A polygon that is not a fan
+ * around its first corner takes time with the square of its corners (at most 20,000).
+ * Errors: ARGUMENT if a length is not in 0 ... 1e12; FILE; FORMAT, with the line, element or offset
+ * and the cure, also for a format whose library this build lacks; LIMIT if the file is too long or
  * has too many triangles; MEMORY. */
 bool sepax_mesh_read(sepax_soup *soup, sepax_mesh_account *account, const char *path,
                      const sepax_mesh_reading *how, sepax_error *error);
