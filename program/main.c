@@ -17,14 +17,14 @@ enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 static void usage(FILE *out) {
   fprintf(out, "Usage: sepax COMMAND [OPTION...]\n"
-               "Triangle/triangle collision detection in hardware, and its golden model.\n\n");
+               "Check bodies for collisions, and generate hardware that does.\n\n");
   for (int i = 0; i < COMMAND_COUNT; i++) {
     fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].about);
   }
   fprintf(out,
-          "\n'sepax COMMAND --help' lists the options of a command; --version prints the "
-          "version.\nExit status: 0 done (check, path: free), 2 error; check, path: 1 collision, "
-          "3 warning, 4 undecided.\n");
+          "\n'sepax COMMAND --help' lists the options of a command. 'sepax --version' prints the "
+          "version.\nExit status: 0 success, 2 error. For check and path: 0 free, 1 collision, "
+          "2 error,\n3 warning, 4 undecided.\n");
 }
 
 int main(int argc, char **argv) {
@@ -54,7 +54,7 @@ int main(int argc, char **argv) {
     }
   }
   if (argc >= 2) {
-    fprintf(stderr, "sepax: no command '%s'; 'sepax --help' lists them\n", argv[1]);
+    fprintf(stderr, "sepax: unknown command '%s'; 'sepax --help' lists all commands\n", argv[1]);
   } else {
     usage(stderr);
   }

@@ -43,97 +43,109 @@ static const design_option table[] = {
     {.name = "arch", .kind = OPTION_ARCH, FIELD(arch), .standard = SEPAX_ARCH_EXACT,
      RANGE(0, SEPAX_ARCH_COUNT - 1), .archs = ALL, .named = ALL, .shown = true, .tag = "%s",
      .argument = "NAME",
-     .help = "exact (default), paper or conference; without hardware: reference, float32, "
+     .help = "architecture: exact (default), paper, conference; software only: reference, float32, "
              "float64, interval32, interval64, guigue32, guigue64, filtered"},
     {.name = "word", .letter = 'w', .kind = OPTION_NUMBER, FIELD(word), .standard = 18,
      RANGE(SEPAX_WORD_MIN, SEPAX_WORD_MAX), .archs = ALL, .named = ALL, .shown = true,
      .tag = "-w%s", .argument = "BITS",
-     .help = "word length W of a coordinate, 4 ... 32 (18)"},
+     .help = "bits W of a coordinate, 4 ... 32 (default 18)"},
     {.name = "ii", .kind = OPTION_NUMBER, FIELD(ii), .standard = 3, RANGE(1, SEPAX_II_MAX),
      .archs = HARDWARE, .named = EXACT, .shown = true, .tag = "-ii%s", .argument = "CYCLES",
-     .help = "initiation interval, paper and conference: 3; exact: 1 ... 18 (3)"},
+     .help = "initiation interval: cycles between two pairs, 1 ... 18 (default 3); paper and "
+             "conference have 3 only"},
     {.name = "coplanar", .kind = OPTION_CHOICE, FIELD(flag), CHOICES(coplanar_names),
      .archs = EXACT, .shown = true, .tag = "-%s", .argument = "HOW",
-     .help = "exact: decide coplanar pairs (default); flag: call them collisions and say so"},
+     .help = "exact: decide coplanar pairs (default); flag: call them collisions and flag them as "
+             "undecided, which saves gates"},
     {.name = "clock-ns", .kind = OPTION_PERIOD, FIELD(clock_ps), .standard = 2000,
      RANGE(500, 20000), .archs = EXACT, .shown = true, .tag = "-%sns", .argument = "PERIOD",
-     .help = "clock period to pipeline for, 0.5 ... 20 (2)"},
+     .help = "clock period in ns for which pipeline registers are placed, 0.5 ... 20 (default 2)"},
     {.name = "corner", .kind = OPTION_CHOICE, FIELD(corner), CHOICES(corner_names), .archs = EXACT,
      .tag = "-%s", .argument = "NAME",
-     .help = "of the cells that the clock period is for: typical (default), or slow"},
+     .help = "corner of the cells for which the clock period must hold: typical (default) or slow"},
     {.name = "target", .kind = OPTION_CHOICE, FIELD(target), CHOICES(target_names), .archs = EXACT,
      .tag = "-%s", .argument = "FAMILY",
-     .help = "what the Verilog is made for: asic (default), or FPGAs, whose multipliers it uses: "
-             "ice40, ecp5, xc7, xcup, gowin"},
+     .help = "technology: asic (default, multipliers made of gates) or an FPGA family (its own "
+             "multipliers): ice40, ecp5, xc7, xcup, gowin"},
     {.name = "extent-a", .kind = OPTION_NUMBER, FIELD(extent_a), .standard = 0,
      RANGE(1, INT32_MAX), .archs = EXACT, .needs = "extent-b", .tag = "-a%s", .argument = "LSB",
-     .help = "the longest side of the AABB of a triangle of A that is decided: an AABB test goes "
-             "before, and what is behind it is as short as the extents allow; a larger triangle "
-             "is called a collision and flagged (any; needs --extent-b)"},
+     .help = "largest AABB side of a triangle of A, in LSB. The core after the AABB test is built "
+             "for triangles up to this size, so it is smaller. A larger triangle is reported as a "
+             "collision and flagged as undecided (default: no limit; needs --extent-b)"},
     {.name = "extent-b", .kind = OPTION_NUMBER, FIELD(extent_b), .standard = 0,
      RANGE(1, INT32_MAX), .archs = EXACT, .needs = "extent-a", .tag = "-b%s", .argument = "LSB",
-     .help = "the same of B"},
+     .help = "largest AABB side of a triangle of B, in LSB (default: no limit; needs --extent-a)"},
     {.name = "early-out", .kind = OPTION_CHOICE, FIELD(early_out), CHOICES(early_names),
      .archs = EXACT, .tag = "-%s", .argument = "HOW",
-     .help = "boxes: an AABB test goes before the core, which idles for the pairs that it "
-             "decides; none (default)"},
+     .help = "boxes: put an AABB test before the core; the core idles for pairs that the test "
+             "decides, which saves energy; none (default): no such test"},
     {.name = "registered-ready", .kind = OPTION_SWITCH, FIELD(registered_ready),
      CHOICES(switch_names), .archs = EXACT, .tag = "-rr", .argument = "on|off",
-     .help = "a skid buffer before the core: in_ready is a register, which no input reaches "
-             "(off)"},
+     .help = "put a skid buffer before the core, so that in_ready comes from a register and no "
+             "input reaches it in the same cycle (default off)"},
     {.name = "clock-gating", .kind = OPTION_SWITCH, FIELD(clock_gating), CHOICES(switch_names),
      .archs = EXACT, .tag = "-cg", .argument = "on|off",
-     .help = "registers of the core have enables, which a pair brings along: without one they "
-             "stand still, and synthesis can gate their clocks (off)"},
+     .help = "give the registers of the core enables that follow each pair, so that registers "
+             "without a pair stand still and synthesis can gate their clocks (default off)"},
     {.name = "clearance", .kind = OPTION_NUMBER, FIELD(clearance), .standard = -1,
      RANGE(0, INT32_MAX), .archs = EXACT, .tag = "-c%s", .argument = "LSB",
-     .help = "call a pair free only if the real triangles are farther from each other than this, "
-             "whatever the rounding to LSB did to them (none)"},
+     .help = "call a pair free only if the real triangles, before they were rounded to LSB, are "
+             "farther apart than this distance (default: none)"},
     {.name = "warning", .kind = OPTION_NUMBER, FIELD(warning), .standard = 0, RANGE(1, INT32_MAX),
      .archs = EXACT, .needs = "clearance", .tag = "-d%s", .argument = "LSB",
-     .help = "a second, larger clearance: a band between free and collision (none)"},
+     .help = "a second, larger clearance: pairs between both distances are in the band warning "
+             "(default: none; needs --clearance)"},
     {.name = "stream", .kind = OPTION_CHOICE, FIELD(stream), CHOICES(stream_names), .archs = EXACT,
      .tag = "-%s", .argument = "WORDS",
-     .help = "AXI4-Stream around the core: a vertex a transfer of 128 bits, a triangle of 512, "
-             "or a pair of 1024; verdicts of 32 bits, in order (none)"},
+     .help = "put AXI4-Stream around the core. One transfer carries a vertex (128 bits), a "
+             "triangle (512) or a pair (1024); verdicts have 32 bits and come in order. none "
+             "(default): no stream"},
     {.name = "tag", .kind = OPTION_NUMBER, FIELD(tag), .standard = 16, RANGE(1, 64),
      .archs = EXACT, .shown = true, .needs = "stream", .tag = "-t%s", .argument = "BITS",
-     .help = "bits of the tag (TUSER) that goes with a pair to its verdict, 1 ... 64 (16)"},
+     .help = "bits of the tag (TUSER) that a pair passes on to its verdict, 1 ... 64 (default 16; "
+             "needs --stream)"},
     {.name = "lanes", .kind = OPTION_NUMBER, FIELD(lanes), .standard = 0,
      RANGE(1, SEPAX_LANES_MAX), .archs = EXACT, .tag = "-k%s", .argument = "K",
-     .help = "an object engine with K comparator lanes, 1 ... 64, around the core (none: the "
-             "core alone)"},
+     .help = "build an object engine with K comparator lanes around the core, 1 ... 64 (default: "
+             "no engine)"},
     {.name = "tree", .kind = OPTION_SWITCH, FIELD(tree), CHOICES(switch_names), .archs = EXACT,
      .tag = "-tree", .argument = "on|off",
-     .help = "a tree engine around the core: bodies as trees in external memory, poses (off)"},
+     .help = "build a tree engine around the core; it reads bodies as trees from external memory "
+             "and takes poses (default off)"},
     {.name = "cores", .kind = OPTION_NUMBER, FIELD(cores), .standard = 1,
      RANGE(1, SEPAX_CORES_MAX), .archs = EXACT, .shown = true, .needs = "lanes|tree", .tag = "x%s",
      .argument = "N",
-     .help = "cores of the engine, 1 ... 8 (1)"},
+     .help = "cores of the engine, 1 ... 8 (default 1; needs --lanes or --tree)"},
     {.name = "memory-a", .kind = OPTION_NUMBER, FIELD(memory_a), .standard = 512,
      RANGE(SEPAX_MEMORY_MIN, SEPAX_MEMORY_MAX), .archs = EXACT, .shown = true, .needs = "lanes",
      .tag = "-ma%s", .argument = "TRIANGLES",
-     .help = "triangles of A that it holds, a power of two (512)"},
+     .help = "triangles of A that the object engine holds, a power of two, 128 ... 32768 (default "
+             "512; needs --lanes)"},
     {.name = "memory-b", .kind = OPTION_NUMBER, FIELD(memory_b), .standard = 512,
      RANGE(SEPAX_MEMORY_MIN, SEPAX_MEMORY_MAX), .archs = EXACT, .shown = true, .needs = "lanes",
      .tag = "-mb%s", .argument = "TRIANGLES",
-     .help = "the same of B"},
+     .help = "triangles of B that the object engine holds, a power of two, 128 ... 32768 (default "
+             "512; needs --lanes)"},
     {.name = "precision", .kind = OPTION_PRECISION, FIELD(guard), .standard = -1,
      RANGE(-1, 2 * SEPAX_WORD_MAX + 3), .archs = PUBLISHED, .named = PUBLISHED, .shown = true,
      .tag = "-%s", .argument = "BITS",
-     .help = "full: every bit of an intermediate (default); word: W bits; guard=G: W + G bits"},
+     .help = "bits kept of each intermediate result: full (default): all; word: W; guard=G: W + G, "
+             "G = 0 ... 2 W + 3"},
     {.name = "block-float", .kind = OPTION_SWITCH, FIELD(block_float), CHOICES(switch_names),
      .archs = PUBLISHED, .shown = true, .tag = "-bf", .argument = "on|off",
-     .help = "shift each axis left in common before truncation (off)"},
+     .help = "before truncation, shift the three components of an axis left by the same number of "
+             "bits (default off)"},
     {.name = "coplanarity", .kind = OPTION_CHOICE, FIELD(coplanarity), CHOICES(coplanarity_names),
      .archs = PUBLISHED, .shown = true, .tag = "-cop", .argument = "TEST",
-     .help = "plane: B_k.N_A = A_k.N_A (default); paper: A_k.N_A = B_k.N_B, as printed"},
+     .help = "test of coplanarity: plane (default): B_k.N_A = A_k.N_A; paper: A_k.N_A = B_k.N_B, "
+             "as the paper prints it"},
     {.name = "inequality", .kind = OPTION_CHOICE, FIELD(inequality), CHOICES(inequality_names),
      .archs = PUBLISHED, .shown = true, .tag = "-ineq", .argument = "FORM",
-     .help = "correct (default), or printed: (5) as in the paper"},
+     .help = "inequality (5) of the paper: correct (default): max A < min B; printed: max A > min "
+             "B, as the paper prints it"},
     {.name = "epsilon", .kind = OPTION_NUMBER, FIELD(epsilon), .standard = PAPER_EPSILON,
      RANGE(0, INT32_MAX), .archs = PUBLISHED, .shown = true, .tag = "-e%s", .argument = "LSB",
-     .help = "tolerance of coplanarity (1; 0: equality)"},
+     .help = "tolerance of the test of coplanarity, in LSB (default 1; 0 means equality)"},
 };
 /* clang-format on */
 

@@ -35,21 +35,26 @@ enum {
 
 static const struct argp_option options[] = {
     {"poses", KEY_POSES, "FILE", 0,
-     "a verdict for each pose of B: 12 numbers a line, a rotation by rows, then a translation in "
-     "mm; # begins a comment",
+     "check each pose of B in FILE. A line has 12 numbers: the rotation by rows, then the "
+     "translation in mm; # begins a comment",
      0},
     {"nearest-rotation", KEY_NEAREST, NULL, 0,
-     "take the rotations nearest to the matrices of --poses, which may have few decimals", 0},
-    {"first", KEY_FIRST, NULL, 0, "stop at the first pair that collides (of each pose)", 0},
+     "replace each matrix of --poses by the nearest rotation, for matrices with few decimals", 0},
+    {"first", KEY_FIRST, NULL, 0, "stop at the first colliding pair of triangles in each pose", 0},
     {"surfaces", KEY_SURFACES, NULL, 0,
-     "the files are surfaces, open or not: do not ask whether one is inside the other", 0},
-    {"pairs", KEY_PAIRS, "FILE", 0, "write the colliding pairs as CSV, not to standard output", 0},
-    {"ply", KEY_PLY, "FILE", 0, "write both meshes as PLY, colliding triangles in colour", 0},
+     "treat the meshes as surfaces, not solids: do not test whether one body is inside the other",
+     0},
+    {"pairs", KEY_PAIRS, "FILE", 0,
+     "write the colliding pairs to FILE as CSV, not to standard output", 0},
+    {"ply", KEY_PLY, "FILE", 0,
+     "write both meshes to FILE as PLY, with the colliding triangles in colour", 0},
     {"threads", KEY_THREADS, "N", 0,
-     "threads of --poses and of --grid with --arch=exact (one for each processor)", 0},
+     "number of threads for --poses, and for --grid with --arch=exact (default: one for each "
+     "processor)",
+     0},
     {"grid", KEY_GRID, NULL, 0,
-     "what hardware would say: round the meshes to integers and ask a design; there are more "
-     "options for it",
+     "say what hardware would say: round the meshes to integers and judge them with a design "
+     "(design options below)",
      0},
     {0}};
 
@@ -224,9 +229,9 @@ int cli_check(int argc, char **argv) {
       options,
       parse,
       "A B",
-      "Do two bodies collide, and which of their triangles? The files are meshes: STL, OBJ, PLY, "
-      "3MF or DAE. Decided exactly for their coordinates; a body inside a closed one collides, "
-      "too. Indices count facets and poses from 0.\v"
+      "Tell whether two bodies collide, and which of their triangles do. A and B are mesh files: "
+      "STL, OBJ, PLY, 3MF or DAE. The answer is exact for the coordinates in the files. A body "
+      "inside a closed body collides, too. Triangles and poses are numbered from 0.\v"
       "Exit status: 0 free, 1 collision, 2 error, 3 warning, 4 undecided.",
       children,
       NULL,

@@ -7,10 +7,13 @@ enum { KEY_UNIT = 0x680, KEY_WELD };
 
 static const struct argp_option options[] = {
     {"unit", KEY_UNIT, "LENGTH", 0,
-     "a unit of the mesh files is LENGTH: 1mm, 25.4mm, 1m, whatever a 3MF or DAE says itself", 0},
+     "length of one unit of the mesh files, for example 1mm, 25.4mm or 1m; it overrides the unit "
+     "that a 3MF or DAE file names",
+     0},
     {"weld", KEY_WELD, "LENGTH", 0,
-     "vertices within LENGTH of each other are one; triangles that lose their area or are there "
-     "twice go; vertices near an open edge are put into it. The verdict is that of the welded body",
+     "close small gaps first: merge vertices within LENGTH of each other, leave out triangles "
+     "that lose their area or are copies, and insert vertices into open edges within LENGTH. The "
+     "result is that of the welded body",
      0},
     {0}};
 

@@ -75,7 +75,8 @@ void cli_options_init(void) {
   config_options[used] = (struct argp_option){
       .name = "environment",
       .key = KEY_ENVIRONMENT,
-      .doc = "take options from variables, too: WORD for --word, CLOCK_NS for --clock-ns",
+      .doc = "also take design options from environment variables: WORD for --word, CLOCK_NS for "
+             "--clock-ns",
       .group = 1};
 }
 
@@ -117,13 +118,17 @@ enum { KEY_OFFSET = 0x200, KEY_NORMALS };
 static const struct argp_option grid_options[] = {
     {NULL, 0, NULL, 0, "Quantisation:", 4},
     {"resolution", 'r', "LENGTH", 0,
-     "length of one LSB, with nm, um, mm or m behind it, or in mm (without it the meshes are "
-     "fitted into the word)",
+     "length of one LSB, with a unit (nm, um, mm, m) or in mm; without this option, the finest "
+     "grid that holds the meshes is used",
      0},
     {"offset", KEY_OFFSET, "X,Y,Z", 0,
-     "file coordinates of the integer origin (0,0,0); needs --resolution", 0},
+     "point of the file, in mm, that becomes the integer origin (default 0,0,0; needs "
+     "--resolution)",
+     0},
     {"normals", KEY_NORMALS, "SOURCE", 0,
-     "computed: from the quantised vertices (default); file: as the STL says", 0},
+     "normals of the triangles: computed (default): from the rounded vertices; file: from the STL "
+     "file",
+     0},
     {0}};
 
 static error_t parse_grid(int key, char *text, struct argp_state *state) {

@@ -9,13 +9,11 @@ enum { KEY_CLEARANCE = 0x600, KEY_WARNING };
 
 static const struct argp_option bands_options[] = {
     {"clearance", KEY_CLEARANCE, "LENGTH", 0,
-     "bodies collide unless they are farther from each other than LENGTH: 0.1mm, say, with nm, um, "
-     "mm or m; without a unit it is mm for meshes, m for a URDF",
+     "call bodies a collision unless they are farther apart than LENGTH, for example 0.1mm; units "
+     "are nm, um, mm, m; a number without a unit is in mm for meshes and in m for a URDF",
      0},
     {"warning", KEY_WARNING, "LENGTH", 0,
-     "a second, larger clearance: warn of bodies unless they are farther from each other than "
-     "LENGTH",
-     0},
+     "a second, larger clearance: warn unless the bodies are farther apart than LENGTH", 0},
     {0}};
 
 report_limit cli_limit(const struct argp_state *state, const char *option, const char *text,
@@ -54,7 +52,7 @@ const struct argp cli_bands_argp = {bands_options, parse_bands, NULL, NULL, NULL
 
 static const struct argp_option output_options[] = {
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
-    {"quiet", 'q', NULL, 0, "print nothing: the exit status tells", 0},
+    {"quiet", 'q', NULL, 0, "print nothing; the exit status is the answer", 0},
     {0}};
 
 static error_t parse_output(int key, char *text, struct argp_state *state) {

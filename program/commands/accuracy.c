@@ -23,22 +23,24 @@ typedef struct {
 enum { KEY_FLIPS = 0x300, KEY_NUDGES, KEY_TRUTH, KEY_CSV };
 
 static const struct argp_option options[] = {
-    {"family", 'f', "NAME", 0, "one family of cases, or all (all)", 0},
-    {"count", 'n', "PAIRS", 0, "pairs of each family (100000)", 0},
+    {"family", 'f', "NAME", 0, "family of hard pairs, or all (default all)", 0},
+    {"count", 'n', "PAIRS", 0, "number of pairs of each family (default 100000)", 0},
     {"flips", KEY_FLIPS, "PAIRS", 0,
-     "so many pairs of each family also in every vertex order, exchanged, moved, with axes "
-     "permuted and reflected, and scaled by 2 (none)",
+     "also judge this many pairs of each family with the vertices in every order, the triangles "
+     "exchanged, moved, with axes permuted and reflected, and scaled by 2, and count verdicts "
+     "that change (default 0)",
      0},
     {"nudges", KEY_NUDGES, "PAIRS", 0,
-     "so many pairs of each family, or of the meshes, also with each coordinate -1, 0 or 1 LSB off "
-     "at random: does the verdict change? (none)",
+     "also judge this many pairs of each family, or of the meshes, with each coordinate changed "
+     "by -1, 0 or 1 LSB at random, and count verdicts that change (default 0)",
      0},
-    {"seed", 's', "SEED", 0, "seed of the random numbers (1)", 0},
+    {"seed", 's', "SEED", 0, "seed of the random numbers (default 1)", 0},
     {"truth", KEY_TRUTH, "OF", 0,
-     "quantised: the verdict on the W-bit integers (default); real: on the triangles before they "
-     "were rounded to W bits (4 ... 27), given 31 - W bits finer, at half the range",
+     "the right verdict is that on the W-bit triangles (quantised, default) or that on the "
+     "triangles before they were rounded to W bits (real; W = 4 ... 27). Real triangles have 31 - "
+     "W more bits and half the range",
      0},
-    {"csv", KEY_CSV, NULL, 0, "comma-separated, for programs", 0},
+    {"csv", KEY_CSV, NULL, 0, "print CSV instead of text", 0},
     {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
@@ -394,11 +396,10 @@ int cli_accuracy(int argc, char **argv) {
       options,
       parse,
       "[A.stl B.stl]",
-      "Count the wrong verdicts of a design on seeded hard pairs, or on the pairs of triangles of "
-      "two meshes whose AABBs overlap or have a gap of 1 LSB: collisions that it misses and "
-      "how deep the deepest is, false alarms and how wide the widest gap is, in LSB; and "
-      "verdicts that change with the order of vertices or of triangles, a translation, a symmetry "
-      "or a scale.",
+      "Count the wrong verdicts of a design on hard pairs of triangles, or on the pairs of "
+      "triangles of two meshes whose AABBs overlap or have a gap of 1 LSB. A missed collision is a "
+      "colliding pair that the design calls separated; the deepest one is printed. A false alarm "
+      "is the reverse; the one with the widest gap is printed. Both are in LSB.",
       children,
       NULL,
       NULL};

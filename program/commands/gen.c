@@ -11,7 +11,7 @@ typedef struct {
 } gen_options;
 
 static const struct argp_option options[] = {
-    {"output", 'o', "DIR", 0, "folder for the Verilog (made if missing)", 0}, {0}};
+    {"output", 'o', "DIR", 0, "folder for the Verilog; it is made if missing", 0}, {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
   gen_options *o = state->input;
@@ -41,9 +41,10 @@ int cli_gen(int argc, char **argv) {
       options,
       parse,
       NULL,
-      "Generate the Verilog of a design: one module a file, sepax.f (their list), "
-      "sepax_params.h, sepax_params.vh and sepax.json for test benches, sepax.sdc and for Xilinx "
-      "sepax.xdc (the clock), sepax.gtkw (ports for GTKWave); of an engine its registers.",
+      "Generate the Verilog of a design. The folder receives one file for each module and: sepax.f "
+      "(list of the files), sepax_params.h, sepax_params.vh and sepax.json (parameters for test "
+      "benches), sepax.sdc and for Xilinx sepax.xdc (clock constraints), sepax.gtkw (ports for "
+      "GTKWave), and for an engine descriptions of its registers.",
       children,
       NULL,
       NULL};

@@ -17,9 +17,9 @@ typedef struct {
 
 static const struct argp_option options[] = {
     {"echo", 'e', NULL, 0,
-     "print the 24 integers of the pair before its verdict, and behind it, for designs with "
-     "hardware, whether the pair is coplanar (0, 1), for exact also the axis (0 ... 12, behind an "
-     "AABB test to 14) and with a clearance the band",
+     "print the 24 integers of the pair before its verdict. Designs with hardware also print, "
+     "after the verdict, whether the pair is coplanar (0 or 1); exact then prints the axis (0 ... "
+     "12, with an AABB test 0 ... 14) and with a clearance the band",
      0},
     {0}};
 
@@ -80,9 +80,10 @@ int cli_judge(int argc, char **argv) {
       options,
       parse,
       "[FILE]",
-      "Print 1 (collision) or 0 (separated) for each pair of FILE or standard input: a line "
-      "of 18 integers A1x A1y A1z ... B3z, or 24 with both normals (computed when absent); "
-      "'#' starts a comment. --arch=reference gives the verdicts of exact by another method.",
+      "Print the verdict of a design on each pair of triangles in FILE or standard input: 1 "
+      "(collision) or 0 (separated). A pair is a line of 18 integers A1x A1y A1z ... B3z, or of 24 "
+      "integers, the last six of which are the normals. Missing normals are computed. '#' starts a "
+      "comment. --arch=reference gives the verdicts of exact by another method.",
       children,
       NULL,
       NULL};

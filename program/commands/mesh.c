@@ -15,12 +15,13 @@ typedef struct {
 enum { KEY_AT = 0x300, KEY_SIZE, KEY_ASCII, KEY_LIST };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0, "the STL file to write", 0},
-    {"triangles", 'n', "COUNT", 0, "number of triangles, even (400)", 0},
-    {"at", KEY_AT, "X,Y,Z", 0, "position of the object in mm (0,0,0)", 0},
-    {"size", KEY_SIZE, "MM", 0, "diameter or longest side (by shape)", 0},
-    {"ascii", KEY_ASCII, NULL, 0, "write ASCII instead of binary STL", 0},
-    {"list", KEY_LIST, NULL, 0, "list the shapes", 0},
+    {"output", 'o', "FILE", 0, "STL file to write", 0},
+    {"triangles", 'n', "COUNT", 0, "number of triangles, an even number (default 400)", 0},
+    {"at", KEY_AT, "X,Y,Z", 0, "position of the object in mm (default 0,0,0)", 0},
+    {"size", KEY_SIZE, "MM", 0,
+     "diameter or longest side of the object in mm (default: that of the shape)", 0},
+    {"ascii", KEY_ASCII, NULL, 0, "write ASCII STL instead of binary STL", 0},
+    {"list", KEY_LIST, NULL, 0, "list the shapes and exit", 0},
     {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
@@ -65,9 +66,12 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 int cli_mesh(int argc, char **argv) {
   static const struct argp argp = {
-      options, parse,
-      "SHAPE", "Write a sample object, a closed mesh of a chosen number of triangles, as STL.",
-      NULL,    NULL,
+      options,
+      parse,
+      "SHAPE",
+      "Write a sample object as an STL file: a closed mesh with any even number of triangles.",
+      NULL,
+      NULL,
       NULL};
   mesh_options o = {.triangles = 400};
   argp_parse(&argp, argc, argv, 0, NULL, &o);

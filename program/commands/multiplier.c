@@ -20,18 +20,20 @@ enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500, KEY_DIGITS, KEY_LESS, KEY_TARGET
 
 static const struct argp_option options[] = {
     {"a", 'a', "BITS", 0, "bits of the first factor, 3 ... 80", 0},
-    {"b", 'b', "BITS", 0, "bits of the second factor, which is recoded; at most those of a", 0},
-    {"product", 'p', "BITS", 0, "bits of the product kept, the lowest, at most 128 (all of them)",
-     0},
+    {"b", 'b', "BITS", 0, "bits of the second factor, which is recoded; at most the bits of a", 0},
+    {"product", 'p', "BITS", 0,
+     "number of lowest bits of the product to keep, at most 128 (default: all)", 0},
     {"digits", KEY_DIGITS, "COUNT", 0,
-     "a (b - K) instead of a b, K = 1 + 4 + ... + 4^(COUNT - 2), which saves an addition; "
-     "floor(b / 4^(COUNT - 1)) must be in -2 ... 2",
+     "compute a (b - K) instead of a b, which saves an addition; K = 1 + 4 + ... + 4^(COUNT - 2), "
+     "and floor(b / 4^(COUNT - 1)) must be in -2 ... 2",
      0},
-    {"less", KEY_LESS, "1|2", 0, "with --digits: K = 2 (1 + 4 + ...) for 2 (1)", 0},
-    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period to pipeline for (no registers)", 0},
-    {"target", KEY_TARGET, "TARGET", 0,
-     "what the Verilog is made for: asic (default), ice40, ecp5, xc7, xcup, gowin", 0},
-    {"output", 'o', "DIR", 0, "folder for the Verilog (made if missing)", 0},
+    {"less", KEY_LESS, "1|2", 0,
+     "factor of K: with 2, K = 2 (1 + 4 + ...) (default 1; needs --digits)", 0},
+    {"clock-ns", KEY_CLOCK, "PERIOD", 0,
+     "clock period in ns for which pipeline registers are placed (default: no registers)", 0},
+    {"target", KEY_TARGET, "TARGET", 0, "technology: asic (default), ice40, ecp5, xc7, xcup, gowin",
+     0},
+    {"output", 'o', "DIR", 0, "folder for the Verilog; it is made if missing", 0},
     {0}};
 
 /* A count above 0. */
@@ -185,9 +187,9 @@ int cli_multiplier(int argc, char **argv) {
       options,
       parse,
       NULL,
-      "Generate the Verilog of one signed multiplier: rows by radix-4 digits -1 ... 2, full adders "
-      "by columns, one addition; the same that architecture exact is made of. For an FPGA: parts "
-      "for its own multipliers.",
+      "Generate the Verilog of one signed multiplier, as in designs of architecture exact: radix-4 "
+      "digits -1 ... 2 select rows, full adders reduce the columns, and one addition gives the "
+      "product. For an FPGA, the factors are cut into parts for its own multipliers.",
       NULL,
       NULL,
       NULL};

@@ -18,14 +18,15 @@ typedef struct {
 enum { KEY_WHAT = 0x400 };
 
 static const struct argp_option options[] = {
-    {"options", KEY_WHAT + PRINT_TEXT, NULL, 0, "print the options: --arch=exact --word=18 ...", 0},
+    {"options", KEY_WHAT + PRINT_TEXT, NULL, 0,
+     "print the design's options: --arch=exact --word=18 ...", 0},
     {"make", KEY_WHAT + PRINT_MAKE, NULL, 0,
-     "print words for the shell: DESIGN_NAME=..., DESIGN_ENGINE=..., OPTIONS=..., then WORD=18 and "
-     "so on",
+     "print assignments for a shell: DESIGN_NAME=..., DESIGN_ENGINE=..., OPTIONS=..., then one for "
+     "each option, such as WORD=18",
      0},
-    {"list", KEY_WHAT + PRINT_LIST, NULL, 0, "list every option as a variable of make", 0},
+    {"list", KEY_WHAT + PRINT_LIST, NULL, 0, "list all design options as variables of make", 0},
     {"only", KEY_WHAT + PRINT_ONLY, NULL, 0,
-     "print the variables that only this architecture reads", 0},
+     "list the variables that only the architecture of --arch reads", 0},
     {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
@@ -105,8 +106,10 @@ static void print_design(const name_options *o) {
 int cli_name(int argc, char **argv) {
   static const struct argp_child children[] = {{&cli_config_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
-      options,  parse, NULL, "Print the name of a design, that of its folder in build/core.",
-      children, NULL,  NULL};
+      options,  parse,
+      NULL,     "Print the name of a design, which is also the name of its folder in build/core.",
+      children, NULL,
+      NULL};
   name_options o = {.config = sepax_config_default()};
   argp_parse(&argp, argc, argv, 0, NULL, &o);
   sepax_error error = {0};

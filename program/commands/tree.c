@@ -21,10 +21,11 @@ typedef struct {
 enum { KEY_WORD = 0x400, KEY_WALK, WORD = 18 };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0, "the file to write; without it a tree or a list of jobs is checked",
-     0},
-    {"word", KEY_WORD, "W", 0, "bits of a coordinate, 4 ... 21 (18)", 0},
-    {"walk", KEY_WALK, NULL, 0, "of a list of jobs: what the golden model answers in each pose", 0},
+    {"output", 'o', "FILE", 0,
+     "tree to write; without this option, MESH is a tree or a list of jobs and is checked", 0},
+    {"word", KEY_WORD, "W", 0, "bits of a coordinate, 4 ... 21 (default 18)", 0},
+    {"walk", KEY_WALK, NULL, 0,
+     "for a list of jobs: print the answer of the golden model in each pose", 0},
     {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
@@ -113,10 +114,9 @@ int cli_tree(int argc, char **argv) {
       options,
       parse,
       "MESH",
-      "Write the triangles of a mesh (STL, OBJ, PLY, 3MF, DAE) as a tree in the memory format of "
-      "the tree engine (docs/reference/tree-engine.md). Two trees are for each other if their "
-      "resolutions are equal. Of a list of jobs, as sepax path --jobs writes it, tell what is in "
-      "it.",
+      "Write a mesh (STL, OBJ, PLY, 3MF, DAE) as a tree in the memory format of the tree engine "
+      "(docs/reference/tree-engine.md). Two trees fit each other if their resolutions are equal. "
+      "Without --output, describe an existing tree, or a list of jobs from sepax path --jobs.",
       children,
       NULL,
       NULL};

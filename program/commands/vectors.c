@@ -17,16 +17,18 @@ typedef struct {
 enum { KEY_NORMALS = 0x200, KEY_LIST, KEY_EXTENT_A, KEY_EXTENT_B, KEY_EXCEED };
 
 static const struct argp_option options[] = {
-    {"family", 'f', "NAME", 0, "one family of cases, or all of them in turn (all)", 0},
-    {"count", 'n', "PAIRS", 0, "number of pairs (1000)", 0},
-    {"seed", 's', "SEED", 0, "seed of the random numbers (1)", 0},
-    {"normals", KEY_NORMALS, NULL, 0, "print 24 integers: with both normals", 0},
-    {"word", 'w', "BITS", 0, "word length W of a coordinate, 4 ... 32 (18)", 0},
-    {"extent-a", KEY_EXTENT_A, "LSB", 0, "the longest side of an AABB of A (any; needs --extent-b)",
-     0},
-    {"extent-b", KEY_EXTENT_B, "LSB", 0, "the same of B", 0},
-    {"exceed", KEY_EXCEED, NULL, 0, "with these: one triangle of each pair exceeds its extent", 0},
-    {"list", KEY_LIST, NULL, 0, "list the families", 0},
+    {"family", 'f', "NAME", 0, "family of hard pairs, or all of them in turn (default all)", 0},
+    {"count", 'n', "PAIRS", 0, "number of pairs (default 1000)", 0},
+    {"seed", 's', "SEED", 0, "seed of the random numbers (default 1)", 0},
+    {"normals", KEY_NORMALS, NULL, 0, "print 24 integers for each pair, with both normals", 0},
+    {"word", 'w', "BITS", 0, "bits W of a coordinate, 4 ... 32 (default 18)", 0},
+    {"extent-a", KEY_EXTENT_A, "LSB", 0,
+     "largest AABB side of a triangle of A, in LSB (default: no limit; needs --extent-b)", 0},
+    {"extent-b", KEY_EXTENT_B, "LSB", 0,
+     "largest AABB side of a triangle of B, in LSB (default: no limit; needs --extent-a)", 0},
+    {"exceed", KEY_EXCEED, NULL, 0,
+     "let one triangle of each pair exceed its extent (needs both extents)", 0},
+    {"list", KEY_LIST, NULL, 0, "list the families and exit", 0},
     {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
@@ -103,8 +105,8 @@ int cli_vectors(int argc, char **argv) {
       options,
       parse,
       NULL,
-      "Print pairs of triangles, one a line, that sepax judge and the test benches read. Same "
-      "seed, same pairs.",
+      "Print hard pairs of triangles, one in each line, as sepax judge and the test benches read "
+      "them. The same seed gives the same pairs.",
       NULL,
       NULL,
       NULL};

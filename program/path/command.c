@@ -30,26 +30,33 @@ enum {
 enum { INTERVALS_MOST = 1000000000 };
 
 static const struct argp_option options[] = {
-    {"csv", KEY_CSV, "FILE", 0, "write the lines and pairs that are not free as CSV", 0},
-    {"worst", KEY_WORST, "FILE", 0, "write all bodies in the worst pose as PLY", 0},
+    {"csv", KEY_CSV, "FILE", 0,
+     "write each line and pair of bodies that is not free to FILE as CSV", 0},
+    {"worst", KEY_WORST, "FILE", 0, "write all bodies in the worst pose to FILE as PLY", 0},
     {"page", KEY_PAGE, "FILE", 0,
-     "write an HTML page to look at all bodies and go through the path in a browser", 0},
-    {"jobs", KEY_JOBS, "FILE", 0, "write the pairs in all lines as jobs of the tree engine", 0},
-    {"word", KEY_WORD, "W", 0, "bits of a coordinate of --jobs, 6 ... 21 (18)", 0},
-    {"lsb", KEY_LSB, "LENGTH", 0, "length per LSB of --jobs (the finest that the word holds)", 0},
-    {"no-distance", KEY_NO_DISTANCE, NULL, 0, "verdicts only, no least clearance, which is faster",
-     0},
+     "write an HTML page to FILE that shows the bodies and plays the path in a browser", 0},
+    {"jobs", KEY_JOBS, "FILE", 0,
+     "write all pairs of bodies in all lines to FILE as jobs of the tree engine", 0},
+    {"word", KEY_WORD, "W", 0, "bits of a coordinate in --jobs, 6 ... 21 (default 18)", 0},
+    {"lsb", KEY_LSB, "LENGTH", 0,
+     "length of one LSB in --jobs (default: the finest that the word holds)", 0},
+    {"no-distance", KEY_NO_DISTANCE, NULL, 0,
+     "find verdicts only, not the least clearance; this is faster", 0},
     {"certify", KEY_CERTIFY, NULL, 0,
-     "are the ways between the lines free, too, if all joints go linearly? Of each pair that does "
-     "not collide in a line",
+     "also prove that the motion between the lines is free while all joints move linearly, for "
+     "each pair of bodies that collides in no line",
      0},
-    {"certificate", KEY_CERTIFICATE, "FILE", 0, "write the proof of --certify for programs", 0},
+    {"certificate", KEY_CERTIFICATE, "FILE", 0,
+     "write the proof of --certify to FILE, for sepax-certificate-check", 0},
     {"resolution", KEY_RESOLUTION, "LENGTH", 0,
-     "how short the ways become that --certify divides (1um)", 0},
+     "--certify does not divide motions of LENGTH or less any further (default 1um)", 0},
     {"intervals", KEY_INTERVALS, "N", 0,
-     "into how many --certify divides the way of a pair, besides 64 for each line (262144)", 0},
-    {"surfaces", KEY_SURFACES, NULL, 0, "do not ask whether one body is inside the other", 0},
-    {"threads", KEY_THREADS, "N", 0, "threads (one for each processor)", 0},
+     "--certify divides the motion of a pair of bodies into at most N intervals, plus 64 for each "
+     "line (default 262144)",
+     0},
+    {"surfaces", KEY_SURFACES, NULL, 0,
+     "treat the meshes as surfaces, not solids: do not test whether one body is inside another", 0},
+    {"threads", KEY_THREADS, "N", 0, "number of threads (default: one for each processor)", 0},
     {0}};
 
 static error_t parse_argument(path_question *q, char *text, struct argp_state *state) {
@@ -232,10 +239,10 @@ int cli_path(int argc, char **argv) {
       options,
       parse,
       "ROBOT.urdf PATH.csv",
-      "Which bodies of a mechanism collide on a path, first in which line, and how near do the "
-      "others come? The bodies are the collision geometry of a URDF's links; the header of the CSV "
-      "names joints, a line has their values. Exact in the pose of each line; of what is between "
-      "lines only --certify tells.\v"
+      "Tell which bodies of a machine collide on a path, in which line first, and how near the "
+      "other bodies come. The bodies are the collision geometry of the links in the URDF file. The "
+      "header of the CSV file names joints, and each line has their values. The verdict is exact "
+      "for the pose of each line. Only --certify checks the motion between the lines.\v"
       "Exit status: 0 free, 1 collision, 2 error, 3 warning, 4 undecided.",
       children,
       NULL,

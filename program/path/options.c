@@ -8,12 +8,13 @@ enum { KEY_SRDF = 0x500, KEY_PACKAGE, KEY_HOLD, KEY_IGNORE_LIMITS };
 
 static const struct argp_option options[] = {
     {"srdf", KEY_SRDF, "FILE", 0,
-     "compare the pairs of links that this SRDF does not disable; without it all but the two links "
-     "of a joint and those that no joint moves against each other",
+     "check all pairs of links that this SRDF file does not disable. Default: all pairs but the "
+     "two links of a joint and links that no joint moves against each other",
      0},
-    {"package", KEY_PACKAGE, "NAME:FOLDER", 0, "where package://NAME/ is; may be given again", 0},
-    {"hold", KEY_HOLD, NULL, 0, "joints without a column stay at 0", 0},
-    {"ignore-limits", KEY_IGNORE_LIMITS, NULL, 0, "values may be beyond the limits of their joints",
+    {"package", KEY_PACKAGE, "NAME:FOLDER", 0,
+     "package://NAME/ in the URDF is this folder; the option may be repeated", 0},
+    {"hold", KEY_HOLD, NULL, 0, "keep joints that have no column in the CSV at 0", 0},
+    {"ignore-limits", KEY_IGNORE_LIMITS, NULL, 0, "accept values beyond the limits of their joints",
      0},
     {0}};
 

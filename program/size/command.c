@@ -28,42 +28,51 @@ enum {
 };
 
 static const struct argp_option options[] = {
-    {NULL, 0, NULL, 0, "Scene (a LENGTH has nm, um, mm or m behind it, or is in mm):", 1},
-    {"resolution", 'r', "LENGTH", 0, "length per LSB", 0},
+    {NULL, 0, NULL, 0, "Scene (a LENGTH has a unit, nm, um, mm or m, or is in mm):", 1},
+    {"resolution", 'r', "LENGTH", 0, "length of one LSB", 0},
     {"offset", KEY_OFFSET, "X,Y,Z", 0,
-     "file coordinates of the integer origin (the middle of the workspace)", 0},
+     "point of the files, in mm, that becomes the integer origin (default: the middle of the "
+     "workspace)",
+     0},
     {"workspace", KEY_WORKSPACE, "SIZE", 0,
-     "a cuboid that must hold all poses: LENGTH, LENGTHxLENGTHxLENGTH, or LENGTH..LENGTHx... in "
-     "the file's coordinates (what the poses need)",
+     "a cuboid that must hold all poses: LENGTH, LENGTHxLENGTHxLENGTH, or LOW..HIGHxLOW..HIGHx"
+     "LOW..HIGH in the files' coordinates (default: the AABB of all poses)",
      0},
     {"motion", KEY_MOTION, "WHERE", 0,
-     "how B may move from its pose in the file: x:LENGTH..LENGTH, y:..., z:... and rotate:x, "
-     "rotate:y, rotate:z or rotate, with commas between (not at all)",
+     "how B may move from its pose in the file: a list with commas of x:LENGTH..LENGTH, y:..., "
+     "z:... and rotate:x, rotate:y, rotate:z or rotate (default: B does not move)",
      0},
-    {"centre", KEY_CENTRE, "X,Y,Z", 0, "what B rotates about, file coordinates (0,0,0)", 0},
-    {"motion-a", KEY_MOTION_A, "WHERE", 0, "the same of A", 0},
-    {"centre-a", KEY_CENTRE_A, "X,Y,Z", 0, "the same of A", 0},
+    {"centre", KEY_CENTRE, "X,Y,Z", 0,
+     "point of the files, in mm, about which B rotates (default 0,0,0)", 0},
+    {"motion-a", KEY_MOTION_A, "WHERE", 0, "how A may move, as --motion (default: not at all)", 0},
+    {"centre-a", KEY_CENTRE_A, "X,Y,Z", 0, "point about which A rotates (default 0,0,0)", 0},
     {"samples", KEY_SAMPLES, "COUNT", 0,
-     "poses of a moving body to sample for the candidates that the AABB test leaves (64)", 0},
-    {"seed", 's', "SEED", 0, "seed of these poses (1)", 0},
+     "number of random poses of a moving body in which pairs with overlapping AABBs are counted "
+     "(default 64)",
+     0},
+    {"seed", 's', "SEED", 0, "seed of these random poses (default 1)", 0},
     {"poses", KEY_POSES, "FILE", 0,
-     "the path of B, instead of a motion: 12 numbers a line, a rotation by rows, then a "
-     "translation in mm; tree engines are looked at, too",
+     "path of B, instead of --motion. A line has 12 numbers: the rotation by rows, then the "
+     "translation in mm. Tree engines are then considered, too",
      0},
     {NULL, 0, NULL, 0, "Design:", 3},
-    {"time", KEY_TIME, "TIME", 0, "for a pose, with ns, us, ms or s behind it (0.96ms)", 0},
-    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period, 0.5 ... 20 (2)", 0},
+    {"time", KEY_TIME, "TIME", 0,
+     "time that a pose may take, with a unit (ns, us, ms, s; default 0.96ms)", 0},
+    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period in ns, 0.5 ... 20 (default 2)", 0},
     {"lanes", KEY_LANES, "COUNT", 0,
-     "comparator lanes, 0 ... 64; 0: a core alone (as many as the time takes)", 0},
-    {"tree", KEY_TREE, NULL, 0, "a tree engine; needs --poses", 0},
+     "consider only designs with this number of comparator lanes, 0 ... 64; 0 is a core without "
+     "an engine (default: any number)",
+     0},
+    {"tree", KEY_TREE, NULL, 0, "consider only tree engines (needs --poses)", 0},
     {"first", KEY_FIRST, NULL, 0,
-     "a tree engine ends a pose at its first collision (it finds all); needs --poses", 0},
+     "a tree engine ends each pose at its first collision (default: it finds all; needs --poses)",
+     0},
     {"latency", KEY_LATENCY, "CYCLES", 0,
-     "of a tree engine's memory, 1 ... 100000 (100); needs --poses", 0},
+     "latency of a tree engine's memory in cycles, 1 ... 100000 (default 100; needs --poses)", 0},
     {NULL, 0, NULL, 0, "Output:", 4},
     {"json", 'j', NULL, 0, "print JSON instead of text", 0},
-    {"gen", KEY_GEN, NULL, 0, "generate the design, too, as sepax gen does; needs -o", 0},
-    {"output", 'o', "DIR", 0, "folder for its Verilog (made if missing)", 0},
+    {"gen", KEY_GEN, NULL, 0, "also generate the design, as sepax gen does (needs --output)", 0},
+    {"output", 'o', "DIR", 0, "folder for the Verilog of --gen; it is made if missing", 0},
     {0}};
 
 /* ----------------------------------------------------------------------- parsing */
@@ -413,15 +422,17 @@ static bool generate(const size_options *o, const sepax_sized_design *m, sepax_e
 }
 
 int cli_size(int argc, char **argv) {
-  static const struct argp_child children[] = {{&path_scene_argp, 0, "Scene of a mechanism:", 2},
-                                               {0}};
+  static const struct argp_child children[] = {
+      {&path_scene_argp, 0, "Scene of a machine and its path:", 2}, {0}};
   static const struct argp argp = {
       options,
       parse,
       "A B\nROBOT.urdf PATH.csv",
-      "What an exact design for two meshes needs in every pose, and the design of the fewest gates "
-      "that judges all pairs in time: a core alone, behind comparator lanes or, on a path, behind "
-      "trees. Of a mechanism on a path: for all pairs of bodies that are compared, in each line.",
+      "Find the design of architecture exact with the fewest gates that judges all pairs of "
+      "triangles of a scene in time, and print the word length, extents and work that the scene "
+      "needs. The scene is two meshes A and B, or a machine and its path. For a machine, all pairs "
+      "of bodies are judged in each line of the path. Candidates are a core without an engine, "
+      "object engines and, on a path, tree engines.",
       children,
       NULL,
       NULL};
