@@ -30,14 +30,15 @@ static bool check_clearance(const sepax_config *config, sepax_error *error) {
                       "clearance: %d LSB is out of range; give 0 ... %d", config->clearance, most);
   }
   if (config->warning != 0 && (config->warning <= config->clearance || config->warning > most)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "warning: %d LSB is not above the clearance of %d and up to %d",
-                      config->warning, config->clearance, most);
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "warning: %d LSB is out of range; give more than the clearance of %d, and at most %d",
+        config->warning, config->clearance, most);
   }
   if (config->clearance >= 0 && config->flag) {
     return sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
-        "coplanar: with a clearance coplanar pairs need no second pass; leave flag out");
+        "coplanar: flag saves nothing with a clearance, because coplanar pairs then need no second pass; leave it out");
   }
   return true;
 }
@@ -48,13 +49,15 @@ static bool check_extents(const sepax_config *config, sepax_error *error) {
     return true;
   }
   if (config->extent_a > most || config->extent_b > most) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "extent: %d and %d LSB; give 1 ... %lld",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "extent: %d and %d LSB are out of range; give 1 ... %lld for both",
                       config->extent_a, config->extent_b, (long long)most);
   }
   return core_word(config) < config->word ||
-         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "extent: pairs that near need %d bits, no fewer than W; leave the extents out",
-                    core_word(config));
+         sepax_fail(
+             error, SEPAX_ERROR_ARGUMENT,
+             "extent: with these extents the core needs %d bits, which is not less than W, so they save nothing; leave them out",
+             core_word(config));
 }
 
 /* What the engine does or has anyway. */
@@ -80,7 +83,7 @@ static bool check(const sepax_config *config, sepax_error *error) {
   }
   if (config->corner == SEPAX_CORNER_SLOW && config->target != SEPAX_TARGET_ASIC) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "corner: the delays of an FPGA are of one corner; leave it out");
+                      "corner: the delays of an FPGA are known for one corner only; leave it out");
   }
   return !config->clock_gating || config->target == SEPAX_TARGET_ASIC ||
          sepax_fail(error, SEPAX_ERROR_ARGUMENT,

@@ -353,7 +353,8 @@ bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error) {
   const design_option *option = find(name);
   if (option == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "'%.40s' is no setting of a design", name);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "'%.40s' is not a design option; 'sepax name --list' lists them", name);
   }
   int number = option->standard;
   bool none = value[0] == '\0' && !in_range(option, number);
@@ -480,7 +481,7 @@ static bool check_value(const design_option *option, int value, sepax_error *err
 bool sepax__design_options_check(const sepax_config *config, sepax_error *error) {
   if ((unsigned)config->arch >= SEPAX_ARCH_COUNT) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "configuration: a value is none of its enumeration");
+                      "configuration: arch has a value that is not in its enumeration");
   }
   for (size_t i = 0; i < OPTIONS; i++) {
     const design_option *option = &table[i];
@@ -490,7 +491,7 @@ bool sepax__design_options_check(const sepax_config *config, sepax_error *error)
         owner++;
       }
       return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                        "%s: architecture %s has no such choice; leave it out, or give --arch=%s",
+                        "%s: architecture %s has no such option; leave it out, or give --arch=%s",
                         option->name, sepax_arch_name(config->arch),
                         sepax_arch_name((sepax_arch)owner));
     }
@@ -501,9 +502,9 @@ bool sepax__design_options_check(const sepax_config *config, sepax_error *error)
       int one = (int)strcspn(option->needs, "|");
       const char *other = option->needs[one] != '\0' ? option->needs + one + 1 : NULL;
       return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                        "%s: nothing without --%.*s%s%s; give --%.*s, too", option->name, one,
-                        option->needs, other != NULL ? " or --" : "", other != NULL ? other : "",
-                        one, option->needs);
+                        "%s: has an effect only with --%.*s%s%s; give --%.*s, too", option->name,
+                        one, option->needs, other != NULL ? " or --" : "",
+                        other != NULL ? other : "", one, option->needs);
     }
   }
   return true;

@@ -86,7 +86,8 @@ static sepax_vec quantise_normal(const double normal[3], int word) {
 bool sepax_quantise_normals(const sepax_soup *soup, int word, sepax_vec *normal,
                             sepax_error *error) {
   if (soup->normal == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "no normals are there; read them from the file");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "the mesh has no normals; read them with the file");
   }
   for (size_t i = 0; i < soup->count; i++) {
     if (!check_normal(soup->normal[i], i, error)) {

@@ -290,18 +290,18 @@ static bool find_grid(sepax_grid *grid, const range *all, const sepax_space *spa
     grid->word++;
   }
   return fits(all, grid) ||
-         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "resolution: coordinates reach %.9g from the origin, more than %d bits "
-                    "of %.9g; give --resolution=%.3g or more",
-                    widest, SEPAX_WORD_MAX, space->resolution,
-                    widest / sepax_word_max(SEPAX_WORD_MAX) * 1.01);
+         sepax_fail(
+             error, SEPAX_ERROR_ARGUMENT,
+             "resolution: coordinates up to %.9g from the origin do not fit %d bits at %.9g per LSB; give --resolution=%.3g or more",
+             widest, SEPAX_WORD_MAX, space->resolution,
+             widest / sepax_word_max(SEPAX_WORD_MAX) * 1.01);
 }
 
 static bool check_space(const sepax_soup *const mesh[2], const sepax_space *space,
                         sepax_error *error) {
   if (mesh[0]->count == 0 || mesh[1]->count == 0) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "mesh: no triangles; give two meshes that have some");
+                      "mesh: it has no triangles; give two meshes with triangles");
   }
   for (int i = 0; i < 2; i++) {
     if (mesh[i]->count > UINT32_MAX) {
@@ -311,7 +311,8 @@ static bool check_space(const sepax_soup *const mesh[2], const sepax_space *spac
     }
   }
   if (space->path != NULL && space->path->count == 0) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "poses: there are none; give a path of some");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "poses: the path has no poses; give one or more");
   }
   if (!(space->resolution > 0 && isfinite(space->resolution))) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "resolution: %g is not a length above 0",

@@ -248,7 +248,8 @@ bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_con
                        size_t pose, const sepax_size_request *request, sepax_error *error) {
   const sizing *of = sizing_of(config);
   if (of->cycles == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "cycles: those of %s are not known",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "cycles: they are not known for %s; choose another design",
                       sepax__engine_of(config)->name);
   }
   size_t passes = pose < size->workloads ? size->workload[pose].passes : 0;
@@ -368,10 +369,10 @@ static bool too_slow(choice *all, double period, sepax_sized_design *sized, sepa
     return false;
   }
   *sized = (sepax_sized_design){.cycles = fewest, .seconds = (double)fewest * period};
-  return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "time: %.4g ms are not enough: at %g ns the fastest %s takes %.4g ms; allow "
-                    "that, or coarsen the meshes",
-                    1e3 * r->seconds, 1e9 * period, kinds, 1e3 * sized->seconds);
+  return sepax_fail(
+      error, SEPAX_ERROR_ARGUMENT,
+      "time: %.4g ms is too short: at a clock of %g ns the fastest %s takes %.4g ms; allow more time, or coarsen the meshes",
+      1e3 * r->seconds, 1e9 * period, kinds, 1e3 * sized->seconds);
 }
 
 static bool choose(choice *all, sepax_sized_design *sized, sepax_error *error) {
@@ -420,10 +421,10 @@ static bool size_all(choice *all, sepax_sized_design *sized, sepax_error *error)
     ok = sizings[n].add == NULL || sizings[n].add(all, error);
   }
   if (ok && all->count == 0) {
-    ok = sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "word: a tree engine has up to %d bits, and is for a path of poses; "
-                    "coarsen the resolution, or give the poses",
-                    SEPAX_TREE_WORD_MAX);
+    ok = sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "word: a tree engine needs a path of poses and has at most %d bits; give the poses, or coarsen the resolution",
+        SEPAX_TREE_WORD_MAX);
   }
   ok = ok && choose(all, sized, error);
   free(all->design);

@@ -236,7 +236,8 @@ sepax_line sepax_pair_read_told(sepax_pair *pair, sepax_told *told, FILE *in, co
     }
     ++*number;
     if (length == LINE_BYTES - 1 && line[length - 1] != '\n') {
-      return fail_at(error, name, *number, "longer than any pair; give one pair a line");
+      return fail_at(error, name, *number,
+                     "the line is longer than any pair; give one pair in each line");
     }
     kind = parse_numbered(pair, told, line, length, name, *number, word, error);
   }

@@ -407,11 +407,12 @@ static bool make(sepax_soup *soup, const sample *kind, size_t triangles, const d
       bisect_longest(&s);
     }
     transform(&s, kind, at, size);
-    ok = copy_facets(&result, &s) ||
-         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "%s: triangles of no area in double precision at size %g; choose "
-                    "a size nearer %g mm",
-                    kind->name, size, kind->size);
+    ok =
+        copy_facets(&result, &s) ||
+        sepax_fail(
+            error, SEPAX_ERROR_ARGUMENT,
+            "%s: at size %g some triangles have no area in double precision; choose a size nearer %g mm",
+            kind->name, size, kind->size);
   }
   release(&s);
   if (!ok) {
@@ -442,8 +443,8 @@ static bool check_triangles(const sample *kind, size_t triangles, sepax_error *e
   }
   if (triangles % 2 != 0) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%s: %zu triangles close no mesh; ask for an even number", kind->name,
-                      triangles);
+                      "%s: %zu triangles cannot form a closed mesh; ask for an even number",
+                      kind->name, triangles);
   }
   return true;
 }

@@ -112,8 +112,9 @@ static bool check_attributes(part_xml *x, core_element which, const part_element
     } else if (is_core(a.space)) {
       ok = check_core_attribute(x, which, a.name);
     } else if (strcmp(a.space, ALTERNATIVES_SPACE) == 0 && strcmp(a.name, "MustUnderstand") == 0) {
-      ok = sepax__part_xml_fail(x, "MustUnderstand=\"%.*s\" is not read; export it without",
-                                (int)(a.length < 60 ? a.length : 60), a.value);
+      ok =
+          sepax__part_xml_fail(x, "MustUnderstand=\"%.*s\" is not read; export the file without it",
+                               (int)(a.length < 60 ? a.length : 60), a.value);
     } else if (!path && strcmp(a.space, XML_SPACE) != 0) {
       ok = name_foreign(x, a.prefix, a.name, "attributes");
     }
@@ -208,8 +209,9 @@ static bool read_unit(part_xml *x, reading *r, const part_element *e) {
     account->unit_mm = units[n].mm;
   }
   return account->unit_mm == units[n].mm ||
-         sepax__part_xml_fail(x, "its unit is %s, but that of the whole is %s; export it again",
-                              units[n].name, account->unit);
+         sepax__part_xml_fail(
+             x, "its unit is %s, but the unit of the root part is %s; export it again",
+             units[n].name, account->unit);
 }
 
 static const char *space_of_prefix(const part_element *e, const char *prefix, size_t length) {

@@ -220,8 +220,7 @@ static bool place(model *m, const model_object *o, const model_matrix *at) {
     if (!is_placing(&inner)) {
       return sepax__package_fail(
           &m->p, use->in, use->line,
-          "its transform, with those of what it is in, makes object %zu flat, "
-          "or smaller or larger than numbers hold; export it again",
+          "its transform, combined with the transforms around it, makes object %zu flat, or too small or too large for a double; export it again",
           use->id);
     }
     if (!place(m, find_object(m, use), &inner)) {

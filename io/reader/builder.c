@@ -116,14 +116,14 @@ static bool divided(const mesh_builder *b, polygon_result result, size_t count, 
   case POLYGON_MEMORY:
     return sepax__builder_fail_memory(b);
   case POLYGON_LONG:
-    return sepax__builder_fail_line(b, line,
-                                    "%s %zu: a polygon of %zu corners, which the first does not "
-                                    "all see; up to %d can be divided: export triangles",
-                                    what, number, count, POLYGON_CORNERS_MOST);
+    return sepax__builder_fail_line(
+        b, line,
+        "%s %zu: a polygon of %zu corners that is no fan around its first corner; such polygons may have up to %d corners; export triangles",
+        what, number, count, POLYGON_CORNERS_MOST);
   case POLYGON_CROSSES:
     return sepax__builder_fail_line(
-        b, line, "%s %zu: a polygon of %zu corners that crosses itself; export triangles", what,
-        number, count);
+        b, line, "%s %zu: a polygon of %zu corners crosses itself; export triangles", what, number,
+        count);
   case POLYGON_DIVIDED:
     break;
   }

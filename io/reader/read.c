@@ -65,9 +65,10 @@ static const mesh_format *format_of(const mesh_builder *b) {
     char list[80] = "";
     list_formats(list);
     if (b->size > 8 && memcmp(b->bytes, "sepaxSXT", 8) == 0) {
-      sepax__builder_fail(b, "a tree of 'sepax tree', no mesh; give the one that it was made of");
+      sepax__builder_fail(
+          b, "it is a tree of 'sepax tree', not a mesh; give the mesh that the tree was made from");
     } else {
-      sepax__builder_fail(b, "no mesh that is read; give %s", list);
+      sepax__builder_fail(b, "not a mesh that can be read; give %s", list);
     }
   }
   return format;

@@ -163,10 +163,11 @@ static bool read_vertex_index(obj_reader *r, size_t *vertex) {
   words_shown shown = words_show(&r->w);
   bool there = false;
   return read_index(r, r->vertices, r->above[0], vertex, &there) &&
-         (there || sepax__builder_fail_line(r->b, r->w.line,
-                                            "'%s': there is no such vertex, of %zu, %zu of them "
-                                            "above this line; export it again",
-                                            shown.text, r->vertices, r->above[0]));
+         (there ||
+          sepax__builder_fail_line(
+              r->b, r->w.line,
+              "'%s': there is no such vertex; the file has %zu, %zu of them above this line; export it again",
+              shown.text, r->vertices, r->above[0]));
 }
 
 /* v, v/vt, v//vn, v/vt/vn. What is behind a slash may be left out, or name nothing: it has no

@@ -65,7 +65,7 @@ static double number_at(const char *at, ply_type type, bool big) {
 /* NaN of a vertex that no face has does no harm. */
 static bool take_word(ply_reader *r, double *number) {
   return words_next(&r->w) ? words_any_number(&r->w, number)
-                           : fail_row(r, "truncated: fewer numbers than its properties are");
+                           : fail_row(r, "truncated: fewer numbers than properties");
 }
 
 static bool take_number(ply_reader *r, ply_type type, double *number) {
@@ -91,7 +91,7 @@ static bool take_length(ply_reader *r, const ply_property *p, size_t *length) {
   }
   size_t least = r->head.order == PLY_TEXT ? 1 : sepax__ply_bytes[p->type];
   if (number > (double)((size_t)(r->w.end - r->w.at) / least)) {
-    return fail_row(r, "truncated: a list of more numbers than there are");
+    return fail_row(r, "truncated: a list is longer than the numbers that follow");
   }
   *length = (size_t)number;
   return true;
@@ -104,7 +104,7 @@ static bool skip(ply_reader *r, ply_type type, size_t count) {
     return r->w.at <= r->w.end || fail_row(r, "truncated");
   }
   for (size_t n = 0; n < count && ok; n++) {
-    ok = words_next(&r->w) || fail_row(r, "truncated: fewer numbers than its properties are");
+    ok = words_next(&r->w) || fail_row(r, "truncated: fewer numbers than properties");
     r->w.at += ok ? words_length(&r->w) : 0;
   }
   return ok;
@@ -248,7 +248,7 @@ static bool read_rows(ply_reader *r, bool (*read)(ply_reader *r)) {
     }
     ok = r->w.at < r->w.end || fail_row(r, "truncated");
     ok = ok && read(r);
-    ok = ok && (!text || !words_next(&r->w) || fail_row(r, "more numbers than its properties are"));
+    ok = ok && (!text || !words_next(&r->w) || fail_row(r, "more numbers than properties"));
   }
   return ok;
 }
@@ -274,10 +274,10 @@ static bool read_elements(ply_reader *r, bool vertices, bool faces) {
     words_skip_line(&r->w);
   }
   return r->w.at >= r->w.end ||
-         sepax__builder_fail(r->b,
-                             "offset %zu: more behind its last element than the head declares; "
-                             "export it again",
-                             (size_t)(r->w.at - r->b->bytes));
+         sepax__builder_fail(
+             r->b,
+             "offset %zu: more data after the last element than the head declares; export it again",
+             (size_t)(r->w.at - r->b->bytes));
 }
 
 /* ------------------------------------------------------------------- the other parts */

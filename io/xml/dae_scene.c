@@ -140,8 +140,7 @@ static bool is_placing(const dae_matrix *at) {
 static bool fail_product(const dae *d, const xmlNode *node) {
   return sepax__dae_fail(
       d, node,
-      "<%s>: with the transformations above it, it makes a mesh flat, or smaller "
-      "or larger than numbers hold; export it again",
+      "<%s>: combined with the transformations above it, it makes a mesh flat, or too small or too large for a double; export it again",
       (const char *)node->name);
 }
 
@@ -181,8 +180,8 @@ static bool read_transformation(const dae *d, const xmlNode *node, dae_matrix *a
     }
   }
   if (is_flat(&own)) {
-    return sepax__dae_fail(d, node, "<%s> makes all that it places flat; give one that does not",
-                           name);
+    return sepax__dae_fail(
+        d, node, "<%s> makes every mesh that it places flat; give one that does not", name);
   }
   *at = multiply(at, &own);
   return is_placing(at) || fail_product(d, node);
@@ -259,7 +258,7 @@ static bool weigh(dae *d, xmlNode *node, size_t depth) {
     return true;
   }
   if (state->entered) {
-    return sepax__dae_fail(d, node, "<node> that is in itself; export it again");
+    return sepax__dae_fail(d, node, "<node> that contains itself; export it again");
   }
   state->entered = true;
   dae_matrix at = identity;
@@ -272,8 +271,7 @@ static bool weigh(dae *d, xmlNode *node, size_t depth) {
     if (places && is_transformation(child)) {
       return sepax__dae_fail(
           d, child,
-          "<%s> behind what the node places: transformations stand first; export "
-          "it again",
+          "<%s> after an element that the node places; transformations must come first; export it again",
           (const char *)child->name);
     }
     if (!read_transformation(d, child, &at) || !find_placed(d, child, &g, &bound) ||

@@ -10,7 +10,8 @@ bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error) {
   for (int i = 0; i < 3; i++) {
     if (!isfinite(pose->translation[i]) || !isfinite(r[i][0]) || !isfinite(r[i][1]) ||
         !isfinite(r[i][2])) {
-      return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "a pose has finite numbers only; mend it");
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "a pose has a number that is not finite; mend it");
     }
     for (int j = 0; j < 3; j++) {
       double product = r[i][0] * r[j][0] + r[i][1] * r[j][1] + r[i][2] * r[j][2];
@@ -27,7 +28,7 @@ bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error) {
                        r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
   return determinant > 0 ||
          sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "the matrix is a reflection, no rotation; mirror the mesh instead");
+                    "the matrix is a reflection, not a rotation; mirror the mesh instead");
 }
 
 static bool has_numbers(const sepax_pose *pose) {
@@ -85,10 +86,10 @@ bool sepax_pose_nearest(sepax_pose *pose, double *moved, sepax_error *error) {
     way = INFINITY;
   }
   if (!(way <= most)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "the matrix is no rotation, and an entry of it is farther than %g from every "
-                      "rotation's; mend it",
-                      most);
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "the matrix is no rotation, and even the nearest rotation differs by more than %g in an entry; mend it",
+        most);
   }
   if (!sepax_pose_valid(&nearest, error)) {
     return false;

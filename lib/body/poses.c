@@ -141,7 +141,8 @@ static bool read_poses(sepax_poses *poses, double *moved, const char *path, sepa
   plain_numbers_end(plain);
   fclose(in);
   if (ok && poses->count == 0) {
-    ok = sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s: no pose in it; %s in a line", path, cure);
+    ok = sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s: the file has no poses; %s in each line",
+                    path, cure);
   }
   if (!ok) {
     sepax_poses_free(poses);

@@ -324,7 +324,8 @@ bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, const sepax_build
   }
   if (options.threads < 0) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%d threads; give 0 for one a processor, or more", options.threads);
+                      "%d threads is out of range; give 0 (one for each processor) or more",
+                      options.threads);
   }
   if (all.count == 0 || all.count >= INT32_MAX) {
     return sepax_fail(error, all.count == 0 ? SEPAX_ERROR_ARGUMENT : SEPAX_ERROR_LIMIT,

@@ -275,7 +275,8 @@ static bool find_pairs(search *s, const sepax_search *how, sepax_pairs *found, s
   }
   if (s->how.threads < 0) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%d threads; give 0 for one a processor, or more", s->how.threads);
+                      "%d threads is out of range; give 0 (one for each processor) or more",
+                      s->how.threads);
   }
   if (s->count[0] == 0 || s->count[1] == 0) {
     return true;
@@ -292,7 +293,7 @@ static bool find_pairs(search *s, const sepax_search *how, sepax_pairs *found, s
   sepax__halves_end(s);
   sepax_release(s->column);
   if (s->ended) {
-    return sepax_fail(error, SEPAX_ERROR_CANCELLED, "the search was ended before its time");
+    return sepax_fail(error, SEPAX_ERROR_CANCELLED, "the progress function ended the search");
   }
   return ok || sepax_fail(error, SEPAX_ERROR_MEMORY,
                           "no memory for the search among %zu and %zu triangles", s->count[0],

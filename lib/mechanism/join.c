@@ -46,8 +46,10 @@ static bool check_mimic(const sepax_mechanism *m, size_t n, sepax_error *error) 
     return true;
   }
   if (joint->mimic >= m->joints || joint->mimic == n) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "joint %.60s: it follows itself, or no joint; name another one", joint->name);
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "joint %.60s: it follows itself or a joint that does not exist; name another joint",
+        joint->name);
   }
   if (m->joint[joint->mimic].kind == SEPAX_JOINT_FIXED) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
@@ -60,14 +62,15 @@ static bool check_mimic(const sepax_mechanism *m, size_t n, sepax_error *error) 
 static bool check_joint(sepax_mechanism *m, size_t n, sepax_error *error) {
   sepax_joint *joint = &m->joint[n];
   if (joint->parent >= m->links || joint->child >= m->links) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "joint %.60s: its links are not there",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "joint %.60s: its links do not exist; mend the parent or the child",
                       joint->name);
   }
   sepax_link *child = &m->link[joint->child];
   if (joint->parent == joint->child) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "joint %.60s: link %.60s is its own parent; a cycle is no mechanism",
-                      joint->name, child->name);
+                      "joint %.60s: link %.60s is its own parent; name another parent", joint->name,
+                      child->name);
   }
   if (child->joint != SEPAX_NO_JOINT) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
@@ -86,9 +89,10 @@ static bool check_joint(sepax_mechanism *m, size_t n, sepax_error *error) {
                       joint->name);
   }
   if (!(joint->lower <= joint->upper)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "joint %.60s: the lower limit, %.9g, is above the upper, %.9g", joint->name,
-                      joint->lower, joint->upper);
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "joint %.60s: the lower limit, %.9g, is above the upper, %.9g; swap or mend them",
+        joint->name, joint->lower, joint->upper);
   }
   child->joint = n;
   return check_mimic(m, n, error);
@@ -136,9 +140,10 @@ static bool find_leaders(sepax_mechanism *m, size_t *wrong, sepax_error *error) 
     const sepax_joint *joint = &m->joint[n];
     if (joint->mimic != SEPAX_NO_JOINT && (!isfinite(joint->factor) || !isfinite(joint->offset))) {
       *wrong = n;
-      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                        "joint %.60s: factor and offset by which it follows are not finite",
-                        joint->name);
+      return sepax_fail(
+          error, SEPAX_ERROR_ARGUMENT,
+          "joint %.60s: the factor or the offset by which it follows is not finite; mend it",
+          joint->name);
     }
   }
   return true;
@@ -232,7 +237,7 @@ static bool order_joints(sepax_mechanism *m, size_t *wrong, sepax_error *error) 
 
 bool sepax__mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error) {
   if (m->links == 0) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "no link; a mechanism has one at least");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "the mechanism has no link; give at least one");
   }
   if (m->joints > SEPAX_JOINTS_MOST) {
     return sepax_fail(error, SEPAX_ERROR_LIMIT, "%zu joints are more than %d", m->joints,

@@ -306,11 +306,10 @@ static bool check_coordinates(const double v[3][3], size_t number, const sepax_g
     double x = v[i / 3][axis];
     int32_t q;
     if (!quantise_exactly(&q, x, grid, axis)) {
-      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                        "facet %zu, vertex %d: %c = %.9g does not fit %d bits of %.9g "
-                        "from %.9g; raise resolution or word, or move the offset",
-                        number, i / 3, axis_name[axis], x, grid->word, grid->resolution,
-                        grid->offset[axis]);
+      return sepax_fail(
+          error, SEPAX_ERROR_ARGUMENT,
+          "facet %zu, vertex %d: %c = %.9g does not fit %d bits at %.9g per LSB from %.9g; raise resolution or word, or move the offset",
+          number, i / 3, axis_name[axis], x, grid->word, grid->resolution, grid->offset[axis]);
     }
   }
   return true;

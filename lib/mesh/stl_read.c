@@ -347,12 +347,12 @@ static bool fail_format(const content *file, const char *path, sepax_error *erro
   }
   if (file->size >= STL_HEAD_BYTES && memcmp(file->bytes, "sepaxSXT", 8) == 0) {
     return sepax__stl_fail(error, SEPAX_ERROR_FORMAT, path,
-                           "a tree of 'sepax tree', no STL file; %s",
-                           "give the one that it was made of");
+                           "it is a tree of 'sepax tree', not an STL file; %s",
+                           "give the mesh that the tree was made from");
   }
   if (file->size < STL_HEAD_BYTES || has_text_head(file)) {
     return sepax__stl_fail(error, SEPAX_ERROR_FORMAT, path,
-                           "no STL file: neither 'solid' nor a binary header; %s",
+                           "not an STL file: it has neither 'solid' nor a binary header; %s",
                            "export the mesh as STL");
   }
   uint32_t count = bytes_get32(file->bytes + STL_TITLE_BYTES);
@@ -360,7 +360,7 @@ static bool fail_format(const content *file, const char *path, sepax_error *erro
   const char *what = file->size < announced ? "truncated" : "longer than its count says";
   return sepax__stl_fail(error, SEPAX_ERROR_FORMAT, path,
                          "%s: %" PRIu32 " facets take %" PRIu64
-                         " bytes, the file has %zu (or is no STL file); %s",
+                         " bytes, the file has %zu (or is not an STL file); %s",
                          what, count, announced, file->size, cure);
 }
 

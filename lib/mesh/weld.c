@@ -295,10 +295,10 @@ static bool fail(weld_result result, double length, sepax_error *error) {
                       "too many vertices are within %.9g of each other; weld by a shorter length",
                       length);
   case WELD_FAR:
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "vertices within %.9g of each other make a chain longer than ten times that; "
-                      "weld by a shorter length",
-                      length);
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "vertices within %.9g of each other form a chain longer than ten times this length; weld by a shorter length",
+        length);
   case WELD_FLAT:
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "no triangle with an area is left after welding by %.9g; weld by a shorter "
@@ -316,8 +316,8 @@ bool sepax_soup_weld(sepax_soup *soup, double length, sepax_weld *said, sepax_er
   said = said != NULL ? said : &none;
   *said = none;
   if (!(length >= 0 && length <= 0x1p1000)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "a length of %g to weld by is not in 0 ... 2^1000", length);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "a weld length of %g is not in 0 ... 2^1000",
+                      length);
   }
   if (soup->count > INT32_MAX / 3) {
     return sepax_fail(error, SEPAX_ERROR_LIMIT, "up to %d triangles can be welded, not %zu",
@@ -332,8 +332,7 @@ bool sepax_soup_weld(sepax_soup *soup, double length, sepax_weld *said, sepax_er
   if (length > size / 10 && length > 0) {
     return sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
-        "to weld by %.9g a mesh of %.9g along its longest side is too small; weld by a "
-        "tenth of that at most",
+        "a weld length of %.9g is too long for a mesh whose longest side is %.9g; weld by at most a tenth of the side",
         length, size);
   }
   welding w = {.length = length, .said = {.length = length}};

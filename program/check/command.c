@@ -104,7 +104,7 @@ static void end_of_options(command *c, struct argp_state *state) {
     argp_error(state, "give two mesh files");
   }
   if (c->given != NULL && !c->question.on_grid) {
-    argp_error(state, "%s: is for the grid; give --grid, too, or leave it out", c->given);
+    argp_error(state, "%s: applies only to --grid; give --grid, too, or leave it out", c->given);
   }
 }
 
@@ -172,7 +172,7 @@ static bool outputs_distinct(const check_question *q, sepax_error *error) {
 static bool options_agree(const check_question *q, sepax_error *error) {
   if (q->surfaces && q->on_grid) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "surfaces: a grid's design knows no inside; leave it out");
+                      "surfaces: with --grid the inside of a body is never tested; leave it out");
   }
   if (q->poses_path != NULL && q->on_grid) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
@@ -180,12 +180,13 @@ static bool options_agree(const check_question *q, sepax_error *error) {
                       "--poses");
   }
   if (q->nearest && q->poses_path == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "nearest-rotation: is of --poses; give it, too, or leave it out");
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "nearest-rotation: applies only to --poses; give --poses, too, or leave it out");
   }
   if (q->poses_path != NULL && q->ply_path != NULL) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "ply: a picture is of one pose; leave out --poses, or --ply");
+                      "ply: a picture shows one pose; leave out --poses, or --ply");
   }
   return cli_question_agrees(&q->output, &q->bands, error);
 }
@@ -196,25 +197,26 @@ static bool grid_options_agree(const check_question *q, sepax_error *error) {
   if (q->grid.file_normals && config->arch != SEPAX_ARCH_PAPER &&
       config->arch != SEPAX_ARCH_CONFERENCE) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "normals: architecture %s reads none; give --arch=paper, too",
+                      "normals: architecture %s reads no normals; give --arch=paper, too",
                       sepax_arch_name(config->arch));
   }
   if (!sepax_design_init(&design, config, error) || q->bands.clearance.text == NULL) {
     return q->bands.clearance.text == NULL && error->code == SEPAX_OK;
   }
   if (config->arch != SEPAX_ARCH_EXACT) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "clearance: architecture %s has none; leave it out, or give --arch=exact",
-                      sepax_arch_name(config->arch));
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "clearance: architecture %s has no clearance; leave it out, or give --arch=exact",
+        sepax_arch_name(config->arch));
   }
   if (config->extent_a != 0 || config->extent_b != 0) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "clearance: not with extents here; leave one of them out");
+                      "clearance: cannot be combined with extents; leave one of them out");
   }
   if (q->first) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "first: all bands are counted with a clearance on the grid; leave "
-                      "one of them out");
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "first: with --grid and --clearance all pairs are counted; leave out --first, or --clearance");
   }
   return true;
 }

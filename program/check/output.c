@@ -40,11 +40,11 @@ static void print_surface(const check_question *q, const check_report *report, i
   const check_surface *s = &report->surface[i];
   if (!s->closed) {
     printf("%c is open: an edge of facet %zu belongs to an odd number of facets; %s\n", "AB"[i],
-           s -> facet, q -> surfaces ? "its inside is not asked" : "its inside is not defined");
+           s -> facet, q -> surfaces ? "its inside is not tested" : "its inside is not defined");
   } else if (!s->consistent) {
-    printf("%c winds inconsistently: an edge of facet %zu runs the same way in another one; no "
-           "verdict depends on that\n",
-           "AB"[i], s -> facet);
+    printf(
+        "%c winds inconsistently: facet %zu and its neighbour run along their common edge in the same direction; no verdict depends on that\n",
+        "AB"[i], s -> facet);
   }
 }
 
@@ -120,7 +120,7 @@ static void print_verdict(const check_question *q, const check_report *report) {
     printf(", %zu are undecided", a->undecided.count);
   }
   if (a->verdict == VERDICT_WARNING) {
-    printf(", %s%zu are warned of", q->first ? "at least " : "", a->warned.count);
+    printf(", %s%zu get a warning", q->first ? "at least " : "", a->warned.count);
   }
   print_within(a);
 }
@@ -135,7 +135,7 @@ static void print_pose(const check_question *q, const check_report *report, size
     printf("%zu", a->colliding.count);
   }
   if (!q->first && q->bands.warning.text != NULL) {
-    printf("  %zu warned of", a->warned.count);
+    printf("  %zu get a warning", a->warned.count);
   }
   for (int i = 0; i < 2; i++) {
     if (a->within_asked && a->within[i] != SEPAX_OUTSIDE) {

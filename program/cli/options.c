@@ -153,7 +153,9 @@ static error_t parse_grid(int key, char *text, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (g->offset_given && g->grid.resolution == 0) {
-      argp_error(state, "offset: fitting chooses its own; give --resolution, too");
+      argp_error(
+          state,
+          "offset: without --resolution the offset is chosen by fitting; give --resolution, too");
     }
     return 0;
   default:
@@ -258,7 +260,7 @@ double cli_length(const struct argp_state *state, const char *option, const char
   double value = 0;
   const char *end = cli_scan_length(text, &value);
   if (end == NULL || *end != '\0') {
-    argp_error(state, "%s: '%s' is not a length; give 2um, or 0.002, which is in mm", option, text);
+    argp_error(state, "%s: '%s' is not a length; give 2um, or 0.002 for 0.002 mm", option, text);
   }
   return value;
 }

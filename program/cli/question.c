@@ -23,7 +23,7 @@ report_limit cli_limit(const struct argp_state *state, const char *option, const
   const char *end = cli_scan(text, cli_lengths, unit, &limit.length);
   if (end == NULL || *end != '\0') {
     argp_error(state, "%s: '%s' is not a length; give %s", option, text,
-               metres ? "0.1mm, or 0.0001, which is in m" : "2um, or 0.002, which is in mm");
+               metres ? "0.1mm, or 0.0001 for 0.0001 m" : "2um, or 0.002 for 0.002 mm");
   }
   if (!(limit.length >= 0 && limit.length <= (metres ? 1e9 : 0x1p1000))) {
     argp_error(state, "%s: %s is not within 0 ... %s", option, text,
@@ -68,7 +68,7 @@ const struct argp cli_output_argp = {output_options, parse_output, NULL, NULL, N
 bool cli_question_agrees(const cli_output *output, const report_bands *bands, sepax_error *error) {
   if (output->quiet && output->json) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "quiet: there is nothing to print as JSON; leave one of them out");
+                      "quiet: cannot be combined with --json; leave one of them out");
   }
   return report_bands_agree(bands, error);
 }
@@ -79,13 +79,14 @@ bool cli_outputs_distinct(const char *const *outputs, int count, const char *con
     for (int k = 0; k < inputs_count && outputs[i] != NULL; k++) {
       if (inputs[k] != NULL && cli_same_file(outputs[i], inputs[k])) {
         return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                          "%.300s: is read; name another file to write", outputs[i]);
+                          "%.300s: is an input; name another file to write", outputs[i]);
       }
     }
     for (int k = 0; k < i && outputs[i] != NULL; k++) {
       if (outputs[k] != NULL && cli_same_file(outputs[i], outputs[k])) {
         return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                          "%.300s: two options name this file; name two", outputs[i]);
+                          "%.300s: two options write this file; name two different files",
+                          outputs[i]);
       }
     }
   }

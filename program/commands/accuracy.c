@@ -86,7 +86,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (o->files == 1) {
-      argp_error(state, "two mesh files, or none");
+      argp_error(state, "give two mesh files, or none");
     }
     return 0;
   default:
@@ -369,10 +369,12 @@ static void study_meshes(const accuracy_options *o, const sepax_design *design,
 static bool check(const accuracy_options *o, sepax_error *error) {
   if (o->files > 0 && o->of_families != NULL) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%s: is of families; leave it or the two meshes away", o->of_families);
+                      "%s: applies only to families; leave out the option, or the two meshes",
+                      o->of_families);
   }
   if (o->files == 0 && (o->grid.grid.resolution > 0 || o->grid.file_normals)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s: is of meshes; give two mesh files, too",
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: applies only to meshes; give two mesh files, too",
                       o->grid.file_normals ? "normals" : "resolution");
   }
   if (o->real && o->config.word > FINE - 4) {

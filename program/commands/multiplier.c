@@ -105,26 +105,30 @@ static arith_form form_of(const multiplier_options *o) {
 
 static bool check(const multiplier_options *o, sepax_error *error) {
   if (o->a < LEAST || o->b < LEAST || o->b > o->a) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "factors of %d and %d bits; give 3 ... 80, -b at most -a", (int)o->a,
-                      (int)o->b);
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "factors of %d and %d bits are out of range; give 3 ... 80, and -b at most -a", (int)o->a,
+        (int)o->b);
   }
   if (o->product <= o->a || o->product > o->a + o->b || o->product > ARITH_WIDTH) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "product: %d bits; give more than -a, at most the sum of both and %d",
-                      (int)o->product, ARITH_WIDTH);
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "product: %d bits is out of range; give more than -a, and at most -a plus -b and %d",
+        (int)o->product, ARITH_WIDTH);
   }
   if (o->digits != 0 && (o->b + 1 < 2 * o->digits || o->b + 1 > 2 * o->digits + 2)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "digits: %d for -b %d; give %d ... %d",
-                      (int)o->digits, (int)o->b, (int)o->b / 2, ((int)o->b + 1) / 2);
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "digits: %d is out of range for -b %d; give %d ... %d", (int)o->digits,
+                      (int)o->b, (int)o->b / 2, ((int)o->b + 1) / 2);
   }
   if (o->less == 2 && o->digits == 0) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "less: only with --digits");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "less: applies only to --digits; give --digits, too");
   }
   bool asic = o->config.target == SEPAX_TARGET_ASIC;
   if (!asic && (o->digits != 0 || o->period != 0)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%s: only for an ASIC; leave it or the target out",
+                      "%s: applies only to an ASIC; leave out the option, or --target",
                       o->digits != 0 ? "digits" : "clock-ns");
   }
   if (o->period != 0 && !(o->period >= 0.5 && o->period <= 20)) {

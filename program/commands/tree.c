@@ -59,10 +59,12 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     }
     if (o->output == NULL && (o->word > 0 || o->grid.resolution != NULL ||
                               o->meshes.own.text != NULL || o->meshes.weld.text != NULL)) {
-      argp_error(state, "word, resolution, unit, weld: with -o alone, where a tree is made");
+      argp_error(
+          state,
+          "word, resolution, unit, weld: apply only when a tree is written; give -o FILE, too");
     }
     if (o->grid.file_normals) {
-      argp_error(state, "normals: a tree has none; leave it out");
+      argp_error(state, "normals: a tree has no normals; leave it out");
     }
     o->grid.grid.word = o->word > 0 ? (int)o->word : WORD;
     return 0;

@@ -70,7 +70,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (o->exceed && o->config.extent_a == 0) {
-      argp_error(state, "exceed: which extents? give --extent-a and --extent-b, too");
+      argp_error(state, "exceed: needs extents; give --extent-a and --extent-b, too");
     }
     return 0;
   default:

@@ -102,8 +102,8 @@ static bool find_here(const format_places *p, const char *name, char *path, sepa
   bool is_url = strncmp(name, scheme, strlen(scheme)) == 0;
   const char *file = is_url ? name + strlen(scheme) : name;
   if (strstr(file, "://") != NULL) {
-    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.120s is fetched from nowhere; give a file",
-                      name);
+    return sepax_fail(error, SEPAX_ERROR_FORMAT,
+                      "%.120s is not fetched from a network; give a file", name);
   }
   const char *slash = strrchr(p->urdf, '/');
   bool whole = file[0] == '/' || slash == NULL;

@@ -196,8 +196,10 @@ bool path_write_certificate(path_scene *scene, const path_question *q, sepax_err
   if (!path_certified(scene)) {
     scene->removed = is_certificate(q->certificate) && unlink(q->certificate) == 0;
     return !is_certificate(q->certificate) ||
-           sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%.300s: of an earlier run; cannot be removed",
-                      q->certificate);
+           sepax_fail(
+               error, SEPAX_ERROR_ARGUMENT,
+               "%.300s: this certificate of an earlier run cannot be removed; remove it yourself",
+               q->certificate);
   }
   certificate c = {scene, q, packages_of(scene, q, error), NULL};
   c.files = c.packages == NULL ? NULL : files_of(scene, q, error);

@@ -161,7 +161,7 @@ static bool outputs_possible(const path_question *q, sepax_error *error) {
     outputs[i] = output_of(q, i);
     if (outputs[i] != NULL && strcmp(outputs[i], "-") == 0) {
       return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                        "-: is no file to write, nor stdout; name one");
+                        "-: standard output cannot be used here; name a file to write");
     }
   }
   bool ok = cli_outputs_distinct(outputs, OUTPUTS, inputs, 3, error);
@@ -178,7 +178,7 @@ static bool meshes_spared(const path_scene *scene, const path_question *q, sepax
       const char *mesh = scene->robot.shape[n].path;
       if (mesh != NULL && cli_same_file(output, mesh)) {
         return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                          "%.300s: is a mesh that is read; name another file to write", output);
+                          "%.300s: is a mesh of the scene; name another file to write", output);
       }
     }
   }
@@ -191,7 +191,7 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   }
   if (!q->certify && (q->certificate != NULL || q->resolution.text != NULL || q->intervals != 0)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%s: is of --certify; give that, too, or leave it out",
+                      "%s: applies only to --certify; give --certify, too, or leave it out",
                       q->certificate != NULL       ? "certificate"
                       : q->resolution.text != NULL ? "resolution"
                                                    : "intervals");
@@ -211,15 +211,15 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   for (int n = 0; n < 3 && q->certificate != NULL; n++) {
     struct stat s;
     if (read[n] != NULL && stat(read[n], &s) == 0 && !S_ISREG(s.st_mode)) {
-      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                        "certificate: %.240s is no file that can be read again to check it; give "
-                        "a file",
-                        read[n]);
+      return sepax_fail(
+          error, SEPAX_ERROR_ARGUMENT,
+          "certificate: %.240s is not a regular file, so the checker cannot read it again; give a file",
+          read[n]);
     }
   }
   if (q->jobs == NULL && (q->word != 0 || q->lsb.text != NULL)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%s: is of --jobs; give that, too, or leave it out",
+                      "%s: applies only to --jobs; give --jobs, too, or leave it out",
                       q->word != 0 ? "word" : "lsb");
   }
   if (q->resolution.length <= 0) {

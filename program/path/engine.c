@@ -80,11 +80,12 @@ static bool choose_grid(path_engine *e, const path_scene *scene, const path_ques
     return true;
   }
   int most = e->word <= SEPAX_TREE_WORD_MAX ? e->word : SEPAX_TREE_WORD_MAX;
-  return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "word: %.60s and %.60s need more than %d bits of %.60s; give %.3gmm or more%s",
-                    path_body_name(scene, of->body[0]), path_body_name(scene, of->body[1]), most,
-                    q->lsb.text, 1e3 * round_up(reach / steps_of(most)),
-                    most < SEPAX_TREE_WORD_MAX ? ", or a longer word" : "");
+  return sepax_fail(
+      error, SEPAX_ERROR_ARGUMENT,
+      "word: %.60s and %.60s need more than %d bits at an LSB of %.60s; give an LSB of %.3gmm or more%s",
+      path_body_name(scene, of->body[0]), path_body_name(scene, of->body[1]), most, q->lsb.text,
+      1e3 * round_up(reach / steps_of(most)),
+      most < SEPAX_TREE_WORD_MAX ? ", or a longer word" : "");
 }
 
 /* The least number of LSB that is not below the length. */

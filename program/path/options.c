@@ -21,7 +21,7 @@ static const struct argp_option options[] = {
 static void add_package(path_question *q, const struct argp_state *state, char *text) {
   char *colon = strchr(text, ':');
   if (colon == NULL || colon == text || colon[1] == '\0' || q->packages == PATH_PACKAGES_MOST) {
-    argp_error(state, "package: '%s' is not NAME:FOLDER, or one too many", text);
+    argp_error(state, "package: '%s' is not NAME:FOLDER, or there are too many packages", text);
   } else {
     *colon = '\0';
     q->package[q->packages++] = (format_package){text, colon + 1};

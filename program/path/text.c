@@ -27,7 +27,7 @@ static void print_least(const path_scene *scene, const path_pair *pair) {
     return;
   }
   if (pair->least == 0) {
-    fputs(pair->inside ? "; one has the other, or a part of it, inside" : "", stdout);
+    fputs(pair->inside ? "; one body, or a part of it, is inside the other" : "", stdout);
     return;
   }
   double point[2][3];
@@ -124,7 +124,7 @@ static void print_bodies(const path_scene *scene) {
       printf(", %zu parts", b->parts);
     }
     if (b->open > 0) {
-      printf(", %zu of %zu parts open: the inside of these is not defined", b->open, b->parts);
+      printf(", %zu of %zu parts open: an open part has no inside", b->open, b->parts);
     }
     putchar('\n');
   }
@@ -216,11 +216,11 @@ static void print_compared(const path_scene *scene, const path_question *q) {
              scene->robot.name != NULL ? scene->robot.name : "");
     }
   } else {
-    printf("; %zu are not: links of one joint", scene->joined);
+    printf("; not compared: links of one joint (%zu)", scene->joined);
     if (scene->rigid > 0) {
-      printf("; %zu are not: no joint moves them against each other", scene->rigid);
+      printf(", links that no joint moves against each other (%zu)", scene->rigid);
     }
-    fputs(" (--srdf=FILE says which)", stdout);
+    fputs("; --srdf=FILE chooses the pairs", stdout);
   }
   putchar('\n');
 }
@@ -270,7 +270,8 @@ static void print_between(const path_scene *scene, const path_question *q) {
 static void print_certificate(const path_scene *scene, const path_question *q) {
   printf("certificate  %s: ", q->certificate);
   if (!path_certified(scene)) {
-    printf("not written%s\n", scene->removed ? "; that of an earlier run is removed" : "");
+    printf("not written%s\n",
+           scene->removed ? "; the certificate of an earlier run is removed" : "");
   } else {
     puts("written");
   }

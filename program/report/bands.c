@@ -10,11 +10,11 @@ bool report_bands_agree(const report_bands *bands, sepax_error *error) {
   const report_limit *warning = &bands->warning;
   if (warning->text != NULL && clearance->text == NULL) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "warning: there is no clearance to warn before; give --clearance, too");
+                      "warning: needs a smaller clearance; give --clearance, too");
   }
   return warning->text == NULL || warning->length > clearance->length ||
          sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "warning: %.60s is not above the clearance of %.60s", warning->text,
+                    "warning: %.60s is not above the clearance of %.60s; give more", warning->text,
                     clearance->text);
 }
 

@@ -54,7 +54,7 @@ static void print_faces(int width, const sepax_mesh_account *a) {
   if (a->unplaced > 0) {
     printf("%*s", width, "");
     report_print_count(a->unplaced, "face");
-    puts(" of meshes that the file places nowhere: not compared");
+    puts(" left out, because the file places their meshes nowhere");
   }
 }
 

@@ -163,7 +163,7 @@ static double parse_time(const struct argp_state *state, const char *text) {
   double seconds;
   const char *end = cli_scan(text, cli_times, CLI_SECONDS, &seconds);
   if (end == NULL || *end != '\0' || (end[-1] != 's') || !(seconds > 0)) {
-    argp_error(state, "time: '%s' is no time; give 1ms, say", text);
+    argp_error(state, "time: '%s' is not a time; give, for example, 1ms", text);
   }
   return seconds;
 }
@@ -235,15 +235,18 @@ static void check_scene(size_options *o, const struct argp_state *state) {
   if (!o->is_scene) {
     if (q->srdf != NULL || q->packages > 0 || q->bands.clearance.text != NULL ||
         q->bands.warning.text != NULL || q->rules.hold || q->rules.ignore_limits) {
-      argp_error(state,
-                 "srdf, package, clearance, warning, hold, ignore-limits: are for a URDF and "
-                 "a CSV file; leave them out");
+      argp_error(
+          state,
+          "srdf, package, clearance, warning, hold, ignore-limits: apply only to a URDF and a CSV file; leave them out");
     }
     return;
   }
   const char *other = o->path_file != NULL ? "poses" : o->moved != NULL ? o->moved : o->placed;
   if (other != NULL) {
-    argp_error(state, "%s: is for two meshes; the CSV says where bodies are", other);
+    argp_error(
+        state,
+        "%s: applies only to two meshes, because the CSV says where the bodies are; leave it out",
+        other);
   }
   o->posed = NULL;
   o->request.first = true; /* as the jobs of a list */
@@ -261,16 +264,17 @@ static void check_given(size_options *o, const struct argp_state *state) {
   }
   check_scene(o, state);
   if (o->space.resolution == 0) {
-    argp_error(state, "resolution: what is one LSB? give --resolution=2um, say");
+    argp_error(state, "resolution: give the length of one LSB, for example --resolution=2um");
   }
   if (o->moved != NULL && o->path_file != NULL) {
-    argp_error(state, "%s: the poses are those of the file; leave it out, or --poses", o->moved);
+    argp_error(state, "%s: cannot be combined with --poses; leave one of them out", o->moved);
   }
   if (o->posed != NULL && o->path_file == NULL) {
-    argp_error(state, "%s: is for the tree engine on a path; give --poses=FILE, too", o->posed);
+    argp_error(state, "%s: applies only to tree engines on a path; give --poses=FILE, too",
+               o->posed);
   }
   if (o->request.tree && o->lanes_given) {
-    argp_error(state, "tree: a tree engine has no comparator lanes; leave one of both out");
+    argp_error(state, "tree: a tree engine has no comparator lanes; leave out --tree, or --lanes");
   }
   if (o->generate != (o->folder != NULL)) {
     argp_error(state, "--gen and -o DIR go together; give both");
@@ -408,9 +412,10 @@ static bool choose(const size_options *o, size_answer *answer, sepax_error *erro
     }
   }
   if (answer->best == NULL && why.code == SEPAX_OK) {
-    return sepax_fail(error, SEPAX_ERROR_LIMIT,
-                      "tree: %d bits of a coordinate are more than %d; coarsen the resolution",
-                      answer->size->grid.word, SEPAX_TREE_WORD_MAX);
+    return sepax_fail(
+        error, SEPAX_ERROR_LIMIT,
+        "tree: the scene needs %d bits of a coordinate, and a tree engine has at most %d; coarsen the resolution",
+        answer->size->grid.word, SEPAX_TREE_WORD_MAX);
   }
   *error = why;
   return answer->best != NULL;

@@ -21,11 +21,11 @@ static void print_candidates(const size_options *o, const sepax_size *s) {
          s->path > 0 ? "first pose of the path" : "pose of the files",
          100 * (double)s->given / pairs);
   if (s->poses > 0) {
-    printf("%-*sthe most in that and in %d sampled poses (seed %llu): %llu, %.3g %%\n", WIDTH, "",
+    printf("%-*smost in this pose and %d sampled poses (seed %llu): %llu, %.3g %%\n", WIDTH, "",
            s->poses, (unsigned long long)o->space.seed, (unsigned long long)s->worst,
            100 * (double)s->worst / pairs);
   } else if (s->path > 1) {
-    printf("%-*sthe most in any of its %zu poses: %llu, %.3g %%\n", WIDTH, "", s->path,
+    printf("%-*smost in any of the %zu poses: %llu, %.3g %%\n", WIDTH, "", s->path,
            (unsigned long long)s->worst, 100 * (double)s->worst / pairs);
   }
 }
@@ -85,7 +85,8 @@ static void print_time(const size_options *o, const size_answer *answer) {
     return;
   }
   if (answer->size->poses > 0) {
-    printf(", worst of the file's and %d sampled poses, not a bound", answer->size->poses);
+    printf(", the worst of the file's pose and %d sampled poses; other poses may take longer",
+           answer->size->poses);
   }
   putchar('\n');
 }

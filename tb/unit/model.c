@@ -56,9 +56,9 @@ CASE(test_refused) {
       {"--arch=exact --clock-ns=1.2345", "three decimals"},
       {"--clearance=131072", "0 ... 131071"},
       {"--clearance=-2", "out of range"},
-      {"--clearance=5 --warning=131072", "up to 131071"},
-      {"--clearance=100000 --extent-a=500 --extent-b=500", "leave the extents out"},
-      {"--speed=1", "no setting"},
+      {"--clearance=5 --warning=131072", "at most 131071"},
+      {"--clearance=100000 --extent-a=500 --extent-b=500", "they save nothing; leave them out"},
+      {"--speed=1", "not a design option"},
       {"word=18", "--NAME=VALUE"}};
   for (size_t i = 0; i < LENGTH(row); i++) {
     refuse_design(row[i][0], row[i][1]);

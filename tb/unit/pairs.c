@@ -304,7 +304,7 @@ CASE(long_names_and_lines_fit) {
   static const struct {
     size_t length;
     const char *part;
-  } row[] = {{LONG, ":1: longer than any pair"},
+  } row[] = {{LONG, ":1: the line is longer than any pair"},
              {SHORTER, ":1: number 1, 'nnnn"},
              {SHORTER, "nn...', is not a decimal integer"}};
   static char text[LONG + 1];

@@ -74,7 +74,8 @@ CASE(test_extremes) {
     refuse_value(-half - 0.5, grid, "does not fit");
   }
   sepax_grid grid = {0.002, {0, 0, 0}, 18};
-  refuse_value(300, grid, "facet 0, vertex 0: x = 300 does not fit 18 bits of 0.002 from 0; raise");
+  refuse_value(300, grid,
+               "facet 0, vertex 0: x = 300 does not fit 18 bits at 0.002 per LSB from 0; raise");
   refuse_value(1e308, grid, "does not fit");
   refuse_value(-INFINITY, grid, "does not fit");
   refuse_value(NAN, grid, "does not fit");
@@ -228,7 +229,7 @@ CASE(test_normals) {
   assert_fault(sepax_quantise_normals(&soup, 18, &normal, &fault),
                "facet 0: the normal has y = nan");
   soup.normal = NULL;
-  assert_fault(sepax_quantise_normals(&soup, 18, &normal, &fault), "no normals are there");
+  assert_fault(sepax_quantise_normals(&soup, 18, &normal, &fault), "the mesh has no normals");
 }
 
 CASE(nothing_is_left_of_a_failure) {

@@ -211,7 +211,7 @@ CASE(test_sample_errors) {
        {{0}},
        0,
        "shape: 'torus' is none of: ball-end, flat-end, pocket, sphere, box"},
-      {"box", 101, {{0}}, 0, "101 triangles close no mesh; ask for an even"},
+      {"box", 101, {{0}}, 0, "101 triangles cannot form a closed mesh; ask for an even"},
       {"box", 10, {{0}}, 0, "box: 10 triangles are not in 12 ..."},
       {"box", 0, {{0}}, 0, "not in 12 ..."},
       {"box", SIZE_MAX - 1, {{0}}, 0, "not in 12 ..."},
@@ -220,8 +220,8 @@ CASE(test_sample_errors) {
       {"box", 100, {{0}}, INFINITY, "size: inf is not a length"},
       {"box", 100, {{0, NAN, 0}}, 0, "at: y = nan"},
       {"box", 100, {{0, 0, -1e17}}, 0, "at: z = -1e+17 is too far away for an object of 120 mm"},
-      {"box", 100, {{0}}, 1e-170, "triangles of no area"},
-      {"box", 100, {{0}}, 1e200, "triangles of no area"}};
+      {"box", 100, {{0}}, 1e-170, "some triangles have no area"},
+      {"box", 100, {{0}}, 1e200, "some triangles have no area"}};
   for (size_t i = 0; i < LENGTH(row); i++) {
     sepax_soup mesh = {.count = 77};
     assert_fault(

@@ -143,7 +143,7 @@ CASE(test_text_forms) {
 CASE(test_text_errors) {
   static const char *const row[][2] = {
       {"", "empty"},
-      {"hello", "no STL file"},
+      {"hello", "not an STL file"},
       {"<html>This is a page of text, and so long that it might have the head of a "
        "binary file in it.</html>",
        "neither 'solid' nor a binary header"},
@@ -170,7 +170,7 @@ CASE(test_text_errors) {
     refuse_bytes(row[i][0], strlen(row[i][0]), row[i][1]);
   }
   const char with_zero[] = SOLID("1\0");
-  refuse_bytes(with_zero, sizeof with_zero - 1, "no STL file");
+  refuse_bytes(with_zero, sizeof with_zero - 1, "not an STL file");
 }
 
 /* A binary file of `count` facets, all numbers 1, with space for what a case appends. */
@@ -210,7 +210,7 @@ CASE(test_binary_errors) {
   size_t size = make_binary(bytes, "solid", 3);
   refuse_bytes(bytes, size - 1, "truncated: 3 facets take 234 bytes, the file has 233");
   refuse_bytes(bytes, 84, "truncated");
-  refuse_bytes(bytes, 83, "no STL file");
+  refuse_bytes(bytes, 83, "not an STL file");
   bytes[size] = 0;
   refuse_bytes(bytes, size + 1, "longer than its count says");
   bytes[80 + 1] = 0xff;

@@ -215,10 +215,10 @@ CASE(refused) {
   sepax_soup m = {0};
   sepax_weld said;
   add_cells(&m, lowest, highest, 1);
-  assert_fault(sepax_soup_weld(&m, -1, &said, &fault), "to weld by");
-  assert_fault(sepax_soup_weld(&m, NAN, &said, &fault), "to weld by");
-  assert_fault(sepax_soup_weld(&m, INFINITY, &said, &fault), "to weld by");
-  assert_fault(sepax_soup_weld(&m, 0.9, &said, &fault), "a mesh of 8 along its longest side");
+  assert_fault(sepax_soup_weld(&m, -1, &said, &fault), "a weld length of");
+  assert_fault(sepax_soup_weld(&m, NAN, &said, &fault), "a weld length of");
+  assert_fault(sepax_soup_weld(&m, INFINITY, &said, &fault), "a weld length of");
+  assert_fault(sepax_soup_weld(&m, 0.9, &said, &fault), "a mesh whose longest side is 8");
   assert_int_equal(m.count, 12);
   sepax_soup_free(&m);
   const double flat[3][3] = {{0, 0, 0}, {9, 0, 0}, {0, 0.5, 0}};

@@ -185,7 +185,7 @@ static bool fail_child(const checker *c, const xmlNode *node, const format_eleme
   const char *near = meant(c, name);
   if (near != NULL && strcmp(near, name) == 0) {
     return sepax__xml_fail(c->file, node, error,
-                           "<%.40s> in <%.40s>: its place is elsewhere; move it, or leave it out",
+                           "<%.40s> in <%.40s>: it belongs elsewhere; move it, or leave it out",
                            name, row->name);
   }
   if (near != NULL) {
@@ -204,9 +204,10 @@ static bool fail_text(const checker *c, const xmlNode *text, const xmlNode *in,
   static const char blanks[] = " \t\r\n";
   const char *word = text->content != NULL ? (const char *)text->content : "";
   word += strspn(word, blanks);
-  return sepax__xml_fail(c->file, in, error,
-                         "<%.40s>: text '%.*s' in it, which says nothing; leave it out",
-                         name_of(in), (int)least(strcspn(word, blanks), 40), word);
+  return sepax__xml_fail(
+      c->file, in, error,
+      "<%.40s>: it contains the text '%.*s', which has no meaning there; leave it out", name_of(in),
+      (int)least(strcspn(word, blanks), 40), word);
 }
 
 static bool check_element(const checker *c, xmlNode *node, const format_element *row,

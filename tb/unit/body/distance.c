@@ -457,7 +457,7 @@ CASE(distances_refused) {
     const sepax_distance_request request = {.size = sizeof(sepax_distance_request),
                                             .last = &bad[i]};
     assert_fault(sepax_bodies_distance(s.body[0], NULL, s.body[1], NULL, &request, &r, &fault),
-                 "not one of these bodies");
+                 "not a result for these bodies");
   }
   assert_fault(sepax_bodies_near(s.body[0], NULL, s.body[1], NULL, NAN, NULL, &found, &fault),
                "distance");

@@ -113,10 +113,10 @@ CASE(test_nearest) {
   assert_works(sepax_pose_nearest(&p, NULL, &fault));
   assert_memory_equal(&p, &same, sizeof p);
   p.rotation[0][0] = 1.011;
-  assert_fault(sepax_pose_nearest(&p, NULL, &fault), "farther than 0.01 from every rotation's");
+  assert_fault(sepax_pose_nearest(&p, NULL, &fault), "differs by more than 0.01");
   assert_true(p.rotation[0][0] == 1.011);
   p.rotation[0][0] = 1e300;
-  assert_fault(sepax_pose_nearest(&p, NULL, &fault), "farther than 0.01");
+  assert_fault(sepax_pose_nearest(&p, NULL, &fault), "more than 0.01");
   p.rotation[0][0] = -1;
   assert_fault(sepax_pose_nearest(&p, NULL, &fault), "reflection");
   p.rotation[0][0] = NAN;
@@ -261,8 +261,8 @@ CASE(test_decimal_comma) {
 
 CASE(test_refused) {
   static const char *const row[][2] = {
-      {"", "no pose in it"},
-      {"# nothing\n\n", "no pose in it"},
+      {"", "the file has no poses"},
+      {"# nothing\n\n", "the file has no poses"},
       {"1 0 0 0 1 0 0 0 1 0 0", ":1: 11 numbers; give 12"},
       {"\n1 0 0 0 1 0 0 0 1 0 0 0 0\n", ":2: 13 numbers; give 12"},
       {"#\n#\n1 0 0 0 1 0 0 0 1 0 nan 0\n", ":3: NaN is no number; give 12"},

@@ -386,9 +386,9 @@ CASE(test_left_out) {
   assert_null(s.size.trees);
   request.lanes_least = 1;
   request.lanes_most = 0;
-  assert_fault(sepax_size_design(&m, &s.size, &request, &fault), "up to 21 bits");
+  assert_fault(sepax_size_design(&m, &s.size, &request, &fault), "at most 21 bits");
   sepax_size_free(&s.size);
   space.path = &(sepax_poses){NULL, 0};
   assert_fault(sepax_size_scene(&s.size, &s.mesh[0], &s.mesh[1], &space, &fault),
-               "poses: there are none");
+               "poses: the path has no poses");
 }

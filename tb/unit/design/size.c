@@ -326,7 +326,7 @@ CASE(test_refused) {
   static scene s;
   draw_scene(&s);
   s.space.resolution = 1e-12;
-  refuse(&s, "resolution: coordinates reach");
+  refuse(&s, "resolution: coordinates up to");
   s.space.resolution = 0;
   refuse(&s, "resolution: 0 is not");
   s.space.resolution = 1;

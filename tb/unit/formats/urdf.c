@@ -182,7 +182,7 @@ CASE(test_geometry_refused) {
   refuse_geometry("<geometry><capsule radius='0' length='1'/></geometry>", "makes it flat");
   refuse_geometry("<geometry><mesh/></geometry>", "<mesh> without filename");
   refuse_geometry("<geometry><mesh filename='none.stl'/></geometry>", "none.stl: no such file");
-  refuse_geometry("<geometry><mesh filename='http://x/y.stl'/></geometry>", "fetched from nowhere");
+  refuse_geometry("<geometry><mesh filename='http://x/y.stl'/></geometry>", "is not fetched");
   refuse_geometry("<geometry><mesh filename='package://p/y.stl'/></geometry>",
                   "give --package=p:FOLDER");
   refuse_geometry("<geometry><box size='1 1 1'/>\n<sphere radius='9'/></geometry>",
@@ -340,9 +340,9 @@ CASE(test_elements_refused) {
       {"<my_collision_2/>", "write <collision>"},
       {"<collision><Geometry/></collision>", "write <geometry>"},
       {"<collision><shape/></collision>", "<shape> in <collision> is not known; mend its name"},
-      {"<collision><box size='1 1 1'/></collision>", "<box> in <collision>: its place is else"},
-      {"<geometry/>", "<geometry> in <link>: its place is elsewhere"},
-      {"<link name='c'/>", "<link> in <link>: its place is elsewhere"},
+      {"<collision><box size='1 1 1'/></collision>", "<box> in <collision>: it belongs else"},
+      {"<geometry/>", "<geometry> in <link>: it belongs elsewhere"},
+      {"<link name='c'/>", "<link> in <link>: it belongs elsewhere"},
       {"<collision><geometry><bOx/></geometry></collision>", "write <box>"},
       {"<collision><geometry><cube/></geometry></collision>",
        "<cube> in <geometry> is not known; mend its name, or leave it out (known: mesh box "},
@@ -355,8 +355,8 @@ CASE(test_elements_refused) {
       {"<collision><geometry><box Size='1 1 1'/></geometry></collision>", "<box Size="},
       {"<collision><geometry r='1'/></collision>", "<geometry> has no attribute; leave it out"},
       {"<collision>1 0 0<geometry/></collision>",
-       "r.urdf:2: <collision>: text '1' in it, which says nothing; leave it out"},
-      {"<![CDATA[<collision/>]]>", "<link>: text '<collision/>' in it"},
+       "r.urdf:2: <collision>: it contains the text '1', which has no meaning there; leave it out"},
+      {"<![CDATA[<collision/>]]>", "<link>: it contains the text '<collision/>'"},
       {"<xacro:block/>", "<xacro:block> is of xacro; run xacro"},
   };
   static const char *const joint[][2] = {
@@ -366,7 +366,7 @@ CASE(test_elements_refused) {
       {"<limits lower='-1' upper='1'/>", "write <limit>"},
       {"<mimic joint='k' multiplyer='2'/>", "<mimic multiplyer="},
       {"<Mimic joint='k'/>", "write <mimic>"},
-      {"<collision/>", "<collision> in <joint>: its place is elsewhere"},
+      {"<collision/>", "<collision> in <joint>: it belongs elsewhere"},
   };
   char text[600];
   for (size_t n = 0; n < LENGTH(link); n++) {
@@ -379,7 +379,7 @@ CASE(test_elements_refused) {
   }
   refuse_text(HEAD "<Link name='a'/>" TAIL, "<Link> in <robot> is not known; write <link>");
   refuse_text(HEAD "<jiont name='a'/>" TAIL, "write <joint>");
-  refuse_text(HEAD "<collision/>" TAIL, "<collision> in <robot>: its place is elsewhere");
+  refuse_text(HEAD "<collision/>" TAIL, "<collision> in <robot>: it belongs elsewhere");
   refuse_text("<robot Name='r'/>", "<robot Name=");
 }
 
@@ -551,7 +551,7 @@ CASE(test_srdf) {
       {"\n<Disable_collisions/>", "r.srdf:3: <Disable_collisions> in <robot> is not known; write"},
       {"\n<disable_collisions link1='a' link2='b' Reason='x'/>", "<disable_collisions Reason="},
       {"\n<disable_collisions link1='a' link2='b'><link/></disable_collisions>", "<link> in <dis"},
-      {"\n<disable_collisions link1='a' link2='b'>c</disable_collisions>", "text 'c' in it"},
+      {"\n<disable_collisions link1='a' link2='b'>c</disable_collisions>", "contains the text 'c'"},
   };
   bool compared[9];
   format_srdf of = {0};

@@ -151,7 +151,7 @@ CASE(transformations) {
   sepax_soup_free(&soup);
   refuse(PLACED(NODE("<lookat>0 0 0 1 0 0 0 0 1</lookat>")), "<lookat> is not read");
   refuse(PLACED(NODE("<skew>45 1 0 0 0 1 0</skew>")), "<skew> is not read");
-  refuse(PLACED(NODE("<scale>1 0 1</scale>")), "<scale> makes all that it places flat");
+  refuse(PLACED(NODE("<scale>1 0 1</scale>")), "<scale> makes every mesh that it places flat");
   refuse(PLACED(NODE("<translate>1 2</translate>")), "<translate> has 2 numbers, not 3");
   refuse(PLACED(NODE("<rotate>0 0 0 90</rotate>")), "give an axis that is not zero");
   refuse(PLACED(NODE("<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1</matrix>")),
@@ -181,16 +181,16 @@ CASE(instances) {
          "refers to another file, which is not read; put it into this one");
   refuse(PLACED("<node><instance_geometry url='#h'/></node>"), "no <geometry> has this id");
   refuse(PLACED("<node><instance_node url='#h'/></node>"), "no <node> has this id");
-  refuse(PLACED("<node id='k'><instance_node url='#k'/></node>"), "<node> that is in itself");
+  refuse(PLACED("<node id='k'><instance_node url='#k'/></node>"), "<node> that contains itself");
   refuse(ROOT GEOMETRIES(GEOMETRY("g", ONE)) END, "it has no <scene>");
   refuse(PLACED("<node/>"), "the scene places no mesh");
   refuse(MESH("<triangles count='0'>" VERTEX "</triangles>"),
          "the meshes that the scene places have no faces");
   refuse(PLACED("<node><instance_geometry url='#g'/><translate>1 0 0</translate></node>"),
-         "<translate> behind what the node places: transformations stand first");
+         "<translate> after an element that the node places; transformations must come first");
   refuse(PLACED(NODE("<scale>1e-200 1e-200 1e-200</scale><scale>1e-200 1e-200 1e-200</scale>"
                      "<scale>1e200 1e200 1e200</scale><scale>1e200 1e200 1e200</scale>")),
-         "makes a mesh flat, or smaller or larger than numbers hold");
+         "makes a mesh flat, or too small or too large for a double");
   refuse(PLACED("triangles" NODE("")), "has text between its elements");
   refuse(ROOT "<asset><unit name='millimeter'/></asset>" GEOMETRIES(GEOMETRY("g", ONE))
              SCENE(NODE("")) END,

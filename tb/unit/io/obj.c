@@ -122,11 +122,12 @@ CASE(what_has_no_surface) {
 
 CASE(refused) {
   static const char *const row[][2] = {
-      {VERTICES "f 0 1 2\n", "a.obj:5: '0': there is no such vertex, of 4"},
-      {VERTICES "f 1 2 5\n", "a.obj:5: '5': there is no such vertex, of 4"},
-      {VERTICES "f 1 2 -5\n", "a.obj:5: '-5': there is no such vertex, of 4, 4 of them above"},
+      {VERTICES "f 0 1 2\n", "a.obj:5: '0': there is no such vertex; the file has 4"},
+      {VERTICES "f 1 2 5\n", "a.obj:5: '5': there is no such vertex; the file has 4"},
+      {VERTICES "f 1 2 -5\n",
+       "a.obj:5: '-5': there is no such vertex; the file has 4, 4 of them above"},
       {"v 0 0 0\nf -1 -2 -3\n" VERTICES,
-       "a.obj:2: '-2': there is no such vertex, of 5, 1 of them above"},
+       "a.obj:2: '-2': there is no such vertex; the file has 5, 1 of them above"},
       {VERTICES "f 1 2\n", "a.obj:5: a face of 2 corners; give three or more"},
       {VERTICES "f\n", "a face of 0 corners"},
       {VERTICES "f 1 2 3.5\n", "'3.5' is no corner of a face"},
@@ -155,7 +156,7 @@ CASE(refused) {
       {VERTICES, "no triangles"},
       {VERTICES "l 1 2\n", "no triangles"},
       {"v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nf 1 2 3 4\n", "a.obj:5: face 0: a polygon of 4 corners "
-                                                          "that crosses itself"},
+                                                          "crosses itself"},
   };
   for (size_t n = 0; n < sizeof row / sizeof row[0]; n++) {
     refuse(row[n][0], row[n][1]);
@@ -165,5 +166,6 @@ CASE(refused) {
   const char *file = put_bytes("a.obj", zero, sizeof zero - 1);
   assert_fault(sepax_mesh_read(&none, NULL, file, NULL, &fault), "a byte of zero at offset 35");
   file = put_bytes("a.mesh", zero, sizeof zero - 1);
-  assert_fault(sepax_mesh_read(&none, NULL, file, NULL, &fault), "a.mesh: no mesh that is read");
+  assert_fault(sepax_mesh_read(&none, NULL, file, NULL, &fault),
+               "a.mesh: not a mesh that can be read");
 }

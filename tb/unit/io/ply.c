@@ -150,7 +150,7 @@ CASE(binaries) {
       refuse_file(made, size - less, "truncated");
     }
     made[size] = '\n';
-    refuse_file(made, size + 1, "more behind its last element than the head declares");
+    refuse_file(made, size + 1, "more data after the last element than the head declares");
     made[size - 1] = made[size - 4] = 9; /* the last index, in either order */
     refuse_file(made, size, "element face, row 1: there is no vertex");
   }
@@ -222,12 +222,12 @@ CASE(rows) {
       {HEAD("1") ROWS "3 0 1 -1\n", "there is no vertex -1, of 4"},
       {HEAD("1") ROWS "3 0 1 1.5\n", "there is no vertex 1.5, of 4"},
       {HEAD("1") ROWS "2 0 1\n", "a face of fewer than three corners"},
-      {HEAD("1") ROWS "3 0 1\n", "truncated: fewer numbers than its properties are"},
+      {HEAD("1") ROWS "3 0 1\n", "truncated: fewer numbers than properties"},
       {HEAD("1") ROWS "3 0 1 2 3\n", "a.ply:14: element face, row 0: more numbers than"},
       {HEAD("2") ROWS "3 0 1 2\n", "element face, row 1: truncated"},
-      {HEAD("1") ROWS "3 0 1 2\n3 0 1 2\n", "more behind its last element"},
+      {HEAD("1") ROWS "3 0 1 2\n3 0 1 2\n", "more data after the last element"},
       {HEAD("99999999999") ROWS "3 0 1 2\n", "element face, row 1: truncated"},
-      {HEAD("1") ROWS "1000000 0 1 2\n", "a list of more numbers than there are"},
+      {HEAD("1") ROWS "1000000 0 1 2\n", "a list is longer than the numbers that follow"},
       {HEAD("1") ROWS "-3 0 1 2\n", "a list whose length is no whole number"},
       {HEAD("1") ROWS "2.5 0 1 2\n", "a list whose length is no whole number"},
       {HEAD("1") "0 0 nan\n1 0 0\n0 2 0\n0 0 3\n3 0 1 2\n", "triangle 0: a coordinate is NaN"},

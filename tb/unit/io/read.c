@@ -49,7 +49,7 @@ static void assert_refused(const char *name, const char *text, const sepax_mesh_
 
 CASE(what_no_format_knows) {
   assert_refused("a.txt", "hello\n", NULL, SEPAX_ERROR_FORMAT,
-                 "a.txt: no mesh that is read; give PLY, 3MF, DAE, STL or OBJ");
+                 "a.txt: not a mesh that can be read; give PLY, 3MF, DAE, STL or OBJ");
   assert_refused("a.txt", "", NULL, SEPAX_ERROR_FORMAT, "a.txt: ");
   sepax_soup soup;
   assert_fault(sepax_mesh_read(&soup, NULL, in_folder("none.stl"), NULL, &fault),

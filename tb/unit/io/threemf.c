@@ -146,7 +146,7 @@ CASE(objects_that_are_not_built) {
   refuse(MODEL("", RESOURCES(OBJECT("1", MESH)
                                  OBJECT("2", COMPONENTS(COMPONENT("1", "transform='" SMALL "'"))))
                        BUILD(ITEM("2", "transform='" SMALL "'"))),
-         "smaller or larger than numbers hold");
+         "too small or too large for a double");
 #define ALTERNATIVES "xmlns:mc='http://schemas.openxmlformats.org/markup-compatibility/2006' "
   refuse(MODEL(ALTERNATIVES,
                RESOURCES(OBJECT("1", MESH)) "<build><mc:AlternateContent/>" ITEM("1", "") //

@@ -297,5 +297,5 @@ CASE(test_no_mechanism) {
     m.joint[n].factor = 1e200;
     m.joint[n].mimic = n < 2 ? n + 1 : SEPAX_NO_JOINT;
   }
-  refuse(&m, "joint j0: factor and offset by which it follows are not finite");
+  refuse(&m, "joint j0: the factor or the offset by which it follows is not finite");
 }
