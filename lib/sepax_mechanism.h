@@ -14,8 +14,8 @@
  * the lengths of all translations on the way: those of the origins and those along prismatic axes.
  * Then the image of a unit vector under the rotation is wrong by at most n 2^-46, and the
  * translation is wrong by at most n 2^-45 L. This holds if values, axes and origins are exact and
- * the C library's sin and cos are right to one unit in the last place. docs/guides/path.md has the
- * proof. A verdict on bodies in such poses is exact for the rounded poses.
+ * the C library's sin and cos are right to one unit in the last place. docs/reference/mechanisms.md
+ * has the proof. A verdict on bodies in such poses is exact for the rounded poses.
  */
 #ifndef SEPAX_MECHANISM_H
 #define SEPAX_MECHANISM_H
@@ -118,7 +118,7 @@ void sepax_chain_poses(const sepax_chain *chain, const sepax_mechanism *m, const
  *
  * The bound includes all rounding: of the bound itself, of the joint values on the way, and of the
  * poses that sepax_chain_poses computes at `middle`. Joints that follow others move linearly, too.
- * docs/guides/path.md has the proof. */
+ * docs/reference/mechanisms.md has the proof. */
 double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
                           const double *middle, const double *to, const double box[2][3]);
 

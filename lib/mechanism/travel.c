@@ -1,5 +1,5 @@
 /* travel.c - how far bodies move while the joints go linearly from one set of values to another.
- * docs/guides/path.md#the-bound-on-motion derives the bound. */
+ * docs/reference/mechanisms.md#the-bound-on-motion derives the bound. */
 #include "mechanism/steps.h"
 #include "util/vector.h"
 

@@ -1,5 +1,5 @@
 /* certify.c - between the lines of a path: bodies that are farther from each other than any point
- * of theirs moves do not meet. docs/guides/path.md#between-the-lines. */
+ * of theirs moves do not meet. docs/reference/mechanisms.md#between-the-lines. */
 #include "path/parts.h"
 #include "util/error.h"
 #include "util/threads.h"
