@@ -58,8 +58,14 @@ static void describe_settings(json_t *all, const sepax_config *config, bool *fai
   }
 }
 
-static json_t *optional(bool given, json_int_t number) {
-  return given ? json_integer(number) : NULL;
+/* What json_pack leaves out with "o*" where it is not given; without memory it is not left out. */
+static json_t *optional(bool given, json_t *made, bool *failed) {
+  *failed |= given && made == NULL;
+  return given ? made : NULL;
+}
+
+static json_t *optional_number(bool given, int64_t number, bool *failed) {
+  return optional(given, given ? json_integer((json_int_t)number) : NULL, failed);
 }
 
 void describe_json(const emitter *e, emit_text *out) {
@@ -76,14 +82,14 @@ void describe_json(const emitter *e, emit_text *out) {
                           sepax_config_text(&d->config, text, sizeof text));
   describe_settings(all, &d->config, &failed);
   json_t *rest = json_pack(
-      "{si, si, so*, so*, ss*, so*, so, so, so}", "latency", d->latency, "input_words",
+      "{si, si, so*, so*, so*, so*, so, so, so}", "latency", d->latency, "input_words",
       transfers > 0 ? transfers
       : exact       ? 1
                     : 3,
-      "core_word", optional(exact && d->config.extent_a > 0, d->core_word), "margin",
-      optional(exact && d->limits > 0, (json_int_t)d->margin[1]), "behavioural_view",
-      exact ? "SEPAX_BEHAVIOURAL" : NULL, "coplanar_limit",
-      optional(!exact, (json_int_t)d->coplanar_limit), "formats", describe_formats(d, &failed),
+      "core_word", optional_number(exact && d->config.extent_a > 0, d->core_word, &failed),
+      "margin", optional_number(exact && d->limits > 0, d->margin[1], &failed), "behavioural_view",
+      optional(exact, exact ? json_string("SEPAX_BEHAVIOURAL") : NULL, &failed), "coplanar_limit",
+      optional_number(!exact, d->coplanar_limit, &failed), "formats", describe_formats(d, &failed),
       "modules", modules, "ports", describe_ports(e->module[e->modules - 1], &failed));
   failed |= json_object_update(all, rest) != 0;
   if (d->config.corner == SEPAX_CORNER_SLOW) {
