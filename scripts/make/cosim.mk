@@ -58,7 +58,8 @@ COSIM_DEPS = $(RTL) $(LIB) $(IO) $(OPTIONS_OBJ) tb/meshes.h \
 
 # verilate TOP FLAGS FILES, linked with what the readers of meshes need. Verilator 5.006 miscompiles
 # trees of single bits (its issue 4059) but for -fno-const-bit-op-tree.
-verilate = scripts/need cosim c++ verilator && rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { LIBS="$(IO_LIBS)" \
+verilate = scripts/need cosim c++ verilator && \
+           rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { LIBS="$(IO_LIBS)" \
            $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree \
            --x-assign fast --x-initial unique --top-module $(1) -f sepax.f $(VIEW_MACRO) $(2) $(3) \
            --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \

@@ -27,7 +27,8 @@ GENERATED = $(filter generated,$(MULTIPLIERS))
 GATED     = $(if $(filter-out 0,$(GATING)),gated)
 AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)$(GATED:%=-%)
 
-.PHONY: mapped area-file timed timing-file assigned powered power-file cosim-netlist cosim-netlist-icarus flow routed
+.PHONY: mapped area-file timed timing-file assigned powered power-file flow routed \
+        cosim-netlist cosim-netlist-icarus
 
 routed:
 	@echo "fpga: TARGET=asic is none; give TARGET=ecp5, ice40, xc7, xcup or gowin" >&2; exit 2

@@ -267,7 +267,8 @@ module sepax_tb;
       for (i = 0; i < FIELDS; i = i + 1) begin
         fields = fields + ($fscanf(file, "%d", number[i]) == 1 ? 1 : 0);
         narrow = number[i];
-        if (fields == i + 1 && (i < 24 ? narrow != number[i] : number[i] < 0 || number[i] > 15)) begin
+        if (fields == i + 1 &&
+            (i < 24 ? narrow != number[i] : number[i] < 0 || number[i] > 15)) begin
           $display("sepax_tb: %0s: pair %0d: number %0d, %0d, does not fit %0d bits; judge the %0s",
                    path, sent, i + 1, number[i], i < 24 ? WORD : 4,
                    "pairs with the --word of this design");
