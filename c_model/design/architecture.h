@@ -1,4 +1,4 @@
-/* architecture.h - what an architecture is to everything that does not depend on one. */
+/* architecture.h - the table of architectures: what other code needs to know of an architecture. */
 #ifndef SEPAX_ARCHITECTURE_H
 #define SEPAX_ARCHITECTURE_H
 
@@ -8,19 +8,21 @@ typedef sepax_judgement judge_function(const sepax_design *design, const sepax_p
 
 typedef struct {
   const char *name;
-  judge_function *judge; /* the golden model */
-  /* Fails on values that do not go together; NULL: all do. Each is in the range of its option. */
+  judge_function *judge; /* its golden model */
+  /* Fails if values do not go together. Each value is already in the range of its option. NULL: all
+   * values go together. */
   bool (*check)(const sepax_config *config, sepax_error *error);
-  /* Formats, latency and the rest of a design whose configuration is checked; NULL: none. */
+  /* Fills in formats, latency and other fields of a design whose configuration was checked. NULL:
+   * nothing to fill in. */
   void (*derive)(sepax_design *design);
 } architecture;
 
-/* By sepax_arch. A new architecture is a file with such a row and a line of the list. */
+/* The rows by sepax_arch. To add an architecture, add a file with a row and a line of this list. */
 extern const architecture *const sepax__architectures[SEPAX_ARCH_COUNT];
 extern const architecture sepax__architecture_exact, sepax__architecture_paper,
     sepax__architecture_conference;
 
-/* Models that are no function of the public headers. */
+/* Models that the public headers do not declare. */
 judge_function sepax__judge_exact, sepax__judge_reference, sepax__judge_float32,
     sepax__judge_float64, sepax__judge_interval32, sepax__judge_interval64, sepax__judge_guigue32,
     sepax__judge_guigue64, sepax__judge_filtered;

@@ -1,4 +1,5 @@
-/* architectures.c - the list of architectures; a design is checked and derived by its row. */
+/* architectures.c - the list of architectures. A design is checked and derived by the row of its
+ * architecture. */
 #include "design/architecture.h"
 #include "design/options.h"
 

@@ -1,4 +1,4 @@
-/* engines.c - which engine a design has, by the table of engines. */
+/* engines.c - finds the engine of a design in the table of engines. */
 #include "design/engine_table.h"
 #include "design/options.h"
 #include "util/error.h"
@@ -16,7 +16,7 @@ const char *sepax__engine_name(sepax_engine which) {
   return names[which];
 }
 
-/* The first engine behind `before` that the options ask for. */
+/* The first engine after `before` in the table that the options ask for. */
 static sepax_engine next_asked(const sepax_config *config, sepax_engine before) {
   for (int n = (int)before + 1; n < SEPAX_ENGINE_COUNT; n++) {
     if (sepax__design_option_given(engines[n]->option, config)) {

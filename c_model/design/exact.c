@@ -5,7 +5,7 @@
 #include "design/interval.h"
 #include "util/error.h"
 
-/* The gap of AABBs above which a pair is outside of a clearance. */
+/* If the gap of two AABBs is above this number, then the pair is outside the clearance. */
 static int64_t margin_of(const sepax_config *config, int clearance) {
   const engine_row *around = sepax__engine_of(config);
   bool more = around->margin_added != NULL && clearance >= 0;
@@ -60,7 +60,7 @@ static bool check_extents(const sepax_config *config, sepax_error *error) {
              core_word(config));
 }
 
-/* What the engine does or has anyway. */
+/* Refuse options for what the engine already has. */
 static bool check_around(const sepax_config *config, sepax_error *error) {
   const engine_row *around = sepax__engine_of(config);
   if (config->early_out && (config->extent_a != 0 || around->tests_aabbs)) {
@@ -90,14 +90,14 @@ static bool check(const sepax_config *config, sepax_error *error) {
                     "clock-gating: an FPGA has no clock gates; leave it out");
 }
 
-/* Enter a format; every bit that distinguishes results is kept. */
+/* Enter a format. All bits that distinguish results are kept. */
 static void enter(sepax_design *design, int id, const char *name, interval terms, interval result) {
   design->exact_format[id] = (sepax_format){name, bits_of(terms), bits_of(result), 0, 0};
   design->formats = id + 1;
 }
 
-/* The same for the factor of a product that is recoded, where it is made of gates: the recoded
- * multiplier computes a (b - K), K = 1 + 4 + 16 ..., so K is added to the factor. */
+/* Enter a format for the recoded factor of a product that is made of gates. The recoded multiplier
+ * computes a (b - K) with K = 1 + 4 + 16 + ..., so K is added to the factor. */
 static void enter_digits(sepax_design *design, int id, const char *name, interval value) {
   if (design->config.target != SEPAX_TARGET_ASIC) {
     enter(design, id, name, value, value);
@@ -110,13 +110,13 @@ static void enter_digits(sepax_design *design, int id, const char *name, interva
   design->exact_format[id].digits = digits;
 }
 
-/* What a gap, doubled, must exceed on an axis whose components are at most so long. */
+/* The number that twice the gap must exceed, on an axis with components up to the given size. */
 static interval limit_of(const sepax_config *c, int components, wide longest) {
   wide outer = sepax__outer_margin(c) - 1;
   return (interval){0, ((outer + 2) * components + outer) * longest};
 }
 
-/* With a clearance: components of e x f are at most twice the square of a side. */
+/* With a clearance: each component of e x f is at most twice the square of a side. */
 static void derive_limits(sepax_design *d, wide side) {
   const sepax_config *c = &d->config;
   if (c->clearance < 0) {
@@ -130,9 +130,9 @@ static void derive_limits(sepax_design *d, wide side) {
   enter(d, SEPAX_X_EDGE_LIMIT, "edge_limit", edge_limit, edge_limit);
 }
 
-/* `exact` bits hold every term on the way, `width` the result; sums that cancel are taken modulo
- * 2^width. Twice the area of a triangle in a square of side L is at most L^2, six times the
- * volume of a tetrahedron in a cube 2 L^3. */
+/* `exact` bits hold every term, and `width` bits hold the result, because sums are taken modulo
+ * 2^width and terms cancel. Twice the area of a triangle in a square of side L is at most L^2. Six
+ * times the volume of a tetrahedron in a cube of side L is at most 2 L^3. */
 static void derive_formats(sepax_design *d) {
   interval word = signed_word(d->core_word);
   interval span = interval_hull(difference(word, word), (interval){2 * word.lo, 2 * word.hi});

@@ -27,7 +27,7 @@ static inline interval product(interval p, interval q) {
 
 static inline interval sum_of_three(interval p) { return (interval){3 * p.lo, 3 * p.hi}; }
 
-/* The least width of a two's complement number that holds all of them. */
+/* The least width of a two's complement number that holds all values of the interval. */
 static inline int bits_of(interval p) {
   int bits = 1;
   while (p.lo < -((wide)1 << (bits - 1)) || p.hi >= (wide)1 << (bits - 1)) {
@@ -36,10 +36,10 @@ static inline int bits_of(interval p) {
   return bits;
 }
 
-/* The bits of a coordinate behind the AABB test. AABBs overlap, or their distance is the
- * margin at most; they are seen from the lowest corner of the object with the larger extent.
- * Coordinates of this object reach up to its extent, those of the other from minus its extent to
- * the sum of both, and the margin more on either side. */
+/* The bits of a coordinate after the AABB test. Coordinates count from the lowest corner of the
+ * object with the larger extent. Only pairs pass whose AABBs overlap or are at most the margin
+ * apart. So coordinates of this object are at most its extent. Those of the other object lie
+ * between minus its extent and the sum of both extents, plus the margin on either side. */
 static inline int bits_behind_aabb_test(int64_t extent_a, int64_t extent_b, int64_t margin) {
   int64_t lesser = extent_a < extent_b ? extent_a : extent_b;
   int64_t range = extent_a + extent_b + lesser + 2 * margin;

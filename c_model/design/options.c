@@ -32,7 +32,7 @@ static const char *const target_names[] = {"asic", "ice40", "ecp5", "xc7", "xcup
 
 static const char *const corner_names[] = {"typical", "slow", NULL};
 
-/* Parts of a row. A choice has its first name as default. */
+/* Macros for parts of a row. The first name of a choice is its default. */
 #define FIELD(member) \
   .field = offsetof(sepax_config, member), .size = sizeof(((sepax_config *)0)->member)
 #define CHOICES(names) .choices = (names), .low = 0, .high = sizeof(names) / sizeof((names)[0]) - 2
@@ -341,7 +341,7 @@ static bool parse(int *value, const design_option *option, const char *text, sep
   case OPTION_PRECISION:
     return parse_precision(value, option->name, text, error);
   case OPTION_NUMBER:
-    /* "None" is said by leaving an option out, not by the number that stands for it. */
+    /* A user says "none" by leaving the option out, not by the number that stands for it. */
     return parse_int(value, option->name, text, error) &&
            (*value >= 0 || option->low < 0 || out_of_range(option, *value, error));
   default:
@@ -391,7 +391,7 @@ bool sepax_config_parse(sepax_config *config, const char *text, sepax_error *err
 
 /* ----------------------------------------------------------------------- text */
 
-/* What is needed is there: nothing, or one of the options was given. */
+/* True if the option needs no other option, or if one of the options that it needs was given. */
 static bool is_founded(const design_option *option, const sepax_config *config) {
   const char *needs = option->needs;
   bool founded = needs == NULL;
@@ -420,7 +420,7 @@ bool sepax_config_setting(const sepax_config *config, size_t i, sepax_setting *s
   return false;
 }
 
-/* Append to text[size] what fits. */
+/* Append to text[size]; what does not fit is cut. */
 static void __attribute__((format(printf, 4, 5)))
 append(char *text, size_t size, size_t *used, const char *format, ...) {
   va_list args;
@@ -465,7 +465,7 @@ char *sepax_config_name(const sepax_config *config, char *text, size_t size) {
       append(text, size, &used, "%s%s", text_of(option, get(option, config)).text, value + 2);
     }
   }
-  char *sign = size > 0 ? strchr(text, '=') : NULL; /* guard=4 */
+  char *sign = size > 0 ? strchr(text, '=') : NULL; /* guard=4 becomes guard4 */
   if (sign != NULL) {
     memmove(sign, sign + 1, strlen(sign));
   }

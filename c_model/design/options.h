@@ -1,4 +1,5 @@
-/* options.h - the table of options. A row says everything about an option but what it does. */
+/* options.h - the table of design options. A row says everything about an option except for what it
+ * does. */
 #ifndef SEPAX_OPTIONS_H
 #define SEPAX_OPTIONS_H
 
@@ -8,46 +9,46 @@ typedef enum {
   OPTION_NUMBER,    /* a whole number */
   OPTION_PERIOD,    /* nanoseconds, at most three decimals; the field holds picoseconds */
   OPTION_CHOICE,    /* one of `choices`; the field holds its index */
-  OPTION_SWITCH,    /* the same of two, or 0, 1; without a value it is the second */
+  OPTION_SWITCH,    /* one of two choices, or 0 or 1; the option without a value means the second */
   OPTION_PRECISION, /* full, word, guard=G; the field holds G, -1 for full */
   OPTION_ARCH       /* the name of an architecture */
 } option_kind;
 
 typedef struct {
-  const char *name; /* as in --name; its variable of make is in capitals, with _ for - */
-  char letter;      /* -w; or 0 */
+  const char *name; /* as in --name; the variable of make has capitals, and _ for - */
+  char letter;      /* the letter w of -w; 0: none */
   option_kind kind;
-  size_t field, size;         /* in sepax_config */
-  int standard;               /* the default; outside of low ... high it means "none" */
-  int low, high;              /* the range, as far as it depends on nothing else */
-  const char *const *choices; /* ends with NULL */
-  unsigned archs;             /* bits 1 << sepax_arch: those that read it */
-  unsigned named;             /* those whose designs always have it in their name */
-  bool shown;                 /* sepax_config_text prints it even where it is the default */
-  const char *needs;          /* NULL, or the option without which it means nothing, or
-                                 two, "lanes|tree", one of which is enough */
-  const char *tag;            /* what it adds to the name of a design, "-a%s" */
-  const char *argument;       /* of --help */
+  size_t field, size;         /* place and size of the value in sepax_config */
+  int standard;               /* the default; a default outside low ... high means "none" */
+  int low, high;              /* the range, as far as it does not depend on other options */
+  const char *const *choices; /* names of the choices, then NULL */
+  unsigned archs;             /* bits 1 << sepax_arch of the architectures that read the option */
+  unsigned named;       /* architectures whose designs always have the option in their names */
+  bool shown;           /* sepax_config_text prints it even where it is the default */
+  const char *needs;    /* the option without which this one has no effect, or two of which one is
+                           enough ("lanes|tree"); NULL: none */
+  const char *tag;      /* text that the option adds to the name of a design, "-a%s" */
+  const char *argument; /* name of the value in --help */
   const char *help;
 } design_option;
 
-/* Row i, NULL after the last. */
+/* Row i of the table; NULL after the last row. */
 const design_option *sepax__design_option_at(size_t i);
 
-/* The variable of make: CLOCK_NS for clock-ns. */
+/* The variable of make: "CLOCK_NS" for "clock-ns". */
 typedef struct {
   char text[32];
 } option_text;
 option_text sepax__design_option_variable(const design_option *option);
 
-/* The value in `config` as text, and the default; "" for none. */
+/* The value in `config` as text; "" if it is "none". */
 option_text sepax__design_option_value(const design_option *option, const sepax_config *config);
 
-/* Is the option of this name at another value than its default? */
+/* True if the value of this option is not its default. */
 bool sepax__design_option_given(const char *name, const sepax_config *config);
 
-/* Fails if an architecture does not read an option that was changed, if a value is out of its
- * range, or without the option that it needs. */
+/* Fails if a changed option is not read by the architecture, if a value is out of range, or if an
+ * option is given without the one that it needs. */
 bool sepax__design_options_check(const sepax_config *config, sepax_error *error);
 
 #endif

@@ -26,8 +26,8 @@ static bool check(const sepax_config *config, sepax_error *error) {
   return sepax__paper_epsilon_check(config, error);
 }
 
-/* Enter a format that keeps at most `keep` of the bits which `range` needs, and
- * return the range that is left. */
+/* Enter a format that keeps at most `keep` of the bits that `range` needs. Returns the range after
+ * the other bits are dropped. */
 static interval enter(sepax_design *design, sepax_format_id id, const char *name, interval range,
                       int keep) {
   int exact = bits_of(range);

@@ -12,8 +12,8 @@ bool sepax__paper_epsilon_check(const sepax_config *config, sepax_error *error) 
                     most, config->word);
 }
 
-/* A unit normal has W - 1 bits behind the point. What the formats drop is rounded up; an epsilon of
- * 0 asks for equality, which is a difference below 1. */
+/* A unit normal has W - 1 fractional bits. The bits that the formats drop are rounded up. An
+ * epsilon of 0 asks for equality, that is, for a difference below 1. */
 int64_t sepax__paper_coplanar_limit(const sepax_design *d) {
   int shift = d->format[SEPAX_F_NORMAL_PRODUCT].shift + d->format[SEPAX_F_NORMAL_PROJECTION].shift;
   int64_t distance = (int64_t)d->config.epsilon << (d->config.word - 1);

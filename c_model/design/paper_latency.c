@@ -1,10 +1,10 @@
-/* paper_latency.c - what fixes the latency of architectures paper and conference: the schedules
- * that the papers print (docs/reference/paper.md, docs/reference/conference.md). No option changes
- * them. rtl_gen/paper and rtl_gen/conference follow them cycle by cycle and take their last cycle
+/* paper_latency.c - the latency of architectures paper and conference, from the schedules that the
+ * papers print (docs/reference/paper.md, docs/reference/conference.md). No option changes it.
+ * rtl_gen/paper and rtl_gen/conference follow the schedules cycle by cycle and take the last cycle
  * from here. */
 #include "design/paper.h"
 
-/* Cycles of each stage; 0 behind the last. Figure 6. */
+/* The cycles of each stage, as in figure 6; 0 ends the list. */
 static const int paper[] = {3, /* three input words */
                             2, /* PROJ of the vertices on both normals */
                             1, /* COP, CMP of axes 10 and 11 */
@@ -15,7 +15,7 @@ static const int paper[] = {3, /* three input words */
                             1, /* NAND and output */
                             0};
 
-/* With the durations of figure 6. */
+/* The stages of the conference design, with the durations of figure 6. */
 static const int conference[] = {3, /* three input words */
                                  1, /* edges */
                                  2, /* PSA of table 1 */

@@ -1,4 +1,4 @@
-/* stream.c - the core behind AXI4-Stream: its row in the table of engines. */
+/* stream.c - AXI4-Stream around the core: its row in the table of engines. */
 #include "design/engine_table.h"
 
 const engine_row sepax__engine_stream = {.name = "a stream", .option = "stream"};

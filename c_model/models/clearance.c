@@ -14,19 +14,19 @@
 typedef struct {
   const sepax_design *design;
   bool tight;
-  wide_vec p[2][3], edge[2][3]; /* of A, of B; from A_1 */
-  int reached;                  /* limits that some axis so far has proved */
-  int axis;                     /* the first that proved as many */
+  wide_vec p[2][3], edge[2][3]; /* p[0] of A, p[1] of B, relative to A_1 */
+  int reached;                  /* number of limits that the axes so far have proved */
+  int axis;                     /* the first axis that proved that number */
 } search;
 
 static wide_vec unit(int axis) { return (wide_vec){{axis == 0, axis == 1, axis == 2}}; }
 
-/* Numbers of 256 bits, the lowest 64 first. */
+/* A number of 256 bits, the lowest 64 first. */
 typedef struct {
   uint64_t word[4];
 } square;
 
-/* x^2 is added to *sum; |x| < 2^126. */
+/* Add x^2 to *sum; |x| < 2^126. */
 static void add_square(square *sum, wide x) {
   typedef unsigned __int128 unsigned_wide;
   unsigned_wide size = (unsigned_wide)wide_magnitude(x);
@@ -52,7 +52,7 @@ static bool is_greater(const square *p, const square *q) {
   return false;
 }
 
-/* gap > sum + d |c|_2, where sum is |c|_1. */
+/* True if gap > sum + d |c|_2, where sum is |c|_1. */
 static bool exceeds_length(const wide_vec *c, wide sum, wide d, wide gap) {
   square left = {{0}};
   square right = {{0}};
@@ -66,7 +66,7 @@ static bool exceeds_length(const wide_vec *c, wide sum, wide d, wide gap) {
   return is_greater(&left, &right);
 }
 
-/* How many limits a gap on axis c exceeds. */
+/* The number of limits that a gap on axis c exceeds. */
 static int limits_exceeded(const search *s, const wide_vec *c, wide gap) {
   wide sum = 0;
   wide most = 0;
@@ -86,11 +86,11 @@ static int limits_exceeded(const search *s, const wide_vec *c, wide gap) {
   return count;
 }
 
-/* The gap of A below B where `sign` is 1, of B below A where it is -1; <= 0 where there is none.
- * Vertices near[0] of A and near[1] of B must be the near ends; -1 allows any, and so does the
- * tight rule. */
+/* The gap between A and B on an axis: of A below B if `sign` is 1, of B below A if it is -1. The
+ * gap is <= 0 if the projections overlap. It counts only if vertex near[0] of A and vertex near[1]
+ * of B are the near ends; -1 allows any vertex, and so does the tight rule. */
 static wide gap_between(const search *s, const wide_vec *c, const int near[2], int sign) {
-  wide end[2]; /* the highest of A, the lowest of B, for sign 1 */
+  wide end[2]; /* for sign 1: the highest of A, the lowest of B */
   for (int t = 0; t < 2; t++) {
     int toward = t == 0 ? sign : -sign;
     wide at[3];

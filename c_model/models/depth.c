@@ -1,4 +1,4 @@
-/* depth.c - how far a pair is from the other verdict. */
+/* depth.c - the depth of a collision, or the distance of separated triangles. */
 #include "sepax_models.h"
 #include "util/wide.h"
 
@@ -35,7 +35,8 @@ static double to_segment(real p, real a, real b) {
   return sqrt(inner(gap, gap));
 }
 
-/* The least distance is between an end and the other segment, or between inner points. */
+/* The distance of two segments. It lies between an end and the other segment, or between inner
+ * points. */
 static double between_segments(real a, real b, real c, real d) {
   double least = fmin(fmin(to_segment(a, c, d), to_segment(b, c, d)),
                       fmin(to_segment(c, a, b), to_segment(d, a, b)));
@@ -57,7 +58,8 @@ static double between_segments(real a, real b, real c, real d) {
   return least;
 }
 
-/* To the inside of a triangle, infinite where the foot is not in it. */
+/* The distance from a point to the inside of a triangle; infinite if the foot of the perpendicular
+ * is not inside. */
 static double to_face(real p, const real t[3]) {
   real n = outer(minus(t[1], t[0]), minus(t[2], t[0]));
   double length = sqrt(inner(n, n));
@@ -87,7 +89,8 @@ static double distance(const sepax_tri *a, const sepax_tri *b) {
   return least;
 }
 
-/* The length of the shorter of the two translations along an axis that separate, in LSB. */
+/* The length, in LSB, of the shorter of the two translations along an axis that separate the
+ * triangles. */
 static double overlap(wide_vec n, const wide_vec p[6]) {
   wide low[2] = {0, 0};
   wide high[2] = {0, 0};

@@ -19,7 +19,8 @@ typedef struct {
   bool doubt;
 } judged_points;
 
-/* The sign of a sum of terms whose magnitudes add up to size; 0 and doubt if it is not certain. */
+/* The sign of a sum of terms whose magnitudes add up to `size`. If the sign is not certain, then
+ * the result is 0 and the pair is in doubt. */
 static int certain_sign(judged_points *p, double sum, double size) {
   if (size >= 0x1p53 && !(fabs(sum) > 0x1p-50 * size)) {
     p->doubt = true;
@@ -58,8 +59,9 @@ static int orient2d(judged_points *at, int p, int q, int r, int axis) {
   return certain_sign(at, left - right, fabs(left) + fabs(right));
 }
 
-/* The vertices are in one plane, if both triangles have an area: then some projection shows both
- * areas. They are separated iff some edge has the other triangle beyond it. Else it is in doubt. */
+/* The test if all vertices are in one plane. If both triangles have an area, then some projection
+ * shows both areas, and the triangles are separated if and only if some edge has the other triangle
+ * beyond it. Otherwise the pair is in doubt. */
 static bool coplanar(void *points) {
   judged_points *at = points;
   int axis = 0;

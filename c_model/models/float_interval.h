@@ -14,7 +14,7 @@ static int NAME(longest)(NAME(vec) p) {
   return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
-/* The vertex that is alone on its side of the other plane, -1: all are in it. */
+/* The vertex that is alone on its side of the other plane; -1 if all vertices are in the plane. */
 static int NAME(alone)(const REAL side[3]) {
   if (side[0] * side[1] > 0) {
     return 2;
@@ -71,7 +71,7 @@ static bool NAME(in_plane)(const NAME(vec) p[6], int axis) {
   return true;
 }
 
-/* The sides of three points of the plane through the other three; true: all on one. */
+/* On which sides of the plane the three points are. True if all are on one side. */
 static bool NAME(sides)(const NAME(vec) of[3], const NAME(vec) plane[3], NAME(vec) * normal,
                         REAL side[3]) {
   *normal = NAME(cross)(NAME(subtract)(plane[1], plane[0]), NAME(subtract)(plane[2], plane[0]));

@@ -8,11 +8,12 @@
 
 /* The sign of (s - p) . ((q - p) x (r - p)). */
 typedef int guigue_orient3d(void *points, int p, int q, int r, int s);
-/* The verdict where one plane holds all vertices. */
+/* The verdict if one plane holds all vertices. */
 typedef bool guigue_coplanar(void *points);
 
-/* The vertex that a plane, or two vertices on it, parts from the others, and the sign of its side;
- * 0: all three are on the plane. They are not all on one side. */
+/* The vertex that the other plane, or two vertices in it, separates from the others, and the sign
+ * of its side; 0 if all three vertices are in the plane. The vertices must not all be on one
+ * side. */
 static inline int guigue_lone(const int side[3], int *lone) {
   int above = (side[0] > 0) + (side[1] > 0) + (side[2] > 0);
   int below = (side[0] < 0) + (side[1] < 0) + (side[2] < 0);
@@ -29,9 +30,9 @@ static inline int guigue_lone(const int side[3], int *lone) {
   return with_sign == 1 ? sign : -sign;
 }
 
-/* Six orient3d tell on which side of the other's plane a vertex is. Each triangle then meets the
- * line of both planes in an interval between its lone vertex's two edges, and two more orient3d
- * tell whether one interval ends before the other begins. */
+/* Six orient3d tell on which side of the other's plane each vertex is. Each triangle meets the line
+ * of both planes in an interval between the two edges of its lone vertex. Two more orient3d tell
+ * whether one interval ends before the other begins. */
 static inline bool guigue_collide(void *points, guigue_orient3d *orient3d,
                                   guigue_coplanar *coplanar) {
   int sign[2];
@@ -55,7 +56,7 @@ static inline bool guigue_collide(void *points, guigue_orient3d *orient3d,
   if (sign[0] == 0 || sign[1] == 0) {
     return coplanar(points);
   }
-  /* Turned so that both lone vertices are above the other's plane. */
+  /* Order the vertices so that both lone vertices are above the other's plane. */
   for (int t = 0; t < 2; t++) {
     if (sign[t] < 0) {
       int kept = v[1 - t][1];

@@ -1,5 +1,5 @@
-/* judge.c - the verdict of a design: the model of its architecture, behind the AABB test if it has
- * one. */
+/* judge.c - the verdict of a design: the model of its architecture, after the AABB test if the
+ * design has one. */
 #include "design/architecture.h"
 #include "util/aabb.h"
 

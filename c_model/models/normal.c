@@ -12,8 +12,8 @@ static wide shifted(wide value, int shift) {
   return shift >= 0 ? value * ((wide)1 << shift) : value >> -shift;
 }
 
-/* The integer square root of 2^120 ... 2^124: one Newton step from double precision
- * leaves at most 1 too much. */
+/* The integer square root of a number in 2^120 ... 2^124, at most 1 too large: one Newton step from
+ * double precision is enough. */
 static uwide square_root(uwide value) {
   uwide root = (uwide)sqrt((double)value);
   root = (root + value / root) / 2;
@@ -39,7 +39,7 @@ sepax_vec sepax_unit_normal(const sepax_tri *tri, int word) {
   if (largest == 0) {
     return (sepax_vec){0, 0, 0};
   }
-  int shift = 61; /* to bring the largest component to 61 bits */
+  int shift = 61; /* shift that brings the largest component to 61 bits */
   for (wide rest = largest; rest != 0; rest >>= 1) {
     shift--;
   }

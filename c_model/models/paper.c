@@ -75,7 +75,7 @@ static wide_vec edge_of(const model *m, const sepax_tri *tri, int i) {
   return edge;
 }
 
-/* Bits by which all three components can move left and still fit `bits`. */
+/* The number of bits by which all three components can move left and still fit `bits`. */
 static int common_headroom(const wide c[3], int bits) {
   int headroom = bits - 1;
   for (int k = 0; k < 3; k++) {
@@ -117,7 +117,7 @@ static bool axis_separates(model *m, const sepax_pair *pair, const wide_vec *p, 
   return disjoint(m, &on_axis);
 }
 
-/* The first separating axis of table 2 (coplanar) or table 1. */
+/* The first separating axis of table 2 (coplanar pairs) or of table 1 (others). */
 static int first_separating(model *m, const sepax_pair *pair) {
   wide_vec normal[2] = {wide_from(pair->na), wide_from(pair->nb)};
   int rows = m->verdict.coplanar ? 2 : 3;
@@ -156,7 +156,7 @@ sepax_judgement sepax_paper(const sepax_design *design, const sepax_pair *pair) 
   return m.verdict;
 }
 
-/* Coplanar by six inner products of its own, which no other step uses. */
+/* The coplanarity test of conference: six inner products that no other step uses. */
 static bool coplanar_alone(model *m, const sepax_pair *pair, const wide_vec normal[2]) {
   bool plane = m->design->config.coplanarity == SEPAX_COPLANAR_PLANE;
   wide of_a[3];

@@ -37,7 +37,7 @@ static bool aabbs_disjoint(const wide_vec p[6]) {
          separates((wide_vec){{0, 0, 1}}, p);
 }
 
-/* p[0] is the origin. */
+/* True if the six vertices are in one plane; p[0] is the origin. */
 static bool coplanar(const wide_vec p[6]) {
   for (int i = 1; i < 6; i++) {
     for (int j = i + 1; j < 6; j++) {

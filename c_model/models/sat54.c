@@ -11,8 +11,8 @@ static wide least(wide p, wide q) { return p < q ? p : q; }
 
 static wide most(wide p, wide q) { return p > q ? p : q; }
 
-/* s: B's vertices on N. u: A's vertices on N_B; with v, B on N_B, w = u - v. d[i][j]: the position
- * of A_i on e_i x f_j, relative to B_j. */
+/* Projections. s: B's vertices on N. u and v: A's vertices and B on N_B; w = u - v. d[i][j]: the
+ * position of A_i on e_i x f_j, relative to B_j. */
 typedef struct {
   wide s[3], u[3], w[3], d[3][3];
 } projections;
@@ -72,8 +72,8 @@ static bool separated_in_space(const projections *r) {
   return false;
 }
 
-/* Coplanar or degenerate: each edge's normal and each axis of the three coordinate
- * planes, on the vertices as they are. */
+/* For coplanar or degenerate triangles: try each edge's normal and each axis of the three
+ * coordinate planes, on the original vertices. */
 static bool axis_separates(wide_vec axis, const wide_vec a[3], const wide_vec b[3]) {
   wide low[2];
   wide high[2];

@@ -13,7 +13,7 @@ static bool check(const sepax_config *config, sepax_error *error) {
   return check_memory('a', config->memory_a, error) && check_memory('b', config->memory_b, error);
 }
 
-/* Triangles, their AABBs, the thinnest side of A's. */
+/* Memories for the triangles, their AABBs and the thinnest side of A's AABBs. */
 static uint64_t memory_bits(const sepax_config *config) {
   uint64_t of_a = (uint64_t)config->memory_a;
   uint64_t of_b = (uint64_t)config->memory_b;

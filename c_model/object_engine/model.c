@@ -1,19 +1,20 @@
-/* model.c - golden model of the object engine: which pairs it finds, in which order, and
- * about when (docs/reference/object-engine.md). */
+/* model.c - golden model of the object engine: the pairs that it finds, their order and the
+ * approximate time (docs/reference/object-engine.md). */
 #include "object_engine/time.h"
 #include "design/engine_table.h"
 #include "util/aabb.h"
 #include "util/error.h"
 #include "util/list.h"
 
-/* The lowest bits of a coordinate: itself, if it fits. */
+/* The lowest `word` bits of a coordinate, as a signed number. A coordinate that fits is
+ * unchanged. */
 static int32_t wrapped(int64_t c, int word) {
   uint64_t high = UINT64_C(1) << (word - 1);
   uint64_t low = (uint64_t)c & (2 * high - 1);
   return (int32_t)((int64_t)(low ^ high) - (int64_t)high);
 }
 
-/* As the cores see it. */
+/* Triangle B after the move, as the cores see it. */
 static sepax_tri moved(const sepax_tri *t, const int32_t move[3], int word) {
   sepax_tri m;
   for (int k = 0; k < 3; k++) {
@@ -34,7 +35,7 @@ typedef struct {
   sepax_error *error;
 } enumeration;
 
-/* A candidate: a pair whose AABBs overlap. */
+/* Judge a candidate, that is, a pair whose AABBs overlap. */
 static bool judge(enumeration *e, size_t i, size_t j) {
   sepax_object_run *run = e->run;
   const sepax_config *c = &e->design->config;

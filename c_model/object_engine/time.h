@@ -1,5 +1,5 @@
-/* time.h - when the object engine is done: from the comparator lanes to the cores as time
- * goes by (private, docs/reference/object-engine.md). */
+/* time.h - predicts when the object engine is done, by following the candidates from the comparator
+ * lanes to the cores (private, docs/reference/object-engine.md). */
 #ifndef SEPAX_OBJECT_TIME_H
 #define SEPAX_OBJECT_TIME_H
 
@@ -7,20 +7,20 @@
 #include "util/aabb.h"
 #include "util/wide.h"
 
-/* What is between the lanes and the cores: a FIFO of candidate masks, of each of which the number
- * of its passes is kept, the mask that the priority encoder empties, and the pairs that were
+/* Buffers between the lanes and the cores: a FIFO of candidate masks (only the number of passes of
+ * each mask matters here), the mask that the priority encoder empties, and the pairs that were
  * fetched. */
 enum { ENGINE_ENTRIES = 16, ENGINE_FETCHED = 2 };
 typedef struct {
   uint64_t passes[ENGINE_ENTRIES];
   int first, count;
-  uint64_t picked; /* passes left of the mask at the priority encoder */
+  uint64_t picked; /* passes left in the mask of the priority encoder */
   int fetched;
   uint64_t now, last_taken;
   uint64_t ii, cores;
-  int fullest;      /* masks in the FIFO with which the pair enumerator goes on */
-  uint64_t to_fifo; /* registers from a step to the FIFO */
-  uint64_t to_end;  /* from there to a core, and behind it */
+  int fullest;      /* the pair enumerator stops if the FIFO has more masks than this */
+  uint64_t to_fifo; /* register stages from the lanes to the FIFO */
+  uint64_t to_end;  /* register stages from the FIFO to a core, and its latency */
   uint64_t free_at[SEPAX_CORES_MAX];
 } engine_time;
 
@@ -60,7 +60,7 @@ static inline void engine_tick(engine_time *t) {
   }
 }
 
-/* Up to `most` cycles at once in which nothing moves, as all wait for a core. */
+/* Let up to `most` cycles pass in which nothing moves because all wait for a core. */
 static inline uint64_t engine_wait(engine_time *t, uint64_t most) {
   bool waits = t->fetched == ENGINE_FETCHED ? t->picked > 0 || t->count == 0
                                             : t->fetched > 0 && t->picked == 0 && t->count == 0;
@@ -71,7 +71,7 @@ static inline uint64_t engine_wait(engine_time *t, uint64_t most) {
   return cycles;
 }
 
-/* Cycles until the pair enumerator may go on. */
+/* Let cycles pass until the pair enumerator may go on. */
 static inline void engine_stall(engine_time *t) {
   while (t->count > t->fullest) {
     engine_wait(t, UINT64_MAX);
@@ -79,14 +79,14 @@ static inline void engine_stall(engine_time *t) {
   }
 }
 
-/* A step of the pair enumerator that finds candidates of so many passes, 1 or more. */
+/* A step of the pair enumerator that finds candidates with this many passes, at least 1. */
 static inline void engine_step(engine_time *t, uint64_t passes) {
   engine_stall(t);
   t->passes[(t->first + t->count++) % ENGINE_ENTRIES] = passes;
   engine_tick(t);
 }
 
-/* Steps that find no candidate. */
+/* Steps of the pair enumerator that find no candidate. */
 static inline void engine_idle(engine_time *t, uint64_t steps) {
   while (steps > 0) {
     engine_stall(t);
@@ -99,7 +99,7 @@ static inline void engine_idle(engine_time *t, uint64_t steps) {
   }
 }
 
-/* The cycle of the last verdict or, without one, of the last step's end. */
+/* The cycle of the last verdict. If there is no verdict, then the end of the last step. */
 static inline uint64_t engine_finish(engine_time *t, int latency) {
   uint64_t enumerated = t->now + t->to_fifo;
   while (t->count > 0 || t->picked > 0 || t->fetched > 0) {
@@ -110,7 +110,7 @@ static inline uint64_t engine_finish(engine_time *t, int latency) {
   return t->last_taken > 0 && answered > enumerated ? answered : enumerated;
 }
 
-/* Steps for so many triangles of A and of B (docs/reference/object-engine.md). */
+/* The number of steps for these numbers of triangles (docs/reference/object-engine.md). */
 static inline uint64_t engine_steps(uint64_t count_a, uint64_t count_b, uint64_t lanes) {
   uint64_t length = count_b > lanes ? count_b : lanes;
   return (count_a + lanes - 1) / lanes * length + (count_a - 1) % lanes;
@@ -123,7 +123,7 @@ static inline uint64_t engine_step_of(uint64_t i, uint64_t j, uint64_t count_b, 
   return (i / lanes + (j < i % lanes)) * length + j;
 }
 
-/* With z and the thinnest side of an AABB in each other's place. */
+/* The triangle with z and the axis of the thinnest side exchanged. */
 static inline sepax_tri engine_thin_along_z(const sepax_tri *t, const aabb *thin) {
   int thinnest = aabb_thinnest(thin);
   sepax_tri swapped;
@@ -135,8 +135,8 @@ static inline sepax_tri engine_thin_along_z(const sepax_tri *t, const aabb *thin
   return swapped;
 }
 
-/* True iff a pair goes through the core twice where no AABB test decides it: its six vertices are
- * on one line as seen along z. */
+/* True if a pair needs two passes through a core without an AABB test: its six vertices are on one
+ * line as seen along z. */
 static inline bool engine_takes_two_passes(const sepax_tri *a, const sepax_tri *b) {
   wide dx = 0;
   wide dy = 0;

@@ -1,22 +1,26 @@
-/* gates.c - gates of a design before it is mapped, and bits of its memories.
- * docs/reference/size.md. */
+/* gates.c - estimates the gates of a design before it is mapped, and counts the bits of its
+ * memories. docs/reference/size.md. */
 #include "size/gates.h"
 #include "design/engine_table.h"
 
 enum { TERMS = 7 };
 
-/* GE of what each term counts: docs/developers/results/area/nangate45.csv (Nangate45 typical, 2 ns
- * as timed by synth/area/map) as scripts/experiments/fit-area fits it, with the largest relative
- * error on its designs. */
+/* GE of each term, fitted by scripts/experiments/fit-area to
+ * docs/developers/results/area/nangate45.csv (Nangate45 typical, 2 ns as timed by synth/area/map),
+ * and the largest relative error on these designs. */
 static const double ge_per_term[TERMS] = {4.6195, 8.7755, 1134.1, 35.031, 637.73, 1631.2, 635.7};
-enum { FITTED_LEAST = 8, FITTED_MOST = 24, FITTED_PS = 2000 }; /* bits of a coordinate; clock */
+enum {
+  FITTED_LEAST = 8,
+  FITTED_MOST = 24,
+  FITTED_PS = 2000
+}; /* the fitted designs: bits of a coordinate, clock period */
 static const double largest_error = 0.0831;
 
-/* What stands around the cores has a fit of its own, of two word lengths, which give no error; 5 %
- * is assumed. */
+/* Relative error of the part around the cores. Its fit has only two word lengths, which give no
+ * error, so 5 % is assumed. */
 static const double engine_error = 0.05;
 
-/* What one clearance or two add to a core (docs/developers/results/area/clearance.csv,
+/* GE that one or two clearances add to a core (docs/developers/results/area/clearance.csv,
  * scripts/experiments/fit-area -d), with the largest relative error on these designs. */
 enum { CLEARANCE_TERMS = 6 };
 static const double ge_per_clearance_term[CLEARANCE_TERMS] = {4.265,  7230.6, 263.85,
@@ -25,10 +29,10 @@ static const double clearance_error = 0.0885;
 
 static int units(int operations, int ii) { return (operations + ii - 1) / ii; }
 
-/* What a core of w bits behind the AABB test is made of (docs/reference/exact.md#formats): the bits
- * of its multipliers, a x b; the bits of the results of its sums; registers of any schedule;
- * registers that hold values within an II window (no more beyond 9 cycles); multiplexers of
- * operands, where 3 does not divide II; control; the AABB test. */
+/* Count the parts of a core of w bits (docs/reference/exact.md#formats): the bits of its
+ * multipliers, a x b; the bits of the results of its sums; registers of any schedule; registers
+ * that hold values within an II window (no more beyond 9 cycles); multiplexers of operands, if 3
+ * does not divide II; control; the AABB test. */
 static void count_terms(double term[TERMS], const sepax_design *d) {
   int ii = d->config.ii;
   int w = d->core_word;
@@ -43,7 +47,7 @@ static void count_terms(double term[TERMS], const sepax_design *d) {
   term[6] = d->aabb_test ? d->config.word : 0;
 }
 
-/* Signed digits of a number, none beside another. */
+/* The number of nonzero digits of n in signed binary, without two neighbours that are nonzero. */
 static int digits(int n) {
   int count = 0;
   for (; n > 0; n /= 2) {
@@ -55,11 +59,12 @@ static int digits(int n) {
   return count;
 }
 
-/* What sepax_limit adds: multiples of D and D + 2. */
+/* The additions of sepax_limit, which computes multiples of D and D + 2. */
 static int sums_of_limit(int clearance) { return digits(clearance) + digits(clearance + 2); }
 
-/* Multipliers of trapezoids in two more projections; what is needed in each cycle: limits, and what
- * compares with them; what waits; multiplexers; a second limit; sums of limits. */
+/* Count the parts for clearances: multipliers of trapezoids in two more projections; limits and
+ * comparisons, needed in each cycle; waiting values; multiplexers; a second limit; sums of
+ * limits. */
 static double gates_of_clearances(const sepax_design *d) {
   const sepax_config *c = &d->config;
   int w = d->core_word;

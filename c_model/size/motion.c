@@ -1,5 +1,4 @@
-/* motion.c - where the bodies of a scene may be, and poses drawn from there.
- * docs/reference/size.md. */
+/* motion.c - random poses of the bodies of a scene within their motion. docs/reference/size.md. */
 #include "size/motion.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* poses.c - what two meshes need in each of their poses: word length, extents, and how many
- * candidates the AABB test leaves. docs/reference/size.md. */
+/* poses.c - measures two meshes in all their poses: word length, extents, and the candidates that
+ * the AABB test leaves. docs/reference/size.md. */
 #include "design/interval.h"
 #include "size/workloads.h"
 #include "size/motion.h"
@@ -9,11 +9,11 @@
 #include <stdlib.h>
 
 static const char axis_name[] = "xyz";
-/* Rounding when a body is moved in double precision stays well below this share. */
+/* Moving a body in double precision rounds by much less than this share. */
 static const double slack = 0x1p-40;
 
-/* A workspace may be too small by this share, so that the rounding of its decimals decides nothing.
- */
+/* A workspace may be too small by this share, so that the rounding of its decimals does not
+ * matter. */
 static const double workspace_slack = 1e-9;
 
 typedef struct {
@@ -94,7 +94,7 @@ static range hull_of(const sepax_soup *const mesh[2], const sepax_space *space) 
   return hull;
 }
 
-/* How a body turns. */
+/* The rotation of a body. */
 static sepax_rotation rotation_of(const sepax_space *space, int body) {
   if (space->path == NULL) {
     return space->motion[body].rotation;
@@ -109,7 +109,7 @@ static sepax_rotation rotation_of(const sepax_space *space, int body) {
   return SEPAX_ROTATION_NONE;
 }
 
-/* The longest side that the AABB of a facet has in any pose, file units. */
+/* The longest side that the AABB of a facet has in any pose, in units of the file. */
 static double longest_side(const sepax_facet *f, sepax_rotation rotation) {
   double side = 0;
   for (int k = 0; k < 3; k++) {
@@ -123,7 +123,7 @@ static double longest_side(const sepax_facet *f, sepax_rotation rotation) {
   return side;
 }
 
-/* Two coordinates at a distance of s round to grid points at a distance of floor(s) + 1 at most. */
+/* Two coordinates at a distance s round to grid points at a distance of at most floor(s) + 1. */
 static int64_t extent_moved(const sepax_soup *mesh, sepax_rotation rotation, double reach,
                             double resolution) {
   double side = 0;
@@ -185,7 +185,7 @@ static void release(bodies *r) {
 
 /* ------------------------------------------------------------------ sampled poses */
 
-/* The workload of the pose in which the bodies are now. */
+/* Add the workload of the current pose of the bodies. */
 static bool add_workload(sepax_size *size, const bodies *r, sepax_error *error) {
   if (!sepax__workload_find(&size->workload[size->workloads], &r->on_grid, error)) {
     return false;
@@ -209,8 +209,8 @@ static bool find_path_workloads(sepax_size *size, bodies *r, const sepax_soup *m
   return true;
 }
 
-/* The most candidates in sampled poses. The first half of the poses is anywhere, the second half
- * closes in on the worst pose so far. */
+/* Find the most candidates in sampled poses. The first half of the poses is drawn from the whole
+ * range; the second half comes closer and closer to the worst pose so far. */
 static bool sample_poses(sepax_size *size, bodies *r, const sepax_soup *const mesh[2],
                          const sepax_space *space, sepax_error *error) {
   sepax_random random = {space->seed};
@@ -239,7 +239,7 @@ static bool sample_poses(sepax_size *size, bodies *r, const sepax_soup *const me
 
 /* ------------------------------------------------------------------- word length */
 
-/* The workspace, or what the poses need; it always holds all of them. */
+/* The workspace, or the AABB of all poses if none was given. It must hold all poses. */
 static bool find_space(range *all, const range *hull, const sepax_space *space,
                        sepax_error *error) {
   *all = *hull;
@@ -336,7 +336,7 @@ static bool check_space(const sepax_soup *const mesh[2], const sepax_space *spac
   return true;
 }
 
-/* B's tree is in coordinates about B's own middle. */
+/* Make the trees. B's tree has the origin in the middle of B. */
 static bool find_trees(sepax_size *size, const bodies *r, const sepax_soup *mesh,
                        const sepax_space *space, sepax_error *error) {
   static const sepax_motion still = {.rotation = SEPAX_ROTATION_NONE};

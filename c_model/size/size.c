@@ -1,4 +1,5 @@
-/* size.c - the design of the fewest gates that judges a scene in time. docs/reference/size.md. */
+/* size.c - finds the design with the fewest gates that judges a scene in time.
+ * docs/reference/size.md. */
 #include "design/engine_table.h"
 #include "size/gates.h"
 #include "size/workloads.h"
@@ -7,44 +8,47 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Intervals of the designs that were mapped. */
+/* The initiation intervals of the designs to which the gates were fitted. */
 static const int intervals[] = {1, 2, 3, 4, 6, 9, 18};
 enum { INTERVALS = sizeof intervals / sizeof intervals[0] };
 
-/* Cycles of a tree engine between a job and the next, but for the latency of its memory. */
+/* Cycles of a tree engine between a job and the next, without the latency of its memory. */
 enum { BETWEEN = 40 };
 
-/* What a tree engine does in a pose, whatever its II and cores; the cycles of the fastest. */
+/* The work of a tree engine in a pose, which does not depend on II and cores, and the cycles of the
+ * fastest tree engine. */
 typedef struct {
   uint64_t passes, least;
 } tree_work;
 
 typedef struct {
-  const sepax_size *size; /* of each pair */
+  const sepax_size *size; /* one for each pair */
   size_t pairs;
-  uint64_t between; /* cycles between the pairs of a pose, for engines that work on a list */
-  int word;         /* of designs without a tree: the longest of all pairs */
+  uint64_t
+      between; /* cycles between two pairs in a pose, for engines that work on a list of jobs */
+  int word;    /* longest word of all pairs, for designs without a tree */
   int tree_word;
   size_t tree_poses;
   int64_t extent[2];
-  size_t largest[2]; /* triangles of a body */
+  size_t largest[2]; /* most triangles of a body A and of a body B */
   const sepax_size_request *request;
-  sepax_sized_design *design; /* every one that there is, with a lower bound of its cycles */
+  sepax_sized_design *design; /* all designs of the request, with lower bounds of their cycles */
   size_t count;
   uint64_t *steps; /* sepax__workload_cycles */
-  tree_work *work; /* of each pose; NULL: no tree engine */
+  tree_work *work; /* one for each pose; NULL: no tree engine is considered */
 } choice;
 
-/* How designs with an engine are found and tried. */
+/* How designs with one engine are found and tried. */
 typedef struct {
-  /* Every one that the request names, each with cycles that no pose takes fewer of; NULL: designs
-   * with this engine are not looked at. */
+  /* Add all designs that the request names, each with cycles that no pose can beat. NULL: designs
+   * with this engine are not considered. */
   bool (*add)(choice *all, sepax_error *error);
-  size_t (*poses)(const choice *all); /* to try them in; 0: it is not known what there is to do */
-  /* Of a pair in a pose; `steps` has space for the passes of the pose. NULL: they are not known. */
+  size_t (*poses)(const choice *all); /* number of poses to try; 0: the work is not known */
+  /* The cycles of a pair in a pose. `steps` has space for the passes of the pose. NULL: they are
+   * not known. */
   bool (*cycles)(uint64_t *cycles, const sepax_size *size, const sepax_config *config, size_t pose,
                  const sepax_size_request *request, uint64_t *steps, sepax_error *error);
-  bool waits; /* choice.between cycles in each pose */
+  bool waits; /* the engine also takes choice.between cycles in each pose */
 } sizing;
 
 static const sizing sizings[SEPAX_ENGINE_COUNT];
@@ -78,7 +82,7 @@ static int memory_for(size_t count) {
   return memory;
 }
 
-/* On a path B is turned, so that its vertices are loaded anew. */
+/* On a path B is turned in each pose, so its vertices are loaded again. */
 static uint64_t loading(const sepax_size *size, const sepax_config *config) {
   return size->path > 0 && config->lanes > 0 ? sepax__workload_loading(size->count, config) : 0;
 }
@@ -91,8 +95,7 @@ static uint64_t most_passes(const sepax_size *size) {
   return passes;
 }
 
-/* No pose takes fewer of all pairs, where that in which one pair has the most passes is looked at.
- */
+/* A lower bound of the cycles of all pairs, from the pose in which one pair has the most passes. */
 static uint64_t least_cycles(const choice *all, const sepax_config *config) {
   uint64_t sum = 0;
   uint64_t most = 0;
@@ -106,7 +109,7 @@ static uint64_t least_cycles(const choice *all, const sepax_config *config) {
   return sum + most;
 }
 
-/* With and without extents, which may help. */
+/* Add designs with extents, if these save bits, and without. */
 static bool add_designs(choice *all, int lanes, sepax_error *error) {
   sepax_config config = sepax_config_default();
   config.word = all->word;
@@ -172,7 +175,7 @@ static sepax_config tree_engine(const choice *all, int ii, int cores) {
   return config;
 }
 
-/* In each pose; no other takes fewer cycles. */
+/* Find the work of a tree engine in each pose. No design takes fewer cycles. */
 static bool find_work(choice *all, sepax_error *error) {
   const sepax_config fastest = tree_engine(all, 1, SEPAX_CORES_MAX);
   size_t poses = all->tree_poses;
@@ -206,7 +209,8 @@ static bool add_tree_engines(choice *all, sepax_error *error) {
     sepax_config config = tree_engine(all, intervals[n / SEPAX_CORES_MAX], cores);
     uint64_t least = 0;
     for (size_t k = 0; k < all->tree_poses; k++) {
-      uint64_t busy = all->work[k].passes / (uint64_t)cores; /* the last of a pair takes no II */
+      uint64_t busy = all->work[k].passes /
+                      (uint64_t)cores; /* after the last pass of a pair no II is waited for */
       busy = busy > all->pairs ? (busy - all->pairs) * (uint64_t)config.ii : 0;
       least = larger(least, larger(busy, all->work[k].least));
     }
@@ -261,7 +265,7 @@ bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_con
   return ok;
 }
 
-/* Of all pairs; it stops above the limit. */
+/* The cycles of all pairs in a pose. The sum stops above the limit. */
 static bool cycles_in_pose(const choice *all, const sepax_config *config, size_t pose,
                            uint64_t limit, uint64_t *cycles, sepax_error *error) {
   const sizing *of = sizing_of(config);
@@ -276,8 +280,8 @@ static bool cycles_in_pose(const choice *all, const sepax_config *config, size_t
   return true;
 }
 
-/* The cycles of the pose that takes the most; of one that takes more than `limit`, where there is
- * one. m->worst is the pose to try first, and becomes that which took the most. */
+/* Find the slowest pose of a design, or any pose that takes more than `limit`. m->worst is the pose
+ * to try first and becomes the slowest one. */
 static bool try_poses(const choice *all, sepax_sized_design *m, uint64_t limit,
                       sepax_error *error) {
   const sizing *of = sizing_of(&m->config);
@@ -306,7 +310,8 @@ static int by_gates(const void *p, const void *q) {
                               : (a->cycles > b->cycles) - (a->cycles < b->cycles);
 }
 
-/* Of those with one bound the dearer first: it is likely to be faster. */
+/* Sort by the bound of the cycles. Of equal bounds the design with more gates comes first, because
+ * it is likely to be faster. */
 static int by_cycles(const void *p, const void *q) {
   const sepax_sized_design *a = p;
   const sepax_sized_design *b = q;
@@ -314,8 +319,8 @@ static int by_cycles(const void *p, const void *q) {
                                 : by_gates(q, p);
 }
 
-/* The first of all, by gates, that takes no more than `limit` cycles in any pose; best->config.word
- * is 0 if there is none. Poses are tried in the order of what took the most before. */
+/* The smallest design that takes at most `limit` cycles in every pose. If there is none, then
+ * best->config.word is 0. Poses that were slow before are tried first. */
 static bool find_cheapest(choice *all, uint64_t limit, sepax_sized_design *best,
                           sepax_error *error) {
   size_t pose[SEPAX_ENGINE_COUNT] = {0};
@@ -339,7 +344,8 @@ static bool find_cheapest(choice *all, uint64_t limit, sepax_sized_design *best,
   return true;
 }
 
-/* Or the bound that no design is below, where no workloads were looked for. */
+/* The fewest cycles of all designs. If workloads were not computed, then a bound that no design can
+ * beat. */
 static bool find_fewest(choice *all, uint64_t *fewest, sepax_error *error) {
   size_t pose[SEPAX_ENGINE_COUNT] = {0};
   *fewest = UINT64_MAX;

@@ -1,4 +1,4 @@
-/* trees.c - the bodies of a scene and their path as a tree engine gets them.
+/* trees.c - makes the input of a tree engine from the bodies of a scene and their path.
  * docs/reference/size.md. */
 #include "size/workloads.h"
 

@@ -1,5 +1,5 @@
-/* workloads.c - the candidates of a pose, the pairs that take two passes, and the cycles of a
- * design for them. docs/reference/size.md. */
+/* workloads.c - finds the candidates of a pose and the pairs that take two passes, and computes the
+ * cycles of a design for them. docs/reference/size.md. */
 #include "size/workloads.h"
 
 #include "object_engine/time.h"
@@ -80,8 +80,9 @@ static bool find_candidates(sepax_workload *workload, const workload_bodies *r, 
 
 /* ----------------------------------------------------------- pairs of two passes */
 
-/* The line dx y - dy x = c on which an upright triangle is, as seen along z: (dx, dy) without a
- * common divisor, dx > 0 or dx = 0 < dy; or the point (x, y), where both are zero. */
+/* The line dx y - dy x = c on which an upright triangle lies, as seen along z. dx and dy have no
+ * common divisor, and dx > 0 or dx = 0 < dy. If both are zero, then the triangle is the point (x,
+ * y). */
 typedef struct {
   int64_t dx, dy, x, y;
   wide c;
@@ -152,7 +153,7 @@ static uint64_t count_lines(upright *all, size_t count) {
   return pairs;
 }
 
-/* Of all pairs. */
+/* Count the pairs of all triangles, not only of candidates, that take two passes. */
 static bool find_upright(sepax_workload *workload, const workload_bodies *r) {
   size_t count = 0;
   upright u;
@@ -196,7 +197,7 @@ bool sepax__workload_find(sepax_workload *workload, const workload_bodies *bodie
 
 /* ------------------------------------------------------------------------ cycles */
 
-/* An object that is larger than its memory goes through it in parts. */
+/* An object that is larger than its memory is processed in parts. */
 typedef struct {
   uint64_t count, memory, lanes;
 } part_sizes;
@@ -215,7 +216,7 @@ static uint64_t steps_before(uint64_t of_a, const part_sizes *b, uint64_t n) {
          (n > full ? engine_steps(of_a, size_of_part(b, full), b->lanes) : 0);
 }
 
-/* All parts are one row of steps. */
+/* The first step of a pair of parts. The steps of all parts are numbered in one sequence. */
 static uint64_t first_step(const part_sizes *a, const part_sizes *b, uint64_t n, uint64_t m) {
   return n * steps_before(a->memory, b, parts(b)) + steps_before(size_of_part(a, n), b, m);
 }
@@ -278,8 +279,8 @@ uint64_t sepax__workload_cycles(const sepax_workload *workload, const size_t cou
   return engine_cycles(workload, &size[0], &size[1], config, steps);
 }
 
-/* Each step takes a cycle; a core that takes n pairs takes the last (n - 1) II cycles after the
- * first, in each part. */
+/* Each step takes a cycle. In each part, a core that takes n pairs takes the last of them (n - 1)
+ * II cycles after the first. */
 uint64_t sepax__workload_least_cycles(uint64_t passes, const size_t count[2],
                                       const sepax_config *config) {
   uint64_t ii = (uint64_t)config->ii;
@@ -295,8 +296,8 @@ uint64_t sepax__workload_least_cycles(uint64_t passes, const size_t count[2],
   return steps > busy ? steps : busy;
 }
 
-/* A's memory is filled with one part after the other, B's with all of its parts for each; what
- * fits stays there. */
+/* A's memory receives one part after the other. For each part of A, B's memory receives all parts
+ * of B. An object that fits its memory stays there. */
 uint64_t sepax__workload_loading(const size_t count[2], const sepax_config *config) {
   part_sizes size[2];
   sizes_of(size, count, config);

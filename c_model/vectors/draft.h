@@ -1,7 +1,7 @@
-/* draft.h - a pair in the making, and what the makers of families draw (private; families.c).
+/* draft.h - drafts of pairs, and the random draws that the families share (private; families.c).
  *
- * Draws are separate statements: the stream must not depend on the order of evaluation that a
- * compiler chooses. */
+ * Each draw is a statement of its own, so that the stream of random numbers does not depend on the
+ * order of evaluation that a compiler chooses. */
 #ifndef SEPAX_DRAFT_H
 #define SEPAX_DRAFT_H
 
@@ -15,10 +15,10 @@
 typedef struct {
   sepax_random *random;
   int word;      /* W */
-  int bits;      /* 4 ... W, the bits of this pair: many pairs are small in a large range */
+  int bits;      /* bits of this pair, 4 ... W; many pairs are small in a large range */
   int64_t half;  /* 2^(bits - 1) - 1 */
-  bool fixed;    /* the position is part of the family */
-  bool oriented; /* both normals or none may change their sign */
+  bool fixed;    /* the position belongs to the family, so the pair is not translated */
+  bool oriented; /* either both normals change their sign or none does */
   triangle t[2]; /* A, B */
 } draft;
 
@@ -78,7 +78,7 @@ static inline point lsb(draft *d) {
   return times(p, sign(d));
 }
 
-/* The origin, or 1 LSB off in three of four cases. */
+/* The origin, or in three of four cases a point 1 LSB off. */
 static inline point nearly(draft *d) { return one_in(d, 4) ? (point){{0, 0, 0}} : lsb(d); }
 
 /* +-1 LSB along an axis that is not parallel to the plane of normal n (not zero). */
@@ -100,7 +100,8 @@ static inline void draw_edge(draft *d, triangle *t, point u, int64_t steps) {
   t->v[1] = times(u, -behind);
 }
 
-/* The origin is inside; coordinates reach 2 * steps * that of u and v. */
+/* Draw a triangle with the origin inside. Its coordinates are at most 2 * steps times those of u
+ * and v. */
 static inline void draw_face(draft *d, triangle *t, const basis *b, int64_t steps) {
   int64_t k = range(d, 1, steps);
   int64_t l = range(d, 1, steps);
@@ -120,7 +121,7 @@ static inline void draw_segment(draft *d, triangle *t, point u, int64_t steps) {
   }
 }
 
-/* The origin is inside or on an edge; coordinates reach `reach`. */
+/* Draw a triangle with the origin inside or on an edge. Its coordinates are at most `reach`. */
 static inline void draw_open(draft *d, triangle *t, int64_t reach, int64_t most) {
   int64_t steps = draw_steps(d, most);
   basis b = draw_basis(d, reach / (2 * steps));
@@ -132,7 +133,7 @@ static inline void draw_open(draft *d, triangle *t, int64_t reach, int64_t most)
   t->v[2] = independent(d, b.u, reach);
 }
 
-/* Vertices 1 and 2, so that with the origin there is an area. */
+/* Draw vertices 1 and 2 so that the triangle with the origin has an area. */
 static inline void draw_wing(draft *d, triangle *t) {
   t->v[1] = direction(d, d->half);
   t->v[2] = independent(d, t->v[1], d->half);
@@ -145,7 +146,7 @@ static inline void wing_to_side(triangle *t, wide_vec n, int side) {
 
 /* ------------------------------------------------------------ lattice planes */
 
-/* Coordinates keep within +-half also one lattice step outside. */
+/* Draw a lattice. Coordinates stay within +-half, even one lattice step outside. */
 static inline lattice draw_lattice(draft *d) {
   lattice l;
   if (one_in(d, 4)) {
@@ -171,7 +172,7 @@ static inline flat flat_direction(draft *d, const lattice *l) {
   return f.i == 0 && f.j == 0 ? (flat){1, 0} : f;
 }
 
-/* Not parallel to g, which is not zero; on the given side of it. */
+/* Draw a vector that is not parallel to g (not zero) and lies on the given side of it. */
 static inline flat flat_on_side(draft *d, const lattice *l, flat g, int side) {
   flat f = flat_around(d, l);
   if (flat_area(g, f) == 0) {
@@ -197,7 +198,8 @@ static inline void draw_flat(draft *d, triangle *t, const lattice *l) {
   }
 }
 
-/* An edge or vertex of A meets vertex 0 of B from outside, or a lattice step off. */
+/* Draw a pair in one plane: an edge or a vertex of A meets vertex 0 of B from outside, or misses it
+ * by a lattice step. */
 static inline void draw_flat_contact(draft *d, const lattice *l) {
   flat g = flat_direction(d, l);
   flat a = flat_on_side(d, l, g, 1);

@@ -1,4 +1,4 @@
-/* extents.c - hard pairs of which the AABBs keep to given extents, or just exceed them. */
+/* extents.c - hard pairs whose AABBs stay within given extents or just exceed them. */
 #include "sepax_vectors.h"
 
 enum { TRIES = 8 };
@@ -51,7 +51,8 @@ static bool within(const points *p, const int extent[2]) {
   return ok;
 }
 
-/* Take coordinates modulo extent + 1, counted from the lowest, where a side exceeds its extent. */
+/* If a side exceeds its extent, then take its coordinates modulo extent + 1, counted from the
+ * lowest. */
 static void fold(points *p, const int extent[2]) {
   for (int k = 0; k < 6; k++) {
     int64_t low;
@@ -110,7 +111,7 @@ static points draw_within(size_t family, int word, const int extent[2], sepax_ra
   return p;
 }
 
-/* Translate to anywhere in the word, now and then to its very end. */
+/* Translate the pair to anywhere in the word, now and then to its very end. */
 static void translate_anywhere(points *p, int word, sepax_random *random) {
   for (int axis = 0; axis < 3; axis++) {
     int64_t low;

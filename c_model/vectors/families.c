@@ -18,7 +18,7 @@ static void make_uniform(draft *d) {
   }
 }
 
-/* Each triangle has its centre at the origin, B is then moved. */
+/* Both triangles have their centres at the origin. Then B is moved. */
 static void make_local(draft *d) {
   set_bits(d, d->word);
   int64_t reach = d->half >> range(d, 2, d->word > 6 ? 5 : 2);
@@ -89,7 +89,8 @@ static void make_parallel(draft *d) {
   }
 }
 
-/* A long edge through the origin, and a point of it rounded and moved by 1 LSB. */
+/* A triangle of nearly no area: a long edge through the origin, and a point of this edge, rounded
+ * and moved by 1 LSB. */
 static void draw_sliver(draft *d, triangle *t) {
   int64_t steps = draw_steps(d, 8);
   int64_t reach = (d->half - 1) / steps;
@@ -116,7 +117,7 @@ static void make_sliver(draft *d) {
   move(&d->t[1], nearly(d));
 }
 
-/* B, which is not behind the plane of normal n (not zero), 1 LSB farther off. */
+/* Move B 1 LSB away from the plane of normal n (not zero). B must not be below the plane. */
 static void move_off(draft *d, wide_vec n) {
   point by = off_plane(d, n);
   move(&d->t[1], dot(n, by) > 0 ? by : times(by, -1));
@@ -139,7 +140,8 @@ static void make_shared_vertex(draft *d) {
   }
 }
 
-/* In space, or one plane: the other vertices on one side of the edge or on both. */
+/* Two triangles with a common edge, in space or in one plane; their other vertices are on one side
+ * of the edge or on both. */
 static void make_shared_edge(draft *d) {
   int64_t reach = d->half / 2;
   point u = direction(d, reach);
@@ -159,7 +161,7 @@ static void make_shared_edge(draft *d) {
   }
 }
 
-/* A is a point or a segment, B anything; both hold the origin. Then A moves. */
+/* A is a point or a segment, and B is anything. Both contain the origin. Then A moves. */
 static void make_degenerate(draft *d) {
   int64_t steps = draw_steps(d, INT64_MAX);
   int64_t reach = d->half / (2 * steps);

@@ -121,7 +121,7 @@ static bool parse_field(field_values *f, size_t fields, size_t index, const char
   return true;
 }
 
-/* The length of a line up to a comment or its end: LF, CR LF or neither. */
+/* The length of a line without its comment and its end (LF, CR LF or none). */
 static size_t content_length(const char *line) {
   size_t end = strcspn(line, "\n");
   end -= end > 0 && line[end - 1] == '\r';
@@ -210,7 +210,8 @@ static sepax_line parse_numbered(sepax_pair *pair, sepax_told *told, const char 
   return kind == SEPAX_LINE_ERROR ? fail_at(error, name, number, inner.text) : kind;
 }
 
-/* The next line with its end, cut where the buffer ends; its length, 0 at the end. */
+/* Read the next line with its end, cut at the size of the buffer. Returns its length, or 0 at the
+ * end of the stream. */
 static size_t read_line(char line[LINE_BYTES], FILE *in) {
   size_t length = 0;
   int c = 0;

@@ -1,4 +1,4 @@
-/* random.c - the random numbers of the families: splitmix64, and a range of it. */
+/* random.c - the random numbers of the families: splitmix64, and uniform integers of a range. */
 #include "sepax_vectors.h"
 
 #include <assert.h>

@@ -14,7 +14,8 @@
 
 enum { TRIANGLES_MAX = 1000000000 };
 
-/* At a greater distance from the origin doubles round an object by more than 2^-23 of its size. */
+/* Objects farther from the origin than this number of sizes are refused, because doubles would
+ * round them by more than 2^-23 of their size. */
 static const double sizes_away_max = 0x1p30;
 
 /* Curved surfaces of radius 1: a sphere round the origin, a cylinder round the z axis.
@@ -28,8 +29,8 @@ typedef struct {
 
 typedef struct {
   size_t end[2];
-  size_t side[2]; /* the triangles at it */
-  double square;  /* of its length */
+  size_t side[2]; /* the two triangles at this edge */
+  double square;  /* square of the length */
 } edge;
 
 /* Counter-clockwise seen from outside; edge[i] leads from corner[i] to the next. */
@@ -76,7 +77,7 @@ static size_t add_rectangle(surface *s, double x, double y, double z) {
   return first;
 }
 
-/* From one ring to the next; outside is on the right when they follow upwards. */
+/* Connect two rings. Outside is on the right if the rings follow upwards. */
 static void add_band(surface *s, size_t from, size_t to, size_t count) {
   for (size_t i = 0; i < count; i++) {
     size_t j = (i + 1) % count;
@@ -158,8 +159,8 @@ typedef struct {
   const char *name, *about;
   size_t least;    /* triangles of the base mesh */
   double size;     /* default, mm */
-  double length;   /* what `size` stands for, in units of the base mesh */
-  double anchor_z; /* what comes to lie at `at`, on the z axis of the base mesh */
+  double length;   /* the length that `size` means, in units of the base mesh */
+  double anchor_z; /* the point of the z axis of the base mesh that is placed at `at` */
   void (*build)(surface *s);
 } sample;
 
@@ -198,7 +199,8 @@ static size_t add_edge(surface *s, size_t a, size_t b, size_t t, size_t u) {
   return s->edges++;
 }
 
-/* Equal lengths go by number, so that the mesh depends on nothing else. */
+/* True if edge a is longer than b. Equal lengths are ordered by number, so that the mesh depends on
+ * nothing else. */
 static bool goes_first(const surface *s, size_t a, size_t b) {
   double difference = s->edge[a].square - s->edge[b].square;
   return difference > 0 || (difference == 0 && a < b);
@@ -228,7 +230,8 @@ static void sift_down(surface *s, size_t count, size_t e) {
   s->heap[at] = e;
 }
 
-/* The edge of triangle t from corner a to corner b: known from its other side, or new. */
+/* Find or make the edge of triangle t from corner a to corner b. It exists already if its other
+ * triangle was linked. */
 static size_t link_edge(surface *s, size_t t, size_t a, size_t b) {
   for (size_t e = 0; e < s->edges; e++) {
     if (s->edge[e].end[0] == b && s->edge[e].end[1] == a) {
@@ -288,8 +291,8 @@ static void replace_side(edge *e, size_t old, size_t with) {
   e->side[e->side[0] == old ? 0 : 1] = with;
 }
 
-/* Triangle t lies at edge e from corner a to b, which was bisected by m: t keeps the
- * half at a, a new triangle takes the other half. Its number is returned. */
+/* Triangle t has edge e from corner a to corner b, which was bisected at m. t keeps the half at a,
+ * and a new triangle receives the other half. Returns the number of the new triangle. */
 static size_t divide(surface *s, size_t t, size_t e, size_t half, size_t b, size_t m) {
   size_t t_new = s->triangles++;
   triangle *near_a = &s->triangle[t];
@@ -375,7 +378,7 @@ static bool copy_facets(sepax_soup *soup, const surface *s) {
   return true;
 }
 
-/* For so many triangles of a closed surface without holes. */
+/* Reserve memory for a closed surface of this many triangles without holes. */
 static bool reserve(surface *s, size_t triangles) {
   s->corner = calloc(triangles / 2 + 2, sizeof *s->corner);
   s->edge = calloc(triangles / 2 * 3, sizeof *s->edge);

@@ -38,7 +38,7 @@ static bool quantise(sepax_scene *scene, int i, const sepax_soup *soup, const ch
   return true;
 }
 
-/* The finest grid of the word that holds both. */
+/* Find the finest grid that holds both meshes. */
 static bool fit(sepax_grid *grid, const sepax_soup soup[2], const char *const path[2],
                 sepax_error *error) {
   const sepax_mesh *const mesh[] = {SEPAX_SOUP_MESH(&soup[0]), SEPAX_SOUP_MESH(&soup[1])};

@@ -24,7 +24,7 @@ enum { SIMD_NAME(SHORT_LANES) = 2 * SIMD_LANES };
 /* -------------------------------------------------------------------- sums */
 
 #ifdef SIMD_PRODUCT
-/* Modulo 2^64; z fits 32 bits, g need not. */
+/* The product modulo 2^64. z fits 32 bits, but g need not. */
 SIMD_INLINE SIMD_WHOLE SIMD_NAME(prism)(SIMD_WHOLE g, SIMD_WHOLE z) {
   return SIMD_PRODUCT(g, z) + (SIMD_PRODUCT((g + (UINT64_C(1) << 31)) >> 32, z) << 32);
 }
@@ -67,7 +67,8 @@ SIMD_INLINE SIMD_WHOLE SIMD_NAME(pierces)(SIMD_REAL from, SIMD_REAL to, SIMD_REA
          ~(((SIMD_WHOLE)p ^ (SIMD_WHOLE)q) | ((SIMD_WHOLE)q ^ (SIMD_WHOLE)r));
 }
 
-/* The bits of the pairs that collide, and of those of which some sign is uncertain. */
+/* Judge by doubles. Returns the bits of the colliding pairs; *uncertain receives the bits of pairs
+ * with an uncertain sign. */
 SIMD_INLINE uint32_t SIMD_NAME(judge_large)(const sepax_tri *one, const block *in, size_t at,
                                             double limit, uint32_t *uncertain) {
   SIMD_NAME(orient3d_real) v;
@@ -106,7 +107,7 @@ SIMD_INLINE void SIMD_NAME(load_whole)(SIMD_NAME(coordinate_whole) c[3], const s
   }
 }
 
-/* The bits of the pairs that collide, if their AABBs overlap. */
+/* Judge pairs whose AABBs overlap. Returns the bits of the colliding pairs. */
 SIMD_INLINE uint32_t SIMD_NAME(judge)(const sepax_tri *one, const block *in, size_t at,
                                       const SIMD_NAME(orient3d_real) * rough) {
   SIMD_NAME(coordinate_whole) c[3];
@@ -121,7 +122,7 @@ SIMD_NAME(judge_long)(const sepax_tri *one, const block *in, size_t at) {
   return SIMD_NAME(judge)(one, in, at, &rough);
 }
 
-/* The verdicts of a group; only those of `uncertain` are used. */
+/* Judge a group by whole numbers. Only the verdicts of `uncertain` are used. */
 SIMD_INLINE uint32_t SIMD_NAME(judge_small)(const sepax_tri *one, const block *in, size_t at,
                                             bool is_long, uint32_t uncertain) {
   (void)uncertain;
@@ -138,7 +139,7 @@ SIMD_INLINE uint32_t SIMD_NAME(judge_small)(const sepax_tri *one, const block *i
 /* ------------------------------------------------------------------- blocks */
 
 typedef struct {
-  SIMD_SHORT least, most; /* of all coordinates */
+  SIMD_SHORT least, most; /* least and greatest of all coordinates */
 } SIMD_NAME(ends);
 
 SIMD_INLINE SIMD_SHORT SIMD_NAME(short_all)(int32_t value) { return (SIMD_SHORT){0} + value; }
@@ -160,8 +161,8 @@ SIMD_INLINE SIMD_SHORT SIMD_NAME(disjoint)(const SIMD_SHORT p[3], const SIMD_SHO
   return (SIMD_SHORT)((high_p < low_q) | (high_q < low_p));
 }
 
-/* The pairs of a block whose AABBs overlap; *longest is a number as long as the longest coordinate.
- */
+/* Returns the bits of the pairs of a block whose AABBs overlap. *longest receives a number that has
+ * as many bits as the longest coordinate. */
 SIMD_INLINE uint64_t SIMD_NAME(aabbs_overlap)(const sepax_tri *one, const block *in,
                                               uint32_t *longest) {
   SIMD_NAME(ends) ends;
@@ -191,7 +192,7 @@ SIMD_INLINE uint64_t SIMD_NAME(aabbs_overlap)(const sepax_tri *one, const block 
   return ~disjoint;
 }
 
-/* Doubles are tried as long as they settle most groups of the block. */
+/* Judge a block. Doubles are tried first while they settle most groups of the block. */
 SIMD_INLINE uint64_t SIMD_NAME(judge_block)(const sepax_tri *one, const block *in) {
   const uint64_t group = (UINT64_C(1) << SIMD_LANES) - 1;
   uint32_t longest;

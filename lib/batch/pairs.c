@@ -1,4 +1,4 @@
-/* pairs.c - the exact verdicts of many pairs, several at once: AVX-512, AVX2 or plain C. */
+/* pairs.c - exact verdicts on many pairs, several at once, with AVX-512, AVX2 or plain C. */
 #include "sepax_grid.h"
 #include "util/simd.h"
 
@@ -8,8 +8,8 @@
 #include <immintrin.h>
 #endif
 
-/* Bits of the magnitude of a coordinate (lanes.h), and the limits above which the sign of an
- * orient3d is certain. */
+/* Bits of the magnitude of a coordinate (lanes.h). The limits: an orient3d that is larger has a
+ * certain sign. */
 enum { BLOCK = 64, SHORT_BITS = 19, LONG_BITS = 24 };
 static const double SHORT_LIMIT = 1 << 12;
 static const double LONG_LIMIT = 1 << 28;
@@ -19,7 +19,7 @@ static const double LONG_LIMIT = 1 << 28;
 
 static const int next[3] = {1, 2, 0};
 
-/* 64 pairs: vertex, axis, pair. They are copied, because columns at distances of a power of two
+/* 64 pairs by vertex, axis and pair. They are copied because columns at distances of a power of two
  * would evict each other from the cache. */
 typedef struct {
   int32_t a[3][3][BLOCK], b[3][3][BLOCK];
@@ -38,8 +38,8 @@ static inline sepax_tri gathered(const int32_t from[3][3][BLOCK], size_t at) {
   return t;
 }
 
-/* The verdicts of the pairs in `which`, one by one; of `one` and in->b, or of in->a if one is NULL.
- */
+/* Judge the pairs in `which` one by one: in->a against in->b, or `one` against in->b if `one` is
+ * not NULL. */
 static uint64_t judge_singly(const sepax_tri *one, const block *in, uint64_t which) {
   uint64_t hits = 0;
   for (size_t m = 0; m < BLOCK; m++) {
@@ -54,7 +54,7 @@ static uint64_t judge_singly(const sepax_tri *one, const block *in, uint64_t whi
 
 /* --------------------------------------------------------- instruction sets */
 
-/* Two doubles: the compiler uses SSE2, NEON and the like, or scalar instructions. */
+/* Vectors of two doubles. The compiler uses SSE2, NEON and the like, or scalar instructions. */
 #define SIMD_LANES 2
 #define SIMD_NAME(x) x##_portable
 #define SIMD_TARGET
@@ -73,7 +73,7 @@ typedef int32_t half_portable __attribute__((vector_size(8), aligned(4), may_ali
 
 #if defined __x86_64__
 
-/* tb/unit/avx512.c runs this with emulated intrinsics on machines without them. */
+/* On machines without AVX-512, tb/unit/avx512.c runs this code with emulated intrinsics. */
 #ifndef TARGET_AVX512
 #define TARGET_AVX512 __attribute__((target("avx512f")))
 #endif
@@ -142,7 +142,7 @@ static sepax_simd best(void) {
                                             : SEPAX_SIMD_PORTABLE;
 }
 
-/* What this processor lacks stands for the widest that it has. */
+/* The instructions to use: the widest that the processor has, if it lacks those of `simd`. */
 static sepax_simd settled(sepax_simd simd) {
   return simd == SEPAX_SIMD_BEST || !sepax_simd_runs(simd) ? best() : simd;
 }
@@ -156,7 +156,7 @@ const char *sepax_simd_name(sepax_simd simd) {
 
 /* ------------------------------------------------------------- entry points */
 
-/* Up to a block of triangles; the last triangle fills the rest of the block. */
+/* Copy up to a block of triangles. The last triangle fills the rest of the block. */
 static void copy_columns(int32_t to[3][3][BLOCK], const sepax_columns *from, size_t at,
                          size_t count) {
   for (int k = 0; k < 3; k++) {

@@ -12,7 +12,7 @@
 #define SIMD_PRISM(g, z) SIMD_WHOLE_PRISM(g, z)
 #include "batch/sums.h"
 
-/* The sign bits count: those of an orient3d, and those of its opposite. */
+/* A sign by two sign bits: that of an orient3d and that of its opposite. */
 typedef struct {
   SIMD_WHOLE low, high;
 } SIMD_NAME(sign);
@@ -21,10 +21,10 @@ typedef struct {
   SIMD_NAME(sign) s[3], w[3], d[3][3];
 } SIMD_NAME(signs);
 
-/* Of a number known modulo 2^64 and, roughly, from 2^62 upwards: what has its sign bit, and of
- * which the opposite has that of its opposite. */
+/* Combine a number known modulo 2^64 with a rough double that is right from 2^62 upwards, so that
+ * the result has the right sign bit, and its opposite has the right one, too. */
 SIMD_INLINE SIMD_WHOLE SIMD_NAME(merged)(SIMD_WHOLE low, SIMD_REAL rough) {
-  const uint64_t limit = UINT64_C(1085) << 52; /* the exponent of 2^62 */
+  const uint64_t limit = UINT64_C(1085) << 52; /* bits of a double's exponent for 2^62 */
   SIMD_WHOLE bits = (SIMD_WHOLE)rough;
   SIMD_WHOLE below = -(((bits & (UINT64_C(0x7ff) << 52)) - limit) >> 63);
   return (low & below) | (bits & ~below);
@@ -32,7 +32,7 @@ SIMD_INLINE SIMD_WHOLE SIMD_NAME(merged)(SIMD_WHOLE low, SIMD_REAL rough) {
 
 SIMD_INLINE SIMD_NAME(sign) SIMD_NAME(sign_of)(SIMD_WHOLE v) { return (SIMD_NAME(sign)){v, -v}; }
 
-/* rough NULL: orient3d fit 64 bits. */
+/* Find the signs of all orient3d. If `rough` is NULL, then orient3d fit 64 bits. */
 SIMD_INLINE void SIMD_NAME(find_signs)(SIMD_NAME(signs) * signs,
                                        const SIMD_NAME(orient3d_whole) * v,
                                        const SIMD_NAME(orient3d_real) * rough) {
@@ -58,8 +58,8 @@ SIMD_INLINE void SIMD_NAME(merge_orient2d)(SIMD_NAME(orient2d_whole) * g,
   }
 }
 
-/* An edge crosses or touches the other triangle: its ends are not on the same side of the plane,
- * and no two of the other edges pass it on different sides. */
+/* True if an edge crosses or touches the other triangle: its ends are not on the same side of the
+ * plane, and no two of the other triangle's edges pass it on different sides. */
 SIMD_INLINE SIMD_WHOLE SIMD_NAME(edge_hits)(SIMD_NAME(sign) from, SIMD_NAME(sign) to,
                                             SIMD_NAME(sign) p, SIMD_NAME(sign) q,
                                             SIMD_NAME(sign) r) {
@@ -67,8 +67,8 @@ SIMD_INLINE SIMD_WHOLE SIMD_NAME(edge_hits)(SIMD_NAME(sign) from, SIMD_NAME(sign
   return sides & ~((p.low | q.low | r.low) & (p.high | q.high | r.high));
 }
 
-/* In the projection on two coordinates, an edge has the other triangle strictly on the
- * side where its own third vertex is not. */
+/* True if, in a projection on two coordinates, an edge has the other triangle strictly on the side
+ * opposite to its own third vertex. */
 SIMD_INLINE SIMD_WHOLE SIMD_NAME(edge_separates)(const SIMD_WHOLE side[3], SIMD_WHOLE own) {
   SIMD_WHOLE low = side[0] & side[1] & side[2];
   SIMD_WHOLE high = -side[0] & -side[1] & -side[2];
@@ -84,7 +84,7 @@ SIMD_INLINE SIMD_WHOLE SIMD_NAME(separate_in_plane)(const SIMD_NAME(orient2d_who
   return disjoint;
 }
 
-/* Sign bits: some orient2d is not zero. */
+/* Sign bits of the lanes in which some orient2d is not zero. */
 SIMD_INLINE SIMD_WHOLE SIMD_NAME(has_orient2d)(const SIMD_NAME(orient2d_whole) * g) {
   SIMD_WHOLE any = g->own_a | g->own_b;
   SIMD_UNROLL for (int i = 0; i < 3; i++) {
@@ -93,7 +93,7 @@ SIMD_INLINE SIMD_WHOLE SIMD_NAME(has_orient2d)(const SIMD_NAME(orient2d_whole) *
   return any | -any;
 }
 
-/* Lanes in which the six values are not all the same: all ones. */
+/* All ones in the lanes in which the six values are not all equal. */
 SIMD_INLINE SIMD_WHOLE SIMD_NAME(varies)(const SIMD_NAME(coordinate_whole) * c) {
   SIMD_WHOLE any = {0};
   SIMD_UNROLL for (int k = 0; k < 3; k++) { any |= (c->a[k] ^ c->a[0]) | (c->b[k] ^ c->a[0]); }
@@ -109,16 +109,16 @@ SIMD_INLINE void SIMD_NAME(choose)(SIMD_NAME(coordinate_whole) * to, SIMD_WHOLE 
   }
 }
 
-/* The numbers of a group in doubles; orient2d NULL: those of whole numbers fit 64 bits. */
+/* The numbers of a group in doubles. If orient2d is NULL, then the whole numbers fit 64 bits. */
 typedef struct {
   const SIMD_NAME(coordinate_real) * c;
   const SIMD_NAME(orient2d_real) * orient2d;
   const SIMD_NAME(orient3d_real) * orient3d;
 } SIMD_NAME(rough);
 
-/* The bits of the coplanar pairs `flat` that are not separated in a projection that keeps
- * their plane: x and y, of which g are the orient2d, or z and y, or z and x where y does not
- * vary. An additional projection changes nothing. On a line the AABBs decide. */
+/* Judge the coplanar pairs `flat`. Returns the bits of those that are not separated in a projection
+ * that keeps their plane: x and y (g are its orient2d), or z and y, or z and x if y does not vary.
+ * More projections would change nothing. If all vertices are on one line, then the AABBs decide. */
 SIMD_TARGET static __attribute__((noinline)) uint32_t
 SIMD_NAME(judge_flat)(const SIMD_NAME(coordinate_whole) c[3], SIMD_NAME(orient2d_whole) * g,
                       const SIMD_NAME(rough) * rough, uint32_t flat) {
@@ -149,7 +149,7 @@ SIMD_NAME(judge_flat)(const SIMD_NAME(coordinate_whole) c[3], SIMD_NAME(orient2d
   return flat & ~SIMD_BITS_OF(disjoint);
 }
 
-/* The bits of the pairs that collide, if their AABBs overlap. */
+/* Judge pairs whose AABBs overlap. Returns the bits of the colliding pairs. */
 SIMD_INLINE uint32_t SIMD_NAME(judge_whole)(const SIMD_NAME(coordinate_whole) c[3],
                                             const SIMD_NAME(rough) * rough) {
   SIMD_NAME(orient2d_whole) g;

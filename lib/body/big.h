@@ -39,7 +39,7 @@ static inline int big_compare_sizes(const big *p, const big *q) {
   return 0;
 }
 
-/* |p| + |q|, |p| the longer. */
+/* r = |p| + |q|; |p| must be the longer. */
 static inline void big_add_sizes(big *r, const big *p, const big *q) {
   unsigned __int128 carry = 0;
   for (int i = 0; i < p->limbs; i++) {
@@ -54,7 +54,7 @@ static inline void big_add_sizes(big *r, const big *p, const big *q) {
   }
 }
 
-/* |p| - |q|, |p| the greater. */
+/* r = |p| - |q|; |p| must be the greater. */
 static inline void big_subtract_sizes(big *r, const big *p, const big *q) {
   uint64_t borrow = 0;
   int used = 0;

@@ -11,16 +11,16 @@ enum { BODY_WIDE = 8 };
 #define BODY_TRIANGLE UINT32_C(0x80000000)
 #define BODY_NONE UINT32_C(0xffffffff)
 
-/* Boxes of up to eight children as centre and half sides, in units of the body's scale from its
- * centre, rounded outwards. A lane without a child has half sides that nothing meets. */
+/* AABBs of up to eight children: centre and half sides, counted from the body's centre in units of
+ * its scale, rounded outwards. A lane without a child has half sides that no box meets. */
 typedef struct {
   float centre[3][BODY_WIDE], half[3][BODY_WIDE];
-  uint32_t child[BODY_WIDE]; /* a node, or BODY_TRIANGLE + place of a triangle */
+  uint32_t child[BODY_WIDE]; /* number of a node, or BODY_TRIANGLE + place of a triangle */
   uint32_t children;
 } body_node;
 
-/* The same children in boxes of any direction, which are tighter: child k is within
- * centre + sum of u_i axis[i], |u_i| <= half[i]. A lane without a child has BODY_NONE. */
+/* Oriented boxes of the same children, which are tighter than AABBs. Child k lies within centre +
+ * sum of u_i axis[i], |u_i| <= half[i]. A lane without a child has BODY_NONE. */
 typedef struct {
   float centre[3][BODY_WIDE], half[3][BODY_WIDE];
   float axis[3][3][BODY_WIDE]; /* axis[i][coordinate] */
@@ -30,22 +30,22 @@ typedef struct {
 struct sepax_body {
   size_t count;
   double centre[3];
-  double radius;          /* of all vertices from the centre, at most */
+  double radius;          /* greatest distance of a vertex from the centre */
   double scale;           /* a power of two; centre +- scale holds all triangles */
-  facet_points *triangle; /* in the tree's order */
-  uint32_t *number;       /* in the mesh */
+  facet_points *triangle; /* triangles in the order of the tree */
+  uint32_t *number;       /* number of each triangle in the mesh */
   body_node *node;        /* node[0] is the root */
   size_t nodes;
-  body_boxes *boxes; /* of each node; behind them the root's own box; on a cache line */
-  void *memory;      /* in which they are */
+  body_boxes *boxes; /* boxes of each node, then the root's own box; aligned to cache lines */
+  void *memory;      /* memory that holds the boxes */
 };
 
-/* What is in a box, numbered BODY_WIDE * node + lane. */
+/* The child in box `at`. Boxes are numbered BODY_WIDE * node + lane. */
 static inline uint32_t child_at(const sepax_body *b, uint32_t at) {
   return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
 }
 
-/* Fill `boxes`; false without memory. */
+/* Fill in `boxes`. False without memory. */
 bool sepax__body_fit(sepax_body *body, size_t threads);
 
 #endif

@@ -15,8 +15,9 @@ typedef int32_t SIMD_NAME(masks) __attribute__((vector_size(4 * SIMD_FLOATS)));
 #define SIMD_SIZE(v) ((SIMD_FLOAT)((SIMD_MASK)(v)&INT32_MAX))
 #define SIMD_DOT(p, q) SIMD_MADD((p)[0], (q)[0], SIMD_MADD((p)[1], (q)[1], (p)[2] * (q)[2]))
 
-/* Children of nodes and a posed box for each node: offset of the centres, and the cosines between
- * axes i of the children and k of the box, on the axes of the children. */
+/* The children of nodes and one posed box for each node: the offset of the centres, and the cosines
+ * between axis i of the children and axis k of the box. All are in coordinates along the axes of
+ * the children. */
 typedef struct {
   SIMD_FLOAT along[3], half[3], own_half[3], cosine[3][3], size[3][3];
 } SIMD_NAME(facing);
@@ -81,7 +82,8 @@ SIMD_INLINE SIMD_BOOL SIMD_NAME(edge_axes_separate)(const SIMD_NAME(facing) * f)
   return disjoint;
 }
 
-/* Children that may meet the boxes, and that are triangles: bit 8 m + k of child k of node m. */
+/* Bit 8 m + k stands for child k of node m: children that may meet the boxes, and children that are
+ * triangles. */
 typedef struct {
   uint32_t overlaps, triangles;
 } SIMD_NAME(children);

@@ -38,12 +38,12 @@ SIMD_INLINE SIMD_WHOLE SIMD_NAME(pierces)(SIMD_REAL from, SIMD_REAL to, SIMD_REA
          ~(((SIMD_WHOLE)p ^ (SIMD_WHOLE)q) | ((SIMD_WHOLE)q ^ (SIMD_WHOLE)r));
 }
 
-/* The sign bits of three numbers are the same. */
+/* All ones in the lanes in which three numbers have the same sign bit. */
 SIMD_INLINE SIMD_WHOLE SIMD_NAME(one_side)(const SIMD_REAL v[3]) {
   return ~(((SIMD_WHOLE)v[0] ^ (SIMD_WHOLE)v[1]) | ((SIMD_WHOLE)v[1] ^ (SIMD_WHOLE)v[2]));
 }
 
-/* B's vertices are posed, then A_0 becomes the origin; the largest coordinate then. */
+/* Pose B's vertices and move the origin to A_0. Returns the largest coordinate after that. */
 SIMD_INLINE SIMD_REAL SIMD_NAME(load)(SIMD_NAME(coordinate_real) c[3], const double *from,
                                       const placement *at) {
   SIMD_REAL most = {0};
@@ -126,15 +126,16 @@ SIMD_TARGET static uint32_t SIMD_NAME(judge)(const double *from, const placement
 
 /* -------------------------------------------------------- pairs on a grid */
 
-/* The whole number x / grid; the lanes of `off` become all ones where it is none, or too long. */
+/* x / grid as a whole number. If it is not whole or too long, then the lane of `off` becomes all
+ * ones. */
 SIMD_INLINE SIMD_REAL SIMD_NAME(on_grid)(SIMD_REAL x, SIMD_REAL per_grid, SIMD_WHOLE *off) {
-  const double SHIFT = 0x1.8p52; /* x + SHIFT is rounded to a whole number */
+  const double SHIFT = 0x1.8p52; /* adding SHIFT rounds x to a whole number */
   SIMD_REAL n = x * per_grid;
   *off |= (SIMD_WHOLE)(n + SHIFT - SHIFT != n) | (SIMD_WHOLE)(SIMD_NAME(magnitude)(n) > 0x1p50);
   return n;
 }
 
-/* What makes the largest coordinate, `most`, of each lane 2^32 ... 2^33. */
+/* A factor that brings the largest coordinate, `most`, of each lane into 2^32 ... 2^33. */
 SIMD_INLINE SIMD_REAL SIMD_NAME(scale_of)(SIMD_REAL most, SIMD_WHOLE *off) {
   SIMD_WHOLE exponent = (SIMD_WHOLE)most & (UINT64_C(0x7ff) << 52);
   *off |= (SIMD_WHOLE)(most < 0x1p-900) | (SIMD_WHOLE)(most > 0x1p900);

@@ -13,17 +13,17 @@
 
 static const int next[3] = {1, 2, 0};
 
-enum { PART = 64 }; /* nodes that a thread takes at once */
+enum { PART = 64 }; /* nodes that a thread takes at a time */
 
-#define FAR 1e30F /* where nothing is */
+#define FAR 1e30F /* a place that no box reaches */
 
-typedef double axes[3][3]; /* [axis][coordinate], right angles, length 1 */
+typedef double axes[3][3]; /* [axis][coordinate]; the axes have length 1 and are at right angles */
 
 static const axes upright = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 /* ------------------------------------------------------------------------ vectors */
 
-/* False where the vector is too short to have a direction. */
+/* Make the vector's length 1. False if it is too short to have a direction. */
 static bool normalise(double v[3]) {
   double length = vector_length(v);
   if (!(length > 1e-100)) {
@@ -38,7 +38,7 @@ static bool normalise(double v[3]) {
 
 /* --------------------------------------------------------------------- directions */
 
-/* Any two axes at right angles to the first. */
+/* Choose two axes at right angles to the first. */
 static void complete(axes a) {
   int least = 0;
   for (int i = 1; i < 3; i++) {
@@ -71,13 +71,13 @@ static void axes_of_triangle(const double v[3][3], axes a) {
     complete(a);
     return;
   }
-  /* Once more: the edge of a sliver leaves its normal inexact. */
+  /* compute it again, because the edge of a sliver leaves its normal inexact */
   vector_cross(a[2], a[0], a[1]);
   normalise(a[1]);
   vector_cross(a[0], a[1], a[2]);
 }
 
-/* Sums over the surface of triangles: its area, and of the area times x_i, times x_i x_j. */
+/* Integrals over the surface of triangles: the area, and of x_i and x_i x_j over the area. */
 typedef struct {
   double area, first[3], second[3][3];
 } moments;
@@ -172,8 +172,8 @@ typedef struct {
   float axis[3][3], centre[3], half[3];
 } oriented;
 
-/* Functions of their own, as what reads the axes and the centre back needs them rounded: inlined,
- * gcc 12 with -O3 takes the doubles. */
+/* Not inlined, because the code that reads axes and centre back must read the rounded floats: gcc
+ * 12 with -O3 would use the doubles. */
 static __attribute__((noinline)) void set_axes(oriented *r, const axes a) {
   for (int k = 0; k < 9; k++) {
     r->axis[k / 3][k % 3] = (float)a[k / 3][k % 3];
@@ -201,7 +201,7 @@ static void set_half(oriented *r, const double half[3]) {
   }
 }
 
-/* The box on axes a around triangles in units of the body. */
+/* Enclose triangles, in units of the body, in a box with axes a. */
 static void enclose(const facet_points *v, uint32_t count, const axes a, oriented *r) {
   double axis[3][3];
   real_pair first[3]; /* axes 0 and 1, by coordinate */
@@ -248,7 +248,7 @@ static void enclose(const facet_points *v, uint32_t count, const axes a, oriente
   set_half(r, half);
 }
 
-/* The AABB of a child as a box. */
+/* Take the AABB of a child as its oriented box. */
 static void take_aabb(const body_node *node, int lane, oriented *r) {
   double half[3];
   set_axes(r, upright);
@@ -280,7 +280,7 @@ static void fit_triangle(const facet_points *v, oriented *r) {
   enclose(v, 1, a, r);
 }
 
-/* Around triangles with their moments, of which r is the AABB. */
+/* Choose the box around triangles from their moments; r begins as their AABB. */
 static void fit(const facet_points *v, uint32_t count, const moments *m, oriented *r) {
   axes a;
   oriented principal;
@@ -291,7 +291,7 @@ static void fit(const facet_points *v, uint32_t count, const moments *m, oriente
   }
 }
 
-/* The triangles below a node: first ... first + count - 1 of the tree's order. */
+/* The triangles below a node, first ... first + count - 1 in the order of the tree. */
 typedef struct {
   uint32_t first, count;
   moments all;
@@ -300,7 +300,7 @@ typedef struct {
 typedef struct {
   sepax_body *body;
   facet_points *v; /* triangles in units of the body */
-  below *below;    /* each node */
+  below *below;    /* one entry for each node */
 } fitting;
 
 static void find_below(const fitting *f, uint32_t number, uint32_t first) {
@@ -319,7 +319,7 @@ static void find_below(const fitting *f, uint32_t number, uint32_t first) {
   }
 }
 
-/* The boxes of a node's children. */
+/* Fit the boxes of a node's children. */
 static void fit_children(const fitting *f, size_t number) {
   const body_node *node = &f->body->node[number];
   body_boxes *boxes = &f->body->boxes[number];
@@ -349,7 +349,7 @@ static void fit_part(void *context, size_t part) {
   }
 }
 
-/* The triangles in units of the body. */
+/* Copy the triangles in units of the body. */
 static facet_points *local_triangles(const sepax_body *b) {
   facet_points *v = sepax_allocate(b->count * sizeof *v);
   double unit = 1 / b->scale;
@@ -368,7 +368,7 @@ bool sepax__body_fit(sepax_body *b, size_t threads) {
   b->memory = sepax_allocate((b->nodes + 1) * sizeof *b->boxes + CACHE_LINE - 1);
   bool ok = b->memory != NULL && f.v != NULL && f.below != NULL;
   if (ok) {
-    size_t beyond = (uintptr_t)b->memory % CACHE_LINE; /* a line */
+    size_t beyond = (uintptr_t)b->memory % CACHE_LINE; /* bytes beyond a cache line */
     b->boxes = (void *)((char *)b->memory + (beyond > 0 ? CACHE_LINE - beyond : 0));
     find_below(&f, 0, 0);
     sepax__threads_run(threads, (b->nodes + PART - 1) / PART, fit_part, &f);

@@ -1,5 +1,5 @@
-/* judge.c - verdicts on pairs of posed triangles, several at once: by doubles (filter.h), where
- * these are not certain by whole numbers, else by sepax_exact_posed. */
+/* judge.c - verdicts on pairs of posed triangles, several at once. Doubles decide first (filter.h),
+ * then whole numbers, and sepax_exact_posed decides the rest. */
 #include "judge.h"
 #include "verdict/signs.h"
 #include "util/simd.h"
@@ -57,7 +57,7 @@ static const_vertex *triangle(const posed_pairs *p, int body, uint32_t number) {
   return (const_vertex *)(p->first[body] + number * p->stride[body]);
 }
 
-/* Coordinate i of vertex k of pair n goes to (6 i + k) lanes + n. */
+/* Copy the pairs: coordinate i of vertex k of pair n goes to (6 i + k) lanes + n. */
 static void gather(const posed_pairs *p, const uint32_t (*pair)[2], int used, int lanes,
                    double c[18 * MOST_LANES]) {
   for (int n = 0; n < lanes; n++) {
@@ -76,7 +76,7 @@ static void gather(const posed_pairs *p, const uint32_t (*pair)[2], int used, in
 typedef uint32_t filter(const double *from, const placement *at, bool strict, uint32_t *uncertain);
 typedef uint32_t grid_judge(const double *from, const placement *at, uint32_t *off);
 
-/* Where a group before was in doubt, whole numbers are tried first. */
+/* Judge a group of pairs. If a group before was in doubt, then whole numbers are tried first. */
 static uint32_t judge_group(const posed_pairs *p, const double *c, bool *in_doubt,
                             uint32_t *uncertain) {
   filter *by_doubles = judge_portable;

@@ -4,19 +4,21 @@
 
 #include "placement.h"
 
-/* Triangle n of body k begins at first[k] + n * stride[k]: three vertices. */
+/* Pairs to judge. Triangle n of body k begins at first[k] + n * stride[k] and has three
+ * vertices. */
 typedef struct {
   const double *first[2];
   size_t stride[2];
-  bool strict; /* only pairs that collide strictly */
-  int lanes;   /* sepax__posed_pairs_lanes */
+  bool strict; /* find only pairs that collide strictly */
+  int lanes;   /* from sepax__posed_pairs_lanes */
   placement at;
 } posed_pairs;
 
-/* Pairs at once: 2, 4 with AVX2, 8 with AVX-512, as far as this processor has them. */
+/* The number of pairs to judge at once: 8 with AVX-512, 4 with AVX2, otherwise 2, as far as the
+ * processor has these instructions. */
 int sepax__posed_pairs_lanes(sepax_simd simd);
 
-/* Bit n: pair[n], of a triangle of A and one of B, collides. Up to 64 pairs. */
+/* Judge up to 64 pairs. Bit n of the result: pair[n], a triangle of A and one of B, collides. */
 uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* sign * size * 2^exponent, size odd; or all 0. */
+/* The value sign * size * 2^exponent with an odd size; all fields are 0 for the value 0. */
 typedef struct {
   int sign, exponent;
   uint64_t size;

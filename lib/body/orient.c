@@ -6,13 +6,12 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* Determinants of coordinates below this are not taken from doubles, because underflow can cost a
- * product up to 2^-1074. */
+/* Below this size doubles do not decide, because underflow can cost a product up to 2^-1074. */
 static const double tiny = 0x1p-900;
 
 static int sign_of(double x) { return (x > 0) - (x < 0); }
 
-/* r = p - q in units of 2^unit, which divides both. */
+/* r = p - q in units of 2^unit; p and q are multiples of this unit. */
 static void subtract(big *r, double p, double q, int unit) {
   number a = number_of(p);
   number b = number_of(q);
@@ -56,8 +55,8 @@ static int orient2d_exactly(const double a[2], const double b[2], const double c
 
 static bool is_zero(double x) { return !(x < 0 || x > 0); }
 
-/* Differences are zero only where they are exactly. Each product is wrong by 3 u at most of its
- * size, u = 2^-53, and the difference by u more. */
+/* A difference is zero only if it is exactly zero. Each product is wrong by at most 3 u of its
+ * size, u = 2^-53, and the difference of the products by u more. */
 int sepax__orient2d(const double a[2], const double b[2], const double c[2]) {
   double u[2] = {b[0] - a[0], b[1] - a[1]};
   double v[2] = {c[0] - a[0], c[1] - a[1]};
@@ -93,8 +92,8 @@ static int orient3d_exactly(const double a[3], const double b[3], const double c
   return volume.sign;
 }
 
-/* With differences wrong by u of their size, `volume` is wrong by 9 u of the sum of the sizes of
- * all six products at most. Where an area underflows, it is wrong by less than 2^-1073 before it is
+/* If differences are wrong by u of their size, then `volume` is wrong by at most 9 u of the sum of
+ * the sizes of all six products. An area that underflows is wrong by less than 2^-1073 before it is
  * multiplied. */
 int sepax__orient3d(const double a[3], const double b[3], const double c[3], const double d[3]) {
   double v[3][3];
@@ -115,7 +114,7 @@ int sepax__orient3d(const double a[3], const double b[3], const double c[3], con
     sizes += (fabs(left) + fabs(right)) * fabs(v[2][i]);
     heights += fabs(v[2][i]);
   }
-  /* Where all differences of one coordinate are zero, nothing is rounded. */
+  /* if all differences of a coordinate are zero, then nothing is rounded */
   for (int i = 0; i < 3; i++) {
     if (is_zero(v[0][i]) && is_zero(v[1][i]) && is_zero(v[2][i])) {
       return 0;

@@ -1,4 +1,4 @@
-/* placement.c - two bodies in their poses: the motions between their coordinates. */
+/* placement.c - places two bodies: finds the motions between their coordinates. */
 #include "placement.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ static void transpose_adjugate(const double m[3][3], double r[3][3]) {
   }
 }
 
-/* The inverse of a matrix that is nearly a rotation. */
+/* Invert a matrix that is nearly a rotation. */
 static void invert(const double m[3][3], double r[3][3]) {
   transpose_adjugate(m, r);
   double determinant = m[0][0] * r[0][0] + m[0][1] * r[1][0] + m[0][2] * r[2][0];
@@ -37,8 +37,9 @@ static void multiply(const double p[3][3], const double q[3][3], double r[3][3])
   }
 }
 
-/* From B's tree to A's, with linear part and offset in file units. The doubles round by less than
- * 2^-44 of the largest offset and centre. */
+/* Find the motion from the coordinates of B's tree to those of A's tree; its linear part and offset
+ * are given in units of the file. The doubles round by less than 2^-44 of the largest offset and
+ * centre. */
 static void find_motion(motion *m, const sepax_body *a, const sepax_body *b,
                         const double linear[3][3], const double offset[3]) {
   double ratio = b->scale / a->scale;
@@ -69,7 +70,7 @@ double sepax__largest_coordinate(const sepax_body *b) {
 
 static bool is(double x, int whole) { return x >= whole && x <= whole; }
 
-/* NULL and the pose of a body that stands as in its file: not moved. */
+/* True if a pose is not NULL and not the identity. */
 static bool moves(const sepax_pose *pose) {
   bool same = pose != NULL;
   for (int i = 0; i < 3 && same; i++) {
@@ -112,7 +113,7 @@ void sepax__place_poses(placement *p, const sepax_pose *pose_a, const sepax_pose
       away = fmax(away, fabs(pb->translation[k]) + fabs(pa->translation[k]));
     }
   }
-  /* Up to 32 roundings of terms that are at most 4 times the largest number. */
+  /* up to 32 roundings of terms that are at most 4 times the largest number */
   p->error = 0x1p-53 * 128 * (most + away);
   if (pose_a == NULL && pose_b == NULL) {
     p->error = 0;
@@ -145,7 +146,7 @@ void sepax__place_triangle_b(const placement *p, const double b[3][3], double pl
   }
 }
 
-/* Where the centre of a body is; adds to `size` what bounds its roundings. */
+/* Find the posed centre of a body; add a bound on its rounding to *size. */
 static void pose_centre(const sepax_body *b, const sepax_pose *pose, double at[3], double *size) {
   const sepax_pose *p = pose != NULL ? pose : &unmoved;
   for (int i = 0; i < 3; i++) {

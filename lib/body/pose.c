@@ -1,4 +1,4 @@
-/* pose.c - poses: which are valid, where they bring a point, one after another and back. */
+/* pose.c - poses: validity, nearest rotation, application, composition, inverse. */
 #include "placement.h"
 #include "util/error.h"
 
@@ -41,7 +41,7 @@ static bool has_numbers(const sepax_pose *pose) {
   return true;
 }
 
-/* wrong = I - R^T R; returns its greatest entry. */
+/* Compute wrong = I - R^T R and return its greatest entry. */
 static double deviation(const double r[3][3], double wrong[3][3]) {
   double most = 0;
   for (int p = 0; p < 3; p++) {
@@ -53,8 +53,8 @@ static double deviation(const double r[3][3], double wrong[3][3]) {
   return most;
 }
 
-/* R (3 I - R^T R) / 2, again and again, leads to the nearest rotation: each singular value goes to
- * 1, and how far it is from 1 is squared. A matrix that is orthonormal stays. */
+/* Repeating R = R (3 I - R^T R) / 2 leads to the nearest rotation: each singular value goes to 1,
+ * and its distance from 1 is squared in each step. An orthonormal matrix stays as it is. */
 static void make_orthonormal(double r[3][3]) {
   double wrong[3][3];
   for (int round = 0; round < 6 && deviation((const double(*)[3])r, wrong) > 0; round++) {
@@ -70,7 +70,7 @@ static void make_orthonormal(double r[3][3]) {
 }
 
 bool sepax_pose_nearest(sepax_pose *pose, double *moved, sepax_error *error) {
-  static const double most = 1e-2; /* an entry may change by this */
+  static const double most = 1e-2; /* largest allowed change of an entry */
   double wrong[3][3];
   sepax_pose nearest = *pose;
   if (!has_numbers(pose)) {
@@ -106,7 +106,7 @@ bool sepax__poses_valid(const sepax_pose *pose_a, const sepax_pose *pose_b, sepa
          (pose_b == NULL || sepax_pose_valid(pose_b, error));
 }
 
-/* Where a point was turned to: row i of the rotation times v. */
+/* Coordinate i of the turned point: row i of the rotation times v. */
 static double turned(const sepax_pose *pose, int i, const double v[3]) {
   const double *r = pose->rotation[i];
   return r[0] * v[0] + r[1] * v[1] + r[2] * v[2];

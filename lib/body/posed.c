@@ -12,7 +12,7 @@
 
 #include <limits.h>
 
-/* A posed coordinate: up to four products. */
+/* A posed coordinate as a sum of up to four products of doubles. */
 typedef struct {
   number p[4], q[4];
   int terms;
@@ -96,7 +96,7 @@ static sepax_verdict verdict_32(const posed_points *p) {
 
 /* ---------------------------------------------------------------------- any size */
 
-/* t_ij of vertices i < j in the projection on x, y; 15 products. */
+/* The terms t_ij of vertices i < j in the projection on x and y; 15 products. */
 typedef struct {
   big t[6][6];
 } trapezoids;
@@ -187,7 +187,7 @@ static int compare(const big *p, const big *q) {
   return difference.sign;
 }
 
-/* Some coordinate keeps all of A's vertices below all of B's, or above. */
+/* True if in some coordinate all of A's vertices are below all of B's, or above. */
 static bool disjoint_aabbs(const posed_points *p) {
   for (int axis = 0; axis < 3; axis++) {
     bool below = true;

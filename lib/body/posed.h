@@ -5,12 +5,13 @@
 #include "body/big.h"
 #include "sepax.h"
 
-/* c[axis][vertex]: vertices 0 ... 2 are A's, 3 ... 5 B's, counted from A_0. */
+/* c[axis][vertex], relative to A_0. Vertices 0 ... 2 are A's, 3 ... 5 are B's. */
 typedef struct {
   big c[3][6];
 } posed_points;
 
-/* The vertices times a power of two; its exponent e: c[axis][v] * 2^e is the exact coordinate. */
+/* Find the exact posed vertices as integers. Returns the exponent e: the exact coordinate is
+ * c[axis][v] * 2^e. */
 int sepax__find_posed_points(posed_points *p, const double a[3][3], const sepax_pose *pose_a,
                              const double b[3][3], const sepax_pose *pose_b);
 

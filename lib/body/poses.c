@@ -1,4 +1,4 @@
-/* poses.c - files of poses: 12 decimal numbers a line. */
+/* poses.c - reads files of poses, 12 decimal numbers in each line. */
 #include "sepax.h"
 #include "util/error.h"
 #include "util/list.h"
@@ -14,7 +14,7 @@ enum { NUMBERS = 12 };
 static const char blanks[] = " \t\r\n\v\f";
 static const char cure[] = "give 12 numbers: the rotation by rows, then the translation";
 
-/* A piece of a line for a message: short and printable. */
+/* A piece of a line for a message, short and printable. */
 typedef struct {
   char text[28];
 } quote;
@@ -30,7 +30,8 @@ static quote quoted(const char *word, size_t length) {
   return q;
 }
 
-/* What the word is, rounded once; strtod reads hexadecimal numbers and words, too. */
+/* Read a decimal number, rounded once. strtod alone would also accept hexadecimal numbers and
+ * words. */
 static bool read_number(double *number, const char *word, size_t length, sepax_error *error) {
   static const char decimal[] = "+-.0123456789eE";
   char *end;
@@ -49,8 +50,8 @@ static bool read_number(double *number, const char *word, size_t length, sepax_e
   return true;
 }
 
-/* A line of `length` bytes; *empty: no pose is there. With `moved` the nearest rotation is taken,
- * and *moved becomes no less than how far the matrix is from it. */
+/* Read a line of `length` bytes. *empty: it has no pose. If `moved` is not NULL, then the nearest
+ * rotation is taken, and *moved becomes at least the largest change of an entry. */
 static bool read_pose(sepax_pose *pose, bool *empty, double *moved, char *line, size_t length,
                       sepax_error *error) {
   double number[NUMBERS];
@@ -101,7 +102,8 @@ static bool append(sepax_poses *poses, size_t *capacity, const sepax_pose *pose)
 
 static bool read_lines(sepax_poses *poses, double *moved, FILE *in, const char *path,
                        sepax_error *error) {
-  static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, as editors put it in front of a file */
+  static const char mark[] =
+      "\xef\xbb\xbf"; /* byte order mark of UTF-8, which some editors put in front of a file */
   char *line = NULL;
   size_t size = 0;
   size_t capacity = 0;
@@ -125,7 +127,7 @@ static bool read_lines(sepax_poses *poses, double *moved, FILE *in, const char *
     ok = sepax_fail(error, SEPAX_ERROR_FILE, "%.240s: %s; give a readable file of poses", path,
                     strerror(errno));
   }
-  free(line); /* of getline, which knows no allocator but malloc */
+  free(line); /* from getline, which only uses malloc */
   return ok;
 }
 

@@ -35,11 +35,11 @@
 
 enum { AT_ONCE = 8, BATCH = 64 };
 
-/* The children of a node against a box of the other body, which `move` turns. */
+/* A test of the children of a node against a box of the other body, which `move` turns. */
 typedef struct {
   const body_boxes *node, *from;
   const motion *move;
-  uint32_t lane;             /* of the box in `from` */
+  uint32_t lane;             /* lane of the box in `from` */
   uint32_t boxes, triangles; /* bit k: child k, a box or a triangle, may meet it */
 } box_task;
 
@@ -96,13 +96,14 @@ typedef struct {
 
 /* ------------------------------------------------------------------- the search */
 
-/* AT_ONCE pairs leave up to 8 each, on each of 64 levels of both trees: the stack is sorted by
- * level, so that pairs of a level are taken only with all that are below it. */
+/* The largest number of waiting pairs. AT_ONCE pairs leave up to 8 each on each of 64 levels of
+ * both trees. The stack is sorted by level, so the pairs of a level are taken only after all pairs
+ * below it. */
 enum { STACK = 2 * 64 * BODY_WIDE * AT_ONCE };
 
 typedef void box_comparer(box_task *tasks, int count);
 
-/* Where the boxes of a pair are: BODY_WIDE * node + lane. */
+/* A pair of boxes: BODY_WIDE * node + lane in each body. */
 typedef struct {
   uint32_t at[2];
 } box_pair;
@@ -114,11 +115,11 @@ typedef struct {
   sepax_pairs *found;
   size_t capacity, hits;
   bool no_memory, ended;
-  double end;                                       /* of the time; 0: none */
-  uint32_t waiting[BATCH + BODY_WIDE * AT_ONCE][2]; /* pairs of triangles */
-  int count, batch;                                 /* batch: so many are judged at once */
+  double end;                                       /* when the time limit ends; 0: no limit */
+  uint32_t waiting[BATCH + BODY_WIDE * AT_ONCE][2]; /* pairs of triangles that wait to be judged */
+  int count, batch; /* pairs that wait; pairs that are judged at once */
   box_comparer *compare_boxes;
-  int at_once; /* so many are compared at once */
+  int at_once; /* pairs of boxes that are compared at once */
   size_t visits, judged;
 } search;
 
@@ -141,7 +142,7 @@ static double seconds_now(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Up to BATCH pairs of triangles that wait. */
+/* Judge up to BATCH waiting pairs of triangles. */
 static void judge(search *s) {
   int count = s->count < BATCH ? s->count : BATCH;
   s->count -= count;
@@ -160,7 +161,8 @@ static float size_at(const sepax_body *b, uint32_t at) {
   return boxes->half[0][lane] + boxes->half[1][lane] + boxes->half[2][lane];
 }
 
-/* Which body's node to open: the larger, as far as it has one. */
+/* Choose the body whose node is opened: the one with the larger box, unless that box is a
+ * triangle. */
 static int opened(const search *s, const box_pair *p, const uint32_t child[2]) {
   if (((child[0] | child[1]) & BODY_TRIANGLE) != 0) {
     return (child[0] & BODY_TRIANGLE) != 0;
@@ -168,10 +170,10 @@ static int opened(const search *s, const box_pair *p, const uint32_t child[2]) {
   return size_at(s->body[1], p->at[1]) * s->pairs.at.to[0].ratio > size_at(s->body[0], p->at[0]);
 }
 
-/* A pair of boxes of which one is opened. */
+/* A pair of boxes, one of which is opened. */
 typedef struct {
   int open;
-  uint32_t node, other, child; /* node: which is open; the other box, and what is in it */
+  uint32_t node, other, child; /* the opened node; the other box, and its child */
 } opening;
 
 static void prefetch_triangle(const search *s, int body, uint32_t number) {
@@ -193,7 +195,7 @@ static void open_pair(const search *s, const box_pair *p, opening *o, box_task *
   }
 }
 
-/* What may meet goes to the stack, or to the pairs of triangles that wait. */
+/* Push children that may meet the box on the stack, or onto the list of waiting triangle pairs. */
 static void take_children(search *s, const opening *o, const box_task *t, box_pair *stack,
                           int *depth) {
   const int open = o->open;
@@ -214,7 +216,7 @@ static void take_children(search *s, const opening *o, const box_task *t, box_pa
   }
 }
 
-/* The top of the stack. */
+/* Take pairs from the top of the stack and compare them. */
 static void visit(search *s, box_pair *stack, int *depth) {
   box_task task[AT_ONCE];
   opening open[AT_ONCE];

@@ -16,11 +16,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Nodes below level EVEN are split into halves, so that no tree has more than 64 levels. */
+/* Nodes at level EVEN and below are split into halves of equal counts, so that no tree has more
+ * than 64 levels. */
 enum { EVEN = 48, PART = 2048 };
 
-/* Nodes of the tree below a range; the number of a part's root is BODY_PART + part until all are
- * joined. */
+/* The nodes of a subtree. Until all subtrees are joined, the root of a part has the number
+ * BODY_PART + part. */
 typedef struct {
   body_node *node;
   size_t nodes, capacity;
@@ -36,7 +37,7 @@ typedef struct {
   const triangles *mesh;
   box4 *entry;
   subtree top, *part;
-  size_t parts, capacity; /* of parts */
+  size_t parts, capacity; /* number of parts and space for them */
 } builder;
 
 static corner magnitude(corner v) { return (corner)((corner_bits)v & INT32_MAX); }
@@ -62,7 +63,8 @@ static box4 entry_of(const sepax_body *b, const double v[3][3], uint32_t number)
 
 /* -------------------------------------------------------------------------- splits */
 
-/* Divide a range into two; into halves where `even`, or where no middle differs. */
+/* Divide a range into two. If `even` is true or all middles are equal, then the halves have equal
+ * counts. */
 static void split(const builder *b, const range *r, bool even, range part[2]) {
   cut best = {.cost = FLT_MAX, .axis = -1};
   if (!even) {
@@ -97,8 +99,9 @@ static void set_lane(body_node *node, int lane, const box4 *b, uint32_t child) {
   node->child[lane] = child;
 }
 
-/* Divide a range into up to eight, in order: always the one of the largest area that is longer than
- * a node. A range that fits a node is divided into single triangles. */
+/* Divide a range into up to eight ranges, in order. The range with the largest area that is too
+ * long for a node is divided again and again. A range that fits a node is divided into single
+ * triangles. */
 static int divide(const builder *b, const range *whole, bool even, range part[BODY_WIDE]) {
   int parts = 1;
   part[0] = *whole;
@@ -163,7 +166,7 @@ static bool add_part(builder *b, const range *whole, int level, uint32_t *number
   return true;
 }
 
-/* The tree below a range, or down to parts of their own. */
+/* Build the tree below a range, or only down to ranges that become parts. */
 static bool build_node(builder *b, subtree *t, bool to_parts, const range *whole, int level,
                        uint32_t *number) {
   if (to_parts && count_of(whole) <= PART) {
@@ -195,7 +198,7 @@ static void build_part(void *context, size_t part) {
   build_node(b, t, false, &t->whole, t->level, &root);
 }
 
-/* Nodes in the numbers of the whole tree, in which those of a subtree begin at `first`. */
+/* Copy a subtree into the whole tree, where its nodes begin at `first`. */
 static void join(body_node *to, const subtree *t, uint32_t first, const uint32_t *first_of_part) {
   for (size_t n = 0; n < t->nodes; n++) {
     to[n] = t->node[n];
@@ -258,7 +261,7 @@ static bool measure(sepax_body *body, const triangles *mesh, sepax_error *error)
   int exponent;
   frexp(most, &exponent);
   body->scale = most > 0 ? ldexp(1, exponent < -1000 ? -1000 : exponent) : 1;
-  double sum = 0; /* of squares, in units of the scale */
+  double sum = 0; /* sum of squares, in units of the scale */
   for (int i = 0; i < 3; i++) {
     double half = fmax(high[i] - body->centre[i], body->centre[i] - low[i]) / body->scale;
     sum += half * half;

@@ -9,13 +9,14 @@
 typedef float four_floats __attribute__((vector_size(16)));
 typedef double four_reals __attribute__((vector_size(32)));
 
-/* A box in the other body's coordinates; its centre is centre + rest. The last of four is 0. */
+/* A box in the other body's coordinates. Its centre is centre + rest. The last of four floats is
+ * 0. */
 typedef struct {
   four_floats centre, rest, axis[3];
   float half[3];
 } posed_box;
 
-/* One box in the other body's coordinates. */
+/* Move one box to the other body's coordinates. */
 static inline __attribute__((always_inline)) void turn_box(posed_box *p, const motion *m,
                                                            const body_boxes *from, uint32_t lane) {
   four_reals column[4];

@@ -1,8 +1,9 @@
-/* halves.c - which pairs of triangles of two meshes have AABBs that overlap, without a tree.
+/* halves.c - finds the pairs of triangles of two meshes whose AABBs overlap, without a tree.
  *
- * Two lists of boxes: what is outside of the bounds of the other list leaves a list. Then the
- * longer list is halved, and each half and the other list are two lists as before. Where few pairs
- * are left, all are tested. Lists are halved in place; long ones become tasks that threads take. */
+ * A pair of lists of boxes is processed as follows. A box outside the bounds of the other list
+ * leaves its list. Then the longer list is halved, and each half forms a new pair with the other
+ * list. If few pairs of boxes are left, then all are tested. Lists are halved in place. Long pairs
+ * of lists become tasks that threads take. */
 #include "broad_phase/search.h"
 #include "util/memory.h"
 #include "util/box.h"
@@ -12,8 +13,8 @@
 #include <string.h>
 
 enum {
-  LEAF_PAIRS = 512, /* are tested one by one */
-  TASK = 256        /* items of both lists, at least */
+  LEAF_PAIRS = 512, /* up to this many pairs of boxes are tested one by one */
+  TASK = 256        /* least number of items of both lists for a task */
 };
 
 /* AABBs of triangles with their numbers. */
@@ -25,7 +26,7 @@ typedef struct {
 
 typedef struct task {
   struct task *next;
-  list of[2]; /* of A, of B */
+  list of[2]; /* the list of A, the list of B */
   uint64_t share;
 } task;
 
@@ -42,8 +43,8 @@ static const uint64_t whole = UINT64_C(1) << 40;
 
 /* --------------------------------------------------------------------- lists */
 
-/* A margin in floats, and what covers the rounding. A coordinate rounds by 2^-24 in proportion, the
- * sum of it and the margin likewise: 2^-22 of the coordinate and 2^-20 of the margin are more. */
+/* An enlarged AABB. The margin and 2^-22 of a coordinate are added. This covers rounding: a
+ * coordinate rounds by 2^-24 of itself, and so does its sum with the margin. */
 static box4 box_of_triangle(const sepax_tri *t, float margin) {
   corner_bits v[3];
   memcpy(&v[0], &t->v[0], sizeof v[0]);
@@ -58,8 +59,8 @@ static box4 box_of_triangle(const sepax_tri *t, float margin) {
   return b;
 }
 
-/* Of a triangle of doubles in its pose, in A's coordinates times `unit`, by which they are
- * within 1. Rounded to floats they are wrong by 2^-24 of themselves, or 2^-149. */
+/* The AABB of a posed triangle of doubles, in A's coordinates times `unit`, which brings them
+ * within 1. Rounded to floats, coordinates are wrong by 2^-24 of themselves, or by 2^-149. */
 static box4 box_of_posed(const search *s, int which, size_t n) {
   const double(*v)[3] = s->facet[which][n];
   double placed[3][3];
@@ -94,7 +95,7 @@ static box4 bounds_of_mesh(const search *s, int which) {
   return all;
 }
 
-/* The triangles that meet `reach`. */
+/* List the triangles whose boxes meet `reach`. */
 static void fill_list(const search *s, int which, list *to, float margin, const box4 *reach) {
   to->count = 0;
   to->bounds = box4_of_none();
@@ -115,7 +116,7 @@ static void find_bounds(list *l) {
   }
 }
 
-/* The items that meet `reach` come to the front and are the list. */
+/* Move the items that meet `reach` to the front; they are the new list. */
 static list clip(list l, const box4 *reach) {
   size_t kept = 0;
   for (size_t n = 0; n < l.count; n++) {
@@ -129,7 +130,8 @@ static list clip(list l, const box4 *reach) {
   return l;
 }
 
-/* In the middle of the longest side of the bounds; where that leaves all on one side, by number. */
+/* Halve a list at the middle of the longest side of its bounds. If that leaves all items on one
+ * side, then by number. */
 static void halve(const list *l, list half[2]) {
   int axis = box4_longest_axis(&l->bounds);
   float middle = l->bounds.low[axis] + l->bounds.high[axis];
@@ -151,7 +153,7 @@ static void halve(const list *l, list half[2]) {
 
 /* --------------------------------------------------------------------- tasks */
 
-/* The lists of a task of its own, copied; false without memory. */
+/* Make a task with a copy of the lists. False without memory. */
 static bool push(tasks *t, const list of[2], uint64_t share) {
   size_t items = of[0].count + of[1].count;
   task *made = sepax_allocate(sizeof *made);
@@ -180,7 +182,8 @@ static void drop(task *t) {
   sepax_release(t);
 }
 
-/* The next task, or NULL when all is done or the search stops. `share` was done before. */
+/* Take the next task. NULL if all is done or the search stops. `share` is the share of the whole
+ * that the thread has just done. */
 static task *take(search *s, bool was_active, uint64_t share, uint64_t *done) {
   tasks *t = s->tasks;
   pthread_mutex_lock(&t->lock);
@@ -218,7 +221,8 @@ static void test_all(worker *w, const list of[2]) {
   }
 }
 
-/* Two lists, each clipped to the bounds of the other. The share that was given away with tasks. */
+/* Search two lists, each clipped to the bounds of the other. Returns the share of the whole that
+ * was given away as tasks. */
 static uint64_t search_lists(worker *w, const list of[2], uint64_t share) {
   if (atomic_load_explicit(&w->all->stop, memory_order_relaxed)) {
     return 0;

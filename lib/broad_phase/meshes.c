@@ -1,5 +1,5 @@
-/* meshes.c - all colliding pairs of two meshes: candidates, by their AABBs (halves.c) or all of
- * them, judged many at a time (pairs.c), by one thread or more. */
+/* meshes.c - all colliding pairs of two meshes. Candidates come from their AABBs (halves.c) or are
+ * all pairs. They are judged many at a time by one or more threads. */
 #include "broad_phase/search.h"
 #include "body/body.h"
 #include "mesh/mesh.h"
@@ -17,7 +17,7 @@ enum { BLOCK = 64, PART = 64 * 64, DIGIT = 10 };
 
 /* ------------------------------------------------------------------ candidates */
 
-/* False where the search ends with this pair. */
+/* Record a pair. False if the search ends with it. */
 static bool record(worker *w, size_t i, size_t j) {
   w->no_memory |= !list_add_pair(&w->found, &w->capacity, i, j);
   bool ends = w->no_memory || w->all->how.first;
@@ -101,7 +101,7 @@ static bool brute_force_begin(search *s) {
   return s->facet[0] != NULL || fill_columns(s);
 }
 
-/* One triangle of A against `many` of B. */
+/* Judge one triangle of A against `many` triangles of B. */
 static void judge_one(worker *w, size_t i, size_t from, size_t many) {
   const search *s = w->all;
   uint64_t bits[PART / 64];
@@ -138,7 +138,7 @@ static void judge_one_with_margin(worker *w, size_t i, size_t from, size_t many)
   sepax__search_judge_candidates(w);
 }
 
-/* A block of A against a part of B. */
+/* Judge a block of A against a part of B. */
 static void brute_force_task(worker *w, size_t task) {
   const search *s = w->all;
   size_t first = task / s->parts * BLOCK;
@@ -168,7 +168,7 @@ static void brute_force_work(worker *w) {
 
 /* ---------------------------------------------------------------------- order */
 
-/* One pass of a radix sort: by DIGIT bits of pair[][which] from `shift` on. */
+/* One pass of a radix sort, by the DIGIT bits of pair[][which] from `shift` on. */
 static void sort_by_digit(const size_t (*from)[2], size_t (*to)[2], size_t count, int which,
                           int shift) {
   size_t place[1 << DIGIT] = {0};
@@ -186,7 +186,7 @@ static void sort_by_digit(const size_t (*from)[2], size_t (*to)[2], size_t count
   }
 }
 
-/* All workers' pairs in the order of i, then of j. */
+/* Collect the pairs of all workers, sorted by i, then by j. */
 static bool gather(const search *s, const worker *workers, size_t threads, sepax_pairs *all) {
   size_t total = 0;
   for (size_t k = 0; k < threads; k++) {
@@ -317,7 +317,7 @@ bool sepax_judged_pairs(const sepax_tri *a, size_t count_a, const sepax_tri *b, 
   return find_pairs(&s, how, found, error);
 }
 
-/* Triangles one after another as doubles: where they are, or in *copy. NULL without memory. */
+/* The triangles as consecutive doubles: in place, or copied into *copy. NULL without memory. */
 static const facet_points *as_doubles(const triangles *t, facet_points **copy) {
   *copy = NULL;
   if (t->packed) {
@@ -332,7 +332,7 @@ static const facet_points *as_doubles(const triangles *t, facet_points **copy) {
   return (const facet_points *)*copy;
 }
 
-/* The largest coordinate, or more than 2^1000. */
+/* The size of the largest coordinate; above 2^1000 if some coordinate is NaN or infinite. */
 static double largest_of(const facet_points *facet, size_t count) {
   double most = 0;
   for (size_t n = 0; n < count; n++) {

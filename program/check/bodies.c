@@ -1,4 +1,5 @@
-/* bodies.c - do two bodies collide as their files have them, in which poses? */
+/* bodies.c - answers for sepax check on the bodies as their files have them, in one pose or in
+ * many. */
 #include "check/parts.h"
 #include "util/error.h"
 #include "util/threads.h"
@@ -41,7 +42,7 @@ static bool ask_within(const solids *s, const sepax_pose *pose, check_answer *an
   return true;
 }
 
-/* The pairs that are not farther from each other than a limit; without one, those that collide. */
+/* Find the pairs whose distance is at most the limit, or without a limit the colliding pairs. */
 static bool find(const check_question *q, const solids *s, const sepax_pose *pose,
                  const report_limit *limit, sepax_pairs *found, sepax_error *error) {
   const sepax_query query = {
@@ -54,7 +55,7 @@ static bool find(const check_question *q, const solids *s, const sepax_pose *pos
   return ok;
 }
 
-/* All those that are near without those that collide; both in order. */
+/* Remove the colliding pairs from all near pairs. Both lists are sorted. */
 static void take_out(sepax_pairs *all, const sepax_pairs *colliding) {
   size_t left = 0;
   for (size_t k = 0, taken = 0; k < all->count; k++) {
@@ -67,7 +68,7 @@ static void take_out(sepax_pairs *all, const sepax_pairs *colliding) {
   all->count = left;
 }
 
-/* With B in a pose (NULL: as it stands). */
+/* Answer for B in one pose; NULL means as the file has it. */
 static bool decide(const check_question *q, const solids *s, const sepax_pose *pose,
                    check_answer *answer, sepax_error *error) {
   if (!find(q, s, pose, &q->bands.clearance, &answer->colliding, error)) {
@@ -108,10 +109,10 @@ typedef struct {
   work *all;
   sepax_error error;
   bool failed;
-  cli_progress *progress; /* of the first, or NULL */
+  cli_progress *progress; /* only the first thread reports; NULL for the others */
 } worker;
 
-/* Of many poses the counts are kept, and the lists that somebody sees. */
+/* With many poses, keep the counts, and only those lists that are printed or written. */
 static void forget(const check_question *q, check_answer *answer) {
   sepax_pairs *lists[] = {&answer->colliding, &answer->warned};
   for (int i = 0; i < 2; i++) {
@@ -200,7 +201,7 @@ static bool decide_one(work *all, sepax_error *error) {
   return decide(all->q, &all->solids, NULL, all->answer, error);
 }
 
-/* A file of few decimals: the error names the option that takes it. */
+/* If the matrices have too few decimals, then the error names the option that accepts them. */
 static bool read_poses(const check_question *q, sepax_poses *poses, double *moved,
                        sepax_error *error) {
   if (q->nearest) {

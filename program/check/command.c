@@ -1,4 +1,4 @@
-/* command.c - sepax check: do two bodies collide, as their files have them or on a grid? */
+/* command.c - sepax check: reads the options and calls the parts that answer and print. */
 #include "check/parts.h"
 #include "report/json.h"
 #include "command_table.h"
@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Options that stand in an argp of their own, and the first of them that was given. */
+/* The design's options and the grid's options each have an argp of their own, so that the first one
+ * that was given can be named if --grid is missing. */
 typedef struct {
   const struct argp *of;
   void *input;
@@ -18,7 +19,7 @@ typedef struct {
 typedef struct {
   check_question question;
   int paths;
-  const char *given; /* the first option that is for the grid only */
+  const char *given; /* the first option given that applies only to --grid */
   grid_options config, grid;
 } command;
 
@@ -80,7 +81,7 @@ static error_t parse_grid_option(int key, char *text, struct argp_state *state) 
   return error;
 }
 
-/* The options of a design without those that are lengths here. */
+/* The options of a design without --clearance and --warning, which are lengths in sepax check. */
 static const struct argp_option *design_options(void) {
   static struct argp_option shown[80];
   enum { MOST = sizeof shown / sizeof shown[0] - 1 };

@@ -1,4 +1,5 @@
-/* grid.c - what a design says of two bodies that are rounded to its grid. */
+/* grid.c - answers for sepax check --grid: the judgement of a design on two bodies that are rounded
+ * to its grid. */
 #include "body/big.h"
 #include "check/parts.h"
 #include "util/error.h"
@@ -46,7 +47,7 @@ static void set_big(big *r, uint64_t times, const exact_length *p, int two, int 
   }
 }
 
-/* Are so many steps at least that length? */
+/* Are `steps` steps of the grid at least as long as the length? */
 static bool reaches(uint64_t steps, const exact_length *step, const exact_length *length) {
   int two = step->two < length->two ? step->two : length->two;
   int five = step->five < length->five ? step->five : length->five;
@@ -57,9 +58,9 @@ static bool reaches(uint64_t steps, const exact_length *step, const exact_length
   return big_compare_sizes(&p, &q) >= 0;
 }
 
-/* The least number of steps of the grid that is not below the length: exact for the decimals as
- * they are written or, where the grid was fitted, for its resolution as a double. False above
- * 2^31 - 1. */
+/* The least number of steps of the grid that is not shorter than the length. It is exact for the
+ * decimals as they are written. If the grid was fitted, then it is exact for its resolution as a
+ * double. False above 2^31 - 1. */
 static bool count_steps(const char *length, const cli_grid *asked, double resolution, int *steps) {
   cli_decimal decimal;
   cli_scan_decimal(length, cli_lengths, CLI_MILLIMETRES, &decimal);
@@ -86,7 +87,7 @@ static bool count_steps(const char *length, const cli_grid *asked, double resolu
   return count <= INT32_MAX;
 }
 
-/* Limits as LSB of the grid into the design. */
+/* Put the clearance and the warning distance into the design, in LSB of the grid. */
 static bool set_limits(const check_question *q, check_report *report, sepax_design *design,
                        sepax_error *error) {
   sepax_config config = q->config;
@@ -107,7 +108,7 @@ static bool set_limits(const check_question *q, check_report *report, sepax_desi
 
 /* ------------------------------------------------------------------ verdicts */
 
-/* A collision that the design could not decide, which it calls one. */
+/* True if the design calls the pair a collision because it could not decide the pair. */
 static bool is_undecided(const sepax_design *design, const sepax_judgement *verdict) {
   return verdict->axis == SEPAX_AXIS_EXTENT ||
          (design->config.flag && verdict->coplanar && verdict->collision);
@@ -143,7 +144,8 @@ static bool show(void *context, uint64_t done, uint64_t total) {
   return true;
 }
 
-/* Divide the pairs that are not free: those that collide stay, the others are warned of. */
+/* Split the pairs that are not free: colliding pairs stay, pairs in band WARNING move to the other
+ * list. */
 static bool divide_bands(const sepax_design *design, const sepax_scene *scene,
                          check_answer *answer) {
   sepax_pairs *all = &answer->colliding;
@@ -180,7 +182,8 @@ static bool search(const check_question *q, const sepax_design *design, const se
                 sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the pairs found"));
 }
 
-/* Exact verdicts of lists that are halved; verdicts of other designs pair by pair. */
+/* Architecture exact without --coplanar=flag and extents searches by halving lists of AABBs. All
+ * other designs judge every pair, one after the other. */
 static bool find(const check_question *q, const sepax_design *design, const sepax_scene *scene,
                  check_report *report, sepax_error *error) {
   const sepax_config *config = &q->config;
@@ -194,7 +197,7 @@ static bool find(const check_question *q, const sepax_design *design, const sepa
   return ok;
 }
 
-/* The triangles as they were rounded, in mm. */
+/* The rounded triangles, in mm, for --ply. */
 static bool fill_mesh(const sepax_scene *scene, int i, sepax_soup *mesh) {
   mesh->facet = sepax_allocate((scene->count[i] + 1) * sizeof *mesh->facet);
   if (mesh->facet == NULL) {

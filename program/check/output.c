@@ -48,7 +48,7 @@ static void print_surface(const check_question *q, const check_report *report, i
   }
 }
 
-/* What is known of parts inside the other body, behind the number of pairs. */
+/* Print whether a part of one body is inside the other. */
 static void print_within(const check_answer *a) {
   if (!a->within_asked) {
     return;
@@ -71,7 +71,7 @@ static void print_within(const check_answer *a) {
   }
 }
 
-/* What the verdict rests on. */
+/* Print what the verdict is about: the files, the changed files, or the grid. */
 static void print_basis(const check_question *q, const check_report *report) {
   if (!q->on_grid) {
     bool changed = q->meshes.weld.text != NULL || q->meshes.own.text != NULL || q->nearest;
@@ -84,7 +84,7 @@ static void print_basis(const check_question *q, const check_report *report) {
          report_exactly(report->grid.resolution).text);
 }
 
-/* With the pairs in each of them where all were looked for. */
+/* Print the bands. The number of pairs in each band is known only if all pairs were searched. */
 static void print_bands(const check_question *q, const check_report *report) {
   const check_answer *a = report->answer;
   const size_t pairs = report->triangles[0] * report->triangles[1];

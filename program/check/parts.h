@@ -8,50 +8,51 @@
 
 typedef struct {
   const char *path[2];
-  const char *poses_path, *pairs_path, *ply_path; /* or NULL */
+  const char *poses_path, *pairs_path, *ply_path; /* files of the options, or NULL */
   report_bands bands;                             /* mm */
   cli_meshes meshes;
   cli_output output;
   bool on_grid, first, surfaces;
-  bool nearest; /* matrices of poses are replaced by the nearest rotations */
+  bool nearest; /* --nearest-rotation */
   int threads;
-  sepax_config config; /* of the grid's design, without clearances */
+  sepax_config config; /* design of --grid, without clearances */
   cli_grid grid;
 } check_question;
 
-/* Of one pose. Lists that nobody prints are counted only: their `pair` is then NULL. */
+/* The answer for one pose. If nobody sees the pairs of a list, then they are only counted and
+ * `pair` is NULL. */
 typedef struct {
   report_verdict verdict;
   sepax_pairs colliding, undecided, warned;
   bool within_asked;
-  sepax_inside within[2]; /* is a part of A inside B, of B inside A? */
+  sepax_inside within[2]; /* [0]: is a part of A inside B; [1]: is a part of B inside A */
 } check_answer;
 
-/* Of a body as its file has it. */
+/* What is known of the surface of a body. */
 typedef struct {
-  bool closed, consistent; /* as of sepax_shell */
-  size_t facet;            /* where one is not so */
+  bool closed, consistent; /* as in sepax_shell */
+  size_t facet;            /* a facet that shows why one of the two is false */
 } check_surface;
 
 typedef struct {
   size_t triangles[2];
   report_mesh file[2];
   check_surface surface[2];
-  sepax_soup mesh[2];   /* what --ply shows */
-  sepax_grid grid;      /* on a grid: what was taken */
-  report_steps steps;   /* on a grid: the clearances */
+  sepax_soup mesh[2];   /* meshes for --ply */
+  sepax_grid grid;      /* with --grid: the grid */
+  report_steps steps;   /* with --grid: the clearances */
   check_answer *answer; /* one, or one for each pose */
   size_t answers;
-  double moved; /* the largest change of an entry by `nearest` */
+  double moved; /* with `nearest`: the largest change of a matrix entry */
   double seconds;
 } check_report;
 
-/* False leaves a report that can be freed. */
+/* Answer for the bodies as the files have them. After false the report can be freed. */
 bool check_bodies(const check_question *q, check_report *report, sepax_error *error);
 bool check_on_grid(const check_question *q, check_report *report, sepax_error *error);
 void check_report_free(check_report *report);
 
-/* Nobody sees which pairs there are, nor how many. */
+/* True if neither the pairs nor their number are printed or written, so one pair is enough. */
 bool check_any_is_enough(const check_question *q);
 report_verdict check_worst(const check_report *report);
 

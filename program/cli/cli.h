@@ -17,30 +17,32 @@ extern "C" {
 /* Print "NAME: text" on stderr and return EXIT_ERROR. */
 int cli_fail(const char *name, const sepax_error *error);
 
-/* argp children: the settings of sepax_config_set into a sepax_config (input:
- * sepax_config *), and --resolution --offset --normals into a cli_grid (input:
- * cli_grid *). */
+/* Two argp children. The first sets the fields of a sepax_config (its input is a sepax_config *).
+ * The second reads --resolution, --offset and --normals into a cli_grid (its input is a cli_grid
+ * *). */
 extern const struct argp cli_config_argp;
-void cli_options_init(void); /* once, before the first is used */
-/* The title above options that these architectures (bits) read; "Design:" where most do. */
+void cli_options_init(void); /* fills in the options; call it once before the first use */
+/* The title above the options that these architectures (bits 1 << sepax_arch) read; "Design:" if
+ * most read them. */
 const char *cli_options_title(unsigned archs);
 extern const struct argp cli_grid_argp;
 
 typedef struct {
-  sepax_grid grid;        /* resolution 0: fit both meshes into the word */
-  const char *resolution; /* as it is written, or NULL */
+  sepax_grid grid;        /* resolution 0: the finest grid that holds both meshes */
+  const char *resolution; /* the resolution as the user wrote it, or NULL */
   bool file_normals, offset_given;
 } cli_grid;
 
-/* A count of 1 ... limit; argp_error otherwise. */
+/* A whole number of 0 ... limit. Anything else ends the program by argp_error. */
 uint64_t cli_count(const struct argp_state *state, const char *option, const char *text,
                    uint64_t limit);
-/* "X,Y,Z" of finite numbers, or one finite number; argp_error otherwise. */
+/* Read "X,Y,Z" with three finite numbers, or one finite number. Anything else ends the program by
+ * argp_error. */
 void cli_vector(const struct argp_state *state, const char *option, const char *text,
                 double vector[3]);
 double cli_number(const struct argp_state *state, const char *option, const char *text);
 
-/* A decimal number as it is written: its digits without zeros before them, times 10^power. */
+/* A decimal number without rounding: its digits, without leading zeros, times 10^power. */
 enum { CLI_DIGITS = 38 };
 typedef struct {
   char digits[CLI_DIGITS + 1]; /* "" is 0 */
@@ -48,25 +50,28 @@ typedef struct {
   bool negative;
 } cli_decimal;
 
-/* A decimal number, and one of the units behind it if there is one; `unit` is that of a number
- * without one, and of the result: 10^unit. Returns the end of it, or NULL if there is no number, or
- * one of more than CLI_DIGITS digits. "1..2" is 1 with ".." behind it. */
+/* Read a decimal number and the unit after it, if there is one. `unit` is the unit of the result
+ * and of a number without a unit, as a power: 10^unit. Returns the end of what was read. Returns
+ * NULL if there is no number or if it has more than CLI_DIGITS digits. "1..2" is read as 1,
+ * followed by "..". */
 const char *cli_scan_decimal(const char *text, const cli_unit *units, int unit,
                              cli_decimal *decimal);
-/* The same, rounded once; NULL also beyond the doubles. */
+/* The same as a double, rounded once. NULL also if the number is too large or too small for a
+ * double. */
 const char *cli_scan(const char *text, const cli_unit *units, int unit, double *value);
-/* The same of a length in mm, or with nm, um, mm, m behind it. */
+/* The same for a length: in mm, or with nm, um, mm or m after it. */
 const char *cli_scan_length(const char *text, double *value);
-/* Such a length and nothing else; argp_error otherwise. */
+/* A length and nothing after it. Anything else ends the program by argp_error. */
 double cli_length(const struct argp_state *state, const char *option, const char *text);
 
-/* Two paths of one file, which may be there or not. */
+/* True if both paths name the same file. The files need not exist. */
 bool cli_same_file(const char *p, const char *q);
 
-/* The families that `name` asks for, one or "all": first ... last. Fails if there is none. */
+/* The families of `name`: *first ... *last, one family or all. Fails if the name is unknown. */
 bool cli_families(const char *name, size_t *first, size_t *last, sepax_error *error);
 
-/* Progress on a terminal: one line on stderr, rewritten four times a second. */
+/* Progress on a terminal: one line on stderr, rewritten four times a second. Nothing is printed if
+ * stderr is not a terminal. */
 typedef struct {
   const char *what;
   uint64_t total;
@@ -76,7 +81,7 @@ typedef struct {
 
 cli_progress cli_progress_begin(const char *what, uint64_t total);
 void cli_progress_show(cli_progress *progress, uint64_t done);
-/* Erase the line; the seconds since the beginning. */
+/* Erase the line. Returns the seconds since cli_progress_begin. */
 double cli_progress_end(const cli_progress *progress);
 
 #ifdef __cplusplus

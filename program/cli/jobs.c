@@ -1,5 +1,5 @@
-/* jobs.c - sepax tree of a list of jobs: what is in it, and what the golden model of the tree
- * engine answers. */
+/* jobs.c - sepax tree on a list of jobs: describes the list, and walks its trees by the golden
+ * model of the tree engine. */
 #include "cli.h"
 #include "cli/jobs.h"
 
@@ -7,10 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A pair in all its poses. */
+/* Sums over all poses of a pair. */
 typedef struct {
-  uint32_t poses, collide, first; /* first: the line, where some collide */
-  uint32_t warn, beyond; /* those that are free but for a warning; with pairs out of range */
+  uint32_t poses, collide, first; /* first: the first line with a collision */
+  uint32_t warn, beyond; /* poses with a warning but no collision; poses with pairs out of range */
   uint64_t worst, cycles;
 } answers;
 

@@ -4,7 +4,8 @@
 
 #include "sepax_tree.h"
 
-/* Print what a list of jobs has; with `walked` what the golden model answers, too. */
+/* Print what a list of jobs contains. If `walked` is true, then the golden model's answers are
+ * printed, too. */
 bool cli_tell_jobs(const char *path, bool walked, sepax_error *error);
 
 #endif

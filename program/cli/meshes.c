@@ -1,4 +1,4 @@
-/* meshes.c - how commands read meshes: options that they share. */
+/* meshes.c - reads and welds meshes for the commands, by --unit and --weld. */
 #include "cli/meshes.h"
 #include "cli/question.h"
 #include "util/error.h"

@@ -21,7 +21,8 @@ int cli_fail(const char *name, const sepax_error *error) {
 
 enum { MOST = 64, KEY_OPTION = 0x100, KEY_ENVIRONMENT = KEY_OPTION + MOST };
 
-/* Rows of design/options.c with their titles, filled in by cli_options_init. */
+/* The design's options for argp, with titles. cli_options_init fills them in from the table of
+ * c_model/design/options.c. */
 static struct argp_option config_options[MOST];
 
 const char *cli_options_title(unsigned archs) {
@@ -188,7 +189,8 @@ double cli_number(const struct argp_state *state, const char *option, const char
   return value;
 }
 
-/* How many characters are a decimal number. */
+/* The length of the decimal number at the beginning of the text, without an exponent; 0 if there is
+ * none. */
 static size_t number_length(const char *text) {
   static const char digits[] = "0123456789";
   size_t n = text[0] == '+' || text[0] == '-';
@@ -336,13 +338,13 @@ bool cli_families(const char *name, size_t *first, size_t *last, sepax_error *er
                              "family: '%.60s' is unknown; 'sepax vectors --list' lists them", name);
 }
 
-/* Where the file is or would be: its folder's length in the path, 0 for the current one. */
+/* The length of the folder's name in a path; 0 if the file is in the current folder. */
 static size_t folder_of(const char *path) {
   const char *slash = strrchr(path, '/');
   return slash != NULL ? (size_t)(slash - path) + 1 : 0;
 }
 
-/* Two names in one folder; no file need be there. */
+/* True if both paths name the same entry of the same folder, also if no such file exists yet. */
 static bool same_place(const char *p, const char *q) {
   struct stat folder[2];
   const char *const path[2] = {p, q};

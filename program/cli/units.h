@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-/* 10^power of metres, or of seconds. The last of a list has no name. */
+/* A unit: 10^power metres or seconds. The last entry of a list has no name. */
 typedef struct {
   const char *name;
   int power;
@@ -13,8 +13,8 @@ typedef struct {
 static const cli_unit cli_lengths[] = {{"nm", -9}, {"um", -6}, {"mm", -3}, {"m", 0}, {NULL, 0}};
 static const cli_unit cli_times[] = {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}, {NULL, 0}};
 
-/* The unit of a number that has none behind it: a power as above. A unit of an STL file is 1 mm; a
- * URDF is in metres. */
+/* The unit of a number without a unit, as a power of ten. STL files are read in mm, URDF files in
+ * metres. */
 enum { CLI_MILLIMETRES = -3, CLI_METRES = 0, CLI_SECONDS = 0 };
 
 #endif

@@ -14,7 +14,7 @@ typedef struct {
   cli_grid grid;
   const char *file[2];
   int files;
-  const char *of_families; /* an option that was given and means nothing to meshes, or NULL */
+  const char *of_families; /* the first option given that applies only to families, or NULL */
   const char *family;
   uint64_t count, flips, nudges, seed;
   bool real, csv;
@@ -109,7 +109,7 @@ static void set_normals(sepax_pair *p, int word) {
   p->nb = sepax_unit_normal(&p->b, word);
 }
 
-/* Round to a grid that is 2^shift times as coarse, half away from zero. */
+/* Round to a grid that is coarser by the factor 2^shift, half away from zero. */
 static int32_t coarser(int32_t value, int shift) {
   int64_t half = shift > 0 ? INT64_C(1) << (shift - 1) : 0;
   int64_t size = value < 0 ? -(int64_t)value : value;
@@ -129,7 +129,7 @@ static bool judge(const sepax_design *design, const sepax_pair *pair) {
 
 enum { BLOCK = 64 };
 
-/* Pairs as they are given, and as the design reads them. */
+/* A block of pairs: as they are given, and as the design reads them. */
 typedef struct {
   sepax_pair given[BLOCK], pair[BLOCK];
   group of[BLOCK];
@@ -197,7 +197,7 @@ static void count_block(tally t[GROUPS], const sepax_design *design, const block
   }
 }
 
-/* Each coordinate -1, 0 or 1 LSB off, but within the word. */
+/* Judge each pair again with every coordinate changed by -1, 0 or 1 LSB, within the word. */
 static void count_nudges(tally t[GROUPS], const sepax_design *design, const block *b, size_t count,
                          sepax_random *random) {
   int word = design->config.word;
@@ -225,7 +225,7 @@ static sepax_tri reorder(const sepax_tri *t, const int order[3]) {
   return (sepax_tri){{t->v[order[0]], t->v[order[1]], t->v[order[2]]}};
 }
 
-/* True iff a variant of this kind has another verdict. */
+/* True if a variant of this kind gets another verdict. */
 static bool flips(const sepax_design *design, const sepax_pair *pair, int kind, bool before,
                   sepax_random *random) {
   static const int variants_of[VARIANTS] = {36, 36, 4, 48, 1};
@@ -256,7 +256,7 @@ static bool flips(const sepax_design *design, const sepax_pair *pair, int kind, 
   return false;
 }
 
-/* Pairs of W - 2 bits, so that every variant fits W bits. */
+/* Draw pairs of W - 2 bits, so that every variant fits W bits. */
 static void count_flips(tally t[GROUPS], const sepax_design *design, size_t family,
                         sepax_random *random) {
   int word = design->config.word;
@@ -337,7 +337,7 @@ static void count_near(tally t[GROUPS], const accuracy_options *o, const sepax_d
   near->count = 0;
 }
 
-/* The pairs of triangles of two meshes whose AABBs overlap or have a gap of 1 LSB. */
+/* Judge the pairs of triangles of two meshes whose AABBs overlap or have a gap of 1 LSB. */
 static void study_meshes(const accuracy_options *o, const sepax_design *design,
                          const row_style *style, const sepax_scene *scene) {
   static block near;

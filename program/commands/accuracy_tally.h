@@ -11,7 +11,7 @@ enum { VARIANTS = 5 };
 
 static const char *const variant_name[VARIANTS] = {"order", "exchange", "move", "axes", "scale"};
 
-/* Proper: both triangles have an area. Degenerate: one has none. */
+/* Groups of pairs. PROPER: both triangles have an area. DEGENERATE: at least one has no area. */
 typedef enum { ANY, PROPER, DEGENERATE, GROUPS } group;
 
 static const char *const group_name[GROUPS] = {"any", "proper", "degenerate"};
@@ -19,10 +19,12 @@ static const char *const group_row[GROUPS] = {"", "- proper", "- degenerate"};
 
 typedef struct {
   uint64_t pairs, collisions, missed, alarms;
-  double deepest, widest; /* missed penetration, gap called a collision; LSB */
+  double deepest,
+      widest; /* depth of the deepest missed collision, gap of the widest false alarm; LSB */
   uint64_t varied, flipped[VARIANTS], flipped_any;
-  uint64_t nudged, changed; /* by up to 1 LSB in each coordinate */
-  uint64_t settled;         /* by the filter, where the design has one */
+  uint64_t nudged,
+      changed;      /* pairs nudged by up to 1 LSB in each coordinate; verdicts that changed */
+  uint64_t settled; /* pairs that doubles alone decided, if the design has a filter */
 } tally;
 
 typedef struct {
@@ -47,7 +49,7 @@ static inline void tally_add(tally *sum, const tally *t) {
   sum->settled += t->settled;
 }
 
-/* Ends of the 95 % interval of a share k / n (Wilson). */
+/* The ends of the 95 % confidence interval of a share k / n (Wilson). */
 static inline void interval_of(uint64_t k, uint64_t n, double ends[2]) {
   const double z = 1.959964;
   if (n == 0) {
@@ -134,7 +136,8 @@ static inline void print_row(const row_style *s, const char *family, group of, c
   putchar('\n');
 }
 
-/* The row of all pairs; `grouped` (always in CSV): and of those in each group that has any. */
+/* Print the row of all pairs. If `grouped` is true (always in CSV), then also print a row for each
+ * group that has pairs. */
 static inline void print_rows(const row_style *s, const char *family, const tally t[GROUPS],
                               bool grouped) {
   for (group of = ANY; of < GROUPS; of++) {

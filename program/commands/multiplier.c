@@ -11,8 +11,8 @@
 typedef struct {
   uint64_t a, b, product, digits, less;
   double period;
-  sepax_config config; /* only its target */
-  const char *target;  /* as it was given */
+  sepax_config config; /* only its target is read */
+  const char *target;  /* --target as the user wrote it */
   const char *folder;
 } multiplier_options;
 
@@ -36,7 +36,7 @@ static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "folder for the Verilog; it is made if missing", 0},
     {0}};
 
-/* A count above 0. */
+/* A whole number of 1 ... limit. */
 static uint64_t bits_of(struct argp_state *state, const char *option, const char *text,
                         uint64_t limit) {
   uint64_t value = cli_count(state, option, text, limit);

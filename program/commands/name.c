@@ -1,4 +1,4 @@
-/* name.c - sepax name: what make and scripts ask about a design and its options. */
+/* name.c - sepax name: answers what make and scripts ask about a design and its options. */
 #include "cli/cli.h"
 #include "design/engine_table.h"
 #include "command_table.h"
@@ -47,7 +47,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   }
 }
 
-/* "  WORD=18  word length ...", wrapped at 96 columns. */
+/* Print "  WORD=18   bits W of a coordinate ...", wrapped at 96 columns. */
 static void print_row(const design_option *option, const sepax_config *standard) {
   enum { INDENT = 21, WIDTH = 96 };
   int column = printf("  %s=%s", sepax__design_option_variable(option).text,

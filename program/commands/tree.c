@@ -1,4 +1,5 @@
-/* tree.c - sepax tree: a body as a tree for the tree engine; what such files have. */
+/* tree.c - sepax tree: writes a body as a tree for the tree engine, and describes trees and lists
+ * of jobs. */
 #include "cli/jobs.h"
 #include "cli/meshes.h"
 #include "command_table.h"

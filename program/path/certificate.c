@@ -1,4 +1,5 @@
-/* certificate.c - what was certified, for programs that check it: docs/reference/certificate.md. */
+/* certificate.c - writes the proof of --certify for sepax-certificate-check:
+ * docs/reference/certificate.md. */
 #include "path/digest.h"
 #include "path/parts.h"
 #include "util/error.h"
@@ -16,15 +17,15 @@ typedef struct {
   json_t *packages, *files;
 } certificate;
 
-/* A value on a line of its own. */
+/* Write a value on a line of its own and release it. */
 static bool write_line(FILE *out, json_t *json) {
   bool ok = json != NULL && json_dumpf(json, out, JSON_COMPACT) == 0 && putc('\n', out) != EOF;
   json_decref(json);
   return ok;
 }
 
-/* Those that are given, and those that were found, of the meshes' files without what the URDF has
- * behind the package's name. NULL where one name is of two folders. */
+/* The packages of --package, and those that were found: the path of a mesh file without the part
+ * that the URDF has after the package's name. NULL if one name stands for two folders. */
 static json_t *packages_of(const path_scene *scene, const path_question *q, sepax_error *error) {
   static const char scheme[] = "package://";
   json_t *packages = json_object();
@@ -60,7 +61,8 @@ static json_t *packages_of(const path_scene *scene, const path_question *q, sepa
 
 /* -------------------------------------------------------------------------- files */
 
-/* `as`: what the URDF or the command calls the file. NULL where it cannot be read. */
+/* Describe a file. `as` is its name in the URDF or on the command line. NULL if the file cannot be
+ * read. */
 static json_t *file_of(const char *as, const char *path, sepax_error *error) {
   char digest[DIGEST_LENGTH] = "";
   struct stat s;
@@ -106,7 +108,7 @@ static bool is_named(const json_t *files, const char *as) {
   return false;
 }
 
-/* Each mesh once, however many shapes it is of. */
+/* Append each mesh file once, even if several shapes use it. */
 static bool append_meshes(json_t *files, const path_scene *scene, sepax_error *error) {
   for (size_t n = 0, at = 0; n < scene->bodies; n++) {
     for (size_t k = 0; k < scene->body[n].parts; k++, at++) {
@@ -120,14 +122,15 @@ static bool append_meshes(json_t *files, const path_scene *scene, sepax_error *e
   return true;
 }
 
-/* All files that were read, with what their readers counted; NULL where one is gone. */
+/* All files that were read, with the counts of their readers. NULL if a file is gone. */
 static json_t *files_of(const path_scene *scene, const path_question *q, sepax_error *error) {
   json_t *files = json_array();
   json_t *urdf = file_of(q->urdf, q->urdf, error);
   json_t *motion = urdf == NULL ? NULL : file_of(q->motion, q->motion, error);
   if (urdf != NULL && motion != NULL) {
-    /* A joint that the mechanism has divided has as many links between its parts as it has parts
-     * beside the first. */
+    /* A URDF joint with several values became several joints of the mechanism, with one link
+     * between each of them and the next. So subtracting the added links gives the joints of the
+     * URDF. */
     const format_robot *robot = &scene->robot;
     set_count(urdf, "links", robot->links);
     set_count(urdf, "joints", robot->mechanism.joints - (robot->mechanism.links - robot->links));

@@ -1,5 +1,6 @@
-/* certify.c - between the lines of a path: bodies that are farther from each other than any point
- * of theirs moves do not meet. docs/reference/mechanisms.md#between-the-lines. */
+/* certify.c - proves that bodies do not collide between the lines of a path: if the bodies are
+ * farther apart than any of their points moves, then they do not meet.
+ * docs/reference/mechanisms.md#between-the-lines. */
 #include "path/parts.h"
 #include "util/error.h"
 #include "util/threads.h"
@@ -10,16 +11,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Most parts of the ways of a pair that are asked: until one is open, PATH_INTERVALS or as many as
- * are given, and this for each segment; behind it in its segment; and in all segments behind that,
- * and this for each of them. */
+/* Limits of the search for a pair: levels of halving (LEVELS_MOST), and numbers of parts that are
+ * examined. Until a part stays open, these are --intervals plus A_SEGMENT for each segment. After
+ * an open part they are BEHIND in its segment, and ALL_BEHIND plus EACH_BEHIND for each segment in
+ * all later segments. */
 enum { LEVELS_MOST = 52, A_SEGMENT = 64, BEHIND = 4096, ALL_BEHIND = 1 << 18, EACH_BEHIND = 16 };
 
 typedef struct {
   path_scene *scene;
   const path_question *q;
   cli_progress *progress;
-  atomic_size_t done; /* segments of all pairs */
+  atomic_size_t done; /* segments done, over all pairs */
   atomic_bool stop;
   atomic_flag failing;
   sepax_error *error;
@@ -35,17 +37,17 @@ typedef struct {
   work *all;
   path_pair *pair;
   const path_body *body[2];
-  sepax_chain back; /* from the second body to the first */
-  double *value[3]; /* of all joints: from, at the middle, to */
+  sepax_chain back; /* the chain from the second body to the first */
+  double *value[3]; /* values of all joints at the beginning, the middle and the end */
   sepax_pose pose[2];
-  double extent; /* more than any coordinate of both */
+  double extent; /* larger than every coordinate of both bodies */
   sepax_distance_result last;
   bool has_last;
   path_interval at;
-  double distance; /* what was found there; infinite where it is enough */
-  size_t left;     /* how many parts may be asked until one is open */
+  double distance; /* distance at the middle, or infinite if it is large enough */
+  size_t left;     /* how many more parts may be examined until one stays open */
   size_t behind;   /* and in all segments behind that */
-  way_part *queue; /* of QUEUE */
+  way_part *queue; /* QUEUE entries */
 } asking;
 
 enum { QUEUE = 2 * BEHIND + 2 * LEVELS_MOST + 2 };
@@ -79,8 +81,9 @@ static double bound_of(const asking *a) {
 /* ----------------------------------------------------------------------------- boxes */
 
 typedef struct {
-  double side[2][3][3]; /* half a side of each box, as a vector in the second body's coordinates */
-  double between[3];    /* from the middle of the second to that of the first */
+  double side[2][3]
+             [3];    /* half the sides of each box, as vectors in the second body's coordinates */
+  double between[3]; /* from the centre of the second box to the centre of the first */
 } two_boxes;
 
 static two_boxes posed_boxes(const asking *a) {
@@ -106,8 +109,8 @@ static two_boxes posed_boxes(const asking *a) {
   return t;
 }
 
-/* How far the boxes are from each other along the axis, which becomes a unit vector from the second
- * to the first; less than 0 for none. */
+/* The gap between the boxes along an axis, or a negative number if there is none. `axis` becomes a
+ * unit vector that points from the second box to the first. */
 static double gap_along(const two_boxes *t, double axis[3]) {
   double length = vector_length(axis);
   if (!(length > 0x1p-500)) {
@@ -124,7 +127,7 @@ static double gap_along(const two_boxes *t, double axis[3]) {
   return (fabs(way) - reach) / length;
 }
 
-/* True iff the boxes are farther from each other than `need`; then along a.at.axis. */
+/* True if the boxes are more than `need` apart. Then a->at.axis is an axis that proves it. */
 static bool boxes_disjoint(asking *a, double need) {
   two_boxes t = posed_boxes(a);
   double most = -1;
@@ -148,7 +151,8 @@ static bool boxes_disjoint(asking *a, double need) {
 
 /* -------------------------------------------------------------------------- intervals */
 
-/* Is the part of the segment certified? Else a.distance is that at the middle. */
+/* Certify a part of a segment if possible. If not, a->distance receives the distance at its
+ * middle. */
 static bool ask(asking *a, bool *certified, sepax_error *error) {
   double clearance = a->all->q->bands.clearance.length;
   set_values(a);
@@ -196,7 +200,7 @@ static double middle_of(const path_interval *at) {
   return ldexp((double)(2 * at->index + 1), -(int)at->level - 1);
 }
 
-/* The next part of the segment, twice as long where it can be; false behind the last. */
+/* Go to the next part of the segment, twice as long if possible. False after the last part. */
 static bool advance(path_interval *at) {
   at->index++;
   if (at->level > 0 && at->index % 2 == 0) {
@@ -206,8 +210,8 @@ static bool advance(path_interval *at) {
   return at->index < (uint64_t)1 << at->level;
 }
 
-/* Halve the part as often as its distance asks for, at least once; false where it is as short as
- * the resolution. */
+/* Halve the part as often as its distance requires, at least once. False if its motion is already
+ * as short as the resolution. */
 static bool divide(asking *a) {
   const path_question *q = a->all->q;
   double left = fmax(a->distance - q->bands.clearance.length, q->resolution.length);
@@ -221,7 +225,7 @@ static bool divide(asking *a) {
   return true;
 }
 
-/* Do the bodies collide at the middle? For certain: the distance is rounded. */
+/* Do the bodies collide at the middle? It is decided exactly, because the distance is rounded. */
 static bool collides(const asking *a) {
   return a->distance <= a->all->q->bands.clearance.length * (1 - 0x1p-50);
 }
@@ -233,7 +237,8 @@ static void keep_collision(asking *a, double part_of_way) {
   proof->part = part_of_way;
 }
 
-/* False on an error; a segment that is not certified is kept in pair.proof. */
+/* Certify a segment. False only on an error. The first segment that is not certified is kept in
+ * pair->proof. */
 static bool certify_segment(asking *a, sepax_error *error) {
   path_proof *proof = &a->pair->proof;
   double first = INFINITY;
@@ -267,8 +272,8 @@ static bool certify_segment(asking *a, sepax_error *error) {
   return true;
 }
 
-/* Is there a pose in parts of a segment in which the bodies collide? The longest parts are asked
- * first, and no more than `most`. */
+/* Search the parts of a segment for a pose in which the bodies collide. The longest parts are
+ * examined first, `most` parts at most. */
 static bool search(asking *a, size_t parts, size_t most, size_t *asked, sepax_error *error) {
   for (size_t n = 0; n < parts && n < most; n++) {
     bool certified = false;
@@ -291,7 +296,7 @@ static bool search(asking *a, size_t parts, size_t most, size_t *asked, sepax_er
   return true;
 }
 
-/* Behind what is open in its segment. */
+/* Search the segment after its open part. */
 static bool search_behind(asking *a, sepax_error *error) {
   size_t parts = 0;
   size_t asked = 0;
@@ -306,7 +311,8 @@ static bool search_behind(asking *a, sepax_error *error) {
   return search(a, parts, BEHIND, &asked, error);
 }
 
-/* In a segment behind that, `segments` before the end: it may take its share of what is left. */
+/* Search a later segment, `segments` before the end. It may examine its share of the parts that are
+ * left. */
 static bool search_segment(asking *a, size_t segments, sepax_error *error) {
   size_t share = a->behind / segments;
   size_t most = share < EACH_BEHIND ? EACH_BEHIND : share > BEHIND ? BEHIND : share;
@@ -329,7 +335,8 @@ static bool stands_still(const asking *a, size_t segment) {
   return true;
 }
 
-/* `level`: that of the segment before, where the way is as near and as long. */
+/* Certify the next segment. `level` is the level of the segment before, a good first guess because
+ * the bodies are about as near and move about as far. */
 static bool certify_next(asking *a, unsigned level, sepax_error *error) {
   path_proof *proof = &a->pair->proof;
   size_t n = a->at.segment;
@@ -345,8 +352,8 @@ static bool certify_next(asking *a, unsigned level, sepax_error *error) {
          (!proof->is_open || proof->collides || search_behind(a, error));
 }
 
-/* To the end, or to a pose in which the bodies collide. A pair that is undecided in a line is not
- * certified. */
+/* Examine all segments until the end or until a pose with a collision. A pair that is undecided in
+ * a line is not certified. */
 static bool ask_segments(asking *a, sepax_error *error) {
   work *all = a->all;
   path_proof *proof = &a->pair->proof;
@@ -362,7 +369,7 @@ static bool ask_segments(asking *a, sepax_error *error) {
       return false;
     }
     size_t done = atomic_fetch_add(&all->done, 1) + 1;
-    if (a->pair == all->scene->pair) { /* the calling thread's, at first */
+    if (a->pair == all->scene->pair) { /* the calling thread gets the first pair */
       cli_progress_show(all->progress, done);
     }
   }

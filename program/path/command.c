@@ -1,4 +1,4 @@
-/* command.c - sepax path: which bodies of a mechanism collide on a path? */
+/* command.c - sepax path: reads the options and calls the parts that search, certify and write. */
 #include "report/json.h"
 #include "command_table.h"
 #include "path/digest.h"
@@ -67,7 +67,7 @@ static error_t parse_argument(path_question *q, char *text, struct argp_state *s
   return 0;
 }
 
-/* Options that are on or off. */
+/* The field of an option that is on or off. */
 static bool *switch_of(path_question *q, int key) {
   switch (key) {
   case KEY_NO_DISTANCE:
@@ -153,7 +153,7 @@ static const char *output_of(const path_question *q, int n) {
   return outputs[n];
 }
 
-/* All of what is written can be begun before any is. */
+/* Fail before the long search if an output file cannot be written. */
 static bool outputs_possible(const path_question *q, sepax_error *error) {
   const char *const inputs[] = {q->urdf, q->motion, q->srdf};
   const char *outputs[OUTPUTS];

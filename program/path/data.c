@@ -1,4 +1,4 @@
-/* data.c - what sepax path prints and writes for programs: JSON, CSV. */
+/* data.c - the results of sepax path for programs: JSON and CSV. */
 #include "report/json.h"
 #include "report/text.h"
 #include "path/parts.h"
@@ -46,8 +46,8 @@ static json_t *least_of(const path_scene *scene, const path_pair *pair) {
   return json;
 }
 
-/* {"x": 0.1, ...}: of the joints that have a column, or would; metres and radians, as in a URDF and
- * in a column without a unit. */
+/* {"x": 0.1, ...}: the values of all joints that have a column or would have one, in metres and
+ * radians as in a URDF. */
 static json_t *values_of(const path_scene *scene, path_moment at) {
   const sepax_mechanism *m = &scene->robot.mechanism;
   json_t *json = json_object();
@@ -64,7 +64,7 @@ static json_t *segment_of(const path_scene *scene, size_t segment) {
                    line_of(scene, segment + 1));
 }
 
-/* What --certify found of a pair; null where it was not asked. */
+/* The result of --certify for a pair; null without --certify. */
 static json_t *way_of(const path_scene *scene, const path_pair *pair) {
   const path_proof *proof = &pair->proof;
   if (!scene->between || path_in_lines(pair) == VERDICT_COLLISION) {
@@ -106,7 +106,8 @@ static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   return json;
 }
 
-/* The files of a body whose first shape is *shape, which goes on behind its last. */
+/* The mesh files of a body. *shape is its first shape and becomes the first shape of the next
+ * body. */
 static json_t *meshes_of(const path_scene *scene, const path_body *b, size_t *shape) {
   json_t *meshes = json_array();
   for (size_t k = 0; k < b->parts; k++, ++*shape) {
@@ -136,7 +137,7 @@ static json_t *bodies_of(const path_scene *scene) {
   return bodies;
 }
 
-/* Names of links without a body. */
+/* The names of links without collision geometry. */
 static json_t *empty_of(const path_scene *scene) {
   json_t *links = json_array();
   for (size_t n = 0; n < scene->robot.links; n++) {
@@ -168,7 +169,7 @@ static void add_others(json_t *list, const char *file, const format_others *othe
   }
 }
 
-/* Elements of the URDF and the SRDF that are passed over. */
+/* The elements of the URDF and the SRDF that are ignored. */
 static json_t *passed_over(const path_scene *scene, const path_question *q) {
   json_t *list = json_array();
   add_others(list, q->urdf, &scene->robot.others);
@@ -176,7 +177,7 @@ static json_t *passed_over(const path_scene *scene, const path_question *q) {
   return list;
 }
 
-/* What --certify found of all; null where it was not asked. */
+/* The result of --certify for all pairs; null without --certify. */
 static json_t *between_of(const path_scene *scene) {
   size_t intervals = 0;
   if (!scene->between) {
@@ -190,7 +191,7 @@ static json_t *between_of(const path_scene *scene) {
                    "seconds", scene->between_seconds);
 }
 
-/* The first of the worst verdict: a line, or a pose behind it. */
+/* The first moment with the worst verdict: a line, or a pose after a line. */
 static json_t *first_of(const path_scene *scene) {
   path_moment at = path_worst_moment(scene);
   if (path_worst(scene) == VERDICT_FREE) {
@@ -202,7 +203,7 @@ static json_t *first_of(const path_scene *scene) {
   return json;
 }
 
-/* What --jobs wrote. */
+/* The result of --jobs. */
 static json_t *jobs_of(const path_scene *scene, const path_question *q) {
   const path_jobs *jobs = &scene->jobs;
   char text[SEPAX_CONFIG_TEXT];
@@ -259,7 +260,7 @@ void path_print_json(const path_scene *scene, const path_question *q) {
 
 typedef struct {
   const path_scene *scene;
-  bool parts; /* a column for them */
+  bool parts; /* a column for the part of the way */
 } rows;
 
 static bool write_row(FILE *out, const rows *r, const path_pair *pair, path_moment at,
@@ -273,7 +274,8 @@ static bool write_row(FILE *out, const rows *r, const path_pair *pair, path_mome
          (!r->parts || fprintf(out, ",%.17g", at.part) > 0) && putc('\n', out) != EOF;
 }
 
-/* A row for each line and pair that is not free, and for what is not free behind a line. */
+/* A row for each line and pair that is not free, and for each pose between lines that is not
+ * free. */
 static bool write_rows(FILE *out, const void *context) {
   const rows *r = context;
   const path_scene *scene = r->scene;

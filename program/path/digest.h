@@ -6,11 +6,11 @@
 
 enum { DIGEST_LENGTH = 65 };
 
-/* SHA-256 as 64 hexadecimal digits and a 0. Fails on a file that cannot be read, and always in a
- * build without libmd. */
+/* SHA-256 of a file as 64 hexadecimal digits and a final 0. Fails if the file cannot be read, and
+ * always in a build without libmd. */
 bool path_digest(char digest[DIGEST_LENGTH], const char *file, sepax_error *error);
 
-/* Fails in a build without libmd. */
+/* True if this build has libmd; otherwise it fails. */
 bool path_digest_possible(sepax_error *error);
 
 #endif

@@ -1,5 +1,5 @@
-/* engine.c - the bodies and lines as a tree engine gets them: trees, poses in fixed point, a list
- * of jobs. docs/reference/path-engine.md. */
+/* engine.c - turns the bodies and lines into input of the tree engine: trees, poses in fixed point
+ * and a list of jobs. docs/reference/path-engine.md. */
 #include "path/engine.h"
 #include "util/error.h"
 
@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a turned vertex of a near pair may be beyond A's half size, B's longest edge and the outer
- * clearance: by rounding, 4 LSB; the margin of such a design is larger by 7 at most. */
+/* A turned vertex of a near pair lies within A's half size + B's longest edge + the outer clearance
+ * + this number of LSB: 4 LSB for rounding, and at most 7 LSB that a tree engine adds to its
+ * margin. */
 static const double spare = 11;
 static const double margin_most = 8191;
 
@@ -37,7 +38,7 @@ static double outer_of(const path_question *q) {
   return fmax(q->bands.clearance.length, q->bands.warning.length);
 }
 
-/* What must fit into one half of the word, and of which pair. */
+/* The length that must fit into half of the word, and the pair that needs it. */
 static double find_reach(const path_scene *scene, const path_question *q, const path_pair **of) {
   double most = 0;
   *of = &scene->pair[0];
@@ -53,10 +54,10 @@ static double find_reach(const path_scene *scene, const path_question *q, const 
   return most;
 }
 
-/* Steps from the middle of a word to its end that a body may take. */
+/* Steps from the middle of a word to its end that a body may use. */
 static double steps_of(int word) { return (double)sepax_word_max(word) - spare; }
 
-/* Rounded up to three digits. */
+/* Round up to three significant digits. */
 static double round_up(double x) {
   double unit = pow(10, floor(log10(x)) - 2);
   return ceil(x / unit) * unit;
@@ -88,7 +89,7 @@ static bool choose_grid(path_engine *e, const path_scene *scene, const path_ques
       most < SEPAX_TREE_WORD_MAX ? ", or a longer word" : "");
 }
 
-/* The least number of LSB that is not below the length. */
+/* The least number of LSB that is not shorter than the length. */
 static int steps_up(double length, double resolution) {
   double steps = fmin(ceil(length / resolution), 0x1p20);
   while (steps > 0 && fma(steps - 1, resolution, -length) >= 0) {
@@ -100,7 +101,7 @@ static int steps_up(double length, double resolution) {
   return (int)steps;
 }
 
-/* The design that the list is for; II and cores are any. */
+/* Choose the design that the list is made for. Any II and any number of cores will do. */
 static bool choose_bands(path_engine *e, const path_question *q, sepax_design *design,
                          sepax_error *error) {
   e->clearance = steps_up(q->bands.clearance.length, e->resolution);
@@ -203,7 +204,7 @@ bool path_engine_make(path_engine *e, const path_scene *scene, const path_questi
 
 /* --------------------------------------------------------------------------- list */
 
-/* The bodies that are in a pair, and the list of their jobs. */
+/* Make the list of jobs and of the bodies that are in a pair. */
 static bool make_list(sepax_job_list *list, const path_engine *e, const path_scene *scene,
                       sepax_error *error) {
   const format_motion *motion = &scene->motion;

@@ -1,4 +1,4 @@
-/* options.c - what says which scene is asked about: of sepax path and of sepax size. */
+/* options.c - the options that describe a scene, for sepax path and sepax size. */
 #include "path/parts.h"
 
 #include <stdio.h>

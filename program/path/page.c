@@ -1,5 +1,5 @@
-/* page.c - a page on which one can look at all bodies and go through the path. page.html is the
- * page itself; what it shows and three.js, which shows it, are put into it. */
+/* page.c - writes an HTML page that shows all bodies and plays the path. page.html is the page
+ * itself. The data of the scene and three.js, which draws it, are inserted. */
 #include "report/json.h"
 #include "path/parts.h"
 #include "util/error.h"
@@ -14,7 +14,7 @@
 
 static const size_t program_bytes = (size_t)16 << 20;
 
-/* Bytes of data in a page: browsers take no longer strings. */
+/* Bytes of data in a page. Browsers do not read longer strings. */
 #define PAGE_MOST 400e6
 
 enum { PROGRAMS = 2 };
@@ -26,7 +26,8 @@ typedef struct {
   const path_scene *scene;
   const path_question *q;
   text_bytes program[PROGRAMS];
-  path_moment *step; /* the lines, and what is not free between them, in the order of time */
+  path_moment
+      *step; /* the lines, and the moments between lines that are not free, in the order of time */
   size_t steps;
 } page;
 
@@ -38,7 +39,7 @@ static void free_programs(page *p) {
   }
 }
 
-/* They stand between <script> and </script>. */
+/* Read three.js. It is inserted between <script> and </script>. */
 static bool read_programs(page *p, sepax_error *error) {
   enum { PATH_MOST = 4096 };
   const char *given = getenv("SEPAX_THREE");
@@ -86,7 +87,7 @@ bool path_page_possible(const path_scene *scene, sepax_error *error) {
 typedef struct {
   FILE *out;
   uint32_t held;
-  int count; /* bytes in it */
+  int count; /* bytes held so far */
 } base64;
 
 static void put_letters(const base64 *b, int count) {
@@ -96,7 +97,7 @@ static void put_letters(const base64 *b, int count) {
   }
 }
 
-/* Bytes of a little-endian word. */
+/* Write a word in little-endian bytes. */
 static void put_word(base64 *b, uint64_t word, int bytes) {
   for (int i = 0; i < bytes; i++) {
     b->held = b->held << 8 | (uint32_t)(word >> (8 * i) & 0xff);
@@ -129,11 +130,11 @@ static void end_base64(base64 *b) {
 
 /* ---------------------------------------------------------------------------- meshes */
 
-/* The corners of a mesh as binary32, those that are one as one. */
+/* The corners of a mesh as binary32, with equal corners merged. */
 typedef struct {
-  uint32_t (*vertex)[3]; /* the floats' bits */
-  uint32_t *index;       /* of each corner */
-  uint32_t *place;       /* of vertices by their hash, from 1; 0: none */
+  uint32_t (*vertex)[3]; /* bits of the floats */
+  uint32_t *index;       /* vertex of each corner */
+  uint32_t *place;       /* hash table of vertices, numbered from 1; 0 is a free entry */
   size_t vertices, mask;
 } corners;
 
@@ -206,8 +207,8 @@ static bool moves(const path_scene *scene, const sepax_chain *chain) {
   return false;
 }
 
-/* Rows of rotation and translation of each step, in the root's coordinates; of the first only
- * where no line moves the body. */
+/* Write rotation and translation of a body in each step, in the root's coordinates. If no line
+ * moves the body, then only those of the first step are written. */
 static bool write_poses(FILE *out, const page *p, size_t link) {
   const path_scene *scene = p->scene;
   const sepax_mechanism *m = &scene->robot.mechanism;
@@ -270,7 +271,7 @@ static bool find_steps(page *p, sepax_error *error) {
   return true;
 }
 
-/* Between the lines of the pairs that are not free there; the others are not asked. */
+/* The verdict of a pair at a moment. Between lines only pairs with a result there have one. */
 static int verdict_at(const path_pair *pair, path_moment at) {
   path_moment between = path_between_moment(pair);
   return at.part == 0                  ? pair->verdict[at.line]
@@ -280,7 +281,7 @@ static int verdict_at(const path_pair *pair, path_moment at) {
 
 /* ------------------------------------------------------------------------------ data */
 
-/* JSON between <script> and </script>: its strings have no "<" then. */
+/* Write JSON that stands between <script> and </script>, so its strings must not contain "<". */
 static int put_escaped(const char *text, size_t length, void *context) {
   FILE *out = context;
   for (size_t n = 0; n < length; n++) {
@@ -300,7 +301,7 @@ static bool write_report(FILE *out, const page *p) {
   return ok;
 }
 
-/* [first, how many follow each other, ...] */
+/* Write the lines as [first line, number of lines in a row, ...]. */
 static void write_lines(FILE *out, const page *p) {
   const size_t *line = p->scene->motion.line;
   fprintf(out, ",\n\"line\": [%zu", line[0]);
@@ -314,7 +315,8 @@ static void write_lines(FILE *out, const page *p) {
   fprintf(out, ", %zu]", p->steps - first);
 }
 
-/* [step, how far it is behind its line, ...], and the worst step */
+/* Write the steps between lines as [step, part of the way after its line, ...], and the worst
+ * step. */
 static void write_parts(FILE *out, const page *p) {
   path_moment worst = path_worst_moment(p->scene);
   size_t at = 0;
@@ -330,7 +332,7 @@ static void write_parts(FILE *out, const page *p) {
   fprintf(out, "],\n\"worst\": %zu", at);
 }
 
-/* [verdict, of how many steps, ...] */
+/* Write the verdicts of a pair as [verdict, number of steps in a row, ...]. */
 static void write_verdicts(FILE *out, const page *p, const path_pair *pair) {
   int last = verdict_at(pair, p->step[0]);
   size_t first = 0;
@@ -385,7 +387,7 @@ static bool write_program(FILE *out, const text_bytes *text) {
   return fwrite(text->bytes, 1, text->size, out) == text->size;
 }
 
-/* page.html with each hole filled in. */
+/* Write page.html and fill in each hole. */
 static bool write_all(FILE *out, const void *context) {
   static const char *const holes[] = {"@three@", "@controls@", "@data@"};
   const page *p = context;

@@ -1,4 +1,4 @@
-/* picture.c - all bodies in one pose as a PLY file, for any mesh viewer. */
+/* picture.c - writes all bodies in one pose as a PLY file, which any mesh viewer shows. */
 #include "path/parts.h"
 #include "report/ply.h"
 #include "util/error.h"
@@ -9,8 +9,8 @@
 
 typedef struct {
   const path_scene *scene;
-  const sepax_pose *pose;   /* of each link */
-  const report_verdict *of; /* of each body, there */
+  const sepax_pose *pose;   /* pose of each link */
+  const report_verdict *of; /* verdict of each body in this pose */
   path_moment at;
 } picture;
 
@@ -30,7 +30,8 @@ static bool print_comments(FILE *out, const void *context) {
   return ok;
 }
 
-/* Grey and blue where a body is free; yellow, violet, red otherwise. */
+/* Colour a body: grey or blue if it is free; yellow for a warning, violet for undecided, red for a
+ * collision. */
 static void set_body(report_ply_body *body, const picture *p, size_t n) {
   static const uint8_t plain[][3] = {{170, 190, 215}, {200, 200, 190}, {150, 200, 180}};
   static const uint8_t others[VERDICTS][3] = {[VERDICT_WARNING] = {240, 200, 60},

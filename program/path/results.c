@@ -1,4 +1,5 @@
-/* results.c - the verdicts of all lines and ways together, and where they are. */
+/* results.c - combines the verdicts of lines and of the motion between them, and finds their
+ * moments. */
 #include "path/parts.h"
 
 #include <math.h>

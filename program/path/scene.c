@@ -1,4 +1,4 @@
-/* scene.c - links as bodies, and the pairs of them that are compared. */
+/* scene.c - makes bodies from the links and chooses the pairs of bodies that are compared. */
 #include "path/parts.h"
 #include "util/error.h"
 
@@ -56,7 +56,7 @@ void path_scene_free(path_scene *scene) {
 
 /* -------------------------------------------------------------------------- bodies */
 
-/* All facets of a part behind those of the parts before it. */
+/* Append all facets of a part. */
 static bool append(sepax_soup *to, const sepax_soup *mesh) {
   sepax_facet *grown = sepax_resize(to->facet, (to->count + mesh->count) * sizeof *grown);
   if (grown == NULL) {
@@ -68,7 +68,8 @@ static bool append(sepax_soup *to, const sepax_soup *mesh) {
   return true;
 }
 
-/* A part with a body of its own where the link has several. */
+/* Add a part to a body. If the link has several parts, then each part has a sepax_body of its
+ * own. */
 static bool add_part(path_body *b, const format_shape *shape, bool only, const cli_meshes *rules,
                      sepax_error *error) {
   sepax_soup mesh = {0};
@@ -78,7 +79,7 @@ static bool add_part(path_body *b, const format_shape *shape, bool only, const c
              sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles",
                         b->mesh.count + mesh.count));
   if (ok && sepax_body_new(&part->body, SEPAX_SOUP_MESH(&mesh), NULL, error)) {
-    b->parts++; /* which frees it from now on */
+    b->parts++; /* from now on the body frees the part */
     b->body = only ? part->body : NULL;
     ok = sepax_shell_find(&part->shell, part->body, error);
     b->open += ok && !part->shell.closed;
@@ -123,7 +124,7 @@ static bool make_body(path_body *b, const format_robot *robot, size_t first, siz
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles", b->triangles);
   }
   if (b->mesh.count < b->triangles) {
-    b->body = NULL; /* its parts, which are whole, say what is inside */
+    b->body = NULL; /* the parts are complete and say what is inside */
   }
   if (b->body == NULL && !sepax_body_new(&b->body, SEPAX_SOUP_MESH(&b->mesh), NULL, error)) {
     return false;
@@ -134,7 +135,7 @@ static bool make_body(path_body *b, const format_robot *robot, size_t first, siz
   return true;
 }
 
-/* Shapes of one link stand together. */
+/* Make the bodies. The shapes of a link follow each other in the list. */
 static bool make_bodies(path_scene *scene, const path_question *q, sepax_error *error) {
   const format_robot *robot = &scene->robot;
   scene->body = calloc(robot->shapes + 1, sizeof *scene->body);
@@ -165,8 +166,8 @@ static bool joined(const sepax_mechanism *m, size_t a, size_t b) {
          (up[1] != SEPAX_NO_JOINT && m->joint[up[1]].parent == a);
 }
 
-/* The link that holds this one by fixed joints, the uppermost: links with the same one never move
- * against each other. */
+/* The uppermost link that is joined to this one by fixed joints only. Links with the same uppermost
+ * link never move against each other. */
 static size_t held_by(const sepax_mechanism *m, size_t link) {
   while (m->link[link].joint != SEPAX_NO_JOINT &&
          m->joint[m->link[link].joint].kind == SEPAX_JOINT_FIXED) {
@@ -175,7 +176,7 @@ static size_t held_by(const sepax_mechanism *m, size_t link) {
   return link;
 }
 
-/* Without an SRDF: is the pair left out? It is counted. */
+/* Without an SRDF: true if the pair is left out. The reason is counted. */
 static bool left_out(path_scene *scene, size_t a, size_t b) {
   const sepax_mechanism *m = &scene->robot.mechanism;
   bool of_one_joint = joined(m, a, b);
@@ -205,8 +206,8 @@ static bool add_pair(path_scene *scene, size_t a, size_t b, sepax_error *error) 
   return true;
 }
 
-/* What the SRDF does not disable; without one, all but the links of one joint and those that no
- * joint moves against each other. */
+/* Choose the pairs: all that the SRDF does not disable. Without an SRDF, all but the links of one
+ * joint and links that no joint moves against each other. */
 static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error) {
   const sepax_mechanism *m = &scene->robot.mechanism;
   bool *compared = malloc(m->links * m->links);

@@ -1,4 +1,4 @@
-/* search.c - each pair in each line of the path. */
+/* search.c - decides each pair of bodies in each line of the path. */
 #include "path/parts.h"
 #include "util/error.h"
 #include "util/threads.h"
@@ -12,13 +12,13 @@ typedef struct {
   path_scene *scene;
   const path_question *q;
   cli_progress *progress;
-  atomic_size_t done; /* lines of all pairs */
+  atomic_size_t done; /* lines done, over all pairs */
   atomic_bool stop;
   atomic_flag failing, showing;
   sepax_error *error;
 } work;
 
-/* A pair at hand. */
+/* The state of a thread: the pair that it decides. */
 typedef struct {
   const work *all;
   path_pair *pair;
@@ -46,7 +46,8 @@ static bool any_near(const asking *a, double length, bool *near, sepax_error *er
   return true;
 }
 
-/* Is the exact distance, of which `distance` is the nearest double but one, at most the limit? */
+/* Is the exact distance at most the limit? `distance` is the exact distance rounded, wrong by less
+ * than one unit in the last place. */
 static bool within_limit(const asking *a, double distance, double limit, bool *near,
                          sepax_error *error) {
   static const double doubt = 0x1p-50;
@@ -82,8 +83,8 @@ static bool find_distance(asking *a, double *distance, sepax_error *error) {
   return true;
 }
 
-/* The verdict on the surfaces: by the distance as long as a lesser one may be found, then only as
- * far as is asked. */
+/* The verdict on the surfaces. While a smaller least clearance may be found, the distance decides;
+ * otherwise the search ends as soon as the band is known. */
 static bool ask_surfaces(asking *a, report_verdict *verdict, sepax_error *error) {
   const path_question *q = a->all->q;
   const report_limit *limits[] = {&q->bands.clearance, &q->bands.warning};
@@ -106,7 +107,8 @@ static bool ask_surfaces(asking *a, report_verdict *verdict, sepax_error *error)
   return true;
 }
 
-/* May one body be inside the other? Their boxes, posed, would be. Some rounding is allowed for. */
+/* May one body be inside the other? Only if their posed boxes overlap, with an allowance for
+ * rounding. */
 static bool boxes_overlap(const asking *a) {
   double middle[2][3];
   double half[2][3];
@@ -132,7 +134,7 @@ static bool boxes_overlap(const asking *a) {
   return true;
 }
 
-/* A part of one body inside a part of the other. */
+/* Is a part of one body inside a part of the other? */
 static bool ask_within(const asking *a, report_verdict *verdict, sepax_error *error) {
   for (size_t i = 0; i < a->body[0]->parts; i++) {
     for (size_t k = 0; k < a->body[1]->parts; k++) {
@@ -176,7 +178,7 @@ static bool ask(asking *a, report_verdict *verdict, sepax_error *error) {
 
 /* ---------------------------------------------------------------------------- lines */
 
-/* Has a joint between the two moved since the line before? */
+/* True if a joint between the two links has moved since the line before. */
 static bool has_moved(const path_scene *scene, const path_pair *pair, size_t line) {
   const format_motion *motion = &scene->motion;
   const double *now = &motion->value[line * motion->joints];

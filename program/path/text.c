@@ -49,7 +49,7 @@ static void print_segment(const path_scene *scene, size_t segment) {
   }
 }
 
-/* The values there of the joints that have a part in it. */
+/* Print the values at a moment of the joints between the two links. */
 static void print_values(const path_scene *scene, const path_pair *pair, path_moment at) {
   const char *before = ": ";
   for (size_t n = 0; n < pair->chain.count; n++) {
@@ -144,7 +144,7 @@ static bool is_named_before(const path_scene *scene, size_t body, size_t part, c
   return false;
 }
 
-/* Files of which more is to be said than how many triangles they have. */
+/* Print the mesh files about which more is known than the number of triangles. */
 static void print_meshes(const path_scene *scene) {
   size_t shape = 0;
   for (size_t n = 0; n < scene->bodies; n++) {
@@ -158,7 +158,8 @@ static void print_meshes(const path_scene *scene) {
   }
 }
 
-/* Meshes for the eye alone would else go unseen. */
+/* Print the links without collision geometry, because a user may have given them visual meshes
+ * only. */
 static void print_empty(const path_scene *scene) {
   enum { NAMES_MOST = 12 };
   size_t empty = 0;
@@ -193,7 +194,8 @@ static void print_nothings(const path_scene *scene) {
   fputs(robot->nothings > 0 ? "\n" : "", stdout);
 }
 
-/* Elements of a file that say nothing of collision geometry, or belong to other programs. */
+/* Print the elements that are ignored because they say nothing about collision geometry or belong
+ * to other programs. */
 static void print_others(const char *file, const format_others *others) {
   for (size_t n = 0; n < others->count; n++) {
     const format_other *other = &others->entry[n];

@@ -1,4 +1,4 @@
-/* bands.c - the limits of --clearance and --warning, and how they are told. */
+/* bands.c - checks and prints the limits of --clearance and --warning. */
 #include "report/bands.h"
 #include "report/text.h"
 #include "util/error.h"

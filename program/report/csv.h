@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* A text; in quotes if it has commas, semicolons, quotes or blanks. */
+/* Write a text, in quotes if it contains commas, semicolons, quotes or blanks. */
 bool report_csv_text(FILE *out, const char *text);
 
 #endif

@@ -16,7 +16,7 @@ json_t *report_scene(const char *const path[2], const size_t count[2], const sep
 }
 
 void report_print_json(json_t *report) {
-  enum { DIGITS_ALL = 17 }; /* tell a double from its neighbours */
+  enum { DIGITS_ALL = 17 }; /* enough digits to tell a double from its neighbours */
   json_dumpf(report, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(DIGITS_ALL));
   putchar('\n');
   json_decref(report);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Bytes of a little-endian file. */
+/* Write a word in little-endian bytes. */
 static bool put(FILE *out, uint64_t word, int bytes) {
   bool ok = true;
   for (int i = 0; i < bytes && ok; i++) {

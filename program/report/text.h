@@ -4,15 +4,15 @@
 
 #include "sepax_grid.h"
 
-/* The shortest decimals, 9 digits at least, that strtod reads back as the same value: a grid that
- * is printed and given again is the same grid. */
+/* A number with the fewest decimals, at least 9 significant digits, that strtod reads back as the
+ * same double. So a grid that is printed can be given again. */
 typedef struct {
   char text[32];
 } report_number;
 report_number report_exactly(double value);
 
-/* Millimetres. Reports have all lengths in mm, whatever the unit of the files is; JSON keys end in
- * _mm. A length here is in units of 10^unit metres (cli/units.h). */
+/* A length in mm. Reports have all lengths in mm, whatever the unit of the files is, and JSON keys
+ * end in _mm. The argument is in units of 10^unit metres (cli/units.h). */
 double report_mm(double length, int unit);
 
 /* "1 line", "2 lines" */

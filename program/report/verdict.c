@@ -1,4 +1,4 @@
-/* verdict.c - what verdicts are called, and the exit status of each. */
+/* verdict.c - the names of verdicts and the exit status of each. */
 #include "report/verdict.h"
 
 const char *const report_verdict_names[VERDICTS] = {

@@ -1,12 +1,11 @@
-/* verdict.h - the verdict of a pair, a pose or a whole scene, as sepax check, path and size say it.
- */
+/* verdict.h - the verdict on a pair, a pose or a whole scene, for sepax check, path and size. */
 #ifndef SEPAX_REPORT_VERDICT_H
 #define SEPAX_REPORT_VERDICT_H
 
 /* Exit statuses of the commands. */
 enum { EXIT_FREE, EXIT_COLLISION, EXIT_ERROR, EXIT_WARNING, EXIT_UNDECIDED };
 
-/* In the order of precedence: of several verdicts the greatest holds. */
+/* In rising order of precedence: of several verdicts the greatest holds. */
 typedef enum {
   VERDICT_FREE,
   VERDICT_WARNING,

@@ -1,4 +1,4 @@
-/* command.c - sepax size: what a scene needs, and the design for it. */
+/* command.c - sepax size: reads the options, measures the scene and finds the smallest design. */
 #include "command_table.h"
 #include "design/engine_table.h"
 #include "generate.h"
@@ -77,7 +77,7 @@ static const struct argp_option options[] = {
 
 /* ----------------------------------------------------------------------- parsing */
 
-/* LENGTH or LENGTH..LENGTH; the end of it, or NULL. */
+/* Read LENGTH or LENGTH..LENGTH. Returns the end of what was read, or NULL. */
 static const char *scan_range(const char *text, double *low, double *high, bool *is_range) {
   const char *at = cli_scan_length(text, low);
   *high = *low;
@@ -112,8 +112,8 @@ static bool scan_workspace(sepax_space *space, const char *text) {
   return *at == '\0';
 }
 
-/* One item of a motion; the end of it, or NULL. Each may be given once: bits 0 ... 2 of `given`
- * stand for x, y, z, bit 3 for rotate. */
+/* Read one item of --motion. Returns the end of what was read, or NULL. Each item may be given
+ * once: bits 0 ... 2 of `given` stand for x, y, z, and bit 3 for rotate. */
 static const char *scan_item(sepax_motion *m, const char *text, unsigned *given) {
   static const char rotate[] = "rotate";
   if (strncmp(text, rotate, sizeof rotate - 1) == 0) {
@@ -228,7 +228,7 @@ static bool ends_in(const char *name, const char *end) {
   return length > strlen(end) && strcmp(name + length - strlen(end), end) == 0;
 }
 
-/* What is of two meshes alone, or of a mechanism. */
+/* Refuse options that apply only to two meshes, or only to a machine and its path. */
 static void check_scene(size_options *o, const struct argp_state *state) {
   const path_question *q = &o->scene;
   o->is_scene = ends_in(o->path[0], ".urdf") || ends_in(o->path[1], ".csv");
@@ -249,7 +249,7 @@ static void check_scene(size_options *o, const struct argp_state *state) {
         other);
   }
   o->posed = NULL;
-  o->request.first = true; /* as the jobs of a list */
+  o->request.first = true; /* because the jobs of a list end at the first collision */
   o->scene.urdf = o->path[0];
   o->scene.motion = o->path[1];
   o->scene.keep = true;
@@ -341,7 +341,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 /* ------------------------------------------------------------------------- steps */
 
-/* Options of a scene are in metres, two meshes in mm. */
+/* Lengths of a machine's options are in metres, those of two meshes in mm. */
 static cli_meshes in_mm(const cli_meshes *metres) {
   cli_meshes mm = *metres;
   mm.unit = CLI_MILLIMETRES;
@@ -391,7 +391,7 @@ static void release(size_answer *answer) {
   size_scene_free(answer);
 }
 
-/* The best with each engine, and of all. */
+/* Find the best design with each engine, and the best of all. */
 static bool choose(const size_options *o, size_answer *answer, sepax_error *error) {
   sepax_error why = {0};
   uint64_t fewest = UINT64_MAX;

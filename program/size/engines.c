@@ -1,4 +1,4 @@
-/* engines.c - how sepax size asks for designs of one engine alone, and what it tells of them. */
+/* engines.c - requests designs with one engine each, and prints them. */
 #include "size/parts.h"
 #include "design/engine_table.h"
 

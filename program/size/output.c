@@ -1,4 +1,4 @@
-/* output.c - what sepax size says, as text and as JSON. */
+/* output.c - prints the answer of sepax size as text and as JSON. */
 #include "report/json.h"
 #include "design/engine_table.h"
 #include "report/text.h"
@@ -30,12 +30,13 @@ static void print_candidates(const size_options *o, const sepax_size *s) {
   }
 }
 
-/* The pose that takes the most: of a file of poses from 0, of a mechanism its line. */
+/* The number of the slowest pose: in a file of poses counted from 0, for a machine the line of the
+ * CSV. */
 static size_t worst_of(const size_answer *answer, size_t pose) {
   return answer->each != NULL ? answer->scene.motion.line[pose] : pose;
 }
 
-/* What was compared, where there is a choice of engines. */
+/* Print the best design of each engine, if several engines were considered. */
 static void print_engines(const size_answer *answer) {
   printf("%-*s%-16s%9s %9s %11s %11s %6s\n", WIDTH, "engines", "", "GE", "kbit", "worst, ms",
          "mean, ms", answer->each != NULL ? "line" : "pose");
@@ -91,7 +92,7 @@ static void print_time(const size_options *o, const size_answer *answer) {
   putchar('\n');
 }
 
-/* Of a mechanism. */
+/* Print the bodies of a machine. */
 static void print_bodies(const size_options *o, const size_answer *answer) {
   const path_scene *scene = &answer->scene;
   const path_engine *e = &answer->engine;

@@ -1,4 +1,4 @@
-/* scene.c - what the pairs of a mechanism need in each line of a path. docs/reference/size.md. */
+/* scene.c - measures the pairs of a machine in each line of a path. docs/reference/size.md. */
 #include "size/workloads.h"
 #include "size/parts.h"
 #include "util/error.h"
@@ -11,7 +11,7 @@ void size_scene_free(size_answer *answer) {
   free(answer->each);
 }
 
-/* B in A's coordinates: the rotations are orthonormal to rounding. */
+/* The pose of B in A's coordinates. The rotations are orthonormal up to rounding. */
 static sepax_pose between(const sepax_pose pose[2]) {
   sepax_pose r = {.translation = {0}};
   for (int i = 0; i < 3; i++) {
@@ -26,7 +26,8 @@ static sepax_pose between(const sepax_pose pose[2]) {
   return r;
 }
 
-/* Two bodies as two meshes of which one moves: what a core alone, or one behind lanes, is given. */
+/* Measure two bodies as two meshes of which one moves, for a core without an engine and for object
+ * engines. */
 static bool measure_pair(sepax_size *size, const size_answer *answer, size_t n,
                          sepax_error *error) {
   const path_scene *scene = &answer->scene;
@@ -57,7 +58,7 @@ static bool measure_pair(sepax_size *size, const size_answer *answer, size_t n,
   return ok;
 }
 
-/* A tree engine reads the trees that a list of jobs has. */
+/* Take the trees of the list of jobs, which a tree engine reads. */
 static bool share_trees(sepax_size *size, const size_answer *answer, size_t n, sepax_error *error) {
   const path_engine *e = &answer->engine;
   const size_t *body = answer->scene.pair[n].body;
@@ -75,7 +76,8 @@ static bool share_trees(sepax_size *size, const size_answer *answer, size_t n, s
   return true;
 }
 
-/* Of more pairs of triangles than 64 lanes can see in time no jobs are looked for. */
+/* Measure all pairs. If there are more pairs of triangles than 64 lanes can compare in time, then
+ * workloads are not computed. */
 static bool measure_pairs(size_answer *answer, double cycles, sepax_error *error) {
   const path_scene *scene = &answer->scene;
   const path_engine *e = &answer->engine;

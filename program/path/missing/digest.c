@@ -1,4 +1,4 @@
-/* digest.c - of a build without libmd. */
+/* digest.c - what a build without libmd has instead of digests: errors. */
 #include "path/digest.h"
 #include "util/error.h"
 
