@@ -1,6 +1,6 @@
-# variables.mk - every variable that a rule reads. One that is given on the command line and is not
-# here is an error, so that WRD=12 does not make the design of W = 18. scripts/make/help-all.txt
-# says what each is for.
+# variables.mk - every variable that a rule reads. If a user gives another one on the command line,
+# then this is an error, so that WRD=12 does not make the design of W = 18. A make that another make
+# started also has the variables of that one. scripts/make/help-all.txt says what each is for.
 
 # Options of a design: the rows of c_model/design/options.c.
 DESIGN_VARIABLES := $(shell sed -n 's/^ *{[.]name = "\([a-z-]*\)".*/\1/p' \
@@ -24,7 +24,7 @@ of_user   = $(filter command,$(firstword $(origin $(1))))
 on_line  := $(foreach v,$(.VARIABLES),$(if $(call of_user,$(v)),$(v)))
 unknown  := $(firstword $(filter-out $(DESIGN_VARIABLES) $(VARIABLES) $(HANDED) MAKEFLAGS \
               MAKEOVERRIDES -*-,$(on_line)))
-ifneq ($(unknown),)
+ifneq ($(if $(filter 0,$(MAKELEVEL)),$(unknown)),)
 $(error there is no variable $(unknown); $(if $(filter $(DESIGN_VARIABLES) $(VARIABLES),$(call \
   upper,$(unknown))),write $(call upper,$(unknown)),'make help-all' lists the variables))
 endif
