@@ -27,7 +27,7 @@ void add_case(const char *name, CMUnitTestFunction function);
 #define LENGTH(array) (sizeof(array) / sizeof *(array))
 
 /* How many random cases, and the step through a list of cases; fewer where each is slow, as in
- * `make sanitize`. */
+ * `make experiment NAME=sanitize`. */
 #ifndef FEWER_BY
 #define FEWER_BY 1
 #endif

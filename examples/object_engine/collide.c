@@ -1,6 +1,6 @@
 /* collide.c - the engine's driver at work: two STL files are put on one grid, loaded into
  * the verilated engine over its buses, and the pairs of triangles that collide are printed.
- *   make example LANES=16 MESH_A=a.stl MESH_B=b.stl
+ *   make experiment NAME=driver LANES=16 MESH_A=a.stl MESH_B=b.stl
  * On a board, sepax_driver.c stays as it is; the four accesses of `bus` become registers and
  * DMA, and main ends where it says. */
 #include "object_engine/bus.h"

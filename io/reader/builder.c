@@ -118,7 +118,8 @@ static bool divided(const mesh_builder *b, polygon_result result, size_t count, 
   case POLYGON_LONG:
     return sepax__builder_fail_line(
         b, line,
-        "%s %zu: a polygon of %zu corners that is no fan around its first corner; such polygons may have up to %d corners; export triangles",
+        "%s %zu: a polygon of %zu corners that is no fan around its first corner; such polygons "
+        "may have up to %d corners; export triangles",
         what, number, count, POLYGON_CORNERS_MOST);
   case POLYGON_CROSSES:
     return sepax__builder_fail_line(

@@ -166,7 +166,8 @@ static bool read_vertex_index(obj_reader *r, size_t *vertex) {
          (there ||
           sepax__builder_fail_line(
               r->b, r->w.line,
-              "'%s': there is no such vertex; the file has %zu, %zu of them above this line; export it again",
+              "'%s': there is no such vertex; the file has %zu, %zu of them above this line; "
+              "export it again",
               shown.text, r->vertices, r->above[0]));
 }
 

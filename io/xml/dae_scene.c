@@ -140,7 +140,8 @@ static bool is_placing(const dae_matrix *at) {
 static bool fail_product(const dae *d, const xmlNode *node) {
   return sepax__dae_fail(
       d, node,
-      "<%s>: combined with the transformations above it, it makes a mesh flat, or too small or too large for a double; export it again",
+      "<%s>: combined with the transformations above it, it makes a mesh flat, or too small or "
+      "too large for a double; export it again",
       (const char *)node->name);
 }
 
@@ -271,7 +272,8 @@ static bool weigh(dae *d, xmlNode *node, size_t depth) {
     if (places && is_transformation(child)) {
       return sepax__dae_fail(
           d, child,
-          "<%s> after an element that the node places; transformations must come first; export it again",
+          "<%s> after an element that the node places; transformations must come first; export it "
+          "again",
           (const char *)child->name);
     }
     if (!read_transformation(d, child, &at) || !find_placed(d, child, &g, &bound) ||

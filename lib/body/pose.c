@@ -88,7 +88,8 @@ bool sepax_pose_nearest(sepax_pose *pose, double *moved, sepax_error *error) {
   if (!(way <= most)) {
     return sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
-        "the matrix is no rotation, and even the nearest rotation differs by more than %g in an entry; mend it",
+        "the matrix is no rotation, and even the nearest rotation differs by more than %g in an "
+        "entry; mend it",
         most);
   }
   if (!sepax_pose_valid(&nearest, error)) {

@@ -124,9 +124,9 @@ static bool begin(search *s, const sepax_distance_request *r, sepax_error *error
   s->limit = r->limit > 0 ? r->limit : INFINITY;
   s->portable = r->simd == SEPAX_SIMD_PORTABLE;
   if (last != NULL && !is_distance(s, last)) {
-    return sepax_fail(
-        error, SEPAX_ERROR_ARGUMENT,
-        "the last distance is not a result for these bodies; give a result of sepax_bodies_distance on them, or NULL");
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "the last distance is not a result for these bodies; give a result of "
+                      "sepax_bodies_distance on them, or NULL");
   }
   if (last != NULL && names_boxes(last)) {
     s->waiting[s->count++] = (box_pair){{last->box[0], last->box[1]}, 0};

@@ -308,7 +308,8 @@ static bool check_coordinates(const double v[3][3], size_t number, const sepax_g
     if (!quantise_exactly(&q, x, grid, axis)) {
       return sepax_fail(
           error, SEPAX_ERROR_ARGUMENT,
-          "facet %zu, vertex %d: %c = %.9g does not fit %d bits at %.9g per LSB from %.9g; raise resolution or word, or move the offset",
+          "facet %zu, vertex %d: %c = %.9g does not fit %d bits at %.9g per LSB from %.9g; raise "
+          "resolution or word, or move the offset",
           number, i / 3, axis_name[axis], x, grid->word, grid->resolution, grid->offset[axis]);
     }
   }

@@ -297,7 +297,8 @@ static bool fail(weld_result result, double length, sepax_error *error) {
   case WELD_FAR:
     return sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
-        "vertices within %.9g of each other form a chain longer than ten times this length; weld by a shorter length",
+        "vertices within %.9g of each other form a chain longer than ten times this length; weld "
+        "by a shorter length",
         length);
   case WELD_FLAT:
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
@@ -332,7 +333,8 @@ bool sepax_soup_weld(sepax_soup *soup, double length, sepax_weld *said, sepax_er
   if (length > size / 10 && length > 0) {
     return sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
-        "a weld length of %.9g is too long for a mesh whose longest side is %.9g; weld by at most a tenth of the side",
+        "a weld length of %.9g is too long for a mesh whose longest side is %.9g; weld by at most "
+        "a tenth of the side",
         length, size);
   }
   welding w = {.length = length, .said = {.length = length}};

@@ -217,7 +217,8 @@ static bool grid_options_agree(const check_question *q, sepax_error *error) {
   if (q->first) {
     return sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
-        "first: with --grid and --clearance all pairs are counted; leave out --first, or --clearance");
+        "first: with --grid and --clearance all pairs are counted; leave out --first, or "
+        "--clearance");
   }
   return true;
 }

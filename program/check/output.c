@@ -43,7 +43,8 @@ static void print_surface(const check_question *q, const check_report *report, i
            s -> facet, q -> surfaces ? "its inside is not tested" : "its inside is not defined");
   } else if (!s->consistent) {
     printf(
-        "%c winds inconsistently: facet %zu and its neighbour run along their common edge in the same direction; no verdict depends on that\n",
+        "%c winds inconsistently: facet %zu and its neighbour run along their common edge in the "
+        "same direction; no verdict depends on that\n",
         "AB"[i], s -> facet);
   }
 }

@@ -213,7 +213,8 @@ static bool options_agree(const path_question *q, sepax_error *error) {
     if (read[n] != NULL && stat(read[n], &s) == 0 && !S_ISREG(s.st_mode)) {
       return sepax_fail(
           error, SEPAX_ERROR_ARGUMENT,
-          "certificate: %.240s is not a regular file, so the checker cannot read it again; give a file",
+          "certificate: %.240s is not a regular file, so the checker cannot read it again; give a "
+          "file",
           read[n]);
     }
   }

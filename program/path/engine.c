@@ -83,7 +83,8 @@ static bool choose_grid(path_engine *e, const path_scene *scene, const path_ques
   int most = e->word <= SEPAX_TREE_WORD_MAX ? e->word : SEPAX_TREE_WORD_MAX;
   return sepax_fail(
       error, SEPAX_ERROR_ARGUMENT,
-      "word: %.60s and %.60s need more than %d bits at an LSB of %.60s; give an LSB of %.3gmm or more%s",
+      "word: %.60s and %.60s need more than %d bits at an LSB of %.60s; give an LSB of %.3gmm or "
+      "more%s",
       path_body_name(scene, of->body[0]), path_body_name(scene, of->body[1]), most, q->lsb.text,
       1e3 * round_up(reach / steps_of(most)),
       most < SEPAX_TREE_WORD_MAX ? ", or a longer word" : "");

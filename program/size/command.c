@@ -237,7 +237,8 @@ static void check_scene(size_options *o, const struct argp_state *state) {
         q->bands.warning.text != NULL || q->rules.hold || q->rules.ignore_limits) {
       argp_error(
           state,
-          "srdf, package, clearance, warning, hold, ignore-limits: apply only to a URDF and a CSV file; leave them out");
+          "srdf, package, clearance, warning, hold, ignore-limits: apply only to a URDF and a CSV "
+          "file; leave them out");
     }
     return;
   }
@@ -414,7 +415,8 @@ static bool choose(const size_options *o, size_answer *answer, sepax_error *erro
   if (answer->best == NULL && why.code == SEPAX_OK) {
     return sepax_fail(
         error, SEPAX_ERROR_LIMIT,
-        "tree: the scene needs %d bits of a coordinate, and a tree engine has at most %d; coarsen the resolution",
+        "tree: the scene needs %d bits of a coordinate, and a tree engine has at most %d; coarsen "
+        "the resolution",
         answer->size->grid.word, SEPAX_TREE_WORD_MAX);
   }
   *error = why;

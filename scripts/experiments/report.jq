@@ -128,11 +128,11 @@ def page:
     | join("\n") | @html)</pre>",
   section("corners"; "Clock at each corner"; "make timing"),
   section("energy"; "Energy by workload and module"; "make power"),
-  section("thresholds"; "Multi-Vt"; "make multivt"),
-  section("lanes"; "The engine over its lanes, and on meshes"; "make engine-sweep"),
-  section("scene"; "A core for a scene"; "make scene"),
-  section("errors"; "Speed against error"; "make accuracy QUICK=1"),
-  section("clearance"; "Conservative clearance"; "make clearance"),
+  section("thresholds"; "Multi-Vt"; "make experiment NAME=multivt"),
+  section("lanes"; "The engine over its lanes, and on meshes"; "make experiment NAME=engine-sweep"),
+  section("scene"; "A core for a scene"; "make experiment NAME=scene"),
+  section("errors"; "Speed against error"; "make experiment NAME=accuracy QUICK=1"),
+  section("clearance"; "Conservative clearance"; "make experiment NAME=clearance"),
   "</body></html>";
 
 if $ARGS.named.what == "design" then design

@@ -48,7 +48,8 @@ uninstall:
 	  pkgconfig/$(name).pc)))
 	@case "$(ROOT)" in /usr | /usr/local) ;; *) \
 	  for folder in $(addprefix $(ROOT)/,$(LIBDIR)/pkgconfig $(LIBDIR) lib include bin \
-	    $(sort $(dir $(MAN))) share/man share) $(ROOT); do rmdir "$$folder" 2> /dev/null || true; done ;; esac
+	    $(sort $(dir $(MAN))) share/man share) $(ROOT); do \
+	    rmdir "$$folder" 2> /dev/null || true; done ;; esac
 
 # What is committed, less what only this project's own house needs (.gitattributes, export-ignore):
 # the reference cores, the manual pages and the documents with it. The same commit, the same bytes.

@@ -1,5 +1,5 @@
 /* clearance_bands.c - checks sepax_clearance against exact distances of real triangles near its
- * limits; `make clearance` does so 10,000,000 times. */
+ * limits; `make experiment NAME=clearance` does so 10,000,000 times. */
 #include "oracle/clearance_rules.h"
 #include "oracle/distance.h"
 #include "oracle/geometry.h"

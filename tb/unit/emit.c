@@ -270,8 +270,8 @@ CASE(test_print) {
   emit_free(&e);
 }
 
-/* Every configuration (of `make sanitize` every seventh word length) passes its own check and
- * prints the same bytes twice. */
+/* Every configuration (of `make experiment NAME=sanitize` every seventh word length) passes its own
+ * check and prints the same bytes twice. */
 CASE(test_designs) {
   static const char *const settings[] = {"--precision=full", "--precision=word",
                                          "--precision=guard=5", "--precision=word --block-float=on",

@@ -3,10 +3,10 @@
 //   bench_tree NAME RESOLUTION A.stl B.stl
 //   bench_tree NAME RESOLUTION A.stl B.stl POSES LOG
 // The first prints a line a body: triangles, microseconds and bytes a triangle.
-// LOG is what `make tree-engine` printed of the same bodies, resolution (0: what fits) and poses: a
-// line a pose begins with cycles, near pairs, collisions. Prints a line for the poses that collide
-// and one for those that do not: microseconds a pose of CPU time on one core. All are asked in
-// turn, some poses at a time; the least of some rounds counts.
+// LOG is what `make cosim POSES=file` printed of the same bodies, resolution (0: what fits) and
+// poses: a line a pose begins with cycles, near pairs, collisions. Prints a line for the poses that
+// collide and one for those that do not: microseconds a pose of CPU time on one core. All are asked
+// in turn, some poses at a time; the least of some rounds counts.
 #include "fast_walk.h"
 
 #include "benchmark/peer.h"

@@ -1,5 +1,5 @@
-/* threads.c - threads that share two bodies find what one thread finds; `make sanitize` runs this
- * with the thread sanitizer, too. */
+/* threads.c - threads that share two bodies find what one thread finds; `make experiment
+ * NAME=sanitize` runs this with the thread sanitizer, too. */
 #include "harness.h"
 
 #include <math.h>
