@@ -38,7 +38,8 @@ static bool check_clearance(const sepax_config *config, sepax_error *error) {
   if (config->clearance >= 0 && config->flag) {
     return sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
-        "coplanar: flag saves nothing with a clearance, because coplanar pairs then need no second pass; leave it out");
+        "coplanar: flag saves nothing with a clearance, because coplanar pairs then need no "
+        "second pass; leave it out");
   }
   return true;
 }
@@ -56,7 +57,8 @@ static bool check_extents(const sepax_config *config, sepax_error *error) {
   return core_word(config) < config->word ||
          sepax_fail(
              error, SEPAX_ERROR_ARGUMENT,
-             "extent: with these extents the core needs %d bits, which is not less than W, so they save nothing; leave them out",
+             "extent: with these extents the core needs %d bits, which is not less than W, so "
+             "they save nothing; leave them out",
              core_word(config));
 }
 

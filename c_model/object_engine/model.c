@@ -116,7 +116,8 @@ bool sepax_object_engine(const sepax_design *design, const sepax_tri *a, size_t 
       count_b > (size_t)design->config.memory_b) {
     return sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
-        "engine: %zu and %zu triangles do not fit %d lanes with memories of %d and %d triangles; give 1 triangle or more, or larger memories",
+        "engine: %zu and %zu triangles do not fit %d lanes with memories of %d and %d triangles; "
+        "give 1 triangle or more, or larger memories",
         count_a, count_b, design->config.lanes, design->config.memory_a, design->config.memory_b);
   }
   aabb *bounds_a = malloc(count_a * sizeof *bounds_a);

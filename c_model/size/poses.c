@@ -292,7 +292,8 @@ static bool find_grid(sepax_grid *grid, const range *all, const sepax_space *spa
   return fits(all, grid) ||
          sepax_fail(
              error, SEPAX_ERROR_ARGUMENT,
-             "resolution: coordinates up to %.9g from the origin do not fit %d bits at %.9g per LSB; give --resolution=%.3g or more",
+             "resolution: coordinates up to %.9g from the origin do not fit %d bits at %.9g per "
+             "LSB; give --resolution=%.3g or more",
              widest, SEPAX_WORD_MAX, space->resolution,
              widest / sepax_word_max(SEPAX_WORD_MAX) * 1.01);
 }

@@ -377,7 +377,8 @@ static bool too_slow(choice *all, double period, sepax_sized_design *sized, sepa
   *sized = (sepax_sized_design){.cycles = fewest, .seconds = (double)fewest * period};
   return sepax_fail(
       error, SEPAX_ERROR_ARGUMENT,
-      "time: %.4g ms is too short: at a clock of %g ns the fastest %s takes %.4g ms; allow more time, or coarsen the meshes",
+      "time: %.4g ms is too short: at a clock of %g ns the fastest %s takes %.4g ms; allow more "
+      "time, or coarsen the meshes",
       1e3 * r->seconds, 1e9 * period, kinds, 1e3 * sized->seconds);
 }
 
@@ -429,7 +430,8 @@ static bool size_all(choice *all, sepax_sized_design *sized, sepax_error *error)
   if (ok && all->count == 0) {
     ok = sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
-        "word: a tree engine needs a path of poses and has at most %d bits; give the poses, or coarsen the resolution",
+        "word: a tree engine needs a path of poses and has at most %d bits; give the poses, or "
+        "coarsen the resolution",
         SEPAX_TREE_WORD_MAX);
   }
   ok = ok && choose(all, sized, error);

@@ -410,12 +410,12 @@ static bool make(sepax_soup *soup, const sample *kind, size_t triangles, const d
       bisect_longest(&s);
     }
     transform(&s, kind, at, size);
-    ok =
-        copy_facets(&result, &s) ||
-        sepax_fail(
-            error, SEPAX_ERROR_ARGUMENT,
-            "%s: at size %g some triangles have no area in double precision; choose a size nearer %g mm",
-            kind->name, size, kind->size);
+    ok = copy_facets(&result, &s) ||
+         sepax_fail(
+             error, SEPAX_ERROR_ARGUMENT,
+             "%s: at size %g some triangles have no area in double precision; choose a size nearer "
+             "%g mm",
+             kind->name, size, kind->size);
   }
   release(&s);
   if (!ok) {

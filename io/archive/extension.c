@@ -3,14 +3,15 @@
 
 #include <string.h>
 
-/* Whole namespaces. Materials colour surfaces; sets of triangles name them. */
+/* Namespaces that are read as a whole: materials colour surfaces, and sets of triangles only name
+ * them. */
 static const char *const read_spaces[] = {
     PRODUCTION_SPACE,
     "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07",
 };
 
-/* Parts of namespaces, of every version. Secure content is encrypted. */
+/* Parts of the names of namespaces, in every version, that add surfaces or encrypt content. */
 static const char *const surface_spaces[] = {
     "/3dmanufacturing/beamlattice/",       "/3dmanufacturing/displacement/",
     "/3dmanufacturing/booleanoperations/", "/3dmanufacturing/volumetric/",

@@ -7,7 +7,7 @@
 
 #define XML_SPACE "http://www.w3.org/XML/1998/namespace"
 
-/* The elements of the core. */
+/* The elements of the core specification. */
 typedef enum {
   OUTSIDE,
   MODEL,
@@ -29,8 +29,9 @@ typedef enum {
   ELEMENTS
 } core_element;
 
-/* Where each may be, and its attributes; what stands after '|' has no surface and is named. Slicers
- * write some without a prefix: how triangles are painted, how items are arranged. */
+/* For each element: the elements that it may be in, and its attributes. Attributes after '|' have
+ * no surface and are named in the account. Slicers write some of them without a prefix, for how
+ * triangles are painted and how items are arranged. */
 static const struct {
   const char *name;
   unsigned parents;
@@ -63,13 +64,13 @@ enum { DEPTH_MOST = 257 };
 
 #define ALTERNATIVES_SPACE "http://schemas.openxmlformats.org/markup-compatibility/2006"
 
-/* The part while it is read. */
+/* The state while a part is read. */
 typedef struct {
   model *m;
-  core_element open[DEPTH_MOST]; /* the elements that are open */
+  core_element open[DEPTH_MOST]; /* the open elements */
   size_t depth;
-  size_t foreign; /* an element of another namespace, and those in it, that are open */
-  unsigned seen;  /* of the elements that a model has once */
+  size_t foreign; /* number of open elements from an element of another namespace on */
+  unsigned seen;  /* bits of the elements that a model has only once and that were seen */
   unsigned in_object;
 } reading;
 
@@ -155,7 +156,7 @@ static bool read_number(part_xml *x, const part_attribute *given, double *value)
                               (int)(a.length < 40 ? a.length : 40), a.value);
 }
 
-/* Whole, 0 ... 2^31 - 1. */
+/* Read a whole number in 0 ... 2^31 - 1. */
 static bool read_whole(part_xml *x, const part_attribute *given, size_t *value) {
   part_attribute a = *given;
   size_t number = 0;
@@ -299,7 +300,7 @@ static bool read_once(part_xml *x, unsigned *seen, core_element which) {
          sepax__part_xml_fail(x, "a second <%s>; leave one of them out", core[which].name);
 }
 
-/* The object that is read. */
+/* The object that is being read. */
 static model_object *current(const reading *r) { return &r->m->object[r->m->objects - 1]; }
 
 static bool read_mesh_or_components(part_xml *x, reading *r, core_element which) {
@@ -376,7 +377,7 @@ static bool read_triangle(part_xml *x, reading *r, const part_element *e) {
   return true;
 }
 
-/* The part that p:path says, else this one. */
+/* Read the part that p:path names; without p:path it is this part. */
 static bool read_path(part_xml *x, const part_element *e, size_t *part) {
   *part = x->part;
   for (int n = 0; n < e->attributes; n++) {
@@ -477,7 +478,7 @@ static core_element find_core(core_element parent, const char *name) {
   return OUTSIDE;
 }
 
-/* Text between elements may be an element that is damaged. */
+/* Refuse text between elements, because it may be a damaged element. */
 static bool text(part_xml *x) {
   const reading *r = x->context;
   return r->foreign > 0 || r->open[r->depth] == METADATA ||

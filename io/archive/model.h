@@ -6,16 +6,17 @@
 
 #include <stdint.h>
 
-/* p' = p m of a row (x y z 1): three rows that turn and scale, one that moves. */
+/* The matrix m of p' = p m for a row (x y z 1): three rows rotate and scale, and the last one
+ * moves. */
 typedef struct {
   double m[4][3];
   bool identity, mirrors;
 } model_matrix;
 
-/* An object that an object has as a component, or that the file builds. */
+/* A use of an object: as a component of another object, or as an item that the file builds. */
 typedef struct {
   size_t part, id;
-  size_t in; /* the part that says so, and its line */
+  size_t in; /* the part with this use, and its line */
   int line;
   model_matrix at;
 } model_use;
@@ -23,12 +24,13 @@ typedef struct {
 typedef struct {
   size_t part, id;
   int line;
-  bool is_mesh, is_other; /* else of components; its type is "other", which is not built */
-  size_t first, count;    /* of its triangles or components */
-  size_t vertex;          /* the first of its vertices */
+  bool is_mesh, is_other; /* is_mesh: it has triangles, not components; is_other: its type is
+                             "other", which is not built */
+  size_t first, count;    /* its triangles or components */
+  size_t vertex;          /* its first vertex */
   /* Of place.c: */
-  size_t weight, visits; /* the triangles that one of it makes; components visited for that */
-  size_t height;         /* components below each other */
+  size_t weight, visits; /* triangles that one use makes; components visited for that */
+  size_t height;         /* levels of components */
   bool entered, done, placed;
 } model_object;
 
@@ -43,19 +45,20 @@ typedef struct {
   size_t vertex_space, triangle_space, object_space, component_space, item_space;
 } model;
 
-/* Read a model part: its objects, and of the root its items and its unit. Marks the parts that it
- * refers to in p.part[].is_model. */
+/* Read a model part: its objects, and for the root part also its items and its unit. Marks parts
+ * that it refers to in p.part[].is_model. */
 bool sepax__model_read(model *m, size_t part);
 
-/* "1 0 0 0 1 0 0 0 1 0 0 0". */
+/* Read a matrix, such as "1 0 0 0 1 0 0 0 1 0 0 0". */
 bool sepax__model_matrix(const part_xml *x, const part_attribute *a, model_matrix *at);
 
-/* Place what the items build; *unplaced gets the triangles of the other objects. */
+/* Place the objects that the items build. *unplaced receives the number of triangles of all other
+ * objects. */
 bool sepax__model_place(model *m, size_t *unplaced);
 
-/* What an extension is to the reader, by its namespace. READ: nothing in it has a surface but what
- * is read. SURFACES: what it adds has a surface, so it is refused. LEFT_OUT: unknown, or other ways
- * to make the same object; refused where the file requires it. */
+/* What the reader does with an extension, by its namespace. READ: all its surfaces are read.
+ * SURFACES: it adds surfaces that are not read, so it is refused. LEFT_OUT: it is unknown or
+ * describes the same object in another way; it is refused if the file requires it. */
 typedef enum { EXTENSION_READ, EXTENSION_SURFACES, EXTENSION_LEFT_OUT } extension_kind;
 extension_kind sepax__model_extension(const char *space);
 

@@ -6,7 +6,8 @@
 #include <string.h>
 #include <strings.h>
 
-/* A part may unpack to 64 MiB, or to a hundred times its length; all of them to 1 GiB. */
+/* A part may unpack to 64 MiB or to a hundred times its packed length, and all parts together to 1
+ * GiB. */
 static const zip_uint64_t part_bytes_free = (zip_uint64_t)64 << 20;
 static const zip_uint64_t all_bytes_most = (zip_uint64_t)1 << 30;
 enum { PACKED_MOST = 100, PARTS_MOST = 100000 };
@@ -37,7 +38,7 @@ static bool list_part(package *p, size_t entry) {
     return sepax__builder_fail(p->b, "entry %zu of the archive is damaged; pack it again", entry);
   }
   size_t length = strlen(stat.name);
-  if (length > 0 && stat.name[length - 1] != '/') { /* which would be a folder */
+  if (length > 0 && stat.name[length - 1] != '/') { /* a name with '/' at its end is a folder */
     p->part[p->parts++] = (package_part){
         .name = stat.name[0] == '/' ? stat.name + 1 : stat.name,
         .entry = entry,
@@ -105,7 +106,7 @@ static int hexadecimal(char c) {
   return at != NULL ? (int)(at - digits) : -1;
 }
 
-/* References write some characters of a name as %20. */
+/* Decode references, which write some characters of a name as %20. */
 static void decode(char *text) {
   char *to = text;
   for (const char *from = text; *from != '\0'; from++) {
@@ -150,7 +151,7 @@ static bool size_right(package *p, size_t part) {
          sepax__package_fail(p, part, 0, "the parts would unpack to more than 1 GiB; simplify it");
 }
 
-/* False also where `take` refused, which *refused tells. */
+/* Unpack a part piece by piece. False also if `take` refuses a piece; then *refused is true. */
 static bool stream_file(package *p, size_t part, zip_file_t *file, part_taker *take, void *context,
                         bool *refused) {
   enum { PIECE = 1 << 16 };
@@ -159,7 +160,7 @@ static bool stream_file(package *p, size_t part, zip_file_t *file, part_taker *t
     *refused = true;
     return sepax__builder_fail_memory(p->b);
   }
-  /* What the header says was checked, so that no more than this may come. */
+  /* the length in the header was checked, so no more bytes may come */
   zip_uint64_t left = p->part[part].size;
   zip_int64_t got = 0;
   while (!*refused && (got = zip_fread(file, piece, PIECE)) > 0 && (zip_uint64_t)got <= left) {

@@ -14,26 +14,27 @@ typedef struct {
   size_t entry;
   zip_uint64_t size, packed;
   bool encrypted;
-  bool is_model, was_read; /* of the reader */
+  bool is_model, was_read; /* set by the reader */
 } package_part;
 
-/* The parts are sorted by name, without regard to case, as names of parts have none. */
+/* The parts, sorted by name without regard to case, because names of parts have no case. */
 typedef struct {
   mesh_builder *b;
   zip_t *zip;
   package_part *part;
   size_t parts;
-  zip_uint64_t unpacked; /* bytes of the parts that were opened */
+  zip_uint64_t unpacked; /* bytes of the parts that were unpacked */
 } package;
 
-/* The archive of the builder's bytes, which must stay. Free with package_close, also on failure. */
+/* Open the archive in the builder's bytes, which must stay. Free it with package_close, also on
+ * failure. */
 bool sepax__package_open(package *p, mesh_builder *b);
 void sepax__package_close(package *p);
 
-/* The part of this name, an absolute path of the package, or NO_PART. */
+/* Find the part of this name, an absolute path of the package. NO_PART if there is none. */
 long sepax__package_find(const package *p, const char *path);
 
-/* Takes a piece of a part; false where it refuses it, having set the error. */
+/* Takes a piece of a part. If it returns false, then it has set the error. */
 typedef bool part_taker(void *context, const char *piece, size_t size);
 
 /* Give all bytes of a part to `take`, piece by piece. Refuses what is encrypted, or unpacks to too

@@ -1,4 +1,4 @@
-/* place.c - the objects of a 3MF package where its items and components place them. */
+/* place.c - places the objects of a 3MF package by its items and components. */
 #include "archive/model.h"
 #include "util/text.h"
 
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of components in components; components that are visited to place all. */
+/* Limits: levels of components, and components visited to place all objects. */
 enum { HEIGHT_MOST = 64, VISITS_MOST = 4000000 };
 
 /* ------------------------------------------------------------------------- matrices */
@@ -17,7 +17,8 @@ static double determinant(const double m[4][3]) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/* The sign of the determinant, of rows of length about one, as it could underflow otherwise. */
+/* The sign of the determinant. Rows are first made about 1 long, because the product could
+ * underflow otherwise. */
 static double orientation(const double m[4][3]) {
   double scaled[4][3];
   for (int i = 0; i < 3; i++) {
@@ -65,7 +66,7 @@ bool sepax__model_matrix(const part_xml *x, const part_attribute *a, model_matri
                               (int)(a->length < 60 ? a->length : 60), a->value);
 }
 
-/* First `inner`, then `outer`. */
+/* The matrix that applies `inner` first, then `outer`. */
 static model_matrix multiply(const model_matrix *inner, const model_matrix *outer) {
   if (outer->identity) {
     return *inner;
@@ -142,8 +143,8 @@ static model_object *find_object(const model *m, const model_use *use) {
 
 static size_t add(size_t a, size_t b) { return a > SIZE_MAX - b ? SIZE_MAX : a + b; }
 
-/* How many triangles one of the object makes, once for each, so that a file whose components double
- * at each level takes no longer than it is. */
+/* Count the triangles that one use of an object makes. Each object is counted only once, so a file
+ * whose components double at each level takes no longer than its length. */
 static bool weigh(model *m, model_object *o, int depth) {
   if (o->done) {
     return true;
@@ -173,7 +174,7 @@ static bool weigh(model *m, model_object *o, int depth) {
                              o->id);
 }
 
-/* That the object and what is in it is built; each is entered once. */
+/* Mark an object and its components as built. Each object is entered once. */
 static bool mark_placed(model *m, model_object *o, const model_use *item) {
   if (o->placed) {
     return true;
@@ -197,7 +198,7 @@ static bool place_mesh(model *m, const model_object *o, const model_matrix *at) 
   for (size_t n = 0; n < o->count; n++) {
     const uint32_t *index = m->triangle[o->first + n];
     double v[3][3];
-    for (int k = 0; k < 3; k++) { /* a mirrored one keeps its outer side */
+    for (int k = 0; k < 3; k++) { /* a mirrored triangle keeps its outer side */
       apply(at, m->vertex[o->vertex + index[k]], v[at->mirrors && k > 0 ? 3 - k : k]);
     }
     if (!sepax__builder_triangle(m->p.b, (const double(*)[3])v)) {
@@ -220,7 +221,8 @@ static bool place(model *m, const model_object *o, const model_matrix *at) {
     if (!is_placing(&inner)) {
       return sepax__package_fail(
           &m->p, use->in, use->line,
-          "its transform, combined with the transforms around it, makes object %zu flat, or too small or too large for a double; export it again",
+          "its transform, combined with the transforms around it, makes object %zu flat, or too "
+          "small or too large for a double; export it again",
           use->id);
     }
     if (!place(m, find_object(m, use), &inner)) {

@@ -52,7 +52,7 @@ static void scan_name(scanner *s, char c) {
   }
 }
 
-/* "<!--", "<![CDATA[", or a document type, which the reader refuses. */
+/* Scan "<!--", "<![CDATA[" or a document type. The reader refuses the last. */
 static void scan_bang(scanner *s, char c) {
   if (s->length < sizeof s->name) {
     s->name[s->length++] = c;
@@ -117,7 +117,8 @@ static bool begins_as_xml(const char *piece, size_t size) {
   return n < size && piece[n] == '<';
 }
 
-/* The bytes that all parts may have yet are in *left. */
+/* Count the triangles of a part; *left is the number of bytes that all parts may still unpack
+ * to. */
 static bool count_part(zip_file_t *file, char *piece, size_t *left, size_t *triangles) {
   scanner s = {.where = IN_TEXT};
   zip_int64_t got = zip_fread(file, piece, PIECE);

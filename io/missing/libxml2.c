@@ -5,7 +5,7 @@
 
 const bool sepax__libxml2_here = false;
 
-/* As any XML, so that the message is of what is missing. */
+/* True for any XML, so that the message says that libxml2 is missing. */
 bool sepax__dae_is(const char *bytes, size_t size) {
   bytes += size >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
   return strncmp(bytes, "<?xml", 5) == 0 || strncmp(bytes, "<COLLADA", 8) == 0;

@@ -1,4 +1,4 @@
-/* builder.c - what the readers of the formats make of a file. */
+/* builder.c - collects the triangles that the readers of all formats make. */
 #include "reader/builder.h"
 #include "reader/polygon.h"
 #include "util/list.h"
@@ -58,7 +58,7 @@ bool sepax__builder_corners(mesh_builder *b, size_t corners) {
   return true;
 }
 
-/* Of the soup's triangle, or one that will be, of this number. */
+/* Check the coordinates of triangle `number` of the soup. */
 static bool coordinates_right(const mesh_builder *b, size_t number, const double (*v)[3],
                               size_t count) {
   bool right = true;

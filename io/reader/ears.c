@@ -1,4 +1,4 @@
-/* ears.c - the ears of a polygon in the plane. */
+/* ears.c - cuts a polygon in the plane into triangles by its ears. */
 #include "reader/ears.h"
 #include "body/orient.h"
 #include "sepax.h"
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is known of a corner as long as its neighbours stay. */
+/* What is known of a corner while its neighbours stay. */
 enum { UNKNOWN, NO_EAR, TOUCHED_EAR };
 
 typedef struct {
@@ -23,12 +23,12 @@ typedef struct {
   uint32_t *bay; /* corners that were not convex when they were last looked at */
   size_t bays;
   uint8_t *state;
-  bool *doubled; /* the edge behind a corner may run along another edge */
+  bool *doubled; /* the edge after a corner may run along another edge */
   bool *gone;
   side *side;
   size_t count, left, cut;
   size_t (*triangle)[3];
-  bool area; /* a triangle has one */
+  bool area; /* some triangle has an area */
 } ring;
 
 static int turn(const ring *r, uint32_t a, uint32_t b, uint32_t c) {
@@ -50,13 +50,14 @@ static bool apart(double p, double q, double r, double s) {
   return fmax(p, q) < fmin(r, s) || fmax(r, s) < fmin(p, q);
 }
 
-/* Of segments on one line: they share more than a point. */
+/* True if two segments on one line share more than a point. */
 static bool overlap(const double *a, const double *b, const double *c, const double *d) {
   int i = a[0] < b[0] || a[0] > b[0] ? 0 : 1;
   return fmin(fmax(a[i], b[i]), fmax(c[i], d[i])) > fmax(fmin(a[i], b[i]), fmin(c[i], d[i]));
 }
 
-/* The edges behind p and q cross each other, each at an inner point. Marks those on one line. */
+/* True if the edges after p and after q cross each other at inner points. Edges on one line are
+ * marked. */
 static bool edges_cross(ring *r, uint32_t p, uint32_t q) {
   uint32_t p1 = r->after[p];
   uint32_t q1 = r->after[q];
@@ -108,7 +109,7 @@ static void cut(ring *r, uint32_t c) {
   r->left--;
 }
 
-/* The tip of a spike, or a repetition of a neighbour: not straight. */
+/* True if a corner is the tip of a spike or repeats a neighbour. */
 static bool is_tip(const ring *r, uint32_t c) {
   const double *p = r->at[r->before[c]];
   const double *q = r->at[c];
@@ -120,7 +121,8 @@ static bool is_tip(const ring *r, uint32_t c) {
   return !ahead && turn_at(r, c) == 0;
 }
 
-/* Cut the corner if it is a tip, and what becomes one by that. A corner that is left. */
+/* Cut a corner if it is a tip, and then each corner that becomes a tip by that. Returns a corner
+ * that is left. */
 static uint32_t trim(ring *r, uint32_t at) {
   while (r->left > 3) {
     uint32_t next = r->after[at];
@@ -139,8 +141,8 @@ static uint32_t trim(ring *r, uint32_t at) {
 
 /* --------------------------------------------------------------------------- ears */
 
-/* An edge from corner q, which is on the border of the triangle, runs into its inside. on[k]: q is
- * on the line of its side k. */
+/* True if an edge from corner q, which is on the border of the triangle, runs into its inside.
+ * on[k]: q is on the line of side k. */
 static bool runs_in(const ring *r, const uint32_t t[3], const bool on[3], uint32_t to) {
   for (int k = 0; k < 3; k++) {
     if (on[k] && turn(r, t[k], t[(k + 1) % 3], to) <= 0) {
@@ -150,7 +152,8 @@ static bool runs_in(const ring *r, const uint32_t t[3], const bool on[3], uint32
   return true;
 }
 
-/* What corner q, none of the triangle's, makes of an ear: UNKNOWN where it leaves it as it is. */
+/* Decide what corner q, not one of the triangle's, means for an ear; UNKNOWN if it does not
+ * matter. */
 static int judge_corner(const ring *r, const uint32_t t[3], uint32_t q, bool *touches) {
   bool on[3];
   bool border = false;
@@ -199,7 +202,7 @@ static int winding_within(const ring *r, const uint32_t t[3]) {
   return within ? winding : 1;
 }
 
-/* Leave those in the list that are neither gone nor convex now. */
+/* Remove corners from the list that are gone or convex now. */
 static void list_bays(ring *r) {
   size_t kept = 0;
   for (size_t n = 0; n < r->bays; n++) {
@@ -210,9 +213,9 @@ static void list_bays(ring *r) {
   r->bays = kept;
 }
 
-/* Is a corner with an area one that may be cut? Only corners that are not convex can be in its way:
- * of what is in the triangle, the point farthest from the cut is such a corner. *touches: a corner
- * is on its border. */
+/* Can a corner with an area be cut? Only corners that are not convex can prevent it, because the
+ * point inside the triangle that is farthest from the cut is such a corner. *touches: a corner lies
+ * on the border. */
 static int find_state(ring *r, uint32_t c, bool *touches) {
   const uint32_t t[3] = {r->before[c], c, r->after[c]};
   const double *p[3] = {r->at[t[0]], r->at[t[1]], r->at[t[2]]};
@@ -249,7 +252,7 @@ static void cut_ear(ring *r, uint32_t c, bool touches) {
   r->doubled[p] = r->doubled[p] || touches;
 }
 
-/* Cut the first ear from a corner on that no corner touches at its cut. False if there is none. */
+/* Cut the first ear, from corner *at on, whose cut no corner touches. False if there is none. */
 static bool cut_next(ring *r, uint32_t *at) {
   for (size_t n = 0; n < r->left; n++) {
     uint32_t c = *at;
@@ -269,7 +272,7 @@ static bool cut_next(ring *r, uint32_t *at) {
   return false;
 }
 
-/* Cut an ear that a corner touches at its cut, or else a straight corner. */
+/* Cut an ear whose cut a corner touches, or else a straight corner. */
 static bool cut_other(ring *r, uint32_t *at) {
   for (int straight = 0; straight < 2; straight++) {
     uint32_t c = *at;

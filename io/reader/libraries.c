@@ -1,4 +1,4 @@
-/* libraries.c - what a build without a library says. */
+/* libraries.c - the message of a build that lacks a library. */
 #include "reader/libraries.h"
 #include "util/error.h"
 

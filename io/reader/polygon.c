@@ -9,7 +9,7 @@ static bool same_point(const double p[3], const double q[3]) {
   return !(p[0] < q[0] || p[0] > q[0] || p[1] < q[1] || p[1] > q[1] || p[2] < q[2] || p[2] > q[2]);
 }
 
-/* a, b, c as seen along the axis. */
+/* Orientation of a, b, c as seen along the axis. */
 static int orient_seen(const double a[3], const double b[3], const double c[3], int axis) {
   int x = (axis + 1) % 3;
   int y = (axis + 2) % 3;
@@ -23,7 +23,8 @@ static bool on_line(const double a[3], const double b[3], const double c[3]) {
 
 /* --------------------------------------------------------------------- its plane */
 
-/* Three corners that are on no line, the first among them; false if there are none. */
+/* Find three corners that are not on one line, the first corner among them. False if there are
+ * none. */
 static bool find_base(const double (*corner)[3], size_t count, size_t base[3]) {
   base[0] = 0;
   for (base[1] = 1; base[1] < count && same_point(corner[0], corner[base[1]]);) {
@@ -37,7 +38,7 @@ static bool find_base(const double (*corner)[3], size_t count, size_t base[3]) {
   return false;
 }
 
-/* Of four corners, two sides are equal by their coordinates: the other two are as well. */
+/* True if two opposite sides of four corners are equal vectors; then so are the other two. */
 static bool is_parallelogram(const double (*corner)[3]) {
   for (int i = 0; i < 3; i++) {
     double a = corner[0][i];
@@ -67,7 +68,7 @@ static bool is_bent(const double (*corner)[3], size_t count, const size_t base[3
 
 /* --------------------------------------------------------------------- its views */
 
-/* Twice the area along each axis, of coordinates times `scale`. */
+/* Twice the area along each axis, with coordinates times `scale`. */
 static void find_area(const double (*corner)[3], size_t count, double scale, double area[3]) {
   area[0] = area[1] = area[2] = 0;
   for (size_t n = 1; n + 1 < count; n++) {
@@ -85,7 +86,7 @@ static void find_area(const double (*corner)[3], size_t count, double scale, dou
   }
 }
 
-/* The axes, that of the largest area first. */
+/* Order the axes by area, the largest first. */
 static void order_axes(const double (*corner)[3], size_t count, int axis[3], double area[3]) {
   find_area(corner, count, 1, area);
   double most = fmax(fabs(area[0]), fmax(fabs(area[1]), fabs(area[2])));

@@ -1,4 +1,4 @@
-/* read.c - the mesh of a file: which format it is, its reader, the check of what was read. */
+/* read.c - reads the mesh of a file: finds the format, calls its reader and checks the result. */
 #include "reader/read.h"
 #include "reader/format_table.h"
 #include "util/options.h"
@@ -74,7 +74,7 @@ static const mesh_format *format_of(const mesh_builder *b) {
   return format;
 }
 
-/* Into the unit of the result. */
+/* Scale the coordinates to the unit of the result. */
 static bool scale(mesh_builder *b) {
   double own = b->how.unit_mm > 0 ? b->how.unit_mm : b->account.unit_mm;
   double factor = own > 0 && b->how.result_mm > 0 ? own / b->how.result_mm : 1;
@@ -132,7 +132,7 @@ static bool read_mesh(mesh_builder *b, const mesh_format *format) {
   return scale(b);
 }
 
-/* The options in b->how; where they are wrong, false. */
+/* Put the options into b->how. False if they are wrong. */
 static bool options_right(mesh_builder *b, const sepax_mesh_reading *how) {
   if (!sepax__options(&b->how, sizeof b->how, how, "sepax_mesh_reading", b->error) ||
       !lengths_right(b)) {

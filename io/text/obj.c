@@ -7,7 +7,8 @@
 
 typedef enum { IS_VERTEX, IS_TEXTURE, IS_NORMAL, IS_FACE, HAS_NO_SURFACE, IS_REFUSED } statement;
 
-/* What a line's first word says: what it has no surface as, or why it is refused. */
+/* What the first word of a line means: a face, an element without a surface, or something that is
+ * refused. */
 typedef struct {
   const char *word;
   statement is;
@@ -72,8 +73,8 @@ typedef struct {
   words w;
   double (*vertex)[3];
   size_t capacity;
-  size_t vertices, textures, normals; /* of the whole file */
-  size_t above[3];                    /* of these, so many are above the line at hand */
+  size_t vertices, textures, normals; /* numbers in the whole file */
+  size_t above[3];                    /* how many of them are above the current line */
   size_t faces;
 } obj_reader;
 
@@ -137,8 +138,8 @@ static bool read_vertices(obj_reader *r) {
 
 /* --------------------------------------------------------------------- second pass */
 
-/* A number from 1 to `all`, or one that counts back from the line at hand, `above` which there are
- * so many. *there tells whether there is such an element. */
+/* Read an index from 1 to `all`, or a negative one that counts back from the current line, above
+ * which there are `above`. *there: the element exists. */
 static bool read_index(obj_reader *r, size_t all, size_t above, size_t *index, bool *there) {
   const char *c = r->w.at;
   bool back = *c == '-';
@@ -244,8 +245,8 @@ static bool read_statement(obj_reader *r) {
                                   key->word, key->what);
 }
 
-/* To the next line. A comment or a name may end with a backslash by chance, as paths do; the
- * statement in the next line would become a part of it. */
+/* Go to the next line. A comment or a name that ends with a backslash by chance, as paths do, would
+ * swallow the statement in the next line, so this is refused. */
 static bool end_line(obj_reader *r) {
   while (words_skip_part(&r->w)) {
     words next = r->w;

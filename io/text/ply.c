@@ -1,4 +1,4 @@
-/* ply.c - PLY: the rows of its elements. */
+/* ply.c - the reader of PLY: the rows of its elements. */
 #include "text/ply.h"
 #include "util/bytes.h"
 
@@ -7,7 +7,7 @@
 typedef struct {
   mesh_builder *b;
   ply_head head;
-  words w; /* of a binary file `at` alone */
+  words w; /* in a binary file only `at` is used */
   double (*vertex)[3];
   size_t vertices; /* read so far */
   size_t faces;
@@ -62,7 +62,7 @@ static double number_at(const char *at, ply_type type, bool big) {
                               : (double)(int32_t)four.whole;
 }
 
-/* NaN of a vertex that no face has does no harm. */
+/* Take a number. NaN of a vertex that no face has is harmless. */
 static bool take_word(ply_reader *r, double *number) {
   return words_next(&r->w) ? words_any_number(&r->w, number)
                            : fail_row(r, "truncated: fewer numbers than properties");
@@ -100,7 +100,7 @@ static bool take_length(ply_reader *r, const ply_property *p, size_t *length) {
 static bool skip(ply_reader *r, ply_type type, size_t count) {
   bool ok = true;
   if (r->head.order != PLY_TEXT) {
-    r->w.at += count * sepax__ply_bytes[type]; /* which are there: take_length */
+    r->w.at += count * sepax__ply_bytes[type]; /* take_length has checked that the bytes exist */
     return r->w.at <= r->w.end || fail_row(r, "truncated");
   }
   for (size_t n = 0; n < count && ok; n++) {

@@ -19,10 +19,10 @@ typedef enum {
 typedef struct {
   char name[40];
   ply_type type;
-  ply_type count; /* of a list: the type of its length; else PLY_NONE */
+  ply_type count; /* for a list: the type of its length; otherwise PLY_NONE */
 } ply_property;
 
-/* What the elements of a kind are to this reader. */
+/* The role of a kind of elements. */
 typedef enum { PLY_OTHER, PLY_VERTEX, PLY_FACE, PLY_STRIP } ply_role;
 
 typedef struct {
@@ -31,8 +31,9 @@ typedef struct {
   uint64_t rows;
   ply_property *property;
   size_t properties, capacity;
-  size_t use[3]; /* of vertices: the properties x, y, z; of faces and strips use[0]: the indices */
-  size_t bytes;  /* of a row in a binary file; 0 where a row has lists */
+  size_t use[3]; /* for vertices: the properties x, y, z; for faces and strips use[0]: the list of
+                    indices */
+  size_t bytes;  /* bytes of a row in a binary file; 0 if a row has lists */
 } ply_element;
 
 typedef enum { PLY_TEXT, PLY_LITTLE, PLY_BIG } ply_order;
@@ -43,10 +44,10 @@ typedef struct {
   size_t elements, capacity;
   size_t vertex;    /* the element of vertices */
   words behind;     /* where the first row begins */
-  bool faces_first; /* before the vertices */
+  bool faces_first; /* faces come before the vertices */
 } ply_head;
 
-extern const size_t sepax__ply_bytes[PLY_DOUBLE + 1]; /* of a number of each type */
+extern const size_t sepax__ply_bytes[PLY_DOUBLE + 1]; /* bytes of a number of each type */
 
 /* Read the head and give each element its role. Free it with sepax__ply_head_free in any case. */
 bool sepax__ply_head_read(ply_head *head, mesh_builder *b);

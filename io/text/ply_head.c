@@ -208,7 +208,7 @@ static size_t property_named(const ply_element *e, const char *name) {
   return n;
 }
 
-/* The list of indices of vertices, or e->properties. */
+/* The number of the list of indices, or e->properties if there is none. */
 static size_t indices_of(const ply_element *e) {
   size_t n = property_named(e, "vertex_indices");
   n = n < e->properties ? n : property_named(e, "vertex_index");

@@ -163,7 +163,7 @@ static bool check_version(const dae *d) {
                          version != NULL ? version : "", space);
 }
 
-/* Has only elements in it. A source of an effect is a name. */
+/* True if an element contains only elements. A source of an effect contains a name. */
 static bool is_container(const xmlNode *node) {
   static const char *const names[] = {"mesh",  "triangles",    "polylist", "polygons", "node",
                                       "scene", "visual_scene", "geometry", "COLLADA"};

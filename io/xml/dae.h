@@ -19,9 +19,8 @@ typedef struct {
   bool placed;
 } dae_geometry;
 
-/* A <node> or <visual_scene>: how many triangles one of it makes, how many children are visited for
- * that, and how many levels it has. The _private of its xmlNode is its number here, and one more.
- */
+/* A <node> or <visual_scene>: the number of triangles that one use makes, of children visited for
+ * that, and of its levels. The _private of its xmlNode is its number here plus one. */
 typedef struct {
   size_t weight, visits, height;
   bool entered, done;
@@ -41,23 +40,23 @@ typedef struct {
 bool sepax__dae_fail(const dae *d, const xmlNode *node, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* The value of an attribute, of the document; NULL without it. */
+/* The value of an attribute, owned by the document; NULL if it is missing. */
 const char *sepax__dae_attribute(const xmlNode *node, const char *name);
 /* The text in an element; "" without any. */
 const char *sepax__dae_text(const xmlNode *node);
 
-/* The next number of a text: 1, 0 where there is none, -1 where it is something else. */
+/* Read the next number of a text. Returns 1; 0 if there is none; -1 if there is something else. */
 int sepax__dae_next_real(const char **text, double *value);
 int sepax__dae_next_whole(const char **text, size_t *value);
-/* All of the `count` numbers in an element, no more. */
+/* Read the `count` numbers of an element, which must have exactly these. */
 bool sepax__dae_reals(const dae *d, const xmlNode *node, double *value, size_t count);
 /* The attribute as a whole number; without it, `otherwise`. */
 bool sepax__dae_whole(const dae *d, const xmlNode *node, const char *name, size_t *value);
 
-/* dae_schema.c: all elements on the way to the triangles are as in the schema; lists what has an
- * id, nodes and geometries; names libraries without a surface, and the unit. */
+/* dae_schema.c: check that all elements on the way to the triangles match the schema; list elements
+ * with an id, nodes and geometries; count libraries without a surface; read the unit. */
 bool sepax__dae_check(dae *d);
-/* The element `name` that the attribute ("#id") of `from` refers to; NULL, and fails. */
+/* Find the element `name` that the attribute ("#id") of `from` refers to. NULL on failure. */
 xmlNode *sepax__dae_refer(const dae *d, const xmlNode *from, const char *attribute,
                           const char *name);
 

@@ -8,7 +8,7 @@
 
 static const char blanks[] = " \t\r\n";
 
-/* Behind the first `end` from here on, or at the end of the text. */
+/* The place after the first `end` from here on, or the end of the text. */
 static const char *behind(const char *c, const char *end) {
   const char *found = strstr(c, end);
   return found != NULL ? found + strlen(end) : c + strlen(c);

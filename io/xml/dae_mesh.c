@@ -198,7 +198,8 @@ static bool fail_index(const meshing *m, const xmlNode *p, int got, const char *
                          (int)(length < 30 ? length : 30), text);
 }
 
-/* The corner at *text as corner `to` of the builder. 1; 0 where no index follows; -1 failed. */
+/* Read the corner at *text into corner `to` of the builder. Returns 1; 0 if there is no further
+ * index; -1 on failure. */
 static int read_corner(meshing *m, const xmlNode *p, const strides *s, const char **text,
                        size_t to) {
   for (size_t n = 0; n < s->stride; n++) {
@@ -392,7 +393,7 @@ static bool read_primitive(meshing *m, const xmlNode *primitive) {
 
 /* ---------------------------------------------------------------------------- geometry */
 
-/* The mesh, or the one that a convex mesh has itself. */
+/* Find the mesh of a geometry; a convex mesh may have one of its own. */
 static bool find_mesh(const dae *d, const xmlNode *geometry, const xmlNode **mesh) {
   *mesh = NULL;
   for (const xmlNode *child = sepax__xml_child(geometry, NULL); child != NULL;
@@ -428,7 +429,7 @@ static bool read_mesh(meshing *m, const xmlNode *mesh) {
   return true;
 }
 
-/* The builder's soup is that of the geometry, until this takes it away. */
+/* The builder's soup belongs to this geometry until its triangles are taken away here. */
 bool sepax__dae_mesh(dae *d, dae_geometry *g) {
   meshing m = {.d = d, .g = g};
   mesh_builder *b = d->b;

@@ -5,10 +5,11 @@
 #include <math.h>
 #include <string.h>
 
-/* Of nodes in nodes, those that they refer to as well; children that are visited to place all. */
+/* Limits: levels of nodes, including those that nodes refer to, and children visited to place all
+ * geometries. */
 enum { HEIGHT_MOST = 300, VISITS_MOST = 4000000 };
 
-/* p' = m p of a column (x y z 1). */
+/* The matrix m of p' = m p for a column (x y z 1). */
 typedef struct {
   double m[3][4];
   bool identity;
@@ -35,8 +36,8 @@ static dae_matrix multiply(const dae_matrix *outer, const dae_matrix *inner) {
   return product;
 }
 
-/* Whether it makes a plane or less of all; its rows are made about one long, as the determinant
- * could underflow otherwise. */
+/* True if the matrix makes everything flat. Its rows are first made about 1 long, because the
+ * determinant could underflow otherwise. */
 static bool is_flat(const dae_matrix *at) {
   double r[3][3];
   for (int i = 0; i < 3; i++) {
@@ -65,7 +66,7 @@ static bool read_matrix(const dae *d, const xmlNode *node, dae_matrix *at) {
   return true;
 }
 
-/* Exact where the angle is a multiple of 90 degrees. */
+/* Cosine and sine, exact if the angle is a multiple of 90 degrees. */
 static void turn(double degrees, double *cosine, double *sine) {
   static const double exact[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   static const double pi = 3.14159265358979323846;
@@ -251,8 +252,8 @@ static bool fail_deep(const dae *d, const xmlNode *node) {
                          (int)HEIGHT_MOST);
 }
 
-/* How many triangles one of the node makes, once for each, so that a document whose nodes double at
- * each level takes no longer than it is. */
+/* Count the triangles that one use of a node makes. Each node is counted only once, so a document
+ * whose nodes double at each level takes no longer than its length. */
 static bool weigh(dae *d, xmlNode *node, size_t depth) {
   dae_node *state = state_of(d, node);
   if (state->done) {

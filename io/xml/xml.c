@@ -34,10 +34,10 @@ bool sepax__xml_fail(const xml_file *file, const xmlNode *node, sepax_error *err
 /* A tree takes a hundred times the bytes of the shortest element, so their number has a limit. */
 enum { ELEMENTS_MOST = 4000000, DEPTH_MOST = 256 };
 
-/* Of a file that is parsed. */
+/* The state while a file is parsed. */
 typedef struct {
   bool has_type, too_many, too_deep;
-  int line;        /* where it is too deep */
+  int line;        /* line at which it is too deep */
   size_t elements; /* and attributes */
 } xml_parse;
 

@@ -7,7 +7,7 @@
 #include <libxml/tree.h>
 #include <stdio.h>
 
-/* What messages name, and the root. */
+/* An XML file: its path for messages, and its root. */
 typedef struct {
   const char *path;
   xmlDoc *doc;
@@ -26,21 +26,22 @@ void sepax__xml_close(xml_file *file);
 bool sepax__xml_fail(const xml_file *file, const xmlNode *node, sepax_error *error,
                      const char *format, ...) __attribute__((format(printf, 4, 5)));
 
-/* The first element of this name below the node; the next one of this name. NULL: any name. */
+/* The first element of this name below the node, and the next one of this name after a node. NULL
+ * means any name. */
 xmlNode *sepax__xml_child(const xmlNode *node, const char *name);
 xmlNode *sepax__xml_next(const xmlNode *node, const char *name);
 bool sepax__xml_is(const xmlNode *node, const char *name);
 
-/* The only element of this name below the node, NULL without one; fails where there are two. */
+/* The only element of this name below the node; NULL if there is none. Fails if there are two. */
 bool sepax__xml_single(const xml_file *file, const xmlNode *node, const char *name,
                        xmlNode **single, sepax_error *error);
 
-/* A copy of the attribute, by sepax_allocate; printable and not empty. Fails where there is none.
- */
+/* A copy of the attribute, by sepax_allocate; it is printable and not empty. Fails if it is
+ * missing. */
 bool sepax__xml_name(const xml_file *file, const xmlNode *node, const char *attribute, char **name,
                      sepax_error *error);
 
-/* The `count` numbers of the attribute; without it they stay. */
+/* Read the `count` numbers of the attribute. Without the attribute the values stay. */
 bool sepax__xml_numbers(const xml_file *file, const xmlNode *node, const char *attribute,
                         double *number, int count, sepax_error *error);
 bool sepax__xml_has(const xmlNode *node, const char *attribute);

@@ -13,8 +13,8 @@ typedef struct {
   double least;
 } candidate;
 
-/* Pairs that may be the nearest, by their boxes; the nearest of those that were measured, and the
- * direction on which it is at that distance. */
+/* The state of a search: pairs that may be the nearest, by their boxes; the nearest pair measured
+ * so far; and a direction on which it is at its distance. */
 typedef struct {
   candidate kept[KEPT];
   int count;
@@ -22,7 +22,7 @@ typedef struct {
   twofold_vector way;
 } nearest_pairs;
 
-/* Triangles by their places; true iff they are nearer than those before. */
+/* Measure two triangles, by their places. True if they are nearer than all pairs before. */
 static bool measure(search *s, nearest_pairs *n, const uint32_t place[2]) {
   sepax_distance_result *best = n->best;
   const double(*a)[3] = s->body[0]->triangle[place[0]];
@@ -48,7 +48,7 @@ static bool measure(search *s, nearest_pairs *n, const uint32_t place[2]) {
   return true;
 }
 
-/* Measure what may still be the nearest, the likeliest first. */
+/* Measure the kept pairs that may still be the nearest, the most likely one first. */
 static void measure_kept(search *s, nearest_pairs *n) {
   while (n->count > 0) {
     int first = 0;
@@ -96,7 +96,8 @@ static bool is_triangle(const sepax_body *b, uint32_t at, size_t number) {
          b->number[sepax__place_at(b, at)] == number;
 }
 
-/* Not so at a collision, nor where the distance is above a limit. */
+/* True if a result names boxes. It does not after a collision, nor if the distance was above the
+ * limit. */
 static bool names_boxes(const sepax_distance_result *last) {
   return last->min_distance > 0 && isfinite(last->min_distance);
 }
@@ -110,7 +111,7 @@ static bool is_distance(const search *s, const sepax_distance_result *last) {
   return ok;
 }
 
-/* Where to begin. */
+/* Prepare the search and begin at `last`, if it is given. */
 static bool begin(search *s, const sepax_distance_request *r, sepax_error *error) {
   const sepax_distance_result *last = r->last;
   if (!(r->limit >= 0)) {

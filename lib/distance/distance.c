@@ -73,7 +73,7 @@ static double largest(const vector *p, double most) {
   return most;
 }
 
-/* frexp's exponent of x > 0, or 0; 2^-exponent is finite. */
+/* The exponent of x > 0 as of frexp, or 0 if 2^-exponent would not be finite. */
 static int exponent_of(double x) {
   int exponent = 0;
   frexp(x, &exponent);
@@ -91,7 +91,7 @@ static double largest_number(const double v[3][3], const sepax_pose *pose) {
   return most;
 }
 
-/* Times `unit`, a power of two. */
+/* A posed vertex times `unit`, which is a power of two. */
 static vector posed_vertex(const double v[3], const sepax_pose *pose, double unit) {
   vector r;
   for (int i = 0; i < 3; i++) {
@@ -135,7 +135,7 @@ static void find_twofold_points(twofold_points *p, const double a[3][3], const s
 typedef struct {
   double p[2][3][3];
   feature_list list;
-  double square[FEATURES]; /* of the distance */
+  double square[FEATURES]; /* squares of the distances */
 } candidates;
 
 static void minus(const double p[3], const double q[3], double r[3]) {
@@ -144,7 +144,7 @@ static void minus(const double p[3], const double q[3], double r[3]) {
   }
 }
 
-/* In the order of their distances, each once. */
+/* Insert a pair of features in the order of the distances, each pair once. */
 static void offer(candidates *c, int a, int b, double square) {
   feature_list *l = &c->list;
   int at = l->count;
@@ -170,7 +170,7 @@ static int edge_feature(double t, int from, int to) {
   return (t < 1 ? 1 << from : 0) | (t > 0 ? 1 << to : 0);
 }
 
-/* Points p + s u and q + t v of two edges, s and t within 0 ... 1. */
+/* Offer the nearest points p + s u and q + t v of two edges, with s and t in 0 ... 1. */
 static void offer_edges(candidates *c, int i, int j) {
   int i_end = (i + 1) % 3;
   int j_end = (j + 1) % 3;
@@ -195,7 +195,8 @@ static void offer_edges(candidates *c, int i, int j) {
   offer(c, edge_feature(s, i, i_end), edge_feature(t, j, j_end), vector_dot(d, d));
 }
 
-/* Vertices x of one triangle above the face of the other, and edges that pierce it. */
+/* Offer the vertices x of one triangle above the face of the other, and edges that pierce the
+ * face. */
 static void offer_face(candidates *c, const double x[3][3], const double f[3][3], bool of_b) {
   double e[3][3];
   double n[3];
@@ -257,11 +258,11 @@ static void find_candidates(const twofold_points *p, candidates *c) {
 
 /* -------------------------------------------------------------------- enclosure */
 
-/* The distance is in least ... most, in units of 2^exponent. */
+/* The distance is within least ... most, in units of 2^exponent. */
 typedef struct {
   twofold least, most;
   vector nearest[2];
-  vector way; /* the gap on it is `least` but for rounding */
+  vector way; /* the gap on this direction is `least`, except for rounding */
 } enclosure;
 
 static twofold limited(twofold t, twofold most) {
@@ -321,7 +322,7 @@ static void weighted_points(const twofold_points *p, const twofold weight[6], ve
   }
 }
 
-/* The gap of the projections on w, over the length of w; 0 or less if there is none. */
+/* The gap of the projections on w, divided by the length of w; 0 or less if there is none. */
 static twofold gap_along(const twofold_points *p, const vector *w) {
   vector unit;
   twofold low[2];
@@ -340,13 +341,14 @@ static twofold gap_along(const twofold_points *p, const vector *w) {
   return quotient(twofold_less(gap, back) ? back : gap, twofold_root(dot(&unit, &unit)));
 }
 
-/* Of the bounds. Weights are 0 at least, and their sum is 1 but for 6 u^2, so that the points are
- * those of the triangles but for 2^-99; these are wrong by 60 u^2, as coordinates, and `most` by
- * less than 2^-97. Projections, on a w of length 1/2 at least, are wrong by 45 u^2, and `least`, a
- * difference of two over that length, by less than 2^-97, too. What underflows is far less. */
+/* A bound on the error of both bounds. Weights are at least 0, and their sum is 1 within 6 u^2, so
+ * the points belong to the triangles within 2^-99. The points are wrong by 60 u^2, as coordinates,
+ * and `most` by less than 2^-97. Projections on a w of length 1/2 at least are wrong by 45 u^2.
+ * `least` is a difference of two of them, divided by that length, so it is wrong by less than
+ * 2^-97, too. Underflow loses far less. */
 static twofold error_of(const twofold_points *p) { return twofold_of(0x1p-96 + p->lost); }
 
-/* Enclose the distance by what a pair of features gives. */
+/* Narrow the enclosure of the distance by a pair of features. */
 static void enclose(const twofold_points *p, int a, int b, enclosure *e) {
   int v[2][3] = {{0}};
   int count[2] = {0, 0};
@@ -369,7 +371,7 @@ static void enclose(const twofold_points *p, int a, int b, enclosure *e) {
 
 /* ------------------------------------------------------------------------ results */
 
-/* True iff some candidate is proved to be nearest. */
+/* True if some candidate is proved to be nearest. */
 static bool is_enclosed(const twofold_points *p, const candidates *c, enclosure *e) {
   for (int n = 0; n < c->list.count && n < 4 && c->square[n] <= c->square[0] * (1 + 0x1p-20); n++) {
     enclose(p, c->list.a[n], c->list.b[n], e);
@@ -381,7 +383,7 @@ static bool is_enclosed(const twofold_points *p, const candidates *c, enclosure 
   return false;
 }
 
-/* A distance above 0, no smaller than the smallest double. */
+/* Round a distance above 0 to a double, at least the smallest one. */
 static double rounded(twofold distance, int exponent) {
   double r = ldexp(distance.high, exponent);
   return r > 0 ? r : 0x1p-1074;

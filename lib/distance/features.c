@@ -13,10 +13,10 @@ typedef struct {
   big c[3];
 } big_vec;
 
-/* A's and B's vertices, or B's and A's. */
+/* The vertices of both triangles, in one of the two orders. */
 typedef struct {
   const posed_points *points;
-  const int *from, *to; /* three vertices each */
+  const int *from, *to; /* three vertices of each triangle */
   exact_nearest *found;
 } task;
 
@@ -262,7 +262,7 @@ static bool pierces(const task *t, int p, int q) {
   return true;
 }
 
-/* The vertices of a feature; their count. */
+/* List the vertices of a feature; returns their number. */
 static int vertices(int feature, const int of[3], int v[3]) {
   int count = 0;
   for (int k = 0; k < 3; k++) {
@@ -302,7 +302,7 @@ void sepax__find_exact_nearest(const posed_points *p, const feature_list *likely
       return;
     }
   }
-  assert(false); /* some features of two convex sets are nearest */
+  assert(false); /* never reached: some features of two convex sets are nearest */
 }
 
 twofold sepax__exact_distance(const exact_nearest *n, int *exponent) {
@@ -310,7 +310,7 @@ twofold sepax__exact_distance(const exact_nearest *n, int *exponent) {
   int exponent_under;
   twofold over = leading(&n->over, &exponent_over);
   twofold under = leading(&n->under, &exponent_under);
-  if (n->linear) { /* 64 divides both exponents */
+  if (n->linear) { /* make both exponents multiples of 64 */
     *exponent = exponent_over - exponent_under / 2;
     return twofold_divide(over, twofold_root(under));
   }

@@ -1,4 +1,4 @@
-/* near.c - which triangles of two bodies in their poses are within a distance. */
+/* near.c - finds the pairs of triangles of two posed bodies within a distance. */
 #include "distance.h"
 #include "search.h"
 #include "util/options.h"

@@ -11,7 +11,7 @@ typedef int64_t SIMD_NAME(lanes) __attribute__((vector_size(8 * SIMD_LANES)));
 #define SIMD_STORE(to, v) memcpy(to, &(v), sizeof(v))
 #define SIMD_SIZE(v) ((SIMD_FLOAT)((SIMD_MASK)(v)&INT32_MAX))
 
-/* Where positive; what is not a number is 0. */
+/* v where it is positive, otherwise 0, also for NaN. */
 SIMD_INLINE SIMD_FLOAT SIMD_NAME(positive)(SIMD_FLOAT v) {
   return (SIMD_FLOAT)((SIMD_MASK)v & (v > 0));
 }
@@ -99,7 +99,7 @@ SIMD_INLINE SIMD_REAL SIMD_NAME(lesser)(SIMD_REAL p, SIMD_REAL q) {
   return SIMD_NAME(chosen)(p < q, p, q);
 }
 
-/* Within 0 ... most; what is not a number is 0. */
+/* t limited to 0 ... most; 0 for NaN. */
 SIMD_INLINE SIMD_REAL SIMD_NAME(limited)(SIMD_REAL t, SIMD_REAL most) {
   return SIMD_NAME(lesser)((SIMD_REAL)((SIMD_WHOLE)t & (t > 0)), most);
 }
@@ -125,7 +125,7 @@ SIMD_INLINE SIMD_POINT SIMD_NAME(between)(const SIMD_POINT *p, SIMD_REAL s, cons
   return r;
 }
 
-/* The shortest way so far from a point of A to one of B. */
+/* The shortest vector so far from a point of A to a point of B. */
 typedef struct {
   SIMD_REAL square;
   SIMD_POINT way;
@@ -179,7 +179,7 @@ SIMD_INLINE void SIMD_NAME(offer_face)(SIMD_NAME(nearest) * n, const SIMD_NAME(t
   }
 }
 
-/* The gap of the projections on a way; 0 if there is none. */
+/* The gap of the projections on a vector; 0 if there is none. */
 SIMD_INLINE SIMD_REAL SIMD_NAME(gap_along)(const SIMD_POINT *way, const SIMD_NAME(triangle) * a,
                                            const SIMD_NAME(triangle) * b) {
   SIMD_REAL low[2];
@@ -192,7 +192,8 @@ SIMD_INLINE SIMD_REAL SIMD_NAME(gap_along)(const SIMD_POINT *way, const SIMD_NAM
   return SIMD_NAME(greater)(SIMD_NAME(greater)(low[1] - high[0], low[0] - high[1]), (SIMD_REAL){0});
 }
 
-/* Vertex k of n is from[(3 k + coordinate) SIMD_LANES + n]; posed. */
+/* Load and pose the triangles: coordinate i of vertex k of pair n is from[(3 k + i) SIMD_LANES +
+ * n]. */
 SIMD_INLINE void SIMD_NAME(place)(SIMD_NAME(triangle) * t, const double *from,
                                   const world_pose *pose) {
   SIMD_UNROLL for (int k = 0; k < 3; k++) {
@@ -221,8 +222,8 @@ SIMD_INLINE SIMD_REAL SIMD_NAME(from_origin)(SIMD_NAME(triangle) * t, const SIMD
   return most;
 }
 
-/* Pairs of triangles: an enclosure of their distance, and the way between their nearest points.
- * from: A's vertices, then B's. */
+/* Enclose the distances of pairs of triangles, and find the vectors between their nearest points.
+ * `from` has A's vertices, then B's. */
 SIMD_TARGET static void SIMD_NAME(enclose)(const double *from, const world_pose pose[2],
                                            pair_enclosure *e) {
   SIMD_NAME(triangle) t[2];

@@ -1,11 +1,11 @@
-/* travel.c - how far bodies move while the joints go linearly from one set of values to another.
+/* travel.c - a bound on the motion of bodies while joints move linearly.
  * docs/reference/mechanisms.md#the-bound-on-motion derives the bound. */
 #include "mechanism/steps.h"
 #include "util/vector.h"
 
 #include <math.h>
 
-/* More than all rounding of what is multiplied and summed here. */
+/* A factor that covers all rounding of the products and sums here. */
 static const double up = 1 + 0x1p-30;
 
 static void corner_of(const double box[2][3], int corner, double v[3]) {
@@ -14,7 +14,7 @@ static void corner_of(const double box[2][3], int corner, double v[3]) {
   }
 }
 
-/* R v, or R^T v. */
+/* to = R v, or R^T v if `back`. */
 static void turn(const double r[3][3], bool back, const double v[3], double to[3]) {
   for (int i = 0; i < 3; i++) {
     to[i] = back ? r[0][i] * v[0] + r[1][i] * v[1] + r[2][i] * v[2]
@@ -22,7 +22,7 @@ static void turn(const double r[3][3], bool back, const double v[3], double to[3
   }
 }
 
-/* The corners of a box of A in B's coordinates. */
+/* The corners of a box of A, in B's coordinates. */
 static void seen_from_b(const sepax_chain *chain, const sepax_mechanism *m, const double *value,
                         const double box[2][3], double at[8][3]) {
   sepax_pose pose[2];
@@ -39,8 +39,8 @@ static void seen_from_b(const sepax_chain *chain, const sepax_mechanism *m, cons
   }
 }
 
-/* The greatest distance of a point of the box from an axis through the origin of a link: at a
- * corner, since it is a convex function. */
+/* The greatest distance of a point of the box from an axis through the origin of a link. It is
+ * reached at a corner because the distance is a convex function. */
 static double reach_of(const double axis[3], const sepax_pose *link, const double box[2][3]) {
   double most = 0;
   double a[3];
@@ -58,8 +58,8 @@ static double reach_of(const double axis[3], const sepax_pose *link, const doubl
   return most;
 }
 
-/* From the child's pose to the parent's, both in A's coordinates, or from the parent's to the
- * child's. */
+/* Go to the next link of the chain: from the child's pose to the parent's, or from the parent's to
+ * the child's, both in A's coordinates. */
 static sepax_pose next_link(const sepax_pose *link, const sepax_joint *joint, double value,
                             bool rising) {
   sepax_pose step = sepax__step_of(joint, value);
@@ -81,11 +81,11 @@ static sepax_pose next_link(const sepax_pose *link, const sepax_joint *joint, do
 double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
                           const double *middle, const double *to, const double box[2][3]) {
   sepax_pose link = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
-  double scale =
-      2 * (vector_length(box[0]) + vector_length(box[1])); /* all lengths that are summed */
-  double moved = 0;     /* by the joints so far, those nearest to A, from the middle to an end */
-  double curvature = 0; /* of any point's way in B's coordinates, the whole of it taken as time */
-  double rounded = 0;   /* of the values between the ends */
+  double scale = 2 * (vector_length(box[0]) + vector_length(box[1])); /* sum of all lengths */
+  double moved = 0; /* motion by the joints so far (those nearest to A) from the middle to an end */
+  double curvature = 0; /* bound on the second derivative of a point's path in B's coordinates, if
+                           the whole motion takes time 1 */
+  double rounded = 0;   /* rounding of the joint values between the ends */
   for (size_t n = 0; n < chain->count; n++) {
     const sepax_joint *joint = &m->joint[chain->joint[n]];
     const double *value[3] = {from, middle, to};

@@ -1,4 +1,4 @@
-/* mesh.c - checks of a caller's mesh. */
+/* mesh.c - checks a caller's mesh. */
 #include "mesh.h"
 #include "util/options.h"
 

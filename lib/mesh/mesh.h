@@ -8,15 +8,15 @@
 
 /* A caller's mesh that was checked: strides are not 0, and each index is below `vertices`. */
 typedef struct {
-  const char *vertex, *index; /* index: NULL without one */
+  const char *vertex, *index; /* index is NULL if the mesh has none */
   size_t vertex_stride, index_stride;
-  size_t count; /* of triangles */
+  size_t count; /* number of triangles */
   bool single;  /* coordinates are floats */
   bool packed;  /* vertex is an array of double[3][3] */
 } triangles;
 
-/* Fails on a struct without a size, on vertices or an index that are not there, on strides that are
- * too short, and on an index beyond the vertices. */
+/* Check a mesh. Fails if the struct has no size, if vertices are missing, if a stride is too short,
+ * or if an index is beyond the vertices. */
 bool sepax__triangles_of(triangles *t, const sepax_mesh *mesh, sepax_error *error);
 
 static inline uint32_t triangles_index(const triangles *t, size_t n, int corner) {
@@ -25,7 +25,7 @@ static inline uint32_t triangles_index(const triangles *t, size_t n, int corner)
   return index;
 }
 
-/* The vertices of triangle n: where they are, or else converted into space. */
+/* The vertices of triangle n: in place, or converted into `space`. */
 static inline const double (*triangle_at(const triangles *t, size_t n, double space[3][3]))[3] {
   if (t->packed) {
     return (const double(*)[3])(const void *)(t->vertex + n * sizeof(double[3][3]));

@@ -1,9 +1,9 @@
-/* quantise.c - from file units to the integer grid.
+/* quantise.c - puts meshes on the integer grid.
  *
- * q = round((x - offset) / resolution) holds for the numbers as given: no rounding of a difference
- * or a quotient decides. Doubles decide where their error is too small to reach a border between
- * grid points; elsewhere the coordinate is compared with the border by the sign of an exact sum.
- */
+ * q = round((x - offset) / resolution) is exact for the numbers as given: no rounding of a
+ * difference or a quotient decides. Doubles decide if their error is too small to reach a border
+ * between grid points. Otherwise the sign of an exact sum tells on which side of the border the
+ * coordinate lies. */
 #include "mesh.h"
 #include "sepax_grid.h"
 #include "util/error.h"
@@ -21,7 +21,7 @@ static const double steps_max = 0x1p33;
 
 static const char axis_name[] = "xyz";
 
-/* high + low exactly. */
+/* The exact value high + low. */
 typedef struct {
   double high, low;
 } distance;
@@ -47,7 +47,7 @@ static inline double beyond(distance d, double half_steps, double resolution) {
   return fma(-half_steps, resolution, 2 * d.high) + 2 * d.low;
 }
 
-/* A distance >= 0 in steps, rounded half up; at most steps_max. */
+/* A distance >= 0 in steps, a half rounded up; at most steps_max. */
 static double rounded_steps(distance d, double resolution) {
   double steps = floor(d.high / resolution + 0.5);
   if (!(steps < steps_max)) {
@@ -62,7 +62,7 @@ static double rounded_steps(distance d, double resolution) {
   return steps;
 }
 
-/* False if x does not fit the grid. */
+/* Quantise one coordinate exactly. False if it does not fit the grid. */
 static bool quantise_exactly(int32_t *q, double x, const sepax_grid *grid, int axis) {
   if (!(fabs(x) <= magnitude_max)) {
     return false;
@@ -225,7 +225,7 @@ bool sepax_grid_fit(sepax_grid *grid, const sepax_mesh *const meshes[], size_t c
 
 /* ---------------------------------------------------------------- quantise */
 
-/* Coordinates two at once; the ninth of a facet comes twice. */
+/* Two coordinates at once. A facet has nine, so the ninth comes twice. */
 typedef double reals __attribute__((vector_size(16)));
 typedef int64_t lanes __attribute__((vector_size(16)));
 typedef int32_t words __attribute__((vector_size(8)));
@@ -237,7 +237,8 @@ typedef struct {
   reals offset[5], per_step; /* per_step: 1 / resolution */
 } fast_grid;
 
-/* Of steps so long or short that per_step would be inexact, all is in doubt. */
+/* If a step is so long or short that per_step would be inexact, then all coordinates are in
+ * doubt. */
 static fast_grid fast_grid_of(const sepax_grid *grid) {
   const double *o = grid->offset;
   bool plain = grid->resolution >= 0x1p-1000 && grid->resolution <= 0x1p1000;
@@ -246,12 +247,12 @@ static fast_grid fast_grid_of(const sepax_grid *grid) {
                      (reals){0} + (plain ? 1 / grid->resolution : NAN)};
 }
 
-/* Adding it rounds to the nearest whole number, as the step of doubles is 1 there, and leaves that
- * number in the lowest bits. */
+/* Adding this number rounds to the nearest whole number, because neighbouring doubles there differ
+ * by 1, and leaves the whole number in the lowest bits. */
 static const double whole_shift = 0x3p51;
 
-/* A coordinate in doubt is within 2^-17 steps of a border: below + 1/2. On it, it is rounded away
- * from zero. */
+/* Decide a coordinate in doubt, which is within 2^-17 steps of the border below + 1/2. On the
+ * border it is rounded away from zero. */
 static int32_t settle(double x, int axis, const fast_grid *fast) {
   const sepax_grid *grid = fast->grid;
   double per_step = fast->per_step[0];
@@ -316,8 +317,8 @@ static bool check_coordinates(const double v[3][3], size_t number, const sepax_g
   return true;
 }
 
-/* All is checked before a result is written. What is rounded grows with what is not: a mesh fits
- * if its bounds do. */
+/* All coordinates are checked before a result is written. Rounding is monotonic, so a mesh fits if
+ * its bounds do. */
 bool sepax_quantise(const sepax_mesh *given, const sepax_grid *grid, sepax_tri *tri,
                     sepax_error *error) {
   triangles mesh;

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What rounds to binary32 infinity begins here. */
+/* The least number that rounds to infinity in binary32. */
 static const double binary32_end = 0x1.ffffffp127;
 
 static const size_t bytes_most = SIZE_MAX / 4;
@@ -58,7 +58,7 @@ static bool has_area(const double v[3][3]) {
   return e[1] * f[2] != e[2] * f[1] || e[2] * f[0] != e[0] * f[2] || e[0] * f[1] != e[1] * f[0];
 }
 
-/* Does binary32 flatten a facet that has an area? */
+/* True if a facet with an area has none after rounding to binary32. */
 static bool flattened(const sepax_facet *facet) {
   double rounded[3][3];
   for (int k = 0; k < 3; k++) {

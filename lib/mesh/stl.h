@@ -13,15 +13,16 @@ typedef struct {
   double of[STL_FACET_NUMBERS];
 } stl_numbers;
 
-/* Sets the error to "path: " and the message, whose cure at its end is never cut; false. */
+/* Set the error to "path: message" and return false. The path is cut if necessary, so that the cure
+ * at the end of the message never is. */
 bool sepax__stl_fail(sepax_error *error, sepax_code code, const char *path, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* What is wrong with a number that is not finite: "NaN" or "infinite". */
+/* "NaN" or "infinite", for a number that is not finite. */
 const char *sepax__stl_flaw(double number);
 
-/* sepax_stl_read on the bytes of a file, behind which a '\0' stands; refused where there are more
- * than `most` facets. In the numbers of locale C. */
+/* Like sepax_stl_read, but on the bytes of a file, followed by a '\0'. Files with more than `most`
+ * facets are refused. The caller has set the numbers of locale C. */
 bool sepax__stl_parse(sepax_soup *soup, const char *bytes, size_t size, const char *path,
                       bool normals, size_t most, sepax_error *error);
 

@@ -1,4 +1,4 @@
-/* stl_read.c - the bytes of STL files, text and binary. */
+/* stl_read.c - reads the bytes of STL files, text and binary. */
 #include "mesh/stl.h"
 #include "util/bytes.h"
 #include "util/error.h"
@@ -28,7 +28,7 @@ bool sepax__stl_fail(sepax_error *error, sepax_code code, const char *path, cons
 
 const char *sepax__stl_flaw(double number) { return isnan(number) ? "NaN" : "infinite"; }
 
-/* A soup that grows. */
+/* A soup while it is read. */
 typedef struct {
   sepax_soup soup;
   size_t capacity, normal_capacity;
@@ -70,11 +70,11 @@ static bool append(reading *r, const stl_numbers *n, const char *path, sepax_err
 }
 
 typedef struct {
-  const char *bytes; /* and a '\0' behind them */
+  const char *bytes; /* followed by a '\0' */
   size_t size;
 } content;
 
-/* Of UTF-8's byte order mark, if there is one. */
+/* The length of UTF-8's byte order mark at the beginning, or 0. */
 static size_t mark_bytes(const content *file) {
   return file->size >= 3 && memcmp(file->bytes, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
 }
@@ -83,7 +83,7 @@ static size_t mark_bytes(const content *file) {
 
 typedef struct {
   const char *path;
-  const char *at, *end; /* what is still to be read */
+  const char *at, *end; /* the text that is left */
   size_t line;
   sepax_error *error;
 } scanner;
@@ -163,7 +163,7 @@ read_word(scanner *text, const char *keyword, size_t length) {
 #define WORD_IS(text, keyword) word_is(text, keyword, sizeof(keyword) - 1)
 #define READ_KEYWORD(text, keyword) read_word(text, keyword, sizeof(keyword) - 1)
 
-/* Also words that C reads as numbers which are not finite. */
+/* Read a number. Words that C reads as numbers, such as nan, are read and then refused. */
 static bool read_number(scanner *text, double *number, const char *name) {
   skip_blanks(text);
   const char *end = sepax__decimal(text->at, number);
@@ -186,7 +186,8 @@ static bool read_number(scanner *text, double *number, const char *name) {
   return true;
 }
 
-/* Where nobody asks for normals, any word stands for a number of one: many writers have NaN. */
+/* Read a normal. If the caller does not ask for normals, then any word is accepted, because many
+ * writers have NaN there. */
 static bool read_normal(scanner *text, const reading *r, double normal[3]) {
   bool ok = READ_KEYWORD(text, "normal");
   for (int i = 0; i < 3 && ok; i++) {
@@ -213,7 +214,8 @@ static bool read_facet(scanner *text, const reading *r, stl_numbers *facet) {
   return ok && READ_KEYWORD(text, "endloop") && READ_KEYWORD(text, "endfacet");
 }
 
-/* Behind solid or endsolid. A name may have any words, but not a facet, which would be lost. */
+/* Skip the name after solid or endsolid. A name may have any words, but not a facet, which would be
+ * lost. */
 static bool skip_name(scanner *text) {
   while (text->at < text->end && !ends_line(text->at)) {
     if (is_blank(*text->at)) {
@@ -249,7 +251,7 @@ static bool read_solid(scanner *text, reading *r) {
   return skip_name(text);
 }
 
-/* Nothing is left, or what old systems put behind the end of a text: zeros, or Ctrl-Z. */
+/* True if the text is over. Old systems put zeros or Ctrl-Z behind the end. */
 static bool is_over(scanner *text) {
   const char *c = text->at;
   while (c < text->end && (*c == '\0' || *c == 0x1a || is_blank(*c))) {
@@ -284,7 +286,7 @@ static bool is_binary(const content *file) {
   return file->size >= STL_HEAD_BYTES && file->size == bytes_announced(file);
 }
 
-/* The normal counts where it is asked for. */
+/* Read a record. The normal is checked only if the caller asks for normals. */
 static bool read_record(const reading *r, const char *bytes, size_t k, stl_numbers *facet,
                         const char *path, sepax_error *error) {
   for (int i = r->normals ? 0 : 3; i < STL_FACET_NUMBERS; i++) {
@@ -321,7 +323,8 @@ static bool read_binary(reading *r, const content *file, const char *path, sepax
 
 /* ------------------------------------------------------- which of the two */
 
-/* Binary files may also begin with "solid"; but zeros are in the heads of those. */
+/* True if the file is text. Binary files may also begin with "solid", but their heads contain
+ * zeros. */
 static bool is_text(const content *file) {
   const char *word = file->bytes + mark_bytes(file);
   while (is_blank(*word)) {

@@ -1,4 +1,4 @@
-/* weld.c - the vertices of a mesh within a length of each other become one. */
+/* weld.c - merges vertices of a mesh that are within a length of each other. */
 #include "mesh/weld.h"
 #include "util/error.h"
 #include "util/memory.h"
@@ -23,7 +23,8 @@ static bool same(const double p[3], const double q[3]) {
   return !weld_below(p, q) && !weld_below(q, p);
 }
 
-/* Equal coordinates get one number. Half of the slots stay free. */
+/* Number the vertices; equal coordinates get one number. At least half of the slots of the hash
+ * table stay free. */
 static bool number_vertices(welding *w, const sepax_soup *soup) {
   size_t slots = 16;
   while (slots < 6 * soup->count) {
@@ -55,12 +56,12 @@ static bool number_vertices(welding *w, const sepax_soup *soup) {
 
 /* ------------------------------------------------------------------- near vertices */
 
-/* Vertices in cells, as lists. A cell is 8 times as long as the length, so that of most vertices
- * only their own cell is near. */
+/* The vertices in a grid of cells, as lists. A cell is 8 times as long as the length, so for most
+ * vertices only their own cell matters. */
 typedef struct {
-  double (*cell)[3]; /* of each vertex */
+  double (*cell)[3]; /* cell of each vertex */
   uint32_t *slot;    /* the first vertex of a cell + 1 */
-  uint32_t *after;   /* of each vertex: the next in its cell + 1 */
+  uint32_t *after;   /* next vertex in the same cell + 1 */
   size_t mask;
   uint32_t *parent;
   uint64_t tests, most;
@@ -84,7 +85,7 @@ static uint32_t root_of(uint32_t *parent, uint32_t n) {
   return n;
 }
 
-/* Their distance over the length, squared; the same for (q, p). */
+/* The square of (distance / length). It is the same for (q, p). */
 static double square_of(const welding *w, uint32_t p, uint32_t q) {
   double sum = 0;
   for (int i = 0; i < 3; i++) {
@@ -184,7 +185,8 @@ weld_result sepax__weld_vertices(welding *w) {
 
 /* --------------------------------------------------------------------- the edges */
 
-/* Sorted by their lower vertices by counting, and the short lists by the higher. */
+/* Sort a list of edges with one lower vertex by the higher vertex. The lists themselves are made by
+ * counting. */
 static void sort_list(weld_edge *e, size_t count) {
   for (size_t gap = count > 16 ? count / 2 : 1; gap > 0; gap /= 2) {
     for (size_t n = gap; n < count; n++) {
@@ -220,7 +222,8 @@ weld_edge *sepax__weld_edges(const welding *w, size_t *count) {
       }
     }
     size_t sum = 0;
-    for (size_t v = 0; v <= w->vertices && pass == 0; v++) { /* the ends of the lists */
+    for (size_t v = 0; v <= w->vertices && pass == 0;
+         v++) { /* begin[v] becomes the end of list v */
       sum += begin[v];
       begin[v] = sum;
     }
@@ -273,7 +276,7 @@ static bool coordinates_right(const sepax_soup *soup) {
   return true;
 }
 
-/* The longest side of its box. */
+/* The longest side of the soup's AABB. */
 static double size_of(const sepax_soup *soup) {
   double size = 0;
   for (int i = 0; i < 3; i++) {

@@ -6,11 +6,11 @@
 
 typedef struct {
   double length;
-  size_t count; /* of triangles */
+  size_t count; /* number of triangles */
   uint32_t (*corner)[3];
-  double (*vertex)[3]; /* all differ */
+  double (*vertex)[3]; /* all vertices differ */
   size_t vertices;
-  size_t capacity; /* of triangles, in `corner` */
+  size_t capacity; /* triangles that `corner` has space for */
   sepax_weld said;
 } welding;
 
@@ -21,24 +21,24 @@ typedef struct {
   uint32_t low, high, triangle;
 } weld_edge;
 
-/* The edges that have a length, in the order of their vertices, which other triangles are at it.
- * NULL without memory; *count may be 0. */
+/* List the edges with a length, sorted by their vertices and then by triangle. NULL without memory;
+ * *count may be 0. */
 weld_edge *sepax__weld_edges(const welding *w, size_t *count);
 
-/* Vertices within the length of each other become the least of them. */
+/* Merge vertices within the length of each other into the least of them. */
 weld_result sepax__weld_vertices(welding *w);
 
 /* Leave out triangles that became points and edges of others, and copies. */
 weld_result sepax__weld_leave_out(welding *w);
 
-/* Put vertices that are near an open edge into it. */
+/* Insert vertices that are near an open edge into it. */
 weld_result sepax__weld_divide(welding *w);
 
 static inline bool weld_no_area(const uint32_t c[3]) {
   return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
 }
 
-/* By x, y, z. */
+/* True if p comes before q by x, then y, then z. */
 static inline bool weld_below(const double p[3], const double q[3]) {
   int i = 0;
   while (i < 2 && !(p[i] < q[i] || p[i] > q[i])) {

@@ -1,9 +1,10 @@
-/* weld_copies.c - triangles of a welded mesh that are in others.
+/* weld_copies.c - leaves out triangles of a welded mesh that are copies, or edges or vertices of
+ * others.
  *
- * Copies have the same three vertices. Where their number is odd, one of them has the same edges,
- * modulo two, as all. Where it is even, one of them opens its edges or closes them: two sheets that
- * lie on each other are closed as two, a triangle of a shell that is there twice is closed as one.
- * That is decided for all copies together that hang together by edges. */
+ * Copies have the same three vertices. If their number is odd, then one of them has the same edges,
+ * modulo two, as all of them. If it is even, then keeping one opens edges or closes them: two
+ * sheets that lie on each other are closed with two, but a triangle of a shell that occurs twice is
+ * closed with one. All copies that share edges are decided together. */
 #include "mesh/weld.h"
 #include "util/memory.h"
 
@@ -12,20 +13,22 @@
 enum { NONE = UINT32_MAX };
 
 typedef struct {
-  uint32_t first;   /* of the triangles */
-  uint32_t ways[2]; /* how many run as the least of their vertices, then the next one, say; back */
-  uint32_t keep[2]; /* of these */
+  uint32_t first;   /* the first of the triangles */
+  uint32_t ways[2]; /* number of copies that run from the least vertex to the next one; number of
+                       copies that run back */
+  uint32_t keep[2]; /* number of them to keep */
   uint32_t parent;
-  size_t open[2]; /* edges, if all are kept; if one is */
+  size_t open[2]; /* open edges if all copies are kept; if one is kept */
 } copies;
 
 typedef struct {
-  uint32_t *of;  /* the copies that a triangle is one of */
-  copies *group; /* in the order of their first triangles */
+  uint32_t *of;  /* the group of copies of each triangle */
+  copies *group; /* sorted by their first triangles */
   uint32_t groups;
 } sorted;
 
-/* The vertices of a triangle in their order by coordinates; whether that turns it round. */
+/* Sort the vertices of a triangle by their coordinates. Returns true if that turns the triangle
+ * round. */
 static bool put_in_order(const welding *w, const uint32_t c[3], uint32_t key[3]) {
   bool back = false;
   memcpy(key, c, 3 * sizeof *key);
@@ -86,7 +89,7 @@ static uint32_t root_of(copies *group, uint32_t n) {
 
 static bool is_even(const copies *c) { return (c->ways[0] + c->ways[1]) % 2 == 0; }
 
-/* The triangles at one edge: what is open there, by both choices. */
+/* Count what is open at one edge by both choices. */
 static void judge_edge(sorted *s, const weld_edge *e, size_t count) {
   size_t one = 0;
   uint32_t root = NONE;
@@ -115,7 +118,7 @@ static bool same_edge(const weld_edge *p, const weld_edge *q) {
   return p->low == q->low && p->high == q->high;
 }
 
-/* How many copies of each way to keep. */
+/* Choose how many copies of each direction to keep. */
 static void choose(sorted *s, uint32_t n) {
   copies *c = &s->group[n];
   const copies *root = &s->group[root_of(s->group, n)];
@@ -126,7 +129,7 @@ static void choose(sorted *s, uint32_t n) {
   c->keep[back] += two && c->ways[!back] == 0;
 }
 
-/* The triangle is an edge of one that has an area, or a corner of it. */
+/* True if the triangle is an edge or a vertex of a triangle with an area. */
 static bool is_held(const uint32_t c[3], const weld_edge *edge, size_t edges, const uint8_t *held) {
   uint32_t p = c[0];
   uint32_t q = c[0] != c[1] ? c[1] : c[2];
@@ -146,7 +149,7 @@ static bool is_held(const uint32_t c[3], const weld_edge *edge, size_t edges, co
   return low < edges && same_edge(&edge[low], &key);
 }
 
-/* Triangles that have two vertices in one place go where others hold them. */
+/* Leave out triangles with two equal vertices if others have the same edge or vertex. */
 static weld_result leave_out_segments(welding *w) {
   welding whole = *w;
   size_t edges = 0;

@@ -1,7 +1,7 @@
-/* weld_divide.c - vertices of a welded mesh that are near an open edge are put into it.
+/* weld_divide.c - inserts vertices of a welded mesh into open edges near them.
  *
- * Only ends of open edges can close one, so only these are looked for, in a tree that halves them
- * along their longest side. */
+ * Only the ends of open edges can close an open edge. So only these are searched, by a tree that
+ * halves them along their longest side. */
 #include "mesh/weld.h"
 #include "util/list.h"
 #include "util/memory.h"
@@ -13,20 +13,20 @@
 
 enum { LEAF = 8 };
 
-/* A vertex to be put into an edge. */
+/* A vertex to insert into an edge. */
 typedef struct {
   uint32_t vertex;
-  double at; /* along the edge: 0 ... 1 */
+  double at; /* place along the edge, 0 ... 1 */
 } insertion;
 
 typedef struct {
   welding *w;
   uint32_t *point;     /* the ends of open edges, in the order of the tree */
-  double (*box)[2][3]; /* of each node; those below node n are 2 n + 1 and 2 n + 2 */
+  double (*box)[2][3]; /* box of each node; the children of node n are 2 n + 1 and 2 n + 2 */
   size_t points;
-  insertion *in; /* into the edge at hand */
+  insertion *in; /* insertions into the current edge */
   size_t ins, in_capacity;
-  uint32_t low, high; /* its ends */
+  uint32_t low, high; /* ends of the current edge */
 } search;
 
 /* ----------------------------------------------------------------------- the tree */
@@ -43,7 +43,7 @@ static void find_box(const search *s, size_t from, size_t to, double box[2][3]) 
   }
 }
 
-/* The points with the lower coordinates before `middle`. */
+/* Move the points with the lower coordinates before `middle`. */
 static void halve(search *s, size_t begin, size_t end, size_t middle, int axis) {
   ptrdiff_t low = (ptrdiff_t)begin;
   ptrdiff_t high = (ptrdiff_t)end - 1;
@@ -92,7 +92,7 @@ static void build(search *s, size_t node, size_t from, size_t to) {
 
 /* --------------------------------------------------------------- near an open edge */
 
-/* The segment comes within the length of the box, or a little farther. */
+/* True if the segment comes within the length of the box, or a little farther. */
 static bool near_box(const search *s, const double box[2][3]) {
   const double *p = s->w->vertex[s->low];
   const double *q = s->w->vertex[s->high];
@@ -116,7 +116,8 @@ static bool near_box(const search *s, const double box[2][3]) {
   return from <= to + 0x1p-40;
 }
 
-/* Where the vertex is along the edge, if it is within the length of its inside. */
+/* True if the vertex is within the length of the inside of the edge; *at is its place along the
+ * edge. */
 static bool is_near(const search *s, uint32_t vertex, double *at) {
   const double *v = s->w->vertex[vertex];
   const double *p = s->w->vertex[s->low];
@@ -154,7 +155,7 @@ static bool take(search *s, uint32_t vertex) {
     return false;
   }
   s->in = grown;
-  size_t n = s->ins++; /* in the order along the edge, of equal ones of coordinates */
+  size_t n = s->ins++; /* sorted along the edge, and by coordinates at equal places */
   for (; n > 0 && (grown[n - 1].at > one.at ||
                    (!(grown[n - 1].at < one.at) &&
                     weld_below(s->w->vertex[vertex], s->w->vertex[grown[n - 1].vertex])));
@@ -183,7 +184,7 @@ static bool look(search *s, size_t node, size_t from, size_t to) {
 
 /* ---------------------------------------------------------------------- dividing */
 
-/* Which corner of a triangle begins an edge; 3 if it has none. */
+/* The corner of a triangle at which an edge begins; 3 if it does not have the edge. */
 static int side_of(const uint32_t c[3], uint32_t p, uint32_t q) {
   int k = 0;
   while (k < 3 && !((c[k] == p && c[(k + 1) % 3] == q) || (c[k] == q && c[(k + 1) % 3] == p))) {
@@ -192,8 +193,8 @@ static int side_of(const uint32_t c[3], uint32_t p, uint32_t q) {
   return k;
 }
 
-/* A triangle becomes a fan of the corner across its side k. A corner of its own is put into none of
- * its sides. */
+/* Divide a triangle at its side k into a fan around the opposite corner. A corner of the triangle
+ * is inserted into none of its sides. */
 static bool divide_side(search *s, size_t triangle, int k, bool *divided) {
   welding *w = s->w;
   uint32_t c[3];
@@ -222,7 +223,7 @@ static bool divide_side(search *s, size_t triangle, int k, bool *divided) {
   return true;
 }
 
-/* Divide a triangle at an edge of its own; its parts so far are those from `parts` on. */
+/* Divide a triangle at one of its edges; its parts so far begin at `parts`. */
 static bool divide(search *s, size_t triangle, size_t parts, const weld_edge *e, bool *divided) {
   const double(*v)[3] = (const double(*)[3])s->w->vertex;
   bool up = weld_below(v[e->low], v[e->high]);
@@ -245,7 +246,7 @@ static bool same_edge(const weld_edge *p, const weld_edge *q) {
   return p->low == q->low && p->high == q->high;
 }
 
-/* Leave the edges of an odd number of triangles. */
+/* Keep only the edges of an odd number of triangles. */
 static size_t keep_open(weld_edge *edge, size_t count) {
   size_t kept = 0;
   for (size_t first = 0; first < count;) {
@@ -277,7 +278,7 @@ static bool comes_before(const search *s, const weld_edge *p, const weld_edge *q
          (!weld_below(low[1], low[0]) && weld_below(high[0], high[1]));
 }
 
-/* One triangle at its open edges, in an order that depends on their vertices alone. */
+/* Divide one triangle at its open edges, in an order that depends only on their vertices. */
 static bool divide_triangle(search *s, weld_edge *edge, size_t count) {
   size_t triangle = edge[0].triangle;
   size_t parts = s->w->count;
@@ -301,7 +302,7 @@ static bool divide_triangle(search *s, weld_edge *edge, size_t count) {
   return true;
 }
 
-/* The vertices of open edges, each once, in their tree. */
+/* List the vertices of open edges, each once, for the tree. */
 static bool list_points(search *s, const weld_edge *edge, size_t count) {
   uint8_t *seen = sepax__zeroed(s->w->vertices, 1);
   s->point = sepax_allocate((2 * count + 1) * sizeof *s->point);

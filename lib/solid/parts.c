@@ -1,4 +1,4 @@
-/* parts.c - the parts of a body by number, those of one piece in a row. */
+/* parts.c - numbers the parts of a body so that the parts of a piece follow each other. */
 #include "parts.h"
 #include "body/body.h"
 #include "util/memory.h"
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* of[n]: the part of triangle n, numbered in the order of their first triangles. */
+/* Set of[n] to the part of triangle n. Parts are numbered in the order of their first triangles. */
 static uint32_t number_parts(uint32_t *of, uint32_t *parent, size_t count) {
   uint32_t parts = 0;
   for (uint32_t n = 0; n < count; n++) {
@@ -18,7 +18,8 @@ static uint32_t number_parts(uint32_t *of, uint32_t *parent, size_t count) {
   return parts;
 }
 
-/* place[k]: part k in the order of the pieces. `begin` is scratch. The number of pieces. */
+/* Set place[k] to the new number of part k, so that the parts of a piece follow each other. `begin`
+ * is scratch space. Returns the number of pieces. */
 static size_t order_parts(uint32_t *place, uint32_t *begin, uint32_t *piece, uint32_t parts) {
   size_t pieces = 0;
   memset(begin, 0, parts * sizeof *begin);

@@ -5,20 +5,21 @@
 #include "sepax.h"
 
 typedef struct {
-  double vertex[3];       /* one of it */
-  double low[3], high[3]; /* its box */
+  double vertex[3];       /* one vertex of the part */
+  double low[3], high[3]; /* its AABB */
   bool consistent;
-  bool open;      /* an edge of it is */
-  uint32_t piece; /* of parts that have points in common */
+  bool open;      /* it has an open edge */
+  uint32_t piece; /* number of its piece; parts with common points have the same */
 } solid_part;
 
 struct sepax_parts {
-  solid_part *part;  /* the parts of a piece in a row */
+  solid_part *part;  /* the parts of a piece follow each other */
   uint32_t *of;      /* the part of each triangle, in the tree's order */
-  double open[2][3]; /* the box of all parts that are open, least and greatest; else empty */
+  double open[2][3]; /* AABB of all open parts, least and greatest coordinates; empty if all are
+                        closed */
 };
 
-/* Which of two numbers, or sets of numbers, is whose: parent[n] == n for one of each set. */
+/* Union-find: the representative of the set of n. parent[n] == n for one number of each set. */
 static inline uint32_t set_of(uint32_t *parent, uint32_t n) {
   while (parent[n] != n) {
     parent[n] = parent[parent[n]];
@@ -33,12 +34,13 @@ static inline void join(uint32_t *parent, uint32_t n, uint32_t m) {
   parent[n > m ? n : m] = n > m ? m : n;
 }
 
-/* Fill parts, pieces and `own` of a shell; parent: sets of triangles that are parts; turned, open:
- * at an edge that is not consistent, or is open, one of its triangles. False without memory. */
+/* Fill in parts, pieces and `own` of a shell. parent: sets of triangles that are parts. turned,
+ * open: for each edge that is not consistent or is open, one of its triangles. False without
+ * memory. */
 bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned, const bool *open);
 void sepax__free_parts(struct sepax_parts *parts);
 
-/* Join the parts, as sets of numbers, that have a point in common. False without memory. */
+/* Join the sets of parts that have a point in common. False without memory. */
 bool sepax__join_pieces(const sepax_body *body, const uint32_t *part_of, uint32_t *piece,
                         size_t parts);
 

@@ -1,4 +1,5 @@
-/* pieces.c - which parts of a body have a point in common: its tree against itself. */
+/* pieces.c - finds the parts of a body that have a point in common, by testing its tree against
+ * itself. */
 #include "body/body.h"
 #include "parts.h"
 
@@ -16,7 +17,7 @@ typedef struct {
   const uint32_t *part_of;
   uint32_t *piece;
   size_t pieces;
-  uint32_t *below; /* a part of the piece of all triangles below a node, or MIXED */
+  uint32_t *below; /* a part of the piece that has all triangles below a node, or MIXED */
 } search;
 
 static bool is_triangle(uint32_t child) { return (child & BODY_TRIANGLE) != 0; }
@@ -25,7 +26,7 @@ static uint32_t part_below(const search *s, uint32_t child) {
   return is_triangle(child) ? s->part_of[child - BODY_TRIANGLE] : s->below[child];
 }
 
-/* From the children: parts of one piece are as good as one part. */
+/* Find `below` of a node from its children. Parts of one piece count as one part. */
 static void find_below(search *s, uint32_t at) {
   const body_node *node = &s->body->node[at];
   uint32_t all = MIXED;
@@ -64,7 +65,8 @@ static box lane_box(const body_node *node, uint32_t lane) {
 
 static float size_of(const box *b) { return b->half[0] + b->half[1] + b->half[2]; }
 
-/* The boxes hold their triangles; here, numbers up to 4 are rounded to 24 bits. */
+/* True if the boxes are disjoint. Boxes hold their triangles with some room, and numbers up to 4
+ * are rounded to 24 bits here. */
 static bool disjoint(const box *p, const box *q) {
   for (int i = 0; i < 3; i++) {
     if (fabsf(p->centre[i] - q->centre[i]) > p->half[i] + q->half[i] + 0x1p-20F) {
@@ -74,8 +76,8 @@ static bool disjoint(const box *p, const box *q) {
   return false;
 }
 
-/* Triangle q is on one side of p's plane, for certain. Of differences up to m an area is wrong by
- * 10 u m^2 at most, u = 2^-53, and the volume by 52 u m^3; underflow loses less than 2^-1000. */
+/* True if q is certainly on one side of p's plane. With differences up to m, an area is wrong by at
+ * most 10 u m^2, u = 2^-53, and the volume by 52 u m^3. Underflow loses less than 2^-1000. */
 static bool one_side(const double p[3][3], const double q[3][3]) {
   double v[5][3];
   double n[3];
@@ -124,8 +126,9 @@ static void cross(search *s, uint32_t p, const box *box_p, uint32_t q, const box
   }
 }
 
-/* Triangles below a node against each other. Its children first: what is one piece below them then
- * counts as one, so that many triangles in one place do not meet each other one by one. */
+/* Test the triangles below a node against each other. The children come first: triangles that are
+ * one piece below them then count as one, so many triangles in one place are not tested one by
+ * one. */
 static void cross_below(search *s, uint32_t at) {
   const body_node *node = &s->body->node[at];
   if (s->below[at] != MIXED) {

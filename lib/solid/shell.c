@@ -23,30 +23,31 @@
 enum { MOST_TRIANGLES = INT32_MAX / 3 };
 
 typedef struct {
-  uint32_t tag, number; /* of the hash; of the vertex + 1, 0: free */
+  uint32_t tag, number; /* tag of the hash; number of the vertex + 1, 0: free */
 } slot;
 
 /* An end of an edge of an odd number of triangles. */
 typedef struct {
   uint32_t at, other; /* vertices */
   uint32_t triangle;
-  int32_t away; /* how much more often the triangles run from `at` to `other` than back */
+  int32_t away; /* how many more triangles run from `at` to `other` than back */
 } edge_end;
 
 typedef struct {
-  size_t count;          /* of triangles */
+  size_t count;          /* number of triangles */
   uint32_t (*corner)[3]; /* the vertices of a triangle */
   double (*vertex)[3];
   size_t vertices, capacity;
   slot *slot;
   size_t mask;     /* slots - 1 */
-  uint32_t *begin; /* of a vertex's list */
-  uint64_t *edge;  /* 2 other vertex + 1 where the edge runs to the lower number; triangle */
-  bool *turned;    /* a triangle at an edge that is not consistent */
-  bool *open;      /* a triangle at an edge that is open */
+  uint32_t *begin; /* begin of each vertex's list */
+  uint64_t *edge;  /* high half: 2 * other vertex, + 1 if the edge runs to the lower number; low
+                      half: the triangle */
+  bool *turned;    /* marks one triangle at each edge that is not consistent */
+  bool *open;      /* marks one triangle at each open edge */
   edge_end *odd;
   size_t odds, odd_capacity;
-  uint32_t *parent; /* a triangle of the same part; of the first of a part, itself */
+  uint32_t *parent; /* another triangle of the same part; the first of a part has itself */
 } surface;
 
 /* ---------------------------------------------------------------------- vertices */
@@ -136,7 +137,7 @@ static bool number_vertices(surface *s, const sepax_body *body) {
 
 /* ------------------------------------------------------------------------- edges */
 
-/* Each edge that has a length at its lower vertex. */
+/* List each edge with a length at its lower vertex. */
 static void list_edges(const surface *s) {
   memset(s->begin, 0, (s->vertices + 1) * sizeof *s->begin);
   for (size_t n = 0; n < s->count; n++) {
@@ -187,8 +188,8 @@ static void sort(uint64_t *e, size_t count) {
   }
 }
 
-/* An edge or several on one line that do not cancel. What is open is named before what is turned
- * round. */
+/* Judge an edge, or several on one line, by their sums. An open edge is named rather than a turned
+ * one. */
 static void judge_sum(const surface *s, bool odd, int64_t turn, const edge_end *first,
                       sepax_shell *shell) {
   bool uneven = turn > 1 || turn < -1;
@@ -203,7 +204,7 @@ static void judge_sum(const surface *s, bool odd, int64_t turn, const edge_end *
   shell->consistent = shell->consistent && !uneven;
 }
 
-/* The triangles at one edge, whose vertices are p and edge[...] >> 33. */
+/* Judge the triangles at one edge with the vertices p and edge[...] >> 33. */
 static bool judge_edge(surface *s, const uint64_t *edge, size_t count, uint32_t p,
                        sepax_shell *shell) {
   int64_t turn = 0;
@@ -276,7 +277,7 @@ static int compare_lines(const double p[3], const double q[3], const double r[3]
   return order;
 }
 
-/* Ends in the order of their vertices, and at each of their lines. */
+/* Order ends by their vertices, and at each vertex by lines. */
 static int compare_ends(const surface *s, const edge_end *p, const edge_end *q) {
   if (p->at != q->at) {
     return p->at < q->at ? -1 : 1;
@@ -284,7 +285,7 @@ static int compare_ends(const surface *s, const edge_end *p, const edge_end *q) 
   return compare_lines(s->vertex[p->at], s->vertex[p->other], s->vertex[q->other]);
 }
 
-/* By merging; `scratch` has space for half of them. */
+/* Sort by merging; `scratch` has space for half of the ends. */
 static void sort_ends(const surface *s, edge_end *end, edge_end *scratch, size_t count) {
   if (count < 2) {
     return;
@@ -301,7 +302,8 @@ static void sort_ends(const surface *s, edge_end *end, edge_end *scratch, size_t
   }
 }
 
-/* Where the ends on a line do not cancel, an edge is open; else what has them is one part. */
+/* If the ends on a line do not cancel, then an edge is open. Otherwise their triangles are one
+ * part. */
 static bool judge_ends(const surface *s, sepax_shell *shell) {
   if (s->odds == 0) {
     return true;

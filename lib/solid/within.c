@@ -14,16 +14,17 @@
 enum { STACK = 512 }; /* 64 levels, up to 7 children waiting on each */
 
 typedef struct {
-  const sepax_body *body; /* whose triangles the ray meets */
-  double from[3];         /* in its file coordinates, each wrong by `error` at most */
+  const sepax_body *body; /* the body whose triangles the ray meets */
+  double from[3]; /* origin of the ray in the coordinates of the body's file, each wrong by at most
+                     `error` */
   double error;
-  float at[3], slack; /* in its tree's */
+  float at[3], slack; /* the same in the coordinates of its tree */
   int axis, way;
   const uint32_t *part_of;
-  uint32_t part;             /* the only one whose triangles count */
-  const double *vertex;      /* as it stands in its own file, */
-  const sepax_pose *pose[2]; /* its pose, the body's */
-  bool known;                /* `exact` is found */
+  uint32_t part;             /* only triangles of this part count */
+  const double *vertex;      /* the origin as a vertex of its own body's file */
+  const sepax_pose *pose[2]; /* pose of the origin's body; pose of `body` */
+  bool known;                /* `exact` is filled in */
   exact_point exact;
 } ray;
 
@@ -104,7 +105,7 @@ static uint32_t children_met(const ray *r, const body_node *node) {
   return ~bits & ((1U << node->children) - 1);
 }
 
-/* The ray meets the part an odd number of times, or the part winds round its origin. */
+/* True if the ray meets the part an odd number of times, or if the part winds round its origin. */
 static bool inside_part(ray *r, const solid_part *part) {
   uint32_t stack[STACK] = {0};
   int depth = 1;
@@ -133,10 +134,10 @@ static bool inside_part(ray *r, const solid_part *part) {
   return odd || (part->consistent && turns != 0);
 }
 
-/* The nearest side of the body's box. False where the point is outside of the box.
+/* Aim the ray at the nearest side of the body's AABB. False if the origin is outside the AABB.
  *
- * The point in the tree's units is at most 1 + slack then, and rounded to 24 bits a few times in
- * children_met. */
+ * Otherwise the origin is at most 1 + slack in the tree's units, and children_met rounds it to 24
+ * bits a few times. */
 static bool aim(ray *r) {
   const sepax_body *b = r->body;
   double slack = r->error / b->scale + 0x1p-20;
@@ -196,8 +197,8 @@ static bool inside(ray *r, const sepax_shell *shell) {
   return odd;
 }
 
-/* May all of the part be inside a box, in which its vertex is? The box is up to sqrt(3) of its
- * longest side across; a pose stretches by 2^-16 at most. */
+/* True if the whole part may fit into a box that contains its vertex. The box is up to sqrt(3) of
+ * its longest side across; a valid pose stretches by at most 2^-16. */
 static bool may_fit(const solid_part *part, const double box[2][3]) {
   double most = 0;
   double side = 0;

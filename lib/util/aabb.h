@@ -14,8 +14,8 @@ static inline int32_t vec_component(const sepax_vec *v, int axis) {
   return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
 }
 
-/* The AABB of no triangle. It is disjoint from every AABB, also from its own kind, by more than any
- * margin below 2^61. */
+/* The AABB of no triangle. It is disjoint from every AABB, also from another empty one, by more
+ * than any margin below 2^61. */
 static inline aabb aabb_of_none(void) {
   const int64_t far = INT64_C(1) << 61;
   return (aabb){{far, far, far}, {-far, -far, -far}};
@@ -51,7 +51,8 @@ static inline void aabb_enclose(aabb *b, const aabb *other) {
   }
 }
 
-/* True iff x, y or z has a gap above the margin; margin 0: iff no point is common. */
+/* True if x, y or z has a gap above the margin. With margin 0: true if the AABBs have no common
+ * point. */
 static inline bool aabb_disjoint(const aabb *a, const aabb *b, int64_t margin) {
   for (int axis = 0; axis < 3; axis++) {
     if (a->low[axis] - b->high[axis] > margin || b->low[axis] - a->high[axis] > margin) {
@@ -70,7 +71,7 @@ static inline int64_t aabb_longest_side(const aabb *b) {
   return longest;
 }
 
-/* The axis of the thinnest side; of equal ones z, then x. */
+/* The axis of the thinnest side. Of equal sides z comes first, then x. */
 static inline int aabb_thinnest(const aabb *b) {
   int64_t side[3];
   for (int axis = 0; axis < 3; axis++) {
@@ -79,7 +80,7 @@ static inline int aabb_thinnest(const aabb *b) {
   return side[2] <= side[0] && side[2] <= side[1] ? 2 : side[0] <= side[1] ? 0 : 1;
 }
 
-/* True iff all coordinates fit a word of W bits. */
+/* True if all coordinates fit `word` bits. */
 static inline bool aabb_fits(const aabb *b, int word) {
   for (int axis = 0; axis < 3; axis++) {
     if (b->low[axis] < sepax_word_min(word) || b->high[axis] > sepax_word_max(word)) {

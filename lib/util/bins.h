@@ -1,5 +1,5 @@
-/* bins.h - ranges of AABBs, and where the surface area heuristic cuts them, by bins of their
- * middles (private). */
+/* bins.h - ranges of AABBs, and the cut of a range by the surface area heuristic, from bins of the
+ * boxes' middles (private). */
 #ifndef SEPAX_BINS_H
 #define SEPAX_BINS_H
 
@@ -30,7 +30,7 @@ static inline box4 bounds_of(const box4 *e, uint32_t begin, uint32_t end) {
   return all;
 }
 
-/* Where the middles of a range's boxes are, twice: bin (position - low) * per_bin of an axis. */
+/* The middles of a range's boxes, times 2: bin (position - low) * per_bin of an axis. */
 typedef struct {
   corner low, per_bin;
   bool is_short;
@@ -41,7 +41,7 @@ typedef struct {
   uint32_t count[3][BINS];
 } bins;
 
-/* Entries in bins below `at` of an axis; axis < 0: none is better than another. */
+/* A cut: entries in bins below `at` of an axis. axis < 0: no cut is better than another. */
 typedef struct {
   float cost;
   int axis, at;
@@ -85,7 +85,8 @@ static inline void fill_bins(bins *to, const box4 *e, const range *r, const bin_
   }
 }
 
-/* The cheapest of the cuts along one axis, by area times count on both sides, if better. */
+/* Find the cheapest cut along one axis, by area times count on both sides, and keep it if it is
+ * better. */
 static inline void find_cut(const bins *in, const bin_scale *s, int axis, cut *best) {
   const int most = bin_count(s);
   box4 after[BINS];
@@ -110,7 +111,7 @@ static inline void find_cut(const bins *in, const bin_scale *s, int axis, cut *b
   }
 }
 
-/* Entries below the cut come to the front; where the others begin. */
+/* Move the entries below the cut to the front. Returns where the others begin. */
 static inline uint32_t partition(box4 *e, const range *r, const bin_scale *s, const cut *c) {
   uint32_t first = r->begin;
   for (uint32_t n = r->begin; n < r->end; n++) {

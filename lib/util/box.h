@@ -1,5 +1,5 @@
-/* box.h - boxes of floats, four lanes at once, of which lane 3 is not of the box; and least and
- * most of two doubles at once (private). */
+/* box.h - boxes of four floats, the last of which does not belong to the box; and least and most of
+ * two doubles at once (private). */
 #ifndef SEPAX_BOX_H
 #define SEPAX_BOX_H
 
@@ -47,7 +47,7 @@ static inline real_pair real_pair_most(real_pair p, real_pair q) {
 }
 #endif
 
-/* A number that travels in lane 3. */
+/* A number that is carried in the fourth float. */
 static inline uint32_t box4_number(const box4 *b) { return (uint32_t)((corner_bits)b->low)[3]; }
 static inline void box4_set_number(box4 *b, uint32_t number) {
   corner_bits low = (corner_bits)b->low;

@@ -7,8 +7,9 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-/* The code and one formatted line into *error, unless it is NULL; returns false, for
- * `return sepax_fail(...)`. A control character, of a file name say, becomes '?'. */
+/* Write the code and a formatted line into *error, unless it is NULL, and return false, so that
+ * callers write `return sepax_fail(...)`. Control characters, for example of a file name, become
+ * '?'. */
 static inline bool __attribute__((format(printf, 3, 4)))
 sepax_fail(sepax_error *error, sepax_code code, const char *format, ...) {
   if (error == NULL) {

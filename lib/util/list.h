@@ -6,9 +6,10 @@
 
 #include <stdlib.h>
 
-/* The list `items` of `count` elements of `size` bytes, with space for one more: moved and twice as
- * long where `count` reaches `*capacity`. NULL without memory, or where the bytes exceed size_t;
- * `items` and `*capacity` are then untouched. An empty list is NULL with capacity 0. */
+/* Make room for one more element in the list `items` of `count` elements of `size` bytes. If count
+ * == *capacity, then the list is moved and twice as long. Returns NULL without memory or if the
+ * bytes exceed size_t; `items` and `*capacity` are then unchanged. An empty list is NULL with
+ * capacity 0. */
 static inline void *list_grow(void *items, size_t *capacity, size_t count, size_t size) {
   enum { FIRST = 256 };
   if (count < *capacity) {

@@ -25,7 +25,7 @@ void sepax_set_allocator(const sepax_allocator *allocator) {
   chosen = allocator != NULL ? *allocator : usual;
 }
 
-/* An allocation of nothing may give NULL, which is no failure; one byte is not. */
+/* An allocation of 0 bytes may return NULL without being a failure, so 1 byte is requested. */
 void *sepax_allocate(size_t bytes) {
   return chosen.allocate(chosen.context, bytes > 0 ? bytes : 1);
 }

@@ -1,5 +1,5 @@
-/* options.h - structs of a caller that was compiled with another version of the headers (private).
- */
+/* options.h - reads structs of callers that were compiled with another version of the headers
+ * (private). */
 #ifndef SEPAX_OPTIONS_H
 #define SEPAX_OPTIONS_H
 
@@ -8,8 +8,8 @@
 #include <string.h>
 
 /* Copy a struct that begins with its size into *copy, which has the `bytes` that this library
- * knows: fields that the caller's struct lacks are zero; those that only his has have to be. NULL
- * gives zero. */
+ * knows. Fields that the caller's struct lacks become zero. Fields that only the caller's struct
+ * has must be zero. NULL gives zeros. */
 static inline bool sepax__options(void *copy, size_t bytes, const void *given, const char *name,
                                   sepax_error *error) {
   memset(copy, 0, bytes);

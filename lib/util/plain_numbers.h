@@ -1,4 +1,4 @@
-/* plain_numbers.h - a decimal point in what is read and written, whatever locale the program chose
+/* plain_numbers.h - numbers with a decimal point, in every locale that a program may have chosen
  * (private). Between begin and end the calling thread has the numbers of locale C. */
 #ifndef SEPAX_PLAIN_NUMBERS_H
 #define SEPAX_PLAIN_NUMBERS_H

@@ -1,4 +1,5 @@
-/* boxes.c - a box is divided at the median of its triangles' middles, along its longest side. */
+/* boxes.c - builds the tree of boxes: a box is divided along its longest side, at the median of its
+ * triangles' centres. */
 #include "boxes.h"
 
 #include "report.h"
@@ -50,7 +51,8 @@ static void divide(triangle *t, int count, int low, vec axis) {
   }
 }
 
-/* The box with the axes that b has; half its sides are longer by more than they are rounded. */
+/* Enclose triangles in a box with b's axes. Half sides are enlarged by more than they are
+ * rounded. */
 static void enclose(box *b, const triangle *t, int count) {
   double low[3] = {DBL_MAX, DBL_MAX, DBL_MAX};
   double high[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
@@ -76,8 +78,8 @@ static void enclose(box *b, const triangle *t, int count) {
   b->radius = vec_length((vec){b->half[0], b->half[1], b->half[2]}) * (1 + 0x1p-46);
 }
 
-/* Axes along the mean normal, and along the way to the vertex that is farthest from the first one
- * across it. false: the normals have no mean to speak of. */
+/* Choose axes along the mean normal, and across it along the way from the first vertex to the
+ * farthest one. False if the normals have no useful mean. */
 static bool lie(box *b, const triangle *t, int count) {
   vec normal = {0, 0, 0};
   double area = 0;

@@ -15,10 +15,10 @@
 #include <string.h>
 #include <unistd.h>
 
-/* How often an interval is halved here beyond what the certificate does. */
+/* How often an interval may be halved here beyond the halving of the certificate. */
 enum { DEPTH = 12 };
 
-/* Places in a segment: 0 ... WHOLE. */
+/* Places in a segment are numbers 0 ... WHOLE. */
 static const uint64_t WHOLE = (uint64_t)1 << LEVELS;
 
 typedef struct {
@@ -28,7 +28,7 @@ typedef struct {
 } prepared;
 
 typedef struct {
-  int first, second; /* links */
+  int first, second; /* numbers of links */
   chain chain;
   bool constant; /* none of the joints between them ever moves */
 } pair;
@@ -36,7 +36,7 @@ typedef struct {
 typedef struct {
   robot robot;
   steps steps;
-  prepared *body; /* of each link */
+  prepared *body; /* one for each link */
   pair *pair;
   size_t pairs;
   double clearance;
@@ -91,7 +91,7 @@ static void prove(proof *p, const pair *of, int segment, uint64_t from, uint64_t
   prove(p, of, segment, middle, to, depth + 1);
 }
 
-/* At the first line: disjoint, and neither inside the other. */
+/* Prove that at the first line the bodies are disjoint and neither is inside the other. */
 static void prove_start(proof *p, const pair *of) {
   const prepared *a = prepare(p, of->first);
   const prepared *b = prepare(p, of->second);
@@ -130,7 +130,7 @@ static bool proved_by_axis(const proof *p, const pair *of, const certificate_lin
   return g.always > p->clearance;
 }
 
-/* Where the lines are: all before it is covered. */
+/* How far the certificate's lines have come: everything before is covered. */
 typedef struct {
   size_t pair;
   int segment;

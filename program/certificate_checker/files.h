@@ -1,4 +1,4 @@
-/* files.h - the files that a certificate names, with what they have to be. */
+/* files.h - the files that a certificate names, and their checks. */
 #ifndef CERTIFICATE_FILES_H
 #define CERTIFICATE_FILES_H
 
@@ -18,11 +18,11 @@ files files_of(const char *certificate, json_t *list);
  * length and SHA-256; from then on the file is the one that `of` is about. */
 char *files_read(files *f, const char *name, const char *as, size_t *length);
 
-/* What a file read `as` has must be what the certificate says: a number, or a text. */
+/* Check that a number or a text of a file, read as `as`, is what the certificate says. */
 void files_count(const files *f, const char *as, const char *what, long double count);
 void files_text(const files *f, const char *as, const char *what, const char *text);
 
-/* Each file was read. */
+/* Check that each file of the certificate was read. */
 void files_finish(const files *f);
 
 #endif

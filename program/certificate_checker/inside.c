@@ -1,4 +1,4 @@
-/* inside.c - parts of surfaces; rays. */
+/* inside.c - finds the parts of surfaces, and tests by rays whether one is inside another. */
 #include "inside.h"
 
 #include "report.h"
@@ -13,7 +13,7 @@ typedef struct {
 } corner;
 
 typedef struct {
-  size_t low, high; /* vertices */
+  size_t low, high; /* numbers of vertices, low < high */
   size_t triangle;
   bool forward;
 } edge;

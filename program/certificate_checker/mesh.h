@@ -13,20 +13,20 @@
 typedef struct {
   const char *file; /* for messages */
   const char *format;
-  long double unit_mm; /* 0: the file has no unit */
-  point *corner;       /* of all polygons, in units of the file */
+  long double unit_mm; /* 0 if the file has no unit */
+  point *corner;       /* corners of all polygons, in units of the file */
   size_t corners;
-  size_t *end; /* of each polygon: its last corner is before this one */
+  size_t *end; /* end[n]: one past the last corner of polygon n */
   size_t polygons;
   size_t faces;     /* elements of the file that have a surface */
-  size_t triangles; /* that polygons make: two less than corners */
+  size_t triangles; /* triangles that the polygons make: each two less than its corners */
 } mesh;
 
-/* The format is that of the content. */
+/* Read a mesh. Its content decides the format. */
 mesh mesh_read(const char *file, const char *bytes, size_t length);
 void mesh_free(mesh *m);
 
-/* One more polygon, of three corners or more. */
+/* Add a polygon of three corners or more. */
 void mesh_polygon(mesh *m, const point *corner, size_t count);
 
 /* Of a strip of triangles, each second one turned, or a fan; returns false if it has less than
@@ -41,7 +41,7 @@ void mesh_ply(mesh *m, const char *bytes, size_t length);
 void mesh_3mf(mesh *m, const char *bytes, size_t length);
 void mesh_dae(mesh *m, const char *bytes, size_t length);
 
-/* Placed: p goes to row . p + shift. */
+/* A placement: point p becomes row . p + shift. */
 typedef struct {
   point row[3], shift;
 } placement;
@@ -51,7 +51,7 @@ static inline point placement_apply(const placement *a, point p) {
   return point_plus(
       (point){point_dot(a->row[0], p), point_dot(a->row[1], p), point_dot(a->row[2], p)}, a->shift);
 }
-/* First b, then a. */
+/* The placement that applies b first, then a. */
 placement placement_product(const placement *a, const placement *b);
 
 /* A number at *text, behind blanks; refused unless it is finite and a blank, a 0 or `stop` is

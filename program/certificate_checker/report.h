@@ -1,14 +1,15 @@
-/* report.h - how the program ends, and memory, which it keeps until then. */
+/* report.h - ends the program with a line, and allocates memory, which is kept until then. */
 #ifndef CERTIFICATE_REPORT_H
 #define CERTIFICATE_REPORT_H
 
 #include <stddef.h>
 #include <stdio.h>
 
-/* One line, then exit status 1: something that the certificate says is wrong or not proved. */
+/* Print one line and exit with status 1: the certificate says something that is wrong or not
+ * proved. */
 _Noreturn void reject(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* One line, then exit status 2: the certificate cannot be checked. */
+/* Print one line and exit with status 2: the certificate cannot be checked. */
 _Noreturn void cannot(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 void *memory(void *old, size_t count, size_t size);

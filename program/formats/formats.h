@@ -1,5 +1,5 @@
-/* formats.h - scenes and paths in the formats that people have: URDF, SRDF, meshes, CSV. Every
- * reader fails with one line that names the file, where it has one the line, and a cure. */
+/* formats.h - reads scenes and paths in common formats: URDF, SRDF, meshes, CSV. Each reader fails
+ * with one line that names the file, the line if there is one, and a cure. */
 #ifndef SEPAX_FORMATS_H
 #define SEPAX_FORMATS_H
 
@@ -16,19 +16,20 @@ typedef enum {
   FORMAT_CAPSULE
 } format_kind;
 
-/* The geometry of a collision element, of which a link may have several. */
+/* The geometry of one collision element. A link may have several. */
 typedef struct {
   size_t link;
   format_kind kind;
-  char *path;        /* of a mesh: its file, */
-  char *name;        /* which the URDF calls so */
-  double size[3];    /* sides; radius, length (a capsule's without its caps); of a mesh: scale */
+  char *path; /* for a mesh: its file */
+  char *name; /* for a mesh: its name in the URDF */
+  double
+      size[3]; /* a box's sides; radius and length (a capsule's without its caps); a mesh's scale */
   sepax_pose origin; /* in the link's coordinates */
   long line;
 } format_shape;
 
-/* Elements of a file that are passed over: their name, how many. A name that ends in '=' is an
- * attribute's. */
+/* Elements of a file that are ignored: their names and numbers. A name that ends in '=' is an
+ * attribute. */
 typedef struct {
   char *what;
   size_t count;
@@ -48,39 +49,39 @@ typedef struct {
 
 typedef struct {
   char *name;                /* or NULL */
-  sepax_mechanism mechanism; /* joined */
-  size_t links;              /* of the file; those of the mechanism behind them are between the
-                                joints of which a floating or planar joint is made */
-  format_shape *shape;       /* in the order of the file */
+  sepax_mechanism mechanism; /* after sepax_mechanism_join */
+  size_t links; /* number of links in the file; further links of the mechanism lie between the
+                   joints of which a floating or planar joint is made */
+  format_shape *shape; /* in the order of the file */
   size_t shapes;
   format_nothing *nothing;
   size_t nothings;
   format_others others;
 } format_robot;
 
-/* Where package://NAME/ is. */
+/* The folder of package://NAME/. */
 typedef struct {
   const char *name, *folder;
 } format_package;
 
 enum { FORMAT_LINKS_MOST = 4096, FORMAT_SHAPES_MOST = 65536 };
 
-/* Metres, or radians, of an origin or a joint's value: sums and differences of these are far from
- * what a double ends with. */
+/* Largest size of an origin or a joint's value, in metres or radians, so that sums and differences
+ * stay far from the limits of doubles. */
 #define FORMAT_VALUE_MOST 1e12
 
-/* A floating joint J becomes six joints J/x, J/y, J/z, J/yaw, J/pitch and J/roll, a planar one
- * J/x, J/y and J/yaw, none of which has limits. */
+/* Read a URDF. A floating joint J becomes six joints J/x, J/y, J/z, J/yaw, J/pitch and J/roll. A
+ * planar joint becomes J/x, J/y and J/yaw. None of these has limits. */
 bool format_urdf_read(format_robot *robot, const char *path, const format_package *package,
                       size_t packages, sepax_error *error);
 void format_robot_free(format_robot *robot);
 
 void format_others_free(format_others *others);
 
-const char *format_kind_name(format_kind kind); /* of its element */
+const char *format_kind_name(format_kind kind); /* name of its element */
 
 typedef struct {
-  char *robot; /* whom it is for, or NULL */
+  char *robot; /* name of the robot, or NULL */
   format_others others;
 } format_srdf;
 
@@ -92,31 +93,33 @@ void format_srdf_free(format_srdf *srdf);
 
 /* ----------------------------------------------------------------- meshes */
 
-/* The surface of a shape in the link's coordinates. Spheres, cylinders and capsules are polyhedra
- * that hold them. Of a file, the numbers of STL, OBJ and PLY are metres, as robots' programs take
- * them; DAE has its own unit; a millimetre of a 3MF is one of the numbers, as its writers' STL
- * files have it. Then they are scaled. `said` is of the file; of a shape without one it is zero. */
+/* The surface of a shape, in the link's coordinates. Spheres, cylinders and capsules become
+ * polyhedra that contain them. Units of mesh files: the numbers of STL, OBJ and PLY are metres, as
+ * in robots' programs. DAE files have their own unit. A millimetre of a 3MF counts as one metre
+ * before scaling, as for the STL files of its writers. The scale is applied last. `said` describes
+ * the file; for a shape without a file it is zero. */
 bool format_shape_mesh(sepax_soup *mesh, report_mesh *said, const format_shape *shape,
                        const cli_meshes *rules, sepax_error *error);
 
-/* Of triangles with the same corners the first stays, in order: the same points, but no longer the
- * same solid. A search would compare each of them with each of another body. False without memory;
- * then all stay. */
+/* Of triangles with the same corners keep the first, in order. The surface has the same points but
+ * is no longer the same solid. Otherwise a search would compare each copy with each triangle of
+ * another body. False without memory; then all stay. */
 bool format_distinct(sepax_soup *mesh);
 
 /* -------------------------------------------------------------------- path */
 
 typedef struct {
-  double *value; /* of line n: value[n * joints ...], of all joints, those that follow, too */
+  double *value; /* value[n * joints + j]: joint j in line n, for all joints, also those that follow
+                    others */
   double *time;  /* or NULL */
-  size_t *line;  /* where line n is in its file, from 1 */
+  size_t *line;  /* line[n]: number of line n in its file, counted from 1 */
   size_t lines, joints;
-  size_t columns; /* of the file, the time's included */
+  size_t columns; /* columns of the file, including the time */
 } format_motion;
 
 typedef struct {
-  bool hold;          /* joints without a column stay at 0 */
-  bool ignore_limits; /* values may be beyond the limits of their joints */
+  bool hold;          /* keep joints without a column at 0 */
+  bool ignore_limits; /* accept values beyond the limits of joints */
 } format_motion_rules;
 
 bool format_motion_read(format_motion *motion, const sepax_mechanism *m,

@@ -21,8 +21,9 @@ enum { TIME = -1, COLUMNS_MOST = FORMAT_LINKS_MOST + 1 };
 typedef struct {
   int joint; /* or TIME */
   const char *unit;
-  double times, by; /* a value of the file times `times`, divided by `by`: in m, rad or s */
-  bool bare;        /* no unit is written */
+  double times,
+      by; /* a value of the file is multiplied by `times` and divided by `by` to get m, rad or s */
+  bool bare; /* the header has no unit */
 } column;
 
 /* A piece of the text. */
@@ -37,7 +38,7 @@ typedef struct {
   const format_motion_rules *rules;
   format_motion *motion;
   column *column;
-  size_t columns, line; /* the line at hand, from 1 */
+  size_t columns, line; /* number of columns; current line, from 1 */
   size_t value_capacity, time_capacity, line_capacity;
 } reader;
 
@@ -90,12 +91,12 @@ static bool is(piece p, const char *word) {
   return strlen(word) == p.length && strncmp(p.at, word, p.length) == 0;
 }
 
-/* For messages. */
+/* The length of a piece to print in a message. */
 static int shown(piece p) { return p.length < 60 ? (int)p.length : 60; }
 
 /* -------------------------------------------------------------------------- header */
 
-/* "NAME [UNIT]": the unit; at NULL: none is written. */
+/* Split "NAME [UNIT]": returns the unit, with at == NULL if there is none. */
 static piece take_unit(piece *name) {
   piece u = {NULL, 0};
   size_t open = name->length;
@@ -111,7 +112,7 @@ static piece take_unit(piece *name) {
   return u;
 }
 
-/* The unit's name as text that stays; NULL where it is none of the list. */
+/* Find a unit in a list. Returns its name as permanent text, or NULL. */
 static const char *take_power(column *c, const cli_unit *unit, piece u) {
   while (unit->name != NULL && !is(u, unit->name)) {
     unit++;
@@ -209,7 +210,7 @@ static bool add_column(reader *r, piece name, sepax_error *error) {
   return true;
 }
 
-/* Each joint that moves by itself has a column. */
+/* Check that each joint with a value of its own has a column. */
 static bool has_all(const reader *r, sepax_error *error) {
   bool *there = sepax__zeroed(r->m->joints + 1, sizeof *there);
   if (there == NULL) {
@@ -248,12 +249,12 @@ static bool read_header(reader *r, piece line, sepax_error *error) {
 
 /* --------------------------------------------------------------------------- lines */
 
-/* Lengths of limits as metres, angles as radians. */
+/* The unit in which limits are printed: metres or radians. */
 static const char *unit_of(const sepax_joint *joint) {
   return joint->kind == SEPAX_JOINT_PRISMATIC ? "m" : "rad";
 }
 
-/* `at` is the joint's column, in whose unit it is told, or NULL. */
+/* Check the limits of a joint. `at` is its column, whose unit is used in the message, or NULL. */
 static bool within_limits(const reader *r, size_t n, const column *at, double value,
                           sepax_error *error) {
   const sepax_joint *joint = &r->m->joint[n];
@@ -289,7 +290,7 @@ static bool read_value(const reader *r, size_t k, piece cell, double *value, sep
               k + 1, shown(cell), cell.at, FORMAT_VALUE_MOST);
 }
 
-/* Space for one more line, its joints at 0. */
+/* Make space for one more line, with all joints at 0. */
 static double *add_line(reader *r) {
   format_motion *to = r->motion;
   size_t joints = r->m->joints > 0 ? r->m->joints : 1;
@@ -358,7 +359,7 @@ static bool read_line(reader *r, piece line, sepax_error *error) {
   return check_line(r, value, error);
 }
 
-/* Empty lines count as lines only. */
+/* Read all lines. Empty lines are skipped but counted. */
 static bool read_lines(reader *r, piece text, sepax_error *error) {
   while (text.length > 0) {
     const char *end = memchr(text.at, '\n', text.length);

@@ -1,4 +1,4 @@
-/* packages.c - where the meshes of a URDF are. */
+/* packages.c - finds the mesh files of a URDF. */
 #include "formats/packages.h"
 #include "util/error.h"
 
@@ -26,13 +26,13 @@ static char *copy_of(const char *text) {
   return copy != NULL ? memcpy(copy, text, size) : NULL;
 }
 
-/* FOLDER/FILE if there is one. */
+/* Make the path FOLDER/FILE. True if the file exists. */
 static bool is_in(char *path, int folder_length, const char *folder, const char *file) {
   int used = snprintf(path, PATH_MOST, "%.*s/%s", folder_length, folder, file);
   return used > 0 && used < PATH_MOST && is_file(path);
 }
 
-/* The path from the root, its .. and links as they are. */
+/* The absolute path; its .. and links are kept. */
 static bool make_absolute(const char *path, char whole[PATH_MOST]) {
   char here[PATH_MOST] = "";
   if (path[0] != '/' && getcwd(here, sizeof here) == NULL) {
@@ -41,8 +41,8 @@ static bool make_absolute(const char *path, char whole[PATH_MOST]) {
   return snprintf(whole, PATH_MOST, "%s%s%s", here, path[0] != '/' ? "/" : "", path) < PATH_MOST;
 }
 
-/* "NAME/rest" beside the URDF, and beside each folder above it; or rest in a folder NAME. `folder`
- * gets the first folder of this name, or stays empty. */
+/* Search NAME/rest beside the URDF and beside each folder above it, or `rest` in a folder called
+ * NAME. `folder` receives the first folder of this name, or stays empty. */
 static bool search_package(char *path, const char *urdf, const char *name_and_path,
                            char folder[PATH_MOST]) {
   char whole[PATH_MOST];

@@ -1,4 +1,4 @@
-/* packages.h - where the meshes of a URDF are (private). */
+/* packages.h - finds the mesh files of a URDF (private). */
 #ifndef SEPAX_PACKAGES_H
 #define SEPAX_PACKAGES_H
 
@@ -10,9 +10,10 @@ typedef struct {
   size_t packages;
 } format_places;
 
-/* The file that a URDF calls by this name, by sepax_allocate: a path, from the folder of the URDF
- * where it is relative; file://; package://NAME/..., by `package`, or in NAME beside the URDF or
- * beside a folder above it, or in such a folder that is called NAME. Fails where no file is. */
+/* Find the file that a URDF calls `name`; the path is allocated by sepax_allocate. `name` is a path
+ * (relative to the folder of the URDF), file://, or package://NAME/... A package is the folder
+ * given in `package`, a folder NAME beside the URDF or beside a folder above it, or such a folder
+ * itself. Fails if no file exists. */
 bool format_find_mesh(const format_places *places, const char *name, char **path,
                       sepax_error *error);
 

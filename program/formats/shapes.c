@@ -1,4 +1,4 @@
-/* shapes.c - collision geometry as triangles in its link's coordinates. */
+/* shapes.c - makes triangles from collision geometry, in the coordinates of its link. */
 #include "formats/formats.h"
 #include "util/memory.h"
 #include "util/error.h"
@@ -9,7 +9,7 @@
 
 static const double pi = 0x1.921fb54442d18p1;
 
-/* A polyhedron must not lie inside what it stands for because of rounding. */
+/* A factor that keeps rounding from moving a polyhedron inside its shape. */
 static const double outward = 1 + 0x1p-40;
 
 /* Sides of a cylinder; a sphere's are those of an octahedron, each divided into SPLIT^2. */
@@ -111,7 +111,7 @@ static void add_octant(sepax_facet **next, int octant, const int ij[3][2]) {
   ++*next;
 }
 
-/* How far the triangle's plane is from the origin. */
+/* The distance of the triangle's plane from the origin. */
 static double height(const sepax_facet *facet) {
   double p[3];
   double q[3];
@@ -129,7 +129,8 @@ static double height(const sepax_facet *facet) {
   return fabs(above) / sqrt(square);
 }
 
-/* The first SPHERE_FACETS of the mesh; returns by how much the sphere of radius 1 was scaled. */
+/* Fill the first SPHERE_FACETS facets of the mesh. Returns the factor by which the sphere of radius
+ * 1 was scaled. */
 static double fill_sphere(sepax_soup *mesh, double radius) {
   sepax_facet *next = mesh->facet;
   for (int octant = 0; octant < 8; octant++) {
@@ -223,7 +224,7 @@ static bool is_at_origin(const sepax_pose *pose) {
   return pose->translation[0] == 0 && pose->translation[1] == 0 && pose->translation[2] == 0;
 }
 
-/* Vertices that are equal stay so. */
+/* Pose the mesh. Equal vertices stay equal. */
 static void place_mesh(sepax_soup *mesh, const sepax_pose *pose) {
   for (size_t n = 0; n < 3 * mesh->count && !is_at_origin(pose); n++) {
     double *v = mesh->facet[n / 3].v[n % 3];
@@ -274,7 +275,7 @@ bool format_distinct(sepax_soup *mesh) {
     slots *= 2;
   }
   uint32_t *slot =
-      sepax__zeroed(slots, sizeof *slot); /* the number of a triangle that stays, plus one */
+      sepax__zeroed(slots, sizeof *slot); /* number of a triangle that stays, plus one */
   size_t kept = 0;
   for (size_t n = 0; slot != NULL && n < mesh->count; n++) {
     double v[3][3];

@@ -1,11 +1,11 @@
-/* elements.c - elements and attributes against the table of their format: nothing that a file says
- * is left out without a word. */
+/* elements.c - checks elements and attributes against the table of their format, so that nothing in
+ * a file is ignored silently. */
 #include "formats/libxml2/elements.h"
 
 #include <ctype.h>
 #include <string.h>
 
-/* A name of other programs' elements is told with how many there are. Files have a few dozen. */
+/* Names of other programs' elements are counted. Files have a few dozen of them. */
 enum { OTHERS_MOST = 256 };
 
 typedef struct {
@@ -43,7 +43,7 @@ static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 
 static bool alike(char a, char b) { return tolower((unsigned char)a) == tolower((unsigned char)b); }
 
-/* How many letters must be added, left out, changed or swapped; case does not count. */
+/* The number of letters to add, leave out, change or swap. Case does not count. */
 static size_t distance_of(const char *a, const char *b) {
   enum { LONGEST = 40 };
   size_t way[LONGEST + 1][LONGEST + 1]; /* from the first i letters to the first j */

@@ -1,16 +1,16 @@
-/* elements.h - which elements and attributes a format has (private). */
+/* elements.h - the table of a format's elements and attributes (private). */
 #ifndef FORMAT_ELEMENTS_H
 #define FORMAT_ELEMENTS_H
 
 #include "formats/formats.h"
 #include "xml/xml.h"
 
-/* An element that is read, by its name wherever it stands. Lists are words with blanks between. */
+/* A row of the table: an element that is read. Lists are words separated by blanks. */
 typedef struct {
   const char *name;
-  const char *attributes; /* that are read */
+  const char *attributes; /* attributes that are read */
   const char *idle;       /* attributes that are known to say nothing of collision geometry */
-  const char *children;   /* that are read; each is a row of the table */
+  const char *children;   /* children that are read; each is a row of the table */
   const char *passed;     /* children that are known to say nothing of it */
   bool open;              /* children of other names belong to other programs */
 } format_element;

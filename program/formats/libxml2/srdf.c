@@ -1,4 +1,4 @@
-/* srdf.c - SRDF: pairs of links that are not compared. */
+/* srdf.c - reads an SRDF: the pairs of links that are not compared. */
 #include "formats/formats.h"
 #include "formats/libxml2/elements.h"
 

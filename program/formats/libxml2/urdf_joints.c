@@ -14,7 +14,7 @@ static size_t find_joint(const sepax_mechanism *m, const char *name) {
   return n;
 }
 
-/* Of a joint element: what becomes one joint of the mechanism, or several. */
+/* What a joint element becomes: one joint of the mechanism, or several. */
 typedef enum { ONE_JOINT, FLOATING, PLANAR } joint_parts;
 
 static bool read_kind(const urdf_reader *r, const xmlNode *node, sepax_joint *joint,
@@ -100,7 +100,7 @@ static bool read_limits(const urdf_reader *r, const xmlNode *node, sepax_joint *
          sepax__xml_numbers(&r->file, limit, "upper", &joint->upper, 1, error);
 }
 
-/* A joint with this name, which becomes its own also on failure. */
+/* Add a joint. It takes over the name, also on failure. */
 static sepax_joint *add_joint(urdf_reader *r, const xmlNode *node, char *name, sepax_error *error) {
   sepax_mechanism *m = &r->robot->mechanism;
   const sepax_joint joint = {.name = name,
@@ -124,7 +124,7 @@ static sepax_joint *add_joint(urdf_reader *r, const xmlNode *node, char *name, s
   r->node = nodes;
   bool unique = find_joint(m, name) == m->joints;
   r->node[m->joints] = node;
-  m->joint[m->joints++] = joint; /* which frees the name from now on */
+  m->joint[m->joints++] = joint; /* from now on the mechanism frees the name */
   if (!unique) {
     sepax__xml_fail(&r->file, node, error, "two joints '%.60s'; rename one", name);
     return NULL;
@@ -160,13 +160,13 @@ typedef struct {
   int axis;
 } joint_part;
 
-/* A joint as several, from the parent on, with links without geometry between them. Yaw, pitch and
- * roll turn about axes that the turns before have moved: the rotation of rpy. */
+/* Divide a joint into several, from the parent on, with links without geometry between them. Yaw,
+ * pitch and roll turn about axes that the turns before have moved, which is the rotation of rpy. */
 static bool divide_joint(urdf_reader *r, const xmlNode *node, size_t whole, const joint_part *part,
                          size_t parts, sepax_error *error) {
   sepax_mechanism *m = &r->robot->mechanism;
   const size_t child = m->joint[whole].child;
-  char *name = m->joint[whole].name; /* that of the first part from now on */
+  char *name = m->joint[whole].name; /* from now on the name of the first part */
   bool ok = true;
   for (size_t n = 0; n < parts && ok; n++) {
     char *own = part_name(name, part[n].name);
