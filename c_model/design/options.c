@@ -42,19 +42,19 @@ static const char *const corner_names[] = {"typical", "slow", NULL};
 static const design_option table[] = {
     {.name = "arch", .kind = OPTION_ARCH, FIELD(arch), .standard = SEPAX_ARCH_EXACT,
      RANGE(0, SEPAX_ARCH_COUNT - 1), .archs = ALL, .named = ALL, .shown = true, .tag = "%s",
-     .argument = "NAME",
+     .argument = "NAME", .decides = true,
      .help = "architecture: exact (default), paper, conference; software only: reference, float32, "
              "float64, interval32, interval64, guigue32, guigue64, filtered"},
     {.name = "word", .letter = 'w', .kind = OPTION_NUMBER, FIELD(word), .standard = 18,
      RANGE(SEPAX_WORD_MIN, SEPAX_WORD_MAX), .archs = ALL, .named = ALL, .shown = true,
-     .tag = "-w%s", .argument = "BITS",
+     .tag = "-w%s", .argument = "BITS", .decides = true,
      .help = "bits W of a coordinate, 4 ... 32 (default 18)"},
     {.name = "ii", .kind = OPTION_NUMBER, FIELD(ii), .standard = 3, RANGE(1, SEPAX_II_MAX),
      .archs = HARDWARE, .named = EXACT, .shown = true, .tag = "-ii%s", .argument = "CYCLES",
      .help = "initiation interval: cycles between two pairs, 1 ... 18 (default 3); paper and "
              "conference have 3 only"},
     {.name = "coplanar", .kind = OPTION_CHOICE, FIELD(flag), CHOICES(coplanar_names),
-     .archs = EXACT, .shown = true, .tag = "-%s", .argument = "HOW",
+     .archs = EXACT, .shown = true, .tag = "-%s", .argument = "HOW", .decides = true,
      .help = "exact: decide coplanar pairs (default); flag: call them collisions and flag them as "
              "undecided, which saves gates"},
     {.name = "clock-ns", .kind = OPTION_PERIOD, FIELD(clock_ps), .standard = 2000,
@@ -69,14 +69,16 @@ static const design_option table[] = {
              "multipliers): ice40, ecp5, xc7, xcup, gowin"},
     {.name = "extent-a", .kind = OPTION_NUMBER, FIELD(extent_a), .standard = 0,
      RANGE(1, INT32_MAX), .archs = EXACT, .needs = "extent-b", .tag = "-a%s", .argument = "LSB",
+     .decides = true,
      .help = "largest AABB side of a triangle of A, in LSB. The core after the AABB test is built "
              "for triangles up to this size, so it is smaller. A larger triangle is reported as a "
              "collision and flagged as undecided (default: no limit; needs --extent-b)"},
     {.name = "extent-b", .kind = OPTION_NUMBER, FIELD(extent_b), .standard = 0,
      RANGE(1, INT32_MAX), .archs = EXACT, .needs = "extent-a", .tag = "-b%s", .argument = "LSB",
+     .decides = true,
      .help = "largest AABB side of a triangle of B, in LSB (default: no limit; needs --extent-a)"},
     {.name = "early-out", .kind = OPTION_CHOICE, FIELD(early_out), CHOICES(early_names),
-     .archs = EXACT, .tag = "-%s", .argument = "HOW",
+     .archs = EXACT, .tag = "-%s", .argument = "HOW", .decides = true,
      .help = "boxes: put an AABB test before the core; the core idles for pairs that the test "
              "decides, which saves energy; none (default): no such test"},
     {.name = "registered-ready", .kind = OPTION_SWITCH, FIELD(registered_ready),
@@ -88,11 +90,11 @@ static const design_option table[] = {
      .help = "give the registers of the core enables that follow each pair, so that registers "
              "without a pair stand still and synthesis can gate their clocks (default off)"},
     {.name = "clearance", .kind = OPTION_NUMBER, FIELD(clearance), .standard = -1,
-     RANGE(0, INT32_MAX), .archs = EXACT, .tag = "-c%s", .argument = "LSB",
+     RANGE(0, INT32_MAX), .archs = EXACT, .tag = "-c%s", .argument = "LSB", .decides = true,
      .help = "call a pair free only if the real triangles, before they were rounded to LSB, are "
              "farther apart than this distance (default: none)"},
     {.name = "warning", .kind = OPTION_NUMBER, FIELD(warning), .standard = 0, RANGE(1, INT32_MAX),
-     .archs = EXACT, .needs = "clearance", .tag = "-d%s", .argument = "LSB",
+     .archs = EXACT, .needs = "clearance", .tag = "-d%s", .argument = "LSB", .decides = true,
      .help = "a second, larger clearance: pairs between both distances are in the band warning "
              "(default: none; needs --clearance)"},
     {.name = "stream", .kind = OPTION_CHOICE, FIELD(stream), CHOICES(stream_names), .archs = EXACT,
@@ -109,7 +111,7 @@ static const design_option table[] = {
      .help = "build an object engine with K comparator lanes around the core, 1 ... 64 (default: "
              "no engine)"},
     {.name = "tree", .kind = OPTION_SWITCH, FIELD(tree), CHOICES(switch_names), .archs = EXACT,
-     .tag = "-tree", .argument = "on|off",
+     .tag = "-tree", .argument = "on|off", .decides = true,
      .help = "build a tree engine around the core; it reads bodies as trees from external memory "
              "and takes poses (default off)"},
     {.name = "cores", .kind = OPTION_NUMBER, FIELD(cores), .standard = 1,
@@ -128,23 +130,24 @@ static const design_option table[] = {
              "512; needs --lanes)"},
     {.name = "precision", .kind = OPTION_PRECISION, FIELD(guard), .standard = -1,
      RANGE(-1, 2 * SEPAX_WORD_MAX + 3), .archs = PUBLISHED, .named = PUBLISHED, .shown = true,
-     .tag = "-%s", .argument = "BITS",
+     .tag = "-%s", .argument = "BITS", .decides = true,
      .help = "bits kept of each intermediate result: full (default): all; word: W; guard=G: W + G, "
              "G = 0 ... 2 W + 3"},
     {.name = "block-float", .kind = OPTION_SWITCH, FIELD(block_float), CHOICES(switch_names),
-     .archs = PUBLISHED, .shown = true, .tag = "-bf", .argument = "on|off",
+     .archs = PUBLISHED, .shown = true, .tag = "-bf", .argument = "on|off", .decides = true,
      .help = "before truncation, shift the three components of an axis left by the same number of "
              "bits (default off)"},
     {.name = "coplanarity", .kind = OPTION_CHOICE, FIELD(coplanarity), CHOICES(coplanarity_names),
-     .archs = PUBLISHED, .shown = true, .tag = "-cop", .argument = "TEST",
+     .archs = PUBLISHED, .shown = true, .tag = "-cop", .argument = "TEST", .decides = true,
      .help = "test of coplanarity: plane (default): B_k.N_A = A_k.N_A; paper: A_k.N_A = B_k.N_B, "
              "as the paper prints it"},
     {.name = "inequality", .kind = OPTION_CHOICE, FIELD(inequality), CHOICES(inequality_names),
-     .archs = PUBLISHED, .shown = true, .tag = "-ineq", .argument = "FORM",
+     .archs = PUBLISHED, .shown = true, .tag = "-ineq", .argument = "FORM", .decides = true,
      .help = "inequality (5) of the paper: correct (default): max A < min B; printed: max A > min "
              "B, as the paper prints it"},
     {.name = "epsilon", .kind = OPTION_NUMBER, FIELD(epsilon), .standard = PAPER_EPSILON,
      RANGE(0, INT32_MAX), .archs = PUBLISHED, .shown = true, .tag = "-e%s", .argument = "LSB",
+     .decides = true,
      .help = "tolerance of the test of coplanarity, in LSB (default 1; 0 means equality)"},
 };
 /* clang-format on */

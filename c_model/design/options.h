@@ -22,6 +22,7 @@ typedef struct {
   int standard;               /* the default; a default outside low ... high means "none" */
   int low, high;              /* the range, as far as it does not depend on other options */
   const char *const *choices; /* names of the choices, then NULL */
+  bool decides;               /* a verdict depends on it */
   unsigned archs;             /* bits 1 << sepax_arch of the architectures that read the option */
   unsigned named;       /* architectures whose designs always have the option in their names */
   bool shown;           /* sepax_config_text prints it even where it is the default */

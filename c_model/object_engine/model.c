@@ -59,7 +59,7 @@ static bool judge(enumeration *e, size_t i, size_t j) {
   run->first = collision && run->collisions == 0 ? run->found.count : run->first;
   run->collisions += collision;
   return list_add_pair(&run->found, &e->capacity, i, j) ||
-         sepax_fail(e->error, SEPAX_ERROR_ARGUMENT, "out of memory for the pairs that collide");
+         sepax_fail(e->error, SEPAX_ERROR_MEMORY, "out of memory for the pairs that collide");
 }
 
 /* One step: triangle j of B against the triangle of A in each lane. Lane k takes its triangle in
@@ -124,7 +124,7 @@ bool sepax_object_engine(const sepax_design *design, const sepax_tri *a, size_t 
   aabb *bounds_b = malloc(count_b * sizeof *bounds_b);
   bool ok = bounds_a != NULL && bounds_b != NULL;
   if (!ok) {
-    sepax_fail(error, SEPAX_ERROR_ARGUMENT, "out of memory for the AABBs of %zu triangles",
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "out of memory for the AABBs of %zu triangles",
                count_a + count_b);
   }
   for (size_t i = 0; i < count_a && ok; i++) {

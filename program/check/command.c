@@ -87,7 +87,7 @@ static const struct argp_option *design_options(void) {
   enum { MOST = sizeof shown / sizeof shown[0] - 1 };
   int used = 0;
   shown[used++] = (struct argp_option){.doc = "Only with --grid:", .group = 1};
-  for (const struct argp_option *o = cli_config_argp.options;
+  for (const struct argp_option *o = cli_verdict_argp.options;
        (o->name != NULL || o->doc != NULL) && used < MOST; o++) {
     bool length =
         o->name != NULL && (strcmp(o->name, "clearance") == 0 || strcmp(o->name, "warning") == 0);
@@ -244,7 +244,7 @@ int cli_check(int argc, char **argv) {
                             .bands.unit = CLI_MILLIMETRES,
                             .meshes.unit = CLI_MILLIMETRES}};
   check_question *q = &c.question;
-  c.config = (grid_options){&cli_config_argp, &q->config, &c.given};
+  c.config = (grid_options){&cli_verdict_argp, &q->config, &c.given};
   c.grid = (grid_options){&cli_grid_argp, &q->grid, &c.given};
   argp_parse(&argp, argc, argv, 0, NULL, &c);
   q->grid.grid.word = q->config.word;

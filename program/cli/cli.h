@@ -17,10 +17,12 @@ extern "C" {
 /* Print "NAME: text" on stderr and return EXIT_ERROR. */
 int cli_fail(const char *name, const sepax_error *error);
 
-/* Two argp children. The first sets the fields of a sepax_config (its input is a sepax_config *).
- * The second reads --resolution, --offset and --normals into a cli_grid (its input is a cli_grid
- * *). */
+/* Argp children. The input of the first three is a sepax_config *, whose fields they set: by every
+ * option of a design, by the options that a verdict depends on, and by --environment. The last one
+ * reads --resolution, --offset and --normals into a cli_grid *. */
 extern const struct argp cli_config_argp;
+extern const struct argp cli_verdict_argp;
+extern const struct argp cli_environment_argp;
 void cli_options_init(void); /* fills in the options; call it once before the first use */
 /* The title above the options that these architectures (bits 1 << sepax_arch) read; "Design:" if
  * most read them. */

@@ -21,9 +21,10 @@ int cli_fail(const char *name, const sepax_error *error) {
 
 enum { MOST = 64, KEY_OPTION = 0x100, KEY_ENVIRONMENT = KEY_OPTION + MOST };
 
-/* The design's options for argp, with titles. cli_options_init fills them in from the table of
- * c_model/design/options.c. */
+/* The design's options for argp, with titles: all of them, and those that a verdict depends on.
+ * cli_options_init fills them in from the table of c_model/design/options.c. */
 static struct argp_option config_options[MOST];
+static struct argp_option verdict_options[MOST];
 
 const char *cli_options_title(unsigned archs) {
   static struct {
@@ -53,19 +54,22 @@ const char *cli_options_title(unsigned archs) {
   return title[n].text;
 }
 
-void cli_options_init(void) {
+static void list_options(struct argp_option list[MOST], bool verdict) {
   const design_option *option;
   const char *title = "";
   int used = 0;
   int group = 0;
-  for (size_t i = 0; (option = sepax__design_option_at(i)) != NULL && used + 4 < MOST; i++) {
+  for (size_t i = 0; (option = sepax__design_option_at(i)) != NULL && used + 3 < MOST; i++) {
+    if (verdict && !option->decides) {
+      continue;
+    }
     const char *next = cli_options_title(option->archs);
     if (strcmp(next, title) != 0) {
       title = next;
       group++;
-      config_options[used++] = (struct argp_option){.doc = title, .group = group};
+      list[used++] = (struct argp_option){.doc = title, .group = group};
     }
-    config_options[used++] = (struct argp_option){
+    list[used++] = (struct argp_option){
         .name = option->name,
         .key = option->letter != 0 ? option->letter : KEY_OPTION + (int)i,
         .arg = option->argument,
@@ -73,12 +77,11 @@ void cli_options_init(void) {
         .doc = option->help,
     };
   }
-  config_options[used] = (struct argp_option){
-      .name = "environment",
-      .key = KEY_ENVIRONMENT,
-      .doc = "also take design options from environment variables: WORD for --word, CLOCK_NS for "
-             "--clock-ns",
-      .group = 1};
+}
+
+void cli_options_init(void) {
+  list_options(config_options, false);
+  list_options(verdict_options, true);
 }
 
 static void read_environment(sepax_config *config, const struct argp_state *state) {
@@ -93,10 +96,6 @@ static void read_environment(sepax_config *config, const struct argp_state *stat
 }
 
 static error_t parse_config(int key, char *text, struct argp_state *state) {
-  if (key == KEY_ENVIRONMENT) {
-    read_environment(state->input, state);
-    return 0;
-  }
   const design_option *option;
   for (size_t i = 0; (option = sepax__design_option_at(i)) != NULL; i++) {
     if (key == KEY_OPTION + (int)i || (option->letter != 0 && key == option->letter)) {
@@ -111,6 +110,26 @@ static error_t parse_config(int key, char *text, struct argp_state *state) {
 }
 
 const struct argp cli_config_argp = {config_options, parse_config, NULL, NULL, NULL, NULL, NULL};
+const struct argp cli_verdict_argp = {verdict_options, parse_config, NULL, NULL, NULL, NULL, NULL};
+
+static const struct argp_option environment_options[] = {
+    {"environment", KEY_ENVIRONMENT, NULL, 0,
+     "also take design options from environment variables: WORD for --word, CLOCK_NS for "
+     "--clock-ns",
+     0},
+    {0}};
+
+static error_t parse_environment(int key, char *text, struct argp_state *state) {
+  (void)text;
+  if (key != KEY_ENVIRONMENT) {
+    return ARGP_ERR_UNKNOWN;
+  }
+  read_environment(state->input, state);
+  return 0;
+}
+
+const struct argp cli_environment_argp = {
+    environment_options, parse_environment, NULL, NULL, NULL, NULL, NULL};
 
 /* ---------------------------------------------------------------------- grid */
 

@@ -393,7 +393,7 @@ static bool check(const accuracy_options *o, sepax_error *error) {
 int cli_accuracy(int argc, char **argv) {
   enum { MESH_WIDTH = 6 };
   static const struct argp_child children[] = {
-      {&cli_config_argp, 0, NULL, 0}, {&cli_grid_argp, 0, NULL, 0}, {0}};
+      {&cli_verdict_argp, 0, NULL, 0}, {&cli_grid_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
       options,
       parse,

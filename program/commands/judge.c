@@ -75,7 +75,7 @@ static bool judge_stream(const sepax_design *design, FILE *in, const char *name,
 }
 
 int cli_judge(int argc, char **argv) {
-  static const struct argp_child children[] = {{&cli_config_argp, 0, NULL, 0}, {0}};
+  static const struct argp_child children[] = {{&cli_verdict_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
       options,
       parse,

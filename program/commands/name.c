@@ -8,7 +8,14 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef enum { PRINT_NAME, PRINT_TEXT, PRINT_MAKE, PRINT_LIST, PRINT_ONLY } print_what;
+typedef enum {
+  PRINT_NAME,
+  PRINT_TEXT,
+  PRINT_MAKE,
+  PRINT_LIST,
+  PRINT_ONLY,
+  PRINT_VERDICT
+} print_what;
 
 typedef struct {
   sepax_config config;
@@ -27,6 +34,8 @@ static const struct argp_option options[] = {
     {"list", KEY_WHAT + PRINT_LIST, NULL, 0, "list all design options as variables of make", 0},
     {"only", KEY_WHAT + PRINT_ONLY, NULL, 0,
      "list the variables that only the architecture of --arch reads", 0},
+    {"verdict", KEY_WHAT + PRINT_VERDICT, NULL, 0,
+     "print those options of the design that a verdict depends on, as sepax judge takes them", 0},
     {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
@@ -34,12 +43,13 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   switch (key) {
   case ARGP_KEY_INIT:
     state->child_inputs[0] = &o->config;
+    state->child_inputs[1] = &o->config;
     return 0;
   case ARGP_KEY_ARG:
     argp_error(state, "unexpected argument '%s'", text);
     return 0;
   default:
-    if (key > KEY_WHAT && key <= KEY_WHAT + (int)PRINT_ONLY) {
+    if (key > KEY_WHAT && key <= KEY_WHAT + (int)PRINT_VERDICT) {
       o->what = (print_what)(key - KEY_WHAT);
       return 0;
     }
@@ -88,6 +98,21 @@ static void print_only(sepax_arch arch) {
   }
 }
 
+/* "--arch=exact --word=18 ...": what sepax judge takes of the options of a design. */
+static void print_verdict_options(const sepax_config *config) {
+  const design_option *option;
+  sepax_setting setting;
+  const char *gap = "";
+  for (size_t i = 0; sepax_config_setting(config, i, &setting); i++) {
+    for (size_t k = 0; (option = sepax__design_option_at(k)) != NULL; k++) {
+      if (option->decides && strcmp(option->name, setting.name) == 0) {
+        printf("%s--%s=%s", gap, setting.name, setting.value);
+        gap = " ";
+      }
+    }
+  }
+}
+
 static void print_design(const name_options *o) {
   char name[SEPAX_CONFIG_TEXT];
   char text[SEPAX_CONFIG_TEXT];
@@ -96,15 +121,18 @@ static void print_design(const name_options *o) {
   sepax_config_text(&o->config, text, sizeof text);
   sepax_config_variables(&o->config, variables, sizeof variables);
   if (o->what == PRINT_MAKE) {
-    printf("DESIGN_NAME=%s DESIGN_ENGINE=%s 'OPTIONS=%s' %s\n", name,
-           sepax__engine_name(sepax__config_engine(&o->config)), text, variables);
+    printf("DESIGN_NAME=%s DESIGN_ENGINE=%s 'OPTIONS=%s' 'VERDICT_OPTIONS=", name,
+           sepax__engine_name(sepax__config_engine(&o->config)), text);
+    print_verdict_options(&o->config);
+    printf("' %s\n", variables);
   } else {
     puts(o->what == PRINT_TEXT ? text : name);
   }
 }
 
 int cli_name(int argc, char **argv) {
-  static const struct argp_child children[] = {{&cli_config_argp, 0, NULL, 0}, {0}};
+  static const struct argp_child children[] = {
+      {&cli_config_argp, 0, NULL, 0}, {&cli_environment_argp, 0, NULL, 0}, {0}};
   static const struct argp argp = {
       options,  parse,
       NULL,     "Print the name of a design, which is also the name of its folder in build/core.",
@@ -120,6 +148,9 @@ int cli_name(int argc, char **argv) {
     print_list();
   } else if (o.what == PRINT_ONLY) {
     print_only(o.config.arch);
+  } else if (o.what == PRINT_VERDICT) {
+    print_verdict_options(&o.config);
+    putchar('\n');
   } else {
     print_design(&o);
   }

@@ -5,7 +5,7 @@ CORE = $(BUILD)/core/$(DESIGN_NAME)
 RTL  = $(CORE)/rtl/sepax.f
 # Makes that are started from here are of other designs.
 MAKEOVERRIDES =
-unexport DESIGN_NAME DESIGN_ENGINE OPTIONS
+unexport DESIGN_NAME DESIGN_ENGINE OPTIONS VERDICT_OPTIONS
 
 ifneq ($(and $(filter-out exact,$(ARCH)),$(call given,VIEW)),)
 $(error VIEW: architecture $(ARCH) has one view only; leave it out)
@@ -126,11 +126,12 @@ $(ICARUS): $(RTL) $(TEST_BENCH)
 BITS = awk 'BEGIN { for (n = 0; n < 262144; n++) \
        for (k = 0; k < 18; k++) printf "%d%s", int(n / 2 ^ k) % 2, k < 17 ? " " : "\n" }'
 
+JUDGE = $(SEPAX) judge $(VERDICT_OPTIONS) --echo
 $(CORE)/icarus.pairs: $(SEPAX) FORCE
 	@mkdir -p $(CORE)
-	@$(if $(filter-out families bits,$(PAIRS)),$(SEPAX) judge $(OPTIONS) --echo "$(PAIRS)",$(if \
+	@$(if $(filter-out families bits,$(PAIRS)),$(JUDGE) "$(PAIRS)",$(if \
 	  $(filter bits,$(PAIRS)),$(BITS),$(SEPAX) vectors --word=$(WORD) $(SEEDED)) | \
-	  $(SEPAX) judge $(OPTIONS) --echo) > $@
+	  $(JUDGE)) > $@
 
 cosim-core-icarus: $(ICARUS) $(CORE)/icarus.pairs
 	@$(VVP) -N $(ICARUS) +pairs=$(CORE)/icarus.pairs $(if $(STRESS),+stall=$(STRESS))
