@@ -82,9 +82,9 @@ module sepax_tb;
 
   reg [8*1024-1:0] path;
   integer file, fields, cycle, sent, judged, mismatches, waited, blocked, idle, took;
-  integer stall, most, isolated, seed, offering, offered, accepting, accepted, i, word, value;
+  integer stall, most, isolated, seed, offering, offered, accepting, accepted, i, word, value,
+    above;
   integer number [0:27];
-  reg signed [WORD-1:0] narrow;
   reg [7:0] expected [0:QUEUE-1]; // band, collision, coplanar, axis
   reg alone [0:QUEUE-1];
   integer taken_in [0:QUEUE-1];   // the cycle, as if a pair's words came without gaps
@@ -266,9 +266,8 @@ module sepax_tb;
       fields = 0;
       for (i = 0; i < FIELDS; i = i + 1) begin
         fields = fields + ($fscanf(file, "%d", number[i]) == 1 ? 1 : 0);
-        narrow = number[i];
-        if (fields == i + 1 &&
-            (i < 24 ? narrow != number[i] : number[i] < 0 || number[i] > 15)) begin
+        above = number[i] >>> (i < 24 ? WORD - 1 : 4); // 0, or of a negative coordinate -1
+        if (fields == i + 1 && above != 0 && (i >= 24 || above != -1)) begin
           $display("sepax_tb: %0s: pair %0d: number %0d, %0d, does not fit %0d bits; judge the %0s",
                    path, sent, i + 1, number[i], i < 24 ? WORD : 4,
                    "pairs with the --word of this design");
