@@ -13,12 +13,15 @@ OF_DESIGN := $(or $(MAKECMDGOALS),all)
 endif
 LATER = $(if $(filter-out $(DESIGN_VERBS) $(BUILD)/core/%,$(OF_DESIGN)),DESIGN_NAME=)
 
+# Verbs of the design itself work in its folder, one make at a time.
+ALONE = $(if $(LATER),,scripts/make/alone $(BUILD)/core/$${name%% *})
 .PHONY: $(OF_DESIGN)
 $(firstword $(OF_DESIGN) $(DESIGN_VERBS)): $(SEPAX) $(LIB) $(IO) $(OPTIONS_OBJ) \
     $(if $(filter powered,$(OF_DESIGN)),$(BUILD)/power) \
     $(if $(or $(filter mapped timed laid assigned powered flow,$(OF_DESIGN)),$(call \
       is_on,NETLIST)),$(BUILD)/liberty)
 	@listed=; $(LISTED) design=$$($(SEPAX) name --make --environment $(DESIGN) $$listed) && \
-	  eval "$(MAKE) DESIGN= $$design $(LATER) $(OF_DESIGN)"
+	  name=$${design#DESIGN_NAME=} && \
+	  eval "$(ALONE) $(MAKE) DESIGN= $$design $(LATER) $(OF_DESIGN)"
 $(wordlist 2,99,$(OF_DESIGN)): $(firstword $(OF_DESIGN))
 	@:
