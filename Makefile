@@ -154,7 +154,7 @@ POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
 AREA_JSON ?= $(BUILD)/area.json
 
 area: $(SEPAX) $(BUILD)/liberty
-	@scripts/need area yosys jq
+	@scripts/need area yosys python3
 	@scripts/designs -j 2 mapped $(AREAS)
 	@synth/report/tables gates -o $(AREA_JSON) $$(scripts/designs area-file $(AREAS) | sort)
 
