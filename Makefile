@@ -74,7 +74,8 @@ EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes calibrate clea
               static tree-campaign tree-fuzz tree-scene tree-sweep verify
 
 .PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
-        reference clean area timing power fpga layout report mutations
+        reference clean paper area timing power fpga layout report \
+        mutations
 
 all:
 	@scripts/setup job
@@ -152,6 +153,11 @@ POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
              "ARCH=paper PRECISION=full MULTIPLIERS=generated" $(PAIR_II) \
              "ARCH=exact II=3 EARLY_OUT=boxes")
 AREA_JSON ?= $(BUILD)/area.json
+
+# The paper's tables 3 and 4 beside ours.
+paper: $(SEPAX) $(BUILD)/liberty
+	@scripts/need paper yosys verilator c++
+	@scripts/paper
 
 area: $(SEPAX) $(BUILD)/liberty
 	@scripts/need area yosys python3
