@@ -61,6 +61,10 @@ class Gates(unittest.TestCase):
         timing = {"period_ns": 2, "slack_ns": -0.25, "met": False}
         self.assertIn("2 ns missed by 0.25", self.text(result(timing=timing)))
 
+    def test_cells_of_no_process_are_told(self):
+        self.assertIn("of no process", self.text(result("generic.lib")))
+        self.assertNotIn("of no process", self.text(result()))
+
     def test_two_libraries_are_refused(self):
         with self.assertRaises(tables.Failed):
             self.text(result(), result("b.lib"))
