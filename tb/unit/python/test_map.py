@@ -177,17 +177,27 @@ class Files(Folder):
     def test_generated_multipliers(self) -> None:
         self.write("rtl/sepax.f", "sepax_mul.v\nsepax_top.v\n")
         self.write("rtl/sepax_mul.v", "")
+        rows = {"vertex": 4, "normal": 4, "normal_product": 8, "axis": 9, "product": 13, "edge": 5,
+                "cross_product": 10}
+        self.describe("--word=4", formats=[{"name": name, "width": bits, "exact": bits}
+                                           for name, bits in rows.items()])
 
-        def make(command: list, check: bool) -> Any:
-            for name in ("sepax_mul.v", "a/sepax_mul_4x4.v", "a/sepax_fa.v", "sepax_fa.v"):
-                self.write(f"out/multipliers/{name}", "")
-            return mock.Mock(returncode=command[1] != "program")
+        def make(command: list, **_: Any) -> Any:
+            if command[0] == "program":
+                folder = Path(command[-1])
+                folder.mkdir()
+                for name in (f"{folder.name}_biased.v", "sepax_fa.v", "sepax_digit.v"):
+                    (folder / name).write_text("")
+            return mock.Mock(returncode=command[0] != "program")
 
-        with mock.patch.object(area_map.subprocess, "run", make):
+        with mock.patch.object(area_map.area_multipliers.subprocess, "run", make):
             design = self.files({}, m="program")
-            self.assertEqual(design.files[1:], [
-                f'"{self.root}/out/multipliers/{name}"'
-                for name in ("sepax_fa.v", "sepax_mul.v", "a/sepax_mul_4x4.v")])
+            self.assertEqual([Path(file.strip('"')).name for file in design.files[1:]], [
+                "sepax_digit.v", "sepax_fa.v", "sepax_mul.v", "sepax_mul_4x4_biased.v",
+                "sepax_mul_5x5_biased.v", "sepax_mul_9x4_biased.v"])
+            chosen = (self.root / "out/multipliers/sepax_mul.v").read_text()
+            self.assertIn("if (A_W == 4 && B_W == 9 && FULL_W == 13) begin : m_4_9_13\n"
+                          "      sepax_mul_9x4 of (.a(b), .b(a), .p(full));", chosen)
             with self.assertRaisesRegex(Failed, "no multipliers; is other the program?"):
                 self.files({}, m="other")
 
