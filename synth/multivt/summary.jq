@@ -1,6 +1,7 @@
 # synth/multivt/summary.jq - leakage and total power before and after, for synth/multivt/assign:
-# $log is that of synth/multivt/assign.tcl, $fast and $slow are the cells of both libraries, $before
-# and $after flat netlists, $timing is what synth/timing/sta says of the one after.
+# $log is that of synth/multivt/assign.tcl, $fast and $slow are the cells of both libraries, $types
+# has the number of cells of each type before and after, $timing is what synth/timing/sta says of the
+# netlist after.
 
 include "netlist";
 
@@ -16,15 +17,16 @@ def near($a; $b): ($a / $b - 1) | . * . < 1e-6;
   # Leakage again, from the libraries alone: every cell's own.
   ([$fast[0], $slow[0] | .leakage_unit_w as $w | .cells | map_values((.leakage // 0) * $w)]
    | add) as $leak
-| def leakage: [.[0].modules[].cells[].type | $leak[.]] | add;
+| def leakage: [to_entries[] | $leak[.key] * .value] | add;
   $area[0] as $a | power("before") as $from | power("after") as $to
-| ($before | leakage) as $leak_before | ($after | leakage) as $leak_after
+| ($types[0].before | leakage) as $leak_before
+| ($types[0].after | leakage) as $leak_after
 | $timing[0].design.corners[0].slack_ns as $slack
 | {
     library: $a.library, low_leakage: $low, tools: ($a.tools + {$sta}),
     design: ($a.design | {arch, word, ii, options, ge}),
     period_ns: $period, $activity, met: ($slack >= 0), rounds: told(["rounds"]),
-    cells: ([$before[0].modules[].cells[]] | length), low_leakage_cells: $swaps,
+    cells: ([$types[0].before[]] | add), low_leakage_cells: $swaps,
     before: ($from + {slack_ns: told(["slack", "before"]), cell_leakage_w: $leak_before}),
     all_low_leakage: {slack_ns: told(["slack", "all_slow"])},
     after: ($to + {slack_ns: $slack, cell_leakage_w: $leak_after}),

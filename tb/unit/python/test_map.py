@@ -75,8 +75,8 @@ class Refusals(Folder):
         self.assertIn(words, said)
 
     def test_usage(self) -> None:
-        words = ("usage: synth/area/map [-l LIBERTY] [-n NAND2] [-p PERIOD] [-m SEPAX] [-g] "
-                 "-o OUT_DIR RTL_DIR\n")
+        words = ("usage: synth/area/map [-l LIBERTY] [-n NAND2] [-p PERIOD] [-m SEPAX] "
+                 "[-r ROUNDS] [-g] -o OUT_DIR RTL_DIR\n")
         for arguments in ((), ("a",), ("-o", "a"), ("-z",), ("-o",), ("-o", "a", "b", "c")):
             self.refused(words, *arguments)
 
