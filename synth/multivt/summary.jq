@@ -1,7 +1,7 @@
 # synth/multivt/summary.jq - leakage and total power before and after, for synth/multivt/assign:
 # $log is that of synth/multivt/assign.tcl, $fast and $slow are the cells of both libraries, $types
-# has the number of cells of each type before and after, $timing is what synth/timing/sta says of the
-# netlist after.
+# has the number of cells of each type before and after, $timing is what synth/timing/sta says of
+# the netlist after.
 
 include "netlist";
 
