@@ -1,4 +1,4 @@
-"""Tests of scripts/pictures/accuracy: intervals, what is drawn for nothing found, which rows count."""
+"""Tests of scripts/pictures/accuracy: intervals, what is drawn for nothing found, and names."""
 import unittest
 
 from loading import load
