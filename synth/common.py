@@ -12,7 +12,6 @@ import json
 import os
 import re
 import shutil
-import signal
 import subprocess
 import sys
 import zlib
@@ -34,7 +33,6 @@ def run_main(name: str, main: Callable[[], None]) -> int:
     """Runs a script's `main`; returns its exit status. Tools read and print numbers with a point,
     whatever the locale says."""
     os.environ["LC_ALL"] = "C"
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # a reader may have enough
     try:
         main()
     except (Failed, OSError) as error:
