@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Makefile - the verbs of sepax; `make help` lists them. scripts/make/ has the rules behind them.
 
 # What goes through a design: two meshes, or PAIRS=file, or COUNT seeded hard pairs.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_design.h - hardware designs: their configuration, the number formats that follow from it,
  * the golden models of their verdicts, and the search for the design that a scene needs. The
  * conventions are those of sepax.h. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_models.h - the pairs that the hardware receives, the judgements that it gives, and software
  * to compare it with: tests in floating point and slower models of the same verdict. The
  * conventions are those of sepax.h and sepax_grid.h. "The paper" is described in

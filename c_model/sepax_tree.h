@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_tree.h - the golden model of the tree engine: trees of triangles in the engine's memory
  * format, poses in fixed point, the walk down two trees, and lists of jobs. The conventions are
  * those of sepax.h. docs/reference/tree-engine.md specifies format, arithmetic and order. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_vectors.h - input for tests and experiments: random numbers, families of hard pairs, pairs
  * as text, and sample objects. The conventions are those of sepax.h. */
 #ifndef SEPAX_VECTORS_H

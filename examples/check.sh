@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # check.sh - does a cutter touch the workpiece on its way down? `sepax check` answers with its
 # exit status: 0 free, 1 collision, else no verdict.
 #   examples/check.sh    from the project's folder, after `make`; SEPAX=program

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* collide.c - the colliding triangles of two STL files on a grid of 18 bits, by the library:
  *   cc collide.c $(pkg-config --cflags --libs sepax) -o collide && ./collide a.stl b.stl */
 #include <sepax_grid.h>

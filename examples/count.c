@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* count.c - what a mesh file has, by the library:
  *   cc count.c $(pkg-config --cflags --libs sepax-io) -o count && ./count part.3mf */
 #include <sepax_io.h>

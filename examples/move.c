@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* move.c - a tool goes down 1 mm at a time until it touches the workpiece; exact, without a grid:
  *   cc move.c $(pkg-config --cflags --libs sepax) -o move && ./move tool.stl workpiece.stl */
 #include <sepax.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_io.h - libsepax-io: read meshes from files of the formats STL, OBJ, PLY, 3MF and DAE.
  *
  * The conventions are those of sepax.h. The reader either gives the whole surface that the file

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax.h - libsepax: do two bodies collide, where, and how far are they from each other?
  *
  * Conventions

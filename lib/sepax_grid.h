@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_grid.h - triangles with integer coordinates: put a mesh on a grid, and judge one pair of
  * triangles or many. The hardware uses the same arithmetic. The conventions are those of sepax.h.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_mechanism.h - mechanisms: links held together by joints, and the poses of the links for
  * given joint values (forward kinematics). The conventions are those of sepax.h.
  *

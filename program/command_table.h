@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* command_table.h - the list of commands of sepax. CONTRIBUTING.md says how one is added. */
 #ifndef SEPAX_COMMAND_TABLE_H
 #define SEPAX_COMMAND_TABLE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* main.c - build/sepax: picks the subcommand. */
 #include "cli/cli.h"
 #include "command_table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* generate.h - the door of rtl_gen: from a checked design to a folder of Verilog.
  *
  * Behind it: an architecture (exact, paper, conference) emits its modules, leaves first; the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # scripts/results: the tables of docs/developers/results and of README.md, from report.json (make
 # report).
 #   $what: readme | designs | energy

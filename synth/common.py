@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """common - what Python scripts of synth share, as synth/common is what its shell scripts share.
 
 A script's docstring holds its usage: a line that begins with "    synth/", and the lines after it

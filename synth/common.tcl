@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/common.tcl - what every run of OpenSTA begins with: reads the design. liberty (files),
 # netlist and top are set by who sources it (run_sta of synth/common).
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/netlist.jq - a mapped netlist as synth/area/map keeps it, from Yosys' write_json:
 # {modules: {NAME: {ports: {NAME: {direction, bits}}, cells: {NAME: {type, connections: {PIN:
 # [BIT ...]}}}, netnames: {NAME: {bits}}}}}. A bit is a number, one net of the module, or a constant

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* harness.c - the main program of every unit test, and what the unit tests share. */
 #include "harness.h"
 

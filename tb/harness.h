@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* harness.h - what the unit tests share: cases that list themselves, random numbers, designs made
  * from text, a scratch folder, asserts. */
 #ifndef HARNESS_H

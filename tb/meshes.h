@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* meshes.h - mesh files of every format for test benches. */
 #ifndef MESHES_H
 #define MESHES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* architecture.h - the table of architectures: what other code needs to know of an architecture. */
 #ifndef SEPAX_ARCHITECTURE_H
 #define SEPAX_ARCHITECTURE_H

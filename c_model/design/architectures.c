@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* architectures.c - the list of architectures. A design is checked and derived by the row of its
  * architecture. */
 #include "design/architecture.h"

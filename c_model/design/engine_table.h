@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engine_table.h - the table of engines: what other code needs to know of an engine. An engine
  * surrounds the core of architecture exact and gives it pairs. */
 #ifndef SEPAX_ENGINE_TABLE_H

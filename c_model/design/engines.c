@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engines.c - finds the engine of a design in the table of engines. */
 #include "design/engine_table.h"
 #include "design/options.h"

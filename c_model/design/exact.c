@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* exact.c - architecture exact: its checks and the formats of its numbers
  * (docs/reference/exact.md). */
 #include "design/architecture.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* interval.h - interval analysis: how many bits hold every value. */
 #ifndef SEPAX_INTERVAL_H
 #define SEPAX_INTERVAL_H

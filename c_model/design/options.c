@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* options.c - the options of a design: one table, and everything that is made of it. */
 #include "design/options.h"
 #include "design/architecture.h"

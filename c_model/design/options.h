@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* options.h - the table of design options. A row says everything about an option except for what it
  * does. */
 #ifndef SEPAX_OPTIONS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* paper.c - architectures paper and conference: their checks and the fixed-point formats that
  * follow by interval analysis (docs/reference/paper.md). Both have the same options and formats. */
 #include "design/architecture.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* paper.h - what architectures paper and conference share besides their formats: their latencies
  * and the epsilon of the coplanarity test. */
 #ifndef SEPAX_PAPER_DESIGN_H

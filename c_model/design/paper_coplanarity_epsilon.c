@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* paper_coplanarity_epsilon.c - the epsilon of the paper's coplanarity test: how far in LSB, along
  * a unit normal, a vertex may be from a plane and still count as lying in it (--epsilon,
  * docs/reference/paper.md). rtl_gen/paper/sepax_cop.v is the test in hardware. */

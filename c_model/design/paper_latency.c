@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* paper_latency.c - the latency of architectures paper and conference, from the schedules that the
  * papers print (docs/reference/paper.md, docs/reference/conference.md). No option changes it.
  * rtl_gen/paper and rtl_gen/conference follow the schedules cycle by cycle and take the last cycle

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stream.c - AXI4-Stream around the core: its row in the table of engines. */
 #include "design/engine_table.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* clearance.c - conservative clearance: is the distance of a pair provably above D LSB, although
  * its coordinates were rounded to LSB? docs/reference/clearance.md has the proof.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* depth.c - the depth of a collision, or the distance of separated triangles. */
 #include "sepax_models.h"
 #include "util/wide.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* filtered.c - the test of Guigue and Devillers on doubles with a bound on each sign, and
  * sepax_exact where a sign is in doubt: never wrong.
  *

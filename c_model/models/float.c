@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* float.c - the software baselines in IEEE single and double precision: SAT, the interval test, and
  * the test of Guigue and Devillers. */
 #include "models/guigue.h"

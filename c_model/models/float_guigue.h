@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* float_guigue.h - the predicates of guigue.h in floating point, for one type (private; float.c
  * includes it once per type, behind float_sat.h and float_interval.h). */
 

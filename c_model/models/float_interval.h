@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* float_interval.h - the interval test of Moeller (A Fast Triangle-Triangle Intersection
  * Test, 1997) in floating point without tolerance, for one type (private; float.c includes
  * it once per type, behind float_sat.h). Each triangle cuts the line in which the two

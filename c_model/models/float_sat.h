@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* float_sat.h - Algorithm 1 in floating point, for one type (private; float.c
  * includes it once per type with REAL and NAME(x) defined). */
 

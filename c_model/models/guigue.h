@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* guigue.h - the test of Guigue and Devillers (Fast and Robust Triangle-Triangle Overlap Test
  * Using Orientation Predicates, 2003), which reads nothing but signs; the predicates are the
  * caller's (private). Vertices 0 ... 2 are A's, 3 ... 5 B's. Neither triangle is without area. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* judge.c - the verdict of a design: the model of its architecture, after the AABB test if the
  * design has one. */
 #include "design/architecture.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* normal.c - unit normals of integer triangles, in integers. */
 #include "sepax_models.h"
 #include "util/error.h"

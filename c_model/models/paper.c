@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* paper.c - the bit-accurate models of architecture `paper`, Algorithm 1 in the fixed-point formats
  * of the design, and of `conference`, its predecessor. Each intermediate is exact, then floored to
  * the bits that its format keeps. The hardware tries all axes at once; here the first separating

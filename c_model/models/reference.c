@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* reference.c - the exact reference verdict: the separating axis theorem on 128-bit integers,
  * relative to vertex A_1. Its decisions are its own, so that it checks exact.c.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sat54.c - the exact verdict by the separating axis theorem written out, 54 products: a second
  * model of architecture exact, which shares no decision with exact.c.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engine.c - the object engine: its row in the table of engines. */
 #include "design/engine_table.h"
 #include "util/error.h"

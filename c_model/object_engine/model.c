@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* model.c - golden model of the object engine: the pairs that it finds, their order and the
  * approximate time (docs/reference/object-engine.md). */
 #include "object_engine/time.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* time.h - predicts when the object engine is done, by following the candidates from the comparator
  * lanes to the cores (private, docs/reference/object-engine.md). */
 #ifndef SEPAX_OBJECT_TIME_H

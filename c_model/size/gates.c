@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* gates.c - estimates the gates of a design before it is mapped, and counts the bits of its
  * memories. docs/reference/size.md. */
 #include "size/gates.h"

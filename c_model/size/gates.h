@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* gates.h - the range of designs to which the formula of the gates was fitted (private). */
 #ifndef SEPAX_GATES_H
 #define SEPAX_GATES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* motion.c - random poses of the bodies of a scene within their motion. docs/reference/size.md. */
 #include "size/motion.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* motion.h - random poses of the bodies of a scene within their motion (private). */
 #ifndef SEPAX_MOTION_H
 #define SEPAX_MOTION_H

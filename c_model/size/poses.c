@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* poses.c - measures two meshes in all their poses: word length, extents, and the candidates that
  * the AABB test leaves. docs/reference/size.md. */
 #include "design/interval.h"

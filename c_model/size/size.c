@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* size.c - finds the design with the fewest gates that judges a scene in time.
  * docs/reference/size.md. */
 #include "design/engine_table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* trees.c - makes the input of a tree engine from the bodies of a scene and their path.
  * docs/reference/size.md. */
 #include "size/workloads.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* workloads.c - finds the candidates of a pose and the pairs that take two passes, and computes the
  * cycles of a design for them. docs/reference/size.md. */
 #include "size/workloads.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* workloads.h - the work that one pose of a scene gives a design, and its cycles (private). */
 #ifndef SEPAX_WORKLOADS_H
 #define SEPAX_WORKLOADS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* build.h - how a tree is made: first a binary tree of ranges of triangles, then the choice of its
  * nodes that become nodes with up to 16 children (private). */
 #ifndef SEPAX_TREE_BUILD_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* check.c - checks that an image of any bytes is a tree. */
 #include "tree_engine/tree.h"
 #include "util/aabb.h"

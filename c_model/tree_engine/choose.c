@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* choose.c - which nodes of the binary tree become nodes with up to 16 children: the optimal
  * collapse (Wald, Benthin, Boulos 2008; Ylitie, Karras, Laine 2017), by dynamic programming from
  * the leaves to the root. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* divide.c - makes the binary tree: divides ranges of triangles by the surface area heuristic, with
  * cuts at multiples of 16, so that leaves are full. */
 #include "tree_engine/build.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engine.c - the row of the tree engine in the table of engines: limits, gates, memory. */
 #include "design/engine_table.h"
 #include "sepax_tree.h"

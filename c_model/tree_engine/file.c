@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* file.c - writes and reads files of trees (docs/reference/tree-engine.md, The file). */
 #include "tree_engine/tree.h"
 #include "util/error.h"

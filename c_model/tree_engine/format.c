@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* format.c - packs and unpacks nodes and records of leaves (docs/reference/tree-engine.md, Memory).
  */
 #include "tree_engine/format.h"

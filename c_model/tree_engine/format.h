@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* format.h - the bytes of nodes and of records of leaves (private). docs/reference/tree-engine.md,
  * Memory, is normative. */
 #ifndef SEPAX_TREE_FORMAT_H

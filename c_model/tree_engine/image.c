@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* image.c - writes the bytes of a tree from its triangles. */
 #include "tree_engine/build.h"
 #include "tree_engine/tree.h"

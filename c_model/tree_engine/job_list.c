@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* job_list.c - makes, writes and reads lists of jobs with their bodies and poses
  * (docs/reference/tree-engine.md, The list in a file). */
 #include "tree_engine/tree.h"

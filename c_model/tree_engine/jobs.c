@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* jobs.c - works through a list of jobs pose by pose (docs/reference/tree-engine.md, Jobs). */
 #include "tree_engine/walk.h"
 

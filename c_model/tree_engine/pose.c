@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* pose.c - makes, packs and unpacks poses in fixed point. docs/reference/tree-engine.md, Why
  * nothing is missed, has inequality (2). */
 #include "tree_engine/tree.h"

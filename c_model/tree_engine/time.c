@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* time.c - predicts the cycles of the tree engine (docs/reference/tree-engine.md, Time). */
 #include "tree_engine/time.h"
 

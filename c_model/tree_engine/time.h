@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* time.h - predicts the cycles of the tree engine (private; docs/reference/tree-engine.md, Time).
  * The walk tells each entry and each row. The model keeps, for the caches, the bus, the compare
  * path, the pair test and the cores, until which cycle each is busy. All members named like a part

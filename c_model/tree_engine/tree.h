@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tree.h - a tree as the library holds it (private). */
 #ifndef SEPAX_TREE_TREE_H
 #define SEPAX_TREE_TREE_H

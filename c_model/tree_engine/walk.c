@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* walk.c - the walk down two trees: which pairs the tree engine tests, in which order, and its
  * counters (docs/reference/tree-engine.md, Order). */
 #include "tree_engine/time.h"

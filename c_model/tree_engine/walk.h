@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* walk.h - the formulas of the walk, one function for each module of the engine (private). The
  * functions have no state. docs/reference/tree-engine.md, Arithmetic, has formulas and widths. */
 #ifndef SEPAX_TREE_WALK_H

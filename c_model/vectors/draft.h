@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* draft.h - drafts of pairs, and the random draws that the families share (private; families.c).
  *
  * Each draw is a statement of its own, so that the stream of random numbers does not depend on the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* extents.c - hard pairs whose AABBs stay within given extents or just exceed them. */
 #include "sepax_vectors.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* families.c - the families of hard pairs.
  *
  * A maker writes a draft: six points round the origin, all coordinates within +-half, of which one

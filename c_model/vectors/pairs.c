@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* pairs.c - pairs of triangles as lines of text. */
 #include "util/error.h"
 #include "sepax_vectors.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* points.h - integer geometry of the families of hard pairs (private). */
 #ifndef SEPAX_POINTS_H
 #define SEPAX_POINTS_H

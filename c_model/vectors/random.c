@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* random.c - the random numbers of the families: splitmix64, and uniform integers of a range. */
 #include "sepax_vectors.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* samples.c - closed sample meshes of any even number of triangles.
  *
  * A shape begins as rings of corners joined by bands, fans and caps. Then the longest

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* scene.c - two meshes on one integer grid. */
 #include "sepax_models.h"
 #include "util/error.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_driver.c - see sepax_driver.h. */
 #include "sepax_driver.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_driver.h - driver of an object engine, for bare metal: no heap, no operating system, C11.
  *
  * sepax_registers.h, which `sepax gen` writes beside the Verilog, has the registers. You write the

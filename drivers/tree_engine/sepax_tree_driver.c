@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_tree_driver.c - see sepax_tree_driver.h. */
 #include "sepax_tree_driver.h"
 

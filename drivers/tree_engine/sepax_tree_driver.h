@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sepax_tree_driver.h - driver of a tree engine, for bare metal: no heap, no operating system, C11.
  *
  * docs/reference/tree-engine.md specifies trees, jobs, poses and results. sepax_registers.h, which

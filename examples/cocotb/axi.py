@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """axi.py - what the bus tops have in common: clock, reset, vertices as transfers, stalls."""
 from random import Random
 

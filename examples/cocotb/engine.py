@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """engine.py - drives the object engine (sepax_engine) over its three AXI buses by the models of
 cocotbext-axi. docs/reference/object-engine.md tells what the registers and the streams mean."""
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """engine_bench.py - what the tests of the object engine share: seeded objects, and a run of which
 each pair, flag and count is that of the golden model."""
 import json

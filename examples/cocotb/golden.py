@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """golden.py - the C golden models of libsepax by ctypes: what a design must answer, and hard pairs
 to ask it. The headers in lib/ and c_model/ say what the functions compute."""
 import ctypes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """golden_tree.py - trees, poses, jobs and the golden model of the tree engine by ctypes, as
 c_model/sepax_tree.h has them."""
 import ctypes

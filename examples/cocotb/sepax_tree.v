@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // sepax_tree.v - the tree engine as cocotbext-axi wants its memory port: with IDs, which are 0.
 `default_nettype none
 

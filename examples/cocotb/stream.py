@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """stream.py - drives the core on AXI4-Stream (sepax_stream): pairs in, verdicts out, a tag with
 each. docs/reference/exact.md, AXI4-Stream."""
 from collections import namedtuple

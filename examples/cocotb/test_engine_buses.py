@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """test_engine_buses.py - the object engine over AXI: what its registers hold and refuse, and
 objects that are not whole."""
 import cocotb

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """test_engine_runs.py - runs of the object engine over AXI against the golden model: hard pairs,
 stalls, moves, stops, interrupts, resets."""
 from random import Random

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """test_stream.py - the core on AXI4-Stream against the golden model: hard pairs, tags, batches,
 pairs that are out of range or cut short, stalls, resets."""
 import json

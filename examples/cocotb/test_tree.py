@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """test_tree.py - the tree engine against its golden model: batches of jobs in a memory that stalls,
 its modes, jobs that are refused, memory that ends too soon."""
 import json

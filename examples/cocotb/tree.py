@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """tree.py - drives the tree engine (sepax_engine of a design with --tree) over its buses; the
 AxiRam of cocotbext-axi is its memory. docs/reference/tree-engine.md, Jobs."""
 from cocotbext.axi import AxiRamRead, AxiReadBus

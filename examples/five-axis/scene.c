@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* scene.c - the bodies and a tool path of mill.urdf: scene FOLDER [LINES]
  * Writes spindle.stl, holder.stl, cutter.stl, table.stl, fixture.stl, workpiece.stl (mm) and
  * path.csv, whose ball-end cutter follows the top of the workpiece ALLOWANCE above it, its axis

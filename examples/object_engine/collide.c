@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* collide.c - the engine's driver at work: two STL files are put on one grid, loaded into
  * the verilated engine over its buses, and the pairs of triangles that collide are printed.
  *   make experiment NAME=driver LANES=16 MESH_A=a.stl MESH_B=b.stl

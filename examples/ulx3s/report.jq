@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What a routed design takes, out of nextpnr's report.
 def row($name; $cell): .utilization[$cell] | "| \($name) | \(.used) | \(.available) |";
 "| | used | of |\n| --- | --- | --- |",

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* extension.c - which extensions of 3MF are read. */
 #include "archive/model.h"
 

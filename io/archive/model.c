@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* model.c - a model part of a 3MF package: its objects and items, element by element. */
 #include "archive/model.h"
 #include "util/list.h"

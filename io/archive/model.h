@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* model.h - the objects of the model parts of a 3MF package (private). */
 #ifndef SEPAX_MODEL_H
 #define SEPAX_MODEL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* package.c - the parts of a package: an archive by libzip. */
 #include "archive/package.h"
 

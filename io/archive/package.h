@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* package.h - the parts of a package: an archive by libzip, its relationships (private). */
 #ifndef SEPAX_PACKAGE_H
 #define SEPAX_PACKAGE_H

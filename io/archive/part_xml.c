@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* part_xml.c - a part of a package as XML, element by element, by libxml2. */
 #include "archive/part_xml.h"
 

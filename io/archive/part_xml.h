@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* part_xml.h - a part of a package as XML, element by element (private). */
 #ifndef SEPAX_PART_XML_H
 #define SEPAX_PART_XML_H

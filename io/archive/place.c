@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* place.c - places the objects of a 3MF package by its items and components. */
 #include "archive/model.h"
 #include "util/text.h"

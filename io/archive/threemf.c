@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* threemf.c - the reader of 3MF: the package, its model parts, their objects where it builds them.
  *
  * All parts named .model are read, and those that p:path refers to, so that a mesh that nothing

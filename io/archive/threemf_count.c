@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* threemf_count.c - how many triangles a 3MF file has, by its bytes.
  *
  * It shares nothing with the reader but libzip: no libxml2, no relationships, no names of parts. A

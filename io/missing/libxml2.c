@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* libxml2.c - in place of io/xml in a build without libxml2. */
 #include "reader/format_table.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* libzip.c - in place of io/archive in a build without libzip, or without libxml2. */
 #include "reader/format_table.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* builder.c - collects the triangles that the readers of all formats make. */
 #include "reader/builder.h"
 #include "reader/polygon.h"

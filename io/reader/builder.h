@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* builder.h - collects the triangles that the readers of all formats make (private). */
 #ifndef SEPAX_BUILDER_H
 #define SEPAX_BUILDER_H

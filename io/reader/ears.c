@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ears.c - cuts a polygon in the plane into triangles by its ears. */
 #include "reader/ears.h"
 #include "body/orient.h"

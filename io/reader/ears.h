@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ears.h - the ears of a polygon in the plane (private). */
 #ifndef SEPAX_EARS_H
 #define SEPAX_EARS_H

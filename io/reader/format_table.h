@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* format_table.h - the list of mesh formats (private). CONTRIBUTING.md says how one is added. */
 #ifndef SEPAX_FORMAT_TABLE_H
 #define SEPAX_FORMAT_TABLE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* libraries.c - the message of a build that lacks a library. */
 #include "reader/libraries.h"
 #include "util/error.h"

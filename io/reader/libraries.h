@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* libraries.h - libraries that read files, of which a build may lack some (private).
  *
  * Code that calls libxml2 is in io/xml and program/formats/libxml2, code that calls libzip in

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* polygon.c - a polygon as triangles: its plane, its views, and the fan. */
 #include "reader/polygon.h"
 #include "reader/ears.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* polygon.h - a polygon as triangles (private).
  *
  * The rule. A polygon is seen along one of the axes x, y, z: along which its area vector, the sum

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* read.c - reads the mesh of a file: finds the format, calls its reader and checks the result. */
 #include "reader/read.h"
 #include "reader/format_table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* read.h - the mesh of bytes (private). */
 #ifndef SEPAX_READ_H
 #define SEPAX_READ_H

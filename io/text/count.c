@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* count.c - how many faces a text has, by its bytes alone; shares nothing with the readers. */
 #include "reader/format_table.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* obj.c - OBJ: vertices in a first pass, faces in a second, as a face may come before them. */
 #include "reader/format_table.h"
 #include "text/words.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ply.c - the reader of PLY: the rows of its elements. */
 #include "text/ply.h"
 #include "util/bytes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ply.h - the head of a PLY file (private). */
 #ifndef SEPAX_PLY_H
 #define SEPAX_PLY_H

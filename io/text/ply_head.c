@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ply_head.c - the head of a PLY file: its elements, their properties, what they are here. */
 #include "text/ply.h"
 #include "util/list.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stl.c - STL, by the reader of libsepax. */
 #include "mesh/stl.h"
 #include "reader/format_table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* words.h - words and numbers of a text, line by line (private). */
 #ifndef SEPAX_WORDS_H
 #define SEPAX_WORDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* dae.c - the reader of COLLADA 1.4 and 1.5: check, geometries, scene. */
 #include "xml/dae.h"
 #include "reader/format_table.h"

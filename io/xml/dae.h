@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* dae.h - a COLLADA document while it is read (private). */
 #ifndef SEPAX_DAE_H
 #define SEPAX_DAE_H

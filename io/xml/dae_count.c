@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* dae_count.c - how many faces a COLLADA document has, by its bytes.
  *
  * It shares nothing with the reader: no libxml2, no tree. It adds the counts of the tags of

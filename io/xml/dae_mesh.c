@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* dae_mesh.c - the triangles and the faces of a COLLADA geometry. */
 #include "util/text.h"
 #include "xml/dae.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* dae_scene.c - the geometries of a COLLADA document where its scene places them. */
 #include "util/text.h"
 #include "xml/dae.h"

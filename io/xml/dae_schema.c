@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* dae_schema.c - the elements of COLLADA on the way to triangles, and what has no surface. */
 #include "util/list.h"
 #include "util/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tag_guard.c - keeps tags from libxml2 that take it long. */
 #include "xml/tag_guard.h"
 

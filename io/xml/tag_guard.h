@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tag_guard.h - keeps tags from libxml2 that take it long (private).
  *
  * The time of libxml2 grows with the square of the attributes of a tag, and where a document comes

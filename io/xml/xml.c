@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* xml.c - XML files by libxml2, without any document type. */
 #include "xml/xml.h"
 #include "reader/libraries.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* xml.h - XML files by libxml2, without any document type (private). */
 #ifndef SEPAX_XML_H
 #define SEPAX_XML_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* lanes.h - the exact verdicts of SIMD_LANES pairs at once (private; pairs.c includes it once for
  * each instruction set). Beyond the macros of util/simd.h:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* pairs.c - exact verdicts on many pairs, several at once, with AVX-512, AVX2 or plain C. */
 #include "sepax_grid.h"
 #include "util/simd.h"

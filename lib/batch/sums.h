@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sums.h - products and sums of lanes.h, for whole numbers modulo 2^64 and for doubles (private;
  * it is included once for each). Beyond the macros of util/simd.h:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* whole.h - verdicts of SIMD_LANES pairs of triangles by whole numbers (private; lanes.h and
  * body/filter.h include it, after sums of doubles, which sums.h makes as SIMD_NAME(x##_real)).
  * Beyond the macros of util/simd.h:

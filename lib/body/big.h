@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* big.h - signed integers of any size that sums and products of a few doubles reach (private).
  *
  * A value is sign * limb[0 ... limbs-1] * 2^0, limb[0] the lowest, the highest not 0; zero has no

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* body.h - a body's tree (private). */
 #ifndef SEPAX_BODY_H
 #define SEPAX_BODY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* boxes.h - boxes in a pose, each against the eight boxes of a node (private; query.c includes it
  * once for each instruction set). Beyond the macros of util/simd.h:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* filter.h - pairs of posed triangles: verdicts by doubles, and which of them are uncertain
  * (private; judge.c includes it once for each instruction set). It needs the macros of util/simd.h,
  * SIMD_BITS of a vector of uint64_t. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fit.c - the oriented boxes of a tree.
  *
  * A box of one triangle stands on its plane and its longest edge. A box of more stands on the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* judge.c - verdicts on pairs of posed triangles, several at once. Doubles decide first (filter.h),
  * then whole numbers, and sepax_exact_posed decides the rest. */
 #include "judge.h"

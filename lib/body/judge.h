@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* judge.h - verdicts on pairs of posed triangles (private). */
 #ifndef SEPAX_JUDGE_H
 #define SEPAX_JUDGE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* number.h - a double as an integer times a power of two (private). */
 #ifndef SEPAX_NUMBER_H
 #define SEPAX_NUMBER_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* orient.c - on which side of a line or of a plane a point is, exactly. */
 #include "body/orient.h"
 #include "body/big.h"

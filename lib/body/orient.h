@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* orient.h - on which side of a line or of a plane a point is, exactly (private). */
 #ifndef SEPAX_ORIENT_H
 #define SEPAX_ORIENT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* placement.c - places two bodies: finds the motions between their coordinates. */
 #include "placement.h"
 

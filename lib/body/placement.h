@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* placement.h - two bodies in their poses (private). */
 #ifndef SEPAX_PLACEMENT_H
 #define SEPAX_PLACEMENT_H

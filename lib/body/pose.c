@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* pose.c - poses: validity, nearest rotation, application, composition, inverse. */
 #include "placement.h"
 #include "util/error.h"

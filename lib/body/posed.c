@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* posed.c - the exact verdict on two triangles of doubles in a pose.
  *
  * A posed coordinate is r_0 x + r_1 y + r_2 z + t, a sum of products of doubles: an integer times a

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* posed.h - posed triangles in integers of any size (private). */
 #ifndef SEPAX_POSED_H
 #define SEPAX_POSED_H

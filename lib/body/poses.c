@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* poses.c - reads files of poses, 12 decimal numbers in each line. */
 #include "sepax.h"
 #include "util/error.h"

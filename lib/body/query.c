@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* query.c - which triangles of two bodies in their poses collide.
  *
  * Both trees are descended together. A box of one body, turned into the other's coordinates, is

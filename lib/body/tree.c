@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tree.c - a body's tree of AABBs, eight children a node, split by the surface area heuristic.
  *
  * Ranges of triangles are divided down to PART of them; the trees below are parts that threads

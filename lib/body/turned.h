@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* turned.h - a box in the other body's coordinates (private). */
 #ifndef SEPAX_TURNED_H
 #define SEPAX_TURNED_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* halves.c - finds the pairs of triangles of two meshes whose AABBs overlap, without a tree.
  *
  * A pair of lists of boxes is processed as follows. A box outside the bounds of the other list

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* meshes.c - all colliding pairs of two meshes. Candidates come from their AABBs (halves.c) or are
  * all pairs. They are judged many at a time by one or more threads. */
 #include "broad_phase/search.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* search.h - the state of a search for pairs of triangles of two meshes, and of its threads
  * (private). */
 #ifndef SEPAX_BROAD_PHASE_SEARCH_H

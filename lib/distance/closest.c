@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* closest.c - the distance of two bodies in their poses. */
 #include "distance.h"
 #include "search.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* distance.c - the distance of two posed triangles.
  *
  * Doubles find candidates for the nearest features. Numbers of twice the precision then enclose the

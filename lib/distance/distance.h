@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* distance.h - the nearest features of two posed triangles (private).
  *
  * A feature of a triangle is a vertex, an edge or its face: bit k is vertex k. */

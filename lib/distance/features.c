@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* features.c - which features of two triangles are nearest to each other: signs of integers.
  *
  * The distance of two convex sets is taken at points p and q iff no point of A is beyond p in the

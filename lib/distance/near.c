@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* near.c - finds the pairs of triangles of two posed bodies within a distance. */
 #include "distance.h"
 #include "search.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* reach.h - how near boxes and pairs of triangles come to each other (private; search.c includes it
  * once for each instruction set). It needs the macros of util/simd.h, SIMD_BITS of a vector of
  * int32_t. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* search.c - the pairs of triangles of two posed bodies that may be within a limit.
  *
  * Both trees are descended together, nearest boxes first. A box of one body, turned into the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* search.h - the pairs of triangles of two posed bodies that may be within a limit, nearest boxes
  * first (private). */
 #ifndef SEPAX_DISTANCE_SEARCH_H

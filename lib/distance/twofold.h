@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* twofold.h - numbers of twice the precision of a double (private).
  *
  * A value is high + low, |low| at most half a unit in the last place of high. With u = 2^-53 a sum

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* chain.c - the joints between two links. */
 #include "sepax_mechanism.h"
 #include "util/error.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* join.c - is it a mechanism? Its root, the order of its joints. */
 #include "mechanism/steps.h"
 #include "util/error.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* poses.c - where the links of a mechanism are. */
 #include "mechanism/steps.h"
 

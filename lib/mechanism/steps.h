@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* steps.h - the joints of a mechanism (private). */
 #ifndef SEPAX_STEPS_H
 #define SEPAX_STEPS_H

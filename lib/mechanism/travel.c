@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* travel.c - a bound on the motion of bodies while joints move linearly.
  * docs/reference/mechanisms.md#the-bound-on-motion derives the bound. */
 #include "mechanism/steps.h"

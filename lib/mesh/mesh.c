@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh.c - checks a caller's mesh. */
 #include "mesh.h"
 #include "util/options.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh.h - the triangles of a caller's mesh (private). */
 #ifndef SEPAX_MESH_H
 #define SEPAX_MESH_H

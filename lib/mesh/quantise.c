@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* quantise.c - puts meshes on the integer grid.
  *
  * q = round((x - offset) / resolution) is exact for the numbers as given: no rounding of a

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stl.c - STL files, text and binary, read and written whole. */
 #include "mesh/stl.h"
 #include "util/bytes.h"

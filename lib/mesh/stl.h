@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stl.h - STL files as bytes (private). */
 #ifndef SEPAX_STL_H
 #define SEPAX_STL_H

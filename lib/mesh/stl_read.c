@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stl_read.c - reads the bytes of STL files, text and binary. */
 #include "mesh/stl.h"
 #include "util/bytes.h"

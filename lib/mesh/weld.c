@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* weld.c - merges vertices of a mesh that are within a length of each other. */
 #include "mesh/weld.h"
 #include "util/error.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* weld.h - the steps of welding a mesh (private). */
 #ifndef SEPAX_WELD_H
 #define SEPAX_WELD_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* weld_copies.c - leaves out triangles of a welded mesh that are copies, or edges or vertices of
  * others.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* weld_divide.c - inserts vertices of a welded mesh into open edges near them.
  *
  * Only the ends of open edges can close an open edge. So only these are searched, by a tree that

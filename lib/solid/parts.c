@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* parts.c - numbers the parts of a body so that the parts of a piece follow each other. */
 #include "parts.h"
 #include "body/body.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* parts.h - the parts of a body, and which of them overlap (private). */
 #ifndef SEPAX_PARTS_H
 #define SEPAX_PARTS_H

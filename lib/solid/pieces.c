@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* pieces.c - finds the parts of a body that have a point in common, by testing its tree against
  * itself. */
 #include "body/body.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ray.c - a ray from a posed point against a triangle, in integers of any size.
  *
  * Point v of A is at x = R_A v + t_A - t_B from B's origin, and adj(R_B) x / det(R_B) in B's

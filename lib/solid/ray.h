@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ray.h - a ray from a posed point against a triangle, exactly (private). */
 #ifndef SEPAX_RAY_H
 #define SEPAX_RAY_H

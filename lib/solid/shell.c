@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* shell.c - is a body closed, do its triangles wind alike, what hangs together by edges.
  *
  * Edges are summed as segments in space: of a closed body, every point of every edge is in an even

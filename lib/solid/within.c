@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* within.c - is a part of one body wholly inside the other?
  *
  * Bodies of which no triangles collide: a part is inside if one vertex of it is, which must not be

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* aabb.h - axis-aligned bounding boxes (AABB) of integer triangles (private).
  *
  * Corners are int64_t, so that neither a translated triangle nor a gap overflows. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bins.h - ranges of AABBs, and the cut of a range by the surface area heuristic, from bins of the
  * boxes' middles (private). */
 #ifndef SEPAX_BINS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* box.h - boxes of four floats, the last of which does not belong to the box; and least and most of
  * two doubles at once (private). */
 #ifndef SEPAX_BOX_H

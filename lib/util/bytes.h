@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bytes.h - whole numbers in little-endian bytes, whatever the processor's order (private). */
 #ifndef SEPAX_BYTES_H
 #define SEPAX_BYTES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* error.h - how libsepax and the programs on it report failures (private). */
 #ifndef SEPAX_ERROR_H
 #define SEPAX_ERROR_H

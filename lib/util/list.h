@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* list.h - lists that grow (private). */
 #ifndef SEPAX_LIST_H
 #define SEPAX_LIST_H

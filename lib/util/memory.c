@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* memory.c - the allocator: malloc, realloc and free, or what the caller brought. */
 #include "sepax.h"
 

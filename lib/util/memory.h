@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* memory.h - memory of the allocator that the caller brought (private). */
 #ifndef SEPAX_MEMORY_H
 #define SEPAX_MEMORY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* options.h - reads structs of callers that were compiled with another version of the headers
  * (private). */
 #ifndef SEPAX_OPTIONS_H

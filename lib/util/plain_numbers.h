@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* plain_numbers.h - numbers with a decimal point, in every locale that a program may have chosen
  * (private). Between begin and end the calling thread has the numbers of locale C. */
 #ifndef SEPAX_PLAIN_NUMBERS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* simd.h - the contract of headers that are included once for each set of vector instructions
  * (private): batch/lanes.h, body/filter.h, body/boxes.h, distance/reach.h, and for each width of
  * integers verdict/exact_sums.h.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* temporary.c - a signal's handler reads the paths, so each stands in an atomic pointer. */
 #include "temporary.h"
 #include "sepax.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* temporary.h - files under way, which a signal that ends the program removes (private). */
 #ifndef SEPAX_TEMPORARY_H
 #define SEPAX_TEMPORARY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* text.c - whole files, and decimal numbers in them. */
 #include "util/text.h"
 #include "util/error.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* text.h - whole files, and decimal numbers in them (private). */
 #ifndef SEPAX_UTIL_TEXT_H
 #define SEPAX_UTIL_TEXT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* threads.c - one job in parts, for threads that take them. */
 #include "util/threads.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* threads.h - one job in parts, for threads that take them (private). */
 #ifndef SEPAX_THREADS_H
 #define SEPAX_THREADS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* vector.h - vectors of three doubles (private). Rounded. */
 #ifndef SEPAX_VECTOR_H
 #define SEPAX_VECTOR_H

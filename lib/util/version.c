@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* version.c - which library runs. */
 #include "sepax.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* wide.h - vectors of three 128-bit integers (private). No operation checks for overflow: a caller
  * states why its values fit. */
 #ifndef SEPAX_WIDE_H

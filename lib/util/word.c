@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* word.c - the range of a coordinate of W bits. */
 #include "sepax_grid.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* write_file.c - files that are whole or not there. */
 #include "write_file.h"
 

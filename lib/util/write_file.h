@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* write_file.h - files that are whole or not there (private). */
 #ifndef SEPAX_WRITE_FILE_H
 #define SEPAX_WRITE_FILE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* exact.c - the golden model of architecture exact: the mathematical verdict from 34 products and
  * the signs of their sums.
  *

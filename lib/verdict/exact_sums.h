@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* exact_sums.h - the products and sums of exact.c, for one type of integers (private; exact.c
  * includes it once for each). It needs SIMD_NAME and SIMD_UNROLL of util/simd.h, and SIMD_NUMBER,
  * an unsigned type.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* signs.h - from the signs of orient3d and orient2d to the axis that separates two triangles
  * (private). exact.c has the formulas. */
 #ifndef SEPAX_SIGNS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* boxes.c - builds the tree of boxes: a box is divided along its longest side, at the median of its
  * triangles' centres. */
 #include "boxes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* boxes.h - a tree of boxes, each turned as its triangles lie, over the triangles of a body. */
 #ifndef CERTIFICATE_BOXES_H
 #define CERTIFICATE_BOXES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* check.c - is a certificate right that bodies of a URDF do not touch along a path?
  *   sepax-certificate-check [-p NAME:FOLDER] FILE
  * docs/reference/certificate.md has the format and what is proved. Exit status 0: proved; 1: not;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* dae.c - COLLADA 1.4 and 1.5: what the scene places of polygons. */
 #include "mesh.h"
 #include "report.h"

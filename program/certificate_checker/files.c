@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* files.c - digests by libmd, and counts. */
 #include "files.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* files.h - the files that a certificate names, and their checks. */
 #ifndef CERTIFICATE_FILES_H
 #define CERTIFICATE_FILES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* inside.c - finds the parts of surfaces, and tests by rays whether one is inside another. */
 #include "inside.h"
 

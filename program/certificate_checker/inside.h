@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* inside.h - is a part of one body inside the other? */
 #ifndef CERTIFICATE_INSIDE_H
 #define CERTIFICATE_INSIDE_H

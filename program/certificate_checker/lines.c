@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* lines.c - JSON, read with jansson line by line. */
 #include "lines.h"
 

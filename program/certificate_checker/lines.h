@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* lines.h - a certificate's text: JSON, a value a line. */
 #ifndef CERTIFICATE_LINES_H
 #define CERTIFICATE_LINES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh.c - which format a mesh file has, and its polygons. */
 #include "mesh.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh.h - polygons of a mesh file: STL, OBJ, PLY, 3MF, DAE.
  *
  * Whatever a reader does not know is refused (cannot), unless the format says that it has no

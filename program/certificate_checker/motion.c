@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* motion.c - chains of joints; a pair's motion to second order. */
 #include "motion.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* motion.h - how one body of a pair moves, seen from the other, while the joints go linearly.
  *
  * The chain of the pair is a product E_1(s) E_2(s) ... E_m(s) of poses, from the second body's link

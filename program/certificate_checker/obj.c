@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* obj.c - Wavefront OBJ: vertices and faces. */
 #include "mesh.h"
 

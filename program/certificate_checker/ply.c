@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ply.c - PLY, ASCII or binary. */
 #include "mesh.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* polygon.c - ears are cut off until a triangle is left.
  *
  * That the division is right needs no proof of the search: the numbers of turns around a point of

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* polygon.h - polygons as triangles.
  *
  * A polygon whose corners are in a plane is the same surface however it is divided. Of a bent one

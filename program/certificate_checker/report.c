@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* report.c - how the program ends, and memory. */
 #include "report.h"
 

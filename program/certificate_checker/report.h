@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* report.h - ends the program with a line, and allocates memory, which is kept until then. */
 #ifndef CERTIFICATE_REPORT_H
 #define CERTIFICATE_REPORT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* robot.c - URDF and SRDF, read with libxml2's tree. */
 #include "robot.h"
 

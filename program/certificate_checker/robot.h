@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* robot.h - links, joints and collision geometry of a URDF; pairs that an SRDF excludes. */
 #ifndef CERTIFICATE_ROBOT_H
 #define CERTIFICATE_ROBOT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* separation.c - two trees of boxes, down to pairs of triangles. Everything is in the coordinates
  * of the second body; the first goes by s (spin x p + drift), s from -1 to 1, and up to `curve`
  * elsewhere, which is part of what an axis must show.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* separation.h - axes that keep two bodies farther from each other than a distance, all the time.
  */
 #ifndef CERTIFICATE_SEPARATION_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* steps.c - CSV of joint values. */
 #include "steps.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* steps.h - the lines of a path: a value of each joint. */
 #ifndef CERTIFICATE_STEPS_H
 #define CERTIFICATE_STEPS_H

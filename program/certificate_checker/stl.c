@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stl.c - STL, binary or ASCII. */
 #include "mesh.h"
 

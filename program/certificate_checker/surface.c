@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* surface.c - triangles of meshes, boxes, cylinders, spheres and capsules. */
 #include "surface.h"
 

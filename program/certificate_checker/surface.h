@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* surface.h - the triangles of a body, in the coordinates of its link. */
 #ifndef CERTIFICATE_SURFACE_H
 #define CERTIFICATE_SURFACE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* threemf.c - 3MF: the core specification and its production extension, read with libzip. */
 #include "mesh.h"
 #include "report.h"

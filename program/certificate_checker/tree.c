@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tree.c - XML, read with libxml2's tree. */
 #include "tree.h"
 

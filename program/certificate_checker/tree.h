@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tree.h - XML, read with libxml2's tree. */
 #ifndef CERTIFICATE_TREE_H
 #define CERTIFICATE_TREE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* vector.h - vectors in double for triangles; in long double, with unit quaternions, for poses. */
 #ifndef CERTIFICATE_VECTOR_H
 #define CERTIFICATE_VECTOR_H

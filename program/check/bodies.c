@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bodies.c - answers for sepax check on the bodies as their files have them, in one pose or in
  * many. */
 #include "check/parts.h"

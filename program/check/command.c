@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* command.c - sepax check: reads the options and calls the parts that answer and print. */
 #include "check/parts.h"
 #include "report/json.h"

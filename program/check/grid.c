@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* grid.c - answers for sepax check --grid: the judgement of a design on two bodies that are rounded
  * to its grid. */
 #include "body/big.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* output.c - what sepax check prints and writes. */
 #include "check/parts.h"
 #include "report/json.h"

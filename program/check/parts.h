@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* parts.h - what the parts of sepax check share: command.c reads what is asked, bodies.c answers
  * for the bodies as the files have them, grid.c for a design on its grid, output.c prints. */
 #ifndef SEPAX_CHECK_PARTS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* cli.h - what the subcommands of build/sepax share. */
 #ifndef SEPAX_CLI_H
 #define SEPAX_CLI_H

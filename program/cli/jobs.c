@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* jobs.c - sepax tree on a list of jobs: describes the list, and walks its trees by the golden
  * model of the tree engine. */
 #include "cli.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* jobs.h - sepax tree of a list of jobs. */
 #ifndef SEPAX_CLI_JOBS_H
 #define SEPAX_CLI_JOBS_H

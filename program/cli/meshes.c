@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* meshes.c - reads and welds meshes for the commands, by --unit and --weld. */
 #include "cli/meshes.h"
 #include "cli/question.h"

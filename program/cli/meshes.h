@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* meshes.h - reads and welds meshes for the commands, by --unit and --weld. */
 #ifndef SEPAX_CLI_MESHES_H
 #define SEPAX_CLI_MESHES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* options.c - options, messages and progress that the subcommands share. */
 #include "cli.h"
 #include "design/options.h"

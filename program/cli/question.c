@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* question.c - options that sepax check, sepax path and sepax size share. */
 #include "cli/question.h"
 #include "cli/units.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* question.h - options that sepax check, sepax path and sepax size share. */
 #ifndef SEPAX_CLI_QUESTION_H
 #define SEPAX_CLI_QUESTION_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* units.h - the units that a length or a time may have, on the command line and in files. */
 #ifndef SEPAX_UNITS_H
 #define SEPAX_UNITS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* accuracy.c - sepax accuracy: wrong verdicts of a design, family by family or on two meshes. */
 #include "accuracy_tally.h"
 #include "cli/meshes.h"

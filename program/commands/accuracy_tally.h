@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* accuracy_tally.h - what sepax accuracy counts, and its rows (private; accuracy.c). */
 #ifndef SEPAX_ACCURACY_TALLY_H
 #define SEPAX_ACCURACY_TALLY_H

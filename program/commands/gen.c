@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* gen.c - sepax gen: configuration -> Verilog folder. */
 #include "cli/cli.h"
 #include "command_table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* judge.c - sepax judge: verdicts for pairs given as text. */
 #include "cli/cli.h"
 #include "command_table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh.c - sepax mesh: sample objects as STL. */
 #include "cli/cli.h"
 #include "command_table.h"

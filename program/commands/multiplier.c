@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* multiplier.c - sepax multiplier: one of the generated multipliers by itself. */
 #include "arith/arith.h"
 #include "cli/cli.h"

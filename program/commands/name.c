@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* name.c - sepax name: answers what make and scripts ask about a design and its options. */
 #include "cli/cli.h"
 #include "design/engine_table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tree.c - sepax tree: writes a body as a tree for the tree engine, and describes trees and lists
  * of jobs. */
 #include "cli/jobs.h"

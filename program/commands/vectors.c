@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* vectors.c - sepax vectors: seeded test vectors of hard cases as text. */
 #include "cli/cli.h"
 #include "command_table.h"

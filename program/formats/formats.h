@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* formats.h - reads scenes and paths in common formats: URDF, SRDF, meshes, CSV. Each reader fails
  * with one line that names the file, the line if there is one, and a cure. */
 #ifndef SEPAX_FORMATS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* motion.c - paths as CSV: a header that names joints, then their values, a line each. */
 #include "cli/units.h"
 #include "formats/formats.h"

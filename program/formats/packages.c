@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* packages.c - finds the mesh files of a URDF. */
 #include "formats/packages.h"
 #include "util/error.h"

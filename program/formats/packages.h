@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* packages.h - finds the mesh files of a URDF (private). */
 #ifndef SEPAX_PACKAGES_H
 #define SEPAX_PACKAGES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* shapes.c - makes triangles from collision geometry, in the coordinates of its link. */
 #include "formats/formats.h"
 #include "util/memory.h"

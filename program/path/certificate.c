@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* certificate.c - writes the proof of --certify for sepax-certificate-check:
  * docs/reference/certificate.md. */
 #include "path/digest.h"

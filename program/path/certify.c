@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* certify.c - proves that bodies do not collide between the lines of a path: if the bodies are
  * farther apart than any of their points moves, then they do not meet.
  * docs/reference/mechanisms.md#between-the-lines. */

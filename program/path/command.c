@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* command.c - sepax path: reads the options and calls the parts that search, certify and write. */
 #include "report/json.h"
 #include "command_table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* data.c - the results of sepax path for programs: JSON and CSV. */
 #include "report/json.h"
 #include "report/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* digest.h - the digest of a file in a certificate. (private) */
 #ifndef SEPAX_PATH_DIGEST_H
 #define SEPAX_PATH_DIGEST_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engine.c - turns the bodies and lines into input of the tree engine: trees, poses in fixed point
  * and a list of jobs. docs/reference/path-engine.md. */
 #include "path/engine.h"

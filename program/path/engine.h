@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engine.h - the bodies and lines of a path as input of a tree engine, for sepax path --jobs and
  * for sepax size. */
 #ifndef SEPAX_PATH_ENGINE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* options.c - the options that describe a scene, for sepax path and sepax size. */
 #include "path/parts.h"
 

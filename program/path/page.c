@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* page.c - writes an HTML page that shows all bodies and plays the path. page.html is the page
  * itself. The data of the scene and three.js, which draws it, are inserted. */
 #include "report/json.h"

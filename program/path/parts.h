@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* parts.h - what the parts of sepax path share. command.c and options.c read the options. scene.c
  * makes bodies from links and pairs from bodies. search.c decides each pair in each line. certify.c
  * proves the motion between lines. results.c combines the verdicts. certificate.c writes the proof.

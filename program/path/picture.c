@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* picture.c - writes all bodies in one pose as a PLY file, which any mesh viewer shows. */
 #include "path/parts.h"
 #include "report/ply.h"

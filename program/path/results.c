@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* results.c - combines the verdicts of lines and of the motion between them, and finds their
  * moments. */
 #include "path/parts.h"

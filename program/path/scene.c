@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* scene.c - makes bodies from the links and chooses the pairs of bodies that are compared. */
 #include "path/parts.h"
 #include "util/error.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* search.c - decides each pair of bodies in each line of the path. */
 #include "path/parts.h"
 #include "util/error.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* text.c - what sepax path prints for people. */
 #include "path/parts.h"
 #include "report/text.h"

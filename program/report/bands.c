@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bands.c - checks and prints the limits of --clearance and --warning. */
 #include "report/bands.h"
 #include "report/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bands.h - checks and prints the limits of --clearance and --warning. */
 #ifndef SEPAX_REPORT_BANDS_H
 #define SEPAX_REPORT_BANDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* csv.c - cells of a CSV file. */
 #include "report/csv.h"
 

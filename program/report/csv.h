@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* csv.h - cells of a CSV file. */
 #ifndef SEPAX_REPORT_CSV_H
 #define SEPAX_REPORT_CSV_H

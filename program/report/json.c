@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* json.c - what commands print as JSON. */
 #include "report/json.h"
 #include "util/error.h"

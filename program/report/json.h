@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* json.h - what commands print as JSON. */
 #ifndef SEPAX_REPORT_JSON_H
 #define SEPAX_REPORT_JSON_H

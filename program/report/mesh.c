@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh.c - what a mesh file has, as text and as JSON. */
 #include "report/mesh.h"
 #include "report/json.h"

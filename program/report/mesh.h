@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh.h - what a mesh file has, as text and as JSON. */
 #ifndef SEPAX_REPORT_MESH_H
 #define SEPAX_REPORT_MESH_H

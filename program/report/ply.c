@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ply.c - bodies as a PLY file. */
 #include "report/ply.h"
 #include "util/bytes.h"

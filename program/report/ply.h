@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ply.h - bodies as a PLY file (binary, coordinates as doubles), for any mesh viewer. */
 #ifndef SEPAX_REPORT_PLY_H
 #define SEPAX_REPORT_PLY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* text.c - lines of text that several commands print. */
 #include "report/text.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* text.h - lines of text that several commands print. */
 #ifndef SEPAX_REPORT_TEXT_H
 #define SEPAX_REPORT_TEXT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* verdict.c - the names of verdicts and the exit status of each. */
 #include "report/verdict.h"
 

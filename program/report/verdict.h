@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* verdict.h - the verdict on a pair, a pose or a whole scene, for sepax check, path and size. */
 #ifndef SEPAX_REPORT_VERDICT_H
 #define SEPAX_REPORT_VERDICT_H

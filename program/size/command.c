@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* command.c - sepax size: reads the options, measures the scene and finds the smallest design. */
 #include "command_table.h"
 #include "design/engine_table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engines.c - requests designs with one engine each, and prints them. */
 #include "size/parts.h"
 #include "design/engine_table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* output.c - prints the answer of sepax size as text and as JSON. */
 #include "report/json.h"
 #include "design/engine_table.h"

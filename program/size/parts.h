@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* parts.h - what the parts of sepax size share. command.c reads the options and finds the answer.
  * scene.c measures a machine on a path. output.c prints. */
 #ifndef SEPAX_SIZING_PARTS_H

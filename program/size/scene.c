@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* scene.c - measures the pairs of a machine in each line of a path. docs/reference/size.md. */
 #include "size/workloads.h"
 #include "size/parts.h"

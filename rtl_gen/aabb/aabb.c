@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* aabb.c - the AABB test before architecture exact, sepax_aabb_test, and all that other files have
  * to know of it. */
 #include "aabb.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* aabb.h - axis-aligned bounding boxes in the RTL. */
 #ifndef SEPAX_GEN_AABB_H
 #define SEPAX_GEN_AABB_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // AABB test of a pair: on some axis, are the AABBs disjoint@margin_about@?
 //@ if extents
 // If not, does one exceed its extent; and if neither, its coordinates, on each axis from a local

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Least and greatest of three coordinates: the AABB of a triangle on one axis. Combinational.
 module sepax_bounds #(
   parameter W = @word@ // bits of a coordinate

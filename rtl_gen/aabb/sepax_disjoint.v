@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Are two intervals disjoint, that is, without a common point? AABBs overlap if they are so on
 // no axis. Combinational.
 module sepax_disjoint #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A triangle with z and the thinnest side of an AABB in each other's place. Combinational.
 module sepax_swap_axes #(
   parameter W = @word@ // bits of a coordinate

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which side of an AABB is the thinnest? Combinational.
 module sepax_thinnest #(
   parameter W = @word@ // bits of a side

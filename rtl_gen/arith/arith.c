@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* arith.c - multipliers planned: rows, full adders, pipeline registers. */
 #include "arith.h"
 

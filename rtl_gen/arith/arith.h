@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* arith.h - arithmetic of architecture exact: multipliers and sums of products, pipelined by the
  * delay model. */
 #ifndef SEPAX_ARITH_H

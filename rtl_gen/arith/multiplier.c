@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* multiplier.c - a planned multiplier, or sum of products, as a module of rows (sepax_digit) and
  * adders (sepax_fa). */
 #include "arith.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* product.c - products of an FPGA: cut for the signed factors of its multipliers, as a module. */
 #include "arith.h"
 #include "emit/template.h"

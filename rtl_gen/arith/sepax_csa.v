@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Carry-save adder (3:2 compressor) of words: a + b + c + carry_in = sum + carry modulo 2^N.
 // Combinational.
 module sepax_csa #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One row of a multiplier: with digit = b, two's complement, -2, -1, 0, 1 or 2, //@ top
 // One row of a multiplier: with digit = b - 2, which is -2, -1, 0 or 1, //@ two_less
 // One row of a multiplier: with digit = b - 1, which is -1, 0, 1 or 2, //@ one_less

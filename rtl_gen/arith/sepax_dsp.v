@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Signed product between registers, as one multiplier of the FPGA makes it with its own: one behind
 // each factor's port, one behind the product. p = a b modulo 2^P_W. Latency 2.
 module sepax_dsp #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // N full adders side by side: a + b + c = sum + 2 carry, bit by bit.
 // Combinational. A library's full-adder cell may stand for it.
 module sepax_fa #(

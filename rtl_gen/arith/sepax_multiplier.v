@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 //@ if plain
 // Signed product: p = a * b modulo 2^@p_w@.
 //@ else

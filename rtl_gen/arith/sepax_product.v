@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Signed product: p = a * b modulo 2^@p_w@.
 // For multipliers of @port_a@ x @port_b@ bits, signed (@family@).
 // a is cut into @parts@ parts, each times b, one a cycle later than the other. //@ several

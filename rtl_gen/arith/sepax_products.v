@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sum of products: p = @formula@ modulo 2^@p_w@, for the
 // @terms@ factors a_k and b_k of a and b, BIAS = @bias@, floor(b_k / 4^@top_digit@) in
 // -2 ... 2.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sum of products: p = sum over k of a_k b_k + c@minus_d@ modulo 2^@p_w@, for the
 // @terms@ factors a_k and b_k of a and b. For multipliers of @family@.
 // Latency @latency@.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // FIFO of words in registers. `free` falls while MARGIN words still find an entry, as many as may
 // come after it was seen. A word is at `out` from the cycle after its push on.
 module sepax_fifo #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reorder buffer: verdicts in the order of their pairs. A pair gets an entry when it is taken; its
 // verdict is written there whenever it comes, and leaves when all before it have.
 module sepax_reorder #(

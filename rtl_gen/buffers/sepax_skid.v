@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Skid buffer: in_ready is a register, so that no path leads from out_ready, in_valid or data to
 // it. A word passes at once while the buffer is empty; one that is not taken waits in it.
 // Latency 0.

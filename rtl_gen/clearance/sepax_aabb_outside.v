@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One coordinate: is the gap of the AABBs above 1 + D, for each clearance D? Latency 2.
 module sepax_aabb_outside #(
   parameter W = @w@,          // bits of a coordinate

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A component of e x f, from orient2d of e and both ends of f: c = p - q. Latency 1.
 module sepax_cross #(
   parameter G_W = @g_w@, // bits of an orient2d

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The band, and the axis that proves it, from what exceeds the limits. Each of f is
 // {orient3d is zero, is below zero, exceeds the limit of each clearance}. Combinational. In this
 // order:

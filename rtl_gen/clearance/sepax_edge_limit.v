@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What twice an orient2d over an edge (X, Y, Z) must exceed, in the projection on x and y:
 // (2 + D) (|X| + |Y|) + D max(|X|, |Y|), likewise on y and z, on z and x; for each clearance D.
 // Latency @latency@.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // In a projection: is the other triangle farther from an edge than its limit, all of it on the side
 // where the edge's own triangle is not? For each clearance. Latency 1.
 module sepax_edge_outside #(

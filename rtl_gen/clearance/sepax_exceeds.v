@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // orient3d against the limit of its axis: is twice its size above it, for each clearance? //@ zero
 // orient2d against the limit of its edge: is twice its size above it, for each clearance? //@ !zero
 // For v of sign s the comparison is {~v if s else v, s, s} > {limit, 0}. Latency 1.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What twice a gap on @what@ must exceed, for each clearance D:
 // (2 + D) (|x| + |y| + |z|) + D max(|x|, |y|, |z|). Latency @latency@.
 module @name@ #(

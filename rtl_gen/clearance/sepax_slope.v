@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How orient3d changes along an edge, from p to q. Latency 1.
 module sepax_slope #(
   parameter V_W = @v_w@ // bits of an orient3d

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A copy of one bit of the slot register, for the operands of one group of units: less fan-out. It
 // is a module that keeps its place in the hierarchy, lest synthesis merge the copies.
 (* keep_hierarchy *)

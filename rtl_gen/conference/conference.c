@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* conference.c - architecture conference: what the paper improves on, table by table
  * (docs/reference/conference.md), of the paper's units. */
 #include "conference/conference.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* conference.h - architecture conference: what the paper improves on
  * (docs/reference/conference.md). */
 #ifndef SEPAX_CONFERENCE_H

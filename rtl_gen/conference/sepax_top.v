@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Collision detection of two triangles by the separating axis theorem: the design that
 // the paper improves on, with nothing shared between its two tables of axes.
 //

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* advance.c - see advance.h. */
 #include "advance.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* advance.h - enables of the datapath's registers, which a pair brings along: advance_t is high
  * while registers take what they hold in cycle t of a pair, and in the II - 1 cycles behind, as the
  * units work for II operations in turn. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* binding.c - operations to units and slots. */
 #include "binding.h"
 

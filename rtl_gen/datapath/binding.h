@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* binding.h - which unit computes an operation, and in which slot of the II window.
  *
  * Operations of a kind fill their units in order: operation n goes to unit n / II, slot n % II. An

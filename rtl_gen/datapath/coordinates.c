@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* coordinates.c - rotating registers of coordinates. */
 #include "coordinates.h"
 

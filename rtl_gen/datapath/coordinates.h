@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* coordinates.h - the registers of the 18 coordinates. A pair stands in the first registers for one
  * II window and moves on to holding registers, window by window, as long as it is read. Where 3
  * divides II the three vertices of each triangle rotate by one place a cycle (binding.h). */

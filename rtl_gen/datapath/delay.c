@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* delay.c - the delay model: one table a library, and what is computed of it. */
 #include "delay.h"
 

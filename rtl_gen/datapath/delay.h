@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* delay.h - the delay model: when logic between registers has settled, in nanoseconds. Registers
  * are placed by it (docs/developers/results/clock.md#target-periods tells how far it is right). */
 #ifndef SEPAX_DELAY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* emission.c - units of a datapath: operands, instances. */
 #include "emission.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* emission.h - a datapath as Verilog: its registers, what selects the operands of its units, their
  * instances. */
 #ifndef SEPAX_EMISSION_H

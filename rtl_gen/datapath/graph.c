@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* graph.c - nodes and kinds of an expression graph. */
 #include "graph.h"
 

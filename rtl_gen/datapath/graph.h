@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* graph.h - a datapath as an expression graph. A node is a coordinate, a constant or an operation
  * on other nodes; all that is emitted of it follows from the graph: names, widths, operands,
  * lifetimes, wires. */

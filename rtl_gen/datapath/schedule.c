@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* schedule.c - delay lines and holding registers behind the outputs of units. */
 #include "schedule.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* schedule.h - the modulo schedule: where values stand between the unit that makes them and the
  * units that read them, when a unit serves II operations in turn.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* times.c - starts of units, and lifetimes of values. */
 #include "times.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* times.h - when the units of each kind start, and what that asks of the storage. */
 #ifndef SEPAX_TIMES_H
 #define SEPAX_TIMES_H

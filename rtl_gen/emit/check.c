@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* check.c - modules, the items in them, and instances with the values of their parameters. */
 #include "check.h"
 

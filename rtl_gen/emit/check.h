@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* check.h - the emitter's strictness: a recursive-descent reader of the Verilog that the
  * generator writes. It elaborates a module for given parameters: generate loops run, constant
  * conditions choose, every expression gets its width. check.c reads modules and instances,

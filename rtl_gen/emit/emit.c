@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* emit.c - the emitter's modules and errors; template.c makes them, check.c judges them. */
 #include "emit.h"
 

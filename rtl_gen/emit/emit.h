@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* emit.h - a small strict emitter of Verilog-2005 modules.
  *
  * A module is a template (template.h) and is checked before a byte of it is written. The emitter

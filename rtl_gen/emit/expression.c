@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* expression.c - operators: the bits of their results, and the values of constants. */
 #include "check.h"
 

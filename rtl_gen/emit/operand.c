@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* operand.c - literals, names with their selects, what stands in parentheses and braces. */
 #include "check.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* reader.c - tokens, names and scopes of the text that is checked. */
 #include "check.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* statement.c - declarations, what stands in always blocks and functions, and control around
  * statements or items. */
 #include "check.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* template.c - Verilog files with holes become modules. */
 #include "template.h"
 

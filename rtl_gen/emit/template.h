@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* template.h - modules that are Verilog files with named holes.
  *
  * A file rtl_gen/FOLDER/sepax_NAME.v looks like the module that it makes and is compiled into the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* text.h - a text that grows as it is written. Without memory it takes no more and remembers that:
  * whoever takes the text finds NULL in its place, so that no writer has to ask. */
 #ifndef SEPAX_EMIT_TEXT_H

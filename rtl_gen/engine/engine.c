@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engine.c - the table of generators of engines, and what engines share. */
 #include "engine/engine.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engine.h - what the generator of an engine is to everything that does not depend on which one it
  * is, and what engines share. c_model/design/engine_table.h has the list of engines. */
 #ifndef SEPAX_ENGINE_GENERATOR_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* registers.h - the register map of an engine, written once as a table: for the RTL, for C, for
  * people. */
 #ifndef SEPAX_ENGINE_REGISTERS_H

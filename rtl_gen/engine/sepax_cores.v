@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The exact cores: a pair goes to the first that is ready; verdicts leave in the order of the
 // pairs, which the in-flight FIFO keeps.
 module sepax_cores (

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Memory with one port to write and one to read, which keeps what it read last. Its contents are
 // not reset. Latency 1.
 module sepax_ram #(

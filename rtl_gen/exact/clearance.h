@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* clearance.h - what a clearance adds to architecture exact (docs/reference/clearance.md). */
 #ifndef SEPAX_CLEARANCE_H
 #define SEPAX_CLEARANCE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* clearance_graph.c - what a clearance adds to the expression graph: is what separates farther than
  * its limit? */
 #include "clearance.h"

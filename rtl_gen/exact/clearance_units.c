@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* clearance_units.c - the modules that a clearance adds to architecture exact. */
 #include "clearance.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* core.c - sepax_core: what its template needs of the plan. */
 #include "datapath/emission.h"
 #include "engine/engine.h"

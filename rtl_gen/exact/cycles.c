@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* cycles.c - the exact datapath in time: when the units of each kind start. latency.c has the end.
  */
 #include "datapath/binding.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* exact.h - architecture exact: its expression graph (docs/reference/exact.md), the registers
  * inside its units, its cycles, its modules. */
 #ifndef SEPAX_EXACT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* graph.c - the exact datapath as an expression graph: the formulas of docs/reference/exact.md. */
 #include "clearance.h"
 #include "exact.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* latency.c - what fixes the latency of architecture exact: the cycles from the one that takes a
  * pair to that of its verdict, both counted. It is the sum of
  *

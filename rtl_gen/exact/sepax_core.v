@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The exact datapath: the 15 orient3d of the six vertices from 34 products, a pair every
 // @every@. Names say which vertices: t_a1b2 is the trapezoid term of the edge from A_1
 // to B_2, g_a1b2b3 the orient2d of that triangle, h its signed prism volume.

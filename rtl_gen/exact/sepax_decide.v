@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The axis that separates, from the signs {> 0, < 0} of the 15 orient3d; 00 is zero.
 // Combinational. In this order:
 //   AXIS_PLANE     all orient3d are zero: an axis in the common plane, if in_plane says so

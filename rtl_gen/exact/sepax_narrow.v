@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Narrow phase: sepax_core with its control. A pair enters at the end of an II window and is in
 // window 0 then, in window k after k more; its verdict goes to the reorder buffer, which has an
 // entry for each pair.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Exact collision detection of two triangles: the verdict is the mathematical one for every
 // input. valid/ready on both sides; a pair every @every@, verdicts in order.
 //@ if aabb_test

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stages.c - registers inside the units of the exact datapath: the delay model asks where. */
 #include "aabb/aabb.h"
 #include "clearance.h"

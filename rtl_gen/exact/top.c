@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* top.c - architecture exact around its core: sepax_narrow with the handshake, the passes of a pair
  * and the order of the verdicts, and sepax_top. */
 #include "aabb/aabb.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* units.c - the modules of architecture exact below its core: templates and their holes. */
 #include "clearance.h"
 #include "exact.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* describe.c - sepax.json, sepax_params.h and sepax_params.vh: what benches and scripts ask about a
  * design; constraints and a list of waves for other tools. */
 #include "files/describe.h"

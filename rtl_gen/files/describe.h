@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* describe.h - the files that tell benches and scripts about a design. */
 #ifndef SEPAX_EMIT_DESCRIBE_H
 #define SEPAX_EMIT_DESCRIBE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* output.c - writing a generated design into a folder. */
 #include "files/output.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* output.h - a generated design as a folder of files. */
 #ifndef SEPAX_OUTPUT_H
 #define SEPAX_OUTPUT_H

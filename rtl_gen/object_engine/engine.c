@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engine.c - the object engine (docs/reference/object-engine.md): two memories of triangles,
  * comparator lanes to which a pair enumerator leads all pairs, and the cores behind them. Its row
  * in the table of generators.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* registers.c - the register map of the object engine (docs/reference/object-engine.md, Registers).
  */
 #include "object_engine/registers.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* registers.h - the register map of the object engine. */
 #ifndef SEPAX_OBJECT_REGISTERS_H
 #define SEPAX_OBJECT_REGISTERS_H

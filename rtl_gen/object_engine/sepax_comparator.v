@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Comparator lane: holds the AABB of a triangle of A and tells @told@ whether that of a triangle
 // of B overlaps it. AABBs are packed {high, low} of z, y, x, x lowest.
 module sepax_comparator (

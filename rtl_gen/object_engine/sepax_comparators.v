@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // @lanes@ comparator lanes. AABBs come from the memories one cycle after the step that asked for
 // them; B's is moved in another; its candidate mask, bit k for lane k, leaves two cycles later.
 //@ if fpga

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which triangles of object A collide with which of object B: all pairs go through @lanes@
 // comparator lanes, those whose AABBs overlap to @cores@ exact core@plural@ behind a FIFO.
 // @memory_a@ triangles of A, @memory_b@ of B at most. Objects come over AXI4-Stream, a vertex a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // sepax_engine but for its memories, which are beside it.
 module sepax_engine_logic (
   input  wire        clk,           // clock of everything

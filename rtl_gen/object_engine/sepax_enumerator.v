@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pair enumerator. B's triangles come one a cycle, round and round; lane k takes A's next triangle
 // when B_k comes, so that it sees each B once. In round g it holds
 //   A_(@lanes@ g + k) from B_k on, before that A_(@lanes@ (g - 1) + k)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The triangles of a pair from the memories, B's moved, and valid/ready to the cores. A pair of
 // which B does not fit the word any more is marked; its verdict does not count.
 //@ if fpga

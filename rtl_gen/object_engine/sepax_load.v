@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Triangles from AXI4-Stream into a memory: a vertex a transfer, three a triangle, an object up to
 // TLAST. An object that is not whole is not there: its count stays 0.
 module sepax_load (

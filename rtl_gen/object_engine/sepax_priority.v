@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Priority encoder: one pair after the other out of a candidate mask, the lowest lane first. Lane k
 // holds A_(base + k), or, if B_k has not come yet, that of the round before.
 //@ if staged

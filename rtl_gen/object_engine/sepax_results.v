@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Counts verdicts and sends those that are collisions as AXI4-Stream, 64 bits each:
 //   [31:0] number in A, [55:32] number in B, [56] coplanar, [57] out of range, [58] warning
 // A run ends with a transfer with TLAST: [31:0] how many there were, [62] stopped, [63] 1.

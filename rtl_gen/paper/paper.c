@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* paper.c - architecture paper: the widths of its templates. */
 #include "paper.h"
 #include "emit/template.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* paper.h - architecture paper, and what it has in common with conference. */
 #ifndef SEPAX_PAPER_H
 #define SEPAX_PAPER_H

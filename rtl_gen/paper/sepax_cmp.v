@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // CMP of figure 5: do the projections of A and B on one axis overlap?
 //   overlap = not (min A > max B or max A > min B): (5) as the paper prints it //@ printed
 //   overlap = not (min A > max B or max A < min B): touching intervals overlap //@ !printed

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // COP of figure 5: coplanar iff |p_k - q_k| < LIMIT for k = 1, 2, 3, with
 // p_k = s_k = B_k.N_A and q_k = t_k = A_k.N_A (all of B in A's plane). //@ plane
 // p_k = t_k = A_k.N_A and q_k = v_k = B_k.N_B, as line 12 of Algorithm 1 is printed //@ !plane

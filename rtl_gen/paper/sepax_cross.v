@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cross product, six multipliers:
 //   axis = {p_x q_y - p_y q_x, p_z q_x - p_x q_z, p_y q_z - p_z q_y}
 // Latency 2: products are registered by product_en, the axis by axis_en.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Inner product of a vertex and an axis, three multipliers:
 //   dot = v_x c_x + v_y c_y + v_z c_z
 // Latency 2: products are registered by product_en, their sum by sum_en.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edge vectors of a triangle: edge k = floor((vertex k+1 - vertex k) / 2^(D_W - E_W)); edge 3 goes
 // to vertex 1. Combinational. Vertices and edges are {3, 2, 1}, of each {z, y, x}, signed.
 module sepax_edges #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Input and schedule: word k = 1, 2, 3 of a pair brings A_k, B_k and component k of
 // N_A and N_B. The words fill the registers that a pair's first computations read; one bit
 // a cycle tells where pairs are. Vectors are {z, y, x}, triangles {vertex 3, 2, 1}, signed each.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Signed product: p = floor(a * b / 2^(FULL_W - P_W)).
 // Combinational. FULL_W bits hold every product of the operands' proven
 // ranges, so it may be less than A_W + B_W.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The last gate of figure 5: a separating axis was found iff not all 11
 // projections overlap. Combinational.
 module sepax_nand (

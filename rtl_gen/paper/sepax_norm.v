@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Block floating point: the three components move left in common by the
 // leading bits that none of them needs, so that truncation keeps their top bits.
 // Combinational; a binary search for the first used bit, one shift a step.

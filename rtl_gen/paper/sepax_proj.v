@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PROJ of figure 5: A's vertices onto one axis, B's onto another or the same, 18
 // multipliers. Latency 2: products are registered by product_en, sums by sum_en.
 // Axes are {z, y, x}, triangles {vertex 3, vertex 2, vertex 1}, signed each.

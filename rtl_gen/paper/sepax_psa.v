@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PSA of figure 5: the potential separating axes of a pair, 54 multipliers. //@ both
 // PSA of table 1: the nine axes across edges, 54 multipliers. //@ nine
 // PSA of table 2: the six axes of coplanar pairs, 36 multipliers. //@ six

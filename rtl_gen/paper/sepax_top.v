@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Collision detection of two triangles by the separating axis theorem: the
 // architecture of the paper, figure 5, in the @latency@ cycles of its figure 6.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Drop the low bits of a number: kept = floor(value / 2^(IN_W - OUT_W)).
 // Combinational; no gates. The only place where the datapath loses bits.
 module sepax_trunc #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // orient2d of three vertices of both triangles: twice the signed area in a projection, //@ !own
 // orient2d of the vertices of A or of B: twice its signed area in a projection, //@ own
 // from the trapezoid terms of the edges: g = p + q @plus_r@ r modulo 2^G_W. Latency @clocks_2d@.

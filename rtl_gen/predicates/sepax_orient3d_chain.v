@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // @what@ of @points@:
 // six times the signed volume of the tetrahedron, modulo 2^V_W, from the prisms of its faces:
 //   volume = @formula@, on carry chains. Latency @latency@.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 //@ if biased
 // z sum of B: the sum of B's z less the sum of A's, since the origin of z is the mean of A's z,
 // plus BIAS = 1 + 4 + 16 ..., which the recoded multiplier of the prism deducts.

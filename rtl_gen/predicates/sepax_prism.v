@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Signed prism volume: six times the volume between a triangle and the plane z = 0,
 //@ if !biased
 //   h = g z modulo 2^V_W, g = orient2d of the triangle, z = its z sum. Latency @latency@.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pair in one projection, from the signs {> 0, < 0} of its orient2d. Combinational. //@ !chain
 // The pair in one projection, from the signs {> 0, < 0} of its orient2d. Latency 1. //@ chain
 //   flat        all six vertices are on one line there

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Running sum of @terms@:
 //   sum = p + q modulo 2^@bits@. Latency 1.
 module @name@ #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The trapezoid term of an edge: twice the area between the edge and the x axis in a projection,
 //@ if biased
 //   t = (x_to - x_from) (y_from + y_to - BIAS) modulo 2^G_W, BIAS = 1 + 4 + 16 ... = @bias@.

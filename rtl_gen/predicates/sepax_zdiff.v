@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // z difference, the z sum of an edge of A and a vertex of B: the origin of z is the mean of A's z,
 // so that all terms cancel but z_p of that vertex and z_r of A's third:
 //@ if biased

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // z sum of a vertex of A and an edge of B: the origin of z is the mean of A's z, so that all terms
 // cancel but z_p and z_q of that edge, z_r and z_s of A's other two vertices:
 //   z = z_p + z_q - z_r - z_s + 2 BIAS, as a sum of two z differences. Latency 1. //@ shared

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pairs of transfers of AXI4-Stream: @words@.
 module sepax_gather (
   //@ if parts

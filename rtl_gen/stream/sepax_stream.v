@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The core on AXI4-Stream: @words@.
 // Verdicts leave in the order of the pairs, each with the tag and the TLAST of its pair.
 //@ if narrow

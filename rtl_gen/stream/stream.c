@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stream.c - sepax_stream, the core on AXI4-Stream (docs/reference/exact.md): what a transfer has.
  * Its row in the table of generators. */
 #include "engine/engine.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* engine.c - emits the tree engine (docs/reference/tree-engine.md): registers, jobs and results,
  * the walk, and the cores that judge near pairs. Its row in the table of generators. */
 #include "engine/engine.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* registers.c - the register map of the tree engine (docs/reference/tree-engine.md, Registers). */
 #include "tree_engine/registers.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* registers.h - the register map of the tree engine. */
 #ifndef SEPAX_TREE_REGISTERS_H
 #define SEPAX_TREE_REGISTERS_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """jq_text - JSON, numbers and HTML as jq 1.6 writes them.
 
 Results of campaigns are kept for months, and each holds a checksum of its own JSON text. The text

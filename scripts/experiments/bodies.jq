@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # bodies.jq - the tables of docs/developers/results/bodies.md from build/bodies/bodies.json (jq -r
 # -f).
 def places($n): . * pow(10; $n) | round / pow(10; $n);

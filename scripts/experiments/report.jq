@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # scripts/experiments/report: `what` is "design", one of them from what
 # scripts/experiments/report-task found of it, or "table"
 # or "page", from report.json.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # build.mk - the program, the library, and the programs of tests and reports.
 
 XML_OF      = $(if $(with_xml),$(wildcard io/xml/*.c),io/missing/libxml2.c)

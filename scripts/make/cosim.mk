@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cosim.mk - the Verilog of the design DESIGN_NAME, and what simulates it. `sepax name` gave its
 # options: OPTIONS for the program, and each as a variable; and its engine, DESIGN_ENGINE.
 
@@ -26,7 +27,8 @@ $(RTL): $(SEPAX) FORCE
 	  { echo "  GEN     $(@D)"; rm -rf $(@D) && mv $$new $(@D); }; }
 
 rtl: $(RTL)
-	@echo "$(CORE)/rtl: $$(wc -l < $(RTL)) modules"
+	@echo "$(CORE)/rtl: $$(wc -l < $(RTL)) modules$$(sed -n \
+	  's/^ *"latency": \([0-9]*\),/, latency \1 cycles/p' $(CORE)/rtl/sepax.json), II $(II)"
 
 lint: $(RTL)
 	@cd $(CORE)/rtl && $(abspath scripts/lint) $(LINT_TOOLS)

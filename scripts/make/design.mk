@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # design.mk - verbs of one design: the program reads its options, from DESIGN and from variables
 # like WORD=12, refuses what does not go together, and prints its name and its options; make
 # runs again with them.

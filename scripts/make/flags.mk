@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # flags.mk - how C is compiled, and where its objects are.
 
 CFLAGS      ?= -O2 -g

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # fpga.mk - the design DESIGN_NAME on the FPGAs of its TARGET: mapped, routed, its gates simulated.
 
 FPGA  = $(CORE)/fpga

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # install.mk - make install, make uninstall: programs, libraries, headers, manual pages; make dist:
 # the source package.
 

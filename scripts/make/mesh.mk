@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # mesh.mk - the sample objects.
 
 $(BUILD)/mesh/cutter.stl: $(SEPAX)

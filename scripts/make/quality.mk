@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # quality.mk - static analysis and sanitizers.
 
 .PHONY: c_programs fuzz-targets fuzzers

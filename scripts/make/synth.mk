@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth.mk - the gates of the design DESIGN_NAME: mapped, timed, simulated.
 
 LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))

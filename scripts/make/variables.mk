@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # variables.mk - every variable that a rule reads. If a user gives another one on the command line,
 # then this is an error, so that WRD=12 does not make the design of W = 18. A make that another make
 # started also has the variables of that one. scripts/make/help-all.txt says what each is for.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # tables.awk - the bars of the tree engine, from sweep.csv, trees.csv and software.csv.
 function grouped(x) {
   x = sprintf("%.0f", x)

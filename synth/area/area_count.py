@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """area_count - what synth/area/map reads from Yosys and counts: the netlist that it keeps, names of
 modules, and the area of each module.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """area_efforts - how hard abc maps each module where synth/area/map sizes cells for a clock.
 
 The efforts of the modules rise until the clock is met. Modules on paths that are too slow are

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """area_library - what synth/area/map does with a cell library and with modules of the design that
 cells take the place of."""
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """area_multipliers - generated multipliers for synth/area/map, in place of Verilog's * in products
 of the architectures paper and conference."""
 from __future__ import annotations

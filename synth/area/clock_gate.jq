@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/area/clock_gate.jq - how synth/area/gate gates a clock with the cells of a library, as
 # build/liberty tells them; nothing, where it has no cells for that.
 #

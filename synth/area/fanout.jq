@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/area/fanout.jq - buffer what many cells read, in a netlist of synth/netlist.jq.
 #
 #   jq -L synth --slurpfile library CELLS.json --argjson limit 24 --argjson drive 2 -f ...

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/area/inverse.jq - the other outputs of registers in place of inverters, in a netlist of
 # synth/netlist.jq; abc, which maps what is between registers, knows only one.
 #

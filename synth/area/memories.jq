@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # memories.jq - a design (yosys' JSON) whose memories are outside of it: the ports of each become
 # ports of the module that holds it, and so on up to the top. Inputs from memories are called
 # read_data_..., outputs to them to_memory_....

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/area/sta.tcl - the slack of a mapped netlist and its slow paths, for synth/area/map, which
 # sets period (ns) and late (inputs that come half a period late).
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/flow/sta.tcl - the slack of a mapped netlist by the constraints that flows get, and by those
 # that it was sized by. period (ns) and sdc are set by who sources it, after synth/common.tcl.
 

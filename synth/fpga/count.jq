@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/fpga/count.jq - what synth/fpga/map found: cells of Yosys' `stat -json`, the design
 # ($design) as a row of build/fpga.json. $top is the design's module, $whole that around it.
 

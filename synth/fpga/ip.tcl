@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # ip.tcl - packages Verilog of `sepax gen` as a block of the IP catalog of Vivado, with the buses
 # that the attributes X_INTERFACE of its top name.
 #

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/fpga/lanes.awk - gates as C: a function of bits, each of 64 lanes that are simulated at
 # once. From BLIF of Yosys (write_blif -icells) with gates of one bit and $_DFF_P_ of one clock.
 #

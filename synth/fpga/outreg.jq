@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # outreg.jq - a netlist of ECP5 as Yosys writes it in JSON, with registers at block RAMs in these:
 # where each bit that a DP16KD reads goes to the D of a flip-flop of the same clock, without enable
 # and reset, and nowhere else, these are the DP16KD's own output registers.

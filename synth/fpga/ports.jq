@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/fpga/ports.jq - a module with three pins around a top of many ports, as Verilog: inputs
 # come out of a shift register, outputs go through registers into one that is xored with them.
 #

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/fpga/routed.jq - what nextpnr says of a routed design: its reports, one a seed, each with
 # `seed`; the counts ($mapped) with the clock, the critical path and what of the device is used.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 
 # Synthesises, places and routes the design out of context: its ports get no pins.
 #

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* main.c - the steps of a layout between the netlist and the tools that place and route it.
  *
  *   layout COMMAND -l LEF [-l LEF ...] [OPTIONS] FILE

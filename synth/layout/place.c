@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* place.c - see place.h. */
 #include "layout/place.h"
 #include "layout/route/grid.h"

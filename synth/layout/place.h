@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* place.h - where things go: the die, the ports; cells by a placer that reads Bookshelf. */
 #ifndef SEPAX_LAYOUT_PLACE_H
 #define SEPAX_LAYOUT_PLACE_H

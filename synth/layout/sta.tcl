@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/layout/sta.tcl - what OpenSTA says of a netlist that is laid out. clock (its port, or
 # nothing), period (ns), spef (or nothing: the library's default wires, an ideal clock) and late
 # (how many paths with little slack to tell, or nothing) are set by who sources it, after

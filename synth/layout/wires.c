@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* wires.c - see wires.h. */
 #include "layout/wires.h"
 #include "layout/files/words.h"

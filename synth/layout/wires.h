@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* wires.h - resistance and capacitance of wires, routed or to be routed. */
 #ifndef SEPAX_LAYOUT_WIRES_H
 #define SEPAX_LAYOUT_WIRES_H

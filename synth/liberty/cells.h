@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* cells.h - the cells of a Liberty file as a simulation of gates and its power need them. */
 #ifndef SEPAX_CELLS_H
 #define SEPAX_CELLS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* derive.c - see derive.h. */
 #include "derive.h"
 

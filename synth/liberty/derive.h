@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* derive.h - a slower, less leaky variant of a cell library, by stated factors. */
 #ifndef SEPAX_LIBERTY_DERIVE_H
 #define SEPAX_LIBERTY_DERIVE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* function.c - see function.h; and how likely each row is. */
 #include "function.h"
 #include "text.h"

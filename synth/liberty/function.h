@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* function.h - the functions of a cell's pins as truth tables. */
 #ifndef SEPAX_LIBERTY_FUNCTION_H
 #define SEPAX_LIBERTY_FUNCTION_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* library.c - reads cells.h's library from the statements of a Liberty file. */
 #include "function.h"
 #include "table.h"

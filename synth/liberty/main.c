@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* main.c - what the scripts ask about a Liberty file.
  *
  *   liberty FILE.lib                                     its cells as JSON

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* table.c - see table.h; and interpolates in them. */
 #include "table.h"
 #include "text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* table.h - reads tables over slope and load. */
 #ifndef SEPAX_LIBERTY_TABLE_H
 #define SEPAX_LIBERTY_TABLE_H

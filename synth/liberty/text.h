@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* text.h - what the readers of netlists and libraries share: memory, refusals. */
 #ifndef SEPAX_TEXT_H
 #define SEPAX_TEXT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tree.h - the statements of a Liberty file, as they stand there. */
 #ifndef SEPAX_LIBERTY_TREE_H
 #define SEPAX_LIBERTY_TREE_H

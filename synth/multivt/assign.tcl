@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/multivt/assign.tcl - multi-Vt: which cells of a flat netlist may be slow.
 #
 # swaps (fast cell, slow cell, their leakages), period and activity are set by who sources

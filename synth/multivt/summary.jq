@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/multivt/summary.jq - leakage and total power before and after, for synth/multivt/assign:
 # $log is that of synth/multivt/assign.tcl, $fast and $slow are the cells of both libraries, $types
 # has the number of cells of each type before and after, $timing is what synth/timing/sta says of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/multivt/swaps.jq - which cells of two libraries may take each other's place.
 #
 #   jq -ns -f synth/multivt/swaps.jq FAST.json LOW_LEAKAGE.json     as build/liberty prints them

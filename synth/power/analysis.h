@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* analysis.h - what the parts of build/power share. */
 #ifndef SEPAX_POWER_ANALYSIS_H
 #define SEPAX_POWER_ANALYSIS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* around.c - memories and buses around an engine as gates. */
 #include "around.h"
 #include "liberty/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* around.h - what stands around an engine as gates, in 64 lanes: its memories, its AXI4-Lite port,
  * its stream of results. */
 #ifndef SEPAX_POWER_AROUND_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* energy.c - transitions of nets become leakage, internal and switching power, by the library. */
 #include "analysis.h"
 #include "glitches.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* gates.c - simulates a mapped netlist, 64 lanes at once. */
 #include "gates.h"
 #include "liberty/text.h"

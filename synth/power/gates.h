@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* gates.h - a mapped netlist, all its instances, simulated without delays in 64 lanes. */
 #ifndef SEPAX_GATES_H
 #define SEPAX_GATES_H

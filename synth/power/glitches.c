@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* glitches.c - see glitches.h. */
 #include "glitches.h"
 #include "liberty/text.h"

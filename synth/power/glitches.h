@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* glitches.h - what nets do between two edges of the clock, where cells have delays.
  *
  * From the values before the edge to those after it each net has a list of changes, in 64 lanes.

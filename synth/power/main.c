@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* main.c - what a mapped design draws with given pairs: its gates are simulated in 64 lanes,
  * each on a part of the pairs of its own, every verdict is compared with the golden model's, and
  * the transitions of every net become leakage, internal and switching power by its library.

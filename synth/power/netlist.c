@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* netlist.c - reads a mapped netlist, Yosys' write_json, into all its instances. */
 #include "gates.h"
 #include "liberty/text.h"

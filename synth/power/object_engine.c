@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* object_engine.c - an object engine as gates: what stands around it, for a whole run in 64 lanes.
  *
  * The memories (a word is there in the cycle after it was asked for) and the buses of

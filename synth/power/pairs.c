@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* pairs.c - pairs through the gates in 64 lanes, each on a part of them. */
 #include "analysis.h"
 #include "liberty/text.h"

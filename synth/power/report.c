@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* report.c - what build/power writes. */
 #include "analysis.h"
 #include "liberty/text.h"

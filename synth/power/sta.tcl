@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/power/sta.tcl - hands transitions to OpenSTA and asks its report_power.
 #
 # period (ns) and pins (what build/power -t wrote) are set by who sources it, after

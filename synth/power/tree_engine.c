@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tree_engine.c - a tree engine as gates: what stands around it, for a batch in 64 lanes.
  *
  * The memories of sepax_engine, its AXI4 port to a memory with latency, and its buses are played.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/timing/corner.jq - what OpenSTA says in one corner (synth/timing/sta.tcl), its critical path
 # as instances, modules and signals.
 #

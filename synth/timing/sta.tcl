@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/timing/sta.tcl - what OpenSTA is asked about a mapped netlist, in one corner.
 #
 # clock (its port) and period (ns) are set by who sources it, after synth/common.tcl. Prints lines

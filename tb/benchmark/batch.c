@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* batch.c - the batch and the search among meshes at length.
  *   batch check COUNT        COUNT pairs of all families at W = 8, 18, 24, 32 each: every
  *                                  path, and meshes halved and by brute force, against verdicts one

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // bodies.cpp - two bodies that move: libsepax beside the libraries that are here, in one run on
 // one core.
 //   bench_bodies [-n POSES] [-m FOLDER_OF_STL] [-o FILE.json] [SCENE ...]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // bodies_report.cpp - figures of the benchmark of bodies: tables, bars, JSON.
 #include "bodies_report.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bodies_report.h - figures of the benchmark of bodies: tables, bars, JSON. */
 #ifndef BENCHMARK_BODIES_REPORT_H
 #define BENCHMARK_BODIES_REPORT_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // bodies_scenes.cpp - the meshes of the benchmark and the poses of their bodies.
 #include "peer.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* columns.h - what benchmarks and tb/pairs share: the clock, designs, pairs as columns. */
 #ifndef BENCHMARK_COLUMNS_H
 #define BENCHMARK_COLUMNS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh_files.c - what the reader of meshes makes of files, and how long it takes; or what assimp
  * makes of them, where it is installed.
  *   mesh_files [-a] FILE...    -a: by assimp

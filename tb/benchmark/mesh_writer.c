@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh_writer.c - a torus of 2 * AROUND * ALONG triangles as a file of each format, to be read by
  * readers that are timed.
  *   mesh_writer AROUND ALONG FOLDER   writes ascii.stl, binary.stl, torus.obj, ascii.ply,

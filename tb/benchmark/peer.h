@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* peer.h - what libraries are asked about two bodies, one way for all of them. */
 #ifndef BENCHMARK_PEER_H
 #define BENCHMARK_PEER_H

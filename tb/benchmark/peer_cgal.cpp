@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // peer_cgal.cpp - CGAL: a tree of AABBs over the triangles of the larger body, asked with each
 // triangle of the other one, posed; predicates are exact (EPICK), posed coordinates rounded.
 #include "peer.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // peer_embree.cpp - Embree's rtcCollide: user geometry of triangles. It takes no pose: the
 // smaller body's triangles are posed and its tree is refitted in each pose in which the bodies'
 // AABBs overlap. A pair of triangles that it reports is judged by Guigue's and Devillers's test in

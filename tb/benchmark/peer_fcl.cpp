@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // peer_fcl.cpp - FCL: hierarchies of oriented boxes (OBB) for collisions, of rectangle swept
 // spheres (RSS) for distances; its others are slower.
 #include "peer.h"

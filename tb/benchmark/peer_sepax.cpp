@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // peer_sepax.cpp - libsepax: bodies in their poses.
 #include "peer.h"
 

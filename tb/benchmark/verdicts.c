@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* verdicts.c - pairs a second of the software verdicts on one core, side by side on the same
  * pairs of W = 18: first the families uniform and local in turn, 48 % of which collide,
  * then each family, of which the slowest is told. Best of ROUNDS rounds, the argument (5). */

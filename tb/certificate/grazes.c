@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* grazes.c - a random scene in which two boxes on random joints come as near as is asked:
  *   certificate-grazes SEED GAP
  * writes r.urdf, path.csv of one segment and c.json, a certificate of one interval that lacks its

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // axis_source.h - pairs that one axis decides. Of `paper` and `conference`: it alone separates, by
 // little, or none does and it almost would. With a clearance: the gap on it is about a limit.
 #ifndef SEPAX_AXIS_SOURCE_H

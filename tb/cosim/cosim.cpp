@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // cosim.cpp - drives a verilated top with pairs and checks each verdict against the golden
 // model of the same configuration, and its cycle against the architecture's rule.
 #ifdef SEPAX_GATES

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // driver.h - drives a verilated top with pairs and compares its verdicts, in the order of the
 // pairs, with the golden model's.
 #ifndef SEPAX_DRIVER_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // lanes.h - drives 64 designs at once, each a bit of the mapped gates that synth/fpga/lanes.awk
 // makes of them, and compares their verdicts with the golden model's. Has what driver.h has for
 // cosim.cpp.

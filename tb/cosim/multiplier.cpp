@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // multiplier.cpp - checks a verilated generated multiplier against the product of 128-bit
 // integers: operands that are corners, powers of two and their neighbours, and random.
 //

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // pair_source.h - where the pairs of the Verilator test bench come from.
 #ifndef SEPAX_PAIR_SOURCE_H
 #define SEPAX_PAIR_SOURCE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // ports.h - the ports of a verilated top under the same names for every architecture. A pair
 // is one input word with valid/ready on both sides (exact), some of AXI4-Stream (stream_ports.h),
 // or three without waiting (paper, conference).

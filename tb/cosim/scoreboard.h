@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // scoreboard.h - the pairs whose verdicts are outstanding: first in, first out; no heap.
 #ifndef SEPAX_SCOREBOARD_H
 #define SEPAX_SCOREBOARD_H

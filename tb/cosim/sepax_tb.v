@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // sepax_tb.v - self-checking test bench of sepax_top, of any architecture, for Icarus Verilog, and
 // for Verilator from version 5 on.
 //

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // stream_ports.h - of ports.h: the ports of a verilated sepax_stream. SEPAX_STREAM transfers are a
 // pair.
 #ifndef SEPAX_STREAM_PORTS_H

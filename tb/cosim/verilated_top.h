@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // verilated_top.h - a verilated module with its clock and waveform; registers begin with anything.
 #ifndef SEPAX_VERILATED_TOP_H
 #define SEPAX_VERILATED_TOP_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // any.v - modules whose data may be any: what holds with them holds with the real ones.
 `default_nettype none
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // axi_properties.v - what AXI asks of the engine on the channels that it drives, for ABC: every
 // input is free in every cycle after a reset, also later resets.
 `default_nettype none

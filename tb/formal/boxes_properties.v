@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // boxes_properties.v - a box that holds a turned vertex is hit (docs/reference/tree-engine.md, "Why
 // nothing is missed"), in two steps, for Yosys' SAT solver. Registers are wires: inputs stand.
 // Macros:

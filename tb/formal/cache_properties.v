@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // cache_properties.v - a pair of blocks waits for the memory alone, or for pairs before it to be
 // released; for Yosys' SAT solver, by induction. Two pairs may be in; tags are any.
 `default_nettype none

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // host.v - what AXI asks of the tree engine on the channels that it drives, for ABC: inputs are
 // free in every cycle after a reset, but for what their source keeps to, which is assumed;
 // host_jobs proves it of sepax_tree_jobs. With `stands` and `answers` of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pairs_properties.v - entries become items if the turner turns and the walk takes items; rows
 // become pairs if leaves come, the turner turns and the cores take pairs: for Yosys' SAT solver,
 // by induction. Data are any; an error or damage ends the run.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """polynomial.py - is a multiplier its formula for all inputs? By algebra, at any word length:
 
     polynomial.py NETLIST MODULE [TERMS LESS TOP SHIFT]

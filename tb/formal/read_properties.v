@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // read_properties.v - bursts are asked for and come, and records become triangles, if the memory
 // answers: for Yosys' SAT solver, by induction.
 `default_nettype none

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // run_properties.v - a run ends, and takes the verdicts of the cores, if results are taken: for
 // Yosys' SAT solver, by induction.
 `default_nettype none

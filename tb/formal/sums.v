@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // sums.v - the formulas of the sums, differences and factors of architecture exact, for ABC.
 // Registers are wires: inputs stand. In the place of a multiplier is one of any results, of which
 // the factors are looked at. Macros: W, G_W, Z_W, O_W, V_W, DIGITS, as in sepax_core; OWN_DIGITS,

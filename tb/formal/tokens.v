@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // tokens.v - pairs through sepax_top, whatever its core decides: two of the pairs, whichever, are
 // marked, and their verdicts leave once each, in order, in time. The control does not look at
 // coordinates, so what is true of any two marked pairs is true of all. By induction: the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // tree_properties.v - what the memory side of the tree engine keeps to, for yosys-smtbmc: every
 // input is free in every cycle but for what its source must keep to, which is assumed.
 `default_nettype none

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 `default_nettype none
 module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
     input wire clk, start, clear, row, node_in_ready, node_out_valid, node_out_error, in_ready,

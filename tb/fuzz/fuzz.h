@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fuzz.h - what the fuzz targets share. A target reads any bytes as what it is named after; it must
  * neither crash nor leak, and what it accepts must be what the headers say. */
 #ifndef FUZZ_H

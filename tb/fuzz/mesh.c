@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh.c - any bytes as a mesh file. */
 #include "fuzz/mesh.h"
 #include "reader/read.h"

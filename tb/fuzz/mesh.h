@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* mesh.h - any bytes as a mesh file. */
 #ifndef FUZZ_MESH_H
 #define FUZZ_MESH_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* replay.c - a fuzz target on given files, without a fuzzer.
  *   replay FILE...
  * Exit status 1: the reader accepted none of them. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* robot.h - a mechanism whose links and joints the inputs of the fuzz targets name. */
 #ifndef FUZZ_ROBOT_H
 #define FUZZ_ROBOT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bench.c - checks the verilated sepax_engine against its golden model.
  *   engine [--stress=SEED] [--resolution=LENGTH] [--wave=FILE] A.stl B.stl
  *   engine [--stress=SEED] [--rounds=N] [--beats=N] [--size=N] [--blocked=N] [--wave=FILE]

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bench.h - what the parts of the engine's test bench share. */
 #ifndef SEPAX_ENGINE_BENCH_H
 #define SEPAX_ENGINE_BENCH_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // bus.cpp - see bus.h.
 #include "bus.h"
 

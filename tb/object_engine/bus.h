@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bus.h - the verilated sepax_engine on its buses, for programs in C: the four accesses
  * of drivers/object_engine/sepax_driver.h, and what a test wants besides. All master and slave
  * sides obey AXI; what AXI asks of the engine (valid and data stand until ready) is watched

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* crowd.c - see crowd.h. */
 #include "object_engine/crowd.h"
 #include "object_engine/bus.h"

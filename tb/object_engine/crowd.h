@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* crowd.h - registers of an engine under many accesses at once, legal ones and others. */
 #ifndef SEPAX_ENGINE_CROWD_H
 #define SEPAX_ENGINE_CROWD_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* cycles.c - how many cycles a run of the object engine takes, register by register: pair
  * enumerator, lanes, FIFO of candidate masks, priority encoder, fetch, core
  * (docs/reference/object-engine.md). */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // flights.v - sepax_cores around any cores that give verdicts in order, for yosys-smtbmc:
 // its inputs are free in every cycle from a reset on.
 `default_nettype none

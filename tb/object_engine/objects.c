@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* objects.c - objects that show one thing each: of which all AABBs overlap, that are in one plane,
  * that meet in stretches or not at all, that leave the word. */
 #include "bench.h"

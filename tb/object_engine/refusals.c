@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* refusals.c - what the engine refuses, its settings, interrupts, and the end of a run. */
 #include "bench.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // cgal.cpp - cross-check of the exact model against CGAL's exact predicates: seeded pairs of
 // all families, degenerate triangles left out (CGAL asks for area).
 //   cgal [PAIRS [WORD]]

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "clearance_rules.h"
 
 #include "geometry.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* clearance_rules.h - other rules for a pair to be clear of a distance, in doubles: what dearer and
  * cheaper ones than sepax_clearance's would do, and two that are wrong. For statistics. */
 #ifndef CLEARANCE_RULES_H

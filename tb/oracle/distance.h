@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* distance.h - the distance of two triangles, without separating axes.
  *
  * Triangles of int32 coordinates, also segments and points. No state. */

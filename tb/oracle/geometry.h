@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* geometry.h - vectors of 128-bit integers and of doubles. Oracles and tests have their own, so
  * that they share no arithmetic with what they check. */
 #ifndef GEOMETRY_H

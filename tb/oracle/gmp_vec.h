@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* gmp_vec.h - vectors of integers of any size, and what both oracles compute with. */
 #ifndef SEPAX_GMP_VEC_H
 #define SEPAX_GMP_VEC_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* oracle.h - the verdict by another road than the separating axis theorem.
  *
  * Rational arithmetic without rounding (GMP), right for every int32 coordinate and

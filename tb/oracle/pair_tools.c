@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* pair_tools.c - seeds, and the properties of a pair in exact integers. */
 #include "pair_tools.h"
 #include "geometry.h"

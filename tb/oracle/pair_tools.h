@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* pair_tools.h - what the tests of pairs share: seeds and the properties of a pair. */
 #ifndef PAIR_TOOLS_H
 #define PAIR_TOOLS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "real_pairs.h"
 
 #include "distance.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* real_pairs.h - pairs of real triangles near one another, and what rounding makes of them.
  *
  * A real coordinate is a multiple of 2^-fraction LSB; the model gets it rounded to nearest. */

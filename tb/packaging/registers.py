@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Are the registers in SystemRDL those of the C header and of the page?
 
   registers.py FOLDER   of sepax gen; exit status 1 and a line for each difference

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* clearance - checks sepax_clearance against exact distances of the real triangles, and counts
  * its false alarms:
  *   clearance sweep COUNT SEED    COUNT pairs near a limit; exit status 1 if one is missed

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* hard.c - hard pairs through the library, each of its verdicts against sepax_reference.
  *   hard-pairs WORD COUNT SEED   prints "N pairs, N mismatches, N collisions, N coplanar"; a pair
  *                                that differs on stderr. Exit status 1: one does

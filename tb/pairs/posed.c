@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* posed - verdicts on triangles of binary32 and binary64, as they are and in poses, against the
  * oracle in rational numbers. No grid is anywhere.
  *   posed-pairs COUNT SEED   COUNT pairs at least; a line a kind: pairs, collisions, wrong verdicts

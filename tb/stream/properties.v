@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // properties.v - sepax_stream around any core that gives verdicts in order, for
 // yosys-smtbmc: its inputs are free in every cycle from a reset on.
 `default_nettype none

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """damage.py - damaged files of each format, made of small sound ones."""
 import io
 import struct

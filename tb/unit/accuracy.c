@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* accuracy.c - what the accuracy laboratory measures with: depths, solids, the software baselines;
  * and where a baseline or architecture paper begins to err. */
 #include "oracle/distance.h"

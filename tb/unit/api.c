@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* api.c - what callers of libsepax rely on beside the answers: codes of errors, results that are
  * zero after a failure, structs of other versions, meshes as they lie in memory, an allocator of
  * their own. */

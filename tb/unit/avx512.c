@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* avx512.c - the AVX-512 path of batch/pairs.c with its intrinsics emulated by SIMDe, so that
  * it is tested on machines without them. */
 #include <immintrin.h>

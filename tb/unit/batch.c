@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* batch.c - the verdicts of batches and of meshes against sepax_exact, one by one. */
 #include "oracle/geometry.h"
 #include "oracle/pair_tools.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* clearance_bands.c - checks sepax_clearance against exact distances of real triangles near its
  * limits; `make experiment NAME=clearance` does so 10,000,000 times. */
 #include "oracle/clearance_rules.h"

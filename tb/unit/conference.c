@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* conference.c - the design that the paper improves on: against the separating axis
  * theorem written another way, and against the paper's design, bit for bit. */
 #include "oracle/geometry.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* emit.c - what the Verilog templates may say, what of it is refused, and that every design passes.
  */
 #include "conference/conference.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* exact.c - checks the exact models against the oracle, and the oracle against known
  * answers. The counts of the exhaustive corpora were found by a third method, that
  * the origin is in the hull of the nine differences of vertices. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* families.c - the random stream and the families of hard pairs. */
 #include <string.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* interrupted.c - a signal that ends a program leaves no half-written file. */
 #include "harness.h"
 #include "util/temporary.h"

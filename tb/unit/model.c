@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* model.c - configuration, formats, the paper's design and the baselines. */
 #include "oracle/geometry.h"
 #include "oracle/pair_tools.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* pairs.c - pairs as text. */
 #include "oracle/pair_tools.h"
 #include "harness.h"

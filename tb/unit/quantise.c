@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* quantise.c - the quantiser and the fit of a grid. */
 #include "harness.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* samples.c - the sample objects. */
 #include "oracle/geometry.h"
 #include "harness.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* scenes.c - two STL files on one grid. */
 #include "harness.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stl.c - STL files: reading, writing, real meshes. */
 #include "harness.h"
 

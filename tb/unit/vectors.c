@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* vectors.c - the verdicts in floating point as gcc compiles them with -O3 for AVX2 are those of
  * the library. gcc 12 has read other numbers where a condition chose between two structures. */
 #include "harness.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* weld.c - torn, doubled and shaken meshes, welded. */
 #include "harness.h"
 #include "unit/body/solid_meshes.h"

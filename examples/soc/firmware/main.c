@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* main.c - firmware: two objects on the engine of this chip; the pairs of triangles that collide
  * are written to the console, then the counts. The bare-metal driver is
  * drivers/object_engine/sepax_driver.c; the four accesses that it asks for are those of

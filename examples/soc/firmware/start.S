@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # start.S - where the CPU begins: the stack is set by the hardware; the program ends at END.
   .section .text.start
   .globl _start

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* objects.c - two STL files as objects.h of the firmware: integers on one grid.
  *   objects A.stl B.stl WORD [RESOLUTION]     without RESOLUTION the finest grid that holds both */
 #include "sepax_models.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // soc_bridge.v
 //
 // From the bus of a small CPU to the buses of the object engine, words of 32 bits only:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // soc_ram.v
 //
 // The CPU's memory, which begins with the program. Latency 1.

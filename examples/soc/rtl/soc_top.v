@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // soc_top.v
 //
 // A CPU (PicoRV32), its memory and the object engine on one bus:

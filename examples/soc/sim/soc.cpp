@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // soc.cpp - the verilated soc_top: its console on stdout, its exit status; the cycles on stderr.
 //   soc [CYCLES]    CYCLES: how many it may take (100,000,000); status 3 when it takes more
 #include "Vsoc_top.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* board.c - see board.h. Rates above 38400 baud are no part of POSIX. */
 #define _DEFAULT_SOURCE // NOLINT(bugprone-reserved-identifier)
 #include "board.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* board.h - the four accesses of drivers/object_engine/sepax_driver.h over the serial line of a
  * ULX3S.
  *

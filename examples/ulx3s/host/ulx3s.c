@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ulx3s.c - two STL files on the engine of a ULX3S: the pairs of triangles that collide.
  *   ulx3s [--port=/dev/ttyUSB0] [--baud=3000000] [--resolution=LENGTH] [--check] A.stl B.stl
  * --check compares every pair in its order, all counts and the cycles with the golden model. Exit

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ulx3s_crc.v
 //
 // CRC of one more byte: polynomial x^16 + x^12 + x^5 + 1, highest bit first (CRC-16/CCITT-FALSE

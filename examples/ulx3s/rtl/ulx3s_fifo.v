@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ulx3s_fifo.v
 //
 // FIFO in block RAM: what a run finds waits here for the serial line, so that the run does not

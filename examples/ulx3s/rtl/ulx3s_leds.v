@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ulx3s_leds.v
 //
 // What the eight LEDs show; short events are drawn out so that one can see them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ulx3s_loader.v
 //
 // Requests from the serial line to the buses of the engine, and replies; examples/ulx3s/README.md

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ulx3s_pll.v
 //
 // The board's 25 MHz to the clock of the engine: 25 MHz * MULTIPLY / DIVIDE. The PLL's oscillator

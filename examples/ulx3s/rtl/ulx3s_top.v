@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ulx3s_top.v
 //
 // The object engine on the board ULX3S: requests come over USB (the FT231X's serial line),

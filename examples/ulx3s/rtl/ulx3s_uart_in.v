@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ulx3s_uart_in.v
 //
 // Receiver of a serial line, 8 data bits, no parity, lowest bit first: each bit is read in its

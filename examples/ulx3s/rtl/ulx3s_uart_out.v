@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ulx3s_uart_out.v
 //
 // Transmitter of a serial line, 8 data bits, no parity, lowest bit first, one stop bit: 10 bits a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // board.cpp - the verilated top of the ULX3S behind a pseudo-terminal, in place of the FT231X:
 // bytes that a program writes to the terminal go bit by bit to ftdi_txd, and back from ftdi_rxd.
 //   board [--damage=N] [--lose=N]   the highest bit of byte N that comes, from 0, is turned over;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ulx3s_pll.v
 //
 // In place of ../rtl/ulx3s_pll.v in a simulation, where the clock that is given is the engine's. It

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* elements.c - checks elements and attributes against the table of their format, so that nothing in
  * a file is ignored silently. */
 #include "formats/libxml2/elements.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* elements.h - the table of a format's elements and attributes (private). */
 #ifndef FORMAT_ELEMENTS_H
 #define FORMAT_ELEMENTS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* srdf.c - reads an SRDF: the pairs of links that are not compared. */
 #include "formats/formats.h"
 #include "formats/libxml2/elements.h"

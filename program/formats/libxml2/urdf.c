@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* urdf.c - URDF: the version, the elements, the links. */
 #include "formats/libxml2/elements.h"
 #include "formats/libxml2/urdf.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* urdf.h - the parts of the reader of URDF (private). */
 #ifndef FORMAT_URDF_H
 #define FORMAT_URDF_H

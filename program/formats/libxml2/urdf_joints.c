@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* urdf_joints.c - joints of URDF, and those that become several: floating and planar ones. */
 #include "formats/libxml2/urdf.h"
 #include "util/list.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* urdf_shapes.c - collision geometry of URDF: its shapes and where they are. */
 #include "formats/libxml2/urdf.h"
 #include "util/list.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* libxml2.c - in place of formats/libxml2 in a build without libxml2. */
 #include "formats/formats.h"
 #include "reader/libraries.h"

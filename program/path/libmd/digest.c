@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* digest.c - SHA-256 by libmd. */
 #include "path/digest.h"
 #include "util/error.h"

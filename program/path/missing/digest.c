@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* digest.c - what a build without libmd has instead of digests: errors. */
 #include "path/digest.h"
 #include "util/error.h"

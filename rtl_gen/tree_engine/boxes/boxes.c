@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* boxes.c - see boxes.h. */
 #include "tree_engine/boxes/boxes.h"
 

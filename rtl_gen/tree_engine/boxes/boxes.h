@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* boxes.h - emits the tree engine's test of entries (set-up, turned boxes, lanes, hits) and the
  * module that turns vertices. */
 #ifndef SEPAX_TREE_BOXES_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Gives the hits of an entry as items: its rows as they come, or, if the entry wants columns, its
 // columns when all rows are here. Items with mask 0 are left out, except the last of an entry.
 // Latency 0 of a row, 1 of a column. //@ !fpga

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Compares one end of a turned box with 16 boxes: lane j is hit if and only if cells_i <= bounds_ji
 // for the three axes i, and `beyond` is 0.
 // Combinational. //@ !fpga

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds the lowest bit that is 1 in a mask, and whether there are others. Combinational, without a
 // carry chain.
 module sepax_several (

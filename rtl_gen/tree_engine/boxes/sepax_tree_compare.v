@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests the entries of the walk in order (docs/reference/tree-engine.md, Compare): turns the boxes
 // of node S in the mask, or S's own box, and finds the children of node T that they hit. Up to 4
 // entries are in progress: one whose heads are read, one that is set up, the others' boxes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Computes the numbers that turn boxes of node S into the cells of node T
 // (docs/reference/tree-engine.md, Set-up). With e_max the highest exponent of S and
 // g_i = max(e_max, e_Ti):

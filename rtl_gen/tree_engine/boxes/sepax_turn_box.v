@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One end of a turned box, in cells of T. For each axis i:
 //   sum_i = start_i + sum over k of n_ik e_k. If upper = 0, e_k is the lower end of the box for
 //   n_ik >= 0 and the upper end for n_ik < 0. If upper = 1, it is the other end.

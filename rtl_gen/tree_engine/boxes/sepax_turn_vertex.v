@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Turns a vertex into the coordinates of the other body: sum_i = M_i . point + t_i - 2^20 origin_i
 // for the three rows i, with the matrix and shift of a side. The vertex is floor(sum_i / 2^20).
 // Each coordinate is biased once, for its three products. //@ !fpga

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tree engine: finds the colliding triangles of two bodies for a list of jobs, which are pairs of
 // bodies with a queue of poses each (docs/reference/tree-engine.md). s_axi (AXI4-Lite) starts a
 // batch and reads its counts. m_axi (AXI4) reads the memory. m_axis (AXI4-Stream) sends collisions

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The counts of a batch that the registers show.
 module sepax_tree_counts (
   input  wire        clk,      // clock

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads a job or a pose into a memory of 16 beats, through the AXI4 read port that it shares with
 // the engine. A burst is asked for only while the engine has no open burst. Its address goes out
 // before those of the engine, and answers come in order, so its beats are the next ones.

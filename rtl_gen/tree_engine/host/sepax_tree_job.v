@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Holds the current job, which comes in beats (docs/reference/tree-engine.md, Job), and checks its
 // ranges.
 module sepax_tree_job #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Works through a list of jobs, pose by pose (docs/reference/tree-engine.md, Jobs): reads a job and
 // its poses, starts a run for each pose, reads the next pose or job during the run, and sends the
 // end of each pose.

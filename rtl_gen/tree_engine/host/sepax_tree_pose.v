@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Holds the current pose, which comes in beats (docs/reference/tree-engine.md, Pose), and checks
 // its ranges.
 module sepax_tree_pose (

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sends the pairs of a run and the end of its pose over AXI4-Stream, 64 bits
 // (docs/reference/tree-engine.md, Results).
 module sepax_tree_results (

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* memory.c - see memory.h. */
 #include "tree_engine/memory/memory.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* memory.h - emits the tree engine's access to external memory: caches, leaf buffers, AXI4 port. */
 #ifndef SEPAX_TREE_MEMORY_H
 #define SEPAX_TREE_MEMORY_H

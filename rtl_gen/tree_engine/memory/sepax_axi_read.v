@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // AXI4 read master: bursts of 1 to 16 beats of 16 bytes, one ID, up to 2^OPEN open bursts. A burst
 // enters the list of open bursts before its address goes out. A beat goes out in the cycle after it
 // came, and cannot be stopped. There is one exception: while `pause` is 1, the first beat of a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Control of a cache for pairs of blocks, one of body A and one of body B. Both blocks of a pair
 // are looked up, and a block that is not here is asked for. The blocks of a body come in the order
 // in which they were asked for. So a pair waits until as many blocks have come as were asked for up

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The cache of leaves, as triangles: 16 triangles a leaf, 2^SETS sets of 4 leaves for each body.
 // Each body has a memory of its own, which is a triangle wide.
 module sepax_leaf_buffers #(

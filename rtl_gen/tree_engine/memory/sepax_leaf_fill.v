@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Converts the beats of a leaf's record to triangles, with vertices instead of vertex numbers. The
 // first two beats have the numbers of 16 triangles. Each other beat has two vertices, which go to
 // three copies of a memory. Each cycle makes a triangle if its vertices have come. If the vertices

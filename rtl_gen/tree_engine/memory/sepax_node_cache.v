@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 //@ if fpga
 // The cache of nodes: 128 bytes each, 2^SETS sets of 4 nodes for each body. Each body has a memory
 // for its heads, the first 32 bytes. The boxes of both bodies are stored twice: all 16 of a node

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A FIFO in a memory. A word is at `out` from the second cycle after its push on, or from the cycle
 // after the word before it was taken, whichever is later.
 module sepax_ram_fifo #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tags of one body's blocks in a cache of 2^SETS sets of 4 ways. A request finds its block, or
 // it takes a way of its set and asks for the block. The ways of the `used` requests before it are
 // pinned: they are not given to another block. While all four ways of a set are pinned, the request

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads nodes and leaves of bodies A and B from external memory, through caches and one AXI4 read
 // port; leaves become triangles (docs/reference/tree-engine.md, Memory side). Nodes and leaves are
 // asked for in pairs, one of A and one of B. A pair comes out when both are here, in the order in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks the head of a node (docs/reference/tree-engine.md, Checks). The node is sound if
 // limit - first >= children, where limit is nodes, or triangles if the node is a leaf, and
 //   an inner node: first > number;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests whether a pair is near: low_b - high_a <= MARGIN and low_a - high_b <= MARGIN on each axis.
 // Finds the thinnest side of the AABB of both triangles. Latency 1.
 module sepax_pair_test #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds the colliding triangles of two bodies in one pose of B (docs/reference/tree-engine.md,
 // Engine). Reads the trees of both bodies over AXI4 and walks them at once. Near pairs go to exact
 // cores outside of this module, and their verdicts come back. All inputs of a run except start and

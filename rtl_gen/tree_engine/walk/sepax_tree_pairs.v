@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests the pairs of the rows (docs/reference/tree-engine.md, Pair). B's triangle of a row is
 // turned. Then each triangle of A in the mask is tested against it, from 0 to 15, one a cycle. Near
 // pairs go to the cores through a queue of 16, with axes exchanged so that z is the thinnest side.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Turns B's triangles of the rows, in order. Of each row (b, mask), triangle b is read and its
 // vertices are turned, one a cycle. Vertices that the row before of the same leaves has, too, are
 // not turned again. AABB and vertices of the triangle go to a ring of 8 places, where they are used

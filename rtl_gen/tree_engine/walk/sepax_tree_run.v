@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Begins and ends a run of the tree engine, counts verdicts, and sends the pairs that collide or
 // are in the warning band. A run ends when all pairs are judged, at a fault, or when it is stopped.
 module sepax_tree_run #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A stack in a memory. The entry that was pushed last is in a register, so each cycle can push or
 // pop an entry. An entry is at `top` from the cycle after its push on.
 module sepax_tree_stack #(

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The walk down two trees (docs/reference/tree-engine.md, Order): a stack of entries that wait, and
 // a line of entries whose nodes were asked for. sepax_tree_compare tests the oldest entry of the
 // line. Each of its items becomes a new entry or a row. Entries are popped only when an entry is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Collects the turned vertices of B's triangles, which come one by one. A vertex that the triangle
 // before has, too, does not come: it is copied. The AABB and the vertices are valid in the cycle
 // after the last vertex. The AABB is saturated to W + 2 bits, and the vertices are cut to W bits.

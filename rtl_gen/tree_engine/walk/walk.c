@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* walk.c - see walk.h. */
 #include "tree_engine/walk/walk.h"
 

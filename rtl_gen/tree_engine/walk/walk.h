@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* walk.h - emits the tree engine's walk, the pairs of its rows, and its runs. */
 #ifndef SEPAX_TREE_WALK_H
 #define SEPAX_TREE_WALK_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # object.mk - the object engine: its test bench and its example.
 
 ifneq ($(DESIGN_NAME),)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # tree.mk - the tree engine: its test bench, and those of its modules.
 
 ifeq ($(DESIGN_NAME),)

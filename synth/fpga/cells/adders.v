@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Additions and subtractions as one carry chain each. Yosys's own alumacc merges those of a sum of
 // several terms into compressors of look-up tables, which take a table or two more a bit, and
 // leaves no place for the multiplexer in front of an operand. For techmap in front of synth_*, in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Comparisons as the sign of a difference on one carry chain. Yosys's own alumacc asks a chain for
 // equality, too, where "less or equal" or "greater" is wanted, which takes tables; and for Gowin
 // Yosys 0.23 maps that equality wrongly. For techmap in front of synth_*, in all modules.

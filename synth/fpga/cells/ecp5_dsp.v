@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // sepax_dsp on ECP5: MULT18X18D with its own registers, which Yosys does not infer. A longer factor
 // stays with the module's Verilog. For techmap before hierarchy.
 module sepax_dsp (clk, a, b, p);

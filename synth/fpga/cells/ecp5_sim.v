@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Simulation model of ECP5's 18 x 18 multiplier, of which Yosys has only a black box: what TN-02205
 // (sysDSP usage guide) says of signed and unsigned factors, and of the registers behind the factors
 // and the product, clocked by CLK0. Other modes, clocks, enables and resets are not modelled; the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // sepax_dsp on Gowin: MULT18X18 with its own registers; Yosys 0.23 infers no multiplier there. A
 // longer factor stays with the module's Verilog. For techmap before hierarchy.
 module sepax_dsp (clk, a, b, p);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Gowin's 18 x 18 multiplier, of which Yosys has no model: what UG287 (DSP user guide) says of
 // signed and unsigned factors, and of the registers behind the factors and the product. Shift
 // chains and other modes are not modelled; the project does not use them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Simulation model of DSP48E2, of which Yosys has only a black box, as far as Yosys makes use of
 // it: A times B, sums of X, Y, Z and W, registers of A, B, C, the product and P (Xilinx UG579). No
 // pre-adder, patterns, SIMD; control is constant.

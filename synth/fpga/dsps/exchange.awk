@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/fpga/dsps/exchange.awk - shorter wires of DSPs, which nextpnr places far from what they are
 # wired to: one moves to a free site, or two exchange theirs, while that shortens their wires. Reads
 # what wires.jq tells of a placement, writes a line a DSP: its cell's name and its site.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # synth/fpga/dsps/wires.jq - what exchange.awk reads of a design that nextpnr has placed:
 #   site SITE              each place of a MULT18X18D on the device ($blocks of families.json)
 #   dsp CELL SITE X Y ...  each DSP, and the tile of the other end of each of its wires

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* def.c - DEF files: written for a router, read from it. */
 #include "layout/files/design.h"
 #include "liberty/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* design.c - see design.h. */
 #include "layout/files/design.h"
 #include "liberty/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* design.h - what is laid out: cells, nets, ports, rows; read from a netlist or a DEF file. */
 #ifndef SEPAX_LAYOUT_DESIGN_H
 #define SEPAX_LAYOUT_DESIGN_H

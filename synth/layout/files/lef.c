@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* lef.c - see lef.h. */
 #include "layout/files/lef.h"
 #include "liberty/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* lef.h - layers, vias and cells of LEF files, in units of words.h. */
 #ifndef SEPAX_LAYOUT_LEF_H
 #define SEPAX_LAYOUT_LEF_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* words.c - see words.h. */
 #include "layout/files/words.h"
 #include "liberty/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* words.h - the words of a LEF or DEF file, one after the other. */
 #ifndef SEPAX_LAYOUT_WORDS_H
 #define SEPAX_LAYOUT_WORDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* access.c - see access.h. */
 #include "layout/route/access.h"
 #include "liberty/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* access.h - where wires of the second metal can go down onto a pin. */
 #ifndef SEPAX_LAYOUT_ACCESS_H
 #define SEPAX_LAYOUT_ACCESS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* claims.c - bans of what is near a route; see router.h. */
 #include "layout/route/router.h"
 #include "liberty/text.h"

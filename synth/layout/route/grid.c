@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* grid.c - see grid.h. */
 #include "layout/route/grid.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* grid.h - tracks, and what of two nets must not be beside each other on them. */
 #ifndef SEPAX_LAYOUT_GRID_H
 #define SEPAX_LAYOUT_GRID_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* nets.c - see nets.h. */
 #include "layout/route/nets.h"
 #include "layout/route/router.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* route.h - wires between placed cells, on the tracks of a grid. */
 #ifndef SEPAX_LAYOUT_NETS_H
 #define SEPAX_LAYOUT_NETS_H

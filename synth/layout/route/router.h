@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* router.h - what the steps of the router share.
  *
  * A node of the grid is where a vertical and a horizontal track cross, in one layer. What a net has

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* search.c - the way of one net, pin by pin, on the cheapest nodes (A*); see router.h. */
 #include "layout/route/router.h"
 #include "liberty/text.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* csv.c - paths of joints; the first byte chooses the rules. */
 #include "fuzz/robot.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* dae.c - DAE files. */
 #include "fuzz/mesh.h"
 

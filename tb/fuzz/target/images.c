@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* images.c - two images, their body records and a pose that are any bytes: a walk ends. */
 #include "fuzz/fuzz.h"
 #include "sepax_design.h"

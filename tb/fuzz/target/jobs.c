@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* jobs.c - lists of jobs, .sxj files: one that is made here, with bytes that the input changes, and
  * with CRCs made right so that the checks behind them are reached; what is read can be answered. */
 #include "fuzz/fuzz.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* numbers.c - numbers and lengths as the command line and files have them: what is accepted is a
  * finite number, and that of strtod. */
 #include "cli/cli.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* obj.c - OBJ files. */
 #include "fuzz/mesh.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* options.c - the options of a design as text: what is accepted is written and read back, and has a
  * design. */
 #include "fuzz/fuzz.h"

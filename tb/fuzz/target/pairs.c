@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* pairs.c - pairs as text; the first byte chooses the word length. */
 #include "fuzz/fuzz.h"
 #include "sepax_vectors.h"

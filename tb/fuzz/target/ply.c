@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ply.c - PLY files. */
 #include "fuzz/mesh.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* poses.c - text files of poses. */
 #include "fuzz/fuzz.h"
 

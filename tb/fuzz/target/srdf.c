@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* srdf.c - SRDF files. */
 #include "fuzz/robot.h"
 

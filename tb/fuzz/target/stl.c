@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stl.c - STL files, text and binary, by the reader of meshes and by that of libsepax; what this
  * reads can be written and read again. */
 #include "fuzz/mesh.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* threemf.c - 3MF files: the model as text, from which the archive is made, so that the fuzzer has
  * the XML to itself; text behind a byte of zero is a second model, whose part the first may name.
  * What begins with "PK" is an archive. */

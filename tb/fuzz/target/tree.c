@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tree.c - .sxt files, of which the input has what is not padding, and whose CRCs are
  * made right first so that the checks behind them are reached; what is read can be walked. */
 #include "fuzz/fuzz.h"

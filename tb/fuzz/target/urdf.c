@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* urdf.c - URDF files; the links of what is read have poses at any values. */
 #include "formats/formats.h"
 #include "fuzz/fuzz.h"

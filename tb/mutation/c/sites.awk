@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # sites.awk - where a C file can be changed: a line for each mutant with the line, the column, how
 # many characters are replaced, what is there and what comes there instead, separated by tabs.
 #

@@ -1,3 +1,4 @@
+; SPDX-License-Identifier: MIT
 ; One orient2d of four points, or orient3d of five, is never the only one that is not 0: it is a
 ; sum of the others. Both ends of an edge have the same projection on an axis that is normal to it.
 ; Each check-sat must say unsat, the last one, with a sign that is wrong, sat.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // lone_properties.v - where no sign stands alone, sepax_projection and sepax_decide say the same of
 // all signs and of all but one bit of them.
 module lone_properties (

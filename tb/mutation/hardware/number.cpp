@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // number.cpp - which mutant of a netlist is simulated: that of SEPAX_MUTANT, 0: none.
 #include <cstdlib>
 

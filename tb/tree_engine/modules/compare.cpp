@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // compare.cpp - sepax_tree_compare and its blocks against the golden model: random nodes, poses and
 // entries, and what lies at the ends of their ranges; gaps at all ports, drops in between.
 //

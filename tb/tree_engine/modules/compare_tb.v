@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // compare_tb - compare_top, W = 18, in Icarus: inputs and outputs of a trace
 // (compare.cpp).
 `timescale 1ns / 1ps

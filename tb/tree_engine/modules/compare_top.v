@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // sepax_tree_compare with its turner of vertices, which turns other vertices, too; and what the
 // blocks in between say. For test benches.
 `default_nettype none

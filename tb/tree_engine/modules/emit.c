@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* emit.c - the Verilog of the tree engine's modules, for its test benches: emit FOLDER [PART [W]],
  * PART memory, compare or walk; without it all, W 18. */
 #include "arith/arith.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // entries.h - random poses and nodes for test benches of the compare path, and what lies at the
 // ends of their ranges. W is a macro.
 #ifndef SEPAX_TB_TREE_ENTRIES_H

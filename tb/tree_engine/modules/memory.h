@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* memory.h - a memory behind an AXI4 read port of 128 bits, for test benches under Verilator: as
  * fast as its latency allows, or with delays, gaps and errors at random; it watches what AXI asks
  * of the master. In each cycle the test bench calls memory_drive, evaluates the design, and calls

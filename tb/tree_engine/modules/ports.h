@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // ports.h - bits of a verilated module's ports, however wide they are.
 #ifndef SEPAX_TREE_TB_PORTS_H
 #define SEPAX_TREE_TB_PORTS_H

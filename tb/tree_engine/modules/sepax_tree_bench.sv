@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tree engine and its cores for test benches, without registers and jobs. Faults that a test
 // plants in the modules read `fault`.
 module sepax_tree_bench #(

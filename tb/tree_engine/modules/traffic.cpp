@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // traffic.cpp - sepax_tree_memory under random traffic, against the bytes of the memory: pairs of
 // nodes and of leaves in order, each of their bytes and triangles, errors with the first pair that
 // needs a block that came with one, runs that are dropped, resets; then its speed.

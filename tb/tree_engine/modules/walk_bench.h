@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // walk_bench.h - the verilated tree engine with its cores on a memory.
 #ifndef SEPAX_WALK_BENCH_H
 #define SEPAX_WALK_BENCH_H

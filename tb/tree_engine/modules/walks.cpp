@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // walks.cpp - the verilated tree engine against its golden model: random bodies and poses, or two
 // STL files in the pose of their files. Pairs, their order, flags and counters are compared. --any:
 // before most runs bytes of the trees are damaged, poses are mostly any numbers, and the memory is

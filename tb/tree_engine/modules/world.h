@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // world.h - two bodies in one memory, with anything in their nodes and records, and what
 // sepax_tree_memory should say of them.
 #ifndef SEPAX_TREE_TB_WORLD_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // fast_walk.cpp - see fast_walk.h. All 16 children of a node are turned at once; 4 turned boxes
 // meet 16 boxes at once; the vertices of a leaf are turned at once; B's triangle meets 16 of A.
 #include "fast_walk.h"

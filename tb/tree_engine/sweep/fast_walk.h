@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 // fast_walk.h - the walk of docs/reference/tree-engine.md made fast with AVX-512, as a rival of the
 // engine.
 #ifndef SWEEP_FAST_WALK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* refine.c - a mesh of the same surface with more triangles.
  *   refine IN.stl COUNT OUT.stl
  * The longest edge is bisected, in all triangles that have it, until there are COUNT triangles or

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // software.cpp - the tree engine beside software: two bodies in the poses of a file, all pairs that
 // collide; and how long trees take to build.
 //   bench_tree NAME RESOLUTION A.stl B.stl

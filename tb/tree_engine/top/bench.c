@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bench.c - checks the verilated tree engine against its golden model.
  *   tree-engine [--stress=SEED] [--latency=N] [--resolution=LENGTH] [--modes=N] [--budget=N]
  *               [--wave=FILE] A B POSES

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bench.h - what the parts of the tree engine's test bench share. */
 #ifndef SEPAX_BATCH_BENCH_H
 #define SEPAX_BATCH_BENCH_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* list.c - a list of jobs, as sepax path --jobs writes it, through the engine: each answer is
  * compared with the golden model; a table by the names of the bodies. */
 #include "bench.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* meshes.c - two bodies, STL or files of sepax tree, in the poses of a file through the engine. */
 #include "bench.h"
 #include "meshes.h"

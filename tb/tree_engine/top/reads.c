@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* reads.c - which blocks of its memory a batch of the tree engine has read, and how often. */
 #include "bench.h"
 #include "tree_engine/format.h"

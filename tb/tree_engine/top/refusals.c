@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* refusals.c - what the tree engine refuses in its registers, jobs and poses; interrupts; errors of
  * the memory in jobs and poses. */
 #include "rounds.h"

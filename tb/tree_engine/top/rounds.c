@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* rounds.c - seeded bodies, poses and modes of jobs for the tree engine's test bench; bytes that
  * are damaged, memory that answers with errors, resets. */
 #include "rounds.h"

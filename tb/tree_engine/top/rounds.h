@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* rounds.h - seeded bodies, poses and jobs in memory. */
 #ifndef SEPAX_BATCH_ROUNDS_H
 #define SEPAX_BATCH_ROUNDS_H

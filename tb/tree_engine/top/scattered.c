@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* scattered.c - bodies that are spread over the addresses of one of millions of triangles. */
 #include "rounds.h"
 #include "tree_engine/format.h"

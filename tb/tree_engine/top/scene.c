@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* scene.c - six bodies of a machine tool, of which three move along a path: the pairs that may meet
  * are jobs of one list, so that the engine takes the whole path without the host. Each pose is
  * compared with the golden model. */

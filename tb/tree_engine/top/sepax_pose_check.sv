@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The numbers of a pose stand at the tree engine, as they came from the memory, when a run begins
 // and when it ends (docs/reference/tree-engine.md, the record of a pose).
 module sepax_pose_check (

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bodies.c - posed triangles and bodies against the oracle on the same doubles. */
 #include "harness.h"
 #include "oracle/oracle.h"

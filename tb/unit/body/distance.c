@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* distance.c - distances of posed triangles and bodies against rational arithmetic. SEPAX_COUNT: so
  * many pairs of triangles. */
 #include "harness.h"

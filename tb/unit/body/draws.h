@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* draws.h - random poses and meshes of the tests of bodies. */
 #ifndef DRAWS_H
 #define DRAWS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fits.c - the boxes of a tree are as tight as they should be: what is looser costs time, and no
  * verdict shows it. */
 #include "body/body.h"

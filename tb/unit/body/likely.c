@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* likely.c - the first guesses of searches: doubles nearly always find which features of two
  * triangles are nearest, so that whole numbers of any size are not needed. */
 #include "distance/distance.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* poses.c - files of poses: decimals rounded once, in any locale; what is refused. */
 #include "harness.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* rounding.c - the oriented boxes of body/fit.c as gcc compiles them with -O3: a small triangle is
  * in its box as the box is stored. gcc 12 has taken the axes before they were rounded to floats,
  * and the centre where it inlines less (rounding_called.c). */

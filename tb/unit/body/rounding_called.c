@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* rounding_called.c - rounding.c with -O3, but functions that are called. */
 #ifndef __clang__
 #pragma GCC optimize("O3", "no-inline")

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* solid.c - closed bodies as solids against rational numbers and rays of random direction. */
 #include "solid_meshes.h"
 #include "solid_oracle.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* solid_meshes.h - closed meshes with short coordinates, part by part. */
 #ifndef SOLID_MESHES_H
 #define SOLID_MESHES_H

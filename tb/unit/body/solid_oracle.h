@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* solid_oracle.h - what is inside what, in whole numbers of any size (GMP), by rays of random
  * direction against every triangle; and what a shell must be, every edge against every other. */
 #ifndef SOLID_ORACLE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* solid_samples.c - sample bodies as solids against the solid angle under which a point sees them,
  * and bodies that are in one file twice. */
 #include "solid_meshes.h"

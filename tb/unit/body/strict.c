@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* strict.c - which triangles, and which bodies, pass through each other, and which only touch. */
 #include "harness.h"
 #include "oracle/oracle.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* threads.c - threads that share two bodies find what one thread finds; `make experiment
  * NAME=sanitize` runs this with the thread sanitizer, too. */
 #include "harness.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* trees.c - what every tree of a body holds, and that threads do not matter to it. */
 #include "body/body.h"
 #include "harness.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* paths.c - on a path the design that sepax_size_design finds is the cheapest of all that there
  * are, tree engines among them, each timed in each pose; what a pose gives an engine of lanes and a
  * tree engine to do is the same. */

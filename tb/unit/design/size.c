@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* size.c - what a scene needs, against poses and counts made by other means; gates
  * against mapped designs; pairs within extents. */
 #include "size/motion.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ticks.h - the time of the object engine, cycle by cycle as docs/reference/object-engine.md tells:
  * comparator lanes that hold a triangle each, a FIFO of masks, a priority encoder, cores. It shares
  * nothing with the golden model, and takes a cycle at a time. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* workloads.c - the design that sepax_size_design finds, against all designs that there are, each
  * timed cycle by cycle. */
 #include "size/workloads.h"

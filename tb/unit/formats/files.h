@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* files.h - small files of text in the scratch folder. */
 #ifndef FILES_H
 #define FILES_H

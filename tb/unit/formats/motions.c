@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* motions.c - CSV of joints: units, lines, limits; what is refused with line and column. */
 #include "files.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* scarcity.c - readers without memory: each allocation refused in turn. Those of libxml2 are among
  * them, which keeps its last error. */
 #include "files.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* shapes.c - polyhedra around spheres, cylinders and capsules; places; triangles that are there
  * twice. */
 #include "files.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* urdf.c - URDF and SRDF: what they say, and what is refused with its line. */
 #include "files.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* dae.c - COLLADA: what becomes triangles, what is named, and what is refused with its line. */
 #include "unit/io/reading.h"
 

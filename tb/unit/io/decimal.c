@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* decimal.c - decimals become the nearest double: against strtod, on those that are hard. */
 #include "harness.h"
 #include "util/text.h"

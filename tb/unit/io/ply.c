@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ply.c - PLY: texts and both orders of bytes, what is named, what is refused with line or offset.
  */
 #include "unit/io/reading.h"

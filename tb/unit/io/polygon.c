@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* polygon.c - polygons of known shapes, divided; areas and edges in rational numbers.
  *
  * An oracle of its own: triangles that all turn the polygon's way, whose edges match, are a

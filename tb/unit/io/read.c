@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* read.c - the door of the mesh readers: the format by content, units, limits, options. */
 #include "unit/formats/files.h"
 #include "sepax_io.h"

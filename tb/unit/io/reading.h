@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* reading.h - what the tests of the mesh readers share: a file as it was read, and allocations that
  * are refused. */
 #ifndef READING_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* stl.c - STL through the door of the mesh readers: which of the two kinds, what is named, what is
  * refused. tb/unit/stl.c has the forms of numbers and words. */
 #include "unit/io/reading.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* threemf.c - 3MF: the package, its model parts, what they build, and what is refused. */
 #include "unit/io/reading.h"
 

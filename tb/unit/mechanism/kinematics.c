@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* kinematics.c - links in their poses against quaternions in long double, within the bound that
  * sepax_mechanism.h gives; chains; what is no mechanism. */
 #include "unit/mechanism/places.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* places.h - mechanisms for tests, and their links' places: quaternions in long double. */
 #ifndef PLACES_H
 #define PLACES_H

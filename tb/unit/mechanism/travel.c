@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* travel.c - the bound on how far points move, against their ways in long double. */
 #include "unit/mechanism/places.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* generator.c - the generator without memory: of each design one allocation in turn is refused, and
  * each time it fails with an error, leaves no folder and gives back what it took. */
 #include "scarce.h"

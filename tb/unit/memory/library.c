@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* library.c - the library without memory: each allocation refused in turn. */
 #include "scarce.h"
 #include "unit/tree/scenes.h"

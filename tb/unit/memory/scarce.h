@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* scarce.h - a memory that refuses: an operation is done again and again, each time with another of
  * its allocations refused, the first, the second, until none is. Each time it ends with a fault in
  * one line, or does without and ends as it should; and all that it took it has given back. */

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """loading - load a script of the project, which has no ending .py, as a module for a test."""
 from __future__ import annotations
 

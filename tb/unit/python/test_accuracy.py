@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Tests of scripts/pictures/accuracy: intervals, what is drawn for nothing found, and names."""
 import unittest
 

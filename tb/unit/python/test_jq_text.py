@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Tests of scripts/campaigns/jq_text.py: the text is the text of jq 1.6."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Tests of synth/area/map, of the modules beside it and of synth/common.py: what they decide
 without Yosys and OpenSTA. tb/synth/netlist and tb/synth/timing map whole designs."""
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Tests of tb/project/style: each rule finds its fault, and only its fault."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Tests of synth/report/tables: numbers as people read them, and what stands beside the paper."""
 import io
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Tests of scripts/verify: what it joins of a folder, what the page says, and exit statuses.
 
 tb/campaign/page tests the same script with campaigns that were run."""

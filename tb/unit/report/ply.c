@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ply.c - PLY files: where vertices are, which faces have which colour and number. */
 #include "report/ply.h"
 #include "harness.h"

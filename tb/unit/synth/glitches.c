@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* glitches.c - changes between two edges: pulses by hand, and random gates beside a simulation of
  * one lane after another by a queue of events. */
 #include "harness.h"

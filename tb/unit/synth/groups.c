@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* groups.c - counts by groups of lanes, and what their spread says of the mean. */
 #include "harness.h"
 #include "power/gates.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fixed_poses.c - poses in fixed point turn vertices to where the doubles put them, rounded; what
  * is refused. */
 #include "unit/tree/scenes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* job_lists.c - lists of jobs in the golden model: which poses are walked, with which first row,
  * and what is refused. */
 #include "unit/tree/scenes.h"

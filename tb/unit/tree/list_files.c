@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* list_files.c - lists of jobs in files: what was put in is what the golden model answers from the
  * file's bytes, and files that are damaged or are no list are refused. */
 #include "unit/tree/scenes.h"

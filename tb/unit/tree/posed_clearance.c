@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* posed_clearance.c - what the walk calls free is free for the real bodies in the real pose:
  * against exact distances. TREE_NEAR: how many near pairs. */
 #include "oracle/distance.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* scenes.h - bodies of integer triangles and poses for the tests of trees; what a test knows of
  * them without the library's arithmetic. */
 #ifndef TREE_SCENES_H

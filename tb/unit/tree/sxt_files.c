@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sxt_files.c - trees as the format says, files that give them back, and damaged ones that do not:
  * SEPAX_COUNT: how many damaged trees are walked. */
 #include "tree_engine/build.h"

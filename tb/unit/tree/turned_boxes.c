@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* turned_boxes.c - a turned box holds every vertex of the box that was turned, against 128-bit
  * integers. TREE_BOXES: how many boxes. */
 #include "unit/tree/scenes.h"

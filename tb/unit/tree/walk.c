@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* walk.c - the walk finds the pairs that brute force finds for the same rounded vertices, all of
  * them, once. TREE_COLLISIONS: as many collisions as are to be compared. */
 #include "unit/tree/scenes.h"
