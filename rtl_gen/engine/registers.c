@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* registers.c - a register map as the holes of sepax_registers.v, as a C header, as a page and as
  * SystemRDL. */
 #include "engine/registers.h"

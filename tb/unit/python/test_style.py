@@ -12,6 +12,7 @@ from pathlib import Path
 from loading import PROJECT, load
 
 style = load("tb/project/style")
+SPDX = "/* SPDX-License-Identifier: MIT */\n"
 
 # A clang-format that finds a fault in each file whose text has two blanks in a row.
 FAKE = """#!/bin/sh
@@ -43,6 +44,16 @@ class Lines(unittest.TestCase):
             self.assertTrue(style.C_FILE.match(name), name)
         for name in ("a.cc", "a.c.in", "a.v", "chapter"):
             self.assertFalse(style.C_FILE.match(name), name)
+
+
+class Licence(unittest.TestCase):
+    def test_a_source_names_it_at_its_head(self) -> None:
+        named = b"#!/bin/sh\n# SPDX-License-Identifier: MIT\n"
+        self.assertTrue(style.names_licence("a", named))
+        self.assertFalse(style.names_licence("a.c", b"int x;\n"))
+        self.assertFalse(style.names_licence("a.c", b"\n" * 4 + named))
+        self.assertTrue(style.names_licence("tb/data.txt", b""))
+        self.assertTrue(style.names_licence("LICENSE", b""))
 
 
 class Python(unittest.TestCase):
@@ -97,12 +108,12 @@ class Repository(unittest.TestCase):
                               capture_output=True, text=True, check=False)
 
     def test_no_fault(self) -> None:
-        self.write("a.c", "int a;\n")
+        self.write("a.c", SPDX + "int a;\n")
         done = self.run_style()
         self.assertEqual((done.returncode, done.stdout), (0, "2 cases, 0 wrong\n"))
 
     def test_each_rule(self) -> None:
-        self.write("a.c", "int  a;\n")
+        self.write("a.c", SPDX + "int  a;\n")
         self.write("b.h", "int " + "b" * 97 + ";\n")
         self.write("c.py", "c = 1\n")
         done = self.run_style()
@@ -111,8 +122,9 @@ class Repository(unittest.TestCase):
             "FAILED: lines over 100 columns: b.h:1: 102 columns",
             "FAILED: Python files without a docstring, or that do not compile: "
             "c.py:1: no docstring",
+            "FAILED: sources without a licence: b.h", "c.py",
             "FAILED: clang-format has other lines: a.c:1:1: error: code",
-            "4 cases, 3 wrong", ""]))
+            "4 cases, 4 wrong", ""]))
 
     def test_files_that_git_ignores_or_that_are_gone(self) -> None:
         self.write(".gitignore", "build/\n")
@@ -124,7 +136,7 @@ class Repository(unittest.TestCase):
 
     def test_another_clang_format(self) -> None:
         self.use("15.0.7")
-        self.write("a.c", "int  a;\n")
+        self.write("a.c", SPDX + "int  a;\n")
         done = self.run_style()
         self.assertEqual(done.returncode, 0)
         self.assertIn("no clang-format 14 here: C is not checked\n", done.stdout)
@@ -140,8 +152,8 @@ class Repository(unittest.TestCase):
     def test_no_repository(self) -> None:
         shutil.rmtree(self.root / ".git")
         done = self.run_style()
-        self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertEqual(len(done.stderr.splitlines()), 1)
+        self.assertEqual((done.returncode, done.stdout), (
+            77, "no git checkout: the files are not checked\n"))
 
 
 if __name__ == "__main__":
