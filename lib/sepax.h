@@ -15,7 +15,7 @@
  *   - Meshes and structs of options begin with their size in bytes. SEPAX_STRUCT fills in the size.
  *     A field of zero has its default, so later versions can add fields without breaking a caller.
  *     A function that takes options also takes NULL, which means all defaults.
- *   - A pose that is NULL means that the body stays where its mesh has it.
+ *   - If a pose is NULL, then the body is not moved: its vertices keep the coordinates of its mesh.
  *   - sepax_NAME_free releases the memory of a sepax_NAME.
  *   - Triangles, vertices and meshes are numbered from 0, also in messages. Lines of a file are
  *     numbered from 1.
@@ -78,7 +78,8 @@ typedef enum {
   SEPAX_ERROR_NONE_FITS = 7  /* no design meets the request */
 } sepax_code;
 
-/* A function that fails fills it in. `text` is one line without a newline. */
+/* The report of a failure. A function that fails fills in both fields. `text` is one line without a
+ * newline. */
 typedef struct {
   sepax_code code;
   char text[512];
@@ -101,10 +102,10 @@ typedef struct {
  * because memory must return to the allocator that it came from. */
 void sepax_set_allocator(const sepax_allocator *allocator);
 
-/* Get, resize and release memory of that allocator. Use them for the parts of a sepax_soup or
- * sepax_mechanism that the caller fills in, because the library frees these parts. They return NULL
- * if there is no memory. After sepax_resize returned NULL, the old memory is unchanged. Releasing
- * NULL does nothing. */
+/* Get, resize and release memory by the allocator that the library uses. Use them for the parts of
+ * a sepax_soup or sepax_mechanism that the caller fills in, because the library frees these parts.
+ * They return NULL if there is no memory. After sepax_resize returned NULL, the old memory is
+ * unchanged. Releasing NULL does nothing. */
 void *sepax_allocate(size_t bytes);
 void *sepax_resize(void *memory, size_t bytes);
 void sepax_release(void *memory);
@@ -125,7 +126,7 @@ typedef enum {
   SEPAX_SIMD_AVX512    /* 8 pairs at once */
 } sepax_simd;
 
-/* True if the processor has these instructions. */
+/* True if the processor has the vector instructions that `simd` names. */
 bool sepax_simd_runs(sepax_simd simd);
 
 /* "portable", "avx2" or "avx512": the instructions that a function would use if it were given
@@ -143,8 +144,8 @@ typedef struct {
 } sepax_pose;
 
 /* True if the pose is valid: all its numbers are finite, no entry of R R^T differs from the
- * identity matrix by more than 1e-6, and the determinant of R is positive. Otherwise the function
- * fails with ARGUMENT. */
+ * identity matrix by more than 1e-6, and the determinant of R is positive. If the pose is not
+ * valid, then sepax_pose_valid returns false and the code of *error is ARGUMENT. */
 bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error);
 
 /* Replace the matrix by the nearest rotation (its polar factor), up to rounding. Use it for a
@@ -177,8 +178,8 @@ typedef struct {
  * file has no poses; MEMORY. */
 bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error);
 
-/* The same, but each matrix is replaced as by sepax_pose_nearest. *moved receives the largest
- * change of an entry in the file. */
+/* Read poses as sepax_poses_read does, but replace each matrix as sepax_pose_nearest does. *moved
+ * receives the largest change of an entry in the file. */
 bool sepax_poses_read_nearest(sepax_poses *poses, double *moved, const char *path,
                               sepax_error *error);
 void sepax_poses_free(sepax_poses *poses);
@@ -187,9 +188,10 @@ void sepax_poses_free(sepax_poses *poses);
 
 typedef enum { SEPAX_DOUBLE, SEPAX_FLOAT } sepax_real;
 
-/* Triangles in memory of the caller. The library reads them in place while a function runs that is
- * given the mesh. It keeps no pointer to them. Triangle i has the vertices index[3i],
- * index[3i + 1] and index[3i + 2]. Without an index it has the vertices 3i, 3i + 1 and 3i + 2. */
+/* Triangles in memory of the caller. A function that takes the mesh reads the triangles in place.
+ * The library keeps no pointer to them after the function has returned. Triangle i has the vertices
+ * index[3i], index[3i + 1] and index[3i + 2]. Without an index it has the vertices 3i, 3i + 1 and
+ * 3i + 2. */
 typedef struct {
   size_t size;
   const void *vertex;    /* x, y, z of the first vertex */
@@ -215,7 +217,8 @@ typedef struct {
 
 void sepax_soup_free(sepax_soup *soup);
 
-/* Pass a soup to a function that takes a mesh: a pointer to a compound literal of C. */
+/* Use SEPAX_SOUP_MESH(&soup) as the argument of a function that takes a mesh. The macro makes a
+ * mesh, as a compound literal of C, and returns a pointer to that mesh. */
 #define SEPAX_SOUP_MESH(soup) \
   (&SEPAX_STRUCT(sepax_mesh, .vertex = (soup)->facet, .triangles = (soup)->count))
 
@@ -238,11 +241,11 @@ bool sepax_stl_write(const sepax_soup *soup, const char *path, bool ascii, sepax
 typedef struct {
   double length;     /* the length that the caller asked for */
   size_t moved;      /* vertices that moved */
-  double farthest;   /* the longest way of a vertex; up to 10 lengths, because vertices may form a
-                        chain */
+  double farthest;   /* the longest distance that a vertex moved. It may be up to 10 times
+                        `length`, because a chain of vertices becomes one vertex */
   size_t degenerate; /* triangles left out because they became an edge or a vertex of others */
   size_t duplicates; /* triangles left out because they were copies */
-  size_t divided;    /* open edges that received vertices within the length */
+  size_t divided;    /* open edges into which a vertex was inserted (step 3 below) */
 } sepax_weld;
 
 /* Close a mesh whose vertices were rounded or torn apart:
@@ -250,7 +253,8 @@ typedef struct {
  *      vertex that stays is the one with the least x; of equal x, the least y; then the least z.
  *   2. A triangle that became a segment or a point is left out if it is an edge or a vertex of a
  *      triangle with three different vertices. Of several triangles with the same three vertices
- *      one stays. Two stay if the mesh is closed with two and would be open with one.
+ *      one stays. But if the mesh is open with one of them and closed with two of them, then two
+ *      stay.
  *   3. An edge is open if an odd number of triangles has it. An end of an open edge that lies
  *      within `length` of another open edge is inserted into that edge, which divides the triangle
  *      there.
@@ -302,18 +306,18 @@ sepax_verdict sepax_exact_posed(const double a[3][3], const sepax_pose *pose_a,
  * from the exact distance by less than one unit in the last place. An exact distance below 2^-1074
  * is returned as 2^-1074.
  *
- * `nearest` receives a point of A and a point of B at that distance, for a collision a common point
- * twice. Each coordinate is wrong by at most 2^-51 of the largest coordinate of a vertex or a
- * translation. `nearest` may be NULL. Cost: a few microseconds, more for triangles that nearly
- * touch. */
+ * `nearest` receives a point of A and a point of B at that distance. If the triangles collide, then
+ * both points are the same common point. Each coordinate is wrong by at most 2^-51 of the largest
+ * coordinate of a vertex or a translation. `nearest` may be NULL. Cost: a few microseconds, more
+ * for triangles that nearly touch. */
 double sepax_distance_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
                             const sepax_pose *pose_b, double nearest[2][3]);
 
 /* ------------------------------------------------------- all colliding pairs */
 
-/* Pairs of triangles: pair[n][0] is a triangle of A, and pair[n][1] is a triangle of B. If a query
- * lists no pairs (`each`, `only_any`), then `pair` is NULL and `count` is the number of pairs that
- * were found. */
+/* Pairs of triangles: pair[n][0] is a triangle of A, and pair[n][1] is a triangle of B. A query
+ * that sets the field `each` or `only_any` of sepax_query lists no pairs. Its result has a `pair`
+ * of NULL, and `count` is the number of pairs that were found. */
 typedef struct {
   size_t (*pair)[2];
   size_t count;
@@ -336,10 +340,10 @@ typedef struct {
 } sepax_search;
 
 /* All pairs of triangles of two meshes that collide, each mesh in its pose. The result is exact and
- * sorted by the triangle of A, then by the triangle of B. No tree is built, so the function is
- * faster than sepax_body_new if two meshes are asked only once. Errors: ARGUMENT if a pose is not
- * valid, an index is beyond the vertices, or a coordinate is not within 2^1000; LIMIT on 2^32
- * triangles or more; CANCELLED; MEMORY. */
+ * sorted by the triangle of A, then by the triangle of B. No tree is built. So for
+ * a single query on two meshes this function is faster than sepax_body_new with
+ * sepax_bodies_collide. Errors: ARGUMENT if a pose is not valid, an index is beyond the vertices,
+ * or a coordinate is not within 2^1000; LIMIT on 2^32 triangles or more; CANCELLED; MEMORY. */
 bool sepax_meshes_collide(const sepax_mesh *a, const sepax_pose *pose_a, const sepax_mesh *b,
                           const sepax_pose *pose_b, const sepax_search *how, sepax_pairs *found,
                           sepax_error *error);
@@ -358,8 +362,8 @@ typedef struct {
 
 /* Make a body from a mesh. The body copies the mesh and takes about 250 bytes for each triangle.
  * The body does not depend on the number of threads. Errors: ARGUMENT if the mesh has no triangles,
- * if an index is beyond the vertices, or if a coordinate is not within 2^1000, for example NaN
- * (with its triangle); LIMIT on more than 2^31 - 2 triangles; MEMORY. */
+ * if an index is beyond the vertices, or if a coordinate is NaN or not within 2^1000 (the text
+ * of *error names the triangle); LIMIT on more than 2^31 - 2 triangles; MEMORY. */
 bool sepax_body_new(sepax_body **body, const sepax_mesh *mesh, const sepax_build *how,
                     sepax_error *error);
 void sepax_body_free(sepax_body *body);
@@ -406,8 +410,8 @@ typedef struct {
   double min_distance; /* infinite if it is above the limit; then points, pair and box are 0 */
   double nearest_points[2][3]; /* a point of A and a point of B at that distance */
   size_t pair[2];              /* the triangles that have these points, of A and of B */
-  uint32_t box[2]; /* their places in the bodies' trees, for the field `last` of the next
-                      request; 0 if the bodies collide */
+  uint32_t box[2]; /* the places of both triangles in the trees of the bodies; a later request
+                      whose field `last` has this result begins there; 0 if the bodies collide */
   bool ended;      /* the time limit ended the search: the distance is min_distance or less */
 } sepax_distance_result;
 
@@ -415,9 +419,9 @@ typedef struct {
 typedef struct {
   size_t size;
   double limit; /* report a longer distance as infinite, which is faster; 0: no limit */
-  /* A result for the same bodies in similar poses. The search begins there and is faster. A result
-   * of other bodies is an error if its triangles do not exist; otherwise it costs time, but does
-   * not change the distance. NULL: none. */
+  /* A result for the same bodies in similar poses. The search begins at the triangles of that
+   * result and is faster. A result of other bodies is an error if its triangles do not exist;
+   * otherwise it costs time, but does not change the distance. NULL: none. */
   const sepax_distance_result *last;
   /* End after this time; 0: no limit. Set it for bodies that may be a million times farther apart
    * than they are long: all their triangles are nearly equally far, so the search takes long. */
@@ -450,11 +454,13 @@ typedef struct {
   const sepax_body *body;
   bool closed;       /* the body is a solid: every point of its edges, except for a finite number of
                         points, lies on an even number of triangle edges */
-  bool consistent;   /* no triangle is turned round: at every such point, as many edges run in one
-                        direction as in the other, with one more where their number is odd */
-  size_t facet;      /* if one of the two is false: a triangle with an edge that breaks the rule; */
-  double edge[2][3]; /* the ends of that edge. If both are false, then the edge breaks the rule of
-                        `closed` */
+  bool consistent;   /* no triangle is turned round: at every point of the edges, except for a
+                        finite number of points, the numbers of edges that run in either direction
+                        are equal, or differ by 1 if the sum of both is odd */
+  size_t facet;      /* if `closed` or `consistent` is false: a triangle with an edge that breaks
+                        the rule of that field */
+  double edge[2][3]; /* the ends of that edge. If both fields are false, then the edge breaks the
+                        rule of `closed` */
   size_t parts;
   size_t pieces;           /* parts that touch or overlap each other form one piece */
   struct sepax_parts *own; /* private */
@@ -472,16 +478,18 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
  * the solid B, and SEPAX_OUTSIDE if none is. within[1] says the same of the parts of B and the
  * solid A. The result is exact for the doubles given.
  *
- * An open part has no inside. So within[0] is SEPAX_INSIDE_UNKNOWN if a part of A may lie within
- * the AABB of all open parts of B and no other part of A is inside B. within[1] likewise.
+ * An open part has no inside. So the function does not judge a part of A that may lie within the
+ * AABB that encloses all open parts of B. If A has such a part and no other part of A is inside B,
+ * then within[0] is SEPAX_INSIDE_UNKNOWN. within[1] likewise.
  *
  * A point is inside a closed part if a ray from the point meets the part an odd number of times. If
- * the triangles of the part are consistent, then a point is also inside if the part winds round it,
- * which matters for a part that crosses itself or is there twice. A point is inside a piece if it
- * is inside one of its parts. A point is inside the solid if it is inside an odd number of pieces.
- * So a piece inside another piece is a cavity, a piece inside the cavity is material again, and
- * overlapping parts are material wherever one of them is. A part may be inside out, and triangles
- * may be turned round.
+ * the triangles of the part are consistent, then a point is also inside if the ray leaves the part
+ * more often than it enters the part, or less often. This second rule matters for a part that
+ * crosses itself and for a part that has each triangle twice. A point is inside a piece if it is
+ * inside one of its parts. A point is inside the solid if it is inside an odd number of pieces. So
+ * a piece inside another piece is a cavity, a piece inside the cavity is material again, and
+ * overlapping parts are material wherever one of them is. All these rules also hold for a part that
+ * is inside out and for a part with triangles that are turned round.
  *
  * Cost: a few microseconds for each part that lies within the AABB of the other body. Errors:
  * ARGUMENT if a pose is not valid. */
