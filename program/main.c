@@ -18,7 +18,7 @@ enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 static void usage(FILE *out) {
   fprintf(out, "Usage: sepax COMMAND [OPTION...]\n"
-               "Check bodies for collisions, and generate hardware that does.\n\n");
+               "Check bodies for collisions, and generate hardware for this check.\n\n");
   for (int i = 0; i < COMMAND_COUNT; i++) {
     fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].about);
   }

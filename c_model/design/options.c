@@ -88,16 +88,18 @@ static const design_option table[] = {
              "input reaches it in the same cycle (default off)"},
     {.name = "clock-gating", .kind = OPTION_SWITCH, FIELD(clock_gating), CHOICES(switch_names),
      .archs = EXACT, .tag = "-cg", .argument = "on|off",
-     .help = "give the registers of the core enables that follow each pair, so that registers "
-             "without a pair stand still and synthesis can gate their clocks (default off)"},
+     .help = "add enables to the registers of the core. The enables follow each pair through the "
+             "pipeline, so registers without a pair stand still and synthesis can gate their "
+             "clocks (default off)"},
     {.name = "clearance", .kind = OPTION_NUMBER, FIELD(clearance), .standard = -1,
      RANGE(0, INT32_MAX), .archs = EXACT, .tag = "-c%s", .argument = "LSB", .decides = true,
      .help = "call a pair free only if the real triangles, before they were rounded to LSB, are "
              "farther apart than this distance (default: none)"},
     {.name = "warning", .kind = OPTION_NUMBER, FIELD(warning), .standard = 0, RANGE(1, INT32_MAX),
      .archs = EXACT, .needs = "clearance", .tag = "-d%s", .argument = "LSB", .decides = true,
-     .help = "a second, larger clearance: pairs between both distances are in the band warning "
-             "(default: none; needs --clearance)"},
+     .help = "a second, larger clearance: a pair that is free at --clearance, but not at this "
+             "distance, gets band 1 (warning) instead of band 0 (free) (default: none; needs "
+             "--clearance)"},
     {.name = "stream", .kind = OPTION_CHOICE, FIELD(stream), CHOICES(stream_names), .archs = EXACT,
      .tag = "-%s", .argument = "WORDS",
      .help = "put AXI4-Stream around the core. One transfer carries a vertex (128 bits), a "
@@ -132,16 +134,17 @@ static const design_option table[] = {
     {.name = "precision", .kind = OPTION_PRECISION, FIELD(guard), .standard = -1,
      RANGE(-1, 2 * SEPAX_WORD_MAX + 3), .archs = PUBLISHED, .named = PUBLISHED, .shown = true,
      .tag = "-%s", .argument = "BITS", .decides = true,
-     .help = "bits kept of each intermediate result: full (default): all; word: W; guard=G: W + G, "
-             "G = 0 ... 2 W + 3"},
+     .help = "bits kept of each intermediate result. full (default) keeps all bits, word keeps W "
+             "bits, and guard=G keeps W + G bits, where G = 0 ... 2 W + 3"},
     {.name = "block-float", .kind = OPTION_SWITCH, FIELD(block_float), CHOICES(switch_names),
      .archs = PUBLISHED, .shown = true, .tag = "-bf", .argument = "on|off", .decides = true,
      .help = "before truncation, shift the three components of an axis left by the same number of "
              "bits (default off)"},
     {.name = "coplanarity", .kind = OPTION_CHOICE, FIELD(coplanarity), CHOICES(coplanarity_names),
      .archs = PUBLISHED, .shown = true, .tag = "-cop", .argument = "TEST", .decides = true,
-     .help = "test of coplanarity: plane (default): B_k.N_A = A_k.N_A; paper: A_k.N_A = B_k.N_B, "
-             "as the paper prints it"},
+     .help = "how a pair is tested for coplanarity, where A_k and B_k are vertices and N_A and N_B "
+             "are normals. plane (default) tests B_k.N_A = A_k.N_A; paper tests A_k.N_A = "
+             "B_k.N_B, which is what the paper prints"},
     {.name = "inequality", .kind = OPTION_CHOICE, FIELD(inequality), CHOICES(inequality_names),
      .archs = PUBLISHED, .shown = true, .tag = "-ineq", .argument = "FORM", .decides = true,
      .help = "inequality (5) of the paper: correct (default): max A < min B; printed: max A > min "

@@ -14,7 +14,7 @@ static const struct argp_option options[] = {
     {"weld", KEY_WELD, "LENGTH", 0,
      "close small gaps first: merge vertices within LENGTH of each other, leave out triangles "
      "that lose their area or are copies, and insert vertices into open edges within LENGTH. The "
-     "result is that of the welded body",
+     "results hold for the welded bodies, not for the bodies as they are in the files",
      0},
     {0}};
 

@@ -27,9 +27,10 @@ static const struct argp_option options[] = {
     {"family", 'f', "NAME", 0, "family of hard pairs, or all (default all)", 0},
     {"count", 'n', "PAIRS", 0, "number of pairs of each family (default 100000)", 0},
     {"flips", KEY_FLIPS, "PAIRS", 0,
-     "also judge this many pairs of each family with the vertices in every order, the triangles "
-     "exchanged, moved, with axes permuted and reflected, and scaled by 2, and count verdicts "
-     "that change (default 0)",
+     "also judge variants of this many pairs of each family, and count the verdicts that change "
+     "(default 0). In a variant the vertices have another order, the two triangles are exchanged, "
+     "both triangles are moved by one vector, the axes are permuted or reflected, or all "
+     "coordinates are doubled",
      0},
     {"nudges", KEY_NUDGES, "PAIRS", 0,
      "also judge this many pairs of each family, or of the meshes, with each coordinate changed "
@@ -37,9 +38,10 @@ static const struct argp_option options[] = {
      0},
     {"seed", 's', "SEED", 0, "seed of the random numbers (default 1)", 0},
     {"truth", KEY_TRUTH, "OF", 0,
-     "the right verdict is that on the W-bit triangles (quantised, default) or that on the "
-     "triangles before they were rounded to W bits (real; W = 4 ... 27). Real triangles have 31 - "
-     "W more bits and half the range",
+     "quantised (default): the right verdict is the exact verdict on the W-bit triangles. real: "
+     "the right verdict is the exact verdict on the triangles before they were rounded to W bits "
+     "(W = 4 ... 27). These unrounded triangles have 31 bits for each coordinate and fill half of "
+     "the range of W bits",
      0},
     {"csv", KEY_CSV, NULL, 0, "print CSV instead of text", 0},
     {0}};
@@ -399,10 +401,12 @@ int cli_accuracy(int argc, char **argv) {
       options,
       parse,
       "[A.stl B.stl]",
-      "Count the wrong verdicts of a design on hard pairs of triangles, or on the pairs of "
-      "triangles of two meshes whose AABBs overlap or have a gap of 1 LSB. A missed collision is a "
-      "colliding pair that the design calls separated; the deepest one is printed. A false alarm "
-      "is the reverse; the one with the widest gap is printed. Both are in LSB.",
+      "Count the wrong verdicts of a design on hard pairs of triangles, or on pairs of triangles "
+      "of two meshes. Of the meshes, only those pairs count whose two triangles have AABBs that "
+      "overlap or have a gap of at most 1 LSB. A missed collision is a colliding pair that the "
+      "design calls separated; the greatest depth of these pairs is printed, in LSB. A false alarm "
+      "is a separated pair that the design calls a collision; the widest gap of these pairs is "
+      "printed, in LSB.",
       children,
       NULL,
       NULL};

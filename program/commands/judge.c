@@ -19,8 +19,9 @@ typedef struct {
 static const struct argp_option options[] = {
     {"echo", 'e', NULL, 0,
      "print the 24 integers of the pair before its verdict. Designs with hardware also print, "
-     "after the verdict, whether the pair is coplanar (0 or 1); exact then prints the axis (0 ... "
-     "12, with an AABB test 0 ... 14) and with a clearance the band",
+     "after the verdict, whether the pair is coplanar (0 or 1). After that, --arch=exact prints "
+     "the value of its port out_axis (0 ... 12, or 0 ... 14 with an AABB test) and, with "
+     "--clearance, the value of its port out_band (0 free, 1 warning, 2 collision)",
      0},
     {0}};
 

@@ -20,7 +20,7 @@ static const struct argp_option options[] = {
     {"triangles", 'n', "COUNT", 0, "number of triangles, an even number (default 400)", 0},
     {"at", KEY_AT, "X,Y,Z", 0, "position of the object in mm (default 0,0,0)", 0},
     {"size", KEY_SIZE, "MM", 0,
-     "diameter or longest side of the object in mm (default: that of the shape)", 0},
+     "diameter or longest side of the object in mm (default: a size for each shape)", 0},
     {"ascii", KEY_ASCII, NULL, 0, "write ASCII STL instead of binary STL", 0},
     {"list", KEY_LIST, NULL, 0, "list the shapes and exit", 0},
     {0}};

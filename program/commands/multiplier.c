@@ -25,11 +25,12 @@ static const struct argp_option options[] = {
     {"product", 'p', "BITS", 0,
      "number of lowest bits of the product to keep, at most 128 (default: all)", 0},
     {"digits", KEY_DIGITS, "COUNT", 0,
-     "compute a (b - K) instead of a b, which saves an addition; K = 1 + 4 + ... + 4^(COUNT - 2), "
-     "and floor(b / 4^(COUNT - 1)) must be in -2 ... 2",
+     "cut b into COUNT radix-4 digits and compute a (b - K) instead of a b, which saves an "
+     "addition. K = 1 + 4 + ... + 4^(COUNT - 2). The highest digit, floor(b / 4^(COUNT - 1)), must "
+     "be in -2 ... 2",
      0},
     {"less", KEY_LESS, "1|2", 0,
-     "factor of K: with 2, K = 2 (1 + 4 + ...) (default 1; needs --digits)", 0},
+     "1 or 2: the factor by which K of --digits is multiplied (default 1; needs --digits)", 0},
     {"clock-ns", KEY_CLOCK, "PERIOD", 0,
      "clock period in ns for which pipeline registers are placed (default: no registers)", 0},
     {"target", KEY_TARGET, "TARGET", 0, "technology: asic (default), ice40, ecp5, xc7, xcup, gowin",

@@ -34,7 +34,9 @@ static const struct argp_option options[] = {
      0},
     {"list", KEY_WHAT + PRINT_LIST, NULL, 0, "list all design options as variables of make", 0},
     {"only", KEY_WHAT + PRINT_ONLY, NULL, 0,
-     "list the variables that only the architecture of --arch reads", 0},
+     "list the variables of make that the architecture of --arch reads and no other architecture "
+     "reads",
+     0},
     {"verdict", KEY_WHAT + PRINT_VERDICT, NULL, 0,
      "print those options of the design that a verdict depends on, as sepax judge takes them", 0},
     {0}};

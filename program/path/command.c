@@ -33,14 +33,17 @@ enum { INTERVALS_MOST = 1000000000 };
 static const struct argp_option options[] = {
     {"csv", KEY_CSV, "FILE", 0,
      "write each line and pair of bodies that is not free to FILE as CSV", 0},
-    {"worst", KEY_WORST, "FILE", 0, "write all bodies in the worst pose to FILE as PLY", 0},
+    {"worst", KEY_WORST, "FILE", 0,
+     "write all bodies to FILE as PLY, in the first pose with the worst verdict; if all pairs are "
+     "free, in the line where two bodies are nearest",
+     0},
     {"page", KEY_PAGE, "FILE", 0,
      "write an HTML page to FILE that shows the bodies and plays the path in a browser", 0},
     {"jobs", KEY_JOBS, "FILE", 0,
      "write all pairs of bodies in all lines to FILE as jobs of the tree engine", 0},
     {"word", KEY_WORD, "W", 0, "bits of a coordinate in --jobs, 6 ... 21 (default 18)", 0},
     {"lsb", KEY_LSB, "LENGTH", 0,
-     "length of one LSB in --jobs (default: the finest that the word holds)", 0},
+     "length of one LSB in --jobs (default: the shortest with which the path fits --word)", 0},
     {"no-distance", KEY_NO_DISTANCE, NULL, 0,
      "find verdicts only, not the least clearance; this is faster", 0},
     {"certify", KEY_CERTIFY, NULL, 0,
@@ -241,10 +244,11 @@ int cli_path(int argc, char **argv) {
       options,
       parse,
       "ROBOT.urdf PATH.csv",
-      "Tell which bodies of a machine collide on a path, in which line first, and how near the "
-      "other bodies come. The bodies are the collision geometry of the links in the URDF file. The "
-      "header of the CSV file names joints, and each line has their values. The verdict is exact "
-      "for the pose of each line. Only --certify checks the motion between the lines.\v"
+      "Tell which bodies of a machine collide on a path, and in which line of the path each pair "
+      "of bodies first collides. Of the pairs that do not collide, tell how near they come. The "
+      "bodies are the collision geometry of the links in the URDF file. The header of the CSV file "
+      "names joints, and each line has their values. The verdict is exact for the pose of each "
+      "line. Only --certify checks the motion between the lines.\v"
       "Exit status: 0 free, 1 collision, 2 error, 3 warning, 4 undecided.",
       children,
       NULL,

@@ -9,11 +9,11 @@ enum { KEY_SRDF = 0x500, KEY_PACKAGE, KEY_HOLD, KEY_IGNORE_LIMITS };
 
 static const struct argp_option options[] = {
     {"srdf", KEY_SRDF, "FILE", 0,
-     "check all pairs of links that this SRDF file does not disable. Default: all pairs but the "
-     "two links of a joint and links that no joint moves against each other",
+     "check all pairs of links that this SRDF file does not disable. Default: all pairs except "
+     "the two links of a joint and two links that are joined only by fixed joints",
      0},
     {"package", KEY_PACKAGE, "NAME:FOLDER", 0,
-     "package://NAME/ in the URDF is this folder; the option may be repeated", 0},
+     "take FOLDER for package://NAME/ in the URDF; the option may be repeated", 0},
     {"hold", KEY_HOLD, NULL, 0, "keep joints that have no column in the CSV at 0", 0},
     {"ignore-limits", KEY_IGNORE_LIMITS, NULL, 0, "accept values beyond the limits of their joints",
      0},

@@ -40,8 +40,10 @@ static const struct argp_option options[] = {
      "LOW..HIGH in the files' coordinates (default: the AABB of all poses)",
      0},
     {"motion", KEY_MOTION, "WHERE", 0,
-     "how B may move from its pose in the file: a list with commas of x:LENGTH..LENGTH, y:..., "
-     "z:... and rotate:x, rotate:y, rotate:z or rotate (default: B does not move)",
+     "how B may move from its pose in the file: a list of items with commas between them. "
+     "x:LENGTH..LENGTH, y:LENGTH..LENGTH and z:LENGTH..LENGTH shift B; rotate:x, rotate:y and "
+     "rotate:z rotate B about one axis, and rotate rotates B about any axis (default: B does not "
+     "move)",
      0},
     {"centre", KEY_CENTRE, "X,Y,Z", 0,
      "point of the files, in mm, about which B rotates (default 0,0,0)", 0},
