@@ -72,8 +72,8 @@ include $(addprefix scripts/make/,install.mk quality.mk)
 # Experiments that are not of one design; scripts/make has those that are.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes calibrate clearance cocotb \
               compare-meshes coverage driver engine-sweep exhaustive fuzz hard multivt mutation \
-              mutation-c netlist-sweep path-campaign posed-pairs proofs sanitize scene slurm \
-              static tree-campaign tree-fuzz tree-scene tree-sweep verify
+              mutation-c netlist-sweep packages path-campaign posed-pairs proofs sanitize scene \
+              slurm static tree-campaign tree-fuzz tree-scene tree-sweep verify
 
 .PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
         reference clean paper area timing power fpga layout report \
@@ -265,6 +265,9 @@ experiment-compare-meshes: $(BUILD)/mesh_files
 
 experiment-hard: $(SEPAX)
 	@$(EXPERIMENT)/hard $(if $(call given,COUNT),$(COUNT))
+
+experiment-packages: $(SEPAX)
+	@$(EXPERIMENT)/packages $(BUILD)/packages
 
 experiment-engine-sweep: $(SEPAX) $(BUILD)/liberty
 	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" $(EXPERIMENT)/engine-sweep $(BUILD)/engine-sweep
