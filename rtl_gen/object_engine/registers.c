@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* registers.c - the register map of the object engine (docs/reference/object-engine.md, Registers).
+/* registers.c - the register map of the object engine (docs/reference/object-engine.md, Buses).
  */
 #include "object_engine/registers.h"
 
