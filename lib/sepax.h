@@ -8,13 +8,13 @@
  *   - Two triangles collide if they have at least one point in common. Edges and vertices belong to
  *     a triangle, so touching is a collision.
  *   - A function that can fail returns false. Then *error has a code and one line of text. The text
- *     names the file or the value, and the cure. `error` may be NULL. Unless the comment of a
- *     function says otherwise, all its results are zero after a failure and need not be freed.
+ *     names the file or the value, and the cure. `error` may be NULL. After a failure all results
+ *     of the function are zero and need not be freed, unless its comment says otherwise.
  *   - Invalid input never ends the process. No value is clamped or wrapped, and no triangle is
  *     dropped.
  *   - Meshes and structs of options begin with their size in bytes. SEPAX_STRUCT fills in the size.
- *     A field of zero has its default, so later versions can add fields without breaking a caller.
- *     A function that takes options also takes NULL, which means all defaults.
+ *     A field that is zero means its default value, so later versions can add fields without
+ *     breaking a caller. A function that takes options also takes NULL, which means all defaults.
  *   - If a pose is NULL, then the body is not moved: its vertices keep the coordinates of its mesh.
  *   - sepax_NAME_free releases the memory of a sepax_NAME.
  *   - Triangles, vertices and meshes are numbered from 0, also in messages. Lines of a file are
@@ -54,8 +54,9 @@ extern "C" {
 #define SEPAX_DIGITS(macro) SEPAX_TEXT(macro)
 #define SEPAX_TEXT(text) #text
 
-/* The version of the library that the program runs with, as SEPAX_VERSION_NUMBER and as
- * SEPAX_VERSION (for example "1.2.3"). It may differ from the version of the header. */
+/* The version of the library that the program runs with. sepax_version_number returns a number
+ * like SEPAX_VERSION_NUMBER; sepax_version returns a text like SEPAX_VERSION, for example "1.2.3".
+ * The version of the library may differ from the version of the header. */
 int sepax_version_number(void);
 const char *sepax_version(void);
 
@@ -88,8 +89,8 @@ typedef struct {
 /* ------------------------------------------------------------------ memory */
 
 /* The functions by which the library gets and returns memory. `allocate` and `resize` return NULL
- * if there is no memory. Memory is aligned as that of malloc. Several threads may call the three
- * functions at once. */
+ * if there is no memory. The memory must be aligned as malloc aligns memory. The three functions
+ * must be thread-safe, because several threads may call them at once. */
 typedef struct {
   void *(*allocate)(void *context, size_t bytes);
   void *(*resize)(void *context, void *memory, size_t bytes); /* NULL: allocate */
@@ -102,10 +103,10 @@ typedef struct {
  * because memory must return to the allocator that it came from. */
 void sepax_set_allocator(const sepax_allocator *allocator);
 
-/* Get, resize and release memory by the allocator that the library uses. Use them for the parts of
- * a sepax_soup or sepax_mechanism that the caller fills in, because the library frees these parts.
- * They return NULL if there is no memory. After sepax_resize returned NULL, the old memory is
- * unchanged. Releasing NULL does nothing. */
+/* Get, resize and release memory by the allocator that the library uses. Use these functions
+ * for the parts of a sepax_soup or sepax_mechanism that the caller fills in, because the library
+ * frees these parts. sepax_allocate and sepax_resize return NULL if there is no memory. After
+ * sepax_resize returned NULL, the old memory is unchanged. Releasing NULL does nothing. */
 void *sepax_allocate(size_t bytes);
 void *sepax_resize(void *memory, size_t bytes);
 void sepax_release(void *memory);
@@ -143,9 +144,10 @@ typedef struct {
   double translation[3];
 } sepax_pose;
 
-/* True if the pose is valid: all its numbers are finite, no entry of R R^T differs from the
- * identity matrix by more than 1e-6, and the determinant of R is positive. If the pose is not
- * valid, then sepax_pose_valid returns false and the code of *error is ARGUMENT. */
+/* True if the pose is valid. Let R be the matrix `rotation`. A pose is valid if all its numbers are
+ * finite, no entry of R R^T differs from the identity matrix by more than 1e-6, and the determinant
+ * of R is positive. If the pose is not valid, then sepax_pose_valid returns false and the code of
+ * *error is ARGUMENT. */
 bool sepax_pose_valid(const sepax_pose *pose, sepax_error *error);
 
 /* Replace the matrix by the nearest rotation (its polar factor), up to rounding. Use it for a
@@ -159,11 +161,12 @@ bool sepax_pose_nearest(sepax_pose *pose, double *moved, sepax_error *error);
  * three sums in double precision. */
 void sepax_pose_apply(const sepax_pose *pose, const double v[3], double to[3]);
 
-/* The pose that applies first `inner`, then `outer`. It is rounded as sepax_pose_apply. */
+/* The pose that applies first `inner`, then `outer`. Each number of the pose is rounded as a
+ * coordinate of sepax_pose_apply. */
 sepax_pose sepax_pose_compose(const sepax_pose *outer, const sepax_pose *inner);
 
-/* The inverse pose. Its rotation is the transpose, which is the inverse only as far as the matrix
- * is a rotation. The translation is rounded. */
+/* The inverse pose. Its rotation is the transpose of the matrix. The transpose equals the inverse
+ * only if the matrix is a perfect rotation. The translation is rounded. */
 sepax_pose sepax_pose_inverse(const sepax_pose *pose);
 
 typedef struct {
@@ -173,9 +176,9 @@ typedef struct {
 
 /* Read poses from a text file. Each line has 12 decimal numbers: the rotation by rows, then the
  * translation. '#' begins a comment. Empty lines and the byte order mark of UTF-8 are skipped. Each
- * number is rounded to the nearest double, in every locale. Errors: FILE; FORMAT, with the line, if
- * a line has not 12 finite decimal numbers or its pose is not valid (sepax_pose_valid), and if the
- * file has no poses; MEMORY. */
+ * number is rounded to the nearest double, in every locale. Errors: FILE; FORMAT if the file has no
+ * poses, if a line does not have 12 finite decimal numbers, or if its pose is not valid
+ * (sepax_pose_valid); MEMORY. The text of *error names the bad line. */
 bool sepax_poses_read(sepax_poses *poses, const char *path, sepax_error *error);
 
 /* Read poses as sepax_poses_read does, but replace each matrix as sepax_pose_nearest does. *moved
@@ -196,19 +199,19 @@ typedef struct {
   size_t size;
   const void *vertex;    /* x, y, z of the first vertex */
   sepax_real real;       /* type of x, y and z */
-  size_t vertex_stride;  /* bytes from one vertex to the next; 0: 3 numbers */
+  size_t vertex_stride;  /* bytes from one vertex to the next; 0: the size of 3 numbers */
   size_t vertices;       /* number of vertices; read only if there is an index */
   const uint32_t *index; /* three numbers for each triangle; NULL: no index */
-  size_t index_stride;   /* bytes from the index of one triangle to the next; 0: 12 */
+  size_t index_stride;   /* bytes from the index of one triangle to the next; 0: 12 bytes */
   size_t triangles;
 } sepax_mesh;
 
-/* A triangle of a soup: v[k] is vertex k. */
+/* A triangle of a sepax_soup: v[k] is vertex k. */
 typedef struct {
   double v[3][3];
 } sepax_facet;
 
-/* Triangles that the library read from a file or made. */
+/* A soup: triangles that the library read from a file or made. */
 typedef struct {
   sepax_facet *facet;
   size_t count;
@@ -225,16 +228,17 @@ void sepax_soup_free(sepax_soup *soup);
 /* Read an STL file, ASCII or binary. The size of the file decides between the two, because a binary
  * file may begin with the word "solid", too. If `normals` is true, then the normals of the facets
  * are read as well. Decimal numbers are rounded to the nearest double; binary numbers are exact.
- * Errors: FILE; FORMAT if the file is empty, truncated or too long, has no facets, or has NaN or
- * infinity in a coordinate or a normal, and if its text is not STL (with the line); MEMORY. */
+ * Errors: FILE; FORMAT if the file is empty, truncated or too long, if it has no facets, if a
+ * coordinate or a normal is NaN or infinite, or if the text is not STL (*error names the line);
+ * MEMORY. */
 bool sepax_stl_read(sepax_soup *soup, const char *path, bool normals, sepax_error *error);
 
 /* Write an STL file: binary, with coordinates rounded to binary32, or ASCII with 17 digits, which
  * loses nothing. Normals are those of the soup, or zero if it has none. The file is written under a
  * temporary name in the folder of `path` and then renamed, so `path` never has half a file. Errors:
- * ARGUMENT if the soup has no facets, NaN or infinity, and for a binary file if a number does not
- * fit binary32 or a facet would lose its area by rounding; FILE, also if `path` exists but is not a
- * file. */
+ * ARGUMENT if the soup has no facets, if a number is NaN or infinite, or, in a binary file, if a
+ * number does not fit binary32 or a facet would lose its area by rounding; FILE, also if `path`
+ * exists but is not a file. */
 bool sepax_stl_write(const sepax_soup *soup, const char *path, bool ascii, sepax_error *error);
 
 /* What sepax_soup_weld changed. Lengths are in the unit of the soup. */
@@ -249,12 +253,12 @@ typedef struct {
 } sepax_weld;
 
 /* Close a mesh whose vertices were rounded or torn apart:
- *   1. Vertices within `length` of each other become one vertex. So do chains of such vertices. The
- *      vertex that stays is the one with the least x; of equal x, the least y; then the least z.
+ *   1. Vertices within `length` of each other become one vertex. A chain of vertices, each within
+ *      `length` of the next, also becomes one vertex. The vertex with the least x stays; of equal
+ *      x, the least y; then the least z.
  *   2. A triangle that became a segment or a point is left out if it is an edge or a vertex of a
  *      triangle with three different vertices. Of several triangles with the same three vertices
- *      one stays. But if the mesh is open with one of them and closed with two of them, then two
- *      stay.
+ *      one stays. But two of them stay if the mesh is closed with two and open with one.
  *   3. An edge is open if an odd number of triangles has it. An end of an open edge that lies
  *      within `length` of another open edge is inserted into that edge, which divides the triangle
  *      there.
@@ -276,7 +280,7 @@ bool sepax_soup_weld(sepax_soup *soup, double length, sepax_weld *said, sepax_er
  * A_i to A_i+1, and f_j is the edge from vertex B_j to B_j+1 (indices modulo 3). N_A and N_B are
  * the normals of the triangles. */
 typedef enum {
-  SEPAX_AXIS_NONE = 0,      /* the triangles collide, or the method names no axis */
+  SEPAX_AXIS_NONE = 0,      /* the triangles collide, or the judging method names no axis */
   SEPAX_AXIS_EDGES = 1,     /* first of 9: SEPAX_AXIS_EDGES + 3i + j is e_i x f_j */
   SEPAX_AXIS_NORMAL_A = 10, /* N_A */
   SEPAX_AXIS_NORMAL_B = 11, /* N_B */
@@ -288,8 +292,8 @@ typedef enum {
 typedef struct {
   bool collision;
   bool strict;   /* the triangles pass through each other: both have an area, they are not coplanar,
-                    and their interiors (without edges) share a point. Solids that such triangles
-                    bound overlap */
+                    and their interiors (without edges) share a point. If two solids have such
+                    triangles, then the solids overlap */
   bool coplanar; /* all six vertices are in one plane */
   int axis;      /* a sepax_axis: the first that separates, in the order 10, 11, 1, 2, ... 9 */
 } sepax_verdict;
@@ -300,7 +304,8 @@ sepax_verdict sepax_exact_posed(const double a[3][3], const sepax_pose *pose_a,
                                 const double b[3][3], const sepax_pose *pose_b);
 
 /* The distance between triangle a in pose_a and triangle b in pose_b. a[k] is vertex k.
- * Coordinates and translations are within 2^1000, poses are valid (sepax_pose_valid).
+ * No coordinate or translation may be greater than 2^1000 in absolute value, and the poses must be
+ * valid (sepax_pose_valid).
  *
  * The result is 0 if and only if the triangles collide (sepax_exact_posed). Otherwise it differs
  * from the exact distance by less than one unit in the last place. An exact distance below 2^-1074
@@ -330,7 +335,7 @@ void sepax_pairs_free(sepax_pairs *pairs);
 typedef struct {
   size_t size;
   int threads;      /* number of threads at most; 0: one for each processor */
-  bool brute_force; /* test every pair; slow, to check the search */
+  bool brute_force; /* test every pair; this is slow and serves to check the search */
   bool first;       /* end at the first pair found; it is always the same pair */
   sepax_simd simd;
   /* The library calls `progress` now and then from the calling thread, the last time with done ==
@@ -409,9 +414,10 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
 typedef struct {
   double min_distance; /* infinite if it is above the limit; then points, pair and box are 0 */
   double nearest_points[2][3]; /* a point of A and a point of B at that distance */
-  size_t pair[2];              /* the triangles that have these points, of A and of B */
-  uint32_t box[2]; /* the places of both triangles in the trees of the bodies; a later request
-                      whose field `last` has this result begins there; 0 if the bodies collide */
+  size_t pair[2];              /* the triangle of A and the triangle of B that have these points */
+  uint32_t box[2]; /* the places of both triangles in the trees of the bodies; 0 if the bodies
+                      collide. A later request that names this result in its field `last` begins
+                      at these places */
   bool ended;      /* the time limit ended the search: the distance is min_distance or less */
 } sepax_distance_result;
 
@@ -420,8 +426,9 @@ typedef struct {
   size_t size;
   double limit; /* report a longer distance as infinite, which is faster; 0: no limit */
   /* A result for the same bodies in similar poses. The search begins at the triangles of that
-   * result and is faster. A result of other bodies is an error if its triangles do not exist;
-   * otherwise it costs time, but does not change the distance. NULL: none. */
+   * result and is faster. A result of other bodies is an error if the bodies of the request do
+   * not have its triangles. Otherwise such a result costs time, but does not change the distance.
+   * NULL: none. */
   const sepax_distance_result *last;
   /* End after this time; 0: no limit. Set it for bodies that may be a million times farther apart
    * than they are long: all their triangles are nearly equally far, so the search takes long. */
@@ -444,8 +451,9 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
  * The body must live as long as its shell. A shell never changes, so threads may share it.
  *
  * Vertices with equal coordinates are one vertex (-0 equals 0). An edge joins two different
- * vertices. Edges are compared as segments in space: two short edges may close a gap along a long
- * edge if all three lie exactly on one line. Triangles without area count like other triangles.
+ * vertices. Edges are compared as segments in space, not by their ends: two short edges may match
+ * one long edge if all three lie exactly on one line. Triangles without area count like other
+ * triangles.
  *
  * Triangles that share an edge belong to the same part. An edge of an odd number of triangles is
  * unpaired. Triangles whose unpaired edges lie on one line and share an end belong to the same
@@ -455,8 +463,9 @@ typedef struct {
   bool closed;       /* the body is a solid: every point of its edges, except for a finite number of
                         points, lies on an even number of triangle edges */
   bool consistent;   /* no triangle is turned round: at every point of the edges, except for a
-                        finite number of points, the numbers of edges that run in either direction
-                        are equal, or differ by 1 if the sum of both is odd */
+                        finite number of points, as many edges run in one direction as in the
+                        other. If an odd number of edges meets there, then the two numbers differ
+                        by 1 */
   size_t facet;      /* if `closed` or `consistent` is false: a triangle with an edge that breaks
                         the rule of that field */
   double edge[2][3]; /* the ends of that edge. If both fields are false, then the edge breaks the
@@ -483,13 +492,14 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
  * then within[0] is SEPAX_INSIDE_UNKNOWN. within[1] likewise.
  *
  * A point is inside a closed part if a ray from the point meets the part an odd number of times. If
- * the triangles of the part are consistent, then a point is also inside if the ray leaves the part
- * more often than it enters the part, or less often. This second rule matters for a part that
- * crosses itself and for a part that has each triangle twice. A point is inside a piece if it is
- * inside one of its parts. A point is inside the solid if it is inside an odd number of pieces. So
- * a piece inside another piece is a cavity, a piece inside the cavity is material again, and
- * overlapping parts are material wherever one of them is. All these rules also hold for a part that
- * is inside out and for a part with triangles that are turned round.
+ * the triangles of the part are consistent, then a point is also inside if the number of times that
+ * the ray leaves the part differs from the number of times that it enters the part. This second
+ * rule matters for a part that crosses itself and for a part that has each triangle twice. A point
+ * is inside a piece if it is inside one of its parts. A point is inside the solid if it is inside
+ * an odd number of pieces. So a piece inside another piece is a cavity, and a piece inside the
+ * cavity is material again. Overlapping parts form one piece, so a point inside one of these parts
+ * is inside the piece. All these rules also hold for a part that is inside out and for a part with
+ * triangles that are turned round.
  *
  * Cost: a few microseconds for each part that lies within the AABB of the other body. Errors:
  * ARGUMENT if a pose is not valid. */

@@ -44,8 +44,8 @@ static const design_option table[] = {
     {.name = "arch", .kind = OPTION_ARCH, FIELD(arch), .standard = SEPAX_ARCH_EXACT,
      RANGE(0, SEPAX_ARCH_COUNT - 1), .archs = ALL, .named = ALL, .shown = true, .tag = "%s",
      .argument = "NAME", .decides = true,
-     .help = "architecture: exact (default), paper, conference; software only: reference, float32, "
-             "float64, interval32, interval64, guigue32, guigue64, filtered"},
+     .help = "architecture. Hardware: exact (default), paper, conference. Software only: "
+             "reference, float32, float64, interval32, interval64, guigue32, guigue64, filtered"},
     {.name = "word", .letter = 'w', .kind = OPTION_NUMBER, FIELD(word), .standard = 18,
      RANGE(SEPAX_WORD_MIN, SEPAX_WORD_MAX), .archs = ALL, .named = ALL, .shown = true,
      .tag = "-w%s", .argument = "BITS", .decides = true,
@@ -71,9 +71,10 @@ static const design_option table[] = {
     {.name = "extent-a", .kind = OPTION_NUMBER, FIELD(extent_a), .standard = 0,
      RANGE(1, INT32_MAX), .archs = EXACT, .needs = "extent-b", .tag = "-a%s", .argument = "LSB",
      .decides = true,
-     .help = "largest AABB side of a triangle of A, in LSB. The core after the AABB test is built "
-             "for triangles up to this size, so it is smaller. A larger triangle is reported as a "
-             "collision and flagged as undecided (default: no limit; needs --extent-b)"},
+     .help = "largest AABB side of a triangle of A, in LSB. An AABB test then precedes the core, "
+             "and the core is smaller because it is built for triangles up to this size. A larger "
+             "triangle is reported as a collision and flagged as undecided (default: no limit; "
+             "needs --extent-b)"},
     {.name = "extent-b", .kind = OPTION_NUMBER, FIELD(extent_b), .standard = 0,
      RANGE(1, INT32_MAX), .archs = EXACT, .needs = "extent-a", .tag = "-b%s", .argument = "LSB",
      .decides = true,
@@ -111,8 +112,8 @@ static const design_option table[] = {
              "needs --stream)"},
     {.name = "lanes", .kind = OPTION_NUMBER, FIELD(lanes), .standard = 0,
      RANGE(1, SEPAX_LANES_MAX), .archs = EXACT, .tag = "-k%s", .argument = "K",
-     .help = "build an object engine with K comparator lanes around the core, 1 ... 64 (default: "
-             "no engine)"},
+     .help = "build an object engine around the core. The engine holds two objects in memories and "
+             "selects pairs with K comparator lanes, 1 ... 64 (default: no engine)"},
     {.name = "tree", .kind = OPTION_SWITCH, FIELD(tree), CHOICES(switch_names), .archs = EXACT,
      .tag = "-tree", .argument = "on|off", .decides = true,
      .help = "build a tree engine around the core; it reads bodies as trees from external memory "
@@ -147,8 +148,8 @@ static const design_option table[] = {
              "B_k.N_B, which is what the paper prints"},
     {.name = "inequality", .kind = OPTION_CHOICE, FIELD(inequality), CHOICES(inequality_names),
      .archs = PUBLISHED, .shown = true, .tag = "-ineq", .argument = "FORM", .decides = true,
-     .help = "inequality (5) of the paper: correct (default): max A < min B; printed: max A > min "
-             "B, as the paper prints it"},
+     .help = "form of inequality (5) in the published paper. correct (default): max A < min B; "
+             "printed: max A > min B, as the paper prints the inequality"},
     {.name = "epsilon", .kind = OPTION_NUMBER, FIELD(epsilon), .standard = PAPER_EPSILON,
      RANGE(0, INT32_MAX), .archs = PUBLISHED, .shown = true, .tag = "-e%s", .argument = "LSB",
      .decides = true,

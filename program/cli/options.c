@@ -147,8 +147,8 @@ static const struct argp_option grid_options[] = {
      "--resolution)",
      0},
     {"normals", KEY_NORMALS, "SOURCE", 0,
-     "normals of the triangles: computed (default): from the rounded vertices; file: from the STL "
-     "file",
+     "where the normals of the triangles come from. computed (default): from the rounded "
+     "vertices; file: from the STL file",
      0},
     {0}};
 

@@ -33,15 +33,15 @@ static const struct argp_option options[] = {
      "coordinates are doubled",
      0},
     {"nudges", KEY_NUDGES, "PAIRS", 0,
-     "also judge this many pairs of each family, or of the meshes, with each coordinate changed "
-     "by -1, 0 or 1 LSB at random, and count verdicts that change (default 0)",
+     "take this many pairs of each family, or of the meshes, change each coordinate by -1, 0 or 1 "
+     "LSB at random, judge these pairs again, and count the verdicts that change (default 0)",
      0},
     {"seed", 's', "SEED", 0, "seed of the random numbers (default 1)", 0},
     {"truth", KEY_TRUTH, "OF", 0,
      "quantised (default): the right verdict is the exact verdict on the W-bit triangles. real: "
      "the right verdict is the exact verdict on the triangles before they were rounded to W bits "
-     "(W = 4 ... 27). These unrounded triangles have 31 bits for each coordinate and fill half of "
-     "the range of W bits",
+     "(W = 4 ... 27). The coordinates of these triangles have 31 bits. After rounding, the "
+     "coordinates fill half of the range of W bits",
      0},
     {"csv", KEY_CSV, NULL, 0, "print CSV instead of text", 0},
     {0}};
@@ -402,11 +402,11 @@ int cli_accuracy(int argc, char **argv) {
       parse,
       "[A.stl B.stl]",
       "Count the wrong verdicts of a design on hard pairs of triangles, or on pairs of triangles "
-      "of two meshes. Of the meshes, only those pairs count whose two triangles have AABBs that "
-      "overlap or have a gap of at most 1 LSB. A missed collision is a colliding pair that the "
-      "design calls separated; the greatest depth of these pairs is printed, in LSB. A false alarm "
-      "is a separated pair that the design calls a collision; the widest gap of these pairs is "
-      "printed, in LSB.",
+      "of two meshes. In meshes, a pair counts only if the AABBs of its two triangles overlap or "
+      "are at most 1 LSB apart. A missed collision is a colliding pair that the design calls "
+      "separated; the greatest depth of these pairs is printed, in LSB. A false alarm is a "
+      "separated pair that the design calls a collision; the widest gap of these pairs is printed, "
+      "in LSB.",
       children,
       NULL,
       NULL};

@@ -42,11 +42,12 @@ int cli_gen(int argc, char **argv) {
       options,
       parse,
       NULL,
-      "Generate the Verilog of a design. The folder receives one file for each module, and these "
-      "files: sepax.f (list of the modules' files); sepax_params.h, sepax_params.vh and sepax.json "
-      "(parameters for test benches); sepax.sdc (clock constraints), and sepax.xdc if the target "
-      "is a Xilinx FPGA; sepax.gtkw (ports for GTKWave). A design with an engine (--lanes, --tree) "
-      "also has sepax_registers.h, .md and .rdl, which describe the registers of the engine.",
+      "Generate the Verilog of a design. The output folder receives one file for each module, and "
+      "these files: sepax.f (list of the modules' files); sepax_params.h, sepax_params.vh and "
+      "sepax.json (parameters for test benches); sepax.sdc (clock constraints), and sepax.xdc if "
+      "the target is a Xilinx FPGA; sepax.gtkw (ports for GTKWave). A design with an engine "
+      "(--lanes, --tree) also has sepax_registers.h, .md and .rdl, which describe the registers of "
+      "the engine.",
       children,
       NULL,
       NULL};

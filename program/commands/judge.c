@@ -85,7 +85,7 @@ int cli_judge(int argc, char **argv) {
       "Print the verdict of a design on each pair of triangles in FILE or standard input: 1 "
       "(collision) or 0 (separated). A pair is a line of 18 integers A1x A1y A1z ... B3z, or of 24 "
       "integers, the last six of which are the normals. Missing normals are computed. '#' starts a "
-      "comment. --arch=reference gives the verdicts of exact by another method.",
+      "comment. --arch=reference computes the same verdicts as --arch=exact by another method.",
       children,
       NULL,
       NULL};

@@ -21,7 +21,8 @@ enum { LEAST = 3, MOST = 80, KEY_CLOCK = 0x500, KEY_DIGITS, KEY_LESS, KEY_TARGET
 
 static const struct argp_option options[] = {
     {"a", 'a', "BITS", 0, "bits of the first factor, 3 ... 80", 0},
-    {"b", 'b', "BITS", 0, "bits of the second factor, which is recoded; at most the bits of a", 0},
+    {"b", 'b', "BITS", 0,
+     "bits of the second factor, which is recoded into radix-4 digits; at most --a", 0},
     {"product", 'p', "BITS", 0,
      "number of lowest bits of the product to keep, at most 128 (default: all)", 0},
     {"digits", KEY_DIGITS, "COUNT", 0,

@@ -24,7 +24,9 @@ enum { KEY_WORD = 0x400, KEY_WALK, WORD = 18 };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0,
-     "tree to write; without this option, MESH is a tree or a list of jobs and is checked", 0},
+     "tree to write. Without this option, MESH must be a tree or a list of jobs, which is checked "
+     "and described",
+     0},
     {"word", KEY_WORD, "W", 0, "bits of a coordinate, 4 ... 21 (default 18)", 0},
     {"walk", KEY_WALK, NULL, 0,
      "for a list of jobs: print the answer of the golden model in each pose", 0},

@@ -43,12 +43,14 @@ static const struct argp_option options[] = {
      "write all pairs of bodies in all lines to FILE as jobs of the tree engine", 0},
     {"word", KEY_WORD, "W", 0, "bits of a coordinate in --jobs, 6 ... 21 (default 18)", 0},
     {"lsb", KEY_LSB, "LENGTH", 0,
-     "length of one LSB in --jobs (default: the shortest with which the path fits --word)", 0},
+     "length of one LSB in --jobs (default: the shortest length at which all coordinates fit "
+     "--word)",
+     0},
     {"no-distance", KEY_NO_DISTANCE, NULL, 0,
      "find verdicts only, not the least clearance; this is faster", 0},
     {"certify", KEY_CERTIFY, NULL, 0,
-     "also prove that the motion between the lines is free while all joints move linearly, for "
-     "each pair of bodies that collides in no line",
+     "also check the motion between the lines, where all joints move linearly: prove that each "
+     "pair of bodies that collides in no line is free between the lines, too",
      0},
     {"certificate", KEY_CERTIFICATE, "FILE", 0,
      "write the proof of --certify to FILE, for sepax-certificate-check", 0},

@@ -50,8 +50,8 @@ static const struct argp_option options[] = {
     {"motion-a", KEY_MOTION_A, "WHERE", 0, "how A may move, as --motion (default: not at all)", 0},
     {"centre-a", KEY_CENTRE_A, "X,Y,Z", 0, "point about which A rotates (default 0,0,0)", 0},
     {"samples", KEY_SAMPLES, "COUNT", 0,
-     "number of random poses of a moving body in which pairs with overlapping AABBs are counted "
-     "(default 64)",
+     "number of random poses of the moving bodies; in each pose the pairs with overlapping AABBs "
+     "are counted (default 64)",
      0},
     {"seed", 's', "SEED", 0, "seed of these random poses (default 1)", 0},
     {"poses", KEY_POSES, "FILE", 0,
@@ -438,11 +438,12 @@ int cli_size(int argc, char **argv) {
       options,
       parse,
       "A B\nROBOT.urdf PATH.csv",
-      "Find the design of architecture exact with the fewest gates that judges all pairs of "
-      "triangles of a scene in time, and print the word length, extents and work that the scene "
-      "needs. The scene is two meshes A and B, or a machine and its path. For a machine, all pairs "
-      "of bodies are judged in each line of the path. Candidates are a core without an engine, "
-      "object engines and, on a path, tree engines.",
+      "Find the smallest design of architecture exact that judges all pairs of triangles of a "
+      "scene in time. The smallest design is the one with the fewest gates. Also print the word "
+      "length, the extents and the greatest number of pairs with overlapping AABBs. The scene is "
+      "two meshes A and B, or a machine and its path. For a machine, all pairs of bodies are "
+      "judged in each line of the path. Candidates are a core without an engine, object engines "
+      "and, on a path, tree engines.",
       children,
       NULL,
       NULL};
