@@ -401,7 +401,8 @@ int cli_accuracy(int argc, char **argv) {
       options,
       parse,
       "[A.stl B.stl]",
-      "Count the wrong verdicts of a design on hard pairs of triangles, or on pairs of triangles "
+      "Count the wrong verdicts of a design on hard pairs of triangles (pairs that touch, nearly "
+      "touch, or are degenerate), or on pairs of triangles "
       "of two meshes. In meshes, a pair counts only if the AABBs of its two triangles overlap or "
       "are at most 1 LSB apart. A missed collision is a colliding pair that the design calls "
       "separated; the greatest depth of these pairs is printed, in LSB. A false alarm is a "

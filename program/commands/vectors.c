@@ -106,8 +106,9 @@ int cli_vectors(int argc, char **argv) {
       options,
       parse,
       NULL,
-      "Print hard pairs of triangles, one in each line, as sepax judge and the test benches read "
-      "them. The same seed gives the same pairs.",
+      "Print hard pairs of triangles (pairs that touch, nearly touch, or are degenerate), one in "
+      "each line, as sepax judge and the test benches read them. The same seed gives the same "
+      "pairs.",
       NULL,
       NULL,
       NULL};
