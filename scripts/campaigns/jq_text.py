@@ -10,7 +10,7 @@ from __future__ import annotations
 import html as html_module
 import json
 import re
-from typing import Any, Iterator, List, Union
+from typing import Any, Iterable, Iterator, List, Union
 
 Number = Union[int, float]
 LARGEST_DOUBLE = 1.7976931348623157e308
@@ -134,3 +134,11 @@ def rounded(value: Number) -> int:
     if abs(value - whole) >= 0.5:
         whole += 1 if value > 0 else -1
     return whole
+
+
+def add(values: Iterable[Number]) -> Number:
+    """The sum in the order given. Python's sum() rounds otherwise from version 3.12 on."""
+    total: Number = 0
+    for value in values:
+        total += value
+    return total
