@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Tests of scripts/paper: both definitions of throughput, savings, and what is not measured."""
+import contextlib
+import io
 import unittest
 
 from loading import load
@@ -39,6 +41,36 @@ class Table4(unittest.TestCase):
         short["rows"].pop()
         with self.assertRaisesRegex(paper.Failed, "no row ARCH=exact II=1; run make report"):
             paper.table_4(short)
+
+
+    def test_each_row_says_where_it_is_from(self):
+        self.assertEqual(len(paper.SOURCES_4), len(paper.table_4(report())))
+
+
+class MadeNow(unittest.TestCase):
+    """Figures that are made now, beside those of table 4."""
+
+    def compare(self, made, key="ge"):
+        """Whether a figure agrees, and what is printed."""
+        row = paper.OURS[0][1]
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            same = paper.compared([paper.Anew("x", "65.8K GE", made, row, key)], report())
+        return same, out.getvalue()
+
+    def test_agrees(self):
+        self.assertEqual(self.compare(1215000)[0], True)
+        self.assertIn("as in table 4", self.compare(1215000)[1])
+
+    def test_differs(self):
+        same, said = self.compare(1300000)
+        self.assertFalse(same)
+        self.assertIn("DIFFERS: 1212000 in table 4; run make report", said)
+        self.assertFalse(self.compare(12, "latency")[0])
+
+    def test_another_library_is_not_compared(self):
+        same, said = self.compare(1, "")
+        self.assertTrue(same)
+        self.assertIn("another library", said)
 
 
 class Table3(unittest.TestCase):
