@@ -170,9 +170,10 @@ def family_table(rows: List[Row]) -> str:
             found.setdefault(row["family"], {})[option(row["design"], "epsilon")] = row
     lines = []
     for family, of in found.items():
-        one, none = of["1"], of["0"]
-        lines.append([family, str(int(one["pairs"]) - int(one["collisions"])), *errors(one)[2:],
-                      *errors(none)[2:]])
+        some = next(iter(of.values()))
+        alarms = [cell for epsilon in ("1", "0")
+                  for cell in (errors(of[epsilon])[2:] if epsilon in of else ["-", "-"])]
+        lines.append([family, str(int(some["pairs"]) - int(some["collisions"])), *alarms])
     return table(["family", "separated", "false, epsilon = 1 (95 %)", "widest gap, LSB",
                   "false, epsilon = 0 (95 %)", "widest gap, LSB"], lines)
 
