@@ -38,6 +38,7 @@ static json_t *describe_ports(const emit_module *top, bool *failed) {
                                      strcspn(n->about, "\n"))) != 0;
     }
   }
+  *failed |= r.failed;
   reader_close(&r);
   return list;
 }
@@ -98,8 +99,13 @@ void describe_json(const emitter *e, emit_text *out) {
   }
   json_decref(rest);
   char *json = json_dumps(all, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
+  /* Without memory jansson 2.14 prints a key as nothing. */
+  json_t *again = json != NULL ? json_loads(json, 0, NULL) : NULL;
+  failed |= again == NULL || json_object_size(again) != json_object_size(all) ||
+            json_object_get(again, "") != NULL;
+  json_decref(again);
   json_decref(all);
-  out->failed = out->failed || failed || json == NULL;
+  out->failed = out->failed || failed;
   text_printf(out, "%s\n", json != NULL ? json : "");
   free(json);
 }
@@ -197,6 +203,7 @@ void describe_constraints(const emitter *e, emit_text *out) {
   reader r;
   open_top(e, &r);
   const char *clock = has_port(&r, "aclk") ? "aclk" : "clk";
+  out->failed |= r.failed;
   reader_close(&r);
   text_printf(
       out,
@@ -258,6 +265,7 @@ static void show_ports(const emit_module *m, const char *path, emit_text *out) {
     text_putc(out, '\n');
   }
   end_group(group, out);
+  out->failed |= r.failed;
   reader_close(&r);
 }
 

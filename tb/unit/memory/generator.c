@@ -3,8 +3,11 @@
  * each time it fails with an error, leaves no folder and gives back what it took. */
 #include "scarce.h"
 
+#include "exact/exact.h"
+#include "files/describe.h"
 #include "generate.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <sys/stat.h>
 
@@ -51,6 +54,43 @@ static void expect_errors(const char *options) {
     tried++;
   }
   assert_true(tried > FIRST && run_shell("rm -r", whole));
+}
+
+/* A description with allocation n refused, as text; NULL if the description says that it failed. */
+typedef void describe(const emitter *e, emit_text *out);
+static char *description(describe *of, const emitter *e, long n) {
+  emit_text out = {0};
+  memory.left = n;
+  memory.watched = true;
+  of(e, &out);
+  memory.watched = false;
+  return text_take(&out);
+}
+
+/* Every allocation in turn: jansson leaves out what it cannot copy, and a reader of ports that has
+ * no memory finds none. */
+static void expect_whole_or_none(describe *of, const emitter *e, long least) {
+  char *complete = description(of, e, LONG_MAX);
+  assert_non_null(complete);
+  long n = 0;
+  do {
+    char *text = description(of, e, n++);
+    assert_true(text == NULL || strcmp(text, complete) == 0);
+    free(text);
+  } while (memory.left < 0);
+  assert_true(n > least);
+  free(complete);
+}
+
+CASE(every_allocation_of_the_descriptions) {
+  sepax_design design = design_of("%s", "--word=6 --ii=6 --lanes=2 --clearance=1");
+  emitter e;
+  emit_init(&e, &design, "sepax gen");
+  assert_true(gen_exact(&e));
+  expect_whole_or_none(describe_json, &e, 100);
+  expect_whole_or_none(describe_constraints, &e, 1);
+  expect_whole_or_none(describe_waves, &e, 1);
+  emit_free(&e);
 }
 
 CASE(exact_design) { expect_errors("--word=6 --ii=3 --clock-gating=on --early-out=boxes"); }

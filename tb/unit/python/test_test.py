@@ -22,7 +22,8 @@ class List(unittest.TestCase):
     """tb/tests."""
 
     def test_a_line(self):
-        [found] = runner.parse("# a comment\n\ncli | quick uses:x | power a/b | 3 | A=1 tb/cli | cat\n")
+        [found] = runner.parse("# a comment\n\n"
+                               "cli | quick uses:x | power a/b | 3 | A=1 tb/cli | cat\n")
         self.assertEqual(found, runner.Test("cli", {"quick", "uses:x"}, ["power", "a/b"], 3,
                                             "A=1 tb/cli | cat"))
 
