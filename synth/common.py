@@ -10,6 +10,7 @@ from __future__ import annotations
 import getopt
 import gzip
 import json
+import math
 import os
 import re
 import shutil
@@ -102,6 +103,19 @@ def make_folder(folder: str) -> None:
         os.makedirs(folder, exist_ok=True)
     except OSError:
         raise Failed(f"cannot make {folder}; give another folder with -o") from None
+
+
+# ------------------------------------------------------------------------------------ numbers
+
+
+def plain(value: Any) -> Any:
+    """A whole number without a point."""
+    return int(value) if isinstance(value, float) and value == int(value) else value
+
+
+def rounded(value: float, parts: int) -> Any:
+    """The number, rounded half away from zero to so many parts of one."""
+    return plain(math.copysign(math.floor(abs(value) * parts + 0.5), value) / parts)
 
 
 # -------------------------------------------------------------------------------------- files

@@ -6,18 +6,15 @@ A netlist is {"modules": {NAME: {"ports", "cells": {NAME: {"type", "connections"
 """
 from __future__ import annotations
 
-import math
 import re
 from typing import Any, Dict, List, Optional
 
-Object = Dict[str, Any]
+from common import Object, rounded
+
 PARAMETRISED = re.compile(r"^\$paramod(\$[0-9a-f]+)?\\")
 
 
-def rounded(value: float, parts: int = 1000) -> Any:
-    """The number, rounded half away from zero to so many parts of one; whole ones are integers."""
-    near = math.floor(abs(value) * parts + 0.5) / parts * (1 if value >= 0 else -1)
-    return int(near) if near == int(near) else near
+PARTS = 1000  # of an area that is told
 
 
 def netlist_of(design: Object) -> Object:
@@ -130,8 +127,8 @@ def area_by_module(netlist: Object, cells: Object, names: List[Dict[str, str]], 
         area = sum(number * of["area"] for number, of in own)
         rows.append({
             "name": readable.get(module), "instances": often[module],
-            "ge": rounded(area / nand2_area),
-            "ge_total": rounded(area * often[module] / nand2_area),
+            "ge": rounded(area / nand2_area, PARTS),
+            "ge_total": rounded(area * often[module] / nand2_area, PARTS),
             "ff": sum(number * of["ff"] for number, of in own),
             "clock_gates": sum(number for number, of in own if of["opens"] > 0),
             "latches": sum(number * of["latches"] for number, of in own),
@@ -167,8 +164,8 @@ def design_row(rows: List[Object], design: Object, timing: Optional[Object], mul
         "precision": precision or "exact", "options": design["options"],
         "latency": design["latency"], "timing": timing,
         "multipliers": "generated" if generated else "*",
-        "area": rounded(sum(row["area"] for row in rows)),
-        "ge": rounded(sum(row["ge_total"] for row in rows)),
+        "area": rounded(sum(row["area"] for row in rows), PARTS),
+        "ge": rounded(sum(row["ge_total"] for row in rows), PARTS),
         "ff": of_all("ff"), "clock_gates": of_all("clock_gates"),
         "clock_gate_inputs": of_all("opens"), "latches": of_all("latches"), "memory_bits": None,
         "modules": [{column: row[column] for column in shown}
