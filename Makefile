@@ -69,7 +69,7 @@ include $(addprefix scripts/make/,flags.mk mesh.mk build.mk) $(ENGINES) scripts/
 ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk quality.mk)
 
-# Experiments that are not of one design; scripts/make has those that are.
+# The names that `make experiment` takes; scripts/make has the rules of some.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes calibrate clearance cocotb \
               compare-meshes coverage driver engine-sweep exhaustive fuzz hard multivt mutation \
               mutation-c netlist-sweep packages path-campaign posed-pairs proofs sanitize scene \

@@ -15,19 +15,6 @@ def of_yosys:
 def tops: .modules as $m | [$m[].cells[].type] as $used | ($m | keys_unsorted) - $used;
 def top: tops | if length == 1 then .[0] else error("several top modules: \(join(" "))") end;
 
-# Number of cells by type in each module: {MODULE: {TYPE: NUMBER}}.
-def count:
-  .modules | with_entries(.value |= ([.cells[].type] | group_by(.)
-    | map({key: .[0], value: length}) | from_entries));
-
-# Instances of modules: rows of module, instance, its module.
-def hierarchy:
-  .modules as $m | $m | to_entries[] | .key as $in | .value.cells | to_entries[]
-  | select($m[.value.type]) | [$in, .key, .value.type];
-
-# The module that an instance is of, by its path from the top.
-def module_at($path): .modules as $m | reduce $path[] as $name (top; $m[.].cells[$name].type);
-
 # Types of cells that are no module of the netlist.
 def foreign: .modules as $m | [$m[].cells[].type] | unique - ($m | keys);
 
@@ -48,9 +35,6 @@ def inverters: with_entries(
 
 # Rounded to so many parts of one.
 def rounded($parts): . * $parts | round / $parts;
-
-# Thousands, with one decimal.
-def k: . / 1000 | rounded(10) | tostring | if test("[.]") then . else . + ".0" end + "K";
 
 # What an option of a design says, or nothing.
 def option($name): .options | capture("--\($name)=(?<value>[^ ]+)").value;

@@ -34,7 +34,7 @@ endif
 
 # A period that was given, multipliers, and a netlist sized in one round have a folder of their own.
 GENERATED = $(filter generated,$(MULTIPLIERS))
-GATED     = $(if $(filter-out 0,$(GATING)),gated)
+GATED     = $(if $(call is_on,GATING),gated)
 AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)$(GATED:%=-%)$(ONCE:%=-%)
 
 .PHONY: mapped area-file timed timing-file assigned powered power-file flow routed \

@@ -31,7 +31,6 @@ $(error there is no variable $(unknown); $(if $(filter $(DESIGN_VARIABLES) $(VAR
 endif
 
 # What would be passed over.
-both = $(if $(and $(filter $(1),$(on_line)),$(filter $(2),$(on_line))),$(if $($(1)),$($(2))))
 ifneq ($(and $(DESIGN),$(filter DESIGN,$(on_line)),$(filter $(DESIGN_VARIABLES),$(on_line))),)
 $(error DESIGN="$(DESIGN)" and $(firstword $(filter $(DESIGN_VARIABLES),$(on_line))) both describe \
   the design; give one of them)
@@ -39,10 +38,10 @@ endif
 ifeq ($(words $(filter MESH_A MESH_B,$(on_line))),1)
 $(error $(filter MESH_A MESH_B,$(on_line)) is one mesh; give MESH_A and MESH_B)
 endif
-ifneq ($(call both,MESH_A,PAIRS),)
+ifneq ($(and $(filter MESH_A,$(on_line)),$(filter PAIRS,$(on_line)),$(MESH_A),$(PAIRS)),)
 $(error MESH_A, MESH_B and PAIRS are two sources of pairs; give one of them)
 endif
-ifneq ($(if $(filter behavioural structural,$(VIEW)),,no),)
+ifeq ($(filter behavioural structural,$(VIEW)),)
 $(error VIEW: '$(VIEW)' is none of: behavioural, structural)
 endif
 ifneq ($(filter-out verilator icarus,$(SIMULATOR)),)
