@@ -65,24 +65,26 @@ sepax_line sepax_pair_parse(sepax_pair *pair, const char *line, int word, sepax_
 sepax_line sepax_pair_read(sepax_pair *pair, FILE *in, const char *name, size_t *number, int word,
                            sepax_error *error);
 
-/* A verdict as numbers, of which a design has the first `count`: collision (0, 1), coplanar (0, 1),
- * axis (0 ... 15), band (sepax_band). */
+/* A verdict as up to four numbers, in this order: collision (0 or 1), coplanar (0 or 1), axis
+ * (0 ... 15), band (sepax_band). `count` says how many of the numbers the verdict has. */
 typedef struct {
   size_t count;
   int value[4];
 } sepax_told;
 
-/* The verdict of a design in these numbers: exact has three, with a clearance four, paper and
- * conference two, an architecture without hardware one. */
+/* The verdict of a design as numbers. The verdict of exact has three numbers, and four numbers if
+ * the design has a clearance. The verdicts of paper and conference have two numbers, and those of
+ * architectures without hardware have one. */
 sepax_told sepax_tell(const sepax_design *design, const sepax_judgement *verdict);
 
-/* Like sepax_pair_read. A line may also be what `sepax judge --echo` wrote: 24 integers and the
- * numbers of a verdict. *told gets them; its count is 0 if the line has none. */
+/* Read the next pair of a stream, like sepax_pair_read. After the 24 integers a line may also have
+ * the numbers of a verdict, as `sepax judge --echo` writes them. The function stores these numbers
+ * in *told, and sets told->count to 0 if the line has no verdict. */
 sepax_line sepax_pair_read_told(sepax_pair *pair, sepax_told *told, FILE *in, const char *name,
                                 size_t *number, int word, sepax_error *error);
 
-/* Is what a line tells the verdict of this design? True if the line tells none. Error: FORMAT,
- * naming the number that differs. */
+/* True if the verdict of a line (*told) equals the verdict of this design, or if the line has no
+ * verdict. Error: FORMAT if a number differs; the text of *error names the number. */
 bool sepax_told_check(const sepax_told *told, const sepax_design *design,
                       const sepax_judgement *verdict, sepax_error *error);
 
