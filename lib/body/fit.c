@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* fit.c - the oriented boxes of a tree.
  *
- * A box of one triangle stands on its plane and its longest edge. A box of more stands on the
- * principal axes of their surface, or on x, y, z, where that encloses less. */
+ * A box of one triangle stands on its plane and one of its edges (base_of). A box of more stands on
+ * the principal axes of their surface, or on x, y, z, where that encloses less. */
 #include "body.h"
 #include "util/box.h"
 #include "util/threads.h"
@@ -50,24 +50,44 @@ static void complete(axes a) {
   vector_cross(a[0], a[1], a[2]);
 }
 
+/* The edge on which a box stands: that on which the length and the height of the triangle have the
+ * least sum. A right triangle then stands on a leg, where its box ends with the edges at the right
+ * angle; a box on the longest edge would stand out over one of them. The height is twice the area
+ * over the length. A sliver stands on its longest edge, because its area is not exact. */
+static int base_of(const double edge[3][3]) {
+  double normal[3];
+  double length[3];
+  int longest = 0;
+  for (int k = 0; k < 3; k++) {
+    length[k] = vector_length(edge[k]);
+    longest = length[k] > length[longest] ? k : longest;
+  }
+  vector_cross(edge[0], edge[1], normal);
+  double area = vector_length(normal);
+  int base = longest;
+  if (area > 0x1p-20 * length[longest] * length[longest]) {
+    for (int k = 0; k < 3; k++) {
+      double sum = length[k] + area / length[k];
+      base = sum < 0.999 * (length[base] + area / length[base]) ? k : base;
+    }
+  }
+  return base;
+}
+
 static void axes_of_triangle(const double v[3][3], axes a) {
   double edge[3][3];
-  double most = -1;
-  int longest = 0;
   for (int k = 0; k < 3; k++) {
     for (int i = 0; i < 3; i++) {
       edge[k][i] = v[next[k]][i] - v[k][i];
     }
-    double length = vector_dot(edge[k], edge[k]);
-    longest = length > most ? k : longest;
-    most = length > most ? length : most;
   }
-  memcpy(a[0], edge[longest], sizeof a[0]);
+  int base = base_of(edge);
+  memcpy(a[0], edge[base], sizeof a[0]);
   if (!normalise(a[0])) {
     memcpy(a, upright, sizeof upright);
     return;
   }
-  vector_cross(a[0], edge[next[longest]], a[2]);
+  vector_cross(a[0], edge[next[base]], a[2]);
   if (!normalise(a[2])) {
     complete(a);
     return;
