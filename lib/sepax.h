@@ -410,40 +410,88 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
                        const sepax_pose *pose_b, double distance, const sepax_query *query,
                        sepax_pairs *found, sepax_error *error);
 
-/* The distance of two bodies and where it is found. */
+/* Searches for distances count their work in units: 1 for each comparison of two boxes of the
+ * trees, or of a box with eight boxes; 1 for each estimate of the distance of two triangles; 50 for
+ * each exact test of two triangles. The units of a query depend only on its arguments, not on the
+ * machine. A unit takes about 0.15 microseconds; docs/reference/distances.md has the worst case. */
+
+/* The distance of two bodies and where it is found: least <= distance <= most. Both bounds are
+ * certain for the doubles given. */
 typedef struct {
-  double min_distance; /* infinite if it is above the limit; then points, pair and box are 0 */
-  double nearest_points[2][3]; /* a point of A and a point of B at that distance */
+  double min_distance; /* the distance of the two triangles in `pair`, which are the nearest that
+                          were found; infinite if it is above the limit or if the search ended
+                          before it found two triangles. Then points, pair and box are 0 */
+  double least, most;  /* the interval that holds the distance of the bodies. `most` is infinite if
+                          min_distance is */
+  double nearest_points[2][3]; /* a point of A and a point of B at min_distance */
   size_t pair[2];              /* the triangle of A and the triangle of B that have these points */
   uint32_t box[2]; /* the places of both triangles in the trees of the bodies; 0 if the bodies
                       collide. A later request that names this result in its field `last` begins
                       at these places */
-  bool ended;      /* the time limit ended the search: the distance is min_distance or less */
+  uint64_t work;   /* units of work that the search took */
+  bool ended;      /* a limit of work or time ended the search: the interval is certain, but may be
+                      wider than the tolerance */
 } sepax_distance_result;
 
-/* Options of sepax_bodies_distance. By default there are no limits. */
+/* Options of sepax_bodies_distance. By default the distance is exact and there are no limits. */
 typedef struct {
   size_t size;
-  double limit; /* report a longer distance as infinite, which is faster; 0: no limit */
+  double limit; /* report a longer distance as infinite, which is faster; 0: no limit. Then `least`
+                   is greater than the limit */
+  /* The tolerance: the search ends when most - least is at most `relative` times most, or at most
+   * `absolute`. A tolerance saves time where many triangles are nearly equally far: 1e-6 and 1e-12
+   * cost about the same. Both 0: the distance of the nearest triangles, right to one unit in the
+   * last place. */
+  double relative, absolute;
   /* A result for the same bodies in similar poses. The search begins at the triangles of that
    * result and is faster. A result of other bodies is an error if the bodies of the request do
-   * not have its triangles. Otherwise such a result costs time, but does not change the distance.
-   * NULL: none. */
+   * not have its triangles. Otherwise such a result costs time, but does not change the interval
+   * by more than the tolerance. NULL: none. */
   const sepax_distance_result *last;
-  /* End after this time; 0: no limit. Set it for bodies that may be a million times farther apart
-   * than they are long: all their triangles are nearly equally far, so the search takes long. */
-  double seconds;
+  uint64_t work;  /* end after so many units of work; 0: no limit */
+  double seconds; /* end after this time; 0: no limit */
   sepax_simd simd;
 } sepax_distance_request;
 
 /* The distance between the surfaces of two bodies, each in its pose, and a pair of triangles at
- * that distance. It is the least value of sepax_distance_posed over all pairs of triangles, with
- * the same accuracy. A body inside another has the distance of the surfaces, not 0. Errors:
- * ARGUMENT if a pose is not valid, a limit is negative or NaN, or `last` names triangles that the
- * bodies do not have; MEMORY. */
+ * that distance. It is the least value of sepax_distance_posed over all pairs of triangles. With a
+ * tolerance of 0 min_distance is that value, right to one unit in the last place. A body inside
+ * another has the distance of the surfaces, not 0. Errors: ARGUMENT if a pose is not valid, a limit
+ * or tolerance is negative or NaN, or `last` names triangles that the bodies do not have; MEMORY.
+ */
 bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                            const sepax_pose *pose_b, const sepax_distance_request *request,
                            sepax_distance_result *result, sepax_error *error);
+
+typedef enum {
+  SEPAX_UNDECIDED, /* a limit of work ended the search */
+  SEPAX_APART,     /* the bodies are farther apart than the distance asked for */
+  SEPAX_NEAR       /* two triangles are at most that distance apart */
+} sepax_nearness;
+
+/* Options of sepax_bodies_apart. By default there are no limits. */
+typedef struct {
+  size_t size;
+  uint64_t work; /* end after so many units of work; 0: no limit */
+  sepax_simd simd;
+} sepax_apart_request;
+
+typedef struct {
+  sepax_nearness verdict;
+  size_t pair[2]; /* if NEAR: a triangle of A and a triangle of B that are that near */
+  double least;   /* the distance of the bodies is at least this; greater than the distance asked
+                     for if APART. It is seldom close to the distance of the bodies */
+  uint64_t work;  /* units of work that the search took */
+} sepax_apart_result;
+
+/* Are two bodies, each in its pose, farther apart than `distance`, a number in 0 ... 2^1000? The
+ * verdict is exact for the doubles given. Use it where a verdict is needed in bounded time and the
+ * distance itself is not. A distance of 0 asks for a collision. Errors: ARGUMENT if a pose is not
+ * valid or the distance is out of range. */
+bool sepax_bodies_apart(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                        const sepax_pose *pose_b, double distance,
+                        const sepax_apart_request *request, sepax_apart_result *result,
+                        sepax_error *error);
 
 /* ------------------------------------------------------------------ solids */
 

@@ -171,6 +171,8 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
   if (r.limit > 0 && best.min_distance > r.limit) {
     best = (sepax_distance_result){.min_distance = INFINITY, .ended = best.ended};
   }
+  best.least = nextafter(best.min_distance, 0);
+  best.most = nextafter(best.min_distance, INFINITY);
   *result = best;
   return true;
 }
