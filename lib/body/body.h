@@ -28,6 +28,14 @@ typedef struct {
   uint32_t child[BODY_WIDE];
 } body_boxes;
 
+/* The oriented box of a node in doubles, about 2^29 times as exact as in body_boxes: where many
+ * triangles are nearly equally far, single precision could not tell them apart. The node's
+ * triangles are within centre + sum of u_i axis[i], |u_i| <= half[i], from the body's centre in
+ * units of its scale. Lengths and right angles of the axes are right to 2^-48. */
+typedef struct {
+  double axis[3][3], centre[3], half[3];
+} body_frame;
+
 struct sepax_body {
   size_t count;
   double centre[3];
@@ -39,6 +47,7 @@ struct sepax_body {
   size_t nodes;
   body_boxes *boxes; /* boxes of each node, then the root's own box; aligned to cache lines */
   void *memory;      /* memory that holds the boxes */
+  body_frame *frame; /* one for each node */
 };
 
 /* The child in box `at`. Boxes are numbered BODY_WIDE * node + lane. */
@@ -46,7 +55,7 @@ static inline uint32_t child_at(const sepax_body *b, uint32_t at) {
   return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
 }
 
-/* Fill in `boxes`. False without memory. */
+/* Fill in `boxes` and `frame`. False without memory. */
 bool sepax__body_fit(sepax_body *body, size_t threads);
 
 #endif

@@ -50,10 +50,11 @@ static void complete(axes a) {
   vector_cross(a[0], a[1], a[2]);
 }
 
-/* The edge on which a box stands: that on which the length and the height of the triangle have the
- * least sum. A right triangle then stands on a leg, where its box ends with the edges at the right
- * angle; a box on the longest edge would stand out over one of them. The height is twice the area
- * over the length. A sliver stands on its longest edge, because its area is not exact. */
+/* The edge on which a box stands. On each edge at which no angle is obtuse the box has twice the
+ * area of the triangle; of these edges it is that on which length and height have the least sum. So
+ * a right triangle stands on a leg, where its box ends with both legs; the box on its longest edge
+ * would stand out over them by half the triangle. The height is twice the area over the length. A
+ * sliver stands on its longest edge, because its area is not exact. */
 static int base_of(const double edge[3][3]) {
   double normal[3];
   double length[3];
@@ -67,8 +68,12 @@ static int base_of(const double edge[3][3]) {
   int base = longest;
   if (area > 0x1p-20 * length[longest] * length[longest]) {
     for (int k = 0; k < 3; k++) {
-      double sum = length[k] + area / length[k];
-      base = sum < 0.999 * (length[base] + area / length[base]) ? k : base;
+      double foot = -vector_dot(edge[k], edge[next[next[k]]]) / length[k];
+      double out = fmax(-foot, foot - length[k]);
+      if (out < 0x1p-20 * length[k] &&
+          length[k] + area / length[k] < 0.999 * (length[base] + area / length[base])) {
+        base = k;
+      }
     }
   }
   return base;
@@ -222,20 +227,32 @@ static void set_half(oriented *r, const double half[3]) {
   }
 }
 
-/* Enclose triangles, in units of the body, in a box with axes a. */
-static void enclose(const facet_points *v, uint32_t count, const axes a, oriented *r) {
-  double axis[3][3];
+/* Round a box. Axes are rounded by 2^-24, so a triangle of the box is within 2^-22 of all three
+ * half sides of the rounded one, which the margin of set_half covers. */
+static void round_box(const body_frame *f, oriented *r) {
+  double half[3];
+  double moved[3];
+  set_axes(r, f->axis);
+  set_centre(r, f->centre);
+  for (int i = 0; i < 3; i++) {
+    moved[i] = (double)r->centre[i] - f->centre[i];
+  }
+  for (int i = 0; i < 3; i++) {
+    half[i] = f->half[i] + fabs(vector_dot(f->axis[i], moved));
+  }
+  set_half(r, half);
+}
+
+/* Enclose triangles, in units of the body, in a box with axes a. Coordinates are at most 1: one is
+ * rounded by 2^-53, a product with an axis by 2^-50, and the sides, of three such products, by less
+ * than 2^-48 (LEAST). */
+static void enclose(const facet_points *v, uint32_t count, const axes a, body_frame *f) {
+  const double LEAST = 0x1p-48;
   real_pair first[3]; /* axes 0 and 1, by coordinate */
   real_pair last[3];  /* axis 2 and its opposite */
-  set_axes(r, a);
-  for (int i = 0; i < 3; i++) {
-    for (int k = 0; k < 3; k++) {
-      axis[i][k] = (double)r->axis[i][k];
-    }
-  }
   for (int k = 0; k < 3; k++) {
-    first[k] = (real_pair){axis[0][k], axis[1][k]};
-    last[k] = (real_pair){axis[2][k], -axis[2][k]};
+    first[k] = (real_pair){a[0][k], a[1][k]};
+    last[k] = (real_pair){a[2][k], -a[2][k]};
   }
   real_pair least = {INFINITY, INFINITY};
   real_pair most = {-INFINITY, -INFINITY};
@@ -251,37 +268,26 @@ static void enclose(const facet_points *v, uint32_t count, const axes a, oriente
   }
   const double low[3] = {least[0], least[1], -ends[1]};
   const double high[3] = {most[0], most[1], ends[0]};
-  double half[3];
-  double centre[3];
+  memcpy(f->axis, a, sizeof f->axis);
   for (int i = 0; i < 3; i++) {
-    centre[i] = (axis[0][i] * (low[0] + high[0]) + axis[1][i] * (low[1] + high[1]) +
-                 axis[2][i] * (low[2] + high[2])) /
-                2;
+    f->centre[i] = (a[0][i] * (low[0] + high[0]) + a[1][i] * (low[1] + high[1]) +
+                    a[2][i] * (low[2] + high[2])) /
+                   2;
+    f->half[i] = (high[i] - low[i]) / 2 + LEAST;
   }
-  set_centre(r, centre);
-  for (int i = 0; i < 3; i++) {
-    centre[i] = (double)r->centre[i];
-  }
-  for (int i = 0; i < 3; i++) {
-    double at = vector_dot(axis[i], centre);
-    half[i] = fmax(high[i] - at, at - low[i]);
-  }
-  set_half(r, half);
 }
 
-/* Take the AABB of a child as its oriented box. */
-static void take_aabb(const body_node *node, int lane, oriented *r) {
+/* The half area of a node's AABB. */
+static double upright_area(const body_node *node, int lane) {
   double half[3];
-  set_axes(r, upright);
   for (int i = 0; i < 3; i++) {
-    r->centre[i] = node->centre[i][lane];
     half[i] = (double)node->half[i][lane];
   }
-  set_half(r, half);
+  return half[0] * half[1] + half[1] * half[2] + half[2] * half[0];
 }
 
-static float area_of(const oriented *r) {
-  return r->half[0] * r->half[1] + r->half[1] * r->half[2] + r->half[2] * r->half[0];
+static double area_of(const body_frame *f) {
+  return f->half[0] * f->half[1] + f->half[1] * f->half[2] + f->half[2] * f->half[0];
 }
 
 static void store(body_boxes *to, int lane, const oriented *r, uint32_t child) {
@@ -297,18 +303,20 @@ static void store(body_boxes *to, int lane, const oriented *r, uint32_t child) {
 
 static void fit_triangle(const facet_points *v, oriented *r) {
   axes a;
+  body_frame f;
   axes_of_triangle(v[0], a);
-  enclose(v, 1, a, r);
+  enclose(v, 1, a, &f);
+  round_box(&f, r);
 }
 
-/* Choose the box around triangles from their moments; r begins as their AABB. */
-static void fit(const facet_points *v, uint32_t count, const moments *m, oriented *r) {
+/* Choose the box around triangles from their moments and the area of their AABB. */
+static void fit(const facet_points *v, uint32_t count, const moments *m, double area,
+                body_frame *f) {
   axes a;
-  oriented principal;
   principal_axes(m, a);
-  enclose(v, count, a, &principal);
-  if (area_of(&principal) < area_of(r)) {
-    *r = principal;
+  enclose(v, count, a, f);
+  if (!(area_of(f) < area)) {
+    enclose(v, count, upright, f);
   }
 }
 
@@ -355,8 +363,9 @@ static void fit_children(const fitting *f, size_t number) {
     if ((child & BODY_TRIANGLE) != 0) {
       fit_triangle(f->v + at++, &r);
     } else {
-      take_aabb(node, lane, &r);
-      fit(f->v + at, f->below[child].count, &f->below[child].all, &r);
+      body_frame *frame = &f->body->frame[child];
+      fit(f->v + at, f->below[child].count, &f->below[child].all, upright_area(node, lane), frame);
+      round_box(frame, &r);
       at += f->below[child].count;
     }
     store(boxes, lane, &r, child);
@@ -387,14 +396,16 @@ enum { CACHE_LINE = 64 };
 bool sepax__body_fit(sepax_body *b, size_t threads) {
   fitting f = {b, local_triangles(b), sepax_allocate(b->nodes * sizeof *f.below)};
   b->memory = sepax_allocate((b->nodes + 1) * sizeof *b->boxes + CACHE_LINE - 1);
-  bool ok = b->memory != NULL && f.v != NULL && f.below != NULL;
+  b->frame = sepax_allocate(b->nodes * sizeof *b->frame);
+  bool ok = b->memory != NULL && b->frame != NULL && f.v != NULL && f.below != NULL;
   if (ok) {
     size_t beyond = (uintptr_t)b->memory % CACHE_LINE; /* bytes beyond a cache line */
     b->boxes = (void *)((char *)b->memory + (beyond > 0 ? CACHE_LINE - beyond : 0));
     find_below(&f, 0, 0);
     sepax__threads_run(threads, (b->nodes + PART - 1) / PART, fit_part, &f);
-    oriented r = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, {2, 2, 2}};
-    fit(f.v, (uint32_t)b->count, &f.below[0].all, &r);
+    oriented r;
+    fit(f.v, (uint32_t)b->count, &f.below[0].all, INFINITY, &b->frame[0]);
+    round_box(&b->frame[0], &r);
     memset(&b->boxes[b->nodes], 0, sizeof *b->boxes);
     store(&b->boxes[b->nodes], 0, &r, 0);
   }

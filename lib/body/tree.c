@@ -358,6 +358,7 @@ void sepax_body_free(sepax_body *body) {
     sepax_release(body->number);
     sepax_release(body->node);
     sepax_release(body->memory);
+    sepax_release(body->frame);
     sepax_release(body);
   }
 }

@@ -92,14 +92,16 @@ CASE(a_cuboid_has_its_own_box) {
   }
 }
 
-/* The box of a triangle: its longest edge, its height on that, and no thickness. */
-CASE(a_triangle_has_the_box_on_its_longest_edge) {
+/* The box of a triangle stands on the edge on which its length and height have the least sum: the
+ * edge of `length`, though it is not always the longest. It has no thickness. */
+CASE(a_triangle_has_the_box_of_least_length_and_height) {
   for (int n = 0; n < TURNS; n++) {
     sepax_pose pose = turned_and_moved(2);
     double size = n % 2 == 0 ? 1 : 1e-3; /* beside one that is large */
     double length = size * (1.2 + 0.5 * random_unit());
-    double height = length * (0.25 + 0.15 * random_unit());
-    double foot = length * (0.5 + 0.3 * random_unit());
+    bool leg = n % 4 > 1; /* a right triangle on its shorter leg */
+    double height = length * (leg ? 1.2 + 0.1 * random_unit() : 0.25 + 0.15 * random_unit());
+    double foot = leg ? 0 : length * (0.5 + 0.2 * random_unit());
     const double flat[3][2] = {{0, 0}, {length, 0}, {foot, height}};
     sepax_facet facet[2] = {{.v = {{9, 9, 9}, {9, 9, 9}, {9, 9, 9}}}};
     for (int k = 0; k < 9; k++) {

@@ -13,13 +13,11 @@
 CASE(triangles_are_in_boxes_as_stored) {
   for (int n = 0; n < 1000; n++) {
     facet_points v[1];
-    axes a;
     oriented r;
     for (int k = 0; k < 9; k++) {
       v[0][k / 3][k % 3] = 0.9 + 1e-8 * random_unit();
     }
-    axes_of_triangle(v[0], a);
-    enclose(v, 1, a, &r);
+    fit_triangle(v, &r);
     for (int k = 0; k < 9; k++) {
       double along = 0;
       for (int i = 0; i < 3; i++) {
