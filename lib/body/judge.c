@@ -110,17 +110,20 @@ static uint32_t judge_group(const posed_pairs *p, const double *c, bool *in_doub
   return hits;
 }
 
-uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count) {
+uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count,
+                                  int *exact) {
   const int lanes = p->lanes;
   double c[18 * MOST_LANES];
   uint64_t hits = 0;
   bool in_doubt = false;
+  *exact = 0;
   for (int first = 0; first < count; first += lanes) {
     int used = count - first < lanes ? count - first : lanes;
     uint32_t uncertain;
     gather(p, pair + first, used, lanes, c);
     uint32_t group = judge_group(p, c, &in_doubt, &uncertain);
     uint32_t mine = (1U << used) - 1;
+    *exact += __builtin_popcount(uncertain & mine);
     for (uint32_t rest = uncertain & mine; rest != 0; rest &= rest - 1) {
       int n = __builtin_ctz(rest);
       const uint32_t *of = pair[first + n];

@@ -19,7 +19,9 @@ typedef struct {
  * processor has these instructions. */
 int sepax__posed_pairs_lanes(sepax_simd simd);
 
-/* Judge up to 64 pairs. Bit n of the result: pair[n], a triangle of A and one of B, collides. */
-uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count);
+/* Judge up to 64 pairs. Bit n of the result: pair[n], a triangle of A and one of B, collides.
+ * *exact receives the number of pairs that only exact arithmetic decided. */
+uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count,
+                                  int *exact);
 
 #endif

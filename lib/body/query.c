@@ -15,6 +15,7 @@
  * each box's own more than they need (fit.c), and below 2^-16 H on the cross products, to which
  * BOX_SLACK H is added. What is not a number separates nothing. */
 #include "judge.h"
+#include "query.h"
 #include "turned.h"
 #include "util/options.h"
 #include "util/list.h"
@@ -111,7 +112,7 @@ typedef struct {
 
 typedef struct {
   const sepax_body *body[2];
-  const sepax_query *query;
+  const sepax_query *query; /* or NULL for sepax__find_collision */
   posed_pairs pairs;
   sepax_pairs *found;
   size_t capacity, hits;
@@ -121,11 +122,20 @@ typedef struct {
   int count, batch; /* pairs that wait; pairs that are judged at once */
   box_comparer *compare_boxes;
   int at_once; /* pairs of boxes that are compared at once */
-  size_t visits, judged;
+  size_t visits;
+  uint64_t work, work_most; /* units of work; work_most 0: no limit */
+  uint32_t place[2];        /* of the pair that sepax__find_collision finds */
 } search;
 
 static void record(search *s, uint32_t i, uint32_t j) {
   const sepax_query *q = s->query;
+  if (q == NULL) {
+    s->place[0] = i;
+    s->place[1] = j;
+    s->hits = 1;
+    s->ended = true;
+    return;
+  }
   size_t a = s->body[0]->number[i];
   size_t b = s->body[1]->number[j];
   s->hits++;
@@ -143,13 +153,15 @@ static double seconds_now(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Judge up to BATCH waiting pairs of triangles. */
+/* Judge up to BATCH waiting pairs of triangles; fewer where work is limited. */
 static void judge(search *s) {
-  int count = s->count < BATCH ? s->count : BATCH;
+  int most = s->work_most > 0 ? s->batch : BATCH;
+  int count = s->count < most ? s->count : most;
+  int exact;
   s->count -= count;
-  s->judged += (size_t)count;
   const uint32_t(*waiting)[2] = (const uint32_t(*)[2])s->waiting + s->count;
-  uint64_t hits = sepax__judge_posed_pairs(&s->pairs, waiting, count);
+  uint64_t hits = sepax__judge_posed_pairs(&s->pairs, waiting, count, &exact);
+  s->work += (uint64_t)count + WORK_EXACT * (uint64_t)exact;
   for (; hits != 0 && !s->ended; hits &= hits - 1) {
     const uint32_t *pair = waiting[__builtin_ctzll(hits)];
     record(s, pair[0], pair[1]);
@@ -228,12 +240,26 @@ static void visit(search *s, box_pair *stack, int *depth) {
   }
   s->compare_boxes(task, count);
   s->visits += (size_t)count;
+  s->work += (uint64_t)count;
   for (int n = 0; n < count; n++) {
     take_children(s, &open[n], &task[n], stack, depth);
   }
 }
 
-static void descend(search *s) {
+/* True once a limit of work or time is reached. The clock is read at every 64th visit. */
+static bool beyond_limits(const search *s, size_t *clock) {
+  if (s->work_most > 0 && s->work >= s->work_most) {
+    return true;
+  }
+  if (s->end > 0 && s->visits >= *clock) {
+    *clock = s->visits + 64;
+    return seconds_now() >= s->end;
+  }
+  return false;
+}
+
+/* False if a limit ended the search. */
+static bool descend(search *s) {
   box_pair stack[STACK];
   int depth = 1;
   size_t clock = 0;
@@ -241,12 +267,8 @@ static void descend(search *s) {
     stack[0].at[k] = BODY_WIDE * (uint32_t)s->body[k]->nodes;
   }
   while (depth > 0 && !s->ended) {
-    if (s->end > 0 && s->visits >= clock) {
-      if (seconds_now() >= s->end) {
-        s->ended = true;
-        return;
-      }
-      clock = s->visits + 64;
+    if (beyond_limits(s, &clock)) {
+      return false;
     }
     visit(s, stack, &depth);
     while (s->count >= s->batch && !s->ended) {
@@ -256,6 +278,7 @@ static void descend(search *s) {
   while (s->count > 0 && !s->ended) {
     judge(s);
   }
+  return true;
 }
 
 static box_comparer *comparer(int lanes) {
@@ -268,6 +291,31 @@ static box_comparer *comparer(int lanes) {
   return compare_boxes_portable;
 }
 
+/* Prepare a search of bodies in valid poses; `few` if it ends at its first pairs. */
+static void begin(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b, bool strict,
+                  bool few, sepax_simd simd, double seconds) {
+  s->pairs = (posed_pairs){.first = {s->body[0]->triangle[0][0], s->body[1]->triangle[0][0]},
+                           .stride = {9, 9},
+                           .strict = strict,
+                           .lanes = sepax__posed_pairs_lanes(simd)};
+  sepax__place_bodies(&s->pairs.at, s->body[0], pose_a, s->body[1], pose_b);
+  s->batch = few ? 4 : BATCH;
+  s->at_once = few ? 2 : AT_ONCE;
+  s->compare_boxes = comparer(s->pairs.lanes);
+  s->end = seconds > 0 ? seconds_now() + seconds : 0;
+}
+
+bool sepax__find_collision(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
+                           const sepax_pose *pose_b, sepax_simd simd, search_limits *limits,
+                           uint32_t place[2]) {
+  search s = {.body = {a, b}, .work_most = limits->most};
+  begin(&s, pose_a, pose_b, false, true, simd, limits->seconds);
+  limits->ended = !descend(&s);
+  limits->work = s.work;
+  memcpy(place, s.place, sizeof s.place);
+  return s.hits > 0;
+}
+
 bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                           const sepax_pose *pose_b, const sepax_query *query, sepax_pairs *found,
                           sepax_error *error) {
@@ -278,27 +326,17 @@ bool sepax_bodies_collide(const sepax_body *a, const sepax_pose *pose_a, const s
       !sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
-  if (!(s.query->seconds >= 0)) {
+  if (!(q.seconds >= 0)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "a search has a limit of %g seconds; give 0 for none, or more",
-                      s.query->seconds);
+                      "a search has a limit of %g seconds; give 0 for none, or more", q.seconds);
   }
   if (sepax__balls_disjoint(a, pose_a, b, pose_b)) {
     return true;
   }
-  s.pairs = (posed_pairs){.first = {a->triangle[0][0], b->triangle[0][0]},
-                          .stride = {9, 9},
-                          .strict = s.query->strict,
-                          .lanes = sepax__posed_pairs_lanes(s.query->simd)};
-  sepax__place_bodies(&s.pairs.at, a, pose_a, b, pose_b);
-  bool few = s.query->only_any || s.query->most > 0;
-  s.batch = few ? 4 : BATCH;
-  s.at_once = few ? 2 : AT_ONCE;
-  s.compare_boxes = comparer(s.pairs.lanes);
-  s.end = s.query->seconds > 0 ? seconds_now() + s.query->seconds : 0;
-  descend(&s);
+  begin(&s, pose_a, pose_b, q.strict, q.only_any || q.most > 0, q.simd, q.seconds);
+  bool whole = descend(&s);
   found->count = s.hits;
-  found->ended = s.ended;
+  found->ended = s.ended || !whole;
   if (s.no_memory) {
     sepax_pairs_free(found);
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the colliding pairs");

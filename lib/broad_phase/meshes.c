@@ -52,7 +52,8 @@ void sepax__search_judge_candidates(worker *w) {
     return;
   }
   if (s->facet[0] != NULL) {
-    hits = sepax__judge_posed_pairs(&s->posed, w->candidate, (int)count);
+    int exact;
+    hits = sepax__judge_posed_pairs(&s->posed, w->candidate, (int)count, &exact);
   } else if (s->judge == NULL) {
     int32_t c[2][3][3][BATCH];
     sepax_columns of[2];

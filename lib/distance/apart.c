@@ -1,17 +1,64 @@
 /* SPDX-License-Identifier: MIT */
 /* apart.c - whether two posed bodies are farther apart than a distance. */
+#include "body/query.h"
+#include "distance.h"
 #include "search.h"
+#include "support.h"
 #include "util/options.h"
 
-typedef struct {
-  size_t pair[2];
-} first_pair;
+#include <math.h>
 
-static bool record(void *context, size_t a, size_t b) {
-  first_pair *first = context;
-  first->pair[0] = a;
-  first->pair[1] = b;
-  return false;
+static void take(search *s, const uint32_t at[2], double least, double most) {
+  sepax_apart_result *result = s->context;
+  const uint32_t place[2] = {sepax__place_at(s->body[0], at[0]),
+                             sepax__place_at(s->body[1], at[1])};
+  (void)least;
+  if (!(most <= s->limit)) {
+    s->work += WORK_EXACT;
+    if (sepax__distance_compare(s->body[0]->triangle[place[0]], s->at.pose[0],
+                                s->body[1]->triangle[place[1]], s->at.pose[1], s->limit) > 0) {
+      return;
+    }
+  }
+  result->verdict = SEPAX_NEAR;
+  for (int k = 0; k < 2; k++) {
+    result->pair[k] = s->body[k]->number[place[k]];
+  }
+  s->ended = true;
+}
+
+bool sepax__prove_beyond_limit(search *s) {
+  const uint32_t *at = s->nearest.at;
+  double nearest[2][3];
+  twofold_vector way;
+  s->work += WORK_EXACT;
+  sepax__distance_and_way(s->body[0]->triangle[sepax__place_at(s->body[0], at[0])], s->at.pose[0],
+                          s->body[1]->triangle[sepax__place_at(s->body[1], at[1])], s->at.pose[1],
+                          nearest, &way);
+  static const uint32_t roots[2] = {0, 0};
+  hindrance by;
+  return sepax__proof_begin(s, &way, at, twofold_of(s->limit)) && sepax__prove_apart(s, roots, &by);
+}
+
+/* A search of the trees for two triangles that are within the distance. */
+static void find_near(search *s, sepax_apart_result *result) {
+  sepax__search_pairs(s);
+  if (result->verdict == SEPAX_UNDECIDED) {
+    result->verdict = s->ended ? SEPAX_UNDECIDED : SEPAX_APART;
+    result->least = s->ended ? fmin(s->open, s->limit) : s->limit;
+  }
+}
+
+static void find_collision(search *s, sepax_simd simd, sepax_apart_result *result) {
+  search_limits limits = {.most = s->work_most};
+  uint32_t place[2];
+  bool found = sepax__find_collision(s->body[0], s->at.pose[0], s->body[1], s->at.pose[1], simd,
+                                     &limits, place);
+  s->work = limits.work;
+  result->verdict = found ? SEPAX_NEAR : limits.ended ? SEPAX_UNDECIDED : SEPAX_APART;
+  for (int k = 0; k < 2 && found; k++) {
+    result->pair[k] = s->body[k]->number[place[k]];
+  }
 }
 
 bool sepax_bodies_apart(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
@@ -20,19 +67,26 @@ bool sepax_bodies_apart(const sepax_body *a, const sepax_pose *pose_a, const sep
                         sepax_error *error) {
   sepax_apart_request r;
   *result = (sepax_apart_result){0};
-  if (!sepax__options(&r, sizeof r, request, "sepax_apart_request", error)) {
+  if (!sepax__options(&r, sizeof r, request, "sepax_apart_request", error) ||
+      !sepax__distance_valid(distance, error) || !sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
-  first_pair first = {{0, 0}};
-  sepax_pairs found;
-  const sepax_query query =
-      SEPAX_STRUCT(sepax_query, .each = record, .context = &first, .simd = r.simd);
-  if (!sepax_bodies_near(a, pose_a, b, pose_b, distance, &query, &found, error)) {
-    return false;
+  search s = {.body = {a, b},
+              .take = take,
+              .prove = sepax__prove_beyond_limit,
+              .context = result,
+              .limit = distance,
+              .batch = 4,
+              .work_most = r.work,
+              .portable = r.simd == SEPAX_SIMD_PORTABLE};
+  result->least = sepax__search_begin(&s, pose_a, pose_b);
+  if (result->least > distance) {
+    result->verdict = SEPAX_APART;
+  } else if (distance > 0) {
+    find_near(&s, result);
+  } else {
+    find_collision(&s, r.simd, result);
   }
-  result->verdict = found.count > 0 ? SEPAX_NEAR : SEPAX_APART;
-  result->pair[0] = first.pair[0];
-  result->pair[1] = first.pair[1];
-  result->least = found.count > 0 ? 0 : distance;
+  result->work = s.work + 1;
   return true;
 }

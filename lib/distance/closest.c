@@ -2,12 +2,14 @@
 /* closest.c - the distance of two bodies in their poses. */
 #include "distance.h"
 #include "search.h"
+#include "support.h"
+#include "body/query.h"
 #include "util/options.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { KEPT = 64 };
+enum { KEPT = 64, PROOFS = 16 };
 
 typedef struct {
   uint32_t at[2];
@@ -19,9 +21,22 @@ typedef struct {
 typedef struct {
   candidate kept[KEPT];
   int count;
+  double relative, absolute; /* the tolerance */
   sepax_distance_result *best;
   twofold_vector way;
 } nearest_pairs;
+
+/* Two triangles are `distance` apart: how near must others be to be looked for? Three quarters of
+ * the tolerance, so that rounding does not make the interval wider than the whole. A tolerance that
+ * is less than rounding counts as 0. */
+static double needed(const nearest_pairs *n, double distance) {
+  double tolerance = fmax(n->relative * distance, n->absolute);
+  return tolerance > 0x1p-48 * distance ? distance - 0.75 * tolerance : distance;
+}
+
+static void lower_limit(search *s, const nearest_pairs *n, double distance) {
+  s->limit = fmin(s->limit, needed(n, distance));
+}
 
 /* Measure two triangles, by their places. True if they are nearer than all pairs before. */
 static bool measure(search *s, nearest_pairs *n, const uint32_t place[2]) {
@@ -29,6 +44,7 @@ static bool measure(search *s, nearest_pairs *n, const uint32_t place[2]) {
   const double(*a)[3] = s->body[0]->triangle[place[0]];
   const double(*b)[3] = s->body[1]->triangle[place[1]];
   const sepax_pose *const *pose = s->at.pose;
+  s->work += WORK_EXACT;
   if (isfinite(best->min_distance) &&
       sepax__distance_at_least(a, pose[0], b, pose[1], &n->way, best->min_distance)) {
     return false;
@@ -45,51 +61,97 @@ static bool measure(search *s, nearest_pairs *n, const uint32_t place[2]) {
   for (int k = 0; k < 2; k++) {
     best->pair[k] = s->body[k]->number[place[k]];
   }
-  s->limit = fmin(s->limit, distance);
+  lower_limit(s, n, distance);
   return true;
 }
 
+static bool measure_at(search *s, nearest_pairs *n, const uint32_t at[2]) {
+  const uint32_t place[2] = {sepax__place_at(s->body[0], at[0]),
+                             sepax__place_at(s->body[1], at[1])};
+  if (!measure(s, n, place)) {
+    return false;
+  }
+  memcpy(n->best->box, at, sizeof n->best->box);
+  return true;
+}
+
+static bool out_of_work(const search *s) { return s->work_most > 0 && s->work >= s->work_most; }
+
 /* Measure the kept pairs that may still be the nearest, the most likely one first. */
 static void measure_kept(search *s, nearest_pairs *n) {
-  while (n->count > 0) {
+  while (n->count > 0 && !out_of_work(s)) {
     int first = 0;
     for (int k = 1; k < n->count; k++) {
       first = n->kept[k].least < n->kept[first].least ? k : first;
     }
     candidate c = n->kept[first];
     n->kept[first] = n->kept[--n->count];
-    const uint32_t place[2] = {sepax__place_at(s->body[0], c.at[0]),
-                               sepax__place_at(s->body[1], c.at[1])};
-    if (c.least <= s->limit && measure(s, n, place)) {
-      memcpy(n->best->box, c.at, sizeof c.at);
+    if (c.least <= s->limit) {
+      measure_at(s, n, c.at);
     }
   }
+}
+
+/* Drop kept pairs that are beyond the limit. */
+static void drop_kept(const search *s, nearest_pairs *n) {
+  int count = 0;
+  for (int k = 0; k < n->count; k++) {
+    if (n->kept[k].least <= s->limit) {
+      n->kept[count++] = n->kept[k];
+    }
+  }
+  n->count = count;
 }
 
 static void keep(search *s, const uint32_t at[2], double least, double most) {
   nearest_pairs *n = s->context;
-  s->limit = fmin(s->limit, most);
+  lower_limit(s, n, most);
   if (n->count == KEPT) {
-    int count = 0;
-    for (int k = 0; k < KEPT; k++) {
-      if (n->kept[k].least <= s->limit) {
-        n->kept[count++] = n->kept[k];
-      }
-    }
-    n->count = count;
-    if (count > KEPT / 2) {
+    drop_kept(s, n);
+    if (n->count > KEPT / 2) {
       measure_kept(s, n);
     }
   }
-  n->kept[n->count++] = (candidate){{at[0], at[1]}, least};
+  if (n->count == KEPT) { /* there is no work left */
+    s->ended = true;
+    s->open = fmin(s->open, least);
+  } else {
+    n->kept[n->count++] = (candidate){{at[0], at[1]}, least};
+  }
 }
 
-static uint32_t place_of(const sepax_body *b, size_t number) {
-  uint32_t place = 0;
-  while (b->number[place] != number) {
-    place++;
+/* Measure a triangle that hindered a proof, with the nearest one of the other body. */
+static bool measure_hindrance(search *s, nearest_pairs *n, const hindrance *by) {
+  uint32_t at[2];
+  memcpy(at, n->best->box, sizeof at);
+  at[by->body] = by->at;
+  return measure_at(s, n, at);
+}
+
+/* Prove by one direction that no pair is nearer than needed. */
+static bool prove(search *s) {
+  static const uint32_t roots[2] = {0, 0};
+  nearest_pairs *n = s->context;
+  if (n->best->min_distance > s->shortest / s->unit) {
+    measure_at(s, n, s->nearest.at);
   }
-  return place;
+  for (int turn = 0; turn < PROOFS; turn++) {
+    double best = n->best->min_distance;
+    double least = needed(n, best);
+    twofold need = least < best ? twofold_of(least) : product_of(best, 1 - 0x1p-53);
+    hindrance by;
+    if (!(best > 0 && isfinite(best) && sepax__proof_begin(s, &n->way, n->best->box, need))) {
+      return false;
+    }
+    if (sepax__prove_apart(s, roots, &by)) {
+      n->count = 0;
+      return true;
+    }
+    if (by.body < 0 || !measure_hindrance(s, n, &by)) {
+      return false;
+    }
+  }
+  return false;
 }
 
 static bool is_triangle(const sepax_body *b, uint32_t at, size_t number) {
@@ -112,12 +174,18 @@ static bool is_distance(const search *s, const sepax_distance_result *last) {
   return ok;
 }
 
-/* Prepare the search and begin at `last`, if it is given. */
+/* Check a request, prepare the search and begin at `last`, if it is given. */
 static bool begin(search *s, const sepax_distance_request *r, sepax_error *error) {
   const sepax_distance_result *last = r->last;
   if (!(r->limit >= 0)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "a distance has a limit of %g; give 0 for none, or more", r->limit);
+  }
+  if (!(r->relative >= 0 && r->relative < 1 && r->absolute >= 0 && isfinite(r->absolute))) {
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "a distance has a tolerance of %g of itself or %g; give 0 ... 1 and 0 or more", r->relative,
+        r->absolute);
   }
   if (!(r->seconds >= 0)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
@@ -125,6 +193,9 @@ static bool begin(search *s, const sepax_distance_request *r, sepax_error *error
   }
   s->limit = r->limit > 0 ? r->limit : INFINITY;
   s->portable = r->simd == SEPAX_SIMD_PORTABLE;
+  s->work_most = r->work;
+  s->seconds = r->seconds;
+  s->best_first = r->work > 0 || r->seconds > 0;
   if (last != NULL && !is_distance(s, last)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "the last distance is not a result for these bodies; give a result of "
@@ -136,43 +207,69 @@ static bool begin(search *s, const sepax_distance_request *r, sepax_error *error
   return true;
 }
 
+/* Find a collision. It takes at most half of the work and time that are left: pairs that it did not
+ * decide are measured later. */
+static bool find_collision(search *s, nearest_pairs *n, sepax_simd simd) {
+  search_limits limits = {.most = s->work_most / 2, .seconds = s->seconds / 2};
+  uint32_t place[2];
+  bool found = sepax__find_collision(s->body[0], s->at.pose[0], s->body[1], s->at.pose[1], simd,
+                                     &limits, place);
+  s->work += limits.work;
+  s->seconds = limits.seconds;
+  if (found) {
+    measure(s, n, place);
+  }
+  return found;
+}
+
+/* The interval that holds the distance, from what the search left. `apart`: a bound found before.
+ */
+static void set_interval(const search *s, const nearest_pairs *n, double apart) {
+  sepax_distance_result *best = n->best;
+  double least = fmin(s->limit, s->open);
+  for (int k = 0; k < n->count; k++) {
+    least = fmin(least, n->kept[k].least);
+  }
+  least = fmin(fmax(least, fmax(apart, 0)), nextafter(best->min_distance, 0));
+  best->least = best->min_distance > 0 ? least : 0;
+  best->most = best->min_distance > 0 ? nextafter(best->min_distance, INFINITY) : 0;
+  best->work = s->work;
+  best->ended = s->ended;
+}
+
 bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                            const sepax_pose *pose_b, const sepax_distance_request *request,
                            sepax_distance_result *result, sepax_error *error) {
   sepax_distance_request r;
+  *result = (sepax_distance_result){0};
   if (!sepax__options(&r, sizeof r, request, "sepax_distance_request", error)) {
-    *result = (sepax_distance_result){0};
     return false;
   }
-  const sepax_query any =
-      SEPAX_STRUCT(sepax_query, .most = 1, .seconds = r.seconds, .simd = r.simd);
   sepax_distance_result best = {.min_distance = INFINITY};
-  nearest_pairs n = {.best = &best};
-  search s = {.body = {a, b}, .take = keep, .context = &n, .batch = 4};
-  sepax_pairs hit;
-  if (!begin(&s, &r, error) || !sepax_bodies_collide(a, pose_a, b, pose_b, &any, &hit, error)) {
-    *result = (sepax_distance_result){0};
+  nearest_pairs n = {.relative = r.relative, .absolute = r.absolute, .best = &best};
+  search s = {.body = {a, b}, .take = keep, .prove = prove, .context = &n, .batch = 4};
+  if (!begin(&s, &r, error) || !sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
-  if (hit.count == 0 && hit.ended) {
-    best.ended = true;
-  } else if (hit.count > 0) {
-    const uint32_t place[2] = {place_of(a, hit.pair[0][0]), place_of(b, hit.pair[0][1])};
-    s.at.pose[0] = pose_a;
-    s.at.pose[1] = pose_b;
-    measure(&s, &n, place);
-  } else {
-    s.seconds = r.seconds;
-    sepax__search_pairs(&s, pose_a, pose_b);
+  double apart = sepax__search_begin(&s, pose_a, pose_b);
+  bool collide = !(apart > 0) && find_collision(&s, &n, r.simd);
+  if (!collide && !(apart > s.limit)) {
+    sepax__search_pairs(&s);
     measure_kept(&s, &n);
-    best.ended = s.ended;
+    if (best.min_distance > s.shortest / s.unit) {
+      measure_at(&s, &n, s.nearest.at);
+    }
+    drop_kept(&s, &n);
+    s.ended = s.ended || n.count > 0;
   }
-  sepax_pairs_free(&hit);
+  set_interval(&s, &n, apart);
   if (r.limit > 0 && best.min_distance > r.limit) {
-    best = (sepax_distance_result){.min_distance = INFINITY, .ended = best.ended};
+    best = (sepax_distance_result){.min_distance = INFINITY,
+                                   .least = fmin(best.least, r.limit),
+                                   .most = INFINITY,
+                                   .work = best.work,
+                                   .ended = best.ended};
   }
-  best.least = nextafter(best.min_distance, 0);
-  best.most = nextafter(best.min_distance, INFINITY);
   *result = best;
   return true;
 }

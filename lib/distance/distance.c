@@ -39,14 +39,6 @@ static vector vector_minus(const vector *p, const vector *q) {
   return r;
 }
 
-static twofold dot(const vector *p, const vector *q) {
-  twofold r = twofold_multiply(p->c[0], q->c[0]);
-  for (int i = 1; i < 3; i++) {
-    r = twofold_add(r, twofold_multiply(p->c[i], q->c[i]));
-  }
-  return r;
-}
-
 static vector cross(const vector *p, const vector *q) {
   vector r;
   for (int i = 0; i < 3; i++) {
@@ -291,15 +283,15 @@ static vector nearest_of(const twofold_points *p, const int x[2], int count_x, c
     vector c = cross(&u, &v);
     vector dv = cross(&d, &v);
     vector du = cross(&d, &u);
-    twofold square = dot(&c, &c);
-    weight[x[1]] = limited(quotient(dot(&dv, &c), square), one);
+    twofold square = twofold_dot(&c, &c);
+    weight[x[1]] = limited(quotient(twofold_dot(&dv, &c), square), one);
     weight[x[0]] = twofold_subtract(one, weight[x[1]]);
-    weight[y[1]] = limited(quotient(dot(&du, &c), square), one);
+    weight[y[1]] = limited(quotient(twofold_dot(&du, &c), square), one);
     weight[y[0]] = twofold_subtract(one, weight[y[1]]);
     return c;
   }
   if (count_y == 2) {
-    twofold t = quotient(twofold_minus(dot(&d, &v)), dot(&v, &v));
+    twofold t = quotient(twofold_minus(twofold_dot(&d, &v)), twofold_dot(&v, &v));
     weight[y[1]] = limited(t, one);
     weight[y[0]] = twofold_subtract(one, weight[y[1]]);
     return along(&d, t, &v);
@@ -308,10 +300,10 @@ static vector nearest_of(const twofold_points *p, const int x[2], int count_x, c
   vector n = cross(&v, &w);
   vector dw = cross(&w, &d);
   vector vd = cross(&d, &v);
-  twofold square = dot(&n, &n);
-  weight[y[1]] = limited(quotient(dot(&dw, &n), square), one);
+  twofold square = twofold_dot(&n, &n);
+  weight[y[1]] = limited(quotient(twofold_dot(&dw, &n), square), one);
   weight[y[0]] = twofold_subtract(one, weight[y[1]]);
-  weight[y[2]] = limited(quotient(dot(&vd, &n), square), weight[y[0]]);
+  weight[y[2]] = limited(quotient(twofold_dot(&vd, &n), square), weight[y[0]]);
   weight[y[0]] = twofold_subtract(weight[y[0]], weight[y[2]]);
   return n;
 }
@@ -333,13 +325,13 @@ static twofold gap_along(const twofold_points *p, const vector *w) {
     unit.c[i] = (twofold){w->c[i].high * scale, w->c[i].low * scale};
   }
   for (int k = 0; k < 6; k++) {
-    twofold t = dot(&unit, &p->v[k]);
+    twofold t = twofold_dot(&unit, &p->v[k]);
     low[k / 3] = k % 3 == 0 || twofold_less(t, low[k / 3]) ? t : low[k / 3];
     high[k / 3] = k % 3 == 0 || twofold_less(high[k / 3], t) ? t : high[k / 3];
   }
   twofold gap = twofold_subtract(low[1], high[0]);
   twofold back = twofold_subtract(low[0], high[1]);
-  return quotient(twofold_less(gap, back) ? back : gap, twofold_root(dot(&unit, &unit)));
+  return quotient(twofold_less(gap, back) ? back : gap, twofold_root(twofold_dot(&unit, &unit)));
 }
 
 /* A bound on the error of both bounds. Weights are at least 0, and their sum is 1 within 6 u^2, so
@@ -367,7 +359,7 @@ static void enclose(const twofold_points *p, int a, int b, enclosure *e) {
   e->least = twofold_subtract(gap_along(p, &e->way), error_of(p));
   weighted_points(p, weight, e->nearest);
   vector w = vector_minus(&e->nearest[1], &e->nearest[0]);
-  e->most = twofold_add(twofold_root(dot(&w, &w)), error_of(p));
+  e->most = twofold_add(twofold_root(twofold_dot(&w, &w)), error_of(p));
 }
 
 /* ------------------------------------------------------------------------ results */

@@ -37,6 +37,12 @@ static void record(search *s, const uint32_t at[2], double least, double most) {
   s->ended = s->ended || n->no_memory || (q->most > 0 && n->found->count == q->most);
 }
 
+bool sepax__distance_valid(double distance, sepax_error *error) {
+  return (distance >= 0 && distance <= 0x1p1000) ||
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                    "the distance %g is not within 0 ... 2^1000; give one that is", distance);
+}
+
 bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                        const sepax_pose *pose_b, double distance, const sepax_query *query,
                        sepax_pairs *found, sepax_error *error) {
@@ -45,11 +51,7 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
   if (!sepax__options(&q, sizeof q, query, "sepax_query", error)) {
     return false;
   }
-  if (!(distance >= 0 && distance <= 0x1p1000)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "the distance %g is not within 0 ... 2^1000; give one that is", distance);
-  }
-  if (!sepax__poses_valid(pose_a, pose_b, error)) {
+  if (!sepax__distance_valid(distance, error) || !sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
   if (!(q.seconds >= 0)) {
@@ -60,10 +62,17 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
     return sepax_bodies_collide(a, pose_a, b, pose_b, query, found, error);
   }
   near_pairs n = {.query = &q, .distance = distance, .found = found};
-  search s = {.body = {a, b}, .take = record, .context = &n, .limit = distance, .batch = 4};
+  search s = {.body = {a, b},
+              .take = record,
+              .prove = sepax__prove_beyond_limit,
+              .context = &n,
+              .limit = distance,
+              .batch = 4};
   s.portable = q.simd == SEPAX_SIMD_PORTABLE;
   s.seconds = q.seconds;
-  sepax__search_pairs(&s, pose_a, pose_b);
+  if (!(sepax__search_begin(&s, pose_a, pose_b) > distance)) {
+    sepax__search_pairs(&s);
+  }
   found->ended = s.ended;
   if (n.no_memory) {
     sepax_pairs_free(found);

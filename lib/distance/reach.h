@@ -223,10 +223,27 @@ SIMD_INLINE SIMD_REAL SIMD_NAME(from_origin)(SIMD_NAME(triangle) * t, const SIMD
   return most;
 }
 
+/* The gap of pairs on a direction of length 1, its errors taken off, if it is above what is enough
+ * in each lane. */
+SIMD_INLINE bool SIMD_NAME(apart_on)(const double way[3], double enough, SIMD_REAL error,
+                                     const SIMD_NAME(triangle) t[2], pair_enclosure *e) {
+  SIMD_POINT w = {{(SIMD_REAL){0} + way[0], (SIMD_REAL){0} + way[1], (SIMD_REAL){0} + way[2]}};
+  SIMD_REAL gap = SIMD_NAME(gap_along)(&w, &t[0], &t[1]) * (1 - 0x1p-49) - error;
+  for (int k = 0; k < SIMD_LANES; k++) {
+    if (!(gap[k] > enough)) {
+      return false;
+    }
+  }
+  for (int k = 0; k < SIMD_LANES; k++) {
+    e[k] = (pair_enclosure){gap[k], INFINITY, {way[0], way[1], way[2]}};
+  }
+  return true;
+}
+
 /* Enclose the distances of pairs of triangles, and find the vectors between their nearest points.
  * `from` has A's vertices, then B's. */
 SIMD_TARGET static void SIMD_NAME(enclose)(const double *from, const world_pose pose[2],
-                                           pair_enclosure *e) {
+                                           const short_cut *cut, pair_enclosure *e) {
   SIMD_NAME(triangle) t[2];
   SIMD_NAME(nearest) n = {(SIMD_REAL){0} + INFINITY, {{{0}, {0}, {0}}}};
   SIMD_REAL gap;
@@ -236,6 +253,11 @@ SIMD_TARGET static void SIMD_NAME(enclose)(const double *from, const world_pose 
   SIMD_POINT origin = t[0].v[0];
   size = SIMD_NAME(from_origin)(&t[0], &origin, size);
   size = SIMD_NAME(from_origin)(&t[1], &origin, size);
+  SIMD_REAL error = PAIR_ERROR * size + (pose[0].error + pose[1].error);
+  if (SIMD_NAME(apart_on)(cut->way[0], cut->enough, error, t, e) ||
+      SIMD_NAME(apart_on)(cut->way[1], cut->enough, error, t, e)) {
+    return;
+  }
   for (int i = 0; i < 3; i++) {
     SIMD_UNROLL for (int j = 0; j < 3; j++) { SIMD_NAME(offer_edges)(&n, &t[0], i, &t[1], j); }
   }
@@ -243,9 +265,8 @@ SIMD_TARGET static void SIMD_NAME(enclose)(const double *from, const world_pose 
   SIMD_NAME(offer_face)(&n, &t[1], &t[0]);
   gap = SIMD_NAME(gap_along)(&n.way, &t[0], &t[1]);
   for (int k = 0; k < SIMD_LANES; k++) {
-    double error = PAIR_ERROR * size[k] + pose[0].error + pose[1].error;
-    e[k].least = gap[k] / sqrt(n.square[k] + 0x1p-1000) - error;
-    e[k].most = sqrt(n.square[k]) + error;
+    e[k].least = gap[k] / sqrt(n.square[k] + 0x1p-1000) - error[k];
+    e[k].most = sqrt(n.square[k]) + error[k];
     for (int i = 0; i < 3; i++) {
       e[k].way[i] = n.way.c[i][k];
     }

@@ -21,7 +21,11 @@
  * `slack`, 2^-18 + 16 d. */
 #include "search.h"
 #include "body/turned.h"
+#include "frames.h"
+#include "queue.h"
+#include "support.h"
 #include "util/simd.h"
+#include "util/vector.h"
 
 #include <float.h>
 #include <math.h>
@@ -55,6 +59,13 @@ typedef struct {
 typedef struct {
   double least, most, way[3];
 } pair_enclosure;
+
+/* Directions on which many pairs of triangles have a gap: that of the nearest pair and that of the
+ * last one. Pairs whose gap on one of them is above `enough` need no more. */
+typedef struct {
+  double way[2][3];
+  double enough;
+} short_cut;
 
 #define SIMD_NAME(x) x##_portable
 #define SIMD_TARGET
@@ -102,15 +113,23 @@ uint32_t sepax__place_at(const sepax_body *b, uint32_t at) {
   return child_at(b, at) - BODY_TRIANGLE;
 }
 
+/* Make a vector's length 1, or 0 if it is too short or long. */
+static void set_unit(double to[3], const double v[3]) {
+  double length = vector_length(v);
+  double scale = length > 0x1p-400 && length < 0x1p400 ? 1 / length : 0;
+  for (int i = 0; i < 3; i++) {
+    to[i] = v[i] * scale;
+  }
+}
+
 /* The way between two bodies, in the coordinates of both, is an axis for boxes. */
 static void set_way(search *s, const double way[3]) {
-  double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
-  double scale = length > 0x1p-400 && length < 0x1p400 ? 1 / length : 0;
+  set_unit(s->line, way);
   for (int body = 0; body < 2; body++) {
     for (int i = 0; i < 3; i++) {
       double x = 0;
       for (int j = 0; j < 3; j++) {
-        x += s->pose[body].rotation[j][i] * way[j] * scale;
+        x += s->pose[body].rotation[j][i] * s->line[j];
       }
       s->way[body][i] = (float)x;
     }
@@ -127,34 +146,45 @@ static void drop_waiting(search *s) {
   s->count = count;
 }
 
-static void enclose(const search *s, const double *from, pair_enclosure *e) {
+static void enclose(const search *s, const double *from, const short_cut *cut, pair_enclosure *e) {
 #if defined __x86_64__
   if (!s->portable) {
-    enclose_avx2(from, s->pose, e);
+    enclose_avx2(from, s->pose, cut, e);
     return;
   }
 #endif
-  enclose_portable(from, s->pose, e);
+  enclose_portable(from, s->pose, cut, e);
+}
+
+/* Copy pairs that wait: coordinate i of vertex k of pair n of body b goes to (9 b + 3 k + i) lanes
+ * + n. */
+static void gather(const search *s, int first, int used, int lanes, double *from) {
+  for (int n = 0; n < lanes; n++) {
+    const box_pair *pair = &s->waiting[n < used ? first + n : first];
+    for (int body = 0; body < 2; body++) {
+      const double(*v)[3] = s->body[body]->triangle[sepax__place_at(s->body[body], pair->at[body])];
+      for (int k = 0; k < 9; k++) {
+        from[(9 * body + k) * lanes + n] = v[k / 3][k % 3] * s->pose[body].unit;
+      }
+    }
+  }
 }
 
 static void take_waiting(search *s) {
   const int lanes = s->portable ? 2 : 4;
   double from[18 * 4];
   pair_enclosure e[4];
+  short_cut cut;
+  memcpy(cut.way[1], s->line, sizeof s->line);
   drop_waiting(s);
   for (int first = 0; first < s->count && !s->ended; first += lanes) {
     int used = s->count - first < lanes ? s->count - first : lanes;
-    for (int n = 0; n < lanes; n++) {
-      const box_pair *pair = &s->waiting[n < used ? first + n : first];
-      for (int body = 0; body < 2; body++) {
-        const double(*v)[3] =
-            s->body[body]->triangle[sepax__place_at(s->body[body], pair->at[body])];
-        for (int k = 0; k < 9; k++) {
-          from[(9 * body + k) * lanes + n] = v[k / 3][k % 3] * s->pose[body].unit;
-        }
-      }
-    }
-    enclose(s, from, e);
+    gather(s, first, used, lanes, from);
+    memcpy(cut.way[0], s->line, sizeof s->line);
+    cut.enough = s->limit * s->unit;
+    enclose(s, from, &cut, e);
+    s->work += (uint64_t)used;
+    set_unit(cut.way[1], e[0].way);
     for (int n = 0; n < used && !s->ended; n++) {
       if (!(e[n].least > s->limit * s->unit)) {
         s->take(s, s->waiting[first + n].at, e[n].least / s->unit, e[n].most / s->unit);
@@ -172,7 +202,15 @@ static void take_waiting(search *s) {
 /* -------------------------------------------------------------------- the descent */
 
 /* Each of 64 levels of both trees leaves up to seven pairs. */
-enum { STACK = 2048, SEEDS = 2 };
+enum { STACK = 2048, SEEDS = 2, DEPTH_FIRST = 128, FIRST_PROOF = 64 };
+
+/* The pairs of boxes that are left: depth first in a stack, or best first in a queue, as far as
+ * that has room. */
+typedef struct {
+  box_pair stack[STACK];
+  int depth;
+  pair_queue *queue; /* NULL: depth first */
+} open_pairs;
 
 static float size_at(const sepax_body *b, uint32_t at) {
   const body_boxes *boxes = &b->boxes[at / BODY_WIDE];
@@ -201,44 +239,142 @@ static uint32_t bound(const search *s, int open, uint32_t node, uint32_t other,
   return bound_portable(boxes, &f, from, other % BODY_WIDE, square);
 }
 
+/* --------------------------------------------------------------- bounds in doubles */
+
+static void rotate(const double r[3][3], const double v[3], double to[3]) {
+  for (int i = 0; i < 3; i++) {
+    to[i] = vector_dot(r[i], v);
+  }
+}
+
+static void place_frame(const search *s, int body, uint32_t node, placed_frame *p) {
+  const body_frame *f = &s->body[body]->frame[node];
+  const double(*r)[3] = s->pose[body].rotation;
+  double centre[3];
+  rotate(r, f->centre, centre);
+  for (int i = 0; i < 3; i++) {
+    rotate(r, f->axis[i], p->axis[i]);
+    p->centre[i] = s->centre[body][i] + s->size[body] * centre[i];
+    p->half[i] = s->size[body] * f->half[i];
+  }
+}
+
+static void place_triangle(const search *s, int body, uint32_t child, placed_triangle t) {
+  const world_pose *p = &s->pose[body];
+  const double(*v)[3] = s->body[body]->triangle[child - BODY_TRIANGLE];
+  for (int k = 0; k < 3; k++) {
+    double scaled[3] = {v[k][0] * p->unit, v[k][1] * p->unit, v[k][2] * p->unit};
+    rotate(p->rotation, scaled, t[k]);
+    for (int i = 0; i < 3; i++) {
+      t[k][i] += p->translation[i];
+    }
+  }
+}
+
+/* A bound of the distance of two children in doubles, in the unit of the search; at least one of
+ * them is a node. */
+static double exact_bound(const search *s, const uint32_t child[2]) {
+  placed_frame frame[2];
+  placed_triangle t;
+  for (int body = 0; body < 2; body++) {
+    if ((child[body] & BODY_TRIANGLE) == 0) {
+      place_frame(s, body, child[body], &frame[body]);
+    } else {
+      place_triangle(s, body, child[body], t);
+    }
+  }
+  if (((child[0] | child[1]) & BODY_TRIANGLE) == 0) {
+    return sepax__frames_apart(&frame[0], &frame[1], s->line, s->skew);
+  }
+  return sepax__frame_apart(&frame[(child[0] & BODY_TRIANGLE) != 0], t, s->line, s->skew);
+}
+
+/* Would a bound in doubles be above the limit? It is not above the one in single precision by more
+ * than what that takes off for rounding: slack times the offset of the centres, which is less than
+ * twice the limit and all half sides, and 2^-15 of the half sides, each on three axes. */
+static bool in_doubt(const search *s, double least, const uint32_t at[2]) {
+  double half = 0;
+  for (int body = 0; body < 2; body++) {
+    half += (double)size_at(s->body[body], at[body]) * s->body[body]->scale / s->scale;
+  }
+  double limit = s->limit / s->scale;
+  double lost = 8 * (limit + half) * (double)s->slack + 0x1p-13 * half;
+  return isfinite(limit) && sqrt(least) + lost > limit;
+}
+
+/* Is a bound in doubles, in terms of `scale`, so near the limit that doubles do not decide? */
+static bool is_tie(const search *s, double bound) {
+  double limit = s->limit / s->scale;
+  double doubt = 8 * FRAME_ERROR;
+  return bound <= limit && limit - bound < doubt * (limit + 1 / (s->unit * s->scale));
+}
+
+/* The bound `least` of a pair in single precision, or a better one: in doubles, or, where these do
+ * not decide, by the direction of the nearest pair; infinite if that proves that it is not
+ * needed. */
+static double refined(search *s, double least, const uint32_t at[2]) {
+  const uint32_t child[2] = {child_at(s->body[0], at[0]), child_at(s->body[1], at[1])};
+  double unit = s->unit * s->scale; /* not 0, unless a translation is out of all proportion */
+  if ((child[0] & child[1] & BODY_TRIANGLE) != 0 || !(unit > 0x1p-900) || !in_doubt(s, least, at)) {
+    return least;
+  }
+  double bound = exact_bound(s, child) / unit * (1 - 0x1p-50);
+  s->work++;
+  if (s->proof.possible && is_tie(s, bound)) {
+    hindrance by;
+    if (sepax__prove_apart(s, child, &by)) {
+      return INFINITY;
+    }
+  }
+  return fmax(least, bound * bound);
+}
+
+/* --------------------------------------------------------------------- the search */
+
 /* Children of the opened node that may be near enough, the farthest first. */
-static int near_children(const search *s, int open, uint32_t node, uint32_t other,
+static int near_children(search *s, int open, uint32_t node, const box_pair *p,
                          box_pair near[BODY_WIDE]) {
   float square[BODY_WIDE];
   int count = 0;
-  for (uint32_t mask = bound(s, open, node, other, square); mask != 0; mask &= mask - 1) {
+  for (uint32_t mask = bound(s, open, node, p->at[!open], square); mask != 0; mask &= mask - 1) {
     uint32_t lane = (uint32_t)__builtin_ctz(mask);
-    double least = (double)square[lane] * s->square_of_unit[open];
+    double least = fmax((double)square[lane] * s->square_of_unit[open], p->least);
     if (s->body[open]->boxes[node].child[lane] == BODY_NONE) {
       continue;
     }
+    box_pair q;
+    q.at[open] = BODY_WIDE * node + lane;
+    q.at[!open] = p->at[!open];
+    q.least = refined(s, least, q.at);
+    if (q.least > s->most) {
+      continue;
+    }
     int at = count++;
-    for (; at > 0 && near[at - 1].least < least; at--) {
+    for (; at > 0 && near[at - 1].least < q.least; at--) {
       near[at] = near[at - 1];
     }
-    near[at].least = least;
-    near[at].at[open] = BODY_WIDE * node + lane;
-    near[at].at[!open] = other;
+    near[at] = q;
   }
   return count;
 }
 
-static void visit(search *s, const box_pair *p, box_pair *stack, int *depth) {
+static void visit(search *s, const box_pair *p, open_pairs *o) {
   uint32_t child[2] = {child_at(s->body[0], p->at[0]), child_at(s->body[1], p->at[1])};
   int open = opened(s, p, child);
   box_pair near[BODY_WIDE];
-  int count = near_children(s, open, child[open], p->at[!open], near);
+  int count = near_children(s, open, child[open], p, near);
+  s->work++;
   for (int n = 0; n < count; n++) {
     uint32_t below = child_at(s->body[open], near[n].at[open]);
     if ((child[!open] & below & BODY_TRIANGLE) != 0) {
       s->waiting[s->count++] = near[n];
     } else {
-      stack[(*depth)++] = near[n];
+      o->stack[o->depth++] = near[n];
     }
   }
 }
 
-static double seconds_now(void) {
+double sepax__seconds_now(void) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
@@ -256,7 +392,7 @@ static double skew_of(const world_pose *p) {
   return most + 0x1p-50;
 }
 
-static void prepare(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b) {
+double sepax__search_begin(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b) {
   int exponent;
   frexp(fmax(largest(s->body[0], pose_a), largest(s->body[1], pose_b)), &exponent);
   s->unit = ldexp(1, -exponent);
@@ -268,54 +404,116 @@ static void prepare(search *s, const sepax_pose *pose_a, const sepax_pose *pose_
 #else
   s->portable = true;
 #endif
-  s->slack = (float)(BOUND_SLACK + 16 * fmax(skew_of(&s->pose[0]), skew_of(&s->pose[1])));
+  double skew = fmax(skew_of(&s->pose[0]), skew_of(&s->pose[1]));
+  s->slack = (float)(BOUND_SLACK + 16 * skew);
+  s->skew = skew + 0x1p-47;
   s->scale = fmax(s->body[0]->scale, s->body[1]->scale);
+  double way[3];
   for (int body = 0; body < 2; body++) {
     double unit = s->body[body]->scale / s->scale;
+    double centre[3];
     s->square_of_unit[body] = unit * unit * (1 - 0x1p-22);
-  }
-  double way[3];
-  for (int i = 0; i < 3; i++) {
-    way[i] = 0;
-    for (int body = 0; body < 2; body++) {
-      const world_pose *p = &s->pose[body];
-      double at = p->translation[i];
-      for (int j = 0; j < 3; j++) {
-        at += p->rotation[i][j] * s->body[body]->centre[j] * s->unit;
-      }
-      way[i] += body == 0 ? -at : at;
+    s->size[body] = s->body[body]->scale * s->unit;
+    for (int i = 0; i < 3; i++) {
+      centre[i] = s->body[body]->centre[i] * s->unit;
     }
+    rotate(s->pose[body].rotation, centre, s->centre[body]);
+    for (int i = 0; i < 3; i++) {
+      s->centre[body][i] += s->pose[body].translation[i];
+    }
+  }
+  for (int i = 0; i < 3; i++) {
+    way[i] = s->centre[1][i] - s->centre[0][i];
   }
   set_way(s, way);
   s->shortest = INFINITY;
+  s->open = INFINITY;
+  return exact_bound(s, (const uint32_t[2]){0, 0}) / s->unit * (1 - 0x1p-50);
 }
 
 /* The square of the limit, as those of boxes are counted. In single precision these, sums of three
  * squares, round by 4 u; both sides give 2^-22. */
 static void find_most(search *s) {
   double limit = s->limit / s->scale;
-  s->most = limit * limit * (1 + 0x1p-22) + 0x1p-1000;
+  s->most = limit < 0 ? -1 : limit * limit * (1 + 0x1p-22) + 0x1p-1000;
   for (int body = 0; body < 2; body++) {
     limit = s->limit / s->body[body]->scale;
-    s->most_of[body] = (float)(limit * limit * (1 + 0x1p-22) + FLT_MIN);
+    s->most_of[body] = limit < 0 ? -1 : (float)(limit * limit * (1 + 0x1p-22) + FLT_MIN);
   }
 }
 
-void sepax__search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *pose_b) {
-  box_pair stack[STACK];
-  int depth = 1;
-  size_t visits = 0;
-  int seeds = SEEDS;
-  const uint32_t root[2] = {BODY_WIDE * (uint32_t)s->body[0]->nodes,
-                            BODY_WIDE * (uint32_t)s->body[1]->nodes};
-  double end = s->seconds > 0 ? seconds_now() + s->seconds : 0;
-  prepare(s, pose_a, pose_b);
-  stack[0].least = 0;
+/* Go on at the nearest triangles and the other body as a whole: what is nearest to them is likely
+ * near. */
+static void add_seeds(const search *s, open_pairs *o) {
   for (int k = 0; k < 2; k++) {
-    stack[0].at[k] = root[k];
+    box_pair *seed = &o->stack[o->depth++];
+    seed->least = 0;
+    seed->at[k] = s->nearest.at[k];
+    seed->at[!k] = BODY_WIDE * (uint32_t)s->body[!k]->nodes;
+  }
+}
+
+/* Move pairs from the stack to the queue. */
+static void enqueue(open_pairs *o) {
+  int left = 0;
+  for (int n = 0; n < o->depth; n++) {
+    if (!queue_push(o->queue, &o->stack[n])) {
+      o->stack[left++] = o->stack[n];
+    }
+  }
+  o->depth = left;
+}
+
+static bool next_pair(search *s, open_pairs *o, box_pair *p) {
+  while (o->depth > 0) {
+    *p = o->stack[--o->depth];
+    if (p->least <= s->most) {
+      return true;
+    }
+  }
+  while (o->queue != NULL && queue_pop(o->queue, p)) {
+    if (p->least <= s->most) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* What is left is not nearer than this, in file units. */
+static double least_of_open(const search *s, const open_pairs *o) {
+  double least = INFINITY;
+  for (int n = 0; n < o->depth; n++) {
+    least = fmin(least, o->stack[n].least);
+  }
+  for (int n = 0; n < s->count; n++) {
+    least = fmin(least, s->waiting[n].least);
+  }
+  if (o->queue != NULL) {
+    least = fmin(least, queue_least(o->queue));
+  }
+  return sqrt(least) * (1 - 0x1p-50) * s->scale;
+}
+
+static bool has_ended(const search *s, size_t steps, double end) {
+  return (s->work_most > 0 && s->work >= s->work_most) ||
+         (end > 0 && steps % 64 == 1 && sepax__seconds_now() >= end);
+}
+
+/* `queue`: where pairs go once a limit is known and the search has taken some steps; or NULL. */
+static void run(search *s, pair_queue *queue) {
+  open_pairs o;
+  size_t steps = 0;
+  size_t proof = FIRST_PROOF; /* steps before the next attempt of a proof */
+  int seeds = SEEDS;
+  double end = s->seconds > 0 ? sepax__seconds_now() + s->seconds : 0;
+  o.depth = 1;
+  o.queue = NULL;
+  o.stack[0].least = 0;
+  for (int k = 0; k < 2; k++) {
+    o.stack[0].at[k] = BODY_WIDE * (uint32_t)s->body[k]->nodes;
   }
   find_most(s);
-  while (depth > 0 && !s->ended) {
+  for (box_pair p; !s->ended;) {
     double limit = s->limit;
     if (s->count >= s->batch || s->count > SEARCH_BATCH - BODY_WIDE ||
         (s->count > 0 && isinf(limit))) {
@@ -323,22 +521,48 @@ void sepax__search_pairs(search *s, const sepax_pose *pose_a, const sepax_pose *
       find_most(s);
     }
     if (s->limit < limit && seeds-- > 0) {
-      for (int k = 0; k < 2; k++) {
-        stack[depth].least = 0;
-        stack[depth].at[k] = s->nearest.at[k];
-        stack[depth++].at[!k] = root[!k];
-      }
+      add_seeds(s, &o);
       continue;
     }
-    box_pair p = stack[--depth];
-    if (p.least <= s->most) {
-      visit(s, &p, stack, &depth);
+    if (!next_pair(s, &o, &p)) {
+      break;
     }
-    if (end > 0 && visits++ % 64 == 0 && seconds_now() >= end) {
+    visit(s, &p, &o);
+    steps++;
+    if (queue != NULL && o.queue == NULL && steps > DEPTH_FIRST && isfinite(s->limit)) {
+      o.queue = queue;
+      queue_clear(queue, s->most);
+    }
+    if (o.queue != NULL) {
+      enqueue(&o);
+    }
+    if (s->prove != NULL && steps >= proof && isfinite(s->shortest)) {
+      if (s->prove(s)) {
+        return;
+      }
+      proof = 4 * steps;
+    }
+    if (has_ended(s, steps, end)) {
       s->ended = true;
+      s->open = least_of_open(s, &o);
     }
   }
   if (!s->ended) {
     take_waiting(s);
+  }
+}
+
+/* Not inlined, because a search without limits needs no memory for the queue. */
+static __attribute__((noinline)) void run_best_first(search *s) {
+  pair_queue queue;
+  queue_clear(&queue, 0);
+  run(s, &queue);
+}
+
+void sepax__search_pairs(search *s) {
+  if (s->best_first) {
+    run_best_first(s);
+  } else {
+    run(s, NULL);
   }
 }

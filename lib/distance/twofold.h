@@ -86,6 +86,14 @@ static inline twofold twofold_scaled(twofold a, int exponent) {
   return (twofold){ldexp(a.high, exponent), ldexp(a.low, exponent)};
 }
 
+static inline twofold twofold_dot(const twofold_vector *p, const twofold_vector *q) {
+  twofold r = twofold_multiply(p->c[0], q->c[0]);
+  for (int i = 1; i < 3; i++) {
+    r = twofold_add(r, twofold_multiply(p->c[i], q->c[i]));
+  }
+  return r;
+}
+
 static inline bool twofold_less(twofold a, twofold b) {
   return a.high < b.high || (a.high == b.high && a.low < b.low);
 }

@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: MIT */
+/* support.c - a proof by one direction that two bodies are apart.
+ *
+ * On the direction w the nearest triangles so far leave a gap. What it is more than is needed is to
+ * spare. Each body is searched for vertices that are beyond its nearest triangle: nodes that, by
+ * their boxes in doubles, clearly take no more than half of what is to spare are passed over;
+ * triangles in doubt are looked at in twofold numbers. What the first body takes is no longer to
+ * spare for the second.
+ *
+ * Errors, with u = 2^-53, in the unit of the search, in which coordinates and translations are at
+ * most 1, and with 1/2 <= |w| <= sqrt(3). A coordinate of R^T w is a sum of three products of
+ * numbers up to 1.01 and 1: wrong by 33 u^2. Its product with a vertex, and that of w with the
+ * translation, are wrong by less than 100 u^2 + 60 u^2 + 60 u^2 < 2^-98. Four such sums and the
+ * differences that are made of them are wrong by less than 2^-95, divided by |w|. In doubles a
+ * centre of a box or a vertex is wrong by less than 2^-47 (frames.h), on w by less than 2^-44. */
+#include "support.h"
+
+#include "util/vector.h"
+
+#define PROOF_ERROR 0x1p-94
+#define DOUBLE_ERROR 0x1p-43
+#define HARDLY 0x1p-40
+
+enum { STACK = 1024 }; /* each of 64 levels leaves up to seven nodes */
+
+/* One body on the way. */
+typedef struct {
+  const search *s;
+  int body;
+  bool high;            /* does this side of the body look to greater numbers? */
+  double way[3], rough; /* the way in the body's coordinates and its origin on it, in doubles */
+  twofold taken, spare; /* how far beyond the nearest triangle vertices are, and may be */
+  uint32_t beyond;      /* box of a triangle that is beyond all that is to spare */
+} side;
+
+static twofold end_of(const side *r) { return r->s->proof.end[r->body]; }
+
+static twofold at_vertex(const side *r, const double v[3]) {
+  const double unit = r->s->pose[r->body].unit;
+  const twofold_vector scaled = {{{v[0] * unit, 0}, {v[1] * unit, 0}, {v[2] * unit, 0}}};
+  const direction_proof *p = &r->s->proof;
+  return twofold_add(p->shift[r->body], twofold_dot(&p->turned[r->body], &scaled));
+}
+
+/* Of the vertex of a triangle that is farthest out. */
+static twofold outermost(const side *r, const double v[3][3]) {
+  twofold most = at_vertex(r, v[0]);
+  for (int k = 1; k < 3; k++) {
+    twofold at = at_vertex(r, v[k]);
+    most = r->high == twofold_less(most, at) ? at : most;
+  }
+  return most;
+}
+
+/* Does something that reaches `reach` to both sides of `at` clearly take no more? */
+static bool clearly_within(const side *r, double at, double reach) {
+  double out = r->high ? at - end_of(r).high : end_of(r).high - at;
+  return out + reach <= r->taken.high - DOUBLE_ERROR;
+}
+
+static bool node_is_within(const side *r, uint32_t node) {
+  const sepax_body *b = r->s->body[r->body];
+  const body_frame *f = &b->frame[node];
+  const double unit = r->s->pose[r->body].unit;
+  const double size = r->s->size[r->body];
+  double at = r->rough;
+  double reach = 0;
+  for (int i = 0; i < 3; i++) {
+    at += r->way[i] * (b->centre[i] * unit + size * f->centre[i]);
+    reach += fabs(vector_dot(f->axis[i], r->way)) * f->half[i] * size;
+  }
+  return clearly_within(r, at, reach);
+}
+
+/* False if the triangle takes more than is to spare. */
+static bool take_triangle(side *r, const double v[3][3]) {
+  const double unit = r->s->pose[r->body].unit;
+  bool within = true;
+  for (int k = 0; k < 3 && within; k++) {
+    within = clearly_within(r, r->rough + vector_dot(r->way, v[k]) * unit, 0);
+  }
+  if (within) {
+    return true;
+  }
+  twofold at = outermost(r, v);
+  twofold out = r->high ? twofold_subtract(at, end_of(r)) : twofold_subtract(end_of(r), at);
+  r->taken = twofold_less(r->taken, out) ? out : r->taken;
+  return !twofold_less(r->spare, out);
+}
+
+/* True only if no vertex below a node takes more than is to spare. */
+static bool take_node(side *r, uint32_t node, uint64_t *work, uint64_t most) {
+  const sepax_body *b = r->s->body[r->body];
+  uint32_t stack[STACK];
+  int depth = 1;
+  stack[0] = node;
+  while (depth > 0) {
+    uint32_t number = stack[--depth];
+    if (++*work > most) {
+      return false;
+    }
+    if (node_is_within(r, number)) {
+      continue;
+    }
+    const body_boxes *boxes = &b->boxes[number];
+    for (int lane = 0; lane < BODY_WIDE && boxes->child[lane] != BODY_NONE; lane++) {
+      uint32_t child = boxes->child[lane];
+      if ((child & BODY_TRIANGLE) == 0) {
+        stack[depth++] = child;
+        continue;
+      }
+      ++*work;
+      if (!take_triangle(r, b->triangle[child - BODY_TRIANGLE])) {
+        r->beyond = BODY_WIDE * number + (uint32_t)lane;
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+static bool take_child(side *r, uint32_t child, uint64_t *work, uint64_t most) {
+  if ((child & BODY_TRIANGLE) == 0) {
+    return take_node(r, child, work, most);
+  }
+  ++*work;
+  return take_triangle(r, r->s->body[r->body]->triangle[child - BODY_TRIANGLE]);
+}
+
+/* The way, or the line of the search, with its largest coordinate in 1/2 ... 1; false if it is
+ * 0. */
+static bool scaled_way(const search *s, const twofold_vector *way, twofold_vector *scaled) {
+  double largest = 0;
+  for (int turn = 0; turn < 2 && !(largest > 0); turn++) {
+    for (int i = 0; i < 3; i++) {
+      scaled->c[i] = turn == 0 ? way->c[i] : twofold_of(s->line[i]);
+      largest = fmax(largest, fabs(scaled->c[i].high));
+    }
+  }
+  if (!(largest > 0x1p-900 && largest < 0x1p900)) {
+    return false;
+  }
+  int exponent;
+  frexp(largest, &exponent);
+  for (int i = 0; i < 3; i++) {
+    scaled->c[i] = twofold_scaled(scaled->c[i], -exponent);
+  }
+  return true;
+}
+
+static uint64_t work_allowed(const search *s) {
+  uint64_t most = 4 * s->work;
+  if (s->work_most > 0) {
+    uint64_t left = s->work_most > s->work ? s->work_most - s->work : 0;
+    most = most < left ? most : left;
+  }
+  return most;
+}
+
+static void turn_way(search *s, int body, const twofold_vector *way) {
+  const world_pose *p = &s->pose[body];
+  twofold_vector *turned = &s->proof.turned[body];
+  twofold *shift = &s->proof.shift[body];
+  *shift = twofold_of(0);
+  for (int i = 0; i < 3; i++) {
+    turned->c[i] = twofold_of(0);
+    for (int k = 0; k < 3; k++) {
+      twofold part = twofold_multiply(way->c[k], twofold_of(p->rotation[k][i]));
+      turned->c[i] = twofold_add(turned->c[i], part);
+    }
+    *shift = twofold_add(*shift, twofold_multiply(way->c[i], twofold_of(p->translation[i])));
+  }
+}
+
+static side side_of(const search *s, int body) {
+  const direction_proof *p = &s->proof;
+  side r = {.s = s, .body = body, .high = body == p->high, .beyond = BODY_NONE};
+  for (int i = 0; i < 3; i++) {
+    r.way[i] = p->turned[body].c[i].high;
+  }
+  r.rough = p->shift[body].high;
+  return r;
+}
+
+/* Find on which sides of the way the bodies are, by their nearest triangles; the gap of these. */
+static twofold place_sides(search *s, const uint32_t at[2]) {
+  direction_proof *p = &s->proof;
+  twofold gap = {0, 0};
+  for (int high = 0; high < 2 && !(gap.high > 0); high++) {
+    p->high = high;
+    for (int k = 0; k < 2; k++) {
+      side r = side_of(s, k);
+      p->end[k] = outermost(&r, s->body[k]->triangle[sepax__place_at(s->body[k], at[k])]);
+    }
+    gap = twofold_subtract(p->end[!high], p->end[high]);
+  }
+  return gap;
+}
+
+bool sepax__proof_begin(search *s, const twofold_vector *way, const uint32_t at[2], twofold need) {
+  direction_proof *p = &s->proof;
+  twofold_vector w;
+  p->possible = false;
+  if (!scaled_way(s, way, &w)) {
+    return false;
+  }
+  turn_way(s, 0, &w);
+  turn_way(s, 1, &w);
+  twofold gap = place_sides(s, at);
+  twofold length = twofold_root(twofold_dot(&w, &w));
+  need = twofold_add(twofold_of(PROOF_ERROR), twofold_multiply(need, twofold_of(s->unit)));
+  p->spare = twofold_subtract(gap, twofold_multiply(need, length));
+  p->possible = gap.high > 0 && p->spare.high >= 0;
+  return p->possible;
+}
+
+bool sepax__prove_apart(search *s, const uint32_t child[2], hindrance *by) {
+  const uint64_t most = work_allowed(s);
+  twofold spare = s->proof.spare;
+  uint64_t work = 0;
+  bool proved = true;
+  by->body = -1;
+  for (int k = 0; k < 2 && proved; k++) {
+    side r = side_of(s, k);
+    r.spare = spare;
+    r.taken = twofold_scaled(spare, -1);
+    proved = take_child(&r, child[k], &work, most);
+    if (r.beyond != BODY_NONE && r.taken.high < HARDLY) {
+      *by = (hindrance){k, r.beyond};
+    }
+    spare = twofold_subtract(spare, r.taken);
+  }
+  s->work += work;
+  return proved;
+}
