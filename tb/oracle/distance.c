@@ -6,6 +6,8 @@
 #include "oracle.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* ---------------------------------------------------------------------- in doubles */
 
@@ -62,13 +64,8 @@ static bool foot_inside(point x, const point t[3], point *at) {
   return square > 0;
 }
 
-double distance_rounded(const sepax_tri *a, const sepax_tri *b, double way[3]) {
-  point p[2][3];
+static double distance_of_points(point p[2][3], double way[3]) {
   nearest n = {INFINITY, {{0, 0, 0}}};
-  for (int k = 0; k < 3; k++) {
-    p[0][k] = point_of(a->v[k]);
-    p[1][k] = point_of(b->v[k]);
-  }
   for (int i = 0; i < 3; i++) {
     point u = minus(p[0][(i + 1) % 3], p[0][i]);
     point at;
@@ -86,6 +83,22 @@ double distance_rounded(const sepax_tri *a, const sepax_tri *b, double way[3]) {
     way[i] = n.way.c[i];
   }
   return sqrt(n.squared);
+}
+
+double distance_rounded(const sepax_tri *a, const sepax_tri *b, double way[3]) {
+  point p[2][3];
+  for (int k = 0; k < 3; k++) {
+    p[0][k] = point_of(a->v[k]);
+    p[1][k] = point_of(b->v[k]);
+  }
+  return distance_of_points(p, way);
+}
+
+double distance_rounded_real(const double a[3][3], const double b[3][3], double way[3]) {
+  point p[2][3];
+  memcpy(p[0], a, sizeof p[0]);
+  memcpy(p[1], b, sizeof p[1]);
+  return distance_of_points(p, way);
 }
 
 /* The distance exceeds the limit, as the projections on a whole-numbered vector say: exact. */
@@ -121,8 +134,18 @@ static bool proved_farther(const sepax_tri *a, const sepax_tri *b, int64_t limit
 
 /* Squares of distances are `distance` / `square`, that of the limit is `limit`. */
 
-/* distance / square <= limit, with square > 0. */
+/* distance / square <= limit, with square > 0. A search for the least square has a limit below 0:
+ * nothing is near, and `over` / `under` becomes the least. */
 static bool near_enough(work *w) {
+  if (mpz_sgn(w->limit) < 0) {
+    mpz_mul(w->s, w->over, w->square);
+    mpz_mul(w->t, w->distance, w->under);
+    if (mpz_sgn(w->under) == 0 || mpz_cmp(w->t, w->s) < 0) {
+      mpz_set(w->over, w->distance);
+      mpz_set(w->under, w->square);
+    }
+    return false;
+  }
   mpz_mul(w->t, w->square, w->limit);
   return mpz_cmp(w->distance, w->t) <= 0;
 }
@@ -130,7 +153,8 @@ static bool near_enough(work *w) {
 static bool points_near(work *w, const vec *p, const vec *q) {
   vec_sub(&w->d, q, p);
   vec_dot(w->distance, &w->d, &w->d);
-  return mpz_cmp(w->distance, w->limit) <= 0;
+  mpz_set_ui(w->square, 1);
+  return near_enough(w);
 }
 
 /* To the inside of a segment; its ends are other points. */
@@ -209,6 +233,92 @@ bool distance_within_posed(const double a[3][3], const sepax_pose *pose_a, const
   mpz_mul(w.limit, w.limit, w.limit);
   bool near = any_near(&w) || oracle_collide_posed(a, pose_a, b, pose_b);
   work_clear(&w);
+  return near;
+}
+
+void exact_square_init(exact_square *s) {
+  mpz_inits(s->over, s->under, NULL);
+  s->exponent = 0;
+}
+
+void exact_square_clear(exact_square *s) { mpz_clears(s->over, s->under, NULL); }
+
+void distance_square_posed(exact_square *r, const double a[3][3], const sepax_pose *pose_a,
+                           const double b[3][3], const sepax_pose *pose_b) {
+  work w;
+  r->exponent = 2L * work_init_posed(&w, a, pose_a, b, pose_b, 0);
+  if (oracle_collide_posed(a, pose_a, b, pose_b)) {
+    mpz_set_ui(w.under, 1);
+  } else {
+    mpz_set_si(w.limit, -1);
+    (void)any_near(&w);
+  }
+  mpz_swap(r->over, w.over);
+  mpz_swap(r->under, w.under);
+  work_clear(&w);
+}
+
+/* The sign of p 2^p_exponent - q 2^q_exponent, both at least 0. Their sizes decide at first. */
+static int compare_scaled(const mpz_t p, long p_exponent, const mpz_t q, long q_exponent) {
+  if (mpz_sgn(p) == 0 || mpz_sgn(q) == 0) {
+    return (mpz_sgn(p) != 0) - (mpz_sgn(q) != 0);
+  }
+  long p_top = (long)mpz_sizeinbase(p, 2) + p_exponent;
+  long q_top = (long)mpz_sizeinbase(q, 2) + q_exponent;
+  if (p_top != q_top) {
+    return p_top < q_top ? -1 : 1;
+  }
+  mpz_t shifted;
+  mpz_init(shifted);
+  bool up = p_exponent > q_exponent;
+  mpz_mul_2exp(shifted, up ? p : q, (mp_bitcnt_t)labs(p_exponent - q_exponent));
+  int order = up ? mpz_cmp(shifted, q) : mpz_cmp(p, shifted);
+  mpz_clear(shifted);
+  return (order > 0) - (order < 0);
+}
+
+int exact_square_compare(const exact_square *p, const exact_square *q) {
+  mpz_t left;
+  mpz_t right;
+  mpz_inits(left, right, NULL);
+  mpz_mul(left, p->over, q->under);
+  mpz_mul(right, q->over, p->under);
+  int order = compare_scaled(left, p->exponent, right, q->exponent);
+  mpz_clears(left, right, NULL);
+  return order;
+}
+
+int exact_square_compare_length(const exact_square *s, double length) {
+  int exponent;
+  double mantissa = frexp(length, &exponent);
+  exact_square other;
+  exact_square_init(&other);
+  mpz_set_d(other.over, ldexp(mantissa, 53));
+  mpz_mul(other.over, other.over, other.over);
+  mpz_set_ui(other.under, 1);
+  other.exponent = 2L * (exponent - 53);
+  int order = exact_square_compare(s, &other);
+  exact_square_clear(&other);
+  return order;
+}
+
+double exact_square_root(const exact_square *s) {
+  if (mpz_sgn(s->over) == 0) {
+    return 0;
+  }
+  long over;
+  long under;
+  double ratio = mpz_get_d_2exp(&over, s->over) / mpz_get_d_2exp(&under, s->under);
+  long exponent = over - under + s->exponent;
+  long odd = labs(exponent) % 2;
+  long half = (exponent - odd) / 2;
+  double near = ldexp(sqrt(ldexp(ratio, (int)odd)), (int)half);
+  while (exact_square_compare_length(s, near) < 0) {
+    near = nextafter(near, 0);
+  }
+  for (double next; next = nextafter(near, INFINITY), exact_square_compare_length(s, next) >= 0;) {
+    near = next;
+  }
   return near;
 }
 

@@ -46,8 +46,9 @@ typedef union {
     vec n[2];             /* the normals of A, of B */
     vec u, v, d, c, e, x; /* temporaries */
     mpz_t s, t, square, distance, limit;
+    mpz_t over, under; /* over / under: the least square so far (distance.c) */
   };
-  mpz_t all[3 * 14 + 5];
+  mpz_t all[3 * 14 + 7];
 } work;
 
 static inline void work_new(work *w) {
@@ -73,9 +74,9 @@ static inline void work_init(work *w, const sepax_tri *a, const sepax_tri *b) {
 }
 
 /* Vertices of doubles in poses (NULL: as they are) and the limit, times a power of two that makes
- * them integers (oracle.c). */
-void work_init_posed(work *w, const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                     const sepax_pose *pose_b, double limit);
+ * them integers (oracle.c). Returns the exponent of the unit of these integers. */
+int work_init_posed(work *w, const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                    const sepax_pose *pose_b, double limit);
 
 static inline void work_clear(work *w) {
   for (size_t i = 0; i < sizeof w->all / sizeof *w->all; i++) {

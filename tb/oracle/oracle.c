@@ -150,8 +150,8 @@ static void find_terms(term t[4], const double v[3], const sepax_pose *pose, int
   t[3] = term_of(pose != NULL ? pose->translation[axis] : 0, 1);
 }
 
-void work_init_posed(work *w, const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
-                     const sepax_pose *pose_b, double limit) {
+int work_init_posed(work *w, const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
+                    const sepax_pose *pose_b, double limit) {
   enum { LIMIT = 18 };
   term t[LIMIT + 1][4] = {{{{0, 0}, 0}}};
   int lowest = INT_MAX; /* exponent; times two to minus this all numbers are integers */
@@ -176,6 +176,7 @@ void work_init_posed(work *w, const double a[3][3], const sepax_pose *pose_a, co
     }
   }
   work_normals(w);
+  return lowest;
 }
 
 bool oracle_collide_posed(const double a[3][3], const sepax_pose *pose_a, const double b[3][3],
