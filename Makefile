@@ -71,9 +71,9 @@ include $(addprefix scripts/make/,install.mk quality.mk)
 
 # The names that `make experiment` takes; scripts/make has the rules of some.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes calibrate clearance cocotb \
-              compare-meshes coverage driver engine-sweep exhaustive fuzz hard multivt mutation \
-              mutation-c netlist-sweep packages path-campaign posed-pairs proofs sanitize scene \
-              slurm static tree-campaign tree-fuzz tree-scene tree-sweep verify
+              compare-meshes coverage distances driver engine-sweep exhaustive fuzz hard multivt \
+              mutation mutation-c netlist-sweep packages path-campaign posed-pairs proofs \
+              sanitize scene slurm static tree-campaign tree-fuzz tree-scene tree-sweep verify
 
 .PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
         reference clean paper area timing power fpga layout report \
@@ -248,9 +248,13 @@ experiment-bench: $(SEPAX) $(BUILD)/bench $(BUILD)/bench_batch
 experiment-posed-pairs: $(BUILD)/posed-pairs
 	@$(EXPERIMENT)/campaign $< $(if $(call given,COUNT),$(COUNT),10000000) $(SEED)
 
+experiment-distances: $(BUILD)/distances
+	@$(EXPERIMENT)/distances $< $(if $(call given,COUNT),$(COUNT),1000000) $(SEED)
+
 # Real meshes where they are at hand.
 MESH_DIR ?= $(wildcard ../shared/meshes)
 experiment-bench-bodies: $(BUILD)/bench_bodies
+	@$(MAKE) -C examples/five-axis BUILD=$(abspath $(BUILD)) scene
 	@MESH_DIR="$(MESH_DIR)" $(EXPERIMENT)/bodies $(BUILD)/bodies \
 	  $(if $(call given,COUNT),$(COUNT),1000) $(MESHES)
 

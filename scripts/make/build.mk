@@ -129,6 +129,7 @@ $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-pairs: $(call object,tb/pairs/clearance.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/posed-pairs: $(call object,tb/pairs/posed.c) $(ORACLE_OBJ) $(LIB)
+$(BUILD)/distances: $(call object,tb/pairs/distances.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/hard-pairs: $(call object,tb/pairs/hard.c) $(LIB)
 $(BUILD)/refine: $(call object,tb/tree_engine/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
@@ -141,9 +142,9 @@ $(BUILD)/power: LIBS = -ljansson $(IO_LIBS)
 $(SEPAX): LIBS = -ljansson $(IO_LIBS) $(if $(with_md),-lmd)
 $(BUILD)/sepax-certificate-check: LIBS = -ljansson -lxml2 -lzip -lmd
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
-$(BUILD)/clearance-pairs $(BUILD)/posed-pairs: LIBS = -lgmp
+$(BUILD)/clearance-pairs $(BUILD)/posed-pairs $(BUILD)/distances: LIBS = -lgmp
 $(SEPAX) $(addprefix $(BUILD)/,bench_batch layout liberty power refine) \
-    $(addprefix $(BUILD)/,clearance-pairs posed-pairs hard-pairs bench) \
+    $(addprefix $(BUILD)/,clearance-pairs posed-pairs distances hard-pairs bench) \
     $(addprefix $(BUILD)/,sepax-certificate-check certificate-grazes):
 	$(link)
 
@@ -183,7 +184,10 @@ $(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(FOR
 	$(link)
 
 # Bodies that move beside the libraries that are here.
-header   = $(shell echo '$(hash)include <$(1)>' | $(CXX) -x c++ -E - > /dev/null 2>&1 && echo $(2))
+header   = $(shell echo '$(hash)include <$(1)>' | $(CXX) $(PEERS_I) -x c++ -E - > /dev/null 2>&1 \
+             && echo $(2))
+PEERS_I  = $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I fcl eigen3 2> /dev/null || \
+             echo -I/usr/include/eigen3))
 BODIES_O = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard tb/benchmark/*.cpp)) \
            $(call object,tb/oracle/oracle.c)
 SWEEP_O  = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard tb/tree_engine/sweep/*.cpp) \
@@ -192,11 +196,21 @@ $(BUILD)/obj/tb/%.o: tb/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX     $<"
 	@$(CXX) -std=c++17 -O3 -DNDEBUG -Wall -Wextra -Werror -Ilib -Ic_model -Itb \
-	  $$(pkg-config --cflags-only-I fcl 2> /dev/null | sed 's/-I/-isystem /g') -MMD -MP -c $< -o $@
+	  $(PEER_FLAGS) $(PEERS_I) -MMD -MP -c $< -o $@
+# Coal is of PyPI (scripts/setup venv), its Eigen of Debian.
+CMEEL      = $(wildcard $(BUILD)/venv/lib/python3*/site-packages/cmeel.prefix)
+COAL       = $(wildcard $(addsuffix /include/coal/distance.h,$(CMEEL)))
+COAL_OF    = $(abspath $(COAL:%/include/coal/distance.h=%))
+COAL_LIB   = $(addsuffix /lib,$(COAL_OF))
+$(BUILD)/obj/tb/benchmark/peer_coal.o: PEER_FLAGS = $(COAL_OF:%=-isystem %/include)
+$(BUILD)/obj/tb/benchmark/peer_coal.o: $(COAL)
+comma      = ,
 $(BUILD)/bench_bodies: $(BODIES_O) $(LIB)
 	@echo "  LINK    $@"
 	@$(CXX) $^ $(call header,fcl/fcl.h,-lfcl -lccd) $(call header,embree3/rtcore.h,-lembree3) \
-	  $(call header,mpfr.h,-lmpfr) -lgmp -lm -pthread -o $@
+	  $(call header,mpfr.h,-lmpfr) $(addsuffix /libcoal.so,$(COAL_LIB)) \
+	  $(addprefix -Wl$(comma)-rpath$(comma),$(COAL_LIB)) \
+	  -lgmp -lm -pthread -o $@
 # Meshes from files, by assimp, too, where its header is.
 $(BUILD)/mesh_files: LIBS = -ljansson $(IO_LIBS) $(call header,assimp/cimport.h,-lassimp)
 $(BUILD)/mesh_files: $(call object,tb/benchmark/mesh_files.c) $(IO) $(LIB)

@@ -7,7 +7,7 @@
 
 namespace {
 
-const char *const query_names[QUERIES] = {"first", "all", "distance"};
+const char *const query_names[QUERIES] = {"first", "all", "distance", "1e-6"};
 
 /* Rows of a scene's poses; the others are of one-shot searches and of bars of their own. */
 bool is_kind(const std::string &kind) {
@@ -28,10 +28,11 @@ size_t Report::wrong() const {
   return sum;
 }
 
-std::vector<std::string> Report::scenes() const {
+std::vector<std::string> Report::scenes(Choice choice) const {
   std::vector<std::string> list;
   for (const Row &row : rows) {
-    if (list.empty() || list.back() != row.scene) {
+    const bool chosen = choice == BOTH || row.unkind == (choice == UNKIND);
+    if (chosen && std::find(list.begin(), list.end(), row.scene) == list.end()) {
       list.push_back(row.scene);
     }
   }
@@ -41,7 +42,7 @@ std::vector<std::string> Report::scenes() const {
 Row Report::sum_of(const std::string &scene) const {
   Row sum;
   for (const Row &row : rows) {
-    if (row.scene != scene || !is_kind(row.kind)) {
+    if (row.scene != scene || !(row.unkind || is_kind(row.kind))) {
       continue;
     }
     sum.scene = scene;
@@ -64,13 +65,13 @@ void Report::print_row(const Row &row, int query, const char *what) const {
   if (figures[0].poses == 0) {
     return;
   }
-  printf("  %-17s %-9s %9.1f %10.4f", row.kind.c_str(), what,
+  printf("  %-17s %-9s %9.1f %10.5f", row.kind.c_str(), what,
          double(figures[0].pairs) / double(figures[0].poses), figures[0].ms());
   for (int k = 1; k < PEERS; k++) {
     if (figures[k].poses == 0) {
       printf(" %20s", "-");
     } else {
-      printf(" %10.4f %8.2fx", figures[k].ms(), figures[k].ms() / figures[0].ms());
+      printf(" %10.5f %8.3gx", figures[k].ms(), figures[k].ms() / figures[0].ms());
     }
   }
   for (int k = 0; k < PEERS; k++) {
@@ -113,16 +114,17 @@ const Row *Report::row_of(const std::string &scene, const std::string &kind) con
 }
 
 /* Times libsepax's, of the rows of each scene. kind: nullptr for the mean of all poses. */
-Ratios Report::ratios(int query, int library, const char *kind) const {
+Ratios Report::ratios(int query, int library, const char *kind, Choice choice) const {
   Ratios r;
   double sum = 0;
-  for (const std::string &scene : scenes()) {
+  for (const std::string &scene : scenes(choice)) {
     const Row mean = sum_of(scene);
     const Row *row = kind == nullptr ? &mean : row_of(scene, kind);
     const Figures *figures = row != nullptr ? row->figures[query] : nullptr;
     if (figures != nullptr && figures[0].poses > 0 && figures[library].poses > 0) {
       const double ratio = figures[library].ms() / figures[0].ms();
       sum += std::log(ratio);
+      r.least_of = ratio < r.least ? scene : r.least_of;
       r.least = std::fmin(r.least, ratio);
       r.count++;
     }
@@ -138,9 +140,43 @@ void Report::print_ratios(int query, const char *kind, double least_fcl) const {
       continue;
     }
     const bool each = k == 1 && least_fcl > 0;
-    printf("  %-17s %-9s %-8s %8.2f %8.2f   %s\n", kind != nullptr ? kind : "mean",
+    printf("  %-17s %-9s %-8s %8.3g %8.3g   %s\n", kind != nullptr ? kind : "mean",
            query_names[query], name[size_t(k)].c_str(), r.mean, r.least,
            each ? (r.least >= least_fcl ? "met" : "missed") : (r.mean >= 1 ? "met" : "missed"));
+  }
+}
+
+/* The means of the scenes of either kind and of both, and the scene of the least ratio. */
+void Report::print_distances(int query) const {
+  static const char *const names[] = {"kind scenes", "unkind scenes", "all scenes"};
+  for (int choice = KIND; choice <= BOTH; choice++) {
+    for (int k = 1; k < PEERS; k++) {
+      const Ratios r = ratios(query, k, nullptr, Choice(choice));
+      if (r.count > 0) {
+        printf("  %-17s %-9s %-8s %8.3g %8.3g   %s of %zu: %s\n", names[choice], query_names[query],
+               name[size_t(k)].c_str(), r.mean, r.least, "least", r.count, r.least_of.c_str());
+      }
+    }
+  }
+}
+
+/* Scenes in which the library takes less than 50 us, where 10 us are the bar, and those in which
+ * libsepax is not twice as fast. */
+void Report::print_slow(int query, int library) const {
+  constexpr double SHORT = 0.05, BAR = 0.01, FASTER = 2;
+  for (const std::string &scene : scenes(BOTH)) {
+    const Row row = sum_of(scene);
+    const Figures *f = row.figures[query];
+    if (f[0].poses == 0 || f[library].poses == 0) {
+      continue;
+    }
+    const bool is_short = f[library].ms() <= SHORT;
+    const bool met = is_short ? f[0].ms() <= BAR : f[library].ms() >= FASTER * f[0].ms();
+    if (is_short || !met) {
+      printf("  %-17s %-9s %s %.2f us, libsepax %.2f us, bar %s   %s\n", scene.c_str(),
+             query_names[query], name[size_t(library)].c_str(), 1e3 * f[library].ms(),
+             1e3 * f[0].ms(), is_short ? "10 us" : "half", met ? "met" : "missed");
+    }
   }
 }
 
@@ -157,12 +193,20 @@ void Report::print_bars() const {
   printf("times libsepax's: geometric mean over the meshes, least; bars: 3 for FCL on each, else 1 "
          "for the mean\n");
   for (int query = 0; query < QUERIES; query++) {
-    print_ratios(query, nullptr, query == DISTANCE ? 0 : 3);
+    print_ratios(query, nullptr, is_distance(query) ? 0 : 3);
   }
   print_ratios(ALL, "one-shot, sparse", 0);
   print_ratios(ALL, "one-shot, dense", 0);
   print_limit("gouge_100k", 0.5);
   print_limit("mould", 3);
+  printf("distances, times libsepax's: geometric mean over the scenes, least\n");
+  print_distances(DISTANCE);
+  print_distances(WITHIN);
+  printf("scenes in which another library takes at most 50 us, or less than twice libsepax's "
+         "time\n");
+  for (int k = 1; k < PEERS; k++) {
+    print_slow(WITHIN, k);
+  }
 }
 
 void Report::write_json(const char *path) const {
@@ -178,11 +222,14 @@ void Report::write_json(const char *path) const {
         const Figures &f = row.figures[q][k];
         if (f.poses > 0) {
           fprintf(file,
-                  "%s  {\"meshes\": \"%s\", \"triangles\": [%zu, %zu], \"poses\": \"%s\", "
-                  "\"count\": %zu, \"query\": \"%s\", \"library\": \"%s\", \"ms\": %.6g, "
-                  "\"pairs\": %zu, \"wrong\": %zu}",
-                  before, row.scene.c_str(), row.triangles[0], row.triangles[1], row.kind.c_str(),
-                  f.poses, query_names[q], name[size_t(k)].c_str(), f.ms(), f.pairs, f.wrong);
+                  "%s  {\"meshes\": \"%s\", \"unkind\": %s, \"triangles\": [%zu, %zu], "
+                  "\"poses\": \"%s\", \"count\": %zu, ",
+                  before, row.scene.c_str(), row.unkind ? "true" : "false", row.triangles[0],
+                  row.triangles[1], row.kind.c_str(), f.poses);
+          fprintf(file,
+                  "\"query\": \"%s\", \"library\": \"%s\", \"ms\": %.6g, \"pairs\": %zu, "
+                  "\"wrong\": %zu}",
+                  query_names[q], name[size_t(k)].c_str(), f.ms(), f.pairs, f.wrong);
           before = ",\n";
         }
       }

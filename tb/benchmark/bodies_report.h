@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-constexpr int PEERS = 4; /* the first is libsepax */
+constexpr int PEERS = 5; /* the first is libsepax */
 
 struct Figures {
   double seconds = 0; /* of the process */
@@ -19,6 +19,7 @@ struct Figures {
 /* A scene in one kind of poses. */
 struct Row {
   std::string scene, kind;
+  bool unkind = false; /* distances alone; its poses are few */
   size_t triangles[2] = {0, 0};
   Figures figures[QUERIES][PEERS];
 };
@@ -26,7 +27,11 @@ struct Row {
 struct Ratios {
   double mean = 0, least = INFINITY;
   size_t count = 0;
+  std::string least_of; /* the scene of the least */
 };
+
+/* The scenes of a mean. */
+enum Choice { KIND, UNKIND, BOTH };
 
 class Report {
 public:
@@ -39,12 +44,14 @@ public:
 
 private:
   const Row *row_of(const std::string &scene, const std::string &kind) const;
-  Ratios ratios(int query, int library, const char *kind) const;
+  Ratios ratios(int query, int library, const char *kind, Choice choice = KIND) const;
   void print_ratios(int query, const char *kind, double least_fcl) const;
+  void print_distances(int query) const;
+  void print_slow(int query, int library) const;
   void print_limit(const char *scene, double limit) const;
   Row sum_of(const std::string &scene) const;
   void print_row(const Row &row, int query, const char *name) const;
-  std::vector<std::string> scenes() const;
+  std::vector<std::string> scenes(Choice choice) const;
 
   std::vector<std::string> name;
   std::vector<Row> rows;

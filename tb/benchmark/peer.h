@@ -10,7 +10,10 @@
 #include <string>
 #include <vector>
 
-enum Query { FIRST, ALL, DISTANCE, QUERIES };
+/* WITHIN: the distance within a relative TOLERANCE. */
+enum Query { FIRST, ALL, DISTANCE, WITHIN, QUERIES };
+constexpr double TOLERANCE = 1e-6;
+inline bool is_distance(int query) { return query == DISTANCE || query == WITHIN; }
 
 using Pairs = std::vector<std::array<size_t, 2>>;
 using Poses = std::vector<sepax_pose>;
@@ -19,13 +22,16 @@ using Poses = std::vector<sepax_pose>;
 class Peer {
 public:
   virtual ~Peer() = default;
-  virtual bool can(Query query) const { return query != DISTANCE; }
+  virtual bool can(Query query) const { return !is_distance(query); }
   /* A as it stands against B in each pose; the answers stay until the next question. */
   virtual void ask(Query query, const Poses &poses) = 0;
   /* What ask(FIRST), ask(ALL) found in pose n. */
   virtual Pairs pairs(size_t n) const = 0;
-  /* Of ask(DISTANCE); 0 or less for a collision. */
+  /* Of ask(DISTANCE), ask(WITHIN); 0 or less for a collision. */
   virtual double distance(size_t) const { return 0; }
+  /* Whether the interval of pose n holds the exact distance, which is right to one unit in the last
+   * place, and is as narrow as it should be. Libraries without intervals are right. */
+  virtual bool holds(size_t, double) const { return true; }
 };
 
 /* nullptr: the library's headers are not here. */
@@ -34,6 +40,7 @@ std::unique_ptr<Peer> make_sepax(const sepax_soup &a, const sepax_soup &b);
 /* All pairs without a tree; the meshes stay. */
 std::unique_ptr<Peer> make_sepax_once(const sepax_soup &a, const sepax_soup &b);
 std::unique_ptr<Peer> make_fcl(const sepax_soup &a, const sepax_soup &b);
+std::unique_ptr<Peer> make_coal(const sepax_soup &a, const sepax_soup &b);
 std::unique_ptr<Peer> make_cgal(const sepax_soup &a, const sepax_soup &b);
 std::unique_ptr<Peer> make_embree(const sepax_soup &a, const sepax_soup &b);
 

@@ -33,8 +33,7 @@ fcl::Transform3d transform_of(const sepax_pose &pose) {
 
 class Fcl : public Peer {
 public:
-  Fcl(const sepax_soup &a, const sepax_soup &b)
-      : boxes{model_of<fcl::OBBd>(a), model_of<fcl::OBBd>(b)}, mesh{a, b} {}
+  Fcl(const sepax_soup &a, const sepax_soup &b) : mesh{a, b} {}
 
   bool can(Query) const override { return true; }
 
@@ -43,15 +42,18 @@ public:
     found.clear();
     found.resize(poses.size());
     away.resize(poses.size());
-    if (query == DISTANCE && !swept[0]) {
-      swept[0] = model_of<fcl::RSSd>(mesh[0]);
-      swept[1] = model_of<fcl::RSSd>(mesh[1]);
+    for (int k = 0; k < 2; k++) {
+      if (is_distance(query) && !swept[k]) {
+        swept[k] = model_of<fcl::RSSd>(mesh[k]);
+      } else if (!is_distance(query) && !boxes[k]) {
+        boxes[k] = model_of<fcl::OBBd>(mesh[k]);
+      }
     }
     for (size_t n = 0; n < poses.size(); n++) {
       const fcl::Transform3d moved = transform_of(poses[n]);
-      if (query == DISTANCE) {
+      if (is_distance(query)) {
         fcl::DistanceResultd result;
-        fcl::DistanceRequestd request(true);
+        fcl::DistanceRequestd request(true, false, query == WITHIN ? TOLERANCE : 0, 0);
         away[n] = fcl::distance(swept[0].get(), still, swept[1].get(), moved, request, result);
       } else {
         fcl::CollisionRequestd request(query == FIRST ? 1 : SIZE_MAX, false);

@@ -2,6 +2,8 @@
 // peer_sepax.cpp - libsepax: bodies in their poses.
 #include "peer.h"
 
+#include <cmath>
+
 namespace {
 
 Pairs listed(const sepax_pairs &found) {
@@ -33,11 +35,14 @@ public:
 
   void ask(Query query, const Poses &poses) override {
     forget();
-    found.resize(query == DISTANCE ? 0 : poses.size());
-    away.resize(query == DISTANCE ? poses.size() : 0);
+    found.resize(is_distance(query) ? 0 : poses.size());
+    away.resize(is_distance(query) ? poses.size() : 0);
     sepax_error error = {};
+    sepax_distance_request how = {};
+    how.size = sizeof how;
+    how.relative = query == WITHIN ? TOLERANCE : 0;
     for (size_t n = 0; n < away.size(); n++) {
-      if (!sepax_bodies_distance(body[0], nullptr, body[1], &poses[n], nullptr, &away[n], &error)) {
+      if (!sepax_bodies_distance(body[0], nullptr, body[1], &poses[n], &how, &away[n], &error)) {
         stop(error.text);
       }
     }
@@ -54,6 +59,16 @@ public:
   Pairs pairs(size_t n) const override { return listed(found[n]); }
 
   double distance(size_t n) const override { return away[n].min_distance; }
+
+  bool holds(size_t n, double exact) const override {
+    const sepax_distance_result &r = away[n];
+    const double low = std::nextafter(exact, 0);
+    const double high = std::nextafter(exact, INFINITY);
+    const bool narrow =
+        r.most - r.least <= TOLERANCE * r.most || (r.least >= low && r.most <= high);
+    return !r.ended && r.least <= high && r.most >= low && r.min_distance >= low &&
+           r.min_distance <= std::nextafter(r.most, INFINITY) && narrow;
+  }
 
 private:
   void forget() {
