@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* sepax_mechanism.h - mechanisms: links held together by joints, and the poses of the links for
- * given joint values (forward kinematics). The conventions are those of sepax.h.
+ * given joint values (forward kinematics); machines: which bodies on the links are near. The
+ * conventions are those of sepax.h.
  *
  * A mechanism is a tree of links, with the names of URDF. Each link has its own coordinates. All
  * lengths are in one unit (metres if the mechanism comes from a URDF file); angles are in radians.
@@ -122,6 +123,113 @@ void sepax_chain_poses(const sepax_chain *chain, const sepax_mechanism *m, const
  * docs/reference/mechanisms.md has the proof. */
 double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
                           const double *middle, const double *to, const double box[2][3]);
+
+/* ------------------------------------------------------------------ machines */
+
+/* A machine: a mechanism, bodies on its links, and the pairs of bodies that are compared. It never
+ * changes after sepax_machine_new, so threads may share it. It answers the question of a control
+ * loop: is any pair of bodies near for these joint values, or for all values close to them?
+ *
+ * Only surfaces are compared. A body that lies wholly inside another one and does not come near its
+ * surface is not found. If that can be the case at the start, then ask sepax_bodies_within at the
+ * start. Afterwards no body gets inside another without a query that says NEAR, provided that
+ * successive queries overlap by their `travel`. */
+typedef struct sepax_machine sepax_machine;
+
+/* A body on a link. Its mesh has the link's coordinates. */
+typedef struct {
+  size_t link;
+  const sepax_body *body;
+} sepax_machine_body;
+
+/* What a machine is made of. The mechanism and the bodies must live as long as the machine and must
+ * not change. The two lists are copied. */
+typedef struct {
+  size_t size;
+  const sepax_mechanism *mechanism; /* after sepax_mechanism_join */
+  const sepax_machine_body *body;
+  size_t bodies;
+  const size_t (*pair)[2]; /* numbers of two bodies that are compared */
+  size_t pairs;
+} sepax_machine_parts;
+
+/* Make a machine. Cost: one pass over the triangles of the bodies. Errors: ARGUMENT if the
+ * mechanism was not joined, if a body names no link, if a pair names no body or the same body
+ * twice, or if there is no pair; MEMORY. */
+bool sepax_machine_new(sepax_machine **machine, const sepax_machine_parts *parts,
+                       sepax_error *error);
+void sepax_machine_free(sepax_machine *machine);
+
+/* The memory of one thread's queries of one machine. sepax_watch_new allocates and writes all of
+ * it, so that a query neither allocates nor meets a page of this memory for the first time. It
+ * takes about 500 bytes for each pair and 250 bytes for each link and joint. Each thread needs a
+ * watch of its own. The machine must live as long as the watch. Error: MEMORY. */
+typedef struct sepax_watch sepax_watch;
+bool sepax_watch_new(sepax_watch **watch, const sepax_machine *machine, sepax_error *error);
+void sepax_watch_free(sepax_watch *watch);
+
+/* Options of sepax_watch_ask. By default the query asks for collisions, at the values themselves,
+ * without a limit of work. */
+typedef struct {
+  size_t size;
+  double clearance; /* 0 ... 2^1000: two bodies are near if their distance is at most this. A
+                       distance of 0 is a collision */
+  /* travel[n]: joint n may be anywhere within value[n] - travel[n] ... value[n] + travel[n],
+   * independently of the other joints. Each number is finite and not negative, in the joint's unit.
+   * Those of fixed joints and of joints that follow another are not read. The answer holds for all
+   * these positions at once, and for the exact poses of the links instead of the rounded ones, also
+   * if all numbers are 0. NULL: the answer holds for the values alone. */
+  const double *travel;
+  uint64_t work; /* units of work in all (sepax.h); 0: no limit. One unit for each pair is always
+                    used */
+  bool measure;  /* also find the least clearance */
+  double relative, absolute; /* its tolerance, as in sepax_distance_request */
+  sepax_simd simd;
+} sepax_machine_query;
+
+#define SEPAX_NO_PAIR SIZE_MAX
+
+typedef struct {
+  /* APART: in all positions that were asked for, the bodies of each pair are farther apart than the
+   * clearance. NEAR: for the values themselves, the bodies of `pair` have two triangles that are at
+   * most the clearance apart. UNDECIDED: neither was found, because the work ended, or because the
+   * bodies are apart at the values but may be near within the travel. Without travel, the verdict
+   * is exact for the poses that sepax_chain_poses computes, bit by bit. */
+  sepax_nearness verdict;
+  size_t pair; /* NEAR: the first pair that is near. An earlier one may be undecided if the work
+                  ended. UNDECIDED: the first pair that is undecided. APART: SEPAX_NO_PAIR */
+  size_t triangle[2]; /* if NEAR: a triangle of each body of that pair; any two that are near */
+  /* If the query measures: the least clearance is the least distance of any pair in any of the
+   * positions that were asked for, and least <= that <= most. Both bounds are certain. Without
+   * travel and if the work did not end, the interval is as wide as the tolerance allows. Otherwise
+   * both numbers are 0. */
+  double least, most;
+  size_t nearest; /* the pair with the distance `most` at the values; SEPAX_NO_PAIR if no pair was
+                     measured */
+  uint64_t work;  /* units of work that the query took */
+} sepax_machine_answer;
+
+/* Ask about the machine at the values of its joints: value[n] is the value of joint n. Those of
+ * fixed joints and of joints that follow another are not read. Limits of joints are not checked.
+ *
+ * The verdict, `pair` and the truth of all else do not depend on earlier queries of the watch, if
+ * the work does not end. The watch remembers bounds and near triangles, which makes similar queries
+ * faster, so `work` and `triangle` may depend on them.
+ *
+ * The work is divided like this. All pairs are compared by their boxes first. The pair that was
+ * near last goes first of those that remain; then they go in their order. Each gets an equal share
+ * of the work that is left, and what it does not use is left for those after it. Pairs that remain
+ * undecided go again while the share is more than twice what they had before. What then is left
+ * goes to the measurement: half to the pair with the least bound, half of the rest to the pair that
+ * has the least bound then, and so on.
+ *
+ * Real time: the call neither allocates, nor locks, nor reads a clock, nor calls a function of the
+ * caller, and does not recurse. docs/reference/library.md has the stack that it takes and the worst
+ * times for given work. Cost: 20 to 60 nanoseconds for a pair whose boxes are far apart, 1 to 5
+ * microseconds for most others. Errors: ARGUMENT if a value is not finite, if a link comes to lie
+ * farther than 2^1000 from the top link of a pair, or if a number of the query is out of range. */
+bool sepax_watch_ask(sepax_watch *watch, const double *value, const sepax_machine_query *query,
+                     sepax_machine_answer *answer, sepax_error *error);
 
 #ifdef __GNUC__
 #pragma GCC visibility pop

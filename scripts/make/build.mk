@@ -211,6 +211,11 @@ $(BUILD)/bench_bodies: $(BODIES_O) $(LIB)
 	  $(call header,mpfr.h,-lmpfr) $(addsuffix /libcoal.so,$(COAL_LIB)) \
 	  $(addprefix -Wl$(comma)-rpath$(comma),$(COAL_LIB)) \
 	  -lgmp -lm -pthread -o $@
+# Queries of a whole machine.
+$(BUILD)/bench_machine: LIBS = -ljansson $(IO_LIBS)
+$(BUILD)/bench_machine: $(call object,tb/benchmark/machine.c) $(FORMAT_OBJ) $(FORMAT_USES) \
+                        $(OPTIONS_OBJ) $(IO) $(LIB)
+	$(link)
 # Meshes from files, by assimp, too, where its header is.
 $(BUILD)/mesh_files: LIBS = -ljansson $(IO_LIBS) $(call header,assimp/cimport.h,-lassimp)
 $(BUILD)/mesh_files: $(call object,tb/benchmark/mesh_files.c) $(IO) $(LIB)

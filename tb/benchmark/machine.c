@@ -1,0 +1,371 @@
+/* SPDX-License-Identifier: MIT */
+/* machine.c - how long a query of a whole machine takes: the 5-axis mill, period by period.
+ *   machine FOLDER [PERIODS [PASSES]]   FOLDER has the scene of examples/five-axis. Each of three
+ *   questions is asked in so many periods of 1 ms (100,000), PASSES times (2). The time of a period
+ *   is the least of its passes, in CPU time of the thread, so that interrupts of the computer do
+ *   not count.
+ *
+ * The motions, in turn: the path, interpolated; jogs in z with all faces parallel, through all
+ * heights, and back and forth through the heights at which two bodies are as far apart as the
+ * clearance; jogs in x and y at these heights; and jogs of one axis from a random pose. */
+#define _GNU_SOURCE
+#include "cli/meshes.h"
+#include "formats/formats.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <time.h>
+
+static const double clearance = 0.002; /* metres */
+
+enum { AXES = 5, BODIES_MOST = 16, PAIRS_MOST = 64, HEIGHTS_MOST = 64 };
+
+typedef struct {
+  format_robot robot;
+  format_motion path;
+  sepax_machine_body body[BODIES_MOST];
+  size_t bodies;
+  size_t pair[PAIRS_MOST][2];
+  size_t pairs;
+  sepax_machine *machine;
+  size_t axis[AXES];           /* the joints x, y, z, b, a */
+  double height[HEIGHTS_MOST]; /* of z, where two bodies are as far apart as the clearance */
+  size_t heights;
+} scene;
+
+static void stop(const char *what, const sepax_error *error) {
+  fprintf(stderr, "machine: %s: %s\n", what, error != NULL ? error->text : "no memory");
+  exit(2);
+}
+
+/* -------------------------------------------------------------------------- scene */
+
+static void add_bodies(scene *s) {
+  sepax_error error = {0};
+  const cli_meshes rules = {.unit = CLI_METRES};
+  for (size_t n = 0; n < s->robot.shapes && s->bodies < BODIES_MOST; n++) {
+    sepax_soup mesh;
+    report_mesh said;
+    sepax_body *body;
+    if (!format_shape_mesh(&mesh, &said, &s->robot.shape[n], &rules, &error) ||
+        !sepax_body_new(&body, SEPAX_SOUP_MESH(&mesh), NULL, &error)) {
+      stop("a mesh", &error);
+    }
+    sepax_soup_free(&mesh);
+    s->body[s->bodies++] = (sepax_machine_body){s->robot.shape[n].link, body};
+  }
+}
+
+static void add_pairs(scene *s, const char *srdf) {
+  const sepax_mechanism *m = &s->robot.mechanism;
+  sepax_error error = {0};
+  bool *compared = malloc(m->links * m->links);
+  if (compared == NULL) {
+    stop("pairs", NULL);
+  }
+  memset(compared, true, m->links * m->links);
+  if (!format_srdf_read(compared, m, NULL, srdf, &error)) {
+    stop("the SRDF", &error);
+  }
+  for (size_t a = 0; a < s->bodies; a++) {
+    for (size_t b = a + 1; b < s->bodies && s->pairs < PAIRS_MOST; b++) {
+      if (compared[s->body[a].link * m->links + s->body[b].link]) {
+        s->pair[s->pairs][0] = a;
+        s->pair[s->pairs++][1] = b;
+      }
+    }
+  }
+  free(compared);
+}
+
+static void load(scene *s, const char *folder) {
+  static const char *const names[AXES] = {"x", "y", "z", "b", "a"};
+  const format_motion_rules rules = {0};
+  sepax_error error = {0};
+  char name[3][4096];
+  *s = (scene){0};
+  snprintf(name[0], sizeof name[0], "%s/mill.urdf", folder);
+  snprintf(name[1], sizeof name[1], "%s/mill.srdf", folder);
+  snprintf(name[2], sizeof name[2], "%s/path.csv", folder);
+  if (!format_urdf_read(&s->robot, name[0], NULL, 0, &error) ||
+      !format_motion_read(&s->path, &s->robot.mechanism, &rules, name[2], &error)) {
+    stop(folder, &error);
+  }
+  add_bodies(s);
+  add_pairs(s, name[1]);
+  for (size_t k = 0; k < AXES; k++) {
+    for (size_t n = 0; n < s->robot.mechanism.joints; n++) {
+      if (strcmp(s->robot.mechanism.joint[n].name, names[k]) == 0) {
+        s->axis[k] = n;
+      }
+    }
+  }
+  const sepax_machine_parts parts = {sizeof parts, &s->robot.mechanism,         s->body,
+                                     s->bodies,    (const size_t(*)[2])s->pair, s->pairs};
+  if (!sepax_machine_new(&s->machine, &parts, &error)) {
+    stop("the machine", &error);
+  }
+}
+
+static double gap_at(const scene *s, size_t pair, double z) {
+  sepax_error error = {0};
+  double value[64] = {0};
+  sepax_chain chain;
+  sepax_pose pose[2];
+  sepax_distance_result found;
+  const sepax_machine_body *b[2] = {&s->body[s->pair[pair][0]], &s->body[s->pair[pair][1]]};
+  const sepax_distance_request request = {.size = sizeof request, .relative = 1e-12};
+  value[s->axis[2]] = z;
+  if (!sepax_chain_find(&chain, &s->robot.mechanism, b[0]->link, b[1]->link, &error)) {
+    stop("a chain", &error);
+  }
+  sepax_chain_poses(&chain, &s->robot.mechanism, value, pose);
+  if (!sepax_bodies_distance(b[0]->body, &pose[0], b[1]->body, &pose[1], &request, &found,
+                             &error)) {
+    stop("a distance", &error);
+  }
+  sepax_chain_free(&chain);
+  return found.min_distance;
+}
+
+/* The height at which a pair is as far apart as the clearance, if there is one: by halving; and the
+ * same in whole micrometres. */
+static void add_height(scene *s, size_t pair) {
+  const sepax_joint *joint = &s->robot.mechanism.joint[s->axis[2]];
+  double low = joint->lower;
+  double high = joint->upper;
+  if (gap_at(s, pair, low) > clearance || gap_at(s, pair, high) < clearance) {
+    return;
+  }
+  for (int n = 0; n < 60; n++) {
+    double middle = low / 2 + high / 2;
+    *(gap_at(s, pair, middle) > clearance ? &high : &low) = middle;
+  }
+  if (s->heights + 2 <= HEIGHTS_MOST) {
+    s->height[s->heights++] = low;
+    s->height[s->heights++] = round(low * 1e6) * 1e-6;
+  }
+}
+
+/* ------------------------------------------------------------------------ motions */
+
+static double uniform(uint64_t *state) {
+  *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+  return (double)(*state >> 11) * 0x1p-53;
+}
+
+static void on_path(const scene *s, size_t period, double *value) {
+  const format_motion *p = &s->path;
+  double length = p->time[p->lines - 1] - p->time[0];
+  double time = p->time[0] + fmod((double)period * 1e-3, length);
+  size_t low = 0;
+  size_t high = p->lines - 1;
+  while (high - low > 1) {
+    size_t middle = low + (high - low) / 2;
+    *(p->time[middle] <= time ? &low : &high) = middle;
+  }
+  double part = (time - p->time[low]) / (p->time[high] - p->time[low]);
+  for (size_t n = 0; n < p->joints; n++) {
+    double from = p->value[low * p->joints + n];
+    value[n] = from + (p->value[high * p->joints + n] - from) * part;
+  }
+}
+
+/* A jog of 500 periods, `at` of them gone. */
+static void jog(const scene *s, size_t number, size_t at, double *value) {
+  const sepax_mechanism *m = &s->robot.mechanism;
+  uint64_t state = number;
+  double way = ((double)at - 250) * 5e-5; /* 50 mm/s */
+  memset(value, 0, m->joints * sizeof *value);
+  for (int n = 0; n < 8; n++) {
+    uniform(&state);
+  }
+  size_t height = (size_t)(uniform(&state) * (double)s->heights);
+  switch (number % 4) {
+  case 0: { /* z, all heights in 24 jogs */
+    const sepax_joint *z = &m->joint[s->axis[2]];
+    value[s->axis[2]] =
+        z->lower + fmod((double)(number / 4) * 0.025 + (double)at * 5e-5, z->upper - z->lower);
+    break;
+  }
+  case 1: /* z, through a height at which faces are as far apart as the clearance */
+    value[s->axis[2]] = s->height[height] + way;
+    break;
+  case 2: /* x or y at exactly that height */
+    value[s->axis[2]] = s->height[height];
+    value[s->axis[number / 4 % 2]] = way * 10;
+    break;
+  default: /* one axis from a random pose near the work */
+    for (size_t k = 0; k < AXES; k++) {
+      static const double low[AXES] = {-0.15, -0.15, 0.2, -0.5, -0.5};
+      static const double high[AXES] = {0.15, 0.15, 0.4, 0.5, 0.5};
+      value[s->axis[k]] = low[k] + (high[k] - low[k]) * uniform(&state);
+    }
+    value[s->axis[number / 4 % AXES]] += way;
+  }
+}
+
+/* Half of the periods are of the path. */
+static void values_of(const scene *s, size_t period, double *value) {
+  if (period % 2 == 0) {
+    on_path(s, period / 2, value);
+  } else {
+    jog(s, period / 2 / 500, period / 2 % 500, value);
+  }
+}
+
+/* -------------------------------------------------------------------- measurement */
+
+static double seconds_now(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static long page_faults(void) {
+  struct rusage usage;
+  getrusage(RUSAGE_THREAD, &usage);
+  return usage.ru_minflt + usage.ru_majflt;
+}
+
+/* An allocator that counts. */
+static size_t allocations;
+static void *counted_allocate(void *context, size_t bytes) {
+  (void)context;
+  allocations++;
+  return malloc(bytes);
+}
+static void *counted_resize(void *context, void *memory, size_t bytes) {
+  (void)context;
+  allocations++;
+  return realloc(memory, bytes);
+}
+static void counted_release(void *context, void *memory) {
+  (void)context;
+  free(memory);
+}
+
+static int by_size(const void *p, const void *q) {
+  float a = *(const float *)p;
+  float b = *(const float *)q;
+  return (a > b) - (a < b);
+}
+
+typedef struct {
+  size_t verdicts[3];
+  uint64_t most_work;
+  size_t allocations;
+  long faults;
+} tally;
+
+/* Periods of the path and of jogs follow each other in a row, not in turn. */
+static size_t in_row(size_t n, size_t periods) {
+  size_t half = (periods + 1) / 2;
+  return n < half ? 2 * n : 2 * (n - half) + 1;
+}
+
+static void run(const scene *s, const sepax_machine_query *query, size_t periods, float *time,
+                bool first, tally *t) {
+  sepax_error error = {0};
+  double value[64] = {0};
+  sepax_watch *watch;
+  sepax_machine_answer answer;
+  if (!sepax_watch_new(&watch, s->machine, &error)) {
+    stop("a watch", &error);
+  }
+  for (size_t n = 0; n < 100; n++) { /* the program's own pages and symbols */
+    values_of(s, in_row(n * periods / 100, periods), value);
+    if (!sepax_watch_ask(watch, value, query, &answer, &error)) {
+      stop("a query", &error);
+    }
+  }
+  *t = (tally){.allocations = allocations, .faults = page_faults()};
+  for (size_t n = 0; n < periods; n++) {
+    values_of(s, in_row(n, periods), value);
+    double begin = seconds_now();
+    bool ok = sepax_watch_ask(watch, value, query, &answer, &error);
+    float taken = (float)(seconds_now() - begin);
+    if (!ok) {
+      stop("a query", &error);
+    }
+    time[n] = first || taken < time[n] ? taken : time[n];
+    t->verdicts[answer.verdict]++;
+    t->most_work = answer.work > t->most_work ? answer.work : t->most_work;
+  }
+  t->allocations = allocations - t->allocations;
+  t->faults = page_faults() - t->faults;
+  sepax_watch_free(watch);
+}
+
+static void print_row(const char *name, float *time, size_t count) {
+  static const double parts[] = {0.99, 0.999, 0.9999};
+  double sum = 0;
+  for (size_t n = 0; n < count; n++) {
+    sum += (double)time[n];
+  }
+  qsort(time, count, sizeof *time, by_size);
+  printf("  %-16s %8.2f", name, sum / (double)count * 1e6);
+  for (int k = 0; k < 3; k++) {
+    printf(" %8.2f", (double)time[(size_t)(parts[k] * (double)(count - 1))] * 1e6);
+  }
+  printf(" %8.2f\n", (double)time[count - 1] * 1e6);
+}
+
+static void report(const scene *s, const char *name, const sepax_machine_query *query,
+                   size_t periods, int passes, float *time) {
+  tally t = {0};
+  for (int pass = 0; pass < passes; pass++) {
+    run(s, query, periods, time, pass == 0, &t);
+  }
+  size_t half = (periods + 1) / 2;
+  printf("%s: %zu apart, %zu near, %zu undecided; %zu allocations, %ld page faults, %llu units at "
+         "most\n",
+         name, t.verdicts[SEPAX_APART], t.verdicts[SEPAX_NEAR], t.verdicts[SEPAX_UNDECIDED],
+         t.allocations, t.faults, (unsigned long long)t.most_work);
+  printf("  us of CPU            mean     99 %%   99.9 %%  99.99 %%    worst\n");
+  print_row("path", time, half);
+  print_row("jogs", time + half, periods - half);
+  print_row("all", time, periods);
+}
+
+int main(int argc, char **argv) {
+  static const sepax_allocator counted = {counted_allocate, counted_resize, counted_release, NULL};
+  scene s;
+  if (argc < 2 || argc > 4) {
+    fprintf(stderr, "machine: give FOLDER [PERIODS [PASSES]]\n");
+    return 2;
+  }
+  size_t periods = argc > 2 ? (size_t)atoll(argv[2]) : 100000;
+  int passes = argc > 3 ? atoi(argv[3]) : 2;
+  sepax_set_allocator(&counted);
+  load(&s, argv[1]);
+  for (size_t n = 0; n < s.pairs; n++) {
+    add_height(&s, n);
+  }
+  float *time = calloc(periods + 1, sizeof *time);
+  if (time == NULL || periods < 1000) {
+    stop("periods", NULL);
+  }
+  memset(time, 1, periods * sizeof *time);
+  mlockall(MCL_CURRENT | MCL_FUTURE); /* without the right to, the pages are written by now */
+  double travel[64] = {0};
+  for (size_t k = 0; k < AXES; k++) { /* what the axes move in 1 ms at their speed */
+    travel[s.axis[k]] = k < 3 ? 0.5e-3 : 1e-3;
+  }
+  sepax_machine_query q = {.size = sizeof q, .clearance = clearance};
+  printf("%zu bodies, %zu pairs, %zu heights, clearance %g mm\n", s.bodies, s.pairs, s.heights,
+         clearance * 1e3);
+  report(&s, "verdict", &q, periods, passes, time);
+  q.work = 1000;
+  report(&s, "verdict, 1000 units", &q, periods, passes, time);
+  q.travel = travel;
+  report(&s, "travel of 1 ms, 1000 units", &q, periods, passes, time);
+  q.measure = true;
+  q.relative = 1e-6;
+  report(&s, "travel, measured to 1e-6, 1000 units", &q, periods, passes, time);
+  return 0;
+}
