@@ -30,9 +30,8 @@ static void sift(const sepax_watch *w, size_t at, size_t count) {
 /* A bound of the clearance of a pair in all positions; rounded down. */
 static void find_key(sepax_watch *w, size_t pair) {
   const watch_pair *known = &w->pair[pair];
-  w->key[pair] = known->motion > 0
-                     ? fmax(0, (known->least - known->motion) * (1 - 0x1p-50))
-                     : known->least;
+  w->key[pair] =
+      known->motion > 0 ? fmax(0, (known->least - known->motion) * (1 - 0x1p-50)) : known->least;
 }
 
 /* -------------------------------------------------------------------- measurement */
