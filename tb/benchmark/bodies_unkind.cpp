@@ -180,7 +180,8 @@ Pairs_of_meshes copies(size_t count, size_t, const char *) {
   const Mesh ball = sample("ball-end", count, 10);
   const Mesh pocket = sample("pocket", count, 0);
   return {{{plate, plate},
-           {{"copies_apart", "plate", {shift(0.003, 0.002, 0.001), shift(1e-9, 0, 1e-9)}}}},
+           {{"copies_apart", "by 1e-3", {shift(0.003, 0.002, 0.001)}},
+            {"copies_apart", "by 1e-9", {shift(1e-9, 0, 1e-9)}}}},
           {{ball, ball}, {{"copies_closed", "ball-end", {shift(0.01, 0.007, 0.004)}}}},
           {{pocket, pocket}, {{"copies_closed", "pocket", {shift(0.01, 0.007, 0.004)}}}}};
 }
@@ -292,7 +293,8 @@ Pairs_of_meshes mill(size_t, size_t lines, const char *folder) {
       }
     }
     if (kind == "spindle/table") {
-      pair.poses.push_back({"touching", "spindle/table", {between(i, j, {0, 0, 0.115, 0, 0})}});
+      pair.poses.push_back(
+          {"touching_mill", "spindle/table", {between(i, j, {0, 0, 0.115, 0, 0})}});
     }
     pairs.push_back(pair);
   }

@@ -637,6 +637,10 @@ static bool same_bytes(const sepax_distance_result *p, const sepax_distance_resu
          memcmp(p->box, q->box, sizeof p->box) == 0 && p->work == q->work && p->ended == q->ended;
 }
 
+static const char *said(sepax_simd second) {
+  return second == SEPAX_SIMD_PORTABLE ? ", then without vector instructions," : "";
+}
+
 static void plant(sepax_distance_result *a, const sepax_distance_request *q, const situation *s) {
   bool exact = q->relative == 0 && q->absolute == 0;
   switch (planted) {
@@ -805,9 +809,10 @@ static void check_distances(const situation *s, sepax_random *r) {
     sepax_distance_result again = ask(s, &q);
     again.box[0] ^= planted == OTHER_BYTES;
     if (!same_bytes(&answer, &again)) {
-      wrong("the same arguments gave %a ... %a (%" PRIu64 " units) and %a ... %a (%" PRIu64
+      wrong("the same arguments%s gave %a ... %a (%" PRIu64 " units) and %a ... %a (%" PRIu64
             " units)",
-            answer.least, answer.most, answer.work, again.least, again.most, again.work);
+            said(q.simd), answer.least, answer.most, answer.work, again.least, again.most,
+            again.work);
     }
     check_answer(s, &q, &answer);
   }
@@ -854,7 +859,7 @@ static void check_apart(const situation *s, double distance, sepax_random *r) {
   sepax_apart_result again = ask_apart(s, distance, &q);
   if (again.verdict != a.verdict || again.work != a.work || again.pair[0] != a.pair[0] ||
       again.pair[1] != a.pair[1] || memcmp(&again.least, &a.least, sizeof a.least) != 0) {
-    wrong("the same arguments gave two answers: is it farther than %a?", distance);
+    wrong("the same arguments%s gave two answers: is it farther than %a?", said(q.simd), distance);
   }
   if (planted == WRONG_APART && a.verdict != SEPAX_UNDECIDED) {
     a.verdict = a.verdict == SEPAX_APART ? SEPAX_NEAR : SEPAX_APART;
