@@ -93,8 +93,8 @@ typedef struct {
  * must be thread-safe, because several threads may call them at once. */
 typedef struct {
   void *(*allocate)(void *context, size_t bytes);
-  void *(*resize)(void *context, void *memory, size_t bytes); /* NULL: allocate */
-  void (*release)(void *context, void *memory);               /* NULL: do nothing */
+  void *(*resize)(void *context, void *memory, size_t bytes); /* if memory is NULL, it allocates */
+  void (*release)(void *context, void *memory); /* if memory is NULL, it does nothing */
   void *context;
 } sepax_allocator;
 
@@ -259,9 +259,9 @@ typedef struct {
  *   2. A triangle that became a segment or a point is left out if it is an edge or a vertex of a
  *      triangle with three different vertices. Of several triangles with the same three vertices
  *      one stays. But two of them stay if the mesh is closed with two and open with one.
- *   3. An edge is open if an odd number of triangles has it. An end of an open edge that lies
- *      within `length` of another open edge is inserted into that edge, which divides the triangle
- *      there.
+ *   3. An edge is open if an odd number of triangles has it. If an end of an open edge lies
+ *      within `length` of a second open edge, then this end becomes a vertex of the second edge and
+ *      divides its triangle there.
  * The resulting set of triangles depends neither on their order nor on the order of their vertices.
  * If the length is 0, then no vertex moves and no edge is divided: only copies, segments and points
  * that are already in the mesh are left out. The normals of the soup are freed. `said` may be NULL.
@@ -419,8 +419,8 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
  * certain for the doubles given. */
 typedef struct {
   double min_distance; /* the distance of the two triangles in `pair`, which are the nearest that
-                          were found; infinite if it is above the limit or if the search ended
-                          before it found two triangles. Then points, pair and box are 0 */
+                          were found; infinite if it is above the request's limit or if the search
+                          ended   before it found two triangles. Then points, pair and box are 0 */
   double least, most;  /* the interval that holds the distance of the bodies. `most` is infinite if
                           min_distance is */
   double nearest_points[2][3]; /* a point of A and a point of B at min_distance */

@@ -77,8 +77,8 @@ static void print_within(const check_answer *a) {
 static void print_basis(const check_question *q, const check_report *report) {
   if (!q->on_grid) {
     bool changed = q->meshes.weld.text != NULL || q->meshes.own.text != NULL || q->nearest;
-    fputs(changed ? "(exact, of the files with the changes that options ask for)"
-                  : "(exact, as the files have them)",
+    fputs(changed ? "(exact for the files as changed by options)"
+                  : "(exact for the coordinates in the files)",
           stdout);
     return;
   }

@@ -32,7 +32,8 @@ enum { INTERVALS_MOST = 1000000000 };
 
 static const struct argp_option options[] = {
     {"csv", KEY_CSV, "FILE", 0,
-     "write each line and pair of bodies that is not free to FILE as CSV", 0},
+     "write to FILE as CSV: for each line of the path, each pair of bodies that is not free in it",
+     0},
     {"worst", KEY_WORST, "FILE", 0,
      "write all bodies to FILE as PLY, in the first pose with the worst verdict; if all pairs are "
      "free, in the line where two bodies are nearest",

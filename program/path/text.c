@@ -340,9 +340,11 @@ void path_print_text(const path_scene *scene, const path_question *q) {
       print_line(scene, first.line);
     }
   }
-  printf(" (%s), %.3f s\n",
-         path_certified(scene) ? "in the lines of the path and, to the clearance, between them"
-         : q->certify          ? "in the lines of the path and between them"
-                               : "in the lines of the path, not between them",
-         scene->seconds + scene->between_seconds);
+  fputs(q->certify ? " (checked in the lines of the path and between them"
+                   : " (checked in the lines of the path, not between them",
+        stdout);
+  if (path_certified(scene) && q->bands.clearance.length > 0) {
+    printf("; between the lines all pairs are farther apart than %s", q->bands.clearance.text);
+  }
+  printf("), %.3f s\n", scene->seconds + scene->between_seconds);
 }
