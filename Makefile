@@ -71,8 +71,8 @@ include $(addprefix scripts/make/,install.mk quality.mk)
 
 # The names that `make experiment` takes; scripts/make has the rules of some.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes calibrate clearance cocotb \
-              compare-meshes coverage distances driver engine-sweep exhaustive fuzz hard multivt \
-              mutation mutation-c netlist-sweep packages path-campaign posed-pairs proofs \
+              compare-meshes coverage distances driver engine-sweep exhaustive fuzz hard machine \
+              multivt mutation mutation-c netlist-sweep packages path-campaign posed-pairs proofs \
               sanitize scene slurm static tree-campaign tree-fuzz tree-scene tree-sweep verify
 
 .PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
@@ -257,6 +257,11 @@ experiment-bench-bodies: $(BUILD)/bench_bodies
 	@$(MAKE) -C examples/five-axis BUILD=$(abspath $(BUILD)) scene
 	@MESH_DIR="$(MESH_DIR)" $(EXPERIMENT)/bodies $(BUILD)/bodies \
 	  $(if $(call given,COUNT),$(COUNT),1000) $(MESHES)
+
+# The example's mill, period by period.
+experiment-machine: $(BUILD)/bench_machine
+	@$(MAKE) -s -C examples/five-axis scene BUILD=$(abspath $(BUILD)) > /dev/null
+	@$(BUILD)/bench_machine $(BUILD)/five-axis $(if $(call given,COUNT),$(COUNT),100000)
 
 # The readers of meshes beside those of others: a Python with trimesh, where there is one.
 PYTHON      ?= $(firstword $(wildcard $(BUILD)/venv/bin/python) python3)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* library.c - the library without memory: each allocation refused in turn. */
 #include "scarce.h"
+#include "sepax_mechanism.h"
 #include "unit/tree/scenes.h"
 
 #include <math.h>
@@ -154,6 +155,57 @@ CASE(bodies) {
   assert_true(assert_scarce(work_meshes, &s) > 3);
   free(s.mesh[0].facet);
   free(s.mesh[1].facet);
+}
+
+/* ---------------------------------------------------------------- machines */
+
+typedef struct {
+  sepax_mechanism mechanism;
+  sepax_body *body[2];
+} rig;
+
+static bool work_machine(void *context) {
+  rig *r = context;
+  const sepax_machine_body body[2] = {{0, r->body[0]}, {1, r->body[1]}};
+  const size_t pair[1][2] = {{0, 1}};
+  const sepax_machine_parts parts = {.size = sizeof parts,
+                                     .mechanism = &r->mechanism,
+                                     .body = body,
+                                     .bodies = 2,
+                                     .pair = pair,
+                                     .pairs = 1};
+  sepax_machine *machine = NULL;
+  sepax_watch *watch = NULL;
+  sepax_machine_answer answer;
+  const double value[1] = {0.5};
+  bool works = sepax_machine_new(&machine, &parts, &fault) &&
+               sepax_watch_new(&watch, machine, &fault) &&
+               sepax_watch_ask(watch, value, NULL, &answer, &fault);
+  assert_true(!works || answer.verdict != SEPAX_UNDECIDED);
+  sepax_watch_free(watch);
+  sepax_machine_free(machine);
+  return works;
+}
+
+CASE(machines) {
+  sepax_link link[2] = {{.joint = 0}};
+  sepax_joint joint = {.name = path,
+                       .kind = SEPAX_JOINT_PRISMATIC,
+                       .child = 1,
+                       .origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}},
+                       .axis = {1, 0, 0},
+                       .mimic = SEPAX_NO_JOINT};
+  rig r = {.mechanism = {.link = link, .links = 2, .joint = &joint, .joints = 1}};
+  assert_works(sepax_mechanism_join(&r.mechanism, &fault));
+  for (int k = 0; k < 2; k++) {
+    sepax_soup mesh = mesh_of(60, 100);
+    assert_works(sepax_body_new(&r.body[k], SEPAX_SOUP_MESH(&mesh), NULL, &fault));
+    free(mesh.facet);
+  }
+  assert_true(assert_scarce(work_machine, &r) > 20);
+  sepax_body_free(r.body[0]);
+  sepax_body_free(r.body[1]);
+  sepax_release(r.mechanism.order);
 }
 
 /* ------------------------------------------------------------------- files */
