@@ -246,9 +246,11 @@ static void visit(search *s, box_pair *stack, int *depth) {
   }
 }
 
+static bool out_of_work(const search *s) { return s->work_most > 0 && s->work >= s->work_most; }
+
 /* True once a limit of work or time is reached. The clock is read at every 64th visit. */
 static bool beyond_limits(const search *s, size_t *clock) {
-  if (s->work_most > 0 && s->work >= s->work_most) {
+  if (out_of_work(s)) {
     return true;
   }
   if (s->end > 0 && s->visits >= *clock) {
@@ -256,6 +258,17 @@ static bool beyond_limits(const search *s, size_t *clock) {
     return seconds_now() >= s->end;
   }
   return false;
+}
+
+/* Judge pairs until no more than `left` wait. False if a limit of work ended that. */
+static bool judge_down_to(search *s, int left) {
+  while (s->count > left && !s->ended) {
+    if (out_of_work(s)) {
+      return false;
+    }
+    judge(s);
+  }
+  return true;
 }
 
 /* False if a limit ended the search. */
@@ -271,14 +284,11 @@ static bool descend(search *s) {
       return false;
     }
     visit(s, stack, &depth);
-    while (s->count >= s->batch && !s->ended) {
-      judge(s);
+    if (!judge_down_to(s, s->batch - 1)) {
+      return false;
     }
   }
-  while (s->count > 0 && !s->ended) {
-    judge(s);
-  }
-  return true;
+  return judge_down_to(s, 0);
 }
 
 static box_comparer *comparer(int lanes) {

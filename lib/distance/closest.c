@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { KEPT = 64, PROOFS = 16 };
+enum { KEPT = 64, PROOFS = 16, SOON = 16384 };
 
 typedef struct {
   uint32_t at[2];
@@ -21,6 +21,7 @@ typedef struct {
 typedef struct {
   candidate kept[KEPT];
   int count;
+  double limit;              /* of the request, or infinite */
   double relative, absolute; /* the tolerance */
   sepax_distance_result *best;
   twofold_vector way;
@@ -34,8 +35,12 @@ static double needed(const nearest_pairs *n, double distance) {
   return tolerance > 0x1p-48 * distance ? distance - 0.75 * tolerance : distance;
 }
 
+/* A pair beyond the limit of the request does not count: others may be nearer than that limit, but
+ * within the tolerance. */
 static void lower_limit(search *s, const nearest_pairs *n, double distance) {
-  s->limit = fmin(s->limit, needed(n, distance));
+  if (distance <= n->limit) {
+    s->limit = fmin(s->limit, needed(n, distance));
+  }
 }
 
 /* Measure two triangles, by their places. True if they are nearer than all pairs before. */
@@ -135,9 +140,9 @@ static bool prove(search *s) {
   if (n->best->min_distance > s->shortest / s->unit) {
     measure_at(s, n, s->nearest.at);
   }
-  for (int turn = 0; turn < PROOFS; turn++) {
+  for (int turn = 0; turn < PROOFS && !out_of_work(s); turn++) {
     double best = n->best->min_distance;
-    double least = needed(n, best);
+    double least = best > n->limit ? n->limit : needed(n, best);
     twofold need = least < best ? twofold_of(least) : product_of(best, 1 - 0x1p-53);
     hindrance by;
     if (!(best > 0 && isfinite(best) && sepax__proof_begin(s, &n->way, n->best->box, need))) {
@@ -207,10 +212,12 @@ static bool begin(search *s, const sepax_distance_request *r, sepax_error *error
   return true;
 }
 
-/* Find a collision. It takes at most half of the work and time that are left: pairs that it did not
- * decide are measured later. */
+/* Find a collision, if that is soon done: bodies that nearly touch in many places take long, and
+ * the search for the distance finds a collision, too. It takes at most half of the work and time.
+ */
 static bool find_collision(search *s, nearest_pairs *n, sepax_simd simd) {
-  search_limits limits = {.most = s->work_most / 2, .seconds = s->seconds / 2};
+  uint64_t half = (s->work_most + 1) / 2;
+  search_limits limits = {.most = half > 0 && half < SOON ? half : SOON, .seconds = s->seconds / 2};
   uint32_t place[2];
   bool found = sepax__find_collision(s->body[0], s->at.pose[0], s->body[1], s->at.pose[1], simd,
                                      &limits, place);
@@ -246,7 +253,10 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
     return false;
   }
   sepax_distance_result best = {.min_distance = INFINITY};
-  nearest_pairs n = {.relative = r.relative, .absolute = r.absolute, .best = &best};
+  nearest_pairs n = {.limit = r.limit > 0 ? r.limit : INFINITY,
+                     .relative = r.relative,
+                     .absolute = r.absolute,
+                     .best = &best};
   search s = {.body = {a, b}, .take = keep, .prove = prove, .context = &n, .batch = 4};
   if (!begin(&s, &r, error) || !sepax__poses_valid(pose_a, pose_b, error)) {
     return false;

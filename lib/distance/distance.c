@@ -39,17 +39,6 @@ static vector vector_minus(const vector *p, const vector *q) {
   return r;
 }
 
-static vector cross(const vector *p, const vector *q) {
-  vector r;
-  for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    r.c[i] =
-        twofold_subtract(twofold_multiply(p->c[j], q->c[k]), twofold_multiply(p->c[k], q->c[j]));
-  }
-  return r;
-}
-
 /* p + t u */
 static vector along(const vector *p, twofold t, const vector *u) {
   vector r;
@@ -280,9 +269,9 @@ static vector nearest_of(const twofold_points *p, const int x[2], int count_x, c
   vector v = vector_minus(&at[y[1]], &at[y[0]]);
   if (count_x == 2) {
     vector u = vector_minus(&at[x[1]], &at[x[0]]);
-    vector c = cross(&u, &v);
-    vector dv = cross(&d, &v);
-    vector du = cross(&d, &u);
+    vector c = twofold_cross(&u, &v);
+    vector dv = twofold_cross(&d, &v);
+    vector du = twofold_cross(&d, &u);
     twofold square = twofold_dot(&c, &c);
     weight[x[1]] = limited(quotient(twofold_dot(&dv, &c), square), one);
     weight[x[0]] = twofold_subtract(one, weight[x[1]]);
@@ -297,9 +286,9 @@ static vector nearest_of(const twofold_points *p, const int x[2], int count_x, c
     return along(&d, t, &v);
   }
   vector w = vector_minus(&at[y[2]], &at[y[0]]);
-  vector n = cross(&v, &w);
-  vector dw = cross(&w, &d);
-  vector vd = cross(&d, &v);
+  vector n = twofold_cross(&v, &w);
+  vector dw = twofold_cross(&w, &d);
+  vector vd = twofold_cross(&d, &v);
   twofold square = twofold_dot(&n, &n);
   weight[y[1]] = limited(quotient(twofold_dot(&dw, &n), square), one);
   weight[y[0]] = twofold_subtract(one, weight[y[1]]);

@@ -338,7 +338,9 @@ static int near_children(search *s, int open, uint32_t node, const box_pair *p,
   int count = 0;
   for (uint32_t mask = bound(s, open, node, p->at[!open], square); mask != 0; mask &= mask - 1) {
     uint32_t lane = (uint32_t)__builtin_ctz(mask);
-    double least = fmax((double)square[lane] * s->square_of_unit[open], p->least);
+    /* a square that single precision cannot hold is above the largest that it can */
+    double own = (double)fminf(square[lane], FLT_MAX) * s->square_of_unit[open];
+    double least = fmax(own, p->least);
     if (s->body[open]->boxes[node].child[lane] == BODY_NONE) {
       continue;
     }

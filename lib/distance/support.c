@@ -127,15 +127,11 @@ static bool take_child(side *r, uint32_t child, uint64_t *work, uint64_t most) {
   return take_triangle(r, r->s->body[r->body]->triangle[child - BODY_TRIANGLE]);
 }
 
-/* The way, or the line of the search, with its largest coordinate in 1/2 ... 1; false if it is
- * 0. */
-static bool scaled_way(const search *s, const twofold_vector *way, twofold_vector *scaled) {
+/* A way with its largest coordinate in 1/2 ... 1; false if it is 0. */
+static bool scale_way(twofold_vector *way) {
   double largest = 0;
-  for (int turn = 0; turn < 2 && !(largest > 0); turn++) {
-    for (int i = 0; i < 3; i++) {
-      scaled->c[i] = turn == 0 ? way->c[i] : twofold_of(s->line[i]);
-      largest = fmax(largest, fabs(scaled->c[i].high));
-    }
+  for (int i = 0; i < 3; i++) {
+    largest = fmax(largest, fabs(way->c[i].high));
   }
   if (!(largest > 0x1p-900 && largest < 0x1p900)) {
     return false;
@@ -143,9 +139,29 @@ static bool scaled_way(const search *s, const twofold_vector *way, twofold_vecto
   int exponent;
   frexp(largest, &exponent);
   for (int i = 0; i < 3; i++) {
-    scaled->c[i] = twofold_scaled(scaled->c[i], -exponent);
+    way->c[i] = twofold_scaled(way->c[i], -exponent);
   }
   return true;
+}
+
+/* An edge of a triangle in the coordinates of the search. */
+static twofold_vector posed_edge(const world_pose *p, const double from[3], const double to[3]) {
+  twofold_vector edge;
+  for (int i = 0; i < 3; i++) {
+    edge.c[i] = twofold_of(0);
+    for (int k = 0; k < 3; k++) {
+      twofold step = sum_of(to[k] * p->unit, -from[k] * p->unit);
+      edge.c[i] = twofold_add(edge.c[i], twofold_multiply(step, twofold_of(p->rotation[i][k])));
+    }
+  }
+  return edge;
+}
+
+static twofold_vector normal_of(const search *s, int body, uint32_t at) {
+  const double(*v)[3] = s->body[body]->triangle[sepax__place_at(s->body[body], at)];
+  twofold_vector e = posed_edge(&s->pose[body], v[0], v[1]);
+  twofold_vector f = posed_edge(&s->pose[body], v[0], v[2]);
+  return twofold_cross(&e, &f);
 }
 
 static uint64_t work_allowed(const search *s) {
@@ -197,21 +213,25 @@ static twofold place_sides(search *s, const uint32_t at[2]) {
   return gap;
 }
 
-bool sepax__proof_begin(search *s, const twofold_vector *way, const uint32_t at[2], twofold need) {
+/* Begin with a way, if it proves anything at all. */
+static bool begin_on(search *s, twofold_vector way, const uint32_t at[2], twofold need) {
   direction_proof *p = &s->proof;
-  twofold_vector w;
   p->possible = false;
-  if (!scaled_way(s, way, &w)) {
-    return false;
+  if (scale_way(&way)) {
+    turn_way(s, 0, &way);
+    turn_way(s, 1, &way);
+    twofold gap = place_sides(s, at);
+    twofold length = twofold_root(twofold_dot(&way, &way));
+    p->spare = twofold_subtract(gap, twofold_multiply(need, length));
+    p->possible = gap.high > 0 && p->spare.high >= 0;
   }
-  turn_way(s, 0, &w);
-  turn_way(s, 1, &w);
-  twofold gap = place_sides(s, at);
-  twofold length = twofold_root(twofold_dot(&w, &w));
-  need = twofold_add(twofold_of(PROOF_ERROR), twofold_multiply(need, twofold_of(s->unit)));
-  p->spare = twofold_subtract(gap, twofold_multiply(need, length));
-  p->possible = gap.high > 0 && p->spare.high >= 0;
   return p->possible;
+}
+
+bool sepax__proof_begin(search *s, const twofold_vector *way, const uint32_t at[2], twofold need) {
+  need = twofold_add(twofold_of(PROOF_ERROR), twofold_multiply(need, twofold_of(s->unit)));
+  return begin_on(s, *way, at, need) || begin_on(s, normal_of(s, 0, at[0]), at, need) ||
+         begin_on(s, normal_of(s, 1, at[1]), at, need);
 }
 
 bool sepax__prove_apart(search *s, const uint32_t child[2], hindrance *by) {

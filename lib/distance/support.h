@@ -5,9 +5,9 @@
 
 #include "search.h"
 
-/* Prepare proofs by the direction `way`, or, if that is 0, by the way between the nearest triangles
- * in doubles. at[k]: the box of a triangle of body k, of the nearest so far. `need`: the distance
- * to be proved, in file units. False if the nearest triangles themselves prove less. */
+/* Prepare proofs by the direction `way`, or else by the normal of a nearest triangle. at[k]: the
+ * box of a triangle of body k, of the nearest so far. `need`: the distance to be proved, in file
+ * units. False if the nearest triangles themselves prove less. */
 bool sepax__proof_begin(search *s, const twofold_vector *way, const uint32_t at[2], twofold need);
 
 /* True only if the gap of two children on the way proves that their distance is at least what is

@@ -94,6 +94,17 @@ static inline twofold twofold_dot(const twofold_vector *p, const twofold_vector 
   return r;
 }
 
+static inline twofold_vector twofold_cross(const twofold_vector *p, const twofold_vector *q) {
+  twofold_vector r;
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3;
+    int k = (i + 2) % 3;
+    r.c[i] =
+        twofold_subtract(twofold_multiply(p->c[j], q->c[k]), twofold_multiply(p->c[k], q->c[j]));
+  }
+  return r;
+}
+
 static inline bool twofold_less(twofold a, twofold b) {
   return a.high < b.high || (a.high == b.high && a.low < b.low);
 }
