@@ -16,6 +16,15 @@ static const struct {
 } commands[] = {COMMANDS(COMMAND_ROW)};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
+/* At the end of every run, those that argp ends among them: a result that is lost is an error. */
+static const char *own_name = "sepax";
+static void finish_output(void) {
+  if (fflush(stdout) != 0 || ferror(stdout)) {
+    fprintf(stderr, "%s: standard output cannot be written; free some space\n", own_name);
+    _exit(EXIT_ERROR);
+  }
+}
+
 static void usage(FILE *out) {
   fprintf(out, "Usage: sepax COMMAND [OPTION...]\n"
                "Check bodies for collisions, and generate hardware for this check.\n\n");
@@ -32,6 +41,7 @@ int main(int argc, char **argv) {
   argp_program_version = "sepax " SEPAX_VERSION;
   argp_err_exit_status = EXIT_ERROR;
   cli_options_init();
+  atexit(finish_output);
   sepax__temporary_remove_on_signals();
   if (argc >= 2 && strcmp(argv[1], "--help") == 0) {
     usage(stdout);
@@ -43,15 +53,11 @@ int main(int argc, char **argv) {
   }
   for (int i = 0; argc >= 2 && i < COMMAND_COUNT; i++) {
     if (strcmp(argv[1], commands[i].name) == 0) {
-      char name[32];
+      static char name[32];
       snprintf(name, sizeof name, "sepax %s", commands[i].name);
       argv[1] = name;
-      int status = commands[i].run(argc - 1, argv + 1);
-      if (fflush(stdout) != 0 || ferror(stdout)) {
-        fprintf(stderr, "%s: standard output cannot be written; free some space\n", name);
-        return EXIT_ERROR;
-      }
-      return status;
+      own_name = name;
+      return commands[i].run(argc - 1, argv + 1);
     }
   }
   if (argc >= 2) {

@@ -252,6 +252,7 @@ static void print_help(void) {
 }
 
 int main(int count, char **words) {
+  atexit(report_at_exit);
   if (count == 2 && strcmp(words[1], "--help") == 0) {
     print_help();
     return 0;

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* What a file says may be in the words: they stay one line. */
 static void print_line(FILE *out, const char *before, const char *format, va_list values) {
@@ -33,6 +34,13 @@ void cannot(const char *format, ...) {
   print_line(stderr, "sepax-certificate-check: ", format, values);
   va_end(values);
   exit(2);
+}
+
+void report_at_exit(void) {
+  if (fflush(stdout) != 0 || ferror(stdout)) {
+    fputs("sepax-certificate-check: standard output cannot be written; free some space\n", stderr);
+    _exit(2);
+  }
 }
 
 void *memory(void *old, size_t count, size_t size) {

@@ -13,6 +13,9 @@ _Noreturn void reject(const char *format, ...) __attribute__((format(printf, 1, 
 /* Print one line and exit with status 2: the certificate cannot be checked. */
 _Noreturn void cannot(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* For atexit: what was printed must have arrived, or else the status is 2. */
+void report_at_exit(void);
+
 void *memory(void *old, size_t count, size_t size);
 char *text_copy(const char *text, size_t length);
 

@@ -151,7 +151,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     q->ply_path = text;
     return 0;
   case KEY_THREADS:
-    q->threads = (int)cli_count(state, "threads", text, 1024);
+    q->threads = (int)cli_count(state, "threads", text, 0, CLI_THREADS_MOST);
     return 0;
   case ARGP_KEY_ARG:
     return parse_argument(c, text, state);
@@ -165,10 +165,10 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 /* ------------------------------------------------------- checks that need no mesh */
 
-static bool outputs_distinct(const check_question *q, sepax_error *error) {
+static bool outputs_allowed(const check_question *q, sepax_error *error) {
   const char *const outputs[] = {q->pairs_path, q->ply_path};
   const char *const inputs[] = {q->path[0], q->path[1], q->poses_path};
-  return cli_outputs_distinct(outputs, 2, inputs, 3, error);
+  return cli_outputs_allowed(outputs, 2, inputs, 3, error);
 }
 
 static bool options_agree(const check_question *q, sepax_error *error) {
@@ -247,12 +247,12 @@ int cli_check(int argc, char **argv) {
   check_question *q = &c.question;
   c.config = (grid_options){&cli_verdict_argp, &q->config, &c.given};
   c.grid = (grid_options){&cli_grid_argp, &q->grid, &c.given};
-  argp_parse(&argp, argc, argv, 0, NULL, &c);
+  cli_parse(&argp, argc, argv, &c);
   q->grid.grid.word = q->config.word;
   sepax_error error = {0};
   check_report report = {.answers = 0};
   bool ok = (!q->output.json || report_names_printable(q->path, &error)) &&
-            outputs_distinct(q, &error) && options_agree(q, &error) &&
+            outputs_allowed(q, &error) && options_agree(q, &error) &&
             (!q->on_grid || grid_options_agree(q, &error)) &&
             (q->on_grid ? check_on_grid : check_bodies)(q, &report, &error) &&
             check_write_files(q, &report, &error);

@@ -18,6 +18,17 @@ extern "C" {
 /* Print "NAME: text" on stderr and return EXIT_ERROR. */
 int cli_fail(const char *name, const sepax_error *error);
 
+/* The highest value of --threads. The library starts no more threads. */
+enum { CLI_THREADS_MOST = 256 };
+
+/* The flag of an option that may be given several times, each time with another value. */
+enum { CLI_REPEATABLE = 0x1000 };
+
+/* Read the command line as argp_parse(argp, argc, argv, 0, NULL, input) does, but refuse an option
+ * that is given twice with two values, of which argp would silently take the last, and names of
+ * files and folders that are empty. A mistake ends the program with EXIT_ERROR. */
+void cli_parse(const struct argp *argp, int argc, char **argv, void *input);
+
 /* Argp children. The input of the first three is a sepax_config *, whose fields they set: by every
  * option of a design, by the options that a verdict depends on, and by --environment. The last one
  * reads --resolution, --offset and --normals into a cli_grid *. */
@@ -36,9 +47,9 @@ typedef struct {
   bool file_normals, offset_given;
 } cli_grid;
 
-/* A whole number of 0 ... limit. Anything else ends the program by argp_error. */
+/* A whole number of least ... most. Anything else ends the program by argp_error. */
 uint64_t cli_count(const struct argp_state *state, const char *option, const char *text,
-                   uint64_t limit);
+                   uint64_t least, uint64_t most);
 /* Read "X,Y,Z" with three finite numbers, or one finite number. Anything else ends the program by
  * argp_error. */
 void cli_vector(const struct argp_state *state, const char *option, const char *text,

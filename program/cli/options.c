@@ -189,13 +189,14 @@ const struct argp cli_grid_argp = {grid_options, parse_grid, NULL, NULL, NULL, N
 /* -------------------------------------------------------------------- values */
 
 uint64_t cli_count(const struct argp_state *state, const char *option, const char *text,
-                   uint64_t limit) {
+                   uint64_t least, uint64_t most) {
   char *end;
   errno = 0;
   unsigned long long value = strtoull(text, &end, 10);
-  if (text[0] < '0' || text[0] > '9' || *end != '\0' || errno != 0 || value > limit) {
-    argp_error(state, "%s: '%s' is not a whole number of 0 ... %llu", option, text,
-               (unsigned long long)limit);
+  if (text[0] < '0' || text[0] > '9' || *end != '\0' || errno != 0 || value < least ||
+      value > most) {
+    argp_error(state, "%s: '%s' is not a whole number of %llu ... %llu", option, text,
+               (unsigned long long)least, (unsigned long long)most);
   }
   return value;
 }

@@ -4,6 +4,8 @@
 #include "cli/units.h"
 #include "util/error.h"
 
+#include <string.h>
+
 /* ------------------------------------------------------------------------- bands */
 
 enum { KEY_CLEARANCE = 0x600, KEY_WARNING };
@@ -74,9 +76,13 @@ bool cli_question_agrees(const cli_output *output, const report_bands *bands, se
   return report_bands_agree(bands, error);
 }
 
-bool cli_outputs_distinct(const char *const *outputs, int count, const char *const *inputs,
-                          int inputs_count, sepax_error *error) {
+bool cli_outputs_allowed(const char *const *outputs, int count, const char *const *inputs,
+                         int inputs_count, sepax_error *error) {
   for (int i = 0; i < count; i++) {
+    if (outputs[i] != NULL && strcmp(outputs[i], "-") == 0) {
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "-: standard output cannot be used here; name a file to write");
+    }
     for (int k = 0; k < inputs_count && outputs[i] != NULL; k++) {
       if (inputs[k] != NULL && cli_same_file(outputs[i], inputs[k])) {
         return sepax_fail(error, SEPAX_ERROR_ARGUMENT,

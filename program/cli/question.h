@@ -24,8 +24,9 @@ extern const struct argp cli_output_argp;
 /* Fails if both --json and --quiet are given, or if --warning does not fit --clearance. */
 bool cli_question_agrees(const cli_output *output, const report_bands *bands, sepax_error *error);
 
-/* Fails if a file to write is also read, or is written twice. NULL entries are skipped. */
-bool cli_outputs_distinct(const char *const *outputs, int count, const char *const *inputs,
-                          int inputs_count, sepax_error *error);
+/* Fails if a file to write is also read, is written twice or is "-", because no command writes a
+ * file to standard output. NULL entries are skipped. */
+bool cli_outputs_allowed(const char *const *outputs, int count, const char *const *inputs,
+                         int inputs_count, sepax_error *error);
 
 #endif

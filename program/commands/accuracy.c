@@ -59,17 +59,17 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case 'n':
     o->of_families = "count";
-    o->count = cli_count(state, "count", text, UINT32_MAX);
+    o->count = cli_count(state, "count", text, 1, UINT32_MAX);
     return 0;
   case KEY_FLIPS:
     o->of_families = "flips";
-    o->flips = cli_count(state, "flips", text, UINT32_MAX);
+    o->flips = cli_count(state, "flips", text, 0, UINT32_MAX);
     return 0;
   case KEY_NUDGES:
-    o->nudges = cli_count(state, "nudges", text, UINT32_MAX);
+    o->nudges = cli_count(state, "nudges", text, 0, UINT32_MAX);
     return 0;
   case 's':
-    o->seed = cli_count(state, "seed", text, UINT64_MAX);
+    o->seed = cli_count(state, "seed", text, 0, UINT64_MAX);
     return 0;
   case KEY_TRUTH:
     o->of_families = "truth";
@@ -413,7 +413,7 @@ int cli_accuracy(int argc, char **argv) {
       NULL};
   accuracy_options o = {
       .config = sepax_config_default(), .family = "all", .count = 100000, .seed = 1};
-  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  cli_parse(&argp, argc, argv, &o);
   sepax_error error = {0};
   sepax_design design;
   sepax_scene scene;

@@ -52,7 +52,7 @@ int cli_gen(int argc, char **argv) {
       NULL,
       NULL};
   gen_options o = {.config = sepax_config_default()};
-  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  cli_parse(&argp, argc, argv, &o);
   sepax_error error = {0};
   sepax_design design;
   if (!sepax_design_init(&design, &o.config, &error) ||

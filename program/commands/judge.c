@@ -90,7 +90,7 @@ int cli_judge(int argc, char **argv) {
       NULL,
       NULL};
   judge_options o = {.config = sepax_config_default()};
-  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  cli_parse(&argp, argc, argv, &o);
   sepax_error error = {0};
   sepax_design design;
   if (!sepax_design_init(&design, &o.config, &error)) {

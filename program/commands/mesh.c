@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* mesh.c - sepax mesh: sample objects as STL. */
-#include "cli/cli.h"
+#include "cli/question.h"
 #include "command_table.h"
 #include "sepax_vectors.h"
 
@@ -13,7 +13,7 @@ typedef struct {
   bool ascii, list;
 } mesh_options;
 
-enum { KEY_AT = 0x300, KEY_SIZE, KEY_ASCII, KEY_LIST };
+enum { KEY_AT = 0x300, KEY_SIZE, KEY_ASCII, KEY_LIST, TRIANGLES_MOST = 1000000000 };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "STL file to write", 0},
@@ -32,7 +32,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     o->path = text;
     return 0;
   case 'n':
-    o->triangles = cli_count(state, "triangles", text, 10000000);
+    o->triangles = cli_count(state, "triangles", text, 0, TRIANGLES_MOST);
     return 0;
   case KEY_AT:
     cli_vector(state, "at", text, o->at);
@@ -75,7 +75,7 @@ int cli_mesh(int argc, char **argv) {
       NULL,
       NULL};
   mesh_options o = {.triangles = 400};
-  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  cli_parse(&argp, argc, argv, &o);
   if (o.list) {
     for (size_t i = 0; sepax_sample_name(i) != NULL; i++) {
       printf("%-10s %s (at least %zu triangles)\n", sepax_sample_name(i), sepax_sample_about(i),
@@ -85,7 +85,9 @@ int cli_mesh(int argc, char **argv) {
   }
   sepax_error error = {0};
   sepax_soup mesh = {0};
-  bool ok = sepax_sample(&mesh, o.shape, (size_t)o.triangles, o.at, o.size, &error) &&
+  const char *const output = o.path;
+  bool ok = cli_outputs_allowed(&output, 1, NULL, 0, &error) &&
+            sepax_sample(&mesh, o.shape, (size_t)o.triangles, o.at, o.size, &error) &&
             sepax_stl_write(&mesh, o.path, o.ascii, &error);
   if (ok) {
     printf("%s: %s, %zu triangles\n", o.path, o.shape, mesh.count);

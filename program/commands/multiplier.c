@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 typedef struct {
-  uint64_t a, b, product, digits, less;
+  uint64_t a, b, product, digits, less; /* 0: not given */
   double period;
   sepax_config config; /* only its target is read */
   const char *target;  /* --target as the user wrote it */
@@ -39,33 +39,23 @@ static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "folder for the Verilog; it is made if missing", 0},
     {0}};
 
-/* A whole number of 1 ... limit. */
-static uint64_t bits_of(struct argp_state *state, const char *option, const char *text,
-                        uint64_t limit) {
-  uint64_t value = cli_count(state, option, text, limit);
-  if (value == 0) {
-    argp_error(state, "%s: 0; give 1 ... %llu", option, (unsigned long long)limit);
-  }
-  return value;
-}
-
 static error_t parse(int key, char *text, struct argp_state *state) {
   multiplier_options *o = state->input;
   switch (key) {
   case 'a':
-    o->a = bits_of(state, "a", text, MOST);
+    o->a = cli_count(state, "a", text, LEAST, MOST);
     return 0;
   case 'b':
-    o->b = bits_of(state, "b", text, MOST);
+    o->b = cli_count(state, "b", text, LEAST, MOST);
     return 0;
   case 'p':
-    o->product = bits_of(state, "product", text, UINT64_C(2) * MOST);
+    o->product = cli_count(state, "product", text, LEAST + 1, ARITH_WIDTH);
     return 0;
   case KEY_DIGITS:
-    o->digits = bits_of(state, "digits", text, MOST);
+    o->digits = cli_count(state, "digits", text, 1, MOST / 2);
     return 0;
   case KEY_LESS:
-    o->less = bits_of(state, "less", text, 2);
+    o->less = cli_count(state, "less", text, 1, 2);
     return 0;
   case KEY_CLOCK:
     o->period = cli_number(state, "clock-ns", text);
@@ -103,7 +93,7 @@ static arith_form form_of(const multiplier_options *o) {
                       .b_w = (int)o->b,
                       .p_w = (int)o->product,
                       .digits = (int)o->digits,
-                      .less = (int)o->less};
+                      .less = o->less != 0 ? (int)o->less : 1};
 }
 
 static bool check(const multiplier_options *o, sepax_error *error) {
@@ -124,7 +114,7 @@ static bool check(const multiplier_options *o, sepax_error *error) {
                       "digits: %d is out of range for -b %d; give %d ... %d", (int)o->digits,
                       (int)o->b, (int)o->b / 2, ((int)o->b + 1) / 2);
   }
-  if (o->less == 2 && o->digits == 0) {
+  if (o->less != 0 && o->digits == 0) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "less: applies only to --digits; give --digits, too");
   }
@@ -149,11 +139,12 @@ static bool check(const multiplier_options *o, sepax_error *error) {
 
 static bool generate(const multiplier_options *o, sepax_error *error) {
   char command[200];
+  arith_form form = form_of(o);
   int used = snprintf(command, sizeof command, "sepax multiplier --a=%d --b=%d --product=%d",
                       (int)o->a, (int)o->b, (int)o->product);
   if (o->digits > 0) {
     used += snprintf(command + used, sizeof command - (size_t)used, " --digits=%d --less=%d",
-                     (int)o->digits, (int)o->less);
+                     (int)o->digits, form.less);
   }
   if (o->period > 0) {
     snprintf(command + used, sizeof command - (size_t)used, " --clock-ns=%g", o->period);
@@ -165,7 +156,6 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   if (plan == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a multiplier");
   }
-  arith_form form = form_of(o);
   arith_plan_make(plan, &form, o->period > 0 ? o->period : 1e9);
   emitter e;
   emit_init(&e, NULL, command);
@@ -200,8 +190,8 @@ int cli_multiplier(int argc, char **argv) {
       NULL,
       NULL,
       NULL};
-  multiplier_options o = {.less = 1, .config = sepax_config_default()};
-  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  multiplier_options o = {.config = sepax_config_default()};
+  cli_parse(&argp, argc, argv, &o);
   sepax_error error = {0};
   o.product = o.product == 0 ? o.a + o.b : o.product;
   if (!check(&o, &error) || !generate(&o, &error)) {

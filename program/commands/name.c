@@ -53,6 +53,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   default:
     if (key > KEY_WHAT && key <= KEY_WHAT + (int)PRINT_VERDICT) {
+      if (o->what != PRINT_NAME && o->what != (print_what)(key - KEY_WHAT)) {
+        argp_error(state, "options, make, list, only, verdict: give one of them");
+      }
       o->what = (print_what)(key - KEY_WHAT);
       return 0;
     }
@@ -142,7 +145,7 @@ int cli_name(int argc, char **argv) {
       children, NULL,
       NULL};
   name_options o = {.config = sepax_config_default()};
-  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  cli_parse(&argp, argc, argv, &o);
   sepax_error error = {0};
   if (!sepax_config_check(&o.config, &error)) {
     return cli_fail(argv[0], &error);

@@ -3,6 +3,7 @@
  * of jobs. */
 #include "cli/jobs.h"
 #include "cli/meshes.h"
+#include "cli/question.h"
 #include "command_table.h"
 #include "report/text.h"
 #include "sepax_tree.h"
@@ -43,10 +44,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     o->output = text;
     return 0;
   case KEY_WORD:
-    o->word = cli_count(state, "word", text, UINT32_MAX);
-    if (o->word < SEPAX_WORD_MIN || o->word > SEPAX_TREE_WORD_MAX) {
-      argp_error(state, "word: %s is not in %d ... %d", text, SEPAX_WORD_MIN, SEPAX_TREE_WORD_MAX);
-    }
+    o->word = cli_count(state, "word", text, SEPAX_WORD_MIN, SEPAX_TREE_WORD_MAX);
     return 0;
   case KEY_WALK:
     o->walk = true;
@@ -127,7 +125,7 @@ int cli_tree(int argc, char **argv) {
       NULL,
       NULL};
   tree_options o = {.path = NULL, .meshes.unit = CLI_MILLIMETRES};
-  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  cli_parse(&argp, argc, argv, &o);
   sepax_error error = {0};
   if (o.output == NULL && sepax_job_list_is(o.path)) {
     return cli_tell_jobs(o.path, o.walk, &error) ? 0 : cli_fail(argv[0], &error);
@@ -135,6 +133,9 @@ int cli_tree(int argc, char **argv) {
   if (o.walk) {
     sepax_fail(&error, SEPAX_ERROR_ARGUMENT,
                "walk: %.300s is no list of jobs; make one with 'sepax path --jobs=FILE'", o.path);
+    return cli_fail(argv[0], &error);
+  }
+  if (!cli_outputs_allowed(&o.output, 1, &o.path, 1, &error)) {
     return cli_fail(argv[0], &error);
   }
   sepax_tree *tree = NULL;

@@ -40,10 +40,10 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     o->family = text;
     return 0;
   case 'n':
-    o->count = cli_count(state, "count", text, UINT64_MAX);
+    o->count = cli_count(state, "count", text, 0, UINT64_MAX);
     return 0;
   case 's':
-    o->seed = cli_count(state, "seed", text, UINT64_MAX);
+    o->seed = cli_count(state, "seed", text, 0, UINT64_MAX);
     return 0;
   case 'w':
     if (!sepax_config_set(&o->config, "word", text, &error)) {
@@ -113,7 +113,7 @@ int cli_vectors(int argc, char **argv) {
       NULL,
       NULL};
   vectors_options o = {.config = sepax_config_default(), .family = "all", .count = 1000, .seed = 1};
-  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  cli_parse(&argp, argc, argv, &o);
   if (o.list) {
     for (size_t i = 0; sepax_family_name(i) != NULL; i++) {
       printf("%-16s %s\n", sepax_family_name(i), sepax_family_about(i));

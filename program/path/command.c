@@ -107,10 +107,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     q->resolution = cli_limit(state, "resolution", text, CLI_METRES);
     return 0;
   case KEY_INTERVALS:
-    q->intervals = (size_t)cli_count(state, "intervals", text, INTERVALS_MOST);
-    if (q->intervals == 0) {
-      argp_error(state, "intervals: 0 is not in 1 ... %d", INTERVALS_MOST);
-    }
+    q->intervals = (size_t)cli_count(state, "intervals", text, 1, INTERVALS_MOST);
     return 0;
   case KEY_CSV:
     q->csv = text;
@@ -125,10 +122,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     q->jobs = text;
     return 0;
   case KEY_WORD:
-    q->word = (int)cli_count(state, "word", text, SEPAX_TREE_WORD_MAX);
-    if (q->word < PATH_WORD_MIN) {
-      argp_error(state, "word: %s is not in %d ... %d", text, PATH_WORD_MIN, SEPAX_TREE_WORD_MAX);
-    }
+    q->word = (int)cli_count(state, "word", text, PATH_WORD_MIN, SEPAX_TREE_WORD_MAX);
     return 0;
   case KEY_LSB:
     q->lsb = cli_limit(state, "lsb", text, CLI_METRES);
@@ -137,7 +131,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     }
     return 0;
   case KEY_THREADS:
-    q->threads = (int)cli_count(state, "threads", text, 256);
+    q->threads = (int)cli_count(state, "threads", text, 0, CLI_THREADS_MOST);
     return 0;
   case ARGP_KEY_ARG:
     return parse_argument(q, text, state);
@@ -166,12 +160,8 @@ static bool outputs_possible(const path_question *q, sepax_error *error) {
   const char *outputs[OUTPUTS];
   for (int i = 0; i < OUTPUTS; i++) {
     outputs[i] = output_of(q, i);
-    if (outputs[i] != NULL && strcmp(outputs[i], "-") == 0) {
-      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                        "-: standard output cannot be used here; name a file to write");
-    }
   }
-  bool ok = cli_outputs_distinct(outputs, OUTPUTS, inputs, 3, error);
+  bool ok = cli_outputs_allowed(outputs, OUTPUTS, inputs, 3, error);
   for (int i = 0; i < OUTPUTS && ok; i++) {
     ok = outputs[i] == NULL || sepax__write_file_possible(outputs[i], error);
   }
@@ -257,7 +247,7 @@ int cli_path(int argc, char **argv) {
       NULL,
       NULL};
   static path_question q = {.resolution = {NULL, 1e-6}};
-  argp_parse(&argp, argc, argv, 0, NULL, &q);
+  cli_parse(&argp, argc, argv, &q);
   sepax_error error = {0};
   path_scene scene = {.pairs = 0};
   q.keep = q.picture != NULL || q.page != NULL || q.jobs != NULL;

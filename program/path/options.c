@@ -12,7 +12,7 @@ static const struct argp_option options[] = {
      "check all pairs of links that this SRDF file does not disable. Default: all pairs except "
      "the two links of a joint and two links that are joined only by fixed joints",
      0},
-    {"package", KEY_PACKAGE, "NAME:FOLDER", 0,
+    {"package", KEY_PACKAGE, "NAME:FOLDER", CLI_REPEATABLE,
      "take FOLDER for package://NAME/ in the URDF; the option may be repeated", 0},
     {"hold", KEY_HOLD, NULL, 0, "keep joints that have no column in the CSV at 0", 0},
     {"ignore-limits", KEY_IGNORE_LIMITS, NULL, 0, "accept values beyond the limits of their joints",

@@ -5,6 +5,14 @@
 #include "util/error.h"
 
 #include <stdio.h>
+#include <string.h>
+
+/* The unit of a length that the user wrote as a number alone. */
+static const char *unit_of(const report_limit *limit, int unit) {
+  const char *end = limit->text + strlen(limit->text);
+  bool named = end > limit->text && end[-1] == 'm';
+  return named ? "" : unit == 0 ? " m" : " mm";
+}
 
 bool report_bands_agree(const report_bands *bands, sepax_error *error) {
   const report_limit *clearance = &bands->clearance;
@@ -15,8 +23,9 @@ bool report_bands_agree(const report_bands *bands, sepax_error *error) {
   }
   return warning->text == NULL || warning->length > clearance->length ||
          sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "warning: %.60s is not above the clearance of %.60s; give more", warning->text,
-                    clearance->text);
+                    "warning: %.60s%s is not above the clearance of %.60s%s; give more",
+                    warning->text, unit_of(warning, bands->unit), clearance->text,
+                    unit_of(clearance, bands->unit));
 }
 
 static void print_limit(const report_bands *bands, const report_limit *limit,

@@ -215,11 +215,11 @@ static error_t parse_scene(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_SAMPLES:
     o->moved = "samples";
-    space->poses = (int)cli_count(state, "samples", text, 1000000);
+    space->poses = (int)cli_count(state, "samples", text, 0, 1000000);
     return 0;
   case 's':
     o->moved = "seed";
-    space->seed = cli_count(state, "seed", text, UINT64_MAX);
+    space->seed = cli_count(state, "seed", text, 0, UINT64_MAX);
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
@@ -301,7 +301,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     }
     return 0;
   case KEY_LANES:
-    o->request.lanes_least = (int)cli_count(state, "lanes", text, SEPAX_LANES_MAX);
+    o->request.lanes_least = (int)cli_count(state, "lanes", text, 0, SEPAX_LANES_MAX);
     o->request.lanes_most = o->request.lanes_least;
     o->lanes_given = true;
     return 0;
@@ -314,11 +314,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     o->posed = "first";
     return 0;
   case KEY_LATENCY:
-    o->request.latency = (int)cli_count(state, "latency", text, 100000);
+    o->request.latency = (int)cli_count(state, "latency", text, 1, 100000);
     o->posed = "latency";
-    if (o->request.latency == 0) {
-      argp_error(state, "latency: '%s' is not in 1 ... 100000", text);
-    }
     return 0;
   case 'j':
     o->json = true;
@@ -426,6 +423,25 @@ static bool choose(const size_options *o, size_answer *answer, sepax_error *erro
   return answer->best != NULL;
 }
 
+/* Fails if an input is one of the files that --gen would write or remove. */
+static bool inputs_spared(const size_options *o, sepax_error *error) {
+  const char *const inputs[] = {o->path[0], o->path[1], o->path_file, o->scene.srdf};
+  for (size_t n = 0; n < sizeof inputs / sizeof inputs[0]; n++) {
+    const char *slash = inputs[n] != NULL ? strrchr(inputs[n], '/') : NULL;
+    const char *base = slash != NULL ? slash + 1 : inputs[n];
+    char output[4096];
+    if (base == NULL || o->folder == NULL || strncmp(base, "sepax", 5) != 0) {
+      continue;
+    }
+    int length = snprintf(output, sizeof output, "%s/%s", o->folder, base);
+    if (length < (int)sizeof output && cli_same_file(output, inputs[n])) {
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "%.300s: is an input; name another folder to write", output);
+    }
+  }
+  return true;
+}
+
 static bool generate(const size_options *o, const sepax_sized_design *m, sepax_error *error) {
   sepax_design design;
   return sepax_design_init(&design, &m->config, error) && sepax_generate(&design, o->folder, error);
@@ -452,13 +468,13 @@ int cli_size(int argc, char **argv) {
                                        .seconds = 0.96e-3,
                                        .latency = SEPAX_TREE_LATENCY}};
   o.clock = sepax_config_default();
-  argp_parse(&argp, argc, argv, 0, NULL, &o);
+  cli_parse(&argp, argc, argv, &o);
   o.request.clock_ps = o.clock.clock_ps;
   sepax_error error = {0};
   size_answer answer = {.best = NULL};
   bool ok = (!o.json || size_names_printable(&o, &error)) && sepax_config_check(&o.clock, &error) &&
-            read_and_size(&o, &answer, &error) && choose(&o, &answer, &error) &&
-            (!o.is_scene || size_scene_tell(&answer, &o, &error)) &&
+            inputs_spared(&o, &error) && read_and_size(&o, &answer, &error) &&
+            choose(&o, &answer, &error) && (!o.is_scene || size_scene_tell(&answer, &o, &error)) &&
             (!o.generate || generate(&o, answer.best, &error));
   if (ok) {
     (o.json ? size_print_json : size_print_text)(&o, &answer);
