@@ -142,8 +142,9 @@ typedef struct {
   const sepax_body *body;
 } sepax_machine_body;
 
-/* What a machine is made of. The mechanism and the bodies must live as long as the machine and must
- * not change. The two lists are copied. */
+/* What a machine is made of. The links and joints of the mechanism, and the bodies, must live as
+ * long as the machine and must not change. The struct of the mechanism and both lists are copied.
+ */
 typedef struct {
   size_t size;
   const sepax_mechanism *mechanism; /* after sepax_mechanism_join */

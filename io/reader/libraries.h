@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* libraries.h - libraries that read files, of which a build may lack some (private).
  *
- * Code that calls libxml2 is in io/xml and program/formats/libxml2, code that calls libzip in
- * io/archive. Where the library is missing, make compiles a file of a folder `missing` instead,
- * which has the same functions; they fail. */
+ * Code that calls libxml2 is in io/xml and io/robot/libxml2, code that calls libzip in io/archive.
+ * Where the library is missing, make compiles a file of a folder `missing` instead, which has the
+ * same functions; they fail. */
 #ifndef SEPAX_LIBRARIES_H
 #define SEPAX_LIBRARIES_H
 

@@ -7,19 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void sepax_mechanism_free(sepax_mechanism *m) {
-  for (size_t n = 0; n < m->links && m->link != NULL; n++) {
-    sepax_release(m->link[n].name);
-  }
-  for (size_t n = 0; n < m->joints && m->joint != NULL; n++) {
-    sepax_release(m->joint[n].name);
-  }
-  sepax_release(m->link);
-  sepax_release(m->joint);
-  sepax_release(m->order);
-  *m = (sepax_mechanism){0};
-}
-
 /* ------------------------------------------------------------------------ joints */
 
 static bool make_unit(double axis[3]) {
@@ -255,9 +242,4 @@ bool sepax__mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error
   }
   return find_leaders(m, wrong, error) && find_root(m, wrong, error) &&
          order_joints(m, wrong, error);
-}
-
-bool sepax_mechanism_join(sepax_mechanism *m, sepax_error *error) {
-  size_t wrong;
-  return sepax__mechanism_join(m, &wrong, error);
 }

@@ -239,7 +239,8 @@ static bool check(const sepax_machine_parts *p, sepax_error *error) {
 }
 
 static bool make(sepax_machine *machine, const sepax_machine_parts *p) {
-  machine->mechanism = p->mechanism;
+  machine->parts = *p->mechanism;
+  machine->mechanism = &machine->parts;
   machine->bodies = p->bodies;
   machine->pairs = p->pairs;
   machine->body = sepax__zeroed(p->bodies, sizeof *machine->body);

@@ -33,7 +33,8 @@ typedef struct {
 } machine_pair;
 
 struct sepax_machine {
-  const sepax_mechanism *mechanism;
+  sepax_mechanism parts;            /* a copy of the struct, so that the caller's may move */
+  const sepax_mechanism *mechanism; /* &parts */
   sepax_machine_body *body;
   machine_box *box; /* of each body */
   size_t bodies;

@@ -17,7 +17,7 @@ static const char blanks[] = " \t";
 
 static const size_t bytes_most = (size_t)256 << 20;
 
-enum { TIME = -1, COLUMNS_MOST = FORMAT_LINKS_MOST + 1 };
+enum { TIME = -1, COLUMNS_MOST = SEPAX_ROBOT_LINKS_MOST + 1 };
 
 typedef struct {
   int joint; /* or TIME */
@@ -286,9 +286,9 @@ static bool read_value(const reader *r, size_t k, piece cell, double *value, sep
                 c->joint == TIME ? "time" : r->m->joint[c->joint].name, shown(cell), cell.at);
   }
   *value = number * c->times / c->by;
-  return fabs(*value) <= FORMAT_VALUE_MOST ||
+  return fabs(*value) <= SEPAX_ROBOT_VALUE_MOST ||
          fail(r, error, "column %zu: %.*s is too large, %g m, rad or s being the most; mend it",
-              k + 1, shown(cell), cell.at, FORMAT_VALUE_MOST);
+              k + 1, shown(cell), cell.at, SEPAX_ROBOT_VALUE_MOST);
 }
 
 /* Make space for one more line, with all joints at 0. */
@@ -319,7 +319,7 @@ static bool check_line(const reader *r, const double *value, sepax_error *error)
     }
   }
   for (size_t n = 0; n < r->m->joints; n++) {
-    if (r->m->joint[n].kind != SEPAX_JOINT_FIXED && !(fabs(value[n]) <= FORMAT_VALUE_MOST)) {
+    if (r->m->joint[n].kind != SEPAX_JOINT_FIXED && !(fabs(value[n]) <= SEPAX_ROBOT_VALUE_MOST)) {
       return fail(r, error, "joint %.60s: its value is too large; mend it", r->m->joint[n].name);
     }
     if (r->m->joint[n].kind != SEPAX_JOINT_FIXED && !within_limits(r, n, NULL, value[n], error)) {

@@ -34,7 +34,7 @@ static json_t *packages_of(const path_scene *scene, const path_question *q, sepa
     json_object_set_new(packages, q->package[n].name, json_string(q->package[n].folder));
   }
   for (size_t n = 0; n < scene->robot.shapes; n++) {
-    const format_shape *shape = &scene->robot.shape[n];
+    const sepax_shape *shape = &scene->robot.shape[n];
     if (shape->name == NULL || strncmp(shape->name, scheme, strlen(scheme)) != 0) {
       continue;
     }
@@ -85,7 +85,7 @@ static bool append_file(json_t *files, json_t *file) {
   return file != NULL && json_array_append_new(files, file) == 0;
 }
 
-static json_t *mesh_of(const format_shape *shape, const sepax_mesh_account *account,
+static json_t *mesh_of(const sepax_shape *shape, const sepax_mesh_account *account,
                        sepax_error *error) {
   json_t *file = file_of(shape->name, shape->path, error);
   if (file != NULL) {
@@ -113,7 +113,7 @@ static bool is_named(const json_t *files, const char *as) {
 static bool append_meshes(json_t *files, const path_scene *scene, sepax_error *error) {
   for (size_t n = 0, at = 0; n < scene->bodies; n++) {
     for (size_t k = 0; k < scene->body[n].parts; k++, at++) {
-      const format_shape *shape = &scene->robot.shape[at];
+      const sepax_shape *shape = &scene->robot.shape[at];
       if (shape->path != NULL && !is_named(files, shape->name) &&
           !append_file(files, mesh_of(shape, &scene->body[n].part[k].file.account, error))) {
         return false;
@@ -132,7 +132,7 @@ static json_t *files_of(const path_scene *scene, const path_question *q, sepax_e
     /* A URDF joint with several values became several joints of the mechanism, with one link
      * between each of them and the next. So subtracting the added links gives the joints of the
      * URDF. */
-    const format_robot *robot = &scene->robot;
+    const sepax_robot *robot = &scene->robot;
     set_count(urdf, "links", robot->links);
     set_count(urdf, "joints", robot->mechanism.joints - (robot->mechanism.links - robot->links));
     set_count(urdf, "collisions", robot->shapes + robot->nothings);

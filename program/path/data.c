@@ -150,19 +150,19 @@ static json_t *empty_of(const path_scene *scene) {
 }
 
 /* Collision elements whose lengths are all 0. */
-static json_t *nothings_of(const format_robot *robot) {
+static json_t *nothings_of(const sepax_robot *robot) {
   json_t *list = json_array();
   for (size_t n = 0; n < robot->nothings; n++) {
-    const format_nothing *nothing = &robot->nothing[n];
+    const sepax_bare_shape *nothing = &robot->nothing[n];
     json_array_append_new(list, json_pack("{s:s, s:s, s:I}", "link",
                                           robot->mechanism.link[nothing->link].name, "element",
-                                          format_kind_name(nothing->kind), "line",
+                                          sepax_shape_kind_name(nothing->kind), "line",
                                           (json_int_t)nothing->line));
   }
   return list;
 }
 
-static void add_others(json_t *list, const char *file, const format_others *others) {
+static void add_others(json_t *list, const char *file, const sepax_robot_others *others) {
   for (size_t n = 0; n < others->count; n++) {
     json_array_append_new(list,
                           json_pack("{s:s, s:s, s:I}", "file", file, "what", others->entry[n].what,

@@ -25,7 +25,7 @@ static void add_package(path_question *q, const struct argp_state *state, char *
     argp_error(state, "package: '%s' is not NAME:FOLDER, or there are too many packages", text);
   } else {
     *colon = '\0';
-    q->package[q->packages++] = (format_package){text, colon + 1};
+    q->package[q->packages++] = (sepax_package){text, colon + 1};
   }
 }
 

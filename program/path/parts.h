@@ -26,7 +26,7 @@ typedef struct {
   int threads;
   format_motion_rules rules;
   cli_meshes meshes;
-  format_package package[PATH_PACKAGES_MOST];
+  sepax_package package[PATH_PACKAGES_MOST];
   size_t packages;
 } path_question;
 
@@ -109,13 +109,13 @@ typedef struct {
 } path_jobs;
 
 typedef struct {
-  format_robot robot;
+  sepax_robot robot;
   format_motion motion;
   path_body *body;
   size_t bodies;
   path_pair *pair;
   size_t pairs;
-  format_srdf srdf; /* its robot is NULL if the URDF has the same name */
+  sepax_srdf srdf; /* its robot is NULL if the URDF has the same name */
   /* Numbers of pairs that are not compared: links of one joint, links that no joint moves against
    * each other, pairs disabled by the SRDF. */
   size_t joined, rigid, disabled;

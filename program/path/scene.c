@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* scene.c - makes bodies from the links and chooses the pairs of bodies that are compared. */
 #include "path/parts.h"
+#include "robot/robot.h"
 #include "util/error.h"
 
 #include <math.h>
@@ -50,8 +51,8 @@ void path_scene_free(path_scene *scene) {
   }
   free(scene->body);
   free(scene->pair);
-  format_srdf_free(&scene->srdf);
-  format_robot_free(&scene->robot);
+  sepax_srdf_free(&scene->srdf);
+  sepax_robot_free(&scene->robot);
   format_motion_free(&scene->motion);
 }
 
@@ -71,7 +72,7 @@ static bool append(sepax_soup *to, const sepax_soup *mesh) {
 
 /* Add a part to a body. If the link has several parts, then each part has a sepax_body of its
  * own. */
-static bool add_part(path_body *b, const format_shape *shape, bool only, const cli_meshes *rules,
+static bool add_part(path_body *b, const sepax_shape *shape, bool only, const cli_meshes *rules,
                      sepax_error *error) {
   sepax_soup mesh = {0};
   path_part *part = &b->part[b->parts];
@@ -105,7 +106,7 @@ static void find_box(path_body *b) {
   }
 }
 
-static bool make_body(path_body *b, const format_robot *robot, size_t first, size_t count,
+static bool make_body(path_body *b, const sepax_robot *robot, size_t first, size_t count,
                       const path_question *q, sepax_error *error) {
   b->link = robot->shape[first].link;
   b->part = calloc(count, sizeof *b->part);
@@ -121,7 +122,7 @@ static bool make_body(path_body *b, const format_robot *robot, size_t first, siz
   }
   b->triangles = b->mesh.count;
   find_box(b);
-  if (!format_distinct(&b->mesh)) {
+  if (!sepax__distinct(&b->mesh)) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles", b->triangles);
   }
   if (b->mesh.count < b->triangles) {
@@ -138,7 +139,7 @@ static bool make_body(path_body *b, const format_robot *robot, size_t first, siz
 
 /* Make the bodies. The shapes of a link follow each other in the list. */
 static bool make_bodies(path_scene *scene, const path_question *q, sepax_error *error) {
-  const format_robot *robot = &scene->robot;
+  const sepax_robot *robot = &scene->robot;
   scene->body = calloc(robot->shapes + 1, sizeof *scene->body);
   if (scene->body == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for bodies");
@@ -161,36 +162,15 @@ static bool make_bodies(path_scene *scene, const path_question *q, sepax_error *
 
 /* --------------------------------------------------------------------------- pairs */
 
-static bool joined(const sepax_mechanism *m, size_t a, size_t b) {
-  const size_t up[2] = {m->link[a].joint, m->link[b].joint};
-  return (up[0] != SEPAX_NO_JOINT && m->joint[up[0]].parent == b) ||
-         (up[1] != SEPAX_NO_JOINT && m->joint[up[1]].parent == a);
-}
-
-/* The uppermost link that is joined to this one by fixed joints only. Links with the same uppermost
- * link never move against each other. */
-static size_t held_by(const sepax_mechanism *m, size_t link) {
-  while (m->link[link].joint != SEPAX_NO_JOINT &&
-         m->joint[m->link[link].joint].kind == SEPAX_JOINT_FIXED) {
-    link = m->joint[m->link[link].joint].parent;
+/* The body of a link that has one. */
+static size_t body_of(const path_scene *scene, size_t link) {
+  size_t low = 0;
+  size_t high = scene->bodies;
+  while (high - low > 1) {
+    size_t middle = low + (high - low) / 2;
+    *(scene->body[middle].link <= link ? &low : &high) = middle;
   }
-  return link;
-}
-
-/* Without an SRDF: true if the pair is left out. The reason is counted. */
-static bool left_out(path_scene *scene, size_t a, size_t b) {
-  const sepax_mechanism *m = &scene->robot.mechanism;
-  bool of_one_joint = joined(m, a, b);
-  bool rigid = !of_one_joint && held_by(m, a) == held_by(m, b);
-  scene->joined += of_one_joint;
-  scene->rigid += rigid;
-  return of_one_joint || rigid;
-}
-
-static bool disabled(path_scene *scene, const bool *compared, size_t a, size_t b) {
-  bool off = !compared[a * scene->robot.mechanism.links + b];
-  scene->disabled += off;
-  return off;
+  return low;
 }
 
 static bool add_pair(path_scene *scene, size_t a, size_t b, sepax_error *error) {
@@ -207,34 +187,29 @@ static bool add_pair(path_scene *scene, size_t a, size_t b, sepax_error *error) 
   return true;
 }
 
-/* Choose the pairs: all that the SRDF does not disable. Without an SRDF, all but the links of one
- * joint and links that no joint moves against each other. */
 static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error) {
-  const sepax_mechanism *m = &scene->robot.mechanism;
-  bool *compared = malloc(m->links * m->links);
-  size_t most = scene->bodies * (scene->bodies + 1) / 2;
-  scene->pair = calloc(most + 1, sizeof *scene->pair);
-  if (compared == NULL || scene->pair == NULL) {
-    free(compared);
-    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for pairs of %zu bodies",
-                      scene->bodies);
+  sepax_robot_pairs chosen;
+  if (!sepax_robot_pairs_choose(&chosen, &scene->robot, srdf, error)) {
+    return false;
   }
-  memset(compared, true, m->links * m->links);
-  bool ok = srdf == NULL || format_srdf_read(compared, m, &scene->srdf, srdf, error);
+  scene->joined = chosen.joined;
+  scene->rigid = chosen.rigid;
+  scene->disabled = chosen.disabled;
+  scene->srdf = chosen.srdf;
+  chosen.srdf = (sepax_srdf){0};
   const char *name = scene->robot.name;
   if (scene->srdf.robot != NULL && name != NULL && strcmp(scene->srdf.robot, name) == 0) {
     sepax_release(scene->srdf.robot);
     scene->srdf.robot = NULL;
   }
-  for (size_t a = 0; a < scene->bodies && ok; a++) {
-    for (size_t b = a + 1; b < scene->bodies && ok; b++) {
-      size_t link[2] = {scene->body[a].link, scene->body[b].link};
-      bool off = srdf != NULL ? disabled(scene, compared, link[0], link[1])
-                              : left_out(scene, link[0], link[1]);
-      ok = off || add_pair(scene, a, b, error);
-    }
+  scene->pair = calloc(chosen.count + 1, sizeof *scene->pair);
+  bool ok = scene->pair != NULL ||
+            sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu pairs", chosen.count);
+  for (size_t n = 0; n < chosen.count && ok; n++) {
+    ok = add_pair(scene, body_of(scene, chosen.pair[n][0]), body_of(scene, chosen.pair[n][1]),
+                  error);
   }
-  free(compared);
+  sepax_robot_pairs_free(&chosen);
   return ok;
 }
 
@@ -256,7 +231,8 @@ static bool fail_no_pair(const path_scene *scene, const path_question *q, sepax_
 
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error) {
   *scene = (path_scene){0};
-  if (!format_urdf_read(&scene->robot, q->urdf, q->package, q->packages, error) ||
+  const sepax_robot_reading how = {sizeof how, q->package, q->packages};
+  if (!sepax_robot_read(&scene->robot, q->urdf, &how, error) ||
       !format_motion_read(&scene->motion, &scene->robot.mechanism, &q->rules, q->motion, error) ||
       !make_bodies(scene, q, error) || !choose_pairs(scene, q->srdf, error)) {
     return false;

@@ -181,12 +181,12 @@ static void print_empty(const path_scene *scene) {
 /* Collision elements whose lengths are all 0. */
 static void print_nothings(const path_scene *scene) {
   enum { NAMES_MOST = 12 };
-  const format_robot *robot = &scene->robot;
+  const sepax_robot *robot = &scene->robot;
   for (size_t n = 0; n < robot->nothings && n < NAMES_MOST; n++) {
-    const format_nothing *nothing = &robot->nothing[n];
+    const sepax_bare_shape *nothing = &robot->nothing[n];
     printf("%s%s of %s (line %ld)",
            n == 0 ? "zero   all lengths are 0, so there is no surface: " : ", ",
-           format_kind_name(nothing->kind), robot->mechanism.link[nothing->link].name,
+           sepax_shape_kind_name(nothing->kind), robot->mechanism.link[nothing->link].name,
            nothing->line);
   }
   if (robot->nothings > NAMES_MOST) {
@@ -197,9 +197,9 @@ static void print_nothings(const path_scene *scene) {
 
 /* Print the elements that are ignored because they say nothing about collision geometry or belong
  * to other programs. */
-static void print_others(const char *file, const format_others *others) {
+static void print_others(const char *file, const sepax_robot_others *others) {
   for (size_t n = 0; n < others->count; n++) {
-    const format_other *other = &others->entry[n];
+    const sepax_robot_other *other = &others->entry[n];
     bool attribute = other->what[strlen(other->what) - 1] == '=';
     printf("%s%zu %s%s%s", n == 0 ? "passed over: " : ", ", other->count, attribute ? "" : "<",
            other->what, attribute ? "" : ">");

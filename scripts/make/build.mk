@@ -1,21 +1,19 @@
 # SPDX-License-Identifier: MIT
 # build.mk - the program, the library, and the programs of tests and reports.
 
-XML_OF      = $(if $(with_xml),$(wildcard io/xml/*.c),io/missing/libxml2.c)
+XML_OF      = $(if $(with_xml),$(wildcard io/xml/*.c io/robot/libxml2/*.c),io/missing/libxml2.c)
 ZIP_OF      = $(if $(with_zip),$(wildcard io/archive/*.c),io/missing/libzip.c)
-FORMAT_OF   = $(if $(with_xml),$(wildcard program/formats/libxml2/*.c), \
-              program/formats/missing/libxml2.c)
-FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c) $(FORMAT_OF))
+FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c))
 # What these need of the commands: options of meshes, and what is said of them.
 FORMAT_USES = $(call object,program/cli/meshes.c program/cli/question.c \
               $(wildcard program/report/*.c))
 
 LIB_SRC   = $(wildcard lib/*/*.c)
 MODEL_SRC = $(wildcard c_model/*/*.c)
-IO_SRC    = $(wildcard io/reader/*.c io/text/*.c) $(XML_OF) $(ZIP_OF)
+IO_SRC    = $(wildcard io/reader/*.c io/robot/*.c io/text/*.c) $(XML_OF) $(ZIP_OF)
 CHECKER  = $(wildcard $(addprefix program/certificate_checker/,*.c */*.c))
 MD_OF    = program/path/$(if $(with_md),libmd,missing)/digest.c
-CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(FORMAT_OF) $(MD_OF) \
+CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(MD_OF) \
            $(RTL_GEN)
 RTL_GEN  = $(wildcard rtl_gen/*.c rtl_gen/*/*.c rtl_gen/*/*/*.c)
 UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))
@@ -53,7 +51,8 @@ $(BUILD)/libsepax.a $(BUILD)/libsepax.so.0: $(LIB_OBJ)
 $(BUILD)/libsepax-model.a $(BUILD)/libsepax-model.so.0: $(MODEL_OBJ) \
   $(call object,lib/util/write_file.c lib/util/temporary.c)
 $(BUILD)/libsepax-io.a $(BUILD)/libsepax-io.so.0: $(IO_OBJ) \
-  $(call object,lib/util/text.c lib/mesh/stl_read.c lib/body/orient.c) $(BUILD)/obj/libraries
+  $(call object,lib/util/text.c lib/mesh/stl_read.c lib/body/orient.c lib/mechanism/join.c) \
+  $(BUILD)/obj/libraries
 $(BUILD)/libsepax-model.so.0 $(BUILD)/libsepax-io.so.0: $(BUILD)/libsepax.so.0
 $(BUILD)/libsepax-io.so.0: LIBS = $(IO_LIBS)
 $(BUILD)/libsepax.a $(BUILD)/libsepax-model.a $(BUILD)/libsepax-io.a:
@@ -88,8 +87,8 @@ $(PAGE_OBJ): $(BUILD)/obj/page.c
 	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
 
 # Code that calls libxml2.
-$(BUILD)/obj/program/formats/libxml2/%.o: SEPAX_CFLAGS += $(XML_CFLAGS)
-$(BUILD)/obj/io/xml/%.o $(BUILD)/obj/io/archive/%.o: SEPAX_CFLAGS += $(XML_CFLAGS)
+$(BUILD)/obj/io/xml/%.o $(BUILD)/obj/io/archive/%.o $(BUILD)/obj/io/robot/libxml2/%.o: \
+  SEPAX_CFLAGS += $(XML_CFLAGS)
 # Written where it changes, so that the program is linked again.
 $(BUILD)/obj/libraries: FORCE
 	@mkdir -p $(@D)

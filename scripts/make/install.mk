@@ -28,7 +28,7 @@ install: $(PROGRAM) $(PUBLIC) $(SHARED)
 	  -e 's/^Libs.private: .*/Requires: sepax = $(VERSION)/' $(BUILD)/sepax.pc \
 	  > $(BUILD)/sepax-model.pc
 	@sed -e 's/^Name: sepax/&-io/' -e 's/-lsepax/&-io/' \
-	  -e 's/^Description: .*/Description: meshes from STL, OBJ, PLY, 3MF, DAE for sepax/' \
+	  -e 's/^Description: .*/Description: meshes (STL, OBJ, PLY, 3MF, DAE), robots (URDF)/' \
 	  -e 's/^Libs.private: .*/Libs.private: $(IO_LIBS)\nRequires: sepax = $(VERSION)/' \
 	  $(BUILD)/sepax.pc > $(BUILD)/sepax-io.pc
 	@for page in $(notdir $(MAN)); do \

@@ -3,7 +3,7 @@
 
 .PHONY: c_programs fuzz-targets fuzzers
 OF_TREE = $(wildcard tb/tree_engine/top/*.c drivers/tree_engine/*.c) synth/power/tree_engine.c
-C_SRC   = $(LIB_SRC) $(CLI_SRC) $(wildcard program/formats/missing/*.c) $(filter-out $(OF_TREE), \
+C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
           $(wildcard tb/*.c tb/*/*.c tb/*/*/*.c synth/*/*.c synth/*/*/*.c \
           examples/object_engine/*.c drivers/object_engine/*.c \
           examples/ulx3s/host/*.c examples/soc/host/*.c \

@@ -22,16 +22,11 @@
 
 static const double clearance = 0.002; /* metres */
 
-enum { AXES = 5, BODIES_MOST = 16, PAIRS_MOST = 64, HEIGHTS_MOST = 64 };
+enum { AXES = 5, HEIGHTS_MOST = 64 };
 
 typedef struct {
-  format_robot robot;
+  sepax_robot_machine mill;
   format_motion path;
-  sepax_machine_body body[BODIES_MOST];
-  size_t bodies;
-  size_t pair[PAIRS_MOST][2];
-  size_t pairs;
-  sepax_machine *machine;
   size_t axis[AXES];           /* the joints x, y, z, b, a */
   double height[HEIGHTS_MOST]; /* of z, where two bodies are as far apart as the clearance */
   size_t heights;
@@ -44,44 +39,6 @@ static void stop(const char *what, const sepax_error *error) {
 
 /* -------------------------------------------------------------------------- scene */
 
-static void add_bodies(scene *s) {
-  sepax_error error = {0};
-  const cli_meshes rules = {.unit = CLI_METRES};
-  for (size_t n = 0; n < s->robot.shapes && s->bodies < BODIES_MOST; n++) {
-    sepax_soup mesh;
-    report_mesh said;
-    sepax_body *body;
-    if (!format_shape_mesh(&mesh, &said, &s->robot.shape[n], &rules, &error) ||
-        !sepax_body_new(&body, SEPAX_SOUP_MESH(&mesh), NULL, &error)) {
-      stop("a mesh", &error);
-    }
-    sepax_soup_free(&mesh);
-    s->body[s->bodies++] = (sepax_machine_body){s->robot.shape[n].link, body};
-  }
-}
-
-static void add_pairs(scene *s, const char *srdf) {
-  const sepax_mechanism *m = &s->robot.mechanism;
-  sepax_error error = {0};
-  bool *compared = malloc(m->links * m->links);
-  if (compared == NULL) {
-    stop("pairs", NULL);
-  }
-  memset(compared, true, m->links * m->links);
-  if (!format_srdf_read(compared, m, NULL, srdf, &error)) {
-    stop("the SRDF", &error);
-  }
-  for (size_t a = 0; a < s->bodies; a++) {
-    for (size_t b = a + 1; b < s->bodies && s->pairs < PAIRS_MOST; b++) {
-      if (compared[s->body[a].link * m->links + s->body[b].link]) {
-        s->pair[s->pairs][0] = a;
-        s->pair[s->pairs++][1] = b;
-      }
-    }
-  }
-  free(compared);
-}
-
 static void load(scene *s, const char *folder) {
   static const char *const names[AXES] = {"x", "y", "z", "b", "a"};
   const format_motion_rules rules = {0};
@@ -91,23 +48,12 @@ static void load(scene *s, const char *folder) {
   snprintf(name[0], sizeof name[0], "%s/mill.urdf", folder);
   snprintf(name[1], sizeof name[1], "%s/mill.srdf", folder);
   snprintf(name[2], sizeof name[2], "%s/path.csv", folder);
-  if (!format_urdf_read(&s->robot, name[0], NULL, 0, &error) ||
-      !format_motion_read(&s->path, &s->robot.mechanism, &rules, name[2], &error)) {
+  if (!sepax_robot_machine_read(&s->mill, name[0], name[1], NULL, &error) ||
+      !format_motion_read(&s->path, &s->mill.robot.mechanism, &rules, name[2], &error)) {
     stop(folder, &error);
   }
-  add_bodies(s);
-  add_pairs(s, name[1]);
   for (size_t k = 0; k < AXES; k++) {
-    for (size_t n = 0; n < s->robot.mechanism.joints; n++) {
-      if (strcmp(s->robot.mechanism.joint[n].name, names[k]) == 0) {
-        s->axis[k] = n;
-      }
-    }
-  }
-  const sepax_machine_parts parts = {sizeof parts, &s->robot.mechanism,         s->body,
-                                     s->bodies,    (const size_t(*)[2])s->pair, s->pairs};
-  if (!sepax_machine_new(&s->machine, &parts, &error)) {
-    stop("the machine", &error);
+    s->axis[k] = sepax_robot_joint(&s->mill.robot, names[k]);
   }
 }
 
@@ -117,13 +63,14 @@ static double gap_at(const scene *s, size_t pair, double z) {
   sepax_chain chain;
   sepax_pose pose[2];
   sepax_distance_result found;
-  const sepax_machine_body *b[2] = {&s->body[s->pair[pair][0]], &s->body[s->pair[pair][1]]};
+  const sepax_machine_body *b[2] = {&s->mill.body[s->mill.pair[pair][0]],
+                                    &s->mill.body[s->mill.pair[pair][1]]};
   const sepax_distance_request request = {.size = sizeof request, .relative = 1e-12};
   value[s->axis[2]] = z;
-  if (!sepax_chain_find(&chain, &s->robot.mechanism, b[0]->link, b[1]->link, &error)) {
+  if (!sepax_chain_find(&chain, &s->mill.robot.mechanism, b[0]->link, b[1]->link, &error)) {
     stop("a chain", &error);
   }
-  sepax_chain_poses(&chain, &s->robot.mechanism, value, pose);
+  sepax_chain_poses(&chain, &s->mill.robot.mechanism, value, pose);
   if (!sepax_bodies_distance(b[0]->body, &pose[0], b[1]->body, &pose[1], &request, &found,
                              &error)) {
     stop("a distance", &error);
@@ -135,7 +82,7 @@ static double gap_at(const scene *s, size_t pair, double z) {
 /* The height at which a pair is as far apart as the clearance, if there is one: by halving; and the
  * same in whole micrometres. */
 static void add_height(scene *s, size_t pair) {
-  const sepax_joint *joint = &s->robot.mechanism.joint[s->axis[2]];
+  const sepax_joint *joint = &s->mill.robot.mechanism.joint[s->axis[2]];
   double low = joint->lower;
   double high = joint->upper;
   if (gap_at(s, pair, low) > clearance || gap_at(s, pair, high) < clearance) {
@@ -177,7 +124,7 @@ static void on_path(const scene *s, size_t period, double *value) {
 
 /* A jog of 500 periods, `at` of them gone. */
 static void jog(const scene *s, size_t number, size_t at, double *value) {
-  const sepax_mechanism *m = &s->robot.mechanism;
+  const sepax_mechanism *m = &s->mill.robot.mechanism;
   uint64_t state = number;
   double way = ((double)at - 250) * 5e-5; /* 50 mm/s */
   memset(value, 0, m->joints * sizeof *value);
@@ -274,7 +221,7 @@ static void run(const scene *s, const sepax_machine_query *query, size_t periods
   double value[64] = {0};
   sepax_watch *watch;
   sepax_machine_answer answer;
-  if (!sepax_watch_new(&watch, s->machine, &error)) {
+  if (!sepax_watch_new(&watch, s->mill.machine, &error)) {
     stop("a watch", &error);
   }
   for (size_t n = 0; n < 100; n++) { /* the program's own pages and symbols */
@@ -345,7 +292,7 @@ int main(int argc, char **argv) {
   int passes = argc > 3 ? atoi(argv[3]) : 2;
   sepax_set_allocator(&counted);
   load(&s, argv[1]);
-  for (size_t n = 0; n < s.pairs; n++) {
+  for (size_t n = 0; n < s.mill.pairs.count; n++) {
     add_height(&s, n);
   }
   float *time = calloc(periods + 1, sizeof *time);
@@ -359,8 +306,8 @@ int main(int argc, char **argv) {
     travel[s.axis[k]] = k < 3 ? 0.5e-3 : 1e-3;
   }
   sepax_machine_query q = {.size = sizeof q, .clearance = clearance};
-  printf("%zu bodies, %zu pairs, %zu heights, clearance %g mm\n", s.bodies, s.pairs, s.heights,
-         clearance * 1e3);
+  printf("%zu bodies, %zu pairs, %zu heights, clearance %g mm\n", s.mill.bodies, s.mill.pairs.count,
+         s.heights, clearance * 1e3);
   static const uint64_t work[] = {0, 500, 1000, 2000};
   char name[80];
   bool ok = true;

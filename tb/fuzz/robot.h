@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static inline void read_robot(format_robot *robot) {
+static inline void read_robot(sepax_robot *robot) {
   static const char text[] =
       "<robot name='r'><link name='a'/><link name='b'><collision><geometry><sphere radius='1'/>"
       "</geometry></collision></link><link name='c'/><link name='d'/>"
@@ -20,7 +20,7 @@ static inline void read_robot(format_robot *robot) {
       "<limit lower='-9' upper='9'/><mimic joint='x' multiplier='2'/></joint></robot>";
   sepax_error error = {0};
   fuzz_file("robot.urdf", (const uint8_t *)text, sizeof text - 1);
-  bool ok = format_urdf_read(robot, "robot.urdf", NULL, 0, &error);
+  bool ok = sepax_robot_read(robot, "robot.urdf", NULL, &error);
   if (!ok) {
     fprintf(stderr, "%s\n", error.text);
   }

@@ -17,7 +17,7 @@ static void require_sound(const format_motion *motion, const sepax_mechanism *m,
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  static format_robot robot;
+  static sepax_robot robot;
   if (robot.mechanism.links == 0) {
     read_robot(&robot);
   }

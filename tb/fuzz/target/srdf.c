@@ -3,7 +3,7 @@
 #include "fuzz/robot.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  static format_robot robot;
+  static sepax_robot robot;
   if (robot.mechanism.links == 0) {
     read_robot(&robot);
   }
@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   memset(compared, 1, sizeof compared);
   fuzz_file("input.srdf", data, size);
   bool ok =
-      fuzz_answer(format_srdf_read(compared, &robot.mechanism, NULL, "input.srdf", &error), &error);
+      fuzz_answer(sepax_srdf_read(compared, &robot.mechanism, NULL, "input.srdf", &error), &error);
   for (int n = 0; ok && n < 16; n++) {
     REQUIRE(compared[n] == compared[n % 4 * 4 + n / 4]);
   }

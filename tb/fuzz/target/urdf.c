@@ -21,25 +21,26 @@ static void require_poses(const sepax_mechanism *m) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  format_robot robot;
+  sepax_robot robot;
   sepax_error error = {0};
-  const format_package package = {"here", "."};
+  const sepax_package package = {"here", "."};
+  const sepax_robot_reading how = {sizeof how, &package, 1};
   const cli_meshes rules = {.unit = CLI_METRES};
   fuzz_file("input.urdf", data, size);
-  bool ok = fuzz_answer(format_urdf_read(&robot, "input.urdf", &package, 1, &error), &error);
+  bool ok = fuzz_answer(sepax_robot_read(&robot, "input.urdf", &how, &error), &error);
   if (ok) {
     REQUIRE(robot.mechanism.links > 0);
     require_poses(&robot.mechanism);
     for (size_t n = 0; n < robot.shapes && n < 4; n++) {
       sepax_soup mesh;
       report_mesh said;
-      if (robot.shape[n].kind != FORMAT_MESH &&
+      if (robot.shape[n].kind != SEPAX_SHAPE_MESH &&
           format_shape_mesh(&mesh, &said, &robot.shape[n], &rules, &error)) {
         REQUIRE(mesh.count >= 12);
         sepax_soup_free(&mesh);
       }
     }
-    format_robot_free(&robot);
+    sepax_robot_free(&robot);
   }
   return 0;
 }

@@ -8,9 +8,9 @@
 static const format_motion_rules strict = {false, false};
 
 /* Joints x (prismatic, -0.5 ... 0.5), a (continuous), m, which is twice x, and f, fixed. */
-static format_robot mill(void) {
-  format_robot r;
-  assert_works(format_urdf_read(
+static sepax_robot mill(void) {
+  sepax_robot r;
+  assert_works(sepax_robot_read(
       &r,
       put_file("r.urdf",
                "<robot name='r'><link name='l0'/><link name='l1'/><link name='l2'/>"
@@ -22,27 +22,27 @@ static format_robot mill(void) {
                "<limit lower='-2' upper='.5'/><mimic joint='x' multiplier='2'/></joint>"
                "<joint name='f' type='fixed'><parent link='l3'/><child link='l4'/></joint>"
                "</robot>"),
-      NULL, 0, &fault));
+      NULL, &fault));
   return r;
 }
 
 static format_motion read_text(const char *text, const format_motion_rules *rules) {
-  format_robot r = mill();
+  sepax_robot r = mill();
   format_motion motion;
   assert_works(format_motion_read(&motion, &r.mechanism, rules, put_file("p.csv", text), &fault));
-  format_robot_free(&r);
+  sepax_robot_free(&r);
   return motion;
 }
 
 static void refuse_bytes(const char *text, size_t size, const char *part) {
-  format_robot r = mill();
+  sepax_robot r = mill();
   format_motion motion;
   assert_fault(
       format_motion_read(&motion, &r.mechanism, &strict, put_bytes("p.csv", text, size), &fault),
       part);
   assert_message("p.csv");
   assert_null(motion.value);
-  format_robot_free(&r);
+  sepax_robot_free(&r);
 }
 
 static void refuse_text(const char *text, const char *part) {
@@ -51,13 +51,13 @@ static void refuse_text(const char *text, const char *part) {
 
 /* Values beyond limits are told in the unit of their column. */
 CASE(test_limits) {
-  format_robot r;
-  assert_works(format_urdf_read(
+  sepax_robot r;
+  assert_works(sepax_robot_read(
       &r,
       put_file("r.urdf", "<robot name='r'><link name='l0'/><link name='l1'/>"
                          "<joint name='t' type='revolute'><parent link='l0'/><child link='l1'/>"
                          "<limit lower='-1' upper='1.570796'/></joint></robot>"),
-      NULL, 0, &fault));
+      NULL, &fault));
   format_motion p;
   const char *turned = put_file("p.csv", "t [deg]\n90\n");
   assert_fault(
@@ -66,7 +66,7 @@ CASE(test_limits) {
       "give --ignore-limits");
   assert_fault(format_motion_read(&p, &r.mechanism, &strict, put_file("p.csv", "t\n90\n"), &fault),
                "90 rad is above its limit of 1.570796 rad; mend it, name its unit, [deg], or give");
-  format_robot_free(&r);
+  sepax_robot_free(&r);
 }
 
 CASE(test_values) {

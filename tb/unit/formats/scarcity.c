@@ -2,6 +2,7 @@
 /* scarcity.c - readers without memory: each allocation refused in turn. Those of libxml2 are among
  * them, which keeps its last error. */
 #include "files.h"
+#include "robot/robot.h"
 #include "unit/memory/scarce.h"
 
 #include <stdio.h>
@@ -11,17 +12,18 @@
   "</joint>\n"
 
 static bool work_robot(void *context) {
-  format_robot r;
+  sepax_robot r;
   static const cli_meshes rules = {.unit = CLI_METRES};
-  static const format_package package = {"p", "/tmp"};
-  if (!format_urdf_read(&r, context, &package, 1, &fault)) {
+  static const sepax_package package = {"p", "/tmp"};
+  static const sepax_robot_reading how = {sizeof how, &package, 1};
+  if (!sepax_robot_read(&r, context, &how, &fault)) {
     return false;
   }
   bool *compared = calloc(r.mechanism.links * r.mechanism.links, sizeof *compared);
   sepax_chain chain;
-  format_srdf of = {0};
-  bool works = compared != NULL &&
-               format_srdf_read(compared, &r.mechanism, &of, in_folder("r.srdf"), &fault);
+  sepax_srdf of = {0};
+  bool works =
+      compared != NULL && sepax_srdf_read(compared, &r.mechanism, &of, in_folder("r.srdf"), &fault);
   if (works && sepax_chain_find(&chain, &r.mechanism, 1, 3, &fault)) {
     assert_int_equal(chain.count, 3);
     sepax_chain_free(&chain);
@@ -35,10 +37,20 @@ static bool work_robot(void *context) {
     works = format_shape_mesh(&mesh, &said, &r.shape[n], &rules, &fault);
     sepax_soup_free(&mesh);
   }
-  format_srdf_free(&of);
+  sepax_srdf_free(&of);
   free(compared);
-  format_robot_free(&r);
+  sepax_robot_free(&r);
   return works;
+}
+
+static bool work_machine(void *context) {
+  sepax_robot_machine m;
+  if (!sepax_robot_machine_read(&m, context, in_folder("r.srdf"), NULL, &fault)) {
+    return false;
+  }
+  assert_int_equal(m.bodies, 4);
+  sepax_robot_machine_free(&m);
+  return true;
 }
 
 CASE(test_robots) {
@@ -58,12 +70,13 @@ CASE(test_robots) {
                "</collision></link>" JOINT("f", "floating", "a", "e", "") "</robot>\n"));
   memory.keeps = true;
   assert_true(assert_scarce(work_robot, name) > 50);
+  assert_true(SANITIZED || assert_scarce(work_machine, name) > 50);
   memory.keeps = false;
   free(name);
 }
 
 typedef struct {
-  format_robot robot;
+  sepax_robot robot;
   const char *path;
 } motions;
 
@@ -85,14 +98,14 @@ CASE(test_paths) {
   put_file("r.urdf", "<robot name='r'><link name='a'/><link name='b'/><link name='c'/>\n" //
            JOINT("j", "prismatic", "a", "b", "<limit lower='-1' upper='1'/>")             //
            JOINT("k", "continuous", "b", "c", "") "</robot>\n");
-  assert_works(format_urdf_read(&s.robot, in_folder("r.urdf"), NULL, 0, &fault));
+  assert_works(sepax_robot_read(&s.robot, in_folder("r.urdf"), NULL, &fault));
   char text[300 * 24 + 16] = "time,j\n";
   for (int n = 0; n < 300; n++) {
     snprintf(text + strlen(text), 24, "%d,0.5\n", n);
   }
   s.path = put_file("p.csv", text);
   assert_true(assert_scarce(work_motion, &s) > 3);
-  format_robot_free(&s.robot);
+  sepax_robot_free(&s.robot);
 }
 
 static bool work_mesh(void *context) {
@@ -102,7 +115,7 @@ static bool work_mesh(void *context) {
     return false;
   }
   assert_int_equal(mesh.count, 2);
-  format_distinct(&mesh);
+  sepax__distinct(&mesh);
   sepax_soup_free(&mesh);
   return true;
 }

@@ -2,12 +2,13 @@
 /* shapes.c - polyhedra around spheres, cylinders and capsules; places; triangles that are there
  * twice. */
 #include "files.h"
+#include "robot/robot.h"
 
 #include <math.h>
 
 static const sepax_pose at_origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
 
-static sepax_soup mesh_of(const format_shape *shape) {
+static sepax_soup mesh_of(const sepax_shape *shape) {
   sepax_soup mesh;
   report_mesh said;
   static const cli_meshes rules = {.unit = CLI_METRES};
@@ -58,7 +59,7 @@ CASE(test_sphere) {
   for (size_t n = 0; n < LENGTH(radii); n++) {
     double r = radii[n];
     sepax_soup mesh =
-        mesh_of(&(format_shape){.kind = FORMAT_SPHERE, .size = {r}, .origin = at_origin});
+        mesh_of(&(sepax_shape){.kind = SEPAX_SHAPE_SPHERE, .size = {r}, .origin = at_origin});
     assert_solid(&mesh, 4.0 / 3 * PI * r * r * r, 0.005);
     for (size_t k = 0; k < mesh.count; k++) {
       assert_true(plane_height(mesh.facet[k].v) >= r);
@@ -73,7 +74,7 @@ CASE(test_sphere) {
 
 CASE(test_cylinder) {
   sepax_soup mesh =
-      mesh_of(&(format_shape){.kind = FORMAT_CYLINDER, .size = {0.3, 4}, .origin = at_origin});
+      mesh_of(&(sepax_shape){.kind = SEPAX_SHAPE_CYLINDER, .size = {0.3, 4}, .origin = at_origin});
   assert_solid(&mesh, PI * 0.09 * 4, 0.002);
   for (size_t k = 0; k < mesh.count; k++) {
     const double(*v)[3] = mesh.facet[k].v;
@@ -90,8 +91,8 @@ CASE(test_cylinder) {
 /* Points of a capsule of radius r, whose axis goes from -half to half: none is outside the facets
  * that it is behind, seen from the nearest point of the axis; corners are near the surface. */
 static void check_capsule(double r, double length) {
-  sepax_soup mesh =
-      mesh_of(&(format_shape){.kind = FORMAT_CAPSULE, .size = {r, length}, .origin = at_origin});
+  sepax_soup mesh = mesh_of(
+      &(sepax_shape){.kind = SEPAX_SHAPE_CAPSULE, .size = {r, length}, .origin = at_origin});
   double half = length / 2;
   assert_solid(&mesh, PI * r * r * length + 4.0 / 3 * PI * r * r * r, 0.005);
   for (size_t k = 0; k < mesh.count; k++) {
@@ -116,9 +117,9 @@ CASE(test_capsule) {
   check_capsule(3, 0.01);
   check_capsule(777, 1e4);
   sepax_soup ball =
-      mesh_of(&(format_shape){.kind = FORMAT_CAPSULE, .size = {2, 0}, .origin = at_origin});
+      mesh_of(&(sepax_shape){.kind = SEPAX_SHAPE_CAPSULE, .size = {2, 0}, .origin = at_origin});
   sepax_soup sphere =
-      mesh_of(&(format_shape){.kind = FORMAT_SPHERE, .size = {2}, .origin = at_origin});
+      mesh_of(&(sepax_shape){.kind = SEPAX_SHAPE_SPHERE, .size = {2}, .origin = at_origin});
   assert_int_equal(ball.count, sphere.count);
   assert_memory_equal(ball.facet, sphere.facet, ball.count * sizeof *ball.facet);
   sepax_soup_free(&ball);
@@ -133,7 +134,7 @@ CASE(test_capsule_holds) {
     double r = sizes[n][0];
     double half = sizes[n][1] / 2;
     sepax_soup mesh = mesh_of(
-        &(format_shape){.kind = FORMAT_CAPSULE, .size = {r, sizes[n][1]}, .origin = at_origin});
+        &(sepax_shape){.kind = SEPAX_SHAPE_CAPSULE, .size = {r, sizes[n][1]}, .origin = at_origin});
     double top = -INFINITY;
     double rim = INFINITY;
     for (size_t k = 0; k < 3 * mesh.count; k++) {
@@ -152,9 +153,9 @@ CASE(test_capsule_holds) {
 /* Turned by a quarter about z, then moved. */
 CASE(test_box_in_its_place) {
   sepax_soup mesh =
-      mesh_of(&(format_shape){.kind = FORMAT_BOX,
-                              .size = {2, 4, 6},
-                              .origin = {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {10, 0, 0}}});
+      mesh_of(&(sepax_shape){.kind = SEPAX_SHAPE_BOX,
+                             .size = {2, 4, 6},
+                             .origin = {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {10, 0, 0}}});
   double least[3] = {INFINITY, INFINITY, INFINITY};
   double most[3] = {-INFINITY, -INFINITY, -INFINITY};
   assert_solid(&mesh, 48, 1e-15);
@@ -181,7 +182,7 @@ CASE(test_distinct) {
     memcpy(mesh.facet[n].v, triangle[n % 6], sizeof *triangle);
   }
   mesh.facet[COUNT - 1].v[2][2] = 3;
-  assert_true(format_distinct(&mesh));
+  assert_true(sepax__distinct(&mesh));
   static const int order[] = {0, 1, 3, 4, 5};
   assert_int_equal(mesh.count, 5);
   for (size_t n = 0; n < 4; n++) {
@@ -191,7 +192,7 @@ CASE(test_distinct) {
   for (size_t n = 0; n < 5; n++) {
     mesh.facet[n].v[0][0] += (double)n;
   }
-  assert_true(format_distinct(&mesh));
+  assert_true(sepax__distinct(&mesh));
   assert_int_equal(mesh.count, 5);
   sepax_soup_free(&mesh);
 }

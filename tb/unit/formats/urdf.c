@@ -12,12 +12,12 @@
 #define JOINT(type, rest) \
   "<joint name='j' type='" type "'><parent link='a'/><child link='b'/>" rest "</joint>\n"
 
-static bool read_text(format_robot *robot, const char *text) {
-  return format_urdf_read(robot, put_file("r.urdf", text), NULL, 0, &fault);
+static bool read_text(sepax_robot *robot, const char *text) {
+  return sepax_robot_read(robot, put_file("r.urdf", text), NULL, &fault);
 }
 
 static void refuse_text(const char *text, const char *part) {
-  format_robot robot;
+  sepax_robot robot;
   assert_fault(read_text(&robot, text), part);
   assert_message("r.urdf");
   assert_null(robot.shape);
@@ -25,7 +25,7 @@ static void refuse_text(const char *text, const char *part) {
 }
 
 CASE(test_links_and_joints) {
-  format_robot r;
+  sepax_robot r;
   put_file("part.obj", "v 0 0 0\n");
   assert_works(read_text(
       &r, "<?xml version='1.0'?>\n<robot name='r' xmlns:xacro='x'>\n"
@@ -58,7 +58,8 @@ CASE(test_links_and_joints) {
   assert_true(m->joint[1].factor == 3 && m->joint[1].offset == -1);
   assert_true(isinf(m->joint[1].upper) && m->joint[1].axis[0] == 1);
   assert_int_equal(r.shapes, 4);
-  static const format_kind kinds[] = {FORMAT_BOX, FORMAT_CYLINDER, FORMAT_SPHERE, FORMAT_MESH};
+  static const sepax_shape_kind kinds[] = {SEPAX_SHAPE_BOX, SEPAX_SHAPE_CYLINDER,
+                                           SEPAX_SHAPE_SPHERE, SEPAX_SHAPE_MESH};
   static const double sizes[][3] = {{1, 2, 3}, {2, 7, 0}, {4, 0, 0}, {.001, .002, -.003}};
   for (size_t n = 0; n < 4; n++) {
     assert_int_equal(r.shape[n].kind, kinds[n]);
@@ -67,7 +68,7 @@ CASE(test_links_and_joints) {
   }
   assert_true(r.shape[0].origin.translation[2] == 5);
   assert_non_null(strstr(r.shape[3].path, "/part.obj"));
-  format_robot_free(&r);
+  sepax_robot_free(&r);
 }
 
 /* rpy against turns about x, then y, then z, by matrices. */
@@ -77,7 +78,7 @@ CASE(test_rpy) {
     double a[3] = {3 * random_unit(), 3 * random_unit(), 3 * random_unit()};
     snprintf(text, sizeof text, HEAD TWO JOINT("fixed", "<origin rpy='%.17g %.17g %.17g'/>") TAIL,
              a[0], a[1], a[2]);
-    format_robot r;
+    sepax_robot r;
     assert_works(read_text(&r, text));
     for (int k = 0; k < 3; k++) {
       double v[3] = {k == 0, k == 1, k == 2};
@@ -92,7 +93,7 @@ CASE(test_rpy) {
         assert_true(fabs(v[i] - r.mechanism.joint[0].origin.rotation[i][k]) < 1e-14);
       }
     }
-    format_robot_free(&r);
+    sepax_robot_free(&r);
   }
 }
 
@@ -199,20 +200,20 @@ CASE(test_geometry_refused) {
 
 /* Of version 1.1 in a file of any version; a length of 0 is allowed. */
 CASE(test_capsules) {
-  format_robot r;
+  sepax_robot r;
   assert_works(read_text(
       &r, HEAD "<link name='a'><collision><geometry><capsule radius='2' length='7'/></geometry>"
                "</collision><collision><geometry><capsule radius='2' length='0'/></geometry>"
                "</collision></link>" TAIL));
   assert_int_equal(r.shapes, 2);
-  assert_int_equal(r.shape[0].kind, FORMAT_CAPSULE);
+  assert_int_equal(r.shape[0].kind, SEPAX_SHAPE_CAPSULE);
   assert_true(r.shape[0].size[0] == 2 && r.shape[0].size[1] == 7 && r.shape[1].size[1] == 0);
-  format_robot_free(&r);
+  sepax_robot_free(&r);
 }
 
 /* Lengths that are all 0: no surface, and told. */
 CASE(test_nothing) {
-  format_robot r;
+  sepax_robot r;
   assert_works(read_text(
       &r, HEAD "<link name='a'/>\n<link name='b'>\n<collision><geometry><box size='0 0 0'/>"
                "</geometry></collision>\n"
@@ -221,13 +222,14 @@ CASE(test_nothing) {
                "</link>" JOINT("fixed", "") TAIL));
   assert_int_equal(r.shapes, 0);
   assert_int_equal(r.nothings, 3);
-  static const format_kind kinds[] = {FORMAT_BOX, FORMAT_SPHERE, FORMAT_CAPSULE};
+  static const sepax_shape_kind kinds[] = {SEPAX_SHAPE_BOX, SEPAX_SHAPE_SPHERE,
+                                           SEPAX_SHAPE_CAPSULE};
   for (size_t n = 0; n < 3; n++) {
     assert_int_equal(r.nothing[n].link, 1);
     assert_int_equal(r.nothing[n].kind, kinds[n]);
     assert_int_equal(r.nothing[n].line, 4 + n);
   }
-  format_robot_free(&r);
+  sepax_robot_free(&r);
 }
 
 /* ------------------------------------------------------------------------- versions */
@@ -235,13 +237,13 @@ CASE(test_nothing) {
 #define VERSION(text) "<robot name='r' version='" text "'>\n" TWO
 
 CASE(test_versions) {
-  format_robot r;
+  sepax_robot r;
   static const char *const known[] = {VERSION("1.0"), VERSION("1.1"), VERSION("1.2")};
   for (size_t n = 0; n < LENGTH(known); n++) {
     char text[400];
     snprintf(text, sizeof text, "%s%s", known[n], JOINT("fixed", "") TAIL);
     assert_works(read_text(&r, text));
-    format_robot_free(&r);
+    sepax_robot_free(&r);
   }
   refuse_text(VERSION("9.0") TAIL, "r.urdf:1: version=\"9.0\" is not known; give the file as URDF");
   refuse_text(VERSION("1") TAIL, "version=\"1\" is not known");
@@ -250,12 +252,12 @@ CASE(test_versions) {
   /* without limits a joint of 1.0 stands still; 1.2 says nothing of the sort */
   assert_works(read_text(&r, VERSION("1.0") JOINT("revolute", "<limit upper='1'/>") TAIL));
   assert_true(r.mechanism.joint[0].lower == 0 && r.mechanism.joint[0].upper == 1);
-  format_robot_free(&r);
+  sepax_robot_free(&r);
   refuse_text(VERSION("1.2") JOINT("revolute", "<limit upper='1'/>") TAIL,
               "r.urdf:4: joint j: URDF 1.2 has no limit of 0 by default; give lower and upper");
   assert_works(read_text(&r, VERSION("1.2")
                                  JOINT("revolute", "<limit lower='0' upper='1' jerk='3'/>") TAIL));
-  format_robot_free(&r);
+  sepax_robot_free(&r);
 }
 
 /* A quaternion against turns by rpy that are the same. */
@@ -280,7 +282,7 @@ CASE(test_quaternions) {
     snprintf(text[1], sizeof text[1],
              VERSION("1.1") JOINT("fixed", "<origin xyz='1 2 3' rpy='%.17g %.17g %.17g'/>") TAIL,
              a[0], a[1], a[2]);
-    format_robot r[2];
+    sepax_robot r[2];
     assert_works(read_text(&r[0], text[0]));
     assert_works(read_text(&r[1], text[1]));
     for (int i = 0; i < 9; i++) {
@@ -288,8 +290,8 @@ CASE(test_quaternions) {
                        r[1].mechanism.joint[0].origin.rotation[i / 3][i % 3]) < 1e-14);
     }
     assert_true(r[0].mechanism.joint[0].origin.translation[1] == 2);
-    format_robot_free(&r[0]);
-    format_robot_free(&r[1]);
+    sepax_robot_free(&r[0]);
+    sepax_robot_free(&r[1]);
   }
   refuse_text(HEAD TWO JOINT("fixed", "<origin quat_xyzw='0 0 0 1'/>") TAIL,
               "r.urdf:4: quat_xyzw is of URDF 1.1; give <robot version=\"1.1\">, or rpy");
@@ -302,8 +304,8 @@ CASE(test_quaternions) {
 
 /* ------------------------------------------------------------------------- elements */
 
-static void expect_others(const format_others *others, const char *const *what, const size_t *count,
-                          size_t kinds) {
+static void expect_others(const sepax_robot_others *others, const char *const *what,
+                          const size_t *count, size_t kinds) {
   assert_int_equal(others->count, kinds);
   for (size_t n = 0; n < kinds; n++) {
     assert_string_equal(others->entry[n].what, what[n]);
@@ -313,7 +315,7 @@ static void expect_others(const format_others *others, const char *const *what, 
 
 /* What is passed over is counted, and is no part of the robot, whatever it has in it. */
 CASE(test_passed_over) {
-  format_robot r;
+  sepax_robot r;
   assert_works(read_text(
       &r, "<robot name='r' xmlns:x='y' x:a='1'><gazebo reference='a'><link name='z'/></gazebo>"
           "<plugin_of_mine><collision/></plugin_of_mine>"
@@ -328,7 +330,7 @@ CASE(test_passed_over) {
   expect_others(&r.others, what, count, LENGTH(what));
   assert_int_equal(r.shapes, 1);
   assert_int_equal(r.links, 1);
-  format_robot_free(&r);
+  sepax_robot_free(&r);
 }
 
 /* Nothing of what may be meant as geometry, or as its place, is passed over. */
@@ -398,7 +400,7 @@ CASE(test_many_others) {
 
 /* A body in space is where rpy and xyz put it: six joints with links between them. */
 CASE(test_floating) {
-  format_robot r;
+  sepax_robot r;
   assert_works(read_text(&r, HEAD TWO "<link name='c'/>" JOINT(
                                  "floating", "<origin xyz='1 2 3' rpy='.1 .2 .3'/><limit lower='1' "
                                              "upper='0'/>") "<joint name='k' type='fixed'>"
@@ -419,7 +421,7 @@ CASE(test_floating) {
     double value[7] = {0};
     sepax_pose pose[8];
     char text[600];
-    format_robot fixed;
+    sepax_robot fixed;
     for (int k = 0; k < 6; k++) {
       value[k] = 3 * random_unit();
     }
@@ -439,15 +441,15 @@ CASE(test_floating) {
         assert_true(fabs(pose[1].rotation[i][k] - want[1].rotation[i][k]) < 1e-14);
       }
     }
-    format_robot_free(&fixed);
+    sepax_robot_free(&fixed);
   }
-  format_robot_free(&r);
+  sepax_robot_free(&r);
   assert_works(read_text(&r, HEAD TWO JOINT("planar", "<axis xyz='0 0 2'/>") TAIL));
   assert_int_equal(r.mechanism.joints, 3);
   assert_int_equal(r.mechanism.links, 4);
   assert_string_equal(r.mechanism.joint[2].name, "j/yaw");
   assert_int_equal(r.mechanism.joint[2].child, 1);
-  format_robot_free(&r);
+  sepax_robot_free(&r);
 }
 
 #define THREE TWO "<link name='c'/>"
@@ -482,25 +484,26 @@ CASE(test_document_types) {
 }
 
 CASE(test_packages) {
-  format_robot r;
+  sepax_robot r;
   char own[600]; /* the scratch folder is the package */
   static const char text[] = HEAD "<link name='a'><collision><geometry>"
                                   "<mesh filename='package://p/part.obj'/></geometry></collision>"
                                   "</link>" TAIL;
   put_file("part.obj", "v 0 0 0\n");
-  const format_package package[] = {{"other", "/"}, {"p", folder}};
+  const sepax_package package[] = {{"other", "/"}, {"p", folder}};
   const char *urdf = put_file("r.urdf", text);
-  assert_works(format_urdf_read(&r, urdf, package, 2, &fault));
+  assert_works(sepax_robot_read(&r, urdf, &SEPAX_STRUCT(sepax_robot_reading, package, 2), &fault));
   assert_string_equal(r.shape[0].path, in_folder("part.obj"));
-  format_robot_free(&r);
-  const format_package elsewhere[] = {{"p", "/nowhere"}};
-  assert_fault(format_urdf_read(&r, urdf, elsewhere, 1, &fault), "in package folder /nowhere");
+  sepax_robot_free(&r);
+  const sepax_package elsewhere[] = {{"p", "/nowhere"}};
+  assert_fault(sepax_robot_read(&r, urdf, &SEPAX_STRUCT(sepax_robot_reading, elsewhere, 1), &fault),
+               "in package folder /nowhere");
   snprintf(own, sizeof own,
            HEAD "<link name='a'><collision><geometry><mesh filename='package://%s/part.obj'/>"
                 "</geometry></collision></link>" TAIL,
            strrchr(folder, '/') + 1);
   assert_works(read_text(&r, own));
-  format_robot_free(&r);
+  sepax_robot_free(&r);
   snprintf(own, sizeof own, "%s/pp", folder);
   assert_int_equal(mkdir(own, 0700), 0);
   snprintf(own, sizeof own,
@@ -513,18 +516,18 @@ CASE(test_packages) {
 
 /* ---------------------------------------------------------------------------- SRDF */
 
-static format_robot three_links(void) {
-  format_robot r;
+static sepax_robot three_links(void) {
+  sepax_robot r;
   assert_works(read_text(&r, HEAD TWO "<link name='c'/>" JOINT(
                                  "continuous", "") "<joint name='k' type='fixed'><parent link='b'/>"
                                                    "<child link='c'/></joint>" TAIL));
   return r;
 }
 
-static void expect_pairs(const format_robot *r, const char *text, const char *bits) {
+static void expect_pairs(const sepax_robot *r, const char *text, const char *bits) {
   bool compared[9];
   memset(compared, true, sizeof compared);
-  assert_works(format_srdf_read(compared, &r->mechanism, NULL, put_file("r.srdf", text), &fault));
+  assert_works(sepax_srdf_read(compared, &r->mechanism, NULL, put_file("r.srdf", text), &fault));
   static const int pair[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   for (int n = 0; n < 3; n++) {
     assert_int_equal(compared[3 * pair[n][0] + pair[n][1]], bits[n] == '1');
@@ -533,7 +536,7 @@ static void expect_pairs(const format_robot *r, const char *text, const char *bi
 }
 
 CASE(test_srdf) {
-  format_robot r = three_links();
+  sepax_robot r = three_links();
   expect_pairs(&r, HEAD TAIL, "111");
   expect_pairs(&r, HEAD "<disable_collisions link1='b' link2='a' reason='Adjacent'/>" TAIL, "011");
   expect_pairs(&r,
@@ -555,37 +558,37 @@ CASE(test_srdf) {
       {"\n<disable_collisions link1='a' link2='b'>c</disable_collisions>", "contains the text 'c'"},
   };
   bool compared[9];
-  format_srdf of = {0};
+  sepax_srdf of = {0};
   for (size_t n = 0; n < sizeof wrong / sizeof wrong[0]; n++) {
     char srdf[200];
     snprintf(srdf, sizeof srdf, HEAD "%s" TAIL, wrong[n][0]);
-    assert_fault(format_srdf_read(compared, &r.mechanism, &of, put_file("r.srdf", srdf), &fault),
+    assert_fault(sepax_srdf_read(compared, &r.mechanism, &of, put_file("r.srdf", srdf), &fault),
                  wrong[n][1]);
     assert_null(of.robot);
   }
-  assert_works(format_srdf_read(compared, &r.mechanism, &of,
-                                put_file("r.srdf", "<robot name='other'/>"), &fault));
+  assert_works(sepax_srdf_read(compared, &r.mechanism, &of,
+                               put_file("r.srdf", "<robot name='other'/>"), &fault));
   assert_string_equal(of.robot, "other");
   assert_string_equal(r.name, "r");
-  format_srdf_free(&of);
-  assert_works(format_srdf_read(compared, &r.mechanism, &of,
-                                put_file("r.srdf", HEAD
-                                         "<group name='g'><link name='a'/></group><group name='h'/>"
-                                         "<notes/><x:y/>" TAIL),
-                                &fault));
+  sepax_srdf_free(&of);
+  assert_works(sepax_srdf_read(compared, &r.mechanism, &of,
+                               put_file("r.srdf", HEAD
+                                        "<group name='g'><link name='a'/></group><group name='h'/>"
+                                        "<notes/><x:y/>" TAIL),
+                               &fault));
   static const char *const what[] = {"group", "notes", "x:y"};
   static const size_t count[] = {2, 1, 1};
   expect_others(&of.others, what, count, 3);
-  format_srdf_free(&of);
+  sepax_srdf_free(&of);
   assert_fault(
-      format_srdf_read(compared, &r.mechanism, NULL,
-                       put_file("r.srdf", HEAD "\n<disable_collisions link1='a' link2='x'/>" TAIL),
-                       &fault),
+      sepax_srdf_read(compared, &r.mechanism, NULL,
+                      put_file("r.srdf", HEAD "\n<disable_collisions link1='a' link2='x'/>" TAIL),
+                      &fault),
       "r.srdf:3: there is no link 'x'");
-  assert_fault(format_srdf_read(compared, &r.mechanism, NULL,
-                                put_file("r.srdf", "<!DOCTYPE robot><robot/>"), &fault),
+  assert_fault(sepax_srdf_read(compared, &r.mechanism, NULL,
+                               put_file("r.srdf", "<!DOCTYPE robot><robot/>"), &fault),
                "document type");
-  assert_fault(format_srdf_read(compared, &r.mechanism, NULL, in_folder("none.srdf"), &fault),
+  assert_fault(sepax_srdf_read(compared, &r.mechanism, NULL, in_folder("none.srdf"), &fault),
                "No such file");
-  format_robot_free(&r);
+  sepax_robot_free(&r);
 }

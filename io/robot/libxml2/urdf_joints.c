@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* urdf_joints.c - joints of URDF, and those that become several: floating and planar ones. */
-#include "formats/libxml2/urdf.h"
+#include "robot/libxml2/urdf.h"
 #include "util/list.h"
 
 #include <math.h>
@@ -64,7 +64,7 @@ static bool read_end(const urdf_reader *r, const xmlNode *node, const char *whic
   if (!sepax__xml_name(&r->file, end, "link", &name, error)) {
     return false;
   }
-  *link = urdf_find_link(m, name);
+  *link = sepax__urdf_find_link(m, name);
   bool ok = *link < m->links ||
             sepax__xml_fail(&r->file, end, error, "<%s>: there is no link '%.60s'; mend the name",
                             which, name);
@@ -111,7 +111,7 @@ static sepax_joint *add_joint(urdf_reader *r, const xmlNode *node, char *name, s
                              .upper = INFINITY,
                              .mimic = SEPAX_NO_JOINT,
                              .factor = 1};
-  sepax_joint *grown = m->joints < FORMAT_LINKS_MOST
+  sepax_joint *grown = m->joints < SEPAX_ROBOT_LINKS_MOST
                            ? list_grow(m->joint, &r->joint_capacity, m->joints, sizeof *grown)
                            : NULL;
   m->joint = grown != NULL ? grown : m->joint;
@@ -119,7 +119,8 @@ static sepax_joint *add_joint(urdf_reader *r, const xmlNode *node, char *name, s
       grown != NULL ? list_grow(r->node, &r->node_capacity, m->joints, sizeof *nodes) : NULL;
   if (nodes == NULL) {
     sepax_release(name);
-    sepax__xml_fail(&r->file, node, error, "more than %d joints, or no memory", FORMAT_LINKS_MOST);
+    sepax__xml_fail(&r->file, node, error, "more than %d joints, or no memory",
+                    SEPAX_ROBOT_LINKS_MOST);
     return NULL;
   }
   r->node = nodes;
@@ -189,7 +190,7 @@ static bool divide_joint(urdf_reader *r, const xmlNode *node, size_t whole, cons
       for (int i = 0; i < 3; i++) {
         j->axis[i] = i == part[n].axis;
       }
-      ok = link == NULL || urdf_add_link(r, node, link, error);
+      ok = link == NULL || sepax__urdf_add_link(r, node, link, error);
       j->child = link != NULL ? m->links - 1 : child;
     }
   }
@@ -222,7 +223,7 @@ static bool divide(urdf_reader *r, const xmlNode *node, joint_parts parts, sepax
   return divide_joint(r, node, whole, planar, 3, error);
 }
 
-bool urdf_read_joint(urdf_reader *r, const xmlNode *node, sepax_error *error) {
+bool sepax__urdf_read_joint(urdf_reader *r, const xmlNode *node, sepax_error *error) {
   char *name = NULL;
   if (!sepax__xml_name(&r->file, node, "name", &name, error)) {
     return false;
@@ -238,7 +239,7 @@ bool urdf_read_joint(urdf_reader *r, const xmlNode *node, sepax_error *error) {
   if (j == NULL || !read_kind(r, node, j, &parts, error) ||
       !read_end(r, node, "parent", &j->parent, error) ||
       !read_end(r, node, "child", &j->child, error) ||
-      !urdf_read_origin(r, node, &j->origin, error) ||
+      !sepax__urdf_read_origin(r, node, &j->origin, error) ||
       !sepax__xml_single(&r->file, node, "axis", &axis, error) ||
       (axis != NULL && !sepax__xml_numbers(&r->file, axis, "xyz", j->axis, 3, error)) ||
       !read_limits(r, node, j, error)) {
@@ -252,8 +253,8 @@ bool urdf_read_joint(urdf_reader *r, const xmlNode *node, sepax_error *error) {
   return parts == ONE_JOINT || divide(r, node, parts, error);
 }
 
-bool urdf_read_mimic(const urdf_reader *r, const xmlNode *node, sepax_joint *joint,
-                     sepax_error *error) {
+bool sepax__urdf_read_mimic(const urdf_reader *r, const xmlNode *node, sepax_joint *joint,
+                            sepax_error *error) {
   const sepax_mechanism *m = &r->robot->mechanism;
   xmlNode *mimic = NULL;
   char *name = NULL;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* packages.c - finds the mesh files of a URDF. */
-#include "formats/packages.h"
+#include "robot/packages.h"
 #include "util/error.h"
 
 #include <stdio.h>
@@ -71,11 +71,11 @@ static bool search_package(char *path, const char *urdf, const char *name_and_pa
   return found;
 }
 
-static bool find_in_package(const format_places *p, const char *name_and_path, char *path,
+static bool find_in_package(const mesh_places *p, const char *name_and_path, char *path,
                             sepax_error *error) {
   size_t name = strcspn(name_and_path, "/");
   for (size_t n = 0; n < p->packages; n++) {
-    const format_package *package = &p->package[n];
+    const sepax_package *package = &p->package[n];
     if (strlen(package->name) == name && strncmp(package->name, name_and_path, name) == 0) {
       return is_in(path, (int)strlen(package->folder), package->folder,
                    name_and_path + name + (name_and_path[name] == '/')) ||
@@ -98,7 +98,7 @@ static bool find_in_package(const format_places *p, const char *name_and_path, c
                     name_and_path, (int)(name < 40 ? name : 40), name_and_path);
 }
 
-static bool find_here(const format_places *p, const char *name, char *path, sepax_error *error) {
+static bool find_here(const mesh_places *p, const char *name, char *path, sepax_error *error) {
   static const char scheme[] = "file://";
   bool is_url = strncmp(name, scheme, strlen(scheme)) == 0;
   const char *file = is_url ? name + strlen(scheme) : name;
@@ -114,7 +114,7 @@ static bool find_here(const format_places *p, const char *name, char *path, sepa
          sepax_fail(error, SEPAX_ERROR_FORMAT, "mesh %.160s: no such file; mend the name", name);
 }
 
-bool format_find_mesh(const format_places *places, const char *name, char **path,
+bool sepax__find_mesh(const mesh_places *places, const char *name, char **path,
                       sepax_error *error) {
   static const char scheme[] = "package://";
   char found[PATH_MOST];

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* srdf.c - reads an SRDF: the pairs of links that are not compared. */
-#include "formats/formats.h"
-#include "formats/libxml2/elements.h"
+#include "robot/libxml2/elements.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -55,7 +54,7 @@ static bool read_defaults(const xml_file *file, bool *compared, const sepax_mech
 }
 
 /* What else an SRDF may have is of planning groups, and says nothing of pairs. */
-static const format_element elements[] = {
+static const element_row elements[] = {
     {"robot", "name", "version", "disable_collisions enable_collisions disable_default_collisions",
      "group group_state end_effector virtual_joint passive_joint joint_property gripper "
      "link_sphere_approximation group_tcps rotor_params specificities",
@@ -67,7 +66,7 @@ static const format_element elements[] = {
 
 /* A misspelt element would leave its pair compared, and a URDF all of them. What else a file may
  * have, as groups, names no links in this way. */
-static bool elements_known(xml_file *file, format_others *others, sepax_error *error) {
+static bool elements_known(xml_file *file, sepax_robot_others *others, sepax_error *error) {
   static const char sphere[] = "link_sphere_approximation";
   for (const xmlNode *n = sepax__xml_child(file->root, NULL); n != NULL;
        n = sepax__xml_next(n, NULL)) {
@@ -76,7 +75,7 @@ static bool elements_known(xml_file *file, format_others *others, sepax_error *e
                              (const char *)n->name);
     }
     bool right = sepax__xml_is(n, sphere);
-    for (const format_element *e = elements + 1; e->name != NULL; e++) {
+    for (const element_row *e = elements + 1; e->name != NULL; e++) {
       right = right || sepax__xml_is(n, e->name);
     }
     if (!right &&
@@ -85,13 +84,13 @@ static bool elements_known(xml_file *file, format_others *others, sepax_error *e
                              (const char *)n->name);
     }
   }
-  return format_elements_check(file, elements, others, error);
+  return sepax__elements_check(file, elements, others, error);
 }
 
-bool format_srdf_read(bool *compared, const sepax_mechanism *m, format_srdf *srdf, const char *path,
-                      sepax_error *error) {
+bool sepax_srdf_read(bool *compared, const sepax_mechanism *m, sepax_srdf *srdf, const char *path,
+                     sepax_error *error) {
   xml_file file;
-  format_srdf found = {0};
+  sepax_srdf found = {0};
   if (srdf != NULL) {
     *srdf = found;
   }
@@ -108,7 +107,7 @@ bool format_srdf_read(bool *compared, const sepax_mechanism *m, format_srdf *srd
   if (ok && srdf != NULL) {
     *srdf = found;
   } else {
-    format_srdf_free(&found);
+    sepax_srdf_free(&found);
   }
   return ok;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* elements.c - checks elements and attributes against the table of their format, so that nothing in
  * a file is ignored silently. */
-#include "formats/libxml2/elements.h"
+#include "robot/libxml2/elements.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -11,8 +11,8 @@ enum { OTHERS_MOST = 256 };
 
 typedef struct {
   xml_file *file;
-  const format_element *table;
-  format_others *others;
+  const element_row *table;
+  sepax_robot_others *others;
 } checker;
 
 static const char *name_of(const xmlNode *node) { return (const char *)node->name; }
@@ -32,8 +32,8 @@ static bool has_word(const char *list, const char *word) {
   return false;
 }
 
-static const format_element *row_of(const checker *c, const char *name) {
-  const format_element *row = c->table;
+static const element_row *row_of(const checker *c, const char *name) {
+  const element_row *row = c->table;
   while (row->name != NULL && strcmp(row->name, name) != 0) {
     row++;
   }
@@ -85,7 +85,7 @@ static bool has_collision(const char *name) {
 
 /* The name of the table that was probably meant, or NULL. Short names have few letters to spare. */
 static const char *meant(const checker *c, const char *name) {
-  for (const format_element *row = c->table; row->name != NULL; row++) {
+  for (const element_row *row = c->table; row->name != NULL; row++) {
     size_t most = strlen(row->name) < 6 ? 1 : 2;
     if (distance_of(name, row->name) <= most) {
       return row->name;
@@ -96,14 +96,14 @@ static const char *meant(const checker *c, const char *name) {
 
 /* ------------------------------------------------------------------------ others */
 
-static bool count_other(format_others *others, const char *what) {
+static bool count_other(sepax_robot_others *others, const char *what) {
   size_t n = 0;
   while (n < others->count && strcmp(others->entry[n].what, what) != 0) {
     n++;
   }
   if (n == others->count) {
     size_t size = strlen(what) + 1;
-    format_other *grown =
+    sepax_robot_other *grown =
         n < OTHERS_MOST ? sepax_resize(others->entry, (n + 1) * sizeof *grown) : NULL;
     others->entry = grown != NULL ? grown : others->entry;
     char *copy = grown != NULL ? sepax_allocate(size) : NULL;
@@ -111,7 +111,7 @@ static bool count_other(format_others *others, const char *what) {
       return false;
     }
     memcpy(copy, what, size);
-    others->entry[others->count++] = (format_other){copy, 0};
+    others->entry[others->count++] = (sepax_robot_other){copy, 0};
   }
   others->entry[n].count++;
   return true;
@@ -153,7 +153,7 @@ static bool pass_over(const checker *c, xmlNode *node, sepax_error *error) {
 /* ---------------------------------------------------------------------- elements */
 
 static bool fail_attribute(const checker *c, const xmlNode *node, const char *name,
-                           const format_element *row, sepax_error *error) {
+                           const element_row *row, sepax_error *error) {
   return row->attributes[0] == '\0'
              ? sepax__xml_fail(c->file, node, error,
                                "<%.40s %.40s=\"...\">: <%.40s> has no attribute; leave it out",
@@ -164,7 +164,7 @@ static bool fail_attribute(const checker *c, const xmlNode *node, const char *na
                                row->name, name, row->name, row->attributes);
 }
 
-static bool check_attributes(const checker *c, xmlNode *node, const format_element *row,
+static bool check_attributes(const checker *c, xmlNode *node, const element_row *row,
                              sepax_error *error) {
   for (const xmlAttr *a = node->properties; a != NULL; a = a->next) {
     const char *name = (const char *)a->name;
@@ -180,7 +180,7 @@ static bool check_attributes(const checker *c, xmlNode *node, const format_eleme
   return true;
 }
 
-static bool fail_child(const checker *c, const xmlNode *node, const format_element *row,
+static bool fail_child(const checker *c, const xmlNode *node, const element_row *row,
                        sepax_error *error) {
   const char *name = name_of(node);
   const char *near = meant(c, name);
@@ -211,10 +211,10 @@ static bool fail_text(const checker *c, const xmlNode *text, const xmlNode *in,
       (int)least(strcspn(word, blanks), 40), word);
 }
 
-static bool check_element(const checker *c, xmlNode *node, const format_element *row,
+static bool check_element(const checker *c, xmlNode *node, const element_row *row,
                           sepax_error *error);
 
-static bool check_child(const checker *c, xmlNode *node, const format_element *row,
+static bool check_child(const checker *c, xmlNode *node, const element_row *row,
                         sepax_error *error) {
   const char *name = name_of(node);
   if (is_xacro(node)) {
@@ -235,7 +235,7 @@ static bool check_child(const checker *c, xmlNode *node, const format_element *r
   return fail_child(c, node, row, error);
 }
 
-static bool check_element(const checker *c, xmlNode *node, const format_element *row,
+static bool check_element(const checker *c, xmlNode *node, const element_row *row,
                           sepax_error *error) {
   if (!check_attributes(c, node, row, error)) {
     return false;
@@ -255,7 +255,7 @@ static bool check_element(const checker *c, xmlNode *node, const format_element 
   return true;
 }
 
-bool format_elements_check(xml_file *file, const format_element *table, format_others *others,
+bool sepax__elements_check(xml_file *file, const element_row *table, sepax_robot_others *others,
                            sepax_error *error) {
   const checker c = {file, table, others};
   return check_element(&c, file->root, &table[0], error);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* urdf_shapes.c - collision geometry of URDF: its shapes and where they are. */
-#include "formats/libxml2/urdf.h"
+#include "robot/libxml2/urdf.h"
 #include "util/list.h"
 
 #include <math.h>
@@ -41,8 +41,8 @@ static bool read_quaternion(const urdf_reader *r, const xmlNode *origin, sepax_p
 
 /* <origin xyz rpy>, or quat_xyzw instead of rpy: about x by r, then y by p, then z by y, axes that
  * stay. */
-bool urdf_read_origin(const urdf_reader *r, const xmlNode *of, sepax_pose *pose,
-                      sepax_error *error) {
+bool sepax__urdf_read_origin(const urdf_reader *r, const xmlNode *of, sepax_pose *pose,
+                             sepax_error *error) {
   xmlNode *origin = NULL;
   double a[3] = {0, 0, 0};
   *pose = urdf_at_origin;
@@ -57,9 +57,10 @@ bool urdf_read_origin(const urdf_reader *r, const xmlNode *of, sepax_pose *pose,
     return false;
   }
   for (int i = 0; i < 3; i++) {
-    if (fabs(pose->translation[i]) > FORMAT_VALUE_MOST || fabs(a[i]) > FORMAT_VALUE_MOST) {
+    if (fabs(pose->translation[i]) > SEPAX_ROBOT_VALUE_MOST ||
+        fabs(a[i]) > SEPAX_ROBOT_VALUE_MOST) {
       return sepax__xml_fail(&r->file, origin, error, "<origin>: a number beyond %g; mend it",
-                             FORMAT_VALUE_MOST);
+                             SEPAX_ROBOT_VALUE_MOST);
     }
   }
   if (sepax__xml_has(origin, "quat_xyzw")) {
@@ -102,15 +103,15 @@ static bool read_lengths(const urdf_reader *r, const xmlNode *node, const char *
 
 /* Where all lengths are 0 there is no surface. Where some are, the shape is flat or thin: it would
  * be a surface that has no inside. A capsule whose length is 0 is a sphere. */
-static bool check_lengths(const urdf_reader *r, const xmlNode *node, const format_shape *shape,
+static bool check_lengths(const urdf_reader *r, const xmlNode *node, const sepax_shape *shape,
                           bool *nothing, sepax_error *error) {
-  int count = shape->kind == FORMAT_BOX ? 3 : shape->kind == FORMAT_SPHERE ? 1 : 2;
+  int count = shape->kind == SEPAX_SHAPE_BOX ? 3 : shape->kind == SEPAX_SHAPE_SPHERE ? 1 : 2;
   int zeros = 0;
   for (int i = 0; i < count; i++) {
     zeros += shape->size[i] == 0;
   }
   *nothing = zeros == count;
-  bool ball = shape->kind == FORMAT_CAPSULE && shape->size[0] > 0;
+  bool ball = shape->kind == SEPAX_SHAPE_CAPSULE && shape->size[0] > 0;
   return zeros == 0 || *nothing || ball ||
          sepax__xml_fail(&r->file, node, error,
                          "<%.20s>: a length of 0 m makes it flat, without an inside; give one "
@@ -118,23 +119,23 @@ static bool check_lengths(const urdf_reader *r, const xmlNode *node, const forma
                          (const char *)node->name);
 }
 
-static bool read_primitive(const urdf_reader *r, const xmlNode *node, format_shape *shape,
+static bool read_primitive(const urdf_reader *r, const xmlNode *node, sepax_shape *shape,
                            bool *nothing, sepax_error *error) {
-  shape->kind = sepax__xml_is(node, "box")        ? FORMAT_BOX
-                : sepax__xml_is(node, "cylinder") ? FORMAT_CYLINDER
-                : sepax__xml_is(node, "sphere")   ? FORMAT_SPHERE
-                                                  : FORMAT_CAPSULE;
-  bool long_too = shape->kind == FORMAT_CYLINDER || shape->kind == FORMAT_CAPSULE;
-  return (shape->kind == FORMAT_BOX
+  shape->kind = sepax__xml_is(node, "box")        ? SEPAX_SHAPE_BOX
+                : sepax__xml_is(node, "cylinder") ? SEPAX_SHAPE_CYLINDER
+                : sepax__xml_is(node, "sphere")   ? SEPAX_SHAPE_SPHERE
+                                                  : SEPAX_SHAPE_CAPSULE;
+  bool long_too = shape->kind == SEPAX_SHAPE_CYLINDER || shape->kind == SEPAX_SHAPE_CAPSULE;
+  return (shape->kind == SEPAX_SHAPE_BOX
               ? read_lengths(r, node, "size", shape->size, 3, error)
               : read_lengths(r, node, "radius", &shape->size[0], 1, error) &&
                     (!long_too || read_lengths(r, node, "length", &shape->size[1], 1, error))) &&
          check_lengths(r, node, shape, nothing, error);
 }
 
-static bool read_mesh(const urdf_reader *r, const xmlNode *node, format_shape *shape,
+static bool read_mesh(const urdf_reader *r, const xmlNode *node, sepax_shape *shape,
                       sepax_error *error) {
-  shape->kind = FORMAT_MESH;
+  shape->kind = SEPAX_SHAPE_MESH;
   for (int i = 0; i < 3; i++) {
     shape->size[i] = 1;
   }
@@ -145,12 +146,12 @@ static bool read_mesh(const urdf_reader *r, const xmlNode *node, format_shape *s
   sepax_error inner = {0};
   bool ok = shape->size[0] * shape->size[1] * shape->size[2] != 0 ||
             sepax__xml_fail(&r->file, node, error, "a scale of 0 leaves no body; give another one");
-  ok = ok && (format_find_mesh(r->places, shape->name, &shape->path, &inner) ||
+  ok = ok && (sepax__find_mesh(r->places, shape->name, &shape->path, &inner) ||
               sepax__xml_fail(&r->file, node, error, "%.230s", inner.text));
   return ok;
 }
 
-static bool read_geometry(const urdf_reader *r, const xmlNode *node, format_shape *shape,
+static bool read_geometry(const urdf_reader *r, const xmlNode *node, sepax_shape *shape,
                           bool *nothing, sepax_error *error) {
   xmlNode *geometry = NULL;
   if (!sepax__xml_single(&r->file, node, "geometry", &geometry, error)) {
@@ -173,33 +174,34 @@ static bool read_geometry(const urdf_reader *r, const xmlNode *node, format_shap
                                      : read_primitive(r, what, shape, nothing, error);
 }
 
-static bool add_nothing(urdf_reader *r, const format_shape *shape, const xmlNode *node,
+static bool add_nothing(urdf_reader *r, const sepax_shape *shape, const xmlNode *node,
                         sepax_error *error) {
-  format_robot *robot = r->robot;
-  format_nothing *grown =
+  sepax_robot *robot = r->robot;
+  sepax_bare_shape *grown =
       list_grow(robot->nothing, &r->nothing_capacity, robot->nothings, sizeof *grown);
   if (grown == NULL) {
     return sepax__xml_fail(&r->file, node, error, "no memory for it");
   }
   robot->nothing = grown;
-  robot->nothing[robot->nothings++] = (format_nothing){shape->link, shape->kind, shape->line};
+  robot->nothing[robot->nothings++] = (sepax_bare_shape){shape->link, shape->kind, shape->line};
   return true;
 }
 
-bool urdf_read_collision(urdf_reader *r, const xmlNode *node, size_t link, sepax_error *error) {
-  format_robot *robot = r->robot;
-  format_shape shape = {.link = link, .line = xmlGetLineNo(node)};
-  format_shape *grown =
-      robot->shapes < FORMAT_SHAPES_MOST
+bool sepax__urdf_read_collision(urdf_reader *r, const xmlNode *node, size_t link,
+                                sepax_error *error) {
+  sepax_robot *robot = r->robot;
+  sepax_shape shape = {.link = link, .line = xmlGetLineNo(node)};
+  sepax_shape *grown =
+      robot->shapes < SEPAX_ROBOT_SHAPES_MOST
           ? list_grow(robot->shape, &r->shape_capacity, robot->shapes, sizeof *grown)
           : NULL;
   if (grown == NULL) {
     return sepax__xml_fail(&r->file, node, error, "more than %d collision elements, or no memory",
-                           FORMAT_SHAPES_MOST);
+                           SEPAX_ROBOT_SHAPES_MOST);
   }
   robot->shape = grown;
   bool nothing = false;
-  if (!urdf_read_origin(r, node, &shape.origin, error) ||
+  if (!sepax__urdf_read_origin(r, node, &shape.origin, error) ||
       !read_geometry(r, node, &shape, &nothing, error)) {
     sepax_release(shape.name);
     sepax_release(shape.path);

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* urdf.c - URDF: the version, the elements, the links. */
-#include "formats/libxml2/elements.h"
-#include "formats/libxml2/urdf.h"
+#include "robot/libxml2/elements.h"
+#include "robot/libxml2/urdf.h"
 #include "mechanism/steps.h"
 #include "util/list.h"
+#include "util/options.h"
 #include "util/plain_numbers.h"
 
 #include <string.h>
 
 /* URDF 1.0 ... 1.2, and what files of robots add to it. */
-static const format_element elements[] = {
+static const element_row elements[] = {
     {"robot", "name version", "", "link joint",
      "material transmission gazebo sensor ros2_control group group_state end_effector "
      "virtual_joint passive_joint disable_collisions enable_collisions disable_default_collisions",
@@ -61,7 +62,7 @@ static bool read_version(urdf_reader *r, sepax_error *error) {
 
 /* --------------------------------------------------------------------------- links */
 
-size_t urdf_find_link(const sepax_mechanism *m, const char *name) {
+size_t sepax__urdf_find_link(const sepax_mechanism *m, const char *name) {
   size_t n = 0;
   while (n < m->links && strcmp(m->link[n].name, name) != 0) {
     n++;
@@ -69,13 +70,13 @@ size_t urdf_find_link(const sepax_mechanism *m, const char *name) {
   return n;
 }
 
-bool urdf_add_link(urdf_reader *r, const xmlNode *node, char *name, sepax_error *error) {
+bool sepax__urdf_add_link(urdf_reader *r, const xmlNode *node, char *name, sepax_error *error) {
   sepax_mechanism *m = &r->robot->mechanism;
-  sepax_link *grown = m->links < FORMAT_LINKS_MOST
+  sepax_link *grown = m->links < SEPAX_ROBOT_LINKS_MOST
                           ? list_grow(m->link, &r->link_capacity, m->links, sizeof *grown)
                           : NULL;
   m->link = grown != NULL ? grown : m->link;
-  if (grown == NULL || urdf_find_link(m, name) < m->links) {
+  if (grown == NULL || sepax__urdf_find_link(m, name) < m->links) {
     sepax_release(name);
     return sepax__xml_fail(&r->file, node, error, "%s",
                            grown == NULL ? "more than 4096 links, or no memory"
@@ -89,12 +90,12 @@ static bool read_link(urdf_reader *r, const xmlNode *node, sepax_error *error) {
   sepax_mechanism *m = &r->robot->mechanism;
   char *name = NULL;
   if (!sepax__xml_name(&r->file, node, "name", &name, error) ||
-      !urdf_add_link(r, node, name, error)) {
+      !sepax__urdf_add_link(r, node, name, error)) {
     return false;
   }
   for (const xmlNode *c = sepax__xml_child(node, "collision"); c != NULL;
        c = sepax__xml_next(c, "collision")) {
-    if (!urdf_read_collision(r, c, m->links - 1, error)) {
+    if (!sepax__urdf_read_collision(r, c, m->links - 1, error)) {
       return false;
     }
   }
@@ -114,12 +115,12 @@ static bool read_links_and_joints(urdf_reader *r, sepax_error *error) {
   r->robot->links = r->robot->mechanism.links;
   for (const xmlNode *n = sepax__xml_child(root, "joint"); n != NULL;
        n = sepax__xml_next(n, "joint")) {
-    if (!urdf_read_joint(r, n, error)) {
+    if (!sepax__urdf_read_joint(r, n, error)) {
       return false;
     }
   }
   for (size_t n = 0; n < r->robot->mechanism.joints; n++) {
-    if (!urdf_read_mimic(r, r->node[n], &r->robot->mechanism.joint[n], error)) {
+    if (!sepax__urdf_read_mimic(r, r->node[n], &r->robot->mechanism.joint[n], error)) {
       return false;
     }
   }
@@ -129,7 +130,7 @@ static bool read_links_and_joints(urdf_reader *r, sepax_error *error) {
 static bool read_robot(urdf_reader *r, sepax_error *error) {
   const xmlNode *root = r->file.root;
   if (!read_version(r, error) ||
-      !format_elements_check(&r->file, elements, &r->robot->others, error) ||
+      !sepax__elements_check(&r->file, elements, &r->robot->others, error) ||
       (sepax__xml_has(root, "name") &&
        !sepax__xml_name(&r->file, root, "name", &r->robot->name, error)) ||
       !read_links_and_joints(r, error)) {
@@ -142,18 +143,22 @@ static bool read_robot(urdf_reader *r, sepax_error *error) {
                          inner.text);
 }
 
-bool format_urdf_read(format_robot *robot, const char *path, const format_package *package,
-                      size_t packages, sepax_error *error) {
-  const format_places places = {path, package, packages};
+bool sepax_robot_read(sepax_robot *robot, const char *path, const sepax_robot_reading *how,
+                      sepax_error *error) {
+  sepax_robot_reading h;
+  *robot = (sepax_robot){0};
+  if (!sepax__options(&h, sizeof h, how, "sepax_robot_reading", error)) {
+    return false;
+  }
+  const mesh_places places = {path, h.package, h.packages};
   urdf_reader r = {.robot = robot, .places = &places};
-  *robot = (format_robot){0};
   plain_numbers plain = plain_numbers_begin();
   bool ok = sepax__xml_open(&r.file, path, "robot", error) && read_robot(&r, error);
   plain_numbers_end(plain);
   sepax_release(r.node);
   sepax__xml_close(&r.file);
   if (!ok) {
-    format_robot_free(robot);
+    sepax_robot_free(robot);
   }
   return ok;
 }
