@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* threads.c - threads that share two bodies find what one thread finds; `make experiment
- * NAME=sanitize` runs this with the thread sanitizer, too. */
+/* threads.c - threads that share two bodies or a machine find what one thread finds; `make
+ * experiment NAME=sanitize` runs this with the thread sanitizer, too. */
 #include "harness.h"
+#include "sepax_mechanism.h"
 
 #include <math.h>
 #include <pthread.h>
@@ -86,4 +87,76 @@ CASE(threads_share_bodies) {
   assert_true(hits > 100);
   sepax_body_free(a);
   sepax_body_free(b);
+}
+
+/* ------------------------------------------------------------------------ a machine */
+
+enum { VALUES = 20 };
+
+typedef struct {
+  const sepax_machine *machine;
+  double value[VALUES];
+  sepax_machine_answer found[VALUES];
+  bool failed;
+} guard;
+
+static void *watch_over(void *context) {
+  guard *who = context;
+  sepax_error error = {0};
+  sepax_watch *watch;
+  const sepax_machine_query query = {.size = sizeof query, .clearance = 2, .measure = true};
+  who->failed = !sepax_watch_new(&watch, who->machine, &error);
+  for (int n = 0; n < VALUES && !who->failed; n++) {
+    who->failed = !sepax_watch_ask(watch, &who->value[n], &query, &who->found[n], &error);
+  }
+  sepax_watch_free(watch);
+  return NULL;
+}
+
+CASE(threads_share_machines) {
+  sepax_link link[2] = {{.joint = 0}};
+  sepax_joint joint = {.name = path,
+                       .kind = SEPAX_JOINT_PRISMATIC,
+                       .child = 1,
+                       .origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}},
+                       .axis = {1, 0, 0},
+                       .mimic = SEPAX_NO_JOINT};
+  sepax_mechanism m = {.link = link, .links = 2, .joint = &joint, .joints = 1};
+  assert_works(sepax_mechanism_join(&m, &fault));
+  sepax_body *a = sample_body("sphere", 2000);
+  sepax_body *b = sample_body("box", 500);
+  const sepax_machine_body body[2] = {{0, a}, {1, b}};
+  const size_t pair[1][2] = {{0, 1}};
+  const sepax_machine_parts parts = {sizeof parts, &m, body, 2, pair, 1};
+  sepax_machine *machine;
+  assert_works(sepax_machine_new(&machine, &parts, &fault));
+  static guard who[THREADS + 1]; /* the last one is this thread */
+  pthread_t thread[THREADS];
+  for (int t = 0; t <= THREADS; t++) {
+    who[t].machine = machine;
+    for (int n = 0; n < VALUES; n++) {
+      who[t].value[n] = t < THREADS ? 100 * random_unit() : who[n % THREADS].value[n];
+    }
+  }
+  for (int t = 0; t < THREADS; t++) {
+    assert_int_equal(pthread_create(&thread[t], NULL, watch_over, &who[t]), 0);
+  }
+  watch_over(&who[THREADS]);
+  size_t near = 0;
+  for (int t = 0; t < THREADS; t++) {
+    assert_int_equal(pthread_join(thread[t], NULL), 0);
+  }
+  for (int n = 0; n < VALUES; n++) {
+    const sepax_machine_answer *one = &who[THREADS].found[n];
+    const sepax_machine_answer *other = &who[n % THREADS].found[n];
+    assert_false(who[n % THREADS].failed || who[THREADS].failed);
+    assert_int_equal(one->verdict, other->verdict);
+    near += one->verdict == SEPAX_NEAR;
+    assert_true(one->least <= other->most && other->least <= one->most);
+  }
+  assert_true(near > 2 && near < VALUES - 2);
+  sepax_machine_free(machine);
+  sepax_body_free(a);
+  sepax_body_free(b);
+  sepax_release(m.order);
 }
