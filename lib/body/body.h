@@ -48,6 +48,9 @@ struct sepax_body {
   body_boxes *boxes; /* boxes of each node, then the root's own box; aligned to cache lines */
   void *memory;      /* memory that holds the boxes */
   body_frame *frame; /* one for each node */
+  float *foot;       /* of each triangle, in the order of the tree: its box stands on an edge, and
+                        the third vertex is that far along axis 0 from the centre, on the side to
+                        which axis 1 points; infinite if that is not known */
 };
 
 /* The child in box `at`. Boxes are numbered BODY_WIDE * node + lane. */
@@ -55,7 +58,7 @@ static inline uint32_t child_at(const sepax_body *b, uint32_t at) {
   return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
 }
 
-/* Fill in `boxes` and `frame`. False without memory. */
+/* Fill in `boxes`, `frame` and `foot`. False without memory. */
 bool sepax__body_fit(sepax_body *body, size_t threads);
 
 #endif

@@ -79,7 +79,8 @@ static int base_of(const double edge[3][3]) {
   return base;
 }
 
-static void axes_of_triangle(const double v[3][3], axes a) {
+/* Returns the vertex that is not on the base, or -1 if the triangle is a point. */
+static int axes_of_triangle(const double v[3][3], axes a) {
   double edge[3][3];
   for (int k = 0; k < 3; k++) {
     for (int i = 0; i < 3; i++) {
@@ -90,17 +91,18 @@ static void axes_of_triangle(const double v[3][3], axes a) {
   memcpy(a[0], edge[base], sizeof a[0]);
   if (!normalise(a[0])) {
     memcpy(a, upright, sizeof upright);
-    return;
+    return -1;
   }
   vector_cross(a[0], edge[next[base]], a[2]);
   if (!normalise(a[2])) {
     complete(a);
-    return;
+    return next[next[base]];
   }
   /* compute it again, because the edge of a sliver leaves its normal inexact */
   vector_cross(a[2], a[0], a[1]);
   normalise(a[1]);
   vector_cross(a[0], a[1], a[2]);
+  return next[next[base]];
 }
 
 /* Integrals over the surface of triangles: the area, and of x_i and x_i x_j over the area. */
@@ -301,12 +303,22 @@ static void store(body_boxes *to, int lane, const oriented *r, uint32_t child) {
   to->child[lane] = child;
 }
 
-static void fit_triangle(const facet_points *v, oriented *r) {
+/* Returns the foot (body.h). If rounding moves the centre by more than 2^-11 of the half sides,
+ * then the triangle in the box is not known well enough, and the foot is infinite. */
+static float fit_triangle(const facet_points *v, oriented *r) {
   axes a;
   body_frame f;
-  axes_of_triangle(v[0], a);
+  double from_centre[3];
+  double moved = 0;
+  int apex = axes_of_triangle(v[0], a);
   enclose(v, 1, a, &f);
   round_box(&f, r);
+  for (int i = 0; i < 3; i++) {
+    moved += fabs((double)r->centre[i] - f.centre[i]);
+    from_centre[i] = v[0][apex < 0 ? 0 : apex][i] - (double)r->centre[i];
+  }
+  bool known = apex >= 0 && moved < 0x1p-11 * (f.half[0] + f.half[1] + f.half[2]);
+  return known ? (float)vector_dot(a[0], from_centre) : INFINITY;
 }
 
 /* Choose the box around triangles from their moments and the area of their AABB. */
@@ -361,7 +373,8 @@ static void fit_children(const fitting *f, size_t number) {
     }
     uint32_t child = node->child[lane];
     if ((child & BODY_TRIANGLE) != 0) {
-      fit_triangle(f->v + at++, &r);
+      f->body->foot[at] = fit_triangle(f->v + at, &r);
+      at++;
     } else {
       body_frame *frame = &f->body->frame[child];
       fit(f->v + at, f->below[child].count, &f->below[child].all, upright_area(node, lane), frame);
@@ -397,7 +410,9 @@ bool sepax__body_fit(sepax_body *b, size_t threads) {
   fitting f = {b, local_triangles(b), sepax_allocate(b->nodes * sizeof *f.below)};
   b->memory = sepax_allocate((b->nodes + 1) * sizeof *b->boxes + CACHE_LINE - 1);
   b->frame = sepax_allocate(b->nodes * sizeof *b->frame);
-  bool ok = b->memory != NULL && b->frame != NULL && f.v != NULL && f.below != NULL;
+  b->foot = sepax_allocate(b->count * sizeof *b->foot);
+  bool ok =
+      b->memory != NULL && b->frame != NULL && b->foot != NULL && f.v != NULL && f.below != NULL;
   if (ok) {
     size_t beyond = (uintptr_t)b->memory % CACHE_LINE; /* bytes beyond a cache line */
     b->boxes = (void *)((char *)b->memory + (beyond > 0 ? CACHE_LINE - beyond : 0));

@@ -359,6 +359,7 @@ void sepax_body_free(sepax_body *body) {
     sepax_release(body->node);
     sepax_release(body->memory);
     sepax_release(body->frame);
+    sepax_release(body->foot);
     sepax_release(body);
   }
 }

@@ -22,29 +22,58 @@ SIMD_INLINE SIMD_FLOAT SIMD_NAME(most_of)(SIMD_FLOAT p, SIMD_FLOAT q) {
   return (SIMD_FLOAT)(((SIMD_MASK)q & second) | ((SIMD_MASK)p & ~second));
 }
 
+/* What a box, or the triangle in it, covers on an axis, from its centre: low ... high. cosine[k] is
+ * that of the axis and axis k of the box.
+ *
+ * The triangle has two vertices at -half[0] and half[0] on axis 0 and at -half[1] on axis 1, the
+ * third at `foot` and half[1]. Half sides are up to 2^-14 of all three too long, the centre is off
+ * by 2^-11 of them (body/fit.c), and both by m->lost: so the vertices may be farther out by twice
+ * that, less than `thick`. */
+typedef struct {
+  SIMD_FLOAT low, high;
+} SIMD_NAME(range);
+
+SIMD_INLINE SIMD_NAME(range) SIMD_NAME(covered)(const SIMD_FLOAT cosine[3], const posed_box *p,
+                                                bool triangle, float foot, float lost) {
+  SIMD_FLOAT across = SIMD_SIZE(cosine[0]) * p->half[0];
+  SIMD_FLOAT thick = SIMD_SIZE(cosine[2]) * p->half[2];
+  if (!triangle) {
+    SIMD_FLOAT reach = across + SIMD_SIZE(cosine[1]) * p->half[1] + thick;
+    return (SIMD_NAME(range)){-reach, reach};
+  }
+  thick += 0x1p-9F * (p->half[0] + p->half[1] + p->half[2]) + 2 * lost;
+  SIMD_FLOAT up = cosine[1] * p->half[1];
+  SIMD_FLOAT apex = cosine[0] * foot + up;
+  return (SIMD_NAME(range)){-(SIMD_NAME(most_of)(across + up, -apex) + thick),
+                            SIMD_NAME(most_of)(across - up, apex) + thick};
+}
+
 /* square[k]: not above the square of the distance of child k of a node from a box of the other
- * body, in units of the node's body. The gaps on axes at right angles to each other are the sides
- * of a box between them; the way between the bodies is one more axis, of length 1 or 0. Bit k: the
- * square is at most with->most. Rounding: search.c. */
-SIMD_TARGET static uint32_t SIMD_NAME(bound)(const body_boxes *node, const facing *with,
-                                             const body_boxes *from, uint32_t lane,
-                                             float square[BODY_WIDE]) {
+ * body, or from the triangle in it, in units of the node's body. The gaps on axes at right angles
+ * to each other are the sides of a box between them; the way between the bodies is one more axis,
+ * of length 1 or 0. Bit k: the square is at most with->most. Rounding: search.c. */
+SIMD_INLINE uint32_t SIMD_NAME(bound_of)(const body_boxes *node, const facing *with,
+                                         const body_boxes *from, uint32_t lane, bool triangle,
+                                         float square[BODY_WIDE]) {
   const float *way = with->way;
   posed_box p;
   uint32_t bits = 0;
   turn_box(&p, with->motion, from, lane);
-  float own_reach = 0;
+  float foot = with->motion->ratio * with->foot;
+  SIMD_FLOAT on_way[3];
   SIMD_UNROLL for (int k = 0; k < 3; k++) {
     four_floats axis = p.axis[k];
-    own_reach += fabsf(axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]) * p.half[k];
+    on_way[k] = (SIMD_FLOAT){0} + (axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]);
   }
+  const SIMD_NAME(range) own_way =
+      SIMD_NAME(covered)(on_way, &p, triangle, foot, with->motion->lost);
   for (int n = 0; n < BODY_WIDE; n += SIMD_FLOATS) {
     SIMD_FLOAT t[3];
     SIMD_FLOAT at[3] = {{0}, {0}, {0}};
     SIMD_FLOAT reach[3];
     SIMD_FLOAT least[2] = {{0}, {0}};
     SIMD_FLOAT along_way = {0};
-    SIMD_FLOAT way_reach = (SIMD_FLOAT){0} + own_reach;
+    SIMD_FLOAT way_reach = {0};
     SIMD_UNROLL for (int i = 0; i < 3; i++) {
       SIMD_LOAD(t[i], node->centre[i] + n);
       t[i] = p.centre[i] - t[i] + p.rest[i];
@@ -54,32 +83,40 @@ SIMD_TARGET static uint32_t SIMD_NAME(bound)(const body_boxes *node, const facin
     SIMD_FLOAT slack = (SIMD_SIZE(t[0]) + SIMD_SIZE(t[1]) + SIMD_SIZE(t[2])) * with->slack;
     SIMD_UNROLL for (int i = 0; i < 3; i++) {
       SIMD_FLOAT axis[3];
+      SIMD_FLOAT cosine[3];
       SIMD_FLOAT half;
       SIMD_UNROLL for (int j = 0; j < 3; j++) { SIMD_LOAD(axis[j], node->axis[i][j] + n); }
       SIMD_LOAD(half, node->half[i] + n);
       SIMD_FLOAT along = axis[0] * t[0] + axis[1] * t[1] + axis[2] * t[2];
-      SIMD_FLOAT own = half;
       way_reach += SIMD_SIZE(axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]) * half;
       SIMD_UNROLL for (int k = 0; k < 3; k++) {
-        SIMD_FLOAT cosine =
-            axis[0] * p.axis[k][0] + axis[1] * p.axis[k][1] + axis[2] * p.axis[k][2];
-        own += SIMD_SIZE(cosine) * p.half[k];
-        reach[k] += SIMD_SIZE(cosine) * half;
-        at[k] += along * cosine;
+        cosine[k] = axis[0] * p.axis[k][0] + axis[1] * p.axis[k][1] + axis[2] * p.axis[k][2];
+        reach[k] += SIMD_SIZE(cosine[k]) * half;
+        at[k] += along * cosine[k];
       }
-      SIMD_FLOAT gap = SIMD_NAME(positive)(SIMD_SIZE(along) - own - slack);
+      SIMD_NAME(range) own = SIMD_NAME(covered)(cosine, &p, triangle, foot, with->motion->lost);
+      SIMD_FLOAT away = SIMD_NAME(most_of)(along + own.low, -(along + own.high));
+      SIMD_FLOAT gap = SIMD_NAME(positive)(away - half - slack);
       least[0] += gap * gap;
     }
     SIMD_UNROLL for (int k = 0; k < 3; k++) {
       SIMD_FLOAT gap = SIMD_NAME(positive)(SIMD_SIZE(at[k]) - reach[k] - slack);
       least[1] += gap * gap;
     }
-    SIMD_FLOAT gap = SIMD_NAME(positive)(SIMD_SIZE(along_way) - way_reach - slack);
+    SIMD_FLOAT away = SIMD_NAME(most_of)(along_way + own_way.low, -(along_way + own_way.high));
+    SIMD_FLOAT gap = SIMD_NAME(positive)(away - way_reach - slack);
     SIMD_FLOAT all = SIMD_NAME(most_of)(SIMD_NAME(most_of)(least[0], least[1]), gap * gap);
     SIMD_STORE(square + n, all);
     bits |= (~SIMD_BITS(all > with->most) & ((1U << SIMD_FLOATS) - 1)) << n;
   }
   return bits;
+}
+
+SIMD_TARGET static uint32_t SIMD_NAME(bound)(const body_boxes *node, const facing *with,
+                                             const body_boxes *from, uint32_t lane,
+                                             float square[BODY_WIDE]) {
+  return isinf(with->foot) ? SIMD_NAME(bound_of)(node, with, from, lane, false, square)
+                           : SIMD_NAME(bound_of)(node, with, from, lane, true, square);
 }
 
 /* ------------------------------------------------------------- pairs of triangles */

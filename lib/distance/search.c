@@ -53,6 +53,7 @@ typedef struct {
   const motion *motion;
   const float *way;
   float slack, most;
+  float foot; /* of the triangle that is compared, in units of its body; infinite if it is a box */
 } facing;
 
 /* The distance of a pair of triangles is within least ... most. */
@@ -230,7 +231,10 @@ static uint32_t bound(const search *s, int open, uint32_t node, uint32_t other,
                       float square[BODY_WIDE]) {
   const body_boxes *boxes = &s->body[open]->boxes[node];
   const body_boxes *from = &s->body[!open]->boxes[other / BODY_WIDE];
-  const facing f = {&s->at.to[open], s->way[open], s->slack, s->most_of[open]};
+  uint32_t child = from->child[other % BODY_WIDE];
+  float foot =
+      (child & BODY_TRIANGLE) != 0 ? s->body[!open]->foot[child - BODY_TRIANGLE] : INFINITY;
+  const facing f = {&s->at.to[open], s->way[open], s->slack, s->most_of[open], foot};
 #if defined __x86_64__
   if (!s->portable) {
     return bound_avx2(boxes, &f, from, other % BODY_WIDE, square);
