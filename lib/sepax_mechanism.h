@@ -131,9 +131,9 @@ double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, co
  * loop: is any pair of bodies near for these joint values, or for all values close to them?
  *
  * Only surfaces are compared. A body that lies wholly inside another one and does not come near its
- * surface is not found. If that can be the case at the start, then ask sepax_bodies_within at the
- * start. Afterwards no body gets inside another without a query that says NEAR, provided that
- * successive queries overlap by their `travel`. */
+ * surface is not found. If a body may be inside another one at the start, then ask
+ * sepax_bodies_within at the start. Later no body gets inside another one as long as all joints
+ * stay within the travel of queries that say APART. */
 typedef struct sepax_machine sepax_machine;
 
 /* A body on a link. Its mesh has the link's coordinates. */
@@ -163,8 +163,9 @@ void sepax_machine_free(sepax_machine *machine);
 
 /* The memory of one thread's queries of one machine. sepax_watch_new allocates and writes all of
  * it, so that a query neither allocates nor meets a page of this memory for the first time. It
- * takes about 500 bytes for each pair and 250 bytes for each link and joint. Each thread needs a
- * watch of its own. The machine must live as long as the watch. Error: MEMORY. */
+ * takes about 350 bytes for each pair and, for each top link of the pairs (sepax_chain), 250 bytes
+ * for each link and body below. Each thread needs a watch of its own. The machine must live as long
+ * as the watch. Error: MEMORY. */
 typedef struct sepax_watch sepax_watch;
 bool sepax_watch_new(sepax_watch **watch, const sepax_machine *machine, sepax_error *error);
 void sepax_watch_free(sepax_watch *watch);
@@ -177,9 +178,10 @@ typedef struct {
                        distance of 0 is a collision */
   /* travel[n]: joint n may be anywhere within value[n] - travel[n] ... value[n] + travel[n],
    * independently of the other joints. Each number is finite and not negative, in the joint's unit.
-   * Those of fixed joints and of joints that follow another are not read. The answer holds for all
-   * these positions at once, and for the exact poses of the links instead of the rounded ones, also
-   * if all numbers are 0. NULL: the answer holds for the values alone. */
+   * Those of fixed joints and of joints that follow another are not read. APART, `least` and `most`
+   * then hold for all these positions at once. They also hold for the exact poses of the links
+   * instead of the rounded ones, even if all numbers are 0. NULL: the answer holds for the values
+   * alone. */
   const double *travel;
   uint64_t work; /* units of work in all (sepax.h); 0: no limit. One unit for each pair is always
                     used */
@@ -192,20 +194,20 @@ typedef struct {
 
 typedef struct {
   /* APART: in all positions that were asked for, the bodies of each pair are farther apart than the
-   * clearance. NEAR: for the values themselves, the bodies of `pair` have two triangles that are at
-   * most the clearance apart. UNDECIDED: neither was found, because the work ended, or because the
-   * bodies are apart at the values but may be near within the travel. Without travel, the verdict
-   * is exact for the poses that sepax_chain_poses computes, bit by bit. */
+   * clearance. NEAR: at the values, the bodies of `pair` have two triangles that are at most the
+   * clearance apart. UNDECIDED: the work ended before one of these was proved, or the bodies are
+   * apart at the values but may be near within the travel. Without travel, the verdict is exact for
+   * the poses that sepax_chain_poses computes, bit by bit. */
   sepax_nearness verdict;
   size_t pair; /* NEAR: the first pair that is near. An earlier one may be undecided if the work
                   ended. UNDECIDED: the first pair that is undecided. APART: SEPAX_NO_PAIR */
   size_t triangle[2]; /* if NEAR: a triangle of each body of that pair; any two that are near */
   /* If the query measures: the least clearance is the least distance of any pair in any of the
-   * positions that were asked for, and least <= that <= most. Both bounds are certain. Without
-   * travel and if the work did not end, the interval is as wide as the tolerance allows. Otherwise
-   * both numbers are 0. */
+   * positions that were asked for. least <= least clearance <= most, and both bounds are certain.
+   * Without travel the interval is as wide as the tolerance allows, unless the work ended. `most`
+   * is infinite if no pair was measured. If the query does not measure, then both are 0. */
   double least, most;
-  size_t nearest; /* the pair with the distance `most` at the values; SEPAX_NO_PAIR if no pair was
+  size_t nearest; /* the pair that has a distance of at most `most`; SEPAX_NO_PAIR if no pair was
                      measured */
   uint64_t work;  /* units of work that the query took */
 } sepax_machine_answer;
@@ -213,20 +215,20 @@ typedef struct {
 /* Ask about the machine at the values of its joints: value[n] is the value of joint n. Those of
  * fixed joints and of joints that follow another are not read. Limits of joints are not checked.
  *
- * The verdict, `pair` and the truth of all else do not depend on earlier queries of the watch, if
- * the work does not end. The watch remembers bounds and near triangles, which makes similar queries
- * faster, so `work` and `triangle` may depend on them.
+ * If the work does not end, then the verdict and `pair` do not depend on earlier queries of the
+ * watch. The watch remembers bounds and near triangles, which makes similar queries faster. So
+ * `work`, `triangle` and the interval within its tolerance may depend on them.
  *
- * The work is divided like this. All pairs are compared by their boxes first. The pair that was
- * near last goes first of those that remain; then they go in their order. Each gets an equal share
- * of the work that is left, and what it does not use is left for those after it. Pairs that remain
- * undecided go again while the share is more than twice what they had before. What then is left
- * goes to the measurement: half to the pair with the least bound, half of the rest to the pair that
- * has the least bound then, and so on.
+ * The work is divided as follows. First all pairs are compared by their boxes. Of the pairs that
+ * remain, the one that was near last is searched first; the others follow in their order. Each pair
+ * gets an equal share of the work that is left. What it does not use is left for the others. Pairs
+ * that are undecided are searched again as long as their share is at least twice the share before.
+ * The measurement gets the rest: half of it goes to the pair with the least bound, then half of
+ * what is left to the pair that has the least bound then, and so on.
  *
  * Real time: the call neither allocates, nor locks, nor reads a clock, nor calls a function of the
  * caller, and does not recurse. docs/reference/library.md has the stack that it takes and the worst
- * times for given work. Cost: 20 to 60 nanoseconds for a pair whose boxes are far apart, 1 to 5
+ * times for given work. Cost: 10 to 40 nanoseconds for a pair whose boxes are far apart, 1 to 5
  * microseconds for most others. Errors: ARGUMENT if a value is not finite, if a link comes to lie
  * farther than 2^1000 from the top link of a pair, or if a number of the query is out of range. */
 bool sepax_watch_ask(sepax_watch *watch, const double *value, const sepax_machine_query *query,

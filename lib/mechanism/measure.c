@@ -77,8 +77,9 @@ static bool measure(measuring *m, size_t pair, uint64_t work, sepax_error *error
     w->last[pair] = found;
     w->has_last[pair] = true;
   }
-  if (found.most < m->answer->most) {
-    m->answer->most = found.most;
+  double most = found.most + (known->motion > 0 ? known->slack * (1 + 0x1p-50) : 0);
+  if (most < m->answer->most) { /* with travel, for the exact poses */
+    m->answer->most = most;
     m->answer->nearest = pair;
   }
   known->final = !found.ended;
