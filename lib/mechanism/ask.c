@@ -48,6 +48,7 @@ static void compare(asking *a, size_t pair) {
   const machine_pair *p = &w->machine->pair[pair];
   if (w->node[w->machine->place[p->place[0]].node].changed ||
       w->node[w->machine->place[p->place[1]].node].changed) {
+    known->beyond = -1;
     known->touching = -1;
   }
   known->state = PAIR_OPEN;
@@ -57,6 +58,7 @@ static void compare(asking *a, size_t pair) {
   known->motion = a->query.travel != NULL ? sepax__pair_motion(w, pair) : 0;
   known->need = need_of(a, known->motion);
   known->least = fmax(0, sepax__pair_ball_gap(w, pair)); /* 0 if the gap is no number */
+  note_least(w, pair, known->beyond);
   if (!(known->least > known->need)) {
     note_least(w, pair, sepax__pair_kept_gap(w, pair));
   }
@@ -68,7 +70,7 @@ static void compare(asking *a, size_t pair) {
     known->motion = sepax__pair_least_motion(w, pair);
     known->need = need_of(a, known->motion);
   }
-  if (known->least > known->need) {
+  if (known->least > known->need || known->beyond >= known->need) {
     known->state = PAIR_APART;
   } else if (known->touching == a->query.clearance) {
     known->state = PAIR_NEAR;
@@ -90,6 +92,9 @@ static bool search(asking *a, size_t pair, double distance, uint64_t work,
   if (found->verdict != SEPAX_NEAR && found->least > w->pair[pair].least) {
     note_least(w, pair, found->least);
     sepax__pair_keep(w, pair, found->least);
+  }
+  if (found->verdict == SEPAX_APART) {
+    w->pair[pair].beyond = fmax(w->pair[pair].beyond, distance);
   }
   return true;
 }

@@ -82,8 +82,9 @@ typedef struct {
   double kept;   /* bound of the distance in the pose `at`; 0: none */
   double kept_slack;
   sepax_pose at;   /* of the first body in the second's coordinates */
-  double touching; /* the distance at which `triangle` is near in the pose of the query before;
-                      negative: none */
+  double beyond;   /* in the pose of the query before, the bodies are farther apart than this;
+                      negative: not known */
+  double touching; /* in that pose `triangle` is near at this clearance; negative: not known */
   size_t triangle[2];
 } watch_pair;
 
