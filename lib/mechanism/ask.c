@@ -60,11 +60,8 @@ static void compare(asking *a, size_t pair) {
   known->least = fmax(0, sepax__pair_ball_gap(w, pair)); /* 0 if the gap is no number */
   note_least(w, pair, known->beyond);
   if (!(known->least > known->need)) {
-    note_least(w, pair, sepax__pair_kept_gap(w, pair));
-  }
-  if (!(known->least > known->need)) {
     known->boxed = true;
-    note_least(w, pair, sepax__pair_box_gap(w, pair));
+    note_least(w, pair, fmax(sepax__pair_kept_gap(w, pair), sepax__pair_box_gap(w, pair)));
   }
   if (!(known->least > known->need) && known->motion > 0) {
     known->motion = sepax__pair_least_motion(w, pair);
@@ -151,7 +148,7 @@ static bool ask_round(asking *a, bool *more, sepax_error *error) {
   size_t open = 0;
   for (size_t n = 0; n < a->open; n++) {
     size_t pair = w->queue[n];
-    if (w->pair[pair].state == PAIR_OPEN && pair < a->near) {
+    if (pair < a->near && w->pair[pair].state == PAIR_OPEN) {
       w->queue[open++] = pair;
     }
   }
@@ -184,7 +181,7 @@ static bool ask_pairs(asking *a, sepax_error *error) {
     compare(a, n);
     if (w->pair[n].state == PAIR_OPEN) {
       w->queue[a->open++] = n;
-    } else if (w->pair[n].state == PAIR_NEAR && n < a->near) {
+    } else if (n < a->near && w->pair[n].state == PAIR_NEAR) {
       a->near = n;
     }
   }

@@ -234,11 +234,11 @@ CASE(no_memory_lock_or_clock) {
   clocks = locks = 0;
   work_on(&t);
   memory.watched = false;
-  long taken = LONG_MAX - memory.left;
+  long allocations = LONG_MAX - memory.left;
   long read = clocks;
   long locked = locks;
   assert_works(t.ok);
-  assert_int_equal(taken, 0);
+  assert_int_equal(allocations, 0);
   assert_int_equal(read, 0);
   assert_int_equal(locked, 0);
   sepax_watch_free(t.watch);
@@ -251,13 +251,13 @@ enum { STACK = 1 << 20, PAINT = 0xA5 };
 
 static void *measured_thread(void *context) {
   task *t = context;
-  struct rusage before;
-  struct rusage after;
-  getrusage(RUSAGE_THREAD, &before);
+  struct rusage first;
+  struct rusage last;
+  getrusage(RUSAGE_THREAD, &first);
   work_on(t);
-  getrusage(RUSAGE_THREAD, &after);
-  t->faults = after.ru_minflt - before.ru_minflt + after.ru_majflt - before.ru_majflt;
-  t->deepest = (size_t)(uintptr_t)&after; /* where the work began */
+  getrusage(RUSAGE_THREAD, &last);
+  t->faults = last.ru_minflt - first.ru_minflt + last.ru_majflt - first.ru_majflt;
+  t->deepest = (size_t)(uintptr_t)&last; /* where the work began */
   return NULL;
 }
 
@@ -274,11 +274,11 @@ static void run_on_stack(task *t) {
   assert_int_equal(pthread_create(&thread, &attributes, measured_thread, t), 0);
   pthread_join(thread, NULL);
   pthread_attr_destroy(&attributes);
-  size_t free = 0;
-  while (free < STACK && stack[free] == PAINT) {
-    free++;
+  size_t untouched = 0;
+  while (untouched < STACK && stack[untouched] == PAINT) {
+    untouched++;
   }
-  t->deepest = t->deepest - ((size_t)(uintptr_t)stack + free);
+  t->deepest = t->deepest - ((size_t)(uintptr_t)stack + untouched);
   munmap(stack, STACK);
 }
 
