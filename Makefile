@@ -47,8 +47,22 @@ given   = $(filter command environment,$(firstword $(origin $(1))))
 is_on   = $(filter-out 0 off no,$($(1)))
 
 include scripts/make/variables.mk
+ifeq ($(strip $(BUILD)),)
+$(error BUILD is empty; give a folder, or leave it out)
+endif
 ifneq ($(words $(BUILD) $(abspath .)),2)
 $(error BUILD and the project's own path must be without blanks)
+endif
+# A folder that cannot be written is said in one line, before anything is made.
+ifeq ($(findstring n,$(firstword -$(MAKEFLAGS))),)
+ifneq ($(filter-out help help-all clean setup uninstall mutations,$(or $(MAKECMDGOALS),all)),)
+unwritable := $(shell mkdir -p "$(BUILD)" 2> /dev/null; for folder in "$(BUILD)" "$(BUILD)"/*/; do \
+                [ -w "$$folder" ] || [ "$$folder" = "$(BUILD)/*/" ] || \
+                { echo "$${folder%/}"; break; }; done)
+ifneq ($(unwritable),)
+$(error $(unwritable) cannot be written; change its owner or its permissions, or give BUILD=FOLDER)
+endif
+endif
 endif
 
 # Rules of make's own are none of ours: to try them for each header took most of its time.
@@ -83,13 +97,16 @@ all:
 	@scripts/setup job
 	@$(MAKE) job
 
+# Ended by SIGPIPE: who reads has read enough, as head.
+READER_LEFT = [ $$? -eq 141 ]
+
 help:
-	@cat scripts/make/help.txt
+	@cat scripts/make/help.txt || $(READER_LEFT)
 
 help-all:
-	@cat scripts/make/help.txt scripts/make/help-all.txt
-	@if [ -x $(SEPAX) ]; then $(MAKE) -s $(SEPAX) > /dev/null && $(SEPAX) name --list; \
-	  else echo "The variables of a design are listed here after make build."; fi
+	@cat scripts/make/help.txt scripts/make/help-all.txt || $(READER_LEFT)
+	@{ if [ -x $(SEPAX) ]; then $(MAKE) -s $(SEPAX) > /dev/null && $(SEPAX) name --list; \
+	  else echo "The variables of a design are listed here after make build."; fi; } || $(READER_LEFT)
 
 build:
 	@scripts/setup build
@@ -139,6 +156,23 @@ reference: $(SEPAX)
 
 # ------------------------------------------------------------------ gates, clock, power
 
+# What a verb needs is looked for before anything is compiled: tools, and parts of build/venv.
+TOOLS_paper  = yosys verilator c++
+TOOLS_area   = yosys python3
+TOOLS_timing = yosys jq sta
+TOOLS_layout = yosys jq sta klayout
+TOOLS_power  = yosys jq
+TOOLS_fpga   = yosys jq
+NEEDING      = $(addprefix need-,paper area timing layout power fpga)
+.PHONY: $(NEEDING)
+$(NEEDING): need-%:
+	@scripts/need $* $(TOOLS_$*)
+	@$(CHECK_$*)
+CHECK_layout = synth/layout/run -c && { [ -n "$(or $(LEF),$(wildcard $(LIBERTY:.lib=.lef)))" ] || \
+               { echo 'layout: give LEF="FILE ..." of $(notdir $(LIBERTY))' >&2; exit 2; }; }
+ROUTED_HERE  = $(filter ecp5 ice40,$(if $(call given,TARGET),$(TARGET),ecp5 ice40))
+CHECK_fpga   = $(foreach target,$(ROUTED_HERE),synth/fpga/route -c $(target) &&) true
+
 # The designs of `make area`: the one that is given; the paper's in both precisions, as its word
 # length leaves both readings open, unless one is given; conference beside paper.
 PAPERS     = "ARCH=paper PRECISION=full" "ARCH=paper PRECISION=word" \
@@ -157,25 +191,21 @@ POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
 AREA_JSON ?= $(BUILD)/area.json
 
 # The paper's tables 3 and 4 beside ours, in Nangate45 where it is at hand.
-paper: $(SEPAX) $(BUILD)/liberty
-	@scripts/need paper yosys verilator c++
+paper: need-paper $(SEPAX) $(BUILD)/liberty
 	@LIBERTY=$(if $(call given,LIBERTY),$(LIBERTY),$(firstword $(NANGATE45) $(LIBERTY))) \
 	  scripts/paper
 
-area: $(SEPAX) $(BUILD)/liberty
-	@scripts/need area yosys python3
+area: need-area $(SEPAX) $(BUILD)/liberty
 	@scripts/designs -j 2 mapped $(AREAS)
 	@synth/report/tables gates -o $(AREA_JSON) $$(scripts/designs area-file $(AREAS) | sort)
 
-timing: $(SEPAX) $(BUILD)/liberty
-	@scripts/need timing yosys jq sta
+timing: need-timing $(SEPAX) $(BUILD)/liberty
 	@scripts/designs timed $(TIMINGS)
 	@synth/report/tables timing -o $(BUILD)/timing.json $$(scripts/designs timing-file $(TIMINGS))
 
 # Placed and routed: of the design, or without one of the smallest; BLOCKS are modules of it.
 LAYOUTS = $(if $(call given,ARCH)$(ONLY_EXACT),"","WORD=4 II=18")
-layout: $(SEPAX) $(BUILD)/liberty $(BUILD)/layout
-	@scripts/need layout yosys jq sta klayout
+layout: need-layout $(SEPAX) $(BUILD)/liberty $(BUILD)/layout
 	@scripts/designs laid $(LAYOUTS)
 	@synth/report/tables layout -o $(BUILD)/layout.json $$(scripts/designs layout-file $(LAYOUTS))
 
@@ -183,8 +213,7 @@ LIBERTY_FAST ?= $(LIBERTY)
 experiment-multivt: $(SEPAX) $(BUILD)/liberty
 	@$(MAKE) LIBERTY=$(LIBERTY_FAST) assigned
 
-power: $(SEPAX) $(BUILD)/liberty $(BUILD)/power
-	@scripts/need power yosys jq
+power: need-power $(SEPAX) $(BUILD)/liberty $(BUILD)/power
 	@scripts/designs powered $(POWERS)
 	@synth/report/tables power -o $(BUILD)/power.json $$(scripts/designs power-file $(POWERS))
 
@@ -192,8 +221,7 @@ power: $(SEPAX) $(BUILD)/liberty $(BUILD)/power
 FPGAS = $(if $(call given,TARGET)$(ONLY_EXACT),"", \
         "TARGET=ecp5 II=3" "TARGET=ice40 WORD=8 II=9" "TARGET=xc7 II=3" "TARGET=xc7 II=1" \
         "TARGET=xcup II=3" "TARGET=gowin II=3")
-fpga: $(SEPAX)
-	@scripts/need fpga yosys jq
+fpga: need-fpga $(SEPAX)
 	@scripts/designs -j 2 routed $(FPGAS)
 	@synth/report/tables fpga -o $(BUILD)/fpga.json $$(scripts/designs fpga-file $(FPGAS))
 
@@ -286,10 +314,10 @@ experiment-engine-sweep: $(SEPAX) $(BUILD)/liberty
 experiment-tree-fuzz: COUNT_OF = $(if $(call given,COUNT),$(COUNT),1000000)
 experiment-tree-fuzz: $(SEPAX) $(LIB)
 	@DESIGN="--word=8 --ii=6" RUNS=10 FUZZ=$(COUNT_OF) tb/tree_engine/modules/walks
-	@$(MAKE) WORD=8 II=6 FUZZ=$$(($(COUNT_OF) / 8)) cosim
+	@$(MAKE) WORD=8 II=6 FUZZ=$$(($(COUNT_OF) / 8)) COUNT= SEED= cosim
 
 experiment-tree-scene: $(SEPAX)
-	@$(MAKE) SCENE=$(if $(call given,COUNT),$(COUNT),10000) cosim
+	@$(MAKE) SCENE=$(if $(call given,COUNT),$(COUNT),10000) COUNT= SEED= cosim
 
 CLAIMS = $(addprefix $(BUILD)/unit/tree/,walk turned_boxes posed_clearance)
 experiment-tree-campaign: $(SEPAX) $(CLAIMS)

@@ -26,7 +26,8 @@ $(BUILD)/obj/%.o: %.c
 	$(if $(LACKING),@echo "build: $(LACKING)" >&2; exit 2)
 	@mkdir -p $(@D)
 	@echo "  CC      $<"
-	@$(CC) $(SEPAX_CFLAGS) -MMD -MP -c $< -o $@
+	@$(aside) $(CC) $(SEPAX_CFLAGS) -MMD -MP -MT $@ -MF $$new.dep -c $< -o $$new && \
+	  mv -f $$new.dep $(@:.o=.d) && $(in_place)
 
 # The objects serve the shared libraries, too. What no public header declares is hidden.
 LIB_OBJ   = $(call object,$(LIB_SRC))
@@ -41,8 +42,7 @@ $(BUILD)/obj/lib.a: $(LIB_OBJ)
 $(BUILD)/obj/models.a: $(MODEL_OBJ)
 $(BUILD)/obj/io.a: $(IO_OBJ) $(BUILD)/obj/libraries
 $(BUILD)/obj/lib.a $(BUILD)/obj/models.a $(BUILD)/obj/io.a:
-	@rm -f $@
-	@$(AR) rcs $@ $(filter %.o,$^)
+	@$(aside) rm -f $$new && $(AR) rcs $$new $(filter %.o,$^) && $(in_place)
 
 # What others link: libsepax, and on top of it libsepax-io and libsepax-model, which have copies of
 # what they need of its inside. In an archive there is one object, whose internal names are local to
@@ -56,14 +56,14 @@ $(BUILD)/libsepax-io.a $(BUILD)/libsepax-io.so.0: $(IO_OBJ) \
 $(BUILD)/libsepax-model.so.0 $(BUILD)/libsepax-io.so.0: $(BUILD)/libsepax.so.0
 $(BUILD)/libsepax-io.so.0: LIBS = $(IO_LIBS)
 $(BUILD)/libsepax.a $(BUILD)/libsepax-model.a $(BUILD)/libsepax-io.a:
-	@$(LD) -r -o $(BUILD)/obj/$(@F:.a=.o) $(filter %.o,$^)
-	@$(OBJCOPY) --localize-hidden $(BUILD)/obj/$(@F:.a=.o)
-	@rm -f $@
-	@$(AR) rcs $@ $(BUILD)/obj/$(@F:.a=.o)
+	@parts=$@.$$$$ && trap 'rm -rf $$parts' EXIT && trap 'exit 1' HUP INT TERM && \
+	  mkdir $$parts && $(LD) -r -o $$parts/$(@F:.a=.o) $(filter %.o,$^) && \
+	  $(OBJCOPY) --localize-hidden $$parts/$(@F:.a=.o) && \
+	  $(AR) rcs $$parts/$(@F) $$parts/$(@F:.a=.o) && mv -f $$parts/$(@F) $@
 $(BUILD)/libsepax.so.0 $(BUILD)/libsepax-model.so.0 $(BUILD)/libsepax-io.so.0:
 	@echo "  LINK    $@"
-	@$(CC) $(CFLAGS) -shared -Wl,-soname,$(@F) -Wl,-Bsymbolic-functions \
-	  $(filter %.o %.so.0,$^) $(LIBS) -lm -pthread -o $@
+	@$(aside) $(CC) $(CFLAGS) -shared -Wl,-soname,$(@F) -Wl,-Bsymbolic-functions \
+	  $(filter %.o %.so.0,$^) $(LIBS) -lm -pthread -o $$new && $(in_place)
 
 # Emulated vectors are optimised in twenty seconds and run in two without.
 $(BUILD)/obj/tb/unit/avx512.o: SEPAX_CFLAGS += -O0
@@ -74,17 +74,17 @@ TEMPLATES    = $(wildcard rtl_gen/*/*.v rtl_gen/*/*/*.v)
 TEMPLATE_OBJ = $(BUILD)/obj/templates.o
 $(BUILD)/obj/templates.c: scripts/embed $(TEMPLATES) $(wildcard rtl_gen/* rtl_gen/*/*)
 	@mkdir -p $(@D)
-	@scripts/embed $(TEMPLATES) > $@
+	@$(aside) scripts/embed $(TEMPLATES) > $$new && $(in_place)
 $(TEMPLATE_OBJ): $(BUILD)/obj/templates.c
-	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
+	@$(aside) $(CC) $(SEPAX_CFLAGS) -c $< -o $$new && $(in_place)
 
 # The page of sepax path as a C string.
 PAGE_OBJ = $(BUILD)/obj/page.o
 $(BUILD)/obj/page.c: scripts/embed program/path/page.html
 	@mkdir -p $(@D)
-	@scripts/embed -t path_page_html program/path/page.html > $@
+	@$(aside) scripts/embed -t path_page_html program/path/page.html > $$new && $(in_place)
 $(PAGE_OBJ): $(BUILD)/obj/page.c
-	@$(CC) $(SEPAX_CFLAGS) -c $< -o $@
+	@$(aside) $(CC) $(SEPAX_CFLAGS) -c $< -o $$new && $(in_place)
 
 # Code that calls libxml2.
 $(BUILD)/obj/io/xml/%.o $(BUILD)/obj/io/archive/%.o $(BUILD)/obj/io/robot/libxml2/%.o: \
@@ -96,13 +96,14 @@ $(BUILD)/obj/libraries: FORCE
 	  $(if $(with_xml),,echo "  WITHOUT libxml2: no URDF, SRDF, DAE, 3MF";) \
 	  $(if $(filter yes,$(LIBZIP)),,echo "  WITHOUT libzip: no 3MF";) \
 	  $(if $(with_md),,echo "  WITHOUT libmd: no certificates";) \
-	  echo 'libxml2 $(LIBXML2), libzip $(LIBZIP), libmd $(LIBMD)' > $@; }
+	  $(aside) echo 'libxml2 $(LIBXML2), libzip $(LIBZIP), libmd $(LIBMD)' > $$new && $(in_place); }
 
 # Programs: objects, then libraries.
 define link
 @mkdir -p $(@D)
 @echo "  LINK    $@"
-@$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LIBS) $(LDLIBS) -lm -pthread -o $@
+@$(aside) $(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LIBS) $(LDLIBS) -lm -pthread \
+  -o $$new && $(in_place)
 endef
 CHECKER_OBJ = $(call object,$(CHECKER))
 ORACLE_OBJ  = $(call object,$(wildcard tb/oracle/*.c))
@@ -194,8 +195,9 @@ SWEEP_O  = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard tb/tree_engine/sweep/*.c
 $(BUILD)/obj/tb/%.o: tb/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX     $<"
-	@$(CXX) -std=c++17 -O3 -DNDEBUG -Wall -Wextra -Werror -Ilib -Ic_model -Itb \
-	  $(PEER_FLAGS) $(PEERS_I) -MMD -MP -c $< -o $@
+	@$(aside) $(CXX) -std=c++17 -O3 -DNDEBUG -Wall -Wextra -Werror -Ilib -Ic_model -Itb \
+	  $(PEER_FLAGS) $(PEERS_I) -MMD -MP -MT $@ -MF $$new.dep -c $< -o $$new && \
+	  mv -f $$new.dep $(@:.o=.d) && $(in_place)
 # Coal is of PyPI (scripts/setup venv), its Eigen of Debian.
 CMEEL      = $(wildcard $(BUILD)/venv/lib/python3*/site-packages/cmeel.prefix)
 COAL       = $(wildcard $(addsuffix /include/coal/distance.h,$(CMEEL)))
@@ -203,13 +205,13 @@ COAL_OF    = $(abspath $(COAL:%/include/coal/distance.h=%))
 COAL_LIB   = $(addsuffix /lib,$(COAL_OF))
 $(BUILD)/obj/tb/benchmark/peer_coal.o: PEER_FLAGS = $(COAL_OF:%=-isystem %/include)
 $(BUILD)/obj/tb/benchmark/peer_coal.o: $(COAL)
-comma      = ,
 $(BUILD)/bench_bodies: $(BODIES_O) $(LIB)
 	@echo "  LINK    $@"
-	@$(CXX) $^ $(call header,fcl/fcl.h,-lfcl -lccd) $(call header,embree3/rtcore.h,-lembree3) \
-	  $(call header,mpfr.h,-lmpfr) $(addsuffix /libcoal.so,$(COAL_LIB)) \
+	@$(aside) $(CXX) $^ $(call header,fcl/fcl.h,-lfcl -lccd) \
+	  $(call header,embree3/rtcore.h,-lembree3) $(call header,mpfr.h,-lmpfr) \
+	  $(addsuffix /libcoal.so,$(COAL_LIB)) \
 	  $(addprefix -Wl$(comma)-rpath$(comma),$(COAL_LIB)) \
-	  -lgmp -lm -pthread -o $@
+	  -lgmp -lm -pthread -o $$new && $(in_place)
 # Queries of a whole machine.
 $(BUILD)/bench_machine: LIBS = -ljansson $(IO_LIBS)
 $(BUILD)/bench_machine: $(call object,tb/benchmark/machine.c) $(FORMAT_OBJ) $(FORMAT_USES) \
@@ -226,6 +228,7 @@ $(BUILD)/mesh_files $(BUILD)/mesh_writer:
 	$(link)
 $(BUILD)/bench_tree: $(SWEEP_O) $(LIB)
 	@echo "  LINK    $@"
-	@$(CXX) $^ $(call header,fcl/fcl.h,-lfcl -lccd) -lm -pthread -o $@
+	@$(aside) $(CXX) $^ $(call header,fcl/fcl.h,-lfcl -lccd) -lm -pthread \
+	  -o $$new && $(in_place)
 
 -include $(wildcard $(BUILD)/obj/*/*/*/*.d $(BUILD)/obj/*/*/*.d $(BUILD)/obj/*/*.d)

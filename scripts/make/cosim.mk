@@ -45,6 +45,45 @@ PAIR_ARGS = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if \
             $(SEEDED),$(if $(filter grid,$(PAIRS)),--sample --count=$(COUNT),$(if \
             $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)"))))
 
+# Pairs of meshes are many for gates: they get them only if the user names the meshes.
+GATE_MESHES = $(if $(PAIRS),,$(if $(call given,MESH_A),$(SAMPLES)))
+GATE_ARGS   = $(if $(PAIRS),$(PAIR_ARGS),$(if $(call given,MESH_A),$(MESH_ARGS),$(SEEDED)))
+
+# What a run of `make cosim` reads of the variables that choose its pairs. To give it another one is
+# an error, because its value would be passed over.
+SIMULATED = $(if $(call is_on,NETLIST),netlist,$(filter object tree,$(DESIGN_ENGINE)))
+ifeq ($(MAKECMDGOALS),cosim)
+OF_PAIRS = MESH_A MESH_B RESOLUTION NORMALS PAIRS COUNT SEED STRESS VIEW SIMULATOR NETLIST \
+           POSES JOBS LATENCY MODES BUDGET ROUNDS FUZZ SCENE GRID PAIR
+RUN      = $(or $(SIMULATED),core)$(if $(filter icarus,$(SIMULATOR)),-icarus)
+MESHED   = MESH_A MESH_B RESOLUTION NORMALS
+DRAWN    = PAIRS $(if $(filter families corners within beyond overlaps powers axes,$(PAIRS)),COUNT \
+           SEED) $(if $(filter grid,$(PAIRS)),COUNT)
+LISTED_PAIRS = PAIRS $(if $(filter-out families,$(PAIRS)),,COUNT SEED)
+READ_core           = VIEW STRESS SIMULATOR NETLIST $(if $(PAIRS),$(DRAWN),$(MESHED))
+READ_core-icarus    = VIEW STRESS SIMULATOR NETLIST $(LISTED_PAIRS)
+READ_netlist        = STRESS SIMULATOR NETLIST $(if $(PAIRS),$(DRAWN),$(if \
+                      $(call given,MESH_A),$(MESHED),COUNT SEED))
+READ_netlist-icarus = SIMULATOR NETLIST $(LISTED_PAIRS)
+READ_object         = VIEW STRESS SIMULATOR NETLIST PAIRS $(if $(PAIRS),,MESH_A MESH_B RESOLUTION)
+READ_tree           = VIEW STRESS SIMULATOR NETLIST $(if \
+                      $(POSES),,MESH_A MESH_B PAIRS) $(if $(JOBS),JOBS LATENCY,$(if \
+                      $(POSES),POSES LATENCY MODES BUDGET RESOLUTION MESH_A MESH_B,$(if \
+                      $(FUZZ),FUZZ,$(if $(SCENE),SCENE,ROUNDS))))
+unread := $(filter-out $(READ_$(RUN)),$(filter $(OF_PAIRS),$(on_line)))
+unread := $(firstword $(foreach v,$(unread),$(if $(strip $($(v))),$(v))))
+ifneq ($(and $(READ_$(RUN)),$(unread)),)
+$(error cosim: this run does not read $(unread); it reads $(strip $(READ_$(RUN))); leave \
+  $(unread) out$(if $(and $(if $(PAIRS),,none),$(filter core netlist,$(RUN)),$(filter \
+  COUNT SEED,$(unread))),$(comma) or give PAIRS=families))
+endif
+ifneq ($(and $(filter %-icarus,$(RUN)),$(filter corners within beyond overlaps powers axes \
+  grid,$(PAIRS))),)
+$(error cosim: SIMULATOR=icarus takes PAIRS=FILE, families or bits; leave out SIMULATOR for \
+  PAIRS=$(PAIRS))
+endif
+endif
+
 # ------------------------------------------------------------------------- Verilator
 
 # The view of exact's arithmetic that is simulated: its macro, and the suffix of what is made of it.
@@ -83,7 +122,6 @@ $(WAVE): $(COSIM_DEPS)
 	@$(call verilate,$(COSIM_TOP),$(COSIM_FLAGS) --trace-fst,$(COSIM_CPP))
 
 # Which test bench: of the core in Verilator or Icarus, of its mapped gates, or of an engine.
-SIMULATED = $(if $(call is_on,NETLIST),netlist,$(filter object tree,$(DESIGN_ENGINE)))
 cosim: cosim-$(or $(SIMULATED),core)$(if $(filter icarus,$(SIMULATOR)),-icarus)
 
 cosim-core: $(COSIM) $(if $(PAIRS),,$(SAMPLES))

@@ -8,9 +8,19 @@ SEPAX_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Werror -Wconver
 XML_CFLAGS  := -isystem $(firstword $(patsubst -I%,%,$(filter -I%,$(shell \
                pkg-config --cflags-only-I libxml-2.0 2> /dev/null))) /usr/include/libxml2)
 OBJCOPY     ?= objcopy
+
+# A file is made as $$new and then moved into its place, so that no other make sees the half of it:
+#   $(aside) COMMAND -o $$new && $(in_place)
+# Coverage names its files as the object, which is then made in its place.
+measured     = $(filter --coverage,$(CFLAGS))
+aside        = new=$@$(if $(measured),,.$$$$) && \
+               $(if $(measured),,trap 'rm -rf $$new $$new.*' EXIT && trap 'exit 1' HUP INT TERM &&)
+in_place     = $(if $(measured),:,mv -f $$new $@)
+
 object       = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 OPTIONS_OBJ  = $(call object,program/cli/options.c)
 
+comma      := ,
 hash       := \#
 # libxml2 reads robots and DAE, libzip with it 3MF, libmd makes the digests of certificates. Where
 # one of them is missing, or is said to be (make build LIBXML2=no LIBZIP=no LIBMD=no), files of

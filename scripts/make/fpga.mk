@@ -62,5 +62,5 @@ $(FPGA)/cosim.o: $(COSIM_DEPS)
 $(FPGA)/cosim: $(FPGA)/gates.o $(FPGA)/cosim.o
 	@$(CXX) -o $@ $^ $(OPTIONS_OBJ) $(IO) $(LIB) $(IO_LIBS) -lm -pthread
 
-cosim-netlist: $(FPGA)/cosim
-	@$(FPGA)/cosim $(if $(PAIRS),$(PAIR_ARGS),$(SEEDED)) $(STRESSED)
+cosim-netlist: $(FPGA)/cosim $(GATE_MESHES)
+	@$(FPGA)/cosim $(GATE_ARGS) $(STRESSED)

@@ -57,8 +57,11 @@ uninstall:
 .PHONY: dist
 DIST = sepax-$(VERSION)
 dist:
-	@git rev-parse --git-dir > /dev/null 2>&1 || { echo "dist: this is no git checkout; the package \
-	  that it came from is the source package" >&2; exit 2; }
+	@git rev-parse --git-dir > /dev/null 2>&1 || { if [ -e .git ]; then \
+	  echo "dist: git does not read this checkout; if another user owns it, run git config" \
+	    "--global --add safe.directory $(abspath .)"; \
+	  else echo "dist: this is no git checkout; the package that it came from is the source" \
+	    "package"; fi >&2; exit 2; }
 	@[ -z "$$(git status --porcelain)" ] || { echo "dist: files are changed and not committed; \
 	  commit them first" >&2; exit 2; }
 	@mkdir -p $(BUILD)

@@ -17,4 +17,4 @@ $(BUILD)/mesh/ball-end.stl: $(SEPAX)
 # Poses of B for a tree engine, one a simulation of its gates.
 $(BUILD)/poses/%.txt: scripts/tree_engine/poses
 	@mkdir -p $(@D)
-	@$< $* 64 > $@
+	@$(aside) $< $* 64 > $$new && $(in_place)

@@ -98,8 +98,9 @@ assigned: $(AREA)/area.json
 LOADS     = $(BUILD)/power-w$(WORD)
 COLLIDING = --family=local --count=12000
 COPLANAR_PAIRS = --family=coplanar --count=8000
-select    = mkdir -p $(@D) && $(SEPAX) vectors --word=$(WORD) $(1) | \
-            $(SEPAX) judge --word=$(WORD) --echo | awk '$$$(2) == 1 { NF = 24; print }' > $@
+select    = $(aside) mkdir -p $(@D) && $(SEPAX) vectors --word=$(WORD) $(1) | \
+            $(SEPAX) judge --word=$(WORD) --echo | awk '$$$(2) == 1 { NF = 24; print }' > $$new && \
+            $(in_place)
 $(LOADS)/colliding.txt: $(SEPAX)
 	@$(call select,$(COLLIDING),25)
 $(LOADS)/coplanar.txt: $(SEPAX)
@@ -132,7 +133,7 @@ WORKLOADS_tree   = $(if $(POSES),"poses=$(call POSED)","contact=$(call POSED,gou
 
 powered: $(AREA)/area.json $(BUILD)/power $(LOAD_FILES) $(SAMPLES)
 	@echo "  POWER   $(DESIGN_NAME), $(LIBRARY)"
-	@POWER=$(BUILD)/power synth/power/run -l $(LIBERTY) -c $(CYCLES) $(if $(OPENSTA),-t) \
+	@POWER=$(BUILD)/power synth/power/run -l $(LIBERTY) -c $(CYCLES) $(if $(call is_on,OPENSTA),-t) \
 	  $(if $(GLITCHES),-x $(GLITCHES)) -o $(AREA)/power $(AREA) $(WORKLOADS)
 power-file:
 	@echo $(AREA)/power/power.json
@@ -167,5 +168,5 @@ $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
 	  $(BY_MODULE) cells.v netlist.v $(COSIM_CPP) > cosim.log 2>&1 || \
 	  { tail -20 cosim.log >&2; exit 1; }; }
 
-cosim-netlist: $(AREA)/cosim
-	@$(AREA)/cosim $(if $(PAIRS),$(PAIR_ARGS),$(SEEDED)) $(STRESSED)
+cosim-netlist: $(AREA)/cosim $(GATE_MESHES)
+	@$(AREA)/cosim $(GATE_ARGS) $(STRESSED)

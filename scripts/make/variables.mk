@@ -16,6 +16,10 @@ VARIABLES = DESIGN NAME TESTS QUICK BUILD PREFIX DESTDIR LIBDIR REFERENCE \
   CC CXX CLANG CFLAGS LDFLAGS LDLIBS LD AR OBJCOPY OBJCACHE PYTHON YOSYS VERILATOR IVERILOG VVP \
   CPPCHECK CLANG_TIDY STA KLAYOUT GNUPLOT LIBXML2 LIBZIP LIBMD
 
+# On or off.
+SWITCHES = QUICK NETLIST GATING FAULTS OPENSTA
+SWITCHED = 1 on yes 0 off no
+
 # What the rules and the tests hand to a make that they start.
 HANDED = DESIGN_NAME DESIGN_ENGINE OPTIONS VERDICT_OPTIONS CORE GEN GEN_OBJ FUZZER VISIBILITY \
   BUS_CFLAGS   COSIM_OPT COSIM_FLAGS ENGINE_OPT GATES_OPT LINT_TOOLS WAVE_FILE AREA_JSON
@@ -35,11 +39,20 @@ ifneq ($(and $(DESIGN),$(filter DESIGN,$(on_line)),$(filter $(DESIGN_VARIABLES),
 $(error DESIGN="$(DESIGN)" and $(firstword $(filter $(DESIGN_VARIABLES),$(on_line))) both describe \
   the design; give one of them)
 endif
-ifeq ($(words $(filter MESH_A MESH_B,$(on_line))),1)
-$(error $(filter MESH_A MESH_B,$(on_line)) is one mesh; give MESH_A and MESH_B)
+mesh_given := $(filter MESH_A MESH_B,$(on_line))
+mesh_named := $(strip $(foreach v,$(mesh_given),$(if $(strip $($(v))),$(v))))
+ifeq ($(words $(mesh_named)),1)
+$(error $(mesh_named) is one mesh; give MESH_A and MESH_B)
+endif
+ifneq ($(mesh_given),$(mesh_named))
+$(error $(mesh_given) without a name; give MESH_A and MESH_B, or leave them out)
 endif
 ifneq ($(and $(filter MESH_A,$(on_line)),$(filter PAIRS,$(on_line)),$(MESH_A),$(PAIRS)),)
 $(error MESH_A, MESH_B and PAIRS are two sources of pairs; give one of them)
+endif
+wrong_switch := $(firstword $(foreach v,$(SWITCHES),$(if $(filter-out $(SWITCHED),$($(v))),$(v))))
+ifneq ($(wrong_switch),)
+$(error $(wrong_switch): '$($(wrong_switch))' is none of: 1, on, yes; 0, off, no)
 endif
 ifeq ($(filter behavioural structural,$(VIEW)),)
 $(error VIEW: '$(VIEW)' is none of: behavioural, structural)

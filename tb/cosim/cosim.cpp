@@ -86,22 +86,22 @@ error_t parse(int key, char *text, argp_state *state) {
     state->child_inputs[0] = &o->grid;
     return 0;
   case 'n':
-    o->count = cli_count(state, "count", text, UINT64_MAX);
+    o->count = cli_count(state, "count", text, 0, UINT64_MAX);
     if (o->count == 0) {
       argp_error(state, "count: 0 pairs are no test; give 1 or more");
     }
     return 0;
   case 's':
-    o->seed = cli_count(state, "seed", text, UINT64_MAX);
+    o->seed = cli_count(state, "seed", text, 0, UINT64_MAX);
     return 0;
   case KEY_STRESS:
-    o->stress = cli_count(state, "stress", text, UINT64_MAX);
+    o->stress = cli_count(state, "stress", text, 0, UINT64_MAX);
     return 0;
   case KEY_WAVE:
     o->wave = text;
     return 0;
   case KEY_TERNARY:
-    o->first = cli_count(state, "ternary", text, TERNARY_PAIRS - 1);
+    o->first = cli_count(state, "ternary", text, 0, TERNARY_PAIRS - 1);
     [[fallthrough]];
   case 'p':
   case KEY_FAMILY:
