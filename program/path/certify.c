@@ -45,10 +45,11 @@ typedef struct {
   sepax_distance_result last;
   bool has_last;
   path_interval at;
-  double distance; /* distance at the middle, or infinite if it is large enough */
-  size_t left;     /* how many more parts may be examined until one stays open */
-  size_t behind;   /* and in all segments behind that */
-  way_part *queue; /* QUEUE entries */
+  double least, most; /* the distance at the middle, if it is not large enough */
+  int step;           /* how many tolerances the distance has been measured with */
+  size_t left;        /* how many more parts may be examined until one stays open */
+  size_t behind;      /* and in all segments behind that */
+  way_part *queue;    /* QUEUE entries */
 } asking;
 
 enum { QUEUE = 2 * BEHIND + 2 * LEVELS_MOST + 2 };
@@ -152,34 +153,53 @@ static bool boxes_disjoint(asking *a, double need) {
 
 /* -------------------------------------------------------------------------- intervals */
 
-/* Certify a part of a segment if possible. If not, a->distance receives the distance at its
- * middle. */
-static bool ask(asking *a, bool *certified, sepax_error *error) {
-  double clearance = a->all->q->bands.clearance.length;
-  set_values(a);
-  sepax_chain_poses(&a->pair->chain, &a->all->scene->robot.mechanism, a->value[1], a->pose);
-  a->at.bound = bound_of(a);
-  double need = (a->at.bound + clearance) * (1 + 0x1p-48);
-  a->distance = INFINITY;
-  a->at.by_axis = boxes_disjoint(a, need);
-  *certified = true;
-  if (a->at.by_axis) {
-    return true;
-  }
-  const sepax_distance_request request = {
-      .size = sizeof(sepax_distance_request), .limit = need, .last = a->has_last ? &a->last : NULL};
+/* A proof needs "farther apart than", not how far. How far decides only how often an interval is
+ * halved, so a coarse distance does in most cases. The last tolerance is that of the exact
+ * distance. */
+static const double tolerances[] = {0x1p-4, 0x1p-10, 0};
+enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
+
+/* Measure the distance at the middle with the next tolerance. */
+static bool narrow(asking *a, sepax_error *error) {
+  const sepax_distance_request request = {.size = sizeof(sepax_distance_request),
+                                          .relative = tolerances[a->step],
+                                          .last = a->has_last ? &a->last : NULL};
   sepax_distance_result r;
   if (!sepax_bodies_distance(a->body[0]->body, &a->pose[0], a->body[1]->body, &a->pose[1], &request,
                              &r, error)) {
     return false;
   }
-  a->distance = r.min_distance;
-  *certified = isinf(r.min_distance);
-  if (!*certified && r.min_distance > 0) {
+  a->step++;
+  a->least = a->step == TOLERANCES ? r.min_distance : r.least;
+  a->most = a->step == TOLERANCES ? r.min_distance : r.most;
+  if (r.min_distance > 0) {
     a->last = r;
     a->has_last = true;
   }
   return true;
+}
+
+/* Certify a part of a segment if possible. If not, the distance at its middle is measured. */
+static bool ask(asking *a, bool *certified, sepax_error *error) {
+  static const sepax_apart_request request = {.size = sizeof(sepax_apart_request)};
+  double clearance = a->all->q->bands.clearance.length;
+  sepax_apart_result r;
+  set_values(a);
+  sepax_chain_poses(&a->pair->chain, &a->all->scene->robot.mechanism, a->value[1], a->pose);
+  a->at.bound = bound_of(a);
+  double need = (a->at.bound + clearance) * (1 + 0x1p-48);
+  a->at.by_axis = boxes_disjoint(a, need);
+  *certified = a->at.by_axis;
+  if (*certified) {
+    return true;
+  }
+  if (!sepax_bodies_apart(a->body[0]->body, &a->pose[0], a->body[1]->body, &a->pose[1], need,
+                          &request, &r, error)) {
+    return false;
+  }
+  a->step = 0;
+  *certified = r.verdict == SEPAX_APART;
+  return *certified || narrow(a, error);
 }
 
 static bool keep(asking *a, sepax_error *error) {
@@ -211,24 +231,47 @@ static bool advance(path_interval *at) {
   return at->index < (uint64_t)1 << at->level;
 }
 
-/* Halve the part as often as its distance requires, at least once. False if its motion is already
- * as short as the resolution. */
-static bool divide(asking *a) {
+/* How often a part is halved if this is its distance; at least once. */
+static int halvings(const asking *a, double distance) {
   const path_question *q = a->all->q;
-  double left = fmax(a->distance - q->bands.clearance.length, q->resolution.length);
+  double left = fmax(distance - q->bands.clearance.length, q->resolution.length);
   int times = (int)floor(log2(a->at.bound / left));
-  times = times < 1 ? 1 : times > 8 ? 8 : times;
-  if (a->at.bound <= q->resolution.length || (int)a->at.level + times > LEVELS_MOST) {
-    return false;
+  return times < 1 ? 1 : times > 8 ? 8 : times;
+}
+
+/* Halve the part as often as its distance requires. *possible: false if its motion is already as
+ * short as the resolution. */
+static bool divide(asking *a, bool *possible, sepax_error *error) {
+  *possible = a->at.bound > a->all->q->resolution.length;
+  if (!*possible) {
+    return true;
   }
-  a->at.level += (unsigned)times;
-  a->at.index <<= times;
+  int times = halvings(a, a->least);
+  while (times != halvings(a, a->most)) {
+    if (!narrow(a, error)) {
+      return false;
+    }
+    times = halvings(a, a->least);
+  }
+  *possible = (int)a->at.level + times <= LEVELS_MOST;
+  if (*possible) {
+    a->at.level += (unsigned)times;
+    a->at.index <<= times;
+  }
   return true;
 }
 
-/* Do the bodies collide at the middle? It is decided exactly, because the distance is rounded. */
-static bool collides(const asking *a) {
-  return a->distance <= a->all->q->bands.clearance.length * (1 - 0x1p-50);
+/* Do the bodies collide at the middle? The comparison leaves room for the rounding of the
+ * distance. */
+static bool collides(asking *a, bool *yes, sepax_error *error) {
+  double limit = a->all->q->bands.clearance.length * (1 - 0x1p-50);
+  while (a->least <= limit && limit < a->most) {
+    if (!narrow(a, error)) {
+      return false;
+    }
+  }
+  *yes = a->most <= limit;
+  return true;
 }
 
 static void keep_collision(asking *a, double part_of_way) {
@@ -236,6 +279,24 @@ static void keep_collision(asking *a, double part_of_way) {
   proof->collides = true;
   proof->segment = a->at.segment;
   proof->part = part_of_way;
+}
+
+/* Keep an open part and its exact distance. `first`: the first pose with a collision that was found
+ * in its segment, or infinite. */
+static bool keep_open(asking *a, double first, sepax_error *error) {
+  path_proof *proof = &a->pair->proof;
+  while (a->step < TOLERANCES) {
+    if (!narrow(a, error)) {
+      return false;
+    }
+  }
+  proof->is_open = true;
+  proof->open = a->at;
+  proof->distance = a->least;
+  if (isfinite(first)) {
+    keep_collision(a, first);
+  }
+  return true;
 }
 
 /* Certify a segment. False only on an error. The first segment that is not certified is kept in
@@ -256,18 +317,18 @@ static bool certify_segment(asking *a, sepax_error *error) {
       more = advance(&a->at);
       continue;
     }
-    if (collides(a)) {
-      first = fmin(first, middle_of(&a->at));
+    bool possible = true;
+    bool yes = false;
+    if (!collides(a, &yes, error)) {
+      return false;
     }
+    first = yes ? fmin(first, middle_of(&a->at)) : first;
     proof->ended = a->left == 0;
-    if (proof->ended || !divide(a)) {
-      proof->is_open = true;
-      proof->open = a->at;
-      proof->distance = a->distance;
-      if (isfinite(first)) {
-        keep_collision(a, first);
-      }
-      return true;
+    if (!proof->ended && !divide(a, &possible, error)) {
+      return false;
+    }
+    if (proof->ended || !possible) {
+      return keep_open(a, first, error);
     }
   }
   return true;
@@ -284,7 +345,11 @@ static bool search(asking *a, size_t parts, size_t most, size_t *asked, sepax_er
       return false;
     }
     ++*asked;
-    if (!certified && collides(a)) {
+    bool yes = false;
+    if (!certified && !collides(a, &yes, error)) {
+      return false;
+    }
+    if (yes) {
       keep_collision(a, middle_of(&a->at));
       return true;
     }
