@@ -37,12 +37,20 @@ static json_t *points_of(const path_scene *scene, const path_pair *pair) {
   return json_pack("[o, o]", point_of(point[0]), point_of(point[1]));
 }
 
+/* The interval of a length in millimetres. Its ends are rounded outwards, so it is certain. */
+static json_t *interval_of(const double interval[2]) {
+  double least = interval[0] > 0 ? nextafter(mm_of(interval[0]), 0) : 0;
+  double most = interval[1] > 0 ? nextafter(mm_of(interval[1]), INFINITY) : 0;
+  return json_pack("[f, f]", least, most);
+}
+
 static json_t *least_of(const path_scene *scene, const path_pair *pair) {
   if (pair->least_line == PATH_NO_LINE) {
     return json_null();
   }
   json_t *json = line_of(scene, pair->least_line);
   json_object_set_new(json, "distance_mm", json_real(mm_of(pair->least)));
+  json_object_set_new(json, "interval_mm", interval_of(pair->interval));
   json_object_set_new(json, "points_mm", points_of(scene, pair));
   return json;
 }

@@ -93,6 +93,8 @@ typedef struct {
   size_t first[VERDICTS]; /* first line with each verdict, or PATH_NO_LINE */
   double least;           /* least clearance; infinite if it was not computed */
   size_t least_line;
+  double interval[2]; /* the exact least clearance is within these numbers */
+  size_t measured;    /* number of searches for the distance in a line */
   double point[2][3]; /* points of both bodies at that distance, in the coordinates of the chain's
                          top link */
   bool inside; /* at the least clearance one body, or a part of it, is inside the other; there are

@@ -168,6 +168,12 @@ $(BUILD)/unit/report/%: $(BUILD)/obj/tb/unit/report/%.o $(BUILD)/obj/tb/harness.
                         $(REPORT_OBJ) $(LIB)
 	$(link)
 
+$(BUILD)/unit/path/%: LIBS = -lcmocka -lgmp -ljansson $(IO_LIBS) $(if $(with_md),-lmd)
+$(BUILD)/unit/path/%: $(BUILD)/obj/tb/unit/path/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
+                      $(call object,$(filter-out program/main.c,$(CLI_SRC))) $(TEMPLATE_OBJ) \
+                      $(PAGE_OBJ) $(IO) $(LIB)
+	$(link)
+
 $(BUILD)/unit/synth/%: LIBS = -lcmocka -lgmp
 $(BUILD)/unit/synth/%: $(BUILD)/obj/tb/unit/synth/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
                        $(call object,synth/power/gates.c synth/power/glitches.c \
