@@ -35,7 +35,7 @@ int main(int argc, char **argv) {
   }
   const sepax_machine_query query = {
       .size = sizeof query, .clearance = atof(argv[3]), .travel = travel, .work = 1000};
-  for (size_t n = 0; joints <= JOINTS_MOST && scanf("%lf", &value[n]) == 1;) {
+  for (size_t n = 0; joints > 0 && joints <= JOINTS_MOST && scanf("%lf", &value[n]) == 1;) {
     n = (n + 1) % joints;
     if (n == 0) { /* from here on no memory is taken */
       if (!sepax_watch_ask(watch, value, &query, &answer, &error)) {

@@ -50,32 +50,52 @@ static void choose(sepax_robot_pairs *pairs, const sepax_robot *robot, const boo
   }
 }
 
+/* Which links have shapes; returns how many. */
+static size_t find_shapes(const sepax_robot *robot, bool *has_shape) {
+  size_t count = 0;
+  for (size_t n = 0; n < robot->shapes; n++) {
+    count += !has_shape[robot->shape[n].link];
+    has_shape[robot->shape[n].link] = true;
+  }
+  return count;
+}
+
+/* Space for `compared` is there if an SRDF is given. */
+static bool choose_by(sepax_robot_pairs *pairs, const sepax_robot *robot, const char *srdf,
+                      bool *has_shape, bool *compared, sepax_error *error) {
+  const size_t links = robot->mechanism.links;
+  const size_t bodies = find_shapes(robot, has_shape);
+  pairs->pair = sepax_allocate((bodies * (bodies + 1) / 2 + 1) * sizeof *pairs->pair);
+  if (pairs->pair == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for pairs of %zu links", bodies);
+  }
+  if (compared != NULL) {
+    memset(compared, true, links * links);
+    if (!sepax_srdf_read(compared, &robot->mechanism, &pairs->srdf, srdf, error)) {
+      return false;
+    }
+  }
+  choose(pairs, robot, compared, has_shape);
+  return true;
+}
+
 bool sepax_robot_pairs_choose(sepax_robot_pairs *pairs, const sepax_robot *robot, const char *srdf,
                               sepax_error *error) {
   const size_t links = robot->mechanism.links;
-  *pairs = (sepax_robot_pairs){0};
   bool *has_shape = sepax__zeroed(links, sizeof *has_shape);
   bool *compared = srdf != NULL ? sepax_allocate(links * links) : NULL;
-  size_t bodies = 0;
-  for (size_t n = 0; n < robot->shapes && has_shape != NULL; n++) {
-    bodies += !has_shape[robot->shape[n].link];
-    has_shape[robot->shape[n].link] = true;
-  }
-  pairs->pair = sepax_allocate((bodies * (bodies + 1) / 2 + 1) * sizeof *pairs->pair);
-  bool ok = true;
-  if (has_shape == NULL || pairs->pair == NULL || (srdf != NULL && compared == NULL)) {
-    ok = sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for pairs of %zu links", links);
-  } else if (srdf != NULL) {
-    memset(compared, true, links * links);
-    ok = sepax_srdf_read(compared, &robot->mechanism, &pairs->srdf, srdf, error);
-  }
-  if (ok) {
-    choose(pairs, robot, compared, has_shape);
+  bool ok = false;
+  *pairs = (sepax_robot_pairs){0};
+  if (has_shape == NULL || (srdf != NULL && compared == NULL)) {
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for pairs of %zu links", links);
   } else {
-    sepax_robot_pairs_free(pairs);
+    ok = choose_by(pairs, robot, srdf, has_shape, compared, error);
   }
   sepax_release(has_shape);
   sepax_release(compared);
+  if (!ok) {
+    sepax_robot_pairs_free(pairs);
+  }
   return ok;
 }
 

@@ -338,7 +338,7 @@ static bool make_mesh(sepax_soup *mesh, sepax_mesh_account *account, const sepax
 
 bool sepax_shape_mesh(sepax_soup *mesh, sepax_mesh_account *account, const sepax_shape *shape,
                       const sepax_shape_reading *how, sepax_error *error) {
-  sepax_mesh_account unused;
+  sepax_mesh_account unused = {0};
   sepax_shape_reading h;
   account = account != NULL ? account : &unused;
   *mesh = (sepax_soup){0};

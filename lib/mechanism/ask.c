@@ -18,7 +18,7 @@ static const sepax_pose *pose_of(const sepax_watch *w, size_t pair, int side) {
 }
 
 uint64_t sepax__asking_share(const asking *a, size_t among) {
-  uint64_t share = a->left / among;
+  uint64_t share = a->left / (among > 0 ? among : 1);
   return share > 0 ? share : 1;
 }
 

@@ -100,9 +100,15 @@ static double travel_of(const sepax_mechanism *m, size_t n, const double *value,
          0x1p-51 * (factor * fabs(value[joint->mimic]) + fabs(joint->offset)) + 0x1p-1060;
 }
 
-/* A joint takes a value. Equal bits are the same step. */
+static uint64_t bits_of(double x) {
+  uint64_t bits;
+  memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
+/* A joint takes a value. Equal bits are the same step; 0 and -0 may be different ones. */
 static void step_to(sepax_watch *w, size_t n, double value) {
-  w->stepped[n] = !w->settled || memcmp(&value, &w->value[n], sizeof value) != 0;
+  w->stepped[n] = !w->settled || bits_of(value) != bits_of(w->value[n]);
   if (w->stepped[n]) {
     w->value[n] = value;
     w->step[n] = sepax__step_of(&w->machine->mechanism->joint[n], value);

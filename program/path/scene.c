@@ -203,8 +203,10 @@ static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error
     scene->srdf.robot = NULL;
   }
   scene->pair = calloc(chosen.count + 1, sizeof *scene->pair);
-  bool ok = scene->pair != NULL ||
-            sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu pairs", chosen.count);
+  bool ok = scene->pair != NULL;
+  if (!ok) {
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu pairs", chosen.count);
+  }
   for (size_t n = 0; n < chosen.count && ok; n++) {
     ok = add_pair(scene, body_of(scene, chosen.pair[n][0]), body_of(scene, chosen.pair[n][1]),
                   error);

@@ -8,7 +8,7 @@
  * The motions, in turn: the path, interpolated; jogs in z with all faces parallel, through all
  * heights, and back and forth through the heights at which two bodies are as far apart as the
  * clearance; jogs in x and y at these heights; and jogs of one axis from a random pose. */
-#define _GNU_SOURCE
+#define _GNU_SOURCE // NOLINT(bugprone-reserved-identifier)
 #include "cli/meshes.h"
 #include "formats/formats.h"
 
@@ -135,8 +135,9 @@ static void jog(const scene *s, size_t number, size_t at, double *value) {
   switch (number % 4) {
   case 0: { /* z, all heights in 24 jogs */
     const sepax_joint *z = &m->joint[s->axis[2]];
+    size_t turn = number / 4;
     value[s->axis[2]] =
-        z->lower + fmod((double)(number / 4) * 0.025 + (double)at * 5e-5, z->upper - z->lower);
+        z->lower + fmod((double)turn * 0.025 + (double)at * 5e-5, z->upper - z->lower);
     break;
   }
   case 1: /* z, through a height at which faces are as far apart as the clearance */
