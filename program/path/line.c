@@ -84,30 +84,28 @@ bool path_line_measure_alone(path_line *l, sepax_distance_result *r, sepax_error
 
 /* -------------------------------------------------------------------------- verdicts */
 
-/* Is the exact distance at most the limit? A measured distance is wrong by less than one unit in
- * the last place, so it decides unless it is next to the limit. */
-static bool is_within(const path_line *l, const sepax_distance_result *measured, double limit,
-                      bool *within, sepax_error *error) {
+/* Is the exact distance at most the limit? What is known of the distance decides, unless the limit
+ * is between the bounds or next to one of them: a measured distance is rounded. */
+static bool is_within(const path_line *l, const path_range *known, double limit, bool *within,
+                      sepax_error *error) {
   static const double doubt = 0x1p-50;
-  if (measured == NULL || (limit > 0 && fabs(measured->min_distance - limit) <= doubt * limit)) {
-    return path_line_is_near(l, limit, within, error);
-  }
-  *within = measured->min_distance <= limit;
-  return true;
+  *within = known->most <= limit * (1 - doubt);
+  return *within || known->least > limit * (1 + doubt) ||
+         path_line_is_near(l, limit, within, error);
 }
 
 /* A warning is longer than a clearance, so most lines need one comparison. */
-bool path_line_surfaces(const path_line *l, const sepax_distance_result *measured,
-                        report_verdict *verdict, sepax_error *error) {
+bool path_line_surfaces(const path_line *l, const path_range *known, report_verdict *verdict,
+                        sepax_error *error) {
   const report_bands *bands = &l->q->bands;
   bool near = false;
   *verdict = VERDICT_FREE;
-  if (!is_within(l, measured, l->outer, &near, error)) {
+  if (!is_within(l, known, l->outer, &near, error)) {
     return false;
   }
   if (near && bands->warning.text != NULL) {
     *verdict = VERDICT_WARNING;
-    if (!is_within(l, measured, bands->clearance.length, &near, error)) {
+    if (!is_within(l, known, bands->clearance.length, &near, error)) {
       return false;
     }
   }

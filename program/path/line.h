@@ -40,10 +40,14 @@ bool path_line_measure_alone(path_line *l, sepax_distance_result *r, sepax_error
 /* Are the surfaces at most `distance` apart? */
 bool path_line_is_near(const path_line *l, double distance, bool *near, sepax_error *error);
 
-/* The verdict on the surfaces. `measured`: a result of path_line_measure with a limit above
- * l->outer, which saves a search; or NULL. */
-bool path_line_surfaces(const path_line *l, const sepax_distance_result *measured,
-                        report_verdict *verdict, sepax_error *error);
+/* What is known of a distance; the bounds may be rounded. */
+typedef struct {
+  double least, most;
+} path_range;
+
+/* The verdict on the surfaces. What is known of their distance may save searches. */
+bool path_line_surfaces(const path_line *l, const path_range *known, report_verdict *verdict,
+                        sepax_error *error);
 
 /* May one body be inside the other? Only if their posed boxes overlap, with an allowance for
  * rounding. */

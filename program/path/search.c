@@ -166,34 +166,32 @@ static bool may_be_least(const asking *a, size_t line) {
          (a->least > 0 ? b->least <= least_with_doubt(a) : b->least <= 0 && line < a->least_line);
 }
 
-/* Measure a line, in which the bodies are posed, and take its clearance if it is the least. *r is
- * infinite only if the distance is above `limit` and above the least clearance. */
-static bool measure(asking *a, size_t line, double limit, sepax_distance_result *r,
-                    sepax_error *error) {
-  learn(a);
-  limit = fmax(limit, least_with_doubt(a));
-  bool alone = isinf(limit) && !a->at.has_last;
-  if (!path_line_measure(&a->at, limit, r, error)) {
-    return false;
-  }
+/* Measure a line, in which the bodies are posed, and take its clearance if it is the least. A
+ * distance above the least clearance is not measured to the end. */
+static bool measure(asking *a, size_t line, path_range *known, sepax_error *error) {
+  sepax_distance_result r;
   path_bound *b = &a->bound[line];
-  b->is_decided = true;
-  b->least = fmax(b->least, r->least);
-  if (r->min_distance > least_with_doubt(a)) {
-    return true;
-  }
-  sepax_distance_result best = *r;
-  if (!alone && !path_line_measure_alone(&a->at, &best, error)) {
+  learn(a);
+  double limit = least_with_doubt(a);
+  bool alone = isinf(limit) && !a->at.has_last;
+  if (!path_line_measure(&a->at, limit, &r, error)) {
     return false;
   }
-  offer(a, line, &best);
+  *known = isinf(r.min_distance) ? (path_range){fmax(b->least, limit), INFINITY}
+                                 : (path_range){r.min_distance, r.min_distance};
+  b->is_decided = true;
+  b->least = fmax(b->least, r.least);
+  if (r.min_distance > limit || (!alone && !path_line_measure_alone(&a->at, &r, error))) {
+    return r.min_distance > limit;
+  }
+  offer(a, line, &r);
   return true;
 }
 
 static bool measure_posed(asking *a, size_t line, sepax_error *error) {
-  sepax_distance_result r;
+  path_range known;
   path_line_pose(&a->at, line);
-  return measure(a, line, 0, &r, error);
+  return measure(a, line, &known, error);
 }
 
 /* The first of the lines with the least bound; PATH_NO_LINE if none is left. *left: number of lines
@@ -253,13 +251,12 @@ static bool ask_touching(asking *a, size_t line, sepax_error *error) {
 /* The verdict on the surfaces; it shares its search with the least clearance. */
 static bool ask_surfaces(asking *a, size_t line, bool is_far, report_verdict *verdict,
                          sepax_error *error) {
-  sepax_distance_result r;
-  double limit = is_far ? 0 : a->at.outer * (1 + 0x1p-49);
+  path_range known = {a->bound != NULL ? a->bound[line].least : 0, INFINITY};
   bool may = a->bound != NULL && may_be_least(a, line);
   bool measured = may && a->least > 0;
   *verdict = VERDICT_FREE;
-  if ((measured && !measure(a, line, limit, &r, error)) ||
-      (!is_far && !path_line_surfaces(&a->at, measured ? &r : NULL, verdict, error))) {
+  if ((measured && !measure(a, line, &known, error)) ||
+      (!is_far && !path_line_surfaces(&a->at, &known, verdict, error))) {
     return false;
   }
   return !may || measured || *verdict != VERDICT_COLLISION || ask_touching(a, line, error);
