@@ -64,11 +64,16 @@ typedef struct {
   size_t least_line;
 } asking;
 
-static asking begin(work *all, size_t pair) {
-  asking a = {.all = all, .pair = &all->scene->pair[all->first + pair], .least = INFINITY};
-  a.bound = all->bound == NULL ? NULL : &all->bound[pair * all->scene->motion.lines];
+/* `pair` is counted from the first pair at hand. */
+static asking begin(work *all, size_t pair, path_bound *bound) {
+  asking a = {
+      .all = all, .pair = &all->scene->pair[all->first + pair], .bound = bound, .least = INFINITY};
   a.at = path_line_begin(all->scene, all->q, a.pair);
   return a;
+}
+
+static path_bound *bounds_of(const work *all, size_t pair) {
+  return &all->bound[pair * all->scene->motion.lines];
 }
 
 static void fail(work *all, const sepax_error *error) {
@@ -118,7 +123,7 @@ static void bound_block(void *context, size_t part) {
   sepax_error error = {0};
   size_t lines = all->scene->motion.lines;
   size_t from = part % all->blocks * BLOCK;
-  asking a = begin(all, part / all->blocks);
+  asking a = begin(all, part / all->blocks, bounds_of(all, part / all->blocks));
   if (!find_bounds(&a, from, from + BLOCK < lines ? from + BLOCK : lines, &error)) {
     fail(all, &error);
   }
@@ -223,7 +228,7 @@ static bool measure_best_first(asking *a, sepax_error *error) {
 static void measure_pair(void *context, size_t part) {
   work *all = context;
   sepax_error error = {0};
-  asking a = begin(all, part);
+  asking a = begin(all, part, bounds_of(all, part));
   if (!measure_best_first(&a, &error)) {
     fail(all, &error);
   }
@@ -339,7 +344,8 @@ static void ask_block(void *context, size_t part) {
   sepax_error error = {0};
   size_t lines = all->scene->motion.lines;
   size_t from = part % all->blocks * BLOCK;
-  asking a = begin(all, part / all->blocks);
+  size_t pair = part / all->blocks;
+  asking a = begin(all, pair, all->bound != NULL ? bounds_of(all, pair) : NULL);
   if (!ask_lines(&a, from, from + BLOCK < lines ? from + BLOCK : lines, &error)) {
     fail(all, &error);
   }
