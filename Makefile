@@ -190,10 +190,9 @@ POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
              "ARCH=exact II=3 EARLY_OUT=boxes")
 AREA_JSON ?= $(BUILD)/area.json
 
-# The paper's tables 3 and 4 beside ours, in Nangate45 where it is at hand.
+# The paper's tables 3 and 4 beside ours.
 paper: need-paper $(SEPAX) $(BUILD)/liberty
-	@LIBERTY=$(if $(call given,LIBERTY),$(LIBERTY),$(firstword $(NANGATE45) $(LIBERTY))) \
-	  scripts/paper
+	@scripts/paper
 
 area: need-area $(SEPAX) $(BUILD)/liberty
 	@scripts/designs -j 2 mapped $(AREAS)
@@ -256,11 +255,8 @@ experiment-calibrate: $(SEPAX) $(BUILD)/liberty
 experiment-scene: $(SEPAX) $(BUILD)/liberty
 	@PERIOD=$(PERIOD) $(EXPERIMENT)/scene $(BUILD)/scene
 
-# Nangate45 where it is at hand.
-NANGATE45 = $(wildcard ../shared/pdk/nangate45_typ.lib.gz)
 report: $(SEPAX) $(BUILD)/liberty
-	@LIBERTY=$(if $(call given,LIBERTY),$(LIBERTY),$(firstword $(NANGATE45) $(LIBERTY))) \
-	  $(EXPERIMENT)/report $(if $(call is_on,QUICK),-q) $(if $(call is_on,TREE),-t) $(BUILD)/report
+	@$(EXPERIMENT)/report $(if $(call is_on,QUICK),-q) $(if $(call is_on,TREE),-t) $(BUILD)/report
 
 experiment-accuracy: $(SEPAX) $(BUILD)/bench
 	@$(EXPERIMENT)/accuracy $(if $(call is_on,QUICK),-q) $(BUILD)/accuracy $(MESHES)

@@ -269,6 +269,8 @@ int main(int count, char **words) {
   }
   if (optind + 1 != count)
     cannot("%s", usage);
+  if (words[optind][0] == 0)
+    cannot("the name is empty; name a certificate");
   certificate c = certificate_open(words[optind], &folders);
   proof p = {.robot = robot_read(c.urdf, c.srdf, &folders, &c.files), .clearance = c.clearance};
   p.steps = steps_read(c.path, &p.robot, &c.files);

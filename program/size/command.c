@@ -28,8 +28,8 @@ enum {
   KEY_GEN
 };
 
-static const struct argp_option options[] = {
-    {NULL, 0, NULL, 0, "Scene (a LENGTH has a unit, nm, um, mm or m, or is in mm):", 1},
+/* The options of two meshes. */
+static const struct argp_option meshes_options[] = {
     {"resolution", 'r', "LENGTH", 0, "length of one LSB", 0},
     {"offset", KEY_OFFSET, "X,Y,Z", 0,
      "point of the files, in mm, that becomes the integer origin (default: the middle of the "
@@ -58,6 +58,9 @@ static const struct argp_option options[] = {
      "path of B, instead of --motion. A line has 12 numbers: the rotation by rows, then the "
      "translation in mm. Tree engines are then considered, too",
      0},
+    {0}};
+
+static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "Design:", 3},
     {"time", KEY_TIME, "TIME", 0,
      "time that a pose may take, with a unit (ns, us, ms, s; default 0.96ms)", 0},
@@ -171,7 +174,7 @@ static double parse_time(const struct argp_state *state, const char *text) {
   return seconds;
 }
 
-static error_t parse_scene(int key, char *text, struct argp_state *state) {
+static error_t parse_meshes(int key, char *text, struct argp_state *state) {
   size_options *o = state->input;
   sepax_space *space = &o->space;
   switch (key) {
@@ -225,6 +228,8 @@ static error_t parse_scene(int key, char *text, struct argp_state *state) {
     return ARGP_ERR_UNKNOWN;
   }
 }
+
+static const struct argp meshes_argp = {meshes_options, parse_meshes, NULL, NULL, NULL, NULL, NULL};
 
 static bool ends_in(const char *name, const char *end) {
   size_t length = strlen(name);
@@ -291,6 +296,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   switch (key) {
   case ARGP_KEY_INIT:
     state->child_inputs[0] = &o->scene;
+    state->child_inputs[1] = o;
     return 0;
   case KEY_TIME:
     o->request.seconds = parse_time(state, text);
@@ -336,7 +342,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     check_given(o, state);
     return 0;
   default:
-    return parse_scene(key, text, state);
+    return ARGP_ERR_UNKNOWN;
   }
 }
 
@@ -449,7 +455,9 @@ static bool generate(const size_options *o, const sepax_sized_design *m, sepax_e
 
 int cli_size(int argc, char **argv) {
   static const struct argp_child children[] = {
-      {&path_scene_argp, 0, "Scene of a machine and its path:", 2}, {0}};
+      {&path_scene_argp, 0, "Scene of a machine and its path:", 2},
+      {&meshes_argp, 0, "Scene (a LENGTH has a unit, nm, um, mm or m, or is in mm):", 1},
+      {0}};
   static const struct argp argp = {
       options,
       parse,
