@@ -35,8 +35,8 @@ $(BUILD)/sanitize/all: FORCE
 	  CFLAGS="-Og -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -DFEWER_BY=7"
 	@touch $@
 $(BUILD)/raced/all: FORCE
-	@$(MAKE) BUILD=$(BUILD)/raced CFLAGS="-O0 -g1 -fsanitize=thread" GEN_OBJ= \
-	  $(BUILD)/raced/unit/body/threads
+	@$(MAKE) BUILD=$(BUILD)/raced CFLAGS="-O1 -g1 -fsanitize=thread -DFEWER_BY=7" GEN_OBJ= \
+	  $(addprefix $(BUILD)/raced/unit/,body/threads path/order)
 	@touch $@
 experiment-sanitize:
 	@scripts/test 'sanitize/*'
