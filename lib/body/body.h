@@ -34,6 +34,8 @@ typedef struct {
  * units of its scale. Lengths and right angles of the axes are right to 2^-48. */
 typedef struct {
   double axis[3][3], centre[3], half[3];
+  double aabb[2]
+             [3]; /* least and greatest coordinates of the triangles, in the file's units; exact */
 } body_frame;
 
 struct sepax_body {

@@ -321,6 +321,23 @@ static float fit_triangle(const facet_points *v, oriented *r) {
   return known ? (float)vector_dot(a[0], from_centre) : INFINITY;
 }
 
+/* The exact AABB of triangles, in units of the file. */
+static void find_aabb(const facet_points *v, uint32_t count, body_frame *f) {
+  for (int i = 0; i < 3; i++) {
+    f->aabb[0][i] = INFINITY;
+    f->aabb[1][i] = -INFINITY;
+  }
+  for (uint32_t n = 0; n < count; n++) {
+    for (int k = 0; k < 9; k++) {
+      double x = v[n][k / 3][k % 3];
+      double *low = &f->aabb[0][k % 3];
+      double *high = &f->aabb[1][k % 3];
+      *low = x < *low ? x : *low;
+      *high = x > *high ? x : *high;
+    }
+  }
+}
+
 /* Choose the box around triangles from their moments and the area of their AABB. */
 static void fit(const facet_points *v, uint32_t count, const moments *m, double area,
                 body_frame *f) {
@@ -378,6 +395,7 @@ static void fit_children(const fitting *f, size_t number) {
     } else {
       body_frame *frame = &f->body->frame[child];
       fit(f->v + at, f->below[child].count, &f->below[child].all, upright_area(node, lane), frame);
+      find_aabb(f->body->triangle + at, f->below[child].count, frame);
       round_box(frame, &r);
       at += f->below[child].count;
     }
@@ -420,6 +438,7 @@ bool sepax__body_fit(sepax_body *b, size_t threads) {
     sepax__threads_run(threads, (b->nodes + PART - 1) / PART, fit_part, &f);
     oriented r;
     fit(f.v, (uint32_t)b->count, &f.below[0].all, INFINITY, &b->frame[0]);
+    find_aabb(b->triangle, (uint32_t)b->count, &b->frame[0]);
     round_box(&b->frame[0], &r);
     memset(&b->boxes[b->nodes], 0, sizeof *b->boxes);
     store(&b->boxes[b->nodes], 0, &r, 0);

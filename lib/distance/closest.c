@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { KEPT = 64, PROOFS = 16, SOON = 16384 };
+enum { KEPT = 64, PROOFS = 16, SOON = 512 };
 
 typedef struct {
   uint32_t at[2];
@@ -39,7 +39,7 @@ static double needed(const nearest_pairs *n, double distance) {
  * within the tolerance. */
 static void lower_limit(search *s, const nearest_pairs *n, double distance) {
   if (distance <= n->limit) {
-    s->limit = fmin(s->limit, needed(n, distance));
+    s->limit = fmin(s->limit, distance > 0 ? needed(n, distance) : -1);
   }
 }
 

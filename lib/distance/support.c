@@ -72,6 +72,22 @@ static bool node_is_within(const side *r, uint32_t node) {
   return clearly_within(r, at, reach);
 }
 
+/* How far a point is beyond the end. */
+static twofold beyond_end(const side *r, twofold at) {
+  return r->high ? twofold_subtract(at, end_of(r)) : twofold_subtract(end_of(r), at);
+}
+
+/* Do all triangles of a node take no more, by the node's exact AABB? On a face parallel to two axes
+ * that says as much as the triangles themselves. */
+static bool aabb_is_within(const side *r, uint32_t node) {
+  const body_frame *f = &r->s->body[r->body]->frame[node];
+  double corner[3];
+  for (int i = 0; i < 3; i++) {
+    corner[i] = f->aabb[r->high == (r->way[i] > 0)][i];
+  }
+  return !twofold_less(r->taken, beyond_end(r, at_vertex(r, corner)));
+}
+
 /* False if the triangle takes more than is to spare. */
 static bool take_triangle(side *r, const double v[3][3]) {
   const double unit = r->s->pose[r->body].unit;
@@ -82,8 +98,7 @@ static bool take_triangle(side *r, const double v[3][3]) {
   if (within) {
     return true;
   }
-  twofold at = outermost(r, v);
-  twofold out = r->high ? twofold_subtract(at, end_of(r)) : twofold_subtract(end_of(r), at);
+  twofold out = beyond_end(r, outermost(r, v));
   r->taken = twofold_less(r->taken, out) ? out : r->taken;
   return !twofold_less(r->spare, out);
 }
@@ -99,7 +114,7 @@ static bool take_node(side *r, uint32_t node, uint64_t *work, uint64_t most) {
     if (++*work > most) {
       return false;
     }
-    if (node_is_within(r, number)) {
+    if (node_is_within(r, number) || aabb_is_within(r, number)) {
       continue;
     }
     const body_boxes *boxes = &b->boxes[number];
