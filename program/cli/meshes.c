@@ -24,7 +24,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_UNIT:
     rules->own = cli_limit(state, "unit", text, rules->unit);
     if (!(rules->own.length > 0 && rules->own.length <= 1e9)) {
-      argp_error(state, "unit: %s is not above 0 and at most 1e9", text);
+      argp_error(state, "unit: %s is not above 0 and at most 1e9 %s", text,
+                 rules->unit == CLI_METRES ? "m" : "mm");
     }
     return 0;
   case KEY_WELD:

@@ -35,6 +35,15 @@ $(error there is no variable $(unknown); $(if $(filter $(DESIGN_VARIABLES) $(VAR
 endif
 
 # What would be passed over.
+WITHOUT_PAIRS = build rtl lint core options area timing layout fpga flow paper install dist
+OF_OTHERS     = MESH_A MESH_B RESOLUTION NORMALS PAIRS COUNT SEED PAIR POSES JOBS SIMULATOR \
+                NETLIST STRESS LATENCY MODES BUDGET ROUNDS GRID FUZZ SCENE NAME TESTS QUICK
+passed_over  := $(firstword $(filter $(OF_OTHERS),$(on_line)))
+ifneq ($(and $(filter 0,$(MAKELEVEL)),$(MAKECMDGOALS),$(passed_over)),)
+ifeq ($(filter-out $(WITHOUT_PAIRS),$(MAKECMDGOALS)),)
+$(error make $(MAKECMDGOALS) does not read $(passed_over); leave it out)
+endif
+endif
 ifneq ($(and $(DESIGN),$(filter DESIGN,$(on_line)),$(filter $(DESIGN_VARIABLES),$(on_line))),)
 $(error DESIGN="$(DESIGN)" and $(firstword $(filter $(DESIGN_VARIABLES),$(on_line))) both describe \
   the design; give one of them)
