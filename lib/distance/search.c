@@ -203,7 +203,7 @@ static void take_waiting(search *s) {
 /* -------------------------------------------------------------------- the descent */
 
 /* Each of 64 levels of both trees leaves up to seven pairs. */
-enum { STACK = 2048, SEEDS = 2, DEPTH_FIRST = 128, FIRST_PROOF = 64 };
+enum { STACK = 2048, SEEDS = 2, DEPTH_FIRST = 128, FIRST_PROOF = 24 };
 
 /* The pairs of boxes that are left: depth first in a stack, or best first in a queue, as far as
  * that has room. */
