@@ -21,6 +21,9 @@ typedef struct {
 typedef struct {
   candidate kept[KEPT];
   int count;
+  bool given_up;             /* were there more than fit? */
+  bool thorough;             /* in a second search, for pairs that were given up in the first */
+  double least;              /* of a first search: no pair is nearer */
   double limit;              /* of the request, or infinite */
   double relative, absolute; /* the tolerance */
   sepax_distance_result *best;
@@ -108,17 +111,20 @@ static void drop_kept(const search *s, nearest_pairs *n) {
   n->count = count;
 }
 
+/* Keep a pair that may be the nearest. Where work or time is limited, pairs beyond those that fit
+ * are given up at first, rather than measured, because other pairs say more about the least
+ * distance. */
 static void keep(search *s, const uint32_t at[2], double least, double most) {
   nearest_pairs *n = s->context;
   lower_limit(s, n, most);
   if (n->count == KEPT) {
     drop_kept(s, n);
-    if (n->count > KEPT / 2) {
+    if (n->count > KEPT / 2 && (n->thorough || !s->best_first)) {
       measure_kept(s, n);
     }
   }
-  if (n->count == KEPT) { /* there is no work left */
-    s->ended = true;
+  if (n->count == KEPT) {
+    n->given_up = true;
     s->open = fmin(s->open, least);
   } else {
     n->kept[n->count++] = (candidate){{at[0], at[1]}, least};
@@ -150,6 +156,8 @@ static bool prove(search *s) {
     }
     if (sepax__prove_apart(s, roots, &by)) {
       n->count = 0;
+      n->given_up = false;
+      s->open = INFINITY;
       return true;
     }
     if (by.body < 0 || !measure_hindrance(s, n, &by)) {
@@ -229,15 +237,34 @@ static bool find_collision(search *s, nearest_pairs *n, sepax_simd simd) {
   return found;
 }
 
-/* The interval that holds the distance, from what the search left. `apart`: a bound found before.
- */
-static void set_interval(const search *s, const nearest_pairs *n, double apart) {
-  sepax_distance_result *best = n->best;
+/* No pair is nearer than this, by what the search left. */
+static double least_of(const search *s, const nearest_pairs *n) {
   double least = fmin(s->limit, s->open);
   for (int k = 0; k < n->count; k++) {
     least = fmin(least, n->kept[k].least);
   }
-  least = fmin(fmax(least, fmax(apart, 0)), nextafter(best->min_distance, 0));
+  return least;
+}
+
+/* Search all pairs; a second time if the first gave up pairs and left work to do. */
+static void search_all(search *s, nearest_pairs *n) {
+  sepax__search_pairs(s);
+  if (n->given_up && !s->ended) {
+    n->least = least_of(s, n);
+    n->thorough = true;
+    n->given_up = false;
+    n->count = 0;
+    s->open = INFINITY;
+    sepax__search_pairs(s);
+  }
+}
+
+/* The interval that holds the distance, from what the search left. `apart`: a bound found before.
+ */
+static void set_interval(const search *s, const nearest_pairs *n, double apart) {
+  sepax_distance_result *best = n->best;
+  double least = fmax(fmax(least_of(s, n), n->least), fmax(apart, 0));
+  least = fmin(least, nextafter(best->min_distance, 0));
   best->least = best->min_distance > 0 ? least : 0;
   best->most = best->min_distance > 0 ? nextafter(best->min_distance, INFINITY) : 0;
   best->work = s->work;
@@ -264,13 +291,13 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
   double apart = sepax__search_begin(&s, pose_a, pose_b);
   bool collide = !(apart > 0) && find_collision(&s, &n, r.simd);
   if (!collide && !(apart > s.limit)) {
-    sepax__search_pairs(&s);
+    search_all(&s, &n);
     measure_kept(&s, &n);
     if (best.min_distance > s.shortest / s.unit) {
       measure_at(&s, &n, s.nearest.at);
     }
     drop_kept(&s, &n);
-    s.ended = s.ended || n.count > 0;
+    s.ended = s.ended || n.count > 0 || n.given_up;
   }
   set_interval(&s, &n, apart);
   if (r.limit > 0 && best.min_distance > r.limit) {

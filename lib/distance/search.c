@@ -550,7 +550,7 @@ static void run(search *s, pair_queue *queue) {
     }
     if (has_ended(s, steps, end)) {
       s->ended = true;
-      s->open = least_of_open(s, &o);
+      s->open = fmin(s->open, least_of_open(s, &o));
     }
   }
   if (!s->ended) {

@@ -220,7 +220,8 @@ $(BUILD)/bench_bodies: $(BODIES_O) $(LIB)
 	  -lgmp -lm -pthread -o $$new && $(in_place)
 # Queries of a whole machine.
 $(BUILD)/bench_machine: LIBS = -ljansson $(IO_LIBS)
-$(BUILD)/bench_machine: $(call object,tb/benchmark/machine.c) $(FORMAT_OBJ) $(FORMAT_USES) \
+$(BUILD)/bench_machine: $(call object,tb/benchmark/machine.c tb/benchmark/mill.c \
+                          tb/benchmark/mill_pairs.c) $(FORMAT_OBJ) $(FORMAT_USES) \
                         $(OPTIONS_OBJ) $(IO) $(LIB)
 	$(link)
 # Meshes from files, by assimp, too, where its header is.

@@ -5,12 +5,13 @@
  *   is the least of its passes, in CPU time of the thread, so that interrupts of the computer do
  *   not count. Exit status 1: a query allocated memory.
  *
+ * After these, queries of single pairs of bodies (mill_pairs.c).
+ *
  * The motions, in turn: the path, interpolated; jogs in z with all faces parallel, through all
  * heights, and back and forth through the heights at which two bodies are as far apart as the
  * clearance; jogs in x and y at these heights; and jogs of one axis from a random pose. */
 #define _GNU_SOURCE // NOLINT(bugprone-reserved-identifier)
-#include "cli/meshes.h"
-#include "formats/formats.h"
+#include "benchmark/mill.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -18,46 +19,12 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <time.h>
 
 static const double clearance = 0.002; /* metres */
 
-enum { AXES = 5, HEIGHTS_MOST = 64 };
+/* -------------------------------------------------------------------------- mill_scene */
 
-typedef struct {
-  sepax_robot_machine mill;
-  format_motion path;
-  size_t axis[AXES];           /* the joints x, y, z, b, a */
-  double height[HEIGHTS_MOST]; /* of z, where two bodies are as far apart as the clearance */
-  size_t heights;
-} scene;
-
-static void stop(const char *what, const sepax_error *error) {
-  fprintf(stderr, "machine: %s: %s\n", what, error != NULL ? error->text : "no memory");
-  exit(2);
-}
-
-/* -------------------------------------------------------------------------- scene */
-
-static void load(scene *s, const char *folder) {
-  static const char *const names[AXES] = {"x", "y", "z", "b", "a"};
-  const format_motion_rules rules = {0};
-  sepax_error error = {0};
-  char name[3][4096];
-  *s = (scene){0};
-  snprintf(name[0], sizeof name[0], "%s/mill.urdf", folder);
-  snprintf(name[1], sizeof name[1], "%s/mill.srdf", folder);
-  snprintf(name[2], sizeof name[2], "%s/path.csv", folder);
-  if (!sepax_robot_machine_read(&s->mill, name[0], name[1], NULL, &error) ||
-      !format_motion_read(&s->path, &s->mill.robot.mechanism, &rules, name[2], &error)) {
-    stop(folder, &error);
-  }
-  for (size_t k = 0; k < AXES; k++) {
-    s->axis[k] = sepax_robot_joint(&s->mill.robot, names[k]);
-  }
-}
-
-static double gap_at(const scene *s, size_t pair, double z) {
+static double gap_at(const mill_scene *s, size_t pair, double z) {
   sepax_error error = {0};
   double value[64] = {0};
   sepax_chain chain;
@@ -68,12 +35,12 @@ static double gap_at(const scene *s, size_t pair, double z) {
   const sepax_distance_request request = {.size = sizeof request, .relative = 1e-12};
   value[s->axis[2]] = z;
   if (!sepax_chain_find(&chain, &s->mill.robot.mechanism, b[0]->link, b[1]->link, &error)) {
-    stop("a chain", &error);
+    mill_stop("a chain", &error);
   }
   sepax_chain_poses(&chain, &s->mill.robot.mechanism, value, pose);
   if (!sepax_bodies_distance(b[0]->body, &pose[0], b[1]->body, &pose[1], &request, &found,
                              &error)) {
-    stop("a distance", &error);
+    mill_stop("a distance", &error);
   }
   sepax_chain_free(&chain);
   return found.min_distance;
@@ -81,7 +48,7 @@ static double gap_at(const scene *s, size_t pair, double z) {
 
 /* The height at which a pair is as far apart as the clearance, if there is one: by halving; and the
  * same in whole micrometres. */
-static void add_height(scene *s, size_t pair) {
+static void add_height(mill_scene *s, size_t pair) {
   const sepax_joint *joint = &s->mill.robot.mechanism.joint[s->axis[2]];
   double low = joint->lower;
   double high = joint->upper;
@@ -100,12 +67,7 @@ static void add_height(scene *s, size_t pair) {
 
 /* ------------------------------------------------------------------------ motions */
 
-static double uniform(uint64_t *state) {
-  *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-  return (double)(*state >> 11) * 0x1p-53;
-}
-
-static void on_path(const scene *s, size_t period, double *value) {
+static void on_path(const mill_scene *s, size_t period, double *value) {
   const format_motion *p = &s->path;
   double length = p->time[p->lines - 1] - p->time[0];
   double time = p->time[0] + fmod((double)period * 1e-3, length);
@@ -123,15 +85,15 @@ static void on_path(const scene *s, size_t period, double *value) {
 }
 
 /* A jog of 500 periods, `at` of them gone. */
-static void jog(const scene *s, size_t number, size_t at, double *value) {
+static void jog(const mill_scene *s, size_t number, size_t at, double *value) {
   const sepax_mechanism *m = &s->mill.robot.mechanism;
   uint64_t state = number;
   double way = ((double)at - 250) * 5e-5; /* 50 mm/s */
   memset(value, 0, m->joints * sizeof *value);
   for (int n = 0; n < 8; n++) {
-    uniform(&state);
+    mill_uniform(&state);
   }
-  size_t height = (size_t)(uniform(&state) * (double)s->heights);
+  size_t height = (size_t)(mill_uniform(&state) * (double)s->heights);
   switch (number % 4) {
   case 0: { /* z, all heights in 24 jogs */
     const sepax_joint *z = &m->joint[s->axis[2]];
@@ -151,14 +113,14 @@ static void jog(const scene *s, size_t number, size_t at, double *value) {
     for (size_t k = 0; k < AXES; k++) {
       static const double low[AXES] = {-0.15, -0.15, 0.2, -0.5, -0.5};
       static const double high[AXES] = {0.15, 0.15, 0.4, 0.5, 0.5};
-      value[s->axis[k]] = low[k] + (high[k] - low[k]) * uniform(&state);
+      value[s->axis[k]] = low[k] + (high[k] - low[k]) * mill_uniform(&state);
     }
     value[s->axis[number / 4 % AXES]] += way;
   }
 }
 
 /* Half of the periods are of the path. */
-static void values_of(const scene *s, size_t period, double *value) {
+static void values_of(const mill_scene *s, size_t period, double *value) {
   if (period % 2 == 0) {
     on_path(s, period / 2, value);
   } else {
@@ -167,12 +129,6 @@ static void values_of(const scene *s, size_t period, double *value) {
 }
 
 /* -------------------------------------------------------------------- measurement */
-
-static double seconds_now(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static long page_faults(void) {
   struct rusage usage;
@@ -197,12 +153,6 @@ static void counted_release(void *context, void *memory) {
   free(memory);
 }
 
-static int by_size(const void *p, const void *q) {
-  float a = *(const float *)p;
-  float b = *(const float *)q;
-  return (a > b) - (a < b);
-}
-
 typedef struct {
   size_t verdicts[3];
   uint64_t most_work;
@@ -216,29 +166,29 @@ static size_t in_row(size_t n, size_t periods) {
   return n < half ? 2 * n : 2 * (n - half) + 1;
 }
 
-static void run(const scene *s, const sepax_machine_query *query, size_t periods, float *time,
+static void run(const mill_scene *s, const sepax_machine_query *query, size_t periods, float *time,
                 bool first, tally *t) {
   sepax_error error = {0};
   double value[64] = {0};
   sepax_watch *watch;
   sepax_machine_answer answer;
   if (!sepax_watch_new(&watch, s->mill.machine, &error)) {
-    stop("a watch", &error);
+    mill_stop("a watch", &error);
   }
   for (size_t n = 0; n < 100; n++) { /* the program's own pages and symbols */
     values_of(s, in_row(n * periods / 100, periods), value);
     if (!sepax_watch_ask(watch, value, query, &answer, &error)) {
-      stop("a query", &error);
+      mill_stop("a query", &error);
     }
   }
   *t = (tally){.allocations = allocations, .faults = page_faults()};
   for (size_t n = 0; n < periods; n++) {
     values_of(s, in_row(n, periods), value);
-    double begin = seconds_now();
+    double begin = mill_seconds();
     bool ok = sepax_watch_ask(watch, value, query, &answer, &error);
-    float taken = (float)(seconds_now() - begin);
+    float taken = (float)(mill_seconds() - begin);
     if (!ok) {
-      stop("a query", &error);
+      mill_stop("a query", &error);
     }
     time[n] = first || taken < time[n] ? taken : time[n];
     t->verdicts[answer.verdict]++;
@@ -249,22 +199,8 @@ static void run(const scene *s, const sepax_machine_query *query, size_t periods
   sepax_watch_free(watch);
 }
 
-static void print_row(const char *name, float *time, size_t count) {
-  static const double parts[] = {0.99, 0.999, 0.9999};
-  double sum = 0;
-  for (size_t n = 0; n < count; n++) {
-    sum += (double)time[n];
-  }
-  qsort(time, count, sizeof *time, by_size);
-  printf("  %-16s %8.2f", name, sum / (double)count * 1e6);
-  for (int k = 0; k < 3; k++) {
-    printf(" %8.2f", (double)time[(size_t)(parts[k] * (double)(count - 1))] * 1e6);
-  }
-  printf(" %8.2f\n", (double)time[count - 1] * 1e6);
-}
-
 /* False if a query allocated. */
-static bool report(const scene *s, const char *name, const sepax_machine_query *query,
+static bool report(const mill_scene *s, const char *name, const sepax_machine_query *query,
                    size_t periods, int passes, float *time) {
   tally t = {0};
   for (int pass = 0; pass < passes; pass++) {
@@ -276,15 +212,15 @@ static bool report(const scene *s, const char *name, const sepax_machine_query *
          name, t.verdicts[SEPAX_APART], t.verdicts[SEPAX_NEAR], t.verdicts[SEPAX_UNDECIDED],
          t.allocations, t.faults, (unsigned long long)t.most_work);
   printf("  us of CPU            mean     99 %%   99.9 %%  99.99 %%    worst\n");
-  print_row("path", time, half);
-  print_row("jogs", time + half, periods - half);
-  print_row("all", time, periods);
+  mill_print_times("path", time, half);
+  mill_print_times("jogs", time + half, periods - half);
+  mill_print_times("all", time, periods);
   return t.allocations == 0;
 }
 
 int main(int argc, char **argv) {
   static const sepax_allocator counted = {counted_allocate, counted_resize, counted_release, NULL};
-  scene s;
+  mill_scene s;
   if (argc < 2 || argc > 4) {
     fprintf(stderr, "machine: give FOLDER [PERIODS [PASSES]]\n");
     return 2;
@@ -292,13 +228,13 @@ int main(int argc, char **argv) {
   size_t periods = argc > 2 ? (size_t)atoll(argv[2]) : 100000;
   int passes = argc > 3 ? atoi(argv[3]) : 2;
   sepax_set_allocator(&counted);
-  load(&s, argv[1]);
+  mill_load(&s, argv[1]);
   for (size_t n = 0; n < s.mill.pairs.count; n++) {
     add_height(&s, n);
   }
   float *time = calloc(periods + 1, sizeof *time);
   if (time == NULL || periods < 1000) {
-    stop("periods", NULL);
+    mill_stop("periods", NULL);
   }
   memset(time, 1, periods * sizeof *time);
   mlockall(MCL_CURRENT | MCL_FUTURE); /* without the right to, the pages are written by now */
@@ -323,5 +259,6 @@ int main(int argc, char **argv) {
   q.measure = true;
   q.relative = 1e-6;
   ok = report(&s, "travel, measured to 1e-6, 1000 units", &q, periods, passes, time) && ok;
+  mill_report_pairs(&s, periods / 20, passes);
   return ok ? 0 : 1;
 }
