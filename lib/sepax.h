@@ -365,7 +365,7 @@ typedef struct {
   int threads; /* number of threads at most; 0: one for each processor */
 } sepax_build;
 
-/* Make a body from a mesh. The body copies the mesh and takes about 250 bytes for each triangle.
+/* Make a body from a mesh. The body copies the mesh and takes about 280 bytes for each triangle.
  * The body does not depend on the number of threads. Errors: ARGUMENT if the mesh has no triangles,
  * if an index is beyond the vertices, or if a coordinate is NaN or not within 2^1000 (the text
  * of *error names the triangle); LIMIT on more than 2^31 - 2 triangles; MEMORY. */
