@@ -219,11 +219,11 @@ static __attribute__((noinline)) void set_centre(oriented *r, const double centr
  * The axes are rounded to single precision, so that they have length 1 and are at right angles
  * within 2^-22; half[i] then need be larger than |axis_i . (x - centre)| by 2^-20 of all three.
  * Every number of a search's test is rounded by less than 2^-17 of them (query.c), and MORE covers
- * both. LEAST covers numbers that are too small for single precision. */
+ * both. No number is too small for single precision, because half sides are at least 2^-46
+ * (enclose). */
 static void set_half(oriented *r, const double half[3]) {
   const double MORE = 0x1p-15;
-  const double LEAST = 0x1p-60;
-  double more = MORE * (half[0] + half[1] + half[2]) + LEAST;
+  double more = MORE * (half[0] + half[1] + half[2]);
   for (int i = 0; i < 3; i++) {
     r->half[i] = (float)((half[i] + more) * (1 + 0x1p-23));
   }
@@ -245,11 +245,17 @@ static void round_box(const body_frame *f, oriented *r) {
   set_half(r, half);
 }
 
-/* Enclose triangles, in units of the body, in a box with axes a. Coordinates are at most 1: one is
- * rounded by 2^-53, a product with an axis by 2^-50, and the sides, of three such products, by less
- * than 2^-48 (LEAST). */
+/* Enclose triangles, in units of the body, in a box with axes a.
+ *
+ * LEAST covers rounding. Let u = 2^-53. Coordinates are at most 1, so a point x is at most sqrt(3)
+ * from the origin, and on each axis middle and half side are at most that together. A coordinate is
+ * rounded by u, its product with an axis by 6 u, a half side by 2 u more, the centre by 9 u as a
+ * vector. The axes are not quite orthonormal: squares of lengths are wrong by 26 u, cosines by 8 u.
+ * So the u_i of body_frame differ from axis_i . (x - centre), and axis_i . centre from the middle,
+ * by (26 + 2 * 8) u sqrt(3) = 73 u in all, because one is small where the other is not. All these
+ * are less than 2^-46 together. */
 static void enclose(const facet_points *v, uint32_t count, const axes a, body_frame *f) {
-  const double LEAST = 0x1p-48;
+  const double LEAST = 0x1p-46;
   real_pair first[3]; /* axes 0 and 1, by coordinate */
   real_pair last[3];  /* axis 2 and its opposite */
   for (int k = 0; k < 3; k++) {
