@@ -3,22 +3,30 @@
  *
  * On the direction w the nearest triangles so far leave a gap. What it is more than is needed is to
  * spare. Each body is searched for vertices that are beyond its nearest triangle: nodes that, by
- * their boxes in doubles, clearly take no more than half of what is to spare are passed over;
- * triangles in doubt are looked at in twofold numbers. What the first body takes is no longer to
- * spare for the second.
+ * their boxes in doubles, clearly take no more than is taken already are passed over; triangles in
+ * doubt are looked at in twofold numbers. What the first body takes is no longer to spare for the
+ * second.
  *
- * Errors, with u = 2^-53, in the unit of the search, in which coordinates and translations are at
- * most 1, and with 1/2 <= |w| <= sqrt(3). A coordinate of R^T w is a sum of three products of
- * numbers up to 1.01 and 1: wrong by 33 u^2. Its product with a vertex, and that of w with the
- * translation, are wrong by less than 100 u^2 + 60 u^2 + 60 u^2 < 2^-98. Four such sums and the
- * differences that are made of them are wrong by less than 2^-95, divided by |w|. In doubles a
- * centre of a box or a vertex is wrong by less than 2^-47 (frames.h), on w by less than 2^-44. */
+ * Errors. Let u = 2^-53. In the unit of the search coordinates and translations are at most 1, so a
+ * point is at most sqrt(3) from the origin before the rotation and 3.5 after it. All errors are in
+ * terms of |w|. A coordinate of R^T w is a sum of three products that are below 1.01 together:
+ * wrong by 12 u^2, which makes 36 u^2 of a vertex. The products of R^T w and a vertex are
+ * below 1.75 together, as are those of w and the translation: each sum is wrong by 20 u^2, and
+ * their sum by 11 u^2 more. So a vertex on w is wrong by 87 u^2. A gap of two of them, below 7, is
+ * wrong by 174 u^2, and by 21 u^2 for each of five differences; |w| times what is needed is wrong
+ * by 15 u^2 of 7. That is less than 400 u^2, and PROOF_ERROR is 2^10 u^2.
+ *
+ * In doubles a coordinate of the way is wrong by u of itself, a centre or a vertex by less than 2
+ * u, and their sum of products, with the origin, by 18 u. The end of the nearest triangle is
+ * rounded by 4 u, and its difference by 7 u. The half sides, below 0.9 each, reach out by less
+ * than 2.7, which is wrong by 21 u. Sum and difference with what is taken round by 10 u each. That
+ * is less than 70 u of |w|, which is at most sqrt(3): 2^-46. DOUBLE_ERROR is more than all that. */
 #include "support.h"
 
 #include "util/vector.h"
 
-#define PROOF_ERROR 0x1p-94
-#define DOUBLE_ERROR 0x1p-43
+#define PROOF_ERROR 0x1p-96
+#define DOUBLE_ERROR 0x1p-44
 #define HARDLY 0x1p-40
 
 enum { STACK = 1024 }; /* each of 64 levels leaves up to seven nodes */
