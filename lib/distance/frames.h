@@ -6,7 +6,7 @@
  *
  * Errors. A placed vertex is wrong by less than 2^-48 (search.c). A placed centre is a sum of
  * R c + t, wrong by as much, and of R times the centre of the frame, wrong by 2^-50 more: less than
- * 2^-47. Two centres are less than 5.5 apart in each coordinate, so their offset along an axis is
+ * 2^-47. Two centres are less than 5.6 apart in each coordinate, so their offset along an axis is
  * wrong by 2^-46 for the centres and by 2^-48 for its own rounding. The reach of six half sides,
  * each below 1.8, is wrong by 42 u, less than 2^-47, and axes that are rounded by 2^-50 make
  * 6 * 1.8 * 2^-50 of it. FRAME_ERROR is more than all that. A gap of a triangle's vertices and a

@@ -26,9 +26,10 @@ SIMD_INLINE SIMD_FLOAT SIMD_NAME(most_of)(SIMD_FLOAT p, SIMD_FLOAT q) {
  * that of the axis and axis k of the box.
  *
  * The triangle has two vertices at -half[0] and half[0] on axis 0 and at -half[1] on axis 1, the
- * third at `foot` and half[1]. Half sides are up to 2^-14 of all three too long, the centre is off
- * by 2^-11 of them (body/fit.c), and both by m->lost: so the vertices may be farther out by twice
- * that, less than `thick`. */
+ * third at `foot` and half[1]. Rounding moves the centre by up to 2^-11 of all three half sides
+ * (body/fit.c). They are too long by as much, so that the box holds the triangle, and by 2^-14 of
+ * all three; centre and half sides by m->lost, too. So the vertices may be farther out by 2^-10 and
+ * 2^-14 of all three and 2 m->lost, less than `thick`. */
 typedef struct {
   SIMD_FLOAT low, high;
 } SIMD_NAME(range);

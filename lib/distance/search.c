@@ -39,7 +39,7 @@
 #define SIMD_UNROLL _Pragma("GCC unroll 6")
 #define BOUND_SLACK 0x1p-18
 
-/* Of coordinates from A_0, with u = 2^-53 and m the largest: a vertex is wrong by u m, an edge by 3
+/* Of coordinates from A_0, with u = 2^-53 and m the largest: a vertex is wrong by u m, an edge by 4
  * u m, a point of an edge or face by 16 u m, as coordinates; a way by 48 u m, as a vector. On a
  * direction w a vertex is wrong by 7 u m |w|, a gap by 18 u m |w|, and its quotient by |w|, which
  * is 4 m at most, by 16 u m more. What underflows is below 2^-500. */
