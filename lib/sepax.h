@@ -438,7 +438,7 @@ typedef struct {
 typedef struct {
   size_t size;
   double limit; /* report a longer distance as infinite, which is faster; 0: no limit. Then `least`
-                   is greater than the limit */
+                   is the limit or more, unless a limit of work or time ended the search */
   /* The tolerance: the search ends when most - least is at most `relative` times most, or at most
    * `absolute`. A tolerance saves time where many triangles are nearly equally far: 1e-6 and 1e-12
    * cost about the same. Both 0: the distance of the nearest triangles, right to one unit in the
@@ -480,8 +480,8 @@ typedef struct {
 typedef struct {
   sepax_nearness verdict;
   size_t pair[2]; /* if NEAR: a triangle of A and a triangle of B that are that near */
-  double least;   /* the distance of the bodies is at least this; greater than the distance asked
-                     for if APART. It is seldom close to the distance of the bodies */
+  double least;   /* the distance of the bodies is at least this. If APART, `least` is at least the
+                     distance asked for; it is seldom close to the distance of the bodies */
   uint64_t work;  /* units of work that the search took */
 } sepax_apart_result;
 
