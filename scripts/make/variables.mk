@@ -35,7 +35,8 @@ $(error there is no variable $(unknown); $(if $(filter $(DESIGN_VARIABLES) $(VAR
 endif
 
 # What would be passed over.
-WITHOUT_PAIRS = build rtl lint core options area timing layout fpga flow paper install dist
+# (Scripts ask core and options with the variables of a whole run.)
+WITHOUT_PAIRS = build rtl lint area timing layout fpga flow paper install dist
 OF_OTHERS     = MESH_A MESH_B RESOLUTION NORMALS PAIRS COUNT SEED PAIR POSES JOBS SIMULATOR \
                 NETLIST STRESS LATENCY MODES BUDGET ROUNDS GRID FUZZ SCENE NAME TESTS QUICK
 passed_over  := $(firstword $(filter $(OF_OTHERS),$(on_line)))
