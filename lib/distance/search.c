@@ -364,6 +364,12 @@ static int near_children(search *s, int open, uint32_t node, const box_pair *p,
   return count;
 }
 
+static void prefetch(const void *at, size_t bytes) {
+  for (size_t line = 0; line < bytes; line += 64) {
+    __builtin_prefetch((const char *)at + line);
+  }
+}
+
 static void visit(search *s, const box_pair *p, open_pairs *o) {
   uint32_t child[2] = {child_at(s->body[0], p->at[0]), child_at(s->body[1], p->at[1])};
   int open = opened(s, p, child);
@@ -376,6 +382,11 @@ static void visit(search *s, const box_pair *p, open_pairs *o) {
       s->waiting[s->count++] = near[n];
     } else {
       o->stack[o->depth++] = near[n];
+    }
+    if ((below & BODY_TRIANGLE) == 0) {
+      prefetch(&s->body[open]->boxes[below], sizeof(body_boxes));
+    } else {
+      prefetch(s->body[open]->triangle[below - BODY_TRIANGLE], sizeof(facet_points));
     }
   }
 }
