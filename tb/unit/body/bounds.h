@@ -14,8 +14,8 @@
 #include <math.h>
 #include <string.h>
 
-/* 113 bits: 60 more than a double has. */
-#if defined __SIZEOF_FLOAT128__
+/* 113 bits: 60 more than a double has. cppcheck does not know the size of __float128. */
+#if defined __SIZEOF_FLOAT128__ && !defined __cppcheck__
 typedef __float128 wide;
 #else
 typedef long double wide;

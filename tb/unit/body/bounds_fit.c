@@ -47,7 +47,7 @@ static bool fit_body(const double *x, sepax_body *b, facet_points v[TRIANGLES], 
 /* Vertices are in the box without LEAST, but for errors. */
 static double box_error(const double *x) {
   sepax_body b;
-  facet_points v[TRIANGLES];
+  facet_points v[TRIANGLES] = {{{0}}};
   body_frame f;
   wide axis[3][3];
   wide most = -INFINITY;
@@ -85,7 +85,7 @@ static double off_axes(const double axis[3][3]) {
 
 static double axes_error(const double *x) {
   sepax_body b;
-  facet_points v[TRIANGLES];
+  facet_points v[TRIANGLES] = {{{0}}};
   body_frame f;
   return fit_body(x, &b, v, &f) ? off_axes((const double(*)[3])f.axis) / 0x1p-48 : -1;
 }
@@ -126,7 +126,7 @@ static wide out_of(const oriented *r, const wide p[3]) {
 static double rounded_error(const double *x) {
   body_frame f;
   oriented r;
-  wide_box box;
+  wide_box box = {{0}, {{0}}, {0}};
   skewed_rotation(x, x, 0, f.axis);
   for (int i = 0; i < 3; i++) {
     f.centre[i] = x[4 + i];

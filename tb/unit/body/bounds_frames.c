@@ -48,7 +48,7 @@ static void exact_box(const two_nodes *n, int body, wide_box *box) {
 
 /* Place B's centre at a point of A's coordinates. */
 static void move_b(two_nodes *n, const wide at[3]) {
-  wide_box box;
+  wide_box box = {{0}, {{0}}, {0}};
   exact_box(n, 1, &box);
   for (int i = 0; i < 3; i++) {
     n->pose[1].translation[i] += (double)(at[i] - box.centre[i]);
@@ -78,8 +78,8 @@ static void nodes_of(const double *x, double skew, two_nodes *n) {
  * says in which direction it is, and how far. */
 static bool near_nodes(const double *x, two_nodes *n) {
   nodes_of(x, 0, n);
-  wide_box a;
-  wide_box b;
+  wide_box a = {{0}, {{0}}, {0}};
+  wide_box b = a;
   exact_box(n, 0, &a);
   exact_box(n, 1, &b);
   const double *way = x + ALL_INPUTS - NODE_INPUTS - 3;
@@ -95,8 +95,8 @@ static bool near_nodes(const double *x, two_nodes *n) {
 }
 
 static double frames_error(const double *x) {
-  two_nodes n;
-  wide_box box[2];
+  two_nodes n = {.bound = 0};
+  wide_box box[2] = {{{0}, {{0}}, {0}}};
   if (!near_nodes(x, &n) || !(n.bound > 0)) {
     return -1;
   }
@@ -107,8 +107,8 @@ static double frames_error(const double *x) {
 
 /* B is a triangle at the centre of its frame. */
 static double frame_error(const double *x) {
-  two_nodes n;
-  wide_box box;
+  two_nodes n = {.bound = 0};
+  wide_box box = {{0}, {{0}}, {0}};
   if (!near_nodes(x, &n)) {
     return -1;
   }
@@ -119,7 +119,7 @@ static double frame_error(const double *x) {
                            side * n.frame[1].axis[k / 3][i];
   }
   n.body[1].triangle = &n.triangle;
-  double bound = exact_bound(&n.s, (const uint32_t[2]){0, BODY_TRIANGLE});
+  double proved = exact_bound(&n.s, (const uint32_t[2]){0, BODY_TRIANGLE});
   exact_box(&n, 0, &box);
   wide least = INFINITY;
   for (int k = 0; k < 3; k++) {
@@ -129,7 +129,7 @@ static double frame_error(const double *x) {
     wide_move((const double(*)[3])n.pose[1].rotation, own, n.pose[1].translation, at);
     least = wide_least(least, wide_box_reach(&box, at));
   }
-  return !(bound > 0) ? -1 : (double)((bound + (wide)FRAME_ERROR - least) / FRAME_ERROR);
+  return !(proved > 0) ? -1 : (double)((proved + (wide)FRAME_ERROR - least) / FRAME_ERROR);
 }
 
 CASE(boxes_in_doubles) {
@@ -142,7 +142,7 @@ CASE(boxes_in_doubles) {
 
 /* B is a point above the face of A's box: what does 3 skew of the half sides take off? */
 static double reach_error(const double *x) {
-  two_nodes n;
+  two_nodes n = {.bound = 0};
   nodes_of(x, 1e-6, &n);
   n.body[0].scale = 0.5;
   double sum = 0;
@@ -151,7 +151,7 @@ static double reach_error(const double *x) {
     n.frame[1].half[i] = 0;
     sum += n.body[0].scale * n.frame[0].half[i];
   }
-  wide_box box[2];
+  wide_box box[2] = {{{0}, {{0}}, {0}}};
   exact_box(&n, 0, &box[0]);
   wide_point at;
   memcpy(at, box[0].centre, sizeof at);
@@ -173,7 +173,7 @@ static double reach_error(const double *x) {
 
 /* Both are points that are far from each other: what does 1 - 2 skew take off? */
 static double length_error(const double *x) {
-  two_nodes n;
+  two_nodes n = {.bound = 0};
   nodes_of(x, 1e-6, &n);
   for (int k = 0; k < 6; k++) {
     n.frame[k / 3].half[k % 3] = 0;
@@ -181,7 +181,7 @@ static double length_error(const double *x) {
   if (!begin_nodes(&n)) {
     return -1;
   }
-  wide_box box[2];
+  wide_box box[2] = {{{0}, {{0}}, {0}}};
   exact_box(&n, 0, &box[0]);
   exact_box(&n, 1, &box[1]);
   wide distance = wide_gap(box[0].centre, box[1].centre);
