@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-static void take(search *s, const uint32_t at[2], double least, double most) {
+static void consider(search *s, const uint32_t at[2], double least, double most) {
   sepax_apart_result *result = s->context;
   const uint32_t place[2] = {sepax__place_at(s->body[0], at[0]),
                              sepax__place_at(s->body[1], at[1])};
@@ -72,7 +72,7 @@ bool sepax_bodies_apart(const sepax_body *a, const sepax_pose *pose_a, const sep
     return false;
   }
   search s = {.body = {a, b},
-              .take = take,
+              .take = consider,
               .prove = sepax__prove_beyond_limit,
               .context = result,
               .limit = distance,

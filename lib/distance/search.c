@@ -175,7 +175,7 @@ static void take_waiting(search *s) {
   const int lanes = s->portable ? 2 : 4;
   double from[18 * 4];
   pair_enclosure e[4];
-  short_cut cut;
+  short_cut cut = {.enough = INFINITY};
   memcpy(cut.way[1], s->line, sizeof s->line);
   drop_waiting(s);
   for (int first = 0; first < s->count && !s->ended; first += lanes) {
@@ -307,10 +307,10 @@ static bool in_doubt(const search *s, double least, const uint32_t at[2]) {
 }
 
 /* Is a bound in doubles, in terms of `scale`, so near the limit that doubles do not decide? */
-static bool is_tie(const search *s, double bound) {
+static bool is_tie(const search *s, double least) {
   double limit = s->limit / s->scale;
   double doubt = 8 * FRAME_ERROR;
-  return bound <= limit && limit - bound < doubt * (limit + 1 / (s->unit * s->scale));
+  return least <= limit && limit - least < doubt * (limit + 1 / (s->unit * s->scale));
 }
 
 /* The bound `least` of a pair in single precision, or a better one: in doubles, or, where these do
@@ -322,15 +322,15 @@ static double refined(search *s, double least, const uint32_t at[2]) {
   if ((child[0] & child[1] & BODY_TRIANGLE) != 0 || !(unit > 0x1p-900) || !in_doubt(s, least, at)) {
     return least;
   }
-  double bound = exact_bound(s, child) / unit * (1 - 0x1p-50);
+  double nearest = exact_bound(s, child) / unit * (1 - 0x1p-50);
   s->work++;
-  if (s->proof.possible && is_tie(s, bound)) {
+  if (s->proof.possible && is_tie(s, nearest)) {
     hindrance by;
     if (sepax__prove_apart(s, child, &by)) {
       return INFINITY;
     }
   }
-  return fmax(least, bound * bound);
+  return fmax(least, nearest * nearest);
 }
 
 /* --------------------------------------------------------------------- the search */
