@@ -235,6 +235,7 @@ int main(int argc, char **argv) {
   float *time = calloc(periods + 1, sizeof *time);
   if (time == NULL || periods < 1000) {
     mill_stop("periods", NULL);
+    return 2;
   }
   memset(time, 1, periods * sizeof *time);
   mlockall(MCL_CURRENT | MCL_FUTURE); /* without the right to, the pages are written by now */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-void mill_stop(const char *what, const sepax_error *error) {
+_Noreturn void mill_stop(const char *what, const sepax_error *error) {
   fprintf(stderr, "machine: %s: %s\n", what, error != NULL ? error->text : "no memory");
   exit(2);
 }

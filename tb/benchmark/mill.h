@@ -17,7 +17,7 @@ typedef struct {
 } mill_scene;
 
 void mill_load(mill_scene *s, const char *folder);
-void mill_stop(const char *what, const sepax_error *error);
+_Noreturn void mill_stop(const char *what, const sepax_error *error);
 double mill_uniform(uint64_t *state); /* 0 ... 1 */
 double mill_seconds(void);            /* CPU time of the thread */
 

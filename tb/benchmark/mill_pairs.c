@@ -61,7 +61,7 @@ static void draw(const mill_scene *s, size_t pose, double *value) {
 static float ask(const question *q, const sepax_body *const body[2], const sepax_pose pose[2],
                  tally *t) {
   sepax_error error = {0};
-  sepax_apart_result near;
+  sepax_apart_result near = {.verdict = SEPAX_UNDECIDED};
   sepax_distance_result found = {.least = 1};
   const sepax_apart_request apart = {.size = sizeof apart, .work = q->work};
   const sepax_distance_request distance = {

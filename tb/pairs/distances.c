@@ -627,14 +627,24 @@ static void draw_request(sepax_distance_request *q, const situation *s, sepax_ra
 
 /* ------------------------------------------------------------------------------ checks */
 
+static uint64_t bits_of(double x) {
+  uint64_t bits;
+  memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
 /* Both answers, member by member, because the bytes between members may have any value. */
 static bool same_bytes(const sepax_distance_result *p, const sepax_distance_result *q) {
-  return memcmp(&p->min_distance, &q->min_distance, sizeof p->min_distance) == 0 &&
-         memcmp(&p->least, &q->least, sizeof p->least) == 0 &&
-         memcmp(&p->most, &q->most, sizeof p->most) == 0 &&
-         memcmp(p->nearest_points, q->nearest_points, sizeof p->nearest_points) == 0 &&
-         memcmp(p->pair, q->pair, sizeof p->pair) == 0 &&
-         memcmp(p->box, q->box, sizeof p->box) == 0 && p->work == q->work && p->ended == q->ended;
+  bool same = bits_of(p->min_distance) == bits_of(q->min_distance) &&
+              bits_of(p->least) == bits_of(q->least) && bits_of(p->most) == bits_of(q->most);
+  for (int k = 0; k < 6; k++) {
+    same = same &&
+           bits_of(p->nearest_points[k / 3][k % 3]) == bits_of(q->nearest_points[k / 3][k % 3]);
+  }
+  for (int k = 0; k < 2; k++) {
+    same = same && p->pair[k] == q->pair[k] && p->box[k] == q->box[k];
+  }
+  return same && p->work == q->work && p->ended == q->ended;
 }
 
 static const char *said(sepax_simd second) {
@@ -858,7 +868,7 @@ static void check_apart(const situation *s, double distance, sepax_random *r) {
   sepax_apart_result a = ask_apart(s, distance, &q);
   sepax_apart_result again = ask_apart(s, distance, &q);
   if (again.verdict != a.verdict || again.work != a.work || again.pair[0] != a.pair[0] ||
-      again.pair[1] != a.pair[1] || memcmp(&again.least, &a.least, sizeof a.least) != 0) {
+      again.pair[1] != a.pair[1] || bits_of(again.least) != bits_of(a.least)) {
     wrong("the same arguments%s gave two answers: is it farther than %a?", said(q.simd), distance);
   }
   if (planted == WRONG_APART && a.verdict != SEPAX_UNDECIDED) {
