@@ -163,7 +163,7 @@ void sepax_machine_free(sepax_machine *machine);
 
 /* The memory of one thread's queries of one machine. sepax_watch_new allocates and writes all of
  * it, so that a query neither allocates nor meets a page of this memory for the first time. It
- * takes about 350 bytes for each pair and, for each top link of the pairs (sepax_chain), 250 bytes
+ * takes about 11 KB for each pair and, for each top link of the pairs (sepax_chain), 250 bytes
  * for each link and body below. Each thread needs a watch of its own. The machine must live as long
  * as the watch. Error: MEMORY. */
 typedef struct sepax_watch sepax_watch;
@@ -216,7 +216,8 @@ typedef struct {
  * fixed joints and of joints that follow another are not read. Limits of joints are not checked.
  *
  * If the work does not end, then the verdict and `pair` do not depend on earlier queries of the
- * watch. The watch remembers bounds and near triangles, which makes similar queries faster. So
+ * watch. The watch remembers bounds, near triangles and a front of each pair (sepax.h), which makes
+ * similar queries faster. So
  * `work`, `triangle` and the interval within its tolerance may depend on them.
  *
  * The work is divided as follows. First all pairs are compared by their boxes. Of the pairs that

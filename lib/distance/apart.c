@@ -2,14 +2,21 @@
 /* apart.c - whether two posed bodies are farther apart than a distance. */
 #include "body/query.h"
 #include "distance.h"
+#include "front.h"
 #include "search.h"
 #include "support.h"
 #include "util/options.h"
 
 #include <math.h>
 
+typedef struct {
+  sepax_apart_result *result;
+  sepax_front *front;
+} request_of;
+
 static void consider(search *s, const uint32_t at[2], double least, double most) {
-  sepax_apart_result *result = s->context;
+  const request_of *asked = s->context;
+  sepax_apart_result *result = asked->result;
   const uint32_t place[2] = {sepax__place_at(s->body[0], at[0]),
                              sepax__place_at(s->body[1], at[1])};
   (void)least;
@@ -23,6 +30,9 @@ static void consider(search *s, const uint32_t at[2], double least, double most)
   result->verdict = SEPAX_NEAR;
   for (int k = 0; k < 2; k++) {
     result->pair[k] = s->body[k]->number[place[k]];
+  }
+  if (asked->front != NULL) {
+    sepax__front_note_near(asked->front, at, fmin(most, s->limit));
   }
   s->ended = true;
 }
@@ -49,6 +59,45 @@ static void find_near(search *s, sepax_apart_result *result) {
   }
 }
 
+/* ------------------------------------------------------------------------- fronts */
+
+/* Keep that the bodies as a whole are at least this far apart. */
+static void keep_whole(sepax_front *f, double least) {
+  const front_entry whole = {
+      {BODY_WIDE * (uint32_t)f->body[0]->nodes, BODY_WIDE * (uint32_t)f->body[1]->nodes},
+      FRONT_CLOSED,
+      0};
+  sepax__front_clear(f);
+  sepax__front_add(f, &whole, least);
+  sepax__front_end(f, true, 0);
+}
+
+/* Are the triangles that were near last near now? If not, search what may have come near. */
+static void find_near_again(search *s, sepax_front *f, sepax_apart_result *result) {
+  if (f->has_near && f->near_limit <= s->limit) {
+    s->waiting[0] = (box_pair){{f->near[0], f->near[1]}, 0};
+    s->count = 1;
+    f->has_near = false;
+    sepax__search_waiting(s);
+  }
+  if (s->ended) {
+    return;
+  }
+  s->front = f;
+  s->resume = sepax__front_worth(f);
+  if (!s->resume) {
+    sepax__front_clear(f);
+  }
+  double whole = result->least;
+  find_near(s, result);
+  if (result->verdict == SEPAX_UNDECIDED && s->resume) {
+    result->least = whole; /* what the search left open is not all */
+  }
+  if (result->verdict != SEPAX_NEAR) {
+    result->least = fmax(result->least, sepax__front_least(f));
+  }
+}
+
 static void find_collision(search *s, sepax_simd simd, sepax_apart_result *result) {
   search_limits limits = {.most = s->work_most};
   uint32_t place[2];
@@ -71,17 +120,32 @@ bool sepax_bodies_apart(const sepax_body *a, const sepax_pose *pose_a, const sep
       !sepax__distance_valid(distance, error) || !sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
+  request_of asked = {result, r.front};
   search s = {.body = {a, b},
               .take = consider,
               .prove = sepax__prove_beyond_limit,
-              .context = result,
+              .context = &asked,
               .limit = distance,
               .batch = 4,
               .work_most = r.work,
               .portable = r.simd == SEPAX_SIMD_PORTABLE};
+  if (r.front != NULL) {
+    sepax__front_move(r.front, a, pose_a, b, pose_b);
+    s.work = r.front->used / 64;
+    if (sepax__front_beyond(r.front, distance, &result->least)) {
+      result->verdict = SEPAX_APART;
+      result->work = s.work + 1;
+      return true;
+    }
+  }
   result->least = sepax__search_begin(&s, pose_a, pose_b);
   if (result->least > distance) {
     result->verdict = SEPAX_APART;
+    if (r.front != NULL) {
+      keep_whole(r.front, result->least);
+    }
+  } else if (r.front != NULL) {
+    find_near_again(&s, r.front, result);
   } else if (distance > 0) {
     find_near(&s, result);
   } else {

@@ -22,6 +22,7 @@
 #include "search.h"
 #include "body/turned.h"
 #include "frames.h"
+#include "front.h"
 #include "queue.h"
 #include "support.h"
 #include "util/simd.h"
@@ -171,6 +172,25 @@ static void gather(const search *s, int first, int used, int lanes, double *from
   }
 }
 
+/* Keep a pair that the search need not open further. `bound` is in file units. */
+static void keep(const search *s, const uint32_t at[2], double bound) {
+  if (s->front != NULL) {
+    const front_entry e = {{at[0], at[1]}, FRONT_CLOSED, 0};
+    sepax__front_add(s->front, &e, bound);
+  }
+}
+
+/* A bound in file units, of a square in those of the search. */
+static double bound_of(const search *s, double square) {
+  return sqrt(square) * (1 - 0x1p-50) * s->scale;
+}
+
+static void keep_waiting(const search *s, int first) {
+  for (int n = first; n < s->count; n++) {
+    keep(s, s->waiting[n].at, bound_of(s, s->waiting[n].least));
+  }
+}
+
 static void take_waiting(search *s) {
   const int lanes = s->portable ? 2 : 4;
   double from[18 * 4];
@@ -178,6 +198,7 @@ static void take_waiting(search *s) {
   short_cut cut = {.enough = INFINITY};
   memcpy(cut.way[1], s->line, sizeof s->line);
   drop_waiting(s);
+  int next_one = 0;
   for (int first = 0; first < s->count && !s->ended; first += lanes) {
     int used = s->count - first < lanes ? s->count - first : lanes;
     gather(s, first, used, lanes, from);
@@ -187,9 +208,13 @@ static void take_waiting(search *s) {
     s->work += (uint64_t)used;
     set_unit(cut.way[1], e[0].way);
     for (int n = 0; n < used && !s->ended; n++) {
-      if (!(e[n].least > s->limit * s->unit)) {
+      bool may_be_near = !(e[n].least > s->limit * s->unit);
+      if (may_be_near) {
         s->take(s, s->waiting[first + n].at, e[n].least / s->unit, e[n].most / s->unit);
       }
+      keep(s, s->waiting[first + n].at,
+           !may_be_near || s->ended ? e[n].least / s->unit * (1 - 0x1p-50) : s->limit);
+      next_one++;
       if (e[n].most < s->shortest) {
         s->shortest = e[n].most;
         s->nearest = s->waiting[first + n];
@@ -197,6 +222,7 @@ static void take_waiting(search *s) {
       }
     }
   }
+  keep_waiting(s, next_one);
   s->count = 0;
 }
 
@@ -335,12 +361,36 @@ static double refined(search *s, double least, const uint32_t at[2]) {
 
 /* --------------------------------------------------------------------- the search */
 
-/* Children of the opened node that may be near enough, the farthest first. */
-static int near_children(search *s, int open, uint32_t node, const box_pair *p,
-                         box_pair near[BODY_WIDE]) {
+/* Keep the children of a node that are farther than the limit; `opened` are those that are not.
+ * least: the square of the distance of some of them at least. */
+static void keep_children(const search *s, int open, uint32_t node, const box_pair *p,
+                          uint32_t opened, double least, const float square[BODY_WIDE]) {
+  const uint32_t *child = s->body[open]->boxes[node].child;
+  uint32_t all = 0;
+  float own = INFINITY;
+  for (uint32_t lane = 0; lane < BODY_WIDE && child[lane] != BODY_NONE; lane++) {
+    all |= 1U << lane;
+    own = (opened >> lane & 1) == 0 && square[lane] < own ? square[lane] : own;
+  }
+  if ((all & ~opened) != 0) {
+    const front_entry e = {{p->at[0], p->at[1]}, (uint16_t)open, (uint16_t)opened};
+    least = fmin(least, (double)fminf(own, FLT_MAX) * s->square_of_unit[open]);
+    sepax__front_add(s->front, &e, bound_of(s, fmax(least, p->least)));
+  }
+}
+
+/* Children of the opened node that may be near enough, except for `others`, the farthest first.
+ * Inlined twice, because a search without a front should not pay for one. */
+static inline __attribute__((always_inline)) int near_children_of(search *s, int open,
+                                                                  uint32_t node, const box_pair *p,
+                                                                  uint32_t others, bool keeping,
+                                                                  box_pair near[BODY_WIDE]) {
   float square[BODY_WIDE];
+  uint32_t on = others; /* children that go on */
+  double proved = INFINITY;
   int count = 0;
-  for (uint32_t mask = bound(s, open, node, p->at[!open], square); mask != 0; mask &= mask - 1) {
+  for (uint32_t mask = bound(s, open, node, p->at[!open], square) & ~others; mask != 0;
+       mask &= mask - 1) {
     uint32_t lane = (uint32_t)__builtin_ctz(mask);
     /* a square that single precision cannot hold is above the largest that it can */
     double own = (double)fminf(square[lane], FLT_MAX) * s->square_of_unit[open];
@@ -353,15 +403,29 @@ static int near_children(search *s, int open, uint32_t node, const box_pair *p,
     q.at[!open] = p->at[!open];
     q.least = refined(s, least, q.at);
     if (q.least > s->most) {
+      /* by a direction: no more than the limit is certain */
+      double limit = keeping ? s->limit / s->scale : 0;
+      proved = fmin(proved, isinf(q.least) ? limit * limit : q.least);
+      square[lane] = INFINITY;
       continue;
     }
+    on |= 1U << lane;
     int at = count++;
     for (; at > 0 && near[at - 1].least < q.least; at--) {
       near[at] = near[at - 1];
     }
     near[at] = q;
   }
+  if (keeping && !s->front->full) {
+    keep_children(s, open, node, p, on, proved, square);
+  }
   return count;
+}
+
+static __attribute__((noinline)) int near_children_kept(search *s, int open, uint32_t node,
+                                                        const box_pair *p, uint32_t others,
+                                                        box_pair near[BODY_WIDE]) {
+  return near_children_of(s, open, node, p, others, true, near);
 }
 
 static void prefetch(const void *at, size_t bytes) {
@@ -370,11 +434,13 @@ static void prefetch(const void *at, size_t bytes) {
   }
 }
 
-static void visit(search *s, const box_pair *p, open_pairs *o) {
+/* Open one node of a pair: that of the body `open`, or, if it is FRONT_CLOSED, any. */
+static void visit(search *s, const box_pair *p, int open, uint32_t others, open_pairs *o) {
   uint32_t child[2] = {child_at(s->body[0], p->at[0]), child_at(s->body[1], p->at[1])};
-  int open = opened(s, p, child);
+  open = open == FRONT_CLOSED ? opened(s, p, child) : open;
   box_pair near[BODY_WIDE];
-  int count = near_children(s, open, child[open], p, near);
+  int count = s->front == NULL ? near_children_of(s, open, child[open], p, 0, false, near)
+                               : near_children_kept(s, open, child[open], p, others, near);
   s->work++;
   for (int n = 0; n < count; n++) {
     uint32_t below = child_at(s->body[open], near[n].at[open]);
@@ -459,6 +525,11 @@ static void find_most(search *s) {
   }
 }
 
+void sepax__search_waiting(search *s) {
+  find_most(s);
+  take_waiting(s);
+}
+
 /* Go on at the nearest triangles and the other body as a whole: what is nearest to them is likely
  * near. */
 static void add_seeds(const search *s, open_pairs *o) {
@@ -496,6 +567,32 @@ static bool next_pair(search *s, open_pairs *o, box_pair *p) {
   return false;
 }
 
+/* Look at the next entry of the front that may be near. False if there is none. */
+static bool resume(search *s, open_pairs *o) {
+  front_entry e;
+  if (!s->resume || !sepax__front_next(s->front, &e)) {
+    return false;
+  }
+  const box_pair p = {{e.at[0], e.at[1]}, 0};
+  if ((child_at(s->body[0], p.at[0]) & child_at(s->body[1], p.at[1]) & BODY_TRIANGLE) != 0) {
+    s->waiting[s->count++] = p;
+  } else {
+    visit(s, &p, e.open, e.others, o);
+  }
+  return true;
+}
+
+/* Keep what is left open; it is not nearer than `proved`. */
+static void keep_open(search *s, const open_pairs *o, double proved) {
+  for (int n = 0; n < s->count; n++) {
+    keep(s, s->waiting[n].at, fmax(proved, bound_of(s, s->waiting[n].least)));
+  }
+  for (int n = 0; n < o->depth; n++) {
+    keep(s, o->stack[n].at, fmax(proved, bound_of(s, o->stack[n].least)));
+  }
+  sepax__front_end(s->front, !s->resume, proved);
+}
+
 /* What is left is not nearer than this, in file units. */
 static double least_of_open(const search *s, const open_pairs *o) {
   double least = INFINITY;
@@ -508,7 +605,7 @@ static double least_of_open(const search *s, const open_pairs *o) {
   if (o->queue != NULL) {
     least = fmin(least, queue_least(o->queue));
   }
-  return sqrt(least) * (1 - 0x1p-50) * s->scale;
+  return bound_of(s, least);
 }
 
 static bool has_ended(const search *s, size_t steps, double end) {
@@ -523,7 +620,7 @@ static void run(search *s, pair_queue *queue) {
   size_t proof = FIRST_PROOF; /* steps before the next attempt of a proof */
   int seeds = SEEDS;
   double end = s->seconds > 0 ? sepax__seconds_now() + s->seconds : 0;
-  o.depth = 1;
+  o.depth = s->resume ? 0 : 1;
   o.queue = NULL;
   o.stack[0].least = 0;
   for (int k = 0; k < 2; k++) {
@@ -541,10 +638,11 @@ static void run(search *s, pair_queue *queue) {
       add_seeds(s, &o);
       continue;
     }
-    if (!next_pair(s, &o, &p)) {
+    if (next_pair(s, &o, &p)) {
+      visit(s, &p, FRONT_CLOSED, 0, &o);
+    } else if (!resume(s, &o)) {
       break;
     }
-    visit(s, &p, &o);
     steps++;
     if (queue != NULL && o.queue == NULL && steps > DEPTH_FIRST && isfinite(s->limit)) {
       o.queue = queue;
@@ -555,6 +653,9 @@ static void run(search *s, pair_queue *queue) {
     }
     if (s->prove != NULL && steps >= proof && isfinite(s->shortest)) {
       if (s->prove(s)) {
+        if (s->front != NULL) {
+          keep_open(s, &o, s->limit);
+        }
         return;
       }
       proof = 4 * steps;
@@ -566,6 +667,9 @@ static void run(search *s, pair_queue *queue) {
   }
   if (!s->ended) {
     take_waiting(s);
+  }
+  if (s->front != NULL) {
+    keep_open(s, &o, 0);
   }
 }
 

@@ -50,6 +50,8 @@ struct search {
   uint64_t work_most; /* end after so many; 0: no limit */
   double seconds;     /* end after so much time; 0: no limit */
   bool portable;      /* without AVX2 */
+  sepax_front *front; /* receives what the search proves; NULL: nothing. The limit must stay then */
+  bool resume;        /* go on at the front's list instead of at the roots */
   bool best_first;    /* if a limit may end the search: with pairs that bound the distance least */
   /* of the search */
   placement at;
@@ -82,6 +84,9 @@ double sepax__search_begin(search *s, const sepax_pose *pose_a, const sepax_pose
 
 /* Calls `take` for all pairs within the limit, and for others. */
 void sepax__search_pairs(search *s);
+
+/* Calls `take` for the pairs of triangles in `waiting` that may be within the limit. */
+void sepax__search_waiting(search *s);
 
 /* Prove by one direction that no pair is within the limit. */
 bool sepax__prove_beyond_limit(search *s);

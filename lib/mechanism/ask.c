@@ -80,8 +80,10 @@ static void compare(asking *a, size_t pair) {
 static bool search(asking *a, size_t pair, double distance, uint64_t work,
                    sepax_apart_result *found, sepax_error *error) {
   sepax_watch *w = a->watch;
-  const sepax_apart_request request = {
-      .size = sizeof(sepax_apart_request), .work = work, .simd = a->query.simd};
+  const sepax_apart_request request = {.size = sizeof(sepax_apart_request),
+                                       .work = work,
+                                       .simd = a->query.simd,
+                                       .front = w->front[pair]};
   if (!sepax_bodies_apart(body_of(w, pair, 0), pose_of(w, pair, 0), body_of(w, pair, 1),
                           pose_of(w, pair, 1), distance, &request, found, error)) {
     return false;

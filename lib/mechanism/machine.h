@@ -102,6 +102,8 @@ struct sepax_watch {
   watch_pair *pair;
   sepax_distance_result *last; /* the last measurement of each pair, if has_last */
   bool *has_last;
+  char *fronts;        /* memory of the fronts of all pairs */
+  sepax_front **front; /* of each pair */
   size_t *queue;       /* numbers of pairs */
   double *key;         /* of each pair that is measured */
   size_t near_before;  /* the pair that was near last, or SEPAX_NO_PAIR */

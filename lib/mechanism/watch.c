@@ -12,6 +12,9 @@ static const sepax_pose at_origin = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0
 
 /* ------------------------------------------------------------------------- memory */
 
+/* Of each pair's front. More of them would serve only searches of hundreds of microseconds. */
+enum { FRONT_ENTRIES = 512 };
+
 void sepax_watch_free(sepax_watch *watch) {
   if (watch != NULL) {
     sepax_release(watch->value);
@@ -25,6 +28,8 @@ void sepax_watch_free(sepax_watch *watch) {
     sepax_release(watch->pair);
     sepax_release(watch->last);
     sepax_release(watch->has_last);
+    sepax_release(watch->fronts);
+    sepax_release(watch->front);
     sepax_release(watch->queue);
     sepax_release(watch->key);
     sepax_release(watch);
@@ -52,6 +57,8 @@ static bool make(sepax_watch *w, const sepax_machine *machine) {
          (w->pair = sepax__zeroed(machine->pairs, sizeof *w->pair)) != NULL &&
          (w->last = sepax__zeroed(machine->pairs, sizeof *w->last)) != NULL &&
          (w->has_last = sepax__zeroed(machine->pairs, sizeof *w->has_last)) != NULL &&
+         (w->front = sepax__zeroed(machine->pairs, sizeof(sepax_front *))) != NULL &&
+         (w->fronts = sepax__zeroed(machine->pairs, sepax_front_bytes(FRONT_ENTRIES))) != NULL &&
          (w->queue = sepax__zeroed(machine->pairs, sizeof *w->queue)) != NULL &&
          (w->key = sepax__zeroed(machine->pairs, sizeof *w->key)) != NULL;
 }
@@ -63,6 +70,13 @@ bool sepax_watch_new(sepax_watch **watch, const sepax_machine *machine, sepax_er
     sepax_watch_free(made);
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a watch of %zu pairs",
                       machine->pairs);
+  }
+  for (size_t n = 0; n < machine->pairs; n++) {
+    size_t bytes = sepax_front_bytes(FRONT_ENTRIES);
+    if (!sepax_front_begin(&made->front[n], made->fronts + n * bytes, bytes, error)) {
+      sepax_watch_free(made);
+      return false;
+    }
   }
   *watch = made;
   return true;

@@ -10,8 +10,9 @@
  * Bodies of up to 60 triangles are drawn so that many pairs are equally near, or nearly, and every
  * pair is measured without rounding. Of the large bodies (kind "large") the exact mode's pair is
  * measured so. Requests have tolerances, limits about the distance, budgets of work, and results of
- * other poses. The same request gives the same bytes again. Without vector instructions an answer
- * may be another one, which is checked as well. */
+ * other poses. A front is kept along small motions, jumps and other bodies. The same request gives
+ * the same bytes again. Without vector instructions an answer may be another one, which is checked
+ * as well. */
 #include "benchmark/columns.h"
 #include "oracle/bodies.h"
 #include "oracle/oracle.h"
@@ -61,12 +62,13 @@ typedef enum {
   OTHER_BYTES, /* a bit differs in the answer of the other instruction set */
   TOO_MUCH,    /* more work than the budget */
   LOST,        /* a distance within the limit is reported as infinite */
+  STALE,       /* a query with a front says what holds in the pose before */
   WRONG_APART, /* NEAR and APART exchanged where the distance is next to the one asked for */
   FAULTS
 } fault;
 
-static const char *const fault_names[FAULTS] = {"",    "least", "most", "width", "pair",
-                                                "ulp", "bytes", "work", "limit", "apart"};
+static const char *const fault_names[FAULTS] = {"",      "least", "most",  "width", "pair", "ulp",
+                                                "bytes", "work",  "limit", "front", "apart"};
 
 typedef struct {
   sepax_facet few[2][MOST];
@@ -907,6 +909,136 @@ static void check_all_apart(const situation *s, sepax_random *r) {
   }
 }
 
+/* ------------------------------------------------------------------------------ fronts */
+
+enum { STEPS = 8, FRONT_MOST = 600 };
+
+/* A rotation by a small angle about any axis. */
+static sepax_pose small_turn(double angle, sepax_random *r) {
+  const double x = 0.5 * angle * uniform(r, -1, 1);
+  const double y = 0.5 * angle * uniform(r, -1, 1);
+  const double z = 0.5 * angle * uniform(r, -1, 1);
+  const double n = 2 / (1 + x * x + y * y + z * z);
+  return (sepax_pose){{{1 - n * (y * y + z * z), n * (x * y - z), n * (x * z + y)},
+                       {n * (x * y + z), 1 - n * (x * x + z * z), n * (y * z - x)},
+                       {n * (x * z - y), n * (y * z + x), 1 - n * (x * x + y * y)}},
+                      {0, 0, 0}};
+}
+
+/* About the largest coordinate of a body. */
+static double size_of(const situation *s, int body) {
+  double most = 0;
+  for (size_t n = 0; n<9 * s->count[body]; n += s->count[body]> MOST ? 91 : 1) {
+    most = fmax(most, fabs(s->facet[body][n / 9].v[n / 3 % 3][n % 3]));
+  }
+  return most;
+}
+
+/* Move one body by about `way`, or both together by much. */
+static void step(situation *s, double way, sepax_random *r) {
+  const bool both = one_in(r, 4);
+  const int moved = (int)range(r, 0, 1);
+  const double angle = fmin(way / fmax(size_of(s, moved), 0x1p-900), 1);
+  sepax_pose by =
+      both ? any_pose(fmin(16 * way, 0x1p900), r) : small_turn(one_in(r, 3) ? 0 : angle, r);
+  for (int i = 0; i < 3 && !both; i++) {
+    by.translation[i] = one_in(r, 3) ? 0 : way * uniform(r, -1, 1);
+  }
+  for (int k = 0; k < 2; k++) {
+    s->pose[k] = s->given[k] != NULL ? *s->given[k] : small_turn(0, r);
+    if (both || k == moved) {
+      s->pose[k] = sepax_pose_compose(&by, &s->pose[k]);
+    }
+    s->given[k] = &s->pose[k];
+  }
+}
+
+static bool poses_are_valid(const situation *s) {
+  bool ok = true;
+  for (int k = 0; k < 2; k++) {
+    ok = ok && sepax_pose_valid(&s->pose[k], NULL);
+    for (int i = 0; i < 3; i++) {
+      ok = ok && fabs(s->pose[k].translation[i]) <= 0x1p1000;
+    }
+  }
+  return ok;
+}
+
+/* One query with a front, against a query without and against the truth. */
+static void check_front(const situation *s, double distance, sepax_front *front, uint64_t work,
+                        sepax_apart_result *before) {
+  const sepax_apart_request q = SEPAX_STRUCT(sepax_apart_request, .front = front, .work = work);
+  sepax_apart_result a = ask_apart(s, distance, &q);
+  if (planted == STALE) {
+    sepax_apart_result now = a;
+    a = *before;
+    *before = now;
+  }
+  bool far = order(s, distance) > 0;
+  bool unsure = s->slack_ulps > 0 && distance >= down(s->below) && distance <= s->below;
+  if (a.verdict == SEPAX_UNDECIDED ? work == 0 : (a.verdict == SEPAX_APART) != far && !unsure) {
+    wrong("with a front it is %s than %a, at a distance near %a",
+          a.verdict == SEPAX_APART ? "farther" : "not farther", distance, s->below);
+  }
+  if (!(a.least >= 0) || order(s, a.least) < 0 ||
+      (a.verdict == SEPAX_APART && a.least < distance)) {
+    wrong("with a front, least is %a, asked about %a, at a distance near %a", a.least, distance,
+          s->below);
+  }
+  if (work > 0 && a.work > work + OVERSHOOT) {
+    wrong("with a front, %" PRIu64 " units of work within a budget of %" PRIu64, a.work, work);
+  }
+  if (a.verdict == SEPAX_NEAR) {
+    check_near(s, distance, &a);
+  }
+}
+
+/* The bodies in the other order. */
+static situation exchanged(const situation *s) {
+  situation other = *s;
+  for (int k = 0; k < 2; k++) {
+    other.facet[k] = s->facet[!k];
+    other.count[k] = s->count[!k];
+    other.body[k] = s->body[!k];
+    other.given[k] = s->given[!k];
+  }
+  return other;
+}
+
+/* Queries with one front along a walk. */
+static void check_walk(const situation *s, kind what, sepax_random *r) {
+  static char memory[1 << 14];
+  static const size_t capacities[] = {0, 1, 8, 40, FRONT_MOST, FRONT_MOST};
+  sepax_front *front;
+  sepax_error error;
+  size_t bytes = sepax_front_bytes(capacities[range(r, 0, 5)]);
+  assert(bytes <= sizeof memory);
+  if (!sepax_front_begin(&front, memory, bytes, &error)) {
+    bench_fail(&error);
+  }
+  situation at = *s;
+  sepax_apart_result before = {SEPAX_UNDECIDED, {0, 0}, 0, 0};
+  double way = fmax(s->below, 0x1p-20 * size_of(s, 0)) * little(r, 1, 12);
+  double distance = fmin(s->below * (1 - little(r, 0, 12)), 0x1p999);
+  for (int n = 0; n < STEPS; n++) {
+    uint64_t work = one_in(r, 6) ? draw_budget(r) : 0;
+    if (n > 0 && !one_in(r, 5)) {
+      step(&at, one_in(r, 12) ? fmin(64 * way, 0x1p900) : way, r);
+    }
+    if (!poses_are_valid(&at)) {
+      return;
+    }
+    find_truth(&at, what);
+    distance = one_in(r, 3) ? draw_length(&at, r) : one_in(r, 12) ? 0 : distance;
+    check_front(&at, distance, front, work, &before);
+    if (one_in(r, 12)) {
+      situation other = exchanged(&at);
+      check_front(&other, distance, front, work, &before);
+    }
+    exact_square_clear(&at.square);
+  }
+}
+
 /* --------------------------------------------------------------------------- campaign */
 
 /* One case in so many is of large bodies, which take longer. */
@@ -927,7 +1059,7 @@ int main(int argc, char **argv) {
   sepax_random random = {ok ? strtoull(argv[2], &end[1], 10) : 0};
   planted = argc == 4 ? fault_of(argv[3]) : NO_FAULT;
   if (count == 0 || *end[0] != '\0' || *end[1] != '\0' || planted == FAULTS) {
-    fputs("usage: distances COUNT SEED [least|most|width|pair|ulp|bytes|work|limit|apart]\n",
+    fputs("usage: distances COUNT SEED [least|most|width|pair|ulp|bytes|work|limit|front|apart]\n",
           stderr);
     return 2;
   }
@@ -946,6 +1078,9 @@ int main(int argc, char **argv) {
     counted->touching += order(&s, 0) == 0;
     check_distances(&s, &random);
     check_all_apart(&s, &random);
+    if (one_in(&random, 3)) {
+      check_walk(&s, what, &random);
+    }
     free_situation(&s, what);
     if (n % 1000 == 0 && isatty(2)) {
       fprintf(stderr, "  %" PRIu64 " of %" PRIu64 "\r", n, count);

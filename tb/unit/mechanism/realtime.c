@@ -199,7 +199,11 @@ static bool ask_bodies(const rig *r, const size_t pair[2], const double *value, 
   const sepax_body *b = r->body[pair[1]].body;
   const sepax_pose *p = &pose[pair[0]];
   const sepax_pose *q = &pose[pair[1]];
+  sepax_front *front;
+  char memory[4096];
+  const bool begun = sepax_front_begin(&front, memory, sizeof memory, &fault);
   const sepax_apart_request request = {.size = sizeof request, .work = work};
+  const sepax_apart_request kept = {.size = sizeof kept, .work = work, .front = front};
   sepax_distance_request measure = {.size = sizeof measure, .relative = 1e-6, .work = work};
   const sepax_query any = {.size = sizeof any, .only_any = true};
   sepax_inside within[2];
@@ -208,8 +212,10 @@ static bool ask_bodies(const rig *r, const size_t pair[2], const double *value, 
   sepax_exact_posed(facet[0]->v, p, facet[1]->v, q);
   sepax_distance_posed(facet[0]->v, p, facet[1]->v, q, nearest);
   const sepax_query each = {.size = sizeof each, .each = count_pair, .context = &seen};
-  return travel >= 0 && sepax_bodies_apart(a, p, b, q, 0.25, &request, &apart, &fault) &&
+  return travel >= 0 && begun && sepax_bodies_apart(a, p, b, q, 0.25, &request, &apart, &fault) &&
          sepax_bodies_apart(a, p, b, q, 0, &request, &apart, &fault) &&
+         sepax_bodies_apart(a, p, b, q, 0.25, &kept, &apart, &fault) &&
+         sepax_bodies_apart(a, p, b, q, 0, &kept, &apart, &fault) &&
          sepax_bodies_distance(a, p, b, q, &measure, &last, &fault) &&
          sepax_bodies_distance(a, p, b, q, (measure.last = &last, &measure), &last, &fault) &&
          sepax_bodies_collide(a, p, b, q, &any, &pairs, &fault) &&
