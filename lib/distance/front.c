@@ -131,8 +131,8 @@ static double motion(const sepax_front *f, const relation *now) {
     }
   }
   double radius = f->body[0]->radius;
-  double size[2] = {vector_length(c) + radius,
-                    vector_length(f->body[1]->centre) + f->body[1]->radius};
+  const double size[2] = {vector_length(c) + radius,
+                          vector_length(f->body[1]->centre) + f->body[1]->radius};
   double skews = f->skew + now->skew;
   return vector_length(way) + sqrt(turned) * radius + 3 * skews * size[1] +
          2 * skews * f->most * f->scale + MOTION_ERROR * (size[0] + f->reach + now->reach);

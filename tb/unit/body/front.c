@@ -169,8 +169,9 @@ static sepax_body *plate(double z, double slope, bool pillar) {
   const double s = 1.0 / 32;
   size_t count = 0;
   for (int n = 0; n < 2 * CELLS * CELLS; n++) {
+    const int row = n / CELLS - CELLS;
     double x = n % CELLS * s;
-    double y = (n / CELLS - CELLS) * s;
+    double y = row * s;
     double low = z + slope * fmax(-y, 0);
     double high = z + slope * fmax(-y - s, 0);
     const double half[2][9] = {{x, y, low, x + s, y, low, x, y + s, high},
@@ -204,7 +205,7 @@ CASE(parts_proved_by_a_direction) {
     sepax_pose tilt = turned(1, about_x, about_y, 0);
     double lowest = INFINITY;
     for (int k = 0; k < 4; k++) {
-      double corner[3] = {k % 2 * side, k / 2 * side, 1};
+      double corner[3] = {(k & 1) != 0 ? side : 0, (k & 2) != 0 ? side : 0, 1};
       sepax_pose_apply(&tilt, corner, corner);
       lowest = fmin(lowest, corner[2]);
     }
