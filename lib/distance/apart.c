@@ -98,15 +98,24 @@ static void find_near_again(search *s, sepax_front *f, sepax_apart_result *resul
   }
 }
 
+enum { SOON = 4096 };
+
+/* Find a collision by the search for collisions, if that is soon done. Bodies that nearly touch in
+ * many places take it long; the search for distances then decides. */
 static void find_collision(search *s, sepax_simd simd, sepax_apart_result *result) {
-  search_limits limits = {.most = s->work_most};
+  uint64_t most = s->work_most > 0 && s->work_most < SOON ? s->work_most : SOON;
+  search_limits limits = {.most = most};
   uint32_t place[2];
   bool found = sepax__find_collision(s->body[0], s->at.pose[0], s->body[1], s->at.pose[1], simd,
                                      &limits, place);
   s->work = limits.work;
-  result->verdict = found ? SEPAX_NEAR : limits.ended ? SEPAX_UNDECIDED : SEPAX_APART;
   for (int k = 0; k < 2 && found; k++) {
     result->pair[k] = s->body[k]->number[place[k]];
+  }
+  if (found || !limits.ended) {
+    result->verdict = found ? SEPAX_NEAR : SEPAX_APART;
+  } else if (most == SOON) {
+    find_near(s, result);
   }
 }
 
