@@ -3,6 +3,7 @@
  * of two nodes, or of a node and a triangle. */
 #define sepax__search_begin search_begin_of_test
 #define sepax__search_pairs search_pairs_of_test
+#define sepax__search_waiting search_waiting_of_test
 #define sepax__place_at place_at_of_test
 #define sepax__seconds_now seconds_now_of_test
 #include "distance/search.c" /* NOLINT(bugprone-suspicious-include): its functions are static */
