@@ -140,12 +140,12 @@ static void set_triangle(sepax_facet *f, const double v[9]) { memcpy(f->v, v, si
  * not what is seen from B: only the allowance for skew tells. */
 CASE(skewed_poses) {
   static char memory[1 << 12];
-  const double plate[9] = {0, -1, -1, 0, 1000, 0, 0, -1, 1};
+  const double face[9] = {0, -1, -1, 0, 1000, 0, 0, -1, 1};
   const double gap = 1e-4;
   const double near_tip[9] = {gap, 999.5, -1e-3, 1, 999.5, 0, gap, 999.5, 1e-3};
   sepax_facet facet[2];
   set_triangle(&facet[0], near_tip);
-  set_triangle(&facet[1], plate);
+  set_triangle(&facet[1], face);
   sepax_soup mesh[2] = {{.facet = &facet[0], .count = 1}, {.facet = &facet[1], .count = 1}};
   sepax_body *a = body_of(&mesh[0]);
   sepax_body *b = body_of(&mesh[1]);
