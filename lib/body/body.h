@@ -60,6 +60,23 @@ static inline uint32_t child_at(const sepax_body *b, uint32_t at) {
   return b->boxes[at / BODY_WIDE].child[at % BODY_WIDE];
 }
 
+/* The sum of a box's half sides. */
+static inline float size_at(const sepax_body *b, uint32_t at) {
+  const body_boxes *boxes = &b->boxes[at / BODY_WIDE];
+  uint32_t lane = at % BODY_WIDE;
+  return boxes->half[0][lane] + boxes->half[1][lane] + boxes->half[2][lane];
+}
+
+/* Of which body is the node opened in a pair of boxes? Of the one with the larger box, unless that
+ * box is a triangle's. ratio: the scale of body 1 in units of body 0's. */
+static inline int opened_body(const sepax_body *const body[2], const uint32_t at[2], float ratio) {
+  const uint32_t child[2] = {child_at(body[0], at[0]), child_at(body[1], at[1])};
+  if (((child[0] | child[1]) & BODY_TRIANGLE) != 0) {
+    return (child[0] & BODY_TRIANGLE) != 0;
+  }
+  return size_at(body[1], at[1]) * ratio > size_at(body[0], at[0]);
+}
+
 /* Fill in `boxes`, `frame` and `foot`. False without memory. */
 bool sepax__body_fit(sepax_body *body, size_t threads);
 

@@ -18,6 +18,7 @@
 #include "query.h"
 #include "turned.h"
 #include "util/options.h"
+#include "util/clock.h"
 #include "util/list.h"
 #include "verdict/signs.h"
 #include "util/simd.h"
@@ -26,7 +27,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #if defined __x86_64__
 #include <immintrin.h>
@@ -147,12 +147,6 @@ static void record(search *s, uint32_t i, uint32_t j) {
   s->ended = s->ended || s->no_memory || q->only_any || (q->most > 0 && s->hits == q->most);
 }
 
-static double seconds_now(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /* Judge up to BATCH waiting pairs of triangles; fewer where work is limited. */
 static void judge(search *s) {
   int most = s->work_most > 0 ? s->batch : BATCH;
@@ -166,21 +160,6 @@ static void judge(search *s) {
     const uint32_t *pair = waiting[__builtin_ctzll(hits)];
     record(s, pair[0], pair[1]);
   }
-}
-
-static float size_at(const sepax_body *b, uint32_t at) {
-  const body_boxes *boxes = &b->boxes[at / BODY_WIDE];
-  uint32_t lane = at % BODY_WIDE;
-  return boxes->half[0][lane] + boxes->half[1][lane] + boxes->half[2][lane];
-}
-
-/* Choose the body whose node is opened: the one with the larger box, unless that box is a
- * triangle. */
-static int opened(const search *s, const box_pair *p, const uint32_t child[2]) {
-  if (((child[0] | child[1]) & BODY_TRIANGLE) != 0) {
-    return (child[0] & BODY_TRIANGLE) != 0;
-  }
-  return size_at(s->body[1], p->at[1]) * s->pairs.at.to[0].ratio > size_at(s->body[0], p->at[0]);
 }
 
 /* A pair of boxes, one of which is opened. */
@@ -197,7 +176,7 @@ static void prefetch_triangle(const search *s, int body, uint32_t number) {
 
 static void open_pair(const search *s, const box_pair *p, opening *o, box_task *t) {
   uint32_t child[2] = {child_at(s->body[0], p->at[0]), child_at(s->body[1], p->at[1])};
-  int open = opened(s, p, child);
+  int open = opened_body(s->body, p->at, s->pairs.at.to[0].ratio);
   *o = (opening){open, child[open], p->at[!open], child[!open]};
   t->node = &s->body[open]->boxes[child[open]];
   t->from = &s->body[!open]->boxes[o->other / BODY_WIDE];

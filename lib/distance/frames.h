@@ -4,7 +4,7 @@
  * All coordinates are in the unit of a search, in which no coordinate of a body and no translation
  * is above 1. Let u = 2^-53.
  *
- * Errors. A placed vertex is wrong by less than 2^-48 (search.c). A placed centre is a sum of
+ * Errors. A placed vertex is wrong by less than 2^-48 (bounds.c). A placed centre is a sum of
  * R c + t, wrong by as much, and of R times the centre of the frame, wrong by 2^-50 more: less than
  * 2^-47. Two centres are less than 5.6 apart in each coordinate, so their offset along an axis is
  * wrong by 2^-46 for the centres and by 2^-48 for its own rounding. The reach of six half sides,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* reach.h - how near boxes and pairs of triangles come to each other (private; search.c includes it
+/* reach.h - how near boxes and pairs of triangles come to each other (private; bounds.c includes it
  * once for each instruction set). It needs the macros of util/simd.h, SIMD_BITS of a vector of
  * int32_t. */
 
@@ -52,7 +52,7 @@ SIMD_INLINE SIMD_NAME(range) SIMD_NAME(covered)(const SIMD_FLOAT cosine[3], cons
 /* square[k]: not above the square of the distance of child k of a node from a box of the other
  * body, or from the triangle in it, in units of the node's body. The gaps on axes at right angles
  * to each other are the sides of a box between them; the way between the bodies is one more axis,
- * of length 1 or 0. Bit k: the square is at most with->most. Rounding: search.c. */
+ * of length 1 or 0. Bit k: the square is at most with->most. Rounding: bounds.c. */
 SIMD_INLINE uint32_t SIMD_NAME(bound_of)(const body_boxes *node, const facing *with,
                                          const body_boxes *from, uint32_t lane, bool triangle,
                                          float square[BODY_WIDE]) {

@@ -94,7 +94,4 @@ bool sepax__prove_beyond_limit(search *s);
 /* Is it a distance that can be asked for? */
 bool sepax__distance_valid(double distance, sepax_error *error);
 
-/* The time now, in seconds. */
-double sepax__seconds_now(void);
-
 #endif

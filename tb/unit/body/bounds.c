@@ -1,15 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* bounds.c - the bounds on rounding errors of a search for distances: placed vertices, pairs of
- * triangles, boxes in doubles (distance/search.c, reach.h, frames.c). Each bound holds for inputs
+ * triangles, boxes in doubles (distance/bounds.c, reach.h, frames.c). Each bound holds for inputs
  * that a search makes as bad as it can, and they come near enough to it. */
-#define sepax__search_begin search_begin_of_test
-#define sepax__search_pairs search_pairs_of_test
-#define sepax__search_waiting search_waiting_of_test
-#define sepax__place_at place_at_of_test
-#define sepax__seconds_now seconds_now_of_test
-#include "distance/search.c" /* NOLINT(bugprone-suspicious-include): its functions are static */
+#include "bounds_compiled.h"
 
-#include "bounds.h"
+#include "wide.h"
 
 /* Points of the cube -1 ... 1. */
 static void points_of(const double *x, int count, double v[][3]) {

@@ -3,7 +3,7 @@
 #define sepax__body_fit body_fit_of_test
 #include "body/fit.c" /* NOLINT(bugprone-suspicious-include): its functions are static */
 
-#include "bounds.h"
+#include "wide.h"
 
 enum { TRIANGLES = 4, FIT_INPUTS = 9 * TRIANGLES + 6 };
 

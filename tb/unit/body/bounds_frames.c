@@ -1,14 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* bounds_frames.c - FRAME_ERROR and `skew` of distance/frames.h: bounds in doubles of the distance
  * of two nodes, or of a node and a triangle. */
-#define sepax__search_begin search_begin_of_test
-#define sepax__search_pairs search_pairs_of_test
-#define sepax__search_waiting search_waiting_of_test
-#define sepax__place_at place_at_of_test
-#define sepax__seconds_now seconds_now_of_test
-#include "distance/search.c" /* NOLINT(bugprone-suspicious-include): its functions are static */
+#include "bounds_compiled.h"
 
-#include "bounds.h"
+#include "wide.h"
 
 /* Two bodies of one node each in poses. */
 typedef struct {
@@ -120,7 +115,7 @@ static double frame_error(const double *x) {
                            side * n.frame[1].axis[k / 3][i];
   }
   n.body[1].triangle = &n.triangle;
-  double proved = exact_bound(&n.s, (const uint32_t[2]){0, BODY_TRIANGLE});
+  double proved = sepax__exact_bound(&n.s, (const uint32_t[2]){0, BODY_TRIANGLE});
   exact_box(&n, 0, &box);
   wide least = INFINITY;
   for (int k = 0; k < 3; k++) {

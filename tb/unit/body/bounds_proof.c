@@ -5,7 +5,7 @@
 #define sepax__prove_apart prove_apart_of_test
 #include "distance/support.c" /* NOLINT(bugprone-suspicious-include): its functions are static */
 
-#include "bounds.h"
+#include "wide.h"
 
 /* Two bodies in poses, in the unit of the search. Each has two triangles in its root; all vertices
  * of a triangle are the same point. */

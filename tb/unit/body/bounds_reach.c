@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* bounds_reach.c - bounds in single precision of the distance of boxes (distance/reach.h):
- * BOUND_SLACK and 16 d of distance/search.c, MORE of body/fit.c, and `thick`. */
+ * BOUND_SLACK and 16 d of distance/bounds.c, MORE of body/fit.c, and `thick`. */
 #define sepax__body_fit body_fit_of_test
 #define enclose enclose_points
 #define next next_of_fit
@@ -11,14 +11,9 @@
 #undef next
 #undef below
 #undef turn
-#define sepax__search_begin search_begin_of_test
-#define sepax__search_pairs search_pairs_of_test
-#define sepax__search_waiting search_waiting_of_test
-#define sepax__place_at place_at_of_test
-#define sepax__seconds_now seconds_now_of_test
-#include "distance/search.c" /* NOLINT(bugprone-suspicious-include): its functions are static */
+#include "bounds_compiled.h"
 
-#include "bounds.h"
+#include "wide.h"
 
 /* Two bodies of one box each in poses; the search turns B's box into A's coordinates. */
 typedef struct {
@@ -53,7 +48,7 @@ static wide least_of(two_boxes *t) {
   for (int portable = 0; portable < 2; portable++) {
     t->s = (search){.body = {&t->body[0], &t->body[1]}, .portable = portable > 0};
     sepax__search_begin(&t->s, &t->pose[0], &t->pose[1]);
-    bound(&t->s, 0, 0, 0, square);
+    sepax__bound_children(&t->s, 0, 0, 0, square);
     wide least = (wide)(double)square[0] * t->s.square_of_unit[0];
     most = wide_most(most, wide_root(least) * t->s.scale);
   }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* bounds.h - tests of bounds on rounding errors: numbers that are wide enough to be exact beside
+/* wide.h - tests of bounds on rounding errors: numbers that are wide enough to be exact beside
  * doubles, a search for inputs whose error is large, and geometry in these numbers.
  *
  * A test computes how much of a bound an error takes: 1 is all of it. The search changes inputs so
  * that the part grows. The test fails if the part is more than 1, because the bound is wrong then,
  * and if it stays small, because the test would not see a bound that is wrong. */
-#ifndef BOUNDS_H
-#define BOUNDS_H
+#ifndef WIDE_H
+#define WIDE_H
 
 #include "harness.h"
 #include "sepax.h"
