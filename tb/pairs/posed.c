@@ -12,6 +12,7 @@
 #include "benchmark/columns.h"
 #include "oracle/oracle.h"
 #include "oracle/real_pairs.h"
+#include "pairs/rotation.h"
 
 #include <assert.h>
 #include <inttypes.h>
@@ -53,19 +54,9 @@ static const sepax_pose still = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
 
 /* Any rotation, or one of three in which axes lie on axes. */
 static sepax_pose any_pose(double away, sepax_random *r) {
-  double q[4];
-  double square = 0;
-  for (int i = 0; i < 4; i++) {
-    q[i] = uniform(r, -1, 1);
-    square += q[i] * q[i];
-  }
   sepax_pose p;
+  random_rotation(p.rotation, r);
   for (int i = 0; i < 3; i++) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    p.rotation[i][i] = 1 - 2 * (q[j] * q[j] + q[k] * q[k]) / square;
-    p.rotation[i][j] = 2 * (q[i] * q[j] - q[3] * q[k]) / square;
-    p.rotation[i][k] = 2 * (q[i] * q[k] + q[3] * q[j]) / square;
     p.translation[i] = away * uniform(r, -1, 1);
   }
   if (sepax_random_range(r, 0, 2) == 0) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* front.c - sepax_bodies_apart with a front in memory of the caller. Many verdicts along motions
- * are compared with the truth by tb/pairs/distances.c. */
+ * are compared with the truth by tb/pairs/distances. */
 #include "harness.h"
 #include "unit/body/draws.h"
 
