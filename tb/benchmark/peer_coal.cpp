@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // peer_coal.cpp - Coal: hierarchies of oriented boxes and rectangle swept spheres (OBBRSS), its
 // boxes for collisions, its spheres for distances.
-#include "peer.h"
+#include "peer_tree.h"
 
 #if __has_include(<coal/distance.h>) && __has_include(<Eigen/Core>)
 #include <coal/BVH/BVH_model.h>
@@ -11,18 +11,6 @@
 namespace {
 
 using Model = coal::BVHModel<coal::OBBRSS>;
-
-std::unique_ptr<Model> model_of(const sepax_soup &mesh) {
-  auto model = std::make_unique<Model>();
-  model->beginModel(static_cast<unsigned>(mesh.count), static_cast<unsigned>(3 * mesh.count));
-  for (size_t n = 0; n < mesh.count; n++) {
-    const auto &v = mesh.facet[n].v;
-    model->addTriangle({v[0][0], v[0][1], v[0][2]}, {v[1][0], v[1][1], v[1][2]},
-                       {v[2][0], v[2][1], v[2][2]});
-  }
-  model->endModel();
-  return model;
-}
 
 coal::Transform3s transform_of(const sepax_pose &pose) {
   coal::Matrix3s rotation;
@@ -38,7 +26,8 @@ coal::Transform3s transform_of(const sepax_pose &pose) {
 
 class Coal : public Peer {
 public:
-  Coal(const sepax_soup &a, const sepax_soup &b) : model{model_of(a), model_of(b)} {}
+  Coal(const sepax_soup &a, const sepax_soup &b)
+      : model{tree_of<Model, unsigned>(a), tree_of<Model, unsigned>(b)} {}
 
   bool can(Query) const override { return true; }
 
@@ -61,14 +50,7 @@ public:
     }
   }
 
-  Pairs pairs(size_t n) const override {
-    Pairs list;
-    for (size_t k = 0; k < found[n].numContacts(); k++) {
-      const coal::Contact &contact = found[n].getContact(k);
-      list.push_back({static_cast<size_t>(contact.b1), static_cast<size_t>(contact.b2)});
-    }
-    return list;
-  }
+  Pairs pairs(size_t n) const override { return contacts_of(found[n]); }
 
   double distance(size_t n) const override { return away[n]; }
 

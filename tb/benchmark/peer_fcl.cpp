@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: MIT
 // peer_fcl.cpp - FCL: hierarchies of oriented boxes (OBB) for collisions, of rectangle swept
 // spheres (RSS) for distances; its others are slower.
-#include "peer.h"
+#include "peer_tree.h"
 
 #if __has_include(<fcl/fcl.h>)
 #include <fcl/fcl.h>
 
 namespace {
-
-template <typename Volume> std::unique_ptr<fcl::BVHModel<Volume>> model_of(const sepax_soup &mesh) {
-  auto model = std::make_unique<fcl::BVHModel<Volume>>();
-  model->beginModel(static_cast<int>(mesh.count), static_cast<int>(3 * mesh.count));
-  for (size_t n = 0; n < mesh.count; n++) {
-    const auto &v = mesh.facet[n].v;
-    model->addTriangle({v[0][0], v[0][1], v[0][2]}, {v[1][0], v[1][1], v[1][2]},
-                       {v[2][0], v[2][1], v[2][2]});
-  }
-  model->endModel();
-  return model;
-}
 
 fcl::Transform3d transform_of(const sepax_pose &pose) {
   fcl::Transform3d t = fcl::Transform3d::Identity();
@@ -44,9 +32,9 @@ public:
     away.resize(poses.size());
     for (int k = 0; k < 2; k++) {
       if (is_distance(query) && !swept[k]) {
-        swept[k] = model_of<fcl::RSSd>(mesh[k]);
+        swept[k] = tree_of<fcl::BVHModel<fcl::RSSd>, int>(mesh[k]);
       } else if (!is_distance(query) && !boxes[k]) {
-        boxes[k] = model_of<fcl::OBBd>(mesh[k]);
+        boxes[k] = tree_of<fcl::BVHModel<fcl::OBBd>, int>(mesh[k]);
       }
     }
     for (size_t n = 0; n < poses.size(); n++) {
@@ -62,14 +50,7 @@ public:
     }
   }
 
-  Pairs pairs(size_t n) const override {
-    Pairs list;
-    for (size_t k = 0; k < found[n].numContacts(); k++) {
-      const fcl::Contactd &contact = found[n].getContact(k);
-      list.push_back({static_cast<size_t>(contact.b1), static_cast<size_t>(contact.b2)});
-    }
-    return list;
-  }
+  Pairs pairs(size_t n) const override { return contacts_of(found[n]); }
 
   double distance(size_t n) const override { return away[n]; }
 
