@@ -420,8 +420,9 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
  * certain for the doubles given. */
 typedef struct {
   double min_distance; /* the distance of the two triangles in `pair`, which are the nearest that
-                          were found; infinite if it is above the request's limit or if the search
-                          ended   before it found two triangles. Then points, pair and box are 0 */
+                          were found. Infinite if that distance is above the limit of the request,
+                          or if the search ended before it found two triangles; then
+                          nearest_points, pair and box are 0 */
   double least, most;  /* the interval that holds the distance of the bodies. `most` is infinite if
                           min_distance is */
   double nearest_points[2][3]; /* a point of A and a point of B at min_distance */
@@ -439,10 +440,10 @@ typedef struct {
   size_t size;
   double limit; /* report a longer distance as infinite, which is faster; 0: no limit. Then `least`
                    is the limit or more, unless a limit of work or time ended the search */
-  /* The tolerance: the search ends when most - least is at most `relative` times most, or at most
-   * `absolute`. A tolerance saves time where many triangles are nearly equally far: 1e-6 and 1e-12
-   * cost about the same. Both 0: the distance of the nearest triangles, right to one unit in the
-   * last place. */
+  /* The tolerance, 0 <= relative < 1 and absolute >= 0: the search ends when most - least is at
+   * most `relative` times most, or at most `absolute`. A tolerance saves time where many triangles
+   * are nearly equally far, and 1e-12 costs hardly more than 1e-6. If both numbers are 0, then
+   * min_distance is the distance of the bodies, right to one unit in the last place. */
   double relative, absolute;
   /* A result for the same bodies in similar poses. The search begins at the triangles of that
    * result and is faster. A result of other bodies is an error if the bodies of the request do
@@ -455,11 +456,10 @@ typedef struct {
 } sepax_distance_request;
 
 /* The distance between the surfaces of two bodies, each in its pose, and a pair of triangles at
- * that distance. It is the least value of sepax_distance_posed over all pairs of triangles. With a
- * tolerance of 0 min_distance is that value, right to one unit in the last place. A body inside
- * another has the distance of the surfaces, not 0. Errors: ARGUMENT if a pose is not valid, a limit
- * or tolerance is negative or NaN, or `last` names triangles that the bodies do not have; MEMORY.
- */
+ * that distance. It is the least value of sepax_distance_posed over all pairs of triangles. A body
+ * inside another has the distance of the surfaces, not 0. Real time: the call neither allocates nor
+ * locks, and reads a clock only if `seconds` is set. Errors: ARGUMENT if a pose is not valid, a
+ * limit or tolerance is out of range, or `last` names triangles that the bodies do not have. */
 bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                            const sepax_pose *pose_b, const sepax_distance_request *request,
                            sepax_distance_result *result, sepax_error *error);
@@ -513,8 +513,9 @@ typedef struct {
 
 /* Are two bodies, each in its pose, farther apart than `distance`, a number in 0 ... 2^1000? The
  * verdict is exact for the doubles given. Use it where a verdict is needed in bounded time and the
- * distance itself is not. A distance of 0 asks for a collision. Errors: ARGUMENT if a pose is not
- * valid or the distance is out of range. */
+ * distance itself is not. A distance of 0 asks for a collision. Real time: the call neither
+ * allocates, nor locks, nor reads a clock. Cost: 0.5 to 2 microseconds for most poses. Errors:
+ * ARGUMENT if a pose is not valid or the distance is out of range. */
 bool sepax_bodies_apart(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,
                         const sepax_pose *pose_b, double distance,
                         const sepax_apart_request *request, sepax_apart_result *result,

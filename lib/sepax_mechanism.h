@@ -216,9 +216,9 @@ typedef struct {
  * fixed joints and of joints that follow another are not read. Limits of joints are not checked.
  *
  * If the work does not end, then the verdict and `pair` do not depend on earlier queries of the
- * watch. The watch remembers bounds, near triangles and a front of each pair (sepax.h), which makes
- * similar queries faster. So
- * `work`, `triangle` and the interval within its tolerance may depend on them.
+ * watch. But `work`, `triangle` and the interval within its tolerance may depend on them, because
+ * the watch remembers bounds, near triangles and a front of each pair (sepax.h), which makes
+ * similar queries faster.
  *
  * The work is divided as follows. First all pairs are compared by their boxes. Of the pairs that
  * remain, the one that was near last is searched first; the others follow in their order. Each pair
