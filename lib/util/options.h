@@ -17,8 +17,7 @@ static inline bool sepax__options(void *copy, size_t bytes, const void *given, c
   if (given == NULL) {
     return true;
   }
-  size_t size = 0;
-  memcpy(&size, given, sizeof size);
+  const size_t size = *(const size_t *)given; /* the first member */
   if (size < sizeof size) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "%s has no size; fill it in by SEPAX_STRUCT",
                       name);

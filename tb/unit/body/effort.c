@@ -46,10 +46,12 @@ static sepax_body *plate(size_t side) {
   assert_non_null(mesh.facet);
   static const size_t corner[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
   for (size_t n = 0; n < mesh.count; n++) {
+    const size_t cell[2] = {n / 2 % side, n / 2 / side};
     for (int k = 0; k < 3; k++) {
       double *v = mesh.facet[n].v[k];
-      v[0] = (double)(n / 2 % side + corner[n % 2][k][0]) / (double)side;
-      v[1] = (double)(n / 2 / side + corner[n % 2][k][1]) / (double)side;
+      for (int i = 0; i < 2; i++) {
+        v[i] = (double)(cell[i] + corner[n % 2][k][i]) / (double)side;
+      }
     }
   }
   sepax_body *body;
