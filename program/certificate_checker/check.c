@@ -76,14 +76,24 @@ static motion motion_in(const proof *p, const pair *of, int segment, uint64_t fr
   return chain_motion(&of->chain, &p->robot, &i);
 }
 
+/* How far the bodies must be apart on the linear way to the next line. */
+static double need(const proof *p, int segment) {
+  return p->clearance + (p->steps.lines > 1 ? p->steps.step[segment + 1].deviation : 0);
+}
+
+/* Is there a way from a line to the next? */
+static bool goes_on(const proof *p, int line) {
+  return line + 1 < p->steps.lines && !p->steps.step[line + 1].begins;
+}
+
 static void prove(proof *p, const pair *of, int segment, uint64_t from, uint64_t to, int depth) {
   const motion m = motion_in(p, of, segment, from, to);
-  if (separated(&p->body[of->first].tree, &p->body[of->second].tree, &m, p->clearance))
+  if (separated(&p->body[of->first].tree, &p->body[of->second].tree, &m, need(p, segment)))
     return;
   if (depth == DEPTH || to - from < 2) {
     reject("%s, %s: segment %d: not proved to be farther from each other than %g m from %.9Lg to "
            "%.9Lg of the way",
-           first_name(p, of), second_name(p, of), segment, p->clearance,
+           first_name(p, of), second_name(p, of), segment, need(p, segment),
            (long double)from / (long double)WHOLE, (long double)to / (long double)WHOLE);
   }
   p->halved++;
@@ -92,26 +102,39 @@ static void prove(proof *p, const pair *of, int segment, uint64_t from, uint64_t
   prove(p, of, segment, middle, to, depth + 1);
 }
 
-/* Prove that at the first line the bodies are disjoint and neither is inside the other. */
-static void prove_start(proof *p, const pair *of) {
+/* Prove that at a line where a way begins the bodies are disjoint and neither is inside the other.
+ */
+static void prove_start(proof *p, const pair *of, int line, double distance) {
   const prepared *a = prepare(p, of->first);
   const prepared *b = prepare(p, of->second);
-  const motion m = motion_in(p, of, 0, 0, 0);
-  if (!separated(&a->tree, &b->tree, &m, p->clearance)) {
-    reject(
-        "%s, %s: segment 0: not proved to be farther from each other than %g m at the first line",
-        first_name(p, of), second_name(p, of), p->clearance);
+  const motion m = motion_in(p, of, line, 0, 0);
+  if (!separated(&a->tree, &b->tree, &m, distance)) {
+    reject("%s, %s: segment %d: not proved to be farther from each other than %g m at the first "
+           "line",
+           first_name(p, of), second_name(p, of), line, distance);
   }
-  const pose at = chain_pose(&of->chain, &p->robot, steps_line(&p->steps, 0));
+  const pose at = chain_pose(&of->chain, &p->robot, steps_line(&p->steps, line));
   if (shell_inside(&a->shell, &b->shell, at) ||
       shell_inside(&b->shell, &a->shell, pose_inverse(at))) {
-    reject("%s, %s: segment 0: one is inside the other at the first line", first_name(p, of),
-           second_name(p, of));
+    reject("%s, %s: segment %d: one is inside the other at the first line", first_name(p, of),
+           second_name(p, of), line);
   }
   const bool in_second = shell_may_be_inside(&a->shell, &b->shell, at);
   if (in_second || shell_may_be_inside(&b->shell, &a->shell, pose_inverse(at))) {
-    reject("%s, %s: segment 0: one may be inside the other at the first line: %s is open",
-           first_name(p, of), second_name(p, of), (in_second ? second_name : first_name)(p, of));
+    reject("%s, %s: segment %d: one may be inside the other at the first line: %s is open",
+           first_name(p, of), second_name(p, of), line,
+           (in_second ? second_name : first_name)(p, of));
+  }
+}
+
+/* Bodies that never move on their linear ways may still deviate from them. */
+static void prove_starts(proof *p, const pair *of) {
+  double most = 0;
+  for (int line = 0; line < p->steps.lines; line++)
+    most = fmax(most, p->steps.step[line].begins ? 0 : p->steps.step[line].deviation);
+  for (int line = 0; line < p->steps.lines; line++) {
+    if (line == 0 || (p->steps.step[line].begins && !of->constant))
+      prove_start(p, of, line, p->clearance + (of->constant ? most : 0));
   }
 }
 
@@ -122,13 +145,13 @@ static bool proved_by_axis(const proof *p, const pair *of, const certificate_lin
   const surface *a = body_of(p, of->first);
   const surface *b = body_of(p, of->second);
   const gap g = gap_along(a, b, m, line->axis);
-  if (!(g.middle + m->rounding + a->rounded + b->rounded > line->bound + p->clearance)) {
+  if (!(g.middle + m->rounding + a->rounded + b->rounded > line->bound + need(p, line->segment))) {
     reject("%s, %s: segment %d: boxes are %g m from each other along the axis of %s, not more than "
            "%g m",
            first_name(p, of), second_name(p, of), line->segment, g.middle, line->where,
-           line->bound + p->clearance);
+           line->bound + need(p, line->segment));
   }
-  return g.always > p->clearance;
+  return g.always > need(p, line->segment);
 }
 
 /* How far the certificate's lines have come: everything before is covered. */
@@ -140,7 +163,7 @@ typedef struct {
 
 static void must_be_whole(const proof *p, const progress *at) {
   const pair *of = &p->pair[at->pair];
-  if (of->constant || at->place == WHOLE)
+  if (of->constant || at->place == WHOLE || !goes_on(p, at->segment))
     return;
   reject("%s, %s: segment %d: no interval from %.9Lg of the way", first_name(p, of),
          second_name(p, of), at->segment, (long double)at->place / (long double)WHOLE);
@@ -166,6 +189,9 @@ static void prove_line(proof *p, progress *at, const certificate_line *line) {
   if (line->segment >= p->steps.lines - 1)
     reject("%s: no segment %d", line->where, line->segment);
   const pair *of = &p->pair[line->pair];
+  if (!goes_on(p, line->segment))
+    reject("%s, %s: segment %d: the path breaks there", first_name(p, of), second_name(p, of),
+           line->segment);
   go_to(p, at, line->pair, line->segment);
   const uint64_t size = WHOLE >> line->level;
   const uint64_t from = line->index * size;
@@ -282,13 +308,16 @@ int main(int count, char **words) {
     add_pair(&p, c.pair[n][0], c.pair[n][1]);
   check_pairs(&p);
   for (size_t n = 0; n < p.pairs; n++)
-    prove_start(&p, &p.pair[n]);
+    prove_starts(&p, &p.pair[n]);
   progress at = {0, 0, 0};
   certificate_line line;
   while (certificate_next(&c, &line))
     prove_line(&p, &at, &line);
   go_to(&p, &at, p.pairs, 0);
+  int segments = 0;
+  for (int n = 0; n < p.steps.lines; n++)
+    segments += goes_on(&p, n);
   printf("%zu pairs, %d segments, %lld intervals: accepted (%lld by their axis; %lld halved)\n",
-         p.pairs, p.steps.lines - 1, c.intervals, p.by_axis, p.halved);
+         p.pairs, segments, c.intervals, p.by_axis, p.halved);
   return 0;
 }

@@ -8,8 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Columns that are no joints. Where a joint has such a name, the column is that of the joint. */
+enum { TIME = -1, BREAK = -2, DEVIATION = -3, WORDS = -4 };
+
 typedef struct {
-  int joint; /* -1: the time */
+  int joint; /* or one of the above; WORDS and below: of no use for a proof */
   long double unit;
 } column;
 
@@ -38,6 +41,16 @@ static char *trimmed(char *text) {
   return text;
 }
 
+/* What a column is that is no joint. */
+static int meaning(const char *file, const char *name) {
+  static const char *const NAMES[] = {"time", "break", "deviation", "file", "line", "kind", "tool"};
+  for (int n = 0; n < (int)(sizeof NAMES / sizeof *NAMES); n++) {
+    if (strcmp(NAMES[n], name) == 0)
+      return TIME - n;
+  }
+  cannot("%s: no joint %s", file, name);
+}
+
 static column heading(const char *file, char *text, const robot *r) {
   char *unit = NULL;
   char *bracket = strchr(text, '[');
@@ -50,23 +63,25 @@ static column heading(const char *file, char *text, const robot *r) {
   }
   const char *name = trimmed(text);
   column c = {robot_joint_named(r, name), 1};
-  if (c.joint < 0) {
-    if (strcmp(name, "time") == 0)
-      return c;
-    cannot("%s: no joint %s", file, name);
+  if (c.joint < 0)
+    c.joint = meaning(file, name);
+  if (c.joint < 0 && c.joint != DEVIATION) {
+    if (unit != NULL && c.joint != TIME)
+      cannot("%s: column %s has no unit", file, name);
+    return c;
   }
-  const joint *j = &r->joint[c.joint];
-  if (j->kind == JOINT_FIXED || j->mimic >= 0)
+  const joint_kind kind = c.joint == DEVIATION ? JOINT_PRISMATIC : r->joint[c.joint].kind;
+  if (c.joint >= 0 && (kind == JOINT_FIXED || r->joint[c.joint].mimic >= 0))
     cannot("%s: joint %s cannot be moved", file, name);
   if (unit == NULL)
     return c;
   for (size_t n = 0; n < sizeof UNIT / sizeof *UNIT; n++) {
-    if (strcmp(UNIT[n].name, unit) == 0 && UNIT[n].kind == j->kind) {
+    if (strcmp(UNIT[n].name, unit) == 0 && UNIT[n].kind == kind) {
       c.unit = UNIT[n].size;
       return c;
     }
   }
-  cannot("%s: joint %s in %s", file, name, unit);
+  cannot("%s: column %s in %s", file, name, unit);
 }
 
 /* The text up to the next separator, which becomes a 0; *next is NULL behind the last. */
@@ -79,20 +94,37 @@ static char *part(char **next, char separator) {
   return text;
 }
 
+/* A number as text. That of a deviation is rounded up. */
+static void read_value(const char *file, const char *text, const column *c, steps *s) {
+  char *end = NULL;
+  const long double number = strtold(text, &end);
+  if (end == text || *end != 0 || !isfinite(number))
+    cannot("%s: data line %d: '%s' is no number", file, s->lines, text);
+  if (c->joint >= 0)
+    s->value[(size_t)s->lines * (size_t)s->joints + (size_t)c->joint] = number * c->unit;
+  if (c->joint == DEVIATION)
+    s->step[s->lines].deviation = nextafter((double)(number * c->unit), INFINITY);
+  if (c->joint == DEVIATION && !(number >= 0 && isfinite(s->step[s->lines].deviation)))
+    cannot("%s: data line %d: a deviation of '%s'", file, s->lines, text);
+}
+
+static void read_cell(const char *file, const char *text, const column *c, steps *s) {
+  step *to = &s->step[s->lines];
+  if (c->joint == BREAK) {
+    to->begins = to->begins || strcmp(text, "1") == 0;
+    if (*text != 0 && strcmp(text, "0") != 0 && strcmp(text, "1") != 0)
+      cannot("%s: data line %d: a break of '%s'", file, s->lines, text);
+  } else if (c->joint > WORDS && !(c->joint == DEVIATION && *text == 0)) {
+    read_value(file, text, c, s);
+  }
+}
+
 static void read_line(const char *file, char *line, const column *columns, int count, steps *s) {
-  long double *value = s->value + (size_t)s->lines * (size_t)s->joints;
   char *next = line;
   for (int n = 0; n < count; n++) {
     if (next == NULL)
       cannot("%s: data line %d: too few values", file, s->lines);
-    char *text = trimmed(part(&next, ','));
-    char *end = NULL;
-    const long double number = strtold(text, &end);
-    if (end == text || *end != 0 || !isfinite(number)) {
-      cannot("%s: data line %d: '%s' is no number", file, s->lines, text);
-    }
-    if (columns[n].joint >= 0)
-      value[columns[n].joint] = number * columns[n].unit;
+    read_cell(file, trimmed(part(&next, ',')), &columns[n], s);
   }
   if (next != NULL)
     cannot("%s: data line %d: too many values", file, s->lines);
@@ -130,7 +162,7 @@ steps steps_read(const char *file, const robot *r, files *f) {
         cannot("%s: two columns of one name", file);
     }
   }
-  steps s = {0, r->joints, NULL};
+  steps s = {0, r->joints, NULL, NULL};
   size_t size = 0;
   while (next != NULL) {
     char *line = part(&next, '\n');
@@ -141,10 +173,12 @@ steps steps_read(const char *file, const robot *r, files *f) {
     if ((size_t)s.lines == size) {
       size = size == 0 ? 1024 : 2 * size;
       s.value = memory(s.value, size * (size_t)(r->joints + 1), sizeof *s.value);
+      s.step = memory(s.step, size, sizeof *s.step);
     }
     long double *value = s.value + (size_t)s.lines * (size_t)s.joints;
     for (int n = 0; n < r->joints; n++)
       value[n] = 0;
+    s.step[s.lines] = (step){s.lines == 0, 0};
     read_line(file, line, columns, count, &s);
     follow(r, value);
     s.lines++;

@@ -18,6 +18,23 @@ bool format_shape_mesh(sepax_soup *mesh, report_mesh *said, const sepax_shape *s
 
 /* -------------------------------------------------------------------- path */
 
+/* What a motion is for. */
+typedef enum { FORMAT_MOVE, FORMAT_RAPID, FORMAT_FEED, FORMAT_PROBE, FORMAT_DWELL } format_kind;
+enum { FORMAT_KINDS = FORMAT_DWELL + 1 };
+extern const char *const format_kind_names[FORMAT_KINDS]; /* "move", "rapid", ... */
+
+#define FORMAT_NO_NAME SIZE_MAX
+
+/* The motion that ends in a line of the path, and its place in a program. */
+typedef struct {
+  format_kind kind;
+  bool breaks;       /* the path begins anew in this line, so no motion ends here */
+  size_t file, tool; /* numbers of names; FORMAT_NO_NAME: none */
+  size_t line;       /* line of `file`; 0: not known */
+  double deviation;  /* metres. During the motion, each point of each body is within this of where
+                        it would be if all joints moved linearly, as seen from each other body */
+} format_step;
+
 typedef struct {
   double *value; /* value[n * joints + j]: joint j in line n, for all joints, also those that follow
                     others */
@@ -25,6 +42,11 @@ typedef struct {
   size_t *line;  /* line[n]: number of line n in its file, counted from 1 */
   size_t lines, joints;
   size_t columns; /* columns of the file, including the time */
+  /* Of a path with a column that says more about its motions: step[n] belongs to line n. Otherwise
+   * NULL. */
+  format_step *step;
+  char **name; /* of files and tools */
+  size_t names;
 } format_motion;
 
 typedef struct {
@@ -35,5 +57,8 @@ typedef struct {
 bool format_motion_read(format_motion *motion, const sepax_mechanism *m,
                         const format_motion_rules *rules, const char *path, sepax_error *error);
 void format_motion_free(format_motion *motion);
+
+/* Do bodies move from line n to the next? Not if the next line begins anew, nor after the last. */
+bool format_motion_goes_on(const format_motion *motion, size_t n);
 
 #endif

@@ -66,6 +66,12 @@ static void set_values(asking *a) {
   }
 }
 
+/* How far the bodies must be apart in each pose of the segment. */
+static double clearance_of(const asking *a) {
+  const format_step *step = a->all->scene->motion.step;
+  return a->all->q->bands.clearance.length + (step != NULL ? step[a->at.segment + 1].deviation : 0);
+}
+
 static double bound_of(const asking *a) {
   const sepax_mechanism *m = &a->all->scene->robot.mechanism;
   const sepax_chain *const chain[2] = {&a->pair->chain, &a->back};
@@ -182,12 +188,11 @@ static bool narrow(asking *a, sepax_error *error) {
 /* Certify a part of a segment if possible. If not, the distance at its middle is measured. */
 static bool ask(asking *a, bool *certified, sepax_error *error) {
   static const sepax_apart_request request = {.size = sizeof(sepax_apart_request)};
-  double clearance = a->all->q->bands.clearance.length;
   sepax_apart_result r;
   set_values(a);
   sepax_chain_poses(&a->pair->chain, &a->all->scene->robot.mechanism, a->value[1], a->pose);
   a->at.bound = bound_of(a);
-  double need = (a->at.bound + clearance) * (1 + 0x1p-48);
+  double need = (a->at.bound + clearance_of(a)) * (1 + 0x1p-48);
   a->at.by_axis = boxes_disjoint(a, need);
   *certified = a->at.by_axis;
   if (*certified) {
@@ -234,7 +239,7 @@ static bool advance(path_interval *at) {
 /* How often a part is halved if this is its distance; at least once. */
 static int halvings(const asking *a, double distance) {
   const path_question *q = a->all->q;
-  double left = fmax(distance - q->bands.clearance.length, q->resolution.length);
+  double left = fmax(distance - clearance_of(a), q->resolution.length);
   int times = (int)floor(log2(a->at.bound / left));
   return times < 1 ? 1 : times > 8 ? 8 : times;
 }
@@ -401,21 +406,37 @@ static bool stands_still(const asking *a, size_t segment) {
   return true;
 }
 
+static bool deviates_as_before(const asking *a, size_t segment) {
+  const format_step *step = a->all->scene->motion.step;
+  return step == NULL || step[segment + 1].deviation <= step[segment].deviation;
+}
+
 /* Certify the next segment. `level` is the level of the segment before, a good first guess because
  * the bodies are about as near and move about as far. */
 static bool certify_next(asking *a, unsigned level, sepax_error *error) {
   path_proof *proof = &a->pair->proof;
   size_t n = a->at.segment;
-  bool same = proof->count > 0 && stands_still(a, n - 1) && stands_still(a, n);
+  const path_interval *before = proof->count > 0 ? &proof->interval[proof->count - 1] : NULL;
+  bool same = before != NULL && before->segment == n - 1 && stands_still(a, n - 1) &&
+              stands_still(a, n) && deviates_as_before(a, n);
   a->at.level = same || level == 0 ? 0 : level - 1;
   a->at.index = 0;
-  if (same && proof->interval[proof->count - 1].level == 0) {
-    a->at = proof->interval[proof->count - 1];
+  if (same && before->level == 0) {
+    a->at = *before;
     a->at.segment = n;
     return keep(a, error);
   }
   return certify_segment(a, error) &&
          (!proof->is_open || proof->collides || search_behind(a, error));
+}
+
+/* Examine a segment, `segments` before the end. */
+static bool ask_segment(asking *a, size_t segments, bool undecided, sepax_error *error) {
+  const path_proof *proof = &a->pair->proof;
+  if (proof->is_open || undecided) {
+    return stands_still(a, a->at.segment) || search_segment(a, segments, error);
+  }
+  return certify_next(a, proof->count > 0 ? proof->interval[proof->count - 1].level : 0, error);
 }
 
 /* Examine all segments until the end or until a pose with a collision. A pair that is undecided in
@@ -427,11 +448,8 @@ static bool ask_segments(asking *a, sepax_error *error) {
   bool undecided = a->pair->lines[VERDICT_UNDECIDED] > 0;
   for (size_t n = 0; n < segments && !proof->collides && !atomic_load(&all->stop); n++) {
     a->at.segment = n;
-    if (proof->is_open || undecided) {
-      if (!stands_still(a, n) && !search_segment(a, segments - n, error)) {
-        return false;
-      }
-    } else if (!certify_next(a, n > 0 ? proof->interval[proof->count - 1].level : 0, error)) {
+    if (format_motion_goes_on(&all->scene->motion, n) &&
+        !ask_segment(a, segments - n, undecided, error)) {
       return false;
     }
     size_t done = atomic_fetch_add(&all->done, 1) + 1;

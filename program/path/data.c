@@ -9,6 +9,22 @@
 #include <math.h>
 #include <stdio.h>
 
+/* What a path with steps says of the motion that ends in a line. */
+static void set_step(json_t *json, const format_motion *motion, size_t line) {
+  const format_step *step = motion->step != NULL ? &motion->step[line] : NULL;
+  if (step == NULL) {
+    return;
+  }
+  const char *file = step->file != FORMAT_NO_NAME ? motion->name[step->file] : NULL;
+  const char *tool = step->tool != FORMAT_NO_NAME ? motion->name[step->tool] : NULL;
+  json_object_set_new(json, "program",
+                      json_pack("{s:s?, s:o, s:s, s:s?, s:b, s:f}", "file", file, "line",
+                                step->line > 0 ? json_integer((json_int_t)step->line) : json_null(),
+                                "kind", format_kind_names[step->kind], "tool", tool, "break",
+                                step->breaks, "deviation_mm",
+                                report_mm(step->deviation, CLI_METRES)));
+}
+
 /* {"line": 17, "time_s": 0.1}, or null */
 static json_t *line_of(const path_scene *scene, size_t line) {
   if (line == PATH_NO_LINE) {
@@ -19,6 +35,7 @@ static json_t *line_of(const path_scene *scene, size_t line) {
   json_object_set_new(json, "time_s",
                       scene->motion.time != NULL ? json_real(scene->motion.time[line])
                                                  : json_null());
+  set_step(json, &scene->motion, line);
   return json;
 }
 
@@ -272,10 +289,19 @@ typedef struct {
   bool parts; /* a column for the part of the way */
 } rows;
 
+/* The program's line and the kind of the motion. */
+static bool write_step(FILE *out, const format_motion *motion, path_moment at) {
+  char text[PATH_PLACE];
+  size_t line = at.part > 0 ? at.line + 1 : at.line;
+  return report_csv_text(out, path_place(motion, line, text)) &&
+         fprintf(out, ",%s,", format_kind_names[motion->step[line].kind]) > 0;
+}
+
 static bool write_row(FILE *out, const rows *r, const path_pair *pair, path_moment at,
                       report_verdict verdict) {
   const format_motion *motion = &r->scene->motion;
   return fprintf(out, "%zu,", motion->line[at.line]) > 0 &&
+         (motion->step == NULL || write_step(out, motion, at)) &&
          (motion->time == NULL || fprintf(out, "%.17g,", path_time(motion, at)) > 0) &&
          report_csv_text(out, path_body_name(r->scene, pair->body[0])) && putc(',', out) != EOF &&
          report_csv_text(out, path_body_name(r->scene, pair->body[1])) &&
@@ -288,8 +314,9 @@ static bool write_row(FILE *out, const rows *r, const path_pair *pair, path_mome
 static bool write_rows(FILE *out, const void *context) {
   const rows *r = context;
   const path_scene *scene = r->scene;
-  bool ok = fprintf(out, "line,%sa,b,verdict%s\n", scene->motion.time != NULL ? "time," : "",
-                    r->parts ? ",part" : "") > 0;
+  bool ok =
+      fprintf(out, "line,%s%sa,b,verdict%s\n", scene->motion.step != NULL ? "program,kind," : "",
+              scene->motion.time != NULL ? "time," : "", r->parts ? ",part" : "") > 0;
   for (size_t line = 0; line < scene->motion.lines && ok; line++) {
     for (size_t n = 0; n < scene->pairs && ok; n++) {
       const path_pair *pair = &scene->pair[n];

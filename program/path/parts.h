@@ -168,6 +168,10 @@ void path_values(const format_motion *motion, path_moment at, double *value);
  * run. */
 bool path_write_certificate(path_scene *scene, const path_question *q, sepax_error *error);
 
+/* The place of a line in its program, "part.ngc:127", or "" if the path does not say it. */
+enum { PATH_PLACE = 300 };
+const char *path_place(const format_motion *motion, size_t line, char text[PATH_PLACE]);
+
 const char *path_body_name(const path_scene *scene, size_t body);
 bool path_has_body(const path_scene *scene, size_t link);
 

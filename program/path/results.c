@@ -4,6 +4,7 @@
 #include "path/parts.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 report_verdict path_in_lines(const path_pair *pair) {
@@ -100,6 +101,18 @@ double path_value(const format_motion *motion, path_moment at, size_t joint) {
 double path_time(const format_motion *motion, path_moment at) {
   const double *from = &motion->time[at.line];
   return at.part == 0 ? *from : *from + (from[1] - *from) * at.part;
+}
+
+const char *path_place(const format_motion *motion, size_t line, char text[PATH_PLACE]) {
+  const format_step *step = motion->step != NULL ? &motion->step[line] : NULL;
+  text[0] = '\0';
+  if (step != NULL && step->file != FORMAT_NO_NAME) {
+    snprintf(text, PATH_PLACE, step->line > 0 ? "%.240s:%zu" : "%.240s", motion->name[step->file],
+             step->line);
+  } else if (step != NULL && step->line > 0) {
+    snprintf(text, PATH_PLACE, "program line %zu", step->line);
+  }
+  return text;
 }
 
 void path_values(const format_motion *motion, path_moment at, double *value) {

@@ -9,8 +9,21 @@
 
 enum { WIDTH = 7 };
 
-/* "line 17 (0.1 s)" */
+/* Print `before` and "part.ngc:127, rapid, ", the place in the program and the kind of the motion
+ * that ends in a line; nothing if the path does not say them. */
+static void print_place(const path_scene *scene, const char *before, size_t line) {
+  char text[PATH_PLACE];
+  const format_step *step = scene->motion.step;
+  path_place(&scene->motion, line, text);
+  bool named = text[0] != '\0';
+  bool kind = step != NULL && step[line].kind != FORMAT_MOVE;
+  printf("%s%s%s%s%s", named || kind ? before : "", text, named ? ", " : "",
+         kind ? format_kind_names[step[line].kind] : "", kind ? ", " : "");
+}
+
+/* "line 17 (0.1 s)", or "part.ngc:127, rapid, line 17 (0.1 s)" */
 static void print_line(const path_scene *scene, size_t line) {
+  print_place(scene, "", line);
   printf("line %zu", scene->motion.line[line]);
   if (scene->motion.time != NULL) {
     printf(" (%.9g s)", scene->motion.time[line]);
@@ -44,6 +57,7 @@ static void print_least(const path_scene *scene, const path_pair *pair) {
 /* "between lines 17 and 18 (0.1 ... 0.2 s)" */
 static void print_segment(const path_scene *scene, size_t segment) {
   const format_motion *motion = &scene->motion;
+  print_place(scene, "in ", segment + 1);
   printf("between lines %zu and %zu", motion->line[segment], motion->line[segment + 1]);
   if (motion->time != NULL) {
     printf(" (%.9g ... %.9g s)", motion->time[segment], motion->time[segment + 1]);
@@ -228,6 +242,37 @@ static void print_compared(const path_scene *scene, const path_question *q) {
   putchar('\n');
 }
 
+/* What the path says of its motions beyond the values of joints. */
+static void print_steps(const format_motion *motion) {
+  size_t kinds[FORMAT_KINDS] = {0};
+  size_t breaks = 0;
+  double deviation = 0;
+  if (motion->step == NULL) {
+    return;
+  }
+  for (size_t n = 0; n < motion->lines; n++) {
+    kinds[motion->step[n].kind]++;
+    breaks += n > 0 && motion->step[n].breaks;
+    deviation = fmax(deviation, motion->step[n].deviation);
+  }
+  const char *before = "steps  ";
+  for (int k = 0; k < FORMAT_KINDS; k++) {
+    if (kinds[k] > 0) {
+      fputs(before, stdout);
+      report_print_count(kinds[k], format_kind_names[k]);
+      before = ", ";
+    }
+  }
+  if (breaks > 0) {
+    fputs(", ", stdout);
+    report_print_count(breaks, "break");
+  }
+  if (deviation > 0) {
+    printf("; deviations of at most %.6g mm", mm_of(deviation));
+  }
+  putchar('\n');
+}
+
 static void print_motion(const path_scene *scene, const path_question *q) {
   const format_motion *motion = &scene->motion;
   size_t last = motion->lines - 1;
@@ -244,6 +289,7 @@ static void print_motion(const path_scene *scene, const path_question *q) {
     printf(", %.9g ... %.9g s", motion->time[0], motion->time[last]);
   }
   putchar('\n');
+  print_steps(motion);
 }
 
 static void print_between(const path_scene *scene, const path_question *q) {

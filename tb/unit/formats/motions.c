@@ -123,6 +123,53 @@ CASE(test_many_lines) {
   format_motion_free(&p);
 }
 
+/* What a path says of the motions that end in its lines. A joint's name comes first. */
+CASE(test_steps) {
+  format_motion p = read_text("x,file,a,line,kind,tool,break,deviation [um]\n"
+                              "0,part.ngc,0,17,rapid,3,,\n"
+                              "0,,0,,,,0,2.5\n"
+                              "0,sub.ngc,0,4,feed,part.ngc,1,0\n"
+                              "0,part.ngc,0,0,dwell,3,,1e3\n",
+                              &strict);
+  assert_int_equal(p.columns, 8);
+  assert_int_equal(p.names, 3);
+  static const format_step step[4] = {
+      {FORMAT_RAPID, false, 0, 1, 17, 0},
+      {FORMAT_MOVE, false, FORMAT_NO_NAME, FORMAT_NO_NAME, 0, 2.5e-6},
+      {FORMAT_FEED, true, 2, 0, 4, 0},
+      {FORMAT_DWELL, false, 0, 1, 0, 1e-3}};
+  static const bool goes_on[4] = {true, false, true, false};
+  for (size_t n = 0; n < 4; n++) {
+    assert_int_equal(p.step[n].kind, step[n].kind);
+    assert_int_equal(p.step[n].breaks, step[n].breaks);
+    assert_int_equal(p.step[n].file, step[n].file);
+    assert_int_equal(p.step[n].tool, step[n].tool);
+    assert_int_equal(p.step[n].line, step[n].line);
+    assert_true(p.step[n].deviation == step[n].deviation);
+    assert_int_equal(format_motion_goes_on(&p, n), goes_on[n]);
+  }
+  assert_string_equal(p.name[1], "3");
+  format_motion_free(&p);
+  p = read_text("x,a\n0,0\n1e-3,0\n", &strict);
+  assert_null(p.step);
+  assert_true(format_motion_goes_on(&p, 0) && !format_motion_goes_on(&p, 1));
+  format_motion_free(&p);
+}
+
+CASE(test_steps_refused) {
+  refuse_text("x,a,kind\n0,0,G0\n",
+              "p.csv:2: column 3 (kind): 'G0' is none of: move, rapid, feed, probe, dwell");
+  refuse_text("x,a,line\n0,0,1.5\n", "column 3 (line): '1.5' is no number of a line; mend it");
+  refuse_text("x,a,line\n0,0,-1\n", "'-1' is no number of a line");
+  refuse_text("x,a,line\n0,0,N10\n", "'N10' is no number of a line");
+  refuse_text("x,a,break\n0,0,yes\n", "column 3 (break): 'yes' is neither 1, where the path");
+  refuse_text("x,a,deviation\n0,0,-1e-6\n", "column 3 (deviation): '-1e-6' is below 0; mend it");
+  refuse_text("x,a,deviation\n0,0,nan\n", "column 3 (deviation): 'nan' is no finite number");
+  refuse_text("x,a,deviation [deg]\n0,0,0\n", "unit [deg] is none of: m, mm, um, nm");
+  refuse_text("x,a,tool [mm]\n0,0,0\n", "column 'tool' has no unit; leave [mm] out");
+  refuse_text("x,a,kind,kind\n0,0,,\n", "two columns 'kind'");
+}
+
 CASE(test_refused) {
   refuse_text("", "no line of values");
   refuse_text("x,a\n", "no line of values");
