@@ -9,6 +9,7 @@
 #include "report.h"
 #include "separation.h"
 #include "lines.h"
+#include "rules.h"
 #include "steps.h"
 
 #include <stdio.h>
@@ -37,6 +38,7 @@ typedef struct {
 typedef struct {
   robot robot;
   steps steps;
+  rules rules;
   prepared *body; /* one for each link */
   pair *pair;
   size_t pairs;
@@ -83,7 +85,16 @@ static double need(const proof *p, int segment) {
 
 /* Is there a way from a line to the next? */
 static bool goes_on(const proof *p, int line) {
-  return line + 1 < p->steps.lines && !p->steps.step[line + 1].begins;
+  return line >= 0 && line + 1 < p->steps.lines && !p->steps.step[line + 1].begins;
+}
+
+static bool may_meet(const proof *p, const pair *of, int line) {
+  return rules_may_meet(&p->rules, of->first, of->second, p->steps.step[line].kind);
+}
+
+/* Must the pair stay apart from a line to the next? */
+static bool must_be_apart(const proof *p, const pair *of, int line) {
+  return goes_on(p, line) && !may_meet(p, of, line + 1);
 }
 
 static void prove(proof *p, const pair *of, int segment, uint64_t from, uint64_t to, int depth) {
@@ -131,9 +142,13 @@ static void prove_start(proof *p, const pair *of, int line, double distance) {
 static void prove_starts(proof *p, const pair *of) {
   double most = 0;
   for (int line = 0; line < p->steps.lines; line++)
-    most = fmax(most, p->steps.step[line].begins ? 0 : p->steps.step[line].deviation);
-  for (int line = 0; line < p->steps.lines; line++) {
-    if (line == 0 || (p->steps.step[line].begins && !of->constant))
+    most = fmax(most, must_be_apart(p, of, line - 1) ? p->steps.step[line].deviation : 0);
+  bool proved = false;
+  for (int line = 0; line < p->steps.lines && !(proved && of->constant); line++) {
+    const bool lone = !goes_on(p, line - 1) && !goes_on(p, line);
+    const bool begins = must_be_apart(p, of, line) && !must_be_apart(p, of, line - 1);
+    proved = begins || (lone && !may_meet(p, of, line));
+    if (proved)
       prove_start(p, of, line, p->clearance + (of->constant ? most : 0));
   }
 }
@@ -163,7 +178,7 @@ typedef struct {
 
 static void must_be_whole(const proof *p, const progress *at) {
   const pair *of = &p->pair[at->pair];
-  if (of->constant || at->place == WHOLE || !goes_on(p, at->segment))
+  if (of->constant || at->place == WHOLE || !must_be_apart(p, of, at->segment))
     return;
   reject("%s, %s: segment %d: no interval from %.9Lg of the way", first_name(p, of),
          second_name(p, of), at->segment, (long double)at->place / (long double)WHOLE);
@@ -189,9 +204,9 @@ static void prove_line(proof *p, progress *at, const certificate_line *line) {
   if (line->segment >= p->steps.lines - 1)
     reject("%s: no segment %d", line->where, line->segment);
   const pair *of = &p->pair[line->pair];
-  if (!goes_on(p, line->segment))
-    reject("%s, %s: segment %d: the path breaks there", first_name(p, of), second_name(p, of),
-           line->segment);
+  if (!must_be_apart(p, of, line->segment))
+    reject("%s, %s: segment %d: the path breaks there, or the bodies may meet", first_name(p, of),
+           second_name(p, of), line->segment);
   go_to(p, at, line->pair, line->segment);
   const uint64_t size = WHOLE >> line->level;
   const uint64_t from = line->index * size;
@@ -300,6 +315,7 @@ int main(int count, char **words) {
   certificate c = certificate_open(words[optind], &folders);
   proof p = {.robot = robot_read(c.urdf, c.srdf, &folders, &c.files), .clearance = c.clearance};
   p.steps = steps_read(c.path, &p.robot, &c.files);
+  p.rules = rules_read(c.rules, &p.robot, &c.files);
   files_finish(&c.files);
   const size_t links = (size_t)p.robot.links;
   p.body = memory(NULL, links, sizeof *p.body);
@@ -317,6 +333,10 @@ int main(int count, char **words) {
   int segments = 0;
   for (int n = 0; n < p.steps.lines; n++)
     segments += goes_on(&p, n);
+  for (int n = 0; n < p.rules.count; n++)
+    printf("%s and %s may meet in motions of kind %s of %s\n",
+           p.robot.link[p.rules.entry[n].a].name, p.robot.link[p.rules.entry[n].b].name,
+           step_kind_names[p.rules.entry[n].kind], c.path);
   printf("%zu pairs, %d segments, %lld intervals: accepted (%lld by their axis; %lld halved)\n",
          p.pairs, segments, c.intervals, p.by_axis, p.halved);
   return 0;

@@ -67,6 +67,9 @@ certificate certificate_open(const char *file, packages *folders) {
   const json_t *srdf = json_object_get(head, "srdf");
   if (srdf != NULL && !json_is_null(srdf))
     c.srdf = name_of(&c, head, "srdf");
+  const json_t *rules = json_object_get(head, "rules");
+  if (rules != NULL && !json_is_null(rules))
+    c.rules = name_of(&c, head, "rules");
   c.path = name_of(&c, head, "path");
   const json_t *clearance = json_object_get(head, "clearance");
   c.clearance = json_number_value(clearance);

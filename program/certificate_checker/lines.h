@@ -17,7 +17,7 @@ typedef struct {
   char *line;
   size_t size;
   long long number, intervals;
-  const char *urdf, *srdf, *path; /* srdf: NULL if none */
+  const char *urdf, *srdf, *rules, *path; /* srdf, rules: NULL if none */
   double clearance;
   files files;
   const char *(*pair)[2];

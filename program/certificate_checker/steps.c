@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* Columns that are no joints. Where a joint has such a name, the column is that of the joint. */
-enum { TIME = -1, BREAK = -2, DEVIATION = -3, WORDS = -4 };
+enum { TIME = -1, BREAK = -2, DEVIATION = -3, KIND = -4, WORDS = -5 };
 
 typedef struct {
   int joint; /* or one of the above; WORDS and below: of no use for a proof */
@@ -41,9 +41,19 @@ static char *trimmed(char *text) {
   return text;
 }
 
+const char *const step_kind_names[STEP_DWELL + 1] = {"move", "rapid", "feed", "probe", "dwell"};
+
+bool step_kind_named(const char *name, step_kind *kind) {
+  int n = 0;
+  while (n <= STEP_DWELL && strcmp(step_kind_names[n], name) != 0)
+    n++;
+  *kind = (step_kind)n;
+  return n <= STEP_DWELL;
+}
+
 /* What a column is that is no joint. */
 static int meaning(const char *file, const char *name) {
-  static const char *const NAMES[] = {"time", "break", "deviation", "file", "line", "kind", "tool"};
+  static const char *const NAMES[] = {"time", "break", "deviation", "kind", "file", "line", "tool"};
   for (int n = 0; n < (int)(sizeof NAMES / sizeof *NAMES); n++) {
     if (strcmp(NAMES[n], name) == 0)
       return TIME - n;
@@ -114,6 +124,9 @@ static void read_cell(const char *file, const char *text, const column *c, steps
     to->begins = to->begins || strcmp(text, "1") == 0;
     if (*text != 0 && strcmp(text, "0") != 0 && strcmp(text, "1") != 0)
       cannot("%s: data line %d: a break of '%s'", file, s->lines, text);
+  } else if (c->joint == KIND) {
+    if (*text != 0 && !step_kind_named(text, &to->kind))
+      cannot("%s: data line %d: no kind %s", file, s->lines, text);
   } else if (c->joint > WORDS && !(c->joint == DEVIATION && *text == 0)) {
     read_value(file, text, c, s);
   }
@@ -178,7 +191,7 @@ steps steps_read(const char *file, const robot *r, files *f) {
     long double *value = s.value + (size_t)s.lines * (size_t)s.joints;
     for (int n = 0; n < r->joints; n++)
       value[n] = 0;
-    s.step[s.lines] = (step){s.lines == 0, 0};
+    s.step[s.lines] = (step){STEP_MOVE, s.lines == 0, 0};
     read_line(file, line, columns, count, &s);
     follow(r, value);
     s.lines++;

@@ -61,4 +61,22 @@ void format_motion_free(format_motion *motion);
 /* Do bodies move from line n to the next? Not if the next line begins anew, nor after the last. */
 bool format_motion_goes_on(const format_motion *motion, size_t n);
 
+/* ------------------------------------------------------------------- rules */
+
+/* Two links may meet in motions of a kind. */
+typedef struct {
+  char *body[2];
+  format_kind kind;
+  size_t line; /* of the file */
+} format_rule;
+
+typedef struct {
+  format_rule *rule;
+  size_t count;
+} format_rules;
+
+/* Read CSV with the first line a,b,kind. */
+bool format_rules_read(format_rules *rules, const char *path, sepax_error *error);
+void format_rules_free(format_rules *rules);
+
 #endif

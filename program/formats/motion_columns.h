@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* motion_columns.h - the columns of a path as CSV (private to motion.c and motion_columns.c). */
+/* motion_columns.h - the columns of a path as CSV, and cells of CSV (private to this folder). */
 #ifndef SEPAX_FORMATS_MOTION_COLUMNS_H
 #define SEPAX_FORMATS_MOTION_COLUMNS_H
 

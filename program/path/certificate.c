@@ -141,6 +141,7 @@ static json_t *files_of(const path_scene *scene, const path_question *q, sepax_e
   }
   bool ok = append_file(files, urdf) && append_file(files, motion) &&
             (q->srdf == NULL || append_file(files, file_of(q->srdf, q->srdf, error))) &&
+            (q->table == NULL || append_file(files, file_of(q->table, q->table, error))) &&
             append_meshes(files, scene, error);
   if (!ok) {
     json_decref(files);
@@ -156,10 +157,10 @@ static json_t *head_of(const certificate *c) {
     json_array_append_new(pairs, json_pack("[s, s]", path_body_name(c->scene, pair->body[0]),
                                            path_body_name(c->scene, pair->body[1])));
   }
-  return json_pack("{s:s, s:i, s:s, s:s?, s:s, s:O, s:O, s:f, s:o}", "certificate", "sepax",
-                   "version", 2, "urdf", q->urdf, "srdf", q->srdf, "path", q->motion, "packages",
-                   c->packages, "files", c->files, "clearance", q->bands.clearance.length, "pairs",
-                   pairs);
+  return json_pack("{s:s, s:i, s:s, s:s?, s:s?, s:s, s:O, s:O, s:f, s:o}", "certificate", "sepax",
+                   "version", 2, "urdf", q->urdf, "srdf", q->srdf, "rules", q->table, "path",
+                   q->motion, "packages", c->packages, "files", c->files, "clearance",
+                   q->bands.clearance.length, "pairs", pairs);
 }
 
 static json_t *interval_of(size_t pair, const path_interval *at) {

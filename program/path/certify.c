@@ -448,7 +448,7 @@ static bool ask_segments(asking *a, sepax_error *error) {
   bool undecided = a->pair->lines[VERDICT_UNDECIDED] > 0;
   for (size_t n = 0; n < segments && !proof->collides && !atomic_load(&all->stop); n++) {
     a->at.segment = n;
-    if (format_motion_goes_on(&all->scene->motion, n) &&
+    if (path_motion_asked(all->scene, a->pair, n) &&
         !ask_segment(a, segments - n, undecided, error)) {
       return false;
     }

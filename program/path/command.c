@@ -14,6 +14,7 @@
 
 enum {
   KEY_CSV = 0x400,
+  KEY_RULES,
   KEY_WORST,
   KEY_PAGE,
   KEY_JOBS,
@@ -31,6 +32,8 @@ enum {
 enum { INTERVALS_MOST = 1000000000 };
 
 static const struct argp_option options[] = {
+    {"rules", KEY_RULES, "FILE", 0,
+     "let links meet in motions of a kind: FILE is CSV with lines such as cutter,stock,feed", 0},
     {"csv", KEY_CSV, "FILE", 0,
      "write to FILE as CSV: for each line of the path, each pair of bodies that is not free in it",
      0},
@@ -109,6 +112,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_INTERVALS:
     q->intervals = (size_t)cli_count(state, "intervals", text, 1, INTERVALS_MOST);
     return 0;
+  case KEY_RULES:
+    q->table = text;
+    return 0;
   case KEY_CSV:
     q->csv = text;
     return 0;
@@ -156,12 +162,12 @@ static const char *output_of(const path_question *q, int n) {
 
 /* Fail before the long search if an output file cannot be written. */
 static bool outputs_possible(const path_question *q, sepax_error *error) {
-  const char *const inputs[] = {q->urdf, q->motion, q->srdf};
+  const char *const inputs[] = {q->urdf, q->motion, q->srdf, q->table};
   const char *outputs[OUTPUTS];
   for (int i = 0; i < OUTPUTS; i++) {
     outputs[i] = output_of(q, i);
   }
-  bool ok = cli_outputs_allowed(outputs, OUTPUTS, inputs, 3, error);
+  bool ok = cli_outputs_allowed(outputs, OUTPUTS, inputs, 4, error);
   for (int i = 0; i < OUTPUTS && ok; i++) {
     ok = outputs[i] == NULL || sepax__write_file_possible(outputs[i], error);
   }
@@ -204,8 +210,13 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   if (q->certificate != NULL && !path_digest_possible(error)) {
     return false;
   }
-  const char *const read[] = {q->urdf, q->motion, q->srdf};
-  for (int n = 0; n < 3 && q->certificate != NULL; n++) {
+  if (q->jobs != NULL && q->table != NULL) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "jobs: not with --rules, because the engine compares all lines of a pair; "
+                      "leave one of them out");
+  }
+  const char *const read[] = {q->urdf, q->motion, q->srdf, q->table};
+  for (int n = 0; n < 4 && q->certificate != NULL; n++) {
     struct stat s;
     if (read[n] != NULL && stat(read[n], &s) == 0 && !S_ISREG(s.st_mode)) {
       return sepax_fail(
@@ -226,8 +237,10 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   }
   const char *const names[2] = {q->urdf, q->motion};
   const char *const more[2] = {q->srdf != NULL ? q->srdf : "", q->jobs != NULL ? q->jobs : ""};
+  const char *const rules[2] = {q->table != NULL ? q->table : "", ""};
   return (!q->output.json && q->page == NULL) ||
-         (report_names_printable(names, error) && report_names_printable(more, error));
+         (report_names_printable(names, error) && report_names_printable(more, error) &&
+          report_names_printable(rules, error));
 }
 
 int cli_path(int argc, char **argv) {

@@ -115,6 +115,19 @@ static json_t *way_of(const path_scene *scene, const path_pair *pair) {
                    (json_int_t)proof->count, "open", open, "collision", collision);
 }
 
+/* What rules leave out. */
+static json_t *allowed_of(const path_pair *pair) {
+  json_t *kinds = json_array();
+  for (unsigned k = 0; k < FORMAT_KINDS; k++) {
+    if ((pair->may_meet >> k & 1U) != 0) {
+      json_array_append_new(kinds, json_string(format_kind_names[k]));
+    }
+  }
+  return json_pack("{s:o, s:I, s:I}", "kinds", kinds, "lines_left_out",
+                   (json_int_t)pair->lines_left_out, "motions_left_out",
+                   (json_int_t)pair->motions_left_out);
+}
+
 static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   json_t *lines = json_object();
   json_t *first = json_object();
@@ -129,6 +142,9 @@ static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   json_object_set_new(json, "first", first);
   json_object_set_new(json, "least_clearance", least_of(scene, pair));
   json_object_set_new(json, "between", way_of(scene, pair));
+  if (pair->may_meet != 0) {
+    json_object_set_new(json, "may_meet", allowed_of(pair));
+  }
   return json;
 }
 
@@ -253,6 +269,7 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   json_object_set_new(json, "urdf", json_string(q->urdf));
   json_object_set_new(json, "srdf", q->srdf != NULL ? json_string(q->srdf) : json_null());
   json_object_set_new(json, "path", json_string(q->motion));
+  json_object_set_new(json, "rules", q->table != NULL ? json_string(q->table) : json_null());
   json_object_set_new(json, "verdict", json_string(report_verdict_names[worst]));
   json_object_set_new(json, "first", first_of(scene));
   report_set_count(json, "lines", scene->motion.lines);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* parts.h - what the parts of sepax path share. command.c and options.c read the options. scene.c
- * makes bodies from links and pairs from bodies. search.c decides each pair in each line. certify.c
- * proves the motion between lines. results.c combines the verdicts. certificate.c writes the proof.
- * engine.c makes jobs. text.c, data.c, picture.c and page.c print and write the results. */
+ * makes bodies from links and pairs from bodies. rules.c lets pairs meet. search.c decides each
+ * pair in each line. certify.c proves the motion between lines. results.c combines the verdicts.
+ * certificate.c writes the proof. engine.c makes jobs. text.c, data.c, picture.c and page.c print
+ * and write the results. */
 #ifndef SEPAX_PATH_PARTS_H
 #define SEPAX_PATH_PARTS_H
 
@@ -14,11 +15,12 @@ enum { PATH_PACKAGES_MOST = 64, PATH_WORD_MIN = 6 };
 
 typedef struct {
   const char *urdf, *motion;
-  const char *srdf, *csv, *picture, *certificate, *page, *jobs; /* files of the options, or NULL */
-  report_bands bands;                                           /* metres */
-  report_limit resolution;                                      /* metres */
-  report_limit lsb; /* --lsb of --jobs, metres; 0: the finest */
-  int word;         /* --word of --jobs; 0: not given */
+  const char *srdf, *table, *csv, *picture, *certificate, *page,
+      *jobs;               /* files of the options, or NULL */
+  report_bands bands;      /* metres */
+  report_limit resolution; /* metres */
+  report_limit lsb;        /* --lsb of --jobs, metres; 0: the finest */
+  int word;                /* --word of --jobs; 0: not given */
   cli_output output;
   bool surfaces, no_distance, certify;
   bool keep; /* keep the meshes of the bodies */
@@ -89,6 +91,8 @@ typedef struct {
 typedef struct {
   size_t body[2];
   sepax_chain chain;
+  unsigned may_meet; /* in motions of kind k if bit k is set */
+  size_t lines_left_out, motions_left_out;
   size_t lines[VERDICTS]; /* number of lines with each verdict */
   size_t first[VERDICTS]; /* first line with each verdict, or PATH_NO_LINE */
   double least;           /* least clearance; infinite if it was not computed */
@@ -134,6 +138,16 @@ extern const struct argp path_scene_argp;
 /* Load the scene. After false the scene can be freed. */
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error);
 void path_scene_free(path_scene *scene);
+
+/* Read a table of links that may meet in motions of a kind. */
+bool path_rules_apply(path_scene *scene, const char *path, sepax_error *error);
+
+/* Must the pair be free in the motion from a line to the next? False if there is none. */
+bool path_motion_asked(const path_scene *scene, const path_pair *pair, size_t line);
+
+/* Must the pair be free in a line? Not if rules let it meet in the motion that ends there and in
+ * the one that begins there. */
+bool path_line_asked(const path_scene *scene, const path_pair *pair, size_t line);
 
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error);
 

@@ -239,5 +239,6 @@ bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *err
       !make_bodies(scene, q, error) || !choose_pairs(scene, q->srdf, error)) {
     return false;
   }
-  return scene->pairs > 0 || fail_no_pair(scene, q, error);
+  return (scene->pairs > 0 || fail_no_pair(scene, q, error)) &&
+         (q->table == NULL || path_rules_apply(scene, q->table, error));
 }

@@ -83,11 +83,15 @@ static void fail(work *all, const sepax_error *error) {
   atomic_store(&all->stop, true);
 }
 
-/* True if a joint between the two links has moved since the line before. */
+/* True if a joint between the two links has moved since the line before, or if that line was not
+ * asked. */
 static bool has_moved(const path_scene *scene, const path_pair *pair, size_t line) {
   const format_motion *motion = &scene->motion;
   const double *now = &motion->value[line * motion->joints];
   const double *before = now - motion->joints;
+  if (!path_line_asked(scene, pair, line - 1)) {
+    return true;
+  }
   for (size_t n = 0; n < pair->chain.count; n++) {
     size_t joint = pair->chain.joint[n];
     if (now[joint] != before[joint]) {
@@ -103,6 +107,10 @@ static bool find_bounds(asking *a, size_t from, size_t end, sepax_error *error) 
   const path_scene *scene = a->all->scene;
   for (size_t line = from; line < end && !atomic_load(&a->all->stop); line++) {
     path_bound *b = &a->bound[line];
+    if (!path_line_asked(scene, a->pair, line)) {
+      *b = (path_bound){.least = INFINITY, .is_decided = true};
+      continue;
+    }
     b->is_decided = line > 0 && !has_moved(scene, a->pair, line);
     if (b->is_decided && line > from) {
       b->least = b[-1].least;
@@ -317,6 +325,9 @@ static bool ask_lines(asking *a, size_t from, size_t end, sepax_error *error) {
   report_verdict verdict = VERDICT_FREE;
   learn(a);
   for (size_t line = from; line < end && !atomic_load(&all->stop); line++) {
+    if (!path_line_asked(all->scene, a->pair, line)) {
+      continue;
+    }
     if ((line == from || has_moved(all->scene, a->pair, line)) && !ask(a, line, &verdict, error)) {
       return false;
     }

@@ -104,6 +104,20 @@ static void print_way(const path_scene *scene, const path_pair *pair) {
   }
 }
 
+/* " where it may not meet (6000 lines left out: feed)" */
+static void print_allowed(const path_pair *pair) {
+  printf("%s where it may not meet (", path_in_lines(pair) == VERDICT_FREE ? "" : ",");
+  report_print_count(pair->lines_left_out, "line");
+  const char *before = " left out: ";
+  for (unsigned k = 0; k < FORMAT_KINDS; k++) {
+    if ((pair->may_meet >> k & 1U) != 0) {
+      printf("%s%s", before, format_kind_names[k]);
+      before = ", ";
+    }
+  }
+  putchar(')');
+}
+
 static void print_pair(const path_scene *scene, const path_pair *pair, int width) {
   char names[2 * 64 + 4];
   snprintf(names, sizeof names, "%.60s, %.60s", path_body_name(scene, pair->body[0]),
@@ -120,7 +134,12 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
       before = "; ";
     }
   }
-  fputs(path_in_lines(pair) == VERDICT_FREE ? "  free in all lines" : "", stdout);
+  if (path_in_lines(pair) == VERDICT_FREE) {
+    fputs("  free in all lines", stdout);
+  }
+  if (pair->may_meet != 0) {
+    print_allowed(pair);
+  }
   fputs(pair->proof.certified ? path_in_lines(pair) == VERDICT_FREE ? " and between them"
                                                                     : "; no collision between them"
                               : "",
@@ -238,6 +257,9 @@ static void print_compared(const path_scene *scene, const path_question *q) {
       printf(", links that no joint moves against each other (%zu)", scene->rigid);
     }
     fputs("; --srdf=FILE chooses the pairs", stdout);
+  }
+  if (q->table != NULL) {
+    printf("; %s lets some of them meet", q->table);
   }
   putchar('\n');
 }
