@@ -1,0 +1,334 @@
+# SPDX-License-Identifier: MIT
+# What LinuxCNC's interpreter calls back, as records of canonical motion: every position with all
+# offsets applied. `interpreter.this` shows the state of the interpreter while it calls.
+import math
+import re
+import time
+
+START = "sepax: start"  # a comment that the front end executes before the program
+SPLINES = (50, 51, 52, 53)
+
+
+class Canon:
+    """Receives the calls of gcode.parse(). `out` gets the records."""
+
+    def __init__(self, job):
+        self.job = job
+        self.machine, self.kinematics = job.machine, job.kinematics
+        self.parameter_file = job.parameter_file
+        self.out = job.out
+        self.rows = [NO_TOOL] + [t.row() for t in job.tools]
+        self.files = {job.program: 0}
+        self.stack = []           # (file, line) of the call of each subroutine that runs
+        self.place = (0, 0)
+        self.line = 0             # of the motion; cutter compensation hands it on later
+        self.recording = False
+        self.failure = None       # why the program is refused
+        self.moves = 0
+        self.message_text = None
+        self.offset = [0.0] * 9   # tool offset, mm
+        self.g5x, self.g92 = [0.0] * 9, [0.0] * 9
+        self.cosine, self.sine = 1.0, 0.0
+        self.plane = 1
+        self.kind = 0             # type of the kinematics
+        self.unsynchronized = None
+        self.spindle, self.blend, self.loaded = None, None, 0
+        self.blend_raw, self.metric = None, self.machine.scale == 1.0
+        self.at = job.start
+        self.deadline = time.monotonic() + job.seconds
+
+    # --- where -------------------------------------------------------------------------------
+
+    def _this(self):
+        import interpreter  # there only after gcode.parse() began
+        return interpreter.this
+
+    def _file(self, path):
+        if not path:
+            return 0
+        if path not in self.files:
+            self.files[path] = len(self.files)
+            self.out(f"file {self.files[path]} {path}")
+        return self.files[path]
+
+    def where(self, this):
+        """FILE LINE of what is executed now. Motion that cutter compensation held back is of an
+        earlier line: its file is known only if the program has no other file."""
+        file = self._file(this.filename)
+        if self.line != this.sequence_number and len(self.files) > 1:
+            file = -1
+        self.stack = [(this.sub_context[i].filename, this.sub_context[i].sequence_number)
+                      for i in range(this.call_level)]
+        self.place = (file, self.line)
+        return f"{file} {self.line}"
+
+    def fail(self, text):
+        """Refuses the program at the line that is executed."""
+        this = self._this()
+        self.where(this)
+        self.failure = self.failure or f"{self.told()}: {text}"
+        raise Refusal(self.failure)
+
+    def told(self):
+        """The place for a message: the program's own line first, then that in a subroutine."""
+        names = {number: path for path, number in self.files.items()}
+        file, line = self.place
+        if self.stack and (self.stack[0][0] or self.job.program) == self.job.program:
+            inner = f"{names[file]}:{line}" if file >= 0 else f"line {line} of a subroutine"
+            return f"{self.job.program}:{self.stack[0][1]}: in a subroutine, {inner}"
+        return f"{names.get(file, self.job.program)}:{line}"
+
+    def next_line(self, state):
+        self.line = state.sequence_number
+
+    def check_abort(self):
+        if time.monotonic() > self.deadline:
+            self.fail(f"the program runs longer than {self.job.seconds:g} s in the interpreter, "
+                      f"perhaps in an endless loop; --seconds=N gives it more")
+        return False
+
+    # --- positions ---------------------------------------------------------------------------
+
+    def _scaled(self, values):
+        """The interpreter's inches as mm; angles stay."""
+        return [v * INCH if i in LENGTHS else v for i, v in enumerate(values)]
+
+    def to_machine(self, values):
+        """Position of the program (inches, degrees) -> position of the axes (mm, degrees)."""
+        p = [v + g for v, g in zip(self._scaled(values), self.g92)]
+        x, y = p[0], p[1]
+        p[0], p[1] = x * self.cosine - y * self.sine, x * self.sine + y * self.cosine
+        return [v + g + t for v, g, t in zip(p, self.g5x, self.offset)]
+
+    def to_program(self, axes):
+        """The reverse, in mm and degrees."""
+        p = [v - g - t for v, g, t in zip(axes, self.g5x, self.offset)]
+        x, y = p[0], p[1]
+        p[0], p[1] = x * self.cosine + y * self.sine, y * self.cosine - x * self.sine
+        return [v - g for v, g in zip(p, self.g92)]
+
+    def tell(self, axes):
+        """Tells the interpreter where the axes are, as the machine does at a synchronization."""
+        this = self._this()
+        unit = 1.0 if this.length_units == 2 else 1.0 / INCH
+        names = ("current_x", "current_y", "current_z", "AA_current", "BB_current", "CC_current",
+                 "u_current", "v_current", "w_current")
+        for i, value in enumerate(self.to_program(axes)):
+            setattr(this, names[i], value * unit if i in LENGTHS else value)
+        self.at = list(axes)
+
+    def values(self):
+        """The parameters of the kinematics with the tool offset in force."""
+        return {n: c + times * self.offset[2] for n, (c, times) in self.job.parameters.items()}
+
+    # --- state before a motion ---------------------------------------------------------------
+
+    def _state(self, this, where):
+        """Says what changed since the last motion: the spindle, the path mode, the tool. The codes
+        of the line that runs count first, because the interpreter's state is that of the line
+        before."""
+        if not self.recording:
+            return
+        block = this.blocks[0]
+        held = self.line != this.sequence_number
+        self._spindle(this, block, where, held)
+        self._blend(this, block, where)
+        if this.motion_mode in SPLINES or block.motion_to_be in SPLINES:
+            self.fail("splines (G5, G5.1, G5.2) are not supported, because LinuxCNC's preview only "
+                      "approaches them")
+        if this.current_tool not in (self.loaded, -1) and block.m_modes[6] != 6:
+            self.loaded = this.current_tool  # M61
+            self.out(f"load {where} {self.loaded}")
+        if self.unsynchronized is not None:
+            self.fail("the kinematics was switched in line %d, and nothing synchronizes after it "
+                      "(M66 E0 L0)" % self.unsynchronized)
+
+    def _spindle(self, this, block, where, held):
+        code = block.m_modes[7]
+        if code < 0:
+            code = this.active_m_codes[2]
+            if block.m_modes[6] == 6 and not this.tool_change_with_spindle_on:
+                code = 5
+        speed = block.s_number if block.s_flag else this.active_settings[2]
+        turns = "on" if code in (3, 4) and speed > 0 else "off"
+        if turns == self.spindle:
+            return
+        if held and self.spindle is not None:
+            self.fail("the spindle starts or stops while cutter compensation holds motion back")
+        self.spindle = turns
+        self.out(f"spindle {where} {turns}")
+
+    def _blend(self, this, block, where):
+        """G61, G64. P and Q of G64 are in the unit of its own line; the interpreter shows them
+        without it. If the unit may have changed since, the larger one is taken: it is sound."""
+        mode, p, q = this.active_g_codes[11], *list(this.active_settings)[3:5]
+        if block.g_modes[13] >= 0:
+            mode = block.g_modes[13]
+            p = block.p_number if block.p_flag else 0.0
+            q = block.q_number if block.q_flag else p
+        raw, metric = (mode, p, q), this.length_units == 2
+        if raw != self.blend_raw:
+            unit = 1.0 if metric and self.metric else INCH
+            said = f"within {(p + q) * unit!r}" if p > 0 else "unbounded"
+            said = "exact" if mode in (610, 611) else said
+            if said != self.blend:
+                self.out(f"blend {where} {said}")
+            self.blend_raw, self.blend = raw, said
+        self.metric = metric
+
+    # --- motion ------------------------------------------------------------------------------
+
+    def _move(self, kind, axes):
+        this = self._this()
+        where = self.where(this)
+        self._state(this, where)
+        self.at = axes
+        if self.recording:
+            self.moves += 1
+            self.out(f"move {kind} {where} {numbers(axes)}")
+
+    def straight_traverse(self, *values):
+        self._move("rapid", self.to_machine(values))
+
+    def straight_feed(self, *values):
+        self._move("feed", self.to_machine(values))
+
+    def straight_probe(self, *values):
+        self._move("probe", self.to_machine(values))
+
+    def rigid_tap(self, x, y, z):
+        """Down and up again; the other axes stay."""
+        back = self.at
+        down = self.to_machine([x, y, z] + [0.0] * 6)
+        self._move("feed", down[:3] + list(back[3:]))
+        self._move("feed", back)
+
+    def set_plane(self, plane):
+        self.plane = plane
+
+    def arc_feed(self, first, second, first_centre, second_centre, turns, along, *rest):
+        order = {1: (0, 1, 2), 2: (1, 2, 0), 3: (2, 0, 1)}[self.plane]
+        end, centre, normal = [0.0] * 9, [0.0] * 9, [0.0] * 3
+        end[3:] = rest
+        for values, given in ((end, (first, second, along)),
+                              (centre, (first_centre, second_centre, along))):
+            for axis, value in zip(order, given):
+                values[axis] = value
+        normal[order[2]] = 1.0 if turns > 0 else -1.0
+        x, y, z = normal
+        normal = [x * self.cosine - y * self.sine, x * self.sine + y * self.cosine, z]
+        this = self._this()
+        where = self.where(this)
+        self._state(this, where)
+        self.at = self.to_machine(end)
+        if self.recording:
+            self.moves += 1
+            middle = self.to_machine(centre)[:3]
+            self.out(f"arc feed {where} {numbers(self.at)} {numbers(middle)} {numbers(normal)} "
+                     f"{abs(turns) - 1}")
+
+    def dwell(self, seconds):
+        if self.recording:
+            self.out(f"dwell {self.where(self._this())} {float(seconds)!r}")
+
+    # --- offsets and tools -------------------------------------------------------------------
+
+    def set_g5x_offset(self, _index, *values):
+        self.g5x = self._scaled(values)
+        self.where(self._this())
+
+    def set_g92_offset(self, *values):
+        self.g92 = self._scaled(values)
+
+    def set_xy_rotation(self, degrees):
+        self.cosine = math.cos(math.radians(degrees)) if degrees else 1.0
+        self.sine = math.sin(math.radians(degrees)) if degrees else 0.0
+
+    def tool_offset(self, *values):
+        new = self._scaled(values)
+        if new != self.offset:
+            self.offset = new
+            self.out(f"length {self.where(self._this())} {numbers(new)}")
+
+    def get_tool(self, index):
+        return self.rows[index] if index < len(self.rows) else NO_TOOL
+
+    def change_tool(self, index):
+        """M6: to the position of the change, where the configuration has one, and the tool."""
+        where = self.where(self._this())
+        self._state(self._this(), where)
+        if self.job.change_position:
+            axes = list(self.at)
+            axes[:len(self.job.change_position)] = self.job.change_position
+            self._move("rapid", axes)
+            self.tell(axes)
+        self.rows[0] = NO_TOOL if index == 0 else self.rows[index]
+        self.loaded = max(self.rows[0][0], 0)
+        self.unsynchronized = None
+        self.out(f"load {where} {self.loaded}")
+
+    # --- kinematics, remapped from M66, M67 and M68 -------------------------------------------
+
+    def output(self, index, value):
+        """M67 or M68: an analog output; one of them may switch the kinematics."""
+        if index != self.job.switch_output or not self.kinematics.switchable:
+            return
+        kind = int(value)
+        if kind not in (0, 1):
+            self.fail(f"kinematics of type {kind} is the user's own: not supported")
+        if kind == self.kind:
+            return
+        self.line = self._this().sequence_number  # no motion: next_line() was not called
+        joints = self.kinematics.joints(self.kind, self.at, self.values())
+        axes = self.kinematics.axes(kind, joints, self.values(), self.at)
+        self.kind = kind
+        self.out(f"kins {self.where(self._this())} {kind} {numbers(axes)}")
+        self.tell(axes)
+        self.unsynchronized = self.line
+
+    def synchronize(self):
+        """M66: the program waits for the machine and takes its position."""
+        self.unsynchronized = None
+
+    # --- texts -------------------------------------------------------------------------------
+
+    def comment(self, text):
+        if text.strip() == START:
+            self.tell(self.job.start)
+            self.recording = True
+
+    def message(self, text):
+        this = self._this()
+        self.message_text = text = " ".join(text.split())
+        self.out(f"note {self.where(this)} {text}")
+
+    def user_defined_function(self, number, p, q):
+        where = self.where(self._this())
+        self.out(f"note {where} M{100 + number} P{p:g} Q{q:g} is not run: what it does is not known")
+
+    # --- what the interpreter asks and says besides -------------------------------------------
+
+    def set_feed_rate(self, _rate):
+        self.where(self._this())
+
+    def get_block_delete(self):
+        return self.job.block_delete
+
+    def get_axis_mask(self):
+        return self.machine.axis_mask()
+
+    def get_external_length_units(self):
+        return 1.0 if self.machine.scale == 1.0 else 1.0 / INCH
+
+    def get_external_angular_units(self):
+        return 1.0
+
+    def __getattr__(self, name):
+        """A call that this version of LinuxCNC makes and the front end does not know."""
+        if name.startswith("_") or not re.match(r"[a-z_]+$", name) or name == "use_move_batches":
+            raise AttributeError(name)
+        raise Refusal(f"LinuxCNC's interpreter calls {name}(): this version is not supported")
+
+
+def numbers(values):
+    return " ".join(repr(float(v)) for v in values)
