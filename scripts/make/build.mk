@@ -106,6 +106,7 @@ define link
   -o $$new && $(in_place)
 endef
 CHECKER_OBJ = $(call object,$(CHECKER))
+NC_OBJ      = $(call object,$(wildcard program/nc/*.c))
 ORACLE_OBJ  = $(call object,$(wildcard tb/oracle/*.c))
 LIBERTY_OBJ = $(call object,$(wildcard synth/liberty/*.c))
 LAYOUT_OBJ  = $(call object,$(wildcard synth/layout/*.c synth/layout/*/*.c) synth/liberty/text.c)
@@ -133,6 +134,7 @@ $(BUILD)/distances: $(call object,$(wildcard tb/pairs/distances/*.c)) $(ORACLE_O
 $(BUILD)/hard-pairs: $(call object,tb/pairs/hard.c) $(LIB)
 $(BUILD)/refine: $(call object,tb/tree_engine/sweep/refine.c) $(LIB)
 $(BUILD)/liberty: $(LIBERTY_OBJ)
+$(BUILD)/nc-rows: $(call object,tb/nc/rows.c) $(NC_OBJ) $(LIB)
 $(BUILD)/sepax-certificate-check: $(CHECKER_OBJ)
 $(BUILD)/certificate-grazes: $(call object,tb/certificate/grazes.c)
 $(BUILD)/power: $(POWER_OBJ) $(IO) $(LIB)
@@ -145,7 +147,7 @@ $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 $(BUILD)/clearance-pairs $(BUILD)/posed-pairs $(BUILD)/distances: LIBS = -lgmp
 $(SEPAX) $(addprefix $(BUILD)/,bench_batch layout liberty power refine) \
     $(addprefix $(BUILD)/,clearance-pairs posed-pairs distances hard-pairs bench) \
-    $(addprefix $(BUILD)/,sepax-certificate-check certificate-grazes):
+    $(addprefix $(BUILD)/,sepax-certificate-check certificate-grazes nc-rows):
 	$(link)
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson
@@ -172,6 +174,11 @@ $(BUILD)/unit/path/%: LIBS = -lcmocka -lgmp -ljansson $(IO_LIBS) $(if $(with_md)
 $(BUILD)/unit/path/%: $(BUILD)/obj/tb/unit/path/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
                       $(call object,$(filter-out program/main.c,$(CLI_SRC))) $(TEMPLATE_OBJ) \
                       $(PAGE_OBJ) $(IO) $(LIB)
+	$(link)
+
+$(BUILD)/unit/nc/%: LIBS = -lcmocka -lgmp
+$(BUILD)/unit/nc/%: $(BUILD)/obj/tb/unit/nc/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
+                    $(NC_OBJ) $(LIB)
 	$(link)
 
 $(BUILD)/unit/synth/%: LIBS = -lcmocka -lgmp

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/* corners.c - what blending adds to the deviations of rows, corner by corner. */
+#include "nc/blend.h"
+#include "nc/rows.h"
+#include "util/error.h"
+
+#include <string.h>
+
+/* LinuxCNC may merge this motion with others of its kind. */
+static bool may_merge(const nc_rows *r, const nc_part *part, const nc_way *way) {
+  for (int i = 3; i < NC_AXES; i++) {
+    if (!nc_way_rests(way, i)) {
+      return false;
+    }
+  }
+  return part->blend == NC_WITHIN && r->motion->program.record[part->record].kind == NC_FEED;
+}
+
+static nc_way way_of(const nc_rows *r, const nc_part *part) {
+  nc_way way;
+  nc_way_of(&way, part->from, &r->motion->program.record[part->record]);
+  return way;
+}
+
+/* The motions from `first` on that may be merged into one: at least one. Sets what all do. */
+static size_t run_from(const nc_rows *r, size_t first, nc_leg *leg) {
+  size_t n = first;
+  *leg = (nc_leg){0};
+  while (n < r->parts && (n == first || r->part[n].joined)) {
+    nc_way way = way_of(r, &r->part[n]);
+    bool merges = may_merge(r, &r->part[n], &way);
+    if (n > first && !merges) {
+      break;
+    }
+    leg->arcs = leg->arcs || way.arc;
+    for (int i = 0; i < NC_AXES; i++) {
+      leg->moves[i] = leg->moves[i] || !nc_way_rests(&way, i);
+    }
+    n++;
+    if (!merges) {
+      break;
+    }
+  }
+  leg->merges = n > first + 1;
+  return n;
+}
+
+static void raise_rows(nc_rows *r, const nc_part *part, const double joint[NC_JOINTS_MOST]) {
+  size_t joints = r->motion->joints;
+  for (size_t row = part->first; row < part->end; row++) {
+    double *to = &r->motion->blending[row * joints];
+    for (size_t n = 0; n < joints; n++) {
+      to[n] = nc_most(to[n], joint[n]);
+    }
+  }
+}
+
+/* The corner between motions n - 1 and n. */
+static void blend_corner(nc_rows *r, size_t n, nc_leg before, nc_leg after) {
+  const nc_part *first = &r->part[n - 1], *second = &r->part[n];
+  nc_way way[2] = {way_of(r, first), way_of(r, second)};
+  nc_blend blend = first->blend > second->blend ? first->blend : second->blend;
+  double off[NC_AXES], joint[NC_JOINTS_MOST];
+  before.way = &way[0];
+  after.way = &way[1];
+  nc_blend_corner(&before, &after, blend, nc_most(first->within, second->within), off);
+  nc_blend_joints(&r->state[second->state], &way[0], &way[1], off, joint);
+  raise_rows(r, first, joint);
+  raise_rows(r, second, joint);
+}
+
+bool nc_rows_blend(nc_rows *r) {
+  nc_motion *to = r->motion;
+  size_t count = to->rows * to->joints;
+  to->blending = sepax_allocate(count * sizeof *to->blending);
+  if (to->blending == NULL) {
+    return sepax_fail(r->error, SEPAX_ERROR_MEMORY, "%.180s: no memory for %zu rows", r->name,
+                      to->rows);
+  }
+  memset(to->blending, 0, count * sizeof *to->blending);
+  nc_leg before = {0};
+  for (size_t n = 0; n < r->parts;) {
+    nc_leg here;
+    size_t end = run_from(r, n, &here);
+    if (r->part[n].joined) {
+      blend_corner(r, n, before, here);
+    }
+    for (size_t k = n + 1; k < end; k++) {
+      blend_corner(r, k, here, here);
+    }
+    before = here;
+    n = end;
+  }
+  return true;
+}
