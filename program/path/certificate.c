@@ -111,10 +111,10 @@ static bool is_named(const json_t *files, const char *as) {
 
 /* Append each mesh file once, even if several shapes use it. */
 static bool append_meshes(json_t *files, const path_scene *scene, sepax_error *error) {
-  for (size_t n = 0, at = 0; n < scene->bodies; n++) {
-    for (size_t k = 0; k < scene->body[n].parts; k++, at++) {
-      const sepax_shape *shape = &scene->robot.shape[at];
-      if (shape->path != NULL && !is_named(files, shape->name) &&
+  for (size_t n = 0; n < scene->bodies; n++) {
+    for (size_t k = 0; k < scene->body[n].parts; k++) {
+      const sepax_shape *shape = scene->body[n].part[k].shape;
+      if (shape != NULL && shape->path != NULL && !is_named(files, shape->name) &&
           !append_file(files, mesh_of(shape, &scene->body[n].part[k].file.account, error))) {
         return false;
       }

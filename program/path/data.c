@@ -148,12 +148,11 @@ static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   return json;
 }
 
-/* The mesh files of a body. *shape is its first shape and becomes the first shape of the next
- * body. */
-static json_t *meshes_of(const path_scene *scene, const path_body *b, size_t *shape) {
+/* The mesh files of a body. */
+static json_t *meshes_of(const path_body *b) {
   json_t *meshes = json_array();
-  for (size_t k = 0; k < b->parts; k++, ++*shape) {
-    const char *file = scene->robot.shape[*shape].path;
+  for (size_t k = 0; k < b->parts; k++) {
+    const char *file = path_mesh_file(&b->part[k]);
     if (file != NULL) {
       const report_mesh *mesh = &b->part[k].file;
       json_t *json =
@@ -167,14 +166,13 @@ static json_t *meshes_of(const path_scene *scene, const path_body *b, size_t *sh
 
 static json_t *bodies_of(const path_scene *scene) {
   json_t *bodies = json_array();
-  size_t shape = 0;
+
   for (size_t n = 0; n < scene->bodies; n++) {
     const path_body *b = &scene->body[n];
-    json_array_append_new(bodies,
-                          json_pack("{s:s, s:I, s:I, s:I, s:o}", "link", path_body_name(scene, n),
-                                    "triangles", (json_int_t)b->triangles, "parts",
-                                    (json_int_t)b->parts, "open_parts", (json_int_t)b->open,
-                                    "meshes", meshes_of(scene, b, &shape)));
+    json_array_append_new(
+        bodies, json_pack("{s:s, s:I, s:I, s:I, s:o}", "link", path_body_name(scene, n),
+                          "triangles", (json_int_t)b->triangles, "parts", (json_int_t)b->parts,
+                          "open_parts", (json_int_t)b->open, "meshes", meshes_of(b)));
   }
   return bodies;
 }

@@ -34,6 +34,7 @@ typedef struct {
 
 /* A part of a body: one collision element, which is a solid of its own. */
 typedef struct {
+  const sepax_shape *shape; /* NULL: of a tool */
   sepax_body *body;
   sepax_shell shell;
   report_mesh file; /* its mesh file; all zero if it has none */
@@ -41,6 +42,9 @@ typedef struct {
 
 typedef struct {
   size_t link;
+  char *name;       /* of a part of a tool, "T3 holder"; NULL: the link's name */
+  const char *role; /* of such a part, "holder" */
+  size_t tool;      /* number of the tool's name in the motion; FORMAT_NO_NAME: not of a tool */
   sepax_body
       *body; /* all parts as one body, without triangles that occur twice; or the only part */
   path_part *part;
@@ -91,9 +95,10 @@ typedef struct {
 typedef struct {
   size_t body[2];
   sepax_chain chain;
-  unsigned may_meet; /* in motions of kind k if bit k is set */
-  size_t lines_left_out, motions_left_out;
-  size_t lines[VERDICTS]; /* number of lines with each verdict */
+  size_t tool; /* the pair exists only while this tool is in the spindle; FORMAT_NO_NAME: always */
+  unsigned may_meet;                                    /* in motions of kind k if bit k is set */
+  size_t lines_asked, lines_left_out, motions_left_out; /* left out by rules */
+  size_t lines[VERDICTS];                               /* number of lines with each verdict */
   size_t first[VERDICTS]; /* first line with each verdict, or PATH_NO_LINE */
   double least;           /* least clearance; infinite if it was not computed */
   size_t least_line;
@@ -119,6 +124,7 @@ typedef struct {
   format_motion motion;
   path_body *body;
   size_t bodies;
+  size_t *body_of; /* of each link; SIZE_MAX if it has none */
   path_pair *pair;
   size_t pairs;
   sepax_srdf srdf; /* its robot is NULL if the URDF has the same name */
@@ -139,14 +145,17 @@ extern const struct argp path_scene_argp;
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error);
 void path_scene_free(path_scene *scene);
 
-/* Read a table of links that may meet in motions of a kind. */
+/* Read a table of links or parts of tools that may meet in motions of a kind. */
 bool path_rules_apply(path_scene *scene, const char *path, sepax_error *error);
 
-/* Must the pair be free in the motion from a line to the next? False if there is none. */
+/* Count the lines of each pair that are asked. */
+void path_rules_count(path_scene *scene);
+
+/* Does the pair exist in the motion from a line to the next, and must it be free? */
 bool path_motion_asked(const path_scene *scene, const path_pair *pair, size_t line);
 
-/* Must the pair be free in a line? Not if rules let it meet in the motion that ends there and in
- * the one that begins there. */
+/* The same of a line: of the motion that ends there or the one that begins there. Of a line between
+ * breaks its own kind and tool count. */
 bool path_line_asked(const path_scene *scene, const path_pair *pair, size_t line);
 
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error);
@@ -187,6 +196,7 @@ enum { PATH_PLACE = 300 };
 const char *path_place(const format_motion *motion, size_t line, char text[PATH_PLACE]);
 
 const char *path_body_name(const path_scene *scene, size_t body);
+const char *path_mesh_file(const path_part *part); /* NULL: none */
 bool path_has_body(const path_scene *scene, size_t link);
 
 /* The nearest points of a pair in the root's coordinates. */

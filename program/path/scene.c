@@ -10,22 +10,16 @@
 #include <string.h>
 
 const char *path_body_name(const path_scene *scene, size_t body) {
-  return scene->robot.mechanism.link[scene->body[body].link].name;
+  const path_body *b = &scene->body[body];
+  return b->name != NULL ? b->name : scene->robot.mechanism.link[b->link].name;
 }
 
-/* Bodies stand in the order of their links. */
+const char *path_mesh_file(const path_part *part) {
+  return part->shape != NULL ? part->shape->path : NULL;
+}
+
 bool path_has_body(const path_scene *scene, size_t link) {
-  size_t low = 0;
-  size_t high = scene->bodies;
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (scene->body[middle].link < link) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low < scene->bodies && scene->body[low].link == link;
+  return scene->body_of[link] < scene->bodies;
 }
 
 static void free_body(path_body *b) {
@@ -36,6 +30,7 @@ static void free_body(path_body *b) {
     }
   }
   sepax_body_free(b->body);
+  free(b->name);
   free(b->part);
   sepax_soup_free(&b->mesh);
 }
@@ -50,6 +45,7 @@ void path_scene_free(path_scene *scene) {
     free(scene->pair[n].proof.interval);
   }
   free(scene->body);
+  free(scene->body_of);
   free(scene->pair);
   sepax_srdf_free(&scene->srdf);
   sepax_robot_free(&scene->robot);
@@ -76,6 +72,7 @@ static bool add_part(path_body *b, const sepax_shape *shape, bool only, const cl
                      sepax_error *error) {
   sepax_soup mesh = {0};
   path_part *part = &b->part[b->parts];
+  part->shape = shape;
   bool ok = format_shape_mesh(&mesh, &part->file, shape, rules, error) &&
             (append(&b->mesh, &mesh) ||
              sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles",
@@ -109,6 +106,7 @@ static void find_box(path_body *b) {
 static bool make_body(path_body *b, const sepax_robot *robot, size_t first, size_t count,
                       const path_question *q, sepax_error *error) {
   b->link = robot->shape[first].link;
+  b->tool = FORMAT_NO_NAME;
   b->part = calloc(count, sizeof *b->part);
   if (b->part == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu parts", count);
@@ -141,8 +139,12 @@ static bool make_body(path_body *b, const sepax_robot *robot, size_t first, size
 static bool make_bodies(path_scene *scene, const path_question *q, sepax_error *error) {
   const sepax_robot *robot = &scene->robot;
   scene->body = calloc(robot->shapes + 1, sizeof *scene->body);
-  if (scene->body == NULL) {
+  scene->body_of = malloc(robot->mechanism.links * sizeof *scene->body_of);
+  if (scene->body == NULL || scene->body_of == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for bodies");
+  }
+  for (size_t n = 0; n < robot->mechanism.links; n++) {
+    scene->body_of[n] = SIZE_MAX;
   }
   bool ok = true;
   cli_progress progress = cli_progress_begin("bodies", robot->shapes);
@@ -153,6 +155,7 @@ static bool make_bodies(path_scene *scene, const path_question *q, sepax_error *
       count++;
     }
     cli_progress_show(&progress, first);
+    scene->body_of[robot->shape[first].link] = scene->bodies;
     ok = make_body(&scene->body[scene->bodies++], robot, first, count, q, error);
     first += count;
   }
@@ -162,20 +165,10 @@ static bool make_bodies(path_scene *scene, const path_question *q, sepax_error *
 
 /* --------------------------------------------------------------------------- pairs */
 
-/* The body of a link that has one. */
-static size_t body_of(const path_scene *scene, size_t link) {
-  size_t low = 0;
-  size_t high = scene->bodies;
-  while (high - low > 1) {
-    size_t middle = low + (high - low) / 2;
-    *(scene->body[middle].link <= link ? &low : &high) = middle;
-  }
-  return low;
-}
-
 static bool add_pair(path_scene *scene, size_t a, size_t b, sepax_error *error) {
   path_pair *pair = &scene->pair[scene->pairs];
-  *pair = (path_pair){.body = {a, b}, .least = INFINITY, .least_line = PATH_NO_LINE};
+  *pair = (path_pair){
+      .body = {a, b}, .tool = FORMAT_NO_NAME, .least = INFINITY, .least_line = PATH_NO_LINE};
   for (int v = 0; v < VERDICTS; v++) {
     pair->first[v] = PATH_NO_LINE;
   }
@@ -208,7 +201,7 @@ static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error
     sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu pairs", chosen.count);
   }
   for (size_t n = 0; n < chosen.count && ok; n++) {
-    ok = add_pair(scene, body_of(scene, chosen.pair[n][0]), body_of(scene, chosen.pair[n][1]),
+    ok = add_pair(scene, scene->body_of[chosen.pair[n][0]], scene->body_of[chosen.pair[n][1]],
                   error);
   }
   sepax_robot_pairs_free(&chosen);
@@ -239,6 +232,10 @@ bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *err
       !make_bodies(scene, q, error) || !choose_pairs(scene, q->srdf, error)) {
     return false;
   }
-  return (scene->pairs > 0 || fail_no_pair(scene, q, error)) &&
-         (q->table == NULL || path_rules_apply(scene, q->table, error));
+  if ((scene->pairs == 0 && !fail_no_pair(scene, q, error)) ||
+      (q->table != NULL && !path_rules_apply(scene, q->table, error))) {
+    return false;
+  }
+  path_rules_count(scene);
+  return true;
 }

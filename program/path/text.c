@@ -136,6 +136,9 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
   }
   if (path_in_lines(pair) == VERDICT_FREE) {
     fputs("  free in all lines", stdout);
+    if (pair->tool != FORMAT_NO_NAME) {
+      printf(" with tool %.60s", scene->motion.name[pair->tool]);
+    }
   }
   if (pair->may_meet != 0) {
     print_allowed(pair);
@@ -165,11 +168,10 @@ static void print_bodies(const path_scene *scene) {
 }
 
 static bool is_named_before(const path_scene *scene, size_t body, size_t part, const char *file) {
-  size_t shape = 0;
   for (size_t n = 0; n <= body; n++) {
     size_t parts = n < body ? scene->body[n].parts : part;
-    for (size_t k = 0; k < parts; k++, shape++) {
-      const char *other = scene->robot.shape[shape].path;
+    for (size_t k = 0; k < parts; k++) {
+      const char *other = path_mesh_file(&scene->body[n].part[k]);
       if (other != NULL && strcmp(other, file) == 0) {
         return true;
       }
@@ -180,10 +182,9 @@ static bool is_named_before(const path_scene *scene, size_t body, size_t part, c
 
 /* Print the mesh files about which more is known than the number of triangles. */
 static void print_meshes(const path_scene *scene) {
-  size_t shape = 0;
   for (size_t n = 0; n < scene->bodies; n++) {
-    for (size_t k = 0; k < scene->body[n].parts; k++, shape++) {
-      const char *file = scene->robot.shape[shape].path;
+    for (size_t k = 0; k < scene->body[n].parts; k++) {
+      const char *file = path_mesh_file(&scene->body[n].part[k]);
       const report_mesh *mesh = &scene->body[n].part[k].file;
       if (file != NULL && !report_mesh_is_plain(mesh) && !is_named_before(scene, n, k, file)) {
         report_print_mesh("mesh", WIDTH, file, mesh);
