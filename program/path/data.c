@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 /* What a path with steps says of the motion that ends in a line. */
 static void set_step(json_t *json, const format_motion *motion, size_t line) {
@@ -26,7 +27,7 @@ static void set_step(json_t *json, const format_motion *motion, size_t line) {
 }
 
 /* {"line": 17, "time_s": 0.1}, or null */
-static json_t *line_of(const path_scene *scene, size_t line) {
+static json_t *line_of(const path_scene *scene, const path_pair *pair, size_t line) {
   if (line == PATH_NO_LINE) {
     return json_null();
   }
@@ -35,7 +36,7 @@ static json_t *line_of(const path_scene *scene, size_t line) {
   json_object_set_new(json, "time_s",
                       scene->motion.time != NULL ? json_real(scene->motion.time[line])
                                                  : json_null());
-  set_step(json, &scene->motion, line);
+  set_step(json, &scene->motion, pair != NULL ? path_motion_of(scene, pair, line) : line);
   return json;
 }
 
@@ -65,7 +66,7 @@ static json_t *least_of(const path_scene *scene, const path_pair *pair) {
   if (pair->least_line == PATH_NO_LINE) {
     return json_null();
   }
-  json_t *json = line_of(scene, pair->least_line);
+  json_t *json = line_of(scene, pair, pair->least_line);
   json_object_set_new(json, "distance_mm", json_real(mm_of(pair->least)));
   json_object_set_new(json, "interval_mm", interval_of(pair->interval));
   json_object_set_new(json, "points_mm", points_of(scene, pair));
@@ -86,8 +87,8 @@ static json_t *values_of(const path_scene *scene, path_moment at) {
 }
 
 static json_t *segment_of(const path_scene *scene, size_t segment) {
-  return json_pack("{s:o, s:o}", "from", line_of(scene, segment), "to",
-                   line_of(scene, segment + 1));
+  return json_pack("{s:o, s:o}", "from", line_of(scene, NULL, segment), "to",
+                   line_of(scene, NULL, segment + 1));
 }
 
 /* The result of --certify for a pair; null without --certify. */
@@ -136,7 +137,7 @@ static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
                            report_verdict_names[path_verdict_of(pair)]);
   for (int v = 0; v < VERDICTS; v++) {
     report_set_count(lines, report_verdict_names[v], pair->lines[v]);
-    json_object_set_new(first, report_verdict_names[v], line_of(scene, pair->first[v]));
+    json_object_set_new(first, report_verdict_names[v], line_of(scene, pair, pair->first[v]));
   }
   json_object_set_new(json, "lines", lines);
   json_object_set_new(json, "first", first);
@@ -233,11 +234,12 @@ static json_t *between_of(const path_scene *scene) {
 
 /* The first moment with the worst verdict: a line, or a pose after a line. */
 static json_t *first_of(const path_scene *scene) {
-  path_moment at = path_worst_moment(scene);
+  const path_pair *pair = NULL;
+  path_moment at = path_worst_moment(scene, &pair);
   if (path_worst(scene) == VERDICT_FREE) {
     return json_null();
   }
-  json_t *json = line_of(scene, at.line);
+  json_t *json = line_of(scene, pair, at.line);
   json_object_set_new(json, "part", json_real(at.part));
   json_object_set_new(json, "values_m_rad", values_of(scene, at));
   return json;
@@ -255,6 +257,26 @@ static json_t *jobs_of(const path_scene *scene, const path_question *q) {
                    (json_int_t)jobs->bodies, "bytes", (json_int_t)jobs->bytes, "word",
                    jobs->config.word, "lsb_mm", mm_of(jobs->resolution), "clearance_lsb",
                    jobs->config.clearance, "warning_lsb", jobs->config.warning, "command", command);
+}
+
+/* By the lines of the program, the worst first; null if the path names no lines. */
+static json_t *violations_of(const path_scene *scene) {
+  size_t count = 0;
+  path_violation *list = path_violations(scene, &count);
+  json_t *json = scene->motion.step != NULL ? json_array() : json_null();
+  for (size_t n = 0; list != NULL && n < count; n++) {
+    const path_violation *v = &list[n];
+    json_t *first = line_of(scene, NULL, v->first.line);
+    set_step(first, &scene->motion, v->motion);
+    json_array_append_new(json, json_pack("{s:s, s:s, s:s, s:s, s:I, s:o}", "verdict",
+                                          report_verdict_names[v->verdict], "a",
+                                          path_body_name(scene, v->pair->body[0]), "b",
+                                          path_body_name(scene, v->pair->body[1]), "kind",
+                                          format_kind_names[v->kind], "program_lines",
+                                          (json_int_t)v->motions, "first", first));
+  }
+  free(list);
+  return json;
 }
 
 json_t *path_report(const path_scene *scene, const path_question *q) {
@@ -280,6 +302,7 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   report_set_count(json, "pairs_of_one_joint", scene->joined);
   report_set_count(json, "pairs_without_joint", scene->rigid);
   report_set_count(json, "pairs_disabled", scene->disabled);
+  json_object_set_new(json, "violations", violations_of(scene));
   json_object_set_new(json, "between", between_of(scene));
   if (q->certificate != NULL) {
     json_object_set_new(
@@ -305,9 +328,10 @@ typedef struct {
 } rows;
 
 /* The program's line and the kind of the motion. */
-static bool write_step(FILE *out, const format_motion *motion, path_moment at) {
+static bool write_step(FILE *out, const path_scene *scene, const path_pair *pair, path_moment at) {
   char text[PATH_PLACE];
-  size_t line = at.part > 0 ? at.line + 1 : at.line;
+  size_t line = at.part > 0 ? at.line + 1 : path_motion_of(scene, pair, at.line);
+  const format_motion *motion = &scene->motion;
   return report_csv_text(out, path_place(motion, line, text)) &&
          fprintf(out, ",%s,", format_kind_names[motion->step[line].kind]) > 0;
 }
@@ -316,7 +340,7 @@ static bool write_row(FILE *out, const rows *r, const path_pair *pair, path_mome
                       report_verdict verdict) {
   const format_motion *motion = &r->scene->motion;
   return fprintf(out, "%zu,", motion->line[at.line]) > 0 &&
-         (motion->step == NULL || write_step(out, motion, at)) &&
+         (motion->step == NULL || write_step(out, r->scene, pair, at)) &&
          (motion->time == NULL || fprintf(out, "%.17g,", path_time(motion, at)) > 0) &&
          report_csv_text(out, path_body_name(r->scene, pair->body[0])) && putc(',', out) != EOF &&
          report_csv_text(out, path_body_name(r->scene, pair->body[1])) &&

@@ -319,7 +319,8 @@ static void write_lines(FILE *out, const page *p) {
 /* Write the steps between lines as [step, part of the way after its line, ...], and the worst
  * step. */
 static void write_parts(FILE *out, const page *p) {
-  path_moment worst = path_worst_moment(p->scene);
+  const path_pair *pair = NULL;
+  path_moment worst = path_worst_moment(p->scene, &pair);
   size_t at = 0;
   const char *before = "";
   fputs(",\n\"part\": [", out);

@@ -158,6 +158,25 @@ bool path_motion_asked(const path_scene *scene, const path_pair *pair, size_t li
  * breaks its own kind and tool count. */
 bool path_line_asked(const path_scene *scene, const path_pair *pair, size_t line);
 
+/* The line at the end of the motion that a verdict in a line belongs to: the motion that ends there
+ * if it is asked, else the one that begins there. */
+size_t path_motion_of(const path_scene *scene, const path_pair *pair, size_t line);
+
+/* Violations of a pair in motions of one kind. */
+typedef struct {
+  const path_pair *pair;
+  report_verdict verdict;
+  format_kind kind;
+  path_moment first; /* its motion ends in line `motion` */
+  size_t motion;
+  size_t motions; /* number of lines of the program with such motions */
+  size_t last;    /* the last of them */
+} path_violation;
+
+/* All violations of a path with steps, the worst first, then in the order of the path. NULL without
+ * memory. The caller frees the list. */
+path_violation *path_violations(const path_scene *scene, size_t *count);
+
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error);
 
 /* True if nothing is printed or written, so that the first collision ends the search. */
@@ -181,8 +200,8 @@ void path_open_ends(const path_pair *pair,
 path_moment path_between_moment(const path_pair *pair);
 path_moment path_first(const path_pair *pair, report_verdict verdict);
 /* The first moment with the worst verdict. If all pairs are free, then the line of the least
- * clearance. */
-path_moment path_worst_moment(const path_scene *scene);
+ * clearance. *pair receives the pair; NULL if no clearance was found. */
+path_moment path_worst_moment(const path_scene *scene, const path_pair **pair);
 double path_value(const format_motion *motion, path_moment at, size_t joint);
 double path_time(const format_motion *motion, path_moment at);
 void path_values(const format_motion *motion, path_moment at, double *value);

@@ -46,7 +46,8 @@ static void set_body(report_ply_body *body, const picture *p, size_t n) {
 
 bool path_write_picture(const path_scene *scene, const char *path, sepax_error *error) {
   const sepax_mechanism *m = &scene->robot.mechanism;
-  path_moment at = path_worst_moment(scene);
+  const path_pair *worst_pair = NULL;
+  path_moment at = path_worst_moment(scene, &worst_pair);
   report_verdict worst = path_worst(scene);
   sepax_pose *pose = calloc(m->links, sizeof *pose);
   report_verdict *of = calloc(scene->bodies, sizeof *of);

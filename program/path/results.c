@@ -76,8 +76,9 @@ path_moment path_first(const path_pair *pair, report_verdict verdict) {
   return first;
 }
 
-path_moment path_worst_moment(const path_scene *scene) {
+path_moment path_worst_moment(const path_scene *scene, const path_pair **of) {
   report_verdict worst = path_worst(scene);
+  *of = NULL;
   path_moment first = {PATH_NO_LINE, 0};
   double least = INFINITY;
   for (size_t n = 0; n < scene->pairs; n++) {
@@ -85,8 +86,10 @@ path_moment path_worst_moment(const path_scene *scene) {
     if (worst == VERDICT_FREE && pair->least < least) {
       least = pair->least;
       first.line = pair->least_line;
+      *of = pair;
     } else if (worst != VERDICT_FREE && is_before(path_first(pair, worst), first)) {
       first = path_first(pair, worst);
+      *of = pair;
     }
   }
   first.line = first.line == PATH_NO_LINE ? 0 : first.line;

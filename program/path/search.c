@@ -375,11 +375,16 @@ static void search_pairs(work *all, size_t pairs) {
   sepax__threads_run(threads, atomic_load(&all->stop) ? 0 : pairs * all->blocks, ask_block, all);
 }
 
-/* Memory for the verdicts that are written to files, and for the bounds of `at_once` pairs. */
+/* Are the verdicts of lines written to a file, or listed by the lines of a program? */
+static bool keeps_verdicts(const path_scene *scene, const path_question *q) {
+  return q->csv != NULL || q->page != NULL || (scene->motion.step != NULL && !path_status_only(q));
+}
+
+/* Memory for the verdicts that are kept, and for the bounds of `at_once` pairs. */
 static bool prepare(work *all, size_t at_once, sepax_error *error) {
   const path_question *q = all->q;
   size_t lines = all->scene->motion.lines;
-  for (size_t n = 0; n < all->scene->pairs && (q->csv != NULL || q->page != NULL); n++) {
+  for (size_t n = 0; n < all->scene->pairs && keeps_verdicts(all->scene, q); n++) {
     all->scene->pair[n].verdict = calloc(lines, 1);
     if (all->scene->pair[n].verdict == NULL) {
       return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for verdicts of %zu lines", lines);

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { WIDTH = 7 };
@@ -22,8 +23,8 @@ static void print_place(const path_scene *scene, const char *before, size_t line
 }
 
 /* "line 17 (0.1 s)", or "part.ngc:127, rapid, line 17 (0.1 s)" */
-static void print_line(const path_scene *scene, size_t line) {
-  print_place(scene, "", line);
+static void print_line(const path_scene *scene, const path_pair *pair, size_t line) {
+  print_place(scene, "", pair != NULL ? path_motion_of(scene, pair, line) : line);
   printf("line %zu", scene->motion.line[line]);
   if (scene->motion.time != NULL) {
     printf(" (%.9g s)", scene->motion.time[line]);
@@ -47,7 +48,7 @@ static void print_least(const path_scene *scene, const path_pair *pair) {
   double point[2][3];
   path_points(scene, pair, point);
   printf("; least clearance %.6g mm in ", mm_of(pair->least));
-  print_line(scene, pair->least_line);
+  print_line(scene, pair, pair->least_line);
   fputs(", from ", stdout);
   print_point(point[0]);
   fputs(" to ", stdout);
@@ -130,7 +131,7 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
       printf("%s%s in ", before, what[v]);
       report_print_count(pair->lines[v], "line");
       fputs(", first in ", stdout);
-      print_line(scene, pair->first[v]);
+      print_line(scene, pair, pair->first[v]);
       before = "; ";
     }
   }
@@ -150,6 +151,30 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
   print_way(scene, pair);
   print_least(scene, pair);
   putchar('\n');
+}
+
+/* By the lines of the program, the worst first. */
+static void print_violations(const path_scene *scene) {
+  enum { LINES_MOST = 40 };
+  size_t count = 0;
+  path_violation *list = path_violations(scene, &count);
+  for (size_t n = 0; list != NULL && n < count && n < LINES_MOST; n++) {
+    const path_violation *v = &list[n];
+    char place[PATH_PLACE];
+    path_place(&scene->motion, v->motion, place);
+    printf("%s%s: %s%s%s, %.60s, %.60s", n == 0 ? "lines  " : "       ",
+           report_verdict_names[v->verdict], place, place[0] != '\0' ? ", " : "",
+           format_kind_names[v->kind], path_body_name(scene, v->pair->body[0]),
+           path_body_name(scene, v->pair->body[1]));
+    if (v->motions > 1) {
+      printf("; %zu lines of the program in all", v->motions);
+    }
+    putchar('\n');
+  }
+  if (count > LINES_MOST) {
+    printf("       and %zu more; --json has all\n", count - LINES_MOST);
+  }
+  free(list);
 }
 
 static void print_bodies(const path_scene *scene) {
@@ -391,13 +416,15 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   for (size_t n = 0; n < scene->pairs; n++) {
     print_pair(scene, &scene->pair[n], width < 40 ? width : 40);
   }
+  print_violations(scene);
   if (q->certify) {
     print_between(scene, q);
   }
   if (q->certificate != NULL) {
     print_certificate(scene, q);
   }
-  path_moment first = path_worst_moment(scene);
+  const path_pair *pair = NULL;
+  path_moment first = path_worst_moment(scene, &pair);
   printf("%s  %zu of ", report_verdict_titles[worst], such);
   report_print_count(scene->pairs, "pair");
   if (worst != VERDICT_FREE) {
@@ -406,7 +433,7 @@ void path_print_text(const path_scene *scene, const path_question *q) {
       print_segment(scene, first.line);
     } else {
       fputs("in ", stdout);
-      print_line(scene, first.line);
+      print_line(scene, pair, first.line);
     }
   }
   fputs(q->certify ? " (checked in the lines of the path and between them"
