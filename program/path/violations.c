@@ -64,7 +64,7 @@ path_violation *path_violations(const path_scene *scene, size_t *count) {
       add_pair(scene, &v, &scene->pair[n]);
     }
   }
-  if (v.count > 0) {
+  if (v.list != NULL && v.count > 0) {
     qsort(v.list, v.count, sizeof *v.list, in_order);
   }
   *count = v.count;
