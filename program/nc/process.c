@@ -67,7 +67,7 @@ static void last_line(FILE *in, char *line, size_t size) {
   while (fgets(text, sizeof text, in) != NULL) {
     text[strcspn(text, "\n")] = '\0';
     if (strspn(text, " \t\r") < strlen(text)) {
-      snprintf(line, size, "%s", text);
+      snprintf(line, size, "%.400s", text);
     }
   }
 }

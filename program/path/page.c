@@ -2,7 +2,7 @@
 /* page.c - writes an HTML page that shows all bodies and plays the path. page.html is the page
  * itself. The data of the scene and three.js, which draws it, are inserted. */
 #include "report/json.h"
-#include "path/parts.h"
+#include "path/page.h"
 #include "util/error.h"
 #include "util/text.h"
 #include "util/write_file.h"
@@ -13,24 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const size_t program_bytes = (size_t)16 << 20;
-
 /* Bytes of data in a page. Browsers do not read longer strings. */
 #define PAGE_MOST 400e6
 
-enum { PROGRAMS = 2 };
-
 static const char *const programs[PROGRAMS] = {"build/three.min.js",
                                                "examples/js/controls/OrbitControls.js"};
-
-typedef struct {
-  const path_scene *scene;
-  const path_question *q;
-  text_bytes program[PROGRAMS];
-  path_moment
-      *step; /* the lines, and the moments between lines that are not free, in the order of time */
-  size_t steps;
-} page;
 
 /* -------------------------------------------------------------------------- three.js */
 
@@ -50,7 +37,8 @@ static bool read_programs(page *p, sepax_error *error) {
     sepax_error inner = {0};
     text_bytes *text = &p->program[i];
     int length = snprintf(path, sizeof path, "%s/%s", folder, programs[i]);
-    if (length < 0 || length >= PATH_MOST || !sepax__text_read(text, path, program_bytes, &inner)) {
+    if (length < 0 || length >= PATH_MOST ||
+        !sepax__text_read(text, path, PATH_PAGE_TEXT, &inner)) {
       return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                         "page: three.js is not at %.200s; install libjs-three, or set SEPAX_THREE "
                         "to the folder with %s",
@@ -282,22 +270,9 @@ static int verdict_at(const path_pair *pair, path_moment at) {
 
 /* ------------------------------------------------------------------------------ data */
 
-/* Write JSON that stands between <script> and </script>, so its strings must not contain "<". */
-static int put_escaped(const char *text, size_t length, void *context) {
-  FILE *out = context;
-  for (size_t n = 0; n < length; n++) {
-    if (text[n] == '<' || text[n] == '>' || text[n] == '&') {
-      fprintf(out, "\\u%04x", (unsigned)text[n]);
-    } else {
-      putc(text[n], out);
-    }
-  }
-  return 0;
-}
-
 static bool write_report(FILE *out, const page *p) {
   json_t *report = path_report(p->scene, p->q);
-  bool ok = json_dump_callback(report, put_escaped, out, JSON_ENSURE_ASCII) == 0;
+  bool ok = json_dump_callback(report, path_page_put, out, JSON_ENSURE_ASCII) == 0;
   json_decref(report);
   return ok;
 }
@@ -368,6 +343,7 @@ static bool write_data(FILE *out, const page *p) {
   bool ok = write_report(out, p);
   write_parts(out, p);
   write_lines(out, p);
+  path_page_program(out, p);
   fputs(",\n\"time\": ", out);
   write_times(out, p);
   fputs(",\n\"verdict\": [", out);
@@ -377,7 +353,9 @@ static bool write_data(FILE *out, const page *p) {
   }
   fputs("],\n\"body\": [", out);
   for (size_t n = 0; n < scene->bodies && ok; n++) {
-    fputs(n == 0 ? "\n{" : ",\n{", out);
+    size_t tool = scene->body[n].tool;
+    fprintf(out, "%s{\"tool\": %ld, ", n == 0 ? "\n" : ",\n",
+            tool == FORMAT_NO_NAME ? -1L : (long)tool);
     ok = write_mesh(out, &scene->body[n].mesh) && write_poses(out, p, scene->body[n].link);
     putc('}', out);
   }
