@@ -31,8 +31,8 @@ typedef struct {
   bool breaks;       /* the path begins anew in this line, so no motion ends here */
   size_t file, tool; /* numbers of names; FORMAT_NO_NAME: none */
   size_t line;       /* line of `file`; 0: not known */
-  double deviation;  /* metres. During the motion, each point of each body is within this of where
-                        it would be if all joints moved linearly, as seen from each other body */
+  double deviation;  /* metres. During the motion, two bodies may be nearer by this than if all
+                        joints  moved linearly */
 } format_step;
 
 typedef struct {
@@ -41,7 +41,9 @@ typedef struct {
   double *time;  /* or NULL */
   size_t *line;  /* line[n]: number of line n in its file, counted from 1 */
   size_t lines, joints;
-  size_t columns; /* columns of the file, including the time */
+  size_t columns;  /* columns of the file, including the time */
+  bool of_program; /* made from an NC program, not read from a file; `line` is that of the file that
+                      it would make */
   /* Of a path with a column that says more about its motions: step[n] belongs to line n. Otherwise
    * NULL. */
   format_step *step;

@@ -22,6 +22,8 @@ static _Noreturn void become(const char *program, const char *const *arguments, 
   }
   words[count] = NULL;
   if (dup2(out, STDOUT_FILENO) >= 0 && dup2(errors, STDERR_FILENO) >= 0) {
+    /* The modules of Debian's packages belong to Debian's Python. */
+    execv("/usr/bin/python3", (char *const *)(uintptr_t)words);
     execvp(words[0], (char *const *)(uintptr_t)words);
   }
   _exit(NOT_STARTED);

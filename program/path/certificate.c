@@ -127,7 +127,8 @@ static bool append_meshes(json_t *files, const path_scene *scene, sepax_error *e
 static json_t *files_of(const path_scene *scene, const path_question *q, sepax_error *error) {
   json_t *files = json_array();
   json_t *urdf = file_of(q->urdf, q->urdf, error);
-  json_t *motion = urdf == NULL ? NULL : file_of(q->motion, q->motion, error);
+  const char *path = path_motion_file(q);
+  json_t *motion = urdf == NULL ? NULL : file_of(path, path, error);
   if (urdf != NULL && motion != NULL) {
     /* A URDF joint with several values became several joints of the mechanism, with one link
      * between each of them and the next. So subtracting the added links gives the joints of the
@@ -159,7 +160,7 @@ static json_t *head_of(const certificate *c) {
   }
   return json_pack("{s:s, s:i, s:s, s:s?, s:s?, s:s, s:O, s:O, s:f, s:o}", "certificate", "sepax",
                    "version", 2, "urdf", q->urdf, "srdf", q->srdf, "rules", q->table, "path",
-                   q->motion, "packages", c->packages, "files", c->files, "clearance",
+                   path_motion_file(q), "packages", c->packages, "files", c->files, "clearance",
                    q->bands.clearance.length, "pairs", pairs);
 }
 

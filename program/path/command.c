@@ -4,6 +4,7 @@
 #include "command_table.h"
 #include "path/digest.h"
 #include "path/engine.h"
+#include "path/program.h"
 #include "util/error.h"
 #include "util/write_file.h"
 
@@ -14,6 +15,7 @@
 
 enum {
   KEY_CSV = 0x400,
+  KEY_MOTION,
   KEY_RULES,
   KEY_WORST,
   KEY_PAGE,
@@ -34,6 +36,8 @@ enum { INTERVALS_MOST = 1000000000 };
 static const struct argp_option options[] = {
     {"rules", KEY_RULES, "FILE", 0,
      "let links meet in motions of a kind: FILE is CSV with lines such as cutter,stock,feed", 0},
+    {"motion", KEY_MOTION, "FILE", 0,
+     "write the path of an NC program to FILE as CSV, a motion file that sepax path reads", 0},
     {"csv", KEY_CSV, "FILE", 0,
      "write to FILE as CSV: for each line of the path, each pair of bodies that is not free in it",
      0},
@@ -115,6 +119,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_RULES:
     q->table = text;
     return 0;
+  case KEY_MOTION:
+    q->written = text;
+    return 0;
   case KEY_CSV:
     q->csv = text;
     return 0;
@@ -153,21 +160,22 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 enum { WORD = 18, INTERVALS = 1 << 18 };
 
-enum { OUTPUTS = 5 };
+enum { OUTPUTS = 6 };
 
 static const char *output_of(const path_question *q, int n) {
-  const char *const outputs[OUTPUTS] = {q->csv, q->picture, q->certificate, q->page, q->jobs};
+  const char *const outputs[OUTPUTS] = {q->csv,  q->picture, q->certificate,
+                                        q->page, q->jobs,    q->written};
   return outputs[n];
 }
 
 /* Fail before the long search if an output file cannot be written. */
 static bool outputs_possible(const path_question *q, sepax_error *error) {
-  const char *const inputs[] = {q->urdf, q->motion, q->srdf, q->table};
+  const char *const inputs[] = {q->urdf, q->motion, q->srdf, q->table, q->machine, q->tool_table};
   const char *outputs[OUTPUTS];
   for (int i = 0; i < OUTPUTS; i++) {
     outputs[i] = output_of(q, i);
   }
-  bool ok = cli_outputs_allowed(outputs, OUTPUTS, inputs, 4, error);
+  bool ok = cli_outputs_allowed(outputs, OUTPUTS, inputs, 6, error);
   for (int i = 0; i < OUTPUTS && ok; i++) {
     ok = outputs[i] == NULL || sepax__write_file_possible(outputs[i], error);
   }
@@ -188,8 +196,45 @@ static bool meshes_spared(const path_scene *scene, const path_question *q, sepax
   return true;
 }
 
+static bool has_ending(const char *name, const char *ending) {
+  size_t length = strlen(name);
+  return length > strlen(ending) && strcmp(name + length - strlen(ending), ending) == 0;
+}
+
+/* Do the options of an NC program agree with the files? */
+static bool program_agrees(const path_question *q, sepax_error *error) {
+  static const char *const endings[] = {".ngc", ".nc", ".tap", ".gcode", ".NGC", ".NC"};
+  const char *first = q->tool_table != NULL       ? "tool-table"
+                      : q->axes > 0               ? "axis"
+                      : q->dogleg                 ? "rapids"
+                      : q->blended                ? "blended"
+                      : q->deviation.text != NULL ? "deviation"
+                      : q->written != NULL        ? "motion"
+                                                  : NULL;
+  if (q->machine == NULL && first != NULL) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: applies only to an NC program; give --machine, too, or leave it out",
+                      first);
+  }
+  for (size_t n = 0; q->machine == NULL && n < sizeof endings / sizeof *endings; n++) {
+    if (has_ending(q->motion, endings[n])) {
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "%.300s: is an NC program; give --machine=FILE.ini, the configuration of "
+                        "its machine",
+                        q->motion);
+    }
+  }
+  return q->machine == NULL || q->certificate == NULL || q->written != NULL ||
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                    "certificate: of an NC program needs --motion=FILE, because the certificate is "
+                    "about the motion file");
+}
+
 static bool options_agree(const path_question *q, sepax_error *error) {
   if (!cli_question_agrees(&q->output, &q->bands, error)) {
+    return false;
+  }
+  if (!program_agrees(q, error)) {
     return false;
   }
   if (!q->certify && (q->certificate != NULL || q->resolution.text != NULL || q->intervals != 0)) {
@@ -249,7 +294,7 @@ int cli_path(int argc, char **argv) {
   static const struct argp argp = {
       options,
       parse,
-      "ROBOT.urdf PATH.csv",
+      "ROBOT.urdf PATH.csv\n--machine=MACHINE.ini ROBOT.urdf PROGRAM.ngc",
       "Tell which bodies of a machine collide on a path, and in which line of the path each pair "
       "of bodies first collides. Of the pairs that do not collide, tell how near they come. The "
       "bodies are the collision geometry of the links in the URDF file. The header of the CSV file "
@@ -271,6 +316,7 @@ int cli_path(int argc, char **argv) {
   ok = ok && path_scene_load(&scene, &q, &error) && meshes_spared(&scene, &q, &error) &&
        (q.page == NULL || path_page_possible(&scene, &error)) &&
        (q.jobs == NULL || path_write_jobs(&scene, &q, &error)) && path_search(&scene, &q, &error) &&
+       (q.written == NULL || path_program_write(&scene, q.written, &error)) &&
        (!q.certify || path_certify(&scene, &q, &error)) &&
        (q.csv == NULL || path_write_csv(&scene, q.csv, &error)) &&
        (q.picture == NULL || path_write_picture(&scene, q.picture, &error)) &&

@@ -5,7 +5,18 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { KEY_SRDF = 0x500, KEY_PACKAGE, KEY_HOLD, KEY_IGNORE_LIMITS };
+enum {
+  KEY_SRDF = 0x500,
+  KEY_PACKAGE,
+  KEY_HOLD,
+  KEY_IGNORE_LIMITS,
+  KEY_MACHINE,
+  KEY_TOOL_TABLE,
+  KEY_AXIS,
+  KEY_RAPIDS,
+  KEY_BLENDED,
+  KEY_DEVIATION
+};
 
 static const struct argp_option options[] = {
     {"srdf", KEY_SRDF, "FILE", 0,
@@ -17,7 +28,40 @@ static const struct argp_option options[] = {
     {"hold", KEY_HOLD, NULL, 0, "keep joints that have no column in the CSV at 0", 0},
     {"ignore-limits", KEY_IGNORE_LIMITS, NULL, 0, "accept values beyond the limits of their joints",
      0},
+    {"machine", KEY_MACHINE, "FILE.ini", 0,
+     "the second file is an NC program for the machine of this configuration of LinuxCNC", 0},
+    {"tool-table", KEY_TOOL_TABLE, "FILE", 0,
+     "the tool table of an NC program (default: that of the configuration)", 0},
+    {"axis", KEY_AXIS, "LETTER:JOINT", CLI_REPEATABLE,
+     "the joint of the URDF that is an axis of the machine (default: the joint that has the letter "
+     "as its name); the option may be repeated",
+     0},
+    {"rapids", KEY_RAPIDS, "WAY", 0,
+     "straight: the axes of a rapid start and arrive together (default); dogleg: each takes its own "
+     "time",
+     0},
+    {"blended", KEY_BLENDED, NULL, 0,
+     "count the rounding of corners of G64 without P as a deviation; it has no bound but the motions "
+     "themselves (default: exact corners)",
+     0},
+    {"deviation", KEY_DEVIATION, "LENGTH", 0,
+     "motions of an NC program that are curved in the joints are divided until each joint is at "
+     "most LENGTH, or as many radians as LENGTH has metres, from linear motion (default 1um)",
+     0},
     {0}};
+
+static void add_axis(path_question *q, const struct argp_state *state, const char *text) {
+  bool is = strlen(text) > 2 && text[1] == ':' && strchr("XYZABCUVW", text[0]) != NULL;
+  for (size_t n = 0; n < q->axes; n++) {
+    is = is && q->axis[n].letter != text[0];
+  }
+  if (!is || q->axes == PATH_AXES_MOST) {
+    argp_error(state, "axis: '%s' is not LETTER:JOINT with a letter of XYZABCUVW, each once", text);
+  } else {
+    q->axis[q->axes].letter = text[0];
+    q->axis[q->axes++].joint = text + 2;
+  }
+}
 
 static void add_package(path_question *q, const struct argp_state *state, char *text) {
   char *colon = strchr(text, ':');
@@ -46,6 +90,30 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_HOLD:
     q->rules.hold = true;
+    return 0;
+  case KEY_MACHINE:
+    q->machine = text;
+    return 0;
+  case KEY_TOOL_TABLE:
+    q->tool_table = text;
+    return 0;
+  case KEY_AXIS:
+    add_axis(q, state, text);
+    return 0;
+  case KEY_RAPIDS:
+    q->dogleg = strcmp(text, "dogleg") == 0;
+    if (!q->dogleg && strcmp(text, "straight") != 0) {
+      argp_error(state, "rapids: '%s' is neither straight nor dogleg", text);
+    }
+    return 0;
+  case KEY_BLENDED:
+    q->blended = true;
+    return 0;
+  case KEY_DEVIATION:
+    q->deviation = cli_limit(state, "deviation", text, CLI_METRES);
+    if (q->deviation.length < 1e-9) {
+      argp_error(state, "deviation: %s is below 1nm", text);
+    }
     return 0;
   case KEY_IGNORE_LIMITS:
     q->rules.ignore_limits = true;

@@ -10,8 +10,9 @@
 #include "cli/meshes.h"
 #include "cli/question.h"
 #include "formats/formats.h"
+#include "nc/nc.h"
 
-enum { PATH_PACKAGES_MOST = 64, PATH_WORD_MIN = 6 };
+enum { PATH_PACKAGES_MOST = 64, PATH_AXES_MOST = 16, PATH_WORD_MIN = 6 };
 
 typedef struct {
   const char *urdf, *motion;
@@ -30,6 +31,17 @@ typedef struct {
   cli_meshes meshes;
   sepax_package package[PATH_PACKAGES_MOST];
   size_t packages;
+  /* Of an NC program; machine is NULL if the path is a motion file. */
+  const char *machine, *tool_table;
+  struct {
+    char letter;
+    const char *joint;
+  } axis[PATH_AXES_MOST]; /* of --axis */
+  size_t axes;
+  bool dogleg;
+  bool blended;           /* count blending without a bound */
+  report_limit deviation; /* of joints from linear motion, metres or radians; 0: the default */
+  const char *written;    /* the motion file of --motion, or NULL */
 } path_question;
 
 /* A part of a body: one collision element, which is a solid of its own. */
@@ -122,6 +134,9 @@ typedef struct {
 typedef struct {
   sepax_robot robot;
   format_motion motion;
+  nc_motion nc;                    /* of an NC program; otherwise zero */
+  size_t joint_of[NC_JOINTS_MOST]; /* the URDF's joint of each joint of the control */
+  size_t *row_of;                  /* the row of nc that each line of the path is */
   path_body *body;
   size_t bodies;
   size_t *body_of; /* of each link; SIZE_MAX if it has none */
@@ -177,6 +192,10 @@ typedef struct {
  * memory. The caller frees the list. */
 path_violation *path_violations(const path_scene *scene, size_t *count);
 
+/* Number of motions whose corners the control may round without a bound, and the line of the first.
+ */
+size_t path_unbounded_corners(const path_scene *scene, size_t *first);
+
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error);
 
 /* True if nothing is printed or written, so that the first collision ends the search. */
@@ -205,6 +224,9 @@ path_moment path_worst_moment(const path_scene *scene, const path_pair **pair);
 double path_value(const format_motion *motion, path_moment at, size_t joint);
 double path_time(const format_motion *motion, path_moment at);
 void path_values(const format_motion *motion, path_moment at, double *value);
+
+/* The motion file that the certificate is about. */
+const char *path_motion_file(const path_question *q);
 
 /* Write the certificate if all pairs are certified. Otherwise remove the certificate of an earlier
  * run. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* scene.c - makes bodies from the links and chooses the pairs of bodies that are compared. */
-#include "path/parts.h"
+#include "path/program.h"
 #include "robot/robot.h"
 #include "util/error.h"
 
@@ -50,6 +50,8 @@ void path_scene_free(path_scene *scene) {
   sepax_srdf_free(&scene->srdf);
   sepax_robot_free(&scene->robot);
   format_motion_free(&scene->motion);
+  nc_motion_free(&scene->nc);
+  sepax_release(scene->row_of);
 }
 
 /* -------------------------------------------------------------------------- bodies */
@@ -224,11 +226,16 @@ static bool fail_no_pair(const path_scene *scene, const path_question *q, sepax_
                     q->urdf, scene->bodies, scene->joined + scene->rigid + scene->disabled, names);
 }
 
+static bool read_motion(path_scene *scene, const path_question *q, sepax_error *error) {
+  return q->machine != NULL ? path_program_read(scene, q, error)
+                            : format_motion_read(&scene->motion, &scene->robot.mechanism, &q->rules,
+                                                 q->motion, error);
+}
+
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error) {
   *scene = (path_scene){0};
   const sepax_robot_reading how = {sizeof how, q->package, q->packages};
-  if (!sepax_robot_read(&scene->robot, q->urdf, &how, error) ||
-      !format_motion_read(&scene->motion, &scene->robot.mechanism, &q->rules, q->motion, error) ||
+  if (!sepax_robot_read(&scene->robot, q->urdf, &how, error) || !read_motion(scene, q, error) ||
       !make_bodies(scene, q, error) || !choose_pairs(scene, q->srdf, error)) {
     return false;
   }
@@ -237,5 +244,5 @@ bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *err
     return false;
   }
   path_rules_count(scene);
-  return true;
+  return q->machine == NULL || path_program_deviations(scene, q->blended, error);
 }

@@ -10,6 +10,11 @@
 
 enum { WIDTH = 7 };
 
+/* What a line of the path is called: an NC program has lines of its own. */
+static const char *row_word(const path_scene *scene) {
+  return scene->motion.of_program ? "row" : "line";
+}
+
 /* Print `before` and "part.ngc:127, rapid, ", the place in the program and the kind of the motion
  * that ends in a line; nothing if the path does not say them. */
 static void print_place(const path_scene *scene, const char *before, size_t line) {
@@ -25,7 +30,7 @@ static void print_place(const path_scene *scene, const char *before, size_t line
 /* "line 17 (0.1 s)", or "part.ngc:127, rapid, line 17 (0.1 s)" */
 static void print_line(const path_scene *scene, const path_pair *pair, size_t line) {
   print_place(scene, "", pair != NULL ? path_motion_of(scene, pair, line) : line);
-  printf("line %zu", scene->motion.line[line]);
+  printf("%s %zu", row_word(scene), scene->motion.line[line]);
   if (scene->motion.time != NULL) {
     printf(" (%.9g s)", scene->motion.time[line]);
   }
@@ -59,7 +64,8 @@ static void print_least(const path_scene *scene, const path_pair *pair) {
 static void print_segment(const path_scene *scene, size_t segment) {
   const format_motion *motion = &scene->motion;
   print_place(scene, "in ", segment + 1);
-  printf("between lines %zu and %zu", motion->line[segment], motion->line[segment + 1]);
+  printf("between %ss %zu and %zu", row_word(scene), motion->line[segment],
+         motion->line[segment + 1]);
   if (motion->time != NULL) {
     printf(" (%.9g ... %.9g s)", motion->time[segment], motion->time[segment + 1]);
   }
@@ -321,12 +327,35 @@ static void print_steps(const format_motion *motion) {
   putchar('\n');
 }
 
+/* What is taken for granted of an NC program. */
+static void print_program(const path_scene *scene, const path_question *q) {
+  char place[PATH_PLACE];
+  printf("start  %s\n",
+         scene->nc.program.start_given
+             ? "the program starts where machine.ini says"
+             : "the machine is at home when the program starts, as machine.ini says");
+  size_t first = 0;
+  size_t corners = path_unbounded_corners(scene, &first);
+  if (corners > 0) {
+    printf("blend  %zu motions without a bound of blending (G64 without P), first %s: %s\n",
+           corners, path_place(&scene->motion, first, place),
+           q->blended ? "the deviations count it"
+                      : "the proof is for exact corners (G61); --blended counts the blending");
+  }
+  if (q->dogleg) {
+    puts("rapids each axis takes its own time");
+  }
+}
+
 static void print_motion(const path_scene *scene, const path_question *q) {
   const format_motion *motion = &scene->motion;
   size_t last = motion->lines - 1;
   printf("path   %s, ", q->motion);
   report_print_count(motion->lines, "pose");
-  if (last == 0) {
+  if (motion->of_program) {
+    printf(" in rows 2 ... %zu%s%s", motion->line[last], q->written != NULL ? " of " : "",
+           q->written != NULL ? q->written : "");
+  } else if (last == 0) {
     printf(", in line %zu of the file", motion->line[0]);
   } else {
     printf(", in lines %zu ... %zu of the file", motion->line[0], motion->line[last]);
@@ -338,6 +367,9 @@ static void print_motion(const path_scene *scene, const path_question *q) {
   }
   putchar('\n');
   print_steps(motion);
+  if (motion->of_program) {
+    print_program(scene, q);
+  }
 }
 
 static void print_between(const path_scene *scene, const path_question *q) {

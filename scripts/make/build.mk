@@ -86,6 +86,17 @@ $(BUILD)/obj/page.c: scripts/embed program/path/page.html
 $(PAGE_OBJ): $(BUILD)/obj/page.c
 	@$(aside) $(CC) $(SEPAX_CFLAGS) -c $< -o $$new && $(in_place)
 
+# The front end of NC programs as a C string: its files in the order in which they need each other.
+LINUXCNC_OBJ = $(BUILD)/obj/linuxcnc.o
+NC_PY  = $(addprefix program/nc/linuxcnc/,\
+  configuration.py kinematics.py hal.py tools.py canon.py main.py)
+$(BUILD)/obj/linuxcnc.c: scripts/embed $(NC_PY)
+	@mkdir -p $(@D)
+	@cat $(NC_PY) > $(BUILD)/obj/linuxcnc.py
+	@$(aside) scripts/embed -t path_linuxcnc $(BUILD)/obj/linuxcnc.py > $$new && $(in_place)
+$(LINUXCNC_OBJ): $(BUILD)/obj/linuxcnc.c
+	@$(aside) $(CC) $(SEPAX_CFLAGS) -c $< -o $$new && $(in_place)
+
 # Code that calls libxml2.
 $(BUILD)/obj/io/xml/%.o $(BUILD)/obj/io/archive/%.o $(BUILD)/obj/io/robot/libxml2/%.o: \
   SEPAX_CFLAGS += $(XML_CFLAGS)
@@ -125,7 +136,7 @@ $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard synth/power/*_engine.c)): \
     $(BUILD)/obj/synth/power/%.o: $(REGISTERS)/%/sepax_registers.h
 $(BUILD)/obj/synth/power/%_engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/$(*F)
 
-$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(IO) $(LIB)
+$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(LINUXCNC_OBJ) $(IO) $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-pairs: $(call object,tb/pairs/clearance.c) $(ORACLE_OBJ) $(LIB)
@@ -173,7 +184,7 @@ $(BUILD)/unit/report/%: $(BUILD)/obj/tb/unit/report/%.o $(BUILD)/obj/tb/harness.
 $(BUILD)/unit/path/%: LIBS = -lcmocka -lgmp -ljansson $(IO_LIBS) $(if $(with_md),-lmd)
 $(BUILD)/unit/path/%: $(BUILD)/obj/tb/unit/path/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
                       $(call object,$(filter-out program/main.c,$(CLI_SRC))) $(TEMPLATE_OBJ) \
-                      $(PAGE_OBJ) $(IO) $(LIB)
+                      $(PAGE_OBJ) $(LINUXCNC_OBJ) $(IO) $(LIB)
 	$(link)
 
 $(BUILD)/unit/nc/%: LIBS = -lcmocka -lgmp
