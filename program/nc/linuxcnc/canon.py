@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What LinuxCNC's interpreter calls back, as records of canonical motion: every position with all
-# offsets applied. `interpreter.this` shows the state of the interpreter while it calls.
+"""What LinuxCNC's interpreter calls back, as records of canonical motion: every position with all
+offsets applied. `interpreter.this` shows the state of the interpreter while it calls."""
 import math
 import re
 import time
@@ -20,12 +20,13 @@ class Canon:
         self.rows = [NO_TOOL] + [t.row() for t in job.tools]
         self.files = {job.program: 0}
         self.stack = []           # (file, line) of the call of each subroutine that runs
+        self.remaps = {}          # level of calls: line of a remapped code that called
         self.place = (0, 0)
         self.line = 0             # of the motion; cutter compensation hands it on later
         self.recording = False
         self.failure = None       # why the program is refused
         self.moves = 0
-        self.message_text = None
+        self.messages = []        # since the last motion
         self.offset = [0.0] * 9   # tool offset, mm
         self.g5x, self.g92 = [0.0] * 9, [0.0] * 9
         self.cosine, self.sine = 1.0, 0.0
@@ -33,7 +34,7 @@ class Canon:
         self.kind = 0             # type of the kinematics
         self.unsynchronized = None
         self.spindle, self.blend, self.loaded = None, None, 0
-        self.blend_raw, self.metric = None, self.machine.scale == 1.0
+        self.blend_raw = None
         self.at = job.start
         self.deadline = time.monotonic() + job.seconds
 
@@ -55,9 +56,10 @@ class Canon:
         """FILE LINE of what is executed now. Motion that cutter compensation held back is of an
         earlier line: its file is known only if the program has no other file."""
         file = self._file(this.filename)
-        if self.line != this.sequence_number and len(self.files) > 1:
+        if self.line != this.sequence_number and this.sequence_number and len(self.files) > 1:
             file = -1
-        self.stack = [(this.sub_context[i].filename, this.sub_context[i].sequence_number)
+        self.stack = [(this.sub_context[i].filename,
+                       this.sub_context[i].sequence_number or self.remaps.get(i, 0))
                       for i in range(this.call_level)]
         self.place = (file, self.line)
         return f"{file} {self.line}"
@@ -65,18 +67,24 @@ class Canon:
     def fail(self, text):
         """Refuses the program at the line that is executed."""
         this = self._this()
+        self.line = this.sequence_number or self.line
         self.where(this)
         self.failure = self.failure or f"{self.told()}: {text}"
         raise Refusal(self.failure)
 
+    def name(self, file):
+        """The path of a file, as the user gave it where it is the program."""
+        if file == 0:
+            return self.job.program
+        return next((path for path, number in self.files.items() if number == file), "a subroutine")
+
     def told(self):
         """The place for a message: the program's own line first, then that in a subroutine."""
-        names = {number: path for path, number in self.files.items()}
         file, line = self.place
-        if self.stack and (self.stack[0][0] or self.job.program) == self.job.program:
-            inner = f"{names[file]}:{line}" if file >= 0 else f"line {line} of a subroutine"
+        inner = f"{self.name(file)}:{line}"
+        if self.stack and self._file(self.stack[0][0]) == 0:
             return f"{self.job.program}:{self.stack[0][1]}: in a subroutine, {inner}"
-        return f"{names.get(file, self.job.program)}:{line}"
+        return inner
 
     def next_line(self, state):
         self.line = state.sequence_number
@@ -159,22 +167,26 @@ class Canon:
         self.out(f"spindle {where} {turns}")
 
     def _blend(self, this, block, where):
-        """G61, G64. P and Q of G64 are in the unit of its own line; the interpreter shows them
-        without it. If the unit may have changed since, the larger one is taken: it is sound."""
+        """G61, G64. Where the program may change units, the interpreter shows P = Q = 0.1 after a
+        change, whatever is in force; and it never shows the unit of P. Then the worst counts."""
         mode, p, q = this.active_g_codes[11], *list(this.active_settings)[3:5]
-        if block.g_modes[13] >= 0:
+        here = block.g_modes[13] >= 0
+        if here:
             mode = block.g_modes[13]
             p = block.p_number if block.p_flag else 0.0
             q = block.q_number if block.q_flag else p
-        raw, metric = (mode, p, q), this.length_units == 2
-        if raw != self.blend_raw:
-            unit = 1.0 if metric and self.metric else INCH
-            said = f"within {(p + q) * unit!r}" if p > 0 else "unbounded"
-            said = "exact" if mode in (610, 611) else said
-            if said != self.blend:
-                self.out(f"blend {where} {said}")
-            self.blend_raw, self.blend = raw, said
-        self.metric = metric
+        if (mode, p, q) == self.blend_raw:
+            return
+        self.blend_raw = (mode, p, q)
+        unsure = self.job.changes_units and not here
+        unit = INCH if unsure or this.length_units != 2 else 1.0
+        within = 0.0 if mode in (610, 611) else (p + q) * unit if p > 0 else math.inf
+        if unsure and (p, q) == (0.1, 0.1) and within:
+            within = max(within, self.blend or 0.0)
+        if within != self.blend:
+            self.blend = within
+            said = {0.0: "exact", math.inf: "unbounded"}.get(within, f"within {within!r}")
+            self.out(f"blend {where} {said}")
 
     # --- motion ------------------------------------------------------------------------------
 
@@ -185,6 +197,7 @@ class Canon:
         self.at = axes
         if self.recording:
             self.moves += 1
+            self.messages = []
             self.out(f"move {kind} {where} {numbers(axes)}")
 
     def straight_traverse(self, *values):
@@ -251,6 +264,10 @@ class Canon:
             self.out(f"length {self.where(self._this())} {numbers(new)}")
 
     def get_tool(self, index):
+        """Asked for each pocket at the start and after each M6. The interpreter has then taken its
+        position from LinuxCNC's preview, which does not know all of it."""
+        if index == 0 and self.recording:
+            self.tell(self.at)
         return self.rows[index] if index < len(self.rows) else NO_TOOL
 
     def change_tool(self, index):
@@ -269,22 +286,34 @@ class Canon:
 
     # --- kinematics, remapped from M66, M67 and M68 -------------------------------------------
 
-    def output(self, index, value):
-        """M67 or M68: an analog output; one of them may switch the kinematics."""
-        if index != self.job.switch_output or not self.kinematics.switchable:
+    def output(self, line, index, value):
+        """M67 or M68 in a line: an analog output; one of them may switch the kinematics."""
+        self.line = line
+        if not self.kinematics.switchable:
+            return
+        if self.job.switch_output is None and "switchkins" in read_text(self._this().filename):
+            self.fail("HAL connects no motion.analog-out-0N with motion.switchkins-type, so the "
+                      "kinematics does not switch")
+        if index != self.job.switch_output:
             return
         kind = int(value)
         if kind not in (0, 1):
             self.fail(f"kinematics of type {kind} is the user's own: not supported")
         if kind == self.kind:
             return
-        self.line = self._this().sequence_number  # no motion: next_line() was not called
         joints = self.kinematics.joints(self.kind, self.at, self.values())
         axes = self.kinematics.axes(kind, joints, self.values(), self.at)
         self.kind = kind
-        self.out(f"kins {self.where(self._this())} {kind} {numbers(axes)}")
+        where = self.where(self._this())
+        if self.stack and self._file(self.stack[0][0]) == 0:
+            where = f"0 {self.stack[0][1]}"  # the line with M428, rather than M68 in its remap
+        self.out(f"kins {where} {kind} {numbers(axes)}")
         self.tell(axes)
-        self.unsynchronized = self.line
+        self.unsynchronized = line
+
+    def remapped(self, level, line):
+        """A code that the configuration remaps calls a subroutine."""
+        self.remaps[level - 1] = line
 
     def synchronize(self):
         """M66: the program waits for the machine and takes its position."""
@@ -299,12 +328,13 @@ class Canon:
 
     def message(self, text):
         this = self._this()
-        self.message_text = text = " ".join(text.split())
+        text = " ".join(text.split())
+        self.messages.append(text)
         self.out(f"note {self.where(this)} {text}")
 
     def user_defined_function(self, number, p, q):
         where = self.where(self._this())
-        self.out(f"note {where} M{100 + number} P{p:g} Q{q:g} is not run: what it does is not known")
+        self.out(f"note {where} M{100 + number} P{p:g} Q{q:g} is not run: what it does is unknown")
 
     # --- what the interpreter asks and says besides -------------------------------------------
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The configuration of a machine: LinuxCNC's ini file, its units, its joints.
+"""The configuration of a machine: LinuxCNC's ini file, its units, its joints."""
 import os
 import re
 

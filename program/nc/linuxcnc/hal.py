@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# HAL of a configuration, read and not run: what drives the pins of the kinematics.
+"""HAL of a configuration, read and not run: what drives the pins of the kinematics."""
 import os
 import re
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Kinematics of LinuxCNC that are supported, as far as the front end needs them: what position of
-# the axes belongs to given joints. A switch of the kinematics keeps the joints, so the axes jump.
-# docs/reference/canonical-motion.md has the formulas.
+"""Kinematics of LinuxCNC that are supported, as far as the front end needs them: what position of
+the axes belongs to given joints. A switch of the kinematics keeps the joints, so the axes jump.
+docs/reference/canonical-motion.md has the formulas."""
 import math
 
 # The axis letters of the joints in their order where KINEMATICS has no coordinates=.

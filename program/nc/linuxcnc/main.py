@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
-# Canonical motion of a program for LinuxCNC, on standard output; what is wrong, as one line on
-# standard error with status 2. docs/reference/canonical-motion.md has the format.
-#   MACHINE.INI PART.NGC [--table=FILE] [--table-units=mm|inch] [--seconds=N] [--block-delete]
-#   [--start=X,Y,Z,A,B,C,U,V,W] [--set=PIN=VALUE]...
-# LinuxCNC's interpreter runs in a process of its own with a private HOME: it writes a map of the
-# tool table there, which is that of a machine that runs if HOME is the user's. Its parameter file
-# is a copy.
-import ctypes
+"""Canonical motion of a program for LinuxCNC, on standard output; what is wrong, as one line on
+standard error with status 2. docs/reference/canonical-motion.md has the format.
+  MACHINE.INI PART.NGC [--table=FILE] [--table-units=mm|inch] [--seconds=N] [--block-delete]
+  [--start=X,Y,Z,A,B,C,U,V,W] [--set=PIN=VALUE]...
+LinuxCNC's interpreter runs in a process of its own with a private HOME: it writes a map of the
+tool table there, which is that of a machine that runs if HOME is the user's. Its parameter file
+is a copy."""
 import os
 import re
 import shutil
@@ -14,7 +13,7 @@ import signal
 import sys
 import tempfile
 
-ENDED, END_OF_FILE, OK, FINISH = 1, 3, 0, 2  # what the interpreter returns
+ENDED, END_OF_FILE = 1, 3  # what the interpreter returns where it did not fail
 
 
 class Job:
@@ -40,6 +39,7 @@ class Job:
         self.change_position = self._change_position()
         self.text = read_text(self.program)
         self.start = self.start_given or self._home()
+        self.changes_units = self._changes_units()
         self.folder, self.parameter_file, self.out = None, None, None
 
     def _option(self, word):
@@ -85,6 +85,21 @@ class Job:
             raise Refusal(f"{self.ini_path}: [EMCIO]TOOL_CHANGE_POSITION has 3, 6 or 9 numbers")
         return [v * self.machine.scale if i in LENGTHS else v for i, v in enumerate(values)]
 
+    def _changes_units(self):
+        """Whether the program or a subroutine beside it may switch between mm and inches."""
+        other = "20" if self.machine.scale == 1.0 else "21"
+        texts = [self.text]
+        for name in (self.ini.get("RS274NGC", "SUBROUTINE_PATH") or "").split(":") + [
+                self.ini.get("DISPLAY", "PROGRAM_PREFIX") or "", os.path.dirname(self.program)]:
+            folder = os.path.join(self.ini.folder, os.path.expanduser(name))
+            for file in sorted(os.listdir(folder)) if os.path.isdir(folder) else []:
+                path = os.path.join(folder, file)
+                if file.endswith(".ngc") and os.path.isfile(path):
+                    with open(path, encoding="utf-8", errors="replace") as text:
+                        texts.append(text.read())
+        code = re.compile(r"G(0*%s(?![0-9.])|[\[#])" % other)
+        return any(code.search(bare(line)) for text in texts for line in text.splitlines())
+
     def head(self):
         """The records before the first line of the program."""
         machine = self.machine
@@ -101,125 +116,6 @@ class Job:
             yield (f"tool {tool.number} {tool.pocket} {width!r} {numbers(offset)} "
                    f"{tool.comment}").rstrip()
         yield f"start {'given' if self.start_given else 'home'} {numbers(self.start)}"
-
-
-# What LinuxCNC's Python calls for a remapped M66, M67, M68.
-REMAPS = '''
-def sepax_m66(self, **words):
-    self.params[5399] = 0.0
-    canon.synchronize()
-    return OK
-
-def sepax_output(self, **words):
-    if "e" not in words or "q" not in words:
-        self.set_errormsg("M67 and M68 need E and Q")
-        return ERROR
-    pin = "_hal[motion.switchkins-type]"
-    try:
-        canon.output(int(words["e"]), words["q"])
-    except Exception as bad:
-        canon.failure = canon.failure or str(bad)
-        self.set_errormsg(str(bad))
-        return ERROR
-    if int(words["e"]) == canon.job.switch_output and canon.job.hal_pins:
-        self.params[pin] = float(canon.kind)
-    return OK
-'''
-
-
-def private_ini(job):
-    """The ini for the interpreter: without HAL, with our remaps, with folders that do not depend
-    on HOME. HAL pins become named parameters of the same name."""
-    ini = job.ini
-    job.hal_pins = (ini.get("RS274NGC", "HAL_PIN_VARS") or "0").split("#")[0].strip() == "1"
-    taken = [v.split()[0].upper() for v in ini.all("RS274NGC", "REMAP") if v.split()]
-    for code in ("M66", "M67", "M68"):
-        if code in taken:
-            raise Refusal(f"{ini.path}: [RS274NGC]REMAP={code} is not supported, because the front "
-                          f"end remaps it")
-    lines, rs274ngc = [], False
-    ours = ["HAL_PIN_VARS = 0", "REMAP = M66 modalgroup=10 argspec=pelq python=sepax_m66",
-            "REMAP = M67 modalgroup=10 argspec=eq python=sepax_output",
-            "REMAP = M68 modalgroup=10 argspec=eq python=sepax_output"]
-    home = os.path.expanduser("~")
-    for _, line in ini.lines:
-        name = line.split("=")[0].strip()
-        if name in ("HAL_PIN_VARS", "PARAMETER_FILE", "TOPLEVEL", "LOG_FILE"):
-            continue
-        lines.append(re.sub(r"([=:]\s*)~/", lambda m: m.group(1) + home + "/", line))
-        if line.strip() == "[RS274NGC]" and not rs274ngc:
-            rs274ngc = True
-            lines += ours
-    if not rs274ngc:
-        lines += ["[RS274NGC]"] + ours
-    lines += ["[PYTHON]", f"TOPLEVEL = {job.folder}/toplevel.py"]
-    path = os.path.join(job.folder, "private.ini")
-    with open(path, "w", encoding="utf-8") as out:
-        out.write("\n".join(lines) + "\n")
-    toplevel = ini.get("PYTHON", "TOPLEVEL")
-    with open(os.path.join(job.folder, "toplevel.py"), "w", encoding="utf-8") as out:
-        out.write("import sys, types\n")
-        if toplevel:
-            theirs = os.path.join(ini.folder, os.path.expanduser(toplevel))
-            out.write(f"exec(compile(open({theirs!r}).read(), {theirs!r}, 'exec'))\n")
-        out.write("remap = sys.modules.setdefault('remap', types.ModuleType('remap'))\n"
-                  "sys.modules['__main__'].join_remaps(remap)\n")
-    return path
-
-
-def join_remaps(module):
-    """Puts our remaps beside those of the configuration."""
-    module.__dict__.update(canon=SHARED["canon"], OK=OK, ERROR=5)
-    exec(REMAPS, module.__dict__)  # pylint: disable=exec-used
-
-
-SHARED = {}  # the Canon, for join_remaps(), which LinuxCNC's Python calls
-
-
-def attach_tools(job):
-    """The map of the tool table that LinuxCNC's interpreter looks a T word up in."""
-    path = os.path.join(job.folder, "table")
-    with open(path, "w", encoding="utf-8") as out:
-        for tool in job.tools:
-            out.write(f"T{tool.number} P{tool.pocket}\n")
-    library = ctypes.CDLL("libtooldata.so.0")
-    library._Z17tool_mmap_creatorPK13EMC_TOOL_STATi(ctypes.create_string_buffer(1 << 20), 0)
-    library._Z13tooldata_initb(ctypes.c_bool(False))
-    if library._Z13tooldata_loadPKcPPc(path.encode(), None):
-        raise Refusal("linuxcnc: the tool table cannot be handed to LinuxCNC")
-
-
-def prepare(job):
-    """Private files; the environment of the interpreter."""
-    job.parameter_file = os.path.join(job.folder, "parameters")
-    name = job.ini.get("RS274NGC", "PARAMETER_FILE")
-    theirs = os.path.join(job.ini.folder, os.path.expanduser(name)) if name else ""
-    if os.path.isfile(theirs):
-        shutil.copyfile(theirs, job.parameter_file)
-    else:
-        open(job.parameter_file, "w", encoding="utf-8").close()
-    program = os.path.abspath(job.program)
-    os.environ["INI_FILE_NAME"] = private_ini(job)
-    os.environ["HOME"] = job.folder
-    attach_tools(job)
-    os.chdir(job.ini.folder)
-    return program
-
-
-def first_codes(job):
-    """What is executed before the program: LinuxCNC's defaults, the ini's startup code, the pins of
-    HAL that are known."""
-    codes = ["G21" if job.machine.scale == 1.0 else "G20", "G64"]
-    startup = job.ini.get("RS274NGC", "RS274NGC_STARTUP_CODE")
-    if startup:
-        codes.append(startup.split("#")[0])
-    if job.hal_pins:
-        codes.append("#<_hal[motion.switchkins-type]> = 0")
-        for name, (value, times) in job.parameters.items():
-            if not times:
-                value /= job.machine.scale
-                codes.append(f"#<_hal[{job.machine.kins}.{name}]> = {value:.17f}")
-    return codes + [f"({START})"]
 
 
 def interpret(job):
@@ -242,10 +138,10 @@ def interpret(job):
 def judge(job, canon, result, gcode):
     """Refuses a program that failed, has no end, ends early or does not move."""
     this = canon._this()
-    message = f" ({canon.message_text})" if canon.message_text else ""
-    if result not in (ENDED, END_OF_FILE, OK, FINISH):
+    message = f" ({'; '.join(canon.messages)})" if canon.messages else ""
+    if result not in (ENDED, END_OF_FILE):
         raise Refusal(error_text(job, canon, this, gcode.strerror(result)))
-    if result == END_OF_FILE and not canon.recording:
+    if not canon.recording:
         raise Refusal(f"{job.ini_path}: [RS274NGC]RS274NGC_STARTUP_CODE ends the program")
     lines = job.text.splitlines()
     if result == ENDED:
@@ -256,7 +152,7 @@ def judge(job, canon, result, gcode):
         if later:
             raise Refusal(f"{job.program}:{line}: the program ends here, before its end in line "
                           f"{later[-1]}{message}")
-    elif not (lines and this.percent_flag and bare(last_line(lines)) == "%"):
+    elif bare(next((text for text in lines if bare(text)), "")) != "%":
         raise Refusal(f"{job.program}:{len(lines)}: the program has no end (M2, M30 or %)")
     if canon.moves == 0:
         raise Refusal(f"{job.program}:{canon.place[1]}: the program does not move{message}")
@@ -270,20 +166,16 @@ def bare(text):
     return re.sub(r"\s", "", re.sub(r"\([^)]*\)|;.*", "", text)).upper()
 
 
-def last_line(lines):
-    return next((text for text in reversed(lines) if text.strip()), "")
-
-
 def error_text(job, canon, this, text):
     """The interpreter leaves its subroutines when it fails: its line is that of the outermost call.
     Where the last record came from a subroutine of that call, the message names it."""
-    line = this.sequence_number
+    line = max(1, this.sequence_number)
     if not canon.recording:
         return f"{job.ini_path}: [RS274NGC]RS274NGC_STARTUP_CODE: {text}"
     where = f"{job.program}:{line}"
     if canon.stack and canon.stack[0][1] == line:
-        names = {number: path for path, number in canon.files.items()}
-        return f"{where}: {text}: in a subroutine, after {names[canon.place[0]]}:{canon.place[1]}"
+        file, line = canon.place
+        return f"{where}: {text}: in a subroutine, after {canon.name(file)}:{line}"
     return f"{where}: {text}"
 
 
@@ -352,8 +244,8 @@ def check_interpreter():
     """One line with the cure where LinuxCNC is missing."""
     import importlib.util
     if importlib.util.find_spec("gcode") is None:
-        raise Refusal("linuxcnc: LinuxCNC's interpreter (Python module gcode) is not there; install "
-                      "it by scripts/setup cnc, or apt-get install linuxcnc-uspace")
+        raise Refusal("linuxcnc: LinuxCNC's interpreter (Python module gcode) is not installed; "
+                      "scripts/setup cnc or apt-get install linuxcnc-uspace installs it")
 
 
 def main(words):

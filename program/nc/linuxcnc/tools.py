@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The tool table of LinuxCNC, checked line by line: LinuxCNC itself skips a line that it does not
-# understand, and the tool is then another one.
+"""The tool table of LinuxCNC, checked line by line: LinuxCNC itself skips a line that it does not
+understand, and the tool is then another one."""
 import os
 import re
 
@@ -83,8 +83,8 @@ def check_units(path, tools, machine, said):
     else:
         return
     raise Refusal(f"{path}: the tools (diameters {min(widths):g} ... {max(widths):g}, lengths "
-                  f"{min(lengths):g} ... {max(lengths):g}) look like {other}, and the machine is in "
-                  f"{unit}; if they are right, say --table-units={unit}")
+                  f"{min(lengths):g} ... {max(lengths):g}) look like {other}, and the machine is "
+                  f"in {unit}; if they are right, say --table-units={unit}")
 
 
 def table_path(ini, given):
