@@ -6,42 +6,74 @@
 
 #include <string.h>
 
-/* LinuxCNC may merge this motion with others of its kind. */
-static bool may_merge(const nc_rows *r, const nc_part *part, const nc_way *way) {
-  for (int i = 3; i < NC_AXES; i++) {
-    if (!nc_way_rests(way, i)) {
-      return false;
-    }
-  }
-  return part->blend == NC_WITHIN && r->motion->program.record[part->record].kind == NC_FEED;
-}
-
 static nc_way way_of(const nc_rows *r, const nc_part *part) {
   nc_way way;
   nc_way_of(&way, part->from, &r->motion->program.record[part->record]);
   return way;
 }
 
-/* The motions from `first` on that may be merged into one: at least one. Sets what all do. */
+/* LinuxCNC may merge this motion with others: a feed of X, Y, Z that is straight, or an arc that
+ * leaves a straight line by no more than its tolerance. */
+static bool may_merge(const nc_rows *r, const nc_part *part, const nc_way *way) {
+  for (int i = 3; i < NC_AXES; i++) {
+    if (!nc_way_rests(way, i)) {
+      return false;
+    }
+  }
+  return part->blend == NC_WITHIN && r->motion->program.record[part->record].kind == NC_FEED &&
+         nc_way_bulge(way) <= part->within;
+}
+
+/* The corner between two motions may be inside a merged line. If it is, then both their ends and
+ * the corner are within E of that line. So the triangle of these three points has a height of 2 E
+ * at most, because the strip of all points within E of the line holds it. */
+static bool may_vanish(const nc_way *first, const nc_way *second, double within) {
+  double a[3], b[3], c[3], n[3], sizes[3] = {0, 0, 0}, twice = 0;
+  if (first->arc || second->arc) {
+    return true;
+  }
+  for (int i = 0; i < 3; i++) {
+    a[i] = first->to[i] - first->from[i];
+    b[i] = second->to[i] - second->from[i];
+    c[i] = second->to[i] - first->from[i];
+    sizes[0] += a[i] * a[i];
+    sizes[1] += b[i] * b[i];
+    sizes[2] += c[i] * c[i];
+  }
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3, k = (i + 2) % 3;
+    n[i] = a[j] * b[k] - a[k] * b[j];
+    twice += n[i] * n[i];
+  }
+  double longest = nc_most(nc_most(sizes[0], sizes[1]), sizes[2]);
+  return sqrt(twice / longest) * (1 - 1e-9) <= 2 * within;
+}
+
+/* The motions from `first` on that may be merged into one: at least one. Sets what all do. An arc
+ * may be replaced by lines even if it is alone. */
 static size_t run_from(const nc_rows *r, size_t first, nc_leg *leg) {
+  nc_way before = {0};
   size_t n = first;
   *leg = (nc_leg){0};
-  while (n < r->parts && (n == first || r->part[n].joined)) {
-    nc_way way = way_of(r, &r->part[n]);
-    bool merges = may_merge(r, &r->part[n], &way);
-    if (n > first && !merges) {
+  while (n < r->parts) {
+    const nc_part *part = &r->part[n];
+    nc_way way = way_of(r, part);
+    bool merges = may_merge(r, part, &way);
+    if (n > first && (!merges || !part->joined ||
+                      !may_vanish(&before, &way, nc_most(part[-1].within, part->within)))) {
       break;
     }
     leg->arcs = leg->arcs || way.arc;
+    leg->merges = n > first || (merges && way.arc);
     for (int i = 0; i < NC_AXES; i++) {
       leg->moves[i] = leg->moves[i] || !nc_way_rests(&way, i);
     }
+    before = way;
     n++;
     if (!merges) {
       break;
     }
   }
-  leg->merges = n > first + 1;
   return n;
 }
 

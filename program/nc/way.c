@@ -155,6 +155,16 @@ double nc_way_slip(const nc_way *way, double t0, double t1) {
   return nc_above(way->slip * t * (1 - t) * (1 + 0x1p-40));
 }
 
+double nc_way_bulge(const nc_way *way) {
+  if (!way->arc) {
+    return 0;
+  }
+  vector across = {{way->across[0], way->across[1], way->across[2]}};
+  double radius = nc_root(dot(&across, &across)).lo * nc_least(1, 1 + way->grow.lo);
+  double half = nc_least(way->angle.lo, TURN / 2) / 2;
+  return radius * (1 - cos(half)) * (1 - 1e-9);
+}
+
 bool nc_way_rests(const nc_way *way, int axis) {
   return way->from[axis] == way->to[axis] &&
          (!way->arc || axis > NC_Z ||

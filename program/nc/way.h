@@ -38,6 +38,10 @@ void nc_way_at(const nc_way *way, nc_interval t, nc_jet axis[NC_AXES]);
 /* A bound of slip t (1 - t) for t in t0 ... t1. */
 double nc_way_slip(const nc_way *way, double t0, double t1);
 
+/* At most how far the arc leaves the straight line between its ends, in mm, without a helix's rise;
+ * 0 for a straight motion. */
+double nc_way_bulge(const nc_way *way);
+
 /* The axis does not move. */
 bool nc_way_rests(const nc_way *way, int axis);
 
