@@ -16,8 +16,8 @@ static struct {
 static const char *const machines[] = {"trivkins", "xyzac-trt-kins", "xyzbc-trt-kins", "5axiskins"};
 static const char *const letters_of[] = {"XYZABCUVW", "XYZAC", "XYZBC", "XYZBCW"};
 
-static machine random_machine(int n) {
-  machine m = {.module = "IABM"[n]};
+static mill random_machine(int n) {
+  mill m = {.module = "IABM"[n]};
   for (int i = 0; i < 3; i++) {
     m.point[i] = 300 * random_unit();
     m.offset[i] = 100 * random_unit();
@@ -27,7 +27,7 @@ static machine random_machine(int n) {
   return m;
 }
 
-static void put_machine(text *t, int n, const machine *m, const double start[NC_AXES]) {
+static void put_machine(stream *t, int n, const mill *m, const double start[NC_AXES]) {
   char parameters[1024] = "";
   if (n == 3) {
     snprintf(parameters, sizeof parameters, "parameter pivot-length %.17g\n", m->pivot);
@@ -43,7 +43,7 @@ static void put_machine(text *t, int n, const machine *m, const double start[NC_
 }
 
 /* Compare a row with its motion: samples between the share of the row before and its own. */
-static void look_at_row(const nc_motion *rows, size_t row, const machine *m, const motion *way,
+static void look_at_row(const nc_motion *rows, size_t row, const mill *m, const motion *way,
                         const char *letters, double before) {
   const double *a = &rows->value[(row - 1) * rows->joints], *b = a + rows->joints;
   const double *off = &rows->deviation[row * rows->joints];
@@ -72,8 +72,8 @@ static void look_at_row(const nc_motion *rows, size_t row, const machine *m, con
   found.rows++;
 }
 
-static void look_at(int n, const machine *m, const motion *way, double tolerance) {
-  text t;
+static void look_at(int n, const mill *m, const motion *way, double tolerance) {
+  stream t;
   text_begin(&t);
   nc_motion rows;
   put_machine(&t, n, m, way->from);
@@ -175,7 +175,7 @@ CASE(test_straight) {
   begin_finding();
   for (int n = 0; n < FEWER(400); n++) {
     int kind = 1 + n % 3;
-    machine m = random_machine(kind);
+    mill m = random_machine(kind);
     double size = pow(10, 3 * random_unit());
     motion way = random_motion(kind, fmin(size, 300), fmin(10 * size, 90));
     look_at(kind, &m, &way, pow(10, -6 + random_unit()));
@@ -187,7 +187,7 @@ CASE(test_arcs) {
   begin_finding();
   for (int n = 0; n < FEWER(400); n++) {
     int kind = n % 4;
-    machine m = random_machine(kind);
+    mill m = random_machine(kind);
     motion way = random_arc(kind, pow(10, 2 * random_unit()), 60, 0);
     look_at(kind, &m, &way, pow(10, -6 + random_unit()));
   }
@@ -200,7 +200,7 @@ CASE(test_spirals) {
   begin_finding();
   for (int n = 0; n < FEWER(200); n++) {
     int kind = n % 4;
-    machine m = random_machine(kind);
+    mill m = random_machine(kind);
     motion way = random_arc(kind, pow(10, 2 * random_unit()), 60, 1e-5);
     look_at(kind, &m, &way, 1e-6);
   }
@@ -212,7 +212,7 @@ CASE(test_small_and_uneven_arcs) {
   begin_finding();
   for (int n = 0; n < FEWER(200); n++) {
     int kind = n % 4;
-    machine m = random_machine(kind);
+    mill m = random_machine(kind);
     motion way = random_arc(kind, n % 2 == 0 ? 1e-3 : 20, n % 2 == 0 ? 1e-3 : 30, 1e-2);
     if (n % 2 == 1 && fabs(way.to[0] - way.centre[0]) + fabs(way.to[1] - way.centre[1]) > 1) {
       for (int i = 0; i < 3; i++) {
@@ -241,7 +241,7 @@ CASE(test_chosen) {
   begin_finding();
   for (size_t n = 0; n < LENGTH(pairs); n++) {
     for (int kind = 0; kind < 4; kind++) {
-      machine m = random_machine(kind);
+      mill m = random_machine(kind);
       motion way = {0};
       memcpy(way.from, pairs[n][0], sizeof way.from);
       memcpy(way.to, pairs[n][1], sizeof way.to);
@@ -255,9 +255,9 @@ CASE(test_chosen) {
 /* A straight motion of a machine without turns is one row, and its deviation is rounding. */
 CASE(test_identity) {
   for (int n = 0; n < FEWER(200); n++) {
-    machine m = random_machine(0);
+    mill m = random_machine(0);
     motion way = random_motion(0, 300, 720);
-    text t;
+    stream t;
     text_begin(&t);
     nc_motion rows;
     put_machine(&t, 0, &m, way.from);

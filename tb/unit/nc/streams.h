@@ -18,15 +18,15 @@ typedef struct {
   char *at;
   size_t size;
   FILE *out;
-} text;
+} stream;
 
-static inline void text_begin(text *t) {
+static inline void text_begin(stream *t) {
   t->out = open_memstream(&t->at, &t->size);
   assert_non_null(t->out);
 }
 
 /* Read what was put; the text is freed. */
-static inline bool text_read(text *t, nc_motion *m, const nc_rules *rules) {
+static inline bool text_read(stream *t, nc_motion *m, const nc_rules *rules) {
   assert_int_equal(fclose(t->out), 0);
   FILE *in = fmemopen(t->at, t->size, "r");
   assert_non_null(in);
@@ -36,19 +36,19 @@ static inline bool text_read(text *t, nc_motion *m, const nc_rules *rules) {
   return ok;
 }
 
-static inline void put_axes(text *t, const double axis[NC_AXES]) {
+static inline void put_axes(stream *t, const double axis[NC_AXES]) {
   for (int i = 0; i < NC_AXES; i++) {
     fprintf(t->out, " %.17g", axis[i]);
   }
 }
 
-static inline void put_move(text *t, const char *kind, int line, const double axis[NC_AXES]) {
+static inline void put_move(stream *t, const char *kind, int line, const double axis[NC_AXES]) {
   fprintf(t->out, "move %s 0 %d", kind, line);
   put_axes(t, axis);
   fprintf(t->out, "\n");
 }
 
-static inline void put_arc(text *t, int line, const double axis[NC_AXES], const double centre[3],
+static inline void put_arc(stream *t, int line, const double axis[NC_AXES], const double centre[3],
                            const double normal[3], int turns) {
   fprintf(t->out, "arc feed 0 %d", line);
   put_axes(t, axis);
@@ -57,7 +57,7 @@ static inline void put_arc(text *t, int line, const double axis[NC_AXES], const 
 }
 
 /* The head of a stream: kinematics, joints for the letters with limits of +-most, start. */
-static inline void put_head(text *t, const char *machine, const char *parameters,
+static inline void put_head(stream *t, const char *machine, const char *parameters,
                             const char *letters, double most, const double start[NC_AXES]) {
   fprintf(t->out, "sepax-nc 1\nfile 0 part.ngc\nmachine %s\n%s", machine, parameters);
   for (size_t n = 0; letters[n] != '\0'; n++) {
@@ -76,7 +76,7 @@ static inline void put_head(text *t, const char *machine, const char *parameters
 typedef struct {
   char module; /* 'I' identity, 'A' xyzac, 'B' xyzbc, 'M' the bridge mill */
   double point[3], offset[3], tool, pivot;
-} machine;
+} mill;
 
 static inline wide wide_radians(wide degrees) { return degrees * acosl(-1) / 180; }
 
@@ -89,7 +89,7 @@ static inline void rotate(wide v[3], int about, wide degrees) {
 }
 
 /* X, Y, Z of the joints in mm, from axes in mm and degrees. */
-static inline void wide_joints(const machine *m, const wide axis[NC_AXES], wide joint[3]) {
+static inline void wide_joints(const mill *m, const wide axis[NC_AXES], wide joint[3]) {
   wide tool[3] = {0, 0, -(m->pivot + axis[NC_W])};
   int tilt = m->module == 'A' ? 0 : 1;
   wide d[3] = {tilt == 1 ? m->offset[0] : 0, tilt == 0 ? m->offset[1] : 0,
@@ -120,7 +120,7 @@ static inline void wide_joints(const machine *m, const wide axis[NC_AXES], wide 
 }
 
 /* Of all joints by their letters, in m and rad. */
-static inline void wide_metric(const machine *m, const char *letters, const wide axis[NC_AXES],
+static inline void wide_metric(const mill *m, const char *letters, const wide axis[NC_AXES],
                                wide *joint) {
   wide space[3];
   wide_joints(m, axis, space);
