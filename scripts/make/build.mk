@@ -204,7 +204,7 @@ FUZZ     = $(patsubst tb/fuzz/target/%.c,$(BUILD)/fuzz/%,$(wildcard tb/fuzz/targ
 FUZZ_OBJ = $(call object,$(if $(FUZZER),,tb/fuzz/replay.c) $(addprefix tb/fuzz/,fuzz.c mesh.c))
 $(FUZZ): LIBS = -ljansson $(IO_LIBS) $(FUZZER)
 $(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(FORMAT_USES) \
-                 $(OPTIONS_OBJ) $(IO) $(LIB)
+                 $(NC_OBJ) $(OPTIONS_OBJ) $(IO) $(LIB)
 	$(link)
 
 # Bodies that move beside the libraries that are here.
