@@ -4,9 +4,6 @@
 
 #include <string.h>
 
-/* How inexact an exact end of a motion is, in mm and degrees. */
-static const double settled_length = 1e-3, settled_angle = 6e-5;
-
 /* More than all roundings of a formula of this file together, relative to its operands. */
 static const double rounding = 1e-13;
 
@@ -76,15 +73,13 @@ static double largest(const double *off) { return nc_most(nc_most(off[0], off[1]
 void nc_blend_corner(const nc_leg *first, const nc_leg *second, nc_blend blend, double within,
                      double off[NC_AXES]) {
   double far[2][NC_AXES], whole[NC_AXES];
+  memset(off, 0, NC_AXES * sizeof *off);
+  if (blend == NC_EXACT) {
+    return;
+  }
   reach(first->way, first->way->to, far[0]);
   reach(second->way, second->way->from, far[1]);
   parallelogram((const double(*)[NC_AXES])far, whole);
-  if (blend == NC_EXACT) {
-    for (int i = 0; i < NC_AXES; i++) {
-      off[i] = nc_least(whole[i], i >= NC_A && i <= NC_C ? settled_angle : settled_length);
-    }
-    return;
-  }
   bool merges = first->merges || second->merges;
   if (blend == NC_UNBOUNDED || (!merges && (!shifts(first) || !shifts(second)))) {
     memcpy(off, whole, sizeof whole);

@@ -19,10 +19,6 @@
  * Without P, or if X, Y, Z do not move: x differs from the point -a d1 of the first motion by b d2,
  * which is at most all of the second motion; or the other way round.
  *
- * G61 and G61.1 are not exact either: LinuxCNC 2.9 starts a motion in the servo period in which the
- * motion before ends, and adds both. That is half of acceleration times period squared; 0.3 um and
- * 0.3 urad were the most that its simulator showed. 1 um and 1 urad are taken.
- *
  * LinuxCNC merges lines only if they are feeds that move nothing but X, Y, Z. If a motion may be
  * merged, or is an arc, then 2. and 3. do not hold, and the manual's word is taken instead: X, Y, Z
  * stay within P of the way, or within P + Q with merging. An arc may be replaced by two lines

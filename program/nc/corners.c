@@ -101,6 +101,35 @@ static void blend_corner(nc_rows *r, size_t n, nc_leg before, nc_leg after) {
   raise_rows(r, second, joint);
 }
 
+/* The joint moves during the motion, or during a motion that is joined to it. */
+static bool joint_moves(const nc_rows *r, size_t n, size_t joint) {
+  size_t from = n > 0 && r->part[n].joined ? n - 1 : n;
+  size_t to = n + 1 < r->parts && r->part[n + 1].joined ? n + 1 : n;
+  const nc_motion *m = r->motion;
+  for (size_t row = r->part[from].first; row < r->part[to].end; row++) {
+    const double *value = &m->value[row * m->joints + joint];
+    if (value[0] != *(value - m->joints) || m->deviation[row * m->joints + joint] > 1e-12) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static void add_smoothing(nc_rows *r, size_t n) {
+  nc_motion *m = r->motion;
+  for (size_t joint = 0; joint < m->joints; joint++) {
+    if (!joint_moves(r, n, joint)) {
+      continue;
+    }
+    bool angular = m->program.joint[joint].angular;
+    double by = angular ? r->rules.servo_angular : r->rules.servo_linear;
+    for (size_t row = r->part[n].first; row < r->part[n].end; row++) {
+      double *to = &m->blending[row * m->joints + joint];
+      *to = nc_above(*to + by);
+    }
+  }
+}
+
 bool nc_rows_blend(nc_rows *r) {
   nc_motion *to = r->motion;
   size_t count = to->rows * to->joints;
@@ -122,6 +151,9 @@ bool nc_rows_blend(nc_rows *r) {
     }
     before = here;
     n = end;
+  }
+  for (size_t n = 0; n < r->parts; n++) {
+    add_smoothing(r, n);
   }
   return true;
 }
