@@ -162,9 +162,16 @@ class Canon:
         if turns == self.spindle:
             return
         if held and self.spindle is not None:
+            if self._codes_between(self.line, this.sequence_number):
+                return  # the motion came before
             self.fail("the spindle starts or stops while cutter compensation holds motion back")
         self.spindle = turns
         self.out(f"spindle {where} {turns}")
+
+    def _codes_between(self, first, last):
+        """Whether a line of the program after FIRST and before LAST has M3, M4 or M5."""
+        lines = self.job.text.splitlines()[first:last - 1]
+        return any(re.search(r"M0*[345](?![0-9.])", bare(text)) for text in lines)
 
     def _blend(self, this, block, where):
         """G61, G64. Where the program may change units, the interpreter shows P = Q = 0.1 after a

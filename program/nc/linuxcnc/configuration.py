@@ -91,9 +91,9 @@ class Machine:
     def _units(ini):
         unit = (ini.get("TRAJ", "LINEAR_UNITS") or "").lower()
         angle = (ini.get("TRAJ", "ANGULAR_UNITS") or "deg").lower()
-        if angle not in ("deg", "degree"):
+        if angle not in ("deg", "degree", "1.0", "1"):
             raise Refusal(f"{ini.path}: [TRAJ]ANGULAR_UNITS = {angle}: only deg is supported")
-        if unit in ("mm", "metric"):
+        if unit in ("mm", "metric", "1.0", "1"):
             return 1.0
         if unit in ("in", "inch", "imperial"):
             return INCH
@@ -112,8 +112,7 @@ class Machine:
                 letters = word[12:].upper()
         if not letters or set(letters) - set(AXES):
             raise Refusal(f"{ini.path}: [KINS]KINEMATICS: coordinates={letters} is not of {AXES}")
-        if len(letters) < self.count:
-            raise Refusal(f"{ini.path}: [KINS]JOINTS = {self.count}, but coordinates={letters}")
+        self.count = min(self.count, len(letters))  # joints past the letters follow no axis
         return letters[:self.count]
 
     def _joint(self, number):

@@ -10,16 +10,17 @@ WINDOW_PINS = {"5axisgui.pivot_len": ("pivot_len", 250.0)}
 
 
 class Hal:
-    """Signals, values and drivers, from [HAL]HALFILE, HALCMD and POSTGUI_HALFILE."""
+    """Signals, values and drivers, from [HAL]HALFILE, HALCMD and POSTGUI_HALFILE. Trivial kinematics
+    have no pins, so nothing is read for them."""
 
-    def __init__(self, ini):
+    def __init__(self, ini, machine):
         self.ini = ini
         self.values = {}   # pin or signal: its constant, and where it was set
         self.signal = {}   # pin: its signal
         self.pins = {}     # signal: its pins
         self.words = {}    # program of loadusr: its words
         self.scripts = []  # Tcl, which is not read: (path, text)
-        for section, name, value, where in ini.entries:
+        for section, name, value, where in ini.entries if machine.kins != "trivkins" else []:
             if section == "HAL" and name in ("HALFILE", "POSTGUI_HALFILE"):
                 self._file(value.split()[0], where)
             elif section == "HAL" and name in ("HALCMD", "POSTGUI_HALCMD"):

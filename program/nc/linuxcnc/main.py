@@ -29,7 +29,7 @@ class Job:
         self.ini = Ini(self.ini_path)
         self.machine = Machine(self.ini)
         self.kinematics = Kinematics(self.machine)
-        hal = Hal(self.ini)
+        hal = Hal(self.ini, self.machine)
         self.parameters = hal.parameters(self.machine, self.given)
         self.switch_output = hal.switch_output()
         self.table = table_path(self.ini, self.table)
@@ -171,7 +171,8 @@ def error_text(job, canon, this, text):
     Where the last record came from a subroutine of that call, the message names it."""
     line = max(1, this.sequence_number)
     if not canon.recording:
-        return f"{job.ini_path}: [RS274NGC]RS274NGC_STARTUP_CODE: {text}"
+        return (f"{job.ini_path}: LinuxCNC refuses what runs before the program "
+                f"([RS274NGC]RS274NGC_STARTUP_CODE, REMAP, [PYTHON]): {text}")
     where = f"{job.program}:{line}"
     if canon.stack and canon.stack[0][1] == line:
         file, line = canon.place

@@ -39,7 +39,7 @@ def sepax_output(self, **words):
 
 def with_line(remap):
     """A REMAP= of the ini whose line in the program the front end gets to know (argspec N)."""
-    if "ngc=" not in remap or "prolog=" in remap:
+    if not re.match(r"\s*REMAP\s*=\s*[GgMm]\d.*ngc=", remap) or "prolog=" in remap:
         return remap
     given = re.search(r"argspec=(\S*)", remap)
     if given is None:
@@ -59,11 +59,13 @@ def private_ini(job):
         if code in taken:
             raise Refusal(f"{ini.path}: [RS274NGC]REMAP={code} is not supported, because the front "
                           f"end remaps it")
-    lines, rs274ngc = [], False
-    ours = ["HAL_PIN_VARS = 0", "REMAP = M66 modalgroup=10 argspec=pelq python=sepax_m66",
-            "REMAP = M67 modalgroup=10 argspec=eqN python=sepax_output",
-            "REMAP = M68 modalgroup=10 argspec=eqN python=sepax_output"]
-    home = os.path.expanduser("~")
+    ours = {
+        "[RS274NGC]": ["HAL_PIN_VARS = 0",
+                       "REMAP = M66 modalgroup=10 argspec=pelq python=sepax_m66",
+                       "REMAP = M67 modalgroup=10 argspec=eqN python=sepax_output",
+                       "REMAP = M68 modalgroup=10 argspec=eqN python=sepax_output"],
+        "[PYTHON]": [f"TOPLEVEL = {job.folder}/toplevel.py"]}
+    lines, home = [], os.path.expanduser("~")
     for _, line in ini.lines:
         name = line.split("=")[0].strip()
         if name in ("HAL_PIN_VARS", "PARAMETER_FILE", "TOPLEVEL", "LOG_FILE"):
@@ -71,12 +73,10 @@ def private_ini(job):
         if name == "REMAP":
             line = with_line(line)
         lines.append(re.sub(r"([=:]\s*)~/", lambda m: m.group(1) + home + "/", line))
-        if line.strip() == "[RS274NGC]" and not rs274ngc:
-            rs274ngc = True
-            lines += ours
-    if not rs274ngc:
-        lines += ["[RS274NGC]"] + ours
-    lines += ["[PYTHON]", f"TOPLEVEL = {job.folder}/toplevel.py"]
+        # LinuxCNC reads only the first section of a name.
+        lines += ours.pop(line.strip(), [])
+    for section, entries in ours.items():
+        lines += [section] + entries
     path = os.path.join(job.folder, "private.ini")
     with open(path, "w", encoding="utf-8") as out:
         out.write("\n".join(lines) + "\n")

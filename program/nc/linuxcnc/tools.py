@@ -96,4 +96,7 @@ def table_path(ini, given):
     name = ini.get("EMCIO", "TOOL_TABLE")
     if given is not None or name is None:
         return given
-    return os.path.join(ini.folder, os.path.expanduser(name))
+    path = os.path.join(ini.folder, os.path.expanduser(name))
+    if not os.path.exists(path):
+        raise Refusal(f"{ini.path}: [EMCIO]TOOL_TABLE = {name} is not there; give --table=FILE")
+    return path
