@@ -89,7 +89,7 @@ $(PAGE_OBJ): $(BUILD)/obj/page.c
 # The front end of NC programs as a C string: its files in the order in which they need each other.
 LINUXCNC_OBJ = $(BUILD)/obj/linuxcnc.o
 NC_PY  = $(addprefix program/nc/linuxcnc/,\
-  configuration.py kinematics.py hal.py tools.py canon.py main.py)
+  configuration.py kinematics.py hal.py tools.py canon.py private.py main.py)
 $(BUILD)/obj/linuxcnc.c: scripts/embed $(NC_PY)
 	@mkdir -p $(@D)
 	@cat $(NC_PY) > $(BUILD)/obj/linuxcnc.py

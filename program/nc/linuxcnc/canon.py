@@ -18,7 +18,8 @@ class Canon:
         self.parameter_file = job.parameter_file
         self.out = job.out
         self.rows = [NO_TOOL] + [t.row() for t in job.tools]
-        self.files = {job.program: 0}
+        self.files = {job.program: 0}  # the program has two names: as given, and with its folder
+        self.file_count = 1
         self.stack = []           # (file, line) of the call of each subroutine that runs
         self.remaps = {}          # level of calls: line of a remapped code that called
         self.place = (0, 0)
@@ -48,7 +49,8 @@ class Canon:
         if not path:
             return 0
         if path not in self.files:
-            self.files[path] = len(self.files)
+            self.files[path] = self.file_count
+            self.file_count += 1
             self.out(f"file {self.files[path]} {path}")
         return self.files[path]
 
@@ -56,7 +58,7 @@ class Canon:
         """FILE LINE of what is executed now. Motion that cutter compensation held back is of an
         earlier line: its file is known only if the program has no other file."""
         file = self._file(this.filename)
-        if self.line != this.sequence_number and this.sequence_number and len(self.files) > 1:
+        if self.line != this.sequence_number and this.sequence_number and self.file_count > 1:
             file = -1
         self.stack = [(this.sub_context[i].filename,
                        this.sub_context[i].sequence_number or self.remaps.get(i, 0))
