@@ -79,14 +79,18 @@ static sepax_pose next_link(const sepax_pose *link, const sepax_joint *joint, do
   return sepax_pose_compose(link, &step);
 }
 
-double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
-                          const double *middle, const double *to, const double box[2][3]) {
+/* What the joints do to the points of a box in the time from 0 to 1. */
+typedef struct {
+  double scale;     /* sum of all lengths */
+  double moved;     /* motion by the joints so far (those nearest to A) from the middle to an end */
+  double curvature; /* bound on the second derivative of a point's path in B's coordinates */
+  double rounded;   /* rounding of the joint values between the ends */
+} motion;
+
+static motion motion_of(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
+                        const double *middle, const double *to, const double box[2][3]) {
   sepax_pose link = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
-  double scale = 2 * (vector_length(box[0]) + vector_length(box[1])); /* sum of all lengths */
-  double moved = 0; /* motion by the joints so far (those nearest to A) from the middle to an end */
-  double curvature = 0; /* bound on the second derivative of a point's path in B's coordinates, if
-                           the whole motion takes time 1 */
-  double rounded = 0;   /* rounding of the joint values between the ends */
+  motion sum = {.scale = 2 * (vector_length(box[0]) + vector_length(box[1]))};
   for (size_t n = 0; n < chain->count; n++) {
     const sepax_joint *joint = &m->joint[chain->joint[n]];
     const double *value[3] = {from, middle, to};
@@ -97,22 +101,39 @@ double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, co
     bool rising = n < chain->up;
     sepax_pose other = next_link(&link, joint, q[1], rising);
     const sepax_pose *child = rising ? &link : &other;
-    scale += vector_length(joint->origin.translation);
-    double slack = (double)(n + 1) * 0x1p-43 * scale;
+    sum.scale += vector_length(joint->origin.translation);
+    double slack = (double)(n + 1) * 0x1p-43 * sum.scale;
     double most = fmax(fabs(q[0]), fabs(q[2]));
     double way = fabs(q[2] - q[0]);
     if (joint->kind == SEPAX_JOINT_PRISMATIC) {
-      scale += most;
-      rounded += 0x1p-50 * most;
-      moved += way / 2 * up;
+      sum.scale += most;
+      sum.rounded += 0x1p-50 * most;
+      sum.moved += way / 2 * up;
     } else if (joint->kind != SEPAX_JOINT_FIXED) {
-      double arm = (reach_of(joint->axis, child, box) + slack + moved) * up;
-      rounded += 0x1p-50 * most * arm;
-      curvature += way * (way * arm + 4 * moved) * up;
-      moved += way / 2 * arm * up;
+      double arm = (reach_of(joint->axis, child, box) + slack + sum.moved) * up;
+      sum.rounded += 0x1p-50 * most * arm;
+      sum.curvature += way * (way * arm + 4 * sum.moved) * up;
+      sum.moved += way / 2 * arm * up;
     }
     link = other;
   }
+  return sum;
+}
+
+/* All rounding: of joint values on the way, and of poses. */
+static double rounding_of(const motion *sum, const sepax_chain *chain) {
+  return 2 * sum->rounded + (double)(chain->count + 1) * 0x1p-42 * sum->scale;
+}
+
+double sepax__chain_bend(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
+                         const double *middle, const double *to, const double box[2][3]) {
+  motion sum = motion_of(chain, m, from, middle, to, box);
+  return sum.curvature / 8 * up + rounding_of(&sum, chain);
+}
+
+double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, const double *from,
+                          const double *middle, const double *to, const double box[2][3]) {
+  motion sum = motion_of(chain, m, from, middle, to, box);
   double at[3][8][3];
   double chord = 0;
   seen_from_b(chain, m, middle, box, at[0]);
@@ -127,6 +148,5 @@ double sepax_chain_travel(const sepax_chain *chain, const sepax_mechanism *m, co
       chord = fmax(chord, vector_length(way));
     }
   }
-  return fmin(chord + curvature / 32, moved) * up + 2 * rounded +
-         (double)(chain->count + 1) * 0x1p-42 * scale;
+  return fmin(chord + sum.curvature / 32, sum.moved) * up + rounding_of(&sum, chain);
 }
