@@ -33,8 +33,9 @@ static bool count_bricks(sepax__stock *s, const double box[2][3], sepax_error *e
     all *= count;
     if (!(all <= BRICKS_MOST) || most * 0x1p-30 > s->cell) {
       return sepax_fail(error, SEPAX_ERROR_LIMIT,
-                        "cells of %g are too small for this stock: more than %d bricks of 8 x 8 x "
-                        "8 cells; take larger cells",
+                        "cells of %g are too small for this stock: it has more than %d bricks of "
+                        "8 x 8 x 8 cells, or is more than 2^30 cells from the origin; take larger "
+                        "cells",
                         s->cell, BRICKS_MOST);
     }
     s->origin[i] = box[0][i];

@@ -15,38 +15,6 @@ const sepax__stock_corner cone_profile[4] = {{0, -4, 0}, {42, -4, 0}, {13.5, 28,
 
 /* ------------------------------------------------------------------- moves */
 
-sepax_pose pose_of(const place *at) {
-  double ca = cos(at->a);
-  double sa = sin(at->a);
-  double cc = cos(at->c);
-  double sc = sin(at->c);
-  return (sepax_pose){{{cc * ca, -sc, cc * sa}, {sc * ca, cc, sc * sa}, {-sa, 0, ca}},
-                      {at->tip[0], at->tip[1], at->tip[2]}};
-}
-
-place place_between(const move *m, double s) {
-  place at = {.a = m->from.a + s * (m->to.a - m->from.a),
-              .c = m->from.c + s * (m->to.c - m->from.c)};
-  for (int i = 0; i < 3; i++) {
-    at.tip[i] = m->from.tip[i] + s * (m->to.tip[i] - m->from.tip[i]);
-  }
-  return at;
-}
-
-/* The tip is exactly on its way. A point `reach` from it is off by the turn from the middle. */
-void piece_of_move(const void *context, double from, double to, sepax__stock_piece *piece) {
-  const move *m = context;
-  place middle = place_between(m, from / 2 + to / 2);
-  place start = place_between(m, from);
-  double turn = fabs(m->to.a - m->from.a) + fabs(m->to.c - m->from.c);
-  piece->at = pose_of(&middle);
-  for (int i = 0; i < 3; i++) {
-    piece->at.translation[i] = start.tip[i];
-    piece->way[i] = (to - from) * (m->to.tip[i] - m->from.tip[i]);
-  }
-  piece->deviation = turn / 2 * (to - from) * m->reach + 1e-11;
-}
-
 static void add_move(program *p, move m) {
   if (p->count == p->capacity) {
     p->capacity = p->capacity == 0 ? 1024 : 2 * p->capacity;
@@ -64,8 +32,8 @@ void free_program(program *p) {
   memset(p, 0, sizeof *p);
 }
 
-static void go(program *p, bool rapid, int tool, place to) {
-  place from = p->count > 0 ? p->line[p->count - 1].to : to;
+static void go(program *p, bool rapid, int tool, stand to) {
+  stand from = p->count > 0 ? p->line[p->count - 1].to : to;
   if (p->count > 0 && p->line[p->count - 1].tool != tool) {
     from = to; /* a new tool begins where it is put */
   }
@@ -73,11 +41,11 @@ static void go(program *p, bool rapid, int tool, place to) {
 }
 
 static void rapid_to(program *p, int tool, double x, double y, double z) {
-  go(p, true, tool, (place){.tip = {x, y, z}});
+  go(p, true, tool, (stand){.tip = {x, y, z}});
 }
 
 static void feed_to(program *p, int tool, double x, double y, double z) {
-  go(p, false, tool, (place){.tip = {x, y, z}});
+  go(p, false, tool, (stand){.tip = {x, y, z}});
 }
 
 /* ------------------------------------------------------------------- tools */
@@ -188,10 +156,10 @@ program three_axis_part(void) {
 /* --------------------------------------------------------------- five axes */
 
 /* On the cone at the height h (0: bottom, 1: top), `deep` below its surface. */
-static place on_cone(double h, double azimuth, double deep, double lean) {
+static stand on_cone(double h, double azimuth, double deep, double lean) {
   const double slope = atan2(32, 42 - 13.5); /* of the surface's normal, from the plane */
   double r = 42 - (42 - 13.5) * h;
-  place at = {.a = PI / 2 - (PI / 2 - slope) + lean, .c = azimuth + 0.3 * lean};
+  stand at = {.a = PI / 2 - (PI / 2 - slope) + lean, .c = azimuth + 0.3 * lean};
   sepax_pose pose = pose_of(&at);
   const double surface[3] = {r * cos(azimuth), r * sin(azimuth), -4 + 32 * h};
   for (int i = 0; i < 3; i++) {

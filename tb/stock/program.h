@@ -4,19 +4,7 @@
 #ifndef STOCK_PROGRAM_H
 #define STOCK_PROGRAM_H
 
-#include "stock/stock.h"
-
-/* Where a tool is: its tip, and the angles of its axis, Rz(c) Ry(a) ez. */
-typedef struct {
-  double tip[3], a, c;
-} place;
-
-typedef struct {
-  bool rapid;
-  int tool;
-  place from, to;
-  double reach; /* of the shapes from the tip */
-} move;
+#include "stock/moves.h"
 
 typedef struct {
   move *line;
@@ -47,13 +35,5 @@ extern const sepax__stock_corner cone_profile[4];
 extern const double cone_box[2][3];
 
 void free_program(program *p);
-
-/* The piece of a move; for sepax__stock_way. */
-void piece_of_move(const void *move, double from, double to, sepax__stock_piece *piece);
-#define WAY(line) (&(sepax__stock_way){piece_of_move, (line)})
-
-/* The tool's pose at a place. */
-sepax_pose pose_of(const place *at);
-place place_between(const move *m, double s);
 
 #endif
