@@ -190,8 +190,11 @@ bool sepax__outline_of(outline *o, const turned_profile *profile, outline_side s
     }
     ok = ok && sepax__outline_add(o, p.z, p.r);
   }
-  ok = ok && (above == 0 ||
-              sepax__outline_add(o, profile->point[last].z + above, profile->point[last].r));
+  if (ok && above > 0 && o->at[o->count - 1].r == o->at[o->count - 2].r) {
+    o->at[o->count - 1].z += above; /* the cylinder below goes on */
+  } else if (ok && above > 0) {
+    ok = sepax__outline_add(o, o->at[o->count - 1].z + above, o->at[o->count - 1].r);
+  }
   if (!ok) {
     sepax__outline_free(o);
   }

@@ -7,15 +7,15 @@
  * solid is the solid of the shrunk region. It has the form 0 <= r <= S(z) again:
  * S(z) = least of R(z + t) - sqrt(d^2 - t^2) for |t| <= d.
  *
- * What is within d of an edge is bounded by the edge shifted by d, by half circles around its ends,
- * and by the two segments across at its ends, which lie in these half circles. So S is the least of
- * a number of pieces. The half circle is needed only at a vertex where the region has an angle
- * above 180 degrees: at other vertices the nearest point of the boundary is not the vertex, but on
- * an edge. A grown region has the greatest of the pieces. There the shifted edges go on until they
- * meet, and a vertex has a half circle only if it is sharper than 90 degrees.
+ * The point of the boundary that is nearest to a point within is on an edge, or is a vertex where
+ * the region has an angle above 180 degrees; then the point is between the inward normals of the
+ * vertex's edges. So S is the least of these pieces: edges shifted by d, segments across at both
+ * ends of each, and arcs around such vertices from one normal to the other. A grown region has the
+ * greatest of its pieces: there the shifted edges go on until they meet, and a vertex that is
+ * sharper than 90 degrees has a square around its circle.
  *
- * Rounding: a vertex of the result is wrong by some 1e-12. Nothing is claimed here; the checks at
- * the end of this file (and revolve.c, which calls them) prove what is needed of the result. */
+ * Rounding: a vertex of the result is wrong by some 1e-12. Nothing is claimed here;
+ * outline_checks.c proves what is needed of the result. */
 #include "outline.h"
 #include "util/error.h"
 #include "util/list.h"
@@ -28,7 +28,7 @@ typedef struct {
   double z[2], r[2];
 } piece;
 
-enum { PIECES_MOST = 6000, HEIGHTS_MOST = 1 << 20 };
+enum { PIECES_MOST = 6000, HEIGHTS_MOST = 1 << 16 };
 
 /* Points closer than this in z and r are one point. */
 static const double tiny = 1e-9;
@@ -40,6 +40,7 @@ typedef struct {
   size_t heights, height_capacity;
   double sign; /* 1: the least r counts; -1: the greatest */
   bool memory; /* there was enough */
+  bool few;    /* no more than the most */
 } envelope;
 
 static void add_piece(envelope *e, spot a, spot b) {
@@ -56,23 +57,49 @@ static void add_piece(envelope *e, spot a, spot b) {
 
 static void add_height(envelope *e, double z) {
   double *grown = list_grow(e->height, &e->height_capacity, e->heights, sizeof *grown);
-  e->memory = e->memory && grown != NULL && e->heights < HEIGHTS_MOST;
+  e->memory = e->memory && grown != NULL;
+  e->few = e->few && e->heights < HEIGHTS_MOST;
   if (grown != NULL) {
     e->height = grown;
     e->height[e->heights++] = z;
   }
 }
 
-/* Half a circle in `steps` chords, with its corners at `radius`, towards the axis if sign is 1. */
-static void add_half_circle(envelope *e, spot centre, double radius, int steps) {
-  const double quarter = 0x1.921fb54442d18p0;
-  spot before = {centre.z - radius, centre.r};
-  for (int n = 1; n <= steps; n++) {
-    double angle = quarter * (2.0 * n / steps - 1);
-    spot next = {centre.z + radius * sin(angle), centre.r - e->sign * radius * cos(angle)};
+/* The point of a circle in the direction of an inward normal: 0 is towards the axis, a quarter turn
+ * is up. */
+static spot on_circle(spot centre, double angle, double radius) {
+  return (spot){centre.z + radius * sin(angle), centre.r - radius * cos(angle)};
+}
+
+/* The arc from the inward normal of the edge before a vertex to that of the edge behind it, in
+ * steps of a given angle at most: as chords, or as tangents, which are outside of the circle. */
+static void add_fan(envelope *e, const outline *o, size_t n, double size, double step,
+                    bool chords) {
+  spot a = o->at[n - 1];
+  spot b = o->at[n];
+  spot c = o->at[n + 1];
+  double from = atan2(b.r - a.r, b.z - a.z);
+  double to = atan2(c.r - b.r, c.z - b.z);
+  int steps = (int)fmin(ceil((to - from) / step), PIECES_MOST);
+  step = (to - from) / (steps > 0 ? steps : 1);
+  spot before = on_circle(b, from, size);
+  for (int k = 0; k < steps; k++) {
+    spot next = chords ? on_circle(b, from + (k + 1) * step, size)
+                       : on_circle(b, from + (k + 0.5) * step, size / cos(step / 2));
     add_piece(e, before, next);
     before = next;
   }
+  if (!chords && steps > 0) {
+    add_piece(e, before, on_circle(b, to, size));
+  }
+}
+
+/* Half a square around the circle, away from the axis. */
+static void add_square(envelope *e, spot centre, double size) {
+  double corner = size * (1.4142135623730951 + 1e-12);
+  spot top = {centre.z, centre.r + corner};
+  add_piece(e, (spot){centre.z - corner, centre.r}, top);
+  add_piece(e, top, (spot){centre.z + corner, centre.r});
 }
 
 /* Point n of an outline with its ends at the axis, n = -1 ... count. */
@@ -81,15 +108,10 @@ static spot spot_of(const outline *o, ptrdiff_t n) {
   return n < 0 ? (spot){o->at[0].z, 0} : n > last ? (spot){o->at[last].z, 0} : o->at[n];
 }
 
-/* What a vertex needs beside the shifted edges. */
-typedef struct {
-  bool circle;   /* a half circle */
-  double beyond; /* the shifted edges go on by this length, and meet */
-} corner;
-
 /* At vertex n of a region that grows by `size`, edges that turn by an angle t <= 90 degrees meet at
- * size tan(t / 2) beyond their ends, which is not more than 1.42 size from the vertex. */
-static corner corner_of(const outline *o, ptrdiff_t n, double size, bool grows) {
+ * size tan(t / 2) beyond their ends, which is not more than 1.42 size from the vertex. Returns that
+ * length; 0 for a hollow vertex; and -1 for a sharper one, which needs a square. */
+static double length_beyond(const outline *o, ptrdiff_t n, double size) {
   spot a = spot_of(o, n - 1);
   spot b = spot_of(o, n);
   spot c = spot_of(o, n + 1);
@@ -98,13 +120,10 @@ static corner corner_of(const outline *o, ptrdiff_t n, double size, bool grows) 
   double length = hypot(z[0], r[0]) * hypot(z[1], r[1]);
   double sine = r[0] * z[1] - z[0] * r[1]; /* positive: an angle below 180 degrees */
   double cosine = r[0] * r[1] + z[0] * z[1];
-  bool hollow = sine <= 1e-12 * length;
-  if (!grows) {
-    bool end = n == 0 || n + 1 == (ptrdiff_t)o->count;
-    return (corner){hollow && !end, 0};
+  if (cosine < -1e-12 * length || length == 0) {
+    return -1;
   }
-  bool sharp = cosine < -1e-12 * length || length == 0;
-  return (corner){sharp, sharp || hollow ? 0 : size * (sine / (length + cosine))};
+  return sine > 0 ? size * (sine / (length + cosine)) : 0;
 }
 
 static void add_edge(envelope *e, const outline *o, ptrdiff_t n, double depth, double before,
@@ -125,24 +144,27 @@ static void add_edge(envelope *e, const outline *o, ptrdiff_t n, double depth, d
   }
 }
 
-/* The chords of a circle are inside of it, so that a region stays larger that is shrunk by them,
- * and the other way round. */
-static void add_pieces(envelope *e, const outline *from, double depth, outline_side side,
-                       double sagitta) {
-  const double quarter = 0x1.921fb54442d18p0;
-  double size = fabs(depth);
-  int steps = depth > 0 ? (int)fmin(ceil(quarter / acos(size / (size + sagitta))), 1000) : 2;
-  steps = steps < 2 ? 2 : steps;
-  bool chords = (side == AROUND) == (depth > 0);
-  double radius = chords ? size : size / cos(quarter / steps);
-  corner before = {0};
-  for (ptrdiff_t n = 0; n < (ptrdiff_t)from->count; n++) {
-    corner here = corner_of(from, n, size, depth < 0);
+/* The pieces of a region that shrinks. The chords of a circle are inside of it, so what is cut off
+ * is less. */
+static void add_shrunk(envelope *e, const outline *from, double size, bool chords, double sagitta) {
+  double step = fmin(2 * acos(size / (size + sagitta)), 1);
+  for (size_t n = 0; n + 1 < from->count; n++) {
+    add_edge(e, from, (ptrdiff_t)n, size, 0, 0);
     if (n > 0) {
-      add_edge(e, from, n - 1, depth, before.beyond, here.beyond);
+      add_fan(e, from, n, size, step, chords);
     }
-    if (here.circle) {
-      add_half_circle(e, from->at[n], radius, steps);
+  }
+}
+
+static void add_grown(envelope *e, const outline *from, double size) {
+  double before = 0;
+  for (ptrdiff_t n = 0; n < (ptrdiff_t)from->count; n++) {
+    double here = length_beyond(from, n, size);
+    if (n > 0) {
+      add_edge(e, from, n - 1, -size, fmax(before, 0), fmax(here, 0));
+    }
+    if (here < 0) {
+      add_square(e, from->at[n], size);
     }
     before = here;
   }
@@ -181,7 +203,7 @@ static void add_heights(envelope *e) {
   if (e->pieces > 0) {
     qsort(e->piece, e->pieces, sizeof *e->piece, compare_pieces);
   }
-  for (size_t i = 0; i < e->pieces && e->memory; i++) {
+  for (size_t i = 0; i < e->pieces && e->memory && e->few; i++) {
     const piece *p = &e->piece[i];
     add_height(e, p->z[0]);
     add_height(e, p->z[1]);
@@ -252,27 +274,38 @@ static void trace(envelope *e, outline *o, double from, double to) {
   }
 }
 
+static bool complain(const envelope *e, sepax_error *error) {
+  return e->few ? sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a profile of %zu pieces",
+                             e->pieces)
+                : sepax_fail(error, SEPAX_ERROR_LIMIT,
+                             "the profile has too many pieces for this gap (%zu, and %zu heights); "
+                             "give a larger gap",
+                             e->pieces, e->heights);
+}
+
 bool sepax__outline_offset(outline *o, const outline *from, double depth, outline_side side,
                            double sagitta, sepax_error *error) {
-  envelope e = {.sign = depth > 0 ? 1 : -1, .memory = true};
+  envelope e = {.sign = depth > 0 ? 1 : -1, .memory = true, .few = true};
   double low = depth > 0 ? from->at[0].z + depth : -INFINITY;
   double high = depth > 0 ? from->at[from->count - 1].z - depth : INFINITY;
   *o = (outline){0};
-  add_pieces(&e, from, depth, side, sagitta);
-  bool few = e.pieces <= PIECES_MOST;
-  if (e.memory && few && low < high) {
+  if (depth > 0) {
+    add_shrunk(&e, from, depth, side == AROUND, sagitta);
+  } else {
+    add_grown(&e, from, -depth);
+  }
+  e.few = e.pieces <= PIECES_MOST;
+  if (e.memory && e.few && low < high) {
     add_heights(&e);
-    trace(&e, o, low, high);
+    if (e.memory && e.few) {
+      trace(&e, o, low, high);
+    }
   }
   sepax_release(e.piece);
   sepax_release(e.height);
-  if (!e.memory || !few) {
+  if (!e.memory || !e.few) {
     sepax__outline_free(o);
-    return few ? sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for a profile of %zu pieces",
-                            e.pieces)
-               : sepax_fail(error, SEPAX_ERROR_LIMIT,
-                            "the profile becomes %zu pieces, %d being the most; give a larger gap",
-                            e.pieces, PIECES_MOST);
+    return complain(&e, error);
   }
   return true;
 }

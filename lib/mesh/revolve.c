@@ -15,7 +15,7 @@
  *    more away from the boundary of the shrunk solid, too. Corners of C are wrong by 2^-48 at most:
  *    the angle, sine, cosine and quotient have a few roundings each, and glibc's sine and cosine
  *    err by less than a unit in the last place. The factor 1 +- 2^-40 is more than that.
- * 3. Rounding. A vertex is wrong by at most 3 * 2^-53 * 2e4 < 1e-11, which is less than d / 2 >=
+ * 3. Rounding. A vertex is wrong by at most 4 * 2^-53 * 2e4 < 1e-11, which is less than d / 2 >=
  *    1e-7 by far; so are 1e-10 in the checks and 1e-9 at the ends of arcs. Move the vertices from
  *    their exact places straight to their rounded ones. Each point of each triangle moves by less
  *    than d / 2, so no triangle ever meets the boundary of the shrunk solid. The number of times

@@ -43,7 +43,8 @@ typedef struct {
  * consistent (sepax_shell), with triangles counterclockwise seen from outside, none without area. A
  * mesh has no triangles if nothing is left of the solid. The outer mesh contains every point of the
  * solid, and the solid contains every point of the inner mesh, for the meshes as they are in
- * doubles; revolve.c has the proof. Cost: some milliseconds. The count of triangles follows from
+ * doubles; revolve.c has the proof, which holds, too, if the caller then multiplies all coordinates
+ * by one number in doubles. Cost: some milliseconds. The count of triangles follows from
  * the gap: a cylinder of diameter 10 at 0.005 has 400.
  *
  * Errors: ARGUMENT if the profile or an option is out of range; LIMIT if the gap is too small for
