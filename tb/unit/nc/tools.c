@@ -58,6 +58,8 @@ CASE(test_kinds) {
   double s = sqrt(0.5);
   expect_part(HEAD "1,taper,2,1,,45,10", NC_FLUTES,
               POINTS({0, 0, 0}, {1 - s, s, 1}, {10, s + 10 - (1 - s), 0}));
+  expect_part(HEAD "1,taper,2,1,,30,10", NC_FLUTES,
+              POINTS({0, 0, 0}, {0.5, sqrt(0.75), 1}, {10, sqrt(0.75) + 9.5 / sqrt(3), 0}));
   expect_part(HEAD "1,taper,4,1,,45,10", NC_FLUTES,
               POINTS({0, 1, 0}, {1 - s, 1 + s, 1}, {10, 1 + s + 10 - (1 - s), 0}));
   expect_part(HEAD "1,probe,6,,,,", NC_FLUTES, POINTS({0, 0, 0}, {3, 3, 3}, {6, 0, 3}));
