@@ -107,7 +107,7 @@ static const char *wind_around(const judge *j, const sepax_soup *outer, const se
     real r;
     draw_point(j, p, &z, &r);
     real depth = oracle_depth(&j->solid, z, r) - j->how->shrink;
-    int times[2] = {windings(outer, p), windings(inner, p)};
+    const int times[2] = {windings(outer, p), windings(inner, p)};
     if (times[0] < 0 || times[0] > 1 || times[1] < 0 || times[1] > 1) {
       return "a mesh winds around a point more than once";
     }
