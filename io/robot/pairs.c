@@ -50,12 +50,14 @@ static void choose(sepax_robot_pairs *pairs, const sepax_robot *robot, const boo
   }
 }
 
-/* Which links have shapes; returns how many. */
+/* Which links have shapes, besides those that are marked; returns how many links are marked. */
 static size_t find_shapes(const sepax_robot *robot, bool *has_shape) {
   size_t count = 0;
   for (size_t n = 0; n < robot->shapes; n++) {
-    count += !has_shape[robot->shape[n].link];
     has_shape[robot->shape[n].link] = true;
+  }
+  for (size_t n = 0; n < robot->mechanism.links; n++) {
+    count += has_shape[n];
   }
   return count;
 }
@@ -79,8 +81,8 @@ static bool choose_by(sepax_robot_pairs *pairs, const sepax_robot *robot, const 
   return true;
 }
 
-bool sepax_robot_pairs_choose(sepax_robot_pairs *pairs, const sepax_robot *robot, const char *srdf,
-                              sepax_error *error) {
+bool sepax__robot_pairs(sepax_robot_pairs *pairs, const sepax_robot *robot, const char *srdf,
+                        size_t also, sepax_error *error) {
   const size_t links = robot->mechanism.links;
   bool *has_shape = sepax__zeroed(links, sizeof *has_shape);
   bool *compared = srdf != NULL ? sepax_allocate(links * links) : NULL;
@@ -89,6 +91,9 @@ bool sepax_robot_pairs_choose(sepax_robot_pairs *pairs, const sepax_robot *robot
   if (has_shape == NULL || (srdf != NULL && compared == NULL)) {
     sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for pairs of %zu links", links);
   } else {
+    if (also < links) {
+      has_shape[also] = true;
+    }
     ok = choose_by(pairs, robot, srdf, has_shape, compared, error);
   }
   sepax_release(has_shape);
@@ -97,6 +102,11 @@ bool sepax_robot_pairs_choose(sepax_robot_pairs *pairs, const sepax_robot *robot
     sepax_robot_pairs_free(pairs);
   }
   return ok;
+}
+
+bool sepax_robot_pairs_choose(sepax_robot_pairs *pairs, const sepax_robot *robot, const char *srdf,
+                              sepax_error *error) {
+  return sepax__robot_pairs(pairs, robot, srdf, SIZE_MAX, error);
 }
 
 void sepax_robot_pairs_free(sepax_robot_pairs *pairs) {

@@ -13,6 +13,10 @@ void sepax__place_mesh(sepax_soup *mesh, const sepax_pose *pose);
  * another body. False without memory; then all stay. */
 bool sepax__distinct(sepax_soup *mesh);
 
+/* sepax_robot_pairs_choose as if the link `also` had geometry, too; SIZE_MAX: none. */
+bool sepax__robot_pairs(sepax_robot_pairs *pairs, const sepax_robot *robot, const char *srdf,
+                        size_t also, sepax_error *error);
+
 void sepax__robot_others_free(sepax_robot_others *others);
 
 #endif

@@ -11,6 +11,7 @@
 #include "lines.h"
 #include "rules.h"
 #include "steps.h"
+#include "tools.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -88,8 +89,19 @@ static bool goes_on(const proof *p, int line) {
   return line >= 0 && line + 1 < p->steps.lines && !p->steps.step[line + 1].begins;
 }
 
+/* Both bodies are there only while their tools are in the spindle. */
+static bool exists(const proof *p, const pair *of, int line) {
+  const char *tool = p->robot.link[of->first].tool;
+  const char *other = p->robot.link[of->second].tool;
+  const char *now = p->steps.step[line].tool;
+  return (tool == NULL || (now != NULL && strcmp(tool, now) == 0)) &&
+         (other == NULL || (now != NULL && strcmp(other, now) == 0));
+}
+
+/* Need the pair not be apart in the motion that ends in a line? */
 static bool may_meet(const proof *p, const pair *of, int line) {
-  return rules_may_meet(&p->rules, of->first, of->second, p->steps.step[line].kind);
+  return !exists(p, of, line) ||
+         rules_may_meet(&p->rules, &p->robot, of->first, of->second, p->steps.step[line].kind);
 }
 
 /* Must the pair stay apart from a line to the next? */
@@ -314,6 +326,7 @@ int main(int count, char **words) {
     cannot("the name is empty; name a certificate");
   certificate c = certificate_open(words[optind], &folders);
   proof p = {.robot = robot_read(c.urdf, c.srdf, &folders, &c.files), .clearance = c.clearance};
+  tools_add(&p.robot, &c);
   p.steps = steps_read(c.path, &p.robot, &c.files);
   p.rules = rules_read(c.rules, &p.robot, &c.files);
   files_finish(&c.files);
@@ -334,9 +347,8 @@ int main(int count, char **words) {
   for (int n = 0; n < p.steps.lines; n++)
     segments += goes_on(&p, n);
   for (int n = 0; n < p.rules.count; n++)
-    printf("%s and %s may meet in motions of kind %s of %s\n",
-           p.robot.link[p.rules.entry[n].a].name, p.robot.link[p.rules.entry[n].b].name,
-           step_kind_names[p.rules.entry[n].kind], c.path);
+    printf("%s and %s may meet in motions of kind %s of %s\n", p.rules.entry[n].a,
+           p.rules.entry[n].b, step_kind_names[p.rules.entry[n].kind], c.path);
   printf("%zu pairs, %d segments, %lld intervals: accepted (%lld by their axis; %lld halved)\n",
          p.pairs, segments, c.intervals, p.by_axis, p.halved);
   return 0;

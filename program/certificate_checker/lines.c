@@ -77,6 +77,7 @@ certificate certificate_open(const char *file, packages *folders) {
     cannot("%s: line 1: no clearance", file);
   c.files = files_of(file, json_object_get(head, "files"));
   read_pairs(&c, json_object_get(head, "pairs"));
+  c.head = head;
   const char *name = NULL;
   json_t *folder = NULL;
   json_object_foreach(json_object_get(head, "packages"), name, folder) {

@@ -22,6 +22,7 @@ typedef struct {
   files files;
   const char *(*pair)[2];
   size_t pairs;
+  json_t *head; /* the first line */
 } certificate;
 
 typedef struct {

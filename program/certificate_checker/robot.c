@@ -255,7 +255,7 @@ static void check_names(const context *c, const xmlNode *node) {
 }
 
 static void read_link(context *c, xmlNode *node, robot *r) {
-  robot_link new = {attribute(c, node, "name"), -1, {0}};
+  robot_link new = {.name = attribute(c, node, "name"), .joint = -1};
   if (robot_link_named(r, new.name) >= 0)
     cannot("%s: two links %s", c->file, new.name);
   check_names(c, node);
@@ -298,7 +298,7 @@ static void divide_joint(const context *c, robot *r, joint whole, const char *na
       if (robot_link_named(r, new.name) >= 0)
         cannot("%s: two links %s", c->file, new.name);
       GROW(r->link, r->links);
-      r->link[r->links] = (robot_link){new.name, -1, {0}};
+      r->link[r->links] = (robot_link){.name = new.name, .joint = -1};
       new.child = r->links++;
     }
     add_joint(c, r, new);

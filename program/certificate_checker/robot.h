@@ -26,6 +26,9 @@ typedef struct {
   char *name;
   int joint; /* that leads to its parent, or -1 */
   surface body;
+  /* Of a part of a tool that is held by a link; otherwise NULL. */
+  const char *role; /* "flutes" */
+  const char *tool; /* it exists only with this tool in the spindle */
 } robot_link;
 
 typedef struct {

@@ -19,6 +19,18 @@ static char *cell(char **next) {
   return text;
 }
 
+/* Is the link meant by the name? */
+static bool is_meant(const robot_link *link, const char *name) {
+  return strcmp(link->name, name) == 0 || (link->role != NULL && strcmp(link->role, name) == 0);
+}
+
+static bool is_known(const robot *r, const char *name) {
+  int n = 0;
+  while (n < r->links && !is_meant(&r->link[n], name))
+    n++;
+  return n < r->links;
+}
+
 static rule read_rule(const char *file, char *line, const robot *r, bool header) {
   char *cells[3] = {NULL, NULL, NULL};
   char *next = line;
@@ -29,16 +41,16 @@ static rule read_rule(const char *file, char *line, const robot *r, bool header)
   }
   if (next != NULL)
     cannot("%s: a line has more than three cells", file);
-  rule one = {-1, -1, STEP_MOVE};
+  rule one = {NULL, NULL, STEP_MOVE};
   if (header) {
     if (strcmp(cells[0], "a") != 0 || strcmp(cells[1], "b") != 0 || strcmp(cells[2], "kind") != 0)
       cannot("%s: the first line is not a,b,kind", file);
     return one;
   }
-  one.a = robot_link_named(r, cells[0]);
-  one.b = robot_link_named(r, cells[1]);
-  if (one.a < 0 || one.b < 0)
-    cannot("%s: %s, %s: no such links", file, cells[0], cells[1]);
+  one.a = text_copy(cells[0], strlen(cells[0]));
+  one.b = text_copy(cells[1], strlen(cells[1]));
+  if (!is_known(r, one.a) || !is_known(r, one.b))
+    cannot("%s: %s, %s: no such links", file, one.a, one.b);
   if (!step_kind_named(cells[2], &one.kind))
     cannot("%s: no kind %s", file, cells[2]);
   return one;
@@ -70,10 +82,13 @@ rules rules_read(const char *file, const robot *r, files *f) {
   return all;
 }
 
-bool rules_may_meet(const rules *all, int a, int b, step_kind kind) {
+bool rules_may_meet(const rules *all, const robot *r, int a, int b, step_kind kind) {
+  const robot_link *p = &r->link[a];
+  const robot_link *q = &r->link[b];
   for (int n = 0; n < all->count; n++) {
     const rule *one = &all->entry[n];
-    if (one->kind == kind && ((one->a == a && one->b == b) || (one->a == b && one->b == a)))
+    if (one->kind == kind && ((is_meant(p, one->a) && is_meant(q, one->b)) ||
+                              (is_meant(p, one->b) && is_meant(q, one->a))))
       return true;
   }
   return false;

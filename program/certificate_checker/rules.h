@@ -7,7 +7,7 @@
 #include "steps.h"
 
 typedef struct {
-  int a, b; /* links */
+  char *a, *b; /* names of links, or roles of parts of tools */
   step_kind kind;
 } rule;
 
@@ -19,6 +19,6 @@ typedef struct {
 /* CSV whose first line is a,b,kind. file may be NULL: no rules. */
 rules rules_read(const char *file, const robot *r, files *f);
 
-bool rules_may_meet(const rules *all, int a, int b, step_kind kind);
+bool rules_may_meet(const rules *all, const robot *r, int a, int b, step_kind kind);
 
 #endif

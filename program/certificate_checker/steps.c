@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* Columns that are no joints. Where a joint has such a name, the column is that of the joint. */
-enum { TIME = -1, BREAK = -2, DEVIATION = -3, KIND = -4, WORDS = -5 };
+enum { TIME = -1, BREAK = -2, DEVIATION = -3, KIND = -4, TOOL = -5, WORDS = -6 };
 
 typedef struct {
   int joint; /* or one of the above; WORDS and below: of no use for a proof */
@@ -53,7 +53,7 @@ bool step_kind_named(const char *name, step_kind *kind) {
 
 /* What a column is that is no joint. */
 static int meaning(const char *file, const char *name) {
-  static const char *const NAMES[] = {"time", "break", "deviation", "kind", "file", "line", "tool"};
+  static const char *const NAMES[] = {"time", "break", "deviation", "kind", "tool", "file", "line"};
   for (int n = 0; n < (int)(sizeof NAMES / sizeof *NAMES); n++) {
     if (strcmp(NAMES[n], name) == 0)
       return TIME - n;
@@ -127,6 +127,10 @@ static void read_cell(const char *file, const char *text, const column *c, steps
   } else if (c->joint == KIND) {
     if (*text != 0 && !step_kind_named(text, &to->kind))
       cannot("%s: data line %d: no kind %s", file, s->lines, text);
+  } else if (c->joint == TOOL) {
+    const char *before = s->lines > 0 ? to[-1].tool : NULL;
+    const bool same = before != NULL && strcmp(before, text) == 0;
+    to->tool = *text == 0 ? NULL : same ? before : text_copy(text, strlen(text));
   } else if (c->joint > WORDS && !(c->joint == DEVIATION && *text == 0)) {
     read_value(file, text, c, s);
   }
@@ -191,7 +195,7 @@ steps steps_read(const char *file, const robot *r, files *f) {
     long double *value = s.value + (size_t)s.lines * (size_t)s.joints;
     for (int n = 0; n < r->joints; n++)
       value[n] = 0;
-    s.step[s.lines] = (step){STEP_MOVE, s.lines == 0, 0};
+    s.step[s.lines] = (step){STEP_MOVE, NULL, s.lines == 0, 0};
     read_line(file, line, columns, count, &s);
     follow(r, value);
     s.lines++;

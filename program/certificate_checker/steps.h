@@ -9,6 +9,7 @@ typedef enum { STEP_MOVE, STEP_RAPID, STEP_FEED, STEP_PROBE, STEP_DWELL } step_k
 
 typedef struct {
   step_kind kind;   /* of the way to this line */
+  const char *tool; /* in the spindle on this way; NULL: none is named */
   bool begins;      /* there is no way to this line from the line before */
   double deviation; /* m: how far points may be from where the linear way has them */
 } step;

@@ -150,18 +150,84 @@ static json_t *files_of(const path_scene *scene, const path_question *q, sepax_e
   return ok ? files : NULL;
 }
 
+/* -------------------------------------------------------------------------- tools */
+
+static json_t *triangles_of(const sepax_soup *mesh) {
+  json_t *list = json_array();
+  for (size_t n = 0; n < mesh->count; n++) {
+    json_t *triangle = json_array();
+    for (int k = 0; k < 9; k++) {
+      json_array_append_new(triangle, json_real(mesh->facet[n].v[k / 3][k % 3]));
+    }
+    json_array_append_new(list, triangle);
+  }
+  return list;
+}
+
+/* The parts of tools, which no file describes as meshes. */
+static json_t *bodies_of(const path_scene *scene) {
+  json_t *list = json_array();
+  for (size_t n = 0; n < scene->bodies; n++) {
+    const path_body *b = &scene->body[n];
+    if (b->role != NULL) {
+      json_array_append_new(list,
+                            json_pack("{s:s, s:s, s:s, s:s, s:o}", "name", path_body_name(scene, n),
+                                      "role", b->role, "tool", scene->motion.name[b->tool], "link",
+                                      scene->robot.mechanism.link[b->link].name, "triangles",
+                                      triangles_of(&b->mesh)));
+    }
+  }
+  return list;
+}
+
+/* Is the pair of a part of a tool and a link proved by intervals? */
+static bool has_intervals(const path_scene *scene, size_t tool, size_t other) {
+  for (size_t n = 0; n < scene->pairs; n++) {
+    const path_pair *pair = &scene->pair[n];
+    if (!pair->by_cells && pair->body[0] == tool && pair->body[1] == other) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Pairs of parts of tools that the certificate does not prove: [part, link]. */
+static json_t *left_out_of(const path_scene *scene) {
+  json_t *list = json_array();
+  for (size_t n = 0; n < scene->bodies; n++) {
+    for (size_t k = 0; k < scene->partners && scene->body[n].role != NULL; k++) {
+      size_t other = scene->body_of[scene->partner[k]];
+      if (!has_intervals(scene, n, other)) {
+        json_array_append_new(
+            list, json_pack("[s, s]", path_body_name(scene, n), path_body_name(scene, other)));
+      }
+    }
+  }
+  return list;
+}
+
 static json_t *head_of(const certificate *c) {
   const path_question *q = c->q;
   json_t *pairs = json_array();
   for (size_t n = 0; n < c->scene->pairs; n++) {
     const path_pair *pair = &c->scene->pair[n];
+    if (pair->by_cells) {
+      continue;
+    }
     json_array_append_new(pairs, json_pack("[s, s]", path_body_name(c->scene, pair->body[0]),
                                            path_body_name(c->scene, pair->body[1])));
   }
-  return json_pack("{s:s, s:i, s:s, s:s?, s:s?, s:s, s:O, s:O, s:f, s:o}", "certificate", "sepax",
-                   "version", 2, "urdf", q->urdf, "srdf", q->srdf, "rules", q->table, "path",
-                   path_motion_file(q), "packages", c->packages, "files", c->files, "clearance",
-                   q->bands.clearance.length, "pairs", pairs);
+  json_t *head = json_pack("{s:s, s:i, s:s, s:s?, s:s?, s:s, s:O, s:O, s:f, s:o}", "certificate",
+                           "sepax", "version", 2, "urdf", q->urdf, "srdf", q->srdf, "rules",
+                           q->table, "path", path_motion_file(q), "packages", c->packages, "files",
+                           c->files, "clearance", q->bands.clearance.length, "pairs", pairs);
+  if (c->scene->tool_link != SIZE_MAX) {
+    json_object_set_new(head, "tool_link",
+                        json_string(c->scene->robot.mechanism.link[c->scene->tool_link].name));
+    json_object_set_new(head, "bodies", bodies_of(c->scene));
+    json_object_set_new(head, "left_out", left_out_of(c->scene));
+  }
+  return head;
 }
 
 static json_t *interval_of(size_t pair, const path_interval *at) {
@@ -177,11 +243,12 @@ static bool write_all(FILE *out, const void *context) {
   const certificate *c = context;
   size_t count = 0;
   bool ok = write_line(out, head_of(c));
-  for (size_t n = 0; n < c->scene->pairs; n++) {
+  for (size_t n = 0, number = 0; n < c->scene->pairs; n++) {
     const path_proof *proof = &c->scene->pair[n].proof;
     for (size_t k = 0; k < proof->count && ok; k++, count++) {
-      ok = write_line(out, interval_of(n, &proof->interval[k]));
+      ok = write_line(out, interval_of(number, &proof->interval[k]));
     }
+    number += !c->scene->pair[n].by_cells;
   }
   return ok && write_line(out, json_pack("{s:I}", "intervals", (json_int_t)count));
 }

@@ -2,7 +2,7 @@
 /* certify.c - proves that bodies do not collide between the lines of a path: if the bodies are
  * farther apart than any of their points moves, then they do not meet.
  * docs/reference/mechanisms.md#between-the-lines. */
-#include "path/parts.h"
+#include "path/certify.h"
 #include "util/error.h"
 #include "util/threads.h"
 #include "util/vector.h"
@@ -464,30 +464,57 @@ static bool ask_segments(asking *a, sepax_error *error) {
   return true;
 }
 
-static bool ask_pair(work *all, path_pair *pair, sepax_error *error) {
+/* Begin with a pair; `values` and `queue` are to be freed by end_pair, also after a failure. */
+static bool begin_pair(asking *a, work *all, path_pair *pair, sepax_error *error) {
   const path_scene *scene = all->scene;
-  const sepax_mechanism *m = &scene->robot.mechanism;
   size_t joints = scene->motion.joints;
-  asking a = {.all = all,
-              .pair = pair,
-              .body = {&scene->body[pair->body[0]], &scene->body[pair->body[1]]},
-              .left = all->q->intervals + A_SEGMENT * (scene->motion.lines - 1),
-              .behind = ALL_BEHIND};
-  double *values = malloc(3 * (joints + 1) * sizeof *values);
-  a.queue = malloc(QUEUE * sizeof *a.queue);
-  bool ok = values != NULL && a.queue != NULL &&
-            sepax_chain_find(&a.back, m, a.body[1]->link, a.body[0]->link, error);
-  for (int k = 0; k < 3; k++) {
-    a.value[k] = values + (size_t)k * joints;
-    a.extent += fabs(a.body[0]->least[k]) + fabs(a.body[0]->most[k]) + fabs(a.body[1]->least[k]) +
-                fabs(a.body[1]->most[k]);
+  *a = (asking){.all = all,
+                .pair = pair,
+                .body = {&scene->body[pair->body[0]], &scene->body[pair->body[1]]},
+                .left = all->q->intervals + A_SEGMENT * (scene->motion.lines - 1),
+                .behind = ALL_BEHIND};
+  a->value[0] = malloc(3 * (joints + 1) * sizeof *a->value[0]);
+  a->queue = malloc(QUEUE * sizeof *a->queue);
+  if (a->value[0] == NULL || a->queue == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu joints", joints);
   }
-  ok = values == NULL || a.queue == NULL
-           ? sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu joints", joints)
-           : ok && ask_segments(&a, error);
-  sepax_chain_free(&a.back);
-  free(values);
-  free(a.queue);
+  for (int k = 0; k < 3; k++) {
+    a->value[k] = a->value[0] + (size_t)k * joints;
+    a->extent += fabs(a->body[0]->least[k]) + fabs(a->body[0]->most[k]) +
+                 fabs(a->body[1]->least[k]) + fabs(a->body[1]->most[k]);
+  }
+  return sepax_chain_find(&a->back, &scene->robot.mechanism, a->body[1]->link, a->body[0]->link,
+                          error);
+}
+
+static void end_pair(asking *a) {
+  sepax_chain_free(&a->back);
+  free(a->value[0]);
+  free(a->queue);
+}
+
+static bool ask_pair(work *all, path_pair *pair, sepax_error *error) {
+  asking a;
+  bool ok = begin_pair(&a, all, pair, error) && ask_segments(&a, error);
+  end_pair(&a);
+  return ok;
+}
+
+bool path_certify_segment(path_scene *scene, const path_question *q, const path_pair *pair,
+                          size_t segment, bool *certified, sepax_error *error) {
+  work all = {.scene = scene, .q = q, .failing = ATOMIC_FLAG_INIT, .error = error};
+  path_pair own = *pair;
+  asking a;
+  own.proof = (path_proof){0};
+  bool ok = begin_pair(&a, &all, &own, error);
+  if (ok) {
+    a.at = (path_interval){.segment = segment};
+    a.left = A_SEGMENT * A_SEGMENT;
+    ok = certify_segment(&a, error);
+  }
+  *certified = ok && !own.proof.is_open;
+  end_pair(&a);
+  free(own.proof.interval);
   return ok;
 }
 
@@ -495,7 +522,7 @@ static void work_on(void *context, size_t part) {
   work *all = context;
   path_pair *pair = &all->scene->pair[part];
   sepax_error error = {0};
-  if (pair->lines[VERDICT_COLLISION] == 0 && !ask_pair(all, pair, &error)) {
+  if (pair->lines[VERDICT_COLLISION] == 0 && !pair->by_cells && !ask_pair(all, pair, &error)) {
     if (!atomic_flag_test_and_set(&all->failing)) {
       *all->error = error;
     }

@@ -3,6 +3,7 @@
 #include "report/json.h"
 #include "command_table.h"
 #include "path/digest.h"
+#include "path/cutting.h"
 #include "path/engine.h"
 #include "path/program.h"
 #include "util/error.h"
@@ -210,6 +211,8 @@ static bool program_agrees(const path_question *q, sepax_error *error) {
                       : q->blended                ? "blended"
                       : q->deviation.text != NULL ? "deviation"
                       : q->written != NULL        ? "motion"
+                      : q->start != NULL          ? "start"
+                      : q->loaded >= 0            ? "loaded"
                                                   : NULL;
   if (q->machine == NULL && first != NULL) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
@@ -223,6 +226,19 @@ static bool program_agrees(const path_question *q, sepax_error *error) {
                         "its machine",
                         q->motion);
     }
+  }
+  const char *of_tools = q->stock != NULL        ? "stock"
+                         : q->part != NULL       ? "part"
+                         : q->gouge.text != NULL ? "gouge"
+                                                 : NULL;
+  if (q->tools == NULL && of_tools != NULL) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: applies only to tools; give --tools, too, or leave it out", of_tools);
+  }
+  const char *of_stock = q->cell.text != NULL ? "cells" : q->depth.text != NULL ? "depth" : NULL;
+  if (q->stock == NULL && of_stock != NULL) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%s: applies only to --stock; give --stock, too, or leave it out", of_stock);
   }
   return q->machine == NULL || q->certificate == NULL || q->written != NULL ||
          sepax_fail(error, SEPAX_ERROR_ARGUMENT,
@@ -308,7 +324,8 @@ int cli_path(int argc, char **argv) {
   cli_parse(&argp, argc, argv, &q);
   sepax_error error = {0};
   path_scene scene = {.pairs = 0};
-  q.keep = q.picture != NULL || q.page != NULL || q.jobs != NULL;
+  q.keep = q.stock != NULL || (q.tools != NULL && q.certificate != NULL) || q.picture != NULL ||
+           q.page != NULL || q.jobs != NULL;
   q.word = q.jobs != NULL && q.word == 0 ? WORD : q.word;
   bool ok = options_agree(&q, &error) && outputs_possible(&q, &error);
   q.intervals = q.intervals == 0 ? INTERVALS : q.intervals;
@@ -318,6 +335,7 @@ int cli_path(int argc, char **argv) {
        (q.jobs == NULL || path_write_jobs(&scene, &q, &error)) && path_search(&scene, &q, &error) &&
        (q.written == NULL || path_program_write(&scene, q.written, &error)) &&
        (!q.certify || path_certify(&scene, &q, &error)) &&
+       (scene.stock.cell == 0 || path_cutting_run(&scene, &q, &error)) &&
        (q.csv == NULL || path_write_csv(&scene, q.csv, &error)) &&
        (q.picture == NULL || path_write_picture(&scene, q.picture, &error)) &&
        (q.certificate == NULL || path_write_certificate(&scene, &q, &error)) &&

@@ -129,6 +129,21 @@ static json_t *allowed_of(const path_pair *pair) {
                    (json_int_t)pair->motions_left_out);
 }
 
+/* What the stock as it is cut says of a pair. */
+static json_t *touch_of(const path_scene *scene, const path_pair *pair) {
+  bool holder = scene->body[pair->body[0]].turned_part == NC_HOLDER;
+  json_t *deepest = json_null();
+  if (path_in_lines(pair) != VERDICT_FREE) {
+    deepest = line_of(scene, NULL, pair->deepest_line);
+    json_object_set_new(deepest, "at_least_mm", json_real(mm_of(fmax(0, pair->deepest[0]))));
+    json_object_set_new(deepest, "at_most_mm",
+                        isfinite(pair->deepest[1]) ? json_real(mm_of(pair->deepest[1]))
+                                                   : json_null());
+  }
+  return json_pack("{s:f, s:o}", "depth_mm", holder ? 0.0 : mm_of(scene->stock.depth), "deepest",
+                   deepest);
+}
+
 static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   json_t *lines = json_object();
   json_t *first = json_object();
@@ -143,7 +158,9 @@ static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   json_object_set_new(json, "first", first);
   json_object_set_new(json, "least_clearance", least_of(scene, pair));
   json_object_set_new(json, "between", way_of(scene, pair));
-  if (pair->may_meet != 0) {
+  if (pair->by_cells) {
+    json_object_set_new(json, "stock", touch_of(scene, pair));
+  } else if (pair->may_meet != 0) {
     json_object_set_new(json, "may_meet", allowed_of(pair));
   }
   return json;
@@ -308,6 +325,14 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
     json_object_set_new(
         json, "certificate",
         json_pack("{s:s, s:b}", "file", q->certificate, "written", path_certified(scene)));
+  }
+  if (scene->stock.cell > 0) {
+    const path_stock *s = &scene->stock;
+    json_object_set_new(json, "stock",
+                        json_pack("{s:s, s:f, s:f, s:I, s:I, s:f}", "link",
+                                  path_body_name(scene, s->body), "cell_mm", mm_of(s->cell),
+                                  "depth_mm", mm_of(s->depth), "cells", (json_int_t)s->cells,
+                                  "bytes", (json_int_t)s->bytes, "seconds", s->seconds));
   }
   if (q->jobs != NULL) {
     json_object_set_new(json, "jobs", jobs_of(scene, q));

@@ -14,6 +14,15 @@ enum {
   KEY_TOOL_TABLE,
   KEY_AXIS,
   KEY_RAPIDS,
+  KEY_TOOLS,
+  KEY_TOOL_LINK,
+  KEY_LOADED,
+  KEY_START,
+  KEY_STOCK,
+  KEY_PART,
+  KEY_GOUGE,
+  KEY_CELLS,
+  KEY_DEPTH,
   KEY_BLENDED,
   KEY_DEVIATION
 };
@@ -27,6 +36,31 @@ static const struct argp_option options[] = {
      "take FOLDER for package://NAME/ in the URDF; the option may be repeated", 0},
     {"hold", KEY_HOLD, NULL, 0, "keep joints that have no column in the CSV at 0", 0},
     {"ignore-limits", KEY_IGNORE_LIMITS, NULL, 0, "accept values beyond the limits of their joints",
+     0},
+    {"tools", KEY_TOOLS, "FILE", 0,
+     "the tools that the path names are bodies on --tool-link: flutes, shank and holder of each, "
+     "from this file of tools",
+     0},
+    {"tool-link", KEY_TOOL_LINK, "LINK", 0,
+     "the link of the tools: its origin is the nose of the spindle, its z axis leads into the "
+     "spindle (default: tool)",
+     0},
+    {"start", KEY_START, "X,Y,Z,...", 0,
+     "the position of the axes X, Y, Z, A, B, C, U, V, W when an NC program starts, in mm and "
+     "degrees (default: home)",
+     0},
+    {"loaded", KEY_LOADED, "NUMBER", 0,
+     "the tool in the spindle when an NC program starts; 0: none (default: not known)", 0},
+    {"stock", KEY_STOCK, "LINK", 0, "the link of the stock: flutes may meet it in feeds", 0},
+    {"part", KEY_PART, "LINK", 0,
+     "the link of the finished part: flutes may be no deeper in it than --gouge", 0},
+    {"gouge", KEY_GOUGE, "LENGTH", 0, "how deep flutes may be in --part (default 10um)", 0},
+    {"cells", KEY_CELLS, "LENGTH", 0,
+     "the side of the cells in which --stock is cut (default: 0.2mm, or a tenth of the smallest "
+     "radius of a tool)",
+     0},
+    {"depth", KEY_DEPTH, "LENGTH", 0,
+     "flutes in rapids and shanks may be so deep in what is left of --stock (default: two cells)",
      0},
     {"machine", KEY_MACHINE, "FILE.ini", 0,
      "the second file is an NC program for the machine of this configuration of LinuxCNC", 0},
@@ -78,6 +112,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   switch (key) {
   case ARGP_KEY_INIT:
     q->bands.unit = CLI_METRES;
+    q->tool_link = "tool";
+    q->loaded = -1;
+    q->gouge = (report_limit){NULL, 1e-5};
     state->child_inputs[0] = &q->bands;
     q->meshes.unit = CLI_METRES;
     state->child_inputs[1] = &q->meshes;
@@ -90,6 +127,36 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_HOLD:
     q->rules.hold = true;
+    return 0;
+  case KEY_TOOLS:
+    q->tools = text;
+    return 0;
+  case KEY_TOOL_LINK:
+    q->tool_link = text;
+    return 0;
+  case KEY_START:
+    q->start = text;
+    return 0;
+  case KEY_LOADED:
+    q->loaded = (int)cli_count(state, "loaded", text, 0, 1000000);
+    return 0;
+  case KEY_STOCK:
+    q->stock = text;
+    return 0;
+  case KEY_PART:
+    q->part = text;
+    return 0;
+  case KEY_GOUGE:
+    q->gouge = cli_limit(state, "gouge", text, CLI_METRES);
+    return 0;
+  case KEY_CELLS:
+    q->cell = cli_limit(state, "cells", text, CLI_METRES);
+    if (!(q->cell.length >= 1e-6)) {
+      argp_error(state, "cells: %s is below 1um", text);
+    }
+    return 0;
+  case KEY_DEPTH:
+    q->depth = cli_limit(state, "depth", text, CLI_METRES);
     return 0;
   case KEY_MACHINE:
     q->machine = text;

@@ -11,6 +11,7 @@
 #include "cli/question.h"
 #include "formats/formats.h"
 #include "nc/nc.h"
+#include "nc/tools.h"
 
 enum { PATH_PACKAGES_MOST = 64, PATH_AXES_MOST = 16, PATH_WORD_MIN = 6 };
 
@@ -31,8 +32,13 @@ typedef struct {
   cli_meshes meshes;
   sepax_package package[PATH_PACKAGES_MOST];
   size_t packages;
+  /* Tools as bodies on a link; tools is NULL if there are none. The names of the links of the stock
+   * and of the finished part, or NULL; how deep flutes may be in the part, metres. */
+  const char *tools, *tool_link, *stock, *part;
+  report_limit gouge, cell, depth; /* metres; cell and depth: of the stock as it is cut */
+  int loaded;                      /* the tool in the spindle at the start; -1: not known */
   /* Of an NC program; machine is NULL if the path is a motion file. */
-  const char *machine, *tool_table;
+  const char *machine, *tool_table, *start;
   struct {
     char letter;
     const char *joint;
@@ -54,9 +60,11 @@ typedef struct {
 
 typedef struct {
   size_t link;
-  char *name;       /* of a part of a tool, "T3 holder"; NULL: the link's name */
-  const char *role; /* of such a part, "holder" */
-  size_t tool;      /* number of the tool's name in the motion; FORMAT_NO_NAME: not of a tool */
+  char *name;                   /* of a part of a tool, "T3 holder"; NULL: the link's name */
+  const char *role;             /* of such a part, "holder" */
+  const nc_turned_tool *turned; /* the tool, and which part of it */
+  nc_tool_part turned_part;
+  size_t tool; /* number of the tool's name in the motion; FORMAT_NO_NAME: not of a tool */
   sepax_body
       *body; /* all parts as one body, without triangles that occur twice; or the only part */
   path_part *part;
@@ -108,6 +116,10 @@ typedef struct {
   size_t body[2];
   sepax_chain chain;
   size_t tool; /* the pair exists only while this tool is in the spindle; FORMAT_NO_NAME: always */
+  bool by_cells;     /* decided by the stock as it is cut */
+  double deepest[2]; /* if by_cells: the deepest touch that was found, in metres: seen to touch when
+                        shrunk by the first, free when shrunk by the second */
+  size_t deepest_line;
   unsigned may_meet;                                    /* in motions of kind k if bit k is set */
   size_t lines_asked, lines_left_out, motions_left_out; /* left out by rules */
   size_t lines[VERDICTS];                               /* number of lines with each verdict */
@@ -131,12 +143,25 @@ typedef struct {
   sepax_config config; /* a design for the list */
 } path_jobs;
 
+/* The stock as it is cut: its body, the side of its cells and the depth D, in metres; what is left.
+ */
+typedef struct {
+  size_t body;
+  double cell, depth; /* cell is 0 if no stock is cut */
+  size_t cells, bytes;
+  double seconds;
+} path_stock;
+
 typedef struct {
   sepax_robot robot;
   format_motion motion;
   nc_motion nc;                    /* of an NC program; otherwise zero */
   size_t joint_of[NC_JOINTS_MOST]; /* the URDF's joint of each joint of the control */
-  size_t *row_of;                  /* the row of nc that each line of the path is */
+  nc_tools tools;                  /* of --tools */
+  size_t tool_link;                /* SIZE_MAX: no tools */
+  size_t *partner;                 /* links that are compared with the link of the tools */
+  size_t partners;
+  size_t *row_of; /* the row of nc that each line of the path is */
   path_body *body;
   size_t bodies;
   size_t *body_of; /* of each link; SIZE_MAX if it has none */
@@ -147,6 +172,7 @@ typedef struct {
    * each other, pairs disabled by the SRDF. */
   size_t joined, rigid, disabled;
   path_jobs jobs;
+  path_stock stock;
   bool between; /* --certify has run */
   bool removed; /* a certificate of an earlier run was removed */
   double seconds, between_seconds;
@@ -237,6 +263,9 @@ enum { PATH_PLACE = 300 };
 const char *path_place(const format_motion *motion, size_t line, char text[PATH_PLACE]);
 
 const char *path_body_name(const path_scene *scene, size_t body);
+/* Complete a body that has space for one part: the part and its box. */
+bool path_body_of_mesh(path_body *b, const sepax_soup *mesh, bool keep, sepax_error *error);
+
 const char *path_mesh_file(const path_part *part); /* NULL: none */
 bool path_has_body(const path_scene *scene, size_t link);
 

@@ -114,7 +114,8 @@ static bool add_name(path_scene *scene, const char *text, size_t *number) {
   return copy != NULL;
 }
 
-static bool fill_step(path_scene *scene, const nc_row *row, format_step *step) {
+static bool fill_step(path_scene *scene, const path_question *q, const nc_row *row,
+                      format_step *step) {
   static const format_kind kinds[] = {[NC_RAPID] = FORMAT_RAPID,
                                       [NC_FEED] = FORMAT_FEED,
                                       [NC_PROBE] = FORMAT_PROBE,
@@ -125,10 +126,11 @@ static bool fill_step(path_scene *scene, const nc_row *row, format_step *step) {
                         .file = FORMAT_NO_NAME,
                         .tool = FORMAT_NO_NAME,
                         .line = row->line};
-  snprintf(tool, sizeof tool, "%d", row->tool);
+  int number = row->tool < 0 ? q->loaded : row->tool;
+  snprintf(tool, sizeof tool, "%d", number);
   return (row->file < 0 ||
           add_name(scene, nc_program_file(&scene->nc.program, row->file), &step->file)) &&
-         (row->tool <= 0 || add_name(scene, tool, &step->tool));
+         (number <= 0 || add_name(scene, tool, &step->tool));
 }
 
 static bool within_limits(const path_scene *scene, const path_question *q, size_t row,
@@ -188,7 +190,7 @@ static bool fill_lines(path_scene *scene, const path_question *q, sepax_error *e
       }
     }
     sepax_mechanism_follow(&scene->robot.mechanism, value);
-    if (!fill_step(scene, &nc->row[n], &to->step[line])) {
+    if (!fill_step(scene, q, &nc->row[n], &to->step[line])) {
       return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the names of a path");
     }
     if (!q->rules.ignore_limits && !within_limits(scene, q, line, error)) {
@@ -202,7 +204,9 @@ static bool fill_lines(path_scene *scene, const path_question *q, sepax_error *e
 
 static bool run(path_scene *scene, const path_question *q, sepax_error *error) {
   char table[4096];
-  const char *words[] = {q->machine, q->motion, NULL, NULL};
+  char start[512];
+  const char *words[] = {q->machine, q->motion, NULL, NULL, NULL};
+  int count = 2;
   nc_process p;
   nc_rules rules = {.linear = q->deviation.length,
                     .angular = q->deviation.length,
@@ -210,7 +214,11 @@ static bool run(path_scene *scene, const path_question *q, sepax_error *error) {
                     .ignore_limits = q->rules.ignore_limits};
   if (q->tool_table != NULL) {
     snprintf(table, sizeof table, "--table=%s", q->tool_table);
-    words[2] = table;
+    words[count++] = table;
+  }
+  if (q->start != NULL) {
+    snprintf(start, sizeof start, "--start=%s", q->start);
+    words[count++] = start;
   }
   if (!nc_process_start(&p, path_linuxcnc, words, error)) {
     return false;
@@ -235,6 +243,12 @@ bool path_program_read(path_scene *scene, const path_question *q, sepax_error *e
     if (!match_joint(scene, q, n, error)) {
       return false;
     }
+  }
+  if (q->tools != NULL && q->loaded < 0 && scene->nc.row[0].tool < 0) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%.200s: moves before it loads a tool; give --loaded=NUMBER, the tool in the "
+                      "spindle, or --loaded=0, if there is none",
+                      q->motion);
   }
   return all_matched(scene, q, error) && make_lines(scene, scene->nc.rows, error) &&
          fill_lines(scene, q, error);

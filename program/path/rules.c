@@ -56,12 +56,14 @@ bool path_rules_apply(path_scene *scene, const char *path, sepax_error *error) {
 /* ----------------------------------------------------------------------- motions */
 
 static bool always_asked(const path_pair *pair) {
-  return pair->may_meet == 0 && pair->tool == FORMAT_NO_NAME;
+  return pair->may_meet == 0 && !pair->by_cells && pair->tool == FORMAT_NO_NAME;
 }
 
-/* Is the pair there in the motion that ends in a line? Only with its tool. */
+/* Is the pair there in the motion that ends in a line? Only with its tool. Pairs that the stock as
+ * it is cut decides are not asked here. */
 static bool exists(const path_scene *scene, const path_pair *pair, size_t line) {
-  return pair->tool == FORMAT_NO_NAME || pair->tool == scene->motion.step[line].tool;
+  return !pair->by_cells &&
+         (pair->tool == FORMAT_NO_NAME || pair->tool == scene->motion.step[line].tool);
 }
 
 static bool may_meet(const path_scene *scene, const path_pair *pair, size_t line) {
@@ -112,6 +114,9 @@ static bool left_out(const path_scene *scene, const path_pair *pair, size_t line
 void path_rules_count(path_scene *scene) {
   for (size_t k = 0; k < scene->pairs; k++) {
     path_pair *pair = &scene->pair[k];
+    if (pair->by_cells) {
+      continue;
+    }
     pair->lines_asked = always_asked(pair) ? scene->motion.lines : 0;
     for (size_t n = 0; n < scene->motion.lines && !always_asked(pair); n++) {
       pair->lines_asked += path_line_asked(scene, pair, n);

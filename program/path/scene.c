@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* scene.c - makes bodies from the links and chooses the pairs of bodies that are compared. */
+#include "path/cutting.h"
 #include "path/program.h"
+#include "path/tools.h"
 #include "robot/robot.h"
 #include "util/error.h"
 
@@ -46,12 +48,14 @@ void path_scene_free(path_scene *scene) {
   }
   free(scene->body);
   free(scene->body_of);
+  free(scene->partner);
   free(scene->pair);
   sepax_srdf_free(&scene->srdf);
   sepax_robot_free(&scene->robot);
   format_motion_free(&scene->motion);
   nc_motion_free(&scene->nc);
   sepax_release(scene->row_of);
+  nc_tools_free(&scene->tools);
 }
 
 /* -------------------------------------------------------------------------- bodies */
@@ -103,6 +107,24 @@ static void find_box(path_body *b) {
       b->most[i] = fmax(b->most[i], x);
     }
   }
+}
+
+bool path_body_of_mesh(path_body *b, const sepax_soup *mesh, bool keep, sepax_error *error) {
+  path_part *part = b->part;
+  if (!append(&b->mesh, mesh)) {
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu triangles", mesh->count);
+  }
+  b->triangles = mesh->count;
+  find_box(b);
+  if (!sepax_body_new(&part->body, SEPAX_SOUP_MESH(mesh), NULL, error)) {
+    return false;
+  }
+  b->parts = 1;
+  b->body = part->body;
+  if (!keep) {
+    sepax_soup_free(&b->mesh);
+  }
+  return sepax_shell_find(&part->shell, part->body, error);
 }
 
 static bool make_body(path_body *b, const sepax_robot *robot, size_t first, size_t count,
@@ -157,6 +179,10 @@ static bool make_bodies(path_scene *scene, const path_question *q, sepax_error *
       count++;
     }
     cli_progress_show(&progress, first);
+    if (robot->shape[first].link == scene->tool_link) { /* the tools take its place */
+      first += count;
+      continue;
+    }
     scene->body_of[robot->shape[first].link] = scene->bodies;
     ok = make_body(&scene->body[scene->bodies++], robot, first, count, q, error);
     first += count;
@@ -167,10 +193,16 @@ static bool make_bodies(path_scene *scene, const path_question *q, sepax_error *
 
 /* --------------------------------------------------------------------------- pairs */
 
+/* The number of the link that an option names. */
+static bool is_link(const path_scene *scene, size_t body, const char *name) {
+  const path_body *b = &scene->body[body];
+  return name != NULL && b->role == NULL && strcmp(path_body_name(scene, body), name) == 0;
+}
+
 static bool add_pair(path_scene *scene, size_t a, size_t b, sepax_error *error) {
   path_pair *pair = &scene->pair[scene->pairs];
-  *pair = (path_pair){
-      .body = {a, b}, .tool = FORMAT_NO_NAME, .least = INFINITY, .least_line = PATH_NO_LINE};
+  size_t tool = scene->body[a].tool != FORMAT_NO_NAME ? scene->body[a].tool : scene->body[b].tool;
+  *pair = (path_pair){.body = {a, b}, .tool = tool, .least = INFINITY, .least_line = PATH_NO_LINE};
   for (int v = 0; v < VERDICTS; v++) {
     pair->first[v] = PATH_NO_LINE;
   }
@@ -182,9 +214,43 @@ static bool add_pair(path_scene *scene, size_t a, size_t b, sepax_error *error) 
   return true;
 }
 
-static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error) {
+/* Add the pairs of a part of a tool and the body of a link. The core of the flutes is compared with
+ * the finished part, and with nothing else; the flutes with everything else. */
+static bool add_tool_pair(path_scene *scene, const path_question *q, size_t tool, size_t other,
+                          sepax_error *error) {
+  bool is_core = strcmp(scene->body[tool].role, "core") == 0;
+  bool is_flutes = is_core || scene->body[tool].turned_part == NC_FLUTES;
+  if (is_flutes && is_core != is_link(scene, other, q->part)) {
+    return true;
+  }
+  if (!add_pair(scene, tool, other, error)) {
+    return false;
+  }
+  path_pair *pair = &scene->pair[scene->pairs - 1];
+  pair->may_meet = is_flutes && is_link(scene, other, q->stock) ? 1U << FORMAT_FEED : 0;
+  return true;
+}
+
+/* Add the pairs of two links. */
+static bool add_links(path_scene *scene, const path_question *q, const size_t link[2],
+                      sepax_error *error) {
+  int of_tools = link[0] == scene->tool_link ? 0 : link[1] == scene->tool_link ? 1 : -1;
+  if (of_tools < 0) {
+    return add_pair(scene, scene->body_of[link[0]], scene->body_of[link[1]], error);
+  }
+  scene->partner[scene->partners++] = link[1 - of_tools];
+  for (size_t n = 0; n < scene->bodies; n++) {
+    if (scene->body[n].role != NULL &&
+        !add_tool_pair(scene, q, n, scene->body_of[link[1 - of_tools]], error)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool choose_pairs(path_scene *scene, const path_question *q, sepax_error *error) {
   sepax_robot_pairs chosen;
-  if (!sepax_robot_pairs_choose(&chosen, &scene->robot, srdf, error)) {
+  if (!sepax__robot_pairs(&chosen, &scene->robot, q->srdf, scene->tool_link, error)) {
     return false;
   }
   scene->joined = chosen.joined;
@@ -197,14 +263,14 @@ static bool choose_pairs(path_scene *scene, const char *srdf, sepax_error *error
     sepax_release(scene->srdf.robot);
     scene->srdf.robot = NULL;
   }
-  scene->pair = calloc(chosen.count + 1, sizeof *scene->pair);
-  bool ok = scene->pair != NULL;
+  scene->pair = calloc(chosen.count * (1 + scene->bodies) + 1, sizeof *scene->pair);
+  scene->partner = calloc(scene->robot.mechanism.links, sizeof *scene->partner);
+  bool ok = scene->pair != NULL && scene->partner != NULL;
   if (!ok) {
     sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu pairs", chosen.count);
   }
   for (size_t n = 0; n < chosen.count && ok; n++) {
-    ok = add_pair(scene, scene->body_of[chosen.pair[n][0]], scene->body_of[chosen.pair[n][1]],
-                  error);
+    ok = add_links(scene, q, chosen.pair[n], error);
   }
   sepax_robot_pairs_free(&chosen);
   return ok;
@@ -226,6 +292,24 @@ static bool fail_no_pair(const path_scene *scene, const path_question *q, sepax_
                     q->urdf, scene->bodies, scene->joined + scene->rigid + scene->disabled, names);
 }
 
+/* The links that options name have bodies. */
+static bool links_known(const path_scene *scene, const path_question *q, sepax_error *error) {
+  const char *const names[] = {q->stock, q->part};
+  static const char *const options[] = {"stock", "part"};
+  for (int k = 0; k < 2; k++) {
+    size_t n = 0;
+    while (names[k] != NULL && n < scene->bodies && !is_link(scene, n, names[k])) {
+      n++;
+    }
+    if (names[k] != NULL && n == scene->bodies) {
+      return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                        "%s: no link %.60s with collision geometry in %.200s; mend the name",
+                        options[k], names[k], q->urdf);
+    }
+  }
+  return true;
+}
+
 static bool read_motion(path_scene *scene, const path_question *q, sepax_error *error) {
   return q->machine != NULL ? path_program_read(scene, q, error)
                             : format_motion_read(&scene->motion, &scene->robot.mechanism, &q->rules,
@@ -233,14 +317,17 @@ static bool read_motion(path_scene *scene, const path_question *q, sepax_error *
 }
 
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error) {
-  *scene = (path_scene){0};
+  *scene = (path_scene){.tool_link = SIZE_MAX};
   const sepax_robot_reading how = {sizeof how, q->package, q->packages};
   if (!sepax_robot_read(&scene->robot, q->urdf, &how, error) || !read_motion(scene, q, error) ||
-      !make_bodies(scene, q, error) || !choose_pairs(scene, q->srdf, error)) {
+      (q->tools != NULL && !path_tools_read(scene, q, error)) || !make_bodies(scene, q, error) ||
+      (q->tools != NULL && !path_tools_bodies(scene, q, error)) || !links_known(scene, q, error) ||
+      !choose_pairs(scene, q, error)) {
     return false;
   }
   if ((scene->pairs == 0 && !fail_no_pair(scene, q, error)) ||
-      (q->table != NULL && !path_rules_apply(scene, q->table, error))) {
+      (q->table != NULL && !path_rules_apply(scene, q->table, error)) ||
+      (q->stock != NULL && q->tools != NULL && !path_cutting_begin(scene, q, error))) {
     return false;
   }
   path_rules_count(scene);

@@ -125,11 +125,46 @@ static void print_allowed(const path_pair *pair) {
   putchar(')');
 }
 
+/* A pair that the stock as it is cut decides. */
+static void print_stock_pair(const path_scene *scene, const path_pair *pair) {
+  nc_tool_part part = scene->body[pair->body[0]].turned_part;
+  const path_stock *s = &scene->stock;
+  const char *before = "  ";
+  for (int v = VERDICT_COLLISION; v > VERDICT_WARNING; v--) {
+    if (pair->lines[v] > 0) {
+      printf("%s%s in ", before,
+             v == VERDICT_COLLISION ? "meets material" : "touches what is left");
+      report_print_count(pair->lines[v], "motion");
+      fputs(", first in ", stdout);
+      print_line(scene, NULL, pair->first[v]);
+      before = "; ";
+    }
+  }
+  if (path_in_lines(pair) == VERDICT_FREE) {
+    printf("  with tool %.60s ", scene->motion.name[pair->tool]);
+    if (part == NC_HOLDER) {
+      fputs("free of what is left", stdout);
+    } else {
+      printf("no deeper than %.6g mm in what is left%s", mm_of(s->depth),
+             part == NC_FLUTES ? ", except where it cuts" : "");
+    }
+  } else if (isfinite(pair->deepest[1])) {
+    printf("; %.4g ... %.4g mm deep in ", mm_of(fmax(0, pair->deepest[0])),
+           mm_of(pair->deepest[1]));
+    print_line(scene, NULL, pair->deepest_line);
+  }
+  putchar('\n');
+}
+
 static void print_pair(const path_scene *scene, const path_pair *pair, int width) {
   char names[2 * 64 + 4];
   snprintf(names, sizeof names, "%.60s, %.60s", path_body_name(scene, pair->body[0]),
            path_body_name(scene, pair->body[1]));
   printf("%-9s  %-*s", report_verdict_titles[path_verdict_of(pair)], width, names);
+  if (pair->by_cells) {
+    print_stock_pair(scene, pair);
+    return;
+  }
   const char *before = "  ";
   for (int v = VERDICT_COLLISION; v > VERDICT_FREE; v--) {
     static const char *const what[] = {"", "a warning", "undecided", "collide"};
@@ -157,6 +192,13 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
   print_way(scene, pair);
   print_least(scene, pair);
   putchar('\n');
+}
+
+static void print_stock(const path_scene *scene) {
+  const path_stock *s = &scene->stock;
+  printf("stock  %s, cut in cells of %.6g mm; %.6g cm3 are left at most; %zu KB, %.3f s\n",
+         path_body_name(scene, s->body), mm_of(s->cell),
+         (double)s->cells * s->cell * s->cell * s->cell * 1e6, s->bytes / 1000, s->seconds);
 }
 
 /* By the lines of the program, the worst first. */
@@ -330,10 +372,11 @@ static void print_steps(const format_motion *motion) {
 /* What is taken for granted of an NC program. */
 static void print_program(const path_scene *scene, const path_question *q) {
   char place[PATH_PLACE];
-  printf("start  %s\n",
-         scene->nc.program.start_given
-             ? "the program starts where machine.ini says"
-             : "the machine is at home when the program starts, as machine.ini says");
+  printf("start  %s%s\n",
+         q->start != NULL ? "the axes are at "
+                          : "the machine is at home when the program starts; --start gives another "
+                            "position",
+         q->start != NULL ? q->start : "");
   size_t first = 0;
   size_t corners = path_unbounded_corners(scene, &first);
   if (corners > 0) {
@@ -447,6 +490,9 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   }
   for (size_t n = 0; n < scene->pairs; n++) {
     print_pair(scene, &scene->pair[n], width < 40 ? width : 40);
+  }
+  if (scene->stock.cell > 0) {
+    print_stock(scene);
   }
   print_violations(scene);
   if (q->certify) {

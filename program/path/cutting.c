@@ -1,0 +1,330 @@
+/* SPDX-License-Identifier: MIT */
+/* cutting.c - the stock as it is cut.
+ *
+ * Two bounds of the stock are kept in cells: an outer one, which holds all material that is left,
+ * and an inner one, which is wholly material. A motion is tested before it cuts, in short parts:
+ * what a part removes is gone for the next part.
+ *
+ * Flutes and shank touch what they have just cut, and cells that are cut in part stay. So they are
+ * tested shrunk by a depth: what is proved is "no deeper than that into what is left". Holders are
+ * tested as they are. A holder is also free if it is free of the first stock's mesh. */
+#include "path/cutting.h"
+#include "path/certify.h"
+#include "path/cutter.h"
+#include "util/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A part of a motion that cuts is at most this long, in metres: the shank follows the flutes. */
+static const double part_most = 1e-3;
+
+/* Arcs of profiles are polygons that are no farther from them. */
+static const double arc_error = 2e-6;
+
+typedef struct {
+  path_scene *scene;
+  const path_question *q;
+  path_pair *of[NC_TOOL_PARTS]; /* pairs of the tool at hand; NULL: it has no such part */
+  path_cutter *cutter;          /* of all bodies */
+  sepax__stock *outer, *inner;
+  sepax__stock_joints joints;
+  double *value; /* memory of `joints`, and of the ends of a part of a motion */
+  size_t line;   /* the motion ends in this line */
+} cutting;
+
+/* ------------------------------------------------------------------------- choices */
+
+bool path_cutting_begin(path_scene *scene, const path_question *q, sepax_error *error) {
+  double least = INFINITY;
+  for (size_t n = 0; n < scene->pairs; n++) {
+    path_pair *pair = &scene->pair[n];
+    const path_body *tool = &scene->body[pair->body[0]];
+    if (tool->role == NULL || strcmp(tool->role, "core") == 0 ||
+        strcmp(path_body_name(scene, pair->body[1]), q->stock) != 0) {
+      continue;
+    }
+    pair->by_cells = true;
+    scene->stock.body = pair->body[1];
+    if (tool->turned_part == NC_FLUTES) {
+      least = fmin(least, tool->turned->diameter / 2 * 1e-3);
+    }
+  }
+  path_stock *s = &scene->stock;
+  s->cell = q->cell.length > 0 ? q->cell.length : fmin(2e-4, least / 10);
+  s->depth = q->depth.text != NULL ? q->depth.length : 2 * s->cell;
+  if (!(s->depth < least / 2)) {
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "depth: %.6g mm is half of the radius of the smallest tool, %.6g mm, or more, "
+        "so nothing would be proved; give smaller --cells or a smaller --depth",
+        s->depth * 1e3, least * 1e3);
+  }
+  return true;
+}
+
+/* ----------------------------------------------------------------------- the stock */
+
+static bool fill(cutting *c, sepax__stock **stock, sepax__stock_bound bound, sepax_error *error) {
+  const path_body *b = &c->scene->body[c->scene->stock.body];
+  double box[2][3];
+  memcpy(box[0], b->least, sizeof box[0]);
+  memcpy(box[1], b->most, sizeof box[1]);
+  return sepax__stock_new(stock, bound, box, c->scene->stock.cell, error) &&
+         sepax__stock_fill_mesh(*stock, &b->mesh, error);
+}
+
+static bool begin(cutting *c, sepax_error *error) {
+  path_scene *scene = c->scene;
+  size_t joints = scene->motion.joints + 1;
+  c->value = calloc(5 * joints, sizeof *c->value);
+  c->cutter = calloc(scene->bodies, sizeof *c->cutter);
+  if (c->value == NULL || c->cutter == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the stock");
+  }
+  for (int k = 0; k < 3; k++) {
+    c->joints.value[k] = c->value + (size_t)k * joints;
+  }
+  c->joints.from = c->value + 3 * joints;
+  c->joints.to = c->value + 4 * joints;
+  c->joints.mechanism = &scene->robot.mechanism;
+  c->joints.mount = (sepax_pose){{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
+  const path_body *stock = &scene->body[scene->stock.body];
+  if (stock->open > 0) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "stock: the mesh of %.60s has holes; give a closed mesh",
+                      path_body_name(scene, scene->stock.body));
+  }
+  for (size_t n = 0; n < scene->bodies; n++) {
+    const path_body *b = &scene->body[n];
+    if (b->role != NULL &&
+        !path_cutter_make(&c->cutter[n], b->turned, b->turned_part, arc_error, error)) {
+      return false;
+    }
+  }
+  return fill(c, &c->outer, SEPAX__STOCK_OUTER, error) &&
+         fill(c, &c->inner, SEPAX__STOCK_INNER, error);
+}
+
+static void end(cutting *c) {
+  for (size_t n = 0; n < c->scene->bodies && c->cutter != NULL; n++) {
+    path_cutter_free(&c->cutter[n]);
+  }
+  free(c->cutter);
+  free(c->value);
+  sepax__stock_free(c->outer);
+  sepax__stock_free(c->inner);
+}
+
+/* ---------------------------------------------------------------------- one motion */
+
+/* The pairs of the tool of a motion. */
+static bool find_pairs(cutting *c) {
+  size_t tool = c->scene->motion.step[c->line].tool;
+  bool any = false;
+  memset(c->of, 0, sizeof c->of);
+  for (size_t n = 0; n < c->scene->pairs && tool != FORMAT_NO_NAME; n++) {
+    path_pair *pair = &c->scene->pair[n];
+    if (pair->by_cells && pair->tool == tool) {
+      c->of[c->scene->body[pair->body[0]].turned_part] = pair;
+      any = true;
+    }
+  }
+  return any;
+}
+
+static const path_body *body_of(const cutting *c, const path_pair *pair) {
+  return &c->scene->body[pair->body[0]];
+}
+
+static const path_cutter *cutter_of(const cutting *c, const path_pair *pair) {
+  return &c->cutter[pair->body[0]];
+}
+
+/* Go from the part `from` of the motion to `to`, with one part of the tool. */
+static sepax__stock_way way_of(cutting *c, const path_pair *pair, double from, double to) {
+  const format_motion *motion = &c->scene->motion;
+  const double *a = &motion->value[(c->line - 1) * motion->joints];
+  const double *b = a + motion->joints;
+  double *ends[2] = {c->value + 3 * (motion->joints + 1), c->value + 4 * (motion->joints + 1)};
+  for (size_t n = 0; n < motion->joints; n++) {
+    ends[0][n] = from == 0 ? a[n] : a[n] + (b[n] - a[n]) * from;
+    ends[1][n] = to == 1 ? b[n] : a[n] + (b[n] - a[n]) * to;
+  }
+  const path_body *body = body_of(c, pair);
+  c->joints.chain = &pair->chain;
+  memcpy(c->joints.box[0], body->least, sizeof c->joints.box[0]);
+  memcpy(c->joints.box[1], body->most, sizeof c->joints.box[1]);
+  return (sepax__stock_way){sepax__stock_joint_piece, &c->joints};
+}
+
+/* Does the spindle turn, as far as is known? */
+static bool spins(const cutting *c) {
+  const path_scene *scene = c->scene;
+  return !scene->motion.of_program || scene->nc.row[scene->row_of[c->line]].spindle;
+}
+
+static bool cuts(const cutting *c) {
+  const path_pair *flutes = c->of[NC_FLUTES];
+  return flutes != NULL && c->scene->motion.step[c->line].kind == FORMAT_FEED && spins(c) &&
+         body_of(c, flutes)->turned->kind != NC_TOOL_PROBE;
+}
+
+/* How far the tool may be from the linear motion of the joints. */
+static double tolerance_of(const cutting *c) { return c->scene->motion.step[c->line].deviation; }
+
+/* Keep what was found of a pair in this motion. */
+static void note(cutting *c, path_pair *pair, report_verdict verdict, const double depth[2]) {
+  unsigned char *kept = &pair->verdict[c->line];
+  if (report_worse((report_verdict)*kept, verdict) != (report_verdict)*kept) {
+    *kept = (unsigned char)verdict;
+  }
+  if (depth[1] > pair->deepest[1]) {
+    pair->deepest[0] = depth[0];
+    pair->deepest[1] = depth[1];
+    pair->deepest_line = c->line;
+  }
+}
+
+/* A part of the tool touches the outer bound. Is that certainly material? */
+static bool judge(cutting *c, path_pair *pair, const sepax__stock_way *way, sepax_error *error) {
+  const path_cutter *shapes = cutter_of(c, pair);
+  double clearance = c->q->bands.clearance.length;
+  double depth[2] = {0, INFINITY};
+  double at[3];
+  bool hit = false;
+  if (!sepax__stock_hit(c->inner, shapes->inside, shapes->count, way, tolerance_of(c), &hit, at,
+                        error) ||
+      !sepax__stock_depth(c->outer, shapes->outside, shapes->count, way,
+                          tolerance_of(c) + clearance, depth, error)) {
+    return false;
+  }
+  note(c, pair, hit ? VERDICT_COLLISION : VERDICT_UNDECIDED, depth);
+  return true;
+}
+
+/* Test one part of the tool between two parts of the motion. */
+static bool test(cutting *c, nc_tool_part part, double from, double to, sepax_error *error) {
+  path_pair *pair = c->of[part];
+  sepax__stock_touch found;
+  if (pair == NULL || pair->verdict[c->line] == VERDICT_COLLISION) {
+    return true;
+  }
+  bool holder = part == NC_HOLDER;
+  const path_cutter *shapes = cutter_of(c, pair);
+  sepax__stock_way way = way_of(c, pair, from, to);
+  double clearance = holder ? c->q->bands.clearance.length : 0;
+  if (!sepax__stock_test(c->outer, shapes->outside, shapes->count, &way,
+                         holder ? 0 : c->scene->stock.depth, tolerance_of(c) + clearance, false,
+                         &found, error)) {
+    return false;
+  }
+  bool is_free = found.free;
+  if (!is_free && holder &&
+      !path_certify_segment(c->scene, c->q, pair, c->line - 1, &is_free, error)) {
+    return false;
+  }
+  return is_free || judge(c, pair, &way, error);
+}
+
+static bool cut(cutting *c, double from, double to, sepax_error *error) {
+  const path_pair *flutes = c->of[NC_FLUTES];
+  const path_cutter *shapes = cutter_of(c, flutes);
+  sepax__stock_way way = way_of(c, flutes, from, to);
+  return sepax__stock_cut(c->outer, shapes->inside, shapes->count, &way, tolerance_of(c), error) &&
+         sepax__stock_cut(c->inner, shapes->outside, shapes->count, &way, tolerance_of(c), error);
+}
+
+/* The number of parts of a motion that cuts: no point of the tool goes farther than part_most, or
+ * half of the flutes' length, in one. */
+static size_t parts_of(cutting *c) {
+  const path_pair *flutes = c->of[NC_FLUTES];
+  const path_body *body = body_of(c, flutes);
+  double box[2][3];
+  memcpy(box[0], body->least, sizeof box[0]);
+  memcpy(box[1], body->most, sizeof box[1]);
+  double length = box[1][2] - box[0][2];
+  way_of(c, flutes, 0, 1);
+  const format_motion *motion = &c->scene->motion;
+  double *middle = c->joints.value[0];
+  for (size_t n = 0; n < motion->joints; n++) {
+    middle[n] = c->joints.from[n] / 2 + c->joints.to[n] / 2;
+  }
+  double travel = 2 * sepax_chain_travel(&flutes->chain, &c->scene->robot.mechanism, c->joints.from,
+                                         middle, c->joints.to, box);
+  double parts = ceil(travel / fmin(part_most, length / 2));
+  return parts < 1 ? 1 : parts > 1e6 ? 1000000 : (size_t)parts;
+}
+
+static bool go(cutting *c, sepax_error *error) {
+  bool does_cut = cuts(c);
+  bool tested = c->of[NC_SHANK] != NULL || c->of[NC_HOLDER] != NULL;
+  size_t parts = does_cut && tested ? parts_of(c) : 1;
+  for (size_t n = 0; n < parts; n++) {
+    double from = (double)n / (double)parts;
+    double to = (double)(n + 1) / (double)parts;
+    if ((!does_cut && !test(c, NC_FLUTES, from, to, error)) ||
+        !test(c, NC_SHANK, from, to, error) || !test(c, NC_HOLDER, from, to, error) ||
+        (does_cut && !cut(c, from, to, error))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ------------------------------------------------------------------------ all of it */
+
+/* Count the verdicts of a pair. */
+static void count(const path_scene *scene, path_pair *pair) {
+  pair->lines_asked = 0;
+  for (size_t n = 1; n < scene->motion.lines; n++) {
+    if (!format_motion_goes_on(&scene->motion, n - 1) || scene->motion.step[n].tool != pair->tool) {
+      continue;
+    }
+    int v = pair->verdict[n];
+    pair->lines_asked++;
+    pair->lines[v]++;
+    if (pair->first[v] == PATH_NO_LINE) {
+      pair->first[v] = n;
+    }
+  }
+  pair->proof.certified = pair->lines[VERDICT_FREE] == pair->lines_asked;
+}
+
+static bool run(cutting *c, sepax_error *error) {
+  path_scene *scene = c->scene;
+  cli_progress progress = cli_progress_begin("motions through the stock", scene->motion.lines);
+  bool ok = begin(c, error);
+  for (size_t n = 0; n < scene->pairs && ok; n++) {
+    path_pair *pair = &scene->pair[n];
+    if (pair->by_cells) {
+      free(pair->verdict);
+      pair->verdict = calloc(scene->motion.lines, 1);
+      ok = pair->verdict != NULL || sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for verdicts");
+    }
+  }
+  for (c->line = 1; c->line < scene->motion.lines && ok; c->line++) {
+    ok = !format_motion_goes_on(&scene->motion, c->line - 1) || !find_pairs(c) || go(c, error);
+    cli_progress_show(&progress, c->line);
+  }
+  for (size_t n = 0; n < scene->pairs && ok; n++) {
+    if (scene->pair[n].by_cells) {
+      count(scene, &scene->pair[n]);
+    }
+  }
+  if (ok) {
+    sepax__stock_facts facts = sepax__stock_look(c->outer);
+    scene->stock.cells = (size_t)facts.cells;
+    scene->stock.bytes = (size_t)facts.bytes;
+  }
+  scene->stock.seconds = cli_progress_end(&progress);
+  return ok;
+}
+
+bool path_cutting_run(path_scene *scene, const path_question *q, sepax_error *error) {
+  cutting c = {.scene = scene, .q = q};
+  bool ok = run(&c, error);
+  end(&c);
+  return ok;
+}
