@@ -121,11 +121,9 @@ static void add_smoothing(nc_rows *r, size_t n) {
     if (!joint_moves(r, n, joint)) {
       continue;
     }
-    bool angular = m->program.joint[joint].angular;
-    double by = angular ? r->rules.servo_angular : r->rules.servo_linear;
     for (size_t row = r->part[n].first; row < r->part[n].end; row++) {
       double *to = &m->blending[row * m->joints + joint];
-      *to = nc_above(*to + by);
+      *to = nc_above(*to + m->smoothing[joint]);
     }
   }
 }

@@ -73,6 +73,7 @@ typedef struct {
   double *value;     /* value[n * joints + j]: joint j in row n, m or rad */
   double *deviation; /* deviation[n * joints + j]: of the motion that ends in row n, m or rad */
   double *blending;  /* blending[n * joints + j]: besides, by blending and smoothing */
+  double smoothing[NC_JOINTS_MOST]; /* the part of blending by smoothing, of a joint that moves */
   size_t rows, joints;
 } nc_motion;
 

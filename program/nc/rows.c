@@ -61,6 +61,7 @@ bool nc_rows_begin(nc_rows *r) {
     const nc_joint *joint = &p->joint[n];
     r->least[n] = nc_kinematics_metric(joint->angular, nc_point(joint->least)).lo;
     r->most[n] = nc_kinematics_metric(joint->angular, nc_point(joint->most)).hi;
+    r->motion->smoothing[n] = joint->angular ? r->rules.servo_angular : r->rules.servo_linear;
   }
   r->motion->joints = p->joints;
   return true;

@@ -80,8 +80,8 @@ static void find_off(const path_scene *scene, bool blended, size_t line, double 
     size_t to = scene->joint_of[k];
     bool counts = blended || nc->row[row].blend != NC_UNBOUNDED;
     if (to != SEPAX_NO_JOINT) {
-      off[to] =
-          nc->deviation[row * nc->joints + k] + (counts ? nc->blending[row * nc->joints + k] : 0);
+      off[to] = nc->deviation[row * nc->joints + k] +
+                (counts ? nc->blending[row * nc->joints + k] : nc->smoothing[k]);
     }
   }
   if (nc->row[row].dogleg &&

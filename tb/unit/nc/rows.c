@@ -105,6 +105,7 @@ CASE(test_blends) {
       assert_true(fabs(m.blending[row * m.joints + j] - off) < 1e-12);
     }
   }
+  assert_true(m.smoothing[0] == servo && m.smoothing[3] == 1e-5);
   assert_true(m.row[3].within == 0.0005 && m.row[3].blend == NC_WITHIN);
   nc_motion_free(&m);
 }
