@@ -171,7 +171,7 @@ static void assert_found(void) {
 /* Blends as long as the tolerance allows. */
 static void look_at_tolerances(bool turns) {
   memset(&found, 0, sizeof found);
-  for (int n = 0; n < FEWER(600); n++) {
+  for (int n = 0; n < FEWER(300); n++) {
     corner c = random_corner(turns);
     double within = pow(10, -1 + 2 * random_unit());
     blend s = random_blend();
