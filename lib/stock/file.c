@@ -125,14 +125,14 @@ static bool make_stock(reader *r, const uint8_t head[HEAD_BYTES], sepax__stock *
     return false;
   }
   for (int i = 0; i < 3; i++) {
-    ok = ok && (*stock)->bricks[i] == bricks[i];
+    ok = ok && *stock != NULL && (*stock)->bricks[i] == bricks[i];
   }
   return ok || fail_format(r, "the head of the stock has an impossible size");
 }
 
 static bool get_brick(reader *r, sepax__stock *s, const size_t at[3]) {
-  uint8_t state;
-  uint8_t byte[LAYERS_BYTES];
+  uint8_t state = 0;
+  uint8_t byte[LAYERS_BYTES] = {0};
   uint64_t layer[BRICK];
   if (!get(r, &state, 1) || (state == 2 && !get(r, byte, sizeof byte))) {
     return false;
@@ -176,7 +176,7 @@ static bool get_end(reader *r) {
 }
 
 static bool read_stock(reader *r, sepax__stock **stock) {
-  uint8_t head[HEAD_BYTES];
+  uint8_t head[HEAD_BYTES] = {0};
   if (!get(r, head, sizeof head)) {
     return false;
   }
@@ -189,7 +189,7 @@ static bool read_stock(reader *r, sepax__stock **stock) {
                       "%.300s: a stock of version %u, and this sepax reads version %d", r->path,
                       bytes_get32(head + 8), VERSION);
   }
-  return make_stock(r, head, stock) && get_bricks(r, *stock) && get_end(r);
+  return make_stock(r, head, stock) && *stock != NULL && get_bricks(r, *stock) && get_end(r);
 }
 
 bool sepax__stock_read(sepax__stock **stock, const char *path, sepax_error *error) {

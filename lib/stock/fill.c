@@ -87,7 +87,7 @@ static unsigned row_of_cells(const filling *f, const size_t at[3], int y, int z)
   bool outer = f->s->bound == SEPAX__STOCK_OUTER;
   unsigned cells = 0xff;
   for (int n = 0; n < (outer ? 1 : 4); n++) {
-    const double in[3] = {outer ? 0.5 : 0, y + (outer ? 0.5 : n & 1), z + (outer ? 0.5 : n / 2)};
+    const double in[3] = {outer ? 0.5 : 0, y + (outer ? 0.5 : n & 1), z + (outer ? 0.5 : n >> 1)};
     double p[3];
     for (int i = 0; i < 3; i++) {
       p[i] = f->s->origin[i] + ((double)(at[i] * BRICK) + in[i]) * f->s->cell;

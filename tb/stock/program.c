@@ -173,10 +173,10 @@ program five_axis_part(void) {
   program p = {0};
   for (int n = 0; n < GROOVES * LAYERS * PASSES; n++) {
     int layer = n / PASSES % LAYERS;
+    int groove = n / (PASSES * LAYERS);
     for (int k = 0; k <= STEPS; k++) {
       double h = (double)k / STEPS;
-      double azimuth =
-          2 * PI * (n / (PASSES * LAYERS)) / GROOVES + 0.9 * h * h + 0.05 * (n % PASSES - 1);
+      double azimuth = 2 * PI * groove / GROOVES + 0.9 * h * h + 0.05 * (n % PASSES - 1);
       double lean = 0.25 * sin(5 * h + n % PASSES);
       if (k == 0) {
         go(&p, true, 3, on_cone(h, azimuth, -15, lean));

@@ -11,7 +11,7 @@ static void check_outer(const tool *t, const move *m, double tolerance, double c
   sepax__stock *s = full_stock(SEPAX__STOCK_OUTER, box, cell);
   assert_works(sepax__stock_cut(s, &t->shape[0], 1, WAY(m), tolerance, &fault));
   sepax__stock_facts f = sepax__stock_look(s);
-  FOR_CELLS(&f, at) {
+  for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
     double p[3];
     if (!has_cell(before, &f, at) || !is_border(s, &f, at)) {
       continue;
@@ -37,7 +37,7 @@ static void check_inner(const tool *t, const move *m, double tolerance, double c
   sepax__stock *s = full_stock(SEPAX__STOCK_INNER, box, cell);
   assert_works(sepax__stock_cut(s, &t->shape[1], 1, WAY(m), tolerance, &fault));
   sepax__stock_facts f = sepax__stock_look(s);
-  FOR_CELLS(&f, at) {
+  for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
     double p[3];
     if (!has_cell(before, &f, at) || !is_border(s, &f, at)) {
       continue;
@@ -127,7 +127,7 @@ CASE(a_cut_along_faces_leaves_nothing_and_takes_no_more) {
   assert_works(sepax__stock_cut(s, &shape[0], 1, &way, 0, &fault));
   sepax__stock_facts f = sepax__stock_look(s);
   assert_true(before - f.cells > 0);
-  FOR_CELLS(&f, at) {
+  for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
     double p[2][3];
     bool in = true;
     cell_point(&f, at, (const double[]){0, 0, 0}, p[0]);

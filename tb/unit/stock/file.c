@@ -43,7 +43,9 @@ CASE(a_stock_comes_back) {
     sepax__stock_facts g = sepax__stock_look(back);
     assert_true(f.bound == g.bound && f.cell == g.cell && f.cells == g.cells && f.cells > 0);
     assert_memory_equal(f.box, g.box, sizeof f.box);
-    FOR_CELLS(&f, at) { assert_true(has_cell(s, &f, at) == has_cell(back, &g, at)); }
+    for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
+      assert_true(has_cell(s, &f, at) == has_cell(back, &g, at));
+    }
     /* and goes on as the first one */
     tool t = make_tool(n + 3, 0.01);
     move m = draw_move(true, reach_of(&t));
@@ -152,7 +154,9 @@ CASE(the_surface_is_closed_and_holds_the_cells) {
     sepax__stock *again;
     assert_works(sepax__stock_new(&again, SEPAX__STOCK_OUTER, box, 0.21, &fault));
     assert_works(sepax__stock_fill_mesh(again, &m, &fault));
-    FOR_CELLS(&f, at) { assert_true(!has_cell(s, &f, at) || has_cell(again, &f, at)); }
+    for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
+      assert_true(!has_cell(s, &f, at) || has_cell(again, &f, at));
+    }
     sepax__stock_free(again);
     sepax_soup_free(&m);
     sepax__stock_free(s);

@@ -25,7 +25,7 @@ CASE(boxes_fill_whole_cells) {
     assert_works(sepax__stock_fill_box(s, part, &fault));
     sepax__stock_facts f = sepax__stock_look(s);
     uint64_t cells = 0;
-    FOR_CELLS(&f, at) {
+    for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
       double p[2][3];
       bool inside = true;
       bool meets = true;
@@ -55,7 +55,7 @@ static void check_shape(int kind, double cell) {
   assert_works(sepax__stock_fill_shape(outer, &t.shape[1], &pose, &fault));
   assert_works(sepax__stock_fill_shape(inner, &t.shape[0], &pose, &fault));
   sepax__stock_facts f = sepax__stock_look(outer);
-  FOR_CELLS(&f, at) {
+  for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
     double p[3];
     int in = 0;
     for (int n = 0; n < 8; n++) {
@@ -138,7 +138,7 @@ CASE(meshes_fill_what_they_touch_or_hold) {
     assert_works(sepax__stock_fill_mesh(s[0], &mesh, &fault));
     assert_works(sepax__stock_fill_mesh(s[1], &mesh, &fault));
     sepax__stock_facts f = sepax__stock_look(s[0]);
-    FOR_CELLS(&f, at) {
+    for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
       int in = 0;
       for (int k = 0; k < 28; k++) {
         const double part[3] = {k % 3 / 2.0, k / 3 % 3 / 2.0, k / 9 % 3 / 2.0};

@@ -3,6 +3,7 @@
 #ifndef GRIDS_H
 #define GRIDS_H
 
+#include "stock/cells.h"
 #include "stock/moves.h"
 #include "unit/stock/solids.h"
 
@@ -76,42 +77,18 @@ static inline double beyond_move(const profile *p, const move *m, const double p
   return best;
 }
 
-/* The middle of a cell, and a corner of it. */
-static inline void cell_point(const sepax__stock_facts *f, const int cell[3], const double in[3],
-                              double p[3]) {
+/* From a cell of the grid to the next; after the last there is none. */
+static inline bool is_cell(const sepax__stock_facts *f, const int cell[3]) {
+  return cell[2] < cells_along(f, 2);
+}
+
+static inline void next_cell(const sepax__stock_facts *f, int cell[3]) {
   for (int i = 0; i < 3; i++) {
-    p[i] = f->box[0][i] + (cell[i] + in[i]) * f->cell;
-  }
-}
-
-static inline int cells_along(const sepax__stock_facts *f, int axis) {
-  return (int)lround((f->box[1][axis] - f->box[0][axis]) / f->cell);
-}
-
-static inline bool has_cell(const sepax__stock *s, const sepax__stock_facts *f, const int cell[3]) {
-  double p[3];
-  cell_point(f, cell, (const double[]){0.5, 0.5, 0.5}, p);
-  return sepax__stock_has(s, p);
-}
-
-/* Has the cell a neighbour that is there if it is not, or that is not if it is? */
-static inline bool is_border(const sepax__stock *s, const sepax__stock_facts *f,
-                             const int cell[3]) {
-  bool here = has_cell(s, f, cell);
-  for (int n = 0; n < 6; n++) {
-    int to[3] = {cell[0], cell[1], cell[2]};
-    to[n / 2] += n % 2 == 0 ? 1 : -1;
-    if (to[n / 2] >= 0 && to[n / 2] < cells_along(f, n / 2) && has_cell(s, f, to) != here) {
-      return true;
+    if (++cell[i] < cells_along(f, i) || i == 2) {
+      return;
     }
+    cell[i] = 0;
   }
-  return false;
 }
-
-/* All cells of a grid. */
-#define FOR_CELLS(f, cell)                                          \
-  for (int cell[3] = {0}; cell[2] < cells_along((f), 2); cell[2]++) \
-    for (cell[1] = 0; cell[1] < cells_along((f), 1); cell[1]++)     \
-      for (cell[0] = 0; cell[0] < cells_along((f), 0); cell[0]++)
 
 #endif

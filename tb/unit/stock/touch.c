@@ -26,7 +26,7 @@ static sepax__stock *draw_stock(sepax__stock_bound bound, double cell) {
 static double deepest_of(const sepax__stock *s, const tool *t, const move *m, double until) {
   sepax__stock_facts f = sepax__stock_look(s);
   double deepest = -INFINITY;
-  FOR_CELLS(&f, at) {
+  for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
     for (int n = 0; n < 9 && has_cell(s, &f, at) && is_border(s, &f, at); n++) {
       const double corner[3] = {n & 1, n >> 1 & 1, n >> 2 & 1};
       double p[3];
@@ -129,7 +129,7 @@ CASE(the_box_holds_all_that_is_touched) {
     /* the same cells without those in the box */
     sepax__stock *rest;
     assert_works(sepax__stock_new(&rest, SEPAX__STOCK_OUTER, box, 0.4, &fault));
-    FOR_CELLS(&f, at) {
+    for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
       double cube[2][3];
       bool in = true;
       cell_point(&f, at, (const double[]){0.01, 0.01, 0.01}, cube[0]);
@@ -223,7 +223,8 @@ CASE(questions_that_prove_nothing_are_refused) {
 
 /* A plate of 0.05 mm, narrower than a cell, is seen by whatever goes through it. */
 CASE(a_thin_wall_is_seen) {
-  for (double cell = 0.1; cell < 1.1; cell += 0.15) {
+  for (int n = 0; n < 7; n++) {
+    double cell = 0.1 + 0.15 * n;
     const double wall[2][3] = {{-3, 0.4, -3}, {3, 0.45, 3}};
     sepax__stock *s;
     assert_works(sepax__stock_new(&s, SEPAX__STOCK_OUTER, box, cell, &fault));
