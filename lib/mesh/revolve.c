@@ -22,9 +22,11 @@
  *    that the surface winds around a point there does not change on the way. So the rounded outer
  *    mesh still winds around each point of the solid once, and the inner mesh around no point
  *    outside of it.
- * 4. Gap. Every point in the outer outline is within half of the gap of the inner outline's region
- *    (outline_checks.c), and N makes the polygons differ from the circles by less than the other
- *    half. */
+ * 4. Gap. Every point of the outer outline's region is within half of the gap of a region that the
+ *    shrunk solid contains: that of Q, or if it is shrunk, that of the inner outline. Likewise
+ * every point of P's region, or of the outer outline's, is within half of the gap of the inner
+ *    outline's. outline_checks.c proves it. N makes the polygons differ from the circles by less
+ *    than the other half. */
 #include "outline.h"
 #include "util/error.h"
 #include "util/memory.h"
@@ -50,6 +52,7 @@ enum { TRIES = 4, TRIANGLES_MOST = 1 << 23, SIDES_LEAST = 8 };
 /* The outlines of the two meshes. */
 typedef struct {
   outline outer, inner;
+  bool outer_wanted, inner_wanted;
 } outlines;
 
 /* d of statement 1, where the parts of the gap that outlines may take are multiplied by `part`. */
@@ -76,6 +79,14 @@ static bool inner_holds(const outline *o, const outline *q, const revolve_how *h
   return within && sepax__outline_apart(o, q, how->shrink + margin / 2);
 }
 
+/* Statement 4, of the meshes that are wanted. */
+static bool is_near(const outlines *o, const outline *p, const outline *q, const revolve_how *how) {
+  double half = how->gap / 2;
+  bool shrunk = how->shrink > 0;
+  return (!o->outer_wanted || sepax__outline_reaches(&o->outer, shrunk ? &o->inner : q, half)) &&
+         (!o->inner_wanted || sepax__outline_reaches(shrunk ? &o->outer : p, &o->inner, half));
+}
+
 /* Make both outlines; *near becomes statement 4. */
 static bool find_with(outlines *o, bool *near, const outline *p, const outline *q,
                       const revolve_how *how, double part, sepax_error *error) {
@@ -85,7 +96,7 @@ static bool find_with(outlines *o, bool *near, const outline *p, const outline *
       !sepax__outline_offset(&o->inner, q, how->shrink + margin, WITHIN, corner, error)) {
     return false;
   }
-  *near = sepax__outline_reaches(&o->outer, &o->inner, how->gap / 2);
+  *near = is_near(o, p, q, how);
   return (outer_holds(&o->outer, p, how, margin) && inner_holds(&o->inner, q, how, margin)) ||
          sepax_fail(error, SEPAX_ERROR_LIMIT,
                     "no mesh with a gap of %g was proved; give another gap", how->gap);
@@ -250,7 +261,7 @@ bool sepax__revolve(sepax_soup *outer, sepax_soup *inner, const turned_profile *
                     const revolve_how *how, sepax_error *error) {
   sepax_soup none[2] = {{0}, {0}};
   sepax_soup *to[2] = {outer != NULL ? outer : &none[0], inner != NULL ? inner : &none[1]};
-  outlines o = {{0}, {0}};
+  outlines o = {.outer_wanted = outer != NULL, .inner_wanted = inner != NULL};
   *to[0] = *to[1] = (sepax_soup){0};
   if (!check_options(how, error) || !sepax__turned_check(profile, error)) {
     return false;

@@ -44,12 +44,12 @@ typedef struct {
  * mesh has no triangles if nothing is left of the solid. The outer mesh contains every point of the
  * solid, and the solid contains every point of the inner mesh, for the meshes as they are in
  * doubles; revolve.c has the proof, which holds, too, if the caller then multiplies all coordinates
- * by one number in doubles. Cost: some milliseconds. The count of triangles follows from
- * the gap: a cylinder of diameter 10 at 0.005 has 400.
+ * by one number in doubles. Cost: some milliseconds. The count of triangles follows from the gap: a
+ * cylinder of diameter 10 at 0.005 has 416.
  *
  * Errors: ARGUMENT if the profile or an option is out of range; LIMIT if the gap is too small for
- * the size of the solid, or cannot be kept because the solid has parts or edges that are too thin;
- * MEMORY. */
+ * the size of the solid, or cannot be kept because the solid has parts or edges that are too thin
+ * (not for an outer mesh alone without shrinking); MEMORY. */
 bool sepax__revolve(sepax_soup *outer, sepax_soup *inner, const turned_profile *profile,
                     const revolve_how *how, sepax_error *error);
 

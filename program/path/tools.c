@@ -123,8 +123,16 @@ static bool add_body(path_scene *scene, const path_question *q, const nc_turned_
   if (b->name == NULL || b->part == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for tools");
   }
-  if (!sepax__revolve(&mesh, NULL, &tool->part[part], &how, error)) {
-    return false;
+  sepax_error inner = {0};
+  if (!sepax__revolve(&mesh, NULL, &tool->part[part], &how, &inner)) {
+    return sepax_fail(error, inner.code, "%.200s:%zu: tool %d, %s: %.200s", scene->tools.path,
+                      tool->line, tool->number, role, inner.text);
+  }
+  if (mesh.count == 0) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "gouge: nothing is left of the flutes of tool %d, which are shrunk by %g mm; "
+                      "give a smaller --gouge",
+                      tool->number, shrink);
   }
   place(&mesh, tool->length);
   return path_body_of_mesh(b, &mesh, q->keep, error);

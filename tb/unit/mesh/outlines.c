@@ -70,14 +70,15 @@ CASE(test_reaches) {
 static void refuse(const turned_point *point, size_t points, double gap, double shrink,
                    const char *part) {
   sepax_soup outer;
+  sepax_soup inner;
   turned_point copy[300] = {{0}};
   for (size_t n = 0; n < points && n < LENGTH(copy); n++) {
     copy[n] = point[n < 8 ? n : 0];
   }
   turned_profile p = {copy, points};
   revolve_how how = {gap, shrink, false};
-  assert_fault(sepax__revolve(&outer, NULL, &p, &how, &fault), part);
-  assert_null(outer.facet);
+  assert_fault(sepax__revolve(&outer, &inner, &p, &how, &fault), part);
+  assert_true(outer.facet == NULL && inner.facet == NULL);
 }
 
 #define REFUSE(gap, shrink, part, ...)         \

@@ -266,6 +266,20 @@ static void print_profile(const turned_profile *p, const revolve_how *how) {
   printf("gap %.17g, shrunk by %.17g, %d\n", how->gap, how->shrink, (int)how->keep_top);
 }
 
+/* An outer mesh alone needs no inner one, however thin the solid is, unless it is shrunk. */
+static void check_outer(const turned_profile *p, const revolve_how *how) {
+  judge j = judge_of(p, how);
+  sepax_soup outer;
+  assert_works(sepax__revolve(&outer, NULL, p, how, &fault));
+  assert_true(is_closed(&outer));
+  wrong = look_at_all(&j, &outer, true);
+  if (wrong != NULL) {
+    print_profile(p, how);
+    fail_msg("%s", wrong);
+  }
+  sepax_soup_free(&outer);
+}
+
 static void check_drawn(turned_point *point, size_t points, int *proved) {
   double gap = 0.01 * pow(10, 1.3 * random_unit());
   revolve_how how = {gap, random_below(2) == 0 ? 0 : 10 * gap * fabs(random_unit()) + 1e-5,
@@ -280,6 +294,9 @@ static void check_drawn(turned_point *point, size_t points, int *proved) {
       fail_msg("%s", fault.text);
     }
     assert_true(outer.facet == NULL && inner.facet == NULL);
+    if (how.shrink == 0) {
+      check_outer(&p, &how);
+    }
     return;
   }
   *proved += 1;
@@ -306,6 +323,15 @@ CASE(test_random) {
   }
   printf("%d of %d profiles proved\n", proved, drawn);
   assert_true(10 * proved >= 8 * drawn);
+}
+
+/* A flange that ends in an edge without an angle, and a plate. */
+CASE(test_outer_alone) {
+  turned_point flange[] = {{0, 10, 0}, {5, 5, -5}, {40, 5, 0}, {45, 10, -5}, {50, 10, 0}};
+  turned_point plate[] = {{0, 5, 0}, {1e-7, 5, 0}};
+  const revolve_how how = {0.005, 0, false};
+  check_outer(&(turned_profile){flange, LENGTH(flange)}, &how);
+  check_outer(&(turned_profile){plate, LENGTH(plate)}, &how);
 }
 
 /* ------------------------------------------------------------- planted faults */
