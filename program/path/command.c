@@ -212,6 +212,7 @@ static bool program_agrees(const path_question *q, sepax_error *error) {
                       : q->deviation.text != NULL ? "deviation"
                       : q->written != NULL        ? "motion"
                       : q->start != NULL          ? "start"
+                      : q->smoothing.text != NULL ? "smoothing"
                       : q->loaded >= 0            ? "loaded"
                                                   : NULL;
   if (q->machine == NULL && first != NULL) {

@@ -24,7 +24,8 @@ enum {
   KEY_CELLS,
   KEY_DEPTH,
   KEY_BLENDED,
-  KEY_DEVIATION
+  KEY_DEVIATION,
+  KEY_SMOOTHING
 };
 
 static const struct argp_option options[] = {
@@ -81,6 +82,11 @@ static const struct argp_option options[] = {
     {"deviation", KEY_DEVIATION, "LENGTH", 0,
      "motions of an NC program that are curved in the joints are divided until each joint is at "
      "most LENGTH, or as many radians as LENGTH has metres, from linear motion (default 1um)",
+     0},
+    {"smoothing", KEY_SMOOTHING, "LENGTH", 0,
+     "how far the control's smoothing takes a linear joint off its way: a sixth of its acceleration "
+     "times the square of the servo period (default 1um, and ten times as many radians of a rotary "
+     "joint as a linear one has metres)",
      0},
     {0}};
 
@@ -181,6 +187,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     if (q->deviation.length < 1e-9) {
       argp_error(state, "deviation: %s is below 1nm", text);
     }
+    return 0;
+  case KEY_SMOOTHING:
+    q->smoothing = cli_limit(state, "smoothing", text, CLI_METRES);
     return 0;
   case KEY_IGNORE_LIMITS:
     q->rules.ignore_limits = true;

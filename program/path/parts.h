@@ -47,6 +47,7 @@ typedef struct {
   bool dogleg;
   bool blended;           /* count blending without a bound */
   report_limit deviation; /* of joints from linear motion, metres or radians; 0: the default */
+  report_limit smoothing; /* of linear joints by the control, metres */
   const char *written;    /* the motion file of --motion, or NULL */
 } path_question;
 
@@ -173,6 +174,7 @@ typedef struct {
   size_t joined, rigid, disabled;
   path_jobs jobs;
   path_stock stock;
+  double gouge; /* how deep flutes may be in the finished part, metres */
   bool between; /* --certify has run */
   bool removed; /* a certificate of an earlier run was removed */
   double seconds, between_seconds;

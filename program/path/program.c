@@ -202,6 +202,12 @@ static bool fill_lines(path_scene *scene, const path_question *q, sepax_error *e
 
 /* ---------------------------------------------------------------------- front end */
 
+/* For the rules, where 0 stands for the default, and a number below 0 for none. */
+static double smoothing_of(const path_question *q, double times) {
+  double length = q->smoothing.length * times;
+  return q->smoothing.text == NULL ? 0 : length > 0 ? length : -1;
+}
+
 static bool run(path_scene *scene, const path_question *q, sepax_error *error) {
   char table[4096];
   char start[512];
@@ -210,6 +216,8 @@ static bool run(path_scene *scene, const path_question *q, sepax_error *error) {
   nc_process p;
   nc_rules rules = {.linear = q->deviation.length,
                     .angular = q->deviation.length,
+                    .servo_linear = smoothing_of(q, 1),
+                    .servo_angular = smoothing_of(q, 10),
                     .dogleg = q->dogleg,
                     .ignore_limits = q->rules.ignore_limits};
   if (q->tool_table != NULL) {

@@ -317,7 +317,7 @@ static bool read_motion(path_scene *scene, const path_question *q, sepax_error *
 }
 
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error) {
-  *scene = (path_scene){.tool_link = SIZE_MAX};
+  *scene = (path_scene){.tool_link = SIZE_MAX, .gouge = q->gouge.length};
   const sepax_robot_reading how = {sizeof how, q->package, q->packages};
   if (!sepax_robot_read(&scene->robot, q->urdf, &how, error) || !read_motion(scene, q, error) ||
       (q->tools != NULL && !path_tools_read(scene, q, error)) || !make_bodies(scene, q, error) ||

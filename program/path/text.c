@@ -125,6 +125,11 @@ static void print_allowed(const path_pair *pair) {
   putchar(')');
 }
 
+static bool is_core(const path_scene *scene, const path_pair *pair) {
+  const char *role = scene->body[pair->body[0]].role;
+  return role != NULL && strcmp(role, "core") == 0;
+}
+
 /* A pair that the stock as it is cut decides. */
 static void print_stock_pair(const path_scene *scene, const path_pair *pair) {
   nc_tool_part part = scene->body[pair->body[0]].turned_part;
@@ -177,7 +182,11 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
     }
   }
   if (path_in_lines(pair) == VERDICT_FREE) {
-    fputs("  free in all lines", stdout);
+    if (is_core(scene, pair)) {
+      printf("  flutes no deeper than %.6g mm", mm_of(scene->gouge));
+    } else {
+      fputs("  free in all lines", stdout);
+    }
     if (pair->tool != FORMAT_NO_NAME) {
       printf(" with tool %.60s", scene->motion.name[pair->tool]);
     }
@@ -225,9 +234,46 @@ static void print_violations(const path_scene *scene) {
   free(list);
 }
 
+/* Free pairs of a tool share a row, because there are many. */
+static bool is_in_summary(const path_scene *scene, const path_pair *pair) {
+  return pair->tool != FORMAT_NO_NAME && !pair->by_cells && !is_core(scene, pair) &&
+         path_verdict_of(pair) == VERDICT_FREE;
+}
+
+/* The row of the free pairs of a tool, with the least clearance of them. */
+static void print_tool(const path_scene *scene, size_t tool, int width) {
+  const path_pair *least = NULL;
+  size_t count = 0;
+  bool certified = true;
+  for (size_t n = 0; n < scene->pairs; n++) {
+    const path_pair *pair = &scene->pair[n];
+    if (pair->tool == tool && is_in_summary(scene, pair)) {
+      count++;
+      certified = certified && pair->proof.certified;
+      least = least == NULL || pair->least < least->least ? pair : least;
+    }
+  }
+  if (least == NULL) {
+    return;
+  }
+  char name[64 + 40];
+  snprintf(name, sizeof name, "tool %.60s, %zu pairs", scene->motion.name[tool], count);
+  printf("%-9s  %-*s  free in all its lines%s", report_verdict_titles[VERDICT_FREE], width, name,
+         certified ? " and between them" : "");
+  if (least->least_line != PATH_NO_LINE) {
+    printf("; least: %s, %s", path_body_name(scene, least->body[0]),
+           path_body_name(scene, least->body[1]));
+    print_least(scene, least);
+  }
+  putchar('\n');
+}
+
 static void print_bodies(const path_scene *scene) {
   for (size_t n = 0; n < scene->bodies; n++) {
     const path_body *b = &scene->body[n];
+    if (b->role != NULL) {
+      continue;
+    }
     printf("body   %s, ", path_body_name(scene, n));
     report_print_count(b->triangles, "triangle");
     if (b->parts > 1) {
@@ -238,6 +284,26 @@ static void print_bodies(const path_scene *scene) {
     }
     putchar('\n');
   }
+}
+
+/* A row for each tool, with its parts. */
+static void print_tools(const path_scene *scene) {
+  const nc_turned_tool *last = NULL;
+  for (size_t n = 0; n < scene->bodies; n++) {
+    const path_body *b = &scene->body[n];
+    if (b->role == NULL || strcmp(b->role, "core") == 0) {
+      continue;
+    }
+    if (b->turned != last) {
+      printf("%stool   %d, %s, diameter %.6g mm, length %.6g mm: %s", last != NULL ? "\n" : "",
+             b->turned->number, nc_tool_kind_name(b->turned->kind), b->turned->diameter,
+             b->turned->length, b->role);
+    } else {
+      printf(", %s", b->role);
+    }
+    last = b->turned;
+  }
+  fputs(last != NULL ? "\n" : "", stdout);
 }
 
 static bool is_named_before(const path_scene *scene, size_t body, size_t part, const char *file) {
@@ -474,6 +540,7 @@ void path_print_text(const path_scene *scene, const path_question *q) {
     such += path_verdict_of(pair) == worst;
   }
   print_bodies(scene);
+  print_tools(scene);
   print_meshes(scene);
   print_empty(scene);
   print_nothings(scene);
@@ -489,7 +556,12 @@ void path_print_text(const path_scene *scene, const path_question *q) {
     print_jobs(scene, q);
   }
   for (size_t n = 0; n < scene->pairs; n++) {
-    print_pair(scene, &scene->pair[n], width < 40 ? width : 40);
+    if (!is_in_summary(scene, &scene->pair[n])) {
+      print_pair(scene, &scene->pair[n], width < 40 ? width : 40);
+    }
+  }
+  for (size_t n = 0; n < scene->motion.names; n++) {
+    print_tool(scene, n, width < 40 ? width : 40);
   }
   if (scene->stock.cell > 0) {
     print_stock(scene);

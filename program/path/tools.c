@@ -16,6 +16,9 @@
 /* No point of a tool's mesh is farther from the tool than this, in mm. */
 static const double mesh_gap = 0.005;
 
+/* The same of a core, which is compared with the finished part. */
+static const double core_gap = 0.0005;
+
 static bool find_link(path_scene *scene, const path_question *q, sepax_error *error) {
   const sepax_mechanism *m = &scene->robot.mechanism;
   size_t n = 0;
@@ -110,7 +113,8 @@ static void place(sepax_soup *mesh, double length) {
 static bool add_body(path_scene *scene, const path_question *q, const nc_turned_tool *tool,
                      nc_tool_part part, size_t name, double shrink, sepax_error *error) {
   path_body *b = &scene->body[scene->bodies];
-  const revolve_how how = {.gap = mesh_gap, .shrink = shrink, .keep_top = shrink > 0};
+  const revolve_how how = {
+      .gap = shrink > 0 ? core_gap : mesh_gap, .shrink = shrink, .keep_top = shrink > 0};
   char text[64];
   sepax_soup mesh = {0};
   const char *role = shrink > 0 ? "core" : nc_tool_part_name(part);
