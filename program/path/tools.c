@@ -100,7 +100,7 @@ bool path_tools_read(path_scene *scene, const path_question *q, sepax_error *err
 /* -------------------------------------------------------------------------- bodies */
 
 /* From mm above the tip to metres on the link. Factors above 1 keep the mesh around the solid. */
-static void place(sepax_soup *mesh, double length) {
+static void place_on_link(sepax_soup *mesh, double length) {
   for (size_t n = 0; n < 3 * mesh->count; n++) {
     double *v = mesh->facet[n / 3].v[n % 3];
     v[0] = v[0] * 1e-3 * (1 + 0x1p-50);
@@ -138,7 +138,7 @@ static bool add_body(path_scene *scene, const path_question *q, const nc_turned_
                       "give a smaller --gouge",
                       tool->number, shrink);
   }
-  place(&mesh, tool->length);
+  place_on_link(&mesh, tool->length);
   return path_body_of_mesh(b, &mesh, q->keep, error);
 }
 
