@@ -18,6 +18,7 @@
 #ifndef SEPAX_STOCK_H
 #define SEPAX_STOCK_H
 
+#include "mesh/revolve.h"
 #include "sepax.h"
 #include "sepax_mechanism.h"
 
@@ -62,6 +63,23 @@ typedef struct {
 bool sepax__stock_shape_make(const sepax__stock_corner *corner, size_t count, double error_most,
                              sepax__stock_shape *inside, sepax__stock_shape *outside,
                              sepax_error *error);
+
+/* Convex shapes that make up a solid together. */
+typedef struct {
+  sepax__stock_shape *shape;
+  size_t count;
+} sepax__stock_shapes;
+void sepax__stock_shapes_free(sepax__stock_shapes *shapes);
+
+/* The shapes of a turned profile (mesh/revolve.h). The solid lies in the union of `outside`, and
+ * the union of `inside` lies in the solid. The profile is cut into convex parts at the heights
+ * where it turns inward; the flat faces between these parts are `joined`. `joined[0]` says the same
+ * of the lowest face, and `joined[1]` of the highest, where the next part of the tool goes on. Arcs
+ * are exact to `error_most`, as above. Both lists are to be freed. Errors: ARGUMENT if the profile
+ * is not legal or error_most is not above 0; LIMIT as sepax__stock_shape_make; MEMORY. */
+bool sepax__stock_shapes_make(const turned_profile *profile, const bool joined[2],
+                              double error_most, sepax__stock_shapes *inside,
+                              sepax__stock_shapes *outside, sepax_error *error);
 
 /* Shrink the shape by `by`: what is left are exactly the points of it around which a ball of radius
  * `by` lies in the shape, but for limits that are `joined`. A negative `by` makes it larger: the
