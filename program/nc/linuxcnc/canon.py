@@ -34,7 +34,7 @@ class Canon:
         self.plane = 1
         self.kind = 0             # type of the kinematics
         self.unsynchronized = None
-        self.spindle, self.blend, self.loaded = None, None, 0
+        self.spindle, self.blend = None, None
         self.blend_raw = None
         self.at = job.start
         self.deadline = time.monotonic() + job.seconds
@@ -143,12 +143,11 @@ class Canon:
         held = self.line != this.sequence_number
         self._spindle(this, block, where, held)
         self._blend(this, block, where)
-        if this.motion_mode in SPLINES or block.motion_to_be in SPLINES:
+        if block.motion_to_be in SPLINES:
             self.fail("splines (G5, G5.1, G5.2) are not supported, because LinuxCNC's preview only "
                       "approaches them")
-        if this.current_tool not in (self.loaded, -1) and block.m_modes[6] != 6:
-            self.loaded = this.current_tool  # M61
-            self.out(f"load {where} {self.loaded}")
+        if block.m_modes[6] == 61:
+            self._change_number(this)
         if self.unsynchronized is not None:
             self.fail("the kinematics was switched in line %d, and nothing synchronizes after it "
                       "(M66 E0 L0)" % self.unsynchronized)
@@ -178,7 +177,8 @@ class Canon:
     def _blend(self, this, block, where):
         """G61, G64. Where the program may change units, the interpreter shows P = Q = 0.1 after a
         change, whatever is in force; and it never shows the unit of P. Then the worst counts."""
-        mode, p, q = this.active_g_codes[11], *list(this.active_settings)[3:5]
+        settings = this.active_settings
+        mode, p, q = this.active_g_codes[11], settings[3], settings[4]
         here = block.g_modes[13] >= 0
         if here:
             mode = block.g_modes[13]
@@ -277,7 +277,19 @@ class Canon:
         position from LinuxCNC's preview, which does not know all of it."""
         if index == 0 and self.recording:
             self.tell(self.at)
+            self._change_number(self._this())
         return self.rows[index] if index < len(self.rows) else NO_TOOL
+
+    def _change_number(self, this):
+        """M61 says that another tool is in the spindle, and LinuxCNC's preview passes it over."""
+        row = self.rows[this.current_pocket] if this.current_pocket else NO_TOOL
+        if row[0] != self.rows[0][0]:
+            self.line = this.sequence_number
+            self._load(row, self.where(this))
+
+    def _load(self, row, where):
+        self.rows[0] = row
+        self.out(f"load {where} {max(row[0], 0)}")
 
     def change_tool(self, index):
         """M6: to the position of the change, where the configuration has one, and the tool."""
@@ -288,10 +300,8 @@ class Canon:
             axes[:len(self.job.change_position)] = self.job.change_position
             self._move("rapid", axes)
             self.tell(axes)
-        self.rows[0] = NO_TOOL if index == 0 else self.rows[index]
-        self.loaded = max(self.rows[0][0], 0)
         self.unsynchronized = None
-        self.out(f"load {where} {self.loaded}")
+        self._load(self.rows[index] if index else NO_TOOL, where)
 
     # --- kinematics, remapped from M66, M67 and M68 -------------------------------------------
 
