@@ -207,6 +207,7 @@ static bool program_agrees(const path_question *q, sepax_error *error) {
   static const char *const endings[] = {".ngc", ".nc", ".tap", ".gcode", ".NGC", ".NC"};
   const char *first = q->tool_table != NULL       ? "tool-table"
                       : q->axes > 0               ? "axis"
+                      : q->controls > 0           ? "control"
                       : q->dogleg                 ? "rapids"
                       : q->blended                ? "blended"
                       : q->deviation.text != NULL ? "deviation"

@@ -13,6 +13,7 @@ enum {
   KEY_MACHINE,
   KEY_TOOL_TABLE,
   KEY_AXIS,
+  KEY_CONTROL,
   KEY_RAPIDS,
   KEY_TOOLS,
   KEY_TOOL_LINK,
@@ -70,6 +71,10 @@ static const struct argp_option options[] = {
     {"axis", KEY_AXIS, "LETTER:JOINT", CLI_REPEATABLE,
      "the joint of the URDF that is an axis of the machine (default: the joint that has the letter "
      "as its name); the option may be repeated",
+     0},
+    {"control", KEY_CONTROL, "OPTION", CLI_REPEATABLE,
+     "what the files of an NC program leave open: set=PIN=VALUE of HAL, table-units=mm or inch, "
+     "block-delete, seconds=N for the interpreter (default 60); the option may be repeated",
      0},
     {"rapids", KEY_RAPIDS, "WAY", 0,
      "straight: the axes of a rapid start and arrive together (default); dogleg: each takes its own "
@@ -172,6 +177,13 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_AXIS:
     add_axis(q, state, text);
+    return 0;
+  case KEY_CONTROL:
+    if (q->controls == PATH_CONTROLS_MOST || strlen(text) > 200) {
+      argp_error(state, "control: more than %d times, or longer than 200 characters",
+                 PATH_CONTROLS_MOST);
+    }
+    q->control[q->controls++] = text;
     return 0;
   case KEY_RAPIDS:
     q->dogleg = strcmp(text, "dogleg") == 0;

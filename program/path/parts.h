@@ -13,7 +13,7 @@
 #include "nc/nc.h"
 #include "nc/tools.h"
 
-enum { PATH_PACKAGES_MOST = 64, PATH_AXES_MOST = 16, PATH_WORD_MIN = 6 };
+enum { PATH_PACKAGES_MOST = 64, PATH_AXES_MOST = 16, PATH_CONTROLS_MOST = 10, PATH_WORD_MIN = 6 };
 
 typedef struct {
   const char *urdf, *motion;
@@ -44,6 +44,8 @@ typedef struct {
     const char *joint;
   } axis[PATH_AXES_MOST]; /* of --axis */
   size_t axes;
+  const char *control[PATH_CONTROLS_MOST]; /* of --control: options of the front end */
+  size_t controls;
   bool dogleg;
   bool blended;           /* count blending without a bound */
   report_limit deviation; /* of joints from linear motion, metres or radians; 0: the default */

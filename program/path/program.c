@@ -211,7 +211,8 @@ static double smoothing_of(const path_question *q, double times) {
 static bool run(path_scene *scene, const path_question *q, sepax_error *error) {
   char table[4096];
   char start[512];
-  const char *words[] = {q->machine, q->motion, NULL, NULL, NULL};
+  char control[PATH_CONTROLS_MOST][256];
+  const char *words[PATH_CONTROLS_MOST + 5] = {q->machine, q->motion};
   int count = 2;
   nc_process p;
   nc_rules rules = {.linear = q->deviation.length,
@@ -221,12 +222,16 @@ static bool run(path_scene *scene, const path_question *q, sepax_error *error) {
                     .dogleg = q->dogleg,
                     .ignore_limits = q->rules.ignore_limits};
   if (q->tool_table != NULL) {
-    snprintf(table, sizeof table, "--table=%s", q->tool_table);
+    snprintf(table, sizeof table, "--tool-table=%s", q->tool_table);
     words[count++] = table;
   }
   if (q->start != NULL) {
     snprintf(start, sizeof start, "--start=%s", q->start);
     words[count++] = start;
+  }
+  for (size_t n = 0; n < q->controls; n++) {
+    snprintf(control[n], sizeof control[n], "--control=%s", q->control[n]);
+    words[count++] = control[n];
   }
   if (!nc_process_start(&p, path_linuxcnc, words, error)) {
     return false;

@@ -94,7 +94,7 @@ class Canon:
     def check_abort(self):
         if time.monotonic() > self.deadline:
             self.fail(f"the program runs longer than {self.job.seconds:g} s in the interpreter, "
-                      f"perhaps in an endless loop; --seconds=N gives it more")
+                      f"perhaps in an endless loop; --control=seconds=N gives it more")
         return False
 
     # --- positions ---------------------------------------------------------------------------

@@ -10,8 +10,8 @@ WINDOW_PINS = {"5axisgui.pivot_len": ("pivot_len", 250.0)}
 
 
 class Hal:
-    """Signals, values and drivers, from [HAL]HALFILE, HALCMD and POSTGUI_HALFILE. Trivial kinematics
-    have no pins, so nothing is read for them."""
+    """Signals, values and drivers, from [HAL]HALFILE, HALCMD and POSTGUI_HALFILE. Trivial
+    kinematics have no pins, so nothing is read for them."""
 
     def __init__(self, ini, machine):
         self.ini = ini
@@ -80,7 +80,8 @@ class Hal:
     def evaluate(self, pin, default, depth=0):
         """(constant, times): the pin is the constant plus `times` the Z of the tool's offset."""
         if depth > 20:
-            raise Refusal(f"{self.ini.path}: HAL drives {pin} in a circle; give --set={pin}=VALUE")
+            raise Refusal(f"{self.ini.path}: HAL drives {pin} in a circle; "
+                          f"give --control=set={pin}=VALUE")
         signal = self.signal.get(pin)
         if signal is None:
             return (self._constant(pin), 0) if pin in self.values else (default, 0)
@@ -93,7 +94,7 @@ class Hal:
         if len(self.pins[signal]) == 1:
             return 0.0, 0  # a signal that nothing drives is 0
         raise Refusal(f"{self.ini.path}: what HAL gives to {pin} (signal {signal}) is not known; "
-                      f"give --set={pin}=VALUE")
+                      f"give --control=set={pin}=VALUE")
 
     def _driver(self, pin, depth):
         if pin == "motion.tooloffset.z":
@@ -126,7 +127,7 @@ class Hal:
         for path, text in self.scripts:
             if machine.kins + "." in text:
                 raise Refusal(f"{path}: Tcl sets pins of {machine.kins}, which is not read; "
-                              f"give --set={machine.kins}.PIN=VALUE for each")
+                              f"give --control=set={machine.kins}.PIN=VALUE for each")
         found = {}
         for name, default in PARAMETERS[machine.kins].items():
             pin = f"{machine.kins}.{name}"

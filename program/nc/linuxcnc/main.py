@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Canonical motion of a program for LinuxCNC, on standard output; what is wrong, as one line on
 standard error with status 2. docs/reference/canonical-motion.md has the format.
-  MACHINE.INI PART.NGC [--table=FILE] [--table-units=mm|inch] [--seconds=N] [--block-delete]
-  [--start=X,Y,Z,A,B,C,U,V,W] [--set=PIN=VALUE]...
+  MACHINE.INI PART.NGC [--tool-table=FILE] [--start=X,Y,Z,A,B,C,U,V,W]
+  [--control=table-units=mm|inch] [--control=seconds=N] [--control=block-delete]
+  [--control=set=PIN=VALUE]...
 LinuxCNC's interpreter runs in a process of its own with a private HOME: it writes a map of the
 tool table there, which is that of a machine that runs if HOME is the user's. Its parameter file
 is a copy."""
@@ -43,8 +44,9 @@ class Job:
         self.folder, self.parameter_file, self.out = None, None, None
 
     def _option(self, word):
-        name, _, value = word.partition("=")
-        if name == "--table":
+        given = "--" + word[10:] if word.startswith("--control=") else word
+        name, _, value = given.partition("=")
+        if name == "--tool-table":
             self.table = value
         elif name == "--table-units" and value in ("mm", "inch"):
             self.table_units = value
@@ -57,7 +59,7 @@ class Job:
         elif name == "--set" and "=" in value:
             pin, _, text = value.partition("=")
             self.given[pin] = self._numbers(word, text)[0]
-        elif word.startswith("-"):
+        elif word.startswith("--"):
             raise Refusal(f"linuxcnc: '{word}' is no option")
         else:
             return False

@@ -84,13 +84,14 @@ def check_units(path, tools, machine, said):
         return
     raise Refusal(f"{path}: the tools (diameters {min(widths):g} ... {max(widths):g}, lengths "
                   f"{min(lengths):g} ... {max(lengths):g}) look like {other}, and the machine is "
-                  f"in {unit}; if they are right, say --table-units={unit}")
+                  f"in {unit}; if they are right, say --control=table-units={unit}")
 
 
 def table_path(ini, given):
     """The table that was given, or that of the ini, or None."""
     if ini.get("EMCIO", "DB_PROGRAM") and given is None:
-        raise Refusal(f"{ini.path}: [EMCIO]DB_PROGRAM: tools in a data base; give --table=FILE")
+        raise Refusal(f"{ini.path}: [EMCIO]DB_PROGRAM: tools in a data base; "
+                      f"give --tool-table=FILE")
     if (ini.get("EMCIO", "RANDOM_TOOLCHANGER") or "0").split("#")[0].strip() not in ("0", ""):
         raise Refusal(f"{ini.path}: [EMCIO]RANDOM_TOOLCHANGER = 1 is not supported")
     name = ini.get("EMCIO", "TOOL_TABLE")
@@ -98,5 +99,6 @@ def table_path(ini, given):
         return given
     path = os.path.join(ini.folder, os.path.expanduser(name))
     if not os.path.exists(path):
-        raise Refusal(f"{ini.path}: [EMCIO]TOOL_TABLE = {name} is not there; give --table=FILE")
+        raise Refusal(f"{ini.path}: [EMCIO]TOOL_TABLE = {name} is not there; "
+                      f"give --tool-table=FILE")
     return path
