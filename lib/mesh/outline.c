@@ -149,12 +149,13 @@ bool sepax__turned_check(const turned_profile *profile, sepax_error *error) {
 
 /* -------------------------------------------------------------------- outlines */
 
-/* Add a point of an arc from a to b. Rounding must not let z fall. */
+/* Add a point of an arc from a to b. Rounding must not let z fall. Tangents of a hollow arc may
+ * cross the axis: there the region within is empty. */
 static bool add_on_arc(outline *o, const arc *c, spot a, spot b, double angle, double radius) {
   double z = c->centre.z + radius * sin(angle);
   double r = c->centre.r + radius * cos(angle);
   z = fmin(fmax(fmax(z, a.z), o->at[o->count - 1].z), b.z);
-  return sepax__outline_add(o, z, fmax(r, 0));
+  return sepax__outline_add(o, z, r);
 }
 
 /* Tangents touch the arc at its ends and at equal angles between, and meet outside of its circle.

@@ -2,7 +2,8 @@
 /* outline.h - polylines in the half plane (z, r) beside an axis (private to revolve.c).
  *
  * An outline is a list of points with z that never falls. It stands for the region between itself,
- * the axis, and straight lines to the axis at both ends: 0 <= r <= R(z). */
+ * the axis, and straight lines to the axis at both ends: 0 <= r <= R(z). Where R(z) < 0 the region
+ * is empty. */
 #ifndef SEPAX_OUTLINE_H
 #define SEPAX_OUTLINE_H
 
@@ -44,14 +45,17 @@ bool sepax__outline_offset(outline *o, const outline *from, double depth, outlin
                            double sagitta, sepax_error *error);
 
 /* Checks of what sepax__outline_offset made. Each returns true only if the statement holds, but for
- * 1e-10. The ends of an outline at the axis are part of it. Where the outline runs along the axis,
- * the region is empty.
- *   apart:    every point of `o` is farther than `distance` from every point of `from`. Stretches
- * of `o` along the axis are left out. covered:  no point of `o`, nor any at the same height and
- * farther from the axis, is deeper than `depth` in the region of `from`. reaches:  every point of
- * the region of `o` is at most `gap` from the region of `inner`. */
+ * 1e-10. The ends of an outline at the axis are part of it.
+ *   - apart: every point of `o` is farther than `distance` from every point of `from`. Stretches of
+ *     `o` along the axis are left out.
+ *   - covered: no point of `o`, nor any at the same height and farther from the axis, is more than
+ *     `depth` deep in the region of `from`.
+ *   - reaches: every point of the region of `o` is at most `gap` from the region of `inner`. The
+ *     flags say if stretches along the axis belong to the regions: a profile has such points, a
+ *     mesh has no triangles there. */
 bool sepax__outline_apart(const outline *o, const outline *from, double distance);
 bool sepax__outline_covered(const outline *o, const outline *from, double depth);
-bool sepax__outline_reaches(const outline *o, const outline *inner, double gap);
+bool sepax__outline_reaches(const outline *o, bool o_axis, const outline *inner, bool inner_axis,
+                            double gap);
 
 #endif

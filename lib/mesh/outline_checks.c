@@ -79,14 +79,15 @@ bool sepax__outline_covered(const outline *o, const outline *from, double depth)
 /* It is enough to look at the points of the outline itself. Let q = (z, R) be such a point and w a
  * point of `inner` within `gap` of q. A point (z, r) with r <= R is then within `gap` of the point
  * of `inner` at the height of w and at the distance min(r, r of w) from the axis. */
-bool sepax__outline_reaches(const outline *o, const outline *inner, double gap) {
+bool sepax__outline_reaches(const outline *o, bool o_axis, const outline *inner, bool inner_axis,
+                            double gap) {
   spot origin = {0, 0};
   const outline nothing = {&origin, 1, 1};
   spot a[2];
   inner = inner->count > 0 ? inner : &nothing;
   for (size_t n = 0; n <= o->count && o->count > 0; n++) {
     segment_of(o, n, a);
-    if (!on_axis(a) && !near_all(a[0], a[1], inner, false, gap, DEPTH)) {
+    if ((o_axis || !on_axis(a)) && !near_all(a[0], a[1], inner, inner_axis, gap, DEPTH)) {
       return false;
     }
   }

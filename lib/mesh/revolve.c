@@ -82,9 +82,11 @@ static bool inner_holds(const outline *o, const outline *q, const revolve_how *h
 /* Statement 4, of the meshes that are wanted. */
 static bool is_near(const outlines *o, const outline *p, const outline *q, const revolve_how *how) {
   double half = how->gap / 2;
-  bool shrunk = how->shrink > 0;
-  return (!o->outer_wanted || sepax__outline_reaches(&o->outer, shrunk ? &o->inner : q, half)) &&
-         (!o->inner_wanted || sepax__outline_reaches(shrunk ? &o->outer : p, &o->inner, half));
+  if (how->shrink > 0) {
+    return sepax__outline_reaches(&o->outer, false, &o->inner, false, half);
+  }
+  return (!o->outer_wanted || sepax__outline_reaches(&o->outer, false, q, true, half)) &&
+         (!o->inner_wanted || sepax__outline_reaches(p, true, &o->inner, false, half));
 }
 
 /* Make both outlines; *near becomes statement 4. */
@@ -92,8 +94,10 @@ static bool find_with(outlines *o, bool *near, const outline *p, const outline *
                       const revolve_how *how, double part, sepax_error *error) {
   double margin = margin_of(how, part);
   double corner = part * part_corner * how->gap;
+  bool needs_inner = o->inner_wanted || how->shrink > 0;
   if (!sepax__outline_offset(&o->outer, p, how->shrink - margin, AROUND, corner, error) ||
-      !sepax__outline_offset(&o->inner, q, how->shrink + margin, WITHIN, corner, error)) {
+      (needs_inner &&
+       !sepax__outline_offset(&o->inner, q, how->shrink + margin, WITHIN, corner, error))) {
     return false;
   }
   *near = is_near(o, p, q, how);

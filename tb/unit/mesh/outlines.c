@@ -52,7 +52,7 @@ CASE(test_covered) {
 }
 
 static void assert_reaches(outline a, outline b, double gap, bool expected) {
-  assert_int_equal(sepax__outline_reaches(&a, &b, gap), expected);
+  assert_int_equal(sepax__outline_reaches(&a, false, &b, false, gap), expected);
   sepax__outline_free(&a);
   sepax__outline_free(&b);
 }
@@ -65,6 +65,20 @@ CASE(test_reaches) {
   assert_reaches(OUTLINE({0, 0.01}, {10, 0.01}), OUTLINE({0, 0}, {10, 0}), 1, false);
   assert_reaches(OUTLINE({0, 0.01}, {10, 0.01}), (outline){0}, 1, false);
   assert_reaches((outline){0}, (outline){0}, 1, true);
+}
+
+/* A cylinder with a stretch of the axis above it, as meshes and as profiles. */
+CASE(test_axis) {
+  outline needle = OUTLINE({0, 5}, {10, 5}, {10, 0}, {20, 0});
+  outline around = OUTLINE({0, 5}, {10, 5}, {10, 0.01}, {20, 0.01});
+  outline plain = OUTLINE({0, 5}, {10, 5});
+  assert_true(sepax__outline_reaches(&around, false, &needle, true, 0.1));
+  assert_false(sepax__outline_reaches(&around, false, &needle, false, 0.1));
+  assert_true(sepax__outline_reaches(&needle, false, &plain, false, 0.1));
+  assert_false(sepax__outline_reaches(&needle, true, &plain, false, 0.1));
+  sepax__outline_free(&needle);
+  sepax__outline_free(&around);
+  sepax__outline_free(&plain);
 }
 
 static void refuse(const turned_point *point, size_t points, double gap, double shrink,

@@ -205,6 +205,14 @@ CASE(test_fine) {
   }
 }
 
+/* Coarse tangents of a hollow arc cross the axis. */
+CASE(test_hollow_at_axis) {
+  static turned_point point[] = {
+      {0, 0.15, 0}, {0.123, 0.17, -0.0665}, {0.2, 0.04, 0}, {0.38, 0.12, -0.11}, {0.7, 0.12, 0}};
+  check(point, LENGTH(point), 0.15, 0, false);
+  check(point, LENGTH(point), 0.01, 0, false);
+}
+
 /* No point of the solid is farther than the gap from the inner mesh. */
 CASE(test_inner_gap) {
   turned_profile p = {bull, LENGTH(bull)};
@@ -289,7 +297,7 @@ static void check_drawn(turned_point *point, size_t points, int *proved) {
   sepax_soup inner;
   if (!sepax__revolve(&outer, &inner, &p, &how, &fault)) {
     assert_int_equal(fault.code, SEPAX_ERROR_LIMIT);
-    if (strstr(fault.text, "too thin") == NULL) {
+    if (strstr(fault.text, "too thin") == NULL && strstr(fault.text, "too many") == NULL) {
       print_profile(&p, &how);
       fail_msg("%s", fault.text);
     }
